@@ -1,0 +1,26 @@
+# tera_module(NAME SOURCES ... PUBLIC ... PRIVATE ...): the static library tera_NAME of one folder of
+# src/, with what it links. PUBLIC are other modules; third-party libraries are PRIVATE so that their
+# headers stay inside the folder.
+function(tera_module NAME)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(tera_${NAME} STATIC ${ARG_SOURCES})
+  add_library(tera::${NAME} ALIAS tera_${NAME})
+  set_target_properties(tera_${NAME} PROPERTIES EXPORT_NAME ${NAME})
+  target_link_libraries(tera_${NAME} PUBLIC tera_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  target_precompile_headers(tera_${NAME} PRIVATE <Eigen/Geometry> <fmt/format.h> <memory> <string>
+    <vector>)
+  install(TARGETS tera_${NAME} EXPORT teraTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endfunction()
+
+# tera_test(FOLDER LABELS ... SOURCES ... LINK ...): one test program for a folder of test/; each
+# TEST in it becomes a ctest test with the given labels.
+function(tera_test NAME)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;LABELS" ${ARGN})
+  add_executable(${NAME} ${ARG_SOURCES})
+  target_link_libraries(${NAME} PRIVATE ${ARG_LINK} GTest::gmock GTest::gtest_main)
+  target_include_directories(${NAME} PRIVATE ${CMAKE_SOURCE_DIR}/test)
+  target_precompile_headers(${NAME} PRIVATE <Eigen/Geometry> <gmock/gmock.h> <gtest/gtest.h>)
+  gtest_discover_tests(${NAME} DISCOVERY_MODE PRE_TEST
+    PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 600
+    WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+endfunction()

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/motion.h"
+
+/// The parts of a machine that touch soil: what the machine description knows about them and what
+/// the soil needs. All geometry is fixed in the frame B of the link that carries the part
+/// (x forward, y left, z up in the link's own zero pose).
+
+namespace tera {
+
+/// A tool with a cutting edge: bucket or blade.
+///
+/// Frames  B link frame. The tool is an extrusion along B's y axis, from -width/2 to +width/2.
+/// Model   `profile_B_m` is the inner side profile in B's x-z plane, an open polyline that starts at
+///         the cutting edge (first point), follows the floor, then the back, and ends at the top lip.
+///         The segment from last to first point is the mouth. A blade has a profile that does not
+///         enclose an area worth carrying: `capacity_m3` is 0 and it only pushes.
+struct Shovel {
+  std::string name;
+  int link = 0;
+  std::vector<Vec2> profile_B_m;  ///< (x, z)
+  double width_m = 0;
+  double capacity_m3 = 0;  ///< struck capacity; heaped load may exceed it by the angle of repose
+  int teeth = 0;
+  double tooth_length_m = 0;
+};
+
+/// A small area of a track shoe or tyre that presses on the ground.
+struct ContactPatch {
+  Vec3 p_B_m = Vec3::Zero();
+  Vec3 outward_B = -Vec3::UnitZ();  ///< unit normal, away from the machine
+  /// Unit direction in which the surface moves relative to B when the gear drives forward:
+  /// backwards (-x) along the bottom run of a track.
+  Vec3 travel_B = -Vec3::UnitX();
+  double length_m = 0;  ///< along travel
+  double width_m = 0;   ///< across travel
+};
+
+/// One driven element on the ground: a track or a wheel. Its patches stand still in B while the
+/// surface (shoes, tread) moves through them at the speed `drive_radius_m * rate_radps`.
+struct RunningGear {
+  std::string name;
+  int link = 0;
+  double drive_radius_m = 0;  ///< sprocket pitch radius or rolling radius
+  std::vector<ContactPatch> patches;
+};
+
+/// Everything of one machine that the soil can feel.
+struct GroundTools {
+  std::vector<Shovel> shovels;
+  std::vector<RunningGear> gears;
+  /// Points of the structure that may touch ground when the machine digs itself in or tips over.
+  struct HullPoint {
+    int link = 0;
+    Vec3 p_B_m = Vec3::Zero();
+  };
+  std::vector<HullPoint> hull_points;
+};
+
+/// Motion of those parts at one instant.
+struct GroundToolsMotion {
+  const std::vector<BodyState>* links = nullptr;  ///< one for each link of the machine
+  std::vector<double> gear_rate_radps;            ///< one for each gear, positive drives forward
+};
+
+/// What the soil does to a machine over the next step.
+struct SoilReaction {
+  std::vector<Wrench> link_wrench;        ///< one for each link, about the link frame's origin
+  std::vector<double> gear_traction_n;    ///< one for each gear: ground force along forward travel
+  struct Load {
+    double mass_kg = 0;
+    Vec3 com_B_m = Vec3::Zero();
+    double volume_m3 = 0;
+  };
+  std::vector<Load> shovel_load;          ///< one for each shovel: the soil it carries
+  std::vector<double> gear_sinkage_m;     ///< one for each gear: largest sinkage of its patches
+  std::vector<double> gear_slip;          ///< one for each gear: 1 - v / (r w), 0 at rest
+};
+
+}  // namespace tera

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace tera {
+
+/// Semantic class of every surface. The value is what label images and scans store; the order is
+/// part of the dataset format and only ever grows at the end.
+enum class SemanticClass : std::uint8_t {
+  kSky = 0,         ///< no surface
+  kTerrain = 1,     ///< undisturbed or disturbed ground
+  kUndercarriage = 2,
+  kUpperStructure = 3,
+  kBoom = 4,
+  kArm = 5,
+  kBucket = 6,
+  kBlade = 7,
+  kTrack = 8,
+  kVehicle = 9,     ///< another machine that is not broken into parts
+  kTruck = 10,
+  kPerson = 11,
+  kRock = 12,
+  kBarrier = 13,
+  kCone = 14,
+  kStructure = 15,
+  kSoilInBucket = 16,
+  kVegetation = 17,
+};
+
+struct SemanticClassInfo {
+  SemanticClass label;
+  std::string_view name;          ///< as written in YAML and in dataset.yaml
+  std::array<std::uint8_t, 3> rgb;  ///< colour in overview pictures
+};
+
+/// All classes in order of value.
+inline constexpr std::array<SemanticClassInfo, 18> kSemanticClasses = {{
+    {SemanticClass::kSky, "sky", {135, 190, 235}},
+    {SemanticClass::kTerrain, "terrain", {134, 96, 67}},
+    {SemanticClass::kUndercarriage, "undercarriage", {90, 90, 100}},
+    {SemanticClass::kUpperStructure, "upper_structure", {230, 60, 40}},
+    {SemanticClass::kBoom, "boom", {250, 170, 30}},
+    {SemanticClass::kArm, "arm", {150, 220, 50}},
+    {SemanticClass::kBucket, "bucket", {30, 190, 200}},
+    {SemanticClass::kBlade, "blade", {60, 90, 220}},
+    {SemanticClass::kTrack, "track", {40, 40, 45}},
+    {SemanticClass::kVehicle, "vehicle", {200, 120, 200}},
+    {SemanticClass::kTruck, "truck", {130, 60, 190}},
+    {SemanticClass::kPerson, "person", {255, 40, 160}},
+    {SemanticClass::kRock, "rock", {150, 150, 150}},
+    {SemanticClass::kBarrier, "barrier", {240, 240, 120}},
+    {SemanticClass::kCone, "cone", {255, 110, 0}},
+    {SemanticClass::kStructure, "structure", {180, 170, 150}},
+    {SemanticClass::kSoilInBucket, "soil_in_bucket", {90, 60, 30}},
+    {SemanticClass::kVegetation, "vegetation", {60, 140, 60}},
+}};
+
+constexpr std::string_view NameOf(SemanticClass label) {
+  return kSemanticClasses[static_cast<std::size_t>(label)].name;
+}
+
+constexpr std::optional<SemanticClass> SemanticClassFromName(std::string_view name) {
+  for (const SemanticClassInfo& info : kSemanticClasses) {
+    if (info.name == name) return info.label;
+  }
+  return std::nullopt;
+}
+
+}  // namespace tera

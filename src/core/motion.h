@@ -1,0 +1,88 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "core/time.h"
+
+/// Rigid poses and motions, in the monogram notation used throughout:
+/// `X_AB` is the pose of frame B in A, `p_A = X_AB * p_B`; `R_AB` its rotation, `p_AB` its
+/// translation; `v_WB` the velocity of B's origin in W, expressed in W; `w_WB` the angular velocity
+/// of B in W, expressed in W (a trailing `_B` says "expressed in B" instead).
+
+namespace tera {
+
+using Pose = Eigen::Isometry3d;
+using Vec2 = Eigen::Vector2d;
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+using Quat = Eigen::Quaterniond;
+
+/// Rotation from roll, pitch, yaw in radians: R = Rz(yaw) Ry(pitch) Rx(roll) (URDF convention).
+Mat3 RotationFromRpy(double roll_rad, double pitch_rad, double yaw_rad);
+
+/// Inverse of RotationFromRpy, pitch in [-pi/2, pi/2]. Returns (roll, pitch, yaw) in radians.
+Vec3 RpyFromRotation(const Mat3& R);
+
+/// Pose from a translation and roll, pitch, yaw in radians.
+Pose MakePose(const Vec3& p_m, double roll_rad = 0, double pitch_rad = 0, double yaw_rad = 0);
+Pose MakePose(const Vec3& p_m, const Mat3& R);
+
+/// Pose a fraction s in [0, 1] of the way from `a` to `b`: linear in translation, slerp in rotation.
+Pose Interpolate(const Pose& a, const Pose& b, double s);
+
+/// Motion of a rigid body B at one instant.
+///
+/// Frames  W world (local ENU), B body; all vectors expressed in W, taken at B's origin.
+/// Model   `a_WB_mps2` and `alpha_WB_radps2` are the accelerations that the last physics step
+///         applied (constant over that step), coordinate accelerations without gravity removed.
+struct BodyState {
+  Pose X_WB = Pose::Identity();
+  Vec3 v_WB_mps = Vec3::Zero();
+  Vec3 w_WB_radps = Vec3::Zero();
+  Vec3 a_WB_mps2 = Vec3::Zero();
+  Vec3 alpha_WB_radps2 = Vec3::Zero();
+};
+
+/// Velocity in W of the body-fixed point at `p_B_m`.
+Vec3 PointVelocity(const BodyState& body, const Vec3& p_B_m);
+
+/// Motion of a frame S fixed to body B at X_BS, by rigid-body kinematics
+/// (v + w x r, a + alpha x r + w x (w x r)).
+BodyState MotionOfFixedFrame(const BodyState& body, const Pose& X_BS);
+
+/// State between two steps: pose by Interpolate, velocities linear, accelerations those of `b`
+/// (they hold over the whole step that ends in `b`).
+BodyState Interpolate(const BodyState& a, const BodyState& b, double s);
+
+/// Force and torque on a body, expressed in W, the torque about the body frame's origin.
+struct Wrench {
+  Vec3 force_W_n = Vec3::Zero();
+  Vec3 torque_W_nm = Vec3::Zero();
+
+  /// Adds `force_W_n` acting at `p_W_m` on the body whose frame origin is `origin_W_m`.
+  void AddForceAt(const Vec3& force_n, const Vec3& p_W_m, const Vec3& origin_W_m);
+};
+
+/// Poses of one body over time, oldest first, times strictly increasing.
+///
+/// Model   between two samples as Interpolate(Pose, Pose, s); outside the range, the nearest end.
+class PoseTrack {
+ public:
+  void Append(TimeNs t_ns, const Pose& X_WB);
+  /// Forgets samples that no query at or after `t_ns` can need.
+  void DropBefore(TimeNs t_ns);
+  Pose At(TimeNs t_ns) const;
+  bool empty() const { return samples_.empty(); }
+  TimeNs front_ns() const { return samples_.front().t_ns; }
+  TimeNs back_ns() const { return samples_.back().t_ns; }
+
+ private:
+  struct Sample {
+    TimeNs t_ns;
+    Pose X_WB;
+  };
+  std::vector<Sample> samples_;
+};
+
+}  // namespace tera

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "core/motion.h"
+
+namespace tera {
+
+/// One named source of randomness.
+///
+/// Model   Random123 Philox4x32-10. Key: 64-bit hash of (seed, name); counter: (index, lane), so
+///         that draw `index` is a pure function of (seed, name, index, lane): no hidden state, no
+///         order of evaluation, any number of threads, and skipping samples costs nothing.
+/// Omits   cryptographic strength.
+/// Source  Salmon et al. 2011, "Parallel random numbers: as easy as 1, 2, 3".
+///
+/// Names are paths: `excavator1/imu_boom/gyro_white`.
+class Stream {
+ public:
+  Stream(std::uint64_t seed, std::string_view name);
+
+  /// Uniform in (0, 1). `lane` tells apart several draws at one index.
+  double Uniform(std::uint64_t index, std::uint32_t lane = 0) const;
+  /// Standard normal, by Box–Muller from two uniforms of the same counter.
+  double Gaussian(std::uint64_t index, std::uint32_t lane = 0) const;
+  /// Three independent standard normals.
+  Vec3 Gaussian3(std::uint64_t index, std::uint32_t lane = 0) const;
+
+ private:
+  struct Block {
+    std::uint32_t word[4];
+  };
+  Block Draw(std::uint64_t index, std::uint32_t lane) const;
+
+  std::uint32_t key_[2];
+};
+
+/// 64-bit FNV-1a hash of a text, the same on every platform.
+std::uint64_t HashText(std::string_view text);
+
+}  // namespace tera

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tera {
+
+/// " (did you mean 'x'?)" with the candidate nearest to `word`, or nothing where none is near.
+std::string DidYouMean(const std::string& word, const std::vector<std::string>& candidates);
+
+}  // namespace tera

@@ -1,0 +1,150 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/config.h"
+#include "core/ground_tools.h"
+#include "core/labels.h"
+#include "core/motion.h"
+
+/// What a machine is: a tree of links and joints, its levers, its tools and its looks. Nothing here
+/// knows an excavator from a cart.
+
+namespace tera {
+
+/// A box fixed to a link, for collision with obstacles and other machines.
+struct CollisionBox {
+  Pose X_BG = Pose::Identity();  ///< centre of the box in the link frame
+  Vec3 size_m = Vec3::Zero();    ///< edge lengths
+};
+
+/// A mesh node shown at the link's frame.
+struct Visual {
+  std::filesystem::path mesh;       ///< glTF, OBJ, STL or DAE
+  std::string node;                 ///< node of the file, empty for all of it
+  Pose X_BG = Pose::Identity();
+  double scale = 1.0;
+  /// Label where it differs from the link's (tracks on the undercarriage).
+  std::optional<SemanticClass> label;
+};
+
+struct Link {
+  std::string name;
+  double mass_kg = 0;
+  Vec3 com_B_m = Vec3::Zero();
+  Mat3 inertia_B_kgm2 = Mat3::Zero();  ///< about the centre of mass, axes of B
+  SemanticClass label = SemanticClass::kVehicle;
+  std::vector<CollisionBox> collision;
+  std::vector<Visual> visuals;
+};
+
+enum class JointType { kFixed, kRevolute, kContinuous, kPrismatic };
+
+/// Transient of a joint rate after a step of its command, the paper's eq. (1):
+/// w(t) = w_ss (1 + sin(eta t + phi) e^(-beta t)).
+struct RateTransient {
+  double eta_radps = 20.0;
+  double beta_1ps = 6.0;
+  double phi_rad = 0.0;
+  bool enabled = false;
+};
+
+/// Joint between two links. Angle q > 0 turns the child about `axis_J` by the right-hand rule.
+///
+/// Frames  P parent link, J joint frame (X_PJ at q = 0 is where the child's frame stands), B child.
+struct Joint {
+  std::string name;
+  JointType type = JointType::kFixed;
+  int parent = -1, child = -1;
+  Pose X_PJ = Pose::Identity();
+  Vec3 axis_J = Vec3::UnitZ();
+  double lower_rad = 0, upper_rad = 0;  ///< metres for prismatic joints
+  double max_rate_positive_radps = 0;   ///< rate at full positive lever
+  double max_rate_negative_radps = 0;   ///< magnitude at full negative lever
+  double max_effort_nm = 0;             ///< newtons for prismatic joints
+  double initial_rad = 0;
+  RateTransient transient;
+};
+
+/// Drive of one running gear (index into GroundTools::gears).
+struct GearDrive {
+  double max_rate_radps = 0;    ///< sprocket or wheel rate at full lever
+  double max_torque_nm = 0;
+  double inertia_kgm2 = 0;      ///< of everything that turns with it, at the sprocket
+  RateTransient transient;
+};
+
+/// One input of the machine, -1..+1: either a joint or a running gear.
+struct Lever {
+  std::string name;   ///< as in commands.csv
+  int joint = -1;     ///< index into joints, or -1
+  int gear = -1;      ///< index into ground_tools.gears, or -1
+};
+
+/// A hydraulic cylinder as it is seen: barrel and rod between two pins, pointing at each other.
+struct CylinderVisual {
+  std::string name;
+  int barrel_link = 0, rod_link = 0;
+  Vec3 barrel_pin_m = Vec3::Zero();  ///< in the barrel link's frame
+  Vec3 rod_pin_m = Vec3::Zero();     ///< in the rod link's frame
+  Visual barrel, rod;                ///< meshes along +x: barrel from its pin, rod towards its pin (rod eye at the origin, extending along -x)
+};
+
+/// Shoes that run around a track: one instanced mesh along the closed path.
+struct TrackVisual {
+  int gear = 0;
+  Visual shoe;
+  std::vector<Vec3> path_B_m;  ///< closed polyline in the link frame, in the direction of forward drive travel
+  int shoe_count = 0;
+};
+
+/// A point and direction that tools of the operator need, by name ("bucket_tip").
+struct NamedFrame {
+  std::string name;
+  int link = 0;
+  Pose X_BF = Pose::Identity();
+};
+
+struct MachineModel {
+  std::string kind;                 ///< e.g. "tb235"
+  bool fixed_base = false;
+  std::vector<Link> links;          ///< links[0] is the root
+  std::vector<Joint> joints;        ///< parents before children
+  std::vector<Lever> levers;
+  GroundTools ground_tools;
+  std::vector<GearDrive> gear_drives;  ///< one for each gear
+  std::vector<CylinderVisual> cylinders;
+  std::vector<TrackVisual> track_visuals;
+  std::vector<NamedFrame> frames;
+  double gauge_m = 0;               ///< distance between left and right gear centres, 0 without
+
+  int LinkIndex(std::string_view name) const;    ///< -1 if there is none
+  int JointIndex(std::string_view name) const;
+  int LeverIndex(std::string_view name) const;
+  double TotalMass_kg() const;
+};
+
+/// Reads a machine description, either TERA's own keys or, with `urdf: file.urdf`, a URDF plus the
+/// keys that URDF lacks (levers, running gear, shovels). Faults go to `config`.
+MachineModel ReadMachine(const ConfigMap& config);
+
+/// Poses of all links for joint angles `q_rad` (one for each joint, fixed ones included) with the
+/// root at X_WB.
+std::vector<Pose> ForwardKinematics(const MachineModel& model, const Pose& X_WB,
+                                    const std::vector<double>& q_rad);
+
+/// State of one machine after a step.
+struct MachineState {
+  std::vector<BodyState> links;
+  std::vector<double> q_rad, qd_radps, effort_nm;  ///< one for each joint
+  std::vector<double> gear_angle_rad, gear_rate_radps, gear_torque_nm;
+  std::vector<double> levers;                      ///< as applied, one for each lever
+  std::vector<SoilReaction::Load> shovel_load;
+  std::vector<double> gear_sinkage_m, gear_slip;
+};
+
+}  // namespace tera

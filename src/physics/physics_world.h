@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/ground_tools.h"
+#include "core/motion.h"
+#include "physics/machine.h"
+
+namespace tera {
+
+/// A machine placed in the world.
+struct MachinePlacement {
+  std::string name;
+  MachineModel model;
+  Pose X_WB = Pose::Identity();      ///< pose of the root link at the start
+  std::vector<double> q_rad;         ///< joint angles at the start, one for each joint
+};
+
+/// Something solid that machines collide with. Its pose is set from outside before each step
+/// (static, or moved along a path); contact pushes machines, not the obstacle.
+struct ObstacleBody {
+  std::string name;
+  std::vector<CollisionBox> collision;
+  BodyState state;
+};
+
+/// What acts on one machine during a step.
+struct MachineInput {
+  std::vector<double> levers;   ///< -1..+1, one for each lever of the model; beyond that, clamped
+  SoilReaction soil;
+};
+
+/// Multibody dynamics of all machines (Bullet btMultiBody, Featherstone), with obstacles.
+///
+/// Frames  W, link frames B as in MachineModel.
+/// Model   levers -> target rates -> velocity motors limited in effort, with RateTransient; running
+///         gears turn against the soil's traction; the soil's wrenches act on the links; carried
+///         soil adds its mass to the tool's link.
+/// Omits   hydraulics, joint friction, backlash, structural flex.
+class PhysicsWorld {
+ public:
+  PhysicsWorld(const std::vector<MachinePlacement>& machines,
+               const std::vector<ObstacleBody>& obstacles, double gravity_mps2);
+  ~PhysicsWorld();
+
+  /// Advances by `dt_s`. `inputs` one for each machine, `obstacles` where the obstacles are at the
+  /// end of the step, one for each obstacle.
+  void Step(const std::vector<MachineInput>& inputs, const std::vector<BodyState>& obstacles,
+            double dt_s);
+
+  const std::vector<MachineState>& machines() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace tera

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/measurement.h"
+#include "render/scene.h"
+
+namespace tera {
+
+/// Pinhole intrinsics with Brown-Conrady distortion, as in OpenCV and ROS CameraInfo.
+///
+/// Frames  C optical frame (x right, y down, z forward). Pixel (0, 0) is the centre of the upper left
+///         pixel.
+/// Model   x = X/Z, y = Y/Z, r2 = x2 + y2;
+///         x' = x (1 + k1 r2 + k2 r4 + k3 r6) + 2 p1 x y + p2 (r2 + 2 x2), y' likewise;
+///         u = fx x' + cx, v = fy y' + cy.
+/// Source  Brown 1971; OpenCV 4.6 calib3d documentation.
+struct CameraIntrinsics {
+  int width_px = 640, height_px = 480;
+  double fx_px = 0, fy_px = 0, cx_px = 0, cy_px = 0;
+  double k1 = 0, k2 = 0, p1 = 0, p2 = 0, k3 = 0;
+  double near_m = 0.05, far_m = 300.0;
+
+  bool Distorted() const { return k1 != 0 || k2 != 0 || p1 != 0 || p2 != 0 || k3 != 0; }
+  /// Pixel of a point in C, Z > 0.
+  Vec2 Project(const Vec3& p_C_m) const;
+  /// Direction (x, y, 1) in C of a pixel, by Newton's method on the distortion.
+  Vec3 Unproject(const Vec2& pixel_px) const;
+};
+
+struct EglOptions {
+  int device = -1;  ///< index of an EGL device with a GPU; -1 chooses (GPU if there is one, else Mesa)
+};
+
+/// What OpenGL we got.
+struct GlInfo {
+  std::string egl_platform;  ///< "device 0" or "surfaceless"
+  std::string vendor, renderer, version;
+};
+
+/// Renders colour, planar depth, class and instance of one camera in one pass, without a display.
+///
+/// Throws InputError if no EGL platform with OpenGL 4.5 core can be had.
+class Rasterizer {
+ public:
+  Rasterizer(const SceneModel& model, const EglOptions& options);
+  ~Rasterizer();
+
+  const GlInfo& info() const;
+
+  /// What a camera at X_WC sees. Fills rgb, depth_m, semantic, instance and boxes of the frame;
+  /// t_ns is state.t_ns.
+  CameraFrame Render(const CameraIntrinsics& camera, const Pose& X_WC, const SceneState& state);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace tera

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "render/scene.h"
+
+namespace tera {
+
+/// A ray leaving `origin_W_m` along the unit vector `direction_W` at a fraction `time` in [0, 1] of
+/// the interval given to RayScene::Update.
+struct Ray {
+  Eigen::Vector3f origin_W_m;
+  Eigen::Vector3f direction_W;
+  float max_range_m = 100.0f;
+  float time = 0.0f;
+};
+
+struct RayHit {
+  bool hit = false;
+  float range_m = 0;
+  Eigen::Vector3f normal_W = Eigen::Vector3f::Zero();  ///< unit, towards the ray's origin
+  float reflectance = 0;                               ///< of the surface, diffuse, 0..1
+  SemanticClass label = SemanticClass::kSky;
+  std::uint16_t instance = 0;
+};
+
+/// Ray queries over the scene (Embree 3).
+///
+/// Model   bodies are instances with motion blur over an interval of time, so that every ray meets
+///         the scene as it was at its own instant; the terrain is one geometry per tile, of which only
+///         tiles with a new version are rebuilt, and stands still within an interval.
+/// Omits   transparency: glass is opaque with its own reflectance unless its opacity is 0.
+class RayScene {
+ public:
+  explicit RayScene(const SceneModel& model);
+  ~RayScene();
+
+  /// Sets the scene over [t0, t1]: `poses` at equally spaced times from t0 to t1 (1 to 32 of them),
+  /// each with one pose for each body; the terrain as it is now.
+  void Update(const std::vector<std::vector<Pose>>& poses, const TerrainSurface& terrain,
+              const std::vector<float>& body_scale);
+
+  /// First hit of each ray. Uses up to `threads` threads; the result does not depend on them.
+  void Trace(std::span<const Ray> rays, std::span<RayHit> hits, int threads) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace tera

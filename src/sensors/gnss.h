@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/config.h"
+#include "core/measurement.h"
+#include "core/random.h"
+
+namespace tera {
+
+/// Local tangent plane at a geodetic place, WGS 84 (GeographicLib).
+class SiteFrame {
+ public:
+  SiteFrame(double lat_deg, double lon_deg, double height_m);
+  ~SiteFrame();
+  SiteFrame(SiteFrame&&) noexcept;
+  struct Geodetic {
+    double lat_deg, lon_deg, height_m;
+  };
+  Geodetic ToGeodetic(const Vec3& p_W_m) const;
+  Vec3 ToEnu(const Geodetic& place) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Error of a receiver: first-order Gauss-Markov plus white, per axis, vertical apart.
+struct GnssModel {
+  double white_horizontal_m = 0, white_vertical_m = 0;            ///< 1 sigma
+  double correlated_horizontal_m = 0, correlated_vertical_m = 0;  ///< 1 sigma, stationary
+  double correlation_time_s = 60;
+  GnssFix fix = GnssFix::kRtkFixed;
+};
+
+GnssModel ReadGnssModel(const ConfigMap& config);
+
+/// One antenna.
+///
+/// Model   p = p_WS + c_k + n_k; c_k = e^(-T/tau) c_(k-1) + sqrt(1 - e^(-2T/tau)) sigma_c w_k.
+/// Omits   satellites, masking, multipath, fix transitions.
+class Gnss {
+ public:
+  Gnss(const GnssModel& model, const SampleClock& clock, TimeNs latency_ns, std::uint64_t seed,
+       const std::string& stream_name);
+  /// Sample k (called for k = 0, 1, 2, ... in order) with the antenna at `p_WS_m`.
+  GnssSample Measure(std::int64_t k, const Vec3& p_WS_m, const SiteFrame& site);
+
+ private:
+  GnssModel model_;
+  SampleClock clock_;
+  TimeNs latency_ns_;
+  Stream white_, correlated_;
+  Vec3 error_enu_m_ = Vec3::Zero();
+};
+
+}  // namespace tera

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/config.h"
+#include "core/measurement.h"
+#include "core/motion.h"
+#include "core/random.h"
+
+namespace tera {
+
+/// Noise of an inertial measurement unit, in Allan terms.
+struct ImuModel {
+  double gyro_noise_density_radpsrthz = 0;      ///< angle random walk, rad/s/sqrt(Hz)
+  double gyro_bias_random_walk_radps2rthz = 0;  ///< rate random walk, rad/s^2/sqrt(Hz)
+  double accel_noise_density_mps2rthz = 0;
+  double accel_bias_random_walk_mps3rthz = 0;
+  Vec3 gyro_bias_radps = Vec3::Zero();          ///< at the start
+  Vec3 accel_bias_mps2 = Vec3::Zero();
+};
+
+ImuModel ReadImuModel(const ConfigMap& config);
+
+/// Three gyroscopes and three accelerometers fixed to a body.
+///
+/// Frames  W world, B body, S sensor at X_BS.
+/// Model   truth f_S = R_SW (a_WS - g_W), w_S = R_SW w_WS with the lever arm's tangential and
+///         centripetal terms; each sample is the mean over its own interval (t - T, t], as of a
+///         strapdown unit that integrates internally; then white noise sigma / sqrt(T) and a bias
+///         random walk.
+/// Omits   scale, cross-axis, g-sensitivity, temperature, saturation, quantisation, vibration.
+/// Source  IEEE Std 952-1997 (noise terms); Titterton and Weston 2004, ch. 11 (integration).
+class Imu {
+ public:
+  /// `stream_name` is the prefix of its noise streams, "excavator1/imu_boom".
+  Imu(const ImuModel& model, const Pose& X_BS, const SampleClock& clock, std::uint64_t seed,
+      const std::string& stream_name);
+
+  /// Consumes the step from `begin` at t0 to `end` at t1 (accelerations of `end` hold over it) and
+  /// appends the samples that fall due in (t0, t1].
+  void Advance(TimeNs t0_ns, const BodyState& begin, TimeNs t1_ns, const BodyState& end,
+               const Vec3& gravity_W_mps2, std::vector<ImuSample>* samples);
+
+ private:
+  ImuModel model_;
+  Pose X_BS_;
+  SampleClock clock_;
+  Stream gyro_white_, accel_white_, gyro_walk_, accel_walk_;
+  Vec3 gyro_bias_radps_, accel_bias_mps2_;
+  Vec3 rate_integral_rad_ = Vec3::Zero(), force_integral_mps_ = Vec3::Zero();
+  std::int64_t next_ = 1;
+};
+
+}  // namespace tera

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/config.h"
+#include "core/motion.h"
+#include "core/time.h"
+#include "sensors/camera.h"
+#include "sensors/encoder.h"
+#include "sensors/gnss.h"
+#include "sensors/imu.h"
+#include "sensors/lidar.h"
+
+/// One sensor as the rig describes it: what it is, where it sits, when it samples.
+
+namespace tera {
+
+struct SensorDescription {
+  std::string name;          ///< unique on its machine
+  std::string link;          ///< parent link's name; encoders have none
+  Pose X_BS = Pose::Identity();
+  SampleClock clock;
+  TimeNs latency_ns = 0;     ///< t_available - t
+  std::variant<ImuModel, GnssModel, CameraModel, LidarModel, EncoderModel> model;
+};
+
+/// "imu", "gnss", "camera", "lidar" or "encoder".
+std::string TypeOf(const SensorDescription& sensor);
+
+/// Reads one item of a machine's `sensors:` list: name, link, xyz_m, rpy_deg, and the model's keys,
+/// most of which a `preset:` file supplies. Faults go to `config`.
+SensorDescription ReadSensor(const ConfigMap& config);
+
+/// The sensor as YAML for its folder's sensor.yaml: type, parent link, X_parent_sensor (row-major 4x4
+/// and xyz + quaternion), rate, model parameters.
+std::string SensorYaml(const SensorDescription& sensor);
+
+}  // namespace tera

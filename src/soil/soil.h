@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/config.h"
+#include "core/ground_tools.h"
+#include "core/terrain_surface.h"
+
+namespace tera {
+
+/// Mechanical and visible properties of one soil.
+struct SoilType {
+  std::string name;
+  double bank_density_kgpm3 = 0;      ///< undisturbed
+  double max_density_kgpm3 = 0;       ///< fully compacted
+  double swell = 1.0;                 ///< loose volume over bank volume
+  double friction_angle_rad = 0;
+  double cohesion_pa = 0;
+  double soil_tool_friction_rad = 0;
+  double adhesion_pa = 0;
+  double repose_angle_rad = 0;
+  double young_modulus_pa = 0;
+  // Pressure-sinkage (Bekker) and shear (Janosi-Hanamoto).
+  double k_c_npm_n1 = 0;              ///< N/m^(n+1)
+  double k_phi_npm_n2 = 0;            ///< N/m^(n+2)
+  double sinkage_exponent = 1;
+  double shear_modulus_m = 0;         ///< K
+  double moisture = 0;                ///< degree of saturation, 0..1
+  // Appearance.
+  Vec3 albedo = Vec3(0.3, 0.22, 0.15);  ///< linear RGB when dry
+  double grain_size_m = 0.01;           ///< scale of visible detail
+};
+
+/// Where soil mass is, for the ledger. Every kilogram is in exactly one place.
+struct MassLedger {
+  double ground_kg = 0;
+  double carried_kg = 0;   ///< in shovels
+  double airborne_kg = 0;  ///< falling from shovels, if the model lets it take time
+  double outside_kg = 0;   ///< pushed over the border of the site
+  double total_kg() const { return ground_kg + carried_kg + airborne_kg + outside_kg; }
+};
+
+/// Georeference of a site read from a GeoTIFF: geodetic place of W's origin.
+struct SiteOrigin {
+  double lat_deg = 0, lon_deg = 0, height_m = 0;
+};
+
+/// The ground as tiled columns and everything that moves it.
+///
+/// See docs/soil.md for the model; forces by the fundamental earthmoving equation.
+class Soil {
+ public:
+  /// Reads the scenario's `terrain:` mapping: size, cell, soils, relief or GeoTIFF, strips, piles.
+  /// Faults go to `config`. `seed` feeds the relief's streams.
+  static std::unique_ptr<Soil> Read(const ConfigMap& config, std::uint64_t seed);
+  virtual ~Soil() = default;
+
+  /// Registers a machine's tools; returns its handle for Act. Call before the first Act.
+  virtual int AddMachine(const GroundTools& tools) = 0;
+
+  /// Forces of the ground on machine `handle` in its present motion, and the work that its tools and
+  /// tracks do on the ground over the next `dt_s`: cuts, carries, dumps, presses ruts.
+  virtual SoilReaction Act(int handle, const GroundToolsMotion& motion, double dt_s) = 0;
+  /// Lets slopes steeper than the angle of repose flow for `dt_s`.
+  virtual void Flow(double dt_s) = 0;
+
+  virtual const TerrainSurface& surface() const = 0;
+  virtual const std::vector<SoilType>& soils() const = 0;
+  virtual MassLedger ledger() const = 0;
+  virtual std::optional<SiteOrigin> georeference() const = 0;
+  /// Heights to a GeoTIFF (float32, metres), georeferenced about `origin`.
+  virtual void WriteGeoTiff(const std::filesystem::path& file, const SiteOrigin& origin) const = 0;
+};
+
+}  // namespace tera
