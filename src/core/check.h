@@ -24,10 +24,10 @@ std::string JoinValues(const Values&... values) {
 }  // namespace internal
 }  // namespace tera
 
-#define TERA_CHECK(condition, ...)                                     \
-  do {                                                                 \
-    if (!(condition)) [[unlikely]] {                                   \
-      ::tera::FailCheck(#condition, __FILE__, __LINE__,                \
-                        ::tera::internal::JoinValues(__VA_ARGS__));    \
-    }                                                                  \
+#define TERA_CHECK(condition, ...)                                  \
+  do {                                                              \
+    if (!(condition)) [[unlikely]] {                                \
+      ::tera::FailCheck(#condition, __FILE__, __LINE__,             \
+                        ::tera::internal::JoinValues(__VA_ARGS__)); \
+    }                                                               \
   } while (false)

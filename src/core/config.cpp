@@ -31,11 +31,12 @@ struct Layer {
 
 struct ConfigNode {
   ConfigDocument* document = nullptr;
-  std::string path;            ///< key path from the root, "machines[0].sensors[2]"
-  std::vector<Layer> layers;   ///< first wins
+  std::string path;           ///< key path from the root, "machines[0].sensors[2]"
+  std::vector<Layer> layers;  ///< first wins
   YAML::Node resolved{YAML::NodeType::Map};
   std::set<std::string> asked;  ///< every key the reader knows
-  std::map<std::string, std::shared_ptr<ConfigNode>, std::less<>> children;  ///< mappings handed out
+  std::map<std::string, std::shared_ptr<ConfigNode>, std::less<>>
+      children;  ///< mappings handed out
 };
 
 struct ConfigDocument {
@@ -177,7 +178,8 @@ void RecordNumbers(ConfigNode& node, std::string_view key, const std::vector<dou
 YAML::Node LoadYaml(const fs::path& file, const std::string& shown, const std::string& context) {
   std::ifstream stream(file);
   if (!stream) {
-    throw InputError(fmt::format("{}{}: cannot be read; need a readable YAML file", context, shown));
+    throw InputError(
+        fmt::format("{}{}: cannot be read; need a readable YAML file", context, shown));
   }
   std::stringstream text;
   text << stream.rdbuf();
@@ -241,8 +243,10 @@ void AddOverride(YAML::Node overlay, const std::string& text) {
   std::string path = text.substr(0, equals);
   std::string dotted;
   for (const char c : path) {
-    if (c == '[') dotted += '.';
-    else if (c != ']') dotted += c;
+    if (c == '[')
+      dotted += '.';
+    else if (c != ']')
+      dotted += c;
   }
   YAML::Node value;
   try {
@@ -277,7 +281,9 @@ using internal::Record;
 using internal::Shown;
 
 Range Any(std::string unit) { return {.unit = std::move(unit)}; }
-Range Positive(std::string unit) { return {.min = 0, .min_excluded = true, .unit = std::move(unit)}; }
+Range Positive(std::string unit) {
+  return {.min = 0, .min_excluded = true, .unit = std::move(unit)};
+}
 Range AtLeast(double min, std::string unit) { return {.min = min, .unit = std::move(unit)}; }
 Range Between(double min, double max, std::string unit) {
   return {.min = min, .max = max, .unit = std::move(unit)};
@@ -364,8 +370,7 @@ std::string ConfigMap::Choice(std::string_view key,
   return std::string(*allowed.begin());
 }
 
-std::string ConfigMap::Choice(std::string_view key,
-                              std::initializer_list<std::string_view> allowed,
+std::string ConfigMap::Choice(std::string_view key, std::initializer_list<std::string_view> allowed,
                               std::string_view otherwise) const {
   if (Has(key)) return Choice(key, allowed);
   Record(*node_, key, std::string(otherwise));
@@ -398,8 +403,8 @@ std::vector<double> ConfigMap::Numbers(std::string_view key, const Range& each,
                                        std::size_t min_count, std::size_t max_count) const {
   const std::vector<double> harmless(min_count, Harmless(each));
   const auto found = Find(*node_, key);
-  const std::string count = min_count == max_count ? fmt::format("{}", min_count)
-                                                   : fmt::format("at least {}", min_count);
+  const std::string count =
+      min_count == max_count ? fmt::format("{}", min_count) : fmt::format("at least {}", min_count);
   if (!found) {
     if (min_count > 0) {
       AddMissing(*node_, key, fmt::format("a list of {} numbers, each {}", count, Need(each)));
@@ -428,7 +433,8 @@ std::vector<std::string> ConfigMap::Texts(std::string_view key) const {
   std::vector<std::string> texts;
   if (!found) return texts;
   if (!found->node.IsSequence()) {
-    AddFault(*node_, key, *found, fmt::format("{} found, need a list of texts", Shown(found->node)));
+    AddFault(*node_, key, *found,
+             fmt::format("{} found, need a list of texts", Shown(found->node)));
     return texts;
   }
   YAML::Node list(YAML::NodeType::Sequence);
@@ -477,7 +483,8 @@ std::vector<Layer> LayersOf(ConfigNode& node, std::string_view key) {
 
 std::shared_ptr<ConfigNode> AddChild(ConfigNode& parent, std::string_view key,
                                      std::vector<Layer> layers) {
-  if (layers.empty()) layers.push_back({YAML::Node(YAML::NodeType::Map), parent.layers[0].file, {}});
+  if (layers.empty())
+    layers.push_back({YAML::Node(YAML::NodeType::Map), parent.layers[0].file, {}});
   auto child = parent.document->AddNode(Join(parent.path, key), std::move(layers));
   parent.resolved[std::string(key)] = child->resolved;
   parent.children.emplace(key, child);
@@ -688,8 +695,8 @@ Config Config::FromText(const std::string& text, const std::string& name,
                                  e.mark.column + 1, e.msg));
   }
   if (!node.IsMap()) throw InputError(fmt::format("{}:1:1: need a mapping of keys", name));
-  document->root = document->AddNode("", {Layer{overlay, "--set", fs::current_path()},
-                                          Layer{node, name, fs::current_path()}});
+  document->root = document->AddNode(
+      "", {Layer{overlay, "--set", fs::current_path()}, Layer{node, name, fs::current_path()}});
   return Config(document);
 }
 

@@ -14,10 +14,11 @@ namespace tera {
 /// A tool with a cutting edge: bucket or blade.
 ///
 /// Frames  B link frame. The tool is an extrusion along B's y axis, from -width/2 to +width/2.
-/// Model   `profile_B_m` is the inner side profile in B's x-z plane, an open polyline that starts at
-///         the cutting edge (first point), follows the floor, then the back, and ends at the top lip.
-///         The segment from last to first point is the mouth. A blade has a profile that does not
-///         enclose an area worth carrying: `capacity_m3` is 0 and it only pushes.
+/// Model   `profile_B_m` is the inner side profile in B's x-z plane, an open polyline that starts
+/// at
+///         the cutting edge (first point), follows the floor, then the back, and ends at the top
+///         lip. The segment from last to first point is the mouth. A blade has a profile that does
+///         not enclose an area worth carrying: `capacity_m3` is 0 and it only pushes.
 struct Shovel {
   std::string name;
   int link = 0;
@@ -68,16 +69,16 @@ struct GroundToolsMotion {
 
 /// What the soil does to a machine over the next step.
 struct SoilReaction {
-  std::vector<Wrench> link_wrench;        ///< one for each link, about the link frame's origin
-  std::vector<double> gear_traction_n;    ///< one for each gear: ground force along forward travel
+  std::vector<Wrench> link_wrench;      ///< one for each link, about the link frame's origin
+  std::vector<double> gear_traction_n;  ///< one for each gear: ground force along forward travel
   struct Load {
     double mass_kg = 0;
     Vec3 com_B_m = Vec3::Zero();
     double volume_m3 = 0;
   };
-  std::vector<Load> shovel_load;          ///< one for each shovel: the soil it carries
-  std::vector<double> gear_sinkage_m;     ///< one for each gear: largest sinkage of its patches
-  std::vector<double> gear_slip;          ///< one for each gear: 1 - v / (r w), 0 at rest
+  std::vector<Load> shovel_load;       ///< one for each shovel: the soil it carries
+  std::vector<double> gear_sinkage_m;  ///< one for each gear: largest sinkage of its patches
+  std::vector<double> gear_slip;       ///< one for each gear: 1 - v / (r w), 0 at rest
 };
 
 }  // namespace tera

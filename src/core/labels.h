@@ -10,8 +10,8 @@ namespace tera {
 /// Semantic class of every surface. The value is what label images and scans store; the order is
 /// part of the dataset format and only ever grows at the end.
 enum class SemanticClass : std::uint8_t {
-  kSky = 0,         ///< no surface
-  kTerrain = 1,     ///< undisturbed or disturbed ground
+  kSky = 0,      ///< no surface
+  kTerrain = 1,  ///< undisturbed or disturbed ground
   kUndercarriage = 2,
   kUpperStructure = 3,
   kBoom = 4,
@@ -19,7 +19,7 @@ enum class SemanticClass : std::uint8_t {
   kBucket = 6,
   kBlade = 7,
   kTrack = 8,
-  kVehicle = 9,     ///< another machine that is not broken into parts
+  kVehicle = 9,  ///< another machine that is not broken into parts
   kTruck = 10,
   kPerson = 11,
   kRock = 12,
@@ -32,7 +32,7 @@ enum class SemanticClass : std::uint8_t {
 
 struct SemanticClassInfo {
   SemanticClass label;
-  std::string_view name;          ///< as written in YAML and in dataset.yaml
+  std::string_view name;            ///< as written in YAML and in dataset.yaml
   std::array<std::uint8_t, 3> rgb;  ///< colour in overview pictures
 };
 

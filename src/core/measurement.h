@@ -9,8 +9,8 @@
 #include "core/motion.h"
 #include "core/time.h"
 
-/// What sensors produce and recordings hold: plain data, no behaviour. `t_ns` is the time at which a
-/// measurement was valid; `t_available_ns` the time at which a reader could have had it.
+/// What sensors produce and recordings hold: plain data, no behaviour. `t_ns` is the time at which
+/// a measurement was valid; `t_available_ns` the time at which a reader could have had it.
 
 namespace tera {
 
@@ -91,21 +91,21 @@ struct ObjectBox {
 struct CameraFrame {
   TimeNs t_ns = 0;
   TimeNs t_available_ns = 0;
-  Image<std::uint8_t> rgb;          ///< 3 channels, sRGB
-  Image<float> depth_m;             ///< planar depth (z in C); 0 where there is no measurement
-  Image<std::uint8_t> semantic;     ///< SemanticClass
-  Image<std::uint16_t> instance;    ///< 0: none; else index of the instance in dataset.yaml
+  Image<std::uint8_t> rgb;        ///< 3 channels, sRGB
+  Image<float> depth_m;           ///< planar depth (z in C); 0 where there is no measurement
+  Image<std::uint8_t> semantic;   ///< SemanticClass
+  Image<std::uint16_t> instance;  ///< 0: none; else index of the instance in dataset.yaml
   std::vector<ObjectBox> boxes;
 };
 
 /// One lidar return, in the sensor frame at the time of its own ray.
 struct LidarPoint {
   float x_m = 0, y_m = 0, z_m = 0;
-  float intensity = 0;              ///< reflectivity-like, in [0, 1]
+  float intensity = 0;               ///< reflectivity-like, in [0, 1]
   std::uint32_t time_offset_ns = 0;  ///< since the scan's t_ns
   std::uint16_t ring = 0;
   std::uint16_t instance = 0;
-  std::uint8_t label = 0;           ///< SemanticClass
+  std::uint8_t label = 0;  ///< SemanticClass
 };
 
 /// One revolution; t_ns is the time of its first ray. Rays without a return leave no point.

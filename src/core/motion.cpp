@@ -82,8 +82,8 @@ Pose PoseTrack::At(TimeNs t_ns) const {
   if (after == samples_.begin()) return samples_.front().X_WB;
   if (after == samples_.end()) return samples_.back().X_WB;
   const auto before = after - 1;
-  const double s = static_cast<double>(t_ns - before->t_ns) /
-                   static_cast<double>(after->t_ns - before->t_ns);
+  const double s =
+      static_cast<double>(t_ns - before->t_ns) / static_cast<double>(after->t_ns - before->t_ns);
   return Interpolate(before->X_WB, after->X_WB, s);
 }
 

@@ -28,7 +28,8 @@ Vec3 RpyFromRotation(const Mat3& R);
 Pose MakePose(const Vec3& p_m, double roll_rad = 0, double pitch_rad = 0, double yaw_rad = 0);
 Pose MakePose(const Vec3& p_m, const Mat3& R);
 
-/// Pose a fraction s in [0, 1] of the way from `a` to `b`: linear in translation, slerp in rotation.
+/// Pose a fraction s in [0, 1] of the way from `a` to `b`: linear in translation, slerp in
+/// rotation.
 Pose Interpolate(const Pose& a, const Pose& b, double s);
 
 /// Motion of a rigid body B at one instant.

@@ -30,8 +30,8 @@ struct DatasetInfo {
 using ChannelId = int;
 
 struct WriterOptions {
-  int threads = 2;         ///< encoding threads
-  int queue_length = 64;   ///< frames waiting before Write blocks
+  int threads = 2;        ///< encoding threads
+  int queue_length = 64;  ///< frames waiting before Write blocks
   bool resume = false;
 };
 
@@ -43,8 +43,9 @@ struct TruthPose {
   Vec3 w_WB_B_radps = Vec3::Zero();
 };
 
-/// Writes a recording. Frames are encoded on worker threads behind a bounded queue; rows are written
-/// in order by the caller's thread. Everything goes to `<directory>.incomplete` and is renamed to
+/// Writes a recording. Frames are encoded on worker threads behind a bounded queue; rows are
+/// written in order by the caller's thread. Everything goes to `<directory>.incomplete` and is
+/// renamed to
 /// `<directory>` by Finish; every file appears under its name only when whole.
 ///
 /// Throws InputError: directory not empty, not writable, disk full; on resume, a partial dataset of

@@ -24,8 +24,8 @@ struct CollisionBox {
 
 /// A mesh node shown at the link's frame.
 struct Visual {
-  std::filesystem::path mesh;       ///< glTF, OBJ, STL or DAE
-  std::string node;                 ///< node of the file, empty for all of it
+  std::filesystem::path mesh;  ///< glTF, OBJ, STL or DAE
+  std::string node;            ///< node of the file, empty for all of it
   Pose X_BG = Pose::Identity();
   double scale = 1.0;
   /// Label where it differs from the link's (tracks on the undercarriage).
@@ -72,17 +72,17 @@ struct Joint {
 
 /// Drive of one running gear (index into GroundTools::gears).
 struct GearDrive {
-  double max_rate_radps = 0;    ///< sprocket or wheel rate at full lever
+  double max_rate_radps = 0;  ///< sprocket or wheel rate at full lever
   double max_torque_nm = 0;
-  double inertia_kgm2 = 0;      ///< of everything that turns with it, at the sprocket
+  double inertia_kgm2 = 0;  ///< of everything that turns with it, at the sprocket
   RateTransient transient;
 };
 
 /// One input of the machine, -1..+1: either a joint or a running gear.
 struct Lever {
-  std::string name;   ///< as in commands.csv
-  int joint = -1;     ///< index into joints, or -1
-  int gear = -1;      ///< index into ground_tools.gears, or -1
+  std::string name;  ///< as in commands.csv
+  int joint = -1;    ///< index into joints, or -1
+  int gear = -1;     ///< index into ground_tools.gears, or -1
 };
 
 /// A hydraulic cylinder as it is seen: barrel and rod between two pins, pointing at each other.
@@ -91,14 +91,16 @@ struct CylinderVisual {
   int barrel_link = 0, rod_link = 0;
   Vec3 barrel_pin_m = Vec3::Zero();  ///< in the barrel link's frame
   Vec3 rod_pin_m = Vec3::Zero();     ///< in the rod link's frame
-  Visual barrel, rod;                ///< meshes along +x: barrel from its pin, rod towards its pin (rod eye at the origin, extending along -x)
+  Visual barrel, rod;  ///< meshes along +x: barrel from its pin, rod towards its pin (rod eye at
+                       ///< the origin, extending along -x)
 };
 
 /// Shoes that run around a track: one instanced mesh along the closed path.
 struct TrackVisual {
   int gear = 0;
   Visual shoe;
-  std::vector<Vec3> path_B_m;  ///< closed polyline in the link frame, in the direction of forward drive travel
+  std::vector<Vec3>
+      path_B_m;  ///< closed polyline in the link frame, in the direction of forward drive travel
   int shoe_count = 0;
 };
 
@@ -110,19 +112,19 @@ struct NamedFrame {
 };
 
 struct MachineModel {
-  std::string kind;                 ///< e.g. "tb235"
+  std::string kind;  ///< e.g. "tb235"
   bool fixed_base = false;
-  std::vector<Link> links;          ///< links[0] is the root
-  std::vector<Joint> joints;        ///< parents before children
+  std::vector<Link> links;    ///< links[0] is the root
+  std::vector<Joint> joints;  ///< parents before children
   std::vector<Lever> levers;
   GroundTools ground_tools;
   std::vector<GearDrive> gear_drives;  ///< one for each gear
   std::vector<CylinderVisual> cylinders;
   std::vector<TrackVisual> track_visuals;
   std::vector<NamedFrame> frames;
-  double gauge_m = 0;               ///< distance between left and right gear centres, 0 without
+  double gauge_m = 0;  ///< distance between left and right gear centres, 0 without
 
-  int LinkIndex(std::string_view name) const;    ///< -1 if there is none
+  int LinkIndex(std::string_view name) const;  ///< -1 if there is none
   int JointIndex(std::string_view name) const;
   int LeverIndex(std::string_view name) const;
   double TotalMass_kg() const;
@@ -142,7 +144,7 @@ struct MachineState {
   std::vector<BodyState> links;
   std::vector<double> q_rad, qd_radps, effort_nm;  ///< one for each joint
   std::vector<double> gear_angle_rad, gear_rate_radps, gear_torque_nm;
-  std::vector<double> levers;                      ///< as applied, one for each lever
+  std::vector<double> levers;  ///< as applied, one for each lever
   std::vector<SoilReaction::Load> shovel_load;
   std::vector<double> gear_sinkage_m, gear_slip;
 };

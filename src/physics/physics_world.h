@@ -14,8 +14,8 @@ namespace tera {
 struct MachinePlacement {
   std::string name;
   MachineModel model;
-  Pose X_WB = Pose::Identity();      ///< pose of the root link at the start
-  std::vector<double> q_rad;         ///< joint angles at the start, one for each joint
+  Pose X_WB = Pose::Identity();  ///< pose of the root link at the start
+  std::vector<double> q_rad;     ///< joint angles at the start, one for each joint
 };
 
 /// Something solid that machines collide with. Its pose is set from outside before each step
@@ -28,7 +28,7 @@ struct ObstacleBody {
 
 /// What acts on one machine during a step.
 struct MachineInput {
-  std::vector<double> levers;   ///< -1..+1, one for each lever of the model; beyond that, clamped
+  std::vector<double> levers;  ///< -1..+1, one for each lever of the model; beyond that, clamped
   SoilReaction soil;
 };
 

@@ -30,8 +30,8 @@ struct RayHit {
 /// Ray queries over the scene (Embree 3).
 ///
 /// Model   bodies are instances with motion blur over an interval of time, so that every ray meets
-///         the scene as it was at its own instant; the terrain is one geometry per tile, of which only
-///         tiles with a new version are rebuilt, and stands still within an interval.
+///         the scene as it was at its own instant; the terrain is one geometry per tile, of which
+///         only tiles with a new version are rebuilt, and stands still within an interval.
 /// Omits   transparency: glass is opaque with its own reflectance unless its opacity is 0.
 class RayScene {
  public:

@@ -20,15 +20,15 @@ struct Material {
   Vec3 albedo = Vec3(0.5, 0.5, 0.5);
   double roughness = 0.7;
   double metallic = 0.0;
-  double opacity = 1.0;              ///< below 1: glass, seen by the rasterizer as blended
-  double lidar_reflectance = -1.0;   ///< at 905 nm; negative: mean of the albedo
+  double opacity = 1.0;             ///< below 1: glass, seen by the rasterizer as blended
+  double lidar_reflectance = -1.0;  ///< at 905 nm; negative: mean of the albedo
 };
 
 /// Triangles of one material in a body frame.
 struct MeshPart {
   std::vector<Eigen::Vector3f> positions_m;
-  std::vector<Eigen::Vector3f> normals;     ///< one for each position
-  std::vector<std::uint32_t> indices;       ///< three for each triangle
+  std::vector<Eigen::Vector3f> normals;  ///< one for each position
+  std::vector<std::uint32_t> indices;    ///< three for each triangle
   Material material;
 };
 
@@ -39,19 +39,19 @@ struct Mesh {
 
 /// A mesh shown at a body slot. Several nodes may share a body and an instance.
 struct SceneNode {
-  int mesh = 0;                  ///< index into SceneModel::meshes
-  int body = 0;                  ///< index into SceneState::X_WB
+  int mesh = 0;  ///< index into SceneModel::meshes
+  int body = 0;  ///< index into SceneState::X_WB
   Pose X_BG = Pose::Identity();
   double scale = 1.0;
   SemanticClass label = SemanticClass::kStructure;
-  std::uint16_t instance = 0;    ///< index into SceneModel::instances
+  std::uint16_t instance = 0;  ///< index into SceneModel::instances
 };
 
 /// An object that labels tell apart. Instance 0 is "none"; the terrain is instance 0.
 struct SceneInstance {
-  std::string name;              ///< "excavator1/bucket", "person1"
+  std::string name;  ///< "excavator1/bucket", "person1"
   SemanticClass label = SemanticClass::kSky;
-  int body = -1;                 ///< body whose frame carries the box
+  int body = -1;  ///< body whose frame carries the box
   Vec3 box_min_B_m = Vec3::Zero(), box_max_B_m = Vec3::Zero();
 };
 
@@ -65,7 +65,7 @@ struct Environment {
   Vec3 to_sun_W = Vec3(0.4, 0.3, 0.85).normalized();
   double sun_illuminance_klx = 90.0;
   double turbidity = 3.0;
-  double fog_visibility_m = 2000.0;   ///< Koschmieder: contrast falls to 2 % at this distance
+  double fog_visibility_m = 2000.0;  ///< Koschmieder: contrast falls to 2 % at this distance
   double exposure_ev100 = 15.0;
 };
 
@@ -78,14 +78,15 @@ struct SceneModel {
   Environment environment;
   int body_count = 0;
 
-  /// Adds a mesh file (or one node of it); the same file and node is loaded once. Returns its index.
+  /// Adds a mesh file (or one node of it); the same file and node is loaded once. Returns its
+  /// index.
   int AddMesh(const std::filesystem::path& file, const std::string& node);
 };
 
 /// The moving part at one instant.
 struct SceneState {
   TimeNs t_ns = 0;
-  std::vector<Pose> X_WB;                 ///< one for each body
+  std::vector<Pose> X_WB;  ///< one for each body
   const TerrainSurface* terrain = nullptr;
   /// Soil carried in shovels, as a height field per shovel would be too much here: a heap mesh
   /// node's body is scaled by this fraction (0 hides it). One for each body, 1 by default.

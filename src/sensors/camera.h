@@ -15,11 +15,11 @@ struct CameraModel {
   CameraIntrinsics intrinsics;
   bool rgb = true;
   bool depth = false;
-  bool labels = true;                ///< semantic, instance, boxes
+  bool labels = true;  ///< semantic, instance, boxes
   double depth_min_m = 0.1, depth_max_m = 20.0;
   /// Disparity noise of the depth camera: sigma_z = z^2 sigma_d / (f b); 0 switches it off.
   double disparity_noise_px = 0, baseline_m = 0.05;
-  double rgb_noise = 0;              ///< 1 sigma of the sRGB value in 0..255 (photometry comes later)
+  double rgb_noise = 0;  ///< 1 sigma of the sRGB value in 0..255 (photometry comes later)
 };
 
 CameraModel ReadCameraModel(const ConfigMap& config);

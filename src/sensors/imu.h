@@ -16,7 +16,7 @@ struct ImuModel {
   double gyro_bias_random_walk_radps2rthz = 0;  ///< rate random walk, rad/s^2/sqrt(Hz)
   double accel_noise_density_mps2rthz = 0;
   double accel_bias_random_walk_mps3rthz = 0;
-  Vec3 gyro_bias_radps = Vec3::Zero();          ///< at the start
+  Vec3 gyro_bias_radps = Vec3::Zero();  ///< at the start
   Vec3 accel_bias_mps2 = Vec3::Zero();
 };
 

@@ -12,22 +12,23 @@ namespace tera {
 
 /// Spinning multi-beam lidar as its data sheet has it.
 struct LidarModel {
-  std::vector<double> elevation_rad;         ///< one for each beam (ring), top to bottom
-  std::vector<double> azimuth_offset_rad;    ///< one for each beam
-  std::vector<double> firing_offset_s;       ///< one for each beam, within a column
-  int columns = 1024;                        ///< firings per revolution
-  bool clockwise = true;                     ///< seen from above
+  std::vector<double> elevation_rad;       ///< one for each beam (ring), top to bottom
+  std::vector<double> azimuth_offset_rad;  ///< one for each beam
+  std::vector<double> firing_offset_s;     ///< one for each beam, within a column
+  int columns = 1024;                      ///< firings per revolution
+  bool clockwise = true;                   ///< seen from above
   double min_range_m = 0.3, max_range_m = 120;
-  double range_noise_m = 0;                  ///< 1 sigma at strong return
-  double range_at_10_percent_m = 0;          ///< data sheet's range on a 10 % target; 0: no power limit
+  double range_noise_m = 0;          ///< 1 sigma at strong return
+  double range_at_10_percent_m = 0;  ///< data sheet's range on a 10 % target; 0: no power limit
 };
 
 LidarModel ReadLidarModel(const ConfigMap& config);
 
 /// Spinning multi-beam lidar.
 ///
-/// Frames  W world; S sensor, x forward, y left, z up. Ray k leaves p_WS(t_k) along R_WS(t_k) d_S,k.
-/// Model   every ray at its own time and pose; relative power rho cos(theta) / r^2, a return when it
+/// Frames  W world; S sensor, x forward, y left, z up. Ray k leaves p_WS(t_k) along R_WS(t_k)
+/// d_S,k. Model   every ray at its own time and pose; relative power rho cos(theta) / r^2, a return
+/// when it
 ///         exceeds that of a 10 % target at `range_at_10_percent_m`; range r + N(0, sigma^2).
 /// Omits   beam divergence, multiple returns, noise growing with weak power, crosstalk.
 class Lidar {

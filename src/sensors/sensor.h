@@ -18,11 +18,11 @@
 namespace tera {
 
 struct SensorDescription {
-  std::string name;          ///< unique on its machine
-  std::string link;          ///< parent link's name; encoders have none
+  std::string name;  ///< unique on its machine
+  std::string link;  ///< parent link's name; encoders have none
   Pose X_BS = Pose::Identity();
   SampleClock clock;
-  TimeNs latency_ns = 0;     ///< t_available - t
+  TimeNs latency_ns = 0;  ///< t_available - t
   std::variant<ImuModel, GnssModel, CameraModel, LidarModel, EncoderModel> model;
 };
 
@@ -33,8 +33,8 @@ std::string TypeOf(const SensorDescription& sensor);
 /// most of which a `preset:` file supplies. Faults go to `config`.
 SensorDescription ReadSensor(const ConfigMap& config);
 
-/// The sensor as YAML for its folder's sensor.yaml: type, parent link, X_parent_sensor (row-major 4x4
-/// and xyz + quaternion), rate, model parameters.
+/// The sensor as YAML for its folder's sensor.yaml: type, parent link, X_parent_sensor (row-major
+/// 4x4 and xyz + quaternion), rate, model parameters.
 std::string SensorYaml(const SensorDescription& sensor);
 
 }  // namespace tera

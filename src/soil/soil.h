@@ -16,9 +16,9 @@ namespace tera {
 /// Mechanical and visible properties of one soil.
 struct SoilType {
   std::string name;
-  double bank_density_kgpm3 = 0;      ///< undisturbed
-  double max_density_kgpm3 = 0;       ///< fully compacted
-  double swell = 1.0;                 ///< loose volume over bank volume
+  double bank_density_kgpm3 = 0;  ///< undisturbed
+  double max_density_kgpm3 = 0;   ///< fully compacted
+  double swell = 1.0;             ///< loose volume over bank volume
   double friction_angle_rad = 0;
   double cohesion_pa = 0;
   double soil_tool_friction_rad = 0;
@@ -26,11 +26,11 @@ struct SoilType {
   double repose_angle_rad = 0;
   double young_modulus_pa = 0;
   // Pressure-sinkage (Bekker) and shear (Janosi-Hanamoto).
-  double k_c_npm_n1 = 0;              ///< N/m^(n+1)
-  double k_phi_npm_n2 = 0;            ///< N/m^(n+2)
+  double k_c_npm_n1 = 0;    ///< N/m^(n+1)
+  double k_phi_npm_n2 = 0;  ///< N/m^(n+2)
   double sinkage_exponent = 1;
-  double shear_modulus_m = 0;         ///< K
-  double moisture = 0;                ///< degree of saturation, 0..1
+  double shear_modulus_m = 0;  ///< K
+  double moisture = 0;         ///< degree of saturation, 0..1
   // Appearance.
   Vec3 albedo = Vec3(0.3, 0.22, 0.15);  ///< linear RGB when dry
   double grain_size_m = 0.01;           ///< scale of visible detail
@@ -63,8 +63,8 @@ class Soil {
   /// Registers a machine's tools; returns its handle for Act. Call before the first Act.
   virtual int AddMachine(const GroundTools& tools) = 0;
 
-  /// Forces of the ground on machine `handle` in its present motion, and the work that its tools and
-  /// tracks do on the ground over the next `dt_s`: cuts, carries, dumps, presses ruts.
+  /// Forces of the ground on machine `handle` in its present motion, and the work that its tools
+  /// and tracks do on the ground over the next `dt_s`: cuts, carries, dumps, presses ruts.
   virtual SoilReaction Act(int handle, const GroundToolsMotion& motion, double dt_s) = 0;
   /// Lets slopes steeper than the angle of repose flow for `dt_s`.
   virtual void Flow(double dt_s) = 0;

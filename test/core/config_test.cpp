@@ -30,8 +30,7 @@ TEST(Config, UnknownKeyNamesPlaceAndNearestKey) {
 }
 
 TEST(Config, OutOfRangeNumberNamesWhatIsNeeded) {
-  const Config config =
-      Config::FromText("sensors:\n  - {range_sigma_m: -0.02}\n", "a.yaml");
+  const Config config = Config::FromText("sensors:\n  - {range_sigma_m: -0.02}\n", "a.yaml");
   for (const ConfigMap& sensor : config.root().List("sensors")) {
     sensor.Number("range_sigma_m", Between(0, 1, "m"));
   }
@@ -54,8 +53,8 @@ TEST(Config, EveryFaultIsReportedTogether) {
 }
 
 TEST(Config, OverridesReplaceValuesInsideLists) {
-  const Config config = Config::FromText("s:\n  - {r: 1}\n  - {r: 2}\n", "a.yaml",
-                                         {"s[1].r=5", "t=7"});
+  const Config config =
+      Config::FromText("s:\n  - {r: 1}\n  - {r: 2}\n", "a.yaml", {"s[1].r=5", "t=7"});
   const auto list = config.root().List("s");
   EXPECT_EQ(list[0].Number("r", Any("m")), 1);
   EXPECT_EQ(list[1].Number("r", Any("m")), 5);
