@@ -35,6 +35,9 @@ struct RayHit {
 /// Omits   transparency: glass is opaque with its own reflectance unless its opacity is 0.
 class RayScene {
  public:
+  /// Most poses that Update takes.
+  static constexpr std::size_t kMaxPoses = 32;
+
   explicit RayScene(const SceneModel& model);
   ~RayScene();
 
@@ -45,6 +48,9 @@ class RayScene {
 
   /// First hit of each ray. Uses up to `threads` threads; the result does not depend on them.
   void Trace(std::span<const Ray> rays, std::span<RayHit> hits, int threads) const;
+
+  /// Terrain tiles built since the start; grows with dirty tiles only.
+  std::int64_t tiles_rebuilt() const;
 
  private:
   struct Impl;

@@ -1,0 +1,401 @@
+#include "render/ray_scene.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <thread>
+#include <utility>
+
+#include "core/check.h"
+#include "core/error.h"
+
+namespace tera {
+namespace {
+
+/// Share of its dry reflectance that a saturated soil keeps.
+constexpr double kSaturatedReflectance = 0.5;
+/// Turn of a body between two motion keys above which keys are added: the chord between keys then
+/// stays within r * 0.01^2 / 8 of the arc, 0.05 mm at r = 4 m.
+constexpr double kKeyTurn_rad = 0.01;
+/// Rays that one thread takes at a time.
+constexpr std::size_t kRaysPerBlock = 1024;
+
+void FailOnEmbreeError(void*, RTCError code, const char* text) {
+  throw InternalError(fmt::format("Embree error {}: {}", static_cast<int>(code), text));
+}
+
+/// Owns one reference to an Embree object.
+template <typename Handle, void (*Release)(Handle)>
+class Owned {
+ public:
+  Owned() = default;
+  explicit Owned(Handle handle) : handle_(handle) {}
+  Owned(Owned&& other) noexcept : handle_(std::exchange(other.handle_, nullptr)) {}
+  Owned& operator=(Owned&& other) noexcept {
+    std::swap(handle_, other.handle_);
+    return *this;
+  }
+  ~Owned() {
+    if (handle_ != nullptr) Release(handle_);
+  }
+  Handle get() const { return handle_; }
+
+ private:
+  Handle handle_ = nullptr;
+};
+
+using Device = Owned<RTCDevice, rtcReleaseDevice>;
+using Scene = Owned<RTCScene, rtcReleaseScene>;
+using Geometry = Owned<RTCGeometry, rtcReleaseGeometry>;
+
+double ReflectanceOf(const Material& material) {
+  return material.lidar_reflectance >= 0 ? material.lidar_reflectance : material.albedo.mean();
+}
+
+/// The meshes of one body, or of several bodies that look alike.
+struct BodyShape {
+  std::vector<int> meshes;  ///< of each node, with X_BG and scale: what makes shapes alike
+  std::vector<Pose> X_BG;
+  std::vector<double> scale;
+  Scene scene;
+  struct Part {
+    int node;  ///< place in the body's list of nodes
+    float reflectance;
+  };
+  std::vector<Part> parts;  ///< by geometry id within `scene`
+
+  bool Alike(const BodyShape& o) const {
+    if (meshes != o.meshes || scale != o.scale) return false;
+    for (std::size_t i = 0; i < X_BG.size(); ++i) {
+      if (X_BG[i].matrix() != o.X_BG[i].matrix()) return false;
+    }
+    return true;
+  }
+};
+
+void AttachPart(RTCDevice device, const MeshPart& part, const Pose& X_BG, double scale,
+                RTCScene scene) {
+  const Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
+  auto* vertices = static_cast<float*>(
+      rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                              3 * sizeof(float), part.positions_m.size()));
+  for (std::size_t i = 0; i < part.positions_m.size(); ++i) {
+    const Eigen::Vector3f p_B = (X_BG * (scale * part.positions_m[i].cast<double>())).cast<float>();
+    std::copy_n(p_B.data(), 3, vertices + 3 * i);
+  }
+  auto* indices = static_cast<std::uint32_t*>(
+      rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                              3 * sizeof(std::uint32_t), part.indices.size() / 3));
+  std::copy(part.indices.begin(), part.indices.end(), indices);
+  rtcCommitGeometry(geometry.get());
+  rtcAttachGeometry(scene, geometry.get());
+}
+
+/// Poses of one body over the interval, refined until neighbours are less than kKeyTurn_rad apart.
+std::vector<Pose> MotionKeys(const std::vector<std::vector<Pose>>& poses, std::size_t body) {
+  std::vector<Pose> keys;
+  double turn = 0;
+  bool moves = false;
+  for (const std::vector<Pose>& at : poses) {
+    if (!keys.empty()) {
+      moves = moves || keys.back().matrix() != at[body].matrix();
+      turn = std::max(turn, Quat(keys.back().linear()).angularDistance(Quat(at[body].linear())));
+    }
+    keys.push_back(at[body]);
+  }
+  if (!moves) return {keys.front()};
+  const int intervals = static_cast<int>(keys.size()) - 1;
+  const int most = (RTC_MAX_TIME_STEP_COUNT - 1) / intervals;
+  const int pieces = std::clamp(static_cast<int>(std::ceil(turn / kKeyTurn_rad)), 1, most);
+  std::vector<Pose> fine;
+  for (int i = 0; i < intervals; ++i) {
+    for (int k = 0; k < pieces; ++k) {
+      fine.push_back(Interpolate(keys[i], keys[i + 1], static_cast<double>(k) / pieces));
+    }
+  }
+  fine.push_back(keys.back());
+  return fine;
+}
+
+}  // namespace
+
+struct RayScene::Impl {
+  struct Body {
+    int shape = -1;
+    std::vector<int> nodes;  ///< of the model
+    Geometry geometry;
+    std::vector<Pose> keys;
+    float scale = -1;
+  };
+  struct Tile {
+    Geometry geometry;
+    std::uint32_t version = 0;
+    std::vector<float> reflectance;  ///< of each square
+  };
+  /// What a geometry id of the top scene is: a body, or (negative body) a tile.
+  struct Slot {
+    int body = -1;
+    int tile = -1;
+  };
+
+  explicit Impl(const SceneModel& scene_model);
+  void UpdateBody(std::size_t index, std::vector<Pose> keys, float scale);
+  void UpdateTerrain(const TerrainSurface& terrain);
+  void RebuildTile(const TerrainSurface& terrain, int index, int a, int b);
+  void TraceOne(const Ray& ray, RTCIntersectContext* context, RayHit* hit) const;
+
+  const SceneModel model;
+  Device device;
+  Scene scene;
+  std::vector<BodyShape> shapes;
+  std::vector<Body> bodies;
+  std::vector<Tile> tiles;
+  std::vector<Slot> slots;
+  int nx = 0, ny = 0;
+  double cell_m = 0;
+  Vec2 origin_W_m = Vec2::Zero();
+  std::int64_t tiles_rebuilt = 0;
+};
+
+RayScene::Impl::Impl(const SceneModel& scene_model)
+    : model(scene_model), device(rtcNewDevice("threads=1")) {
+  TERA_CHECK(device.get() != nullptr);
+  rtcSetDeviceErrorFunction(device.get(), FailOnEmbreeError, nullptr);
+  scene = Scene(rtcNewScene(device.get()));
+  rtcSetSceneFlags(scene.get(),
+                   static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_ROBUST));
+  bodies.resize(model.body_count);
+  for (std::size_t n = 0; n < model.nodes.size(); ++n) {
+    bodies.at(model.nodes[n].body).nodes.push_back(static_cast<int>(n));
+  }
+  for (Body& body : bodies) {
+    if (body.nodes.empty()) continue;
+    BodyShape shape;
+    for (const int n : body.nodes) {
+      shape.meshes.push_back(model.nodes[n].mesh);
+      shape.X_BG.push_back(model.nodes[n].X_BG);
+      shape.scale.push_back(model.nodes[n].scale);
+    }
+    const auto same = std::find_if(shapes.begin(), shapes.end(),
+                                   [&](const BodyShape& s) { return s.Alike(shape); });
+    body.shape = static_cast<int>(same - shapes.begin());
+    if (same != shapes.end()) continue;
+    shape.scene = Scene(rtcNewScene(device.get()));
+    rtcSetSceneFlags(shape.scene.get(), RTC_SCENE_FLAG_ROBUST);
+    for (std::size_t i = 0; i < shape.meshes.size(); ++i) {
+      for (const MeshPart& part : model.meshes.at(shape.meshes[i]).parts) {
+        if (part.material.opacity <= 0 || part.indices.empty()) continue;
+        AttachPart(device.get(), part, shape.X_BG[i], shape.scale[i], shape.scene.get());
+        shape.parts.push_back(
+            {static_cast<int>(i), static_cast<float>(ReflectanceOf(part.material))});
+      }
+    }
+    rtcCommitScene(shape.scene.get());
+    shapes.push_back(std::move(shape));
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    Body& body = bodies[b];
+    if (body.nodes.empty() || shapes[body.shape].parts.empty()) continue;
+    body.geometry = Geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+    rtcSetGeometryInstancedScene(body.geometry.get(), shapes[body.shape].scene.get());
+    rtcDisableGeometry(body.geometry.get());
+    rtcCommitGeometry(body.geometry.get());
+    const unsigned id = rtcAttachGeometry(scene.get(), body.geometry.get());
+    slots.resize(std::max<std::size_t>(slots.size(), id + 1));
+    slots[id].body = static_cast<int>(b);
+  }
+  rtcCommitScene(scene.get());
+}
+
+void RayScene::Impl::UpdateBody(std::size_t index, std::vector<Pose> keys, float scale) {
+  Body& body = bodies[index];
+  if (body.geometry.get() == nullptr) return;
+  bool same = body.scale == scale && body.keys.size() == keys.size();
+  for (std::size_t k = 0; same && k < keys.size(); ++k) {
+    same = keys[k].matrix() == body.keys[k].matrix();
+  }
+  if (same) return;
+  body.keys = std::move(keys);
+  body.scale = scale;
+  RTCGeometry geometry = body.geometry.get();
+  if (scale <= 0) {
+    rtcDisableGeometry(geometry);
+    return;
+  }
+  rtcEnableGeometry(geometry);
+  rtcSetGeometryTimeStepCount(geometry, static_cast<unsigned>(body.keys.size()));
+  for (std::size_t k = 0; k < body.keys.size(); ++k) {
+    Eigen::Matrix<float, 3, 4> X_WB = body.keys[k].matrix().topRows<3>().cast<float>();
+    X_WB.leftCols<3>() *= scale;
+    rtcSetGeometryTransform(geometry, static_cast<unsigned>(k), RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                            X_WB.data());
+  }
+  rtcCommitGeometry(geometry);
+}
+
+void RayScene::Impl::RebuildTile(const TerrainSurface& terrain, int index, int a, int b) {
+  Tile& tile = tiles[index];
+  const int i0 = a * TerrainSurface::kTileCells, j0 = b * TerrainSurface::kTileCells;
+  const int squares_x = std::min(TerrainSurface::kTileCells, terrain.nx - 1 - i0);
+  const int squares_y = std::min(TerrainSurface::kTileCells, terrain.ny - 1 - j0);
+  const int row = squares_x + 1;
+  RTCGeometry geometry = tile.geometry.get();
+  const bool first = geometry == nullptr;
+  if (first) {
+    tile.geometry = Geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_QUAD));
+    geometry = tile.geometry.get();
+    auto* quads = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4, 4 * sizeof(std::uint32_t),
+        static_cast<std::size_t>(squares_x) * squares_y));
+    for (int j = 0; j < squares_y; ++j) {
+      for (int i = 0; i < squares_x; ++i) {
+        // Embree splits a quad along its second and fourth corner: (i, j) and (i+1, j+1).
+        const std::uint32_t v00 = static_cast<std::uint32_t>(j * row + i);
+        const std::uint32_t corners[4] = {v00 + 1, v00 + 1 + row, v00 + row, v00};
+        quads = std::copy_n(corners, 4, quads);
+      }
+    }
+    rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                            3 * sizeof(float), static_cast<std::size_t>(row) * (squares_y + 1));
+    tile.reflectance.resize(static_cast<std::size_t>(squares_x) * squares_y);
+  }
+  auto* vertex = static_cast<float*>(rtcGetGeometryBufferData(geometry, RTC_BUFFER_TYPE_VERTEX, 0));
+  for (int j = 0; j <= squares_y; ++j) {
+    for (int i = 0; i <= squares_x; ++i) {
+      *vertex++ = static_cast<float>(terrain.origin_W_m.x() + terrain.cell_m * (i0 + i));
+      *vertex++ = static_cast<float>(terrain.origin_W_m.y() + terrain.cell_m * (j0 + j));
+      *vertex++ = terrain.height_m[terrain.index(i0 + i, j0 + j)];
+    }
+  }
+  for (int j = 0; j < squares_y; ++j) {
+    for (int i = 0; i < squares_x; ++i) {
+      const std::size_t v = terrain.index(i0 + i, j0 + j);
+      const double dry = model.soils.at(terrain.soil[v]).albedo.mean();
+      const double saturation = terrain.moisture[v] / 255.0;
+      tile.reflectance[static_cast<std::size_t>(j) * squares_x + i] =
+          static_cast<float>(dry * (1.0 - (1.0 - kSaturatedReflectance) * saturation));
+    }
+  }
+  rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
+  rtcCommitGeometry(geometry);
+  if (first) {
+    const unsigned id = rtcAttachGeometry(scene.get(), geometry);
+    slots.resize(std::max<std::size_t>(slots.size(), id + 1));
+    slots[id] = {-1, index};
+  }
+  tile.version = terrain.tile_version[index];
+  ++tiles_rebuilt;
+}
+
+void RayScene::Impl::UpdateTerrain(const TerrainSurface& terrain) {
+  if (terrain.nx != nx || terrain.ny != ny || terrain.cell_m != cell_m ||
+      terrain.origin_W_m != origin_W_m) {
+    for (unsigned id = 0; id < slots.size(); ++id) {
+      if (slots[id].tile >= 0) rtcDetachGeometry(scene.get(), id);
+      if (slots[id].tile >= 0) slots[id] = {};
+    }
+    tiles.clear();
+    nx = terrain.nx;
+    ny = terrain.ny;
+    cell_m = terrain.cell_m;
+    origin_W_m = terrain.origin_W_m;
+  }
+  if (nx < 2 || ny < 2) return;
+  tiles.resize(static_cast<std::size_t>(terrain.tiles_x()) * terrain.tiles_y());
+  TERA_CHECK(terrain.tile_version.size() == tiles.size(), terrain.tile_version.size());
+  for (int b = 0; b < terrain.tiles_y(); ++b) {
+    for (int a = 0; a < terrain.tiles_x(); ++a) {
+      const int index = b * terrain.tiles_x() + a;
+      const bool built = tiles[index].geometry.get() != nullptr;
+      if (built && tiles[index].version == terrain.tile_version[index]) continue;
+      RebuildTile(terrain, index, a, b);
+    }
+  }
+}
+
+void RayScene::Impl::TraceOne(const Ray& ray, RTCIntersectContext* context, RayHit* hit) const {
+  RTCRayHit query;
+  query.ray.org_x = ray.origin_W_m.x();
+  query.ray.org_y = ray.origin_W_m.y();
+  query.ray.org_z = ray.origin_W_m.z();
+  query.ray.dir_x = ray.direction_W.x();
+  query.ray.dir_y = ray.direction_W.y();
+  query.ray.dir_z = ray.direction_W.z();
+  query.ray.tnear = 0.0f;
+  query.ray.tfar = ray.max_range_m;
+  query.ray.time = ray.time;
+  query.ray.mask = 0xffffffffu;
+  query.ray.id = 0;
+  query.ray.flags = 0;
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene.get(), context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
+    *hit = RayHit();
+    return;
+  }
+  hit->hit = true;
+  hit->range_m = query.ray.tfar;
+  Eigen::Vector3f normal(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
+  if (query.hit.instID[0] == RTC_INVALID_GEOMETRY_ID) {
+    hit->reflectance = tiles[slots[query.hit.geomID].tile].reflectance[query.hit.primID];
+    hit->label = SemanticClass::kTerrain;
+    hit->instance = 0;
+  } else {
+    const Body& body = bodies[slots[query.hit.instID[0]].body];
+    const BodyShape::Part& part = shapes[body.shape].parts[query.hit.geomID];
+    const SceneNode& node = model.nodes[body.nodes[part.node]];
+    Eigen::Matrix<float, 3, 4> X_WB;
+    rtcGetGeometryTransform(body.geometry.get(), ray.time, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                            X_WB.data());
+    normal = X_WB.leftCols<3>() * normal;
+    hit->reflectance = part.reflectance;
+    hit->label = node.label;
+    hit->instance = node.instance;
+  }
+  normal.normalize();
+  hit->normal_W = normal.dot(ray.direction_W) > 0 ? Eigen::Vector3f(-normal) : normal;
+}
+
+RayScene::RayScene(const SceneModel& model) : impl_(std::make_unique<Impl>(model)) {}
+RayScene::~RayScene() = default;
+
+void RayScene::Update(const std::vector<std::vector<Pose>>& poses, const TerrainSurface& terrain,
+                      const std::vector<float>& body_scale) {
+  TERA_CHECK(!poses.empty() && poses.size() <= kMaxPoses, poses.size());
+  for (const std::vector<Pose>& at : poses)
+    TERA_CHECK(at.size() == impl_->bodies.size(), at.size());
+  TERA_CHECK(body_scale.size() == impl_->bodies.size(), body_scale.size());
+  for (std::size_t b = 0; b < impl_->bodies.size(); ++b) {
+    impl_->UpdateBody(b, MotionKeys(poses, b), body_scale[b]);
+  }
+  impl_->UpdateTerrain(terrain);
+  rtcCommitScene(impl_->scene.get());
+}
+
+void RayScene::Trace(std::span<const Ray> rays, std::span<RayHit> hits, int threads) const {
+  TERA_CHECK(rays.size() == hits.size(), rays.size(), hits.size());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    for (;;) {
+      const std::size_t begin = next.fetch_add(kRaysPerBlock);
+      if (begin >= rays.size()) return;
+      const std::size_t end = std::min(begin + kRaysPerBlock, rays.size());
+      for (std::size_t i = begin; i < end; ++i) impl_->TraceOne(rays[i], &context, &hits[i]);
+    }
+  };
+  const std::size_t blocks = (rays.size() + kRaysPerBlock - 1) / kRaysPerBlock;
+  std::vector<std::jthread> helpers;
+  for (std::size_t t = 1; t < std::min<std::size_t>(std::max(threads, 1), blocks); ++t) {
+    helpers.emplace_back(work);
+  }
+  work();
+}
+
+std::int64_t RayScene::tiles_rebuilt() const { return impl_->tiles_rebuilt; }
+
+}  // namespace tera
