@@ -428,6 +428,47 @@ std::vector<double> ConfigMap::Numbers(std::string_view key, const Range& each,
   return values;
 }
 
+std::vector<std::vector<double>> ConfigMap::NumberRows(std::string_view key, const Range& each,
+                                                       std::size_t columns,
+                                                       std::size_t min_rows) const {
+  const std::vector<std::vector<double>> harmless(min_rows,
+                                                  std::vector<double>(columns, Harmless(each)));
+  const std::string need = fmt::format("a list of at least {} rows of {} numbers, each {}",
+                                       min_rows, columns, Need(each));
+  const auto found = Find(*node_, key);
+  if (!found) {
+    if (min_rows > 0) AddMissing(*node_, key, need);
+    return harmless;
+  }
+  if (!found->node.IsSequence() || found->node.size() < min_rows) {
+    AddFault(*node_, key, *found, fmt::format("{} found, need {}", Shown(found->node), need));
+    return harmless;
+  }
+  std::vector<std::vector<double>> rows;
+  YAML::Node resolved(YAML::NodeType::Sequence);
+  for (std::size_t i = 0; i < found->node.size(); ++i) {
+    const Found row{found->node[i], found->layer};
+    if (!row.node.IsSequence() || row.node.size() != columns) {
+      AddFault(*node_, fmt::format("{}[{}]", key, i), row,
+               fmt::format("{} found, need {} numbers", Shown(row.node), columns));
+      return harmless;
+    }
+    YAML::Node resolved_row(YAML::NodeType::Sequence);
+    resolved_row.SetStyle(YAML::EmitterStyle::Flow);
+    std::vector<double> values;
+    for (std::size_t k = 0; k < columns; ++k) {
+      const Found item{row.node[k], found->layer};
+      const auto value = NumberAt(*node_, fmt::format("{}[{}][{}]", key, i, k), item, each);
+      values.push_back(value.value_or(Harmless(each)));
+      resolved_row.push_back(NumberText(values.back()));
+    }
+    rows.push_back(std::move(values));
+    resolved.push_back(resolved_row);
+  }
+  node_->resolved[std::string(key)] = resolved;
+  return rows;
+}
+
 std::vector<std::string> ConfigMap::Texts(std::string_view key) const {
   const auto found = Find(*node_, key);
   std::vector<std::string> texts;
@@ -460,6 +501,11 @@ Pose ConfigMap::PoseXyzRpy() const {
 }
 
 bool ConfigMap::Has(std::string_view key) const { return Find(*node_, key).has_value(); }
+
+bool ConfigMap::IsList(std::string_view key) const {
+  const auto found = Find(*node_, key);
+  return found && found->node.IsSequence();
+}
 
 namespace internal {
 namespace {

@@ -70,12 +70,18 @@ class ConfigMap {
   /// min_count is 0.
   std::vector<double> Numbers(std::string_view key, const Range& each, std::size_t min_count,
                               std::size_t max_count) const;
+  /// Rows of `columns` numbers each, at least `min_rows`; an absent key is an empty list when
+  /// min_rows is 0.
+  std::vector<std::vector<double>> NumberRows(std::string_view key, const Range& each,
+                                              std::size_t columns, std::size_t min_rows) const;
   std::vector<std::string> Texts(std::string_view key) const;
   /// A pose from `xyz_m` and `rpy_deg`, both defaulting to zero.
   Pose PoseXyzRpy() const;
 
   // Mappings.
   bool Has(std::string_view key) const;
+  /// The key is there and holds a list, for keys that take one value or several.
+  bool IsList(std::string_view key) const;
   /// A required mapping.
   ConfigMap Map(std::string_view key) const;
   /// A mapping if it is there. With `std::nullopt` the caller uses its defaults.
