@@ -1,0 +1,46 @@
+"""Dimensions of the compact excavator; the same numbers as config/machines/tb235.yaml.
+
+Each link has its own frame (x forward, y left, z up at rest); lengths in metres, angles in degrees.
+check_assets.py compares these numbers with the configuration.
+"""
+
+import math
+
+import numpy as np
+
+SLEW_HEIGHT = 0.56                    # upper frame above the undercarriage frame
+SWING_PIN_U = (0.62, 0.0, 0.10)       # swing post in the upper frame
+BOOM_PIN_S = (0.18, 0.0, 0.20)        # boom foot in the swing post frame
+BOOM_LENGTH, ARM_LENGTH = 2.5, 1.545
+BUCKET_TIP = 0.78
+BLADE_PIN_B = (0.95, 0.0, 0.35)
+BOOM_RANGE, ARM_RANGE = (-50.0, 72.0), (-155.0, -30.0)
+BUCKET_RANGE = (math.degrees(-1.222) - 45.0, math.degrees(0.873) - 45.0)
+
+TRACK_Y, TRACK_Z, TRACK_RADIUS, TRACK_WIDTH, WHEELBASE = 0.574, 0.25, 0.25, 0.30, 1.60
+SHOE_COUNT = 44
+SHOE_LENGTH = (2 * WHEELBASE + 2 * math.pi * TRACK_RADIUS) / SHOE_COUNT
+
+BUCKET_PROFILE = ((0.78, 0.0), (0.74, 0.12), (0.64, 0.28), (0.48, 0.40), (0.30, 0.42),
+                  (0.15, 0.33), (0.09, 0.18), (0.09, -0.03))
+BUCKET_WIDTH, BUCKET_TEETH, TOOTH_LENGTH = 0.60, 6, 0.15
+BLADE_PROFILE = ((0.55, -0.30), (0.50, -0.22), (0.48, -0.10), (0.50, 0.02), (0.54, 0.08))
+BLADE_WIDTH = 1.55
+
+# Pins of the cylinders in x-z: (barrel pin, joint in the barrel's link, rod pin in the turning
+# link, range of the turning link's angle in the barrel's link).
+CYLINDERS = {
+    "boom": ((0.30, -0.04), (BOOM_PIN_S[0], BOOM_PIN_S[2]), (1.22, 0.20), BOOM_RANGE),
+    "arm": ((1.10, 0.72), (BOOM_LENGTH, 0.0), (-0.34, 0.08), ARM_RANGE),
+    "bucket": ((0.02, 0.30), (ARM_LENGTH, 0.0), (-0.04, 0.20), BUCKET_RANGE),
+}
+
+
+def pin_distance_range(name):
+    """Shortest and longest distance between a cylinder's pins over its joint's travel."""
+    barrel, joint, rod, limits = CYLINDERS[name]
+    angles = np.radians(np.linspace(*limits, 721))
+    x = joint[0] + np.cos(angles) * rod[0] - np.sin(angles) * rod[1] - barrel[0]
+    z = joint[1] + np.sin(angles) * rod[0] + np.cos(angles) * rod[1] - barrel[1]
+    distance = np.hypot(x, z)
+    return float(distance.min()), float(distance.max())
