@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace tera {
+
+/// A file that is written under a temporary name and appears under its own when it is whole.
+///
+/// Every write, the close and the rename are checked; a failure is an InputError that says which
+/// file, why, and what to do (disk full, no permission, no such folder).
+class CheckedFile {
+ public:
+  explicit CheckedFile(const std::filesystem::path& path);
+  CheckedFile(const CheckedFile&) = delete;
+  CheckedFile& operator=(const CheckedFile&) = delete;
+  /// Without Commit, leaves only the temporary file, if any.
+  ~CheckedFile();
+
+  void Append(std::string_view bytes);
+  /// Writes what is buffered, closes, and gives the file its name.
+  void Commit();
+  std::int64_t bytes() const { return bytes_; }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  void Flush();
+
+  std::filesystem::path path_, temporary_;
+  int descriptor_ = -1;
+  std::string buffer_;
+  std::int64_t bytes_ = 0;
+};
+
+/// Ending of temporary names.
+inline constexpr std::string_view kPartSuffix = ".part";
+
+/// The whole of `bytes` as the file at `path`, by way of a temporary name.
+void WriteWholeFile(const std::filesystem::path& path, std::string_view bytes);
+
+/// Bytes of a file. Throws InputError if it cannot be read.
+std::string ReadWholeFile(const std::filesystem::path& path);
+
+/// Creates a folder with its parents. Throws InputError.
+void MakeFolder(const std::filesystem::path& path);
+
+/// The InputError for a system call on `path` that failed with `error_number`.
+[[noreturn]] void FailFile(const std::filesystem::path& path, const std::string& doing,
+                           int error_number);
+
+}  // namespace tera

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dataset/trajectory_error.h"
+
+namespace tera {
+
+/// Difference of one number of two channels over the time that both have.
+struct ChannelDifference {
+  std::string channel;  ///< "imu_boom", "joints": the channel's folder within its machine
+  std::string column;   ///< "wx_radps", "boom_rad"
+  std::size_t count = 0;
+  double rmse = 0;  ///< in the column's unit
+  double mean = 0;  ///< of b - a
+};
+
+/// The trajectories of one machine and its errors under each alignment.
+struct MachineComparison {
+  std::string name_a, name_b;
+  Trajectory a, b;
+  TrajectoryError unaligned, aligned_se2, aligned_se3;
+  std::vector<ChannelDifference> channels;
+};
+
+/// Two recordings side by side: `a` is the reference, `b` is judged.
+struct Comparison {
+  std::string name_a, name_b;
+  std::vector<MachineComparison> machines;
+};
+
+/// Compares two recordings, simulated or real. Machines are matched by name; where each side has
+/// just one, those two. Channels are matched by folder name, and joints by column name; samples of
+/// `b` are interpolated to the times of `a`, times counted from each recording's own start.
+/// Throws InputError if either cannot be read or they share no machine.
+Comparison Compare(const std::filesystem::path& a, const std::filesystem::path& b);
+
+/// The comparison as text for a terminal.
+std::string ComparisonTable(const Comparison& comparison);
+
+/// The trajectories from above and the errors over time as a PNG. Throws InputError without
+/// gnuplot.
+void PlotComparison(const Comparison& comparison, const std::filesystem::path& png);
+
+}  // namespace tera
