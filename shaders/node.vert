@@ -1,0 +1,26 @@
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec4 a_normal;
+layout(location = 2) in vec4 a_albedo_opacity;
+layout(location = 3) in vec4 a_roughness_metallic;
+layout(location = 4) in vec4 a_row0;
+layout(location = 5) in vec4 a_row1;
+layout(location = 6) in vec4 a_row2;
+layout(location = 7) in uint a_label;
+
+uniform mat4 u_clip_from_relative;
+
+out vec3 v_normal_W;
+flat out vec4 v_albedo_opacity;
+flat out vec4 v_roughness_metallic;
+flat out uint v_label;
+
+void main() {
+  vec4 p = vec4(a_position, 1.0);
+  gl_Position =
+      u_clip_from_relative * vec4(dot(a_row0, p), dot(a_row1, p), dot(a_row2, p), 1.0);
+  v_normal_W = vec3(dot(a_row0.xyz, a_normal.xyz), dot(a_row1.xyz, a_normal.xyz),
+                    dot(a_row2.xyz, a_normal.xyz));
+  v_albedo_opacity = a_albedo_opacity;
+  v_roughness_metallic = a_roughness_metallic;
+  v_label = a_label;
+}

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/motion.h"
+
+/// OpenGL objects that free themselves. All need a current context, also to be destroyed.
+
+namespace tera {
+
+/// Owner of one OpenGL name.
+class GlObject {
+ public:
+  using Deleter = void (*)(unsigned id);
+
+  GlObject() = default;
+  GlObject(unsigned id, Deleter deleter) : id_(id), deleter_(deleter) {}
+  GlObject(GlObject&& other) noexcept { *this = std::move(other); }
+  GlObject& operator=(GlObject&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(deleter_, other.deleter_);
+    return *this;
+  }
+  ~GlObject() {
+    if (deleter_ != nullptr) deleter_(id_);
+  }
+  unsigned id() const { return id_; }
+  explicit operator bool() const { return id_ != 0; }
+
+ private:
+  unsigned id_ = 0;
+  Deleter deleter_ = nullptr;
+};
+
+/// A buffer with `bytes` of storage that can be rewritten; `data` may be null.
+GlObject MakeBuffer(std::size_t bytes, const void* data);
+GlObject MakeVertexArray();
+GlObject MakeQuery();
+
+enum class Filter { kNearest, kLinear, kMipmapped, kShadow };
+enum class Wrap { kClamp, kRepeat };
+
+/// Immutable two-dimensional storage of an OpenGL sized format.
+GlObject MakeTexture(unsigned format, int width, int height, Filter filter, Wrap wrap,
+                     int levels = 1);
+/// A framebuffer with colour attachments in order and, if not 0, a depth (or depth-stencil or
+/// stencil) texture. Throws InternalError if it is incomplete.
+GlObject MakeFramebuffer(const std::vector<unsigned>& colour, unsigned depth,
+                         bool with_stencil = false);
+
+/// A linked vertex and fragment shader from files in shaders/.
+///
+/// A line `#include "file.glsl"` pulls in another file of that folder. Throws InputError with the
+/// driver's log if a file is missing or does not compile.
+class Program {
+ public:
+  Program(const std::string& vertex_file, const std::string& fragment_file);
+
+  void Use() const;
+  // A uniform that the compiler removed is ignored.
+  void Set(const char* name, int value) const;
+  void Set(const char* name, float value) const;
+  void Set(const char* name, const Eigen::Vector2f& value) const;
+  void Set(const char* name, const Eigen::Vector3f& value) const;
+  void Set(const char* name, const Eigen::Vector4f& value) const;
+  void Set(const char* name, const Eigen::Matrix3f& value) const;
+  void Set(const char* name, const Eigen::Matrix4f& value) const;
+  void Set(const char* name, const std::vector<Eigen::Vector3f>& values) const;
+  unsigned id() const { return program_.id(); }
+
+ private:
+  int Location(const char* name) const;
+  GlObject program_;
+};
+
+}  // namespace tera

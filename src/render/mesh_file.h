@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+
+#include "render/scene.h"
+
+namespace tera {
+
+/// Meshes of a glTF file (.gltf, .glb), by tinygltf.
+///
+/// Frames  glTF has y up; our frames have z up: p = (x, -z, y) of the file's numbers. With a node
+///         name, the node and its children in that node's own frame; without, the whole scene.
+/// Omits   textures, skins, morph targets, cameras, lights.
+/// Throws  InputError naming the file, what is wrong and, for an unknown node, the nodes there are.
+Mesh LoadGltf(const std::filesystem::path& file, const std::string& node);
+std::vector<std::string> GltfNodeNames(const std::filesystem::path& file);
+
+/// Meshes of OBJ, STL or DAE files, by assimp; z up, metres, as they are.
+Mesh LoadWithAssimp(const std::filesystem::path& file, const std::string& node);
+std::vector<std::string> AssimpNodeNames(const std::filesystem::path& file);
+
+/// Sets normals of `part` from its triangles, weighted by area, where the file has none.
+void ComputeNormals(MeshPart* part);
+
+/// Throws InputError unless every index, position and normal can be drawn and the mesh is not
+/// empty; makes normals unit length.
+void FinishMesh(const std::filesystem::path& file, Mesh* mesh);
+
+/// " (did you mean 'a'?); it has: a, b, c".
+std::string NodeHint(const std::string& wanted, const std::vector<std::string>& names);
+
+}  // namespace tera
