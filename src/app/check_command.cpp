@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/commands.h"
+#include "app/load_scenario.h"
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+void PrintMachine(const ScenarioMachine& machine) {
+  const MachineModel& model = machine.placement.model;
+  const Vec3 p = machine.placement.X_WB.translation();
+  fmt::print(
+      "\nmachine {} ({}): {} links, {} joints, {} levers, {:.0f} kg, at ({:.2f}, {:.2f}, {:.2f}) "
+      "m\n",
+      machine.placement.name, model.kind, model.links.size(), model.joints.size(),
+      model.levers.size(), model.TotalMass_kg(), p.x(), p.y(), p.z());
+  fmt::print("  {:<18} {:<8} {:<14} {:>22} {:>22} {:>9}\n", "sensor", "type", "link", "xyz m",
+             "rpy deg", "rate Hz");
+  for (const SensorDescription& sensor : machine.sensors) {
+    const Vec3 xyz = sensor.X_BS.translation();
+    const Vec3 rpy = RpyFromRotation(sensor.X_BS.linear()) / kDeg;
+    fmt::print("  {:<18} {:<8} {:<14} {:>22} {:>22} {:>9g}\n", sensor.name, TypeOf(sensor),
+               sensor.link.empty() ? "-" : sensor.link,
+               fmt::format("{:.3f} {:.3f} {:.3f}", xyz.x(), xyz.y(), xyz.z()),
+               fmt::format("{:.1f} {:.1f} {:.1f}", rpy.x(), rpy.y(), rpy.z()),
+               sensor.clock.rate_hz);
+  }
+}
+
+void RunCheck(const std::string& file, const std::vector<std::string>& overrides) {
+  const LoadedScenario loaded = LoadScenario(file, overrides);
+  const Scenario& scenario = loaded.scenario;
+  const TerrainSurface& ground = scenario.soil->surface();
+  fmt::print("{}: {} s at {} Hz, seed {}\n", scenario.name, scenario.duration_s,
+             scenario.physics_rate_hz, scenario.seed);
+  fmt::print("site: {:.1f} x {:.1f} m at {} m, origin {:.7f} {:.7f} deg, {:.2f} m; {} soils\n",
+             (ground.nx - 1) * ground.cell_m, (ground.ny - 1) * ground.cell_m, ground.cell_m,
+             scenario.origin.lat_deg, scenario.origin.lon_deg, scenario.origin.height_m,
+             scenario.soil->soils().size());
+  for (const ScenarioMachine& machine : scenario.machines) PrintMachine(machine);
+  for (const ScenarioObstacle& obstacle : scenario.obstacles) {
+    fmt::print("{} {} at ({:.2f}, {:.2f}) m{}\n", NameOf(obstacle.label), obstacle.name,
+               obstacle.xy_W_m.x(), obstacle.xy_W_m.y(), obstacle.path.empty() ? "" : ", moving");
+  }
+  fmt::print("valid\n");
+}
+
+}  // namespace
+
+void AddCheckCommand(CLI::App* app) {
+  struct Arguments {
+    std::string scenario;
+    std::vector<std::string> set;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      app->add_subcommand("check", "Validate a scenario and all it names, without running it");
+  command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML)")->required();
+  command->add_option("--set", arguments->set, "key.path=value instead of the scenario's")
+      ->take_all();
+  command->callback([arguments] { RunCheck(arguments->scenario, arguments->set); });
+}
+
+}  // namespace tera

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+/// The commands of `tera`, one file each. Each adds itself to the command line; what it does runs
+/// as the subcommand's callback. Bad input leaves as InputError.
+
+namespace tera {
+
+void AddGenerateCommand(CLI::App* app);
+void AddCheckCommand(CLI::App* app);
+void AddInfoCommand(CLI::App* app);
+void AddCompareCommand(CLI::App* app);
+void AddImportCommand(CLI::App* app);
+void AddImportRigCommand(CLI::App* app);
+void AddOverviewCommand(CLI::App* app);
+
+}  // namespace tera

@@ -1,0 +1,29 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+
+#include "app/commands.h"
+#include "dataset/compare.h"
+
+namespace tera {
+
+void AddCompareCommand(CLI::App* app) {
+  struct Arguments {
+    std::string first, second, plot = "compare.png";
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app->add_subcommand(
+      "compare", "Compare two recordings, simulated or real: trajectories, IMUs, joints");
+  command->add_option("REFERENCE", arguments->first, "Dataset taken as the reference")->required();
+  command->add_option("DATASET", arguments->second, "Dataset to judge")->required();
+  command->add_option("--plot", arguments->plot, "PNG to write")->capture_default_str();
+  command->callback([arguments] {
+    const Comparison comparison = Compare(arguments->first, arguments->second);
+    fmt::print("{}", ComparisonTable(comparison));
+    PlotComparison(comparison, arguments->plot);
+    fmt::print("plot: {}\n", arguments->plot);
+  });
+}
+
+}  // namespace tera

@@ -1,0 +1,46 @@
+#include <fmt/format.h>
+
+#include <exception>
+
+#include "app/commands.h"
+#include "app/version.h"
+#include "core/error.h"
+
+namespace {
+
+constexpr int kSuccess = 0;
+constexpr int kBug = 1;
+constexpr int kBadInput = 2;
+
+int Run(int argc, char** argv) {
+  CLI::App app{"TERA, a sensor-centric perception simulator for autonomous excavators"};
+  app.require_subcommand(1);
+  app.set_version_flag("--version", std::string("tera ") + tera::kVersion);
+  tera::AddGenerateCommand(&app);
+  tera::AddCheckCommand(&app);
+  tera::AddInfoCommand(&app);
+  tera::AddCompareCommand(&app);
+  tera::AddImportCommand(&app);
+  tera::AddImportRigCommand(&app);
+  tera::AddOverviewCommand(&app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? kSuccess : kBadInput;
+  }
+  return kSuccess;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return Run(argc, argv);
+  } catch (const tera::InputError& e) {
+    fmt::print(stderr, "{}\n", e.what());
+    return kBadInput;
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "tera: internal error, please report it: {}\n", e.what());
+    return kBug;
+  }
+}

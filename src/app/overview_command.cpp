@@ -1,0 +1,26 @@
+#include <memory>
+#include <string>
+
+#include "app/commands.h"
+#include "dataset/overview.h"
+
+namespace tera {
+
+void AddOverviewCommand(CLI::App* app) {
+  struct Arguments {
+    std::string dataset, image, video;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app->add_subcommand(
+      "overview", "Draw a contact sheet of a dataset and a film of its cameras");
+  command->add_option("DATASET", arguments->dataset, "Dataset directory")->required();
+  command->add_option("--image", arguments->image, "PNG to write (DATASET/overview.png)");
+  command->add_option("--video", arguments->video, "MP4 to write (DATASET/overview.mp4)");
+  command->callback([arguments] {
+    const std::filesystem::path dataset = arguments->dataset;
+    WriteOverview(dataset, arguments->image.empty() ? dataset / "overview.png" : arguments->image,
+                  arguments->video.empty() ? dataset / "overview.mp4" : arguments->video);
+  });
+}
+
+}  // namespace tera

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+
+#include "sim/operator.h"
+#include "sim/planar_arm.h"
+
+namespace tera {
+
+/// Where and how to dig. Radii from the slew axis, azimuths from the undercarriage's x axis
+/// (positive to the left), heights above the ground at the place itself.
+struct DigPlan {
+  PlanarArm::Joints joints;
+  int tip_frame = -1;
+  double dig_azimuth_rad = 0;
+  double azimuth_step_rad = 0;  ///< added to the dig azimuth after each cycle
+  double dump_azimuth_rad = 0;
+  double reach_m = 4.2;  ///< radius at which the teeth enter
+  double cut_length_m = 1.6;
+  double cut_depth_m = 0.2;
+  double cut_speed_mps = 0.7;
+  double dump_reach_m = 3.8;
+  double dump_height_m = 1.3;  ///< of the tip above the ground while swinging and dumping
+  int cycles = 0;              ///< 0: without end
+};
+
+/// Digs, lifts, slews, dumps and returns by joint targets from inverse kinematics on the ground as
+/// it is at the time.
+///
+/// Model   a sequence of phases, each with a target of the tip in the arm's plane and of the slew;
+///         joints follow by ServoLever. During the cut the target moves along the planned line and
+///         waits for the tip where the soil holds it back.
+/// Omits   force control; avoidance of obstacles; boom swing and travel stay neutral.
+class DigCycle : public Operator {
+ public:
+  DigCycle(const MachineModel& model, const DigPlan& plan);
+  std::vector<double> Levers(const OperatorView& view) override;
+
+ private:
+  enum class Phase { kApproach, kLower, kCut, kCurl, kLift, kSwing, kDump, kDone };
+
+  struct Target {
+    PlanarArm::Tip tip;
+    double slew_rad = 0;
+  };
+
+  void Enter(Phase phase, const OperatorView& view);
+  void Advance(const OperatorView& view);
+  Target TargetNow(const OperatorView& view) const;
+  PlanarArm::Tip CutPoint(double s_m) const;
+  double GroundInPlane(const OperatorView& view, double azimuth_rad, double r_m) const;
+  PlanarArm::Angles ReachableAngles(const MachineModel& model, const PlanarArm::Tip& tip) const;
+  PlanarArm::Tip TipNow(const MachineState& state) const;
+  double PhaseTime_s(const OperatorView& view) const;
+
+  DigPlan plan_;
+  PlanarArm arm_;
+  Phase phase_ = Phase::kApproach;
+  TimeNs phase_start_ns_ = 0, last_ns_ = 0;
+  int cycle_ = 0;
+  bool started_ = false;
+  double dig_azimuth_rad_;
+  double cut_s_m_ = 0;                ///< along the cut
+  std::vector<double> cut_ground_m_;  ///< heights in the plane when the cut was planned
+  PlanarArm::Tip phase_tip_;          ///< where the tip was when the phase began
+  std::optional<PlanarArm::Angles> last_angles_;
+};
+
+/// Reads the keys of `type: dig_cycle`.
+DigPlan ReadDigPlan(const ConfigMap& config, const MachineModel& model);
+
+}  // namespace tera

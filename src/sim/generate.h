@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "render/rasterizer.h"
+#include "sim/scenario.h"
+
+namespace tera {
+
+struct GenerateProgress {
+  double simulated_s = 0, duration_s = 0;
+  std::int64_t frames = 0;
+};
+
+struct GenerateOptions {
+  std::filesystem::path out;
+  int threads = 2;  ///< for rays and for encoding; the bytes do not depend on it
+  bool resume = false;
+  EglOptions egl;
+  std::function<void(const GenerateProgress&)> progress;  ///< called now and then
+};
+
+/// Where the wall-clock time went.
+struct GenerateReport {
+  double simulated_s = 0, wall_s = 0;
+  double physics_s = 0, soil_s = 0, camera_s = 0, lidar_s = 0, other_sensors_s = 0;
+  std::int64_t frames = 0, bytes = 0;
+};
+
+/// Runs `scenario` and writes its dataset to `options.out`. `resolved_yaml` is the scenario as
+/// Config::ResolvedYaml gives it. Throws InputError as DatasetWriter and Rasterizer do.
+GenerateReport Generate(Scenario scenario, const std::string& resolved_yaml,
+                        const GenerateOptions& options);
+
+}  // namespace tera

@@ -1,0 +1,98 @@
+#include "sim/lever_replay.h"
+
+#include <algorithm>
+
+#include "core/csv.h"
+#include "core/error.h"
+
+namespace tera {
+namespace {
+
+/// Reads time (in seconds, or in nanoseconds for a column that ends in _ns) and `columns`; a file
+/// that cannot be used becomes a fault of `config` and an empty table.
+CommandTable ReadCommands(const ConfigMap& config, const std::filesystem::path& file,
+                          const std::string& time_column, std::vector<std::string> columns) {
+  CommandTable table;
+  if (file.empty()) return table;
+  columns.insert(columns.begin(), time_column);
+  try {
+    const auto values = ReadCsvColumns(file, columns);
+    const double ns_per_unit = time_column.ends_with("_ns") ? 1.0 : 1e9;
+    for (std::size_t r = 0; r < values[0].size(); ++r) {
+      table.t_ns.push_back(std::llround(values[0][r] * ns_per_unit));
+      std::vector<double> row;
+      for (std::size_t c = 1; c < columns.size(); ++c) row.push_back(values[c][r]);
+      table.rows.push_back(std::move(row));
+      if (r > 0 && table.t_ns[r] <= table.t_ns[r - 1]) {
+        config.Fault("csv", fmt::format("{}:{}: time does not grow from the row before",
+                                        file.string(), r + 2));
+        return table;
+      }
+    }
+  } catch (const InputError& e) {
+    config.Fault("csv", e.what());
+  }
+  return table;
+}
+
+}  // namespace
+
+int RowInForce(const CommandTable& table, TimeNs t_ns) {
+  const auto after = std::upper_bound(table.t_ns.begin(), table.t_ns.end(), t_ns);
+  return static_cast<int>(after - table.t_ns.begin()) - 1;
+}
+
+LeverReplay::LeverReplay(CommandTable table, std::vector<int> lever_of_column)
+    : table_(std::move(table)), lever_of_column_(std::move(lever_of_column)) {}
+
+std::vector<double> LeverReplay::Levers(const OperatorView& view) {
+  std::vector<double> levers(view.model.levers.size(), 0.0);
+  const int row = RowInForce(table_, view.t_ns);
+  if (row < 0) return levers;
+  for (std::size_t c = 0; c < lever_of_column_.size(); ++c) {
+    levers[lever_of_column_[c]] = table_.rows[row][c];
+  }
+  return levers;
+}
+
+TwistReplay::TwistReplay(CommandTable table, const SkidSteerLevers& levers)
+    : table_(std::move(table)), levers_(levers) {}
+
+std::vector<double> TwistReplay::Levers(const OperatorView& view) {
+  std::vector<double> levers(view.model.levers.size(), 0.0);
+  const int row = RowInForce(table_, view.t_ns);
+  if (row < 0) return levers;
+  SetSkidSteer(view.model, levers_, table_.rows[row][0], table_.rows[row][1], &levers);
+  return levers;
+}
+
+std::unique_ptr<Operator> ReadLeverReplay(const ConfigMap& config, const MachineModel& model) {
+  const std::filesystem::path file = config.File("csv");
+  const std::string time_column = config.Text("time_column", "t_ns");
+  std::vector<std::string> columns;
+  std::vector<int> levers;
+  if (!file.empty()) {
+    for (const std::string& name : ReadCsvHeader(file)) {
+      if (name == time_column) continue;
+      const int lever = model.LeverIndex(name);
+      if (lever < 0) {
+        config.Fault("csv", "column '" + name + "' is no lever of machine '" + model.kind + "'");
+        continue;
+      }
+      columns.push_back(name);
+      levers.push_back(lever);
+    }
+  }
+  return std::make_unique<LeverReplay>(ReadCommands(config, file, time_column, columns), levers);
+}
+
+std::unique_ptr<Operator> ReadTwistReplay(const ConfigMap& config, const MachineModel& model) {
+  const std::filesystem::path file = config.File("csv");
+  const std::string time = config.Text("time_column", "t_s");
+  const std::string forward = config.Text("forward_column", "forward_mps");
+  const std::string yaw_rate = config.Text("yaw_rate_column", "yaw_rate_radps");
+  return std::make_unique<TwistReplay>(ReadCommands(config, file, time, {forward, yaw_rate}),
+                                       ReadSkidSteerLevers(config, model));
+}
+
+}  // namespace tera

@@ -1,0 +1,38 @@
+#include "sim/operator.h"
+
+#include "sim/dig_cycle.h"
+#include "sim/lever_replay.h"
+#include "sim/waypoint_driver.h"
+
+namespace tera {
+namespace {
+
+/// Leaves every lever neutral.
+class Idle : public Operator {
+ public:
+  std::vector<double> Levers(const OperatorView& view) override {
+    return std::vector<double>(view.model.levers.size(), 0.0);
+  }
+};
+
+std::unique_ptr<Operator> ReadDigCycle(const ConfigMap& config, const MachineModel& model) {
+  const DigPlan plan = ReadDigPlan(config, model);
+  const bool usable = plan.joints.slew >= 0 && plan.joints.boom >= 0 && plan.joints.arm >= 0 &&
+                      plan.joints.bucket >= 0 && plan.tip_frame >= 0;
+  if (!usable) return std::make_unique<Idle>();  // the faults are on record
+  return std::make_unique<DigCycle>(model, plan);
+}
+
+}  // namespace
+
+std::unique_ptr<Operator> ReadOperator(const ConfigMap& config, const MachineModel& model) {
+  const std::string type =
+      config.Choice("type", {"idle", "lever_replay", "twist_replay", "waypoints", "dig_cycle"});
+  if (type == "lever_replay") return ReadLeverReplay(config, model);
+  if (type == "twist_replay") return ReadTwistReplay(config, model);
+  if (type == "waypoints") return ReadWaypointDriver(config, model);
+  if (type == "dig_cycle") return ReadDigCycle(config, model);
+  return std::make_unique<Idle>();
+}
+
+}  // namespace tera

@@ -1,0 +1,211 @@
+#include "sim/scene_assembly.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+#include "core/units.h"
+#include "sim/heap_mesh.h"
+
+namespace tera {
+namespace {
+
+/// Frame at `origin` with x along `x_axis` and y as near to `y_hint` as can be.
+Mat3 FrameFromX(const Vec3& x_axis, const Vec3& y_hint) {
+  Mat3 R;
+  R.col(0) = x_axis.normalized();
+  R.col(2) = R.col(0).cross(y_hint).normalized();
+  R.col(1) = R.col(2).cross(R.col(0));
+  return R;
+}
+
+/// Pose on a closed path at arc length `s_m`: x along the path, z = x cross the link's y.
+Pose OnPath(const std::vector<Vec3>& path_m, const std::vector<double>& arc_m, double s_m) {
+  const double total_m = arc_m.back();
+  s_m -= total_m * std::floor(s_m / total_m);
+  const std::size_t i = std::min<std::size_t>(
+      std::upper_bound(arc_m.begin(), arc_m.end(), s_m) - arc_m.begin() - 1, path_m.size() - 1);
+  const Vec3& a = path_m[i];
+  const Vec3& b = path_m[(i + 1) % path_m.size()];
+  const double s = (s_m - arc_m[i]) / (arc_m[i + 1] - arc_m[i]);
+  return MakePose((1 - s) * a + s * b, FrameFromX(b - a, Vec3::UnitY()));
+}
+
+std::vector<double> ArcLengths(const std::vector<Vec3>& path_m) {
+  std::vector<double> arc_m = {0.0};
+  for (std::size_t i = 0; i < path_m.size(); ++i) {
+    arc_m.push_back(arc_m.back() + (path_m[(i + 1) % path_m.size()] - path_m[i]).norm());
+  }
+  return arc_m;
+}
+
+}  // namespace
+
+SceneAssembly::SceneAssembly(const Scenario& scenario) : scenario_(scenario) {
+  model_.instances.push_back({.name = "none"});
+  model_.environment = scenario.environment;
+  for (const SoilType& soil : scenario.soil->soils()) {
+    model_.soils.push_back({soil.albedo, soil.grain_size_m});
+  }
+  for (std::size_t m = 0; m < scenario.machines.size(); ++m) AddMachine(scenario, m);
+  for (const ScenarioObstacle& obstacle : scenario.obstacles) AddObstacle(obstacle);
+}
+
+// The order of AddBody calls here and of poses in AppendMachinePoses is the same: links, wheels,
+// shoes, cylinders, heaps.
+void SceneAssembly::AddMachine(const Scenario& scenario, std::size_t m) {
+  const MachinePlacement& placement = scenario.machines[m].placement;
+  const MachineModel& machine = placement.model;
+  const auto part = [&](const std::string& name) { return placement.name + "/" + name; };
+
+  std::vector<int> link_body;
+  std::vector<std::uint16_t> link_instance(machine.links.size(), 0);
+  for (std::size_t i = 0; i < machine.links.size(); ++i) {
+    const Link& link = machine.links[i];
+    link_body.push_back(AddBody());
+    if (link.visuals.empty()) continue;
+    link_instance[i] = AddInstance(part(link.name), link.label, link_body[i]);
+    for (const Visual& v : link.visuals) AddNode(v, link_body[i], link.label, link_instance[i]);
+  }
+  for (const WheelVisual& wheel : machine.wheel_visuals) {
+    const int body = AddBody();
+    const std::string& name = machine.ground_tools.gears[wheel.gear].name;
+    AddNode(wheel.visual, body, SemanticClass::kTrack,
+            AddInstance(part(name), SemanticClass::kTrack, body));
+  }
+  for (const TrackVisual& track : machine.track_visuals) {
+    const RunningGear& gear = machine.ground_tools.gears[track.gear];
+    tracks_.push_back({m, &track, gear.drive_radius_m, ArcLengths(track.path_B_m)});
+    const std::uint16_t instance =
+        AddInstance(part(gear.name), SemanticClass::kTrack, link_body[gear.link]);
+    SceneInstance& box = model_.instances[instance];
+    for (const Vec3& p : track.path_B_m) {
+      const Vec3 half(0, 0.5 * gear.patches.front().width_m, 0);
+      box.box_min_B_m = box.box_min_B_m.cwiseMin(p - half);
+      box.box_max_B_m = box.box_max_B_m.cwiseMax(p + half);
+    }
+    for (int k = 0; k < track.shoe_count; ++k) {
+      SceneNode node;
+      node.mesh = model_.AddMesh(track.shoe.mesh, track.shoe.node);
+      node.body = AddBody();
+      node.label = SemanticClass::kTrack;
+      node.instance = instance;
+      model_.nodes.push_back(node);
+    }
+  }
+  for (const CylinderVisual& cylinder : machine.cylinders) {
+    const int barrel = AddBody(), rod = AddBody();
+    const Link& barrel_link = machine.links[cylinder.barrel_link];
+    const Link& rod_link = machine.links[cylinder.rod_link];
+    AddNode(cylinder.barrel, barrel, barrel_link.label, link_instance[cylinder.barrel_link]);
+    AddNode(cylinder.rod, rod, rod_link.label, link_instance[cylinder.rod_link]);
+  }
+  for (std::size_t s = 0; s < machine.ground_tools.shovels.size(); ++s) {
+    const Shovel& shovel = machine.ground_tools.shovels[s];
+    if (shovel.capacity_m3 <= 0) continue;
+    const HeapMesh heap = MakeHeapMesh(shovel, scenario.soil->soils().front().albedo);
+    SceneNode node;
+    node.mesh = static_cast<int>(model_.meshes.size());
+    node.body = AddBody();
+    node.label = SemanticClass::kSoilInBucket;
+    node.instance = AddInstance(part(shovel.name + "_soil"), node.label, node.body);
+    model_.meshes.push_back(heap.mesh);
+    model_.nodes.push_back(node);
+    heaps_.push_back({m, static_cast<int>(s), node.body, heap.bottom_B_m});
+  }
+}
+
+void SceneAssembly::AddObstacle(const ScenarioObstacle& obstacle) {
+  const int body = AddBody();
+  AddNode(obstacle.visual, body, obstacle.label, AddInstance(obstacle.name, obstacle.label, body));
+}
+
+std::uint16_t SceneAssembly::AddInstance(const std::string& name, SemanticClass label, int body) {
+  SceneInstance instance;
+  instance.name = name;
+  instance.label = label;
+  instance.body = body;
+  instance.box_min_B_m = Vec3::Constant(std::numeric_limits<double>::infinity());
+  instance.box_max_B_m = -instance.box_min_B_m;
+  model_.instances.push_back(instance);
+  return static_cast<std::uint16_t>(model_.instances.size() - 1);
+}
+
+void SceneAssembly::AddNode(const Visual& visual, int body, SemanticClass label,
+                            std::uint16_t instance) {
+  SceneNode node;
+  node.mesh = model_.AddMesh(visual.mesh, visual.node);
+  node.body = body;
+  node.X_BG = visual.X_BG;
+  node.scale = visual.scale;
+  node.label = visual.label.value_or(label);
+  node.instance = instance;
+  model_.nodes.push_back(node);
+  SceneInstance& box = model_.instances[instance];
+  if (box.body != body) return;  // a cylinder's part moves in its link's frame
+  for (const MeshPart& part : model_.meshes[node.mesh].parts) {
+    for (const Eigen::Vector3f& p : part.positions_m) {
+      const Vec3 p_B = node.X_BG * (node.scale * p.cast<double>());
+      box.box_min_B_m = box.box_min_B_m.cwiseMin(p_B);
+      box.box_max_B_m = box.box_max_B_m.cwiseMax(p_B);
+    }
+  }
+}
+
+std::vector<Pose> SceneAssembly::BodyPoses(const WorldState& state) const {
+  std::vector<Pose> poses;
+  poses.reserve(model_.body_count);
+  for (std::size_t m = 0; m < state.machines.size(); ++m) AppendMachinePoses(state, m, &poses);
+  for (const BodyState& obstacle : state.obstacles) poses.push_back(obstacle.X_WB);
+  TERA_CHECK(static_cast<int>(poses.size()) == model_.body_count, poses.size(), model_.body_count);
+  return poses;
+}
+
+void SceneAssembly::AppendMachinePoses(const WorldState& state, std::size_t m,
+                                       std::vector<Pose>* poses) const {
+  const MachineModel& machine = scenario_.machines[m].placement.model;
+  const MachineState& now = state.machines[m];
+  for (const BodyState& link : now.links) poses->push_back(link.X_WB);
+  for (const WheelVisual& wheel : machine.wheel_visuals) {
+    const RunningGear& gear = machine.ground_tools.gears[wheel.gear];
+    poses->push_back(now.links[gear.link].X_WB * MakePose(wheel.axle_B_m) *
+                     Eigen::AngleAxisd(now.gear_angle_rad[wheel.gear], Vec3::UnitY()));
+  }
+  for (const TrackPath& path : tracks_) {
+    if (path.machine != m) continue;
+    const TrackVisual& track = *path.track;
+    const Pose& X_WB = now.links[machine.ground_tools.gears[track.gear].link].X_WB;
+    const double travel_m = path.radius_m * now.gear_angle_rad[track.gear];
+    for (int k = 0; k < track.shoe_count; ++k) {
+      const double s_m = travel_m + path.arc_m.back() * k / track.shoe_count;
+      poses->push_back(X_WB * OnPath(track.path_B_m, path.arc_m, s_m));
+    }
+  }
+  for (const CylinderVisual& cylinder : machine.cylinders) {
+    const Pose& X_WA = now.links[cylinder.barrel_link].X_WB;
+    const Vec3 a_W = X_WA * cylinder.barrel_pin_m;
+    const Vec3 b_W = now.links[cylinder.rod_link].X_WB * cylinder.rod_pin_m;
+    const Mat3 R = FrameFromX(b_W - a_W, X_WA.linear().col(1));
+    poses->push_back(MakePose(a_W, R));
+    poses->push_back(MakePose(b_W, R));
+  }
+  for (const Heap& heap : heaps_) {
+    if (heap.machine != m) continue;
+    const int link = machine.ground_tools.shovels[heap.shovel].link;
+    poses->push_back(now.links[link].X_WB * MakePose(heap.bottom_B_m));
+  }
+}
+
+std::vector<float> SceneAssembly::BodyScales(const WorldState& state) const {
+  std::vector<float> scales(model_.body_count, 1.0f);
+  for (const Heap& heap : heaps_) {
+    const auto& loads = state.machines[heap.machine].shovel_load;
+    const Shovel& shovel =
+        scenario_.machines[heap.machine].placement.model.ground_tools.shovels[heap.shovel];
+    const double fill = loads.empty() ? 0.0 : loads[heap.shovel].volume_m3 / shovel.capacity_m3;
+    scales[heap.body] = static_cast<float>(std::cbrt(std::clamp(fill, 0.0, 1.0)));
+  }
+  return scales;
+}
+
+}  // namespace tera

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "render/scene.h"
+#include "sim/scenario.h"
+#include "sim/simulation.h"
+
+namespace tera {
+
+/// Turns a scenario into what can be seen: builds the constant SceneModel once and places its
+/// bodies for each state.
+///
+/// Model   one body for each link, wheel, track shoe, cylinder barrel and rod, shovel heap and
+///         obstacle; one labelled instance for each link, track, wheel, heap and obstacle, named
+///         "machine/part" or after the obstacle.
+class SceneAssembly {
+ public:
+  explicit SceneAssembly(const Scenario& scenario);
+
+  const SceneModel& model() const { return model_; }
+  /// Poses of all bodies, in the order of their index.
+  std::vector<Pose> BodyPoses(const WorldState& state) const;
+  /// Scale of each body: heaps by their fill, everything else 1.
+  std::vector<float> BodyScales(const WorldState& state) const;
+
+ private:
+  struct TrackPath {
+    std::size_t machine;
+    const TrackVisual* track;
+    double radius_m;
+    std::vector<double> arc_m;  ///< length along the closed path up to each corner, and in all
+  };
+
+  void AddMachine(const Scenario& scenario, std::size_t m);
+  void AddObstacle(const ScenarioObstacle& obstacle);
+  std::uint16_t AddInstance(const std::string& name, SemanticClass label, int body);
+  void AddNode(const Visual& visual, int body, SemanticClass label, std::uint16_t instance);
+  void AppendMachinePoses(const WorldState& state, std::size_t m, std::vector<Pose>* poses) const;
+  int AddBody() { return model_.body_count++; }
+
+  const Scenario& scenario_;
+  SceneModel model_;
+  std::vector<TrackPath> tracks_;
+  struct Heap {
+    std::size_t machine;
+    int shovel, body;
+    Vec3 bottom_B_m;  ///< point of the shell about which the heap grows
+  };
+  std::vector<Heap> heaps_;
+};
+
+}  // namespace tera
