@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "core/config.h"
 #include "core/measurement.h"
@@ -31,14 +32,18 @@ struct GnssModel {
   double white_horizontal_m = 0, white_vertical_m = 0;            ///< 1 sigma
   double correlated_horizontal_m = 0, correlated_vertical_m = 0;  ///< 1 sigma, stationary
   double correlation_time_s = 60;
+  Vec3 bias_enu_m = Vec3::Zero();  ///< constant, not in the reported variance
   GnssFix fix = GnssFix::kRtkFixed;
 };
+
+/// As written in YAML: "none", "single", "rtk_fixed", "rtk_float".
+std::string_view NameOf(GnssFix fix);
 
 GnssModel ReadGnssModel(const ConfigMap& config);
 
 /// One antenna.
 ///
-/// Model   p = p_WS + c_k + n_k; c_k = e^(-T/tau) c_(k-1) + sqrt(1 - e^(-2T/tau)) sigma_c w_k.
+/// Model   p = p_WS + b + c_k + n_k; c_k = e^(-T/tau) c_(k-1) + sqrt(1 - e^(-2T/tau)) sigma_c w_k.
 /// Omits   satellites, masking, multipath, fix transitions.
 class Gnss {
  public:
@@ -52,7 +57,8 @@ class Gnss {
   SampleClock clock_;
   TimeNs latency_ns_;
   Stream white_, correlated_;
-  Vec3 error_enu_m_ = Vec3::Zero();
+  Vec3 correlated_enu_m_ = Vec3::Zero();
+  std::int64_t next_ = 0;
 };
 
 }  // namespace tera

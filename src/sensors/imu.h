@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct ImuModel {
   double gyro_bias_random_walk_radps2rthz = 0;  ///< rate random walk, rad/s^2/sqrt(Hz)
   double accel_noise_density_mps2rthz = 0;
   double accel_bias_random_walk_mps3rthz = 0;
+  double gyro_sample_noise_radps = 0;  ///< 1 sigma of each sample whatever the rate, on top
+  double accel_sample_noise_mps2 = 0;
   Vec3 gyro_bias_radps = Vec3::Zero();  ///< at the start
   Vec3 accel_bias_mps2 = Vec3::Zero();
 };
@@ -28,28 +31,33 @@ ImuModel ReadImuModel(const ConfigMap& config);
 /// Model   truth f_S = R_SW (a_WS - g_W), w_S = R_SW w_WS with the lever arm's tangential and
 ///         centripetal terms; each sample is the mean over its own interval (t - T, t], as of a
 ///         strapdown unit that integrates internally; then white noise sigma / sqrt(T) and a bias
-///         random walk.
+///         random walk. Sample k >= 1 is due at clock.Due(k).
 /// Omits   scale, cross-axis, g-sensitivity, temperature, saturation, quantisation, vibration.
 /// Source  IEEE Std 952-1997 (noise terms); Titterton and Weston 2004, ch. 11 (integration).
 class Imu {
  public:
   /// `stream_name` is the prefix of its noise streams, "excavator1/imu_boom".
-  Imu(const ImuModel& model, const Pose& X_BS, const SampleClock& clock, std::uint64_t seed,
-      const std::string& stream_name);
+  Imu(const ImuModel& model, const Pose& X_BS, const SampleClock& clock, TimeNs latency_ns,
+      std::uint64_t seed, const std::string& stream_name);
 
   /// Consumes the step from `begin` at t0 to `end` at t1 (accelerations of `end` hold over it) and
-  /// appends the samples that fall due in (t0, t1].
+  /// appends the samples that fall due in (t0, t1]. Steps follow each other without a gap.
   void Advance(TimeNs t0_ns, const BodyState& begin, TimeNs t1_ns, const BodyState& end,
                const Vec3& gravity_W_mps2, std::vector<ImuSample>* samples);
 
  private:
+  /// The mean over the interval that ends at Due(next_), with its noise.
+  ImuSample CloseInterval();
+
   ImuModel model_;
   Pose X_BS_;
   SampleClock clock_;
+  TimeNs latency_ns_;
   Stream gyro_white_, accel_white_, gyro_walk_, accel_walk_;
   Vec3 gyro_bias_radps_, accel_bias_mps2_;
   Vec3 rate_integral_rad_ = Vec3::Zero(), force_integral_mps_ = Vec3::Zero();
   std::int64_t next_ = 1;
+  std::optional<TimeNs> consumed_until_ns_;
 };
 
 }  // namespace tera

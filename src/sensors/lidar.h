@@ -13,8 +13,8 @@ namespace tera {
 /// Spinning multi-beam lidar as its data sheet has it.
 struct LidarModel {
   std::vector<double> elevation_rad;       ///< one for each beam (ring), top to bottom
-  std::vector<double> azimuth_offset_rad;  ///< one for each beam
-  std::vector<double> firing_offset_s;     ///< one for each beam, within a column
+  std::vector<double> azimuth_offset_rad;  ///< one for each beam, counterclockwise from above
+  std::vector<double> firing_offset_s;     ///< one for each beam, less than a column's duration
   int columns = 1024;                      ///< firings per revolution
   bool clockwise = true;                   ///< seen from above
   double min_range_m = 0.3, max_range_m = 120;
@@ -27,20 +27,26 @@ LidarModel ReadLidarModel(const ConfigMap& config);
 /// Spinning multi-beam lidar.
 ///
 /// Frames  W world; S sensor, x forward, y left, z up. Ray k leaves p_WS(t_k) along R_WS(t_k)
-/// d_S,k. Model   every ray at its own time and pose; relative power rho cos(theta) / r^2, a return
-/// when it
-///         exceeds that of a 10 % target at `range_at_10_percent_m`; range r + N(0, sigma^2).
+///         d_S,k; a revolution starts looking along -x, so that its seam lies behind.
+/// Model   every ray at its own time and pose; relative power rho cos(theta) / r^2, a return when
+///         it exceeds that of a 10 % target at `range_at_10_percent_m`; range r + N(0, sigma^2),
+///         noise of ray i of revolution k drawn at index k * rays + i; intensity rho cos(theta).
 /// Omits   beam divergence, multiple returns, noise growing with weak power, crosstalk.
 class Lidar {
  public:
   Lidar(const LidarModel& model, const SampleClock& clock, TimeNs latency_ns, std::uint64_t seed,
         const std::string& stream_name);
   /// Revolution k, from clock.Due(k) to clock.Due(k + 1). `scene` must have been updated over just
-  /// that interval; `X_WS` must cover it.
+  /// that interval; `X_WS` must cover it. A scan is available when its revolution is complete and
+  /// `latency_ns` has passed. Uses up to `threads` threads; the result does not depend on them.
   LidarScan Measure(std::int64_t k, const PoseTrack& X_WS, const RayScene& scene,
                     int threads) const;
 
  private:
+  struct Block;
+  void Aim(std::int64_t k, int begin, int end, const PoseTrack& X_WS, Block* block) const;
+  void Detect(std::int64_t k, int begin, const Block& block, std::vector<LidarPoint>* points) const;
+
   LidarModel model_;
   SampleClock clock_;
   TimeNs latency_ns_;

@@ -1,0 +1,131 @@
+#include "sensors/camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+constexpr double kMaxSide_px = 16384;
+constexpr double kMaxValue = 255.0;
+
+CameraIntrinsics ReadIntrinsics(const ConfigMap& config) {
+  CameraIntrinsics c;
+  c.width_px = static_cast<int>(config.Integer("width_px", Between(1, kMaxSide_px, "px")));
+  c.height_px = static_cast<int>(config.Integer("height_px", Between(1, kMaxSide_px, "px")));
+  const Range open_angle = {.min = 0, .max = 179, .min_excluded = true, .unit = "deg"};
+  if (const auto fov_deg = config.OptionalNumber("horizontal_fov_deg", open_angle)) {
+    if (config.Has("fx_px") || config.Has("fy_px")) {
+      config.Fault("horizontal_fov_deg", "given beside fx_px or fy_px; keep one of the two");
+    }
+    c.fx_px = 0.5 * c.width_px / std::tan(0.5 * *fov_deg * kDeg);
+    c.fy_px = c.fx_px;
+  } else {
+    c.fx_px = config.Number("fx_px", Positive("px"));
+    c.fy_px = config.Number("fy_px", Positive("px"), c.fx_px);
+  }
+  c.cx_px = config.Number("cx_px", Any("px"), 0.5 * (c.width_px - 1));
+  c.cy_px = config.Number("cy_px", Any("px"), 0.5 * (c.height_px - 1));
+  c.k1 = config.Number("k1", Any("1"), 0);
+  c.k2 = config.Number("k2", Any("1"), 0);
+  c.p1 = config.Number("p1", Any("1"), 0);
+  c.p2 = config.Number("p2", Any("1"), 0);
+  c.k3 = config.Number("k3", Any("1"), 0);
+  c.near_m = config.Number("near_m", Positive("m"), c.near_m);
+  c.far_m = config.Number("far_m", Positive("m"), c.far_m);
+  if (c.far_m <= c.near_m) config.Fault("far_m", "not beyond near_m; need near_m < far_m");
+  return c;
+}
+
+void AddDepthNoise(const CameraModel& model, const Stream& noise, std::uint64_t first,
+                   Image<float>* depth_m) {
+  const double scale_1pm = model.disparity_noise_px / (model.intrinsics.fx_px * model.baseline_m);
+  for (std::size_t i = 0; i < depth_m->data.size(); ++i) {
+    float& z_m = depth_m->data[i];
+    if (z_m <= 0) continue;
+    z_m += static_cast<float>(scale_1pm * z_m * z_m * noise.Gaussian(first + i));
+  }
+}
+
+void LimitDepth(const CameraModel& model, Image<float>* depth_m) {
+  for (float& z_m : depth_m->data) {
+    if (!(z_m >= model.depth_min_m && z_m <= model.depth_max_m)) z_m = 0;
+  }
+}
+
+void AddRgbNoise(double sigma, const Stream& noise, std::uint64_t first, Image<std::uint8_t>* rgb) {
+  for (std::size_t i = 0; i < rgb->data.size(); ++i) {
+    const double value = rgb->data[i] + sigma * noise.Gaussian(first + i);
+    rgb->data[i] = static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, kMaxValue)));
+  }
+}
+
+}  // namespace
+
+CameraModel ReadCameraModel(const ConfigMap& config) {
+  CameraModel m;
+  m.intrinsics = ReadIntrinsics(config);
+  m.rgb = config.Boolean("rgb", m.rgb);
+  m.depth = config.Boolean("depth", m.depth);
+  m.labels = config.Boolean("labels", m.labels);
+  if (!m.rgb && !m.depth && !m.labels) {
+    config.Fault("rgb", "rgb, depth and labels are all off; switch one on");
+  }
+  m.depth_min_m = config.Number("depth_min_m", AtLeast(0, "m"), m.depth_min_m);
+  m.depth_max_m = config.Number("depth_max_m", Positive("m"), m.depth_max_m);
+  if (m.depth_max_m <= m.depth_min_m) {
+    config.Fault("depth_max_m", "not beyond depth_min_m; need depth_min_m < depth_max_m");
+  }
+  m.disparity_noise_px = config.Number("disparity_noise_px", AtLeast(0, "px"), 0);
+  m.baseline_m = config.Number("baseline_m", Positive("m"), m.baseline_m);
+  m.rgb_noise = config.Number("rgb_noise", Between(0, kMaxValue, "of 255"), 0);
+  return m;
+}
+
+Pose OpticalInSensor() {
+  Mat3 R_SC;
+  R_SC.col(0) = -Vec3::UnitY();
+  R_SC.col(1) = -Vec3::UnitZ();
+  R_SC.col(2) = Vec3::UnitX();
+  return MakePose(Vec3::Zero(), R_SC);
+}
+
+Camera::Camera(const CameraModel& model, const SampleClock& clock, TimeNs latency_ns,
+               std::uint64_t seed, const std::string& stream_name)
+    : model_(model),
+      clock_(clock),
+      latency_ns_(latency_ns),
+      depth_noise_(seed, stream_name + "/depth"),
+      rgb_noise_(seed, stream_name + "/rgb") {}
+
+CameraFrame Camera::Measure(std::int64_t k, const Pose& X_WS, const SceneState& scene,
+                            Rasterizer* rasterizer) const {
+  CameraFrame frame = rasterizer->Render(model_.intrinsics, X_WS * OpticalInSensor(), scene);
+  frame.t_ns = clock_.Due(k);
+  frame.t_available_ns = frame.t_ns + latency_ns_;
+  const auto exposure = static_cast<std::uint64_t>(k);
+  if (!model_.rgb) {
+    frame.rgb = {};
+  } else if (model_.rgb_noise > 0) {
+    AddRgbNoise(model_.rgb_noise, rgb_noise_, exposure * frame.rgb.data.size(), &frame.rgb);
+  }
+  if (!model_.depth) {
+    frame.depth_m = {};
+  } else {
+    if (model_.disparity_noise_px > 0) {
+      AddDepthNoise(model_, depth_noise_, exposure * frame.depth_m.data.size(), &frame.depth_m);
+    }
+    LimitDepth(model_, &frame.depth_m);
+  }
+  if (!model_.labels) {
+    frame.semantic = {};
+    frame.instance = {};
+    frame.boxes.clear();
+  }
+  return frame;
+}
+
+}  // namespace tera

@@ -1,0 +1,95 @@
+#include "sensors/imu.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+constexpr double kMicroG_mps2 = 1e-6 * kStandardGravity_mps2;
+
+double WhiteSigma(double density, double per_sample, double interval_s) {
+  return std::sqrt(density * density / interval_s + per_sample * per_sample);
+}
+
+}  // namespace
+
+ImuModel ReadImuModel(const ConfigMap& config) {
+  ImuModel m;
+  m.gyro_noise_density_radpsrthz =
+      config.Number("gyro_noise_density_degpsrthz", AtLeast(0, "deg/s/sqrt(Hz)"), 0) * kDeg;
+  m.gyro_bias_random_walk_radps2rthz =
+      config.Number("gyro_bias_random_walk_degps2rthz", AtLeast(0, "deg/s^2/sqrt(Hz)"), 0) * kDeg;
+  m.gyro_bias_radps = config.Vector3("gyro_bias_degps", Any("deg/s"), Vec3::Zero()) * kDeg;
+  m.gyro_sample_noise_radps =
+      config.Number("gyro_sample_noise_degps", AtLeast(0, "deg/s"), 0) * kDeg;
+  m.accel_noise_density_mps2rthz =
+      config.Number("accel_noise_density_ugrthz", AtLeast(0, "ug/sqrt(Hz)"), 0) * kMicroG_mps2;
+  m.accel_bias_random_walk_mps3rthz =
+      config.Number("accel_bias_random_walk_mps3rthz", AtLeast(0, "m/s^3/sqrt(Hz)"), 0);
+  m.accel_bias_mps2 = config.Vector3("accel_bias_mps2", Any("m/s^2"), Vec3::Zero());
+  m.accel_sample_noise_mps2 = config.Number("accel_sample_noise_mps2", AtLeast(0, "m/s^2"), 0);
+  return m;
+}
+
+Imu::Imu(const ImuModel& model, const Pose& X_BS, const SampleClock& clock, TimeNs latency_ns,
+         std::uint64_t seed, const std::string& stream_name)
+    : model_(model),
+      X_BS_(X_BS),
+      clock_(clock),
+      latency_ns_(latency_ns),
+      gyro_white_(seed, stream_name + "/gyro_white"),
+      accel_white_(seed, stream_name + "/accel_white"),
+      gyro_walk_(seed, stream_name + "/gyro_walk"),
+      accel_walk_(seed, stream_name + "/accel_walk"),
+      gyro_bias_radps_(model.gyro_bias_radps),
+      accel_bias_mps2_(model.accel_bias_mps2) {}
+
+void Imu::Advance(TimeNs t0_ns, const BodyState& begin, TimeNs t1_ns, const BodyState& end,
+                  const Vec3& gravity_W_mps2, std::vector<ImuSample>* samples) {
+  TERA_CHECK(t1_ns > t0_ns, t0_ns, t1_ns);
+  TERA_CHECK(consumed_until_ns_.value_or(t0_ns) == t0_ns, *consumed_until_ns_, t0_ns);
+  consumed_until_ns_ = t1_ns;
+  TimeNs from_ns = std::max(t0_ns, clock_.start_ns);
+  while (from_ns < t1_ns) {
+    const TimeNs due_ns = clock_.Due(next_);
+    const TimeNs to_ns = std::min(due_ns, t1_ns);
+    const double middle = 0.5 * (static_cast<double>(from_ns - t0_ns) + (to_ns - t0_ns)) /
+                          static_cast<double>(t1_ns - t0_ns);
+    const BodyState S = MotionOfFixedFrame(Interpolate(begin, end, middle), X_BS_);
+    const Mat3 R_SW = S.X_WB.linear().transpose();
+    const double span_s = ToSeconds(to_ns - from_ns);
+    rate_integral_rad_ += span_s * (R_SW * S.w_WB_radps);
+    force_integral_mps_ += span_s * (R_SW * (S.a_WB_mps2 - gravity_W_mps2));
+    if (to_ns == due_ns) samples->push_back(CloseInterval());
+    from_ns = to_ns;
+  }
+}
+
+ImuSample Imu::CloseInterval() {
+  const std::int64_t k = next_++;
+  const double T_s = ToSeconds(clock_.Due(k) - clock_.Due(k - 1));
+  const double walk_s = std::sqrt(T_s);
+  gyro_bias_radps_ += model_.gyro_bias_random_walk_radps2rthz * walk_s * gyro_walk_.Gaussian3(k);
+  accel_bias_mps2_ += model_.accel_bias_random_walk_mps3rthz * walk_s * accel_walk_.Gaussian3(k);
+  const double gyro_sigma_radps =
+      WhiteSigma(model_.gyro_noise_density_radpsrthz, model_.gyro_sample_noise_radps, T_s);
+  const double accel_sigma_mps2 =
+      WhiteSigma(model_.accel_noise_density_mps2rthz, model_.accel_sample_noise_mps2, T_s);
+
+  ImuSample sample;
+  sample.t_ns = clock_.Due(k);
+  sample.t_available_ns = sample.t_ns + latency_ns_;
+  sample.w_WS_S_radps =
+      rate_integral_rad_ / T_s + gyro_bias_radps_ + gyro_sigma_radps * gyro_white_.Gaussian3(k);
+  sample.f_S_mps2 =
+      force_integral_mps_ / T_s + accel_bias_mps2_ + accel_sigma_mps2 * accel_white_.Gaussian3(k);
+  rate_integral_rad_.setZero();
+  force_integral_mps_.setZero();
+  return sample;
+}
+
+}  // namespace tera
