@@ -1,0 +1,131 @@
+#include "sim/operator.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/config.h"
+#include "core/error.h"
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A machine with a left and a right wheel, 1 m apart, 2 m/s at full lever.
+struct Cart {
+  MachineModel model;
+  MachineState state;
+  TerrainSurface ground;
+
+  Cart() {
+    model.kind = "cart";
+    model.gauge_m = 1.0;
+    model.links.resize(1);
+    for (const char* name : {"left_track", "right_track"}) {
+      RunningGear gear;
+      gear.name = name;
+      gear.drive_radius_m = 0.25;
+      GearDrive drive;
+      drive.max_rate_radps = 8.0;
+      Lever lever;
+      lever.name = name;
+      lever.gear = static_cast<int>(model.ground_tools.gears.size());
+      model.ground_tools.gears.push_back(gear);
+      model.gear_drives.push_back(drive);
+      model.levers.push_back(lever);
+    }
+    state.links.resize(1);
+  }
+  std::vector<double> Levers(Operator* driver, double t_s) const {
+    return driver->Levers({FromSeconds(t_s), model, state, ground});
+  }
+};
+
+std::unique_ptr<Operator> Read(const std::string& yaml, const Cart& cart) {
+  const Config config = Config::FromText(yaml, "operator.yaml");
+  auto driver = ReadOperator(config.root(), cart.model);
+  config.Finish();
+  return driver;
+}
+
+std::string WriteFile(const std::string& name, const std::string& text) {
+  const std::string path = ::testing::TempDir() + name;
+  std::ofstream(path) << text;
+  return path;
+}
+
+TEST(LeverReplay, HoldsEachCommandUntilTheNext) {
+  const Cart cart;
+  const std::string csv = WriteFile(
+      "levers.csv", "t_ns,right_track,left_track\n1000000000,0.5,-0.25\n2000000000,1,0\n");
+  const auto driver = Read("{type: lever_replay, csv: " + csv + "}", cart);
+  EXPECT_THAT(cart.Levers(driver.get(), 0.5), ::testing::ElementsAre(0, 0));
+  EXPECT_THAT(cart.Levers(driver.get(), 1.0), ::testing::ElementsAre(-0.25, 0.5));
+  EXPECT_THAT(cart.Levers(driver.get(), 1.999), ::testing::ElementsAre(-0.25, 0.5));
+  EXPECT_THAT(cart.Levers(driver.get(), 9.0), ::testing::ElementsAre(0, 1));
+}
+
+TEST(LeverReplay, RefusesColumnsThatAreNoLevers) {
+  const Cart cart;
+  const std::string csv = WriteFile("wrong.csv", "t_ns,boom\n0,1\n");
+  try {
+    Read("{type: lever_replay, csv: " + csv + "}", cart);
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("column 'boom' is no lever of machine 'cart'"));
+  }
+}
+
+TEST(LeverReplay, RefusesTimesThatRunBackwards) {
+  const Cart cart;
+  const std::string csv = WriteFile("back.csv", "t_ns,left_track\n5,1\n4,0\n");
+  EXPECT_THROW(Read("{type: lever_replay, csv: " + csv + "}", cart), InputError);
+}
+
+TEST(TwistReplay, TurnsSpeedAndYawRateIntoLevers) {
+  const Cart cart;
+  // 1 m/s and 0.8 rad/s with 1 m gauge: 0.6 and 1.4 m/s, of 2 m/s at full lever.
+  const std::string csv = WriteFile("twist.csv", "t_s,v,w,x\n0,1,0.8,text\n");
+  const auto driver = Read("{type: twist_replay, csv: " + csv +
+                               ", forward_column: v, yaw_rate_column: w}",
+                           cart);
+  const auto levers = cart.Levers(driver.get(), 3.0);
+  EXPECT_NEAR(levers[0], 0.3, 1e-12);
+  EXPECT_NEAR(levers[1], 0.7, 1e-12);
+}
+
+TEST(WaypointDriver, DrivesStraightAtAPointAheadAndStopsThere) {
+  Cart cart;
+  cart.state.links[0].X_WB = MakePose(Vec3(1, 2, 0), 0, 0, 90 * kDeg);
+  const auto driver =
+      Read("{type: waypoints, waypoints: [{xy_m: [1, 12]}], speed_mps: 1, reached_m: 0.3}", cart);
+  EXPECT_NEAR(cart.Levers(driver.get(), 0)[0], 0.5, 1e-9);
+  EXPECT_NEAR(cart.Levers(driver.get(), 0)[1], 0.5, 1e-9);
+  cart.state.links[0].X_WB.translation() = Vec3(1, 11.8, 0);
+  EXPECT_THAT(cart.Levers(driver.get(), 1), ::testing::ElementsAre(0, 0));
+}
+
+TEST(WaypointDriver, TurnsLeftOnTheSpotForAPointBehindItsLeft) {
+  Cart cart;
+  const auto driver = Read("{type: waypoints, waypoints: [{xy_m: [-5, 5]}]}", cart);
+  const auto levers = cart.Levers(driver.get(), 0);
+  EXPECT_LT(levers[0], 0);
+  EXPECT_NEAR(levers[0], -levers[1], 1e-12);
+}
+
+TEST(ReadOperator, NamesTheJointThatADigCycleLacks) {
+  const Cart cart;
+  try {
+    Read("{type: dig_cycle}", cart);
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("machine 'cart' has no joint 'slew'"));
+  }
+}
+
+}  // namespace
+}  // namespace tera
