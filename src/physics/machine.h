@@ -99,9 +99,17 @@ struct CylinderVisual {
 struct TrackVisual {
   int gear = 0;
   Visual shoe;
-  std::vector<Vec3>
-      path_B_m;  ///< closed polyline in the link frame, in the direction of forward drive travel
+  std::vector<Vec3> path_B_m;  ///< closed polyline in the link frame along the shoes' outer face,
+                               ///< in the direction in which they move when the gear drives forward
   int shoe_count = 0;
+};
+
+/// A wheel that turns with its running gear: shown at `axle_B_m` in the gear's link, turned about
+/// the link's +y axis by the gear's angle.
+struct WheelVisual {
+  int gear = 0;
+  Visual visual;
+  Vec3 axle_B_m = Vec3::Zero();
 };
 
 /// A point and direction that tools of the operator need, by name ("bucket_tip").
@@ -114,13 +122,14 @@ struct NamedFrame {
 struct MachineModel {
   std::string kind;  ///< e.g. "tb235"
   bool fixed_base = false;
-  std::vector<Link> links;    ///< links[0] is the root
+  std::vector<Link> links;    ///< links[0] is the root, links[k + 1] the child of joints[k]
   std::vector<Joint> joints;  ///< parents before children
   std::vector<Lever> levers;
   GroundTools ground_tools;
   std::vector<GearDrive> gear_drives;  ///< one for each gear
   std::vector<CylinderVisual> cylinders;
   std::vector<TrackVisual> track_visuals;
+  std::vector<WheelVisual> wheel_visuals;
   std::vector<NamedFrame> frames;
   double gauge_m = 0;  ///< distance between left and right gear centres, 0 without
 
@@ -133,6 +142,9 @@ struct MachineModel {
 /// Reads a machine description, either TERA's own keys or, with `urdf: file.urdf`, a URDF plus the
 /// keys that URDF lacks (levers, running gear, shovels). Faults go to `config`.
 MachineModel ReadMachine(const ConfigMap& config);
+
+/// Pose of a joint's child frame in the joint frame J at position `q` (radians or metres).
+Pose JointMotion(const Joint& joint, double q);
 
 /// Poses of all links for joint angles `q_rad` (one for each joint, fixed ones included) with the
 /// root at X_WB.

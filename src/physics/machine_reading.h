@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/config.h"
+#include "physics/link_tree.h"
+#include "physics/machine.h"
+
+/// The parts of ReadMachine, each reading some keys of a machine description.
+
+namespace tera {
+
+/// `links:` and `joints:` of TERA's own form.
+MachineParts ReadParts(const ConfigMap& config);
+
+/// Links and joints of the URDF that `urdf:` names, with the optional TERA keys of `links:` (label)
+/// and `joints:` (rates, effort, start, transient) laid over them.
+MachineParts ReadUrdfParts(const ConfigMap& config);
+
+/// Keys of a joint that both forms share; what is absent stays as it is in `joint`.
+void ReadJointActuation(const ConfigMap& config, Joint* joint);
+SemanticClass ReadLabel(const ConfigMap& config, SemanticClass otherwise);
+std::optional<RateTransient> ReadTransient(const ConfigMap& config);
+/// `mesh:`, `node:`, `scale:` of a visual; no pose.
+Visual ReadMesh(const ConfigMap& config);
+/// The link that `key` names, or 0 after a fault.
+int ReadLinkName(const ConfigMap& config, std::string_view key, const MachineModel& model);
+
+/// `tracks:`, `wheels:`, `gauge_m:`.
+void ReadRunningGear(const ConfigMap& config, MachineModel* model);
+/// `shovels:`, `cylinders:`, `hull_points:`, `frames:`.
+void ReadEquipment(const ConfigMap& config, MachineModel* model);
+
+}  // namespace tera

@@ -1,0 +1,194 @@
+#include "physics/physics_world.h"
+
+#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btCompoundShape.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
+#include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
+#include <BulletDynamics/Featherstone/btMultiBodyMLCPConstraintSolver.h>
+#include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
+
+#include <algorithm>
+
+#include "core/check.h"
+#include "physics/articulated_body.h"
+#include "physics/bullet_types.h"
+#include "physics/rate_response.h"
+
+namespace tera {
+namespace {
+
+constexpr double kObstacleFriction = 0.8;
+
+/// An obstacle in Bullet: a body that moves as it is told.
+struct KinematicObstacle {
+  KinematicObstacle(const ObstacleBody& obstacle, btMultiBodyDynamicsWorld* world) : world(world) {
+    for (const CollisionBox& box : obstacle.collision) {
+      boxes.push_back(std::make_unique<btBoxShape>(ToBullet(Vec3(0.5 * box.size_m))));
+      compound.addChildShape(ToBullet(box.X_BG), boxes.back().get());
+    }
+    body = std::make_unique<btRigidBody>(0.0, nullptr, &compound);
+    body->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+    body->setActivationState(DISABLE_DEACTIVATION);
+    body->setFriction(kObstacleFriction);
+    body->setWorldTransform(ToBullet(obstacle.state.X_WB));
+    body->setInterpolationWorldTransform(body->getWorldTransform());
+    world->addRigidBody(body.get(), btBroadphaseProxy::KinematicFilter,
+                        btBroadphaseProxy::DefaultFilter);
+  }
+  ~KinematicObstacle() { world->removeRigidBody(body.get()); }
+  KinematicObstacle(const KinematicObstacle&) = delete;
+  KinematicObstacle& operator=(const KinematicObstacle&) = delete;
+
+  btMultiBodyDynamicsWorld* world;
+  std::vector<std::unique_ptr<btBoxShape>> boxes;
+  btCompoundShape compound;
+  std::unique_ptr<btRigidBody> body;
+};
+
+MachineState InitialState(const MachinePlacement& placement) {
+  const MachineModel& model = placement.model;
+  const std::size_t gears = model.ground_tools.gears.size();
+  MachineState state;
+  state.links.resize(model.links.size());
+  state.q_rad = placement.q_rad;
+  state.qd_radps.assign(model.joints.size(), 0.0);
+  state.effort_nm.assign(model.joints.size(), 0.0);
+  state.gear_angle_rad.assign(gears, 0.0);
+  state.gear_rate_radps.assign(gears, 0.0);
+  state.gear_torque_nm.assign(gears, 0.0);
+  state.gear_sinkage_m.assign(gears, 0.0);
+  state.gear_slip.assign(gears, 0.0);
+  state.levers.assign(model.levers.size(), 0.0);
+  state.shovel_load.resize(model.ground_tools.shovels.size());
+  return state;
+}
+
+/// A machine's levers, drives and running gear around its articulated body.
+struct MachineDynamics {
+  MachineDynamics(const MachinePlacement& placement, btMultiBodyDynamicsWorld* world)
+      : model(placement.model), body(model, placement.X_WB, placement.q_rad, world) {
+    for (const Joint& joint : model.joints) joint_response.emplace_back(joint.transient);
+    for (const GearDrive& drive : model.gear_drives) gear_response.emplace_back(drive.transient);
+  }
+
+  /// Rates asked of joints and gears by the levers of `state`, before their transients.
+  void Command(const std::vector<double>& levers, MachineState* state);
+  void TurnGears(const SoilReaction& soil, double dt_s, MachineState* state);
+  void Act(const MachineInput& input, double dt_s, MachineState* state);
+
+  MachineModel model;
+  ArticulatedBody body;
+  std::vector<RateResponse> joint_response, gear_response;
+  std::vector<double> joint_command_radps, gear_command_radps;
+};
+
+void MachineDynamics::Command(const std::vector<double>& levers, MachineState* state) {
+  TERA_CHECK(levers.size() == model.levers.size(), levers.size(), model.levers.size());
+  joint_command_radps.assign(model.joints.size(), 0.0);
+  gear_command_radps.assign(model.gear_drives.size(), 0.0);
+  for (std::size_t i = 0; i < levers.size(); ++i) {
+    const Lever& lever = model.levers[i];
+    const double u = std::clamp(levers[i], -1.0, 1.0);
+    state->levers[i] = u;
+    if (lever.joint >= 0) {
+      const Joint& joint = model.joints[lever.joint];
+      joint_command_radps[lever.joint] =
+          u * (u > 0 ? joint.max_rate_positive_radps : joint.max_rate_negative_radps);
+    }
+    if (lever.gear >= 0) {
+      gear_command_radps[lever.gear] = u * model.gear_drives[lever.gear].max_rate_radps;
+    }
+  }
+}
+
+void MachineDynamics::TurnGears(const SoilReaction& soil, double dt_s, MachineState* state) {
+  for (std::size_t g = 0; g < model.gear_drives.size(); ++g) {
+    const GearDrive& drive = model.gear_drives[g];
+    const double target = gear_response[g].Advance(gear_command_radps[g], dt_s);
+    const double traction_n = g < soil.gear_traction_n.size() ? soil.gear_traction_n[g] : 0.0;
+    const double load_nm = traction_n * model.ground_tools.gears[g].drive_radius_m;
+    double& rate = state->gear_rate_radps[g];
+    const double needed_nm = drive.inertia_kgm2 * (target - rate) / dt_s + load_nm;
+    const double torque_nm = std::clamp(needed_nm, -drive.max_torque_nm, drive.max_torque_nm);
+    rate += (torque_nm - load_nm) * dt_s / drive.inertia_kgm2;
+    state->gear_angle_rad[g] += rate * dt_s;
+    state->gear_torque_nm[g] = torque_nm;
+  }
+}
+
+void MachineDynamics::Act(const MachineInput& input, double dt_s, MachineState* state) {
+  Command(input.levers, state);
+  TurnGears(input.soil, dt_s, state);
+  for (std::size_t k = 0; k < joint_response.size(); ++k) {
+    joint_command_radps[k] = joint_response[k].Advance(joint_command_radps[k], dt_s);
+  }
+  body.DriveJoints(joint_command_radps);
+  body.SetLoads(input.soil.shovel_load);
+  body.ApplyWrenches(input.soil.link_wrench, state->links);
+  if (!input.soil.shovel_load.empty()) state->shovel_load = input.soil.shovel_load;
+  if (!input.soil.gear_sinkage_m.empty()) state->gear_sinkage_m = input.soil.gear_sinkage_m;
+  if (!input.soil.gear_slip.empty()) state->gear_slip = input.soil.gear_slip;
+}
+
+}  // namespace
+
+struct PhysicsWorld::Impl {
+  explicit Impl(double gravity_mps2)
+      : dispatcher(&collision), solver(&lcp), world(&dispatcher, &broadphase, &solver, &collision) {
+    world.setGravity(btVector3(0, 0, -gravity_mps2));
+    world.getDispatchInfo().m_deterministicOverlappingPairs = true;
+    // Each machine (or group of machines in contact) is solved for itself.
+    world.getSolverInfo().m_minimumSolverBatchSize = 1;
+  }
+
+  btDefaultCollisionConfiguration collision;
+  btCollisionDispatcher dispatcher;
+  btDbvtBroadphase broadphase;
+  btDantzigSolver lcp;
+  btMultiBodyMLCPConstraintSolver solver;
+  btMultiBodyDynamicsWorld world;
+  std::vector<std::unique_ptr<KinematicObstacle>> obstacles;
+  std::vector<std::unique_ptr<MachineDynamics>> machines;
+  std::vector<MachineState> states;
+};
+
+PhysicsWorld::PhysicsWorld(const std::vector<MachinePlacement>& machines,
+                           const std::vector<ObstacleBody>& obstacles, double gravity_mps2)
+    : impl_(std::make_unique<Impl>(gravity_mps2)) {
+  for (const ObstacleBody& obstacle : obstacles) {
+    impl_->obstacles.push_back(std::make_unique<KinematicObstacle>(obstacle, &impl_->world));
+  }
+  for (const MachinePlacement& placement : machines) {
+    impl_->machines.push_back(std::make_unique<MachineDynamics>(placement, &impl_->world));
+    impl_->states.push_back(InitialState(placement));
+    impl_->machines.back()->body.ReadState(0.0, &impl_->states.back());
+  }
+}
+
+PhysicsWorld::~PhysicsWorld() = default;
+
+void PhysicsWorld::Step(const std::vector<MachineInput>& inputs,
+                        const std::vector<BodyState>& obstacles, double dt_s) {
+  TERA_CHECK(inputs.size() == impl_->machines.size(), inputs.size(), impl_->machines.size());
+  TERA_CHECK(obstacles.size() == impl_->obstacles.size(), obstacles.size());
+  TERA_CHECK(dt_s > 0, dt_s);
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    impl_->obstacles[i]->body->setWorldTransform(ToBullet(obstacles[i].X_WB));
+  }
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    impl_->machines[i]->Act(inputs[i], dt_s, &impl_->states[i]);
+  }
+  const int no_substeps = 0;
+  impl_->world.stepSimulation(dt_s, no_substeps);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    impl_->machines[i]->body.ReadState(dt_s, &impl_->states[i]);
+  }
+}
+
+const std::vector<MachineState>& PhysicsWorld::machines() const { return impl_->states; }
+
+}  // namespace tera
