@@ -22,7 +22,12 @@ class Body:
         for solid in solids:
             self._parts.append((paint, solid, corner_normals(solid, crease_deg)))
 
+    def add_shaded(self, paint, triangles, normals):
+        """Adds triangles whose normals are known."""
+        self._parts.append((paint, triangles, normals))
+
     def by_paint(self):
+        """Triangles and normals by paint, in the order the paints came."""
         grouped = {}
         for paint, solid, normals in self._parts:
             grouped.setdefault(paint, []).append((solid, normals))

@@ -1,0 +1,27 @@
+"""Builds the meshes of everything on the site but the excavator."""
+
+import pathlib
+
+import person
+import site_objects
+import vehicles
+from gltf_writer import write_glb
+
+FILES = {
+    "warthog": vehicles.skid_steer,
+    "truck": vehicles.truck,
+    "person": person.nodes,
+    "rock": site_objects.rocks,
+    "cone": site_objects.cone,
+    "barrier": site_objects.barrier,
+    "tree": site_objects.trees,
+    "container": site_objects.container,
+    "fixed_arm": site_objects.fixed_arm,
+}
+
+if __name__ == "__main__":
+    for file, make in FILES.items():
+        bodies = make()
+        write_glb(pathlib.Path(__file__).parent / f"{file}.glb", bodies)
+        for node, body in bodies.items():
+            print(f"{file}/{node:10s} {body.triangle_count():6d} triangles")
