@@ -1,0 +1,280 @@
+#include "soil/digging.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/units.h"
+#include "soil/earthmoving.h"
+#include "soil/soil_type.h"
+
+namespace tera {
+namespace {
+
+// Shell on the ground.
+constexpr double kElasticDepth_m = 0.01;    ///< indentation at which the shell's bearing is reached
+constexpr double kShellWidth_m = 0.10;      ///< width of the loaded strip for the bearing pressure
+constexpr double kLeastDownward = 0.35;     ///< parts of the shell facing further up carry nothing
+constexpr double kShellDampingRatio = 0.2;  ///< of critical for the mass that the pressure carries
+constexpr double kSlideSpeed_mps = 0.10;    ///< shell friction is proportional to speed below it
+// Edge.
+constexpr int kStrips = 5;
+constexpr double kElasticTravel_m = 0.006;  ///< travel over which the edge's force builds up
+constexpr double kLookAhead_m = 0.30;       ///< over which the ground's slope ahead is measured
+constexpr double kSteepestSlope_rad = 25 * kDeg;
+constexpr double kEdgeThickness_m = 0.012;
+constexpr double kToothWidth_m = 0.06, kToothThickness_m = 0.02;
+constexpr double kFullPierceDepth_m = 0.5, kPierceAtSurface = 0.1;
+constexpr double kLeastSpeed_mps = 1e-4;  ///< slower edges keep their elastic travel
+// Carried soil.
+constexpr double kSpillTime_s = 0.25;  ///< time constant at which what cannot stay leaves
+constexpr double kEmpty_kg = 1e-3;     ///< the last grams leave at once
+
+double Clamp01(double x) { return std::clamp(x, 0.0, 1.0); }
+
+}  // namespace
+
+Digging::Digging(const Shovel& shovel) : shovel_(shovel), shape_(shovel) {}
+
+bool Digging::InFootprint(int i, int j) const {
+  if (i < i0_ || i > i1_ || j < j0_ || j > j1_) return false;
+  return mask_[static_cast<std::size_t>(j - j0_) * (i1_ - i0_ + 1) + (i - i0_)] != 0;
+}
+
+/// Columns whose soil the shovel overlaps or that lie under it.
+void Digging::FindFootprint(const BodyState& body, const Columns& ground) {
+  footprint_.clear();
+  i1_ = i0_ - 1;
+  const double half_m = 0.5 * shovel_.width_m;
+  Vec3 low = Vec3::Constant(1e30), high = -low;
+  for (const Vec2& p : shovel_.profile_B_m) {
+    for (const double y : {-half_m, half_m}) {
+      const Vec3 p_W = body.X_WB * Vec3(p.x(), y, p.y());
+      low = low.cwiseMin(p_W);
+      high = high.cwiseMax(p_W);
+    }
+  }
+  i0_ = std::max(0, ground.NearestI(low.x()));
+  j0_ = std::max(0, ground.NearestJ(low.y()));
+  i1_ = std::min(ground.nx() - 1, ground.NearestI(high.x()));
+  j1_ = std::min(ground.ny() - 1, ground.NearestJ(high.y()));
+  if (i1_ < i0_ || j1_ < j0_) return;
+  mask_.assign(static_cast<std::size_t>(i1_ - i0_ + 1) * (j1_ - j0_ + 1), 0);
+  for (int j = j0_; j <= j1_; ++j) {
+    for (int i = i0_; i <= i1_; ++i) {
+      if (ground.at(ground.index(i, j)).top_m() <= low.z()) continue;
+      const auto crossing = shape_.VerticalCrossing(body.X_WB, ground.x_m(i), ground.y_m(j));
+      if (!crossing) continue;
+      mask_[static_cast<std::size_t>(j - j0_) * (i1_ - i0_ + 1) + (i - i0_)] = 1;
+      if (ground.at(ground.index(i, j)).top_m() > crossing->low_m) {
+        footprint_.push_back({i, j, *crossing});
+      }
+    }
+  }
+}
+
+/// Puts soil on the first column outside the footprint in `direction`.
+void Digging::PutOutside(int i, int j, const Vec2& direction, const Spoil& spoil,
+                         Columns* ground) const {
+  constexpr double kStep = 0.7;  // in columns: skips none
+  double x = i, y = j;
+  while (InFootprint(static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y)))) {
+    x += kStep * direction.x();
+    y += kStep * direction.y();
+  }
+  ground->DepositAt(static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y)), spoil);
+}
+
+void Digging::CutFootprint(const BodyState& body, double dt_s, Columns* ground, Wrench* wrench) {
+  const Mat3& R_WB = body.X_WB.linear();
+  const Vec3 mouth_W = R_WB * shape_.mouth_normal_B();
+  const bool carries = shovel_.capacity_m3 > 0;
+  for (const Swept& swept : footprint_) {
+    const std::size_t k = ground->index(swept.i, swept.j);
+    const SoilType& soil = ground->soil_at(k);
+    const double top_m = ground->at(k).top_m();
+    const double overlap_m = top_m - swept.crossing.low_m;
+    const Vec3 p_W(ground->x_m(swept.i), ground->y_m(swept.j), swept.crossing.low_m);
+    const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(p_W - body.X_WB.translation());
+    const Vec3 n_W = R_WB * swept.crossing.low_normal_B;
+    const bool open = carries && swept.crossing.through_mouth;
+    const bool bears = !open && n_W.z() < -kLeastDownward;
+    const bool mouth_first = carries && (open || v_W.dot(mouth_W) > 0);
+
+    // The shell's own advance into the column, and what it may indent elastically.
+    const double v_in_mps = v_W.dot(n_W);
+    const double advance_m = bears ? std::max(0.0, v_in_mps) / -n_W.z() * dt_s : 0.0;
+    const bool shell_contact =
+        bears && (!mouth_first || overlap_m <= kElasticDepth_m + 2 * advance_m);
+    double keep_m = 0;
+    if (shell_contact) {
+      keep_m = std::min(overlap_m, kElasticDepth_m);
+      const double bearing_pa = BearingPressure_pa(soil, kShellWidth_m, 0);
+      const double elastic_pa = bearing_pa * keep_m / kElasticDepth_m;
+      const double damping =
+          2 * kShellDampingRatio *
+          std::sqrt(bearing_pa / kElasticDepth_m * elastic_pa / kStandardGravity_mps2);
+      const double pressure_pa =
+          elastic_pa + std::clamp(damping * v_in_mps, -elastic_pa, 0.5 * elastic_pa);
+      const double normal_n = pressure_pa * ground->area_m2() / -n_W.z();
+      const Vec3 slide_W = v_W - v_in_mps * n_W;
+      const Vec3 friction_W = -std::tan(soil.soil_tool_friction_rad) * normal_n * slide_W /
+                              std::max(slide_W.norm(), kSlideSpeed_mps);
+      wrench->AddForceAt(-normal_n * n_W + friction_W, p_W, body.X_WB.translation());
+    }
+    if (overlap_m <= keep_m) continue;
+    Spoil cut = ground->Cut(k, swept.crossing.low_m + keep_m);
+    if (mouth_first && !shell_contact) {
+      carried_.Add(cut);
+      continue;
+    }
+    Vec2 direction = v_W.head<2>();
+    if (direction.norm() < 0.5 * std::abs(v_W.z()) || direction.norm() < kLeastSpeed_mps) {
+      // Pressed down: to the nearer side of the shovel.
+      const Vec3 side_W =
+          R_WB.col(1) *
+          ((R_WB.transpose() * (p_W - body.X_WB.translation())).y() >= 0 ? 1.0 : -1.0);
+      direction = side_W.head<2>();
+      if (direction.norm() < kLeastSpeed_mps) direction = Vec2::UnitX();
+    }
+    PutOutside(swept.i, swept.j, direction.normalized(), cut, ground);
+  }
+}
+
+void Digging::Spill(const BodyState& body, double dt_s, Columns* ground) {
+  if (carried_.mass_kg <= 0) return;
+  const Vec3 up_B = body.X_WB.linear().transpose().col(2);
+  const double repose_rad = ground->soils()[carried_.soil].repose_angle_rad;
+  const double holds_m3 = shape_.HoldFor(up_B, repose_rad, carried_.volume_m3).volume_m3;
+  const double excess_m3 = carried_.volume_m3 - holds_m3;
+  if (excess_m3 <= 0) return;
+  double share = excess_m3 / carried_.volume_m3 * Clamp01(dt_s / kSpillTime_s);
+  if (carried_.mass_kg * (1 - share) < kEmpty_kg) share = 1;
+  // Over the lower lip, a little beyond it, spread over the shovel's width.
+  Spoil spilled = carried_.Take(share);
+  if (share == 1) carried_ = {};
+  const Vec3 lip_B = shape_.LowerLip_B(up_B);
+  const Vec2 mouth = (body.X_WB.linear() * shape_.mouth_normal_B()).head<2>();
+  const int parts = std::max(1, static_cast<int>(std::lround(shovel_.width_m / ground->cell_m())));
+  for (int part = 0; part < parts; ++part) {
+    const double y_m = ((part + 0.5) / parts - 0.5) * shovel_.width_m;
+    const Vec3 p_W = body.X_WB * Vec3(lip_B.x(), y_m, lip_B.z());
+    const Vec2 out = mouth.norm() > kLeastSpeed_mps ? Vec2(mouth.normalized()) : Vec2::UnitX();
+    PutOutside(ground->NearestI(p_W.x()), ground->NearestJ(p_W.y()), out,
+               spilled.Take(1.0 / (parts - part)), ground);
+  }
+}
+
+Wrench Digging::EdgeForce(const BodyState& body, double dt_s, const Columns& ground) {
+  Wrench wrench;
+  const Mat3& R_WB = body.X_WB.linear();
+  const Vec3 edge_W = body.X_WB * shape_.edge_B();
+  const Vec3 v_W = PointVelocity(body, shape_.edge_B());
+  const Vec3 cut_dir_W = R_WB * shape_.edge_direction_B();
+  const Vec3 mouth_W = R_WB * shape_.mouth_normal_B();
+
+  // The edge cuts along the ground in the plane of the cross-section, mouth first.
+  Vec3 travel_W = mouth_W - mouth_W.z() * Vec3::UnitZ();
+  if (travel_W.norm() < 0.1) travel_W = cut_dir_W - cut_dir_W.z() * Vec3::UnitZ();
+  if (travel_W.norm() < 1e-6) return wrench;
+  travel_W.normalize();
+
+  struct Strip {
+    Vec3 p_W;
+    double depth_m, slope_rad;
+    const SoilType* soil;
+  };
+  std::array<Strip, kStrips> strips;
+  double mean_depth_m = 0;
+  const double near_m = 1.5 * ground.cell_m();
+  for (int s = 0; s < kStrips; ++s) {
+    const double y_m = ((s + 0.5) / kStrips - 0.5) * shovel_.width_m;
+    Strip& strip = strips[s];
+    strip.p_W = body.X_WB * (shape_.edge_B() + Vec3(0, y_m, 0));
+    const Vec2 near = (strip.p_W + near_m * travel_W).head<2>();
+    const Vec2 far = (strip.p_W + kLookAhead_m * travel_W).head<2>();
+    const double z_near = ground.HeightAt(near.x(), near.y());
+    const double z_far = ground.HeightAt(far.x(), far.y());
+    strip.slope_rad = std::clamp(std::atan2(z_far - z_near, kLookAhead_m - near_m),
+                                 -kSteepestSlope_rad, kSteepestSlope_rad);
+    strip.depth_m = std::clamp(z_near - strip.p_W.z(), 0.0, shape_.radius_m());
+    const int i = std::clamp(ground.NearestI(near.x()), 0, ground.nx() - 1);
+    const int j = std::clamp(ground.NearestJ(near.y()), 0, ground.ny() - 1);
+    strip.soil = &ground.soil_at(ground.index(i, j));
+    mean_depth_m += strip.depth_m / kStrips;
+  }
+  if (mean_depth_m <= 0) {
+    cut_travel_m_ = pierce_travel_m_ = 0;
+    return wrench;
+  }
+  const double v_cut_mps = v_W.dot(travel_W), v_pierce_mps = v_W.dot(cut_dir_W);
+  cut_travel_m_ = std::clamp(cut_travel_m_ + v_cut_mps * dt_s, 0.0, kElasticTravel_m);
+  pierce_travel_m_ = std::clamp(pierce_travel_m_ + v_pierce_mps * dt_s, 0.0, kElasticTravel_m);
+  const double cut_share = cut_travel_m_ / kElasticTravel_m;
+  const double pierce_share = pierce_travel_m_ / kElasticTravel_m;
+
+  const double width_m = shovel_.width_m / kStrips;
+  const double tip_area_m2 =
+      shovel_.width_m * kEdgeThickness_m + shovel_.teeth * kToothWidth_m * kToothThickness_m;
+  const double load_npm = carried_.mass_kg * kStandardGravity_mps2 / shovel_.width_m;
+  const Vec3 floor_W = -cut_dir_W;  // from the edge up the floor
+  for (const Strip& strip : strips) {
+    if (strip.depth_m <= 0) continue;
+    const SoilType& soil = *strip.soil;
+    // Rake in the ground's own slope.
+    const Vec3 along_W =
+        std::cos(strip.slope_rad) * travel_W + std::sin(strip.slope_rad) * Vec3::UnitZ();
+    const Vec3 up_W =
+        std::cos(strip.slope_rad) * Vec3::UnitZ() - std::sin(strip.slope_rad) * travel_W;
+    CuttingInput in;
+    in.width_m = width_m;
+    in.depth_m = strip.depth_m * std::cos(strip.slope_rad);
+    in.rake_rad = std::atan2(floor_W.dot(up_W), -floor_W.dot(along_W));
+    in.density_kgpm3 = soil.bank_density_kgpm3;
+    in.friction_rad = soil.friction_angle_rad;
+    in.tool_friction_rad = soil.soil_tool_friction_rad;
+    in.cohesion_pa = soil.cohesion_pa;
+    in.adhesion_pa = soil.adhesion_pa;
+    in.speed_mps = std::max(0.0, v_cut_mps);
+    in.flank_share = 1.0 / kStrips;
+    if (in.rake_rad < 0) in.rake_rad = 0;
+    CuttingForce cut = Cut(in);
+    if (shovel_.capacity_m3 > 0 && cut.wedge_length_m > 0) {
+      // Carried soil rests on the wedge with the share of its length that lies over it.
+      in.surcharge_pa = load_npm / std::max(cut.wedge_length_m, shape_.radius_m());
+      cut = Cut(in);
+    }
+    Vec3 force_W = -(cut.draft_n * along_W + cut.vertical_n * up_W) * cut_share;
+    const double pierce_pa =
+        BearingPressure_pa(soil, kEdgeThickness_m, kFullPierceDepth_m) *
+        (kPierceAtSurface +
+         (1 - kPierceAtSurface) * std::min(1.0, strip.depth_m / kFullPierceDepth_m));
+    force_W -= pierce_pa * tip_area_m2 / kStrips * pierce_share * cut_dir_W;
+    wrench.AddForceAt(force_W, strip.p_W, body.X_WB.translation());
+  }
+  // The ground never drives the edge on.
+  const double power_w = wrench.force_W_n.dot(v_W);
+  const double v2 = v_W.squaredNorm();
+  if (power_w > 0 && v2 > kLeastSpeed_mps * kLeastSpeed_mps) {
+    const Vec3 excess_W = power_w / v2 * v_W;
+    wrench.AddForceAt(-excess_W, edge_W, body.X_WB.translation());
+  }
+  return wrench;
+}
+
+Digging::Result Digging::Act(const BodyState& body, double dt_s, Columns* ground) {
+  Result result;
+  FindFootprint(body, *ground);
+  result.wrench = EdgeForce(body, dt_s, *ground);
+  CutFootprint(body, dt_s, ground, &result.wrench);
+  Spill(body, dt_s, ground);
+  if (carried_.mass_kg > 0) {
+    const Vec3 up_B = body.X_WB.linear().transpose().col(2);
+    const double repose_rad = ground->soils()[carried_.soil].repose_angle_rad;
+    result.load = {carried_.mass_kg, shape_.HoldFor(up_B, repose_rad, carried_.volume_m3).com_B_m,
+                   carried_.volume_m3};
+  }
+  return result;
+}
+
+}  // namespace tera

@@ -1,0 +1,255 @@
+#include "soil/gear_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.h"
+#include "soil/terramechanics.h"
+
+namespace tera {
+namespace {
+
+constexpr double kDampingRatio = 0.3;       ///< of critical, soil under a plate
+constexpr double kLeastUpward = 0.05;       ///< patches facing further up touch no ground
+constexpr double kInfluenceDepths = 1.0;    ///< crust thickness over patch width
+constexpr double kShearDampingRatio = 0.7;  ///< of critical, only near rest
+constexpr double kRestSpeed_mps = 0.02;     ///< slip at which shear damping has faded to a half
+constexpr double kLargestShear = 8.0;       ///< |j| is kept below this many K: fully mobilised
+constexpr double kInletShare = 0.1;         ///< of the patch's length: where its inlet ends
+constexpr double kDragLength_m = 0.10;      ///< distance over which rut work is paid back
+constexpr double kDragSpeed_mps = 0.05;     ///< below it the drag fades, so that rest stays rest
+constexpr double kSlowestShoe_mps = 0.01;   ///< slower shoes have no slip ratio
+
+/// How far column and plate overlap, divided into a plastic and an elastic part.
+struct Indentation {
+  double plastic_m = 0;
+  double pressure_pa = 0;
+};
+
+/// Solves k_e (pen - ds) = p_Bekker(pressed + ds) for ds >= 0 by safeguarded Newton steps.
+Indentation Indent(const SoilType& soil, double width_m, double pressed_m, double pen_m) {
+  constexpr int kSteps = 12;
+  constexpr double kClose_m = 1e-7;
+  const double k_e = Rebound_papm(soil, width_m);
+  if (k_e * pen_m <= BekkerPressure_pa(soil, width_m, pressed_m)) return {0, k_e * pen_m};
+  double low = 0, high = pen_m, ds = pen_m;
+  for (int step = 0; step < kSteps; ++step) {
+    const double z = pressed_m + ds;
+    const double p = BekkerPressure_pa(soil, width_m, z);
+    const double residual = p - k_e * (pen_m - ds);
+    (residual > 0 ? high : low) = ds;
+    const double slope = k_e + soil.sinkage_exponent * p / std::max(z, kClose_m);
+    double next = ds - residual / slope;
+    if (next <= low || next >= high) next = 0.5 * (low + high);
+    if (std::abs(next - ds) < kClose_m) break;
+    ds = next;
+  }
+  return {ds, k_e * (pen_m - ds)};
+}
+
+/// Neighbour of patch k whose centre is nearest to a patch length away along `direction` x travel.
+int Neighbour(const RunningGear& gear, std::size_t k, double direction) {
+  const ContactPatch& patch = gear.patches[k];
+  const Vec3 wanted = patch.p_B_m + direction * patch.length_m * patch.travel_B;
+  int best = -1;
+  double nearest_m = 0.6 * patch.length_m;  // farther is no neighbour
+  for (std::size_t m = 0; m < gear.patches.size(); ++m) {
+    const double d = (gear.patches[m].p_B_m - wanted).norm();
+    if (m != k && d < nearest_m) {
+      nearest_m = d;
+      best = static_cast<int>(m);
+    }
+  }
+  return best;
+}
+
+/// Stress vector per unit strength for shear displacement j.
+Vec2 Mobilised(const SoilType& soil, const Vec2& j_m) {
+  const double size = j_m.norm();
+  if (size < 1e-12) return Vec2::Zero();
+  return j_m * (ShearMobilisation(soil, size) / size);
+}
+
+}  // namespace
+
+/// What the columns under one patch answer.
+struct GearContact::Pressed {
+  double normal_n = 0;
+  double area_m2 = 0;
+  double sinkage_m = 0;
+  double rut_work_j = 0;
+  Vec3 moment_W = Vec3::Zero();  ///< sum of normal force times place, for the centre of pressure
+  const SoilType* soil = nullptr;
+};
+
+GearContact::GearContact(const RunningGear& gear) : gear_(gear), patches_(gear.patches.size()) {
+  for (std::size_t k = 0; k < patches_.size(); ++k) {
+    patches_[k].upstream = Neighbour(gear_, k, -1);
+    patches_[k].downstream = Neighbour(gear_, k, +1);
+  }
+}
+
+GearContact::Pressed GearContact::PressColumns(const ContactPatch& patch, const BodyState& body,
+                                               double dt_s, Columns* ground) const {
+  Pressed result;
+  const Vec3 p_W = body.X_WB * patch.p_B_m;
+  const Vec3 n_W = body.X_WB.linear() * patch.outward_B;
+  if (n_W.z() > -kLeastUpward) return result;
+  const Vec3 along_W = body.X_WB.linear() * patch.travel_B;
+  const Vec3 across_W = n_W.cross(along_W);
+  const Vec3 half =
+      0.5 * (patch.length_m * along_W.cwiseAbs() + patch.width_m * across_W.cwiseAbs());
+  const int i0 = ground->NearestI(p_W.x() - half.x()), i1 = ground->NearestI(p_W.x() + half.x());
+  const int j0 = ground->NearestJ(p_W.y() - half.y()), j1 = ground->NearestJ(p_W.y() + half.y());
+
+  struct Touch {
+    std::size_t k;
+    Vec3 p_W;
+    double pen_m;
+  };
+  std::vector<Touch> touches;
+  int under = 0;
+  for (int j = j0; j <= j1; ++j) {
+    for (int i = i0; i <= i1; ++i) {
+      if (!ground->Contains(i, j)) continue;
+      const double dx = ground->x_m(i) - p_W.x(), dy = ground->y_m(j) - p_W.y();
+      const double dz = -(n_W.x() * dx + n_W.y() * dy) / n_W.z();  // on the patch's plane
+      const Vec3 d(dx, dy, dz);
+      if (std::abs(d.dot(along_W)) > 0.5 * patch.length_m ||
+          std::abs(d.dot(across_W)) > 0.5 * patch.width_m) {
+        continue;
+      }
+      ++under;
+      const std::size_t k = ground->index(i, j);
+      const double pen_m = (ground->at(k).top_m() - (p_W.z() + dz)) * -n_W.z();
+      if (pen_m > 0) touches.push_back({k, p_W + d, pen_m});
+    }
+  }
+  if (under == 0) {  // smaller than a cell: the column nearest to its middle stands for it
+    const int i = ground->NearestI(p_W.x()), j = ground->NearestJ(p_W.y());
+    if (!ground->Contains(i, j)) return result;
+    under = 1;
+    const double pen_m = (ground->at(ground->index(i, j)).top_m() - p_W.z()) * -n_W.z();
+    if (pen_m > 0) touches.push_back({ground->index(i, j), p_W, pen_m});
+  }
+
+  const double share_m2 = patch.length_m * patch.width_m / under;
+  const double width_m = std::min(patch.width_m, patch.length_m * 4);
+  for (const Touch& touch : touches) {
+    const SoilType& soil = ground->soil_at(touch.k);
+    const double pressed_m = ground->at(touch.k).pressed_m;
+    const Indentation in = Indent(soil, width_m, pressed_m, touch.pen_m);
+    const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(touch.p_W - body.X_WB.translation());
+    const double v_in_mps = v_W.dot(n_W);
+    const double damping =
+        2 * kDampingRatio *
+        std::sqrt(Rebound_papm(soil, width_m) * in.pressure_pa / kStandardGravity_mps2);
+    const double damped_pa =
+        in.pressure_pa + std::clamp(damping * v_in_mps, -in.pressure_pa, in.pressure_pa);
+    const double force_n = damped_pa * share_m2;
+    result.normal_n += force_n;
+    result.moment_W += force_n * touch.p_W;
+    result.area_m2 += share_m2;
+    result.soil = &soil;
+    result.sinkage_m = std::max(result.sinkage_m, pressed_m + touch.pen_m);
+    if (in.plastic_m > 0) {
+      const double moved_on = 1 - std::clamp(v_in_mps * dt_s / in.plastic_m, 0.0, 1.0);
+      const double work_jpm2 = BekkerWork_jpm2(soil, width_m, pressed_m + in.plastic_m) -
+                               BekkerWork_jpm2(soil, width_m, pressed_m);
+      result.rut_work_j += moved_on * work_jpm2 * share_m2;
+      const Spoil beside =
+          ground->Press(touch.k, in.plastic_m / -n_W.z(), kInfluenceDepths * patch.width_m);
+      if (beside.mass_kg > 0) {
+        const double side = (touch.p_W - p_W).dot(across_W) >= 0 ? 1 : -1;
+        const Vec3 out_W = p_W + side * (0.5 * patch.width_m + ground->cell_m()) * across_W +
+                           (touch.p_W - p_W).dot(along_W) * along_W;
+        ground->DepositAt(ground->NearestI(out_W.x()), ground->NearestJ(out_W.y()), beside);
+      }
+    } else {
+      ground->MarkRut(touch.k);
+    }
+  }
+  return result;
+}
+
+Vec2 GearContact::Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_mps,
+                        double shoe_mps, double dt_s, const std::vector<Patch>& before) {
+  Patch& patch = patches_[k];
+  const SoilType& soil = *pressed.soil;
+  const int from = shoe_mps >= 0 ? patch.upstream : patch.downstream;
+  const Vec2 j_upstream_m =
+      from >= 0 && before[from].in_contact ? before[from].j_out_m : Vec2::Zero();
+  const double length_m = gear_.patches[k].length_m;
+  const auto advance = [&](Vec2* j_m, double over_m) {
+    const double renewed = std::min(1.0, std::abs(shoe_mps) * dt_s / over_m);
+    *j_m += slip_mps * dt_s - renewed * (*j_m - j_upstream_m);
+    const double limit_m = kLargestShear * soil.shear_modulus_m;
+    if (j_m->norm() > limit_m) *j_m *= limit_m / j_m->norm();
+  };
+  advance(&patch.j_in_m, kInletShare * length_m);
+  advance(&patch.j_out_m, length_m);
+  patch.in_contact = true;
+  const Vec2 j_m = 0.5 * (patch.j_in_m + patch.j_out_m);
+  // Mean over the patch between its inlet and its outlet, by Simpson's rule.
+  const Vec2 share =
+      (Mobilised(soil, patch.j_in_m) + 4 * Mobilised(soil, j_m) + Mobilised(soil, patch.j_out_m)) /
+      6;
+  const double strength_n =
+      soil.cohesion_pa * pressed.area_m2 + pressed.normal_n * std::tan(soil.friction_angle_rad);
+  const double mass_kg = pressed.normal_n / kStandardGravity_mps2;
+  const double speed = slip_mps.norm() / kRestSpeed_mps;
+  const double stiffness_npm =
+      strength_n / soil.shear_modulus_m * std::exp(-j_m.norm() / soil.shear_modulus_m);
+  const double damping =
+      2 * kShearDampingRatio * std::sqrt(stiffness_npm * mass_kg) / (1 + speed * speed);
+  Vec2 force_n = -strength_n * share - damping * slip_mps;
+  if (force_n.norm() > strength_n) force_n *= strength_n / force_n.norm();
+  return force_n;
+}
+
+GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, double dt_s,
+                                     Columns* ground) {
+  Result result;
+  const std::vector<Patch> before = patches_;
+  const Vec3 origin_W = body.X_WB.translation();
+  const double shoe_mps = gear_.drive_radius_m * rate_radps;
+  double forward_mps = 0, weight_n = 0;
+  for (std::size_t k = 0; k < patches_.size(); ++k) {
+    const ContactPatch& patch = gear_.patches[k];
+    const Pressed pressed = PressColumns(patch, body, dt_s, ground);
+    if (pressed.normal_n <= 0) {
+      patches_[k].in_contact = false;
+      patches_[k].j_in_m.setZero();
+      patches_[k].j_out_m.setZero();
+      continue;
+    }
+    const Vec3 n_W = body.X_WB.linear() * patch.outward_B;
+    const Vec3 along_W = body.X_WB.linear() * patch.travel_B;
+    const Vec3 across_W = n_W.cross(along_W);
+    const Vec3 p_W = pressed.moment_W / pressed.normal_n;
+    const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(p_W - origin_W);
+    const Vec2 slip_mps(v_W.dot(along_W) + shoe_mps, v_W.dot(across_W));
+    const Vec2 shear_n = Shear(k, pressed, slip_mps, shoe_mps, dt_s, before);
+    result.wrench.AddForceAt(
+        -pressed.normal_n * n_W + shear_n.x() * along_W + shear_n.y() * across_W, p_W, origin_W);
+    result.traction_n -= shear_n.x();
+    result.sinkage_m = std::max(result.sinkage_m, pressed.sinkage_m);
+    forward_mps -= pressed.normal_n * v_W.dot(along_W);
+    weight_n += pressed.normal_n;
+    rut_work_j_ += pressed.rut_work_j;
+  }
+  if (weight_n <= 0) {
+    rut_work_j_ = 0;
+    return result;
+  }
+  if (std::abs(shoe_mps) > kSlowestShoe_mps) {
+    result.slip = std::clamp(1 - forward_mps / weight_n / shoe_mps, -1.0, 1.0);
+  }
+  const Vec3 v_W(body.v_WB_mps.x(), body.v_WB_mps.y(), 0);
+  const double drag_n = rut_work_j_ / kDragLength_m;
+  result.wrench.force_W_n -= drag_n * v_W / (v_W.norm() + kDragSpeed_mps);
+  rut_work_j_ = std::max(0.0, rut_work_j_ - drag_n * v_W.norm() * dt_s);
+  return result;
+}
+
+}  // namespace tera

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include "core/ground_tools.h"
+#include "soil/columns.h"
+
+namespace tera {
+
+/// Track or wheel on the ground: carries, drives, steers, sinks and leaves a rut.
+///
+/// Frames  W; patches as in ContactPatch, in the frame B of the gear's link.
+/// Model   Normal: each column under a patch pushes back elastically, p = k_e (pen - ds), and gives
+///         way plastically by ds where that would exceed Bekker's pressure at the sinkage the
+///         column already has (its memory of earlier passes); damping is a fraction of critical for
+///         the mass that the pressure carries, and the ground never pulls.
+///         Tangential: each patch has a shear displacement j, carried along by the moving shoes:
+///         dj/dt = v_slip - v_shoe (j - j_upstream) / length; it is zero where a shoe meets the
+///         ground. Stress (c + p tan phi)(1 - exp(-|j|/K)) along j: a spring at rest, the
+///         closed-form thrust at steady slip.
+///         Compaction resistance: plastic work done by moving on, rather than by moving down, is
+///         paid back as a drag over a short distance.
+/// Omits   grousers, bulldozing resistance, tyre flexibility, pressure peaks under road wheels.
+/// Source  Bekker 1969; Janosi and Hanamoto 1961; memory and grid as in Krenn and Hirzinger 2009.
+class GearContact {
+ public:
+  explicit GearContact(const RunningGear& gear);
+
+  struct Result {
+    Wrench wrench;          ///< about the link's origin
+    double traction_n = 0;  ///< shear on the shoes along the machine's forward travel
+    double sinkage_m = 0;
+    double slip = 0;
+  };
+  Result Act(const BodyState& body, double rate_radps, double dt_s, Columns* ground);
+
+ private:
+  struct Patch {
+    int upstream = -1, downstream = -1;  ///< neighbours against and along the shoes' travel
+    Vec2 j_in_m = Vec2::Zero();          ///< shear displacement where shoes enter the patch
+    Vec2 j_out_m = Vec2::Zero();         ///< shear displacement where shoes leave the patch
+    bool in_contact = false;
+  };
+  struct Pressed;
+  Pressed PressColumns(const ContactPatch& patch, const BodyState& body, double dt_s,
+                       Columns* ground) const;
+  Vec2 Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_mps, double shoe_mps,
+             double dt_s, const std::vector<Patch>& before);
+
+  RunningGear gear_;
+  std::vector<Patch> patches_;
+  double rut_work_j_ = 0;  ///< plastic work still to be paid back as drag
+};
+
+}  // namespace tera

@@ -1,0 +1,109 @@
+#include <vector>
+
+#include "core/check.h"
+#include "soil/avalanche.h"
+#include "soil/columns.h"
+#include "soil/digging.h"
+#include "soil/gear_contact.h"
+#include "soil/geotiff.h"
+#include "soil/hull_contact.h"
+#include "soil/site.h"
+#include "soil/soil.h"
+
+namespace tera {
+namespace {
+
+/// Columns, the machines' tools on them, and the slides they set off.
+class Ground : public Soil {
+ public:
+  explicit Ground(const SitePlan& plan)
+      : columns_(BuildColumns(plan)), avalanche_(columns_), georeference_(plan.georeference) {}
+
+  int AddMachine(const GroundTools& tools) override {
+    Machine machine;
+    for (const Shovel& shovel : tools.shovels) machine.shovels.emplace_back(shovel);
+    for (const RunningGear& gear : tools.gears) {
+      machine.gears.emplace_back(gear);
+      machine.gear_links.push_back(gear.link);
+    }
+    for (const auto& point : tools.hull_points) machine.hull.emplace_back(point);
+    machines_.push_back(std::move(machine));
+    return static_cast<int>(machines_.size()) - 1;
+  }
+
+  SoilReaction Act(int handle, const GroundToolsMotion& motion, double dt_s) override;
+  void Flow(double dt_s) override { avalanche_.Flow(dt_s, &columns_); }
+
+  const TerrainSurface& surface() const override { return columns_.surface(); }
+  const std::vector<SoilType>& soils() const override { return columns_.soils(); }
+  MassLedger ledger() const override;
+  std::optional<SiteOrigin> georeference() const override { return georeference_; }
+  void WriteGeoTiff(const std::filesystem::path& file, const SiteOrigin& origin) const override {
+    WriteElevation(file, columns_.surface(), origin);
+  }
+
+ private:
+  struct Machine {
+    std::vector<Digging> shovels;
+    std::vector<GearContact> gears;
+    std::vector<int> gear_links;
+    std::vector<HullContact> hull;
+  };
+
+  Columns columns_;
+  Avalanche avalanche_;
+  std::optional<SiteOrigin> georeference_;
+  std::vector<Machine> machines_;
+};
+
+void Add(const Wrench& part, Wrench* sum) {
+  sum->force_W_n += part.force_W_n;
+  sum->torque_W_nm += part.torque_W_nm;
+}
+
+SoilReaction Ground::Act(int handle, const GroundToolsMotion& motion, double dt_s) {
+  TERA_CHECK(handle >= 0 && handle < static_cast<int>(machines_.size()), handle);
+  TERA_CHECK(motion.links != nullptr);
+  Machine& machine = machines_[handle];
+  const std::vector<BodyState>& links = *motion.links;
+  TERA_CHECK(motion.gear_rate_radps.size() == machine.gears.size(), motion.gear_rate_radps.size());
+
+  SoilReaction reaction;
+  reaction.link_wrench.resize(links.size());
+  for (std::size_t k = 0; k < machine.gears.size(); ++k) {
+    const int link = machine.gear_links[k];
+    const GearContact::Result gear =
+        machine.gears[k].Act(links[link], motion.gear_rate_radps[k], dt_s, &columns_);
+    Add(gear.wrench, &reaction.link_wrench[link]);
+    reaction.gear_traction_n.push_back(gear.traction_n);
+    reaction.gear_sinkage_m.push_back(gear.sinkage_m);
+    reaction.gear_slip.push_back(gear.slip);
+  }
+  for (const HullContact& point : machine.hull) {
+    Add(point.Act(links[point.link()], columns_), &reaction.link_wrench[point.link()]);
+  }
+  for (Digging& shovel : machine.shovels) {
+    const Digging::Result digging = shovel.Act(links[shovel.link()], dt_s, &columns_);
+    Add(digging.wrench, &reaction.link_wrench[shovel.link()]);
+    reaction.shovel_load.push_back(digging.load);
+  }
+  return reaction;
+}
+
+MassLedger Ground::ledger() const {
+  MassLedger ledger;
+  ledger.ground_kg = columns_.GroundMass_kg();
+  ledger.outside_kg = columns_.outside_kg();
+  for (const Machine& machine : machines_) {
+    for (const Digging& shovel : machine.shovels) ledger.carried_kg += shovel.carried_kg();
+  }
+  return ledger;
+}
+
+}  // namespace
+
+std::unique_ptr<Soil> Soil::Read(const ConfigMap& config, std::uint64_t seed) {
+  return std::make_unique<Ground>(ReadSite(config, seed));
+}
+
+}  // namespace tera

@@ -1,0 +1,184 @@
+#include "soil/shovel_shape.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/check.h"
+
+namespace tera {
+namespace {
+
+constexpr double kTiny = 1e-12;
+
+double Cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+}  // namespace
+
+ShovelShape::ShovelShape(const Shovel& shovel)
+    : profile_(shovel.profile_B_m),
+      half_width_m_(0.5 * shovel.width_m),
+      capacity_m3_(shovel.capacity_m3) {
+  const std::size_t n = profile_.size();
+  TERA_CHECK(n >= 3, shovel.name, n);
+  double twice_area = 0;
+  for (std::size_t k = 0; k < n; ++k) twice_area += Cross(profile_[k], profile_[(k + 1) % n]);
+  area_m2_ = 0.5 * std::abs(twice_area);
+  TERA_CHECK(area_m2_ > 0, shovel.name);
+  const double turn = twice_area > 0 ? 1 : -1;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec2 a = profile_[k], b = profile_[(k + 1) % n];
+    const Vec2 d = (b - a).normalized();
+    segments_.push_back({a, b, turn * Vec2(d.y(), -d.x())});
+    radius_m_ = std::max(radius_m_, std::hypot(a.norm(), half_width_m_));
+  }
+  const Vec2 m = segments_.back().outward;
+  mouth_normal_B_ = Vec3(m.x(), 0, m.y());
+}
+
+Vec3 ShovelShape::edge_B() const { return Vec3(profile_[0].x(), 0, profile_[0].y()); }
+
+Vec3 ShovelShape::edge_direction_B() const {
+  const Vec2 d = (profile_[0] - profile_[1]).normalized();
+  return Vec3(d.x(), 0, d.y());
+}
+
+Vec3 ShovelShape::LowerLip_B(const Vec3& up_B) const {
+  const Vec2 up(up_B.x(), up_B.z());
+  const Vec2 lip =
+      profile_.front().dot(up) <= profile_.back().dot(up) ? profile_.front() : profile_.back();
+  return Vec3(lip.x(), 0, lip.y());
+}
+
+std::optional<ShovelShape::Crossing> ShovelShape::VerticalCrossing(const Pose& X_WB, double x_m,
+                                                                   double y_m) const {
+  // The line p_B(z) = o_B + z u_B, z in W.
+  const Mat3 R_BW = X_WB.linear().transpose();
+  const Vec3 u_B = R_BW.col(2);
+  const Vec3 o_B = R_BW * (Vec3(x_m, y_m, 0) - X_WB.translation());
+  double z0 = -std::numeric_limits<double>::infinity();
+  double z1 = std::numeric_limits<double>::infinity();
+  if (std::abs(u_B.y()) < kTiny) {
+    if (std::abs(o_B.y()) > half_width_m_) return std::nullopt;
+  } else {
+    const double za = (-half_width_m_ - o_B.y()) / u_B.y();
+    const double zb = (half_width_m_ - o_B.y()) / u_B.y();
+    z0 = std::min(za, zb), z1 = std::max(za, zb);
+  }
+  const Vec2 o(o_B.x(), o_B.z()), u(u_B.x(), u_B.z());
+  Crossing crossing;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  std::size_t low_segment = 0;
+  for (std::size_t k = 0; k < segments_.size(); ++k) {
+    const Vec2 d = segments_[k].b - segments_[k].a;
+    const double denominator = Cross(u, d);
+    if (std::abs(denominator) < kTiny) continue;
+    const Vec2 to = segments_[k].a - o;
+    const double s = Cross(to, u) / denominator;
+    if (s < 0 || s > 1) continue;
+    const double z = Cross(to, d) / denominator;
+    if (z < low) low = z, low_segment = k;
+    high = std::max(high, z);
+  }
+  if (!(high > low)) return std::nullopt;
+  crossing.low_m = std::max(low, z0);
+  crossing.high_m = std::min(high, z1);
+  if (crossing.high_m <= crossing.low_m) return std::nullopt;
+  crossing.through_mouth = low_segment + 1 == segments_.size();
+  if (z0 > low) {  // through a side wall
+    crossing.through_mouth = false;
+    crossing.low_normal_B = Vec3(0, u_B.y() > 0 ? -1 : 1, 0);
+  } else {
+    const Vec2 n = segments_[low_segment].outward;
+    crossing.low_normal_B = Vec3(n.x(), 0, n.y());
+  }
+  return crossing;
+}
+
+ShovelShape::Hold ShovelShape::HoldFor(const Vec3& up_B, double repose_rad,
+                                       double volume_m3) const {
+  Hold hold;
+  const Vec2 up_raw(up_B.x(), up_B.z());
+  if (up_raw.norm() < kTiny || capacity_m3_ <= 0) return hold;
+  const Vec2 up = up_raw.normalized();
+  const Vec2 right(up.y(), -up.x());
+  const auto level = [&](const Vec2& p) { return Vec2(p.dot(right), p.dot(up)); };
+  const Vec2 lip_a = level(profile_.front()), lip_b = level(profile_.back());
+  double from = std::numeric_limits<double>::infinity(), to = -from;
+  for (const Vec2& p : profile_) {
+    from = std::min(from, level(p).x());
+    to = std::max(to, level(p).x());
+  }
+  // Slices along the horizontal: floor and surface of the heaped soil in each.
+  constexpr int kSlices = 40;
+  struct Slice {
+    double x = 0, floor = 0, surface = 0;
+  };
+  std::array<Slice, kSlices> slices;
+  const double dx = (to - from) / kSlices;
+  const double slope = std::tan(repose_rad);
+  const double mouth_left = std::min(lip_a.x(), lip_b.x());
+  const double mouth_right = std::max(lip_a.x(), lip_b.x());
+  for (int k = 0; k < kSlices; ++k) {
+    Slice& slice = slices[k];
+    slice.x = from + (k + 0.5) * dx;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    bool open = false;
+    for (std::size_t m = 0; m < segments_.size(); ++m) {
+      const Vec2 a = level(segments_[m].a), b = level(segments_[m].b);
+      if ((a.x() - slice.x) * (b.x() - slice.x) > 0 || a.x() == b.x()) continue;
+      const double z = a.y() + (b.y() - a.y()) * (slice.x - a.x()) / (b.x() - a.x());
+      low = std::min(low, z);
+      if (z > high) high = z, open = m + 1 == segments_.size();
+    }
+    if (!(high > low)) continue;
+    double surface = std::numeric_limits<double>::infinity();
+    // Soil rises from each lip inwards at the angle of repose; beyond a lip it stays level.
+    const double inward_a = lip_a.x() < lip_b.x() ? slice.x - lip_a.x() : lip_a.x() - slice.x;
+    const double inward_b = lip_b.x() < lip_a.x() ? slice.x - lip_b.x() : lip_b.x() - slice.x;
+    surface = std::min(lip_a.y() + slope * std::max(0.0, inward_a),
+                       lip_b.y() + slope * std::max(0.0, inward_b));
+    const bool under_mouth = slice.x > mouth_left && slice.x < mouth_right;
+    if (!(open && under_mouth)) surface = std::min(surface, high);
+    slice.floor = low;
+    slice.surface = std::max(low, surface);
+  }
+  const auto area_below = [&](double cap) {
+    double area = 0;
+    for (const Slice& s : slices) area += std::max(0.0, std::min(s.surface, cap) - s.floor) * dx;
+    return area;
+  };
+  double top = -std::numeric_limits<double>::infinity(), bottom = -top;
+  for (const Slice& s : slices) {
+    if (s.surface <= s.floor) continue;
+    top = std::max(top, s.surface);
+    bottom = std::min(bottom, s.floor);
+  }
+  const double volume_per_area_m = capacity_m3_ / area_m2_;
+  if (top > bottom) hold.volume_m3 = area_below(top) * volume_per_area_m;
+  // Level at which the volume asked for is reached, then its centre.
+  double cap = top;
+  if (volume_m3 < hold.volume_m3) {
+    constexpr int kBisections = 20;
+    double low = bottom, high = top;
+    for (int k = 0; k < kBisections; ++k) {
+      cap = 0.5 * (low + high);
+      (area_below(cap) * volume_per_area_m < volume_m3 ? low : high) = cap;
+    }
+  }
+  double area = 0;
+  Vec2 moment = Vec2::Zero();
+  for (const Slice& s : slices) {
+    const double height = std::min(s.surface, cap) - s.floor;
+    if (height <= 0) continue;
+    area += height * dx;
+    moment += height * dx * Vec2(s.x, s.floor + 0.5 * height);
+  }
+  const Vec2 center = area > 0 ? Vec2(moment / area) : level(profile_[profile_.size() / 2]);
+  const Vec2 in_B = center.x() * right + center.y() * up;
+  hold.com_B_m = Vec3(in_B.x(), 0, in_B.y());
+  return hold;
+}
+
+}  // namespace tera

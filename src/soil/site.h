@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/config.h"
+#include "soil/columns.h"
+
+namespace tera {
+
+/// A cone of loose soil.
+struct PilePlan {
+  Vec2 xy_W_m = Vec2::Zero();
+  double height_m = 0;
+  std::uint8_t soil = 0;
+};
+
+/// The ground at the start: what the scenario's `terrain:` mapping says.
+struct SitePlan {
+  Vec2 origin_W_m = Vec2::Zero();
+  double cell_m = 0;
+  int nx = 0, ny = 0;
+  std::vector<double> height_m;         ///< of undisturbed soil
+  std::vector<std::uint8_t> bank_soil;  ///< index into soils
+  std::vector<SoilType> soils;
+  std::vector<PilePlan> piles;
+  std::optional<SiteOrigin> georeference;
+};
+
+/// Reads `size_m cell_m soil soils custom_soils strips relief geotiff piles`. Faults go to
+/// `config`; a GeoTIFF that cannot be used is one of them.
+SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed);
+
+/// The columns of a site, its piles in place at their angle of repose.
+Columns BuildColumns(const SitePlan& plan);
+
+}  // namespace tera

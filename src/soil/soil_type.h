@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "core/config.h"
+#include "soil/soil.h"
+
+namespace tera {
+
+/// Reads the keys of one soil (see config/soils/dirt.yaml). Faults go to `config`.
+SoilType ReadSoilType(const ConfigMap& config);
+
+/// File of the soil that TERA ships under `name`, if there is one.
+std::optional<std::filesystem::path> ShippedSoilFile(const std::string& name);
+
+/// Names of all shipped soils, sorted, separated by commas.
+std::string ShippedSoilNames();
+
+/// Density of the soil right after it was dug or dumped.
+inline double LooseDensity_kgpm3(const SoilType& soil) {
+  return soil.bank_density_kgpm3 / soil.swell;
+}
+
+/// Terzaghi's bearing pressure of a strip `width_m` wide pressed in at `depth_m`:
+/// c N_c + rho g depth N_q + rho g width N_gamma / 2, with Reissner's N_q, Prandtl's N_c and
+/// Vesic's N_gamma. Source: Das, Principles of Foundation Engineering, ch. 3.
+double BearingPressure_pa(const SoilType& soil, double width_m, double depth_m);
+
+}  // namespace tera
