@@ -30,7 +30,7 @@ WALKING = (Gait(26, 6, 16, -24, 14), Gait(-14, 26, -34, 26, 30))
 
 def _limb(knots, sides=12):
     """Elliptic sections along a path; a knot is (x, y, z, half depth, half width)."""
-    path = smooth_path(knots, 3)
+    path = smooth_path(knots, 2)
     tangents = np.gradient(path[:, :3], axis=0)
     tangents /= np.linalg.norm(tangents, axis=1, keepdims=True)
     angles = 2 * math.pi * np.arange(sides) / sides
@@ -94,7 +94,9 @@ def _arm(gait):
     outward = np.array([0.0, 0.10, 0.0])
     elbow = SHOULDER + UPPER_ARM * (upper + outward)
     wrist = elbow + FOREARM * (lower + 0.3 * outward)
-    sleeve = _limb([(*(SHOULDER + [0, -0.035, 0.035]), 0.055, 0.045), (*SHOULDER, 0.066, 0.060),
+    sleeve = _limb([(*(SHOULDER + [0, -0.10, 0.045]), 0.050, 0.040),
+                     (*(SHOULDER + [0, -0.045, 0.022]), 0.066, 0.055),
+                     (*(SHOULDER + [0, 0.0, -0.035]), 0.068, 0.058),
                     (*(SHOULDER + 0.5 * (elbow - SHOULDER)), 0.056, 0.054), (*elbow, 0.047, 0.046),
                     (*(elbow + 0.35 * (wrist - elbow)), 0.046, 0.044), (*wrist, 0.034, 0.032)])
     cuff = _limb([(*(wrist - 0.035 * lower), 0.042, 0.038), (*(wrist + 0.01 * lower), 0.038, 0.033)])
@@ -109,11 +111,11 @@ def _arm(gait):
 
 
 def _trunk(body):
-    pelvis = [(0.80, 0.0, 0.060, 0.090), (0.86, -0.005, 0.105, 0.165), (0.94, -0.005, 0.118, 0.180),
+    pelvis = [(0.825, 0.0, 0.070, 0.125), (0.87, -0.005, 0.105, 0.172), (0.94, -0.005, 0.118, 0.180),
               (1.02, 0.0, 0.112, 0.166), (1.06, 0.0, 0.105, 0.160)]
     body.add(paint.TROUSERS, _stack(pelvis), crease_deg=60)
     vest = [(0.925, 0.0, 0.128, 0.192), (1.02, 0.002, 0.124, 0.180), (1.15, 0.004, 0.126, 0.186),
-            (1.30, 0.002, 0.130, 0.205), (1.40, -0.006, 0.118, 0.206), (1.465, -0.014, 0.088, 0.165),
+            (1.30, 0.002, 0.130, 0.205), (1.40, -0.006, 0.118, 0.196), (1.465, -0.014, 0.088, 0.155),
             (1.505, -0.016, 0.062, 0.085)]
     body.add(paint.HI_VIS, _stack(vest), crease_deg=60)
     for z, depth, width in ((1.035, 0.127, 0.184), (1.175, 0.130, 0.193)):

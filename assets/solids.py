@@ -124,6 +124,7 @@ def _cap(ring, forward):
     """Triangles that fill a nearly flat ring (m, 3), along its way or against it."""
     if np.ptp(ring, axis=0).max() < WELD_M:
         return []
+    ring = ring[np.linalg.norm(ring - np.roll(ring, 1, axis=0), axis=1) > WELD_M]
     center = ring - ring.mean(axis=0)
     normal = np.cross(center, np.roll(center, -1, axis=0)).sum(axis=0)
     across = int(np.argmax(np.abs(normal)))
@@ -231,7 +232,11 @@ def box(center, size, chamfer_m=0.0):
         outline = rectangle(center, size)
         return extrude(outline, "z", low, high)
     outline = rounded_rectangle(center, size, chamfer_m, steps=1)
-    return extrude(outline, "z", low, high, chamfer_m)
+    # Both points of a cut corner meet in one point of the lid.
+    lid = np.repeat(rectangle(center, np.subtract(size[:2], 2 * chamfer_m)), 2, axis=0)
+    return loft([_place(ring, "z", height) for ring, height in
+                 ((lid, low), (outline, low + chamfer_m), (outline, high - chamfer_m),
+                  (lid, high))])
 
 
 def rectangle(center, size):

@@ -23,7 +23,7 @@ def _sprocket(x, y):
     return extrude(outline, "y", y - 0.03, y + 0.03)
 
 
-def _wheel(x, z, y, radius, half_width, sides=20):
+def _wheel(x, z, y, radius, half_width, sides=16):
     """A roller or idler with a dished side."""
     profile = [(0, -half_width * 0.7), (radius * 0.55, -half_width * 0.7),
                (radius * 0.62, -half_width), (radius - 0.012, -half_width),
@@ -38,22 +38,23 @@ def _track_frame(body, y):
     reach = WHEELBASE / 2
     outline = round_corners([(-reach + 0.13, 0.17), (reach - 0.02, 0.19), (reach - 0.02, 0.30),
                              (reach - 0.20, 0.345), (-reach + 0.20, 0.345), (-reach + 0.05, 0.30)],
-                            0.05)
+                            0.05, 2)
     body.add(paint.CHARCOAL, extrude(outline, "y", y - 0.075, y + 0.075, 0.012))
     body.add(paint.CHARCOAL, bar((reach - 0.25, y, TRACK_Z), (reach + 0.01, y, TRACK_Z), 0.20, 0.07))
     body.add(paint.STEEL, _wheel(reach, TRACK_Z, y, TRACK_RADIUS - BELT_THICKNESS, 0.05))
     body.add(paint.STEEL, _sprocket(-reach, y))
     hub = lathe([(0, -0.11), (0.12, -0.11), (0.13, -0.10), (0.13, 0.07), (0.115, 0.09),
-                 (0.06, 0.10), (0, 0.10)], (-reach, y, TRACK_Z), (0, 1, 0), 20)
+                 (0.06, 0.10), (0, 0.10)], (-reach, y, TRACK_Z), (0, 1, 0), 14)
     body.add(paint.CHARCOAL, hub)
     for k in range(6):
         angle = 2 * math.pi * k / 6
         x, z = -reach + 0.09 * math.cos(angle), TRACK_Z + 0.09 * math.sin(angle)
         body.add(paint.STEEL, cylinder((x, y + 0.085, z), (x, y + 0.105, z), 0.011, 6))
     for x in (-0.50, -0.25, 0.0, 0.25, 0.50):
-        body.add(paint.STEEL, _wheel(x, 0.05 + 0.062, y, 0.062, 0.085, 14))
+        body.add(paint.STEEL, pin(x, 0.05 + 0.062, 0.080, 0.062, 14, y))
+        body.add(paint.CHARCOAL, pin(x, 0.05 + 0.062, 0.092, 0.030, 8, y))
         body.add(paint.CHARCOAL, box((x, y, 0.15), (0.05, 0.10, 0.07)))
-    body.add(paint.STEEL, _wheel(0.0, 0.45 - 0.045, y, 0.045, 0.06, 12))
+    body.add(paint.STEEL, pin(0.0, 0.45 - 0.045, 0.06, 0.045, 10, y))
     body.add(paint.CHARCOAL, box((0.0, y, 0.355), (0.06, 0.06, 0.05)))
     step = box((0.15, y + 0.115, 0.33), (0.42, 0.09, 0.016), 0.005)
     body.add(paint.CHARCOAL, step)
@@ -113,10 +114,9 @@ def blade():
     half = BLADE_WIDTH / 2
     profile = smooth_path(BLADE_PROFILE, 3)
     front = ribbon(profile[::-1], 0.014)
-    if min(front[:, 0]) > BLADE_PROFILE[2][0] - 0.005:
-        front = ribbon(profile, 0.014)
+    front[:, 1] = np.maximum(front[:, 1], BLADE_PROFILE[0][1])
     body.add(paint.CHARCOAL, extrude(front, "y", -half, half))
-    edge = [(0.552, -0.300), (0.520, -0.235), (0.500, -0.235), (0.520, -0.300)]
+    edge = [(0.552, -0.300), (0.517, -0.235), (0.492, -0.235), (0.512, -0.300)]
     body.add(paint.WORN_STEEL, extrude(edge, "y", -half, half))
     rim = round_corners([(0.556, 0.082), (0.50, 0.082), (0.44, 0.0), (0.44, -0.18), (0.50, -0.27),
                          (0.512, -0.235), (0.488, -0.10), (0.508, 0.02)], 0.012, 2)

@@ -33,7 +33,7 @@ def _beam(path, heights, widths, chamfer):
 
 def _cheek(points, radii, y, thickness):
     """A pair of plates at y and -y."""
-    outline = round_corners(points, radii, 4)
+    outline = round_corners(points, radii, 2)
     return both_sides(extrude(outline, "y", y - thickness / 2, y + thickness / 2, 0.004))
 
 
@@ -104,10 +104,10 @@ def _boom_hoses(body, curve):
         curve[:, 2:3] / 2 + 0.018)
     for y in (-0.085, 0.085):
         line = [(-0.02, y * 1.1, 0.17)] + [(p[0], y, p[1]) for p in top[5:11:2]]
-        body.add(paint.RUBBER, tube(smooth_path(line, 3), 0.013, 6), crease_deg=65)
+        body.add(paint.RUBBER, tube(smooth_path(line, 2), 0.013, 6), crease_deg=65)
     for y in (-0.075, -0.050, 0.050, 0.075):
         line = [(p[0], y, p[1]) for p in top[10:25]]
-        body.add(paint.STEEL, tube(line, 0.008, 6), crease_deg=65)
+        body.add(paint.STEEL, tube(line[::2], 0.008, 5), crease_deg=75)
     for y in (-0.060, 0.060):
         end = top[24]
         hose = smooth_path([(end[0] - 0.02, y, end[1]), (2.34, y, 0.27), (2.52, y, 0.24),
@@ -228,16 +228,16 @@ def barrel(name):
     body = Body()
     radius, _, eye = BORES[name]
     length, _ = cylinder_lengths(name)
-    body.add(paint.CHARCOAL, pipe((0, -eye, 0), (0, eye, 0), radius * 1.05, 0.022, 18))
+    body.add(paint.CHARCOAL, pipe((0, -eye, 0), (0, eye, 0), radius * 1.05, 0.022, 14))
     profile = [(0, 0.03), (radius * 0.8, 0.03), (radius + 0.004, 0.055), (radius + 0.004, 0.085),
                (radius, 0.09), (radius, length - 0.075), (radius + 0.008, length - 0.070),
                (radius + 0.008, length - 0.012), (radius * 0.85, length), (0, length)]
-    body.add(paint.CHARCOAL, lathe(profile, (0, 0, 0), (1, 0, 0), 20))
+    body.add(paint.CHARCOAL, lathe(profile, (0, 0, 0), (1, 0, 0), 16))
     for x in (0.12, length - 0.10):
         body.add(paint.STEEL, cylinder((x, 0, radius - 0.01), (x, 0, radius + 0.022), 0.014, 8))
     line = smooth_path([(0.12, 0, radius + 0.018), (0.17, 0, radius + 0.030),
-                        (length - 0.15, 0, radius + 0.030), (length - 0.10, 0, radius + 0.018)], 3)
-    body.add(paint.STEEL, tube(line, 0.007, 6), crease_deg=65)
+                        (length - 0.15, 0, radius + 0.030), (length - 0.10, 0, radius + 0.018)], 2)
+    body.add(paint.STEEL, tube(line, 0.007, 5), crease_deg=75)
     return body
 
 
@@ -245,7 +245,7 @@ def rod(name):
     body = Body()
     radius, bar_radius, eye = BORES[name]
     _, length = cylinder_lengths(name)
-    body.add(paint.CHARCOAL, pipe((0, -eye, 0), (0, eye, 0), radius * 0.95, 0.022, 18))
+    body.add(paint.CHARCOAL, pipe((0, -eye, 0), (0, eye, 0), radius * 0.95, 0.022, 14))
     neck = [(0, -0.065), (bar_radius * 1.35, -0.065), (bar_radius * 1.45, -0.03), (0, -0.02)]
     body.add(paint.CHARCOAL, lathe(neck, (0, 0, 0), (1, 0, 0), 16))
     body.add(paint.CHROME, cylinder((-length, 0, 0), (-0.06, 0, 0), bar_radius, 16))

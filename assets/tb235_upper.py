@@ -65,14 +65,13 @@ def _counterweight(body):
     # Cooling slots on both sides and at the rear.
     for k in range(6):
         z = 0.575 + 0.042 * k
-        body.add(paint.BLACK, *both_sides(box((-0.71, HALF_WIDTH - 0.008, z), (0.26, 0.016, 0.020),
-                                              0.005)))
+        body.add(paint.BLACK, *both_sides(box((-0.71, HALF_WIDTH - 0.008, z), (0.26, 0.016, 0.020))))
     for k in range(5):
         for side in (-1, 1):
             angle = math.pi + side * math.radians(8 + 4.4 * k)
             radius = TAIL_RADIUS - 0.017
             slot = box((radius * math.cos(angle), radius * math.sin(angle), 0.69),
-                       (0.014, 0.045, 0.16), 0.005)
+                       (0.014, 0.045, 0.16))
             slot = turned(slot, "z", math.degrees(angle) - 180,
                           (radius * math.cos(angle), radius * math.sin(angle), 0))
             body.add(paint.BLACK, slot)
@@ -88,8 +87,8 @@ def _counterweight(body):
 def _right_side(body):
     """Tank cover beside the cab, sloping to the front, with its rail."""
     side = round_corners([(-0.49, 0.12), (0.47, 0.12), (0.53, 0.20), (0.50, 0.40), (0.30, 0.62),
-                          (-0.05, 0.80), (-0.49, 0.86)], [0, 0.05, 0.06, 0.12, 0.2, 0.2, 0.03], 4)
-    body.add(paint.YELLOW, extrude(side, "y", -HALF_WIDTH, -0.10, 0.045, 3), crease_deg=40)
+                          (-0.05, 0.80), (-0.49, 0.86)], [0, 0.05, 0.06, 0.12, 0.2, 0.2, 0.03], 3)
+    body.add(paint.YELLOW, extrude(side, "y", -HALF_WIDTH, -0.10, 0.045, 2), crease_deg=50)
     skirt = round_corners([(-0.49, 0.06), (0.44, 0.06), (0.52, 0.12), (0.52, 0.17), (-0.49, 0.17)],
                           0.02, 2)
     body.add(paint.CHARCOAL, extrude(skirt, "y", -HALF_WIDTH - 0.004, -0.12, 0.010))
@@ -97,13 +96,13 @@ def _right_side(body):
     body.add(paint.BLACK, extrude(seam, "y", -HALF_WIDTH - 0.002, -HALF_WIDTH + 0.02))
     for k in range(5):
         z = 0.30 + 0.05 * k
-        body.add(paint.BLACK, box((-0.26, -HALF_WIDTH + 0.002, z), (0.30, 0.016, 0.022), 0.005))
+        body.add(paint.BLACK, box((-0.26, -HALF_WIDTH + 0.002, z), (0.30, 0.016, 0.022)))
     body.add(paint.BLACK, box((0.10, -HALF_WIDTH, 0.50), (0.10, 0.02, 0.035), 0.008))
     body.add(paint.BLACK, cylinder((0.13, -0.62, 0.69), (0.14, -0.62, 0.735), 0.045, 14, 0.008))
     rail = smooth_path([(0.46, -0.66, 0.42), (0.455, -0.66, 0.60), (0.40, -0.66, 0.74),
                         (0.22, -0.66, 0.88), (0.00, -0.66, 0.96), (-0.09, -0.66, 0.93),
-                        (-0.10, -0.66, 0.80)], 4)
-    body.add(paint.CHARCOAL, tube(rail, 0.015, 8), crease_deg=50)
+                        (-0.10, -0.66, 0.80)], 3)
+    body.add(paint.CHARCOAL, tube(rail, 0.015, 6), crease_deg=65)
     # Hoses from the valve to the swing post.
     for k, y in enumerate((-0.075, -0.035, 0.0)):
         hose = smooth_path([(0.30, y - 0.12, 0.16), (0.42, y - 0.10, 0.30), (0.55, y - 0.06, 0.36),
@@ -115,14 +114,9 @@ def _at(point, y):
     return np.array([point[0], y, point[1]])
 
 
-def _mix(a, b, t):
-    return (a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t)
-
-
 def _pillars(body):
     right, left = CAB_RIGHT + PILLAR / 2, CAB_LEFT - PILLAR / 2
-    sill, b_low, b_top = (-0.14, 0.34), (-0.14, 0.34), (-0.10, 1.80)
-    del sill
+    b_low, b_top = (-0.14, 0.34), (-0.10, 1.80)
     for y in (right, left):
         for start, end, depth in ((FRONT_LOW, FRONT_MID, 0.06), (FRONT_MID, FRONT_TOP, 0.06),
                                   (b_low, b_top, 0.055), (REAR_MID, REAR_TOP, 0.07),
@@ -221,23 +215,23 @@ def _interior(body):
     body.add(paint.BLACK, box((-0.14, seat_y, 0.47), (0.36, 0.40, 0.22), 0.03))
     cushion = round_corners([(-0.34, 0.58), (0.13, 0.59), (0.16, 0.64), (0.10, 0.70),
                              (-0.34, 0.67)], 0.04)
-    body.add(paint.FABRIC, extrude(cushion, "y", seat_y - 0.24, seat_y + 0.24, 0.035, 3))
+    body.add(paint.FABRIC, extrude(cushion, "y", seat_y - 0.24, seat_y + 0.24, 0.035, 2))
     back = round_corners([(-0.33, 0.66), (-0.24, 0.70), (-0.33, 1.22), (-0.42, 1.22),
                           (-0.42, 0.80)], 0.05)
-    body.add(paint.FABRIC, extrude(back, "y", seat_y - 0.23, seat_y + 0.23, 0.035, 3))
+    body.add(paint.FABRIC, extrude(back, "y", seat_y - 0.23, seat_y + 0.23, 0.035, 2))
     head = round_corners([(-0.36, 1.23), (-0.31, 1.24), (-0.335, 1.40), (-0.40, 1.40)], 0.04)
     body.add(paint.FABRIC, extrude(head, "y", seat_y - 0.12, seat_y + 0.12, 0.025, 2))
     for y in (seat_y - 0.29, seat_y + 0.27):
         body.add(paint.INTERIOR, box((-0.06, y, 0.72), (0.46, 0.11, 0.20), 0.025))
         stick = smooth_path([(0.10, y, 0.82), (0.12, y, 0.88), (0.115, y, 0.94)], 3)
         body.add(paint.BLACK, tube(stick, 0.014, 8))
-        body.add(paint.BLACK, ellipsoid((0.115, y, 0.98), (0.028, 0.026, 0.055), 10, 6))
+        body.add(paint.BLACK, ellipsoid((0.115, y, 0.98), (0.028, 0.026, 0.055), 8, 4))
     for y in (0.30, 0.42):
         body.add(paint.BLACK, turned(box((0.47, y, 0.40), (0.16, 0.07, 0.015), 0.004), "y", -25,
                                      (0.47, y, 0.40)))
         body.add(paint.STEEL, tube(smooth_path([(0.42, y, 0.38), (0.44, y, 0.60),
                                                 (0.40, y, 0.78)], 3), 0.010, 6))
-        body.add(paint.BLACK, ellipsoid((0.40, y, 0.80), (0.02, 0.02, 0.03), 8, 6))
+        body.add(paint.BLACK, ellipsoid((0.40, y, 0.80), (0.02, 0.02, 0.03), 6, 4))
     body.add(paint.BLACK, turned(box((0.44, 0.10, 0.98), (0.03, 0.13, 0.17), 0.008), "z", 25,
                                  (0.44, 0.10, 0.98)))
     body.add(paint.INTERIOR, bar((0.55, 0.06, 0.76), (0.45, 0.09, 0.92), 0.03, 0.03))
