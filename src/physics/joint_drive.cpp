@@ -25,7 +25,7 @@ class JointDrive::Constraint : public btMultiBodyConstraint {
   BT_DECLARE_ALIGNED_ALLOCATOR();
 
   Constraint(btMultiBody* body, int link)
-      : btMultiBodyConstraint(body, body, link, link, kRowCount, true,
+      : btMultiBodyConstraint(body, nullptr, link, -1, kRowCount, true,
                               MULTIBODY_CONSTRAINT_1DOF_JOINT_MOTOR) {}
 
   void finalizeMultiDof() override {
@@ -79,9 +79,9 @@ class JointDrive::Constraint : public btMultiBodyConstraint {
     constraint.m_orgDofIndex = row;
     constraint.m_contactNormal1 = constraint.m_contactNormal2 = zero;
     constraint.m_relpos1CrossNormal = constraint.m_relpos2CrossNormal = zero;
-    // The row's other body is the same body with a Jacobian of zeros, as Bullet's own motors do.
-    fillMultiBodyConstraint(constraint, data, jacobianA(row), jacobianB(row), zero, zero, zero,
-                            zero, 0, info, min_impulse, max_impulse, false, 1, false, rate);
+    constraint.m_solverBodyIdA = constraint.m_solverBodyIdB = data.m_fixedBodyId;
+    fillMultiBodyConstraint(constraint, data, jacobianA(row), nullptr, zero, zero, zero, zero, 0,
+                            info, min_impulse, max_impulse, false, 1, false, rate);
   }
 };
 

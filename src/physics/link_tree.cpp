@@ -40,6 +40,11 @@ std::vector<int> ParentJoints(const MachineParts& parts, const std::map<std::str
       part.place.Fault("child", fmt::format("there is no link '{}'", part.child));
       continue;
     }
+    if (part.parent == part.child) {
+      part.place.Fault("child",
+                       fmt::format("link '{}' is the parent already; need two links", part.child));
+      continue;
+    }
     int& joint = parent_joint[index.at(part.child)];
     if (joint >= 0) {
       part.place.Fault("child", fmt::format("link '{}' hangs on joint '{}' already; need one joint "

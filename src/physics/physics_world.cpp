@@ -49,6 +49,34 @@ struct KinematicObstacle {
   std::unique_ptr<btRigidBody> body;
 };
 
+/// Bullet's world with a velocity update of second order.
+///
+/// Model   v' = v + dt a(q, v + dt/2 a(q, v)): forces that grow with velocity squared are taken in
+///         the middle of the step. Bullet takes them at its start, which feeds energy into a
+///         swinging arm (about 1 % in 10 s at 500 Hz).
+class MidpointWorld : public btMultiBodyDynamicsWorld {
+ public:
+  using btMultiBodyDynamicsWorld::btMultiBodyDynamicsWorld;
+
+  void solveExternalForces(btContactSolverInfo& info) override {
+    std::vector<std::vector<btScalar>> back_to_start(m_multiBodies.size());
+    for (int i = 0; i < m_multiBodies.size(); ++i) {
+      btMultiBody& body = *m_multiBodies[i];
+      const int count = 6 + body.getNumDofs();
+      const std::vector<btScalar> start(body.getVelocityVector(), body.getVelocityVector() + count);
+      body.computeAccelerationsArticulatedBodyAlgorithmMultiDof(
+          0.5 * info.m_timeStep, m_scratch_r, m_scratch_v, m_scratch_m, false, false, false);
+      for (int k = 0; k < count; ++k) {
+        back_to_start[i].push_back(start[k] - body.getVelocityVector()[k]);
+      }
+    }
+    btMultiBodyDynamicsWorld::solveExternalForces(info);  // v_mid + dt a(q, v_mid)
+    for (int i = 0; i < m_multiBodies.size(); ++i) {
+      m_multiBodies[i]->applyDeltaVeeMultiDof(back_to_start[i].data(), 1.0);
+    }
+  }
+};
+
 MachineState InitialState(const MachinePlacement& placement) {
   const MachineModel& model = placement.model;
   const std::size_t gears = model.ground_tools.gears.size();
@@ -150,7 +178,7 @@ struct PhysicsWorld::Impl {
   btDbvtBroadphase broadphase;
   btDantzigSolver lcp;
   btMultiBodyMLCPConstraintSolver solver;
-  btMultiBodyDynamicsWorld world;
+  MidpointWorld world;
   std::vector<std::unique_ptr<KinematicObstacle>> obstacles;
   std::vector<std::unique_ptr<MachineDynamics>> machines;
   std::vector<MachineState> states;

@@ -1,0 +1,179 @@
+#include <cmath>
+
+#include "physics/machine_fixture.h"
+#include "physics/rate_response.h"
+
+namespace tera {
+namespace {
+
+/// The lift arm at `angle_deg`, its lever at rest.
+MachineRun LiftArmAt(double angle_deg, const std::vector<std::string>& overrides = {}) {
+  MachinePlacement placement =
+      PlaceAtStart(MachineFromText(kLiftArm, overrides), MakePose(Vec3(4, -1, 0.3), 0, 0, 2.0));
+  placement.q_rad = {angle_deg * kDeg};
+  return MachineRun(placement);
+}
+
+TEST(Actuation, HoldingTorqueIsWeightTimesLeverArm) {
+  MachineRun run = LiftArmAt(25);
+  run.StepFor(0.5);
+  const double expected_nm = 20 * kGravity_mps2 * 0.8 * std::cos(25 * kDeg);
+  EXPECT_NEAR(run.state().effort_nm[0], expected_nm, 0.01 * expected_nm);
+  EXPECT_NEAR(run.state().q_rad[0], 25 * kDeg, 1e-6);
+}
+
+TEST(Actuation, HoldingTorqueGrowsWithTheCarriedSoil) {
+  MachineRun run = LiftArmAt(-20);
+  for (const double mass_kg : {0.0, 30.0, 80.0}) {
+    run.input.soil.shovel_load = {
+        {.mass_kg = mass_kg, .com_B_m = Vec3(1.6, 0, -0.08), .volume_m3 = mass_kg / 1600}};
+    run.StepFor(0.5);
+    // The load's place, turned down by 20 deg.
+    const double arm_m = 1.6 * std::cos(20 * kDeg) - 0.08 * std::sin(20 * kDeg);
+    const double expected_nm = kGravity_mps2 * (20 * 0.8 * std::cos(20 * kDeg) + mass_kg * arm_m);
+    EXPECT_NEAR(run.state().effort_nm[0], expected_nm, 0.01 * expected_nm) << mass_kg;
+    EXPECT_NEAR(run.state().q_rad[0], -20 * kDeg, 1e-6);
+  }
+}
+
+TEST(Actuation, CarriedSoilAddsItsInertia) {
+  // A weightless start from rest with a saturated motor: alpha = torque / inertia.
+  const auto first_alpha = [](double mass_kg, double volume_m3) {
+    MachinePlacement placement =
+        PlaceAtStart(MachineFromText(kLiftArm, {"joints.lift.max_effort_nm=10"}), Pose::Identity());
+    MachineRun run(placement, 0.0);
+    run.input.levers = {1};
+    run.input.soil.shovel_load = {
+        {.mass_kg = mass_kg, .com_B_m = Vec3(1.6, 0, 0), .volume_m3 = volume_m3}};
+    run.Step();
+    return run.state().qd_radps[0] / kStep_s;
+  };
+  const double bare = 3.0 + 20 * 0.8 * 0.8;
+  EXPECT_NEAR(first_alpha(0, 0), 10 / bare, 1e-9);
+  EXPECT_NEAR(first_alpha(50, 0), 10 / (bare + 50 * 1.6 * 1.6), 1e-9);
+  // A cube of 0.027 m3 has edges of 0.3 m and the moment m a^2 / 6.
+  EXPECT_NEAR(first_alpha(50, 0.027), 10 / (bare + 50 * 1.6 * 1.6 + 50 * 0.09 / 6), 1e-9);
+}
+
+TEST(Actuation, ASoilForceAtTheToolShowsInTheTorque) {
+  MachineRun run = LiftArmAt(0);
+  run.StepFor(0.2);
+  const double before_nm = run.state().effort_nm[0];
+  const BodyState& arm = run.state().links[1];
+  run.input.soil.link_wrench[1].AddForceAt(Vec3(0, 0, 400), arm.X_WB * Vec3(1.8, 0, 0),
+                                           arm.X_WB.translation());
+  run.StepFor(0.2);
+  EXPECT_NEAR(run.state().effort_nm[0] - before_nm, -400 * 1.8, 1.0);
+}
+
+TEST(Actuation, FullLeversGiveTheRatesOfEachDirection) {
+  MachineRun run = LiftArmAt(0);
+  run.input.levers = {1};
+  run.StepFor(1.0);
+  EXPECT_NEAR(run.state().qd_radps[0], 30 * kDeg, 1e-6);
+  run.input.levers = {-0.5};
+  run.StepFor(1.0);
+  EXPECT_NEAR(run.state().qd_radps[0], -10 * kDeg, 1e-6);
+  run.input.levers = {0};
+  run.StepFor(0.5);
+  EXPECT_NEAR(run.state().qd_radps[0], 0, 1e-6);
+}
+
+TEST(Actuation, LeversBeyondTheirEndsAreClamped) {
+  MachineRun run = LiftArmAt(0);
+  run.input.levers = {1.7};
+  run.StepFor(1.0);
+  EXPECT_NEAR(run.state().qd_radps[0], 30 * kDeg, 1e-6);
+  EXPECT_EQ(run.state().levers[0], 1.0);
+}
+
+TEST(Actuation, TheStepResponseIsThePapersLaw) {
+  // Eq. (1) with eta = 20 rad/s, beta = 6 1/s, phi = 0 and a lever of 60 %: values by hand of
+  // 1 + sin(20 t) e^(-6 t).
+  struct Point {
+    double t_s, ratio;
+  };
+  const Point points[] = {{0.05, 1.6233723},
+                          {0.10, 1.4990279},
+                          {0.20, 0.7720562},
+                          {0.40, 1.0897524},
+                          {1.00, 1.0022630}};
+  const double w_ss = 0.6 * 30 * kDeg;
+  MachineModel model =
+      MachineFromText(kLiftArm, {"joints.lift.transient={eta_radps: 20, beta_1ps: 6, phi_rad: 0}",
+                                 "joints.lift.max_effort_nm=100000"});
+  MachineRun run(model, MakePose(Vec3(1, 2, 0), 0, 0, 1));
+  run.input.levers = {0.6};
+  int step = 0;
+  for (const Point& point : points) {
+    for (; step < std::lround(point.t_s / kStep_s); ++step) run.Step();
+    EXPECT_NEAR(run.state().qd_radps[0], w_ss * point.ratio, 1e-6 * w_ss) << point.t_s;
+  }
+}
+
+TEST(Actuation, StepsOfALeverSuperposeAndEndAtRest) {
+  const RateTransient transient{.eta_radps = 20, .beta_1ps = 6, .phi_rad = 0.3, .enabled = true};
+  RateResponse twice(transient), first(transient), second(transient);
+  for (int i = 0; i < 2000; ++i) {
+    const double a = i < 700 ? 0.4 : 0.0, b = i >= 150 && i < 400 ? -0.7 : 0.0;
+    const double sum = first.Advance(a, kStep_s) + second.Advance(b, kStep_s);
+    EXPECT_NEAR(twice.Advance(a + b, kStep_s), sum, 1e-12);
+    if (i == 1999) EXPECT_NEAR(sum, 0, 1e-5);
+  }
+}
+
+TEST(Actuation, AJointStopsAtItsLimitAndStaysThere) {
+  for (const double lever : {1.0, -1.0}) {
+    MachineRun run = LiftArmAt(0, {"joints.lift.limits_deg=[-8, 11]"});
+    run.input.levers = {lever};
+    double lowest = 0, highest = 0;
+    for (int i = 0; i < 1000; ++i) {
+      run.Step();
+      lowest = std::min(lowest, run.state().q_rad[0]);
+      highest = std::max(highest, run.state().q_rad[0]);
+    }
+    EXPECT_GE(lowest, -8 * kDeg - 1e-9);
+    EXPECT_LE(highest, 11 * kDeg + 1e-9);
+    EXPECT_NEAR(run.state().q_rad[0], (lever > 0 ? 11 : -8) * kDeg, 1e-6);
+  }
+}
+
+TEST(Actuation, AStopHoldsWhatTheMotorCannot) {
+  // 20 kg at 0.8 m need 157 N m; the motor has 20.
+  MachineRun run =
+      LiftArmAt(0, {"joints.lift.limits_deg=[-30, 40]", "joints.lift.max_effort_nm=20"});
+  run.StepFor(3.0);
+  EXPECT_NEAR(run.state().q_rad[0], -30 * kDeg, 1e-6);
+  EXPECT_NEAR(run.state().effort_nm[0], 20 * kGravity_mps2 * 0.8 * std::cos(30 * kDeg), 0.5);
+}
+
+TEST(Actuation, AnOverloadedMotorStalls) {
+  MachineRun run = LiftArmAt(0, {"joints.lift.max_effort_nm=400"});
+  run.input.levers = {1};
+  run.input.soil.shovel_load = {{.mass_kg = 60, .com_B_m = Vec3(1.6, 0, 0), .volume_m3 = 0.03}};
+  run.StepFor(0.3);
+  EXPECT_LT(run.state().qd_radps[0], 0);  // sinks: 157 + 942 N m against 400
+  EXPECT_NEAR(run.state().effort_nm[0], 400, 1e-6);
+}
+
+TEST(Actuation, AGearReachesItsSpeedAndYieldsToTraction) {
+  const MachineModel model = ShippedMachine("tb235");
+  MachineRun run(model, Pose::Identity(), 0.0);
+  run.input.levers[0] = 0.5;
+  run.input.soil.gear_traction_n = {4000, 0};
+  run.StepFor(2.0);
+  EXPECT_NEAR(run.state().gear_rate_radps[0], 0.5 * 1.25 / 0.25, 1e-4);
+  EXPECT_NEAR(run.state().gear_torque_nm[0], 4000 * 0.25, 0.1);
+  EXPECT_NEAR(run.state().gear_rate_radps[1], 0, 1e-12);
+  const double angle = run.state().gear_angle_rad[0];
+  run.StepFor(1.0);
+  EXPECT_NEAR(run.state().gear_angle_rad[0] - angle, 2.5, 1e-3);
+  // 30 kN at 0.25 m are more than the motor's 6 kN m: (6000 - 7500) / 25 rad/s2 for 20 ms.
+  run.input.soil.gear_traction_n = {30000, 0};
+  run.StepFor(0.02);
+  EXPECT_NEAR(run.state().gear_torque_nm[0], 6000, 1e-9);
+  EXPECT_NEAR(run.state().gear_rate_radps[0], 2.5 - 1500.0 / 25 * 0.02, 1e-3);
+}
+
+}  // namespace
+}  // namespace tera

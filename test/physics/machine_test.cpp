@@ -1,0 +1,171 @@
+#include "physics/machine.h"
+
+#include "physics/machine_fixture.h"
+
+namespace tera {
+namespace {
+
+TEST(Machine, CompactExcavatorWeighsItsOperatingWeight) {
+  EXPECT_NEAR(ShippedMachine("tb235").TotalMass_kg(), 3500, 1);
+}
+
+TEST(Machine, BucketTipStandsWhereTheHandDrawnPolygonPutsIt) {
+  const MachineModel model = ShippedMachine("tb235");
+  std::vector<double> q(model.joints.size(), 0.0);
+  q[model.JointIndex("boom")] = 50 * kDeg;
+  q[model.JointIndex("arm")] = -90 * kDeg;
+  q[model.JointIndex("bucket")] = -35 * kDeg;
+  // In the boom's plane, seen from the right: boom foot at (0.62 + 0.18, 0.56 + 0.10 + 0.20), then
+  // 2.5 m at 50 deg, 1.545 m at -40 deg, 0.78 m at 50 - 90 - 35 - 45 = -120 deg.
+  const double x = 0.80 + 2.5 * std::cos(50 * kDeg) + 1.545 * std::cos(-40 * kDeg) +
+                   0.78 * std::cos(-120 * kDeg);
+  const double z = 0.86 + 2.5 * std::sin(50 * kDeg) + 1.545 * std::sin(-40 * kDeg) +
+                   0.78 * std::sin(-120 * kDeg);
+  const NamedFrame& tip = model.frames.at(0);
+  ASSERT_EQ(tip.name, "bucket_tip");
+  const Pose X_WB = MakePose(Vec3(5, -2, 0.4), 0, 0, 90 * kDeg);  // looks along +y of W
+  const auto poses = ForwardKinematics(model, X_WB, q);
+  const Vec3 p = (poses[tip.link] * tip.X_BF).translation();
+  EXPECT_NEAR(p.x(), 5, 1e-12);
+  EXPECT_NEAR(p.y(), -2 + x, 1e-12);
+  EXPECT_NEAR(p.z(), 0.4 + z, 1e-12);
+}
+
+TEST(Machine, SlewToTheLeftBringsTheBoomToTheLeft) {
+  const MachineModel model = ShippedMachine("tb235");
+  std::vector<double> q(model.joints.size(), 0.0);
+  q[model.JointIndex("slew")] = 90 * kDeg;
+  const auto poses = ForwardKinematics(model, Pose::Identity(), q);
+  EXPECT_TRUE(poses[model.LinkIndex("boom")].translation().isApprox(Vec3(0, 0.80, 0.86), 1e-12));
+}
+
+TEST(Machine, LinksFollowTheirJointsWhateverTheWrittenOrder) {
+  const MachineModel model = MachineFromText(R"(
+kind: chain
+links:
+  tip: {mass_kg: 1, inertia_kgm2: [1, 1, 1]}
+  middle: {mass_kg: 2, inertia_kgm2: [1, 1, 1]}
+  root: {mass_kg: 3, inertia_kgm2: [1, 1, 1]}
+joints:
+  second: {type: fixed, parent: middle, child: tip}
+  first: {type: fixed, parent: root, child: middle}
+)");
+  EXPECT_EQ(model.links[0].name, "root");
+  EXPECT_EQ(model.joints[0].name, "first");
+  for (std::size_t k = 0; k < model.joints.size(); ++k) {
+    EXPECT_EQ(model.joints[k].child, static_cast<int>(k) + 1);
+    EXPECT_LT(model.joints[k].parent, model.joints[k].child);
+  }
+}
+
+TEST(Machine, EveryKeyOfAJointIsRead) {
+  const MachineModel base = MachineFromText(kLiftArm);
+  const auto with = [&](const std::string& text) {
+    return MachineFromText(kLiftArm, {text}).joints[0];
+  };
+  const Joint joint = base.joints[0];
+  EXPECT_DOUBLE_EQ(joint.max_rate_positive_radps, 30 * kDeg);
+  EXPECT_DOUBLE_EQ(joint.max_rate_negative_radps, 20 * kDeg);
+  EXPECT_FALSE(joint.transient.enabled);
+  EXPECT_DOUBLE_EQ(with("joints.lift.max_rate_degps=12").max_rate_negative_radps, 12 * kDeg);
+  EXPECT_DOUBLE_EQ(with("joints.lift.max_effort_nm=7").max_effort_nm, 7);
+  EXPECT_DOUBLE_EQ(with("joints.lift.initial_deg=-9").initial_rad, -9 * kDeg);
+  EXPECT_DOUBLE_EQ(with("joints.lift.limits_deg=[10, 20]").lower_rad, 10 * kDeg);
+  EXPECT_DOUBLE_EQ(with("joints.lift.limits_deg=[10, 20]").initial_rad, 10 * kDeg);
+  EXPECT_TRUE(with("joints.lift.axis=[0, 0, 2]").axis_J.isApprox(Vec3::UnitZ()));
+  EXPECT_TRUE(with("joints.lift.rpy_deg=[0, 0, 90]").X_PJ.linear().col(0).isApprox(Vec3::UnitY()));
+  const Joint ringing = with("joints.lift.transient={eta_radps: 3, beta_1ps: 2, phi_rad: 0.5}");
+  EXPECT_TRUE(ringing.transient.enabled);
+  EXPECT_DOUBLE_EQ(ringing.transient.eta_radps, 3);
+  EXPECT_DOUBLE_EQ(ringing.transient.beta_1ps, 2);
+  EXPECT_DOUBLE_EQ(ringing.transient.phi_rad, 0.5);
+}
+
+TEST(Machine, ExcavatorHasItsEquipment) {
+  const MachineModel model = ShippedMachine("tb235");
+  EXPECT_EQ(model.kind, "tb235");
+  EXPECT_FALSE(model.fixed_base);
+  EXPECT_DOUBLE_EQ(model.gauge_m, 1.148);
+  EXPECT_EQ(model.levers.size(), 8u);
+  EXPECT_EQ(model.levers[0].gear, 0);
+  EXPECT_EQ(model.levers[2].joint, model.JointIndex("slew"));
+  ASSERT_EQ(model.cylinders.size(), 3u);
+  EXPECT_EQ(model.cylinders[0].rod_link, model.LinkIndex("boom"));
+  EXPECT_TRUE(model.cylinders[0].rod_pin_m.isApprox(Vec3(1.22, 0, 0.20)));
+  EXPECT_EQ(model.cylinders[0].barrel.node, "boom_barrel");
+  ASSERT_EQ(model.track_visuals.size(), 2u);
+  EXPECT_EQ(model.track_visuals[1].shoe_count, 44);
+  EXPECT_EQ(model.track_visuals[1].shoe.label, SemanticClass::kTrack);
+  ASSERT_EQ(model.ground_tools.shovels.size(), 2u);
+  EXPECT_EQ(model.ground_tools.shovels[0].teeth, 6);
+  EXPECT_DOUBLE_EQ(model.ground_tools.shovels[0].tooth_length_m, 0.15);
+  EXPECT_DOUBLE_EQ(model.ground_tools.shovels[0].capacity_m3, 0.11);
+  EXPECT_EQ(model.ground_tools.hull_points.size(), 12u);
+  EXPECT_DOUBLE_EQ(model.gear_drives[0].max_rate_radps, 1.25 / 0.25);
+  EXPECT_EQ(model.links[model.LinkIndex("boom")].label, SemanticClass::kBoom);
+  EXPECT_EQ(model.links[model.LinkIndex("boom")].collision.size(), 2u);
+}
+
+TEST(Machine, SkidSteerTurnsTwoWheelsWithEachLever) {
+  const MachineModel model = ShippedMachine("warthog");
+  EXPECT_NEAR(model.TotalMass_kg(), 470, 1e-9);
+  EXPECT_TRUE(model.joints.empty());
+  ASSERT_EQ(model.ground_tools.gears.size(), 2u);
+  EXPECT_EQ(model.wheel_visuals.size(), 4u);
+  EXPECT_EQ(model.levers[1].gear, 1);
+  EXPECT_DOUBLE_EQ(model.gear_drives[1].max_rate_radps, 5.0 / 0.30);
+}
+
+TEST(MachineFaults, EachNamesItsPlaceAndItsRemedy) {
+  using testing::HasSubstr;
+  const auto with = [](const std::string& text) { return FaultsOf(kLiftArm, {text}); };
+  EXPECT_EQ(FaultsOf(kLiftArm), "");
+  EXPECT_THAT(with("links.arm.mass_kg=-20"),
+              HasSubstr("links.arm.mass_kg: -20 is out of range, need more than 0 kg"));
+  EXPECT_THAT(with("links.arm.mas_kg=20"), HasSubstr("did you mean 'mass_kg'?"));
+  EXPECT_THAT(with("links.arm.inertia_kgm2=[1, 1, 3]"), HasSubstr("triangle inequality"));
+  EXPECT_THAT(with("links.arm.inertia_kgm2=[1, 1, 0]"), HasSubstr("not all positive"));
+  EXPECT_THAT(with("links.arm.inertia_kgm2=[1, 1, 1, 0]"), HasSubstr("need 3"));
+  EXPECT_THAT(with("links.arm.label=boomm"), HasSubstr("did you mean 'boom'?"));
+  EXPECT_THAT(with("joints.lift.parent=pots"), HasSubstr("there is no link 'pots'"));
+  EXPECT_THAT(with("joints.lift.child=hand"), HasSubstr("there is no link 'hand'"));
+  EXPECT_THAT(with("joints.lift.child=post"), HasSubstr("link 'post' is the parent already"));
+  EXPECT_THAT(with("joints.lift.limits_deg=[30, -30]"), HasSubstr("above upper limit"));
+  EXPECT_THAT(with("joints.lift.initial_deg=175"), HasSubstr("outside its limits"));
+  EXPECT_THAT(with("joints.lift.axis=[0, 0, 0]"), HasSubstr("no direction"));
+  EXPECT_THAT(with("joints.lift.type=hinge"), HasSubstr("'hinge' is not known"));
+  EXPECT_THAT(with("joints.lift.max_rate_degps=[1, 2, 3]"), HasSubstr("need a list of 2"));
+  EXPECT_THAT(with("links.spare={mass_kg: 1, inertia_kgm2: [1, 1, 1]}"),
+              HasSubstr("need joints that connect all links to one root"));
+  EXPECT_THAT(with("levers=[lift, lift]"), HasSubstr("named twice"));
+  EXPECT_THAT(with("levers=[left]"), HasSubstr("neither a joint nor a track"));
+  EXPECT_THAT(with("shovels.scoop.link=armm"), HasSubstr("did you mean 'arm'?"));
+  EXPECT_THAT(with("shovels.scoop.profile_m=[[0, 0], [1, 1]]"), HasSubstr("at least 3 rows"));
+  EXPECT_THAT(with("links.arm.visuals=[{mesh: nowhere.glb}]"),
+              HasSubstr("file 'nowhere.glb' does not exist"));
+  EXPECT_THAT(with("frames.tip={link: arm, xyz_m: [0, 0]}"), HasSubstr("3 numbers"));
+  EXPECT_THAT(with("urdf=nowhere.urdf"), HasSubstr("file 'nowhere.urdf' does not exist"));
+}
+
+TEST(MachineFaults, ALinkHangsOnOneJoint) {
+  EXPECT_THAT(FaultsOf(kLiftArm, {"joints.again={type: fixed, parent: post, child: arm}"}),
+              testing::HasSubstr("link 'arm' hangs on joint 'lift' already"));
+}
+
+TEST(MachineFaults, JointsInALoopAreReported) {
+  EXPECT_THAT(FaultsOf(kLiftArm, {"joints.back={type: fixed, parent: arm, child: post}"}),
+              testing::HasSubstr("the joints form a loop"));
+}
+
+TEST(MachineFaults, AMachineHasLinks) {
+  EXPECT_THAT(FaultsOf("kind: ghost\n"), testing::HasSubstr("there are no links"));
+}
+
+TEST(MachineFaults, AreReportedAllAtOnce) {
+  const std::string faults =
+      FaultsOf(kLiftArm, {"links.arm.mass_kg=-1", "joints.lift.limits_deg=[3, 1]", "levers=[x]"});
+  EXPECT_EQ(std::count(faults.begin(), faults.end(), '\n'), 2);
+}
+
+}  // namespace
+}  // namespace tera
