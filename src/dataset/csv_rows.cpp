@@ -53,15 +53,17 @@ std::string EncoderRow(const EncoderSample& sample) {
   return row + '\n';
 }
 
-std::string PoseRow(const TruthPose& pose) {
+std::string PoseRow(const TruthPose& pose, bool with_velocity) {
   Quat q(pose.X_WB.linear());
   if (q.w() < 0) q.coeffs() = -q.coeffs();
   std::string row = StartRow(pose.t_ns);
   AppendVector(&row, pose.X_WB.translation());
   const double wxyz[] = {q.w(), q.x(), q.y(), q.z()};
   AppendNumbers(&row, wxyz);
-  AppendVector(&row, pose.v_WB_mps);
-  AppendVector(&row, pose.w_WB_B_radps);
+  if (with_velocity) {
+    AppendVector(&row, pose.v_WB_mps);
+    AppendVector(&row, pose.w_WB_B_radps);
+  }
   return row + '\n';
 }
 

@@ -20,6 +20,9 @@ inline constexpr std::string_view kFrameHeader = "t_ns,filename";
 inline constexpr std::string_view kPoseHeader =
     "t_ns,x_m,y_m,z_m,qw,qx,qy,qz,vx_mps,vy_mps,vz_mps,wx_radps,wy_radps,wz_radps";
 
+/// Pose of a reference that measures no velocities.
+inline constexpr std::string_view kReferencePoseHeader = "t_ns,x_m,y_m,z_m,qw,qx,qy,qz";
+
 /// t_ns, <joint>_rad of all joints, then <joint>_radps of all joints.
 std::vector<std::string> EncoderColumns(const std::vector<std::string>& joints);
 
@@ -27,7 +30,7 @@ std::vector<std::string> EncoderColumns(const std::vector<std::string>& joints);
 std::string ImuRow(const ImuSample& sample);
 std::string GnssRow(const GnssSample& sample);
 std::string EncoderRow(const EncoderSample& sample);
-std::string PoseRow(const TruthPose& pose);
+std::string PoseRow(const TruthPose& pose, bool with_velocity);
 std::string FrameRow(TimeNs t_ns, std::string_view filename);
 std::string TableRow(TimeNs t_ns, const std::vector<double>& values);
 

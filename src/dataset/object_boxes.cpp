@@ -66,7 +66,8 @@ std::vector<ObjectBox> ReadBoxes(const std::filesystem::path& file) {
   const std::string text = ReadWholeFile(file);
   try {
     std::vector<ObjectBox> boxes;
-    for (const Json& box : Json::parse(text).at("boxes")) boxes.push_back(FromJson(box));
+    const Json document = Json::parse(text);
+    for (const Json& box : document.at("boxes")) boxes.push_back(FromJson(box));
     return boxes;
   } catch (const nlohmann::json::exception& e) {
     throw InputError(

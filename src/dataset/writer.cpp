@@ -53,6 +53,7 @@ struct Channel {
   ChannelDescription description;
   std::unique_ptr<CheckedFile> csv;
   std::size_t value_count = 0;  ///< numbers in a row after t_ns; 0 where the type fixes it
+  bool with_velocity = true;
   TimeNs last_ns = 0;
   bool any_rows = false;
 };
@@ -223,8 +224,11 @@ ChannelId DatasetWriter::AddTable(const std::string& file,
   return id;
 }
 
-ChannelId DatasetWriter::AddPose(const std::string& file) {
-  return impl_->Add(ChannelType::kPose, file, file, kPoseHeader);
+ChannelId DatasetWriter::AddPose(const std::string& file, bool with_velocity) {
+  const ChannelId id = impl_->Add(ChannelType::kPose, file, file,
+                                  with_velocity ? kPoseHeader : kReferencePoseHeader);
+  impl_->Find(id, ChannelType::kPose).with_velocity = with_velocity;
+  return id;
 }
 
 void DatasetWriter::Write(ChannelId channel, const ImuSample& sample) {
@@ -258,7 +262,8 @@ void DatasetWriter::Write(ChannelId channel, LidarScan scan) {
 }
 
 void DatasetWriter::Write(ChannelId channel, const TruthPose& pose) {
-  impl_->AddRow(&impl_->Find(channel, ChannelType::kPose), pose.t_ns, PoseRow(pose));
+  Channel& poses = impl_->Find(channel, ChannelType::kPose);
+  impl_->AddRow(&poses, pose.t_ns, PoseRow(pose, poses.with_velocity));
 }
 
 void DatasetWriter::WriteRow(ChannelId channel, TimeNs t_ns, const std::vector<double>& values) {

@@ -66,7 +66,8 @@ class DatasetWriter {
   ChannelId AddLidar(const std::string& folder, const std::string& sensor_yaml);
   /// Any table with a leading t_ns: commands.csv, truth/<machine>/joints.csv.
   ChannelId AddTable(const std::string& file, const std::vector<std::string>& columns);
-  ChannelId AddPose(const std::string& file);  ///< truth/<machine>/pose.csv
+  /// truth/<machine>/pose.csv. A real reference without velocities leaves their columns out.
+  ChannelId AddPose(const std::string& file, bool with_velocity = true);
 
   void Write(ChannelId channel, const ImuSample& sample);
   void Write(ChannelId channel, const GnssSample& sample);
