@@ -21,7 +21,7 @@ FrameQueue::~FrameQueue() {
 
 void FrameQueue::Push(std::function<void()> job) {
   std::unique_lock lock(mutex_);
-  job_ended_.wait(lock, [this] { return failure_ || jobs_.size() < capacity_; });
+  room_or_end_.wait(lock, [this] { return failure_ || jobs_.size() < capacity_; });
   RethrowLocked();
   jobs_.push_back(std::move(job));
   lock.unlock();
@@ -30,7 +30,7 @@ void FrameQueue::Push(std::function<void()> job) {
 
 void FrameQueue::Drain() {
   std::unique_lock lock(mutex_);
-  job_ended_.wait(lock, [this] { return jobs_.empty() && running_ == 0; });
+  room_or_end_.wait(lock, [this] { return jobs_.empty() && running_ == 0; });
   RethrowLocked();
 }
 
@@ -46,6 +46,7 @@ void FrameQueue::Work() {
     const std::function<void()> job = std::move(jobs_.front());
     jobs_.pop_front();
     ++running_;
+    room_or_end_.notify_all();
     lock.unlock();
     std::exception_ptr failure;
     try {
@@ -59,7 +60,7 @@ void FrameQueue::Work() {
       failure_ = failure;
       jobs_.clear();
     }
-    job_ended_.notify_all();
+    room_or_end_.notify_all();
   }
 }
 

@@ -33,7 +33,7 @@ class FrameQueue {
 
   const std::size_t capacity_;
   std::mutex mutex_;
-  std::condition_variable job_waits_, job_ended_;
+  std::condition_variable job_waits_, room_or_end_;
   std::deque<std::function<void()>> jobs_;
   int running_ = 0;
   bool stopping_ = false;
