@@ -27,7 +27,10 @@ std::vector<double> ReadPerBeam(const ConfigMap& config, std::string_view key, c
   return values;
 }
 
-/// Where the firings of one revolution stand in time and angle: column c begins at a fraction
+/// Angle that the head turns through in a revolution.
+double Spin(const LidarModel& model) { return (model.clockwise ? -2.0 : 2.0) * kPi; }
+
+/// Where the columns of one revolution stand in time and angle: column c begins at a fraction
 /// c / columns of it.
 struct Sweep {
   const LidarModel& model;
@@ -38,15 +41,8 @@ struct Sweep {
     return start_ns +
            static_cast<TimeNs>(std::llround(part * static_cast<double>(end_ns - start_ns)));
   }
-  TimeNs FiringTime(int column, std::size_t beam) const {
-    return ColumnStart(column) + FromSeconds(model.firing_offset_s[beam]);
-  }
   /// The head starts looking backwards (-x), so that the seam of a revolution lies behind.
-  double Azimuth(TimeNs t_ns) const {
-    const double part =
-        static_cast<double>(t_ns - start_ns) / static_cast<double>(end_ns - start_ns);
-    return kPi + (model.clockwise ? -2.0 : 2.0) * kPi * part;
-  }
+  double Azimuth(int column) const { return kPi + Spin(model) * column / model.columns; }
 };
 
 Vec3 Direction(double elevation_rad, double azimuth_rad) {
@@ -88,45 +84,50 @@ Lidar::Lidar(const LidarModel& model, const SampleClock& clock, TimeNs latency_n
   TERA_CHECK(model_.azimuth_offset_rad.size() == beams, model_.azimuth_offset_rad.size());
   TERA_CHECK(model_.firing_offset_s.size() == beams, model_.firing_offset_s.size());
   const double column_s = 1.0 / (clock_.rate_hz * model_.columns);
-  for (const double s : model_.firing_offset_s) TERA_CHECK(s >= 0 && s < column_s, s, column_s);
+  for (std::size_t b = 0; b < beams; ++b) {
+    const double offset_s = model_.firing_offset_s[b];
+    TERA_CHECK(offset_s >= 0 && offset_s < column_s, offset_s, column_s);
+    const double turned_rad = Spin(model_) * clock_.rate_hz * offset_s;
+    beams_.push_back(
+        {.d_H = Direction(model_.elevation_rad[b], model_.azimuth_offset_rad[b] + turned_rad),
+         .offset_ns = FromSeconds(offset_s)});
+  }
 }
 
 /// One block of columns of a revolution, from poses to points.
 struct Lidar::Block {
   std::vector<Ray> rays;
   std::vector<Vec3> d_S;
-  std::vector<TimeNs> t_ns;
+  std::vector<TimeNs> since_start_ns;
   std::vector<RayHit> hits;
 };
 
 void Lidar::Aim(std::int64_t k, int begin, int end, const PoseTrack& X_WS, Block* block) const {
   const Sweep sweep{model_, clock_.Due(k), clock_.Due(k + 1)};
   const double span_ns = static_cast<double>(sweep.end_ns - sweep.start_ns);
-  const std::size_t beams = model_.elevation_rad.size();
   block->rays.clear();
   block->d_S.clear();
-  block->t_ns.clear();
+  block->since_start_ns.clear();
   Pose X_begin = X_WS.At(sweep.ColumnStart(begin));
   for (int column = begin; column < end; ++column) {
     const TimeNs column_ns = sweep.ColumnStart(column), next_ns = sweep.ColumnStart(column + 1);
     const Pose X_end = X_WS.At(next_ns);
     const Mat3 turn = X_end.linear() - X_begin.linear();
     const Vec3 shift = X_end.translation() - X_begin.translation();
-    for (std::size_t beam = 0; beam < beams; ++beam) {
-      const TimeNs t_ns = sweep.FiringTime(column, beam);
-      // Within a column of some tens of microseconds the motion is a straight line.
-      const double s =
-          static_cast<double>(t_ns - column_ns) / static_cast<double>(next_ns - column_ns);
-      const Vec3 d_S = Direction(model_.elevation_rad[beam],
-                                 sweep.Azimuth(t_ns) + model_.azimuth_offset_rad[beam]);
+    // Within a column of some tens of microseconds the motion is a straight line.
+    const Mat3 R_SH = Eigen::AngleAxisd(sweep.Azimuth(column), Vec3::UnitZ()).toRotationMatrix();
+    const double per_ns = 1.0 / static_cast<double>(next_ns - column_ns);
+    for (const Beam& beam : beams_) {
+      const double s = per_ns * static_cast<double>(beam.offset_ns);
+      const Vec3 d_S = R_SH * beam.d_H;
       const Vec3 d_W = X_begin.linear() * d_S + s * (turn * d_S);
+      const TimeNs since_ns = column_ns + beam.offset_ns - sweep.start_ns;
       block->d_S.push_back(d_S);
-      block->t_ns.push_back(t_ns);
-      block->rays.push_back(
-          {.origin_W_m = (X_begin.translation() + s * shift).cast<float>(),
-           .direction_W = d_W.cast<float>(),
-           .max_range_m = static_cast<float>(model_.max_range_m),
-           .time = static_cast<float>(static_cast<double>(t_ns - sweep.start_ns) / span_ns)});
+      block->since_start_ns.push_back(since_ns);
+      block->rays.push_back({.origin_W_m = (X_begin.translation() + s * shift).cast<float>(),
+                             .direction_W = d_W.cast<float>(),
+                             .max_range_m = static_cast<float>(model_.max_range_m),
+                             .time = static_cast<float>(static_cast<double>(since_ns) / span_ns)});
     }
     X_begin = X_end;
   }
@@ -136,7 +137,6 @@ void Lidar::Aim(std::int64_t k, int begin, int end, const PoseTrack& X_WS, Block
 void Lidar::Detect(std::int64_t k, int begin, const Block& block,
                    std::vector<LidarPoint>* points) const {
   const std::size_t beams = model_.elevation_rad.size();
-  const TimeNs start_ns = clock_.Due(k);
   const auto first = (static_cast<std::uint64_t>(k) * model_.columns + begin) * beams;
   const double R10_m = model_.range_at_10_percent_m;
   const double least_power = R10_m > 0 ? kDarkTarget / (R10_m * R10_m) : 0.0;
@@ -155,7 +155,7 @@ void Lidar::Detect(std::int64_t k, int begin, const Block& block,
                        .y_m = p_S.y(),
                        .z_m = p_S.z(),
                        .intensity = static_cast<float>(std::min(echo, 1.0)),
-                       .time_offset_ns = static_cast<std::uint32_t>(block.t_ns[i] - start_ns),
+                       .time_offset_ns = static_cast<std::uint32_t>(block.since_start_ns[i]),
                        .ring = static_cast<std::uint16_t>(i % beams),
                        .instance = hit.instance,
                        .label = static_cast<std::uint8_t>(hit.label)});

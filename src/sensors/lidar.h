@@ -47,10 +47,17 @@ class Lidar {
   void Aim(std::int64_t k, int begin, int end, const PoseTrack& X_WS, Block* block) const;
   void Detect(std::int64_t k, int begin, const Block& block, std::vector<LidarPoint>* points) const;
 
+  /// A beam in the frame H of the head at the start of its column.
+  struct Beam {
+    Vec3 d_H;
+    TimeNs offset_ns;
+  };
+
   LidarModel model_;
   SampleClock clock_;
   TimeNs latency_ns_;
   Stream range_noise_;
+  std::vector<Beam> beams_;
 };
 
 }  // namespace tera
