@@ -18,8 +18,11 @@ void AddOverviewCommand(CLI::App* app) {
   command->add_option("--video", arguments->video, "MP4 to write (DATASET/overview.mp4)");
   command->callback([arguments] {
     const std::filesystem::path dataset = arguments->dataset;
-    WriteOverview(dataset, arguments->image.empty() ? dataset / "overview.png" : arguments->image,
-                  arguments->video.empty() ? dataset / "overview.mp4" : arguments->video);
+    const auto or_inside = [&](const std::string& file, const char* name) {
+      return file.empty() ? dataset / name : std::filesystem::path(file);
+    };
+    WriteOverview(dataset, or_inside(arguments->image, "overview.png"),
+                  or_inside(arguments->video, "overview.mp4"));
   });
 }
 

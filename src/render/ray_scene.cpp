@@ -1,6 +1,7 @@
 #include "render/ray_scene.h"
 
 #include <embree3/rtcore.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
@@ -454,5 +455,15 @@ void RayScene::TraceBare(std::span<const Ray> rays, std::span<float> range_m) co
 }
 
 std::int64_t RayScene::tiles_rebuilt() const { return impl_->tiles_rebuilt; }
+
+std::string EmbreeVersion() {
+  RTCDevice device = rtcNewDevice(nullptr);
+  const auto part = [&](RTCDeviceProperty property) { return rtcGetDeviceProperty(device, property); };
+  const std::string version = fmt::format("{}.{}.{}", part(RTC_DEVICE_PROPERTY_VERSION_MAJOR),
+                                          part(RTC_DEVICE_PROPERTY_VERSION_MINOR),
+                                          part(RTC_DEVICE_PROPERTY_VERSION_PATCH));
+  rtcReleaseDevice(device);
+  return version;
+}
 
 }  // namespace tera

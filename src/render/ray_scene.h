@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "render/scene.h"
@@ -60,5 +61,8 @@ class RayScene {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// Version of the Embree library at run time, "3.13.5".
+std::string EmbreeVersion();
 
 }  // namespace tera
