@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tera {
+
+/// One curve of a chart.
+struct Curve {
+  std::string title;
+  std::vector<double> x, y;
+};
+
+/// Axes with curves.
+struct Chart {
+  std::string title, x_label, y_label;
+  bool equal_axes = false;  ///< one metre is as long along x as along y
+  std::vector<Curve> curves;
+};
+
+/// Draws charts in a grid of `columns` as one PNG by the gnuplot program. Throws InputError if
+/// gnuplot is not installed or fails.
+void DrawCharts(const std::vector<Chart>& charts, int columns, int width_px, int height_px,
+                const std::filesystem::path& png);
+
+}  // namespace tera
