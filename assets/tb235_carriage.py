@@ -89,7 +89,7 @@ def undercarriage():
     lug = round_corners([(0.40, 0.27), (BLADE_PIN_B[0] + 0.06, 0.29), (BLADE_PIN_B[0] + 0.06, 0.41),
                          (BLADE_PIN_B[0] - 0.04, 0.42), (0.40, 0.44)], 0.05)
     for y in (0.23, 0.37):
-        body.add(paint.CHARCOAL, *both_sides(extrude(lug, "y", y - 0.015, y + 0.015, 0.004)))
+        body.add(paint.CHARCOAL, *both_sides(extrude(lug, "y", y - 0.015, y + 0.015)))
     body.add(paint.STEEL, *both_sides(pin(BLADE_PIN_B[0], BLADE_PIN_B[2], 0.10, 0.025, y=0.30)))
     body.add(paint.CHARCOAL, *both_sides(box((0.48, 0.06, 0.40), (0.16, 0.02, 0.14), 0.005)))
     return body
@@ -131,7 +131,7 @@ def blade():
                           (x, y - 0.045, z + h - 0.02), (x, y - 0.045, z - h + 0.02)])
         body.add(paint.CHARCOAL, *both_sides(loft(rings), pin(0, 0, 0.05, 0.062, 16, y)))
     web = round_corners([(0.44, -0.16), (0.44, 0.06), (0.38, 0.06), (0.33, -0.02)], 0.03)
-    body.add(paint.CHARCOAL, *both_sides(extrude(web, "y", 0.045, 0.065, 0.004)))
+    body.add(paint.CHARCOAL, *both_sides(extrude(web, "y", 0.045, 0.065)))
     body.add(paint.STEEL, pin(0.375, 0.03, 0.085, 0.02))
     # The lift cylinder, drawn at the middle of its travel.
     foot, head = np.array([-0.46, 0.0, 0.07]), np.array([0.375, 0.0, 0.03])

@@ -65,7 +65,7 @@ def _boom_curve():
                       (1.15, 0.462, 0.370, 0.200), (1.40, 0.452, 0.340, 0.195),
                       (1.70, 0.345, 0.285, 0.185), (2.00, 0.215, 0.240, 0.175),
                       (2.28, 0.095, 0.200, 0.165), (2.50, 0.000, 0.155, 0.155)])
-    return smooth_path(knots, 3)
+    return smooth_path(knots, 2)
 
 
 def boom():
@@ -103,17 +103,17 @@ def _boom_hoses(body, curve):
     top = curve[:, :2] + np.column_stack([-tangents[:, 1], tangents[:, 0]]) * (
         curve[:, 2:3] / 2 + 0.018)
     for y in (-0.085, 0.085):
-        line = [(-0.02, y * 1.1, 0.17)] + [(p[0], y, p[1]) for p in top[5:11:2]]
+        line = [(-0.02, y * 1.1, 0.17)] + [(p[0], y, p[1]) for p in top[3:7]]
         body.add(paint.RUBBER, tube(smooth_path(line, 2), 0.013, 6), crease_deg=65)
     for y in (-0.075, -0.050, 0.050, 0.075):
-        line = [(p[0], y, p[1]) for p in top[10:25]]
-        body.add(paint.STEEL, tube(line[::2], 0.008, 5), crease_deg=75)
+        line = [(p[0], y, p[1]) for p in top[6:17]]
+        body.add(paint.STEEL, tube(line, 0.008, 5), crease_deg=75)
     for y in (-0.060, 0.060):
-        end = top[24]
+        end = top[16]
         hose = smooth_path([(end[0] - 0.02, y, end[1]), (2.34, y, 0.27), (2.52, y, 0.24),
                             (2.62, y * 0.9, 0.12)], 4)
         body.add(paint.RUBBER, tube(hose, 0.014, 6), crease_deg=65)
-    for k in (11, 15, 19, 23):
+    for k in (7, 10, 13, 15):
         clamp = box((top[k][0], 0, top[k][1] + 0.002), (0.035, 0.175, 0.026), 0.006)
         body.add(paint.CHARCOAL, clamp)
 
@@ -124,7 +124,7 @@ def arm():
                       (0.00, 0.075, 0.300, 0.150), (0.25, 0.065, 0.280, 0.150),
                       (0.70, 0.038, 0.225, 0.145), (1.15, 0.015, 0.175, 0.135),
                       (1.42, 0.002, 0.140, 0.125), (ARM_LENGTH, 0.0, 0.120, 0.120)])
-    curve = smooth_path(knots, 3)
+    curve = smooth_path(knots, 2)
     body.add(paint.YELLOW, _beam(curve[:, :2], curve[:, 2], curve[:, 3], 0.013), crease_deg=30)
     body.add(paint.YELLOW, pin(0, 0, 0.084, 0.090, 24), pin(ARM_LENGTH, 0, 0.070, 0.070, 22))
     boss = [(-0.16, -0.05), (0.02, -0.10), (0.14, -0.06), (0.22, 0.05), (0.10, 0.15),
@@ -148,16 +148,15 @@ def arm():
     return body
 
 
-def _bucket_outlines():
-    """Inner and outer side views of the shell, the cutting edge first."""
+def _bucket_outline():
+    """Inner side view of the shell from where the teeth begin over the floor to the back's lip."""
     lip = np.array(BUCKET_PROFILE[0]) + 0.85 * (np.array(BUCKET_PROFILE[1]) - BUCKET_PROFILE[0])
-    inner = np.concatenate([[lip], smooth_path(BUCKET_PROFILE[1:7], 3), [BUCKET_PROFILE[7]]])
-    return inner
+    return np.concatenate([[lip], smooth_path(BUCKET_PROFILE[1:7], 3), [BUCKET_PROFILE[7]]])
 
 
 def bucket():
     body = Body()
-    inner = _bucket_outlines()
+    inner = _bucket_outline()
     half = BUCKET_WIDTH / 2
     # The profile runs from the edge over the floor to the back: its outside is on the right.
     body.add(paint.WORN_STEEL, extrude(ribbon(inner, 0.005), "y", -half, half))
@@ -200,15 +199,17 @@ def _teeth(body, tip, along, across, half):
         adapter = [tip - b * along + h * across
                    for b, h in ((0.085, -0.024), (0.085, 0.034), (0.13, 0.036), (0.215, 0.016),
                                 (0.215, 0.0), (0.15, -0.016))]
-        body.add(paint.CHARCOAL, extrude(adapter, "y", y - 0.028, y + 0.028, 0.005))
+        body.add(paint.CHARCOAL, extrude(adapter, "y", y - 0.028, y + 0.028))
 
 
 def _bucket_ears(body):
     rod = CYLINDERS["bucket"][2]
-    ear = [(-0.055, -0.040), (0.04, -0.055), (0.10, -0.02), (0.105, 0.18), (0.16, 0.335),
-           (0.25, 0.425), (0.14, 0.40), (0.02, 0.270), (-0.06, 0.255), (-0.095, 0.19),
-           (-0.060, 0.10)]
-    radii = [0.05, 0.05, 0.02, 0, 0, 0.02, 0.06, 0.05, 0.04, 0.05, 0.08]
+    middle = ribbon(_bucket_outline(), SHELL / 2)[len(_bucket_outline()):][::-1]
+    against_shell = [tuple(point) for point in middle if point[0] < 0.24 and point[1] < 0.42]
+    free = [(0.04, -0.055), (-0.055, -0.040), (-0.060, 0.10), (-0.095, 0.19), (-0.06, 0.255),
+            (0.02, 0.270), (0.14, 0.41)]
+    ear = against_shell + free
+    radii = [0.0] * len(against_shell) + [0.05, 0.05, 0.08, 0.05, 0.04, 0.05, 0.06]
     body.add(paint.CHARCOAL, *_cheek(ear, radii, 0.098, 0.026))
     body.add(paint.STEEL, pin(0, 0, 0.125, 0.032, 16), pin(rod[0], rod[1], 0.125, 0.028, 16))
     body.add(paint.CHARCOAL, *both_sides(pin(0, 0, 0.010, 0.054, 18, 0.116),

@@ -49,10 +49,10 @@ def _frame(body):
 
 
 def _counterweight(body):
-    outline = _tail_outline(TAIL_RADIUS, HALF_WIDTH, -0.52, 16)
-    body.add(paint.CHARCOAL, extrude(outline, "z", 0.06, 0.50, 0.055, 3), crease_deg=40)
-    hood = _tail_outline(TAIL_RADIUS - 0.015, HALF_WIDTH - 0.01, -0.50, 16)
-    body.add(paint.YELLOW, extrude(hood, "z", 0.505, 0.90, 0.075, 4), crease_deg=40)
+    outline = _tail_outline(TAIL_RADIUS, HALF_WIDTH, -0.52, 12)
+    body.add(paint.CHARCOAL, extrude(outline, "z", 0.06, 0.50, 0.055, 2), crease_deg=50)
+    hood = _tail_outline(TAIL_RADIUS - 0.015, HALF_WIDTH - 0.01, -0.50, 14)
+    body.add(paint.YELLOW, extrude(hood, "z", 0.505, 0.90, 0.075, 3), crease_deg=50)
     # Seam and latch of the engine door, tail lamps, tie-down loops.
     body.add(paint.BLACK, box((-TAIL_RADIUS + 0.012, 0, 0.62), (0.03, 0.13, 0.035), 0.008))
     for y in (0.46,):
