@@ -22,6 +22,10 @@ namespace tera {
 namespace {
 
 constexpr double kObstacleFriction = 0.8;
+/// Softness (s^2/kg) of all constraints. A box on a wall has more contact points than a rigid
+/// solution can tell apart; this much makes it unique, and lets a joint that holds 20 kN m creep by
+/// 1e-4 rad in an hour.
+constexpr double kSoftness = 1e-12;
 
 /// An obstacle in Bullet: a body that moves as it is told.
 struct KinematicObstacle {
@@ -171,6 +175,7 @@ struct PhysicsWorld::Impl {
     world.getDispatchInfo().m_deterministicOverlappingPairs = true;
     // Each machine (or group of machines in contact) is solved for itself.
     world.getSolverInfo().m_minimumSolverBatchSize = 1;
+    world.getSolverInfo().m_globalCfm = kSoftness;
   }
 
   btDefaultCollisionConfiguration collision;

@@ -1,3 +1,4 @@
+#include <console_bridge/console.h>
 #include <fmt/format.h>
 #include <urdf_parser/urdf_parser.h>
 
@@ -19,6 +20,22 @@ namespace tera {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Collects what the URDF parser says while it lives, instead of letting it print.
+class ParserMessages : public console_bridge::OutputHandler {
+ public:
+  ParserMessages() { console_bridge::useOutputHandler(this); }
+  ~ParserMessages() override { console_bridge::restorePreviousOutputHandler(); }
+  void log(const std::string& text, console_bridge::LogLevel, const char*, int) override {
+    if (!text_.empty()) text_ += "; ";
+    text_ += text;
+    std::replace(text_.begin(), text_.end(), '\n', ' ');
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
 
 Pose ToPose(const urdf::Pose& pose) {
   const urdf::Rotation& q = pose.rotation;
@@ -177,11 +194,12 @@ MachineParts ReadUrdfParts(const ConfigMap& config) {
   std::ifstream stream(file);
   std::stringstream text;
   text << stream.rdbuf();
+  const ParserMessages messages;
   const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(text.str());
   if (!model) {
-    config.Fault("urdf", fmt::format("'{}' is not a valid URDF (the parser's reason is above); "
-                                     "check_urdf explains more",
-                                     file.filename().string()));
+    config.Fault("urdf",
+                 fmt::format("'{}' is not a valid URDF: {}; correct it (check_urdf tells more)",
+                             file.filename().string(), messages.text()));
     return parts;
   }
   for (const auto& [name, link] : model->links_) {

@@ -95,7 +95,9 @@ TEST(Urdf, FaultsNameTheUrdfAndItsPart) {
     std::ofstream(file) << text;
     return FaultsOf("kind: broken\nurdf: " + file + "\n");
   };
-  EXPECT_THAT(faults_with("<robot"), HasSubstr("not a valid URDF"));
+  EXPECT_THAT(faults_with("<robot"), HasSubstr("not a valid URDF: "));
+  EXPECT_THAT(faults_with(R"(<robot name="r"><link name="a"/><link name="b"/></robot>)"),
+              HasSubstr("not a valid URDF: "));
   EXPECT_THAT(faults_with(R"(<robot name="r"><link name="a"/></robot>)"),
               HasSubstr("link 'a' of broken.urdf, mass_kg: 0 kg; need a positive mass"));
   EXPECT_THAT(faults_with(R"(<robot name="r"><link name="a">
