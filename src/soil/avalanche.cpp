@@ -75,8 +75,10 @@ bool Avalanche::CollectOutflow(std::uint32_t k, double share, const Columns& gro
   for (std::size_t d = 0; d < kDirections.size(); ++d) {
     const auto& [di, dj, distance] = kDirections[d];
     if (!ground.Contains(i + di, j + dj)) continue;
+    const std::size_t to = ground.index(i + di, j + dj);
+    if (ground.blocked(to)) continue;
     const double run_m = distance * ground.cell_m();
-    const double drop_m = c.top_m() - ground.at(ground.index(i + di, j + dj)).top_m();
+    const double drop_m = c.top_m() - ground.at(to).top_m();
     starts = starts || drop_m - tan_limit * run_m > kLeastExcess_m;
     excess_m[d] = std::max(0.0, drop_m - angle.tan_stop * run_m);
     total_m += excess_m[d];

@@ -16,7 +16,8 @@ namespace tera {
 ///         computed from the same surface, then applied, so that the order of columns does not
 ///         matter. A bank stands up to Culmann's critical height for its slope, looking down over
 ///         several columns; above that its top breaks into loose soil.
-///         Only columns near a change are visited.
+///         Only columns near a change are visited. Nothing slides into a column in which a shovel
+///         stands.
 /// Omits   inertia of the flow, entrainment of bank soil, flow over the site's border.
 /// Source  Culmann's wedge: Das, Principles of Geotechnical Engineering, ch. 15.
 class Avalanche {

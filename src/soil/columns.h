@@ -87,6 +87,10 @@ class Columns {
   /// Marks a column as touched by a running gear.
   void MarkRut(std::size_t k);
 
+  /// A shovel stands in this column, or no longer does: soil does not slide into it meanwhile.
+  void SetBlocked(std::size_t k, bool blocked);
+  bool blocked(std::size_t k) const { return blocked_[k] != 0; }
+
   double GroundMass_kg() const;
   double outside_kg() const { return outside_kg_; }
 
@@ -106,6 +110,7 @@ class Columns {
   double outside_kg_ = 0;
   std::vector<std::uint32_t> changed_;
   std::vector<std::uint8_t> is_changed_;
+  std::vector<std::uint8_t> blocked_;  ///< how many shovels stand in it
 };
 
 }  // namespace tera

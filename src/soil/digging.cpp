@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/units.h"
 #include "soil/earthmoving.h"
@@ -41,12 +42,13 @@ bool Digging::InFootprint(int i, int j) const {
   return mask_[static_cast<std::size_t>(j - j0_) * (i1_ - i0_ + 1) + (i - i0_)] != 0;
 }
 
-/// Columns whose soil the shovel overlaps or that lie under it.
-void Digging::FindFootprint(const BodyState& body, const Columns& ground) {
+/// Columns in which the shovel stands, and among them those whose soil it overlaps.
+void Digging::FindFootprint(const BodyState& body, Columns* ground) {
+  const std::vector<std::size_t> before = std::exchange(blocked_, {});
   footprint_.clear();
   i1_ = i0_ - 1;
   const double half_m = 0.5 * shovel_.width_m;
-  Vec3 low = Vec3::Constant(1e30), high = -low;
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const Vec2& p : shovel_.profile_B_m) {
     for (const double y : {-half_m, half_m}) {
       const Vec3 p_W = body.X_WB * Vec3(p.x(), y, p.y());
@@ -54,23 +56,27 @@ void Digging::FindFootprint(const BodyState& body, const Columns& ground) {
       high = high.cwiseMax(p_W);
     }
   }
-  i0_ = std::max(0, ground.NearestI(low.x()));
-  j0_ = std::max(0, ground.NearestJ(low.y()));
-  i1_ = std::min(ground.nx() - 1, ground.NearestI(high.x()));
-  j1_ = std::min(ground.ny() - 1, ground.NearestJ(high.y()));
-  if (i1_ < i0_ || j1_ < j0_) return;
-  mask_.assign(static_cast<std::size_t>(i1_ - i0_ + 1) * (j1_ - j0_ + 1), 0);
+  i0_ = std::max(0, ground->NearestI(low.x()));
+  j0_ = std::max(0, ground->NearestJ(low.y()));
+  i1_ = std::min(ground->nx() - 1, ground->NearestI(high.x()));
+  j1_ = std::min(ground->ny() - 1, ground->NearestJ(high.y()));
+  const double near_m = ground->cell_m();  // a shovel this close above the ground holds soil back
+  mask_.assign(static_cast<std::size_t>(std::max(0, i1_ - i0_ + 1)) * std::max(0, j1_ - j0_ + 1),
+               0);
   for (int j = j0_; j <= j1_; ++j) {
     for (int i = i0_; i <= i1_; ++i) {
-      if (ground.at(ground.index(i, j)).top_m() <= low.z()) continue;
-      const auto crossing = shape_.VerticalCrossing(body.X_WB, ground.x_m(i), ground.y_m(j));
-      if (!crossing) continue;
+      const std::size_t k = ground->index(i, j);
+      const double top_m = ground->at(k).top_m();
+      if (top_m + near_m <= low.z()) continue;
+      const auto crossing = shape_.VerticalCrossing(body.X_WB, ground->x_m(i), ground->y_m(j));
+      if (!crossing || top_m + near_m <= crossing->low_m) continue;
       mask_[static_cast<std::size_t>(j - j0_) * (i1_ - i0_ + 1) + (i - i0_)] = 1;
-      if (ground.at(ground.index(i, j)).top_m() > crossing->low_m) {
-        footprint_.push_back({i, j, *crossing});
-      }
+      ground->SetBlocked(k, true);
+      blocked_.push_back(k);
+      if (top_m > crossing->low_m) footprint_.push_back({i, j, *crossing});
     }
   }
+  for (const std::size_t k : before) ground->SetBlocked(k, false);
 }
 
 /// Puts soil on the first column outside the footprint in `direction`.
@@ -264,7 +270,7 @@ Wrench Digging::EdgeForce(const BodyState& body, double dt_s, const Columns& gro
 
 Digging::Result Digging::Act(const BodyState& body, double dt_s, Columns* ground) {
   Result result;
-  FindFootprint(body, *ground);
+  FindFootprint(body, ground);
   result.wrench = EdgeForce(body, dt_s, *ground);
   CutFootprint(body, dt_s, ground, &result.wrench);
   Spill(body, dt_s, ground);

@@ -43,7 +43,7 @@ class Digging {
     int i, j;
     ShovelShape::Crossing crossing;
   };
-  void FindFootprint(const BodyState& body, const Columns& ground);
+  void FindFootprint(const BodyState& body, Columns* ground);
   void CutFootprint(const BodyState& body, double dt_s, Columns* ground, Wrench* wrench);
   void PutOutside(int i, int j, const Vec2& direction, const Spoil& spoil, Columns* ground) const;
   void Spill(const BodyState& body, double dt_s, Columns* ground);
@@ -58,6 +58,7 @@ class Digging {
   std::vector<Swept> footprint_;
   int i0_ = 0, i1_ = -1, j0_ = 0, j1_ = -1;
   std::vector<std::uint8_t> mask_;
+  std::vector<std::size_t> blocked_;  ///< columns of the ground that this shovel blocks
 };
 
 }  // namespace tera

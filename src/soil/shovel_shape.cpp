@@ -124,15 +124,15 @@ ShovelShape::Hold ShovelShape::HoldFor(const Vec3& up_B, double repose_rad,
     Slice& slice = slices[k];
     slice.x = from + (k + 0.5) * dx;
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    bool open = false;
+    bool open = false, bottomless = false;
     for (std::size_t m = 0; m < segments_.size(); ++m) {
       const Vec2 a = level(segments_[m].a), b = level(segments_[m].b);
       if ((a.x() - slice.x) * (b.x() - slice.x) > 0 || a.x() == b.x()) continue;
       const double z = a.y() + (b.y() - a.y()) * (slice.x - a.x()) / (b.x() - a.x());
-      low = std::min(low, z);
+      if (z < low) low = z, bottomless = m + 1 == segments_.size();
       if (z > high) high = z, open = m + 1 == segments_.size();
     }
-    if (!(high > low)) continue;
+    if (!(high > low) || bottomless) continue;
     double surface = std::numeric_limits<double>::infinity();
     // Soil rises from each lip inwards at the angle of repose; beyond a lip it stays level.
     const double inward_a = lip_a.x() < lip_b.x() ? slice.x - lip_a.x() : lip_a.x() - slice.x;

@@ -36,7 +36,7 @@ void ExpectTrack(const SoilType& soil, double sinkage_m, double resistance_n,
   const double z_m = BekkerSinkage_m(soil, kWidth_m, pressure_pa);
   EXPECT_NEAR(z_m / sinkage_m, 1, 0.01);
   EXPECT_NEAR(BekkerPressure_pa(soil, kWidth_m, z_m) / pressure_pa, 1, 1e-9);
-  EXPECT_NEAR(2 * CompactionResistance_n(soil, kWidth_m, z_m) / resistance_n, 1, 0.015);
+  EXPECT_NEAR(2 * CompactionResistance_n(soil, kWidth_m, z_m), resistance_n, 5);
   for (const auto& [slip, thrust] : thrust_n) {
     const double both_n = 2 * TrackThrust_n(soil, kWidth_m, kLength_m, kWeight_n / 2, slip);
     EXPECT_NEAR(both_n / thrust, 1, 0.01) << slip;

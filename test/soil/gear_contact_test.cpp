@@ -1,0 +1,162 @@
+#include "soil/gear_contact.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "soil/terramechanics.h"
+#include "soil_fixture.h"
+
+namespace tera {
+namespace {
+
+using namespace testing_soil;
+
+constexpr double kMass_kg = 4000, kLength_m = 1.6, kWidth_m = 0.3, kGauge_m = 1.2;
+constexpr int kPatches = 8;
+
+/// Dry sand of Wong 2008, table 2.3, as a site 12 m x 4 m.
+const char kDrySand[] =
+    "size_m: [12, 4]\n"
+    "soil: dry_sand\n"
+    "custom_soils: [{preset: tera:config/soils/sand.yaml, name: dry_sand, cohesion_pa: 1040,\n"
+    "                friction_angle_deg: 28, shear_modulus_m: 0.025}]\n";
+
+/// A block on two flat tracks that moves along x and z only, turned by `yaw_rad` with its path.
+struct Block {
+  std::unique_ptr<Soil> soil;
+  int machine = 0;
+  std::vector<BodyState> links = std::vector<BodyState>(1);
+  GroundToolsMotion motion;
+  SoilReaction reaction;
+
+  Block(const std::string& site, const Vec2& start_m, double yaw_rad = 0) : soil(MakeSite(site)) {
+    GroundTools tools;
+    for (const double y_m : {kGauge_m / 2, -kGauge_m / 2}) {
+      tools.gears.push_back(FlatTrack(y_m, kLength_m, kWidth_m, kPatches));
+    }
+    machine = soil->AddMachine(tools);
+    links[0].X_WB = MakePose(Vec3(start_m.x(), start_m.y(), 0.001), 0, 0, yaw_rad);
+    motion.links = &links;
+    motion.gear_rate_radps = {0, 0};
+  }
+  Vec3 Act() {
+    reaction = soil->Act(machine, motion, kStep_s);
+    soil->Flow(kStep_s);
+    return reaction.link_wrench[0].force_W_n;
+  }
+  /// Sinks at a speed in proportion to the missing support, so that nothing overshoots.
+  Vec3 ActAndSinkGently() {
+    constexpr double kMobility = 0.1 / (kMass_kg * kStandardGravity_mps2);  // 10 cm/s when falling
+    const Vec3 force_n = Act();
+    const double missing_n = kMass_kg * kStandardGravity_mps2 - force_n.z();
+    links[0].v_WB_mps.z() = -kMobility * missing_n;
+    links[0].X_WB.translation() += kStep_s * links[0].v_WB_mps;
+    return force_n;
+  }
+};
+
+TEST(GearContact, BlockSinksToBekkersDepthAndIsCarriedInFull) {
+  Block block(kDrySand, Vec2(-2.013, 0.217), 0.3);
+  Vec3 force_n;
+  for (int k = 0; k < 4000; ++k) force_n = block.ActAndSinkGently();
+  EXPECT_NEAR(force_n.z() / (kMass_kg * kStandardGravity_mps2), 1, 1e-3);
+  // Closed form 37.1 mm; the elastic rebound of the sand adds a few millimetres.
+  const double elastic_m = 40900 / Rebound_papm(block.soil->soils()[0], kWidth_m);
+  EXPECT_NEAR(block.reaction.gear_sinkage_m[0], 0.0371 + elastic_m, 0.002);
+  EXPECT_NEAR(-block.links[0].X_WB.translation().z(), 0.0371 + elastic_m, 0.002);
+  EXPECT_EQ(block.reaction.gear_slip[0], 0);
+}
+
+TEST(GearContact, ThrustFollowsTheClosedFormOverSlip) {
+  // Both tracks, 39.24 kN, dry sand, K = 25 mm: closed form, see terramechanics_test.cpp.
+  for (const auto& [slip, expected_n] : std::vector<std::pair<double, double>>{
+           {0.05, 15310}, {0.10, 18450}, {0.20, 20150}, {0.40, 21010}}) {
+    Block block(kDrySand, Vec2(-4.5, 0.1));
+    for (int k = 0; k < 2000; ++k) block.ActAndSinkGently();
+    const double shoe_mps = 1.0;
+    block.motion.gear_rate_radps = {shoe_mps / 0.25, shoe_mps / 0.25};
+    block.links[0].v_WB_mps.x() = (1 - slip) * shoe_mps;
+    double sum_n = 0;
+    int count = 0;
+    for (int k = 0; k < 3000; ++k) {
+      block.links[0].v_WB_mps.x() = (1 - slip) * shoe_mps;
+      block.ActAndSinkGently();
+      if (k < 1500) continue;
+      sum_n += block.reaction.gear_traction_n[0] + block.reaction.gear_traction_n[1];
+      ++count;
+    }
+    EXPECT_NEAR(sum_n / count / expected_n, 1, 0.10) << "slip " << slip;
+    EXPECT_NEAR(block.reaction.gear_slip[0], slip, 1e-6);
+  }
+}
+
+TEST(GearContact, BlockOnASlopeHoldsStillWithoutCreep) {
+  // 10 deg, well below the friction angle; tracks locked. Free along the slope and in z.
+  Block block("size_m: [12, 4]\nsoil: dirt\nrelief: {slope_deg: 10}\n", Vec2(0, 0));
+  const double slope = 10 * kDeg;
+  block.links[0].X_WB = MakePose(Vec3(0, 0, 0.002), RotationFromRpy(0, -slope, 0));
+  Vec3 v = Vec3::Zero();
+  double x_settled_m = 0;
+  for (int k = 0; k < 6000; ++k) {
+    block.links[0].v_WB_mps = v;
+    const Vec3 force_n = block.Act() - Vec3(0, 0, kMass_kg * kStandardGravity_mps2);
+    v += kStep_s / kMass_kg * Vec3(force_n.x(), 0, force_n.z());
+    block.links[0].X_WB.translation() += kStep_s * v;
+    if (k == 3000) x_settled_m = block.links[0].X_WB.translation().x();
+  }
+  EXPECT_NEAR(block.links[0].X_WB.translation().x(), x_settled_m, 1e-4);
+  EXPECT_LT(v.norm(), 1e-4);
+  EXPECT_NEAR(block.reaction.link_wrench[0].force_W_n.z(), kMass_kg * kStandardGravity_mps2,
+              0.01 * kMass_kg * kStandardGravity_mps2);
+}
+
+TEST(GearContact, FallingBlockComesToRestAndNothingPullsItDown) {
+  Block block("size_m: [12, 4]\nsoil: gravel\n", Vec2(0.3, -0.1), 1.0);
+  block.links[0].X_WB.translation().z() = 0.05;
+  double vz_mps = 0;
+  for (int k = 0; k < 4000; ++k) {
+    block.links[0].v_WB_mps.z() = vz_mps;
+    const Vec3 force_n = block.Act();
+    ASSERT_GE(force_n.z(), 0);
+    ASSERT_LT(force_n.z(), 30 * kMass_kg * kStandardGravity_mps2);
+    vz_mps += kStep_s * (force_n.z() / kMass_kg - kStandardGravity_mps2);
+    block.links[0].X_WB.translation().z() += kStep_s * vz_mps;
+  }
+  EXPECT_LT(std::abs(vz_mps), 1e-3);
+  EXPECT_LT(-block.links[0].X_WB.translation().z(), 0.05);
+}
+
+TEST(GearContact, DrivingLeavesTwoRutsAndLosesNoMass) {
+  Block block("size_m: [12, 4]\nsoil: sand\n", Vec2(-3, 0));
+  const double before_kg = block.soil->ledger().total_kg();
+  for (int k = 0; k < 1000; ++k) block.ActAndSinkGently();
+  block.motion.gear_rate_radps = {4.4, 4.4};
+  for (int k = 0; k < 2500; ++k) {
+    block.links[0].v_WB_mps.x() = 1.0;
+    block.ActAndSinkGently();
+  }
+  const TerrainSurface& ground = block.soil->surface();
+  EXPECT_LT(ground.HeightAt(0, kGauge_m / 2), -0.02);
+  EXPECT_LT(ground.HeightAt(0, -kGauge_m / 2), -0.02);
+  EXPECT_NEAR(ground.HeightAt(0, 0), 0, 1e-6);
+  EXPECT_GT(ground.rut[ground.index(ground.nx / 2, (ground.ny - 1) / 2 + 12)], 200);
+  EXPECT_NEAR(block.soil->ledger().total_kg() / before_kg, 1, 1e-9);
+}
+
+TEST(GearContact, SecondPassSinksNoDeeper) {
+  Block block(kDrySand, Vec2(-3, 0));
+  const auto pass = [&](double speed_mps) {
+    block.motion.gear_rate_radps = {speed_mps / 0.25, speed_mps / 0.25};
+    for (int k = 0; k < 2500; ++k) {
+      block.links[0].v_WB_mps.x() = speed_mps;
+      block.ActAndSinkGently();
+    }
+    return block.soil->surface().HeightAt(0, kGauge_m / 2);
+  };
+  const double first_m = pass(1.0), second_m = pass(-1.0);
+  EXPECT_NEAR(second_m, first_m, 0.002);
+}
+
+}  // namespace
+}  // namespace tera

@@ -1,0 +1,237 @@
+#include "soil/site.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "core/error.h"
+#include "soil/geotiff.h"
+#include "soil_fixture.h"
+
+namespace tera {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using testing_soil::MakeSite;
+
+/// What is wrong with a terrain mapping, or nothing.
+std::string FaultsOf(const std::string& yaml) {
+  try {
+    MakeSite(yaml);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+SitePlan Plan(const std::string& yaml, std::uint64_t seed = 1) {
+  const Config config = Config::FromText(yaml, "site.yaml");
+  SitePlan plan = ReadSite(config.root(), seed);
+  config.Finish();
+  return plan;
+}
+
+TEST(Site, DefaultsAreFortyMetresOfDirtCentredOnTheOrigin) {
+  const auto soil = MakeSite("{}");
+  const TerrainSurface& ground = soil->surface();
+  EXPECT_EQ(ground.nx, 801);
+  EXPECT_EQ(ground.ny, 801);
+  EXPECT_EQ(ground.origin_W_m, Vec2(-20, -20));
+  ASSERT_EQ(soil->soils().size(), 1u);
+  EXPECT_EQ(soil->soils()[0].name, "dirt");
+  EXPECT_FALSE(soil->georeference());
+}
+
+TEST(Site, SizeAndCellSetTheGrid) {
+  const SitePlan plan = Plan("size_m: [12, 6]\ncell_m: 0.1\n");
+  EXPECT_EQ(plan.nx, 121);
+  EXPECT_EQ(plan.ny, 61);
+  EXPECT_EQ(plan.cell_m, 0.1);
+}
+
+TEST(Site, EveryShippedSoilIsReadable) {
+  for (const char* name : {"dirt", "gravel", "sand", "wet_sand", "loose", "asphalt"}) {
+    const SitePlan plan = Plan(std::string("size_m: [2, 2]\nsoil: ") + name + "\n");
+    EXPECT_EQ(plan.soils[0].name, name);
+  }
+}
+
+TEST(Site, StripsSetTheSoilAlongTheirAxis) {
+  const auto soil = MakeSite(
+      "size_m: [12, 4]\nsoils: [dirt, gravel, sand]\n"
+      "strips:\n"
+      "  - {soil: gravel, axis: x, from_m: -2, to_m: 2}\n"
+      "  - {soil: sand, axis: y, from_m: 1, to_m: 3}\n");
+  const TerrainSurface& ground = soil->surface();
+  const auto at = [&](double x, double y) {
+    return soil
+        ->soils()[ground.soil[ground.index(static_cast<int>(std::lround((x + 6) / 0.05)),
+                                           static_cast<int>(std::lround((y + 2) / 0.05)))]]
+        .name;
+  };
+  EXPECT_EQ(at(-4, 0), "dirt");
+  EXPECT_EQ(at(0, 0), "gravel");
+  EXPECT_EQ(at(4, 0), "dirt");
+  EXPECT_EQ(at(4, 1.5), "sand");
+}
+
+TEST(Site, SlopeRisesTowardsItsAzimuth) {
+  const SitePlan plan = Plan("size_m: [10, 10]\nrelief: {slope_deg: 10, slope_azimuth_deg: 90}\n");
+  const auto height = [&](int i, int j) { return plan.height_m[j * plan.nx + i]; };
+  EXPECT_NEAR(height(50, 200) - height(50, 0), 10 * std::tan(10 * kDeg), 1e-9);
+  EXPECT_NEAR(height(150, 60), height(10, 60), 1e-9);
+}
+
+TEST(Site, ReliefIsSeededAndKeepsToItsAmplitudeAndWavelength) {
+  const std::string yaml = "size_m: [20, 20]\nrelief: {amplitude_m: 0.3, wavelength_m: 5}\n";
+  const SitePlan plan = Plan(yaml), again = Plan(yaml), other = Plan(yaml, 2);
+  EXPECT_EQ(plan.height_m, again.height_m);
+  EXPECT_NE(plan.height_m, other.height_m);
+  const auto [low, high] = std::minmax_element(plan.height_m.begin(), plan.height_m.end());
+  EXPECT_GT(*high - *low, 0.1);
+  EXPECT_LE(*high, 0.3);
+  EXPECT_GE(*low, -0.3);
+  // Five times the wavelength: gentler slopes.
+  const SitePlan longer = Plan("size_m: [20, 20]\nrelief: {amplitude_m: 0.3, wavelength_m: 25}\n");
+  const auto steepest = [](const SitePlan& p) {
+    double s = 0;
+    for (std::size_t k = 1; k < p.height_m.size(); ++k) {
+      if (k % p.nx != 0) s = std::max(s, std::abs(p.height_m[k] - p.height_m[k - 1]));
+    }
+    return s;
+  };
+  EXPECT_GT(steepest(plan), 3 * steepest(longer));
+}
+
+TEST(Site, PileIsAConeOfLooseSoilAtItsReposeAngleAndStaysSo) {
+  const auto soil = MakeSite(
+      "size_m: [10, 10]\nsoil: dirt\npiles: [{xy_m: [1, -2], height_m: 1.0, soil: gravel}]\n");
+  const TerrainSurface& ground = soil->surface();
+  EXPECT_NEAR(ground.HeightAt(1, -2), 1.0, 1e-6);
+  EXPECT_NEAR(ground.HeightAt(1 + 0.8, -2), 1.0 - 0.8 * std::tan(32 * kDeg), 1e-3);
+  EXPECT_EQ(soil->soils()[ground.soil[ground.index(120, 60)]].name, "gravel");
+  for (int k = 0; k < 500; ++k) soil->Flow(0.002);
+  EXPECT_NEAR(ground.HeightAt(1, -2), 1.0, 0.03);
+}
+
+TEST(Site, EveryFaultOfATerrainIsNamed) {
+  EXPECT_THAT(FaultsOf("soil: drt\n"),
+              AllOf(HasSubstr("site.yaml:1:7: soil: no soil named 'drt'"),
+                    HasSubstr("asphalt, dirt, gravel, loose, sand, wet_sand")));
+  EXPECT_THAT(FaultsOf("sise_m: [1, 1]\n"), HasSubstr("did you mean 'size_m'"));
+  EXPECT_THAT(FaultsOf("cell_m: 0\n"), HasSubstr("out of range"));
+  EXPECT_THAT(FaultsOf("size_m: [2000, 2000]\ncell_m: 0.01\n"), HasSubstr("use a larger cell_m"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\nstrips: [{soil: sand, from_m: 2, to_m: 1}]\n"),
+              HasSubstr("1 is not beyond from_m 2"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\nstrips:\n  - {soil: sand, from_m: 0, to_m: 2}\n"
+                       "  - {soil: dirt, from_m: 1, to_m: 3}\n"),
+              HasSubstr("overlaps the one from 0 to 2 m"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\npiles: [{xy_m: [0, 0], height_m: -1, soil: sand}]\n"),
+              HasSubstr("piles[0].height_m: -1 is out of range"));
+  const std::string dirt =
+      "size_m: [4, 4]\nsoil: mine\ncustom_soils:\n  - {preset: "
+      "tera:config/soils/dirt.yaml, name: mine, ";
+  EXPECT_EQ(FaultsOf(dirt + "cohesion_pa: 10}\n"), "");
+  EXPECT_THAT(FaultsOf(dirt + "bank_density_kgpm3: -5}\n"), HasSubstr("-5 is out of range"));
+  EXPECT_THAT(FaultsOf(dirt + "friction_angle_deg: 90}\n"), HasSubstr("90 is out of range"));
+  EXPECT_THAT(FaultsOf(dirt + "max_density_kgpm3: 1000}\n"),
+              HasSubstr("1000 is less than bank_density_kgpm3 1474"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\ncustom_soils:\n"
+                       "  - {preset: tera:config/soils/dirt.yaml}\n"
+                       "  - {preset: tera:config/soils/dirt.yaml}\n"),
+              HasSubstr("second soil named 'dirt'"));
+}
+
+/// A folder of its own for each test that writes.
+class GeotiffTest : public ::testing::Test {
+ protected:
+  GeotiffTest()
+      : folder_(std::filesystem::temp_directory_path() /
+                ("tera_geotiff_" +
+                 std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()))) {
+    std::filesystem::create_directories(folder_);
+  }
+  ~GeotiffTest() override { std::filesystem::remove_all(folder_); }
+  std::string File(const std::string& name) const { return (folder_ / name).string(); }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(GeotiffTest, HeightsAndPlaceSurviveARoundTrip) {
+  const auto soil =
+      MakeSite("size_m: [12, 8]\ncell_m: 0.1\nrelief: {amplitude_m: 0.5, wavelength_m: 4}\n");
+  const SiteOrigin origin{46.81, -71.21, 87.5};
+  soil->WriteGeoTiff(File("site.tif"), origin);
+  const auto again = MakeSite("cell_m: 0.1\ngeotiff: " + File("site.tif") + "\n");
+  ASSERT_TRUE(again->georeference());
+  EXPECT_NEAR(again->georeference()->lat_deg, origin.lat_deg, 1e-9);
+  EXPECT_NEAR(again->georeference()->lon_deg, origin.lon_deg, 1e-9);
+  const TerrainSurface &a = soil->surface(), &b = again->surface();
+  ASSERT_EQ(b.nx, a.nx);
+  ASSERT_EQ(b.ny, a.ny);
+  // The imported site's zero is the ground at its middle; float32 about 90 m resolves 8 um.
+  EXPECT_NEAR(again->georeference()->height_m, origin.height_m + a.HeightAt(0, 0), 1e-4);
+  for (const auto& [x, y] : {std::pair{-5.5, 3.1}, {0.25, -3.97}, {5.9, 0.04}}) {
+    EXPECT_NEAR(b.HeightAt(x, y), a.HeightAt(x, y) - a.HeightAt(0, 0), 1e-4);
+  }
+}
+
+TEST_F(GeotiffTest, FinerCellsInterpolateTheSameGround) {
+  MakeSite("size_m: [6, 6]\ncell_m: 0.5\nrelief: {slope_deg: 8, slope_azimuth_deg: 30}\n")
+      ->WriteGeoTiff(File("slope.tif"), {10, 20, 0});
+  const auto fine = MakeSite("cell_m: 0.05\ngeotiff: " + File("slope.tif") + "\n");
+  EXPECT_EQ(fine->surface().nx, 121);
+  const double rise = std::tan(8 * kDeg) * (1.23 * std::cos(30 * kDeg) + 2.1 * std::sin(30 * kDeg));
+  EXPECT_NEAR(fine->surface().HeightAt(1.23, 2.1), rise, 1e-4);
+}
+
+TEST_F(GeotiffTest, UnreadableFilesAreFaultsAtTheirKey) {
+  EXPECT_THAT(FaultsOf("geotiff: " + File("none.tif") + "\n"), HasSubstr("does not exist"));
+  std::ofstream(File("text.tif")) << "not a raster";
+  EXPECT_THAT(FaultsOf("geotiff: " + File("text.tif") + "\n"),
+              AllOf(HasSubstr("site.yaml:1:10: geotiff"), HasSubstr("not readable as a GeoTIFF")));
+  std::ofstream(File("empty.tif"));
+  EXPECT_THAT(FaultsOf("geotiff: " + File("empty.tif") + "\n"), HasSubstr("not readable"));
+  MakeSite("size_m: [6, 6]\nrelief: {amplitude_m: 1}\n")->WriteGeoTiff(File("cut.tif"), {1, 2, 0});
+  std::filesystem::resize_file(File("cut.tif"), std::filesystem::file_size(File("cut.tif")) / 2);
+  EXPECT_THAT(FaultsOf("geotiff: " + File("cut.tif") + "\n"), HasSubstr("cut.tif"));
+}
+
+/// A small float raster as an ASCII grid, which GDAL reads too: it has no projection of its own.
+void WriteAsciiGrid(const std::string& file, const std::string& rows) {
+  std::ofstream(file) << "ncols 3\nnrows 2\nxllcorner 500000\nyllcorner 4000000\ncellsize 1\n"
+                         "NODATA_value -9999\n"
+                      << rows;
+}
+
+TEST_F(GeotiffTest, NoProjectionIsAFault) {
+  WriteAsciiGrid(File("plain.asc"), "1 2 3\n4 5 6\n");
+  EXPECT_THAT(FaultsOf("geotiff: " + File("plain.asc") + "\n"), HasSubstr("has no projection"));
+}
+
+TEST_F(GeotiffTest, GapsAreAFault) {
+  WriteAsciiGrid(File("gaps.asc"), "1 2 -9999\n4 5 6\n");
+  std::ofstream(File("gaps.prj")) << "PROJCS[\"UTM 33N\",GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\","
+                                     "SPHEROID[\"WGS 84\",6378137,298.257223563]],"
+                                     "PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]],"
+                                     "PROJECTION[\"Transverse_Mercator\"],"
+                                     "PARAMETER[\"latitude_of_origin\",0],"
+                                     "PARAMETER[\"central_meridian\",15],"
+                                     "PARAMETER[\"scale_factor\",0.9996],"
+                                     "PARAMETER[\"false_easting\",500000],"
+                                     "PARAMETER[\"false_northing\",0],UNIT[\"metre\",1]]";
+  EXPECT_THAT(FaultsOf("geotiff: " + File("gaps.asc") + "\n"),
+              HasSubstr("1 of 6 pixels have no height"));
+}
+
+TEST_F(GeotiffTest, FolderThatIsNotThereIsAnError) {
+  const auto soil = MakeSite("size_m: [2, 2]\n");
+  EXPECT_THROW(soil->WriteGeoTiff(File("no/such/folder.tif"), {0, 0, 0}), InputError);
+}
+
+}  // namespace
+}  // namespace tera

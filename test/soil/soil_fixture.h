@@ -1,0 +1,129 @@
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/config.h"
+#include "core/ground_tools.h"
+#include "core/units.h"
+#include "soil/soil.h"
+
+/// Sites, tools and motions that the soil's tests share.
+
+namespace tera::testing_soil {
+
+inline constexpr double kStep_s = 0.002;
+
+inline std::unique_ptr<Soil> MakeSite(const std::string& terrain_yaml, std::uint64_t seed = 7) {
+  const Config config = Config::FromText(terrain_yaml, "site.yaml");
+  auto soil = Soil::Read(config.root(), seed);
+  config.Finish();
+  return soil;
+}
+
+/// The bucket of config/machines/tb235.yaml.
+inline Shovel CompactBucket() {
+  Shovel bucket;
+  bucket.name = "bucket";
+  bucket.profile_B_m = {{0.78, 0.0},  {0.74, 0.12}, {0.64, 0.28}, {0.48, 0.40},
+                        {0.30, 0.42}, {0.15, 0.33}, {0.09, 0.18}, {0.09, -0.03}};
+  bucket.width_m = 0.60;
+  bucket.capacity_m3 = 0.11;
+  bucket.teeth = 6;
+  bucket.tooth_length_m = 0.15;
+  return bucket;
+}
+
+/// Its blade, in the blade's frame.
+inline Shovel CompactBlade() {
+  Shovel blade;
+  blade.name = "blade";
+  blade.profile_B_m = {{0.55, -0.30}, {0.50, -0.22}, {0.48, -0.10}, {0.50, 0.02}, {0.54, 0.08}};
+  blade.width_m = 1.55;
+  return blade;
+}
+
+/// Flat track bottom of `length_m` x `width_m` through the link's origin, in patches.
+inline RunningGear FlatTrack(double y_m, double length_m, double width_m, int patches) {
+  RunningGear gear;
+  gear.name = "track";
+  gear.drive_radius_m = 0.25;
+  for (int k = 0; k < patches; ++k) {
+    ContactPatch patch;
+    patch.length_m = length_m / patches;
+    patch.width_m = width_m;
+    patch.p_B_m = Vec3(length_m * ((k + 0.5) / patches - 0.5), y_m, 0);
+    gear.patches.push_back(patch);
+  }
+  return gear;
+}
+
+/// A place of the bucket: its pin in W and its pitch (Ry); yaw turns the whole about z.
+struct BucketPlace {
+  double t_s;
+  Vec3 p_W_m;
+  double pitch_rad;
+};
+
+/// Straight lines between places, with the velocities that belong to them.
+class BucketPath {
+ public:
+  explicit BucketPath(std::vector<BucketPlace> places, double yaw_rad = 0)
+      : places_(std::move(places)), yaw_rad_(yaw_rad) {}
+  double end_s() const { return places_.back().t_s; }
+  BodyState At(double t_s) const {
+    std::size_t k = 0;
+    while (k + 2 < places_.size() && places_[k + 1].t_s <= t_s) ++k;
+    const BucketPlace &a = places_[k], &b = places_[k + 1];
+    const double span_s = b.t_s - a.t_s;
+    const double s = std::min(1.0, (t_s - a.t_s) / span_s);
+    const Mat3 R_yaw = RotationFromRpy(0, 0, yaw_rad_);
+    BodyState body;
+    body.X_WB =
+        MakePose(R_yaw * (a.p_W_m + s * (b.p_W_m - a.p_W_m)),
+                 R_yaw * RotationFromRpy(0, a.pitch_rad + s * (b.pitch_rad - a.pitch_rad), 0));
+    body.v_WB_mps = R_yaw * (b.p_W_m - a.p_W_m) / span_s;
+    body.w_WB_radps = R_yaw * Vec3(0, (b.pitch_rad - a.pitch_rad) / span_s, 0);
+    return body;
+  }
+
+ private:
+  std::vector<BucketPlace> places_;
+  double yaw_rad_;
+};
+
+/// Digs at about (-0.5, 0), lifts, carries 2.5 m to the left, dumps, returns. Level ground at
+/// ground_z_m.
+inline BucketPath DigCycle(double depth_m = 0.18, double ground_z_m = 0, double yaw_rad = 0) {
+  const double tip_down = 0.78;  // from pin to edge
+  const double z = ground_z_m + tip_down - depth_m;
+  const auto deg = [](double d) { return d * kDeg; };
+  return BucketPath({{0.0, {0.3, 0, z + 0.7}, deg(80)},
+                     {1.0, {0.3, 0, z}, deg(85)},
+                     {2.5, {-0.5, 0, z - 0.02}, deg(105)},
+                     {3.5, {-0.7, 0, z + 0.05}, deg(165)},
+                     {4.5, {-0.7, 0, z + 1.0}, deg(182)},
+                     {6.0, {-0.7, 2.5, z + 1.0}, deg(182)},
+                     {7.5, {-0.7, 2.5, z + 1.0}, deg(30)},
+                     {8.5, {-0.7, 2.5, z + 1.0}, deg(30)},
+                     {9.5, {0.3, 0, z + 0.7}, deg(80)}},
+                    yaw_rad);
+}
+
+/// Runs a bucket along a path, with Act and Flow in each step; calls `each(t, body, reaction)`.
+template <typename Each>
+void RunBucket(Soil* soil, int machine, const BucketPath& path, Each each) {
+  const int steps = static_cast<int>(std::lround(path.end_s() / kStep_s));
+  for (int k = 0; k < steps; ++k) {
+    const std::vector<BodyState> links = {path.At(k * kStep_s)};
+    GroundToolsMotion motion;
+    motion.links = &links;
+    const SoilReaction reaction = soil->Act(machine, motion, kStep_s);
+    soil->Flow(kStep_s);
+    each(k * kStep_s, links[0], reaction);
+  }
+}
+
+}  // namespace tera::testing_soil
