@@ -14,6 +14,7 @@ constexpr double kTipTolerance_m = 0.12;
 constexpr double kAngleTolerance_rad = 6 * kDeg;
 constexpr double kClearance_m = 0.45;     // of the tip above the ground before lowering or slewing
 constexpr double kCutLag_m = 0.15;        // the target waits when the tip is this far behind
+constexpr double kStallLift_mps = 0.12;   // how fast a stalled cut comes up
 constexpr double kCutPatience = 2.2;      // times the undisturbed duration of the cut
 constexpr double kDumpedFraction = 0.05;  // of the load at the start of the dump
 constexpr double kMaxPhase_s = 6.0;       // a phase never holds the cycle up longer
@@ -88,6 +89,7 @@ void DigCycle::Enter(Phase phase, const OperatorView& view) {
   last_angles_.reset();
   if (phase == Phase::kCut) {
     cut_s_m_ = 0;
+    cut_raised_m_ = 0;
     cut_ground_m_.clear();
     for (int k = 0; k <= kGroundSamples; ++k) {
       const double r_m = plan_.reach_m - plan_.cut_length_m * k / kGroundSamples;
@@ -119,7 +121,11 @@ void DigCycle::Advance(const OperatorView& view) {
       if (tip_error_m < kTipTolerance_m || PhaseTime_s(view) > 1.5) Enter(Phase::kCut, view);
       break;
     case Phase::kCut:
-      if (tip_error_m < kCutLag_m) cut_s_m_ += plan_.cut_speed_mps * dt_s;
+      if (tip_error_m < kCutLag_m) {
+        cut_s_m_ += plan_.cut_speed_mps * dt_s;
+      } else {
+        cut_raised_m_ += kStallLift_mps * dt_s;
+      }
       if (cut_s_m_ >= plan_.cut_length_m ||
           PhaseTime_s(view) > kCutPatience * plan_.cut_length_m / plan_.cut_speed_mps) {
         Enter(Phase::kCurl, view);
@@ -192,7 +198,7 @@ PlanarArm::Tip DigCycle::CutPoint(double s_m) const {
   const double at = s * kGroundSamples;
   const int k = std::min(static_cast<int>(at), kGroundSamples - 1);
   const double ground_m = Mix(cut_ground_m_[k], cut_ground_m_[k + 1], at - k);
-  return {plan_.reach_m - s * plan_.cut_length_m, ground_m - depth_m,
+  return {plan_.reach_m - s * plan_.cut_length_m, ground_m - depth_m + cut_raised_m_,
           Mix(kEntryPitch_rad, kCutEndPitch_rad, s)};
 }
 

@@ -28,8 +28,9 @@ struct DigPlan {
 /// it is at the time.
 ///
 /// Model   a sequence of phases, each with a target of the tip in the arm's plane and of the slew;
-///         joints follow by ServoLever. During the cut the target moves along the planned line and
-///         waits for the tip where the soil holds it back.
+///         joints follow by ServoLever. During the cut the target moves along the planned line;
+///         where the soil holds the tip back it waits and comes up, as an operator lifts a stalled
+///         bucket.
 /// Omits   force control; avoidance of obstacles; boom swing and travel stay neutral.
 class DigCycle : public Operator {
  public:
