@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <iterator>
 
 #include "core/check.h"
-#include "core/error.h"
+#include "dataset/child_process.h"
 
 namespace tera {
 namespace {
@@ -59,16 +58,12 @@ void DrawCharts(const std::vector<Chart>& charts, int columns, int width_px, int
       width_px, height_px, Quoted(png.string()), rows, columns);
   for (const Chart& chart : charts) AppendChart(chart, &script);
   script += "unset multiplot\n";
-  std::FILE* pipe = ::popen("command -v gnuplot >/dev/null || exit 127; exec gnuplot", "w");
-  TERA_CHECK(pipe != nullptr);
-  std::fwrite(script.data(), 1, script.size(), pipe);
-  const int status = ::pclose(pipe);
-  if (status != 0) {
-    throw InputError(fmt::format(
-        "{}: gnuplot could not draw it; need gnuplot with the pngcairo terminal (Debian package "
-        "gnuplot-nox) and a folder that can be written",
-        png.string()));
-  }
+  ChildProcess gnuplot("gnuplot", "",
+                       fmt::format("need gnuplot with the pngcairo terminal (Debian package "
+                                   "gnuplot-nox), and a folder that can be written for {}",
+                                   png.string()));
+  gnuplot.Write(script);
+  gnuplot.Close();
 }
 
 }  // namespace tera

@@ -1,0 +1,155 @@
+#include "dataset/overview.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.h"
+#include "dataset/checked_file.h"
+#include "dataset/film.h"
+#include "dataset/gnuplot.h"
+#include "dataset/picture.h"
+#include "dataset/png.h"
+#include "dataset/recording.h"
+
+namespace tera {
+namespace {
+
+constexpr int kColumns = 4, kTileWidth_px = 400, kTileHeight_px = 300;
+constexpr int kSheetWidth_px = kColumns * kTileWidth_px;
+constexpr int kScanWidth_px = kSheetWidth_px / 2, kScanHeight_px = 600;
+
+/// The frame in the middle of a recording, where work is going on.
+TimeNs Middle(const std::vector<TimeNs>& times) { return times[times.size() / 2]; }
+
+/// RGB, depth, classes and instances of one camera side by side.
+Picture CameraRow(const Recording& recording, const std::string& folder) {
+  Picture row(kSheetWidth_px, kTileHeight_px, 3);
+  const auto times = recording.FrameTimes(folder);
+  if (times.empty()) return row;
+  const CameraFrame frame = recording.LoadFrame(folder, Middle(times));
+  int x_px = 0;
+  const auto add = [&](const Picture& picture, const std::string& caption) {
+    Paste(FitTile(picture, kTileWidth_px, kTileHeight_px, caption), x_px, 0, &row);
+    x_px += kTileWidth_px;
+  };
+  const std::string caption = fmt::format("{} {:.1f} s", folder, ToSeconds(frame.t_ns));
+  if (!frame.rgb.empty()) add(frame.rgb, caption);
+  if (!frame.depth_m.empty()) add(ColourDepth(frame.depth_m), "depth");
+  if (!frame.semantic.empty()) add(ColourClasses(frame.semantic), "classes");
+  if (!frame.instance.empty()) add(ColourInstances(frame.instance), "instances");
+  return row;
+}
+
+Picture LidarRow(const Recording& recording, const std::string& folder) {
+  Picture row(kSheetWidth_px, kScanHeight_px, 3);
+  const auto times = recording.FrameTimes(folder);
+  if (times.empty()) return row;
+  const LidarScan scan = recording.LoadScan(folder, Middle(times));
+  const std::string caption =
+      fmt::format("{} {:.1f} s, from above, rings each 10 m, ", folder, ToSeconds(scan.t_ns));
+  const auto add = [&](ScanColour colour, int x_px, const char* by) {
+    const Picture drawn = DrawScan(scan.points, colour, kScanWidth_px, kScanHeight_px);
+    Paste(FitTile(drawn, kScanWidth_px, kScanHeight_px, caption + by), x_px, 0, &row);
+  };
+  add(ScanColour::kClass, 0, "by class");
+  add(ScanColour::kHeight, kScanWidth_px, "by height");
+  return row;
+}
+
+Chart TrajectoryChart(const Recording& recording) {
+  Chart chart{"trajectories from above", "x in m", "y in m", true, {}};
+  for (const std::string& file : recording.ChannelsOf(ChannelType::kPose)) {
+    Curve curve{std::filesystem::path(file).parent_path().filename(), {}, {}};
+    for (const TruthPose& pose : recording.LoadPose(file).poses) {
+      curve.x.push_back(pose.X_WB.translation().x());
+      curve.y.push_back(pose.X_WB.translation().y());
+    }
+    chart.curves.push_back(std::move(curve));
+  }
+  return chart;
+}
+
+/// One curve for each of `count` values of the samples.
+template <typename Samples, typename ValueOf>
+std::vector<Curve> Curves(const Samples& samples, const std::vector<std::string>& titles,
+                          const ValueOf& value_of) {
+  std::vector<Curve> curves;
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    Curve curve{titles[i], {}, {}};
+    for (const auto& sample : samples) {
+      curve.x.push_back(ToSeconds(sample.t_ns));
+      curve.y.push_back(value_of(sample, i));
+    }
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+std::vector<Chart> AllCharts(const Recording& recording) {
+  std::vector<Chart> charts = {TrajectoryChart(recording)};
+  const auto time_chart = [&](const std::string& title, const char* y, std::vector<Curve> curves) {
+    charts.push_back({title, "time in s", y, false, std::move(curves)});
+  };
+  for (const std::string& folder : recording.ChannelsOf(ChannelType::kImu)) {
+    const auto samples = recording.LoadImu(folder);
+    const auto axis = [](std::size_t i) { return static_cast<Eigen::Index>(i); };
+    time_chart(folder, "rad/s", Curves(samples, {"wx", "wy", "wz"}, [&](const auto& s, auto i) {
+                 return s.w_WS_S_radps[axis(i)];
+               }));
+    time_chart(folder, "m/s2", Curves(samples, {"ax", "ay", "az"}, [&](const auto& s, auto i) {
+                 return s.f_S_mps2[axis(i)];
+               }));
+  }
+  for (const std::string& folder : recording.ChannelsOf(ChannelType::kEncoder)) {
+    const EncoderRecording encoder = recording.LoadEncoder(folder);
+    time_chart(folder, "deg", Curves(encoder.samples, encoder.joints, [](const auto& s, auto i) {
+                 return s.q_rad[i] / kDeg;
+               }));
+    time_chart(folder, "rad/s", Curves(encoder.samples, encoder.joints, [](const auto& s, auto i) {
+                 return s.qd_radps[i];
+               }));
+  }
+  return charts;
+}
+
+Picture ChartRows(const Recording& recording, const std::filesystem::path& png) {
+  const std::vector<Chart> charts = AllCharts(recording);
+  const int rows = (static_cast<int>(charts.size()) + kColumns - 1) / kColumns;
+  std::filesystem::path drawn = png;
+  drawn += ".charts.png";
+  DrawCharts(charts, kColumns, kSheetWidth_px, rows * kTileHeight_px, drawn);
+  Picture picture = ReadRgbPng(drawn);
+  std::filesystem::remove(drawn);
+  return picture;
+}
+
+Picture Stack(const std::vector<Picture>& rows) {
+  int height_px = 0;
+  for (const Picture& row : rows) height_px += row.height_px;
+  Picture sheet(kSheetWidth_px, height_px, 3);
+  int y_px = 0;
+  for (const Picture& row : rows) {
+    Paste(row, 0, y_px, &sheet);
+    y_px += row.height_px;
+  }
+  return sheet;
+}
+
+}  // namespace
+
+void WriteOverview(const std::filesystem::path& dataset, const std::filesystem::path& png,
+                   const std::filesystem::path& mp4) {
+  const Recording recording(dataset);
+  std::vector<Picture> rows;
+  for (const std::string& folder : recording.ChannelsOf(ChannelType::kCamera)) {
+    rows.push_back(CameraRow(recording, folder));
+  }
+  for (const std::string& folder : recording.ChannelsOf(ChannelType::kLidar)) {
+    rows.push_back(LidarRow(recording, folder));
+  }
+  rows.push_back(ChartRows(recording, png));
+  WriteWholeFile(png, EncodeRgbPng(Stack(rows)));
+  WriteFilm(recording, mp4);
+}
+
+}  // namespace tera
