@@ -83,8 +83,8 @@ def undercarriage():
     center = rounded_rectangle((0, 0), (0.98, 0.62), 0.10)
     body.add(paint.CHARCOAL, extrude(center, "z", 0.24, 0.46, 0.025))
     body.add(paint.CHARCOAL, lathe([(0, 0.40), (0.37, 0.40), (0.37, 0.49), (0.34, 0.50), (0, 0.50)],
-                                   (0, 0, 0), (0, 0, 1), 28))
-    body.add(paint.STEEL, pipe((0, 0, 0.49), (0, 0, SLEW_HEIGHT + 0.01), 0.33, 0.24, 28))
+                                   (0, 0, 0), (0, 0, 1), 24))
+    body.add(paint.STEEL, pipe((0, 0, 0.49), (0, 0, SLEW_HEIGHT + 0.01), 0.33, 0.24, 24))
     # Lugs that hold the blade, and the barrel of its cylinder.
     lug = round_corners([(0.40, 0.27), (BLADE_PIN_B[0] + 0.06, 0.29), (BLADE_PIN_B[0] + 0.06, 0.41),
                          (BLADE_PIN_B[0] - 0.04, 0.42), (0.40, 0.44)], 0.05)

@@ -52,8 +52,8 @@ def swing_post():
              (x + 0.06, z + 0.085), (x - 0.06, z + 0.085), (x - 0.085, z), (0.07, 0.09)]
     body.add(paint.CHARCOAL, *_cheek(cheek, 0.045, 0.140, 0.035))
     body.add(paint.STEEL, pin(x, z, 0.170, 0.038, 16), pin(0.30, -0.04, 0.168, 0.034, 16))
-    body.add(paint.CHARCOAL, *both_sides(pin(x, z, 0.010, 0.066, 18, 0.160),
-                                         pin(0.30, -0.04, 0.010, 0.058, 18, 0.160)))
+    body.add(paint.CHARCOAL, *both_sides(pin(x, z, 0.010, 0.066, 14, 0.160),
+                                         pin(0.30, -0.04, 0.010, 0.058, 14, 0.160)))
     body.add(paint.CHARCOAL, *both_sides(pin(0.30, -0.04, 0.035, 0.055, 16, 0.09)))
     return body
 
@@ -72,8 +72,8 @@ def boom():
     body = Body()
     curve = _boom_curve()
     body.add(paint.YELLOW, _beam(curve[:, :2], curve[:, 2], curve[:, 3], 0.016), crease_deg=30)
-    body.add(paint.YELLOW, pin(0, 0, 0.118, 0.088, 24))
-    body.add(paint.YELLOW, pin(BOOM_LENGTH, 0, 0.050, 0.088, 24))
+    body.add(paint.YELLOW, pin(0, 0, 0.118, 0.088, 18))
+    body.add(paint.YELLOW, pin(BOOM_LENGTH, 0, 0.050, 0.088, 12))
     body.add(paint.YELLOW, *_cheek([(2.20, 0.045), (2.44, -0.085), (2.56, -0.080), (2.595, 0.0),
                                     (2.55, 0.085), (2.28, 0.195)], [0.02, 0.07, 0.08, 0.08, 0.08, 0.03],
                                    0.098, 0.022))
@@ -126,7 +126,7 @@ def arm():
                       (1.42, 0.002, 0.140, 0.125), (ARM_LENGTH, 0.0, 0.120, 0.120)])
     curve = smooth_path(knots, 2)
     body.add(paint.YELLOW, _beam(curve[:, :2], curve[:, 2], curve[:, 3], 0.013), crease_deg=30)
-    body.add(paint.YELLOW, pin(0, 0, 0.084, 0.090, 24), pin(ARM_LENGTH, 0, 0.070, 0.070, 22))
+    body.add(paint.YELLOW, pin(0, 0, 0.084, 0.090, 18), pin(ARM_LENGTH, 0, 0.070, 0.070, 18))
     boss = [(-0.16, -0.05), (0.02, -0.10), (0.14, -0.06), (0.22, 0.05), (0.10, 0.15),
             (-0.10, 0.16)]
     body.add(paint.YELLOW, *_cheek(boss, 0.06, 0.079, 0.010))
@@ -212,8 +212,8 @@ def _bucket_ears(body):
     radii = [0.0] * len(against_shell) + [0.05, 0.05, 0.08, 0.05, 0.04, 0.05, 0.06]
     body.add(paint.CHARCOAL, *_cheek(ear, radii, 0.098, 0.026))
     body.add(paint.STEEL, pin(0, 0, 0.125, 0.032, 16), pin(rod[0], rod[1], 0.125, 0.028, 16))
-    body.add(paint.CHARCOAL, *both_sides(pin(0, 0, 0.010, 0.054, 18, 0.116),
-                                         pin(rod[0], rod[1], 0.010, 0.048, 18, 0.116)))
+    body.add(paint.CHARCOAL, *both_sides(pin(0, 0, 0.010, 0.054, 14, 0.116),
+                                         pin(rod[0], rod[1], 0.010, 0.048, 14, 0.116)))
 
 
 def cylinder_lengths(name):
@@ -233,7 +233,7 @@ def barrel(name):
     profile = [(0, 0.03), (radius * 0.8, 0.03), (radius + 0.004, 0.055), (radius + 0.004, 0.085),
                (radius, 0.09), (radius, length - 0.075), (radius + 0.008, length - 0.070),
                (radius + 0.008, length - 0.012), (radius * 0.85, length), (0, length)]
-    body.add(paint.CHARCOAL, lathe(profile, (0, 0, 0), (1, 0, 0), 16))
+    body.add(paint.CHARCOAL, lathe(profile, (0, 0, 0), (1, 0, 0), 14))
     for x in (0.12, length - 0.10):
         body.add(paint.STEEL, cylinder((x, 0, radius - 0.01), (x, 0, radius + 0.022), 0.014, 8))
     line = smooth_path([(0.12, 0, radius + 0.018), (0.17, 0, radius + 0.030),
