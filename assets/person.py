@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 import paint
-from solids import (Body, box, ellipsoid, extrude, lathe, loft, mirrored, moved, round_corners,
+from solids import (Body, ellipsoid, extrude, lathe, loft, mirrored, moved, round_corners,
                     smooth_path, turned)
 
 HIP = np.array([0.0, 0.095, 0.93])

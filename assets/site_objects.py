@@ -5,9 +5,8 @@ import math
 import numpy as np
 
 import paint
-from solids import (Body, bar, both_sides, box, cylinder, extrude, inset, lathe, loft, moved,
-                    outline_points, pin, ribbon, round_corners, rounded_rectangle, slab,
-                    smooth_path, turned)
+from solids import (Body, bar, both_sides, box, cylinder, extrude, lathe, loft, moved, pin, ribbon,
+                    round_corners, rounded_rectangle, turned)
 
 ROCK_SEED = 20
 FOLIAGE_SEED = 7

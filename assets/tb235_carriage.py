@@ -5,9 +5,8 @@ import math
 import numpy as np
 
 import paint
-from solids import (Body, bar, both_sides, box, cylinder, extrude, inset, lathe, loft, mirrored,
-                    moved, outline_points, pin, pipe, rectangle, ribbon, round_corners,
-                    rounded_rectangle, slab, smooth_path, tube)
+from solids import (Body, bar, both_sides, box, cylinder, extrude, lathe, loft, mirrored, moved,
+                    pin, pipe, rectangle, ribbon, round_corners, rounded_rectangle, smooth_path)
 from tb235_dimensions import (BLADE_PIN_B, BLADE_PROFILE, BLADE_WIDTH, SHOE_LENGTH, SLEW_HEIGHT,
                               TRACK_RADIUS, TRACK_WIDTH, TRACK_Y, TRACK_Z, WHEELBASE)
 

@@ -3,11 +3,10 @@
 import numpy as np
 
 import paint
-from solids import (Body, bar, both_sides, box, cylinder, extrude, lathe, loft, mirrored, moved,
-                    outline_points, pin, pipe, ribbon, round_corners, rounded_rectangle,
-                    smooth_path, tube)
+from solids import (Body, bar, both_sides, box, cylinder, extrude, lathe, loft, pin, pipe, ribbon,
+                    round_corners, rounded_rectangle, smooth_path, tube)
 from tb235_dimensions import (ARM_LENGTH, BOOM_LENGTH, BOOM_PIN_S, BUCKET_PROFILE, BUCKET_TEETH,
-                              BUCKET_TIP, BUCKET_WIDTH, CYLINDERS, pin_distance_range)
+                              BUCKET_WIDTH, CYLINDERS, pin_distance_range)
 
 SHELL = 0.014
 ROD_CLEARANCE = 0.10      # from a barrel's pin to the end of the rod when shut

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 import paint
-from solids import (Body, bar, both_sides, box, cylinder, ellipsoid, extrude, lathe, loft, pipe,
+from solids import (Body, bar, both_sides, box, cylinder, ellipsoid, extrude, lathe, loft,
                     round_corners, rounded_rectangle, slab, smooth_path, tube, turned)
 from tb235_dimensions import SWING_PIN_U
 

@@ -8,8 +8,8 @@ import math
 import numpy as np
 
 import paint
-from solids import (Body, bar, both_sides, box, cylinder, extrude, lathe, loft, moved, pin,
-                    round_corners, rounded_rectangle, slab, smooth_path, tube, turned)
+from solids import (Body, bar, both_sides, box, cylinder, extrude, lathe, loft, pin, round_corners,
+                    rounded_rectangle, slab, smooth_path, tube, turned)
 
 TRUCK_HALF_LENGTH, TRUCK_HALF_WIDTH = 3.75, 1.25
 TYRE_RADIUS = 0.50
