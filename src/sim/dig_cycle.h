@@ -62,6 +62,7 @@ class DigCycle : public Operator {
   bool started_ = false;
   double dig_azimuth_rad_;
   double cut_s_m_ = 0;                ///< along the cut
+  double cut_raised_m_ = 0;           ///< above the planned line, to get through
   std::vector<double> cut_ground_m_;  ///< heights in the plane when the cut was planned
   PlanarArm::Tip phase_tip_;          ///< where the tip was when the phase began
   std::optional<PlanarArm::Angles> last_angles_;

@@ -50,16 +50,26 @@ const std::map<std::string, std::set<std::string>> kMaySee = {
 
 /// Headers of a library by their beginning, and the folders that may include them.
 const std::vector<std::pair<std::string, std::set<std::string>>> kLibraries = {
-    {"yaml-cpp/", {"core"}},      {"Random123/", {"core"}},
-    {"bt", {"physics"}},          {"BulletDynamics", {"physics"}},
-    {"urdf", {"physics"}},        {"gdal", {"soil"}},
-    {"ogr", {"soil"}},            {"assimp/", {"render"}},
-    {"tiny_gltf", {"render"}},    {"EGL/", {"render"}},
-    {"epoxy/", {"render"}},       {"embree3/", {"render"}},
-    {"GeographicLib/", {"sensors"}}, {"opencv2/", {"dataset"}},
-    {"lzf", {"dataset"}},         {"nlohmann/", {"dataset"}},
-    {"sqlite3", {"dataset"}},     {"pcl/", {"dataset"}},
-    {"CLI/", {"app"}},            {"spdlog/", {"app"}},
+    {"yaml-cpp/", {"core"}},
+    {"Random123/", {"core"}},
+    {"bt", {"physics"}},
+    {"BulletDynamics", {"physics"}},
+    {"urdf", {"physics"}},
+    {"gdal", {"soil"}},
+    {"ogr", {"soil"}},
+    {"assimp/", {"render"}},
+    {"tiny_gltf", {"render"}},
+    {"EGL/", {"render"}},
+    {"epoxy/", {"render"}},
+    {"embree3/", {"render"}},
+    {"GeographicLib/", {"sensors"}},
+    {"opencv2/", {"dataset"}},
+    {"lzf", {"dataset"}},
+    {"nlohmann/", {"dataset"}},
+    {"sqlite3", {"dataset"}},
+    {"pcl/", {"dataset"}},
+    {"CLI/", {"app"}},
+    {"spdlog/", {"app"}},
 };
 
 TEST(Includes, FollowTheArrowsBetweenFolders) {

@@ -19,8 +19,8 @@ TerrainSurface Small() {
 
 TEST(TerrainSurface, HeightFollowsTheTwoTrianglesOfASquare) {
   const TerrainSurface s = Small();
-  EXPECT_NEAR(s.HeightAt(10.25, -1.0), 0.5, 1e-6);   // on the lower edge
-  EXPECT_NEAR(s.HeightAt(10.25, -0.75), 2.0, 1e-6);  // on the diagonal from 0 to 4
+  EXPECT_NEAR(s.HeightAt(10.25, -1.0), 0.5, 1e-6);     // on the lower edge
+  EXPECT_NEAR(s.HeightAt(10.25, -0.75), 2.0, 1e-6);    // on the diagonal from 0 to 4
   EXPECT_NEAR(s.HeightAt(10.375, -0.875), 1.5, 1e-6);  // lower right: 0 + 0.75 * 1 + 0.25 * 3
   EXPECT_NEAR(s.HeightAt(10.125, -0.625), 2.0, 1e-6);  // upper left: 0 + 0.75 * 2 + 0.25 * 2
 }

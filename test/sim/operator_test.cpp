@@ -90,9 +90,8 @@ TEST(TwistReplay, TurnsSpeedAndYawRateIntoLevers) {
   const Cart cart;
   // 1 m/s and 0.8 rad/s with 1 m gauge: 0.6 and 1.4 m/s, of 2 m/s at full lever.
   const std::string csv = WriteFile("twist.csv", "t_s,v,w,x\n0,1,0.8,text\n");
-  const auto driver = Read("{type: twist_replay, csv: " + csv +
-                               ", forward_column: v, yaw_rate_column: w}",
-                           cart);
+  const auto driver =
+      Read("{type: twist_replay, csv: " + csv + ", forward_column: v, yaw_rate_column: w}", cart);
   const auto levers = cart.Levers(driver.get(), 3.0);
   EXPECT_NEAR(levers[0], 0.3, 1e-12);
   EXPECT_NEAR(levers[1], 0.7, 1e-12);

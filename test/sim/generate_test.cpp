@@ -1,0 +1,163 @@
+#include "sim/generate.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "core/config.h"
+#include "core/csv.h"
+#include "core/error.h"
+
+// Whole datasets, small ones: an excavator that digs, with every kind of sensor.
+
+namespace tera {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kScenario = R"(
+name: small
+seed: 5
+duration_s: 1.2
+settle_s: 0.2
+terrain: {size_m: [14, 14], cell_m: 0.1, soil: dirt}
+machines:
+  - name: excavator1
+    machine: tera:config/machines/tb235.yaml
+    operator: {type: dig_cycle, reach_m: 4.0}
+    rig: {sensors: [
+      {name: imu_boom, preset: tera:config/sensors/xsens_mti_670.yaml, link: boom, xyz_m: [1, 0, 0.3]},
+      {name: gnss, preset: tera:config/sensors/rtk_f9p.yaml, link: upper, xyz_m: [-0.9, 0.5, 1.2]},
+      {name: camera, preset: tera:config/sensors/realsense_d435i.yaml, link: upper, xyz_m: [0.8, 0.3, 1.8], rpy_deg: [0, 30, 0], width_px: 96, height_px: 72, rate_hz: 5},
+      {name: lidar, preset: tera:config/sensors/vlp16.yaml, link: upper, xyz_m: [0, 0.3, 2.1], columns: 256},
+      {name: encoders, preset: tera:config/sensors/encoder.yaml}]}
+obstacles: [{name: cone1, preset: tera:config/obstacles/cone.yaml, xy_m: [5, 1]}]
+)";
+
+using Files = std::map<std::string, std::string>;
+
+Files ReadAll(const fs::path& root) {
+  Files files;
+  for (const auto& entry : fs::recursive_directory_iterator(root)) {
+    if (!entry.is_regular_file()) continue;
+    std::ifstream stream(entry.path(), std::ios::binary);
+    std::stringstream bytes;
+    bytes << stream.rdbuf();
+    files[entry.path().lexically_relative(root).generic_string()] = bytes.str();
+  }
+  return files;
+}
+
+fs::path Fresh(const std::string& name) {
+  const fs::path path = fs::path(::testing::TempDir()) / ("generate_" + name);
+  fs::remove_all(path);
+  fs::remove_all(path.string() + ".incomplete");
+  return path;
+}
+
+void Run(const fs::path& out, const std::vector<std::string>& overrides, GenerateOptions options) {
+  const Config config = Config::FromText(kScenario, "small.yaml", overrides);
+  Scenario scenario = ReadScenario(config.root());
+  config.Finish();
+  options.out = out;
+  Generate(std::move(scenario), config.ResolvedYaml(), options);
+}
+
+Files Generated(const std::string& name, const std::vector<std::string>& overrides = {},
+                int threads = 2) {
+  const fs::path out = Fresh(name);
+  Run(out, overrides, {.threads = threads});
+  return ReadAll(out);
+}
+
+void ExpectSame(const Files& a, const Files& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (const auto& [name, bytes] : a) {
+    ASSERT_TRUE(b.contains(name)) << name;
+    EXPECT_TRUE(b.at(name) == bytes) << name << " differs";
+  }
+}
+
+TEST(Generate, SameSeedGivesTheSameBytesWithAnyNumberOfThreads) {
+  const Files one = Generated("one", {}, 1), two = Generated("two", {}, 2);
+  EXPECT_GT(one.size(), 40u);
+  ExpectSame(one, two);
+}
+
+TEST(Generate, AnotherSeedChangesTheNoiseButNotTheTruth) {
+  const Files a = Generated("seed5"), b = Generated("seed6", {"seed=6"});
+  EXPECT_NE(a.at("excavator1/imu_boom/data.csv"), b.at("excavator1/imu_boom/data.csv"));
+  EXPECT_EQ(a.at("truth/excavator1/pose.csv"), b.at("truth/excavator1/pose.csv"));
+}
+
+TEST(Generate, AnotherSensorLeavesTheOthersUnchanged) {
+  const Files all = Generated("all");
+  // Without the camera: its folder is gone and no other data file differs.
+  const Files fewer = Generated("fewer", {"machines[0].rig.sensors[2].name=other"});
+  for (const auto& [name, bytes] : all) {
+    if (name.starts_with("excavator1/camera/") || !name.starts_with("excavator1/")) continue;
+    EXPECT_TRUE(fewer.contains(name) && fewer.at(name) == bytes) << name;
+  }
+}
+
+TEST(Generate, AKilledRunIsFinishedWithTheSameBytes) {
+  struct Killed {};
+  const Files whole = Generated("whole");
+  const fs::path out = Fresh("killed");
+  GenerateOptions until_half;
+  until_half.progress = [](const GenerateProgress& progress) {
+    if (progress.simulated_s > 0.6) throw Killed();
+  };
+  EXPECT_THROW(Run(out, {}, until_half), Killed);
+  EXPECT_FALSE(fs::exists(out));
+  ASSERT_TRUE(fs::exists(out.string() + ".incomplete"));
+  Run(out, {}, {.resume = true});
+  ExpectSame(whole, ReadAll(out));
+}
+
+TEST(Generate, RefusesToResumeAnotherScenario) {
+  struct Killed {};
+  const fs::path out = Fresh("other");
+  GenerateOptions at_once;
+  at_once.progress = [](const GenerateProgress&) { throw Killed(); };
+  EXPECT_THROW(Run(out, {}, at_once), Killed);
+  EXPECT_THROW(Run(out, {"seed=99"}, {.resume = true}), InputError);
+}
+
+TEST(Generate, RefusesADirectoryThatIsNotEmpty) {
+  const fs::path out = Fresh("full");
+  fs::create_directories(out);
+  std::ofstream(out / "mine.txt") << "keep me";
+  EXPECT_THROW(Run(out, {}, {}), InputError);
+  EXPECT_TRUE(fs::exists(out / "mine.txt"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(out), fs::directory_iterator()), 1);
+}
+
+TEST(Generate, RecordedCommandsReplayToTheSameMotion) {
+  const Files dug = Generated("dug");
+  const fs::path csv = fs::path(::testing::TempDir()) / "replayed_commands.csv";
+  std::ofstream(csv, std::ios::binary) << dug.at("excavator1/commands.csv");
+  const Files replayed = Generated(
+      "replayed", {"machines[0].operator={type: lever_replay, csv: " + csv.string() + "}"});
+  EXPECT_EQ(dug.at("truth/excavator1/pose.csv"), replayed.at("truth/excavator1/pose.csv"));
+  EXPECT_EQ(dug.at("truth/excavator1/joints.csv"), replayed.at("truth/excavator1/joints.csv"));
+}
+
+TEST(Generate, ResolvedScenarioInTheDatasetGeneratesItAgain) {
+  const Files first = Generated("first");
+  const fs::path out = Fresh("second");
+  const Config config = Config::FromText(first.at("scenario.yaml"), "scenario.yaml");
+  Scenario scenario = ReadScenario(config.root());
+  config.Finish();
+  GenerateOptions options;
+  options.out = out;
+  Generate(std::move(scenario), config.ResolvedYaml(), options);
+  ExpectSame(first, ReadAll(out));
+}
+
+}  // namespace
+}  // namespace tera

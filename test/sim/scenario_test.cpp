@@ -1,0 +1,174 @@
+#include "sim/scenario.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/config.h"
+#include "core/error.h"
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+constexpr const char* kSite = R"(
+name: test
+duration_s: 1
+terrain: {size_m: [12, 12], cell_m: 0.1, soil: dirt}
+)";
+
+constexpr const char* kExcavator = R"(
+machines:
+  - name: excavator1
+    machine: tera:config/machines/tb235.yaml
+    operator: {type: idle}
+)";
+
+/// What is wrong with a scenario, or nothing.
+std::string FaultsOf(const std::string& yaml, const std::vector<std::string>& overrides = {}) {
+  try {
+    const Config config = Config::FromText(yaml, "s.yaml", overrides);
+    ReadScenario(config.root());
+    config.Finish();
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+std::string WithRig(const std::string& sensors) {
+  return std::string(kSite) + kExcavator + "    rig: {sensors: [" + sensors + "]}\n";
+}
+
+TEST(ReadScenario, AcceptsTheSmallestOne) {
+  EXPECT_EQ(FaultsOf(std::string(kSite) + kExcavator), "");
+}
+
+TEST(ReadScenario, RefusesAnUnknownKeyWithItsPlace) {
+  EXPECT_EQ(FaultsOf(std::string(kSite) + "phisics_rate_hz: 500\n" + kExcavator),
+            "s.yaml:5:1: phisics_rate_hz: unknown key (did you mean 'physics_rate_hz'?)");
+}
+
+TEST(ReadScenario, RefusesTwoSensorsWithOneName) {
+  const std::string imu = "{name: imu, preset: tera:config/sensors/xsens_mti_670.yaml, link: boom}";
+  EXPECT_THAT(FaultsOf(WithRig(imu + ", " + imu)),
+              AllOf(HasSubstr("s.yaml:10:"), HasSubstr("machines[0].rig.sensors[1].name: 'imu' is "
+                                                       "taken by another sensor")));
+}
+
+TEST(ReadScenario, RefusesASensorOnALinkThatIsNotThere) {
+  EXPECT_THAT(
+      FaultsOf(WithRig("{name: imu, preset: tera:config/sensors/xsens_mti_670.yaml, link: bom}")),
+      AllOf(HasSubstr("machines[0].rig.sensors[0].link"),
+            HasSubstr("has no link 'bom' (did you mean 'boom'?)")));
+}
+
+TEST(ReadScenario, RefusesASensorWithoutARate) {
+  EXPECT_THAT(FaultsOf(WithRig("{name: imu, preset: tera:config/sensors/xsens_mti_670.yaml, "
+                               "link: boom, rate_hz: 0}")),
+              HasSubstr("rate_hz: 0 is out of range, need more than 0"));
+}
+
+TEST(ReadScenario, RefusesAnEncoderOnAJointThatIsNotThere) {
+  EXPECT_THAT(
+      FaultsOf(WithRig("{name: e, preset: tera:config/sensors/encoder.yaml, joints: [elbow]}")),
+      HasSubstr("no joint, track or wheel 'elbow'"));
+}
+
+TEST(ReadScenario, RefusesAMachineFileThatIsNotThere) {
+  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator, {"machines[0].machine=nowhere.yaml"}),
+              HasSubstr("file 'nowhere.yaml' does not exist"));
+}
+
+TEST(ReadScenario, RefusesANegativeMassInTheMachineFile) {
+  EXPECT_THAT(
+      FaultsOf(std::string(kSite) + kExcavator, {"machines[0].machine.links.boom.mass_kg=-3"}),
+      HasSubstr("machines[0].machine.links.boom.mass_kg: -3 is out of range"));
+}
+
+TEST(ReadScenario, RefusesAMissingMesh) {
+  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator +
+                       "obstacles: [{name: r, label: rock, mesh: no.glb, xy_m: [1, 1]}]\n"),
+              AllOf(HasSubstr("obstacles[0].mesh"), HasSubstr("'no.glb' does not exist")));
+}
+
+TEST(ReadScenario, RefusesAnUnreadableGeoTiff) {
+  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator, {"terrain.geotiff=LICENSE"}),
+              HasSubstr("terrain.geotiff"));
+}
+
+TEST(ReadScenario, RefusesNamesThatAreUsedTwiceOrAreNoFolders) {
+  const std::string cone = ", label: cone, mesh: tera:assets/cone.glb, xy_m: [1, 1]}";
+  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator + "obstacles: [{name: excavator1" + cone +
+                       ", {name: a/b" + cone + "]\n"),
+              AllOf(HasSubstr("name 'excavator1' is used twice"),
+                    HasSubstr("name 'a/b' cannot be a folder")));
+}
+
+TEST(ReadScenario, RefusesStartAnglesBeyondTheLimits) {
+  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator,
+                       {"machines[0].start.joints_deg={boom: 100, elbow: 3}"}),
+              AllOf(HasSubstr("'boom' at 100 deg is beyond its limits"),
+                    HasSubstr("has no joint 'elbow'")));
+}
+
+TEST(ReadScenario, RefusesASiteWithoutMachines) {
+  EXPECT_THAT(FaultsOf(kSite), HasSubstr("no machine given"));
+}
+
+TEST(ReadScenario, SetsAMachineOnASlope) {
+  const Config config = Config::FromText(
+      std::string(kSite) + kExcavator, "s.yaml",
+      {"terrain.relief={slope_deg: 10, slope_azimuth_deg: 0}", "machines[0].start={yaw_deg: 90}"});
+  const Scenario scenario = ReadScenario(config.root());
+  config.Finish();
+  const TerrainSurface& ground = scenario.soil->surface();
+  const Pose& X_WB = scenario.machines[0].placement.X_WB;
+  EXPECT_NEAR(std::acos(X_WB.linear().col(2).dot(ground.NormalAt(0, 0))), 0.0, 0.5 * kDeg);
+  EXPECT_NEAR(std::acos(X_WB.linear()(2, 2)), 10 * kDeg, 0.5 * kDeg);
+}
+
+TEST(ReadScenario, ResolvedScenarioReadsTheSameAgain) {
+  const Config config =
+      Config::FromFile("config/scenarios/quickstart.yaml", {"terrain.cell_m=0.2"});
+  ReadScenario(config.root());
+  config.Finish();
+  const std::string resolved = config.ResolvedYaml();
+  const Config again = Config::FromText(resolved, "resolved.yaml");
+  const Scenario scenario = ReadScenario(again.root());
+  again.Finish();
+  EXPECT_EQ(again.ResolvedYaml(), resolved);
+  EXPECT_EQ(scenario.machines[0].sensors.size(), 11u);
+}
+
+TEST(Scenarios, AllThatAreShippedAreValid) {
+  for (const char* name : {"quickstart", "drive_three_soils", "two_machines", "warthog_asphalt"}) {
+    const Config config = Config::FromFile(std::string("config/scenarios/") + name + ".yaml",
+                                           {"terrain.cell_m=0.25"});
+    ReadScenario(config.root());
+    EXPECT_NO_THROW(config.Finish()) << name;
+  }
+}
+
+TEST(ObstacleAt, FollowsItsPathOverTheGround) {
+  TerrainSurface ground;  // a plane that rises 0.1 m per metre along x
+  ground.origin_W_m = Vec2(-10, -10);
+  ground.cell_m = 20;
+  ground.nx = ground.ny = 2;
+  ground.height_m = {-1, 1, -1, 1};
+  ScenarioObstacle walker;
+  walker.height_above_ground_m = 0.5;
+  walker.path = {{2, Vec2(0, 0)}, {4, Vec2(0, 3)}, {5, Vec2(4, 3)}};
+  const BodyState middle = ObstacleAt(walker, FromSeconds(3), ground);
+  EXPECT_TRUE(middle.X_WB.translation().isApprox(Vec3(0, 1.5, 0.5), 1e-6));
+  EXPECT_NEAR(middle.v_WB_mps.y(), 1.5, 1e-9);
+  EXPECT_NEAR(RpyFromRotation(middle.X_WB.linear()).z(), 90 * kDeg, 1e-9);
+  const BodyState after = ObstacleAt(walker, FromSeconds(60), ground);
+  EXPECT_TRUE(after.X_WB.translation().isApprox(Vec3(4, 3, 0.9), 1e-6));
+  EXPECT_EQ(after.v_WB_mps.norm(), 0.0);
+}
+
+}  // namespace
+}  // namespace tera

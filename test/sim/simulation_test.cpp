@@ -1,0 +1,111 @@
+#include "sim/simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/config.h"
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+Scenario Read(const std::string& operator_yaml, const std::vector<std::string>& overrides = {}) {
+  const Config config = Config::FromText(R"(
+name: test
+duration_s: 60
+terrain: {size_m: [24, 16], cell_m: 0.1, soil: dirt}
+machines:
+  - name: excavator1
+    machine: tera:config/machines/tb235.yaml
+    start: {xy_m: [-3, 0], joints_deg: {boom: 45, arm: -110, bucket: -40}}
+    operator: )" + operator_yaml + "\n",
+                                         "s.yaml", overrides);
+  Scenario scenario = ReadScenario(config.root());
+  config.Finish();
+  return scenario;
+}
+
+void StepUntil(Simulation* simulation, double t_s) {
+  while (simulation->state().t_ns < FromSeconds(t_s)) simulation->Step();
+}
+
+TEST(Simulation, ParkedMachineStaysWhereItStands) {
+  Scenario scenario = Read("{type: idle}");
+  Simulation simulation(&scenario);
+  const Pose start = simulation.state().machines[0].links[0].X_WB;
+  StepUntil(&simulation, 5.0);
+  const Pose end = simulation.state().machines[0].links[0].X_WB;
+  EXPECT_LT((end.translation() - start.translation()).norm(), 0.01);
+  EXPECT_LT(simulation.state().machines[0].links[0].v_WB_mps.norm(), 0.01);
+}
+
+TEST(Simulation, TimeIsTheStepCountOverTheRate) {
+  Scenario scenario = Read("{type: idle}", {"physics_rate_hz=300"});
+  Simulation simulation(&scenario);
+  EXPECT_EQ(simulation.state().t_ns, 0);
+  for (int k = 0; k < 100; ++k) simulation.Step();
+  EXPECT_EQ(simulation.state().t_ns, 333333333);
+  EXPECT_EQ(simulation.previous().t_ns, 330000000);
+}
+
+TEST(Simulation, WaypointsAreReached) {
+  Scenario scenario = Read("{type: waypoints, waypoints: [{xy_m: [4, 2]}], reached_m: 0.4}");
+  Simulation simulation(&scenario);
+  StepUntil(&simulation, 20.0);
+  const Vec3 p = simulation.state().machines[0].links[0].X_WB.translation();
+  EXPECT_LT((p.head<2>() - Vec2(4, 2)).norm(), 0.6);
+}
+
+TEST(Simulation, DigCycleMovesSoilToTheDumpAndLosesNone) {
+  Scenario scenario = Read("{type: dig_cycle, dump_azimuth_deg: 90, cycles: 1}");
+  Simulation simulation(&scenario);
+  const MassLedger before = scenario.soil->ledger();
+  const TerrainSurface start = simulation.ground();
+  double most_kg = 0;
+  while (simulation.state().t_ns < FromSeconds(14)) {
+    simulation.Step();
+    most_kg = std::max(most_kg, simulation.state().machines[0].shovel_load[0].mass_kg);
+  }
+  EXPECT_GT(most_kg, 30.0);  // a bucket of 0.11 m^3 holds about 150 kg
+  EXPECT_LT(simulation.state().machines[0].shovel_load[0].mass_kg, 0.2 * most_kg);
+  const MassLedger after = scenario.soil->ledger();
+  EXPECT_NEAR(after.total_kg() / before.total_kg(), 1.0, 1e-6);
+  // What was taken ahead of the machine lies to its left. Volumes of change, from the surface.
+  double ahead_m3 = 0, left_m3 = 0;
+  const TerrainSurface& end = simulation.ground();
+  for (int j = 0; j < end.ny; ++j) {
+    for (int i = 0; i < end.nx; ++i) {
+      const Vec2 p = end.origin_W_m + end.cell_m * Vec2(i, j) - Vec2(-3, 0);
+      const double change_m3 = (end.height_m[end.index(i, j)] - start.height_m[end.index(i, j)]) *
+                               end.cell_m * end.cell_m;
+      if (p.x() > 1.5 && std::abs(p.y()) < 1.5) ahead_m3 += change_m3;
+      if (p.y() > 2.2) left_m3 += change_m3;
+    }
+  }
+  EXPECT_LT(ahead_m3, -0.01);
+  EXPECT_GT(left_m3, 0.01);
+}
+
+TEST(Simulation, TwoMachinesHaveTheirOwnLeversAndJoints) {
+  const Config config = Config::FromText(R"(
+name: two
+duration_s: 5
+terrain: {size_m: [30, 30], cell_m: 0.2, soil: gravel}
+machines:
+  - {name: a, machine: tera:config/machines/tb235.yaml, start: {xy_m: [-7, 0]}, operator: {type: idle}}
+  - {name: b, machine: tera:config/machines/tb235.yaml, start: {xy_m: [7, 0]}, operator: {type: dig_cycle}}
+)",
+                                         "two.yaml");
+  Scenario scenario = ReadScenario(config.root());
+  config.Finish();
+  Simulation simulation(&scenario);
+  const int boom = scenario.machines[0].placement.model.JointIndex("boom");
+  const double start_rad = simulation.state().machines[0].q_rad[boom];
+  StepUntil(&simulation, 2.0);
+  EXPECT_NEAR(simulation.state().machines[0].q_rad[boom], start_rad, 0.01);
+  EXPECT_GT(std::abs(simulation.state().machines[1].q_rad[boom] - start_rad), 0.05);
+}
+
+}  // namespace
+}  // namespace tera
