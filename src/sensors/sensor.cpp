@@ -54,9 +54,9 @@ std::string PoseYaml(const Pose& X) {
 
 std::string ModelYaml(const ImuModel& m) {
   return fmt::format(
-      "  gyro_noise_density_degpsrthz: {}\n  gyro_bias_random_walk_degps2rthz: {}\n"
-      "  gyro_bias_degps: {}\n  gyro_sample_noise_degps: {}\n"
-      "  accel_noise_density_ugrthz: {}\n  accel_bias_random_walk_mps3rthz: {}\n"
+      "  gyro_noise_density_degpsrthz: {:.12g}\n  gyro_bias_random_walk_degps2rthz: {:.12g}\n"
+      "  gyro_bias_degps: {}\n  gyro_sample_noise_degps: {:.12g}\n"
+      "  accel_noise_density_ugrthz: {:.12g}\n  accel_bias_random_walk_mps3rthz: {}\n"
       "  accel_bias_mps2: {}\n  accel_sample_noise_mps2: {}\n",
       m.gyro_noise_density_radpsrthz / kDeg, m.gyro_bias_random_walk_radps2rthz / kDeg,
       List(m.gyro_bias_radps, kDeg), m.gyro_sample_noise_radps / kDeg,
@@ -98,7 +98,8 @@ std::string ModelYaml(const LidarModel& m) {
 
 std::string ModelYaml(const EncoderModel& m) {
   return fmt::format(
-      "  joints: [{}]\n  resolution_deg: {}\n  noise_deg: {}\n  rate_noise_degps: {}\n",
+      "  joints: [{}]\n  resolution_deg: {:.12g}\n  noise_deg: {:.12g}\n  rate_noise_degps: "
+      "{:.12g}\n",
       fmt::join(m.joints, ", "), m.resolution_rad / kDeg, m.noise_rad / kDeg,
       m.rate_noise_radps / kDeg);
 }
@@ -145,7 +146,7 @@ std::string SensorYaml(const SensorDescription& sensor) {
   if (!sensor.link.empty()) {
     text += fmt::format("parent_link: {}\n", sensor.link) + PoseYaml(sensor.X_BS);
   }
-  text += fmt::format("rate_hz: {}\nlatency_s: {}\nmodel:\n", sensor.clock.rate_hz,
+  text += fmt::format("rate_hz: {}\nlatency_s: {:.12g}\nmodel:\n", sensor.clock.rate_hz,
                       ToSeconds(sensor.latency_ns));
   return text + std::visit([](const auto& model) { return ModelYaml(model); }, sensor.model);
 }
