@@ -310,4 +310,12 @@ void DatasetWriter::Finish() {
   if (error) FailFile(impl_->final_directory, "cannot be given its name", error.value());
 }
 
+void DatasetWriter::Discard() {
+  impl_->queue.reset();
+  impl_->channels.clear();
+  impl_->frame_log.reset();
+  std::error_code ignored;
+  fs::remove_all(impl_->root, ignored);
+}
+
 }  // namespace tera

@@ -90,6 +90,8 @@ class DatasetWriter {
 
   /// Waits for the queue, closes everything and renames the directory into place.
   void Finish();
+  /// Gives up: removes the incomplete directory. Nothing may be called after it.
+  void Discard();
 
  private:
   struct Impl;

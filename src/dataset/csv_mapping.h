@@ -1,0 +1,67 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/config.h"
+#include "dataset/csv_file.h"
+
+/// How columns of a foreign CSV file become numbers in SI units and rows become times.
+
+namespace tera {
+
+/// Physical dimension that a value must have; kAny for tables, whose columns may be anything.
+enum class Dimension {
+  kAny,
+  kTime,
+  kLength,
+  kAngle,
+  kSpeed,
+  kRate,
+  kAcceleration,
+  kVariance,
+  kNone
+};
+
+/// value = field * factor + offset, or a constant.
+struct ColumnMapping {
+  std::string column;  ///< empty: the constant `offset`
+  double factor = 1.0, offset = 0.0;
+};
+
+/// Reads `{column:, unit:, scale:, offset:}` or `{constant:}`. The offset is in SI units. An
+/// unknown unit, or one of another dimension, is a fault.
+ColumnMapping ReadColumnMapping(const ConfigMap& config, Dimension dimension);
+
+/// A row counts when this holds.
+struct RowRule {
+  enum class Test { kAbove, kBelow, kEquals, kChanges };
+  std::string column;
+  Test test = Test::kAbove;
+  double value = 0;  ///< as in the file, before any unit
+};
+
+/// Which rows of which file, and when they were.
+struct RowSource {
+  std::filesystem::path file;
+  ColumnMapping time;  ///< gives seconds
+  std::vector<RowRule> rules;
+};
+
+/// Reads `file:`, `time:` and `valid_if:` of a channel; file and time default to those of the
+/// mapping's top level.
+RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top);
+
+/// One valid row: its time and the values of the columns asked for.
+struct MappedRow {
+  TimeNs t_ns = 0;
+  std::vector<double> values;
+};
+
+/// All valid rows. Throws InputError for a missing column, a number that is none, or times that do
+/// not increase.
+std::vector<MappedRow> ReadRows(const RowSource& source, const std::vector<ColumnMapping>& columns);
+
+}  // namespace tera
