@@ -112,8 +112,19 @@ class OtherBodiesOnly : public btOverlapFilterCallback {
   }
 };
 
+/// Joint angles may be given this far outside their limits, for rounding.
+constexpr double kLimitTolerance_rad = 1e-6;
+
 MachineState InitialState(const MachinePlacement& placement) {
   const MachineModel& model = placement.model;
+  TERA_CHECK(placement.q_rad.size() == model.joints.size(), placement.name);
+  for (std::size_t k = 0; k < model.joints.size(); ++k) {
+    const Joint& joint = model.joints[k];
+    if (joint.type != JointType::kRevolute && joint.type != JointType::kPrismatic) continue;
+    TERA_CHECK(placement.q_rad[k] >= joint.lower_rad - kLimitTolerance_rad &&
+                   placement.q_rad[k] <= joint.upper_rad + kLimitTolerance_rad,
+               placement.name, joint.name, placement.q_rad[k]);
+  }
   const std::size_t gears = model.ground_tools.gears.size();
   MachineState state;
   state.links.resize(model.links.size());
@@ -229,8 +240,8 @@ PhysicsWorld::PhysicsWorld(const std::vector<MachinePlacement>& machines,
     impl_->obstacles.push_back(std::make_unique<KinematicObstacle>(obstacle, &impl_->world));
   }
   for (const MachinePlacement& placement : machines) {
-    impl_->machines.push_back(std::make_unique<MachineDynamics>(placement, &impl_->world));
     impl_->states.push_back(InitialState(placement));
+    impl_->machines.push_back(std::make_unique<MachineDynamics>(placement, &impl_->world));
     impl_->machines.back()->body.ReadState(0.0, &impl_->states.back());
   }
 }

@@ -15,7 +15,7 @@ struct MachinePlacement {
   std::string name;
   MachineModel model;
   Pose X_WB = Pose::Identity();  ///< pose of the root link at the start
-  std::vector<double> q_rad;     ///< joint angles at the start, one for each joint
+  std::vector<double> q_rad;     ///< joint angles at the start, one for each joint, within limits
 };
 
 /// Something solid that machines collide with. Its pose is set from outside before each step
@@ -36,9 +36,13 @@ struct MachineInput {
 ///
 /// Frames  W, link frames B as in MachineModel.
 /// Model   levers -> target rates -> velocity motors limited in effort, with RateTransient; running
-///         gears turn against the soil's traction; the soil's wrenches act on the links; carried
-///         soil adds its mass to the tool's link.
-/// Omits   hydraulics, joint friction, backlash, structural flex.
+///         gears turn against the soil's traction, I dw/dt = torque - traction * radius; the soil's
+///         wrenches act on the links; carried soil adds its mass to the tool's link. Velocities
+///         are those at the end of a step and poses follow them (semi-implicit), so that soil
+///         forces given for the present pose act stably. Boxes of different machines, and of
+///         machines and obstacles, collide without bouncing.
+/// Omits   hydraulics, joint friction, backlash, structural flex, the reaction of a gear's inertia
+///         on its link, collision within one machine.
 class PhysicsWorld {
  public:
   PhysicsWorld(const std::vector<MachinePlacement>& machines,

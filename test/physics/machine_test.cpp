@@ -81,6 +81,96 @@ TEST(Machine, EveryKeyOfAJointIsRead) {
   EXPECT_DOUBLE_EQ(ringing.transient.phi_rad, 0.5);
 }
 
+TEST(Machine, EveryKeyOfALinkIsRead) {
+  const auto with = [](const std::string& text) {
+    return MachineFromText(kLiftArm, {text}).links[1];
+  };
+  EXPECT_EQ(with("links.arm.mass_kg=33").mass_kg, 33);
+  EXPECT_TRUE(with("links.arm.com_m=[1, 2, 3]").com_B_m.isApprox(Vec3(1, 2, 3)));
+  const Mat3 inertia = with("links.arm.inertia_kgm2=[5, 6, 7, 0.1, 0.2, 0.3]").inertia_B_kgm2;
+  EXPECT_EQ(inertia(1, 1), 6);
+  EXPECT_EQ(inertia(0, 1), 0.1);
+  EXPECT_EQ(inertia(2, 0), 0.2);
+  EXPECT_EQ(inertia(1, 2), 0.3);
+  EXPECT_EQ(with("links.arm.label=arm").label, SemanticClass::kArm);
+  const Link boxed = with("links.arm.collision=[{xyz_m: [1, 0, 0], size_m: [2, 3, 4]}]");
+  EXPECT_EQ(boxed.collision.at(0).X_BG.translation().x(), 1);
+  EXPECT_EQ(boxed.collision.at(0).size_m.z(), 4);
+  const Link seen = with(
+      "links.arm.visuals=[{mesh: 'tera:assets/tb235.glb', node: boom, scale: 2, xyz_m: [0, 1, 0], "
+      "rpy_deg: [0, 0, 90], label: track}]");
+  const Visual& visual = seen.visuals.at(0);
+  EXPECT_EQ(visual.mesh, DataRoot() / "assets/tb235.glb");
+  EXPECT_EQ(visual.node, "boom");
+  EXPECT_EQ(visual.scale, 2);
+  EXPECT_EQ(visual.label, SemanticClass::kTrack);
+  EXPECT_TRUE(visual.X_BG.isApprox(MakePose(Vec3(0, 1, 0), 0, 0, 90 * kDeg), 1e-12));
+}
+
+TEST(Machine, EveryKeyOfRunningGearIsRead) {
+  const std::string tracked = kLiftArm + R"(
+gauge_m: 1.3
+tracks:
+  left: {link: arm, center_m: [0, 1, 0.2], wheelbase_m: 1, radius_m: 0.2, width_m: 0.3,
+         max_speed_mps: 2, max_torque_nm: 500, inertia_kgm2: 3}
+wheels:
+  right: {link: arm, axles_m: [[0, -1, 0.4]], radius_m: 0.4, width_m: 0.2,
+          max_speed_mps: 2, max_torque_nm: 700, inertia_kgm2: 4}
+)";
+  const auto with = [&](const std::string& text) {
+    return MachineFromText(
+        tracked, text.empty() ? std::vector<std::string>{} : std::vector<std::string>{text});
+  };
+  const MachineModel model = with("");
+  const auto gear = [&](const std::string& text, int g) {
+    return with(text).ground_tools.gears.at(g);
+  };
+  EXPECT_EQ(model.gauge_m, 1.3);
+  EXPECT_EQ(model.ground_tools.gears[0].link, 1);
+  EXPECT_EQ(gear("tracks.left.link=post", 0).link, 0);
+  EXPECT_EQ(gear("tracks.left.center_m=[0, 2, 0]", 0).patches[0].p_B_m.y(), 2);
+  EXPECT_EQ(gear("tracks.left.radius_m=0.25", 0).drive_radius_m, 0.25);
+  EXPECT_EQ(gear("tracks.left.width_m=0.5", 0).patches[0].width_m, 0.5);
+  EXPECT_GT(gear("tracks.left.wheelbase_m=2", 0).patches.size(),
+            model.ground_tools.gears[0].patches.size());
+  EXPECT_EQ(gear("wheels.right.link=post", 1).link, 0);
+  EXPECT_EQ(gear("wheels.right.radius_m=0.5", 1).drive_radius_m, 0.5);
+  EXPECT_EQ(gear("wheels.right.width_m=0.5", 1).patches[0].width_m, 0.5);
+  EXPECT_EQ(gear("wheels.right.axles_m=[[0, -3, 0.4]]", 1).patches[0].p_B_m.y(), -3);
+  const auto drive = [&](const std::string& text, int g) { return with(text).gear_drives.at(g); };
+  EXPECT_EQ(drive("tracks.left.max_speed_mps=4", 0).max_rate_radps, 20);
+  EXPECT_EQ(drive("tracks.left.max_torque_nm=9", 0).max_torque_nm, 9);
+  EXPECT_EQ(drive("wheels.right.inertia_kgm2=9", 1).inertia_kgm2, 9);
+  EXPECT_TRUE(drive("wheels.right.transient={beta_1ps: 9}", 1).transient.enabled);
+  EXPECT_EQ(with("levers=[right]").levers.at(0).gear, 1);
+  EXPECT_EQ(with("tracks.left.shoe={mesh: 'tera:assets/tb235.glb', node: shoe, count: 7}")
+                .track_visuals.at(0)
+                .shoe_count,
+            7);
+  EXPECT_EQ(with("wheels.right.wheel={mesh: 'tera:assets/warthog.glb', node: wheel}")
+                .wheel_visuals.at(0)
+                .axle_B_m.y(),
+            -1);
+  EXPECT_THAT(
+      FaultsOf(tracked, {"wheels.left={link: arm, axles_m: [[0, 1, 0]], radius_m: 1, "
+                         "width_m: 1, max_speed_mps: 1, max_torque_nm: 1, inertia_kgm2: 1}"}),
+      testing::HasSubstr("a track is named 'left' already"));
+}
+
+TEST(Machine, FramesHullPointsAndShovelsAreRead) {
+  const MachineModel model = MachineFromText(
+      kLiftArm, {"frames={grip: {link: arm, xyz_m: [1, 2, 3], rpy_deg: [0, 90, 0]}}",
+                 "hull_points=[{link: arm, points_m: [[1, 2, 3], [4, 5, 6]]}]"});
+  EXPECT_EQ(model.frames.at(0).link, 1);
+  EXPECT_TRUE(model.frames[0].X_BF.isApprox(MakePose(Vec3(1, 2, 3), 0, 90 * kDeg, 0), 1e-12));
+  EXPECT_EQ(model.ground_tools.hull_points.at(1).p_B_m.z(), 6);
+  const Shovel& scoop = model.ground_tools.shovels.at(0);
+  EXPECT_EQ(scoop.link, 1);
+  EXPECT_EQ(scoop.width_m, 0.5);
+  EXPECT_EQ(scoop.profile_B_m.at(1).y(), -0.2);
+  EXPECT_EQ(scoop.capacity_m3, 0.05);
+}
+
 TEST(Machine, ExcavatorHasItsEquipment) {
   const MachineModel model = ShippedMachine("tb235");
   EXPECT_EQ(model.kind, "tb235");

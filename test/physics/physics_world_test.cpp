@@ -188,6 +188,48 @@ links:
   EXPECT_LT(a_com.norm(), 1e-4);
 }
 
+TEST(PhysicsWorld, AnExcavatorOnSpringsSettlesUnderItsWeight) {
+  const MachineModel model = ShippedMachine("tb235");
+  // Springs under the bottom run of both tracks, explicit as those of soil are.
+  const double stiffness_npm = 60e3, damping_nspm = 3e3;
+  MachineRun run(model, MakePose(Vec3(2, -1, 0.01), 0, 0, 0.7));
+  const GroundTools& tools = model.ground_tools;
+  int springs = 0;
+  double pressed_n = 0;
+  for (int step = 0; step < 5000; ++step) {
+    springs = 0;
+    pressed_n = 0;
+    const BodyState base = run.state().links[0];
+    Wrench& wrench = run.input.soil.link_wrench[0];
+    wrench = Wrench();
+    for (const RunningGear& gear : tools.gears) {
+      for (const ContactPatch& patch : gear.patches) {
+        if (patch.outward_B.z() > -0.999) continue;
+        ++springs;
+        const Vec3 p_W = base.X_WB * patch.p_B_m;
+        const Vec3 v_W = PointVelocity(base, patch.p_B_m);
+        if (p_W.z() > 0) continue;
+        const Vec3 force_n = Vec3(0, 0, -stiffness_npm * p_W.z()) - damping_nspm * v_W;
+        wrench.AddForceAt(force_n, p_W, base.X_WB.translation());
+        pressed_n += force_n.z();
+      }
+    }
+    run.Step();
+  }
+  const BodyState& base = run.state().links[0];
+  EXPECT_NEAR(pressed_n, 3500 * kGravity_mps2, 0.5);
+  EXPECT_LT(base.v_WB_mps.norm(), 1e-4);
+  EXPECT_LT(base.w_WB_radps.norm(), 1e-4);
+  // Heave of the springs' centre, which lies on the slew axis; the boom ahead tips it forward.
+  EXPECT_NEAR(base.X_WB.translation().z(), -3500 * kGravity_mps2 / (springs * stiffness_npm), 2e-4);
+}
+
+TEST(PhysicsWorld, JointsMustStartWithinTheirLimits) {
+  MachinePlacement placement = PlaceAtStart(ShippedMachine("tb235"), Pose::Identity());
+  placement.q_rad[3] = 0;  // the arm has -155 to -30 deg
+  EXPECT_THROW(PhysicsWorld({placement}, {}, kGravity_mps2), InternalError);
+}
+
 TEST(PhysicsWorld, TwoMachinesApartMoveAsIfEachWereAlone) {
   const MachineModel excavator = ShippedMachine("tb235"), rover = ShippedMachine("warthog");
   const Pose X_W1 = MakePose(Vec3(0, 0, 5), 0.1, 0, 0), X_W2 = MakePose(Vec3(12, 3, 6), 0, 0.2, 1);
