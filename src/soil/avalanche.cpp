@@ -76,7 +76,7 @@ bool Avalanche::CollectOutflow(std::uint32_t k, double share, const Columns& gro
     const auto& [di, dj, distance] = kDirections[d];
     if (!ground.Contains(i + di, j + dj)) continue;
     const std::size_t to = ground.index(i + di, j + dj);
-    if (ground.blocked(to)) continue;
+    if (c.top_m() > ground.blocked_m(to)) continue;
     const double run_m = distance * ground.cell_m();
     const double drop_m = c.top_m() - ground.at(to).top_m();
     starts = starts || drop_m - tan_limit * run_m > kLeastExcess_m;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/check.h"
 #include "soil/soil_type.h"
@@ -47,7 +48,7 @@ Columns::Columns(Vec2 origin_W_m, double cell_m, int nx, int ny,
                                1);
   columns_.resize(n);
   is_changed_.assign(n, 0);
-  blocked_.assign(n, 0);
+  blocked_m_.assign(n, std::numeric_limits<float>::infinity());
   for (std::size_t k = 0; k < n; ++k) {
     columns_[k].bank_m = height_m[k];
     columns_[k].bank_soil = columns_[k].loose_soil = bank_soil[k];
@@ -186,9 +187,9 @@ void Columns::Break(std::size_t k, double thickness_m) {
 
 void Columns::MarkRut(std::size_t k) { ShowRut(k, kRutOfContact); }
 
-void Columns::SetBlocked(std::size_t k, bool blocked) {
-  blocked_[k] += blocked ? 1 : -1;
-  if (blocked_[k] == 0) Changed(k);  // what was held back may now slide
+void Columns::Unblock(std::size_t k) {
+  blocked_m_[k] = std::numeric_limits<float>::infinity();
+  Changed(k);  // what was held back may now slide
 }
 
 double Columns::GroundMass_kg() const {

@@ -87,9 +87,10 @@ class Columns {
   /// Marks a column as touched by a running gear.
   void MarkRut(std::size_t k);
 
-  /// A shovel stands in this column, or no longer does: soil does not slide into it meanwhile.
-  void SetBlocked(std::size_t k, bool blocked);
-  bool blocked(std::size_t k) const { return blocked_[k] != 0; }
+  /// A shovel stands in this column from `low_m` upwards: soil higher than that does not slide in.
+  void Block(std::size_t k, double low_m) { blocked_m_[k] = static_cast<float>(low_m); }
+  void Unblock(std::size_t k);
+  double blocked_m(std::size_t k) const { return blocked_m_[k]; }
 
   double GroundMass_kg() const;
   double outside_kg() const { return outside_kg_; }
@@ -110,7 +111,7 @@ class Columns {
   double outside_kg_ = 0;
   std::vector<std::uint32_t> changed_;
   std::vector<std::uint8_t> is_changed_;
-  std::vector<std::uint8_t> blocked_;  ///< how many shovels stand in it
+  std::vector<float> blocked_m_;  ///< lowest point of a shovel that stands in it, else infinite
 };
 
 }  // namespace tera

@@ -18,6 +18,7 @@ constexpr double kShellWidth_m = 0.10;      ///< width of the loaded strip for t
 constexpr double kLeastDownward = 0.35;     ///< parts of the shell facing further up carry nothing
 constexpr double kShellDampingRatio = 0.2;  ///< of critical for the mass that the pressure carries
 constexpr double kSlideSpeed_mps = 0.10;    ///< shell friction is proportional to speed below it
+constexpr double kNear_m = 0.3;             ///< a shovel this close to the ground holds soil back
 // Edge.
 constexpr int kStrips = 5;
 constexpr double kElasticTravel_m = 0.006;  ///< travel over which the edge's force builds up
@@ -28,8 +29,11 @@ constexpr double kToothWidth_m = 0.06, kToothThickness_m = 0.02;
 constexpr double kFullPierceDepth_m = 0.5, kPierceAtSurface = 0.1;
 constexpr double kLeastSpeed_mps = 1e-4;  ///< slower edges keep their elastic travel
 // Carried soil.
-constexpr double kSpillTime_s = 0.25;  ///< time constant at which what cannot stay leaves
-constexpr double kEmpty_kg = 1e-3;     ///< the last grams leave at once
+constexpr double kSpillTime_s = 0.25;   ///< time constant at which what cannot stay leaves
+constexpr double kBeforeLip_cells = 2;  ///< where the ground before the mouth is looked at
+constexpr double kShut_m = 0.05;        ///< ground this far above the lip shuts the mouth
+constexpr double kMouthDown = -0.7;     ///< z of a mouth that no ground can shut
+constexpr double kEmpty_kg = 1e-3;      ///< the last grams leave at once
 
 double Clamp01(double x) { return std::clamp(x, 0.0, 1.0); }
 
@@ -60,23 +64,26 @@ void Digging::FindFootprint(const BodyState& body, Columns* ground) {
   j0_ = std::max(0, ground->NearestJ(low.y()));
   i1_ = std::min(ground->nx() - 1, ground->NearestI(high.x()));
   j1_ = std::min(ground->ny() - 1, ground->NearestJ(high.y()));
-  const double near_m = ground->cell_m();  // a shovel this close above the ground holds soil back
   mask_.assign(static_cast<std::size_t>(std::max(0, i1_ - i0_ + 1)) * std::max(0, j1_ - j0_ + 1),
                0);
   for (int j = j0_; j <= j1_; ++j) {
     for (int i = i0_; i <= i1_; ++i) {
       const std::size_t k = ground->index(i, j);
       const double top_m = ground->at(k).top_m();
-      if (top_m + near_m <= low.z()) continue;
+      if (top_m + kNear_m <= low.z()) continue;
       const auto crossing = shape_.VerticalCrossing(body.X_WB, ground->x_m(i), ground->y_m(j));
-      if (!crossing || top_m + near_m <= crossing->low_m) continue;
+      if (!crossing) continue;
       mask_[static_cast<std::size_t>(j - j0_) * (i1_ - i0_ + 1) + (i - i0_)] = 1;
-      ground->SetBlocked(k, true);
+      ground->Block(k, crossing->low_m);
       blocked_.push_back(k);
       if (top_m > crossing->low_m) footprint_.push_back({i, j, *crossing});
     }
   }
-  for (const std::size_t k : before) ground->SetBlocked(k, false);
+  for (const std::size_t k : before) {
+    if (!InFootprint(static_cast<int>(k % ground->nx()), static_cast<int>(k / ground->nx()))) {
+      ground->Unblock(k);
+    }
+  }
 }
 
 /// Puts soil on the first column outside the footprint in `direction`.
@@ -151,7 +158,18 @@ void Digging::Spill(const BodyState& body, double dt_s, Columns* ground) {
   if (carried_.mass_kg <= 0) return;
   const Vec3 up_B = body.X_WB.linear().transpose().col(2);
   const double repose_rad = ground->soils()[carried_.soil].repose_angle_rad;
-  const double holds_m3 = shape_.HoldFor(up_B, repose_rad, carried_.volume_m3).volume_m3;
+  const Vec3 lip_B = shape_.LowerLip_B(up_B);
+  const Vec3 mouth_W = body.X_WB.linear() * shape_.mouth_normal_B();
+  const Vec2 mouth = mouth_W.head<2>();
+  const Vec2 out = mouth.norm() > kLeastSpeed_mps ? Vec2(mouth.normalized()) : Vec2::UnitX();
+  double holds_m3 = shape_.HoldFor(up_B, repose_rad, carried_.volume_m3).volume_m3;
+  // Ground that stands before the mouth keeps soil in.
+  const Vec3 lip_W = body.X_WB * lip_B;
+  const Vec2 before_lip = lip_W.head<2>() + kBeforeLip_cells * ground->cell_m() * out;
+  if (mouth_W.z() > kMouthDown &&
+      ground->HeightAt(before_lip.x(), before_lip.y()) > lip_W.z() + kShut_m) {
+    holds_m3 = std::max(holds_m3, shovel_.capacity_m3);
+  }
   const double excess_m3 = carried_.volume_m3 - holds_m3;
   if (excess_m3 <= 0) return;
   double share = excess_m3 / carried_.volume_m3 * Clamp01(dt_s / kSpillTime_s);
@@ -159,13 +177,10 @@ void Digging::Spill(const BodyState& body, double dt_s, Columns* ground) {
   // Over the lower lip, a little beyond it, spread over the shovel's width.
   Spoil spilled = carried_.Take(share);
   if (share == 1) carried_ = {};
-  const Vec3 lip_B = shape_.LowerLip_B(up_B);
-  const Vec2 mouth = (body.X_WB.linear() * shape_.mouth_normal_B()).head<2>();
   const int parts = std::max(1, static_cast<int>(std::lround(shovel_.width_m / ground->cell_m())));
   for (int part = 0; part < parts; ++part) {
     const double y_m = ((part + 0.5) / parts - 0.5) * shovel_.width_m;
     const Vec3 p_W = body.X_WB * Vec3(lip_B.x(), y_m, lip_B.z());
-    const Vec2 out = mouth.norm() > kLeastSpeed_mps ? Vec2(mouth.normalized()) : Vec2::UnitX();
     PutOutside(ground->NearestI(p_W.x()), ground->NearestJ(p_W.y()), out,
                spilled.Take(1.0 / (parts - part)), ground);
   }

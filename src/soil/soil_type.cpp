@@ -64,13 +64,16 @@ std::string ShippedSoilNames() {
 }
 
 double BearingPressure_pa(const SoilType& soil, double width_m, double depth_m) {
-  const double phi = std::max(soil.friction_angle_rad, 1e-3);  // N_c tends to pi + 2
-  const double t = std::tan(phi);
+  constexpr double kLocalShear = 2.0 / 3;  // Terzaghi's reduction of cohesion and tan(phi)
+  constexpr double kLeastTan = 1e-3;       // below it N_c has its limit pi + 2
+  const double t = std::max(kLocalShear * std::tan(soil.friction_angle_rad), kLeastTan);
+  const double phi = std::atan(t);
   const double n_q = std::exp(kPi * t) * std::pow(std::tan(kPi / 4 + phi / 2), 2);
   const double n_c = (n_q - 1) / t;
   const double n_gamma = 2 * (n_q + 1) * t;
   const double weight_npm3 = soil.bank_density_kgpm3 * kStandardGravity_mps2;
-  return soil.cohesion_pa * n_c + weight_npm3 * (depth_m * n_q + 0.5 * width_m * n_gamma);
+  return kLocalShear * soil.cohesion_pa * n_c +
+         weight_npm3 * (depth_m * n_q + 0.5 * width_m * n_gamma);
 }
 
 }  // namespace tera

@@ -23,9 +23,10 @@ inline double LooseDensity_kgpm3(const SoilType& soil) {
   return soil.bank_density_kgpm3 / soil.swell;
 }
 
-/// Terzaghi's bearing pressure of a strip `width_m` wide pressed in at `depth_m`:
+/// Terzaghi's bearing pressure of a strip `width_m` wide pressed in at `depth_m`, for local shear
+/// (soil that compresses before it fails: two thirds of cohesion and tan phi):
 /// c N_c + rho g depth N_q + rho g width N_gamma / 2, with Reissner's N_q, Prandtl's N_c and
-/// Vesic's N_gamma. Source: Das, Principles of Foundation Engineering, ch. 3.
+/// Vesic's N_gamma. Source: Terzaghi 1943; Das, Principles of Foundation Engineering, ch. 3.
 double BearingPressure_pa(const SoilType& soil, double width_m, double depth_m);
 
 }  // namespace tera
