@@ -31,9 +31,15 @@ struct RayHit {
 /// Ray queries over the scene (Embree 3).
 ///
 /// Model   bodies are instances with motion blur over an interval of time, so that every ray meets
-///         the scene as it was at its own instant; the terrain is one geometry per tile, of which
-///         only tiles with a new version are rebuilt, and stands still within an interval.
-/// Omits   transparency: glass is opaque with its own reflectance unless its opacity is 0.
+///         the scene as it was at its own instant (straight lines between keys, as many keys as
+///         keep what is 4 m from a body's origin within 0.05 mm of its arc); the terrain is one
+///         geometry per tile, of which only tiles with a new version are rebuilt, and stands still
+///         within an interval.
+/// Omits   transparency: glass is opaque with its own reflectance unless its opacity is 0. The land
+///         beyond the site's border, a backdrop of pictures: rays that leave the site hit nothing
+///         there. Ripples of the terrain finer than its cells.
+/// Source  soil darkening with moisture: a saturated soil reflects about half as much as a dry one
+///         in the near infrared (after Lobell and Asner 2002), linear in saturation between.
 class RayScene {
  public:
   /// Most poses that Update takes.
@@ -43,7 +49,8 @@ class RayScene {
   ~RayScene();
 
   /// Sets the scene over [t0, t1]: `poses` at equally spaced times from t0 to t1 (1 to 32 of them),
-  /// each with one pose for each body; the terrain as it is now.
+  /// each with one pose for each body; `body_scale` one for each body, 0 hides it; the terrain as
+  /// it is now.
   void Update(const std::vector<std::vector<Pose>>& poses, const TerrainSurface& terrain,
               const std::vector<float>& body_scale);
 
