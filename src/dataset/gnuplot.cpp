@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
+#include <limits>
 
 #include "core/check.h"
 #include "dataset/child_process.h"
@@ -21,12 +23,25 @@ std::string Quoted(const std::string& text) {
   return quoted + "'";
 }
 
+/// Range of y that gnuplot finds by itself, save for curves that are all one constant.
+std::string YRange(const Chart& chart) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Curve& curve : chart.curves) {
+    for (const double y : curve.y) {
+      low = std::min(low, y);
+      high = std::max(high, y);
+    }
+  }
+  return low == high ? fmt::format("[{}:{}]", low - 1.0, high + 1.0) : "[*:*]";
+}
+
 void AppendChart(const Chart& chart, std::string* script) {
   const auto out = std::back_inserter(*script);
   fmt::format_to(out,
                  "set title {} noenhanced\nset xlabel {} noenhanced\nset ylabel {} noenhanced\n",
                  Quoted(chart.title), Quoted(chart.x_label), Quoted(chart.y_label));
   fmt::format_to(out, "set size {}\n", chart.equal_axes ? "ratio -1" : "noratio");
+  fmt::format_to(out, "set yrange {}\n", YRange(chart));
   bool any = false;
   std::string plot, data;
   for (std::size_t i = 0; i < chart.curves.size(); ++i) {

@@ -201,6 +201,7 @@ Mapping ReadMapping(const ConfigMap& top) {
   mapping.info.scenario_name = top.Text("name");
   mapping.info.simulated = top.Boolean("simulated", false);
   mapping.machine = top.Text("machine");
+  for (const char* shared : {"file", "time"}) top.Has(shared);  // even if each channel has its own
   if (const auto origin = top.OptionalMap("origin")) {
     mapping.info.origin_lat_deg = origin->Number("lat_deg", Between(-90, 90, "deg"));
     mapping.info.origin_lon_deg = origin->Number("lon_deg", Between(-180, 180, "deg"));

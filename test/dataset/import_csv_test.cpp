@@ -1,0 +1,203 @@
+#include "dataset/import_csv.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "core/config.h"
+#include "core/error.h"
+#include "dataset/recording.h"
+#include "dataset/sample_recording.h"
+#include "dataset/wgs84.h"
+
+namespace tera {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+namespace fs = std::filesystem;
+
+constexpr double kTight = 1e-12;
+
+/// A logger's file, its mapping, and the recording made of them.
+class ImportTest : public testing::Test {
+ protected:
+  ImportTest() {
+    WriteWholeFile(scratch_.path() / "log.csv",
+                   "ms,state,gx,gy,gz,ax,ay,az,rpm,east_mm,yaw_w,yaw_z,lat,lon,n\n"
+                   "1000,idle,90,0,0,0,0,1,60,0,0,0,46.78,-71.27,0\n"
+                   "1100,idle,0,180,0,0.5,0,1,60,250,1,0,46.78,-71.27,1\n"
+                   "1200,dig,0,0,-90,0,0,1,120,250,1,0,46.78,-71.27,1\n"
+                   "1300,dig,0,0,0,0,0,1,120,1000,0.6,0.8,46.781,-71.27,2");
+  }
+  std::string Top() const {
+    return "name: logged\nmachine: digger\nfile: log.csv\n"
+           "time: {column: ms, unit: ms, offset: -1}\n"
+           "origin: {lat_deg: 46.78, lon_deg: -71.27, height_m: 90}\n";
+  }
+  Recording Import(const std::string& channels) const {
+    WriteWholeFile(scratch_.path() / "mapping.yaml", Top() + channels);
+    fs::remove_all(scratch_.path() / "out");
+    ImportCsv(scratch_.path() / "mapping.yaml", scratch_.path() / "out");
+    return Recording(scratch_.path() / "out");
+  }
+
+  ScratchDirectory scratch_;
+};
+
+constexpr char kImu[] =
+    "imus:\n  - name: imu\n    rpy_deg: [0, 0, 90]\n    columns:\n"
+    "      wx: {column: gx, unit: deg/s}\n      wy: {column: gy, unit: deg/s}\n"
+    "      wz: {column: gz, unit: deg/s, scale: -1}\n      ax: {column: ax, unit: g}\n"
+    "      ay: {column: ay, unit: g}\n      az: {column: az, unit: g, offset: 0.01}\n";
+
+TEST_F(ImportTest, ConvertsUnitsScalesOffsetsAndAxesOfAnImu) {
+  const Recording recording = Import(kImu);
+  EXPECT_FALSE(recording.info().simulated);
+  const auto imu = recording.LoadImu("digger/imu");
+  ASSERT_EQ(imu.size(), 4u);
+  EXPECT_EQ(imu[0].t_ns, 0);
+  EXPECT_EQ(imu[1].t_ns, 100'000'000);
+  // The logger's x is the sensor's y, its y the sensor's -x.
+  EXPECT_TRUE(imu[0].w_WS_S_radps.isApprox(Vec3(0, kPi / 2, 0), kTight));
+  EXPECT_TRUE(imu[1].w_WS_S_radps.isApprox(Vec3(-kPi, 0, 0), kTight));
+  EXPECT_TRUE(imu[2].w_WS_S_radps.isApprox(Vec3(0, 0, kPi / 2), kTight));
+  EXPECT_TRUE(imu[1].f_S_mps2.isApprox(Vec3(0, 4.903325, 9.81665), kTight));
+}
+
+TEST_F(ImportTest, IntegratesTheRateOfAnEncoderWithoutAngles) {
+  const Recording recording = Import(
+      "encoders:\n  - name: wheels\n    joints: [{name: left, rate: {column: rpm, unit: rpm}}]\n");
+  const EncoderRecording wheels = recording.LoadEncoder("digger/wheels");
+  // 2 pi rad/s for 0.1 s, then ramping to 4 pi over 0.1 s, then 4 pi for 0.1 s.
+  EXPECT_NEAR(wheels.samples[0].qd_radps[0], 2 * kPi, kTight);
+  EXPECT_NEAR(wheels.samples[1].q_rad[0], 0.2 * kPi, kTight);
+  EXPECT_NEAR(wheels.samples[2].q_rad[0], 0.5 * kPi, kTight);
+  EXPECT_NEAR(wheels.samples[3].q_rad[0], 0.9 * kPi, kTight);
+}
+
+TEST_F(ImportTest, TakesAnglesWhereThereAreSome) {
+  const Recording recording = Import(
+      "encoders:\n  - name: joints\n    joints:\n      - name: boom\n"
+      "        angle: {column: gx, unit: deg}\n        rate: {column: gy, unit: deg/s}\n");
+  const EncoderRecording joints = recording.LoadEncoder("digger/joints");
+  EXPECT_NEAR(joints.samples[0].q_rad[0], kPi / 2, kTight);
+  EXPECT_NEAR(joints.samples[1].qd_radps[0], kPi, kTight);
+}
+
+constexpr char kPose[] =
+    "pose:\n  world: {xyz_m: [10, 0, 0], rpy_deg: [0, 0, 90]}\n  body: {xyz_m: [0, 0, -1]}\n"
+    "  columns:\n    x: {column: east_mm, unit: mm}\n    y: {constant: 0}\n"
+    "    z: {constant: 1.5}\n    qw: {column: yaw_w, unit: '1'}\n    qx: {constant: 0}\n"
+    "    qy: {constant: 0}\n    qz: {column: yaw_z, unit: '1'}\n";
+
+TEST_F(ImportTest, PlacesPosesInTheWorldAndSkipsRowsThatDoNotCount) {
+  const Recording recording = Import(
+      std::string(kPose) + "  valid_if: [{column: n, above: 0}, {column: n, changes: true}]\n");
+  const PoseRecording pose = recording.LoadPose("truth/digger/pose.csv");
+  EXPECT_FALSE(pose.has_velocity);
+  ASSERT_EQ(pose.poses.size(), 2u);
+  EXPECT_EQ(pose.poses[0].t_ns, 100'000'000);
+  EXPECT_EQ(pose.poses[1].t_ns, 300'000'000);
+  // 0.25 m east in the logger's world is 0.25 m along y of W; the body is 1 m below the tracker.
+  EXPECT_TRUE(pose.poses[0].X_WB.translation().isApprox(Vec3(10, 0.25, 0.5), kTight));
+  const double yaw_rad = RpyFromRotation(pose.poses[1].X_WB.linear()).z();
+  EXPECT_NEAR(yaw_rad, kPi / 2 + 2 * std::atan2(0.8, 0.6) - 2 * kPi, kTight);
+}
+
+TEST_F(ImportTest, SelectsRowsByEachRule) {
+  const auto rows = [&](const std::string& rule) {
+    return Import("tables: [{name: t, columns: {e: {column: east_mm, unit: mm}}, valid_if: [" +
+                  rule + "]}]\n")
+        .LoadTable("digger/t.csv")
+        .rows.size();
+  };
+  EXPECT_EQ(rows("{column: n, above: 1}"), 1u);
+  EXPECT_EQ(rows("{column: n, below: 1}"), 1u);
+  EXPECT_EQ(rows("{column: n, equals: 1}"), 2u);
+  EXPECT_EQ(rows("{column: state, changes: true}"), 2u);
+}
+
+TEST_F(ImportTest, PutsGnssIntoTheTangentPlaneOfTheOrigin) {
+  const Recording recording = Import(
+      "gnss:\n  - name: gnss\n    columns:\n      lat: {column: lat, unit: deg}\n"
+      "      lon: {column: lon, unit: deg}\n      alt: {constant: 92.5}\n      fix: {constant: 4}\n"
+      "      var_e: {constant: 0.0004}\n      var_n: {constant: 0.0004}\n"
+      "      var_u: {constant: 0.0016}\n");
+  const auto gnss = recording.LoadGnss("digger/gnss");
+  EXPECT_NEAR(gnss[0].enu_m.norm(), 2.5, 1e-8);
+  EXPECT_EQ(gnss[0].fix, GnssFix::kRtkFixed);
+  EXPECT_NEAR(gnss[0].lat_deg, 46.78, kTight);
+  // 0.001 deg of latitude at 46.78 deg: meridian radius 6369.4 km, so 111.167 m.
+  EXPECT_NEAR(gnss[3].enu_m.y(), 111.167, 0.01);
+  EXPECT_EQ(gnss[0].variance_enu_m2.z(), 0.0016);
+}
+
+TEST(EnuFromGeodetic, OfThePoleSeenFromTheEquatorIsThePolarRadius) {
+  // From (0, 0) east is y, north is z, up is x of the Earth-centred frame; polar radius b.
+  const Vec3 enu = EnuFromGeodetic({kPi / 2, 0.3, 0}, {0, 0, 0});
+  EXPECT_NEAR(enu.x(), 0, 1e-6);
+  EXPECT_NEAR(enu.y(), 6356752.314245, 1e-5);
+  EXPECT_NEAR(enu.z(), -6378137.0, 1e-6);
+}
+
+TEST_F(ImportTest, ReadsEachChannelFromItsOwnFileAndTime) {
+  WriteWholeFile(scratch_.path() / "other.csv", "t,v\n5,1\n6,2\n");
+  const Recording recording = Import(
+      "simulated: true\ntables:\n  - name: t\n    file: other.csv\n"
+      "    time: {column: t, unit: s}\n    columns: {v_mps: {column: v, unit: km/h, scale: "
+      "3.6}}\n");
+  EXPECT_TRUE(recording.info().simulated);
+  const TableRecording table = recording.LoadTable("digger/t.csv");
+  EXPECT_EQ(table.t_ns[1], 6 * kNsPerSecond);
+  EXPECT_NEAR(table.rows[1][0], 2.0, kTight);
+}
+
+TEST_F(ImportTest, RejectsAUnitOfAnotherDimension) {
+  EXPECT_THAT(
+      [&] { Import("encoders: [{name: e, joints: [{name: j, rate: {column: rpm, unit: m}}]}]\n"); },
+      ThrowsMessage<InputError>(
+          AllOf(HasSubstr("mapping.yaml:6:"), HasSubstr("need one of: rad/s, deg/s, rpm"))));
+}
+
+TEST_F(ImportTest, LeavesNothingBehindAfterABadFile) {
+  EXPECT_THAT(
+      [&] { Import("tables: [{name: t, columns: {v: {column: gxx, unit: m}}}]\n"); },
+      ThrowsMessage<InputError>(HasSubstr("log.csv:1: column 'gxx' is missing (did you mean")));
+  EXPECT_THAT([&] { Import("tables: [{name: t, columns: {v: {column: state, unit: m}}}]\n"); },
+              ThrowsMessage<InputError>(HasSubstr("log.csv:2: column 'state': found 'idle'")));
+  EXPECT_THAT([&] { Import(kPose); }, ThrowsMessage<InputError>(HasSubstr("norm 0")));
+  EXPECT_FALSE(fs::exists(scratch_.path() / "out"));
+  EXPECT_FALSE(fs::exists(scratch_.path() / "out.incomplete"));
+}
+
+TEST_F(ImportTest, RejectsTimesThatDoNotIncrease) {
+  WriteWholeFile(scratch_.path() / "log.csv", "ms,v\n1,0\n2,0\n2,0\n");
+  EXPECT_THAT([&] { Import("tables: [{name: t, columns: {v: {column: v, unit: m}}}]\n"); },
+              ThrowsMessage<InputError>(HasSubstr("log.csv:4: column 'ms'")));
+}
+
+TEST(DriveWarthogMapping, ImportsARowBeforeAndAfterTheFirstReferencePose) {
+  ScratchDirectory scratch;
+  WriteWholeFile(
+      scratch.path() / "asphalt.csv",
+      "t_s,calib_state,icp_index,calib_step,meas_left_vel,meas_right_vel,cmd_vel_x,cmd_vel_omega,"
+      "icp_pos_x,icp_pos_y,icp_pos_z,icp_quat_x,icp_quat_y,icp_quat_z,icp_quat_w,imu_x,imu_y,"
+      "imu_z,imu_acceleration_x,imu_acceleration_y,imu_acceleration_z\n"
+      "0.0,,0.0,0,0,0,0,0,0,0,0,0,0,0,1,0,0,0,0,0,0\n"
+      "0.05,,1.0,0,1.5,2.5,0.5,-0.25,1,2,3,0,0,0.6,0.8,0.1,0.2,0.3,1,2,9\n"
+      "0.1,,1.0,0,1.5,2.5,0.5,-0.25,1,2,3,0,0,0.6,0.8,0.1,0.2,0.3,1,2,9\n"
+      "0.15,,2.0,0,1.5,2.5,0.5,-0.25,2,2,3,0,0,0.6,0.8,0.1,0.2,0.3,1,2,9\n");
+  ImportCsv(DataRoot() / "config/import/drive_warthog.yaml", scratch.path() / "out",
+            {"file=" + (scratch.path() / "asphalt.csv").string()});
+  const Recording recording(scratch.path() / "out");
+  EXPECT_EQ(recording.LoadPose("truth/warthog/pose.csv").poses.size(), 2u);
+  EXPECT_EQ(recording.LoadImu("warthog/imu").size(), 3u);
+  EXPECT_EQ(recording.LoadEncoder("warthog/wheels").samples.at(1).qd_radps.at(1), 2.5);
+  EXPECT_EQ(recording.LoadTable("warthog/cmd_vel.csv").rows.at(1).at(1), -0.25);
+}
+
+}  // namespace
+}  // namespace tera
