@@ -12,6 +12,7 @@ namespace {
 constexpr double kDampingRatio = 0.3;       ///< of critical, soil under a plate
 constexpr double kLeastUpward = 0.05;       ///< patches facing further up touch no ground
 constexpr double kInfluenceDepths = 1.0;    ///< crust thickness over patch width
+constexpr double kLongestPatch = 4;         ///< times its length counts of a patch's width
 constexpr double kShearDampingRatio = 0.7;  ///< of critical, only near rest
 constexpr double kRestSpeed_mps = 0.02;     ///< slip at which shear damping has faded to a half
 constexpr double kLargestShear = 8.0;       ///< |j| is kept below this many K: fully mobilised
@@ -45,6 +46,12 @@ Indentation Indent(const SoilType& soil, double width_m, double pressed_m, doubl
     ds = next;
   }
   return {ds, k_e * (pen_m - ds)};
+}
+
+/// As Indent, for a column that the patch's rim only shares: it is not pressed for good.
+Indentation RimIndent(const SoilType& soil, double width_m, double pressed_m, double pen_m) {
+  const double elastic_pa = Rebound_papm(soil, width_m) * pen_m;
+  return {0, std::min(elastic_pa, BekkerPressure_pa(soil, width_m, pressed_m + pen_m))};
 }
 
 /// Neighbour of patch k whose centre is nearest to a patch length away along `direction` x travel.
@@ -89,56 +96,65 @@ GearContact::GearContact(const RunningGear& gear) : gear_(gear), patches_(gear.p
   }
 }
 
-GearContact::Pressed GearContact::PressColumns(const ContactPatch& patch, const BodyState& body,
-                                               double dt_s, Columns* ground) const {
-  Pressed result;
-  const Vec3 p_W = body.X_WB * patch.p_B_m;
-  const Vec3 n_W = body.X_WB.linear() * patch.outward_B;
-  if (n_W.z() > -kLeastUpward) return result;
-  const Vec3 along_W = body.X_WB.linear() * patch.travel_B;
+void GearContact::FindTouches(const ContactPatch& patch, const Pose& X_WB, const Columns& ground) {
+  touches_.clear();
+  covered_ = 0;
+  const Vec3 p_W = X_WB * patch.p_B_m;
+  const Vec3 n_W = X_WB.linear() * patch.outward_B;
+  if (n_W.z() > -kLeastUpward) return;
+  const Vec3 along_W = X_WB.linear() * patch.travel_B;
   const Vec3 across_W = n_W.cross(along_W);
-  const Vec3 half =
-      0.5 * (patch.length_m * along_W.cwiseAbs() + patch.width_m * across_W.cwiseAbs());
-  const int i0 = ground->NearestI(p_W.x() - half.x()), i1 = ground->NearestI(p_W.x() + half.x());
-  const int j0 = ground->NearestJ(p_W.y() - half.y()), j1 = ground->NearestJ(p_W.y() + half.y());
-
-  struct Touch {
-    std::size_t k;
-    Vec3 p_W;
-    double pen_m;
-  };
-  std::vector<Touch> touches;
-  int under = 0;
-  for (int j = j0; j <= j1; ++j) {
-    for (int i = i0; i <= i1; ++i) {
-      if (!ground->Contains(i, j)) continue;
-      const double dx = ground->x_m(i) - p_W.x(), dy = ground->y_m(j) - p_W.y();
+  const double cell_m = ground.cell_m();
+  const Vec3 reach = 0.5 * ((patch.length_m + cell_m) * along_W.cwiseAbs() +
+                            (patch.width_m + cell_m) * across_W.cwiseAbs());
+  const int i0 = ground.NearestI(p_W.x() - reach.x()), i1 = ground.NearestI(p_W.x() + reach.x());
+  const int j0 = ground.NearestJ(p_W.y() - reach.y()), j1 = ground.NearestJ(p_W.y() + reach.y());
+  for (int j = std::max(0, j0); j <= std::min(j1, ground.ny() - 1); ++j) {
+    for (int i = std::max(0, i0); i <= std::min(i1, ground.nx() - 1); ++i) {
+      const double dx = ground.x_m(i) - p_W.x(), dy = ground.y_m(j) - p_W.y();
       const double dz = -(n_W.x() * dx + n_W.y() * dy) / n_W.z();  // on the patch's plane
       const Vec3 d(dx, dy, dz);
-      if (std::abs(d.dot(along_W)) > 0.5 * patch.length_m ||
-          std::abs(d.dot(across_W)) > 0.5 * patch.width_m) {
-        continue;
-      }
-      ++under;
-      const std::size_t k = ground->index(i, j);
-      const double pen_m = (ground->at(k).top_m() - (p_W.z() + dz)) * -n_W.z();
-      if (pen_m > 0) touches.push_back({k, p_W + d, pen_m});
+      // Distance inside the patch's rim, and the share of the column that the patch covers.
+      const double in_along_m = 0.5 * patch.length_m - std::abs(d.dot(along_W));
+      const double in_across_m = 0.5 * patch.width_m - std::abs(d.dot(across_W));
+      const double share = std::clamp(0.5 + in_along_m / cell_m, 0.0, 1.0) *
+                           std::clamp(0.5 + in_across_m / cell_m, 0.0, 1.0);
+      if (share <= 0) continue;
+      covered_ += share;
+      const std::size_t k = ground.index(i, j);
+      const double pen_m = (ground.at(k).top_m() - (p_W.z() + dz)) * -n_W.z();
+      if (pen_m <= 0) continue;
+      touches_.push_back({k, p_W + d, pen_m, share, in_along_m >= 0 && in_across_m >= 0});
     }
   }
-  if (under == 0) {  // smaller than a cell: the column nearest to its middle stands for it
-    const int i = ground->NearestI(p_W.x()), j = ground->NearestJ(p_W.y());
-    if (!ground->Contains(i, j)) return result;
-    under = 1;
-    const double pen_m = (ground->at(ground->index(i, j)).top_m() - p_W.z()) * -n_W.z();
-    if (pen_m > 0) touches.push_back({ground->index(i, j), p_W, pen_m});
-  }
+}
 
-  const double share_m2 = patch.length_m * patch.width_m / under;
-  const double width_m = std::min(patch.width_m, patch.length_m * 4);
-  for (const Touch& touch : touches) {
+void GearContact::MakeRut(const ContactPatch& patch, const Pose& X_WB, const Touch& touch,
+                          double plastic_m, Columns* ground) const {
+  const Vec3 n_W = X_WB.linear() * patch.outward_B;
+  const Spoil beside =
+      ground->Press(touch.k, plastic_m / -n_W.z(), kInfluenceDepths * patch.width_m);
+  if (beside.mass_kg <= 0) return;
+  const Vec3 p_W = X_WB * patch.p_B_m;
+  const Vec3 along_W = X_WB.linear() * patch.travel_B;
+  const Vec3 across_W = n_W.cross(along_W);
+  const double side = (touch.p_W - p_W).dot(across_W) >= 0 ? 1 : -1;
+  const Vec3 out_W = p_W + side * (0.5 * patch.width_m + ground->cell_m()) * across_W +
+                     (touch.p_W - p_W).dot(along_W) * along_W;
+  ground->DepositAt(ground->NearestI(out_W.x()), ground->NearestJ(out_W.y()), beside);
+}
+
+GearContact::Pressed GearContact::PressColumns(const ContactPatch& patch, const BodyState& body,
+                                               double dt_s, Columns* ground) {
+  Pressed result;
+  FindTouches(patch, body.X_WB, *ground);
+  const Vec3 n_W = body.X_WB.linear() * patch.outward_B;
+  const double width_m = std::min(patch.width_m, kLongestPatch * patch.length_m);
+  for (const Touch& touch : touches_) {
     const SoilType& soil = ground->soil_at(touch.k);
     const double pressed_m = ground->at(touch.k).pressed_m;
-    const Indentation in = Indent(soil, width_m, pressed_m, touch.pen_m);
+    const Indentation in = touch.inside ? Indent(soil, width_m, pressed_m, touch.pen_m)
+                                        : RimIndent(soil, width_m, pressed_m, touch.pen_m);
     const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(touch.p_W - body.X_WB.translation());
     const double v_in_mps = v_W.dot(n_W);
     const double damping =
@@ -146,26 +162,20 @@ GearContact::Pressed GearContact::PressColumns(const ContactPatch& patch, const 
         std::sqrt(Rebound_papm(soil, width_m) * in.pressure_pa / kStandardGravity_mps2);
     const double damped_pa =
         in.pressure_pa + std::clamp(damping * v_in_mps, -in.pressure_pa, in.pressure_pa);
-    const double force_n = damped_pa * share_m2;
+    const double area_m2 = patch.length_m * patch.width_m * touch.share / covered_;
+    const double force_n = damped_pa * area_m2;
     result.normal_n += force_n;
     result.moment_W += force_n * touch.p_W;
-    result.area_m2 += share_m2;
+    result.area_m2 += area_m2;
     result.soil = &soil;
     result.sinkage_m = std::max(result.sinkage_m, pressed_m + touch.pen_m);
     if (in.plastic_m > 0) {
       const double moved_on = 1 - std::clamp(v_in_mps * dt_s / in.plastic_m, 0.0, 1.0);
-      const double work_jpm2 = BekkerWork_jpm2(soil, width_m, pressed_m + in.plastic_m) -
-                               BekkerWork_jpm2(soil, width_m, pressed_m);
-      result.rut_work_j += moved_on * work_jpm2 * share_m2;
-      const Spoil beside =
-          ground->Press(touch.k, in.plastic_m / -n_W.z(), kInfluenceDepths * patch.width_m);
-      if (beside.mass_kg > 0) {
-        const double side = (touch.p_W - p_W).dot(across_W) >= 0 ? 1 : -1;
-        const Vec3 out_W = p_W + side * (0.5 * patch.width_m + ground->cell_m()) * across_W +
-                           (touch.p_W - p_W).dot(along_W) * along_W;
-        ground->DepositAt(ground->NearestI(out_W.x()), ground->NearestJ(out_W.y()), beside);
-      }
-    } else {
+      result.rut_work_j += moved_on * ground->area_m2() *
+                           (BekkerWork_jpm2(soil, width_m, pressed_m + in.plastic_m) -
+                            BekkerWork_jpm2(soil, width_m, pressed_m));
+      MakeRut(patch, body.X_WB, touch, in.plastic_m, ground);
+    } else if (touch.inside) {
       ground->MarkRut(touch.k);
     }
   }

@@ -42,14 +42,26 @@ class GearContact {
     bool in_contact = false;
   };
   struct Pressed;
+  struct Touch {
+    std::size_t k;
+    Vec3 p_W;
+    double pen_m;
+    double share;  ///< of the column that the patch covers
+    bool inside;   ///< the column's middle lies under the patch
+  };
+  void FindTouches(const ContactPatch& patch, const Pose& X_WB, const Columns& ground);
+  void MakeRut(const ContactPatch& patch, const Pose& X_WB, const Touch& touch, double plastic_m,
+               Columns* ground) const;
   Pressed PressColumns(const ContactPatch& patch, const BodyState& body, double dt_s,
-                       Columns* ground) const;
+                       Columns* ground);
   Vec2 Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_mps, double shoe_mps,
              double dt_s, const std::vector<Patch>& before);
 
   RunningGear gear_;
   std::vector<Patch> patches_;
-  double rut_work_j_ = 0;  ///< plastic work still to be paid back as drag
+  std::vector<Touch> touches_;  ///< of the patch at hand
+  double covered_ = 0;          ///< columns under it, by share
+  double rut_work_j_ = 0;       ///< plastic work still to be paid back as drag
 };
 
 }  // namespace tera
