@@ -1,3 +1,4 @@
+in vec3 v_relative_W;
 in vec3 v_normal_W;
 flat in vec4 v_albedo_opacity;
 flat in vec4 v_roughness_metallic;
@@ -8,7 +9,10 @@ layout(location = 1) out vec4 o_normal_metallic;
 layout(location = 2) out uint o_label;
 
 void main() {
+  // Thin sheets are seen from both sides.
+  vec3 normal = normalize(v_normal_W);
+  normal = dot(normal, v_relative_W) > 0.0 ? -normal : normal;
   o_albedo_roughness = vec4(v_albedo_opacity.rgb, v_roughness_metallic.x);
-  o_normal_metallic = vec4(normalize(v_normal_W) * 0.5 + 0.5, v_roughness_metallic.y);
+  o_normal_metallic = vec4(normal * 0.5 + 0.5, v_roughness_metallic.y * 0.5);
   o_label = v_label;
 }

@@ -9,6 +9,7 @@ layout(location = 7) in uint a_label;
 
 uniform mat4 u_clip_from_relative;
 
+out vec3 v_relative_W;
 out vec3 v_normal_W;
 flat out vec4 v_albedo_opacity;
 flat out vec4 v_roughness_metallic;
@@ -16,8 +17,8 @@ flat out uint v_label;
 
 void main() {
   vec4 p = vec4(a_position, 1.0);
-  gl_Position =
-      u_clip_from_relative * vec4(dot(a_row0, p), dot(a_row1, p), dot(a_row2, p), 1.0);
+  v_relative_W = vec3(dot(a_row0, p), dot(a_row1, p), dot(a_row2, p));
+  gl_Position = u_clip_from_relative * vec4(v_relative_W, 1.0);
   v_normal_W = vec3(dot(a_row0.xyz, a_normal.xyz), dot(a_row1.xyz, a_normal.xyz),
                     dot(a_row2.xyz, a_normal.xyz));
   v_albedo_opacity = a_albedo_opacity;

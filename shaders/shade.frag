@@ -1,17 +1,87 @@
+#include "light.glsl"
+
 uniform sampler2D u_albedo;
 uniform sampler2D u_normal;
 uniform sampler2D u_depth;
-uniform vec3 u_to_sun_W;
+uniform sampler2D u_occlusion;
+uniform sampler2D u_ground_shadow;
+uniform sampler2DShadow u_shadow;
 uniform mat3 u_R_WC;
+uniform vec4 u_pixel_to_ray;  // (x, y) at Z = 1 is pixel * zw + xy
+uniform float u_near_m;
+uniform vec3 u_eye_W;
+uniform vec2 u_ground_scale;
+uniform vec2 u_ground_origin;
+uniform float u_ground_penumbra_m;
+uniform mat4 u_shadow_near;
+uniform mat4 u_shadow_far;
+uniform vec4 u_shadow_near_square;
+uniform vec4 u_shadow_far_square;
+uniform vec2 u_shadow_texel_m;
+uniform vec2 u_shadow_texel;
 
-out vec4 o_colour;
+out vec4 o_radiance;
+
+bool Inside(vec3 p, float margin) {
+  return all(greaterThan(p.xy, vec2(margin))) && all(lessThan(p.xy, vec2(1.0 - margin)));
+}
+
+// 1 where the sun is seen past the nodes.
+float NodeShadow(vec3 relative, vec3 normal) {
+  vec3 p = (u_shadow_near * vec4(relative + normal * (1.5 * u_shadow_texel_m.x), 1.0)).xyz;
+  vec4 square = u_shadow_near_square;
+  bool covered = true;
+  if (!Inside(p, 0.003)) {
+    p = (u_shadow_far * vec4(relative + normal * (1.5 * u_shadow_texel_m.y), 1.0)).xyz;
+    square = u_shadow_far_square;
+    covered = Inside(p, 0.003);
+  }
+  vec3 at = vec3(p.xy * square.xy + square.zw, min(p.z, 1.0));
+  vec2 d = u_shadow_texel;
+  float lit = texture(u_shadow, at + vec3(-0.4 * d.x, -1.1 * d.y, 0.0)) +
+              texture(u_shadow, at + vec3(1.1 * d.x, -0.4 * d.y, 0.0)) +
+              texture(u_shadow, at + vec3(0.4 * d.x, 1.1 * d.y, 0.0)) +
+              texture(u_shadow, at + vec3(-1.1 * d.x, 0.4 * d.y, 0.0));
+  return covered ? lit * 0.25 : 1.0;
+}
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   float depth = texelFetch(u_depth, pixel, 0).x;
-  vec4 albedo = texelFetch(u_albedo, pixel, 0);
-  vec3 normal = texelFetch(u_normal, pixel, 0).xyz * 2.0 - 1.0;
-  vec3 lit = albedo.rgb * albedo.rgb * (0.3 + 1.2 * max(dot(normal, u_to_sun_W), 0.0));
-  vec3 colour = depth > 0.0 ? lit : vec3(0.45, 0.6, 0.85);
-  o_colour = vec4(sqrt(clamp(colour, 0.0, 1.0)), 1.0);
+  if (depth <= 0.0) discard;
+  vec4 albedo_roughness = texelFetch(u_albedo, pixel, 0);
+  vec4 normal_metallic = texelFetch(u_normal, pixel, 0);
+  vec3 albedo = albedo_roughness.rgb * albedo_roughness.rgb;
+  vec3 n = normalize(normal_metallic.xyz * 2.0 - 1.0);
+  bool is_ground = normal_metallic.w > 0.502;
+  float metallic = is_ground ? 0.0 : normal_metallic.w * 2.0;
+  float sky_factor = is_ground ? normal_metallic.w * 2.0 - 1.0 : 1.0;
+  float roughness = max(albedo_roughness.a, 0.06);
+
+  vec3 ray = u_R_WC * vec3(gl_FragCoord.xy * u_pixel_to_ray.zw + u_pixel_to_ray.xy, 1.0);
+  vec3 relative = ray * (u_near_m / depth);
+  float range_m = length(relative);
+  vec3 v = -relative / range_m;
+
+  vec3 position = relative + u_eye_W;
+  float shade_m = texture(u_ground_shadow, (position.xy - u_ground_origin) * u_ground_scale).x;
+  float sun = clamp((position.z - shade_m) / u_ground_penumbra_m, 0.0, 1.0);
+  sun *= NodeShadow(relative, n);
+  float occlusion = texture(u_occlusion, gl_FragCoord.xy / vec2(textureSize(u_depth, 0))).x;
+
+  vec3 h = normalize(v + u_to_sun_W);
+  float n_l = max(dot(n, u_to_sun_W), 0.0), n_v = max(dot(n, v), 1e-3);
+  vec3 f0 = mix(vec3(0.04), albedo, metallic);
+  vec3 fresnel = f0 + (1.0 - f0) * FresnelPower(dot(v, h));
+  vec3 direct = albedo * ((1.0 - metallic) * n_l / kPi);
+  if (!is_ground) direct += fresnel * Specular(n_l, n_v, max(dot(n, h), 0.0), roughness);
+  vec3 radiance = min(direct * sun, vec3(20.0)) * u_sun;
+
+  float open = sky_factor * occlusion;
+  radiance += albedo * ((1.0 - metallic) * open) * SkyDiffuse(n);
+  if (!is_ground) {
+    vec3 env = f0 + (max(vec3(1.0 - roughness), f0) - f0) * FresnelPower(n_v);
+    radiance += env * open * Reflected(reflect(-v, n), roughness);
+  }
+  o_radiance = vec4(min(Fog(radiance, -v, range_m), vec3(1000.0)), 1.0);
 }

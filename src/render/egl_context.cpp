@@ -117,14 +117,20 @@ EglContext::~EglContext() {
 }
 
 EglContext::Current::Current(const EglContext& context)
-    : display_(context.display_), previous_(eglGetCurrentContext()) {
+    : display_(context.display_), context_(context.context_) {
+  Take();
+}
+
+EglContext::Current::~Current() { Release(); }
+
+void EglContext::Current::Take() {
   eglBindAPI(EGL_OPENGL_API);
-  const bool made = eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context.context_);
+  const bool made = eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
   TERA_CHECK(made, eglGetError());
 }
 
-EglContext::Current::~Current() {
-  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, previous_);
+void EglContext::Current::Release() {
+  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
 }
 
 }  // namespace tera

@@ -26,10 +26,13 @@ class EglContext {
     ~Current();
     Current(const Current&) = delete;
     Current& operator=(const Current&) = delete;
+    /// Lets another thread use the context, and takes it again.
+    void Release();
+    void Take();
 
    private:
     void* display_;
-    void* previous_;
+    void* context_;
   };
 
  private:

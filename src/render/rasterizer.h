@@ -43,13 +43,22 @@ struct GlInfo {
 
 /// Renders colour, planar depth, class and instance of one camera in one pass, without a display.
 ///
-/// Throws InputError if no EGL platform with OpenGL 4.5 core can be had.
+/// Model   deferred shading: one pass over the geometry gives albedo, normal, label and depth; sun
+///         with shadow map, sky light with occlusion, Koschmieder fog, filmic tone curve. A lens
+///         that distorts is a finer pinhole picture, resampled. Around the site lies a backdrop of
+///         land, labelled terrain.
+/// Omits   depth beyond far_m is 0, while colour and labels go on to the horizon. Glass is blended
+///         in colour; label and depth are those of the glass.
+/// Throws InputError if no EGL platform with OpenGL 4.5 core can be had. May be used from any
+/// thread, one at a time.
 class Rasterizer {
  public:
   Rasterizer(const SceneModel& model, const EglOptions& options);
   ~Rasterizer();
 
   const GlInfo& info() const;
+  /// Terrain tiles sent to the GPU since construction.
+  std::int64_t uploaded_tiles() const;
 
   /// What a camera at X_WC sees. Fills rgb, depth_m, semantic, instance and boxes of the frame;
   /// t_ns is state.t_ns.

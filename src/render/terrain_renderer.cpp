@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/check.h"
+#include "render/ground_detail.h"
 
 namespace tera {
 namespace {
@@ -79,13 +80,27 @@ float StrideError(const std::vector<float>& heights, int stride) {
   return worst;
 }
 
-std::uint16_t Unorm16(float value) {
-  return static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 65535.0f));
+/// What the apron's near rings are made of: the first soil, dry.
+Eigen::Vector3f FirstSoil(const std::vector<SoilAppearance>& soils) {
+  return (soils.empty() ? SoilAppearance{} : soils.front()).albedo.cast<float>() * 0.75f;
+}
+
+GlObject DetailTexture() {
+  constexpr int kLevels = 10;  // down to one texel
+  static_assert(GroundDetail::kSide == 1 << (kLevels - 1));
+  const GroundDetail detail = MakeGroundDetail();
+  GlObject texture = MakeTexture(GL_RGBA8, GroundDetail::kSide, GroundDetail::kSide,
+                                 Filter::kMipmapped, Wrap::kRepeat, kLevels);
+  glTextureSubImage2D(texture.id(), 0, 0, 0, GroundDetail::kSide, GroundDetail::kSide, GL_RGBA,
+                      GL_UNSIGNED_BYTE, detail.rgba.data());
+  glGenerateTextureMipmap(texture.id());
+  return texture;
 }
 
 }  // namespace
 
-TerrainRenderer::TerrainRenderer(const SceneModel& model) : soils_(model.soils) {
+TerrainRenderer::TerrainRenderer(const SceneModel& model, const Vec3& to_sun_W)
+    : soils_(model.soils), detail_(DetailTexture()), to_sun_W_(to_sun_W) {
   std::vector<std::uint16_t> indices;
   for (std::size_t s = 0; s < kStrides.size(); ++s) {
     const std::size_t first = indices.size();
@@ -110,8 +125,8 @@ void TerrainRenderer::Allocate(const TerrainSurface& terrain) {
   glVertexArrayAttribBinding(array_.id(), 0, 0);
   glVertexArrayVertexBuffer(array_.id(), 0, vertices_.id(), 0, sizeof(Eigen::Vector3f));
   glVertexArrayElementBuffer(array_.id(), indices_.id());
-  albedo_ = MakeTexture(GL_RGBA8, nx_, ny_, Filter::kLinear, Wrap::kClamp);
-  shape_ = MakeTexture(GL_RGBA16, nx_, ny_, Filter::kLinear, Wrap::kClamp);
+  textures_ = GroundTextures(terrain, soils_, to_sun_W_);
+  apron_ = Apron(terrain, FirstSoil(soils_));
 }
 
 void TerrainRenderer::Update(const TerrainSurface& terrain) {
@@ -119,6 +134,8 @@ void TerrainRenderer::Update(const TerrainSurface& terrain) {
   const bool same_grid = nx_ == terrain.nx && ny_ == terrain.ny && cell_m_ == terrain.cell_m &&
                          origin_W_m_ == terrain.origin_W_m;
   if (!same_grid) Allocate(terrain);
+  std::vector<TileIndex> changed;
+  bool border = false;
   for (int ty = 0; ty < tiles_y_; ++ty) {
     for (int tx = 0; tx < tiles_x_; ++tx) {
       const std::size_t t = static_cast<std::size_t>(ty) * tiles_x_ + tx;
@@ -127,10 +144,13 @@ void TerrainRenderer::Update(const TerrainSurface& terrain) {
       tile.uploaded = true;
       tile.version = terrain.tile_version[t];
       UploadTile(terrain, tx, ty);
-      UploadMaterial(terrain, tx, ty);
+      changed.push_back({tx, ty});
+      border |= tx == 0 || ty == 0 || tx + 1 == tiles_x_ || ty + 1 == tiles_y_;
       ++uploaded_tiles_;
     }
   }
+  textures_.Update(terrain, changed);
+  if (border) apron_.Update(terrain);
 }
 
 void TerrainRenderer::UploadTile(const TerrainSurface& terrain, int tile_x, int tile_y) {
@@ -168,43 +188,22 @@ void TerrainRenderer::UploadTile(const TerrainSurface& terrain, int tile_x, int 
                        vertices.data());
 }
 
-void TerrainRenderer::UploadMaterial(const TerrainSurface& terrain, int tile_x, int tile_y) {
-  const int i0 = tile_x * kCells, j0 = tile_y * kCells;
-  const int width = std::min(kSide, nx_ - i0), height = std::min(kSide, ny_ - j0);
-  std::vector<std::uint8_t> albedo;
-  std::vector<std::uint16_t> shape;
-  for (int j = j0; j < j0 + height; ++j) {
-    for (int i = i0; i < i0 + width; ++i) {
-      const std::size_t v = terrain.index(i, j);
-      const Vec3 a = soils_.empty()
-                         ? SoilAppearance{}.albedo
-                         : soils_[std::min<std::size_t>(terrain.soil[v], soils_.size() - 1)].albedo;
-      for (int k = 0; k < 3; ++k) {
-        albedo.push_back(static_cast<std::uint8_t>(std::lround(std::sqrt(a[k]) * 255)));
-      }
-      albedo.push_back(255);
-      const int il = std::max(i - 1, 0), ir = std::min(i + 1, nx_ - 1);
-      const int jl = std::max(j - 1, 0), jr = std::min(j + 1, ny_ - 1);
-      const float slope_x =
-          (terrain.height_m[terrain.index(ir, j)] - terrain.height_m[terrain.index(il, j)]) /
-          static_cast<float>((ir - il) * cell_m_);
-      const float slope_y =
-          (terrain.height_m[terrain.index(i, jr)] - terrain.height_m[terrain.index(i, jl)]) /
-          static_cast<float>((jr - jl) * cell_m_);
-      const Eigen::Vector3f n = Eigen::Vector3f(-slope_x, -slope_y, 1).normalized();
-      shape.push_back(Unorm16(n.x() * 0.5f + 0.5f));
-      shape.push_back(Unorm16(n.y() * 0.5f + 0.5f));
-      shape.push_back(Unorm16(terrain.looseness[v] / 255.0f));
-      shape.push_back(Unorm16(terrain.rut[v] / 255.0f));
-    }
-  }
-  glTextureSubImage2D(albedo_.id(), 0, i0, j0, width, height, GL_RGBA, GL_UNSIGNED_BYTE,
-                      albedo.data());
-  glTextureSubImage2D(shape_.id(), 0, i0, j0, width, height, GL_RGBA, GL_UNSIGNED_SHORT,
-                      shape.data());
+void TerrainRenderer::Draw(const View& view) const {
+  if (tiles_.empty()) return;
+  DrawTiles(view);
+  DrawApron(view);
 }
 
-void TerrainRenderer::Draw(const View& view, const Program& program) const {
+void TerrainRenderer::DrawApron(const View& view) const {
+  apron_program_.Use();
+  apron_program_.Set("u_clip_from_relative", view.ClipFromRelative());
+  apron_program_.Set("u_eye_W", Eigen::Vector3f(view.eye_W_m.cast<float>()));
+  apron_program_.Set("u_detail", 0);
+  glBindTextureUnit(0, detail_.id());
+  apron_.Draw();
+}
+
+void TerrainRenderer::DrawTiles(const View& view) const {
   struct Visible {
     double distance_m;
     std::size_t tile;
@@ -217,12 +216,14 @@ void TerrainRenderer::Draw(const View& view, const Program& program) const {
   }
   std::stable_sort(visible.begin(), visible.end(),
                    [](const Visible& a, const Visible& b) { return a.distance_m < b.distance_m; });
-  glBindTextureUnit(0, albedo_.id());
-  glBindTextureUnit(1, shape_.id());
-  const Vec2 size_m = cell_m_ * Vec2(nx_, ny_);
-  const Vec2 first_m = origin_W_m_ - Vec2::Constant(0.5 * cell_m_);  // edge of texel 0
-  program.Set("u_texture_scale", Eigen::Vector2f(size_m.cwiseInverse().cast<float>()));
-  program.Set("u_texture_origin", Eigen::Vector2f(first_m.cast<float>()));
+  ground_program_.Use();
+  ground_program_.Set("u_clip_from_relative", view.ClipFromRelative());
+  ground_program_.Set("u_eye_W", Eigen::Vector3f(view.eye_W_m.cast<float>()));
+  textures_.Bind(0, ground_program_);
+  glBindTextureUnit(3, detail_.id());
+  ground_program_.Set("u_ground_albedo", 0);
+  ground_program_.Set("u_ground_shape", 1);
+  ground_program_.Set("u_detail", 3);
   glBindVertexArray(array_.id());
   for (const Visible& v : visible) {
     const Tile& tile = tiles_[v.tile];

@@ -3,7 +3,9 @@
 #include <array>
 
 #include "core/terrain_surface.h"
+#include "render/apron.h"
 #include "render/gl_objects.h"
+#include "render/ground_textures.h"
 #include "render/scene.h"
 #include "render/view.h"
 
@@ -18,13 +20,13 @@ namespace tera {
 ///         only when its version has changed.
 class TerrainRenderer {
  public:
-  explicit TerrainRenderer(const SceneModel& model);
+  TerrainRenderer(const SceneModel& model, const Vec3& to_sun_W);
 
   /// Brings the GPU's copy up to date with `terrain`.
   void Update(const TerrainSurface& terrain);
-  /// Draws the tiles that `view` sees, near to far, with the program in use: attribute 0 is the
-  /// position in W. Material textures are bound to units 0 and 1.
-  void Draw(const View& view, const Program& program) const;
+  /// Draws the tiles that `view` sees, near to far, and the land around the site.
+  void Draw(const View& view) const;
+  const GroundTextures& textures() const { return textures_; }
 
   /// Tiles sent to the GPU since construction.
   std::int64_t uploaded_tiles() const { return uploaded_tiles_; }
@@ -45,7 +47,8 @@ class TerrainRenderer {
 
   void Allocate(const TerrainSurface& terrain);
   void UploadTile(const TerrainSurface& terrain, int tile_x, int tile_y);
-  void UploadMaterial(const TerrainSurface& terrain, int tile_x, int tile_y);
+  void DrawTiles(const View& view) const;
+  void DrawApron(const View& view) const;
 
   const std::vector<SoilAppearance> soils_;
   int nx_ = 0, ny_ = 0, tiles_x_ = 0, tiles_y_ = 0;
@@ -53,7 +56,12 @@ class TerrainRenderer {
   Vec2 origin_W_m_ = Vec2::Zero();
   std::vector<Tile> tiles_;
   std::array<IndexRange, kStrides.size()> ranges_;
-  GlObject vertices_, indices_, array_, albedo_, shape_;
+  GlObject vertices_, indices_, array_, detail_;
+  GroundTextures textures_;
+  Apron apron_;
+  Vec3 to_sun_W_;
+  Program ground_program_{"terrain.vert", "terrain.frag"};
+  Program apron_program_{"apron.vert", "apron.frag"};
   std::int64_t uploaded_tiles_ = 0;
 };
 

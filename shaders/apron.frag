@@ -1,0 +1,18 @@
+in vec2 v_position_W;
+in vec3 v_normal_W;
+in vec3 v_albedo_root;
+
+uniform sampler2D u_detail;
+
+layout(location = 0) out vec4 o_albedo_roughness;
+layout(location = 1) out vec4 o_normal_metallic;
+layout(location = 2) out uint o_label;
+
+void main() {
+  vec4 coarse = texture(u_detail, v_position_W * (1.0 / 9.7)) * 2.0 - 1.0;
+  vec4 broad = texture(u_detail, v_position_W.yx * (1.0 / 130.0)) * 2.0 - 1.0;
+  vec3 normal = normalize(v_normal_W - vec3(0.3 * coarse.yz, 0.0));
+  o_albedo_roughness = vec4(v_albedo_root * (1.0 + 0.22 * coarse.x + 0.25 * broad.x), 0.95);
+  o_normal_metallic = vec4(normal * 0.5 + 0.5, 0.97);
+  o_label = 1u;
+}
