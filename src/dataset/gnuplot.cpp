@@ -69,7 +69,7 @@ void DrawCharts(const std::vector<Chart>& charts, int columns, int width_px, int
   const int rows = (static_cast<int>(charts.size()) + columns - 1) / columns;
   std::string script = fmt::format(
       "set terminal pngcairo size {},{} font 'sans,10'\nset output {}\nset grid lc rgb '#dddddd'\n"
-      "set key top right opaque\nset multiplot layout {},{}\n",
+      "set key below samplen 1\nset multiplot layout {},{}\n",
       width_px, height_px, Quoted(png.string()), rows, columns);
   for (const Chart& chart : charts) AppendChart(chart, &script);
   script += "unset multiplot\n";
