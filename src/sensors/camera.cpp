@@ -1,6 +1,7 @@
 #include "sensors/camera.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/check.h"
@@ -10,7 +11,7 @@ namespace tera {
 namespace {
 
 constexpr double kMaxSide_px = 16384;
-constexpr double kMaxValue = 255.0;
+constexpr float kMaxValue = 255.0f;
 
 CameraIntrinsics ReadIntrinsics(const ConfigMap& config) {
   CameraIntrinsics c;
@@ -56,10 +57,48 @@ void LimitDepth(const CameraModel& model, Image<float>* depth_m) {
   }
 }
 
+/// Standard normal quantiles of the middles of 2^kBits equal parts of (0, 1), scaled to unit
+/// variance. Beside the rounding to 255 levels the steps do not show, and three values of a pixel
+/// come from one draw.
+class NormalQuantiles {
+ public:
+  static constexpr int kBits = 12;
+
+  NormalQuantiles() {
+    double squares = 0;
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      values_[i] = static_cast<float>(Quantile((i + 0.5) / values_.size()));
+      squares += values_[i] * values_[i] / values_.size();
+    }
+    for (float& v : values_) v /= static_cast<float>(std::sqrt(squares));
+  }
+  float operator[](std::uint64_t part) const { return values_[part & (values_.size() - 1)]; }
+
+ private:
+  /// By bisection of the normal distribution function.
+  static double Quantile(double p) {
+    double low = -8, high = 8;
+    while (high - low > 1e-9) {
+      const double middle = 0.5 * (low + high);
+      (0.5 * std::erfc(-middle / std::sqrt(2.0)) < p ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+  }
+
+  std::array<float, 1u << kBits> values_;
+};
+
 void AddRgbNoise(double sigma, const Stream& noise, std::uint64_t first, Image<std::uint8_t>* rgb) {
-  for (std::size_t i = 0; i < rgb->data.size(); ++i) {
-    const double value = rgb->data[i] + sigma * noise.Gaussian(first + i);
-    rgb->data[i] = static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, kMaxValue)));
+  static const NormalQuantiles normal;
+  constexpr double kDrawBits = 0x1.0p48;
+  const auto gain = static_cast<float>(sigma);
+  for (std::size_t pixel = 0; 3 * pixel < rgb->data.size(); ++pixel) {
+    auto draw = static_cast<std::uint64_t>(noise.Uniform(first + pixel) * kDrawBits);
+    for (std::size_t c = 0; c < 3; ++c, draw >>= NormalQuantiles::kBits) {
+      std::uint8_t& value = rgb->data[3 * pixel + c];
+      const float noisy = static_cast<float>(value) + gain * normal[draw];
+      value = static_cast<std::uint8_t>(std::clamp(noisy, 0.0f, kMaxValue) + 0.5f);
+    }
   }
 }
 
@@ -110,7 +149,7 @@ CameraFrame Camera::Measure(std::int64_t k, const Pose& X_WS, const SceneState& 
   if (!model_.rgb) {
     frame.rgb = {};
   } else if (model_.rgb_noise > 0) {
-    AddRgbNoise(model_.rgb_noise, rgb_noise_, exposure * frame.rgb.data.size(), &frame.rgb);
+    AddRgbNoise(model_.rgb_noise, rgb_noise_, exposure * frame.rgb.data.size() / 3, &frame.rgb);
   }
   if (!model_.depth) {
     frame.depth_m = {};
