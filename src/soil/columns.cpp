@@ -66,16 +66,23 @@ int Columns::NearestJ(double y_m) const {
   return static_cast<int>(std::lround((y_m - surface_.origin_W_m.y()) / surface_.cell_m));
 }
 
-double Columns::HeightAt(double x, double y) const {
+double Columns::HeightAt(double x, double y) const { return SampleAt(x, y).top_m; }
+
+Columns::Sample Columns::SampleAt(double x, double y) const {
   const double gx = std::clamp((x - surface_.origin_W_m.x()) / cell_m(), 0.0, nx() - 1.0);
   const double gy = std::clamp((y - surface_.origin_W_m.y()) / cell_m(), 0.0, ny() - 1.0);
   const int i = std::min(static_cast<int>(gx), nx() - 2);
   const int j = std::min(static_cast<int>(gy), ny() - 2);
   const double u = gx - i, v = gy - j;
   const std::size_t k = index(i, j);
-  const double low = (1 - u) * columns_[k].top_m() + u * columns_[k + 1].top_m();
-  const double high = (1 - u) * columns_[k + nx()].top_m() + u * columns_[k + nx() + 1].top_m();
-  return (1 - v) * low + v * high;
+  const Column &a = columns_[k], &b = columns_[k + 1];
+  const Column &c = columns_[k + nx()], &d = columns_[k + nx() + 1];
+  const auto blend = [&](double za, double zb, double zc, double zd) {
+    return (1 - v) * ((1 - u) * za + u * zb) + v * ((1 - u) * zc + u * zd);
+  };
+  return {blend(a.top_m(), b.top_m(), c.top_m(), d.top_m()),
+          blend(a.pressed_m, b.pressed_m, c.pressed_m, d.pressed_m),
+          index(u < 0.5 ? i : i + 1, v < 0.5 ? j : j + 1)};
 }
 
 const SoilType& Columns::soil_at(std::size_t k) const {

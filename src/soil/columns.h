@@ -65,6 +65,13 @@ class Columns {
   /// Bilinear height, the nearest border value outside the site.
   double HeightAt(double x_m, double y_m) const;
 
+  /// Surface between the columns, bilinear; the nearest border's outside the site.
+  struct Sample {
+    double top_m, pressed_m;
+    std::size_t k;  ///< a column beside
+  };
+  Sample SampleAt(double x_m, double y_m) const;
+
   const Column& at(std::size_t k) const { return columns_[k]; }
   const TerrainSurface& surface() const { return surface_; }
   const std::vector<SoilType>& soils() const { return soils_; }

@@ -21,18 +21,18 @@ constexpr double kDragLength_m = 0.10;      ///< distance over which rut work is
 constexpr double kDragSpeed_mps = 0.05;     ///< below it the drag fades, so that rest stays rest
 constexpr double kSlowestShoe_mps = 0.01;   ///< slower shoes have no slip ratio
 
-/// How far column and plate overlap, divided into a plastic and an elastic part.
-struct Indentation {
-  double plastic_m = 0;
-  double pressure_pa = 0;
-};
+/// Width that the pressure-sinkage relation sees.
+double PlateWidth_m(const ContactPatch& patch) {
+  return std::min(patch.width_m, kLongestPatch * patch.length_m);
+}
 
-/// Solves k_e (pen - ds) = p_Bekker(pressed + ds) for ds >= 0 by safeguarded Newton steps.
-Indentation Indent(const SoilType& soil, double width_m, double pressed_m, double pen_m) {
+/// Solves k_e (pen - ds) = p_Bekker(pressed + ds) for ds by safeguarded Newton steps; 0 where the
+/// ground bears the plate elastically.
+double PlasticSinkage_m(const SoilType& soil, double width_m, double pressed_m, double pen_m) {
   constexpr int kSteps = 12;
   constexpr double kClose_m = 1e-7;
   const double k_e = Rebound_papm(soil, width_m);
-  if (k_e * pen_m <= BekkerPressure_pa(soil, width_m, pressed_m)) return {0, k_e * pen_m};
+  if (k_e * pen_m <= BekkerPressure_pa(soil, width_m, pressed_m)) return 0;
   double low = 0, high = pen_m, ds = pen_m;
   for (int step = 0; step < kSteps; ++step) {
     const double z = pressed_m + ds;
@@ -45,13 +45,7 @@ Indentation Indent(const SoilType& soil, double width_m, double pressed_m, doubl
     if (std::abs(next - ds) < kClose_m) break;
     ds = next;
   }
-  return {ds, k_e * (pen_m - ds)};
-}
-
-/// As Indent, for a column that the patch's rim only shares: it is not pressed for good.
-Indentation RimIndent(const SoilType& soil, double width_m, double pressed_m, double pen_m) {
-  const double elastic_pa = Rebound_papm(soil, width_m) * pen_m;
-  return {0, std::min(elastic_pa, BekkerPressure_pa(soil, width_m, pressed_m + pen_m))};
+  return ds;
 }
 
 /// Neighbour of patch k whose centre is nearest to a patch length away along `direction` x travel.
@@ -79,12 +73,11 @@ Vec2 Mobilised(const SoilType& soil, const Vec2& j_m) {
 
 }  // namespace
 
-/// What the columns under one patch answer.
+/// What the ground under one patch answers.
 struct GearContact::Pressed {
   double normal_n = 0;
   double area_m2 = 0;
   double sinkage_m = 0;
-  double rut_work_j = 0;
   Vec3 moment_W = Vec3::Zero();  ///< sum of normal force times place, for the centre of pressure
   const SoilType* soil = nullptr;
 };
@@ -96,87 +89,85 @@ GearContact::GearContact(const RunningGear& gear) : gear_(gear), patches_(gear.p
   }
 }
 
-void GearContact::FindTouches(const ContactPatch& patch, const Pose& X_WB, const Columns& ground) {
-  touches_.clear();
-  covered_ = 0;
-  const Vec3 p_W = X_WB * patch.p_B_m;
-  const Vec3 n_W = X_WB.linear() * patch.outward_B;
-  if (n_W.z() > -kLeastUpward) return;
-  const Vec3 along_W = X_WB.linear() * patch.travel_B;
+/// Presses the columns under the patch for good where they cannot bear it.
+double GearContact::MakeRut(const ContactPatch& patch, const BodyState& body, double dt_s,
+                            Columns* ground) const {
+  const Vec3 p_W = body.X_WB * patch.p_B_m;
+  const Vec3 n_W = body.X_WB.linear() * patch.outward_B;
+  const Vec3 along_W = body.X_WB.linear() * patch.travel_B;
   const Vec3 across_W = n_W.cross(along_W);
-  const double cell_m = ground.cell_m();
-  const Vec3 reach = 0.5 * ((patch.length_m + cell_m) * along_W.cwiseAbs() +
-                            (patch.width_m + cell_m) * across_W.cwiseAbs());
-  const int i0 = ground.NearestI(p_W.x() - reach.x()), i1 = ground.NearestI(p_W.x() + reach.x());
-  const int j0 = ground.NearestJ(p_W.y() - reach.y()), j1 = ground.NearestJ(p_W.y() + reach.y());
-  for (int j = std::max(0, j0); j <= std::min(j1, ground.ny() - 1); ++j) {
-    for (int i = std::max(0, i0); i <= std::min(i1, ground.nx() - 1); ++i) {
-      const double dx = ground.x_m(i) - p_W.x(), dy = ground.y_m(j) - p_W.y();
-      const double dz = -(n_W.x() * dx + n_W.y() * dy) / n_W.z();  // on the patch's plane
-      const Vec3 d(dx, dy, dz);
-      // Distance inside the patch's rim, and the share of the column that the patch covers.
-      const double in_along_m = 0.5 * patch.length_m - std::abs(d.dot(along_W));
-      const double in_across_m = 0.5 * patch.width_m - std::abs(d.dot(across_W));
-      const double share = std::clamp(0.5 + in_along_m / cell_m, 0.0, 1.0) *
-                           std::clamp(0.5 + in_across_m / cell_m, 0.0, 1.0);
-      if (share <= 0) continue;
-      covered_ += share;
-      const std::size_t k = ground.index(i, j);
-      const double pen_m = (ground.at(k).top_m() - (p_W.z() + dz)) * -n_W.z();
-      if (pen_m <= 0) continue;
-      touches_.push_back({k, p_W + d, pen_m, share, in_along_m >= 0 && in_across_m >= 0});
+  const Vec3 reach =
+      0.5 * (patch.length_m * along_W.cwiseAbs() + patch.width_m * across_W.cwiseAbs());
+  const int i0 = std::max(0, ground->NearestI(p_W.x() - reach.x()));
+  const int i1 = std::min(ground->nx() - 1, ground->NearestI(p_W.x() + reach.x()));
+  const int j0 = std::max(0, ground->NearestJ(p_W.y() - reach.y()));
+  const int j1 = std::min(ground->ny() - 1, ground->NearestJ(p_W.y() + reach.y()));
+  const double width_m = PlateWidth_m(patch);
+  double work_j = 0;
+  for (int j = j0; j <= j1; ++j) {
+    for (int i = i0; i <= i1; ++i) {
+      const double dx = ground->x_m(i) - p_W.x(), dy = ground->y_m(j) - p_W.y();
+      const Vec3 d(dx, dy, -(n_W.x() * dx + n_W.y() * dy) / n_W.z());  // on the patch's plane
+      const double across_m = d.dot(across_W);
+      const std::size_t k = ground->index(i, j);
+      const double pen_m = (ground->at(k).top_m() - (p_W.z() + d.z())) * -n_W.z();
+      if (pen_m <= 0 || std::abs(d.dot(along_W)) > 0.5 * patch.length_m ||
+          std::abs(across_m) > 0.5 * patch.width_m) {
+        continue;
+      }
+      const SoilType& soil = ground->soil_at(k);
+      const double pressed_m = ground->at(k).pressed_m;
+      const double plastic_m = PlasticSinkage_m(soil, width_m, pressed_m, pen_m);
+      ground->MarkRut(k);
+      if (plastic_m <= 0) continue;
+      const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(p_W + d - body.X_WB.translation());
+      const double moved_on = 1 - std::clamp(v_W.dot(n_W) * dt_s / plastic_m, 0.0, 1.0);
+      work_j += moved_on * ground->area_m2() *
+                (BekkerWork_jpm2(soil, width_m, pressed_m + plastic_m) -
+                 BekkerWork_jpm2(soil, width_m, pressed_m));
+      const Spoil beside = ground->Press(k, plastic_m / -n_W.z(), kInfluenceDepths * patch.width_m);
+      if (beside.mass_kg <= 0) continue;
+      const double out_m = 0.5 * patch.width_m + ground->cell_m();
+      const Vec3 out_W = p_W + d + ((across_m >= 0 ? out_m : -out_m) - across_m) * across_W;
+      ground->DepositAt(ground->NearestI(out_W.x()), ground->NearestJ(out_W.y()), beside);
     }
   }
+  return work_j;
 }
 
-void GearContact::MakeRut(const ContactPatch& patch, const Pose& X_WB, const Touch& touch,
-                          double plastic_m, Columns* ground) const {
-  const Vec3 n_W = X_WB.linear() * patch.outward_B;
-  const Spoil beside =
-      ground->Press(touch.k, plastic_m / -n_W.z(), kInfluenceDepths * patch.width_m);
-  if (beside.mass_kg <= 0) return;
-  const Vec3 p_W = X_WB * patch.p_B_m;
-  const Vec3 along_W = X_WB.linear() * patch.travel_B;
-  const Vec3 across_W = n_W.cross(along_W);
-  const double side = (touch.p_W - p_W).dot(across_W) >= 0 ? 1 : -1;
-  const Vec3 out_W = p_W + side * (0.5 * patch.width_m + ground->cell_m()) * across_W +
-                     (touch.p_W - p_W).dot(along_W) * along_W;
-  ground->DepositAt(ground->NearestI(out_W.x()), ground->NearestJ(out_W.y()), beside);
-}
-
-GearContact::Pressed GearContact::PressColumns(const ContactPatch& patch, const BodyState& body,
-                                               double dt_s, Columns* ground) {
+/// Pressure on a grid of points fixed to the patch, about a cell apart: as smooth as the ground.
+GearContact::Pressed GearContact::Bear(const ContactPatch& patch, const BodyState& body,
+                                       const Columns& ground) const {
   Pressed result;
-  FindTouches(patch, body.X_WB, *ground);
   const Vec3 n_W = body.X_WB.linear() * patch.outward_B;
-  const double width_m = std::min(patch.width_m, kLongestPatch * patch.length_m);
-  for (const Touch& touch : touches_) {
-    const SoilType& soil = ground->soil_at(touch.k);
-    const double pressed_m = ground->at(touch.k).pressed_m;
-    const Indentation in = touch.inside ? Indent(soil, width_m, pressed_m, touch.pen_m)
-                                        : RimIndent(soil, width_m, pressed_m, touch.pen_m);
-    const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(touch.p_W - body.X_WB.translation());
-    const double v_in_mps = v_W.dot(n_W);
-    const double damping =
-        2 * kDampingRatio *
-        std::sqrt(Rebound_papm(soil, width_m) * in.pressure_pa / kStandardGravity_mps2);
-    const double damped_pa =
-        in.pressure_pa + std::clamp(damping * v_in_mps, -in.pressure_pa, in.pressure_pa);
-    const double area_m2 = patch.length_m * patch.width_m * touch.share / covered_;
-    const double force_n = damped_pa * area_m2;
-    result.normal_n += force_n;
-    result.moment_W += force_n * touch.p_W;
-    result.area_m2 += area_m2;
-    result.soil = &soil;
-    result.sinkage_m = std::max(result.sinkage_m, pressed_m + touch.pen_m);
-    if (in.plastic_m > 0) {
-      const double moved_on = 1 - std::clamp(v_in_mps * dt_s / in.plastic_m, 0.0, 1.0);
-      result.rut_work_j += moved_on * ground->area_m2() *
-                           (BekkerWork_jpm2(soil, width_m, pressed_m + in.plastic_m) -
-                            BekkerWork_jpm2(soil, width_m, pressed_m));
-      MakeRut(patch, body.X_WB, touch, in.plastic_m, ground);
-    } else if (touch.inside) {
-      ground->MarkRut(touch.k);
+  const int n_along = std::max(1, static_cast<int>(std::ceil(patch.length_m / ground.cell_m())));
+  const int n_across = std::max(1, static_cast<int>(std::ceil(patch.width_m / ground.cell_m())));
+  const Vec3 along_W = body.X_WB.linear() * patch.travel_B;
+  const Vec3 across_W = n_W.cross(along_W);
+  const Vec3 p_W = body.X_WB * patch.p_B_m;
+  const double area_m2 = patch.length_m * patch.width_m / (n_along * n_across);
+  const double width_m = PlateWidth_m(patch);
+  for (int a = 0; a < n_along; ++a) {
+    for (int b = 0; b < n_across; ++b) {
+      const Vec3 q_W = p_W + ((a + 0.5) / n_along - 0.5) * patch.length_m * along_W +
+                       ((b + 0.5) / n_across - 0.5) * patch.width_m * across_W;
+      const Columns::Sample sample = ground.SampleAt(q_W.x(), q_W.y());
+      const double pen_m = (sample.top_m - q_W.z()) * -n_W.z();
+      if (pen_m <= 0) continue;
+      const SoilType& soil = ground.soil_at(sample.k);
+      const double stiffness_papm = Rebound_papm(soil, width_m);
+      const double pressure_pa = std::min(
+          stiffness_papm * pen_m, BekkerPressure_pa(soil, width_m, sample.pressed_m + pen_m));
+      const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(q_W - body.X_WB.translation());
+      const double damping =
+          2 * kDampingRatio * std::sqrt(stiffness_papm * pressure_pa / kStandardGravity_mps2);
+      const double damped_pa =
+          pressure_pa + std::clamp(damping * v_W.dot(n_W), -pressure_pa, pressure_pa);
+      result.normal_n += damped_pa * area_m2;
+      result.moment_W += damped_pa * area_m2 * q_W;
+      result.area_m2 += area_m2;
+      result.soil = &soil;
+      result.sinkage_m = std::max(result.sinkage_m, sample.pressed_m + pen_m);
     }
   }
   return result;
@@ -226,7 +217,11 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
   double forward_mps = 0, weight_n = 0;
   for (std::size_t k = 0; k < patches_.size(); ++k) {
     const ContactPatch& patch = gear_.patches[k];
-    const Pressed pressed = PressColumns(patch, body, dt_s, ground);
+    Pressed pressed;
+    if ((body.X_WB.linear() * patch.outward_B).z() < -kLeastUpward) {
+      rut_work_j_ += MakeRut(patch, body, dt_s, ground);
+      pressed = Bear(patch, body, *ground);
+    }
     if (pressed.normal_n <= 0) {
       patches_[k].in_contact = false;
       patches_[k].j_in_m.setZero();
@@ -246,7 +241,6 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
     result.sinkage_m = std::max(result.sinkage_m, pressed.sinkage_m);
     forward_mps -= pressed.normal_n * v_W.dot(along_W);
     weight_n += pressed.normal_n;
-    rut_work_j_ += pressed.rut_work_j;
   }
   if (weight_n <= 0) {
     rut_work_j_ = 0;

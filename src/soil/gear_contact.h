@@ -10,10 +10,10 @@ namespace tera {
 /// Track or wheel on the ground: carries, drives, steers, sinks and leaves a rut.
 ///
 /// Frames  W; patches as in ContactPatch, in the frame B of the gear's link.
-/// Model   Normal: each column under a patch pushes back elastically, p = k_e (pen - ds), and gives
-///         way plastically by ds where that would exceed Bekker's pressure at the sinkage the
-///         column already has (its memory of earlier passes); damping is a fraction of critical for
-///         the mass that the pressure carries, and the ground never pulls.
+/// Model   Normal: points fixed to each patch bear elastically, p = k_e pen, at most Bekker's pressure
+///         at their sinkage; columns under the patch give way plastically to where both agree and
+///         remember it for later passes. Damping is a fraction of critical for the mass that the
+///         pressure carries, and the ground never pulls.
 ///         Tangential: each patch has a shear displacement j, carried along by the moving shoes:
 ///         dj/dt = v_slip - v_shoe (j - j_upstream) / length; it is zero where a shoe meets the
 ///         ground. Stress (c + p tan phi)(1 - exp(-|j|/K)) along j: a spring at rest, the
@@ -42,26 +42,15 @@ class GearContact {
     bool in_contact = false;
   };
   struct Pressed;
-  struct Touch {
-    std::size_t k;
-    Vec3 p_W;
-    double pen_m;
-    double share;  ///< of the column that the patch covers
-    bool inside;   ///< the column's middle lies under the patch
-  };
-  void FindTouches(const ContactPatch& patch, const Pose& X_WB, const Columns& ground);
-  void MakeRut(const ContactPatch& patch, const Pose& X_WB, const Touch& touch, double plastic_m,
-               Columns* ground) const;
-  Pressed PressColumns(const ContactPatch& patch, const BodyState& body, double dt_s,
-                       Columns* ground);
+  double MakeRut(const ContactPatch& patch, const BodyState& body, double dt_s,
+                 Columns* ground) const;
+  Pressed Bear(const ContactPatch& patch, const BodyState& body, const Columns& ground) const;
   Vec2 Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_mps, double shoe_mps,
              double dt_s, const std::vector<Patch>& before);
 
   RunningGear gear_;
   std::vector<Patch> patches_;
-  std::vector<Touch> touches_;  ///< of the patch at hand
-  double covered_ = 0;          ///< columns under it, by share
-  double rut_work_j_ = 0;       ///< plastic work still to be paid back as drag
+  double rut_work_j_ = 0;  ///< plastic work still to be paid back as drag
 };
 
 }  // namespace tera
