@@ -9,6 +9,20 @@ TEST(Machine, CompactExcavatorWeighsItsOperatingWeight) {
   EXPECT_NEAR(ShippedMachine("tb235").TotalMass_kg(), 3500, 1);
 }
 
+TEST(Machine, EveryShippedMachineStandsStillWithItsLeversAtRest) {
+  std::vector<std::string> names;
+  for (const auto& file : std::filesystem::directory_iterator(DataRoot() / "config/machines")) {
+    names.push_back(file.path().stem().string());
+  }
+  ASSERT_GE(names.size(), 3u);
+  for (const std::string& name : names) {
+    const MachineModel model = ShippedMachine(name);
+    MachineRun run(model, MakePose(Vec3(1, 2, 3), 0, 0, 1), 0.0);
+    run.StepFor(0.1);
+    for (const BodyState& link : run.state().links) EXPECT_LT(link.v_WB_mps.norm(), 1e-9) << name;
+  }
+}
+
 TEST(Machine, BucketTipStandsWhereTheHandDrawnPolygonPutsIt) {
   const MachineModel model = ShippedMachine("tb235");
   std::vector<double> q(model.joints.size(), 0.0);
