@@ -10,7 +10,8 @@ namespace tera {
 /// Track or wheel on the ground: carries, drives, steers, sinks and leaves a rut.
 ///
 /// Frames  W; patches as in ContactPatch, in the frame B of the gear's link.
-/// Model   Normal: points fixed to each patch bear elastically, p = k_e pen, at most Bekker's pressure
+/// Model   Normal: points fixed to each patch bear elastically, p = k_e pen, at most Bekker's
+/// pressure
 ///         at their sinkage; columns under the patch give way plastically to where both agree and
 ///         remember it for later passes. Damping is a fraction of critical for the mass that the
 ///         pressure carries, and the ground never pulls.
