@@ -6,6 +6,7 @@
 
 #include "core/units.h"
 #include "render/hand_made_scene.h"
+#include "render/ray_scene.h"
 
 namespace tera {
 namespace {
@@ -61,6 +62,34 @@ TEST_F(CameraBeforeAWall, SeesTheWallAtItsPlanarDepth) {
   EXPECT_NEAR(frame.depth_m.at(30, 50), 6, 1e-3);
   EXPECT_EQ(frame.instance.at(80, 60), 1);
   EXPECT_EQ(frame.semantic.at(80, 60), static_cast<std::uint8_t>(SemanticClass::kStructure));
+}
+
+TEST_F(CameraBeforeAWall, DepthAgreesWithRaysThroughThePixels) {
+  // On ground and wall, away from edges, where a pixel's centre may fall on either side.
+  RayScene rays(model_);
+  rays.Update({scene_.X_WB}, ground_, scene_.body_scale);
+  camera_.depth_max_m = 7.5;  // within the border of the site
+  const CameraFrame frame = Measure(camera_);
+  const Pose X_WC = MakePose({1, 2, 1.5}, 0, 0, 90 * kDeg) * OpticalInSensor();
+  int compared = 0;
+  for (int y = 2; y < 118; y += 3) {
+    for (int x = 2; x < 158; x += 3) {
+      if (frame.depth_m.at(x, y) == 0 ||
+          frame.semantic.at(x, y - 2) != frame.semantic.at(x, y + 2) ||
+          frame.semantic.at(x - 2, y) != frame.semantic.at(x + 2, y)) {
+        continue;
+      }
+      const Vec3 d_C = camera_.intrinsics.Unproject(Vec2(x, y)).normalized();
+      const Ray ray = {.origin_W_m = X_WC.translation().cast<float>(),
+                       .direction_W = (X_WC.linear() * d_C).cast<float>()};
+      RayHit hit;
+      rays.Trace({&ray, 1}, {&hit, 1}, 1);
+      ASSERT_TRUE(hit.hit) << x << " " << y;
+      EXPECT_NEAR(frame.depth_m.at(x, y), hit.range_m * d_C.z(), 1e-3) << x << " " << y;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 500);
 }
 
 TEST_F(CameraBeforeAWall, OutputsThatAreOffAreEmpty) {
