@@ -9,15 +9,20 @@
 namespace tera {
 namespace {
 
-constexpr double kServoGain_1ps = 5.0;
+constexpr double kServoGain_1ps = 4.0;
+constexpr double kLeverRate_1ps = 5.0;  // a hand goes from neutral to full lever in 0.2 s
 constexpr double kTipTolerance_m = 0.12;
 constexpr double kAngleTolerance_rad = 6 * kDeg;
-constexpr double kClearance_m = 0.45;     // of the tip above the ground before lowering or slewing
-constexpr double kCutLag_m = 0.15;        // the target waits when the tip is this far behind
-constexpr double kStallLift_mps = 0.12;   // how fast a stalled cut comes up
-constexpr double kCutPatience = 2.2;      // times the undisturbed duration of the cut
-constexpr double kDumpedFraction = 0.05;  // of the load at the start of the dump
-constexpr double kMaxPhase_s = 6.0;       // a phase never holds the cycle up longer
+constexpr double kClearance_m = 0.45;    // of the tip above the ground before lowering
+constexpr double kCarryInside_m = 1.6;   // the load is carried this much nearer than dumped
+constexpr double kCarryAbove_m = 0.2;    // and this much higher
+constexpr double kSwingHeight = 0.6;     // of the dump height: from here on it may slew
+constexpr double kCutLag_m = 0.15;       // the target waits when the tip is this far behind
+constexpr double kStallLift_mps = 0.15;  // how fast a stalled cut comes up
+constexpr double kFullShare = 0.9;       // of the struck capacity: the bucket is full
+constexpr double kCutPatience = 1.6;     // times the undisturbed duration of the cut
+constexpr double kDumpedShare = 0.05;    // of the load at the start of the dump
+constexpr double kMaxPhase_s = 4.0;      // a phase never holds the cycle up longer
 // Pitches of the tip direction.
 constexpr double kEntryPitch_rad = -75 * kDeg;
 constexpr double kCutEndPitch_rad = -112 * kDeg;
@@ -26,6 +31,9 @@ constexpr double kDumpPitch_rad = -60 * kDeg;
 // The cut goes down over its first part and comes up over its last.
 constexpr double kRampIn = 0.35, kRampOut = 0.2;
 constexpr int kGroundSamples = 24;
+// Curling takes this long, and draws the tip in and up meanwhile.
+constexpr double kCurl_s = 1.3;
+constexpr double kCurlDrag_m = 0.15, kCurlLift_m = 0.55;
 
 double Smooth(double s) {
   s = std::clamp(s, 0.0, 1.0);
@@ -37,6 +45,10 @@ double Mix(double a, double b, double s) { return a + (b - a) * s; }
 /// The angle equal to `angle` that is nearest to `reference`.
 double Nearest(double angle_rad, double reference_rad) {
   return angle_rad + 2 * kPi * std::round((reference_rad - angle_rad) / (2 * kPi));
+}
+
+double TipError_m(const PlanarArm::Tip& a, const PlanarArm::Tip& b) {
+  return std::hypot(a.r_m - b.r_m, a.z_m - b.z_m);
 }
 
 }  // namespace
@@ -66,6 +78,7 @@ std::vector<double> DigCycle::Levers(const OperatorView& view) {
   const PlanarArm::Angles before = last_angles_.value_or(angles);
   last_angles_ = angles;
 
+  levers_.resize(levers.size(), 0.0);
   for (std::size_t i = 0; i < levers.size(); ++i) {
     const int joint = view.model.levers[i].joint;
     if (joint < 0) continue;
@@ -78,7 +91,10 @@ std::vector<double> DigCycle::Levers(const OperatorView& view) {
     if (joint == plan_.joints.bucket) {
       servo(angles.bucket_rad, rate(angles.bucket_rad, before.bucket_rad));
     }
+    const double reach = kLeverRate_1ps * dt_s;
+    levers[i] = std::clamp(levers[i], levers_[i] - reach, levers_[i] + reach);
   }
+  levers_ = levers;
   return levers;
 }
 
@@ -86,6 +102,7 @@ void DigCycle::Enter(Phase phase, const OperatorView& view) {
   phase_ = phase;
   phase_start_ns_ = view.t_ns;
   phase_tip_ = TipNow(view.state);
+  phase_load_kg_ = LoadOf(view).mass_kg;
   last_angles_.reset();
   if (phase == Phase::kCut) {
     cut_s_m_ = 0;
@@ -101,55 +118,41 @@ void DigCycle::Enter(Phase phase, const OperatorView& view) {
 void DigCycle::Advance(const OperatorView& view) {
   const Target target = TargetNow(view);
   const PlanarArm::Tip tip = TipNow(view.state);
-  const double slew_error_rad =
-      std::abs(Nearest(target.slew_rad, view.state.q_rad[plan_.joints.slew]) -
-               view.state.q_rad[plan_.joints.slew]);
-  const double tip_error_m = std::hypot(tip.r_m - target.tip.r_m, tip.z_m - target.tip.z_m);
-  const bool pitched = std::abs(tip.pitch_rad - target.tip.pitch_rad) < 3 * kAngleTolerance_rad;
-  const bool late = PhaseTime_s(view) > kMaxPhase_s;
-  const double dt_s = ToSeconds(view.t_ns - last_ns_);
-  double load_kg = 0;
-  for (const SoilReaction::Load& load : view.state.shovel_load) load_kg += load.mass_kg;
+  const double slew_rad = view.state.q_rad[plan_.joints.slew];
+  const bool slewed = std::abs(Nearest(target.slew_rad, slew_rad) - slew_rad) < kAngleTolerance_rad;
+  const bool placed = ArmError_rad(view, target.tip) < kAngleTolerance_rad;
+  const double time_s = PhaseTime_s(view);
+  const bool late = time_s > kMaxPhase_s;
+  const SoilReaction::Load load = LoadOf(view);
 
   switch (phase_) {
     case Phase::kApproach:
-      if ((slew_error_rad < kAngleTolerance_rad && tip_error_m < 2 * kTipTolerance_m) || late) {
-        Enter(Phase::kLower, view);
-      }
+      if ((slewed && placed) || late) Enter(Phase::kLower, view);
       break;
     case Phase::kLower:
-      if (tip_error_m < kTipTolerance_m || PhaseTime_s(view) > 1.5) Enter(Phase::kCut, view);
+      if (TipError_m(tip, target.tip) < kTipTolerance_m || late) Enter(Phase::kCut, view);
       break;
     case Phase::kCut:
-      if (tip_error_m < kCutLag_m) {
-        cut_s_m_ += plan_.cut_speed_mps * dt_s;
-      } else {
-        cut_raised_m_ += kStallLift_mps * dt_s;
-      }
-      if (cut_s_m_ >= plan_.cut_length_m ||
-          PhaseTime_s(view) > kCutPatience * plan_.cut_length_m / plan_.cut_speed_mps) {
+      AdvanceCut(view, TipError_m(tip, target.tip));
+      if (cut_s_m_ >= plan_.cut_length_m || load.volume_m3 > kFullShare * Capacity_m3(view) ||
+          time_s > kCutPatience * plan_.cut_length_m / plan_.cut_speed_mps) {
         Enter(Phase::kCurl, view);
       }
       break;
     case Phase::kCurl:
-      if (tip.pitch_rad < kCarryPitch_rad + 4 * kAngleTolerance_rad || PhaseTime_s(view) > 2.5) {
-        Enter(Phase::kLift, view);
-      }
+      if (time_s > kCurl_s && (placed || late)) Enter(Phase::kLift, view);
       break;
     case Phase::kLift:
-      if (tip.z_m - GroundInPlane(view, view.state.q_rad[plan_.joints.slew], tip.r_m) >
-              0.7 * plan_.dump_height_m ||
+      if (tip.z_m - GroundInPlane(view, slew_rad, tip.r_m) > kSwingHeight * plan_.dump_height_m ||
           late) {
         Enter(Phase::kSwing, view);
       }
       break;
     case Phase::kSwing:
-      if ((slew_error_rad < kAngleTolerance_rad && tip_error_m < 4 * kTipTolerance_m) || late) {
-        Enter(Phase::kDump, view);
-      }
+      if (slewed || late) Enter(Phase::kDump, view);
       break;
     case Phase::kDump:
-      if ((pitched && load_kg < kDumpedFraction * 100.0) || PhaseTime_s(view) > 2.5) {
+      if ((placed && load.mass_kg <= kDumpedShare * phase_load_kg_) || late) {
         ++cycle_;
         dig_azimuth_rad_ += plan_.azimuth_step_rad;
         const bool done = plan_.cycles > 0 && cycle_ >= plan_.cycles;
@@ -161,9 +164,19 @@ void DigCycle::Advance(const OperatorView& view) {
   }
 }
 
+void DigCycle::AdvanceCut(const OperatorView& view, double lag_m) {
+  const double dt_s = ToSeconds(view.t_ns - last_ns_);
+  if (lag_m < kCutLag_m) {
+    cut_s_m_ += plan_.cut_speed_mps * dt_s;
+  } else {
+    cut_raised_m_ += kStallLift_mps * dt_s;
+  }
+}
+
 DigCycle::Target DigCycle::TargetNow(const OperatorView& view) const {
   const double dump_ground_m = GroundInPlane(view, plan_.dump_azimuth_rad, plan_.dump_reach_m);
-  const PlanarArm::Tip carry = {plan_.dump_reach_m - 0.6, dump_ground_m + plan_.dump_height_m + 0.5,
+  const PlanarArm::Tip carry = {plan_.dump_reach_m - kCarryInside_m,
+                                dump_ground_m + plan_.dump_height_m + kCarryAbove_m,
                                 kCarryPitch_rad};
   const double dig_ground_m = GroundInPlane(view, dig_azimuth_rad_, plan_.reach_m);
   switch (phase_) {
@@ -174,8 +187,8 @@ DigCycle::Target DigCycle::TargetNow(const OperatorView& view) const {
     case Phase::kCut:
       return {CutPoint(cut_s_m_), dig_azimuth_rad_};
     case Phase::kCurl: {
-      const double s = Smooth(PhaseTime_s(view) / 1.2);
-      return {{phase_tip_.r_m - 0.15 * s, phase_tip_.z_m + 0.55 * s,
+      const double s = Smooth(PhaseTime_s(view) / kCurl_s);
+      return {{phase_tip_.r_m - kCurlDrag_m * s, phase_tip_.z_m + kCurlLift_m * s,
                Mix(phase_tip_.pitch_rad, kCarryPitch_rad, s)},
               dig_azimuth_rad_};
     }
@@ -230,6 +243,23 @@ PlanarArm::Angles DigCycle::ReachableAngles(const MachineModel& model,
 PlanarArm::Tip DigCycle::TipNow(const MachineState& state) const {
   return arm_.Forward({state.q_rad[plan_.joints.boom], state.q_rad[plan_.joints.arm],
                        state.q_rad[plan_.joints.bucket]});
+}
+
+double DigCycle::ArmError_rad(const OperatorView& view, const PlanarArm::Tip& tip) const {
+  const PlanarArm::Angles angles = ReachableAngles(view.model, tip);
+  const std::vector<double>& q_rad = view.state.q_rad;
+  return std::max({std::abs(angles.boom_rad - q_rad[plan_.joints.boom]),
+                   std::abs(angles.arm_rad - q_rad[plan_.joints.arm]),
+                   std::abs(angles.bucket_rad - q_rad[plan_.joints.bucket])});
+}
+
+SoilReaction::Load DigCycle::LoadOf(const OperatorView& view) const {
+  const auto& loads = view.state.shovel_load;
+  return plan_.shovel < static_cast<int>(loads.size()) ? loads[plan_.shovel] : SoilReaction::Load{};
+}
+
+double DigCycle::Capacity_m3(const OperatorView& view) const {
+  return view.model.ground_tools.shovels[plan_.shovel].capacity_m3;
 }
 
 double DigCycle::PhaseTime_s(const OperatorView& view) const {

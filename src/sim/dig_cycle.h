@@ -12,6 +12,7 @@ namespace tera {
 struct DigPlan {
   PlanarArm::Joints joints;
   int tip_frame = -1;
+  int shovel = -1;  ///< the one that the bucket joint moves
   double dig_azimuth_rad = 0;
   double azimuth_step_rad = 0;  ///< added to the dig azimuth after each cycle
   double dump_azimuth_rad = 0;
@@ -31,6 +32,7 @@ struct DigPlan {
 ///         joints follow by ServoLever. During the cut the target moves along the planned line;
 ///         where the soil holds the tip back it waits and comes up, as an operator lifts a stalled
 ///         bucket.
+///         Levers move no faster than a hand does.
 /// Omits   force control; avoidance of obstacles; boom swing and travel stay neutral.
 class DigCycle : public Operator {
  public:
@@ -52,6 +54,10 @@ class DigCycle : public Operator {
   double GroundInPlane(const OperatorView& view, double azimuth_rad, double r_m) const;
   PlanarArm::Angles ReachableAngles(const MachineModel& model, const PlanarArm::Tip& tip) const;
   PlanarArm::Tip TipNow(const MachineState& state) const;
+  double Capacity_m3(const OperatorView& view) const;
+  void AdvanceCut(const OperatorView& view, double lag_m);
+  double ArmError_rad(const OperatorView& view, const PlanarArm::Tip& tip) const;
+  SoilReaction::Load LoadOf(const OperatorView& view) const;
   double PhaseTime_s(const OperatorView& view) const;
 
   DigPlan plan_;
@@ -64,6 +70,8 @@ class DigCycle : public Operator {
   double cut_s_m_ = 0;                ///< along the cut
   double cut_raised_m_ = 0;           ///< above the planned line, to get through
   std::vector<double> cut_ground_m_;  ///< heights in the plane when the cut was planned
+  std::vector<double> levers_;        ///< as last given
+  double phase_load_kg_ = 0;          ///< carried when the phase began
   PlanarArm::Tip phase_tip_;          ///< where the tip was when the phase began
   std::optional<PlanarArm::Angles> last_angles_;
 };

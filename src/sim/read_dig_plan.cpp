@@ -21,6 +21,15 @@ DigPlan ReadDigPlan(const ConfigMap& config, const MachineModel& model) {
   }
   if (plan.tip_frame < 0) config.Fault("tip_frame", "the machine has no frame '" + tip + "'");
 
+  const auto& shovels = model.ground_tools.shovels;
+  for (std::size_t s = 0; s < shovels.size() && plan.joints.bucket >= 0; ++s) {
+    if (shovels[s].link == model.joints[plan.joints.bucket].child)
+      plan.shovel = static_cast<int>(s);
+  }
+  if (plan.joints.bucket >= 0 && plan.shovel < 0) {
+    config.Fault("bucket", "the link that this joint moves carries no shovel");
+  }
+
   const Range azimuth = Between(-360, 360, "deg");
   plan.dig_azimuth_rad = config.Number("dig_azimuth_deg", azimuth, 0) * kDeg;
   plan.azimuth_step_rad = config.Number("azimuth_step_deg", azimuth, 0) * kDeg;
