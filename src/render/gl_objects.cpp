@@ -88,7 +88,7 @@ GlObject MakeTexture(unsigned format, int width, int height, Filter filter, Wrap
   const GLint magnify = filter == Filter::kNearest ? GL_NEAREST : GL_LINEAR;
   glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, magnify);
   glTextureParameteri(id, GL_TEXTURE_MIN_FILTER,
-                      filter == Filter::kMipmapped ? GL_LINEAR_MIPMAP_LINEAR : magnify);
+                      filter == Filter::kMipmapped ? GL_LINEAR_MIPMAP_NEAREST : magnify);
   if (filter == Filter::kShadow) {
     glTextureParameteri(id, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     glTextureParameteri(id, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);

@@ -131,7 +131,8 @@ void NodeRenderer::Place(const SceneState& state, const Vec3& eye_W_m, const Vie
       instance.pose_rows[row][3] = static_cast<float>(X_WG.translation()[row] - eye_W_m[row]);
     }
     instance.label = LabelWord(node.label, node.instance);
-    const Placed placed{static_cast<int>(n), (centre_W_m - eye_W_m).norm() - radius_m};
+    const Placed placed{static_cast<int>(n), (centre_W_m - eye_W_m).norm() - radius_m, centre_W_m,
+                        radius_m};
     if (mesh.opaque.index_count > 0) placed_opaque_.push_back(placed);
     if (mesh.glass.index_count > 0) placed_glass_.push_back(placed);
   }
@@ -158,6 +159,15 @@ void NodeRenderer::Draw(Surface surface) const {
   for (const Placed& placed : glass ? placed_glass_ : placed_opaque_) {
     const GpuMesh& mesh = meshes_[model_.nodes[placed.node].mesh];
     DrawNode(placed.node, glass ? mesh.glass : mesh.opaque);
+  }
+}
+
+void NodeRenderer::DrawOpaqueIf(
+    const std::function<bool(const Vec3& centre_W_m, double radius_m)>& wanted) const {
+  glBindVertexArray(array_.id());
+  for (const Placed& placed : placed_opaque_) {
+    if (!wanted(placed.centre_W_m, placed.radius_m)) continue;
+    DrawNode(placed.node, meshes_[model_.nodes[placed.node].mesh].opaque);
   }
 }
 

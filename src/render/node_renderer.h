@@ -1,6 +1,6 @@
 #pragma once
 
-#include <map>
+#include <functional>
 
 #include "render/gl_objects.h"
 #include "render/scene.h"
@@ -24,6 +24,9 @@ class NodeRenderer {
   /// Draws what Place found, with the program in use: attributes 0 position, 1 normal, 2 albedo
   /// (square roots) and opacity, 3 roughness and metallic; 4 to 6 rows of the pose, 7 the label.
   void Draw(Surface surface) const;
+  /// Draws the opaque nodes whose bounding sphere (centre in W, radius) `wanted` accepts.
+  void DrawOpaqueIf(
+      const std::function<bool(const Vec3& centre_W_m, double radius_m)>& wanted) const;
   /// Draws the nodes of one instance only, glass and opaque.
   void DrawInstance(std::uint16_t instance) const;
 
@@ -45,6 +48,8 @@ class NodeRenderer {
   struct Placed {
     int node;
     double distance_m;
+    Vec3 centre_W_m;
+    double radius_m;
   };
 
   void DrawNode(int node, const Range& range) const;

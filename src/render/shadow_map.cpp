@@ -71,8 +71,18 @@ void ShadowMap::Update(const SceneState& state, const Vec3& eye_W_m, NodeRendere
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1.5f, 2.0f);
   program_.Use();
-  DrawPicture(near_, *nodes);
-  DrawPicture(far_, *nodes);
+  // Seen from the sun, a shadow lies where its node is: what the fine picture holds whole, the
+  // coarse one does not need, and what lies outside the fine one cannot shade within it.
+  const auto gap_m = [&](const Vec3& centre_W_m) {  // from the fine picture's border, inwards
+    const Vec2 p_L = (R_LW_ * centre_W_m).head<2>();
+    const Vec2 low = p_L - near_.box_L_m.min().head<2>(),
+               high = near_.box_L_m.max().head<2>() - p_L;
+    return std::min(low.minCoeff(), high.minCoeff());
+  };
+  AimAt(near_);
+  nodes->DrawOpaqueIf([&](const Vec3& c, double r) { return gap_m(c) > -r; });
+  AimAt(far_);
+  nodes->DrawOpaqueIf([&](const Vec3& c, double r) { return gap_m(c) < r + kMargin_m; });
   glDisable(GL_POLYGON_OFFSET_FILL);
   drawn_ = true;
   drawn_centre_W_m_ = centre_W_m;
@@ -80,7 +90,7 @@ void ShadowMap::Update(const SceneState& state, const Vec3& eye_W_m, NodeRendere
   drawn_scales_ = state.body_scale;
 }
 
-void ShadowMap::DrawPicture(const Picture& picture, const NodeRenderer& nodes) const {
+void ShadowMap::AimAt(const Picture& picture) const {
   glViewport(picture.left_px, 0, picture.side_px, picture.side_px);
   const Vec3 size = picture.box_L_m.sizes(), low = picture.box_L_m.min();
   Eigen::Matrix4d clip_L = Eigen::Matrix4d::Identity();
@@ -93,7 +103,6 @@ void ShadowMap::DrawPicture(const Picture& picture, const NodeRenderer& nodes) c
   Eigen::Matrix4d X_LW = Eigen::Matrix4d::Identity();
   X_LW.topLeftCorner<3, 3>() = R_LW_;
   program_.Set("u_clip_from_W", Eigen::Matrix4f((clip_L * X_LW).cast<float>()));
-  nodes.Draw(NodeRenderer::Surface::kOpaque);
 }
 
 void ShadowMap::Bind(unsigned unit, const Vec3& eye_W_m, const Program& program) const {

@@ -25,7 +25,7 @@ class ShadowMap {
     int left_px, side_px;         ///< its square in the texture
     Eigen::AlignedBox3d box_L_m;  ///< what it covers
   };
-  void DrawPicture(const Picture& picture, const NodeRenderer& nodes) const;
+  void AimAt(const Picture& picture) const;
 
   Mat3 R_LW_;
   Program program_{"shadow.vert", "shadow.frag"};
