@@ -111,6 +111,7 @@ void SceneAssembly::AddMachine(const Scenario& scenario, std::size_t m) {
     node.instance = AddInstance(part(shovel.name + "_soil"), node.label, node.body);
     model_.meshes.push_back(heap.mesh);
     model_.nodes.push_back(node);
+    GrowBox(node);
     heaps_.push_back({m, static_cast<int>(s), node.body, heap.bottom_B_m});
   }
 }
@@ -141,8 +142,12 @@ void SceneAssembly::AddNode(const Visual& visual, int body, SemanticClass label,
   node.label = visual.label.value_or(label);
   node.instance = instance;
   model_.nodes.push_back(node);
-  SceneInstance& box = model_.instances[instance];
-  if (box.body != body) return;  // a cylinder's part moves in its link's frame
+  GrowBox(node);
+}
+
+void SceneAssembly::GrowBox(const SceneNode& node) {
+  SceneInstance& box = model_.instances[node.instance];
+  if (box.body != node.body) return;  // a cylinder's part moves in its link's frame
   for (const MeshPart& part : model_.meshes[node.mesh].parts) {
     for (const Eigen::Vector3f& p : part.positions_m) {
       const Vec3 p_B = node.X_BG * (node.scale * p.cast<double>());

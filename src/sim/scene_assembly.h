@@ -36,6 +36,8 @@ class SceneAssembly {
   void AddObstacle(const ScenarioObstacle& obstacle);
   std::uint16_t AddInstance(const std::string& name, SemanticClass label, int body);
   void AddNode(const Visual& visual, int body, SemanticClass label, std::uint16_t instance);
+  /// Widens the box of the node's instance to hold its mesh, if both move with one body.
+  void GrowBox(const SceneNode& node);
   void AppendMachinePoses(const WorldState& state, std::size_t m, std::vector<Pose>* poses) const;
   int AddBody() { return model_.body_count++; }
 

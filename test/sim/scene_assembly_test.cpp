@@ -1,0 +1,103 @@
+#include "sim/scene_assembly.h"
+
+#include <gtest/gtest.h>
+
+#include "core/config.h"
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+Scenario Read() {
+  const Config config = Config::FromText(R"(
+name: test
+duration_s: 1
+terrain: {size_m: [12, 12], cell_m: 0.2, soil: dirt}
+machines:
+  - name: excavator1
+    machine: tera:config/machines/tb235.yaml
+    start: {xy_m: [1, 2], yaw_deg: 90}
+    operator: {type: idle}
+obstacles: [{name: cone1, preset: tera:config/obstacles/cone.yaml, xy_m: [4, 1], yaw_deg: 30}]
+)",
+                                         "s.yaml");
+  Scenario scenario = ReadScenario(config.root());
+  config.Finish();
+  return scenario;
+}
+
+TEST(SceneAssembly, EveryInstanceHasAFiniteBoxThatHoldsSomething) {
+  const Scenario scenario = Read();
+  const SceneAssembly assembly(scenario);
+  const SceneModel& model = assembly.model();
+  ASSERT_GT(model.instances.size(), 10u);
+  for (std::size_t i = 1; i < model.instances.size(); ++i) {
+    const Vec3 size_m = model.instances[i].box_max_B_m - model.instances[i].box_min_B_m;
+    EXPECT_TRUE(size_m.allFinite() && size_m.minCoeff() > 0.01) << model.instances[i].name;
+    EXPECT_LT(size_m.maxCoeff(), 8.0) << model.instances[i].name;
+  }
+}
+
+TEST(SceneAssembly, CylindersReachFromPinToPin) {
+  Scenario scenario = Read();
+  Simulation simulation(&scenario);
+  const SceneAssembly assembly(scenario);
+  const std::vector<Pose> poses = assembly.BodyPoses(simulation.state());
+  const MachineModel& machine = scenario.machines[0].placement.model;
+  const auto& links = simulation.state().machines[0].links;
+  const std::size_t shoes =
+      machine.track_visuals[0].shoe_count + machine.track_visuals[1].shoe_count;
+  for (std::size_t c = 0; c < machine.cylinders.size(); ++c) {
+    const CylinderVisual& cylinder = machine.cylinders[c];
+    const Vec3 a_W = links[cylinder.barrel_link].X_WB * cylinder.barrel_pin_m;
+    const Vec3 b_W = links[cylinder.rod_link].X_WB * cylinder.rod_pin_m;
+    const Pose& X_WBarrel = poses[machine.links.size() + shoes + 2 * c];
+    const Pose& X_WRod = poses[machine.links.size() + shoes + 2 * c + 1];
+    EXPECT_TRUE(X_WBarrel.translation().isApprox(a_W, 1e-9));
+    EXPECT_TRUE(X_WRod.translation().isApprox(b_W, 1e-9));
+    // The barrel's x axis passes through the rod's pin.
+    const Vec3 b_Barrel = X_WBarrel.inverse() * b_W;
+    EXPECT_NEAR(b_Barrel.x(), (b_W - a_W).norm(), 1e-9);
+    EXPECT_NEAR(b_Barrel.tail<2>().norm(), 0.0, 1e-9);
+  }
+}
+
+TEST(SceneAssembly, ShoesAdvanceBackwardsAlongTheGroundWhenDrivingForward) {
+  Scenario scenario = Read();
+  Simulation simulation(&scenario);
+  const SceneAssembly assembly(scenario);
+  WorldState state = simulation.state();
+  const std::vector<Pose> before = assembly.BodyPoses(state);
+  const MachineModel& machine = scenario.machines[0].placement.model;
+  state.machines[0].gear_angle_rad[0] += 0.1;
+  const std::vector<Pose> after = assembly.BodyPoses(state);
+  const Pose& X_WB = state.machines[0].links[0].X_WB;
+  int on_ground = 0;
+  for (int k = 0; k < machine.track_visuals[0].shoe_count; ++k) {
+    const Vec3 p = X_WB.inverse() * before[machine.links.size() + k].translation();
+    const Vec3 q = X_WB.inverse() * after[machine.links.size() + k].translation();
+    if (p.z() > 0.02 || std::abs(p.x()) > 0.6) continue;
+    ++on_ground;
+    EXPECT_NEAR(q.x() - p.x(), -0.1 * machine.ground_tools.gears[0].drive_radius_m, 1e-6);
+    EXPECT_NEAR(p.y(), 0.574, 1e-6);
+  }
+  EXPECT_GT(on_ground, 8);
+}
+
+TEST(SceneAssembly, HeapOfAnEmptyBucketIsHidden) {
+  Scenario scenario = Read();
+  Simulation simulation(&scenario);
+  const SceneAssembly assembly(scenario);
+  WorldState state = simulation.state();
+  const auto hidden = assembly.BodyScales(state);
+  EXPECT_EQ(std::count(hidden.begin(), hidden.end(), 0.0f), 1);
+  const Shovel& bucket = scenario.machines[0].placement.model.ground_tools.shovels[0];
+  state.machines[0].shovel_load[0].volume_m3 = bucket.capacity_m3 / 8;  // half in each direction
+  const auto scales = assembly.BodyScales(state);
+  EXPECT_EQ(std::count_if(scales.begin(), scales.end(),
+                          [](float s) { return std::abs(s - 0.5f) < 1e-6f; }),
+            1);
+}
+
+}  // namespace
+}  // namespace tera
