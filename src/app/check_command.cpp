@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -7,9 +8,13 @@
 #include "app/commands.h"
 #include "app/load_scenario.h"
 #include "core/units.h"
+#include "sim/scene_assembly.h"
 
 namespace tera {
 namespace {
+
+/// Tenths of a degree, without a zero's minus sign.
+double Tenths(double angle_deg) { return std::round(10 * angle_deg) / 10 + 0.0; }
 
 void PrintMachine(const ScenarioMachine& machine) {
   const MachineModel& model = machine.placement.model;
@@ -24,17 +29,19 @@ void PrintMachine(const ScenarioMachine& machine) {
   for (const SensorDescription& sensor : machine.sensors) {
     const Vec3 xyz = sensor.X_BS.translation();
     const Vec3 rpy = RpyFromRotation(sensor.X_BS.linear()) / kDeg;
-    fmt::print("  {:<18} {:<8} {:<14} {:>22} {:>22} {:>9g}\n", sensor.name, TypeOf(sensor),
-               sensor.link.empty() ? "-" : sensor.link,
-               fmt::format("{:.3f} {:.3f} {:.3f}", xyz.x(), xyz.y(), xyz.z()),
-               fmt::format("{:.1f} {:.1f} {:.1f}", rpy.x(), rpy.y(), rpy.z()),
-               sensor.clock.rate_hz);
+    fmt::print(
+        "  {:<18} {:<8} {:<14} {:>22} {:>22} {:>9g}\n", sensor.name, TypeOf(sensor),
+        sensor.link.empty() ? "-" : sensor.link,
+        fmt::format("{:.3f} {:.3f} {:.3f}", xyz.x(), xyz.y(), xyz.z()),
+        fmt::format("{:.1f} {:.1f} {:.1f}", Tenths(rpy.x()), Tenths(rpy.y()), Tenths(rpy.z())),
+        sensor.clock.rate_hz);
   }
 }
 
 void RunCheck(const std::string& file, const std::vector<std::string>& overrides) {
   const LoadedScenario loaded = LoadScenario(file, overrides);
   const Scenario& scenario = loaded.scenario;
+  const SceneAssembly every_mesh_loads(scenario);
   const TerrainSurface& ground = scenario.soil->surface();
   fmt::print("{}: {} s at {} Hz, seed {}\n", scenario.name, scenario.duration_s,
              scenario.physics_rate_hz, scenario.seed);

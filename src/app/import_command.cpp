@@ -1,5 +1,6 @@
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/commands.h"
 #include "dataset/import_csv.h"
@@ -9,6 +10,7 @@ namespace tera {
 void AddImportCommand(CLI::App* app) {
   struct Arguments {
     std::string mapping, out;
+    std::vector<std::string> set;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
@@ -17,7 +19,11 @@ void AddImportCommand(CLI::App* app) {
       ->required();
   command->add_option("--out", arguments->out, "Directory of the recording; new or empty")
       ->required();
-  command->callback([arguments] { ImportCsv(arguments->mapping, arguments->out); });
+  command
+      ->add_option("--set", arguments->set,
+                   "key.path=value instead of the mapping's, above all file=recording.csv")
+      ->take_all();
+  command->callback([arguments] { ImportCsv(arguments->mapping, arguments->out, arguments->set); });
 }
 
 }  // namespace tera

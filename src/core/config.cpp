@@ -56,9 +56,12 @@ struct ConfigDocument {
 
 namespace {
 
+/// Stands for a file's name in the messages about overrides, which have no lines.
+constexpr char kOverlayName[] = "--set";
+
 std::string PlaceOf(const YAML::Node& node, const std::string& file) {
   const YAML::Mark mark = node.Mark();
-  if (mark.is_null()) return file;
+  if (mark.is_null() || file == kOverlayName) return file;
   return fmt::format("{}:{}:{}", file, mark.line + 1, mark.column + 1);
 }
 
@@ -215,6 +218,11 @@ std::string ShownName(const fs::path& path) {
                                                         : path.lexically_normal().generic_string();
 }
 
+/// What paths of a layer are relative to, for messages.
+std::string BaseOf(const Layer& layer) {
+  return layer.file == kOverlayName ? "the working directory" : layer.file;
+}
+
 /// Loads the file that `found` names as a layer, or reports a fault.
 std::optional<Layer> LoadLayer(ConfigNode& node, std::string_view key, const Found& found) {
   const fs::path path = Resolve(found.node.Scalar(), found.layer->directory);
@@ -222,7 +230,7 @@ std::optional<Layer> LoadLayer(ConfigNode& node, std::string_view key, const Fou
     AddFault(node, key, found,
              fmt::format("file '{}' does not exist; correct the path (relative to {}, or "
                          "'tera:...' for a file that TERA ships)",
-                         found.node.Scalar(), found.layer->file));
+                         found.node.Scalar(), BaseOf(*found.layer)));
     return std::nullopt;
   }
   const std::string shown = ShownName(path);
@@ -685,7 +693,7 @@ fs::path ConfigMap::File(std::string_view key) const {
     AddFault(*node_, key, *found,
              fmt::format("file '{}' does not exist; correct the path (relative to {}, or "
                          "'tera:...' for a file that TERA ships)",
-                         found->node.Scalar(), found->layer->file));
+                         found->node.Scalar(), internal::BaseOf(*found->layer)));
     return {};
   }
   Record(*node_, key, internal::Portable(path));
@@ -723,7 +731,7 @@ Config Config::FromFile(const fs::path& file, const std::vector<std::string>& ov
   YAML::Node overlay(YAML::NodeType::Map);
   for (const std::string& text : overrides) internal::AddOverride(overlay, text);
   document->root = document->AddNode(
-      "", {Layer{overlay, "--set", fs::current_path()},
+      "", {Layer{overlay, internal::kOverlayName, fs::current_path()},
            Layer{internal::LoadYaml(file, shown, ""), shown, file.parent_path()}});
   return Config(document);
 }
@@ -741,8 +749,9 @@ Config Config::FromText(const std::string& text, const std::string& name,
                                  e.mark.column + 1, e.msg));
   }
   if (!node.IsMap()) throw InputError(fmt::format("{}:1:1: need a mapping of keys", name));
-  document->root = document->AddNode(
-      "", {Layer{overlay, "--set", fs::current_path()}, Layer{node, name, fs::current_path()}});
+  document->root =
+      document->AddNode("", {Layer{overlay, internal::kOverlayName, fs::current_path()},
+                             Layer{node, name, fs::current_path()}});
   return Config(document);
 }
 
@@ -779,6 +788,11 @@ std::string Config::ResolvedYaml() const {
 
 fs::path DataRoot() {
   if (const char* directory = std::getenv("TERA_DATA_DIR")) return directory;
+  // An installed program may have been moved with its data, whatever prefix it was built for.
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  const fs::path beside = (program.parent_path() / TERA_DATA_FROM_BIN_DIR).lexically_normal();
+  if (!program.empty() && fs::is_directory(beside / "shaders")) return beside;
   if (fs::is_directory(TERA_SOURCE_DATA_DIR)) return TERA_SOURCE_DATA_DIR;
   return TERA_INSTALL_DATA_DIR;
 }

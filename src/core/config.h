@@ -147,8 +147,9 @@ class Config {
   std::shared_ptr<internal::ConfigDocument> document_;
 };
 
-/// Where assets/, config/ and shaders/ are: the environment variable TERA_DATA_DIR, else the
-/// source tree or the installation this program was built for.
+/// Where assets/, config/ and shaders/ are: the environment variable TERA_DATA_DIR, else share/tera
+/// beside the bin/ that this program runs from, else the source tree or the installation that this
+/// library was built for.
 std::filesystem::path DataRoot();
 
 }  // namespace tera

@@ -21,7 +21,7 @@ std::string Remedy(int error_number) {
   switch (error_number) {
     case ENOSPC:
     case EDQUOT:
-      return "free space on that disk, then go on with --resume";
+      return "free space on that disk";
     case EACCES:
     case EPERM:
     case EROFS:

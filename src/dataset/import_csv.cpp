@@ -240,11 +240,11 @@ void ImportCsv(const std::filesystem::path& mapping_file, const std::filesystem:
   DatasetWriter writer(out, mapping.info, {});
   try {
     for (const ImportJob& job : mapping.jobs) job(&writer);
+    writer.Finish();
   } catch (...) {
     writer.Discard();
     throw;
   }
-  writer.Finish();
 }
 
 }  // namespace tera

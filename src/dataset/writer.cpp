@@ -63,6 +63,7 @@ struct Channel {
 struct DatasetWriter::Impl {
   fs::path final_directory, root;
   DatasetInfo info;
+  bool resumed = false;
   std::vector<Channel> channels;
   std::set<std::string> paths;
   std::unique_ptr<FrameLog> frame_log;
@@ -71,6 +72,7 @@ struct DatasetWriter::Impl {
   std::unique_ptr<FrameQueue> queue;  // last, so that its threads end before what they use
 
   void Begin(bool resume);
+  void WriteNotes();
   ChannelId Add(ChannelType type, const std::string& path, const std::string& csv,
                 std::string_view header);
   ChannelId AddSensor(ChannelType type, const std::string& folder, const std::string& sensor_yaml,
@@ -89,21 +91,31 @@ void DatasetWriter::Impl::Begin(bool resume) {
     throw InputError(fmt::format("{}: is not an empty directory; choose another --out or delete it",
                                  final_directory.string()));
   }
-  const bool begun = fs::exists(root, ignored) && !fs::is_empty(root);
-  if (begun && !resume) {
+  resumed = fs::exists(root, ignored) && !fs::is_empty(root);
+  if (resumed && !resume) {
     throw InputError(fmt::format(
         "{}: holds an incomplete recording; go on with --resume, or delete it", root.string()));
   }
-  if (begun) {
+  if (resumed) {
     NeedSame(root / kNoteName, Note(info));
     NeedSame(root / kScenarioName, info.resolved_scenario_yaml);
     RemoveParts(root);
   } else {
-    MakeFolder(root);
-    WriteWholeFile(root / kScenarioName, info.resolved_scenario_yaml);
-    WriteWholeFile(root / kNoteName, Note(info));
+    WriteNotes();
   }
   frame_log = std::make_unique<FrameLog>(root);
+}
+
+void DatasetWriter::Impl::WriteNotes() {
+  MakeFolder(root);
+  try {
+    WriteWholeFile(root / kScenarioName, info.resolved_scenario_yaml);
+    WriteWholeFile(root / kNoteName, Note(info));
+  } catch (const InputError&) {
+    std::error_code ignored;
+    fs::remove_all(root, ignored);
+    throw;
+  }
 }
 
 ChannelId DatasetWriter::Impl::Add(ChannelType type, const std::string& path,
@@ -294,6 +306,10 @@ fs::path DatasetWriter::PathFor(const std::string& relative) {
 std::int64_t DatasetWriter::frames_written() const { return impl_->frames_written; }
 
 std::int64_t DatasetWriter::bytes_written() const { return impl_->frame_bytes + impl_->row_bytes; }
+
+bool DatasetWriter::resumed() const { return impl_->resumed; }
+
+const fs::path& DatasetWriter::incomplete_directory() const { return impl_->root; }
 
 void DatasetWriter::Finish() {
   impl_->queue->Drain();

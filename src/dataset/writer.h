@@ -88,6 +88,11 @@ class DatasetWriter {
   std::int64_t frames_written() const;
   std::int64_t bytes_written() const;
 
+  /// Goes on with a recording that an earlier run began.
+  bool resumed() const;
+  /// Where everything is until Finish.
+  const std::filesystem::path& incomplete_directory() const;
+
   /// Waits for the queue, closes everything and renames the directory into place.
   void Finish();
   /// Gives up: removes the incomplete directory. Nothing may be called after it.

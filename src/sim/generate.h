@@ -30,7 +30,8 @@ struct GenerateReport {
 };
 
 /// Runs `scenario` and writes its dataset to `options.out`. `resolved_yaml` is the scenario as
-/// Config::ResolvedYaml gives it. Throws InputError as DatasetWriter and Rasterizer do.
+/// Config::ResolvedYaml gives it. Throws InputError as DatasetWriter and Rasterizer do; nothing is
+/// left behind then before the first step, and after it a directory that can be resumed.
 GenerateReport Generate(Scenario scenario, const std::string& resolved_yaml,
                         const GenerateOptions& options);
 
