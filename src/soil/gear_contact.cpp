@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/units.h"
 #include "soil/terramechanics.h"
@@ -71,6 +72,24 @@ Vec2 Mobilised(const SoilType& soil, const Vec2& j_m) {
   return j_m * (ShearMobilisation(soil, size) / size);
 }
 
+/// Shears by `slip_m`: along j loads further; against it unloads at the initial stiffness, as
+/// repeated shearing does, so that what a shear has cost is not given back.
+void ShearFurther(const SoilType& soil, const Vec2& slip_m, Vec2* j_m) {
+  const double size_m = j_m->norm();
+  const double back_m = size_m > 0 ? -slip_m.dot(*j_m) / size_m : 0;
+  if (back_m <= 0) {
+    *j_m += slip_m;
+    return;
+  }
+  const Vec2 along = *j_m / size_m;
+  const double released_m = soil.shear_modulus_m * ShearMobilisation(soil, size_m);
+  const double left_m =
+      back_m < released_m
+          ? -soil.shear_modulus_m * std::log1p((back_m - released_m) / soil.shear_modulus_m)
+          : released_m - back_m;
+  *j_m = left_m * along + slip_m + back_m * along;
+}
+
 }  // namespace
 
 /// What the ground under one patch answers.
@@ -91,7 +110,7 @@ GearContact::GearContact(const RunningGear& gear) : gear_(gear), patches_(gear.p
 
 /// Presses the columns under the patch for good where they cannot bear it.
 double GearContact::MakeRut(const ContactPatch& patch, const BodyState& body, double dt_s,
-                            Columns* ground) const {
+                            Columns* ground) {
   const Vec3 p_W = body.X_WB * patch.p_B_m;
   const Vec3 n_W = body.X_WB.linear() * patch.outward_B;
   const Vec3 along_W = body.X_WB.linear() * patch.travel_B;
@@ -119,6 +138,8 @@ double GearContact::MakeRut(const ContactPatch& patch, const BodyState& body, do
       const double pressed_m = ground->at(k).pressed_m;
       const double plastic_m = PlasticSinkage_m(soil, width_m, pressed_m, pen_m);
       ground->MarkRut(k);
+      ground->Block(k, p_W.z() + d.z());
+      covered_.push_back(k);
       if (plastic_m <= 0) continue;
       const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(p_W + d - body.X_WB.translation());
       const double moved_on = 1 - std::clamp(v_W.dot(n_W) * dt_s / plastic_m, 0.0, 1.0);
@@ -133,6 +154,15 @@ double GearContact::MakeRut(const ContactPatch& patch, const BodyState& body, do
     }
   }
   return work_j;
+}
+
+/// Lets soil slide again into those of the columns `before` that the gear has left.
+void GearContact::Uncover(const std::vector<std::size_t>& before, Columns* ground) {
+  std::sort(covered_.begin(), covered_.end());
+  covered_.erase(std::unique(covered_.begin(), covered_.end()), covered_.end());
+  for (const std::size_t k : before) {
+    if (!std::binary_search(covered_.begin(), covered_.end(), k)) ground->Unblock(k);
+  }
 }
 
 /// Pressure on a grid of points fixed to the patch, about a cell apart: as smooth as the ground.
@@ -183,7 +213,8 @@ Vec2 GearContact::Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_
   const double length_m = gear_.patches[k].length_m;
   const auto advance = [&](Vec2* j_m, double over_m) {
     const double renewed = std::min(1.0, std::abs(shoe_mps) * dt_s / over_m);
-    *j_m += slip_mps * dt_s - renewed * (*j_m - j_upstream_m);
+    *j_m -= renewed * (*j_m - j_upstream_m);
+    ShearFurther(soil, slip_mps * dt_s, j_m);
     const double limit_m = kLargestShear * soil.shear_modulus_m;
     if (j_m->norm() > limit_m) *j_m *= limit_m / j_m->norm();
   };
@@ -214,6 +245,7 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
   const std::vector<Patch> before = patches_;
   const Vec3 origin_W = body.X_WB.translation();
   const double shoe_mps = gear_.drive_radius_m * rate_radps;
+  const std::vector<std::size_t> covered_before = std::exchange(covered_, {});
   double forward_mps = 0, weight_n = 0;
   for (std::size_t k = 0; k < patches_.size(); ++k) {
     const ContactPatch& patch = gear_.patches[k];
@@ -242,6 +274,7 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
     forward_mps -= pressed.normal_n * v_W.dot(along_W);
     weight_n += pressed.normal_n;
   }
+  Uncover(covered_before, ground);
   if (weight_n <= 0) {
     rut_work_j_ = 0;
     return result;

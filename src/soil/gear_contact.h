@@ -18,7 +18,8 @@ namespace tera {
 ///         Tangential: each patch has a shear displacement j, carried along by the moving shoes:
 ///         dj/dt = v_slip - v_shoe (j - j_upstream) / length; it is zero where a shoe meets the
 ///         ground. Stress (c + p tan phi)(1 - exp(-|j|/K)) along j: a spring at rest, the
-///         closed-form thrust at steady slip.
+///         closed-form thrust at steady slip. Slip against j unloads at the initial stiffness, so
+///         that shearing back and forth dissipates.
 ///         Compaction resistance: plastic work done by moving on, rather than by moving down, is
 ///         paid back as a drag over a short distance.
 /// Omits   grousers, bulldozing resistance, tyre flexibility, pressure peaks under road wheels.
@@ -43,15 +44,16 @@ class GearContact {
     bool in_contact = false;
   };
   struct Pressed;
-  double MakeRut(const ContactPatch& patch, const BodyState& body, double dt_s,
-                 Columns* ground) const;
+  double MakeRut(const ContactPatch& patch, const BodyState& body, double dt_s, Columns* ground);
+  void Uncover(const std::vector<std::size_t>& before, Columns* ground);
   Pressed Bear(const ContactPatch& patch, const BodyState& body, const Columns& ground) const;
   Vec2 Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_mps, double shoe_mps,
              double dt_s, const std::vector<Patch>& before);
 
   RunningGear gear_;
   std::vector<Patch> patches_;
-  double rut_work_j_ = 0;  ///< plastic work still to be paid back as drag
+  std::vector<std::size_t> covered_;  ///< columns under the gear, into which no soil slides
+  double rut_work_j_ = 0;             ///< plastic work still to be paid back as drag
 };
 
 }  // namespace tera
