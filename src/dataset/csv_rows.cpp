@@ -22,6 +22,12 @@ std::string StartRow(TimeNs t_ns) { return fmt::format("{}", t_ns); }
 
 }  // namespace
 
+std::string TableHeader(const std::vector<std::string>& columns) {
+  std::string header = "t_ns";
+  for (const std::string& column : columns) header += ',' + column;
+  return header;
+}
+
 std::vector<std::string> EncoderColumns(const std::vector<std::string>& joints) {
   std::vector<std::string> columns;
   for (const std::string& joint : joints) columns.push_back(joint + "_rad");

@@ -23,7 +23,10 @@ inline constexpr std::string_view kPoseHeader =
 /// Pose of a reference that measures no velocities.
 inline constexpr std::string_view kReferencePoseHeader = "t_ns,x_m,y_m,z_m,qw,qx,qy,qz";
 
-/// t_ns, <joint>_rad of all joints, then <joint>_radps of all joints.
+/// t_ns and the columns of a table, which may have none: times alone.
+std::string TableHeader(const std::vector<std::string>& columns);
+
+/// <joint>_rad of all joints, then <joint>_radps of all joints.
 std::vector<std::string> EncoderColumns(const std::vector<std::string>& joints);
 
 // Rows with their line ends. Every number must be finite.

@@ -192,8 +192,7 @@ EncoderRecording Recording::LoadEncoder(const std::string& folder) const {
       encoder.joints.push_back(column.substr(0, column.size() - kAngleEnding.size()));
     }
   }
-  OpenWithHeader(csv.path(),
-                 fmt::format("t_ns,{}", fmt::join(EncoderColumns(encoder.joints), ",")));
+  OpenWithHeader(csv.path(), TableHeader(EncoderColumns(encoder.joints)));
   const std::size_t n = encoder.joints.size();
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     EncoderSample sample;

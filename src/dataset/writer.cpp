@@ -85,6 +85,12 @@ struct DatasetWriter::Impl {
 };
 
 void DatasetWriter::Impl::Begin(bool resume) {
+  const fs::path name = final_directory.filename();
+  if (name.empty() || name == "." || name == "..") {
+    throw InputError(
+        fmt::format("'{}': names no folder of its own; give the recording's folder a name",
+                    final_directory.string()));
+  }
   std::error_code ignored;
   if (fs::exists(final_directory, ignored) &&
       !(fs::is_directory(final_directory) && fs::is_empty(final_directory))) {
@@ -213,7 +219,7 @@ ChannelId DatasetWriter::AddGnss(const std::string& folder, const std::string& s
 
 ChannelId DatasetWriter::AddEncoder(const std::string& folder, const std::string& sensor_yaml,
                                     const std::vector<std::string>& joints) {
-  const std::string header = fmt::format("t_ns,{}", fmt::join(EncoderColumns(joints), ","));
+  const std::string header = TableHeader(EncoderColumns(joints));
   const ChannelId id = impl_->AddSensor(ChannelType::kEncoder, folder, sensor_yaml, header, {});
   impl_->Find(id, ChannelType::kEncoder).value_count = joints.size();
   return id;
@@ -230,7 +236,7 @@ ChannelId DatasetWriter::AddLidar(const std::string& folder, const std::string& 
 
 ChannelId DatasetWriter::AddTable(const std::string& file,
                                   const std::vector<std::string>& columns) {
-  const std::string header = fmt::format("t_ns,{}", fmt::join(columns, ","));
+  const std::string header = TableHeader(columns);
   const ChannelId id = impl_->Add(ChannelType::kTable, file, file, header);
   impl_->Find(id, ChannelType::kTable).value_count = columns.size();
   return id;

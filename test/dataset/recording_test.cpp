@@ -44,6 +44,20 @@ TEST_F(RecordingTest, KnowsWhatItHolds) {
   EXPECT_EQ(recording.channels().size(), 7u);
 }
 
+TEST_F(RecordingTest, ATableWithoutColumnsIsItsTimes) {
+  // The joints of a machine that has none.
+  const ScratchDirectory scratch;
+  DatasetInfo info;
+  info.scenario_name = "mast";
+  DatasetWriter writer(scratch.path() / "mast", info, {});
+  const ChannelId joints = writer.AddTable("truth/mast/joints.csv", {});
+  for (const TimeNs t_ns : {0, 10}) writer.WriteRow(joints, t_ns, {});
+  writer.Finish();
+  const auto table = Recording(scratch.path() / "mast").LoadTable("truth/mast/joints.csv");
+  EXPECT_TRUE(table.columns.empty());
+  EXPECT_THAT(table.t_ns, testing::ElementsAre(0, 10));
+}
+
 TEST_F(RecordingTest, GivesBackNumbersExactly) {
   const Recording recording = Open();
   const auto imu = recording.LoadImu("digger/imu");
