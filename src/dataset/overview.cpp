@@ -10,12 +10,14 @@
 #include "dataset/picture.h"
 #include "dataset/png.h"
 #include "dataset/recording.h"
+#include "dataset/scan_picture.h"
 
 namespace tera {
 namespace {
 
 constexpr int kColumns = 4, kTileWidth_px = 400, kTileHeight_px = 300;
 constexpr int kSheetWidth_px = kColumns * kTileWidth_px;
+constexpr double kStill_m = 0.05;  ///< what moves less is not drawn as a trajectory
 constexpr int kScanWidth_px = kSheetWidth_px / 2, kScanHeight_px = 600;
 
 /// The frame in the middle of a recording, where work is going on.
@@ -45,26 +47,40 @@ Picture LidarRow(const Recording& recording, const std::string& folder) {
   const auto times = recording.FrameTimes(folder);
   if (times.empty()) return row;
   const LidarScan scan = recording.LoadScan(folder, Middle(times));
-  const std::string caption =
-      fmt::format("{} {:.1f} s, from above, rings each 10 m, ", folder, ToSeconds(scan.t_ns));
-  const auto add = [&](ScanColour colour, int x_px, const char* by) {
-    const Picture drawn = DrawScan(scan.points, colour, kScanWidth_px, kScanHeight_px);
-    Paste(FitTile(drawn, kScanWidth_px, kScanHeight_px, caption + by), x_px, 0, &row);
+  const std::string caption = fmt::format("{} {:.1f} s, ", folder, ToSeconds(scan.t_ns));
+  const auto add = [&](const Picture& drawn, int x_px, const char* how) {
+    Paste(FitTile(drawn, kScanWidth_px, kScanHeight_px, caption + how), x_px, 0, &row);
   };
-  add(ScanColour::kClass, 0, "by class");
-  add(ScanColour::kHeight, kScanWidth_px, "by height");
+  add(DrawScanFromAbove(scan.points, kScanWidth_px, kScanHeight_px), 0,
+      "from above, rings each 10 m");
+  add(DrawScanFromBehind(scan.points, kScanWidth_px, kScanHeight_px), kScanWidth_px, "from behind");
   return row;
 }
 
+double Extent(const std::vector<double>& values) {
+  if (values.empty()) return 0;
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return *high - *low;
+}
+
+/// Where machines went and what their GNSS receivers measured, but for what stayed where it was.
 Chart TrajectoryChart(const Recording& recording) {
-  Chart chart{"trajectories from above", "x in m", "y in m", true, {}};
-  for (const std::string& file : recording.ChannelsOf(ChannelType::kPose)) {
-    Curve curve{std::filesystem::path(file).parent_path().filename(), {}, {}};
-    for (const TruthPose& pose : recording.LoadPose(file).poses) {
-      curve.x.push_back(pose.X_WB.translation().x());
-      curve.y.push_back(pose.X_WB.translation().y());
+  Chart chart{"trajectories from above", "east in m", "north in m", true, {}};
+  const auto add = [&](const std::string& title, const auto& samples, const auto& place_of) {
+    Curve curve{title, {}, {}};
+    for (const auto& sample : samples) {
+      const Vec3 p_m = place_of(sample);
+      curve.x.push_back(p_m.x());
+      curve.y.push_back(p_m.y());
     }
-    chart.curves.push_back(std::move(curve));
+    if (Extent(curve.x) + Extent(curve.y) > kStill_m) chart.curves.push_back(std::move(curve));
+  };
+  for (const std::string& file : recording.ChannelsOf(ChannelType::kPose)) {
+    add(std::filesystem::path(file).parent_path().filename(), recording.LoadPose(file).poses,
+        [](const TruthPose& pose) -> Vec3 { return pose.X_WB.translation(); });
+  }
+  for (const std::string& folder : recording.ChannelsOf(ChannelType::kGnss)) {
+    add(folder, recording.LoadGnss(folder), [](const GnssSample& fix) { return fix.enu_m; });
   }
   return chart;
 }

@@ -11,7 +11,6 @@ namespace tera {
 namespace {
 
 constexpr double kShownShare = 0.98;  ///< share of values that a colour scale covers
-constexpr double kRingStep_m = 10.0, kMinScanRadius_m = 10.0;
 constexpr double kFontScale = 0.5;
 
 cv::Mat View(Picture* picture) {
@@ -66,12 +65,6 @@ Picture Map(const Image<T>& image, const Colour& colour_of) {
   return picture;
 }
 
-double ScanRadius(const std::vector<LidarPoint>& points) {
-  std::vector<double> ranges;
-  for (const LidarPoint& p : points) ranges.push_back(std::hypot(p.x_m, p.y_m));
-  return std::max(kMinScanRadius_m, Quantile(std::move(ranges), kShownShare));
-}
-
 }  // namespace
 
 Picture ColourDepth(const Image<float>& depth_m) {
@@ -89,36 +82,6 @@ Picture ColourClasses(const Image<std::uint8_t>& semantic) { return Map(semantic
 
 Picture ColourInstances(const Image<std::uint16_t>& instance) {
   return Map(instance, InstanceColour);
-}
-
-Picture DrawScan(const std::vector<LidarPoint>& points, ScanColour colour, int width_px,
-                 int height_px) {
-  Picture picture(width_px, height_px, 3);
-  cv::Mat canvas = View(&picture);
-  canvas.setTo(cv::Scalar(12, 12, 16));
-  const double radius_m = ScanRadius(points);
-  const double px_per_m = 0.5 * std::min(width_px, height_px) / radius_m;
-  const cv::Point2d centre(0.5 * width_px, 0.5 * height_px);
-  for (double ring_m = kRingStep_m; ring_m * px_per_m < width_px; ring_m += kRingStep_m) {
-    cv::circle(canvas, centre, static_cast<int>(ring_m * px_per_m), cv::Scalar(60, 60, 70), 1,
-               cv::LINE_AA);
-  }
-  std::vector<double> heights;
-  for (const LidarPoint& p : points) heights.push_back(static_cast<double>(p.z_m));
-  const double low_m = Quantile(heights, 1.0 - kShownShare);
-  const double span_m = std::max(Quantile(heights, kShownShare) - low_m, 1e-3);
-  for (const LidarPoint& p : points) {
-    const int x = static_cast<int>(std::floor(centre.x - px_per_m * static_cast<double>(p.y_m)));
-    const int y = static_cast<int>(std::floor(centre.y - px_per_m * static_cast<double>(p.x_m)));
-    if (x < 0 || y < 0 || x + 1 >= width_px || y + 1 >= height_px) continue;
-    const cv::Vec3b c = colour == ScanColour::kClass
-                            ? ClassColour(p.label)
-                            : Turbo((static_cast<double>(p.z_m) - low_m) / span_m);
-    canvas(cv::Rect(x, y, 2, 2)).setTo(cv::Scalar(c[0], c[1], c[2]));
-  }
-  cv::arrowedLine(canvas, centre, centre - cv::Point2d(0, 2 * px_per_m), cv::Scalar(255, 255, 255),
-                  2, cv::LINE_AA);
-  return picture;
 }
 
 Picture FitTile(const Picture& picture, int width_px, int height_px, const std::string& caption) {

@@ -19,11 +19,6 @@ Picture ColourClasses(const Image<std::uint8_t>& semantic);
 /// Each instance in a colour of its own, none in dark grey.
 Picture ColourInstances(const Image<std::uint16_t>& instance);
 
-enum class ScanColour { kClass, kHeight };
-/// A scan from above, x forward up and y left, with rings each 10 m.
-Picture DrawScan(const std::vector<LidarPoint>& points, ScanColour colour, int width_px,
-                 int height_px);
-
 /// `picture` shrunk or enlarged to fit a tile, centred on black, with a caption.
 Picture FitTile(const Picture& picture, int width_px, int height_px, const std::string& caption);
 
