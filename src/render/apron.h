@@ -20,6 +20,7 @@ class Apron {
   void Update(const TerrainSurface& terrain);
   /// Attributes: 0 position in W, 1 normal, 2 albedo (square roots).
   void Draw() const;
+  int triangles() const { return index_count_ / 3; }
 
  private:
   struct Vertex {

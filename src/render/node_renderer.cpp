@@ -151,6 +151,7 @@ void NodeRenderer::DrawNode(int node, const Range& range) const {
   glDrawElementsInstancedBaseVertexBaseInstance(
       GL_TRIANGLES, range.index_count, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset), 1,
       meshes_[model_.nodes[node].mesh].first_vertex, static_cast<GLuint>(node));
+  triangles_drawn_ += range.index_count / 3;
 }
 
 void NodeRenderer::Draw(Surface surface) const {

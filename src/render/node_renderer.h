@@ -32,6 +32,8 @@ class NodeRenderer {
 
   /// Whether anything of glass was placed.
   bool has_glass() const { return !placed_glass_.empty(); }
+  /// Since construction.
+  std::int64_t triangles_drawn() const { return triangles_drawn_; }
 
   /// The box of all nodes of the scene along the axes of `R_LW`, over all of `state`.
   Eigen::AlignedBox3d BoundsAlong(const Mat3& R_LW, const SceneState& state) const;
@@ -58,6 +60,7 @@ class NodeRenderer {
   std::vector<GpuMesh> meshes_;
   GlObject vertices_, indices_, instances_, array_;
   std::vector<Placed> placed_opaque_, placed_glass_;
+  mutable std::int64_t triangles_drawn_ = 0;
 };
 
 /// Label word of a pixel: class in the low 8 bits, instance in the next 16.

@@ -122,6 +122,10 @@ const GlInfo& Rasterizer::info() const { return impl_->context.info(); }
 
 std::int64_t Rasterizer::uploaded_tiles() const { return impl_->terrain.uploaded_tiles(); }
 
+std::int64_t Rasterizer::triangles_drawn() const {
+  return impl_->nodes.triangles_drawn() + impl_->terrain.triangles_drawn();
+}
+
 Pictures& Rasterizer::Impl::PicturesOf(int width_px, int height_px) {
   for (Pictures& p : pictures) {
     if (p.width_px == width_px && p.height_px == height_px) return p;

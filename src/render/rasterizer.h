@@ -59,6 +59,8 @@ class Rasterizer {
   const GlInfo& info() const;
   /// Terrain tiles sent to the GPU since construction.
   std::int64_t uploaded_tiles() const;
+  /// Triangles sent to the GPU since construction, those of shadows and of boxes' silhouettes too.
+  std::int64_t triangles_drawn() const;
 
   /// What a camera at X_WC sees. Fills rgb, depth_m, semantic, instance and boxes of the frame;
   /// t_ns is state.t_ns.

@@ -201,6 +201,7 @@ void TerrainRenderer::DrawApron(const View& view) const {
   apron_program_.Set("u_detail", 0);
   glBindTextureUnit(0, detail_.id());
   apron_.Draw();
+  triangles_drawn_ += apron_.triangles();
 }
 
 void TerrainRenderer::DrawTiles(const View& view) const {
@@ -233,6 +234,7 @@ void TerrainRenderer::DrawTiles(const View& view) const {
     glDrawElementsBaseVertex(GL_TRIANGLES, ranges_[s].count, GL_UNSIGNED_SHORT,
                              reinterpret_cast<const void*>(ranges_[s].offset_bytes),
                              static_cast<GLint>(v.tile * kTileVertices));
+    triangles_drawn_ += ranges_[s].count / 3;
   }
 }
 

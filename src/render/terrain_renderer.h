@@ -30,6 +30,8 @@ class TerrainRenderer {
 
   /// Tiles sent to the GPU since construction.
   std::int64_t uploaded_tiles() const { return uploaded_tiles_; }
+  /// Since construction.
+  std::int64_t triangles_drawn() const { return triangles_drawn_; }
 
  private:
   static constexpr std::array<int, 6> kStrides = {1, 2, 5, 10, 25, 50};
@@ -63,6 +65,7 @@ class TerrainRenderer {
   Program ground_program_{"terrain.vert", "terrain.frag"};
   Program apron_program_{"apron.vert", "apron.frag"};
   std::int64_t uploaded_tiles_ = 0;
+  mutable std::int64_t triangles_drawn_ = 0;
 };
 
 }  // namespace tera

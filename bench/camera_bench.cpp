@@ -1,0 +1,93 @@
+#include <benchmark/benchmark.h>
+
+#include "core/stopwatch.h"
+#include "dig_site.h"
+#include "render/rasterizer.h"
+#include "verdict.h"
+
+// Each camera of the quickstart rig during a cut, one rasterizer.
+
+namespace tera::bench {
+namespace {
+
+constexpr double kFramesPerSecond = 10;
+
+enum class Scene { kMoving, kStill };
+
+/// Exposures of one camera. In a moving scene every frame finds other poses and some ground dug, so
+/// that shadows are drawn again; in a still one neither changes.
+void Expose(benchmark::State& state, const std::string& name, const CameraModel& model,
+            Scene scene) {
+  const DigSite& site = TheDigSite();
+  static Rasterizer rasterizer(site.model(), {});
+  const std::size_t s = site.IndexOf(name);
+  const Camera camera(model, {kFramesPerSecond}, 0, 1, name);
+  const auto frame = [&](std::size_t k) {
+    const Instant& instant = site.instants()[scene == Scene::kStill ? 0 : k % 10];
+    benchmark::DoNotOptimize(
+        camera.Measure(static_cast<std::int64_t>(k), instant.X_WS[s], instant.scene, &rasterizer));
+  };
+  frame(0);  // shaders compiled, ground sent
+  const std::int64_t triangles_before = rasterizer.triangles_drawn();
+  double wall_s = 0;
+  std::size_t k = 0;
+  for (auto _ : state) {
+    const Stopwatch watch(&wall_s);
+    frame(++k);
+  }
+  const auto frames = static_cast<double>(state.iterations());
+  state.counters["frames_ps"] = frames / wall_s;
+  state.counters["triangles"] =
+      static_cast<double>(rasterizer.triangles_drawn() - triangles_before) / frames;
+  ExpectAtLeast({"of real time at 10 Hz", 1, "x"}, frames / wall_s / kFramesPerSecond, &state);
+}
+
+const CameraModel& ModelOf(const std::string& camera) {
+  return std::get<CameraModel>(TheDigSite().sensors()[TheDigSite().IndexOf(camera)].model);
+}
+
+/// As the quickstart has it.
+void CameraAsMounted(benchmark::State& state, const std::string& name) {
+  Expose(state, name, ModelOf(name), Scene::kMoving);
+}
+
+/// Nothing moves: what shadows and changed ground cost is the difference.
+void CameraStillScene(benchmark::State& state, const std::string& name) {
+  Expose(state, name, ModelOf(name), Scene::kStill);
+}
+
+/// Colour alone: neither depth nor labels.
+void CameraColourOnly(benchmark::State& state, const std::string& name) {
+  CameraModel model = ModelOf(name);
+  model.depth = model.labels = false;
+  Expose(state, name, model, Scene::kMoving);
+}
+
+/// Colour, depth, classes, instances, boxes.
+void CameraAllOutputs(benchmark::State& state, const std::string& name) {
+  CameraModel model = ModelOf(name);
+  model.depth = model.labels = true;
+  Expose(state, name, model, Scene::kMoving);
+}
+
+#define TERA_FOR_EACH_CAMERA(benchmark_of)               \
+  BENCHMARK_CAPTURE(benchmark_of, front, "camera_front") \
+      ->UseRealTime()                                    \
+      ->Unit(benchmark::kMillisecond)                    \
+      ->Iterations(20);                                  \
+  BENCHMARK_CAPTURE(benchmark_of, left, "camera_left")   \
+      ->UseRealTime()                                    \
+      ->Unit(benchmark::kMillisecond)                    \
+      ->Iterations(20);                                  \
+  BENCHMARK_CAPTURE(benchmark_of, site, "camera_site")   \
+      ->UseRealTime()                                    \
+      ->Unit(benchmark::kMillisecond)                    \
+      ->Iterations(20)
+
+TERA_FOR_EACH_CAMERA(CameraAsMounted);
+TERA_FOR_EACH_CAMERA(CameraStillScene);
+TERA_FOR_EACH_CAMERA(CameraColourOnly);
+TERA_FOR_EACH_CAMERA(CameraAllOutputs);
+
+}  // namespace
+}  // namespace tera::bench

@@ -1,0 +1,123 @@
+#include <benchmark/benchmark.h>
+
+#include <numbers>
+
+#include "core/stopwatch.h"
+#include "dig_site.h"
+#include "verdict.h"
+
+// The quickstart's lidar (64 beams, 1024 columns, 10 Hz) during a cut.
+
+namespace tera::bench {
+namespace {
+
+constexpr double kScansPerSecond = 10;
+
+/// One revolution between two instants of the dig site: the ray scene over it, the sensor, and the
+/// sensor's rays for Embree alone.
+class Revolution {
+ public:
+  Revolution()
+      : site_(TheDigSite()),
+        sensor_(site_.sensors()[site_.IndexOf("lidar_roof")]),
+        model_(std::get<LidarModel>(sensor_.model)),
+        lidar_(model_, Clock(), 0, 1, "bench"),
+        scene_(site_.model()) {
+    const std::size_t s = site_.IndexOf("lidar_roof");
+    for (const Instant* instant : {&From(), &To()}) {
+      track_.Append(instant->scene.t_ns, instant->X_WS[s]);
+    }
+    UpdateScene();
+    for (int column = 0; column < model_.columns; ++column) AimColumn(column);
+  }
+
+  void UpdateScene() {
+    constexpr int kPoses = 11;  // as in a whole run
+    std::vector<std::vector<Pose>> poses(kPoses);
+    for (int k = 0; k < kPoses; ++k) {
+      for (std::size_t b = 0; b < From().scene.X_WB.size(); ++b) {
+        poses[k].push_back(Interpolate(From().scene.X_WB[b], To().scene.X_WB[b],
+                                       static_cast<double>(k) / (kPoses - 1)));
+      }
+    }
+    scene_.Update(poses, To().ground, To().scene.body_scale);
+  }
+  LidarScan Measure(int threads) const { return lidar_.Measure(0, track_, scene_, threads); }
+  void TraceBare() {
+    ranges_m_.resize(rays_.size());
+    scene_.TraceBare(rays_, ranges_m_);
+  }
+  double rays() const { return static_cast<double>(rays_.size()); }
+
+ private:
+  const Instant& From() const { return site_.instants()[4]; }
+  const Instant& To() const { return site_.instants()[5]; }
+  SampleClock Clock() const { return {kScansPerSecond, From().scene.t_ns}; }
+
+  void AimColumn(int column) {
+    const double part = static_cast<double>(column) / model_.columns;
+    const TimeNs span_ns = To().scene.t_ns - From().scene.t_ns;
+    const Pose X_WS = track_.At(From().scene.t_ns + FromSeconds(part * ToSeconds(span_ns)));
+    const double spin = (model_.clockwise ? -2 : 2) * std::numbers::pi * part;
+    for (std::size_t b = 0; b < model_.elevation_rad.size(); ++b) {
+      const double up = model_.elevation_rad[b];
+      const double turn = std::numbers::pi + spin + model_.azimuth_offset_rad[b];
+      const Vec3 d_S(std::cos(up) * std::cos(turn), std::cos(up) * std::sin(turn), std::sin(up));
+      rays_.push_back({X_WS.translation().cast<float>(), (X_WS.linear() * d_S).cast<float>(),
+                       static_cast<float>(model_.max_range_m), static_cast<float>(part)});
+    }
+  }
+
+  const DigSite& site_;
+  const SensorDescription& sensor_;
+  const LidarModel& model_;
+  Lidar lidar_;
+  RayScene scene_;
+  PoseTrack track_;
+  std::vector<Ray> rays_;
+  std::vector<float> ranges_m_;
+};
+
+/// All that the sensor does on one thread, beside rtcIntersect1 for the same rays on one thread;
+/// taken in turn, so that whatever else the machine does strikes both.
+void LidarBesideBareEmbree(benchmark::State& state) {
+  Revolution revolution;
+  double sensor_s = 0, bare_s = 0;
+  for (auto _ : state) {
+    {
+      const Stopwatch watch(&bare_s);
+      revolution.TraceBare();
+    }
+    const Stopwatch watch(&sensor_s);
+    benchmark::DoNotOptimize(revolution.Measure(1));
+  }
+  const double rays = revolution.rays() * static_cast<double>(state.iterations());
+  state.counters["sensor_rays_ps"] = rays / sensor_s;
+  state.counters["bare_rays_ps"] = rays / bare_s;
+  ExpectAtLeast({"of bare Embree", 0.8, ""}, bare_s / sensor_s, &state);
+}
+BENCHMARK(LidarBesideBareEmbree)->Unit(benchmark::kMillisecond)->MinTime(3);
+
+/// A whole scan: bodies posed, changed ground rebuilt, rays traced on `threads` threads.
+void LidarScanWithUpdate(benchmark::State& state) {
+  Revolution revolution;
+  double wall_s = 0;
+  for (auto _ : state) {
+    const Stopwatch watch(&wall_s);
+    revolution.UpdateScene();
+    benchmark::DoNotOptimize(revolution.Measure(static_cast<int>(state.range(0))));
+  }
+  const auto scans = static_cast<double>(state.iterations());
+  state.counters["rays_ps"] = revolution.rays() * scans / wall_s;
+  ExpectAtLeast({"lidar alone, of real time", 3, "x"}, scans / wall_s / kScansPerSecond, &state);
+}
+BENCHMARK(LidarScanWithUpdate)
+    ->ArgName("threads")
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond)
+    ->MinTime(2);
+
+}  // namespace
+}  // namespace tera::bench

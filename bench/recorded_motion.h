@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/scenario.h"
+
+namespace tera::bench {
+
+/// How the first machine of a scenario moved, step by step, for the soil to be worked alone.
+struct RecordedMotion {
+  struct Moment {
+    std::vector<BodyState> links;
+    std::vector<double> gear_rate_radps;
+  };
+  std::vector<Moment> moments;
+  double dt_s = 0;
+};
+
+RecordedMotion Record(const std::string& scenario, int steps);
+
+}  // namespace tera::bench

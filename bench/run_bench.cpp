@@ -1,0 +1,82 @@
+#include <benchmark/benchmark.h>
+
+#include "dig_site.h"
+#include "scratch_folder.h"
+#include "sim/generate.h"
+#include "verdict.h"
+
+// The quickstart from start to finished dataset, with all its sensors or some. Figures are factors
+// of real time: simulated seconds over seconds taken.
+
+namespace tera::bench {
+namespace {
+
+template <typename Model>
+bool Is(const SensorDescription& sensor) {
+  return std::holds_alternative<Model>(sensor.model);
+}
+
+GenerateReport RunQuickstart(const std::function<bool(const SensorDescription&)>& keep) {
+  const ScratchFolder folder("run");
+  ShippedScenario loaded = Load("quickstart", keep);
+  GenerateOptions options;
+  options.out = folder.path() / "out";
+  return Generate(std::move(loaded.scenario), loaded.resolved_yaml, options);
+}
+
+void Report(const GenerateReport& report, benchmark::State* state) {
+  const auto factor = [&](const char* name, double wall_s) {
+    if (wall_s > 0) state->counters[name] = report.simulated_s / wall_s;
+  };
+  factor("x_physics", report.physics_s);
+  factor("x_soil", report.soil_s);
+  factor("x_cameras", report.camera_s);
+  factor("x_lidars", report.lidar_s);
+  factor("x_other",
+         report.wall_s - report.physics_s - report.soil_s - report.camera_s - report.lidar_s);
+  factor("x_whole", report.wall_s);
+}
+
+void RunInertial(benchmark::State& state) {
+  GenerateReport report;
+  for (auto _ : state) {
+    report = RunQuickstart(
+        [](const SensorDescription& s) { return !Is<CameraModel>(s) && !Is<LidarModel>(s); });
+  }
+  Report(report, &state);
+  ExpectAtLeast({"of real time", 10, "x"}, report.simulated_s / report.wall_s, &state);
+}
+
+void RunLidar(benchmark::State& state) {
+  GenerateReport report;
+  for (auto _ : state) {
+    report = RunQuickstart([](const SensorDescription& s) { return !Is<CameraModel>(s); });
+  }
+  Report(report, &state);
+  ExpectAtLeast({"of real time", 3, "x"}, report.simulated_s / report.wall_s, &state);
+}
+
+void RunDepthCamera(benchmark::State& state) {
+  GenerateReport report;
+  for (auto _ : state) {
+    report = RunQuickstart([](const SensorDescription& s) { return s.name == "camera_front"; });
+  }
+  Report(report, &state);
+  ExpectAtLeast({"of real time", 1, "x"}, report.simulated_s / report.wall_s, &state);
+}
+
+void RunWhole(benchmark::State& state) {
+  GenerateReport report;
+  for (auto _ : state) {
+    report = RunQuickstart([](const SensorDescription&) { return true; });
+  }
+  Report(report, &state);
+}
+
+BENCHMARK(RunInertial)->Iterations(1)->UseRealTime()->Unit(benchmark::kSecond);
+BENCHMARK(RunLidar)->Iterations(1)->UseRealTime()->Unit(benchmark::kSecond);
+BENCHMARK(RunDepthCamera)->Iterations(1)->UseRealTime()->Unit(benchmark::kSecond);
+BENCHMARK(RunWhole)->Iterations(1)->UseRealTime()->Unit(benchmark::kSecond);
+
+}  // namespace
+}  // namespace tera::bench
