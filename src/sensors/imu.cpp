@@ -53,17 +53,21 @@ void Imu::Advance(TimeNs t0_ns, const BodyState& begin, TimeNs t1_ns, const Body
   TERA_CHECK(t1_ns > t0_ns, t0_ns, t1_ns);
   TERA_CHECK(consumed_until_ns_.value_or(t0_ns) == t0_ns, *consumed_until_ns_, t0_ns);
   consumed_until_ns_ = t1_ns;
+  const BodyState S0 = MotionOfFixedFrame(begin, X_BS_), S1 = MotionOfFixedFrame(end, X_BS_);
+  const double dt_s = ToSeconds(t1_ns - t0_ns);
+  const Eigen::AngleAxisd turn_S(Mat3(S0.X_WB.linear().transpose() * S1.X_WB.linear()));
+  const Vec3 w_S_radps = turn_S.angle() / dt_s * turn_S.axis();
+  const Vec3 f_W_mps2 = (S1.v_WB_mps - S0.v_WB_mps) / dt_s - gravity_W_mps2;
   TimeNs from_ns = std::max(t0_ns, clock_.start_ns);
   while (from_ns < t1_ns) {
     const TimeNs due_ns = clock_.Due(next_);
     const TimeNs to_ns = std::min(due_ns, t1_ns);
-    const double middle = 0.5 * (static_cast<double>(from_ns - t0_ns) + (to_ns - t0_ns)) /
-                          static_cast<double>(t1_ns - t0_ns);
-    const BodyState S = MotionOfFixedFrame(Interpolate(begin, end, middle), X_BS_);
-    const Mat3 R_SW = S.X_WB.linear().transpose();
+    const double middle_s = 0.5 * (ToSeconds(from_ns - t0_ns) + ToSeconds(to_ns - t0_ns));
+    const Eigen::AngleAxisd to_middle_S(turn_S.angle() * middle_s / dt_s, turn_S.axis());
+    const Mat3 R_WS = S0.X_WB.linear() * to_middle_S;
     const double span_s = ToSeconds(to_ns - from_ns);
-    rate_integral_rad_ += span_s * (R_SW * S.w_WB_radps);
-    force_integral_mps_ += span_s * (R_SW * (S.a_WB_mps2 - gravity_W_mps2));
+    rate_integral_rad_ += span_s * w_S_radps;
+    force_integral_mps_ += span_s * (R_WS.transpose() * f_W_mps2);
     if (to_ns == due_ns) samples->push_back(CloseInterval());
     from_ns = to_ns;
   }

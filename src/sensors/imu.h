@@ -28,10 +28,11 @@ ImuModel ReadImuModel(const ConfigMap& config);
 /// Three gyroscopes and three accelerometers fixed to a body.
 ///
 /// Frames  W world, B body, S sensor at X_BS.
-/// Model   truth f_S = R_SW (a_WS - g_W), w_S = R_SW w_WS with the lever arm's tangential and
-///         centripetal terms; each sample is the mean over its own interval (t - T, t], as of a
-///         strapdown unit that integrates internally; then white noise sigma / sqrt(T) and a bias
-///         random walk. Sample k >= 1 is due at clock.Due(k).
+/// Model   over one step, the turn of the pose and the change of velocity of S, both whole:
+///         w_S = log(R_0^T R_1) / dt, f_S = R_SW ((v_1 - v_0) / dt - g_W). Each sample is the mean
+///         over its own interval (t - T, t], as of a strapdown unit that integrates internally, so
+///         that its sums are the truth's turns and velocities; then white noise sigma / sqrt(T) and
+///         a bias random walk. Sample k >= 1 is due at clock.Due(k).
 /// Omits   scale, cross-axis, g-sensitivity, temperature, saturation, quantisation, vibration.
 /// Source  IEEE Std 952-1997 (noise terms); Titterton and Weston 2004, ch. 11 (integration).
 class Imu {
@@ -40,7 +41,7 @@ class Imu {
   Imu(const ImuModel& model, const Pose& X_BS, const SampleClock& clock, TimeNs latency_ns,
       std::uint64_t seed, const std::string& stream_name);
 
-  /// Consumes the step from `begin` at t0 to `end` at t1 (accelerations of `end` hold over it) and
+  /// Consumes the step from `begin` at t0 to `end` at t1 (poses and velocities of body B) and
   /// appends the samples that fall due in (t0, t1]. Steps follow each other without a gap.
   void Advance(TimeNs t0_ns, const BodyState& begin, TimeNs t1_ns, const BodyState& end,
                const Vec3& gravity_W_mps2, std::vector<ImuSample>* samples);

@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "core/config.h"
+#include "core/units.h"
+#include "sim/simulation.h"
+
+// A long shift on the quickstart's site. TERA_ENDURANCE_S in the environment sets its length in
+// simulated seconds.
+
+namespace tera {
+namespace {
+
+double Length_s() {
+  constexpr double kUsual_s = 120;
+  const char* given = std::getenv("TERA_ENDURANCE_S");
+  return given ? std::atof(given) : kUsual_s;
+}
+
+bool IsFinite(const MachineState& state) {
+  for (const BodyState& link : state.links) {
+    if (!link.X_WB.matrix().allFinite() || !link.v_WB_mps.allFinite() ||
+        !link.w_WB_radps.allFinite() || !link.a_WB_mps2.allFinite()) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Kinetic energy, which no digging machine has much of: its links never pass 4 m/s.
+double KineticEnergy_j(const MachineModel& model, const MachineState& state) {
+  double energy_j = 0;
+  for (std::size_t i = 0; i < state.links.size(); ++i) {
+    const Link& link = model.links[i];
+    const BodyState& body = state.links[i];
+    const Vec3 w_B_radps = body.X_WB.linear().transpose() * body.w_WB_radps;
+    energy_j += 0.5 * link.mass_kg * PointVelocity(body, link.com_B_m).squaredNorm() +
+                0.5 * w_B_radps.dot(link.inertia_B_kgm2 * w_B_radps);
+  }
+  return energy_j;
+}
+
+TEST(Endurance, DiggingGoesOnUprightFiniteAndWithAllItsSoil) {
+  const Config config = Config::FromFile(DataRoot() / "config/scenarios/quickstart.yaml",
+                                         {"machines[0].rig={sensors: []}"});
+  Scenario scenario = ReadScenario(config.root());
+  const double mass_before_kg = scenario.soil->ledger().total_kg();
+  Simulation simulation(&scenario);
+  const MachineModel& model = scenario.machines[0].placement.model;
+  const Vec3 start_m = simulation.state().machines[0].links[0].X_WB.translation();
+  const double links_at_4_mps_j = 0.5 * model.TotalMass_kg() * 4 * 4;
+
+  double most_j = 0, steepest_rad = 0, deepest_load_kg = 0;
+  const auto steps = std::llround(Length_s() * scenario.physics_rate_hz);
+  for (std::int64_t step = 0; step < steps; ++step) {
+    simulation.Step();
+    const MachineState& machine = simulation.state().machines[0];
+    ASSERT_TRUE(IsFinite(machine)) << "at " << ToSeconds(simulation.state().t_ns) << " s";
+    most_j = std::max(most_j, KineticEnergy_j(model, machine));
+    steepest_rad =
+        std::max(steepest_rad, std::acos(std::min(1.0, machine.links[0].X_WB.linear()(2, 2))));
+    deepest_load_kg = std::max(deepest_load_kg, scenario.soil->ledger().carried_kg);
+  }
+  const MassLedger ledger = scenario.soil->ledger();
+  const Vec3 moved_m = simulation.state().machines[0].links[0].X_WB.translation() - start_m;
+  fmt::print(
+      "{:.0f} s: kinetic energy up to {:.0f} J, tilt up to {:.1f} deg, load up to {:.0f} kg\n"
+      "machine moved by ({:.2f}, {:.2f}, {:.2f}) m; soil {:.9g} kg, lost {:.3g} of it; "
+      "outside {:.3g} kg\n"
+      "physics {:.1f} s, soil {:.1f} s of wall clock\n",
+      Length_s(), most_j, steepest_rad / kDeg, deepest_load_kg, moved_m.x(), moved_m.y(),
+      moved_m.z(), ledger.total_kg(), (mass_before_kg - ledger.total_kg()) / mass_before_kg,
+      ledger.outside_kg, simulation.physics_wall_s(), simulation.soil_wall_s());
+  EXPECT_LT(most_j, links_at_4_mps_j);
+  EXPECT_LT(steepest_rad, 20 * kDeg);
+  EXPECT_GT(deepest_load_kg, 10);  // it did dig
+  EXPECT_NEAR(ledger.total_kg() / mass_before_kg, 1.0, 1e-6);
+}
+
+}  // namespace
+}  // namespace tera

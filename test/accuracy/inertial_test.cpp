@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "generated.h"
+
+// Strapdown navigation from the written inertial data alone: started on the truth, it must stay on
+// it.
+
+namespace tera {
+namespace {
+
+constexpr const char* kDigging = R"(
+name: digging
+seed: 3
+duration_s: 10
+terrain: {size_m: [20, 20], cell_m: 0.05, soil: dirt, relief: {amplitude_m: 0.1, wavelength_m: 6}}
+machines:
+  - name: excavator1
+    machine: tera:config/machines/tb235.yaml
+    start: {yaw_deg: 35, joints_deg: {boom: 40, arm: -95, bucket: -20}}
+    operator: {type: dig_cycle, dig_azimuth_deg: -8, dump_azimuth_deg: 74}
+    rig: {sensors: [
+      {name: imu_chassis, type: imu, rate_hz: 200, link: upper, xyz_m: [0.15, -0.29, 0.12], rpy_deg: [5, -8, 20]},
+      {name: imu_arm, type: imu, rate_hz: 200, link: arm, xyz_m: [0.19, 0.07, 0.14], rpy_deg: [0, 90, 0]},
+      {name: imu_bucket, type: imu, rate_hz: 200, link: bucket, xyz_m: [0.13, 0.15, 0.34], rpy_deg: [-30, 15, 170]}]}
+)";
+
+struct NavigationState {
+  Mat3 R_WS = Mat3::Identity();
+  Vec3 p_WS_m = Vec3::Zero(), v_WS_mps = Vec3::Zero();
+};
+
+Mat3 Exp(const Vec3& turn_rad) {
+  const double angle_rad = turn_rad.norm();
+  if (angle_rad == 0) return Mat3::Identity();
+  return Eigen::AngleAxisd(angle_rad, turn_rad / angle_rad).toRotationMatrix();
+}
+
+/// Strapdown integration of mean rates and forces, with the two-sample terms for coning and
+/// sculling (Savage 1998, J. Guidance 21(1) and 21(2)).
+class Strapdown {
+ public:
+  explicit Strapdown(const NavigationState& start) : state_(start) {}
+
+  void Add(const ImuSample& sample, double T_s) {
+    const Vec3 gravity_W_mps2(0, 0, -kStandardGravity_mps2);
+    const Vec3 turn_rad = T_s * sample.w_WS_S_radps, push_mps = T_s * sample.f_S_mps2;
+    const Vec3 rotated_mps =
+        push_mps + 0.5 * turn_rad.cross(push_mps) +
+        (last_turn_rad_.cross(push_mps) + last_push_mps_.cross(turn_rad)) / 12.0;
+    const Vec3 before_mps = state_.v_WS_mps;
+    state_.v_WS_mps += state_.R_WS * rotated_mps + T_s * gravity_W_mps2;
+    state_.p_WS_m += 0.5 * T_s * (before_mps + state_.v_WS_mps);
+    state_.R_WS *= Exp(turn_rad + last_turn_rad_.cross(turn_rad) / 12.0);
+    last_turn_rad_ = turn_rad;
+    last_push_mps_ = push_mps;
+  }
+  const NavigationState& state() const { return state_; }
+
+ private:
+  NavigationState state_;
+  Vec3 last_turn_rad_ = Vec3::Zero(), last_push_mps_ = Vec3::Zero();
+};
+
+NavigationState StartOnTruth(const LinkTruth& truth, const std::string& link, const Pose& X_BS) {
+  constexpr double kStep_s = 1e-4;
+  const Pose X_WS = truth.LinkPose(link, 0) * X_BS;
+  const Vec3 later_m = (truth.LinkPose(link, 0, kStep_s) * X_BS).translation();
+  const Vec3 earlier_m = (truth.LinkPose(link, 0, -kStep_s) * X_BS).translation();
+  return {X_WS.linear(), X_WS.translation(), (later_m - earlier_m) / (2 * kStep_s)};
+}
+
+struct Drift {
+  double travelled_m = 0, position_m = 0,
+         attitude_rad = 0;  ///< the last two: greatest of all times
+};
+
+Drift DriftOf(const Recording& recording, const LinkTruth& truth, const std::string& imu,
+              const std::string& link) {
+  const Pose X_BS = MountOf(recording, "excavator1/" + imu);
+  Strapdown navigation(StartOnTruth(truth, link, X_BS));
+  Drift drift;
+  TimeNs last_ns = 0;
+  Vec3 last_m = navigation.state().p_WS_m;
+  for (const ImuSample& sample : recording.LoadImu("excavator1/" + imu)) {
+    navigation.Add(sample, ToSeconds(sample.t_ns - last_ns));
+    last_ns = sample.t_ns;
+    const int row = truth.RowAt(sample.t_ns);
+    if (row < 0) continue;
+    const Pose X_WS = truth.LinkPose(link, row) * X_BS;
+    const NavigationState& now = navigation.state();
+    drift.travelled_m += (X_WS.translation() - last_m).norm();
+    last_m = X_WS.translation();
+    drift.position_m = std::max(drift.position_m, (now.p_WS_m - X_WS.translation()).norm());
+    drift.attitude_rad = std::max(drift.attitude_rad,
+                                  Eigen::AngleAxisd(X_WS.linear().transpose() * now.R_WS).angle());
+  }
+  EXPECT_EQ(last_ns, FromSeconds(10));
+  return drift;
+}
+
+TEST(InertialData, IntegratedFromTheTrueStartStaysWithinACentimetreForTenSeconds) {
+  const Recording recording = Generated("digging", kDigging);
+  const LinkTruth truth(recording, "excavator1", "tb235.yaml");
+  for (const auto& [imu, link] : std::vector<std::pair<std::string, std::string>>{
+           {"imu_chassis", "upper"}, {"imu_arm", "arm"}, {"imu_bucket", "bucket"}}) {
+    const Drift drift = DriftOf(recording, truth, imu, link);
+    fmt::print(
+        "{:12} travelled {:6.2f} m, position within {:.2f} mm, attitude within {:.2f} mrad\n", imu,
+        drift.travelled_m, 1e3 * drift.position_m, 1e3 * drift.attitude_rad);
+    EXPECT_LT(drift.position_m, 0.01) << imu;
+    EXPECT_LT(drift.attitude_rad, 0.002) << imu;
+    // Something was measured: without the machine's motion the test would be empty.
+    EXPECT_GT(drift.travelled_m, imu == "imu_chassis" ? 0.2 : 5.0) << imu;
+  }
+}
+
+}  // namespace
+}  // namespace tera

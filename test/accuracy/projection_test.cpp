@@ -1,0 +1,192 @@
+#include <gtest/gtest.h>
+
+#include "ball_mesh.h"
+#include "generated.h"
+
+// Balls at known places, seen by cameras on a slewing machine: the middle of each ball's label mask
+// must be where the truth in the files projects it.
+
+namespace tera {
+namespace {
+
+constexpr double kRadius_m = 0.15, kHeight_m = 1.2;
+
+/// Balls on two rings around the machine, so that slewing carries them across the whole image.
+std::vector<Vec3> BallCentres() {
+  std::vector<Vec3> centres_m;
+  for (int i = 0; i < 24; ++i) {
+    const double azimuth_rad = 15 * i * kDeg, r_m = i % 2 ? 3.9 : 5.6;
+    centres_m.emplace_back(r_m * std::cos(azimuth_rad), r_m * std::sin(azimuth_rad),
+                           i % 3 ? kHeight_m : 2 * kHeight_m);
+  }
+  return centres_m;
+}
+
+std::string SiteWithBalls() {
+  std::string yaml = R"(
+name: balls
+duration_s: 6
+terrain: {size_m: [24, 24], cell_m: 0.1, soil: dirt}
+machines:
+  - name: excavator1
+    machine: tera:config/machines/tb235.yaml
+    start: {yaw_deg: 20, joints_deg: {boom: 60, arm: -120, bucket: -20}}
+    operator: {type: dig_cycle, dig_azimuth_deg: 120, dump_azimuth_deg: -120, cycles: 1}
+    rig: {sensors: [
+      {name: pinhole, type: camera, rate_hz: 10, width_px: 640, height_px: 480, horizontal_fov_deg: 60, link: upper, xyz_m: [-0.3, 0.86, 1.9], rpy_deg: [3, 8, 90]},
+      {name: barrel, preset: tera:config/sensors/rgb_640.yaml, rate_hz: 10, link: upper, xyz_m: [-0.3, 0.86, 1.8], rpy_deg: [-4, 6, 130]}]}
+obstacles:
+)";
+  const std::string mesh = WriteBallMesh().string();
+  int i = 0;
+  for (const Vec3& centre_m : BallCentres()) {
+    yaml += fmt::format(
+        "  - {{name: ball{}, label: rock, mesh: {}, scale: {}, xy_m: [{}, {}], "
+        "height_above_ground_m: {}}}\n",
+        i++, mesh, kRadius_m, centre_m.x(), centre_m.y(), centre_m.z());
+  }
+  return yaml;
+}
+
+/// The outline of a ball in the image: the cone of rays that touch it, projected.
+struct Outline {
+  Vec2 centroid_px = Vec2::Zero();
+  double area_px2 = 0;
+  bool inside = true;  ///< of the image, with its border's pixels kept free
+};
+
+Outline OutlineOf(const Vec3& centre_C_m, const CameraIntrinsics& lens) {
+  constexpr int kCorners = 720;
+  const double distance_m = centre_C_m.norm(), sine = kRadius_m / distance_m;
+  const Vec3 axis = centre_C_m / distance_m, side = axis.unitOrthogonal(), up = axis.cross(side);
+  std::vector<Vec2> corners_px;
+  Outline outline;
+  for (int k = 0; k < kCorners; ++k) {
+    const double a = 2 * kPi * k / kCorners;
+    const Vec3 touching =
+        std::sqrt(1 - sine * sine) * axis + sine * (std::cos(a) * side + std::sin(a) * up);
+    outline.inside &= touching.z() > 0.2;
+    if (!outline.inside) return outline;
+    const Vec2 px = lens.Project(touching);
+    outline.inside &=
+        px.x() > 1 && px.y() > 1 && px.x() < lens.width_px - 2 && px.y() < lens.height_px - 2;
+    corners_px.push_back(px);
+  }
+  double twice_px2 = 0;
+  for (int k = 0; k < kCorners; ++k) {
+    const Vec2 &a = corners_px[k], &b = corners_px[(k + 1) % kCorners];
+    const double cross = a.x() * b.y() - b.x() * a.y();
+    twice_px2 += cross;
+    outline.centroid_px += cross * (a + b) / 3;
+  }
+  outline.centroid_px /= twice_px2;
+  outline.area_px2 = 0.5 * std::abs(twice_px2);
+  return outline;
+}
+
+struct Mask {
+  std::int64_t pixels = 0;
+  Vec2 sum_px = Vec2::Zero();
+};
+
+std::vector<Mask> MasksOf(const Image<std::uint16_t>& instance, std::size_t instances) {
+  std::vector<Mask> masks(instances);
+  for (int y = 0; y < instance.height_px; ++y) {
+    for (int x = 0; x < instance.width_px; ++x) {
+      Mask& mask = masks.at(instance.at(x, y));
+      ++mask.pixels;
+      mask.sum_px += Vec2(x, y);
+    }
+  }
+  return masks;
+}
+
+struct Misfit {
+  int views = 0;
+  Vec2 sum_px = Vec2::Zero();
+  void Add(const Vec2& d_px) {
+    ++views;
+    sum_px += d_px;
+  }
+  double mean_px() const { return sum_px.norm() / views; }
+};
+
+struct CameraMisfit {
+  Misfit all, quarters[2][2];
+  double worst_px = 0;
+};
+
+CameraMisfit MisfitOf(const Recording& recording, const LinkTruth& truth,
+                      const std::string& folder) {
+  const Pose X_BC = MountOf(recording, folder) * OpticalInSensor();
+  const CameraIntrinsics lens = LensOf(recording, folder);
+  const std::vector<Vec3> centres_m = BallCentres();
+  CameraMisfit misfit;
+  for (const TimeNs t_ns : recording.FrameTimes(folder)) {
+    const CameraFrame frame = recording.LoadFrame(folder, t_ns);
+    const Pose X_CW = (truth.LinkPose("upper", truth.RowAt(t_ns)) * X_BC).inverse();
+    const auto masks = MasksOf(frame.instance, recording.info().instances.size() + 1);
+    for (const auto& instance : recording.info().instances) {
+      if (!instance.name.starts_with("ball")) continue;
+      const Mask& mask = masks[instance.id];
+      const Vec3& centre_W_m = centres_m.at(std::stoi(instance.name.substr(4)));
+      const Outline outline = OutlineOf(X_CW * centre_W_m, lens);
+      // Whole and not behind the boom: what is hidden would shift the mask's middle. A ball's edge
+      // alone leaves 1 % of the area open.
+      constexpr double kWhole = 0.97;
+      if (!outline.inside || mask.pixels < kWhole * outline.area_px2) continue;
+      const Vec2 d_px = mask.sum_px / mask.pixels - outline.centroid_px;
+      const int right = outline.centroid_px.x() > 0.5 * lens.width_px;
+      const int low = outline.centroid_px.y() > 0.5 * lens.height_px;
+      misfit.all.Add(d_px);
+      misfit.quarters[low][right].Add(d_px);
+      misfit.worst_px = std::max(misfit.worst_px, d_px.norm());
+    }
+  }
+  return misfit;
+}
+
+class Projection : public ::testing::TestWithParam<const char*> {
+ protected:
+  // In each test's own setting-up: a failure of a suite's would count its tests as skipped.
+  void SetUp() override {
+    if (recording_) return;
+    recording_ = new Recording(Generated("balls", SiteWithBalls()));
+    truth_ = new LinkTruth(*recording_, "excavator1", "tb235.yaml");
+  }
+  static void TearDownTestSuite() {
+    delete truth_;
+    delete recording_;
+  }
+  static inline Recording* recording_ = nullptr;
+  static inline LinkTruth* truth_ = nullptr;
+};
+
+// A ball of radius R = 15 to 30 px has about 2 pi R pixels on its edge, each in or out by the place
+// of its centre: an error of 1/sqrt(12) px2 of area at lever arm R (1/sqrt(2) of it along an axis),
+// which moves the middle by sqrt(2 pi R / 24) R / (pi R^2) = 0.16 / sqrt(R) px: 0.04 px for R = 15,
+// in both axes together 0.06 px. The mean over n views of different sub-pixel phase has 0.06 /
+// sqrt(n) px; with n > 20, five standard errors are 0.07 px.
+TEST_P(Projection, OfTruePointsLandsWithinATenthOfAPixelOfWhatIsRendered) {
+  const CameraMisfit misfit =
+      MisfitOf(*recording_, *truth_, std::string("excavator1/") + GetParam());
+  fmt::print("{}: {} views, mean {:.3f} px, single worst {:.3f} px, quarters", GetParam(),
+             misfit.all.views, misfit.all.mean_px(), misfit.worst_px);
+  for (const auto& row : misfit.quarters) {
+    for (const Misfit& quarter : row) fmt::print(" {:.3f} ({})", quarter.mean_px(), quarter.views);
+  }
+  fmt::print("\n");
+  for (const auto& row : misfit.quarters) {
+    for (const Misfit& quarter : row) {
+      EXPECT_GT(quarter.views, 20);
+      EXPECT_LT(quarter.mean_px(), 0.1);
+    }
+  }
+  // Any single view, edge noise included: 0.1 px and five deviations.
+  EXPECT_LT(misfit.worst_px, 0.1 + 5 * 0.06);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cameras, Projection, ::testing::Values("pinhole", "barrel"));
+
+}  // namespace
+}  // namespace tera
