@@ -11,6 +11,7 @@
 #include "app/commands.h"
 #include "app/load_scenario.h"
 #include "app/progress_bar.h"
+#include "app/stop_message.h"
 #include "sim/generate.h"
 
 namespace tera {
@@ -59,6 +60,8 @@ void RunGenerate(const Arguments& arguments) {
   options.resume = arguments.resume;
   options.egl.device = arguments.egl_device;
   options.progress = [&](const GenerateProgress& progress) { bar.Show(progress); };
+  const StopMessage on_stop(
+      fmt::format("\nstopped; the same command with --resume finishes {}\n", arguments.out));
   const GenerateReport report = Generate(std::move(loaded.scenario), loaded.resolved_yaml, options);
   if (isatty(STDOUT_FILENO) == 1) PrintReport(report, arguments.out);
 }
@@ -71,12 +74,16 @@ void AddGenerateCommand(CLI::App* app) {
   command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML)")->required();
   command->add_option("--out", arguments->out, "Directory of the dataset; new or empty")
       ->required();
-  command->add_option("--seed", arguments->seed, "Seed, instead of the scenario's");
-  command->add_option("--duration", arguments->duration_s, "Seconds, instead of the scenario's");
+  command->add_option("--seed", arguments->seed, "Seed, instead of the scenario's")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--duration", arguments->duration_s, "Seconds, instead of the scenario's")
+      ->check(CLI::PositiveNumber);
   command->add_option("--threads", arguments->threads, "Threads for rays and encoding")
       ->check(CLI::Range(1, 256));
-  command->add_option("--egl-device", arguments->egl_device,
-                      "GPU to render with; without it the first GPU, else Mesa in software");
+  command
+      ->add_option("--egl-device", arguments->egl_device,
+                   "GPU to render with; without it the first GPU, else Mesa in software")
+      ->check(CLI::NonNegativeNumber);
   command->add_flag("--resume", arguments->resume, "Finish a run that was stopped");
   command
       ->add_option("--set", arguments->set,

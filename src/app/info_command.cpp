@@ -18,7 +18,8 @@ void AddInfoCommand(CLI::App* app) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
       app->add_subcommand("info", "Say which versions, renderer and threads this machine offers");
-  command->add_option("--egl-device", arguments->egl_device, "GPU to ask");
+  command->add_option("--egl-device", arguments->egl_device, "GPU to ask")
+      ->check(CLI::NonNegativeNumber);
   command->callback([arguments] {
     const Rasterizer rasterizer(SceneModel{}, {.device = arguments->egl_device});
     const GlInfo& gl = rasterizer.info();

@@ -771,7 +771,10 @@ void Config::Finish() const {
           faults.push_back(head + "repeated key; keep one");
         } else if (!node->asked.contains(key)) {
           const std::vector<std::string> known(node->asked.begin(), node->asked.end());
-          const std::string fault = head + "unknown key" + DidYouMean(key, known);
+          const std::string near = DidYouMean(key, known);
+          const std::string fault = fmt::format(
+              "{}unknown key{}", head,
+              near.empty() ? fmt::format("; known here: {}", fmt::join(known, ", ")) : near);
           if (seen_unknown.insert(fault).second) faults.push_back(fault);
         }
       }

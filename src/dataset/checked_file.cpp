@@ -49,6 +49,7 @@ CheckedFile::CheckedFile(const std::filesystem::path& path) : path_(path), tempo
 
 CheckedFile::~CheckedFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
+  if (!committed_) ::unlink(temporary_.c_str());
 }
 
 void CheckedFile::Append(std::string_view bytes) {
@@ -76,6 +77,7 @@ void CheckedFile::Commit() {
   if (::rename(temporary_.c_str(), path_.c_str()) != 0) {
     FailFile(path_, "cannot be given its name", errno);
   }
+  committed_ = true;
 }
 
 void WriteWholeFile(const std::filesystem::path& path, std::string_view bytes) {

@@ -16,7 +16,7 @@ class CheckedFile {
   explicit CheckedFile(const std::filesystem::path& path);
   CheckedFile(const CheckedFile&) = delete;
   CheckedFile& operator=(const CheckedFile&) = delete;
-  /// Without Commit, leaves only the temporary file, if any.
+  /// Without Commit, removes the temporary file.
   ~CheckedFile();
 
   void Append(std::string_view bytes);
@@ -24,12 +24,15 @@ class CheckedFile {
   void Commit();
   std::int64_t bytes() const { return bytes_; }
   const std::filesystem::path& path() const { return path_; }
+  /// Where another program may write instead of Append, before Commit.
+  const std::filesystem::path& temporary() const { return temporary_; }
 
  private:
   void Flush();
 
   std::filesystem::path path_, temporary_;
   int descriptor_ = -1;
+  bool committed_ = false;
   std::string buffer_;
   std::int64_t bytes_ = 0;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "dataset/checked_file.h"
 #include "dataset/child_process.h"
 #include "dataset/picture.h"
 
@@ -61,20 +62,22 @@ Picture FilmFrame(const Recording& recording, const std::vector<CameraTrack>& ca
 void WriteFilm(const Recording& recording, const std::filesystem::path& mp4) {
   const std::vector<CameraTrack> cameras = Cameras(recording);
   if (cameras.empty()) return;
+  CheckedFile film(mp4);
   const std::string arguments = fmt::format(
-      "-y -loglevel error -f rawvideo -pix_fmt rgb24 -s {}x{} -r {:.6g} -i - -c:v libx264 "
-      "-preset veryfast -crf {} -pix_fmt yuv420p -movflags +faststart {}",
+      "-y -loglevel quiet -f rawvideo -pix_fmt rgb24 -s {}x{} -r {:.6g} -i - -c:v libx264 "
+      "-preset veryfast -crf {} -pix_fmt yuv420p -movflags +faststart -f mp4 {}",
       kTileWidth_px * cameras.size(), 2 * kTileHeight_px, FrameRate(cameras.front().times),
-      kQuality, ShellWord(mp4.string()));
+      kQuality, ShellWord(film.temporary().string()));
   ChildProcess ffmpeg("ffmpeg", arguments,
-                      fmt::format("need ffmpeg with libx264 (Debian package ffmpeg), and a folder "
-                                  "that can be written for {}",
+                      fmt::format("need ffmpeg with libx264 (Debian package ffmpeg), and space "
+                                  "on the disk for {}",
                                   mp4.string()));
   for (const TimeNs t_ns : cameras.front().times) {
     const Picture frame = FilmFrame(recording, cameras, t_ns);
     ffmpeg.Write({reinterpret_cast<const char*>(frame.data.data()), frame.data.size()});
   }
   ffmpeg.Close();
+  film.Commit();
 }
 
 }  // namespace tera

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/check.h"
+#include "dataset/checked_file.h"
 #include "dataset/child_process.h"
 
 namespace tera {
@@ -23,16 +24,38 @@ std::string Quoted(const std::string& text) {
   return quoted + "'";
 }
 
-/// Range of y that gnuplot finds by itself, save for curves that are all one constant.
-std::string YRange(const Chart& chart) {
+struct Span {
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const Curve& curve : chart.curves) {
-    for (const double y : curve.y) {
-      low = std::min(low, y);
-      high = std::max(high, y);
-    }
+};
+
+Span SpanOf(const std::vector<Curve>& curves, std::vector<double> Curve::*axis) {
+  Span span;
+  for (const Curve& curve : curves) {
+    for (const double v : curve.*axis) span = {std::min(span.low, v), std::max(span.high, v)};
   }
-  return low == high ? fmt::format("[{}:{}]", low - 1.0, high + 1.0) : "[*:*]";
+  return span;
+}
+
+/// `span` as gnuplot finds it by itself, or widened about its middle to `least`.
+std::string AxisRange(const Span& span, double least) {
+  if (span.high - span.low >= least) return "[*:*]";
+  const double middle = 0.5 * (span.low + span.high);
+  return fmt::format("[{}:{}]", middle - 0.5 * least, middle + 0.5 * least);
+}
+
+/// Ranges of both axes: curves that are all one constant, and paths of a machine that stood still
+/// or drove along an axis, need room around them.
+std::string Ranges(const Chart& chart) {
+  constexpr double kLeastOfWider = 0.1, kLeastPath_m = 0.2, kLeast = 1e-12;
+  const Span x = SpanOf(chart.curves, &Curve::x), y = SpanOf(chart.curves, &Curve::y);
+  if (x.low > x.high) return "set xrange [*:*]\nset yrange [*:*]\n";
+  if (!chart.equal_axes) {
+    const bool constant = y.high - y.low < kLeast;
+    return fmt::format("set xrange [*:*]\nset yrange {}\n", AxisRange(y, constant ? 2.0 : 0.0));
+  }
+  const double least =
+      std::max(kLeastPath_m, kLeastOfWider * std::max(x.high - x.low, y.high - y.low));
+  return fmt::format("set xrange {}\nset yrange {}\n", AxisRange(x, least), AxisRange(y, least));
 }
 
 void AppendChart(const Chart& chart, std::string* script) {
@@ -41,7 +64,7 @@ void AppendChart(const Chart& chart, std::string* script) {
                  "set title {} noenhanced\nset xlabel {} noenhanced\nset ylabel {} noenhanced\n",
                  Quoted(chart.title), Quoted(chart.x_label), Quoted(chart.y_label));
   fmt::format_to(out, "set size {}\n", chart.equal_axes ? "ratio -1" : "noratio");
-  fmt::format_to(out, "set yrange {}\n", YRange(chart));
+  *script += Ranges(chart);
   bool any = false;
   std::string plot, data;
   for (std::size_t i = 0; i < chart.curves.size(); ++i) {
@@ -66,19 +89,22 @@ void AppendChart(const Chart& chart, std::string* script) {
 void DrawCharts(const std::vector<Chart>& charts, int columns, int width_px, int height_px,
                 const std::filesystem::path& png) {
   TERA_CHECK(columns > 0 && !charts.empty(), columns, charts.size());
+  CheckedFile picture(png);
   const int rows = (static_cast<int>(charts.size()) + columns - 1) / columns;
   std::string script = fmt::format(
       "set terminal pngcairo size {},{} font 'sans,10'\nset output {}\nset grid lc rgb '#dddddd'\n"
       "set key below samplen 1\nset multiplot layout {},{}\n",
-      width_px, height_px, Quoted(png.string()), rows, columns);
+      width_px, height_px, Quoted(picture.temporary().string()), rows, columns);
   for (const Chart& chart : charts) AppendChart(chart, &script);
   script += "unset multiplot\n";
-  ChildProcess gnuplot("gnuplot", "",
-                       fmt::format("need gnuplot with the pngcairo terminal (Debian package "
-                                   "gnuplot-nox), and a folder that can be written for {}",
-                                   png.string()));
+  ChildProcess gnuplot(
+      "gnuplot", "2>/dev/null",
+      fmt::format("need gnuplot with the pngcairo terminal (Debian package gnuplot-nox), and space "
+                  "on the disk for {}",
+                  png.string()));
   gnuplot.Write(script);
   gnuplot.Close();
+  picture.Commit();
 }
 
 }  // namespace tera

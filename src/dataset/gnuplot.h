@@ -20,7 +20,7 @@ struct Chart {
 };
 
 /// Draws charts in a grid of `columns` as one PNG by the gnuplot program. Throws InputError if
-/// gnuplot is not installed or fails.
+/// gnuplot is not installed or fails, or the file cannot be written; no part of it is left then.
 void DrawCharts(const std::vector<Chart>& charts, int columns, int width_px, int height_px,
                 const std::filesystem::path& png);
 

@@ -1,12 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/mount.h>
 
 #include <thread>
 
 #include "core/error.h"
 #include "dataset/frame_queue.h"
 #include "dataset/sample_recording.h"
+#include "dataset/tiny_disk.h"
 
 namespace tera {
 namespace {
@@ -50,26 +50,9 @@ TEST(DatasetWriter, RefusesAPlaceWhereItCannotWrite) {
   EXPECT_EQ(AllFiles(scratch.path()).size(), 1u);
 }
 
-/// A file system of a few hundred kB, where the tests may mount one.
-class TinyDisk {
- public:
-  explicit TinyDisk(const fs::path& place) : place_(place) {
-    fs::create_directory(place);
-    mounted_ = mount("tmpfs", place.c_str(), "tmpfs", 0, "size=256k") == 0;
-  }
-  ~TinyDisk() {
-    if (mounted_) umount2(place_.c_str(), MNT_DETACH);
-  }
-  bool mounted() const { return mounted_; }
-
- private:
-  fs::path place_;
-  bool mounted_ = false;
-};
-
 TEST(DatasetWriter, FullDiskStopsTheRunWithOneMessageFromTheWorkers) {
   ScratchDirectory scratch;
-  const TinyDisk disk(scratch.path() / "disk");
+  const TinyDisk disk(scratch.path() / "disk", "256k");
   if (!disk.mounted()) FAIL() << "needs the right to mount a tmpfs: run as root";
   DatasetWriter writer(scratch.path() / "disk/run", SampleInfo(), {});
   const ChannelId lidar = writer.AddLidar("m/lidar", "");

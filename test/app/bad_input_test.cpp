@@ -1,0 +1,318 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "app/program.h"
+#include "dataset/tiny_disk.h"
+
+// Bad input to the program: exit status 2, one message that says where, what and what to do, and
+// nothing left behind.
+
+namespace tera {
+namespace {
+
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+namespace fs = std::filesystem;
+
+/// Runs the program in `scratch`, where it must refuse its input with one line like `message` and
+/// leave everything as it was.
+void ExpectRefused(const ScratchDirectory& scratch, const Arguments& arguments,
+                   const testing::Matcher<const std::string&>& message,
+                   const std::map<std::string, std::string>& environment = {}) {
+  const auto before = Entries(scratch.path());
+  const Outcome outcome = RunTera(arguments, {scratch.path(), environment});
+  EXPECT_EQ(outcome.status, 2) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.err, AllOf(message, EndsWith("\n")));
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_EQ(Entries(scratch.path()), before);
+}
+
+/// A scenario that neither check nor generate may take.
+void ExpectScenarioRefused(const ScratchDirectory& scratch, const std::string& scenario,
+                           const testing::Matcher<const std::string&>& message) {
+  WriteWholeFile(scratch.path() / "small.yaml", scenario);
+  ExpectRefused(scratch, {"check", "small.yaml"}, message);
+  ExpectRefused(scratch, {"generate", "small.yaml", "--out", "run"}, message);
+}
+
+void ExpectScenarioRefused(const std::string& scenario,
+                           const testing::Matcher<const std::string&>& message) {
+  const ScratchDirectory scratch;
+  ExpectScenarioRefused(scratch, scenario, message);
+}
+
+/// "small.yaml:line:column: " of the first `needle`.
+std::string At(const std::string& scenario, const std::string& needle) {
+  return "small.yaml:" + LineAndColumn(scenario, needle) + ": ";
+}
+
+std::string WithObstacle(const std::string& mesh) {
+  return SmallScenario() + "obstacles: [{name: rock1, label: rock, xy_m: [3, 1], mesh: " + mesh +
+         "}]\n";
+}
+
+TEST(BadInput, AnUnknownKeyIsNamedWithTheKeyItResembles) {
+  const std::string scenario = Edited(SmallScenario(), "seed", "sead");
+  ExpectScenarioRefused(
+      scenario, StartsWith(At(scenario, "sead") + "sead: unknown key (did you mean 'seed'?)"));
+}
+
+TEST(BadInput, AnUnknownKeyThatResemblesNoneIsAnsweredWithTheKnownOnes) {
+  const std::string scenario = SmallScenario() + "weather: fine\n";
+  ExpectScenarioRefused(scenario,
+                        AllOf(StartsWith(At(scenario, "weather") + "weather: unknown key"),
+                              HasSubstr("known here: "), HasSubstr("environment")));
+}
+
+TEST(BadInput, AWordForANumberIsRefusedWithWhatIsNeeded) {
+  const std::string scenario = Edited(SmallScenario(), "duration_s: 0.4", "duration_s: long");
+  ExpectScenarioRefused(
+      scenario,
+      StartsWith(At(scenario, "long") + "duration_s: 'long' is not a number, need more than 0 s"));
+}
+
+TEST(BadInput, AMeshThatIsNotThereIsRefusedWithWhereItWasSought) {
+  const std::string scenario = WithObstacle("lost.glb");
+  ExpectScenarioRefused(scenario,
+                        AllOf(StartsWith(At(scenario, "lost.glb") + "obstacles[0].mesh: "),
+                              HasSubstr("'lost.glb' does not exist"),
+                              HasSubstr("correct the path (relative to small.yaml")));
+}
+
+TEST(BadInput, AMeshThatIsNoneIsRefusedByItsName) {
+  const ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "rock.glb", "not a mesh");
+  ExpectScenarioRefused(scratch, WithObstacle("rock.glb"),
+                        AllOf(HasSubstr("rock.glb: not a readable glTF"), HasSubstr("export it")));
+}
+
+TEST(BadInput, AGeoTiffThatCannotBeReadIsRefused) {
+  const ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "site.tif", "not a raster");
+  const std::string scenario = Edited(SmallScenario(), "size_m: [14, 14]", "geotiff: site.tif");
+  ExpectScenarioRefused(
+      scratch, scenario,
+      AllOf(StartsWith(At(scenario, "site.tif") + "terrain.geotiff: "),
+            HasSubstr("not readable as a GeoTIFF"), HasSubstr("give a one-band elevation raster")));
+}
+
+TEST(BadInput, TwoSensorsOfOneNameAreRefused) {
+  const std::string scenario = SmallScenario(Edited(kLidar, "name: lidar", "name: imu"));
+  const std::string second = LineAndColumn(scenario, "imu, preset: tera:config/sensors/vlp16");
+  ExpectScenarioRefused(scenario,
+                        AllOf(StartsWith("small.yaml:" + second +
+                                         ": machines[0].rig.sensors[1].name: 'imu' is taken"),
+                              HasSubstr("give each its own name")));
+}
+
+TEST(BadInput, ASensorOnALinkThatIsNotThereIsRefusedWithTheLinks) {
+  const std::string scenario = Edited(SmallScenario(), "link: chassis", "link: chasis");
+  ExpectScenarioRefused(
+      scenario, AllOf(StartsWith(At(scenario, "chasis,") + "machines[0].rig.sensors[0].link: "),
+                      HasSubstr("has no link 'chasis' (did you mean 'chassis'?)"),
+                      HasSubstr("its links are chassis")));
+}
+
+TEST(BadInput, ASensorThatNeverMeasuresIsRefused) {
+  const std::string scenario = Edited(SmallScenario(), "rate_hz: 100", "rate_hz: 0");
+  ExpectScenarioRefused(
+      scenario, StartsWith(At(scenario, "0}]}") + "machines[0].rig.sensors[0].rate_hz: 0 is out of "
+                                                  "range, need more than 0 Hz"));
+}
+
+TEST(BadInput, ANegativeMassInTheMachineFileIsRefusedThere) {
+  const ScratchDirectory scratch;
+  const std::string machine =
+      "kind: block\nlinks:\n  chassis: {mass_kg: -5, inertia_kgm2: [1, 1, 1], label: vehicle}\n";
+  WriteWholeFile(scratch.path() / "block.yaml", machine);
+  ExpectScenarioRefused(
+      scratch, Edited(SmallScenario(), "tera:config/machines/warthog.yaml", "block.yaml"),
+      StartsWith("block.yaml:" + LineAndColumn(machine, "-5") +
+                 ": machines[0].machine.links.chassis.mass_kg: -5 is out of range, need more than "
+                 "0 kg"));
+}
+
+TEST(BadInput, EveryFaultIsReportedAtOnce) {
+  const ScratchDirectory scratch;
+  const std::string scenario =
+      Edited(Edited(SmallScenario(), "seed", "sead"), "rate_hz: 100", "rate_hz: 0");
+  WriteWholeFile(scratch.path() / "small.yaml", scenario);
+  const Outcome outcome = RunTera({"check", "small.yaml"}, {scratch.path()});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("small.yaml:2:1: sead: "), HasSubstr("rate_hz: 0 is")));
+}
+
+TEST(BadInput, ATextThatIsNoYamlIsRefusedAtTheLineThatBreaksIt) {
+  ExpectScenarioRefused("name: small\nmachines: [\n", StartsWith("small.yaml:3:1: not valid YAML"));
+  ExpectScenarioRefused("", StartsWith("small.yaml:1:1: need a mapping of keys"));
+}
+
+TEST(BadInput, AnOverrideIsRefusedByItsKey) {
+  const ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "small.yaml", SmallScenario());
+  ExpectRefused(scratch, {"check", "small.yaml", "--set", "machines[7].name=x"},
+                StartsWith("--set: machines: no item [7], the list has 1"));
+  ExpectRefused(scratch, {"check", "small.yaml", "--set", "seed"},
+                StartsWith("--set seed: need key.path=value"));
+}
+
+TEST(BadInput, AFileThatIsNotThereIsRefusedByEveryCommand) {
+  const ScratchDirectory scratch;
+  const auto names_it = StartsWith("nowhere");
+  ExpectRefused(scratch, {"check", "nowhere"}, names_it);
+  ExpectRefused(scratch, {"generate", "nowhere", "--out", "run"}, names_it);
+  ExpectRefused(scratch, {"import", "nowhere", "--out", "run"}, names_it);
+  ExpectRefused(scratch, {"import-rig", "nowhere"}, names_it);
+  ExpectRefused(scratch, {"overview", "nowhere"}, names_it);
+  ExpectRefused(scratch, {"compare", "nowhere", "nowhere"}, names_it);
+}
+
+TEST(BadInput, AFolderThatIsNoDatasetIsNeitherComparedNorDrawn) {
+  const ScratchDirectory scratch;
+  fs::create_directory(scratch.path() / "holiday");
+  const auto message = HasSubstr("holiday: is not a complete recording (it has no dataset.yaml)");
+  ExpectRefused(scratch, {"compare", "holiday", "holiday"}, message);
+  ExpectRefused(scratch, {"overview", "holiday"}, message);
+}
+
+TEST(BadInput, AnImportedColumnThatIsNotThereIsRefusedWithTheOneItResembles) {
+  const ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "drive.csv", "t_s,wz\n0,0.1\n");
+  WriteWholeFile(scratch.path() / "mapping.yaml", R"(name: drive
+machine: rover
+file: drive.csv
+time: {column: t_s, unit: s}
+tables: [{name: yaw, columns: {w_radps: {column: wy, unit: rad/s}}}]
+)");
+  ExpectRefused(scratch, {"import", "mapping.yaml", "--out", "run"},
+                StartsWith("drive.csv:1: column 'wy' is missing (did you mean 'wz'?)"));
+}
+
+TEST(BadInput, AnImportedNumberThatIsNoneIsRefusedAtItsLine) {
+  const ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "drive.csv", "t_s,wz\n0,0.1\n1,nan\n");
+  WriteWholeFile(scratch.path() / "mapping.yaml", R"(name: drive
+machine: rover
+file: drive.csv
+time: {column: t_s, unit: s}
+tables: [{name: yaw, columns: {w_radps: {column: wz, unit: rad/s}}}]
+)");
+  ExpectRefused(scratch, {"import", "mapping.yaml", "--out", "run"},
+                AllOf(HasSubstr("drive.csv:3"), HasSubstr("'nan'")));
+}
+
+// Where a dataset cannot go.
+
+class BadOutput : public testing::Test {
+ protected:
+  BadOutput() { WriteWholeFile(scratch_.path() / "small.yaml", SmallScenario()); }
+
+  void ExpectOutRefused(const std::string& out,
+                        const testing::Matcher<const std::string&>& message) {
+    ExpectRefused(scratch_, {"generate", "small.yaml", "--out", out}, message);
+  }
+
+  ScratchDirectory scratch_;
+};
+
+TEST_F(BadOutput, ADirectoryThatIsNotEmptyIsRefused) {
+  fs::create_directory(scratch_.path() / "run");
+  WriteWholeFile(scratch_.path() / "run/diary.txt", "mine");
+  ExpectOutRefused("run", StartsWith("run: is not an empty directory; choose another --out"));
+  ExpectOutRefused("small.yaml", StartsWith("small.yaml: is not an empty directory"));
+}
+
+TEST_F(BadOutput, ANameThatIsNoneIsRefused) {
+  for (const char* out : {"", ".", "..", "/"}) {
+    ExpectOutRefused(out, HasSubstr("give the recording's folder a name"));
+  }
+}
+
+TEST_F(BadOutput, ADirectoryThatMayNotBeWrittenIsRefused) {
+  // Root may write whatever a folder's mode says, but not on a disk that is read-only.
+  const fs::path place = scratch_.path() / "disk";
+  const bool root = geteuid() == 0;
+  std::unique_ptr<TinyDisk> disk;
+  if (root) {
+    disk = std::make_unique<TinyDisk>(place, "1m");
+    ASSERT_TRUE(disk->mounted() && disk->MakeReadOnly("1m")) << "needs the right to mount a tmpfs";
+  } else {
+    fs::create_directory(place);
+    fs::permissions(place, fs::perms::owner_read | fs::perms::owner_exec);
+  }
+  ExpectOutRefused("disk/run",
+                   AllOf(StartsWith("disk/run"), HasSubstr("cannot be created: "),
+                         HasSubstr(root ? "Read-only file system" : "Permission denied"),
+                         HasSubstr("choose a folder that you may write to")));
+  if (!root) fs::permissions(place, fs::perms::owner_all);
+}
+
+TEST_F(BadOutput, ADiskThatIsFullBeforeTheRunIsLeftAsItWas) {
+  const TinyDisk disk(scratch_.path() / "disk", "8k");
+  ASSERT_TRUE(disk.mounted()) << "needs the right to mount a tmpfs: run as root";
+  ExpectOutRefused("disk/run", AllOf(StartsWith("disk/run"), HasSubstr("No space left on device"),
+                                     HasSubstr("free space on that disk")));
+}
+
+TEST_F(BadOutput, ADiskThatFillsUpKeepsARunThatCanBeFinished) {
+  TinyDisk disk(scratch_.path() / "disk", "512k");
+  ASSERT_TRUE(disk.mounted()) << "needs the right to mount a tmpfs: run as root";
+  WriteWholeFile(scratch_.path() / "small.yaml",
+                 Edited(SmallScenario(Edited(kLidar, "columns: 128", "columns: 512")),
+                        "duration_s: 0.4", "duration_s: 3"));
+  const Arguments on_disk = {"generate", "small.yaml", "--out", "disk/run"};
+  const Outcome full = RunTera(on_disk, {scratch_.path()});
+  EXPECT_EQ(full.status, 2);
+  EXPECT_THAT(full.err, AllOf(HasSubstr("No space left on device; free space on that disk"),
+                              HasSubstr("disk/run.incomplete"), HasSubstr("--resume")));
+  EXPECT_FALSE(fs::exists(scratch_.path() / "disk/run"));
+
+  ASSERT_TRUE(disk.Grow("64m"));
+  Arguments resume = on_disk;
+  resume.push_back("--resume");
+  const Outcome resumed = RunTera(resume, {scratch_.path()});
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  const Outcome whole = RunTera({"generate", "small.yaml", "--out", "whole"}, {scratch_.path()});
+  EXPECT_EQ(whole.status, 0) << whole.err;
+  EXPECT_TRUE(AllFiles(scratch_.path() / "disk/run") == AllFiles(scratch_.path() / "whole"));
+}
+
+// No OpenGL: a loader that finds no driver.
+
+const std::map<std::string, std::string> kNoEgl = {{"__EGL_VENDOR_LIBRARY_DIRS", "/nonexistent"},
+                                                   {"__EGL_VENDOR_LIBRARY_FILENAMES", ""}};
+
+TEST(NoEgl, ACameraIsRefusedWithThePackagesToInstall) {
+  const ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "small.yaml", SmallScenario(kCamera));
+  const auto message = AllOf(StartsWith("no EGL platform gives an OpenGL 4.5 core context"),
+                             HasSubstr("install Mesa's software renderer"));
+  ExpectRefused(scratch, {"generate", "small.yaml", "--out", "run"}, message, kNoEgl);
+  ExpectRefused(scratch, {"info"}, message, kNoEgl);
+}
+
+TEST(NoEgl, ADeviceThatIsNotThereIsRefused) {
+  const ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "small.yaml", SmallScenario(kCamera));
+  const auto message = AllOf(StartsWith("EGL device 99 asked for, but there "),
+                             HasSubstr("give an index below that, or none"));
+  ExpectRefused(scratch, {"generate", "small.yaml", "--out", "run", "--egl-device", "99"}, message);
+  ExpectRefused(scratch, {"info", "--egl-device", "99"}, message);
+}
+
+TEST(NoEgl, ARigWithoutCamerasNeedsNone) {
+  const ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "small.yaml", SmallScenario(kLidar));
+  const Outcome outcome =
+      RunTera({"generate", "small.yaml", "--out", "run"}, {scratch.path(), kNoEgl});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(fs::exists(scratch.path() / "run/rover1/lidar/data.csv"));
+}
+
+}  // namespace
+}  // namespace tera

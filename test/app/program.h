@@ -1,0 +1,72 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "dataset/sample_recording.h"
+
+/// The `tera` program as its user meets it: arguments in, exit status and text out.
+
+namespace tera {
+
+using Arguments = std::vector<std::string>;
+
+/// How a run ended.
+struct Outcome {
+  int status = -1;  ///< exit status, or -1 where a signal ended it
+  int signal = 0;
+  std::string out, err;
+};
+
+struct Surroundings {
+  std::filesystem::path directory;  ///< working directory
+  std::map<std::string, std::string> environment = {};
+};
+
+/// A run of the program with its standard output and error in files: no terminal.
+class TeraProcess {
+ public:
+  TeraProcess(const Arguments& arguments, const Surroundings& surroundings);
+  TeraProcess(const TeraProcess&) = delete;
+  TeraProcess& operator=(const TeraProcess&) = delete;
+  /// Ends a run that nobody waited for.
+  ~TeraProcess();
+
+  bool Running();
+  void Signal(int signal);
+  Outcome Wait();
+
+ private:
+  ScratchDirectory output_;
+  pid_t pid_ = -1;
+  bool ended_ = false;
+  int wait_status_ = 0;
+};
+
+Outcome RunTera(const Arguments& arguments, const Surroundings& surroundings);
+
+/// A run on a terminal of `columns`; `out` holds all that appears there.
+Outcome RunTeraOnTerminal(const Arguments& arguments, const std::filesystem::path& directory,
+                          int columns);
+
+/// Every file and folder below `root`.
+std::set<std::string> Entries(const std::filesystem::path& root);
+
+/// A rover at rest, 0.4 s, with an IMU and with what `more_sensors` says.
+std::string SmallScenario(const std::string& more_sensors = "");
+/// Sensors to put in there.
+extern const char* const kCamera;
+extern const char* const kLidar;
+
+/// `text` with its first `from` replaced by `to`; fails the test where there is none.
+std::string Edited(std::string text, const std::string& from, const std::string& to);
+
+/// "line:column" of the first `needle` in `text`, counted from 1.
+std::string LineAndColumn(const std::string& text, const std::string& needle);
+
+}  // namespace tera
