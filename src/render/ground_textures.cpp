@@ -6,14 +6,12 @@
 #include <cmath>
 
 #include "render/ground_light.h"
+#include "render/soil_colour.h"
 
 namespace tera {
 namespace {
 
 constexpr int kCells = TerrainSurface::kTileCells;
-constexpr double kSaturatedShare = 0.42;  // of the dry albedo, when all pores hold water
-constexpr double kMoistureRate = 3.2;     // c of the moisture model
-constexpr double kLooseLighter = 0.10;
 constexpr double kRutDarker = 0.22;
 constexpr double kTypicalGrain_m = 0.01;
 constexpr float kUndisturbedDetail = 0.45f;  // of the relief of loose soil
@@ -104,9 +102,7 @@ void GroundTextures::PaintVertex(const TerrainSurface& terrain, int i, int j) {
   const SoilAppearance& soil = soils_[std::min<std::size_t>(terrain.soil[v], soils_.size() - 1)];
   const double saturation = terrain.moisture[v] / 255.0, loose = terrain.looseness[v] / 255.0;
   const double rut = terrain.rut[v] / 255.0;
-  const double wet =
-      kSaturatedShare + (1 - kSaturatedShare) * std::exp(-kMoistureRate * saturation);
-  const double tone = wet * (1 + kLooseLighter * loose) * (1 - kRutDarker * rut);
+  const double tone = SoilTone(saturation, loose) * (1 - kRutDarker * rut);
   std::uint8_t* albedo = &albedo_.levels[0].texels[v * 4];
   for (int k = 0; k < 3; ++k) albedo[k] = Unorm8(std::sqrt(std::max(soil.albedo[k] * tone, 0.0)));
   albedo[3] = Unorm8(SkyFactor(terrain, i, j));

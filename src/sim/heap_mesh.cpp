@@ -4,13 +4,15 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "render/lattice_noise.h"
 
 namespace tera {
 namespace {
 
 constexpr double kHeapShare = 0.16;       // height of the mound over the mouth's length
 constexpr double kShellClearance = 0.97;  // of the profile, so that soil does not cut the shell
-constexpr int kAcross = 12, kAlong = 12;  // facets of the mound
+constexpr int kAcross = 26, kAlong = 26;  // facets of the mound, as large as small clods
+constexpr double kClods_m = 0.10;         // height of the clods on it
 
 /// Adds a triangle with a flat normal that faces away from `inside`.
 void AddTriangle(MeshPart* part, const Vec3& inside, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -52,10 +54,15 @@ HeapMesh MakeHeapMesh(const Shovel& shovel, const Vec3& albedo) {
     return Vec3(Vec3(q.x(), y_m, q.y()) - heap.bottom_B_m);
   };
   const Vec3 inside = point(0.7 * middle + 0.3 * deepest, 0);
-  // The mound over the mouth: a smooth bump, zero along the rim.
+  // The mound over the mouth: a bump with clods on it, zero along the rim.
+  constexpr int kLattice = 8, kOctaves = 3;
+  const LatticeNoise clods("heap", kLattice, kOctaves);
   const auto mound = [&](int i, int j) {
     const double u = static_cast<double>(i) / kAlong, v = 2.0 * j / kAcross - 1.0;
-    const double rise_m = kHeapShare * mouth.norm() * std::sin(kPi * u) * std::cos(0.5 * kPi * v);
+    const double bump = std::sin(kPi * u) * std::cos(0.5 * kPi * v);
+    const double clod_m = kClods_m * (double(clods.At(u, 0.5 * v)) - 0.5);
+    const double rise_m =
+        bump * kHeapShare * mouth.norm() + std::sqrt(std::max(bump, 0.0)) * clod_m;
     return point(lip + u * mouth + rise_m * out, v * half_m);
   };
   for (int i = 0; i < kAlong; ++i) {

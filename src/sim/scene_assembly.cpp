@@ -5,6 +5,7 @@
 
 #include "core/check.h"
 #include "core/units.h"
+#include "render/soil_colour.h"
 #include "sim/heap_mesh.h"
 
 namespace tera {
@@ -103,7 +104,8 @@ void SceneAssembly::AddMachine(const Scenario& scenario, std::size_t m) {
   for (std::size_t s = 0; s < machine.ground_tools.shovels.size(); ++s) {
     const Shovel& shovel = machine.ground_tools.shovels[s];
     if (shovel.capacity_m3 <= 0) continue;
-    const HeapMesh heap = MakeHeapMesh(shovel, scenario.soil->soils().front().albedo);
+    const SoilType& soil = scenario.soil->soils().front();
+    const HeapMesh heap = MakeHeapMesh(shovel, soil.albedo * SoilTone(soil.moisture, 1.0));
     SceneNode node;
     node.mesh = static_cast<int>(model_.meshes.size());
     node.body = AddBody();
