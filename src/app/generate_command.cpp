@@ -46,13 +46,8 @@ void PrintReport(const GenerateReport& report, const std::string& out) {
   }
 }
 
-void RunGenerate(const Arguments& arguments) {
-  std::vector<std::string> overrides = arguments.set;
-  if (arguments.seed) overrides.push_back(fmt::format("seed={}", *arguments.seed));
-  if (arguments.duration_s)
-    overrides.push_back(fmt::format("duration_s={}", *arguments.duration_s));
-  LoadedScenario loaded = LoadScenario(arguments.scenario, overrides);
-
+/// The run, with its progress on the terminal; the line of it has ended when this returns.
+GenerateReport FollowedRun(const Arguments& arguments, LoadedScenario loaded) {
   ProgressBar bar;
   GenerateOptions options;
   options.out = arguments.out;
@@ -62,7 +57,17 @@ void RunGenerate(const Arguments& arguments) {
   options.progress = [&](const GenerateProgress& progress) { bar.Show(progress); };
   const StopMessage on_stop(
       fmt::format("\nstopped; the same command with --resume finishes {}\n", arguments.out));
-  const GenerateReport report = Generate(std::move(loaded.scenario), loaded.resolved_yaml, options);
+  return Generate(std::move(loaded.scenario), loaded.resolved_yaml, options);
+}
+
+void RunGenerate(const Arguments& arguments) {
+  std::vector<std::string> overrides = arguments.set;
+  if (arguments.seed) overrides.push_back(fmt::format("seed={}", *arguments.seed));
+  if (arguments.duration_s)
+    overrides.push_back(fmt::format("duration_s={}", *arguments.duration_s));
+  LoadedScenario loaded = LoadScenario(arguments.scenario, overrides);
+
+  const GenerateReport report = FollowedRun(arguments, std::move(loaded));
   if (isatty(STDOUT_FILENO) == 1) PrintReport(report, arguments.out);
 }
 

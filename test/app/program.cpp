@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 const char* const kCamera =
     "{name: camera, preset: tera:config/sensors/rgb_640.yaml, link: chassis, xyz_m: [0.8, 0, 1], "
-    "width_px: 96, height_px: 72, rate_hz: 20}";
+    "width_px: 96, height_px: 72, rate_hz: 10}";
 const char* const kLidar =
     "{name: lidar, preset: tera:config/sensors/vlp16.yaml, link: chassis, xyz_m: [0, 0, 1.2], "
     "columns: 128}";

@@ -1,0 +1,186 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/program.h"
+
+// The commands besides `generate`, and what they have in common.
+
+namespace tera {
+namespace {
+
+using testing::AllOf;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+namespace fs = std::filesystem;
+
+const char* const kCommands[] = {"generate", "check",      "info",    "compare",
+                                 "import",   "import-rig", "overview"};
+
+TEST(CommandLine, EveryCommandHasHelp) {
+  const ScratchDirectory scratch;
+  const Outcome all = RunTera({"--help"}, {scratch.path()});
+  EXPECT_EQ(all.status, 0);
+  for (const char* command : kCommands) {
+    EXPECT_THAT(all.out, HasSubstr(command));
+    const Outcome help = RunTera({command, "--help"}, {scratch.path()});
+    EXPECT_EQ(help.status, 0) << command;
+    EXPECT_THAT(help.out, HasSubstr("Usage")) << command;
+    EXPECT_EQ(help.err, "") << command;
+  }
+}
+
+TEST(CommandLine, WrongUseIsStatus2AndPointsToTheHelp) {
+  const ScratchDirectory scratch;
+  Arguments wrong[] = {{},
+                       {"fly"},
+                       {"check"},
+                       {"check", "a.yaml", "b.yaml"},
+                       {"generate", "a.yaml"},
+                       {"generate", "a.yaml", "--out", "run", "--seed", "-3"},
+                       {"generate", "a.yaml", "--out", "run", "--seed", "x"},
+                       {"generate", "a.yaml", "--out", "run", "--duration", "0"},
+                       {"generate", "a.yaml", "--out", "run", "--threads", "0"},
+                       {"generate", "a.yaml", "--out", "run", "--egl-device", "-1"},
+                       {"info", "--egl-device", "-1"}};
+  for (const Arguments& arguments : wrong) {
+    const Outcome outcome = RunTera(arguments, {scratch.path()});
+    EXPECT_EQ(outcome.status, 2) << testing::PrintToString(arguments);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.err, HasSubstr("Run with --help for more information."));
+  }
+  for (const char* command : kCommands) {
+    EXPECT_EQ(RunTera({command, "--no-such-option"}, {scratch.path()}).status, 2) << command;
+  }
+  EXPECT_TRUE(Entries(scratch.path()).empty());
+}
+
+TEST(CommandLine, VersionIsOneLine) {
+  const Outcome outcome = RunTera({"--version"}, {fs::temp_directory_path()});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.out, ContainsRegex("^tera [0-9]+\\.[0-9]+\\.[0-9]+\n$"));
+}
+
+TEST(Info, NamesVersionsRendererAndThreads) {
+  const Outcome outcome = RunTera({"info"}, {fs::temp_directory_path()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  for (const char* line :
+       {"tera +[0-9.]+\n", "data +/.*\n", "EGL platform +[a-z]", "GL renderer +[A-Za-z]",
+        "GL version +4\\.[56]", "Embree +3\\.[0-9]", "threads +[1-9]"}) {
+    EXPECT_THAT(outcome.out, ContainsRegex(line));
+  }
+}
+
+TEST(Check, PrintsTheRigAsATable) {
+  const ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "small.yaml", SmallScenario(kLidar));
+  const Outcome outcome = RunTera({"check", "small.yaml"}, {scratch.path()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("machine rover1 (warthog): 1 links, 0 joints, 2 levers, 470 kg"),
+                    ContainsRegex("sensor +type +link +xyz m +rpy deg +rate Hz\n"),
+                    ContainsRegex("imu +imu +chassis +0.000 0.000 0.000 +0.0 0.0 0.0 +100\n"),
+                    ContainsRegex("lidar +lidar +chassis +0.000 0.000 1.200 +0.0 0.0 0.0 +10\n"),
+                    testing::EndsWith("valid\n")));
+  EXPECT_EQ(Entries(scratch.path()), std::set<std::string>{"small.yaml"});
+}
+
+TEST(Check, FindsEveryShippedScenarioValid) {
+  for (const auto& file : fs::directory_iterator(TERA_SOURCE_DIR "/config/scenarios")) {
+    const Outcome outcome = RunTera({"check", file.path()}, {fs::temp_directory_path()});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, testing::EndsWith("valid\n"));
+  }
+}
+
+TEST(Compare, ADatasetDiffersFromItselfByNothing) {
+  const ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "small.yaml", SmallScenario());
+  ASSERT_EQ(RunTera({"generate", "small.yaml", "--out", "run"}, {scratch.path()}).status, 0);
+  const Outcome outcome = RunTera({"compare", "run", "run"}, {scratch.path()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const std::string zeros = " +0.000 +0.000 +0.000 +0.000 +0.00 +0.00 +0.00\n";
+  EXPECT_THAT(
+      outcome.out,
+      AllOf(ContainsRegex("APE, not aligned" + zeros), ContainsRegex("SE.2. aligned" + zeros),
+            ContainsRegex("SE.3. aligned" + zeros), ContainsRegex("RPE over 1 s"),
+            // 0.4 s of poses at 500 Hz, the start included; of the IMU at 100 Hz, the end excluded.
+            HasSubstr("201 common times"), ContainsRegex("imu wz_radps +0 +0 +40\n"),
+            ContainsRegex("imu az_mps2 +0 +0 +40\n"), HasSubstr("plot: compare.png\n")));
+  EXPECT_EQ(ReadWholeFile(scratch.path() / "compare.png").substr(1, 3), "PNG");
+}
+
+TEST(Compare, APlotThatCannotBeWrittenIsRefusedAndNoPartOfItLeft) {
+  const ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "small.yaml", SmallScenario());
+  ASSERT_EQ(RunTera({"generate", "small.yaml", "--out", "run"}, {scratch.path()}).status, 0);
+  const auto before = Entries(scratch.path());
+  const Outcome outcome =
+      RunTera({"compare", "run", "run", "--plot", "no/folder.png"}, {scratch.path()});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.err,
+            "no/folder.png: cannot be created: No such file or directory; choose a path whose "
+            "parents are folders\n");
+  EXPECT_EQ(Entries(scratch.path()), before);
+}
+
+TEST(Overview, DrawsADatasetInItsOwnFolder) {
+  const ScratchDirectory scratch;
+  WriteWholeSample(scratch.path() / "run", {});
+  const Outcome outcome = RunTera({"overview", "run"}, {scratch.path()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(ReadWholeFile(scratch.path() / "run/overview.png").substr(1, 3), "PNG");
+  EXPECT_EQ(ReadWholeFile(scratch.path() / "run/overview.mp4").substr(4, 4), "ftyp");
+}
+
+// The paper's own rig, its misspelt place included.
+constexpr const char* kPaperRig = R"(Excavator:
+  - id: digger
+    type: TB235
+    sensors:
+      - {id: 1, type: IMU, topic: /excavator1/imu_chassis, location: CHASIS, noise: [0.01, 0.05],
+         offset: [0.3436, 0.15, -0.2921], rotation: [0, -90, 90]}
+      - {id: 2, type: LIDAR, topic: /excavator1/lidar, location: CHASSIS, noise: [0, 0.02],
+         offset: [0, 0.745, -1.125]}
+  - id: helper
+    sensors: [{id: 1, type: GPS, topic: /excavator2/gps, location: CHASSIS, noise: [0, 0.75]}]
+)";
+
+TEST(ImportRig, TurnsThePapersFormIntoARigThatAScenarioTakes) {
+  const ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "paper.yaml", kPaperRig);
+  const Outcome imported = RunTera(
+      {"import-rig", "paper.yaml", "--machine", "digger", "--out", "rig.yaml"}, {scratch.path()});
+  EXPECT_EQ(imported.status, 0) << imported.err;
+  EXPECT_EQ(imported.out, "");
+  const std::string scenario = SmallScenario();
+  const std::size_t rig = scenario.find("rig: ");
+  WriteWholeFile(scratch.path() / "small.yaml",
+                 Edited(scenario.substr(0, rig), "warthog", "tb235") + "rig: rig.yaml\n");
+  const Outcome checked = RunTera({"check", "small.yaml"}, {scratch.path()});
+  EXPECT_EQ(checked.status, 0) << checked.err;
+  // Unity's right, up, forward are ours -y, z, x.
+  EXPECT_THAT(checked.out, AllOf(ContainsRegex("imu_chassis +imu +upper +-0.292 -0.344 0.150 "),
+                                 ContainsRegex("lidar +lidar +upper +-1.125 -?0.000 0.745 ")));
+}
+
+TEST(ImportRig, PrintsWhereNoFileIsGivenAndAsksWhichOfSeveralMachines) {
+  const ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "paper.yaml", kPaperRig);
+  const Outcome helper =
+      RunTera({"import-rig", "paper.yaml", "--machine", "helper"}, {scratch.path()});
+  EXPECT_EQ(helper.status, 0) << helper.err;
+  EXPECT_THAT(helper.out, AllOf(HasSubstr("name: gps"), Not(HasSubstr("imu_chassis"))));
+  const Outcome which = RunTera({"import-rig", "paper.yaml"}, {scratch.path()});
+  EXPECT_EQ(which.status, 2);
+  EXPECT_THAT(which.err,
+              AllOf(StartsWith("paper.yaml:2:"), HasSubstr("choose one of digger, helper")));
+  EXPECT_EQ(Entries(scratch.path()), std::set<std::string>{"paper.yaml"});
+}
+
+}  // namespace
+}  // namespace tera
