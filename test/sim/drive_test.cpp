@@ -1,0 +1,349 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "core/config.h"
+#include "core/units.h"
+#include "sim/simulation.h"
+
+/// A machine, its drive and the ground together, as a driver sees them.
+
+namespace tera {
+namespace {
+
+/// Levers held at fixed positions, the others neutral.
+class HeldLevers : public Operator {
+ public:
+  explicit HeldLevers(std::vector<std::pair<std::string, double>> held) : held_(std::move(held)) {}
+  std::vector<double> Levers(const OperatorView& view) override {
+    std::vector<double> levers(view.model.levers.size(), 0.0);
+    for (const auto& [name, position] : held_) levers.at(view.model.LeverIndex(name)) = position;
+    return levers;
+  }
+
+ private:
+  std::vector<std::pair<std::string, double>> held_;
+};
+
+/// One machine on a site of 30 m x 20 m; `terrain` and `more` are YAML.
+struct Drive {
+  Drive(const std::string& machine, const std::string& start, const std::string& terrain,
+        double left, double right, const std::string& more = "")
+      : scenario(Read(machine, start, terrain, more)) {
+    scenario.machines[0].driver = std::make_unique<HeldLevers>(
+        std::vector<std::pair<std::string, double>>{{"left_track", left}, {"right_track", right}});
+    simulation = std::make_unique<Simulation>(&scenario);
+  }
+
+  static Scenario Read(const std::string& machine, const std::string& start,
+                       const std::string& terrain, const std::string& more) {
+    const Config config = Config::FromText(
+        "name: drive\nduration_s: 60\nterrain: {size_m: [30, 20], " + terrain +
+            "}\nmachines:\n  - name: m\n    machine: tera:config/machines/" + machine +
+            "\n    start: " + start + "\n    operator: {type: idle}\n" + more,
+        "drive.yaml");
+    Scenario scenario = ReadScenario(config.root());
+    config.Finish();
+    return scenario;
+  }
+
+  void Run(
+      double duration_s, const std::function<void()>& after_step = [] {}) {
+    const TimeNs end_ns = simulation->state().t_ns + FromSeconds(duration_s);
+    while (simulation->state().t_ns < end_ns) {
+      simulation->Step();
+      after_step();
+    }
+  }
+
+  const MachineState& machine() const { return simulation->state().machines[0]; }
+  const BodyState& body() const { return machine().links[0]; }
+  Vec3 place() const { return body().X_WB.translation(); }
+  double yaw_rad() const {
+    const Mat3 R = body().X_WB.linear();
+    return std::atan2(R(1, 0), R(0, 0));
+  }
+  /// Mean speed and yaw rate over `duration_s`.
+  struct Motion {
+    Vec3 v_W_mps;
+    double yaw_rate_radps;
+  };
+  Motion Measure(double duration_s) {
+    const Vec3 start = place();
+    double yaw = yaw_rad(), turned = 0;
+    Run(duration_s, [&] {
+      turned += std::remainder(yaw_rad() - yaw, 2 * kPi);
+      yaw = yaw_rad();
+    });
+    return {(place() - start) / duration_s, turned / duration_s};
+  }
+  Vec3 CentreOfMass() const {
+    const MachineModel& model = scenario.machines[0].placement.model;
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t k = 0; k < model.links.size(); ++k) {
+      sum += model.links[k].mass_kg * (machine().links[k].X_WB * model.links[k].com_B_m);
+    }
+    return sum / model.TotalMass_kg();
+  }
+
+  Scenario scenario;
+  std::unique_ptr<Simulation> simulation;
+};
+
+constexpr const char* kExcavator = "tb235.yaml";
+/// The excavator: operating weight, two tracks of width b and ground length L, speed at full lever.
+constexpr double kMass_kg = 3500, kB_m = 0.3, kL_m = 1.6, kGauge_m = 1.148, kFullSpeed_mps = 1.25;
+constexpr double kG_mps2 = 9.80665;
+constexpr const char* kStowed = "joints_deg: {boom: 55, arm: -130, bucket: -40}";
+
+std::string At(double x_m, double y_m, double yaw_deg) {
+  return fmt::format("{{xy_m: [{}, {}], yaw_deg: {}, {}}}", x_m, y_m, yaw_deg, kStowed);
+}
+
+/// Root mean square of the chassis' acceleration, its mean taken off.
+double Shake_mps2(Drive* drive, double duration_s) {
+  Vec3 sum = Vec3::Zero();
+  double square = 0;
+  int n = 0;
+  drive->Run(duration_s, [&] {
+    const Vec3 a = drive->body().a_WB_mps2;
+    sum += a;
+    square += a.squaredNorm();
+    ++n;
+  });
+  return std::sqrt(std::max(0.0, square / n - (sum / n).squaredNorm()));
+}
+
+/// Sinkage of a plate of width b under pressure p: Bekker's (p / (k_c/b + k_phi))^(1/n) and the
+/// elastic settlement p b (1 - nu^2) I / E of a plate on a half space, nu = 0.3, I = 0.88.
+struct Bearing {
+  double k_c, k_phi, n, young_pa;
+  double Modulus() const { return k_c / kB_m + k_phi; }
+  double Rut_m(double pressure_pa) const { return std::pow(pressure_pa / Modulus(), 1 / n); }
+  double Sinkage_m(double pressure_pa) const {
+    return Rut_m(pressure_pa) + pressure_pa * kB_m * (1 - 0.3 * 0.3) * 0.88 / young_pa;
+  }
+  /// Work of pressing a rut of one metre: Bekker's compaction resistance of one track.
+  double RutResistance_n(double z_m) const {
+    return kB_m * Modulus() * std::pow(z_m, n + 1) / (n + 1);
+  }
+};
+
+/// Wong 2008, table 2.3, and the moduli of the material library, in order of sinkage.
+const std::vector<std::pair<const char*, Bearing>> kBearing = {
+    {"gravel", {102000, 5301000, 0.793, 4.6e6}}, {"loose", {5270, 1515040, 0.7, 1.0e6}},
+    {"dirt", {52530, 1127970, 0.9, 6.5e6}},      {"wet_sand", {74600, 2080000, 1.1, 4.0e6}},
+    {"sand", {990, 1528430, 1.1, 4.5e6}},
+};
+
+std::string Level(const std::string& soil) { return "cell_m: 0.05, soil: " + soil; }
+
+/// Ground that rises towards +y by `slope_deg`.
+std::string Rising(const std::string& soil, double slope_deg) {
+  return fmt::format("cell_m: 0.1, soil: {}, relief: {{slope_deg: {}, slope_azimuth_deg: 90}}",
+                     soil, slope_deg);
+}
+
+TEST(Drive, MachineLeansWithTheSlopeItStandsOn) {
+  Drive drive(kExcavator, At(1, 2, 40), Rising("gravel", 12), 0, 0);
+  drive.Run(1.0);
+  const Vec3 normal(0, -std::sin(12 * kDeg), std::cos(12 * kDeg));
+  // The ground gives by less than 1 cm, over 1.15 m between the tracks: 0.5 deg.
+  EXPECT_LT(std::acos(drive.body().X_WB.linear().col(2).dot(normal)) / kDeg, 0.5);
+  EXPECT_NEAR(drive.yaw_rad() / kDeg, 40, 0.5);
+}
+
+TEST(Drive, StandsStillOnASlopeWithNeutralLevers) {
+  for (const char* soil : {"dirt", "gravel", "sand", "asphalt"}) {
+    Drive drive(kExcavator, At(1, 2, 30), Rising(soil, 15), 0, 0);
+    drive.Run(1.0);
+    const Vec3 start = drive.place();
+    EXPECT_LT(Shake_mps2(&drive, 9.0), 0.01) << soil;
+    EXPECT_LT((drive.place() - start).norm(), 0.001) << soil;
+  }
+}
+
+TEST(Drive, SlidesDownASlopeSteeperThanItsFriction) {
+  // Wet pavement of friction 20 deg, tan = 0.364. Locked tracks hold at 14 deg; at 24 deg the
+  // machine slides with g (sin 24 - 0.364 cos 24) = 0.728 m/s^2.
+  const std::string wet =
+      "wet, custom_soils: [{preset: tera:config/soils/asphalt.yaml, name: wet, "
+      "friction_angle_deg: 20}]";
+  Drive holds(kExcavator, At(1, 2, 90), Rising(wet, 14), 0, 0);
+  holds.Run(1.0);
+  EXPECT_LT(holds.Measure(1.0).v_W_mps.norm(), 0.001);
+  Drive slides(kExcavator, At(1, 4, 90), Rising(wet, 24), 0, 0);
+  const Vec3 before = slides.body().v_WB_mps;
+  slides.Run(1.0);
+  const Vec3 gained = slides.body().v_WB_mps - before;
+  // The noses press the pavement down as they go, which is damped: a few per cent of the weight.
+  EXPECT_NEAR(gained.norm() / 0.728, 1, 0.15);
+  EXPECT_NEAR(std::atan2(-gained.z(), -gained.y()) / kDeg, 24, 1);
+}
+
+TEST(Drive, SinksAsBekkerSays) {
+  double shallower_m = 0;
+  for (const auto& [soil, bearing] : kBearing) {
+    Drive drive(kExcavator, At(1, 2, 30), Level(soil), 0, 0);
+    drive.Run(0.2);
+    const double sinkage_m = -drive.place().z();
+    const double expected_m = bearing.Sinkage_m(kMass_kg * kG_mps2 / (2 * kB_m * kL_m));
+    // The machine's weight lies off the middle of its tracks, the relation is not linear: 10 %.
+    EXPECT_NEAR(sinkage_m / expected_m, 1, 0.10) << soil;
+    EXPECT_GT(sinkage_m, shallower_m) << soil;
+    shallower_m = sinkage_m;
+  }
+}
+
+TEST(Drive, EqualLeversDriveStraightAtTheTracksSpeed) {
+  const double lever = 0.6;
+  const Vec3 heading(std::cos(20 * kDeg), std::sin(20 * kDeg), 0);
+  for (const char* soil : {"dirt", "gravel", "sand", "wet_sand", "loose", "asphalt"}) {
+    Drive drive(kExcavator, At(-8, -4, 20), Level(soil), lever, lever);
+    drive.Run(3.0);  // sets off, and sinks to the depth of its ruts
+    const Drive::Motion motion = drive.Measure(3.0);
+    const double speed_mps = motion.v_W_mps.dot(heading);
+    EXPECT_NEAR(speed_mps / (lever * kFullSpeed_mps), 1, 0.02) << soil;
+    EXPECT_NEAR(speed_mps / (lever * kFullSpeed_mps), 1 - drive.machine().gear_slip[0], 0.02)
+        << soil;
+    EXPECT_LT(heading.cross(motion.v_W_mps).norm(), 0.01) << soil;
+    EXPECT_NEAR(drive.yaw_rad() / kDeg, 20, 0.3) << soil;
+    // 1 % of g, smoother than any ride: the ground's cells are not felt.
+    EXPECT_LT(Shake_mps2(&drive, 1.0), 0.25) << soil;
+  }
+}
+
+TEST(Drive, DrivingCostsTheWorkOfTheRuts) {
+  for (const auto& [soil, bearing] : kBearing) {
+    Drive drive(kExcavator, At(-8, -4, 20), Level(soil), 0.6, 0.6);
+    drive.Run(5.0);
+    double thrust_n = 0;
+    int n = 0;
+    drive.Run(2.0, [&] {
+      const auto& torque_nm = drive.machine().gear_torque_nm;
+      thrust_n += (torque_nm[0] + torque_nm[1]) / 0.25;
+      ++n;
+    });
+    // A track digs in at its nose, deeper than it stands; both noses also scrape. So the thrust is
+    // at least that of ruts as deep as it stands, and less than three times that of its real ruts.
+    const double still_m = bearing.Rut_m(kMass_kg * kG_mps2 / (2 * kB_m * kL_m));
+    const double rut_m = drive.machine().gear_sinkage_m[0];
+    EXPECT_GT(thrust_n / n, 2 * bearing.RutResistance_n(still_m)) << soil;
+    EXPECT_LT(thrust_n / n, 3 * 2 * bearing.RutResistance_n(rut_m)) << soil;
+  }
+}
+
+TEST(Drive, LeavesTwoRutsInTheGround) {
+  Drive drive(kExcavator, At(-6, 1, 0), Level("sand"), 0.6, 0.6);
+  drive.Run(6.0);  // 4.5 m
+  ASSERT_GT(drive.place().x(), -2.0);
+  const TerrainSurface& ground = drive.simulation->ground();
+  const double x_m = drive.place().x() - 1.5;  // just behind the tracks
+  const double stood_m = kBearing.back().second.Sinkage_m(kMass_kg * kG_mps2 / (2 * kB_m * kL_m));
+  for (const double side : {1, -1}) {
+    EXPECT_LT(ground.HeightAt(x_m, 1 + side * kGauge_m / 2), -0.8 * stood_m);
+    EXPECT_GT(ground.HeightAt(x_m, 1 + side * kGauge_m / 2), -3 * stood_m);
+    EXPECT_GE(ground.HeightAt(x_m, 1 + side * (kGauge_m / 2 + 0.5)), 0);
+  }
+  EXPECT_NEAR(ground.HeightAt(x_m, 1), 0, 1e-6);
+}
+
+TEST(Drive, OppositeLeversTurnOnTheSpotSlowerThanWithoutSlip) {
+  for (const char* soil : {"dirt", "gravel", "sand", "asphalt"}) {
+    Drive drive(kExcavator, At(1, 2, 20), Level(soil), -0.4, 0.4);
+    const Vec3 start = drive.place();
+    const double off_centre_m =
+        (drive.body().X_WB.inverse() * drive.CentreOfMass()).head<2>().norm();
+    drive.Run(1.0);
+    const double rate_radps = drive.Measure(3.0).yaw_rate_radps;
+    const double no_slip_radps = 2 * 0.4 * kFullSpeed_mps / kGauge_m;
+    // Tracks of 1.6 m on a gauge of 1.15 m: effective widths of 1.3 to 2 gauges are measured.
+    EXPECT_GT(no_slip_radps / rate_radps, 1.2) << soil;
+    EXPECT_LT(no_slip_radps / rate_radps, 2.0) << soil;
+    // It turns about a point below its weight, not about the middle of its tracks: the middle goes
+    // round a circle of that radius.
+    EXPECT_LT((drive.place() - start).norm(), 2 * off_centre_m + 0.1) << soil;
+  }
+}
+
+TEST(Drive, UnequalLeversSteerBySkidding) {
+  Drive drive(kExcavator, At(-4, -4, 20), Level("dirt"), 0.4, 0.8);
+  drive.Run(1.0);
+  const double rate_radps = drive.Measure(3.0).yaw_rate_radps;
+  const double no_slip_radps = 0.4 * kFullSpeed_mps / kGauge_m;
+  EXPECT_GT(rate_radps, 0.3 * no_slip_radps);  // towards the slower track, the left one
+  EXPECT_LT(rate_radps, 0.9 * no_slip_radps);
+  // The inner track brakes, the outer one drives.
+  EXPECT_LT(drive.machine().gear_torque_nm[0], 0);
+  EXPECT_GT(drive.machine().gear_torque_nm[1], 0);
+  EXPECT_LT(drive.machine().gear_slip[0], 0);
+  EXPECT_GT(drive.machine().gear_slip[1], 0);
+}
+
+TEST(Drive, SlipGrowsWithTheSlopeItClimbsAsJanosiSays) {
+  // Thrust share tan(slope) / tan(39 deg) = 1 - (1 - e^-x) / x with x = slip L / K, K = 18 mm, has
+  // the roots x = 0.50, 1.35, 2.76. The rut costs some 0.04 of the strength more.
+  const std::map<double, double> root = {{10, 0.50}, {20, 1.35}, {28, 2.76}};
+  double last_slip = 0;
+  for (const auto& [slope_deg, x] : root) {
+    Drive drive(kExcavator, At(0, -6, 90), Rising("sand", slope_deg), 0.5, 0.5);
+    drive.Run(3.0);
+    const double start_z_m = drive.place().z();
+    double slip = 0;
+    int n = 0;
+    drive.Run(3.0, [&] { slip += drive.machine().gear_slip[0], ++n; });
+    slip /= n;
+    EXPECT_NEAR(slip / (x * 0.018 / kL_m), 1, 0.5) << slope_deg;
+    EXPECT_GT(slip, last_slip) << slope_deg;
+    last_slip = slip;
+    EXPECT_NEAR(
+        (drive.place().z() - start_z_m) / (3.0 * 0.5 * kFullSpeed_mps * std::sin(slope_deg * kDeg)),
+        1, 0.05)
+        << slope_deg;
+  }
+}
+
+/// A four-wheeled rover: 5 m/s at full lever, gauge 1.08 m.
+struct Rover : Drive {
+  Rover(double left, double right)
+      : Drive("warthog.yaml", "{xy_m: [-3, 1], yaw_deg: 20}", "cell_m: 0.1, soil: asphalt", left,
+              right) {}
+  static double NoSlipRate_radps(double left, double right) { return (right - left) * 5.0 / 1.08; }
+};
+
+TEST(Drive, RoverStandsStillAndDrivesStraight) {
+  Rover parked(0, 0);
+  const Vec3 start = parked.place();
+  EXPECT_LT(Shake_mps2(&parked, 3.0), 0.001);
+  EXPECT_LT((parked.place() - start).norm(), 1e-4);
+
+  Rover straight(0.2, 0.2);
+  straight.Run(1.0);
+  EXPECT_NEAR(straight.Measure(2.0).v_W_mps.norm(), 0.2 * 5.0, 0.02);
+  EXPECT_NEAR(straight.yaw_rad() / kDeg, 20, 0.1);
+  EXPECT_LT(Shake_mps2(&straight, 1.0), 0.05);
+}
+
+TEST(Drive, RoverTurnsSlowerThanWithoutSlip) {
+  // Measured on such a rover on asphalt and grass: 1.65 to 1.8 times slower (norlab DRIVE).
+  for (const double lever : {0.1, 0.2}) {
+    Rover spot(-lever, lever);
+    const Vec3 start = spot.place();
+    spot.Run(1.0);
+    const double slower = Rover::NoSlipRate_radps(-lever, lever) / spot.Measure(3.0).yaw_rate_radps;
+    EXPECT_GT(slower, 1.4);
+    EXPECT_LT(slower, 2.1);
+    EXPECT_LT((spot.place() - start).norm(), 0.01);
+  }
+  Rover arc(0.15, 0.25);
+  arc.Run(1.0);
+  const double slower = Rover::NoSlipRate_radps(0.15, 0.25) / arc.Measure(2.0).yaw_rate_radps;
+  EXPECT_GT(slower, 1.4);
+  EXPECT_LT(slower, 2.1);
+}
+
+}  // namespace
+}  // namespace tera
