@@ -1,0 +1,17 @@
+#include <cstdio>
+
+#include "core/config.h"
+#include "sim/scenario.h"
+#include "sim/simulation.h"
+
+// A rover that nobody drives stays where it stands.
+int main() {
+  const tera::Config config = tera::Config::FromFile(SCENARIO);
+  tera::Scenario scenario = tera::ReadScenario(config.root());
+  config.Finish();
+  tera::Simulation simulation(&scenario);
+  for (int step = 0; step < 50; ++step) simulation.Step();
+  const tera::Vec3 p_WB = simulation.state().machines.at(0).links.at(0).X_WB.translation();
+  std::printf("%.3f %.3f %.3f\n", p_WB.x(), p_WB.y(), p_WB.z());
+  return p_WB.norm() < 0.05 ? 0 : 1;
+}
