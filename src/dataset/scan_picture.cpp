@@ -51,8 +51,8 @@ Picture Empty(int width_px, int height_px) {
 /// Where the view from behind stands and looks to, in the sensor's frame: near enough to see the
 /// machine under a roof lidar, high enough to see the ground around it.
 struct ObliqueView {
-  Vec3 eye_S_m{-8.0, -6.5, 6.5};
-  Vec3 target_S_m{2.0, 1.0, -2.0};
+  Vec3 eye_S_m{-7.0, -6.5, 6.0};
+  Vec3 target_S_m{4.0, 1.5, 0.0};
   double horizontal_fov_rad = 68 * kDeg;
   double near_m = 1.0;
 
