@@ -72,14 +72,17 @@ void CameraAllOutputs(benchmark::State& state, const std::string& name) {
 
 #define TERA_FOR_EACH_CAMERA(benchmark_of)               \
   BENCHMARK_CAPTURE(benchmark_of, front, "camera_front") \
+      ->MeasureProcessCPUTime()                          \
       ->UseRealTime()                                    \
       ->Unit(benchmark::kMillisecond)                    \
       ->Iterations(20);                                  \
   BENCHMARK_CAPTURE(benchmark_of, left, "camera_left")   \
+      ->MeasureProcessCPUTime()                          \
       ->UseRealTime()                                    \
       ->Unit(benchmark::kMillisecond)                    \
       ->Iterations(20);                                  \
   BENCHMARK_CAPTURE(benchmark_of, site, "camera_site")   \
+      ->MeasureProcessCPUTime()                          \
       ->UseRealTime()                                    \
       ->Unit(benchmark::kMillisecond)                    \
       ->Iterations(20)

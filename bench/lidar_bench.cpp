@@ -115,6 +115,7 @@ BENCHMARK(LidarScanWithUpdate)
     ->ArgName("threads")
     ->Arg(1)
     ->Arg(2)
+    ->MeasureProcessCPUTime()
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond)
     ->MinTime(2);

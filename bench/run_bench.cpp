@@ -73,10 +73,20 @@ void RunWhole(benchmark::State& state) {
   Report(report, &state);
 }
 
-BENCHMARK(RunInertial)->Iterations(1)->UseRealTime()->Unit(benchmark::kSecond);
-BENCHMARK(RunLidar)->Iterations(1)->UseRealTime()->Unit(benchmark::kSecond);
-BENCHMARK(RunDepthCamera)->Iterations(1)->UseRealTime()->Unit(benchmark::kSecond);
-BENCHMARK(RunWhole)->Iterations(1)->UseRealTime()->Unit(benchmark::kSecond);
+BENCHMARK(RunInertial)
+    ->Iterations(1)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->Unit(benchmark::kSecond);
+BENCHMARK(RunLidar)->Iterations(1)->MeasureProcessCPUTime()->UseRealTime()->Unit(
+    benchmark::kSecond);
+BENCHMARK(RunDepthCamera)
+    ->Iterations(1)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->Unit(benchmark::kSecond);
+BENCHMARK(RunWhole)->Iterations(1)->MeasureProcessCPUTime()->UseRealTime()->Unit(
+    benchmark::kSecond);
 
 }  // namespace
 }  // namespace tera::bench

@@ -34,25 +34,33 @@ Sweep PlanSweep(const TerrainSurface& terrain, const Vec3& to_sun_W) {
 
 }  // namespace
 
-float SkyFactor(const TerrainSurface& terrain, int i, int j) {
+SkyView::SkyView(double cell_m) {
   constexpr std::array<std::array<int, 2>, 8> kDirections = {
       {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
   constexpr std::array<double, 5> kReaches_m = {0.05, 0.15, 0.3, 0.6, kOcclusionReach_m};
+  for (std::size_t d = 0; d < kDirections.size(); ++d) {
+    const auto [x, y] = kDirections[d];
+    const double unit = x != 0 && y != 0 ? std::sqrt(0.5) : 1.0;
+    for (std::size_t r = 0; r < kReaches_m.size(); ++r) {
+      const int steps = std::max(1, static_cast<int>(std::lround(kReaches_m[r] * unit / cell_m)));
+      directions_[d][r] = {x * steps, y * steps, static_cast<float>(steps * cell_m / unit)};
+    }
+  }
+}
+
+float SkyView::Factor(const TerrainSurface& terrain, int i, int j) const {
   const float h = terrain.height_m[terrain.index(i, j)];
   float sum = 0;
-  for (const auto& d : kDirections) {
-    const double unit = d[0] != 0 && d[1] != 0 ? std::sqrt(0.5) : 1.0;
+  for (const auto& samples : directions_) {
     float steepest = 0;  // tangent of the horizon's height
-    for (const double reach_m : kReaches_m) {
-      const int steps = std::max(1, static_cast<int>(std::lround(reach_m * unit / terrain.cell_m)));
-      const int a = std::clamp(i + d[0] * steps, 0, terrain.nx - 1);
-      const int b = std::clamp(j + d[1] * steps, 0, terrain.ny - 1);
-      const auto distance_m = static_cast<float>(steps * terrain.cell_m / unit);
-      steepest = std::max(steepest, (terrain.height_m[terrain.index(a, b)] - h) / distance_m);
+    for (const Sample& s : samples) {
+      const int a = std::clamp(i + s.di, 0, terrain.nx - 1);
+      const int b = std::clamp(j + s.dj, 0, terrain.ny - 1);
+      steepest = std::max(steepest, (terrain.height_m[terrain.index(a, b)] - h) / s.distance_m);
     }
     sum += 1.0f / (1.0f + steepest * steepest);
   }
-  return sum / kDirections.size();
+  return sum / directions_.size();
 }
 
 std::vector<float> ShadowHeights(const TerrainSurface& terrain, const Vec3& to_sun_W) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/ground_light.h"
 #include "render/soil_colour.h"
 
 namespace tera {
@@ -89,6 +88,7 @@ GroundTextures::GroundTextures(const TerrainSurface& terrain,
       to_sun_W_(to_sun_W),
       origin_W_m_(terrain.origin_W_m),
       cell_m_(terrain.cell_m),
+      sky_view_(terrain.cell_m),
       nx_(terrain.nx),
       ny_(terrain.ny),
       albedo_(nx_, ny_, false),
@@ -105,7 +105,7 @@ void GroundTextures::PaintVertex(const TerrainSurface& terrain, int i, int j) {
   const double tone = SoilTone(saturation, loose) * (1 - kRutDarker * rut);
   std::uint8_t* albedo = &albedo_.levels[0].texels[v * 4];
   for (int k = 0; k < 3; ++k) albedo[k] = Unorm8(std::sqrt(std::max(soil.albedo[k] * tone, 0.0)));
-  albedo[3] = Unorm8(SkyFactor(terrain, i, j));
+  albedo[3] = Unorm8(sky_view_.Factor(terrain, i, j));
 
   const int il = std::max(i - 1, 0), ir = std::min(i + 1, nx_ - 1);
   const int jl = std::max(j - 1, 0), jr = std::min(j + 1, ny_ - 1);

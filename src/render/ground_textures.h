@@ -5,6 +5,7 @@
 
 #include "core/terrain_surface.h"
 #include "render/gl_objects.h"
+#include "render/ground_light.h"
 #include "render/scene.h"
 
 namespace tera {
@@ -65,6 +66,7 @@ class GroundTextures {
   Vec3 to_sun_W_ = Vec3::UnitZ();
   Vec2 origin_W_m_ = Vec2::Zero();
   double cell_m_ = 1;
+  SkyView sky_view_;
   int nx_ = 0, ny_ = 0;
   Pyramid albedo_, shape_;
   GlObject shadow_;

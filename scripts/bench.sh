@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# Installs what is needed, builds the benchmarks and runs them: each figure beside its target. Arguments go to
+# Google Benchmark (--benchmark_filter=Lidar). docs/status.md says what the figures were.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+packages() { sed -n "s/^\($1\): //p" scripts/packages.txt; }
+# shellcheck disable=SC2046
+scripts/install_packages.sh $(packages build) $(packages libraries) $(packages run) $(packages test)
+
+cmake --preset release -DTERA_BUILD_TESTS=OFF -DTERA_BUILD_BENCH=ON >/dev/null
+cmake --build --preset release --target tera_bench
+exec build/release/tera_bench "$@"
