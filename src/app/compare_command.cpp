@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -21,8 +22,14 @@ void AddCompareCommand(CLI::App* app) {
   command->callback([arguments] {
     const Comparison comparison = Compare(arguments->first, arguments->second);
     fmt::print("{}", ComparisonTable(comparison));
-    PlotComparison(comparison, arguments->plot);
-    fmt::print("plot: {}\n", arguments->plot);
+    const auto& machines = comparison.machines;
+    if (std::any_of(machines.begin(), machines.end(),
+                    [](const MachineComparison& m) { return m.HasTrajectories(); })) {
+      PlotComparison(comparison, arguments->plot);
+      fmt::print("plot: {}\n", arguments->plot);
+    } else {
+      fmt::print("no plot: no machine has poses on both sides\n");
+    }
   });
 }
 

@@ -118,6 +118,8 @@ MachineComparison CompareMachine(const Recording& a, const Recording& b, const s
   if (a.Has(PosePath(name_a)) && b.Has(PosePath(name_b))) {
     machine.a = LoadTrajectory(a, name_a);
     machine.b = LoadTrajectory(b, name_b);
+  }
+  if (machine.HasTrajectories()) {
     TrajectoryErrorOptions options;
     machine.unaligned = EvaluateTrajectory(machine.a, machine.b, options);
     options.alignment = Alignment::kSe2;
@@ -218,7 +220,7 @@ std::string ComparisonTable(const Comparison& comparison) {
   for (const MachineComparison& machine : comparison.machines) {
     fmt::format_to(out, "\n{}{}\n", machine.name_a,
                    machine.name_a == machine.name_b ? "" : " and " + machine.name_b);
-    if (!machine.a.empty()) AppendTrajectory(&text, machine);
+    if (machine.HasTrajectories()) AppendTrajectory(&text, machine);
     if (machine.channels.empty()) continue;
     fmt::format_to(out, "  {:<40}{:>12}{:>12}{:>9}\n", "channel", "rmse", "mean", "samples");
     for (const ChannelDifference& d : machine.channels) {
@@ -233,7 +235,7 @@ void PlotComparison(const Comparison& comparison, const std::filesystem::path& p
   constexpr int kColumns = 3, kWidth_px = 1500, kRowHeight_px = 500;
   std::vector<Chart> charts;
   for (const MachineComparison& m : comparison.machines) {
-    if (m.a.empty()) continue;
+    if (!m.HasTrajectories()) continue;
     charts.push_back({m.name_a + ": from above, SE(2) aligned",
                       "x in m",
                       "y in m",

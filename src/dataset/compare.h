@@ -24,6 +24,10 @@ struct MachineComparison {
   Trajectory a, b;
   TrajectoryError unaligned, aligned_se2, aligned_se3;
   std::vector<ChannelDifference> channels;
+
+  /// False where a side has no poses, as a recording of a parked machine may; then only the
+  /// channels are compared.
+  bool HasTrajectories() const { return !a.empty() && !b.empty(); }
 };
 
 /// Two recordings side by side: `a` is the reference, `b` is judged.
@@ -43,7 +47,7 @@ Comparison Compare(const std::filesystem::path& a, const std::filesystem::path& 
 std::string ComparisonTable(const Comparison& comparison);
 
 /// The trajectories from above and the errors over time as a PNG. Throws InputError without
-/// gnuplot.
+/// gnuplot, and where no machine has trajectories.
 void PlotComparison(const Comparison& comparison, const std::filesystem::path& png);
 
 }  // namespace tera

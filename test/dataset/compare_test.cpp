@@ -77,6 +77,24 @@ TEST(Compare, NeedsAMachineInCommon) {
               ThrowsMessage<InputError>(HasSubstr("need one name in common")));
 }
 
+TEST(Compare, ComparesTheChannelsOfAMachineThatHasNoPoses) {
+  ScratchDirectory scratch;
+  WriteCircle(scratch.path() / "circle", "husky", 0, 0);
+  {
+    DatasetWriter writer(scratch.path() / "parked", SampleInfo(), {});
+    const ChannelId imu = writer.AddImu("husky/imu", "");
+    writer.AddPose("truth/husky/pose.csv", false);
+    for (const TimeNs t_ns : {0, 1'000'000'000}) {
+      writer.Write(imu, ImuSample{t_ns, t_ns, Vec3::Zero(), Vec3(0, 0, 9.8)});
+    }
+    writer.Finish();
+  }
+  const Comparison c = Compare(scratch.path() / "circle", scratch.path() / "parked");
+  EXPECT_FALSE(c.machines.at(0).HasTrajectories());
+  EXPECT_NEAR(Find(c.machines[0], "wz_radps").mean, -1, 1e-12);
+  EXPECT_THAT(ComparisonTable(c), testing::Not(HasSubstr("APE")));
+}
+
 TEST(PlotComparison, DrawsAPictureOfTheStatedSize) {
   ScratchDirectory scratch;
   WriteCircle(scratch.path() / "real", "husky", 0, 0);

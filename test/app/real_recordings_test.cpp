@@ -1,0 +1,86 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/recorded_drive.h"
+#include "dataset/recording.h"
+
+// Whole recordings of the DRIVE data set, which are too large to ship. They lie in
+// TERA_RECORDINGS/drive_warthog, a folder that CMake is told of.
+
+namespace tera {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+namespace fs = std::filesystem;
+
+class RealRecording : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!fs::is_directory(folder_)) {
+      GTEST_SKIP() << "no recordings in " << folder_ << "; configure with -DTERA_RECORDINGS=FOLDER";
+    }
+  }
+
+  void Import(const std::string& name, const std::string& out) {
+    const Outcome outcome = RunTera({"import", TERA_SOURCE_DIR "/config/import/drive_warthog.yaml",
+                                     "--set", "file=" + (folder_ / name).string(), "--out", out},
+                                    {scratch_.path()});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+  }
+
+  const fs::path folder_ = fs::path(TERA_RECORDINGS) / "drive_warthog";
+  const ScratchDirectory scratch_;
+};
+
+TEST_F(RealRecording, AParkedVehicleFeelsGravityAndDoesNotTurn) {
+  Import("parked.csv", "parked");
+  const Recording parked(scratch_.path() / "parked");
+  EXPECT_FALSE(parked.info().simulated);
+  const auto samples = parked.LoadImu("warthog/imu");
+  ASSERT_GT(samples.size(), 10000u);
+  Vec3 rate_radps = Vec3::Zero(), force_mps2 = Vec3::Zero();
+  for (const ImuSample& s : samples) {
+    rate_radps += s.w_WS_S_radps / static_cast<double>(samples.size());
+    force_mps2 += s.f_S_mps2 / static_cast<double>(samples.size());
+  }
+  // A MEMS unit's biases: 0.1 m/s^2 is 10 mg, 0.005 rad/s is 0.3 deg/s.
+  EXPECT_NEAR(force_mps2.norm(), 9.807, 0.1);
+  EXPECT_LT(rate_radps.norm(), 0.005);
+  // There is no pose; the channels are compared all the same.
+  const Outcome compared = RunTera({"compare", "parked", "parked"}, {scratch_.path()});
+  EXPECT_EQ(compared.status, 0) << compared.err;
+  EXPECT_THAT(compared.out, HasSubstr("no plot"));
+}
+
+TEST_F(RealRecording, TheWholeGrassDriveIsImportedWithItsPath) {
+  Import("grass_2024-08-08.csv", "grass");
+  const Recording grass(scratch_.path() / "grass");
+  const auto poses = grass.LoadPose("truth/warthog/pose.csv").poses;
+  ASSERT_GT(poses.size(), 1000u);
+  double fastest_mps = 0;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const Vec3 moved_m = poses[i].X_WB.translation() - poses[i - 1].X_WB.translation();
+    fastest_mps =
+        std::max(fastest_mps, moved_m.norm() / ToSeconds(poses[i].t_ns - poses[i - 1].t_ns));
+  }
+  EXPECT_GT(fastest_mps, 1.0);
+  EXPECT_LT(fastest_mps, 10.0) << "the vehicle's top speed is 5 m/s; a step of the pose is a fault";
+}
+
+TEST_F(RealRecording, DrivingAheadOnGrassIsSimulatedOverTheSameWay) {
+  // 1.55 m/s ahead and -0.4 rad/s, from rest.
+  CutDrive(folder_ / "grass_2024-08-08.csv", 269, 277.5, scratch_.path() / "ahead.csv");
+  ImportAndReplay(scratch_.path() / "ahead.csv", 8.5, scratch_.path());
+  const Outcome compared = RunTera({"compare", "real", "simulated"}, {scratch_.path()});
+  EXPECT_EQ(compared.status, 0) << compared.err;
+  const Comparison c = Compare(scratch_.path() / "real", scratch_.path() / "simulated");
+  const TrajectoryError& e = c.machines.at(0).aligned_se2;
+  EXPECT_GT(e.path_length_a_m, 8.0);
+  EXPECT_NEAR(e.path_length_b_m, e.path_length_a_m, 0.2 * e.path_length_a_m);
+  EXPECT_LT(e.ape_translation_m.rmse, 0.2 * e.path_length_a_m);
+  EXPECT_LT(std::abs(DifferenceOf(c, "wz_radps").mean), 0.4) << "turns the same way";
+}
+
+}  // namespace
+}  // namespace tera
