@@ -41,28 +41,18 @@ CameraIntrinsics ReadIntrinsics(const ConfigMap& config) {
   return c;
 }
 
-void AddDepthNoise(const CameraModel& model, const Stream& noise, std::uint64_t first,
-                   Image<float>* depth_m) {
-  const double scale_1pm = model.disparity_noise_px / (model.intrinsics.fx_px * model.baseline_m);
-  for (std::size_t i = 0; i < depth_m->data.size(); ++i) {
-    float& z_m = depth_m->data[i];
-    if (z_m <= 0) continue;
-    z_m += static_cast<float>(scale_1pm * z_m * z_m * noise.Gaussian(first + i));
-  }
-}
-
 void LimitDepth(const CameraModel& model, Image<float>* depth_m) {
   for (float& z_m : depth_m->data) {
     if (!(z_m >= model.depth_min_m && z_m <= model.depth_max_m)) z_m = 0;
   }
 }
 
-/// Standard normal quantiles of the middles of 2^kBits equal parts of (0, 1), scaled to unit
-/// variance. Beside the rounding to 255 levels the steps do not show, and three values of a pixel
-/// come from one draw.
+/// Standard normal quantiles of the middles of 2^bits equal parts of (0, 1), scaled to unit
+/// variance: a look-up instead of logarithm and cosine for each pixel.
+template <int bits>
 class NormalQuantiles {
  public:
-  static constexpr int kBits = 12;
+  static constexpr int kBits = bits;
 
   NormalQuantiles() {
     double squares = 0;
@@ -85,16 +75,33 @@ class NormalQuantiles {
     return 0.5 * (low + high);
   }
 
-  std::array<float, 1u << kBits> values_;
+  std::array<float, 1u << bits> values_;
 };
 
+/// 2^16 quantiles reach to 4.3 sigma; their steps stay below the millimetre that depth is stored in
+/// wherever noise is drawn often.
+void AddDepthNoise(const CameraModel& model, const Stream& noise, std::uint64_t first,
+                   Image<float>* depth_m) {
+  static const NormalQuantiles<16> normal;
+  constexpr double kDrawBits = 0x1.0p16;
+  const double scale_1pm = model.disparity_noise_px / (model.intrinsics.fx_px * model.baseline_m);
+  for (std::size_t i = 0; i < depth_m->data.size(); ++i) {
+    float& z_m = depth_m->data[i];
+    if (z_m <= 0) continue;
+    const auto draw = static_cast<std::uint64_t>(noise.Uniform(first + i) * kDrawBits);
+    z_m += static_cast<float>(scale_1pm * z_m * z_m) * normal[draw];
+  }
+}
+
+/// Beside the rounding to 255 levels the steps of 2^12 quantiles do not show, and three values of a
+/// pixel come from one draw.
 void AddRgbNoise(double sigma, const Stream& noise, std::uint64_t first, Image<std::uint8_t>* rgb) {
-  static const NormalQuantiles normal;
+  static const NormalQuantiles<12> normal;
   constexpr double kDrawBits = 0x1.0p48;
   const auto gain = static_cast<float>(sigma);
   for (std::size_t pixel = 0; 3 * pixel < rgb->data.size(); ++pixel) {
     auto draw = static_cast<std::uint64_t>(noise.Uniform(first + pixel) * kDrawBits);
-    for (std::size_t c = 0; c < 3; ++c, draw >>= NormalQuantiles::kBits) {
+    for (std::size_t c = 0; c < 3; ++c, draw >>= normal.kBits) {
       std::uint8_t& value = rgb->data[3 * pixel + c];
       const float noisy = static_cast<float>(value) + gain * normal[draw];
       value = static_cast<std::uint8_t>(std::clamp(noisy, 0.0f, kMaxValue) + 0.5f);
