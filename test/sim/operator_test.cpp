@@ -102,16 +102,20 @@ TEST(WaypointDriver, DrivesStraightAtAPointAheadAndStopsThere) {
   cart.state.links[0].X_WB = MakePose(Vec3(1, 2, 0), 0, 0, 90 * kDeg);
   const auto driver =
       Read("{type: waypoints, waypoints: [{xy_m: [1, 12]}], speed_mps: 1, reached_m: 0.3}", cart);
-  EXPECT_NEAR(cart.Levers(driver.get(), 0)[0], 0.5, 1e-9);
-  EXPECT_NEAR(cart.Levers(driver.get(), 0)[1], 0.5, 1e-9);
+  EXPECT_THAT(cart.Levers(driver.get(), 0), ::testing::ElementsAre(0, 0));
+  EXPECT_NEAR(cart.Levers(driver.get(), 0.1)[0], 0.15, 1e-9);  // 1.5 /s: as a hand moves it
+  const auto levers = cart.Levers(driver.get(), 2);
+  EXPECT_NEAR(levers[0], 0.5, 1e-9);
+  EXPECT_NEAR(levers[1], 0.5, 1e-9);
   cart.state.links[0].X_WB.translation() = Vec3(1, 11.8, 0);
-  EXPECT_THAT(cart.Levers(driver.get(), 1), ::testing::ElementsAre(0, 0));
+  EXPECT_THAT(cart.Levers(driver.get(), 4), ::testing::ElementsAre(0, 0));
 }
 
 TEST(WaypointDriver, TurnsLeftOnTheSpotForAPointBehindItsLeft) {
   Cart cart;
   const auto driver = Read("{type: waypoints, waypoints: [{xy_m: [-5, 5]}]}", cart);
-  const auto levers = cart.Levers(driver.get(), 0);
+  cart.Levers(driver.get(), 0);
+  const auto levers = cart.Levers(driver.get(), 2);
   EXPECT_LT(levers[0], 0);
   EXPECT_NEAR(levers[0], -levers[1], 1e-12);
 }
