@@ -51,23 +51,43 @@ Imu::Imu(const ImuModel& model, const Pose& X_BS, const SampleClock& clock, Time
 void Imu::Advance(TimeNs t0_ns, const BodyState& begin, TimeNs t1_ns, const BodyState& end,
                   const Vec3& gravity_W_mps2, std::vector<ImuSample>* samples) {
   TERA_CHECK(t1_ns > t0_ns, t0_ns, t1_ns);
-  TERA_CHECK(consumed_until_ns_.value_or(t0_ns) == t0_ns, *consumed_until_ns_, t0_ns);
-  consumed_until_ns_ = t1_ns;
-  const BodyState S0 = MotionOfFixedFrame(begin, X_BS_), S1 = MotionOfFixedFrame(end, X_BS_);
-  const double dt_s = ToSeconds(t1_ns - t0_ns);
-  const Eigen::AngleAxisd turn_S(Mat3(S0.X_WB.linear().transpose() * S1.X_WB.linear()));
+  const BodyState S0 = MotionOfFixedFrame(begin, X_BS_);
+  const Pose X_WS1 = end.X_WB * X_BS_;
+  const Vec3 chord_mps = (X_WS1.translation() - S0.X_WB.translation()) / ToSeconds(t1_ns - t0_ns);
+  const Span now{t0_ns, t1_ns, S0.X_WB.linear(), X_WS1.linear(), chord_mps, gravity_W_mps2};
+  if (last_) {
+    TERA_CHECK(last_->t1_ns == t0_ns, last_->t1_ns, t0_ns);
+    // Each chord is the velocity in the middle of its step; between them, linear.
+    const double s = last_->duration_s() / (last_->duration_s() + now.duration_s());
+    Integrate((1 - s) * last_->chord_mps + s * chord_mps, samples);
+  } else {
+    v_WS_mps_ = S0.v_WB_mps;
+  }
+  last_ = now;
+}
+
+void Imu::Finish(std::vector<ImuSample>* samples) {
+  if (last_) Integrate(2 * last_->chord_mps - v_WS_mps_, samples);
+  last_.reset();
+}
+
+void Imu::Integrate(const Vec3& v_WS_mps, std::vector<ImuSample>* samples) {
+  const Span& span = *last_;
+  const double dt_s = span.duration_s();
+  const Eigen::AngleAxisd turn_S(Mat3(span.R_WS0.transpose() * span.R_WS1));
   const Vec3 w_S_radps = turn_S.angle() / dt_s * turn_S.axis();
-  const Vec3 f_W_mps2 = (S1.v_WB_mps - S0.v_WB_mps) / dt_s - gravity_W_mps2;
-  TimeNs from_ns = std::max(t0_ns, clock_.start_ns);
-  while (from_ns < t1_ns) {
+  const Vec3 f_W_mps2 = (v_WS_mps - v_WS_mps_) / dt_s - span.gravity_W_mps2;
+  v_WS_mps_ = v_WS_mps;
+  TimeNs from_ns = std::max(span.t0_ns, clock_.start_ns);
+  while (from_ns < span.t1_ns) {
     const TimeNs due_ns = clock_.Due(next_);
-    const TimeNs to_ns = std::min(due_ns, t1_ns);
-    const double middle_s = 0.5 * (ToSeconds(from_ns - t0_ns) + ToSeconds(to_ns - t0_ns));
+    const TimeNs to_ns = std::min(due_ns, span.t1_ns);
+    const double middle_s = 0.5 * (ToSeconds(from_ns - span.t0_ns) + ToSeconds(to_ns - span.t0_ns));
     const Eigen::AngleAxisd to_middle_S(turn_S.angle() * middle_s / dt_s, turn_S.axis());
-    const Mat3 R_WS = S0.X_WB.linear() * to_middle_S;
-    const double span_s = ToSeconds(to_ns - from_ns);
-    rate_integral_rad_ += span_s * w_S_radps;
-    force_integral_mps_ += span_s * (R_WS.transpose() * f_W_mps2);
+    const Mat3 R_WS = span.R_WS0 * to_middle_S;
+    const double part_s = ToSeconds(to_ns - from_ns);
+    rate_integral_rad_ += part_s * w_S_radps;
+    force_integral_mps_ += part_s * (R_WS.transpose() * f_W_mps2);
     if (to_ns == due_ns) samples->push_back(CloseInterval());
     from_ns = to_ns;
   }

@@ -28,11 +28,12 @@ ImuModel ReadImuModel(const ConfigMap& config);
 /// Three gyroscopes and three accelerometers fixed to a body.
 ///
 /// Frames  W world, B body, S sensor at X_BS.
-/// Model   over one step, the turn of the pose and the change of velocity of S, both whole:
-///         w_S = log(R_0^T R_1) / dt, f_S = R_SW ((v_1 - v_0) / dt - g_W). Each sample is the mean
-///         over its own interval (t - T, t], as of a strapdown unit that integrates internally, so
-///         that its sums are the truth's turns and velocities; then white noise sigma / sqrt(T) and
-///         a bias random walk. Sample k >= 1 is due at clock.Due(k).
+/// Model   the motion of the poses of S alone, so that what a unit measures is what a camera beside
+///         it sees: over a step w_S = log(R_0^T R_1) / dt, f_S = R_SW ((v_1 - v_0) / dt - g_W),
+///         with v between two steps the mean of their chords (central difference). Each sample is
+///         the mean over its own interval (t - T, t], as of a strapdown unit that integrates
+///         internally; then white noise sigma / sqrt(T) and a bias random walk. Sample k >= 1 is
+///         due at clock.Due(k).
 /// Omits   scale, cross-axis, g-sensitivity, temperature, saturation, quantisation, vibration.
 /// Source  IEEE Std 952-1997 (noise terms); Titterton and Weston 2004, ch. 11 (integration).
 class Imu {
@@ -41,12 +42,25 @@ class Imu {
   Imu(const ImuModel& model, const Pose& X_BS, const SampleClock& clock, TimeNs latency_ns,
       std::uint64_t seed, const std::string& stream_name);
 
-  /// Consumes the step from `begin` at t0 to `end` at t1 (poses and velocities of body B) and
-  /// appends the samples that fall due in (t0, t1]. Steps follow each other without a gap.
+  /// Consumes the step from `begin` at t0 to `end` at t1 (motion of body B) and appends the samples
+  /// that fell due in the step before, whose end velocity is known only now. Steps follow each
+  /// other without a gap.
   void Advance(TimeNs t0_ns, const BodyState& begin, TimeNs t1_ns, const BodyState& end,
                const Vec3& gravity_W_mps2, std::vector<ImuSample>* samples);
+  /// Appends the samples of the last step, which takes its end velocity from its own acceleration.
+  void Finish(std::vector<ImuSample>* samples);
 
  private:
+  struct Span {
+    TimeNs t0_ns, t1_ns;
+    Mat3 R_WS0, R_WS1;
+    Vec3 chord_mps;  ///< mean velocity of S
+    Vec3 gravity_W_mps2;
+    double duration_s() const { return ToSeconds(t1_ns - t0_ns); }
+  };
+
+  /// Integrates `last_`, at whose end S has the velocity `v_WS_mps`.
+  void Integrate(const Vec3& v_WS_mps, std::vector<ImuSample>* samples);
   /// The mean over the interval that ends at Due(next_), with its noise.
   ImuSample CloseInterval();
 
@@ -58,7 +72,8 @@ class Imu {
   Vec3 gyro_bias_radps_, accel_bias_mps2_;
   Vec3 rate_integral_rad_ = Vec3::Zero(), force_integral_mps_ = Vec3::Zero();
   std::int64_t next_ = 1;
-  std::optional<TimeNs> consumed_until_ns_;
+  std::optional<Span> last_;
+  Vec3 v_WS_mps_ = Vec3::Zero();  ///< at the start of `last_`
 };
 
 }  // namespace tera

@@ -125,6 +125,7 @@ void Run(Scenario& scenario, const SceneAssembly& assembly, const GenerateOption
     }
   }
   scenario.soil->WriteGeoTiff(writer->PathFor("truth/terrain/height_end.tif"), scenario.origin);
+  rig.Finish();
   writer->Finish();
   report->simulated_s = scenario.duration_s;
   report->physics_s = simulation.physics_wall_s();

@@ -125,6 +125,15 @@ void Rig::SampleImus(const WorldState& before, const WorldState& after) {
   }
 }
 
+void Rig::Finish() {
+  std::vector<ImuSample> samples;
+  for (ImuUnit& unit : imus_) {
+    samples.clear();
+    unit.imu.Finish(&samples);
+    for (const ImuSample& sample : samples) writer_->Write(unit.channel, sample);
+  }
+}
+
 void Rig::SampleGnss(const WorldState& before, const WorldState& after) {
   for (GnssUnit& unit : gnss_) {
     for (; unit.clock.Due(unit.next) <= after.t_ns; ++unit.next) {

@@ -36,6 +36,8 @@ class Rig {
   void SampleStart(const Simulation& simulation);
   /// Samples everything that falls due in (simulation.previous, simulation.state].
   void Sample(const Simulation& simulation);
+  /// Writes the inertial samples that the last step left open.
+  void Finish();
 
   double camera_wall_s() const { return camera_wall_s_; }
   double lidar_wall_s() const { return lidar_wall_s_; }

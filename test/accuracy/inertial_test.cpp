@@ -109,7 +109,7 @@ TEST(InertialData, IntegratedFromTheTrueStartStaysWithinACentimetreForTenSeconds
         "{:12} travelled {:6.2f} m, position within {:.2f} mm, attitude within {:.2f} mrad\n", imu,
         drift.travelled_m, 1e3 * drift.position_m, 1e3 * drift.attitude_rad);
     EXPECT_LT(drift.position_m, 0.01) << imu;
-    EXPECT_LT(drift.attitude_rad, 0.002) << imu;
+    EXPECT_LT(drift.attitude_rad, 1e-4) << imu;
     // Something was measured: without the machine's motion the test would be empty.
     EXPECT_GT(drift.travelled_m, imu == "imu_chassis" ? 0.2 : 5.0) << imu;
   }

@@ -122,6 +122,7 @@ TEST(ImportRig, TheNoiseIsApplied) {
   BodyState body;
   std::vector<ImuSample> samples;
   imu.Advance(0, body, s.clock.Due(10000), body, Vec3(0, 0, -9.81), &samples);
+  imu.Finish(&samples);
   ASSERT_EQ(samples.size(), 10000u);
   const Vec3 at_rest = s.X_BS.linear().transpose() * Vec3(0, 0, 9.81);
   Vec3 gyro = Vec3::Zero(), gyro2 = Vec3::Zero(), accel = Vec3::Zero(), accel2 = Vec3::Zero();

@@ -29,6 +29,7 @@ std::vector<ImuSample> RestSamples(const ImuModel& model, double rate_hz, double
   for (TimeNs t = 0; t < end_ns; t += kStep_ns) {
     imu.Advance(t, body, t + kStep_ns, body, kGravity_W_mps2, &samples);
   }
+  imu.Finish(&samples);
   return samples;
 }
 
@@ -48,6 +49,7 @@ TEST(Imu, MountedNoseUpItReadsGravityAlongX) {
   const BodyState body = AtRest(MakePose({5, 5, 5}, 0, 0, 0.7));
   std::vector<ImuSample> samples;
   imu.Advance(0, body, 10'000'000, body, kGravity_W_mps2, &samples);
+  imu.Finish(&samples);
   ASSERT_EQ(samples.size(), 1u);
   EXPECT_NEAR((samples[0].f_S_mps2 - Vec3(9.80665, 0, 0)).norm(), 0, 1e-12);
   EXPECT_EQ(samples[0].t_available_ns, 10'000'007);
@@ -58,17 +60,22 @@ TEST(Imu, TheLeverArmAddsCentripetalAndTangentialAcceleration) {
   // ahead of the axis and looks to the body's left: the centripetal 6 m/s^2 point back to the axis,
   // its left; the tangential 4.5 m/s^2 to the body's left, its front.
   Imu imu({}, MakePose({1.5, 0, 0.4}, 0, 0, 90 * kDeg), {.rate_hz = 1000}, 0, 1, "imu");
-  const double half_s = 0.0005, bow_rad = 0.5 * 3 * half_s * half_s;
-  BodyState begin = AtRest(MakePose({10, -4, 2}, 0, 0, 1.1 - 2 * half_s + bow_rad));
-  begin.w_WB_radps = Vec3(0, 0, 2 - half_s * 3);
-  BodyState end = AtRest(MakePose({10, -4, 2}, 0, 0, 1.1 + 2 * half_s + bow_rad));
-  end.w_WB_radps = Vec3(0, 0, 2 + half_s * 3);
+  // The sample in the middle of three is the one of the curve's own instant.
+  const auto at = [](double t_s) {
+    BodyState body = AtRest(MakePose({10, -4, 2}, 0, 0, 1.1 + 2 * t_s + 1.5 * t_s * t_s));
+    body.w_WB_radps = Vec3(0, 0, 2 + 3 * t_s);
+    return body;
+  };
   std::vector<ImuSample> samples;
-  imu.Advance(0, begin, 1'000'000, end, kGravity_W_mps2, &samples);
+  for (int k = 0; k < 3; ++k) {
+    imu.Advance(k * 1'000'000, at(1e-3 * k - 0.0015), (k + 1) * 1'000'000, at(1e-3 * k - 0.0005),
+                kGravity_W_mps2, &samples);
+  }
+  samples.erase(samples.begin());
   ASSERT_EQ(samples.size(), 1u);
   EXPECT_NEAR((samples[0].w_WS_S_radps - Vec3(0, 0, 2)).norm(), 0, 1e-12);
-  // A chord of 2 mrad is shorter than its arc by 2e-3^2 / 24.
-  EXPECT_NEAR((samples[0].f_S_mps2 - Vec3(4.5, 6, 9.80665)).norm(), 0, 1e-5);
+  // Chords for arcs: an error of the second order in the 2 mrad of a step, 4e-6 of 6 m/s^2.
+  EXPECT_NEAR((samples[0].f_S_mps2 - Vec3(4.5, 6, 9.80665)).norm(), 0, 5e-5);
 }
 
 TEST(Imu, RatesAddUpToTheTurnOfThePoseWhateverTheVelocitySays) {
@@ -89,6 +96,7 @@ TEST(Imu, RatesAddUpToTheTurnOfThePoseWhateverTheVelocitySays) {
     imu.Advance(k * kStep_ns, body, (k + 1) * kStep_ns, next, kGravity_W_mps2, &samples);
     body = next;
   }
+  imu.Finish(&samples);
   ASSERT_EQ(samples.size(), 200u);
   for (const ImuSample& s : samples) {
     const Vec3 turn = 0.005 * s.w_WS_S_radps;
@@ -103,16 +111,19 @@ TEST(Imu, RatesAddUpToTheTurnOfThePoseWhateverTheVelocitySays) {
 TEST(Imu, RatesThatDoNotDivideTheStepAverageExactly) {
   // Acceleration 1, 2, 3, ... m/s^2 over steps of 2 ms, sampled at 300 Hz: the samples' integral
   // over whole intervals is that of the steps. Sample 3 ends at 10 ms with steps 1..5: its
-  // predecessors and it add up to 15 * 2 ms.
+  // predecessors and it add up to 15 * 2 ms. The means of neighbouring chords are the velocities
+  // 2, 6, 12 and 20 mm/s that these accelerations give.
+  constexpr double chords_mps[] = {0.001, 0.003, 0.009, 0.015, 0.025};
   Imu imu({}, MakePose({0, 0, 0}), {.rate_hz = 300}, 0, 1, "imu");
   std::vector<ImuSample> samples;
   BodyState body;
   for (int k = 0; k < 5; ++k) {
     BodyState end = body;
-    end.v_WB_mps.x() += (k + 1) * 0.002;
+    end.X_WB.translation().x() += 0.002 * chords_mps[k];
     imu.Advance(k * kStep_ns, body, (k + 1) * kStep_ns, end, kGravity_W_mps2, &samples);
     body = end;
   }
+  imu.Finish(&samples);
   ASSERT_EQ(samples.size(), 3u);
   EXPECT_EQ(samples[0].t_ns, 3'333'333);
   double speed_mps = 0;
@@ -127,11 +138,14 @@ TEST(Imu, RatesThatDoNotDivideTheStepAverageExactly) {
 
 TEST(Imu, IntervalsBeforeTheClocksStartAreLeftOut) {
   Imu imu({}, Pose::Identity(), {.rate_hz = 100, .start_ns = 3'000'000}, 0, 1, "imu");
-  BodyState still, pushed;
-  pushed.v_WB_mps = Vec3(0.012, 0, 0);  // after 12 ms
+  // 1 m/s^2 from rest.
+  BodyState still, at_3_ms, at_15_ms;
+  at_3_ms.X_WB.translation().x() = 0.5 * 0.003 * 0.003;
+  at_15_ms.X_WB.translation().x() = 0.5 * 0.015 * 0.015;
   std::vector<ImuSample> samples;
-  imu.Advance(0, still, 3'000'000, still, kGravity_W_mps2, &samples);
-  imu.Advance(3'000'000, still, 15'000'000, pushed, kGravity_W_mps2, &samples);
+  imu.Advance(0, still, 3'000'000, at_3_ms, kGravity_W_mps2, &samples);
+  imu.Advance(3'000'000, at_3_ms, 15'000'000, at_15_ms, kGravity_W_mps2, &samples);
+  imu.Finish(&samples);
   ASSERT_EQ(samples.size(), 1u);
   EXPECT_EQ(samples[0].t_ns, 13'000'000);
   EXPECT_NEAR(samples[0].f_S_mps2.x(), 1, 1e-12);
@@ -176,6 +190,7 @@ TEST(Imu, IntegratedSamplesReproduceTheTrajectoryWithinOneCentimetre) {
     imu.Advance(k * kStep_ns, body, (k + 1) * kStep_ns, next, kGravity_W_mps2, &samples);
     body = next;
   }
+  imu.Finish(&samples);
   ASSERT_EQ(samples.size(), 2000u);
 
   Pose X_WS = start_S.X_WB;
