@@ -119,6 +119,9 @@ std::string Shown(const YAML::Node& node) {
 std::string Need(const Range& range) {
   const std::string unit = range.unit.empty() || range.unit == "1" ? "" : " " + range.unit;
   const bool has_min = std::isfinite(range.min), has_max = std::isfinite(range.max);
+  if (has_min && has_max && range.min_excluded) {
+    return fmt::format("more than {0}{2}, at most {1}{2}", range.min, range.max, unit);
+  }
   if (has_min && has_max) return fmt::format("{} to {}{}", range.min, range.max, unit);
   if (has_min) {
     return fmt::format("{} {}{}", range.min_excluded ? "more than" : "at least", range.min, unit);

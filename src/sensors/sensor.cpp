@@ -10,6 +10,9 @@
 namespace tera {
 namespace {
 
+/// Beyond what any sensor of these kinds puts out, and far from a period of less than a nanosecond.
+constexpr double kFastest_hz = 1e5;
+
 constexpr std::string_view kTypes[] = {"imu", "gnss", "camera", "lidar", "encoder"};
 constexpr double kMicroG_mps2 = 1e-6 * kStandardGravity_mps2;
 
@@ -123,7 +126,8 @@ SensorDescription ReadSensor(const ConfigMap& config) {
     s.link = config.Text("link");
     s.X_BS = config.PoseXyzRpy();
   }
-  s.clock.rate_hz = config.Number("rate_hz", Positive("Hz"));
+  s.clock.rate_hz =
+      config.Number("rate_hz", {.min = 0, .max = kFastest_hz, .min_excluded = true, .unit = "Hz"});
   s.latency_ns = FromSeconds(config.Number("latency_s", AtLeast(0, "s"), 0));
   if (type == "imu") {
     s.model = ReadImuModel(config);

@@ -13,6 +13,9 @@
 namespace tera {
 namespace {
 
+/// A month; a longer run is a mistyped one.
+constexpr double kLongest_s = 31 * 86400.0;
+
 /// Height and tilt of the ground under a rectangle of half extents `half_m` about `xy`.
 Pose RestingPose(const TerrainSurface& ground, const Vec2& xy_m, double yaw_rad,
                  const Vec2& half_m) {
@@ -197,7 +200,8 @@ Scenario ReadScenario(const ConfigMap& config) {
   Scenario scenario;
   scenario.name = config.Text("name");
   scenario.seed = static_cast<std::uint64_t>(config.Integer("seed", Between(0, 9e15, ""), 1));
-  scenario.duration_s = config.Number("duration_s", Positive("s"));
+  scenario.duration_s =
+      config.Number("duration_s", {.min = 0, .max = kLongest_s, .min_excluded = true, .unit = "s"});
   scenario.physics_rate_hz = config.Number("physics_rate_hz", Between(100, 5000, "Hz"), 500);
   scenario.settle_s = config.Number("settle_s", Between(0, 60, "s"), 1.5);
   scenario.soil = Soil::Read(config.Map("terrain"), scenario.seed);

@@ -125,6 +125,15 @@ TEST(BadInput, ASensorThatNeverMeasuresIsRefused) {
                                                   "range, need more than 0 Hz"));
 }
 
+TEST(BadInput, NumbersThatOnlyASlipOfTheFingerGivesAreRefused) {
+  const std::string fast = Edited(SmallScenario(), "rate_hz: 100", "rate_hz: 1e10");
+  ExpectScenarioRefused(
+      fast, StartsWith(At(fast, "1e10") + "machines[0].rig.sensors[0].rate_hz: 1e10 is out of "
+                                          "range, need more than 0 Hz, at most 100000 Hz"));
+  const std::string endless = Edited(SmallScenario(), "duration_s: 0.4", "duration_s: 1e300");
+  ExpectScenarioRefused(endless, StartsWith(At(endless, "1e300") + "duration_s: 1e300 is out of"));
+}
+
 TEST(BadInput, ANegativeMassInTheMachineFileIsRefusedThere) {
   const ScratchDirectory scratch;
   const std::string machine =
