@@ -55,7 +55,7 @@ do for [k=2:3] {
   set arrow k from t, graph 0 to t, graph 1 nohead dt 2 lc rgb '#888888'
 }
 do for [k=1:3] {
-  set label k word(soils, k) at 10 * k - 9.5, graph 0.9
+  set label k word(soils, k) at 10 * k - 7, graph 0.5
 }
 set ylabel 'speed, m/s'
 plot both using (seconds(0)):(shoes(0)) with lines lc rgb '#d9541e' title 'shoes', \
@@ -66,6 +66,7 @@ set yrange [-4:4]
 plot imu using (seconds(0)):(column("ax_mps2")) with lines lc rgb '#1f5fa8' title 'IMU, forward'
 set yrange [*:*]
 set ylabel 'sinkage, cm'
+set yrange [0:10]
 plot both using (seconds(0)):(sinkage_cm(0)) with lines lc rgb '#1f5fa8' title 'deepest patch, mean of both tracks'
 set ylabel 'torque, N m'
 set yrange [-500:1500]
