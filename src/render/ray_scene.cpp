@@ -1,6 +1,5 @@
 #include "render/ray_scene.h"
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,12 +11,12 @@
 
 #include "core/check.h"
 #include "core/error.h"
+#include "render/embree_objects.h"
+#include "render/ray_terrain.h"
 
 namespace tera {
 namespace {
 
-/// Share of its dry reflectance that a saturated soil keeps.
-constexpr double kSaturatedReflectance = 0.5;
 /// Turn of a body between two motion keys above which keys are added: the chord between keys then
 /// stays within r * 0.01^2 / 8 of the arc, 0.05 mm at r = 4 m.
 constexpr double kKeyTurn_rad = 0.01;
@@ -32,30 +31,6 @@ void FailOnEmbreeError(void*, RTCError code, const char* text) {
   throw InternalError(fmt::format("Embree error {}: {}", static_cast<int>(code), text));
 }
 
-/// Owns one reference to an Embree object.
-template <typename Handle, void (*Release)(Handle)>
-class Owned {
- public:
-  Owned() = default;
-  explicit Owned(Handle handle) : handle_(handle) {}
-  Owned(Owned&& other) noexcept : handle_(std::exchange(other.handle_, nullptr)) {}
-  Owned& operator=(Owned&& other) noexcept {
-    std::swap(handle_, other.handle_);
-    return *this;
-  }
-  ~Owned() {
-    if (handle_ != nullptr) Release(handle_);
-  }
-  Handle get() const { return handle_; }
-
- private:
-  Handle handle_ = nullptr;
-};
-
-using Device = Owned<RTCDevice, rtcReleaseDevice>;
-using Scene = Owned<RTCScene, rtcReleaseScene>;
-using Geometry = Owned<RTCGeometry, rtcReleaseGeometry>;
-
 double ReflectanceOf(const Material& material) {
   return material.lidar_reflectance >= 0 ? material.lidar_reflectance : material.albedo.mean();
 }
@@ -65,7 +40,7 @@ struct BodyShape {
   std::vector<int> meshes;  ///< of each node, with X_BG and scale: what makes shapes alike
   std::vector<Pose> X_BG;
   std::vector<double> scale;
-  Scene scene;
+  EmbreeScene scene;
   struct Part {
     int node;  ///< place in the body's list of nodes
     float reflectance;
@@ -83,7 +58,7 @@ struct BodyShape {
 
 void AttachPart(RTCDevice device, const MeshPart& part, const Pose& X_BG, double scale,
                 RTCScene scene) {
-  const Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
+  const EmbreeGeometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
   auto* vertices = static_cast<float*>(
       rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                               3 * sizeof(float), part.positions_m.size()));
@@ -150,47 +125,30 @@ struct RayScene::Impl {
   struct Body {
     int shape = -1;
     std::vector<int> nodes;  ///< of the model
-    Geometry geometry;
+    EmbreeGeometry geometry;
     std::vector<Pose> keys;
     float scale = -1;
   };
-  struct Tile {
-    Geometry geometry;
-    std::uint32_t version = 0;
-    std::vector<float> reflectance;  ///< of each square
-  };
-  /// What a geometry id of the top scene is: a body, or (negative body) a tile.
-  struct Slot {
-    int body = -1;
-    int tile = -1;
-  };
-
   explicit Impl(const SceneModel& scene_model);
   void UpdateBody(std::size_t index, std::vector<Pose> keys, float scale);
-  void UpdateTerrain(const TerrainSurface& terrain);
-  void RebuildTile(const TerrainSurface& terrain, int index, int a, int b);
   /// Rays that start and point alike, at most kPacket of them, traced together.
   void TracePacket(std::span<const Ray> rays, RTCIntersectContext* context, RayHit* hits) const;
   void Describe(const Ray& ray, const RTCHit& found, RayHit* hit) const;
 
   const SceneModel model;
-  Device device;
-  Scene scene;
+  EmbreeDevice device;
+  EmbreeScene scene;
   std::vector<BodyShape> shapes;
   std::vector<Body> bodies;
-  std::vector<Tile> tiles;
-  std::vector<Slot> slots;
-  int nx = 0, ny = 0;
-  double cell_m = 0;
-  Vec2 origin_W_m = Vec2::Zero();
-  std::int64_t tiles_rebuilt = 0;
+  std::vector<int> body_of;  ///< by geometry id of the whole scene, for those that are instances
+  std::unique_ptr<RayTerrain> ground;
 };
 
 RayScene::Impl::Impl(const SceneModel& scene_model)
     : model(scene_model), device(rtcNewDevice("threads=1")) {
   TERA_CHECK(device.get() != nullptr);
   rtcSetDeviceErrorFunction(device.get(), FailOnEmbreeError, nullptr);
-  scene = Scene(rtcNewScene(device.get()));
+  scene = EmbreeScene(rtcNewScene(device.get()));
   // Low quality is Embree's two-level build: a tree for each tile, kept while the tile does not
   // change. Rays are as fast as in one tree over everything, and an update takes far less time.
   rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_LOW);
@@ -212,7 +170,7 @@ RayScene::Impl::Impl(const SceneModel& scene_model)
                                    [&](const BodyShape& s) { return s.Alike(shape); });
     body.shape = static_cast<int>(same - shapes.begin());
     if (same != shapes.end()) continue;
-    shape.scene = Scene(rtcNewScene(device.get()));
+    shape.scene = EmbreeScene(rtcNewScene(device.get()));
     rtcSetSceneFlags(shape.scene.get(), RTC_SCENE_FLAG_ROBUST);
     for (std::size_t i = 0; i < shape.meshes.size(); ++i) {
       for (const MeshPart& part : model.meshes.at(shape.meshes[i]).parts) {
@@ -228,14 +186,15 @@ RayScene::Impl::Impl(const SceneModel& scene_model)
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     Body& body = bodies[b];
     if (body.nodes.empty() || shapes[body.shape].parts.empty()) continue;
-    body.geometry = Geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+    body.geometry = EmbreeGeometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
     rtcSetGeometryInstancedScene(body.geometry.get(), shapes[body.shape].scene.get());
     rtcDisableGeometry(body.geometry.get());
     rtcCommitGeometry(body.geometry.get());
     const unsigned id = rtcAttachGeometry(scene.get(), body.geometry.get());
-    slots.resize(std::max<std::size_t>(slots.size(), id + 1));
-    slots[id].body = static_cast<int>(b);
+    body_of.resize(std::max<std::size_t>(body_of.size(), id + 1), -1);
+    body_of[id] = static_cast<int>(b);
   }
+  ground = std::make_unique<RayTerrain>(device.get(), scene.get(), model.soils);
   rtcCommitScene(scene.get());
 }
 
@@ -263,86 +222,6 @@ void RayScene::Impl::UpdateBody(std::size_t index, std::vector<Pose> keys, float
                             X_WB.data());
   }
   rtcCommitGeometry(geometry);
-}
-
-void RayScene::Impl::RebuildTile(const TerrainSurface& terrain, int index, int a, int b) {
-  Tile& tile = tiles[index];
-  const int i0 = a * TerrainSurface::kTileCells, j0 = b * TerrainSurface::kTileCells;
-  const int squares_x = std::min(TerrainSurface::kTileCells, terrain.nx - 1 - i0);
-  const int squares_y = std::min(TerrainSurface::kTileCells, terrain.ny - 1 - j0);
-  const int row = squares_x + 1;
-  RTCGeometry geometry = tile.geometry.get();
-  const bool first = geometry == nullptr;
-  if (first) {
-    tile.geometry = Geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_QUAD));
-    geometry = tile.geometry.get();
-    auto* quads = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4, 4 * sizeof(std::uint32_t),
-        static_cast<std::size_t>(squares_x) * squares_y));
-    for (int j = 0; j < squares_y; ++j) {
-      for (int i = 0; i < squares_x; ++i) {
-        // Embree splits a quad along its second and fourth corner: (i, j) and (i+1, j+1).
-        const std::uint32_t v00 = static_cast<std::uint32_t>(j * row + i);
-        const std::uint32_t corners[4] = {v00 + 1, v00 + 1 + row, v00 + row, v00};
-        quads = std::copy_n(corners, 4, quads);
-      }
-    }
-    rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                            3 * sizeof(float), static_cast<std::size_t>(row) * (squares_y + 1));
-    tile.reflectance.resize(static_cast<std::size_t>(squares_x) * squares_y);
-  }
-  auto* vertex = static_cast<float*>(rtcGetGeometryBufferData(geometry, RTC_BUFFER_TYPE_VERTEX, 0));
-  for (int j = 0; j <= squares_y; ++j) {
-    for (int i = 0; i <= squares_x; ++i) {
-      *vertex++ = static_cast<float>(terrain.origin_W_m.x() + terrain.cell_m * (i0 + i));
-      *vertex++ = static_cast<float>(terrain.origin_W_m.y() + terrain.cell_m * (j0 + j));
-      *vertex++ = terrain.height_m[terrain.index(i0 + i, j0 + j)];
-    }
-  }
-  for (int j = 0; j < squares_y; ++j) {
-    for (int i = 0; i < squares_x; ++i) {
-      const std::size_t v = terrain.index(i0 + i, j0 + j);
-      const double dry = model.soils.at(terrain.soil[v]).albedo.mean();
-      const double saturation = terrain.moisture[v] / 255.0;
-      tile.reflectance[static_cast<std::size_t>(j) * squares_x + i] =
-          static_cast<float>(dry * (1.0 - (1.0 - kSaturatedReflectance) * saturation));
-    }
-  }
-  rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
-  rtcCommitGeometry(geometry);
-  if (first) {
-    const unsigned id = rtcAttachGeometry(scene.get(), geometry);
-    slots.resize(std::max<std::size_t>(slots.size(), id + 1));
-    slots[id] = {-1, index};
-  }
-  tile.version = terrain.tile_version[index];
-  ++tiles_rebuilt;
-}
-
-void RayScene::Impl::UpdateTerrain(const TerrainSurface& terrain) {
-  if (terrain.nx != nx || terrain.ny != ny || terrain.cell_m != cell_m ||
-      terrain.origin_W_m != origin_W_m) {
-    for (unsigned id = 0; id < slots.size(); ++id) {
-      if (slots[id].tile >= 0) rtcDetachGeometry(scene.get(), id);
-      if (slots[id].tile >= 0) slots[id] = {};
-    }
-    tiles.clear();
-    nx = terrain.nx;
-    ny = terrain.ny;
-    cell_m = terrain.cell_m;
-    origin_W_m = terrain.origin_W_m;
-  }
-  if (nx < 2 || ny < 2) return;
-  tiles.resize(static_cast<std::size_t>(terrain.tiles_x()) * terrain.tiles_y());
-  TERA_CHECK(terrain.tile_version.size() == tiles.size(), terrain.tile_version.size());
-  for (int b = 0; b < terrain.tiles_y(); ++b) {
-    for (int a = 0; a < terrain.tiles_x(); ++a) {
-      const int index = b * terrain.tiles_x() + a;
-      const bool built = tiles[index].geometry.get() != nullptr;
-      if (built && tiles[index].version == terrain.tile_version[index]) continue;
-      RebuildTile(terrain, index, a, b);
-    }
-  }
 }
 
 void RayScene::Impl::TracePacket(std::span<const Ray> rays, RTCIntersectContext* context,
@@ -383,11 +262,11 @@ void RayScene::Impl::TracePacket(std::span<const Ray> rays, RTCIntersectContext*
 void RayScene::Impl::Describe(const Ray& ray, const RTCHit& found, RayHit* hit) const {
   Eigen::Vector3f normal(found.Ng_x, found.Ng_y, found.Ng_z);
   if (found.instID[0] == RTC_INVALID_GEOMETRY_ID) {
-    hit->reflectance = tiles[slots[found.geomID].tile].reflectance[found.primID];
+    hit->reflectance = ground->ReflectanceAt(found.geomID, found.primID);
     hit->label = SemanticClass::kTerrain;
     hit->instance = 0;
   } else {
-    const Body& body = bodies[slots[found.instID[0]].body];
+    const Body& body = bodies[body_of[found.instID[0]]];
     const BodyShape::Part& part = shapes[body.shape].parts[found.geomID];
     const SceneNode& node = model.nodes[body.nodes[part.node]];
     Eigen::Matrix<float, 3, 4> X_WB;
@@ -414,7 +293,7 @@ void RayScene::Update(const std::vector<std::vector<Pose>>& poses, const Terrain
   for (std::size_t b = 0; b < impl_->bodies.size(); ++b) {
     impl_->UpdateBody(b, MotionKeys(poses, b), body_scale[b]);
   }
-  impl_->UpdateTerrain(terrain);
+  impl_->ground->Update(terrain);
   rtcCommitScene(impl_->scene.get());
 }
 
@@ -454,14 +333,16 @@ void RayScene::TraceBare(std::span<const Ray> rays, std::span<float> range_m) co
   }
 }
 
-std::int64_t RayScene::tiles_rebuilt() const { return impl_->tiles_rebuilt; }
+std::int64_t RayScene::tiles_rebuilt() const { return impl_->ground->tiles_rebuilt(); }
 
 std::string EmbreeVersion() {
   RTCDevice device = rtcNewDevice(nullptr);
-  const auto part = [&](RTCDeviceProperty property) { return rtcGetDeviceProperty(device, property); };
-  const std::string version = fmt::format("{}.{}.{}", part(RTC_DEVICE_PROPERTY_VERSION_MAJOR),
-                                          part(RTC_DEVICE_PROPERTY_VERSION_MINOR),
-                                          part(RTC_DEVICE_PROPERTY_VERSION_PATCH));
+  const auto part = [&](RTCDeviceProperty property) {
+    return rtcGetDeviceProperty(device, property);
+  };
+  const std::string version =
+      fmt::format("{}.{}.{}", part(RTC_DEVICE_PROPERTY_VERSION_MAJOR),
+                  part(RTC_DEVICE_PROPERTY_VERSION_MINOR), part(RTC_DEVICE_PROPERTY_VERSION_PATCH));
   rtcReleaseDevice(device);
   return version;
 }

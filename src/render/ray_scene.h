@@ -34,10 +34,10 @@ struct RayHit {
 ///         the scene as it was at its own instant (straight lines between keys, as many keys as
 ///         keep what is 4 m from a body's origin within 0.05 mm of its arc); the terrain is one
 ///         geometry per tile, of which only tiles with a new version are rebuilt, and stands still
-///         within an interval.
-/// Omits   transparency: glass is opaque with its own reflectance unless its opacity is 0. The land
-///         beyond the site's border, a backdrop of pictures: rays that leave the site hit nothing
-///         there. Ripples of the terrain finer than its cells.
+///         within an interval; the land around the site is that of the pictures.
+/// Omits   transparency: glass is opaque with its own reflectance unless its opacity is 0. Ripples
+/// of the
+///         terrain finer than its cells.
 /// Source  soil darkening with moisture: a saturated soil reflects about half as much as a dry one
 ///         in the near infrared (after Lobell and Asner 2002), linear in saturation between.
 class RayScene {

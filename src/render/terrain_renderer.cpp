@@ -80,11 +80,6 @@ float StrideError(const std::vector<float>& heights, int stride) {
   return worst;
 }
 
-/// What the apron's near rings are made of: the first soil, dry.
-Eigen::Vector3f FirstSoil(const std::vector<SoilAppearance>& soils) {
-  return (soils.empty() ? SoilAppearance{} : soils.front()).albedo.cast<float>() * 0.75f;
-}
-
 GlObject DetailTexture() {
   constexpr int kLevels = 10;  // down to one texel
   static_assert(GroundDetail::kSide == 1 << (kLevels - 1));
@@ -126,7 +121,7 @@ void TerrainRenderer::Allocate(const TerrainSurface& terrain) {
   glVertexArrayVertexBuffer(array_.id(), 0, vertices_.id(), 0, sizeof(Eigen::Vector3f));
   glVertexArrayElementBuffer(array_.id(), indices_.id());
   textures_ = GroundTextures(terrain, soils_, to_sun_W_);
-  apron_ = Apron(terrain, FirstSoil(soils_));
+  apron_ = Apron(Surroundings(terrain, soils_));
 }
 
 void TerrainRenderer::Update(const TerrainSurface& terrain) {
@@ -145,7 +140,7 @@ void TerrainRenderer::Update(const TerrainSurface& terrain) {
       tile.version = terrain.tile_version[t];
       UploadTile(terrain, tx, ty);
       changed.push_back({tx, ty});
-      border |= tx == 0 || ty == 0 || tx + 1 == tiles_x_ || ty + 1 == tiles_y_;
+      border = border || IsBorderTile(terrain, tx, ty);
       ++uploaded_tiles_;
     }
   }

@@ -195,6 +195,23 @@ TEST(RayScene, InvisibleGlassLetsRaysPass) {
   EXPECT_EQ(hit.instance, 2);
 }
 
+TEST(RayScene, LandAroundALevelSiteGoesOnAtItsLevel) {
+  RayScene scene(OneBodyEach({}));
+  const double level_m = -0.7;
+  scene.Update({{}}, Ground(101, 101, 0.1, -5, [&](double, double) { return level_m; }), {});
+  const Vec3 eye_m(1, -2, 2.5);
+  for (int k = 0; k < 100; ++k) {
+    // To a point 15 m to 45 m from the middle, outside the site of 10 m and before the hills begin.
+    const double azimuth = 0.37 * k, far_m = 15 + 0.3 * k;
+    const Vec3 target(far_m * std::cos(azimuth), far_m * std::sin(azimuth), level_m);
+    const RayHit hit = TraceOne(scene, RayFrom(eye_m, target - eye_m));
+    ASSERT_TRUE(hit.hit) << k;
+    EXPECT_NEAR(hit.range_m, (target - eye_m).norm(), 1e-3) << k;
+    EXPECT_EQ(hit.label, SemanticClass::kTerrain);
+    EXPECT_GT(hit.reflectance, 0.05f);
+  }
+}
+
 TEST(RayScene, HitsBeyondTheGreatestRangeAreNone) {
   RayScene scene(OneBodyEach({WallMesh(5, 0.5)}));
   scene.Update({{MakePose({6, 0, 0})}}, NoGround(), {1});

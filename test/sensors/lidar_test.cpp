@@ -240,13 +240,16 @@ TEST(Lidar, TerrainPointsLieOnTheTerrain) {
   model.range_noise_m = 0;
   const Pose X_WS = MakePose({1, 2, 2.5}, 0.03, 0.1, -2);
   const LidarScan scan = Scan(model, Still(X_WS), scene);
-  ASSERT_GT(scan.points.size(), 10000u);
+  int on_site = 0;
   for (const LidarPoint& p : scan.points) {
     const Vec3 p_W = X_WS * PointOf(p);
+    if (p_W.head<2>().cwiseAbs().maxCoeff() > 10 - 1e-3) continue;  // the land around
+    ++on_site;
     // A grazing ray turns an error of range into a smaller one of height.
     EXPECT_NEAR(p_W.z(), ground.HeightAt(p_W.x(), p_W.y()), 1e-4);
     EXPECT_EQ(p.label, static_cast<std::uint8_t>(SemanticClass::kTerrain));
   }
+  EXPECT_GT(on_site, 10000);
 }
 
 TEST(Lidar, ScansDoNotDependOnTheNumberOfThreads) {
