@@ -53,7 +53,7 @@ TEST(Endurance, DiggingGoesOnUprightFiniteAndWithAllItsSoil) {
   const Vec3 start_m = simulation.state().machines[0].links[0].X_WB.translation();
   const double links_at_4_mps_j = 0.5 * model.TotalMass_kg() * 4 * 4;
 
-  double most_j = 0, steepest_rad = 0, deepest_load_kg = 0;
+  double most_j = 0, steepest_rad = 0, heaviest_load_kg = 0;
   const auto steps = std::llround(Length_s() * scenario.physics_rate_hz);
   for (std::int64_t step = 0; step < steps; ++step) {
     simulation.Step();
@@ -62,7 +62,9 @@ TEST(Endurance, DiggingGoesOnUprightFiniteAndWithAllItsSoil) {
     most_j = std::max(most_j, KineticEnergy_j(model, machine));
     steepest_rad =
         std::max(steepest_rad, std::acos(std::min(1.0, machine.links[0].X_WB.linear()(2, 2))));
-    deepest_load_kg = std::max(deepest_load_kg, scenario.soil->ledger().carried_kg);
+    constexpr int kStepsPerWeighing = 50;  // the ledger sums up all columns
+    if (step % kStepsPerWeighing != 0) continue;
+    heaviest_load_kg = std::max(heaviest_load_kg, scenario.soil->ledger().carried_kg);
   }
   const MassLedger ledger = scenario.soil->ledger();
   const Vec3 moved_m = simulation.state().machines[0].links[0].X_WB.translation() - start_m;
@@ -71,12 +73,12 @@ TEST(Endurance, DiggingGoesOnUprightFiniteAndWithAllItsSoil) {
       "machine moved by ({:.2f}, {:.2f}, {:.2f}) m; soil {:.9g} kg, lost {:.3g} of it; "
       "outside {:.3g} kg\n"
       "physics {:.1f} s, soil {:.1f} s of wall clock\n",
-      Length_s(), most_j, steepest_rad / kDeg, deepest_load_kg, moved_m.x(), moved_m.y(),
+      Length_s(), most_j, steepest_rad / kDeg, heaviest_load_kg, moved_m.x(), moved_m.y(),
       moved_m.z(), ledger.total_kg(), (mass_before_kg - ledger.total_kg()) / mass_before_kg,
       ledger.outside_kg, simulation.physics_wall_s(), simulation.soil_wall_s());
   EXPECT_LT(most_j, links_at_4_mps_j);
   EXPECT_LT(steepest_rad, 20 * kDeg);
-  EXPECT_GT(deepest_load_kg, 10);  // it did dig
+  EXPECT_GT(heaviest_load_kg, 10);  // it did dig
   EXPECT_NEAR(ledger.total_kg() / mass_before_kg, 1.0, 1e-6);
 }
 
