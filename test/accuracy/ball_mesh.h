@@ -9,16 +9,18 @@
 #include <string>
 
 #include "core/units.h"
+#include "own_folder.h"
 
 namespace tera {
 
 /// Writes a ball of radius 1 m about its origin as an OBJ file; a scenario scales it.
 ///
-/// Model   128 meridians and 64 parallels with vertices on the sphere, so that the mesh lies at most
+/// Model   128 meridians and 64 parallels with vertices on the sphere, so that the mesh lies at
+/// most
 ///         1 - cos(pi / 64) = 0.12 % of the radius inside it.
 inline std::filesystem::path WriteBallMesh() {
   constexpr int kMeridians = 128, kParallels = 64;
-  const auto file = std::filesystem::path(::testing::TempDir()) / "ball.obj";
+  const auto file = OwnFolder() / "ball.obj";
   std::ofstream obj(file);
   obj << "o body\n";
   for (int p = 0; p <= kParallels; ++p) {

@@ -9,6 +9,7 @@
 #include "core/config.h"
 #include "core/units.h"
 #include "dataset/recording.h"
+#include "own_folder.h"
 #include "physics/machine.h"
 #include "sim/generate.h"
 
@@ -17,9 +18,7 @@
 namespace tera {
 
 inline Recording Generated(const std::string& name, const std::string& scenario_yaml) {
-  const auto out = std::filesystem::path(::testing::TempDir()) / ("accuracy_" + name);
-  std::filesystem::remove_all(out);
-  std::filesystem::remove_all(out.string() + ".incomplete");
+  const auto out = OwnFolder() / name;
   const Config config = Config::FromText(scenario_yaml, name + ".yaml");
   Scenario scenario = ReadScenario(config.root());
   config.Finish();

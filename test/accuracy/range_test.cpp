@@ -4,6 +4,7 @@
 
 #include "ball_mesh.h"
 #include "generated.h"
+#include "own_folder.h"
 
 // Ranges in the files of a camera and a lidar on a mast, against planes that the scenario puts
 // there, and against each other.
@@ -16,7 +17,7 @@ const Vec2 kWallCentre_m(2.0, 1.0);
 
 /// A wall of 6 x 0.2 x 2.5 m standing on its origin, along x.
 std::filesystem::path WriteWallMesh() {
-  const auto file = std::filesystem::path(::testing::TempDir()) / "wall.obj";
+  const auto file = OwnFolder() / "wall.obj";
   std::ofstream obj(file);
   obj << "o body\n";
   for (const double z : {0.0, 2.5}) {

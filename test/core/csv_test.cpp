@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "core/error.h"
+#include "own_folder.h"
 
 namespace tera {
 namespace {
@@ -14,7 +15,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 std::string Write(const std::string& text) {
-  const std::string path = ::testing::TempDir() + "table.csv";
+  const std::string path = OwnFolder() / "table.csv";
   std::ofstream(path) << text;
   return path;
 }

@@ -1,5 +1,6 @@
 #include <fstream>
 
+#include "own_folder.h"
 #include "physics/machine_fixture.h"
 
 namespace tera {
@@ -90,7 +91,7 @@ TEST(Urdf, FaultsNameTheUrdfAndItsPart) {
   EXPECT_THAT(FaultsOf(kFromUrdf, {"links.antena.label=boom"}),
               HasSubstr("the URDF has no link 'antena'"));
 
-  const std::string file = testing::TempDir() + "broken.urdf";
+  const std::string file = OwnFolder() / "broken.urdf";
   const auto faults_with = [&](const std::string& text) {
     std::ofstream(file) << text;
     return FaultsOf("kind: broken\nurdf: " + file + "\n");

@@ -11,6 +11,7 @@
 #include "core/config.h"
 #include "core/csv.h"
 #include "core/error.h"
+#include "own_folder.h"
 
 // Whole datasets, small ones: an excavator that digs, with every kind of sensor.
 
@@ -66,7 +67,7 @@ Files ReadAll(const fs::path& root) {
 }
 
 fs::path Fresh(const std::string& name) {
-  const fs::path path = fs::path(::testing::TempDir()) / ("generate_" + name);
+  const fs::path path = OwnFolder() / name;
   fs::remove_all(path);
   fs::remove_all(path.string() + ".incomplete");
   return path;
@@ -169,7 +170,7 @@ TEST(Generate, RefusesADirectoryThatIsNotEmpty) {
 
 TEST(Generate, RecordedCommandsReplayToTheSameMotion) {
   const Files dug = Generated("dug");
-  const fs::path csv = fs::path(::testing::TempDir()) / "replayed_commands.csv";
+  const fs::path csv = OwnFolder() / "replayed_commands.csv";
   std::ofstream(csv, std::ios::binary) << dug.at("excavator1/commands.csv");
   const Files replayed =
       Generated("replayed", ScenarioText("{type: lever_replay, csv: " + csv.string() + "}"));

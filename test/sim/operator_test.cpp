@@ -9,6 +9,7 @@
 #include "core/config.h"
 #include "core/error.h"
 #include "core/units.h"
+#include "own_folder.h"
 
 namespace tera {
 namespace {
@@ -53,7 +54,7 @@ std::unique_ptr<Operator> Read(const std::string& yaml, const Cart& cart) {
 }
 
 std::string WriteFile(const std::string& name, const std::string& text) {
-  const std::string path = ::testing::TempDir() + name;
+  const std::string path = OwnFolder() / name;
   std::ofstream(path) << text;
   return path;
 }
