@@ -31,8 +31,8 @@ double Noise(const Stream& stream, double x, double y) {
 }  // namespace
 
 double Relief::HeightAt(double x_m, double y_m) const {
-  double z_m =
-      std::tan(slope_rad) * (x_m * std::cos(slope_azimuth_rad) + y_m * std::sin(slope_azimuth_rad));
+  double z_m = std::tan(slope_rad) *
+               (x_m * std::cos(slope_direction_rad) + y_m * std::sin(slope_direction_rad));
   if (amplitude_m <= 0) return z_m;
   double share = 1, total = 0, sum = 0;
   for (int octave = 0; octave < kOctaves; ++octave) {

@@ -9,7 +9,7 @@ namespace tera {
 /// Gently uneven ground.
 ///
 /// Frames  W; heights about zero at W's origin's level.
-/// Model   A plane of slope `slope_rad` that rises towards `slope_azimuth_rad` (from x towards y)
+/// Model   A plane of slope `slope_rad` that rises towards `slope_direction_rad` (from x towards y)
 ///         plus gradient noise of three octaves, each of half the wavelength and half the height of
 ///         the one before.
 /// Source  Perlin 2002, "Improving noise", for the lattice and its quintic blend.
@@ -17,7 +17,7 @@ struct Relief {
   double amplitude_m = 0;  ///< about the largest departure from the plane
   double wavelength_m = 8;
   double slope_rad = 0;
-  double slope_azimuth_rad = 0;
+  double slope_direction_rad = 0;
   std::uint64_t seed = 0;
 
   double HeightAt(double x_m, double y_m) const;

@@ -143,7 +143,7 @@ std::string Level(const std::string& soil) { return "cell_m: 0.05, soil: " + soi
 
 /// Ground that rises towards +y by `slope_deg`.
 std::string Rising(const std::string& soil, double slope_deg) {
-  return fmt::format("cell_m: 0.1, soil: {}, relief: {{slope_deg: {}, slope_azimuth_deg: 90}}",
+  return fmt::format("cell_m: 0.1, soil: {}, relief: {{slope_deg: {}, slope_direction_deg: 90}}",
                      soil, slope_deg);
 }
 

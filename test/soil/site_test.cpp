@@ -80,7 +80,7 @@ TEST(Site, StripsSetTheSoilAlongTheirAxis) {
 }
 
 TEST(Site, SlopeRisesTowardsItsAzimuth) {
-  const SitePlan plan = Plan("size_m: [10, 10]\nrelief: {slope_deg: 10, slope_azimuth_deg: 90}\n");
+  const SitePlan plan = Plan("size_m: [10, 10]\nrelief: {slope_deg: 10, slope_direction_deg: 90}\n");
   const auto height = [&](int i, int j) { return plan.height_m[j * plan.nx + i]; };
   EXPECT_NEAR(height(50, 200) - height(50, 0), 10 * std::tan(10 * kDeg), 1e-9);
   EXPECT_NEAR(height(150, 60), height(10, 60), 1e-9);
@@ -181,7 +181,7 @@ TEST_F(GeotiffTest, HeightsAndPlaceSurviveARoundTrip) {
 }
 
 TEST_F(GeotiffTest, FinerCellsInterpolateTheSameGround) {
-  MakeSite("size_m: [6, 6]\ncell_m: 0.5\nrelief: {slope_deg: 8, slope_azimuth_deg: 30}\n")
+  MakeSite("size_m: [6, 6]\ncell_m: 0.5\nrelief: {slope_deg: 8, slope_direction_deg: 30}\n")
       ->WriteGeoTiff(File("slope.tif"), {10, 20, 0});
   const auto fine = MakeSite("cell_m: 0.05\ngeotiff: " + File("slope.tif") + "\n");
   EXPECT_EQ(fine->surface().nx, 121);
