@@ -19,6 +19,7 @@ namespace tera {
 
 inline Recording Generated(const std::string& name, const std::string& scenario_yaml) {
   const auto out = OwnFolder() / name;
+  std::filesystem::remove_all(out);
   const Config config = Config::FromText(scenario_yaml, name + ".yaml");
   Scenario scenario = ReadScenario(config.root());
   config.Finish();

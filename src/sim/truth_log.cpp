@@ -1,0 +1,77 @@
+#include "sim/truth_log.h"
+
+namespace tera {
+namespace {
+
+std::vector<std::string> Columns(const MachineModel& model) {
+  std::vector<std::string> columns;
+  for (const Joint& joint : model.joints) {
+    const bool prismatic = joint.type == JointType::kPrismatic;
+    columns.push_back(joint.name + (prismatic ? "_m" : "_rad"));
+    columns.push_back(joint.name + (prismatic ? "_mps" : "_radps"));
+    columns.push_back(joint.name + (prismatic ? "_n" : "_nm"));
+  }
+  for (const RunningGear& gear : model.ground_tools.gears) {
+    for (const char* unit : {"_rad", "_radps", "_nm", "_sinkage_m", "_slip"}) {
+      columns.push_back(gear.name + unit);
+    }
+  }
+  for (const Shovel& shovel : model.ground_tools.shovels) {
+    for (const char* unit : {"_soil_kg", "_soil_m3"}) columns.push_back(shovel.name + unit);
+  }
+  return columns;
+}
+
+/// Values of `now`; rates at its time, from those before and after it.
+std::vector<double> JointRow(const MachineState& now, const MachineState& next) {
+  std::vector<double> row;
+  for (std::size_t j = 0; j < now.q_rad.size(); ++j) {
+    const double rate_radps = 0.5 * (now.qd_radps[j] + next.qd_radps[j]);
+    row.insert(row.end(), {now.q_rad[j], rate_radps, now.effort_nm[j]});
+  }
+  for (std::size_t g = 0; g < now.gear_angle_rad.size(); ++g) {
+    const double rate_radps = 0.5 * (now.gear_rate_radps[g] + next.gear_rate_radps[g]);
+    row.insert(row.end(), {now.gear_angle_rad[g], rate_radps, now.gear_torque_nm[g],
+                           now.gear_sinkage_m[g], now.gear_slip[g]});
+  }
+  for (const SoilReaction::Load& load : now.shovel_load) {
+    row.insert(row.end(), {load.mass_kg, load.volume_m3});
+  }
+  return row;
+}
+
+}  // namespace
+
+TruthLog::TruthLog(const Scenario& scenario, DatasetWriter* writer) : writer_(writer) {
+  for (const ScenarioMachine& machine : scenario.machines) {
+    const MachineModel& model = machine.placement.model;
+    const std::string& name = machine.placement.name;
+    std::vector<std::string> levers;
+    for (const Lever& lever : model.levers) levers.push_back(lever.name);
+    channels_.push_back({writer->AddTable(name + "/commands.csv", levers),
+                         writer->AddPose("truth/" + name + "/pose.csv"),
+                         writer->AddTable("truth/" + name + "/joints.csv", Columns(model))});
+  }
+}
+
+void TruthLog::WriteRows(const WorldState& now, const WorldState& next) {
+  for (std::size_t m = 0; m < channels_.size(); ++m) {
+    const BodyState &root = now.machines[m].links[0], &later = next.machines[m].links[0];
+    const Vec3 v_W_mps = 0.5 * (root.v_WB_mps + later.v_WB_mps);
+    const Vec3 w_W_radps = 0.5 * (root.w_WB_radps + later.w_WB_radps);
+    writer_->Write(channels_[m].pose, TruthPose{now.t_ns, root.X_WB, v_W_mps,
+                                                root.X_WB.linear().transpose() * w_W_radps});
+    writer_->WriteRow(channels_[m].joints, now.t_ns, JointRow(now.machines[m], next.machines[m]));
+  }
+}
+
+void TruthLog::Write(const WorldState& before, const WorldState& after) {
+  for (std::size_t m = 0; m < channels_.size(); ++m) {
+    writer_->WriteRow(channels_[m].commands, before.t_ns, after.machines[m].levers);
+  }
+  WriteRows(before, after);
+}
+
+void TruthLog::Finish(const WorldState& last) { WriteRows(last, last); }
+
+}  // namespace tera

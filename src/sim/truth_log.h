@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "dataset/writer.h"
+#include "sim/simulation.h"
+
+namespace tera {
+
+/// Writes what really happened: commands of every machine, and poses, joints and loads.
+///
+/// Model   one row for each step. The physics step finds the rates that carry the pose from one
+///         row to the next, so that those of the middle between two steps are known; a row holds
+///         the mean of the rates before and after it, which is second order at its own time.
+class TruthLog {
+ public:
+  TruthLog(const Scenario& scenario, DatasetWriter* writer);
+
+  /// The state `before` a step that led to `after`, and the levers in force in between.
+  void Write(const WorldState& before, const WorldState& after);
+  /// The state at the end.
+  void Finish(const WorldState& last);
+
+ private:
+  struct Channels {
+    ChannelId commands, pose, joints;
+  };
+  void WriteRows(const WorldState& now, const WorldState& next);
+
+  DatasetWriter* writer_;
+  std::vector<Channels> channels_;
+};
+
+}  // namespace tera
