@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is needed, builds, simulates config/scenarios/quickstart.yaml and draws an overview.
+# Installs what is needed, builds, simulates config/scenarios/quickstart.yaml and draws an overview. What an earlier run
+# has done already is kept, as long as the program and its data are the same.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -7,13 +8,19 @@ packages() { sed -n "s/^\($1\): //p" scripts/packages.txt; }
 # shellcheck disable=SC2046
 scripts/install_packages.sh $(packages build) $(packages libraries) $(packages run)
 
-cmake --preset release -DTERA_BUILD_TESTS=OFF -DTERA_BUILD_BENCH=OFF >/dev/null
+[ -e build/release/CMakeCache.txt ] || cmake --preset release -DTERA_BUILD_TESTS=OFF -DTERA_BUILD_BENCH=OFF >/dev/null
 cmake --build --preset release --target tera
 
 out=out/quickstart
-rm -rf "$out" "$out.incomplete"
-build/release/tera generate config/scenarios/quickstart.yaml --out "$out"
-build/release/tera overview "$out"
+made_from=$(cat build/release/tera $(git ls-files config shaders assets 2>/dev/null || find config shaders assets -type f | sort) |
+  sha256sum)
+if [ "$(cat $out.made_from 2>/dev/null)" != "$made_from" ]; then
+  rm -rf $out $out.incomplete
+  mkdir -p out
+  echo "$made_from" >$out.made_from
+fi
+[ -d $out ] || build/release/tera generate config/scenarios/quickstart.yaml --out $out --resume
+[ -e $out/overview.mp4 ] || build/release/tera overview $out
 
 cat <<TXT
 
