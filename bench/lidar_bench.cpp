@@ -32,7 +32,7 @@ class Revolution {
   }
 
   void UpdateScene() {
-    constexpr int kPoses = 11;  // as in a whole run
+    constexpr int kPoses = Lidar::kScenePoses;
     std::vector<std::vector<Pose>> poses(kPoses);
     for (int k = 0; k < kPoses; ++k) {
       for (std::size_t b = 0; b < From().scene.X_WB.size(); ++b) {

@@ -76,7 +76,6 @@ class PoseTrack {
   Pose At(TimeNs t_ns) const;
   bool empty() const { return samples_.empty(); }
   TimeNs front_ns() const { return samples_.front().t_ns; }
-  TimeNs back_ns() const { return samples_.back().t_ns; }
 
  private:
   struct Sample {

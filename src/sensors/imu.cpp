@@ -9,8 +9,6 @@
 namespace tera {
 namespace {
 
-constexpr double kMicroG_mps2 = 1e-6 * kStandardGravity_mps2;
-
 double WhiteSigma(double density, double per_sample, double interval_s) {
   return std::sqrt(density * density / interval_s + per_sample * per_sample);
 }

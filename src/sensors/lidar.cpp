@@ -83,6 +83,7 @@ Lidar::Lidar(const LidarModel& model, const SampleClock& clock, TimeNs latency_n
   const std::size_t beams = model_.elevation_rad.size();
   TERA_CHECK(model_.azimuth_offset_rad.size() == beams, model_.azimuth_offset_rad.size());
   TERA_CHECK(model_.firing_offset_s.size() == beams, model_.firing_offset_s.size());
+  TERA_CHECK(clock_.rate_hz >= kSlowest_hz, clock_.rate_hz);
   const double column_s = 1.0 / (clock_.rate_hz * model_.columns);
   for (std::size_t b = 0; b < beams; ++b) {
     const double offset_s = model_.firing_offset_s[b];

@@ -31,9 +31,20 @@ LidarModel ReadLidarModel(const ConfigMap& config);
 /// Model   every ray at its own time and pose; relative power rho cos(theta) / r^2, a return when
 ///         it exceeds that of a 10 % target at `range_at_10_percent_m`; range r + N(0, sigma^2),
 ///         noise of ray i of revolution k drawn at index k * rays + i; intensity rho cos(theta).
-/// Omits   beam divergence, multiple returns, noise growing with weak power, crosstalk.
+/// Omits   beam divergence, multiple returns, noise growing with weak power, crosstalk, rain and
+///         dust; rays without a return, which leave no point.
+/// Source  the radar equation for a target that fills the beam and scatters diffusely, as in Wagner
+///         et al. 2006, "Gaussian decomposition and calibration of a novel small-footprint
+///         full-waveform digitising airborne laser scanner"; each preset names its data sheet.
 class Lidar {
  public:
+  /// Slowest that the offsets of a revolution's rays fit LidarPoint::time_offset_ns: 2^32 ns are
+  /// 4.29 s.
+  static constexpr double kSlowest_hz = 0.25;
+  /// Instants of a revolution at which the bodies of its scene should be posed; in between, the ray
+  /// scene interpolates.
+  static constexpr int kScenePoses = 11;
+
   Lidar(const LidarModel& model, const SampleClock& clock, TimeNs latency_ns, std::uint64_t seed,
         const std::string& stream_name);
   /// Revolution k, from clock.Due(k) to clock.Due(k + 1). `scene` must have been updated over just

@@ -14,7 +14,6 @@ namespace {
 constexpr double kFastest_hz = 1e5;
 
 constexpr std::string_view kTypes[] = {"imu", "gnss", "camera", "lidar", "encoder"};
-constexpr double kMicroG_mps2 = 1e-6 * kStandardGravity_mps2;
 
 bool IsFolderName(const std::string& name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
@@ -126,8 +125,11 @@ SensorDescription ReadSensor(const ConfigMap& config) {
     s.link = config.Text("link");
     s.X_BS = config.PoseXyzRpy();
   }
-  s.clock.rate_hz =
-      config.Number("rate_hz", {.min = 0, .max = kFastest_hz, .min_excluded = true, .unit = "Hz"});
+  const bool lidar = type == "lidar";
+  s.clock.rate_hz = config.Number("rate_hz", {.min = lidar ? Lidar::kSlowest_hz : 0,
+                                              .max = kFastest_hz,
+                                              .min_excluded = !lidar,
+                                              .unit = "Hz"});
   s.latency_ns = FromSeconds(config.Number("latency_s", AtLeast(0, "s"), 0));
   if (type == "imu") {
     s.model = ReadImuModel(config);
@@ -135,10 +137,10 @@ SensorDescription ReadSensor(const ConfigMap& config) {
     s.model = ReadGnssModel(config);
   } else if (type == "camera") {
     s.model = ReadCameraModel(config);
-  } else if (type == "lidar") {
-    const LidarModel lidar = ReadLidarModel(config);
-    CheckFirings(config, lidar, s.clock);
-    s.model = lidar;
+  } else if (lidar) {
+    const LidarModel model = ReadLidarModel(config);
+    CheckFirings(config, model, s.clock);
+    s.model = model;
   } else {
     s.model = ReadEncoderModel(config);
   }

@@ -9,9 +9,6 @@
 namespace tera {
 namespace {
 
-/// Instants within a revolution at which bodies are posed; in between, Embree interpolates.
-constexpr int kPosesPerRevolution = 11;
-
 /// Fraction of the way from `before` to `after` at `t_ns`.
 double FractionAt(const WorldState& before, const WorldState& after, TimeNs t_ns) {
   if (after.t_ns == before.t_ns) return 1.0;
@@ -207,8 +204,8 @@ void Rig::SampleLidars(const WorldState& now, const TerrainSurface& ground) {
         continue;
       }
       std::vector<std::vector<Pose>> poses;
-      for (int k = 0; k < kPosesPerRevolution; ++k) {
-        poses.push_back(BodiesAt(start_ns + (end_ns - start_ns) * k / (kPosesPerRevolution - 1)));
+      for (int k = 0; k < Lidar::kScenePoses; ++k) {
+        poses.push_back(BodiesAt(start_ns + (end_ns - start_ns) * k / (Lidar::kScenePoses - 1)));
       }
       ray_scene_->Update(poses, ground, assembly_.BodyScales(now));
       writer_->Write(unit.channel, unit.lidar.Measure(unit.next, unit.X_WS, *ray_scene_, threads_));

@@ -1,11 +1,13 @@
 #include "sensors/lidar.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
+#include "core/error.h"
 #include "core/units.h"
 #include "render/hand_made_scene.h"
 #include "sensors/sensor.h"
@@ -59,6 +61,40 @@ LidarPoint Towards(const LidarScan& scan, const Vec3& direction_S) {
       scan.points.begin(), scan.points.end(), [&](const LidarPoint& a, const LidarPoint& b) {
         return PointOf(a).normalized().dot(direction_S) < PointOf(b).normalized().dot(direction_S);
       });
+}
+
+TEST(Lidar, TimesOfItsSlowestRevolutionFitTheirField) {
+  // A wall behind, seen by the first and the last columns of a revolution.
+  RayScene scene(OneBodyEach({WallMesh(20, 0.5)}));
+  scene.Update({{MakePose({-10, 0, 0})}}, NoGround(), {1});
+  const SampleClock clock = {.rate_hz = Lidar::kSlowest_hz};
+  const LidarScan scan =
+      Lidar(OneBeam(), clock, 0, 1, "m/lidar").Measure(0, Still(Pose::Identity()), scene, 1);
+  ASSERT_FALSE(scan.points.empty());
+  // The last of 360 columns of 4 s.
+  EXPECT_EQ(scan.points.back().time_offset_ns, 3'988'888'889u);
+  for (std::size_t i = 1; i < scan.points.size(); ++i) {
+    EXPECT_GT(scan.points[i].time_offset_ns, scan.points[i - 1].time_offset_ns);
+  }
+}
+
+TEST(Lidar, SlowerRevolutionsAreRefused) {
+  const auto read = [](const std::string& rate_hz) {
+    const Config config = Config::FromText(
+        "s: {name: l, type: lidar, link: b, elevation_deg: [0], columns: 8, rate_hz: " + rate_hz +
+            "}",
+        "rig.yaml");
+    ReadSensor(config.root().Map("s"));
+    config.Finish();
+  };
+  EXPECT_NO_THROW(read("0.25"));
+  try {
+    read("0.23");
+    FAIL() << "read without a fault";
+  } catch (const InputError& fault) {
+    EXPECT_THAT(fault.what(),
+                ::testing::HasSubstr("s.rate_hz: 0.23 is out of range, need 0.25 to 100000 Hz"));
+  }
 }
 
 TEST(Lidar, PointsAreInTheSensorFrame) {
