@@ -207,16 +207,29 @@ fs::path Resolve(const std::string& text, const fs::path& directory) {
   return path.is_absolute() ? path : directory / path;
 }
 
+/// Is there a file that can be opened? Not where the name is too long or links go in a circle.
+bool IsFile(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
+}
+
+/// The path without links, or as it stands where it cannot be followed.
+fs::path Canonical(const fs::path& path) {
+  std::error_code error;
+  const fs::path canonical = fs::weakly_canonical(path, error);
+  return error ? path.lexically_normal() : canonical;
+}
+
 /// The form of a path that means the same on another machine where that is possible.
 std::string Portable(const fs::path& path) {
-  const fs::path absolute = fs::weakly_canonical(path);
-  const fs::path relative = absolute.lexically_relative(fs::weakly_canonical(DataRoot()));
+  const fs::path absolute = Canonical(path);
+  const fs::path relative = absolute.lexically_relative(Canonical(DataRoot()));
   if (!relative.empty() && *relative.begin() != "..") return "tera:" + relative.generic_string();
   return absolute.generic_string();
 }
 
 std::string ShownName(const fs::path& path) {
-  const fs::path relative = fs::weakly_canonical(path).lexically_relative(fs::current_path());
+  const fs::path relative = Canonical(path).lexically_relative(fs::current_path());
   return !relative.empty() && *relative.begin() != ".." ? relative.generic_string()
                                                         : path.lexically_normal().generic_string();
 }
@@ -229,7 +242,7 @@ std::string BaseOf(const Layer& layer) {
 /// Loads the file that `found` names as a layer, or reports a fault.
 std::optional<Layer> LoadLayer(ConfigNode& node, std::string_view key, const Found& found) {
   const fs::path path = Resolve(found.node.Scalar(), found.layer->directory);
-  if (!fs::is_regular_file(path)) {
+  if (!IsFile(path)) {
     AddFault(node, key, found,
              fmt::format("file '{}' does not exist; correct the path (relative to {}, or "
                          "'tera:...' for a file that TERA ships)",
@@ -245,19 +258,38 @@ std::optional<Layer> LoadLayer(ConfigNode& node, std::string_view key, const Fou
   }
 }
 
-/// Parses `a.b[2].c=value` into nested mappings, list items as mappings keyed by index.
-void AddOverride(YAML::Node overlay, const std::string& text) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0) {
-    throw InputError(fmt::format("--set {}: need key.path=value", text));
+bool IsIndex(std::string_view text) {
+  const bool digits = !text.empty() && std::all_of(text.begin(), text.end(),
+                                                   [](char c) { return c >= '0' && c <= '9'; });
+  return digits && (text == "0" || text.front() != '0');
+}
+
+/// The keys of `a.b[2].c`: a, b, 2 and c. Nothing where the path is not of that form.
+std::vector<std::string> KeysOf(std::string_view path) {
+  std::vector<std::string> keys;
+  for (std::size_t at = 0; at < path.size();) {
+    const bool index = path[at] == '[';
+    const std::size_t begin = index || (path[at] == '.' && at > 0) ? at + 1 : at;
+    const std::size_t end = std::min(path.find_first_of(index ? "]" : ".[", begin), path.size());
+    const std::string_view key = path.substr(begin, end - begin);
+    const bool needs_point = !index && at > 0 && path[at] != '.';
+    if (index ? !IsIndex(key) || end == path.size() || at == 0
+              : key.empty() || needs_point || key.find(']') != key.npos) {
+      return {};
+    }
+    keys.emplace_back(key);
+    at = index ? end + 1 : end;
   }
-  std::string path = text.substr(0, equals);
-  std::string dotted;
-  for (const char c : path) {
-    if (c == '[')
-      dotted += '.';
-    else if (c != ']')
-      dotted += c;
+  return keys;
+}
+
+/// Parses `a.b[2].c=value` into nested mappings, list items as mappings keyed by index.
+Layer OverrideLayer(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const auto keys = KeysOf(std::string_view(text).substr(0, equals));
+  if (equals == std::string::npos || keys.empty()) {
+    throw InputError(
+        fmt::format("--set {}: need key.path=value, items of lists as key[0]=value", text));
   }
   YAML::Node value;
   try {
@@ -265,15 +297,83 @@ void AddOverride(YAML::Node overlay, const std::string& text) {
   } catch (const YAML::Exception& e) {
     throw InputError(fmt::format("--set {}: not a YAML value: {}", text, e.msg));
   }
-  std::vector<std::string> keys;
-  std::stringstream stream(dotted);
-  for (std::string key; std::getline(stream, key, '.');) keys.push_back(key);
-  YAML::Node at = overlay;
-  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
-    if (!at[keys[i]].IsMap()) at[keys[i]] = YAML::Node(YAML::NodeType::Map);
-    at.reset(at[keys[i]]);
+  for (auto key = keys.rbegin(); key != keys.rend(); ++key) {
+    YAML::Node map(YAML::NodeType::Map);
+    map[*key] = value;
+    value.reset(map);
   }
-  at[keys.back()] = value;
+  return {value, kOverlayName, fs::current_path()};
+}
+
+/// The overrides, the last first, above `file`.
+std::vector<Layer> LayersAbove(const Layer& file, const std::vector<std::string>& overrides) {
+  std::vector<Layer> layers;
+  for (auto text = overrides.rbegin(); text != overrides.rend(); ++text) {
+    layers.push_back(OverrideLayer(*text));
+  }
+  layers.push_back(file);
+  return layers;
+}
+
+/// Values of `key` in all layers that have it, first wins.
+std::vector<Found> FindAll(ConfigNode& node, std::string_view key) {
+  node.asked.emplace(key);
+  std::vector<Found> all;
+  for (const Layer& layer : node.layers) {
+    if (auto value = ValueIn(layer.node, key)) all.push_back({*value, &layer});
+  }
+  return all;
+}
+
+/// A list, and what each of its items is made of, first wins.
+struct FoundList {
+  Found list;
+  std::vector<std::vector<Found>> items;
+};
+
+/// The first list among `values`. Mappings above it are patches, which address items by index:
+/// {2: {rate_hz: 5}}. Other values are a fault, and nothing.
+std::optional<FoundList> ListAmong(ConfigNode& node, std::string_view key,
+                                   const std::vector<Found>& values, const std::string& need) {
+  const auto list = std::find_if(values.begin(), values.end(),
+                                 [](const Found& value) { return !value.node.IsMap(); });
+  if (list == values.end() || !list->node.IsSequence()) {
+    const Found& wrong = list == values.end() ? values.back() : *list;
+    const bool patch = wrong.layer->file == kOverlayName && wrong.node.IsMap();
+    AddFault(node, key, wrong,
+             fmt::format("{} found, need {}",
+                         patch ? "an item of a list that is not there" : Shown(wrong.node), need));
+    return std::nullopt;
+  }
+  FoundList found{*list, std::vector<std::vector<Found>>(list->node.size())};
+  for (auto patch = values.begin(); patch != list; ++patch) {
+    for (const auto& entry : patch->node) {
+      const std::string index = entry.first.Scalar();
+      const auto number = IsIndex(index) ? ParseNumber(index) : std::nullopt;
+      if (number && *number < static_cast<double>(found.items.size())) {
+        found.items[static_cast<std::size_t>(*number)].push_back({entry.second, patch->layer});
+      } else {
+        AddFault(node, key, *patch,
+                 fmt::format("no item [{}], the list has {}", index, found.items.size()));
+      }
+    }
+  }
+  for (std::size_t i = 0; i < found.items.size(); ++i) {
+    found.items[i].push_back({list->node[i], list->layer});
+  }
+  return found;
+}
+
+/// Keys of all layers: those of the lowest first, then what each layer above it adds.
+std::vector<std::string> NamesIn(const ConfigNode& node) {
+  std::vector<std::string> names;
+  for (auto layer = node.layers.rbegin(); layer != node.layers.rend(); ++layer) {
+    for (const auto& entry : layer->node) {
+      const std::string name = entry.first.Scalar();
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+  }
+  return names;
 }
 
 }  // namespace
@@ -413,67 +513,71 @@ Vec2 ConfigMap::Vector2(std::string_view key, const Range& each, const Vec2& oth
 std::vector<double> ConfigMap::Numbers(std::string_view key, const Range& each,
                                        std::size_t min_count, std::size_t max_count) const {
   const std::vector<double> harmless(min_count, Harmless(each));
-  const auto found = Find(*node_, key);
-  const std::string count =
-      min_count == max_count ? fmt::format("{}", min_count) : fmt::format("at least {}", min_count);
-  if (!found) {
-    if (min_count > 0) {
-      AddMissing(*node_, key, fmt::format("a list of {} numbers, each {}", count, Need(each)));
-    }
+  const auto values = internal::FindAll(*node_, key);
+  const std::string need =
+      fmt::format("a list of {}{} numbers, each {}", min_count == max_count ? "" : "at least ",
+                  min_count, Need(each));
+  if (values.empty()) {
+    if (min_count > 0) AddMissing(*node_, key, need);
     return harmless;
   }
-  if (!found->node.IsSequence() || found->node.size() < min_count ||
-      found->node.size() > max_count) {
-    AddFault(*node_, key, *found,
-             fmt::format("{} found, need a list of {} numbers, each {}", Shown(found->node), count,
-                         Need(each)));
+  const auto found = internal::ListAmong(*node_, key, values, need);
+  if (!found) return harmless;
+  if (found->items.size() < min_count || found->items.size() > max_count) {
+    AddFault(*node_, key, found->list,
+             fmt::format("{} found, need {}", Shown(found->list.node), need));
     return harmless;
   }
-  std::vector<double> values;
-  for (std::size_t i = 0; i < found->node.size(); ++i) {
-    const Found item{found->node[i], found->layer};
-    const auto value = NumberAt(*node_, fmt::format("{}[{}]", key, i), item, each);
-    values.push_back(value.value_or(Harmless(each)));
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < found->items.size(); ++i) {
+    const auto number =
+        NumberAt(*node_, fmt::format("{}[{}]", key, i), found->items[i].front(), each);
+    numbers.push_back(number.value_or(Harmless(each)));
   }
-  internal::RecordNumbers(*node_, key, values);
-  return values;
+  internal::RecordNumbers(*node_, key, numbers);
+  return numbers;
 }
 
 std::vector<std::vector<double>> ConfigMap::NumberRows(std::string_view key, const Range& each,
                                                        std::size_t columns,
                                                        std::size_t min_rows) const {
-  const std::vector<std::vector<double>> harmless(min_rows,
-                                                  std::vector<double>(columns, Harmless(each)));
+  const std::vector<double> harmless(columns, Harmless(each));
   const std::string need = fmt::format("a list of at least {} rows of {} numbers, each {}",
                                        min_rows, columns, Need(each));
-  const auto found = Find(*node_, key);
-  if (!found) {
-    if (min_rows > 0) AddMissing(*node_, key, need);
-    return harmless;
-  }
-  if (!found->node.IsSequence() || found->node.size() < min_rows) {
-    AddFault(*node_, key, *found, fmt::format("{} found, need {}", Shown(found->node), need));
-    return harmless;
-  }
+  const auto values = internal::FindAll(*node_, key);
   std::vector<std::vector<double>> rows;
+  if (values.empty()) {
+    if (min_rows > 0) AddMissing(*node_, key, need);
+    return {min_rows, harmless};
+  }
+  const auto found = internal::ListAmong(*node_, key, values, need);
+  if (!found) return {min_rows, harmless};
+  if (found->items.size() < min_rows) {
+    AddFault(*node_, key, found->list,
+             fmt::format("{} found, need {}", Shown(found->list.node), need));
+    return {min_rows, harmless};
+  }
+  const std::string row_need = fmt::format("{} numbers, each {}", columns, Need(each));
   YAML::Node resolved(YAML::NodeType::Sequence);
-  for (std::size_t i = 0; i < found->node.size(); ++i) {
-    const Found row{found->node[i], found->layer};
-    if (!row.node.IsSequence() || row.node.size() != columns) {
-      AddFault(*node_, fmt::format("{}[{}]", key, i), row,
-               fmt::format("{} found, need {} numbers", Shown(row.node), columns));
-      return harmless;
+  for (std::size_t i = 0; i < found->items.size(); ++i) {
+    const std::string row_key = fmt::format("{}[{}]", key, i);
+    const auto row = internal::ListAmong(*node_, row_key, found->items[i], row_need);
+    if (row && row->items.size() != columns) {
+      AddFault(*node_, row_key, row->list,
+               fmt::format("{} found, need {}", Shown(row->list.node), row_need));
     }
+    std::vector<double> numbers = harmless;
     YAML::Node resolved_row(YAML::NodeType::Sequence);
     resolved_row.SetStyle(YAML::EmitterStyle::Flow);
-    std::vector<double> values;
     for (std::size_t k = 0; k < columns; ++k) {
-      const Found item{row.node[k], found->layer};
-      const auto value = NumberAt(*node_, fmt::format("{}[{}][{}]", key, i, k), item, each);
-      values.push_back(value.value_or(Harmless(each)));
-      resolved_row.push_back(NumberText(values.back()));
+      if (row && row->items.size() == columns) {
+        const auto number =
+            NumberAt(*node_, fmt::format("{}[{}]", row_key, k), row->items[k].front(), each);
+        numbers[k] = number.value_or(harmless[k]);
+      }
+      resolved_row.push_back(NumberText(numbers[k]));
     }
-    rows.push_back(std::move(values));
+    rows.push_back(std::move(numbers));
     resolved.push_back(resolved_row);
   }
   node_->resolved[std::string(key)] = resolved;
@@ -481,25 +585,22 @@ std::vector<std::vector<double>> ConfigMap::NumberRows(std::string_view key, con
 }
 
 std::vector<std::string> ConfigMap::Texts(std::string_view key) const {
-  const auto found = Find(*node_, key);
+  const auto values = internal::FindAll(*node_, key);
   std::vector<std::string> texts;
+  if (values.empty()) return texts;
+  const auto found = internal::ListAmong(*node_, key, values, "a list of texts");
   if (!found) return texts;
-  if (!found->node.IsSequence()) {
-    AddFault(*node_, key, *found,
-             fmt::format("{} found, need a list of texts", Shown(found->node)));
-    return texts;
-  }
   YAML::Node list(YAML::NodeType::Sequence);
   list.SetStyle(YAML::EmitterStyle::Flow);
-  for (std::size_t i = 0; i < found->node.size(); ++i) {
-    const YAML::Node item = found->node[i];
-    if (!item.IsScalar()) {
-      AddFault(*node_, fmt::format("{}[{}]", key, i), Found{item, found->layer},
-               fmt::format("{} is not a text", Shown(item)));
+  for (std::size_t i = 0; i < found->items.size(); ++i) {
+    const Found& item = found->items[i].front();
+    if (!item.node.IsScalar()) {
+      AddFault(*node_, fmt::format("{}[{}]", key, i), item,
+               fmt::format("{} is not a text", Shown(item.node)));
       continue;
     }
-    texts.push_back(item.Scalar());
-    list.push_back(item.Scalar());
+    texts.push_back(item.node.Scalar());
+    list.push_back(item.node.Scalar());
   }
   node_->resolved[std::string(key)] = list;
   return texts;
@@ -514,8 +615,10 @@ Pose ConfigMap::PoseXyzRpy() const {
 bool ConfigMap::Has(std::string_view key) const { return Find(*node_, key).has_value(); }
 
 bool ConfigMap::IsList(std::string_view key) const {
-  const auto found = Find(*node_, key);
-  return found && found->node.IsSequence();
+  const auto values = internal::FindAll(*node_, key);
+  const auto whole = std::find_if(values.begin(), values.end(),
+                                  [](const Found& value) { return !value.node.IsMap(); });
+  return whole != values.end() && whole->node.IsSequence();
 }
 
 namespace internal {
@@ -589,50 +692,25 @@ ConfigMap ConfigMap::MapOrFile(std::string_view key) const {
 }
 
 std::vector<ConfigMap> ConfigMap::List(std::string_view key) const {
-  node_->asked.emplace(key);
   std::vector<ConfigMap> maps;
-  std::optional<Found> list;
-  std::vector<Found> patches;  // overlays address items by index: {2: {rate_hz: 5}}
-  for (const Layer& layer : node_->layers) {
-    const auto value = internal::ValueIn(layer.node, key);
-    if (!value) continue;
-    const Found found{*value, &layer};
-    if (value->IsSequence() && !list) {
-      list = found;
-    } else if (value->IsMap() && !list) {
-      patches.push_back(found);
-    } else if (!list) {
-      AddFault(*node_, key, found, fmt::format("{} found, need a list of mappings", Shown(*value)));
-    }
-  }
-  const std::size_t count = list ? list->node.size() : 0;
-  for (const Found& patch : patches) {
-    for (const auto& entry : patch.node) {
-      const auto index = internal::ParseNumber(entry.first.Scalar());
-      if (index && *index >= 0 && *index < static_cast<double>(count)) continue;
-      AddFault(*node_, key, patch,
-               fmt::format("no item [{}], the list has {}", entry.first.Scalar(), count));
-    }
-  }
   YAML::Node resolved(YAML::NodeType::Sequence);
   node_->resolved[std::string(key)] = resolved;
-  for (std::size_t i = 0; i < count; ++i) {
+  const auto values = internal::FindAll(*node_, key);
+  if (values.empty()) return maps;
+  const auto found = internal::ListAmong(*node_, key, values, "a list of mappings");
+  if (!found) return maps;
+  for (std::size_t i = 0; i < found->items.size(); ++i) {
     const std::string item_key = fmt::format("{}[{}]", key, i);
     std::vector<Layer> layers;
-    for (const Found& patch : patches) {
-      const auto value = internal::ValueIn(patch.node, fmt::format("{}", i));
-      if (value && value->IsMap()) {
-        layers.push_back({*value, patch.layer->file, patch.layer->directory});
+    for (const Found& part : found->items[i]) {
+      if (part.node.IsMap()) {
+        layers.push_back({part.node, part.layer->file, part.layer->directory});
+      } else {
+        AddFault(*node_, item_key, part,
+                 fmt::format("{} found, need a mapping of keys", Shown(part.node)));
       }
     }
-    const YAML::Node item = list->node[i];
-    if (item.IsMap()) {
-      layers.push_back({item, list->layer->file, list->layer->directory});
-    } else {
-      AddFault(*node_, item_key, Found{item, list->layer},
-               fmt::format("{} found, need a mapping of keys", Shown(item)));
-      continue;
-    }
+    if (layers.empty()) continue;
     auto child = node_->document->AddNode(internal::Join(node_->path, item_key), layers);
     resolved.push_back(child->resolved);
     maps.push_back(ConfigMap(child));
@@ -644,15 +722,9 @@ std::vector<std::pair<std::string, ConfigMap>> ConfigMap::NamedMaps(std::string_
   std::vector<std::pair<std::string, ConfigMap>> maps;
   const auto parent = OptionalMap(key);
   if (!parent) return maps;
-  const auto& layers = parent->node_->layers;
-  std::vector<std::string> names;  // the lowest layer gives the order, overlays add at the end
-  for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
-    for (const auto& entry : layer->node) {
-      const std::string name = entry.first.Scalar();
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-    }
+  for (const std::string& name : internal::NamesIn(*parent->node_)) {
+    maps.emplace_back(name, parent->Map(name));
   }
-  for (const std::string& name : names) maps.emplace_back(name, parent->Map(name));
   return maps;
 }
 
@@ -661,24 +733,33 @@ std::vector<std::pair<std::string, double>> ConfigMap::NamedNumbers(std::string_
   std::vector<std::pair<std::string, double>> numbers;
   const auto parent = OptionalMap(key);
   if (!parent) return numbers;
-  std::set<std::string> names;
-  for (const Layer& layer : parent->node_->layers) {
-    for (const auto& entry : layer.node) {
-      const std::string name = entry.first.Scalar();
-      if (names.insert(name).second) numbers.emplace_back(name, parent->Number(name, each));
-    }
+  for (const std::string& name : internal::NamesIn(*parent->node_)) {
+    numbers.emplace_back(name, parent->Number(name, each));
   }
   return numbers;
 }
 
 void ConfigMap::ApplyPreset(std::string_view key) const {
-  const auto found = Find(*node_, key);
-  if (!found) return;
-  if (!found->node.IsScalar()) {
-    AddFault(*node_, key, *found, fmt::format("{} found, need a file's path", Shown(found->node)));
-    return;
+  std::set<fs::path> applied;
+  for (auto found = Find(*node_, key); found;) {
+    if (!found->node.IsScalar()) {
+      AddFault(*node_, key, *found,
+               fmt::format("{} found, need a file's path", Shown(found->node)));
+      return;
+    }
+    const fs::path file = internal::Resolve(found->node.Scalar(), found->layer->directory);
+    if (!applied.insert(internal::Canonical(file)).second) {
+      AddFault(*node_, key, *found,
+               fmt::format("'{}' is a preset of itself; leave the key out of one of the files",
+                           found->node.Scalar()));
+      return;
+    }
+    const auto layer = internal::LoadLayer(*node_, key, *found);
+    if (!layer) return;
+    node_->layers.push_back(*layer);
+    const auto next = internal::ValueIn(layer->node, key);
+    found = next ? std::optional(Found{*next, &node_->layers.back()}) : std::nullopt;
   }
-  if (auto layer = internal::LoadLayer(*node_, key, *found)) node_->layers.push_back(*layer);
 }
 
 fs::path ConfigMap::File(std::string_view key) const {
@@ -692,7 +773,7 @@ fs::path ConfigMap::File(std::string_view key) const {
     return {};
   }
   const fs::path path = internal::Resolve(found->node.Scalar(), found->layer->directory);
-  if (!fs::is_regular_file(path)) {
+  if (!internal::IsFile(path)) {
     AddFault(*node_, key, *found,
              fmt::format("file '{}' does not exist; correct the path (relative to {}, or "
                          "'tera:...' for a file that TERA ships)",
@@ -727,23 +808,17 @@ std::string ConfigMap::Place(std::string_view key) const {
 
 Config Config::FromFile(const fs::path& file, const std::vector<std::string>& overrides) {
   const std::string shown = internal::ShownName(file);
-  if (!fs::is_regular_file(file)) {
+  if (!internal::IsFile(file)) {
     throw InputError(fmt::format("{}: no such file; need a YAML file", shown));
   }
   auto document = std::make_shared<internal::ConfigDocument>();
-  YAML::Node overlay(YAML::NodeType::Map);
-  for (const std::string& text : overrides) internal::AddOverride(overlay, text);
-  document->root = document->AddNode(
-      "", {Layer{overlay, internal::kOverlayName, fs::current_path()},
-           Layer{internal::LoadYaml(file, shown, ""), shown, file.parent_path()}});
+  const Layer layer{internal::LoadYaml(file, shown, ""), shown, file.parent_path()};
+  document->root = document->AddNode("", internal::LayersAbove(layer, overrides));
   return Config(document);
 }
 
 Config Config::FromText(const std::string& text, const std::string& name,
                         const std::vector<std::string>& overrides) {
-  auto document = std::make_shared<internal::ConfigDocument>();
-  YAML::Node overlay(YAML::NodeType::Map);
-  for (const std::string& line : overrides) internal::AddOverride(overlay, line);
   YAML::Node node;
   try {
     node = YAML::Load(text);
@@ -752,9 +827,9 @@ Config Config::FromText(const std::string& text, const std::string& name,
                                  e.mark.column + 1, e.msg));
   }
   if (!node.IsMap()) throw InputError(fmt::format("{}:1:1: need a mapping of keys", name));
-  document->root =
-      document->AddNode("", {Layer{overlay, internal::kOverlayName, fs::current_path()},
-                             Layer{node, name, fs::current_path()}});
+  auto document = std::make_shared<internal::ConfigDocument>();
+  document->root = document->AddNode(
+      "", internal::LayersAbove(Layer{node, name, fs::current_path()}, overrides));
   return Config(document);
 }
 

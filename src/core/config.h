@@ -40,10 +40,11 @@ struct ConfigNode;
 
 /// One mapping of a configuration being read. A cheap handle; copies are the same mapping.
 ///
-/// Model   A mapping may have several layers (an overlay such as `--set`, the mapping itself, a
-///         preset file below it). A key is taken from the first layer that has it; nested mappings
-///         merge by the same rule. Reading never throws for bad input: faults are collected, a
-///         harmless value is returned, and Config::Finish throws them all.
+/// Model   A mapping may have several layers (overlays such as `--set`, the mapping itself, preset
+///         files below it). A key is taken from the first layer that has it; nested mappings merge
+///         by the same rule. A list is replaced as a whole, but for a mapping above it, whose keys
+///         are indices of items: {2: {rate_hz: 5}}. Reading never throws for bad input: faults are
+///         collected, a harmless value is returned, and Config::Finish throws them all.
 class ConfigMap {
  public:
   // Scalars: required without a default, else optional.
@@ -91,12 +92,14 @@ class ConfigMap {
   ConfigMap MapOrFile(std::string_view key) const;
   /// Mappings in a list; an absent key is an empty list.
   std::vector<ConfigMap> List(std::string_view key) const;
-  /// Named mappings, in order of appearance; an absent key is an empty list.
+  /// Named mappings in the order of the lowest layer, then what each layer above it adds; an absent
+  /// key is an empty list.
   std::vector<std::pair<std::string, ConfigMap>> NamedMaps(std::string_view key) const;
-  /// Named lists of numbers or plain numbers: `{boom: 0.1, arm: -0.3}`, in order of appearance.
+  /// Named numbers, `{boom: 0.1, arm: -0.3}`, in the same order.
   std::vector<std::pair<std::string, double>> NamedNumbers(std::string_view key,
                                                            const Range& each) const;
-  /// Puts the mapping in the file named by `key`, if the key is there, below this mapping's layers.
+  /// Puts the mapping in the file named by `key`, if the key is there, below this mapping's layers,
+  /// and below that the preset which that file names in its turn.
   void ApplyPreset(std::string_view key) const;
 
   // Files. A relative path is relative to the file that mentions it; `tera:` paths are relative to
@@ -127,7 +130,8 @@ class ConfigMap {
 class Config {
  public:
   /// `overrides` are `key.path=value` texts, as given to --set; `a.b[2].c=1.5` addresses items of
-  /// lists by index. Throws InputError if the file cannot be read or is not YAML.
+  /// lists by index. Of two for one key the later one holds. Throws InputError if the file cannot
+  /// be read or is not YAML, or an override has no such form.
   static Config FromFile(const std::filesystem::path& file,
                          const std::vector<std::string>& overrides = {});
   /// For tests and generated text; `name` stands in messages, paths are relative to the working

@@ -3,7 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "core/error.h"
+#include "own_folder.h"
 
 namespace tera {
 namespace {
@@ -66,6 +70,108 @@ TEST(Config, OverrideOfAnAbsentItemIsAFault) {
   const Config config = Config::FromText("s: [{r: 1}]\n", "a.yaml", {"s[3].r=5"});
   config.root().List("s")[0].Number("r", Any("m"));
   EXPECT_THAT(FaultsOf(config), HasSubstr("no item [3], the list has 1"));
+}
+
+TEST(Config, OverridesReplaceNumbersAndTextsInsideLists) {
+  const Config config =
+      Config::FromText("v: [1, 2]\nr: [[1, 2], [3, 4], [5, 6]]\nt: [a, b]\n", "a.yaml",
+                       {"v[0]=30", "r[1][0]=7", "r[2]=[8, 9]", "t[1]=c"});
+  EXPECT_EQ(config.root().Vector2("v", Any("m")), Vec2(30, 2));
+  EXPECT_EQ(config.root().NumberRows("r", Any("m"), 2, 1),
+            (std::vector<std::vector<double>>{{1, 2}, {7, 4}, {8, 9}}));
+  EXPECT_EQ(config.root().Texts("t"), (std::vector<std::string>{"a", "c"}));
+  EXPECT_EQ(FaultsOf(config), "");
+}
+
+TEST(Config, OfTwoOverridesTheLaterHolds) {
+  const Config config = Config::FromText("v: [1, 2]\nm: {a: 1, b: 2}\n", "a.yaml",
+                                         {"v=[3, 4]", "v[1]=5", "m.a=6", "m.a=7", "m={b: 8}"});
+  EXPECT_EQ(config.root().Vector2("v", Any("m")), Vec2(3, 5));
+  EXPECT_EQ(config.root().Map("m").Number("a", Any("m")), 7);
+  EXPECT_EQ(config.root().Map("m").Number("b", Any("m")), 8);
+  EXPECT_EQ(FaultsOf(config), "");
+}
+
+TEST(Config, OverridesWithoutAPathAreRefused) {
+  for (const char* text : {"]=1", "=1", "a", ".=1", "a..b=1", "a.=1", ".a=1", "[0]=1", "a[=1",
+                           "a[]=1", "a[x]=1", "a[00].b=1", "a[-1]=1", "a[0]b=1", "a]=1"}) {
+    EXPECT_THAT([&] { Config::FromText("a: [1]\n", "a.yaml", {text}); },
+                ::testing::ThrowsMessage<InputError>(AllOf(HasSubstr(std::string("--set ") + text),
+                                                           HasSubstr("need key.path=value"))))
+        << text;
+  }
+}
+
+TEST(Config, AnOverrideOfAnItemByWhatItCannotBeIsAFault) {
+  const auto faults = [](const std::string& override) {
+    const Config config = Config::FromText("s: [{r: 1}]\nv: [1, 2]\n", "a.yaml", {override});
+    for (const ConfigMap& item : config.root().List("s")) item.Number("r", Any("m"));
+    for (const ConfigMap& item : config.root().List("absent")) item.Number("r", Any("m"));
+    config.root().Vector2("v", Any("m"));
+    return FaultsOf(config);
+  };
+  EXPECT_EQ(faults("s[0]=foo"), "--set: s[0]: 'foo' found, need a mapping of keys");
+  EXPECT_EQ(faults("s.00.r=1"), "--set: s: no item [00], the list has 1");
+  EXPECT_EQ(faults("v[2]=1"), "--set: v: no item [2], the list has 2");
+  EXPECT_EQ(faults("v[0].x=1"), "--set: v[0]: a mapping is not a number, need a number in m");
+  EXPECT_EQ(faults("absent[0].r=1"),
+            "--set: absent: an item of a list that is not there found, need a list of mappings");
+}
+
+TEST(Config, NamesKeepTheOrderOfTheFileWithOverridesAtTheEnd) {
+  const Config config = Config::FromText("n: {b: 1, a: 2}\nm: {b: {x: 1}, a: {x: 2}}\n", "a.yaml",
+                                         {"n.c=3", "n.a=4", "m.c.x=3", "m.a.x=4"});
+  std::vector<std::pair<std::string, double>> maps;
+  for (const auto& [name, map] : config.root().NamedMaps("m")) {
+    maps.emplace_back(name, map.Number("x", Any("m")));
+  }
+  EXPECT_THAT(maps,
+              ::testing::ElementsAre(std::pair("b", 1), std::pair("a", 4), std::pair("c", 3)));
+  EXPECT_EQ(config.root().NamedNumbers("n", Any("m")), maps);
+}
+
+/// Files of presets in a folder of the test's own.
+class Presets : public ::testing::Test {
+ protected:
+  void Write(const std::string& name, const std::string& text) const {
+    std::filesystem::create_directories((folder_ / name).parent_path());
+    std::ofstream(folder_ / name) << text;
+  }
+  Config Read(const std::string& name) const { return Config::FromFile(folder_ / name); }
+
+  const std::filesystem::path folder_ = OwnFolder();
+};
+
+TEST_F(Presets, OfAPresetAreAppliedBelowIt) {
+  Write("a.yaml", "preset: sub/b.yaml\nx: 1\n");
+  Write("sub/b.yaml", "preset: c.yaml\nx: 2\ny: 2\n");
+  Write("sub/c.yaml", "x: 3\ny: 3\nz: 3\n");
+  const Config config = Read("a.yaml");
+  config.root().ApplyPreset("preset");
+  std::vector<double> values;
+  for (const char* key : {"x", "y", "z"}) values.push_back(config.root().Number(key, Any("")));
+  EXPECT_EQ(values, (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(FaultsOf(config), "");
+}
+
+TEST_F(Presets, InACircleAreAFault) {
+  Write("a.yaml", "preset: b.yaml\n");
+  Write("b.yaml", "preset: ./b.yaml\n");
+  const Config config = Read("a.yaml");
+  config.root().ApplyPreset("preset");
+  EXPECT_THAT(FaultsOf(config), HasSubstr("'./b.yaml' is a preset of itself"));
+}
+
+TEST_F(Presets, WithNamesThatNoFileCanHaveAreNotThere) {
+  Write("a.yaml", "preset: " + std::string(300, 'x') + ".yaml\nfile: loop.yaml\n");
+  std::filesystem::create_symlink("loop.yaml", folder_ / "loop.yaml");
+  const Config config = Read("a.yaml");
+  config.root().ApplyPreset("preset");
+  config.root().File("file");
+  EXPECT_THAT(FaultsOf(config), AllOf(HasSubstr("xxx.yaml' does not exist"),
+                                      HasSubstr("'loop.yaml' does not exist")));
+  EXPECT_THROW(Read("loop.yaml"), InputError);
+  EXPECT_THROW(Read(std::string(300, 'y')), InputError);
 }
 
 TEST(Config, ResolvedDocumentHoldsDefaultsAndReadsBackTheSame) {
