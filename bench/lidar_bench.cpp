@@ -1,4 +1,5 @@
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <numbers>
 
@@ -29,6 +30,7 @@ class Revolution {
     }
     UpdateScene();
     for (int column = 0; column < model_.columns; ++column) AimColumn(column);
+    ranges_m_.resize(rays_.size());
   }
 
   void UpdateScene() {
@@ -43,10 +45,8 @@ class Revolution {
     scene_.Update(poses, To().ground, To().scene.body_scale);
   }
   LidarScan Measure(int threads) const { return lidar_.Measure(0, track_, scene_, threads); }
-  void TraceBare() {
-    ranges_m_.resize(rays_.size());
-    scene_.TraceBare(rays_, ranges_m_);
-  }
+  void TraceBareSingly() { scene_.TraceBareSingly(rays_, ranges_m_); }
+  void TraceBareInPackets() { scene_.TraceBareInPackets(rays_, ranges_m_); }
   double rays() const { return static_cast<double>(rays_.size()); }
 
  private:
@@ -78,23 +78,32 @@ class Revolution {
   std::vector<float> ranges_m_;
 };
 
-/// All that the sensor does on one thread, beside rtcIntersect1 for the same rays on one thread;
-/// taken in turn, so that whatever else the machine does strikes both.
+/// All that the sensor does on one thread, beside Embree alone for the same rays on one thread: ray
+/// by ray, and in packets of eight, as the sensor itself asks. Taken in turn, so that whatever else
+/// the machine does strikes all three. The label says both ratios; the target is held against bare
+/// Embree ray by ray.
 void LidarBesideBareEmbree(benchmark::State& state) {
   Revolution revolution;
-  double sensor_s = 0, bare_s = 0;
+  double sensor_s = 0, singly_s = 0, in_packets_s = 0;
   for (auto _ : state) {
     {
-      const Stopwatch watch(&bare_s);
-      revolution.TraceBare();
+      const Stopwatch watch(&singly_s);
+      revolution.TraceBareSingly();
+    }
+    {
+      const Stopwatch watch(&in_packets_s);
+      revolution.TraceBareInPackets();
     }
     const Stopwatch watch(&sensor_s);
     benchmark::DoNotOptimize(revolution.Measure(1));
   }
   const double rays = revolution.rays() * static_cast<double>(state.iterations());
   state.counters["sensor_rays_ps"] = rays / sensor_s;
-  state.counters["bare_rays_ps"] = rays / bare_s;
-  ExpectAtLeast({"of bare Embree", 0.8, ""}, bare_s / sensor_s, &state);
+  state.counters["single_rays_ps"] = rays / singly_s;
+  state.counters["packet_rays_ps"] = rays / in_packets_s;
+  const std::string what =
+      fmt::format("of bare Embree in packets {:.2f}, ray by ray", in_packets_s / sensor_s);
+  ExpectAtLeast({what, 0.8, ""}, singly_s / sensor_s, &state);
 }
 BENCHMARK(LidarBesideBareEmbree)->Unit(benchmark::kMillisecond)->MinTime(3);
 

@@ -132,6 +132,7 @@ struct RayScene::Impl {
   explicit Impl(const SceneModel& scene_model);
   void UpdateBody(std::size_t index, std::vector<Pose> keys, float scale);
   /// Rays that start and point alike, at most kPacket of them, traced together.
+  RTCRayHit8 Intersect(std::span<const Ray> rays, RTCIntersectContext* context) const;
   void TracePacket(std::span<const Ray> rays, RTCIntersectContext* context, RayHit* hits) const;
   void Describe(const Ray& ray, const RTCHit& found, RayHit* hit) const;
 
@@ -224,8 +225,8 @@ void RayScene::Impl::UpdateBody(std::size_t index, std::vector<Pose> keys, float
   rtcCommitGeometry(geometry);
 }
 
-void RayScene::Impl::TracePacket(std::span<const Ray> rays, RTCIntersectContext* context,
-                                 RayHit* hits) const {
+RTCRayHit8 RayScene::Impl::Intersect(std::span<const Ray> rays,
+                                     RTCIntersectContext* context) const {
   RTCRayHit8 packet;
   alignas(32) int valid[kPacket];
   for (std::size_t i = 0; i < kPacket; ++i) {
@@ -247,6 +248,12 @@ void RayScene::Impl::TracePacket(std::span<const Ray> rays, RTCIntersectContext*
     packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }
   rtcIntersect8(valid, scene.get(), context, &packet);
+  return packet;
+}
+
+void RayScene::Impl::TracePacket(std::span<const Ray> rays, RTCIntersectContext* context,
+                                 RayHit* hits) const {
+  RTCRayHit8 packet = Intersect(rays, context);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     hits[i] = RayHit();
     if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
@@ -321,7 +328,7 @@ void RayScene::Trace(std::span<const Ray> rays, std::span<RayHit> hits, int thre
   work();
 }
 
-void RayScene::TraceBare(std::span<const Ray> rays, std::span<float> range_m) const {
+void RayScene::TraceBareSingly(std::span<const Ray> rays, std::span<float> range_m) const {
   TERA_CHECK(rays.size() == range_m.size(), rays.size(), range_m.size());
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -330,6 +337,20 @@ void RayScene::TraceBare(std::span<const Ray> rays, std::span<float> range_m) co
     rtcIntersect1(impl_->scene.get(), &context, &query);
     const bool hit = query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
     range_m[i] = hit ? query.ray.tfar : std::numeric_limits<float>::infinity();
+  }
+}
+
+void RayScene::TraceBareInPackets(std::span<const Ray> rays, std::span<float> range_m) const {
+  TERA_CHECK(rays.size() == range_m.size(), rays.size(), range_m.size());
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  for (std::size_t begin = 0; begin < rays.size(); begin += kPacket) {
+    const std::size_t count = std::min(kPacket, rays.size() - begin);
+    const RTCRayHit8 packet = impl_->Intersect(rays.subspan(begin, count), &context);
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool hit = packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
+      range_m[begin + i] = hit ? packet.ray.tfar[i] : std::numeric_limits<float>::infinity();
+    }
   }
 }
 

@@ -36,8 +36,7 @@ struct RayHit {
 ///         geometry per tile, of which only tiles with a new version are rebuilt, and stands still
 ///         within an interval; the land around the site is that of the pictures.
 /// Omits   transparency: glass is opaque with its own reflectance unless its opacity is 0. Ripples
-/// of the
-///         terrain finer than its cells.
+///         of the terrain finer than its cells.
 /// Source  soil darkening with moisture: a saturated soil reflects about half as much as a dry one
 ///         in the near infrared (after Lobell and Asner 2002), linear in saturation between.
 class RayScene {
@@ -57,9 +56,11 @@ class RayScene {
   /// First hit of each ray. Uses up to `threads` threads; the result does not depend on them.
   void Trace(std::span<const Ray> rays, std::span<RayHit> hits, int threads) const;
 
-  /// Embree's rtcIntersect1 for each ray, on this thread, and nothing else: the yardstick for the
-  /// speed of Trace. Ranges are infinite where nothing is hit.
-  void TraceBare(std::span<const Ray> rays, std::span<float> range_m) const;
+  /// Embree alone, on this thread and with nothing done about what is hit: the yardsticks for the
+  /// speed of Trace. Ray by ray (rtcIntersect1), or in the packets that Trace takes
+  /// (rtcIntersect8). Ranges are infinite where nothing is hit.
+  void TraceBareSingly(std::span<const Ray> rays, std::span<float> range_m) const;
+  void TraceBareInPackets(std::span<const Ray> rays, std::span<float> range_m) const;
 
   /// Terrain tiles built since the start; grows with dirty tiles only.
   std::int64_t tiles_rebuilt() const;

@@ -50,6 +50,30 @@ TEST(RayScene, RangeToATiltedWallIsThatOfThePlane) {
   }
 }
 
+TEST(RayScene, ItsYardsticksFindTheSameRanges) {
+  RayScene scene(OneBodyEach({CubeMesh(0.8)}));
+  scene.Update({{MakePose({3, 1, 1}, 0.2, 0.1, 0.5)}}, Ground(81, 81, 0.1, -4, Relief), {1});
+  std::vector<Ray> rays;
+  for (int k = 0; k < 1003; ++k) {
+    rays.push_back(RayFrom({0, 0, 2}, {std::cos(0.1 * k), std::sin(0.1 * k), 0.2 - 1e-3 * k}));
+  }
+  std::vector<RayHit> hits(rays.size());
+  std::vector<float> singly_m(rays.size()), in_packets_m(rays.size());
+  scene.Trace(rays, hits, 1);
+  scene.TraceBareSingly(rays, singly_m);
+  scene.TraceBareInPackets(rays, in_packets_m);
+  int met = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    EXPECT_EQ(std::isfinite(in_packets_m[i]), hits[i].hit);
+    if (!hits[i].hit) continue;
+    ++met;
+    EXPECT_EQ(in_packets_m[i], hits[i].range_m);
+    EXPECT_NEAR(singly_m[i], hits[i].range_m, 1e-4);
+  }
+  EXPECT_GT(met, 500);
+  EXPECT_LT(met, 1003);
+}
+
 TEST(RayScene, ARayMeetsAMovingBodyWhereItStandsAtTheRaysTime) {
   RayScene scene(OneBodyEach({WallMesh(5, 0.5)}));
   std::vector<std::vector<Pose>> poses;
