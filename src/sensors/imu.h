@@ -28,13 +28,23 @@ ImuModel ReadImuModel(const ConfigMap& config);
 /// Three gyroscopes and three accelerometers fixed to a body.
 ///
 /// Frames  W world, B body, S sensor at X_BS.
-/// Model   the motion of the poses of S alone, so that what a unit measures is what a camera beside
-///         it sees: over a step w_S = log(R_0^T R_1) / dt, f_S = R_SW ((v_1 - v_0) / dt - g_W),
-///         with v between two steps the mean of their chords (central difference). Each sample is
-///         the mean over its own interval (t - T, t], as of a strapdown unit that integrates
-///         internally; then white noise sigma / sqrt(T) and a bias random walk. Sample k >= 1 is
-///         due at clock.Due(k).
-/// Omits   scale, cross-axis, g-sensitivity, temperature, saturation, quantisation, vibration.
+/// Model   the motion of the poses of S, so that what a unit measures is what a camera beside it
+///         sees: over a step w_S = log(R_0^T R_1) / dt, f_S = R_SW ((v_1 - v_0) / dt - g_W), with v
+///         between two steps the mean of their chords. Each sample is the mean over its own
+///         interval (t - T, t], as of a strapdown unit that integrates internally; then white noise
+///         sigma / sqrt(T) and a bias random walk. Sample k >= 1 is due at clock.Due(k).
+///
+///         Not from the accelerations that the state holds: the physics step finds the rates that
+///         carry one pose to the next, which are those of the middle of the step, so that their
+///         change, a_WB, is the acceleration at the step's beginning; taken for the step it comes
+///         half a step late (docs/accuracy.md has what that costs). The chords are those same rates
+///         of S, between poses that are exact, neither interpolated nor rounded: differences of
+///         them add no noise. At its own time a_WB agrees with them to the second order in the
+///         step.
+/// Omits   Earth's rotation (15 deg/h about the pole, more than the bias instability of a good
+/// unit)
+///         and its Coriolis acceleration; the change of gravity with place. Scale, cross-axis,
+///         g-sensitivity, temperature, saturation, quantisation, vibration.
 /// Source  IEEE Std 952-1997 (noise terms); Titterton and Weston 2004, ch. 11 (integration).
 class Imu {
  public:

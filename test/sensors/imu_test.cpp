@@ -78,6 +78,64 @@ TEST(Imu, TheLeverArmAddsCentripetalAndTangentialAcceleration) {
   EXPECT_NEAR((samples[0].f_S_mps2 - Vec3(4.5, 6, 9.80665)).norm(), 0, 5e-5);
 }
 
+/// All turns about the vertical line through (2, 3), as a machine that slews and speeds up:
+/// the angle at t, its rate and its acceleration.
+struct Slewing {
+  static constexpr double kRate_radps = 0.9, kGrowth_radps2 = 0.35;
+  static double Angle(double t_s) {
+    return 0.4 + kRate_radps * t_s + 0.5 * kGrowth_radps2 * t_s * t_s;
+  }
+  static double Rate(double t_s) { return kRate_radps + kGrowth_radps2 * t_s; }
+
+  /// B, tilted, 4 m from the axis, with its velocities and accelerations.
+  static BodyState At(double t_s) {
+    const Vec3 axis_W_m(2, 3, 0), arm_m(4, 0, 1.5);
+    const Mat3 R_turn = RotationFromRpy(0, 0, Angle(t_s));
+    const Vec3 r_W = R_turn * arm_m, out_W(r_W.x(), r_W.y(), 0), ahead_W(-r_W.y(), r_W.x(), 0);
+    BodyState body;
+    body.X_WB = MakePose(axis_W_m + r_W, R_turn * RotationFromRpy(0.2, -0.3, 0.5));
+    body.v_WB_mps = Rate(t_s) * ahead_W;
+    body.w_WB_radps = Vec3(0, 0, Rate(t_s));
+    body.a_WB_mps2 = kGrowth_radps2 * ahead_W - Rate(t_s) * Rate(t_s) * out_W;
+    body.alpha_WB_radps2 = Vec3(0, 0, kGrowth_radps2);
+    return body;
+  }
+};
+
+TEST(Imu, WhileABodySlewsItReadsThatCircularMotionAtItsOwnPlace) {
+  // The sensor moves on a circle about the axis too: centripetal w^2 rho towards it, tangential
+  // alpha rho along its path, whatever body carries it. Samples of 200 Hz are means over 5 ms of a
+  // motion that turns by up to 10 mrad meanwhile: off by the square of that over 24, 4e-6 of
+  // 20 m/s^2, where chords of 2 ms are off by less.
+  const Pose X_BS = MakePose({1.2, -0.7, 0.4}, 0.3, 0.2, -1.1);
+  Imu imu({}, X_BS, {.rate_hz = 200}, 0, 1, "imu");
+  std::vector<ImuSample> samples;
+  for (int k = 0; k < 1000; ++k) {
+    imu.Advance(k * kStep_ns, Slewing::At(0.002 * k), (k + 1) * kStep_ns,
+                Slewing::At(0.002 * (k + 1)), kGravity_W_mps2, &samples);
+  }
+  imu.Finish(&samples);
+  ASSERT_EQ(samples.size(), 400u);
+  double greatest_mps2 = 0;
+  for (const ImuSample& sample : samples) {
+    if (sample.t_ns > 1'990'000'000) continue;  // the end has no step after it
+    const double t_s = ToSeconds(sample.t_ns) - 0.0025, w_radps = Slewing::Rate(t_s);
+    const Pose X_WS = Slewing::At(t_s).X_WB * X_BS;
+    const Vec3 rho_W(X_WS.translation().x() - 2, X_WS.translation().y() - 3, 0);
+    const Vec3 ahead_W(-rho_W.y(), rho_W.x(), 0);
+    const Vec3 a_W = Slewing::kGrowth_radps2 * ahead_W - w_radps * w_radps * rho_W;
+    const Mat3 R_SW = X_WS.linear().transpose();
+    EXPECT_NEAR((sample.f_S_mps2 - R_SW * (a_W - kGravity_W_mps2)).norm(), 0, 2e-4) << t_s;
+    EXPECT_NEAR((sample.w_WS_S_radps - R_SW * Vec3(0, 0, w_radps)).norm(), 0, 1e-9) << t_s;
+    greatest_mps2 = std::max(greatest_mps2, a_W.norm());
+    // The same from the accelerations that the state holds at that instant.
+    const BodyState S = MotionOfFixedFrame(Slewing::At(t_s), X_BS);
+    EXPECT_NEAR((sample.f_S_mps2 - R_SW * (S.a_WB_mps2 - kGravity_W_mps2)).norm(), 0, 2e-4) << t_s;
+    EXPECT_NEAR((sample.w_WS_S_radps - R_SW * S.w_WB_radps).norm(), 0, 1e-9) << t_s;
+  }
+  EXPECT_GT(greatest_mps2, 10);
+}
+
 TEST(Imu, RatesAddUpToTheTurnOfThePoseWhateverTheVelocitySays) {
   // A semi-implicit step turns the pose by the rate at its end, so that rates and poses differ by
   // half a step. What is seen and what is measured must be the same motion all the same.
