@@ -7,9 +7,14 @@ set(TERA_DATA_DIR ${CMAKE_INSTALL_DATADIR}/tera)
 
 install(TARGETS tera_options EXPORT teraTargets)
 set_target_properties(tera_options PROPERTIES EXPORT_NAME options)
+file(STRINGS cmake/internal_headers.txt internal REGEX "^[^#]")
+set(without_internal)
+foreach(header IN LISTS internal)
+  list(APPEND without_internal PATTERN ${header} EXCLUDE)
+endforeach()
 foreach(module core physics soil render sensors dataset sim)
   install(DIRECTORY src/${module} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tera
-    FILES_MATCHING PATTERN "*.h")
+    FILES_MATCHING PATTERN "*.h" ${without_internal})
 endforeach()
 
 install(DIRECTORY shaders config examples DESTINATION ${TERA_DATA_DIR})
