@@ -7,6 +7,7 @@
 #include "core/units.h"
 #include "render/hand_made_scene.h"
 #include "render/ray_scene.h"
+#include "sensors/sensor.h"
 
 namespace tera {
 namespace {
@@ -90,6 +91,41 @@ TEST_F(CameraBeforeAWall, DepthAgreesWithRaysThroughThePixels) {
     }
   }
   EXPECT_GT(compared, 500);
+}
+
+TEST_F(CameraBeforeAWall, EveryKeyChangesThePicture) {
+  const auto measure = [&](const std::string& keys) {
+    const Config config =
+        Config::FromText("sensor: {name: s, type: camera, link: b, " + keys + "}", "rig.yaml");
+    const SensorDescription s = ReadSensor(config.root().Map("sensor"));
+    config.Finish();
+    return Camera(std::get<CameraModel>(s.model), s.clock, s.latency_ns, 1, "m/s")
+        .Measure(1, MakePose({1, 2, 1.5}, 0, 0, 90 * kDeg), scene_, &rasterizer_);
+  };
+  const auto alike = [](const CameraFrame& a, const CameraFrame& b) {
+    return a.rgb.data == b.rgb.data && a.depth_m.data == b.depth_m.data &&
+           a.semantic.data == b.semantic.data && a.instance.data == b.instance.data;
+  };
+  const std::string size = "rate_hz: 10, width_px: 80, height_px: 60, depth: true";
+  const CameraFrame plain = measure(size + ", fx_px: 75");
+  ASSERT_TRUE(alike(plain, measure(size + ", fx_px: 75")));
+  for (const std::string change :
+       {"fy_px: 70", "cx_px: 30", "cy_px: 20", "k1: 0.05", "k2: 0.05", "p1: 0.02", "p2: 0.02",
+        "k3: 0.05", "near_m: 6.5", "far_m: 7", "rgb: false", "labels: false", "depth_min_m: 6.5",
+        "depth_max_m: 5.5", "disparity_noise_px: 0.1", "rgb_noise: 2"}) {
+    EXPECT_FALSE(alike(plain, measure(size + ", fx_px: 75, " + change))) << change;
+  }
+  EXPECT_FALSE(alike(plain, measure(size + ", fx_px: 80")));
+  EXPECT_FALSE(alike(plain, measure(size + ", horizontal_fov_deg: 60")));
+  const std::string noise = size + ", fx_px: 75, disparity_noise_px: 0.1";
+  EXPECT_FALSE(alike(measure(noise), measure(noise + ", baseline_m: 0.2")));
+  EXPECT_TRUE(measure("rate_hz: 10, width_px: 80, height_px: 60, fx_px: 75").depth_m.empty());
+  const CameraFrame wide = measure("rate_hz: 20, width_px: 90, height_px: 50, fx_px: 75");
+  EXPECT_EQ(wide.rgb.width_px, 90);
+  EXPECT_EQ(wide.rgb.height_px, 50);
+  EXPECT_EQ(wide.t_ns, 50'000'000);
+  EXPECT_EQ(wide.t_available_ns, 50'000'000);
+  EXPECT_EQ(measure(size + ", fx_px: 75, latency_s: 0.025").t_available_ns, 125'000'000);
 }
 
 TEST_F(CameraBeforeAWall, OutputsThatAreOffAreEmpty) {
