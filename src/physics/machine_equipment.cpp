@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
+#include "core/plain_name.h"
 #include "core/spelling.h"
 #include "physics/machine_reading.h"
 #include "physics/running_gear.h"
@@ -9,10 +12,38 @@ namespace {
 
 /// A shovel that carries soil needs an enclosed profile of at least this many points.
 constexpr std::size_t kMinProfilePoints = 3;
+constexpr double kLeastProfile_m2 = 1e-4;  ///< below it the points lie on a line
+// A machine with more or longer ones is a mistyped one.
+constexpr double kMostTeeth = 100, kLongestTooth_m = 1, kMostShoes = 1000;
 
+void CheckProfile(const ConfigMap& config, const std::vector<Vec2>& profile_m) {
+  double twice_area_m2 = 0;
+  for (std::size_t k = 0; k < profile_m.size(); ++k) {
+    const std::size_t next = (k + 1) % profile_m.size();
+    const Vec2 &a = profile_m[k], &b = profile_m[next];
+    twice_area_m2 += a.x() * b.y() - a.y() * b.x();
+    if (a == b) {
+      config.Fault("profile_m", fmt::format("points {} and {} are the same; need each once, the "
+                                            "profile being open",
+                                            k, next));
+      return;
+    }
+  }
+  if (0.5 * std::abs(twice_area_m2) < kLeastProfile_m2) {
+    config.Fault("profile_m", fmt::format("the points enclose no area ({:.2g} m2); need a "
+                                          "cross-section with an inside",
+                                          0.5 * std::abs(twice_area_m2)));
+  }
+}
+
+/// Gears and joints stand side by side in the dataset's tables.
 void CheckGearName(const ConfigMap& config, const std::string& name, const MachineModel& model) {
+  RequirePlainName(config, "", name);
   for (const RunningGear& gear : model.ground_tools.gears) {
     if (gear.name == name) config.Fault("", fmt::format("a track is named '{}' already", name));
+  }
+  if (model.JointIndex(name) >= 0) {
+    config.Fault("", fmt::format("a joint is named '{}' already", name));
   }
 }
 
@@ -44,7 +75,7 @@ void ReadTrack(const std::string& name, const ConfigMap& config, MachineModel* m
         {.gear = gear,
          .shoe = visual,
          .path_B_m = TrackPath(shape),
-         .shoe_count = static_cast<int>(shoe->Integer("count", AtLeast(1, "1")))});
+         .shoe_count = static_cast<int>(shoe->Integer("count", Between(1, kMostShoes, "1")))});
   }
 }
 
@@ -74,10 +105,11 @@ void ReadShovel(const std::string& name, const ConfigMap& config, MachineModel* 
   for (const auto& row : config.NumberRows("profile_m", Any("m"), 2, kMinProfilePoints)) {
     shovel.profile_B_m.emplace_back(row[0], row[1]);
   }
+  CheckProfile(config, shovel.profile_B_m);
   shovel.width_m = config.Number("width_m", Positive("m"));
   shovel.capacity_m3 = config.Number("capacity_m3", AtLeast(0, "m3"), 0.0);
-  shovel.teeth = static_cast<int>(config.Integer("teeth", AtLeast(0, "1"), 0));
-  shovel.tooth_length_m = config.Number("tooth_length_m", AtLeast(0, "m"), 0.0);
+  shovel.teeth = static_cast<int>(config.Integer("teeth", Between(0, kMostTeeth, "1"), 0));
+  shovel.tooth_length_m = config.Number("tooth_length_m", Between(0, kLongestTooth_m, "m"), 0.0);
   model->ground_tools.shovels.push_back(shovel);
 }
 
@@ -97,7 +129,10 @@ void ReadCylinder(const std::string& name, const ConfigMap& config, MachineModel
 }  // namespace
 
 void ReadRunningGear(const ConfigMap& config, MachineModel* model) {
-  for (const auto& [name, map] : config.NamedMaps("tracks")) ReadTrack(name, map, model);
+  for (const auto& [name, map] : config.NamedMaps("tracks")) {
+    CheckGearName(map, name, *model);
+    ReadTrack(name, map, model);
+  }
   for (const auto& [name, map] : config.NamedMaps("wheels")) {
     CheckGearName(map, name, *model);
     ReadWheelSet(name, map, model);
@@ -106,7 +141,10 @@ void ReadRunningGear(const ConfigMap& config, MachineModel* model) {
 }
 
 void ReadEquipment(const ConfigMap& config, MachineModel* model) {
-  for (const auto& [name, map] : config.NamedMaps("shovels")) ReadShovel(name, map, model);
+  for (const auto& [name, map] : config.NamedMaps("shovels")) {
+    RequirePlainName(map, "", name);
+    ReadShovel(name, map, model);
+  }
   for (const auto& [name, map] : config.NamedMaps("cylinders")) ReadCylinder(name, map, model);
   for (const ConfigMap& map : config.List("hull_points")) {
     const int link = ReadLinkName(map, "link", *model);

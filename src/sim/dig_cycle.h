@@ -76,7 +76,8 @@ class DigCycle : public Operator {
   std::optional<PlanarArm::Angles> last_angles_;
 };
 
-/// Reads the keys of `type: dig_cycle`.
-DigPlan ReadDigPlan(const ConfigMap& config, const MachineModel& model);
+/// Reads the keys of `type: dig_cycle`. Nothing where the machine lacks such an arm, which is then
+/// reported to `config`.
+std::optional<DigPlan> ReadDigPlan(const ConfigMap& config, const MachineModel& model);
 
 }  // namespace tera

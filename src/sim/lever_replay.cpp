@@ -1,12 +1,26 @@
 #include "sim/lever_replay.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/csv.h"
 #include "core/error.h"
 
 namespace tera {
 namespace {
+
+constexpr std::size_t kFirstRowLine = 2;  ///< of the file, below its header
+
+/// Columns of `file`; none where it cannot be read, which is then reported.
+std::vector<std::string> HeaderOf(const ConfigMap& config, const std::filesystem::path& file) {
+  if (file.empty()) return {};
+  try {
+    return ReadCsvHeader(file);
+  } catch (const InputError& e) {
+    config.Fault("csv", e.what());
+    return {};
+  }
+}
 
 /// Reads time (in seconds, or in nanoseconds for a column that ends in _ns) and `columns`; a file
 /// that cannot be used becomes a fault of `config` and an empty table.
@@ -25,7 +39,7 @@ CommandTable ReadCommands(const ConfigMap& config, const std::filesystem::path& 
       table.rows.push_back(std::move(row));
       if (r > 0 && table.t_ns[r] <= table.t_ns[r - 1]) {
         config.Fault("csv", fmt::format("{}:{}: time does not grow from the row before",
-                                        file.string(), r + 2));
+                                        file.string(), r + kFirstRowLine));
         return table;
       }
     }
@@ -33,6 +47,25 @@ CommandTable ReadCommands(const ConfigMap& config, const std::filesystem::path& 
     config.Fault("csv", e.what());
   }
   return table;
+}
+
+/// Beyond full lever by no more than this is a rounding of whoever wrote the file.
+constexpr double kLeverRounding = 1e-9;
+
+/// Reports the first lever beyond its stops; takes roundings back to the stop.
+void CheckLevers(const ConfigMap& config, const std::filesystem::path& file,
+                 const std::vector<std::string>& columns, CommandTable* table) {
+  for (std::size_t r = 0; r < table->rows.size(); ++r) {
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      double& lever = table->rows[r][c];
+      if (std::abs(lever) > 1 + kLeverRounding) {
+        config.Fault("csv", fmt::format("{}:{}: column '{}' is {}, need -1 to 1 of full lever",
+                                        file.string(), r + kFirstRowLine, columns[c], lever));
+        return;
+      }
+      lever = std::clamp(lever, -1.0, 1.0);
+    }
+  }
 }
 
 }  // namespace
@@ -71,19 +104,19 @@ std::unique_ptr<Operator> ReadLeverReplay(const ConfigMap& config, const Machine
   const std::string time_column = config.Text("time_column", "t_ns");
   std::vector<std::string> columns;
   std::vector<int> levers;
-  if (!file.empty()) {
-    for (const std::string& name : ReadCsvHeader(file)) {
-      if (name == time_column) continue;
-      const int lever = model.LeverIndex(name);
-      if (lever < 0) {
-        config.Fault("csv", "column '" + name + "' is no lever of machine '" + model.kind + "'");
-        continue;
-      }
-      columns.push_back(name);
-      levers.push_back(lever);
+  for (const std::string& name : HeaderOf(config, file)) {
+    if (name == time_column) continue;
+    const int lever = model.LeverIndex(name);
+    if (lever < 0) {
+      config.Fault("csv", "column '" + name + "' is no lever of machine '" + model.kind + "'");
+      continue;
     }
+    columns.push_back(name);
+    levers.push_back(lever);
   }
-  return std::make_unique<LeverReplay>(ReadCommands(config, file, time_column, columns), levers);
+  CommandTable table = ReadCommands(config, file, time_column, columns);
+  CheckLevers(config, file, columns, &table);
+  return std::make_unique<LeverReplay>(std::move(table), levers);
 }
 
 std::unique_ptr<Operator> ReadTwistReplay(const ConfigMap& config, const MachineModel& model) {

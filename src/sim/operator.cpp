@@ -16,11 +16,9 @@ class Idle : public Operator {
 };
 
 std::unique_ptr<Operator> ReadDigCycle(const ConfigMap& config, const MachineModel& model) {
-  const DigPlan plan = ReadDigPlan(config, model);
-  const bool usable = plan.joints.slew >= 0 && plan.joints.boom >= 0 && plan.joints.arm >= 0 &&
-                      plan.joints.bucket >= 0 && plan.tip_frame >= 0 && plan.shovel >= 0;
-  if (!usable) return std::make_unique<Idle>();  // the faults are on record
-  return std::make_unique<DigCycle>(model, plan);
+  const std::optional<DigPlan> plan = ReadDigPlan(config, model);
+  if (!plan) return std::make_unique<Idle>();  // the faults are on record
+  return std::make_unique<DigCycle>(model, *plan);
 }
 
 }  // namespace

@@ -2,8 +2,66 @@
 #include "sim/dig_cycle.h"
 
 namespace tera {
+namespace {
 
-DigPlan ReadDigPlan(const ConfigMap& config, const MachineModel& model) {
+constexpr double kMostCycles = 1e6;
+constexpr double kLeastArm_m = 1e-3;  ///< between pins, below which an arm has no direction
+
+/// Whether `link` hangs, through any number of joints, on `ancestor`.
+bool HangsOn(const MachineModel& model, int link, int ancestor) {
+  while (link > 0 && link != ancestor) link = model.joints[link - 1].parent;
+  return link == ancestor;
+}
+
+/// Reports joints that are no planar arm on a slewing post; true if there is nothing to report.
+bool CheckArm(const ConfigMap& config, const MachineModel& model, const DigPlan& plan) {
+  bool good = true;
+  const auto fault = [&](std::string_view key, const std::string& finding) {
+    config.Fault(key, finding);
+    good = false;
+  };
+  const auto at = [&](int joint) -> const Joint& { return model.joints[joint]; };
+  const auto check_turns = [&](std::string_view key, const Joint& joint) {
+    if (joint.type == JointType::kRevolute || joint.type == JointType::kContinuous) return;
+    fault(key, fmt::format("joint '{}' does not turn; need a revolute joint", joint.name));
+  };
+  const auto check_carries = [&](std::string_view key, const Joint& joint, const Joint& next) {
+    if (next.parent != joint.child) {
+      fault(key, fmt::format("joint '{}' does not carry joint '{}'; need boom, arm and bucket "
+                             "joints that hang on one another",
+                             joint.name, next.name));
+    } else if (next.X_PJ.translation().norm() < kLeastArm_m) {
+      fault(key, fmt::format("the pins of joints '{}' and '{}' coincide; need an arm between them",
+                             joint.name, next.name));
+    }
+  };
+  const Joint &slew = at(plan.joints.slew), &boom = at(plan.joints.boom);
+  const Joint &arm = at(plan.joints.arm), &bucket = at(plan.joints.bucket);
+  check_turns("slew", slew);
+  check_turns("boom", boom);
+  check_turns("arm", arm);
+  check_turns("bucket", bucket);
+  if (!HangsOn(model, boom.parent, slew.child)) {
+    fault("slew", fmt::format("joint '{}' does not turn the boom; need the joint of the upper "
+                              "structure",
+                              slew.name));
+  }
+  check_carries("boom", boom, arm);
+  check_carries("arm", arm, bucket);
+  const NamedFrame& tip = model.frames[plan.tip_frame];
+  if (tip.link != bucket.child) {
+    fault(config.Has("tip_frame") ? "tip_frame" : "bucket",
+          fmt::format(
+              "joint '{}' moves link '{}' but frame '{}' is fixed to link '{}'; need both on "
+              "one link",
+              bucket.name, model.links[bucket.child].name, tip.name, model.links[tip.link].name));
+  }
+  return good;
+}
+
+}  // namespace
+
+std::optional<DigPlan> ReadDigPlan(const ConfigMap& config, const MachineModel& model) {
   DigPlan plan;
   const auto joint = [&](std::string_view key) {
     const std::string name = config.Text(key, key);
@@ -40,10 +98,14 @@ DigPlan ReadDigPlan(const ConfigMap& config, const MachineModel& model) {
   plan.cut_speed_mps = config.Number("cut_speed_mps", Positive("m/s"), plan.cut_speed_mps);
   plan.dump_reach_m = config.Number("dump_reach_m", Positive("m"), plan.dump_reach_m);
   plan.dump_height_m = config.Number("dump_height_m", Positive("m"), plan.dump_height_m);
-  plan.cycles = static_cast<int>(config.Integer("cycles", AtLeast(0, ""), 0));
+  plan.cycles = static_cast<int>(config.Integer("cycles", Between(0, kMostCycles, ""), 0));
   if (plan.cut_length_m >= plan.reach_m) {
     config.Fault("cut_length_m", "the cut would pass the slew axis, need less than reach_m");
   }
+
+  const bool complete = plan.joints.slew >= 0 && plan.joints.boom >= 0 && plan.joints.arm >= 0 &&
+                        plan.joints.bucket >= 0 && plan.tip_frame >= 0 && plan.shovel >= 0;
+  if (!complete || !CheckArm(config, model, plan)) return std::nullopt;
   return plan;
 }
 

@@ -161,6 +161,9 @@ wheels:
                 .track_visuals.at(0)
                 .shoe_count,
             7);
+  EXPECT_THAT(FaultsOf(tracked, {"tracks.left.shoe={mesh: 'tera:assets/tb235.glb', node: shoe, "
+                                 "count: 5000000000}"}),
+              testing::HasSubstr("count: 5000000000 is out of range"));
   EXPECT_EQ(with("wheels.right.wheel={mesh: 'tera:assets/warthog.glb', node: wheel}")
                 .wheel_visuals.at(0)
                 .axle_B_m.y(),
@@ -243,8 +246,18 @@ TEST(MachineFaults, EachNamesItsPlaceAndItsRemedy) {
               HasSubstr("need joints that connect all links to one root"));
   EXPECT_THAT(with("levers=[lift, lift]"), HasSubstr("named twice"));
   EXPECT_THAT(with("levers=[left]"), HasSubstr("neither a joint nor a track"));
+  EXPECT_THAT(with("tracks={a/b: {}}"), HasSubstr("name 'a/b' cannot name a folder or a column"));
+  EXPECT_THAT(with("wheels={'a,b': {}}"), HasSubstr("name 'a,b' cannot name a folder or a column"));
+  EXPECT_THAT(with("tracks={lift: {}}"), HasSubstr("a joint is named 'lift' already"));
+  EXPECT_THAT(with("shovels={a b: {}}"), HasSubstr("name 'a b' cannot name a folder or a column"));
   EXPECT_THAT(with("shovels.scoop.link=armm"), HasSubstr("did you mean 'arm'?"));
   EXPECT_THAT(with("shovels.scoop.profile_m=[[0, 0], [1, 1]]"), HasSubstr("at least 3 rows"));
+  EXPECT_THAT(with("shovels.scoop.profile_m=[[0, 0], [1, 1], [2, 2]]"),
+              HasSubstr("shovels.scoop.profile_m: the points enclose no area"));
+  EXPECT_THAT(with("shovels.scoop.profile_m=[[1, 0], [1, 0], [0, 1], [0, 0]]"),
+              HasSubstr("points 0 and 1 are the same"));
+  EXPECT_THAT(with("shovels.scoop.teeth=5000000000"), HasSubstr("teeth: 5000000000 is out of"));
+  EXPECT_THAT(with("shovels.scoop.tooth_length_m=3"), HasSubstr("tooth_length_m: 3 is out of"));
   EXPECT_THAT(with("links.arm.visuals=[{mesh: nowhere.glb}]"),
               HasSubstr("file 'nowhere.glb' does not exist"));
   EXPECT_THAT(with("frames.tip={link: arm, xyz_m: [0, 0]}"), HasSubstr("3 numbers"));

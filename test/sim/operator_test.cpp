@@ -81,6 +81,26 @@ TEST(LeverReplay, RefusesColumnsThatAreNoLevers) {
   }
 }
 
+TEST(LeverReplay, RefusesLeversBeyondTheirTravelWithTheLineThatHoldsThem) {
+  const Cart cart;
+  const std::string csv =
+      WriteFile("far.csv", "t_ns,left_track\n0,0.5\n1000000000,1.0000000001\n2000000000,-12\n");
+  try {
+    Read("{type: lever_replay, csv: " + csv + "}", cart);
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), ::testing::StartsWith("operator.yaml:1:"));
+    EXPECT_THAT(e.what(), HasSubstr("far.csv:4: column 'left_track' is -12, need -1 to 1"));
+  }
+}
+
+TEST(LeverReplay, TakesALeverThatIsARoundingErrorBeyondItsStop) {
+  const Cart cart;
+  const std::string csv = WriteFile("near.csv", "t_ns,left_track\n0,1.0000000001\n");
+  const auto driver = Read("{type: lever_replay, csv: " + csv + "}", cart);
+  EXPECT_EQ(cart.Levers(driver.get(), 1)[0], 1.0);
+}
+
 TEST(LeverReplay, RefusesTimesThatRunBackwards) {
   const Cart cart;
   const std::string csv = WriteFile("back.csv", "t_ns,left_track\n5,1\n4,0\n");
@@ -129,6 +149,35 @@ TEST(ReadOperator, NamesTheJointThatADigCycleLacks) {
   } catch (const InputError& e) {
     EXPECT_THAT(e.what(), HasSubstr("machine 'cart' has no joint 'slew'"));
   }
+}
+
+/// What is wrong with a dig cycle of the excavator, or nothing.
+std::string DigFaults(const std::string& keys) {
+  const Config machine = Config::FromFile(DataRoot() / "config/machines/tb235.yaml");
+  const MachineModel model = ReadMachine(machine.root());
+  machine.Finish();
+  const Config config = Config::FromText("{type: dig_cycle, " + keys + "}", "operator.yaml");
+  try {
+    ReadOperator(config.root(), model);
+    config.Finish();
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(ReadOperator, RefusesJointsThatAreNoArmOnASlewingPost) {
+  EXPECT_EQ(DigFaults("cycles: 2"), "");
+  EXPECT_THAT(DigFaults("boom: arm"),
+              HasSubstr("operator.yaml:1:25: boom: joint 'arm' does not carry joint 'arm'"));
+  EXPECT_THAT(DigFaults("arm: swing"), HasSubstr("arm: joint 'swing' does not carry"));
+  EXPECT_THAT(DigFaults("bucket: blade"),
+              HasSubstr("operator.yaml:1:27: bucket: joint 'blade' moves link 'blade'"));
+  EXPECT_THAT(DigFaults("slew: blade"), HasSubstr("slew: joint 'blade' does not turn the boom"));
+}
+
+TEST(ReadOperator, RefusesMoreDigCyclesThanAnyRunHolds) {
+  EXPECT_THAT(DigFaults("cycles: 5000000000"), HasSubstr("cycles: 5000000000 is out of range"));
 }
 
 }  // namespace
