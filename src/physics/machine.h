@@ -26,6 +26,7 @@ struct CollisionBox {
 struct Visual {
   std::filesystem::path mesh;  ///< glTF, OBJ, STL or DAE
   std::string node;            ///< node of the file, empty for all of it
+  std::string place;           ///< "file:line:column: key" that names the mesh, for messages
   Pose X_BG = Pose::Identity();
   double scale = 1.0;
   /// Label where it differs from the link's (tracks on the undercarriage).

@@ -3,20 +3,13 @@
 
 #include <algorithm>
 
+#include "core/plain_name.h"
 #include "core/spelling.h"
 #include "core/units.h"
 #include "physics/machine_reading.h"
 
 namespace tera {
 namespace {
-
-/// Names stand in file names and columns of the dataset.
-void CheckName(const ConfigMap& config, const std::string& name) {
-  const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-';
-  });
-  if (!plain) config.Fault("", fmt::format("name '{}': need letters, digits, '_' and '-'", name));
-}
 
 Mat3 ReadInertia(const ConfigMap& config) {
   const auto v = config.Numbers("inertia_kgm2", Any("kg m2"), 3, 6);
@@ -168,6 +161,7 @@ void ReadJointActuation(const ConfigMap& config, Joint* joint) {
 Visual ReadMesh(const ConfigMap& config) {
   return {.mesh = config.File("mesh"),
           .node = config.Text("node", ""),
+          .place = config.Place("mesh"),
           .scale = config.Number("scale", Positive("1"), 1.0)};
 }
 
@@ -186,11 +180,11 @@ int ReadLinkName(const ConfigMap& config, std::string_view key, const MachineMod
 MachineParts ReadParts(const ConfigMap& config) {
   MachineParts parts;
   for (const auto& [name, map] : config.NamedMaps("links")) {
-    CheckName(map, name);
+    RequirePlainName(map, "", name);
     parts.links.push_back({ReadLink(name, map), {map, ""}});
   }
   for (const auto& [name, map] : config.NamedMaps("joints")) {
-    CheckName(map, name);
+    RequirePlainName(map, "", name);
     Joint joint;
     joint.name = name;
     joint.type = ReadJointType(map);

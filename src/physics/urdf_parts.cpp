@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "core/plain_name.h"
 #include "physics/machine_reading.h"
 
 /// URDF to links and joints.
@@ -36,6 +37,13 @@ class ParserMessages : public console_bridge::OutputHandler {
  private:
   std::string text_;
 };
+
+/// Names stand in headers of CSV files.
+void RequireName(const std::string& name, const PartPlace& place) {
+  if (IsPlainNameWithPoints(name)) return;
+  place.Fault("name", fmt::format("need letters, digits, '_', '-' and points inside, at most {}",
+                                  kLongestName));
+}
 
 Pose ToPose(const urdf::Pose& pose) {
   const urdf::Rotation& q = pose.rotation;
@@ -90,8 +98,10 @@ void AddVisuals(const urdf::Link& in, const fs::path& file, const PartPlace& pla
                               mesh->filename, mesh->scale.x, mesh->scale.y, mesh->scale.z));
       continue;
     }
-    link->visuals.push_back(
-        {.mesh = path->lexically_normal(), .X_BG = ToPose(visual->origin), .scale = mesh->scale.x});
+    link->visuals.push_back({.mesh = path->lexically_normal(),
+                             .place = place.config.Place("urdf") + ": " + place.part,
+                             .X_BG = ToPose(visual->origin),
+                             .scale = mesh->scale.x});
   }
 }
 
@@ -204,10 +214,12 @@ MachineParts ReadUrdfParts(const ConfigMap& config) {
   }
   for (const auto& [name, link] : model->links_) {
     const PartPlace place{config, fmt::format("link '{}' of {}", name, file.filename().string())};
+    RequireName(name, place);
     parts.links.push_back({ToLink(*link, file, place), place});
   }
   for (const auto& [name, joint] : model->joints_) {
     const PartPlace place{config, fmt::format("joint '{}' of {}", name, file.filename().string())};
+    RequireName(name, place);
     parts.joints.push_back(
         {ToJoint(*joint, place), joint->parent_link_name, joint->child_link_name, place});
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/plain_name.h"
 #include "core/spelling.h"
 #include "core/units.h"
 #include "sim/rig.h"
@@ -98,6 +99,7 @@ void ReadSensors(const ConfigMap& config, const MachineModel& model,
 ScenarioMachine ReadMachineEntry(const ConfigMap& config, const TerrainSurface& ground) {
   ScenarioMachine machine;
   machine.placement.name = config.Text("name");
+  RequirePlainName(config, "name", machine.placement.name);
   machine.placement.model = ReadMachine(config.MapOrFile("machine"));
   const MachineModel& model = machine.placement.model;
   for (const Joint& joint : model.joints) machine.placement.q_rad.push_back(joint.initial_rad);
@@ -118,6 +120,7 @@ ScenarioObstacle ReadObstacle(const ConfigMap& config) {
   config.ApplyPreset("preset");
   ScenarioObstacle obstacle;
   obstacle.name = config.Text("name");
+  RequirePlainName(config, "name", obstacle.name);
   const std::string label = config.Text("label");
   if (const auto known = SemanticClassFromName(label)) {
     obstacle.label = *known;
@@ -128,6 +131,7 @@ ScenarioObstacle ReadObstacle(const ConfigMap& config) {
   }
   obstacle.visual.mesh = config.File("mesh");
   obstacle.visual.node = config.Text("node", "body");
+  obstacle.visual.place = config.Place("mesh");
   obstacle.visual.scale = config.Number("scale", Positive(""), 1.0);
   for (const ConfigMap& box : config.List("collision")) {
     obstacle.collision.push_back({box.PoseXyzRpy(), box.Vector3("size_m", Positive("m"))});
@@ -184,10 +188,8 @@ void RequireUniqueNames(const ConfigMap& config, const Scenario& scenario) {
       config.Fault(key,
                    "name '" + name + "' is used twice; give each machine and obstacle its own");
     }
-    if (name.find_first_of("/\\ ") != std::string::npos || name == "truth") {
-      config.Fault(key, "name '" + name +
-                            "' cannot be a folder of the dataset; use letters, digits, "
-                            "_ and -, and not 'truth'");
+    if (name == "truth") {
+      config.Fault(key, "name 'truth' is a folder that every dataset has; choose another");
     }
   };
   for (const ScenarioMachine& m : scenario.machines) require(m.placement.name, "machines");

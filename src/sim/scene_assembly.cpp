@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/check.h"
+#include "core/error.h"
 #include "core/units.h"
 #include "render/soil_colour.h"
 #include "sim/heap_mesh.h"
@@ -86,12 +87,7 @@ void SceneAssembly::AddMachine(const Scenario& scenario, std::size_t m) {
       box.box_max_B_m = box.box_max_B_m.cwiseMax(p + half);
     }
     for (int k = 0; k < track.shoe_count; ++k) {
-      SceneNode node;
-      node.mesh = model_.AddMesh(track.shoe.mesh, track.shoe.node);
-      node.body = AddBody();
-      node.label = SemanticClass::kTrack;
-      node.instance = instance;
-      model_.nodes.push_back(node);
+      AddNode(track.shoe, AddBody(), SemanticClass::kTrack, instance);
     }
   }
   for (const CylinderVisual& cylinder : machine.cylinders) {
@@ -137,7 +133,11 @@ std::uint16_t SceneAssembly::AddInstance(const std::string& name, SemanticClass 
 void SceneAssembly::AddNode(const Visual& visual, int body, SemanticClass label,
                             std::uint16_t instance) {
   SceneNode node;
-  node.mesh = model_.AddMesh(visual.mesh, visual.node);
+  try {
+    node.mesh = model_.AddMesh(visual.mesh, visual.node);
+  } catch (const InputError& e) {
+    throw InputError(visual.place + ": " + e.what());
+  }
   node.body = body;
   node.X_BG = visual.X_BG;
   node.scale = visual.scale;

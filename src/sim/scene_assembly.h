@@ -16,6 +16,7 @@ namespace tera {
 ///         "machine/part" or after the obstacle.
 class SceneAssembly {
  public:
+  /// Throws InputError where a mesh cannot be loaded, with the place that names it.
   explicit SceneAssembly(const Scenario& scenario);
 
   const SceneModel& model() const { return model_; }

@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-Scenario Read() {
+Scenario Read(const std::vector<std::string>& overrides = {}) {
   const Config config = Config::FromText(R"(
 name: test
 duration_s: 1
@@ -20,7 +20,7 @@ machines:
     operator: {type: idle}
 obstacles: [{name: cone1, preset: tera:config/obstacles/cone.yaml, xy_m: [4, 1], yaw_deg: 30}]
 )",
-                                         "s.yaml");
+                                         "s.yaml", overrides);
   Scenario scenario = ReadScenario(config.root());
   config.Finish();
   return scenario;
@@ -97,6 +97,20 @@ TEST(SceneAssembly, HeapOfAnEmptyBucketIsHidden) {
   EXPECT_EQ(std::count_if(scales.begin(), scales.end(),
                           [](float s) { return std::abs(s - 0.5f) < 1e-6f; }),
             1);
+}
+
+TEST(SceneAssembly, ShoesAreShownAtTheirScale) {
+  const auto shoe_scale = [](const std::vector<std::string>& overrides) {
+    const Scenario scenario = Read(overrides);
+    const SceneAssembly assembly(scenario);
+    const auto& model = assembly.model();
+    const auto shoe = std::find_if(model.nodes.begin(), model.nodes.end(), [&](const SceneNode& n) {
+      return model.meshes[n.mesh].name.ends_with("#shoe");
+    });
+    return shoe->scale;
+  };
+  EXPECT_EQ(shoe_scale({}), 1.0);
+  EXPECT_EQ(shoe_scale({"machines[0].machine.tracks.left_track.shoe.scale=1.5"}), 1.5);
 }
 
 }  // namespace
