@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "core/check.h"
@@ -47,6 +48,29 @@ Vec3 CameraIntrinsics::Unproject(const Vec2& pixel_px) const {
     if (step.norm() < kConverged) break;
   }
   return {x.x(), x.y(), 1.0};
+}
+
+std::optional<Vec3> CameraIntrinsics::RayOf(const Vec2& pixel_px) const {
+  constexpr double kRoundTrip_px = 1e-3;
+  const Vec3 ray = Unproject(pixel_px);
+  const bool usable = ray.allFinite() && ray.head<2>().norm() < kWidestTangent &&
+                      (Project(ray) - pixel_px).norm() < kRoundTrip_px;
+  return usable ? std::optional(ray) : std::nullopt;
+}
+
+std::optional<Vec2> CameraIntrinsics::PixelWithoutRay() const {
+  constexpr int kGrid = 64;  // lines of the grid along each side
+  const int last_u = width_px - 1, last_v = height_px - 1;
+  const int step_u = std::max(1, width_px / kGrid), step_v = std::max(1, height_px / kGrid);
+  for (int v = 0; v <= last_v; ++v) {
+    const bool whole_row = v == 0 || v == last_v;
+    for (int u = 0; u <= last_u; ++u) {
+      const bool border = whole_row || u == 0 || u == last_u;
+      if (!border && (u % step_u != 0 || v % step_v != 0)) continue;
+      if (!RayOf(Vec2(u, v))) return Vec2(u, v);
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace tera

@@ -10,21 +10,14 @@
 namespace tera {
 namespace {
 
-constexpr double kRoundTrip_px = 1e-3;
-
 /// Ray of a pixel, or an InputError where the lens model has none.
 Vec2 RayOf(const CameraIntrinsics& camera, const Vec2& pixel_px) {
-  const Vec3 ray = camera.Unproject(pixel_px);
-  const bool usable = ray.allFinite() && ray.head<2>().norm() < Lens::kWidestTangent &&
-                      (camera.Project(ray) - pixel_px).norm() < kRoundTrip_px;
-  if (!usable) {
-    throw InputError(fmt::format(
-        "camera distortion k1 {} k2 {} p1 {} p2 {} k3 {} has no ray for pixel ({}, {}); need "
-        "coefficients under which every pixel of the {} x {} picture sees its own direction",
-        camera.k1, camera.k2, camera.p1, camera.p2, camera.k3, pixel_px.x(), pixel_px.y(),
-        camera.width_px, camera.height_px));
-  }
-  return ray.head<2>();
+  if (const auto ray = camera.RayOf(pixel_px)) return ray->head<2>();
+  throw InputError(fmt::format(
+      "camera distortion k1 {} k2 {} p1 {} p2 {} k3 {} has no ray for pixel ({}, {}); need "
+      "coefficients under which every pixel of the {} x {} picture sees its own direction",
+      camera.k1, camera.k2, camera.p1, camera.p2, camera.k3, pixel_px.x(), pixel_px.y(),
+      camera.width_px, camera.height_px));
 }
 
 /// Lens pixels for each pixel of a pinhole with the same focal length, at a ray: the larger

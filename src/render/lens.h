@@ -13,7 +13,7 @@ namespace tera {
 class Lens {
  public:
   /// Throws InputError if the distortion folds the picture over or turns rays beyond
-  /// kWidestTangent from the axis.
+  /// CameraIntrinsics::kWidestTangent from the axis.
   explicit Lens(const CameraIntrinsics& camera);
 
   const CameraIntrinsics& camera() const { return camera_; }
@@ -22,7 +22,6 @@ class Lens {
   const GlObject& map() const { return map_; }
 
   static constexpr double kOversampling = 1.25;
-  static constexpr double kWidestTangent = 4.0;
 
  private:
   CameraIntrinsics camera_, pinhole_;

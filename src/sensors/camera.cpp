@@ -13,6 +13,20 @@ namespace {
 constexpr double kMaxSide_px = 16384;
 constexpr float kMaxValue = 255.0f;
 
+void CheckDistortion(const ConfigMap& config, const CameraIntrinsics& camera) {
+  if (!camera.Distorted() || !(camera.fx_px > 0 && camera.fy_px > 0)) return;
+  const auto pixel = camera.PixelWithoutRay();
+  if (!pixel) return;
+  std::string_view key;  // of the first coefficient given
+  for (const std::string_view k : {"k3", "p2", "p1", "k2", "k1"}) {
+    if (config.Has(k)) key = k;
+  }
+  config.Fault(key, fmt::format("under this distortion pixel ({}, {}) has no ray of its own; need "
+                                "coefficients under which every pixel of the {} x {} picture sees "
+                                "its own direction",
+                                pixel->x(), pixel->y(), camera.width_px, camera.height_px));
+}
+
 CameraIntrinsics ReadIntrinsics(const ConfigMap& config) {
   CameraIntrinsics c;
   c.width_px = static_cast<int>(config.Integer("width_px", Between(1, kMaxSide_px, "px")));
@@ -38,6 +52,7 @@ CameraIntrinsics ReadIntrinsics(const ConfigMap& config) {
   c.near_m = config.Number("near_m", Positive("m"), c.near_m);
   c.far_m = config.Number("far_m", Positive("m"), c.far_m);
   if (c.far_m <= c.near_m) config.Fault("far_m", "not beyond near_m; need near_m < far_m");
+  CheckDistortion(config, c);
   return c;
 }
 

@@ -1,7 +1,5 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "app/program.h"
 #include "dataset/tiny_disk.h"
@@ -87,8 +85,26 @@ TEST(BadInput, AMeshThatIsNotThereIsRefusedWithWhereItWasSought) {
 TEST(BadInput, AMeshThatIsNoneIsRefusedByItsName) {
   const ScratchDirectory scratch;
   WriteWholeFile(scratch.path() / "rock.glb", "not a mesh");
-  ExpectScenarioRefused(scratch, WithObstacle("rock.glb"),
-                        AllOf(HasSubstr("rock.glb: not a readable glTF"), HasSubstr("export it")));
+  ExpectScenarioRefused(
+      scratch, WithObstacle("rock.glb"),
+      AllOf(StartsWith(At(WithObstacle("rock.glb"), "rock.glb") + "obstacles[0].mesh: "),
+            HasSubstr("rock.glb: not a readable glTF"), HasSubstr("export it")));
+}
+
+TEST(BadInput, AMeshWithoutTheNodeIsRefusedWithItsPlace) {
+  const std::string scenario = WithObstacle("tera:assets/rock.glb, node: bodyy");
+  ExpectScenarioRefused(
+      scenario, AllOf(StartsWith(At(scenario, "tera:assets/rock.glb") + "obstacles[0].mesh: "),
+                      HasSubstr("has no node 'bodyy' (did you mean 'body'?)")));
+}
+
+TEST(BadInput, ALensThatFoldsItsPictureIsRefusedWithItsPlace) {
+  const std::string scenario = SmallScenario(
+      "{name: cam, type: camera, link: chassis, rate_hz: 1, width_px: 64, height_px: 48, "
+      "horizontal_fov_deg: 90, k1: -3}");
+  ExpectScenarioRefused(scenario,
+                        AllOf(StartsWith(At(scenario, "-3") + "machines[0].rig.sensors[0].k1: "),
+                              HasSubstr("every pixel")));
 }
 
 TEST(BadInput, AGeoTiffThatCannotBeReadIsRefused) {
@@ -166,19 +182,33 @@ TEST(BadInput, AnOverrideIsRefusedByItsKey) {
   WriteWholeFile(scratch.path() / "small.yaml", SmallScenario());
   ExpectRefused(scratch, {"check", "small.yaml", "--set", "machines[7].name=x"},
                 StartsWith("--set: machines: no item [7], the list has 1"));
-  ExpectRefused(scratch, {"check", "small.yaml", "--set", "seed"},
-                StartsWith("--set seed: need key.path=value"));
+  for (const char* text : {"seed", "]=1", "machines[00].name=x"}) {
+    ExpectRefused(scratch, {"check", "small.yaml", "--set", text},
+                  StartsWith(std::string("--set ") + text + ": need key.path=value"));
+  }
+  ExpectRefused(scratch, {"check", "small.yaml", "--set", "machines[0]=foo"},
+                StartsWith("--set: machines[0]: 'foo' found, need a mapping of keys"));
+}
+
+TEST(BadInput, AMachineNamedLikeAFolderElsewhereIsRefused) {
+  const std::string scenario = Edited(SmallScenario(), "name: rover1", "name: ..");
+  ExpectScenarioRefused(scenario, StartsWith(At(scenario, "..\n") +
+                                             "machines[0].name: name '..' cannot name a folder"));
 }
 
 TEST(BadInput, AFileThatIsNotThereIsRefusedByEveryCommand) {
   const ScratchDirectory scratch;
-  const auto names_it = StartsWith("nowhere");
-  ExpectRefused(scratch, {"check", "nowhere"}, names_it);
-  ExpectRefused(scratch, {"generate", "nowhere", "--out", "run"}, names_it);
-  ExpectRefused(scratch, {"import", "nowhere", "--out", "run"}, names_it);
-  ExpectRefused(scratch, {"import-rig", "nowhere"}, names_it);
-  ExpectRefused(scratch, {"overview", "nowhere"}, names_it);
-  ExpectRefused(scratch, {"compare", "nowhere", "nowhere"}, names_it);
+  fs::create_symlink("loop", scratch.path() / "loop");
+  for (const std::string& name : {std::string("nowhere"), std::string("loop"),
+                                  std::string(300, 'x')}) {
+    const auto names_it = StartsWith(name);
+    ExpectRefused(scratch, {"check", name}, names_it);
+    ExpectRefused(scratch, {"generate", name, "--out", "run"}, names_it);
+    ExpectRefused(scratch, {"import", name, "--out", "run"}, names_it);
+    ExpectRefused(scratch, {"import-rig", name}, names_it);
+    ExpectRefused(scratch, {"overview", name}, names_it);
+    ExpectRefused(scratch, {"compare", name, name}, names_it);
+  }
 }
 
 TEST(BadInput, AFolderThatIsNoDatasetIsNeitherComparedNorDrawn) {
@@ -217,6 +247,8 @@ tables: [{name: yaw, columns: {w_radps: {column: wz, unit: rad/s}}}]
 
 // Where a dataset cannot go.
 
+constexpr char kNeedsTinyDisk[] = "needs root, or the right to make user namespaces";
+
 class BadOutput : public testing::Test {
  protected:
   BadOutput() { WriteWholeFile(scratch_.path() / "small.yaml", SmallScenario()); }
@@ -244,33 +276,29 @@ TEST_F(BadOutput, ANameThatIsNoneIsRefused) {
 
 TEST_F(BadOutput, ADirectoryThatMayNotBeWrittenIsRefused) {
   // Root may write whatever a folder's mode says, but not on a disk that is read-only.
-  const fs::path place = scratch_.path() / "disk";
-  const bool root = geteuid() == 0;
-  std::unique_ptr<TinyDisk> disk;
-  if (root) {
-    disk = std::make_unique<TinyDisk>(place, "1m");
-    ASSERT_TRUE(disk->mounted() && disk->MakeReadOnly("1m")) << "needs the right to mount a tmpfs";
-  } else {
-    fs::create_directory(place);
-    fs::permissions(place, fs::perms::owner_read | fs::perms::owner_exec);
-  }
-  ExpectOutRefused("disk/run",
-                   AllOf(StartsWith("disk/run"), HasSubstr("cannot be created: "),
-                         HasSubstr(root ? "Read-only file system" : "Permission denied"),
-                         HasSubstr("choose a folder that you may write to")));
-  if (!root) fs::permissions(place, fs::perms::owner_all);
+  TinyDisk disk(scratch_.path() / "disk", "1m");
+  ASSERT_TRUE(disk.mounted() && disk.MakeReadOnly("1m")) << kNeedsTinyDisk;
+  ExpectOutRefused("disk/run", AllOf(StartsWith("disk/run"), HasSubstr("cannot be created: "),
+                                     HasSubstr("Read-only file system"),
+                                     HasSubstr("choose a folder that you may write to")));
+}
+
+TEST_F(BadOutput, ANameThatNoFileCanHaveIsRefused) {
+  ExpectOutRefused(std::string(300, 'x'), HasSubstr("File name too long"));
+  fs::create_symlink("loop", scratch_.path() / "loop");
+  ExpectOutRefused("loop/run", HasSubstr("symbolic links"));
 }
 
 TEST_F(BadOutput, ADiskThatIsFullBeforeTheRunIsLeftAsItWas) {
   const TinyDisk disk(scratch_.path() / "disk", "8k");
-  ASSERT_TRUE(disk.mounted()) << "needs the right to mount a tmpfs: run as root";
+  ASSERT_TRUE(disk.mounted()) << kNeedsTinyDisk;
   ExpectOutRefused("disk/run", AllOf(StartsWith("disk/run"), HasSubstr("No space left on device"),
                                      HasSubstr("free space on that disk")));
 }
 
 TEST_F(BadOutput, ADiskThatFillsUpKeepsARunThatCanBeFinished) {
   TinyDisk disk(scratch_.path() / "disk", "512k");
-  ASSERT_TRUE(disk.mounted()) << "needs the right to mount a tmpfs: run as root";
+  ASSERT_TRUE(disk.mounted()) << kNeedsTinyDisk;
   WriteWholeFile(scratch_.path() / "small.yaml",
                  Edited(SmallScenario(Edited(kLidar, "columns: 128", "columns: 512")),
                         "duration_s: 0.4", "duration_s: 3"));

@@ -100,12 +100,13 @@ TEST(ReadSensor, GnssKeysReachTheModel) {
   EXPECT_EQ(m.fix, GnssFix::kRtkFloat);
   EXPECT_EQ(ModelOf<GnssModel>("type: gnss, fix: none").fix, GnssFix::kNone);
   EXPECT_EQ(ModelOf<GnssModel>("type: gnss, fix: single").fix, GnssFix::kSingle);
+  EXPECT_EQ(ModelOf<GnssModel>("type: gnss, fix: differential").fix, GnssFix::kDifferential);
 }
 
 TEST(ReadSensor, CameraKeysReachTheModel) {
   const auto m = ModelOf<CameraModel>(
       "type: camera, width_px: 100, height_px: 80, fx_px: 90, fy_px: 91, cx_px: 48, cy_px: 41, "
-      "k1: 0.1, k2: 0.2, p1: 0.3, p2: 0.4, k3: 0.5, near_m: 0.2, far_m: 50, rgb: false, "
+      "k1: 0.1, k2: 0.2, p1: 0.003, p2: 0.004, k3: 0.5, near_m: 0.2, far_m: 50, rgb: false, "
       "depth: true, labels: false, depth_min_m: 0.3, depth_max_m: 9, disparity_noise_px: 0.1, "
       "baseline_m: 0.07, rgb_noise: 3");
   const CameraIntrinsics& c = m.intrinsics;
@@ -113,7 +114,7 @@ TEST(ReadSensor, CameraKeysReachTheModel) {
   EXPECT_EQ(c.height_px, 80);
   EXPECT_EQ(Vec3(c.fx_px, c.fy_px, c.cx_px), Vec3(90, 91, 48));
   EXPECT_EQ(Vec3(c.cy_px, c.k1, c.k2), Vec3(41, 0.1, 0.2));
-  EXPECT_EQ(Vec3(c.p1, c.p2, c.k3), Vec3(0.3, 0.4, 0.5));
+  EXPECT_EQ(Vec3(c.p1, c.p2, c.k3), Vec3(0.003, 0.004, 0.5));
   EXPECT_EQ(Vec2(c.near_m, c.far_m), Vec2(0.2, 50));
   EXPECT_FALSE(m.rgb);
   EXPECT_TRUE(m.depth);
@@ -148,12 +149,14 @@ TEST(ReadSensor, LidarKeysReachTheModelInSiUnits) {
 TEST(ReadSensor, EncoderKeysReachTheModel) {
   const auto m = std::get<EncoderModel>(
       Read("name: joints, type: encoder, rate_hz: 100, joints: [boom, arm], resolution_deg: 90, "
-           "noise_deg: 180, rate_noise_degps: 360")
+           "noise_deg: 180, rate_noise_degps: 360, resolution_m: 0.1, noise_m: 0.2, "
+           "rate_noise_mps: 0.3")
           .model);
   EXPECT_EQ(m.joints, (std::vector<std::string>{"boom", "arm"}));
   EXPECT_NEAR(m.resolution_rad, kPi / 2, 1e-12);
   EXPECT_NEAR(m.noise_rad, kPi, 1e-12);
   EXPECT_NEAR(m.rate_noise_radps, 2 * kPi, 1e-12);
+  EXPECT_EQ(Vec3(m.resolution_m, m.noise_m, m.rate_noise_mps), Vec3(0.1, 0.2, 0.3));
 }
 
 TEST(ReadSensor, FaultsSayWhereAndWhatIsNeeded) {
@@ -162,7 +165,7 @@ TEST(ReadSensor, FaultsSayWhereAndWhatIsNeeded) {
   EXPECT_THAT(FaultOf("name: a, type: imu, rate_hz: 1"), HasSubstr("sensor.link: missing"));
   EXPECT_THAT(FaultOf("type: imu, link: b, rate_hz: 1"), HasSubstr("sensor.name: missing"));
   EXPECT_THAT(FaultOf("name: a/b, type: imu, link: b, rate_hz: 1"),
-              HasSubstr("'a/b' cannot name a folder"));
+              HasSubstr("name 'a/b' cannot name a folder"));
   EXPECT_THAT(FaultOf("name: a, type: radar, link: b, rate_hz: 1"),
               HasSubstr("'radar' is not known, need one of imu"));
   EXPECT_THAT(FaultOf("name: a, type: imu, link: b, rate_hz: 1, latency_s: -1"),
@@ -170,6 +173,8 @@ TEST(ReadSensor, FaultsSayWhereAndWhatIsNeeded) {
   EXPECT_THAT(FaultOf("name: a, type: imu, link: b, rate_hz: 1, gyro_bias_dps: [0, 0, 0]"),
               HasSubstr("unknown key (did you mean 'gyro_bias_degps'?)"));
   EXPECT_THAT(FaultOf("name: e, type: encoder, link: b, rate_hz: 1"), HasSubstr("unknown key"));
+  EXPECT_THAT(FaultOf("name: e, type: encoder, rate_hz: 1, joints: [boom, arm, boom]"),
+              HasSubstr("sensor.joints: 'boom' is named twice; keep one"));
   EXPECT_THAT(FaultOf("name: a, link: b, preset: nowhere.yaml"),
               HasSubstr("file 'nowhere.yaml' does not exist"));
 }
