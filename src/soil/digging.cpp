@@ -37,6 +37,13 @@ constexpr double kEmpty_kg = 1e-3;      ///< the last grams leave at once
 
 double Clamp01(double x) { return std::clamp(x, 0.0, 1.0); }
 
+/// Resistance of the ground to being pierced at a depth; none above it.
+double PiercePressure_pa(const SoilType& soil, double depth_m) {
+  if (depth_m <= 0) return 0;
+  return BearingPressure_pa(soil, kEdgeThickness_m, kFullPierceDepth_m) *
+         (kPierceAtSurface + (1 - kPierceAtSurface) * std::min(1.0, depth_m / kFullPierceDepth_m));
+}
+
 }  // namespace
 
 Digging::Digging(const Shovel& shovel) : shovel_(shovel), shape_(shovel) {}
@@ -235,8 +242,11 @@ Wrench Digging::EdgeForce(const BodyState& body, double dt_s, const Columns& gro
   const double pierce_share = pierce_travel_m_ / kElasticTravel_m;
 
   const double width_m = shovel_.width_m / kStrips;
-  const double tip_area_m2 =
-      shovel_.width_m * kEdgeThickness_m + shovel_.teeth * kToothWidth_m * kToothThickness_m;
+  // The profile ends at the tips of the teeth, where there are any; the edge stands behind them.
+  const double edge_area_m2 = shovel_.width_m * kEdgeThickness_m;
+  const double tooth_area_m2 = shovel_.teeth * kToothWidth_m * kToothThickness_m;
+  const double edge_behind_m =
+      shovel_.teeth > 0 ? shovel_.tooth_length_m * std::max(0.0, -cut_dir_W.z()) : 0.0;
   const double load_npm = carried_.mass_kg * kStandardGravity_mps2 / shovel_.width_m;
   const Vec3 floor_W = -cut_dir_W;  // from the edge up the floor
   for (const Strip& strip : strips) {
@@ -266,11 +276,9 @@ Wrench Digging::EdgeForce(const BodyState& body, double dt_s, const Columns& gro
       cut = Cut(in);
     }
     Vec3 force_W = -(cut.draft_n * along_W + cut.vertical_n * up_W) * cut_share;
-    const double pierce_pa =
-        BearingPressure_pa(soil, kEdgeThickness_m, kFullPierceDepth_m) *
-        (kPierceAtSurface +
-         (1 - kPierceAtSurface) * std::min(1.0, strip.depth_m / kFullPierceDepth_m));
-    force_W -= pierce_pa * tip_area_m2 / kStrips * pierce_share * cut_dir_W;
+    const double pierce_n = tooth_area_m2 * PiercePressure_pa(soil, strip.depth_m) +
+                            edge_area_m2 * PiercePressure_pa(soil, strip.depth_m - edge_behind_m);
+    force_W -= pierce_n / kStrips * pierce_share * cut_dir_W;
     wrench.AddForceAt(force_W, strip.p_W, body.X_WB.translation());
   }
   // The ground never drives the edge on.

@@ -87,11 +87,14 @@ TEST(Digging, NothingWhenLifted) {
 }
 
 /// Mean backward force while an edge is dragged towards -x (turned by yaw) at a depth.
-double DragForce_n(double depth_m, double yaw_rad) {
+double DragForce_n(double depth_m, double yaw_rad, double pitch_rad = 100 * kDeg,
+                   const Shovel& bucket = CompactBucket()) {
   auto soil = MakeSite("soil: dirt\nsize_m: [10, 10]\n");
-  const int machine = AddBucket(soil.get());
-  const double z = 0.78 * std::sin(100 * kDeg) - depth_m;
-  const BucketPath path({{0, {0.5, 0, z}, 100 * kDeg}, {1, {-0.1, 0, z}, 100 * kDeg}}, yaw_rad);
+  GroundTools tools;
+  tools.shovels = {bucket};
+  const int machine = soil->AddMachine(tools);
+  const double z = 0.78 * std::sin(pitch_rad) - depth_m;
+  const BucketPath path({{0, {0.5, 0, z}, pitch_rad}, {1, {-0.1, 0, z}, pitch_rad}}, yaw_rad);
   double sum_n = 0;
   int count = 0;
   RunBucket(soil.get(), machine, path,
@@ -138,6 +141,27 @@ TEST(Digging, ForceOpposesMotionInEveryDirection) {
                 ASSERT_LE(force_n.dot(body.v_WB_mps), 1.0) << "trial " << trial << " t " << t_s;
               });
   }
+}
+
+TEST(Digging, TeethPierceFirstAndTheEdgeFollowsTheirLengthLater) {
+  Shovel toothed = CompactBucket();
+  toothed.tooth_length_m = 0.15;
+  Shovel flush = toothed;
+  flush.tooth_length_m = 0;
+  Shovel toothless = flush;
+  toothless.teeth = 0;
+  // At a pitch of 60 degrees the floor at the edge falls by 0.75 of its length, so that teeth of 15
+  // cm alone are in the ground at 8 cm. Six of them, 60 x 20 mm, have the area of 600 mm of a 12 mm
+  // edge.
+  const auto force_n = [](const Shovel& bucket) {
+    return DragForce_n(0.08, 0.3, 60 * kDeg, bucket);
+  };
+  EXPECT_NEAR(force_n(toothed), force_n(toothless), 1e-6);
+  EXPECT_GT(force_n(flush), force_n(toothed) + 50);
+  Shovel shorter = toothed;
+  shorter.tooth_length_m = 0.05;
+  EXPECT_GT(force_n(shorter), force_n(toothed) + 20);
+  EXPECT_GT(force_n(flush), force_n(shorter) + 10);
 }
 
 TEST(Digging, BladePushesAWindrowAheadAndCarriesNothing) {
