@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <GeographicLib/LocalCartesian.hpp>
+#include <GeographicLib/UTMUPS.hpp>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -80,7 +82,8 @@ TEST(Site, StripsSetTheSoilAlongTheirAxis) {
 }
 
 TEST(Site, SlopeRisesTowardsItsAzimuth) {
-  const SitePlan plan = Plan("size_m: [10, 10]\nrelief: {slope_deg: 10, slope_direction_deg: 90}\n");
+  const SitePlan plan =
+      Plan("size_m: [10, 10]\nrelief: {slope_deg: 10, slope_direction_deg: 90}\n");
   const auto height = [&](int i, int j) { return plan.height_m[j * plan.nx + i]; };
   EXPECT_NEAR(height(50, 200) - height(50, 0), 10 * std::tan(10 * kDeg), 1e-9);
   EXPECT_NEAR(height(150, 60), height(10, 60), 1e-9);
@@ -228,9 +231,100 @@ TEST_F(GeotiffTest, GapsAreAFault) {
               HasSubstr("1 of 6 pixels have no height"));
 }
 
-TEST_F(GeotiffTest, FolderThatIsNotThereIsAnError) {
+TEST_F(GeotiffTest, FolderThatIsNotThereIsAnErrorAndSpoilsNoLaterFile) {
   const auto soil = MakeSite("size_m: [2, 2]\n");
   EXPECT_THROW(soil->WriteGeoTiff(File("no/such/folder.tif"), {0, 0, 0}), InputError);
+  EXPECT_NO_THROW(soil->WriteGeoTiff(File("good.tif"), {0, 0, 0}));
+  EXPECT_TRUE(std::filesystem::exists(File("good.tif")));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);  // nothing beside
+}
+
+TEST_F(GeotiffTest, AFullDiskLeavesNoFileUnderTheFinalName) {
+  // /dev/full takes no byte: the part file is a link to it.
+  std::filesystem::create_symlink("/dev/full", File("full.tif.part"));
+  const auto soil = MakeSite("size_m: [2, 2]\n");
+  EXPECT_THROW(soil->WriteGeoTiff(File("full.tif"), {0, 0, 0}), InputError);
+  EXPECT_FALSE(std::filesystem::exists(File("full.tif")));
+}
+
+/// A plane through the middle of a UTM zone 19N raster (central meridian 69 W), given in the
+/// tangent plane there, as the file's heights above the ellipsoid. GeographicLib does the geodesy.
+class UtmPlane {
+ public:
+  static constexpr int kPixels = 61;
+  static constexpr double kHeight_m = 80;
+  UtmPlane(double lat_deg, double lon_deg, double cell_m, double slope_x, double slope_y)
+      : cell_m_(cell_m), slope_(slope_x, slope_y) {
+    int zone;
+    bool north;
+    GeographicLib::UTMUPS::Forward(lat_deg, lon_deg, zone, north, middle_.x(), middle_.y());
+    middle_ = middle_.array().round();
+    double lat, lon;
+    GeographicLib::UTMUPS::Reverse(kZone, true, middle_.x(), middle_.y(), lat, lon);
+    plane_.Reset(lat, lon, kHeight_m);
+  }
+  void Write(const std::string& stem) const {
+    std::ofstream prj(stem + ".prj");
+    prj << "PROJCS[\"UTM 19N\",GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\","
+           "6378137,298.257223563]],PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]],"
+           "PROJECTION[\"Transverse_Mercator\"],PARAMETER[\"latitude_of_origin\",0],"
+           "PARAMETER[\"central_meridian\",-69],PARAMETER[\"scale_factor\",0.9996],"
+           "PARAMETER[\"false_easting\",500000],PARAMETER[\"false_northing\",0],"
+           "UNIT[\"metre\",1]]";
+    std::ofstream asc(stem + ".asc");
+    asc.precision(12);
+    const double corner_m = 0.5 * kPixels * cell_m_;
+    asc << "ncols " << kPixels << "\nnrows " << kPixels << "\nxllcorner " << middle_.x() - corner_m
+        << "\nyllcorner " << middle_.y() - corner_m << "\ncellsize " << cell_m_ << "\n";
+    for (int row = 0; row < kPixels; ++row) {
+      for (int i = 0; i < kPixels; ++i) asc << HeightOf(i, kPixels - 1 - row) << ' ';
+      asc << '\n';
+    }
+  }
+
+ private:
+  static constexpr int kZone = 19;
+  /// Height above the ellipsoid at which pixel (i, j)'s vertical meets the plane.
+  double HeightOf(int i, int j) const {
+    const int half = kPixels / 2;
+    double lat, lon;
+    GeographicLib::UTMUPS::Reverse(kZone, true, middle_.x() + (i - half) * cell_m_,
+                                   middle_.y() + (j - half) * cell_m_, lat, lon);
+    double height_m = kHeight_m;
+    for (int k = 0; k < 6; ++k) {
+      Vec3 p;
+      plane_.Forward(lat, lon, height_m, p.x(), p.y(), p.z());
+      height_m += slope_.dot(p.head<2>()) - p.z();
+    }
+    return height_m;
+  }
+
+  double cell_m_;
+  Vec2 slope_, middle_;
+  GeographicLib::LocalCartesian plane_;
+};
+
+TEST_F(GeotiffTest, NorthIsTrueNorthWellOffTheCentralMeridian) {
+  // Quebec, 2.27 degrees west of the meridian: the grid's north lies 1.65 degrees off, 0.6 m at 20
+  // m.
+  UtmPlane(46.78, -71.27, 1.0, 0.3, 0.2).Write(File("quebec"));
+  const auto soil = MakeSite("cell_m: 0.5\ngeotiff: " + File("quebec.asc") + "\n");
+  ASSERT_TRUE(soil->georeference());
+  EXPECT_NEAR(soil->georeference()->lat_deg, 46.78, 1e-5);
+  EXPECT_NEAR(soil->georeference()->lon_deg, -71.27, 1e-5);
+  EXPECT_NEAR(soil->georeference()->height_m, UtmPlane::kHeight_m, 1e-4);
+  for (const auto& [x, y] : {std::pair{20.0, 0.0}, {0.0, 20.0}, {-17.0, 11.0}, {25.0, -25.0}}) {
+    EXPECT_NEAR(soil->surface().HeightAt(x, y), 0.3 * x + 0.2 * y, 2e-4) << x << ' ' << y;
+  }
+}
+
+TEST_F(GeotiffTest, AWideSiteFallsAwayWithTheEllipsoid) {
+  // At 280 m the ellipsoid lies 6 mm below the tangent plane.
+  UtmPlane(46.78, -71.27, 10.0, 0.02, -0.01).Write(File("wide"));
+  const auto soil = MakeSite("cell_m: 1\ngeotiff: " + File("wide.asc") + "\n");
+  for (const auto& [x, y] : {std::pair{280.0, 0.0}, {0.0, -280.0}, {-200.0, 190.0}}) {
+    EXPECT_NEAR(soil->surface().HeightAt(x, y), 0.02 * x - 0.01 * y, 5e-4) << x << ' ' << y;
+  }
 }
 
 }  // namespace
