@@ -20,9 +20,11 @@ constexpr double kShellDampingRatio = 0.2;  ///< of critical for the mass that t
 constexpr double kSlideSpeed_mps = 0.10;    ///< shell friction is proportional to speed below it
 constexpr double kNear_m = 0.3;             ///< a shovel this close to the ground holds soil back
 // Edge.
-constexpr int kStrips = 5;
 constexpr double kElasticTravel_m = 0.006;  ///< travel over which the edge's force builds up
 constexpr double kLookAhead_m = 0.30;       ///< over which the ground's slope ahead is measured
+constexpr double kNearAhead_cells = 1.5;    ///< where the depth is measured: past the cut itself
+constexpr double kLeastLevelMouth = 0.1;    ///< a mouth that looks more up or down than this
+constexpr double kLeastLevel = 1e-6;        ///< no direction below it
 constexpr double kSteepestSlope_rad = 25 * kDeg;
 constexpr double kEdgeThickness_m = 0.012;
 constexpr double kToothWidth_m = 0.06, kToothThickness_m = 0.02;
@@ -193,28 +195,28 @@ void Digging::Spill(const BodyState& body, double dt_s, Columns* ground) {
   }
 }
 
-Wrench Digging::EdgeForce(const BodyState& body, double dt_s, const Columns& ground) {
-  Wrench wrench;
-  const Mat3& R_WB = body.X_WB.linear();
-  const Vec3 edge_W = body.X_WB * shape_.edge_B();
-  const Vec3 v_W = PointVelocity(body, shape_.edge_B());
-  const Vec3 cut_dir_W = R_WB * shape_.edge_direction_B();
-  const Vec3 mouth_W = R_WB * shape_.mouth_normal_B();
+/// A part of the edge's width, and the ground that it cuts.
+struct Digging::Strip {
+  Vec3 p_W;
+  double depth_m, slope_rad;
+  const SoilType* soil;
+};
 
-  // The edge cuts along the ground in the plane of the cross-section, mouth first.
-  Vec3 travel_W = mouth_W - mouth_W.z() * Vec3::UnitZ();
-  if (travel_W.norm() < 0.1) travel_W = cut_dir_W - cut_dir_W.z() * Vec3::UnitZ();
-  if (travel_W.norm() < 1e-6) return wrench;
-  travel_W.normalize();
+/// Horizontal direction in which the edge cuts: along the ground in the plane of the cross-section,
+/// mouth first. Nothing where that plane lies level.
+std::optional<Vec3> Digging::CutDirection(const Mat3& R_WB) const {
+  const auto level = [](const Vec3& v) { return Vec3(v - v.z() * Vec3::UnitZ()); };
+  Vec3 travel_W = level(R_WB * shape_.mouth_normal_B());
+  if (travel_W.norm() < kLeastLevelMouth) travel_W = level(R_WB * shape_.edge_direction_B());
+  if (travel_W.norm() < kLeastLevel) return std::nullopt;
+  return travel_W.normalized();
+}
 
-  struct Strip {
-    Vec3 p_W;
-    double depth_m, slope_rad;
-    const SoilType* soil;
-  };
+std::array<Digging::Strip, Digging::kStrips> Digging::Strips(const BodyState& body,
+                                                             const Vec3& travel_W,
+                                                             const Columns& ground) const {
   std::array<Strip, kStrips> strips;
-  double mean_depth_m = 0;
-  const double near_m = 1.5 * ground.cell_m();
+  const double near_m = kNearAhead_cells * ground.cell_m();
   for (int s = 0; s < kStrips; ++s) {
     const double y_m = ((s + 0.5) / kStrips - 0.5) * shovel_.width_m;
     Strip& strip = strips[s];
@@ -229,64 +231,83 @@ Wrench Digging::EdgeForce(const BodyState& body, double dt_s, const Columns& gro
     const int i = std::clamp(ground.NearestI(near.x()), 0, ground.nx() - 1);
     const int j = std::clamp(ground.NearestJ(near.y()), 0, ground.ny() - 1);
     strip.soil = &ground.soil_at(ground.index(i, j));
-    mean_depth_m += strip.depth_m / kStrips;
   }
-  if (mean_depth_m <= 0) {
-    cut_travel_m_ = pierce_travel_m_ = 0;
-    return wrench;
-  }
-  const double v_cut_mps = v_W.dot(travel_W), v_pierce_mps = v_W.dot(cut_dir_W);
-  cut_travel_m_ = std::clamp(cut_travel_m_ + v_cut_mps * dt_s, 0.0, kElasticTravel_m);
-  pierce_travel_m_ = std::clamp(pierce_travel_m_ + v_pierce_mps * dt_s, 0.0, kElasticTravel_m);
-  const double cut_share = cut_travel_m_ / kElasticTravel_m;
-  const double pierce_share = pierce_travel_m_ / kElasticTravel_m;
+  return strips;
+}
 
-  const double width_m = shovel_.width_m / kStrips;
+/// Force of the ground that a strip cuts, when it has failed. `floor_W` points from the edge up the
+/// floor.
+Vec3 Digging::CuttingForceOn(const Strip& strip, const Vec3& travel_W, const Vec3& floor_W,
+                             double speed_mps) const {
+  const SoilType& soil = *strip.soil;
+  // Rake in the ground's own slope.
+  const Vec3 along_W =
+      std::cos(strip.slope_rad) * travel_W + std::sin(strip.slope_rad) * Vec3::UnitZ();
+  const Vec3 up_W =
+      std::cos(strip.slope_rad) * Vec3::UnitZ() - std::sin(strip.slope_rad) * travel_W;
+  CuttingInput in;
+  in.width_m = shovel_.width_m / kStrips;
+  in.depth_m = strip.depth_m * std::cos(strip.slope_rad);
+  in.rake_rad = std::atan2(floor_W.dot(up_W), -floor_W.dot(along_W));
+  in.density_kgpm3 = soil.bank_density_kgpm3;
+  in.friction_rad = soil.friction_angle_rad;
+  in.tool_friction_rad = soil.soil_tool_friction_rad;
+  in.cohesion_pa = soil.cohesion_pa;
+  in.adhesion_pa = soil.adhesion_pa;
+  in.speed_mps = std::max(0.0, speed_mps);
+  in.flank_share = 1.0 / kStrips;
+  if (in.rake_rad < 0) in.rake_rad = 0;
+  CuttingForce cut = Cut(in);
+  if (shovel_.capacity_m3 > 0 && cut.wedge_length_m > 0) {
+    // Carried soil rests on the wedge with the share of its length that lies over it.
+    const double load_npm = carried_.mass_kg * kStandardGravity_mps2 / shovel_.width_m;
+    in.surcharge_pa = load_npm / std::max(cut.wedge_length_m, shape_.radius_m());
+    cut = Cut(in);
+  }
+  return -(cut.draft_n * along_W + cut.vertical_n * up_W);
+}
+
+/// Resistance of a strip's ground to being pierced along the floor.
+double Digging::PiercingForceOn_n(const Strip& strip, double sine_down) const {
   // The profile ends at the tips of the teeth, where there are any; the edge stands behind them.
   const double edge_area_m2 = shovel_.width_m * kEdgeThickness_m;
   const double tooth_area_m2 = shovel_.teeth * kToothWidth_m * kToothThickness_m;
   const double edge_behind_m =
-      shovel_.teeth > 0 ? shovel_.tooth_length_m * std::max(0.0, -cut_dir_W.z()) : 0.0;
-  const double load_npm = carried_.mass_kg * kStandardGravity_mps2 / shovel_.width_m;
-  const Vec3 floor_W = -cut_dir_W;  // from the edge up the floor
+      shovel_.teeth > 0 ? shovel_.tooth_length_m * std::max(0.0, sine_down) : 0.0;
+  return (tooth_area_m2 * PiercePressure_pa(*strip.soil, strip.depth_m) +
+          edge_area_m2 * PiercePressure_pa(*strip.soil, strip.depth_m - edge_behind_m)) /
+         kStrips;
+}
+
+Wrench Digging::EdgeForce(const BodyState& body, double dt_s, const Columns& ground) {
+  Wrench wrench;
+  const Mat3& R_WB = body.X_WB.linear();
+  const std::optional<Vec3> travel_W = CutDirection(R_WB);
+  if (!travel_W) return wrench;
+  const std::array<Strip, kStrips> strips = Strips(body, *travel_W, ground);
+  if (std::none_of(strips.begin(), strips.end(), [](const Strip& s) { return s.depth_m > 0; })) {
+    cut_travel_m_ = pierce_travel_m_ = 0;
+    return wrench;
+  }
+  const Vec3 v_W = PointVelocity(body, shape_.edge_B());
+  const Vec3 cut_dir_W = R_WB * shape_.edge_direction_B();
+  const double v_cut_mps = v_W.dot(*travel_W), v_pierce_mps = v_W.dot(cut_dir_W);
+  cut_travel_m_ = std::clamp(cut_travel_m_ + v_cut_mps * dt_s, 0.0, kElasticTravel_m);
+  pierce_travel_m_ = std::clamp(pierce_travel_m_ + v_pierce_mps * dt_s, 0.0, kElasticTravel_m);
+  const double cut_share = cut_travel_m_ / kElasticTravel_m;
+  const double pierce_share = pierce_travel_m_ / kElasticTravel_m;
   for (const Strip& strip : strips) {
     if (strip.depth_m <= 0) continue;
-    const SoilType& soil = *strip.soil;
-    // Rake in the ground's own slope.
-    const Vec3 along_W =
-        std::cos(strip.slope_rad) * travel_W + std::sin(strip.slope_rad) * Vec3::UnitZ();
-    const Vec3 up_W =
-        std::cos(strip.slope_rad) * Vec3::UnitZ() - std::sin(strip.slope_rad) * travel_W;
-    CuttingInput in;
-    in.width_m = width_m;
-    in.depth_m = strip.depth_m * std::cos(strip.slope_rad);
-    in.rake_rad = std::atan2(floor_W.dot(up_W), -floor_W.dot(along_W));
-    in.density_kgpm3 = soil.bank_density_kgpm3;
-    in.friction_rad = soil.friction_angle_rad;
-    in.tool_friction_rad = soil.soil_tool_friction_rad;
-    in.cohesion_pa = soil.cohesion_pa;
-    in.adhesion_pa = soil.adhesion_pa;
-    in.speed_mps = std::max(0.0, v_cut_mps);
-    in.flank_share = 1.0 / kStrips;
-    if (in.rake_rad < 0) in.rake_rad = 0;
-    CuttingForce cut = Cut(in);
-    if (shovel_.capacity_m3 > 0 && cut.wedge_length_m > 0) {
-      // Carried soil rests on the wedge with the share of its length that lies over it.
-      in.surcharge_pa = load_npm / std::max(cut.wedge_length_m, shape_.radius_m());
-      cut = Cut(in);
-    }
-    Vec3 force_W = -(cut.draft_n * along_W + cut.vertical_n * up_W) * cut_share;
-    const double pierce_n = tooth_area_m2 * PiercePressure_pa(soil, strip.depth_m) +
-                            edge_area_m2 * PiercePressure_pa(soil, strip.depth_m - edge_behind_m);
-    force_W -= pierce_n / kStrips * pierce_share * cut_dir_W;
-    wrench.AddForceAt(force_W, strip.p_W, body.X_WB.translation());
+    const Vec3 cut_W_n = cut_share * CuttingForceOn(strip, *travel_W, -cut_dir_W, v_cut_mps);
+    const double pierce_n = pierce_share * PiercingForceOn_n(strip, -cut_dir_W.z());
+    wrench.AddForceAt(cut_W_n - pierce_n * cut_dir_W, strip.p_W, body.X_WB.translation());
   }
   // The ground never drives the edge on.
   const double power_w = wrench.force_W_n.dot(v_W);
   const double v2 = v_W.squaredNorm();
   if (power_w > 0 && v2 > kLeastSpeed_mps * kLeastSpeed_mps) {
     const Vec3 excess_W = power_w / v2 * v_W;
-    wrench.AddForceAt(-excess_W, edge_W, body.X_WB.translation());
+    wrench.AddForceAt(-excess_W, body.X_WB * shape_.edge_B(), body.X_WB.translation());
   }
   return wrench;
 }

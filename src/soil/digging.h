@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "core/ground_tools.h"
@@ -18,10 +20,11 @@ namespace tera {
 ///         leaves over the lower lip at a finite rate and lands below it.
 ///         Force: the fundamental earthmoving equation for each of several strips of the edge with
 ///         its own depth, ground slope and the carried soil's surcharge, flank shear once, and the
-///         penetration resistance of edge and teeth. It builds up over a few millimetres of travel
-///         (soil is elastic before it fails), which makes it hold at rest and opposes motion.
-///         The shell's underside rests on the ground: elastic up to the bearing pressure, then it
-///         presses the ground aside; Coulomb friction along it.
+///         penetration resistance of the teeth and, a tooth's length behind their tips, of the
+///         edge. It builds up over a few millimetres of travel (soil is elastic before it fails),
+///         which makes it hold at rest and opposes motion. The shell's underside rests on the
+///         ground: elastic up to the bearing pressure, then it presses the ground aside; Coulomb
+///         friction along it.
 /// Omits   falling time of spilled soil, resistance against the side walls, secondary separation.
 /// Source  see earthmoving.h; teeth as in Algoryx's terrain material (10 % at the surface, 100 % at
 ///         0.5 m).
@@ -39,6 +42,8 @@ class Digging {
   const Spoil& carried() const { return carried_; }
 
  private:
+  static constexpr int kStrips = 5;  ///< of the edge, each with its own depth and slope
+  struct Strip;
   struct Swept {
     int i, j;
     ShovelShape::Crossing crossing;
@@ -48,6 +53,12 @@ class Digging {
   void PutOutside(int i, int j, const Vec2& direction, const Spoil& spoil, Columns* ground) const;
   void Spill(const BodyState& body, double dt_s, Columns* ground);
   Wrench EdgeForce(const BodyState& body, double dt_s, const Columns& ground);
+  std::optional<Vec3> CutDirection(const Mat3& R_WB) const;
+  std::array<Strip, kStrips> Strips(const BodyState& body, const Vec3& travel_W,
+                                    const Columns& ground) const;
+  Vec3 CuttingForceOn(const Strip& strip, const Vec3& travel_W, const Vec3& floor_W,
+                      double speed_mps) const;
+  double PiercingForceOn_n(const Strip& strip, double sine_down) const;
   bool InFootprint(int i, int j) const;
 
   Shovel shovel_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/check.h"
 
@@ -96,67 +97,95 @@ std::optional<ShovelShape::Crossing> ShovelShape::VerticalCrossing(const Pose& X
   return crossing;
 }
 
-ShovelShape::Hold ShovelShape::HoldFor(const Vec3& up_B, double repose_rad,
-                                       double volume_m3) const {
-  Hold hold;
-  const Vec2 up_raw(up_B.x(), up_B.z());
-  if (up_raw.norm() < kTiny || capacity_m3_ <= 0) return hold;
-  const Vec2 up = up_raw.normalized();
-  const Vec2 right(up.y(), -up.x());
-  const auto level = [&](const Vec2& p) { return Vec2(p.dot(right), p.dot(up)); };
-  const Vec2 lip_a = level(profile_.front()), lip_b = level(profile_.back());
-  double from = std::numeric_limits<double>::infinity(), to = -from;
-  for (const Vec2& p : profile_) {
-    from = std::min(from, level(p).x());
-    to = std::max(to, level(p).x());
-  }
-  // Slices along the horizontal: floor and surface of the heaped soil in each.
-  constexpr int kSlices = 40;
+/// Heaped soil as slices along the horizontal, each from its floor to its surface.
+struct ShovelShape::Heap {
+  static constexpr int kSlices = 40;
   struct Slice {
     double x = 0, floor = 0, surface = 0;
   };
+  Vec2 right, up;  ///< axes in the profile's plane
+  double dx = 0;
   std::array<Slice, kSlices> slices;
-  const double dx = (to - from) / kSlices;
+
+  Vec2 Level(const Vec2& p) const { return Vec2(p.dot(right), p.dot(up)); }
+  /// Area of what lies below the level `cap`.
+  double AreaBelow(double cap) const {
+    double area = 0;
+    for (const Slice& s : slices) area += std::max(0.0, std::min(s.surface, cap) - s.floor) * dx;
+    return area;
+  }
+  /// Deepest floor and highest surface.
+  std::pair<double, double> Extent() const {
+    double top = -std::numeric_limits<double>::infinity(), bottom = -top;
+    for (const Slice& s : slices) {
+      if (s.surface <= s.floor) continue;
+      top = std::max(top, s.surface);
+      bottom = std::min(bottom, s.floor);
+    }
+    return {bottom, top};
+  }
+  /// Centre of what lies below `cap`, in Level's axes; nothing where that is empty.
+  std::optional<Vec2> CentreBelow(double cap) const {
+    double area = 0;
+    Vec2 moment = Vec2::Zero();
+    for (const Slice& s : slices) {
+      const double height = std::min(s.surface, cap) - s.floor;
+      if (height <= 0) continue;
+      area += height * dx;
+      moment += height * dx * Vec2(s.x, s.floor + 0.5 * height);
+    }
+    return area > 0 ? std::optional(Vec2(moment / area)) : std::nullopt;
+  }
+};
+
+/// The fullest heap under `up`: soil rises from each lip inwards at the angle of repose.
+ShovelShape::Heap ShovelShape::FullestHeap(const Vec2& up, double repose_rad) const {
+  Heap heap{.right = Vec2(up.y(), -up.x()), .up = up};
+  const Vec2 lip_a = heap.Level(profile_.front()), lip_b = heap.Level(profile_.back());
+  double from = std::numeric_limits<double>::infinity(), to = -from;
+  for (const Vec2& p : profile_) {
+    from = std::min(from, heap.Level(p).x());
+    to = std::max(to, heap.Level(p).x());
+  }
+  heap.dx = (to - from) / Heap::kSlices;
   const double slope = std::tan(repose_rad);
   const double mouth_left = std::min(lip_a.x(), lip_b.x());
   const double mouth_right = std::max(lip_a.x(), lip_b.x());
-  for (int k = 0; k < kSlices; ++k) {
-    Slice& slice = slices[k];
-    slice.x = from + (k + 0.5) * dx;
+  for (int k = 0; k < Heap::kSlices; ++k) {
+    Heap::Slice& slice = heap.slices[k];
+    slice.x = from + (k + 0.5) * heap.dx;
     double low = std::numeric_limits<double>::infinity(), high = -low;
     bool open = false, bottomless = false;
     for (std::size_t m = 0; m < segments_.size(); ++m) {
-      const Vec2 a = level(segments_[m].a), b = level(segments_[m].b);
+      const Vec2 a = heap.Level(segments_[m].a), b = heap.Level(segments_[m].b);
       if ((a.x() - slice.x) * (b.x() - slice.x) > 0 || a.x() == b.x()) continue;
       const double z = a.y() + (b.y() - a.y()) * (slice.x - a.x()) / (b.x() - a.x());
       if (z < low) low = z, bottomless = m + 1 == segments_.size();
       if (z > high) high = z, open = m + 1 == segments_.size();
     }
     if (!(high > low) || bottomless) continue;
-    double surface = std::numeric_limits<double>::infinity();
-    // Soil rises from each lip inwards at the angle of repose; beyond a lip it stays level.
+    // Beyond a lip the soil stays level.
     const double inward_a = lip_a.x() < lip_b.x() ? slice.x - lip_a.x() : lip_a.x() - slice.x;
     const double inward_b = lip_b.x() < lip_a.x() ? slice.x - lip_b.x() : lip_b.x() - slice.x;
-    surface = std::min(lip_a.y() + slope * std::max(0.0, inward_a),
-                       lip_b.y() + slope * std::max(0.0, inward_b));
+    double surface = std::min(lip_a.y() + slope * std::max(0.0, inward_a),
+                              lip_b.y() + slope * std::max(0.0, inward_b));
     const bool under_mouth = slice.x > mouth_left && slice.x < mouth_right;
     if (!(open && under_mouth)) surface = std::min(surface, high);
     slice.floor = low;
     slice.surface = std::max(low, surface);
   }
-  const auto area_below = [&](double cap) {
-    double area = 0;
-    for (const Slice& s : slices) area += std::max(0.0, std::min(s.surface, cap) - s.floor) * dx;
-    return area;
-  };
-  double top = -std::numeric_limits<double>::infinity(), bottom = -top;
-  for (const Slice& s : slices) {
-    if (s.surface <= s.floor) continue;
-    top = std::max(top, s.surface);
-    bottom = std::min(bottom, s.floor);
-  }
+  return heap;
+}
+
+ShovelShape::Hold ShovelShape::HoldFor(const Vec3& up_B, double repose_rad,
+                                       double volume_m3) const {
+  Hold hold;
+  const Vec2 up(up_B.x(), up_B.z());
+  if (up.norm() < kTiny || capacity_m3_ <= 0) return hold;
+  const Heap heap = FullestHeap(up.normalized(), repose_rad);
+  const auto [bottom, top] = heap.Extent();
   const double volume_per_area_m = capacity_m3_ / area_m2_;
-  if (top > bottom) hold.volume_m3 = area_below(top) * volume_per_area_m;
+  if (top > bottom) hold.volume_m3 = heap.AreaBelow(top) * volume_per_area_m;
   // Level at which the volume asked for is reached, then its centre.
   double cap = top;
   if (volume_m3 < hold.volume_m3) {
@@ -164,19 +193,11 @@ ShovelShape::Hold ShovelShape::HoldFor(const Vec3& up_B, double repose_rad,
     double low = bottom, high = top;
     for (int k = 0; k < kBisections; ++k) {
       cap = 0.5 * (low + high);
-      (area_below(cap) * volume_per_area_m < volume_m3 ? low : high) = cap;
+      (heap.AreaBelow(cap) * volume_per_area_m < volume_m3 ? low : high) = cap;
     }
   }
-  double area = 0;
-  Vec2 moment = Vec2::Zero();
-  for (const Slice& s : slices) {
-    const double height = std::min(s.surface, cap) - s.floor;
-    if (height <= 0) continue;
-    area += height * dx;
-    moment += height * dx * Vec2(s.x, s.floor + 0.5 * height);
-  }
-  const Vec2 center = area > 0 ? Vec2(moment / area) : level(profile_[profile_.size() / 2]);
-  const Vec2 in_B = center.x() * right + center.y() * up;
+  const Vec2 centre = heap.CentreBelow(cap).value_or(heap.Level(profile_[profile_.size() / 2]));
+  const Vec2 in_B = centre.x() * heap.right + centre.y() * heap.up;
   hold.com_B_m = Vec3(in_B.x(), 0, in_B.y());
   return hold;
 }

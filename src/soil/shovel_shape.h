@@ -44,6 +44,9 @@ class ShovelShape {
   struct Segment {
     Vec2 a, b, outward;
   };
+  struct Heap;
+  Heap FullestHeap(const Vec2& up, double repose_rad) const;
+
   std::vector<Vec2> profile_;
   std::vector<Segment> segments_;  ///< the last one is the mouth
   double half_width_m_ = 0;

@@ -19,7 +19,7 @@ constexpr std::size_t kMostSoils = 255;
 /// The soils that a site names, each once.
 class SoilCatalogue {
  public:
-  explicit SoilCatalogue(const ConfigMap& config) : config_(config) {
+  explicit SoilCatalogue(const ConfigMap& config) {
     for (const ConfigMap& custom : config.List("custom_soils")) {
       custom.ApplyPreset("preset");
       const SoilType soil = ReadSoilType(custom);
@@ -57,7 +57,6 @@ class SoilCatalogue {
     return std::nullopt;
   }
 
-  ConfigMap config_;
   std::vector<SoilType> soils_;
 };
 

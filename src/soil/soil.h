@@ -14,6 +14,11 @@
 namespace tera {
 
 /// Mechanical and visible properties of one soil.
+///
+/// Source  values of the shipped soils: see the notes in config/soils/; parameters as in McKyes
+/// 1985
+///         (cutting), Bekker 1969 and Wong 2008 (pressure and sinkage), Janosi and Hanamoto 1961
+///         (shear).
 struct SoilType {
   std::string name;
   double bank_density_kgpm3 = 0;  ///< undisturbed
@@ -39,10 +44,9 @@ struct SoilType {
 /// Where soil mass is, for the ledger. Every kilogram is in exactly one place.
 struct MassLedger {
   double ground_kg = 0;
-  double carried_kg = 0;   ///< in shovels
-  double airborne_kg = 0;  ///< falling from shovels, if the model lets it take time
-  double outside_kg = 0;   ///< pushed over the border of the site
-  double total_kg() const { return ground_kg + carried_kg + airborne_kg + outside_kg; }
+  double carried_kg = 0;  ///< in shovels
+  double outside_kg = 0;  ///< pushed over the border of the site
+  double total_kg() const { return ground_kg + carried_kg + outside_kg; }
 };
 
 /// Georeference of a site read from a GeoTIFF: geodetic place of W's origin.
@@ -50,9 +54,15 @@ struct SiteOrigin {
   double lat_deg = 0, lon_deg = 0, height_m = 0;
 };
 
-/// The ground as tiled columns and everything that moves it.
+/// The ground as columns and everything that moves it.
 ///
-/// See docs/soil.md for the model; forces by the fundamental earthmoving equation.
+/// Frames  W; tools in the frames of their links, as in GroundTools.
+/// Model   columns of bank, compacted crust and loose soil that keep mass; tools cut, carry, push
+/// and
+///         dump, tracks press ruts, slopes steeper than repose flow. Forces by the fundamental
+///         earthmoving equation and by pressure-sinkage. docs/soil.md says each in full.
+/// Omits   layers of different soil, water that moves, time in the air, flow inside the bucket.
+/// Source  Reece 1964; McKyes 1985; Bekker 1969; Janosi and Hanamoto 1961; Culmann's wall.
 class Soil {
  public:
   /// Reads the scenario's `terrain:` mapping: size, cell, soils, relief or GeoTIFF, strips, piles.
