@@ -6,13 +6,15 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <thread>
+#include <mutex>
+#include <string>
 #include <utility>
 
 #include "core/check.h"
 #include "core/error.h"
 #include "render/embree_objects.h"
 #include "render/ray_terrain.h"
+#include "render/threads.h"
 
 namespace tera {
 namespace {
@@ -27,9 +29,27 @@ constexpr std::size_t kRaysPerBlock = 1024;
 constexpr std::size_t kPacket = 8;
 constexpr unsigned kAllGeometry = 0xffffffffu;
 
-void FailOnEmbreeError(void*, RTCError code, const char* text) {
-  throw InternalError(fmt::format("Embree error {}: {}", static_cast<int>(code), text));
-}
+/// The first error that Embree reports, from whatever thread. It is kept rather than thrown where
+/// it arises, below Embree's own frames.
+class EmbreeErrors {
+ public:
+  void Watch(RTCDevice device) { rtcSetDeviceErrorFunction(device, &EmbreeErrors::Keep, this); }
+  void Check() const {
+    const std::lock_guard lock(mutex_);
+    if (!first_.empty()) throw InternalError(first_);
+  }
+
+ private:
+  static void Keep(void* self, RTCError code, const char* text) {
+    auto& errors = *static_cast<EmbreeErrors*>(self);
+    const std::lock_guard lock(errors.mutex_);
+    if (!errors.first_.empty()) return;
+    errors.first_ = fmt::format("Embree error {}: {}", static_cast<int>(code), text);
+  }
+
+  mutable std::mutex mutex_;
+  std::string first_;
+};
 
 double ReflectanceOf(const Material& material) {
   return material.lidar_reflectance >= 0 ? material.lidar_reflectance : material.albedo.mean();
@@ -137,6 +157,7 @@ struct RayScene::Impl {
   void Describe(const Ray& ray, const RTCHit& found, RayHit* hit) const;
 
   const SceneModel model;
+  EmbreeErrors errors;
   EmbreeDevice device;
   EmbreeScene scene;
   std::vector<BodyShape> shapes;
@@ -148,7 +169,7 @@ struct RayScene::Impl {
 RayScene::Impl::Impl(const SceneModel& scene_model)
     : model(scene_model), device(rtcNewDevice("threads=1")) {
   TERA_CHECK(device.get() != nullptr);
-  rtcSetDeviceErrorFunction(device.get(), FailOnEmbreeError, nullptr);
+  errors.Watch(device.get());
   scene = EmbreeScene(rtcNewScene(device.get()));
   // Low quality is Embree's two-level build: a tree for each tile, kept while the tile does not
   // change. Rays are as fast as in one tree over everything, and an update takes far less time.
@@ -197,6 +218,7 @@ RayScene::Impl::Impl(const SceneModel& scene_model)
   }
   ground = std::make_unique<RayTerrain>(device.get(), scene.get(), model.soils);
   rtcCommitScene(scene.get());
+  errors.Check();
 }
 
 void RayScene::Impl::UpdateBody(std::size_t index, std::vector<Pose> keys, float scale) {
@@ -302,6 +324,7 @@ void RayScene::Update(const std::vector<std::vector<Pose>>& poses, const Terrain
   }
   impl_->ground->Update(terrain);
   rtcCommitScene(impl_->scene.get());
+  impl_->errors.Check();
 }
 
 void RayScene::Trace(std::span<const Ray> rays, std::span<RayHit> hits, int threads) const {
@@ -321,11 +344,8 @@ void RayScene::Trace(std::span<const Ray> rays, std::span<RayHit> hits, int thre
     }
   };
   const std::size_t blocks = (rays.size() + kRaysPerBlock - 1) / kRaysPerBlock;
-  std::vector<std::jthread> helpers;
-  for (std::size_t t = 1; t < std::min<std::size_t>(std::max(threads, 1), blocks); ++t) {
-    helpers.emplace_back(work);
-  }
-  work();
+  RunOnThreads(static_cast<int>(std::min<std::size_t>(std::max(threads, 1), blocks)), work);
+  impl_->errors.Check();
 }
 
 void RayScene::TraceBareSingly(std::span<const Ray> rays, std::span<float> range_m) const {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <thread>
 
 #include "core/check.h"
 #include "core/units.h"
+#include "render/threads.h"
 
 namespace tera {
 namespace {
@@ -178,11 +178,7 @@ LidarScan Lidar::Measure(std::int64_t k, const PoseTrack& X_WS, const RayScene& 
       Detect(k, begin, block, &points[b]);
     }
   };
-  {
-    std::vector<std::jthread> helpers;
-    for (int t = 1; t < std::min(threads, blocks); ++t) helpers.emplace_back(work);
-    work();
-  }
+  RunOnThreads(std::min(threads, blocks), work);
   LidarScan scan;
   scan.t_ns = clock_.Due(k);
   scan.t_available_ns = clock_.Due(k + 1) + latency_ns_;

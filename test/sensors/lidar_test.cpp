@@ -97,6 +97,14 @@ TEST(Lidar, SlowerRevolutionsAreRefused) {
   }
 }
 
+TEST(Lidar, AFaultOnAnyOfItsThreadsReachesTheCaller) {
+  RayScene scene(OneBodyEach({WallMesh(20, 0.5)}));
+  scene.Update({{MakePose({10, 0, 0})}}, NoGround(), {1});
+  const PoseTrack nowhere;
+  const Lidar lidar(OneBeam(), {.rate_hz = 10}, 0, 1, "m/lidar");
+  EXPECT_THROW(lidar.Measure(0, nowhere, scene, 4), InternalError);
+}
+
 TEST(Lidar, PointsAreInTheSensorFrame) {
   // The plane x = 10 m; a sensor 6 m before it, looking along +y of W: the wall is to its right.
   RayScene scene(OneBodyEach({WallMesh(20, 0.5)}));
