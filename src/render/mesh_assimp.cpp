@@ -99,11 +99,4 @@ Mesh LoadWithAssimp(const std::filesystem::path& file, const std::string& node) 
   return mesh;
 }
 
-std::vector<std::string> AssimpNodeNames(const std::filesystem::path& file) {
-  Assimp::Importer importer;
-  std::vector<std::string> names;
-  CollectNames(*ReadScene(file, &importer)->mRootNode, &names);
-  return names;
-}
-
 }  // namespace tera

@@ -13,11 +13,9 @@ namespace tera {
 /// Omits   textures, skins, morph targets, cameras, lights.
 /// Throws  InputError naming the file, what is wrong and, for an unknown node, the nodes there are.
 Mesh LoadGltf(const std::filesystem::path& file, const std::string& node);
-std::vector<std::string> GltfNodeNames(const std::filesystem::path& file);
 
 /// Meshes of OBJ, STL or DAE files, by assimp; z up, metres, as they are.
 Mesh LoadWithAssimp(const std::filesystem::path& file, const std::string& node);
-std::vector<std::string> AssimpNodeNames(const std::filesystem::path& file);
 
 /// Sets normals of `part` from its triangles, weighted by area, where the file has none.
 void ComputeNormals(MeshPart* part);

@@ -248,8 +248,4 @@ Mesh LoadGltf(const std::filesystem::path& file, const std::string& node) {
   return mesh;
 }
 
-std::vector<std::string> GltfNodeNames(const std::filesystem::path& file) {
-  return NamesOf(ReadModel(file));
-}
-
 }  // namespace tera

@@ -79,11 +79,6 @@ Mesh LoadMesh(const std::filesystem::path& file, const std::string& node) {
   return mesh;
 }
 
-std::vector<std::string> MeshNodeNames(const std::filesystem::path& file) {
-  RequireFile(file);
-  return IsGltf(file) ? GltfNodeNames(file) : AssimpNodeNames(file);
-}
-
 int SceneModel::AddMesh(const std::filesystem::path& file, const std::string& node) {
   const std::string name = MeshName(file, node);
   const auto same = std::find_if(meshes.begin(), meshes.end(),

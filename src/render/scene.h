@@ -61,6 +61,15 @@ struct SoilAppearance {
   double grain_size_m = 0.01;
 };
 
+/// Light and air.
+///
+/// Frames  W.
+/// Model   sun_illuminance_klx is the illuminance of the sun alone on a plane that faces it (clear
+///         noon: about 90 to 110); turbidity is that of the sky model; exposure_ev100 is the
+///         exposure value at ISO 100, N^2 / t, for which the picture is exposed (sunlit ground:
+///         15).
+/// Omits   clouds that shade the ground, twilight, haze that varies with height near the ground.
+/// Source  ISO 2720 (exposure value); Preetham et al. 1999 (turbidity); Koschmieder 1924 (fog).
 struct Environment {
   Vec3 to_sun_W = Vec3(0.4, 0.3, 0.85).normalized();
   double sun_illuminance_klx = 90.0;
@@ -88,16 +97,13 @@ struct SceneState {
   TimeNs t_ns = 0;
   std::vector<Pose> X_WB;  ///< one for each body
   const TerrainSurface* terrain = nullptr;
-  /// Soil carried in shovels, as a height field per shovel would be too much here: a heap mesh
-  /// node's body is scaled by this fraction (0 hides it). One for each body, 1 by default.
+  /// Scale of each body about its origin, 1 by default, 0 hides it: soil carried in a shovel is a
+  /// heap mesh that grows.
   std::vector<float> body_scale;
 };
 
 /// Loads glTF (tinygltf), OBJ, STL or DAE (assimp). Throws InputError for a file or node that
 /// cannot be read.
 Mesh LoadMesh(const std::filesystem::path& file, const std::string& node);
-
-/// Names of the nodes of a glTF file.
-std::vector<std::string> MeshNodeNames(const std::filesystem::path& file);
 
 }  // namespace tera
