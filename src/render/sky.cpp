@@ -10,10 +10,24 @@ namespace tera {
 namespace {
 
 constexpr double kMinSunHeight_rad = 2.0 * kDeg;
-constexpr double kGroundAlbedo = 0.22;     // of the bounce light from below
-constexpr double kMolarHeight_m = 1200.0;  // scale height of haze: the fog's share of the sky
-constexpr float kCloudCover = 0.5f;        // noise above this is cloud
-constexpr float kCloudOpacity = 0.75f;
+constexpr double kGroundAlbedo = 0.22;  // of the bounce light from below
+// Haze over the sky: density falls with this scale height; a share of the fog's extinction, since
+// fog lies lower than haze; the last keeps the path along the horizon finite.
+constexpr double kHazeScaleHeight_m = 1200.0;
+constexpr double kHazeShare = 0.02;
+constexpr double kHazeHorizon = 0.004;
+constexpr double kVisibleContrast = 0.02;  // Koschmieder's, at the visibility
+// Clouds: noise over a plane, which the horizon term keeps from shrinking to nothing far away.
+constexpr float kCloudCover = 0.5f;     // noise above this is cloud
+constexpr float kCloudEdge = 0.25f;     // of noise, from clear to dense
+constexpr float kCloudOpacity = 0.75f;  // of a dense one
+constexpr double kCloudScale = 0.16;    // of the noise's period, per tangent of the zenith angle
+constexpr double kCloudHorizon = 0.12;  // added to the sine of elevation
+constexpr double kCloudStretch = 0.6;   // along y
+constexpr double kCloudFade = 6;        // clouds fade in over 1 / this sine of elevation
+const Vec2 kCloudOffset(0.31, 0.67);    // a fair part of the noise
+constexpr float kCloudSun = 0.22f;      // of the sun's illuminance that a cloud sends down
+constexpr float kCloudZenith = 0.5f;    // of the zenith's radiance
 
 /// Perez' five coefficients, linear in turbidity.
 struct Perez {
@@ -145,20 +159,22 @@ Eigen::Vector3f Sky::Airlight(const Vec3& direction_W) const {
 
 void Sky::Paint(double fog_visibility_m) {
   const LatticeNoise noise("render/clouds", 8, 6);
-  const double extinction_1pm = -std::log(0.02) / fog_visibility_m;  // Koschmieder
+  const double extinction_1pm = -std::log(kVisibleContrast) / fog_visibility_m;
   texels_.resize(static_cast<std::size_t>(kWidth) * kHeight);
   for (int row = 0; row < kHeight; ++row) {
     for (int column = 0; column < kWidth; ++column) {
       const Vec3 d = TexelDirection(column, row);
       Eigen::Vector3f radiance = ClearSky(d);
-      // Clouds lie on a plane; the offset keeps their size finite at the horizon.
-      const double reach = 0.16 / (d.z() + 0.12);
-      const float n = noise.At(0.31 + d.x() * reach, 0.67 + d.y() * reach * 0.6);
-      const float cover = std::clamp((n - kCloudCover) / 0.25f, 0.0f, 1.0f) * kCloudOpacity;
-      const Eigen::Vector3f white = sun_lx_ * 0.22f + 0.5f * zenith_;
-      radiance += cover * (white - radiance) * static_cast<float>(std::min(1.0, d.z() * 6));
+      const double reach = kCloudScale / (d.z() + kCloudHorizon);
+      const float n = noise.At(kCloudOffset.x() + d.x() * reach,
+                               kCloudOffset.y() + d.y() * reach * kCloudStretch);
+      const float cover = std::clamp((n - kCloudCover) / kCloudEdge, 0.0f, 1.0f) * kCloudOpacity;
+      const Eigen::Vector3f white = sun_lx_ * kCloudSun + kCloudZenith * zenith_;
+      radiance +=
+          cover * (white - radiance) * static_cast<float>(std::min(1.0, d.z() * kCloudFade));
       // Haze of exponential density: optical depth to the zenith times the air mass.
-      const double haze = 1 - std::exp(-extinction_1pm * kMolarHeight_m * 0.02 / (d.z() + 0.004));
+      const double haze =
+          1 - std::exp(-extinction_1pm * kHazeScaleHeight_m * kHazeShare / (d.z() + kHazeHorizon));
       radiance += static_cast<float>(haze) * (Airlight(d) - radiance);
       texels_[static_cast<std::size_t>(row) * kWidth + column] = radiance;
     }

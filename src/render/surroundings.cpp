@@ -20,6 +20,12 @@ constexpr double kHills_m = 9.0;   // greatest height of the far hills
 constexpr double kHillsBegin_m = 60.0, kHillsFull_m = 500.0;
 constexpr double kTrees_m = 11.0;  // height of the belt of trees
 constexpr double kTreesAt_m = 320.0, kTreesWidth_m = 60.0;
+constexpr double kForestBegin_m = 150.0, kForestFull_m = 320.0;  // woods among the meadows
+constexpr double kMeadowBegin_m = 2.0, kMeadowFull_m = 16.0;     // where soil gives way to grass
+constexpr double kMeadowFringe_m = 14.0;                         // how far it gives way unevenly
+// Linear colours: meadow, dry patches in it, woods.
+const Eigen::Vector3f kMeadow(0.16f, 0.17f, 0.075f), kDry(0.05f, 0.03f, 0.01f);
+const Eigen::Vector3f kWoods(0.045f, 0.065f, 0.03f);
 
 double Ramp(double x, double from, double to) {
   const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
@@ -81,14 +87,13 @@ void Surroundings::Place(const TerrainSurface& terrain) {
       const float n = colour.At(u * 60, v * 60), broad = colour.At(u * 7, v * 7);
       z += tree * kTrees_m * (0.4 + 1.1 * n);
       if (ring == 0) z -= kSkirt_m;
-      const Eigen::Vector3f meadow = Eigen::Vector3f(0.16f, 0.17f, 0.075f) * (0.65f + 0.7f * n) +
-                                     Eigen::Vector3f(0.05f, 0.03f, 0.01f) * broad;
-      const Eigen::Vector3f woods(0.045f, 0.065f, 0.03f);
-      const auto green = static_cast<float>(Ramp(d_m + 14 * (n - 0.5), 2, 16));
-      const auto wooded =
-          static_cast<float>(std::max(tree, Ramp(broad, 0.52, 0.6) * Ramp(d_m, 150, 320)));
+      const Eigen::Vector3f meadow = kMeadow * (0.65f + 0.7f * n) + kDry * broad;
+      const auto green = static_cast<float>(
+          Ramp(d_m + kMeadowFringe_m * (n - 0.5), kMeadowBegin_m, kMeadowFull_m));
+      const auto wooded = static_cast<float>(
+          std::max(tree, Ramp(broad, 0.52, 0.6) * Ramp(d_m, kForestBegin_m, kForestFull_m)));
       Eigen::Vector3f albedo = soil_albedo_ + green * (meadow - soil_albedo_);
-      albedo += wooded * (woods - albedo);
+      albedo += wooded * (kWoods - albedo);
       Vertex& vertex = vertices_[ring * kAround + k];
       vertex.position_W_m = Vec3(p.x(), p.y(), z).cast<float>();
       vertex.albedo_root = albedo.cwiseMax(0.0f).cwiseSqrt();

@@ -30,7 +30,11 @@ constexpr double kCarryPitch_rad = -188 * kDeg;
 constexpr double kDumpPitch_rad = -60 * kDeg;
 // The cut goes down over its first part and comes up over its last.
 constexpr double kRampIn = 0.35, kRampOut = 0.2;
+constexpr double kRampEnd = 0.3;  // of the ramp out, where the cut ends: still in the ground
 constexpr int kGroundSamples = 24;
+// A target out of reach is drawn in by steps, so many at most.
+constexpr double kDrawIn_m = 0.05;
+constexpr int kDrawIns = 60;
 // Curling takes this long, and draws the tip in and up meanwhile.
 constexpr double kCurl_s = 1.3;
 constexpr double kCurlDrag_m = 0.15, kCurlLift_m = 0.55;
@@ -207,7 +211,7 @@ DigCycle::Target DigCycle::TargetNow(const OperatorView& view) const {
 PlanarArm::Tip DigCycle::CutPoint(double s_m) const {
   const double s = std::clamp(s_m / plan_.cut_length_m, 0.0, 1.0);
   const double depth_m =
-      plan_.cut_depth_m * std::min(Smooth(s / kRampIn), Smooth((1.0 - s) / kRampOut + 0.3));
+      plan_.cut_depth_m * std::min(Smooth(s / kRampIn), Smooth((1.0 - s) / kRampOut + kRampEnd));
   const double at = s * kGroundSamples;
   const int k = std::min(static_cast<int>(at), kGroundSamples - 1);
   const double ground_m = Mix(cut_ground_m_[k], cut_ground_m_[k + 1], at - k);
@@ -228,8 +232,8 @@ PlanarArm::Angles DigCycle::ReachableAngles(const MachineModel& model,
                                             const PlanarArm::Tip& tip) const {
   PlanarArm::Tip nearer = tip;  // draw a target that is out of reach in, until it is not
   std::optional<PlanarArm::Angles> angles = arm_.Inverse(nearer);
-  for (int k = 0; !angles && k < 60; ++k) {
-    nearer.r_m -= 0.05;
+  for (int k = 0; !angles && k < kDrawIns; ++k) {
+    nearer.r_m -= kDrawIn_m;
     angles = arm_.Inverse(nearer);
   }
   if (!angles) angles = PlanarArm::Angles{};

@@ -16,6 +16,11 @@ namespace {
 
 /// A month; a longer run is a mistyped one.
 constexpr double kLongest_s = 31 * 86400.0;
+constexpr double kMostSeed = 9e15;  ///< below 2^53: every YAML reader keeps it exactly
+constexpr double kSlowest_hz = 100, kFastest_hz = 5000;  ///< steps that machines and soil bear
+constexpr double kDefaultRate_hz = 500, kDefaultSettle_s = 1.5, kLongestSettle_s = 60;
+constexpr double kSunAzimuth_deg = 150, kSunElevation_deg = 42;  ///< a fair morning
+constexpr SiteOrigin kDefaultOrigin = {47.3763, 8.5477, 460.0};
 
 /// Height and tilt of the ground under a rectangle of half extents `half_m` about `xy`.
 Pose RestingPose(const TerrainSurface& ground, const Vec2& xy_m, double yaw_rad,
@@ -152,9 +157,11 @@ ScenarioObstacle ReadObstacle(const ConfigMap& config) {
 
 Environment ReadEnvironment(const ConfigMap& config) {
   Environment environment;
-  const double azimuth_rad = config.Number("sun_azimuth_deg", Between(-360, 360, "deg"), 150) *
-                             kDeg;  // from north, east +
-  const double elevation_rad = config.Number("sun_elevation_deg", Between(1, 90, "deg"), 42) * kDeg;
+  const double azimuth_rad =
+      config.Number("sun_azimuth_deg", Between(-360, 360, "deg"), kSunAzimuth_deg) *
+      kDeg;  // from north, east +
+  const double elevation_rad =
+      config.Number("sun_elevation_deg", Between(1, 90, "deg"), kSunElevation_deg) * kDeg;
   environment.to_sun_W =
       Vec3(std::sin(azimuth_rad) * std::cos(elevation_rad),
            std::cos(azimuth_rad) * std::cos(elevation_rad), std::sin(elevation_rad));
@@ -171,7 +178,7 @@ Environment ReadEnvironment(const ConfigMap& config) {
 /// The site's origin: written in the scenario, else that of the terrain's GeoTIFF, else a fixed
 /// place.
 SiteOrigin ReadOrigin(const ConfigMap& config, const Soil& soil) {
-  SiteOrigin origin = {47.3763, 8.5477, 460.0};
+  SiteOrigin origin = kDefaultOrigin;
   if (const auto georeference = soil.georeference()) origin = *georeference;
   if (const auto site = config.OptionalMap("site")) {
     origin.lat_deg = site->Number("lat_deg", Between(-90, 90, "deg"), origin.lat_deg);
@@ -201,11 +208,13 @@ void RequireUniqueNames(const ConfigMap& config, const Scenario& scenario) {
 Scenario ReadScenario(const ConfigMap& config) {
   Scenario scenario;
   scenario.name = config.Text("name");
-  scenario.seed = static_cast<std::uint64_t>(config.Integer("seed", Between(0, 9e15, ""), 1));
+  scenario.seed = static_cast<std::uint64_t>(config.Integer("seed", Between(0, kMostSeed, ""), 1));
   scenario.duration_s =
       config.Number("duration_s", {.min = 0, .max = kLongest_s, .min_excluded = true, .unit = "s"});
-  scenario.physics_rate_hz = config.Number("physics_rate_hz", Between(100, 5000, "Hz"), 500);
-  scenario.settle_s = config.Number("settle_s", Between(0, 60, "s"), 1.5);
+  scenario.physics_rate_hz =
+      config.Number("physics_rate_hz", Between(kSlowest_hz, kFastest_hz, "Hz"), kDefaultRate_hz);
+  scenario.settle_s =
+      config.Number("settle_s", Between(0, kLongestSettle_s, "s"), kDefaultSettle_s);
   scenario.soil = Soil::Read(config.Map("terrain"), scenario.seed);
   scenario.origin = ReadOrigin(config, *scenario.soil);
   if (const auto environment = config.OptionalMap("environment")) {
