@@ -58,28 +58,40 @@ SceneAssembly::SceneAssembly(const Scenario& scenario) : scenario_(scenario) {
 void SceneAssembly::AddMachine(const Scenario& scenario, std::size_t m) {
   const MachinePlacement& placement = scenario.machines[m].placement;
   const MachineModel& machine = placement.model;
-  const auto part = [&](const std::string& name) { return placement.name + "/" + name; };
-
   std::vector<int> link_body;
   std::vector<std::uint16_t> link_instance(machine.links.size(), 0);
   for (std::size_t i = 0; i < machine.links.size(); ++i) {
     const Link& link = machine.links[i];
     link_body.push_back(AddBody());
     if (link.visuals.empty()) continue;
-    link_instance[i] = AddInstance(part(link.name), link.label, link_body[i]);
+    link_instance[i] = AddInstance(placement.name + "/" + link.name, link.label, link_body[i]);
     for (const Visual& v : link.visuals) AddNode(v, link_body[i], link.label, link_instance[i]);
   }
+  AddRunningGear(placement, m, link_body);
+  for (const CylinderVisual& cylinder : machine.cylinders) {
+    const int barrel = AddBody(), rod = AddBody();
+    const Link& barrel_link = machine.links[cylinder.barrel_link];
+    const Link& rod_link = machine.links[cylinder.rod_link];
+    AddNode(cylinder.barrel, barrel, barrel_link.label, link_instance[cylinder.barrel_link]);
+    AddNode(cylinder.rod, rod, rod_link.label, link_instance[cylinder.rod_link]);
+  }
+  AddHeaps(placement, m, scenario.soil->soils().front());
+}
+
+void SceneAssembly::AddRunningGear(const MachinePlacement& placement, std::size_t m,
+                                   const std::vector<int>& link_body) {
+  const MachineModel& machine = placement.model;
   for (const WheelVisual& wheel : machine.wheel_visuals) {
     const int body = AddBody();
     const std::string& name = machine.ground_tools.gears[wheel.gear].name;
     AddNode(wheel.visual, body, SemanticClass::kTrack,
-            AddInstance(part(name), SemanticClass::kTrack, body));
+            AddInstance(placement.name + "/" + name, SemanticClass::kTrack, body));
   }
   for (const TrackVisual& track : machine.track_visuals) {
     const RunningGear& gear = machine.ground_tools.gears[track.gear];
     tracks_.push_back({m, &track, gear.drive_radius_m, ArcLengths(track.path_B_m)});
     const std::uint16_t instance =
-        AddInstance(part(gear.name), SemanticClass::kTrack, link_body[gear.link]);
+        AddInstance(placement.name + "/" + gear.name, SemanticClass::kTrack, link_body[gear.link]);
     SceneInstance& box = model_.instances[instance];
     for (const Vec3& p : track.path_B_m) {
       const Vec3 half(0, 0.5 * gear.patches.front().width_m, 0);
@@ -90,23 +102,21 @@ void SceneAssembly::AddMachine(const Scenario& scenario, std::size_t m) {
       AddNode(track.shoe, AddBody(), SemanticClass::kTrack, instance);
     }
   }
-  for (const CylinderVisual& cylinder : machine.cylinders) {
-    const int barrel = AddBody(), rod = AddBody();
-    const Link& barrel_link = machine.links[cylinder.barrel_link];
-    const Link& rod_link = machine.links[cylinder.rod_link];
-    AddNode(cylinder.barrel, barrel, barrel_link.label, link_instance[cylinder.barrel_link]);
-    AddNode(cylinder.rod, rod, rod_link.label, link_instance[cylinder.rod_link]);
-  }
-  for (std::size_t s = 0; s < machine.ground_tools.shovels.size(); ++s) {
-    const Shovel& shovel = machine.ground_tools.shovels[s];
+}
+
+void SceneAssembly::AddHeaps(const MachinePlacement& placement, std::size_t m,
+                             const SoilType& soil) {
+  const std::vector<Shovel>& shovels = placement.model.ground_tools.shovels;
+  for (std::size_t s = 0; s < shovels.size(); ++s) {
+    const Shovel& shovel = shovels[s];
     if (shovel.capacity_m3 <= 0) continue;
-    const SoilType& soil = scenario.soil->soils().front();
     const HeapMesh heap = MakeHeapMesh(shovel, soil.albedo * SoilTone(soil.moisture, 1.0));
     SceneNode node;
     node.mesh = static_cast<int>(model_.meshes.size());
     node.body = AddBody();
     node.label = SemanticClass::kSoilInBucket;
-    node.instance = AddInstance(part(shovel.name + "_soil"), node.label, node.body);
+    node.instance =
+        AddInstance(placement.name + "/" + shovel.name + "_soil", node.label, node.body);
     model_.meshes.push_back(heap.mesh);
     model_.nodes.push_back(node);
     GrowBox(node);

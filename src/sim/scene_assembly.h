@@ -14,6 +14,7 @@ namespace tera {
 /// Model   one body for each link, wheel, track shoe, cylinder barrel and rod, shovel heap and
 ///         obstacle; one labelled instance for each link, track, wheel, heap and obstacle, named
 ///         "machine/part" or after the obstacle.
+/// Omits   the kind of soil in a shovel: a heap is shown in the colour of the site's first soil.
 class SceneAssembly {
  public:
   /// Throws InputError where a mesh cannot be loaded, with the place that names it.
@@ -34,6 +35,10 @@ class SceneAssembly {
   };
 
   void AddMachine(const Scenario& scenario, std::size_t m);
+  void AddRunningGear(const MachinePlacement& placement, std::size_t m,
+                      const std::vector<int>& link_body);
+  /// Heaps of `soil`, hidden until something is carried.
+  void AddHeaps(const MachinePlacement& placement, std::size_t m, const SoilType& soil);
   void AddObstacle(const ScenarioObstacle& obstacle);
   std::uint16_t AddInstance(const std::string& name, SemanticClass label, int body);
   void AddNode(const Visual& visual, int body, SemanticClass label, std::uint16_t instance);
