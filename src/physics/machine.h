@@ -120,6 +120,14 @@ struct NamedFrame {
   Pose X_BF = Pose::Identity();
 };
 
+/// A machine's constant part.
+///
+/// Frames  B of each link; links[0]'s is the root's.
+/// Model   a tree of rigid links and joints with one degree of freedom or none; running gear with
+/// one
+///         rotating inertia each; levers that ask for rates.
+/// Omits   closed chains (cylinders are shown, not simulated), flexibility, hydraulics: pump and
+///         valves are the rate limits and transients of the joints.
 struct MachineModel {
   std::string kind;  ///< e.g. "tb235"
   bool fixed_base = false;

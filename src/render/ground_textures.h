@@ -22,7 +22,8 @@ struct TileIndex {
 /// Model   albedo by soil; moisture darkens it as R = Rs + (Rd - Rs) exp(-c S), S the degree of
 ///         saturation, with Rs a fixed share of the dry albedo; loose soil is a little lighter,
 ///         pressed ruts darker. Smaller levels of each texture are means of four texels, remade
-///         only below what has changed.
+///         only below what has changed. The shadow is remade for the whole site with any change: a
+///         shadow reaches as far as the ground's relief and the sun's height let it.
 /// Source  Lobell, Asner 2002, "Moisture effects on soil reflectance", eq. 1.
 class GroundTextures {
  public:

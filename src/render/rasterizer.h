@@ -12,8 +12,7 @@ namespace tera {
 /// Pinhole intrinsics with Brown-Conrady distortion, as in OpenCV and ROS CameraInfo.
 ///
 /// Frames  C optical frame (x right, y down, z forward). Pixel (0, 0) is the centre of the upper
-/// left
-///         pixel.
+///         left pixel.
 /// Model   x = X/Z, y = Y/Z, r2 = x2 + y2;
 ///         x' = x (1 + k1 r2 + k2 r4 + k3 r6) + 2 p1 x y + p2 (r2 + 2 x2), y' likewise;
 ///         u = fx x' + cx, v = fy y' + cy.

@@ -8,8 +8,7 @@ namespace tera {
 /// Soil that just fills a shovel, heaped over its mouth.
 ///
 /// Frames  positions relative to `bottom_B_m` (the deepest point of the shell), axes of the link,
-/// so
-///         that scaling the mesh about its origin fills the shovel from the bottom.
+///         so that scaling the mesh about its origin fills the shovel from the bottom.
 /// Model   the profile extruded over the width, closed by a mound of `kHeapShare` of the mouth's
 ///         length in the middle.
 struct HeapMesh {

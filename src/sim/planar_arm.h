@@ -12,6 +12,7 @@ namespace tera {
 ///         frame, r outward, z up. Pitch is measured from the horizontal, positive up.
 /// Model   two-link inverse kinematics for boom and arm (elbow up), bucket by the remaining pitch.
 /// Omits   boom swing (taken as zero) and the slewing link's tilt.
+/// Source  two-link arm by the law of cosines: Craig 2005, "Introduction to robotics", section 4.4.
 class PlanarArm {
  public:
   struct Joints {

@@ -22,8 +22,12 @@ EncodedAxes AxesOf(const EncoderModel& encoder, const MachineModel& machine);
 
 /// All sensors of a scenario, sampled as they fall due and written.
 ///
+/// Frames  W; each sensor's S at X_BS on its link.
 /// Model   a sample due between two steps is taken from the state interpolated between them; the
 ///         terrain is that of the later step. A lidar's revolution is traced when it is complete.
+/// Omits   motion of the ground within a revolution or an exposure: one terrain stands for each,
+/// for
+///         a revolution that of its end; exposure time: a picture is of one instant.
 class Rig {
  public:
   /// Keeps references to `assembly` and `writer`. The rasterizer and the ray scene are made only if

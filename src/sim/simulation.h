@@ -18,8 +18,11 @@ struct WorldState {
 
 /// Evolves a scenario: levers -> soil's forces -> bodies -> flow of the soil.
 ///
+/// Frames  W; links and joints as in MachineState.
 /// Model   fixed step 1 / physics_rate_hz; time is the step count over the rate. Before t = 0 the
-///         machines settle on the ground for `settle_s` with neutral levers.
+///         machines settle on the ground for `settle_s` with neutral levers. Soil and bodies are
+///         coupled explicitly: forces of the ground follow from the motion at the step's start.
+/// Omits   soil between machines at the same place at once: each acts on the ground in turn.
 class Simulation {
  public:
   /// Keeps a reference to `scenario`, whose soil and operators it changes; runs the settling.
