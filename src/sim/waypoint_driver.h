@@ -12,7 +12,8 @@ namespace tera {
 ///
 /// Frames  waypoints in W.
 /// Model   pure pursuit: curvature 2 sin(alpha) / d towards the waypoint at bearing alpha and
-///         distance d; turns on the spot where the bearing is large; slows for the last waypoint and stops.
+///         distance d; turns on the spot where the bearing is large; slows for the last waypoint
+///         and stops.
 ///         Levers move no faster than a hand moves them.
 /// Source  Coulter 1992, CMU-RI-TR-92-01.
 class WaypointDriver : public Operator {
