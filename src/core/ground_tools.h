@@ -15,9 +15,10 @@ namespace tera {
 ///
 /// Frames  B link frame. The tool is an extrusion along B's y axis, from -width/2 to +width/2.
 /// Model   `profile_B_m` is the inner side profile in B's x-z plane, an open polyline that starts
-///         at the cutting edge (first point; at the tips of the teeth where there are any),
-///         follows the floor, then the back, and ends at the top lip. The segment from last to first point is the mouth. A blade has a profile that does
-///         not enclose an area worth carrying: `capacity_m3` is 0 and it only pushes.
+///         at the cutting edge (first point; at the tips of the teeth where there are any), follows
+///         the floor, then the back, and ends at the top lip. The segment from last to first point
+///         is the mouth. A blade has a profile that does not enclose an area worth carrying:
+///         `capacity_m3` is 0 and it only pushes.
 struct Shovel {
   std::string name;
   int link = 0;

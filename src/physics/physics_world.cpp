@@ -57,8 +57,9 @@ struct KinematicObstacle {
 /// Bullet's world with a velocity update of second order.
 ///
 /// Model   v(n+1) = v(n) + dt a(q, v(n) + (v(n) - v(n-1)) / 2): forces that grow with the square of
-///         velocity are taken in the middle of the step, extrapolated from the last one. Bullet takes them
-///         at its start, which feeds energy into a swinging arm (about 1 % in 10 s at 500 Hz).
+///         velocity are taken in the middle of the step, extrapolated from the last one. Bullet
+///         takes them at its start, which feeds energy into a swinging arm (about 1 % in 10 s at
+///         500 Hz).
 class MidpointWorld : public btMultiBodyDynamicsWorld {
  public:
   using btMultiBodyDynamicsWorld::btMultiBodyDynamicsWorld;

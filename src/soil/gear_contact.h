@@ -12,8 +12,8 @@ namespace tera {
 /// Frames  W; patches as in ContactPatch, in the frame B of the gear's link.
 /// Model   Normal: points fixed to each patch bear elastically, p = k_e pen, at most Bekker's
 ///         pressure at their sinkage; columns under the patch give way plastically to where both
-///         agree and remember it for later passes. Damping is a fraction of critical for the mass that the
-///         pressure carries, and the ground never pulls.
+///         agree and remember it for later passes. Damping is a fraction of critical for the mass
+///         that the pressure carries, and the ground never pulls.
 ///         Tangential: each patch has a shear displacement j, carried along by the moving shoes:
 ///         dj/dt = v_slip - v_shoe (j - j_upstream) / length; it is zero where a shoe meets the
 ///         ground. Stress (c + p tan phi)(1 - exp(-|j|/K)) along j: a spring at rest, the
