@@ -9,7 +9,7 @@
 
 namespace tera {
 
-/// Angle sensors of several joints (or running gears) read together.
+/// Which axes a set of encoders reads, and how well.
 struct EncoderModel {
   std::vector<std::string> joints;  ///< joint or gear names; empty: all joints that move
   double resolution_rad = 0;        ///< 0: not quantised
@@ -19,10 +19,19 @@ struct EncoderModel {
 
 EncoderModel ReadEncoderModel(const ConfigMap& config);
 
+/// Angle and rate sensors of several joints (or tracks, or wheels) read together.
+///
+/// Frames  angles and rates about each joint's own axis, from its zero; metres where it slides.
+/// Model   angle q + N(0, sigma^2), rounded to the nearest multiple of the resolution; rate
+///         qd + N(0, sigma_rate^2), measured by itself and not from the rounded angles.
+/// Omits   backlash, zero offset, eccentricity, the wrap of a single turn.
+/// Source  rounding: uniform error of variance resolution^2 / 12 (Bennett 1948, "Spectra of
+///         quantized signals") where the motion passes many steps.
 class Encoder {
  public:
   Encoder(const EncoderModel& model, const SampleClock& clock, TimeNs latency_ns,
           std::uint64_t seed, const std::string& stream_name);
+  /// Sample k of axes at `q_rad` that turn at `qd_radps`.
   EncoderSample Measure(std::int64_t k, const std::vector<double>& q_rad,
                         const std::vector<double>& qd_radps) const;
 
