@@ -63,7 +63,9 @@ void AppendChart(const Chart& chart, std::string* script) {
   fmt::format_to(out,
                  "set title {} noenhanced\nset xlabel {} noenhanced\nset ylabel {} noenhanced\n",
                  Quoted(chart.title), Quoted(chart.x_label), Quoted(chart.y_label));
-  fmt::format_to(out, "set size {}\n", chart.equal_axes ? "ratio -1" : "noratio");
+  // An axis of a path may be short: its numbers stand on end.
+  *script += chart.equal_axes ? "set size ratio -1\nset xtics rotate\n"
+                              : "set size noratio\nset xtics norotate\n";
   *script += Ranges(chart);
   bool any = false;
   std::string plot, data;
