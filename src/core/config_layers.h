@@ -1,0 +1,121 @@
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/config.h"
+
+/// The layers that a configuration's mappings are made of, for the files of config_*.cpp.
+
+namespace tera::internal {
+
+/// One source of a mapping: a YAML node, the file it stands in (for messages and relative paths).
+struct Layer {
+  YAML::Node node;
+  std::string file;
+  std::filesystem::path directory;
+};
+
+struct ConfigNode {
+  ConfigDocument* document = nullptr;
+  std::string path;           ///< key path from the root, "machines[0].sensors[2]"
+  std::vector<Layer> layers;  ///< first wins
+  YAML::Node resolved{YAML::NodeType::Map};
+  std::set<std::string> asked;  ///< every key the reader knows
+  std::map<std::string, std::shared_ptr<ConfigNode>, std::less<>>
+      children;  ///< mappings handed out
+};
+
+struct ConfigDocument {
+  std::vector<std::string> faults;
+  std::vector<std::shared_ptr<ConfigNode>> nodes;
+  std::shared_ptr<ConfigNode> root;
+
+  std::shared_ptr<ConfigNode> AddNode(std::string path, std::vector<Layer> layers) {
+    auto node = std::make_shared<ConfigNode>();
+    node->document = this;
+    node->path = std::move(path);
+    node->layers = std::move(layers);
+    nodes.push_back(node);
+    return node;
+  }
+};
+
+/// Stands for a file's name in the messages about overrides, which have no lines.
+inline constexpr char kOverlayName[] = "--set";
+
+/// A value and the layer that it stands in.
+struct Found {
+  YAML::Node node;
+  const Layer* layer = nullptr;
+};
+
+// Looking up.
+
+/// The value of `key` in one mapping.
+std::optional<YAML::Node> ValueIn(const YAML::Node& map, std::string_view key);
+/// The value of `key` in the first layer that has it.
+std::optional<Found> Find(ConfigNode& node, std::string_view key);
+/// Values of `key` in all layers that have it, first wins.
+std::vector<Found> FindAll(ConfigNode& node, std::string_view key);
+/// Keys of all layers: those of the lowest first, then what each layer above it adds.
+std::vector<std::string> NamesIn(const ConfigNode& node);
+
+// Saying where and what.
+
+std::string PlaceOf(const YAML::Node& node, const std::string& file);
+std::string Join(const std::string& path, std::string_view key);
+/// A value as messages show it.
+std::string Shown(const YAML::Node& node);
+void AddFault(ConfigNode& node, std::string_view key, const std::string& place,
+              const std::string& finding);
+void AddFault(ConfigNode& node, std::string_view key, const Found& found,
+              const std::string& finding);
+void AddMissing(ConfigNode& node, std::string_view key, const std::string& need);
+
+// Numbers.
+
+/// What messages say is needed.
+std::string Need(const Range& range);
+std::optional<double> ParseNumber(const std::string& text);
+/// The number at `found`, or a fault and nothing.
+std::optional<double> NumberAt(ConfigNode& node, std::string_view key, const Found& found,
+                               const Range& range);
+/// A value within the range, for reading on after a fault.
+double Harmless(const Range& range);
+/// The shortest text that reads back as the same number.
+std::string NumberText(double value);
+
+/// Enters a value into the resolved document.
+void Record(ConfigNode& node, std::string_view key, const std::string& scalar);
+
+// Files.
+
+/// Is there a file that can be opened? Not where the name is too long or links go in a circle.
+bool IsFile(const std::filesystem::path& path);
+/// The path without links, or as it stands where it cannot be followed.
+std::filesystem::path Canonical(const std::filesystem::path& path);
+/// The file that `text` means in a file of `directory`.
+std::filesystem::path Resolve(const std::string& text, const std::filesystem::path& directory);
+/// A path as messages show it: relative to the working directory where it is below it.
+std::string ShownName(const std::filesystem::path& path);
+YAML::Node LoadYaml(const std::filesystem::path& file, const std::string& shown);
+/// Loads the file that `found` names as a layer, or reports a fault.
+std::optional<Layer> LoadLayer(ConfigNode& node, std::string_view key, const Found& found);
+
+// Overrides.
+
+/// A whole number as it stands between the brackets of a path: without zeros in front.
+bool IsIndex(std::string_view text);
+/// The overrides, the last first, above `file`.
+std::vector<Layer> LayersAbove(const Layer& file, const std::vector<std::string>& overrides);
+
+}  // namespace tera::internal
