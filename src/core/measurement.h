@@ -24,10 +24,17 @@ struct ImuSample {
 };
 
 /// Quality of a fix as in the GGA sentence of NMEA 0183.
-enum class GnssFix : std::uint8_t { kNone = 0, kSingle = 1, kRtkFixed = 4, kRtkFloat = 5 };
+enum class GnssFix : std::uint8_t {
+  kNone = 0,
+  kSingle = 1,
+  kDifferential = 2,
+  kRtkFixed = 4,
+  kRtkFloat = 5
+};
 
 /// Position of the antenna. Latitude and longitude on WGS 84, height above the ellipsoid; ENU about
-/// the site origin, axes of the tangent plane there. With fix kNone the position is not valid.
+/// the site origin, axes of the tangent plane there. With fix kNone all of it is 0 and means
+/// nothing.
 struct GnssSample {
   TimeNs t_ns = 0;
   TimeNs t_available_ns = 0;

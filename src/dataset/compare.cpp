@@ -49,10 +49,10 @@ std::vector<Signal> ImuSignals(const Recording& recording, const std::string& fo
 std::vector<Signal> EncoderSignals(const Recording& recording, const std::string& folder) {
   const EncoderRecording encoder = recording.LoadEncoder(folder);
   std::vector<Signal> signals;
-  for (const std::string& column : EncoderColumns(encoder.joints)) {
+  for (const std::string& column : EncoderColumns(encoder.axes)) {
     signals.push_back({column, {}, {}});
   }
-  const std::size_t n = encoder.joints.size();
+  const std::size_t n = encoder.axes.size();
   for (const EncoderSample& sample : encoder.samples) {
     for (std::size_t i = 0; i < 2 * n; ++i) {
       signals[i].t_ns.push_back(sample.t_ns);

@@ -26,6 +26,7 @@ class CsvFile {
 
   /// Index of a column. Throws for a missing one.
   std::size_t Column(const std::string& name) const;
+  int Line(std::size_t row) const { return line_of_row_[row]; }
   std::string_view Field(std::size_t row, std::size_t column) const {
     return fields_[row * columns_.size() + column];
   }

@@ -1,6 +1,7 @@
 #include "dataset/csv_mapping.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "core/spelling.h"
@@ -92,11 +93,20 @@ bool Holds(const CsvFile& csv, const RowRule& rule, std::size_t row) {
   return false;
 }
 
+std::string OutOfRange(double value, const Range& need) {
+  const std::string limits = std::isfinite(need.max)
+                                 ? fmt::format("{:.6g} to {:.6g}", need.min, need.max)
+                                 : fmt::format("at least {:.6g}", need.min);
+  return fmt::format("which gives {:.6g} {}, need {} {}", value, need.unit, limits, need.unit);
+}
+
 }  // namespace
 
-ColumnMapping ReadColumnMapping(const ConfigMap& config, Dimension dimension) {
+ColumnMapping ReadColumnMapping(const ConfigMap& config, Dimension dimension,
+                                const Range& allowed) {
   ColumnMapping mapping;
-  if (const auto constant = config.OptionalNumber("constant", Any(""))) {
+  mapping.allowed = allowed;
+  if (const auto constant = config.OptionalNumber("constant", allowed)) {
     mapping.offset = *constant;
     return mapping;
   }
@@ -120,14 +130,19 @@ std::vector<MappedRow> ReadRows(const RowSource& source,
   const CsvFile csv(source.file, CsvFile::LastLine::kMayLackItsEnd);
   const auto value = [&](const ColumnMapping& mapping, std::size_t row) {
     if (mapping.column.empty()) return mapping.offset;
-    return mapping.factor * csv.Number(row, csv.Column(mapping.column)) + mapping.offset;
+    const std::size_t column = csv.Column(mapping.column);
+    const double value = mapping.factor * csv.Number(row, column) + mapping.offset;
+    if (value < mapping.allowed.min || value > mapping.allowed.max) {
+      csv.Fail(row, column, OutOfRange(value, mapping.allowed));
+    }
+    return value;
   };
   std::vector<MappedRow> rows;
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     const bool valid = std::all_of(source.rules.begin(), source.rules.end(),
                                    [&](const RowRule& rule) { return Holds(csv, rule, row); });
     if (!valid) continue;
-    MappedRow mapped{FromSeconds(value(source.time, row)), {}};
+    MappedRow mapped{FromSeconds(value(source.time, row)), csv.Line(row), {}};
     if (!rows.empty() && mapped.t_ns <= rows.back().t_ns) {
       csv.Fail(row, csv.Column(source.time.column), "need a later time than in the row before");
     }

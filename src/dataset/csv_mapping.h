@@ -29,11 +29,14 @@ enum class Dimension {
 struct ColumnMapping {
   std::string column;  ///< empty: the constant `offset`
   double factor = 1.0, offset = 0.0;
+  Range allowed;  ///< of the value
 };
 
 /// Reads `{column:, unit:, scale:, offset:}` or `{constant:}`. The offset is in SI units. An
-/// unknown unit, or one of another dimension, is a fault.
-ColumnMapping ReadColumnMapping(const ConfigMap& config, Dimension dimension);
+/// unknown unit, or one of another dimension, is a fault; so is, when rows are read, a value that
+/// is not `allowed`.
+ColumnMapping ReadColumnMapping(const ConfigMap& config, Dimension dimension,
+                                const Range& allowed = {});
 
 /// A row counts when this holds.
 struct RowRule {
@@ -57,6 +60,7 @@ RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top);
 /// One valid row: its time and the values of the columns asked for.
 struct MappedRow {
   TimeNs t_ns = 0;
+  int line = 0;  ///< in its file
   std::vector<double> values;
 };
 

@@ -28,11 +28,21 @@ std::string TableHeader(const std::vector<std::string>& columns) {
   return header;
 }
 
-std::vector<std::string> EncoderColumns(const std::vector<std::string>& joints) {
+std::vector<std::string> EncoderColumns(const std::vector<EncoderAxis>& axes) {
   std::vector<std::string> columns;
-  for (const std::string& joint : joints) columns.push_back(joint + "_rad");
-  for (const std::string& joint : joints) columns.push_back(joint + "_radps");
+  for (const EncoderAxis& axis : axes) columns.push_back(axis.name + (axis.linear ? "_m" : "_rad"));
+  for (const EncoderAxis& axis : axes) {
+    columns.push_back(axis.name + (axis.linear ? "_mps" : "_radps"));
+  }
   return columns;
+}
+
+std::optional<GnssFix> FixOfQuality(double quality) {
+  for (const GnssFix fix : {GnssFix::kNone, GnssFix::kSingle, GnssFix::kDifferential,
+                            GnssFix::kRtkFixed, GnssFix::kRtkFloat}) {
+    if (quality == static_cast<double>(fix)) return fix;
+  }
+  return std::nullopt;
 }
 
 std::string ImuRow(const ImuSample& sample) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,8 +27,15 @@ inline constexpr std::string_view kReferencePoseHeader = "t_ns,x_m,y_m,z_m,qw,qx
 /// t_ns and the columns of a table, which may have none: times alone.
 std::string TableHeader(const std::vector<std::string>& columns);
 
-/// <joint>_rad of all joints, then <joint>_radps of all joints.
-std::vector<std::string> EncoderColumns(const std::vector<std::string>& joints);
+/// <joint>_rad or, where it is linear, <joint>_m of all joints; then <joint>_radps or <joint>_mps.
+std::vector<std::string> EncoderColumns(const std::vector<EncoderAxis>& axes);
+
+/// The fix of a GGA quality, or nothing for those that are no measurement (estimated, by hand).
+std::optional<GnssFix> FixOfQuality(double quality);
+
+/// The qualities that FixOfQuality takes, for messages.
+inline constexpr std::string_view kNeedFix =
+    "need 0 none, 1 single, 2 differential, 4 RTK fixed or 5 RTK float";
 
 // Rows with their line ends. Every number must be finite.
 std::string ImuRow(const ImuSample& sample);

@@ -33,7 +33,8 @@ bool HasSize(const fs::path& file, const std::string& bytes) {
 }  // namespace
 
 FrameLog::FrameLog(const fs::path& root) : path_(root / kLogName) {
-  if (fs::exists(path_)) Load(root);
+  std::error_code ignored;
+  if (fs::exists(path_, ignored)) Load(root);
   descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (descriptor_ < 0) FailFile(path_, "cannot be created", errno);
 }
@@ -77,7 +78,9 @@ void FrameLog::Append(const std::string& folder, TimeNs t_ns, const std::vector<
 
 void FrameLog::Remove() {
   ::close(std::exchange(descriptor_, -1));
-  fs::remove(path_);
+  std::error_code error;
+  fs::remove(path_, error);
+  if (error) FailFile(path_, "cannot be removed", error.value());
 }
 
 }  // namespace tera

@@ -80,7 +80,9 @@ Chart TrajectoryChart(const Recording& recording) {
         [](const TruthPose& pose) -> Vec3 { return pose.X_WB.translation(); });
   }
   for (const std::string& folder : recording.ChannelsOf(ChannelType::kGnss)) {
-    add(folder, recording.LoadGnss(folder), [](const GnssSample& fix) { return fix.enu_m; });
+    std::vector<GnssSample> fixes = recording.LoadGnss(folder);
+    std::erase_if(fixes, [](const GnssSample& s) { return s.fix == GnssFix::kNone; });
+    add(folder, fixes, [](const GnssSample& s) { return s.enu_m; });
   }
   return chart;
 }
@@ -118,12 +120,23 @@ std::vector<Chart> AllCharts(const Recording& recording) {
   }
   for (const std::string& folder : recording.ChannelsOf(ChannelType::kEncoder)) {
     const EncoderRecording encoder = recording.LoadEncoder(folder);
-    time_chart(folder, "deg", Curves(encoder.samples, encoder.joints, [](const auto& s, auto i) {
-                 return s.q_rad[i] / kDeg;
-               }));
-    time_chart(folder, "rad/s", Curves(encoder.samples, encoder.joints, [](const auto& s, auto i) {
-                 return s.qd_radps[i];
-               }));
+    for (const bool linear : {false, true}) {
+      std::vector<std::string> names;
+      std::vector<std::size_t> places;
+      for (std::size_t i = 0; i < encoder.axes.size(); ++i) {
+        if (encoder.axes[i].linear != linear) continue;
+        names.push_back(encoder.axes[i].name);
+        places.push_back(i);
+      }
+      if (names.empty()) continue;
+      const double unit = linear ? 1.0 : kDeg;
+      time_chart(folder, linear ? "m" : "deg",
+                 Curves(encoder.samples, names,
+                        [&](const auto& s, std::size_t i) { return s.q_rad[places[i]] / unit; }));
+      time_chart(folder, linear ? "m/s" : "rad/s",
+                 Curves(encoder.samples, names,
+                        [&](const auto& s, std::size_t i) { return s.qd_radps[places[i]]; }));
+    }
   }
   return charts;
 }

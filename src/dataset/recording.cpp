@@ -39,12 +39,8 @@ Vec3 Vector3(const CsvFile& csv, std::size_t row, std::size_t first) {
 }
 
 GnssFix Fix(const CsvFile& csv, std::size_t row, std::size_t column) {
-  const double code = csv.Number(row, column);
-  for (const GnssFix fix :
-       {GnssFix::kNone, GnssFix::kSingle, GnssFix::kRtkFixed, GnssFix::kRtkFloat}) {
-    if (code == static_cast<double>(fix)) return fix;
-  }
-  csv.Fail(row, column, "need 0 none, 1 single, 4 RTK fixed or 5 RTK float");
+  if (const auto fix = FixOfQuality(csv.Number(row, column))) return *fix;
+  csv.Fail(row, column, std::string(kNeedFix));
 }
 
 Mat3 Rotation(const CsvFile& csv, std::size_t row, std::size_t first) {
@@ -113,8 +109,9 @@ ChannelType ReadType(const ConfigMap& map) {
 }  // namespace
 
 Recording::Recording(const fs::path& directory) : directory_(directory) {
-  if (!fs::is_regular_file(directory / "dataset.yaml")) {
-    const bool incomplete = fs::exists(directory / "INCOMPLETE.txt");
+  std::error_code ignored;
+  if (!fs::is_regular_file(directory / "dataset.yaml", ignored)) {
+    const bool incomplete = fs::exists(directory / "INCOMPLETE.txt", ignored);
     throw InputError(fmt::format(
         "{}: is not a complete recording ({}); {}", directory.string(),
         incomplete ? "its run was stopped" : "it has no dataset.yaml",
@@ -127,7 +124,7 @@ Recording::Recording(const fs::path& directory) : directory_(directory) {
     channels_.push_back({item.Text("path"), ReadType(item)});
   }
   config.Finish();
-  if (fs::exists(directory / "scenario.yaml")) {
+  if (fs::exists(directory / "scenario.yaml", ignored)) {
     info_.resolved_scenario_yaml = ReadWholeFile(directory / "scenario.yaml");
   }
 }
@@ -184,16 +181,23 @@ std::vector<GnssSample> Recording::LoadGnss(const std::string& folder) const {
 }
 
 EncoderRecording Recording::LoadEncoder(const std::string& folder) const {
-  constexpr std::string_view kAngleEnding = "_rad";
+  constexpr std::string_view kAngleEnding = "_rad", kTravelEnding = "_m";
   const CsvFile csv = Open(directory_ / folder / "data.csv");
   EncoderRecording encoder;
-  for (const std::string& column : csv.columns()) {
-    if (column.ends_with(kAngleEnding)) {
-      encoder.joints.push_back(column.substr(0, column.size() - kAngleEnding.size()));
+  const std::size_t n = (csv.columns().size() - 1) / 2;  // positions, then rates
+  for (std::size_t c = 1; c <= n; ++c) {
+    const std::string& column = csv.columns()[c];
+    const bool linear = column.ends_with(kTravelEnding);
+    if (!linear && !column.ends_with(kAngleEnding)) {
+      throw InputError(
+          fmt::format("{}:1: column '{}' is neither an angle (_rad) nor a travel (_m); need "
+                      "positions of all joints, then their rates",
+                      csv.path().string(), column));
     }
+    const std::size_t ending = linear ? kTravelEnding.size() : kAngleEnding.size();
+    encoder.axes.push_back({column.substr(0, column.size() - ending), linear});
   }
-  OpenWithHeader(csv.path(), TableHeader(EncoderColumns(encoder.joints)));
-  const std::size_t n = encoder.joints.size();
+  OpenWithHeader(csv.path(), TableHeader(EncoderColumns(encoder.axes)));
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     EncoderSample sample;
     sample.t_ns = sample.t_available_ns = csv.Time(row);
@@ -254,7 +258,8 @@ CameraFrame Recording::LoadFrame(const std::string& folder, TimeNs t_ns) const {
   };
   bool any = false;
   const auto has = [&](const fs::path& path) {
-    const bool there = fs::exists(path);
+    std::error_code ignored;
+    const bool there = fs::exists(path, ignored);
     any = any || there;
     return there;
   };

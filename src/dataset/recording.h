@@ -9,9 +9,9 @@
 
 namespace tera {
 
-/// Joint angles and rates over time.
+/// Joint angles (or travels) and rates over time.
 struct EncoderRecording {
-  std::vector<std::string> joints;
+  std::vector<EncoderAxis> axes;
   std::vector<EncoderSample> samples;
 };
 

@@ -21,6 +21,7 @@ namespace {
 
 constexpr char kNoteName[] = "INCOMPLETE.txt";
 constexpr char kScenarioName[] = "scenario.yaml";
+constexpr char kDescriptionName[] = "dataset.yaml";
 
 /// Says what is in an incomplete directory; the same for the same run, whatever its place.
 std::string Note(const DatasetInfo& info) {
@@ -32,8 +33,25 @@ std::string Note(const DatasetInfo& info) {
       info.scenario_name, info.seed, info.duration_s, TeraVersion());
 }
 
+bool Exists(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
+}
+
+bool HoldsSomething(const fs::path& path) {
+  std::error_code error;
+  const bool empty = fs::is_directory(path, error) && fs::is_empty(path, error);
+  return Exists(path) && !(empty && !error);
+}
+
+void Remove(const fs::path& path) {
+  std::error_code error;
+  fs::remove(path, error);
+  if (error) FailFile(path, "cannot be removed", error.value());
+}
+
 void NeedSame(const fs::path& file, const std::string& now) {
-  if (fs::exists(file) && ReadWholeFile(file) == now) return;
+  if (Exists(file) && ReadWholeFile(file) == now) return;
   throw InputError(
       fmt::format("{}: the incomplete recording is of another scenario, seed or version; resume it "
                   "with what it was begun with, or delete {} to start afresh",
@@ -43,10 +61,26 @@ void NeedSame(const fs::path& file, const std::string& now) {
 /// Temporary files of a killed run.
 void RemoveParts(const fs::path& root) {
   std::vector<fs::path> parts;
-  for (const auto& entry : fs::recursive_directory_iterator(root)) {
-    if (entry.path().string().ends_with(kPartSuffix)) parts.push_back(entry.path());
+  std::error_code error;
+  fs::recursive_directory_iterator entry(root, error);
+  for (; !error && entry != fs::end(entry); entry.increment(error)) {
+    if (entry->path().string().ends_with(kPartSuffix)) parts.push_back(entry->path());
   }
-  for (const fs::path& part : parts) fs::remove(part);
+  if (error) FailFile(root, "cannot be listed", error.value());
+  for (const fs::path& part : parts) Remove(part);
+}
+
+/// Where `directory` is until it is finished, without a slash at the end.
+fs::path IncompleteOf(const fs::path& directory) {
+  fs::path root = directory.has_filename() ? directory : directory.parent_path();
+  root += ".incomplete";
+  return root;
+}
+
+void GiveName(const fs::path& root, const fs::path& directory) {
+  std::error_code error;
+  fs::rename(root, directory, error);
+  if (error) FailFile(directory, "cannot be given its name", error.value());
 }
 
 struct Channel {
@@ -91,13 +125,11 @@ void DatasetWriter::Impl::Begin(bool resume) {
         fmt::format("'{}': names no folder of its own; give the recording's folder a name",
                     final_directory.string()));
   }
-  std::error_code ignored;
-  if (fs::exists(final_directory, ignored) &&
-      !(fs::is_directory(final_directory) && fs::is_empty(final_directory))) {
+  if (HoldsSomething(final_directory)) {
     throw InputError(fmt::format("{}: is not an empty directory; choose another --out or delete it",
                                  final_directory.string()));
   }
-  resumed = fs::exists(root, ignored) && !fs::is_empty(root);
+  resumed = HoldsSomething(root);
   if (resumed && !resume) {
     throw InputError(fmt::format(
         "{}: holds an incomplete recording; go on with --resume, or delete it", root.string()));
@@ -200,14 +232,25 @@ DatasetWriter::DatasetWriter(const fs::path& directory, const DatasetInfo& info,
                              const WriterOptions& options)
     : impl_(std::make_unique<Impl>()) {
   impl_->final_directory = directory.has_filename() ? directory : directory.parent_path();
-  impl_->root = impl_->final_directory;
-  impl_->root += ".incomplete";
+  impl_->root = IncompleteOf(directory);
   impl_->info = info;
   impl_->Begin(options.resume);
   impl_->queue = std::make_unique<FrameQueue>(options.threads, options.queue_length);
 }
 
 DatasetWriter::~DatasetWriter() = default;
+
+bool DatasetWriter::FinishWhole(const fs::path& directory, const DatasetInfo& info) {
+  const fs::path root = IncompleteOf(directory);
+  if (!Exists(root / kDescriptionName)) return false;  // written when all else is whole
+  // Where the note is gone already, the scenario tells the seed and the duration too.
+  if (Exists(root / kNoteName)) NeedSame(root / kNoteName, Note(info));
+  NeedSame(root / kScenarioName, info.resolved_scenario_yaml);
+  FrameLog(root).Remove();
+  Remove(root / kNoteName);
+  GiveName(root, directory.has_filename() ? directory : directory.parent_path());
+  return true;
+}
 
 ChannelId DatasetWriter::AddImu(const std::string& folder, const std::string& sensor_yaml) {
   return impl_->AddSensor(ChannelType::kImu, folder, sensor_yaml, kImuHeader, {});
@@ -218,10 +261,10 @@ ChannelId DatasetWriter::AddGnss(const std::string& folder, const std::string& s
 }
 
 ChannelId DatasetWriter::AddEncoder(const std::string& folder, const std::string& sensor_yaml,
-                                    const std::vector<std::string>& joints) {
-  const std::string header = TableHeader(EncoderColumns(joints));
+                                    const std::vector<EncoderAxis>& axes) {
+  const std::string header = TableHeader(EncoderColumns(axes));
   const ChannelId id = impl_->AddSensor(ChannelType::kEncoder, folder, sensor_yaml, header, {});
-  impl_->Find(id, ChannelType::kEncoder).value_count = joints.size();
+  impl_->Find(id, ChannelType::kEncoder).value_count = axes.size();
   return id;
 }
 
@@ -317,6 +360,8 @@ bool DatasetWriter::resumed() const { return impl_->resumed; }
 
 const fs::path& DatasetWriter::incomplete_directory() const { return impl_->root; }
 
+void DatasetWriter::SetDuration(double duration_s) { impl_->info.duration_s = duration_s; }
+
 void DatasetWriter::Finish() {
   impl_->queue->Drain();
   std::vector<ChannelDescription> descriptions;
@@ -324,12 +369,10 @@ void DatasetWriter::Finish() {
     channel.csv->Commit();
     descriptions.push_back(channel.description);
   }
-  WriteWholeFile(impl_->root / "dataset.yaml", DatasetYaml(impl_->info, descriptions));
+  WriteWholeFile(impl_->root / kDescriptionName, DatasetYaml(impl_->info, descriptions));
   impl_->frame_log->Remove();
-  fs::remove(impl_->root / kNoteName);
-  std::error_code error;
-  fs::rename(impl_->root, impl_->final_directory, error);
-  if (error) FailFile(impl_->final_directory, "cannot be given its name", error.value());
+  Remove(impl_->root / kNoteName);
+  GiveName(impl_->root, impl_->final_directory);
 }
 
 void DatasetWriter::Discard() {

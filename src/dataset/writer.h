@@ -29,6 +29,14 @@ struct DatasetInfo {
 /// Handle of one channel (a CSV file with, for cameras and lidars, files beside it).
 using ChannelId = int;
 
+/// What an encoder reads: an angle, or the travel of a prismatic joint.
+struct EncoderAxis {
+  std::string name;
+  bool linear = false;
+
+  bool operator==(const EncoderAxis&) const = default;
+};
+
 struct WriterOptions {
   int threads = 2;        ///< encoding threads
   int queue_length = 64;  ///< frames waiting before Write blocks
@@ -57,11 +65,15 @@ class DatasetWriter {
   /// Without Finish, leaves the incomplete directory for a later resume.
   ~DatasetWriter();
 
+  /// Gives a recording its name that an earlier run had finished but for that. False where there is
+  /// none. Throws InputError where it is of another scenario, seed or version.
+  static bool FinishWhole(const std::filesystem::path& directory, const DatasetInfo& info);
+
   // Channels. `folder` is relative, "excavator1/imu_boom"; `sensor_yaml` goes to sensor.yaml.
   ChannelId AddImu(const std::string& folder, const std::string& sensor_yaml);
   ChannelId AddGnss(const std::string& folder, const std::string& sensor_yaml);
   ChannelId AddEncoder(const std::string& folder, const std::string& sensor_yaml,
-                       const std::vector<std::string>& joints);
+                       const std::vector<EncoderAxis>& axes);
   ChannelId AddCamera(const std::string& folder, const std::string& sensor_yaml);
   ChannelId AddLidar(const std::string& folder, const std::string& sensor_yaml);
   /// Any table with a leading t_ns: commands.csv, truth/<machine>/joints.csv.
@@ -93,6 +105,8 @@ class DatasetWriter {
   /// Where everything is until Finish.
   const std::filesystem::path& incomplete_directory() const;
 
+  /// What dataset.yaml says in place of the duration that was given at the start.
+  void SetDuration(double duration_s);
   /// Waits for the queue, closes everything and renames the directory into place.
   void Finish();
   /// Gives up: removes the incomplete directory. Nothing may be called after it.

@@ -15,6 +15,7 @@ struct EncoderModel {
   double resolution_rad = 0;        ///< 0: not quantised
   double noise_rad = 0;             ///< 1 sigma, before quantisation
   double rate_noise_radps = 0;
+  double resolution_m = 0, noise_m = 0, rate_noise_mps = 0;  ///< of prismatic joints
 };
 
 EncoderModel ReadEncoderModel(const ConfigMap& config);
@@ -29,8 +30,9 @@ EncoderModel ReadEncoderModel(const ConfigMap& config);
 ///         quantized signals") where the motion passes many steps.
 class Encoder {
  public:
+  /// `linear` says of each axis whether it is measured in metres; none: all are angles.
   Encoder(const EncoderModel& model, const SampleClock& clock, TimeNs latency_ns,
-          std::uint64_t seed, const std::string& stream_name);
+          std::uint64_t seed, const std::string& stream_name, std::vector<bool> linear = {});
   /// Sample k of axes at `q_rad` that turn at `qd_radps`.
   EncoderSample Measure(std::int64_t k, const std::vector<double>& q_rad,
                         const std::vector<double>& qd_radps) const;
@@ -40,6 +42,7 @@ class Encoder {
   SampleClock clock_;
   TimeNs latency_ns_;
   Stream angle_, rate_;
+  std::vector<bool> linear_;
 };
 
 }  // namespace tera

@@ -10,9 +10,10 @@
 namespace tera {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, GnssFix>, 4> kFixNames = {{
+constexpr std::array<std::pair<std::string_view, GnssFix>, 5> kFixNames = {{
     {"none", GnssFix::kNone},
     {"single", GnssFix::kSingle},
+    {"differential", GnssFix::kDifferential},
     {"rtk_fixed", GnssFix::kRtkFixed},
     {"rtk_float", GnssFix::kRtkFloat},
 }};
@@ -64,7 +65,8 @@ GnssModel ReadGnssModel(const ConfigMap& config) {
   m.correlation_time_s = config.Number("correlation_time_s", Positive("s"), m.correlation_time_s);
   m.bias_enu_m = config.Vector3("bias_enu_m", Any("m"), m.bias_enu_m);
   const std::string fix =
-      config.Choice("fix", {"none", "single", "rtk_fixed", "rtk_float"}, NameOf(m.fix));
+      config.Choice("fix", {"none", "single", "differential", "rtk_fixed", "rtk_float"},
+                    NameOf(m.fix));
   for (const auto& [name, value] : kFixNames) {
     if (name == fix) m.fix = value;
   }

@@ -3,8 +3,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 
+#include "core/mounting.h"
+#include "core/plain_name.h"
 #include "core/units.h"
 
 namespace tera {
@@ -14,12 +15,6 @@ namespace {
 constexpr double kFastest_hz = 1e5;
 
 constexpr std::string_view kTypes[] = {"imu", "gnss", "camera", "lidar", "encoder"};
-
-bool IsFolderName(const std::string& name) {
-  return !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return std::isalnum(c) || c == '_' || c == '-';
-  });
-}
 
 void CheckFirings(const ConfigMap& config, const LidarModel& lidar, const SampleClock& clock) {
   const double column_s = 1.0 / (clock.rate_hz * lidar.columns);
@@ -40,18 +35,6 @@ std::string List(const std::vector<double>& values, double unit = 1.0) {
 
 std::string List(const Vec3& v, double unit = 1.0) {
   return fmt::format("[{:.12g}, {:.12g}, {:.12g}]", v.x() / unit, v.y() / unit, v.z() / unit);
-}
-
-std::string PoseYaml(const Pose& X) {
-  const Quat q(X.linear());
-  std::string rows;
-  for (int r = 0; r < 4; ++r) {
-    rows += fmt::format("    - [{}, {}, {}, {}]\n", X.matrix()(r, 0), X.matrix()(r, 1),
-                        X.matrix()(r, 2), X.matrix()(r, 3));
-  }
-  return fmt::format(
-      "X_parent_sensor:\n  matrix:\n{}  xyz_m: {}\n  quaternion_wxyz: [{}, {}, {}, {}]\n", rows,
-      List(X.translation()), q.w(), q.x(), q.y(), q.z());
 }
 
 std::string ModelYaml(const ImuModel& m) {
@@ -101,9 +84,9 @@ std::string ModelYaml(const LidarModel& m) {
 std::string ModelYaml(const EncoderModel& m) {
   return fmt::format(
       "  joints: [{}]\n  resolution_deg: {:.12g}\n  noise_deg: {:.12g}\n  rate_noise_degps: "
-      "{:.12g}\n",
+      "{:.12g}\n  resolution_m: {}\n  noise_m: {}\n  rate_noise_mps: {}\n",
       fmt::join(m.joints, ", "), m.resolution_rad / kDeg, m.noise_rad / kDeg,
-      m.rate_noise_radps / kDeg);
+      m.rate_noise_radps / kDeg, m.resolution_m, m.noise_m, m.rate_noise_mps);
 }
 
 }  // namespace
@@ -115,10 +98,7 @@ std::string TypeOf(const SensorDescription& sensor) {
 SensorDescription ReadSensor(const ConfigMap& config) {
   SensorDescription s;
   s.name = config.Text("name");
-  if (!s.name.empty() && !IsFolderName(s.name)) {
-    config.Fault("name",
-                 fmt::format("'{}' cannot name a folder; need letters, digits, '_', '-'", s.name));
-  }
+  RequirePlainName(config, "name", s.name);
   config.ApplyPreset("preset");
   const std::string type = config.Choice("type", {"imu", "gnss", "camera", "lidar", "encoder"});
   if (type != "encoder") {
@@ -149,9 +129,7 @@ SensorDescription ReadSensor(const ConfigMap& config) {
 
 std::string SensorYaml(const SensorDescription& sensor) {
   std::string text = fmt::format("type: {}\nname: {}\n", TypeOf(sensor), sensor.name);
-  if (!sensor.link.empty()) {
-    text += fmt::format("parent_link: {}\n", sensor.link) + PoseYaml(sensor.X_BS);
-  }
+  if (!sensor.link.empty()) text += MountingYaml(sensor.link, sensor.X_BS);
   text += fmt::format("rate_hz: {}\nlatency_s: {:.12g}\nmodel:\n", sensor.clock.rate_hz,
                       ToSeconds(sensor.latency_ns));
   return text + std::visit([](const auto& model) { return ModelYaml(model); }, sensor.model);

@@ -74,8 +74,9 @@ GenerateReport Generate(Scenario scenario, const std::string& resolved_yaml,
   {
     const Stopwatch watch(&report.wall_s);
     const SceneAssembly assembly(scenario);
-    DatasetWriter writer(options.out, InfoOf(scenario, resolved_yaml, assembly.model()),
-                         {.threads = options.threads, .resume = options.resume});
+    const DatasetInfo info = InfoOf(scenario, resolved_yaml, assembly.model());
+    if (options.resume && DatasetWriter::FinishWhole(options.out, info)) return {};
+    DatasetWriter writer(options.out, info, {.threads = options.threads, .resume = options.resume});
     std::int64_t step = 0;
     try {
       Run(scenario, assembly, options, &writer, &step, &report);

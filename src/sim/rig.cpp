@@ -85,12 +85,19 @@ void Rig::Add(const Scenario& scenario, std::size_t machine, const SensorDescrip
                        {}});
   } else if (const auto* encoder = std::get_if<EncoderModel>(&sensor.model)) {
     const EncodedAxes axes = AxesOf(*encoder, model);
-    std::vector<std::string> names;
-    for (const int j : axes.joints) names.push_back(model.joints[j].name);
-    for (const int g : axes.gears) names.push_back(model.ground_tools.gears[g].name);
-    encoders_.push_back({Encoder(*encoder, sensor.clock, sensor.latency_ns, seed_, folder),
+    std::vector<EncoderAxis> written;
+    std::vector<bool> linear;
+    for (const int j : axes.joints) {
+      linear.push_back(model.joints[j].type == JointType::kPrismatic);
+      written.push_back({model.joints[j].name, linear.back()});
+    }
+    for (const int g : axes.gears) {
+      linear.push_back(false);
+      written.push_back({model.ground_tools.gears[g].name});
+    }
+    encoders_.push_back({Encoder(*encoder, sensor.clock, sensor.latency_ns, seed_, folder, linear),
                          sensor.clock, machine, axes.joints, axes.gears,
-                         writer_->AddEncoder(folder, yaml, names)});
+                         writer_->AddEncoder(folder, yaml, written)});
   }
 }
 

@@ -25,7 +25,7 @@ void WriteCircle(const fs::path& directory, const std::string& machine, double s
   info.scenario_name = directory.filename();
   DatasetWriter writer(directory, info, {});
   const ChannelId imu = writer.AddImu(machine + "/imu", "");
-  const ChannelId joints = writer.AddEncoder(machine + "/joints", "", {"boom"});
+  const ChannelId joints = writer.AddEncoder(machine + "/joints", "", {{"boom"}});
   const ChannelId pose = writer.AddPose("truth/" + machine + "/pose.csv");
   for (int k = 0; k <= 60; ++k) {
     const TimeNs t_ns = k * kSamplePeriod_ns;

@@ -135,6 +135,122 @@ TEST_F(ImportTest, PutsGnssIntoTheTangentPlaneOfTheOrigin) {
   EXPECT_EQ(gnss[0].variance_enu_m2.z(), 0.0016);
 }
 
+/// A receiver's columns, with `edit` in place of the same text.
+std::string Gnss(const std::string& from = "", const std::string& to = "") {
+  std::string text =
+      "gnss:\n  - name: gnss\n    columns:\n      lat: {column: lat, unit: deg}\n"
+      "      lon: {column: lon, unit: deg}\n      alt: {constant: 92.5}\n      fix: {constant: 4}\n"
+      "      var_e: {constant: 0.0004}\n      var_n: {constant: 0.0004}\n"
+      "      var_u: {constant: 0.0016}\n";
+  if (!from.empty()) text.replace(text.find(from), from.size(), to);
+  return text;
+}
+
+TEST_F(ImportTest, TakesTheFixesOfGga) {
+  // The column n is 0, 1, 1, 2.
+  const Recording recording = Import(Gnss("{constant: 4}", "{column: n, unit: '1'}"));
+  const auto gnss = recording.LoadGnss("digger/gnss");
+  EXPECT_EQ(gnss[0].fix, GnssFix::kNone);
+  EXPECT_EQ(gnss[1].fix, GnssFix::kSingle);
+  EXPECT_EQ(gnss[3].fix, GnssFix::kDifferential);
+  EXPECT_EQ(gnss[0].lat_deg, 0);  // without a fix there is no position
+  EXPECT_NEAR(gnss[3].lat_deg, 46.781, kTight);
+}
+
+TEST_F(ImportTest, RejectsAFixThatIsNone) {
+  for (const char* scale : {"3", "0.5"}) {
+    EXPECT_THAT(
+        [&] {
+          Import(
+              Gnss("{constant: 4}", "{column: n, unit: '1', scale: " + std::string(scale) + "}"));
+        },
+        ThrowsMessage<InputError>(
+            AllOf(HasSubstr("log.csv:3: the fix is"), HasSubstr("2 differential"))));
+  }
+  EXPECT_THAT([&] { Import(Gnss("{constant: 4}", "{constant: 3}")); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("columns.fix.constant: 3 is no fix"),
+                                              HasSubstr("mapping.yaml"))));
+}
+
+TEST_F(ImportTest, RejectsPlacesThatAreNotOnEarthAndNegativeVariances) {
+  EXPECT_THAT([&] { Import(Gnss("{column: lat,", "{column: rpm,")); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("log.csv:4: column 'rpm': found '120'"),
+                                              HasSubstr("-1.5708 to 1.5708 rad"))));
+  EXPECT_THAT([&] { Import(Gnss("{column: lon,", "{column: ms,")); },
+              ThrowsMessage<InputError>(HasSubstr("log.csv:2: column 'ms': found '1000'")));
+  EXPECT_THAT([&] { Import(Gnss("var_u: {constant: 0.0016}", "var_u: {column: gz, unit: m2}")); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("log.csv:4: column 'gz': found '-90'"),
+                                              HasSubstr("need at least 0 m2"))));
+  EXPECT_THAT([&] { Import(Gnss("var_u: {constant: 0.0016}", "var_u: {constant: -1}")); },
+              ThrowsMessage<InputError>(HasSubstr("var_u.constant: -1 is out of range")));
+}
+
+TEST_F(ImportTest, RejectsNamesThatLeaveTheRecording) {
+  const auto rejects = [&](const std::string& channels, const std::string& place) {
+    EXPECT_THAT([&] { Import(channels); }, ThrowsMessage<InputError>(HasSubstr(place))) << channels;
+  };
+  const std::string table = ", columns: {v: {column: n, unit: '1'}}}]\n";
+  rejects("tables: [{name: ../../t" + table, "tables[0].name: name '../../t' cannot name");
+  rejects("tables: [{name: /tmp/t" + table, "tables[0].name: name '/tmp/t' cannot name");
+  rejects("tables: [{name: t, columns: {'a,b': {column: n, unit: '1'}}}]\n", "name 'a,b' cannot");
+  rejects("tables: [{name: t, columns: {t_ns: {column: n, unit: '1'}}}]\n", "columns.t_ns: ");
+  rejects(Gnss("name: gnss", "name: .."), "gnss[0].name: name '..' cannot name");
+  rejects("encoders: [{name: e, joints: [{name: a b, rate: {column: rpm, unit: rpm}}]}]\n",
+          "joints[0].name: name 'a b' cannot name");
+  for (const char* machine : {"..", "a/b", "truth"}) {
+    WriteWholeFile(scratch_.path() / "mapping.yaml", Top() + Gnss());
+    EXPECT_THAT(
+        [&] {
+          ImportCsv(scratch_.path() / "mapping.yaml", scratch_.path() / "out",
+                    {std::string("machine=") + machine});
+        },
+        ThrowsMessage<InputError>(HasSubstr("machine: ")));
+  }
+}
+
+TEST_F(ImportTest, RejectsTwoChannelsOrTwoJointsOfOneName) {
+  EXPECT_THAT([&] { Import(Gnss() + "imus:\n  - name: gnss\n    columns: {}\n"); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("name: 'gnss' is taken by another channel"),
+                                              HasSubstr("mapping.yaml"))));
+  EXPECT_THAT(
+      [&] {
+        Import(
+            "encoders: [{name: e, joints: [{name: j, rate: {column: rpm, unit: rpm}}, "
+            "{name: j, rate: {column: rpm, unit: rpm}}]}]\n");
+      },
+      ThrowsMessage<InputError>(HasSubstr("joints[1].name: 'j' is named twice")));
+}
+
+TEST_F(ImportTest, ReadsTravelAndSpeedOfAPrismaticJoint) {
+  const Recording recording = Import(
+      "encoders: [{name: e, joints: [{name: stick, travel: {column: east_mm, unit: mm}, speed: "
+      "{column: rpm, unit: km/h}}, {name: slide, speed: {column: rpm, unit: m/s}}]}]\n");
+  const EncoderRecording encoder = recording.LoadEncoder("digger/e");
+  EXPECT_THAT(encoder.axes,
+              testing::ElementsAre(EncoderAxis{"stick", true}, EncoderAxis{"slide", true}));
+  EXPECT_NEAR(encoder.samples[3].q_rad[0], 1.0, kTight);
+  EXPECT_NEAR(encoder.samples[0].qd_radps[0], 60 / 3.6, kTight);
+  EXPECT_NEAR(encoder.samples[1].q_rad[1], 6.0, kTight);
+  EXPECT_THAT(ReadWholeFile(scratch_.path() / "out/digger/e/data.csv"),
+              testing::StartsWith("t_ns,stick_m,slide_m,stick_mps,slide_mps\n"));
+}
+
+TEST_F(ImportTest, SaysOfASensorWhatMappingAndDataKnow) {
+  std::string imu = kImu;
+  imu.replace(imu.find("    rpy_deg"), 0,
+              "    mount: {link: boom, xyz_m: [1, 2, 3], rpy_deg: [0, 0, 90]}\n");
+  const Recording recording = Import(imu + Gnss());
+  EXPECT_DOUBLE_EQ(recording.info().duration_s, 0.3);
+  const std::string text = ReadWholeFile(scratch_.path() / "out/digger/imu/sensor.yaml");
+  EXPECT_THAT(text, testing::StartsWith("type: imu\nname: imu\nparent_link: boom\n"));
+  EXPECT_THAT(text, AllOf(HasSubstr("xyz_m: [1, 2, 3]\n"), HasSubstr("rate_hz: 10\n"),
+                          HasSubstr("imported_from: \"log.csv\"\n")));
+  const auto imu_rows = recording.LoadImu("digger/imu");
+  EXPECT_TRUE(imu_rows[0].w_WS_S_radps.isApprox(Vec3(0, kPi / 2, 0), kTight));
+  EXPECT_EQ(ReadWholeFile(scratch_.path() / "out/digger/gnss/sensor.yaml"),
+            "type: gnss\nname: gnss\nrate_hz: 10\nimported_from: \"log.csv\"\n");
+}
+
 TEST(EnuFromGeodetic, OfThePoleSeenFromTheEquatorIsThePolarRadius) {
   // From (0, 0) east is y, north is z, up is x of the Earth-centred frame; polar radius b.
   const Vec3 enu = EnuFromGeodetic({kPi / 2, 0.3, 0}, {0, 0, 0});

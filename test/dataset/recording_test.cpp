@@ -79,7 +79,7 @@ TEST_F(RecordingTest, GivesBackNumbersExactly) {
     EXPECT_EQ(encoder.samples[i].qd_radps, SampleEncoder(k).qd_radps);
     EXPECT_THAT(table.rows[i], testing::ElementsAre(0.5, -1.0));
   }
-  EXPECT_THAT(encoder.joints, testing::ElementsAre("boom", "arm"));
+  EXPECT_THAT(encoder.axes, testing::ElementsAre(EncoderAxis{"boom"}, EncoderAxis{"stick", true}));
   EXPECT_THAT(table.columns, testing::ElementsAre("boom", "arm"));
 }
 
@@ -145,7 +145,7 @@ TEST_F(RecordingTest, CsvFilesHaveTheDocumentedColumns) {
             "t_ns,wx_radps,wy_radps,wz_radps,ax_mps2,ay_mps2,az_mps2");
   EXPECT_EQ(first_line("digger/gnss/data.csv"),
             "t_ns,lat_deg,lon_deg,alt_m,east_m,north_m,up_m,fix,var_e_m2,var_n_m2,var_u_m2");
-  EXPECT_EQ(first_line("digger/joints/data.csv"), "t_ns,boom_rad,arm_rad,boom_radps,arm_radps");
+  EXPECT_EQ(first_line("digger/joints/data.csv"), "t_ns,boom_rad,stick_m,boom_radps,stick_mps");
   EXPECT_EQ(first_line("digger/front/data.csv"), "t_ns,filename");
   EXPECT_EQ(first_line("digger/commands.csv"), "t_ns,boom,arm");
   EXPECT_EQ(first_line("truth/digger/pose.csv"),

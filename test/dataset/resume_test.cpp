@@ -124,6 +124,44 @@ TEST(DatasetWriter, WillNotResumeAnotherScenarioOrSeed) {
               ThrowsMessage<InputError>(HasSubstr("scenario.yaml")));
 }
 
+TEST(DatasetWriter, ARecordingThatLacksOnlyItsNameGetsIt) {
+  // A kill between the last file and the name leaves the notes of the run, some of them or none.
+  for (const bool with_note : {false, true}) {
+    ScratchDirectory scratch;
+    WriteWholeSample(scratch.path() / "whole", {});
+    fs::copy(scratch.path() / "whole", scratch.path() / "run.incomplete",
+             fs::copy_options::recursive);
+    if (with_note) {
+      { const DatasetWriter writer(scratch.path() / "other", SampleInfo(), {}); }
+      fs::rename(scratch.path() / "other.incomplete/INCOMPLETE.txt",
+                 scratch.path() / "run.incomplete/INCOMPLETE.txt");
+    }
+    EXPECT_TRUE(DatasetWriter::FinishWhole(scratch.path() / "run", SampleInfo()));
+    EXPECT_EQ(AllFiles(scratch.path() / "whole"), AllFiles(scratch.path() / "run"));
+    EXPECT_FALSE(fs::exists(scratch.path() / "run.incomplete"));
+  }
+}
+
+TEST(DatasetWriter, ARecordingOfAnotherScenarioIsNotNamed) {
+  ScratchDirectory scratch;
+  WriteWholeSample(scratch.path() / "run.incomplete", {});
+  DatasetInfo other = SampleInfo();
+  other.resolved_scenario_yaml += "duration_s: 3\n";
+  EXPECT_THAT([&] { DatasetWriter::FinishWhole(scratch.path() / "run", other); },
+              ThrowsMessage<InputError>(HasSubstr("scenario.yaml")));
+}
+
+TEST(DatasetWriter, ARecordingThatIsNotWholeIsNotNamed) {
+  ScratchDirectory scratch;
+  {
+    DatasetWriter writer(scratch.path() / "run", SampleInfo(), {});
+    WriteSample(&writer, 3);
+  }
+  EXPECT_FALSE(DatasetWriter::FinishWhole(scratch.path() / "run", SampleInfo()));
+  EXPECT_FALSE(DatasetWriter::FinishWhole(scratch.path() / "other", SampleInfo()));
+  EXPECT_FALSE(fs::exists(scratch.path() / "run"));
+}
+
 TEST(DatasetWriter, ResumesARunThatHadNotBegun) {
   ScratchDirectory scratch;
   WriteWholeSample(scratch.path() / "run", Resume());

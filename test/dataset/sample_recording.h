@@ -130,7 +130,8 @@ inline TruthPose SamplePose(int k) {
 inline void WriteSample(DatasetWriter* writer, int end) {
   const ChannelId imu = writer->AddImu("digger/imu", "type: imu\n");
   const ChannelId gnss = writer->AddGnss("digger/gnss", "type: gnss\n");
-  const ChannelId joints = writer->AddEncoder("digger/joints", "type: encoder\n", {"boom", "arm"});
+  const ChannelId joints =
+      writer->AddEncoder("digger/joints", "type: encoder\n", {{"boom"}, {"stick", true}});
   const ChannelId camera = writer->AddCamera("digger/front", "type: camera\n");
   const ChannelId lidar = writer->AddLidar("digger/lidar", "type: lidar\n");
   const ChannelId commands = writer->AddTable("digger/commands.csv", {"boom", "arm"});

@@ -109,6 +109,8 @@ TEST(Urdf, FaultsNameTheUrdfAndItsPart) {
       <inertial><mass value="3"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
       <visual><geometry><mesh filename="gone.stl"/></geometry></visual></link></robot>)"),
               HasSubstr("mesh 'gone.stl' does not exist"));
+  EXPECT_THAT(faults_with(R"(<robot name="r"><link name="a,b"/></robot>)"),
+              HasSubstr("link 'a,b' of broken.urdf, name: need letters"));
 }
 
 }  // namespace

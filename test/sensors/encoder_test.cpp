@@ -27,6 +27,28 @@ TEST(Encoder, AnglesAreRoundedToTheNearestCount) {
   EXPECT_EQ(s.qd_radps[0], 0.3);
 }
 
+TEST(Encoder, ReadsTheTravelOfPrismaticJointsInMetres) {
+  EncoderModel model;
+  model.resolution_rad = 0.25;
+  model.resolution_m = 0.02;
+  const Encoder quantised(model, {.rate_hz = 50}, 0, 1, "m/joints", {false, true});
+  EXPECT_EQ(quantised.Measure(0, {0.3, 0.31}, {0, 0}).q_rad, (std::vector<double>{0.25, 0.32}));
+
+  // Noise of the other kind of axis leaves a value as it is.
+  model = {};
+  model.noise_rad = model.rate_noise_radps = 1;
+  const EncoderSample turned =
+      Encoder(model, {.rate_hz = 50}, 0, 1, "m/joints", {false, true}).Measure(0, {1, 2}, {3, 4});
+  EXPECT_TRUE(turned.q_rad[0] != 1 && turned.qd_radps[0] != 3);
+  EXPECT_TRUE(turned.q_rad[1] == 2 && turned.qd_radps[1] == 4);
+  model = {};
+  model.noise_m = model.rate_noise_mps = 1;
+  const EncoderSample slid =
+      Encoder(model, {.rate_hz = 50}, 0, 1, "m/joints", {false, true}).Measure(0, {1, 2}, {3, 4});
+  EXPECT_TRUE(slid.q_rad[0] == 1 && slid.qd_radps[0] == 3);
+  EXPECT_TRUE(slid.q_rad[1] != 2 && slid.qd_radps[1] != 4);
+}
+
 TEST(Encoder, NoiseHasItsDeviationAndIsIndependentBetweenJoints) {
   // n = 10000: five standard errors of a variance 5 sqrt(2/n) = 7 %, of a correlation 0.05.
   EncoderModel model;

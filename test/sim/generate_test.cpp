@@ -150,6 +150,42 @@ TEST(Generate, AKilledRunIsFinishedWithTheSameBytes) {
   ExpectSame(whole, ReadAll(out));
 }
 
+TEST(Generate, ARunThatLacksOnlyItsNameGetsItWithoutAnotherSimulation) {
+  const Files whole = Generated("named");
+  const fs::path out = OwnFolder() / "named";
+  fs::rename(out, out.string() + ".incomplete");
+  GenerateOptions options = Resume();
+  options.progress = [](const GenerateProgress&) { FAIL() << "simulated again"; };
+  Simulate(out, ScenarioText(), options);
+  ExpectSame(whole, ReadAll(out));
+}
+
+TEST(Generate, EncodersOfSlidingJointsAreInMetres) {
+  const Files files = Generated("slide", R"(
+name: slide
+duration_s: 0.1
+settle_s: 0
+terrain: {size_m: [6, 6], cell_m: 0.2, soil: dirt}
+machines:
+  - name: lift1
+    machine:
+      kind: lift
+      fixed_base: true
+      links:
+        post: {mass_kg: 50, inertia_kgm2: [1, 1, 1]}
+        carriage: {mass_kg: 5, inertia_kgm2: [0.1, 0.1, 0.1]}
+      joints:
+        slide: {type: prismatic, parent: post, child: carriage, xyz_m: [0, 0, 1], axis: [0, 0, 1],
+                limits_m: [0, 2], initial_m: 1.234, max_rate_mps: 0.5, max_effort_n: 5000}
+      levers: [slide]
+    operator: {type: idle}
+    rig: {sensors: [{name: e, type: encoder, rate_hz: 100, resolution_deg: 90, resolution_m: 0.5}]}
+)");
+  const std::string& table = files.at("lift1/e/data.csv");
+  // 1.234 m is nearest to two steps of 0.5 m; steps of 90 deg would be 1.57.
+  EXPECT_THAT(table, ::testing::StartsWith("t_ns,slide_m,slide_mps\n0,1,"));
+}
+
 TEST(Generate, RefusesToResumeAnotherScenario) {
   struct Killed {};
   const fs::path out = Fresh("other");

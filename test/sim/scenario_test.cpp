@@ -104,7 +104,18 @@ TEST(ReadScenario, RefusesNamesThatAreUsedTwiceOrAreNoFolders) {
   EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator + "obstacles: [{name: excavator1" + cone +
                        ", {name: a/b" + cone + "]\n"),
               AllOf(HasSubstr("name 'excavator1' is used twice"),
-                    HasSubstr("name 'a/b' cannot be a folder")));
+                    HasSubstr("obstacles[1].name: name 'a/b' cannot name a folder")));
+}
+
+TEST(ReadScenario, RefusesMachineNamesThatLeaveTheDataset) {
+  for (const char* name : {"..", ".", "''", "a b", "a,b", "/tmp/a"}) {
+    EXPECT_THAT(
+        FaultsOf(std::string(kSite) + kExcavator, {std::string("machines[0].name=") + name}),
+        HasSubstr("--set: machines[0].name: "))
+        << name;
+  }
+  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator, {"machines[0].name=truth"}),
+              HasSubstr("name 'truth' is a folder that every dataset has"));
 }
 
 TEST(ReadScenario, RefusesStartAnglesBeyondTheLimits) {
