@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <exception>
+#include <filesystem>
+#include <string>
 
 #include "app/commands.h"
 #include "app/version.h"
@@ -38,6 +40,10 @@ int main(int argc, char** argv) {
     return Run(argc, argv);
   } catch (const tera::InputError& e) {
     fmt::print(stderr, "{}\n", e.what());
+    return kBadInput;
+  } catch (const std::filesystem::filesystem_error& e) {
+    const std::string path = e.path1().string();
+    fmt::print(stderr, "{}: {}; check the disk and the path\n", path, e.code().message());
     return kBadInput;
   } catch (const std::exception& e) {
     fmt::print(stderr, "tera: internal error, please report it: {}\n", e.what());

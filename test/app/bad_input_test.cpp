@@ -103,7 +103,7 @@ TEST(BadInput, ALensThatFoldsItsPictureIsRefusedWithItsPlace) {
       "{name: cam, type: camera, link: chassis, rate_hz: 1, width_px: 64, height_px: 48, "
       "horizontal_fov_deg: 90, k1: -3}");
   ExpectScenarioRefused(scenario,
-                        AllOf(StartsWith(At(scenario, "-3") + "machines[0].rig.sensors[0].k1: "),
+                        AllOf(StartsWith(At(scenario, "-3") + "machines[0].rig.sensors[1].k1: "),
                               HasSubstr("every pixel")));
 }
 

@@ -53,7 +53,7 @@ TEST(DatasetWriter, RefusesAPlaceWhereItCannotWrite) {
 TEST(DatasetWriter, FullDiskStopsTheRunWithOneMessageFromTheWorkers) {
   ScratchDirectory scratch;
   const TinyDisk disk(scratch.path() / "disk", "256k");
-  if (!disk.mounted()) FAIL() << "needs the right to mount a tmpfs: run as root";
+  ASSERT_TRUE(disk.mounted()) << "needs root, or the right to make user namespaces";
   DatasetWriter writer(scratch.path() / "disk/run", SampleInfo(), {});
   const ChannelId lidar = writer.AddLidar("m/lidar", "");
   const auto fill = [&] {
@@ -64,6 +64,15 @@ TEST(DatasetWriter, FullDiskStopsTheRunWithOneMessageFromTheWorkers) {
                                                     HasSubstr("free space on that disk"))));
   EXPECT_FALSE(fs::exists(scratch.path() / "disk/run"));
   EXPECT_TRUE(fs::exists(scratch.path() / "disk/run.incomplete/INCOMPLETE.txt"));
+}
+
+TEST(DatasetWriter, RefusesNamesThatNoFileCanHave) {
+  ScratchDirectory scratch;
+  fs::create_symlink("loop", scratch.path() / "loop");
+  EXPECT_THAT([&] { DatasetWriter(scratch.path() / std::string(300, 'x'), SampleInfo(), {}); },
+              ThrowsMessage<InputError>(HasSubstr("File name too long")));
+  EXPECT_THAT([&] { DatasetWriter(scratch.path() / "loop/run", SampleInfo(), {}); },
+              ThrowsMessage<InputError>(HasSubstr("symbolic links")));
 }
 
 TEST(CheckedFile, ReportsAFullDevice) {
