@@ -12,6 +12,9 @@ namespace {
 constexpr double kMargin_rad = 0.5 * kDeg;  ///< kept from the ends of the range of wedge angles
 constexpr double kLeastRake_rad = 5 * kDeg;
 constexpr double kSteepestRake_rad = 150 * kDeg;
+/// A wedge has at least this range of angles: tools that lean further forward push it as one that
+/// just leaves this much. Without room for a wedge its equilibrium has a pole.
+constexpr double kLeastRange_rad = 10 * kDeg;
 
 double Cot(double a) { return 1 / std::tan(a); }
 
@@ -57,11 +60,13 @@ CuttingForce Cut(const CuttingInput& input) {
   CuttingForce result;
   if (input.depth_m <= 0) return result;
   CuttingInput in = input;
-  in.rake_rad = std::clamp(in.rake_rad, kLeastRake_rad, kSteepestRake_rad);
   double low = std::max(0.0, in.slope_rad) + 4 * kMargin_rad;
-  double high = std::min(kPi / 2 - kMargin_rad,
-                         kPi - in.rake_rad - in.tool_friction_rad - in.friction_rad - kMargin_rad);
-  if (high <= low) high = low + kMargin_rad;
+  const double leans_to = kPi - in.tool_friction_rad - in.friction_rad - kMargin_rad;
+  const double steepest =
+      std::max(kLeastRake_rad, std::min(kSteepestRake_rad, leans_to - low - kLeastRange_rad));
+  in.rake_rad = std::clamp(in.rake_rad, kLeastRake_rad, steepest);
+  double high =
+      std::max(low + kMargin_rad, std::min(kPi / 2 - kMargin_rad, leans_to - in.rake_rad));
   constexpr double kGolden = 0.6180339887498949;
   constexpr int kSections = 28;  // 90 deg * 0.618^28 is 1e-4 deg
   double a = high - kGolden * (high - low), b = low + kGolden * (high - low);

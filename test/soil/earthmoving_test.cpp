@@ -85,5 +85,30 @@ TEST(Earthmoving, GrowsWithDepthSlopeSpeedCohesionAndSurcharge) {
   EXPECT_EQ(with([](auto* in) { in->depth_m = 0; }), 0);
 }
 
+// Where tool, slope and friction leave no room for a wedge, the force must not run off to the pole of
+// the wedge's equilibrium: it is a continuous function of the rake, so that a small step of the rake
+// makes a small step of the force.
+TEST(Earthmoving, StaysContinuousWhereNoWedgeFits) {
+  for (const double slope_deg : {-25.0, 0.0, 10.0, 25.0}) {
+    CuttingInput in;
+    in.width_m = 1.55;
+    in.depth_m = 0.3;
+    in.density_kgpm3 = 1600;
+    in.friction_rad = 32 * kDeg;
+    in.tool_friction_rad = 22 * kDeg;
+    in.cohesion_pa = 2000;
+    in.slope_rad = slope_deg * kDeg;
+    in.rake_rad = 5 * kDeg;
+    double last_n = Cut(in).total_n;
+    for (double rake_deg = 5.05; rake_deg < 175; rake_deg += 0.05) {
+      in.rake_rad = rake_deg * kDeg;
+      const double force_n = Cut(in).total_n;
+      ASSERT_GT(force_n, last_n / 1.1) << slope_deg << ' ' << rake_deg;
+      ASSERT_LT(force_n, last_n * 1.1) << slope_deg << ' ' << rake_deg;
+      last_n = force_n;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tera
