@@ -200,13 +200,19 @@ Curve ErrorCurve(const std::string& title, const TrajectoryError& error,
   return curve;
 }
 
+/// Folder and scenario: two runs of one scenario differ by the first.
+std::string NameOf(const Recording& recording) {
+  return fmt::format("{} ({})", recording.directory().filename().string(),
+                     recording.info().scenario_name);
+}
+
 }  // namespace
 
 Comparison Compare(const std::filesystem::path& a, const std::filesystem::path& b) {
   const Recording recording_a(a), recording_b(b);
   Comparison comparison;
-  comparison.name_a = recording_a.info().scenario_name;
-  comparison.name_b = recording_b.info().scenario_name;
+  comparison.name_a = NameOf(recording_a);
+  comparison.name_b = NameOf(recording_b);
   for (const auto& [name_a, name_b] : MatchMachines(recording_a, recording_b)) {
     comparison.machines.push_back(CompareMachine(recording_a, recording_b, name_a, name_b));
   }

@@ -9,6 +9,7 @@
 #include "dataset/checked_file.h"
 #include "dataset/csv_rows.h"
 #include "dataset/dataset_description.h"
+#include "dataset/folder_lock.h"
 #include "dataset/frame_log.h"
 #include "dataset/frame_queue.h"
 #include "dataset/object_boxes.h"
@@ -100,6 +101,7 @@ struct DatasetWriter::Impl {
   bool resumed = false;
   std::vector<Channel> channels;
   std::set<std::string> paths;
+  std::unique_ptr<FolderLock> lock;
   std::unique_ptr<FrameLog> frame_log;
   std::atomic<std::int64_t> frames_written = 0, frame_bytes = 0;
   std::int64_t row_bytes = 0;
@@ -130,6 +132,7 @@ void DatasetWriter::Impl::Begin(bool resume) {
                                  final_directory.string()));
   }
   resumed = HoldsSomething(root);
+  if (resumed) lock = std::make_unique<FolderLock>(root);
   if (resumed && !resume) {
     throw InputError(fmt::format(
         "{}: holds an incomplete recording; go on with --resume, or delete it", root.string()));
@@ -140,6 +143,7 @@ void DatasetWriter::Impl::Begin(bool resume) {
     RemoveParts(root);
   } else {
     WriteNotes();
+    lock = std::make_unique<FolderLock>(root);
   }
   frame_log = std::make_unique<FrameLog>(root);
 }

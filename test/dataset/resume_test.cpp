@@ -20,6 +20,19 @@ WriterOptions Resume() {
   return options;
 }
 
+TEST(DatasetWriter, ASecondWriterOfTheSameRecordingIsRefusedWhileTheFirstRuns) {
+  ScratchDirectory scratch;
+  const fs::path folder = scratch.path() / "run";
+  {
+    DatasetWriter first(folder, SampleInfo(), {});
+    EXPECT_THAT([&] { DatasetWriter second(folder, SampleInfo(), Resume()); },
+                ThrowsMessage<InputError>(HasSubstr("another run is writing it")));
+    EXPECT_THAT([&] { DatasetWriter second(folder, SampleInfo(), {}); },
+                ThrowsMessage<InputError>(HasSubstr("another run is writing it")));
+  }
+  EXPECT_NO_THROW(DatasetWriter(folder, SampleInfo(), Resume()).Discard());
+}
+
 TEST(DatasetWriter, WritesTheSameBytesWithOneAndFourThreads) {
   ScratchDirectory scratch;
   WriterOptions options;
