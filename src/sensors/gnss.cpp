@@ -64,9 +64,8 @@ GnssModel ReadGnssModel(const ConfigMap& config) {
   m.correlated_vertical_m = config.Number("correlated_vertical_m", sigma_m, 0);
   m.correlation_time_s = config.Number("correlation_time_s", Positive("s"), m.correlation_time_s);
   m.bias_enu_m = config.Vector3("bias_enu_m", Any("m"), m.bias_enu_m);
-  const std::string fix =
-      config.Choice("fix", {"none", "single", "differential", "rtk_fixed", "rtk_float"},
-                    NameOf(m.fix));
+  const std::string fix = config.Choice(
+      "fix", {"none", "single", "differential", "rtk_fixed", "rtk_float"}, NameOf(m.fix));
   for (const auto& [name, value] : kFixNames) {
     if (name == fix) m.fix = value;
   }

@@ -199,8 +199,8 @@ TEST(BadInput, AMachineNamedLikeAFolderElsewhereIsRefused) {
 TEST(BadInput, AFileThatIsNotThereIsRefusedByEveryCommand) {
   const ScratchDirectory scratch;
   fs::create_symlink("loop", scratch.path() / "loop");
-  for (const std::string& name : {std::string("nowhere"), std::string("loop"),
-                                  std::string(300, 'x')}) {
+  for (const std::string& name :
+       {std::string("nowhere"), std::string("loop"), std::string(300, 'x')}) {
     const auto names_it = StartsWith(name);
     ExpectRefused(scratch, {"check", name}, names_it);
     ExpectRefused(scratch, {"generate", name, "--out", "run"}, names_it);

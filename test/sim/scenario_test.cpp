@@ -130,9 +130,9 @@ TEST(ReadScenario, RefusesASiteWithoutMachines) {
 }
 
 TEST(ReadScenario, SetsAMachineOnASlope) {
-  const Config config = Config::FromText(
-      std::string(kSite) + kExcavator, "s.yaml",
-      {"terrain.relief={slope_deg: 10, slope_direction_deg: 0}", "machines[0].start={yaw_deg: 90}"});
+  const Config config = Config::FromText(std::string(kSite) + kExcavator, "s.yaml",
+                                         {"terrain.relief={slope_deg: 10, slope_direction_deg: 0}",
+                                          "machines[0].start={yaw_deg: 90}"});
   const Scenario scenario = ReadScenario(config.root());
   config.Finish();
   const TerrainSurface& ground = scenario.soil->surface();

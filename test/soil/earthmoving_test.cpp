@@ -85,9 +85,9 @@ TEST(Earthmoving, GrowsWithDepthSlopeSpeedCohesionAndSurcharge) {
   EXPECT_EQ(with([](auto* in) { in->depth_m = 0; }), 0);
 }
 
-// Where tool, slope and friction leave no room for a wedge, the force must not run off to the pole of
-// the wedge's equilibrium: it is a continuous function of the rake, so that a small step of the rake
-// makes a small step of the force.
+// Where tool, slope and friction leave no room for a wedge, the force must not run off to the pole
+// of the wedge's equilibrium: it is a continuous function of the rake, so that a small step of the
+// rake makes a small step of the force.
 TEST(Earthmoving, StaysContinuousWhereNoWedgeFits) {
   for (const double slope_deg : {-25.0, 0.0, 10.0, 25.0}) {
     CuttingInput in;
