@@ -247,6 +247,7 @@ DatasetWriter::~DatasetWriter() = default;
 bool DatasetWriter::FinishWhole(const fs::path& directory, const DatasetInfo& info) {
   const fs::path root = IncompleteOf(directory);
   if (!Exists(root / kDescriptionName)) return false;  // written when all else is whole
+  const FolderLock lock(root);
   // Where the note is gone already, the scenario tells the seed and the duration too.
   if (Exists(root / kNoteName)) NeedSame(root / kNoteName, Note(info));
   NeedSame(root / kScenarioName, info.resolved_scenario_yaml);

@@ -33,6 +33,16 @@ TEST(DatasetWriter, ASecondWriterOfTheSameRecordingIsRefusedWhileTheFirstRuns) {
   EXPECT_NO_THROW(DatasetWriter(folder, SampleInfo(), Resume()).Discard());
 }
 
+TEST(DatasetWriter, AWholeRecordingIsNotNamedWhileItsWriterHoldsIt) {
+  ScratchDirectory scratch;
+  const fs::path folder = scratch.path() / "run";
+  DatasetWriter first(folder, SampleInfo(), {});
+  std::ofstream(first.incomplete_directory() / "dataset.yaml") << "all is written";
+  EXPECT_THAT([&] { DatasetWriter::FinishWhole(folder, SampleInfo()); },
+              ThrowsMessage<InputError>(HasSubstr("another run is writing it")));
+  EXPECT_FALSE(fs::exists(folder));
+}
+
 TEST(DatasetWriter, WritesTheSameBytesWithOneAndFourThreads) {
   ScratchDirectory scratch;
   WriterOptions options;
