@@ -1,5 +1,7 @@
 #include "core/check.h"
 
+#include <fmt/format.h>
+
 #include "core/error.h"
 
 namespace tera {

@@ -12,14 +12,36 @@ namespace fs = std::filesystem;
 
 using internal::Layer;
 
-Config Config::FromFile(const fs::path& file, const std::vector<std::string>& overrides) {
+namespace {
+
+Layer OverlayLayer(const Config::Overlay& overlay) {
+  const std::string shown = internal::ShownName(overlay.file);
+  if (!internal::IsFile(overlay.file)) {
+    throw InputError(fmt::format("{}: no such file; need a YAML file", shown));
+  }
+  const Layer layer{internal::LoadYaml(overlay.file, shown), shown, overlay.file.parent_path()};
+  if (!internal::ValueIn(layer.node, overlay.key) || layer.node.size() != 1) {
+    throw InputError(
+        fmt::format("{}:1:1: need one mapping, '{}:', and nothing else", shown, overlay.key));
+  }
+  return layer;
+}
+
+}  // namespace
+
+Config Config::FromFile(const fs::path& file, const std::vector<std::string>& overrides,
+                        const std::vector<Overlay>& overlays) {
   const std::string shown = internal::ShownName(file);
   if (!internal::IsFile(file)) {
     throw InputError(fmt::format("{}: no such file; need a YAML file", shown));
   }
   auto document = std::make_shared<internal::ConfigDocument>();
   const Layer layer{internal::LoadYaml(file, shown), shown, file.parent_path()};
-  document->root = document->AddNode("", internal::LayersAbove(layer, overrides));
+  std::vector<Layer> layers = internal::LayersAbove(layer, overrides);
+  for (const Overlay& overlay : overlays) {
+    layers.insert(layers.end() - 1 - (&overlay - overlays.data()), OverlayLayer(overlay));
+  }
+  document->root = document->AddNode("", std::move(layers));
   return Config(document);
 }
 

@@ -83,10 +83,15 @@ class ConfigMap {
   bool Has(std::string_view key) const;
   /// The key is there and holds a list, for keys that take one value or several.
   bool IsList(std::string_view key) const;
+  /// The key is there and holds a scalar, for keys that take a mapping or a word.
+  bool IsText(std::string_view key) const;
   /// A required mapping.
   ConfigMap Map(std::string_view key) const;
   /// A mapping if it is there. With `std::nullopt` the caller uses its defaults.
   std::optional<ConfigMap> OptionalMap(std::string_view key) const;
+  /// The mapping at `key` with that at `upper_key` of `upper` laid over it, if either is there.
+  std::optional<ConfigMap> OptionalMapUnder(std::string_view key, const ConfigMap& upper,
+                                            std::string_view upper_key) const;
   /// A required mapping that is either written in place or names a YAML file holding it. The
   /// resolved document holds the mapping itself.
   ConfigMap MapOrFile(std::string_view key) const;
@@ -129,11 +134,19 @@ class ConfigMap {
 ///     const std::string resolved = config.ResolvedYaml();
 class Config {
  public:
+  /// A file whose one mapping `key` lies over that of a configuration.
+  struct Overlay {
+    std::filesystem::path file;
+    std::string key;
+  };
+
   /// `overrides` are `key.path=value` texts, as given to --set; `a.b[2].c=1.5` addresses items of
-  /// lists by index. Of two for one key the later one holds. Throws InputError if the file cannot
-  /// be read or is not YAML, or an override has no such form.
+  /// lists by index. Of two for one key the later one holds. Overlays lie below the overrides, the
+  /// later above the earlier. Throws InputError if a file cannot be read or is not YAML, or an
+  /// override or overlay has no such form.
   static Config FromFile(const std::filesystem::path& file,
-                         const std::vector<std::string>& overrides = {});
+                         const std::vector<std::string>& overrides = {},
+                         const std::vector<Overlay>& overlays = {});
   /// For tests and generated text; `name` stands in messages, paths are relative to the working
   /// directory.
   static Config FromText(const std::string& text, const std::string& name,

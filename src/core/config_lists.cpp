@@ -12,6 +12,7 @@ namespace tera {
 using internal::AddFault;
 using internal::AddMissing;
 using internal::ConfigNode;
+using internal::Find;
 using internal::FindAll;
 using internal::Found;
 using internal::Harmless;
@@ -199,6 +200,11 @@ bool ConfigMap::IsList(std::string_view key) const {
   const auto whole = std::find_if(values.begin(), values.end(),
                                   [](const Found& value) { return !value.node.IsMap(); });
   return whole != values.end() && whole->node.IsSequence();
+}
+
+bool ConfigMap::IsText(std::string_view key) const {
+  const auto found = Find(*node_, key);
+  return found && found->node.IsScalar();
 }
 
 std::vector<ConfigMap> ConfigMap::List(std::string_view key) const {

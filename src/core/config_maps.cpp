@@ -65,6 +65,15 @@ std::optional<ConfigMap> ConfigMap::OptionalMap(std::string_view key) const {
   return Map(key);
 }
 
+std::optional<ConfigMap> ConfigMap::OptionalMapUnder(std::string_view key, const ConfigMap& upper,
+                                                     std::string_view upper_key) const {
+  std::vector<Layer> layers = LayersOf(*upper.node_, upper_key);
+  const std::vector<Layer> lower = LayersOf(*node_, key);
+  layers.insert(layers.end(), lower.begin(), lower.end());
+  if (layers.empty()) return std::nullopt;
+  return ConfigMap(AddChild(*node_, key, std::move(layers)));
+}
+
 ConfigMap ConfigMap::MapOrFile(std::string_view key) const {
   if (const auto known = node_->children.find(key); known != node_->children.end()) {
     return ConfigMap(known->second);

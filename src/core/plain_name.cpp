@@ -1,5 +1,7 @@
 #include "core/plain_name.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace tera {

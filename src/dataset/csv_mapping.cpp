@@ -1,5 +1,8 @@
 #include "dataset/csv_mapping.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>

@@ -1,5 +1,7 @@
 #include "dataset/csv_rows.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <iterator>
 #include <span>

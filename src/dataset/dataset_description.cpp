@@ -1,5 +1,7 @@
 #include "dataset/dataset_description.h"
 
+#include <fmt/format.h>
+
 #include <iterator>
 
 namespace tera {

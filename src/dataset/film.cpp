@@ -1,5 +1,7 @@
 #include "dataset/film.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "dataset/checked_file.h"

@@ -1,5 +1,7 @@
 #include "dataset/import_csv.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <limits>

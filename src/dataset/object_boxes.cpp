@@ -1,5 +1,7 @@
 #include "dataset/object_boxes.h"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"

@@ -1,5 +1,7 @@
 #include "dataset/overview.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,7 @@
 #include "dataset/png.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstring>
 #include <opencv2/imgcodecs.hpp>

@@ -1,5 +1,7 @@
 #include "dataset/writer.h"
 
+#include <fmt/format.h>
+
 #include <atomic>
 #include <set>
 #include <utility>

@@ -1,6 +1,7 @@
 #include "render/gl_objects.h"
 
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 
 #include <fstream>
 #include <sstream>

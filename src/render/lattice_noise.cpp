@@ -1,5 +1,7 @@
 #include "render/lattice_noise.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "core/random.h"

@@ -1,6 +1,7 @@
 #include "render/lens.h"
 
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <fmt/format.h>
 
 #include <assimp/Importer.hpp>
 

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <tiny_gltf.h>
 
 #include <algorithm>

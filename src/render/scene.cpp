@@ -1,5 +1,6 @@
 #include "render/scene.h"
 
+#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #include "sensors/camera.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

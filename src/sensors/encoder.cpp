@@ -1,5 +1,7 @@
 #include "sensors/encoder.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <set>
 #include <utility>

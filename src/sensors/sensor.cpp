@@ -1,5 +1,6 @@
 #include "sensors/sensor.h"
 
+#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #include "sim/lever_replay.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

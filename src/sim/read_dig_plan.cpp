@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "core/units.h"
 #include "sim/dig_cycle.h"
 

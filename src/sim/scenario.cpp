@@ -1,5 +1,6 @@
 #include "sim/scenario.h"
 
+#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "soil/geotiff.h"
 
+#include <fmt/format.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 

@@ -1,5 +1,7 @@
 #include "soil/site.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

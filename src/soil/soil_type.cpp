@@ -1,5 +1,8 @@
 #include "soil/soil_type.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>

@@ -1,0 +1,91 @@
+#include "core/effects.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/error.h"
+#include "own_folder.h"
+
+namespace tera {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::vector<Mechanism>& Library() {
+  static const std::vector<Mechanism> library = {
+      {"dead_band", Slot::kLeverMap, {EffectTarget::kJoint}, {{"width", "1", 0, 0.9, {}}}},
+      {"lag", Slot::kActuator, {EffectTarget::kJoint}, {{"time_s", "s", 0, 2, 0.25}}},
+      {"bias", Slot::kSensorStatic, {EffectTarget::kImu}, {{"x", "1", -1, 1, 0.0}}},
+  };
+  return library;
+}
+
+/// The effects of the boom in `text`, a machine's mapping with `effects:`, under `upper`.
+Effects BoomEffects(const std::string& text, const std::string& upper = "{machine: {}}") {
+  const Config config = Config::FromText(text, "machine.yaml");
+  const Config over = Config::FromText(upper, "scenario.yaml");
+  const auto map = config.root().OptionalMapUnder("effects", over.root(), "machine");
+  Effects effects;
+  if (map) effects = ReadEffects(map->Map("boom"), EffectTarget::kJoint, Library());
+  config.Finish();
+  over.Finish();
+  return effects;
+}
+
+std::string FaultOf(const std::string& text) {
+  try {
+    BoomEffects(text);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "no fault";
+}
+
+TEST(Effects, HoldTheNumbersOfTheirMechanismAndItsDefaults) {
+  const Effects effects = BoomEffects("effects: {boom: {dead_band: {width: 0.2}, lag: {}}}");
+  ASSERT_EQ(effects.size(), 2u);
+  EXPECT_EQ((*FindEffect(effects, "dead_band"))["width"], 0.2);
+  EXPECT_EQ((*FindEffect(effects, "lag"))["time_s"], 0.25);
+  EXPECT_EQ(FindEffect(effects, "bias"), nullptr);
+}
+
+TEST(Effects, OfAScenarioLieOverThoseOfTheMachineAndCanTakeThemAway) {
+  const std::string machine = "effects: {boom: {dead_band: {width: 0.2}, lag: {time_s: 1}}}";
+  const Effects effects =
+      BoomEffects(machine, "{machine: {boom: {dead_band: {width: 0.1}, lag: none}}}");
+  ASSERT_EQ(effects.size(), 1u);
+  EXPECT_EQ(effects[0]["width"], 0.1);
+}
+
+TEST(Effects, ReportWhatIsUnknownMissingOrOutOfRange) {
+  EXPECT_THAT(FaultOf("effects: {boom: {dead_bend: {width: 0.2}}}"),
+              HasSubstr("effects.boom.dead_bend: unknown key (did you mean 'dead_band'?)"));
+  EXPECT_THAT(FaultOf("effects: {boom: {dead_band: {}}}"),
+              HasSubstr("effects.boom.dead_band.width"));
+  EXPECT_THAT(FaultOf("effects: {boom: {dead_band: {width: 2}}}"), HasSubstr("0 to 0.9"));
+  EXPECT_THAT(FaultOf("effects: {boom: {dead_band: off}}"), HasSubstr("none"));
+  EXPECT_THAT(FaultOf("effects: {boom: {bias: {x: 0}}}"), HasSubstr("bias: unknown key"));
+}
+
+TEST(Effects, ComeFromAFileOfTheirOwnOverAConfiguration) {
+  const std::filesystem::path& folder = OwnFolder();
+  std::ofstream(folder / "machine.yaml") << "kind: cart\neffects: {boom: {lag: {}}}\n";
+  std::ofstream(folder / "effects.yaml") << "effects: {boom: {lag: {time_s: 0.5}}}\n";
+  std::ofstream(folder / "other.yaml") << "effects: {}\nkind: ship\n";
+  const auto file = folder / "machine.yaml";
+  const Config config = Config::FromFile(file, {}, {{folder / "effects.yaml", "effects"}});
+  EXPECT_EQ(config.root().Text("kind"), "cart");
+  const ConfigMap boom = config.root().Map("effects").Map("boom");
+  EXPECT_EQ(ReadEffects(boom, EffectTarget::kJoint, Library())[0]["time_s"], 0.5);
+  const auto read = [&](const char* name) {
+    Config::FromFile(file, {}, {{folder / name, "effects"}});
+  };
+  EXPECT_THROW(read("other.yaml"), InputError);
+  EXPECT_THROW(read("absent.yaml"), InputError);
+}
+
+}  // namespace
+}  // namespace tera
