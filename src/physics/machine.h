@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/config.h"
+#include "core/effects.h"
 #include "core/ground_tools.h"
 #include "core/labels.h"
 #include "core/motion.h"
@@ -69,13 +70,29 @@ struct Joint {
   double max_effort_nm = 0;             ///< newtons for prismatic joints
   double initial_rad = 0;
   RateTransient transient;
+  /// Oil that the joint's actuator takes for one radian (or metre) at mid-travel; 0 where unknown.
+  double displacement_m3prad = 0;
+};
+
+/// A hydraulic pump and what draws from it.
+struct Pump {
+  std::string name;
+  double max_flow_m3ps = 0;
+  std::vector<int> joints, gears;  ///< indices into joints and ground_tools.gears
+};
+
+/// What a machine has beyond the ideal, one list for each joint, running gear and pump.
+struct MachineEffects {
+  std::vector<Effects> joints, gears, pumps;
+  Effects base;
 };
 
 /// Drive of one running gear (index into GroundTools::gears).
 struct GearDrive {
   double max_rate_radps = 0;  ///< sprocket or wheel rate at full lever
   double max_torque_nm = 0;
-  double inertia_kgm2 = 0;  ///< of everything that turns with it, at the sprocket
+  double inertia_kgm2 = 0;         ///< of everything that turns with it, at the sprocket
+  double displacement_m3prad = 0;  ///< oil for one radian of the sprocket; 0 where unknown
   RateTransient transient;
 };
 
@@ -136,6 +153,8 @@ struct MachineModel {
   std::vector<Lever> levers;
   GroundTools ground_tools;
   std::vector<GearDrive> gear_drives;  ///< one for each gear
+  std::vector<Pump> pumps;
+  MachineEffects effects;  ///< of a scenario's machine; without it, ideal throughout
   std::vector<CylinderVisual> cylinders;
   std::vector<TrackVisual> track_visuals;
   std::vector<WheelVisual> wheel_visuals;

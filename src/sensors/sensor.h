@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/config.h"
+#include "core/effects.h"
 #include "core/motion.h"
 #include "core/time.h"
 #include "sensors/camera.h"
@@ -24,6 +25,7 @@ struct SensorDescription {
   SampleClock clock;
   TimeNs latency_ns = 0;  ///< t_available - t
   std::variant<ImuModel, GnssModel, CameraModel, LidarModel, EncoderModel> model;
+  Effects effects;  ///< from the scenario; without them, as the model says
 };
 
 /// "imu", "gnss", "camera", "lidar" or "encoder".

@@ -10,6 +10,7 @@
 #include "core/plain_name.h"
 #include "core/spelling.h"
 #include "core/units.h"
+#include "sim/read_effects.h"
 #include "sim/rig.h"
 
 namespace tera {
@@ -102,11 +103,13 @@ void ReadSensors(const ConfigMap& config, const MachineModel& model,
   }
 }
 
-ScenarioMachine ReadMachineEntry(const ConfigMap& config, const TerrainSurface& ground) {
+ScenarioMachine ReadMachineEntry(const ConfigMap& config, const TerrainSurface& ground,
+                                 const std::optional<ConfigMap>& effects) {
   ScenarioMachine machine;
   machine.placement.name = config.Text("name");
   RequirePlainName(config, "name", machine.placement.name);
-  machine.placement.model = ReadMachine(config.MapOrFile("machine"));
+  const ConfigMap description = config.MapOrFile("machine");
+  machine.placement.model = ReadMachine(description);
   const MachineModel& model = machine.placement.model;
   for (const Joint& joint : model.joints) machine.placement.q_rad.push_back(joint.initial_rad);
   Vec2 xy_m = Vec2::Zero();
@@ -119,6 +122,8 @@ ScenarioMachine ReadMachineEntry(const ConfigMap& config, const TerrainSurface& 
   machine.placement.X_WB = RestingPose(ground, xy_m, yaw_rad, FootprintHalf(model));
   machine.driver = ReadOperator(config.Map("operator"), model);
   ReadSensors(config, model, &machine.sensors);
+  ReadMachineEffects(description, effects, machine.placement.name, &machine.placement.model,
+                     &machine.sensors);
   return machine;
 }
 
@@ -221,8 +226,9 @@ Scenario ReadScenario(const ConfigMap& config) {
   if (const auto environment = config.OptionalMap("environment")) {
     scenario.environment = ReadEnvironment(*environment);
   }
+  const std::optional<ConfigMap> effects = config.OptionalMap("effects");
   for (const ConfigMap& machine : config.List("machines")) {
-    scenario.machines.push_back(ReadMachineEntry(machine, scenario.soil->surface()));
+    scenario.machines.push_back(ReadMachineEntry(machine, scenario.soil->surface(), effects));
   }
   for (const ConfigMap& obstacle : config.List("obstacles")) {
     scenario.obstacles.push_back(ReadObstacle(obstacle));

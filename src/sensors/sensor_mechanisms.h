@@ -1,0 +1,13 @@
+#pragma once
+
+#include <span>
+
+#include "core/effects.h"
+
+namespace tera {
+
+/// All mechanisms between a sensor's ideal measurement and what it reports: geometry, static
+/// errors, timing. docs/mechanisms.md has the equation and the source of each.
+std::span<const Mechanism> SensorMechanisms();
+
+}  // namespace tera

@@ -1,0 +1,78 @@
+#include "sim/read_effects.h"
+
+#include <set>
+
+#include "core/effects.h"
+#include "physics/actuation_mechanisms.h"
+#include "physics/ground_mechanisms.h"
+#include "sensors/sensor_mechanisms.h"
+
+namespace tera {
+namespace {
+
+constexpr std::string_view kBaseTarget = "base";
+
+/// Reads target after target of one machine's effects; a name stands for one of them alone.
+class TargetReader {
+ public:
+  explicit TargetReader(const ConfigMap& config) : config_(config) {}
+
+  Effects Read(const std::string& name, EffectTarget target, std::span<const Mechanism> library) {
+    const auto map = config_.OptionalMap(name);
+    if (!map) return {};
+    if (!read_.insert(name).second) {
+      config_.Fault(name, "'" + name +
+                              "' names two things of this machine (joint, track, pump or sensor); "
+                              "rename one of them");
+    }
+    return ReadEffects(*map, target, library);
+  }
+
+ private:
+  ConfigMap config_;
+  std::set<std::string> read_;
+};
+
+EffectTarget TargetOf(const SensorDescription& sensor) {
+  if (std::holds_alternative<ImuModel>(sensor.model)) return EffectTarget::kImu;
+  if (std::holds_alternative<GnssModel>(sensor.model)) return EffectTarget::kGnss;
+  if (std::holds_alternative<CameraModel>(sensor.model)) return EffectTarget::kCamera;
+  if (std::holds_alternative<LidarModel>(sensor.model)) return EffectTarget::kLidar;
+  return EffectTarget::kEncoder;
+}
+
+}  // namespace
+
+void ReadMachineEffects(const ConfigMap& machine, const std::optional<ConfigMap>& scenario_effects,
+                        const std::string& name, MachineModel* model,
+                        std::vector<SensorDescription>* sensors) {
+  MachineEffects& effects = model->effects;
+  effects.joints.resize(model->joints.size());
+  effects.gears.resize(model->ground_tools.gears.size());
+  effects.pumps.resize(model->pumps.size());
+  const auto map = scenario_effects ? machine.OptionalMapUnder("effects", *scenario_effects, name)
+                                    : machine.OptionalMap("effects");
+  if (!map) return;
+  TargetReader reader(*map);
+  for (std::size_t j = 0; j < model->joints.size(); ++j) {
+    if (model->joints[j].type == JointType::kFixed) continue;
+    effects.joints[j] =
+        reader.Read(model->joints[j].name, EffectTarget::kJoint, ActuationMechanisms());
+  }
+  for (std::size_t g = 0; g < model->ground_tools.gears.size(); ++g) {
+    effects.gears[g] =
+        reader.Read(model->ground_tools.gears[g].name, EffectTarget::kGear, ActuationMechanisms());
+  }
+  for (std::size_t p = 0; p < model->pumps.size(); ++p) {
+    effects.pumps[p] =
+        reader.Read(model->pumps[p].name, EffectTarget::kPump, ActuationMechanisms());
+  }
+  if (!model->ground_tools.gears.empty()) {
+    effects.base = reader.Read(std::string(kBaseTarget), EffectTarget::kBase, GroundMechanisms());
+  }
+  for (SensorDescription& sensor : *sensors) {
+    sensor.effects = reader.Read(sensor.name, TargetOf(sensor), SensorMechanisms());
+  }
+}
+
+}  // namespace tera
