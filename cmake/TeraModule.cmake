@@ -1,15 +1,17 @@
-# tera_module(NAME SOURCES ... PUBLIC ... PRIVATE ...): the static library tera_NAME of one folder of
-# src/, with what it links. PUBLIC are other modules; third-party libraries are PRIVATE so that their
-# headers stay inside the folder.
+# tera_module(NAME [PROGRAM_ONLY] SOURCES ... PUBLIC ... PRIVATE ...): the static library tera_NAME of
+# one folder of src/, with what it links. PUBLIC are other modules; third-party libraries are PRIVATE
+# so that their headers stay inside the folder. A module that only the program uses is not installed.
 function(tera_module NAME)
-  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "PROGRAM_ONLY" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(tera_${NAME} STATIC ${ARG_SOURCES})
   add_library(tera::${NAME} ALIAS tera_${NAME})
   set_target_properties(tera_${NAME} PROPERTIES EXPORT_NAME ${NAME})
   target_link_libraries(tera_${NAME} PUBLIC tera_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   target_precompile_headers(tera_${NAME} PRIVATE <Eigen/Geometry> <fmt/format.h> <memory> <string>
     <vector>)
-  install(TARGETS tera_${NAME} EXPORT teraTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  if(NOT ARG_PROGRAM_ONLY)
+    install(TARGETS tera_${NAME} EXPORT teraTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  endif()
 endfunction()
 
 # tera_test(FOLDER LABELS ... SOURCES ... LINK ...): one test program for a folder of test/; each

@@ -1,0 +1,93 @@
+#include "serve/session.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+
+namespace tera {
+namespace {
+
+using grpc::Status;
+using grpc::StatusCode;
+
+Status MustNot(const std::string& finding) { return {StatusCode::FAILED_PRECONDITION, finding}; }
+
+}  // namespace
+
+Session::Answer Session::Handle(std::string_view request_bytes) {
+  v1::Request request;
+  if (!request.ParseFromArray(request_bytes.data(), static_cast<int>(request_bytes.size()))) {
+    return Status(StatusCode::INVALID_ARGUMENT,
+                  fmt::format("message {} ({} bytes) is no tera.v1.Request; need one as in "
+                              "proto/tera/v1/simulation.proto",
+                              next_, request_bytes.size()));
+  }
+  if (const Status status = OutOfTurn(request); !status.ok()) return status;
+  ++next_;
+  v1::Response response;
+  response.set_sequence(request.sequence());
+  if (request.has_hello()) {
+    const Status status = Greet(request.hello(), &response);
+    if (!status.ok()) return status;
+  } else if (!Act(request, &response)) {
+    return Status(StatusCode::CANCELLED, "the session ended while the request was being done");
+  }
+  return response;
+}
+
+Status Session::OutOfTurn(const v1::Request& request) const {
+  if (request.sequence() != next_) {
+    return MustNot(
+        fmt::format("sequence number {} found, need {}: 1 for the first request of a "
+                    "session, one more for each after it",
+                    request.sequence(), next_));
+  }
+  if (request.kind_case() == v1::Request::KIND_NOT_SET) {
+    return {StatusCode::UNIMPLEMENTED,
+            fmt::format("request {} is of no kind that protocol {} knows; need Hello, Describe, "
+                        "Reset or Step",
+                        request.sequence(), kServeProtocol)};
+  }
+  if (!greeted_ && !request.has_hello()) {
+    return MustNot("the first request is not Hello; need Hello with the protocol's number");
+  }
+  if (greeted_ && request.has_hello()) return MustNot("a second Hello; need one, at the beginning");
+  if (request.has_step() && !in_episode_) return MustNot("Step before any Reset; need Reset first");
+  return Status::OK;
+}
+
+Status Session::Greet(const v1::Hello& hello, v1::Response* response) {
+  if (hello.protocol() != kServeProtocol) {
+    return MustNot(
+        fmt::format("protocol {} asked for, this server speaks {}; use a client of its "
+                    "version ({})",
+                    hello.protocol(), kServeProtocol, server_));
+  }
+  greeted_ = true;
+  client_ = hello.client();
+  v1::Welcome& welcome = *response->mutable_welcome();
+  welcome.set_protocol(kServeProtocol);
+  welcome.set_server(server_);
+  welcome.set_largest_request_bytes(kLargestRequest_bytes);
+  welcome.set_largest_samples_bytes(kLargestSamples_bytes);
+  return Status::OK;
+}
+
+bool Session::Act(const v1::Request& request, v1::Response* response) {
+  try {
+    if (request.has_describe()) {
+      *response->mutable_description() = stage_->Describe();
+      return true;
+    }
+    std::optional<v1::Observation> observation =
+        request.has_reset() ? stage_->Reset(request.reset()) : stage_->Step(request.step());
+    if (!observation) return false;
+    in_episode_ = true;
+    *response->mutable_observation() = std::move(*observation);
+  } catch (const InputError& error) {
+    response->mutable_refusal()->set_message(error.what());
+  }
+  return true;
+}
+
+}  // namespace tera

@@ -1,0 +1,158 @@
+#include "serve/session.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "serve/requests.h"
+
+// The order of requests, without a socket and without a simulation.
+
+namespace tera {
+namespace {
+
+using grpc::StatusCode;
+using testing::HasSubstr;
+
+/// Counts physics steps as nanoseconds; seed 13 is refused, and so is a step of 13.
+class CountingStage : public Stage {
+ public:
+  v1::Description Describe() override {
+    v1::Description description;
+    description.set_scenario("counting");
+    return description;
+  }
+  std::optional<v1::Observation> Reset(const v1::Reset& request) override {
+    if (request.seed() == 13) throw InputError("no seed 13");
+    time_ns_ = 0;
+    return Now();
+  }
+  std::optional<v1::Observation> Step(const v1::Step& request) override {
+    if (request.physics_steps() == 13) throw InputError("no 13 steps");
+    if (ended) return std::nullopt;
+    time_ns_ += request.physics_steps();
+    return Now();
+  }
+
+  bool ended = false;
+
+ private:
+  v1::Observation Now() const {
+    v1::Observation observation;
+    observation.set_time_ns(time_ns_);
+    return observation;
+  }
+  std::int64_t time_ns_ = 0;
+};
+
+class SessionTest : public testing::Test {
+ protected:
+  Session::Answer Send(const v1::Request& request) {
+    return session_.Handle(request.SerializeAsString());
+  }
+  v1::Response Response(const v1::Request& request) {
+    const Session::Answer answer = Send(request);
+    if (const auto* end = std::get_if<grpc::Status>(&answer)) {
+      ADD_FAILURE() << end->error_message();
+      return {};
+    }
+    return std::get<v1::Response>(answer);
+  }
+  void ExpectEnd(const Session::Answer& answer, StatusCode code, const std::string& words) {
+    const auto* end = std::get_if<grpc::Status>(&answer);
+    ASSERT_NE(end, nullptr);
+    EXPECT_EQ(end->error_code(), code);
+    EXPECT_THAT(end->error_message(), HasSubstr(words));
+  }
+
+  CountingStage stage_;
+  Session session_{&stage_, "tera 9"};
+};
+
+TEST_F(SessionTest, GreetsDescribesResetsAndSteps) {
+  const v1::Response welcome = Response(Hello(1));
+  EXPECT_EQ(welcome.sequence(), 1u);
+  EXPECT_EQ(welcome.welcome().protocol(), 1u);
+  EXPECT_EQ(welcome.welcome().server(), "tera 9");
+  EXPECT_GT(welcome.welcome().largest_request_bytes(), 0u);
+  EXPECT_EQ(session_.client(), "test");
+  EXPECT_EQ(Response(Describe(2)).description().scenario(), "counting");
+  EXPECT_EQ(Response(Reset(3)).observation().time_ns(), 0);
+  EXPECT_EQ(Response(Step(4, 5)).observation().time_ns(), 5);
+  const v1::Response later = Response(Step(5, 2));
+  EXPECT_EQ(later.observation().time_ns(), 7);
+  EXPECT_EQ(later.sequence(), 5u);
+  EXPECT_EQ(Response(Reset(6)).observation().time_ns(), 0);
+}
+
+TEST_F(SessionTest, EndsWhereTheFirstRequestIsNotHello) {
+  ExpectEnd(Send(Describe(1)), StatusCode::FAILED_PRECONDITION, "the first request is not Hello");
+}
+
+TEST_F(SessionTest, EndsAtAnotherProtocol) {
+  ExpectEnd(Send(Hello(1, 2)), StatusCode::FAILED_PRECONDITION,
+            "protocol 2 asked for, this server speaks 1");
+}
+
+TEST_F(SessionTest, EndsAtASecondHello) {
+  Response(Hello(1));
+  ExpectEnd(Send(Hello(2)), StatusCode::FAILED_PRECONDITION, "a second Hello");
+}
+
+TEST_F(SessionTest, EndsAtAWrongSequenceNumberAndSaysWhichIsNeeded) {
+  ExpectEnd(Session(&stage_, "").Handle(Hello(0).SerializeAsString()),
+            StatusCode::FAILED_PRECONDITION, "sequence number 0 found, need 1");
+  Response(Hello(1));
+  Response(Reset(2));
+  ExpectEnd(Send(Step(2)), StatusCode::FAILED_PRECONDITION, "sequence number 2 found, need 3");
+  ExpectEnd(Send(Step(4)), StatusCode::FAILED_PRECONDITION, "sequence number 4 found, need 3");
+}
+
+TEST_F(SessionTest, EndsAtAStepBeforeAnyReset) {
+  Response(Hello(1));
+  ExpectEnd(Send(Step(2)), StatusCode::FAILED_PRECONDITION, "Step before any Reset");
+}
+
+TEST_F(SessionTest, EndsAtBytesThatAreNoRequest) {
+  Response(Hello(1));
+  ExpectEnd(session_.Handle("\xff\xff\xff"), StatusCode::INVALID_ARGUMENT,
+            "message 2 (3 bytes) is no tera.v1.Request");
+  const std::string whole = Reset(2, 1234567).SerializeAsString();
+  ExpectEnd(session_.Handle(whole.substr(0, whole.size() - 1)), StatusCode::INVALID_ARGUMENT,
+            "is no tera.v1.Request");
+}
+
+TEST_F(SessionTest, EndsAtARequestOfAnUnknownKind) {
+  Response(Hello(1));
+  ExpectEnd(Send(Numbered(2)), StatusCode::UNIMPLEMENTED, "of no kind that protocol 1 knows");
+  Session another(&stage_, "");
+  another.Handle(Hello(1).SerializeAsString());
+  // Field 15, of wire type 2, with no bytes: what a later client might send.
+  ExpectEnd(another.Handle(Numbered(2).SerializeAsString() + std::string("\x7a\x00", 2)),
+            StatusCode::UNIMPLEMENTED, "of no kind");
+}
+
+TEST_F(SessionTest, GoesOnAfterARequestThatCannotBeDone) {
+  Response(Hello(1));
+  EXPECT_EQ(Response(Reset(2, 13)).refusal().message(), "no seed 13");
+  // No episode was begun.
+  ExpectEnd(Send(Step(3)), StatusCode::FAILED_PRECONDITION, "Step before any Reset");
+  Session another(&stage_, "");
+  const auto send = [&](const v1::Request& request) {
+    return std::get<v1::Response>(another.Handle(request.SerializeAsString()));
+  };
+  send(Hello(1));
+  send(Reset(2));
+  EXPECT_EQ(send(Step(3, 13)).refusal().message(), "no 13 steps");
+  EXPECT_EQ(send(Step(4, 3)).observation().time_ns(), 3);
+}
+
+TEST_F(SessionTest, EndsWhereTheStageWasStopped) {
+  Response(Hello(1));
+  Response(Reset(2));
+  stage_.ended = true;
+  ExpectEnd(Send(Step(3)), StatusCode::CANCELLED, "ended");
+}
+
+}  // namespace
+}  // namespace tera
