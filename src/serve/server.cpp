@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstdlib>
 #include <mutex>
 #include <thread>
 
@@ -45,8 +46,10 @@ using Reactor = grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>;
 struct Server::Impl final : Service {
   Impl(const ServerOptions& options, MakeStage make, Log to)
       : name(options.name), make_stage(std::move(make)), log(std::move(to)) {
-    // What a message lacks is said to its sender, not to this program's standard error.
+    // What is wrong is said to the client or thrown, not printed by the libraries.
     google::protobuf::SetLogHandler(nullptr);
+    constexpr int kUnlessSet = 0;
+    setenv("GRPC_VERBOSITY", "NONE", kUnlessSet);
     grpc::ServerBuilder builder;
     int port = 0;
     const std::string endpoint = Endpoint(options.address, options.port);

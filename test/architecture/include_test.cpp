@@ -60,7 +60,8 @@ const std::map<std::string, std::set<std::string>> kMaySee = {
     {"dataset", {"core"}},
     {"sensors", {"core", "render"}},
     {"sim", {"core", "physics", "soil", "render", "dataset", "sensors"}},
-    {"app", {"core", "physics", "soil", "render", "dataset", "sensors", "sim"}},
+    {"serve", {"core", "physics", "soil", "render", "dataset", "sensors", "sim"}},
+    {"app", {"core", "physics", "soil", "render", "dataset", "sensors", "sim", "serve"}},
 };
 
 /// Headers of a library by their beginning, and the folder that may include them. A header that is
@@ -72,6 +73,7 @@ const std::map<std::string, std::string> kFolderOfLibrary = {
     {"assimp/", "render"},          {"tiny_gltf.h", "render"},     {"epoxy/", "render"},
     {"embree3/", "render"},         {"GeographicLib/", "sensors"}, {"opencv2/", "dataset"},
     {"liblzf/", "dataset"},         {"nlohmann/", "dataset"},      {"CLI/", "app"},
+    {"grpcpp/", "serve"},           {"google/protobuf/", "serve"}, {"tera/v1/", "serve"},
 };
 
 /// Of the operating system.
