@@ -1,5 +1,8 @@
 #include "physics/machine.h"
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
 #include "physics/machine_fixture.h"
 
 namespace tera {

@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include "physics/machine_fixture.h"
 
 namespace tera {

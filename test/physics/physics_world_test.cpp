@@ -1,5 +1,7 @@
 #include "physics/physics_world.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 
 #include "physics/machine_fixture.h"

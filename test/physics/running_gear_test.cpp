@@ -1,6 +1,7 @@
 #include "physics/running_gear.h"
 
 #include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <cmath>
 
