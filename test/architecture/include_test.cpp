@@ -61,19 +61,36 @@ const std::map<std::string, std::set<std::string>> kMaySee = {
     {"sensors", {"core", "render"}},
     {"sim", {"core", "physics", "soil", "render", "dataset", "sensors"}},
     {"serve", {"core", "physics", "soil", "render", "dataset", "sensors", "sim"}},
-    {"app", {"core", "physics", "soil", "render", "dataset", "sensors", "sim", "serve"}},
+    {"ros2", {"core", "physics", "soil", "render", "dataset", "sensors", "sim"}},
+    {"app", {"core", "physics", "soil", "render", "dataset", "sensors", "sim", "serve", "ros2"}},
 };
 
 /// Headers of a library by their beginning, and the folder that may include them. A header that is
 /// neither here nor free is a fault, so that a new library has to be entered.
 const std::map<std::string, std::string> kFolderOfLibrary = {
-    {"yaml-cpp/", "core"},          {"Random123/", "core"},        {"BulletCollision/", "physics"},
-    {"BulletDynamics/", "physics"}, {"LinearMath/", "physics"},    {"console_bridge/", "physics"},
-    {"urdf_parser/", "physics"},    {"gdal_priv.h", "soil"},       {"ogr_spatialref.h", "soil"},
-    {"assimp/", "render"},          {"tiny_gltf.h", "render"},     {"epoxy/", "render"},
-    {"embree3/", "render"},         {"GeographicLib/", "sensors"}, {"opencv2/", "dataset"},
-    {"liblzf/", "dataset"},         {"nlohmann/", "dataset"},      {"CLI/", "app"},
-    {"grpcpp/", "serve"},           {"google/protobuf/", "serve"}, {"tera/v1/", "serve"},
+    {"yaml-cpp/", "core"},
+    {"Random123/", "core"},
+    {"BulletCollision/", "physics"},
+    {"BulletDynamics/", "physics"},
+    {"LinearMath/", "physics"},
+    {"console_bridge/", "physics"},
+    {"urdf_parser/", "physics"},
+    {"gdal_priv.h", "soil"},
+    {"ogr_spatialref.h", "soil"},
+    {"assimp/", "render"},
+    {"tiny_gltf.h", "render"},
+    {"epoxy/", "render"},
+    {"embree3/", "render"},
+    {"GeographicLib/", "sensors"},
+    {"opencv2/", "dataset"},
+    {"liblzf/", "dataset"},
+    {"nlohmann/", "dataset"},
+    {"CLI/", "app"},
+    {"grpcpp/", "serve"},
+    {"google/protobuf/", "serve"},
+    {"tera/v1/", "serve"},
+    {"dds/", "ros2"},
+    {"topic_types.h", "ros2"},
 };
 
 /// Of the operating system.

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "physics/machine.h"
+#include "ros2/messages.h"
+#include "sim/scenario.h"
+
+/// What a machine truly does, as ROS messages.
+
+namespace tera::ros {
+
+/// The root link in the world.
+Odometry OdometryMessage(TimeNs t_ns, const ScenarioMachine& machine, const MachineState& state);
+
+/// All joints that move, then the running gears, named as in the machine's description; the frame
+/// is the root link's.
+JointState JointStateMessage(TimeNs t_ns, const ScenarioMachine& machine,
+                             const MachineState& state);
+
+/// What moves: the root in the world, unless it is fixed there, and the child of each joint that
+/// is not fixed in its parent.
+std::vector<TransformStamped> MovingTransforms(TimeNs t_ns, const ScenarioMachine& machine,
+                                               const MachineState& state);
+
+/// What stays: a fixed root in the world, children of fixed joints, sensors on their links, and the
+/// optical frames of cameras.
+std::vector<TransformStamped> StaticTransforms(TimeNs t_ns, const ScenarioMachine& machine,
+                                               const MachineState& state);
+
+/// The tool that ee_pose and bucket_mass speak of.
+///
+/// Frames  T: origin in the middle of the cutting edge (the tips of the teeth), axes of the link
+///         that carries the shovel.
+struct EndEffector {
+  int shovel = 0;
+  int link = 0;
+  Pose X_BT = Pose::Identity();
+};
+
+/// The first shovel that can carry soil; nothing where the machine has none.
+std::optional<EndEffector> EndEffectorOf(const MachineModel& model);
+
+/// T in the root link's frame.
+PoseStamped EndEffectorMessage(TimeNs t_ns, const ScenarioMachine& machine,
+                               const MachineState& state, const EndEffector& tool);
+
+/// Kilograms of soil in the tool.
+Float64 BucketMassMessage(const MachineState& state, const EndEffector& tool);
+
+}  // namespace tera::ros

@@ -1,0 +1,155 @@
+#include "ros2/from_samples.h"
+
+#include <bit>
+#include <cstring>
+#include <limits>
+
+#include "core/time.h"
+
+namespace tera::ros {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "messages say that they are");
+
+Covariance3 Diagonal(double x, double y, double z) { return {x, 0, 0, 0, y, 0, 0, 0, z}; }
+
+double SampleVariance(double density, double sample_sigma, double period_s) {
+  return density * density / period_s + sample_sigma * sample_sigma;
+}
+
+NavSatFix::Status StatusOf(GnssFix fix) {
+  switch (fix) {
+    case GnssFix::kNone:
+      return NavSatFix::kNoFix;
+    case GnssFix::kSingle:
+      return NavSatFix::kFix;
+    case GnssFix::kDifferential:
+      return NavSatFix::kSatelliteAugmented;
+    case GnssFix::kRtkFixed:
+    case GnssFix::kRtkFloat:
+      return NavSatFix::kGroundAugmented;
+  }
+  return NavSatFix::kNoFix;
+}
+
+template <typename T>
+Image ImageMessage(const Header& header, const std::string& encoding,
+                   const tera::Image<T>& picture) {
+  Image message;
+  message.header = header;
+  message.height_px = static_cast<std::uint32_t>(picture.height_px);
+  message.width_px = static_cast<std::uint32_t>(picture.width_px);
+  message.encoding = encoding;
+  message.step_bytes = static_cast<std::uint32_t>(picture.width_px * picture.channels * sizeof(T));
+  message.data.resize(picture.data.size() * sizeof(T));
+  if (!picture.empty()) std::memcpy(message.data.data(), picture.data.data(), message.data.size());
+  return message;
+}
+
+template <typename T>
+void Put(std::uint8_t* point, std::uint32_t offset, T value) {
+  std::memcpy(point + offset, &value, sizeof value);
+}
+
+}  // namespace
+
+Imu ImuMessage(const ImuSample& sample, const std::string& frame_id, const ImuModel& model,
+               double period_s) {
+  const double gyro =
+      SampleVariance(model.gyro_noise_density_radpsrthz, model.gyro_sample_noise_radps, period_s);
+  const double accel =
+      SampleVariance(model.accel_noise_density_mps2rthz, model.accel_sample_noise_mps2, period_s);
+  return {{sample.t_ns, frame_id},
+          sample.w_WS_S_radps,
+          sample.f_S_mps2,
+          Diagonal(gyro, gyro, gyro),
+          Diagonal(accel, accel, accel)};
+}
+
+NavSatFix NavSatFixMessage(const GnssSample& sample, const std::string& frame_id) {
+  NavSatFix message;
+  message.header = {sample.t_ns, frame_id};
+  message.status = StatusOf(sample.fix);
+  if (message.status == NavSatFix::kNoFix) return message;
+  message.latitude_deg = sample.lat_deg;
+  message.longitude_deg = sample.lon_deg;
+  message.altitude_m = sample.alt_m;
+  const Vec3& variance = sample.variance_enu_m2;
+  message.position_covariance_m2 = Diagonal(variance.x(), variance.y(), variance.z());
+  message.covariance_type = NavSatFix::kDiagonalKnown;
+  return message;
+}
+
+JointState JointStateMessage(const EncoderSample& sample, const std::string& frame_id,
+                             const std::vector<std::string>& axes) {
+  return {{sample.t_ns, frame_id}, axes, sample.q_rad, sample.qd_radps, {}};
+}
+
+CameraInfo CameraInfoMessage(const Header& header, const CameraIntrinsics& c) {
+  CameraInfo message;
+  message.header = header;
+  message.height_px = static_cast<std::uint32_t>(c.height_px);
+  message.width_px = static_cast<std::uint32_t>(c.width_px);
+  message.distortion_model = "plumb_bob";
+  message.d = {c.k1, c.k2, c.p1, c.p2, c.k3};
+  message.k = {c.fx_px, 0, c.cx_px, 0, c.fy_px, c.cy_px, 0, 0, 1};
+  return message;
+}
+
+Image ColourMessage(const CameraFrame& frame, const std::string& frame_id) {
+  return ImageMessage({frame.t_ns, frame_id}, "rgb8", frame.rgb);
+}
+
+Image DepthMessage(const CameraFrame& frame, const std::string& frame_id) {
+  tera::Image<float> depth_m = frame.depth_m;
+  for (float& z_m : depth_m.data) {
+    if (z_m == 0) z_m = std::numeric_limits<float>::quiet_NaN();
+  }
+  return ImageMessage({frame.t_ns, frame_id}, "32FC1", depth_m);
+}
+
+Image SemanticMessage(const CameraFrame& frame, const std::string& frame_id) {
+  return ImageMessage({frame.t_ns, frame_id}, "mono8", frame.semantic);
+}
+
+Image InstanceMessage(const CameraFrame& frame, const std::string& frame_id) {
+  return ImageMessage({frame.t_ns, frame_id}, "mono16", frame.instance);
+}
+
+PointCloud2 PointCloudMessage(const LidarScan& scan, const std::string& frame_id) {
+  enum : std::uint32_t {
+    kX = 0,
+    kY = 4,
+    kZ = 8,
+    kIntensity = 12,
+    kRing = 16,
+    kLabel = 18,
+    kTime = 20,
+    kInstance = 24,
+    kStep = 28
+  };
+  PointCloud2 message;
+  message.header = {scan.t_ns, frame_id};
+  message.fields = {
+      {"x", kX, PointField::kFloat32},       {"y", kY, PointField::kFloat32},
+      {"z", kZ, PointField::kFloat32},       {"intensity", kIntensity, PointField::kFloat32},
+      {"ring", kRing, PointField::kUint16},  {"label", kLabel, PointField::kUint8},
+      {"time", kTime, PointField::kFloat32}, {"instance", kInstance, PointField::kUint16}};
+  message.point_step_bytes = kStep;
+  message.data.resize(scan.points.size() * kStep);
+  std::uint8_t* at = message.data.data();
+  for (const LidarPoint& point : scan.points) {
+    Put(at, kX, point.x_m);
+    Put(at, kY, point.y_m);
+    Put(at, kZ, point.z_m);
+    Put(at, kIntensity, point.intensity);
+    Put(at, kRing, point.ring);
+    Put(at, kLabel, point.label);
+    Put(at, kTime, static_cast<float>(ToSeconds(point.time_offset_ns)));
+    Put(at, kInstance, point.instance);
+    at += kStep;
+  }
+  return message;
+}
+
+}  // namespace tera::ros

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/measurement.h"
+#include "ros2/messages.h"
+#include "sensors/camera.h"
+#include "sensors/gnss.h"
+#include "sensors/imu.h"
+
+/// What sensors measured, as ROS messages. `frame_id` is the sensor's frame, for pictures its
+/// optical frame. The stamp is the time at which a measurement was valid.
+
+namespace tera::ros {
+
+/// Covariances are the variance of the white noise of one sample, sigma^2 / T + sigma_sample^2.
+Imu ImuMessage(const ImuSample& sample, const std::string& frame_id, const ImuModel& model,
+               double period_s);
+
+/// Status as drivers of NMEA receivers have it: single is a fix, differential satellite-augmented,
+/// RTK ground-augmented. Covariance is the variance that the receiver reports.
+NavSatFix NavSatFixMessage(const GnssSample& sample, const std::string& frame_id);
+
+/// Measured joints: no efforts.
+JointState JointStateMessage(const EncoderSample& sample, const std::string& frame_id,
+                             const std::vector<std::string>& axes);
+
+/// Distortion `plumb_bob`: k1, k2, p1, p2, k3, whose pixel (0, 0) has its centre at (0, 0) like
+/// ours.
+CameraInfo CameraInfoMessage(const Header& header, const CameraIntrinsics& intrinsics);
+
+/// `rgb8`.
+Image ColourMessage(const CameraFrame& frame, const std::string& frame_id);
+/// `32FC1`, metres; NaN, as REP 118 asks, where there is no measurement.
+Image DepthMessage(const CameraFrame& frame, const std::string& frame_id);
+/// `mono8`, the number of the class as in dataset.yaml.
+Image SemanticMessage(const CameraFrame& frame, const std::string& frame_id);
+/// `mono16`, the number of the instance as in dataset.yaml; 0: none.
+Image InstanceMessage(const CameraFrame& frame, const std::string& frame_id);
+
+/// Fields x, y, z, intensity (float32), ring (uint16), label (uint8), time (float32, seconds since
+/// the stamp, which is the scan's first ray), instance (uint16); 28 bytes a point.
+PointCloud2 PointCloudMessage(const LidarScan& scan, const std::string& frame_id);
+
+}  // namespace tera::ros

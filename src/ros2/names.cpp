@@ -1,0 +1,80 @@
+#include "ros2/names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/error.h"
+
+namespace tera::ros {
+namespace {
+
+bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+
+bool IsRosName(const std::string& name) {
+  return !name.empty() && IsLetter(name.front()) &&
+         std::all_of(name.begin(), name.end(),
+                     [](char c) { return IsLetter(c) || (c >= '0' && c <= '9'); });
+}
+
+void RequireRosName(const std::string& kind, const std::string& name) {
+  if (IsRosName(name)) return;
+  throw InputError(
+      fmt::format("{} '{}' cannot name a ROS topic; need letters, digits and '_', no digit first: "
+                  "rename it in the scenario or its rig",
+                  kind, name));
+}
+
+void RequireDistinct(const ScenarioMachine& machine) {
+  std::set<std::string> frames, topics;
+  for (const Link& link : machine.placement.model.links) frames.insert(link.name);
+  for (const SensorDescription& sensor : machine.sensors) {
+    if (!sensor.link.empty() && !frames.insert(sensor.name).second) {
+      throw InputError(
+          fmt::format("sensor '{}' of machine '{}' and the link of that name would be "
+                      "one frame; need another name for the sensor",
+                      sensor.name, machine.placement.name));
+    }
+    if (!topics.insert(TopicOf(sensor)).second) {
+      throw InputError(
+          fmt::format("two sensors of machine '{}' would publish at '{}'; need "
+                      "another name for one",
+                      machine.placement.name, TopicOf(sensor)));
+    }
+  }
+}
+
+}  // namespace
+
+std::string TopicOf(const std::string& machine, const std::string& topic) {
+  return "/" + machine + "/" + topic;
+}
+
+std::string DdsTopicOf(const std::string& ros_topic) { return "rt" + ros_topic; }
+
+std::string FrameOf(const std::string& machine, const std::string& part) {
+  return machine + "/" + part;
+}
+
+std::string OpticalFrameOf(const std::string& machine, const std::string& camera) {
+  return FrameOf(machine, camera) + "_optical";
+}
+
+std::string TopicOf(const SensorDescription& sensor) {
+  const std::string gnss = "gnss";
+  if (!std::holds_alternative<GnssModel>(sensor.model) || !sensor.name.starts_with(gnss)) {
+    return sensor.name;
+  }
+  return "gps" + sensor.name.substr(gnss.size());
+}
+
+void RequireRosNames(const Scenario& scenario) {
+  for (const ScenarioMachine& machine : scenario.machines) {
+    RequireRosName("machine", machine.placement.name);
+    for (const SensorDescription& sensor : machine.sensors) RequireRosName("sensor", sensor.name);
+    RequireDistinct(machine);
+  }
+}
+
+}  // namespace tera::ros

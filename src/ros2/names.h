@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+#include "sensors/sensor.h"
+#include "sim/scenario.h"
+
+/// What things are called in ROS: topics below the machine's name, frames likewise.
+
+namespace tera::ros {
+
+/// The world W: local east-north-up about the site's origin.
+inline constexpr const char* kWorldFrame = "map";
+
+/// "/excavator1/odom"
+std::string TopicOf(const std::string& machine, const std::string& topic);
+
+/// The name that the DDS topic behind a ROS topic has: "rt/excavator1/odom".
+std::string DdsTopicOf(const std::string& ros_topic);
+
+/// Of a link or a sensor, "excavator1/boom".
+std::string FrameOf(const std::string& machine, const std::string& part);
+
+/// Of a camera's optical frame, x right, y down, z forward: "excavator1/camera_front_optical".
+std::string OpticalFrameOf(const std::string& machine, const std::string& camera);
+
+/// Where a sensor's topics stand below its machine: its own name, but that `gnss` at its beginning
+/// becomes `gps`, the name that ROS users look for.
+std::string TopicOf(const SensorDescription& sensor);
+
+/// Throws InputError where a machine's or a sensor's name is none in ROS, which allows letters,
+/// digits and '_', no digit first, or where two things would share a topic or a frame.
+void RequireRosNames(const Scenario& scenario);
+
+}  // namespace tera::ros
