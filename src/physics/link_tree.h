@@ -33,6 +33,7 @@ struct JointPart {
 struct MachineParts {
   std::vector<LinkPart> links;
   std::vector<JointPart> joints;
+  std::vector<std::string> driven;  ///< joints that the description says are driven, in its order
 };
 
 /// Reports what is wrong with a link's mass or inertia. Links without mass are admissible where

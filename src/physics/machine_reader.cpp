@@ -92,8 +92,10 @@ void CheckInitial(const ConfigMap& config, const Joint& joint) {
                   joint.initial_rad / unit, joint.lower_rad / unit, joint.upper_rad / unit));
 }
 
-void ReadLevers(const ConfigMap& config, MachineModel* model) {
-  const std::vector<std::string> names = config.Texts("levers");
+/// `otherwise`: levers of a description that names none.
+void ReadLevers(const ConfigMap& config, const std::vector<std::string>& otherwise,
+                MachineModel* model) {
+  const std::vector<std::string> names = config.Has("levers") ? config.Texts("levers") : otherwise;
   for (std::size_t i = 0; i < names.size(); ++i) {
     Lever lever{.name = names[i], .joint = model->JointIndex(names[i])};
     for (std::size_t g = 0; g < model->ground_tools.gears.size(); ++g) {
@@ -205,7 +207,7 @@ MachineModel ReadMachine(const ConfigMap& config) {
   OrderIntoTree(parts, config, &model);
   ReadRunningGear(config, &model);
   ReadEquipment(config, &model);
-  ReadLevers(config, &model);
+  ReadLevers(config, parts.driven, &model);
   return model;
 }
 

@@ -10,11 +10,13 @@
 #include "core/error.h"
 #include "core/plain_name.h"
 #include "physics/machine_reading.h"
+#include "physics/urdf_transmissions.h"
 
 /// URDF to links and joints.
 ///
 /// Model   inertials, revolute, continuous, prismatic and fixed joints with their limits, mesh
-///         visuals, boxes for collision (spheres and cylinders by the box around them).
+///         visuals, boxes for collision (spheres and cylinders by the box around them), drives
+///         (urdf_transmissions.h).
 /// Omits   collision meshes, visuals that are not meshes, materials, mimic, friction, damping.
 
 namespace tera {
@@ -223,7 +225,9 @@ MachineParts ReadUrdfParts(const ConfigMap& config) {
     parts.joints.push_back(
         {ToJoint(*joint, place), joint->parent_link_name, joint->child_link_name, place});
   }
+  ReadUrdfDrives(config, file, text.str(), &parts);
   LayOver(config, &parts);
+  CheckDriven(parts);
   return parts;
 }
 

@@ -75,6 +75,7 @@ const std::map<std::string, std::string> kFolderOfLibrary = {
     {"LinearMath/", "physics"},
     {"console_bridge/", "physics"},
     {"urdf_parser/", "physics"},
+    {"tinyxml2.h", "physics"},
     {"gdal_priv.h", "soil"},
     {"ogr_spatialref.h", "soil"},
     {"assimp/", "render"},
