@@ -12,6 +12,7 @@ class Paint(NamedTuple):
 
 
 YELLOW = Paint("yellow_paint", (0.80, 0.36, 0.02), 0.38)
+ORANGE = Paint("orange_paint", (0.62, 0.125, 0.010), 0.40)
 WHITE = Paint("white_paint", (0.72, 0.72, 0.70), 0.40)
 RED = Paint("red_paint", (0.50, 0.03, 0.02), 0.38)
 BLUE = Paint("blue_paint", (0.03, 0.10, 0.30), 0.40)
