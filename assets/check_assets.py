@@ -8,6 +8,7 @@ import sys
 
 import numpy as np
 
+import check_heavy
 import tb235_dimensions as dims
 from gltf_writer import read_glb
 from make_tb235 import excavator
@@ -25,6 +26,7 @@ NODES = {
     "tree": {"body", "shrub"},
     "container": {"body"},
     "fixed_arm": {"base", "link1", "link2", "link3"},
+    **check_heavy.NODES,
 }
 EXCAVATOR_BUDGET, SHOE_BUDGET = 25000, 60
 GRID_M = 1e-5            # vertices are written on this grid
@@ -171,7 +173,7 @@ def _age_faults(nodes):
 
 
 def main():
-    faults = _config_faults()
+    faults = _config_faults() + check_heavy.config_faults()
     for file, expected in NODES.items():
         nodes = read_glb(HERE / f"{file}.glb")
         if set(nodes) != expected:
@@ -184,6 +186,8 @@ def main():
             faults += _surface_faults(f"{file}/{node}", parts)
         if file == "tb235":
             faults += _fit_faults(nodes) + _age_faults(nodes)
+        elif file in check_heavy.NODES:
+            faults += check_heavy.faults_of(file, nodes)
     for fault in faults:
         print("fault:", fault, file=sys.stderr)
     return 1 if faults else 0

@@ -49,9 +49,10 @@ def blade():
     profile = smooth_path(BLADE_PROFILE, 4)
     # Mouldboard: worn face, painted back.
     face = ribbon(profile[::-1], 0.012)
-    face[:, 1] = np.maximum(face[:, 1], BLADE_PROFILE[0][1] + 0.01)
+    face[:, 1] = np.maximum(face[:, 1], BLADE_PROFILE[0][1])
     body.add(paint.WORN_STEEL, extrude(face, "y", -half, half))
     behind = ribbon((profile - np.array([0.012, 0.0]))[::-1], 0.022)
+    behind[:, 1] = np.maximum(behind[:, 1], BLADE_PROFILE[0][1])
     body.add(COLOR, extrude(behind, "y", -half, half))
     edge = [(0.428, -0.420), (0.400, -0.420), (0.255, -0.205), (0.283, -0.205)]
     body.add(paint.STEEL, extrude(edge, "y", -half, half))
@@ -60,7 +61,7 @@ def blade():
                             [(0.30, 0.690), (0.16, 0.42), (0.09, 0.10), (0.13, -0.18)]])
     body.add(COLOR, *both_sides(extrude(plate, "y", half - 0.002, half + 0.022)))
     for y in (half,):
-        bit = [(0.436, -0.425), (0.392, -0.425), (0.23, -0.18), (0.27, -0.18)]
+        bit = [(0.436, -0.420), (0.392, -0.420), (0.23, -0.18), (0.27, -0.18)]
         body.add(paint.STEEL, *both_sides(extrude(bit, "y", y - 0.28, y + 0.024)))
     # Ribs and beams on the back.
     for z, x, size in ((-0.16, 0.16, 0.16), (0.14, 0.12, 0.14), (0.44, 0.16, 0.14)):

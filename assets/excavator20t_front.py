@@ -21,8 +21,8 @@ SHAPES = {"boom": heavy_parts.Cylinder(0.120, 0.085, 0.055, 0.13),
 
 def _bosses(x, z, half_width, radius, pin_radius):
     """A pin across the machine with a collar at each end."""
-    return (pin(x, z, half_width, pin_radius, 18),
-            both_sides(pin(x, z, 0.014, radius, 18, half_width - 0.016)))
+    return (pin(x, z, half_width, pin_radius, 14),
+            both_sides(pin(x, z, 0.014, radius, 14, half_width - 0.016)))
 
 
 def _add_pin(body, x, z, half_width, radius, pin_radius, color):
@@ -44,7 +44,7 @@ def boom():
     body = Body()
     curve = _boom_curve()
     body.add(COLOR, beam(curve[:, :2], curve[:, 2], curve[:, 3], 0.025), crease_deg=30)
-    body.add(COLOR, pin(0, 0, 0.31, 0.19, 24))
+    body.add(COLOR, pin(0, 0, 0.31, 0.19, 18))
     body.add(COLOR, *cheeks([(4.95, 0.05), (5.52, -0.17), (5.80, -0.16), (5.90, 0.0), (5.80, 0.17),
                              (5.10, 0.40)], [0.05, 0.15, 0.16, 0.16, 0.16, 0.06], 0.205, 0.045))
     _add_pin(body, BOOM_LENGTH, 0, 0.27, 0.12, 0.06, COLOR)
@@ -55,7 +55,7 @@ def boom():
                              (2.82, 1.05)], [0, 0, 0.08, 0.10, 0.10, 0.05], 0.10, 0.06))
     _add_pin(body, ear_x, ear_z, 0.15, 0.09, 0.045, COLOR)
     _add_pin(body, rod[0], rod[1], 0.42, 0.10, 0.05, COLOR)
-    body.add(COLOR, pin(rod[0], rod[1], 0.25, 0.15, 22))
+    body.add(COLOR, pin(rod[0], rod[1], 0.25, 0.15, 16))
     # Work lamp on the left flank.
     body.add(paint.BLACK, box((2.05, 0.30, 0.92), (0.13, 0.13, 0.13), 0.02))
     body.add(paint.BLACK, bar((2.02, 0.20, 0.85), (2.02, 0.31, 0.87), 0.06, 0.04, (1, 0, 0)))
@@ -71,17 +71,17 @@ def _boom_lines(body, curve):
     top = curve[:, :2] + np.column_stack([-tangents[:, 1], tangents[:, 0]]) * (
         curve[:, 2:3] / 2 + 0.045)
     for y in (-0.16, -0.11, 0.11, 0.16):
-        line = [(p[0], y, p[1]) for p in top[3:]]
+        line = [(p[0], y, p[1]) for p in top[3::2]]
         body.add(paint.CHARCOAL, tube(line, 0.017, 6), crease_deg=75)
         start = top[3]
         hose = smooth_path([(-0.32, y, 0.10), (-0.10, y, 0.34), (0.12, y, 0.38),
                             (start[0], y, start[1])], 4)
-        body.add(paint.RUBBER, tube(hose, 0.024, 7), crease_deg=65)
+        body.add(paint.RUBBER, tube(hose, 0.024, 6), crease_deg=65)
     for y in (-0.13, 0.13):
         end = top[-1]
         hose = smooth_path([(end[0] - 0.05, y, end[1]), (5.60, y, 0.42), (5.86, y, 0.40),
                             (6.02, y * 0.9, 0.16)], 4)
-        body.add(paint.RUBBER, tube(hose, 0.024, 7), crease_deg=65)
+        body.add(paint.RUBBER, tube(hose, 0.024, 6), crease_deg=65)
     for k in (5, 8, 12, 15):
         body.add(paint.BLACK, box((top[k][0], 0, top[k][1] + 0.004), (0.06, 0.40, 0.05), 0.010))
 
@@ -93,7 +93,7 @@ def arm():
                       (2.62, 0.00, 0.29, 0.26), (ARM_LENGTH, 0.0, 0.25, 0.25)])
     curve = smooth_path(knots, 2)
     body.add(COLOR, beam(curve[:, :2], curve[:, 2], curve[:, 3], 0.022), crease_deg=30)
-    body.add(COLOR, pin(0, 0, 0.178, 0.18, 24), pin(ARM_LENGTH, 0, 0.165, 0.15, 24))
+    body.add(COLOR, pin(0, 0, 0.178, 0.18, 18), pin(ARM_LENGTH, 0, 0.165, 0.15, 18))
     boss = [(-0.40, -0.02), (0.00, -0.21), (0.30, -0.14), (0.50, 0.10), (0.20, 0.34), (-0.20, 0.34)]
     body.add(COLOR, *cheeks(boss, 0.12, 0.160, 0.025))
     rod = CYLINDERS["arm"][2]
@@ -111,7 +111,7 @@ def arm():
     for y in (-0.07, 0.07):
         line = smooth_path([(-0.10, y * 2.0, 0.46), (0.10, y * 2.2, 0.54), (0.34, y * 2.4, 0.70),
                             (0.50, y * 1.4, 0.66), (0.60, y, 0.58)], 4)
-        body.add(paint.RUBBER, tube(line, 0.020, 7), crease_deg=65)
+        body.add(paint.RUBBER, tube(line, 0.020, 6), crease_deg=65)
     return body
 
 

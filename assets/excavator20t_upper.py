@@ -6,7 +6,7 @@ import numpy as np
 
 import heavy_parts
 import paint
-from excavator20t_dimensions import BOOM_CYLINDER_Y, BOOM_PIN_U, CYLINDERS, TAIL_RADIUS
+from excavator20t_dimensions import BOOM_PIN_U, CYLINDERS, TAIL_RADIUS
 from heavy_parts import cheeks, grille, handrail
 from solids import (Body, bar, both_sides, box, cylinder, extrude, lathe, pin, round_corners,
                     rounded_rectangle, smooth_path, tube)
@@ -21,7 +21,7 @@ CAB = heavy_parts.Cab(front=[(1.42, 0.34), (1.40, 0.95), (1.12, 1.93)],
                       body=COLOR, frame=paint.CHARCOAL)
 
 
-def _tail(radius, half_width, front_x, steps=16, corner=0.0):
+def _tail(radius, half_width, front_x, steps=12, corner=0.0):
     """A plate in x-y with a round rear about the slew axis and a straight front."""
     reach = math.asin(half_width / radius)
     arc = [(radius * math.cos(a), radius * math.sin(a))
@@ -55,8 +55,8 @@ def _deck(body):
 
 def _counterweight(body):
     outline = _tail(TAIL_RADIUS, HALF_WIDTH, -1.98)
-    body.add(paint.CHARCOAL, extrude(outline, "z", 0.065, 0.46, 0.10, 3), crease_deg=50)
-    body.add(COLOR, extrude(_tail(TAIL_RADIUS, HALF_WIDTH, -1.99), "z", 0.44, 1.16, 0.09, 3),
+    body.add(paint.CHARCOAL, extrude(outline, "z", 0.065, 0.46, 0.10, 2), crease_deg=50)
+    body.add(COLOR, extrude(_tail(TAIL_RADIUS, HALF_WIDTH, -1.99), "z", 0.44, 1.16, 0.09, 2),
              crease_deg=50)
     for y in (-0.75, 0.75):
         angle = math.asin(y / TAIL_RADIUS)
@@ -126,7 +126,7 @@ def _middle(body):
     body.add(paint.CHARCOAL, box((-0.52, 0.0, 0.62), (0.36, 0.62, 0.60), 0.03))
     for y in (-0.2, -0.1, 0.0, 0.1, 0.2):
         hose = smooth_path([(-0.40, y, 0.75), (-0.22, y, 0.98), (0.00, y, 1.10), (0.18, y, 1.08)], 4)
-        body.add(paint.RUBBER, tube(hose, 0.024, 7), crease_deg=65)
+        body.add(paint.RUBBER, tube(hose, 0.024, 6), crease_deg=65)
 
 
 def _mirrors(body):

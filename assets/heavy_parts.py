@@ -66,6 +66,14 @@ def _wheel(x, z, y, radius, half_width, sides=20):
     return lathe(profile, (x, y, z), (0, 1, 0), sides)
 
 
+def _roller(x, z, y, radius, half_width):
+    """A roller of two flanges, of which the chain hides most."""
+    profile = [(0, -half_width), (radius, -half_width), (radius, -0.35 * half_width),
+               (0.75 * radius, -0.3 * half_width), (0.75 * radius, 0.3 * half_width),
+               (radius, 0.35 * half_width), (radius, half_width), (0, half_width)]
+    return lathe(profile, (x, y, z), (0, 1, 0), 12)
+
+
 def _sprocket(x, y, z, radius, teeth):
     angles = 2 * math.pi * np.arange(4 * teeth) / (4 * teeth)
     radii = np.where(np.arange(len(angles)) % 4 < 2, radius, radius - 0.05)
@@ -94,18 +102,18 @@ def track_side(track):
     outside = [(0, -0.20), (0.60 * chain, -0.20), (0.64 * chain, -0.18), (0.64 * chain, 0.02),
                (0.72 * chain, 0.04), (0.72 * chain, 0.07), (0.56 * chain, 0.09),
                (0.52 * chain, 0.19), (0.42 * chain, 0.215), (0, 0.215)]
-    body.add(track.frame, lathe(outside, (-reach, y, z), (0, 1, 0), 20))
-    for k in range(10):
-        angle = 2 * math.pi * k / 10
+    body.add(track.frame, lathe(outside, (-reach, y, z), (0, 1, 0), 18))
+    for k in range(8):
+        angle = 2 * math.pi * k / 8
         x, up = -reach + 0.64 * chain * math.cos(angle), z + 0.64 * chain * math.sin(angle)
         body.add(paint.STEEL, cylinder((x, y + 0.06, up), (x, y + 0.092, up), 0.017, 6))
     bottom = track.belt - 0.005
     for x in np.linspace(-reach + 0.42, reach - 0.42, track.rollers):
-        body.add(paint.STEEL, _wheel(x, bottom + 0.10, y, 0.10, 0.11, 14))
+        body.add(paint.STEEL, _roller(x, bottom + 0.10, y, 0.10, 0.11))
         body.add(track.frame, *(box((x, y + s * 0.135, low + 0.015), (0.15, 0.05, 0.10), 0.012)
                                 for s in (-1, 1)))
     for x in np.linspace(-0.30 * track.wheelbase, 0.26 * track.wheelbase, track.carriers):
-        body.add(paint.STEEL, _wheel(x, z + chain - 0.075, y, 0.072, 0.09, 12))
+        body.add(paint.STEEL, _roller(x, z + chain - 0.075, y, 0.072, 0.09))
         body.add(track.frame, box((x, y - 0.06, high + 0.03), (0.14, 0.12, 0.14), 0.015))
     return body
 
@@ -151,11 +159,11 @@ def barrel(shape, span, name, color):
     body = Body()
     length = cylinder_lengths(shape, span, name)
     radius = shape.bore / 2 + 0.012
-    body.add(color, pipe((0, -shape.eye, 0), (0, shape.eye, 0), radius * 1.08, 0.040, 18))
+    body.add(color, pipe((0, -shape.eye, 0), (0, shape.eye, 0), radius * 1.08, 0.040, 14))
     profile = [(0, 0.06), (radius * 0.8, 0.06), (radius + 0.006, 0.11), (radius + 0.006, 0.16),
                (radius, 0.17), (radius, length - 0.15), (radius + 0.014, length - 0.14),
                (radius + 0.014, length - 0.02), (radius * 0.8, length), (0, length)]
-    body.add(color, lathe(profile, (0, 0, 0), (1, 0, 0), 18))
+    body.add(color, lathe(profile, (0, 0, 0), (1, 0, 0), 14))
     for x in (0.22, length - 0.20):
         body.add(paint.STEEL, box((x, 0, radius + 0.012), (0.07, 0.06, 0.05), 0.008))
     line = smooth_path([(0.22, 0, radius + 0.03), (0.30, 0, radius + 0.052),
@@ -164,7 +172,7 @@ def barrel(shape, span, name, color):
     for x in (0.40, length - 0.40):
         body.add(paint.CHARCOAL, lathe([(radius + 0.004, -0.02), (radius + 0.004, 0.02),
                                         (radius - 0.01, 0.02), (radius - 0.01, -0.02)], (x, 0, 0),
-                                       (1, 0, 0), 18, closed=True))
+                                       (1, 0, 0), 14, closed=True))
     return body
 
 
@@ -172,10 +180,10 @@ def rod(shape, span, name, color):
     body = Body()
     length = cylinder_lengths(shape, span, name)
     radius = shape.rod / 2
-    body.add(color, pipe((0, -shape.eye, 0), (0, shape.eye, 0), shape.bore / 2 + 0.015, 0.040, 18))
+    body.add(color, pipe((0, -shape.eye, 0), (0, shape.eye, 0), shape.bore / 2 + 0.015, 0.040, 14))
     neck = [(0, -0.15), (radius * 1.1, -0.15), (radius * 1.3, -0.07), (0, -0.045)]
-    body.add(color, lathe(neck, (0, 0, 0), (1, 0, 0), 18))
-    body.add(paint.CHROME, cylinder((-length, 0, 0), (-0.14, 0, 0), radius, 20))
+    body.add(color, lathe(neck, (0, 0, 0), (1, 0, 0), 14))
+    body.add(paint.CHROME, cylinder((-length, 0, 0), (-0.14, 0, 0), radius, 14))
     return body
 
 
@@ -264,9 +272,10 @@ def _cab_inside(body, cab):
 def add_cab(body, cab):
     """Lower body, pillars, panes, roof, door handle, work lamps, seat."""
     floor, roof = cab.front[0][1], cab.front[-1][1]
-    side = [(x, z) for x, z in cab.front if z < cab.sill] + [(_on(cab.front, cab.sill), cab.sill),
-            (_on(cab.rear, cab.sill), cab.sill)] + [(x, z) for x, z in reversed(cab.rear)
-                                                    if z < cab.sill]
+    top = cab.sill - 0.03
+    side = [(x, z) for x, z in cab.front if z < top] + [(_on(cab.front, top), top),
+            (_on(cab.rear, top), top)] + [(x, z) for x, z in reversed(cab.rear)
+                                                    if z < top]
     thick = 0.05
     for y in (cab.right, cab.left - thick):
         body.add(cab.body, extrude(round_corners(side, 0.03, 2), "y", y, y + thick, 0.010))
@@ -292,7 +301,7 @@ def add_cab(body, cab):
 
 
 def handrail(points, radius=0.020):
-    return tube(smooth_path(points, 4), radius, 8)
+    return tube(smooth_path(points, 3), radius, 6)
 
 
 def grille(body, center, size, along, count, color=paint.BLACK):
