@@ -225,11 +225,9 @@ void ArticulatedBody::ApplyWrenches(const std::vector<Wrench>& link_wrench,
   }
 }
 
-void ArticulatedBody::DriveJoints(const std::vector<double>& rates_radps) {
-  for (std::size_t k = 0; k < rates_radps.size(); ++k) {
-    if (auto& drive = bullet_->drives[k]) {
-      drive->SetTarget(rates_radps[k], model_.joints[k].max_effort_nm);
-    }
+void ArticulatedBody::DriveJoints(const std::vector<JointTarget>& targets) {
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    if (auto& drive = bullet_->drives[k]) drive->SetTarget(targets[k]);
   }
 }
 
@@ -241,6 +239,7 @@ void ArticulatedBody::ReadState(double dt_s, MachineState* state) const {
     state->q_rad[k] = body.getJointPos(static_cast<int>(k));
     state->qd_radps[k] = body.getJointVel(static_cast<int>(k));
     state->effort_nm[k] = dt_s > 0 ? bullet_->drives[k]->Effort(dt_s) : 0.0;
+    state->friction_nm[k] = dt_s > 0 ? bullet_->drives[k]->Friction(dt_s) : 0.0;
   }
   BodyState& base = state->links[0];
   const Pose X_WP = MakePose(FromBullet(body.getBasePos()),

@@ -25,10 +25,10 @@ class ArticulatedBody {
   ~ArticulatedBody();
   ArticulatedBody(ArticulatedBody&&) noexcept;
 
-  /// For the next step: what the soil does, and the rate that each joint is driven to.
+  /// For the next step: what the soil does, and what drives each joint.
   void SetLoads(const std::vector<SoilReaction::Load>& shovel_load);
   void ApplyWrenches(const std::vector<Wrench>& link_wrench, const std::vector<BodyState>& links);
-  void DriveJoints(const std::vector<double>& rates_radps);
+  void DriveJoints(const std::vector<JointTarget>& targets);
 
   /// Joints and links after a step of `dt_s`; accelerations from the change of velocity against
   /// what `state` held before.

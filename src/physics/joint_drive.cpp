@@ -16,7 +16,11 @@ namespace {
 constexpr double kStopReach_steps = 4;
 constexpr double kStopReachMargin_rad = 2e-3;
 
-enum Row { kMotor, kLowerStop, kUpperStop, kRowCount };
+/// Slower than this a motor holds rather than moves, and one row stands for motor and friction:
+/// which of two equal rows bears a load would be left to the solver's rounding.
+constexpr double kHeld_radps = 1e-7;
+
+enum Row { kMotor, kFriction, kLowerStop, kUpperStop, kRowCount };
 
 }  // namespace
 
@@ -32,6 +36,7 @@ class JointDrive::Constraint : public btMultiBodyConstraint {
     allocateJacobiansMultiDof();
     const int dof = 6 + m_bodyA->getLink(m_linkA).m_dofOffset;
     jacobianA(kMotor)[dof] = 1;
+    jacobianA(kFriction)[dof] = 1;
     jacobianA(kLowerStop)[dof] = 1;
     jacobianA(kUpperStop)[dof] = -1;
     m_numDofsFinalized = m_jacSizeBoth;
@@ -46,12 +51,19 @@ class JointDrive::Constraint : public btMultiBodyConstraint {
     for (int row = 0; row < kRowCount; ++row) internalSetAppliedImpulse(row, 0);
     const double dt_s = info.m_timeStep;
     const double q = m_bodyA->getJointPos(m_linkA), qd = m_bodyA->getJointVel(m_linkA);
-    double target = target_rate;
-    if (has_stops) target = std::clamp(target, (lower - q) / dt_s, (upper - q) / dt_s);
-    if (max_effort > 0) {
-      const double impulse = max_effort * dt_s;
-      AddRow(kMotor, target, -impulse, impulse, rows, data, info);
+    double rate = target.rate_radps;
+    if (has_stops) rate = std::clamp(rate, (lower - q) / dt_s, (upper - q) / dt_s);
+    double up = target.max_positive_nm * dt_s, down = target.max_negative_nm * dt_s;
+    const double friction_up = target.friction.against_negative_nm * dt_s;
+    const double friction_down = target.friction.against_positive_nm * dt_s;
+    const bool motor = up > 0 || down > 0;
+    if (motor && std::abs(rate) < kHeld_radps) {
+      up += friction_up;
+      down += friction_down;
+    } else if (target.friction.any()) {
+      AddRow(kFriction, 0, -friction_down, friction_up, rows, data, info);
     }
+    if (motor) AddRow(kMotor, rate, -down, up, rows, data, info);
     if (!has_stops) return;
     const double reach = kStopReach_steps * std::abs(qd) * dt_s + kStopReachMargin_rad;
     const double unlimited = std::numeric_limits<double>::max();
@@ -65,7 +77,16 @@ class JointDrive::Constraint : public btMultiBodyConstraint {
 
   void debugDraw(btIDebugDraw*) override {}
 
-  double target_rate = 0, max_effort = 0;
+  /// Impulse of the motor's row that is the motor's own.
+  double MotorImpulse(double dt_s) {
+    return std::clamp(double{getAppliedImpulse(kMotor)}, -target.max_negative_nm * dt_s,
+                      target.max_positive_nm * dt_s);
+  }
+  double FrictionImpulse(double dt_s) {
+    return getAppliedImpulse(kFriction) + getAppliedImpulse(kMotor) - MotorImpulse(dt_s);
+  }
+
+  JointTarget target;
   bool has_stops = false;
   double lower = 0, upper = 0;
 
@@ -103,16 +124,15 @@ void JointDrive::SetStops(double lower, double upper) {
   constraint_->upper = upper;
 }
 
-void JointDrive::SetTarget(double rate, double max_effort) {
-  constraint_->target_rate = rate;
-  constraint_->max_effort = max_effort;
-}
+void JointDrive::SetTarget(const JointTarget& target) { constraint_->target = target; }
 
 double JointDrive::Effort(double dt_s) const {
   Constraint& c = *constraint_;
-  return (c.getAppliedImpulse(kMotor) + c.getAppliedImpulse(kLowerStop) -
+  return (c.MotorImpulse(dt_s) + c.getAppliedImpulse(kLowerStop) -
           c.getAppliedImpulse(kUpperStop)) /
          dt_s;
 }
+
+double JointDrive::Friction(double dt_s) const { return constraint_->FrictionImpulse(dt_s) / dt_s; }
 
 }  // namespace tera

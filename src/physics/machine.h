@@ -46,15 +46,6 @@ struct Link {
 
 enum class JointType { kFixed, kRevolute, kContinuous, kPrismatic };
 
-/// Transient of a joint rate after a step of its command, the paper's eq. (1):
-/// w(t) = w_ss (1 + sin(eta t + phi) e^(-beta t)).
-struct RateTransient {
-  double eta_radps = 20.0;
-  double beta_1ps = 6.0;
-  double phi_rad = 0.0;
-  bool enabled = false;
-};
-
 /// Joint between two links. Angle q > 0 turns the child about `axis_J` by the right-hand rule.
 ///
 /// Frames  P parent link, J joint frame (X_PJ at q = 0 is where the child's frame stands), B child.
@@ -69,7 +60,6 @@ struct Joint {
   double max_rate_negative_radps = 0;   ///< magnitude at full negative lever
   double max_effort_nm = 0;             ///< newtons for prismatic joints
   double initial_rad = 0;
-  RateTransient transient;
   /// Oil that the joint's actuator takes for one radian (or metre) at mid-travel; 0 where unknown.
   double displacement_m3prad = 0;
 };
@@ -93,7 +83,6 @@ struct GearDrive {
   double max_torque_nm = 0;
   double inertia_kgm2 = 0;         ///< of everything that turns with it, at the sprocket
   double displacement_m3prad = 0;  ///< oil for one radian of the sprocket; 0 where unknown
-  RateTransient transient;
 };
 
 /// One input of the machine, -1..+1: either a joint or a running gear.
@@ -143,8 +132,8 @@ struct NamedFrame {
 /// Model   a tree of rigid links and joints with one degree of freedom or none; running gear with
 /// one
 ///         rotating inertia each; levers that ask for rates.
-/// Omits   closed chains (cylinders are shown, not simulated), flexibility, hydraulics: pump and
-///         valves are the rate limits and transients of the joints.
+/// Omits   closed chains (cylinders are shown, not simulated), flexibility. What moves
+///         joints and gears beside their limits is in `effects`.
 struct MachineModel {
   std::string kind;  ///< e.g. "tb235"
   bool fixed_base = false;
@@ -183,7 +172,8 @@ std::vector<Pose> ForwardKinematics(const MachineModel& model, const Pose& X_WB,
 struct MachineState {
   std::vector<BodyState> links;
   std::vector<double> q_rad, qd_radps, effort_nm;  ///< one for each joint
-  std::vector<double> gear_angle_rad, gear_rate_radps, gear_torque_nm;
+  std::vector<double> friction_nm;                 ///< of each joint, beside its effort
+  std::vector<double> gear_angle_rad, gear_rate_radps, gear_torque_nm, gear_friction_nm;
   std::vector<double> levers;  ///< as applied, one for each lever
   std::vector<SoilReaction::Load> shovel_load;
   std::vector<double> gear_sinkage_m, gear_slip;

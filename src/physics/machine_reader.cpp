@@ -127,17 +127,6 @@ SemanticClass ReadLabel(const ConfigMap& config, SemanticClass otherwise) {
   return otherwise;
 }
 
-std::optional<RateTransient> ReadTransient(const ConfigMap& config) {
-  const auto map = config.OptionalMap("transient");
-  if (!map) return std::nullopt;
-  const RateTransient defaults;
-  return RateTransient{
-      .eta_radps = map->Number("eta_radps", AtLeast(0, "rad/s"), defaults.eta_radps),
-      .beta_1ps = map->Number("beta_1ps", Positive("1/s"), defaults.beta_1ps),
-      .phi_rad = map->Number("phi_rad", Any("rad"), defaults.phi_rad),
-      .enabled = true};
-}
-
 void ReadJointActuation(const ConfigMap& config, Joint* joint) {
   if (joint->type == JointType::kFixed) return;
   const bool linear = joint->type == JointType::kPrismatic;
@@ -156,7 +145,6 @@ void ReadJointActuation(const ConfigMap& config, Joint* joint) {
   const std::string start_key = linear ? "initial_m" : "initial_deg";
   joint->initial_rad =
       config.Number(start_key, Any(linear ? "m" : "deg"), joint->initial_rad / unit) * unit;
-  if (const auto transient = ReadTransient(config)) joint->transient = *transient;
   CheckInitial(config, *joint);
 }
 
@@ -208,6 +196,7 @@ MachineModel ReadMachine(const ConfigMap& config) {
   ReadRunningGear(config, &model);
   ReadEquipment(config, &model);
   ReadLevers(config, parts.driven, &model);
+  config.Has("effects");  // read with those of the scenario
   return model;
 }
 

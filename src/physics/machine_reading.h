@@ -15,13 +15,12 @@ namespace tera {
 MachineParts ReadParts(const ConfigMap& config);
 
 /// Links and joints of the URDF that `urdf:` names, with the optional TERA keys of `links:` (label)
-/// and `joints:` (rates, effort, start, transient) laid over them.
+/// and `joints:` (rates, effort, start) laid over them.
 MachineParts ReadUrdfParts(const ConfigMap& config);
 
 /// Keys of a joint that both forms share; what is absent stays as it is in `joint`.
 void ReadJointActuation(const ConfigMap& config, Joint* joint);
 SemanticClass ReadLabel(const ConfigMap& config, SemanticClass otherwise);
-std::optional<RateTransient> ReadTransient(const ConfigMap& config);
 /// `mesh:`, `node:`, `scale:` of a visual; no pose.
 Visual ReadMesh(const ConfigMap& config);
 /// The link that `key` names, or 0 after a fault.

@@ -13,11 +13,13 @@
 #include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/check.h"
 #include "physics/articulated_body.h"
 #include "physics/bullet_types.h"
-#include "physics/rate_response.h"
+#include "physics/payload.h"
+#include "physics/slots/actuation.h"
 
 namespace tera {
 namespace {
@@ -131,9 +133,11 @@ MachineState InitialState(const MachinePlacement& placement) {
   state.q_rad = placement.q_rad;
   state.qd_radps.assign(model.joints.size(), 0.0);
   state.effort_nm.assign(model.joints.size(), 0.0);
+  state.friction_nm.assign(model.joints.size(), 0.0);
   state.gear_angle_rad.assign(gears, 0.0);
   state.gear_rate_radps.assign(gears, 0.0);
   state.gear_torque_nm.assign(gears, 0.0);
+  state.gear_friction_nm.assign(gears, 0.0);
   state.gear_sinkage_m.assign(gears, 0.0);
   state.gear_slip.assign(gears, 0.0);
   state.levers.assign(model.levers.size(), 0.0);
@@ -141,66 +145,127 @@ MachineState InitialState(const MachinePlacement& placement) {
   return state;
 }
 
+MachineModel WithPayloads(MachineModel model) {
+  AddPayloads(&model);
+  return model;
+}
+
+/// Torques of a running gear's motor and of its friction over a step.
+struct GearTorques {
+  double motor_nm = 0, friction_nm = 0;
+};
+
+/// Motor and friction of one inertia.
+///
+/// Model   The rate at the end of the step, v = v0 + (motor + friction - load) dt / I, is the
+///         target as far as the motor's torque allows, and friction opposes v, or holds v = 0, as
+///         far as its own allows. The sum of both falls with v in two steps, at 0 and at the
+///         target, so that there is one solution.
+GearTorques Drive(const GearDrive& drive, const AxisDrive& target, double rate_radps,
+                  double load_nm, double dt_s) {
+  const double inertia_kgm2 = drive.inertia_kgm2, most_nm = drive.max_torque_nm;
+  const auto motor_nm = [&](double friction_nm) {
+    const double needed_nm =
+        inertia_kgm2 * (target.rate_radps - rate_radps) / dt_s + (load_nm - friction_nm);
+    return std::clamp(needed_nm, -most_nm, most_nm);
+  };
+  if (!target.friction.any()) return {motor_nm(0), 0};
+  const auto end_radps = [&](double friction_nm) {
+    return rate_radps + (motor_nm(friction_nm) - (load_nm - friction_nm)) * dt_s / inertia_kgm2;
+  };
+  const double up = target.friction.against_negative_nm;
+  const double down = -target.friction.against_positive_nm;
+  if (end_radps(up) < 0) return {motor_nm(up), up};
+  if (end_radps(down) > 0) return {motor_nm(down), down};
+  const double held_nm = load_nm - inertia_kgm2 * rate_radps / dt_s;
+  const double motor =
+      target.rate_radps == 0 ? motor_nm(0) : std::copysign(most_nm, target.rate_radps);
+  return {motor, held_nm - motor};
+}
+
 /// A machine's levers, drives and running gear around its articulated body.
 struct MachineDynamics {
-  MachineDynamics(const MachinePlacement& placement, btMultiBodyDynamicsWorld* world)
-      : model(placement.model), body(model, placement.X_WB, placement.q_rad, world) {
-    for (const Joint& joint : model.joints) joint_response.emplace_back(joint.transient);
-    for (const GearDrive& drive : model.gear_drives) gear_response.emplace_back(drive.transient);
-  }
+  MachineDynamics(const MachinePlacement& placement, const WorldStart& start,
+                  btMultiBodyDynamicsWorld* world)
+      : model(WithPayloads(placement.model)),
+        body(model, placement.X_WB, placement.q_rad, world),
+        actuation(model, {placement.name, start.seed, start.step}) {}
 
-  /// Rates asked of joints and gears by the levers of `state`, before their transients.
+  /// The lever of each axis, joints first, then gears.
   void Command(const std::vector<double>& levers, MachineState* state);
+  /// The chain from levers to drives, from where the axes are.
+  void Actuate(const SoilReaction& soil, double dt_s, const MachineState& state);
+  void DriveJoints();
   void TurnGears(const SoilReaction& soil, double dt_s, MachineState* state);
   void Act(const MachineInput& input, double dt_s, MachineState* state);
 
+  double GearLoad_nm(const SoilReaction& soil, std::size_t gear) const {
+    return gear < soil.gear_traction_n.size()
+               ? soil.gear_traction_n[gear] * model.ground_tools.gears[gear].drive_radius_m
+               : 0.0;
+  }
+
   MachineModel model;
   ArticulatedBody body;
-  std::vector<RateResponse> joint_response, gear_response;
-  std::vector<double> joint_command_radps, gear_command_radps;
+  Actuation actuation;
+  std::vector<double> axis_lever;
+  std::vector<AxisMotion> axis_motion;
+  std::vector<JointTarget> joint_target;
 };
 
 void MachineDynamics::Command(const std::vector<double>& levers, MachineState* state) {
   TERA_CHECK(levers.size() == model.levers.size(), levers.size(), model.levers.size());
-  joint_command_radps.assign(model.joints.size(), 0.0);
-  gear_command_radps.assign(model.gear_drives.size(), 0.0);
+  axis_lever.assign(model.joints.size() + model.gear_drives.size(), 0.0);
   for (std::size_t i = 0; i < levers.size(); ++i) {
     const Lever& lever = model.levers[i];
     const double u = std::clamp(levers[i], -1.0, 1.0);
     state->levers[i] = u;
-    if (lever.joint >= 0) {
-      const Joint& joint = model.joints[lever.joint];
-      joint_command_radps[lever.joint] =
-          u * (u > 0 ? joint.max_rate_positive_radps : joint.max_rate_negative_radps);
-    }
-    if (lever.gear >= 0) {
-      gear_command_radps[lever.gear] = u * model.gear_drives[lever.gear].max_rate_radps;
-    }
+    if (lever.joint >= 0) axis_lever[lever.joint] = u;
+    if (lever.gear >= 0) axis_lever[model.joints.size() + lever.gear] = u;
   }
+}
+
+void MachineDynamics::Actuate(const SoilReaction& soil, double dt_s, const MachineState& state) {
+  axis_motion.resize(axis_lever.size());
+  for (std::size_t j = 0; j < model.joints.size(); ++j) {
+    axis_motion[j] = {state.q_rad[j], state.qd_radps[j], state.effort_nm[j] + state.friction_nm[j]};
+  }
+  for (std::size_t g = 0; g < model.gear_drives.size(); ++g) {
+    axis_motion[model.joints.size() + g] = {state.gear_angle_rad[g], state.gear_rate_radps[g],
+                                            GearLoad_nm(soil, g)};
+  }
+  actuation.Step(axis_lever, axis_motion, dt_s);
+}
+
+void MachineDynamics::DriveJoints() {
+  joint_target.resize(model.joints.size());
+  for (std::size_t j = 0; j < model.joints.size(); ++j) {
+    const double effort_nm = model.joints[j].max_effort_nm;
+    const AxisDrive& drive = actuation.drives()[j];
+    joint_target[j] = {drive.rate_radps, effort_nm, effort_nm, drive.friction};
+  }
+  body.DriveJoints(joint_target);
 }
 
 void MachineDynamics::TurnGears(const SoilReaction& soil, double dt_s, MachineState* state) {
   for (std::size_t g = 0; g < model.gear_drives.size(); ++g) {
     const GearDrive& drive = model.gear_drives[g];
-    const double target = gear_response[g].Advance(gear_command_radps[g], dt_s);
-    const double traction_n = g < soil.gear_traction_n.size() ? soil.gear_traction_n[g] : 0.0;
-    const double load_nm = traction_n * model.ground_tools.gears[g].drive_radius_m;
     double& rate = state->gear_rate_radps[g];
-    const double needed_nm = drive.inertia_kgm2 * (target - rate) / dt_s + load_nm;
-    const double torque_nm = std::clamp(needed_nm, -drive.max_torque_nm, drive.max_torque_nm);
-    rate += (torque_nm - load_nm) * dt_s / drive.inertia_kgm2;
+    const double load_nm = GearLoad_nm(soil, g);
+    const AxisDrive& target = actuation.drives()[model.joints.size() + g];
+    const GearTorques torques = Drive(drive, target, rate, load_nm, dt_s);
+    rate += (torques.motor_nm - (load_nm - torques.friction_nm)) * dt_s / drive.inertia_kgm2;
     state->gear_angle_rad[g] += rate * dt_s;
-    state->gear_torque_nm[g] = torque_nm;
+    state->gear_torque_nm[g] = torques.motor_nm;
+    state->gear_friction_nm[g] = torques.friction_nm;
   }
 }
 
 void MachineDynamics::Act(const MachineInput& input, double dt_s, MachineState* state) {
   Command(input.levers, state);
+  Actuate(input.soil, dt_s, *state);
   TurnGears(input.soil, dt_s, state);
-  for (std::size_t k = 0; k < joint_response.size(); ++k) {
-    joint_command_radps[k] = joint_response[k].Advance(joint_command_radps[k], dt_s);
-  }
-  body.DriveJoints(joint_command_radps);
+  DriveJoints();
   body.SetLoads(input.soil.shovel_load);
   body.ApplyWrenches(input.soil.link_wrench, state->links);
   if (!input.soil.shovel_load.empty()) state->shovel_load = input.soil.shovel_load;
@@ -234,14 +299,15 @@ struct PhysicsWorld::Impl {
 };
 
 PhysicsWorld::PhysicsWorld(const std::vector<MachinePlacement>& machines,
-                           const std::vector<ObstacleBody>& obstacles, double gravity_mps2)
+                           const std::vector<ObstacleBody>& obstacles, double gravity_mps2,
+                           const WorldStart& start)
     : impl_(std::make_unique<Impl>(gravity_mps2)) {
   for (const ObstacleBody& obstacle : obstacles) {
     impl_->obstacles.push_back(std::make_unique<KinematicObstacle>(obstacle, &impl_->world));
   }
   for (const MachinePlacement& placement : machines) {
     impl_->states.push_back(InitialState(placement));
-    impl_->machines.push_back(std::make_unique<MachineDynamics>(placement, &impl_->world));
+    impl_->machines.push_back(std::make_unique<MachineDynamics>(placement, start, &impl_->world));
     impl_->machines.back()->body.ReadState(0.0, &impl_->states.back());
   }
 }

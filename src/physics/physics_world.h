@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,21 +33,27 @@ struct MachineInput {
   SoilReaction soil;
 };
 
+/// The seed of everything random in the motion, and the time of the first step, in steps.
+struct WorldStart {
+  std::uint64_t seed = 1;
+  std::int64_t step = 0;
+};
+
 /// Multibody dynamics of all machines (Bullet btMultiBody, Featherstone), with obstacles.
 ///
 /// Frames  W, link frames B as in MachineModel.
-/// Model   levers -> target rates -> velocity motors limited in effort, with RateTransient; running
-///         gears turn against the soil's traction, I dw/dt = torque - traction * radius; the soil's
+/// Model   levers -> Actuation -> velocity motors limited in effort, with friction; running gears
+///         turn against the soil's traction, I dw/dt = torque - traction * radius; the soil's
 ///         wrenches act on the links; carried soil adds its mass to the tool's link. Velocities
 ///         are those at the end of a step and poses follow them (semi-implicit), so that soil
 ///         forces given for the present pose act stably. Boxes of different machines, and of
 ///         machines and obstacles, collide without bouncing.
-/// Omits   hydraulics, joint friction, backlash, structural flex, the reaction of a gear's inertia
-///         on its link, collision within one machine.
+/// Omits   the reaction of a gear's inertia on its link, collision within one machine.
 class PhysicsWorld {
  public:
   PhysicsWorld(const std::vector<MachinePlacement>& machines,
-               const std::vector<ObstacleBody>& obstacles, double gravity_mps2);
+               const std::vector<ObstacleBody>& obstacles, double gravity_mps2,
+               const WorldStart& start = {});
   ~PhysicsWorld();
 
   /// Advances by `dt_s`. `inputs` one for each machine, `obstacles` where the obstacles are at the

@@ -18,7 +18,8 @@ Simulation::Simulation(Scenario* scenario)
     state_.obstacles.push_back(ObstacleAt(obstacle, 0, ground()));
     obstacles.push_back({obstacle.name, obstacle.collision, state_.obstacles.back()});
   }
-  physics_ = std::make_unique<PhysicsWorld>(placements, obstacles, kStandardGravity_mps2);
+  physics_ = std::make_unique<PhysicsWorld>(placements, obstacles, kStandardGravity_mps2,
+                                            WorldStart{scenario->seed, step_});
   Capture();
   while (step_ < 0) Step();
 }

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "physics/machine_fixture.h"
-#include "physics/rate_response.h"
 
 namespace tera {
 namespace {
@@ -102,8 +101,8 @@ TEST(Actuation, TheStepResponseIsThePapersLaw) {
                           {1.00, 1.0022629650}};
   const double w_ss = 0.6 * 30 * kDeg;
   MachineModel model =
-      MachineFromText(kLiftArm, {"joints.lift.transient={eta_radps: 20, beta_1ps: 6, phi_rad: 0}",
-                                 "joints.lift.max_effort_nm=100000"});
+      WithEffects(MachineFromText(kLiftArm, {"joints.lift.max_effort_nm=100000"}),
+                  "lift: {actuator_ring: {eta_radps: 20, beta_1ps: 6, phi_rad: 0}}");
   MachineRun run(model, MakePose(Vec3(1, 2, 0), 0, 0, 1));
   run.input.levers = {0.6};
   int step = 0;
@@ -111,18 +110,6 @@ TEST(Actuation, TheStepResponseIsThePapersLaw) {
     for (; step < std::lround(point.t_s / kStep_s); ++step) run.Step();
     EXPECT_NEAR(run.state().qd_radps[0], w_ss * point.ratio, 1e-6 * w_ss) << point.t_s;
   }
-}
-
-TEST(Actuation, StepsOfALeverSuperposeAndEndAtRest) {
-  const RateTransient transient{.eta_radps = 20, .beta_1ps = 6, .phi_rad = 0.3, .enabled = true};
-  RateResponse twice(transient), first(transient), second(transient);
-  for (int i = 0; i < 2000; ++i) {
-    const double a = i < 700 ? 0.4 : 0.0, b = i >= 150 && i < 400 ? -0.7 : 0.0;
-    const double sum = first.Advance(a, kStep_s) + second.Advance(b, kStep_s);
-    EXPECT_NEAR(twice.Advance(a + b, kStep_s), sum, 1e-12);
-  }
-  // 2.6 s after the last step the ringing has decayed to e^(-15.6).
-  EXPECT_NEAR(twice.Advance(0, kStep_s), 0, 1e-6);
 }
 
 TEST(Actuation, AJointStopsAtItsLimitAndStaysThere) {

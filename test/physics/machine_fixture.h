@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/units.h"
+#include "physics/actuation_mechanisms.h"
 #include "physics/physics_world.h"
 
 /// Small machines for the physics tests, and a world that steps one of them.
@@ -28,6 +29,27 @@ inline MachineModel ShippedMachine(const std::string& name,
   const Config config =
       Config::FromFile(DataRoot() / "config/machines" / (name + ".yaml"), overrides);
   MachineModel model = ReadMachine(config.root());
+  config.Finish();
+  return model;
+}
+
+/// `model` with the effects of `yaml`, a mapping of its joints, gears and pumps.
+inline MachineModel WithEffects(MachineModel model, const std::string& yaml) {
+  const Config config = Config::FromText(yaml, "effects.yaml");
+  const auto read = [&](const std::string& name, EffectTarget target) {
+    const auto map = config.root().OptionalMap(name);
+    return map ? ReadEffects(*map, target, ActuationMechanisms()) : Effects{};
+  };
+  model.effects = {};
+  for (const Joint& joint : model.joints) {
+    model.effects.joints.push_back(read(joint.name, EffectTarget::kJoint));
+  }
+  for (const RunningGear& gear : model.ground_tools.gears) {
+    model.effects.gears.push_back(read(gear.name, EffectTarget::kGear));
+  }
+  for (const Pump& pump : model.pumps) {
+    model.effects.pumps.push_back(read(pump.name, EffectTarget::kPump));
+  }
   config.Finish();
   return model;
 }

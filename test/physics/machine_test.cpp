@@ -83,7 +83,6 @@ TEST(Machine, EveryKeyOfAJointIsRead) {
   const Joint joint = base.joints[0];
   EXPECT_DOUBLE_EQ(joint.max_rate_positive_radps, 30 * kDeg);
   EXPECT_DOUBLE_EQ(joint.max_rate_negative_radps, 20 * kDeg);
-  EXPECT_FALSE(joint.transient.enabled);
   EXPECT_DOUBLE_EQ(with("joints.lift.max_rate_degps=12").max_rate_negative_radps, 12 * kDeg);
   EXPECT_DOUBLE_EQ(with("joints.lift.max_effort_nm=7").max_effort_nm, 7);
   EXPECT_DOUBLE_EQ(with("joints.lift.initial_deg=-9").initial_rad, -9 * kDeg);
@@ -91,11 +90,6 @@ TEST(Machine, EveryKeyOfAJointIsRead) {
   EXPECT_DOUBLE_EQ(with("joints.lift.limits_deg=[10, 20]").initial_rad, 10 * kDeg);
   EXPECT_TRUE(with("joints.lift.axis=[0, 0, 2]").axis_J.isApprox(Vec3::UnitZ()));
   EXPECT_TRUE(with("joints.lift.rpy_deg=[0, 0, 90]").X_PJ.linear().col(0).isApprox(Vec3::UnitY()));
-  const Joint ringing = with("joints.lift.transient={eta_radps: 3, beta_1ps: 2, phi_rad: 0.5}");
-  EXPECT_TRUE(ringing.transient.enabled);
-  EXPECT_DOUBLE_EQ(ringing.transient.eta_radps, 3);
-  EXPECT_DOUBLE_EQ(ringing.transient.beta_1ps, 2);
-  EXPECT_DOUBLE_EQ(ringing.transient.phi_rad, 0.5);
 }
 
 TEST(Machine, EveryKeyOfALinkIsRead) {
@@ -158,7 +152,6 @@ wheels:
   EXPECT_EQ(drive("tracks.left.max_speed_mps=4", 0).max_rate_radps, 20);
   EXPECT_EQ(drive("tracks.left.max_torque_nm=9", 0).max_torque_nm, 9);
   EXPECT_EQ(drive("wheels.right.inertia_kgm2=9", 1).inertia_kgm2, 9);
-  EXPECT_TRUE(drive("wheels.right.transient={beta_1ps: 9}", 1).transient.enabled);
   EXPECT_EQ(with("levers=[right]").levers.at(0).gear, 1);
   EXPECT_EQ(with("tracks.left.shoe={mesh: 'tera:assets/tb235.glb', node: shoe, count: 7}")
                 .track_visuals.at(0)

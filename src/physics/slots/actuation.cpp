@@ -1,0 +1,130 @@
+#include "physics/slots/actuation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+
+namespace tera {
+namespace {
+
+AxisParameters AxisOf(const Effects& effects, double max_effort_nm) {
+  AxisParameters axis;
+  axis.timing = CommandTimingOf(effects);
+  axis.map = LeverMapOf(effects);
+  axis.actuator = ActuatorOf(effects);
+  axis.gain = KinematicGainOf(effects);
+  axis.load = LoadFrictionOf(effects, max_effort_nm);
+  return axis;
+}
+
+AxisParameters AxisOf(const Joint& joint, const Effects& effects) {
+  AxisParameters axis = AxisOf(effects, joint.max_effort_nm);
+  axis.max_rate_positive_radps = joint.max_rate_positive_radps;
+  axis.max_rate_negative_radps = joint.max_rate_negative_radps;
+  axis.displacement_m3prad = joint.displacement_m3prad;
+  axis.actuator.lower_rad = joint.lower_rad;
+  axis.actuator.upper_rad = joint.upper_rad;
+  if (joint.type == JointType::kContinuous) axis.actuator.cushion_rad = 0;
+  axis.actuator.max_rate_positive_radps = joint.max_rate_positive_radps;
+  axis.actuator.max_rate_negative_radps = joint.max_rate_negative_radps;
+  return axis;
+}
+
+AxisParameters AxisOf(const GearDrive& drive, const Effects& effects) {
+  AxisParameters axis = AxisOf(effects, drive.max_torque_nm);
+  axis.max_rate_positive_radps = axis.max_rate_negative_radps = drive.max_rate_radps;
+  axis.displacement_m3prad = drive.displacement_m3prad;
+  return axis;
+}
+
+/// Of the k-th of several; none where a model without effects has no lists.
+const Effects& EffectsAt(const std::vector<Effects>& effects, std::size_t k) {
+  static const Effects kIdeal;
+  return k < effects.size() ? effects[k] : kIdeal;
+}
+
+}  // namespace
+
+AxisActuation::AxisActuation(const AxisParameters& parameters, const Stream& drops,
+                             std::int64_t first_step)
+    : parameters_(parameters),
+      timing_(parameters.timing, drops, first_step),
+      actuator_(parameters.actuator),
+      gain_(parameters.gain),
+      load_(parameters.load) {}
+
+double AxisActuation::Demand(double lever, double dt_s) {
+  const double y = MapLever(parameters_.map, timing_.Step(lever, dt_s));
+  return y * (y > 0 ? parameters_.max_rate_positive_radps : parameters_.max_rate_negative_radps);
+}
+
+AxisDrive AxisActuation::Deliver(double rate_radps, const AxisMotion& motion, double dt_s) {
+  const double actuator_radps = actuator_.Step(rate_radps, motion.position_rad, dt_s);
+  const double joint_radps = gain_.Step(actuator_radps, motion.position_rad, dt_s);
+  return {load_.Step(joint_radps, motion.load_nm, dt_s), load_.Friction(motion.rate_radps)};
+}
+
+Actuation::Actuation(const MachineModel& model, const ActuationStart& start) {
+  const auto add = [&](const std::string& name, const AxisParameters& parameters) {
+    const Stream drops(start.seed, start.machine + "/" + name + "/command_drops");
+    axes_.emplace_back(parameters, drops, start.step);
+  };
+  for (std::size_t j = 0; j < model.joints.size(); ++j) {
+    add(model.joints[j].name, AxisOf(model.joints[j], EffectsAt(model.effects.joints, j)));
+  }
+  for (std::size_t g = 0; g < model.gear_drives.size(); ++g) {
+    add(model.ground_tools.gears[g].name,
+        AxisOf(model.gear_drives[g], EffectsAt(model.effects.gears, g)));
+  }
+  demand_radps_.assign(axes_.size(), 0.0);
+  drives_.resize(axes_.size());
+  AddPumps(model);
+}
+
+void Actuation::AddPumps(const MachineModel& model) {
+  pump_count_.assign(axes_.size(), 0);
+  for (std::size_t p = 0; p < model.pumps.size(); ++p) {
+    const Pump& pump = model.pumps[p];
+    const Effects& effects = EffectsAt(model.effects.pumps, p);
+    PumpState state{PumpFlow(PumpFlowOf(effects, pump.max_flow_m3ps)), {}};
+    for (const int joint : pump.joints) state.axes.push_back(static_cast<std::size_t>(joint));
+    for (const int gear : pump.gears) state.axes.push_back(model.joints.size() + gear);
+    for (const std::size_t axis : state.axes) ++pump_count_[axis];
+    pumps_.push_back(std::move(state));
+  }
+}
+
+void Actuation::ShareFlow(std::span<const AxisMotion> motions, double dt_s) {
+  for (PumpState& pump : pumps_) {
+    double flow_m3ps = 0, power_w = 0;
+    for (const std::size_t k : pump.axes) {
+      const double part = demand_radps_[k] / pump_count_[k];
+      flow_m3ps += axes_[k].parameters().displacement_m3prad * std::abs(part);
+      power_w += std::max(0.0, motions[k].load_nm * part);
+    }
+    pump.share = pump.flow.Step(flow_m3ps, power_w, dt_s);
+  }
+}
+
+void Actuation::Step(std::span<const double> levers, std::span<const AxisMotion> motions,
+                     double dt_s) {
+  TERA_CHECK(levers.size() == axes_.size() && motions.size() == axes_.size(), levers.size(),
+             motions.size(), axes_.size());
+  for (std::size_t k = 0; k < axes_.size(); ++k) {
+    demand_radps_[k] = axes_[k].Demand(levers[k], dt_s);
+  }
+  ShareFlow(motions, dt_s);
+  for (std::size_t k = 0; k < axes_.size(); ++k) drives_[k].rate_radps = demand_radps_[k];
+  for (const PumpState& pump : pumps_) {
+    if (pump.share >= 1) continue;
+    for (const std::size_t k : pump.axes) {
+      drives_[k].rate_radps -= (1 - pump.share) * demand_radps_[k] / pump_count_[k];
+    }
+  }
+  for (std::size_t k = 0; k < axes_.size(); ++k) {
+    drives_[k] = axes_[k].Deliver(drives_[k].rate_radps, motions[k], dt_s);
+  }
+}
+
+}  // namespace tera

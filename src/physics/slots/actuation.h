@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "physics/machine.h"
+#include "physics/slots/actuator_dynamics.h"
+#include "physics/slots/command_timing.h"
+#include "physics/slots/kinematic_gain.h"
+#include "physics/slots/lever_map.h"
+#include "physics/slots/load_friction.h"
+#include "physics/slots/pump_flow.h"
+
+/// The chain from levers to joints and gears: command_timing -> lever_map -> flow -> actuator ->
+/// kinematic_gain -> load_friction. docs/mechanisms.md describes each mechanism.
+
+namespace tera {
+
+/// One joint or gear with what each of its slots has. Its units are radians and newton metres, or
+/// metres and newtons for a joint that slides.
+struct AxisParameters {
+  double max_rate_positive_radps = 0, max_rate_negative_radps = 0;
+  double displacement_m3prad = 0;
+  CommandTimingParameters timing;
+  LeverMapParameters map;
+  ActuatorParameters actuator;
+  KinematicGainParameters gain;
+  LoadFrictionParameters load;
+};
+
+/// Where an axis is at the start of a step, simulated or measured. The load is the effort that it
+/// needs beside that against its own friction.
+struct AxisMotion {
+  double position_rad = 0, rate_radps = 0, load_nm = 0;
+};
+
+/// What the chain asks of an axis over a step.
+struct AxisDrive {
+  double rate_radps = 0;
+  FrictionBounds friction;
+};
+
+/// The chain of one axis in two parts, between which pumps share their flow.
+class AxisActuation {
+ public:
+  AxisActuation(const AxisParameters& parameters, const Stream& drops, std::int64_t first_step);
+
+  /// Rate asked for by `lever`, -1..+1, during a step.
+  double Demand(double lever, double dt_s);
+  /// What comes of `rate_radps`, the share of the demand that the pumps deliver.
+  AxisDrive Deliver(double rate_radps, const AxisMotion& motion, double dt_s);
+
+  const AxisParameters& parameters() const { return parameters_; }
+
+ private:
+  AxisParameters parameters_;
+  CommandTiming timing_;
+  ActuatorDynamics actuator_;
+  KinematicGain gain_;
+  LoadFriction load_;
+};
+
+/// What tells apart the random numbers of machines and runs, and when the chain starts.
+struct ActuationStart {
+  std::string machine;  ///< names the streams
+  std::uint64_t seed = 1;
+  std::int64_t step = 0;  ///< time is this many steps at the first one
+};
+
+/// The chain of a whole machine: joints first, then gears, each in the model's order.
+///
+/// Model   Every pump delivers one share to all that it feeds; an axis fed by several pumps asks
+///         each for the same part. Everything follows from the state at the start of the step, so
+///         the order of axes is without effect.
+class Actuation {
+ public:
+  Actuation(const MachineModel& model, const ActuationStart& start);
+
+  /// `levers` one for each axis (not each lever of the model), `motions` one for each axis, `dt_s`
+  /// the same in every step.
+  void Step(std::span<const double> levers, std::span<const AxisMotion> motions, double dt_s);
+
+  /// What the last step asks of each axis.
+  const std::vector<AxisDrive>& drives() const { return drives_; }
+
+ private:
+  struct PumpState {
+    PumpFlow flow;
+    std::vector<std::size_t> axes;
+    double share = 1;
+  };
+
+  void AddPumps(const MachineModel& model);
+  void ShareFlow(std::span<const AxisMotion> motions, double dt_s);
+
+  std::vector<AxisActuation> axes_;
+  std::vector<PumpState> pumps_;
+  std::vector<int> pump_count_;  ///< of each axis
+  std::vector<double> demand_radps_;
+  std::vector<AxisDrive> drives_;
+};
+
+}  // namespace tera

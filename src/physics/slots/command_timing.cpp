@@ -1,0 +1,80 @@
+#include "physics/slots/command_timing.h"
+
+#include <cmath>
+
+#include "core/check.h"
+
+namespace tera {
+namespace {
+
+/// A command is remembered for its delay at steps of this rate or slower.
+constexpr double kFastest_hz = 5000;
+/// A message due at the instant of a step is taken in it, whatever the rounding of the quotient.
+constexpr double kRounding = 1e-9;
+
+std::int64_t MessageAt(double t_s, double period_s, double phase) {
+  return static_cast<std::int64_t>(std::floor(t_s / period_s - phase + kRounding));
+}
+
+}  // namespace
+
+CommandTimingParameters CommandTimingOf(const Effects& effects) {
+  CommandTimingParameters parameters;
+  if (const Effect* hold = FindEffect(effects, "input_hold")) {
+    parameters.hold_period_s = (*hold)["period_s"];
+    parameters.hold_phase = (*hold)["phase"];
+  }
+  if (const Effect* drops = FindEffect(effects, "command_drops")) {
+    parameters.drop_period_s = (*drops)["period_s"];
+    parameters.drop_probability = (*drops)["probability"];
+  }
+  if (const Effect* delay = FindEffect(effects, "command_delay")) {
+    parameters.delay_s = (*delay)["delay_s"];
+  }
+  return parameters;
+}
+
+CommandTiming::CommandTiming(const CommandTimingParameters& parameters, const Stream& drops,
+                             std::int64_t first_step)
+    : parameters_(parameters), drops_(drops), step_(first_step) {
+  if (parameters.delay_s <= 0) return;
+  past_.assign(static_cast<std::size_t>(std::ceil(parameters.delay_s * kFastest_hz)) + 2, 0.0);
+}
+
+double CommandTiming::Step(double command, double dt_s) {
+  const double t_s = static_cast<double>(step_++) * dt_s;
+  if (parameters_.hold_period_s > 0) command = Hold(command, t_s);
+  if (parameters_.drop_probability > 0) command = Drop(command, t_s);
+  if (!past_.empty()) command = Delay(command, dt_s);
+  return command;
+}
+
+double CommandTiming::Hold(double command, double t_s) {
+  const std::int64_t message = MessageAt(t_s, parameters_.hold_period_s, parameters_.hold_phase);
+  if (!held_any_ || message != held_message_) held_ = command;
+  held_any_ = true;
+  held_message_ = message;
+  return held_;
+}
+
+double CommandTiming::Drop(double command, double t_s) {
+  const std::int64_t message = MessageAt(t_s, parameters_.drop_period_s, 0);
+  const bool lost =
+      drops_.Uniform(static_cast<std::uint64_t>(message)) < parameters_.drop_probability;
+  if (!lost) received_ = command;
+  return received_;
+}
+
+double CommandTiming::Delay(double command, double dt_s) {
+  const double steps = parameters_.delay_s / dt_s;
+  const auto whole = static_cast<std::size_t>(steps);
+  TERA_CHECK(whole + 2 <= past_.size(), dt_s, parameters_.delay_s);
+  newest_ = (newest_ + 1) % past_.size();
+  past_[newest_] = command;
+  const std::size_t later = (newest_ + past_.size() - whole) % past_.size();
+  const std::size_t earlier = (later + past_.size() - 1) % past_.size();
+  const double fraction = steps - static_cast<double>(whole);
+  return (1 - fraction) * past_[later] + fraction * past_[earlier];
+}
+
+}  // namespace tera

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/effects.h"
+#include "core/random.h"
+
+namespace tera {
+
+/// What happens to a command between the lever and the valve. As built, nothing.
+struct CommandTimingParameters {
+  double hold_period_s = 0;  ///< 0: looked at in every step
+  double hold_phase = 0;     ///< of the period, when the first message is taken after t = 0
+  double drop_period_s = 0;  ///< one message each; 0: none can be lost
+  double drop_probability = 0;
+  double delay_s = 0;
+};
+
+CommandTimingParameters CommandTimingOf(const Effects& effects);
+
+/// Slot `command_timing` of one lever: sampled by the sender, lost on the way, late.
+///
+/// Model   input_hold: the command at t = (k + phase) P stands until the next such time.
+///         command_drops: of the messages k P .. (k + 1) P each is lost with one probability,
+///         whatever the others; the last command before it stands meanwhile. command_delay:
+///         y(t) = u(t - d), where u is held over each step and y its mean over a step, so that
+///         what the command sums to is exact for any d.
+/// Omits   jitter of the delay, reordered messages.
+class CommandTiming {
+ public:
+  /// `drops` decides which messages are lost. Time is `first_step` steps at the first one.
+  CommandTiming(const CommandTimingParameters& parameters, const Stream& drops,
+                std::int64_t first_step);
+
+  /// The command at the valve during a step of `dt_s`, the same in every step, in which `command`
+  /// is given.
+  double Step(double command, double dt_s);
+
+ private:
+  double Hold(double command, double t_s);
+  double Drop(double command, double t_s);
+  double Delay(double command, double dt_s);
+
+  CommandTimingParameters parameters_;
+  Stream drops_;
+  std::int64_t step_;
+  bool held_any_ = false;
+  std::int64_t held_message_ = 0;
+  double held_ = 0, received_ = 0;
+  std::vector<double> past_;  ///< ring of commands, all neutral before the first
+  std::size_t newest_ = 0;
+};
+
+}  // namespace tera

@@ -1,0 +1,114 @@
+#include "physics/slots/load_friction.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tera {
+namespace {
+
+constexpr double kZeroCelsius_k = 273.15;
+constexpr double kReference_degc = 40;  ///< at which leak and viscous friction are stated
+
+/// Ratio of the oil's viscosity to that at the reference temperature.
+double ViscosityRatio(double oil_degc) {
+  return OilViscosity_cst(oil_degc) / OilViscosity_cst(kReference_degc);
+}
+
+}  // namespace
+
+double OilViscosity_cst(double oil_degc) {
+  const auto ordinate = [](double nu_cst) { return std::log10(std::log10(nu_cst + 0.7)); };
+  const auto abscissa = [](double degc) { return std::log10(degc + kZeroCelsius_k); };
+  const double slope = (ordinate(46) - ordinate(6.8)) / (abscissa(40) - abscissa(100));
+  const double log_log = ordinate(46) + slope * (abscissa(oil_degc) - abscissa(40));
+  return std::pow(10, std::pow(10, log_log)) - 0.7;
+}
+
+LoadFrictionParameters LoadFrictionOf(const Effects& effects, double max_effort_nm) {
+  LoadFrictionParameters parameters;
+  if (const Effect* droop = FindEffect(effects, "pressure_droop")) {
+    parameters.stall_nm = (*droop)["stall_nm"];
+    parameters.droop_response_s = (*droop)["response_s"];
+  }
+  if (const Effect* friction = FindEffect(effects, "coulomb_friction")) {
+    parameters.coulomb_nm = (*friction)["effort_nm"];
+  }
+  if (const Effect* friction = FindEffect(effects, "viscous_friction")) {
+    parameters.viscous_nmsprad =
+        (*friction)["coefficient_nmsprad"] * ViscosityRatio((*friction)["oil_degc"]);
+  }
+  if (const Effect* friction = FindEffect(effects, "stribeck_friction")) {
+    parameters.stribeck_nm = (*friction)["excess_nm"];
+    parameters.stribeck_radps = (*friction)["rate_radps"];
+  }
+  if (const Effect* friction = FindEffect(effects, "asymmetric_friction")) {
+    parameters.more_positive_nm = (*friction)["positive_nm"];
+    parameters.more_negative_nm = (*friction)["negative_nm"];
+  }
+  if (const Effect* sag = FindEffect(effects, "sag")) {
+    if (max_effort_nm > 0) {
+      parameters.drift_radpspnm =
+          (*sag)["drift_radps"] / max_effort_nm / ViscosityRatio((*sag)["oil_degc"]);
+    }
+  }
+  if (const Effect* flex = FindEffect(effects, "structural_flex")) {
+    parameters.flex_radps = (*flex)["natural_radps"];
+    parameters.flex_damping = (*flex)["damping"];
+  }
+  return parameters;
+}
+
+double LoadFriction::Step(double rate_radps, double load_nm, double dt_s) {
+  if (dt_s != dt_s_) Prepare(dt_s);
+  double rate = rate_radps;
+  if (std::isfinite(parameters_.stall_nm)) rate = Droop(rate, load_nm);
+  if (parameters_.drift_radpspnm > 0) {
+    // Friction that holds part of a load keeps that part off the oil.
+    const FrictionBounds held = Friction(0);
+    rate -= parameters_.drift_radpspnm *
+            (load_nm - std::clamp(load_nm, -held.against_positive_nm, held.against_negative_nm));
+  }
+  if (parameters_.flex_radps > 0) rate = Flex(rate);
+  return rate;
+}
+
+void LoadFriction::Prepare(double dt_s) {
+  dt_s_ = dt_s;
+  response_step_ =
+      parameters_.droop_response_s > 0 ? -std::expm1(-dt_s / parameters_.droop_response_s) : 1.0;
+  const double z = parameters_.flex_damping;
+  const double decay = std::exp(-z * parameters_.flex_radps * dt_s);
+  const double turn_rad = parameters_.flex_radps * std::sqrt(1 - z * z) * dt_s;
+  flex_cos_ = decay * std::cos(turn_rad);
+  flex_sin_ = decay * std::sin(turn_rad);
+}
+
+double LoadFriction::Droop(double rate_radps, double load_nm) {
+  pressed_nm_ += response_step_ * (load_nm - pressed_nm_);
+  if (rate_radps == 0) return 0;
+  const FrictionBounds friction = Friction(rate_radps);
+  const double against_nm = rate_radps > 0 ? pressed_nm_ + friction.against_positive_nm
+                                           : -pressed_nm_ + friction.against_negative_nm;
+  return rate_radps * std::sqrt(std::max(0.0, 1 - against_nm / parameters_.stall_nm));
+}
+
+double LoadFriction::Flex(double rate_radps) {
+  // With the input held over the step, e = x - u obeys e'' + 2 z w e' + w^2 e = 0.
+  const double w = parameters_.flex_radps, z = parameters_.flex_damping;
+  const double damped = w * std::sqrt(1 - z * z);
+  const double e = flexed_radps_ - rate_radps, de = flexed_change_radps2_;
+  flexed_radps_ = rate_radps + flex_cos_ * e + flex_sin_ * (de + z * w * e) / damped;
+  flexed_change_radps2_ = flex_cos_ * de - flex_sin_ * (w * w * e + z * w * de) / damped;
+  return flexed_radps_;
+}
+
+FrictionBounds LoadFriction::Friction(double rate_radps) const {
+  double both = parameters_.coulomb_nm + parameters_.viscous_nmsprad * std::abs(rate_radps);
+  if (parameters_.stribeck_nm > 0) {
+    const double x = rate_radps / parameters_.stribeck_radps;
+    both += parameters_.stribeck_nm * std::exp(-x * x);
+  }
+  return {both + parameters_.more_positive_nm, both + parameters_.more_negative_nm};
+}
+
+}  // namespace tera

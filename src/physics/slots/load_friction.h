@@ -1,0 +1,76 @@
+#pragma once
+
+#include <limits>
+
+#include "core/effects.h"
+
+namespace tera {
+
+/// What load and friction do to an actuator. As built, nothing. Efforts are newtons and rates
+/// metres a second for a joint that slides.
+struct LoadFrictionParameters {
+  double stall_nm = std::numeric_limits<double>::infinity();
+  double droop_response_s = 0;
+  double drift_radpspnm = 0;
+  double coulomb_nm = 0, viscous_nmsprad = 0;
+  double stribeck_nm = 0, stribeck_radps = 1;
+  double more_positive_nm = 0, more_negative_nm = 0;
+  double flex_radps = 0, flex_damping = 0;
+};
+
+/// `max_effort_nm` is the effort at which the sag is stated.
+LoadFrictionParameters LoadFrictionOf(const Effects& effects, double max_effort_nm);
+
+/// The most that friction can oppose motion in either direction, magnitudes.
+struct FrictionBounds {
+  double against_positive_nm = 0, against_negative_nm = 0;
+
+  bool any() const { return against_positive_nm > 0 || against_negative_nm > 0; }
+};
+
+/// Slot `load_friction` of one joint or gear.
+///
+/// Frames  The load is the effort that the joint needs beside that against its own friction,
+///         positive where it must be pushed towards larger positions.
+/// Model   pressure_droop: v = v0 sqrt((ps - pL) / ps) with pL / ps the load and the friction
+///         against v0 over the effort at which the actuator stalls, seen through a first-order lag
+///         of the oil's compression; an aiding load makes it faster. sag: a leak lets the joint
+///         yield at a rate proportional to the load beyond what friction holds. structural_flex:
+///         the rate passes a filter of second order, w_n^2 / (s^2 + 2 z w_n s + w_n^2).
+///         Friction: F = F_c + F_s exp(-(w / w_s)^2) + c |w| (coulomb_friction, stribeck_friction,
+///         viscous_friction), and more by direction (asymmetric_friction); it opposes motion, and
+///         holds a joint at rest with at most F(0).
+/// Omits   presliding displacement, dependence of friction on load; `payload` is a mass of the
+///         machine's links (see AddPayloads).
+/// Source  Merritt 1967, "Hydraulic control systems", 7-3 (droop), 3-3 (laminar leak); Armstrong-
+///         Helouvry et al. 1994, "A survey of models, analysis tools and compensation methods for
+///         the control of machines with friction", eq. (4) (Stribeck).
+class LoadFriction {
+ public:
+  explicit LoadFriction(const LoadFrictionParameters& parameters) : parameters_(parameters) {}
+
+  /// Rate over a step of `dt_s` when the actuator alone would run at `rate_radps`.
+  double Step(double rate_radps, double load_nm, double dt_s);
+
+  /// Of a joint that moves at `rate_radps`.
+  FrictionBounds Friction(double rate_radps) const;
+
+ private:
+  void Prepare(double dt_s);
+  double Droop(double rate_radps, double load_nm);
+  double Flex(double rate_radps);
+
+  LoadFrictionParameters parameters_;
+  double pressed_nm_ = 0;                               ///< load as the pressure shows it
+  double flexed_radps_ = 0, flexed_change_radps2_ = 0;  ///< state of the filter
+  double dt_s_ = 0;                                     ///< for which the following hold
+  double response_step_ = 1, flex_cos_ = 1, flex_sin_ = 0;
+};
+
+/// Kinematic viscosity of hydraulic oil ISO VG 46 (viscosity index about 100) at `oil_degc`.
+///
+/// Model   log10 log10 (nu + 0.7) = A - B log10 T, through 46 cSt at 40 C and 6.8 cSt at 100 C.
+/// Source  ASTM D341.
+double OilViscosity_cst(double oil_degc);
+
+}  // namespace tera
