@@ -9,11 +9,10 @@
 namespace tera {
 namespace {
 
-constexpr double kServoGain_1ps = 4.0;
 constexpr double kLeverRate_1ps = 5.0;  // a hand goes from neutral to full lever in 0.2 s
 constexpr double kTipTolerance_m = 0.12;
 constexpr double kAngleTolerance_rad = 6 * kDeg;
-constexpr double kClearance_m = 0.45;    // of the tip above the ground before lowering
+constexpr double kClearance = 0.58;      // lengths of the bucket above the ground before lowering
 constexpr double kCarryInside_m = 1.6;   // the load is carried this much nearer than dumped
 constexpr double kCarryAbove_m = 0.2;    // and this much higher
 constexpr double kSwingHeight = 0.6;     // of the dump height: from here on it may slew
@@ -22,7 +21,6 @@ constexpr double kStallLift_mps = 0.15;  // how fast a stalled cut comes up
 constexpr double kFullShare = 0.9;       // of the struck capacity: the bucket is full
 constexpr double kCutPatience = 1.6;     // times the undisturbed duration of the cut
 constexpr double kDumpedShare = 0.05;    // of the load at the start of the dump
-constexpr double kMaxPhase_s = 4.0;      // a phase never holds the cycle up longer
 // Pitches of the tip direction.
 constexpr double kEntryPitch_rad = -75 * kDeg;
 constexpr double kCutEndPitch_rad = -112 * kDeg;
@@ -35,9 +33,10 @@ constexpr int kGroundSamples = 24;
 // A target out of reach is drawn in by steps, so many at most.
 constexpr double kDrawIn_m = 0.05;
 constexpr int kDrawIns = 60;
-// Curling takes this long, and draws the tip in and up meanwhile.
+// Curling takes this long, and draws the tip in and up meanwhile, by so many lengths of the bucket:
+// its back would else turn down into the ground.
 constexpr double kCurl_s = 1.3;
-constexpr double kCurlDrag_m = 0.15, kCurlLift_m = 0.55;
+constexpr double kCurlDrag = 0.19, kCurlLift = 0.71;
 
 double Smooth(double s) {
   s = std::clamp(s, 0.0, 1.0);
@@ -87,9 +86,9 @@ std::vector<double> DigCycle::Levers(const OperatorView& view) {
     const int joint = view.model.levers[i].joint;
     if (joint < 0) continue;
     const auto servo = [&](double q_rad, double qd_radps) {
-      levers[i] = ServoLever(view.model, view.state, joint, q_rad, qd_radps, kServoGain_1ps);
+      levers[i] = ServoLever(view.model, view.state, joint, q_rad, qd_radps, plan_.servo_gain_1ps);
     };
-    if (joint == plan_.joints.slew) servo(Nearest(target.slew_rad, view.state.q_rad[joint]), 0);
+    if (joint == plan_.joints.slew) levers[i] = SlewLever(view, target.slew_rad);
     if (joint == plan_.joints.boom) servo(angles.boom_rad, rate(angles.boom_rad, before.boom_rad));
     if (joint == plan_.joints.arm) servo(angles.arm_rad, rate(angles.arm_rad, before.arm_rad));
     if (joint == plan_.joints.bucket) {
@@ -100,6 +99,20 @@ std::vector<double> DigCycle::Levers(const OperatorView& view) {
   }
   levers_ = levers;
   return levers;
+}
+
+double DigCycle::SlewLever(const OperatorView& view, double target_rad) const {
+  const int joint = plan_.joints.slew;
+  const double q_rad = view.state.q_rad[joint];
+  const double nearest_rad = Nearest(target_rad, q_rad);
+  const double lever =
+      ServoLever(view.model, view.state, joint, nearest_rad, 0, plan_.servo_gain_1ps);
+  if (plan_.slew_braking_radps2 <= 0) return lever;
+  const double rate_radps =
+      std::sqrt(2 * plan_.slew_braking_radps2 * std::abs(nearest_rad - q_rad));
+  const Joint& slew = view.model.joints[joint];
+  return std::clamp(lever, -rate_radps / slew.max_rate_negative_radps,
+                    rate_radps / slew.max_rate_positive_radps);
 }
 
 void DigCycle::Enter(Phase phase, const OperatorView& view) {
@@ -126,7 +139,7 @@ void DigCycle::Advance(const OperatorView& view) {
   const bool slewed = std::abs(Nearest(target.slew_rad, slew_rad) - slew_rad) < kAngleTolerance_rad;
   const bool placed = ArmError_rad(view, target.tip) < kAngleTolerance_rad;
   const double time_s = PhaseTime_s(view);
-  const bool late = time_s > kMaxPhase_s;
+  const bool late = time_s > plan_.patience_s;
   const SoilReaction::Load load = LoadOf(view);
 
   switch (phase_) {
@@ -185,14 +198,16 @@ DigCycle::Target DigCycle::TargetNow(const OperatorView& view) const {
   const double dig_ground_m = GroundInPlane(view, dig_azimuth_rad_, plan_.reach_m);
   switch (phase_) {
     case Phase::kApproach:
-      return {{plan_.reach_m, dig_ground_m + kClearance_m, kEntryPitch_rad}, dig_azimuth_rad_};
+      return {{plan_.reach_m, dig_ground_m + kClearance * arm_.bucket_length_m(), kEntryPitch_rad},
+              dig_azimuth_rad_};
     case Phase::kLower:
       return {{plan_.reach_m, dig_ground_m, kEntryPitch_rad}, dig_azimuth_rad_};
     case Phase::kCut:
       return {CutPoint(cut_s_m_), dig_azimuth_rad_};
     case Phase::kCurl: {
       const double s = Smooth(PhaseTime_s(view) / kCurl_s);
-      return {{phase_tip_.r_m - kCurlDrag_m * s, phase_tip_.z_m + kCurlLift_m * s,
+      const double bucket_m = arm_.bucket_length_m() * s;
+      return {{phase_tip_.r_m - kCurlDrag * bucket_m, phase_tip_.z_m + kCurlLift * bucket_m,
                Mix(phase_tip_.pitch_rad, kCarryPitch_rad, s)},
               dig_azimuth_rad_};
     }

@@ -21,8 +21,11 @@ struct DigPlan {
   double cut_depth_m = 0.2;
   double cut_speed_mps = 0.7;
   double dump_reach_m = 3.8;
-  double dump_height_m = 1.3;  ///< of the tip above the ground while swinging and dumping
-  int cycles = 0;              ///< 0: without end
+  double dump_height_m = 1.3;      ///< of the tip above the ground while swinging and dumping
+  double servo_gain_1ps = 4.0;     ///< of all joints, see ServoLever
+  double slew_braking_radps2 = 0;  ///< the slew comes to rest at this; 0: at once
+  double patience_s = 4.0;         ///< a phase never holds the cycle up longer
+  int cycles = 0;                  ///< 0: without end
 };
 
 /// Digs, lifts, slews, dumps and returns by joint targets from inverse kinematics on the ground as
@@ -32,7 +35,8 @@ struct DigPlan {
 ///         joints follow by ServoLever. During the cut the target moves along the planned line;
 ///         where the soil holds the tip back it waits and comes up, as an operator lifts a stalled
 ///         bucket.
-///         Levers move no faster than a hand does.
+///         Levers move no faster than a hand does. The slew turns at most at sqrt(2 a e), from
+///         which braking at a stops it over the angle e that is left.
 /// Omits   force control; avoidance of obstacles; boom swing and travel stay neutral.
 class DigCycle : public Operator {
  public:
@@ -55,6 +59,7 @@ class DigCycle : public Operator {
   PlanarArm::Angles ReachableAngles(const MachineModel& model, const PlanarArm::Tip& tip) const;
   PlanarArm::Tip TipNow(const MachineState& state) const;
   double Capacity_m3(const OperatorView& view) const;
+  double SlewLever(const OperatorView& view, double target_rad) const;
   void AdvanceCut(const OperatorView& view, double lag_m);
   double ArmError_rad(const OperatorView& view, const PlanarArm::Tip& tip) const;
   SoilReaction::Load LoadOf(const OperatorView& view) const;

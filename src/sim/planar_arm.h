@@ -33,6 +33,7 @@ class PlanarArm {
   /// applied.
   std::optional<Angles> Inverse(const Tip& tip) const;
   Tip Forward(const Angles& angles) const;
+  double bucket_length_m() const { return bucket_length_m_; }  ///< from its pin to the tip
 
  private:
   Vec2 boom_foot_m_;  ///< in V

@@ -100,6 +100,10 @@ std::optional<DigPlan> ReadDigPlan(const ConfigMap& config, const MachineModel& 
   plan.cut_speed_mps = config.Number("cut_speed_mps", Positive("m/s"), plan.cut_speed_mps);
   plan.dump_reach_m = config.Number("dump_reach_m", Positive("m"), plan.dump_reach_m);
   plan.dump_height_m = config.Number("dump_height_m", Positive("m"), plan.dump_height_m);
+  plan.slew_braking_radps2 =
+      config.Number("slew_braking_degps2", AtLeast(0, "deg/s2"), plan.slew_braking_radps2) * kDeg;
+  plan.servo_gain_1ps = config.Number("servo_gain_1ps", Positive("1/s"), plan.servo_gain_1ps);
+  plan.patience_s = config.Number("patience_s", Positive("s"), plan.patience_s);
   plan.cycles = static_cast<int>(config.Integer("cycles", Between(0, kMostCycles, ""), 0));
   if (plan.cut_length_m >= plan.reach_m) {
     config.Fault("cut_length_m", "the cut would pass the slew axis, need less than reach_m");

@@ -177,6 +177,9 @@ TEST(ReadOperator, RefusesJointsThatAreNoArmOnASlewingPost) {
 }
 
 TEST(ReadOperator, RefusesMoreDigCyclesThanAnyRunHolds) {
+  EXPECT_THAT(DigFaults("patience_s: 0"), HasSubstr("patience_s: 0 is out of range"));
+  EXPECT_THAT(DigFaults("servo_gain_1ps: 0"), HasSubstr("servo_gain_1ps: 0 is out of range"));
+  EXPECT_THAT(DigFaults("slew_braking_degps2: -1"), HasSubstr("slew_braking_degps2: -1 is out of"));
   EXPECT_THAT(DigFaults("cycles: 5000000000"), HasSubstr("cycles: 5000000000 is out of range"));
 }
 

@@ -1,0 +1,242 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "core/config.h"
+#include "core/units.h"
+#include "sim/simulation.h"
+
+/// The excavator of 20 t and the dozer at the work of their kind.
+
+namespace tera {
+namespace {
+
+using Positions = std::map<std::string, double>;
+
+/// Lever positions as a function of time in seconds; levers not named stay neutral.
+class Programme : public Operator {
+ public:
+  explicit Programme(std::function<Positions(double)> levers) : levers_(std::move(levers)) {}
+  std::vector<double> Levers(const OperatorView& view) override {
+    std::vector<double> levers(view.model.levers.size(), 0.0);
+    for (const auto& [name, position] : levers_(ToSeconds(view.t_ns))) {
+      levers.at(view.model.LeverIndex(name)) = position;
+    }
+    return levers;
+  }
+
+ private:
+  std::function<Positions(double)> levers_;
+};
+
+/// One machine on level dirt, started away from the origin and turned.
+struct Site {
+  Site(const std::string& machine, const std::string& start, const std::string& operator_yaml)
+      : scenario(Read(machine, start, operator_yaml)), simulation(&scenario) {}
+  Site(const std::string& machine, const std::string& start,
+       std::function<Positions(double)> levers)
+      : scenario(Read(machine, start, "{type: idle}")), simulation([&] {
+          scenario.machines[0].driver = std::make_unique<Programme>(std::move(levers));
+          return &scenario;
+        }()) {}
+
+  static Scenario Read(const std::string& machine, const std::string& start,
+                       const std::string& operator_yaml) {
+    const Config config = Config::FromText(
+        "name: site\nduration_s: 60\nterrain: {size_m: [40, 30], cell_m: 0.1, soil: dirt}\n"
+        "machines:\n  - name: m\n    machine: tera:config/machines/" +
+            machine + ".yaml\n    start: " + start + "\n    operator: " + operator_yaml + "\n",
+        "site.yaml");
+    Scenario scenario = ReadScenario(config.root());
+    config.Finish();
+    return scenario;
+  }
+
+  void Run(
+      double duration_s, const std::function<void()>& after_step = [] {}) {
+    const TimeNs end_ns = simulation.state().t_ns + FromSeconds(duration_s);
+    while (simulation.state().t_ns < end_ns) {
+      simulation.Step();
+      after_step();
+    }
+  }
+
+  const MachineState& machine() const { return simulation.state().machines[0]; }
+  const MachineModel& model() const { return scenario.machines[0].placement.model; }
+  const Pose& X_WB() const { return machine().links[0].X_WB; }
+  double Tilt_rad() const { return std::acos(std::min(1.0, X_WB().linear()(2, 2))); }
+  double Joint_rad(const std::string& name) const {
+    return machine().q_rad[model().JointIndex(name)];
+  }
+  double Fastest_mps() const {
+    double fastest_mps = 0;
+    for (const BodyState& link : machine().links) {
+      fastest_mps = std::max(fastest_mps, link.v_WB_mps.norm());
+    }
+    return fastest_mps;
+  }
+
+  Scenario scenario;
+  Simulation simulation;
+};
+
+const std::string kReach =
+    "{xy_m: [-3, 2], yaw_deg: 25, joints_deg: {boom: 45, arm: -100, bucket: -60}}";
+
+TEST(LargeMachines, WeighWhatTheirClassesDo) {
+  EXPECT_NEAR(Site("excavator20t", kReach, "{type: idle}").model().TotalMass_kg(), 19900, 1e-6);
+  EXPECT_NEAR(Site("dozer", "{xy_m: [2, 1]}", "{type: idle}").model().TotalMass_kg(), 12710, 1e-6);
+}
+
+TEST(LargeMachines, StandLevelInRutsOfTheirGroundPressure) {
+  // Bekker's sinkage of sandy loam under the mean pressure, (p / (k_c / b + k_phi))^(1 / n), and
+  // 0.88 (1 - 0.3^2) p b / E of elastic settlement.
+  const auto expected_m = [](double mass_kg, double length_m, double width_m) {
+    const double pressure_pa = mass_kg * 9.81 / (2 * length_m * width_m);
+    return std::pow(pressure_pa / (52530 / width_m + 1127970), 1 / 0.9) +
+           0.88 * 0.91 * pressure_pa * width_m / 6.5e6;
+  };
+  Site excavator("excavator20t", kReach, "{type: idle}");
+  Site dozer("dozer", "{xy_m: [2, 1], yaw_deg: 130}", "{type: idle}");
+  for (Site* site : {&excavator, &dozer}) {
+    const Vec3 start = site->X_WB().translation();
+    site->Run(2.0);
+    EXPECT_LT(site->Tilt_rad(), 0.6 * kDeg);
+    EXPECT_LT((site->X_WB().translation() - start).norm(), 0.005);
+    EXPECT_LT(site->Fastest_mps(), 0.01);
+  }
+  // The weight lies off the middle of the tracks; the noses carry a little of it.
+  EXPECT_NEAR(-excavator.X_WB().translation().z() / expected_m(19900, 3.275, 0.60), 1, 0.2);
+  EXPECT_NEAR(-dozer.X_WB().translation().z() / expected_m(12710, 2.745, 0.51), 1, 0.2);
+}
+
+TEST(LargeMachines, DriveAtTheSpeedOfTheirDataSheets) {
+  // 5.5 km/h and 9.0 km/h.
+  const std::map<std::string, double> speed_mps = {{"excavator20t", 5.5 / 3.6}, {"dozer", 2.5}};
+  for (const auto& [machine, expected_mps] : speed_mps) {
+    Site site(machine, "{xy_m: [-14, -4], yaw_deg: 20}", [](double) {
+      return Positions{{"left_track", 1}, {"right_track", 1}};
+    });
+    site.Run(3.0);
+    const Vec3 from = site.X_WB().translation();
+    site.Run(4.0);
+    const Vec3 way_m = site.X_WB().translation() - from;
+    EXPECT_NEAR(way_m.norm() / 4.0 / expected_mps, 1, 0.02) << machine;
+    EXPECT_NEAR(std::atan2(way_m.y(), way_m.x()) / kDeg, 20, 1) << machine;
+    EXPECT_LT(site.Tilt_rad(), 3 * kDeg) << machine;
+  }
+}
+
+const std::string kDig =
+    "{type: dig_cycle, reach_m: 7.8, cut_length_m: 3.0, cut_depth_m: 0.45, cut_speed_mps: 0.8, "
+    "dump_azimuth_deg: 80, dump_reach_m: 6.8, dump_height_m: 2.6, cycles: 1, patience_s: 8, "
+    "servo_gain_1ps: 2";
+
+TEST(LargeMachines, TheExcavatorDigsLiftsAndDumps) {
+  Site site("excavator20t", kReach, kDig + ", slew_braking_degps2: 25}");
+  const MassLedger before = site.scenario.soil->ledger();
+  double most_kg = 0, highest_m = 0, most_tilt_rad = 0;
+  site.Run(25, [&] {
+    const SoilReaction::Load& load = site.machine().shovel_load[0];
+    most_kg = std::max(most_kg, load.mass_kg);
+    most_tilt_rad = std::max(most_tilt_rad, site.Tilt_rad());
+    const int bucket = site.model().LinkIndex("bucket");
+    if (load.mass_kg > 300) {
+      highest_m = std::max(highest_m, site.machine().links[bucket].X_WB.translation().z());
+    }
+  });
+  // 0.8 m3 of loose dirt, 1474 kg/m3 over 1.1, are 1070 kg.
+  EXPECT_GT(most_kg, 600);
+  EXPECT_LT(most_kg, 1600);
+  EXPECT_GT(highest_m, 2.5);
+  EXPECT_LT(site.machine().shovel_load[0].mass_kg, 0.2 * most_kg);
+  EXPECT_LT(most_tilt_rad, 8 * kDeg);
+  EXPECT_NEAR(site.scenario.soil->ledger().total_kg() / before.total_kg(), 1, 1e-9);
+}
+
+/// How far the slew swings past 80 deg, where the load is dumped.
+double Overshoot_deg(const std::string& more) {
+  Site site("excavator20t", kReach, kDig + more + "}");
+  double most_rad = 0;
+  site.Run(18, [&] { most_rad = std::max(most_rad, site.Joint_rad("slew")); });
+  return most_rad / kDeg - 80;
+}
+
+TEST(LargeMachines, AnOperatorWhoBrakesInTimeDoesNotSwingPastTheDump) {
+  // 65 kN m on some 130 t m2 of upper structure, arm and load brake at 28 deg/s2.
+  EXPECT_GT(Overshoot_deg(""), 15);
+  const double braked_deg = Overshoot_deg(", slew_braking_degps2: 20");
+  EXPECT_GT(braked_deg, -6);
+  EXPECT_LT(braked_deg, 6);
+}
+
+/// Height of the blade's edge above the dozer's undisturbed ground.
+double Edge_m(const Site& site) {
+  const NamedFrame& edge = site.model().frames[0];
+  return (site.machine().links[edge.link].X_WB * edge.X_BF).translation().z();
+}
+
+TEST(LargeMachines, TheDozerPushesAWindrowBeforeItsBlade) {
+  // The blade goes down to 5 cm and is held there by hand: lift where it sinks, lower where it
+  // rises.
+  Site* dozer = nullptr;
+  Site site("dozer", "{xy_m: [-10, 2], yaw_deg: 15}", [&](double t_s) {
+    const double lift = std::clamp(8 * (-0.05 - Edge_m(*dozer)), -0.5, 0.5);
+    const double drive = t_s < 3 ? 0.0 : 0.3;
+    return Positions{{"lift", lift}, {"left_track", drive}, {"right_track", drive}};
+  });
+  dozer = &site;
+  const TerrainSurface start = site.simulation.ground();
+  const MassLedger before = site.scenario.soil->ledger();
+  site.Run(11.0);
+  const Pose X_WB = site.X_WB();
+  ASSERT_GT((X_WB.translation() - Vec3(-10, 2, 0)).norm(), 4.0);
+  // Soil that lies within 1.5 m before the blade, and what is missing from its way.
+  double heaped_m3 = 0, cut_m3 = 0;
+  const TerrainSurface& end = site.simulation.ground();
+  for (int j = 0; j < end.ny; ++j) {
+    for (int i = 0; i < end.nx; ++i) {
+      const Vec2 p_W = end.origin_W_m + end.cell_m * Vec2(i, j);
+      const Vec3 p_B = X_WB.inverse() * Vec3(p_W.x(), p_W.y(), 0);
+      if (std::abs(p_B.y()) > 2.2) continue;
+      const double rise_m3 = (end.height_m[end.index(i, j)] - start.height_m[end.index(i, j)]) *
+                             end.cell_m * end.cell_m;
+      if (p_B.x() > 2.3 && p_B.x() < 4.2) heaped_m3 += std::max(0.0, rise_m3);
+      if (p_B.x() < 2.3) cut_m3 -= std::min(0.0, rise_m3);
+    }
+  }
+  EXPECT_GT(heaped_m3 * 1474 / 1.1, 300);  // kg
+  EXPECT_GT(cut_m3, 0.5 * heaped_m3);
+  EXPECT_NEAR(site.scenario.soil->ledger().total_kg() / before.total_kg(), 1, 1e-9);
+}
+
+TEST(LargeMachines, ABladeDrivenTooDeepStallsTheDozer) {
+  Site site("dozer", "{xy_m: [-10, 2], yaw_deg: 15}", [](double t_s) {
+    return Positions{
+        {"lift", -1}, {"left_track", t_s < 1 ? 0 : 0.6}, {"right_track", t_s < 1 ? 0 : 0.6}};
+  });
+  double fastest_mps = 0, most_tilt_rad = 0;
+  site.Run(8.0, [&] {
+    fastest_mps = std::max(fastest_mps, site.Fastest_mps());
+    most_tilt_rad = std::max(most_tilt_rad, site.Tilt_rad());
+  });
+  EXPECT_LT(fastest_mps, 2.5);  // full speed of the tracks
+  EXPECT_LT(most_tilt_rad, 20 * kDeg);
+  // It stands, its tracks turn under it or are stalled at full torque.
+  const Vec3 from = site.X_WB().translation();
+  double most_slip = 0, most_torque_nm = 0;
+  site.Run(2.0, [&] {
+    for (const int gear : {0, 1}) {
+      most_slip = std::max(most_slip, site.machine().gear_slip[gear]);
+      most_torque_nm = std::max(most_torque_nm, site.machine().gear_torque_nm[gear]);
+    }
+  });
+  EXPECT_LT((site.X_WB().translation() - from).norm(), 0.2);
+  EXPECT_TRUE(most_slip > 0.5 || most_torque_nm > 24000) << most_slip << ' ' << most_torque_nm;
+}
+
+}  // namespace
+}  // namespace tera
