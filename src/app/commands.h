@@ -14,5 +14,6 @@ void AddCompareCommand(CLI::App* app);
 void AddImportCommand(CLI::App* app);
 void AddImportRigCommand(CLI::App* app);
 void AddOverviewCommand(CLI::App* app);
+void AddReplayCommand(CLI::App* app);
 
 }  // namespace tera

@@ -25,6 +25,7 @@ int Run(int argc, char** argv) {
   tera::AddImportCommand(&app);
   tera::AddImportRigCommand(&app);
   tera::AddOverviewCommand(&app);
+  tera::AddReplayCommand(&app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/measurement.h"
+#include "dataset/measurement_sink.h"
 
 namespace tera {
 
@@ -26,29 +26,10 @@ struct DatasetInfo {
   std::vector<Instance> instances;
 };
 
-/// Handle of one channel (a CSV file with, for cameras and lidars, files beside it).
-using ChannelId = int;
-
-/// What an encoder reads: an angle, or the travel of a prismatic joint.
-struct EncoderAxis {
-  std::string name;
-  bool linear = false;
-
-  bool operator==(const EncoderAxis&) const = default;
-};
-
 struct WriterOptions {
   int threads = 2;        ///< encoding threads
   int queue_length = 64;  ///< frames waiting before Write blocks
   bool resume = false;
-};
-
-/// Pose (and velocity) truth of a machine's root link.
-struct TruthPose {
-  TimeNs t_ns = 0;
-  Pose X_WB = Pose::Identity();
-  Vec3 v_WB_mps = Vec3::Zero();
-  Vec3 w_WB_B_radps = Vec3::Zero();
 };
 
 /// Writes a recording. Frames are encoded on worker threads behind a bounded queue; rows are
@@ -58,41 +39,37 @@ struct TruthPose {
 ///
 /// Throws InputError: directory not empty, not writable, disk full; on resume, a partial dataset of
 /// another scenario, seed or version.
-class DatasetWriter {
+class DatasetWriter : public MeasurementSink {
  public:
   DatasetWriter(const std::filesystem::path& directory, const DatasetInfo& info,
                 const WriterOptions& options);
   /// Without Finish, leaves the incomplete directory for a later resume.
-  ~DatasetWriter();
+  ~DatasetWriter() override;
 
   /// Gives a recording its name that an earlier run had finished but for that. False where there is
   /// none. Throws InputError where it is of another scenario, seed or version.
   static bool FinishWhole(const std::filesystem::path& directory, const DatasetInfo& info);
 
-  // Channels. `folder` is relative, "excavator1/imu_boom"; `sensor_yaml` goes to sensor.yaml.
-  ChannelId AddImu(const std::string& folder, const std::string& sensor_yaml);
-  ChannelId AddGnss(const std::string& folder, const std::string& sensor_yaml);
+  ChannelId AddImu(const std::string& folder, const std::string& sensor_yaml) override;
+  ChannelId AddGnss(const std::string& folder, const std::string& sensor_yaml) override;
   ChannelId AddEncoder(const std::string& folder, const std::string& sensor_yaml,
-                       const std::vector<EncoderAxis>& axes);
-  ChannelId AddCamera(const std::string& folder, const std::string& sensor_yaml);
-  ChannelId AddLidar(const std::string& folder, const std::string& sensor_yaml);
-  /// Any table with a leading t_ns: commands.csv, truth/<machine>/joints.csv.
-  ChannelId AddTable(const std::string& file, const std::vector<std::string>& columns);
-  /// truth/<machine>/pose.csv. A real reference without velocities leaves their columns out.
-  ChannelId AddPose(const std::string& file, bool with_velocity = true);
+                       const std::vector<EncoderAxis>& axes) override;
+  ChannelId AddCamera(const std::string& folder, const std::string& sensor_yaml) override;
+  ChannelId AddLidar(const std::string& folder, const std::string& sensor_yaml) override;
+  ChannelId AddTable(const std::string& file, const std::vector<std::string>& columns) override;
+  ChannelId AddPose(const std::string& file, bool with_velocity = true) override;
 
-  void Write(ChannelId channel, const ImuSample& sample);
-  void Write(ChannelId channel, const GnssSample& sample);
-  void Write(ChannelId channel, const EncoderSample& sample);
-  void Write(ChannelId channel, CameraFrame frame);
-  void Write(ChannelId channel, LidarScan scan);
-  void Write(ChannelId channel, const TruthPose& pose);
-  void WriteRow(ChannelId channel, TimeNs t_ns, const std::vector<double>& values);
+  void Write(ChannelId channel, const ImuSample& sample) override;
+  void Write(ChannelId channel, const GnssSample& sample) override;
+  void Write(ChannelId channel, const EncoderSample& sample) override;
+  void Write(ChannelId channel, CameraFrame frame) override;
+  void Write(ChannelId channel, LidarScan scan) override;
+  void Write(ChannelId channel, const TruthPose& pose) override;
+  void WriteRow(ChannelId channel, TimeNs t_ns, const std::vector<double>& values) override;
 
-  /// False when resuming and the files of this channel's frame at `t_ns` are whole already; the
-  /// caller then only calls MarkPresent instead of measuring and writing it.
-  bool NeedsFrame(ChannelId channel, TimeNs t_ns) const;
-  void MarkPresent(ChannelId channel, TimeNs t_ns);
+  /// False when resuming and the files of this channel's frame at `t_ns` are whole already.
+  bool NeedsFrame(ChannelId channel, TimeNs t_ns) const override;
+  void MarkPresent(ChannelId channel, TimeNs t_ns) override;
 
   /// Where to put a file of another kind (truth/terrain/*.tif); its folder exists.
   std::filesystem::path PathFor(const std::string& relative);

@@ -83,6 +83,7 @@ struct GearDrive {
   double max_torque_nm = 0;
   double inertia_kgm2 = 0;         ///< of everything that turns with it, at the sprocket
   double displacement_m3prad = 0;  ///< oil for one radian of the sprocket; 0 where unknown
+  double low_speed_ratio = 1;      ///< of two-speed travel: the low speed over the high one
 };
 
 /// One input of the machine, -1..+1: either a joint or a running gear.

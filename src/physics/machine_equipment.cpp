@@ -52,6 +52,8 @@ GearDrive ReadDrive(const ConfigMap& config, double radius_m) {
   drive.max_rate_radps = config.Number("max_speed_mps", AtLeast(0, "m/s")) / radius_m;
   drive.max_torque_nm = config.Number("max_torque_nm", AtLeast(0, "N m"));
   drive.inertia_kgm2 = config.Number("inertia_kgm2", Positive("kg m2"));
+  drive.low_speed_ratio = config.Number(
+      "low_speed_ratio", {.min = 0, .max = 1, .min_excluded = true, .unit = "1"}, 1.0);
   return drive;
 }
 

@@ -4,64 +4,37 @@
 
 #include "core/error.h"
 #include "core/stopwatch.h"
-#include "sim/rig.h"
-#include "sim/simulation.h"
-#include "sim/truth_log.h"
+#include "sim/run.h"
 
 namespace tera {
 namespace {
 
-DatasetInfo InfoOf(const Scenario& scenario, const std::string& resolved_yaml,
-                   const SceneModel& scene) {
-  DatasetInfo info;
-  info.scenario_name = scenario.name;
-  info.simulated = true;
-  info.seed = scenario.seed;
-  info.duration_s = scenario.duration_s;
-  info.origin_lat_deg = scenario.origin.lat_deg;
-  info.origin_lon_deg = scenario.origin.lon_deg;
-  info.origin_height_m = scenario.origin.height_m;
-  info.resolved_scenario_yaml = resolved_yaml;
-  for (std::size_t i = 1; i < scene.instances.size(); ++i) {
-    info.instances.push_back({static_cast<std::uint16_t>(i), scene.instances[i].name,
-                              std::string(NameOf(scene.instances[i].label))});
-  }
-  return info;
-}
-
-/// Simulates the scenario into `writer`. `step` counts the steps done, for a caller that must know
-/// how far a run came which bad input stopped.
-void Run(Scenario& scenario, const SceneAssembly& assembly, const GenerateOptions& options,
-         DatasetWriter* writer, std::int64_t* step, GenerateReport* report) {
-  const std::int64_t steps = std::llround(scenario.duration_s * scenario.physics_rate_hz);
+/// Steps the scenario to its end into `writer`. `step` counts the steps done, for a caller that
+/// must know how far a run came which bad input stopped.
+void RunToEnd(Scenario* scenario, const SceneAssembly& assembly, const GenerateOptions& options,
+              DatasetWriter* writer, std::int64_t* step, GenerateReport* report) {
+  const std::int64_t steps = std::llround(scenario->duration_s * scenario->physics_rate_hz);
   // A fifth of a second between progress reports, in steps of simulated time.
   const std::int64_t steps_per_report =
-      std::max<std::int64_t>(1, std::llround(scenario.physics_rate_hz / 5));
-  Simulation simulation(&scenario);
-  TruthLog truth(scenario, writer);
-  Rig rig(scenario, assembly, options.egl, options.threads, writer);
-  scenario.soil->WriteGeoTiff(writer->PathFor("truth/terrain/height_start.tif"), scenario.origin);
-
-  rig.SampleStart(simulation);
+      std::max<std::int64_t>(1, std::llround(scenario->physics_rate_hz / 5));
+  Run run(scenario, assembly, options.egl, options.threads, writer);
+  scenario->soil->WriteGeoTiff(writer->PathFor("truth/terrain/height_start.tif"), scenario->origin);
   while (*step < steps) {
     ++*step;
-    simulation.Step();
-    truth.Write(simulation.previous(), simulation.state());
-    rig.Sample(simulation);
+    run.Step();
     if (options.progress && *step % steps_per_report == 0) {
-      options.progress(
-          {ToSeconds(simulation.state().t_ns), scenario.duration_s, writer->frames_written()});
+      options.progress({ToSeconds(run.simulation().state().t_ns), scenario->duration_s,
+                        writer->frames_written()});
     }
   }
-  scenario.soil->WriteGeoTiff(writer->PathFor("truth/terrain/height_end.tif"), scenario.origin);
-  truth.Finish(simulation.state());
-  rig.Finish();
+  scenario->soil->WriteGeoTiff(writer->PathFor("truth/terrain/height_end.tif"), scenario->origin);
+  run.Finish();
   writer->Finish();
-  report->simulated_s = scenario.duration_s;
-  report->physics_s = simulation.physics_wall_s();
-  report->soil_s = simulation.soil_wall_s();
-  report->camera_s = rig.camera_wall_s();
-  report->lidar_s = rig.lidar_wall_s();
+  report->simulated_s = scenario->duration_s;
+  report->physics_s = run.simulation().physics_wall_s();
+  report->soil_s = run.simulation().soil_wall_s();
+  report->camera_s = run.rig().camera_wall_s();
+  report->lidar_s = run.rig().lidar_wall_s();
   report->frames = writer->frames_written();
   report->bytes = writer->bytes_written();
 }
@@ -79,7 +52,7 @@ GenerateReport Generate(Scenario scenario, const std::string& resolved_yaml,
     DatasetWriter writer(options.out, info, {.threads = options.threads, .resume = options.resume});
     std::int64_t step = 0;
     try {
-      Run(scenario, assembly, options, &writer, &step, &report);
+      RunToEnd(&scenario, assembly, options, &writer, &step, &report);
     } catch (const InputError& error) {
       if (step == 0 && !writer.resumed()) {
         writer.Discard();

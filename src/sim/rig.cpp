@@ -44,10 +44,10 @@ EncodedAxes AxesOf(const EncoderModel& encoder, const MachineModel& machine) {
 }
 
 Rig::Rig(const Scenario& scenario, const SceneAssembly& assembly, const EglOptions& egl,
-         int threads, DatasetWriter* writer)
+         int threads, MeasurementSink* sink)
     : seed_(scenario.seed),
       threads_(threads),
-      writer_(writer),
+      sink_(sink),
       site_(scenario.origin.lat_deg, scenario.origin.lon_deg, scenario.origin.height_m),
       assembly_(assembly) {
   for (std::size_t m = 0; m < scenario.machines.size(); ++m) {
@@ -67,21 +67,20 @@ void Rig::Add(const Scenario& scenario, std::size_t machine, const SensorDescrip
   const int link = model.LinkIndex(sensor.link);
   if (const auto* imu = std::get_if<ImuModel>(&sensor.model)) {
     imus_.push_back({Imu(*imu, sensor.X_BS, sensor.clock, sensor.latency_ns, seed_, folder),
-                     machine, link, writer_->AddImu(folder, yaml)});
+                     machine, link, sink_->AddImu(folder, yaml)});
   } else if (const auto* gnss = std::get_if<GnssModel>(&sensor.model)) {
     gnss_.push_back({Gnss(*gnss, sensor.clock, sensor.latency_ns, seed_, folder), sensor.clock,
-                     machine, link, sensor.X_BS, writer_->AddGnss(folder, yaml)});
+                     machine, link, sensor.X_BS, sink_->AddGnss(folder, yaml)});
   } else if (const auto* camera = std::get_if<CameraModel>(&sensor.model)) {
     cameras_.push_back({Camera(*camera, sensor.clock, sensor.latency_ns, seed_, folder),
-                        sensor.clock, machine, link, sensor.X_BS,
-                        writer_->AddCamera(folder, yaml)});
+                        sensor.clock, machine, link, sensor.X_BS, sink_->AddCamera(folder, yaml)});
   } else if (const auto* lidar = std::get_if<LidarModel>(&sensor.model)) {
     lidars_.push_back({Lidar(*lidar, sensor.clock, sensor.latency_ns, seed_, folder),
                        sensor.clock,
                        machine,
                        link,
                        sensor.X_BS,
-                       writer_->AddLidar(folder, yaml),
+                       sink_->AddLidar(folder, yaml),
                        {}});
   } else if (const auto* encoder = std::get_if<EncoderModel>(&sensor.model)) {
     const EncodedAxes axes = AxesOf(*encoder, model);
@@ -97,7 +96,7 @@ void Rig::Add(const Scenario& scenario, std::size_t machine, const SensorDescrip
     }
     encoders_.push_back({Encoder(*encoder, sensor.clock, sensor.latency_ns, seed_, folder, linear),
                          sensor.clock, machine, axes.joints, axes.gears,
-                         writer_->AddEncoder(folder, yaml, written)});
+                         sink_->AddEncoder(folder, yaml, written)});
   }
 }
 
@@ -125,7 +124,7 @@ void Rig::SampleImus(const WorldState& before, const WorldState& after) {
     samples.clear();
     unit.imu.Advance(before.t_ns, before.machines[unit.machine].links[unit.link], after.t_ns,
                      after.machines[unit.machine].links[unit.link], gravity_W_mps2, &samples);
-    for (const ImuSample& sample : samples) writer_->Write(unit.channel, sample);
+    for (const ImuSample& sample : samples) sink_->Write(unit.channel, sample);
   }
 }
 
@@ -134,7 +133,7 @@ void Rig::Finish() {
   for (ImuUnit& unit : imus_) {
     samples.clear();
     unit.imu.Finish(&samples);
-    for (const ImuSample& sample : samples) writer_->Write(unit.channel, sample);
+    for (const ImuSample& sample : samples) sink_->Write(unit.channel, sample);
   }
 }
 
@@ -145,7 +144,7 @@ void Rig::SampleGnss(const WorldState& before, const WorldState& after) {
       const Pose X_WB = Interpolate(before.machines[unit.machine].links[unit.link].X_WB,
                                     after.machines[unit.machine].links[unit.link].X_WB, s);
       const Vec3 p_WS_m = X_WB * unit.X_BS.translation();
-      writer_->Write(unit.channel, unit.gnss.Measure(unit.next, p_WS_m, site_));
+      sink_->Write(unit.channel, unit.gnss.Measure(unit.next, p_WS_m, site_));
     }
   }
 }
@@ -164,7 +163,7 @@ void Rig::SampleEncoders(const WorldState& before, const WorldState& after) {
         q_rad.push_back(Mix(a.gear_angle_rad[g], b.gear_angle_rad[g], s));
         qd_radps.push_back(Mix(a.gear_rate_radps[g], b.gear_rate_radps[g], s));
       }
-      writer_->Write(unit.channel, unit.encoder.Measure(unit.next, q_rad, qd_radps));
+      sink_->Write(unit.channel, unit.encoder.Measure(unit.next, q_rad, qd_radps));
     }
   }
 }
@@ -175,8 +174,8 @@ void Rig::SampleCameras(const WorldState& before, const WorldState& after,
   for (CameraUnit& unit : cameras_) {
     for (; unit.clock.Due(unit.next) <= after.t_ns; ++unit.next) {
       const TimeNs t_ns = unit.clock.Due(unit.next);
-      if (!writer_->NeedsFrame(unit.channel, t_ns)) {
-        writer_->MarkPresent(unit.channel, t_ns);
+      if (!sink_->NeedsFrame(unit.channel, t_ns)) {
+        sink_->MarkPresent(unit.channel, t_ns);
         continue;
       }
       const double s = FractionAt(before, after, t_ns);
@@ -190,8 +189,8 @@ void Rig::SampleCameras(const WorldState& before, const WorldState& after,
       }
       const Pose X_WB = Interpolate(before.machines[unit.machine].links[unit.link].X_WB,
                                     after.machines[unit.machine].links[unit.link].X_WB, s);
-      writer_->Write(unit.channel,
-                     unit.camera.Measure(unit.next, X_WB * unit.X_BS, scene, rasterizer_.get()));
+      sink_->Write(unit.channel,
+                   unit.camera.Measure(unit.next, X_WB * unit.X_BS, scene, rasterizer_.get()));
     }
   }
 }
@@ -206,8 +205,8 @@ void Rig::SampleLidars(const WorldState& now, const TerrainSurface& ground) {
     unit.X_WS.Append(now.t_ns, X_WB * unit.X_BS);
     for (; unit.clock.Due(unit.next + 1) <= now.t_ns; ++unit.next) {
       const TimeNs start_ns = unit.clock.Due(unit.next), end_ns = unit.clock.Due(unit.next + 1);
-      if (!writer_->NeedsFrame(unit.channel, start_ns)) {
-        writer_->MarkPresent(unit.channel, start_ns);
+      if (!sink_->NeedsFrame(unit.channel, start_ns)) {
+        sink_->MarkPresent(unit.channel, start_ns);
         continue;
       }
       std::vector<std::vector<Pose>> poses;
@@ -215,7 +214,7 @@ void Rig::SampleLidars(const WorldState& now, const TerrainSurface& ground) {
         poses.push_back(BodiesAt(start_ns + (end_ns - start_ns) * k / (Lidar::kScenePoses - 1)));
       }
       ray_scene_->Update(poses, ground, assembly_.BodyScales(now));
-      writer_->Write(unit.channel, unit.lidar.Measure(unit.next, unit.X_WS, *ray_scene_, threads_));
+      sink_->Write(unit.channel, unit.lidar.Measure(unit.next, unit.X_WS, *ray_scene_, threads_));
     }
     unit.X_WS.DropBefore(unit.clock.Due(unit.next));
     oldest_ns = std::min(oldest_ns, unit.clock.Due(unit.next));

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "dataset/writer.h"
+#include "dataset/measurement_sink.h"
 #include "sim/scenario.h"
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"
@@ -30,10 +30,10 @@ EncodedAxes AxesOf(const EncoderModel& encoder, const MachineModel& machine);
 ///         a revolution that of its end; exposure time: a picture is of one instant.
 class Rig {
  public:
-  /// Keeps references to `assembly` and `writer`. The rasterizer and the ray scene are made only if
+  /// Keeps references to `assembly` and `sink`. The rasterizer and the ray scene are made only if
   /// a sensor needs them.
   Rig(const Scenario& scenario, const SceneAssembly& assembly, const EglOptions& egl, int threads,
-      DatasetWriter* writer);
+      MeasurementSink* sink);
   ~Rig();
 
   /// Samples what is due at the start, t = 0.
@@ -107,7 +107,7 @@ class Rig {
 
   std::uint64_t seed_;
   int threads_;
-  DatasetWriter* writer_;
+  MeasurementSink* sink_;
   SiteFrame site_;
   const SceneAssembly& assembly_;
   std::unique_ptr<Rasterizer> rasterizer_;

@@ -42,15 +42,15 @@ std::vector<double> JointRow(const MachineState& now, const MachineState& next) 
 
 }  // namespace
 
-TruthLog::TruthLog(const Scenario& scenario, DatasetWriter* writer) : writer_(writer) {
+TruthLog::TruthLog(const Scenario& scenario, MeasurementSink* sink) : sink_(sink) {
   for (const ScenarioMachine& machine : scenario.machines) {
     const MachineModel& model = machine.placement.model;
     const std::string& name = machine.placement.name;
     std::vector<std::string> levers;
     for (const Lever& lever : model.levers) levers.push_back(lever.name);
-    channels_.push_back({writer->AddTable(name + "/commands.csv", levers),
-                         writer->AddPose("truth/" + name + "/pose.csv"),
-                         writer->AddTable("truth/" + name + "/joints.csv", Columns(model))});
+    channels_.push_back({sink->AddTable(name + "/commands.csv", levers),
+                         sink->AddPose("truth/" + name + "/pose.csv"),
+                         sink->AddTable("truth/" + name + "/joints.csv", Columns(model))});
   }
 }
 
@@ -59,15 +59,15 @@ void TruthLog::WriteRows(const WorldState& now, const WorldState& next) {
     const BodyState &root = now.machines[m].links[0], &later = next.machines[m].links[0];
     const Vec3 v_W_mps = 0.5 * (root.v_WB_mps + later.v_WB_mps);
     const Vec3 w_W_radps = 0.5 * (root.w_WB_radps + later.w_WB_radps);
-    writer_->Write(channels_[m].pose, TruthPose{now.t_ns, root.X_WB, v_W_mps,
-                                                root.X_WB.linear().transpose() * w_W_radps});
-    writer_->WriteRow(channels_[m].joints, now.t_ns, JointRow(now.machines[m], next.machines[m]));
+    sink_->Write(channels_[m].pose, TruthPose{now.t_ns, root.X_WB, v_W_mps,
+                                              root.X_WB.linear().transpose() * w_W_radps});
+    sink_->WriteRow(channels_[m].joints, now.t_ns, JointRow(now.machines[m], next.machines[m]));
   }
 }
 
 void TruthLog::Write(const WorldState& before, const WorldState& after) {
   for (std::size_t m = 0; m < channels_.size(); ++m) {
-    writer_->WriteRow(channels_[m].commands, before.t_ns, after.machines[m].levers);
+    sink_->WriteRow(channels_[m].commands, before.t_ns, after.machines[m].levers);
   }
   WriteRows(before, after);
 }

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "dataset/writer.h"
+#include "dataset/measurement_sink.h"
 #include "sim/simulation.h"
 
 namespace tera {
@@ -14,7 +14,7 @@ namespace tera {
 ///         the mean of the rates before and after it, which is second order at its own time.
 class TruthLog {
  public:
-  TruthLog(const Scenario& scenario, DatasetWriter* writer);
+  TruthLog(const Scenario& scenario, MeasurementSink* sink);
 
   /// The state `before` a step that led to `after`, and the levers in force in between.
   void Write(const WorldState& before, const WorldState& after);
@@ -27,7 +27,7 @@ class TruthLog {
   };
   void WriteRows(const WorldState& now, const WorldState& next);
 
-  DatasetWriter* writer_;
+  MeasurementSink* sink_;
   std::vector<Channels> channels_;
 };
 

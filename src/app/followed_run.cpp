@@ -1,0 +1,64 @@
+#include "app/followed_run.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+#include "app/progress_bar.h"
+#include "app/stop_message.h"
+
+namespace tera {
+namespace {
+
+void PrintReport(const GenerateReport& report, const std::string& out) {
+  const auto factor = [&](double wall_s) {
+    return wall_s > 0 ? fmt::format("{:8.1f} x", report.simulated_s / wall_s) : "       -";
+  };
+  fmt::print("{}: {:.1f} s simulated in {:.1f} s, {} frames, {:.1f} MB\n", out, report.simulated_s,
+             report.wall_s, report.frames, 1e-6 * static_cast<double>(report.bytes));
+  const double measured_s = report.physics_s + report.soil_s + report.camera_s + report.lidar_s;
+  fmt::print("  stage          wall s   real time\n");
+  const std::pair<const char*, double> stages[] = {{"physics", report.physics_s},
+                                                   {"soil", report.soil_s},
+                                                   {"cameras", report.camera_s},
+                                                   {"lidars", report.lidar_s},
+                                                   {"everything else", report.wall_s - measured_s},
+                                                   {"whole run", report.wall_s}};
+  for (const auto& [name, wall_s] : stages) {
+    fmt::print("  {:<14} {:7.2f}  {}\n", name, wall_s, factor(wall_s));
+  }
+}
+
+/// The run; the line of its progress has ended when this returns.
+GenerateReport RunWithProgress(LoadedScenario loaded, GenerateOptions options) {
+  ProgressBar bar;
+  options.progress = [&](const GenerateProgress& progress) { bar.Show(progress); };
+  const StopMessage on_stop(
+      fmt::format("\nstopped; the same command with --resume finishes {}\n", options.out.string()));
+  return Generate(std::move(loaded.scenario), loaded.resolved_yaml, options);
+}
+
+}  // namespace
+
+void AddRunOptions(CLI::App* command, GenerateOptions* options) {
+  options->threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  command->add_option("--out", options->out, "Directory of the dataset; new or empty")->required();
+  command->add_option("--threads", options->threads, "Threads for rays and encoding")
+      ->check(CLI::Range(1, 256));
+  command
+      ->add_option("--egl-device", options->egl.device,
+                   "GPU to render with; without it the first GPU, else Mesa in software")
+      ->check(CLI::NonNegativeNumber);
+  command->add_flag("--resume", options->resume, "Finish a run that was stopped");
+}
+
+void FollowRun(LoadedScenario loaded, GenerateOptions options) {
+  const std::string out = options.out.string();
+  const GenerateReport report = RunWithProgress(std::move(loaded), std::move(options));
+  if (isatty(STDOUT_FILENO) == 1) PrintReport(report, out);
+}
+
+}  // namespace tera

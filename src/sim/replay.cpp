@@ -1,0 +1,60 @@
+#include "sim/replay.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "core/error.h"
+#include "dataset/recording.h"
+#include "sim/lever_replay.h"
+
+namespace tera {
+namespace {
+
+std::unique_ptr<Operator> AsRecorded(const Recording& recording, const MachinePlacement& machine) {
+  const std::string file = machine.name + "/commands.csv";
+  const std::string shown = (recording.directory() / file).string();
+  if (!recording.Has(file)) {
+    throw InputError(fmt::format("{}: is not part of the recording; need the commands of '{}'",
+                                 shown, machine.name));
+  }
+  TableRecording table = recording.LoadTable(file);
+  std::vector<std::string> names;
+  for (const Lever& lever : machine.model.levers) names.push_back(lever.name);
+  if (table.columns != names) {
+    throw InputError(
+        fmt::format("{}: the columns are not the levers of machine '{}'; need the "
+                    "scenario.yaml that the recording was made with",
+                    shown, machine.name));
+  }
+  std::vector<int> lever_of_column;
+  for (std::size_t i = 0; i < names.size(); ++i) lever_of_column.push_back(static_cast<int>(i));
+  CommandTable commands{std::move(table.t_ns), std::move(table.rows)};
+  for (std::size_t r = 0; r < commands.rows.size(); ++r) {
+    for (const double lever : commands.rows[r]) {
+      if (std::abs(lever) <= 1) continue;
+      throw InputError(fmt::format("{}: a lever is {} at t_ns {}, need -1 to 1", shown, lever,
+                                   commands.t_ns[r]));
+    }
+  }
+  return std::make_unique<LeverReplay>(std::move(commands), std::move(lever_of_column));
+}
+
+}  // namespace
+
+void CommandAsRecorded(const std::filesystem::path& directory, Scenario* scenario) {
+  const Recording recording(directory);
+  if (!recording.info().simulated) {
+    throw InputError(fmt::format(
+        "{}: is a real recording; need a simulated one (a scenario replays real levers with "
+        "`operator: {{type: lever_replay}}`)",
+        directory.string()));
+  }
+  for (ScenarioMachine& machine : scenario->machines) {
+    machine.driver = AsRecorded(recording, machine.placement);
+  }
+  scenario->duration_s = recording.info().duration_s;
+}
+
+}  // namespace tera

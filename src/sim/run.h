@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+
+#include "dataset/writer.h"
+#include "sim/rig.h"
+#include "sim/scene_assembly.h"
+#include "sim/simulation.h"
+#include "sim/truth_log.h"
+
+namespace tera {
+
+/// What dataset.yaml says of a run of `scenario`. `resolved_yaml` is as Config::ResolvedYaml gives
+/// it.
+DatasetInfo InfoOf(const Scenario& scenario, const std::string& resolved_yaml,
+                   const SceneModel& scene);
+
+/// A scenario under way: bodies and soil, what really happens to them, and what the sensors
+/// measure of it, step by step into a sink.
+class Run {
+ public:
+  /// Settles the machines and samples what is due at the start. Keeps references to all but `egl`.
+  Run(Scenario* scenario, const SceneAssembly& assembly, const EglOptions& egl, int threads,
+      MeasurementSink* sink);
+
+  void Step();
+  /// The state at the end, and the samples that the last step left open. No step may follow.
+  void Finish();
+
+  const Simulation& simulation() const { return simulation_; }
+  const Rig& rig() const { return rig_; }
+
+ private:
+  Simulation simulation_;
+  TruthLog truth_;
+  Rig rig_;
+};
+
+}  // namespace tera

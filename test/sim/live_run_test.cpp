@@ -1,0 +1,219 @@
+#include "sim/live_run.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "core/config.h"
+#include "core/error.h"
+#include "own_folder.h"
+#include "sim/generate.h"
+#include "sim/replay.h"
+
+// Runs that are driven from outside, step by step, recorded and replayed.
+
+namespace tera {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kScenario = R"(
+name: live
+seed: 5
+duration_s: 60
+settle_s: 0.2
+terrain: {size_m: [14, 14], cell_m: 0.1, soil: dirt}
+machines:
+  - name: excavator1
+    machine: tera:config/machines/tb235.yaml
+    start: {yaw_deg: 30}
+    operator: {type: idle}
+    rig: {sensors: [
+      {name: imu_boom, preset: tera:config/sensors/xsens_mti_670.yaml, link: boom, xyz_m: [1, 0, 0.3]},
+      {name: camera, preset: tera:config/sensors/rgb_640.yaml, link: upper, xyz_m: [0.8, 0.3, 1.8], rpy_deg: [0, 30, 0], width_px: 64, height_px: 48, rate_hz: 5},
+      {name: encoders, preset: tera:config/sensors/encoder.yaml}]}
+  - name: excavator2
+    machine: tera:config/machines/tb235.yaml
+    start: {xy_m: [-5, 3], yaw_deg: -70}
+    operator: {type: dig_cycle, reach_m: 4.0}
+)";
+
+struct Loaded {
+  Scenario scenario;
+  std::string yaml;
+};
+
+Loaded Load() {
+  const Config config = Config::FromText(kScenario, "live.yaml");
+  Loaded loaded{ReadScenario(config.root()), ""};
+  config.Finish();
+  loaded.yaml = config.ResolvedYaml();
+  return loaded;
+}
+
+/// Levers of a TB235: left and right track, slew, swing, boom, arm, bucket, blade.
+ControlMessage Levers(const std::map<std::string, double>& positions, const MachineModel& model) {
+  ControlMessage::Levers levers;
+  levers.position.assign(model.levers.size(), 0.0);
+  for (const auto& [name, u] : positions) levers.position[model.LeverIndex(name)] = u;
+  return {.command = levers};
+}
+
+std::map<std::string, std::string> ReadAll(const fs::path& root) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(root)) {
+    if (!entry.is_regular_file()) continue;
+    std::ifstream stream(entry.path(), std::ios::binary);
+    std::stringstream bytes;
+    bytes << stream.rdbuf();
+    files[entry.path().lexically_relative(root).generic_string()] = bytes.str();
+  }
+  return files;
+}
+
+/// Counts what arrives at each channel.
+class CountingSink : public MeasurementSink {
+ public:
+  ChannelId AddImu(const std::string& folder, const std::string&) override { return Add(folder); }
+  ChannelId AddGnss(const std::string& folder, const std::string&) override { return Add(folder); }
+  ChannelId AddEncoder(const std::string& folder, const std::string&,
+                       const std::vector<EncoderAxis>&) override {
+    return Add(folder);
+  }
+  ChannelId AddCamera(const std::string& folder, const std::string&) override {
+    return Add(folder);
+  }
+  ChannelId AddLidar(const std::string& folder, const std::string&) override { return Add(folder); }
+  ChannelId AddTable(const std::string& file, const std::vector<std::string>&) override {
+    return Add(file);
+  }
+  ChannelId AddPose(const std::string& file, bool) override { return Add(file); }
+  void Write(ChannelId channel, const ImuSample&) override { ++count[names[channel]]; }
+  void Write(ChannelId channel, const GnssSample&) override { ++count[names[channel]]; }
+  void Write(ChannelId channel, const EncoderSample&) override { ++count[names[channel]]; }
+  void Write(ChannelId channel, CameraFrame) override { ++count[names[channel]]; }
+  void Write(ChannelId channel, LidarScan) override { ++count[names[channel]]; }
+  void Write(ChannelId channel, const TruthPose&) override { ++count[names[channel]]; }
+  void WriteRow(ChannelId channel, TimeNs, const std::vector<double>&) override {
+    ++count[names[channel]];
+  }
+  bool NeedsFrame(ChannelId, TimeNs) const override { return wants_frames; }
+  void MarkPresent(ChannelId channel, TimeNs) override { ++skipped[names[channel]]; }
+
+  bool wants_frames = true;
+  std::vector<std::string> names;
+  std::map<std::string, int> count, skipped;
+
+ private:
+  ChannelId Add(const std::string& name) {
+    names.push_back(name);
+    return static_cast<ChannelId>(names.size()) - 1;
+  }
+};
+
+TEST(LiveRun, ObeysLeversUntilTheyAreASecondOldAndThenStands) {
+  LiveRun run(Load().scenario, "", {}, {});
+  const MachineModel& model = run.scenario().machines[0].placement.model;
+  const int slew = model.JointIndex("slew");
+  const auto rate_radps = [&] { return run.simulation().state().machines[0].qd_radps[slew]; };
+  run.Command(0, Levers({{"slew", 0.5}}, model));
+  for (int i = 0; i < 490; ++i) run.Step();
+  // Half of 9 rpm.
+  EXPECT_NEAR(rate_radps(), 0.5 * 9 * 2 * M_PI / 60, 0.01);
+  EXPECT_EQ(run.simulation().state().machines[0].levers[model.LeverIndex("slew")], 0.5);
+  for (int i = 0; i < 20; ++i) run.Step();
+  EXPECT_EQ(run.simulation().state().machines[0].levers[model.LeverIndex("slew")], 0.0);
+  for (int i = 0; i < 1000; ++i) run.Step();
+  EXPECT_NEAR(rate_radps(), 0, 0.01);
+}
+
+TEST(LiveRun, LeavesAMachineToItsOwnOperatorUntilItsFirstMessage) {
+  LiveRun run(Load().scenario, "", {}, {});
+  const MachineModel& model = run.scenario().machines[1].placement.model;
+  const auto moves = [&] {
+    const auto& levers = run.simulation().state().machines[1].levers;
+    return std::any_of(levers.begin(), levers.end(), [](double u) { return u != 0; });
+  };
+  for (int i = 0; i < 50; ++i) run.Step();
+  EXPECT_TRUE(moves());
+  ControlMessage stop = Levers({}, model);
+  stop.enable = false;
+  run.Command(1, stop);
+  run.Step();
+  EXPECT_FALSE(moves());
+}
+
+TEST(LiveRun, SendsEverythingToEverySink) {
+  CountingSink a, b;
+  b.wants_frames = false;
+  {
+    LiveRun run(Load().scenario, "", {}, {&a, &b});
+    for (int i = 0; i < 250; ++i) run.Step();
+    run.Finish();
+  }
+  EXPECT_EQ(a.count, b.count);
+  EXPECT_EQ(a.count["excavator1/camera"], 3);  // at 0, 0.2 and 0.4 s
+  EXPECT_EQ(a.count["truth/excavator1/joints.csv"], 251);
+  EXPECT_EQ(a.count["excavator2/commands.csv"], 250);
+}
+
+TEST(LiveRun, TakesNoPictureThatNobodyWants) {
+  CountingSink sink;
+  sink.wants_frames = false;
+  LiveRun run(Load().scenario, "", {}, {&sink});
+  for (int i = 0; i < 250; ++i) run.Step();
+  EXPECT_EQ(sink.count.count("excavator1/camera"), 0u);
+  EXPECT_EQ(sink.skipped["excavator1/camera"], 3);
+}
+
+TEST(LiveRun, IsReplayedFromItsCommandsToTheSameBytes) {
+  const fs::path live = OwnFolder() / "live", again = OwnFolder() / "again";
+  Loaded loaded = Load();
+  {
+    LiveRun run(std::move(loaded.scenario), loaded.yaml, {.record = live}, {});
+    const MachineModel& model = run.scenario().machines[0].placement.model;
+    for (int i = 0; i < 600; ++i) {
+      if (i == 37) run.Command(0, Levers({{"boom", -0.7}, {"left_track", 1.0 / 3}}, model));
+      if (i == 311)
+        run.Command(
+            0, {.command = ControlMessage::JointPositions{{0, 0, 0.3, 0, 0.5, -1.5, -0.2, 0.1}}});
+      run.Step();
+    }
+    run.Finish();
+  }
+  loaded = Load();
+  CommandAsRecorded(live, &loaded.scenario);
+  Generate(std::move(loaded.scenario), loaded.yaml, {.out = again});
+  const auto first = ReadAll(live), second = ReadAll(again);
+  ASSERT_EQ(first.size(), second.size());
+  EXPECT_TRUE(first.contains("excavator1/camera/rgb/0000001000000000.png") || first.size() > 20);
+  for (const auto& [name, bytes] : first) {
+    ASSERT_TRUE(second.contains(name)) << name;
+    EXPECT_TRUE(second.at(name) == bytes) << name << " differs";
+  }
+}
+
+TEST(Replay, RefusesARecordingOfOtherMachines) {
+  const fs::path live = OwnFolder() / "of_two";
+  Loaded loaded = Load();
+  {
+    LiveRun run(std::move(loaded.scenario), loaded.yaml, {.record = live}, {});
+    run.Step();
+    run.Finish();
+  }
+  loaded = Load();
+  loaded.scenario.machines[1].placement.name = "excavator3";
+  EXPECT_THROW(CommandAsRecorded(live, &loaded.scenario), InputError);
+  loaded = Load();
+  loaded.scenario.machines[1].placement.model.levers.pop_back();
+  EXPECT_THROW(CommandAsRecorded(live, &loaded.scenario), InputError);
+  EXPECT_THROW(CommandAsRecorded(OwnFolder() / "nowhere", &loaded.scenario), InputError);
+}
+
+}  // namespace
+}  // namespace tera
