@@ -44,18 +44,20 @@ class InTera {
         mass_kg_(machine.model.TotalMass_kg()),
         dt_s_(dt_s) {
     const GroundTools& tools = machine.model.ground_tools;
-    input_.levers.resize(machine.model.levers.size());
-    input_.soil.link_wrench.resize(machine.model.links.size());
-    input_.soil.gear_traction_n.assign(tools.gears.size(), 0.0);
-    input_.soil.shovel_load.resize(tools.shovels.size());
-    input_.soil.gear_sinkage_m = input_.soil.gear_slip = input_.soil.gear_traction_n;
+    MachineInput& input = inputs_.emplace_back();
+    input.levers.resize(machine.model.levers.size());
+    input.soil.link_wrench.resize(machine.model.links.size());
+    input.soil.gear_traction_n.assign(tools.gears.size(), 0.0);
+    input.soil.shovel_load.resize(tools.shovels.size());
+    input.soil.gear_sinkage_m = input.soil.gear_slip = input.soil.gear_traction_n;
   }
 
   void Step(double sway) {
     const BodyState& base = world_.machines()[0].links[0];
-    input_.soil.link_wrench[0] = Hold(base.X_WB, base.v_WB_mps, base.w_WB_radps, X_WB_, mass_kg_);
-    std::fill(input_.levers.begin(), input_.levers.end(), sway);
-    world_.Step({input_}, {}, dt_s_);
+    MachineInput& input = inputs_[0];
+    input.soil.link_wrench[0] = Hold(base.X_WB, base.v_WB_mps, base.w_WB_radps, X_WB_, mass_kg_);
+    std::fill(input.levers.begin(), input.levers.end(), sway);
+    world_.Step(inputs_, {}, dt_s_);
   }
 
   const MachineState& state() const { return world_.machines()[0]; }
@@ -64,7 +66,7 @@ class InTera {
   PhysicsWorld world_;
   Pose X_WB_;
   double mass_kg_, dt_s_;
-  MachineInput input_;
+  std::vector<MachineInput> inputs_;
 };
 
 /// The same excavator in MuJoCo.

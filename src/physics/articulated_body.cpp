@@ -61,6 +61,30 @@ LinkShape MakeShape(const Link& link, const Pose& X_BP, btMultiBody* body, int b
   return shape;
 }
 
+/// Velocity after a step of `dt_s`, and the accelerations from what it was before.
+void SetVelocity(const Vec3& v_WB_mps, const Vec3& w_WB_radps, double dt_s, BodyState* link) {
+  if (dt_s > 0) {
+    link->a_WB_mps2 = (v_WB_mps - link->v_WB_mps) / dt_s;
+    link->alpha_WB_radps2 = (w_WB_radps - link->w_WB_radps) / dt_s;
+  }
+  link->v_WB_mps = v_WB_mps;
+  link->w_WB_radps = w_WB_radps;
+}
+
+/// The joint's child after a step, from its parent's state.
+void MoveChild(const Joint& joint, double q_rad, double qd_radps, double dt_s,
+               std::vector<BodyState>* links) {
+  const BodyState& parent = (*links)[joint.parent];
+  BodyState& child = (*links)[joint.child];
+  const Pose X_WJ = parent.X_WB * joint.X_PJ;
+  child.X_WB = X_WJ * JointMotion(joint, q_rad);
+  const Vec3 r_W = child.X_WB.translation() - parent.X_WB.translation();
+  const Vec3 motion_W = X_WJ.linear() * joint.axis_J * qd_radps;
+  Vec3 v_W_mps = parent.v_WB_mps + parent.w_WB_radps.cross(r_W), w_W_radps = parent.w_WB_radps;
+  (joint.type == JointType::kPrismatic ? v_W_mps : w_W_radps) += motion_W;
+  SetVelocity(v_W_mps, w_W_radps, dt_s, &child);
+}
+
 }  // namespace
 
 struct ArticulatedBody::Bullet {
@@ -80,7 +104,7 @@ struct ArticulatedBody::Bullet {
 
   void AddLinks(const MachineModel& model);
   void AddLoadLinks(const MachineModel& model);
-  void AddShapes(const MachineModel& model);
+  void AddShapes(const MachineModel& model, bool meets_others);
 };
 
 void ArticulatedBody::Bullet::AddLinks(const MachineModel& model) {
@@ -128,11 +152,11 @@ void ArticulatedBody::Bullet::AddLoadLinks(const MachineModel& model) {
   }
 }
 
-void ArticulatedBody::Bullet::AddShapes(const MachineModel& model) {
+void ArticulatedBody::Bullet::AddShapes(const MachineModel& model, bool meets_others) {
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     // The base always has a collider: Bullet finds a machine's group of constraints through it.
     const int link = static_cast<int>(i) - 1;
-    if (link >= 0 && model.links[i].collision.empty()) continue;
+    if (link >= 0 && (!meets_others || model.links[i].collision.empty())) continue;
     shapes.push_back(MakeShape(model.links[i], axes[i].X_BP, body.get(), link));
     btMultiBodyLinkCollider* collider = shapes.back().collider.get();
     if (link < 0) {
@@ -146,7 +170,8 @@ void ArticulatedBody::Bullet::AddShapes(const MachineModel& model) {
 }
 
 ArticulatedBody::ArticulatedBody(const MachineModel& model, const Pose& X_WB,
-                                 const std::vector<double>& q_rad, btMultiBodyDynamicsWorld* world)
+                                 const std::vector<double>& q_rad, bool meets_others,
+                                 btMultiBodyDynamicsWorld* world)
     : model_(model), bullet_(std::make_unique<Bullet>()) {
   TERA_CHECK(q_rad.size() == model.joints.size(), q_rad.size(), model.joints.size());
   for (const Link& link : model.links) bullet_->axes.push_back(PrincipalAxesOf(link));
@@ -171,7 +196,7 @@ ArticulatedBody::ArticulatedBody(const MachineModel& model, const Pose& X_WB,
     if (model.joints[k].type != JointType::kFixed) body.setJointPos(static_cast<int>(k), q_rad[k]);
   }
   bullet_->world = world;
-  bullet_->AddShapes(model);
+  bullet_->AddShapes(model, meets_others);
   world->addMultiBody(&body);
   btAlignedObjectArray<btQuaternion> rotations;
   btAlignedObjectArray<btVector3> origins;
@@ -233,7 +258,6 @@ void ArticulatedBody::DriveJoints(const std::vector<JointTarget>& targets) {
 
 void ArticulatedBody::ReadState(double dt_s, MachineState* state) const {
   const btMultiBody& body = *bullet_->body;
-  const std::vector<BodyState> before = state->links;
   for (std::size_t k = 0; k < model_.joints.size(); ++k) {
     if (!bullet_->drives[k]) continue;
     state->q_rad[k] = body.getJointPos(static_cast<int>(k));
@@ -241,30 +265,15 @@ void ArticulatedBody::ReadState(double dt_s, MachineState* state) const {
     state->effort_nm[k] = dt_s > 0 ? bullet_->drives[k]->Effort(dt_s) : 0.0;
     state->friction_nm[k] = dt_s > 0 ? bullet_->drives[k]->Friction(dt_s) : 0.0;
   }
-  BodyState& base = state->links[0];
   const Pose X_WP = MakePose(FromBullet(body.getBasePos()),
                              Mat3(FromBullet(body.getWorldToBaseRot()).transpose()));
+  BodyState& base = state->links[0];
   base.X_WB = X_WP * bullet_->axes[0].X_BP.inverse();
-  base.w_WB_radps = FromBullet(body.getBaseOmega());
-  base.v_WB_mps = FromBullet(body.getBaseVel()) +
-                  base.w_WB_radps.cross(base.X_WB.translation() - X_WP.translation());
+  const Vec3 w_W_radps = FromBullet(body.getBaseOmega());
+  const Vec3 r_W = base.X_WB.translation() - X_WP.translation();
+  SetVelocity(FromBullet(body.getBaseVel()) + w_W_radps.cross(r_W), w_W_radps, dt_s, &base);
   for (std::size_t k = 0; k < model_.joints.size(); ++k) {
-    const Joint& joint = model_.joints[k];
-    const BodyState& parent = state->links[joint.parent];
-    BodyState& child = state->links[joint.child];
-    const Pose X_WJ = parent.X_WB * joint.X_PJ;
-    child.X_WB = X_WJ * JointMotion(joint, state->q_rad[k]);
-    const Vec3 motion_W = X_WJ.linear() * joint.axis_J * state->qd_radps[k];
-    const Vec3 r_W = child.X_WB.translation() - parent.X_WB.translation();
-    child.w_WB_radps = parent.w_WB_radps;
-    child.v_WB_mps = parent.v_WB_mps + parent.w_WB_radps.cross(r_W);
-    (joint.type == JointType::kPrismatic ? child.v_WB_mps : child.w_WB_radps) += motion_W;
-  }
-  if (dt_s <= 0) return;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    BodyState& link = state->links[i];
-    link.a_WB_mps2 = (link.v_WB_mps - before[i].v_WB_mps) / dt_s;
-    link.alpha_WB_radps2 = (link.w_WB_radps - before[i].w_WB_radps) / dt_s;
+    MoveChild(model_.joints[k], state->q_rad[k], state->qd_radps[k], dt_s, &state->links);
   }
 }
 

@@ -20,8 +20,9 @@ namespace tera {
 ///         whose mass is the soil's, a cube of the soil's volume.
 class ArticulatedBody {
  public:
+  /// A machine that meets no others, nor obstacles, goes without its collision shapes.
   ArticulatedBody(const MachineModel& model, const Pose& X_WB, const std::vector<double>& q_rad,
-                  btMultiBodyDynamicsWorld* world);
+                  bool meets_others, btMultiBodyDynamicsWorld* world);
   ~ArticulatedBody();
   ArticulatedBody(ArticulatedBody&&) noexcept;
 

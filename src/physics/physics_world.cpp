@@ -185,10 +185,10 @@ GearTorques Drive(const GearDrive& drive, const AxisDrive& target, double rate_r
 
 /// A machine's levers, drives and running gear around its articulated body.
 struct MachineDynamics {
-  MachineDynamics(const MachinePlacement& placement, const WorldStart& start,
+  MachineDynamics(const MachinePlacement& placement, const WorldStart& start, bool meets_others,
                   btMultiBodyDynamicsWorld* world)
       : model(WithPayloads(placement.model)),
-        body(model, placement.X_WB, placement.q_rad, world),
+        body(model, placement.X_WB, placement.q_rad, meets_others, world),
         actuation(model, {placement.name, start.seed, start.step}) {}
 
   /// The lever of each axis, joints first, then gears.
@@ -305,9 +305,11 @@ PhysicsWorld::PhysicsWorld(const std::vector<MachinePlacement>& machines,
   for (const ObstacleBody& obstacle : obstacles) {
     impl_->obstacles.push_back(std::make_unique<KinematicObstacle>(obstacle, &impl_->world));
   }
+  const bool meets_others = machines.size() > 1 || !obstacles.empty();
   for (const MachinePlacement& placement : machines) {
     impl_->states.push_back(InitialState(placement));
-    impl_->machines.push_back(std::make_unique<MachineDynamics>(placement, start, &impl_->world));
+    impl_->machines.push_back(
+        std::make_unique<MachineDynamics>(placement, start, meets_others, &impl_->world));
     impl_->machines.back()->body.ReadState(0.0, &impl_->states.back());
   }
 }
