@@ -1,11 +1,49 @@
 #include "core/effects.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <string>
 
 #include "core/check.h"
 
 namespace tera {
+namespace {
+
+double ReadParameter(const ConfigMap& map, const EffectParameter& parameter) {
+  const Range range = Between(parameter.lower, parameter.upper, std::string(parameter.unit));
+  const std::string_view name = parameter.name;
+  if (parameter.whole) {
+    return static_cast<double>(
+        parameter.otherwise
+            ? map.Integer(name, range, static_cast<std::int64_t>(*parameter.otherwise))
+            : map.Integer(name, range));
+  }
+  return parameter.otherwise ? map.Number(name, range, *parameter.otherwise)
+                             : map.Number(name, range);
+}
+
+/// Mechanisms that are in the library but for other targets.
+void ReportMisplaced(const ConfigMap& config, EffectTarget target,
+                     std::span<const Mechanism> library) {
+  std::vector<std::string_view> fitting;
+  for (const Mechanism& m : library) {
+    if (m.ActsOn(target)) fitting.push_back(m.id);
+  }
+  std::vector<std::string_view> reported;
+  for (const Mechanism& m : library) {
+    const auto among = [&](const auto& ids) {
+      return std::find(ids.begin(), ids.end(), m.id) != ids.end();
+    };
+    if (among(fitting) || among(reported) || !config.Has(m.id)) continue;
+    reported.push_back(m.id);
+    config.Fault(m.id, fmt::format("'{}' does not act on this target, {}; those that do: {}", m.id,
+                                   NameOf(target), fmt::join(fitting, ", ")));
+  }
+}
+
+}  // namespace
 
 std::string_view NameOf(Slot slot) {
   switch (slot) {
@@ -31,6 +69,33 @@ std::string_view NameOf(Slot slot) {
       return "sensor_timing";
   }
   TERA_CHECK(false, static_cast<int>(slot));
+  return {};
+}
+
+std::string_view NameOf(EffectTarget target) {
+  switch (target) {
+    case EffectTarget::kJoint:
+      return "a joint";
+    case EffectTarget::kGear:
+      return "a track or wheel set";
+    case EffectTarget::kPump:
+      return "a pump";
+    case EffectTarget::kBase:
+      return "the motion of the machine";
+    case EffectTarget::kImu:
+      return "an imu";
+    case EffectTarget::kGnss:
+      return "a gnss";
+    case EffectTarget::kCamera:
+      return "a camera";
+    case EffectTarget::kLidar:
+      return "a lidar";
+    case EffectTarget::kEncoder:
+      return "a set of encoders";
+    case EffectTarget::kEncoderAxis:
+      return "one axis of a set of encoders";
+  }
+  TERA_CHECK(false, static_cast<int>(target));
   return {};
 }
 
@@ -65,13 +130,11 @@ Effects ReadEffects(const ConfigMap& config, EffectTarget target,
     const ConfigMap map = config.Map(mechanism.id);
     Effect effect{&mechanism, {}};
     for (const EffectParameter& parameter : mechanism.parameters) {
-      const Range range = Between(parameter.lower, parameter.upper, std::string(parameter.unit));
-      effect.values.push_back(parameter.otherwise
-                                  ? map.Number(parameter.name, range, *parameter.otherwise)
-                                  : map.Number(parameter.name, range));
+      effect.values.push_back(ReadParameter(map, parameter));
     }
     effects.push_back(std::move(effect));
   }
+  ReportMisplaced(config, target, library);
   return effects;
 }
 

@@ -31,8 +31,22 @@ enum class Slot {
 std::string_view NameOf(Slot slot);
 
 /// What a mechanism can act on. In YAML a joint, gear, pump or sensor goes by its name, the motion
-/// of the whole machine by `base`.
-enum class EffectTarget { kJoint, kGear, kPump, kBase, kImu, kGnss, kCamera, kLidar, kEncoder };
+/// of the whole machine by `base`, one axis of a set of encoders by both names, `encoders/boom`.
+enum class EffectTarget {
+  kJoint,
+  kGear,
+  kPump,
+  kBase,
+  kImu,
+  kGnss,
+  kCamera,
+  kLidar,
+  kEncoder,
+  kEncoderAxis
+};
+
+/// As messages name it: "an imu", "a track or wheel set".
+std::string_view NameOf(EffectTarget target);
 
 /// One number of a mechanism.
 struct EffectParameter {
@@ -40,6 +54,7 @@ struct EffectParameter {
   std::string_view unit;  ///< "1" where it has none
   double lower = 0, upper = 0;
   std::optional<double> otherwise;  ///< where YAML may leave it out
+  bool whole = false;               ///< no fractions
 };
 
 /// What is known about a mechanism without any values.
@@ -68,8 +83,9 @@ using Effects = std::vector<Effect>;
 const Effect* FindEffect(const Effects& effects, std::string_view id);
 
 /// Reads the mapping of one target, `{dead_band: {width: 0.1}, actuator_ring: none}`: those
-/// mechanisms of `library` that act on `target`. `none` takes away what a lower layer has. Faults
-/// (another mechanism, a number beyond its range, one missing) go to `config`.
+/// mechanisms of `library` that act on `target`; an id may stand there several times, for targets
+/// with parameters of their own. `none` takes away what a lower layer has. Faults (another
+/// mechanism, a number beyond its range, one missing) go to `config`.
 Effects ReadEffects(const ConfigMap& config, EffectTarget target,
                     std::span<const Mechanism> library);
 

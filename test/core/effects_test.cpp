@@ -18,6 +18,7 @@ const std::vector<Mechanism>& Library() {
   static const std::vector<Mechanism> library = {
       {"dead_band", Slot::kLeverMap, {EffectTarget::kJoint}, {{"width", "1", 0, 0.9, {}}}},
       {"lag", Slot::kActuator, {EffectTarget::kJoint}, {{"time_s", "s", 0, 2, 0.25}}},
+      {"count", Slot::kFlow, {EffectTarget::kJoint}, {{"n", "1", 0, 3, 2.0, true}}},
       {"bias", Slot::kSensorStatic, {EffectTarget::kImu}, {{"x", "1", -1, 1, 0.0}}},
   };
   return library;
@@ -67,7 +68,11 @@ TEST(Effects, ReportWhatIsUnknownMissingOrOutOfRange) {
               HasSubstr("effects.boom.dead_band.width"));
   EXPECT_THAT(FaultOf("effects: {boom: {dead_band: {width: 2}}}"), HasSubstr("0 to 0.9"));
   EXPECT_THAT(FaultOf("effects: {boom: {dead_band: off}}"), HasSubstr("none"));
-  EXPECT_THAT(FaultOf("effects: {boom: {bias: {x: 0}}}"), HasSubstr("bias: unknown key"));
+  EXPECT_THAT(
+      FaultOf("effects: {boom: {bias: {x: 0}}}"),
+      HasSubstr("effects.boom.bias: 'bias' does not act on this target, a joint; those that "
+                "do: dead_band, lag, count"));
+  EXPECT_THAT(FaultOf("effects: {boom: {count: {n: 1.5}}}"), HasSubstr("not a whole number"));
 }
 
 TEST(Effects, ComeFromAFileOfTheirOwnOverAConfiguration) {
