@@ -25,7 +25,7 @@ EncoderModel ReadEncoderModel(const ConfigMap& config);
 /// Frames  angles and rates about each joint's own axis, from its zero; metres where it slides.
 /// Model   angle q + N(0, sigma^2), rounded to the nearest multiple of the resolution; rate
 ///         qd + N(0, sigma_rate^2), measured by itself and not from the rounded angles.
-/// Omits   backlash, zero offset, eccentricity, the wrap of a single turn.
+/// Omits   backlash, eccentricity, the wrap of a single turn. (Zero offset: AxisErrors.)
 /// Source  rounding: uniform error of variance resolution^2 / 12 (Bennett 1948, "Spectra of
 ///         quantized signals") where the motion passes many steps.
 class Encoder {

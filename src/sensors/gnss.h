@@ -54,7 +54,8 @@ GnssModel ReadGnssModel(const ConfigMap& config);
 /// Frames  W world (local east-north-up), S the antenna; `enu_m` of a sample is p_WS as measured.
 /// Model   p = p_WS + b + c_k + n_k; c_k = e^(-T/tau) c_(k-1) + sqrt(1 - e^(-2T/tau)) sigma_c w_k.
 ///         The variance reported is sigma_c^2 + sigma_n^2, without the bias.
-/// Omits   satellites, masking, multipath, fix transitions.
+/// Omits   satellites, masking. (Multipath and lost ambiguities, in their simplest forms:
+///         GnssErrors.)
 /// Source  first-order Gauss-Markov process: Gelb 1974, "Applied optimal estimation", ch. 3.
 class Gnss {
  public:

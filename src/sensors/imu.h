@@ -43,8 +43,8 @@ ImuModel ReadImuModel(const ConfigMap& config);
 ///         step.
 /// Omits   Earth's rotation (15 deg/h about the pole, more than the bias instability of a good
 /// unit)
-///         and its Coriolis acceleration; the change of gravity with place. Scale, cross-axis,
-///         g-sensitivity, temperature, saturation, quantisation, vibration.
+///         and its Coriolis acceleration; the change of gravity with place. Cross-axis and
+///         g-sensitivity. (Scale, temperature, saturation, quantisation, vibration: ImuErrors.)
 /// Source  IEEE Std 952-1997 (noise terms); Titterton and Weston 2004, ch. 11 (integration).
 class Imu {
  public:

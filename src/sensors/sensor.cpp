@@ -8,6 +8,7 @@
 #include "core/mounting.h"
 #include "core/plain_name.h"
 #include "core/units.h"
+#include "sensors/slots/true_mount.h"
 
 namespace tera {
 namespace {
@@ -126,6 +127,29 @@ SensorDescription ReadSensor(const ConfigMap& config) {
     s.model = ReadEncoderModel(config);
   }
   return s;
+}
+
+const SensorDescription* OtherAntenna(const SensorDescription& sensor,
+                                      const std::vector<SensorDescription>& sensors) {
+  const SensorDescription* other = nullptr;
+  for (const SensorDescription& s : sensors) {
+    if (!std::holds_alternative<GnssModel>(s.model) || s.name == sensor.name) continue;
+    if (other) return nullptr;
+    other = &s;
+  }
+  return other;
+}
+
+Mounting TrueMounting(const SensorDescription& sensor,
+                      const std::vector<SensorDescription>& sensors) {
+  const auto antenna = [](const SensorDescription& s) {
+    return Antenna{s.link, s.X_BS, s.effects};
+  };
+  const SensorDescription* other =
+      std::holds_alternative<GnssModel>(sensor.model) ? OtherAntenna(sensor, sensors) : nullptr;
+  if (!other) return {sensor.link, TrueMount(sensor.X_BS, sensor.effects)};
+  const AntennaPlace place = TrueAntenna(antenna(sensor), antenna(*other));
+  return {place.link, place.X_BT};
 }
 
 std::string SensorYaml(const SensorDescription& sensor) {

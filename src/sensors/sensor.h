@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -25,8 +26,25 @@ struct SensorDescription {
   SampleClock clock;
   TimeNs latency_ns = 0;  ///< t_available - t
   std::variant<ImuModel, GnssModel, CameraModel, LidarModel, EncoderModel> model;
-  Effects effects;  ///< from the scenario; without them, as the model says
+  Effects effects;  ///< of the machine or the scenario; without them, as the model says
+  /// Of single axes of an encoder, by their names, over `effects`.
+  std::map<std::string, Effects> axis_effects;
 };
+
+/// Where a sensor truly sits, slot `sensor_geometry`.
+struct Mounting {
+  std::string link;
+  Pose X_BT = Pose::Identity();
+};
+
+/// The true mounting of `sensor`, one of the `sensors` of a machine: its place as documented where
+/// it has no such effect. An antenna may be exchanged with the only other of its machine.
+Mounting TrueMounting(const SensorDescription& sensor,
+                      const std::vector<SensorDescription>& sensors);
+
+/// The other antenna of a machine that has two, for antenna_swap and antenna_yaw; else nullptr.
+const SensorDescription* OtherAntenna(const SensorDescription& sensor,
+                                      const std::vector<SensorDescription>& sensors);
 
 /// "imu", "gnss", "camera", "lidar" or "encoder".
 std::string TypeOf(const SensorDescription& sensor);

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string_view>
+
+#include "core/effects.h"
+#include "core/motion.h"
+
+/// Numbers of mechanisms, or those of the ideal where a target lacks the mechanism.
+
+namespace tera {
+
+inline double NumberOf(const Effects& effects, std::string_view id, std::string_view parameter,
+                       double ideal) {
+  const Effect* effect = FindEffect(effects, id);
+  return effect ? (*effect)[parameter] : ideal;
+}
+
+inline Vec3 VectorOf(const Effects& effects, std::string_view id, std::string_view x,
+                     std::string_view y, std::string_view z, double ideal = 0) {
+  return {NumberOf(effects, id, x, ideal), NumberOf(effects, id, y, ideal),
+          NumberOf(effects, id, z, ideal)};
+}
+
+}  // namespace tera

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/effects.h"
+#include "core/measurement.h"
+#include "sensors/slots/static_errors.h"
+
+namespace tera {
+
+/// Shift of an accelerometer that vibrates, `vibration_rectification`.
+///
+/// Model   b = k (a_e^2 + s^2) for each axis; a_e the rms of the engine's vibration, s^2 the
+/// variance
+///         of the magnitude of the specific force about its own running mean. Mean and variance
+///         forget with the time constant `window_s`: e^(-T / window).
+/// Omits   the sensitivity to frequency; axes that vibrate more than others.
+/// Source  IEEE Std 1293-2018 (vibration rectification error, in g/g^2).
+class VibrationShift {
+ public:
+  static std::optional<VibrationShift> Of(const Effects& effects);
+  /// The shift at the next sample, with specific force `f_S_mps2`.
+  Vec3 Next(TimeNs t_ns, const Vec3& f_S_mps2);
+
+ private:
+  Vec3 coefficient_s2pm_ = Vec3::Zero();
+  double engine_rms_mps2_ = 0, window_s_ = 1;
+  std::optional<TimeNs> last_ns_;
+  double mean_mps2_ = 0, variance_m2ps4_ = 0;
+};
+
+/// Slot `sensor_static` of an inertial unit.
+///
+/// Model   of each axis, with x what the unit measures otherwise: m x + b + c dT(t) + v + o,
+/// clipped
+///         to +-limit, rounded to a multiple of the step. Factor m: `scale`; b: `bias`; c dT(t):
+///         `temperature_drift`; v: `vibration_rectification`; o: `outliers`, N(0, size^2) on all
+///         axes at once with the given probability, else 0; then `saturation`, `quantisation`.
+/// Omits   cross-axis sensitivity; g-sensitivity of the gyroscopes.
+/// Source  Titterton and Weston 2004, ch. 4, 6 (forms of the errors).
+class ImuErrors {
+ public:
+  /// `stream_name` is "excavator1/imu_boom".
+  ImuErrors(const Effects& effects, std::uint64_t seed, const std::string& stream_name);
+  /// Sample `k`, in the order of their times.
+  void Apply(std::int64_t k, ImuSample* sample);
+
+ private:
+  /// Of three axes alike.
+  struct Triad {
+    Vec3 factor, bias, drift_per_k;
+    double outlier = 0, limit = 0, step = 0;  ///< limit 0: none
+    Vec3 Report(const Vec3& measured, double warmer_k, const Vec3& outlier_draw,
+                const Vec3& shift) const;
+  };
+
+  Triad gyro_, accel_;
+  WarmUp warm_up_;
+  OutlierDraw outliers_;
+  std::optional<VibrationShift> vibration_;
+};
+
+}  // namespace tera

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+#include "core/effects.h"
+#include "core/measurement.h"
+#include "sensors/slots/static_errors.h"
+
+namespace tera {
+
+/// Slot `sensor_static` of what measures distances: a lidar's ranges, a camera's depths.
+///
+/// Model   m r + b + c dT(t) + o, rounded to a multiple of the step. m: `scale`; b: `range_bias`;
+///         c dT(t): `temperature_drift` (of a lidar); o: `outliers`, N(0, size^2) for each point or
+///         pixel with the given probability; `quantisation`. A point keeps its direction. What
+///         comes out at or below zero is no measurement.
+/// Omits   errors of one beam or one part of the picture; colour.
+class RangeErrors {
+ public:
+  RangeErrors(const Effects& effects, std::uint64_t seed, const std::string& stream_name);
+  /// Scan or frame `k` of the sensor.
+  void Apply(std::int64_t k, LidarScan* scan) const;
+  void Apply(std::int64_t k, CameraFrame* frame) const;
+
+ private:
+  double Report(double r_m, double warmer_k, std::uint64_t index) const;
+
+  bool present_;
+  double factor_, bias_m_, drift_mpk_, outlier_m_, step_m_;
+  WarmUp warm_up_;
+  OutlierDraw outliers_;
+};
+
+}  // namespace tera
