@@ -1,11 +1,14 @@
 #include "sim/read_effects.h"
 
+#include <fmt/format.h>
+
 #include <set>
 
 #include "core/effects.h"
 #include "physics/actuation_mechanisms.h"
 #include "physics/ground_mechanisms.h"
 #include "sensors/sensor_mechanisms.h"
+#include "sim/rig.h"
 
 namespace tera {
 namespace {
@@ -41,6 +44,49 @@ EffectTarget TargetOf(const SensorDescription& sensor) {
   return EffectTarget::kEncoder;
 }
 
+void ReadSensorEffects(const MachineModel& model, TargetReader* reader, SensorDescription* sensor) {
+  sensor->effects = reader->Read(sensor->name, TargetOf(*sensor), SensorMechanisms());
+  const auto* encoder = std::get_if<EncoderModel>(&sensor->model);
+  if (!encoder) return;
+  for (const EncoderAxis& axis : NamesOf(AxesOf(*encoder, model), model)) {
+    Effects effects = reader->Read(sensor->name + "/" + axis.name, EffectTarget::kEncoderAxis,
+                                   SensorMechanisms());
+    if (!effects.empty()) sensor->axis_effects.emplace(axis.name, std::move(effects));
+  }
+}
+
+/// Faults of effects that need another antenna or certain joints of the machine.
+void CheckAntenna(const ConfigMap& config, const MachineModel& model,
+                  const SensorDescription& antenna, const std::vector<SensorDescription>& sensors) {
+  const SensorDescription* other = OtherAntenna(antenna, sensors);
+  for (const std::string_view id : {"antenna_swap", "antenna_yaw"}) {
+    if (FindEffect(antenna.effects, id) && !other) {
+      config.Fault(id,
+                   fmt::format("'{}' acts on a pair; need exactly two gnss on this machine", id));
+    }
+  }
+  if (other && FindEffect(antenna.effects, "antenna_yaw")) {
+    if (other->link != antenna.link) {
+      config.Fault("antenna_yaw",
+                   fmt::format("turns two antennas on one link, but '{}' is on '{}' "
+                               "and '{}' on '{}'; need both on one link",
+                               antenna.name, antenna.link, other->name, other->link));
+    }
+    if (FindEffect(other->effects, "antenna_yaw")) {
+      config.Fault(
+          "antenna_yaw",
+          fmt::format("turns both antennas and stands at '{}' too; keep one", other->name));
+    }
+  }
+  for (const char* joint : {kMultipathBoom, kMultipathSlew}) {
+    if (FindEffect(antenna.effects, "multipath") && model.JointIndex(joint) < 0) {
+      config.Fault("multipath", fmt::format("depends on the joints '{}' and '{}', but this machine "
+                                            "has no '{}'; need both",
+                                            kMultipathBoom, kMultipathSlew, joint));
+    }
+  }
+}
+
 }  // namespace
 
 void ReadMachineEffects(const ConfigMap& machine, const std::optional<ConfigMap>& scenario_effects,
@@ -70,8 +116,12 @@ void ReadMachineEffects(const ConfigMap& machine, const std::optional<ConfigMap>
   if (!model->ground_tools.gears.empty()) {
     effects.base = reader.Read(std::string(kBaseTarget), EffectTarget::kBase, GroundMechanisms());
   }
-  for (SensorDescription& sensor : *sensors) {
-    sensor.effects = reader.Read(sensor.name, TargetOf(sensor), SensorMechanisms());
+  for (SensorDescription& sensor : *sensors) ReadSensorEffects(*model, &reader, &sensor);
+  for (const SensorDescription& sensor : *sensors) {
+    const bool gnss = std::holds_alternative<GnssModel>(sensor.model);
+    if (gnss && !sensor.effects.empty()) {
+      CheckAntenna(map->Map(sensor.name), *model, sensor, *sensors);
+    }
   }
 }
 

@@ -11,7 +11,8 @@ namespace tera {
 
 /// Reads the effects of one machine into its model and its sensors: `effects:` of the machine's
 /// mapping and, over it, the mapping of the machine's name in `scenario_effects`. Targets are the
-/// names of joints, running gears, pumps and sensors, and `base` for the motion of the whole
+/// names of joints, running gears, pumps and sensors, of one axis of a set of encoders
+/// "encoders/boom", and `base` for the motion of the whole
 /// machine. Faults go to the mappings.
 void ReadMachineEffects(const ConfigMap& machine, const std::optional<ConfigMap>& scenario_effects,
                         const std::string& name, MachineModel* model,

@@ -1,6 +1,7 @@
 #include "sim/rig.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/check.h"
 #include "core/stopwatch.h"
@@ -18,6 +19,11 @@ double FractionAt(const WorldState& before, const WorldState& after, TimeNs t_ns
 }
 
 double Mix(double a, double b, double s) { return a + (b - a) * s; }
+
+/// Angle of a joint between two states, 0 where there is none.
+double AngleAt(const MachineState& a, const MachineState& b, int joint, double s) {
+  return joint < 0 ? 0.0 : Mix(a.q_rad[joint], b.q_rad[joint], s);
+}
 
 }  // namespace
 
@@ -43,6 +49,15 @@ EncodedAxes AxesOf(const EncoderModel& encoder, const MachineModel& machine) {
   return axes;
 }
 
+std::vector<EncoderAxis> NamesOf(const EncodedAxes& axes, const MachineModel& machine) {
+  std::vector<EncoderAxis> names;
+  for (const int j : axes.joints) {
+    names.push_back({machine.joints[j].name, machine.joints[j].type == JointType::kPrismatic});
+  }
+  for (const int g : axes.gears) names.push_back({machine.ground_tools.gears[g].name});
+  return names;
+}
+
 Rig::Rig(const Scenario& scenario, const SceneAssembly& assembly, const EglOptions& egl,
          int threads, MeasurementSink* sink)
     : seed_(scenario.seed),
@@ -64,40 +79,53 @@ void Rig::Add(const Scenario& scenario, std::size_t machine, const SensorDescrip
   const MachineModel& model = placement.model;
   const std::string folder = placement.name + "/" + sensor.name;
   const std::string yaml = SensorYaml(sensor);
-  const int link = model.LinkIndex(sensor.link);
+  const Mounting mount = TrueMounting(sensor, scenario.machines[machine].sensors);
+  const int link = model.LinkIndex(mount.link);
   if (const auto* imu = std::get_if<ImuModel>(&sensor.model)) {
-    imus_.push_back({Imu(*imu, sensor.X_BS, sensor.clock, sensor.latency_ns, seed_, folder),
-                     machine, link, sink_->AddImu(folder, yaml)});
+    imus_.push_back({Imu(*imu, mount.X_BT, sensor.clock, sensor.latency_ns, seed_, folder),
+                     ImuSlots(sensor.effects, seed_, folder), machine, link,
+                     sink_->AddImu(folder, yaml)});
   } else if (const auto* gnss = std::get_if<GnssModel>(&sensor.model)) {
-    gnss_.push_back({Gnss(*gnss, sensor.clock, sensor.latency_ns, seed_, folder), sensor.clock,
-                     machine, link, sensor.X_BS, sink_->AddGnss(folder, yaml)});
+    gnss_.push_back({Gnss(*gnss, sensor.clock, sensor.latency_ns, seed_, folder),
+                     GnssSlots(sensor.effects, seed_, folder), sensor.clock, machine, link,
+                     mount.X_BT, model.JointIndex(kMultipathBoom), model.JointIndex(kMultipathSlew),
+                     sink_->AddGnss(folder, yaml)});
   } else if (const auto* camera = std::get_if<CameraModel>(&sensor.model)) {
     cameras_.push_back({Camera(*camera, sensor.clock, sensor.latency_ns, seed_, folder),
-                        sensor.clock, machine, link, sensor.X_BS, sink_->AddCamera(folder, yaml)});
+                        FrameSlots(sensor.effects, seed_, folder), sensor.clock, machine, link,
+                        mount.X_BT, sink_->AddCamera(folder, yaml)});
   } else if (const auto* lidar = std::get_if<LidarModel>(&sensor.model)) {
     lidars_.push_back({Lidar(*lidar, sensor.clock, sensor.latency_ns, seed_, folder),
+                       FrameSlots(sensor.effects, seed_, folder),
                        sensor.clock,
                        machine,
                        link,
-                       sensor.X_BS,
+                       mount.X_BT,
                        sink_->AddLidar(folder, yaml),
                        {}});
-  } else if (const auto* encoder = std::get_if<EncoderModel>(&sensor.model)) {
-    const EncodedAxes axes = AxesOf(*encoder, model);
-    std::vector<EncoderAxis> written;
-    std::vector<bool> linear;
-    for (const int j : axes.joints) {
-      linear.push_back(model.joints[j].type == JointType::kPrismatic);
-      written.push_back({model.joints[j].name, linear.back()});
-    }
-    for (const int g : axes.gears) {
-      linear.push_back(false);
-      written.push_back({model.ground_tools.gears[g].name});
-    }
-    encoders_.push_back({Encoder(*encoder, sensor.clock, sensor.latency_ns, seed_, folder, linear),
-                         sensor.clock, machine, axes.joints, axes.gears,
-                         sink_->AddEncoder(folder, yaml, written)});
+  } else {
+    AddEncoder(model, machine, sensor, folder);
   }
+}
+
+void Rig::AddEncoder(const MachineModel& model, std::size_t machine,
+                     const SensorDescription& sensor, const std::string& folder) {
+  const auto& encoder = std::get<EncoderModel>(sensor.model);
+  const EncodedAxes axes = AxesOf(encoder, model);
+  const std::vector<EncoderAxis> written = NamesOf(axes, model);
+  std::vector<bool> linear;
+  std::vector<std::string> names;
+  std::vector<Effects> axis_effects;
+  for (const EncoderAxis& axis : written) {
+    linear.push_back(axis.linear);
+    names.push_back(axis.name);
+    const auto own = sensor.axis_effects.find(axis.name);
+    axis_effects.push_back(own == sensor.axis_effects.end() ? Effects{} : own->second);
+  }
+  encoders_.push_back({Encoder(encoder, sensor.clock, sensor.latency_ns, seed_, folder, linear),
+                       EncoderSlots(sensor.effects, axis_effects, linear, names, seed_, folder),
+                       sensor.clock, machine, axes.joints, axes.gears,
+                       sink_->AddEncoder(folder, SensorYaml(sensor), written)});
 }
 
 void Rig::SampleStart(const Simulation& simulation) {
@@ -124,7 +152,7 @@ void Rig::SampleImus(const WorldState& before, const WorldState& after) {
     samples.clear();
     unit.imu.Advance(before.t_ns, before.machines[unit.machine].links[unit.link], after.t_ns,
                      after.machines[unit.machine].links[unit.link], gravity_W_mps2, &samples);
-    for (const ImuSample& sample : samples) sink_->Write(unit.channel, sample);
+    Report(&unit, &samples);
   }
 }
 
@@ -133,7 +161,14 @@ void Rig::Finish() {
   for (ImuUnit& unit : imus_) {
     samples.clear();
     unit.imu.Finish(&samples);
-    for (const ImuSample& sample : samples) sink_->Write(unit.channel, sample);
+    Report(&unit, &samples);
+  }
+}
+
+void Rig::Report(ImuUnit* unit, std::vector<ImuSample>* samples) {
+  for (ImuSample& sample : *samples) {
+    unit->slots.Apply(&sample);
+    sink_->Write(unit->channel, sample);
   }
 }
 
@@ -141,10 +176,12 @@ void Rig::SampleGnss(const WorldState& before, const WorldState& after) {
   for (GnssUnit& unit : gnss_) {
     for (; unit.clock.Due(unit.next) <= after.t_ns; ++unit.next) {
       const double s = FractionAt(before, after, unit.clock.Due(unit.next));
-      const Pose X_WB = Interpolate(before.machines[unit.machine].links[unit.link].X_WB,
-                                    after.machines[unit.machine].links[unit.link].X_WB, s);
-      const Vec3 p_WS_m = X_WB * unit.X_BS.translation();
-      sink_->Write(unit.channel, unit.gnss.Measure(unit.next, p_WS_m, site_));
+      const MachineState &a = before.machines[unit.machine], &b = after.machines[unit.machine];
+      const Pose X_WB = Interpolate(a.links[unit.link].X_WB, b.links[unit.link].X_WB, s);
+      GnssSample sample = unit.gnss.Measure(unit.next, X_WB * unit.X_BT.translation(), site_);
+      const BoomAndSlew angles{AngleAt(a, b, unit.boom, s), AngleAt(a, b, unit.slew, s)};
+      unit.slots.Apply(angles, site_, &sample);
+      sink_->Write(unit.channel, sample);
     }
   }
 }
@@ -163,7 +200,9 @@ void Rig::SampleEncoders(const WorldState& before, const WorldState& after) {
         q_rad.push_back(Mix(a.gear_angle_rad[g], b.gear_angle_rad[g], s));
         qd_radps.push_back(Mix(a.gear_rate_radps[g], b.gear_rate_radps[g], s));
       }
-      sink_->Write(unit.channel, unit.encoder.Measure(unit.next, q_rad, qd_radps));
+      EncoderSample sample = unit.encoder.Measure(unit.next, q_rad, qd_radps);
+      unit.slots.Apply(&sample);
+      sink_->Write(unit.channel, sample);
     }
   }
 }
@@ -174,8 +213,9 @@ void Rig::SampleCameras(const WorldState& before, const WorldState& after,
   for (CameraUnit& unit : cameras_) {
     for (; unit.clock.Due(unit.next) <= after.t_ns; ++unit.next) {
       const TimeNs t_ns = unit.clock.Due(unit.next);
-      if (!sink_->NeedsFrame(unit.channel, t_ns)) {
-        sink_->MarkPresent(unit.channel, t_ns);
+      const ReportClock::Times times = unit.slots.Stamp(unit.next, t_ns);
+      if (!sink_->NeedsFrame(unit.channel, times.t_ns)) {
+        sink_->MarkPresent(unit.channel, times.t_ns);
         continue;
       }
       const double s = FractionAt(before, after, t_ns);
@@ -189,8 +229,10 @@ void Rig::SampleCameras(const WorldState& before, const WorldState& after,
       }
       const Pose X_WB = Interpolate(before.machines[unit.machine].links[unit.link].X_WB,
                                     after.machines[unit.machine].links[unit.link].X_WB, s);
-      sink_->Write(unit.channel,
-                   unit.camera.Measure(unit.next, X_WB * unit.X_BS, scene, rasterizer_.get()));
+      CameraFrame frame =
+          unit.camera.Measure(unit.next, X_WB * unit.X_BT, scene, rasterizer_.get());
+      unit.slots.Apply(unit.next, times, &frame);
+      sink_->Write(unit.channel, std::move(frame));
     }
   }
 }
@@ -202,11 +244,12 @@ void Rig::SampleLidars(const WorldState& now, const TerrainSurface& ground) {
   TimeNs oldest_ns = now.t_ns;
   for (LidarUnit& unit : lidars_) {
     const Pose X_WB = now.machines[unit.machine].links[unit.link].X_WB;
-    unit.X_WS.Append(now.t_ns, X_WB * unit.X_BS);
+    unit.X_WS.Append(now.t_ns, X_WB * unit.X_BT);
     for (; unit.clock.Due(unit.next + 1) <= now.t_ns; ++unit.next) {
       const TimeNs start_ns = unit.clock.Due(unit.next), end_ns = unit.clock.Due(unit.next + 1);
-      if (!sink_->NeedsFrame(unit.channel, start_ns)) {
-        sink_->MarkPresent(unit.channel, start_ns);
+      const ReportClock::Times times = unit.slots.Stamp(unit.next, start_ns);
+      if (!sink_->NeedsFrame(unit.channel, times.t_ns)) {
+        sink_->MarkPresent(unit.channel, times.t_ns);
         continue;
       }
       std::vector<std::vector<Pose>> poses;
@@ -214,7 +257,9 @@ void Rig::SampleLidars(const WorldState& now, const TerrainSurface& ground) {
         poses.push_back(BodiesAt(start_ns + (end_ns - start_ns) * k / (Lidar::kScenePoses - 1)));
       }
       ray_scene_->Update(poses, ground, assembly_.BodyScales(now));
-      sink_->Write(unit.channel, unit.lidar.Measure(unit.next, unit.X_WS, *ray_scene_, threads_));
+      LidarScan scan = unit.lidar.Measure(unit.next, unit.X_WS, *ray_scene_, threads_);
+      unit.slots.Apply(unit.next, times, &scan);
+      sink_->Write(unit.channel, std::move(scan));
     }
     unit.X_WS.DropBefore(unit.clock.Due(unit.next));
     oldest_ns = std::min(oldest_ns, unit.clock.Due(unit.next));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dataset/measurement_sink.h"
+#include "sensors/slots/sensor_slots.h"
 #include "sim/scenario.h"
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"
@@ -20,10 +21,17 @@ struct EncodedAxes {
 /// The axes that `encoder` names, or all that move where it names none.
 EncodedAxes AxesOf(const EncoderModel& encoder, const MachineModel& machine);
 
+/// Their names and kinds, in that order.
+std::vector<EncoderAxis> NamesOf(const EncodedAxes& axes, const MachineModel& machine);
+
+/// Joints on which the multipath of a machine's antennas depends.
+inline constexpr char kMultipathBoom[] = "boom", kMultipathSlew[] = "slew";
+
 /// All sensors of a scenario, sampled as they fall due and written.
 ///
-/// Frames  W; each sensor's S at X_BS on its link.
-/// Model   a sample due between two steps is taken from the state interpolated between them; the
+/// Frames  W; each sensor's S at X_BS on its link, or where its effects put it.
+/// Model   what a sensor's own model measures passes through the slots that its effects make.
+///         A sample due between two steps is taken from the state interpolated between them; the
 ///         terrain is that of the later step. A lidar's revolution is traced when it is complete.
 /// Omits   motion of the ground within a revolution or an exposure: one terrain stands for each,
 /// for
@@ -49,21 +57,25 @@ class Rig {
  private:
   struct ImuUnit {
     Imu imu;
+    ImuSlots slots;
     std::size_t machine;
     int link;
     ChannelId channel;
   };
   struct GnssUnit {
     Gnss gnss;
+    GnssSlots slots;
     SampleClock clock;
     std::size_t machine;
     int link;
-    Pose X_BS;
+    Pose X_BT;       ///< where it truly sits
+    int boom, slew;  ///< joints, -1: none of that name
     ChannelId channel;
     std::int64_t next = 0;
   };
   struct EncoderUnit {
     Encoder encoder;
+    EncoderSlots slots;
     SampleClock clock;
     std::size_t machine;
     std::vector<int> joints, gears;  ///< read in this order
@@ -72,19 +84,21 @@ class Rig {
   };
   struct CameraUnit {
     Camera camera;
+    FrameSlots slots;
     SampleClock clock;
     std::size_t machine;
     int link;
-    Pose X_BS;
+    Pose X_BT;  ///< where it truly sits
     ChannelId channel;
     std::int64_t next = 0;
   };
   struct LidarUnit {
     Lidar lidar;
+    FrameSlots slots;
     SampleClock clock;
     std::size_t machine;
     int link;
-    Pose X_BS;
+    Pose X_BT;  ///< where it truly sits
     ChannelId channel;
     PoseTrack X_WS;
     std::int64_t next = 0;
@@ -96,7 +110,10 @@ class Rig {
   };
 
   void Add(const Scenario& scenario, std::size_t machine, const SensorDescription& sensor);
+  void AddEncoder(const MachineModel& model, std::size_t machine, const SensorDescription& sensor,
+                  const std::string& folder);
   void SampleImus(const WorldState& before, const WorldState& after);
+  void Report(ImuUnit* unit, std::vector<ImuSample>* samples);
   void SampleGnss(const WorldState& before, const WorldState& after);
   void SampleEncoders(const WorldState& before, const WorldState& after);
   void SampleCameras(const WorldState& before, const WorldState& after,

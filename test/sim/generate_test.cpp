@@ -135,6 +135,60 @@ TEST(Generate, AnotherSensorLeavesTheOthersUnchanged) {
   }
 }
 
+/// Files of `effects` that differ from those of the same run without them, or are new.
+std::vector<std::string> ChangedBy(const std::string& effects, const std::string& name) {
+  const Files plain = Generated("plain");
+  const Files files =
+      Generated(name, ScenarioText() + "effects: {excavator1: {" + effects + "}}\n");
+  std::vector<std::string> changed;
+  for (const auto& [file, bytes] : files) {
+    const auto before = plain.find(file);
+    if (before == plain.end() || before->second != bytes) changed.push_back(file);
+  }
+  return changed;
+}
+
+TEST(Generate, AnEffectOfASensorChangesWhatItMeasuresAndNothingElse) {
+  using ::testing::Each, ::testing::AnyOf, ::testing::StartsWith, ::testing::Not,
+      ::testing::EndsWith, ::testing::Contains;
+  const auto changed = ChangedBy(
+      "imu_boom: {imu_lever_arm: {x_m: 0.5}}, lidar: {extrinsic: {yaw_deg: 2}}", "two_effects");
+  EXPECT_THAT(changed, Each(AnyOf(StartsWith("excavator1/imu_boom/data.csv"),
+                                  StartsWith("excavator1/lidar/scans/"), "scenario.yaml")));
+  EXPECT_THAT(changed, Contains("excavator1/imu_boom/data.csv"));
+  EXPECT_THAT(changed, Contains("excavator1/lidar/scans/0.pcd"));
+
+  const auto others = ChangedBy(
+      "gnss: {multipath: {}}, camera: {extrinsic: {pitch_deg: 3}, range_bias: {depth_m: 0.1}}, "
+      "encoders/arm: {bias: {angle_deg: 1}}",
+      "three_effects");
+  EXPECT_THAT(others, Each(AnyOf("excavator1/gnss/data.csv", StartsWith("excavator1/camera/"),
+                                 "excavator1/encoders/data.csv", "scenario.yaml")));
+  EXPECT_THAT(others, Contains("excavator1/gnss/data.csv"));
+  EXPECT_THAT(others, Contains("excavator1/camera/depth/0.png"));
+  EXPECT_THAT(others, Contains("excavator1/encoders/data.csv"));
+  EXPECT_THAT(others, Each(Not(EndsWith("sensor.yaml"))));  // which stays as documented
+}
+
+constexpr const char* kWrongClocks =
+    "effects: {excavator1: {camera: {latency: {delay_s: 0.05, jitter_s: 0.2}}, "
+    "lidar: {clock_offset: {offset_s: -18}, latency: {delay_s: 0, jitter_s: 0.1}}, "
+    "imu_boom: {latency: {delay_s: 0.01, jitter_s: 0.05}}}}\n";
+
+TEST(Generate, AKilledRunWithSensorsThatStampLateIsFinishedWithTheSameBytes) {
+  struct Killed {};
+  const Files whole = Generated("late", ScenarioText() + kWrongClocks);
+  EXPECT_THAT(whole.at("excavator1/lidar/data.csv"), ::testing::HasSubstr("\n-17"));
+  const fs::path out = Fresh("late_killed");
+  GenerateOptions until_half;
+  until_half.progress = [](const GenerateProgress& progress) {
+    if (progress.simulated_s > 0.6) throw Killed();
+  };
+  EXPECT_THROW(Simulate(out, ScenarioText() + kWrongClocks, until_half), Killed);
+  Simulate(out, ScenarioText() + kWrongClocks, Resume());
+  ExpectSame(whole, ReadAll(out));
+}
+
 TEST(Generate, AKilledRunIsFinishedWithTheSameBytes) {
   struct Killed {};
   const Files whole = Generated("whole");

@@ -154,6 +154,85 @@ TEST(ReadScenario, ResolvedScenarioReadsTheSameAgain) {
   EXPECT_EQ(scenario.machines[0].sensors.size(), 11u);
 }
 
+/// Faults of effects on a rig with one sensor of each kind and two antennas.
+std::string EffectFaults(const std::string& effects, const std::string& more = "") {
+  const auto sensor = [](const std::string& name, const std::string& preset,
+                         const std::string& place) {
+    return "{name: " + name + ", preset: tera:config/sensors/" + preset + ".yaml" + place + "}, ";
+  };
+  return FaultsOf(WithRig(sensor("imu", "xsens_mti_670", ", link: boom") +
+                          sensor("left", "rtk_f9p", ", link: upper") +
+                          sensor("right", "rtk_f9p", ", link: upper") +
+                          sensor("camera", "rgb_640", ", link: upper") +
+                          sensor("lidar", "vlp16", ", link: upper") +
+                          sensor("encoders", "encoder", "") + more) +
+                  "effects: {excavator1: {" + effects + "}}\n");
+}
+
+TEST(ReadScenario, TakesEffectsOfEverySensorAndOfOneAxis) {
+  EXPECT_EQ(EffectFaults("imu: {bias: {gyro_x_degps: 1}, clock_drift: {drift_ppm: 20}}, "
+                         "left: {antenna_swap: {}, antenna_yaw: {yaw_deg: 3}, multipath: {}}, "
+                         "camera: {extrinsic: {x_m: 0.1}}, lidar: {range_bias: {range_m: 0.1}}, "
+                         "encoders: {latency: {delay_s: 0.1}}, encoders/boom: {axis_flip: {}}, "
+                         "encoders/left_track: {scale: {rate_factor: 1.1}}"),
+            "");
+}
+
+TEST(ReadScenario, RefusesAMechanismThatASensorCannotHaveAndListsThoseThatItCan) {
+  EXPECT_THAT(EffectFaults("imu: {height_datum: {offset_m: 3}}"),
+              AllOf(HasSubstr("effects.imu.height_datum: 'height_datum' does not act on this "
+                              "target, an imu; those that do: mount_rotation, axis_flip"),
+                    HasSubstr("filter_delay")));
+  EXPECT_THAT(EffectFaults("lidar: {bias: {}}"), HasSubstr("a lidar; those that do: extrinsic"));
+  EXPECT_THAT(EffectFaults("camera: {filter_delay: {time_constant_s: 1}}"), HasSubstr("a camera"));
+  EXPECT_THAT(EffectFaults("left: {mount_rotation: {}}"), HasSubstr("a gnss; those that do"));
+  EXPECT_THAT(EffectFaults("encoders/boom: {clock_offset: {offset_s: 18}}"),
+              HasSubstr("one axis of a set of encoders; those that do: axis_flip, bias"));
+  EXPECT_THAT(EffectFaults("imu: {clock_ofset: {offset_s: 18}}"),
+              HasSubstr("unknown key (did you mean 'clock_offset'?)"));
+}
+
+TEST(ReadScenario, RefusesNumbersOfSensorEffectsOutOfTheirRanges) {
+  EXPECT_THAT(
+      EffectFaults("imu: {clock_offset: {offset_s: 180}}"),
+      HasSubstr("effects.imu.clock_offset.offset_s: 180 is out of range, need -40 to 40 s"));
+  EXPECT_THAT(EffectFaults("imu: {clock_drift: {}}"), HasSubstr("clock_drift.drift_ppm: missing"));
+  EXPECT_THAT(EffectFaults("imu: {axis_flip: {x: 0.5}}"), HasSubstr("not a whole number"));
+  EXPECT_THAT(EffectFaults("left: {outliers: {probability: 1.5}}"), HasSubstr("need 0 to 1"));
+  EXPECT_THAT(EffectFaults("imu: {bias: {gyro_x_radps: 1}}"),
+              HasSubstr("imu.bias.gyro_x_radps: unknown key"));
+}
+
+TEST(ReadScenario, RefusesEffectsOfAPairOfAntennasThatIsNone) {
+  EXPECT_THAT(
+      EffectFaults("left: {antenna_swap: {}}",
+                   "{name: third, preset: tera:config/sensors/rtk_f9p.yaml, link: boom}"),
+      HasSubstr("effects.left.antenna_swap: 'antenna_swap' acts on a pair; need exactly two"));
+  EXPECT_THAT(EffectFaults("left: {antenna_yaw: {yaw_deg: 1}}, right: {antenna_yaw: {yaw_deg: 1}}"),
+              HasSubstr("turns both antennas and stands at 'right' too; keep one"));
+  EXPECT_THAT(FaultsOf(WithRig("{name: a, preset: tera:config/sensors/rtk_f9p.yaml, link: upper}, "
+                               "{name: b, preset: tera:config/sensors/rtk_f9p.yaml, link: boom}") +
+                       "effects: {excavator1: {a: {antenna_yaw: {yaw_deg: 1}}}}\n"),
+              HasSubstr("'a' is on 'upper' and 'b' on 'boom'; need both on one link"));
+}
+
+TEST(ReadScenario, RefusesAnEffectOfAnAxisThatTheEncodersDoNotRead) {
+  EXPECT_THAT(EffectFaults("encoders/bom: {axis_flip: {}}"),
+              HasSubstr("effects.encoders/bom: unknown key (did you mean 'encoders/boom'?)"));
+}
+
+TEST(ReadScenario, RefusesMultipathOnAMachineWithoutABoom) {
+  const std::string mast = R"(
+machines:
+  - name: mast1
+    machine: tera:config/machines/mast.yaml
+    operator: {type: idle}
+    rig: {sensors: [{name: a, preset: tera:config/sensors/rtk_f9p.yaml, link: mast}]}
+effects: {mast1: {a: {multipath: {}}}}
+)";
+  EXPECT_THAT(FaultsOf(kSite + mast), HasSubstr("this machine has no 'boom'"));
+}
+
 TEST(Scenarios, AllThatAreShippedAreValid) {
   for (const char* name : {"quickstart", "drive_three_soils", "two_machines", "warthog_asphalt"}) {
     const Config config = Config::FromFile(std::string("config/scenarios/") + name + ".yaml",
