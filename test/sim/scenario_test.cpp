@@ -174,7 +174,7 @@ TEST(ReadScenario, TakesEffectsOfEverySensorAndOfOneAxis) {
                          "left: {antenna_swap: {}, antenna_yaw: {yaw_deg: 3}, multipath: {}}, "
                          "camera: {extrinsic: {x_m: 0.1}}, lidar: {range_bias: {range_m: 0.1}}, "
                          "encoders: {latency: {delay_s: 0.1}}, encoders/boom: {axis_flip: {}}, "
-                         "encoders/left_track: {scale: {rate_factor: 1.1}}"),
+                         "encoders/arm: {scale: {rate_factor: 1.1}}"),
             "");
 }
 

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -259,7 +260,7 @@ TEST(SensorMechanisms, AndAllTheirParametersAreInTheDocumentation) {
   const std::string text(std::istreambuf_iterator<char>(file), {});
   for (const Mechanism& mechanism : SensorMechanisms()) {
     const auto expect = [&](std::string_view name) {
-      EXPECT_NE(text.find("`" + std::string(name) + "`"), text.npos) << name;
+      EXPECT_NE(text.find(fmt::format("`{}`", name)), text.npos) << name;
     };
     expect(mechanism.id);
     for (const EffectParameter& p : mechanism.parameters) expect(p.name);
