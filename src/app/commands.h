@@ -15,5 +15,6 @@ void AddImportCommand(CLI::App* app);
 void AddImportRigCommand(CLI::App* app);
 void AddOverviewCommand(CLI::App* app);
 void AddReplayCommand(CLI::App* app);
+void AddRos2Command(CLI::App* app);
 
 }  // namespace tera

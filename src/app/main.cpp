@@ -26,6 +26,7 @@ int Run(int argc, char** argv) {
   tera::AddImportRigCommand(&app);
   tera::AddOverviewCommand(&app);
   tera::AddReplayCommand(&app);
+  tera::AddRos2Command(&app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -138,6 +138,12 @@ Participant::ReaderId Participant::SubscribeToLevers(const std::string& topic) {
   return static_cast<ReaderId>(impl_->readers.size()) - 1;
 }
 
+bool Participant::HasLeverWriters(ReaderId reader) const {
+  dds_subscription_matched_status_t status = {};
+  dds_get_subscription_matched_status(impl_->readers.at(reader), &status);
+  return status.current_count > 0;
+}
+
 std::vector<DeltaCan> Participant::TakeLevers(ReaderId reader) {
   std::vector<DeltaCan> messages;
   const dds_return_t taken = TakeFromWire(impl_->readers.at(reader), kLeverDepth, &messages);

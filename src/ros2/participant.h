@@ -56,6 +56,8 @@ class Participant {
   using ReaderId = int;
   /// Best effort, so that publishers of any reliability fit.
   ReaderId SubscribeToLevers(const std::string& topic);
+  /// Whether anybody publishes to it.
+  bool HasLeverWriters(ReaderId reader) const;
   /// What has come since the last call, oldest first, at most the last 10.
   std::vector<DeltaCan> TakeLevers(ReaderId reader);
   /// Waits until lever messages of any reader are waiting. False after `timeout_s`.

@@ -1,0 +1,19 @@
+#include "app/commands.h"
+#include "core/error.h"
+
+// `tera ros2` of a program that was built without Cyclone DDS.
+
+namespace tera {
+
+void AddRos2Command(CLI::App* app) {
+  CLI::App* command = app->add_subcommand(
+      "ros2", "Run a scenario live for ROS 2 (not in this build: needs Cyclone DDS)");
+  command->allow_extras();
+  command->callback([] {
+    throw InputError(
+        "tera ros2: built without Cyclone DDS; install cyclonedds-dev and cyclonedds-tools, then "
+        "configure and build again");
+  });
+}
+
+}  // namespace tera

@@ -1,0 +1,160 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "app/commands.h"
+#include "app/load_scenario.h"
+#include "core/error.h"
+#include "ros2/live.h"
+
+namespace tera {
+namespace {
+
+struct Arguments {
+  std::string scenario;
+  std::optional<int> domain_id;
+  std::optional<std::uint64_t> seed;
+  std::optional<std::string> record;
+  bool localhost_only = false;
+  ros::LiveRosOptions options;
+  std::vector<std::string> set;
+};
+
+/// While it lives, the first Ctrl-C or SIGTERM is a request to end, the second ends the program.
+class StopRequest {
+ public:
+  StopRequest() {
+    struct sigaction action = {};
+    action.sa_handler = [](int) { asked = 1; };
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+  }
+  StopRequest(const StopRequest&) = delete;
+  StopRequest& operator=(const StopRequest&) = delete;
+  ~StopRequest() {
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+  }
+  static bool Asked() { return asked != 0; }
+
+ private:
+  static inline volatile std::sig_atomic_t asked = 0;
+};
+
+std::string_view Environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+/// As ROS 2 has it: ROS_DOMAIN_ID, else 0.
+int DomainOfEnvironment() {
+  const std::string_view text = Environment("ROS_DOMAIN_ID");
+  if (text.empty()) return 0;
+  int id = -1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), id);
+  if (error == std::errc() && end == text.data() + text.size() && id >= 0 &&
+      id <= ros::Participant::kLargestDomainId) {
+    return id;
+  }
+  throw InputError(fmt::format("ROS_DOMAIN_ID is '{}'; need a whole number from 0 to {}, or unset",
+                               text, ros::Participant::kLargestDomainId));
+}
+
+bool LocalhostOnlyByEnvironment() {
+  return Environment("ROS_LOCALHOST_ONLY") == "1" ||
+         Environment("ROS_AUTOMATIC_DISCOVERY_RANGE") == "LOCALHOST";
+}
+
+void PrintReport(const ros::LiveRosReport& report) {
+  fmt::print(
+      "{:.2f} s simulated in {:.2f} s; {} messages published, {} dropped; {} lever messages "
+      "taken, {} refused",
+      report.simulated_s, report.wall_s, report.published, report.dropped, report.levers_received,
+      report.levers_refused);
+  if (report.timeouts > 0) fmt::print("; {} answers did not come in time", report.timeouts);
+  fmt::print("\n");
+}
+
+void RunRos2(const Arguments& arguments) {
+  std::vector<std::string> overrides = arguments.set;
+  if (arguments.seed) overrides.push_back(fmt::format("seed={}", *arguments.seed));
+  LoadedScenario loaded = LoadScenario(arguments.scenario, overrides);
+
+  ros::LiveRosOptions options = arguments.options;
+  options.dds.domain_id = arguments.domain_id ? *arguments.domain_id : DomainOfEnvironment();
+  options.dds.this_host_only = arguments.localhost_only || LocalhostOnlyByEnvironment();
+  if (arguments.record) options.live.record = *arguments.record;
+  options.stop = &StopRequest::Asked;
+  options.log = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+
+  const StopRequest stop;
+  fmt::print("{} for ROS 2 on domain {}{}, until Ctrl-C\n", loaded.scenario.name,
+             options.dds.domain_id, options.dds.this_host_only ? ", this host only" : "");
+  std::fflush(stdout);
+  PrintReport(ros::RunForRos(std::move(loaded.scenario), loaded.resolved_yaml, options));
+}
+
+}  // namespace
+
+void AddRos2Command(CLI::App* app) {
+  auto arguments = std::make_shared<Arguments>();
+  ros::LiveRosOptions& options = arguments->options;
+  options.live.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  CLI::App* command =
+      app->add_subcommand("ros2", "Run a scenario live for ROS 2, until Ctrl-C (docs/ros2.md)");
+  command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML)")->required();
+  command->add_option("--domain", arguments->domain_id, "DDS domain; else ROS_DOMAIN_ID, else 0")
+      ->check(CLI::Range(0, ros::Participant::kLargestDomainId));
+  command->add_flag("--localhost-only", arguments->localhost_only,
+                    "Stay on this host, as with ROS_LOCALHOST_ONLY=1; without it whoever is on the "
+                    "network can drive the machines");
+  command
+      ->add_option("--pace", options.pace,
+                   "real: as on the wall; fast: as fast as it can; lockstep: as lever messages "
+                   "answer /clock")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, ros::Pace>{{"real", ros::Pace::kReal},
+                                           {"fast", ros::Pace::kFast},
+                                           {"lockstep", ros::Pace::kLockstep}}));
+  command
+      ->add_option("--rate", options.rate_hz,
+                   "Hz of /clock, of the states, and of looking for levers")
+      ->check(CLI::Range(1.0, 1e4))
+      ->capture_default_str();
+  command
+      ->add_option("--answer-timeout", options.answer_timeout_s,
+                   "Seconds on the wall that lockstep waits for an answer")
+      ->check(CLI::Range(0.01, 3600.0))
+      ->capture_default_str();
+  command->add_option("--duration", options.duration_s, "Simulated seconds, instead of no end")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--seed", arguments->seed, "Seed, instead of the scenario's")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--record", arguments->record,
+                      "Also write a dataset to this directory; new or empty");
+  command->add_option("--threads", options.live.threads, "Threads for rays and encoding")
+      ->check(CLI::Range(1, 256));
+  command
+      ->add_option("--egl-device", options.live.egl.device,
+                   "GPU to render with; without it the first GPU, else Mesa in software")
+      ->check(CLI::NonNegativeNumber);
+  command
+      ->add_option("--set", arguments->set,
+                   "key.path=value instead of the scenario's; may be repeated")
+      ->take_all();
+  command->callback([arguments] { RunRos2(*arguments); });
+}
+
+}  // namespace tera

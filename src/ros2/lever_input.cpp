@@ -1,0 +1,121 @@
+#include "ros2/lever_input.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "ros2/names.h"
+
+namespace tera::ros {
+namespace {
+
+struct Field {
+  const char* name;
+  float DeltaCan::*value;
+};
+
+constexpr Field kFields[] = {{"slew", &DeltaCan::slew},
+                             {"boom", &DeltaCan::boom},
+                             {"arm", &DeltaCan::arm},
+                             {"bucket", &DeltaCan::bucket},
+                             {"left_travel", &DeltaCan::left_travel},
+                             {"right_travel", &DeltaCan::right_travel},
+                             {"blade", &DeltaCan::blade},
+                             {"swing", &DeltaCan::swing}};
+
+TimeNs StampOf(const DeltaCan& message) {
+  return message.stamp_sec * kNsPerSecond + message.stamp_nanosec;
+}
+
+bool IsPowerOfTen(std::int64_t n) {
+  while (n > 1 && n % 10 == 0) n /= 10;
+  return n == 1;
+}
+
+}  // namespace
+
+float DeltaCan::*FieldOf(const Lever& lever) {
+  if (lever.gear >= 0) {
+    if (lever.name.starts_with("left")) return &DeltaCan::left_travel;
+    if (lever.name.starts_with("right")) return &DeltaCan::right_travel;
+    return nullptr;
+  }
+  for (const Field& field : kFields) {
+    if (lever.name == field.name) return field.value;
+  }
+  return nullptr;
+}
+
+std::optional<std::string> FaultOf(const DeltaCan& message) {
+  if (message.stamp_sec < 0 || message.stamp_nanosec >= kNsPerSecond) {
+    return fmt::format("its stamp is {} s {} ns, need a time from 0 on, below 10^9 ns",
+                       message.stamp_sec, message.stamp_nanosec);
+  }
+  for (const Field& field : kFields) {
+    const float value = message.*field.value;
+    if (std::isfinite(value) && std::abs(value) <= 1) continue;
+    return fmt::format("{} is {}, need -1 to 1", field.name, value);
+  }
+  return std::nullopt;
+}
+
+ControlMessage ControlOf(const DeltaCan& message, const MachineModel& model) {
+  ControlMessage::Levers levers;
+  for (const Lever& lever : model.levers) {
+    float DeltaCan::*const field = FieldOf(lever);
+    levers.position.push_back(field == nullptr ? 0 : message.*field);
+  }
+  ControlMessage control;
+  control.command = std::move(levers);
+  control.enable = message.enable;
+  control.hydraulic_lock = message.hydraulic_lock;
+  control.high_speed = message.high_speed;
+  return control;
+}
+
+LeverInput::LeverInput(const Scenario& scenario, Participant* participant, Log log)
+    : scenario_(scenario), participant_(participant), log_(std::move(log)) {
+  for (const ScenarioMachine& machine : scenario.machines) {
+    Input input;
+    if (!machine.placement.model.levers.empty()) {
+      input.reader = participant->SubscribeToLevers(TopicOf(machine.placement.name, "delta_can"));
+    }
+    inputs_.push_back(input);
+  }
+}
+
+void LeverInput::Take(TimeNs now_ns,
+                      const std::function<void(std::size_t, const ControlMessage&)>& command) {
+  for (std::size_t m = 0; m < inputs_.size(); ++m) {
+    if (!inputs_[m].reader) continue;
+    std::optional<DeltaCan> last;
+    for (const DeltaCan& message : participant_->TakeLevers(*inputs_[m].reader)) {
+      if (const auto fault = FaultOf(message)) {
+        Refuse(m, *fault);
+        continue;
+      }
+      ++received_;
+      if (StampOf(message) == now_ns) inputs_[m].answered_ns = now_ns;
+      last = message;
+    }
+    if (last) command(m, ControlOf(*last, scenario_.machines[m].placement.model));
+  }
+}
+
+void LeverInput::Refuse(std::size_t machine, const std::string& fault) {
+  ++refused_;
+  if (!IsPowerOfTen(refused_)) return;
+  log_(fmt::format("{}: levers refused: {} ({} refused so far)",
+                   scenario_.machines[machine].placement.name, fault, refused_));
+}
+
+bool LeverInput::HasPublisher(std::size_t machine) const {
+  return inputs_[machine].reader && participant_->HasLeverWriters(*inputs_[machine].reader);
+}
+
+bool LeverInput::Answered(std::size_t machine, TimeNs now_ns) const {
+  return inputs_[machine].answered_ns == now_ns;
+}
+
+}  // namespace tera::ros

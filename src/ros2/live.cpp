@@ -1,0 +1,107 @@
+#include "ros2/live.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "core/error.h"
+#include "core/stopwatch.h"
+#include "ros2/names.h"
+#include "ros2/sample_publisher.h"
+#include "ros2/state_publisher.h"
+
+namespace tera::ros {
+namespace {
+
+void RequireRate(double rate_hz, double physics_rate_hz) {
+  if (rate_hz <= physics_rate_hz) return;
+  throw InputError(
+      fmt::format("--rate {} Hz is beyond the scenario's physics_rate_hz {}; need a "
+                  "lower rate, or a faster physics",
+                  rate_hz, physics_rate_hz));
+}
+
+/// A run, and what of it is heard and said.
+class Session {
+ public:
+  Session(Scenario scenario, const std::string& resolved_yaml, const LiveRosOptions& options)
+      : options_(options),
+        participant_(options.dds),
+        samples_(scenario, &participant_),
+        run_(std::move(scenario), resolved_yaml, options.live, {&samples_}),
+        states_(run_.scenario(), now(), &participant_),
+        levers_(run_.scenario(), &participant_, options.log),
+        lockstep_(run_.scenario(), &levers_, options.answer_timeout_s, WaysOfWaiting()) {}
+
+  LiveRosReport Run() {
+    LiveRosReport report;
+    {
+      const Stopwatch watch(&report.wall_s);
+      const SampleClock clock{options_.rate_hz};
+      Say();
+      for (std::int64_t tick = 1; !options_.stop() && ToSeconds(now().t_ns) < options_.duration_s;
+           ++tick) {
+        Listen();
+        while (now().t_ns < clock.Due(tick)) {
+          run_.Step();
+          samples_.PublishDue(now().t_ns);
+        }
+        Say();
+      }
+      run_.Finish();
+    }
+    report.simulated_s = ToSeconds(now().t_ns);
+    report.published = participant_.published();
+    report.dropped = participant_.dropped();
+    report.levers_received = levers_.received();
+    report.levers_refused = levers_.refused();
+    report.timeouts = lockstep_.timeouts();
+    return report;
+  }
+
+ private:
+  const WorldState& now() const { return run_.simulation().state(); }
+
+  void Say() {
+    samples_.PublishDue(now().t_ns);
+    states_.Publish(now());
+  }
+
+  void TakeLevers() {
+    levers_.Take(now().t_ns, [this](std::size_t machine, const ControlMessage& message) {
+      run_.Command(machine, message);
+    });
+  }
+
+  void Listen() {
+    if (options_.pace == Pace::kLockstep) return lockstep_.WaitForAnswers(now().t_ns);
+    if (options_.pace == Pace::kReal) real_time_.WaitFor(now().t_ns);
+    TakeLevers();
+  }
+
+  Lockstep::Ways WaysOfWaiting() {
+    return {[this] { TakeLevers(); },
+            [this](double timeout_s) { participant_.WaitForLevers(timeout_s); },
+            [this] { states_.RepeatClock(); }, options_.stop, options_.log};
+  }
+
+  const LiveRosOptions& options_;
+  Participant participant_;
+  SamplePublisher samples_;
+  LiveRun run_;
+  StatePublisher states_;
+  LeverInput levers_;
+  Lockstep lockstep_;
+  RealTime real_time_;
+};
+
+}  // namespace
+
+LiveRosReport RunForRos(Scenario scenario, const std::string& resolved_yaml,
+                        const LiveRosOptions& options) {
+  RequireRosNames(scenario);
+  RequireRate(options.rate_hz, scenario.physics_rate_hz);
+  return Session(std::move(scenario), resolved_yaml, options).Run();
+}
+
+}  // namespace tera::ros
