@@ -100,8 +100,8 @@ void RunRos2(const Arguments& arguments) {
   options.log = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
 
   const StopRequest stop;
-  fmt::print("{} for ROS 2 on domain {}{}, until Ctrl-C\n", loaded.scenario.name,
-             options.dds.domain_id, options.dds.this_host_only ? ", this host only" : "");
+  fmt::print("{} for ROS 2 on domain {}{}\n", loaded.scenario.name, options.dds.domain_id,
+             options.dds.this_host_only ? ", this host only" : "");
   std::fflush(stdout);
   PrintReport(ros::RunForRos(std::move(loaded.scenario), loaded.resolved_yaml, options));
 }

@@ -44,14 +44,15 @@ Qos QosOf(Delivery delivery) {
 
 constexpr int kLeverDepth = 10;
 
-/// Cyclone's settings, those of CYCLONEDDS_URI over ours. Without multicast on the loopback
-/// interface, participants of this host are asked one by one.
+/// Cyclone's settings, those of CYCLONEDDS_URI over ours. The loopback interface hardly ever says
+/// that it can multicast, though it can: participants of this host find each other by it, and by
+/// asking at one port after the other.
 std::string Settings(bool this_host_only) {
   std::string settings;
   if (this_host_only) {
     settings =
-        "<General><Interfaces><NetworkInterface address=\"127.0.0.1\"/></Interfaces>"
-        "<AllowMulticast>false</AllowMulticast></General>"
+        "<General><Interfaces><NetworkInterface address=\"127.0.0.1\" multicast=\"true\"/>"
+        "</Interfaces><AllowMulticast>spdp</AllowMulticast></General>"
         "<Discovery><ParticipantIndex>auto</ParticipantIndex>"
         "<MaxAutoParticipantIndex>32</MaxAutoParticipantIndex>"
         "<Peers><Peer address=\"127.0.0.1\"/></Peers></Discovery>";
