@@ -2,6 +2,7 @@
 
 #include "sim/dig_cycle.h"
 #include "sim/lever_replay.h"
+#include "sim/random_levers.h"
 #include "sim/waypoint_driver.h"
 
 namespace tera {
@@ -23,13 +24,15 @@ std::unique_ptr<Operator> ReadDigCycle(const ConfigMap& config, const MachineMod
 
 }  // namespace
 
-std::unique_ptr<Operator> ReadOperator(const ConfigMap& config, const MachineModel& model) {
-  const std::string type =
-      config.Choice("type", {"idle", "lever_replay", "twist_replay", "waypoints", "dig_cycle"});
+std::unique_ptr<Operator> ReadOperator(const ConfigMap& config, const MachineModel& model,
+                                       const OperatorStream& stream) {
+  const std::string type = config.Choice(
+      "type", {"idle", "lever_replay", "twist_replay", "waypoints", "dig_cycle", "random_levers"});
   if (type == "lever_replay") return ReadLeverReplay(config, model);
   if (type == "twist_replay") return ReadTwistReplay(config, model);
   if (type == "waypoints") return ReadWaypointDriver(config, model);
   if (type == "dig_cycle") return ReadDigCycle(config, model);
+  if (type == "random_levers") return ReadRandomLevers(config, model, stream);
   return std::make_unique<Idle>();
 }
 

@@ -28,9 +28,16 @@ class Operator {
   virtual std::vector<double> Levers(const OperatorView& view) = 0;
 };
 
+/// Where an operator's random numbers come from.
+struct OperatorStream {
+  std::uint64_t seed = 0;
+  std::string machine;
+};
+
 /// Reads a machine's `operator:` mapping. `type` is one of idle, lever_replay, twist_replay,
-/// waypoints, dig_cycle. Faults (a joint or lever the machine lacks, an unreadable file) go to
-/// `config`.
-std::unique_ptr<Operator> ReadOperator(const ConfigMap& config, const MachineModel& model);
+/// waypoints, dig_cycle, random_levers. Faults (a joint or lever the machine lacks, an unreadable
+/// file) go to `config`.
+std::unique_ptr<Operator> ReadOperator(const ConfigMap& config, const MachineModel& model,
+                                       const OperatorStream& stream);
 
 }  // namespace tera

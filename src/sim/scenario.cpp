@@ -103,7 +103,8 @@ void ReadSensors(const ConfigMap& config, const MachineModel& model,
   }
 }
 
-ScenarioMachine ReadMachineEntry(const ConfigMap& config, const TerrainSurface& ground,
+ScenarioMachine ReadMachineEntry(const ConfigMap& config, std::uint64_t seed,
+                                 const TerrainSurface& ground,
                                  const std::optional<ConfigMap>& effects) {
   ScenarioMachine machine;
   machine.placement.name = config.Text("name");
@@ -120,7 +121,7 @@ ScenarioMachine ReadMachineEntry(const ConfigMap& config, const TerrainSurface& 
     ReadStartAngles(*start, model, &machine.placement.q_rad);
   }
   machine.placement.X_WB = RestingPose(ground, xy_m, yaw_rad, FootprintHalf(model));
-  machine.driver = ReadOperator(config.Map("operator"), model);
+  machine.driver = ReadOperator(config.Map("operator"), model, {seed, machine.placement.name});
   ReadSensors(config, model, &machine.sensors);
   ReadMachineEffects(description, effects, machine.placement.name, &machine.placement.model,
                      &machine.sensors);
@@ -228,7 +229,8 @@ Scenario ReadScenario(const ConfigMap& config) {
   }
   const std::optional<ConfigMap> effects = config.OptionalMap("effects");
   for (const ConfigMap& machine : config.List("machines")) {
-    scenario.machines.push_back(ReadMachineEntry(machine, scenario.soil->surface(), effects));
+    scenario.machines.push_back(
+        ReadMachineEntry(machine, scenario.seed, scenario.soil->surface(), effects));
   }
   for (const ConfigMap& obstacle : config.List("obstacles")) {
     scenario.obstacles.push_back(ReadObstacle(obstacle));

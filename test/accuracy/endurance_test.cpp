@@ -1,24 +1,33 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 
 #include "core/config.h"
 #include "core/units.h"
 #include "sim/simulation.h"
 
-// A long shift on the quickstart's site. TERA_ENDURANCE_S in the environment sets its length in
-// simulated seconds.
+// Long shifts: digging on the quickstart's site, and all levers at random on three soils. In the
+// environment, TERA_ENDURANCE_S sets their length in simulated seconds, TERA_ENDURANCE_SEEDS how
+// many random ones there are.
 
 namespace tera {
 namespace {
 
-constexpr double kUsual_s = 120;
+constexpr double kUsual_s = 120, kUsualRandom_s = 30;
+constexpr int kUsualSeeds = 2;
 
-double Length_s() {
+double Length_s(double usual_s = kUsual_s) {
   const char* given = std::getenv("TERA_ENDURANCE_S");
-  return given ? std::atof(given) : kUsual_s;
+  return given ? std::atof(given) : usual_s;
+}
+
+int Seeds() {
+  const char* given = std::getenv("TERA_ENDURANCE_SEEDS");
+  return given ? std::atoi(given) : kUsualSeeds;
 }
 
 bool IsFinite(const MachineState& state) {
@@ -84,6 +93,53 @@ TEST(Endurance, DiggingGoesOnUprightFiniteAndWithAllItsSoil) {
   }
   EXPECT_GT(heaviest_load_kg, 10);  // it did dig
   EXPECT_NEAR(ledger.total_kg() / mass_before_kg, 1.0, 1e-6);
+}
+
+/// Height of the undercarriage's frame, which is at the tracks' soles, above the ground below it.
+double StandsAbove_m(const MachineState& state, const TerrainSurface& ground) {
+  const Vec3 p_W_m = state.links[0].X_WB.translation();
+  return p_W_m.z() - ground.HeightAt(p_W_m.x(), p_W_m.y());
+}
+
+/// All levers at random for a while. The excavator may dig itself in and tip over, but everything
+/// must stay finite, above ground, and no faster than levers and a fall make it.
+void ShakeAtRandom(int seed, double length_s) {
+  const Config config =
+      Config::FromFile(DataRoot() / "config/scenarios/random_levers.yaml",
+                       {fmt::format("seed={}", seed), "machines[0].rig={sensors: []}"});
+  Scenario scenario = ReadScenario(config.root());
+  const double mass_before_kg = scenario.soil->ledger().total_kg();
+  Simulation simulation(&scenario);
+  const MachineModel& model = scenario.machines[0].placement.model;
+  // A fall from a metre.
+  const double fall_j = model.TotalMass_kg() * kStandardGravity_mps2 * 1.0;
+  double most_j = 0, steepest_rad = 0, lowest_m = 1;
+  const auto steps = std::llround(length_s * scenario.physics_rate_hz);
+  for (std::int64_t step = 0; step < steps; ++step) {
+    simulation.Step();
+    const MachineState& machine = simulation.state().machines[0];
+    ASSERT_TRUE(IsFinite(machine)) << "at " << ToSeconds(simulation.state().t_ns) << " s";
+    most_j = std::max(most_j, KineticEnergy_j(model, machine));
+    steepest_rad = std::max(steepest_rad,
+                            std::acos(std::clamp(machine.links[0].X_WB.linear()(2, 2), -1., 1.)));
+    lowest_m = std::min(lowest_m, StandsAbove_m(machine, simulation.ground()));
+  }
+  const double mass_kg = scenario.soil->ledger().total_kg();
+  fmt::print(
+      "seed {}, {:.0f} s: kinetic energy up to {:.0f} J, tilt up to {:.0f} deg, lowest frame "
+      "{:.2f} "
+      "m above ground at the lowest, soil lost {:.1g} of it; {:.1f} x real time\n",
+      seed, length_s, most_j, steepest_rad / kDeg, lowest_m,
+      (mass_before_kg - mass_kg) / mass_before_kg,
+      length_s / (simulation.physics_wall_s() + simulation.soil_wall_s()));
+  std::fflush(stdout);
+  EXPECT_LT(most_j, fall_j);
+  EXPECT_GT(lowest_m, -0.5);  // sunk into its own trench, not through the ground
+  EXPECT_NEAR(mass_kg / mass_before_kg, 1.0, 1e-6);
+}
+
+TEST(Endurance, RandomLeversOnThreeSoilsEndInNothingImpossible) {
+  for (int seed = 1; seed <= Seeds(); ++seed) ShakeAtRandom(seed, Length_s(kUsualRandom_s));
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ struct Cart {
 
 std::unique_ptr<Operator> Read(const std::string& yaml, const Cart& cart) {
   const Config config = Config::FromText(yaml, "operator.yaml");
-  auto driver = ReadOperator(config.root(), cart.model);
+  auto driver = ReadOperator(config.root(), cart.model, {.seed = 3, .machine = "cart1"});
   config.Finish();
   return driver;
 }
@@ -141,6 +141,48 @@ TEST(WaypointDriver, TurnsLeftOnTheSpotForAPointBehindItsLeft) {
   EXPECT_NEAR(levers[0], -levers[1], 1e-12);
 }
 
+TEST(RandomLevers, UndoEveryPieceOfADriveByItsOpposite) {
+  Cart cart;
+  const auto driver =
+      Read("{type: random_levers, shortest_s: 0.3, longest_s: 0.9, amplitude: 0.8}", cart);
+  const double dt_s = 0.001;
+  double way[2] = {0, 0}, farthest = 0, largest = 0, travelled = 0;
+  for (int step = 0; step < 60000; ++step) {
+    const auto levers = cart.Levers(driver.get(), step * dt_s);
+    for (int side = 0; side < 2; ++side) {
+      way[side] += levers[side] * dt_s;
+      travelled += std::abs(levers[side]) * dt_s;
+      farthest = std::max(farthest, std::abs(way[side]));
+      largest = std::max(largest, std::abs(levers[side]));
+    }
+  }
+  EXPECT_GT(travelled, 20);
+  EXPECT_LE(farthest, 0.9 * 0.8 + 0.01 * travelled);  // one piece, and the steps' rounding
+  EXPECT_LE(largest, 0.8);
+  EXPECT_GT(largest, 0.7);
+}
+
+TEST(RandomLevers, DependOnSeedAndMachineAlone) {
+  Cart cart;
+  const Config config = Config::FromText("{type: random_levers}", "operator.yaml");
+  const auto at_10_s = [&](std::uint64_t seed, const char* machine) {
+    const auto driver = ReadOperator(config.root(), cart.model, {seed, machine});
+    std::vector<double> all;
+    for (int step = 0; step < 100; ++step) {
+      for (const double u : cart.Levers(driver.get(), 0.1 * step)) all.push_back(u);
+    }
+    return all;
+  };
+  EXPECT_EQ(at_10_s(3, "cart1"), at_10_s(3, "cart1"));
+  EXPECT_NE(at_10_s(3, "cart1"), at_10_s(4, "cart1"));
+  EXPECT_NE(at_10_s(3, "cart1"), at_10_s(3, "cart2"));
+}
+
+TEST(RandomLevers, RefusePiecesWithoutAnOrder) {
+  const Cart cart;
+  EXPECT_THROW(Read("{type: random_levers, shortest_s: 2, longest_s: 1}", cart), InputError);
+}
+
 TEST(ReadOperator, NamesTheJointThatADigCycleLacks) {
   const Cart cart;
   try {
@@ -158,7 +200,7 @@ std::string DigFaults(const std::string& keys) {
   machine.Finish();
   const Config config = Config::FromText("{type: dig_cycle, " + keys + "}", "operator.yaml");
   try {
-    ReadOperator(config.root(), model);
+    ReadOperator(config.root(), model, {.seed = 3, .machine = "excavator1"});
     config.Finish();
   } catch (const InputError& e) {
     return e.what();
