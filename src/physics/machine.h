@@ -58,9 +58,12 @@ struct Joint {
   double lower_rad = 0, upper_rad = 0;  ///< metres for prismatic joints
   double max_rate_positive_radps = 0;   ///< rate at full positive lever
   double max_rate_negative_radps = 0;   ///< magnitude at full negative lever
-  double max_effort_nm = 0;             ///< newtons for prismatic joints
+  /// Newtons for prismatic joints. Where cylinders limit the effort, what they can do at
+  /// mid-travel, the mean of both directions.
+  double max_effort_nm = 0;
   double initial_rad = 0;
-  /// Oil that the joint's actuator takes for one radian (or metre) at mid-travel; 0 where unknown.
+  /// Oil that the joint's actuator takes for one radian (or metre) at mid-travel, of cylinders the
+  /// mean of both directions; 0 where unknown.
   double displacement_m3prad = 0;
 };
 
@@ -93,14 +96,41 @@ struct Lever {
   int gear = -1;     ///< index into ground_tools.gears, or -1
 };
 
-/// A hydraulic cylinder as it is seen: barrel and rod between two pins, pointing at each other.
-struct CylinderVisual {
+/// Rocker and coupler that turn a joint: a closed four-bar of the joint's two links and these.
+///
+/// Frames  P the joint's parent link, B its child. The rocker's own frame R has its origin at the
+///         rocker's pin in P, x towards the knee (the pin that it shares with the coupler) and y
+///         along the joint's axis; the coupler's frame C the same from its pin in B.
+struct FourBar {
   std::string name;
+  int joint = 0;
+  Vec3 rocker_pin_P_m = Vec3::Zero(), coupler_pin_B_m = Vec3::Zero();
+  double rocker_m = 0, coupler_m = 0;  ///< pin to pin
+  /// On which side of the line from the rocker's pin to the coupler's the knee is: +1 where turning
+  /// from the line towards the knee is a positive turn of the joint, else -1.
+  int branch = 1;
+  std::optional<Visual> rocker, coupler;  ///< meshes in R and C
+};
+
+/// A hydraulic cylinder between two pins, or several alike side by side. Barrel and rod point at
+/// each other in every pose; the joint between their links moves it.
+struct Cylinder {
+  std::string name;
+  int joint = -1;  ///< the one that moves between barrel and rod; nothing else does
   int barrel_link = 0, rod_link = 0;
   Vec3 barrel_pin_m = Vec3::Zero();  ///< in the barrel link's frame
-  Vec3 rod_pin_m = Vec3::Zero();     ///< in the rod link's frame
-  Visual barrel, rod;  ///< meshes along +x: barrel from its pin, rod towards its pin (rod eye at
-                       ///< the origin, extending along -x)
+  Vec3 rod_pin_m = Vec3::Zero();     ///< in the rod link's frame, or in the rocker's
+  int linkage = -1;                  ///< four-bar whose rocker carries the rod's pin, or -1
+  /// Meshes along +x: barrel from its pin, rod towards its pin (rod eye at the origin, extending
+  /// along -x).
+  std::optional<Visual> barrel, rod;
+  int count = 1;         ///< alike, spread along the joint's axis about the pins
+  double spacing_m = 0;  ///< from one to the next
+  double bore_m = 0;     ///< 0: only shown, the joint's effort is not the cylinder's
+  double rod_diameter_m = 0;
+  double relief_pa = 0;  ///< most in either chamber
+  double return_pressure_pa = 0;
+  double shortest_m = 0, longest_m = 0;  ///< between the pins over the joint's travel
 };
 
 /// Shoes that run around a track: one instanced mesh along the closed path.
@@ -133,8 +163,9 @@ struct NamedFrame {
 /// Model   a tree of rigid links and joints with one degree of freedom or none; running gear with
 /// one
 ///         rotating inertia each; levers that ask for rates.
-/// Omits   closed chains (cylinders are shown, not simulated), flexibility. What moves
-///         joints and gears beside their limits is in `effects`.
+/// Omits   closed chains as bodies (rockers, couplers and cylinders follow their joint without mass
+///         of their own), flexibility. What moves joints and gears beside their limits is in
+///         `effects`.
 struct MachineModel {
   std::string kind;  ///< e.g. "tb235"
   bool fixed_base = false;
@@ -145,7 +176,8 @@ struct MachineModel {
   std::vector<GearDrive> gear_drives;  ///< one for each gear
   std::vector<Pump> pumps;
   MachineEffects effects;  ///< of a scenario's machine; without it, ideal throughout
-  std::vector<CylinderVisual> cylinders;
+  std::vector<FourBar> linkages;
+  std::vector<Cylinder> cylinders;
   std::vector<TrackVisual> track_visuals;
   std::vector<WheelVisual> wheel_visuals;
   std::vector<NamedFrame> frames;
@@ -169,6 +201,14 @@ Pose JointMotion(const Joint& joint, double q);
 std::vector<Pose> ForwardKinematics(const MachineModel& model, const Pose& X_WB,
                                     const std::vector<double>& q_rad);
 
+/// One cylinder of those side by side. Force and rate are positive where the rod moves out.
+struct CylinderState {
+  double length_m = 0;  ///< between the pins
+  double stroke_m = 0;  ///< beyond the shortest length of the joint's travel
+  double rate_mps = 0, force_n = 0;
+  double head_pressure_pa = 0, rod_pressure_pa = 0;  ///< above that of the surroundings
+};
+
 /// State of one machine after a step.
 struct MachineState {
   std::vector<BodyState> links;
@@ -178,6 +218,7 @@ struct MachineState {
   std::vector<double> levers;  ///< as applied, one for each lever
   std::vector<SoilReaction::Load> shovel_load;
   std::vector<double> gear_sinkage_m, gear_slip;
+  std::vector<CylinderState> cylinders;
 };
 
 }  // namespace tera

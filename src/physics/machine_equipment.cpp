@@ -54,6 +54,8 @@ GearDrive ReadDrive(const ConfigMap& config, double radius_m) {
   drive.inertia_kgm2 = config.Number("inertia_kgm2", Positive("kg m2"));
   drive.low_speed_ratio = config.Number(
       "low_speed_ratio", {.min = 0, .max = 1, .min_excluded = true, .unit = "1"}, 1.0);
+  drive.displacement_m3prad =
+      config.Number("displacement_m3prad", AtLeast(0, "m3/rad"), drive.displacement_m3prad);
   return drive;
 }
 
@@ -114,19 +116,6 @@ void ReadShovel(const std::string& name, const ConfigMap& config, MachineModel* 
   model->ground_tools.shovels.push_back(shovel);
 }
 
-void ReadCylinder(const std::string& name, const ConfigMap& config, MachineModel* model) {
-  CylinderVisual cylinder;
-  cylinder.name = name;
-  const ConfigMap barrel = config.Map("barrel"), rod = config.Map("rod");
-  cylinder.barrel_link = ReadLinkName(barrel, "link", *model);
-  cylinder.barrel_pin_m = barrel.Vector3("pin_m", Any("m"));
-  cylinder.barrel = ReadMesh(barrel);
-  cylinder.rod_link = ReadLinkName(rod, "link", *model);
-  cylinder.rod_pin_m = rod.Vector3("pin_m", Any("m"));
-  cylinder.rod = ReadMesh(rod);
-  model->cylinders.push_back(cylinder);
-}
-
 }  // namespace
 
 void ReadRunningGear(const ConfigMap& config, MachineModel* model) {
@@ -146,7 +135,6 @@ void ReadEquipment(const ConfigMap& config, MachineModel* model) {
     RequirePlainName(map, "", name);
     ReadShovel(name, map, model);
   }
-  for (const auto& [name, map] : config.NamedMaps("cylinders")) ReadCylinder(name, map, model);
   for (const ConfigMap& map : config.List("hull_points")) {
     const int link = ReadLinkName(map, "link", *model);
     for (const auto& row : map.NumberRows("points_m", Any("m"), 3, 1)) {

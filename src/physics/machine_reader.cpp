@@ -142,6 +142,9 @@ void ReadJointActuation(const ConfigMap& config, Joint* joint) {
   }
   joint->max_effort_nm = config.Number(linear ? "max_effort_n" : "max_effort_nm",
                                        AtLeast(0, linear ? "N" : "N m"), joint->max_effort_nm);
+  const std::string oil_key = linear ? "displacement_m3pm" : "displacement_m3prad";
+  joint->displacement_m3prad =
+      config.Number(oil_key, AtLeast(0, linear ? "m3/m" : "m3/rad"), joint->displacement_m3prad);
   const std::string start_key = linear ? "initial_m" : "initial_deg";
   joint->initial_rad =
       config.Number(start_key, Any(linear ? "m" : "deg"), joint->initial_rad / unit) * unit;
@@ -195,6 +198,7 @@ MachineModel ReadMachine(const ConfigMap& config) {
   OrderIntoTree(parts, config, &model);
   ReadRunningGear(config, &model);
   ReadEquipment(config, &model);
+  ReadHydraulics(config, &model);
   ReadLevers(config, parts.driven, &model);
   config.Has("effects");  // read with those of the scenario
   return model;

@@ -28,7 +28,9 @@ int ReadLinkName(const ConfigMap& config, std::string_view key, const MachineMod
 
 /// `tracks:`, `wheels:`, `gauge_m:`.
 void ReadRunningGear(const ConfigMap& config, MachineModel* model);
-/// `shovels:`, `cylinders:`, `hull_points:`, `frames:`.
+/// `shovels:`, `hull_points:`, `frames:`.
 void ReadEquipment(const ConfigMap& config, MachineModel* model);
+/// `linkages:`, `hydraulics:`, `cylinders:`, `pumps:`, after joints and running gear.
+void ReadHydraulics(const ConfigMap& config, MachineModel* model);
 
 }  // namespace tera

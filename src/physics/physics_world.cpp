@@ -189,6 +189,7 @@ struct MachineDynamics {
                   btMultiBodyDynamicsWorld* world)
       : model(WithPayloads(placement.model)),
         body(model, placement.X_WB, placement.q_rad, meets_others, world),
+        hydraulics(model, placement.q_rad),
         actuation(model, {placement.name, start.seed, start.step}) {}
 
   /// The lever of each axis, joints first, then gears.
@@ -198,6 +199,8 @@ struct MachineDynamics {
   void DriveJoints();
   void TurnGears(const SoilReaction& soil, double dt_s, MachineState* state);
   void Act(const MachineInput& input, double dt_s, MachineState* state);
+  /// What came of a step.
+  void Read(double dt_s, MachineState* state);
 
   double GearLoad_nm(const SoilReaction& soil, std::size_t gear) const {
     return gear < soil.gear_traction_n.size()
@@ -207,6 +210,7 @@ struct MachineDynamics {
 
   MachineModel model;
   ArticulatedBody body;
+  Hydraulics hydraulics;
   Actuation actuation;
   std::vector<double> axis_lever;
   std::vector<AxisMotion> axis_motion;
@@ -240,9 +244,9 @@ void MachineDynamics::Actuate(const SoilReaction& soil, double dt_s, const Machi
 void MachineDynamics::DriveJoints() {
   joint_target.resize(model.joints.size());
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
-    const double effort_nm = model.joints[j].max_effort_nm;
+    const EffortLimits& limits = hydraulics.limits()[j];
     const AxisDrive& drive = actuation.drives()[j];
-    joint_target[j] = {drive.rate_radps, effort_nm, effort_nm, drive.friction};
+    joint_target[j] = {drive.rate_radps, limits.positive_nm, limits.negative_nm, drive.friction};
   }
   body.DriveJoints(joint_target);
 }
@@ -271,6 +275,12 @@ void MachineDynamics::Act(const MachineInput& input, double dt_s, MachineState* 
   if (!input.soil.shovel_load.empty()) state->shovel_load = input.soil.shovel_load;
   if (!input.soil.gear_sinkage_m.empty()) state->gear_sinkage_m = input.soil.gear_sinkage_m;
   if (!input.soil.gear_slip.empty()) state->gear_slip = input.soil.gear_slip;
+}
+
+void MachineDynamics::Read(double dt_s, MachineState* state) {
+  body.ReadState(dt_s, state);
+  hydraulics.Update(state->q_rad);
+  hydraulics.Measure(state);
 }
 
 }  // namespace
@@ -310,7 +320,7 @@ PhysicsWorld::PhysicsWorld(const std::vector<MachinePlacement>& machines,
     impl_->states.push_back(InitialState(placement));
     impl_->machines.push_back(
         std::make_unique<MachineDynamics>(placement, start, meets_others, &impl_->world));
-    impl_->machines.back()->body.ReadState(0.0, &impl_->states.back());
+    impl_->machines.back()->Read(0.0, &impl_->states.back());
   }
 }
 
@@ -330,7 +340,7 @@ void PhysicsWorld::Step(const std::vector<MachineInput>& inputs,
   const int no_substeps = 0;
   impl_->world.stepSimulation(dt_s, no_substeps);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    impl_->machines[i]->body.ReadState(dt_s, &impl_->states[i]);
+    impl_->machines[i]->Read(dt_s, &impl_->states[i]);
   }
 }
 

@@ -46,7 +46,8 @@ struct WorldStart {
 ///         turn against the soil's traction, I dw/dt = torque - traction * radius; the soil's
 ///         wrenches act on the links; carried soil adds its mass to the tool's link. Velocities
 ///         are those at the end of a step and poses follow them (semi-implicit), so that soil
-///         forces given for the present pose act stably. Boxes of different machines, and of
+///         forces given for the present pose act stably. Joints with cylinders are limited by
+///         relief (see Hydraulics). Boxes of different machines, and of
 ///         machines and obstacles, collide without bouncing.
 /// Omits   the reaction of a gear's inertia on its link, collision within one machine.
 class PhysicsWorld {
