@@ -16,7 +16,8 @@ from make_tb235 import excavator
 HERE = pathlib.Path(__file__).parent
 NODES = {
     "tb235": {"undercarriage", "upper", "swing_post", "boom", "arm", "bucket", "blade", "shoe",
-              "boom_barrel", "boom_rod", "arm_barrel", "arm_rod", "bucket_barrel", "bucket_rod"},
+              "boom_barrel", "boom_rod", "arm_barrel", "arm_rod", "bucket_barrel", "bucket_rod",
+              "bucket_rocker", "bucket_coupler"},
     "warthog": {"body", "wheel"},
     "truck": {"body"},
     "person": {"body", "body_walk"},
@@ -28,7 +29,7 @@ NODES = {
     "fixed_arm": {"base", "link1", "link2", "link3"},
     **check_heavy.NODES,
 }
-EXCAVATOR_BUDGET, SHOE_BUDGET = 25000, 60
+EXCAVATOR_BUDGET, SHOE_BUDGET = 25500, 60
 GRID_M = 1e-5            # vertices are written on this grid
 CREASE_COSINE = -0.05    # a smooth normal never turns away from its face
 FIT_M = 0.004
@@ -115,6 +116,9 @@ def _config_faults():
         "boom limits": ("limits_deg:", dims.BOOM_RANGE),
         "arm limits": ("limits_deg:", dims.ARM_RANGE),
     }
+    for name, pin in (("bucket barrel", dims.BUCKET_BARREL_PIN), ("rocker", dims.ROCKER_PIN),
+                      ("coupler", dims.COUPLER_PIN)):
+        expected[name] = ("pin_m:", (pin[0], 0, pin[1]))
     for name, (barrel, _, rod, _) in dims.CYLINDERS.items():
         expected[f"{name} barrel"] = ("pin_m:", (barrel[0], 0, barrel[1]))
         expected[f"{name} rod"] = ("pin_m:", (rod[0], 0, rod[1]))
@@ -150,13 +154,15 @@ def _fit_faults(nodes):
     near("length of a shoe", high["shoe"][0] - low["shoe"][0], dims.SHOE_LENGTH, 1e-3)
     near("width of a shoe", high["shoe"][1] - low["shoe"][1], dims.TRACK_WIDTH)
     near("outside of a shoe", high["shoe"][2], 0.0)
-    for name in dims.CYLINDERS:
+    for name in (*dims.CYLINDERS, "bucket"):
         shortest, longest = dims.pin_distance_range(name)
         barrel, rod = high[f"{name}_barrel"][0], -low[f"{name}_rod"][0]
         if barrel > shortest or rod > shortest:
             faults.append(f"tb235: {name} cylinder is longer than its shortest {shortest:.3f} m")
         if barrel + rod < longest:
             faults.append(f"tb235: {name} cylinder falls apart at its longest {longest:.3f} m")
+    for name, length in (("rocker", dims.ROCKER_LENGTH), ("coupler", dims.COUPLER_LENGTH)):
+        near(f"{name}, both lugs", high[f"bucket_{name}"][0] + low[f"bucket_{name}"][0], length, 0.01)
     total = sum(len(_triangles(parts)) for name, parts in nodes.items() if name != "shoe")
     if total > EXCAVATOR_BUDGET:
         faults.append(f"tb235: {total} triangles, at most {EXCAVATOR_BUDGET}")

@@ -23,6 +23,8 @@ def excavator():
     for name in ("boom", "arm", "bucket"):
         bodies[f"{name}_barrel"] = tb235_front.barrel(name)
         bodies[f"{name}_rod"] = tb235_front.rod(name)
+    bodies["bucket_rocker"] = tb235_front.bucket_rocker()
+    bodies["bucket_coupler"] = tb235_front.bucket_coupler()
     return bodies
 
 

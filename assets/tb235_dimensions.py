@@ -27,20 +27,44 @@ BUCKET_WIDTH, BUCKET_TEETH, TOOTH_LENGTH = 0.60, 6, 0.15
 BLADE_PROFILE = ((0.55, -0.30), (0.50, -0.22), (0.48, -0.10), (0.50, 0.02), (0.54, 0.08))
 BLADE_WIDTH = 1.55
 
-# Pins of the cylinders in x-z: (barrel pin, joint in the barrel's link, rod pin in the turning
-# link, range of the turning link's angle in the barrel's link).
+# Pins in x-z of the cylinders that push their link: (barrel pin, joint in the barrel's link, rod pin
+# in the turning link, range of the turning link's angle in the barrel's link).
 CYLINDERS = {
     "boom": ((0.30, -0.04), (BOOM_PIN_S[0], BOOM_PIN_S[2]), (1.22, 0.20), BOOM_RANGE),
     "arm": ((1.10, 0.72), (BOOM_LENGTH, 0.0), (-0.34, 0.08), ARM_RANGE),
-    "bucket": ((0.02, 0.30), (ARM_LENGTH, 0.0), (-0.04, 0.20), BUCKET_RANGE),
 }
+
+# The bucket's four-bar. Its cylinder pushes where rocker and coupler meet.
+BUCKET_BARREL_PIN = (0.02, 0.30)      # in the arm
+ROCKER_PIN, ROCKER_LENGTH = (1.30, 0.02), 0.29           # pin in the arm
+COUPLER_PIN, COUPLER_LENGTH = (-0.125, 0.165), 0.30      # pin in the bucket
+
+
+def _turned(point, angles):
+    """Coordinates of a point after turns from x towards z."""
+    return (np.cos(angles) * point[0] - np.sin(angles) * point[1],
+            np.sin(angles) * point[0] + np.cos(angles) * point[1])
+
+
+def bucket_knee(angles):
+    """Where rocker and coupler meet, in the arm, for the bucket's angles (radians) there."""
+    x, z = _turned(COUPLER_PIN, angles)
+    x, z = x + ARM_LENGTH - ROCKER_PIN[0], z - ROCKER_PIN[1]
+    apart = np.hypot(x, z)
+    foot = (apart ** 2 + ROCKER_LENGTH ** 2 - COUPLER_LENGTH ** 2) / (2 * apart)
+    height = np.sqrt(ROCKER_LENGTH ** 2 - foot ** 2)
+    return (ROCKER_PIN[0] + (foot * x - height * z) / apart,
+            ROCKER_PIN[1] + (foot * z + height * x) / apart)
 
 
 def pin_distance_range(name):
     """Shortest and longest distance between a cylinder's pins over its joint's travel."""
-    barrel, joint, rod, limits = CYLINDERS[name]
-    angles = np.radians(np.linspace(*limits, 721))
-    x = joint[0] + np.cos(angles) * rod[0] - np.sin(angles) * rod[1] - barrel[0]
-    z = joint[1] + np.sin(angles) * rod[0] + np.cos(angles) * rod[1] - barrel[1]
-    distance = np.hypot(x, z)
+    if name == "bucket":
+        barrel = BUCKET_BARREL_PIN
+        x, z = bucket_knee(np.radians(np.linspace(*BUCKET_RANGE, 721)))
+    else:
+        barrel, joint, rod, limits = CYLINDERS[name]
+        x, z = _turned(rod, np.radians(np.linspace(*limits, 721)))
+        x, z = joint[0] + x, joint[1] + z
+    distance = np.hypot(x - barrel[0], z - barrel[1])
     return float(distance.min()), float(distance.max())

@@ -5,15 +5,21 @@ import numpy as np
 import paint
 from solids import (Body, bar, both_sides, box, cylinder, extrude, lathe, loft, pin, pipe, ribbon,
                     round_corners, rounded_rectangle, smooth_path, tube)
-from tb235_dimensions import (ARM_LENGTH, BOOM_LENGTH, BOOM_PIN_S, BUCKET_PROFILE, BUCKET_TEETH,
-                              BUCKET_WIDTH, CYLINDERS, pin_distance_range)
+from tb235_dimensions import (ARM_LENGTH, BOOM_LENGTH, BOOM_PIN_S, BUCKET_BARREL_PIN,
+                              BUCKET_PROFILE, BUCKET_TEETH, BUCKET_WIDTH, COUPLER_LENGTH,
+                              COUPLER_PIN, CYLINDERS, ROCKER_LENGTH, ROCKER_PIN,
+                              pin_distance_range)
 
 SHELL = 0.014
 ROD_CLEARANCE = 0.10      # from a barrel's pin to the end of the rod when shut
 GLAND_CLEARANCE = 0.075   # from the rod's pin to the barrel's end when shut
 
 # Barrel radius, rod radius, half width of the eyes.
-BORES = {"boom": (0.054, 0.027, 0.040), "arm": (0.050, 0.025, 0.036), "bucket": (0.046, 0.023, 0.034)}
+BORES = {"boom": (0.050, 0.0225, 0.040), "arm": (0.050, 0.0225, 0.036),
+         "bucket": (0.045, 0.020, 0.034)}
+
+# Half widths across the bucket's linkage, from the rod's eye outwards: coupler, rocker, ears.
+COUPLER_Y, ROCKER_Y, PLATE = 0.053, 0.077, 0.014
 
 
 def _beam(path, heights, widths, chamfer):
@@ -129,7 +135,7 @@ def arm():
     boss = [(-0.16, -0.05), (0.02, -0.10), (0.14, -0.06), (0.22, 0.05), (0.10, 0.15),
             (-0.10, 0.16)]
     body.add(paint.YELLOW, *_cheek(boss, 0.06, 0.079, 0.010))
-    rod, barrel = CYLINDERS["arm"][2], CYLINDERS["bucket"][0]
+    rod, barrel = CYLINDERS["arm"][2], BUCKET_BARREL_PIN
     body.add(paint.YELLOW, *_cheek([(-0.10, 0.02), (-0.10, 0.19), (-0.30, 0.155), (-0.405, 0.115),
                                     (-0.405, 0.045), (-0.33, 0.010)], [0, 0.02, 0.05, 0.05, 0.05, 0.05],
                                    0.060, 0.024))
@@ -139,6 +145,8 @@ def arm():
                                    0.056, 0.020))
     body.add(paint.STEEL, pin(barrel[0], barrel[1], 0.080, 0.026, 14))
     body.add(paint.STEEL, pin(ARM_LENGTH, 0, 0.076, 0.030, 14))
+    body.add(paint.YELLOW, pin(ROCKER_PIN[0], ROCKER_PIN[1], ROCKER_Y - PLATE / 2, 0.050, 10))
+    body.add(paint.STEEL, pin(ROCKER_PIN[0], ROCKER_PIN[1], 0.090, 0.024, 10))
     # Pipes to the bucket cylinder.
     for y in (-0.035, 0.035):
         line = smooth_path([(-0.02, y * 2.4, 0.16), (0.10, y * 2.4, 0.20), (0.26, y * 1.3, 0.218),
@@ -202,17 +210,44 @@ def _teeth(body, tip, along, across, half):
 
 
 def _bucket_ears(body):
-    rod = CYLINDERS["bucket"][2]
     middle = ribbon(_bucket_outline(), SHELL / 2)[len(_bucket_outline()):][::-1]
     against_shell = [tuple(point) for point in middle if point[0] < 0.24 and point[1] < 0.42]
-    free = [(0.04, -0.055), (-0.055, -0.040), (-0.060, 0.10), (-0.095, 0.19), (-0.06, 0.255),
-            (0.02, 0.270), (0.14, 0.41)]
+    free = [(0.04, -0.055), (-0.055, -0.040), (-0.065, 0.06), (-0.175, 0.135), (-0.165, 0.205),
+            (-0.09, 0.225), (0.02, 0.300), (0.14, 0.41)]
     ear = against_shell + free
-    radii = [0.0] * len(against_shell) + [0.05, 0.05, 0.08, 0.05, 0.04, 0.05, 0.06]
+    radii = [0.0] * len(against_shell) + [0.05, 0.05, 0.06, 0.045, 0.045, 0.06, 0.08, 0.06]
     body.add(paint.CHARCOAL, *_cheek(ear, radii, 0.098, 0.026))
-    body.add(paint.STEEL, pin(0, 0, 0.125, 0.032, 16), pin(rod[0], rod[1], 0.125, 0.028, 16))
+    x, z = COUPLER_PIN
+    body.add(paint.STEEL, pin(0, 0, 0.125, 0.032, 16), pin(x, z, 0.125, 0.024, 16))
     body.add(paint.CHARCOAL, *both_sides(pin(0, 0, 0.010, 0.054, 14, 0.116),
-                                         pin(rod[0], rod[1], 0.010, 0.048, 14, 0.116)))
+                                         pin(x, z, 0.010, 0.042, 14, 0.116)))
+
+
+def _link_plates(length, ends, waist, y, thickness):
+    """A pair of plates from lug to lug along x, narrower between them."""
+    arc = np.radians(np.linspace(90, 270, 6))
+    left = [(ends * np.cos(a), ends * np.sin(a)) for a in arc]
+    right = [(length - px, -pz) for px, pz in left]
+    outline = (left + [(0.28 * length, -waist), (0.72 * length, -waist)] + right +
+               [(0.72 * length, waist), (0.28 * length, waist)])
+    return both_sides(extrude(outline, "y", y - thickness / 2, y + thickness / 2))
+
+
+def bucket_rocker():
+    """From its pin in the arm along +x to the knee, astride of arm and coupler."""
+    body = Body()
+    body.add(paint.CHARCOAL, *_link_plates(ROCKER_LENGTH, 0.042, 0.032, ROCKER_Y, PLATE))
+    body.add(paint.STEEL, pin(ROCKER_LENGTH, 0, 0.092, 0.022, 10))
+    return body
+
+
+def bucket_coupler():
+    """From its pin in the bucket along +x to the knee, where it takes the rod's eye between."""
+    body = Body()
+    body.add(paint.CHARCOAL, *_link_plates(COUPLER_LENGTH, 0.044, 0.034, COUPLER_Y, 0.024))
+    body.add(paint.CHARCOAL, box((0.12, 0, 0), (0.11, 2 * COUPLER_Y, 0.050)))
+    body.add(paint.CHARCOAL, pipe((0, -0.082, 0), (0, 0.082, 0), 0.044, 0.022, 12))
+    return body
 
 
 def cylinder_lengths(name):

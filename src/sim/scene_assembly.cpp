@@ -6,6 +6,7 @@
 #include "core/check.h"
 #include "core/error.h"
 #include "core/units.h"
+#include "physics/linkage.h"
 #include "render/soil_colour.h"
 #include "sim/heap_mesh.h"
 
@@ -33,6 +34,34 @@ Pose OnPath(const std::vector<Vec3>& path_m, const std::vector<double>& arc_m, d
   return MakePose((1 - s) * a + s * b, FrameFromX(b - a, Vec3::UnitY()));
 }
 
+void AppendLinkagePoses(const MachineModel& machine, const MachineState& now,
+                        std::vector<Pose>* poses) {
+  for (const FourBar& linkage : machine.linkages) {
+    const Pose& X_WP = now.links[machine.joints[linkage.joint].parent].X_WB;
+    const FourBarPose pose = PoseOf(machine, linkage, now.q_rad[linkage.joint]);
+    poses->push_back(X_WP * pose.X_PR);
+    poses->push_back(X_WP * pose.X_PC);
+  }
+}
+
+/// Barrel and rod of each cylinder, pointing at each other from their pins.
+void AppendCylinderPoses(const MachineModel& machine, const MachineState& now,
+                         std::vector<Pose>* poses) {
+  for (const Cylinder& cylinder : machine.cylinders) {
+    const Joint& joint = machine.joints[cylinder.joint];
+    const Pose& X_WP = now.links[joint.parent].X_WB;
+    const CylinderPins pins = PinsOf(machine, cylinder, now.q_rad[cylinder.joint]);
+    const Vec3 axis_P = joint.X_PJ.linear() * joint.axis_J;
+    const Mat3 R_WC = FrameFromX(X_WP.linear() * (pins.rod_P_m - pins.barrel_P_m),
+                                 now.links[cylinder.barrel_link].X_WB.linear().col(1));
+    for (int k = 0; k < cylinder.count; ++k) {
+      const Vec3 aside_m = (k - 0.5 * (cylinder.count - 1)) * cylinder.spacing_m * axis_P;
+      poses->push_back(MakePose(X_WP * Vec3(pins.barrel_P_m + aside_m), R_WC));
+      poses->push_back(MakePose(X_WP * Vec3(pins.rod_P_m + aside_m), R_WC));
+    }
+  }
+}
+
 std::vector<double> ArcLengths(const std::vector<Vec3>& path_m) {
   std::vector<double> arc_m = {0.0};
   for (std::size_t i = 0; i < path_m.size(); ++i) {
@@ -54,7 +83,7 @@ SceneAssembly::SceneAssembly(const Scenario& scenario) : scenario_(scenario) {
 }
 
 // The order of AddBody calls here and of poses in AppendMachinePoses is the same: links, wheels,
-// shoes, cylinders, heaps.
+// shoes, linkages, cylinders, heaps.
 void SceneAssembly::AddMachine(const Scenario& scenario, std::size_t m) {
   const MachinePlacement& placement = scenario.machines[m].placement;
   const MachineModel& machine = placement.model;
@@ -68,12 +97,20 @@ void SceneAssembly::AddMachine(const Scenario& scenario, std::size_t m) {
     for (const Visual& v : link.visuals) AddNode(v, link_body[i], link.label, link_instance[i]);
   }
   AddRunningGear(placement, m, link_body);
-  for (const CylinderVisual& cylinder : machine.cylinders) {
-    const int barrel = AddBody(), rod = AddBody();
-    const Link& barrel_link = machine.links[cylinder.barrel_link];
-    const Link& rod_link = machine.links[cylinder.rod_link];
-    AddNode(cylinder.barrel, barrel, barrel_link.label, link_instance[cylinder.barrel_link]);
-    AddNode(cylinder.rod, rod, rod_link.label, link_instance[cylinder.rod_link]);
+  const auto add_part = [&](const std::optional<Visual>& visual, int link) {
+    const int body = AddBody();
+    if (visual) AddNode(*visual, body, machine.links[link].label, link_instance[link]);
+  };
+  for (const FourBar& linkage : machine.linkages) {
+    const Joint& joint = machine.joints[linkage.joint];
+    add_part(linkage.rocker, joint.parent);
+    add_part(linkage.coupler, joint.child);
+  }
+  for (const Cylinder& cylinder : machine.cylinders) {
+    for (int k = 0; k < cylinder.count; ++k) {
+      add_part(cylinder.barrel, cylinder.barrel_link);
+      add_part(cylinder.rod, cylinder.rod_link);
+    }
   }
   AddHeaps(placement, m, scenario.soil->soils().front());
 }
@@ -198,14 +235,8 @@ void SceneAssembly::AppendMachinePoses(const WorldState& state, std::size_t m,
       poses->push_back(X_WB * OnPath(track.path_B_m, path.arc_m, s_m));
     }
   }
-  for (const CylinderVisual& cylinder : machine.cylinders) {
-    const Pose& X_WA = now.links[cylinder.barrel_link].X_WB;
-    const Vec3 a_W = X_WA * cylinder.barrel_pin_m;
-    const Vec3 b_W = now.links[cylinder.rod_link].X_WB * cylinder.rod_pin_m;
-    const Mat3 R = FrameFromX(b_W - a_W, X_WA.linear().col(1));
-    poses->push_back(MakePose(a_W, R));
-    poses->push_back(MakePose(b_W, R));
-  }
+  AppendLinkagePoses(machine, now, poses);
+  AppendCylinderPoses(machine, now, poses);
   for (const Heap& heap : heaps_) {
     if (heap.machine != m) continue;
     const int link = machine.ground_tools.shovels[heap.shovel].link;

@@ -11,9 +11,9 @@ namespace tera {
 /// Turns a scenario into what can be seen: builds the constant SceneModel once and places its
 /// bodies for each state.
 ///
-/// Model   one body for each link, wheel, track shoe, cylinder barrel and rod, shovel heap and
-///         obstacle; one labelled instance for each link, track, wheel, heap and obstacle, named
-///         "machine/part" or after the obstacle.
+/// Model   one body for each link, wheel, track shoe, rocker and coupler, cylinder barrel and rod,
+///         shovel heap and obstacle; one labelled instance for each link, track, wheel, heap and
+///         obstacle, named "machine/part" or after the obstacle.
 /// Omits   the kind of soil in a shovel: a heap is shown in the colour of the site's first soil.
 class SceneAssembly {
  public:

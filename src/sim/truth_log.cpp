@@ -40,6 +40,29 @@ std::vector<double> JointRow(const MachineState& now, const MachineState& next) 
   return row;
 }
 
+std::vector<std::string> HydraulicColumns(const MachineModel& model) {
+  std::vector<std::string> columns;
+  for (const Cylinder& cylinder : model.cylinders) {
+    for (const char* unit :
+         {"_length_m", "_stroke_m", "_mps", "_n", "_head_pressure_pa", "_rod_pressure_pa"}) {
+      columns.push_back(cylinder.name + unit);
+    }
+  }
+  return columns;
+}
+
+/// As JointRow.
+std::vector<double> HydraulicRow(const MachineState& now, const MachineState& next) {
+  std::vector<double> row;
+  for (std::size_t c = 0; c < now.cylinders.size(); ++c) {
+    const CylinderState& cylinder = now.cylinders[c];
+    const double rate_mps = 0.5 * (cylinder.rate_mps + next.cylinders[c].rate_mps);
+    row.insert(row.end(), {cylinder.length_m, cylinder.stroke_m, rate_mps, cylinder.force_n,
+                           cylinder.head_pressure_pa, cylinder.rod_pressure_pa});
+  }
+  return row;
+}
+
 }  // namespace
 
 TruthLog::TruthLog(const Scenario& scenario, MeasurementSink* sink) : sink_(sink) {
@@ -50,7 +73,11 @@ TruthLog::TruthLog(const Scenario& scenario, MeasurementSink* sink) : sink_(sink
     for (const Lever& lever : model.levers) levers.push_back(lever.name);
     channels_.push_back({sink->AddTable(name + "/commands.csv", levers),
                          sink->AddPose("truth/" + name + "/pose.csv"),
-                         sink->AddTable("truth/" + name + "/joints.csv", Columns(model))});
+                         sink->AddTable("truth/" + name + "/joints.csv", Columns(model)),
+                         std::nullopt});
+    if (model.cylinders.empty()) continue;
+    channels_.back().hydraulics =
+        sink->AddTable("truth/" + name + "/hydraulics.csv", HydraulicColumns(model));
   }
 }
 
@@ -62,6 +89,9 @@ void TruthLog::WriteRows(const WorldState& now, const WorldState& next) {
     sink_->Write(channels_[m].pose, TruthPose{now.t_ns, root.X_WB, v_W_mps,
                                               root.X_WB.linear().transpose() * w_W_radps});
     sink_->WriteRow(channels_[m].joints, now.t_ns, JointRow(now.machines[m], next.machines[m]));
+    if (!channels_[m].hydraulics) continue;
+    sink_->WriteRow(*channels_[m].hydraulics, now.t_ns,
+                    HydraulicRow(now.machines[m], next.machines[m]));
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "dataset/measurement_sink.h"
@@ -7,7 +8,7 @@
 
 namespace tera {
 
-/// Writes what really happened: commands of every machine, and poses, joints and loads.
+/// Writes what really happened: commands of every machine, and poses, joints, loads and cylinders.
 ///
 /// Model   one row for each step. The physics step finds the rates that carry the pose from one
 ///         row to the next, so that those of the middle between two steps are known; a row holds
@@ -24,6 +25,7 @@ class TruthLog {
  private:
   struct Channels {
     ChannelId commands, pose, joints;
+    std::optional<ChannelId> hydraulics;
   };
   void WriteRows(const WorldState& now, const WorldState& next);
 

@@ -195,7 +195,7 @@ TEST(Machine, ExcavatorHasItsEquipment) {
   ASSERT_EQ(model.cylinders.size(), 3u);
   EXPECT_EQ(model.cylinders[0].rod_link, model.LinkIndex("boom"));
   EXPECT_TRUE(model.cylinders[0].rod_pin_m.isApprox(Vec3(1.22, 0, 0.20)));
-  EXPECT_EQ(model.cylinders[0].barrel.node, "boom_barrel");
+  EXPECT_EQ(model.cylinders[0].barrel->node, "boom_barrel");
   ASSERT_EQ(model.track_visuals.size(), 2u);
   EXPECT_EQ(model.track_visuals[1].shoe_count, 44);
   EXPECT_EQ(model.track_visuals[1].shoe.label, SemanticClass::kTrack);

@@ -45,14 +45,18 @@ TEST(SceneAssembly, CylindersReachFromPinToPin) {
   const std::vector<Pose> poses = assembly.BodyPoses(simulation.state());
   const MachineModel& machine = scenario.machines[0].placement.model;
   const auto& links = simulation.state().machines[0].links;
-  const std::size_t shoes =
-      machine.track_visuals[0].shoe_count + machine.track_visuals[1].shoe_count;
+  const std::size_t linkages = machine.links.size() + machine.track_visuals[0].shoe_count +
+                               machine.track_visuals[1].shoe_count;
+  const std::size_t cylinders = linkages + 2 * machine.linkages.size();
+  ASSERT_EQ(machine.linkages.size(), 1u);
+  const Pose& X_WRocker = poses[linkages];
   for (std::size_t c = 0; c < machine.cylinders.size(); ++c) {
-    const CylinderVisual& cylinder = machine.cylinders[c];
+    const Cylinder& cylinder = machine.cylinders[c];
+    const Pose& X_WRodLink = cylinder.linkage < 0 ? links[cylinder.rod_link].X_WB : X_WRocker;
     const Vec3 a_W = links[cylinder.barrel_link].X_WB * cylinder.barrel_pin_m;
-    const Vec3 b_W = links[cylinder.rod_link].X_WB * cylinder.rod_pin_m;
-    const Pose& X_WBarrel = poses[machine.links.size() + shoes + 2 * c];
-    const Pose& X_WRod = poses[machine.links.size() + shoes + 2 * c + 1];
+    const Vec3 b_W = X_WRodLink * cylinder.rod_pin_m;
+    const Pose& X_WBarrel = poses[cylinders + 2 * c];
+    const Pose& X_WRod = poses[cylinders + 2 * c + 1];
     EXPECT_TRUE(X_WBarrel.translation().isApprox(a_W, 1e-9));
     EXPECT_TRUE(X_WRod.translation().isApprox(b_W, 1e-9));
     // The barrel's x axis passes through the rod's pin.
