@@ -18,6 +18,7 @@
 #include "core/check.h"
 #include "physics/articulated_body.h"
 #include "physics/bullet_types.h"
+#include "physics/hydraulics.h"
 #include "physics/payload.h"
 #include "physics/slots/actuation.h"
 
