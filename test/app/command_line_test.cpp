@@ -15,8 +15,8 @@ using testing::Not;
 using testing::StartsWith;
 namespace fs = std::filesystem;
 
-const char* const kCommands[] = {"generate", "check",      "info",    "compare",
-                                 "import",   "import-rig", "overview"};
+const char* const kCommands[] = {"generate",   "check",    "info",   "compare", "import",
+                                 "import-rig", "overview", "replay", "ros2"};
 
 TEST(CommandLine, EveryCommandHasHelp) {
   const ScratchDirectory scratch;
