@@ -16,5 +16,6 @@ void AddImportRigCommand(CLI::App* app);
 void AddOverviewCommand(CLI::App* app);
 void AddReplayCommand(CLI::App* app);
 void AddRos2Command(CLI::App* app);
+void AddServeCommand(CLI::App* app);
 
 }  // namespace tera

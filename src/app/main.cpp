@@ -27,6 +27,7 @@ int Run(int argc, char** argv) {
   tera::AddOverviewCommand(&app);
   tera::AddReplayCommand(&app);
   tera::AddRos2Command(&app);
+  tera::AddServeCommand(&app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

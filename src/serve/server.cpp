@@ -128,7 +128,7 @@ struct Server::Impl final : Service {
   }
 
   grpc::Status Exchange(tera::Session* session, ClientStream* serving) {
-    grpc::ByteBuffer incoming, outgoing;
+    grpc::ByteBuffer incoming;
     while (serving->Read(&incoming)) {
       grpc::Slice bytes;
       if (const grpc::Status status = incoming.DumpToSingleSlice(&bytes); !status.ok()) {
@@ -138,6 +138,7 @@ struct Server::Impl final : Service {
           session->Handle({reinterpret_cast<const char*>(bytes.begin()), bytes.size()});
       if (const auto* end = std::get_if<grpc::Status>(&answer)) return *end;
       if (std::get<v1::Response>(answer).has_welcome()) Greeted(session->client());
+      grpc::ByteBuffer outgoing;
       bool own_buffer = false;
       const grpc::Status status = grpc::SerializationTraits<v1::Response>::Serialize(
           std::get<v1::Response>(answer), &outgoing, &own_buffer);

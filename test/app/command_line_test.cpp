@@ -16,7 +16,7 @@ using testing::StartsWith;
 namespace fs = std::filesystem;
 
 const char* const kCommands[] = {"generate",   "check",    "info",   "compare", "import",
-                                 "import-rig", "overview", "replay", "ros2"};
+                                 "import-rig", "overview", "replay", "ros2",    "serve"};
 
 TEST(CommandLine, EveryCommandHasHelp) {
   const ScratchDirectory scratch;

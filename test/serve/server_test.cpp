@@ -21,7 +21,10 @@ using grpc::StatusCode;
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// A step of one physics step is done at once; any other goes on until the session has ended.
+constexpr int kEndless = 1000, kFaulty = 2;  // physics steps
+constexpr std::size_t kLarge = 10 << 20;
+
+/// A step of one physics step is done at once; one of kEndless goes on until the session has ended.
 class EndlessStage : public Stage {
  public:
   EndlessStage(std::function<bool()> ended, std::atomic<int>* alive, std::atomic<bool>* stepping)
@@ -29,11 +32,15 @@ class EndlessStage : public Stage {
     ++*alive_;
   }
   ~EndlessStage() override { --*alive_; }
-  v1::Description Describe() override { return {}; }
+  v1::Description Describe() override {
+    v1::Description description;
+    description.set_scenario(std::string(kLarge, 'x'));
+    return description;
+  }
   std::optional<v1::Observation> Reset(const v1::Reset&) override { return v1::Observation(); }
   std::optional<v1::Observation> Step(const v1::Step& request) override {
     if (request.physics_steps() == 1) return v1::Observation();
-    if (request.physics_steps() == 2) throw std::runtime_error("a wheel came off");
+    if (request.physics_steps() == kFaulty) throw std::runtime_error("a wheel came off");
     *stepping_ = true;
     while (!ended_()) std::this_thread::yield();
     *stepping_ = false;
@@ -45,13 +52,13 @@ class EndlessStage : public Stage {
   std::atomic<int>* alive_;
   std::atomic<bool>* stepping_;
 };
-constexpr int kEndless = 1000, kFaulty = 2;
 
 /// A client that sends what it likes.
 class RawClient {
  public:
   explicit RawClient(const std::string& address)
-      : stub_(v1::Simulation::NewStub(grpc::CreateChannel(address, Credentials()))),
+      : stub_(v1::Simulation::NewStub(
+            grpc::CreateCustomChannel(address, Credentials(), AnyAnswer()))),
         stream_(stub_->Session(&context_)) {}
   ~RawClient() { context_.TryCancel(); }
 
@@ -75,6 +82,11 @@ class RawClient {
 
   static std::shared_ptr<grpc::ChannelCredentials> Credentials() {
     return grpc::InsecureChannelCredentials();
+  }
+  static grpc::ChannelArguments AnyAnswer() {
+    grpc::ChannelArguments arguments;
+    arguments.SetMaxReceiveMessageSize(-1);
+    return arguments;
   }
 
  private:
@@ -135,6 +147,13 @@ TEST_F(ServerTest, ServesOneClientAfterTheOther) {
     client.Close();
     EXPECT_TRUE(client.End().ok());
     EXPECT_EQ(stages_, 0);  // gone before its client heard of the end
+  }
+}
+
+TEST_F(ServerTest, SendsLargeAnswers) {
+  const auto client = Served();
+  for (int k = 2; k < 5; ++k) {
+    EXPECT_EQ(client->Ask(Describe(k))->description().scenario().size(), kLarge);
   }
 }
 

@@ -1,0 +1,304 @@
+"""One machine of a scenario as an environment in Gymnasium's form."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tera.server import Server
+from tera.session import Session
+from tera.spaces import Box, Dict, EnvBase
+from tera.v1 import simulation_pb2 as messages
+
+CONTROLS = ("levers", "joint_rates", "joint_positions", "tool_position")
+
+
+@dataclass(frozen=True)
+class Patch:
+    """A square of ground heights, `size_m` wide, around the machine or around the cutting edge of `shovel`."""
+
+    size_m: float
+    resolution_m: float
+    shovel: str = ""
+
+
+class Env(EnvBase):
+    """Steps one machine; the others go on with the scenario's own operators.
+
+    address     of a server (tera.Server, or `tera serve`)
+    machine     its name; the first that has levers, unless given
+    control     what an action is: "levers" (-1 to 1 each), "joint_rates", "joint_positions" (one for each lever), or
+                "tool_position" (where `tool_frame` is to go, x, y, z in the root link's frame, metres)
+    step_s      simulated time of a step
+    sensors     names of the machine's sensors to observe
+    all_frames  every picture and scan of a step in info["samples"], not the latest of it alone
+    patch       a Patch of terrain to observe
+    reward      function of (observation, info); 0.0 without it
+    terminated  function of (observation, info); never without it
+
+    An observation is a dict of arrays: joint_position, joint_rate, joint_effort, gear_rate_radps, levers,
+    base_position_W_m, base_rotation_WB (w, x, y, z), base_twist (velocity in W, angular velocity in B), shovel_load_kg;
+    terrain_m (n x n, second index forward, relative to the patch's centre); and of each sensor the latest measurement:
+    "<camera>/rgb", "<camera>/depth_m", "<camera>/semantic", "<camera>/instance", "<imu>" (angular rate, specific
+    force), "<gnss>" (east, north, up, fix), "<encoder>" (positions, rates). Until a sensor has measured something its
+    arrays are 0. Lidars, whose scans differ in length, are in info["samples"] alone.
+
+    info has time_s; age_s, of each sensor the age of its latest measurement, or None before the first; samples, of each
+    sensor a list of dicts of arrays, all that it measured in the step; and message, the server's own Observation.
+    """
+
+    metadata = {"render_modes": []}
+
+    def __init__(self, address, machine=None, control="levers", step_s=0.1, sensors=(), all_frames=False, patch=None,
+                 reward=None, terminated=None, tool_frame=None):
+        if control not in CONTROLS:
+            raise ValueError(f"control {control!r}; need one of {', '.join(CONTROLS)}")
+        self._server = None
+        self.session = Session(address, client="tera.Env")
+        self._control, self._step_s, self._patch = control, step_s, patch
+        self._reward, self._terminated = reward, terminated
+        try:
+            self._choose(machine, sensors, tool_frame)
+        except BaseException:
+            self.close()
+            raise
+        self._observe = messages.Observe(
+            sensors=[messages.SensorSelection(machine=self.machine.name, sensor=name, latest_only=not all_frames)
+                     for name in self._sensors])
+        if patch:
+            self._observe.patches.add(machine=self.machine.name, shovel=patch.shovel, size_m=patch.size_m,
+                                      resolution_m=patch.resolution_m)
+        self.action_space = self._action_space()
+        self.observation_space = self._observation_space()
+
+    def _choose(self, machine, sensors, tool_frame):
+        description = self.session.description
+        drivable = [m for m in description.machines if m.levers and machine in (None, m.name)]
+        if not drivable:
+            names = ", ".join(m.name for m in description.machines if m.levers) or "none there"
+            raise ValueError(f"no machine {machine!r} with levers; need one of: {names}")
+        self.machine = drivable[0]
+        known = {s.name: s for s in self.machine.sensors}
+        for name in sensors:
+            if name not in known:
+                raise ValueError(f"no sensor {name!r} on {self.machine.name}; need one of: {', '.join(known)}")
+        self._sensors = {name: known[name] for name in sensors}
+        self._tool_frame = tool_frame or (self.machine.frames[0].name if self.machine.frames else "")
+
+    # ---- Gymnasium's calls
+
+    def reset(self, *, seed=None, options=None):
+        """A fresh episode with that seed, or with the scenario's own."""
+        if seed is not None and EnvBase is not object:
+            super().reset(seed=seed)
+        self._latest = {}
+        return self._told(self.session.reset(seed=seed, observe=self._observe))
+
+    def step(self, action):
+        told = self.session.step([self._action(action)], duration_s=self._step_s, observe=self._observe)
+        observation, info = self._told(told)
+        reward = float(self._reward(observation, info)) if self._reward else 0.0
+        terminated = bool(self._terminated(observation, info)) if self._terminated else False
+        truncated = told.time_ns >= round(1e9 * self.session.description.duration_s)
+        return observation, reward, terminated, truncated, info
+
+    def render(self):
+        """Nothing: cameras are sensors."""
+
+    def close(self):
+        self.session.close()
+        if self._server:
+            self._server.close()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    # ---- Actions
+
+    def _action_space(self):
+        if self._control == "tool_position":
+            return Box(-np.inf, np.inf, (3,), np.float64)
+        joints = {j.name: j for j in self.machine.joints}
+        gears = {g.name: g for g in self.machine.gears}
+        bounds = []
+        for lever in self.machine.levers:
+            joint, gear = joints.get(lever.joint), gears.get(lever.gear)
+            if self._control == "levers":
+                bounds.append((-1.0, 1.0))
+            elif self._control == "joint_rates":
+                bounds.append((-joint.max_rate_negative, joint.max_rate_positive) if joint
+                              else (-gear.max_rate_radps, gear.max_rate_radps))
+            elif joint is None:
+                bounds.append((0.0, 0.0))  # a gear stands
+            else:
+                free = joint.type == messages.Joint.CONTINUOUS
+                bounds.append((-np.inf, np.inf) if free else (joint.lower, joint.upper))
+        low, high = np.array(bounds).T
+        return Box(low, high, dtype=np.float64)
+
+    def _action(self, action):
+        values = np.asarray(action, dtype=np.float64)
+        space = self.action_space
+        if values.shape != space.shape:
+            raise ValueError(f"action of shape {values.shape}, need {space.shape}")
+        # Single precision may overstep a bound by a rounding; more than that is for the server to refuse.
+        rounded = np.clip(values, space.low, space.high)
+        values = np.where(np.abs(values - rounded) < 1e-6, rounded, values).tolist()
+        message = messages.Action(machine=self.machine.name)
+        if self._control == "levers":
+            message.levers.position.extend(values)
+        elif self._control == "joint_rates":
+            message.joint_rates.rate.extend(values)
+        elif self._control == "joint_positions":
+            message.joint_positions.position.extend(values)
+        else:
+            message.tool_pose.frame = self._tool_frame
+            x, y, z = values
+            message.tool_pose.position_B_m.CopyFrom(messages.Vector3(x=x, y=y, z=z))
+        return message
+
+    # ---- Observations
+
+    def _observation_space(self):
+        def free(*shape):
+            return Box(-np.inf, np.inf, shape, np.float64)
+
+        machine = self.machine
+        joints, gears = len(machine.joints), len(machine.gears)
+        spaces = {"joint_position": free(joints), "joint_rate": free(joints), "joint_effort": free(joints),
+                  "gear_rate_radps": free(gears), "levers": Box(-1.0, 1.0, (len(machine.levers),), np.float64),
+                  "base_position_W_m": free(3), "base_rotation_WB": free(4), "base_twist": free(6),
+                  "shovel_load_kg": free(len(machine.shovels))}
+        if self._patch:
+            n = round(self._patch.size_m / self._patch.resolution_m) + 1
+            spaces["terrain_m"] = Box(-np.inf, np.inf, (n, n), np.float32)
+        for sensor in self._sensors.values():
+            spaces.update(_sensor_spaces(sensor))
+        return Dict(spaces)
+
+    def _told(self, told):
+        """The observation and info of a server's Observation."""
+        state = next(m for m in told.machines if m.name == self.machine.name)
+        X, v, w = state.X_WB, state.v_WB_mps, state.w_WB_B_radps
+        position, rotation = X.position_m, X.rotation
+        observation = {
+            "joint_position": np.array(state.joint_position), "joint_rate": np.array(state.joint_rate),
+            "joint_effort": np.array(state.joint_effort), "gear_rate_radps": np.array(state.gear_rate_radps),
+            "levers": np.array(state.lever),
+            "base_position_W_m": np.array([position.x, position.y, position.z]),
+            "base_rotation_WB": np.array([rotation.w, rotation.x, rotation.y, rotation.z]),
+            "base_twist": np.array([v.x, v.y, v.z, w.x, w.y, w.z]),
+            "shovel_load_kg": np.array(state.shovel_load_kg)}
+        if told.patches:
+            patch = told.patches[0]
+            observation["terrain_m"] = np.frombuffer(patch.height_m, "<f4").reshape(patch.n, patch.n)
+        samples = {s.sensor: decode(s) for s in told.samples}
+        for name, measured in samples.items():
+            if measured:
+                self._latest[name] = measured[-1]
+        for sensor in self._sensors.values():
+            observation.update(_latest_arrays(sensor, self._latest.get(sensor.name)))
+        age_s = {name: (told.time_ns - self._latest[name]["time_ns"]) * 1e-9 if name in self._latest else None
+                 for name in self._sensors}
+        return observation, {"time_s": told.time_ns * 1e-9, "age_s": age_s, "samples": samples, "message": told}
+
+
+def make(scenario, options=(), **env_options):
+    """An Env with a server of its own, which ends with it. `options` go to `tera serve`, the others to Env."""
+    server = Server(scenario, options)
+    try:
+        env = Env(server.address, **env_options)
+    except BaseException:
+        server.close()
+        raise
+    env._server = server
+    return env
+
+
+# ---- Samples as arrays
+
+_PICTURES = {"rgb": np.dtype("u1"), "depth_m": np.dtype("<f4"), "semantic": np.dtype("u1"), "instance": np.dtype("<u2")}
+_COLUMNS = {"xyz_S_m": np.dtype("<f4"), "intensity": np.dtype("<f4"), "time_offset_ns": np.dtype("<u4"),
+            "ring": np.dtype("<u2"), "semantic": np.dtype("u1"), "instance": np.dtype("<u2")}
+
+
+def _vector(message):
+    return np.array([message.x, message.y, message.z])
+
+
+def _imu(sample):
+    return {"angular_rate_S_radps": _vector(sample.angular_rate_S_radps),
+            "specific_force_S_mps2": _vector(sample.specific_force_S_mps2)}
+
+
+def _gnss(sample):
+    return {"fix": sample.fix, "geodetic": np.array([sample.lat_deg, sample.lon_deg, sample.height_m]),
+            "enu_m": _vector(sample.enu_m), "variance_enu_m2": _vector(sample.variance_enu_m2)}
+
+
+def _encoder(sample):
+    return {"position": np.array(sample.position), "rate": np.array(sample.rate)}
+
+
+def _camera(frame):
+    arrays = {}
+    for name, dtype in _PICTURES.items():
+        data = getattr(frame, name)
+        if data:
+            shape = (frame.height_px, frame.width_px) + ((3,) if name == "rgb" else ())
+            arrays[name] = np.frombuffer(data, dtype).reshape(shape)
+    return arrays
+
+
+def _lidar(scan):
+    arrays = {name: np.frombuffer(getattr(scan, name), dtype) for name, dtype in _COLUMNS.items()}
+    arrays["xyz_S_m"] = arrays["xyz_S_m"].reshape(-1, 3)
+    return arrays
+
+
+_DECODERS = {"imu": _imu, "gnss": _gnss, "encoder": _encoder, "camera": _camera, "lidar": _lidar}
+
+
+def decode(samples):
+    """The samples of a SensorSamples message as dicts of arrays, oldest first."""
+    for kind, decoder in _DECODERS.items():
+        found = getattr(samples, kind)
+        if found:
+            return [{"time_ns": s.time_ns, "available_ns": s.available_ns, **decoder(s)} for s in found]
+    return []
+
+
+def _sensor_spaces(sensor):
+    name = sensor.name
+    if sensor.type == "camera":
+        camera = sensor.camera
+        shape = (camera.height_px, camera.width_px)
+        spaces = {}
+        if camera.rgb:
+            spaces[f"{name}/rgb"] = Box(0, 255, shape + (3,), np.uint8)
+        if camera.depth:
+            spaces[f"{name}/depth_m"] = Box(0.0, np.inf, shape, np.float32)
+        if camera.labels:
+            spaces[f"{name}/semantic"] = Box(0, 255, shape, np.uint8)
+            spaces[f"{name}/instance"] = Box(0, 65535, shape, np.uint16)
+        return spaces
+    shapes = {"imu": (6,), "gnss": (4,), "encoder": (2, len(sensor.encoder_axes))}
+    return {name: Box(-np.inf, np.inf, shapes[sensor.type], np.float64)} if sensor.type in shapes else {}
+
+
+def _latest_arrays(sensor, latest):
+    """What an observation holds of a sensor whose latest measurement is `latest`, None before the first."""
+    spaces = _sensor_spaces(sensor)
+    if latest is None:
+        return {name: np.zeros(space.shape, space.dtype) for name, space in spaces.items()}
+    if sensor.type == "camera":
+        return {name: latest[name.rpartition("/")[2]] for name in spaces}
+    if sensor.type == "imu":
+        return {sensor.name: np.concatenate([latest["angular_rate_S_radps"], latest["specific_force_S_mps2"]])}
+    if sensor.type == "gnss":
+        return {sensor.name: np.append(latest["enu_m"], latest["fix"])}
+    if sensor.type == "encoder":
+        return {sensor.name: np.stack([latest["position"], latest["rate"]])}
+    return {}

@@ -1,0 +1,89 @@
+"""Requests and responses of one session, as messages."""
+
+import queue
+
+import grpc
+
+from tera.v1 import simulation_pb2 as messages
+from tera.v1 import simulation_pb2_grpc as service
+
+PROTOCOL = 1
+
+# Answers may hold many pictures; the server bounds them. A proxy has no part in talking to a neighbour.
+_CHANNEL_OPTIONS = [("grpc.max_receive_message_length", -1), ("grpc.enable_http_proxy", 0)]
+
+
+class Refused(Exception):
+    """The server cannot do what was asked; nothing has changed, the session goes on."""
+
+
+class SessionEnded(ConnectionError):
+    """There is no session (any more). `code` is a grpc.StatusCode."""
+
+    def __init__(self, code, message):
+        super().__init__(f"{message} ({code.name})")
+        self.code = code
+
+
+class Session:
+    """One session with a server at `address`, "127.0.0.1:50051".
+
+    `description` is what the server simulates. Raises SessionEnded where the server cannot be reached within
+    `timeout_s` or is busy with another client (code RESOURCE_EXHAUSTED).
+    """
+
+    def __init__(self, address, client="python", timeout_s=10.0):
+        self._channel = grpc.insecure_channel(address, options=_CHANNEL_OPTIONS)
+        try:
+            grpc.channel_ready_future(self._channel).result(timeout=timeout_s)
+        except grpc.FutureTimeoutError:
+            self._channel.close()
+            raise SessionEnded(grpc.StatusCode.UNAVAILABLE, f"no server answers at {address}") from None
+        self._requests = queue.SimpleQueue()
+        self._sequence = 0
+        self._responses = service.SimulationStub(self._channel).Session(iter(self._requests.get, None))
+        try:
+            self.welcome = self.ask(hello=messages.Hello(protocol=PROTOCOL, client=client)).welcome
+            self.description = self.ask(describe=messages.Describe()).description
+        except BaseException:
+            self.close()
+            raise
+
+    def ask(self, **kind):
+        """The response to a request of the given kind: `ask(step=messages.Step(physics_steps=5))`."""
+        self._sequence += 1
+        self._requests.put(messages.Request(sequence=self._sequence, **kind))
+        try:
+            response = next(self._responses)
+        except StopIteration:
+            raise SessionEnded(grpc.StatusCode.OK, "the session is closed") from None
+        except grpc.RpcError as error:
+            raise SessionEnded(error.code(), error.details()) from None
+        if response.WhichOneof("kind") == "refusal":
+            raise Refused(response.refusal.message)
+        return response
+
+    def reset(self, seed=None, observe=None):
+        """A fresh episode; an Observation at t = 0."""
+        return self.ask(reset=messages.Reset(seed=seed, observe=observe)).observation
+
+    def step(self, actions=(), duration_s=None, physics_steps=None, observe=None):
+        """An Observation after the given duration, or number of physics steps, under `actions`."""
+        return self.ask(step=messages.Step(actions=actions, duration_s=duration_s, physics_steps=physics_steps,
+                                           observe=observe)).observation
+
+    def close(self):
+        """Ends the session and waits until the server is free for the next."""
+        self._requests.put(None)
+        try:
+            for _ in self._responses:
+                pass
+        except grpc.RpcError:
+            pass  # it had ended already
+        self._channel.close()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()

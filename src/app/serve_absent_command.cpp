@@ -1,0 +1,19 @@
+#include "app/commands.h"
+#include "core/error.h"
+
+// `tera serve` of a program that was built without gRPC.
+
+namespace tera {
+
+void AddServeCommand(CLI::App* app) {
+  CLI::App* command = app->add_subcommand(
+      "serve", "Let a program step a scenario over a socket (not in this build: needs gRPC)");
+  command->allow_extras();
+  command->callback([] {
+    throw InputError(
+        "tera serve: built without gRPC; install libgrpc++-dev, libprotobuf-dev, protobuf-compiler "
+        "and protobuf-compiler-grpc, then configure and build again");
+  });
+}
+
+}  // namespace tera

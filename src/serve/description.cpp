@@ -1,0 +1,150 @@
+#include "serve/description.h"
+
+#include <string>
+#include <variant>
+
+#include "core/labels.h"
+#include "serve/geometry_messages.h"
+#include "sim/rig.h"
+
+namespace tera {
+namespace {
+
+v1::Joint::Type TypeOf(JointType type) {
+  switch (type) {
+    case JointType::kFixed:
+      return v1::Joint::FIXED;
+    case JointType::kRevolute:
+      return v1::Joint::REVOLUTE;
+    case JointType::kContinuous:
+      return v1::Joint::CONTINUOUS;
+    case JointType::kPrismatic:
+      return v1::Joint::PRISMATIC;
+  }
+  return v1::Joint::TYPE_UNSPECIFIED;
+}
+
+void PutSite(const Scenario& scenario, v1::Site* site) {
+  const TerrainSurface& ground = scenario.soil->surface();
+  site->set_lat_deg(scenario.origin.lat_deg);
+  site->set_lon_deg(scenario.origin.lon_deg);
+  site->set_height_m(scenario.origin.height_m);
+  site->set_x_min_m(ground.origin_W_m.x());
+  site->set_y_min_m(ground.origin_W_m.y());
+  site->set_x_max_m(ground.origin_W_m.x() + (ground.nx - 1) * ground.cell_m);
+  site->set_y_max_m(ground.origin_W_m.y() + (ground.ny - 1) * ground.cell_m);
+  site->set_cell_m(ground.cell_m);
+}
+
+void PutJoints(const MachineModel& model, v1::Machine* machine) {
+  for (const Joint& joint : model.joints) {
+    v1::Joint& message = *machine->add_joints();
+    message.set_name(joint.name);
+    message.set_type(TypeOf(joint.type));
+    message.set_lower(joint.lower_rad);
+    message.set_upper(joint.upper_rad);
+    message.set_max_rate_positive(joint.max_rate_positive_radps);
+    message.set_max_rate_negative(joint.max_rate_negative_radps);
+    message.set_max_effort(joint.max_effort_nm);
+  }
+  for (const Lever& lever : model.levers) {
+    v1::Lever& message = *machine->add_levers();
+    message.set_name(lever.name);
+    if (lever.joint >= 0) {
+      message.set_joint(model.joints[lever.joint].name);
+      machine->mutable_joints(lever.joint)->set_lever(lever.name);
+    } else {
+      message.set_gear(model.ground_tools.gears[lever.gear].name);
+    }
+  }
+}
+
+void PutTools(const MachineModel& model, v1::Machine* machine) {
+  for (std::size_t g = 0; g < model.ground_tools.gears.size(); ++g) {
+    v1::Gear& message = *machine->add_gears();
+    message.set_name(model.ground_tools.gears[g].name);
+    message.set_max_rate_radps(model.gear_drives[g].max_rate_radps);
+    message.set_radius_m(model.ground_tools.gears[g].drive_radius_m);
+  }
+  for (const Shovel& shovel : model.ground_tools.shovels) {
+    v1::Shovel& message = *machine->add_shovels();
+    message.set_name(shovel.name);
+    message.set_width_m(shovel.width_m);
+    message.set_capacity_m3(shovel.capacity_m3);
+  }
+  for (const NamedFrame& frame : model.frames) {
+    v1::Frame& message = *machine->add_frames();
+    message.set_name(frame.name);
+    message.set_link(model.links[frame.link].name);
+    Put(frame.X_BF, message.mutable_x_bf());
+  }
+}
+
+void PutCamera(const CameraModel& model, v1::CameraDescription* message) {
+  const CameraIntrinsics& lens = model.intrinsics;
+  message->set_width_px(lens.width_px);
+  message->set_height_px(lens.height_px);
+  message->set_fx_px(lens.fx_px);
+  message->set_fy_px(lens.fy_px);
+  message->set_cx_px(lens.cx_px);
+  message->set_cy_px(lens.cy_px);
+  message->set_k1(lens.k1);
+  message->set_k2(lens.k2);
+  message->set_p1(lens.p1);
+  message->set_p2(lens.p2);
+  message->set_k3(lens.k3);
+  message->set_rgb(model.rgb);
+  message->set_depth(model.depth);
+  message->set_labels(model.labels);
+  message->set_depth_min_m(model.depth_min_m);
+  message->set_depth_max_m(model.depth_max_m);
+}
+
+void PutSensor(const SensorDescription& sensor, const MachineModel& machine, v1::Sensor* message) {
+  message->set_name(sensor.name);
+  message->set_type(TypeOf(sensor));
+  message->set_link(sensor.link);
+  Put(sensor.X_BS, message->mutable_x_bs());
+  message->set_rate_hz(sensor.clock.rate_hz);
+  if (const auto* camera = std::get_if<CameraModel>(&sensor.model)) {
+    PutCamera(*camera, message->mutable_camera());
+  } else if (const auto* lidar = std::get_if<LidarModel>(&sensor.model)) {
+    message->mutable_lidar()->set_rings(static_cast<std::uint32_t>(lidar->elevation_rad.size()));
+    message->mutable_lidar()->set_columns(lidar->columns);
+  } else if (const auto* encoder = std::get_if<EncoderModel>(&sensor.model)) {
+    const EncodedAxes axes = AxesOf(*encoder, machine);
+    for (const int j : axes.joints) message->add_encoder_axes(machine.joints[j].name);
+    for (const int g : axes.gears) message->add_encoder_axes(machine.ground_tools.gears[g].name);
+  }
+}
+
+}  // namespace
+
+v1::Description Describe(const Scenario& scenario) {
+  v1::Description description;
+  description.set_scenario(scenario.name);
+  description.set_seed(scenario.seed);
+  description.set_duration_s(scenario.duration_s);
+  description.set_physics_rate_hz(scenario.physics_rate_hz);
+  PutSite(scenario, description.mutable_site());
+  for (const ScenarioMachine& machine : scenario.machines) {
+    const MachineModel& model = machine.placement.model;
+    v1::Machine& message = *description.add_machines();
+    message.set_name(machine.placement.name);
+    message.set_kind(model.kind);
+    message.set_mass_kg(model.TotalMass_kg());
+    PutJoints(model, &message);
+    PutTools(model, &message);
+    for (const SensorDescription& sensor : machine.sensors) {
+      PutSensor(sensor, model, message.add_sensors());
+    }
+  }
+  for (const SemanticClassInfo& info : kSemanticClasses) {
+    v1::SemanticClass& message = *description.add_semantic_classes();
+    message.set_value(static_cast<std::uint32_t>(info.label));
+    message.set_name(std::string(info.name));
+  }
+  return description;
+}
+
+}  // namespace tera

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "serve/server.h"
+#include "sim/live_run.h"
+#include "sim/scenario.h"
+
+namespace tera {
+
+/// A scenario and the text that gives it again.
+struct SeededScenario {
+  Scenario scenario;
+  std::string resolved_yaml;
+};
+
+/// The scenario afresh, with that seed or, without one, its own.
+using ScenarioSource = std::function<SeededScenario(std::optional<std::uint64_t> seed)>;
+
+struct StageOptions {
+  int threads = 2;  ///< for rays and for encoding
+  EglOptions egl;
+  /// Folder in which each episode becomes a dataset, episode_0001 and so on, after those there.
+  std::optional<std::filesystem::path> record;
+};
+
+/// What each session of `tera serve` acts on: episodes of a scenario, each a LiveRun of its own.
+///
+/// Model   An episode lasts from a Reset to the next or to the session's end, however it comes;
+///         its recording is then finished. An action holds for the whole of its step.
+/// Throws  InputError where the source does. `log` is told of a recording that cannot be finished
+///         after the session's end.
+Server::MakeStage LiveStages(ScenarioSource source, const StageOptions& options, Server::Log log);
+
+}  // namespace tera

@@ -1,0 +1,165 @@
+#include "serve/sample_keeper.h"
+
+#include <bit>
+
+#include "serve/geometry_messages.h"
+
+namespace tera {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "messages hold little-endian numbers");
+
+template <typename Sample, typename Message>
+void PutTimes(const Sample& sample, Message* message) {
+  message->set_time_ns(sample.t_ns);
+  message->set_available_ns(sample.t_available_ns);
+}
+
+template <typename T>
+void PutBytes(const std::vector<T>& values, std::string* bytes) {
+  bytes->assign(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+}
+
+template <typename T>
+void Append(const T& value, std::string* bytes) {
+  bytes->append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+}  // namespace
+
+void SampleKeeper::Keep(const std::vector<SensorPlan>& sensors, TimeNs end_ns) {
+  plans_ = sensors;
+  end_ns_ = end_ns;
+  samples_.assign(sensors.size(), {});
+  for (std::size_t k = 0; k < sensors.size(); ++k) {
+    samples_[k].set_machine(sensors[k].machine);
+    samples_[k].set_sensor(sensors[k].sensor);
+  }
+  for (Channel& channel : channels_) channel.kept = PlanOf(channel.folder);
+}
+
+void SampleKeeper::Take(v1::Observation* observation) {
+  for (v1::SensorSamples& samples : samples_) *observation->add_samples() = std::move(samples);
+  Keep({}, end_ns_);
+}
+
+int SampleKeeper::PlanOf(const std::string& folder) const {
+  for (std::size_t k = 0; k < plans_.size(); ++k) {
+    if (plans_[k].machine + "/" + plans_[k].sensor == folder) return static_cast<int>(k);
+  }
+  return kNotKept;
+}
+
+ChannelId SampleKeeper::Add(const std::string& folder, int revolutions) {
+  channels_.push_back({folder, revolutions, PlanOf(folder)});
+  return static_cast<ChannelId>(channels_.size() - 1);
+}
+
+ChannelId SampleKeeper::AddImu(const std::string& folder, const std::string&) {
+  return Add(folder);
+}
+ChannelId SampleKeeper::AddGnss(const std::string& folder, const std::string&) {
+  return Add(folder);
+}
+ChannelId SampleKeeper::AddEncoder(const std::string& folder, const std::string&,
+                                   const std::vector<EncoderAxis>&) {
+  return Add(folder);
+}
+ChannelId SampleKeeper::AddCamera(const std::string& folder, const std::string&) {
+  return Add(folder);
+}
+ChannelId SampleKeeper::AddLidar(const std::string& folder, const std::string&) {
+  return Add(folder, 1);
+}
+ChannelId SampleKeeper::AddTable(const std::string& file, const std::vector<std::string>&) {
+  return Add(file);
+}
+ChannelId SampleKeeper::AddPose(const std::string& file, bool) { return Add(file); }
+
+v1::SensorSamples* SampleKeeper::Kept(ChannelId channel) {
+  const int kept = channels_[channel].kept;
+  return kept == kNotKept ? nullptr : &samples_[kept];
+}
+
+bool SampleKeeper::NeedsFrame(ChannelId channel, TimeNs t_ns) const {
+  const Channel& c = channels_[channel];
+  if (c.kept == kNotKept) return false;
+  const SensorPlan& plan = plans_[c.kept];
+  // Due times are rounded each for itself, so that a period may be a nanosecond off: rather one
+  // frame too many, which the next replaces.
+  constexpr TimeNs kRounding_ns = 2;
+  const TimeNs next_complete_ns = t_ns + (1 + c.revolutions) * plan.period_ns;
+  return !plan.latest_only || next_complete_ns > end_ns_ - kRounding_ns;
+}
+
+void SampleKeeper::Write(ChannelId channel, const ImuSample& sample) {
+  v1::SensorSamples* samples = Kept(channel);
+  if (samples == nullptr) return;
+  v1::ImuSample& message = *samples->add_imu();
+  PutTimes(sample, &message);
+  Put(sample.w_WS_S_radps, message.mutable_angular_rate_s_radps());
+  Put(sample.f_S_mps2, message.mutable_specific_force_s_mps2());
+}
+
+void SampleKeeper::Write(ChannelId channel, const GnssSample& sample) {
+  v1::SensorSamples* samples = Kept(channel);
+  if (samples == nullptr) return;
+  v1::GnssSample& message = *samples->add_gnss();
+  PutTimes(sample, &message);
+  message.set_fix(static_cast<std::uint32_t>(sample.fix));
+  message.set_lat_deg(sample.lat_deg);
+  message.set_lon_deg(sample.lon_deg);
+  message.set_height_m(sample.alt_m);
+  Put(sample.enu_m, message.mutable_enu_m());
+  Put(sample.variance_enu_m2, message.mutable_variance_enu_m2());
+}
+
+void SampleKeeper::Write(ChannelId channel, const EncoderSample& sample) {
+  v1::SensorSamples* samples = Kept(channel);
+  if (samples == nullptr) return;
+  v1::EncoderSample& message = *samples->add_encoder();
+  PutTimes(sample, &message);
+  message.mutable_position()->Add(sample.q_rad.begin(), sample.q_rad.end());
+  message.mutable_rate()->Add(sample.qd_radps.begin(), sample.qd_radps.end());
+}
+
+void SampleKeeper::Write(ChannelId channel, CameraFrame frame) {
+  v1::SensorSamples* samples = Kept(channel);
+  if (samples == nullptr) return;
+  if (plans_[channels_[channel].kept].latest_only) samples->clear_camera();
+  v1::CameraFrame& message = *samples->add_camera();
+  PutTimes(frame, &message);
+  for (const auto& [width_px, height_px] :
+       {std::pair(frame.rgb.width_px, frame.rgb.height_px),
+        std::pair(frame.depth_m.width_px, frame.depth_m.height_px),
+        std::pair(frame.semantic.width_px, frame.semantic.height_px)}) {
+    if (width_px == 0) continue;
+    message.set_width_px(width_px);
+    message.set_height_px(height_px);
+  }
+  PutBytes(frame.rgb.data, message.mutable_rgb());
+  PutBytes(frame.depth_m.data, message.mutable_depth_m());
+  PutBytes(frame.semantic.data, message.mutable_semantic());
+  PutBytes(frame.instance.data, message.mutable_instance());
+}
+
+void SampleKeeper::Write(ChannelId channel, LidarScan scan) {
+  v1::SensorSamples* samples = Kept(channel);
+  if (samples == nullptr) return;
+  if (plans_[channels_[channel].kept].latest_only) samples->clear_lidar();
+  v1::LidarScan& message = *samples->add_lidar();
+  PutTimes(scan, &message);
+  message.set_points(static_cast<std::uint32_t>(scan.points.size()));
+  for (const LidarPoint& point : scan.points) {
+    for (const float coordinate_m : {point.x_m, point.y_m, point.z_m}) {
+      Append(coordinate_m, message.mutable_xyz_s_m());
+    }
+    Append(point.intensity, message.mutable_intensity());
+    Append(point.time_offset_ns, message.mutable_time_offset_ns());
+    Append(point.ring, message.mutable_ring());
+    Append(point.label, message.mutable_semantic());
+    Append(point.instance, message.mutable_instance());
+  }
+}
+
+}  // namespace tera

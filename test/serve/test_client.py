@@ -1,0 +1,337 @@
+"""The Python client against `tera serve`, both as a user has them."""
+
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import textwrap
+import unittest
+from pathlib import Path
+
+import grpc
+import numpy as np
+
+import tera
+
+SCENARIO = """
+name: client
+seed: 5
+duration_s: 1
+settle_s: 0.1
+terrain: {size_m: [14, 14], cell_m: 0.1, soil: dirt, relief: {amplitude_m: 0.1, wavelength_m: 4}}
+machines:
+  - name: mast
+    machine: tera:config/machines/mast.yaml
+    start: {xy_m: [-5, -5]}
+    operator: {type: idle}
+    rig: {sensors: []}
+  - name: digger
+    machine: tera:config/machines/tb235.yaml
+    start: {xy_m: [0.5, -1], yaw_deg: 40, joints_deg: {boom: 40, arm: -95, bucket: -20}}
+    operator: {type: idle}
+    rig: {sensors: [
+      {name: imu, preset: tera:config/sensors/xsens_mti_670.yaml, link: upper, xyz_m: [0, 0.2, 1], rate_hz: 50},
+      {name: gnss, preset: tera:config/sensors/rtk_f9p.yaml, link: upper, xyz_m: [-0.9, 0.5, 1.2], rate_hz: 5},
+      {name: camera, preset: tera:config/sensors/realsense_d435i.yaml, link: upper, xyz_m: [0.8, 0.3, 1.8],
+       rpy_deg: [0, 30, 0], width_px: 64, height_px: 48, rate_hz: 10},
+      {name: lidar, preset: tera:config/sensors/vlp16.yaml, link: upper, xyz_m: [0, 0.3, 2.1], columns: 64},
+      {name: encoders, preset: tera:config/sensors/encoder.yaml}]}
+"""
+
+
+def setUpModule():
+    global folder, scenario, server
+    folder = tempfile.TemporaryDirectory()
+    scenario = Path(folder.name) / "client.yaml"
+    scenario.write_text(SCENARIO)
+    server = tera.Server(scenario)
+
+
+def tearDownModule():
+    server.close()
+    folder.cleanup()
+
+
+def equal(a, b):
+    return a.keys() == b.keys() and all(np.array_equal(a[name], b[name]) for name in a)
+
+
+def files(directory):
+    """The bytes of every file below, by its path."""
+    return {path.relative_to(directory): path.read_bytes() for path in directory.rglob("*") if path.is_file()}
+
+
+class EnvTest(unittest.TestCase):
+    def env(self, **options):
+        env = tera.Env(server.address, **options)
+        self.addCleanup(env.close)
+        return env
+
+    def test_reset_with_one_seed_twice_gives_equal_observations(self):
+        env = self.env(sensors=["imu", "gnss", "camera", "encoders"], patch=tera.Patch(3, 0.5))
+        boom_down = np.where([lever.name == "boom" for lever in env.machine.levers], -0.5, 0.0)
+
+        def episode(seed):
+            told = [env.reset(seed=seed)[0]]
+            return told + [env.step(boom_down)[0] for _ in range(3)]
+
+        first, again, other = episode(1), episode(1), episode(2)
+        self.assertTrue(all(equal(a, b) for a, b in zip(first, again)))
+        self.assertFalse(np.array_equal(first[-1]["imu"], other[-1]["imu"]))
+
+    def test_a_reset_without_a_seed_takes_that_of_the_scenario(self):
+        env = self.env(sensors=["gnss"])
+        self.assertTrue(equal(env.reset()[0], env.reset(seed=5)[0]))
+
+    def test_steps_last_as_asked_and_the_episode_is_truncated_at_its_duration(self):
+        env = self.env(step_s=0.25)
+        _, info = env.reset(seed=1)
+        self.assertEqual(info["time_s"], 0)
+        still = np.zeros(env.action_space.shape)
+        told = [env.step(still) for _ in range(4)]
+        for k, (_, _, terminated, _, info) in enumerate(told):
+            self.assertAlmostEqual(info["time_s"], 0.25 * (k + 1), places=9)
+            self.assertFalse(terminated)
+        self.assertEqual([truncated for _, _, _, truncated, _ in told], [False, False, False, True])
+
+    def test_the_first_machine_with_levers_is_driven_unless_another_is_named(self):
+        env = self.env()
+        self.assertEqual(env.machine.name, "digger")
+        env.close()
+        with self.assertRaisesRegex(ValueError, "no machine 'mast' with levers; need one of: digger"):
+            self.env(machine="mast")
+
+    def test_levers_move_the_machine_and_are_observed(self):
+        env = self.env(step_s=0.3)
+        joints = [joint.name for joint in env.machine.joints]
+        before, _ = env.reset(seed=1)
+        action = np.array([-0.5 if lever.name == "boom" else 0.0 for lever in env.machine.levers], np.float32)
+        after = env.step(action)[0]
+        boom = joints.index("boom")
+        self.assertLess(after["joint_position"][boom], before["joint_position"][boom] - 0.02)
+        np.testing.assert_allclose(after["levers"], action)
+
+    def test_joint_positions_are_held(self):
+        env = self.env(step_s=0.5, control="joint_positions")
+        before, _ = env.reset(seed=1)
+        joints = [joint.name for joint in env.machine.joints]
+        hold = np.array([before["joint_position"][joints.index(lever.joint)] if lever.joint else 0.0
+                         for lever in env.machine.levers])
+        after = env.step(hold)[0]
+        np.testing.assert_allclose(after["joint_position"], before["joint_position"], atol=0.02)
+
+    def test_a_tool_position_is_approached(self):
+        env = self.env(step_s=1.0, control="tool_position", tool_frame="bucket_tip")
+        self.assertEqual(env.action_space.shape, (3,))
+        env.reset(seed=1)
+        start = env.step([3.0, 0.0, 1.0])[0]["joint_position"]
+        end = env.step([4.0, 0.0, 1.0])[0]["joint_position"]
+        self.assertGreater(np.abs(end - start).max(), 0.05)
+
+    def test_actions_beyond_a_bound_by_a_rounding_are_done_and_others_refused(self):
+        env = self.env(control="joint_rates")
+        env.reset(seed=1)
+        env.step(env.action_space.high.astype(np.float32))
+        for wrong in (np.zeros(2), np.zeros((1,) + env.action_space.shape)):
+            with self.assertRaisesRegex(ValueError, "need"):
+                env.step(wrong)
+        levers = self.env_of_levers(env)
+        with self.assertRaisesRegex(tera.Refused, "need -1 to 1"):
+            levers.step(np.full(levers.action_space.shape, 1.5))
+        levers.step(np.zeros(levers.action_space.shape))  # goes on
+
+    def env_of_levers(self, env):
+        env.close()
+        levers = self.env()
+        levers.reset(seed=1)
+        return levers
+
+    def test_pictures_have_the_cameras_shape_and_hold_a_scene(self):
+        env = self.env(sensors=["camera"])
+        observation, info = env.reset(seed=1)
+        self.assertEqual(observation["camera/rgb"].shape, (48, 64, 3))
+        self.assertEqual(observation["camera/rgb"].dtype, np.uint8)
+        self.assertEqual(observation["camera/depth_m"].shape, (48, 64))
+        self.assertEqual(observation["camera/depth_m"].dtype, np.float32)
+        self.assertEqual(observation["camera/instance"].dtype, np.uint16)
+        self.assertEqual(info["age_s"], {"camera": 0.0})
+        self.assertGreater(observation["camera/rgb"].std(), 5)
+        names = {c.value: c.name for c in env.session.description.semantic_classes}
+        self.assertIn("terrain", {names[value] for value in np.unique(observation["camera/semantic"])})
+        depth_m = observation["camera/depth_m"]
+        self.assertTrue(np.any(depth_m > 0.5) and depth_m.max() < 30)
+
+    def test_a_picture_stays_until_the_next_is_taken(self):
+        env = self.env(sensors=["camera"], step_s=0.05)
+        first, _ = env.reset(seed=1)
+        swing = np.where([lever.name == "swing" for lever in env.machine.levers], 1.0, 0.0)
+        same, _, _, _, info = env.step(swing)
+        np.testing.assert_array_equal(same["camera/rgb"], first["camera/rgb"])
+        self.assertAlmostEqual(info["age_s"]["camera"], 0.05)
+        self.assertEqual(info["samples"]["camera"], [])
+        _, _, _, _, info = env.step(swing)
+        self.assertEqual(info["age_s"]["camera"], 0.0)
+        self.assertEqual(len(info["samples"]["camera"]), 1)
+
+    def test_all_frames_of_a_step_are_there_if_asked_for(self):
+        for all_frames, count in ((False, 1), (True, 3)):
+            env = self.env(sensors=["camera", "lidar"], step_s=0.3, all_frames=all_frames)
+            env.reset(seed=1)
+            _, _, _, _, info = env.step(np.zeros(env.action_space.shape))
+            self.assertEqual(len(info["samples"]["camera"]), count)
+            self.assertEqual(len(info["samples"]["lidar"]), count)
+            self.assertEqual(info["samples"]["camera"][-1]["time_ns"], 300_000_000)
+            scan = info["samples"]["lidar"][-1]
+            self.assertGreater(len(scan["xyz_S_m"]), 100)
+            self.assertEqual(len(scan["xyz_S_m"]), len(scan["ring"]))
+            env.close()
+
+    def test_small_sensors_measure_what_they_should(self):
+        env = self.env(sensors=["imu", "gnss", "encoders"], step_s=0.5)
+        observation, info = env.reset(seed=1)
+        np.testing.assert_array_equal(observation["imu"], np.zeros(6))  # none yet
+        self.assertIsNone(info["age_s"]["imu"])
+        observation, _, _, _, info = env.step(np.zeros(env.action_space.shape))
+        self.assertAlmostEqual(np.linalg.norm(observation["imu"][3:]), 9.81, delta=0.3)
+        self.assertEqual(len(info["samples"]["imu"]), 24)  # the 25th is known a physics step later
+        self.assertEqual(observation["gnss"][3], 4)  # a fixed RTK solution
+        p = observation["base_position_W_m"]
+        self.assertLess(np.linalg.norm(observation["gnss"][:2] - p[:2]), 1.5)
+        moving = [j.name for j in env.machine.joints if j.type != tera.messages.Joint.FIXED]
+        self.assertEqual(observation["encoders"].shape, (2, len(moving)))
+        np.testing.assert_allclose(observation["encoders"][0], observation["joint_position"][:len(moving)], atol=0.05)
+
+    def test_the_terrain_around_the_machine_is_about_as_high_as_its_tracks(self):
+        env = self.env(patch=tera.Patch(2.0, 0.25))
+        observation, _ = env.reset(seed=1)
+        self.assertEqual(observation["terrain_m"].shape, (9, 9))
+        self.assertLess(np.abs(observation["terrain_m"]).max(), 0.5)
+        self.assertGreater(observation["terrain_m"].std(), 0)
+
+    def test_observations_and_actions_are_of_their_spaces(self):
+        env = self.env(sensors=["imu", "gnss", "camera", "encoders", "lidar"], patch=tera.Patch(2.0, 0.25))
+        observation, _ = env.reset(seed=1)
+        self.assertTrue(env.observation_space.contains(observation))
+        env.action_space.seed(3)
+        observation = env.step(env.action_space.sample())[0]
+        self.assertTrue(env.observation_space.contains(observation))
+        self.assertEqual(set(env.observation_space.spaces), set(observation))
+        self.assertFalse(env.action_space.contains(np.full(env.action_space.shape, 2.0)))
+
+    def test_reward_and_end_are_the_users_own_functions(self):
+        def lifted(observation, info):
+            return observation["joint_position"][0] + 100 * info["time_s"]
+
+        env = self.env(reward=lifted, terminated=lambda observation, info: info["time_s"] > 0.15)
+        env.reset(seed=1)
+        still = np.zeros(env.action_space.shape)
+        observation, reward, terminated, _, _ = env.step(still)
+        self.assertAlmostEqual(reward, observation["joint_position"][0] + 10)
+        self.assertFalse(terminated)
+        self.assertTrue(env.step(still)[2])
+        env.close()
+        plain = self.env()
+        plain.reset(seed=1)
+        self.assertEqual(plain.step(still)[1], 0.0)
+
+    def test_wrong_options_are_refused_and_leave_the_server_free(self):
+        with self.assertRaisesRegex(ValueError, "no sensor 'radar' on digger; need one of: imu, gnss, camera"):
+            self.env(sensors=["radar"])
+        with self.assertRaisesRegex(ValueError, "need one of levers"):
+            self.env(control="thoughts")
+        env = self.env(patch=tera.Patch(2, 0.5, shovel="spoon"))
+        with self.assertRaisesRegex(tera.Refused, "named 'spoon'"):
+            env.reset(seed=1)
+
+
+class SessionTest(unittest.TestCase):
+    def test_a_second_client_is_refused(self):
+        with tera.Session(server.address, client="first"):
+            with self.assertRaisesRegex(tera.SessionEnded, "busy with first at ipv4:127.0.0.1") as caught:
+                tera.Session(server.address)
+            self.assertEqual(caught.exception.code, grpc.StatusCode.RESOURCE_EXHAUSTED)
+        tera.Session(server.address).close()
+
+    def test_where_no_server_is_the_client_says_so(self):
+        with self.assertRaisesRegex(tera.SessionEnded, "no server answers at 127.0.0.1:1"):
+            tera.Session("127.0.0.1:1", timeout_s=0.2)
+
+    def test_a_broken_rule_ends_the_session(self):
+        session = tera.Session(server.address)
+        with self.assertRaisesRegex(tera.SessionEnded, "Step before any Reset"):
+            session.step(physics_steps=1)
+        with self.assertRaises(tera.SessionEnded):
+            session.reset(seed=1)
+        session.close()
+        tera.Session(server.address).close()
+
+    def test_a_client_that_is_killed_in_the_middle_of_a_step_frees_the_server(self):
+        script = textwrap.dedent(f"""
+            import tera
+            session = tera.Session({server.address!r})
+            session.reset(seed=1)
+            print("stepping", flush=True)
+            session.step(duration_s=3600)
+            """)
+        client = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
+        self.assertEqual(client.stdout.readline(), "stepping\n")
+        client.send_signal(signal.SIGKILL)
+        client.wait()
+        client.stdout.close()
+        while True:
+            try:
+                with tera.Session(server.address) as session:
+                    self.assertEqual(session.reset(seed=1).time_ns, 0)
+                return
+            except tera.SessionEnded as busy:
+                self.assertEqual(busy.code, grpc.StatusCode.RESOURCE_EXHAUSTED)
+
+
+class ServerTest(unittest.TestCase):
+    def test_a_wrong_scenario_is_reported(self):
+        with self.assertRaisesRegex(RuntimeError, "nowhere.yaml"):
+            tera.Server("nowhere.yaml")
+
+    def test_episodes_are_recorded(self):
+        record = Path(folder.name) / "episodes"
+        with tera.make(scenario, options=["--record", record]) as env:
+            env.reset(seed=1)
+            env.step(np.zeros(env.action_space.shape))
+        commands = (record / "episode_0001" / "digger" / "commands.csv").read_text().splitlines()
+        self.assertEqual(len(commands), 1 + 50)  # 0.1 s at 500 Hz
+
+    def test_a_recorded_episode_replays_to_the_same_bytes(self):
+        record, again = Path(folder.name) / "to_replay", Path(folder.name) / "replayed"
+        with tera.make(scenario, options=["--record", record], control="joint_rates", step_s=0.15) as env:
+            env.reset(seed=8)
+            env.action_space.seed(1)
+            for _ in range(3):
+                env.step(env.action_space.sample())
+        episode = record / "episode_0001"
+        subprocess.run([tera.server.find_program(), "replay", episode, "--out", again], check=True,
+                       capture_output=True)
+        self.assertEqual(files(episode), files(again))
+
+    def test_a_scenario_that_changes_while_it_is_served_is_served_as_it_was(self):
+        changing = Path(folder.name) / "changing.yaml"
+        changing.write_text(SCENARIO)
+        with tera.make(changing) as env:
+            changing.write_text("broken")
+            env.reset(seed=2)
+
+    def test_a_server_that_is_stopped_says_goodbye_and_ends_well(self):
+        own = tera.Server(scenario)
+        session = tera.Session(own.address)
+        session.reset(seed=1)
+        own._process.send_signal(signal.SIGTERM)
+        self.assertEqual(own._process.wait(), 0)
+        with self.assertRaises(tera.SessionEnded):
+            session.step(physics_steps=1)
+        session.close()
+        own.close()
+        self.assertIn("session begun", own.said())
+
+
+if __name__ == "__main__":
+    unittest.main()
