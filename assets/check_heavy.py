@@ -35,11 +35,10 @@ def _expected():
         "boom limits": e.BOOM_RANGE, "arm limits": e.ARM_RANGE, "bucket limits": e.BUCKET_RANGE,
         "track": (0, e.TRACK_Y, e.TRACK_Z), "bucket barrel": _in_plane(e.BUCKET_BARREL_PIN),
         "arm barrel": _in_plane(e.CYLINDERS["arm"][0]), "arm rod": _in_plane(e.CYLINDERS["arm"][2]),
+        "boom barrel": _in_plane(e.CYLINDERS["boom"][0]),
+        "boom rod": _in_plane(e.CYLINDERS["boom"][2]),
+        "rocker": _in_plane(e.ROCKER_PIN), "coupler": _in_plane(e.COUPLER_PIN),
     }
-    for side, sign in (("left", 1), ("right", -1)):
-        for part, pin, y in (("barrel", e.CYLINDERS["boom"][0], e.BOOM_BARREL_Y),
-                             ("rod", e.CYLINDERS["boom"][2], e.BOOM_ROD_Y)):
-            excavator_lists[f"{side} boom {part}"] = (pin[0], sign * y, pin[1])
     dozer_lists = {"lift pin": d.LIFT_PIN_B, "tilt pin": d.TILT_PIN_P, "lift limits": d.LIFT_RANGE,
                    "tilt limits": d.TILT_RANGE, "track": (0, d.TRACK_Y, d.TRACK_Z),
                    "lift barrel": d.LIFT_PINS[0], "lift rod": d.LIFT_PINS[1],

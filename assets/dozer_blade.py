@@ -4,7 +4,8 @@ import numpy as np
 
 import heavy_parts
 import paint
-from dozer_dimensions import BLADE_PROFILE, BLADE_WIDTH, LIFT_PINS, TILT_PINS, lift_range, tilt_range
+from dozer_dimensions import (BLADE_PROFILE, BLADE_WIDTH, LIFT_PINS, LIFT_SPACING, TILT_PINS,
+                              lift_range, tilt_range)
 from solids import (Body, both_sides, box, ellipsoid, extrude, loft, pin, ribbon,
                     round_corners, smooth_path)
 
@@ -32,7 +33,7 @@ def push_frame():
     nose = round_corners([(1.72, -0.14), (2.02, -0.16), (2.14, -0.09), (2.14, 0.09), (2.02, 0.16),
                           (1.72, 0.14)], 0.06, 3)
     body.add(COLOR, extrude(nose, "y", -0.20, 0.20, 0.03))
-    x, y, z = LIFT_PINS[1]
+    x, y, z = LIFT_PINS[1][0], LIFT_SPACING / 2, LIFT_PINS[1][2]
     body.add(COLOR, *both_sides(box((x, y, z + 0.02), (0.18, 0.24, 0.16), 0.02)))
     body.add(paint.STEEL, *both_sides(pin(x, z, 0.10, 0.035, 14, y)))
     x, y, z = TILT_PINS[0]

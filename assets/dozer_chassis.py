@@ -4,7 +4,7 @@ import math
 
 import heavy_parts
 import paint
-from dozer_dimensions import (LIFT_PIN_B, LIFT_PINS, SHOE_LENGTH, TRACK_RADIUS, TRACK_WIDTH,
+from dozer_dimensions import (LIFT_PIN_B, LIFT_PINS, LIFT_SPACING, SHOE_LENGTH, TRACK_RADIUS, TRACK_WIDTH,
                               TRACK_Y, TRACK_Z, WHEELBASE)
 from heavy_parts import grille, handrail
 from solids import (Body, bar, both_sides, box, cylinder, extrude, lathe, pin, round_corners,
@@ -62,7 +62,7 @@ def _hood(body):
     body.add(paint.BLACK, lathe([(0, 0), (0.06, 0), (0.06, 0.16), (0.12, 0.18), (0.12, 0.30),
                                  (0.08, 0.35), (0, 0.35)], (0.80, -0.22, 1.70), (0, 0, 1), 16))
     # Brackets of the lift cylinders.
-    x, y, z = LIFT_PINS[0]
+    x, y, z = LIFT_PINS[0][0], LIFT_SPACING / 2, LIFT_PINS[0][2]
     body.add(COLOR, *both_sides(box((x, y - 0.09, z), (0.24, 0.06, 0.24), 0.02),
                                 pin(x, z, 0.075, 0.075, 16, y)))
 

@@ -30,8 +30,8 @@ ROCKER_PIN = (2.50, 0.02)
 ROCKER_LENGTH, COUPLER_LENGTH = 0.66, 0.62
 COUPLER_PIN = (-0.06, 0.455)
 
-# The boom's two cylinders stand to both sides of it: barrels on the upper frame, rods on the boom.
-BOOM_BARREL_Y, BOOM_ROD_Y = 0.40, 0.34
+# The boom's two cylinders stand to both sides of it, this far apart.
+BOOM_CYLINDER_SPACING = 0.80
 
 # Pins of the cylinders in x-z: (barrel pin, joint in the barrel's link, rod pin in the turning
 # link, range of the turning link's angle in the barrel's link). The bucket's rod ends at the rocker.

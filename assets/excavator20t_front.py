@@ -54,8 +54,8 @@ def boom():
     body.add(COLOR, *cheeks([(2.72, 0.95), (3.28, 0.90), (3.14, 1.02), (3.10, 1.11), (2.90, 1.11),
                              (2.82, 1.05)], [0, 0, 0.08, 0.10, 0.10, 0.05], 0.10, 0.06))
     _add_pin(body, ear_x, ear_z, 0.15, 0.09, 0.045, COLOR)
-    _add_pin(body, rod[0], rod[1], 0.42, 0.10, 0.05, COLOR)
-    body.add(COLOR, pin(rod[0], rod[1], 0.25, 0.15, 16))
+    _add_pin(body, rod[0], rod[1], 0.475, 0.10, 0.05, COLOR)
+    body.add(COLOR, pin(rod[0], rod[1], 0.335, 0.12, 16))
     # Work lamp on the left flank.
     body.add(paint.BLACK, box((2.05, 0.30, 0.92), (0.13, 0.13, 0.13), 0.02))
     body.add(paint.BLACK, bar((2.02, 0.20, 0.85), (2.02, 0.31, 0.87), 0.06, 0.04, (1, 0, 0)))
@@ -131,16 +131,16 @@ def rocker():
 
 
 def coupler():
-    """Link from the rocker (origin) to the bucket's pin at (length, 0)."""
+    """Link from its pin on the bucket (origin) to the rocker's end at (length, 0), forked there."""
     body = Body()
     half = 0.10
-    side = [(-half, -half), (0.20, -0.085), (COUPLER_LENGTH - 0.15, -0.085),
+    side = [(-half, -half), (0.15, -0.085), (COUPLER_LENGTH - 0.20, -0.085),
             (COUPLER_LENGTH + half, -half), (COUPLER_LENGTH + half, half),
-            (COUPLER_LENGTH - 0.15, 0.085), (0.20, 0.085), (-half, half)]
+            (COUPLER_LENGTH - 0.20, 0.085), (0.15, 0.085), (-half, half)]
     radii = [half, 0.06, 0.06, half, half, 0.06, 0.06, half]
     body.add(COLOR, *both_sides(heavy_parts.plate(side, radii, 0.125, 0.05)))
-    body.add(COLOR, box((COUPLER_LENGTH - 0.24, 0, 0), (0.16, 0.22, 0.13), 0.012))
-    body.add(COLOR, pin(COUPLER_LENGTH, 0, 0.148, 0.085, 18))
+    body.add(COLOR, box((0.24, 0, 0), (0.16, 0.22, 0.13), 0.012))
+    body.add(COLOR, pin(0, 0, 0.148, 0.085, 18))
     return body
 
 

@@ -47,9 +47,9 @@ def _deck(body):
     body.add(paint.CHARCOAL, *cheeks(outline, [0, 0.1, 0.1, 0.1, 0.1, 0.1, 0.12, 0.12, 0.1, 0.15],
                                      0.345, 0.05))
     for px, pz, radius in ((x, z, 0.12), (foot_x, foot_z, 0.10)):
-        body.add(paint.STEEL, pin(px, pz, 0.44 if pz == foot_z else 0.39, 0.06, 18))
+        body.add(paint.STEEL, pin(px, pz, 0.475 if pz == foot_z else 0.39, 0.06, 18))
         body.add(paint.CHARCOAL, *both_sides(pin(px, pz, 0.016, radius, 18,
-                                                 0.44 if pz == foot_z else 0.375)))
+                                                 0.475 if pz == foot_z else 0.375)))
     body.add(paint.CHARCOAL, box((foot_x - 0.10, 0, 0.26), (0.30, 0.66, 0.16), 0.02))
 
 
