@@ -38,8 +38,9 @@ void PrintMachine(const ScenarioMachine& machine) {
   }
 }
 
-void RunCheck(const std::string& file, const std::vector<std::string>& overrides) {
-  const LoadedScenario loaded = LoadScenario(file, overrides);
+void RunCheck(const std::string& file, const std::vector<std::string>& overrides,
+              const std::vector<std::string>& effects) {
+  const LoadedScenario loaded = LoadScenario(file, overrides, effects);
   const Scenario& scenario = loaded.scenario;
   const SceneAssembly every_mesh_loads(scenario);
   const TerrainSurface& ground = scenario.soil->surface();
@@ -62,7 +63,7 @@ void RunCheck(const std::string& file, const std::vector<std::string>& overrides
 void AddCheckCommand(CLI::App* app) {
   struct Arguments {
     std::string scenario;
-    std::vector<std::string> set;
+    std::vector<std::string> set, effects;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
@@ -70,7 +71,12 @@ void AddCheckCommand(CLI::App* app) {
   command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML)")->required();
   command->add_option("--set", arguments->set, "key.path=value instead of the scenario's")
       ->take_all();
-  command->callback([arguments] { RunCheck(arguments->scenario, arguments->set); });
+  command
+      ->add_option("--effects", arguments->effects,
+                   "File with effects to lay over the scenario's; may be repeated")
+      ->take_all();
+  command->callback(
+      [arguments] { RunCheck(arguments->scenario, arguments->set, arguments->effects); });
 }
 
 }  // namespace tera

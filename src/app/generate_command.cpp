@@ -17,7 +17,7 @@ struct Arguments {
   std::string scenario;
   std::optional<std::uint64_t> seed;
   std::optional<double> duration_s;
-  std::vector<std::string> set;
+  std::vector<std::string> set, effects;
   GenerateOptions options;
 };
 
@@ -26,7 +26,7 @@ void RunGenerate(const Arguments& arguments) {
   if (arguments.seed) overrides.push_back(fmt::format("seed={}", *arguments.seed));
   if (arguments.duration_s)
     overrides.push_back(fmt::format("duration_s={}", *arguments.duration_s));
-  FollowRun(LoadScenario(arguments.scenario, overrides), arguments.options);
+  FollowRun(LoadScenario(arguments.scenario, overrides, arguments.effects), arguments.options);
 }
 
 }  // namespace
@@ -43,6 +43,10 @@ void AddGenerateCommand(CLI::App* app) {
   command
       ->add_option("--set", arguments->set,
                    "key.path=value instead of the scenario's; may be repeated")
+      ->take_all();
+  command
+      ->add_option("--effects", arguments->effects,
+                   "File with effects to lay over the scenario's; may be repeated")
       ->take_all();
   command->callback([arguments] { RunGenerate(*arguments); });
 }

@@ -15,10 +15,15 @@ struct LoadedScenario {
   std::string resolved_yaml;
 };
 
-/// Reads a scenario with `key.path=value` overrides. Throws InputError with every fault.
+/// Reads a scenario with `key.path=value` overrides; below them, over the scenario's own, the
+/// mapping `effects:` of each file of `effects`, the later above the earlier. Throws InputError
+/// with every fault.
 inline LoadedScenario LoadScenario(const std::filesystem::path& file,
-                                   const std::vector<std::string>& overrides) {
-  const Config config = Config::FromFile(file, overrides);
+                                   const std::vector<std::string>& overrides,
+                                   const std::vector<std::string>& effects = {}) {
+  std::vector<Config::Overlay> overlays;
+  for (const std::string& overlay : effects) overlays.push_back({overlay, "effects"});
+  const Config config = Config::FromFile(file, overrides, overlays);
   LoadedScenario loaded;
   loaded.scenario = ReadScenario(config.root());
   config.Finish();

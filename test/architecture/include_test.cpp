@@ -173,6 +173,19 @@ std::vector<Include> InternalHeadersOutOfTheirFolder(const std::vector<Include>&
   return faults;
 }
 
+/// A replay runs the slots without a multibody.
+std::vector<Include> WhatSlotsMayNotSee(const std::vector<Include>& includes) {
+  std::vector<Include> faults;
+  for (const Include& include : includes) {
+    if (!include.file.starts_with("physics/slots/")) continue;
+    const bool allowed = IsFree(include.header) || include.header.starts_with("core/") ||
+                         include.header.starts_with("physics/slots/") ||
+                         include.header == "physics/machine.h";
+    if (!allowed) faults.push_back(include);
+  }
+  return faults;
+}
+
 void ExpectNone(const std::vector<Include>& faults) {
   for (const Include& fault : faults) ADD_FAILURE() << fault.Text();
 }
@@ -221,6 +234,16 @@ TEST(Includes, KeepInternalHeadersInTheirFolder) {
   EXPECT_EQ(
       InternalHeadersOutOfTheirFolder(IncludesOf("sim/rig.cpp", "render/ray_terrain.h")).size(),
       1u);
+}
+
+TEST(Includes, KeepTheSlotsFreeOfTheMultibody) {
+  ExpectNone(WhatSlotsMayNotSee(AllIncludes()));
+  const auto faults = [](const std::string& header) {
+    return WhatSlotsMayNotSee(IncludesOf("physics/slots/lever_map.cpp", header)).size();
+  };
+  EXPECT_EQ(faults("BulletDynamics/Featherstone/btMultiBody.h"), 1u);
+  EXPECT_EQ(faults("physics/joint_drive.h"), 1u);
+  EXPECT_EQ(faults("core/random.h"), 0u);
 }
 
 }  // namespace

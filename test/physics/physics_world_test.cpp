@@ -9,32 +9,6 @@
 namespace tera {
 namespace {
 
-/// A bar of 4 kg, 1.2 m long, hanging from a pin at one end, without a motor.
-const std::string kPendulum = R"(
-kind: pendulum
-fixed_base: true
-links:
-  post: {mass_kg: 1, inertia_kgm2: [1, 1, 1]}
-  bar: {mass_kg: 4, com_m: [0, 0, -0.6], inertia_kgm2: [0.48, 0.48, 0.01]}
-joints:
-  pin: {type: continuous, parent: post, child: bar, xyz_m: [0.1, 0.2, 2], axis: [0, 1, 0]}
-)";
-
-double Energy_j(const MachineModel& model, const MachineState& a, const MachineState& b) {
-  double energy_j = 0;
-  for (std::size_t i = 0; i < model.links.size(); ++i) {
-    const Link& link = model.links[i];
-    // The scheme's velocities belong to the middle of steps; at `a` holds the mean of both sides.
-    const Vec3 v =
-        0.5 * (PointVelocity(a.links[i], link.com_B_m) + PointVelocity(b.links[i], link.com_B_m));
-    const Vec3 w_W = 0.5 * (a.links[i].w_WB_radps + b.links[i].w_WB_radps);
-    const Vec3 w_B = a.links[i].X_WB.linear().transpose() * w_W;
-    energy_j += 0.5 * link.mass_kg * v.squaredNorm() + 0.5 * w_B.dot(link.inertia_B_kgm2 * w_B) +
-                link.mass_kg * kGravity_mps2 * (a.links[i].X_WB * link.com_B_m).z();
-  }
-  return energy_j;
-}
-
 TEST(PhysicsWorld, AMachineFallsFreely) {
   const MachineModel model = ShippedMachine("tb235");
   const Pose X_WB = MakePose(Vec3(3, -4, 50), 0.2, -0.1, 1.0);

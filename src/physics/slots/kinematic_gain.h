@@ -24,7 +24,7 @@ KinematicGainParameters KinematicGainOf(const Effects& effects);
 ///         position, and at most 10 near a dead centre. backlash: the play operator, what moves
 ///         behind a gap moves only while what moves before it presses on one of its sides.
 /// Omits   the impact when a gap closes.
-/// Source  Visintin 1994, "Differential models of hysteresis", III.2: the play operator.
+/// Source  Visintin 1994, "Differential models of hysteresis": the play operator.
 class KinematicGain {
  public:
   /// The gap starts half open to either side.

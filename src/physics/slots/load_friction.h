@@ -42,9 +42,9 @@ struct FrictionBounds {
 ///         holds a joint at rest with at most F(0).
 /// Omits   presliding displacement, dependence of friction on load; `payload` is a mass of the
 ///         machine's links (see AddPayloads).
-/// Source  Merritt 1967, "Hydraulic control systems", 7-3 (droop), 3-3 (laminar leak); Armstrong-
+/// Source  Merritt 1967, "Hydraulic control systems", ch. 3 (orifice, laminar leak); Armstrong-
 ///         Helouvry et al. 1994, "A survey of models, analysis tools and compensation methods for
-///         the control of machines with friction", eq. (4) (Stribeck).
+///         the control of machines with friction".
 class LoadFriction {
  public:
   explicit LoadFriction(const LoadFrictionParameters& parameters) : parameters_(parameters) {}

@@ -1,0 +1,127 @@
+#include "physics/slots/load_friction.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+
+#include "physics/slots/slot_fixture.h"
+
+namespace tera {
+namespace {
+
+constexpr double kStep_s = 0.002;
+
+LoadFriction LoadFrom(const std::string& yaml, double max_effort_nm = 5000) {
+  return LoadFriction(LoadFrictionOf(EffectsFrom(yaml), max_effort_nm));
+}
+
+TEST(LoadFriction, WithoutEffectsIsThePassThrough) {
+  LoadFriction load = LoadFrom("{}");
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_EQ(load.Step(std::sin(i), 1e6 * std::cos(i), kStep_s), std::sin(i));
+  }
+  EXPECT_FALSE(load.Friction(0.3).any());
+}
+
+TEST(LoadFriction, ALoadSlowsTheActuatorByTheOrificeLaw) {
+  const std::string droop = "pressure_droop: {stall_nm: 4000, response_s: 0}";
+  EXPECT_NEAR(LoadFrom(droop).Step(0.5, 3000, kStep_s), 0.25, 1e-12);  // sqrt(1/4)
+  EXPECT_NEAR(LoadFrom(droop).Step(-0.5, -3000, kStep_s), -0.25, 1e-12);
+  EXPECT_NEAR(LoadFrom(droop).Step(-0.5, 5000, kStep_s), -0.75, 1e-12);  // aided: sqrt(9/4)
+  EXPECT_EQ(LoadFrom(droop).Step(0.5, 4001, kStep_s), 0);                // stalls
+  EXPECT_EQ(LoadFrom(droop).Step(0, 3000, kStep_s), 0);
+}
+
+TEST(LoadFriction, FrictionAddsToTheLoadThatSlowsTheActuator) {
+  LoadFriction load = LoadFrom(
+      "{pressure_droop: {stall_nm: 4000, response_s: 0}, coulomb_friction: {effort_nm: 1000}}");
+  EXPECT_NEAR(load.Step(0.5, 2000, kStep_s), 0.25, 1e-12);
+  EXPECT_NEAR(load.Step(-0.5, -2000, kStep_s), -0.25, 1e-12);
+}
+
+TEST(LoadFriction, PressureFollowsTheLoadWithItsResponseTime) {
+  LoadFriction load = LoadFrom("pressure_droop: {stall_nm: 4000, response_s: 0.1}");
+  double rate = 0;
+  for (int i = 0; i < 50; ++i) rate = load.Step(1, 3000, kStep_s);
+  // After 0.1 s the pressure shows 1 - 1/e of the load.
+  EXPECT_NEAR(rate, std::sqrt(1 - 0.75 * 0.6321205588), 1e-9);
+}
+
+TEST(LoadFriction, ALeakYieldsInProportionToTheLoad) {
+  const std::string sag = "sag: {drift_radps: 0.002}";
+  EXPECT_NEAR(LoadFrom(sag).Step(0, 5000, kStep_s), -0.002, 1e-15);
+  EXPECT_NEAR(LoadFrom(sag).Step(0, -2500, kStep_s), 0.001, 1e-15);
+  EXPECT_NEAR(LoadFrom(sag).Step(0.3, 2500, kStep_s), 0.299, 1e-12);
+}
+
+TEST(LoadFriction, WhatFrictionHoldsDoesNotLeak) {
+  const std::string both = "{sag: {drift_radps: 0.002}, coulomb_friction: {effort_nm: 1000}}";
+  EXPECT_EQ(LoadFrom(both).Step(0, 900, kStep_s), 0);
+  EXPECT_NEAR(LoadFrom(both).Step(0, 3500, kStep_s), -0.001, 1e-15);
+  EXPECT_NEAR(LoadFrom(both).Step(0, -3500, kStep_s), 0.001, 1e-15);
+}
+
+TEST(LoadFriction, WarmOilLeaksFaster) {
+  // ISO VG 46 by the chart of ASTM D341, index 100: read off to 10 %: 11 cSt at 80 C, 580 cSt at 0
+  // C.
+  EXPECT_NEAR(OilViscosity_cst(40), 46, 1e-9);
+  EXPECT_NEAR(OilViscosity_cst(100), 6.8, 1e-9);
+  EXPECT_NEAR(OilViscosity_cst(80), 11, 1.1);
+  EXPECT_NEAR(OilViscosity_cst(0), 580, 58);
+  const double cool = LoadFrom("sag: {drift_radps: 0.002, oil_degc: 40}").Step(0, 5000, kStep_s);
+  const double hot = LoadFrom("sag: {drift_radps: 0.002, oil_degc: 100}").Step(0, 5000, kStep_s);
+  EXPECT_NEAR(hot / cool, 46 / 6.8, 1e-9);
+}
+
+TEST(LoadFriction, FlexRingsAtItsDampedFrequencyWithItsOvershoot) {
+  // Second order, z = 0.2, w = 12: the first peak comes at pi / (w sqrt(1 - z^2)) = 0.26720 s with
+  // the overshoot e^(-pi z / sqrt(1 - z^2)) = 0.52662.
+  LoadFriction load = LoadFrom("structural_flex: {natural_radps: 12, damping: 0.2}");
+  double peak = 0, at_s = 0, rate = 0;
+  for (int i = 1; i <= 5000; ++i) {
+    rate = load.Step(1, 0, 0.001);
+    if (i <= 500 && rate > peak) peak = rate, at_s = i * 0.001;
+  }
+  EXPECT_NEAR(at_s, 0.26720, 0.001);
+  EXPECT_NEAR(peak, 1.52662, 1e-4);
+  EXPECT_NEAR(rate, 1, 1e-4);
+}
+
+TEST(LoadFriction, FlexPassesASineAsASecondOrderFilter) {
+  // At resonance the gain is 1 / (2 z).
+  LoadFriction load = LoadFrom("structural_flex: {natural_radps: 12, damping: 0.1}");
+  double most = 0;
+  for (int i = 0; i < 10000; ++i) {
+    const double y = load.Step(std::sin(12 * (i + 0.5) * 0.001), 0, 0.001);
+    if (i > 8000) most = std::max(most, y);
+  }
+  EXPECT_NEAR(most, 5, 0.01);
+}
+
+TEST(LoadFriction, FrictionIsCoulombStribeckAndViscous) {
+  const LoadFriction load = LoadFrom(
+      "{coulomb_friction: {effort_nm: 100}, viscous_friction: {coefficient_nmsprad: 50}, "
+      "stribeck_friction: {excess_nm: 40, rate_radps: 0.02}}");
+  EXPECT_NEAR(load.Friction(0).against_positive_nm, 140, 1e-12);
+  // At the Stribeck rate the excess has fallen to 1/e.
+  EXPECT_NEAR(load.Friction(0.02).against_positive_nm, 100 + 1 + 40 * 0.3678794412, 1e-8);
+  EXPECT_NEAR(load.Friction(-2).against_negative_nm, 200, 1e-9);
+  EXPECT_EQ(load.Friction(-2).against_negative_nm, load.Friction(2).against_positive_nm);
+}
+
+TEST(LoadFriction, ViscousFrictionIsThatOfTheOilsTemperature) {
+  const LoadFriction load = LoadFrom("viscous_friction: {coefficient_nmsprad: 50, oil_degc: 100}");
+  EXPECT_NEAR(load.Friction(1).against_positive_nm, 50 * 6.8 / 46, 1e-9);
+}
+
+TEST(LoadFriction, FrictionMayDifferByDirection) {
+  const LoadFriction load = LoadFrom(
+      "{coulomb_friction: {effort_nm: 100}, asymmetric_friction: {positive_nm: 30, negative_nm: "
+      "10}}");
+  EXPECT_EQ(load.Friction(0.1).against_positive_nm, 130);
+  EXPECT_EQ(load.Friction(-0.1).against_negative_nm, 110);
+}
+
+}  // namespace
+}  // namespace tera
