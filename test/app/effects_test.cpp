@@ -111,7 +111,7 @@ TEST(Effects, OutOfTheirRangeAreRefusedWithTheirPlace) {
       RunTera({"check", "scenario.yaml", "--effects", "wrong.yaml"}, {scratch.path()});
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err,
-              AllOf(HasSubstr("wrong.yaml:1:51"), HasSubstr("1.5 is out of range, need 0 to 0.9")));
+              AllOf(HasSubstr("wrong.yaml:1:50"), HasSubstr("1.5 is out of range, need 0 to 0.9")));
 }
 
 }  // namespace
