@@ -2,7 +2,7 @@
 """What each mechanism did to its sensor, in a dataset of examples/effects/sensor_rig.yaml.
 
     tera generate config/scenarios/quickstart.yaml --duration 3 --out out/effects \\
-      --set machines[0].rig=../../examples/effects/sensor_rig.yaml --effects examples/effects/sensor_effects.yaml
+      --set machines[0].rig=examples/effects/sensor_rig.yaml --effects examples/effects/sensor_effects.yaml
     scripts/sensor_effects.py out/effects/excavator1
 
 Prints for each sensor the largest change of its time stamps and, row by row, of the column that changed most; of cameras and

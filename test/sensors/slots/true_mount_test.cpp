@@ -57,9 +57,10 @@ TEST(SensorGeometry, AnImuOffTheAxisFeelsTheCentripetalAcceleration) {
 }
 
 TEST(SensorGeometry, ATiltedImuSplitsGravityAndTheTurnOverItsAxes) {
-  // Pitched by 30 degrees, x looks down: -g / 2 along it, g cos 30 along z; so with the turn.
+  // Documented as looking along the link's y, and about its own axes, not the link's:
+  // pitched by 30 degrees, x looks down: -g / 2 along it, g cos 30 along z; so with the turn.
   const ImuSample sample =
-      OnATurntable(MakePose({0, 0, 0.3}, 0, 0, 0),
+      OnATurntable(MakePose({0, 0, 0.3}, 0, 0, 90 * kDeg),
                    Given(EffectTarget::kImu, "{mount_rotation: {pitch_deg: 30}}"));
   ExpectNear(sample.f_S_mps2, {-4.903325, 0, 8.492808}, 1e-5);
   ExpectNear(sample.w_WS_S_radps, {-1, 0, 1.7320508}, 1e-7);
