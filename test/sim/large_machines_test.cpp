@@ -195,6 +195,27 @@ TEST(LargeMachines, AnOperatorWhoBrakesInTimeDoesNotSwingPastTheDump) {
   EXPECT_LT(braked_deg, 6);
 }
 
+TEST(LargeMachines, TheDozerLiftsAndTiltsItsBladeOverTheRangesOfItsClass) {
+  // 0.97 m above the ground and 0.6 m below it; 0.38 m between the ends of 3.045 m.
+  const auto ends_m = [](const Site& site) {
+    const Pose& X_WL = site.machine().links[site.model().LinkIndex("blade")].X_WB;
+    return Vec2((X_WL * Vec3(0.42, 1.5225, -0.42)).z(), (X_WL * Vec3(0.42, -1.5225, -0.42)).z());
+  };
+  Site site("dozer", "{xy_m: [2, 1], yaw_deg: 40}", [](double t_s) {
+    return Positions{{"lift", 1}, {"tilt", t_s < 5 ? 1 : -1}};
+  });
+  site.Run(5);
+  const double sunk_m = -site.X_WB().translation().z();
+  EXPECT_NEAR(ends_m(site).mean() + sunk_m, 0.97, 0.05);
+  EXPECT_NEAR(ends_m(site)[0] - ends_m(site)[1], 0.38, 0.03);
+  site.Run(5);
+  EXPECT_NEAR(ends_m(site)[0] - ends_m(site)[1], -0.38, 0.03);
+  const Joint& lift = site.model().joints[site.model().JointIndex("lift")];
+  const double reach_m = 2.15 + 0.42;
+  EXPECT_NEAR(0.42 + reach_m * std::sin(lift.lower_rad) - 0.42 * std::cos(lift.lower_rad), -0.6,
+              0.02);
+}
+
 /// Height of the blade's edge above the dozer's undisturbed ground.
 double Edge_m(const Site& site) {
   const NamedFrame& edge = site.model().frames[0];
