@@ -18,7 +18,8 @@ RANGES = {"lift": lift_range(), "tilt": tilt_range()}
 def _arm():
     """The left arm from its pivot inside the track to the nose."""
     rings = []
-    for x, y, half, low, high in ((0.0, 0.585, 0.055, -0.10, 0.10), (0.35, 0.585, 0.06, -0.12, 0.11),
+    for x, y, half, low, high in ((0.0, 0.585, 0.055, -0.10, 0.10),
+                                  (0.35, 0.585, 0.06, -0.12, 0.11),
                                   (1.55, 0.52, 0.07, -0.14, 0.10), (1.85, 0.36, 0.10, -0.14, 0.10),
                                   (2.02, 0.08, 0.11, -0.13, 0.10)):
         rings.append([(x, y - half, low), (x, y + half, low), (x, y + half, high),

@@ -1,13 +1,11 @@
 """Chassis with engine and cab, and track shoe of the dozer, in the chassis frame."""
 
-import math
-
 import heavy_parts
 import paint
-from dozer_dimensions import (LIFT_PIN_B, LIFT_PINS, LIFT_SPACING, SHOE_LENGTH, TRACK_RADIUS, TRACK_WIDTH,
-                              TRACK_Y, TRACK_Z, WHEELBASE)
+from dozer_dimensions import (LIFT_PIN_B, LIFT_PINS, LIFT_SPACING, SHOE_LENGTH, TRACK_RADIUS,
+                              TRACK_WIDTH, TRACK_Y, TRACK_Z, WHEELBASE)
 from heavy_parts import grille, handrail
-from solids import (Body, bar, both_sides, box, cylinder, extrude, lathe, pin, round_corners,
+from solids import (bar, both_sides, box, cylinder, extrude, lathe, pin, round_corners,
                     rounded_rectangle, smooth_path, tube)
 
 COLOR = paint.YELLOW
@@ -71,7 +69,8 @@ def _fenders(body):
     side = round_corners([(-1.48, FENDER - 0.05), (0.98, FENDER - 0.05), (1.02, FENDER),
                           (-1.48, FENDER)], 0.01, 1)
     body.add(COLOR, *both_sides(extrude(side, "y", 0.55, 1.16, 0.012)))
-    body.add(paint.BLACK, *both_sides(box((0.66, 0.86, FENDER + 0.008), (0.60, 0.50, 0.016), 0.004)))
+    mat = box((0.66, 0.86, FENDER + 0.008), (0.60, 0.50, 0.016), 0.004)
+    body.add(paint.BLACK, *both_sides(mat))
     # Boxes beside the cab: batteries on the right, hydraulic oil on the left.
     for y in (0.95,):
         chest = box((-0.62, y, 1.25), (1.10, 0.40, 0.46), 0.05)

@@ -20,8 +20,8 @@ BLADE_PROFILE = ((0.42, -0.42), (0.30, -0.25), (0.22, -0.02), (0.22, 0.22), (0.2
                  (0.40, 0.68))
 BLADE_WIDTH = 3.045
 
-# Pins in x, y, z: on the chassis and on the push frame (the middle of the two), on the push frame and
-# on the blade.
+# Pins in x, y, z: on the chassis and on the push frame (the middle of the two), on the push frame
+# and on the blade.
 LIFT_PINS = ((1.30, 0.0, 1.62), (1.00, 0.0, 0.10))
 LIFT_SPACING = 1.16
 TILT_PINS = ((1.85, 0.10, 0.30), (0.08, -0.86, 0.36))

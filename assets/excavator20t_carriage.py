@@ -1,12 +1,10 @@
 """Undercarriage and track shoe of the 20-ton excavator."""
 
-import numpy as np
-
 import heavy_parts
 import paint
 from excavator20t_dimensions import (SHOE_LENGTH, SLEW_HEIGHT, TRACK_RADIUS, TRACK_WIDTH, TRACK_Y,
                                      TRACK_Z, WHEELBASE)
-from solids import Body, bar, both_sides, box, extrude, lathe, loft, pipe, rounded_rectangle
+from solids import bar, both_sides, box, extrude, lathe, loft, pipe, rounded_rectangle
 
 TRACK = heavy_parts.Track(TRACK_Y, TRACK_Z, TRACK_RADIUS, TRACK_WIDTH, WHEELBASE, rollers=7,
                           carriers=2, belt=0.104, frame=paint.CHARCOAL)

@@ -34,7 +34,8 @@ COUPLER_PIN = (-0.06, 0.455)
 BOOM_CYLINDER_SPACING = 0.80
 
 # Pins of the cylinders in x-z: (barrel pin, joint in the barrel's link, rod pin in the turning
-# link, range of the turning link's angle in the barrel's link). The bucket's rod ends at the rocker.
+# link, range of the turning link's angle in the barrel's link). The bucket's rod ends where rocker
+# and coupler meet.
 CYLINDERS = {
     "boom": ((0.88, 0.31), (BOOM_PIN_U[0], BOOM_PIN_U[2]), (2.65, 0.76), BOOM_RANGE),
     "arm": ((3.00, 1.00), (BOOM_LENGTH, 0.0), (-0.832, 0.287), ARM_RANGE),

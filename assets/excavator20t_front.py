@@ -8,8 +8,7 @@ from excavator20t_dimensions import (ARM_LENGTH, BOOM_LENGTH, BUCKET_BARREL_PIN,
                                      BUCKET_TEETH, BUCKET_WIDTH, COUPLER_LENGTH, COUPLER_PIN,
                                      CYLINDERS, ROCKER_LENGTH, ROCKER_PIN, pin_distance_range)
 from heavy_parts import beam, cheeks
-from solids import (Body, bar, both_sides, box, cylinder, extrude, loft, pin, ribbon, round_corners,
-                    smooth_path, tube)
+from solids import (Body, bar, both_sides, box, extrude, loft, pin, ribbon, smooth_path, tube)
 
 COLOR = paint.ORANGE
 SHELL = 0.025
@@ -88,8 +87,8 @@ def _boom_lines(body, curve):
 
 def arm():
     body = Body()
-    knots = np.array([(-0.98, 0.24, 0.20, 0.20), (-0.60, 0.21, 0.42, 0.26), (0.00, 0.15, 0.66, 0.31),
-                      (0.45, 0.13, 0.62, 0.31), (1.20, 0.08, 0.47, 0.30), (2.10, 0.03, 0.35, 0.28),
+    knots = np.array([(-0.98, 0.24, 0.20, 0.20), (-0.60, 0.21, 0.42, 0.26),
+                      (0.00, 0.15, 0.66, 0.31), (0.45, 0.13, 0.62, 0.31), (1.20, 0.08, 0.47, 0.30), (2.10, 0.03, 0.35, 0.28),
                       (2.62, 0.00, 0.29, 0.26), (ARM_LENGTH, 0.0, 0.25, 0.25)])
     curve = smooth_path(knots, 2)
     body.add(COLOR, beam(curve[:, :2], curve[:, 2], curve[:, 3], 0.022), crease_deg=30)
@@ -98,7 +97,8 @@ def arm():
     body.add(COLOR, *cheeks(boss, 0.12, 0.160, 0.025))
     rod = CYLINDERS["arm"][2]
     body.add(COLOR, *cheeks([(-0.20, 0.12), (-0.30, 0.45), (-0.72, 0.40), (-0.96, 0.36),
-                             (-0.97, 0.20), (-0.70, 0.05)], [0, 0.08, 0.12, 0.10, 0.10, 0.12], 0.120,
+                             (-0.97, 0.20), (-0.70, 0.05)], [0, 0.08, 0.12, 0.10, 0.10, 0.12],
+                             0.120,
                             0.045))
     _add_pin(body, rod[0], rod[1], 0.17, 0.10, 0.045, COLOR)
     x, z = BUCKET_BARREL_PIN

@@ -34,8 +34,8 @@ def _tail(radius, half_width, front_x, steps=12, corner=0.0):
 
 
 def _deck(body):
-    body.add(paint.CHARCOAL, extrude(rounded_rectangle((-0.75, 0), (4.0, 1.5), 0.1), "z", 0.04, 0.24,
-                                     0.02))
+    middle = rounded_rectangle((-0.75, 0), (4.0, 1.5), 0.1)
+    body.add(paint.CHARCOAL, extrude(middle, "z", 0.04, 0.24, 0.02))
     body.add(paint.CHARCOAL, extrude(rounded_rectangle((-0.35, 0), (3.5, 2.62), 0.08), "z", 0.14,
                                      DECK, 0.02))
     # The bracket of boom and boom cylinders.
@@ -125,7 +125,8 @@ def _middle(body):
     """Valves and hoses behind the boom's foot, between the cab and the tank."""
     body.add(paint.CHARCOAL, box((-0.52, 0.0, 0.62), (0.36, 0.62, 0.60), 0.03))
     for y in (-0.2, -0.1, 0.0, 0.1, 0.2):
-        hose = smooth_path([(-0.40, y, 0.75), (-0.22, y, 0.98), (0.00, y, 1.10), (0.18, y, 1.08)], 4)
+        hose = smooth_path([(-0.40, y, 0.75), (-0.22, y, 0.98), (0.00, y, 1.10),
+                            (0.18, y, 1.08)], 4)
         body.add(paint.RUBBER, tube(hose, 0.024, 6), crease_deg=65)
 
 

@@ -212,16 +212,17 @@ def _cab_frame(body, cab):
     for edge, inward in ((cab.front, -0.45), (cab.rear, 0.45)):
         points = [(x + inward * cab.pillar, z) for x, z in edge]
         for a, b in zip(points, points[1:]):
-            body.add(cab.frame, *(bar((a[0], y, a[1]), (b[0], y, b[1]), cab.pillar, cab.pillar * 1.1,
-                                      chamfer_m=0.018) for y in (right, left)))
+            body.add(cab.frame, *(bar((a[0], y, a[1]), (b[0], y, b[1]), cab.pillar,
+                                      cab.pillar * 1.1, chamfer_m=0.018) for y in (right, left)))
         for x, z in points[1:]:
             body.add(cab.frame, bar((x, right, z), (x, left, z), 0.07, 0.06, (0, 0, 1), 0.012))
     for y in (right, left):
         body.add(cab.frame, bar((cab.door[0], y, cab.sill), (cab.door[1], y, roof), cab.pillar,
                                 cab.pillar, chamfer_m=0.016))
         for z in (cab.sill, roof - 0.02):
-            body.add(cab.frame, bar((_on(cab.rear, z) + 0.03, y, z), (_on(cab.front, z) - 0.03, y, z),
-                                    cab.pillar, 0.08, chamfer_m=0.014))
+            body.add(cab.frame, bar((_on(cab.rear, z) + 0.03, y, z),
+                                    (_on(cab.front, z) - 0.03, y, z), cab.pillar, 0.08,
+                                    chamfer_m=0.014))
 
 
 def _cab_panes(body, cab):
@@ -292,7 +293,8 @@ def add_cab(body, cab):
     size = (cab.front[-1][0] - cab.rear[-1][0] + 0.10, cab.left - cab.right + 0.02)
     lid = rounded_rectangle(center, size, 0.12, 4)
     body.add(cab.body, extrude(lid, "z", roof - 0.03, roof + 0.08, 0.035, 3), crease_deg=50)
-    for x, y in ((cab.front[-1][0] + 0.03, cab.right + 0.16), (cab.front[-1][0] + 0.03, cab.left - 0.16)):
+    x = cab.front[-1][0] + 0.03
+    for y in (cab.right + 0.16, cab.left - 0.16):
         body.add(paint.BLACK, box((x + 0.02, y, roof + 0.02), (0.09, 0.15, 0.10), 0.015))
         body.add(paint.LAMP, box((x + 0.068, y, roof + 0.02), (0.014, 0.12, 0.075), 0.003))
     handle_x = cab.door[0] + 0.16

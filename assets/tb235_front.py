@@ -3,8 +3,9 @@
 import numpy as np
 
 import paint
+from heavy_parts import beam
 from solids import (Body, bar, both_sides, box, cylinder, extrude, lathe, loft, pin, pipe, ribbon,
-                    round_corners, rounded_rectangle, smooth_path, tube)
+                    round_corners, smooth_path, tube)
 from tb235_dimensions import (ARM_LENGTH, BOOM_LENGTH, BOOM_PIN_S, BUCKET_BARREL_PIN,
                               BUCKET_PROFILE, BUCKET_TEETH, BUCKET_WIDTH, COUPLER_LENGTH,
                               COUPLER_PIN, CYLINDERS, ROCKER_LENGTH, ROCKER_PIN,
@@ -20,20 +21,6 @@ BORES = {"boom": (0.050, 0.0225, 0.040), "arm": (0.050, 0.0225, 0.036),
 
 # Half widths across the bucket's linkage, from the rod's eye outwards: coupler, rocker, ears.
 COUPLER_Y, ROCKER_Y, PLATE = 0.053, 0.077, 0.014
-
-
-def _beam(path, heights, widths, chamfer):
-    """A box beam along a curve in x-z, its section upright to the curve."""
-    path = np.asarray(path, dtype=float)
-    tangents = np.gradient(path, axis=0)
-    tangents /= np.linalg.norm(tangents, axis=1, keepdims=True)
-    rings = []
-    for place, tangent, height, width in zip(path, tangents, heights, widths):
-        up = np.array([-tangent[1], tangent[0]])
-        section = rounded_rectangle((0, 0), (width, height), chamfer, 1)
-        flat = place + section[:, 1:] * up
-        rings.append(np.column_stack([flat[:, 0], section[:, 0], flat[:, 1]]))
-    return loft(rings)
 
 
 def _cheek(points, radii, y, thickness):
@@ -76,7 +63,7 @@ def _boom_curve():
 def boom():
     body = Body()
     curve = _boom_curve()
-    body.add(paint.YELLOW, _beam(curve[:, :2], curve[:, 2], curve[:, 3], 0.016), crease_deg=30)
+    body.add(paint.YELLOW, beam(curve[:, :2], curve[:, 2], curve[:, 3], 0.016), crease_deg=30)
     body.add(paint.YELLOW, pin(0, 0, 0.118, 0.088, 18))
     body.add(paint.YELLOW, pin(BOOM_LENGTH, 0, 0.050, 0.088, 12))
     body.add(paint.YELLOW, *_cheek([(2.20, 0.045), (2.44, -0.085), (2.56, -0.080), (2.595, 0.0),
@@ -130,7 +117,7 @@ def arm():
                       (0.70, 0.038, 0.225, 0.145), (1.15, 0.015, 0.175, 0.135),
                       (1.42, 0.002, 0.140, 0.125), (ARM_LENGTH, 0.0, 0.120, 0.120)])
     curve = smooth_path(knots, 2)
-    body.add(paint.YELLOW, _beam(curve[:, :2], curve[:, 2], curve[:, 3], 0.013), crease_deg=30)
+    body.add(paint.YELLOW, beam(curve[:, :2], curve[:, 2], curve[:, 3], 0.013), crease_deg=30)
     body.add(paint.YELLOW, pin(0, 0, 0.084, 0.090, 18), pin(ARM_LENGTH, 0, 0.070, 0.070, 18))
     boss = [(-0.16, -0.05), (0.02, -0.10), (0.14, -0.06), (0.22, 0.05), (0.10, 0.15),
             (-0.10, 0.16)]
