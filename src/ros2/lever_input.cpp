@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -28,6 +29,8 @@ TimeNs StampOf(const DeltaCan& message) {
   return message.stamp_sec * kNsPerSecond + message.stamp_nanosec;
 }
 
+bool IsLever(float value) { return std::isfinite(value) && std::abs(value) <= 1; }
+
 bool IsPowerOfTen(std::int64_t n) {
   while (n > 1 && n % 10 == 0) n /= 10;
   return n == 1;
@@ -47,24 +50,39 @@ float DeltaCan::*FieldOf(const Lever& lever) {
   return nullptr;
 }
 
-std::optional<std::string> FaultOf(const DeltaCan& message) {
+std::optional<std::string> FaultOf(const DeltaCan& message, const MachineModel& model) {
   if (message.stamp_sec < 0 || message.stamp_nanosec >= kNsPerSecond) {
     return fmt::format("its stamp is {} s {} ns, need a time from 0 on, below 10^9 ns",
                        message.stamp_sec, message.stamp_nanosec);
   }
   for (const Field& field : kFields) {
     const float value = message.*field.value;
-    if (std::isfinite(value) && std::abs(value) <= 1) continue;
-    return fmt::format("{} is {}, need -1 to 1", field.name, value);
+    if (!IsLever(value)) return fmt::format("{} is {}, need -1 to 1", field.name, value);
+  }
+  const std::size_t without_field = std::count_if(model.levers.begin(), model.levers.end(),
+                                                  [](const Lever& l) { return !FieldOf(l); });
+  if (!message.others.empty() && message.others.size() != without_field) {
+    return fmt::format("others has {} levers, need none or {}", message.others.size(),
+                       without_field);
+  }
+  for (std::size_t i = 0; i < message.others.size(); ++i) {
+    if (!IsLever(message.others[i])) {
+      return fmt::format("others[{}] is {}, need -1 to 1", i, message.others[i]);
+    }
   }
   return std::nullopt;
 }
 
 ControlMessage ControlOf(const DeltaCan& message, const MachineModel& model) {
   ControlMessage::Levers levers;
+  std::size_t other = 0;
   for (const Lever& lever : model.levers) {
-    float DeltaCan::*const field = FieldOf(lever);
-    levers.position.push_back(field == nullptr ? 0 : message.*field);
+    if (float DeltaCan::*const field = FieldOf(lever)) {
+      levers.position.push_back(message.*field);
+    } else {
+      levers.position.push_back(message.others.empty() ? 0 : message.others[other]);
+      ++other;
+    }
   }
   ControlMessage control;
   control.command = std::move(levers);
@@ -89,9 +107,10 @@ void LeverInput::Take(TimeNs now_ns,
                       const std::function<void(std::size_t, const ControlMessage&)>& command) {
   for (std::size_t m = 0; m < inputs_.size(); ++m) {
     if (!inputs_[m].reader) continue;
+    const MachineModel& model = scenario_.machines[m].placement.model;
     std::optional<DeltaCan> last;
     for (const DeltaCan& message : participant_->TakeLevers(*inputs_[m].reader)) {
-      if (const auto fault = FaultOf(message)) {
+      if (const auto fault = FaultOf(message, model)) {
         Refuse(m, *fault);
         continue;
       }
@@ -99,7 +118,7 @@ void LeverInput::Take(TimeNs now_ns,
       if (StampOf(message) == now_ns) inputs_[m].answered_ns = now_ns;
       last = message;
     }
-    if (last) command(m, ControlOf(*last, scenario_.machines[m].placement.model));
+    if (last) command(m, ControlOf(*last, model));
   }
 }
 

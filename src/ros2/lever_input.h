@@ -17,12 +17,12 @@ namespace tera::ros {
 /// `left_travel` or `right_travel` by how its name begins. Null where there is none.
 float DeltaCan::*FieldOf(const Lever& lever);
 
-/// What is wrong with a message: a field that is no number or beyond -1 to 1, a stamp that is no
-/// time.
-std::optional<std::string> FaultOf(const DeltaCan& message);
+/// What is wrong with a message: a lever that is no number or beyond -1 to 1, `others` of another
+/// length than the machine has such levers, a stamp that is no time.
+std::optional<std::string> FaultOf(const DeltaCan& message, const MachineModel& model);
 
-/// The levers of `model` as a message without fault has them; those that no field moves are
-/// neutral, fields that move no lever are not read.
+/// The levers of `model` as a message without fault has them. Fields that move no lever are not
+/// read.
 ControlMessage ControlOf(const DeltaCan& message, const MachineModel& model);
 
 /// The lever messages of all machines, at /<machine>/delta_can.

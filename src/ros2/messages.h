@@ -146,6 +146,9 @@ struct DeltaCan {
   bool enable = false;          ///< without it the machine holds still
   bool hydraulic_lock = false;  ///< no lever reaches the valves
   bool high_speed = false;      ///< travel in the second gear
+  /// Positions of the levers that have no field of their own, in the order of the machine's levers;
+  /// none: they are neutral.
+  std::vector<float> others;
 };
 
 }  // namespace tera::ros

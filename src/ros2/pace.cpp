@@ -34,7 +34,9 @@ Lockstep::Lockstep(const Scenario& scenario, const LeverInput* levers, double ti
       given_up_(scenario.machines.size(), false) {}
 
 void Lockstep::WaitForAnswers(TimeNs now_ns) {
+  const auto patience = std::chrono::nanoseconds(FromSeconds(kPatience_s));
   const auto deadline = WallClock::now() + std::chrono::nanoseconds(FromSeconds(timeout_s_));
+  auto repeat = WallClock::now() + patience;
   std::vector<std::size_t> owing;
   while (!ways_.stop()) {
     ways_.take_levers();
@@ -49,7 +51,9 @@ void Lockstep::WaitForAnswers(TimeNs now_ns) {
       break;
     }
     ways_.wait_for_levers(kPatience_s);
+    if (WallClock::now() < repeat) continue;
     ways_.repeat_clock();
+    repeat = WallClock::now() + patience;
   }
   AnybodyAwaited() ? real_time_.Restart(now_ns) : real_time_.WaitFor(now_ns);
 }

@@ -169,6 +169,7 @@ DeltaCan FromWire(const tera_msgs_msg_dds__DeltaCAN_& wire) {
   m.enable = wire.enable;
   m.hydraulic_lock = wire.hydraulic_lock;
   m.high_speed = wire.high_speed;
+  m.others.assign(wire.others._buffer, wire.others._buffer + wire.others._length);
   return m;
 }
 

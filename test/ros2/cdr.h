@@ -61,6 +61,7 @@ struct LeverMessage {
   float slew = 0, boom = 0, arm = 0, bucket = 0;
   float left_travel = 0, right_travel = 0, blade = 0, swing = 0;
   bool enable = true, hydraulic_lock = false, high_speed = false;
+  std::vector<float> others;
 
   Payload Encode() const {
     Payload payload(256);
@@ -70,7 +71,7 @@ struct LeverMessage {
     cdr.serialize_encapsulation();
     cdr << stamp_sec << stamp_nanosec << frame_id;
     cdr << slew << boom << arm << bucket << left_travel << right_travel << blade << swing;
-    cdr << enable << hydraulic_lock << high_speed;
+    cdr << enable << hydraulic_lock << high_speed << others;
     payload.resize(cdr.getSerializedDataLength());
     return payload;
   }

@@ -283,28 +283,38 @@ TEST(Levers, EachFieldMovesTheLeverOfItsName) {
   EXPECT_FALSE(control.high_speed);
 }
 
-TEST(Levers, OnesThatNoFieldMovesAreNeutral) {
+TEST(Levers, OnesWithoutAFieldAreAmongTheOthersInTheMachinesOrder) {
   EXPECT_EQ(ros::FieldOf({.name = "elbow", .joint = 0}), nullptr);
   EXPECT_EQ(ros::FieldOf({.name = "rear_wheel", .gear = 0}), nullptr);
   EXPECT_EQ(ros::FieldOf({.name = "left_wheel", .gear = 0}), &ros::DeltaCan::left_travel);
   MachineModel model;
-  model.levers = {{.name = "elbow", .joint = 0}, {.name = "boom", .joint = 1}};
+  model.levers = {{.name = "lift", .joint = 0}, {.name = "boom", .joint = 1}, {.name = "tilt"}};
   ros::DeltaCan message;
   message.boom = 0.5f;
-  const ControlMessage control = ros::ControlOf(message, model);
-  EXPECT_THAT(std::get<ControlMessage::Levers>(control.command).position, ElementsAre(0, 0.5f));
+  const auto positions = [&] {
+    EXPECT_EQ(ros::FaultOf(message, model), std::nullopt);
+    return std::get<ControlMessage::Levers>(ros::ControlOf(message, model).command).position;
+  };
+  EXPECT_THAT(positions(), ElementsAre(0, 0.5f, 0));
+  message.others = {-0.25f, 0.75f};
+  EXPECT_THAT(positions(), ElementsAre(-0.25f, 0.5f, 0.75f));
+  message.others = {-0.25f};
+  EXPECT_THAT(ros::FaultOf(message, model).value_or("none"), HasSubstr("need none or 2"));
+  message.others = {0, NAN};
+  EXPECT_THAT(ros::FaultOf(message, model).value_or("none"), HasSubstr("others[1] is nan"));
 }
 
 TEST(Levers, NoNumberBeyondFullAndNoTimeAreFaults) {
-  EXPECT_EQ(ros::FaultOf(ros::DeltaCan{}), std::nullopt);
+  const MachineModel model;
+  EXPECT_EQ(ros::FaultOf(ros::DeltaCan{}, model), std::nullopt);
   ros::DeltaCan full;
   full.boom = 1;
   full.swing = -1;
-  EXPECT_EQ(ros::FaultOf(full), std::nullopt);
-  const auto fault = [](auto field, auto value) {
+  EXPECT_EQ(ros::FaultOf(full, model), std::nullopt);
+  const auto fault = [&](auto field, auto value) {
     ros::DeltaCan message;
     message.*field = value;
-    return ros::FaultOf(message).value_or("none");
+    return ros::FaultOf(message, model).value_or("none");
   };
   EXPECT_THAT(fault(&ros::DeltaCan::swing, NAN), HasSubstr("swing is nan"));
   EXPECT_THAT(fault(&ros::DeltaCan::bucket, INFINITY), HasSubstr("bucket is inf"));
@@ -328,6 +338,7 @@ TEST(Levers, RosDefinitionHasTheFieldsOfTheWire) {
   auto ros_fields = matches("examples/ros2/tera_msgs/msg/DeltaCAN.msg",
                             std::regex(R"(^(\S+) ([a-z_]+)\s*(#.*)?$)"));
   for (std::string& field : ros_fields) {
+    field = std::regex_replace(field, std::regex("^float32\\[\\]"), "sequence<float>");
     field = std::regex_replace(field, std::regex("^float32"), "float");
     field = std::regex_replace(field, std::regex("^bool "), "boolean ");
     field =
@@ -335,8 +346,8 @@ TEST(Levers, RosDefinitionHasTheFieldsOfTheWire) {
   }
   const auto all =
       matches("src/ros2/topic_types.idl", std::regex(R"(^ +(\S+) ([A-Za-z0-9_]+)[;{ ])"));
-  ASSERT_GE(all.size(), 12u);
-  const std::vector<std::string> last(all.end() - 12, all.end());
+  ASSERT_GE(all.size(), 13u);
+  const std::vector<std::string> last(all.end() - 13, all.end());
   EXPECT_EQ(ros_fields, last);
 }
 
@@ -360,7 +371,7 @@ TEST(RosNames, NamesThatRosDoesNotHaveAreRefused) {
   EXPECT_THAT(fault("name: digger", "name: digger-1"), HasSubstr("machine 'digger-1'"));
   EXPECT_THAT(fault("name: digger", "name: 1digger"), HasSubstr("machine '1digger'"));
   EXPECT_THAT(fault("name: eye", "name: eye-2"), HasSubstr("sensor 'eye-2'"));
-  EXPECT_THAT(fault("name: eye", "name: arm"), HasSubstr("sensor 'arm'"));
+  EXPECT_THAT(fault("name: eye", "name: upper"), HasSubstr("sensor 'upper'"));
   EXPECT_THAT(fault("name: eye", "name: gps_left"), HasSubstr("'gps_left'"));
 }
 

@@ -273,6 +273,7 @@ TEST_F(Wire, LeversComeAsTheyWereSent) {
   sent.blade = -0.875f;
   sent.swing = NAN;
   sent.hydraulic_lock = true;
+  sent.others = {0.5f, -0.25f};
   std::vector<ros::DeltaCan> come;
   for (int i = 0; i < 600 && come.empty(); ++i) {
     peer_.Publish(topic, sent.Encode());
@@ -288,6 +289,7 @@ TEST_F(Wire, LeversComeAsTheyWereSent) {
   EXPECT_TRUE(m.enable);
   EXPECT_TRUE(m.hydraulic_lock);
   EXPECT_FALSE(m.high_speed);
+  EXPECT_THAT(m.others, ElementsAre(0.5f, -0.25f));
 }
 
 TEST_F(Wire, CutOffLeversAreNoMessage) {
