@@ -200,9 +200,9 @@ def _bucket_ears(body):
     middle = ribbon(_bucket_outline(), SHELL / 2)[len(_bucket_outline()):][::-1]
     against_shell = [tuple(point) for point in middle if point[0] < 0.24 and point[1] < 0.42]
     free = [(0.04, -0.055), (-0.055, -0.040), (-0.065, 0.06), (-0.175, 0.135), (-0.165, 0.205),
-            (-0.09, 0.225), (0.02, 0.300), (0.14, 0.41)]
+            (-0.09, 0.225), (0.03, 0.290), (0.17, 0.378)]
     ear = against_shell + free
-    radii = [0.0] * len(against_shell) + [0.05, 0.05, 0.06, 0.045, 0.045, 0.06, 0.08, 0.06]
+    radii = [0.0] * len(against_shell) + [0.05, 0.05, 0.06, 0.045, 0.045, 0.06, 0.08, 0.02]
     body.add(paint.CHARCOAL, *_cheek(ear, radii, 0.098, 0.026))
     x, z = COUPLER_PIN
     body.add(paint.STEEL, pin(0, 0, 0.125, 0.032, 16), pin(x, z, 0.125, 0.024, 16))

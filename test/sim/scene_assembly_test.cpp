@@ -66,6 +66,33 @@ TEST(SceneAssembly, CylindersReachFromPinToPin) {
   }
 }
 
+TEST(SceneAssembly, PinsOfTheBucketsFourBarStayTogetherOverItsTravel) {
+  Scenario scenario = Read();
+  Simulation simulation(&scenario);
+  const SceneAssembly assembly(scenario);
+  const MachineModel& machine = scenario.machines[0].placement.model;
+  const std::size_t rocker = machine.links.size() + machine.track_visuals[0].shoe_count +
+                             machine.track_visuals[1].shoe_count;
+  const std::size_t bucket_rod = rocker + 2 + 2 * 2 + 1;
+  const int arm = machine.LinkIndex("arm"), bucket = machine.LinkIndex("bucket");
+  WorldState state = simulation.state();
+  MachineState& now = state.machines[0];
+  // The bucket's range, lower and upper end included.
+  for (int i = 0; i <= 100; ++i) {
+    now.q_rad[machine.JointIndex("bucket")] = -1.222 + (0.873 + 1.222) * i / 100;
+    const auto links =
+        ForwardKinematics(machine, MakePose(Vec3(3, -2, 1), 0.1, -0.2, 2), now.q_rad);
+    for (std::size_t l = 0; l < links.size(); ++l) now.links[l].X_WB = links[l];
+    const std::vector<Pose> poses = assembly.BodyPoses(state);
+    const Pose &X_WRocker = poses[rocker], &X_WCoupler = poses[rocker + 1];
+    const Vec3 knee_W = X_WRocker * Vec3(0.29, 0, 0);
+    EXPECT_LT((X_WRocker.translation() - links[arm] * Vec3(1.30, 0, 0.02)).norm(), 1e-4);
+    EXPECT_LT((X_WCoupler.translation() - links[bucket] * Vec3(-0.125, 0, 0.165)).norm(), 1e-4);
+    EXPECT_LT((X_WCoupler * Vec3(0.30, 0, 0) - knee_W).norm(), 1e-4);
+    EXPECT_LT((poses[bucket_rod].translation() - knee_W).norm(), 1e-4);
+  }
+}
+
 TEST(SceneAssembly, ShoesAdvanceBackwardsAlongTheGroundWhenDrivingForward) {
   Scenario scenario = Read();
   Simulation simulation(&scenario);
