@@ -171,15 +171,16 @@ TEST(Friction, AJointThatFrictionHoldsDoesNotSag) {
 }
 
 TEST(Friction, ABucketsTorqueGrowsWithItsPayload) {
-  // Boom 45, arm -30, bucket 30: its frame is level (45 - 30 + 30 - 45 deg), the payload 0.45 m
-  // ahead of the pin.
+  // Boom 45, arm -120, bucket 30: the bucket's x axis points down (45 - 120 + 30 - 45 deg) and its
+  // z axis ahead, the payload 0.45 m ahead of the pin. Relief holds this much here, but not with
+  // the arm stretched out.
   const auto torque_nm = [](double mass_kg) {
     MachineModel model = ShippedMachine("tb235", {"fixed_base=true"});
-    model = WithEffects(model, "bucket: {payload: {x_m: 0.45, z_m: 0.15, mass_kg: " +
+    model = WithEffects(model, "bucket: {payload: {x_m: 0.15, z_m: 0.45, mass_kg: " +
                                    std::to_string(mass_kg) + "}}");
     MachinePlacement placement = PlaceAtStart(model, MakePose(Vec3(3, 1, 0), 0, 0, 0.7));
     placement.q_rad[model.JointIndex("boom")] = 45 * kDeg;
-    placement.q_rad[model.JointIndex("arm")] = -30 * kDeg;
+    placement.q_rad[model.JointIndex("arm")] = -120 * kDeg;
     placement.q_rad[model.JointIndex("bucket")] = 30 * kDeg;
     MachineRun run(placement);
     run.StepFor(0.5);
