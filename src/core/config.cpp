@@ -37,10 +37,14 @@ Config Config::FromFile(const fs::path& file, const std::vector<std::string>& ov
   }
   auto document = std::make_shared<internal::ConfigDocument>();
   const Layer layer{internal::LoadYaml(file, shown), shown, file.parent_path()};
-  std::vector<Layer> layers = internal::LayersAbove(layer, overrides);
-  for (const Overlay& overlay : overlays) {
-    layers.insert(layers.end() - 1 - (&overlay - overlays.data()), OverlayLayer(overlay));
+  const std::vector<Layer> with_overrides = internal::LayersAbove(layer, overrides);
+  // Built from top to bottom: assigning a yaml-cpp node, as an insertion does, changes what all its
+  // handles refer to.
+  std::vector<Layer> layers(with_overrides.begin(), with_overrides.end() - 1);
+  for (auto overlay = overlays.rbegin(); overlay != overlays.rend(); ++overlay) {
+    layers.push_back(OverlayLayer(*overlay));
   }
+  layers.push_back(with_overrides.back());
   document->root = document->AddNode("", std::move(layers));
   return Config(document);
 }

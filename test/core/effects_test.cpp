@@ -83,6 +83,11 @@ TEST(Effects, ComeFromAFileOfTheirOwnOverAConfiguration) {
   const auto file = folder / "machine.yaml";
   const Config config = Config::FromFile(file, {}, {{folder / "effects.yaml", "effects"}});
   EXPECT_EQ(config.root().Text("kind"), "cart");
+  // Beside several overrides too.
+  const Config overridden =
+      Config::FromFile(file, {"a=1", "b=2"}, {{folder / "effects.yaml", "effects"}});
+  EXPECT_EQ(overridden.root().Text("kind"), "cart");
+  EXPECT_EQ(overridden.root().Text("b"), "2");
   const ConfigMap boom = config.root().Map("effects").Map("boom");
   EXPECT_EQ(ReadEffects(boom, EffectTarget::kJoint, Library())[0]["time_s"], 0.5);
   const auto read = [&](const char* name) {
