@@ -49,8 +49,16 @@ struct RunningGear {
   std::vector<ContactPatch> patches;
 };
 
+/// The ground as one machine meets it.
+struct Footing {
+  bool shears = true;    ///< false: the ground carries the running gear, but does not drive it
+  double strength = 1;   ///< of cohesion, adhesion and tan(friction angle)
+  double stiffness = 1;  ///< of the moduli of elasticity and of pressure and sinkage
+};
+
 /// Everything of one machine that the soil can feel.
 struct GroundTools {
+  Footing footing;
   std::vector<Shovel> shovels;
   std::vector<RunningGear> gears;
   /// Points of the structure that may touch ground when the machine digs itself in or tips over.
@@ -79,6 +87,7 @@ struct SoilReaction {
   std::vector<Load> shovel_load;       ///< one for each shovel: the soil it carries
   std::vector<double> gear_sinkage_m;  ///< one for each gear: largest sinkage of its patches
   std::vector<double> gear_slip;       ///< one for each gear: 1 - v / (r w), 0 at rest
+  std::vector<double> gear_grip_n;     ///< one for each gear: shear strength of the ground under it
 };
 
 }  // namespace tera

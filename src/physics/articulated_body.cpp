@@ -93,11 +93,13 @@ struct ArticulatedBody::Bullet {
   std::vector<PrincipalAxes> axes;  // one for each link
   std::vector<LinkShape> shapes;
   std::vector<std::optional<JointDrive>> drives;  // one for each joint, none for fixed ones
-  std::vector<int> load_link;                     // one for each shovel, -1 if it cannot carry
+  std::optional<BaseDrive> base_drive;
+  std::vector<int> load_link;  // one for each shovel, -1 if it cannot carry
 
   ~Bullet() {
     if (!world) return;
     drives.clear();
+    base_drive.reset();
     for (const LinkShape& shape : shapes) world->removeCollisionObject(shape.collider.get());
     world->removeMultiBody(body.get());
   }
@@ -214,6 +216,20 @@ ArticulatedBody::ArticulatedBody(const MachineModel& model, const Pose& X_WB,
 
 ArticulatedBody::~ArticulatedBody() = default;
 ArticulatedBody::ArticulatedBody(ArticulatedBody&&) noexcept = default;
+
+void ArticulatedBody::AddBaseDrive(const Vec3& contact_B_m) {
+  const Pose X_PB = bullet_->axes[0].X_BP.inverse();
+  bullet_->base_drive.emplace(bullet_->body.get(), X_PB * contact_B_m, X_PB.linear(),
+                              bullet_->world);
+}
+
+void ArticulatedBody::DriveBase(const PlanarTwist& twist, const BaseEffort& most) {
+  bullet_->base_drive->SetTarget(twist, most);
+}
+
+BaseEffort ArticulatedBody::BaseDriveEffort(double dt_s) const {
+  return bullet_->base_drive->Effort(dt_s);
+}
 
 void ArticulatedBody::SetLoads(const std::vector<SoilReaction::Load>& shovel_load) {
   for (std::size_t s = 0; s < shovel_load.size() && s < bullet_->load_link.size(); ++s) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/ground_tools.h"
+#include "physics/base_drive.h"
 #include "physics/joint_drive.h"
 #include "physics/machine.h"
 
@@ -25,6 +26,11 @@ class ArticulatedBody {
                   bool meets_others, btMultiBodyDynamicsWorld* world);
   ~ArticulatedBody();
   ArticulatedBody(ArticulatedBody&&) noexcept;
+
+  /// Lets DriveBase move the root by its point `contact_B_m`.
+  void AddBaseDrive(const Vec3& contact_B_m);
+  void DriveBase(const PlanarTwist& twist, const BaseEffort& most);
+  BaseEffort BaseDriveEffort(double dt_s) const;
 
   /// For the next step: what the soil does, and what drives each joint.
   void SetLoads(const std::vector<SoilReaction::Load>& shovel_load);

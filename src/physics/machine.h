@@ -74,6 +74,13 @@ struct Pump {
   std::vector<int> joints, gears;  ///< indices into joints and ground_tools.gears
 };
 
+/// What moves a machine's running gear over the ground.
+enum class GroundModel {
+  kTerramechanics,  ///< the soil's shear under every patch
+  kIdeal,           ///< two tracks that neither slip nor skid, as far as the ground's strength goes
+  kKinematic        ///< the same with the terms of slip among the machine's effects
+};
+
 /// What a machine has beyond the ideal, one list for each joint, running gear and pump.
 struct MachineEffects {
   std::vector<Effects> joints, gears, pumps;
@@ -175,6 +182,7 @@ struct MachineModel {
   GroundTools ground_tools;
   std::vector<GearDrive> gear_drives;  ///< one for each gear
   std::vector<Pump> pumps;
+  GroundModel ground = GroundModel::kTerramechanics;  ///< of a scenario's machine
   MachineEffects effects;  ///< of a scenario's machine; without it, ideal throughout
   std::vector<FourBar> linkages;
   std::vector<Cylinder> cylinders;

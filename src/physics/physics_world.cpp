@@ -21,6 +21,7 @@
 #include "physics/hydraulics.h"
 #include "physics/payload.h"
 #include "physics/slots/actuation.h"
+#include "physics/track_drive.h"
 
 namespace tera {
 namespace {
@@ -184,20 +185,30 @@ GearTorques Drive(const GearDrive& drive, const AxisDrive& target, double rate_r
   return {motor, held_nm - motor};
 }
 
+/// Torque of a motor whose gear turns as commanded whatever its load.
+constexpr double kUnlimited_nm = 1e9;
+
 /// A machine's levers, drives and running gear around its articulated body.
 struct MachineDynamics {
   MachineDynamics(const MachinePlacement& placement, const WorldStart& start, bool meets_others,
                   btMultiBodyDynamicsWorld* world)
       : model(WithPayloads(placement.model)),
+        tracks(model),
         body(model, placement.X_WB, placement.q_rad, meets_others, world),
         hydraulics(model, placement.q_rad),
-        actuation(model, {placement.name, start.seed, start.step}) {}
+        actuation(model, {placement.name, start.seed, start.step}) {
+    if (model.ground == GroundModel::kTerramechanics) return;
+    body.AddBaseDrive(tracks.contact_B_m());
+    for (GearDrive& drive : model.gear_drives) drive.max_torque_nm = kUnlimited_nm;
+  }
 
   /// The lever of each axis, joints first, then gears.
   void Command(const std::vector<double>& levers, MachineState* state);
   /// The chain from levers to drives, from where the axes are.
   void Actuate(const SoilReaction& soil, double dt_s, const MachineState& state);
   void DriveJoints();
+  /// What the ground does to the gears when the base is driven instead of sheared along.
+  SoilReaction OnDrivenBase(const SoilReaction& soil, double dt_s, const MachineState& state) const;
   void TurnGears(const SoilReaction& soil, double dt_s, MachineState* state);
   void Act(const MachineInput& input, double dt_s, MachineState* state);
   /// What came of a step.
@@ -210,6 +221,7 @@ struct MachineDynamics {
   }
 
   MachineModel model;
+  TrackDrive tracks;
   ArticulatedBody body;
   Hydraulics hydraulics;
   Actuation actuation;
@@ -257,7 +269,8 @@ void MachineDynamics::TurnGears(const SoilReaction& soil, double dt_s, MachineSt
     const GearDrive& drive = model.gear_drives[g];
     double& rate = state->gear_rate_radps[g];
     const double load_nm = GearLoad_nm(soil, g);
-    const AxisDrive& target = actuation.drives()[model.joints.size() + g];
+    AxisDrive target = actuation.drives()[model.joints.size() + g];
+    target.rate_radps = tracks.GearRate(g, target.rate_radps);
     const GearTorques torques = Drive(drive, target, rate, load_nm, dt_s);
     rate += (torques.motor_nm - (load_nm - torques.friction_nm)) * dt_s / drive.inertia_kgm2;
     state->gear_angle_rad[g] += rate * dt_s;
@@ -266,10 +279,25 @@ void MachineDynamics::TurnGears(const SoilReaction& soil, double dt_s, MachineSt
   }
 }
 
+SoilReaction MachineDynamics::OnDrivenBase(const SoilReaction& soil, double dt_s,
+                                           const MachineState& state) const {
+  SoilReaction reaction = soil;
+  reaction.gear_traction_n = tracks.Traction_n(body.BaseDriveEffort(dt_s), state);
+  return reaction;
+}
+
 void MachineDynamics::Act(const MachineInput& input, double dt_s, MachineState* state) {
   Command(input.levers, state);
-  Actuate(input.soil, dt_s, *state);
-  TurnGears(input.soil, dt_s, state);
+  if (model.ground == GroundModel::kTerramechanics) {
+    Actuate(input.soil, dt_s, *state);
+    TurnGears(input.soil, dt_s, state);
+  } else {
+    const SoilReaction soil = OnDrivenBase(input.soil, dt_s, *state);
+    Actuate(soil, dt_s, *state);
+    TurnGears(soil, dt_s, state);
+    const TrackDrive::Target target = tracks.Follow(*state, input.soil);
+    body.DriveBase(target.twist, target.most);
+  }
   DriveJoints();
   body.SetLoads(input.soil.shovel_load);
   body.ApplyWrenches(input.soil.link_wrench, state->links);

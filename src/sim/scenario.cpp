@@ -11,6 +11,7 @@
 #include "core/spelling.h"
 #include "core/units.h"
 #include "sim/read_effects.h"
+#include "sim/read_ground.h"
 #include "sim/rig.h"
 
 namespace tera {
@@ -103,8 +104,8 @@ void ReadSensors(const ConfigMap& config, const MachineModel& model,
   }
 }
 
+/// A machine but for its height and tilt, which wait until all have shaped the ground.
 ScenarioMachine ReadMachineEntry(const ConfigMap& config, std::uint64_t seed,
-                                 const TerrainSurface& ground,
                                  const std::optional<ConfigMap>& effects) {
   ScenarioMachine machine;
   machine.placement.name = config.Text("name");
@@ -120,12 +121,26 @@ ScenarioMachine ReadMachineEntry(const ConfigMap& config, std::uint64_t seed,
     yaw_rad = start->Number("yaw_deg", Between(-360, 360, "deg"), 0) * kDeg;
     ReadStartAngles(*start, model, &machine.placement.q_rad);
   }
-  machine.placement.X_WB = RestingPose(ground, xy_m, yaw_rad, FootprintHalf(model));
+  machine.placement.X_WB = MakePose(Vec3(xy_m.x(), xy_m.y(), 0), RotationFromRpy(0, 0, yaw_rad));
   machine.driver = ReadOperator(config.Map("operator"), model, {seed, machine.placement.name});
   ReadSensors(config, model, &machine.sensors);
   ReadMachineEffects(description, effects, machine.placement.name, &machine.placement.model,
                      &machine.sensors);
+  ReadGround(config, &machine.placement.model);
   return machine;
+}
+
+void PlaceOnGround(Scenario* scenario) {
+  for (const ScenarioMachine& machine : scenario->machines) {
+    RaiseGround(machine.placement.model, scenario->soil.get());
+  }
+  for (ScenarioMachine& machine : scenario->machines) {
+    MachinePlacement& placement = machine.placement;
+    const Vec3 start_m = placement.X_WB.translation();
+    const double yaw_rad = RpyFromRotation(placement.X_WB.linear()).z();
+    placement.X_WB = RestingPose(scenario->soil->surface(), start_m.head<2>(), yaw_rad,
+                                 FootprintHalf(placement.model));
+  }
 }
 
 ScenarioObstacle ReadObstacle(const ConfigMap& config) {
@@ -229,9 +244,9 @@ Scenario ReadScenario(const ConfigMap& config) {
   }
   const std::optional<ConfigMap> effects = config.OptionalMap("effects");
   for (const ConfigMap& machine : config.List("machines")) {
-    scenario.machines.push_back(
-        ReadMachineEntry(machine, scenario.seed, scenario.soil->surface(), effects));
+    scenario.machines.push_back(ReadMachineEntry(machine, scenario.seed, effects));
   }
+  PlaceOnGround(&scenario);
   for (const ConfigMap& obstacle : config.List("obstacles")) {
     scenario.obstacles.push_back(ReadObstacle(obstacle));
   }

@@ -85,9 +85,14 @@ Columns::Sample Columns::SampleAt(double x, double y) const {
           index(u < 0.5 ? i : i + 1, v < 0.5 ? j : j + 1)};
 }
 
-const SoilType& Columns::soil_at(std::size_t k) const {
+std::uint8_t Columns::soil_at(std::size_t k) const {
   const Column& c = columns_[k];
-  return soils_[c.loose_m > 0 ? c.loose_soil : c.bank_soil];
+  return c.loose_m > 0 ? c.loose_soil : c.bank_soil;
+}
+
+void Columns::Raise(std::size_t k, double dz_m) {
+  columns_[k].bank_m += dz_m;
+  Changed(k);
 }
 
 Spoil Columns::Cut(std::size_t k, double z_m) {

@@ -75,9 +75,11 @@ class Columns {
   const Column& at(std::size_t k) const { return columns_[k]; }
   const TerrainSurface& surface() const { return surface_; }
   const std::vector<SoilType>& soils() const { return soils_; }
-  /// Soil at the surface of a column.
-  const SoilType& soil_at(std::size_t k) const;
+  /// Soil at the surface of a column, as an index into soils().
+  std::uint8_t soil_at(std::size_t k) const;
 
+  /// Raises the undisturbed ground, before anything has moved: no soil is moved from elsewhere.
+  void Raise(std::size_t k, double dz_m);
   /// Takes everything above z_m away.
   Spoil Cut(std::size_t k, double z_m);
   /// Takes up to `thickness_m` of loose soil away.

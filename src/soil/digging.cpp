@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/units.h"
 #include "soil/earthmoving.h"
@@ -48,7 +49,8 @@ double PiercePressure_pa(const SoilType& soil, double depth_m) {
 
 }  // namespace
 
-Digging::Digging(const Shovel& shovel) : shovel_(shovel), shape_(shovel) {}
+Digging::Digging(const Shovel& shovel, std::vector<SoilType> soils)
+    : shovel_(shovel), shape_(shovel), soils_(std::move(soils)) {}
 
 bool Digging::InFootprint(int i, int j) const {
   if (i < i0_ || i > i1_ || j < j0_ || j > j1_) return false;
@@ -113,7 +115,7 @@ void Digging::CutFootprint(const BodyState& body, double dt_s, Columns* ground, 
   const bool carries = shovel_.capacity_m3 > 0;
   for (const Swept& swept : footprint_) {
     const std::size_t k = ground->index(swept.i, swept.j);
-    const SoilType& soil = ground->soil_at(k);
+    const SoilType& soil = soils_[ground->soil_at(k)];
     const double top_m = ground->at(k).top_m();
     const double overlap_m = top_m - swept.crossing.low_m;
     const Vec3 p_W(ground->x_m(swept.i), ground->y_m(swept.j), swept.crossing.low_m);
@@ -230,7 +232,7 @@ std::array<Digging::Strip, Digging::kStrips> Digging::Strips(const BodyState& bo
     strip.depth_m = std::clamp(z_near - strip.p_W.z(), 0.0, shape_.radius_m());
     const int i = std::clamp(ground.NearestI(near.x()), 0, ground.nx() - 1);
     const int j = std::clamp(ground.NearestJ(near.y()), 0, ground.ny() - 1);
-    strip.soil = &ground.soil_at(ground.index(i, j));
+    strip.soil = &soils_[ground.soil_at(ground.index(i, j))];
   }
   return strips;
 }

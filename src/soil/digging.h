@@ -30,7 +30,8 @@ namespace tera {
 ///         0.5 m).
 class Digging {
  public:
-  explicit Digging(const Shovel& shovel);
+  /// `soils` are those of the ground, as the machine meets them.
+  Digging(const Shovel& shovel, std::vector<SoilType> soils);
 
   struct Result {
     Wrench wrench;  ///< about the link's origin, without the weight of the carried soil
@@ -63,6 +64,7 @@ class Digging {
 
   Shovel shovel_;
   ShovelShape shape_;
+  std::vector<SoilType> soils_;
   Spoil carried_;
   double cut_travel_m_ = 0;     ///< elastic travel of the edge in its cutting direction
   double pierce_travel_m_ = 0;  ///< elastic travel of edge and teeth along the floor

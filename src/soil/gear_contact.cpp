@@ -10,13 +10,16 @@
 namespace tera {
 namespace {
 
-constexpr double kDampingRatio = 0.3;       ///< of critical, soil under a plate
+/// Of critical: what a footing as large and heavy as a machine's tracks radiates into the ground
+/// (0.3, Lysmer and Richart 1966), and as much for hysteresis of soil and shoes (estimate).
+constexpr double kDampingRatio = 0.6;
 constexpr double kLeastUpward = 0.05;       ///< patches facing further up touch no ground
 constexpr double kInfluenceDepths = 1.0;    ///< crust thickness over patch width
 constexpr double kLongestPatch = 4;         ///< times its length counts of a patch's width
 constexpr double kShearDampingRatio = 0.7;  ///< of critical, only near rest
 constexpr double kRestSpeed_mps = 0.02;     ///< slip at which shear damping has faded to a half
 constexpr double kLargestShear = 8.0;       ///< |j| is kept below this many K: fully mobilised
+constexpr double kLeastShear_m = 1e-15;     ///< less is no slip, in any direction
 constexpr double kInletShare = 0.1;         ///< of the patch's length: where its inlet ends
 constexpr double kDragLength_m = 0.10;      ///< distance over which rut work is paid back
 constexpr double kDragSpeed_mps = 0.05;     ///< below it the drag fades, so that rest stays rest
@@ -72,22 +75,29 @@ Vec2 Mobilised(const SoilType& soil, const Vec2& j_m) {
   return j_m * (ShearMobilisation(soil, size) / size);
 }
 
-/// Shears by `slip_m`: along j loads further; against it unloads at the initial stiffness, as
-/// repeated shearing does, so that what a shear has cost is not given back.
+/// Shears by `slip_m`. The stress t, a share of the strength along j, has a part along the slip,
+/// which loads further as Janosi says, or, pointing against it, unloads at the initial stiffness,
+/// so that what a shear has cost is not given back; and a part across, which yields to the slip
+/// within K where the strength is used up, so that sliding soil resists where it slides to.
 void ShearFurther(const SoilType& soil, const Vec2& slip_m, Vec2* j_m) {
-  const double size_m = j_m->norm();
-  const double back_m = size_m > 0 ? -slip_m.dot(*j_m) / size_m : 0;
-  if (back_m <= 0) {
-    *j_m += slip_m;
+  const double size_m = slip_m.norm();
+  if (size_m < kLeastShear_m) return;
+  const double path = size_m / soil.shear_modulus_m;
+  const Vec2 direction = slip_m / size_m;
+  const Vec2 stress = Mobilised(soil, *j_m);
+  double along = stress.dot(direction);
+  const Vec2 across = (stress - along * direction) * std::exp(-stress.squaredNorm() * path);
+  const double unloading = std::min(path, std::max(0.0, -along));
+  along += unloading;
+  along = 1 - (1 - along) * std::exp(-(path - unloading));
+  const Vec2 after = along * direction + across;
+  const double size = after.norm();
+  if (size <= 0) {
+    j_m->setZero();
     return;
   }
-  const Vec2 along = *j_m / size_m;
-  const double released_m = soil.shear_modulus_m * ShearMobilisation(soil, size_m);
-  const double left_m =
-      back_m < released_m
-          ? -soil.shear_modulus_m * std::log1p((back_m - released_m) / soil.shear_modulus_m)
-          : released_m - back_m;
-  *j_m = left_m * along + slip_m + back_m * along;
+  const double most = ShearMobilisation(soil, kLargestShear * soil.shear_modulus_m);
+  *j_m = -soil.shear_modulus_m * std::log1p(-std::min(size, most)) / size * after;
 }
 
 }  // namespace
@@ -99,9 +109,14 @@ struct GearContact::Pressed {
   double sinkage_m = 0;
   Vec3 moment_W = Vec3::Zero();  ///< sum of normal force times place, for the centre of pressure
   const SoilType* soil = nullptr;
+
+  double Strength_n() const {
+    return soil->cohesion_pa * area_m2 + normal_n * std::tan(soil->friction_angle_rad);
+  }
 };
 
-GearContact::GearContact(const RunningGear& gear) : gear_(gear), patches_(gear.patches.size()) {
+GearContact::GearContact(const RunningGear& gear, bool shears, std::vector<SoilType> soils)
+    : gear_(gear), shears_(shears), soils_(std::move(soils)), patches_(gear.patches.size()) {
   for (std::size_t k = 0; k < patches_.size(); ++k) {
     patches_[k].upstream = Neighbour(gear_, k, -1);
     patches_[k].downstream = Neighbour(gear_, k, +1);
@@ -134,7 +149,7 @@ double GearContact::MakeRut(const ContactPatch& patch, const BodyState& body, do
           std::abs(across_m) > 0.5 * patch.width_m) {
         continue;
       }
-      const SoilType& soil = ground->soil_at(k);
+      const SoilType& soil = soils_[ground->soil_at(k)];
       const double pressed_m = ground->at(k).pressed_m;
       const double plastic_m = PlasticSinkage_m(soil, width_m, pressed_m, pen_m);
       ground->MarkRut(k);
@@ -184,7 +199,7 @@ GearContact::Pressed GearContact::Bear(const ContactPatch& patch, const BodyStat
       const Columns::Sample sample = ground.SampleAt(q_W.x(), q_W.y());
       const double pen_m = (sample.top_m - q_W.z()) * -n_W.z();
       if (pen_m <= 0) continue;
-      const SoilType& soil = ground.soil_at(sample.k);
+      const SoilType& soil = soils_[ground.soil_at(sample.k)];
       const double stiffness_papm = Rebound_papm(soil, width_m);
       const double pressure_pa = std::min(
           stiffness_papm * pen_m, BekkerPressure_pa(soil, width_m, sample.pressed_m + pen_m));
@@ -226,8 +241,7 @@ Vec2 GearContact::Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_
   const Vec2 share =
       (Mobilised(soil, patch.j_in_m) + 4 * Mobilised(soil, j_m) + Mobilised(soil, patch.j_out_m)) /
       6;
-  const double strength_n =
-      soil.cohesion_pa * pressed.area_m2 + pressed.normal_n * std::tan(soil.friction_angle_rad);
+  const double strength_n = pressed.Strength_n();
   const double mass_kg = pressed.normal_n / kStandardGravity_mps2;
   const double speed = slip_mps.norm() / kRestSpeed_mps;
   const double stiffness_npm =
@@ -266,7 +280,9 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
     const Vec3 p_W = pressed.moment_W / pressed.normal_n;
     const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(p_W - origin_W);
     const Vec2 slip_mps(v_W.dot(along_W) + shoe_mps, v_W.dot(across_W));
-    const Vec2 shear_n = Shear(k, pressed, slip_mps, shoe_mps, dt_s, before);
+    const Vec2 shear_n =
+        shears_ ? Shear(k, pressed, slip_mps, shoe_mps, dt_s, before) : Vec2(Vec2::Zero());
+    result.grip_n += pressed.Strength_n();
     result.wrench.AddForceAt(
         -pressed.normal_n * n_W + shear_n.x() * along_W + shear_n.y() * across_W, p_W, origin_W);
     result.traction_n -= shear_n.x();
@@ -282,6 +298,7 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
   if (std::abs(shoe_mps) > kSlowestShoe_mps) {
     result.slip = std::clamp(1 - forward_mps / weight_n / shoe_mps, -1.0, 1.0);
   }
+  if (!shears_) return result;
   const Vec3 v_W(body.v_WB_mps.x(), body.v_WB_mps.y(), 0);
   const double drag_n = rut_work_j_ / kDragLength_m;
   result.wrench.force_W_n -= drag_n * v_W / (v_W.norm() + kDragSpeed_mps);

@@ -18,20 +18,24 @@ namespace tera {
 ///         dj/dt = v_slip - v_shoe (j - j_upstream) / length; it is zero where a shoe meets the
 ///         ground. Stress (c + p tan phi)(1 - exp(-|j|/K)) along j: a spring at rest, the
 ///         closed-form thrust at steady slip. Slip against j unloads at the initial stiffness, so
-///         that shearing back and forth dissipates.
+///         that shearing back and forth dissipates; stress across the slip yields to it within K
+///         where the strength is used up, so that sliding soil resists against the slip.
 ///         Compaction resistance: plastic work done by moving on, rather than by moving down, is
 ///         paid back as a drag over a short distance.
+///         Gear that does not shear the ground is carried alone: no shear force, no drag.
 /// Omits   grousers, bulldozing resistance, tyre flexibility, pressure peaks under road wheels.
 /// Source  Bekker 1969; Janosi and Hanamoto 1961; memory and grid as in Krenn and Hirzinger 2009.
 class GearContact {
  public:
-  explicit GearContact(const RunningGear& gear);
+  /// `soils` are those of the ground, as the machine meets them.
+  GearContact(const RunningGear& gear, bool shears, std::vector<SoilType> soils);
 
   struct Result {
     Wrench wrench;          ///< about the link's origin
     double traction_n = 0;  ///< shear on the shoes along the machine's forward travel
     double sinkage_m = 0;
     double slip = 0;
+    double grip_n = 0;  ///< shear strength of the ground under all patches
   };
   Result Act(const BodyState& body, double rate_radps, double dt_s, Columns* ground);
 
@@ -50,6 +54,8 @@ class GearContact {
              double dt_s, const std::vector<Patch>& before);
 
   RunningGear gear_;
+  bool shears_ = true;
+  std::vector<SoilType> soils_;
   std::vector<Patch> patches_;
   std::vector<std::size_t> covered_;  ///< columns under the gear, into which no soil slides
   double rut_work_j_ = 0;             ///< plastic work still to be paid back as drag

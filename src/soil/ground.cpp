@@ -1,6 +1,9 @@
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/check.h"
+#include "core/units.h"
 #include "soil/avalanche.h"
 #include "soil/columns.h"
 #include "soil/digging.h"
@@ -9,6 +12,7 @@
 #include "soil/hull_contact.h"
 #include "soil/site.h"
 #include "soil/soil.h"
+#include "soil/soil_type.h"
 
 namespace tera {
 namespace {
@@ -21,9 +25,11 @@ class Ground : public Soil {
 
   int AddMachine(const GroundTools& tools) override {
     Machine machine;
-    for (const Shovel& shovel : tools.shovels) machine.shovels.emplace_back(shovel);
+    std::vector<SoilType> soils;
+    for (const SoilType& soil : columns_.soils()) soils.push_back(Met(soil, tools.footing));
+    for (const Shovel& shovel : tools.shovels) machine.shovels.emplace_back(shovel, soils);
     for (const RunningGear& gear : tools.gears) {
-      machine.gears.emplace_back(gear);
+      machine.gears.emplace_back(gear, tools.footing.shears, soils);
       machine.gear_links.push_back(gear.link);
     }
     for (const auto& point : tools.hull_points) machine.hull.emplace_back(point);
@@ -31,6 +37,7 @@ class Ground : public Soil {
     return static_cast<int>(machines_.size()) - 1;
   }
 
+  void Raise(const RaisedGround& raised) override;
   SoilReaction Act(int handle, const GroundToolsMotion& motion, double dt_s) override;
   void Flow(double dt_s) override { avalanche_.Flow(dt_s, &columns_); }
 
@@ -56,6 +63,18 @@ class Ground : public Soil {
   std::vector<Machine> machines_;
 };
 
+void Ground::Raise(const RaisedGround& raised) {
+  for (int j = 0; j < columns_.ny(); ++j) {
+    for (int i = 0; i < columns_.nx(); ++i) {
+      const Vec2 p_W(columns_.x_m(i), columns_.y_m(j));
+      const double beyond_m = (p_W - raised.centre_W_m).norm() - raised.radius_m;
+      if (beyond_m >= raised.edge_m) continue;
+      const double share = 0.5 * (1 + std::cos(kPi * std::max(0.0, beyond_m / raised.edge_m)));
+      columns_.Raise(columns_.index(i, j), share * raised.height_m);
+    }
+  }
+}
+
 void Add(const Wrench& part, Wrench* sum) {
   sum->force_W_n += part.force_W_n;
   sum->torque_W_nm += part.torque_W_nm;
@@ -78,6 +97,7 @@ SoilReaction Ground::Act(int handle, const GroundToolsMotion& motion, double dt_
     reaction.gear_traction_n.push_back(gear.traction_n);
     reaction.gear_sinkage_m.push_back(gear.sinkage_m);
     reaction.gear_slip.push_back(gear.slip);
+    reaction.gear_grip_n.push_back(gear.grip_n);
   }
   for (const HullContact& point : machine.hull) {
     Add(point.Act(links[point.link()], columns_), &reaction.link_wrench[point.link()]);

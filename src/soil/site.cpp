@@ -96,7 +96,7 @@ Relief ReadRelief(const ConfigMap& config, std::uint64_t seed) {
   if (const auto map = config.OptionalMap("relief")) {
     relief.amplitude_m = map->Number("amplitude_m", Between(0, 10, "m"), 0.0);
     relief.wavelength_m = map->Number("wavelength_m", Between(0.5, 500, "m"), relief.wavelength_m);
-    relief.slope_rad = kDeg * map->Number("slope_deg", Between(0, 40, "deg"), 0.0);
+    relief.slope_rad = kDeg * map->Number("slope_deg", Between(0, 60, "deg"), 0.0);
     relief.slope_direction_rad = kDeg * map->Number("slope_direction_deg", Any("deg"), 0.0);
   }
   return relief;

@@ -41,6 +41,13 @@ struct SoilType {
   double grain_size_m = 0.01;           ///< scale of visible detail
 };
 
+/// A round stretch of ground that lies higher (or lower) than the site says, falling off beyond its
+/// radius as a half wave of cosine.
+struct RaisedGround {
+  Vec2 centre_W_m = Vec2::Zero();
+  double radius_m = 0, edge_m = 1, height_m = 0;
+};
+
 /// Where soil mass is, for the ledger. Every kilogram is in exactly one place.
 struct MassLedger {
   double ground_kg = 0;
@@ -70,6 +77,8 @@ class Soil {
   static std::unique_ptr<Soil> Read(const ConfigMap& config, std::uint64_t seed);
   virtual ~Soil() = default;
 
+  /// Raises undisturbed ground, before machines are placed on it.
+  virtual void Raise(const RaisedGround& raised) = 0;
   /// Registers a machine's tools; returns its handle for Act. Call before the first Act.
   virtual int AddMachine(const GroundTools& tools) = 0;
 

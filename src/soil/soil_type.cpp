@@ -66,6 +66,18 @@ std::string ShippedSoilNames() {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+SoilType Met(const SoilType& soil, const Footing& footing) {
+  SoilType met = soil;
+  met.cohesion_pa *= footing.strength;
+  met.adhesion_pa *= footing.strength;
+  met.friction_angle_rad = std::atan(footing.strength * std::tan(soil.friction_angle_rad));
+  met.soil_tool_friction_rad = std::atan(footing.strength * std::tan(soil.soil_tool_friction_rad));
+  met.young_modulus_pa *= footing.stiffness;
+  met.k_c_npm_n1 *= footing.stiffness;
+  met.k_phi_npm_n2 *= footing.stiffness;
+  return met;
+}
+
 double BearingPressure_pa(const SoilType& soil, double width_m, double depth_m) {
   constexpr double kLocalShear = 2.0 / 3;  // Terzaghi's reduction of cohesion and tan(phi)
   constexpr double kLeastTan = 1e-3;       // below it N_c has its limit pi + 2

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include "physics/base_drive.h"
+#include "physics/machine.h"
+#include "physics/slots/track_kinematics.h"
+
+namespace tera {
+
+/// A machine's running gear as two tracks, for the ground slot.
+///
+/// Frames  B root link.
+/// Model   Gears left of B's x axis are the left track, the others the right one; several on one
+///         side move as their mean. The drive pushes with at most the shear strength of the ground
+///         under the gears and what their motors can, less the rolling resistance; it turns with at
+///         most the strength times half the gauge. The ground's force on a side is half the drive's
+///         force and its torque over the gauge.
+/// Omits   grip that one side has and the other lacks.
+class TrackDrive {
+ public:
+  explicit TrackDrive(const MachineModel& model);
+
+  /// Middle of the contact with the ground.
+  const Vec3& contact_B_m() const { return contact_B_m_; }
+
+  /// Rate of a gear that is commanded to turn at `rate_radps`.
+  double GearRate(std::size_t gear, double rate_radps) const;
+
+  struct Target {
+    PlanarTwist twist;
+    BaseEffort most;
+  };
+  /// What the gears' rates in `state` ask of the base.
+  Target Follow(const MachineState& state, const SoilReaction& soil) const;
+  /// Force of the ground on each gear along its forward travel when the drive does `effort`.
+  std::vector<double> Traction_n(const BaseEffort& effort, const MachineState& state) const;
+
+ private:
+  struct Gear {
+    bool left = false;
+    double radius_m = 0, max_torque_nm = 0;
+  };
+  double Resistance_n(const MachineState& state) const;
+  TrackCircumstances CircumstancesOf(const MachineState& state, const SoilReaction& soil) const;
+
+  TrackKinematicsParameters parameters_;
+  TrackGeometry geometry_;
+  std::vector<Gear> gears_;
+  std::vector<int> tool_links_;
+  double left_count_ = 0, right_count_ = 0;
+  Vec3 contact_B_m_ = Vec3::Zero();
+};
+
+}  // namespace tera

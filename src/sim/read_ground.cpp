@@ -1,0 +1,70 @@
+#include "sim/read_ground.h"
+
+#include <string>
+
+namespace tera {
+namespace {
+
+/// Mechanisms of how tracks slip, which the soil's shear brings about by itself.
+constexpr std::string_view kOfSlip[] = {"track_slip",      "slope_slip", "side_slip",
+                                        "effective_gauge", "icr_shift",  "rolling_resistance",
+                                        "digging_force"};
+
+GroundModel ReadGroundModel(const ConfigMap& config) {
+  const std::string ground =
+      config.Choice("ground", {"terramechanics", "ideal", "kinematic"}, "terramechanics");
+  if (ground == "ideal") return GroundModel::kIdeal;
+  if (ground == "kinematic") return GroundModel::kKinematic;
+  return GroundModel::kTerramechanics;
+}
+
+/// Whether the root stands on running gear to its left and to its right.
+bool StandsOnTracks(const MachineModel& model) {
+  bool left = false, right = false, on_root = true;
+  for (const RunningGear& gear : model.ground_tools.gears) {
+    double y_m = 0;
+    for (const ContactPatch& patch : gear.patches) y_m += patch.p_B_m.y();
+    (y_m > 0 ? left : right) = true;
+    on_root = on_root && gear.link == 0;
+  }
+  return left && right && on_root && model.gauge_m > 0 && !model.fixed_base;
+}
+
+}  // namespace
+
+void ReadGround(const ConfigMap& config, MachineModel* model) {
+  model->ground = ReadGroundModel(config);
+  if (model->ground != GroundModel::kTerramechanics && !StandsOnTracks(*model)) {
+    config.Fault("ground",
+                 "machine '" + model->kind +
+                     "' cannot be moved by the kinematics of tracks; it needs running gear left "
+                     "and right on its root link, a gauge_m and no fixed_base, or ground: "
+                     "terramechanics");
+    model->ground = GroundModel::kTerramechanics;
+  }
+  if (model->ground != GroundModel::kKinematic) {
+    for (const std::string_view id : kOfSlip) {
+      if (!FindEffect(model->effects.base, id)) continue;
+      config.Fault("ground", "effect '" + std::string(id) +
+                                 "' of base acts only with ground: kinematic; choose that or take "
+                                 "the effect away");
+    }
+  }
+  Footing& footing = model->ground_tools.footing;
+  footing.shears = model->ground == GroundModel::kTerramechanics;
+  if (const Effect* soil = FindEffect(model->effects.base, "soil_strength")) {
+    footing.strength = (*soil)["strength"];
+    footing.stiffness = (*soil)["stiffness"];
+  }
+}
+
+void RaiseGround(const MachineModel& model, Soil* soil) {
+  const Effect* effect = FindEffect(model.effects.base, "terrain_height");
+  if (!effect) return;
+  soil->Raise({.centre_W_m = Vec2((*effect)["x_m"], (*effect)["y_m"]),
+               .radius_m = (*effect)["radius_m"],
+               .edge_m = (*effect)["edge_m"],
+               .height_m = (*effect)["height_m"]});
+}
+
+}  // namespace tera

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/config.h"
+#include "physics/machine.h"
+#include "soil/soil.h"
+
+namespace tera {
+
+/// Reads `ground` of a scenario's machine, whose effects `model` has already, and lays down how it
+/// meets the soil. Faults go to `config`: another word, a machine without left and right running
+/// gear, effects of tracks that the choice has no place for.
+void ReadGround(const ConfigMap& config, MachineModel* model);
+
+/// Raises the ground as terrain_height among the effects of `model` says.
+void RaiseGround(const MachineModel& model, Soil* soil);
+
+}  // namespace tera
