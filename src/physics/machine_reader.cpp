@@ -140,11 +140,17 @@ void ReadJointActuation(const ConfigMap& config, Joint* joint) {
   } else if (const auto both = config.OptionalNumber(rate_key, rate)) {
     joint->max_rate_positive_radps = joint->max_rate_negative_radps = *both * unit;
   }
-  joint->max_effort_nm = config.Number(linear ? "max_effort_n" : "max_effort_nm",
-                                       AtLeast(0, linear ? "N" : "N m"), joint->max_effort_nm);
-  const std::string oil_key = linear ? "displacement_m3pm" : "displacement_m3prad";
+  // Not with a default: a joint that has both from its cylinders must lack the keys when the
+  // resolved text is read again.
+  joint->max_effort_nm = config
+                             .OptionalNumber(linear ? "max_effort_n" : "max_effort_nm",
+                                             AtLeast(0, linear ? "N" : "N m"))
+                             .value_or(joint->max_effort_nm);
   joint->displacement_m3prad =
-      config.Number(oil_key, AtLeast(0, linear ? "m3/m" : "m3/rad"), joint->displacement_m3prad);
+      config
+          .OptionalNumber(linear ? "displacement_m3pm" : "displacement_m3prad",
+                          AtLeast(0, linear ? "m3/m" : "m3/rad"))
+          .value_or(joint->displacement_m3prad);
   const std::string start_key = linear ? "initial_m" : "initial_deg";
   joint->initial_rad =
       config.Number(start_key, Any(linear ? "m" : "deg"), joint->initial_rad / unit) * unit;
