@@ -64,9 +64,10 @@ void RunServe(const Arguments& arguments) {
   if (arguments.record) options.record = *arguments.record;
   const Server::Log log = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
   const StopSignals stop;
-  const Server server(arguments.server,
-                      LiveStages(SourceOf(loaded.resolved_yaml, arguments.scenario), options, log),
-                      log);
+  const Server server(
+      arguments.server,
+      LiveStages(loaded.scenario, SourceOf(loaded.resolved_yaml, arguments.scenario), options, log),
+      log);
   fmt::print("serving {} on {}\n", loaded.scenario.name, server.address());
   std::fflush(stdout);
   stop.Wait();

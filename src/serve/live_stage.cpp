@@ -59,9 +59,13 @@ fs::path NextEpisode(const fs::path& folder) {
 
 class LiveStage : public Stage {
  public:
-  LiveStage(const ScenarioSource& source, const StageOptions& options, const Server::Log& log,
-            std::function<bool()> ended)
-      : source_(source), options_(options), log_(log), ended_(std::move(ended)) {}
+  LiveStage(const v1::Description& description, const ScenarioSource& source,
+            const StageOptions& options, const Server::Log& log, std::function<bool()> ended)
+      : description_(description),
+        source_(source),
+        options_(options),
+        log_(log),
+        ended_(std::move(ended)) {}
 
   ~LiveStage() override {
     try {
@@ -147,6 +151,7 @@ class LiveStage : public Stage {
     if (run) run->Finish();
   }
 
+  const v1::Description description_;
   const ScenarioSource source_;
   const StageOptions options_;
   const Server::Log log_;
@@ -159,9 +164,11 @@ class LiveStage : public Stage {
 
 }  // namespace
 
-Server::MakeStage LiveStages(ScenarioSource source, const StageOptions& options, Server::Log log) {
-  return [source = std::move(source), options, log = std::move(log)](std::function<bool()> ended) {
-    return std::make_unique<LiveStage>(source, options, log, std::move(ended));
+Server::MakeStage LiveStages(const Scenario& scenario, ScenarioSource source,
+                             const StageOptions& options, Server::Log log) {
+  return [description = Describe(scenario), source = std::move(source), options,
+          log = std::move(log)](std::function<bool()> ended) {
+    return std::make_unique<LiveStage>(description, source, options, log, std::move(ended));
   };
 }
 

@@ -35,6 +35,9 @@ struct StageOptions {
 ///         its recording is then finished. An action holds for the whole of its step.
 /// Throws  InputError where the source does. `log` is told of a recording that cannot be finished
 ///         after the session's end.
-Server::MakeStage LiveStages(ScenarioSource source, const StageOptions& options, Server::Log log);
+///
+/// `scenario` is what `source` gives, to be described.
+Server::MakeStage LiveStages(const Scenario& scenario, ScenarioSource source,
+                             const StageOptions& options, Server::Log log);
 
 }  // namespace tera

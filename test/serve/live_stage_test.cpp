@@ -58,7 +58,8 @@ SeededScenario Source(std::optional<std::uint64_t> seed) {
 
 std::unique_ptr<Stage> NewStage(
     const StageOptions& options = {}, std::function<bool()> ended = [] { return false; }) {
-  return LiveStages(Source, options, [](const std::string&) {})(std::move(ended));
+  return LiveStages(Source(std::nullopt).scenario, Source, options,
+                    [](const std::string&) {})(std::move(ended));
 }
 
 v1::Step StepOf(std::uint32_t physics_steps) {
