@@ -75,7 +75,7 @@ class LiveStage : public Stage {
     }
   }
 
-  v1::Description Describe() override { return tera::Describe(source_(std::nullopt).scenario); }
+  v1::Description Describe() override { return description_; }
 
   std::optional<v1::Observation> Reset(const v1::Reset& request) override {
     SeededScenario seeded =
