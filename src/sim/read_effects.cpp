@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <set>
+#include <string>
 
 #include "core/effects.h"
 #include "physics/actuation_mechanisms.h"
 #include "physics/ground_mechanisms.h"
+#include "physics/slots/actuation.h"
 #include "sensors/sensor_mechanisms.h"
 #include "sim/rig.h"
 
@@ -104,6 +106,8 @@ void ReadMachineEffects(const ConfigMap& machine, const std::optional<ConfigMap>
     if (model->joints[j].type == JointType::kFixed) continue;
     effects.joints[j] =
         reader.Read(model->joints[j].name, EffectTarget::kJoint, ActuationMechanisms());
+    const std::string fault = FaultOfEffects(*model, j);
+    if (!fault.empty()) map->Fault(model->joints[j].name, fault);
   }
   for (std::size_t g = 0; g < model->ground_tools.gears.size(); ++g) {
     effects.gears[g] =

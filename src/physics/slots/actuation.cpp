@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/check.h"
+#include "physics/linkage.h"
 
 namespace tera {
 namespace {
@@ -16,6 +17,26 @@ AxisParameters AxisOf(const Effects& effects, double max_effort_nm) {
   axis.gain = KinematicGainOf(effects);
   axis.load = LoadFrictionOf(effects, max_effort_nm);
   return axis;
+}
+
+/// Lever arms are known at this many positions of a joint's travel; between them they are straight
+/// to 1e-4 of themselves.
+constexpr int kArms = 129;
+/// A cylinder with less has no hold on its joint.
+constexpr double kLeastArm_m = 1e-3;
+
+/// The arms of the first cylinder that moves the joint, over its travel.
+void AddOwnCylinder(const MachineModel& model, std::size_t joint, KinematicGainParameters* gain) {
+  for (const Cylinder& cylinder : model.cylinders) {
+    if (cylinder.joint != static_cast<int>(joint)) continue;
+    gain->first_rad = model.joints[joint].lower_rad;
+    gain->last_rad = model.joints[joint].upper_rad;
+    for (int i = 0; i < kArms; ++i) {
+      const double q = std::lerp(gain->first_rad, gain->last_rad, i / (kArms - 1.0));
+      gain->arms_m.push_back(std::abs(ReachOf(model, cylinder, q).arm_m));
+    }
+    return;
+  }
 }
 
 AxisParameters AxisOf(const Joint& joint, const Effects& effects) {
@@ -46,6 +67,34 @@ const Effects& EffectsAt(const std::vector<Effects>& effects, std::size_t k) {
 
 }  // namespace
 
+std::string FaultOfEffects(const MachineModel& model, std::size_t joint) {
+  const Joint& j = model.joints[joint];
+  const Effects& effects = EffectsAt(model.effects.joints, joint);
+  const bool ends = j.lower_rad < j.upper_rad;
+  if (FindEffect(effects, "end_cushion") && !ends) {
+    return "end_cushion slows a joint near its end stops, which this one has not";
+  }
+  if (FindEffect(effects, "sag") && j.max_effort_nm <= 0) {
+    return "sag is stated at the joint's full effort, which is 0";
+  }
+  const Effect* lever = FindEffect(effects, "cylinder_lever");
+  if (!lever) return "";
+  const bool pins = (*lever)["barrel_m"] > 0 && (*lever)["rod_m"] > 0;
+  if (!pins && ((*lever)["barrel_m"] > 0 || (*lever)["rod_m"] > 0)) {
+    return "cylinder_lever needs both barrel_m and rod_m, or neither";
+  }
+  KinematicGainParameters gain = KinematicGainOf(effects);
+  if (!pins) AddOwnCylinder(model, joint, &gain);
+  if (!pins && (gain.arms_m.empty() || !ends)) {
+    return "cylinder_lever needs barrel_m and rod_m where no cylinder of the machine moves the "
+           "joint";
+  }
+  if (KinematicGain(gain).reference_arm_m() < kLeastArm_m) {
+    return "cylinder_lever's reference_rad is at a dead centre, where the rate has no bound";
+  }
+  return "";
+}
+
 AxisActuation::AxisActuation(const AxisParameters& parameters, const Stream& drops,
                              std::int64_t first_step)
     : parameters_(parameters),
@@ -71,7 +120,12 @@ Actuation::Actuation(const MachineModel& model, const ActuationStart& start) {
     axes_.emplace_back(parameters, drops, start.step);
   };
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
-    add(model.joints[j].name, AxisOf(model.joints[j], EffectsAt(model.effects.joints, j)));
+    const Effects& effects = EffectsAt(model.effects.joints, j);
+    AxisParameters axis = AxisOf(model.joints[j], effects);
+    if (FindEffect(effects, "cylinder_lever") && axis.gain.rod_m == 0) {
+      AddOwnCylinder(model, j, &axis.gain);
+    }
+    add(model.joints[j].name, axis);
   }
   for (std::size_t g = 0; g < model.gear_drives.size(); ++g) {
     add(model.ground_tools.gears[g].name,

@@ -69,6 +69,9 @@ struct ActuationStart {
   std::int64_t step = 0;  ///< time is this many steps at the first one
 };
 
+/// Why an effect of the joint cannot act as its values and the model stand, empty if all can.
+std::string FaultOfEffects(const MachineModel& model, std::size_t joint);
+
 /// The chain of a whole machine: joints first, then gears, each in the model's order.
 ///
 /// Model   Every pump delivers one share to all that it feeds; an axis fed by several pumps asks

@@ -9,6 +9,13 @@ namespace {
 constexpr double kMostGain = 10;
 
 double LeverArm_m(const KinematicGainParameters& p, double position_rad) {
+  if (!p.arms_m.empty()) {
+    const double last = static_cast<double>(p.arms_m.size() - 1);
+    const double travelled = (position_rad - p.first_rad) / (p.last_rad - p.first_rad);
+    const double place = std::clamp(travelled * last, 0.0, last);
+    const auto below = std::min(static_cast<std::size_t>(place), p.arms_m.size() - 2);
+    return std::lerp(p.arms_m[below], p.arms_m[below + 1], place - static_cast<double>(below));
+  }
   const double angle_rad = p.angle_at_zero_rad + position_rad;
   const double length_m = std::sqrt(p.barrel_m * p.barrel_m + p.rod_m * p.rod_m -
                                     2 * p.barrel_m * p.rod_m * std::cos(angle_rad));
@@ -33,17 +40,17 @@ KinematicGainParameters KinematicGainOf(const Effects& effects) {
 
 KinematicGain::KinematicGain(const KinematicGainParameters& parameters)
     : parameters_(parameters), in_gap_rad_(0.5 * parameters.gap_rad) {
-  if (parameters_.rod_m > 0) reference_arm_m_ = LeverArm_m(parameters_, parameters_.reference_rad);
+  if (HasLever()) reference_arm_m_ = LeverArm_m(parameters_, parameters_.reference_rad);
 }
 
 double KinematicGain::Gain(double position_rad) const {
-  if (parameters_.rod_m <= 0) return 1;
+  if (!HasLever()) return 1;
   const double arm_m = LeverArm_m(parameters_, position_rad);
   return reference_arm_m_ / std::max(arm_m, reference_arm_m_ / kMostGain);
 }
 
 double KinematicGain::Step(double rate_radps, double position_rad, double dt_s) {
-  if (parameters_.rod_m > 0) rate_radps *= Gain(position_rad);
+  if (HasLever()) rate_radps *= Gain(position_rad);
   if (parameters_.gap_rad <= 0) return rate_radps;
   const double moved_rad = in_gap_rad_ + rate_radps * dt_s;
   in_gap_rad_ = std::clamp(moved_rad, 0.0, parameters_.gap_rad);

@@ -1,9 +1,12 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "physics/linkage.h"
 #include "physics/machine_fixture.h"
 #include "physics/slots/actuation.h"
 
@@ -87,6 +90,54 @@ TEST(ActuationChain, TheSameSeedGivesTheSameRunAndEachAxisItsOwnLosses) {
   EXPECT_EQ(rates(5, 0), rates(5, 0));
   EXPECT_NE(rates(5, 0), rates(6, 0));
   EXPECT_NE(rates(5, 0), rates(5, 1));
+}
+
+TEST(ActuationChain, AMachinesOwnCylindersExtendSteadily) {
+  // Boom by a triangle, bucket by a four-bar: their cylinders' lengths grow at one rate all along.
+  for (const char* joint : {"boom", "bucket"}) {
+    const MachineModel model = WithEffects(
+        ShippedMachine("tb235"), std::string(joint) + ": {cylinder_lever: {reference_rad: 0.1}}");
+    const auto axis = static_cast<std::size_t>(model.JointIndex(joint));
+    const auto cylinder =
+        std::find_if(model.cylinders.begin(), model.cylinders.end(),
+                     [&](const Cylinder& c) { return c.joint == static_cast<int>(axis); });
+    Actuation chain(model, {"m", 1});
+    std::vector<double> levers(model.joints.size() + 2);
+    std::vector<AxisMotion> motions(levers.size());
+    const auto rate_at = [&](double q_rad) {
+      levers[axis] = 0.4;
+      motions[axis].position_rad = q_rad;
+      chain.Step(levers, motions, kStep_s);
+      return chain.drives()[axis].rate_radps;
+    };
+    const double reference_radps = 0.4 * model.joints[axis].max_rate_positive_radps;
+    EXPECT_NEAR(rate_at(0.1), reference_radps, 1e-12);
+    const double steady_mps = reference_radps * ReachOf(model, *cylinder, 0.1).arm_m;
+    for (double q_rad = -0.6; q_rad < 0.8; q_rad += 0.13) {
+      const double change_m = ReachOf(model, *cylinder, q_rad + 1e-5).length_m -
+                              ReachOf(model, *cylinder, q_rad - 1e-5).length_m;
+      EXPECT_NEAR(rate_at(q_rad) * change_m / 2e-5, steady_mps, 1e-3 * std::abs(steady_mps));
+    }
+  }
+}
+
+TEST(ActuationChain, WhatCannotActIsReported) {
+  using testing::HasSubstr;
+  const auto fault = [](const std::string& effects,
+                        const std::vector<std::string>& overrides = {}) {
+    return FaultOfEffects(WithEffects(MachineFromText(kLiftArm, overrides), "lift: " + effects), 0);
+  };
+  EXPECT_THAT(fault("{cylinder_lever: {reference_rad: 0}}"), HasSubstr("no cylinder"));
+  EXPECT_THAT(fault("{cylinder_lever: {reference_rad: 0, rod_m: 1}}"), HasSubstr("both"));
+  EXPECT_THAT(fault("{cylinder_lever: {reference_rad: 0, barrel_m: 0.4, rod_m: 1}}"),
+              HasSubstr("dead centre"));
+  EXPECT_THAT(fault("{sag: {drift_radps: 0.1}}", {"joints.lift.max_effort_nm=0"}),
+              HasSubstr("full effort"));
+  EXPECT_THAT(fault("{end_cushion: {zone_rad: 0.1}}", {"joints.lift.limits_deg=[0, 0]"}),
+              HasSubstr("end stops"));
+  EXPECT_EQ(fault("{cylinder_lever: {reference_rad: 1, barrel_m: 0.4, rod_m: 1}, end_cushion: "
+                  "{zone_rad: 0.1}, sag: {drift_radps: 0.1}}"),
+            "");
 }
 
 /// All that the chain asks for while levers sway between measured neighbours.
