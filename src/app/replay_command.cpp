@@ -5,7 +5,6 @@
 #include "app/commands.h"
 #include "app/followed_run.h"
 #include "app/load_scenario.h"
-#include "dataset/recording.h"
 #include "sim/replay.h"
 
 namespace tera {
@@ -18,8 +17,9 @@ struct Arguments {
 
 void RunReplay(const Arguments& arguments) {
   const Recording recording(arguments.recording);
+  RequireSimulated(recording);
   LoadedScenario loaded = LoadScenario(arguments.recording / "scenario.yaml", {});
-  CommandAsRecorded(arguments.recording, &loaded.scenario);
+  CommandAsRecorded(recording, &loaded.scenario);
   loaded.resolved_yaml = recording.info().resolved_scenario_yaml;
   FollowRun(std::move(loaded), arguments.options);
 }

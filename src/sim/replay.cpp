@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/error.h"
-#include "dataset/recording.h"
 #include "sim/lever_replay.h"
 
 namespace tera {
@@ -43,14 +42,15 @@ std::unique_ptr<Operator> AsRecorded(const Recording& recording, const MachinePl
 
 }  // namespace
 
-void CommandAsRecorded(const std::filesystem::path& directory, Scenario* scenario) {
-  const Recording recording(directory);
-  if (!recording.info().simulated) {
-    throw InputError(fmt::format(
-        "{}: is a real recording; need a simulated one (a scenario replays real levers with "
-        "`operator: {{type: lever_replay}}`)",
-        directory.string()));
-  }
+void RequireSimulated(const Recording& recording) {
+  if (recording.info().simulated) return;
+  throw InputError(fmt::format(
+      "{}: is a real recording; need a simulated one (a scenario replays real levers with "
+      "`operator: {{type: lever_replay}}`)",
+      recording.directory().string()));
+}
+
+void CommandAsRecorded(const Recording& recording, Scenario* scenario) {
   for (ScenarioMachine& machine : scenario->machines) {
     machine.driver = AsRecorded(recording, machine.placement);
   }

@@ -208,6 +208,7 @@ TEST(BadInput, AFileThatIsNotThereIsRefusedByEveryCommand) {
     ExpectRefused(scratch, {"import-rig", name}, names_it);
     ExpectRefused(scratch, {"overview", name}, names_it);
     ExpectRefused(scratch, {"compare", name, name}, names_it);
+    ExpectRefused(scratch, {"replay", name, "--out", "run"}, names_it);
   }
 }
 
@@ -216,6 +217,7 @@ TEST(BadInput, AFolderThatIsNoDatasetIsNeitherComparedNorDrawn) {
   fs::create_directory(scratch.path() / "holiday");
   const auto message = HasSubstr("holiday: is not a complete recording (it has no dataset.yaml)");
   ExpectRefused(scratch, {"compare", "holiday", "holiday"}, message);
+  ExpectRefused(scratch, {"replay", "holiday", "--out", "run"}, message);
   ExpectRefused(scratch, {"overview", "holiday"}, message);
 }
 

@@ -39,6 +39,10 @@ TEST(RecordedDrive, TurningOnTheSpotIsSimulatedTheSameWayRound) {
                     ContainsRegex("RPE over 1 s +[0-9]"), ContainsRegex("imu wz_radps +[0-9]"),
                     ContainsRegex("wheels left_track_radps +[0-9]")));
 
+  const Outcome replay = RunTera({"replay", "real", "--out", "again"}, {scratch.path()});
+  EXPECT_EQ(replay.status, 2);
+  EXPECT_THAT(replay.err, HasSubstr("real: is a real recording; need a simulated one"));
+
   // A skid-steer vehicle turns by less than its wheels would have it.
   const double commanded_rad = 6.5;  // 1.67 rad/s for 3.9 s
   for (const auto& [recording, imu] :

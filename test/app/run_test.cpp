@@ -182,5 +182,23 @@ TEST_F(GenerateRun, FindsWhatAScenarioNamesFromAnyWorkingDirectory) {
   EXPECT_TRUE(AllFiles(path() / "there") == AllFiles(path() / "elsewhere/again"));
 }
 
+TEST_F(GenerateRun, IsReplayedFromItsCommandsToTheSameBytes) {
+  const auto whole = Whole();
+  const Outcome outcome = RunTera({"replay", "whole", "--out", "again"}, {path()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(AllFiles(path() / "again"), whole);
+}
+
+TEST_F(GenerateRun, OfOtherLeversThanItsCommandsIsNotReplayed) {
+  Whole();
+  const fs::path commands = path() / "whole/rover1/commands.csv";
+  const std::string text = ReadWholeFile(commands);
+  WriteWholeFile(commands, Edited(text, "left_track", "port_track"));
+  const Outcome outcome = RunTera({"replay", "whole", "--out", "again"}, {path()});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("the columns are not the levers of machine 'rover1'"));
+  EXPECT_FALSE(fs::exists(path() / "again"));
+}
+
 }  // namespace
 }  // namespace tera
