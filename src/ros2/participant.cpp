@@ -29,6 +29,8 @@ Qos QosOf(Delivery delivery) {
   switch (delivery) {
     case Delivery::kSensorData:
       return MakeQos(DDS_RELIABILITY_BEST_EFFORT, DDS_DURABILITY_VOLATILE, 5);
+    case Delivery::kLarge:
+      return MakeQos(DDS_RELIABILITY_RELIABLE, DDS_DURABILITY_VOLATILE, 2);
     case Delivery::kState:
       return MakeQos(DDS_RELIABILITY_RELIABLE, DDS_DURABILITY_VOLATILE, 10);
     case Delivery::kTransforms:
@@ -44,13 +46,16 @@ Qos QosOf(Delivery delivery) {
 
 constexpr int kLeverDepth = 10;
 
-/// Cyclone's settings, those of CYCLONEDDS_URI over ours. The loopback interface hardly ever says
-/// that it can multicast, though it can: participants of this host find each other by it, and by
-/// asking at one port after the other.
+/// Cyclone's settings, those of CYCLONEDDS_URI over ours. A writer's history is bounded by its
+/// depth alone: a reader that does not acknowledge keeps nothing from the others. The loopback
+/// interface hardly ever says that it can multicast, though it can: participants of this host find
+/// each other by it, and by asking at one port after the other.
 std::string Settings(bool this_host_only) {
-  std::string settings;
+  std::string settings =
+      "<Internal><Watermarks><WhcHigh>1GB</WhcHigh><WhcHighInit>1GB</WhcHighInit></Watermarks>"
+      "</Internal>";
   if (this_host_only) {
-    settings =
+    settings +=
         "<General><Interfaces><NetworkInterface address=\"127.0.0.1\" multicast=\"true\"/>"
         "</Interfaces><AllowMulticast>spdp</AllowMulticast></General>"
         "<Discovery><ParticipantIndex>auto</ParticipantIndex>"
@@ -59,7 +64,7 @@ std::string Settings(bool this_host_only) {
   }
   const char* uri = std::getenv("CYCLONEDDS_URI");
   if (uri == nullptr || *uri == '\0') return settings;
-  return settings.empty() ? uri : settings + "," + uri;
+  return settings + "," + uri;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace tera::ros {
 /// How a topic is delivered: ROS 2's quality of service for it.
 enum class Delivery {
   kSensorData,  ///< best effort, the last 5: what sensor drivers offer
+  kLarge,       ///< reliable, the last 2: pictures and scans, of which one lost part loses all
   kState,       ///< reliable, the last 10: ROS 2's default
   kTransforms,  ///< reliable, the last 100: /tf
   kLatched,     ///< reliable, the last one, also to who comes later: /tf_static

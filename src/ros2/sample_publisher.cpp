@@ -46,10 +46,10 @@ SamplePublisher::Channel SamplePublisher::ChannelOf(const std::string& folder) c
 
 template <typename M>
 void SamplePublisher::AddTopic(const std::string& folder, const std::string& below,
-                               Channel* channel) {
+                               Delivery delivery, Channel* channel) {
   std::string topic = TopicOf(MachineOf(folder), TopicOf(channel->sensor));
   if (!below.empty()) topic += "/" + below;
-  channel->topics[below] = participant_->Advertise<M>(topic, Delivery::kSensorData);
+  channel->topics[below] = participant_->Advertise<M>(topic, delivery);
 }
 
 ChannelId SamplePublisher::Add(Channel channel) {
@@ -59,13 +59,13 @@ ChannelId SamplePublisher::Add(Channel channel) {
 
 ChannelId SamplePublisher::AddImu(const std::string& folder, const std::string&) {
   Channel channel = ChannelOf(folder);
-  AddTopic<Imu>(folder, kOwn, &channel);
+  AddTopic<Imu>(folder, kOwn, Delivery::kSensorData, &channel);
   return Add(std::move(channel));
 }
 
 ChannelId SamplePublisher::AddGnss(const std::string& folder, const std::string&) {
   Channel channel = ChannelOf(folder);
-  AddTopic<NavSatFix>(folder, kFix, &channel);
+  AddTopic<NavSatFix>(folder, kFix, Delivery::kSensorData, &channel);
   return Add(std::move(channel));
 }
 
@@ -73,7 +73,7 @@ ChannelId SamplePublisher::AddEncoder(const std::string& folder, const std::stri
                                       const std::vector<EncoderAxis>& axes) {
   Channel channel = ChannelOf(folder);
   for (const EncoderAxis& axis : axes) channel.axes.push_back(axis.name);
-  AddTopic<JointState>(folder, kOwn, &channel);
+  AddTopic<JointState>(folder, kOwn, Delivery::kSensorData, &channel);
   return Add(std::move(channel));
 }
 
@@ -81,22 +81,22 @@ ChannelId SamplePublisher::AddCamera(const std::string& folder, const std::strin
   Channel channel = ChannelOf(folder);
   const CameraModel& camera = std::get<CameraModel>(channel.sensor.model);
   channel.frame_id = OpticalFrameOf(MachineOf(folder), channel.sensor.name);
-  AddTopic<CameraInfo>(folder, kCameraInfo, &channel);
-  if (camera.rgb) AddTopic<Image>(folder, kColour, &channel);
+  AddTopic<CameraInfo>(folder, kCameraInfo, Delivery::kLarge, &channel);
+  if (camera.rgb) AddTopic<Image>(folder, kColour, Delivery::kLarge, &channel);
   if (camera.depth) {
-    AddTopic<Image>(folder, kDepth, &channel);
-    AddTopic<CameraInfo>(folder, kDepthInfo, &channel);
+    AddTopic<Image>(folder, kDepth, Delivery::kLarge, &channel);
+    AddTopic<CameraInfo>(folder, kDepthInfo, Delivery::kLarge, &channel);
   }
   if (camera.labels) {
-    AddTopic<Image>(folder, kSemantic, &channel);
-    AddTopic<Image>(folder, kInstance, &channel);
+    AddTopic<Image>(folder, kSemantic, Delivery::kLarge, &channel);
+    AddTopic<Image>(folder, kInstance, Delivery::kLarge, &channel);
   }
   return Add(std::move(channel));
 }
 
 ChannelId SamplePublisher::AddLidar(const std::string& folder, const std::string&) {
   Channel channel = ChannelOf(folder);
-  AddTopic<PointCloud2>(folder, kPoints, &channel);
+  AddTopic<PointCloud2>(folder, kPoints, Delivery::kLarge, &channel);
   return Add(std::move(channel));
 }
 

@@ -61,7 +61,8 @@ class SamplePublisher : public MeasurementSink {
 
   Channel ChannelOf(const std::string& folder) const;
   template <typename M>
-  void AddTopic(const std::string& folder, const std::string& below, Channel* channel);
+  void AddTopic(const std::string& folder, const std::string& below, Delivery delivery,
+                Channel* channel);
   ChannelId Add(Channel channel);
   /// Sends `make()` at `at_ns` where somebody listens to the channel's topic.
   template <typename Make>

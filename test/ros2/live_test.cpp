@@ -167,8 +167,8 @@ Payload Require(const std::optional<Payload>& payload, const std::string& what) 
 TEST(LiveRos, OffersTheTopicsOfBothMachinesWithRosTypesAndQuality) {
   FastPeer peer(OwnDomainId());
   BackgroundRun run({});
-  const OfferedTopic image{"sensor_msgs::msg::dds_::Image_", false, false};
-  const OfferedTopic info{"sensor_msgs::msg::dds_::CameraInfo_", false, false};
+  const OfferedTopic image{"sensor_msgs::msg::dds_::Image_", true, false};
+  const OfferedTopic info{"sensor_msgs::msg::dds_::CameraInfo_", true, false};
   const OfferedTopic imu{"sensor_msgs::msg::dds_::Imu_", false, false};
   std::map<std::string, OfferedTopic> expected = {
       {"rt/clock", {"rosgraph_msgs::msg::dds_::Clock_", false, false}},
@@ -182,7 +182,7 @@ TEST(LiveRos, OffersTheTopicsOfBothMachinesWithRosTypesAndQuality) {
       {"rt/red/camera/depth/camera_info", info},
       {"rt/red/camera/semantic/image_raw", image},
       {"rt/red/camera/instance/image_raw", image},
-      {"rt/red/lidar/points", {"sensor_msgs::msg::dds_::PointCloud2_", false, false}},
+      {"rt/red/lidar/points", {"sensor_msgs::msg::dds_::PointCloud2_", true, false}},
       {"rt/red/encoders", {"sensor_msgs::msg::dds_::JointState_", false, false}},
       {"rt/blue/imu_arm", imu}};
   for (const std::string machine : {"rt/red/", "rt/blue/"}) {

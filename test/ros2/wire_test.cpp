@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cmath>
@@ -331,12 +332,15 @@ TEST_F(Wire, LatecomerGetsTheLastOfALatchedTopic) {
 
 TEST_F(Wire, OffersTheQualityOfServiceThatRosHas) {
   participant_.Advertise<ros::Imu>("/sensor", ros::Delivery::kSensorData);
+  participant_.Advertise<ros::Image>("/picture", ros::Delivery::kLarge);
   participant_.Advertise<ros::Odometry>("/state", ros::Delivery::kState);
   participant_.Advertise<ros::TfMessage>("/tf", ros::Delivery::kTransforms);
   participant_.Advertise<ros::TfMessage>("/tf_static", ros::Delivery::kLatched);
   participant_.Advertise<ros::Clock>("/clock", ros::Delivery::kClock);
   EXPECT_EQ(peer_.WaitForOffer("rt/sensor"),
             (OfferedTopic{"sensor_msgs::msg::dds_::Imu_", false, false}));
+  EXPECT_EQ(peer_.WaitForOffer("rt/picture"),
+            (OfferedTopic{"sensor_msgs::msg::dds_::Image_", true, false}));
   EXPECT_EQ(peer_.WaitForOffer("rt/state"),
             (OfferedTopic{"nav_msgs::msg::dds_::Odometry_", true, false}));
   EXPECT_EQ(peer_.WaitForOffer("rt/tf"),
