@@ -21,6 +21,9 @@ using internal::ValueIn;
 
 namespace {
 
+/// In the place of a mapping: takes away what the layers below have.
+constexpr char kNothing[] = "none";
+
 /// Layers of the mapping at `key`: the overlaying patches and every layer's own mapping.
 std::vector<Layer> LayersOf(ConfigNode& node, std::string_view key) {
   node.asked.emplace(key);
@@ -30,6 +33,8 @@ std::vector<Layer> LayersOf(ConfigNode& node, std::string_view key) {
     if (!value) continue;
     if (value->IsMap()) {
       layers.push_back({*value, layer.file, layer.directory});
+    } else if (!layers.empty() && value->IsScalar() && value->Scalar() == kNothing) {
+      break;  // it takes away what lies below, and was overlaid itself
     } else {
       AddFault(node, key, Found{*value, &layer},
                fmt::format("{} found, need a mapping of keys", Shown(*value)));

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/check.h"
+#include "core/error.h"
 #include "dataset/sink_group.h"
 #include "dataset/writer.h"
 #include "sim/run.h"
@@ -38,9 +39,14 @@ struct LiveRun::Impl {
         operators(TakeOver(&scenario)),
         assembly(scenario),
         recorder(RecorderOf(scenario, resolved_yaml, assembly.model(), options)),
-        group(AllSinks(std::move(sinks))),
-        run(&scenario, assembly, options.egl, options.threads, &group) {
-    if (recorder) WriteTerrain("truth/terrain/height_start.tif");
+        group(AllSinks(std::move(sinks))) {
+    try {
+      run = std::make_unique<Run>(&scenario, assembly, options.egl, options.threads, &group);
+      if (recorder) WriteTerrain("truth/terrain/height_start.tif");
+    } catch (const InputError&) {
+      if (recorder) recorder->Discard();
+      throw;
+    }
   }
 
   std::vector<MeasurementSink*> AllSinks(std::vector<MeasurementSink*> sinks) {
@@ -57,7 +63,7 @@ struct LiveRun::Impl {
   SceneAssembly assembly;
   std::unique_ptr<DatasetWriter> recorder;
   SinkGroup group;
-  Run run;
+  std::unique_ptr<Run> run;
 };
 
 LiveRun::LiveRun(Scenario scenario, const std::string& resolved_yaml, const LiveOptions& options,
@@ -74,10 +80,10 @@ void LiveRun::Command(std::size_t machine, const ControlMessage& message) {
   impl_->operators[machine]->Receive(simulation().state().t_ns, message);
 }
 
-void LiveRun::Step() { impl_->run.Step(); }
+void LiveRun::Step() { impl_->run->Step(); }
 
 void LiveRun::Finish() {
-  impl_->run.Finish();
+  impl_->run->Finish();
   if (!impl_->recorder) return;
   impl_->WriteTerrain("truth/terrain/height_end.tif");
   impl_->recorder->SetDuration(ToSeconds(simulation().state().t_ns));
@@ -86,6 +92,6 @@ void LiveRun::Finish() {
 
 const Scenario& LiveRun::scenario() const { return impl_->scenario; }
 
-const Simulation& LiveRun::simulation() const { return impl_->run.simulation(); }
+const Simulation& LiveRun::simulation() const { return impl_->run->simulation(); }
 
 }  // namespace tera

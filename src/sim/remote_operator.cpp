@@ -100,8 +100,10 @@ std::vector<double> RemoteOperator::HoldRates(const OperatorView& view,
   for (std::size_t i = 0; i < levers.size(); ++i) {
     const Lever& lever = model.levers[i];
     if (lever.gear >= 0) {
-      const double full_radps = model.gear_drives[lever.gear].max_rate_radps;
-      levers[i] = full_radps > 0 ? std::clamp(rates_radps[i] / full_radps, -1.0, 1.0) : 0.0;
+      const GearDrive& drive = model.gear_drives[lever.gear];
+      const double most = message_->high_speed ? 1.0 : drive.low_speed_ratio;
+      const double full_radps = drive.max_rate_radps;
+      levers[i] = full_radps > 0 ? std::clamp(rates_radps[i] / full_radps, -most, most) : 0.0;
     } else if (lever.joint >= 0) {
       const double q_rad = view.state.q_rad[lever.joint];
       double& held_rad = held_q_rad_[i];
@@ -159,11 +161,12 @@ std::vector<double> RemoteOperator::Levers(const OperatorView& view) {
   }
   std::vector<double> levers = LeversFor(view);
   last_ns_ = view.t_ns;
+  if (message_->high_speed || !std::holds_alternative<ControlMessage::Levers>(message_->command)) {
+    return levers;
+  }
   for (std::size_t i = 0; i < levers.size(); ++i) {
     const int gear = view.model.levers[i].gear;
-    if (gear >= 0 && !message_->high_speed) {
-      levers[i] *= view.model.gear_drives[gear].low_speed_ratio;
-    }
+    if (gear >= 0) levers[i] *= view.model.gear_drives[gear].low_speed_ratio;
   }
   return levers;
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 
 namespace tera {
 namespace {
@@ -26,7 +27,7 @@ bool Carries(const MachineModel& model, int joint, int link) {
   return false;
 }
 
-/// Motion of the frame's origin `p_B_m` for a unit rate of `joint`, in B.
+/// Motion of the frame's origin `p_W_m` for a unit rate of `joint`, in B.
 Twist Column(const MachineModel& model, const MachineState& state, int joint, const Vec3& p_W_m,
              const Mat3& R_WB) {
   const Joint& j = model.joints[joint];
@@ -57,7 +58,9 @@ std::vector<double> ToolRates(const MachineModel& model, const MachineState& sta
   }
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(6, static_cast<int>(joints.size()));
   for (std::size_t k = 0; k < joints.size(); ++k) {
-    if (!Carries(model, joints[k], frame.link)) continue;
+    const Joint& j = model.joints[joints[k]];
+    const bool driven = j.max_rate_positive_radps > 0 && j.max_rate_negative_radps > 0;
+    if (!driven || !Carries(model, joints[k], frame.link)) continue;
     jacobian.col(static_cast<int>(k)) =
         Column(model, state, joints[k], X_WF.translation(), state.links[0].X_WB.linear());
   }
@@ -71,7 +74,7 @@ std::vector<double> ToolRates(const MachineModel& model, const MachineState& sta
     const Joint& j = model.joints[joints[k]];
     const double rate = rates[static_cast<int>(k)];
     const double full = rate > 0 ? j.max_rate_positive_radps : j.max_rate_negative_radps;
-    if (std::abs(rate) > full) slowest = std::min(slowest, full / std::abs(rate));
+    if (full > 0 && std::abs(rate) > full) slowest = std::min(slowest, full / std::abs(rate));
   }
   std::vector<double> scaled(rates.data(), rates.data() + rates.size());
   for (double& rate : scaled) rate *= slowest;

@@ -126,7 +126,7 @@ void ShakeAtRandom(int seed, double length_s) {
   }
   const double mass_kg = scenario.soil->ledger().total_kg();
   fmt::print(
-      "seed {}, {:.0f} s: kinetic energy up to {:.0f} J, tilt up to {:.0f} deg, lowest frame "
+      "seed {}, {:.0f} s: kinetic energy up to {:.0f} J, tilt up to {:.0f} deg, undercarriage "
       "{:.2f} "
       "m above ground at the lowest, soil lost {:.1g} of it; {:.1f} x real time\n",
       seed, length_s, most_j, steepest_rad / kDeg, lowest_m,

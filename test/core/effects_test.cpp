@@ -61,6 +61,23 @@ TEST(Effects, OfAScenarioLieOverThoseOfTheMachineAndCanTakeThemAway) {
   EXPECT_EQ(effects[0]["width"], 0.1);
 }
 
+TEST(Effects, GivenAgainAboveATakingAwayStartAfresh) {
+  const std::filesystem::path& folder = OwnFolder();
+  std::ofstream(folder / "base.yaml")
+      << "effects: {boom: {dead_band: {width: 0.2}, lag: {time_s: 1}}}\n";
+  std::ofstream(folder / "take.yaml") << "effects: {boom: {dead_band: none, lag: none}}\n";
+  std::ofstream(folder / "give.yaml") << "effects: {boom: {dead_band: {width: 0.3}, lag: {}}}\n";
+  const Config config =
+      Config::FromFile(folder / "base.yaml", {},
+                       {{folder / "take.yaml", "effects"}, {folder / "give.yaml", "effects"}});
+  const Effects effects =
+      ReadEffects(config.root().Map("effects").Map("boom"), EffectTarget::kJoint, Library());
+  config.Finish();
+  ASSERT_EQ(effects.size(), 2u);
+  EXPECT_EQ((*FindEffect(effects, "dead_band"))["width"], 0.3);
+  EXPECT_EQ((*FindEffect(effects, "lag"))["time_s"], 0.25);  // not the 1 s that was taken away
+}
+
 TEST(Effects, ReportWhatIsUnknownMissingOrOutOfRange) {
   EXPECT_THAT(FaultOf("effects: {boom: {dead_bend: {width: 0.2}}}"),
               HasSubstr("effects.boom.dead_bend: unknown key (did you mean 'dead_band'?)"));

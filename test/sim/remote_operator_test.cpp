@@ -112,6 +112,15 @@ TEST_F(RemoteOperatorTest, DrivesSlowlyInLowSpeed) {
   EXPECT_NEAR(state().gear_rate_radps[0], 2.6 / 3.6 / 0.25, 0.05);
 }
 
+TEST_F(RemoteOperatorTest, TurnsSprocketsAtTheRatesAskedForUpToThoseOfTheSpeedChosen) {
+  ControlMessage message{
+      .command = ControlMessage::JointRates{ByLever({{"left_track", 2.0}, {"right_track", 4.5}})}};
+  message.high_speed = false;
+  Drive(message, 3.0);
+  EXPECT_NEAR(state().gear_rate_radps[0], 2.0, 0.05);
+  EXPECT_NEAR(state().gear_rate_radps[1], 2.6 / 3.6 / 0.25, 0.05);  // the low speed's limit
+}
+
 TEST_F(RemoteOperatorTest, StandsWhenLockedOrNotEnabled) {
   const auto moving = ByLever({{"slew", 1.0}, {"boom", -0.5}});
   ControlMessage message{.command = ControlMessage::Levers{moving}};

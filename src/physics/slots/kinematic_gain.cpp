@@ -17,8 +17,11 @@ double LeverArm_m(const KinematicGainParameters& p, double position_rad) {
     return std::lerp(p.arms_m[below], p.arms_m[below + 1], place - static_cast<double>(below));
   }
   const double angle_rad = p.angle_at_zero_rad + position_rad;
-  const double length_m = std::sqrt(p.barrel_m * p.barrel_m + p.rod_m * p.rod_m -
-                                    2 * p.barrel_m * p.rod_m * std::cos(angle_rad));
+  // The law of cosines, in a form that no rounding makes negative.
+  const double half = std::sin(0.5 * angle_rad), difference_m = p.barrel_m - p.rod_m;
+  const double length_m =
+      std::sqrt(difference_m * difference_m + 4 * p.barrel_m * p.rod_m * half * half);
+  if (length_m == 0) return 0;  // both pins at one place
   return p.barrel_m * p.rod_m * std::abs(std::sin(angle_rad)) / length_m;
 }
 

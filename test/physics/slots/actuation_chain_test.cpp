@@ -129,6 +129,9 @@ TEST(ActuationChain, WhatCannotActIsReported) {
   };
   EXPECT_THAT(fault("{cylinder_lever: {reference_rad: 0}}"), HasSubstr("no cylinder"));
   EXPECT_THAT(fault("{cylinder_lever: {reference_rad: 0, rod_m: 1}}"), HasSubstr("both"));
+  // Pins at one place, where the triangle has no angle.
+  EXPECT_THAT(fault("{cylinder_lever: {reference_rad: 0, barrel_m: 0.5, rod_m: 0.5}}"),
+              HasSubstr("dead centre"));
   EXPECT_THAT(fault("{cylinder_lever: {reference_rad: 0, barrel_m: 0.4, rod_m: 1}}"),
               HasSubstr("dead centre"));
   EXPECT_THAT(fault("{sag: {drift_radps: 0.1}}", {"joints.lift.max_effort_nm=0"}),
