@@ -89,6 +89,7 @@ TEST(Check, PrintsTheRigAsATable) {
 
 TEST(Check, FindsEveryShippedScenarioValid) {
   for (const auto& file : fs::directory_iterator(TERA_SOURCE_DIR "/config/scenarios")) {
+    if (file.path().extension() != ".yaml") continue;  // levers that scenarios replay
     const Outcome outcome = RunTera({"check", file.path()}, {fs::temp_directory_path()});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_THAT(outcome.out, testing::EndsWith("valid\n"));
