@@ -1,5 +1,6 @@
 """One machine of a scenario as an environment in Gymnasium's form."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -58,17 +59,17 @@ class Env(EnvBase):
         self._reward, self._terminated = reward, terminated
         try:
             self._choose(machine, sensors, tool_frame)
+            self._observe = messages.Observe(
+                sensors=[messages.SensorSelection(machine=self.machine.name, sensor=name, latest_only=not all_frames)
+                         for name in self._sensors])
+            if patch:
+                self._observe.patches.add(machine=self.machine.name, shovel=patch.shovel, size_m=patch.size_m,
+                                          resolution_m=patch.resolution_m)
+            self.action_space = self._action_space()
+            self.observation_space = self._observation_space()
         except BaseException:
             self.close()
             raise
-        self._observe = messages.Observe(
-            sensors=[messages.SensorSelection(machine=self.machine.name, sensor=name, latest_only=not all_frames)
-                     for name in self._sensors])
-        if patch:
-            self._observe.patches.add(machine=self.machine.name, shovel=patch.shovel, size_m=patch.size_m,
-                                      resolution_m=patch.resolution_m)
-        self.action_space = self._action_space()
-        self.observation_space = self._observation_space()
 
     def _choose(self, machine, sensors, tool_frame):
         description = self.session.description
@@ -172,7 +173,7 @@ class Env(EnvBase):
                   "base_position_W_m": free(3), "base_rotation_WB": free(4), "base_twist": free(6),
                   "shovel_load_kg": free(len(machine.shovels))}
         if self._patch:
-            n = round(self._patch.size_m / self._patch.resolution_m) + 1
+            n = math.floor(self._patch.size_m / self._patch.resolution_m + 0.5) + 1
             spaces["terrain_m"] = Box(-np.inf, np.inf, (n, n), np.float32)
         for sensor in self._sensors.values():
             spaces.update(_sensor_spaces(sensor))

@@ -46,6 +46,7 @@ class Session:
             raise SessionEnded(grpc.StatusCode.UNAVAILABLE, f"no server answers at {address}") from None
         self._requests = queue.SimpleQueue()
         self._sequence = 0
+        self._waiting = False
         self._responses = service.SimulationStub(self._channel).Session(iter(self._requests.get, None))
         try:
             self.welcome = self.ask(hello=messages.Hello(protocol=PROTOCOL, client=client)).welcome
@@ -58,12 +59,17 @@ class Session:
         """The response to a request of the given kind: `ask(step=messages.Step(physics_steps=5))`."""
         self._sequence += 1
         self._requests.put(messages.Request(sequence=self._sequence, **kind))
+        self._waiting = True
         try:
             response = next(self._responses)
         except StopIteration:
             raise SessionEnded(grpc.StatusCode.OK, "the session is closed") from None
         except grpc.RpcError as error:
             raise SessionEnded(error.code(), error.details()) from None
+        except BaseException:  # Ctrl-C: its answer would be taken for that of the next request
+            self._responses.cancel()
+            raise
+        self._waiting = False
         if response.WhichOneof("kind") == "refusal":
             raise Refused(response.refusal.message)
         return response
@@ -80,6 +86,8 @@ class Session:
     def close(self):
         """Ends the session and waits until the server is free for the next."""
         self._requests.put(None)
+        if self._waiting:
+            self._responses.cancel()
         try:
             for _ in self._responses:
                 pass

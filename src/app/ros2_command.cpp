@@ -28,7 +28,7 @@ struct Arguments {
   std::optional<std::string> record;
   bool localhost_only = false;
   ros::LiveRosOptions options;
-  std::vector<std::string> set;
+  std::vector<std::string> set, effects;
 };
 
 /// While it lives, the first Ctrl-C or SIGTERM is a request to end, the second ends the program.
@@ -90,7 +90,7 @@ void PrintReport(const ros::LiveRosReport& report) {
 void RunRos2(const Arguments& arguments) {
   std::vector<std::string> overrides = arguments.set;
   if (arguments.seed) overrides.push_back(fmt::format("seed={}", *arguments.seed));
-  LoadedScenario loaded = LoadScenario(arguments.scenario, overrides);
+  LoadedScenario loaded = LoadScenario(arguments.scenario, overrides, arguments.effects);
 
   ros::LiveRosOptions options = arguments.options;
   options.dds.domain_id = arguments.domain_id ? *arguments.domain_id : DomainOfEnvironment();
@@ -153,6 +153,10 @@ void AddRos2Command(CLI::App* app) {
   command
       ->add_option("--set", arguments->set,
                    "key.path=value instead of the scenario's; may be repeated")
+      ->take_all();
+  command
+      ->add_option("--effects", arguments->effects,
+                   "File with effects to lay over the scenario's; may be repeated")
       ->take_all();
   command->callback([arguments] { RunRos2(*arguments); });
 }

@@ -24,7 +24,8 @@ struct Arguments {
   StageOptions stage{.threads =
                          static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))};
   std::optional<std::string> record;
-  std::vector<std::string> set;
+  std::optional<std::uint64_t> seed;
+  std::vector<std::string> set, effects;
 };
 
 /// Ctrl-C and SIGTERM, kept from all threads that are started while it lives and waited for by one.
@@ -59,7 +60,9 @@ ScenarioSource SourceOf(const std::string& resolved_yaml, const std::string& nam
 }
 
 void RunServe(const Arguments& arguments) {
-  const LoadedScenario loaded = LoadScenario(arguments.scenario, arguments.set);
+  std::vector<std::string> overrides = arguments.set;
+  if (arguments.seed) overrides.push_back(fmt::format("seed={}", *arguments.seed));
+  const LoadedScenario loaded = LoadScenario(arguments.scenario, overrides, arguments.effects);
   StageOptions options = arguments.stage;
   if (arguments.record) options.record = *arguments.record;
   const Server::Log log = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
@@ -90,6 +93,10 @@ void AddServeCommand(CLI::App* app) {
       ->capture_default_str();
   command->add_option("--record", arguments->record,
                       "Folder in which each episode becomes a dataset, episode_0001 and so on");
+  command
+      ->add_option("--seed", arguments->seed,
+                   "Seed of a reset that names none, instead of the scenario's")
+      ->check(CLI::NonNegativeNumber);
   command->add_option("--threads", arguments->stage.threads, "Threads for rays and encoding")
       ->check(CLI::Range(1, 256));
   command
@@ -99,6 +106,10 @@ void AddServeCommand(CLI::App* app) {
   command
       ->add_option("--set", arguments->set,
                    "key.path=value instead of the scenario's; may be repeated")
+      ->take_all();
+  command
+      ->add_option("--effects", arguments->effects,
+                   "File with effects to lay over the scenario's; may be repeated")
       ->take_all();
   command->callback([arguments] { RunServe(*arguments); });
 }

@@ -10,6 +10,9 @@
 namespace tera::ros {
 namespace {
 
+/// Ends the frame of a camera's picture.
+constexpr char kOptical[] = "_optical";
+
 bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
 bool IsRosName(const std::string& name) {
@@ -27,20 +30,23 @@ void RequireRosName(const std::string& kind, const std::string& name) {
 }
 
 void RequireDistinct(const ScenarioMachine& machine) {
-  std::set<std::string> frames, topics;
+  std::set<std::string> frames;
+  std::set<std::string> topics = {"odom", "joint_states", "ee_pose", "bucket_mass", "delta_can"};
   for (const Link& link : machine.placement.model.links) frames.insert(link.name);
   for (const SensorDescription& sensor : machine.sensors) {
-    if (!sensor.link.empty() && !frames.insert(sensor.name).second) {
+    const bool camera = std::holds_alternative<CameraModel>(sensor.model);
+    if ((!sensor.link.empty() && !frames.insert(sensor.name).second) ||
+        (camera && !frames.insert(sensor.name + kOptical).second)) {
       throw InputError(
-          fmt::format("sensor '{}' of machine '{}' and the link of that name would be "
+          fmt::format("sensor '{}' of machine '{}' and a link or sensor of that name would be "
                       "one frame; need another name for the sensor",
                       sensor.name, machine.placement.name));
     }
     if (!topics.insert(TopicOf(sensor)).second) {
-      throw InputError(
-          fmt::format("two sensors of machine '{}' would publish at '{}'; need "
-                      "another name for one",
-                      machine.placement.name, TopicOf(sensor)));
+      throw InputError(fmt::format(
+          "sensor '{}' of machine '{}' would publish at '{}', which is taken by another "
+          "sensor or by the machine itself; need another name for the sensor",
+          sensor.name, machine.placement.name, TopicOf(sensor)));
     }
   }
 }
@@ -58,7 +64,7 @@ std::string FrameOf(const std::string& machine, const std::string& part) {
 }
 
 std::string OpticalFrameOf(const std::string& machine, const std::string& camera) {
-  return FrameOf(machine, camera) + "_optical";
+  return FrameOf(machine, camera + kOptical);
 }
 
 std::string TopicOf(const SensorDescription& sensor) {

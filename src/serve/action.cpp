@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <vector>
 
 #include "core/error.h"
@@ -11,14 +12,21 @@
 namespace tera {
 namespace {
 
+/// A quaternion is a rotation when its length is 1 to within what a sender rounds.
+constexpr double kUnitTolerance = 1e-4;
+
 ControlMessage::ToolPose ToolPoseOf(const v1::ToolPose& pose) {
   ControlMessage::ToolPose command;
   command.frame = pose.frame();
   command.target.p_BF_m = Vec3Of(pose.position_b_m());
   if (pose.has_rotation_b()) {
     const v1::Quaternion& q = pose.rotation_b();
-    // Not normalised: what is no rotation is found by FaultOf.
-    command.target.R_BF = Quat(q.w(), q.x(), q.y(), q.z()).toRotationMatrix();
+    const Quat rotation(q.w(), q.x(), q.y(), q.z());
+    if (!(std::abs(rotation.norm() - 1) <= kUnitTolerance)) {
+      throw InputError(fmt::format("the quaternion of tool frame '{}' has length {}, need 1",
+                                   pose.frame(), rotation.norm()));
+    }
+    command.target.R_BF = rotation.normalized().toRotationMatrix();
   }
   return command;
 }

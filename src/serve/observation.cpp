@@ -84,9 +84,13 @@ bool IsFrame(const SensorDescription& sensor) {
 void CheckSize(double bytes, double duration_s) {
   if (bytes <= static_cast<double>(kLargestSamples_bytes)) return;
   throw InputError(
-      fmt::format("the samples of {} s may take {:.0f} MB, need at most {:.0f} MB; ask for the "
-                  "latest pictures and scans alone, or take shorter steps",
+      fmt::format("samples of {} s and terrain may take {:.0f} MB, need at most {:.0f} MB; ask for "
+                  "the latest pictures and scans alone, fewer patches, or take shorter steps",
                   duration_s, 1e-6 * bytes, 1e-6 * static_cast<double>(kLargestSamples_bytes)));
+}
+
+double PatchBytes(const PatchPlan& plan) {
+  return sizeof(float) * static_cast<double>(plan.n) * static_cast<double>(plan.n);
 }
 
 void PutPatch(const PatchPlan& plan, const MachineModel& model, const MachineState& state,
@@ -151,10 +155,11 @@ std::size_t MachineIndex(const Scenario& scenario, const std::string& name) {
 ObservationPlan PlanObservation(const v1::Observe& observe, const Scenario& scenario,
                                 double duration_s) {
   ObservationPlan plan;
+  double bytes = 0;
   for (const v1::PatchSelection& patch : observe.patches()) {
     plan.patches.push_back(PlanPatch(patch, scenario));
+    bytes += PatchBytes(plan.patches.back());
   }
-  double bytes = 0;
   std::set<std::string> named;
   for (const v1::SensorSelection& selection : observe.sensors()) {
     const auto& sensors = scenario.machines[MachineIndex(scenario, selection.machine())].sensors;

@@ -373,6 +373,9 @@ TEST(RosNames, NamesThatRosDoesNotHaveAreRefused) {
   EXPECT_THAT(fault("name: eye", "name: eye-2"), HasSubstr("sensor 'eye-2'"));
   EXPECT_THAT(fault("name: eye", "name: upper"), HasSubstr("sensor 'upper'"));
   EXPECT_THAT(fault("name: eye", "name: gps_left"), HasSubstr("'gps_left'"));
+  for (const char* own : {"odom", "joint_states", "ee_pose", "bucket_mass", "delta_can"}) {
+    EXPECT_THAT(fault("name: eye", std::string("name: ") + own), HasSubstr(own));
+  }
 }
 
 }  // namespace

@@ -326,6 +326,12 @@ TEST_F(LiveStageTest, RefusesWhatCannotBeDoneAndChangesNothing) {
   step.add_actions()->set_machine("digger");
   step.mutable_actions(0)->mutable_tool_pose()->set_frame("nose");
   ExpectRefused(step, "no frame 'nose'");
+  v1::ToolPose& pose = *step.mutable_actions(0)->mutable_tool_pose();
+  pose.set_frame("bucket_tip");
+  pose.mutable_rotation_b();  // all 0, as an empty message is
+  ExpectRefused(step, "the quaternion of tool frame 'bucket_tip' has length 0, need 1");
+  pose.mutable_rotation_b()->set_w(5);
+  ExpectRefused(step, "has length 5, need 1");
   EXPECT_EQ(Step(StepOf(1)).time_ns(), 2'000'000);
 }
 
@@ -347,7 +353,7 @@ TEST_F(LiveStageTest, RefusesObservationsThatCannotBeMade) {
   step = with("lidar");
   step.clear_physics_steps();
   step.set_duration_s(3000);
-  ExpectRefused(step, "MB; ask for the latest pictures and scans alone, or take shorter steps");
+  ExpectRefused(step, "MB; ask for the latest pictures and scans alone, fewer patches");
   const auto patch = [](double size_m, double resolution_m, const std::string& shovel) {
     v1::Step with_patch = StepOf(1);
     v1::PatchSelection& selection = *with_patch.mutable_observe()->add_patches();
@@ -364,6 +370,12 @@ TEST_F(LiveStageTest, RefusesObservationsThatCannotBeMade) {
   ExpectRefused(patch(4, 5, ""), "resolution of 5 m");
   ExpectRefused(patch(100, 0.01, ""), "at most 1024 vertices");
   ExpectRefused(patch(4, 0.1, "spoon"), "named 'spoon'; need one of: bucket");
+  // 4 MiB each; a request for them is small.
+  v1::Step many = patch(102.3, 0.1, "");
+  for (int i = 1; i < 100; ++i) {
+    *many.mutable_observe()->add_patches() = many.observe().patches(0);
+  }
+  ExpectRefused(many, "fewer patches");
   EXPECT_EQ(Step(StepOf(1)).time_ns(), 2'000'000);
 }
 
