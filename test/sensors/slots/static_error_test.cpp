@@ -222,6 +222,17 @@ TEST(StaticErrors, FloatSolutionsTakeTheirShareOfTimeAndSaySo) {
   EXPECT_NEAR(std::sqrt(up_squares / episodes), 0.6, 0.6 * 0.125);
 }
 
+TEST(StaticErrors, AReceiverWithoutCarrierPhaseHasNoFixedSolutionToLose) {
+  GnssSlots slots(Given(EffectTarget::kGnss, "{float_jump: {interval_s: 0.1}}"), 3, "m/gnss");
+  for (int k = 0; k < 50; ++k) {
+    GnssSample sample = FixAt({1, 2, 3}, 0.1 * k);
+    sample.fix = GnssFix::kSingle;
+    slots.Apply({}, kSite, &sample);
+    EXPECT_EQ(sample.fix, GnssFix::kSingle);
+    EXPECT_EQ(sample.enu_m, Vec3(1, 2, 3));
+  }
+}
+
 TEST(StaticErrors, AReceiverWithoutAFixHasNothingToSpoil) {
   GnssSlots slots(Given(EffectTarget::kGnss,
                         "{position_datum: {east_m: 10}, float_jump: {interval_s: 0.1}, "
