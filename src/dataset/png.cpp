@@ -69,6 +69,8 @@ Image<T> FromMat(const cv::Mat& mat) {
 
 }  // namespace
 
+void PreparePng() { TERA_CHECK(cv::haveImageWriter(".png"), "OpenCV"); }
+
 std::string EncodeRgbPng(const Image<std::uint8_t>& rgb) {
   TERA_CHECK(rgb.channels == 3, rgb.channels);
   cv::Mat bgr;

@@ -8,6 +8,11 @@
 
 namespace tera {
 
+/// Makes the codecs ready, before the first thread that encodes is started. OpenCV's first use of
+/// them registers the drivers of GDAL, which is no safe thing to do while another thread registers
+/// them too, for a GeoTIFF.
+void PreparePng();
+
 // Lossless PNG of each kind of image of a camera.
 std::string EncodeRgbPng(const Image<std::uint8_t>& rgb);
 std::string EncodeGreyPng(const Image<std::uint8_t>& grey);

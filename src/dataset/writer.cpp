@@ -241,6 +241,7 @@ DatasetWriter::DatasetWriter(const fs::path& directory, const DatasetInfo& info,
   impl_->root = IncompleteOf(directory);
   impl_->info = info;
   impl_->Begin(options.resume);
+  PreparePng();
   impl_->queue = std::make_unique<FrameQueue>(options.threads, options.queue_length);
 }
 
