@@ -9,13 +9,11 @@
 /// What a URDF says of its drives.
 ///
 /// Model   a transmission joins one actuator to one joint: joint rate = actuator rate /
-/// |reduction|,
-///         joint effort = actuator effort * |reduction|. Of all limits given for a joint (its own,
-///         its actuator's, its command interface's) the narrowest holds. Where a URDF names drives
-///         at all, joints without one swing freely.
+///         |reduction|, joint effort = actuator effort * |reduction|. Of all limits given for a
+///         joint (its own, its actuator's, its command interface's) the narrowest holds. Where a
+///         URDF names drives at all, joints without one swing freely.
 /// Omits   differential and four-bar transmissions, offsets, what an interface commands (a lever
-/// asks
-///         for a rate, whether the robot takes positions, velocities or efforts).
+///         asks for a rate, whether the robot takes positions, velocities or efforts).
 /// Source  ROS wiki, urdf/Transmission; ROS 2 control, "Hardware components" and "Transmissions".
 
 namespace tera {

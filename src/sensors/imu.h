@@ -42,8 +42,7 @@ ImuModel ReadImuModel(const ConfigMap& config);
 ///         them add no noise. At its own time a_WB agrees with them to the second order in the
 ///         step.
 /// Omits   Earth's rotation (15 deg/h about the pole, more than the bias instability of a good
-/// unit)
-///         and its Coriolis acceleration; the change of gravity with place. Cross-axis and
+///         unit) and its Coriolis acceleration; the change of gravity with place. Cross-axis and
 ///         g-sensitivity. (Scale, temperature, saturation, quantisation, vibration: ImuErrors.)
 /// Source  IEEE Std 952-1997 (noise terms); Titterton and Weston 2004, ch. 11 (integration).
 class Imu {

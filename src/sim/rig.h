@@ -34,8 +34,7 @@ inline constexpr char kMultipathBoom[] = "boom", kMultipathSlew[] = "slew";
 ///         A sample due between two steps is taken from the state interpolated between them; the
 ///         terrain is that of the later step. A lidar's revolution is traced when it is complete.
 /// Omits   motion of the ground within a revolution or an exposure: one terrain stands for each,
-/// for
-///         a revolution that of its end; exposure time: a picture is of one instant.
+///         for a revolution that of its end; exposure time: a picture is of one instant.
 class Rig {
  public:
   /// Keeps references to `assembly` and `sink`. The rasterizer and the ray scene are made only if

@@ -11,14 +11,12 @@ namespace tera {
 ///
 /// Frames  the tangent plane at `origin`: x east, y north, z up, as in W.
 /// Model   the file's heights, bilinear between its pixels, looked up on a grid of the tangent
-/// plane
-///         through the file's reference system, so that meridian convergence, scale and datum are
-///         accounted for; the ellipsoid's drop below the plane, x^2 / 2N + y^2 / 2M, is taken off.
-///         Where the turned grid reaches over the file's border, the border's height goes on.
+///         plane through the file's reference system, so that meridian convergence, scale and datum
+///         are accounted for; the ellipsoid's drop below the plane, x^2 / 2N + y^2 / 2M, is taken
+///         off. Where the turned grid reaches over the file's border, the border's height goes on.
 ///         Heights in the file are taken as above the WGS 84 ellipsoid.
 /// Omits   the geoid: a file of heights above sea level puts the site's origin too low or too high
-/// by
-///         the geoid's height there, alike for the whole site, which only GNSS heights show; the
+///         by the geoid's height there, alike for the whole site, which only GNSS heights show; the
 ///         deviation of plumb lines from each other (7 mm sideways at 300 m for 150 m of height).
 /// Source  Snyder 1987, "Map projections", for convergence and scale.
 struct ElevationGrid {

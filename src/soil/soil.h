@@ -16,9 +16,8 @@ namespace tera {
 /// Mechanical and visible properties of one soil.
 ///
 /// Source  values of the shipped soils: see the notes in config/soils/; parameters as in McKyes
-/// 1985
-///         (cutting), Bekker 1969 and Wong 2008 (pressure and sinkage), Janosi and Hanamoto 1961
-///         (shear).
+///         1985 (cutting), Bekker 1969 and Wong 2008 (pressure and sinkage), Janosi and Hanamoto
+///         1961 (shear).
 struct SoilType {
   std::string name;
   double bank_density_kgpm3 = 0;  ///< undisturbed
@@ -65,8 +64,7 @@ struct SiteOrigin {
 ///
 /// Frames  W; tools in the frames of their links, as in GroundTools.
 /// Model   columns of bank, compacted crust and loose soil that keep mass; tools cut, carry, push
-/// and
-///         dump, tracks press ruts, slopes steeper than repose flow. Forces by the fundamental
+///         and dump, tracks press ruts, slopes steeper than repose flow. Forces by the fundamental
 ///         earthmoving equation and by pressure-sinkage. docs/soil.md says each in full.
 /// Omits   layers of different soil, water that moves, time in the air, flow inside the bucket.
 /// Source  Reece 1964; McKyes 1985; Bekker 1969; Janosi and Hanamoto 1961; Culmann's wall.

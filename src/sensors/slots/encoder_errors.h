@@ -12,10 +12,10 @@ namespace tera {
 /// Which way an axis counts and its slot `sensor_static`, for angles in rad or travel in m.
 ///
 /// Model   position: s m q + b + c dT(t) + o, clipped to +-limit, rounded to a multiple of the
-/// step;
-///         rate: s m_r qd + b_r, clipped, rounded. s = -1: `axis_flip`; m, m_r: `scale`; b, b_r:
-///         `bias`; c dT(t): `temperature_drift`; o: `outliers`; then `saturation`, `quantisation`.
-///         An axis that slides takes the parameters in metres, another those in degrees.
+///         step; rate: s m_r qd + b_r, clipped, rounded. s = -1: `axis_flip`; m, m_r: `scale`; b,
+///         b_r: `bias`; c dT(t): `temperature_drift`; o: `outliers`; then `saturation`,
+///         `quantisation`. An axis that slides takes the parameters in metres, another those in
+///         degrees.
 /// Omits   eccentricity; what the bias of an angle does to the rate.
 class AxisErrors {
  public:

@@ -12,9 +12,8 @@ namespace tera {
 /// Shift of an accelerometer that vibrates, `vibration_rectification`.
 ///
 /// Model   b = k (a_e^2 + s^2) for each axis; a_e the rms of the engine's vibration, s^2 the
-/// variance
-///         of the magnitude of the specific force about its own running mean. Mean and variance
-///         forget with the time constant `window_s`: e^(-T / window).
+///         variance of the magnitude of the specific force about its own running mean. Mean and
+///         variance forget with the time constant `window_s`: e^(-T / window).
 /// Omits   the sensitivity to frequency; axes that vibrate more than others.
 /// Source  IEEE Std 1293-2018 (vibration rectification error, in g/g^2).
 class VibrationShift {
@@ -33,10 +32,9 @@ class VibrationShift {
 /// Slot `sensor_static` of an inertial unit.
 ///
 /// Model   of each axis, with x what the unit measures otherwise: m x + b + c dT(t) + v + o,
-/// clipped
-///         to +-limit, rounded to a multiple of the step. Factor m: `scale`; b: `bias`; c dT(t):
-///         `temperature_drift`; v: `vibration_rectification`; o: `outliers`, N(0, size^2) on all
-///         axes at once with the given probability, else 0; then `saturation`, `quantisation`.
+///         clipped to +-limit, rounded to a multiple of the step. Factor m: `scale`; b: `bias`; c
+///         dT(t): `temperature_drift`; v: `vibration_rectification`; o: `outliers`, N(0, size^2) on
+///         all axes at once with the given probability, else 0; then `saturation`, `quantisation`.
 /// Omits   cross-axis sensitivity; g-sensitivity of the gyroscopes.
 /// Source  Titterton and Weston 2004, ch. 4, 6 (forms of the errors).
 class ImuErrors {

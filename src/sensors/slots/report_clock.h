@@ -16,9 +16,9 @@ namespace tera {
 ///         arrives. Measurements stay in their order: one that would overtake arrives a nanosecond
 ///         after its predecessor. The sensor samples when it did before.
 /// Omits   the sensor's own rate, which a clock that drifts drives too; steps of a clock that is
-/// set. Source  GPS time is ahead of UTC by the leap seconds since 1980, 18 s since 2017 (IERS
-/// Bulletin
-///         C 52).
+///         set.
+/// Source  GPS time is ahead of UTC by the leap seconds since 1980, 18 s since 2017 (IERS
+///         Bulletin C 52).
 class ReportClock {
  public:
   ReportClock(const Effects& effects, std::uint64_t seed, const std::string& stream_name);
