@@ -41,12 +41,16 @@ struct ContactPatch {
 };
 
 /// One driven element on the ground: a track or a wheel. Its patches stand still in B while the
-/// surface (shoes, tread) moves through them at the speed `drive_radius_m * rate_radps`.
+/// surface (shoes, tread) moves through them at the speed `ShoeRadius_m() * rate_radps`.
 struct RunningGear {
   std::string name;
   int link = 0;
-  double drive_radius_m = 0;  ///< sprocket pitch radius or rolling radius
+  double drive_radius_m = 0;  ///< sprocket pitch radius or rolling radius, as described
+  double shoe_ratio = 1;      ///< what the surface moves over what that radius would
   std::vector<ContactPatch> patches;
+
+  /// What the surface moves for one radian of the drive.
+  double ShoeRadius_m() const { return drive_radius_m * shoe_ratio; }
 };
 
 /// The ground as one machine meets it.

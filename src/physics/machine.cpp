@@ -49,4 +49,16 @@ std::vector<Pose> ForwardKinematics(const MachineModel& model, const Pose& X_WB,
   return X_WL;
 }
 
+double LeftOfRoot_m(const MachineModel& model, std::size_t gear) {
+  std::vector<double> q_rad;
+  for (const Joint& joint : model.joints) q_rad.push_back(joint.initial_rad);
+  const RunningGear& running = model.ground_tools.gears[gear];
+  const Pose X_BL = ForwardKinematics(model, Pose::Identity(), q_rad)[running.link];
+  double left_m = 0;
+  for (const ContactPatch& patch : running.patches) {
+    left_m += (X_BL * patch.p_B_m).y() / static_cast<double>(running.patches.size());
+  }
+  return left_m;
+}
+
 }  // namespace tera

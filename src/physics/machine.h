@@ -168,8 +168,7 @@ struct NamedFrame {
 ///
 /// Frames  B of each link; links[0]'s is the root's.
 /// Model   a tree of rigid links and joints with one degree of freedom or none; running gear with
-/// one
-///         rotating inertia each; levers that ask for rates.
+///         one rotating inertia each; levers that ask for rates.
 /// Omits   closed chains as bodies (rockers, couplers and cylinders follow their joint without mass
 ///         of their own), flexibility. What moves joints and gears beside their limits is in
 ///         `effects`.
@@ -208,6 +207,9 @@ Pose JointMotion(const Joint& joint, double q);
 /// root at X_WB.
 std::vector<Pose> ForwardKinematics(const MachineModel& model, const Pose& X_WB,
                                     const std::vector<double>& q_rad);
+
+/// How far left of the root's x axis the middle of a gear's patches is, with joints as at first.
+double LeftOfRoot_m(const MachineModel& model, std::size_t gear);
 
 /// One cylinder of those side by side. Force and rate are positive where the rod moves out.
 struct CylinderState {

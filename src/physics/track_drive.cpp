@@ -19,32 +19,36 @@ struct Contact {
   double front_m = -std::numeric_limits<double>::infinity();
 };
 
-}  // namespace
-
-TrackDrive::TrackDrive(const MachineModel& model)
-    : parameters_(TrackKinematicsOf(model.effects.base)) {
+Contact ContactOf(const MachineModel& model) {
   std::vector<double> q_rad;
   for (const Joint& joint : model.joints) q_rad.push_back(joint.initial_rad);
   const std::vector<Pose> X_BL = ForwardKinematics(model, Pose::Identity(), q_rad);
   Contact contact;
-  double left_m = 0, right_m = 0;
-  const GroundTools& tools = model.ground_tools;
-  for (const RunningGear& gear : tools.gears) {
+  for (const RunningGear& gear : model.ground_tools.gears) {
     for (const ContactPatch& patch : gear.patches) {
       contact.low_m = std::min(contact.low_m, (X_BL[gear.link] * patch.p_B_m).z());
     }
   }
-  for (std::size_t g = 0; g < tools.gears.size(); ++g) {
-    const RunningGear& gear = tools.gears[g];
-    double y_m = 0;
+  for (const RunningGear& gear : model.ground_tools.gears) {
     for (const ContactPatch& patch : gear.patches) {
       const Vec3 p_B = X_BL[gear.link] * patch.p_B_m;
-      y_m += p_B.y() / static_cast<double>(gear.patches.size());
       if (p_B.z() > contact.low_m + kLevel_m) continue;
       contact.rear_m = std::min(contact.rear_m, p_B.x() - 0.5 * patch.length_m);
       contact.front_m = std::max(contact.front_m, p_B.x() + 0.5 * patch.length_m);
     }
-    gears_.push_back({y_m > 0, gear.drive_radius_m, model.gear_drives[g].max_torque_nm});
+  }
+  return contact;
+}
+
+}  // namespace
+
+TrackDrive::TrackDrive(const MachineModel& model)
+    : parameters_(TrackKinematicsOf(model.effects.base)) {
+  const GroundTools& tools = model.ground_tools;
+  double left_m = 0, right_m = 0;
+  for (std::size_t g = 0; g < tools.gears.size(); ++g) {
+    const double y_m = LeftOfRoot_m(model, g);
+    gears_.push_back({y_m > 0, tools.gears[g].ShoeRadius_m(), model.gear_drives[g].max_torque_nm});
     (y_m > 0 ? left_count_ : right_count_) += 1;
     (y_m > 0 ? left_m : right_m) += y_m;
   }
@@ -53,17 +57,13 @@ TrackDrive::TrackDrive(const MachineModel& model)
       tool_links_.push_back(shovel.link);
     }
   }
+  const Contact contact = ContactOf(model);
   geometry_ = {.gauge_m = model.gauge_m,
                .contact_length_m = contact.front_m - contact.rear_m,
                .weight_n = model.TotalMass_kg() * kStandardGravity_mps2};
   if (left_count_ == 0 || right_count_ == 0) return;
   contact_B_m_ = Vec3(0.5 * (contact.front_m + contact.rear_m),
                       0.5 * (left_m / left_count_ + right_m / right_count_), contact.low_m);
-}
-
-double TrackDrive::GearRate(std::size_t gear, double rate_radps) const {
-  const TrackSpeeds scaled = ShoeSpeeds({rate_radps, rate_radps}, parameters_);
-  return gears_[gear].left ? scaled.left_mps : scaled.right_mps;
 }
 
 TrackCircumstances TrackDrive::CircumstancesOf(const MachineState& state,

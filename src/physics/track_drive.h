@@ -24,9 +24,6 @@ class TrackDrive {
   /// Middle of the contact with the ground.
   const Vec3& contact_B_m() const { return contact_B_m_; }
 
-  /// Rate of a gear that is commanded to turn at `rate_radps`.
-  double GearRate(std::size_t gear, double rate_radps) const;
-
   struct Target {
     PlanarTwist twist;
     BaseEffort most;

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "physics/slots/track_kinematics.h"
+
 namespace tera {
 namespace {
 
@@ -49,6 +51,11 @@ void ReadGround(const ConfigMap& config, MachineModel* model) {
                                  "' of base acts only with ground: kinematic; choose that or take "
                                  "the effect away");
     }
+  }
+  const TrackSpeeds shoes = ShoeSpeeds({1, 1}, TrackKinematicsOf(model->effects.base));
+  for (std::size_t g = 0; g < model->ground_tools.gears.size(); ++g) {
+    model->ground_tools.gears[g].shoe_ratio =
+        LeftOfRoot_m(*model, g) > 0 ? shoes.left_mps : shoes.right_mps;
   }
   Footing& footing = model->ground_tools.footing;
   footing.shears = model->ground == GroundModel::kTerramechanics;

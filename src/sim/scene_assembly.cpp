@@ -126,7 +126,7 @@ void SceneAssembly::AddRunningGear(const MachinePlacement& placement, std::size_
   }
   for (const TrackVisual& track : machine.track_visuals) {
     const RunningGear& gear = machine.ground_tools.gears[track.gear];
-    tracks_.push_back({m, &track, gear.drive_radius_m, ArcLengths(track.path_B_m)});
+    tracks_.push_back({m, &track, gear.ShoeRadius_m(), ArcLengths(track.path_B_m)});
     const std::uint16_t instance =
         AddInstance(placement.name + "/" + gear.name, SemanticClass::kTrack, link_body[gear.link]);
     SceneInstance& box = model_.instances[instance];

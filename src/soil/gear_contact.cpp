@@ -258,7 +258,7 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
   Result result;
   const std::vector<Patch> before = patches_;
   const Vec3 origin_W = body.X_WB.translation();
-  const double shoe_mps = gear_.drive_radius_m * rate_radps;
+  const double shoe_mps = gear_.ShoeRadius_m() * rate_radps;
   const std::vector<std::size_t> covered_before = std::exchange(covered_, {});
   double forward_mps = 0, weight_n = 0;
   for (std::size_t k = 0; k < patches_.size(); ++k) {

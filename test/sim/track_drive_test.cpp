@@ -117,6 +117,19 @@ TEST(TrackDrive, ScaleAndAsymmetryActOnTheSoilToo) {
   EXPECT_GT(with("track_asymmetry: {difference: 0.1}").yaw_radps, 0.01);
 }
 
+TEST(TrackDrive, ScaleAndAsymmetryLieBetweenSprocketsAndShoes) {
+  // 0.1 of 1.25 m/s on sprockets of 0.25 m is 0.5 rad/s, whatever the shoes make of it.
+  for (const char* ground : {"terramechanics", "ideal", "kinematic"}) {
+    Drive drive(kExcavator, kStart, "cell_m: 0.1, soil: asphalt", 0.1, 0.1,
+                Ground(ground, "track_scale: {scale: 0.9}, track_asymmetry: {difference: 0.1}"));
+    drive.Run(2.0);
+    EXPECT_NEAR(drive.machine().gear_rate_radps[0], 0.5, 1e-3) << ground;
+    EXPECT_NEAR(drive.machine().gear_rate_radps[1], 0.5, 1e-3) << ground;
+    EXPECT_NEAR(TwistOf(drive).forward_mps, 0.1125, 0.002) << ground;
+    EXPECT_GT(TwistOf(drive).yaw_radps, 1e-3) << ground;
+  }
+}
+
 TEST(TrackDrive, TheGroundHoldsNoMoreThanItsStrength) {
   // Locked tracks on wet pavement of friction 20 deg: still at 14 deg, and at 24 deg sliding with
   // g (sin 24 - tan 20 cos 24) = 0.728 m/s^2.

@@ -74,9 +74,9 @@ TrackKinematicsParameters TrackKinematicsOf(const Effects& base) {
   return p;
 }
 
-TrackSpeeds ShoeSpeeds(const TrackSpeeds& commanded, const TrackKinematicsParameters& p) {
-  return {p.scale * (1 - 0.5 * p.difference) * commanded.left_mps,
-          p.scale * (1 + 0.5 * p.difference) * commanded.right_mps};
+TrackSpeeds ShoeSpeeds(const TrackSpeeds& nominal, const TrackKinematicsParameters& p) {
+  return {p.scale * (1 - 0.5 * p.difference) * nominal.left_mps,
+          p.scale * (1 + 0.5 * p.difference) * nominal.right_mps};
 }
 
 PlanarTwist MoveOnTracks(const TrackSpeeds& shoes, const TrackCircumstances& c,

@@ -45,9 +45,10 @@ struct PlanarTwist {
   double forward_mps = 0, left_mps = 0, yaw_radps = 0;
 };
 
-/// Slot `ground`, first part: track_scale s and track_asymmetry a make of the commanded speed V
-/// those of the shoes, s V (1 - a/2) on the left and s V (1 + a/2) on the right.
-TrackSpeeds ShoeSpeeds(const TrackSpeeds& commanded, const TrackKinematicsParameters& parameters);
+/// Slot `ground`, first part: track_scale s and track_asymmetry a make of the speed V that the
+/// sprockets' rate and nominal radius give those of the shoes, s V (1 - a/2) on the left and
+/// s V (1 + a/2) on the right.
+TrackSpeeds ShoeSpeeds(const TrackSpeeds& nominal, const TrackKinematicsParameters& parameters);
 
 /// Slot `ground`, second part: from the speeds of the shoes to the motion of the base.
 ///

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <vector>
+
+#include "physics/articulated_body.h"
+#include "physics/hydraulics.h"
+#include "physics/machine_placement.h"
+#include "physics/slots/actuation.h"
+#include "physics/track_drive.h"
+
+class btMultiBodyDynamicsWorld;
+
+namespace tera {
+
+/// A machine at rest where it is placed, its links' poses still to be read.
+MachineState InitialState(const MachinePlacement& placement);
+
+/// Levers, drives and running gear of one machine around its articulated body.
+///
+/// Model   levers -> Actuation -> rates and friction of joints and gears. Gears turn against the
+///         soil's traction, I dw/dt = torque - traction * radius; with a driven base against the
+///         drive's force, as commanded whatever that is.
+/// Omits   the reaction of a gear's inertia on its link.
+class MachineDynamics {
+ public:
+  /// `world` must outlive the machine.
+  MachineDynamics(const MachinePlacement& placement, const WorldStart& start, bool meets_others,
+                  btMultiBodyDynamicsWorld* world);
+  // Parts of it refer to its model.
+  MachineDynamics(const MachineDynamics&) = delete;
+  MachineDynamics& operator=(const MachineDynamics&) = delete;
+
+  /// Prepares the world's next step of `dt_s` and turns the gears.
+  void Act(const MachineInput& input, double dt_s, MachineState* state);
+  /// What came of a step; 0 for none.
+  void Read(double dt_s, MachineState* state);
+
+ private:
+  /// The lever of each axis, joints first, then gears.
+  void Command(const std::vector<double>& levers, MachineState* state);
+  /// The chain from levers to drives, from where the axes are.
+  void Actuate(const SoilReaction& soil, double dt_s, const MachineState& state);
+  void DriveJoints();
+  void TurnGears(const SoilReaction& soil, double dt_s, MachineState* state);
+  /// What the ground does to the gears when the base is driven instead of sheared along.
+  SoilReaction OnDrivenBase(const SoilReaction& soil, double dt_s, const MachineState& state) const;
+  double GearLoad_nm(const SoilReaction& soil, std::size_t gear) const;
+
+  MachineModel model_;
+  TrackDrive tracks_;
+  ArticulatedBody body_;
+  Hydraulics hydraulics_;
+  Actuation actuation_;
+  std::vector<double> axis_lever_;
+  std::vector<AxisMotion> axis_motion_;
+  std::vector<JointTarget> joint_target_;
+};
+
+}  // namespace tera
