@@ -12,10 +12,10 @@ struct GearTorques {
 
 /// Motor and friction of one running gear that turns at `rate_radps` against `load_nm`.
 ///
-/// Model   The rate at the end of the step, v = v0 + (motor + friction - load) dt / I, is the
-///         target as far as the motor's torque allows, and friction opposes v, or holds v = 0, as
-///         far as its own allows. The sum of both falls with v in two steps, at 0 and at the
-///         target, so that there is one solution.
+/// Model   The rate at the end of the step, v = v0 + (motor + friction - c v - load) dt / I, is the
+///         target as far as the motor's torque allows, and dry friction opposes v, or holds v = 0,
+///         as far as its own allows; c is viscous. The sum of motor and dry friction falls with v
+///         in two steps, at 0 and at the target, so that there is one solution.
 GearTorques DriveGear(const GearDrive& drive, const AxisDrive& target, double rate_radps,
                       double load_nm, double dt_s);
 

@@ -6,7 +6,10 @@
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+
+#include "physics/soft_row_solver.h"
 
 namespace tera {
 namespace {
@@ -20,7 +23,7 @@ constexpr double kStopReachMargin_rad = 2e-3;
 /// which of two equal rows bears a load would be left to the solver's rounding.
 constexpr double kHeld_radps = 1e-7;
 
-enum Row { kMotor, kFriction, kLowerStop, kUpperStop, kRowCount };
+enum Row { kMotor, kFriction, kViscous, kLowerStop, kUpperStop, kRowCount };
 
 }  // namespace
 
@@ -37,6 +40,7 @@ class JointDrive::Constraint : public btMultiBodyConstraint {
     const int dof = 6 + m_bodyA->getLink(m_linkA).m_dofOffset;
     jacobianA(kMotor)[dof] = 1;
     jacobianA(kFriction)[dof] = 1;
+    jacobianA(kViscous)[dof] = 1;
     jacobianA(kLowerStop)[dof] = 1;
     jacobianA(kUpperStop)[dof] = -1;
     m_numDofsFinalized = m_jacSizeBoth;
@@ -60,13 +64,18 @@ class JointDrive::Constraint : public btMultiBodyConstraint {
     if (motor && std::abs(rate) < kHeld_radps) {
       up += friction_up;
       down += friction_down;
-    } else if (target.friction.any()) {
+    } else if (target.friction.dry()) {
       AddRow(kFriction, 0, -friction_down, friction_up, rows, data, info);
+    }
+    const double unlimited = std::numeric_limits<double>::max();
+    const double softness = 1 / (target.friction.viscous_nmsprad * dt_s);
+    if (std::isfinite(softness)) {
+      auto& row = AddRow(kViscous, 0, -unlimited, unlimited, rows, data, info);
+      SoftRowSolver::Soften(softness, &row);
     }
     if (motor) AddRow(kMotor, rate, -down, up, rows, data, info);
     if (!has_stops) return;
     const double reach = kStopReach_steps * std::abs(qd) * dt_s + kStopReachMargin_rad;
-    const double unlimited = std::numeric_limits<double>::max();
     if (q - lower < reach) {
       AddRow(kLowerStop, (lower - q) / dt_s, 0, unlimited, rows, data, info);
     }
@@ -83,7 +92,8 @@ class JointDrive::Constraint : public btMultiBodyConstraint {
                       target.max_positive_nm * dt_s);
   }
   double FrictionImpulse(double dt_s) {
-    return getAppliedImpulse(kFriction) + getAppliedImpulse(kMotor) - MotorImpulse(dt_s);
+    return getAppliedImpulse(kFriction) + getAppliedImpulse(kViscous) + getAppliedImpulse(kMotor) -
+           MotorImpulse(dt_s);
   }
 
   JointTarget target;
@@ -91,9 +101,10 @@ class JointDrive::Constraint : public btMultiBodyConstraint {
   double lower = 0, upper = 0;
 
  private:
-  void AddRow(Row row, double rate, double min_impulse, double max_impulse,
-              btMultiBodyConstraintArray& rows, btMultiBodyJacobianData& data,
-              const btContactSolverInfo& info) {
+  btMultiBodySolverConstraint& AddRow(Row row, double rate, double min_impulse, double max_impulse,
+                                      btMultiBodyConstraintArray& rows,
+                                      btMultiBodyJacobianData& data,
+                                      const btContactSolverInfo& info) {
     const btVector3 zero(0, 0, 0);
     btMultiBodySolverConstraint& constraint = rows.expandNonInitializing();
     constraint.m_orgConstraint = this;
@@ -103,6 +114,7 @@ class JointDrive::Constraint : public btMultiBodyConstraint {
     constraint.m_solverBodyIdA = constraint.m_solverBodyIdB = data.m_fixedBodyId;
     fillMultiBodyConstraint(constraint, data, jacobianA(row), nullptr, zero, zero, zero, zero, 0,
                             info, min_impulse, max_impulse, false, 1, false, rate);
+    return constraint;
   }
 };
 

@@ -14,15 +14,16 @@ namespace tera {
 struct JointTarget {
   double rate_radps = 0;
   double max_positive_nm = 0, max_negative_nm = 0;  ///< of the motor, by the effort's direction
-  FrictionBounds friction;
+  AxisFriction friction;
 };
 
 /// Motor, friction and end stops of one joint with one degree of freedom.
 ///
 /// Model   The motor reaches its target rate within the step as far as its effort allows; near a
-///         stop the target shrinks so that the joint comes to rest on it. Friction brings the joint
-///         to rest as far as its bounds allow, so that at the end of a step it opposes motion or
-///         holds. A stop keeps the joint from passing its limit with whatever effort that takes
+///         stop the target shrinks so that the joint comes to rest on it. Dry friction brings the
+///         joint to rest as far as its bounds allow, so that at the end of a step it opposes
+///         motion or holds; viscous friction is its coefficient times the rate at the end of the
+///         step. A stop keeps the joint from passing its limit with whatever effort that takes
 ///         (inelastic). All are solved together with all other joints and contacts of the machine.
 ///         Where motor and friction both hold a joint, the motor bears what it can.
 /// Omits   compliance.

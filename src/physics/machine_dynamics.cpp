@@ -4,6 +4,7 @@
 
 #include "core/check.h"
 #include "physics/gear_motor.h"
+#include "physics/inertial_effort.h"
 #include "physics/payload.h"
 
 namespace tera {
@@ -82,9 +83,10 @@ void MachineDynamics::Command(const std::vector<double>& levers, MachineState* s
 
 void MachineDynamics::Actuate(const SoilReaction& soil, double dt_s, const MachineState& state) {
   axis_motion_.resize(axis_lever_.size());
+  const std::vector<double> inertial_nm = InertialEfforts(model_, state);
   for (std::size_t j = 0; j < model_.joints.size(); ++j) {
     axis_motion_[j] = {state.q_rad[j], state.qd_radps[j],
-                       state.effort_nm[j] + state.friction_nm[j]};
+                       state.effort_nm[j] + state.friction_nm[j] - inertial_nm[j]};
   }
   for (std::size_t g = 0; g < model_.gear_drives.size(); ++g) {
     axis_motion_[model_.joints.size() + g] = {state.gear_angle_rad[g], state.gear_rate_radps[g],

@@ -9,12 +9,12 @@
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
-#include <BulletDynamics/Featherstone/btMultiBodyMLCPConstraintSolver.h>
 #include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
 
 #include "core/check.h"
 #include "physics/bullet_types.h"
 #include "physics/machine_dynamics.h"
+#include "physics/soft_row_solver.h"
 
 namespace tera {
 namespace {
@@ -127,7 +127,7 @@ struct PhysicsWorld::Impl {
   OtherBodiesOnly pairs;
   btDbvtBroadphase broadphase;
   btDantzigSolver lcp;
-  btMultiBodyMLCPConstraintSolver solver;
+  SoftRowSolver solver;
   MidpointWorld world;
   std::vector<std::unique_ptr<KinematicObstacle>> obstacles;
   std::vector<std::unique_ptr<MachineDynamics>> machines;

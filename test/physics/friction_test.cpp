@@ -144,6 +144,85 @@ TEST(Friction, TheMotorBearsTheFrictionOfASteadyMotion) {
   EXPECT_NEAR(run.state().effort_nm[0], 0, 1e-3);
 }
 
+/// Of the lift arm about its pin.
+constexpr double kLiftInertia_kgm2 = 3.0 + 20 * 0.64;
+
+/// Rates of the weightless, unpowered lift arm while `torque_nm` acts on it for `push_s` and in the
+/// time after that until `end_s`, its bearing viscous.
+std::vector<double> PushedRates_radps(double viscous_nmsprad, double torque_nm, double push_s,
+                                      double end_s) {
+  MachineRun run = WeightlessArm(
+      "viscous_friction: {coefficient_nmsprad: " + std::to_string(viscous_nmsprad) + "}", 0);
+  std::vector<double> rates_radps;
+  for (int i = 0; i * kStep_s < end_s; ++i) {
+    // Positive angles turn about -y.
+    run.input.soil.link_wrench[1].torque_W_nm = Vec3(0, i * kStep_s < push_s ? -torque_nm : 0, 0);
+    run.Step();
+    rates_radps.push_back(run.state().qd_radps[0]);
+    EXPECT_NEAR(run.state().friction_nm[0], -viscous_nmsprad * rates_radps.back(),
+                1e-6 * torque_nm);
+  }
+  return rates_radps;
+}
+
+TEST(Friction, AStiffDamperLetsALoadCreepAtItsSteadyRate) {
+  // Ten times what an explicit scheme could bear: c dt / I = 20.
+  const double c = 20 * kLiftInertia_kgm2 / kStep_s;
+  const std::vector<double> rates = PushedRates_radps(c, 300, 0.1, 0.2);
+  double last = 0;
+  for (int i = 0; i < 50; ++i) {
+    EXPECT_GE(rates[i], last);
+    EXPECT_LE(rates[i], 300 / c * (1 + 1e-6));
+    last = rates[i];
+  }
+  EXPECT_NEAR(last, 300 / c, 1e-6 * 300 / c);
+  for (std::size_t i = 50; i < rates.size(); ++i) {
+    EXPECT_LE(rates[i], last);
+    EXPECT_GE(rates[i], 0);
+    last = rates[i];
+  }
+  EXPECT_NEAR(last, 0, 1e-12);
+}
+
+TEST(Friction, ADamperSlowsAFreeJointExponentially) {
+  const double c = 2 * kLiftInertia_kgm2;  // a time constant of 0.5 s
+  const std::vector<double> rates = PushedRates_radps(c, 500, 0.02, 1.02);
+  for (std::size_t i = 10; i < rates.size(); ++i) {
+    const double t_s = (static_cast<double>(i) - 9) * kStep_s;
+    EXPECT_NEAR(rates[i], rates[9] * std::exp(-2 * t_s), 0.005 * rates[i]);
+  }
+}
+
+TEST(Friction, StiffDampersOfAChainOfLinksTakeEnergyAndLetItSinkSteadily) {
+  MachineModel model = ShippedMachine("fixed_arm");
+  std::string effects;
+  for (Joint& joint : model.joints) {
+    joint.type = JointType::kContinuous;
+    joint.max_effort_nm = 0;
+    effects += joint.name + ": {viscous_friction: {coefficient_nmsprad: 1.0e+6}}\n";
+  }
+  model = WithEffects(model, effects);
+  MachinePlacement placement = PlaceAtStart(model, MakePose(Vec3(2, 1, 0.5), 0, 0, 0.6));
+  placement.q_rad = {-40 * kDeg, 20 * kDeg, -30 * kDeg};
+  MachineRun run(placement);
+  run.Step(50);
+  const MachineState begin = run.state();
+  double dissipated_j = 0;
+  for (int i = 0; i < 500; ++i) {
+    const MachineState before = run.state();
+    run.Step();
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double rate = run.state().qd_radps[j], last = before.qd_radps[j];
+      EXPECT_NEAR(rate, last, 0.01 * std::abs(last));
+      dissipated_j -= run.state().friction_nm[j] * rate * kStep_s;
+    }
+  }
+  // So slow that all the height it loses is heat.
+  const double lost_j = Energy_j(model, begin, begin) - Energy_j(model, run.state(), run.state());
+  EXPECT_GT(lost_j, 0);
+  EXPECT_NEAR(dissipated_j, lost_j, 1e-3 * lost_j);
+}
+
 TEST(Friction, AMotorWeakerThanItsFrictionDoesNotMoveTheJoint) {
   MachineRun run = WeightlessArm("coulomb_friction: {effort_nm: 150}", 140);
   run.input.levers = {1};
@@ -211,7 +290,26 @@ TEST(Friction, OfAGearTakesItsMotorsTorque) {
   run.StepFor(2.0);
   EXPECT_NEAR(run.state().gear_rate_radps[0], 2.5, 1e-9);
   EXPECT_NEAR(run.state().gear_torque_nm[0], 4000 * 0.25 + 400 + 100 * 2.5, 0.1);
-  EXPECT_NEAR(run.state().gear_friction_nm[0], -650, 1e-9);
+  EXPECT_NEAR(run.state().gear_friction_nm[0], -650, 1e-6);
+}
+
+TEST(Friction, AStiffDamperOfAGearLetsTractionCreepIt) {
+  // 25 kg m2 at 500 Hz: an explicit scheme bears 25000 N m s/rad.
+  MachineModel model = WithEffects(ShippedMachine("tb235"),
+                                   "left_track: {viscous_friction: {coefficient_nmsprad: 250000}}");
+  for (GearDrive& drive : model.gear_drives) drive.max_torque_nm = 0;
+  MachineRun run(model, Pose::Identity(), 0.0);
+  run.input.soil.gear_traction_n = {4000, 0};  // 1000 N m
+  double last = 0;
+  for (int i = 0; i < 50; ++i) {
+    run.Step();
+    const double rate = run.state().gear_rate_radps[0];
+    EXPECT_LE(rate, last);
+    EXPECT_GE(rate, -1000.0 / 250000 * (1 + 1e-9));
+    EXPECT_NEAR(run.state().gear_friction_nm[0], -250000 * rate, 1e-6);
+    last = rate;
+  }
+  EXPECT_NEAR(last, -1000.0 / 250000, 1e-9);
 }
 
 TEST(Friction, OfAGearHoldsItAgainstLessTractionThanItself) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/check.h"
+#include "physics/hydraulics.h"
 #include "physics/linkage.h"
 
 namespace tera {
@@ -19,31 +20,57 @@ AxisParameters AxisOf(const Effects& effects, double max_effort_nm) {
   return axis;
 }
 
-/// Lever arms are known at this many positions of a joint's travel; between them they are straight
-/// to 1e-4 of themselves.
+/// Lever arms and displacements are known at this many positions of a joint's travel; between them
+/// they are straight to 1e-4 of themselves.
 constexpr int kArms = 129;
 /// A cylinder with less has no hold on its joint.
 constexpr double kLeastArm_m = 1e-3;
+
+template <typename ValueAt>
+OverTravel Tabulate(const Joint& joint, const ValueAt& value_at) {
+  OverTravel table{.first_rad = joint.lower_rad, .last_rad = joint.upper_rad};
+  const int count = joint.lower_rad < joint.upper_rad ? kArms : 1;
+  for (int i = 0; i < count; ++i) {
+    const double q = std::lerp(table.first_rad, table.last_rad, i / (kArms - 1.0));
+    table.values.push_back(value_at(q));
+  }
+  return table;
+}
 
 /// The arms of the first cylinder that moves the joint, over its travel.
 void AddOwnCylinder(const MachineModel& model, std::size_t joint, KinematicGainParameters* gain) {
   for (const Cylinder& cylinder : model.cylinders) {
     if (cylinder.joint != static_cast<int>(joint)) continue;
-    gain->first_rad = model.joints[joint].lower_rad;
-    gain->last_rad = model.joints[joint].upper_rad;
-    for (int i = 0; i < kArms; ++i) {
-      const double q = std::lerp(gain->first_rad, gain->last_rad, i / (kArms - 1.0));
-      gain->arms_m.push_back(std::abs(ReachOf(model, cylinder, q).arm_m));
-    }
+    gain->arms_m = Tabulate(model.joints[joint],
+                            [&](double q) { return std::abs(ReachOf(model, cylinder, q).arm_m); });
     return;
   }
+}
+
+/// What the cylinders with a bore take that move the joint, or else its own displacement.
+void SetDisplacement(const MachineModel& model, std::size_t joint, AxisParameters* axis) {
+  const Joint& j = model.joints[joint];
+  const auto driven = [&](const Cylinder& cylinder) {
+    return cylinder.joint == static_cast<int>(joint) && cylinder.bore_m > 0;
+  };
+  if (std::none_of(model.cylinders.begin(), model.cylinders.end(), driven)) {
+    axis->displacement_positive_m3prad.values = {j.displacement_m3prad};
+    axis->displacement_negative_m3prad.values = {j.displacement_m3prad};
+    return;
+  }
+  const auto toward = [&](int sign) {
+    return Tabulate(j, [&](double q) {
+      return CylinderDisplacement_m3prad(model, static_cast<int>(joint), q, sign);
+    });
+  };
+  axis->displacement_positive_m3prad = toward(+1);
+  axis->displacement_negative_m3prad = toward(-1);
 }
 
 AxisParameters AxisOf(const Joint& joint, const Effects& effects) {
   AxisParameters axis = AxisOf(effects, joint.max_effort_nm);
   axis.max_rate_positive_radps = joint.max_rate_positive_radps;
   axis.max_rate_negative_radps = joint.max_rate_negative_radps;
-  axis.displacement_m3prad = joint.displacement_m3prad;
   axis.actuator.lower_rad = joint.lower_rad;
   axis.actuator.upper_rad = joint.upper_rad;
   if (joint.type == JointType::kContinuous) axis.actuator.cushion_rad = 0;
@@ -55,7 +82,8 @@ AxisParameters AxisOf(const Joint& joint, const Effects& effects) {
 AxisParameters AxisOf(const GearDrive& drive, const Effects& effects) {
   AxisParameters axis = AxisOf(effects, drive.max_torque_nm);
   axis.max_rate_positive_radps = axis.max_rate_negative_radps = drive.max_rate_radps;
-  axis.displacement_m3prad = drive.displacement_m3prad;
+  axis.displacement_positive_m3prad.values = {drive.displacement_m3prad};
+  axis.displacement_negative_m3prad.values = {drive.displacement_m3prad};
   return axis;
 }
 
@@ -85,7 +113,7 @@ std::string FaultOfEffects(const MachineModel& model, std::size_t joint) {
   }
   KinematicGainParameters gain = KinematicGainOf(effects);
   if (!pins) AddOwnCylinder(model, joint, &gain);
-  if (!pins && (gain.arms_m.empty() || !ends)) {
+  if (!pins && (gain.arms_m.values.empty() || !ends)) {
     return "cylinder_lever needs barrel_m and rod_m where no cylinder of the machine moves the "
            "joint";
   }
@@ -108,6 +136,17 @@ double AxisActuation::Demand(double lever, double dt_s) {
   return y * (y > 0 ? parameters_.max_rate_positive_radps : parameters_.max_rate_negative_radps);
 }
 
+double AxisActuation::Flow_m3ps(double rate_radps, double position_rad) const {
+  const OverTravel& displacement = rate_radps > 0 ? parameters_.displacement_positive_m3prad
+                                                  : parameters_.displacement_negative_m3prad;
+  const double at_rad = gain_.HasLever() ? parameters_.gain.reference_rad : position_rad;
+  return displacement.At(at_rad) * std::abs(rate_radps);
+}
+
+double AxisActuation::Power_w(double rate_radps, const AxisMotion& motion) const {
+  return std::max(0.0, motion.load_nm * rate_radps * gain_.Gain(motion.position_rad));
+}
+
 AxisDrive AxisActuation::Deliver(double rate_radps, const AxisMotion& motion, double dt_s) {
   const double actuator_radps = actuator_.Step(rate_radps, motion.position_rad, dt_s);
   const double joint_radps = gain_.Step(actuator_radps, motion.position_rad, dt_s);
@@ -122,6 +161,7 @@ Actuation::Actuation(const MachineModel& model, const ActuationStart& start) {
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
     const Effects& effects = EffectsAt(model.effects.joints, j);
     AxisParameters axis = AxisOf(model.joints[j], effects);
+    SetDisplacement(model, j, &axis);
     if (FindEffect(effects, "cylinder_lever") && axis.gain.rod_m == 0) {
       AddOwnCylinder(model, j, &axis.gain);
     }
@@ -154,8 +194,8 @@ void Actuation::ShareFlow(std::span<const AxisMotion> motions, double dt_s) {
     double flow_m3ps = 0, power_w = 0;
     for (const std::size_t k : pump.axes) {
       const double part = demand_radps_[k] / pump_count_[k];
-      flow_m3ps += axes_[k].parameters().displacement_m3prad * std::abs(part);
-      power_w += std::max(0.0, motions[k].load_nm * part);
+      flow_m3ps += axes_[k].Flow_m3ps(part, motions[k].position_rad);
+      power_w += axes_[k].Power_w(part, motions[k]);
     }
     pump.share = pump.flow.Step(flow_m3ps, power_w, dt_s);
   }

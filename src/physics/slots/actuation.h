@@ -11,6 +11,7 @@
 #include "physics/slots/kinematic_gain.h"
 #include "physics/slots/lever_map.h"
 #include "physics/slots/load_friction.h"
+#include "physics/slots/over_travel.h"
 #include "physics/slots/pump_flow.h"
 
 /// The chain from levers to joints and gears: command_timing -> lever_map -> flow -> actuator ->
@@ -22,7 +23,9 @@ namespace tera {
 /// metres and newtons for a joint that slides.
 struct AxisParameters {
   double max_rate_positive_radps = 0, max_rate_negative_radps = 0;
-  double displacement_m3prad = 0;
+  /// Oil taken for one radian in either direction, at the joint's position.
+  OverTravel displacement_positive_m3prad{.values = {0}},
+      displacement_negative_m3prad{.values = {0}};
   CommandTimingParameters timing;
   LeverMapParameters map;
   ActuatorParameters actuator;
@@ -31,7 +34,7 @@ struct AxisParameters {
 };
 
 /// Where an axis is at the start of a step, simulated or measured. The load is the effort that it
-/// needs beside that against its own friction.
+/// needs at a steady rate, beside that against its own friction: what accelerates masses is none.
 struct AxisMotion {
   double position_rad = 0, rate_radps = 0, load_nm = 0;
 };
@@ -39,7 +42,7 @@ struct AxisMotion {
 /// What the chain asks of an axis over a step.
 struct AxisDrive {
   double rate_radps = 0;
-  FrictionBounds friction;
+  AxisFriction friction;
 };
 
 /// The chain of one axis in two parts, between which pumps share their flow.
@@ -49,10 +52,14 @@ class AxisActuation {
 
   /// Rate asked for by `lever`, -1..+1, during a step.
   double Demand(double lever, double dt_s);
+  /// Oil and power that `rate_radps` asks of the pumps.
+  ///
+  /// Model   oil is what the piston moves, at the rate that a position with the kinematic gain 1
+  ///         has; power is the load times the rate of the joint, gain included.
+  double Flow_m3ps(double rate_radps, double position_rad) const;
+  double Power_w(double rate_radps, const AxisMotion& motion) const;
   /// What comes of `rate_radps`, the share of the demand that the pumps deliver.
   AxisDrive Deliver(double rate_radps, const AxisMotion& motion, double dt_s);
-
-  const AxisParameters& parameters() const { return parameters_; }
 
  private:
   AxisParameters parameters_;

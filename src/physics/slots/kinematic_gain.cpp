@@ -9,13 +9,7 @@ namespace {
 constexpr double kMostGain = 10;
 
 double LeverArm_m(const KinematicGainParameters& p, double position_rad) {
-  if (!p.arms_m.empty()) {
-    const double last = static_cast<double>(p.arms_m.size() - 1);
-    const double travelled = (position_rad - p.first_rad) / (p.last_rad - p.first_rad);
-    const double place = std::clamp(travelled * last, 0.0, last);
-    const auto below = std::min(static_cast<std::size_t>(place), p.arms_m.size() - 2);
-    return std::lerp(p.arms_m[below], p.arms_m[below + 1], place - static_cast<double>(below));
-  }
+  if (!p.arms_m.values.empty()) return p.arms_m.At(position_rad);
   const double angle_rad = p.angle_at_zero_rad + position_rad;
   // The law of cosines, in a form that no rounding makes negative.
   const double half = std::sin(0.5 * angle_rad), difference_m = p.barrel_m - p.rod_m;

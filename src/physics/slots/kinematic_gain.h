@@ -1,8 +1,7 @@
 #pragma once
 
-#include <vector>
-
 #include "core/effects.h"
+#include "physics/slots/over_travel.h"
 
 namespace tera {
 
@@ -13,9 +12,7 @@ struct KinematicGainParameters {
   double barrel_m = 0, rod_m = 0;
   double angle_at_zero_rad = 0;
   double reference_rad = 0;  ///< joint position at which the gain is 1
-  /// Lever arms at equal steps of the joint's position, in place of pins, empty without.
-  std::vector<double> arms_m;
-  double first_rad = 0, last_rad = 0;  ///< positions of the first and the last of them
+  OverTravel arms_m;         ///< lever arms in place of pins, no values without
   double gap_rad = 0;
 };
 
@@ -43,10 +40,10 @@ class KinematicGain {
   double Gain(double position_rad) const;
   /// r(reference); 0 without a cylinder.
   double reference_arm_m() const { return reference_arm_m_; }
+  /// Whether cylinder_lever acts.
+  bool HasLever() const { return parameters_.rod_m > 0 || !parameters_.arms_m.values.empty(); }
 
  private:
-  bool HasLever() const { return parameters_.rod_m > 0 || !parameters_.arms_m.empty(); }
-
   KinematicGainParameters parameters_;
   double reference_arm_m_ = 0;
   double in_gap_rad_ = 0;  ///< from the gap's negative side

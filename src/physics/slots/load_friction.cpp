@@ -7,7 +7,13 @@ namespace tera {
 namespace {
 
 constexpr double kZeroCelsius_k = 273.15;
-constexpr double kReference_degc = 40;  ///< at which leak and viscous friction are stated
+/// Oil ISO VG 46: the grade's middle at 40 C by ISO 3448, and what makers' sheets give at 100 C for
+/// a viscosity index of about 100 (6.7 to 6.9).
+constexpr double kWarm_degc = 40, kWarm_cst = 46;
+constexpr double kHot_degc = 100, kHot_cst = 6.8;
+/// In the chart's law for all but the thinnest oils, ASTM D341.
+constexpr double kChartShift_cst = 0.7;
+constexpr double kReference_degc = kWarm_degc;  ///< at which leak and viscous friction are stated
 
 /// Ratio of the oil's viscosity to that at the reference temperature.
 double ViscosityRatio(double oil_degc) {
@@ -17,11 +23,14 @@ double ViscosityRatio(double oil_degc) {
 }  // namespace
 
 double OilViscosity_cst(double oil_degc) {
-  const auto ordinate = [](double nu_cst) { return std::log10(std::log10(nu_cst + 0.7)); };
+  const auto ordinate = [](double nu_cst) {
+    return std::log10(std::log10(nu_cst + kChartShift_cst));
+  };
   const auto abscissa = [](double degc) { return std::log10(degc + kZeroCelsius_k); };
-  const double slope = (ordinate(46) - ordinate(6.8)) / (abscissa(40) - abscissa(100));
-  const double log_log = ordinate(46) + slope * (abscissa(oil_degc) - abscissa(40));
-  return std::pow(10, std::pow(10, log_log)) - 0.7;
+  const double slope =
+      (ordinate(kWarm_cst) - ordinate(kHot_cst)) / (abscissa(kWarm_degc) - abscissa(kHot_degc));
+  const double log_log = ordinate(kWarm_cst) + slope * (abscissa(oil_degc) - abscissa(kWarm_degc));
+  return std::pow(10, std::pow(10, log_log)) - kChartShift_cst;
 }
 
 LoadFrictionParameters LoadFrictionOf(const Effects& effects, double max_effort_nm) {
@@ -64,7 +73,7 @@ double LoadFriction::Step(double rate_radps, double load_nm, double dt_s) {
   if (std::isfinite(parameters_.stall_nm)) rate = Droop(rate, load_nm);
   if (parameters_.drift_radpspnm > 0) {
     // Friction that holds part of a load keeps that part off the oil.
-    const FrictionBounds held = Friction(0);
+    const AxisFriction held = Friction(0);
     rate -= parameters_.drift_radpspnm *
             (load_nm - std::clamp(load_nm, -held.against_positive_nm, held.against_negative_nm));
   }
@@ -86,9 +95,10 @@ void LoadFriction::Prepare(double dt_s) {
 double LoadFriction::Droop(double rate_radps, double load_nm) {
   pressed_nm_ += response_step_ * (load_nm - pressed_nm_);
   if (rate_radps == 0) return 0;
-  const FrictionBounds friction = Friction(rate_radps);
-  const double against_nm = rate_radps > 0 ? pressed_nm_ + friction.against_positive_nm
-                                           : -pressed_nm_ + friction.against_negative_nm;
+  const AxisFriction friction = Friction(rate_radps);
+  const double dry_nm = rate_radps > 0 ? pressed_nm_ + friction.against_positive_nm
+                                       : -pressed_nm_ + friction.against_negative_nm;
+  const double against_nm = dry_nm + friction.viscous_nmsprad * std::abs(rate_radps);
   return rate_radps * std::sqrt(std::max(0.0, 1 - against_nm / parameters_.stall_nm));
 }
 
@@ -102,13 +112,14 @@ double LoadFriction::Flex(double rate_radps) {
   return flexed_radps_;
 }
 
-FrictionBounds LoadFriction::Friction(double rate_radps) const {
-  double both = parameters_.coulomb_nm + parameters_.viscous_nmsprad * std::abs(rate_radps);
+AxisFriction LoadFriction::Friction(double rate_radps) const {
+  double both = parameters_.coulomb_nm;
   if (parameters_.stribeck_nm > 0) {
     const double x = rate_radps / parameters_.stribeck_radps;
     both += parameters_.stribeck_nm * std::exp(-x * x);
   }
-  return {both + parameters_.more_positive_nm, both + parameters_.more_negative_nm};
+  return {both + parameters_.more_positive_nm, both + parameters_.more_negative_nm,
+          parameters_.viscous_nmsprad};
 }
 
 }  // namespace tera

@@ -21,25 +21,30 @@ struct LoadFrictionParameters {
 /// `max_effort_nm` is the effort at which the sag is stated.
 LoadFrictionParameters LoadFrictionOf(const Effects& effects, double max_effort_nm);
 
-/// The most that friction can oppose motion in either direction, magnitudes.
-struct FrictionBounds {
+/// What opposes the motion of an axis over a step: dry friction, which also holds it at rest, with
+/// at most these magnitudes in either direction, and the viscous one, which belongs to the rate at
+/// the end of the step.
+struct AxisFriction {
   double against_positive_nm = 0, against_negative_nm = 0;
+  double viscous_nmsprad = 0;
 
-  bool any() const { return against_positive_nm > 0 || against_negative_nm > 0; }
+  bool dry() const { return against_positive_nm > 0 || against_negative_nm > 0; }
+  bool any() const { return dry() || viscous_nmsprad > 0; }
 };
 
 /// Slot `load_friction` of one joint or gear.
 ///
-/// Frames  The load is the effort that the joint needs beside that against its own friction,
-///         positive where it must be pushed towards larger positions.
+/// Frames  The load is the effort that the joint needs at a steady rate beside that against its
+///         own friction, positive where it must be pushed towards larger positions.
 /// Model   pressure_droop: v = v0 sqrt((ps - pL) / ps) with pL / ps the load and the friction
 ///         against v0 over the effort at which the actuator stalls, seen through a first-order lag
-///         of the oil's compression; an aiding load makes it faster. sag: a leak lets the joint
-///         yield at a rate proportional to the load beyond what friction holds. structural_flex:
-///         the rate passes a filter of second order, w_n^2 / (s^2 + 2 z w_n s + w_n^2).
-///         Friction: F = F_c + F_s exp(-(w / w_s)^2) + c |w| (coulomb_friction, stribeck_friction,
-///         viscous_friction), and more by direction (asymmetric_friction); it opposes motion, and
-///         holds a joint at rest with at most F(0).
+///         of the oil's compression; an aiding load makes it faster. The pressure that accelerates
+///         masses is no load: it is gone within I v0 / ps, some milliseconds. sag: a leak lets the
+///         joint yield at a rate proportional to the load beyond what friction holds.
+///         structural_flex: the rate passes a filter of second order, w_n^2 / (s^2 + 2 z w_n s +
+///         w_n^2). Friction: F = F_c + F_s exp(-(w / w_s)^2) + c |w| (coulomb_friction,
+///         stribeck_friction, viscous_friction), and more by direction (asymmetric_friction); it
+///         opposes motion, and holds a joint at rest with at most F(0).
 /// Omits   presliding displacement, dependence of friction on load; `payload` is a mass of the
 ///         machine's links (see AddPayloads).
 /// Source  Merritt 1967, "Hydraulic control systems", ch. 3 (orifice, laminar leak); Armstrong-
@@ -53,7 +58,7 @@ class LoadFriction {
   double Step(double rate_radps, double load_nm, double dt_s);
 
   /// Of a joint that moves at `rate_radps`.
-  FrictionBounds Friction(double rate_radps) const;
+  AxisFriction Friction(double rate_radps) const;
 
  private:
   void Prepare(double dt_s);

@@ -74,6 +74,25 @@ TEST(ActuationChain, APumpsPowerCountsWhatMovesAgainstItsLoad) {
   EXPECT_NEAR(chain.drives()[2].rate_radps, 4 * 1000 / (4000 * 30 * kDeg), 1e-12);
 }
 
+TEST(ActuationChain, AJointsLeverTakesPowerFromThePumpButNoOil) {
+  // Pins of 0.4 m and 1 m, 90 deg apart at the reference and 143.13 deg at q = 0.92730: lever arms
+  // 0.4 / sqrt(1.16) = 0.371391 m and 0.24 / sqrt(1.80) = 0.178885 m, so that the joint there is
+  // 2.07614 times as fast for the same rate of the piston.
+  const std::string lever =
+      "lift: {cylinder_lever: {barrel_m: 0.4, rod_m: 1, angle_at_zero_rad: 1.5707963, "
+      "reference_rad: 0}}";
+  const double gain = 2.07614, q_rad = 0.9272952;
+  const std::vector<AxisMotion> motions = {{q_rad, 0, 4000}, {0, 0, 0}, {0, 0, 0}};
+  const auto rate_radps = [&](const std::string& limit) {
+    Actuation chain(TwoPumpMachine("{one: {" + limit + "}, " + lever + "}"), {"m", 1});
+    chain.Step(std::vector<double>{1, 0, 0}, motions, kStep_s);
+    return chain.drives()[0].rate_radps;
+  };
+  EXPECT_NEAR(rate_radps("power_limit: {power_w: 1000, regulator_s: 0}"), 1000.0 / 4000, 1e-6);
+  // 2e-3 m3/rad at the reference: of 5e-4 m3/s comes 0.25 rad/s there, and gain times that here.
+  EXPECT_NEAR(rate_radps("flow_sharing: {capacity: 0.5}"), 0.25 * gain, 1e-5);
+}
+
 TEST(ActuationChain, TheSameSeedGivesTheSameRunAndEachAxisItsOwnLosses) {
   const std::string drops = "{command_drops: {period_s: 0.02, probability: 0.4}}";
   const MachineModel model = TwoPumpMachine("{lift: " + drops + ", second: " + drops + "}");
@@ -156,9 +175,15 @@ std::vector<double> Outputs(const std::string& effects) {
       all.push_back(drive.rate_radps);
       all.push_back(drive.friction.against_positive_nm);
       all.push_back(drive.friction.against_negative_nm);
+      all.push_back(drive.friction.viscous_nmsprad);
     }
   }
   return all;
+}
+
+/// Not a number differs from everything, itself included.
+bool AllFinite(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
 struct Change {
@@ -219,6 +244,8 @@ TEST(ActuationChain, EveryParameterChangesWhatIsAskedFor) {
       return Outputs((pump ? "one: {" : "lift: {") + change.mechanism + ": {" + change.parameter +
                      ": " + value + (change.others.empty() ? "" : ", ") + change.others + "}}");
     };
+    EXPECT_TRUE(AllFinite(outputs(change.from))) << change.mechanism;
+    EXPECT_TRUE(AllFinite(outputs(change.to))) << change.mechanism << "." << change.parameter;
     EXPECT_NE(outputs(change.from), outputs(change.to))
         << change.mechanism << "." << change.parameter;
     EXPECT_NE(outputs(change.to), Outputs("{}")) << change.mechanism;
