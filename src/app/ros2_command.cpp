@@ -31,7 +31,8 @@ struct Arguments {
   std::vector<std::string> set, effects;
 };
 
-/// While it lives, the first Ctrl-C or SIGTERM is a request to end, the second ends the program.
+/// While it lives, the first Ctrl-C and the first SIGTERM are requests to end; a second of the same
+/// kind ends the program.
 class StopRequest {
  public:
   StopRequest() {
@@ -83,6 +84,7 @@ void PrintReport(const ros::LiveRosReport& report) {
       "taken, {} refused",
       report.simulated_s, report.wall_s, report.published, report.dropped, report.levers_received,
       report.levers_refused);
+  if (report.levers_unasked > 0) fmt::print(", {} not asked for", report.levers_unasked);
   if (report.timeouts > 0) fmt::print("; {} answers did not come in time", report.timeouts);
   fmt::print("\n");
 }

@@ -92,8 +92,8 @@ ControlMessage ControlOf(const DeltaCan& message, const MachineModel& model) {
   return control;
 }
 
-LeverInput::LeverInput(const Scenario& scenario, Participant* participant, Log log)
-    : scenario_(scenario), participant_(participant), log_(std::move(log)) {
+LeverInput::LeverInput(const Scenario& scenario, Participant* participant, Obey obey, Log log)
+    : scenario_(scenario), participant_(participant), obey_(obey), log_(std::move(log)) {
   for (const ScenarioMachine& machine : scenario.machines) {
     Input input;
     if (!machine.placement.model.levers.empty()) {
@@ -108,18 +108,28 @@ void LeverInput::Take(TimeNs now_ns,
   for (std::size_t m = 0; m < inputs_.size(); ++m) {
     if (!inputs_[m].reader) continue;
     const MachineModel& model = scenario_.machines[m].placement.model;
-    std::optional<DeltaCan> last;
+    std::optional<DeltaCan> obeyed;
     for (const DeltaCan& message : participant_->TakeLevers(*inputs_[m].reader)) {
       if (const auto fault = FaultOf(message, model)) {
         Refuse(m, *fault);
         continue;
       }
       ++received_;
-      if (StampOf(message) == now_ns) inputs_[m].answered_ns = now_ns;
-      last = message;
+      if (IsObeyed(m, now_ns, message)) obeyed = message;
     }
-    if (last) command(m, ControlOf(*last, model));
+    if (obeyed) command(m, ControlOf(*obeyed, model));
   }
+}
+
+bool LeverInput::IsObeyed(std::size_t machine, TimeNs now_ns, const DeltaCan& message) {
+  Input& input = inputs_[machine];
+  const TimeNs stamp_ns = StampOf(message);
+  if (stamp_ns <= now_ns) input.heard_ns = std::max(input.heard_ns, stamp_ns);
+  const bool first_answer = stamp_ns == now_ns && input.answered_ns != now_ns;
+  if (first_answer) input.answered_ns = now_ns;
+  if (obey_ == Obey::kLast || first_answer) return true;
+  LeaveUnasked(machine, now_ns, stamp_ns);
+  return false;
 }
 
 void LeverInput::Refuse(std::size_t machine, const std::string& fault) {
@@ -127,6 +137,18 @@ void LeverInput::Refuse(std::size_t machine, const std::string& fault) {
   if (!IsPowerOfTen(refused_)) return;
   log_(fmt::format("{}: levers refused: {} ({} refused so far)",
                    scenario_.machines[machine].placement.name, fault, refused_));
+}
+
+void LeverInput::LeaveUnasked(std::size_t machine, TimeNs now_ns, TimeNs stamp_ns) {
+  ++unasked_;
+  if (!IsPowerOfTen(unasked_)) return;
+  const std::string why =
+      stamp_ns == now_ns
+          ? "an answer has been taken already"
+          : fmt::format("/clock says {:.9f} s, and only levers with that stamp count",
+                        ToSeconds(now_ns));
+  log_(fmt::format("{}: levers stamped {:.9f} s not taken: {} ({} not taken so far)",
+                   scenario_.machines[machine].placement.name, ToSeconds(stamp_ns), why, unasked_));
 }
 
 bool LeverInput::HasPublisher(std::size_t machine) const {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "core/error.h"
@@ -21,6 +23,12 @@ void RequireRate(double rate_hz, double physics_rate_hz) {
                   rate_hz, physics_rate_hz));
 }
 
+/// The end of a run that may have none.
+TimeNs EndOf(double duration_s) {
+  constexpr TimeNs kNever_ns = std::numeric_limits<TimeNs>::max();
+  return duration_s < ToSeconds(kNever_ns) ? FromSeconds(duration_s) : kNever_ns;
+}
+
 /// A run, and what of it is heard and said.
 class Session {
  public:
@@ -30,7 +38,8 @@ class Session {
         samples_(scenario, &participant_),
         run_(std::move(scenario), resolved_yaml, options.live, {&samples_}),
         states_(run_.scenario(), now(), &participant_),
-        levers_(run_.scenario(), &participant_, options.log),
+        levers_(run_.scenario(), &participant_,
+                options.pace == Pace::kLockstep ? Obey::kAnswers : Obey::kLast, options.log),
         lockstep_(run_.scenario(), &levers_, options.answer_timeout_s, WaysOfWaiting()) {}
 
   LiveRosReport Run() {
@@ -38,11 +47,11 @@ class Session {
     {
       const Stopwatch watch(&report.wall_s);
       const SampleClock clock{options_.rate_hz};
+      const TimeNs end_ns = EndOf(options_.duration_s);
       Say();
-      for (std::int64_t tick = 1; !options_.stop() && ToSeconds(now().t_ns) < options_.duration_s;
-           ++tick) {
+      for (std::int64_t tick = 1; !options_.stop() && now().t_ns < end_ns; ++tick) {
         Listen();
-        while (now().t_ns < clock.Due(tick)) {
+        while (now().t_ns < std::min(clock.Due(tick), end_ns)) {
           run_.Step();
           samples_.PublishDue(now().t_ns);
         }
@@ -55,6 +64,7 @@ class Session {
     report.dropped = participant_.dropped();
     report.levers_received = levers_.received();
     report.levers_refused = levers_.refused();
+    report.levers_unasked = levers_.unasked();
     report.timeouts = lockstep_.timeouts();
     return report;
   }

@@ -15,6 +15,7 @@ struct LiveRosOptions {
   Pace pace = Pace::kReal;
   double rate_hz = 100;         ///< of /clock, of the states, and of looking for levers
   double answer_timeout_s = 5;  ///< in lock-step
+  /// The run ends with the step of the physics that reaches it.
   double duration_s = std::numeric_limits<double>::infinity();
   LiveOptions live;
   std::function<bool()> stop;                   ///< asked before each tick
@@ -25,7 +26,8 @@ struct LiveRosReport {
   double simulated_s = 0, wall_s = 0;
   std::int64_t published = 0, dropped = 0;
   std::int64_t levers_received = 0, levers_refused = 0;
-  std::int64_t timeouts = 0;  ///< answers that did not come in lock-step
+  std::int64_t levers_unasked = 0;  ///< in lock-step: of another time, or not the first
+  std::int64_t timeouts = 0;        ///< answers that did not come in lock-step
 };
 
 /// Runs a scenario for ROS 2 until its duration or `stop`. Throws InputError where names are none

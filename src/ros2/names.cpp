@@ -29,6 +29,22 @@ void RequireRosName(const std::string& kind, const std::string& name) {
                   kind, name));
 }
 
+/// A link's name ends a frame, and may be a path of names itself.
+void RequireFrameName(const ScenarioMachine& machine, const std::string& link) {
+  bool names = true;
+  for (std::size_t begin = 0; names && begin <= link.size();) {
+    const std::size_t end = std::min(link.find('/', begin), link.size());
+    names = IsRosName(link.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  if (names) return;
+  throw InputError(fmt::format(
+      "link '{}' of machine '{}' cannot name a ROS frame; need letters, digits and '_', "
+      "no digit first, or several such names with '/' between: rename it in the "
+      "machine's file or its URDF",
+      link, machine.placement.name));
+}
+
 void RequireDistinct(const ScenarioMachine& machine) {
   std::set<std::string> frames;
   std::set<std::string> topics = {"odom", "joint_states", "ee_pose", "bucket_mass", "delta_can"};
@@ -79,6 +95,7 @@ void RequireRosNames(const Scenario& scenario) {
   for (const ScenarioMachine& machine : scenario.machines) {
     RequireRosName("machine", machine.placement.name);
     for (const SensorDescription& sensor : machine.sensors) RequireRosName("sensor", sensor.name);
+    for (const Link& link : machine.placement.model.links) RequireFrameName(machine, link.name);
     RequireDistinct(machine);
   }
 }

@@ -28,8 +28,11 @@ std::string OpticalFrameOf(const std::string& machine, const std::string& camera
 /// becomes `gps`, the name that ROS users look for.
 std::string TopicOf(const SensorDescription& sensor);
 
-/// Throws InputError where a machine's or a sensor's name is none in ROS, which allows letters,
-/// digits and '_', no digit first, or where two things would share a topic or a frame.
+/// Throws InputError where the name of a machine, a sensor or a link is none in ROS, which allows
+/// letters, digits and '_', no digit first, for links several of these with '/' between, or where
+/// two things would share a topic or a frame.
+///
+/// Source  ROS 2 design article "Topic and service names"; tf2, whose frames begin with no '/'.
 void RequireRosNames(const Scenario& scenario);
 
 }  // namespace tera::ros

@@ -31,7 +31,7 @@ Lockstep::Lockstep(const Scenario& scenario, const LeverInput* levers, double ti
       levers_(levers),
       timeout_s_(timeout_s),
       ways_(std::move(ways)),
-      given_up_(scenario.machines.size(), false) {}
+      given_up_ns_(scenario.machines.size()) {}
 
 void Lockstep::WaitForAnswers(TimeNs now_ns) {
   const auto patience = std::chrono::nanoseconds(FromSeconds(kPatience_s));
@@ -40,9 +40,7 @@ void Lockstep::WaitForAnswers(TimeNs now_ns) {
   std::vector<std::size_t> owing;
   while (!ways_.stop()) {
     ways_.take_levers();
-    for (std::size_t m = 0; m < given_up_.size(); ++m) {
-      if (levers_->Answered(m, now_ns)) given_up_[m] = false;
-    }
+    Forgive();
     met_ = met_ || AnybodyAwaited();
     owing = Owing(now_ns);
     if (met_ && owing.empty()) break;
@@ -59,11 +57,11 @@ void Lockstep::WaitForAnswers(TimeNs now_ns) {
 }
 
 bool Lockstep::IsAwaited(std::size_t machine) const {
-  return !given_up_[machine] && levers_->HasPublisher(machine);
+  return !given_up_ns_[machine] && levers_->HasPublisher(machine);
 }
 
 bool Lockstep::AnybodyAwaited() const {
-  for (std::size_t m = 0; m < given_up_.size(); ++m) {
+  for (std::size_t m = 0; m < given_up_ns_.size(); ++m) {
     if (IsAwaited(m)) return true;
   }
   return false;
@@ -71,10 +69,16 @@ bool Lockstep::AnybodyAwaited() const {
 
 std::vector<std::size_t> Lockstep::Owing(TimeNs now_ns) const {
   std::vector<std::size_t> owing;
-  for (std::size_t m = 0; m < given_up_.size(); ++m) {
+  for (std::size_t m = 0; m < given_up_ns_.size(); ++m) {
     if (IsAwaited(m) && !levers_->Answered(m, now_ns)) owing.push_back(m);
   }
   return owing;
+}
+
+void Lockstep::Forgive() {
+  for (std::size_t m = 0; m < given_up_ns_.size(); ++m) {
+    if (given_up_ns_[m] && levers_->HeardOf(m) > *given_up_ns_[m]) given_up_ns_[m].reset();
+  }
 }
 
 void Lockstep::GiveUp(const std::vector<std::size_t>& owing, TimeNs now_ns) {
@@ -86,7 +90,7 @@ void Lockstep::GiveUp(const std::vector<std::size_t>& owing, TimeNs now_ns) {
                     timeout_s_));
   }
   for (const std::size_t m : owing) {
-    given_up_[m] = true;
+    given_up_ns_[m] = now_ns;
     ++timeouts_;
     ways_.log(
         fmt::format("{}: no levers for /clock {:.3f} s within {} s; not waiting until they "

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,8 +37,9 @@ class RealTime {
 /// Waits for the answers to /clock: a good lever message with its stamp for each machine whose
 /// levers somebody publishes; at the start, for a first publisher.
 ///
-/// Model   a machine whose answer has not come within the timeout is not waited for again until it
-///         has answered once more. With nobody to wait for, time goes by as on the wall.
+/// Model   a machine whose answer has not come within the timeout is not waited for again until a
+///         message stamped after that time has come. With nobody to wait for, time goes by as on
+///         the wall.
 class Lockstep {
  public:
   /// What it does while it waits.
@@ -61,14 +63,17 @@ class Lockstep {
   bool AnybodyAwaited() const;
   /// Awaited machines without an answer.
   std::vector<std::size_t> Owing(TimeNs now_ns) const;
+  /// Awaits those again who have been heard of since they were given up.
+  void Forgive();
   void GiveUp(const std::vector<std::size_t>& owing, TimeNs now_ns);
 
   const Scenario& scenario_;
   const LeverInput* levers_;
   double timeout_s_;
   Ways ways_;
-  bool met_ = false;            ///< somebody has been there, or the first wait is over
-  std::vector<bool> given_up_;  ///< of each machine
+  bool met_ = false;  ///< somebody has been there, or the first wait is over
+  /// Of each machine that is not waited for: the time to which no answer came.
+  std::vector<std::optional<TimeNs>> given_up_ns_;
   RealTime real_time_;
   std::int64_t timeouts_ = 0;
 };

@@ -1,6 +1,8 @@
 #include "ros2/fast_peer.h"
 
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -17,6 +19,7 @@
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <fastdds/dds/topic/TopicDataType.hpp>
+#include <filesystem>
 #include <mutex>
 #include <stdexcept>
 
@@ -225,6 +228,19 @@ std::map<std::string, OfferedTopic> FastPeer::Offers() const {
   return impl_->offers;
 }
 
-int OwnDomainId() { return 1 + getpid() % 100; }
+int OwnDomainId() {
+  static const int id = [] {
+    for (int free = 1; free <= 100; ++free) {
+      const auto file = std::filesystem::temp_directory_path() /
+                        ("tera_ros2_test_domain_" + std::to_string(free));
+      const int lock = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+      if (lock < 0) continue;  // somebody else's
+      if (flock(lock, LOCK_EX | LOCK_NB) == 0) return free;
+      close(lock);
+    }
+    throw std::runtime_error("no DDS domain from 1 to 100 is free");
+  }();
+  return id;
+}
 
 }  // namespace tera

@@ -378,5 +378,27 @@ TEST(RosNames, NamesThatRosDoesNotHaveAreRefused) {
   }
 }
 
+TEST(RosNames, LinksThatCannotNameAFrameAreRefused) {
+  Scenario scenario = Read(kExcavator);
+  MachineModel& model = scenario.machines[0].placement.model;
+  std::string& blade = model.links[model.LinkIndex("blade")].name;
+  for (const std::string good : {"blade_2", "_blade", "blade/left/Edge"}) {
+    blade = good;
+    EXPECT_NO_THROW(ros::RequireRosNames(scenario)) << good;
+  }
+  for (const std::string bad :
+       {"", "/blade", "blade/", "blade//edge", "blade/2nd", "2nd_blade", "blade-2", "the blade",
+        "sch\xc3\xbc"
+        "ld"}) {
+    blade = bad;
+    try {
+      ros::RequireRosNames(scenario);
+      ADD_FAILURE() << bad;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("link '" + bad + "' of machine 'digger'"));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tera

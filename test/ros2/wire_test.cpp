@@ -313,43 +313,5 @@ TEST_F(Wire, CutOffLeversAreNoMessage) {
   for (const ros::DeltaCan& m : come) EXPECT_EQ(m.stamp_sec, 9);
 }
 
-TEST_F(Wire, LatecomerGetsTheLastOfALatchedTopic) {
-  const auto writer = participant_.Advertise<ros::TfMessage>("/tf_static", ros::Delivery::kLatched);
-  participant_.Publish(writer, ros::TfMessage{{{In("map"), "first", SkewPose()}}});
-  participant_.Publish(writer, ros::TfMessage{{{In("map"), "last", SkewPose()}}});
-  peer_.Subscribe({.topic = "rt/tf_static",
-                   .type = "tf2_msgs::msg::dds_::TFMessage_",
-                   .reliable = true,
-                   .transient_local = true});
-  const std::optional<Payload> payload = peer_.Next("rt/tf_static");
-  ASSERT_TRUE(payload.has_value());
-  CdrReader cdr(*payload);
-  EXPECT_EQ(cdr.U32(), 1u);
-  cdr.Time();
-  EXPECT_EQ(cdr.Text(), "map");
-  EXPECT_EQ(cdr.Text(), "last");
-}
-
-TEST_F(Wire, OffersTheQualityOfServiceThatRosHas) {
-  participant_.Advertise<ros::Imu>("/sensor", ros::Delivery::kSensorData);
-  participant_.Advertise<ros::Image>("/picture", ros::Delivery::kLarge);
-  participant_.Advertise<ros::Odometry>("/state", ros::Delivery::kState);
-  participant_.Advertise<ros::TfMessage>("/tf", ros::Delivery::kTransforms);
-  participant_.Advertise<ros::TfMessage>("/tf_static", ros::Delivery::kLatched);
-  participant_.Advertise<ros::Clock>("/clock", ros::Delivery::kClock);
-  EXPECT_EQ(peer_.WaitForOffer("rt/sensor"),
-            (OfferedTopic{"sensor_msgs::msg::dds_::Imu_", false, false}));
-  EXPECT_EQ(peer_.WaitForOffer("rt/picture"),
-            (OfferedTopic{"sensor_msgs::msg::dds_::Image_", true, false}));
-  EXPECT_EQ(peer_.WaitForOffer("rt/state"),
-            (OfferedTopic{"nav_msgs::msg::dds_::Odometry_", true, false}));
-  EXPECT_EQ(peer_.WaitForOffer("rt/tf"),
-            (OfferedTopic{"tf2_msgs::msg::dds_::TFMessage_", true, false}));
-  EXPECT_EQ(peer_.WaitForOffer("rt/tf_static"),
-            (OfferedTopic{"tf2_msgs::msg::dds_::TFMessage_", true, true}));
-  EXPECT_EQ(peer_.WaitForOffer("rt/clock"),
-            (OfferedTopic{"rosgraph_msgs::msg::dds_::Clock_", false, false}));
-}
-
 }  // namespace
 }  // namespace tera
