@@ -12,6 +12,7 @@
 #include "core/csv.h"
 #include "core/error.h"
 #include "own_folder.h"
+#include "physics/cylinder_fixture.h"
 
 // Whole datasets, small ones: an excavator that digs, with every kind of sensor.
 
@@ -238,6 +239,43 @@ machines:
   const std::string& table = files.at("lift1/e/data.csv");
   // 1.234 m is nearest to two steps of 0.5 m; steps of 90 deg would be 1.57.
   EXPECT_THAT(table, ::testing::StartsWith("t_ns,slide_m,slide_mps\n0,1,"));
+}
+
+TEST(Generate, HydraulicsHaveTheLengthsAndPressuresOfACylinderInItsPose) {
+  std::ofstream(OwnFolder() / "cylinder_arm.yaml") << kCylinderArm;
+  const fs::path out = Fresh("hydraulics");
+  Simulate(out, R"(
+name: hydraulics
+duration_s: 1
+settle_s: 0
+terrain: {size_m: [8, 8], cell_m: 0.2, soil: dirt}
+machines:
+  - {name: arm1, machine: ")" +
+                    (OwnFolder() / "cylinder_arm.yaml").string() + R"(",
+     start: {xy_m: [0.4, -0.3], yaw_deg: 70}, operator: {type: idle}}
+)");
+  const fs::path file = out / "truth/arm1/hydraulics.csv";
+  EXPECT_THAT(ReadCsvHeader(file),
+              ::testing::ElementsAre("t_ns", "ram_length_m", "ram_stroke_m", "ram_mps", "ram_n",
+                                     "ram_head_pressure_pa", "ram_rod_pressure_pa"));
+  const auto columns =
+      ReadCsvColumns(file, {"t_ns", "ram_length_m", "ram_stroke_m", "ram_mps", "ram_n",
+                            "ram_head_pressure_pa", "ram_rod_pressure_pa"});
+  EXPECT_EQ(columns[0].front(), 0);
+  EXPECT_EQ(columns[0].back(), 1e9);
+  for (std::size_t i = 1; i < columns[0].size(); ++i) EXPECT_GT(columns[0][i], columns[0][i - 1]);
+  // Pins 0.5 m and 1.3 m from the joint, at a right angle: sqrt(1.94) m. The joint's upper limit of
+  // 70 deg leaves 34.25 deg between them and the shortest length: sqrt(1.94 - 1.3 cos 34.25 deg).
+  EXPECT_NEAR(columns[1].back(), 1.392839, 1e-6);
+  EXPECT_NEAR(columns[2].back(), 1.392839 - 0.930287, 1e-6);
+  EXPECT_NEAR(columns[3].back(), 0, 1e-9);
+  // It hangs on its rod: 20 kg at 0.8 m and the hook's 1 kg at the pin, at 14.25 deg, over the
+  // lever arm of 0.5 * 1.3 / 1.392839 m; the piston's other side is open to the return line of 0.2
+  // MPa.
+  const double pull_n = 20 * 9.81 * 0.8 * 0.969231 / 0.466673;
+  EXPECT_NEAR(columns[4].back(), -pull_n, 1e-3 * pull_n);
+  EXPECT_NEAR(columns[5].back(), 0.2e6, 1);
+  EXPECT_NEAR(columns[6].back(), (pull_n + 0.2e6 * 7.853982e-3) / 5.026548e-3, 100);
 }
 
 TEST(Generate, RefusesToResumeAnotherScenario) {

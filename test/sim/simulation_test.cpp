@@ -87,6 +87,24 @@ TEST(Simulation, DigCycleMovesSoilToTheDumpAndLosesNone) {
   EXPECT_GT(left_m3, 0.01);
 }
 
+TEST(Simulation, DigCycleFillsItsBucketThroughDeadBandsAndDelay) {
+  std::vector<std::string> overrides;
+  for (const char* joint : {"slew", "boom", "arm", "bucket"}) {
+    overrides.push_back(std::string("effects.excavator1.") + joint +
+                        "={dead_band: {width: 0.12}, rate_gain: {gain: 1.136}, command_delay: "
+                        "{delay_s: 0.12}}");
+  }
+  Scenario scenario = Read("{type: dig_cycle, dump_azimuth_deg: 90, cycles: 1}", overrides);
+  Simulation simulation(&scenario);
+  double most_kg = 0;
+  while (simulation.state().t_ns < FromSeconds(16)) {
+    simulation.Step();
+    most_kg = std::max(most_kg, simulation.state().machines[0].shovel_load[0].mass_kg);
+  }
+  EXPECT_GT(most_kg, 75.0);  // half of what the bucket holds
+  EXPECT_LT(simulation.state().machines[0].shovel_load[0].mass_kg, 0.2 * most_kg);
+}
+
 TEST(Simulation, TwoMachinesHaveTheirOwnLeversAndJoints) {
   const Config config = Config::FromText(R"(
 name: two
