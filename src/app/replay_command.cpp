@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/followed_run.h"
 #include "app/load_scenario.h"
+#include "dataset/checked_file.h"
 #include "sim/replay.h"
 
 namespace tera {
@@ -12,16 +13,27 @@ namespace {
 
 struct Arguments {
   std::filesystem::path recording;
-  GenerateOptions options;
+  RunOptions options;
 };
 
+LoadedScenario Replayed(const std::filesystem::path& directory) {
+  const std::filesystem::path scenario_file = directory / "scenario.yaml";
+  LoadedScenario loaded;
+  if (WasStopped(directory)) {
+    loaded = LoadScenario(scenario_file, {});
+    CommandAsFarAsRecorded(directory, &loaded.scenario);
+  } else {
+    const Recording recording(directory);
+    RequireSimulated(recording);
+    loaded = LoadScenario(scenario_file, {});
+    CommandAsRecorded(recording, &loaded.scenario);
+  }
+  loaded.resolved_yaml = ReadWholeFile(scenario_file);
+  return loaded;
+}
+
 void RunReplay(const Arguments& arguments) {
-  const Recording recording(arguments.recording);
-  RequireSimulated(recording);
-  LoadedScenario loaded = LoadScenario(arguments.recording / "scenario.yaml", {});
-  CommandAsRecorded(recording, &loaded.scenario);
-  loaded.resolved_yaml = recording.info().resolved_scenario_yaml;
-  FollowRun(std::move(loaded), arguments.options);
+  FollowRun(Replayed(arguments.recording), arguments.options);
 }
 
 }  // namespace
@@ -30,7 +42,9 @@ void AddReplayCommand(CLI::App* app) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app->add_subcommand(
       "replay", "Simulate a recorded run again from its commands, to the same bytes");
-  command->add_option("RECORDING", arguments->recording, "Directory of a simulated dataset")
+  command
+      ->add_option("RECORDING", arguments->recording,
+                   "Directory of a simulated dataset; also one that was stopped (.incomplete)")
       ->required();
   AddRunOptions(command, &arguments->options);
   command->callback([arguments] { RunReplay(*arguments); });

@@ -50,7 +50,7 @@ CheckedFile::CheckedFile(const std::filesystem::path& path) : path_(path), tempo
 
 CheckedFile::~CheckedFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
-  if (!committed_) ::unlink(temporary_.c_str());
+  if (!committed_ && !left_) ::unlink(temporary_.c_str());
 }
 
 void CheckedFile::Append(std::string_view bytes) {
@@ -79,6 +79,16 @@ void CheckedFile::Commit() {
     FailFile(path_, "cannot be given its name", errno);
   }
   committed_ = true;
+}
+
+void CheckedFile::Leave() {
+  if (descriptor_ < 0) return;
+  left_ = true;
+  try {
+    Flush();
+  } catch (const InputError&) {
+    // Whoever leaves a file has been told of its disk already.
+  }
 }
 
 void WriteWholeFile(const std::filesystem::path& path, std::string_view bytes) {

@@ -16,23 +16,26 @@ class CheckedFile {
   explicit CheckedFile(const std::filesystem::path& path);
   CheckedFile(const CheckedFile&) = delete;
   CheckedFile& operator=(const CheckedFile&) = delete;
-  /// Without Commit, removes the temporary file.
+  /// Without Commit or Leave, removes the temporary file.
   ~CheckedFile();
 
   void Append(std::string_view bytes);
+  /// Hands what is buffered to the system.
+  void Flush();
   /// Writes what is buffered, closes, and gives the file its name.
   void Commit();
+  /// Without Commit before it, the temporary file stays, with as much as the disk takes. The last
+  /// use of this.
+  void Leave();
   std::int64_t bytes() const { return bytes_; }
   const std::filesystem::path& path() const { return path_; }
   /// Where another program may write instead of Append, before Commit.
   const std::filesystem::path& temporary() const { return temporary_; }
 
  private:
-  void Flush();
-
   std::filesystem::path path_, temporary_;
   int descriptor_ = -1;
-  bool committed_ = false;
+  bool committed_ = false, left_ = false;
   std::string buffer_;
   std::int64_t bytes_ = 0;
 };

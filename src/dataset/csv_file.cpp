@@ -39,6 +39,7 @@ CsvFile::CsvFile(const std::filesystem::path& path, LastLine last_line)
   std::string_view rest = *text_;
   for (int line = 1; !rest.empty(); ++line) {
     const std::size_t end = rest.find('\n');
+    if (end == std::string_view::npos && last_line == LastLine::kIsLeftOutIfCut) break;
     std::string_view row = rest.substr(0, end);
     if (end == std::string_view::npos && last_line == LastLine::kMustEnd) {
       throw InputError(

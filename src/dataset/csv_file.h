@@ -14,7 +14,7 @@ namespace tera {
 /// file:line, what was found and what is needed.
 class CsvFile {
  public:
-  enum class LastLine { kMustEnd, kMayLackItsEnd };
+  enum class LastLine { kMustEnd, kMayLackItsEnd, kIsLeftOutIfCut };
 
   /// Reads the file. Faults: no header, a column named twice, a row with too few or too many
   /// fields, and with kMustEnd a last line that was cut off.

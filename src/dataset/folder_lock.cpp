@@ -23,7 +23,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder)
   if (errno != EWOULDBLOCK) return;
   close(descriptor_);
   throw InputError(
-      fmt::format("{}: another run is writing it; wait until it ends, or choose another --out",
+      fmt::format("{}: another run is writing it; wait until it ends, or choose another place",
                   folder.string()));
 }
 

@@ -109,16 +109,44 @@ ChannelType ReadType(const ConfigMap& map) {
   return ChannelType::kTable;
 }
 
+TableRecording ReadTable(const CsvFile& csv) {
+  if (csv.Column("t_ns") != 0) {
+    throw InputError(fmt::format("{}:1: need t_ns as the first column", csv.path().string()));
+  }
+  TableRecording table;
+  table.columns.assign(csv.columns().begin() + 1, csv.columns().end());
+  for (std::size_t row = 0; row < csv.row_count(); ++row) {
+    table.t_ns.push_back(csv.Time(row));
+    std::vector<double> values;
+    for (std::size_t c = 1; c < csv.columns().size(); ++c) values.push_back(csv.Number(row, c));
+    table.rows.push_back(std::move(values));
+  }
+  return table;
+}
+
 }  // namespace
+
+bool WasStopped(const fs::path& directory) {
+  std::error_code ignored;
+  return !fs::is_regular_file(directory / "dataset.yaml", ignored) &&
+         fs::exists(directory / "INCOMPLETE.txt", ignored);
+}
+
+TableRecording LoadStoppedTable(const fs::path& directory, const std::string& file) {
+  fs::path path = directory / file;
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) path += kPartSuffix;
+  return ReadTable(CsvFile(path, CsvFile::LastLine::kIsLeftOutIfCut));
+}
 
 Recording::Recording(const fs::path& directory) : directory_(directory) {
   std::error_code ignored;
   if (!fs::is_regular_file(directory / "dataset.yaml", ignored)) {
-    const bool incomplete = fs::exists(directory / "INCOMPLETE.txt", ignored);
+    const bool incomplete = WasStopped(directory);
     throw InputError(fmt::format(
         "{}: is not a complete recording ({}); {}", directory.string(),
         incomplete ? "its run was stopped" : "it has no dataset.yaml",
-        incomplete ? "finish it with tera generate --resume" : "name the folder that holds it"));
+        incomplete ? "its INCOMPLETE.txt says what to do" : "name the folder that holds it"));
   }
   const Config config = Config::FromFile(directory / "dataset.yaml");
   const ConfigMap root = config.root();
@@ -231,19 +259,7 @@ PoseRecording Recording::LoadPose(const std::string& file) const {
 }
 
 TableRecording Recording::LoadTable(const std::string& file) const {
-  const CsvFile csv = Open(directory_ / file);
-  if (csv.Column("t_ns") != 0) {
-    throw InputError(fmt::format("{}:1: need t_ns as the first column", csv.path().string()));
-  }
-  TableRecording table;
-  table.columns.assign(csv.columns().begin() + 1, csv.columns().end());
-  for (std::size_t row = 0; row < csv.row_count(); ++row) {
-    table.t_ns.push_back(csv.Time(row));
-    std::vector<double> values;
-    for (std::size_t c = 1; c < csv.columns().size(); ++c) values.push_back(csv.Number(row, c));
-    table.rows.push_back(std::move(values));
-  }
-  return table;
+  return ReadTable(Open(directory_ / file));
 }
 
 std::vector<TimeNs> Recording::FrameTimes(const std::string& folder) const {

@@ -28,6 +28,14 @@ struct TableRecording {
   std::vector<std::vector<double>> rows;
 };
 
+/// Whether a run was stopped that wrote to this directory: it holds INCOMPLETE.txt and no
+/// dataset.yaml.
+bool WasStopped(const std::filesystem::path& directory);
+
+/// Of a recording whose run was stopped, the whole rows of a table that had come to the disk.
+/// Throws InputError where there is no such table.
+TableRecording LoadStoppedTable(const std::filesystem::path& directory, const std::string& file);
+
 /// A complete recording on disk, simulated or real, read channel by channel.
 ///
 /// Everything that is not as docs/dataset.md says is an InputError with file and line: a missing or

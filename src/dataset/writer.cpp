@@ -27,13 +27,12 @@ constexpr char kScenarioName[] = "scenario.yaml";
 constexpr char kDescriptionName[] = "dataset.yaml";
 
 /// Says what is in an incomplete directory; the same for the same run, whatever its place.
-std::string Note(const DatasetInfo& info) {
+std::string Note(const DatasetInfo& info, const std::string& remedy) {
   return fmt::format(
       "This recording is not complete: the run that writes it was stopped, or is still going on.\n"
-      "Go on with it:     the same `tera generate` command again, with --resume\n"
-      "Or start afresh:   delete this directory\n\n"
+      "What to do: {}, or delete this directory.\n\n"
       "scenario: {}\nseed: {}\nduration_s: {}\nTERA: {}\n",
-      info.scenario_name, info.seed, info.duration_s, TeraVersion());
+      remedy, info.scenario_name, info.seed, info.duration_s, TeraVersion());
 }
 
 bool Exists(const fs::path& path) {
@@ -100,6 +99,7 @@ struct Channel {
 struct DatasetWriter::Impl {
   fs::path final_directory, root;
   DatasetInfo info;
+  std::string note;
   bool resumed = false;
   std::vector<Channel> channels;
   std::set<std::string> paths;
@@ -109,7 +109,7 @@ struct DatasetWriter::Impl {
   std::int64_t row_bytes = 0;
   std::unique_ptr<FrameQueue> queue;  // last, so that its threads end before what they use
 
-  void Begin(bool resume);
+  void Begin(const WriterOptions& options);
   void WriteNotes();
   ChannelId Add(ChannelType type, const std::string& path, const std::string& csv,
                 std::string_view header);
@@ -122,7 +122,7 @@ struct DatasetWriter::Impl {
   void WriteScan(const std::string& folder, const LidarScan& scan);
 };
 
-void DatasetWriter::Impl::Begin(bool resume) {
+void DatasetWriter::Impl::Begin(const WriterOptions& options) {
   const fs::path name = final_directory.filename();
   if (name.empty() || name == "." || name == "..") {
     throw InputError(
@@ -130,17 +130,17 @@ void DatasetWriter::Impl::Begin(bool resume) {
                     final_directory.string()));
   }
   if (HoldsSomething(final_directory)) {
-    throw InputError(fmt::format("{}: is not an empty directory; choose another --out or delete it",
+    throw InputError(fmt::format("{}: is not an empty directory; choose another place or delete it",
                                  final_directory.string()));
   }
   resumed = HoldsSomething(root);
   if (resumed) lock = std::make_unique<FolderLock>(root);
-  if (resumed && !resume) {
-    throw InputError(fmt::format(
-        "{}: holds an incomplete recording; go on with --resume, or delete it", root.string()));
+  if (resumed && !options.resume) {
+    throw InputError(fmt::format("{}: holds an incomplete recording; {}, or delete it",
+                                 root.string(), options.remedy));
   }
   if (resumed) {
-    NeedSame(root / kNoteName, Note(info));
+    NeedSame(root / kNoteName, note);
     NeedSame(root / kScenarioName, info.resolved_scenario_yaml);
     RemoveParts(root);
   } else {
@@ -154,7 +154,7 @@ void DatasetWriter::Impl::WriteNotes() {
   MakeFolder(root);
   try {
     WriteWholeFile(root / kScenarioName, info.resolved_scenario_yaml);
-    WriteWholeFile(root / kNoteName, Note(info));
+    WriteWholeFile(root / kNoteName, note);
   } catch (const InputError&) {
     std::error_code ignored;
     fs::remove_all(root, ignored);
@@ -240,19 +240,22 @@ DatasetWriter::DatasetWriter(const fs::path& directory, const DatasetInfo& info,
   impl_->final_directory = directory.has_filename() ? directory : directory.parent_path();
   impl_->root = IncompleteOf(directory);
   impl_->info = info;
-  impl_->Begin(options.resume);
+  impl_->note = Note(info, options.remedy);
+  impl_->Begin(options);
   PreparePng();
   impl_->queue = std::make_unique<FrameQueue>(options.threads, options.queue_length);
 }
 
-DatasetWriter::~DatasetWriter() = default;
+DatasetWriter::~DatasetWriter() {
+  for (Channel& channel : impl_->channels) channel.csv->Leave();
+}
 
 bool DatasetWriter::FinishWhole(const fs::path& directory, const DatasetInfo& info) {
   const fs::path root = IncompleteOf(directory);
   if (!Exists(root / kDescriptionName)) return false;  // written when all else is whole
   const FolderLock lock(root);
   // Where the note is gone already, the scenario tells the seed and the duration too.
-  if (Exists(root / kNoteName)) NeedSame(root / kNoteName, Note(info));
+  if (Exists(root / kNoteName)) NeedSame(root / kNoteName, Note(info, WriterOptions().remedy));
   NeedSame(root / kScenarioName, info.resolved_scenario_yaml);
   FrameLog(root).Remove();
   Remove(root / kNoteName);
@@ -358,6 +361,10 @@ fs::path DatasetWriter::PathFor(const std::string& relative) {
   const fs::path path = impl_->root / relative;
   MakeFolder(path.parent_path());
   return path;
+}
+
+void DatasetWriter::Flush() {
+  for (Channel& channel : impl_->channels) channel.csv->Flush();
 }
 
 std::int64_t DatasetWriter::frames_written() const { return impl_->frames_written; }

@@ -30,6 +30,8 @@ struct WriterOptions {
   int threads = 2;        ///< encoding threads
   int queue_length = 64;  ///< frames waiting before Write blocks
   bool resume = false;
+  /// What to do with an incomplete recording, besides deleting it; for its note and for messages.
+  std::string remedy = "go on with it by the same command and --resume";
 };
 
 /// Writes a recording. Frames are encoded on worker threads behind a bounded queue; rows are
@@ -43,7 +45,7 @@ class DatasetWriter : public MeasurementSink {
  public:
   DatasetWriter(const std::filesystem::path& directory, const DatasetInfo& info,
                 const WriterOptions& options);
-  /// Without Finish, leaves the incomplete directory for a later resume.
+  /// Without Finish, leaves the incomplete directory, its rows as far as the disk takes them.
   ~DatasetWriter() override;
 
   /// Gives a recording its name that an earlier run had finished but for that. False where there is
@@ -73,6 +75,9 @@ class DatasetWriter : public MeasurementSink {
 
   /// Where to put a file of another kind (truth/terrain/*.tif); its folder exists.
   std::filesystem::path PathFor(const std::string& relative);
+
+  /// Hands all rows so far to the system, so that a kill of the program does not lose them.
+  void Flush();
 
   std::int64_t frames_written() const;
   std::int64_t bytes_written() const;

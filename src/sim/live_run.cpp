@@ -1,5 +1,8 @@
 #include "sim/live_run.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <utility>
 
 #include "core/check.h"
@@ -22,12 +25,19 @@ std::vector<RemoteOperator*> TakeOver(Scenario* scenario) {
   return operators;
 }
 
+/// Of simulated time, between two times that rows are brought to the disk.
+constexpr double kFlush_s = 1.0;
+
+constexpr char kRemedy[] =
+    "simulate again what was commanded until then (tera replay DIRECTORY --out NEW)";
+
 std::unique_ptr<DatasetWriter> RecorderOf(const Scenario& scenario,
                                           const std::string& resolved_yaml, const SceneModel& scene,
                                           const LiveOptions& options) {
   if (!options.record) return nullptr;
-  return std::make_unique<DatasetWriter>(*options.record, InfoOf(scenario, resolved_yaml, scene),
-                                         WriterOptions{.threads = options.threads});
+  return std::make_unique<DatasetWriter>(
+      *options.record, InfoOf(scenario, resolved_yaml, scene),
+      WriterOptions{.threads = options.threads, .remedy = kRemedy});
 }
 
 }  // namespace
@@ -54,6 +64,35 @@ struct LiveRun::Impl {
     return sinks;
   }
 
+  /// Steps, and each second brings what was recorded to the disk: a killed run goes as far.
+  void Step() {
+    run->Step();
+    const auto steps_per_flush =
+        static_cast<std::int64_t>(std::ceil(kFlush_s * scenario.physics_rate_hz));
+    if (recorder && ++steps % steps_per_flush == 0) recorder->Flush();
+  }
+
+  void Finish() {
+    run->Finish();
+    if (!recorder) return;
+    WriteTerrain("truth/terrain/height_end.tif");
+    recorder->SetDuration(ToSeconds(run->simulation().state().t_ns));
+    recorder->Finish();
+  }
+
+  /// `act`; where it fails, what is kept of the recording is said too.
+  template <typename Act>
+  void Recording(const Act& act) {
+    try {
+      act();
+    } catch (const InputError& error) {
+      if (!recorder) throw;
+      throw InputError(fmt::format("{}\nwhat was recorded is kept in {}: {}, or delete it",
+                                   error.what(), recorder->incomplete_directory().string(),
+                                   kRemedy));
+    }
+  }
+
   void WriteTerrain(const std::string& file) {
     scenario.soil->WriteGeoTiff(recorder->PathFor(file), scenario.origin);
   }
@@ -64,6 +103,7 @@ struct LiveRun::Impl {
   std::unique_ptr<DatasetWriter> recorder;
   SinkGroup group;
   std::unique_ptr<Run> run;
+  std::int64_t steps = 0;
 };
 
 LiveRun::LiveRun(Scenario scenario, const std::string& resolved_yaml, const LiveOptions& options,
@@ -80,14 +120,12 @@ void LiveRun::Command(std::size_t machine, const ControlMessage& message) {
   impl_->operators[machine]->Receive(simulation().state().t_ns, message);
 }
 
-void LiveRun::Step() { impl_->run->Step(); }
+void LiveRun::Step() {
+  impl_->Recording([this] { impl_->Step(); });
+}
 
 void LiveRun::Finish() {
-  impl_->run->Finish();
-  if (!impl_->recorder) return;
-  impl_->WriteTerrain("truth/terrain/height_end.tif");
-  impl_->recorder->SetDuration(ToSeconds(simulation().state().t_ns));
-  impl_->recorder->Finish();
+  impl_->Recording([this] { impl_->Finish(); });
 }
 
 const Scenario& LiveRun::scenario() const { return impl_->scenario; }

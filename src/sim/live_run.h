@@ -23,7 +23,8 @@ struct LiveOptions {
 
 /// A run that goes step by step as its caller says, its machines driven from outside, its
 /// measurements sent to sinks and, if wanted, recorded as a dataset. `tera replay` gives the
-/// recording again from its commands, byte by byte.
+/// recording again from its commands, byte by byte; one that was stopped, as far as its commands
+/// came to the disk, which all but the last second have.
 ///
 /// Model   every machine obeys its scenario's operator until its first message (RemoteOperator). A
 ///         message acts from the next step on. The run has no end of its own.
@@ -38,6 +39,8 @@ class LiveRun {
 
   /// `message` must be without fault for the machine (FaultOf).
   void Command(std::size_t machine, const ControlMessage& message);
+  /// Throws InputError where the recording cannot be written, and says what is kept of it; so does
+  /// Finish.
   void Step();
   /// Ends the recording. No step may follow.
   void Finish();

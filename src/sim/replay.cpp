@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/error.h"
@@ -11,14 +13,11 @@
 namespace tera {
 namespace {
 
-std::unique_ptr<Operator> AsRecorded(const Recording& recording, const MachinePlacement& machine) {
-  const std::string file = machine.name + "/commands.csv";
-  const std::string shown = (recording.directory() / file).string();
-  if (!recording.Has(file)) {
-    throw InputError(fmt::format("{}: is not part of the recording; need the commands of '{}'",
-                                 shown, machine.name));
-  }
-  TableRecording table = recording.LoadTable(file);
+std::string CommandsOf(const MachinePlacement& machine) { return machine.name + "/commands.csv"; }
+
+/// `shown` is the table's file, for messages.
+std::unique_ptr<Operator> Replayed(TableRecording table, const MachinePlacement& machine,
+                                   const std::string& shown) {
   std::vector<std::string> names;
   for (const Lever& lever : machine.model.levers) names.push_back(lever.name);
   if (table.columns != names) {
@@ -40,6 +39,16 @@ std::unique_ptr<Operator> AsRecorded(const Recording& recording, const MachinePl
   return std::make_unique<LeverReplay>(std::move(commands), std::move(lever_of_column));
 }
 
+std::unique_ptr<Operator> AsRecorded(const Recording& recording, const MachinePlacement& machine) {
+  const std::string file = CommandsOf(machine);
+  const std::string shown = (recording.directory() / file).string();
+  if (!recording.Has(file)) {
+    throw InputError(fmt::format("{}: is not part of the recording; need the commands of '{}'",
+                                 shown, machine.name));
+  }
+  return Replayed(recording.LoadTable(file), machine, shown);
+}
+
 }  // namespace
 
 void RequireSimulated(const Recording& recording) {
@@ -55,6 +64,21 @@ void CommandAsRecorded(const Recording& recording, Scenario* scenario) {
     machine.driver = AsRecorded(recording, machine.placement);
   }
   scenario->duration_s = recording.info().duration_s;
+}
+
+void CommandAsFarAsRecorded(const std::filesystem::path& directory, Scenario* scenario) {
+  std::size_t steps = std::numeric_limits<std::size_t>::max();
+  for (ScenarioMachine& machine : scenario->machines) {
+    const std::string file = CommandsOf(machine.placement);
+    TableRecording table = LoadStoppedTable(directory, file);
+    steps = std::min(steps, table.t_ns.size());
+    machine.driver = Replayed(std::move(table), machine.placement, (directory / file).string());
+  }
+  if (steps == 0) {
+    throw InputError(fmt::format("{}: was stopped before any command came to the disk; delete it",
+                                 directory.string()));
+  }
+  scenario->duration_s = static_cast<double>(steps) / scenario->physics_rate_hz;
 }
 
 }  // namespace tera

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+
 #include "dataset/recording.h"
 #include "sim/scenario.h"
 
@@ -12,5 +14,9 @@ void RequireSimulated(const Recording& recording);
 /// commands.csv there instead of its operator, and the run lasts as long as the recording. Throws
 /// InputError where the commands do not fit the machines.
 void CommandAsRecorded(const Recording& recording, Scenario* scenario);
+
+/// The same of a run that was stopped (WasStopped): as far as the commands of every machine had
+/// come to the disk. Throws InputError where they do not fit, or where there are none yet.
+void CommandAsFarAsRecorded(const std::filesystem::path& directory, Scenario* scenario);
 
 }  // namespace tera

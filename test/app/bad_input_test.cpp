@@ -266,7 +266,7 @@ class BadOutput : public testing::Test {
 TEST_F(BadOutput, ADirectoryThatIsNotEmptyIsRefused) {
   fs::create_directory(scratch_.path() / "run");
   WriteWholeFile(scratch_.path() / "run/diary.txt", "mine");
-  ExpectOutRefused("run", StartsWith("run: is not an empty directory; choose another --out"));
+  ExpectOutRefused("run", StartsWith("run: is not an empty directory; choose another place"));
   ExpectOutRefused("small.yaml", StartsWith("small.yaml: is not an empty directory"));
 }
 

@@ -21,6 +21,9 @@ namespace tera {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
 
 constexpr const char* kScenario = R"(
 name: live
@@ -195,6 +198,70 @@ TEST(LiveRun, IsReplayedFromItsCommandsToTheSameBytes) {
   for (const auto& [name, bytes] : first) {
     ASSERT_TRUE(second.contains(name)) << name;
     EXPECT_TRUE(second.at(name) == bytes) << name << " differs";
+  }
+}
+
+/// `steps` steps with one lever of the first machine, into `folder`; whole only if `finish`.
+void Record(const fs::path& folder, int steps, bool finish) {
+  Loaded loaded = Load();
+  LiveRun run(std::move(loaded.scenario), loaded.yaml, {.record = folder}, {});
+  const MachineModel& model = run.scenario().machines[0].placement.model;
+  for (int i = 0; i < steps; ++i) {
+    if (i % 200 == 37) run.Command(0, Levers({{"boom", -0.7 + i * 1e-3}}, model));
+    run.Step();
+  }
+  if (finish) run.Finish();
+}
+
+TEST(LiveRun, ThatWasStoppedIsReplayedAsFarAsItsCommandsCame) {
+  const fs::path folder = OwnFolder() / "of_stopped";
+  Record(folder / "stopped", 640, false);
+  const fs::path stopped = folder / "stopped.incomplete";
+  ASSERT_TRUE(WasStopped(stopped));
+  EXPECT_THAT(ReadAll(stopped)["INCOMPLETE.txt"],
+              AllOf(HasSubstr("tera replay"), Not(HasSubstr("--resume"))));
+  // As a kill in the middle of a row leaves it.
+  const fs::path commands = stopped / "excavator1/commands.csv.part";
+  fs::resize_file(commands, fs::file_size(commands) - 3);
+
+  Loaded loaded = Load();
+  CommandAsFarAsRecorded(stopped, &loaded.scenario);
+  EXPECT_DOUBLE_EQ(loaded.scenario.duration_s, 639 / loaded.scenario.physics_rate_hz);
+  Generate(std::move(loaded.scenario), loaded.yaml, {.out = folder / "replayed"});
+  Record(folder / "whole", 639, true);
+  EXPECT_TRUE(ReadAll(folder / "whole") == ReadAll(folder / "replayed"));
+}
+
+TEST(LiveRun, ThatIsKilledHasItsCommandsOnTheDiskUpToASecond) {
+  Loaded loaded = Load();
+  const double rate_hz = loaded.scenario.physics_rate_hz;
+  LiveRun run(std::move(loaded.scenario), loaded.yaml, {.record = OwnFolder() / "of_killed"}, {});
+  for (int i = 0; i < 2.6 * rate_hz; ++i) run.Step();
+  loaded = Load();
+  CommandAsFarAsRecorded(OwnFolder() / "of_killed.incomplete", &loaded.scenario);
+  EXPECT_GE(loaded.scenario.duration_s, 2 - 1 / rate_hz);
+}
+
+TEST(LiveRun, ThatStoppedBeforeAnyCommandCannotBeReplayed) {
+  Loaded loaded = Load();
+  const LiveRun run(std::move(loaded.scenario), loaded.yaml, {.record = OwnFolder() / "of_early"},
+                    {});
+  loaded = Load();
+  EXPECT_THROW(CommandAsFarAsRecorded(OwnFolder() / "of_early.incomplete", &loaded.scenario),
+               InputError);
+}
+
+TEST(LiveRun, WhoseRecordingFailsSaysWhatIsKept) {
+  const fs::path folder = OwnFolder() / "faulty";
+  Loaded loaded = Load();
+  LiveRun run(std::move(loaded.scenario), loaded.yaml, {.record = folder}, {});
+  fs::remove_all(folder.string() + ".incomplete/excavator1/camera");
+  try {
+    for (int i = 0; i < 1000; ++i) run.Step();
+    FAIL() << "pictures have no place, but were written";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("kept in " + folder.string() + ".incomplete"),
+                                    HasSubstr("tera replay"), Not(HasSubstr("--resume"))));
   }
 }
 
