@@ -2,14 +2,19 @@
 
 namespace tera {
 
-bool ClientStream::Read(grpc::ByteBuffer* buffer) {
-  StartRead(buffer);
-  return Wait();
+ClientStream::Heard ClientStream::Read(grpc::ByteBuffer* buffer,
+                                       std::optional<std::chrono::milliseconds> within) {
+  StartRead(&incoming_);
+  if (!Wait(within)) return Heard::kSilence;
+  if (!ok_) return Heard::kEnd;
+  buffer->Swap(&incoming_);
+  return Heard::kMessage;
 }
 
 bool ClientStream::Write(const grpc::ByteBuffer& buffer) {
   StartWrite(&buffer);
-  return Wait();
+  Wait();
+  return ok_;
 }
 
 void ClientStream::Done(bool ok) {
@@ -19,11 +24,16 @@ void ClientStream::Done(bool ok) {
   changed_.notify_one();
 }
 
-bool ClientStream::Wait() {
+bool ClientStream::Wait(std::optional<std::chrono::milliseconds> within) {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return done_; });
+  const auto done = [this] { return done_; };
+  if (!within) {
+    changed_.wait(lock, done);
+  } else if (!changed_.wait_for(lock, *within, done)) {
+    return false;
+  }
   done_ = false;
-  return ok_;
+  return true;
 }
 
 }  // namespace tera

@@ -4,8 +4,10 @@
 #include <grpcpp/support/server_callback.h>
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 
 namespace tera {
 
@@ -13,9 +15,13 @@ namespace tera {
 /// gRPC calls it from its own threads, owns it, and deletes it some time after End.
 class ClientStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer> {
  public:
-  /// False where there is nothing more to read: the client closed its side, died, or sent what
-  /// gRPC refuses.
-  bool Read(grpc::ByteBuffer* buffer);
+  enum class Heard {
+    kMessage,
+    kEnd,     ///< the client closed its side, died, or sent what gRPC refuses
+    kSilence  ///< nothing came in time; only End may follow
+  };
+  /// Waits for a message, without end unless `within` is given.
+  Heard Read(grpc::ByteBuffer* buffer, std::optional<std::chrono::milliseconds> within = {});
   /// False where nobody is there to read.
   bool Write(const grpc::ByteBuffer& buffer);
   /// Ends the call; the last use of this.
@@ -30,8 +36,10 @@ class ClientStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc
   void OnCancel() override { cancelled_ = true; }
   void OnDone() override { delete this; }
   void Done(bool ok);
-  bool Wait();
+  /// False where nothing was done in time.
+  bool Wait(std::optional<std::chrono::milliseconds> within = {});
 
+  grpc::ByteBuffer incoming_;  ///< outlives a read that is left
   std::atomic<bool> cancelled_ = false;
   std::mutex mutex_;
   std::condition_variable changed_;

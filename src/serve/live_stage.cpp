@@ -111,6 +111,8 @@ class LiveStage : public Stage {
     return Observe(plan);
   }
 
+  bool InEpisode() const override { return run_ != nullptr; }
+
  private:
   using Commands = std::map<std::size_t, ControlMessage>;
 

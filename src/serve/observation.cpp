@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "serve/geometry_messages.h"
 #include "serve/session.h"
+#include "sim/rig.h"
 
 namespace tera {
 namespace {
@@ -60,8 +61,8 @@ PatchPlan PlanPatch(const v1::PatchSelection& patch, const Scenario& scenario) {
 }
 
 /// An upper bound of what one sample of the sensor takes in a message.
-double SampleBytes(const SensorDescription& sensor) {
-  constexpr double kSmall_bytes = 200;  // time stamps, six or nine numbers, tags
+double SampleBytes(const SensorDescription& sensor, const MachineModel& machine) {
+  constexpr double kSmall_bytes = 200;  // time stamps, up to ten numbers, tags
   if (const auto* camera = std::get_if<CameraModel>(&sensor.model)) {
     const double pixels = static_cast<double>(camera->intrinsics.width_px) *
                           static_cast<double>(camera->intrinsics.height_px);
@@ -72,6 +73,11 @@ double SampleBytes(const SensorDescription& sensor) {
     constexpr double kPoint_bytes = 3 * 4 + 4 + 4 + 2 + 1 + 2;
     return kSmall_bytes + kPoint_bytes * static_cast<double>(lidar->elevation_rad.size()) *
                               static_cast<double>(lidar->columns);
+  }
+  if (const auto* encoder = std::get_if<EncoderModel>(&sensor.model)) {
+    const EncodedAxes axes = AxesOf(*encoder, machine);
+    constexpr double kAxis_bytes = 2 * sizeof(double);
+    return kSmall_bytes + kAxis_bytes * static_cast<double>(axes.joints.size() + axes.gears.size());
   }
   return kSmall_bytes;
 }
@@ -90,7 +96,8 @@ void CheckSize(double bytes, double duration_s) {
 }
 
 double PatchBytes(const PatchPlan& plan) {
-  return sizeof(float) * static_cast<double>(plan.n) * static_cast<double>(plan.n);
+  constexpr double kHead_bytes = 100;  // centre, heading, resolution, tags
+  return kHead_bytes + sizeof(float) * static_cast<double>(plan.n) * static_cast<double>(plan.n);
 }
 
 void PutPatch(const PatchPlan& plan, const MachineModel& model, const MachineState& state,
@@ -162,7 +169,8 @@ ObservationPlan PlanObservation(const v1::Observe& observe, const Scenario& scen
   }
   std::set<std::string> named;
   for (const v1::SensorSelection& selection : observe.sensors()) {
-    const auto& sensors = scenario.machines[MachineIndex(scenario, selection.machine())].sensors;
+    const ScenarioMachine& machine = scenario.machines[MachineIndex(scenario, selection.machine())];
+    const auto& sensors = machine.sensors;
     const SensorDescription& sensor = sensors[IndexOf(
         sensors, [](const SensorDescription& s) { return s.name; }, selection.sensor(),
         fmt::format("sensor of machine '{}'", selection.machine()))];
@@ -171,8 +179,8 @@ ObservationPlan PlanObservation(const v1::Observe& observe, const Scenario& scen
       throw InputError(fmt::format("sensor '{}' is asked for twice; need each once", whole_name));
     }
     const bool latest_only = selection.latest_only() && IsFrame(sensor);
-    bytes +=
-        SampleBytes(sensor) * (latest_only ? 1 : 1 + std::floor(duration_s * sensor.clock.rate_hz));
+    bytes += SampleBytes(sensor, machine.placement.model) *
+             (latest_only ? 1 : 2 + std::floor(duration_s * sensor.clock.rate_hz));
     plan.sensors.push_back(
         {selection.machine(), selection.sensor(), latest_only, sensor.clock.Period()});
   }

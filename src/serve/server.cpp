@@ -45,7 +45,10 @@ using Reactor = grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>;
 /// Calls arrive on gRPC's threads, `thread_` serves them.
 struct Server::Impl final : Service {
   Impl(const ServerOptions& options, MakeStage make, Log to)
-      : name(options.name), make_stage(std::move(make)), log(std::move(to)) {
+      : name(options.name),
+        hello_within(options.hello_within),
+        make_stage(std::move(make)),
+        log(std::move(to)) {
     // What is wrong is said to the client or thrown, not printed by the libraries.
     google::protobuf::SetLogHandler(nullptr);
     constexpr int kUnlessSet = 0;
@@ -129,7 +132,11 @@ struct Server::Impl final : Service {
 
   grpc::Status Exchange(tera::Session* session, ClientStream* serving) {
     grpc::ByteBuffer incoming;
-    while (serving->Read(&incoming)) {
+    while (true) {
+      const auto heard =
+          session->greeted() ? serving->Read(&incoming) : serving->Read(&incoming, hello_within);
+      if (heard == ClientStream::Heard::kSilence) return NoHello();
+      if (heard == ClientStream::Heard::kEnd) break;
       grpc::Slice bytes;
       if (const grpc::Status status = incoming.DumpToSingleSlice(&bytes); !status.ok()) {
         return status;
@@ -149,6 +156,12 @@ struct Server::Impl final : Service {
     return grpc::Status::OK;
   }
 
+  grpc::Status NoHello() const {
+    return {grpc::StatusCode::DEADLINE_EXCEEDED,
+            fmt::format("no Hello within {} s; need it as the first request",
+                        std::chrono::duration<double>(hello_within).count())};
+  }
+
   void Greeted(const std::string& client) {
     const std::lock_guard lock(mutex);
     if (!client.empty()) who = fmt::format("{} at {}", client, who);
@@ -156,6 +169,7 @@ struct Server::Impl final : Service {
   }
 
   const std::string name;
+  const std::chrono::milliseconds hello_within;
   const MakeStage make_stage;
   const Log log;
   std::string address;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <string>
@@ -12,6 +13,8 @@ struct ServerOptions {
   std::string address = "127.0.0.1";  ///< of the interface to listen on
   int port = 0;                       ///< 0: the system chooses
   std::string name = "tera";          ///< of the server, with its version
+  /// A client that says nothing for so long loses its place.
+  std::chrono::milliseconds hello_within = std::chrono::seconds(10);
 };
 
 /// Lets clients step a simulation over the network, one at a time, by the messages of

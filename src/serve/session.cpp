@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.h"
+#include "serve/unknown_field.h"
 
 namespace tera {
 namespace {
@@ -11,6 +14,12 @@ using grpc::Status;
 using grpc::StatusCode;
 
 Status MustNot(const std::string& finding) { return {StatusCode::FAILED_PRECONDITION, finding}; }
+
+/// Others are shown it, in logs and on terminals.
+bool CanBeShown(const std::string& client) {
+  return client.size() <= kLongestClientName &&
+         std::all_of(client.begin(), client.end(), [](char c) { return c >= ' ' && c <= '~'; });
+}
 
 }  // namespace
 
@@ -63,6 +72,12 @@ Status Session::Greet(const v1::Hello& hello, v1::Response* response) {
                     "version ({})",
                     hello.protocol(), kServeProtocol, server_));
   }
+  if (!CanBeShown(hello.client())) {
+    return {StatusCode::INVALID_ARGUMENT,
+            fmt::format("a client's name of {} bytes that cannot be shown; need at most {} "
+                        "printable ASCII characters",
+                        hello.client().size(), kLongestClientName)};
+  }
   greeted_ = true;
   client_ = hello.client();
   v1::Welcome& welcome = *response->mutable_welcome();
@@ -75,6 +90,12 @@ Status Session::Greet(const v1::Hello& hello, v1::Response* response) {
 
 bool Session::Act(const v1::Request& request, v1::Response* response) {
   try {
+    if (const auto unknown = UnknownField(request)) {
+      throw InputError(
+          fmt::format("{} is not known to this server ({}); leave it out, or use a "
+                      "server of the client's version",
+                      *unknown, server_));
+    }
     if (request.has_describe()) {
       *response->mutable_description() = stage_->Describe();
       return true;
@@ -86,6 +107,7 @@ bool Session::Act(const v1::Request& request, v1::Response* response) {
     *response->mutable_observation() = std::move(*observation);
   } catch (const InputError& error) {
     response->mutable_refusal()->set_message(error.what());
+    response->mutable_refusal()->set_episode_over(in_episode_ && !stage_->InEpisode());
   }
   return true;
 }

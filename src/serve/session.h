@@ -15,6 +15,7 @@ namespace tera {
 inline constexpr std::uint32_t kServeProtocol = 1;
 inline constexpr std::uint64_t kLargestRequest_bytes = 1 << 20;
 inline constexpr std::uint64_t kLargestSamples_bytes = 256 << 20;
+inline constexpr std::size_t kLongestClientName = 128;
 
 /// What a session acts on: a scenario of which one episode after the other is simulated. Throws
 /// InputError where a request cannot be done.
@@ -25,13 +26,16 @@ class Stage {
   /// Nothing where the session ended meanwhile; so for Step.
   virtual std::optional<v1::Observation> Reset(const v1::Reset& request) = 0;
   virtual std::optional<v1::Observation> Step(const v1::Step& request) = 0;
+  /// From a Reset that was done on, until a fault ends the episode.
+  virtual bool InEpisode() const = 0;
 };
 
 /// One client's requests in their turn: bytes in, the answer out. Knows no socket.
 ///
 /// Model   states: waiting for Hello; greeted; in an episode, from the first Reset that was done.
-///         What breaks the protocol ends the session; what is in its turn but cannot be done is
-///         answered by a Refusal and leaves the state as it was.
+///         What breaks the protocol ends the session; what is in its turn but cannot be done, or
+///         has fields that are unknown here, is answered by a Refusal and leaves the state as it
+///         was. Where it ended the stage's episode the Refusal says so.
 class Session {
  public:
   /// A response to send, or the status with which the session ends.
@@ -42,7 +46,8 @@ class Session {
 
   Answer Handle(std::string_view request_bytes);
 
-  /// As the client's Hello names it.
+  bool greeted() const { return greeted_; }
+  /// As the client's Hello names it; printable.
   const std::string& client() const { return client_; }
 
  private:

@@ -46,6 +46,7 @@ class EndlessStage : public Stage {
     *stepping_ = false;
     return std::nullopt;
   }
+  bool InEpisode() const override { return true; }
 
  private:
   std::function<bool()> ended_;
@@ -194,6 +195,23 @@ TEST_F(ServerTest, IsReadyAgainAfterAClientThatDiedBetweenRequests) {
 TEST_F(ServerTest, IsReadyAgainAfterAClientThatNeverSaidHello) {
   { const RawClient silent(address()); }
   ExpectReady();
+}
+
+TEST_F(ServerTest, AClientThatSaysNothingLosesItsPlace) {
+  const Server impatient(
+      {.hello_within = std::chrono::milliseconds(50)},
+      [this](std::function<bool()> ended) {
+        return std::make_unique<EndlessStage>(std::move(ended), &stages_, &stepping_);
+      },
+      [](const std::string&) {});
+  RawClient silent(impatient.address());
+  const grpc::Status end = silent.End();  // without the server's doing it would wait for ever
+  EXPECT_EQ(end.error_code(), StatusCode::DEADLINE_EXCEEDED);
+  EXPECT_THAT(end.error_message(), HasSubstr("no Hello within 0.05 s"));
+  RawClient next(impatient.address());
+  ASSERT_TRUE(next.Ask(Hello(1))->has_welcome());
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_TRUE(next.Ask(Reset(2))->has_observation());  // may think as long as it likes
 }
 
 TEST_F(ServerTest, EndsTheSessionOfAClientOutOfOrderAndIsReadyAgain) {

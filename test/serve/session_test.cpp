@@ -14,7 +14,8 @@ namespace {
 using grpc::StatusCode;
 using testing::HasSubstr;
 
-/// Counts physics steps as nanoseconds; seed 13 is refused, and so is a step of 13.
+/// Counts physics steps as nanoseconds; seed 13 is refused, and so is a step of 13. A step of 14
+/// ends the episode.
 class CountingStage : public Stage {
  public:
   v1::Description Describe() override {
@@ -25,18 +26,24 @@ class CountingStage : public Stage {
   std::optional<v1::Observation> Reset(const v1::Reset& request) override {
     if (request.seed() == 13) throw InputError("no seed 13");
     time_ns_ = 0;
+    in_episode_ = true;
     return Now();
   }
   std::optional<v1::Observation> Step(const v1::Step& request) override {
     if (request.physics_steps() == 13) throw InputError("no 13 steps");
+    if (request.physics_steps() == 14) in_episode_ = false;
+    if (!in_episode_) throw InputError("a fault");
     if (ended) return std::nullopt;
     time_ns_ += request.physics_steps();
     return Now();
   }
 
+  bool InEpisode() const override { return in_episode_; }
+
   bool ended = false;
 
  private:
+  bool in_episode_ = false;
   v1::Observation Now() const {
     v1::Observation observation;
     observation.set_time_ns(time_ns_);
@@ -145,6 +152,49 @@ TEST_F(SessionTest, GoesOnAfterARequestThatCannotBeDone) {
   send(Reset(2));
   EXPECT_EQ(send(Step(3, 13)).refusal().message(), "no 13 steps");
   EXPECT_EQ(send(Step(4, 3)).observation().time_ns(), 3);
+}
+
+TEST_F(SessionTest, SaysWhetherARefusalHasEndedTheEpisode) {
+  Response(Hello(1));
+  EXPECT_FALSE(Response(Reset(2, 13)).refusal().episode_over());  // none was begun
+  Response(Reset(3));
+  EXPECT_FALSE(Response(Step(4, 13)).refusal().episode_over());
+  EXPECT_TRUE(Response(Step(5, 14)).refusal().episode_over());
+  EXPECT_TRUE(Response(Step(6)).refusal().episode_over());  // sent ahead, say
+  EXPECT_TRUE(Response(Reset(7)).has_observation());
+  EXPECT_EQ(Response(Step(8, 5)).observation().time_ns(), 5);
+}
+
+TEST_F(SessionTest, RefusesFieldsThatItDoesNotKnowWhereverTheyAre) {
+  const auto add_unknown = [](google::protobuf::Message* message) {
+    message->GetReflection()->MutableUnknownFields(message)->AddVarint(77, 1);
+  };
+  Response(Hello(1));
+  Response(Reset(2));
+  v1::Request step = Step(3, 5);
+  add_unknown(step.mutable_step()->add_actions());  // another kind of command, say
+  EXPECT_THAT(Response(step).refusal().message(),
+              testing::AllOf(HasSubstr("field 77 of Action is not known"), HasSubstr("tera 9")));
+  v1::Request reset = Reset(4);
+  add_unknown(reset.mutable_reset()->mutable_observe());
+  EXPECT_THAT(Response(reset).refusal().message(), HasSubstr("field 77 of Observe"));
+  step = Step(5, 5);
+  add_unknown(&step);
+  EXPECT_THAT(Response(step).refusal().message(), HasSubstr("field 77 of Request"));
+  EXPECT_EQ(Response(Step(6, 5)).observation().time_ns(), 5);  // the others did nothing
+}
+
+TEST_F(SessionTest, EndsAtAClientsNameThatCannotBeShown) {
+  for (const std::string& name : {std::string(129, 'x'), std::string("two\nlines"),
+                                  std::string("\x1b[2J"), std::string("caf\xc3\xa9")}) {
+    v1::Request hello = Hello(1);
+    hello.mutable_hello()->set_client(name);
+    ExpectEnd(Session(&stage_, "").Handle(hello.SerializeAsString()), StatusCode::INVALID_ARGUMENT,
+              "need at most 128 printable ASCII characters");
+  }
+  v1::Request hello = Hello(1);
+  hello.mutable_hello()->set_client(std::string(128, '~'));
+  EXPECT_TRUE(Response(hello).has_welcome());
 }
 
 TEST_F(SessionTest, EndsWhereTheStageWasStopped) {
