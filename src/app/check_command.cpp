@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/commands.h"
-#include "app/load_scenario.h"
+#include "app/scenario_options.h"
 #include "core/units.h"
 #include "sim/scene_assembly.h"
 
@@ -38,9 +38,8 @@ void PrintMachine(const ScenarioMachine& machine) {
   }
 }
 
-void RunCheck(const std::string& file, const std::vector<std::string>& overrides,
-              const std::vector<std::string>& effects) {
-  const LoadedScenario loaded = LoadScenario(file, overrides, effects);
+void RunCheck(const ScenarioOptions& options) {
+  const LoadedScenario loaded = Load(options);
   const Scenario& scenario = loaded.scenario;
   const SceneAssembly every_mesh_loads(scenario);
   const TerrainSurface& ground = scenario.soil->surface();
@@ -61,22 +60,11 @@ void RunCheck(const std::string& file, const std::vector<std::string>& overrides
 }  // namespace
 
 void AddCheckCommand(CLI::App* app) {
-  struct Arguments {
-    std::string scenario;
-    std::vector<std::string> set, effects;
-  };
-  auto arguments = std::make_shared<Arguments>();
+  auto options = std::make_shared<ScenarioOptions>();
   CLI::App* command =
       app->add_subcommand("check", "Validate a scenario and all it names, without running it");
-  command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML)")->required();
-  command->add_option("--set", arguments->set, "key.path=value instead of the scenario's")
-      ->take_all();
-  command
-      ->add_option("--effects", arguments->effects,
-                   "File with effects to lay over the scenario's; may be repeated")
-      ->take_all();
-  command->callback(
-      [arguments] { RunCheck(arguments->scenario, arguments->set, arguments->effects); });
+  AddScenarioOptions(command, options.get());
+  command->callback([options] { RunCheck(*options); });
 }
 
 }  // namespace tera

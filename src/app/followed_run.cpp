@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <thread>
+#include <string>
 #include <utility>
 
 #include "app/progress_bar.h"
 #include "app/stop_message.h"
+#include "sim/generate.h"
 
 namespace tera {
 namespace {
@@ -33,32 +33,29 @@ void PrintReport(const GenerateReport& report, const std::string& out) {
 }
 
 /// The run; the line of its progress has ended when this returns.
-GenerateReport RunWithProgress(LoadedScenario loaded, GenerateOptions options) {
+GenerateReport RunWithProgress(LoadedScenario loaded, const RunOptions& options) {
   ProgressBar bar;
-  options.progress = [&](const GenerateProgress& progress) { bar.Show(progress); };
   const StopMessage on_stop(
       fmt::format("\nstopped; the same command with --resume finishes {}\n", options.out.string()));
-  return Generate(std::move(loaded.scenario), loaded.resolved_yaml, options);
+  return Generate(std::move(loaded.scenario), loaded.resolved_yaml,
+                  {.out = options.out,
+                   .threads = options.host.threads,
+                   .resume = options.resume,
+                   .egl = options.host.egl,
+                   .progress = [&](const GenerateProgress& progress) { bar.Show(progress); }});
 }
 
 }  // namespace
 
-void AddRunOptions(CLI::App* command, GenerateOptions* options) {
-  options->threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+void AddRunOptions(CLI::App* command, RunOptions* options) {
   command->add_option("--out", options->out, "Directory of the dataset; new or empty")->required();
-  command->add_option("--threads", options->threads, "Threads for rays and encoding")
-      ->check(CLI::Range(1, 256));
-  command
-      ->add_option("--egl-device", options->egl.device,
-                   "GPU to render with; without it the first GPU, else Mesa in software")
-      ->check(CLI::NonNegativeNumber);
+  AddHostOptions(command, &options->host);
   command->add_flag("--resume", options->resume, "Finish a run that was stopped");
 }
 
-void FollowRun(LoadedScenario loaded, GenerateOptions options) {
-  const std::string out = options.out.string();
-  const GenerateReport report = RunWithProgress(std::move(loaded), std::move(options));
-  if (isatty(STDOUT_FILENO) == 1) PrintReport(report, out);
+void FollowRun(LoadedScenario loaded, const RunOptions& options) {
+  const GenerateReport report = RunWithProgress(std::move(loaded), options);
+  if (isatty(STDOUT_FILENO) == 1) PrintReport(report, options.out.string());
 }
 
 }  // namespace tera

@@ -1,18 +1,24 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <string>
+#include <filesystem>
 
 #include "app/load_scenario.h"
-#include "sim/generate.h"
+#include "app/scenario_options.h"
 
 namespace tera {
 
-/// Options that every command has which writes a dataset: --out, --threads, --egl-device, --resume.
-/// They go to `options`, which must outlive the parsing.
-void AddRunOptions(CLI::App* command, GenerateOptions* options);
+/// What every command is told that writes a dataset from its beginning to its end.
+struct RunOptions {
+  std::filesystem::path out;
+  bool resume = false;
+  HostOptions host;
+};
+
+/// --out, --resume, and those of the host. The options must outlive the parsing.
+void AddRunOptions(CLI::App* command, RunOptions* options);
 
 /// Generates `loaded` with its progress on the terminal, and what it cost after it.
-void FollowRun(LoadedScenario loaded, GenerateOptions options);
+void FollowRun(LoadedScenario loaded, const RunOptions& options);
 
 }  // namespace tera

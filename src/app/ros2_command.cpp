@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <csignal>
 #include <cstdio>
@@ -10,11 +9,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <thread>
-#include <vector>
+#include <utility>
 
 #include "app/commands.h"
-#include "app/load_scenario.h"
+#include "app/scenario_options.h"
 #include "core/error.h"
 #include "ros2/live.h"
 
@@ -22,13 +20,12 @@ namespace tera {
 namespace {
 
 struct Arguments {
-  std::string scenario;
+  ScenarioOptions scenario;
+  HostOptions host;
   std::optional<int> domain_id;
-  std::optional<std::uint64_t> seed;
   std::optional<std::string> record;
   bool localhost_only = false;
   ros::LiveRosOptions options;
-  std::vector<std::string> set, effects;
 };
 
 /// While it lives, the first Ctrl-C and the first SIGTERM are requests to end; a second of the same
@@ -90,13 +87,13 @@ void PrintReport(const ros::LiveRosReport& report) {
 }
 
 void RunRos2(const Arguments& arguments) {
-  std::vector<std::string> overrides = arguments.set;
-  if (arguments.seed) overrides.push_back(fmt::format("seed={}", *arguments.seed));
-  LoadedScenario loaded = LoadScenario(arguments.scenario, overrides, arguments.effects);
+  LoadedScenario loaded = Load(arguments.scenario);
 
   ros::LiveRosOptions options = arguments.options;
   options.dds.domain_id = arguments.domain_id ? *arguments.domain_id : DomainOfEnvironment();
   options.dds.this_host_only = arguments.localhost_only || LocalhostOnlyByEnvironment();
+  options.live.threads = arguments.host.threads;
+  options.live.egl = arguments.host.egl;
   if (arguments.record) options.live.record = *arguments.record;
   options.stop = &StopRequest::Asked;
   options.log = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
@@ -108,22 +105,10 @@ void RunRos2(const Arguments& arguments) {
   PrintReport(ros::RunForRos(std::move(loaded.scenario), loaded.resolved_yaml, options));
 }
 
-}  // namespace
-
-void AddRos2Command(CLI::App* app) {
-  auto arguments = std::make_shared<Arguments>();
-  ros::LiveRosOptions& options = arguments->options;
-  options.live.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  CLI::App* command =
-      app->add_subcommand("ros2", "Run a scenario live for ROS 2, until Ctrl-C (docs/ros2.md)");
-  command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML)")->required();
-  command->add_option("--domain", arguments->domain_id, "DDS domain; else ROS_DOMAIN_ID, else 0")
-      ->check(CLI::Range(0, ros::Participant::kLargestDomainId));
-  command->add_flag("--localhost-only", arguments->localhost_only,
-                    "Stay on this host, as with ROS_LOCALHOST_ONLY=1; without it whoever is on the "
-                    "network can drive the machines");
+/// How simulated time and that of the wall go together.
+void AddPaceOptions(CLI::App* command, ros::LiveRosOptions* options) {
   command
-      ->add_option("--pace", options.pace,
+      ->add_option("--pace", options->pace,
                    "real: as on the wall; fast: as fast as it can; lockstep: as lever messages "
                    "answer /clock")
       ->transform(CLI::CheckedTransformer(
@@ -131,35 +116,35 @@ void AddRos2Command(CLI::App* app) {
                                            {"fast", ros::Pace::kFast},
                                            {"lockstep", ros::Pace::kLockstep}}));
   command
-      ->add_option("--rate", options.rate_hz,
+      ->add_option("--rate", options->rate_hz,
                    "Hz of /clock, of the states, and of looking for levers")
       ->check(CLI::Range(1.0, 1e4))
       ->capture_default_str();
   command
-      ->add_option("--answer-timeout", options.answer_timeout_s,
+      ->add_option("--answer-timeout", options->answer_timeout_s,
                    "Seconds on the wall that lockstep waits for an answer")
       ->check(CLI::Range(0.01, 3600.0))
       ->capture_default_str();
-  command->add_option("--duration", options.duration_s, "Simulated seconds, instead of no end")
+  command->add_option("--duration", options->duration_s, "Simulated seconds, instead of no end")
       ->check(CLI::PositiveNumber);
-  command->add_option("--seed", arguments->seed, "Seed, instead of the scenario's")
-      ->check(CLI::NonNegativeNumber);
+}
+
+}  // namespace
+
+void AddRos2Command(CLI::App* app) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      app->add_subcommand("ros2", "Run a scenario live for ROS 2, until Ctrl-C (docs/ros2.md)");
+  AddScenarioOptions(command, &arguments->scenario);
+  command->add_option("--domain", arguments->domain_id, "DDS domain; else ROS_DOMAIN_ID, else 0")
+      ->check(CLI::Range(0, ros::Participant::kLargestDomainId));
+  command->add_flag("--localhost-only", arguments->localhost_only,
+                    "Stay on this host, as with ROS_LOCALHOST_ONLY=1; without it whoever is on the "
+                    "network can drive the machines");
+  AddPaceOptions(command, &arguments->options);
   command->add_option("--record", arguments->record,
                       "Also write a dataset to this directory; new or empty");
-  command->add_option("--threads", options.live.threads, "Threads for rays and encoding")
-      ->check(CLI::Range(1, 256));
-  command
-      ->add_option("--egl-device", options.live.egl.device,
-                   "GPU to render with; without it the first GPU, else Mesa in software")
-      ->check(CLI::NonNegativeNumber);
-  command
-      ->add_option("--set", arguments->set,
-                   "key.path=value instead of the scenario's; may be repeated")
-      ->take_all();
-  command
-      ->add_option("--effects", arguments->effects,
-                   "File with effects to lay over the scenario's; may be repeated")
-      ->take_all();
+  AddHostOptions(command, &arguments->host);
   command->callback([arguments] { RunRos2(*arguments); });
 }
 

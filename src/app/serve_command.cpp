@@ -1,16 +1,16 @@
 #include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
 
-#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "app/commands.h"
-#include "app/load_scenario.h"
+#include "app/scenario_options.h"
 #include "app/version.h"
 #include "serve/live_stage.h"
 #include "serve/server.h"
@@ -19,14 +19,19 @@ namespace tera {
 namespace {
 
 struct Arguments {
-  std::string scenario;
+  ScenarioOptions scenario;
+  HostOptions host;
   ServerOptions server{.port = 50051, .name = std::string("tera ") + kVersion};
-  StageOptions stage{.threads =
-                         static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))};
   std::optional<std::string> record;
-  std::optional<std::uint64_t> seed;
-  std::vector<std::string> set, effects;
+  bool stop_with_stdin = false;
 };
+
+bool StandardInputIsClosed() {
+  pollfd input = {.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
+  if (poll(&input, 1, 0) <= 0) return false;
+  char unread[256];
+  return read(STDIN_FILENO, unread, sizeof unread) <= 0;
+}
 
 /// Ctrl-C and SIGTERM, kept from all threads that are started while it lives and waited for by one.
 class StopSignals {
@@ -37,9 +42,12 @@ class StopSignals {
     sigaddset(&signals_, SIGTERM);
     pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
   }
-  void Wait() const {
-    int signal = 0;
-    sigwait(&signals_, &signal);
+  /// Also until the end of standard input, if `or_stdin`.
+  void Wait(bool or_stdin) const {
+    constexpr timespec kLookAgain = {.tv_sec = 0, .tv_nsec = 100'000'000};
+    while (sigtimedwait(&signals_, nullptr, &kLookAgain) < 0) {
+      if (or_stdin && StandardInputIsClosed()) return;
+    }
   }
 
  private:
@@ -60,20 +68,20 @@ ScenarioSource SourceOf(const std::string& resolved_yaml, const std::string& nam
 }
 
 void RunServe(const Arguments& arguments) {
-  std::vector<std::string> overrides = arguments.set;
-  if (arguments.seed) overrides.push_back(fmt::format("seed={}", *arguments.seed));
-  const LoadedScenario loaded = LoadScenario(arguments.scenario, overrides, arguments.effects);
-  StageOptions options = arguments.stage;
+  const LoadedScenario loaded = Load(arguments.scenario);
+  StageOptions options{
+      .threads = arguments.host.threads, .egl = arguments.host.egl, .record = std::nullopt};
   if (arguments.record) options.record = *arguments.record;
   const Server::Log log = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
   const StopSignals stop;
   const Server server(
       arguments.server,
-      LiveStages(loaded.scenario, SourceOf(loaded.resolved_yaml, arguments.scenario), options, log),
+      LiveStages(loaded.scenario, SourceOf(loaded.resolved_yaml, arguments.scenario.scenario),
+                 options, log),
       log);
   fmt::print("serving {} on {}\n", loaded.scenario.name, server.address());
   std::fflush(stdout);
-  stop.Wait();
+  stop.Wait(arguments.stop_with_stdin);
 }
 
 }  // namespace
@@ -82,7 +90,7 @@ void AddServeCommand(CLI::App* app) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app->add_subcommand(
       "serve", "Let a program step a scenario over a socket, until Ctrl-C (docs/serve.md)");
-  command->add_option("SCENARIO", arguments->scenario, "Scenario file (YAML)")->required();
+  AddScenarioOptions(command, &arguments->scenario);
   command->add_option("--port", arguments->server.port, "Port; 0 lets the system choose")
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();
@@ -93,24 +101,10 @@ void AddServeCommand(CLI::App* app) {
       ->capture_default_str();
   command->add_option("--record", arguments->record,
                       "Folder in which each episode becomes a dataset, episode_0001 and so on");
-  command
-      ->add_option("--seed", arguments->seed,
-                   "Seed of a reset that names none, instead of the scenario's")
-      ->check(CLI::NonNegativeNumber);
-  command->add_option("--threads", arguments->stage.threads, "Threads for rays and encoding")
-      ->check(CLI::Range(1, 256));
-  command
-      ->add_option("--egl-device", arguments->stage.egl.device,
-                   "GPU to render with; without it the first GPU, else Mesa in software")
-      ->check(CLI::NonNegativeNumber);
-  command
-      ->add_option("--set", arguments->set,
-                   "key.path=value instead of the scenario's; may be repeated")
-      ->take_all();
-  command
-      ->add_option("--effects", arguments->effects,
-                   "File with effects to lay over the scenario's; may be repeated")
-      ->take_all();
+  command->add_flag("--stop-with-stdin", arguments->stop_with_stdin,
+                    "End at the end of standard input too, as when the program that started this "
+                    "one dies");
+  AddHostOptions(command, &arguments->host);
   command->callback([arguments] { RunServe(*arguments); });
 }
 

@@ -95,7 +95,7 @@ const std::map<std::string, std::string> kFolderOfLibrary = {
 };
 
 /// Of the operating system.
-const std::set<std::string> kPosix = {"fcntl.h", "sys/file.h", "sys/ioctl.h", "unistd.h"};
+const std::set<std::string> kPosix = {"fcntl.h", "poll.h", "sys/file.h", "sys/ioctl.h", "unistd.h"};
 
 bool IsStandard(const std::string& header) {
   return header.find_first_of("/.") == std::string::npos;

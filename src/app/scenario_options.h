@@ -1,0 +1,38 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/load_scenario.h"
+#include "render/rasterizer.h"
+
+namespace tera {
+
+/// Which scenario, and what is changed in it: the same words for every command that takes one.
+struct ScenarioOptions {
+  std::string scenario;
+  std::optional<std::uint64_t> seed;
+  std::vector<std::string> set, effects;
+};
+
+/// What of this machine a run may use.
+struct HostOptions {
+  HostOptions();
+
+  int threads;  ///< all, unless given
+  EglOptions egl;
+};
+
+/// SCENARIO, --seed, --set, --effects. The options must outlive the parsing; so below.
+void AddScenarioOptions(CLI::App* command, ScenarioOptions* options);
+
+/// --threads, --egl-device.
+void AddHostOptions(CLI::App* command, HostOptions* options);
+
+/// The scenario, with `overrides` above those of the options.
+LoadedScenario Load(const ScenarioOptions& options, const std::vector<std::string>& overrides = {});
+
+}  // namespace tera
