@@ -88,7 +88,9 @@ class Env(EnvBase):
     # ---- Gymnasium's calls
 
     def reset(self, *, seed=None, options=None):
-        """A fresh episode with that seed, or with the scenario's own."""
+        """A fresh episode with that seed, or with the scenario's own. There are no options."""
+        if options:
+            raise ValueError(f"options of a reset: {', '.join(options)}; need none")
         if seed is not None and EnvBase is not object:
             super().reset(seed=seed)
         self._latest = {}

@@ -19,7 +19,14 @@ _CHANNEL_OPTIONS = [
 
 
 class Refused(Exception):
-    """The server cannot do what was asked; nothing has changed, the session goes on."""
+    """The server cannot do what was asked; the session goes on.
+
+    Nothing has changed, unless `episode_over`: a fault ended the episode, and a reset begins the next.
+    """
+
+    def __init__(self, message, episode_over=False):
+        super().__init__(message)
+        self.episode_over = episode_over
 
 
 class SessionEnded(ConnectionError):
@@ -69,9 +76,13 @@ class Session:
         except BaseException:  # Ctrl-C: its answer would be taken for that of the next request
             self._responses.cancel()
             raise
+        if response.sequence != self._sequence:
+            self._responses.cancel()
+            raise SessionEnded(grpc.StatusCode.INTERNAL, f"answer {response.sequence} to request {self._sequence}; "
+                               "need one answer to each request, in their order")
         self._waiting = False
         if response.WhichOneof("kind") == "refusal":
-            raise Refused(response.refusal.message)
+            raise Refused(response.refusal.message, response.refusal.episode_over)
         return response
 
     def reset(self, seed=None, observe=None):

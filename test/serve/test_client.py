@@ -1,13 +1,17 @@
 """The Python client against `tera serve`, both as a user has them."""
 
+import importlib.util
 import os
+import shutil
 import signal
 import subprocess
 import sys
 import tempfile
 import textwrap
+import time
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import grpc
 import numpy as np
@@ -51,6 +55,14 @@ def setUpModule():
 def tearDownModule():
     server.close()
     folder.cleanup()
+
+
+def running(pid):
+    """Whether the process does; one that has ended and waits for its parent does not."""
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    except FileNotFoundError:
+        return False
 
 
 def equal(a, b):
@@ -245,6 +257,46 @@ class EnvTest(unittest.TestCase):
             env.reset(seed=1)
 
 
+class GymnasiumTest(unittest.TestCase):
+    """What gymnasium.utils.env_checker.check_env asks of an environment; itself, where Gymnasium is installed."""
+
+    def env(self):
+        env = tera.Env(server.address, sensors=["imu", "gnss", "camera", "encoders"], patch=tera.Patch(2.0, 0.25))
+        self.addCleanup(env.close)
+        return env
+
+    def assert_in_space(self, env, observation):
+        self.assertIsInstance(observation, dict)
+        self.assertIn(observation, env.observation_space)
+        for name, value in observation.items():
+            self.assertIsInstance(value, np.ndarray)
+            self.assertEqual(value.dtype, env.observation_space[name].dtype, name)
+
+    def test_the_contract_is_kept(self):
+        env = self.env()
+        observation, info = env.reset()
+        self.assert_in_space(env, observation)
+        self.assertIsInstance(info, dict)
+        first, again, other = env.reset(seed=123)[0], env.reset(seed=123)[0], env.reset(seed=456)[0]
+        self.assertTrue(equal(first, again))
+        self.assertFalse(equal(first, other))
+        self.assert_in_space(env, env.reset(options={})[0])
+        result = env.step(env.action_space.sample())
+        self.assertEqual([type(part) for part in result[1:]], [float, bool, bool, dict])
+        self.assert_in_space(env, result[0])
+        env.close()
+        env.close()
+
+    def test_options_of_a_reset_that_mean_nothing_are_refused(self):
+        with self.assertRaisesRegex(ValueError, "options of a reset: wind; need none"):
+            self.env().reset(options={"wind": 3})
+
+    @unittest.skipUnless(importlib.util.find_spec("gymnasium"), "Gymnasium is not installed")
+    def test_gymnasiums_own_check_passes(self):
+        from gymnasium.utils.env_checker import check_env
+        check_env(self.env(), skip_render_check=True)
+
+
 class SessionTest(unittest.TestCase):
     def test_a_second_client_is_refused(self):
         with tera.Session(server.address, client="first"):
@@ -256,6 +308,30 @@ class SessionTest(unittest.TestCase):
     def test_where_no_server_is_the_client_says_so(self):
         with self.assertRaisesRegex(tera.SessionEnded, "no server answers at 127.0.0.1:1"):
             tera.Session("127.0.0.1:1", timeout_s=0.2)
+
+    def test_an_answer_to_another_request_ends_the_session(self):
+        with tera.Session(server.address) as session:
+            session.reset(seed=1)
+            session._requests.put(tera.messages.Request(sequence=4, describe=tera.messages.Describe()))
+            session._sequence += 1  # its answer is not waited for
+            with self.assertRaisesRegex(tera.SessionEnded, "answer 4 to request 5"):
+                session.step(physics_steps=1)
+
+    def test_a_refusal_says_whether_the_episode_is_over(self):
+        record = Path(folder.name) / "faulty"
+        with tera.make(scenario, options=["--record", record], step_s=0.5) as env:
+            env.reset(seed=1)
+            still = np.zeros(env.action_space.shape)
+            with self.assertRaises(tera.Refused) as caught:
+                env.session.step(physics_steps=0)
+            self.assertFalse(caught.exception.episode_over)
+            shutil.rmtree(record / "episode_0001.incomplete" / "digger" / "camera")
+            with self.assertRaisesRegex(tera.Refused, "kept in") as caught:
+                for _ in range(100):
+                    env.step(still)
+            self.assertTrue(caught.exception.episode_over)
+            env.reset(seed=1)
+            env.step(still)
 
     def test_a_broken_rule_ends_the_session(self):
         session = tera.Session(server.address)
@@ -289,6 +365,55 @@ class SessionTest(unittest.TestCase):
 
 
 class ServerTest(unittest.TestCase):
+    def test_the_server_ends_with_the_program_that_started_it(self):
+        script = f"import tera; print(tera.Server({str(scenario)!r})._process.pid, flush=True); input()"
+        parent = subprocess.Popen([sys.executable, "-c", script], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                  text=True)
+        child = int(parent.stdout.readline())
+        os.kill(child, 0)  # it is there
+        parent.kill()
+        parent.communicate()
+        deadline = time.monotonic() + 60
+        while running(child):
+            self.assertLess(time.monotonic(), deadline, "the server goes on without its parent")
+            time.sleep(0.05)
+
+    def test_where_no_program_is_one_hears_where_it_was_looked_for(self):
+        with mock.patch.dict(os.environ, {"TERA_PROGRAM": "/nowhere/tera"}):
+            with self.assertRaisesRegex(FileNotFoundError, "TERA_PROGRAM names /nowhere/tera"):
+                tera.server.find_program()
+        with mock.patch.dict(os.environ, {"PATH": "/nowhere"}):
+            os.environ.pop("TERA_PROGRAM", None)
+            with mock.patch("tera.server._PACKAGE", Path("/tera")):
+                with self.assertRaisesRegex(FileNotFoundError, "not on the PATH.*name it in TERA_PROGRAM"):
+                    tera.server.find_program()
+
+    def test_the_program_of_a_build_and_of_an_installation_is_found(self):
+        for package, program in (("build/python/tera", "build/tera"),
+                                 ("prefix/share/tera/python/tera", "prefix/bin/tera")):
+            root = Path(folder.name) / "places"
+            (root / program).parent.mkdir(parents=True, exist_ok=True)
+            (root / program).write_text("")
+            (root / program).chmod(0o755)
+            with mock.patch.dict(os.environ), mock.patch("tera.server._PACKAGE", root / package):
+                os.environ.pop("TERA_PROGRAM", None)
+                self.assertEqual(tera.server.find_program(), str(root / program))
+
+    def test_a_killed_episode_is_replayed_as_far_as_it_was_commanded(self):
+        record, again = Path(folder.name) / "killed", Path(folder.name) / "killed_again"
+        own = tera.Server(scenario, ["--record", record])
+        session = tera.Session(own.address)
+        session.reset(seed=8)
+        session.step(duration_s=2.5)
+        own._process.kill()
+        own._process.wait()
+        session.close()
+        own.close()
+        subprocess.run([tera.server.find_program(), "replay", record / "episode_0001.incomplete", "--out", again],
+                       check=True, capture_output=True)
+        rows = (again / "digger" / "commands.csv").read_text().splitlines()
+        self.assertGreaterEqual(len(rows), 2 * 500)
+
     def test_a_wrong_scenario_is_reported(self):
         with self.assertRaisesRegex(RuntimeError, "nowhere.yaml"):
             tera.Server("nowhere.yaml")
