@@ -17,6 +17,7 @@ HERE = pathlib.Path(__file__).parent
 NODES = {
     "tb235": {"undercarriage", "upper", "swing_post", "boom", "arm", "bucket", "blade", "shoe",
               "boom_barrel", "boom_rod", "arm_barrel", "arm_rod", "bucket_barrel", "bucket_rod",
+              "swing_barrel", "swing_rod", "blade_barrel", "blade_rod",
               "bucket_rocker", "bucket_coupler"},
     "warthog": {"body", "wheel"},
     "truck": {"body"},
@@ -29,7 +30,7 @@ NODES = {
     "fixed_arm": {"base", "link1", "link2", "link3"},
     **check_heavy.NODES,
 }
-EXCAVATOR_BUDGET, SHOE_BUDGET = 25500, 60
+EXCAVATOR_BUDGET, SHOE_BUDGET = 27000, 60
 GRID_M = 1e-5            # vertices are written on this grid
 CREASE_COSINE = -0.05    # a smooth normal never turns away from its face
 FIT_M = 0.004
@@ -115,6 +116,10 @@ def _config_faults():
         "bucket tip": ("xyz_m:", (dims.BUCKET_TIP, 0, 0)),
         "boom limits": ("limits_deg:", dims.BOOM_RANGE),
         "arm limits": ("limits_deg:", dims.ARM_RANGE),
+        "blade limits": ("limits_deg:", dims.BLADE_RANGE),
+        "swing limits": ("limits_deg:", dims.SWING_RANGE),
+        "swing barrel": ("pin_m:", (*dims.SWING_CYLINDER[0], dims.SWING_PIN_U[2])),
+        "swing rod": ("pin_m:", (*dims.SWING_CYLINDER[2], 0)),
     }
     for name, pin in (("bucket barrel", dims.BUCKET_BARREL_PIN), ("rocker", dims.ROCKER_PIN),
                       ("coupler", dims.COUPLER_PIN)):
@@ -154,7 +159,7 @@ def _fit_faults(nodes):
     near("length of a shoe", high["shoe"][0] - low["shoe"][0], dims.SHOE_LENGTH, 1e-3)
     near("width of a shoe", high["shoe"][1] - low["shoe"][1], dims.TRACK_WIDTH)
     near("outside of a shoe", high["shoe"][2], 0.0)
-    for name in (*dims.CYLINDERS, "bucket"):
+    for name in (*dims.CYLINDERS, "bucket", "swing"):
         shortest, longest = dims.pin_distance_range(name)
         barrel, rod = high[f"{name}_barrel"][0], -low[f"{name}_rod"][0]
         if barrel > shortest or rod > shortest:

@@ -20,7 +20,7 @@ def excavator():
         "blade": tb235_carriage.blade(),
         "shoe": tb235_carriage.shoe(),
     }
-    for name in ("boom", "arm", "bucket"):
+    for name in tb235_front.BORES:
         bodies[f"{name}_barrel"] = tb235_front.barrel(name)
         bodies[f"{name}_rod"] = tb235_front.rod(name)
     bodies["bucket_rocker"] = tb235_front.bucket_rocker()

@@ -7,7 +7,7 @@ import numpy as np
 import paint
 from solids import (Body, bar, both_sides, box, cylinder, extrude, lathe, loft, mirrored, moved,
                     pin, pipe, rectangle, ribbon, round_corners, rounded_rectangle, smooth_path)
-from tb235_dimensions import (BLADE_PIN_B, BLADE_PROFILE, BLADE_WIDTH, SHOE_LENGTH, SLEW_HEIGHT,
+from tb235_dimensions import (BLADE_PIN_B, BLADE_PROFILE, BLADE_WIDTH, CYLINDERS, SHOE_LENGTH, SLEW_HEIGHT,
                               TRACK_RADIUS, TRACK_WIDTH, TRACK_Y, TRACK_Z, WHEELBASE)
 
 BELT_THICKNESS = 0.05        # shoe with its lug
@@ -90,7 +90,11 @@ def undercarriage():
     for y in (0.23, 0.37):
         body.add(paint.CHARCOAL, *both_sides(extrude(lug, "y", y - 0.015, y + 0.015)))
     body.add(paint.STEEL, *both_sides(pin(BLADE_PIN_B[0], BLADE_PIN_B[2], 0.10, 0.025, y=0.30)))
-    body.add(paint.CHARCOAL, *both_sides(box((0.48, 0.06, 0.40), (0.16, 0.02, 0.14), 0.005)))
+    foot_x, foot_z = CYLINDERS["blade"][0]
+    foot = round_corners([(0.40, 0.33), (0.66, 0.33), (foot_x + 0.045, foot_z), (foot_x, foot_z + 0.05),
+                          (0.40, 0.46)], 0.03)
+    body.add(paint.CHARCOAL, *both_sides(extrude(foot, "y", 0.045, 0.065)))
+    body.add(paint.STEEL, pin(foot_x, foot_z, 0.085, 0.02))
     return body
 
 
@@ -129,13 +133,10 @@ def blade():
                           (x, y + 0.045, z + h - 0.02), (x, y + 0.035, z + h), (x, y - 0.035, z + h),
                           (x, y - 0.045, z + h - 0.02), (x, y - 0.045, z - h + 0.02)])
         body.add(paint.CHARCOAL, *both_sides(loft(rings), pin(0, 0, 0.05, 0.062, 16, y)))
-    web = round_corners([(0.44, -0.16), (0.44, 0.06), (0.38, 0.06), (0.33, -0.02)], 0.03)
+    # Lugs that take the rod of its cylinder.
+    head_x, head_z = CYLINDERS["blade"][2]
+    web = round_corners([(0.45, -0.16), (0.49, 0.06), (head_x + 0.045, head_z + 0.02),
+                         (head_x, head_z + 0.05), (head_x - 0.05, head_z), (0.33, -0.02)], 0.03)
     body.add(paint.CHARCOAL, *both_sides(extrude(web, "y", 0.045, 0.065)))
-    body.add(paint.STEEL, pin(0.375, 0.03, 0.085, 0.02))
-    # The lift cylinder, drawn at the middle of its travel.
-    foot, head = np.array([-0.46, 0.0, 0.07]), np.array([0.375, 0.0, 0.03])
-    along = (head - foot) / np.linalg.norm(head - foot)
-    body.add(paint.CHARCOAL, cylinder(foot, foot + 0.52 * along, 0.045, 14, 0.005))
-    body.add(paint.CHROME, cylinder(foot + 0.48 * along, head, 0.024, 12))
-    body.add(paint.CHARCOAL, pin(head[0], head[2], 0.04, 0.038))
+    body.add(paint.STEEL, pin(head_x, head_z, 0.085, 0.02))
     return body

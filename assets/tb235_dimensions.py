@@ -15,6 +15,7 @@ BOOM_LENGTH, ARM_LENGTH = 2.5, 1.545
 BUCKET_TIP = 0.78
 BLADE_PIN_B = (0.95, 0.0, 0.35)
 BOOM_RANGE, ARM_RANGE = (-50.0, 72.0), (-155.0, -30.0)
+BLADE_RANGE, SWING_RANGE = (-25.0, 25.0), (-55.0, 75.0)
 BUCKET_RANGE = (math.degrees(-1.222) - 45.0, math.degrees(0.873) - 45.0)
 
 TRACK_Y, TRACK_Z, TRACK_RADIUS, TRACK_WIDTH, WHEELBASE = 0.574, 0.25, 0.25, 0.30, 1.60
@@ -32,7 +33,10 @@ BLADE_WIDTH = 1.55
 CYLINDERS = {
     "boom": ((0.30, -0.04), (BOOM_PIN_S[0], BOOM_PIN_S[2]), (1.22, 0.20), BOOM_RANGE),
     "arm": ((1.10, 0.72), (BOOM_LENGTH, 0.0), (-0.34, 0.08), ARM_RANGE),
+    "blade": ((0.68, 0.46), (BLADE_PIN_B[0], BLADE_PIN_B[2]), (0.40, 0.18), BLADE_RANGE),
 }
+# The same in x-y of the cylinder that swings the boom: barrel in the upper frame, rod in the swing post.
+SWING_CYLINDER = ((-0.10, -0.29), SWING_PIN_U[:2], (0.033, -0.157), SWING_RANGE)
 
 # The bucket's four-bar. Its cylinder pushes where rocker and coupler meet.
 BUCKET_BARREL_PIN = (0.02, 0.30)      # in the arm
@@ -63,7 +67,7 @@ def pin_distance_range(name):
         barrel = BUCKET_BARREL_PIN
         x, z = bucket_knee(np.radians(np.linspace(*BUCKET_RANGE, 721)))
     else:
-        barrel, joint, rod, limits = CYLINDERS[name]
+        barrel, joint, rod, limits = SWING_CYLINDER if name == "swing" else CYLINDERS[name]
         x, z = _turned(rod, np.radians(np.linspace(*limits, 721)))
         x, z = joint[0] + x, joint[1] + z
     distance = np.hypot(x - barrel[0], z - barrel[1])

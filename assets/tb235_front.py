@@ -17,7 +17,8 @@ GLAND_CLEARANCE = 0.075   # from the rod's pin to the barrel's end when shut
 
 # Barrel radius, rod radius, half width of the eyes.
 BORES = {"boom": (0.050, 0.0225, 0.040), "arm": (0.050, 0.0225, 0.036),
-         "bucket": (0.045, 0.020, 0.034)}
+         "bucket": (0.045, 0.020, 0.034), "swing": (0.050, 0.020, 0.034),
+         "blade": (0.055, 0.025, 0.034)}
 
 # Half widths across the bucket's linkage, from the rod's eye outwards: coupler, rocker, ears.
 COUPLER_Y, ROCKER_Y, PLATE = 0.053, 0.077, 0.014

@@ -43,9 +43,6 @@ def _frame(body):
     body.add(paint.CHARCOAL, box((0.36, 0, 0.105), (0.18, 0.34, 0.18), 0.015))
     body.add(paint.STEEL, cylinder((x, 0, -0.045), (x, 0, 0.26), 0.055, 16, 0.008))
     body.add(paint.STEEL, cylinder((x, 0, 0.255), (x, 0, 0.275), 0.035, 6))
-    # Cylinder that swings the post, along the right side of the bracket.
-    body.add(paint.CHARCOAL, cylinder((-0.10, -0.25, 0.02), (0.42, -0.19, 0.10), 0.042, 14, 0.005))
-    body.add(paint.CHROME, cylinder((0.40, -0.19, 0.10), (0.60, -0.135, 0.10), 0.022, 10))
 
 
 def _counterweight(body):

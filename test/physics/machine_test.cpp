@@ -192,7 +192,7 @@ TEST(Machine, ExcavatorHasItsEquipment) {
   EXPECT_EQ(model.levers.size(), 8u);
   EXPECT_EQ(model.levers[0].gear, 0);
   EXPECT_EQ(model.levers[2].joint, model.JointIndex("slew"));
-  ASSERT_EQ(model.cylinders.size(), 3u);
+  ASSERT_EQ(model.cylinders.size(), 5u);
   EXPECT_EQ(model.cylinders[0].rod_link, model.LinkIndex("boom"));
   EXPECT_TRUE(model.cylinders[0].rod_pin_m.isApprox(Vec3(1.22, 0, 0.20)));
   EXPECT_EQ(model.cylinders[0].barrel->node, "boom_barrel");
