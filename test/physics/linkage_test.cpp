@@ -1,8 +1,10 @@
 #include "physics/linkage.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "physics/cylinder_fixture.h"
@@ -80,22 +82,74 @@ TEST(Linkage, TheOtherBranchFoldsToTheOtherSide) {
   EXPECT_LT(knee_P_m.y(), a.y());
 }
 
-TEST(Linkage, PinsOfTheExcavatorsFourBarStayTogether) {
-  const MachineModel model = ShippedMachine("tb235");
-  ASSERT_EQ(model.linkages.size(), 1u);
-  const FourBar& linkage = model.linkages[0];
-  const int arm = model.LinkIndex("arm"), bucket = model.LinkIndex("bucket");
-  const int joint = model.JointIndex("bucket");
-  std::vector<double> q_rad;
-  for (const Joint& j : model.joints) q_rad.push_back(j.initial_rad);
-  for (const double q : TravelOf(model.joints[joint])) {
-    q_rad[joint] = q;
-    const auto links = ForwardKinematics(model, MakePose(Vec3(3, -2, 1), 0.1, -0.2, 2.0), q_rad);
-    const FourBarPose pose = PoseOf(model, linkage, q);
-    const Pose X_WR = links[arm] * pose.X_PR, X_WC = links[arm] * pose.X_PC;
-    EXPECT_LT((X_WR.translation() - links[arm] * Vec3(1.30, 0, 0.02)).norm(), 1e-4);
-    EXPECT_LT((X_WC.translation() - links[bucket] * Vec3(-0.125, 0, 0.165)).norm(), 1e-4);
-    EXPECT_LT((X_WR * Vec3(0.29, 0, 0) - X_WC * Vec3(0.30, 0, 0)).norm(), 1e-4);
+/// Pins and lengths of a bucket's four-bar, as its machine's file has them.
+struct BucketBars {
+  const char* machine;
+  Vec3 rocker_pin_m, coupler_pin_m;  ///< in the arm and in the bucket
+  double rocker_m, coupler_m;
+};
+
+const BucketBars kBucketBars[] = {{"tb235", {1.30, 0, 0.02}, {-0.125, 0, 0.165}, 0.29, 0.30},
+                                  {"excavator20t", {2.50, 0, 0.02}, {-0.06, 0, 0.455}, 0.66, 0.62}};
+
+/// How far the pins of rocker and arm, coupler and bucket, rocker and coupler are apart at worst.
+double WorstGap_m(const MachineModel& model, const BucketBars& bars, const Pose& X_WArm,
+                  const Pose& X_WBucket, double q_rad) {
+  const FourBarPose pose = PoseOf(model, model.linkages[0], q_rad);
+  const Pose X_WR = X_WArm * pose.X_PR, X_WC = X_WArm * pose.X_PC;
+  return std::max({(X_WR.translation() - X_WArm * bars.rocker_pin_m).norm(),
+                   (X_WC.translation() - X_WBucket * bars.coupler_pin_m).norm(),
+                   (X_WR * Vec3(bars.rocker_m, 0, 0) - X_WC * Vec3(bars.coupler_m, 0, 0)).norm()});
+}
+
+constexpr double kMostGap_m = 1e-4;
+
+TEST(Linkage, PinsOfTheExcavatorsFourBarsStayTogetherOverTheirTravel) {
+  for (const BucketBars& bars : kBucketBars) {
+    const MachineModel model = ShippedMachine(bars.machine);
+    ASSERT_EQ(model.linkages.size(), 1u);
+    const int arm = model.LinkIndex("arm"), bucket = model.LinkIndex("bucket");
+    const int joint = model.JointIndex("bucket");
+    std::vector<double> q_rad;
+    for (const Joint& j : model.joints) q_rad.push_back(j.initial_rad);
+    double worst_m = 0;
+    for (const double q : TravelOf(model.joints[joint])) {
+      q_rad[joint] = q;
+      const auto links =
+          ForwardKinematics(model, MakePose(Vec3(300, -200, 1), 0.1, -0.2, 2.0), q_rad);
+      worst_m = std::max(worst_m, WorstGap_m(model, bars, links[arm], links[bucket], q));
+    }
+    EXPECT_LT(worst_m, kMostGap_m) << bars.machine;
+    RecordProperty(std::string(bars.machine) + "_gap_m", fmt::format("{:.1e}", worst_m));
+  }
+}
+
+TEST(Linkage, PinsOfTheExcavatorsFourBarsStayTogetherInMotion) {
+  for (const BucketBars& bars : kBucketBars) {
+    const MachineModel model = ShippedMachine(bars.machine, {"fixed_base=true"});
+    const int arm = model.LinkIndex("arm"), bucket = model.LinkIndex("bucket");
+    const int joint = model.JointIndex("bucket");
+    MachineRun run(model, MakePose(Vec3(300, -200, 1), 0.1, -0.2, 2.0));
+    double worst_m = 0, least_rad = 0, most_rad = 0;
+    // Into one end stop and the other, with the boom and the slew moving.
+    for (const double lever : {1.0, -1.0, 1.0}) {
+      run.input.levers[model.LeverIndex("bucket")] = lever;
+      run.input.levers[model.LeverIndex("boom")] = 0.3 * lever;
+      run.input.levers[model.LeverIndex("slew")] = 0.5;
+      for (int step = 0; step < 2500; ++step) {
+        run.Step();
+        const double q = run.state().q_rad[joint];
+        const auto& links = run.state().links;
+        worst_m =
+            std::max(worst_m, WorstGap_m(model, bars, links[arm].X_WB, links[bucket].X_WB, q));
+        least_rad = std::min(least_rad, q);
+        most_rad = std::max(most_rad, q);
+      }
+    }
+    EXPECT_NEAR(least_rad, model.joints[joint].lower_rad, 1e-3) << bars.machine;
+    EXPECT_NEAR(most_rad, model.joints[joint].upper_rad, 1e-3) << bars.machine;
+    EXPECT_LT(worst_m, kMostGap_m) << bars.machine;
+    RecordProperty(std::string(bars.machine) + "_gap_m", fmt::format("{:.1e}", worst_m));
   }
 }
 
