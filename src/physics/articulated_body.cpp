@@ -21,6 +21,10 @@ constexpr double kUnlimited = 1e12;
 /// Steel on rock, dry.
 constexpr double kFriction = 0.5;
 
+/// Products of inertia below this share of the largest moment are rounding: the axes of the link
+/// are taken as they are, and not turned by what an eigensolver makes of them.
+constexpr double kDiagonal = 1e-12;
+
 struct PrincipalAxes {
   Pose X_BP = Pose::Identity();
   Vec3 moments_kgm2 = Vec3::Zero();
@@ -30,7 +34,7 @@ PrincipalAxes PrincipalAxesOf(const Link& link) {
   PrincipalAxes axes;
   axes.X_BP.translation() = link.com_B_m;
   axes.moments_kgm2 = link.inertia_B_kgm2.diagonal();
-  if (link.inertia_B_kgm2.isDiagonal(1e-12)) return axes;
+  if (link.inertia_B_kgm2.isDiagonal(kDiagonal)) return axes;
   const Eigen::SelfAdjointEigenSolver<Mat3> solver(link.inertia_B_kgm2);
   Mat3 R = solver.eigenvectors();
   if (R.determinant() < 0) R.col(2) *= -1;
@@ -107,6 +111,7 @@ struct ArticulatedBody::Bullet {
   void AddLinks(const MachineModel& model);
   void AddLoadLinks(const MachineModel& model);
   void AddShapes(const MachineModel& model, bool meets_others);
+  void AddDrives(const MachineModel& model);
 };
 
 void ArticulatedBody::Bullet::AddLinks(const MachineModel& model) {
@@ -171,6 +176,17 @@ void ArticulatedBody::Bullet::AddShapes(const MachineModel& model, bool meets_ot
   }
 }
 
+void ArticulatedBody::Bullet::AddDrives(const MachineModel& model) {
+  for (std::size_t k = 0; k < model.joints.size(); ++k) {
+    const Joint& joint = model.joints[k];
+    drives.emplace_back();
+    if (joint.type == JointType::kFixed) continue;
+    drives.back().emplace(body.get(), static_cast<int>(k), world);
+    if (joint.type == JointType::kContinuous) continue;
+    drives.back()->SetStops(joint.lower_rad, joint.upper_rad);
+  }
+}
+
 ArticulatedBody::ArticulatedBody(const MachineModel& model, const Pose& X_WB,
                                  const std::vector<double>& q_rad, bool meets_others,
                                  btMultiBodyDynamicsWorld* world)
@@ -204,14 +220,7 @@ ArticulatedBody::ArticulatedBody(const MachineModel& model, const Pose& X_WB,
   btAlignedObjectArray<btVector3> origins;
   body.forwardKinematics(rotations, origins);
   body.updateCollisionObjectWorldTransforms(rotations, origins);
-  for (std::size_t k = 0; k < model.joints.size(); ++k) {
-    const Joint& joint = model.joints[k];
-    bullet_->drives.emplace_back();
-    if (joint.type == JointType::kFixed) continue;
-    bullet_->drives.back().emplace(&body, static_cast<int>(k), world);
-    if (joint.type == JointType::kContinuous) continue;
-    bullet_->drives.back()->SetStops(joint.lower_rad, joint.upper_rad);
-  }
+  bullet_->AddDrives(model);
 }
 
 ArticulatedBody::~ArticulatedBody() = default;

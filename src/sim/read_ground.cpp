@@ -32,6 +32,17 @@ bool StandsOnTracks(const MachineModel& model) {
   return left && right && on_root && model.gauge_m > 0 && !model.fixed_base;
 }
 
+/// The force on a tool of the root link is not told from that on the running gear.
+void CheckTools(const ConfigMap& config, const MachineModel& model) {
+  for (const Shovel& shovel : model.ground_tools.shovels) {
+    if (shovel.link != 0) continue;
+    config.Fault("ground", "shovel '" + shovel.name + "' is on the root link '" +
+                               model.links[0].name +
+                               "', where ground: kinematic cannot tell its force from the tracks'; "
+                               "give it a link of its own with a joint of type fixed");
+  }
+}
+
 }  // namespace
 
 void ReadGround(const ConfigMap& config, MachineModel* model) {
@@ -52,6 +63,7 @@ void ReadGround(const ConfigMap& config, MachineModel* model) {
                                  "the effect away");
     }
   }
+  if (model->ground == GroundModel::kKinematic) CheckTools(config, *model);
   const TrackSpeeds shoes = ShoeSpeeds({1, 1}, TrackKinematicsOf(model->effects.base));
   for (std::size_t g = 0; g < model->ground_tools.gears.size(); ++g) {
     model->ground_tools.gears[g].shoe_ratio =

@@ -34,7 +34,8 @@ class ScriptedLevers : public Operator {
   std::function<NamedLevers(double)> script_;
 };
 
-/// One machine on a site of 30 m x 20 m; `terrain` and `more` are YAML.
+/// One machine on a site of 30 m x 20 m; `terrain` and `more` are YAML. `machine` is a shipped
+/// file's name or a path from the root.
 struct Drive {
   Drive(const std::string& machine, const std::string& start, const std::string& terrain,
         double left, double right, const std::string& more = "")
@@ -49,11 +50,12 @@ struct Drive {
 
   static Scenario Read(const std::string& machine, const std::string& start,
                        const std::string& terrain, const std::string& more) {
-    const Config config = Config::FromText(
-        "name: drive\nduration_s: 60\nterrain: {size_m: [30, 20], " + terrain +
-            "}\nmachines:\n  - name: m\n    machine: tera:config/machines/" + machine +
-            "\n    start: " + start + "\n    operator: {type: idle}\n" + more,
-        "drive.yaml");
+    const Config config =
+        Config::FromText("name: drive\nduration_s: 60\nterrain: {size_m: [30, 20], " + terrain +
+                             "}\nmachines:\n  - name: m\n    machine: " +
+                             (machine.starts_with('/') ? "" : "tera:config/machines/") + machine +
+                             "\n    start: " + start + "\n    operator: {type: idle}\n" + more,
+                         "drive.yaml");
     Scenario scenario = ReadScenario(config.root());
     config.Finish();
     return scenario;

@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 #include "core/error.h"
 #include "core/units.h"
 #include "drive_fixture.h"
+#include "own_folder.h"
 #include "physics/slots/track_kinematics.h"
 
 /// A scenario's choice of what moves a machine over the ground, and the effects of its base.
@@ -231,6 +234,38 @@ TEST(TrackDrive, FaultsOfTheChoiceSayWhatIsNeeded) {
   EXPECT_THAT(FaultOf(kExcavator, Ground("kinematic", "trak_slip: {slip: 0.1}")),
               HasSubstr("track_slip"));
   EXPECT_EQ(FaultOf(kExcavator, Ground("kinematic", "track_slip: {slip: 0.1}")), "no fault");
+}
+
+/// A file of a cart on tracks whose blade is on that link.
+std::string CartWithBladeOn(const std::string& link) {
+  const std::filesystem::path path = OwnFolder() / (link + ".yaml");
+  std::ofstream(path) << R"(
+kind: cart
+links:
+  chassis: {mass_kg: 900, com_m: [0, 0, 0.5], inertia_kgm2: [300, 500, 600]}
+  mount: {mass_kg: 50, inertia_kgm2: [5, 5, 5]}
+joints:
+  weld: {type: fixed, parent: chassis, child: mount, xyz_m: [1.2, 0, 0.4]}
+gauge_m: 1.2
+tracks:
+  left_track: {link: chassis, center_m: [0, 0.6, 0.3], wheelbase_m: 2, radius_m: 0.3,
+               width_m: 0.3, max_speed_mps: 1, max_torque_nm: 5000, inertia_kgm2: 10}
+  right_track: {link: chassis, center_m: [0, -0.6, 0.3], wheelbase_m: 2, radius_m: 0.3,
+                width_m: 0.3, max_speed_mps: 1, max_torque_nm: 5000, inertia_kgm2: 10}
+levers: [left_track, right_track]
+shovels:
+  blade: {link: )" << link
+                      << R"(, profile_m: [[0.5, -0.3], [0.4, 0], [0.5, 0.3]], width_m: 2}
+)";
+  return path.string();
+}
+
+TEST(TrackDrive, AToolOfTheRootLinkIsRefusedWhereItsForceCannotBeTold) {
+  const std::string pusher = CartWithBladeOn("chassis"), welded = CartWithBladeOn("mount");
+  EXPECT_THAT(FaultOf(pusher, Ground("kinematic")),
+              HasSubstr("shovel 'blade' is on the root link 'chassis'"));
+  EXPECT_EQ(FaultOf(pusher, Ground("ideal")), "no fault");
+  EXPECT_EQ(FaultOf(welded, Ground("kinematic")), "no fault");
 }
 
 }  // namespace

@@ -29,13 +29,18 @@ double SlipOf(double speed_mps, double thrust, double slope, const TrackGeometry
   const double direction = speed_mps < 0 ? -1 : 1;
   const double along = direction * thrust + p.resistance;
   double slip = p.slip + p.slope_slip + p.slip_per_slope * slope * direction;
-  if (p.resistance > 0) slip += along / p.slip_stiffness;
+  slip += along / p.slip_stiffness;
   if (p.shear_modulus_m > 0) {
     const double k = p.shear_modulus_m / geometry.contact_length_m;
     slip += std::copysign(k * JanosiSlip(std::abs(along) / p.friction, 1 / k), along);
   }
   return std::clamp(slip, -1.0, 1.0);
 }
+
+/// A machine on its side or its back still loads its tracks with this share of its weight, and has
+/// this much of a side slope's base: thrust over load and slopes stay finite, and slip, which is at
+/// most 1, is long at its bounds.
+constexpr double kLeastUpright = 1e-6;
 
 /// By how much `size` is beyond `holding`, with its sign.
 double Beyond(double size, double holding) {
@@ -85,8 +90,9 @@ PlanarTwist MoveOnTracks(const TrackSpeeds& shoes, const TrackCircumstances& c,
   const double level = std::cos(c.pitch_rad);
   const double side_rise = std::sin(c.roll_rad) * level;
   const double slope = rise / level;
-  const double side_slope = side_rise / std::sqrt(std::max(1e-12, 1 - side_rise * side_rise));
-  const double load_n = geometry.weight_n * std::max(1e-6, level * std::cos(c.roll_rad));
+  const double side_slope =
+      side_rise / std::sqrt(std::max(kLeastUpright * kLeastUpright, 1 - side_rise * side_rise));
+  const double load_n = geometry.weight_n * std::max(kLeastUpright, level * std::cos(c.roll_rad));
   const double even = (geometry.weight_n * rise - c.tool_force_B_n.x()) / load_n;
   const double turning = 2 * c.tool_torque_B_nm / geometry.gauge_m / load_n;
 

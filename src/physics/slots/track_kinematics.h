@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "core/effects.h"
 #include "core/motion.h"
 
@@ -22,8 +24,9 @@ struct TrackKinematicsParameters {
   double drift_per_slope = 0;  ///< side_slip
   double gauge_ratio = 1;      ///< effective_gauge
   double icr_forward_m = 0, icr_left_m = 0;
-  double resistance = 0, slip_stiffness = 1;  ///< rolling_resistance
-  double holding = 0, yield_mps = 0;          ///< digging_force
+  double resistance = 0;  ///< rolling_resistance
+  double slip_stiffness = std::numeric_limits<double>::infinity();
+  double holding = 0, yield_mps = 0;  ///< digging_force
 };
 
 TrackKinematicsParameters TrackKinematicsOf(const Effects& base);
@@ -56,9 +59,9 @@ TrackSpeeds ShoeSpeeds(const TrackSpeeds& nominal, const TrackKinematicsParamete
 /// Model   Each track moves on the ground at u = V (1 - i). Its slip i is the sum of track_slip's
 ///         constant, slope_slip's i0 + k tan(slope along its travel), and what its thrust T over
 ///         its load N asks for: by Janosi and Hanamoto T = mu N (1 - (1 - e^-x) / x), x = i L / K,
-///         and by rolling_resistance T / (C N). T carries the weight's part along the slope, the
-///         rolling resistance f N and the tools' force. Then, with y0 and x0 of icr_shift and the
-///         effective gauge r B,
+///         and by rolling_resistance T / (C N), also where its f is 0. T carries the weight's part
+///         along the slope, the rolling resistance f N and the tools' force. Then, with y0 and x0
+///         of icr_shift and the effective gauge r B,
 ///           w = (u_right - u_left) / (r B),  v_x = (u_left + u_right) / 2 + w y0,
 ///           v_y = -w x0 - k_side tan(side slope) (|u_left| + |u_right|) / 2.
 ///         digging_force: a tool force beyond the share h of the weight W drags the base along at

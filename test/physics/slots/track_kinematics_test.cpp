@@ -182,6 +182,23 @@ TEST(TrackKinematics, RollingResistanceCostsSlipInProportionToAllThrust) {
               0.5 * (1 - 0.01), 1e-12);
 }
 
+TEST(TrackKinematics, RollingResistanceFadesWithoutAStep) {
+  // What is left at f = 0 is the slip of the other thrust, tan = 0.3 over 20.
+  const TrackCircumstances loads[] = {Climbing(std::atan(0.3)),
+                                      {.tool_force_B_n = {-3430, 500}, .tool_torque_B_nm = 900}};
+  for (const TrackCircumstances& load : loads) {
+    for (const TrackSpeeds& speeds : {TrackSpeeds{0.5, 0.5}, TrackSpeeds{-0.2, 0.4}}) {
+      const PlanarTwist none = Move(speeds, One("rolling_resistance", {0, 20}), load);
+      const PlanarTwist faint = Move(speeds, One("rolling_resistance", {1e-9, 20}), load);
+      EXPECT_NEAR(faint.forward_mps, none.forward_mps, 1e-9);
+      EXPECT_NEAR(faint.yaw_radps, none.yaw_radps, 1e-9);
+    }
+  }
+  EXPECT_NEAR(Move({0.5, 0.5}, One("rolling_resistance", {0, 20}), loads[0]).forward_mps,
+              0.5 * (1 - 0.015), 1e-12);
+  EXPECT_EQ(Move({0.5, 0.5}, One("rolling_resistance", {0, 20})).forward_mps, 0.5);
+}
+
 TEST(TrackKinematics, AForceBesideTheMiddleLoadsTheTrackOnItsSide) {
   // A torque to the left holds the right track back: that one slips more, the left one less.
   const Effects effects = One("rolling_resistance", {0.1, 20});
