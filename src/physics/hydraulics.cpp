@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace tera {
 namespace {
-
-double DiscArea_m2(double diameter_m) { return 0.25 * std::numbers::pi * diameter_m * diameter_m; }
 
 /// Most force with which one cylinder pushes (`sign` +1) or pulls (-1), a magnitude.
 double ReliefForce_n(const Cylinder& cylinder, double sign) {
@@ -38,12 +35,6 @@ void SetPressures(const Cylinder& cylinder, double force_n, CylinderState* state
 }
 
 }  // namespace
-
-double HeadArea_m2(const Cylinder& cylinder) { return DiscArea_m2(cylinder.bore_m); }
-
-double RodArea_m2(const Cylinder& cylinder) {
-  return DiscArea_m2(cylinder.bore_m) - DiscArea_m2(cylinder.rod_diameter_m);
-}
 
 Hydraulics::Hydraulics(const MachineModel& model, const std::vector<double>& q_rad)
     : model_(model), reach_(model.cylinders.size()) {
@@ -92,17 +83,6 @@ EffortLimits ReliefEffort(const MachineModel& model, int joint, double q_rad) {
     AddReliefEffort(cylinder, ReachOf(model, cylinder, q_rad).arm_m, &limits);
   }
   return limits;
-}
-
-double CylinderDisplacement_m3prad(const MachineModel& model, int joint, double q_rad, int sign) {
-  double displacement_m3prad = 0;
-  for (const Cylinder& cylinder : model.cylinders) {
-    if (cylinder.joint != joint || cylinder.bore_m == 0) continue;
-    const double arm_m = ReachOf(model, cylinder, q_rad).arm_m;
-    const double area_m2 = sign * arm_m > 0 ? HeadArea_m2(cylinder) : RodArea_m2(cylinder);
-    displacement_m3prad += cylinder.count * area_m2 * std::abs(arm_m);
-  }
-  return displacement_m3prad;
 }
 
 }  // namespace tera

@@ -9,10 +9,6 @@
 
 namespace tera {
 
-/// Piston area of one cylinder on the side without rod, and around the rod.
-double HeadArea_m2(const Cylinder& cylinder);
-double RodArea_m2(const Cylinder& cylinder);
-
 /// Magnitudes of the most that a joint's actuator can do in either direction.
 struct EffortLimits {
   double positive_nm = 0, negative_nm = 0;
@@ -53,9 +49,5 @@ class Hydraulics {
 
 /// What relief lets a joint's cylinders do at `q_rad`; 0 without cylinders that have a bore.
 EffortLimits ReliefEffort(const MachineModel& model, int joint, double q_rad);
-
-/// Oil that all cylinders of the joint take for one radian (or metre) of it at `q_rad`, moving in
-/// the direction of `sign`; 0 without cylinders that have a bore.
-double CylinderDisplacement_m3prad(const MachineModel& model, int joint, double q_rad, int sign);
 
 }  // namespace tera

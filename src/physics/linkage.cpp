@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/check.h"
 
@@ -97,6 +98,8 @@ struct MovingPins {
   MovingPin barrel, rod;
 };
 
+double DiscArea_m2(double diameter_m) { return 0.25 * std::numbers::pi * diameter_m * diameter_m; }
+
 }  // namespace
 
 std::optional<FourBarPose> SolveFourBar(const MachineModel& model, const FourBar& linkage,
@@ -125,6 +128,23 @@ CylinderReach ReachOf(const MachineModel& model, const Cylinder& cylinder, doubl
   const Vec3 line = pins.rod.p_P_m - pins.barrel.p_P_m;
   const double length_m = line.norm();
   return {length_m, line.dot(pins.rod.rate_P_m - pins.barrel.rate_P_m) / length_m};
+}
+
+double HeadArea_m2(const Cylinder& cylinder) { return DiscArea_m2(cylinder.bore_m); }
+
+double RodArea_m2(const Cylinder& cylinder) {
+  return DiscArea_m2(cylinder.bore_m) - DiscArea_m2(cylinder.rod_diameter_m);
+}
+
+double CylinderDisplacement_m3prad(const MachineModel& model, int joint, double q_rad, int sign) {
+  double displacement_m3prad = 0;
+  for (const Cylinder& cylinder : model.cylinders) {
+    if (cylinder.joint != joint || cylinder.bore_m == 0) continue;
+    const double arm_m = ReachOf(model, cylinder, q_rad).arm_m;
+    const double area_m2 = sign * arm_m > 0 ? HeadArea_m2(cylinder) : RodArea_m2(cylinder);
+    displacement_m3prad += cylinder.count * area_m2 * std::abs(arm_m);
+  }
+  return displacement_m3prad;
 }
 
 }  // namespace tera

@@ -4,7 +4,8 @@
 
 #include "physics/machine.h"
 
-/// Where cylinders and four-bar linkages are for a joint's position: geometry alone, no state.
+/// Where cylinders and four-bar linkages are for a joint's position, and the oil that a motion
+/// takes: geometry alone, no state.
 
 namespace tera {
 
@@ -40,5 +41,13 @@ struct CylinderReach {
 };
 
 CylinderReach ReachOf(const MachineModel& model, const Cylinder& cylinder, double q_rad);
+
+/// Piston area of one cylinder on the side without rod, and around the rod.
+double HeadArea_m2(const Cylinder& cylinder);
+double RodArea_m2(const Cylinder& cylinder);
+
+/// Oil that all cylinders of the joint take for one radian (or metre) of it at `q_rad`, moving in
+/// the direction of `sign`; 0 without cylinders that have a bore.
+double CylinderDisplacement_m3prad(const MachineModel& model, int joint, double q_rad, int sign);
 
 }  // namespace tera

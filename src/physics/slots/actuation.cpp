@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/check.h"
-#include "physics/hydraulics.h"
 #include "physics/linkage.h"
 
 namespace tera {
