@@ -18,6 +18,9 @@ constexpr double kLead_rad = 0.05;
 /// Beyond full lever by no more than this is a rounding of the sender's.
 constexpr double kLeverRounding = 1e-6;
 
+/// A place farther from the root link than any tool reaches is a mistyped one.
+constexpr double kFarthest_m = 1000.0;
+
 std::optional<std::string> FaultOfNumbers(const std::vector<double>& numbers, const char* what,
                                           const MachineModel& model) {
   if (numbers.size() != model.levers.size()) {
@@ -59,6 +62,10 @@ std::optional<std::string> FaultOfToolPose(const ControlMessage::ToolPose& pose,
       (pose.target.R_BF &&
        (!pose.target.R_BF->allFinite() || !pose.target.R_BF->isUnitary(1e-6)))) {
     return "the pose of '" + pose.frame + "' is not a place and a rotation, need finite numbers";
+  }
+  if (pose.target.p_BF_m.cwiseAbs().maxCoeff() > kFarthest_m) {
+    return fmt::format("the place of '{}' is beyond {} m, need one that a tool may reach",
+                       pose.frame, kFarthest_m);
   }
   return std::nullopt;
 }

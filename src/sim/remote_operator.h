@@ -41,7 +41,7 @@ struct ControlMessage {
 };
 
 /// What is wrong with a message for this machine (a wrong count, a lever beyond full, a number that
-/// is not finite, an unknown frame), or nothing.
+/// is not finite, an unknown frame, a place out of all reach), or nothing.
 std::optional<std::string> FaultOf(const ControlMessage& message, const MachineModel& model);
 
 /// A machine's operator once somebody drives it from outside: the scenario's own operator until the

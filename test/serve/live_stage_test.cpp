@@ -126,6 +126,9 @@ TEST_F(LiveStageTest, RefusesWhatCannotBeDoneAndChangesNothing) {
   ExpectRefused(step, "no frame 'nose'");
   v1::ToolPose& pose = *step.mutable_actions(0)->mutable_tool_pose();
   pose.set_frame("bucket_tip");
+  pose.mutable_position_b_m()->set_z(1e308);
+  ExpectRefused(step, "the place of 'bucket_tip' is beyond 1000 m");
+  pose.clear_position_b_m();
   pose.mutable_rotation_b();  // all 0, as an empty message is
   ExpectRefused(step, "the quaternion of tool frame 'bucket_tip' has length 0, need 1");
   pose.mutable_rotation_b()->set_w(5);
