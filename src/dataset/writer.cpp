@@ -344,14 +344,14 @@ void DatasetWriter::WriteRow(ChannelId channel, TimeNs t_ns, const std::vector<d
   impl_->AddRow(&table, t_ns, TableRow(t_ns, values));
 }
 
-bool DatasetWriter::NeedsFrame(ChannelId channel, TimeNs t_ns) const {
+bool DatasetWriter::NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs) const {
   TERA_CHECK(channel >= 0 && channel < static_cast<ChannelId>(impl_->channels.size()), channel);
   const std::string& folder = impl_->channels[static_cast<std::size_t>(channel)].description.path;
   return !impl_->frame_log->WasWhole(folder, t_ns);
 }
 
 void DatasetWriter::MarkPresent(ChannelId channel, TimeNs t_ns) {
-  TERA_CHECK(!NeedsFrame(channel, t_ns), channel, t_ns);
+  TERA_CHECK(!NeedsFrame(channel, t_ns, t_ns), channel, t_ns);
   Channel& frames = impl_->channels[static_cast<std::size_t>(channel)];
   const char* ending = frames.description.type == ChannelType::kLidar ? "pcd" : "png";
   impl_->AddRow(&frames, t_ns, FrameRow(t_ns, fmt::format("{}.{}", t_ns, ending)));

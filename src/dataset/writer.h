@@ -70,7 +70,7 @@ class DatasetWriter : public MeasurementSink {
   void WriteRow(ChannelId channel, TimeNs t_ns, const std::vector<double>& values) override;
 
   /// False when resuming and the files of this channel's frame at `t_ns` are whole already.
-  bool NeedsFrame(ChannelId channel, TimeNs t_ns) const override;
+  bool NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs due_ns) const override;
   void MarkPresent(ChannelId channel, TimeNs t_ns) override;
 
   /// Where to put a file of another kind (truth/terrain/*.tif); its folder exists.

@@ -161,7 +161,7 @@ void SamplePublisher::Write(ChannelId, const TruthPose&) {}
 
 void SamplePublisher::WriteRow(ChannelId, TimeNs, const std::vector<double>&) {}
 
-bool SamplePublisher::NeedsFrame(ChannelId id, TimeNs) const {
+bool SamplePublisher::NeedsFrame(ChannelId id, TimeNs, TimeNs) const {
   const auto& topics = channels_.at(id).topics;
   return std::any_of(topics.begin(), topics.end(),
                      [&](const auto& topic) { return participant_->HasReaders(topic.second); });

@@ -125,7 +125,7 @@ std::vector<Mechanism> StaticOfGnss() {
        {kGnss},
        {{"horizontal_m", "m", 0, 5, 0.02},
         {"vertical_m", "m", 0, 5, 0.05},
-        {"slew_phase_deg", "deg", -180, 180, 0}}},
+        {"azimuth_deg", "deg", -180, 180, 0}}},
   };
 }
 

@@ -81,14 +81,14 @@ v1::SensorSamples* SampleKeeper::Kept(ChannelId channel) {
   return kept == kNotKept ? nullptr : &samples_[kept];
 }
 
-bool SampleKeeper::NeedsFrame(ChannelId channel, TimeNs t_ns) const {
+bool SampleKeeper::NeedsFrame(ChannelId channel, TimeNs, TimeNs due_ns) const {
   const Channel& c = channels_[channel];
   if (c.kept == kNotKept) return false;
   const SensorPlan& plan = plans_[c.kept];
   // Due times are rounded each for itself, so that a period may be a nanosecond off: rather one
   // frame too many, which the next replaces.
   constexpr TimeNs kRounding_ns = 2;
-  const TimeNs next_complete_ns = t_ns + (1 + c.revolutions) * plan.period_ns;
+  const TimeNs next_complete_ns = due_ns + (1 + c.revolutions) * plan.period_ns;
   return !plan.latest_only || next_complete_ns > end_ns_ - kRounding_ns;
 }
 

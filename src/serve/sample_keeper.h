@@ -34,7 +34,7 @@ class SampleKeeper : public MeasurementSink {
   void Write(ChannelId, const TruthPose&) override {}
   void WriteRow(ChannelId, TimeNs, const std::vector<double>&) override {}
 
-  bool NeedsFrame(ChannelId channel, TimeNs t_ns) const override;
+  bool NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs due_ns) const override;
   void MarkPresent(ChannelId, TimeNs) override {}
 
  private:

@@ -8,8 +8,9 @@
 #include "core/effects.h"
 #include "physics/actuation_mechanisms.h"
 #include "physics/ground_mechanisms.h"
-#include "physics/slots/actuation.h"
+#include "physics/slots/actuation_faults.h"
 #include "sensors/sensor_mechanisms.h"
+#include "sim/check_sensor_effects.h"
 #include "sim/rig.h"
 
 namespace tera {
@@ -57,36 +58,29 @@ void ReadSensorEffects(const MachineModel& model, TargetReader* reader, SensorDe
   }
 }
 
-/// Faults of effects that need another antenna or certain joints of the machine.
-void CheckAntenna(const ConfigMap& config, const MachineModel& model,
-                  const SensorDescription& antenna, const std::vector<SensorDescription>& sensors) {
-  const SensorDescription* other = OtherAntenna(antenna, sensors);
-  for (const std::string_view id : {"antenna_swap", "antenna_yaw"}) {
-    if (FindEffect(antenna.effects, id) && !other) {
-      config.Fault(id,
-                   fmt::format("'{}' acts on a pair; need exactly two gnss on this machine", id));
-    }
+/// Reports what cannot act on the target `name`.
+void Report(const ConfigMap& effects, const std::string& name,
+            const std::vector<EffectFault>& faults) {
+  for (const EffectFault& fault : faults) {
+    effects.Map(name).Fault(fault.mechanism,
+                            fmt::format("'{}' {}", fault.mechanism, fault.finding));
   }
-  if (other && FindEffect(antenna.effects, "antenna_yaw")) {
-    if (other->link != antenna.link) {
-      config.Fault("antenna_yaw",
-                   fmt::format("turns two antennas on one link, but '{}' is on '{}' "
-                               "and '{}' on '{}'; need both on one link",
-                               antenna.name, antenna.link, other->name, other->link));
-    }
-    if (FindEffect(other->effects, "antenna_yaw")) {
-      config.Fault(
-          "antenna_yaw",
-          fmt::format("turns both antennas and stands at '{}' too; keep one", other->name));
-    }
+}
+
+/// Reports all effects that would change nothing on what they stand at.
+void CheckEffects(const ConfigMap& effects, const MachineModel& model,
+                  const std::vector<SensorDescription>& sensors) {
+  for (std::size_t j = 0; j < model.joints.size(); ++j) {
+    Report(effects, model.joints[j].name, FaultsOfJoint(model, j));
   }
-  for (const char* joint : {kMultipathBoom, kMultipathSlew}) {
-    if (FindEffect(antenna.effects, "multipath") && model.JointIndex(joint) < 0) {
-      config.Fault("multipath", fmt::format("depends on the joints '{}' and '{}', but this machine "
-                                            "has no '{}'; need both",
-                                            kMultipathBoom, kMultipathSlew, joint));
-    }
+  for (std::size_t g = 0; g < model.ground_tools.gears.size(); ++g) {
+    Report(effects, model.ground_tools.gears[g].name, FaultsOfGear(model, g));
   }
+  for (std::size_t p = 0; p < model.pumps.size(); ++p) {
+    Report(effects, model.pumps[p].name, FaultsOfPump(model, p));
+  }
+  Report(effects, std::string(kBaseTarget), FaultsOfBase(model));
+  CheckSensorEffects(effects, model, sensors);
 }
 
 }  // namespace
@@ -106,8 +100,6 @@ void ReadMachineEffects(const ConfigMap& machine, const std::optional<ConfigMap>
     if (model->joints[j].type == JointType::kFixed) continue;
     effects.joints[j] =
         reader.Read(model->joints[j].name, EffectTarget::kJoint, ActuationMechanisms());
-    const std::string fault = FaultOfEffects(*model, j);
-    if (!fault.empty()) map->Fault(model->joints[j].name, fault);
   }
   for (std::size_t g = 0; g < model->ground_tools.gears.size(); ++g) {
     effects.gears[g] =
@@ -121,12 +113,7 @@ void ReadMachineEffects(const ConfigMap& machine, const std::optional<ConfigMap>
     effects.base = reader.Read(std::string(kBaseTarget), EffectTarget::kBase, GroundMechanisms());
   }
   for (SensorDescription& sensor : *sensors) ReadSensorEffects(*model, &reader, &sensor);
-  for (const SensorDescription& sensor : *sensors) {
-    const bool gnss = std::holds_alternative<GnssModel>(sensor.model);
-    if (gnss && !sensor.effects.empty()) {
-      CheckAntenna(map->Map(sensor.name), *model, sensor, *sensors);
-    }
-  }
+  CheckEffects(*map, *model, *sensors);
 }
 
 }  // namespace tera

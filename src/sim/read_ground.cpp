@@ -1,5 +1,7 @@
 #include "sim/read_ground.h"
 
+#include <fmt/format.h>
+
 #include <string>
 
 #include "physics/slots/track_kinematics.h"
@@ -75,6 +77,22 @@ void ReadGround(const ConfigMap& config, MachineModel* model) {
     footing.strength = (*soil)["strength"];
     footing.stiffness = (*soil)["stiffness"];
   }
+}
+
+void CheckRaisedGround(const ConfigMap& config, const MachineModel& model,
+                       const TerrainSurface& site) {
+  const Effect* effect = FindEffect(model.effects.base, "terrain_height");
+  if (!effect) return;
+  const Vec2 low_m = site.origin_W_m;
+  const Vec2 high_m = low_m + site.cell_m * Vec2(site.nx - 1, site.ny - 1);
+  const Vec2 centre_m((*effect)["x_m"], (*effect)["y_m"]);
+  const double reach_m = (*effect)["radius_m"] + (*effect)["edge_m"];
+  const Vec2 nearest_m = centre_m.cwiseMax(low_m).cwiseMin(high_m);
+  if ((centre_m - nearest_m).norm() < reach_m) return;
+  config.Fault("",
+               fmt::format("effect 'terrain_height' of base raises ground beyond the site alone; "
+                           "need a place within {:g} m of x {:g} to {:g} m, y {:g} to {:g} m",
+                           reach_m, low_m.x(), high_m.x(), low_m.y(), high_m.y()));
 }
 
 void RaiseGround(const MachineModel& model, Soil* soil) {

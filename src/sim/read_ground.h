@@ -11,6 +11,10 @@ namespace tera {
 /// gear, effects of tracks that the choice has no place for.
 void ReadGround(const ConfigMap& config, MachineModel* model);
 
+/// Reports a terrain_height among the effects of `model` that lies wholly beyond `site`.
+void CheckRaisedGround(const ConfigMap& config, const MachineModel& model,
+                       const TerrainSurface& site);
+
 /// Raises the ground as terrain_height among the effects of `model` says.
 void RaiseGround(const MachineModel& model, Soil* soil);
 

@@ -20,9 +20,12 @@ double FractionAt(const WorldState& before, const WorldState& after, TimeNs t_ns
 
 double Mix(double a, double b, double s) { return a + (b - a) * s; }
 
-/// Angle of a joint between two states, 0 where there is none.
-double AngleAt(const MachineState& a, const MachineState& b, int joint, double s) {
-  return joint < 0 ? 0.0 : Mix(a.q_rad[joint], b.q_rad[joint], s);
+/// Where the part beside an antenna points between two states.
+RaisedBoom BoomAt(const MachineState& a, const MachineState& b,
+                  const std::optional<Reflector>& reflector, double s) {
+  if (!reflector) return {};
+  const Pose X_WB = Interpolate(a.links[reflector->link].X_WB, b.links[reflector->link].X_WB, s);
+  return {X_WB.linear() * reflector->direction_B};
 }
 
 }  // namespace
@@ -88,8 +91,7 @@ void Rig::Add(const Scenario& scenario, std::size_t machine, const SensorDescrip
   } else if (const auto* gnss = std::get_if<GnssModel>(&sensor.model)) {
     gnss_.push_back({Gnss(*gnss, sensor.clock, sensor.latency_ns, seed_, folder),
                      GnssSlots(sensor.effects, seed_, folder), sensor.clock, machine, link,
-                     mount.X_BT, model.JointIndex(kMultipathBoom), model.JointIndex(kMultipathSlew),
-                     sink_->AddGnss(folder, yaml)});
+                     mount.X_BT, ReflectorOf(model, link), sink_->AddGnss(folder, yaml)});
   } else if (const auto* camera = std::get_if<CameraModel>(&sensor.model)) {
     cameras_.push_back({Camera(*camera, sensor.clock, sensor.latency_ns, seed_, folder),
                         FrameSlots(sensor.effects, seed_, folder), sensor.clock, machine, link,
@@ -179,8 +181,7 @@ void Rig::SampleGnss(const WorldState& before, const WorldState& after) {
       const MachineState &a = before.machines[unit.machine], &b = after.machines[unit.machine];
       const Pose X_WB = Interpolate(a.links[unit.link].X_WB, b.links[unit.link].X_WB, s);
       GnssSample sample = unit.gnss.Measure(unit.next, X_WB * unit.X_BT.translation(), site_);
-      const BoomAndSlew angles{AngleAt(a, b, unit.boom, s), AngleAt(a, b, unit.slew, s)};
-      unit.slots.Apply(angles, site_, &sample);
+      unit.slots.Apply(BoomAt(a, b, unit.reflector, s), site_, &sample);
       sink_->Write(unit.channel, sample);
     }
   }
@@ -214,7 +215,7 @@ void Rig::SampleCameras(const WorldState& before, const WorldState& after,
     for (; unit.clock.Due(unit.next) <= after.t_ns; ++unit.next) {
       const TimeNs t_ns = unit.clock.Due(unit.next);
       const ReportClock::Times times = unit.slots.Stamp(unit.next, t_ns);
-      if (!sink_->NeedsFrame(unit.channel, times.t_ns)) {
+      if (!sink_->NeedsFrame(unit.channel, times.t_ns, t_ns)) {
         sink_->MarkPresent(unit.channel, times.t_ns);
         continue;
       }
@@ -248,7 +249,7 @@ void Rig::SampleLidars(const WorldState& now, const TerrainSurface& ground) {
     for (; unit.clock.Due(unit.next + 1) <= now.t_ns; ++unit.next) {
       const TimeNs start_ns = unit.clock.Due(unit.next), end_ns = unit.clock.Due(unit.next + 1);
       const ReportClock::Times times = unit.slots.Stamp(unit.next, start_ns);
-      if (!sink_->NeedsFrame(unit.channel, times.t_ns)) {
+      if (!sink_->NeedsFrame(unit.channel, times.t_ns, start_ns)) {
         sink_->MarkPresent(unit.channel, times.t_ns);
         continue;
       }

@@ -2,10 +2,12 @@
 
 #include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "dataset/measurement_sink.h"
 #include "sensors/slots/sensor_slots.h"
+#include "sim/reflector.h"
 #include "sim/scenario.h"
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"
@@ -23,9 +25,6 @@ EncodedAxes AxesOf(const EncoderModel& encoder, const MachineModel& machine);
 
 /// Their names and kinds, in that order.
 std::vector<EncoderAxis> NamesOf(const EncodedAxes& axes, const MachineModel& machine);
-
-/// Joints on which the multipath of a machine's antennas depends.
-inline constexpr char kMultipathBoom[] = "boom", kMultipathSlew[] = "slew";
 
 /// All sensors of a scenario, sampled as they fall due and written.
 ///
@@ -67,8 +66,8 @@ class Rig {
     SampleClock clock;
     std::size_t machine;
     int link;
-    Pose X_BT;       ///< where it truly sits
-    int boom, slew;  ///< joints, -1: none of that name
+    Pose X_BT;                           ///< where it truly sits
+    std::optional<Reflector> reflector;  ///< beside it
     ChannelId channel;
     std::int64_t next = 0;
   };

@@ -245,6 +245,7 @@ Scenario ReadScenario(const ConfigMap& config) {
   const std::optional<ConfigMap> effects = config.OptionalMap("effects");
   for (const ConfigMap& machine : config.List("machines")) {
     scenario.machines.push_back(ReadMachineEntry(machine, scenario.seed, effects));
+    CheckRaisedGround(machine, scenario.machines.back().placement.model, scenario.soil->surface());
   }
   PlaceOnGround(&scenario);
   for (const ConfigMap& obstacle : config.List("obstacles")) {

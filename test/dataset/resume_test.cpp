@@ -113,10 +113,10 @@ TEST(DatasetWriter, ResumeKeepsWholeFramesAndWritesDamagedOnesAgain) {
   WriteWholeFile(scratch.path() / "run.incomplete/digger/front/depth/100000000.png", "");
   DatasetWriter writer(scratch.path() / "run", SampleInfo(), Resume());
   const ChannelId camera = writer.AddCamera("digger/front", "");
-  EXPECT_FALSE(writer.NeedsFrame(camera, 0));
-  EXPECT_TRUE(writer.NeedsFrame(camera, 100'000'000));
-  EXPECT_FALSE(writer.NeedsFrame(camera, 200'000'000));
-  EXPECT_TRUE(writer.NeedsFrame(camera, 300'000'000));
+  EXPECT_FALSE(writer.NeedsFrame(camera, 0, 0));
+  EXPECT_TRUE(writer.NeedsFrame(camera, 100'000'000, 100'000'000));
+  EXPECT_FALSE(writer.NeedsFrame(camera, 200'000'000, 200'000'000));
+  EXPECT_TRUE(writer.NeedsFrame(camera, 300'000'000, 300'000'000));
 }
 
 TEST(DatasetWriter, IgnoresALogLineThatTheKilledRunDidNotEnd) {
@@ -130,8 +130,8 @@ TEST(DatasetWriter, IgnoresALogLineThatTheKilledRunDidNotEnd) {
       << "digger/front\t100000000\t12";
   DatasetWriter writer(scratch.path() / "run", SampleInfo(), Resume());
   const ChannelId camera = writer.AddCamera("digger/front", "");
-  EXPECT_FALSE(writer.NeedsFrame(camera, 0));
-  EXPECT_TRUE(writer.NeedsFrame(camera, 100'000'000));
+  EXPECT_FALSE(writer.NeedsFrame(camera, 0, 0));
+  EXPECT_TRUE(writer.NeedsFrame(camera, 100'000'000, 100'000'000));
 }
 
 TEST(DatasetWriter, WillNotResumeAnotherScenarioOrSeed) {

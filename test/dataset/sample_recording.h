@@ -142,12 +142,12 @@ inline void WriteSample(DatasetWriter* writer, int end) {
     writer->Write(gnss, SampleGnss(k));
     writer->Write(joints, SampleEncoder(k));
     const TimeNs t_ns = k * kSamplePeriod_ns;
-    if (writer->NeedsFrame(camera, t_ns)) {
+    if (writer->NeedsFrame(camera, t_ns, t_ns)) {
       writer->Write(camera, SampleFrame(k));
     } else {
       writer->MarkPresent(camera, t_ns);
     }
-    if (writer->NeedsFrame(lidar, t_ns)) {
+    if (writer->NeedsFrame(lidar, t_ns, t_ns)) {
       writer->Write(lidar, SampleScan(k));
     } else {
       writer->MarkPresent(lidar, t_ns);

@@ -8,6 +8,7 @@
 
 #include "physics/cylinder_fixture.h"
 #include "physics/machine_fixture.h"
+#include "physics/slots/actuation_faults.h"
 
 namespace tera {
 namespace {
@@ -177,7 +178,7 @@ TEST(Actuation, EveryMechanismAtItsBoundsKeepsAJointWithinItsLimits) {
       const std::string effect = AtBound(mechanism, upper);
       const bool pump = mechanism.ActsOn(EffectTarget::kPump);
       const MachineModel model = WithEffects(bare, (pump ? "main: {" : "lift: {") + effect + "}");
-      if (!FaultOfEffects(model, 0).empty()) continue;
+      if (!FaultsOfJoint(model, 0).empty()) continue;
       ++tried;
       MachineRun run(model, MakePose(Vec3(4, -1, 0.3), 0, 0, 2.0));
       for (int i = 0; i < 1500; ++i) {
@@ -194,7 +195,9 @@ TEST(Actuation, EveryMechanismAtItsBoundsKeepsAJointWithinItsLimits) {
       }
     }
   }
-  EXPECT_GE(tried, 2 * static_cast<int>(ActuationMechanisms().size()) - 1);
+  // All but cylinder_lever, which has an angle without pins at the one end, a dead centre at the
+  // other.
+  EXPECT_EQ(tried, 2 * static_cast<int>(ActuationMechanisms().size()) - 2);
 }
 
 TEST(Actuation, AJointStopsAtItsLimitAndStaysThere) {

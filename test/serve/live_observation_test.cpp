@@ -68,6 +68,31 @@ TEST_F(LiveStageTest, GivesTheSamplesOfTheStepOfThoseSensorsThatWereAskedFor) {
   EXPECT_EQ(Step(StepOf(200)).samples_size(), 0);
 }
 
+TEST(LiveStage, TheLatestFrameOfASensorComesWhateverItsClockSays) {
+  for (const double offset_s : {-0.5, 0.5, 18.0}) {
+    const auto late = [&](std::optional<std::uint64_t>) {
+      const std::string effects =
+          "effects: {digger: {lidar: {clock_offset: {offset_s: " + std::to_string(offset_s) +
+          "}}}}\n";
+      const Config config = Config::FromText(std::string(kStageScenario) + effects, "stage.yaml");
+      SeededScenario seeded{.scenario = ReadScenario(config.root()), .resolved_yaml = {}};
+      config.Finish();
+      return seeded;
+    };
+    const std::unique_ptr<Stage> stage = LiveStages(
+        late(std::nullopt).scenario, late, {}, [](const std::string&) {})([] { return false; });
+    stage->Reset(v1::Reset());
+    v1::Step step = StepOf(200);  // 0.4 s: revolutions begin at 0, 0.1, 0.2 and 0.3 s
+    v1::SensorSelection& lidar = *step.mutable_observe()->add_sensors();
+    lidar.set_machine("digger");
+    lidar.set_sensor("lidar");
+    lidar.set_latest_only(true);
+    const v1::Observation observation = stage->Step(step).value();
+    ASSERT_EQ(observation.samples(0).lidar_size(), 1) << offset_s;
+    EXPECT_EQ(observation.samples(0).lidar(0).time_ns(), FromSeconds(0.3 + offset_s));
+  }
+}
+
 TEST_F(LiveStageTest, ATerrainPatchIsTheGroundAroundTheMachine) {
   v1::Reset reset;
   v1::PatchSelection& around = *reset.mutable_observe()->add_patches();

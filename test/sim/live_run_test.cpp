@@ -105,7 +105,7 @@ class CountingSink : public MeasurementSink {
   void WriteRow(ChannelId channel, TimeNs, const std::vector<double>&) override {
     ++count[names[channel]];
   }
-  bool NeedsFrame(ChannelId, TimeNs) const override { return wants_frames; }
+  bool NeedsFrame(ChannelId, TimeNs, TimeNs) const override { return wants_frames; }
   void MarkPresent(ChannelId channel, TimeNs) override { ++skipped[names[channel]]; }
 
   bool wants_frames = true;

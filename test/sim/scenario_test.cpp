@@ -209,7 +209,7 @@ TEST(ReadScenario, RefusesEffectsOfAPairOfAntennasThatIsNone) {
                    "{name: third, preset: tera:config/sensors/rtk_f9p.yaml, link: boom}"),
       HasSubstr("effects.left.antenna_swap: 'antenna_swap' acts on a pair; need exactly two"));
   EXPECT_THAT(EffectFaults("left: {antenna_yaw: {yaw_deg: 1}}, right: {antenna_yaw: {yaw_deg: 1}}"),
-              HasSubstr("turns both antennas and stands at 'right' too; keep one"));
+              HasSubstr("acts on both antennas and stands at 'right' too; keep one"));
   EXPECT_THAT(FaultsOf(WithRig("{name: a, preset: tera:config/sensors/rtk_f9p.yaml, link: upper}, "
                                "{name: b, preset: tera:config/sensors/rtk_f9p.yaml, link: boom}") +
                        "effects: {excavator1: {a: {antenna_yaw: {yaw_deg: 1}}}}\n"),
@@ -230,7 +230,127 @@ machines:
     rig: {sensors: [{name: a, preset: tera:config/sensors/rtk_f9p.yaml, link: mast}]}
 effects: {mast1: {a: {multipath: {}}}}
 )";
-  EXPECT_THAT(FaultsOf(kSite + mast), HasSubstr("this machine has no 'boom'"));
+  EXPECT_THAT(FaultsOf(kSite + mast),
+              AllOf(HasSubstr("effects.a.multipath: "),
+                    HasSubstr("none is beyond link 'mast' or those below it; need such a joint")));
+}
+
+TEST(ReadScenario, TakesMultipathOnAMachineWithOtherJointNames) {
+  EXPECT_EQ(FaultsOf(std::string(kSite) + R"(
+machines:
+  - name: bench
+    machine: tera:config/machines/fixed_arm.yaml
+    operator: {type: idle}
+    rig: {sensors: [{name: a, preset: tera:config/sensors/rtk_f9p.yaml, link: base}]}
+effects: {bench: {a: {multipath: {}}}}
+)"),
+            "");
+}
+
+TEST(ReadScenario, RefusesTwoSwapsOfOnePair) {
+  EXPECT_THAT(EffectFaults("left: {antenna_swap: {}}, right: {antenna_swap: {}}"),
+              HasSubstr("left.antenna_swap: acts on both antennas and stands at 'right' too"));
+}
+
+TEST(ReadScenario, RefusesErrorsOfWhatASensorDoesNotMeasure) {
+  // rgb_640 has no depth.
+  for (const char* effect : {"range_bias: {depth_m: 0.1}", "scale: {depth_factor: 1.1}",
+                             "quantisation: {}", "outliers: {probability: 0.1}"}) {
+    EXPECT_THAT(EffectFaults(std::string("camera: {") + effect + "}"),
+                HasSubstr("changes depth, which this camera does not give; need depth: true"))
+        << effect;
+  }
+  EXPECT_EQ(EffectFaults("deep: {range_bias: {depth_m: 0.1}}",
+                         "{name: deep, preset: tera:config/sensors/rgb_640.yaml, link: upper, "
+                         "depth: true}"),
+            "");
+  EXPECT_THAT(EffectFaults("imu: {axis_flip: {}}"),
+              HasSubstr("effects.imu.axis_flip: flips no axis; need 1 for x, y or z"));
+}
+
+TEST(ReadScenario, RefusesErrorsOfPositionsThatAReceiverDoesNotHave) {
+  const auto faults = [](const std::string& fix, const std::string& effects) {
+    return FaultsOf(
+        WithRig("{name: a, preset: tera:config/sensors/rtk_f9p.yaml, link: upper, fix: " + fix +
+                "}") +
+        "effects: {excavator1: {a: {" + effects + "}}}\n");
+  };
+  EXPECT_EQ(faults("rtk_fixed", "float_jump: {}"), "");
+  EXPECT_THAT(faults("single", "float_jump: {}"),
+              HasSubstr("this receiver has single; need fix: rtk_fixed"));
+  EXPECT_EQ(faults("none", "clock_offset: {offset_s: 1}, latency: {delay_s: 0.1}"), "");
+  EXPECT_THAT(faults("none", "height_datum: {offset_m: 1}, filter_delay: {time_constant_s: 1}"),
+              AllOf(HasSubstr("a.height_datum: changes positions"),
+                    HasSubstr("a.filter_delay: changes positions")));
+}
+
+TEST(ReadScenario, RefusesErrorsOfEncodersInUnitsOfAnotherKindOfAxis) {
+  // All axes of the excavator turn.
+  EXPECT_THAT(EffectFaults("encoders: {bias: {travel_m: 0.1}}"),
+              HasSubstr("encoders.bias.travel_m: is in m, but no axis here slides; need the "
+                        "parameter in degrees"));
+  EXPECT_THAT(EffectFaults("encoders/boom: {quantisation: {angle_step_deg: 1, speed_step_mps: 1}}"),
+              AllOf(HasSubstr("quantisation.speed_step_mps: is in m/s"),
+                    ::testing::Not(HasSubstr("angle_step_deg"))));
+  EXPECT_EQ(EffectFaults("encoders/boom: {outliers: {probability: 0.1}}"), "");
+
+  const std::string gantry = R"(
+machines:
+  - name: gantry
+    machine:
+      kind: gantry
+      fixed_base: true
+      links:
+        base: {mass_kg: 100, inertia_kgm2: [1, 1, 1]}
+        trolley: {mass_kg: 10, inertia_kgm2: [1, 1, 1]}
+        arm: {mass_kg: 5, com_m: [0.5, 0, 0], inertia_kgm2: [1, 1, 1]}
+      joints:
+        slide: {type: prismatic, parent: base, child: trolley, xyz_m: [0, 0, 2], axis: [1, 0, 0],
+                limits_m: [0, 3], max_rate_mps: 1, max_effort_n: 500}
+        turn: {type: revolute, parent: trolley, child: arm, axis: [0, -1, 0],
+               limits_deg: [-90, 90], max_rate_degps: 30, max_effort_nm: 500}
+      levers: [slide, turn]
+    operator: {type: idle}
+    rig: {sensors: [{name: e, preset: tera:config/sensors/encoder.yaml}]}
+)";
+  const auto faults = [&](const std::string& effects) {
+    return FaultsOf(kSite + gantry + "effects: {gantry: {" + effects + "}}\n");
+  };
+  EXPECT_EQ(faults("e: {bias: {travel_m: 0.1, angle_deg: 1}}"), "");
+  EXPECT_EQ(faults("e/slide: {bias: {travel_m: 0.1}}, e/turn: {bias: {angle_deg: 1}}"), "");
+  EXPECT_THAT(faults("e/slide: {bias: {angle_deg: 1}}, e/turn: {bias: {speed_mps: 1}}"),
+              AllOf(HasSubstr("e/slide.bias.angle_deg: is in deg, but no axis here turns"),
+                    HasSubstr("e/turn.bias.speed_mps: is in m/s, but no axis here slides")));
+}
+
+TEST(ReadScenario, RefusesAllEffectsThatCannotActEachAtItsPlace) {
+  const std::string faults = EffectFaults(
+      "swing: {end_cushion: {zone_rad: 0.1}}, slew: {end_cushion: {zone_rad: 0.1}, "
+      "cylinder_lever: {reference_rad: 0}}, arm: {cylinder_lever: {reference_rad: 0, rod_m: 1}}");
+  EXPECT_THAT(faults,
+              AllOf(HasSubstr("effects.slew.end_cushion: 'end_cushion' slows a joint"),
+                    HasSubstr("effects.slew.cylinder_lever: 'cylinder_lever' needs"),
+                    HasSubstr("effects.arm.cylinder_lever: "), ::testing::Not(HasSubstr("swing"))));
+  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator +
+                           "effects: {excavator1: {boom: {dead_band: {width: 0.1}}}}\n",
+                       {"machines[0].machine.levers=[left_track, right_track, slew]"}),
+              AllOf(HasSubstr("boom.dead_band: 'dead_band' shapes a commanded rate, but no lever"),
+                    HasSubstr("boom.actuator_ring: "), HasSubstr("bucket.actuator_ring: ")));
+}
+
+TEST(ReadScenario, RefusesRaisedGroundBeyondTheSite) {
+  const auto faults = [](const std::string& place) {
+    return FaultsOf(std::string(kSite) + kExcavator +
+                    "effects: {excavator1: {base: "
+                    "{terrain_height: {" +
+                    place + ", height_m: 0.2, edge_m: 1}}}}\n");
+  };
+  // The site reaches from -6 to 6 m.
+  EXPECT_EQ(faults("x_m: 8, y_m: 0, radius_m: 1.5"), "");
+  EXPECT_THAT(
+      faults("x_m: 8.5, y_m: 0, radius_m: 1"),
+      HasSubstr("'terrain_height' of base raises ground beyond the site alone; need a place "
+                "within 2 m of x -6 to 6 m, y -6 to 6 m"));
 }
 
 TEST(Scenarios, AllThatAreShippedAreValid) {

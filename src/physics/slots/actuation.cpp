@@ -22,8 +22,6 @@ AxisParameters AxisOf(const Effects& effects, double max_effort_nm) {
 /// Lever arms and displacements are known at this many positions of a joint's travel; between them
 /// they are straight to 1e-4 of themselves.
 constexpr int kArms = 129;
-/// A cylinder with less has no hold on its joint.
-constexpr double kLeastArm_m = 1e-3;
 
 template <typename ValueAt>
 OverTravel Tabulate(const Joint& joint, const ValueAt& value_at) {
@@ -94,32 +92,13 @@ const Effects& EffectsAt(const std::vector<Effects>& effects, std::size_t k) {
 
 }  // namespace
 
-std::string FaultOfEffects(const MachineModel& model, std::size_t joint) {
-  const Joint& j = model.joints[joint];
+KinematicGainParameters GainOf(const MachineModel& model, std::size_t joint) {
   const Effects& effects = EffectsAt(model.effects.joints, joint);
-  const bool ends = j.lower_rad < j.upper_rad;
-  if (FindEffect(effects, "end_cushion") && !ends) {
-    return "end_cushion slows a joint near its end stops, which this one has not";
-  }
-  if (FindEffect(effects, "sag") && j.max_effort_nm <= 0) {
-    return "sag is stated at the joint's full effort, which is 0";
-  }
-  const Effect* lever = FindEffect(effects, "cylinder_lever");
-  if (!lever) return "";
-  const bool pins = (*lever)["barrel_m"] > 0 && (*lever)["rod_m"] > 0;
-  if (!pins && ((*lever)["barrel_m"] > 0 || (*lever)["rod_m"] > 0)) {
-    return "cylinder_lever needs both barrel_m and rod_m, or neither";
-  }
   KinematicGainParameters gain = KinematicGainOf(effects);
-  if (!pins) AddOwnCylinder(model, joint, &gain);
-  if (!pins && (gain.arms_m.values.empty() || !ends)) {
-    return "cylinder_lever needs barrel_m and rod_m where no cylinder of the machine moves the "
-           "joint";
+  if (FindEffect(effects, "cylinder_lever") && gain.rod_m == 0) {
+    AddOwnCylinder(model, joint, &gain);
   }
-  if (KinematicGain(gain).reference_arm_m() < kLeastArm_m) {
-    return "cylinder_lever's reference_rad is at a dead centre, where the rate has no bound";
-  }
-  return "";
+  return gain;
 }
 
 AxisActuation::AxisActuation(const AxisParameters& parameters, const Stream& drops,
@@ -161,9 +140,7 @@ Actuation::Actuation(const MachineModel& model, const ActuationStart& start) {
     const Effects& effects = EffectsAt(model.effects.joints, j);
     AxisParameters axis = AxisOf(model.joints[j], effects);
     SetDisplacement(model, j, &axis);
-    if (FindEffect(effects, "cylinder_lever") && axis.gain.rod_m == 0) {
-      AddOwnCylinder(model, j, &axis.gain);
-    }
+    axis.gain = GainOf(model, j);
     add(model.joints[j].name, axis);
   }
   for (std::size_t g = 0; g < model.gear_drives.size(); ++g) {

@@ -76,8 +76,9 @@ struct ActuationStart {
   std::int64_t step = 0;  ///< time is this many steps at the first one
 };
 
-/// Why an effect of the joint cannot act as its values and the model stand, empty if all can.
-std::string FaultOfEffects(const MachineModel& model, std::size_t joint);
+/// The kinematic gain of a joint by its effects, with the arms of the machine's own cylinder where
+/// `cylinder_lever` names no pins.
+KinematicGainParameters GainOf(const MachineModel& model, std::size_t joint);
 
 /// The chain of a whole machine: joints first, then gears, each in the model's order.
 ///

@@ -21,7 +21,8 @@ CommandTimingParameters CommandTimingOf(const Effects& effects);
 
 /// Slot `command_timing` of one lever: sampled by the sender, lost on the way, late.
 ///
-/// Model   input_hold: the command at t = (k + phase) P stands until the next such time.
+/// Model   input_hold: the command at t = (k + phase) P stands until the next such time; before the
+///         first one, the first command of all, for the sender has looked before.
 ///         command_drops: of the messages k P .. (k + 1) P each is lost with one probability,
 ///         whatever the others; the last command before it stands meanwhile. command_delay:
 ///         y(t) = u(t - d), where u is held over each step and y its mean over a step, so that

@@ -41,14 +41,18 @@ AxisErrors::AxisErrors(const Effects& effects, bool linear, std::uint64_t seed,
   rate_step_ = unit * number("quantisation", names.rate_step, 0);
 }
 
-void AxisErrors::Apply(std::int64_t k, TimeNs t_ns, double* position, double* rate) const {
-  const auto index = static_cast<std::uint64_t>(k);
-  double q =
+void AxisErrors::Sense(TimeNs t_ns, double* position, double* rate) const {
+  *position =
       sign_ * position_factor_ * *position + position_bias_ + warm_up_.At(t_ns) * drift_per_k_;
+  *rate = sign_ * rate_factor_ * *rate + rate_bias_;
+}
+
+void AxisErrors::ReadOut(std::int64_t k, double* position, double* rate) const {
+  const auto index = static_cast<std::uint64_t>(k);
+  double q = *position;
   if (outliers_.At(index)) q += outlier_ * outliers_.Gaussian(index);
   *position = Quantised(std::clamp(q, -position_limit_, position_limit_), position_step_);
-  const double qd = sign_ * rate_factor_ * *rate + rate_bias_;
-  *rate = Quantised(std::clamp(qd, -rate_limit_, rate_limit_), rate_step_);
+  *rate = Quantised(std::clamp(*rate, -rate_limit_, rate_limit_), rate_step_);
 }
 
 Effects EffectsOfAxis(const Effects& sensor, const Effects& axis) {

@@ -21,7 +21,10 @@ class AxisErrors {
  public:
   AxisErrors(const Effects& effects, bool linear, std::uint64_t seed,
              const std::string& stream_name);
-  void Apply(std::int64_t k, TimeNs t_ns, double* position, double* rate) const;
+  /// What its element makes of the axis: sign, scale, bias, drift.
+  void Sense(TimeNs t_ns, double* position, double* rate) const;
+  /// What reading the element out adds, behind a filter: outliers, saturation, quantisation.
+  void ReadOut(std::int64_t k, double* position, double* rate) const;
 
  private:
   double sign_, position_factor_, rate_factor_, position_bias_, rate_bias_, drift_per_k_, outlier_,

@@ -15,11 +15,12 @@ Vec3 PerAxis(const Effects& effects, std::string_view id, std::string_view horiz
 
 }  // namespace
 
-Vec3 MultipathError(const Effects& effects, const BoomAndSlew& angles) {
+Vec3 MultipathError(const Effects& effects, const RaisedBoom& boom) {
   const Effect* effect = FindEffect(effects, "multipath");
   if (!effect) return Vec3::Zero();
-  const double raised = std::max(0.0, std::sin(angles.boom_rad));
-  const double a_rad = angles.slew_rad - (*effect)["slew_phase_deg"] * kDeg;
+  const double raised = std::max(0.0, boom.direction_W.z());
+  const double a_rad =
+      std::atan2(boom.direction_W.y(), boom.direction_W.x()) - (*effect)["azimuth_deg"] * kDeg;
   const double h_m = (*effect)["horizontal_m"], v_m = (*effect)["vertical_m"];
   return raised * Vec3(h_m * std::cos(a_rad), h_m * std::sin(a_rad), v_m * std::cos(a_rad));
 }
@@ -63,20 +64,17 @@ GnssErrors::GnssErrors(const Effects& effects, std::uint64_t seed, const std::st
       outliers_(effects, seed, stream_name),
       jumps_(effects, seed, stream_name) {}
 
-void GnssErrors::Apply(std::int64_t k, const BoomAndSlew& angles, const SiteFrame& site,
-                       GnssSample* sample) {
+void GnssErrors::Sense(std::int64_t k, const RaisedBoom& boom, GnssSample* sample) {
+  if (sample->fix == GnssFix::kNone) return;
+  sample->enu_m += MultipathError(effects_, boom) + datum_m_;
+  jumps_.Apply(k, sample);
+}
+
+void GnssErrors::ReadOut(std::int64_t k, GnssSample* sample) const {
   if (sample->fix == GnssFix::kNone) return;
   const auto index = static_cast<std::uint64_t>(k);
-  const Vec3 before_m = sample->enu_m;
-  sample->enu_m += MultipathError(effects_, angles) + datum_m_;
-  jumps_.Apply(k, sample);
   if (outliers_.At(index)) sample->enu_m += outlier_m_.cwiseProduct(outliers_.Gaussian3(index));
   for (int i = 0; i < 3; ++i) sample->enu_m[i] = Quantised(sample->enu_m[i], step_m_[i]);
-  if (sample->enu_m == before_m) return;
-  const SiteFrame::Geodetic place = site.ToGeodetic(sample->enu_m);
-  sample->lat_deg = place.lat_deg;
-  sample->lon_deg = place.lon_deg;
-  sample->alt_m = place.height_m;
 }
 
 }  // namespace tera

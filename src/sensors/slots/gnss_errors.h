@@ -10,20 +10,24 @@
 
 namespace tera {
 
-/// Angles of the machine that carries an antenna, as far as its signal depends on them.
-struct BoomAndSlew {
-  double boom_rad = 0, slew_rad = 0;
+/// What rises beside an antenna and reflects: a boom, a lift arm.
+struct RaisedBoom {
+  /// From its foot to its tip, length 1; 0 where nothing reflects.
+  Vec3 direction_W = Vec3::Zero();
 };
 
-/// Reflections from the raised boom, `multipath`.
+/// Reflections from a raised boom, `multipath`.
 ///
 /// Frames  W east-north-up.
-/// Model   e = max(0, sin(boom)) (h cos a, h sin a, v cos a), a = slew - `slew_phase_deg`: the
-///         first harmonic of an error that has one maximum a turn and grows as the boom rises.
-/// Omits   the satellites, and so the change over minutes; turning of the undercarriage; harmonics.
+/// Model   e = max(0, sin(elevation)) (h cos a, h sin a, v cos a), a = azimuth - `azimuth_deg`,
+/// both
+///         of the boom, the azimuth from east towards north: the first harmonic of an error that
+///         has one maximum a turn and grows as the boom rises.
+/// Omits   the satellites, and so the change over minutes; harmonics; a boom straight up, whose
+///         azimuth is any.
 /// Source  an own low-order form; sizes after Georgiadou and Kleusberg 1988, "On carrier signal
 ///         multipath effects in relative GPS positioning" (a quarter wavelength, 4.8 cm, at most).
-Vec3 MultipathError(const Effects& effects, const BoomAndSlew& angles);
+Vec3 MultipathError(const Effects& effects, const RaisedBoom& boom);
 
 /// Times without integer ambiguities, `float_jump`.
 ///
@@ -47,16 +51,18 @@ class FloatJumps {
 /// Slot `sensor_static` of a receiver.
 ///
 /// Frames  W east-north-up about the site's origin.
-/// Model   p + e_multipath + d + jump + o, rounded to the steps. d: `position_datum` (east, north)
-///         and `height_datum` (up); o: `outliers`, N(0, size^2) with the given probability;
-///         `quantisation` of east, north and up. Latitude, longitude and height follow. A sample
-///         without a fix stays as it is.
+/// Model   of the signal: p + e_multipath + d + jump. d: `position_datum` (east, north) and
+///         `height_datum` (up). Of what is read out, behind a filter: + o, rounded to the steps.
+///         o: `outliers`, N(0, size^2) with the given probability; `quantisation` of east, north
+///         and up. A sample without a fix stays as it is.
 /// Omits   datums that turn or scale the plane.
 class GnssErrors {
  public:
   GnssErrors(const Effects& effects, std::uint64_t seed, const std::string& stream_name);
-  /// Sample `k`, in the order of their times.
-  void Apply(std::int64_t k, const BoomAndSlew& angles, const SiteFrame& site, GnssSample* sample);
+  /// The signal of sample `k`, in the order of their times. These two change `enu_m`, and leave
+  /// latitude, longitude and height to the caller.
+  void Sense(std::int64_t k, const RaisedBoom& boom, GnssSample* sample);
+  void ReadOut(std::int64_t k, GnssSample* sample) const;
 
  private:
   Effects effects_;

@@ -57,10 +57,12 @@ ImuErrors::ImuErrors(const Effects& effects, std::uint64_t seed, const std::stri
   accel_.step = number("quantisation", "accel_step_mps2");
 }
 
-Vec3 ImuErrors::Triad::Report(const Vec3& measured, double warmer_k, const Vec3& outlier_draw,
-                              const Vec3& shift) const {
-  Vec3 x = factor.cwiseProduct(measured) + bias + warmer_k * drift_per_k + shift +
-           outlier * outlier_draw;
+Vec3 ImuErrors::Triad::Sense(const Vec3& measured, double warmer_k) const {
+  return factor.cwiseProduct(measured) + bias + warmer_k * drift_per_k;
+}
+
+Vec3 ImuErrors::Triad::ReadOut(const Vec3& sensed) const {
+  Vec3 x = sensed;
   for (double& axis : x) {
     if (limit > 0) axis = std::clamp(axis, -limit, limit);
     axis = Quantised(axis, step);
@@ -68,17 +70,22 @@ Vec3 ImuErrors::Triad::Report(const Vec3& measured, double warmer_k, const Vec3&
   return x;
 }
 
-void ImuErrors::Apply(std::int64_t k, ImuSample* sample) {
-  const auto index = static_cast<std::uint64_t>(k);
+void ImuErrors::Sense(ImuSample* sample) {
   const double warmer_k = warm_up_.At(sample->t_ns);
-  Vec3 gyro_draw = Vec3::Zero(), accel_draw = Vec3::Zero(), shift = Vec3::Zero();
-  if (outliers_.At(index)) {
-    gyro_draw = outliers_.Gaussian3(index, 1);
-    accel_draw = outliers_.Gaussian3(index, 2);
-  }
+  Vec3 shift = Vec3::Zero();
   if (vibration_) shift = vibration_->Next(sample->t_ns, sample->f_S_mps2);
-  sample->w_WS_S_radps = gyro_.Report(sample->w_WS_S_radps, warmer_k, gyro_draw, Vec3::Zero());
-  sample->f_S_mps2 = accel_.Report(sample->f_S_mps2, warmer_k, accel_draw, shift);
+  sample->w_WS_S_radps = gyro_.Sense(sample->w_WS_S_radps, warmer_k);
+  sample->f_S_mps2 = accel_.Sense(sample->f_S_mps2, warmer_k) + shift;
+}
+
+void ImuErrors::ReadOut(std::int64_t k, ImuSample* sample) const {
+  const auto index = static_cast<std::uint64_t>(k);
+  if (outliers_.At(index)) {
+    sample->w_WS_S_radps += gyro_.outlier * outliers_.Gaussian3(index, 1);
+    sample->f_S_mps2 += accel_.outlier * outliers_.Gaussian3(index, 2);
+  }
+  sample->w_WS_S_radps = gyro_.ReadOut(sample->w_WS_S_radps);
+  sample->f_S_mps2 = accel_.ReadOut(sample->f_S_mps2);
 }
 
 }  // namespace tera

@@ -41,16 +41,18 @@ class ImuErrors {
  public:
   /// `stream_name` is "excavator1/imu_boom".
   ImuErrors(const Effects& effects, std::uint64_t seed, const std::string& stream_name);
-  /// Sample `k`, in the order of their times.
-  void Apply(std::int64_t k, ImuSample* sample);
+  /// What its elements make of the motion: scale, bias, drift, vibration. In the order of times.
+  void Sense(ImuSample* sample);
+  /// What reading them out adds to sample `k`, behind a filter: outliers, saturation, quantisation.
+  void ReadOut(std::int64_t k, ImuSample* sample) const;
 
  private:
   /// Of three axes alike.
   struct Triad {
     Vec3 factor, bias, drift_per_k;
     double outlier = 0, limit = 0, step = 0;  ///< limit 0: none
-    Vec3 Report(const Vec3& measured, double warmer_k, const Vec3& outlier_draw,
-                const Vec3& shift) const;
+    Vec3 Sense(const Vec3& measured, double warmer_k) const;
+    Vec3 ReadOut(const Vec3& sensed) const;
   };
 
   Triad gyro_, accel_;

@@ -29,7 +29,7 @@ void ImuSlots::Apply(ImuSample* sample) {
   const std::int64_t k = next_++;
   sample->w_WS_S_radps = axis_signs_.cwiseProduct(sample->w_WS_S_radps);
   sample->f_S_mps2 = axis_signs_.cwiseProduct(sample->f_S_mps2);
-  errors_.Apply(k, sample);
+  errors_.Sense(sample);
   if (filter_.present()) {
     Eigen::VectorXd x(6);
     x << sample->w_WS_S_radps, sample->f_S_mps2;
@@ -37,6 +37,7 @@ void ImuSlots::Apply(ImuSample* sample) {
     sample->w_WS_S_radps = y.head<3>();
     sample->f_S_mps2 = y.tail<3>();
   }
+  errors_.ReadOut(k, sample);
   Restamp(clock_.Next(k, sample->t_ns), sample);
 }
 
@@ -46,12 +47,15 @@ GnssSlots::GnssSlots(const Effects& effects, std::uint64_t seed, const std::stri
       filter_(effects),
       clock_(effects, seed, stream_name) {}
 
-void GnssSlots::Apply(const BoomAndSlew& angles, const SiteFrame& site, GnssSample* sample) {
+void GnssSlots::Apply(const RaisedBoom& boom, const SiteFrame& site, GnssSample* sample) {
   if (ideal_) return;
   const std::int64_t k = next_++;
-  errors_.Apply(k, angles, site, sample);
-  if (filter_.present() && sample->fix != GnssFix::kNone) {
-    sample->enu_m = filter_.Next(sample->t_ns, sample->enu_m);
+  const Vec3 before_m = sample->enu_m;
+  errors_.Sense(k, boom, sample);
+  const bool filtered = filter_.present() && sample->fix != GnssFix::kNone;
+  if (filtered) sample->enu_m = filter_.Next(sample->t_ns, sample->enu_m);
+  errors_.ReadOut(k, sample);
+  if (filtered || sample->enu_m != before_m) {
     const SiteFrame::Geodetic place = site.ToGeodetic(sample->enu_m);
     sample->lat_deg = place.lat_deg;
     sample->lon_deg = place.lon_deg;
@@ -81,7 +85,7 @@ void EncoderSlots::Apply(EncoderSample* sample) {
   const auto n = static_cast<Eigen::Index>(axes_.size());
   TERA_CHECK(sample->q_rad.size() == axes_.size(), sample->q_rad.size());
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    axes_[i].Apply(k, sample->t_ns, &sample->q_rad[i], &sample->qd_radps[i]);
+    axes_[i].Sense(sample->t_ns, &sample->q_rad[i], &sample->qd_radps[i]);
   }
   if (filter_.present()) {
     Eigen::Map<Eigen::VectorXd> q(sample->q_rad.data(), n), qd(sample->qd_radps.data(), n);
@@ -90,6 +94,9 @@ void EncoderSlots::Apply(EncoderSample* sample) {
     const Eigen::VectorXd& y = filter_.Next(sample->t_ns, x);
     q = y.head(n);
     qd = y.tail(n);
+  }
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    axes_[i].ReadOut(k, &sample->q_rad[i], &sample->qd_radps[i]);
   }
   Restamp(clock_.Next(k, sample->t_ns), sample);
 }

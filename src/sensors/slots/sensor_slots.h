@@ -13,11 +13,13 @@
 #include "sensors/slots/report_clock.h"
 
 /// What lies between the measurement of a sensor's own model and the one it reports: the slots
-/// `sensor_static` and `sensor_timing`, and signs of axes. One object for each sensor, built from
-/// its effects; without effects every measurement passes unchanged. The same in a simulation and
-/// over replayed measurements. Measurements are given in the order of their times; random numbers
-/// come from streams under `stream_name`, "excavator1/imu_boom". (Where a sensor truly sits:
-/// true_mount.h.)
+/// `sensor_static` and `sensor_timing`, and signs of axes. In the order of a real sensor: what its
+/// element senses (sign, scale, bias, drift and the like), the filter behind it, what reading it
+/// out adds (outliers, saturation, quantisation), the time stamp. One object for each sensor, built
+/// from its effects; without effects every measurement passes unchanged. The same in a simulation
+/// and over replayed measurements. Measurements are given in the order of their times; random
+/// numbers come from streams under `stream_name`, "excavator1/imu_boom". (Where a sensor truly
+/// sits: true_mount.h.)
 
 namespace tera {
 
@@ -38,7 +40,7 @@ class ImuSlots {
 class GnssSlots {
  public:
   GnssSlots(const Effects& effects, std::uint64_t seed, const std::string& stream_name);
-  void Apply(const BoomAndSlew& angles, const SiteFrame& site, GnssSample* sample);
+  void Apply(const RaisedBoom& boom, const SiteFrame& site, GnssSample* sample);
 
  private:
   bool ideal_;

@@ -140,28 +140,6 @@ TEST(ActuationChain, AMachinesOwnCylindersExtendSteadily) {
   }
 }
 
-TEST(ActuationChain, WhatCannotActIsReported) {
-  using testing::HasSubstr;
-  const auto fault = [](const std::string& effects,
-                        const std::vector<std::string>& overrides = {}) {
-    return FaultOfEffects(WithEffects(MachineFromText(kLiftArm, overrides), "lift: " + effects), 0);
-  };
-  EXPECT_THAT(fault("{cylinder_lever: {reference_rad: 0}}"), HasSubstr("no cylinder"));
-  EXPECT_THAT(fault("{cylinder_lever: {reference_rad: 0, rod_m: 1}}"), HasSubstr("both"));
-  // Pins at one place, where the triangle has no angle.
-  EXPECT_THAT(fault("{cylinder_lever: {reference_rad: 0, barrel_m: 0.5, rod_m: 0.5}}"),
-              HasSubstr("dead centre"));
-  EXPECT_THAT(fault("{cylinder_lever: {reference_rad: 0, barrel_m: 0.4, rod_m: 1}}"),
-              HasSubstr("dead centre"));
-  EXPECT_THAT(fault("{sag: {drift_radps: 0.1}}", {"joints.lift.max_effort_nm=0"}),
-              HasSubstr("full effort"));
-  EXPECT_THAT(fault("{end_cushion: {zone_rad: 0.1}}", {"joints.lift.limits_deg=[0, 0]"}),
-              HasSubstr("end stops"));
-  EXPECT_EQ(fault("{cylinder_lever: {reference_rad: 1, barrel_m: 0.4, rod_m: 1}, end_cushion: "
-                  "{zone_rad: 0.1}, sag: {drift_radps: 0.1}}"),
-            "");
-}
-
 /// All that the chain asks for while levers sway between measured neighbours.
 std::vector<double> Outputs(const std::string& effects) {
   Actuation chain(TwoPumpMachine(effects), {"m", 1});

@@ -77,6 +77,19 @@ TEST(CommandTiming, AHeldCommandChangesOnceAPeriodAtItsPhase) {
   EXPECT_EQ(changes, (std::vector<int>{-90, -65, -40, -15, 10, 35, 60, 85}));
 }
 
+TEST(CommandTiming, BeforeTheFirstNewLookTheFirstCommandOfAllStands) {
+  // A recording that begins with a lever out: the sender has looked at it before, at 0.5 it holds.
+  CommandTiming timing = TimingFrom("input_hold: {period_s: 0.05, phase: 0.4}");
+  for (int step = 0; step < 10; ++step) EXPECT_EQ(timing.Step(0.5 + 0.01 * step, kStep_s), 0.5);
+  EXPECT_EQ(timing.Step(0.7, kStep_s), 0.7);  // step 10, the first look
+  // A simulation, whose levers are neutral until t = 0, holds neutral until the first look after.
+  CommandTiming settled = TimingFrom("input_hold: {period_s: 0.05, phase: 0.4}", -750);
+  for (int step = -750; step < 10; ++step) {
+    EXPECT_EQ(settled.Step(step < 0 ? 0 : 0.7, kStep_s), 0) << step;
+  }
+  EXPECT_EQ(settled.Step(0.7, kStep_s), 0.7);
+}
+
 TEST(CommandTiming, LostMessagesLeaveTheLastCommandStanding) {
   const auto run = [](const std::string& stream) {
     CommandTiming timing =

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <string>
 
 #include "core/config.h"
+#include "core/motion.h"
 #include "sensors/sensor_mechanisms.h"
 
 namespace tera::testing {
@@ -13,6 +16,11 @@ inline Effects Given(EffectTarget target, const std::string& yaml) {
   Effects effects = ReadEffects(config.root().Map("target"), target, SensorMechanisms());
   config.Finish();
   return effects;
+}
+
+inline void ExpectNear(const Vec3& found, const Vec3& wanted, double tolerance) {
+  EXPECT_LT((found - wanted).norm(), tolerance)
+      << "found " << found.transpose() << ", wanted " << wanted.transpose();
 }
 
 }  // namespace tera::testing

@@ -64,7 +64,7 @@ Output OfGnss(const Effects& effects) {
     sample.t_ns = TimeNs{k} * 100'000'000;
     sample.fix = GnssFix::kRtkFixed;
     sample.enu_m = MakePose({0.3 * k, 1, 2}, 0, 0, 0.05 * k) * place.X_BT.translation();
-    slots.Apply({0.02 * k, 0.1 * k}, kSite, &sample);
+    slots.Apply({MakePose(Vec3::Zero(), 0, -0.02 * k, 0.1 * k).linear().col(0)}, kSite, &sample);
     out.push_back(static_cast<double>(sample.t_ns));
     Append(sample.enu_m, &out);
   }
@@ -182,6 +182,11 @@ Effects With(const Mechanism& mechanism, const std::vector<TwoValues>& values, s
   return {effect};
 }
 
+/// Whether every number is one; NaN differs from everything, itself included.
+bool AllFinite(const Output& output) {
+  return std::all_of(output.begin(), output.end(), [](double x) { return std::isfinite(x); });
+}
+
 TEST(SensorMechanisms, EveryOneActsOnEverySensorThatItIsFor) {
   for (const Mechanism& mechanism : SensorMechanisms()) {
     for (const EffectTarget target : mechanism.targets) {
@@ -198,13 +203,36 @@ TEST(SensorMechanisms, EveryParameterChangesWhatTheSensorReports) {
     for (const EffectTarget target : mechanism.targets) {
       const auto values = Chosen(mechanism);
       const Output plain = OutputOf(target, With(mechanism, values, values.size()));
+      EXPECT_TRUE(AllFinite(plain)) << mechanism.id << " of " << NameOf(target);
       for (std::size_t i = 0; i < values.size(); ++i, ++parameters) {
-        EXPECT_NE(OutputOf(target, With(mechanism, values, i)), plain)
-            << mechanism.id << "." << values[i].parameter << " of " << NameOf(target);
+        const Output other = OutputOf(target, With(mechanism, values, i));
+        const std::string what =
+            fmt::format("{}.{} of {}", mechanism.id, values[i].parameter, NameOf(target));
+        EXPECT_NE(other, plain) << what;
+        EXPECT_TRUE(AllFinite(other)) << what;
       }
     }
   }
   EXPECT_GT(parameters, 100);
+}
+
+TEST(SensorMechanisms, AtTheCornersOfTheirRangesMeasurementsStayFinite) {
+  for (const Mechanism& mechanism : SensorMechanisms()) {
+    for (const EffectTarget target : mechanism.targets) {
+      // All at their lower bounds, all at their upper ones, and each alone at the other end.
+      std::vector<TwoValues> up, down;
+      for (const EffectParameter& p : mechanism.parameters) {
+        up.push_back({p.name, p.lower, p.upper});
+        down.push_back({p.name, p.upper, p.lower});
+      }
+      for (const auto& corner : {up, down}) {
+        for (std::size_t i = 0; i <= corner.size(); ++i) {
+          EXPECT_TRUE(AllFinite(OutputOf(target, With(mechanism, corner, i))))
+              << mechanism.id << " of " << NameOf(target) << ", parameter " << i;
+        }
+      }
+    }
+  }
 }
 
 TEST(SensorMechanisms, DefaultsLieInTheirRangesAndIdsAreReadOnceForEachTarget) {
@@ -279,7 +307,7 @@ TEST(SensorSlots, WithoutEffectsEveryMeasurementPassesUnchanged) {
 
   // A latitude that is not that of its ENU stays too.
   GnssSample gnss{3, 4, 46.5, -71, 90, Vec3(1, 2, 3), GnssFix::kSingle, Vec3(1, 1, 1)};
-  GnssSlots({}, 1, "m/s").Apply({1, 1}, kSite, &gnss);
+  GnssSlots({}, 1, "m/s").Apply({Vec3(0.6, 0, 0.8)}, kSite, &gnss);
   EXPECT_EQ(gnss.lat_deg, 46.5);
   EXPECT_EQ(gnss.enu_m, Vec3(1, 2, 3));
 

@@ -175,5 +175,85 @@ TEST(SensorTiming, AFilterHalvesThePowerAtItsCornerAndTurnsThePhaseByAnEighth) {
   EXPECT_NEAR(std::atan2(-quadrature, in_phase), 45 * kDeg, 0.01);
 }
 
+/// What each sensor with a filter of 0.1 s and `more` makes of a pulse of 10 (rad, rad/s, m, m/s^2)
+/// over the second of samples 0.1 s apart: of it the filter leaves 10 (1 - 1/e) = 6.321, then
+/// 2.325, 0.855, 0.315.
+struct Pulse {
+  std::vector<double> gyro, east, angle, rate;
+};
+
+Pulse PulseThrough(const std::string& of_imu, const std::string& of_gnss,
+                   const std::string& of_encoder) {
+  const auto with = [](const std::string& more) {
+    return "{filter_delay: {time_constant_s: 0.1}" + (more.empty() ? "" : ", " + more) + "}";
+  };
+  ImuSlots imu(Given(EffectTarget::kImu, with(of_imu)), 1, "m/imu");
+  GnssSlots gnss(Given(EffectTarget::kGnss, with(of_gnss)), 1, "m/gnss");
+  EncoderSlots encoder(Given(EffectTarget::kEncoder, with(of_encoder)), {}, {false}, {"boom"}, 1,
+                       "m/e");
+  Pulse pulse;
+  for (int k = 0; k < 5; ++k) {
+    const TimeNs t_ns = TimeNs{k} * 100'000'000;
+    const double x = k == 1 ? 10 : 0;
+    ImuSample i{t_ns, t_ns, Vec3(0, x, 0), Vec3::Zero()};
+    GnssSample g;
+    g.t_ns = t_ns;
+    g.enu_m = {x, 0, 0};
+    g.fix = GnssFix::kRtkFixed;
+    EncoderSample e{t_ns, t_ns, {x}, {x}};
+    imu.Apply(&i);
+    gnss.Apply({}, kSite, &g);
+    encoder.Apply(&e);
+    pulse.gyro.push_back(i.w_WS_S_radps.y());
+    pulse.east.push_back(g.enu_m.x());
+    pulse.angle.push_back(e.q_rad[0]);
+    pulse.rate.push_back(e.qd_radps[0]);
+  }
+  return pulse;
+}
+
+void ExpectAll(const std::vector<double>& found, const std::vector<double>& wanted) {
+  ASSERT_EQ(found.size(), wanted.size());
+  for (std::size_t k = 0; k < found.size(); ++k) EXPECT_NEAR(found[k], wanted[k], 1e-3) << k;
+}
+
+TEST(SensorTiming, WhatTheFilterLeavesIsWhatSaturates) {
+  // 286.479 deg are 5 rad: the pulse would be clipped to 5 before a filter, 3.161 behind it.
+  const Pulse pulse =
+      PulseThrough("saturation: {gyro_limit_degps: 286.479}", "",
+                   "saturation: {angle_limit_deg: 286.479, rate_limit_degps: 286.479}");
+  const std::vector<double> clipped = {0, 5, 2.325, 0.855, 0.315};
+  ExpectAll(pulse.gyro, clipped);
+  ExpectAll(pulse.angle, clipped);
+  ExpectAll(pulse.rate, clipped);
+}
+
+TEST(SensorTiming, WhatTheFilterLeavesIsWhatIsRounded) {
+  // 5.72958 deg are 0.1 rad, a step that a filter behind it would smear.
+  const Pulse pulse = PulseThrough("quantisation: {gyro_step_degps: 5.72958}",
+                                   "quantisation: {horizontal_step_m: 0.1}",
+                                   "quantisation: {angle_step_deg: 5.72958, "
+                                   "rate_step_degps: 5.72958}");
+  const std::vector<double> rounded = {0, 6.3, 2.3, 0.9, 0.3};
+  for (const auto& found : {pulse.gyro, pulse.east, pulse.angle, pulse.rate}) {
+    ExpectAll(found, rounded);
+  }
+}
+
+TEST(SensorTiming, AnOutlierStaysOneSampleBehindAFilter) {
+  EncoderSlots encoder(
+      Given(EffectTarget::kEncoder,
+            "{filter_delay: {time_constant_s: 0.1}, outliers: {probability: 0.2}}"),
+      {}, {false}, {"boom"}, 1, "m/e");
+  int wild = 0;
+  for (int k = 0; k < 1000; ++k) {
+    EncoderSample e{TimeNs{k} * 10'000'000, 0, {1}, {0}};
+    encoder.Apply(&e);
+    wild += e.q_rad[0] != 1;
+  }
+  // Five standard errors: 5 sqrt(0.2 * 0.8 / 1000) = 0.063. A filter behind would smear all.
+  EXPECT_NEAR(wild / 1000.0, 0.2, 0.063);
+}
+
 }  // namespace
 }  // namespace tera

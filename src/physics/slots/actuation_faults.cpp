@@ -1,0 +1,168 @@
+#include "physics/slots/actuation_faults.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "physics/slots/actuation.h"
+
+namespace tera {
+namespace {
+
+/// A cylinder with less has no hold on its joint.
+constexpr double kLeastArm_m = 1e-3;
+
+const Effects& EffectsAt(const std::vector<Effects>& effects, std::size_t k) {
+  static const Effects kIdeal;
+  return k < effects.size() ? effects[k] : kIdeal;
+}
+
+std::string_view EffortKey(const Joint& joint) {
+  return joint.type == JointType::kPrismatic ? "max_effort_n" : "max_effort_nm";
+}
+
+/// Why nothing moves an axis at a commanded rate, empty if something does.
+std::string WhyUndriven(bool has_lever, double max_rate_radps, double max_effort_nm,
+                        std::string_view effort_key) {
+  if (!has_lever) return "no lever of the machine drives it; name it under levers";
+  if (max_rate_radps <= 0) return "its rate at full lever is 0; give it one";
+  if (max_effort_nm <= 0) return fmt::format("its {} is 0; give it some", effort_key);
+  return "";
+}
+
+std::string WhyJointUndriven(const MachineModel& model, std::size_t joint) {
+  const bool has_lever =
+      std::any_of(model.levers.begin(), model.levers.end(),
+                  [&](const Lever& lever) { return lever.joint == static_cast<int>(joint); });
+  const Joint& j = model.joints[joint];
+  return WhyUndriven(has_lever, std::max(j.max_rate_positive_radps, j.max_rate_negative_radps),
+                     j.max_effort_nm, EffortKey(j));
+}
+
+std::string WhyGearUndriven(const MachineModel& model, std::size_t gear) {
+  const bool has_lever =
+      std::any_of(model.levers.begin(), model.levers.end(),
+                  [&](const Lever& lever) { return lever.gear == static_cast<int>(gear); });
+  const GearDrive& drive = model.gear_drives[gear];
+  return WhyUndriven(has_lever, drive.max_rate_radps, drive.max_torque_nm, "max_torque_nm");
+}
+
+/// Whether a mechanism shapes the rate that a lever asks for, and nothing else.
+bool ShapesRate(const Mechanism& mechanism) {
+  return mechanism.slot < Slot::kLoadFriction || mechanism.id == "pressure_droop" ||
+         mechanism.id == "structural_flex";
+}
+
+/// Of a joint or gear: what nothing drives, and a leak without the pressure that drives it.
+std::vector<EffectFault> FaultsOfAxis(const Effects& effects, const std::string& undriven,
+                                      double max_effort_nm, std::string_view effort_key) {
+  std::vector<EffectFault> faults;
+  for (const Effect& effect : effects) {
+    const std::string_view id = effect.mechanism->id;
+    if (ShapesRate(*effect.mechanism) && !undriven.empty()) {
+      faults.push_back({id, fmt::format("shapes a commanded rate, but {}", undriven)});
+    }
+    if (id == "sag" && max_effort_nm <= 0) {
+      faults.push_back(
+          {id, fmt::format("is stated at full effort, but {} is 0; need more than 0", effort_key)});
+    }
+  }
+  return faults;
+}
+
+std::string FaultOfCylinderLever(const MachineModel& model, std::size_t joint,
+                                 const Effect& lever) {
+  const Joint& j = model.joints[joint];
+  if (j.type == JointType::kPrismatic) {
+    return "is of a joint that turns, this one slides; take it away";
+  }
+  const bool barrel = lever["barrel_m"] > 0, rod = lever["rod_m"] > 0;
+  if (barrel != rod) return "needs both barrel_m and rod_m, or neither";
+  const KinematicGainParameters gain = GainOf(model, joint);
+  if (!rod && (gain.arms_m.values.empty() || j.lower_rad >= j.upper_rad)) {
+    return "needs barrel_m and rod_m, as no cylinder of the machine moves the joint between stops";
+  }
+  if (!rod && lever["angle_at_zero_rad"] != 0) {
+    return "takes its angles from the machine's own cylinder; angle_at_zero_rad needs barrel_m and "
+           "rod_m beside it";
+  }
+  if (KinematicGain(gain).reference_arm_m() < kLeastArm_m) {
+    return "has its reference_rad at a dead centre, where the rate has no bound; need another";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<EffectFault> FaultsOfJoint(const MachineModel& model, std::size_t joint) {
+  const Joint& j = model.joints[joint];
+  const Effects& effects = EffectsAt(model.effects.joints, joint);
+  std::vector<EffectFault> faults =
+      FaultsOfAxis(effects, WhyJointUndriven(model, joint), j.max_effort_nm, EffortKey(j));
+  const bool stops = j.type != JointType::kContinuous && j.lower_rad < j.upper_rad;
+  if (FindEffect(effects, "end_cushion") && !stops) {
+    faults.push_back({"end_cushion",
+                      "slows a joint near its end stops, which this one has not; need limits_deg"});
+  }
+  if (const Effect* gain = FindEffect(effects, "asymmetric_gain");
+      gain && j.max_rate_positive_radps > 0 && j.max_rate_negative_radps <= 0) {
+    faults.push_back({"asymmetric_gain",
+                      "changes negative rates, of which this joint has none; need a "
+                      "max_rate_degps for both directions"});
+  }
+  if (const Effect* lever = FindEffect(effects, "cylinder_lever")) {
+    const std::string fault = FaultOfCylinderLever(model, joint, *lever);
+    if (!fault.empty()) faults.push_back({"cylinder_lever", fault});
+  }
+  return faults;
+}
+
+std::vector<EffectFault> FaultsOfGear(const MachineModel& model, std::size_t gear) {
+  return FaultsOfAxis(EffectsAt(model.effects.gears, gear), WhyGearUndriven(model, gear),
+                      model.gear_drives[gear].max_torque_nm, "max_torque_nm");
+}
+
+std::vector<EffectFault> FaultsOfPump(const MachineModel& model, std::size_t pump) {
+  const Pump& p = model.pumps[pump];
+  const bool feeds =
+      std::any_of(
+          p.joints.begin(), p.joints.end(),
+          [&](int j) { return WhyJointUndriven(model, static_cast<std::size_t>(j)).empty(); }) ||
+      std::any_of(p.gears.begin(), p.gears.end(), [&](int g) {
+        return WhyGearUndriven(model, static_cast<std::size_t>(g)).empty();
+      });
+  std::vector<EffectFault> faults;
+  if (feeds) return faults;
+  for (const Effect& effect : EffectsAt(model.effects.pumps, pump)) {
+    faults.push_back({effect.mechanism->id,
+                      fmt::format("shares out what levers ask of pump '{}', but none drives any "
+                                  "that it feeds; need one with a lever, a rate and an effort",
+                                  p.name)});
+  }
+  return faults;
+}
+
+std::vector<EffectFault> FaultsOfBase(const MachineModel& model) {
+  std::vector<EffectFault> faults;
+  const GroundTools& tools = model.ground_tools;
+  bool driven = false;
+  for (std::size_t g = 0; g < tools.gears.size(); ++g) {
+    driven = driven || WhyGearUndriven(model, g).empty();
+  }
+  for (const Effect& effect : model.effects.base) {
+    const std::string_view id = effect.mechanism->id;
+    if (id == "soil_strength" || id == "terrain_height") continue;  // of the ground
+    if (id == "digging_force") {
+      if (tools.shovels.empty()) {
+        faults.push_back({id, "drags the base by its tools, of which it has none; need shovels"});
+      }
+    } else if (!driven) {
+      faults.push_back({id,
+                        "changes how tracks or wheels move the machine, but none is driven; "
+                        "need one with a lever, a speed and a torque"});
+    }
+  }
+  return faults;
+}
+
+}  // namespace tera

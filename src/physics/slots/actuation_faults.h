@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "physics/machine.h"
+
+/// Effects that change nothing on what they stand at: a machine that lacks what they act through.
+
+namespace tera {
+
+/// An effect that cannot act, and what is in its way.
+struct EffectFault {
+  std::string_view mechanism;
+  std::string finding;  ///< what was found and what is needed
+};
+
+/// Of the effects in `model.effects`, those that cannot act, for one target each.
+std::vector<EffectFault> FaultsOfJoint(const MachineModel& model, std::size_t joint);
+std::vector<EffectFault> FaultsOfGear(const MachineModel& model, std::size_t gear);
+std::vector<EffectFault> FaultsOfPump(const MachineModel& model, std::size_t pump);
+/// Whatever `ground` moves the machine.
+std::vector<EffectFault> FaultsOfBase(const MachineModel& model);
+
+}  // namespace tera

@@ -1,0 +1,176 @@
+#include "physics/slots/actuation_faults.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "physics/ground_mechanisms.h"
+#include "physics/machine_fixture.h"
+
+// Effects that would change nothing: the machine lacks what they act through.
+
+namespace tera {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// "sag: ...; rate_gain: ...".
+std::string Text(const std::vector<EffectFault>& faults) {
+  std::string text;
+  for (const EffectFault& fault : faults) {
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", fault.mechanism, fault.finding);
+  }
+  return text;
+}
+
+std::string OfLift(const std::string& effects, const std::vector<std::string>& overrides = {}) {
+  return Text(FaultsOfJoint(
+      WithEffects(MachineFromText(kLiftArm, overrides), "lift: {" + effects + "}"), 0));
+}
+
+TEST(ActuationFaults, AJointsOwnGeometryMustGiveAnEffectItsHold) {
+  EXPECT_THAT(OfLift("cylinder_lever: {reference_rad: 0}"), HasSubstr("no cylinder"));
+  EXPECT_THAT(OfLift("cylinder_lever: {reference_rad: 0, rod_m: 1}"), HasSubstr("both"));
+  // Pins at one place, where the triangle has no angle.
+  EXPECT_THAT(OfLift("cylinder_lever: {reference_rad: 0, barrel_m: 0.5, rod_m: 0.5}"),
+              HasSubstr("dead centre"));
+  EXPECT_THAT(OfLift("cylinder_lever: {reference_rad: 0, barrel_m: 0.4, rod_m: 1}"),
+              HasSubstr("dead centre"));
+  EXPECT_THAT(OfLift("end_cushion: {zone_rad: 0.1}", {"joints.lift.limits_deg=[0, 0]"}),
+              HasSubstr("end stops"));
+  EXPECT_THAT(OfLift("asymmetric_gain: {ratio: 1.5}", {"joints.lift.max_rate_degps=[30, 0]"}),
+              HasSubstr("negative rates"));
+  EXPECT_EQ(OfLift("cylinder_lever: {reference_rad: 1, barrel_m: 0.4, rod_m: 1}, end_cushion: "
+                   "{zone_rad: 0.1}, sag: {drift_radps: 0.1}, asymmetric_gain: {ratio: 1.5}"),
+            "");
+}
+
+TEST(ActuationFaults, AnAngleBesideTheMachinesOwnCylinderIsRefused) {
+  const MachineModel model =
+      WithEffects(ShippedMachine("tb235"),
+                  "boom: {cylinder_lever: {reference_rad: 0.1, angle_at_zero_rad: 0.3}}");
+  EXPECT_THAT(Text(FaultsOfJoint(model, static_cast<std::size_t>(model.JointIndex("boom")))),
+              HasSubstr("angle_at_zero_rad needs barrel_m and rod_m"));
+}
+
+TEST(ActuationFaults, AJointThatSlidesHasNoLeverToTurn) {
+  MachineModel model = MachineFromText(kLiftArm);
+  model.joints[0].type = JointType::kPrismatic;
+  model = WithEffects(model, "lift: {cylinder_lever: {reference_rad: 1, barrel_m: 0.4, rod_m: 1}}");
+  EXPECT_THAT(Text(FaultsOfJoint(model, 0)), HasSubstr("this one slides"));
+}
+
+constexpr const char* kOfTheRate[] = {
+    "command_delay: {delay_s: 0.1}",
+    "input_hold: {period_s: 0.1}",
+    "command_drops: {period_s: 0.1, probability: 0.1}",
+    "lever_saturation: {limit: 0.5}",
+    "dead_band: {width: 0.1}",
+    "valve_curve: {exponent: 2}",
+    "asymmetric_gain: {ratio: 1.5}",
+    "rate_gain: {gain: 0.9}",
+    "rate_limit: {max_change_radps2: 1}",
+    "actuator_lag: {time_s: 0.1}",
+    "actuator_ring: {}",
+    "end_cushion: {zone_rad: 0.1}",
+    "cylinder_lever: {reference_rad: 1, barrel_m: 0.4, rod_m: 1}",
+    "backlash: {gap_rad: 0.01}",
+    "pressure_droop: {stall_nm: 1000}",
+    "structural_flex: {natural_radps: 30}",
+};
+
+TEST(ActuationFaults, WhatShapesACommandedRateNeedsALeverARateAndAnEffort) {
+  for (const char* effect : kOfTheRate) {
+    EXPECT_EQ(OfLift(effect), "") << effect;
+    EXPECT_THAT(OfLift(effect, {"levers=[]"}),
+                AllOf(HasSubstr("no lever of the machine drives it; name it under levers")))
+        << effect;
+    EXPECT_THAT(OfLift(effect, {"joints.lift.max_rate_degps=0"}), HasSubstr("rate at full lever"))
+        << effect;
+    EXPECT_THAT(OfLift(effect, {"joints.lift.max_effort_nm=0"}), HasSubstr("max_effort_nm is 0"))
+        << effect;
+  }
+}
+
+TEST(ActuationFaults, FrictionAndPayloadActOnAJointThatHangsFree) {
+  EXPECT_EQ(OfLift("coulomb_friction: {effort_nm: 10}, viscous_friction: {coefficient_nmsprad: 3}, "
+                   "stribeck_friction: {excess_nm: 2}, asymmetric_friction: {positive_nm: 2}, "
+                   "payload: {mass_kg: 10, x_m: 1}",
+                   {"levers=[]", "joints.lift.max_effort_nm=0"}),
+            "");
+}
+
+TEST(ActuationFaults, SagNeedsAnEffortAndNoLever) {
+  EXPECT_EQ(OfLift("sag: {drift_radps: 0.1}", {"levers=[]"}), "");
+  EXPECT_THAT(OfLift("sag: {drift_radps: 0.1}", {"joints.lift.max_effort_nm=0"}),
+              HasSubstr("sag: is stated at full effort, but max_effort_nm is 0; need more than 0"));
+}
+
+TEST(ActuationFaults, AllOfAJointAreReportedNotTheFirstAlone) {
+  const std::string text =
+      OfLift("sag: {drift_radps: 0.1}, dead_band: {width: 0.1}, cylinder_lever: {reference_rad: 0}",
+             {"joints.lift.max_effort_nm=0"});
+  EXPECT_THAT(text, AllOf(HasSubstr("sag: "), HasSubstr("dead_band: "), HasSubstr("no cylinder")));
+}
+
+/// A lift arm with a track and a pump that feeds `feeds`.
+MachineModel TrackedArm(const std::string& effects, const std::vector<std::string>& overrides = {},
+                        const std::string& feeds = "[left]") {
+  return WithEffects(MachineFromText(kLiftArm + R"(
+tracks:
+  left: {link: post, center_m: [0, 1, 0.2], wheelbase_m: 1, radius_m: 0.25, width_m: 0.3,
+         max_speed_mps: 1, max_torque_nm: 500, inertia_kgm2: 3, displacement_m3prad: 1e-4}
+pumps: {one: {max_flow_m3ps: 1e-3, feeds: )" +
+                                         feeds + "}}\n",
+                                     [&] {
+                                       std::vector<std::string> all = {"levers=[lift, left]"};
+                                       all.insert(all.end(), overrides.begin(), overrides.end());
+                                       return all;
+                                     }()),
+                     effects);
+}
+
+TEST(ActuationFaults, ATrackIsHeldToTheSame) {
+  const std::string sag = "left: {sag: {drift_radps: 0.1}, dead_band: {width: 0.1}}";
+  EXPECT_THAT(FaultsOfGear(TrackedArm(sag), 0), IsEmpty());
+  EXPECT_THAT(Text(FaultsOfGear(TrackedArm(sag, {"tracks.left.max_torque_nm=0"}), 0)),
+              AllOf(HasSubstr("sag: is stated at full effort, but max_torque_nm is 0"),
+                    HasSubstr("dead_band: shapes a commanded rate")));
+  EXPECT_THAT(Text(FaultsOfGear(TrackedArm(sag, {"levers=[lift]"}), 0)),
+              HasSubstr("dead_band: shapes a commanded rate, but no lever"));
+}
+
+TEST(ActuationFaults, APumpThatFeedsNothingDrivenSharesNothing) {
+  const std::string sharing = "one: {flow_sharing: {}, power_limit: {power_w: 1000}}";
+  EXPECT_THAT(FaultsOfPump(TrackedArm(sharing), 0), IsEmpty());
+  EXPECT_EQ(FaultsOfPump(TrackedArm(sharing, {"levers=[lift]"}), 0).size(), 2u);
+  EXPECT_EQ(FaultsOfPump(TrackedArm(sharing, {}, "[]"), 0).size(), 2u);
+}
+
+TEST(ActuationFaults, TheBaseNeedsADrivenTrackAndForDiggingATool) {
+  const auto with = [](MachineModel model, const std::string& effects) {
+    const Config config = Config::FromText(effects, "effects.yaml");
+    model.effects.base = ReadEffects(config.root(), EffectTarget::kBase, GroundMechanisms());
+    return Text(FaultsOfBase(model));
+  };
+  const std::string effects =
+      "{track_scale: {scale: 1.1}, side_slip: {drift_per_slope: 0.1}, soil_strength: {}, "
+      "terrain_height: {x_m: 0, y_m: 0, radius_m: 1, height_m: 0.1}, digging_force: {yield_mps: "
+      "1}}";
+  EXPECT_EQ(with(TrackedArm("{}"), effects), "");
+  MachineModel bare = TrackedArm("{}", {"levers=[lift]"});
+  bare.ground_tools.shovels.clear();
+  EXPECT_THAT(with(bare, effects),
+              AllOf(HasSubstr("track_scale: changes how"), HasSubstr("side_slip: "),
+                    HasSubstr("digging_force: drags the base by its tools"),
+                    ::testing::Not(HasSubstr("soil_strength")),
+                    ::testing::Not(HasSubstr("terrain_height"))));
+}
+
+}  // namespace
+}  // namespace tera
