@@ -65,10 +65,27 @@ void CheckCamera(const ConfigMap& config, const SensorDescription& camera) {
   }
 }
 
-void CheckImu(const ConfigMap& config, const SensorDescription& imu) {
+/// Whether a link can turn: on a machine that stands on the ground, or beyond a joint that turns.
+bool CanTurn(const MachineModel& model, int link) {
+  if (!model.fixed_base) return true;
+  for (; link > 0; link = model.joints[link - 1].parent) {
+    const JointType type = model.joints[link - 1].type;
+    if (type == JointType::kRevolute || type == JointType::kContinuous) return true;
+  }
+  return false;
+}
+
+void CheckImu(const ConfigMap& config, const MachineModel& model, const SensorDescription& imu) {
   const Effect* flip = FindEffect(imu.effects, "axis_flip");
   if (flip && (*flip)["x"] == 0 && (*flip)["y"] == 0 && (*flip)["z"] == 0) {
     config.Fault("axis_flip", "flips no axis; need 1 for x, y or z");
+  }
+  if (FindEffect(imu.effects, "imu_lever_arm") && !CanTurn(model, model.LinkIndex(imu.link))) {
+    config.Fault(
+        "imu_lever_arm",
+        fmt::format("shows where a link turns, which '{}' cannot on its fixed base; need a "
+                    "link that turns",
+                    imu.link));
   }
 }
 
@@ -127,7 +144,7 @@ void CheckSensorEffects(const ConfigMap& effects, const MachineModel& model,
     } else if (std::holds_alternative<CameraModel>(sensor.model)) {
       CheckCamera(effects.Map(sensor.name), sensor);
     } else if (std::holds_alternative<ImuModel>(sensor.model)) {
-      CheckImu(effects.Map(sensor.name), sensor);
+      CheckImu(effects.Map(sensor.name), model, sensor);
     }
   }
 }

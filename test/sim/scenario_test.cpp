@@ -235,6 +235,20 @@ effects: {mast1: {a: {multipath: {}}}}
                     HasSubstr("none is beyond link 'mast' or those below it; need such a joint")));
 }
 
+TEST(ReadScenario, RefusesALeverArmOfAnImuThatNeverTurns) {
+  const auto faults = [](const std::string& link) {
+    return FaultsOf(std::string(kSite) + R"(
+machines:
+  - name: bench
+    machine: tera:config/machines/fixed_arm.yaml
+    operator: {type: idle}
+    rig: {sensors: [{name: i, preset: tera:config/sensors/xsens_mti_670.yaml, link: )" +
+                    link + "}]}\neffects: {bench: {i: {imu_lever_arm: {x_m: 0.1}}}}\n");
+  };
+  EXPECT_EQ(faults("link1"), "");
+  EXPECT_THAT(faults("base"), HasSubstr("shows where a link turns, which 'base' cannot"));
+}
+
 TEST(ReadScenario, TakesMultipathOnAMachineWithOtherJointNames) {
   EXPECT_EQ(FaultsOf(std::string(kSite) + R"(
 machines:

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -280,18 +278,6 @@ TEST(SensorMechanisms, OfTheThreeSlotsAreAllThatTheTableNames) {
     EXPECT_TRUE(std::any_of(SensorMechanisms().begin(), SensorMechanisms().end(),
                             [&](const Mechanism& m) { return m.id == id; }))
         << id;
-  }
-}
-
-TEST(SensorMechanisms, AndAllTheirParametersAreInTheDocumentation) {
-  std::ifstream file("docs/mechanisms.md");
-  const std::string text(std::istreambuf_iterator<char>(file), {});
-  for (const Mechanism& mechanism : SensorMechanisms()) {
-    const auto expect = [&](std::string_view name) {
-      EXPECT_NE(text.find(fmt::format("`{}`", name)), text.npos) << name;
-    };
-    expect(mechanism.id);
-    for (const EffectParameter& p : mechanism.parameters) expect(p.name);
   }
 }
 
