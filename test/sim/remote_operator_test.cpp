@@ -154,7 +154,7 @@ TEST_F(RemoteOperatorTest, NamesWhatIsWrongWithAMessage) {
   EXPECT_THAT(fault({.command = ControlMessage::ToolPose{"bucket", {}}}),
               Optional(HasSubstr("no frame 'bucket'")));
   EXPECT_THAT(fault({.command = ControlMessage::ToolPose{"bucket_tip", {Vec3(0, -1e308, 0), {}}}}),
-              HasSubstr("beyond 1000 m"));
+              Optional(HasSubstr("beyond 1000 m")));
   EXPECT_THAT(fault({.command = ControlMessage::ToolPose{"bucket_tip", {Vec3(kNan, 0, 0), {}}}}),
               Optional(HasSubstr("finite")));
   EXPECT_THAT(
