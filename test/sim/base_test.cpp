@@ -168,8 +168,9 @@ TEST(Base, TracksPushTheBucketIntoAPile) {
 }
 
 /// Root mean square of the pitch rate of a machine that turns, once it does.
-double PitchRate_radps(const char* soil, double left, double right) {
-  Drive drive(kExcavator, At(0, 0, 20), fmt::format("cell_m: 0.05, soil: {}", soil), left, right);
+double PitchRate_radps(const std::string& soil, double left, double right,
+                       const std::string& more = "") {
+  Drive drive(kExcavator, At(0, 0, 20), "cell_m: 0.05, soil: " + soil, left, right, more);
   drive.Run(2.0);
   double square = 0;
   int n = 0;
@@ -185,6 +186,17 @@ TEST(Base, TurnsOnFirmGroundWithoutRocking) {
   EXPECT_LT(PitchRate_radps("asphalt", 0.2, 0.8), 0.05);
   EXPECT_LT(PitchRate_radps("asphalt", -0.4, 0.4), 0.05);
   EXPECT_LT(PitchRate_radps("sand", -0.4, 0.4), 0.1);
+}
+
+TEST(Base, RocksOnACurveOfMuchFrictionAloneAndAlikeAtEveryStep) {
+  const auto gravel = [](double friction_deg) {
+    return "g, custom_soils: [" + Custom("g", "gravel", friction_deg) + "]";
+  };
+  EXPECT_LT(PitchRate_radps(gravel(28), -0.4, 0.4), 0.01);
+  const double rocking_radps = PitchRate_radps(gravel(44), -0.4, 0.4);
+  EXPECT_GT(rocking_radps, 0.1);
+  EXPECT_NEAR(PitchRate_radps(gravel(44), -0.4, 0.4, "physics_rate_hz: 1000\n") / rocking_radps, 1,
+              0.1);
 }
 
 }  // namespace
