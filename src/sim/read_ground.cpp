@@ -25,11 +25,9 @@ GroundModel ReadGroundModel(const ConfigMap& config) {
 /// Whether the root stands on running gear to its left and to its right.
 bool StandsOnTracks(const MachineModel& model) {
   bool left = false, right = false, on_root = true;
-  for (const RunningGear& gear : model.ground_tools.gears) {
-    double y_m = 0;
-    for (const ContactPatch& patch : gear.patches) y_m += patch.p_B_m.y();
-    (y_m > 0 ? left : right) = true;
-    on_root = on_root && gear.link == 0;
+  for (std::size_t g = 0; g < model.ground_tools.gears.size(); ++g) {
+    (LeftOfRoot_m(model, g) > 0 ? left : right) = true;
+    on_root = on_root && model.ground_tools.gears[g].link == 0;
   }
   return left && right && on_root && model.gauge_m > 0 && !model.fixed_base;
 }

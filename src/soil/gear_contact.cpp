@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/check.h"
 #include "core/units.h"
 #include "soil/terramechanics.h"
 
@@ -14,6 +15,7 @@ namespace {
 /// (0.3, Lysmer and Richart 1966), and as much for hysteresis of soil and shoes (estimate).
 constexpr double kDampingRatio = 0.6;
 constexpr double kLeastUpward = 0.05;       ///< patches facing further up touch no ground
+constexpr double kMostUpward = 0.5;         ///< no patch faces further up in the machine's frame
 constexpr double kInfluenceDepths = 1.0;    ///< crust thickness over patch width
 constexpr double kLongestPatch = 4;         ///< times its length counts of a patch's width
 constexpr double kShearDampingRatio = 0.7;  ///< of critical, only near rest
@@ -118,6 +120,7 @@ struct GearContact::Pressed {
 GearContact::GearContact(const RunningGear& gear, bool shears, std::vector<SoilType> soils)
     : gear_(gear), shears_(shears), soils_(std::move(soils)), patches_(gear.patches.size()) {
   for (std::size_t k = 0; k < patches_.size(); ++k) {
+    TERA_CHECK(gear_.patches[k].outward_B.z() < kMostUpward, gear_.name, k);
     patches_[k].upstream = Neighbour(gear_, k, -1);
     patches_[k].downstream = Neighbour(gear_, k, +1);
   }
@@ -279,7 +282,11 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
     const Vec3 across_W = n_W.cross(along_W);
     const Vec3 p_W = pressed.moment_W / pressed.normal_n;
     const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(p_W - origin_W);
-    const Vec2 slip_mps(v_W.dot(along_W) + shoe_mps, v_W.dot(across_W));
+    // Over the soil, which gives way as a rolling shoe comes down on it: half-way between the
+    // patch's normal and the machine's down. So a raised nose that rolls shears nothing.
+    const Vec3 yield_W = n_W - body.X_WB.linear().col(2);
+    const Vec3 over_soil_W = v_W - v_W.dot(n_W) / yield_W.dot(n_W) * yield_W;
+    const Vec2 slip_mps(over_soil_W.dot(along_W) + shoe_mps, over_soil_W.dot(across_W));
     const Vec2 shear_n =
         shears_ ? Shear(k, pressed, slip_mps, shoe_mps, dt_s, before) : Vec2(Vec2::Zero());
     result.grip_n += pressed.Strength_n();
@@ -287,7 +294,7 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
         -pressed.normal_n * n_W + shear_n.x() * along_W + shear_n.y() * across_W, p_W, origin_W);
     result.traction_n -= shear_n.x();
     result.sinkage_m = std::max(result.sinkage_m, pressed.sinkage_m);
-    forward_mps -= pressed.normal_n * v_W.dot(along_W);
+    forward_mps += pressed.normal_n * v_W.dot(body.X_WB.linear().col(0));
     weight_n += pressed.normal_n;
   }
   Uncover(covered_before, ground);

@@ -16,9 +16,11 @@ namespace tera {
 ///         that the pressure carries, and the ground never pulls.
 ///         Tangential: each patch has a shear displacement j, carried along by the moving shoes:
 ///         dj/dt = v_slip - v_shoe (j - j_upstream) / length; it is zero where a shoe meets the
-///         ground. Stress (c + p tan phi)(1 - exp(-|j|/K)) along j: a spring at rest, the
-///         closed-form thrust at steady slip. Slip against j unloads at the initial stiffness, so
-///         that shearing back and forth dissipates; stress across the slip yields to it within K
+///         ground. Slip is over the soil, which gives way as a rolling shoe comes down on it,
+///         half-way between the patch's normal and the machine's down, so that raised patches that
+///         roll shear nothing. Stress (c + p tan phi)(1 - exp(-|j|/K)) along j: a spring at rest,
+///         the closed-form thrust at steady slip. Slip against j unloads at the initial stiffness,
+///         so that shearing back and forth dissipates; stress across the slip yields to it within K
 ///         where the strength is used up, so that sliding soil resists against the slip.
 ///         Compaction resistance: plastic work done by moving on, rather than by moving down, is
 ///         paid back as a drag over a short distance.
@@ -34,7 +36,7 @@ class GearContact {
     Wrench wrench;          ///< about the link's origin
     double traction_n = 0;  ///< shear on the shoes along the machine's forward travel
     double sinkage_m = 0;
-    double slip = 0;
+    double slip = 0;    ///< 1 - v / (r w), v along the link's x axis where the gear bears
     double grip_n = 0;  ///< shear strength of the ground under all patches
   };
   Result Act(const BodyState& body, double rate_radps, double dt_s, Columns* ground);

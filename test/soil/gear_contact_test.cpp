@@ -1,5 +1,6 @@
 #include "soil/gear_contact.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,10 +32,12 @@ struct Block {
   GroundToolsMotion motion;
   SoilReaction reaction;
 
-  Block(const std::string& site, const Vec2& start_m, double yaw_rad = 0) : soil(MakeSite(site)) {
+  Block(const std::string& site, const Vec2& start_m, double yaw_rad = 0, double nose_m = 0)
+      : soil(MakeSite(site)) {
     GroundTools tools;
     for (const double y_m : {kGauge_m / 2, -kGauge_m / 2}) {
-      tools.gears.push_back(FlatTrack(y_m, kLength_m, kWidth_m, kPatches));
+      tools.gears.push_back(nose_m > 0 ? NosedTrack(y_m, kLength_m, kWidth_m, kPatches, nose_m)
+                                       : FlatTrack(y_m, kLength_m, kWidth_m, kPatches));
     }
     machine = soil->AddMachine(tools);
     links[0].X_WB = MakePose(Vec3(start_m.x(), start_m.y(), 0.001), 0, 0, yaw_rad);
@@ -45,6 +48,12 @@ struct Block {
     reaction = soil->Act(machine, motion, kStep_s);
     soil->Flow(kStep_s);
     return reaction.link_wrench[0].force_W_n;
+  }
+  /// Moves as the ground and its weight make it.
+  void Move() {
+    const Vec3 force_n = Act() - Vec3(0, 0, mass_kg * kStandardGravity_mps2);
+    links[0].v_WB_mps += kStep_s / mass_kg * Vec3(force_n.x(), 0, force_n.z());
+    links[0].X_WB.translation() += kStep_s * links[0].v_WB_mps;
   }
   /// Sinks at a speed in proportion to the missing support, so that nothing overshoots.
   Vec3 ActAndSinkGently() {
@@ -91,22 +100,48 @@ TEST(GearContact, ThrustFollowsTheClosedFormOverSlip) {
   }
 }
 
+TEST(GearContact, NothingOutrunsItsShoesOnLevelGround) {
+  // Resistance of the soil is met by thrust, which takes slip: of flat tracks and of raised noses,
+  // which sink up to 7 cm, forwards and backwards.
+  for (const char* soil : {"gravel", "dirt", "sand"}) {
+    for (const double nose_m : {0.0, 0.25}) {
+      for (const double shoe_mps : {1.0, -1.0}) {
+        Block block("size_m: [14, 4]\nsoil: " + std::string(soil) + "\n",
+                    Vec2(-4.1 * shoe_mps, 0.1), 0, nose_m);
+        for (int k = 0; k < 500; ++k) block.Move();
+        block.motion.gear_rate_radps = {shoe_mps / 0.25, shoe_mps / 0.25};
+        block.links[0].v_WB_mps.x() = shoe_mps;
+        for (int k = 0; k < 2500; ++k) block.Move();
+        const double start_m = block.links[0].X_WB.translation().x();
+        double slip = 0;
+        const int count = 1000;
+        for (int k = 0; k < count; ++k) {
+          block.Move();
+          slip += block.reaction.gear_slip[0] / count;
+        }
+        const double moved_m = block.links[0].X_WB.translation().x() - start_m;
+        const double lost = 1 - moved_m / (shoe_mps * count * kStep_s);
+        const std::string what = fmt::format("{}, noses {} m, {} m/s", soil, nose_m, shoe_mps);
+        EXPECT_GT(lost, 0) << what;
+        EXPECT_LT(lost, 0.05) << what;
+        EXPECT_NEAR(slip, lost, 1e-5) << what;
+      }
+    }
+  }
+}
+
 TEST(GearContact, BlockOnASlopeHoldsStillWithoutCreep) {
   // 10 deg, well below the friction angle; tracks locked. Free along the slope and in z.
   Block block("size_m: [12, 4]\nsoil: dirt\nrelief: {slope_deg: 10}\n", Vec2(0, 0));
   const double slope = 10 * kDeg;
   block.links[0].X_WB = MakePose(Vec3(0, 0, 0.002), RotationFromRpy(0, -slope, 0));
-  Vec3 v = Vec3::Zero();
   double x_settled_m = 0;
   for (int k = 0; k < 6000; ++k) {
-    block.links[0].v_WB_mps = v;
-    const Vec3 force_n = block.Act() - Vec3(0, 0, kMass_kg * kStandardGravity_mps2);
-    v += kStep_s / kMass_kg * Vec3(force_n.x(), 0, force_n.z());
-    block.links[0].X_WB.translation() += kStep_s * v;
+    block.Move();
     if (k == 3000) x_settled_m = block.links[0].X_WB.translation().x();
   }
   EXPECT_NEAR(block.links[0].X_WB.translation().x(), x_settled_m, 1e-4);
-  EXPECT_LT(v.norm(), 1e-4);
+  EXPECT_LT(block.links[0].v_WB_mps.norm(), 1e-4);
   EXPECT_NEAR(block.reaction.link_wrench[0].force_W_n.z(), kMass_kg * kStandardGravity_mps2,
               0.01 * kMass_kg * kStandardGravity_mps2);
 }

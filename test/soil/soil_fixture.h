@@ -60,6 +60,25 @@ inline RunningGear FlatTrack(double y_m, double length_m, double width_m, int pa
   return gear;
 }
 
+/// The same between noses that rise on circles of `radius_m`, as around sprocket and idler.
+inline RunningGear NosedTrack(double y_m, double length_m, double width_m, int patches,
+                              double radius_m) {
+  RunningGear gear = FlatTrack(y_m, length_m, width_m, patches);
+  for (const double end : {-1.0, 1.0}) {
+    for (const double angle_rad : {10 * kDeg, 30 * kDeg, 50 * kDeg, 70 * kDeg}) {
+      const double s = end * std::sin(angle_rad), c = std::cos(angle_rad);
+      ContactPatch patch;
+      patch.outward_B = Vec3(s, 0, -c);
+      patch.travel_B = Vec3(-c, 0, -s);
+      patch.p_B_m = Vec3(end * length_m / 2, y_m, radius_m) + radius_m * patch.outward_B;
+      patch.length_m = radius_m * 20 * kDeg;
+      patch.width_m = width_m;
+      gear.patches.push_back(patch);
+    }
+  }
+  return gear;
+}
+
 /// A place of the bucket: its pin in W and its pitch (Ry); yaw turns the whole about z.
 struct BucketPlace {
   double t_s;
