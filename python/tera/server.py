@@ -12,7 +12,7 @@ _PACKAGE = Path(__file__).resolve().parent
 
 
 def find_program():
-    """The `tera` named by TERA_PROGRAM, else of the build or installation this package lies in, else on the path."""
+    """The `tera` named by TERA_PROGRAM, else of the build or installation this is part of, else on the path."""
     named = os.environ.get("TERA_PROGRAM")
     if named is not None:
         if not _is_program(Path(named)):
@@ -23,7 +23,7 @@ def find_program():
         return str(beside)
     found = shutil.which("tera")
     if found is None:
-        raise FileNotFoundError(f"no program 'tera': {f'not at {beside}, ' if beside else ''}not on the PATH; name it in "
+    """The `tera` named by TERA_PROGRAM, else of the build or installation this belongs to, else on the path."""
                                 "TERA_PROGRAM, or build it with scripts/quickstart.sh")
     return found
 
@@ -45,8 +45,8 @@ def _is_program(path):
 class Server:
     """`tera serve` as a child of this process, on a port that the system chooses; `address` is for Session and Env.
 
-    It ends with close, or with this process, however that ends. `options` are further arguments of the command, such as "--record", "out/episodes". Raises RuntimeError with what
-    the program said where it does not come up.
+    It ends with close, or with this process, however that ends. `options` are further arguments of the command, such as
+    "--record", "out/episodes". Raises RuntimeError with what the program said where it does not come up.
     """
 
     def __init__(self, scenario, options=(), program=None):

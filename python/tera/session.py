@@ -9,8 +9,8 @@ from tera.v1 import simulation_pb2_grpc as service
 
 PROTOCOL = 1
 
-# Answers may hold many pictures; the server bounds them. A proxy has no part in talking to a neighbour. Each session has a
-# connection of its own: a shared one could be that to an earlier server, since ended, on the same port.
+# Answers may hold many pictures; the server bounds them. A proxy has no part in talking to a neighbour. Each session
+# has a connection of its own: a shared one could be that to an earlier server, since ended, on the same port.
 _CHANNEL_OPTIONS = [
     ("grpc.max_receive_message_length", -1),
     ("grpc.enable_http_proxy", 0),

@@ -20,6 +20,7 @@ Sequence Borrow(const std::vector<T>& items) {
   return sequence;
 }
 
+/// rclcpp::Time and rclpy's throw at negative seconds, although the type holds them.
 builtin_interfaces_msg_dds__Time_ ToWire(TimeNs t_ns) {
   const TimeNs from_0_ns = std::max<TimeNs>(t_ns, 0);
   return {static_cast<std::int32_t>(from_0_ns / kNsPerSecond),

@@ -20,9 +20,8 @@ struct RaisedBoom {
 ///
 /// Frames  W east-north-up.
 /// Model   e = max(0, sin(elevation)) (h cos a, h sin a, v cos a), a = azimuth - `azimuth_deg`,
-/// both
-///         of the boom, the azimuth from east towards north: the first harmonic of an error that
-///         has one maximum a turn and grows as the boom rises.
+///         both of the boom, the azimuth from east towards north: the first harmonic of an error
+///         that has one maximum a turn and grows as the boom rises.
 /// Omits   the satellites, and so the change over minutes; harmonics; a boom straight up, whose
 ///         azimuth is any.
 /// Source  an own low-order form; sizes after Georgiadou and Kleusberg 1988, "On carrier signal

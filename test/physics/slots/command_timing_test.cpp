@@ -82,7 +82,7 @@ TEST(CommandTiming, BeforeTheFirstNewLookTheFirstCommandOfAllStands) {
   CommandTiming timing = TimingFrom("input_hold: {period_s: 0.05, phase: 0.4}");
   for (int step = 0; step < 10; ++step) EXPECT_EQ(timing.Step(0.5 + 0.01 * step, kStep_s), 0.5);
   EXPECT_EQ(timing.Step(0.7, kStep_s), 0.7);  // step 10, the first look
-  // A simulation, whose levers are neutral until t = 0, holds neutral until the first look after.
+  // A run that settles first, with neutral levers, holds neutral until the first look after t = 0.
   CommandTiming settled = TimingFrom("input_hold: {period_s: 0.05, phase: 0.4}", -750);
   for (int step = -750; step < 10; ++step) {
     EXPECT_EQ(settled.Step(step < 0 ? 0 : 0.7, kStep_s), 0) << step;
