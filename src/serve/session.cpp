@@ -35,9 +35,13 @@ Session::Answer Session::Handle(std::string_view request_bytes) {
   ++next_;
   v1::Response response;
   response.set_sequence(request.sequence());
-  if (request.has_hello()) {
-    const Status status = Greet(request.hello(), &response);
-    if (!status.ok()) return status;
+  if (const auto unknown = UnknownField(request)) {
+    Refuse(fmt::format("{} is not known to this server ({}); leave it out, or use a "
+                       "server of the client's version",
+                       *unknown, server_),
+           &response);
+  } else if (request.has_hello()) {
+    Greet(request.hello(), &response);
   } else if (!Act(request, &response)) {
     return Status(StatusCode::CANCELLED, "the session ended while the request was being done");
   }
@@ -62,10 +66,10 @@ Status Session::OutOfTurn(const v1::Request& request) const {
   }
   if (greeted_ && request.has_hello()) return MustNot("a second Hello; need one, at the beginning");
   if (request.has_step() && !in_episode_) return MustNot("Step before any Reset; need Reset first");
-  return Status::OK;
+  return request.has_hello() ? Unfit(request.hello()) : Status::OK;
 }
 
-Status Session::Greet(const v1::Hello& hello, v1::Response* response) {
+Status Session::Unfit(const v1::Hello& hello) const {
   if (hello.protocol() != kServeProtocol) {
     return MustNot(
         fmt::format("protocol {} asked for, this server speaks {}; use a client of its "
@@ -78,6 +82,10 @@ Status Session::Greet(const v1::Hello& hello, v1::Response* response) {
                         "printable ASCII characters",
                         hello.client().size(), kLongestClientName)};
   }
+  return Status::OK;
+}
+
+void Session::Greet(const v1::Hello& hello, v1::Response* response) {
   greeted_ = true;
   client_ = hello.client();
   v1::Welcome& welcome = *response->mutable_welcome();
@@ -85,17 +93,10 @@ Status Session::Greet(const v1::Hello& hello, v1::Response* response) {
   welcome.set_server(server_);
   welcome.set_largest_request_bytes(kLargestRequest_bytes);
   welcome.set_largest_samples_bytes(kLargestSamples_bytes);
-  return Status::OK;
 }
 
 bool Session::Act(const v1::Request& request, v1::Response* response) {
   try {
-    if (const auto unknown = UnknownField(request)) {
-      throw InputError(
-          fmt::format("{} is not known to this server ({}); leave it out, or use a "
-                      "server of the client's version",
-                      *unknown, server_));
-    }
     if (request.has_describe()) {
       *response->mutable_description() = stage_->Describe();
       return true;
@@ -106,10 +107,14 @@ bool Session::Act(const v1::Request& request, v1::Response* response) {
     in_episode_ = true;
     *response->mutable_observation() = std::move(*observation);
   } catch (const InputError& error) {
-    response->mutable_refusal()->set_message(error.what());
-    response->mutable_refusal()->set_episode_over(in_episode_ && !stage_->InEpisode());
+    Refuse(error.what(), response);
   }
   return true;
+}
+
+void Session::Refuse(const std::string& message, v1::Response* response) const {
+  response->mutable_refusal()->set_message(message);
+  response->mutable_refusal()->set_episode_over(in_episode_ && !stage_->InEpisode());
 }
 
 }  // namespace tera

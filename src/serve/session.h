@@ -52,9 +52,11 @@ class Session {
 
  private:
   grpc::Status OutOfTurn(const v1::Request& request) const;
-  grpc::Status Greet(const v1::Hello& hello, v1::Response* response);
+  grpc::Status Unfit(const v1::Hello& hello) const;
+  void Greet(const v1::Hello& hello, v1::Response* response);
   /// False where the session ended meanwhile.
   bool Act(const v1::Request& request, v1::Response* response);
+  void Refuse(const std::string& message, v1::Response* response) const;
 
   Stage* stage_;
   std::string server_, client_;

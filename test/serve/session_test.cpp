@@ -184,6 +184,23 @@ TEST_F(SessionTest, RefusesFieldsThatItDoesNotKnowWhereverTheyAre) {
   EXPECT_EQ(Response(Step(6, 5)).observation().time_ns(), 5);  // the others did nothing
 }
 
+TEST_F(SessionTest, RefusesAHelloWithAFieldThatItDoesNotKnowAndWaitsForAnother) {
+  v1::Request hello = Hello(1);
+  v1::Hello* greeting = hello.mutable_hello();
+  greeting->GetReflection()->MutableUnknownFields(greeting)->AddVarint(77, 1);
+  const v1::Response refused = Response(hello);
+  EXPECT_THAT(refused.refusal().message(), HasSubstr("field 77 of Hello is not known"));
+  EXPECT_FALSE(refused.refusal().episode_over());
+  EXPECT_FALSE(session_.greeted());
+  ExpectEnd(Session(&stage_, "").Handle(Describe(1).SerializeAsString()),
+            StatusCode::FAILED_PRECONDITION, "the first request is not Hello");
+  EXPECT_TRUE(Response(Hello(2)).has_welcome());
+  // Another protocol's Hello may have any fields: what matters is the protocol.
+  hello.mutable_hello()->set_protocol(2);
+  ExpectEnd(Session(&stage_, "").Handle(hello.SerializeAsString()), StatusCode::FAILED_PRECONDITION,
+            "protocol 2 asked for");
+}
+
 TEST_F(SessionTest, EndsAtAClientsNameThatCannotBeShown) {
   for (const std::string& name : {std::string(129, 'x'), std::string("two\nlines"),
                                   std::string("\x1b[2J"), std::string("caf\xc3\xa9")}) {
