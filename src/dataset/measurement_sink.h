@@ -55,9 +55,9 @@ class MeasurementSink {
   virtual void WriteRow(ChannelId channel, TimeNs t_ns, const std::vector<double>& values) = 0;
 
   /// False where the sink can do without this channel's frame of time stamp `t_ns`; the caller then
-  /// only calls MarkPresent instead of measuring and writing it. `due_ns` is when the frame truly
-  /// begins, whatever the sensor's clock says.
-  virtual bool NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs due_ns) const = 0;
+  /// only calls MarkPresent instead of measuring and writing it. `next_ns` is when the channel's
+  /// next frame will truly come, whatever the sensor's clock says.
+  virtual bool NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs next_ns) const = 0;
   virtual void MarkPresent(ChannelId channel, TimeNs t_ns) = 0;
 };
 

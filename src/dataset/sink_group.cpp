@@ -71,9 +71,9 @@ void SinkGroup::WriteRow(ChannelId channel, TimeNs t_ns, const std::vector<doubl
   }
 }
 
-bool SinkGroup::NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs due_ns) const {
+bool SinkGroup::NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs next_ns) const {
   for (std::size_t i = 0; i < sinks_.size(); ++i) {
-    if (sinks_[i]->NeedsFrame(channels_[channel][i], t_ns, due_ns)) return true;
+    if (sinks_[i]->NeedsFrame(channels_[channel][i], t_ns, next_ns)) return true;
   }
   return false;
 }

@@ -43,7 +43,7 @@ class SamplePublisher : public MeasurementSink {
   void Write(ChannelId channel, const TruthPose& pose) override;
   void WriteRow(ChannelId channel, TimeNs t_ns, const std::vector<double>& values) override;
 
-  bool NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs due_ns) const override;
+  bool NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs next_ns) const override;
   void MarkPresent(ChannelId channel, TimeNs t_ns) override;
 
  private:

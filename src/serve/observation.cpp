@@ -181,8 +181,7 @@ ObservationPlan PlanObservation(const v1::Observe& observe, const Scenario& scen
     const bool latest_only = selection.latest_only() && IsFrame(sensor);
     bytes += SampleBytes(sensor, machine.placement.model) *
              (latest_only ? 1 : 2 + std::floor(duration_s * sensor.clock.rate_hz));
-    plan.sensors.push_back(
-        {selection.machine(), selection.sensor(), latest_only, sensor.clock.Period()});
+    plan.sensors.push_back({selection.machine(), selection.sensor(), latest_only});
   }
   CheckSize(bytes, duration_s);
   return plan;

@@ -24,7 +24,6 @@ struct PatchPlan {
 struct SensorPlan {
   std::string machine, sensor;
   bool latest_only = false;
-  TimeNs period_ns = 0;
 };
 
 struct ObservationPlan {

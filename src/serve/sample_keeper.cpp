@@ -50,8 +50,8 @@ int SampleKeeper::PlanOf(const std::string& folder) const {
   return kNotKept;
 }
 
-ChannelId SampleKeeper::Add(const std::string& folder, int revolutions) {
-  channels_.push_back({folder, revolutions, PlanOf(folder)});
+ChannelId SampleKeeper::Add(const std::string& folder) {
+  channels_.push_back({folder, PlanOf(folder)});
   return static_cast<ChannelId>(channels_.size() - 1);
 }
 
@@ -69,7 +69,7 @@ ChannelId SampleKeeper::AddCamera(const std::string& folder, const std::string&)
   return Add(folder);
 }
 ChannelId SampleKeeper::AddLidar(const std::string& folder, const std::string&) {
-  return Add(folder, 1);
+  return Add(folder);
 }
 ChannelId SampleKeeper::AddTable(const std::string& file, const std::vector<std::string>&) {
   return Add(file);
@@ -81,15 +81,9 @@ v1::SensorSamples* SampleKeeper::Kept(ChannelId channel) {
   return kept == kNotKept ? nullptr : &samples_[kept];
 }
 
-bool SampleKeeper::NeedsFrame(ChannelId channel, TimeNs, TimeNs due_ns) const {
-  const Channel& c = channels_[channel];
-  if (c.kept == kNotKept) return false;
-  const SensorPlan& plan = plans_[c.kept];
-  // Due times are rounded each for itself, so that a period may be a nanosecond off: rather one
-  // frame too many, which the next replaces.
-  constexpr TimeNs kRounding_ns = 2;
-  const TimeNs next_complete_ns = due_ns + (1 + c.revolutions) * plan.period_ns;
-  return !plan.latest_only || next_complete_ns > end_ns_ - kRounding_ns;
+bool SampleKeeper::NeedsFrame(ChannelId channel, TimeNs, TimeNs next_ns) const {
+  const int kept = channels_[channel].kept;
+  return kept != kNotKept && (!plans_[kept].latest_only || next_ns > end_ns_);
 }
 
 void SampleKeeper::Write(ChannelId channel, const ImuSample& sample) {

@@ -34,18 +34,17 @@ class SampleKeeper : public MeasurementSink {
   void Write(ChannelId, const TruthPose&) override {}
   void WriteRow(ChannelId, TimeNs, const std::vector<double>&) override {}
 
-  bool NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs due_ns) const override;
+  bool NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs next_ns) const override;
   void MarkPresent(ChannelId, TimeNs) override {}
 
  private:
   struct Channel {
     std::string folder;
-    int revolutions = 0;  ///< by which a frame is complete after its time: 1 of lidars
     int kept = kNotKept;  ///< index into plans_ and samples_
   };
   static constexpr int kNotKept = -1;
 
-  ChannelId Add(const std::string& folder, int revolutions = 0);
+  ChannelId Add(const std::string& folder);
   int PlanOf(const std::string& folder) const;
   /// Where the channel's samples go, or null.
   v1::SensorSamples* Kept(ChannelId channel);

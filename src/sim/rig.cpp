@@ -215,7 +215,7 @@ void Rig::SampleCameras(const WorldState& before, const WorldState& after,
     for (; unit.clock.Due(unit.next) <= after.t_ns; ++unit.next) {
       const TimeNs t_ns = unit.clock.Due(unit.next);
       const ReportClock::Times times = unit.slots.Stamp(unit.next, t_ns);
-      if (!sink_->NeedsFrame(unit.channel, times.t_ns, t_ns)) {
+      if (!sink_->NeedsFrame(unit.channel, times.t_ns, unit.clock.Due(unit.next + 1))) {
         sink_->MarkPresent(unit.channel, times.t_ns);
         continue;
       }
@@ -249,7 +249,7 @@ void Rig::SampleLidars(const WorldState& now, const TerrainSurface& ground) {
     for (; unit.clock.Due(unit.next + 1) <= now.t_ns; ++unit.next) {
       const TimeNs start_ns = unit.clock.Due(unit.next), end_ns = unit.clock.Due(unit.next + 1);
       const ReportClock::Times times = unit.slots.Stamp(unit.next, start_ns);
-      if (!sink_->NeedsFrame(unit.channel, times.t_ns, start_ns)) {
+      if (!sink_->NeedsFrame(unit.channel, times.t_ns, unit.clock.Due(unit.next + 2))) {
         sink_->MarkPresent(unit.channel, times.t_ns);
         continue;
       }

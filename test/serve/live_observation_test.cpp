@@ -3,6 +3,8 @@
 #include <vector>
 
 #include "serve/live_stage_fixture.h"
+#include "serve/sample_keeper.h"
+#include "sim/live_run.h"
 
 // What is told of a simulation: description, state, samples, patches of ground.
 
@@ -90,6 +92,43 @@ TEST(LiveStage, TheLatestFrameOfASensorComesWhateverItsClockSays) {
     const v1::Observation observation = stage->Step(step).value();
     ASSERT_EQ(observation.samples(0).lidar_size(), 1) << offset_s;
     EXPECT_EQ(observation.samples(0).lidar(0).time_ns(), FromSeconds(0.3 + offset_s));
+  }
+}
+
+/// Counts the scans that were measured for it.
+class CountingKeeper : public SampleKeeper {
+ public:
+  void Write(ChannelId channel, LidarScan scan) override {
+    ++scans;
+    SampleKeeper::Write(channel, std::move(scan));
+  }
+  int scans = 0;
+};
+
+TEST(SampleKeeper, OfTheLatestFrameAloneNoOtherIsMeasured) {
+  for (const int rate_hz : {10, 30}) {
+    std::string text = kStageScenario;
+    const std::string rate = "columns: 64, rate_hz: ";
+    text.replace(text.find(rate), rate.size() + 2, rate + std::to_string(rate_hz));
+    const Config config = Config::FromText(text, "stage.yaml");
+    CountingKeeper keeper;
+    LiveRun run(ReadScenario(config.root()), "", {}, {&keeper});
+    const SampleClock clock{.rate_hz = static_cast<double>(rate_hz)};
+    TimeNs end_ns = 0;
+    // Steps that end as a revolution does, and one between two.
+    for (const double end_s : {0.4, 0.8, 1.15}) {
+      end_ns = FromSeconds(end_s);
+      keeper.scans = 0;
+      keeper.Keep({{"digger", "lidar", true}}, end_ns);
+      while (run.simulation().state().t_ns < end_ns) run.Step();
+      ASSERT_EQ(run.simulation().state().t_ns, end_ns);
+      EXPECT_EQ(keeper.scans, 1) << rate_hz << " Hz, until " << end_s << " s";
+      v1::Observation observation;
+      keeper.Take(&observation);
+      ASSERT_EQ(observation.samples(0).lidar_size(), 1);
+      const auto last = static_cast<std::int64_t>(std::floor(end_s * rate_hz + 1e-9)) - 1;
+      EXPECT_EQ(observation.samples(0).lidar(0).time_ns(), clock.Due(last));
+    }
   }
 }
 
