@@ -23,8 +23,9 @@ def find_program():
         return str(beside)
     found = shutil.which("tera")
     if found is None:
-    """The `tera` named by TERA_PROGRAM, else of the build or installation this belongs to, else on the path."""
-                                "TERA_PROGRAM, or build it with scripts/quickstart.sh")
+        missing = f"not at {beside}, " if beside else ""
+        raise FileNotFoundError(f"no program 'tera': {missing}not on the PATH; name it in TERA_PROGRAM, or build it "
+                                "with scripts/quickstart.sh")
     return found
 
 
