@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <memory>
 #include <utility>
@@ -5,7 +7,9 @@
 #include "app/commands.h"
 #include "app/followed_run.h"
 #include "app/load_scenario.h"
+#include "core/error.h"
 #include "dataset/checked_file.h"
+#include "dataset/writer.h"
 #include "sim/replay.h"
 
 namespace tera {
@@ -32,7 +36,20 @@ LoadedScenario Replayed(const std::filesystem::path& directory) {
   return loaded;
 }
 
+/// What is replayed must outlast it: it may be all that is left of the run.
+void RequireAnotherPlace(const std::filesystem::path& recording, const std::filesystem::path& out) {
+  for (const std::filesystem::path& written : {out, IncompleteOf(out)}) {
+    std::error_code ignored;
+    if (!std::filesystem::equivalent(recording, written, ignored)) continue;
+    throw InputError(
+        fmt::format("--out {}: would be written to {}, which is the recording to be replayed; give "
+                    "it another name",
+                    out.string(), written.string()));
+  }
+}
+
 void RunReplay(const Arguments& arguments) {
+  RequireAnotherPlace(arguments.recording, arguments.options.out);
   FollowRun(Replayed(arguments.recording), arguments.options);
 }
 

@@ -30,7 +30,7 @@ constexpr char kDescriptionName[] = "dataset.yaml";
 std::string Note(const DatasetInfo& info, const std::string& remedy) {
   return fmt::format(
       "This recording is not complete: the run that writes it was stopped, or is still going on.\n"
-      "What to do: {}, or delete this directory.\n\n"
+      "What to do: {}.\n\n"
       "scenario: {}\nseed: {}\nduration_s: {}\nTERA: {}\n",
       remedy, info.scenario_name, info.seed, info.duration_s, TeraVersion());
 }
@@ -70,13 +70,6 @@ void RemoveParts(const fs::path& root) {
   }
   if (error) FailFile(root, "cannot be listed", error.value());
   for (const fs::path& part : parts) Remove(part);
-}
-
-/// Where `directory` is until it is finished, without a slash at the end.
-fs::path IncompleteOf(const fs::path& directory) {
-  fs::path root = directory.has_filename() ? directory : directory.parent_path();
-  root += ".incomplete";
-  return root;
 }
 
 void GiveName(const fs::path& root, const fs::path& directory) {
@@ -136,8 +129,8 @@ void DatasetWriter::Impl::Begin(const WriterOptions& options) {
   resumed = HoldsSomething(root);
   if (resumed) lock = std::make_unique<FolderLock>(root);
   if (resumed && !options.resume) {
-    throw InputError(fmt::format("{}: holds an incomplete recording; {}, or delete it",
-                                 root.string(), options.remedy));
+    throw InputError(
+        fmt::format("{}: holds an incomplete recording; {}", root.string(), options.remedy));
   }
   if (resumed) {
     NeedSame(root / kNoteName, note);
@@ -232,6 +225,12 @@ void DatasetWriter::Impl::WriteScan(const std::string& folder, const LidarScan& 
   const std::string name = fmt::format("{}/scans/{}.pcd", folder, scan.t_ns);
   frame_log->Append(folder, scan.t_ns, {WriteFile(name, EncodePcd(scan.points))});
   ++frames_written;
+}
+
+fs::path IncompleteOf(const fs::path& directory) {
+  fs::path root = directory.has_filename() ? directory : directory.parent_path();
+  root += ".incomplete";
+  return root;
 }
 
 DatasetWriter::DatasetWriter(const fs::path& directory, const DatasetInfo& info,

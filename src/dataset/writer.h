@@ -30,14 +30,16 @@ struct WriterOptions {
   int threads = 2;        ///< encoding threads
   int queue_length = 64;  ///< frames waiting before Write blocks
   bool resume = false;
-  /// What to do with an incomplete recording, besides deleting it; for its note and for messages.
-  std::string remedy = "go on with it by the same command and --resume";
+  /// What to do with an incomplete recording; for its note and for messages.
+  std::string remedy = "go on with it by the same command and --resume, or delete it";
 };
+
+/// Where a recording is until it is finished, without a slash at the end.
+std::filesystem::path IncompleteOf(const std::filesystem::path& directory);
 
 /// Writes a recording. Frames are encoded on worker threads behind a bounded queue; rows are
 /// written in order by the caller's thread. Everything goes to `<directory>.incomplete` and is
-/// renamed to
-/// `<directory>` by Finish; every file appears under its name only when whole.
+/// renamed to `<directory>` by Finish; every file appears under its name only when whole.
 ///
 /// Throws InputError: directory not empty, not writable, disk full; on resume, a partial dataset of
 /// another scenario, seed or version.
@@ -70,7 +72,7 @@ class DatasetWriter : public MeasurementSink {
   void WriteRow(ChannelId channel, TimeNs t_ns, const std::vector<double>& values) override;
 
   /// False when resuming and the files of this channel's frame at `t_ns` are whole already.
-  bool NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs due_ns) const override;
+  bool NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs next_ns) const override;
   void MarkPresent(ChannelId channel, TimeNs t_ns) override;
 
   /// Where to put a file of another kind (truth/terrain/*.tif); its folder exists.

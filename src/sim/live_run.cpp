@@ -29,7 +29,7 @@ std::vector<RemoteOperator*> TakeOver(Scenario* scenario) {
 constexpr double kFlush_s = 1.0;
 
 constexpr char kRemedy[] =
-    "simulate again what was commanded until then (tera replay DIRECTORY --out NEW)";
+    "simulate again what was commanded until then (tera replay DIRECTORY --out NEW), or delete it";
 
 std::unique_ptr<DatasetWriter> RecorderOf(const Scenario& scenario,
                                           const std::string& resolved_yaml, const SceneModel& scene,
@@ -87,9 +87,8 @@ struct LiveRun::Impl {
       act();
     } catch (const InputError& error) {
       if (!recorder) throw;
-      throw InputError(fmt::format("{}\nwhat was recorded is kept in {}: {}, or delete it",
-                                   error.what(), recorder->incomplete_directory().string(),
-                                   kRemedy));
+      throw InputError(fmt::format("{}\nwhat was recorded is kept in {}: {}", error.what(),
+                                   recorder->incomplete_directory().string(), kRemedy));
     }
   }
 

@@ -13,6 +13,7 @@ namespace {
 using testing::AllOf;
 using testing::EndsWith;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 namespace fs = std::filesystem;
 
@@ -219,6 +220,20 @@ TEST(BadInput, AFolderThatIsNoDatasetIsNeitherComparedNorDrawn) {
   ExpectRefused(scratch, {"compare", "holiday", "holiday"}, message);
   ExpectRefused(scratch, {"replay", "holiday", "--out", "run"}, message);
   ExpectRefused(scratch, {"overview", "holiday"}, message);
+}
+
+TEST(BadInput, AReplayIsNotWrittenOverItsOwnSource) {
+  const ScratchDirectory scratch;
+  fs::create_directory(scratch.path() / "run.incomplete");
+  WriteWholeFile(scratch.path() / "run.incomplete/INCOMPLETE.txt", "killed");
+  const auto message =
+      AllOf(StartsWith("--out run"), HasSubstr("run.incomplete, which is the recording"),
+            HasSubstr("another name"), Not(HasSubstr("delete")));
+  for (const char* out : {"run", "run/", "./run"}) {
+    ExpectRefused(scratch, {"replay", "run.incomplete", "--out", out}, message);
+    ExpectRefused(scratch, {"replay", "run.incomplete/", "--out", out, "--resume"}, message);
+  }
+  ExpectRefused(scratch, {"replay", "run.incomplete", "--out", "run.incomplete"}, message);
 }
 
 TEST(BadInput, AnImportedColumnThatIsNotThereIsRefusedWithTheOneItResembles) {

@@ -289,6 +289,15 @@ TEST_F(ImportTest, LeavesNothingBehindAfterABadFile) {
   EXPECT_FALSE(fs::exists(scratch_.path() / "out.incomplete"));
 }
 
+TEST_F(ImportTest, OverAnIncompleteRecordingSaysThatItMustBeDeletedFirst) {
+  // As a killed import leaves it.
+  fs::create_directory(scratch_.path() / "out.incomplete");
+  WriteWholeFile(scratch_.path() / "out.incomplete/INCOMPLETE.txt", "killed");
+  EXPECT_THAT([&] { Import("tables: [{name: t, columns: {v: {column: gx, unit: deg/s}}}]\n"); },
+              ThrowsMessage<InputError>(HasSubstr(
+                  "out.incomplete: holds an incomplete recording; delete it and import it again")));
+}
+
 TEST_F(ImportTest, RejectsTimesThatDoNotIncrease) {
   WriteWholeFile(scratch_.path() / "log.csv", "ms,v\n1,0\n2,0\n2,0\n");
   EXPECT_THAT([&] { Import("tables: [{name: t, columns: {v: {column: v, unit: m}}}]\n"); },
