@@ -15,16 +15,19 @@ constexpr double kPatience_s = 0.05;
 
 }  // namespace
 
-void RealTime::Restart(TimeNs t_ns) {
-  start_ = WallClock::now();
+void RealTime::Restart(TimeNs t_ns, Moment now) {
+  start_ = now;
   start_ns_ = t_ns;
 }
 
-void RealTime::WaitFor(TimeNs t_ns) {
-  const auto due = start_ + std::chrono::nanoseconds(t_ns - start_ns_);
-  if (WallClock::now() > due + kHiccup) return Restart(t_ns);
-  std::this_thread::sleep_until(due);
+RealTime::Moment RealTime::Due(TimeNs t_ns, Moment now) {
+  const Moment due = start_ + std::chrono::nanoseconds(t_ns - start_ns_);
+  if (now <= due + kHiccup) return due;
+  Restart(t_ns, now);
+  return now;
 }
+
+void RealTime::WaitFor(TimeNs t_ns) { std::this_thread::sleep_until(Due(t_ns, WallClock::now())); }
 
 Lockstep::Lockstep(const Scenario& scenario, const LeverInput* levers, double timeout_s, Ways ways)
     : scenario_(scenario),

@@ -23,14 +23,18 @@ enum class Pace {
 /// up with.
 class RealTime {
  public:
-  /// From now on, `t_ns` being now.
-  void Restart(TimeNs t_ns);
+  using Moment = std::chrono::steady_clock::time_point;
+  static constexpr std::chrono::milliseconds kHiccup{100};
+
+  /// From `now` on, which is `t_ns`.
+  void Restart(TimeNs t_ns, Moment now = std::chrono::steady_clock::now());
+  /// When it is to be `t_ns`; past where time was lost. Begins anew where that was too much.
+  Moment Due(TimeNs t_ns, Moment now);
   /// Until `t_ns`.
   void WaitFor(TimeNs t_ns);
 
  private:
-  static constexpr std::chrono::milliseconds kHiccup{100};
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Moment start_ = std::chrono::steady_clock::now();
   TimeNs start_ns_ = 0;
 };
 

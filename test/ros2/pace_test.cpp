@@ -113,6 +113,14 @@ TEST(LiveRos, EveryPaceEndsAtItsDurationWithNobodyThere) {
   }
 }
 
+TEST(LiveRos, RealPaceDoesNotRunAheadOfTheWall) {
+  BackgroundRun run({.pace = ros::Pace::kReal, .duration_s = 2});
+  const ros::LiveRosReport report = run.Wait();
+  // It may catch up with a tenth of a second, and does not wait after the last tick. Any machine
+  // is slow enough for that.
+  EXPECT_GT(report.wall_s, report.simulated_s - 0.12);
+}
+
 TEST(LiveRos, DurationThatIsNoWholeNumberOfTicksEndsWithItsStepOfThePhysics) {
   // Steps of 2 ms, ticks of 10 ms.
   for (const double duration_s : {0.006, 0.034, 0.07}) {
