@@ -74,7 +74,7 @@ std::vector<Mechanism> Table() {
       {"sag",
        kLoadFriction,
        drives,
-       {{"drift_radps", "rad/s", 0, 0.5, {}}, {"oil_degc", "C", -20, 110, 40.0}}},
+       {{"drift_radps", "rad/s", 0, 0.15, {}}, {"oil_degc", "C", -20, 110, 40.0}}},
       {"payload",
        kLoadFriction,
        joint,

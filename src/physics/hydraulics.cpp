@@ -63,6 +63,7 @@ void Hydraulics::Measure(MachineState* state) const {
     const Cylinder& cylinder = model_.cylinders[c];
     const double arm_m = reach_[c].arm_m;
     CylinderState& now = state->cylinders[c];
+    now = {};
     now.length_m = reach_[c].length_m;
     now.stroke_m = now.length_m - cylinder.shortest_m;
     now.rate_mps = arm_m * state->qd_radps[cylinder.joint];

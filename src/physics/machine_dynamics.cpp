@@ -4,7 +4,6 @@
 
 #include "core/check.h"
 #include "physics/gear_motor.h"
-#include "physics/inertial_effort.h"
 #include "physics/payload.h"
 
 namespace tera {
@@ -57,15 +56,17 @@ MachineDynamics::MachineDynamics(const MachinePlacement& placement, const WorldS
       tracks_(model_),
       body_(model_, placement.X_WB, placement.q_rad, meets_others, world),
       hydraulics_(model_, placement.q_rad),
-      actuation_(model_, {placement.name, start.seed, start.step}) {
+      actuation_(model_, {placement.name, start.seed, start.step}),
+      inertial_(model_) {
   if (model_.ground == GroundModel::kTerramechanics) return;
   body_.AddBaseDrive(tracks_.contact_B_m());
   for (GearDrive& drive : model_.gear_drives) drive.max_torque_nm = kUnlimited_nm;
 }
 
-double MachineDynamics::GearLoad_nm(const SoilReaction& soil, std::size_t gear) const {
-  return gear < soil.gear_traction_n.size()
-             ? soil.gear_traction_n[gear] * model_.ground_tools.gears[gear].ShoeRadius_m()
+double MachineDynamics::GearTorque_nm(const std::vector<double>& traction_n,
+                                      std::size_t gear) const {
+  return gear < traction_n.size()
+             ? traction_n[gear] * model_.ground_tools.gears[gear].ShoeRadius_m()
              : 0.0;
 }
 
@@ -81,18 +82,32 @@ void MachineDynamics::Command(const std::vector<double>& levers, MachineState* s
   }
 }
 
-void MachineDynamics::Actuate(const SoilReaction& soil, double dt_s, const MachineState& state) {
+void MachineDynamics::Actuate(const std::vector<double>& traction_n, double dt_s,
+                              const MachineState& state) {
+  const std::size_t joints = model_.joints.size();
   axis_motion_.resize(axis_lever_.size());
-  const std::vector<double> inertial_nm = InertialEfforts(model_, state);
-  for (std::size_t j = 0; j < model_.joints.size(); ++j) {
-    axis_motion_[j] = {state.q_rad[j], state.qd_radps[j],
-                       state.effort_nm[j] + state.friction_nm[j] - inertial_nm[j]};
+  for (std::size_t j = 0; j < joints; ++j) {
+    axis_motion_[j] = {state.q_rad[j], state.qd_radps[j], 0};
   }
   for (std::size_t g = 0; g < model_.gear_drives.size(); ++g) {
-    axis_motion_[model_.joints.size() + g] = {state.gear_angle_rad[g], state.gear_rate_radps[g],
-                                              GearLoad_nm(soil, g)};
+    axis_motion_[joints + g] = {state.gear_angle_rad[g], state.gear_rate_radps[g], 0};
   }
+  if (actuation_.reads_loads()) MeasureLoads(traction_n, state);
   actuation_.Step(axis_lever_, axis_motion_, dt_s);
+}
+
+void MachineDynamics::MeasureLoads(const std::vector<double>& traction_n,
+                                   const MachineState& state) {
+  inertial_.Update(state);
+  for (std::size_t j = 0; j < model_.joints.size(); ++j) {
+    axis_motion_[j].load_nm = state.effort_nm[j] + state.friction_nm[j] - inertial_.joints_nm()[j];
+  }
+  const BaseEffort inertial = tracks_.AboutContact(inertial_.machine(), state.links[0].X_WB);
+  for (std::size_t g = 0; g < model_.gear_drives.size() && g < traction_n.size(); ++g) {
+    axis_motion_[model_.joints.size() + g].load_nm =
+        (traction_n[g] - tracks_.Share_n(inertial, g)) *
+        model_.ground_tools.gears[g].ShoeRadius_m();
+  }
 }
 
 void MachineDynamics::DriveJoints() {
@@ -109,7 +124,7 @@ void MachineDynamics::TurnGears(const SoilReaction& soil, double dt_s, MachineSt
   for (std::size_t g = 0; g < model_.gear_drives.size(); ++g) {
     const GearDrive& drive = model_.gear_drives[g];
     double& rate = state->gear_rate_radps[g];
-    const double load_nm = GearLoad_nm(soil, g);
+    const double load_nm = GearTorque_nm(soil.gear_traction_n, g);
     const AxisDrive& target = actuation_.drives()[model_.joints.size() + g];
     const GearTorques torques = DriveGear(drive, target, rate, load_nm, dt_s);
     rate += (torques.motor_nm - (load_nm - torques.friction_nm)) * dt_s / drive.inertia_kgm2;
@@ -129,11 +144,12 @@ SoilReaction MachineDynamics::OnDrivenBase(const SoilReaction& soil, double dt_s
 void MachineDynamics::Act(const MachineInput& input, double dt_s, MachineState* state) {
   Command(input.levers, state);
   if (model_.ground == GroundModel::kTerramechanics) {
-    Actuate(input.soil, dt_s, *state);
+    Actuate(last_traction_n_, dt_s, *state);
     TurnGears(input.soil, dt_s, state);
+    last_traction_n_ = input.soil.gear_traction_n;
   } else {
     const SoilReaction soil = OnDrivenBase(input.soil, dt_s, *state);
-    Actuate(soil, dt_s, *state);
+    Actuate(soil.gear_traction_n, dt_s, *state);
     TurnGears(soil, dt_s, state);
     const TrackDrive::Target target = tracks_.Follow(*state, input.soil);
     body_.DriveBase(target.twist, target.most);

@@ -4,6 +4,7 @@
 
 #include "physics/articulated_body.h"
 #include "physics/hydraulics.h"
+#include "physics/inertial_effort.h"
 #include "physics/machine_placement.h"
 #include "physics/slots/actuation.h"
 #include "physics/track_drive.h"
@@ -38,19 +39,25 @@ class MachineDynamics {
  private:
   /// The lever of each axis, joints first, then gears.
   void Command(const std::vector<double>& levers, MachineState* state);
-  /// The chain from levers to drives, from where the axes are.
-  void Actuate(const SoilReaction& soil, double dt_s, const MachineState& state);
+  /// The chain from levers to drives, from where the axes are; `traction_n` is that of the last
+  /// step, as the efforts and accelerations of `state` are.
+  void Actuate(const std::vector<double>& traction_n, double dt_s, const MachineState& state);
+  /// The loads of all axes: their efforts in the last step without what accelerated masses.
+  void MeasureLoads(const std::vector<double>& traction_n, const MachineState& state);
   void DriveJoints();
   void TurnGears(const SoilReaction& soil, double dt_s, MachineState* state);
   /// What the ground does to the gears when the base is driven instead of sheared along.
   SoilReaction OnDrivenBase(const SoilReaction& soil, double dt_s, const MachineState& state) const;
-  double GearLoad_nm(const SoilReaction& soil, std::size_t gear) const;
+  /// Torque of a force of the ground on a gear, 0 where none is given.
+  double GearTorque_nm(const std::vector<double>& traction_n, std::size_t gear) const;
 
   MachineModel model_;
   TrackDrive tracks_;
   ArticulatedBody body_;
   Hydraulics hydraulics_;
   Actuation actuation_;
+  InertialEfforts inertial_;
+  std::vector<double> last_traction_n_;  ///< of each gear by the soil
   std::vector<double> axis_lever_;
   std::vector<AxisMotion> axis_motion_;
   std::vector<JointTarget> joint_target_;

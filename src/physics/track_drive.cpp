@@ -111,17 +111,30 @@ TrackDrive::Target TrackDrive::Follow(const MachineState& state, const SoilReact
   return target;
 }
 
+BaseEffort TrackDrive::AboutContact(const Wrench& wrench, const Pose& X_WB) const {
+  const Mat3& R_WB = X_WB.linear();
+  const Vec3 force_B_n = R_WB.transpose() * wrench.force_W_n;
+  const Vec3 torque_B_nm = R_WB.transpose() * wrench.torque_W_nm - contact_B_m_.cross(force_B_n);
+  return {force_B_n.x(), force_B_n.y(), torque_B_nm.z()};
+}
+
+double TrackDrive::Share_n(const BaseEffort& effort, std::size_t gear) const {
+  if (left_count_ == 0 || right_count_ == 0 || geometry_.gauge_m == 0) {
+    return effort.forward_n / static_cast<double>(gears_.size());
+  }
+  const double turning_n = effort.yaw_nm / geometry_.gauge_m;
+  return gears_[gear].left ? (0.5 * effort.forward_n - turning_n) / left_count_
+                           : (0.5 * effort.forward_n + turning_n) / right_count_;
+}
+
 std::vector<double> TrackDrive::Traction_n(const BaseEffort& effort,
                                            const MachineState& state) const {
-  const double turning_n = effort.yaw_nm / geometry_.gauge_m;
-  const double left_n = (0.5 * effort.forward_n - turning_n) / left_count_;
-  const double right_n = (0.5 * effort.forward_n + turning_n) / right_count_;
   const double resistance_n = Resistance_n(state) / static_cast<double>(gears_.size());
   std::vector<double> traction_n;
   for (std::size_t g = 0; g < gears_.size(); ++g) {
     const double rate = state.gear_rate_radps[g];
     const double direction = rate > 0 ? 1 : rate < 0 ? -1 : 0;
-    traction_n.push_back((gears_[g].left ? left_n : right_n) + direction * resistance_n);
+    traction_n.push_back(Share_n(effort, g) + direction * resistance_n);
   }
   return traction_n;
 }

@@ -30,6 +30,10 @@ class TrackDrive {
   };
   /// What the gears' rates in `state` ask of the base.
   Target Follow(const MachineState& state, const SoilReaction& soil) const;
+  /// A wrench about the root's origin as one about the contact's middle.
+  BaseEffort AboutContact(const Wrench& wrench, const Pose& X_WB) const;
+  /// Part that one gear has in a force and a torque about the contact's middle.
+  double Share_n(const BaseEffort& effort, std::size_t gear) const;
   /// Force of the ground on each gear along its forward travel when the drive does `effort`.
   std::vector<double> Traction_n(const BaseEffort& effort, const MachineState& state) const;
 

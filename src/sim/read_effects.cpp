@@ -9,6 +9,7 @@
 #include "physics/actuation_mechanisms.h"
 #include "physics/ground_mechanisms.h"
 #include "physics/slots/actuation_faults.h"
+#include "physics/slots/ground_faults.h"
 #include "sensors/sensor_mechanisms.h"
 #include "sim/check_sensor_effects.h"
 #include "sim/rig.h"

@@ -84,13 +84,12 @@ AxisParameters AxisOf(const GearDrive& drive, const Effects& effects) {
   return axis;
 }
 
-/// Of the k-th of several; none where a model without effects has no lists.
+}  // namespace
+
 const Effects& EffectsAt(const std::vector<Effects>& effects, std::size_t k) {
   static const Effects kIdeal;
   return k < effects.size() ? effects[k] : kIdeal;
 }
-
-}  // namespace
 
 KinematicGainParameters GainOf(const MachineModel& model, std::size_t joint) {
   const Effects& effects = EffectsAt(model.effects.joints, joint);
@@ -150,6 +149,8 @@ Actuation::Actuation(const MachineModel& model, const ActuationStart& start) {
   demand_radps_.assign(axes_.size(), 0.0);
   drives_.resize(axes_.size());
   AddPumps(model);
+  for (const AxisActuation& axis : axes_) reads_loads_ = reads_loads_ || axis.ReadsLoad();
+  for (const PumpState& pump : pumps_) reads_loads_ = reads_loads_ || pump.flow.ReadsPower();
 }
 
 void Actuation::AddPumps(const MachineModel& model) {

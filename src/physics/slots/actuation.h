@@ -34,7 +34,8 @@ struct AxisParameters {
 };
 
 /// Where an axis is at the start of a step, simulated or measured. The load is the effort that it
-/// needs at a steady rate, beside that against its own friction: what accelerates masses is none.
+/// needs at a steady rate, beside that against its own friction: what accelerates masses, its own
+/// or with tracks the whole machine's, is none.
 struct AxisMotion {
   double position_rad = 0, rate_radps = 0, load_nm = 0;
 };
@@ -58,6 +59,7 @@ class AxisActuation {
   ///         has; power is the load times the rate of the joint, gain included.
   double Flow_m3ps(double rate_radps, double position_rad) const;
   double Power_w(double rate_radps, const AxisMotion& motion) const;
+  bool ReadsLoad() const { return load_.ReadsLoad(); }
   /// What comes of `rate_radps`, the share of the demand that the pumps deliver.
   AxisDrive Deliver(double rate_radps, const AxisMotion& motion, double dt_s);
 
@@ -76,6 +78,9 @@ struct ActuationStart {
   std::int64_t step = 0;  ///< time is this many steps at the first one
 };
 
+/// Of the k-th of several; none where a model without effects has no lists.
+const Effects& EffectsAt(const std::vector<Effects>& effects, std::size_t k);
+
 /// The kinematic gain of a joint by its effects, with the arms of the machine's own cylinder where
 /// `cylinder_lever` names no pins.
 KinematicGainParameters GainOf(const MachineModel& model, std::size_t joint);
@@ -93,6 +98,8 @@ class Actuation {
   /// the same in every step.
   void Step(std::span<const double> levers, std::span<const AxisMotion> motions, double dt_s);
 
+  /// Whether anything in it depends on the loads; without, Step does not look at them.
+  bool reads_loads() const { return reads_loads_; }
   /// What the last step asks of each axis.
   const std::vector<AxisDrive>& drives() const { return drives_; }
 
@@ -109,6 +116,7 @@ class Actuation {
   std::vector<AxisActuation> axes_;
   std::vector<PumpState> pumps_;
   std::vector<int> pump_count_;  ///< of each axis
+  bool reads_loads_ = false;
   std::vector<double> demand_radps_;
   std::vector<AxisDrive> drives_;
 };

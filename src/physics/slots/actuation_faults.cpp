@@ -12,11 +12,6 @@ namespace {
 /// A cylinder with less has no hold on its joint.
 constexpr double kLeastArm_m = 1e-3;
 
-const Effects& EffectsAt(const std::vector<Effects>& effects, std::size_t k) {
-  static const Effects kIdeal;
-  return k < effects.size() ? effects[k] : kIdeal;
-}
-
 std::string_view EffortKey(const Joint& joint) {
   return joint.type == JointType::kPrismatic ? "max_effort_n" : "max_effort_nm";
 }
@@ -37,14 +32,6 @@ std::string WhyJointUndriven(const MachineModel& model, std::size_t joint) {
   const Joint& j = model.joints[joint];
   return WhyUndriven(has_lever, std::max(j.max_rate_positive_radps, j.max_rate_negative_radps),
                      j.max_effort_nm, EffortKey(j));
-}
-
-std::string WhyGearUndriven(const MachineModel& model, std::size_t gear) {
-  const bool has_lever =
-      std::any_of(model.levers.begin(), model.levers.end(),
-                  [&](const Lever& lever) { return lever.gear == static_cast<int>(gear); });
-  const GearDrive& drive = model.gear_drives[gear];
-  return WhyUndriven(has_lever, drive.max_rate_radps, drive.max_torque_nm, "max_torque_nm");
 }
 
 /// Whether a mechanism shapes the rate that a lever asks for, and nothing else.
@@ -94,6 +81,14 @@ std::string FaultOfCylinderLever(const MachineModel& model, std::size_t joint,
 
 }  // namespace
 
+std::string WhyGearUndriven(const MachineModel& model, std::size_t gear) {
+  const bool has_lever =
+      std::any_of(model.levers.begin(), model.levers.end(),
+                  [&](const Lever& lever) { return lever.gear == static_cast<int>(gear); });
+  const GearDrive& drive = model.gear_drives[gear];
+  return WhyUndriven(has_lever, drive.max_rate_radps, drive.max_torque_nm, "max_torque_nm");
+}
+
 std::vector<EffectFault> FaultsOfJoint(const MachineModel& model, std::size_t joint) {
   const Joint& j = model.joints[joint];
   const Effects& effects = EffectsAt(model.effects.joints, joint);
@@ -138,29 +133,6 @@ std::vector<EffectFault> FaultsOfPump(const MachineModel& model, std::size_t pum
                       fmt::format("shares out what levers ask of pump '{}', but none drives any "
                                   "that it feeds; need one with a lever, a rate and an effort",
                                   p.name)});
-  }
-  return faults;
-}
-
-std::vector<EffectFault> FaultsOfBase(const MachineModel& model) {
-  std::vector<EffectFault> faults;
-  const GroundTools& tools = model.ground_tools;
-  bool driven = false;
-  for (std::size_t g = 0; g < tools.gears.size(); ++g) {
-    driven = driven || WhyGearUndriven(model, g).empty();
-  }
-  for (const Effect& effect : model.effects.base) {
-    const std::string_view id = effect.mechanism->id;
-    if (id == "soil_strength" || id == "terrain_height") continue;  // of the ground
-    if (id == "digging_force") {
-      if (tools.shovels.empty()) {
-        faults.push_back({id, "drags the base by its tools, of which it has none; need shovels"});
-      }
-    } else if (!driven) {
-      faults.push_back({id,
-                        "changes how tracks or wheels move the machine, but none is driven; "
-                        "need one with a lever, a speed and a torque"});
-    }
   }
   return faults;
 }

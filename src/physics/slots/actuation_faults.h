@@ -21,7 +21,8 @@ struct EffectFault {
 std::vector<EffectFault> FaultsOfJoint(const MachineModel& model, std::size_t joint);
 std::vector<EffectFault> FaultsOfGear(const MachineModel& model, std::size_t gear);
 std::vector<EffectFault> FaultsOfPump(const MachineModel& model, std::size_t pump);
-/// Whatever `ground` moves the machine.
-std::vector<EffectFault> FaultsOfBase(const MachineModel& model);
+
+/// Why nothing turns a track or wheel set at a commanded rate, empty if something does.
+std::string WhyGearUndriven(const MachineModel& model, std::size_t gear);
 
 }  // namespace tera

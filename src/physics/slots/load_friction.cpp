@@ -67,6 +67,10 @@ LoadFrictionParameters LoadFrictionOf(const Effects& effects, double max_effort_
   return parameters;
 }
 
+bool LoadFriction::ReadsLoad() const {
+  return std::isfinite(parameters_.stall_nm) || parameters_.drift_radpspnm > 0;
+}
+
 double LoadFriction::Step(double rate_radps, double load_nm, double dt_s) {
   if (dt_s != dt_s_) Prepare(dt_s);
   double rate = rate_radps;

@@ -54,6 +54,8 @@ class LoadFriction {
  public:
   explicit LoadFriction(const LoadFrictionParameters& parameters) : parameters_(parameters) {}
 
+  /// Whether the rate depends on the load.
+  bool ReadsLoad() const;
   /// Rate over a step of `dt_s` when the actuator alone would run at `rate_radps`.
   double Step(double rate_radps, double load_nm, double dt_s);
 

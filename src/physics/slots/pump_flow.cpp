@@ -17,6 +17,8 @@ PumpFlowParameters PumpFlowOf(const Effects& effects, double pump_flow_m3ps) {
   return parameters;
 }
 
+bool PumpFlow::ReadsPower() const { return std::isfinite(parameters_.max_power_w); }
+
 double PumpFlow::Step(double requested_m3ps, double requested_w, double dt_s) {
   double share = 1;
   if (requested_m3ps > parameters_.max_flow_m3ps) {

@@ -27,6 +27,8 @@ class PumpFlow {
  public:
   explicit PumpFlow(const PumpFlowParameters& parameters) : parameters_(parameters) {}
 
+  /// Whether the share depends on the power.
+  bool ReadsPower() const;
   double Step(double requested_m3ps, double requested_w, double dt_s);
 
  private:

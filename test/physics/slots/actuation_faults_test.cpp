@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "physics/ground_mechanisms.h"
 #include "physics/machine_fixture.h"
 
 // Effects that would change nothing: the machine lacks what they act through.
@@ -150,26 +149,6 @@ TEST(ActuationFaults, APumpThatFeedsNothingDrivenSharesNothing) {
   EXPECT_THAT(FaultsOfPump(TrackedArm(sharing), 0), IsEmpty());
   EXPECT_EQ(FaultsOfPump(TrackedArm(sharing, {"levers=[lift]"}), 0).size(), 2u);
   EXPECT_EQ(FaultsOfPump(TrackedArm(sharing, {}, "[]"), 0).size(), 2u);
-}
-
-TEST(ActuationFaults, TheBaseNeedsADrivenTrackAndForDiggingATool) {
-  const auto with = [](MachineModel model, const std::string& effects) {
-    const Config config = Config::FromText(effects, "effects.yaml");
-    model.effects.base = ReadEffects(config.root(), EffectTarget::kBase, GroundMechanisms());
-    return Text(FaultsOfBase(model));
-  };
-  const std::string effects =
-      "{track_scale: {scale: 1.1}, side_slip: {drift_per_slope: 0.1}, soil_strength: {}, "
-      "terrain_height: {x_m: 0, y_m: 0, radius_m: 1, height_m: 0.1}, digging_force: {yield_mps: "
-      "1}}";
-  EXPECT_EQ(with(TrackedArm("{}"), effects), "");
-  MachineModel bare = TrackedArm("{}", {"levers=[lift]"});
-  bare.ground_tools.shovels.clear();
-  EXPECT_THAT(with(bare, effects),
-              AllOf(HasSubstr("track_scale: changes how"), HasSubstr("side_slip: "),
-                    HasSubstr("digging_force: drags the base by its tools"),
-                    ::testing::Not(HasSubstr("soil_strength")),
-                    ::testing::Not(HasSubstr("terrain_height"))));
 }
 
 }  // namespace
