@@ -94,12 +94,12 @@ struct Kinds {
   bool turning = false, sliding = false;
 };
 
-/// Numbers in units of an axis that is not there.
+/// Numbers in units of an axis that is not there, but for defaults: a resolved document has them.
 void CheckUnits(const ConfigMap& config, const Effects& effects, const Kinds& kinds) {
   for (const Effect& effect : effects) {
     const ConfigMap map = config.Map(effect.mechanism->id);
     for (const EffectParameter& parameter : effect.mechanism->parameters) {
-      if (!map.Has(parameter.name)) continue;
+      if (effect[parameter.name] == parameter.otherwise) continue;
       const std::string_view unit = parameter.unit;
       const bool of_angles = unit == "deg" || unit == "deg/s" || unit == "deg/K";
       const bool of_travel = unit == "m" || unit == "m/s" || unit == "m/K";
