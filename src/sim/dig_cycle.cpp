@@ -50,6 +50,14 @@ double Nearest(double angle_rad, double reference_rad) {
   return angle_rad + 2 * kPi * std::round((reference_rad - angle_rad) / (2 * kPi));
 }
 
+/// Rate of a joint, of that at full lever in its direction.
+double Moving(const OperatorView& view, int joint) {
+  const Joint& j = view.model.joints[joint];
+  const double rate_radps = view.state.qd_radps[joint];
+  const double full_radps = rate_radps > 0 ? j.max_rate_positive_radps : j.max_rate_negative_radps;
+  return full_radps > 0 ? rate_radps / full_radps : 0.0;
+}
+
 double TipError_m(const PlanarArm::Tip& a, const PlanarArm::Tip& b) {
   return std::hypot(a.r_m - b.r_m, a.z_m - b.z_m);
 }
@@ -82,6 +90,7 @@ std::vector<double> DigCycle::Levers(const OperatorView& view) {
   last_angles_ = angles;
 
   levers_.resize(levers.size(), 0.0);
+  feel_.resize(levers.size());
   for (std::size_t i = 0; i < levers.size(); ++i) {
     const int joint = view.model.levers[i].joint;
     if (joint < 0) continue;
@@ -94,6 +103,7 @@ std::vector<double> DigCycle::Levers(const OperatorView& view) {
     if (joint == plan_.joints.bucket) {
       servo(angles.bucket_rad, rate(angles.bucket_rad, before.bucket_rad));
     }
+    levers[i] = feel_[i].Lever(levers[i], Moving(view, joint), dt_s);
     const double reach = kLeverRate_1ps * dt_s;
     levers[i] = std::clamp(levers[i], levers_[i] - reach, levers_[i] + reach);
   }

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "sim/lever_feel.h"
 #include "sim/operator.h"
 #include "sim/planar_arm.h"
 
@@ -35,6 +36,7 @@ struct DigPlan {
 ///         joints follow by ServoLever. During the cut the target moves along the planned line;
 ///         where the soil holds the tip back it waits and comes up, as an operator lifts a stalled
 ///         bucket.
+///         Where a joint does not follow its lever, LeverFeel pushes it on.
 ///         Levers move no faster than a hand does. The slew turns at most at sqrt(2 a e), from
 ///         which braking at a stops it over the angle e that is left.
 /// Omits   force control; avoidance of obstacles; boom swing and travel stay neutral.
@@ -76,6 +78,7 @@ class DigCycle : public Operator {
   double cut_raised_m_ = 0;           ///< above the planned line, to get through
   std::vector<double> cut_ground_m_;  ///< heights in the plane when the cut was planned
   std::vector<double> levers_;        ///< as last given
+  std::vector<LeverFeel> feel_;       ///< of each lever
   double phase_load_kg_ = 0;          ///< carried when the phase began
   PlanarArm::Tip phase_tip_;          ///< where the tip was when the phase began
   std::optional<PlanarArm::Angles> last_angles_;

@@ -34,8 +34,9 @@ class Programme : public Operator {
 
 /// One machine on level dirt, started away from the origin and turned.
 struct Site {
-  Site(const std::string& machine, const std::string& start, const std::string& operator_yaml)
-      : scenario(Read(machine, start, operator_yaml)), simulation(&scenario) {}
+  Site(const std::string& machine, const std::string& start, const std::string& operator_yaml,
+       const std::string& effects = "")
+      : scenario(Read(machine, start, operator_yaml, effects)), simulation(&scenario) {}
   Site(const std::string& machine, const std::string& start,
        std::function<Positions(double)> levers, const std::string& effects = "")
       : scenario(Read(machine, start, "{type: idle}", effects)), simulation([&] {
@@ -177,6 +178,23 @@ TEST(LargeMachines, TheExcavatorDigsLiftsAndDumps) {
   EXPECT_LT(site.machine().shovel_load[0].mass_kg, 0.2 * most_kg);
   EXPECT_LT(most_tilt_rad, 8 * kDeg);
   EXPECT_NEAR(site.scenario.soil->ledger().total_kg() / before.total_kg(), 1, 1e-9);
+}
+
+TEST(LargeMachines, TheExcavatorDigsThroughDeadBandsOfItsLevers) {
+  const auto most_kg = [](const std::string& width) {
+    std::string effects = "effects:\n  m:\n";
+    for (const char* joint : {"slew", "boom", "arm", "bucket"}) {
+      effects += std::string("    ") + joint + ": {dead_band: {width: " + width + "}}\n";
+    }
+    Site site("excavator20t", kReach, kDig + ", slew_braking_degps2: 20}", effects);
+    double most_kg = 0;
+    site.Run(25, [&] { most_kg = std::max(most_kg, site.machine().shovel_load[0].mass_kg); });
+    EXPECT_LT(site.machine().shovel_load[0].mass_kg, 0.2 * most_kg) << width;
+    return most_kg;
+  };
+  const double ideal_kg = most_kg("0");
+  EXPECT_GT(most_kg("0.1"), 0.8 * ideal_kg);
+  EXPECT_GT(most_kg("0.25"), 0.8 * ideal_kg);
 }
 
 /// How far the slew swings past 80 deg, where the load is dumped.

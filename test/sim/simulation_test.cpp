@@ -105,6 +105,28 @@ TEST(Simulation, DigCycleFillsItsBucketThroughDeadBandsAndDelay) {
   EXPECT_LT(simulation.state().machines[0].shovel_load[0].mass_kg, 0.2 * most_kg);
 }
 
+TEST(Simulation, DigCycleFeelsItsWayThroughDeadBands) {
+  // The levers' full rate is less by the band, which the operator is not told.
+  const auto most_kg = [](const std::string& width) {
+    std::vector<std::string> overrides;
+    for (const char* joint : {"slew", "boom", "arm", "bucket"}) {
+      overrides.push_back(std::string("effects.excavator1.") + joint + ".dead_band.width=" + width);
+    }
+    Scenario scenario = Read("{type: dig_cycle, dump_azimuth_deg: 90, cycles: 1}", overrides);
+    Simulation simulation(&scenario);
+    double most_kg = 0;
+    while (simulation.state().t_ns < FromSeconds(18)) {
+      simulation.Step();
+      most_kg = std::max(most_kg, simulation.state().machines[0].shovel_load[0].mass_kg);
+    }
+    EXPECT_LT(simulation.state().machines[0].shovel_load[0].mass_kg, 0.2 * most_kg) << width;
+    return most_kg;
+  };
+  const double ideal_kg = most_kg("0");
+  EXPECT_GT(most_kg("0.1"), 0.8 * ideal_kg);
+  EXPECT_GT(most_kg("0.25"), 0.8 * ideal_kg);
+}
+
 TEST(Simulation, TwoMachinesHaveTheirOwnLeversAndJoints) {
   const Config config = Config::FromText(R"(
 name: two
