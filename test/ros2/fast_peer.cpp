@@ -97,7 +97,9 @@ struct FastPeer::Impl : fdds::DomainParticipantListener {
       Payload payload;
       fdds::SampleInfo info;
       while (reader->take_next_sample(&payload, &info) == ReturnCode_t::RETCODE_OK) {
-        if (!info.valid_data) continue;
+        // While it matches a writer on a busy machine, Fast DDS 2.9 at times gives a sample that it
+        // calls valid, with sequence number 0, which no writer sends, and without any bytes.
+        if (!info.valid_data || payload.empty()) continue;
         const std::lock_guard lock(peer->mutex);
         messages.push_back(payload);
         peer->changed.notify_all();
