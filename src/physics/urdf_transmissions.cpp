@@ -119,6 +119,7 @@ class DriveReader {
 
   void ReadTransmission(const Element& element) {
     const PartPlace place = Place(element, "transmission");
+    if (!CheckType(element, place)) return;
     const auto joints = Children(element, "joint"), actuators = Children(element, "actuator");
     if (joints.size() != 1 || actuators.size() != 1) {
       place.Fault("joint",
@@ -142,6 +143,24 @@ class DriveReader {
     }
     if (limits != actuators_.end()) NarrowByActuator(limits->second, reduction, &part->joint);
     AddDriven(part->joint.name);
+  }
+
+  /// The ROS 1 form names it in `type`, the ROS 2 form in `plugin`; without either it is simple.
+  static bool CheckType(const Element& element, const PartPlace& place) {
+    for (const char* key : {"type", "plugin"}) {
+      for (const Element* stated : Children(element, key)) {
+        std::string type = TextOf(*stated);
+        if (const std::size_t slash = type.rfind('/'); slash != std::string::npos) {
+          type = type.substr(slash + 1);
+        }
+        if (type == "SimpleTransmission") continue;
+        place.Fault(key, fmt::format("'{}' is not supported; need "
+                                     "transmission_interface/SimpleTransmission",
+                                     TextOf(*stated)));
+        return false;
+      }
+    }
+    return true;
   }
 
   /// The ROS 1 form says `mechanicalReduction` of the actuator, the ROS 2 form

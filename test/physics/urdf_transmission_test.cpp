@@ -125,6 +125,11 @@ TEST(UrdfTransmission, FaultsSayWhatTheDriveNeeds) {
               HasSubstr("hardwareInterface: 'TorqueInterface' is not known, need one of Position"));
   EXPECT_THAT(FaultsWith(shoulder, R"(<joint name="elbow"/>)" + shoulder),
               HasSubstr("2 joints and 1 actuators; need one of each"));
+  EXPECT_THAT(
+      FaultsWith("SimpleTransmission</type>", "DifferentialTransmission</type>"),
+      HasSubstr("type: 'transmission_interface/DifferentialTransmission' is not supported"));
+  EXPECT_THAT(FaultsWith("SimpleTransmission</plugin>", "FourBarLinkageTransmission</plugin>"),
+              HasSubstr("plugin: 'transmission_interface/FourBarLinkageTransmission' is not"));
   EXPECT_THAT(FaultsWith(R"(name="effort"><param name="min">-45)",
                          R"(name="torque"><param name="min">-45)"),
               HasSubstr("'torque' is not known, need position, velocity or effort"));
