@@ -359,7 +359,8 @@ void ImportCsv(const std::filesystem::path& mapping_file, const std::filesystem:
   Mapping mapping = ReadMapping(config.root());
   config.Finish();
   mapping.info.resolved_scenario_yaml = config.ResolvedYaml();
-  DatasetWriter writer(out, mapping.info, {.remedy = "delete it and import it again"});
+  DatasetWriter writer(out, mapping.info,
+                       {.kind = "import", .remedy = "delete it and import it again"});
   try {
     TimeSpan span;
     for (const ImportJob& job : mapping.jobs) job(&writer, &span);

@@ -27,12 +27,15 @@ constexpr char kScenarioName[] = "scenario.yaml";
 constexpr char kDescriptionName[] = "dataset.yaml";
 
 /// Says what is in an incomplete directory; the same for the same run, whatever its place.
-std::string Note(const DatasetInfo& info, const std::string& remedy) {
+constexpr std::string_view kKindEnds = " is not complete: ", kToDo = "\nWhat to do: ";
+
+std::string Note(const DatasetInfo& info, const WriterOptions& options) {
   return fmt::format(
-      "This recording is not complete: the run that writes it was stopped, or is still going on.\n"
-      "What to do: {}.\n\n"
+      "This {}{}the run that writes it was stopped, or is still going on."
+      "{}{}.\n\n"
       "scenario: {}\nseed: {}\nduration_s: {}\nTERA: {}\n",
-      remedy, info.scenario_name, info.seed, info.duration_s, TeraVersion());
+      options.kind, kKindEnds, kToDo, options.remedy, info.scenario_name, info.seed,
+      info.duration_s, TeraVersion());
 }
 
 bool Exists(const fs::path& path) {
@@ -58,6 +61,24 @@ void NeedSame(const fs::path& file, const std::string& now) {
       fmt::format("{}: the incomplete recording is of another scenario, seed or version; resume it "
                   "with what it was begun with, or delete {} to start afresh",
                   file.string(), file.parent_path().string()));
+}
+
+/// What stands in `text` between two marks, or nothing.
+std::string Between(const std::string& text, std::string_view before, std::string_view after) {
+  const std::size_t first = text.find(before), begin = first + before.size();
+  const std::size_t end = first == text.npos ? text.npos : text.find(after, begin);
+  return end == text.npos ? "" : text.substr(begin, end - begin);
+}
+
+/// Also tells what another command than this has begun, which this one cannot finish.
+void NeedSameNote(const fs::path& root, const std::string& now) {
+  const std::string there = Exists(root / kNoteName) ? ReadWholeFile(root / kNoteName) : "";
+  const std::string remedy = Between(there, kToDo, ".\n");
+  if (!remedy.empty() && remedy != Between(now, kToDo, ".\n")) {
+    throw InputError(fmt::format("{}: holds an incomplete {}, which --resume cannot finish; {}",
+                                 root.string(), Between(there, "This ", kKindEnds), remedy));
+  }
+  NeedSame(root / kNoteName, now);
 }
 
 /// Temporary files of a killed run.
@@ -133,7 +154,7 @@ void DatasetWriter::Impl::Begin(const WriterOptions& options) {
         fmt::format("{}: holds an incomplete recording; {}", root.string(), options.remedy));
   }
   if (resumed) {
-    NeedSame(root / kNoteName, note);
+    NeedSameNote(root, note);
     NeedSame(root / kScenarioName, info.resolved_scenario_yaml);
     RemoveParts(root);
   } else {
@@ -239,7 +260,7 @@ DatasetWriter::DatasetWriter(const fs::path& directory, const DatasetInfo& info,
   impl_->final_directory = directory.has_filename() ? directory : directory.parent_path();
   impl_->root = IncompleteOf(directory);
   impl_->info = info;
-  impl_->note = Note(info, options.remedy);
+  impl_->note = Note(info, options);
   impl_->Begin(options);
   PreparePng();
   impl_->queue = std::make_unique<FrameQueue>(options.threads, options.queue_length);
@@ -254,7 +275,7 @@ bool DatasetWriter::FinishWhole(const fs::path& directory, const DatasetInfo& in
   if (!Exists(root / kDescriptionName)) return false;  // written when all else is whole
   const FolderLock lock(root);
   // Where the note is gone already, the scenario tells the seed and the duration too.
-  if (Exists(root / kNoteName)) NeedSame(root / kNoteName, Note(info, WriterOptions().remedy));
+  if (Exists(root / kNoteName)) NeedSameNote(root, Note(info, WriterOptions()));
   NeedSame(root / kScenarioName, info.resolved_scenario_yaml);
   FrameLog(root).Remove();
   Remove(root / kNoteName);

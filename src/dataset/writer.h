@@ -30,7 +30,8 @@ struct WriterOptions {
   int threads = 2;        ///< encoding threads
   int queue_length = 64;  ///< frames waiting before Write blocks
   bool resume = false;
-  /// What to do with an incomplete recording; for its note and for messages.
+  std::string kind = "recording";  ///< what an incomplete one is; for its note and for messages
+  /// What to do with an incomplete recording; for the same.
   std::string remedy = "go on with it by the same command and --resume, or delete it";
 };
 

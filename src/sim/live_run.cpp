@@ -37,7 +37,7 @@ std::unique_ptr<DatasetWriter> RecorderOf(const Scenario& scenario,
   if (!options.record) return nullptr;
   return std::make_unique<DatasetWriter>(
       *options.record, InfoOf(scenario, resolved_yaml, scene),
-      WriterOptions{.threads = options.threads, .remedy = kRemedy});
+      WriterOptions{.threads = options.threads, .kind = "live recording", .remedy = kRemedy});
 }
 
 }  // namespace

@@ -220,6 +220,15 @@ TEST(LiveRun, ThatWasStoppedIsReplayedAsFarAsItsCommandsCame) {
   ASSERT_TRUE(WasStopped(stopped));
   EXPECT_THAT(ReadAll(stopped)["INCOMPLETE.txt"],
               AllOf(HasSubstr("tera replay"), Not(HasSubstr("--resume"))));
+  Loaded resumed = Load();
+  try {
+    Generate(std::move(resumed.scenario), resumed.yaml,
+             {.out = folder / "stopped", .resume = true});
+    ADD_FAILURE() << "resumed";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("holds an incomplete live recording, which --resume"),
+                                    HasSubstr("tera replay")));
+  }
   // As a kill in the middle of a row leaves it.
   const fs::path commands = stopped / "excavator1/commands.csv.part";
   fs::resize_file(commands, fs::file_size(commands) - 3);
