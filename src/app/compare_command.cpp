@@ -11,17 +11,18 @@ namespace tera {
 
 void AddCompareCommand(CLI::App* app) {
   struct Arguments {
-    std::string first, second, plot = "compare.png";
+    std::string first, second, plot;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app->add_subcommand(
       "compare", "Compare two recordings, simulated or real: trajectories, IMUs, joints");
   command->add_option("REFERENCE", arguments->first, "Dataset taken as the reference")->required();
   command->add_option("DATASET", arguments->second, "Dataset to judge")->required();
-  command->add_option("--plot", arguments->plot, "PNG to write")->capture_default_str();
+  command->add_option("--plot", arguments->plot, "PNG to write; none without it");
   command->callback([arguments] {
     const Comparison comparison = Compare(arguments->first, arguments->second);
     fmt::print("{}", ComparisonTable(comparison));
+    if (arguments->plot.empty()) return;
     const auto& machines = comparison.machines;
     if (std::any_of(machines.begin(), machines.end(),
                     [](const MachineComparison& m) { return m.HasTrajectories(); })) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/argument_checks.h"
 #include "app/commands.h"
 #include "app/followed_run.h"
 #include "app/scenario_options.h"
@@ -33,7 +34,7 @@ void AddGenerateCommand(CLI::App* app) {
   AddScenarioOptions(command, &arguments->scenario);
   AddRunOptions(command, &arguments->run);
   command->add_option("--duration", arguments->duration_s, "Seconds, instead of the scenario's")
-      ->check(CLI::PositiveNumber);
+      ->check(PositiveNumber("seconds"));
   command->callback([arguments] { RunGenerate(*arguments); });
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <thread>
 
+#include "app/argument_checks.h"
 #include "app/commands.h"
 #include "app/version.h"
 #include "core/config.h"
@@ -19,7 +20,7 @@ void AddInfoCommand(CLI::App* app) {
   CLI::App* command =
       app->add_subcommand("info", "Say which versions, renderer and threads this machine offers");
   command->add_option("--egl-device", arguments->egl_device, "GPU to ask")
-      ->check(CLI::NonNegativeNumber);
+      ->check(WholeNumberFrom0());
   command->callback([arguments] {
     const Rasterizer rasterizer(SceneModel{}, {.device = arguments->egl_device});
     const GlInfo& gl = rasterizer.info();

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/commands.h"
+#include "app/misspelt.h"
 #include "app/version.h"
 #include "core/error.h"
 
@@ -31,7 +32,12 @@ int Run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? kSuccess : kBadInput;
+    const std::string unknown = tera::UnknownArgument(app);
+    if (e.get_exit_code() == kSuccess || unknown.empty()) {
+      return app.exit(e) == 0 ? kSuccess : kBadInput;
+    }
+    fmt::print(stderr, "{}\nRun with --help for more information.\n", unknown);
+    return kBadInput;
   }
   return kSuccess;
 }

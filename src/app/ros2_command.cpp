@@ -4,13 +4,13 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "app/argument_checks.h"
 #include "app/commands.h"
 #include "app/scenario_options.h"
 #include "core/error.h"
@@ -111,22 +111,21 @@ void AddPaceOptions(CLI::App* command, ros::LiveRosOptions* options) {
       ->add_option("--pace", options->pace,
                    "real: as on the wall; fast: as fast as it can; lockstep: as lever messages "
                    "answer /clock")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, ros::Pace>{{"real", ros::Pace::kReal},
-                                           {"fast", ros::Pace::kFast},
-                                           {"lockstep", ros::Pace::kLockstep}}));
+      ->transform(OneOf<ros::Pace>({{"real", ros::Pace::kReal},
+                                    {"fast", ros::Pace::kFast},
+                                    {"lockstep", ros::Pace::kLockstep}}));
   command
       ->add_option("--rate", options->rate_hz,
                    "Hz of /clock, of the states, and of looking for levers")
-      ->check(CLI::Range(1.0, 1e4))
+      ->check(NumberBetween(1, 1e4, "Hz"))
       ->capture_default_str();
   command
       ->add_option("--answer-timeout", options->answer_timeout_s,
                    "Seconds on the wall that lockstep waits for an answer")
-      ->check(CLI::Range(0.01, 3600.0))
+      ->check(NumberBetween(0.01, 3600, "seconds"))
       ->capture_default_str();
   command->add_option("--duration", options->duration_s, "Simulated seconds, instead of no end")
-      ->check(CLI::PositiveNumber);
+      ->check(PositiveNumber("seconds"));
 }
 
 }  // namespace
@@ -137,7 +136,7 @@ void AddRos2Command(CLI::App* app) {
       app->add_subcommand("ros2", "Run a scenario live for ROS 2, until Ctrl-C (docs/ros2.md)");
   AddScenarioOptions(command, &arguments->scenario);
   command->add_option("--domain", arguments->domain_id, "DDS domain; else ROS_DOMAIN_ID, else 0")
-      ->check(CLI::Range(0, ros::Participant::kLargestDomainId));
+      ->check(WholeNumberBetween(0, ros::Participant::kLargestDomainId));
   command->add_flag("--localhost-only", arguments->localhost_only,
                     "Stay on this host, as with ROS_LOCALHOST_ONLY=1; without it whoever is on the "
                     "network can drive the machines");

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <thread>
 
+#include "app/argument_checks.h"
+
 namespace tera {
 
 HostOptions::HostOptions()
@@ -13,7 +15,7 @@ HostOptions::HostOptions()
 void AddScenarioOptions(CLI::App* command, ScenarioOptions* options) {
   command->add_option("SCENARIO", options->scenario, "Scenario file (YAML)")->required();
   command->add_option("--seed", options->seed, "Seed, instead of the scenario's")
-      ->check(CLI::NonNegativeNumber);
+      ->check(WholeNumberFrom0());
   command
       ->add_option("--set", options->set,
                    "key.path=value instead of the scenario's; may be repeated")
@@ -26,11 +28,11 @@ void AddScenarioOptions(CLI::App* command, ScenarioOptions* options) {
 
 void AddHostOptions(CLI::App* command, HostOptions* options) {
   command->add_option("--threads", options->threads, "Threads for rays and encoding")
-      ->check(CLI::Range(1, 256));
+      ->check(WholeNumberBetween(1, 256));
   command
       ->add_option("--egl-device", options->egl.device,
                    "GPU to render with; without it the first GPU, else Mesa in software")
-      ->check(CLI::NonNegativeNumber);
+      ->check(WholeNumberFrom0());
 }
 
 LoadedScenario Load(const ScenarioOptions& options, const std::vector<std::string>& overrides) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/argument_checks.h"
 #include "app/commands.h"
 #include "app/scenario_options.h"
 #include "app/version.h"
@@ -92,7 +93,7 @@ void AddServeCommand(CLI::App* app) {
       "serve", "Let a program step a scenario over a socket, until Ctrl-C (docs/serve.md)");
   AddScenarioOptions(command, &arguments->scenario);
   command->add_option("--port", arguments->server.port, "Port; 0 lets the system choose")
-      ->check(CLI::Range(0, 65535))
+      ->check(WholeNumberBetween(0, 65535))
       ->capture_default_str();
   command
       ->add_option("--listen", arguments->server.address,

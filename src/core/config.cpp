@@ -14,11 +14,18 @@ using internal::Layer;
 
 namespace {
 
+void NeedFile(const fs::path& file, const std::string& shown) {
+  if (internal::IsFile(file)) return;
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored)) {
+    throw InputError(fmt::format("{}: is a folder; need a YAML file", file.string()));
+  }
+  throw InputError(fmt::format("{}: no such file; need a YAML file", shown));
+}
+
 Layer OverlayLayer(const Config::Overlay& overlay) {
   const std::string shown = internal::ShownName(overlay.file);
-  if (!internal::IsFile(overlay.file)) {
-    throw InputError(fmt::format("{}: no such file; need a YAML file", shown));
-  }
+  NeedFile(overlay.file, shown);
   const Layer layer{internal::LoadYaml(overlay.file, shown), shown, overlay.file.parent_path()};
   if (!internal::ValueIn(layer.node, overlay.key) || layer.node.size() != 1) {
     throw InputError(
@@ -32,9 +39,7 @@ Layer OverlayLayer(const Config::Overlay& overlay) {
 Config Config::FromFile(const fs::path& file, const std::vector<std::string>& overrides,
                         const std::vector<Overlay>& overlays) {
   const std::string shown = internal::ShownName(file);
-  if (!internal::IsFile(file)) {
-    throw InputError(fmt::format("{}: no such file; need a YAML file", shown));
-  }
+  NeedFile(file, shown);
   auto document = std::make_shared<internal::ConfigDocument>();
   const Layer layer{internal::LoadYaml(file, shown), shown, file.parent_path()};
   const std::vector<Layer> with_overrides = internal::LayersAbove(layer, overrides);

@@ -213,6 +213,16 @@ TEST(BadInput, AFileThatIsNotThereIsRefusedByEveryCommand) {
   }
 }
 
+TEST(BadInput, AFolderForAFileIsRefusedWithItsPath) {
+  const ScratchDirectory scratch;
+  const std::string folder = scratch.path() / "folder";
+  fs::create_directory(folder);
+  const auto says_so = StartsWith(folder + ": is a folder; need a YAML file\n");
+  ExpectRefused(scratch, {"check", folder}, says_so);
+  ExpectRefused(scratch, {"generate", folder, "--out", "run"}, says_so);
+  ExpectRefused(scratch, {"import", folder, "--out", "run"}, says_so);
+}
+
 TEST(BadInput, AFolderThatIsNoDatasetIsNeitherComparedNorDrawn) {
   const ScratchDirectory scratch;
   fs::create_directory(scratch.path() / "holiday");

@@ -56,6 +56,39 @@ TEST(CommandLine, WrongUseIsStatus2AndPointsToTheHelp) {
   EXPECT_TRUE(Entries(scratch.path()).empty());
 }
 
+TEST(CommandLine, AValueThatIsNoneIsRefusedWithWhatIsNeeded) {
+  const ScratchDirectory scratch;
+  const auto faults = [&](const Arguments& arguments) {
+    const Outcome outcome = RunTera(arguments, {scratch.path()});
+    EXPECT_EQ(outcome.status, 2);
+    return outcome.err;
+  };
+  for (const char* duration : {"-3", "3s", "inf", "0"}) {
+    EXPECT_THAT(
+        faults({"generate", "a.yaml", "--out", "run", "--duration", duration}),
+        StartsWith("--duration: '" + std::string(duration) + "'; need a number > 0, in seconds\n"));
+  }
+  EXPECT_THAT(faults({"check", "a.yaml", "--seed", "-1"}),
+              StartsWith("--seed: '-1'; need a whole number >= 0\n"));
+  EXPECT_THAT(faults({"generate", "a.yaml", "--out", "run", "--threads", "2.5"}),
+              StartsWith("--threads: '2.5'; need a whole number from 1 to 256\n"));
+}
+
+TEST(CommandLine, AMisspeltOptionOrCommandIsNamedWithWhatItResembles) {
+  const ScratchDirectory scratch;
+  const auto faults = [&](const Arguments& arguments) {
+    const Outcome outcome = RunTera(arguments, {scratch.path()});
+    EXPECT_EQ(outcome.status, 2);
+    return outcome.err;
+  };
+  EXPECT_THAT(faults({"generate", "a.yaml", "--output", "run"}),
+              StartsWith("--output: no such option of 'generate' (did you mean '--out'?)\n"));
+  EXPECT_THAT(faults({"generate", "a.yaml", "--out", "run", "--sed=3"}),
+              StartsWith("--sed: no such option of 'generate' (did you mean '--seed'?)\n"));
+  EXPECT_THAT(faults({"generat", "a.yaml", "--out", "run"}),
+              StartsWith("'generat': no such command (did you mean 'generate'?)\n"));
+}
+
 TEST(CommandLine, VersionIsOneLine) {
   const Outcome outcome = RunTera({"--version"}, {fs::temp_directory_path()});
   EXPECT_EQ(outcome.status, 0);
@@ -110,7 +143,11 @@ TEST(Compare, ADatasetDiffersFromItselfByNothing) {
             ContainsRegex("SE.3. aligned" + zeros), ContainsRegex("RPE over 1 s"),
             // 0.4 s of poses at 500 Hz, the start included; of the IMU at 100 Hz, the end excluded.
             HasSubstr("201 common times"), ContainsRegex("imu wz_radps +0 +0 +40\n"),
-            ContainsRegex("imu az_mps2 +0 +0 +40\n"), HasSubstr("plot: compare.png\n")));
+            ContainsRegex("imu az_mps2 +0 +0 +40\n"), Not(HasSubstr("plot"))));
+  EXPECT_FALSE(fs::exists(scratch.path() / "compare.png"));
+  const Outcome plotted =
+      RunTera({"compare", "run", "run", "--plot", "compare.png"}, {scratch.path()});
+  EXPECT_THAT(plotted.out, HasSubstr("plot: compare.png\n"));
   EXPECT_EQ(ReadWholeFile(scratch.path() / "compare.png").substr(1, 3), "PNG");
 }
 
