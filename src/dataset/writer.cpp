@@ -26,9 +26,9 @@ constexpr char kNoteName[] = "INCOMPLETE.txt";
 constexpr char kScenarioName[] = "scenario.yaml";
 constexpr char kDescriptionName[] = "dataset.yaml";
 
-/// Says what is in an incomplete directory; the same for the same run, whatever its place.
 constexpr std::string_view kKindEnds = " is not complete: ", kToDo = "\nWhat to do: ";
 
+/// Says what is in an incomplete directory; the same for the same run, whatever its place.
 std::string Note(const DatasetInfo& info, const WriterOptions& options) {
   return fmt::format(
       "This {}{}the run that writes it was stopped, or is still going on."
