@@ -48,9 +48,12 @@ TEST_F(RealRecording, AParkedVehicleFeelsGravityAndDoesNotTurn) {
   EXPECT_NEAR(force_mps2.norm(), 9.807, 0.1);
   EXPECT_LT(rate_radps.norm(), 0.005);
   // There is no pose; the channels are compared all the same.
-  const Outcome compared = RunTera({"compare", "parked", "parked"}, {scratch_.path()});
+  const Outcome compared =
+      RunTera({"compare", "parked", "parked", "--plot", "none.png"}, {scratch_.path()});
   EXPECT_EQ(compared.status, 0) << compared.err;
-  EXPECT_THAT(compared.out, HasSubstr("no plot"));
+  EXPECT_THAT(compared.out, HasSubstr("imu az_mps2"));
+  EXPECT_THAT(compared.out, HasSubstr("no plot: no machine has poses on both sides"));
+  EXPECT_FALSE(fs::exists(scratch_.path() / "none.png"));
 }
 
 TEST_F(RealRecording, TheWholeGrassDriveIsImportedWithItsPath) {

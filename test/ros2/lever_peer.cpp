@@ -5,8 +5,10 @@
 #include "ros2/cdr.h"
 #include "ros2/fast_peer.h"
 
-// lever_peer DOMAIN MACHINE BOOM: answers every /clock with the boom's lever at BOOM, and prints
-// its stamp. A program of its own so that it can be killed.
+// lever_peer DOMAIN MACHINE BOOM: answers every /clock with the boom's lever, and prints its stamp.
+// The lever stands at BOOM for two seconds of simulated time and at -BOOM for the next two, so that
+// the boom moves however late it is looked at and never rests at the end of its stroke. A program
+// of its own so that it can be killed.
 
 int main(int argc, char** argv) {
   if (argc != 4) {
@@ -20,7 +22,8 @@ int main(int argc, char** argv) {
   while (const auto clock = peer.Next("rt/clock")) {
     tera::CdrReader cdr(*clock);
     tera::LeverMessage message{.stamp_sec = cdr.I32(), .stamp_nanosec = cdr.U32()};
-    message.boom = std::strtof(argv[3], nullptr);
+    const float boom = std::strtof(argv[3], nullptr);
+    message.boom = message.stamp_sec % 4 < 2 ? boom : -boom;
     peer.Publish(levers, message.Encode());
     std::printf("%d.%09u\n", message.stamp_sec, message.stamp_nanosec);
     std::fflush(stdout);
