@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -7,33 +9,108 @@
 
 namespace tera {
 
-/// The visible ground: what the soil writes and what cameras and lidars see.
+/// Where the vertices of a ground stand.
 ///
-/// Frames  W. Vertex (i, j) stands at origin_W_m + cell_m * (i, j); arrays are row-major with i
-///         fastest. The surface is the triangle mesh over the vertices, each square split along the
-///         diagonal from (i, j) to (i+1, j+1).
-/// Model   Tiles of kTileCells x kTileCells squares; `tile_version` grows whenever a vertex of that
-///         tile (its border included) changes, so that readers refresh only what is dirty.
-struct TerrainSurface {
+/// Frames  W. Vertex (i, j) stands at origin_W_m + cell_m * (i, j). Tiles of kTileCells x
+/// kTileCells
+///         squares cover the grid; the last ones may have fewer.
+struct TerrainGrid {
   static constexpr int kTileCells = 50;
 
   Vec2 origin_W_m = Vec2::Zero();
   double cell_m = 0.05;
   int nx = 0, ny = 0;  ///< vertices along x and y
-  std::vector<float> height_m;
-  std::vector<std::uint8_t> soil;       ///< index into the scenario's list of soils
-  std::vector<std::uint8_t> moisture;   ///< degree of saturation, 0..255 for 0..1
-  std::vector<std::uint8_t> looseness;  ///< 0 undisturbed .. 255 freshly cut or dumped
-  std::vector<std::uint8_t> rut;        ///< 0 none .. 255 freshly pressed by a track
-  std::vector<std::uint32_t> tile_version;
 
   int tiles_x() const { return (nx - 2) / kTileCells + 1; }
   int tiles_y() const { return (ny - 2) / kTileCells + 1; }
-  std::size_t index(int i, int j) const { return static_cast<std::size_t>(j) * nx + i; }
+  int tile_count() const { return tiles_x() * tiles_y(); }
+  int tile_index(int a, int b) const { return b * tiles_x() + a; }
+  double x_m(int i) const { return origin_W_m.x() + cell_m * i; }
+  double y_m(int j) const { return origin_W_m.y() + cell_m * j; }
+  bool Contains(int i, int j) const { return i >= 0 && j >= 0 && i < nx && j < ny; }
+  bool IsBorderTile(int a, int b) const {
+    return a == 0 || b == 0 || a == tiles_x() - 1 || b == tiles_y() - 1;
+  }
+  bool operator==(const TerrainGrid&) const = default;
+};
+
+/// The visible ground: what the soil writes and what cameras and lidars see.
+///
+/// Frames  W. The surface is the triangle mesh over the vertices, each square split along the
+///         diagonal from (i, j) to (i+1, j+1).
+/// Model   Undisturbed ground is known by its height at every `base_cells()`-th vertex, between
+///         which it is made of plane triangles, and by one cover for each tile. A tile is refined,
+///         which changes nothing to be seen, when one of its vertices (its border included) is set;
+///         only then does it take memory of its own. Its version grows with each change, so that
+///         readers refresh only what is dirty.
+class TerrainSurface : public TerrainGrid {
+ public:
+  /// What is seen of the ground at a vertex.
+  struct Cover {
+    std::uint8_t soil = 0;       ///< index into the scenario's list of soils
+    std::uint8_t moisture = 0;   ///< degree of saturation, 0..255 for 0..1
+    std::uint8_t looseness = 0;  ///< 0 undisturbed .. 255 freshly cut or dumped
+    std::uint8_t rut = 0;        ///< 0 none .. 255 freshly pressed by a track
+    bool operator==(const Cover&) const = default;
+  };
+  struct Vertex {
+    float height_m = 0;
+    Cover cover;
+    bool operator==(const Vertex&) const = default;
+  };
+
+  TerrainSurface() = default;
+  /// Level ground at zero.
+  explicit TerrainSurface(const TerrainGrid& grid);
+  /// Undisturbed ground: `base_height_m` row-major over every `base_cells`-th vertex and the last
+  /// one along x and y; `tile_cover` one for each tile. `base_cells` divides kTileCells.
+  TerrainSurface(const TerrainGrid& grid, int base_cells, std::vector<float> base_height_m,
+                 std::vector<Cover> tile_cover);
+
+  Vertex at(int i, int j) const;
+  float height_m(int i, int j) const;
   /// Height of the triangle mesh at (x, y) in W; the nearest border value outside the site.
   double HeightAt(double x_m, double y_m) const;
   /// Upward unit normal of the triangle under (x, y).
   Vec3 NormalAt(double x_m, double y_m) const;
+
+  void Set(int i, int j, const Vertex& vertex);
+  /// Gives each vertex of tile (a, b) and of its border its own place.
+  void Refine(int a, int b);
+  bool IsRefined(int a, int b) const { return block_of_[tile_index(a, b)] >= 0; }
+  /// Squares between the vertices that undisturbed tiles are made of.
+  int base_cells() const { return base_cells_; }
+  /// Squares between the vertices that tile (a, b) is made of.
+  int step_cells(int a, int b) const { return IsRefined(a, b) ? 1 : base_cells_; }
+
+  /// 1 at the start; grows whenever a vertex of the tile or of its border changes.
+  std::uint32_t tile_version(int a, int b) const { return version_[tile_index(a, b)]; }
+
+ private:
+  // A block has the vertices that a tile owns: those of its squares' lower left corners, and at the
+  // end of the grid the last ones.
+  static constexpr int kRowBits = 6;
+  using Block = std::array<Vertex, 1 << (2 * kRowBits)>;
+  struct Slot {
+    int tile, local;
+  };
+  Slot SlotOf(int i, int j) const;
+  float BaseHeight(int i, int j) const;
+  template <typename Visit>
+  void ForTilesAround(int i, int j, Visit visit);
+
+  int base_cells_ = 1;
+  int base_nx_ = 0;
+  std::vector<float> base_height_m_;
+  std::vector<Cover> tile_cover_;
+  std::vector<std::uint32_t> version_;
+  std::vector<std::int32_t> block_of_;  ///< of each tile, -1 while undisturbed
+  std::vector<Block> blocks_;
 };
+
+/// Number of base vertices along an axis of `n` vertices.
+inline int BaseVertexCount(int n, int base_cells) { return (n - 2) / base_cells + 2; }
+/// Vertex at which base vertex `a` stands.
+inline int BaseVertex(int a, int n, int base_cells) { return std::min(a * base_cells, n - 1); }
 
 }  // namespace tera

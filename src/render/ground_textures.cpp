@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-constexpr int kCells = TerrainSurface::kTileCells;
+constexpr int kCells = TerrainGrid::kTileCells;
 constexpr double kRutDarker = 0.22;
 constexpr double kTypicalGrain_m = 0.01;
 constexpr float kUndisturbedDetail = 0.45f;  // of the relief of loose soil
@@ -36,11 +36,11 @@ GroundTextures::Pyramid::Pyramid(int width, int height, bool holds_signed)
                         Wrap::kClamp, static_cast<int>(levels.size()));
 }
 
-void GroundTextures::Pyramid::Shrink(int level, int i0, int j0, int i1, int j1) {
+void GroundTextures::Pyramid::Shrink(int level, const TexelWindow& window) {
   const Level& fine = levels[level - 1];
   Level& coarse = levels[level];
-  for (int j = j0; j < j1; ++j) {
-    for (int i = i0; i < i1; ++i) {
+  for (int j = window.j0; j < window.j1; ++j) {
+    for (int i = window.i0; i < window.i1; ++i) {
       const int a0 = std::min(2 * i, fine.width - 1), a1 = std::min(2 * i + 1, fine.width - 1);
       const int b0 = std::min(2 * j, fine.height - 1), b1 = std::min(2 * j + 1, fine.height - 1);
       for (int k = 0; k < 4; ++k) {
@@ -60,25 +60,25 @@ void GroundTextures::Pyramid::Shrink(int level, int i0, int j0, int i1, int j1) 
   }
 }
 
-void GroundTextures::Pyramid::Upload(int level, int i0, int j0, int i1, int j1) const {
+void GroundTextures::Pyramid::Upload(int level, const TexelWindow& w) const {
   const Level& l = levels[level];
   glPixelStorei(GL_UNPACK_ROW_LENGTH, l.width);
-  glTextureSubImage2D(texture.id(), level, i0, j0, i1 - i0, j1 - j0, GL_RGBA,
+  glTextureSubImage2D(texture.id(), level, w.i0, w.j0, w.i1 - w.i0, w.j1 - w.j0, GL_RGBA,
                       is_signed ? GL_BYTE : GL_UNSIGNED_BYTE,
-                      &l.texels[(static_cast<std::size_t>(j0) * l.width + i0) * 4]);
+                      &l.texels[(static_cast<std::size_t>(w.j0) * l.width + w.i0) * 4]);
   glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
-void GroundTextures::Pyramid::Send(int i0, int j0, int i1, int j1) {
-  Upload(0, i0, j0, i1, j1);
+void GroundTextures::Pyramid::Send(TexelWindow w) {
+  Upload(0, w);
   for (int level = 1; level < static_cast<int>(levels.size()); ++level) {
     const Level& l = levels[level];
-    i0 = std::min(i0 / 2, l.width - 1);
-    j0 = std::min(j0 / 2, l.height - 1);
-    i1 = std::clamp((i1 + 1) / 2, i0 + 1, l.width);
-    j1 = std::clamp((j1 + 1) / 2, j0 + 1, l.height);
-    Shrink(level, i0, j0, i1, j1);
-    Upload(level, i0, j0, i1, j1);
+    w.i0 = std::min(w.i0 / 2, l.width - 1);
+    w.j0 = std::min(w.j0 / 2, l.height - 1);
+    w.i1 = std::clamp((w.i1 + 1) / 2, w.i0 + 1, l.width);
+    w.j1 = std::clamp((w.j1 + 1) / 2, w.j0 + 1, l.height);
+    Shrink(level, w);
+    Upload(level, w);
   }
 }
 
@@ -87,36 +87,37 @@ GroundTextures::GroundTextures(const TerrainSurface& terrain,
     : soils_(soils),
       to_sun_W_(to_sun_W),
       origin_W_m_(terrain.origin_W_m),
-      cell_m_(terrain.cell_m),
-      sky_view_(terrain.cell_m),
-      nx_(terrain.nx),
-      ny_(terrain.ny),
-      albedo_(nx_, ny_, false),
-      shape_(nx_, ny_, true) {
+      heights_(terrain),
+      sky_view_(heights_.texel_m()),
+      shadow_(to_sun_W),
+      albedo_(heights_.width(), heights_.height(), false),
+      shape_(heights_.width(), heights_.height(), true) {
   if (soils_.empty()) soils_.push_back(SoilAppearance{});
-  shadow_ = MakeTexture(GL_R32F, nx_, ny_, Filter::kLinear, Wrap::kClamp);
+  shadow_texture_ =
+      MakeTexture(GL_R32F, heights_.width(), heights_.height(), Filter::kLinear, Wrap::kClamp);
 }
 
-void GroundTextures::PaintVertex(const TerrainSurface& terrain, int i, int j) {
-  const std::size_t v = terrain.index(i, j);
-  const SoilAppearance& soil = soils_[std::min<std::size_t>(terrain.soil[v], soils_.size() - 1)];
-  const double saturation = terrain.moisture[v] / 255.0, loose = terrain.looseness[v] / 255.0;
-  const double rut = terrain.rut[v] / 255.0;
+void GroundTextures::PaintTexel(const TerrainSurface& terrain, int i, int j) {
+  const TerrainSurface::Cover cover =
+      terrain.at(i * heights_.texel_cells(), j * heights_.texel_cells()).cover;
+  const SoilAppearance& soil = soils_[std::min<std::size_t>(cover.soil, soils_.size() - 1)];
+  const double saturation = cover.moisture / 255.0, loose = cover.looseness / 255.0;
+  const double rut = cover.rut / 255.0;
   const double tone = SoilTone(saturation, loose) * (1 - kRutDarker * rut);
-  std::uint8_t* albedo = &albedo_.levels[0].texels[v * 4];
+  const std::size_t at = 4 * heights_.index(i, j);
+  std::uint8_t* albedo = &albedo_.levels[0].texels[at];
   for (int k = 0; k < 3; ++k) albedo[k] = Unorm8(std::sqrt(std::max(soil.albedo[k] * tone, 0.0)));
-  albedo[3] = Unorm8(sky_view_.Factor(terrain, i, j));
+  albedo[3] = Unorm8(sky_view_.Factor(heights_, i, j));
 
-  const int il = std::max(i - 1, 0), ir = std::min(i + 1, nx_ - 1);
-  const int jl = std::max(j - 1, 0), jr = std::min(j + 1, ny_ - 1);
-  const std::vector<float>& h = terrain.height_m;
+  const int il = std::max(i - 1, 0), ir = std::min(i + 1, heights_.width() - 1);
+  const int jl = std::max(j - 1, 0), jr = std::min(j + 1, heights_.height() - 1);
   const double slope_x =
-      (h[terrain.index(ir, j)] - h[terrain.index(il, j)]) / ((ir - il) * cell_m_);
+      (heights_.at(ir, j) - heights_.at(il, j)) / ((ir - il) * heights_.texel_m());
   const double slope_y =
-      (h[terrain.index(i, jr)] - h[terrain.index(i, jl)]) / ((jr - jl) * cell_m_);
+      (heights_.at(i, jr) - heights_.at(i, jl)) / ((jr - jl) * heights_.texel_m());
   const Vec3 normal = Vec3(-slope_x, -slope_y, 1).normalized();
   const double grain = std::sqrt(std::clamp(soil.grain_size_m / kTypicalGrain_m, 0.05, 4.0));
-  std::uint8_t* shape = &shape_.levels[0].texels[v * 4];
+  std::uint8_t* shape = &shape_.levels[0].texels[at];
   shape[0] = Snorm8(normal.x());
   shape[1] = Snorm8(normal.y());
   shape[2] = Snorm8(loose);
@@ -127,52 +128,63 @@ void GroundTextures::PaintVertex(const TerrainSurface& terrain, int i, int j) {
 void GroundTextures::Update(const TerrainSurface& terrain, const std::vector<TileIndex>& changed) {
   if (changed.empty()) return;
   // The sky factor of neighbouring tiles within reach changes too.
-  const int tiles_x = terrain.tiles_x(), tiles_y = terrain.tiles_y();
   const int halo = static_cast<int>(std::ceil(kOcclusionReach_m / (kCells * terrain.cell_m)));
-  std::vector<bool> touched(static_cast<std::size_t>(tiles_x) * tiles_y, false);
+  std::vector<bool> touched(terrain.tile_count(), false);
+  TexelWindow heights;
   for (const TileIndex& t : changed) {
-    for (int y = std::max(t.y - halo, 0); y <= std::min(t.y + halo, tiles_y - 1); ++y) {
-      for (int x = std::max(t.x - halo, 0); x <= std::min(t.x + halo, tiles_x - 1); ++x) {
-        touched[static_cast<std::size_t>(y) * tiles_x + x] = true;
+    const TexelWindow window = heights_.Of(t.x, t.y);
+    heights_.Read(terrain, window);
+    if (!window.empty()) {
+      heights.Extend(window.i0, window.j0);
+      heights.Extend(window.i1 - 1, window.j1 - 1);
+    }
+    for (int b = std::max(t.y - halo, 0); b <= std::min(t.y + halo, terrain.tiles_y() - 1); ++b) {
+      for (int a = std::max(t.x - halo, 0); a <= std::min(t.x + halo, terrain.tiles_x() - 1); ++a) {
+        touched[terrain.tile_index(a, b)] = true;
       }
     }
   }
-  for (int y = 0; y < tiles_y; ++y) {
-    for (int x = 0; x < tiles_x; ++x) {
-      if (!touched[static_cast<std::size_t>(y) * tiles_x + x]) continue;
-      const int i0 = x * kCells, i1 = std::min(i0 + kCells + 1, nx_);
-      const int j0 = y * kCells, j1 = std::min(j0 + kCells + 1, ny_);
-      for (int j = j0; j < j1; ++j) {
-        for (int i = i0; i < i1; ++i) PaintVertex(terrain, i, j);
+  std::vector<TexelWindow> windows;
+  for (int b = 0; b < terrain.tiles_y(); ++b) {
+    for (int a = 0; a < terrain.tiles_x(); ++a) {
+      if (!touched[terrain.tile_index(a, b)]) continue;
+      const TexelWindow window = heights_.Of(a, b);
+      if (!window.empty()) windows.push_back(window);
+      for (int j = window.j0; j < window.j1; ++j) {
+        for (int i = window.i0; i < window.i1; ++i) PaintTexel(terrain, i, j);
       }
     }
   }
   // Smaller levels straddle tiles, so that they are remade after all tiles are painted.
-  for (int y = 0; y < tiles_y; ++y) {
-    for (int x = 0; x < tiles_x; ++x) {
-      if (!touched[static_cast<std::size_t>(y) * tiles_x + x]) continue;
-      const int i0 = x * kCells, i1 = std::min(i0 + kCells + 1, nx_);
-      const int j0 = y * kCells, j1 = std::min(j0 + kCells + 1, ny_);
-      albedo_.Send(i0, j0, i1, j1);
-      shape_.Send(i0, j0, i1, j1);
-    }
+  if (windows.size() == touched.size()) windows = {{0, 0, heights_.width(), heights_.height()}};
+  for (const TexelWindow& window : windows) {
+    albedo_.Send(window);
+    shape_.Send(window);
   }
-  const std::vector<float> shadow = ShadowHeights(terrain, to_sun_W_);
-  glTextureSubImage2D(shadow_.id(), 0, 0, 0, nx_, ny_, GL_RED, GL_FLOAT, shadow.data());
+  SendShadow(shadow_.Update(heights_, heights));
+}
+
+void GroundTextures::SendShadow(const TexelWindow& w) const {
+  if (w.empty()) return;
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, heights_.width());
+  glTextureSubImage2D(shadow_texture_.id(), 0, w.i0, w.j0, w.i1 - w.i0, w.j1 - w.j0, GL_RED,
+                      GL_FLOAT, &shadow_.shadow_m()[heights_.index(w.i0, w.j0)]);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
 double GroundTextures::penumbra_m() const {
   constexpr double kLeast_m = 1e-3;
   const double along = to_sun_W_.head<2>().cwiseAbs().maxCoeff();
-  return std::max(0.9 * cell_m_ * to_sun_W_.z() / std::max(along, 1e-3), kLeast_m);
+  return std::max(0.9 * heights_.texel_m() * to_sun_W_.z() / std::max(along, 1e-3), kLeast_m);
 }
 
 void GroundTextures::Bind(unsigned first, const Program& program) const {
   glBindTextureUnit(first, albedo_.texture.id());
   glBindTextureUnit(first + 1, shape_.texture.id());
-  glBindTextureUnit(first + 2, shadow_.id());
-  const Vec2 size_m = cell_m_ * Vec2(nx_, ny_);
-  const Vec2 edge_m = origin_W_m_ - Vec2::Constant(0.5 * cell_m_);  // of the first texel
+  glBindTextureUnit(first + 2, shadow_texture_.id());
+  const double texel_m = heights_.texel_m();
+  const Vec2 size_m = texel_m * Vec2(heights_.width(), heights_.height());
+  const Vec2 edge_m = origin_W_m_ - Vec2::Constant(0.5 * texel_m);  // of the first texel
   program.Set("u_ground_scale", Eigen::Vector2f(size_m.cwiseInverse().cast<float>()));
   program.Set("u_ground_origin", Eigen::Vector2f(edge_m.cast<float>()));
 }

@@ -15,15 +15,14 @@ struct TileIndex {
   int x = 0, y = 0;
 };
 
-/// Textures of the whole site, one texel for each vertex, that give the ground its looks: colour
-/// with sky factor, shape (slope of the normal, looseness, roughness of the detail), and the height
-/// of the ground's own shadow.
+/// Textures of the whole site, one texel for each vertex (of a site too large for one texture, for
+/// every second, third ...), that give the ground its looks: colour with sky factor, shape (slope
+/// of the normal, looseness, roughness of the detail), and the height of the ground's own shadow.
 ///
 /// Model   albedo by soil; moisture darkens it as R = Rs + (Rd - Rs) exp(-c S), S the degree of
 ///         saturation, with Rs a fixed share of the dry albedo; loose soil is a little lighter,
-///         pressed ruts darker. Smaller levels of each texture are means of four texels, remade
-///         only below what has changed. The shadow is remade for the whole site with any change: a
-///         shadow reaches as far as the ground's relief and the sun's height let it.
+///         pressed ruts darker. Smaller levels of each texture are means of four texels. Only what
+///         has changed, or lies in a changed shadow, is remade.
 /// Source  Lobell, Asner 2002, "Moisture effects on soil reflectance", eq. 1.
 class GroundTextures {
  public:
@@ -53,24 +52,25 @@ class GroundTextures {
 
     Pyramid() = default;
     Pyramid(int width, int height, bool holds_signed);
-    /// Remakes smaller levels below texels [i0, i1) x [j0, j1) and sends them.
-    void Send(int i0, int j0, int i1, int j1);
+    /// Remakes smaller levels below the texels and sends them.
+    void Send(TexelWindow window);
 
    private:
-    void Shrink(int level, int i0, int j0, int i1, int j1);
-    void Upload(int level, int i0, int j0, int i1, int j1) const;
+    void Shrink(int level, const TexelWindow& window);
+    void Upload(int level, const TexelWindow& window) const;
   };
 
-  void PaintVertex(const TerrainSurface& terrain, int i, int j);
+  void PaintTexel(const TerrainSurface& terrain, int i, int j);
+  void SendShadow(const TexelWindow& window) const;
 
   std::vector<SoilAppearance> soils_;
   Vec3 to_sun_W_ = Vec3::UnitZ();
   Vec2 origin_W_m_ = Vec2::Zero();
-  double cell_m_ = 1;
+  HeightTexels heights_;
   SkyView sky_view_;
-  int nx_ = 0, ny_ = 0;
+  GroundShadow shadow_;
   Pyramid albedo_, shape_;
-  GlObject shadow_;
+  GlObject shadow_texture_;
 };
 
 }  // namespace tera

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/check.h"
-
 namespace tera {
 namespace {
 
@@ -30,16 +28,18 @@ void RayTerrain::Restart(const TerrainSurface& terrain) {
   patch_of_.clear();
   land_ = Patch();
   tiles_.clear();
-  nx_ = terrain.nx;
-  ny_ = terrain.ny;
-  cell_m_ = terrain.cell_m;
-  origin_W_m_ = terrain.origin_W_m;
-  if (nx_ < 2 || ny_ < 2) return;
-  tiles_.resize(static_cast<std::size_t>(terrain.tiles_x()) * terrain.tiles_y());
+  grid_ = terrain;
+  if (grid_.nx < 2 || grid_.ny < 2) return;
+  tiles_.resize(grid_.tile_count());
   surroundings_ = Surroundings(terrain, soils_);
 }
 
-void RayTerrain::NewTile(Patch* tile, int squares_x, int squares_y) const {
+void RayTerrain::NewTile(Patch* tile, int squares_x, int squares_y) {
+  if (tile->id != RTC_INVALID_GEOMETRY_ID) {  // it was undisturbed
+    rtcDetachGeometry(scene_, tile->id);
+    patch_of_[tile->id] = nullptr;
+    tile->id = RTC_INVALID_GEOMETRY_ID;
+  }
   tile->geometry = EmbreeGeometry(rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_QUAD));
   const int row = squares_x + 1;
   const std::size_t squares = static_cast<std::size_t>(squares_x) * squares_y;
@@ -60,34 +60,34 @@ void RayTerrain::NewTile(Patch* tile, int squares_x, int squares_y) const {
 }
 
 void RayTerrain::RebuildTile(const TerrainSurface& terrain, int a, int b) {
-  const int index = b * terrain.tiles_x() + a;
-  Patch& tile = tiles_[index];
-  const int i0 = a * TerrainSurface::kTileCells, j0 = b * TerrainSurface::kTileCells;
-  const int squares_x = std::min(TerrainSurface::kTileCells, terrain.nx - 1 - i0);
-  const int squares_y = std::min(TerrainSurface::kTileCells, terrain.ny - 1 - j0);
-  const bool first = tile.geometry.get() == nullptr;
-  if (first) NewTile(&tile, squares_x, squares_y);
+  Patch& tile = tiles_[terrain.tile_index(a, b)];
+  const int i0 = a * TerrainGrid::kTileCells, j0 = b * TerrainGrid::kTileCells;
+  const int i1 = std::min(i0 + TerrainGrid::kTileCells, terrain.nx - 1);
+  const int j1 = std::min(j0 + TerrainGrid::kTileCells, terrain.ny - 1);
+  const int step = terrain.step_cells(a, b);
+  const int squares_x = (i1 - i0 + step - 1) / step, squares_y = (j1 - j0 + step - 1) / step;
+  const bool is_new = tile.step_cells != step;
+  if (is_new) NewTile(&tile, squares_x, squares_y);
+  tile.step_cells = step;
   float* vertex = Vertices(tile.geometry.get());
   for (int j = 0; j <= squares_y; ++j) {
     for (int i = 0; i <= squares_x; ++i) {
-      *vertex++ = static_cast<float>(terrain.origin_W_m.x() + terrain.cell_m * (i0 + i));
-      *vertex++ = static_cast<float>(terrain.origin_W_m.y() + terrain.cell_m * (j0 + j));
-      *vertex++ = terrain.height_m[terrain.index(i0 + i, j0 + j)];
-    }
-  }
-  for (int j = 0; j < squares_y; ++j) {
-    for (int i = 0; i < squares_x; ++i) {
-      const std::size_t v = terrain.index(i0 + i, j0 + j);
-      const double dry = soils_.at(terrain.soil[v]).albedo.mean();
-      const double saturation = terrain.moisture[v] / 255.0;
+      const int vi = std::min(i0 + i * step, i1), vj = std::min(j0 + j * step, j1);
+      const TerrainSurface::Vertex v = terrain.at(vi, vj);
+      *vertex++ = static_cast<float>(terrain.x_m(vi));
+      *vertex++ = static_cast<float>(terrain.y_m(vj));
+      *vertex++ = v.height_m;
+      if (i == squares_x || j == squares_y) continue;
+      const double dry = soils_.at(v.cover.soil).albedo.mean();
+      const double saturation = v.cover.moisture / 255.0;
       tile.reflectance[static_cast<std::size_t>(j) * squares_x + i] =
           static_cast<float>(dry * (1.0 - (1.0 - kSaturatedReflectance) * saturation));
     }
   }
   rtcUpdateGeometryBuffer(tile.geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0);
   rtcCommitGeometry(tile.geometry.get());
-  if (first) Attach(&tile);
-  tile.version = terrain.tile_version[index];
+  if (is_new) Attach(&tile);
+  tile.version = terrain.tile_version(a, b);
   ++tiles_rebuilt_;
 }
 
@@ -116,20 +116,14 @@ void RayTerrain::RebuildLand(const TerrainSurface& terrain) {
 }
 
 void RayTerrain::Update(const TerrainSurface& terrain) {
-  if (terrain.nx != nx_ || terrain.ny != ny_ || terrain.cell_m != cell_m_ ||
-      terrain.origin_W_m != origin_W_m_) {
-    Restart(terrain);
-  }
-  if (nx_ < 2 || ny_ < 2) return;
-  TERA_CHECK(terrain.tile_version.size() == tiles_.size(), terrain.tile_version.size());
+  if (grid_ != terrain) Restart(terrain);
   bool border = false;
-  for (int b = 0; b < terrain.tiles_y(); ++b) {
+  for (int b = 0; !tiles_.empty() && b < terrain.tiles_y(); ++b) {
     for (int a = 0; a < terrain.tiles_x(); ++a) {
-      const int index = b * terrain.tiles_x() + a;
-      const bool built = tiles_[index].geometry.get() != nullptr;
-      if (built && tiles_[index].version == terrain.tile_version[index]) continue;
+      const Patch& tile = tiles_[terrain.tile_index(a, b)];
+      if (tile.step_cells > 0 && tile.version == terrain.tile_version(a, b)) continue;
       RebuildTile(terrain, a, b);
-      border = border || IsBorderTile(terrain, a, b);
+      border = border || terrain.IsBorderTile(a, b);
     }
   }
   if (border) RebuildLand(terrain);

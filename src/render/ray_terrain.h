@@ -9,7 +9,8 @@
 namespace tera {
 
 /// The ground within an Embree scene: one geometry per tile of the terrain, of which only tiles
-/// with a new version are rebuilt, and one for the land around the site.
+/// with a new version are rebuilt, and one for the land around the site. Undisturbed tiles are of
+/// as few quads as describe them.
 class RayTerrain {
  public:
   /// Adds to and takes from `scene`, which its owner commits.
@@ -29,11 +30,12 @@ class RayTerrain {
     EmbreeGeometry geometry;
     unsigned id = RTC_INVALID_GEOMETRY_ID;
     std::uint32_t version = 0;
+    int step_cells = 0;              ///< of a tile: squares between its vertices
     std::vector<float> reflectance;  ///< of each primitive
   };
   void Restart(const TerrainSurface& terrain);
   void Attach(Patch* patch);
-  void NewTile(Patch* tile, int squares_x, int squares_y) const;
+  void NewTile(Patch* tile, int squares_x, int squares_y);
   void RebuildTile(const TerrainSurface& terrain, int a, int b);
   void RebuildLand(const TerrainSurface& terrain);
 
@@ -44,9 +46,7 @@ class RayTerrain {
   Surroundings surroundings_;
   Patch land_;
   std::vector<const Patch*> patch_of_;  ///< by geometry id; null where it is no ground
-  int nx_ = 0, ny_ = 0;
-  double cell_m_ = 0;
-  Vec2 origin_W_m_ = Vec2::Zero();
+  TerrainGrid grid_;
   std::int64_t tiles_rebuilt_ = 0;
 };
 

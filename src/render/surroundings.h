@@ -43,9 +43,4 @@ class Surroundings {
   std::vector<std::uint16_t> indices_;
 };
 
-/// Whether tile (a, b) of a terrain lies on its border.
-inline bool IsBorderTile(const TerrainSurface& terrain, int a, int b) {
-  return a == 0 || b == 0 || a == terrain.tiles_x() - 1 || b == terrain.tiles_y() - 1;
-}
-
 }  // namespace tera

@@ -7,17 +7,16 @@
 #include "render/gl_objects.h"
 #include "render/ground_textures.h"
 #include "render/scene.h"
+#include "render/tile_pool.h"
 #include "render/view.h"
 
 namespace tera {
 
 /// Draws the ground tile by tile.
 ///
-/// Model   each tile is a grid of vertices with index lists for strides 1, 2, 5, 10, 25 and 50
-///         squares, and a skirt hanging from its border that closes the cracks between strides. A
-///         tile is drawn with the largest stride whose greatest height error is seen below
-///         kErrorPx and is below kErrorM. Heights, colours and normals of a tile are sent again
-///         only when its version has changed.
+/// Model   a tile is drawn with the largest stride between its vertices whose greatest height error
+///         is seen below kErrorPx and is below kErrorM. Heights, colours and normals of a tile are
+///         sent again only when its version has changed; undisturbed tiles have few vertices.
 class TerrainRenderer {
  public:
   TerrainRenderer(const SceneModel& model, const Vec3& to_sun_W);
@@ -34,31 +33,25 @@ class TerrainRenderer {
   std::int64_t triangles_drawn() const { return triangles_drawn_; }
 
  private:
-  static constexpr std::array<int, 6> kStrides = {1, 2, 5, 10, 25, 50};
-
   struct Tile {
-    bool uploaded = false;
     std::uint32_t version = 0;
-    Vec3 box_min_W_m = Vec3::Zero(), box_max_W_m = Vec3::Zero();
-    std::array<float, kStrides.size()> error_m{};
-  };
-  struct IndexRange {
-    std::size_t offset_bytes = 0;
-    int count = 0;
+    int pool = -1, place = 0;
+    Eigen::AlignedBox3d box_W_m;
+    std::array<float, kTileStrides.size()> error_m{};  ///< infinite where a stride does not fit
+
+    int StrideFor(double distance_m, double fy_px) const;
   };
 
-  void Allocate(const TerrainSurface& terrain);
-  void UploadTile(const TerrainSurface& terrain, int tile_x, int tile_y);
+  void Restart(const TerrainSurface& terrain);
+  void UploadTile(const TerrainSurface& terrain, int a, int b);
   void DrawTiles(const View& view) const;
   void DrawApron(const View& view) const;
 
   const std::vector<SoilAppearance> soils_;
-  int nx_ = 0, ny_ = 0, tiles_x_ = 0, tiles_y_ = 0;
-  double cell_m_ = 0;
-  Vec2 origin_W_m_ = Vec2::Zero();
+  TerrainGrid grid_;
   std::vector<Tile> tiles_;
-  std::array<IndexRange, kStrides.size()> ranges_;
-  GlObject vertices_, indices_, array_, detail_;
+  std::vector<TilePool> pools_;  ///< of refined tiles, then of undisturbed ones
+  GlObject detail_;
   GroundTextures textures_;
   Apron apron_;
   Vec3 to_sun_W_;

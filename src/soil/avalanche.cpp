@@ -39,11 +39,8 @@ double CulmannHeight_m(const SoilType& soil, double slope_rad) {
          (1 - std::cos(slope_rad - soil.friction_angle_rad));
 }
 
-Avalanche::Avalanche(const Columns& ground) {
-  const std::size_t n = static_cast<std::size_t>(ground.nx()) * ground.ny();
-  is_active_.assign(n, 0);
-  flowing_.assign(n, 0);
-  for (const SoilType& soil : ground.soils()) {
+Avalanche::Avalanche(const std::vector<SoilType>& soils) {
+  for (const SoilType& soil : soils) {
     angles_.push_back({std::tan(soil.repose_angle_rad + kHysteresis_rad),
                        std::tan(soil.repose_angle_rad - kHysteresis_rad),
                        std::tan(std::max(soil.friction_angle_rad, soil.repose_angle_rad)),
@@ -51,11 +48,15 @@ Avalanche::Avalanche(const Columns& ground) {
   }
 }
 
-void Avalanche::Wake(std::uint32_t k, const Columns& ground) {
-  const int i = static_cast<int>(k % ground.nx()), j = static_cast<int>(k / ground.nx());
-  for (int b = std::max(0, j - 1); b <= std::min(ground.ny() - 1, j + 1); ++b) {
-    for (int a = std::max(0, i - 1); a <= std::min(ground.nx() - 1, i + 1); ++a) {
-      const auto m = static_cast<std::uint32_t>(ground.index(a, b));
+void Avalanche::Wake(ColumnId k, Columns* ground) {
+  const Columns::Place place = ground->PlaceOf(k);
+  for (int j = std::max(0, place.j - 1); j <= std::min(ground->ny() - 1, place.j + 1); ++j) {
+    for (int i = std::max(0, place.i - 1); i <= std::min(ground->nx() - 1, place.i + 1); ++i) {
+      const ColumnId m = ground->Touch(i, j);
+      if (m >= is_active_.size()) {
+        is_active_.resize(ground->id_end());
+        flowing_.resize(ground->id_end());
+      }
       if (is_active_[m]) continue;
       is_active_[m] = 1;
       active_.push_back(m);
@@ -63,72 +64,80 @@ void Avalanche::Wake(std::uint32_t k, const Columns& ground) {
   }
 }
 
-bool Avalanche::CollectOutflow(std::uint32_t k, double share, const Columns& ground) {
-  const Column& c = ground.at(k);
-  if (c.loose_m <= 0) return false;
-  const Angles& angle = angles_[c.loose_soil];
-  const int i = static_cast<int>(k % ground.nx()), j = static_cast<int>(k / ground.nx());
+bool Avalanche::CollectOutflow(ColumnId k, double share, Columns* ground) {
+  const Column& c = ground->at(k);
+  const double loose_m = c.loose_m();
+  if (loose_m <= 0) return false;
+  const Angles& angle = angles_[c.top_layer()->soil];
+  const auto [i, j] = ground->PlaceOf(k);
   const double tan_limit = flowing_[k] ? angle.tan_stop : angle.tan_start;
   std::array<double, 8> excess_m{};
   double total_m = 0;
   bool starts = false;
   for (std::size_t d = 0; d < kDirections.size(); ++d) {
     const auto& [di, dj, distance] = kDirections[d];
-    if (!ground.Contains(i + di, j + dj)) continue;
-    const std::size_t to = ground.index(i + di, j + dj);
-    if (c.top_m() > ground.blocked_m(to)) continue;
-    const double run_m = distance * ground.cell_m();
-    const double drop_m = c.top_m() - ground.at(to).top_m();
+    if (!ground->Contains(i + di, j + dj)) continue;
+    const Column* to = ground->Beside(k, di, dj);
+    if (to != nullptr && c.top_m > to->blocked_m) continue;
+    const double run_m = distance * ground->cell_m();
+    const double drop_m = c.top_m - (to != nullptr ? to->top_m : ground->TopAt(i + di, j + dj));
     starts = starts || drop_m - tan_limit * run_m > kLeastExcess_m;
     excess_m[d] = std::max(0.0, drop_m - angle.tan_stop * run_m);
     total_m += excess_m[d];
   }
   if (!starts) return false;
-  const double scale = std::min(share, c.loose_m / total_m);
+  const double scale = std::min(share, loose_m / total_m);
   for (std::size_t d = 0; d < kDirections.size(); ++d) {
     if (excess_m[d] <= 0) continue;
-    const auto to =
-        static_cast<std::uint32_t>(ground.index(i + kDirections[d].di, j + kDirections[d].dj));
+    const ColumnId to = ground->Touch(i + kDirections[d].di, j + kDirections[d].dj);
     transfers_.push_back({k, to, scale * excess_m[d]});
   }
   return true;
 }
 
-double Avalanche::Overhang_m(std::uint32_t k, const Columns& ground) const {
+double Avalanche::Overhang_m(ColumnId k, const Columns& ground) const {
   const Column& c = ground.at(k);
-  if (c.loose_m > 0) return 0;
-  const Angles& angle = angles_[c.bank_soil];
-  const SoilType& soil = ground.soils()[c.bank_soil];
-  const int i = static_cast<int>(k % ground.nx()), j = static_cast<int>(k / ground.nx());
+  if (c.loose_m() > 0) return 0;
+  const std::uint8_t material = ground.soil_at(k);
+  const Angles& angle = angles_[material];
+  const SoilType& soil = ground.soils()[material];
+  const auto [i, j] = ground.PlaceOf(k);
   double overhang_m = 0;
   for (const auto& [di, dj, distance] : kDirections) {
-    for (int m = 1; m <= kLookDown; ++m) {
-      if (!ground.Contains(i + m * di, j + m * dj)) break;
-      const double drop_m = c.bank_m - ground.at(ground.index(i + m * di, j + m * dj)).top_m();
-      const double run_m = m * distance * ground.cell_m();
+    if (!ground.Contains(i + di, j + dj)) continue;
+    const Column* beside = ground.Beside(k, di, dj);
+    const double run_m = distance * ground.cell_m();
+    if (beside != nullptr && c.top_m - beside->top_m <= angle.tan_stand * run_m)
+      continue;  // no edge
+    for (int m = 1; m <= kLookDown && ground.Contains(i + m * di, j + m * dj); ++m) {
+      const double drop_m = c.top_m - ground.TopAt(i + m * di, j + m * dj);
+      const double stands_m = std::max(angle.culmann_m, angle.tan_stand * m * run_m);
       if (m == 1 && drop_m <= angle.tan_stand * run_m) break;  // no edge on this side
-      if (drop_m <= angle.culmann_m || drop_m <= angle.tan_stand * run_m) continue;
-      if (drop_m <= CulmannHeight_m(soil, std::atan2(drop_m, run_m))) continue;
-      overhang_m =
-          std::max(overhang_m, drop_m - std::max(angle.culmann_m, angle.tan_stand * run_m));
+      if (drop_m <= stands_m) continue;
+      if (drop_m <= CulmannHeight_m(soil, std::atan2(drop_m, m * run_m))) continue;
+      overhang_m = std::max(overhang_m, drop_m - stands_m);
     }
   }
   return overhang_m;
 }
 
 void Avalanche::Flow(double dt_s, Columns* ground) {
-  for (const std::uint32_t k : ground->TakeChanged()) Wake(k, *ground);
+  for (const ColumnId k : ground->TakeChanged()) Wake(k, ground);
   const double share = std::min(kLargestShare, kFlowSpeed_mps * dt_s / ground->cell_m());
-  const std::vector<std::uint32_t> visited = std::exchange(active_, {});
-  for (const std::uint32_t k : visited) is_active_[k] = 0;
+  const std::vector<ColumnId> visited = std::exchange(active_, {});
+  for (const ColumnId k : visited) is_active_[k] = 0;
   transfers_.clear();
-  for (const std::uint32_t k : visited) {
+  for (const ColumnId k : visited) {
     const double overhang_m = Overhang_m(k, *ground);
     if (overhang_m > kLeastExcess_m) ground->Break(k, std::min(overhang_m, kBreakSpeed_mps * dt_s));
   }
-  for (const std::uint32_t k : visited) flowing_[k] = CollectOutflow(k, share, *ground) ? 1 : 0;
-  for (const Transfer& t : transfers_)
-    ground->Deposit(t.to, ground->TakeLoose(t.from, t.thickness_m));
+  for (const ColumnId k : visited) flowing_[k] = CollectOutflow(k, share, ground) ? 1 : 0;
+  SpoilMix moved;
+  for (const Transfer& t : transfers_) {
+    moved.clear();
+    ground->TakeLoose(t.from, t.thickness_m, &moved);
+    ground->Deposit(t.to, moved);
+  }
 }
 
 }  // namespace tera

@@ -22,7 +22,7 @@ namespace tera {
 /// Source  Culmann's wedge: Das, Principles of Geotechnical Engineering, ch. 15.
 class Avalanche {
  public:
-  explicit Avalanche(const Columns& ground);
+  explicit Avalanche(const std::vector<SoilType>& soils);
   /// Visits columns changed since the last call and those still flowing.
   void Flow(double dt_s, Columns* ground);
   /// Columns to be visited at the next call, besides those that change until then.
@@ -30,16 +30,16 @@ class Avalanche {
 
  private:
   struct Transfer {
-    std::uint32_t from, to;
+    ColumnId from, to;
     double thickness_m;
   };
-  void Wake(std::uint32_t k, const Columns& ground);
-  bool CollectOutflow(std::uint32_t k, double share, const Columns& ground);
-  double Overhang_m(std::uint32_t k, const Columns& ground) const;
+  void Wake(ColumnId k, Columns* ground);
+  bool CollectOutflow(ColumnId k, double share, Columns* ground);
+  double Overhang_m(ColumnId k, const Columns& ground) const;
 
-  std::vector<std::uint32_t> active_;
-  std::vector<std::uint8_t> is_active_;
-  std::vector<std::uint8_t> flowing_;
+  std::vector<ColumnId> active_;
+  std::vector<std::uint8_t> is_active_;  ///< by id
+  std::vector<std::uint8_t> flowing_;    ///< by id
   std::vector<Transfer> transfers_;
   struct Angles {
     double tan_start, tan_stop, tan_stand;

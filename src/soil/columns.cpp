@@ -3,18 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/check.h"
+#include "core/units.h"
 #include "soil/soil_type.h"
 
 namespace tera {
 namespace {
 
-constexpr double kFloorDepth_m = 10.0;  ///< the ledger's floor below the lowest point
 constexpr double kLooseShown_m = 0.03;  ///< loose soil this thick looks fully loose
 constexpr double kRutShown_m = 0.02;    ///< a rut this deep looks freshly pressed
 constexpr double kRutOfContact = 0.35;  ///< share of the rut's look that a mere contact leaves
-constexpr double kThinnest_m = 1e-9;    ///< thinner layers of loose soil join their neighbour
+constexpr int kCells = TerrainGrid::kTileCells;
 
 std::uint8_t Byte(double share) {
   return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
@@ -22,41 +23,12 @@ std::uint8_t Byte(double share) {
 
 }  // namespace
 
-Spoil Spoil::Take(double f) {
-  const Spoil part{mass_kg * f, volume_m3 * f, soil};
-  mass_kg -= part.mass_kg;
-  volume_m3 -= part.volume_m3;
-  return part;
-}
-
-Columns::Columns(Vec2 origin_W_m, double cell_m, int nx, int ny,
-                 const std::vector<double>& height_m, const std::vector<std::uint8_t>& bank_soil,
-                 std::vector<SoilType> soils)
-    : soils_(std::move(soils)), area_m2_(cell_m * cell_m) {
-  const std::size_t n = static_cast<std::size_t>(nx) * ny;
-  TERA_CHECK(height_m.size() == n && bank_soil.size() == n, height_m.size(), n);
-  surface_.origin_W_m = origin_W_m;
-  surface_.cell_m = cell_m;
-  surface_.nx = nx;
-  surface_.ny = ny;
-  surface_.height_m.resize(n);
-  surface_.soil = bank_soil;
-  surface_.moisture.resize(n);
-  surface_.looseness.assign(n, 0);
-  surface_.rut.assign(n, 0);
-  surface_.tile_version.assign(static_cast<std::size_t>(surface_.tiles_x()) * surface_.tiles_y(),
-                               1);
-  columns_.resize(n);
-  is_changed_.assign(n, 0);
-  blocked_m_.assign(n, std::numeric_limits<float>::infinity());
-  for (std::size_t k = 0; k < n; ++k) {
-    columns_[k].bank_m = height_m[k];
-    columns_[k].bank_soil = columns_[k].loose_soil = bank_soil[k];
-    surface_.height_m[k] = static_cast<float>(height_m[k]);
-    surface_.moisture[k] = Byte(soils_[bank_soil[k]].moisture);
-  }
-  floor_m_ = *std::min_element(height_m.begin(), height_m.end()) - kFloorDepth_m;
-}
+Columns::Columns(UndisturbedGround ground, std::vector<SoilType> soils)
+    : ground_(std::move(ground)),
+      surface_(SurfaceOf(ground_)),
+      soils_(std::move(soils)),
+      chunk_of_tile_(surface_.tile_count(), -1),
+      area_m2_(surface_.cell_m * surface_.cell_m) {}
 
 int Columns::NearestI(double x_m) const {
   return static_cast<int>(std::lround((x_m - surface_.origin_W_m.x()) / surface_.cell_m));
@@ -66,7 +38,71 @@ int Columns::NearestJ(double y_m) const {
   return static_cast<int>(std::lround((y_m - surface_.origin_W_m.y()) / surface_.cell_m));
 }
 
-double Columns::HeightAt(double x, double y) const { return SampleAt(x, y).top_m; }
+int Columns::TileOf(int i, int j) const {
+  return surface_.tile_index(std::min(i / kCells, surface_.tiles_x() - 1),
+                             std::min(j / kCells, surface_.tiles_y() - 1));
+}
+
+const Column* Columns::Find(int i, int j) const {
+  const std::int32_t n = chunk_of_tile_[TileOf(i, j)];
+  if (n < 0) return nullptr;
+  const Chunk& chunk = chunks_[n];
+  return &chunk.columns[((j - chunk.b * kCells) << kRowBits) | (i - chunk.a * kCells)];
+}
+
+ColumnId Columns::Touch(int i, int j) {
+  TERA_CHECK(Contains(i, j), i, j);
+  std::int32_t& n = chunk_of_tile_[TileOf(i, j)];
+  if (n < 0) {
+    n = static_cast<std::int32_t>(chunks_.size());
+    const int a = std::min(i / kCells, surface_.tiles_x() - 1);
+    const int b = std::min(j / kCells, surface_.tiles_y() - 1);
+    chunks_.push_back(
+        {a, b, std::vector<Column>(1u << kTileBits), std::vector<std::uint8_t>(1u << kTileBits)});
+    const bool uniform = ground_.IsUniform(a, b);
+    const std::uint8_t profile = ground_.ProfileAt(Vec2(x_m(a * kCells), y_m(b * kCells)));
+    for (int local = 0; local < 1 << kTileBits; ++local) {
+      const int ci = a * kCells + (local & static_cast<int>(kRowMask));
+      const int cj = b * kCells + (local >> kRowBits);
+      if (!Contains(ci, cj)) continue;
+      Column& c = chunks_.back().columns[local];
+      c.ground_m = c.bank_m = c.top_m = ground_.HeightAt(ci, cj);
+      c.profile = uniform ? profile : ground_.ProfileAt(Vec2(x_m(ci), y_m(cj)));
+    }
+  }
+  const Chunk& chunk = chunks_[n];
+  return static_cast<ColumnId>(n) << kTileBits |
+         static_cast<ColumnId>(j - chunk.b * kCells) << kRowBits |
+         static_cast<ColumnId>(i - chunk.a * kCells);
+}
+
+Columns::Place Columns::PlaceOf(ColumnId k) const {
+  const Chunk& chunk = chunks_[k >> kTileBits];
+  return {chunk.a * kCells + static_cast<int>(k & kRowMask),
+          chunk.b * kCells + static_cast<int>((k >> kRowBits) & kRowMask)};
+}
+
+const Column* Columns::Beside(ColumnId k, int di, int dj) const {
+  const int i = static_cast<int>(k & kRowMask) + di;
+  const int j = static_cast<int>((k >> kRowBits) & kRowMask) + dj;
+  const Chunk& chunk = chunks_[k >> kTileBits];
+  if (i >= 0 && j >= 0 && i < kCells && j < kCells) return &chunk.columns[j << kRowBits | i];
+  return Find(chunk.a * kCells + i, chunk.b * kCells + j);
+}
+
+double Columns::TopAt(int i, int j) const {
+  const Column* c = Find(i, j);
+  return c != nullptr ? c->top_m : ground_.HeightAt(i, j);
+}
+
+std::uint8_t Columns::SoilAt(int i, int j) const {
+  const Column* c = Find(i, j);
+  if (c == nullptr) {
+    return ground_.profiles[ground_.ProfileAt(Vec2(x_m(i), y_m(j)))].strata().front().soil;
+  }
+  if (c->layer_count > 0) return c->top_layer()->soil;
+  return ground_.profiles[c->profile].Below(c->ground_m - c->bank_m).soil;
+}
 
 Columns::Sample Columns::SampleAt(double x, double y) const {
   const double gx = std::clamp((x - surface_.origin_W_m.x()) / cell_m(), 0.0, nx() - 1.0);
@@ -74,196 +110,143 @@ Columns::Sample Columns::SampleAt(double x, double y) const {
   const int i = std::min(static_cast<int>(gx), nx() - 2);
   const int j = std::min(static_cast<int>(gy), ny() - 2);
   const double u = gx - i, v = gy - j;
-  const std::size_t k = index(i, j);
-  const Column &a = columns_[k], &b = columns_[k + 1];
-  const Column &c = columns_[k + nx()], &d = columns_[k + nx() + 1];
-  const auto blend = [&](double za, double zb, double zc, double zd) {
-    return (1 - v) * ((1 - u) * za + u * zb) + v * ((1 - u) * zc + u * zd);
+  Sample sample{0, 0, u < 0.5 ? i : i + 1, v < 0.5 ? j : j + 1};
+  const auto add = [&](int ci, int cj, double share) {
+    const Column* c = Find(ci, cj);
+    sample.top_m += share * (c != nullptr ? c->top_m : ground_.HeightAt(ci, cj));
+    if (c != nullptr) sample.pressed_m += share * c->pressed_m;
   };
-  return {blend(a.top_m(), b.top_m(), c.top_m(), d.top_m()),
-          blend(a.pressed_m, b.pressed_m, c.pressed_m, d.pressed_m),
-          index(u < 0.5 ? i : i + 1, v < 0.5 ? j : j + 1)};
+  add(i, j, (1 - u) * (1 - v));
+  add(i + 1, j, u * (1 - v));
+  add(i, j + 1, (1 - u) * v);
+  add(i + 1, j + 1, u * v);
+  return sample;
 }
 
-std::uint8_t Columns::soil_at(std::size_t k) const {
-  const Column& c = columns_[k];
-  return c.loose_m > 0 ? c.loose_soil : c.bank_soil;
+std::uint8_t Columns::soil_at(ColumnId k) const {
+  const Column& c = at(k);
+  return c.layer_count > 0 ? c.top_layer()->soil : BankOf(k).soil;
 }
 
-void Columns::Raise(std::size_t k, double dz_m) {
-  columns_[k].bank_m += dz_m;
-  Changed(k);
+const Stratum& Columns::BankOf(ColumnId k) const {
+  const Column& c = at(k);
+  return ground_.profiles[c.profile].Below(c.ground_m - c.bank_m);
 }
 
-Spoil Columns::Cut(std::size_t k, double z_m) {
-  Column& c = columns_[k];
-  if (c.top_m() <= z_m) return {};
-  Spoil cut = TakeLoose(k, c.top_m() - z_m);
-  const double depth = c.bank_m - z_m;
-  if (depth <= 0 || c.loose_m > 0) return cut;
-  const SoilType& soil = soils_[c.bank_soil];
-  double kgpm2 = 0;
-  if (depth >= c.crust_m) {
-    kgpm2 = c.crust_kgpm2 + (depth - c.crust_m) * soil.bank_density_kgpm3;
-    c.crust_m = c.crust_kgpm2 = 0;
-  } else {
-    kgpm2 = c.crust_kgpm2 * depth / c.crust_m;
-    c.crust_m -= depth;
-    c.crust_kgpm2 -= kgpm2;
+void Columns::Raise(const RaisedGround& raised) {
+  const double reach_m = raised.radius_m + raised.edge_m;
+  const Vec2& c_W = raised.centre_W_m;
+  for (int j = std::max(0, NearestJ(c_W.y() - reach_m));
+       j <= std::min(ny() - 1, NearestJ(c_W.y() + reach_m)); ++j) {
+    for (int i = std::max(0, NearestI(c_W.x() - reach_m));
+         i <= std::min(nx() - 1, NearestI(c_W.x() + reach_m)); ++i) {
+      const double beyond_m = (Vec2(x_m(i), y_m(j)) - c_W).norm() - raised.radius_m;
+      if (beyond_m >= raised.edge_m) continue;
+      const double share = 0.5 * (1 + std::cos(kPi * std::max(0.0, beyond_m / raised.edge_m)));
+      const ColumnId k = Touch(i, j);
+      Column& c = Get(k);
+      for (double* z_m : {&c.ground_m, &c.bank_m, &c.top_m}) *z_m += share * raised.height_m;
+      Changed(k);
+    }
   }
-  c.bank_m -= depth;
-  c.pressed_m = 0;
-  const double mass_kg = kgpm2 * area_m2_;
-  cut.Add({mass_kg, mass_kg / LooseDensity_kgpm3(soil), c.bank_soil});
-  Changed(k);
-  return cut;
 }
 
-Spoil Columns::TakeLoose(std::size_t k, double thickness_m) {
-  Column& c = columns_[k];
-  if (c.loose_m <= 0 || thickness_m <= 0) return {};
-  Spoil all{c.loose_kgpm2 * area_m2_, c.loose_m * area_m2_, c.loose_soil};
-  if (thickness_m >= c.loose_m - kThinnest_m) {
-    c.loose_m = c.loose_kgpm2 = 0;
-    Changed(k);
-    return all;
-  }
-  const double share = thickness_m / c.loose_m;
-  const double kgpm2 = c.loose_kgpm2 * share;
-  c.loose_m -= thickness_m;
-  c.loose_kgpm2 -= kgpm2;
+void Columns::Cut(ColumnId k, double z_m, SpoilMix* cut) {
+  Column& c = Get(k);
+  if (c.top_m <= z_m) return;
+  CutColumn(MaterialOf(c), z_m, &c, cut);
   Changed(k);
-  return {kgpm2 * area_m2_, thickness_m * area_m2_, c.loose_soil};
 }
 
-void Columns::Deposit(std::size_t k, const Spoil& spoil) {
+void Columns::TakeLoose(ColumnId k, double thickness_m, SpoilMix* taken) {
+  const Column& c = at(k);
+  const double take_m = std::min(thickness_m, c.loose_m());
+  if (take_m > 0) Cut(k, c.top_m - take_m, taken);
+}
+
+void Columns::Deposit(ColumnId k, const Spoil& spoil) {
   if (spoil.mass_kg <= 0) return;
-  Column& c = columns_[k];
-  const double kgpm2 = spoil.mass_kg / area_m2_;
-  if (kgpm2 > c.loose_kgpm2) c.loose_soil = spoil.soil;
-  c.loose_m += spoil.volume_m3 / area_m2_;
-  c.loose_kgpm2 += kgpm2;
-  c.pressed_m = std::max(0.0, c.pressed_m - spoil.volume_m3 / area_m2_);
+  Column& c = Get(k);
+  DepositOn(MaterialOf(c), spoil, &c);
   Changed(k);
 }
 
-void Columns::DepositAt(int i, int j, const Spoil& spoil) {
+void Columns::Deposit(ColumnId k, const SpoilMix& spoil) {
+  for (const Spoil& part : spoil.parts()) Deposit(k, part);
+}
+
+void Columns::DepositAt(int i, int j, const SpoilMix& spoil) {
   if (Contains(i, j)) {
-    Deposit(index(i, j), spoil);
+    Deposit(Touch(i, j), spoil);
   } else {
-    outside_kg_ += spoil.mass_kg;
+    outside_kg_ += spoil.mass_kg();
   }
 }
 
-Spoil Columns::Press(std::size_t k, double ds_m, double influence_m) {
-  Column& c = columns_[k];
-  const SoilType& soil = soils_[c.bank_soil];
-  c.pressed_m += ds_m;
-  Spoil beside;
-  if (c.loose_m > 0) {
-    const SoilType& loose = soils_[c.loose_soil];
-    const double least_m = c.loose_kgpm2 / loose.bank_density_kgpm3;
-    const double take_m = std::min(ds_m, std::max(0.0, c.loose_m - least_m));
-    c.loose_m -= take_m;
-    ds_m -= take_m;
-    if (c.loose_m - least_m < kThinnest_m) {  // as dense as bank soil: part of the crust
-      c.bank_m += c.loose_m;
-      c.crust_m += c.loose_m;
-      c.crust_kgpm2 += c.loose_kgpm2;
-      c.loose_m = c.loose_kgpm2 = 0;
-    }
-  }
-  if (ds_m > 0) {
-    if (c.crust_m < influence_m) {
-      c.crust_kgpm2 += (influence_m - c.crust_m) * soil.bank_density_kgpm3;
-      c.crust_m = influence_m;
-    }
-    c.crust_m -= ds_m;
-    c.bank_m -= ds_m;
-    const double excess_kgpm2 = c.crust_kgpm2 - c.crust_m * soil.max_density_kgpm3;
-    if (excess_kgpm2 > 0) {
-      c.crust_kgpm2 -= excess_kgpm2;
-      const double mass_kg = excess_kgpm2 * area_m2_;
-      beside = {mass_kg, mass_kg / LooseDensity_kgpm3(soil), c.bank_soil};
-    }
-  }
+void Columns::Press(ColumnId k, double ds_m, double influence_m, SpoilMix* beside) {
+  Column& c = Get(k);
+  PressColumn(MaterialOf(c), ds_m, influence_m, &c, beside);
   Changed(k);
   ShowRut(k, kRutOfContact + (1 - kRutOfContact) * c.pressed_m / kRutShown_m);
-  return beside;
 }
 
-void Columns::Break(std::size_t k, double thickness_m) {
-  const double z_m = columns_[k].bank_m - thickness_m;
-  Deposit(k, Cut(k, z_m));
+void Columns::Break(ColumnId k, double thickness_m) {
+  SpoilMix broken;
+  Cut(k, at(k).top_m - thickness_m, &broken);
+  Deposit(k, broken);
 }
 
-void Columns::MarkRut(std::size_t k) { ShowRut(k, kRutOfContact); }
+void Columns::MarkRut(ColumnId k) { ShowRut(k, kRutOfContact); }
 
-void Columns::Unblock(std::size_t k) {
-  blocked_m_[k] = std::numeric_limits<float>::infinity();
+void Columns::Unblock(ColumnId k) {
+  Get(k).blocked_m = std::numeric_limits<float>::infinity();
   Changed(k);  // what was held back may now slide
 }
 
-double Columns::GroundMass_kg() const {
-  double total_kg = 0;
-  for (int j = 0; j < ny(); ++j) {  // by rows, to keep the sums small
-    double row_kgpm2 = 0;
-    for (int i = 0; i < nx(); ++i) {
-      const Column& c = columns_[index(i, j)];
-      row_kgpm2 += (c.bank_m - c.crust_m - floor_m_) * soils_[c.bank_soil].bank_density_kgpm3 +
-                   c.crust_kgpm2 + c.loose_kgpm2;
+Columns::Gain Columns::GroundGain() const {
+  Gain total;
+  for (const Chunk& chunk : chunks_) {
+    Gain of_chunk;  // apart, to keep the sums small
+    for (const Column& c : chunk.columns) {
+      const double gain_kg = c.Gain_kgpm2(ground_.profiles[c.profile]) * area_m2_;
+      of_chunk.net_kg += gain_kg;
+      of_chunk.gained_kg += std::max(0.0, gain_kg);
     }
-    total_kg += row_kgpm2 * area_m2_;
+    total.net_kg += of_chunk.net_kg;
+    total.gained_kg += of_chunk.gained_kg;
   }
-  return total_kg;
+  return total;
 }
 
-std::vector<std::uint32_t> Columns::TakeChanged() {
-  for (const std::uint32_t k : changed_) is_changed_[k] = 0;
+std::vector<ColumnId> Columns::TakeChanged() {
+  for (const ColumnId k : changed_) chunks_[k >> kTileBits].is_changed[k & kLocalMask] = 0;
   return std::exchange(changed_, {});
 }
 
-void Columns::Changed(std::size_t k) {
-  if (!is_changed_[k]) {
-    is_changed_[k] = 1;
-    changed_.push_back(static_cast<std::uint32_t>(k));
+void Columns::Changed(ColumnId k) {
+  std::uint8_t& is_changed = chunks_[k >> kTileBits].is_changed[k & kLocalMask];
+  if (!is_changed) {
+    is_changed = 1;
+    changed_.push_back(k);
   }
-  const Column& c = columns_[k];
-  const float height = static_cast<float>(c.top_m());
-  const std::uint8_t soil = c.loose_m > 0 ? c.loose_soil : c.bank_soil;
-  const std::uint8_t looseness = Byte(c.loose_m / kLooseShown_m);
-  std::uint8_t rut = surface_.rut[k];
-  if (c.loose_m > kLooseShown_m || (c.pressed_m <= 0 && c.crust_m <= 0)) rut = 0;
-  if (height == surface_.height_m[k] && soil == surface_.soil[k] &&
-      looseness == surface_.looseness[k] && rut == surface_.rut[k]) {
-    return;
-  }
-  surface_.height_m[k] = height;
-  surface_.soil[k] = soil;
-  surface_.moisture[k] = Byte(soils_[soil].moisture);
-  surface_.looseness[k] = looseness;
-  surface_.rut[k] = rut;
-  BumpTiles(k);
+  const Column& c = at(k);
+  const Place place = PlaceOf(k);
+  const double loose_m = c.loose_m();
+  const bool stands_pressed = c.pressed_m > 0 || (c.layer_count > 0 && !c.layers[0].loose);
+  TerrainSurface::Vertex vertex = surface_.at(place.i, place.j);
+  vertex.height_m = static_cast<float>(c.top_m);
+  vertex.cover.soil = soil_at(k);
+  vertex.cover.moisture = Byte(c.layer_count > 0 ? c.top_layer()->moisture : BankOf(k).moisture);
+  vertex.cover.looseness = Byte(loose_m / kLooseShown_m);
+  if (loose_m > kLooseShown_m || !stands_pressed) vertex.cover.rut = 0;
+  surface_.Set(place.i, place.j, vertex);
 }
 
-void Columns::ShowRut(std::size_t k, double rut) {
-  const std::uint8_t shown = Byte(rut);
-  if (shown <= surface_.rut[k]) return;
-  surface_.rut[k] = shown;
-  BumpTiles(k);
-}
-
-void Columns::BumpTiles(std::size_t k) {
-  const int i = static_cast<int>(k % nx()), j = static_cast<int>(k / nx());
-  constexpr int kCells = TerrainSurface::kTileCells;
-  // A vertex on the border belongs to the tiles on both sides.
-  const int a0 = std::max(0, (i - 1) / kCells), a1 = std::min(i / kCells, surface_.tiles_x() - 1);
-  const int b0 = std::max(0, (j - 1) / kCells), b1 = std::min(j / kCells, surface_.tiles_y() - 1);
-  for (int b = b0; b <= b1; ++b) {
-    for (int a = a0; a <= a1; ++a) {
-      ++surface_.tile_version[static_cast<std::size_t>(b) * surface_.tiles_x() + a];
-    }
-  }
+void Columns::ShowRut(ColumnId k, double rut) {
+  const Place place = PlaceOf(k);
+  TerrainSurface::Vertex vertex = surface_.at(place.i, place.j);
+  vertex.cover.rut = std::max(vertex.cover.rut, Byte(rut));
+  surface_.Set(place.i, place.j, vertex);
 }
 
 }  // namespace tera

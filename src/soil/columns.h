@@ -4,123 +4,130 @@
 #include <vector>
 
 #include "core/terrain_surface.h"
+#include "soil/column.h"
 #include "soil/soil.h"
+#include "soil/spoil.h"
+#include "soil/undisturbed_ground.h"
 
 namespace tera {
 
-/// Soil on the move: a mass, the volume it takes up, and what it is.
-struct Spoil {
-  double mass_kg = 0;
-  double volume_m3 = 0;
-  std::uint8_t soil = 0;
-
-  void Add(const Spoil& other) {
-    if (other.mass_kg > mass_kg) soil = other.soil;
-    mass_kg += other.mass_kg;
-    volume_m3 += other.volume_m3;
-  }
-  /// Takes the share `f` in [0, 1] out of this.
-  Spoil Take(double f);
-};
-
-/// One vertical column of ground, from a fixed level far below the site up to the surface: bank
-/// (undisturbed) soil, then a compacted crust of the same soil, then loose soil.
-struct Column {
-  double bank_m = 0;       ///< z of the top of the bank soil, crust included
-  double crust_m = 0;      ///< thickness of the crust
-  double crust_kgpm2 = 0;  ///< its mass for each square metre
-  double loose_m = 0;      ///< thickness of the loose soil
-  double loose_kgpm2 = 0;  ///< its mass for each square metre
-  double pressed_m = 0;    ///< plastic sinkage pressed into this surface, for reloading
-  std::uint8_t bank_soil = 0;
-  std::uint8_t loose_soil = 0;
-
-  double top_m() const { return bank_m + loose_m; }
-};
+/// Place of a column in memory: its tile's chunk, and its row and place in the row there.
+using ColumnId = std::uint32_t;
 
 /// The ground as columns, its mass ledger, and the visible surface, always in step.
 ///
 /// Frames  W. Column (i, j) stands under vertex (i, j) of the surface and is cell x cell wide.
-/// Model   Every operation moves mass: from one column to another, to a tool, or over the border of
-///         the site (outside_kg). Bank soil has its type's density, the crust and the loose soil
-///         their own. Mass is kept per area in double precision.
-/// Omits   layers of different soils below the surface, moisture that moves.
+/// Model   Only tiles in which something has happened have columns of their own; elsewhere the
+///         ground is what UndisturbedGround says. Every operation moves mass: from one column to
+///         another, to a tool, or over the border of the site (outside_kg).
+/// Omits   moisture that moves.
 class Columns {
  public:
-  /// Columns with the given surface heights (row-major, i fastest) of undisturbed soil.
-  Columns(Vec2 origin_W_m, double cell_m, int nx, int ny, const std::vector<double>& height_m,
-          const std::vector<std::uint8_t>& bank_soil, std::vector<SoilType> soils);
+  Columns(UndisturbedGround ground, std::vector<SoilType> soils);
 
+  const TerrainGrid& grid() const { return surface_; }
   int nx() const { return surface_.nx; }
   int ny() const { return surface_.ny; }
   double cell_m() const { return surface_.cell_m; }
   double area_m2() const { return area_m2_; }
-  std::size_t index(int i, int j) const { return surface_.index(i, j); }
-  bool Contains(int i, int j) const { return i >= 0 && j >= 0 && i < nx() && j < ny(); }
-  double x_m(int i) const { return surface_.origin_W_m.x() + i * surface_.cell_m; }
-  double y_m(int j) const { return surface_.origin_W_m.y() + j * surface_.cell_m; }
+  bool Contains(int i, int j) const { return surface_.Contains(i, j); }
+  double x_m(int i) const { return surface_.x_m(i); }
+  double y_m(int j) const { return surface_.y_m(j); }
   /// Nearest column's index along an axis, not limited to the site.
   int NearestI(double x_m) const;
   int NearestJ(double y_m) const;
+
+  /// Height of a column's surface.
+  double TopAt(int i, int j) const;
+  /// Soil at a column's surface, as an index into soils().
+  std::uint8_t SoilAt(int i, int j) const;
   /// Bilinear height, the nearest border value outside the site.
-  double HeightAt(double x_m, double y_m) const;
+  double HeightAt(double x_m, double y_m) const { return SampleAt(x_m, y_m).top_m; }
 
   /// Surface between the columns, bilinear; the nearest border's outside the site.
   struct Sample {
     double top_m, pressed_m;
-    std::size_t k;  ///< a column beside
+    int i, j;  ///< a column beside
   };
   Sample SampleAt(double x_m, double y_m) const;
 
-  const Column& at(std::size_t k) const { return columns_[k]; }
+  /// Gives the tile of column (i, j) columns of its own. References stay good.
+  ColumnId Touch(int i, int j);
+  struct Place {
+    int i, j;
+  };
+  Place PlaceOf(ColumnId k) const;
+  const Column& at(ColumnId k) const { return chunks_[k >> kTileBits].columns[k & kLocalMask]; }
+  /// The column beside, if its tile has columns, else null.
+  const Column* Beside(ColumnId k, int di, int dj) const;
+  /// Ids lie below this.
+  std::size_t id_end() const { return chunks_.size() << kTileBits; }
+
+  const UndisturbedGround& undisturbed() const { return ground_; }
   const TerrainSurface& surface() const { return surface_; }
   const std::vector<SoilType>& soils() const { return soils_; }
-  /// Soil at the surface of a column, as an index into soils().
-  std::uint8_t soil_at(std::size_t k) const;
+  std::uint8_t soil_at(ColumnId k) const;
+  /// Stratum of the undisturbed soil at the top of a column's bank.
+  const Stratum& BankOf(ColumnId k) const;
 
-  /// Raises the undisturbed ground, before anything has moved: no soil is moved from elsewhere.
-  void Raise(std::size_t k, double dz_m);
-  /// Takes everything above z_m away.
-  Spoil Cut(std::size_t k, double z_m);
-  /// Takes up to `thickness_m` of loose soil away.
-  Spoil TakeLoose(std::size_t k, double thickness_m);
+  /// Raises the undisturbed ground: no soil is moved from elsewhere.
+  void Raise(const RaisedGround& raised);
+  /// Takes everything above z_m away and adds it to `cut`.
+  void Cut(ColumnId k, double z_m, SpoilMix* cut);
+  /// Takes up to `thickness_m` of the loose soil at the surface away and adds it to `taken`.
+  void TakeLoose(ColumnId k, double thickness_m, SpoilMix* taken);
   /// Puts loose soil on a column.
-  void Deposit(std::size_t k, const Spoil& spoil);
+  void Deposit(ColumnId k, const Spoil& spoil);
+  void Deposit(ColumnId k, const SpoilMix& spoil);
   /// Deposit by place; beyond the site's border it leaves the ledger's ground for its outside.
-  void DepositAt(int i, int j, const Spoil& spoil);
-  /// Presses the surface down by `ds_m`: loose soil and then the upper `influence_m` of the bank
-  /// become denser. What exceeds the greatest density is returned, to be put beside.
-  Spoil Press(std::size_t k, double ds_m, double influence_m);
-  /// Turns `thickness_m` of the top of the bank, which must be free of loose soil, into loose soil.
-  void Break(std::size_t k, double thickness_m);
+  void DepositAt(int i, int j, const SpoilMix& spoil);
+  /// Presses the surface down by `ds_m`: loose soil at the surface gives way first, then the upper
+  /// `influence_m` become denser. What exceeds the greatest density is added to `beside`.
+  void Press(ColumnId k, double ds_m, double influence_m, SpoilMix* beside);
+  /// Turns the upper `thickness_m` into loose soil.
+  void Break(ColumnId k, double thickness_m);
   /// Marks a column as touched by a running gear.
-  void MarkRut(std::size_t k);
+  void MarkRut(ColumnId k);
 
-  /// A shovel stands in this column from `low_m` upwards: soil higher than that does not slide in.
-  void Block(std::size_t k, double low_m) { blocked_m_[k] = static_cast<float>(low_m); }
-  void Unblock(std::size_t k);
-  double blocked_m(std::size_t k) const { return blocked_m_[k]; }
+  /// A tool stands in this column from `low_m` upwards: soil higher than that does not slide in.
+  void Block(ColumnId k, double low_m) { Get(k).blocked_m = static_cast<float>(low_m); }
+  void Unblock(ColumnId k);
 
-  double GroundMass_kg() const;
+  /// Mass that columns have gained since the start: all together, and those alone that gained.
+  struct Gain {
+    double net_kg = 0, gained_kg = 0;
+  };
+  Gain GroundGain() const;
   double outside_kg() const { return outside_kg_; }
 
   /// Columns changed since the last call, each once, in order of change.
-  std::vector<std::uint32_t> TakeChanged();
+  std::vector<ColumnId> TakeChanged();
 
  private:
-  void Changed(std::size_t k);
-  void ShowRut(std::size_t k, double rut);
-  void BumpTiles(std::size_t k);
+  static constexpr int kRowBits = 6, kTileBits = 2 * kRowBits;
+  static constexpr ColumnId kRowMask = (1u << kRowBits) - 1, kLocalMask = (1u << kTileBits) - 1;
+  struct Chunk {
+    int a, b;  ///< the tile's
+    std::vector<Column> columns;
+    std::vector<std::uint8_t> is_changed;
+  };
+  Column& Get(ColumnId k) { return chunks_[k >> kTileBits].columns[k & kLocalMask]; }
+  const Column* Find(int i, int j) const;
+  int TileOf(int i, int j) const;
+  ColumnMaterial MaterialOf(const Column& c) const {
+    return {ground_.profiles[c.profile], soils_, area_m2_};
+  }
+  void Changed(ColumnId k);
+  void ShowRut(ColumnId k, double rut);
 
+  UndisturbedGround ground_;
   TerrainSurface surface_;
   std::vector<SoilType> soils_;
-  std::vector<Column> columns_;
+  std::vector<Chunk> chunks_;
+  std::vector<std::int32_t> chunk_of_tile_;  ///< -1 where nothing has happened
   double area_m2_ = 0;
-  double floor_m_ = 0;  ///< level from which the bank's mass is counted
   double outside_kg_ = 0;
-  std::vector<std::uint32_t> changed_;
-  std::vector<std::uint8_t> is_changed_;
-  std::vector<float> blocked_m_;  ///< lowest point of a shovel that stands in it, else infinite
+  std::vector<ColumnId> changed_;
 };
 
 }  // namespace tera

@@ -59,7 +59,7 @@ bool Digging::InFootprint(int i, int j) const {
 
 /// Columns in which the shovel stands, and among them those whose soil it overlaps.
 void Digging::FindFootprint(const BodyState& body, Columns* ground) {
-  const std::vector<std::size_t> before = std::exchange(blocked_, {});
+  const std::vector<ColumnId> before = std::exchange(blocked_, {});
   footprint_.clear();
   i1_ = i0_ - 1;
   const double half_m = 0.5 * shovel_.width_m;
@@ -79,26 +79,25 @@ void Digging::FindFootprint(const BodyState& body, Columns* ground) {
                0);
   for (int j = j0_; j <= j1_; ++j) {
     for (int i = i0_; i <= i1_; ++i) {
-      const std::size_t k = ground->index(i, j);
-      const double top_m = ground->at(k).top_m();
+      const double top_m = ground->TopAt(i, j);
       if (top_m + kNear_m <= low.z()) continue;
       const auto crossing = shape_.VerticalCrossing(body.X_WB, ground->x_m(i), ground->y_m(j));
       if (!crossing) continue;
       mask_[static_cast<std::size_t>(j - j0_) * (i1_ - i0_ + 1) + (i - i0_)] = 1;
+      const ColumnId k = ground->Touch(i, j);
       ground->Block(k, crossing->low_m);
       blocked_.push_back(k);
       if (top_m > crossing->low_m) footprint_.push_back({i, j, *crossing});
     }
   }
-  for (const std::size_t k : before) {
-    if (!InFootprint(static_cast<int>(k % ground->nx()), static_cast<int>(k / ground->nx()))) {
-      ground->Unblock(k);
-    }
+  for (const ColumnId k : before) {
+    const auto [i, j] = ground->PlaceOf(k);
+    if (!InFootprint(i, j)) ground->Unblock(k);
   }
 }
 
 /// Puts soil on the first column outside the footprint in `direction`.
-void Digging::PutOutside(int i, int j, const Vec2& direction, const Spoil& spoil,
+void Digging::PutOutside(int i, int j, const Vec2& direction, const SpoilMix& spoil,
                          Columns* ground) const {
   constexpr double kStep = 0.7;  // in columns: skips none
   double x = i, y = j;
@@ -114,9 +113,9 @@ void Digging::CutFootprint(const BodyState& body, double dt_s, Columns* ground, 
   const Vec3 mouth_W = R_WB * shape_.mouth_normal_B();
   const bool carries = shovel_.capacity_m3 > 0;
   for (const Swept& swept : footprint_) {
-    const std::size_t k = ground->index(swept.i, swept.j);
+    const ColumnId k = ground->Touch(swept.i, swept.j);
     const SoilType& soil = soils_[ground->soil_at(k)];
-    const double top_m = ground->at(k).top_m();
+    const double top_m = ground->at(k).top_m;
     const double overlap_m = top_m - swept.crossing.low_m;
     const Vec3 p_W(ground->x_m(swept.i), ground->y_m(swept.j), swept.crossing.low_m);
     const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(p_W - body.X_WB.translation());
@@ -147,7 +146,8 @@ void Digging::CutFootprint(const BodyState& body, double dt_s, Columns* ground, 
       wrench->AddForceAt(-normal_n * n_W + friction_W, p_W, body.X_WB.translation());
     }
     if (overlap_m <= keep_m) continue;
-    Spoil cut = ground->Cut(k, swept.crossing.low_m + keep_m);
+    SpoilMix cut;
+    ground->Cut(k, swept.crossing.low_m + keep_m, &cut);
     if (mouth_first && !shell_contact) {
       carried_.Add(cut);
       continue;
@@ -166,14 +166,15 @@ void Digging::CutFootprint(const BodyState& body, double dt_s, Columns* ground, 
 }
 
 void Digging::Spill(const BodyState& body, double dt_s, Columns* ground) {
-  if (carried_.mass_kg <= 0) return;
+  if (carried_.empty()) return;
   const Vec3 up_B = body.X_WB.linear().transpose().col(2);
-  const double repose_rad = ground->soils()[carried_.soil].repose_angle_rad;
+  const double repose_rad = ground->soils()[carried_.main_soil()].repose_angle_rad;
   const Vec3 lip_B = shape_.LowerLip_B(up_B);
   const Vec3 mouth_W = body.X_WB.linear() * shape_.mouth_normal_B();
   const Vec2 mouth = mouth_W.head<2>();
   const Vec2 out = mouth.norm() > kLeastSpeed_mps ? Vec2(mouth.normalized()) : Vec2::UnitX();
-  double holds_m3 = shape_.HoldFor(up_B, repose_rad, carried_.volume_m3).volume_m3;
+  const double carried_m3 = carried_.volume_m3();
+  double holds_m3 = shape_.HoldFor(up_B, repose_rad, carried_m3).volume_m3;
   // Ground that stands before the mouth keeps soil in.
   const Vec3 lip_W = body.X_WB * lip_B;
   const Vec2 before_lip = lip_W.head<2>() + kBeforeLip_cells * ground->cell_m() * out;
@@ -181,13 +182,12 @@ void Digging::Spill(const BodyState& body, double dt_s, Columns* ground) {
       ground->HeightAt(before_lip.x(), before_lip.y()) > lip_W.z() + kShut_m) {
     holds_m3 = std::max(holds_m3, shovel_.capacity_m3);
   }
-  const double excess_m3 = carried_.volume_m3 - holds_m3;
+  const double excess_m3 = carried_m3 - holds_m3;
   if (excess_m3 <= 0) return;
-  double share = excess_m3 / carried_.volume_m3 * Clamp01(dt_s / kSpillTime_s);
-  if (carried_.mass_kg * (1 - share) < kEmpty_kg) share = 1;
+  double share = excess_m3 / carried_m3 * Clamp01(dt_s / kSpillTime_s);
+  if (carried_.mass_kg() * (1 - share) < kEmpty_kg) share = 1;
   // Over the lower lip, a little beyond it, spread over the shovel's width.
-  Spoil spilled = carried_.Take(share);
-  if (share == 1) carried_ = {};
+  SpoilMix spilled = carried_.Take(share);
   const int parts = std::max(1, static_cast<int>(std::lround(shovel_.width_m / ground->cell_m())));
   for (int part = 0; part < parts; ++part) {
     const double y_m = ((part + 0.5) / parts - 0.5) * shovel_.width_m;
@@ -232,7 +232,7 @@ std::array<Digging::Strip, Digging::kStrips> Digging::Strips(const BodyState& bo
     strip.depth_m = std::clamp(z_near - strip.p_W.z(), 0.0, shape_.radius_m());
     const int i = std::clamp(ground.NearestI(near.x()), 0, ground.nx() - 1);
     const int j = std::clamp(ground.NearestJ(near.y()), 0, ground.ny() - 1);
-    strip.soil = &soils_[ground.soil_at(ground.index(i, j))];
+    strip.soil = &soils_[ground.SoilAt(i, j)];
   }
   return strips;
 }
@@ -262,7 +262,7 @@ Vec3 Digging::CuttingForceOn(const Strip& strip, const Vec3& travel_W, const Vec
   CuttingForce cut = Cut(in);
   if (shovel_.capacity_m3 > 0 && cut.wedge_length_m > 0) {
     // Carried soil rests on the wedge with the share of its length that lies over it.
-    const double load_npm = carried_.mass_kg * kStandardGravity_mps2 / shovel_.width_m;
+    const double load_npm = carried_.mass_kg() * kStandardGravity_mps2 / shovel_.width_m;
     in.surcharge_pa = load_npm / std::max(cut.wedge_length_m, shape_.radius_m());
     cut = Cut(in);
   }
@@ -320,11 +320,12 @@ Digging::Result Digging::Act(const BodyState& body, double dt_s, Columns* ground
   result.wrench = EdgeForce(body, dt_s, *ground);
   CutFootprint(body, dt_s, ground, &result.wrench);
   Spill(body, dt_s, ground);
-  if (carried_.mass_kg > 0) {
+  if (!carried_.empty()) {
     const Vec3 up_B = body.X_WB.linear().transpose().col(2);
-    const double repose_rad = ground->soils()[carried_.soil].repose_angle_rad;
-    result.load = {carried_.mass_kg, shape_.HoldFor(up_B, repose_rad, carried_.volume_m3).com_B_m,
-                   carried_.volume_m3};
+    const double repose_rad = ground->soils()[carried_.main_soil()].repose_angle_rad;
+    const double volume_m3 = carried_.volume_m3();
+    result.load = {carried_.mass_kg(), shape_.HoldFor(up_B, repose_rad, volume_m3).com_B_m,
+                   volume_m3};
   }
   return result;
 }

@@ -7,6 +7,7 @@
 #include "core/ground_tools.h"
 #include "soil/columns.h"
 #include "soil/shovel_shape.h"
+#include "soil/spoil.h"
 
 namespace tera {
 
@@ -39,8 +40,7 @@ class Digging {
   };
   Result Act(const BodyState& body, double dt_s, Columns* ground);
   int link() const { return shovel_.link; }
-  double carried_kg() const { return carried_.mass_kg; }
-  const Spoil& carried() const { return carried_; }
+  const SpoilMix& carried() const { return carried_; }
 
  private:
   static constexpr int kStrips = 5;  ///< of the edge, each with its own depth and slope
@@ -51,7 +51,8 @@ class Digging {
   };
   void FindFootprint(const BodyState& body, Columns* ground);
   void CutFootprint(const BodyState& body, double dt_s, Columns* ground, Wrench* wrench);
-  void PutOutside(int i, int j, const Vec2& direction, const Spoil& spoil, Columns* ground) const;
+  void PutOutside(int i, int j, const Vec2& direction, const SpoilMix& spoil,
+                  Columns* ground) const;
   void Spill(const BodyState& body, double dt_s, Columns* ground);
   Wrench EdgeForce(const BodyState& body, double dt_s, const Columns& ground);
   std::optional<Vec3> CutDirection(const Mat3& R_WB) const;
@@ -65,13 +66,13 @@ class Digging {
   Shovel shovel_;
   ShovelShape shape_;
   std::vector<SoilType> soils_;
-  Spoil carried_;
+  SpoilMix carried_;
   double cut_travel_m_ = 0;     ///< elastic travel of the edge in its cutting direction
   double pierce_travel_m_ = 0;  ///< elastic travel of edge and teeth along the floor
   std::vector<Swept> footprint_;
   int i0_ = 0, i1_ = -1, j0_ = 0, j1_ = -1;
   std::vector<std::uint8_t> mask_;
-  std::vector<std::size_t> blocked_;  ///< columns of the ground that this shovel blocks
+  std::vector<ColumnId> blocked_;  ///< columns of the ground that this shovel blocks
 };
 
 }  // namespace tera

@@ -146,12 +146,12 @@ double GearContact::MakeRut(const ContactPatch& patch, const BodyState& body, do
       const double dx = ground->x_m(i) - p_W.x(), dy = ground->y_m(j) - p_W.y();
       const Vec3 d(dx, dy, -(n_W.x() * dx + n_W.y() * dy) / n_W.z());  // on the patch's plane
       const double across_m = d.dot(across_W);
-      const std::size_t k = ground->index(i, j);
-      const double pen_m = (ground->at(k).top_m() - (p_W.z() + d.z())) * -n_W.z();
+      const double pen_m = (ground->TopAt(i, j) - (p_W.z() + d.z())) * -n_W.z();
       if (pen_m <= 0 || std::abs(d.dot(along_W)) > 0.5 * patch.length_m ||
           std::abs(across_m) > 0.5 * patch.width_m) {
         continue;
       }
+      const ColumnId k = ground->Touch(i, j);
       const SoilType& soil = soils_[ground->soil_at(k)];
       const double pressed_m = ground->at(k).pressed_m;
       const double plastic_m = PlasticSinkage_m(soil, width_m, pressed_m, pen_m);
@@ -164,8 +164,9 @@ double GearContact::MakeRut(const ContactPatch& patch, const BodyState& body, do
       work_j += moved_on * ground->area_m2() *
                 (BekkerWork_jpm2(soil, width_m, pressed_m + plastic_m) -
                  BekkerWork_jpm2(soil, width_m, pressed_m));
-      const Spoil beside = ground->Press(k, plastic_m / -n_W.z(), kInfluenceDepths * patch.width_m);
-      if (beside.mass_kg <= 0) continue;
+      SpoilMix beside;
+      ground->Press(k, plastic_m / -n_W.z(), kInfluenceDepths * patch.width_m, &beside);
+      if (beside.empty()) continue;
       const double out_m = 0.5 * patch.width_m + ground->cell_m();
       const Vec3 out_W = p_W + d + ((across_m >= 0 ? out_m : -out_m) - across_m) * across_W;
       ground->DepositAt(ground->NearestI(out_W.x()), ground->NearestJ(out_W.y()), beside);
@@ -175,10 +176,10 @@ double GearContact::MakeRut(const ContactPatch& patch, const BodyState& body, do
 }
 
 /// Lets soil slide again into those of the columns `before` that the gear has left.
-void GearContact::Uncover(const std::vector<std::size_t>& before, Columns* ground) {
+void GearContact::Uncover(const std::vector<ColumnId>& before, Columns* ground) {
   std::sort(covered_.begin(), covered_.end());
   covered_.erase(std::unique(covered_.begin(), covered_.end()), covered_.end());
-  for (const std::size_t k : before) {
+  for (const ColumnId k : before) {
     if (!std::binary_search(covered_.begin(), covered_.end(), k)) ground->Unblock(k);
   }
 }
@@ -202,7 +203,7 @@ GearContact::Pressed GearContact::Bear(const ContactPatch& patch, const BodyStat
       const Columns::Sample sample = ground.SampleAt(q_W.x(), q_W.y());
       const double pen_m = (sample.top_m - q_W.z()) * -n_W.z();
       if (pen_m <= 0) continue;
-      const SoilType& soil = soils_[ground.soil_at(sample.k)];
+      const SoilType& soil = soils_[ground.SoilAt(sample.i, sample.j)];
       const double stiffness_papm = Rebound_papm(soil, width_m);
       const double pressure_pa = std::min(
           stiffness_papm * pen_m, BekkerPressure_pa(soil, width_m, sample.pressed_m + pen_m));
@@ -262,7 +263,7 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
   const std::vector<Patch> before = patches_;
   const Vec3 origin_W = body.X_WB.translation();
   const double shoe_mps = gear_.ShoeRadius_m() * rate_radps;
-  const std::vector<std::size_t> covered_before = std::exchange(covered_, {});
+  const std::vector<ColumnId> covered_before = std::exchange(covered_, {});
   double forward_mps = 0, weight_n = 0;
   for (std::size_t k = 0; k < patches_.size(); ++k) {
     const ContactPatch& patch = gear_.patches[k];

@@ -50,7 +50,7 @@ class GearContact {
   };
   struct Pressed;
   double MakeRut(const ContactPatch& patch, const BodyState& body, double dt_s, Columns* ground);
-  void Uncover(const std::vector<std::size_t>& before, Columns* ground);
+  void Uncover(const std::vector<ColumnId>& before, Columns* ground);
   Pressed Bear(const ContactPatch& patch, const BodyState& body, const Columns& ground) const;
   Vec2 Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_mps, double shoe_mps,
              double dt_s, const std::vector<Patch>& before);
@@ -59,8 +59,8 @@ class GearContact {
   bool shears_ = true;
   std::vector<SoilType> soils_;
   std::vector<Patch> patches_;
-  std::vector<std::size_t> covered_;  ///< columns under the gear, into which no soil slides
-  double rut_work_j_ = 0;             ///< plastic work still to be paid back as drag
+  std::vector<ColumnId> covered_;  ///< columns under the gear, into which no soil slides
+  double rut_work_j_ = 0;          ///< plastic work still to be paid back as drag
 };
 
 }  // namespace tera

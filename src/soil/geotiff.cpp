@@ -242,12 +242,11 @@ namespace {
 /// The surface in the file's order, as heights above the ellipsoid.
 std::vector<float> RowsFromNorth(const TerrainSurface& surface, const SiteOrigin& origin) {
   const EllipsoidDrop drop(origin.lat_deg);
-  std::vector<float> rows(surface.height_m.size());
+  std::vector<float> rows(static_cast<std::size_t>(surface.nx) * surface.ny);
   for (int j = 0; j < surface.ny; ++j) {
     for (int i = 0; i < surface.nx; ++i) {
-      const Vec2 p = surface.origin_W_m + surface.cell_m * Vec2(i, j);
       rows[static_cast<std::size_t>(surface.ny - 1 - j) * surface.nx + i] = static_cast<float>(
-          surface.height_m[surface.index(i, j)] + origin.height_m + drop.At_m(p.x(), p.y()));
+          surface.height_m(i, j) + origin.height_m + drop.At_m(surface.x_m(i), surface.y_m(j)));
     }
   }
   return rows;

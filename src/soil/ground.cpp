@@ -21,7 +21,9 @@ namespace {
 class Ground : public Soil {
  public:
   explicit Ground(const SitePlan& plan)
-      : columns_(BuildColumns(plan)), avalanche_(columns_), georeference_(plan.georeference) {}
+      : columns_(BuildColumns(plan)),
+        avalanche_(columns_.soils()),
+        georeference_(plan.georeference) {}
 
   int AddMachine(const GroundTools& tools) override {
     Machine machine;
@@ -37,7 +39,7 @@ class Ground : public Soil {
     return static_cast<int>(machines_.size()) - 1;
   }
 
-  void Raise(const RaisedGround& raised) override;
+  void Raise(const RaisedGround& raised) override { columns_.Raise(raised); }
   SoilReaction Act(int handle, const GroundToolsMotion& motion, double dt_s) override;
   void Flow(double dt_s) override { avalanche_.Flow(dt_s, &columns_); }
 
@@ -62,18 +64,6 @@ class Ground : public Soil {
   std::optional<SiteOrigin> georeference_;
   std::vector<Machine> machines_;
 };
-
-void Ground::Raise(const RaisedGround& raised) {
-  for (int j = 0; j < columns_.ny(); ++j) {
-    for (int i = 0; i < columns_.nx(); ++i) {
-      const Vec2 p_W(columns_.x_m(i), columns_.y_m(j));
-      const double beyond_m = (p_W - raised.centre_W_m).norm() - raised.radius_m;
-      if (beyond_m >= raised.edge_m) continue;
-      const double share = 0.5 * (1 + std::cos(kPi * std::max(0.0, beyond_m / raised.edge_m)));
-      columns_.Raise(columns_.index(i, j), share * raised.height_m);
-    }
-  }
-}
 
 void Add(const Wrench& part, Wrench* sum) {
   sum->force_W_n += part.force_W_n;
@@ -112,10 +102,12 @@ SoilReaction Ground::Act(int handle, const GroundToolsMotion& motion, double dt_
 
 MassLedger Ground::ledger() const {
   MassLedger ledger;
-  ledger.ground_kg = columns_.GroundMass_kg();
+  const Columns::Gain gain = columns_.GroundGain();
+  ledger.ground_kg = gain.net_kg;
+  ledger.shifted_kg = gain.gained_kg;
   ledger.outside_kg = columns_.outside_kg();
   for (const Machine& machine : machines_) {
-    for (const Digging& shovel : machine.shovels) ledger.carried_kg += shovel.carried_kg();
+    for (const Digging& shovel : machine.shovels) ledger.carried_kg += shovel.carried().mass_kg();
   }
   return ledger;
 }

@@ -8,87 +8,18 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "soil/geotiff.h"
+#include "soil/read_profiles.h"
 #include "soil/relief.h"
+#include "soil/soil_catalogue.h"
 #include "soil/soil_type.h"
 
 namespace tera {
 namespace {
 
 constexpr double kDefaultSize_m = 40, kDefaultCell_m = 0.05;
-constexpr double kMostColumns = 5e7;  ///< about 8 GB
-constexpr std::size_t kMostSoils = 255;
-
-/// The soils that a site names, each once.
-class SoilCatalogue {
- public:
-  explicit SoilCatalogue(const ConfigMap& config) {
-    for (const ConfigMap& custom : config.List("custom_soils")) {
-      custom.ApplyPreset("preset");
-      const SoilType soil = ReadSoilType(custom);
-      if (Find(soil.name)) custom.Fault("name", fmt::format("second soil named '{}'", soil.name));
-      soils_.push_back(soil);
-    }
-  }
-
-  /// Index of the soil of that name; a shipped soil is loaded when it is first named.
-  std::uint8_t Index(const ConfigMap& at, std::string_view key, const std::string& name) {
-    if (const auto known = Find(name)) return *known;
-    if (soils_.size() >= kMostSoils) {
-      at.Fault(key, fmt::format("more than {} soils", kMostSoils));
-      return 0;
-    }
-    const auto file = ShippedSoilFile(name);
-    if (!file) {
-      at.Fault(key, fmt::format("no soil named '{}'; need one of {} or a name in custom_soils",
-                                name, ShippedSoilNames()));
-      return 0;
-    }
-    const Config preset = Config::FromFile(*file);
-    soils_.push_back(ReadSoilType(preset.root()));
-    preset.Finish();
-    return static_cast<std::uint8_t>(soils_.size() - 1);
-  }
-
-  std::vector<SoilType> Take() { return std::move(soils_); }
-
- private:
-  std::optional<std::uint8_t> Find(const std::string& name) const {
-    for (std::size_t k = 0; k < soils_.size(); ++k) {
-      if (soils_[k].name == name) return static_cast<std::uint8_t>(k);
-    }
-    return std::nullopt;
-  }
-
-  std::vector<SoilType> soils_;
-};
-
-struct Strip {
-  int axis = 0;
-  double from_m = 0, to_m = 0;
-  std::uint8_t soil = 0;
-};
-
-std::vector<Strip> ReadStrips(const ConfigMap& config, SoilCatalogue* soils) {
-  std::vector<Strip> strips;
-  for (const ConfigMap& item : config.List("strips")) {
-    Strip strip;
-    strip.axis = item.Choice("axis", {"x", "y"}, "x") == "x" ? 0 : 1;
-    strip.from_m = item.Number("from_m", Any("m"));
-    strip.to_m = item.Number("to_m", Any("m"));
-    strip.soil = soils->Index(item, "soil", item.Text("soil"));
-    if (strip.to_m <= strip.from_m) {
-      item.Fault("to_m", fmt::format("{} is not beyond from_m {}", strip.to_m, strip.from_m));
-    }
-    for (const Strip& other : strips) {
-      if (other.axis == strip.axis && strip.from_m < other.to_m && other.from_m < strip.to_m) {
-        item.Fault("from_m", fmt::format("this strip overlaps the one from {} to {} m",
-                                         other.from_m, other.to_m));
-      }
-    }
-    strips.push_back(strip);
-  }
-  return strips;
-}
+constexpr double kMostColumns = 4e8;
+constexpr double kRoughestBase_m = 0.5;    ///< spacing of undisturbed heights that vary
+constexpr double kBasePerWavelength = 16;  ///< four for the shortest octave
 
 Relief ReadRelief(const ConfigMap& config, std::uint64_t seed) {
   Relief relief;
@@ -126,52 +57,65 @@ std::optional<ElevationGrid> ReadGeotiff(const ConfigMap& config) {
   }
 }
 
+/// Largest number of squares, a divisor of a tile's, that is not longer than `spacing_m`.
+int BaseCells(double spacing_m, double cell_m) {
+  int best = 1;
+  for (int n = 1; n <= TerrainGrid::kTileCells; ++n) {
+    if (TerrainGrid::kTileCells % n == 0 && n * cell_m <= spacing_m * (1 + 1e-9)) best = n;
+  }
+  return best;
+}
+
+TerrainGrid ReadGrid(const ConfigMap& config, const std::optional<ElevationGrid>& elevation) {
+  TerrainGrid grid;
+  Vec2 size_m(kDefaultSize_m, kDefaultSize_m);
+  if (elevation) size_m = Vec2(elevation->width_m(), elevation->depth_m());
+  size_m = config.Vector2("size_m", Between(1, 2000, "m"), size_m);
+  grid.cell_m = config.Number("cell_m", Between(0.01, 1, "m"), kDefaultCell_m);
+  grid.nx = static_cast<int>(std::lround(size_m.x() / grid.cell_m)) + 1;
+  grid.ny = static_cast<int>(std::lround(size_m.y() / grid.cell_m)) + 1;
+  if (static_cast<double>(grid.nx) * grid.ny > kMostColumns) {
+    config.Fault("size_m", fmt::format("{} x {} columns of {} m are more than the {} that a site "
+                                       "can have; use a larger cell_m or a smaller size_m",
+                                       grid.nx, grid.ny, grid.cell_m, kMostColumns));
+    grid.nx = grid.ny = 2;
+  }
+  grid.origin_W_m = -0.5 * grid.cell_m * Vec2(grid.nx - 1, grid.ny - 1);
+  return grid;
+}
+
 }  // namespace
 
 SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed) {
   SitePlan plan;
   const auto elevation = ReadGeotiff(config);
-  Vec2 size_m(kDefaultSize_m, kDefaultSize_m);
-  if (elevation) size_m = Vec2(elevation->width_m(), elevation->depth_m());
-  size_m = config.Vector2("size_m", Between(1, 2000, "m"), size_m);
-  plan.cell_m = config.Number("cell_m", Between(0.01, 1, "m"), kDefaultCell_m);
-  plan.nx = static_cast<int>(std::lround(size_m.x() / plan.cell_m)) + 1;
-  plan.ny = static_cast<int>(std::lround(size_m.y() / plan.cell_m)) + 1;
-  if (static_cast<double>(plan.nx) * plan.ny > kMostColumns) {
-    config.Fault("size_m", fmt::format("{} x {} columns of {} m are more than memory can hold "
-                                       "({}); use a larger cell_m or a smaller size_m",
-                                       plan.nx, plan.ny, plan.cell_m, kMostColumns));
-    plan.nx = plan.ny = 2;
-  }
-  plan.origin_W_m = -0.5 * plan.cell_m * Vec2(plan.nx - 1, plan.ny - 1);
   if (elevation) plan.georeference = elevation->origin;
-
+  UndisturbedGround& ground = plan.ground;
+  ground.grid = ReadGrid(config, elevation);
   SoilCatalogue soils(config);
-  std::uint8_t ground = 0;
-  const std::vector<std::string> names = config.Texts("soils");
-  for (const std::string& name : names) soils.Index(config, "soils", name);
-  if (names.empty() || config.Has("soil")) {
-    ground = soils.Index(config, "soil", config.Text("soil", "dirt"));
-  }
-  const std::vector<Strip> strips = ReadStrips(config, &soils);
+  SiteProfiles profiles = ReadProfiles(config, &soils);
+  ground.profiles = std::move(profiles.profiles);
+  ground.regions = std::move(profiles.regions);
   plan.piles = ReadPiles(config, &soils);
-  const Relief relief = ReadRelief(config, seed);
-  plan.soils = soils.Take();
+  plan.soils = soils.soils();
 
-  const std::size_t n = static_cast<std::size_t>(plan.nx) * plan.ny;
-  plan.height_m.resize(n);
-  plan.bank_soil.assign(n, ground);
-  for (int j = 0; j < plan.ny; ++j) {
-    for (int i = 0; i < plan.nx; ++i) {
-      const Vec2 p = plan.origin_W_m + plan.cell_m * Vec2(i, j);
-      const std::size_t k = static_cast<std::size_t>(j) * plan.nx + i;
-      plan.height_m[k] = relief.HeightAt(p.x(), p.y());
-      if (elevation) plan.height_m[k] += elevation->HeightAt(p.x(), p.y());
-      for (const Strip& strip : strips) {
-        if (p[strip.axis] >= strip.from_m && p[strip.axis] < strip.to_m) {
-          plan.bank_soil[k] = strip.soil;
-        }
-      }
+  const Relief relief = ReadRelief(config, seed);
+  double spacing_m = TerrainGrid::kTileCells * ground.grid.cell_m;  // planes need no more
+  if (relief.amplitude_m > 0) {
+    spacing_m = std::min({spacing_m, kRoughestBase_m, relief.wavelength_m / kBasePerWavelength});
+  }
+  if (elevation) {
+    spacing_m = std::min(
+        {spacing_m, kRoughestBase_m, 0.5 * std::min(elevation->cell_x_m, elevation->cell_y_m)});
+  }
+  ground.base_cells = BaseCells(spacing_m, ground.grid.cell_m);
+  for (int b = 0; b < ground.base_ny(); ++b) {
+    const double y_m = ground.grid.y_m(BaseVertex(b, ground.grid.ny, ground.base_cells));
+    for (int a = 0; a < ground.base_nx(); ++a) {
+      const double x_m = ground.grid.x_m(BaseVertex(a, ground.grid.nx, ground.base_cells));
+      double z_m = relief.HeightAt(x_m, y_m);
+      if (elevation) z_m += elevation->HeightAt(x_m, y_m);
+      ground.base_height_m.push_back(z_m);
     }
   }
   return plan;
@@ -181,8 +125,7 @@ Columns BuildColumns(const SitePlan& plan) {
   // A scenario with faults has no soil; it is never run.
   std::vector<SoilType> soils = plan.soils;
   if (soils.empty()) soils.emplace_back();
-  Columns columns(plan.origin_W_m, plan.cell_m, plan.nx, plan.ny, plan.height_m, plan.bank_soil,
-                  std::move(soils));
+  Columns columns(plan.ground, std::move(soils));
   for (const PilePlan& pile : plan.piles) {
     const SoilType& soil = columns.soils()[pile.soil];
     const double slope = std::tan(soil.repose_angle_rad);
@@ -190,17 +133,17 @@ Columns BuildColumns(const SitePlan& plan) {
     // The foot may lie lower than the ground under the top: look as far again.
     const double reach_m = 2 * pile.height_m / slope;
     const int i0 = std::max(0, columns.NearestI(pile.xy_W_m.x() - reach_m));
-    const int i1 = std::min(plan.nx - 1, columns.NearestI(pile.xy_W_m.x() + reach_m));
+    const int i1 = std::min(columns.nx() - 1, columns.NearestI(pile.xy_W_m.x() + reach_m));
     const int j0 = std::max(0, columns.NearestJ(pile.xy_W_m.y() - reach_m));
-    const int j1 = std::min(plan.ny - 1, columns.NearestJ(pile.xy_W_m.y() + reach_m));
+    const int j1 = std::min(columns.ny() - 1, columns.NearestJ(pile.xy_W_m.y() + reach_m));
     for (int j = j0; j <= j1; ++j) {
       for (int i = i0; i <= i1; ++i) {
         const double r_m = (Vec2(columns.x_m(i), columns.y_m(j)) - pile.xy_W_m).norm();
-        const std::size_t k = columns.index(i, j);
-        const double thickness_m = z_m - slope * r_m - columns.at(k).top_m();
+        const double thickness_m = z_m - slope * r_m - columns.TopAt(i, j);
         if (r_m > reach_m || thickness_m <= 0) continue;
         const double volume_m3 = thickness_m * columns.area_m2();
-        columns.Deposit(k, {volume_m3 * LooseDensity_kgpm3(soil), volume_m3, pile.soil});
+        columns.Deposit(columns.Touch(i, j), Spoil{volume_m3 * LooseDensity_kgpm3(soil), volume_m3,
+                                                   pile.soil, static_cast<float>(soil.moisture)});
       }
     }
   }

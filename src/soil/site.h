@@ -18,18 +18,14 @@ struct PilePlan {
 
 /// The ground at the start: what the scenario's `terrain:` mapping says.
 struct SitePlan {
-  Vec2 origin_W_m = Vec2::Zero();
-  double cell_m = 0;
-  int nx = 0, ny = 0;
-  std::vector<double> height_m;         ///< of undisturbed soil
-  std::vector<std::uint8_t> bank_soil;  ///< index into soils
+  UndisturbedGround ground;
   std::vector<SoilType> soils;
   std::vector<PilePlan> piles;
   std::optional<SiteOrigin> georeference;
 };
 
-/// Reads `size_m cell_m soil soils custom_soils strips relief geotiff piles`. Faults go to
-/// `config`; a GeoTIFF that cannot be used is one of them.
+/// Reads `size_m cell_m soil soils layers custom_soils strips regions relief geotiff piles`. Faults
+/// go to `config`; a GeoTIFF that cannot be used is one of them.
 SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed);
 
 /// The columns of a site, its piles in place at their angle of repose.

@@ -47,9 +47,10 @@ struct RaisedGround {
   double radius_m = 0, edge_m = 1, height_m = 0;
 };
 
-/// Where soil mass is, for the ledger. Every kilogram is in exactly one place.
+/// Where soil has gone since the start. What one place gained another lost: the total stays zero.
 struct MassLedger {
-  double ground_kg = 0;
+  double ground_kg = 0;   ///< gained by the ground
+  double shifted_kg = 0;  ///< sum of what single columns gained: the scale of its errors
   double carried_kg = 0;  ///< in shovels
   double outside_kg = 0;  ///< pushed over the border of the site
   double total_kg() const { return ground_kg + carried_kg + outside_kg; }

@@ -67,21 +67,11 @@ inline SceneModel OneBodyEach(std::vector<Mesh> meshes) {
 /// nx x ny vertices, the first at (origin, origin), with heights of (x, y) in W.
 inline TerrainSurface Ground(int nx, int ny, double cell_m, double origin_m,
                              const std::function<double(double, double)>& height_m) {
-  TerrainSurface ground;
-  ground.origin_W_m = Vec2(origin_m, origin_m);
-  ground.cell_m = cell_m;
-  ground.nx = nx;
-  ground.ny = ny;
-  const auto count = static_cast<std::size_t>(nx) * ny;
-  ground.soil.assign(count, 0);
-  ground.moisture.assign(count, 0);
-  ground.looseness.assign(count, 0);
-  ground.rut.assign(count, 0);
-  ground.tile_version.assign(static_cast<std::size_t>(ground.tiles_x()) * ground.tiles_y(), 1);
+  TerrainSurface ground(
+      TerrainGrid{.origin_W_m = Vec2(origin_m, origin_m), .cell_m = cell_m, .nx = nx, .ny = ny});
   for (int j = 0; j < ny; ++j) {
     for (int i = 0; i < nx; ++i) {
-      ground.height_m.push_back(
-          static_cast<float>(height_m(origin_m + cell_m * i, origin_m + cell_m * j)));
+      ground.Set(i, j, {static_cast<float>(height_m(ground.x_m(i), ground.y_m(j))), {}});
     }
   }
   return ground;

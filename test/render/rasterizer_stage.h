@@ -32,22 +32,15 @@ inline Mesh BoxMesh(const Vec3& half_m, const Vec3& albedo) {
 }
 
 inline TerrainSurface Ground(int cells, double cell_m, double (*height_m)(double, double)) {
-  TerrainSurface t;
-  t.nx = t.ny = cells + 1;
-  t.cell_m = cell_m;
-  t.origin_W_m = Vec2::Constant(-0.5 * cells * cell_m);
-  const std::size_t n = static_cast<std::size_t>(t.nx) * t.ny;
+  TerrainSurface t(TerrainGrid{.origin_W_m = Vec2::Constant(-0.5 * cells * cell_m),
+                               .cell_m = cell_m,
+                               .nx = cells + 1,
+                               .ny = cells + 1});
   for (int j = 0; j < t.ny; ++j) {
     for (int i = 0; i < t.nx; ++i) {
-      t.height_m.push_back(static_cast<float>(
-          height_m(t.origin_W_m.x() + i * cell_m, t.origin_W_m.y() + j * cell_m)));
+      t.Set(i, j, {static_cast<float>(height_m(t.x_m(i), t.y_m(j))), {}});
     }
   }
-  t.soil.assign(n, 0);
-  t.moisture.assign(n, 0);
-  t.looseness.assign(n, 0);
-  t.rut.assign(n, 0);
-  t.tile_version.assign(static_cast<std::size_t>(t.tiles_x()) * t.tiles_y(), 1);
   return t;
 }
 

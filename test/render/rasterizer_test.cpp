@@ -22,8 +22,7 @@ TEST(Rasterizer, SendsOnlyChangedTiles) {
   rasterizer.Render(Pinhole(), X_WC, stage.state);
   EXPECT_EQ(rasterizer.uploaded_tiles(), 16);
   // A hill in the middle of tile (1, 1), which spans (-5, -5) to (0, 0).
-  stage.terrain.height_m[stage.terrain.index(75, 75)] += 0.5f;
-  ++stage.terrain.tile_version[1 * 4 + 1];
+  stage.terrain.Set(75, 75, {stage.terrain.height_m(75, 75) + 0.5f, {}});
   const CameraFrame after = rasterizer.Render(Pinhole(), X_WC, stage.state);
   EXPECT_EQ(rasterizer.uploaded_tiles(), 17);
   EXPECT_EQ(after.rgb.data, stage.Shoot(Pinhole(), X_WC).rgb.data)

@@ -143,13 +143,11 @@ TEST(RayScene, OnlyDirtyTilesAreRebuilt) {
   scene.Update({{}}, ground, {});
   EXPECT_EQ(scene.tiles_rebuilt(), 9);
 
-  const std::size_t vertex = ground.index(75, 75);  // in the middle tile, at (3.75, 3.75)
-  ground.height_m[vertex] += 0.5f;
-  ++ground.tile_version[4];
+  ground.Set(75, 75, {ground.height_m(75, 75) + 0.5f, {}});  // in the middle tile
   scene.Update({{}}, ground, {});
   EXPECT_EQ(scene.tiles_rebuilt(), 10);
   const RayHit hit = TraceOne(scene, RayFrom({3.75, 3.75, 5}, -Vec3::UnitZ()));
-  EXPECT_NEAR(5 - hit.range_m, ground.height_m[vertex], 1e-5);
+  EXPECT_NEAR(5 - hit.range_m, ground.height_m(75, 75), 1e-5);
 }
 
 TEST(RayScene, ATerrainOfAnotherSizeReplacesTheOldOne) {
@@ -167,8 +165,9 @@ TEST(RayScene, WetSoilIsDarkerToTheLidar) {
   scene.Update({{}}, ground, {});
   const Ray down = RayFrom({1.01, 1.02, 2}, -Vec3::UnitZ());
   EXPECT_NEAR(TraceOne(scene, down).reflectance, 0.4, 1e-6);
-  std::fill(ground.moisture.begin(), ground.moisture.end(), 255);
-  ++ground.tile_version[0];
+  for (int j = 0; j < ground.ny; ++j) {
+    for (int i = 0; i < ground.nx; ++i) ground.Set(i, j, {0, {.moisture = 255}});
+  }
   scene.Update({{}}, ground, {});
   EXPECT_NEAR(TraceOne(scene, down).reflectance, 0.2, 1e-6);
 }

@@ -377,11 +377,10 @@ TEST(Scenarios, AllThatAreShippedAreValid) {
 }
 
 TEST(ObstacleAt, FollowsItsPathOverTheGround) {
-  TerrainSurface ground;  // a plane that rises 0.1 m per metre along x
-  ground.origin_W_m = Vec2(-10, -10);
-  ground.cell_m = 20;
-  ground.nx = ground.ny = 2;
-  ground.height_m = {-1, 1, -1, 1};
+  // A plane that rises 0.1 m per metre along x.
+  const TerrainSurface ground(
+      TerrainGrid{.origin_W_m = Vec2(-10, -10), .cell_m = 20, .nx = 2, .ny = 2}, 1, {-1, 1, -1, 1},
+      {{}});
   ScenarioObstacle walker;
   walker.height_above_ground_m = 0.5;
   walker.path = {{2, Vec2(0, 0)}, {4, Vec2(0, 3)}, {5, Vec2(4, 3)}};

@@ -11,16 +11,11 @@ namespace tera {
 namespace {
 
 using testing_soil::kStep_s;
+using testing_soil::LevelColumns;
 
 SoilType Shipped(const std::string& name) {
   const Config config = Config::FromFile(*ShippedSoilFile(name));
   return ReadSoilType(config.root());
-}
-
-Columns LevelSite(const SoilType& soil, double cell_m, int n) {
-  return Columns(Vec2::Constant(-0.5 * cell_m * (n - 1)), cell_m, n, n,
-                 std::vector<double>(static_cast<std::size_t>(n) * n, 0.0),
-                 std::vector<std::uint8_t>(static_cast<std::size_t>(n) * n, 0), {soil});
 }
 
 void Settle(Columns* ground, Avalanche* avalanche, int steps) {
@@ -48,17 +43,16 @@ double FlankAngle_deg(const Columns& ground, double azimuth_rad) {
 TEST(Avalanche, PouredPileStandsAtReposeAlongAxesAndDiagonals) {
   for (const double cell_m : {0.05, 0.10}) {
     const SoilType sand = Shipped("sand");
-    Columns ground = LevelSite(sand, cell_m, static_cast<int>(6 / cell_m) + 1);
-    Avalanche avalanche(ground);
-    const double before_kg = ground.GroundMass_kg();
+    Columns ground = LevelColumns(sand, cell_m, static_cast<int>(6 / cell_m) + 1);
+    Avalanche avalanche(ground.soils());
     const int mid = ground.nx() / 2;
     double poured_kg = 0;
     for (int k = 0; k < 6000; ++k) {  // 0.6 m^3 over an area of 15 cm
       for (int b = -1; b <= 1; ++b) {
         for (int a = -1; a <= 1; ++a) {
           const double volume_m3 = 0.6 / 6000 / 9;
-          ground.Deposit(ground.index(mid + a, mid + b),
-                         {volume_m3 * LooseDensity_kgpm3(sand), volume_m3, 0});
+          ground.Deposit(ground.Touch(mid + a, mid + b),
+                         Spoil{volume_m3 * LooseDensity_kgpm3(sand), volume_m3, 0, 0});
           poured_kg += volume_m3 * LooseDensity_kgpm3(sand);
         }
       }
@@ -69,39 +63,42 @@ TEST(Avalanche, PouredPileStandsAtReposeAlongAxesAndDiagonals) {
       EXPECT_NEAR(FlankAngle_deg(ground, k * 45 * kDeg), sand.repose_angle_rad / kDeg, 2.0)
           << "azimuth " << 45 * k << " deg, cells of " << cell_m << " m";
     }
-    EXPECT_NEAR((ground.GroundMass_kg() - poured_kg) / before_kg, 1, 1e-10);
+    EXPECT_NEAR(ground.GroundGain().net_kg / poured_kg, 1, 1e-10);
   }
 }
 
 TEST(Avalanche, APileComesToRestAndThenCostsNothing) {
   const SoilType dirt = Shipped("dirt");
-  Columns ground = LevelSite(dirt, 0.05, 81);
-  Avalanche avalanche(ground);
-  ground.Deposit(ground.index(40, 40), {134, 0.1, 0});
+  Columns ground = LevelColumns(dirt, 0.05, 81);
+  Avalanche avalanche(ground.soils());
+  ground.Deposit(ground.Touch(40, 40), Spoil{134, 0.1, 0, 0});
   Settle(&ground, &avalanche, 20000);
   EXPECT_EQ(avalanche.active_count(), 0u);
 }
 
 TEST(Avalanche, BothDiagonalsAndAxesFlowAlike) {
   const SoilType dirt = Shipped("dirt");
-  Columns ground = LevelSite(dirt, 0.05, 81);
-  Avalanche avalanche(ground);
-  ground.Deposit(ground.index(40, 40), {134, 0.1, 0});
+  Columns ground = LevelColumns(dirt, 0.05, 81);
+  Avalanche avalanche(ground.soils());
+  ground.Deposit(ground.Touch(40, 40), Spoil{134, 0.1, 0, 0});
   Settle(&ground, &avalanche, 500);
   for (int d = 1; d < 12; ++d) {
-    const double h = ground.at(ground.index(40 + d, 40 + 2)).top_m();
-    EXPECT_NEAR(ground.at(ground.index(40 - d, 40 - 2)).top_m(), h, 1e-12);
-    EXPECT_NEAR(ground.at(ground.index(40 + 2, 40 + d)).top_m(), h, 1e-12);
-    EXPECT_NEAR(ground.at(ground.index(40 - 2, 40 + d)).top_m(), h, 1e-12);
+    const double h = ground.TopAt(40 + d, 40 + 2);
+    EXPECT_NEAR(ground.TopAt(40 - d, 40 - 2), h, 1e-12);
+    EXPECT_NEAR(ground.TopAt(40 + 2, 40 + d), h, 1e-12);
+    EXPECT_NEAR(ground.TopAt(40 - 2, 40 + d), h, 1e-12);
   }
 }
 
 /// A pit with an upright wall `height_m` tall along x = 0 (low side at x > 0), then 10 s of time.
 double WallTopAfter(const SoilType& soil, double height_m) {
-  Columns ground = LevelSite(soil, 0.05, 121);
-  Avalanche avalanche(ground);
+  Columns ground = LevelColumns(soil, 0.05, 121);
+  Avalanche avalanche(ground.soils());
   for (int j = 0; j < 121; ++j) {
-    for (int i = 60; i < 121; ++i) ground.Cut(ground.index(i, j), -height_m);
+    for (int i = 60; i < 121; ++i) {
+      SpoilMix cut;
+      ground.Cut(ground.Touch(i, j), -height_m, &cut);
+    }
   }
   Settle(&ground, &avalanche, 5000);
   return ground.HeightAt(-0.1, 0);

@@ -50,9 +50,9 @@ TEST(Site, DefaultsAreFortyMetresOfDirtCentredOnTheOrigin) {
 
 TEST(Site, SizeAndCellSetTheGrid) {
   const SitePlan plan = Plan("size_m: [12, 6]\ncell_m: 0.1\n");
-  EXPECT_EQ(plan.nx, 121);
-  EXPECT_EQ(plan.ny, 61);
-  EXPECT_EQ(plan.cell_m, 0.1);
+  EXPECT_EQ(plan.ground.grid.nx, 121);
+  EXPECT_EQ(plan.ground.grid.ny, 61);
+  EXPECT_EQ(plan.ground.grid.cell_m, 0.1);
 }
 
 TEST(Site, EveryShippedSoilIsReadable) {
@@ -71,8 +71,10 @@ TEST(Site, StripsSetTheSoilAlongTheirAxis) {
   const TerrainSurface& ground = soil->surface();
   const auto at = [&](double x, double y) {
     return soil
-        ->soils()[ground.soil[ground.index(static_cast<int>(std::lround((x + 6) / 0.05)),
-                                           static_cast<int>(std::lround((y + 2) / 0.05)))]]
+        ->soils()[ground
+                      .at(static_cast<int>(std::lround((x + 6) / 0.05)),
+                          static_cast<int>(std::lround((y + 2) / 0.05)))
+                      .cover.soil]
         .name;
   };
   EXPECT_EQ(at(-4, 0), "dirt");
@@ -81,10 +83,51 @@ TEST(Site, StripsSetTheSoilAlongTheirAxis) {
   EXPECT_EQ(at(4, 1.5), "sand");
 }
 
+TEST(Site, RegionsAndLayersSetWhatLiesWhere) {
+  const SitePlan plan = Plan(
+      "size_m: [12, 6]\nlayers:\n"
+      "  - {soil: dirt, from_m: 0, to_m: 0.3, moisture: 0.7}\n"
+      "  - {soil: gravel, from_m: 0.3, density_kgpm3: 1900}\n"
+      "regions:\n"
+      "  - {outline_m: [[-2, -1], [2, -1], [0, 2]], soil: sand}\n");
+  const auto soil_at = [&](double x, double y, double depth_m) {
+    const GroundProfile& profile = plan.ground.profiles[plan.ground.ProfileAt(Vec2(x, y))];
+    return plan.soils[profile.Below(depth_m).soil].name;
+  };
+  EXPECT_EQ(soil_at(-5, 0, 0), "dirt");
+  EXPECT_EQ(soil_at(-5, 0, 0.31), "gravel");
+  EXPECT_EQ(soil_at(0, 0, 0), "sand");
+  EXPECT_EQ(soil_at(0, 0, 4), "sand");
+  EXPECT_EQ(soil_at(1.5, 1.5, 0), "dirt");  // in the triangle's box, outside its sides
+  const GroundProfile& layers = plan.ground.profiles[0];
+  EXPECT_NEAR(layers.Mass_kgpm2(0.1, 0.5), 0.2 * 1474 + 0.2 * 1900, 1e-9);
+  EXPECT_FLOAT_EQ(layers.Below(0).moisture, 0.7f);
+}
+
+TEST(Site, ARegionIsSeenWithItsExactOutline) {
+  const auto soil = MakeSite(
+      "size_m: [12, 6]\nsoils: [dirt, sand]\n"
+      "regions:\n  - {outline_m: [[-2, -1], [2, -1], [0, 2]], soil: sand}\n");
+  const TerrainSurface& ground = soil->surface();
+  double sand_m2 = 0;
+  for (int j = 0; j < ground.ny; ++j) {
+    for (int i = 0; i < ground.nx; ++i) {
+      if (soil->soils()[ground.at(i, j).cover.soil].name == "sand") sand_m2 += 0.05 * 0.05;
+    }
+  }
+  EXPECT_NEAR(sand_m2, 6.0, 0.1);  // 4 m x 3 m / 2
+}
+
+TEST(Site, AQuietSiteIsKnownByFewHeights) {
+  const SitePlan plan = Plan("size_m: [500, 500]\nrelief: {amplitude_m: 0.3, wavelength_m: 8}\n");
+  EXPECT_EQ(plan.ground.grid.nx, 10001);
+  EXPECT_LE(plan.ground.base_height_m.size(), 1100u * 1100u);  // of 10^8 columns
+}
+
 TEST(Site, SlopeRisesTowardsItsAzimuth) {
   const SitePlan plan =
       Plan("size_m: [10, 10]\nrelief: {slope_deg: 10, slope_direction_deg: 90}\n");
-  const auto height = [&](int i, int j) { return plan.height_m[j * plan.nx + i]; };
+  const auto height = [&](int i, int j) { return plan.ground.HeightAt(i, j); };
   EXPECT_NEAR(height(50, 200) - height(50, 0), 10 * std::tan(10 * kDeg), 1e-9);
   EXPECT_NEAR(height(150, 60), height(10, 60), 1e-9);
 }
@@ -92,9 +135,10 @@ TEST(Site, SlopeRisesTowardsItsAzimuth) {
 TEST(Site, ReliefIsSeededAndKeepsToItsAmplitudeAndWavelength) {
   const std::string yaml = "size_m: [20, 20]\nrelief: {amplitude_m: 0.3, wavelength_m: 5}\n";
   const SitePlan plan = Plan(yaml), again = Plan(yaml), other = Plan(yaml, 2);
-  EXPECT_EQ(plan.height_m, again.height_m);
-  EXPECT_NE(plan.height_m, other.height_m);
-  const auto [low, high] = std::minmax_element(plan.height_m.begin(), plan.height_m.end());
+  EXPECT_EQ(plan.ground.base_height_m, again.ground.base_height_m);
+  EXPECT_NE(plan.ground.base_height_m, other.ground.base_height_m);
+  const std::vector<double>& heights = plan.ground.base_height_m;
+  const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
   EXPECT_GT(*high - *low, 0.1);
   EXPECT_LE(*high, 0.3);
   EXPECT_GE(*low, -0.3);
@@ -102,8 +146,10 @@ TEST(Site, ReliefIsSeededAndKeepsToItsAmplitudeAndWavelength) {
   const SitePlan longer = Plan("size_m: [20, 20]\nrelief: {amplitude_m: 0.3, wavelength_m: 25}\n");
   const auto steepest = [](const SitePlan& p) {
     double s = 0;
-    for (std::size_t k = 1; k < p.height_m.size(); ++k) {
-      if (k % p.nx != 0) s = std::max(s, std::abs(p.height_m[k] - p.height_m[k - 1]));
+    for (int j = 0; j < p.ground.grid.ny; ++j) {
+      for (int i = 1; i < p.ground.grid.nx; ++i) {
+        s = std::max(s, std::abs(p.ground.HeightAt(i, j) - p.ground.HeightAt(i - 1, j)));
+      }
     }
     return s;
   };
@@ -116,7 +162,7 @@ TEST(Site, PileIsAConeOfLooseSoilAtItsReposeAngleAndStaysSo) {
   const TerrainSurface& ground = soil->surface();
   EXPECT_NEAR(ground.HeightAt(1, -2), 1.0, 1e-6);
   EXPECT_NEAR(ground.HeightAt(1 + 0.8, -2), 1.0 - 0.8 * std::tan(32 * kDeg), 1e-3);
-  EXPECT_EQ(soil->soils()[ground.soil[ground.index(120, 60)]].name, "gravel");
+  EXPECT_EQ(soil->soils()[ground.at(120, 60).cover.soil].name, "gravel");
   for (int k = 0; k < 500; ++k) soil->Flow(0.002);
   EXPECT_NEAR(ground.HeightAt(1, -2), 1.0, 0.03);
 }
@@ -135,6 +181,23 @@ TEST(Site, EveryFaultOfATerrainIsNamed) {
               HasSubstr("overlaps the one from 0 to 2 m"));
   EXPECT_THAT(FaultsOf("size_m: [4, 4]\npiles: [{xy_m: [0, 0], height_m: -1, soil: sand}]\n"),
               HasSubstr("piles[0].height_m: -1 is out of range"));
+  EXPECT_THAT(
+      FaultsOf("size_m: [4, 4]\nlayers:\n  - {soil: dirt, from_m: 0, to_m: 0.4}\n"
+               "  - {soil: sand, from_m: 0.3}\n"),
+      HasSubstr("layers[1].from_m: this layer overlaps the one above it, which ends at 0.4"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\nlayers:\n  - {soil: dirt, from_m: 0, to_m: 0.4}\n"
+                       "  - {soil: sand, from_m: 0.5}\n"),
+              HasSubstr("no layer from 0.4 to 0.5 m"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\nsoil: dirt\nlayers: [{soil: dirt, from_m: 0}]\n"),
+              HasSubstr("soil and layers exclude each other"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\nlayers: [{soil: dirt, from_m: 0, to_m: 1}]\n"),
+              HasSubstr("the lowest layer goes on without end"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\nregions:\n"
+                       "  - {outline_m: [[0, 0], [1, 1], [1, 0], [0, 1]], soil: sand}\n"),
+              HasSubstr("its sides 1 and 3 cross"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\nregions:\n"
+                       "  - {outline_m: [[0, 0], [1, 1], [2, 2]], soil: sand}\n"),
+              HasSubstr("enclose no area"));
   const std::string dirt =
       "size_m: [4, 4]\nsoil: mine\ncustom_soils:\n  - {preset: "
       "tera:config/soils/dirt.yaml, name: mine, ";

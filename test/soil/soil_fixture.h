@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "core/config.h"
 #include "core/ground_tools.h"
 #include "core/units.h"
+#include "soil/columns.h"
 #include "soil/soil.h"
 
 /// Sites, tools and motions that the soil's tests share.
@@ -15,6 +17,19 @@
 namespace tera::testing_soil {
 
 inline constexpr double kStep_s = 0.002;
+
+/// n x n columns of one soil, level at `z_m`, centred on W's origin.
+inline Columns LevelColumns(const SoilType& soil, double cell_m, int n, double z_m = 0) {
+  UndisturbedGround ground;
+  ground.grid = {
+      .origin_W_m = Vec2::Constant(-0.5 * cell_m * (n - 1)), .cell_m = cell_m, .nx = n, .ny = n};
+  ground.base_cells = TerrainGrid::kTileCells;
+  ground.base_height_m.assign(static_cast<std::size_t>(ground.base_nx()) * ground.base_ny(), z_m);
+  ground.profiles.push_back(
+      GroundProfile({{std::numeric_limits<double>::infinity(), 0, static_cast<float>(soil.moisture),
+                      soil.bank_density_kgpm3}}));
+  return Columns(std::move(ground), {soil});
+}
 
 inline std::unique_ptr<Soil> MakeSite(const std::string& terrain_yaml, std::uint64_t seed = 7) {
   const Config config = Config::FromText(terrain_yaml, "site.yaml");

@@ -1,0 +1,160 @@
+#include "soil/read_profiles.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+namespace tera {
+namespace {
+
+constexpr double kBeyond_m = 1e5;       ///< strips reach this far across
+constexpr double kLeastArea_m2 = 1e-4;  ///< of a region
+
+Stratum StratumOf(std::uint8_t soil, const SoilCatalogue& soils) {
+  if (soils.soils().empty()) return {std::numeric_limits<double>::infinity(), soil, 0, 0};
+  const SoilType& type = soils.soils()[soil];
+  return {std::numeric_limits<double>::infinity(), soil, static_cast<float>(type.moisture),
+          type.bank_density_kgpm3};
+}
+
+/// Layers by depth, from the surface down without gap or overlap, the last one without end.
+GroundProfile ReadLayers(const ConfigMap& config, SoilCatalogue* soils) {
+  std::vector<Stratum> strata;
+  double bottom_m = 0;
+  const std::vector<ConfigMap> items = config.List("layers");
+  if (items.empty()) {
+    config.Fault("layers", "an empty list; name at least one layer");
+    return GroundProfile({StratumOf(0, *soils)});
+  }
+  for (std::size_t n = 0; n < items.size(); ++n) {
+    const ConfigMap& item = items[n];
+    Stratum stratum = StratumOf(soils->Index(item, "soil", item.Text("soil")), *soils);
+    const double from_m = item.Number("from_m", AtLeast(0, "m"));
+    if (from_m < bottom_m) {
+      item.Fault("from_m", fmt::format("this layer overlaps the one above it, which ends at {} m; "
+                                       "begin it there",
+                                       bottom_m));
+    } else if (from_m > bottom_m) {
+      item.Fault("from_m", fmt::format("no layer from {} to {} m of depth; begin it at {}",
+                                       bottom_m, from_m, bottom_m));
+    }
+    const bool last = n + 1 == items.size();
+    if (!last) {
+      stratum.bottom_m = item.Number("to_m", Positive("m"));
+      if (stratum.bottom_m <= from_m) {
+        item.Fault("to_m", fmt::format("{} is not below from_m {}", stratum.bottom_m, from_m));
+      }
+    } else if (item.Has("to_m")) {
+      item.Fault("to_m", "the lowest layer goes on without end; leave to_m out");
+    }
+    stratum.density_kgpm3 =
+        item.Number("density_kgpm3", Between(500, 4000, "kg/m^3"), stratum.density_kgpm3);
+    stratum.moisture =
+        static_cast<float>(item.Number("moisture", Between(0, 1, "(degree of saturation)"),
+                                       static_cast<double>(stratum.moisture)));
+    bottom_m = stratum.bottom_m;
+    strata.push_back(stratum);
+  }
+  return GroundProfile(strata);
+}
+
+/// `soil` or `layers`, of which just one is there.
+GroundProfile ReadProfile(const ConfigMap& config, SoilCatalogue* soils) {
+  if (config.Has("layers")) {
+    if (config.Has("soil"))
+      config.Fault("soil", "soil and layers exclude each other; leave one out");
+    return ReadLayers(config, soils);
+  }
+  return GroundProfile({StratumOf(soils->Index(config, "soil", config.Text("soil")), *soils)});
+}
+
+void ReadStrips(const ConfigMap& config, SoilCatalogue* soils, SiteProfiles* site) {
+  struct Strip {
+    int axis;
+    double from_m, to_m;
+  };
+  std::vector<Strip> strips;
+  for (const ConfigMap& item : config.List("strips")) {
+    Strip strip;
+    strip.axis = item.Choice("axis", {"x", "y"}, "x") == "x" ? 0 : 1;
+    strip.from_m = item.Number("from_m", Any("m"));
+    strip.to_m = item.Number("to_m", Any("m"));
+    site->profiles.push_back(ReadProfile(item, soils));
+    if (strip.to_m <= strip.from_m) {
+      item.Fault("to_m", fmt::format("{} is not beyond from_m {}", strip.to_m, strip.from_m));
+    }
+    for (const Strip& other : strips) {
+      if (other.axis == strip.axis && strip.from_m < other.to_m && other.from_m < strip.to_m) {
+        item.Fault("from_m", fmt::format("this strip overlaps the one from {} to {} m",
+                                         other.from_m, other.to_m));
+      }
+    }
+    strips.push_back(strip);
+    const Vec2 along = Vec2::Unit(strip.axis), across = Vec2::Unit(1 - strip.axis);
+    const Vec2 from = strip.from_m * along, to = strip.to_m * along, far = kBeyond_m * across;
+    site->regions.push_back({{from - far, to - far, to + far, from + far},
+                             static_cast<std::uint8_t>(site->profiles.size() - 1)});
+  }
+}
+
+/// Whether two segments cross, ends that touch not counted.
+bool Cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const auto side = [](const Vec2& from, const Vec2& to, const Vec2& p) {
+    return (to.x() - from.x()) * (p.y() - from.y()) - (to.y() - from.y()) * (p.x() - from.x());
+  };
+  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
+
+void ReadRegions(const ConfigMap& config, SoilCatalogue* soils, SiteProfiles* site) {
+  for (const ConfigMap& item : config.List("regions")) {
+    ProfileRegion region;
+    for (const auto& row : item.NumberRows("outline_m", Any("m"), 2, 3)) {
+      region.outline_W_m.emplace_back(row[0], row[1]);
+    }
+    const std::vector<Vec2>& p = region.outline_W_m;
+    double twice_area_m2 = 0;
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      const Vec2 &a = p[k], &b = p[(k + 1) % p.size()];
+      twice_area_m2 += a.x() * b.y() - a.y() * b.x();
+      for (std::size_t m = k + 1; m < p.size(); ++m) {
+        if (Cross(a, b, p[m], p[(m + 1) % p.size()])) {
+          item.Fault("outline_m", fmt::format("its sides {} and {} cross; name the corners in "
+                                              "order around the region",
+                                              k + 1, m + 1));
+        }
+      }
+    }
+    if (!p.empty() && std::abs(twice_area_m2) < 2 * kLeastArea_m2) {
+      item.Fault("outline_m", "its corners enclose no area");
+    }
+    site->profiles.push_back(ReadProfile(item, soils));
+    region.profile = static_cast<std::uint8_t>(site->profiles.size() - 1);
+    site->regions.push_back(region);
+  }
+}
+
+}  // namespace
+
+SiteProfiles ReadProfiles(const ConfigMap& config, SoilCatalogue* soils) {
+  SiteProfiles site;
+  const std::vector<std::string> names = config.Texts("soils");
+  for (const std::string& name : names) soils->Index(config, "soils", name);
+  if (config.Has("layers") || config.Has("soil")) {
+    site.profiles.push_back(ReadProfile(config, soils));
+  } else {
+    const std::string name = names.empty() ? config.Text("soil", "dirt") : names.front();
+    site.profiles.push_back(GroundProfile({StratumOf(soils->Index(config, "soil", name), *soils)}));
+  }
+  ReadStrips(config, soils, &site);
+  ReadRegions(config, soils, &site);
+  constexpr std::size_t kMostProfiles = 256;
+  if (site.profiles.size() > kMostProfiles) {
+    config.Fault("regions", fmt::format("{} strips and regions, with at most {} possible",
+                                        site.profiles.size() - 1, kMostProfiles - 1));
+    site.regions.clear();
+  }
+  return site;
+}
+
+}  // namespace tera
