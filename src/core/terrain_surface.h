@@ -59,6 +59,14 @@ class TerrainSurface : public TerrainGrid {
     bool operator==(const Vertex&) const = default;
   };
 
+  /// A clod in the air or rolling, drawn as a round stone of its soil.
+  struct Grain {
+    Eigen::Vector3f p_W_m = Eigen::Vector3f::Zero();
+    float radius_m = 0;
+    std::uint8_t soil = 0;
+    std::uint8_t moisture = 0;
+  };
+
   TerrainSurface() = default;
   /// Level ground at zero.
   explicit TerrainSurface(const TerrainGrid& grid);
@@ -73,6 +81,10 @@ class TerrainSurface : public TerrainGrid {
   double HeightAt(double x_m, double y_m) const;
   /// Upward unit normal of the triangle under (x, y).
   Vec3 NormalAt(double x_m, double y_m) const;
+
+  /// Soil that moves through the air above the surface.
+  const std::vector<Grain>& grains() const { return grains_; }
+  void SetGrains(std::vector<Grain> grains) { grains_ = std::move(grains); }
 
   void Set(int i, int j, const Vertex& vertex);
   /// Gives each vertex of tile (a, b) and of its border its own place.
@@ -106,6 +118,7 @@ class TerrainSurface : public TerrainGrid {
   std::vector<std::uint32_t> version_;
   std::vector<std::int32_t> block_of_;  ///< of each tile, -1 while undisturbed
   std::vector<Block> blocks_;
+  std::vector<Grain> grains_;
 };
 
 /// Number of base vertices along an axis of `n` vertices.

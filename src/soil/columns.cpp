@@ -176,10 +176,14 @@ void Columns::Deposit(ColumnId k, const SpoilMix& spoil) {
 }
 
 void Columns::DepositAt(int i, int j, const SpoilMix& spoil) {
+  for (const Spoil& part : spoil.parts()) DepositAt(i, j, part);
+}
+
+void Columns::DepositAt(int i, int j, const Spoil& spoil) {
   if (Contains(i, j)) {
     Deposit(Touch(i, j), spoil);
   } else {
-    outside_kg_ += spoil.mass_kg();
+    outside_kg_ += spoil.mass_kg;
   }
 }
 

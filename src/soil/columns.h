@@ -81,6 +81,7 @@ class Columns {
   void Deposit(ColumnId k, const SpoilMix& spoil);
   /// Deposit by place; beyond the site's border it leaves the ledger's ground for its outside.
   void DepositAt(int i, int j, const SpoilMix& spoil);
+  void DepositAt(int i, int j, const Spoil& spoil);
   /// Presses the surface down by `ds_m`: loose soil at the surface gives way first, then the upper
   /// `influence_m` become denser. What exceeds the greatest density is added to `beside`.
   void Press(ColumnId k, double ds_m, double influence_m, SpoilMix* beside);
@@ -92,6 +93,11 @@ class Columns {
   /// A tool stands in this column from `low_m` upwards: soil higher than that does not slide in.
   void Block(ColumnId k, double low_m) { Get(k).blocked_m = static_cast<float>(low_m); }
   void Unblock(ColumnId k);
+
+  /// Shows soil in the air.
+  void ShowGrains(std::vector<TerrainSurface::Grain> grains) {
+    surface_.SetGrains(std::move(grains));
+  }
 
   /// Mass that columns have gained since the start: all together, and those alone that gained.
   struct Gain {

@@ -36,7 +36,6 @@ constexpr double kSpillTime_s = 0.25;   ///< time constant at which what cannot 
 constexpr double kBeforeLip_cells = 2;  ///< where the ground before the mouth is looked at
 constexpr double kShut_m = 0.05;        ///< ground this far above the lip shuts the mouth
 constexpr double kMouthDown = -0.7;     ///< z of a mouth that no ground can shut
-constexpr double kEmpty_kg = 1e-3;      ///< the last grams leave at once
 
 double Clamp01(double x) { return std::clamp(x, 0.0, 1.0); }
 
@@ -165,7 +164,7 @@ void Digging::CutFootprint(const BodyState& body, double dt_s, Columns* ground, 
   }
 }
 
-void Digging::Spill(const BodyState& body, double dt_s, Columns* ground) {
+void Digging::Spill(const BodyState& body, double dt_s, Columns* ground, Grains* grains) {
   if (carried_.empty()) return;
   const Vec3 up_B = body.X_WB.linear().transpose().col(2);
   const double repose_rad = ground->soils()[carried_.main_soil()].repose_angle_rad;
@@ -183,18 +182,24 @@ void Digging::Spill(const BodyState& body, double dt_s, Columns* ground) {
     holds_m3 = std::max(holds_m3, shovel_.capacity_m3);
   }
   const double excess_m3 = carried_m3 - holds_m3;
-  if (excess_m3 <= 0) return;
-  double share = excess_m3 / carried_m3 * Clamp01(dt_s / kSpillTime_s);
-  if (carried_.mass_kg() * (1 - share) < kEmpty_kg) share = 1;
-  // Over the lower lip, a little beyond it, spread over the shovel's width.
-  SpoilMix spilled = carried_.Take(share);
-  const int parts = std::max(1, static_cast<int>(std::lround(shovel_.width_m / ground->cell_m())));
-  for (int part = 0; part < parts; ++part) {
-    const double y_m = ((part + 0.5) / parts - 0.5) * shovel_.width_m;
-    const Vec3 p_W = body.X_WB * Vec3(lip_B.x(), y_m, lip_B.z());
-    PutOutside(ground->NearestI(p_W.x()), ground->NearestJ(p_W.y()), out,
-               spilled.Take(1.0 / (parts - part)), ground);
+  if (excess_m3 <= 0) {
+    spilling_m3_ = 0;
+    return;
   }
+  // In whole clods, and the last of it at once.
+  spilling_m3_ += excess_m3 * Clamp01(dt_s / kSpillTime_s);
+  const double clod_m3 = grains->clod_m3();
+  if (spilling_m3_ < clod_m3 && carried_m3 > clod_m3) return;
+  const bool last = carried_m3 - spilling_m3_ < clod_m3 && holds_m3 < clod_m3;
+  const double leaves_m3 = last ? carried_m3 : std::min(spilling_m3_, excess_m3);
+  spilling_m3_ = 0;
+  // Just beyond the lip, anywhere over the shovel's width.
+  const Vec3 out_W = ground->cell_m() * Vec3(out.x(), out.y(), 0);
+  const double half_m = 0.5 * shovel_.width_m;
+  grains->Pour(carried_.Take(last ? 1.0 : leaves_m3 / carried_m3),
+               body.X_WB * Vec3(lip_B.x(), -half_m, lip_B.z()) + out_W,
+               body.X_WB * Vec3(lip_B.x(), half_m, lip_B.z()) + out_W, PointVelocity(body, lip_B),
+               ground);
 }
 
 /// A part of the edge's width, and the ground that it cuts.
@@ -314,12 +319,13 @@ Wrench Digging::EdgeForce(const BodyState& body, double dt_s, const Columns& gro
   return wrench;
 }
 
-Digging::Result Digging::Act(const BodyState& body, double dt_s, Columns* ground) {
+Digging::Result Digging::Act(const BodyState& body, double dt_s, Columns* ground,
+                             Grains* grains) {
   Result result;
   FindFootprint(body, ground);
   result.wrench = EdgeForce(body, dt_s, *ground);
   CutFootprint(body, dt_s, ground, &result.wrench);
-  Spill(body, dt_s, ground);
+  Spill(body, dt_s, ground, grains);
   if (!carried_.empty()) {
     const Vec3 up_B = body.X_WB.linear().transpose().col(2);
     const double repose_rad = ground->soils()[carried_.main_soil()].repose_angle_rad;

@@ -6,6 +6,7 @@
 
 #include "core/ground_tools.h"
 #include "soil/columns.h"
+#include "soil/grains.h"
 #include "soil/shovel_shape.h"
 #include "soil/spoil.h"
 
@@ -18,7 +19,7 @@ namespace tera {
 ///         column. What comes in through the mouth is carried (a bucket) or put just ahead (a
 ///         blade, or a bucket moved back first); what the shell presses away is put beside.
 ///         Carried soil beyond what stands heaped at the angle of repose in the present attitude
-///         leaves over the lower lip at a finite rate and lands below it.
+///         leaves over the lower lip at a finite rate, as clods that fall.
 ///         Force: the fundamental earthmoving equation for each of several strips of the edge with
 ///         its own depth, ground slope and the carried soil's surcharge, flank shear once, and the
 ///         penetration resistance of the teeth and, a tooth's length behind their tips, of the
@@ -26,7 +27,7 @@ namespace tera {
 ///         which makes it hold at rest and opposes motion. The shell's underside rests on the
 ///         ground: elastic up to the bearing pressure, then it presses the ground aside; Coulomb
 ///         friction along it.
-/// Omits   falling time of spilled soil, resistance against the side walls, secondary separation.
+/// Omits   resistance against the side walls, secondary separation.
 /// Source  see earthmoving.h; teeth as in Algoryx's terrain material (10 % at the surface, 100 % at
 ///         0.5 m).
 class Digging {
@@ -38,7 +39,7 @@ class Digging {
     Wrench wrench;  ///< about the link's origin, without the weight of the carried soil
     SoilReaction::Load load;
   };
-  Result Act(const BodyState& body, double dt_s, Columns* ground);
+  Result Act(const BodyState& body, double dt_s, Columns* ground, Grains* grains);
   int link() const { return shovel_.link; }
   const SpoilMix& carried() const { return carried_; }
 
@@ -53,7 +54,7 @@ class Digging {
   void CutFootprint(const BodyState& body, double dt_s, Columns* ground, Wrench* wrench);
   void PutOutside(int i, int j, const Vec2& direction, const SpoilMix& spoil,
                   Columns* ground) const;
-  void Spill(const BodyState& body, double dt_s, Columns* ground);
+  void Spill(const BodyState& body, double dt_s, Columns* ground, Grains* grains);
   Wrench EdgeForce(const BodyState& body, double dt_s, const Columns& ground);
   std::optional<Vec3> CutDirection(const Mat3& R_WB) const;
   std::array<Strip, kStrips> Strips(const BodyState& body, const Vec3& travel_W,
@@ -67,6 +68,7 @@ class Digging {
   ShovelShape shape_;
   std::vector<SoilType> soils_;
   SpoilMix carried_;
+  double spilling_m3_ = 0;  ///< of it that should have left, less than a clod
   double cut_travel_m_ = 0;     ///< elastic travel of the edge in its cutting direction
   double pierce_travel_m_ = 0;  ///< elastic travel of edge and teeth along the floor
   std::vector<Swept> footprint_;

@@ -9,6 +9,7 @@
 #include "soil/digging.h"
 #include "soil/gear_contact.h"
 #include "soil/geotiff.h"
+#include "soil/grains.h"
 #include "soil/hull_contact.h"
 #include "soil/site.h"
 #include "soil/soil.h"
@@ -20,9 +21,10 @@ namespace {
 /// Columns, the machines' tools on them, and the slides they set off.
 class Ground : public Soil {
  public:
-  explicit Ground(const SitePlan& plan)
+  Ground(const SitePlan& plan, std::uint64_t seed)
       : columns_(BuildColumns(plan)),
         avalanche_(columns_.soils()),
+        grains_(columns_.soils(), seed),
         georeference_(plan.georeference) {}
 
   int AddMachine(const GroundTools& tools) override {
@@ -41,7 +43,10 @@ class Ground : public Soil {
 
   void Raise(const RaisedGround& raised) override { columns_.Raise(raised); }
   SoilReaction Act(int handle, const GroundToolsMotion& motion, double dt_s) override;
-  void Flow(double dt_s) override { avalanche_.Flow(dt_s, &columns_); }
+  void Flow(double dt_s) override {
+    grains_.Step(dt_s, &columns_);
+    avalanche_.Flow(dt_s, &columns_);
+  }
 
   const TerrainSurface& surface() const override { return columns_.surface(); }
   const std::vector<SoilType>& soils() const override { return columns_.soils(); }
@@ -61,6 +66,7 @@ class Ground : public Soil {
 
   Columns columns_;
   Avalanche avalanche_;
+  Grains grains_;
   std::optional<SiteOrigin> georeference_;
   std::vector<Machine> machines_;
 };
@@ -93,7 +99,7 @@ SoilReaction Ground::Act(int handle, const GroundToolsMotion& motion, double dt_
     Add(point.Act(links[point.link()], columns_), &reaction.link_wrench[point.link()]);
   }
   for (Digging& shovel : machine.shovels) {
-    const Digging::Result digging = shovel.Act(links[shovel.link()], dt_s, &columns_);
+    const Digging::Result digging = shovel.Act(links[shovel.link()], dt_s, &columns_, &grains_);
     Add(digging.wrench, &reaction.link_wrench[shovel.link()]);
     reaction.shovel_load.push_back(digging.load);
   }
@@ -105,6 +111,7 @@ MassLedger Ground::ledger() const {
   const Columns::Gain gain = columns_.GroundGain();
   ledger.ground_kg = gain.net_kg;
   ledger.shifted_kg = gain.gained_kg;
+  ledger.grains_kg = grains_.mass_kg();
   ledger.outside_kg = columns_.outside_kg();
   for (const Machine& machine : machines_) {
     for (const Digging& shovel : machine.shovels) ledger.carried_kg += shovel.carried().mass_kg();
@@ -115,7 +122,7 @@ MassLedger Ground::ledger() const {
 }  // namespace
 
 std::unique_ptr<Soil> Soil::Read(const ConfigMap& config, std::uint64_t seed) {
-  return std::make_unique<Ground>(ReadSite(config, seed));
+  return std::make_unique<Ground>(ReadSite(config, seed), seed);
 }
 
 }  // namespace tera

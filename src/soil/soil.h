@@ -51,9 +51,10 @@ struct RaisedGround {
 struct MassLedger {
   double ground_kg = 0;   ///< gained by the ground
   double shifted_kg = 0;  ///< sum of what single columns gained: the scale of its errors
+  double grains_kg = 0;   ///< in the air
   double carried_kg = 0;  ///< in shovels
   double outside_kg = 0;  ///< pushed over the border of the site
-  double total_kg() const { return ground_kg + carried_kg + outside_kg; }
+  double total_kg() const { return ground_kg + grains_kg + carried_kg + outside_kg; }
 };
 
 /// Georeference of a site read from a GeoTIFF: geodetic place of W's origin.

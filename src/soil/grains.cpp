@@ -1,0 +1,108 @@
+#include "soil/grains.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+constexpr double kClod_m3 = 1e-4;         ///< about 6 cm across
+constexpr double kLargestClods = 8;       ///< times that, when as many as may be are under way
+constexpr double kLongestSlide_s = 3;     ///< then a clod rests wherever it is
+constexpr double kRestSpeed_mps = 0.05;   ///< slower clods rest where friction holds them
+constexpr double kScatter_mps = 0.15;     ///< of a clod's velocity, each axis, one sigma
+const Vec3 kGravity_W(0, 0, -kStandardGravity_mps2);
+
+Vec3 NormalAt(const Columns& ground, double x, double y) {
+  const double h = ground.cell_m();
+  return Vec3(ground.HeightAt(x - h, y) - ground.HeightAt(x + h, y),
+              ground.HeightAt(x, y - h) - ground.HeightAt(x, y + h), 2 * h)
+      .normalized();
+}
+
+/// Takes up to `loss_mps` of speed.
+Vec3 Slowed(const Vec3& v_mps, double loss_mps) {
+  const double speed_mps = v_mps.norm();
+  return speed_mps > loss_mps ? Vec3(v_mps * (1 - loss_mps / speed_mps)) : Vec3(Vec3::Zero());
+}
+
+}  // namespace
+
+Grains::Grains(const std::vector<SoilType>& soils, std::uint64_t seed)
+    : scatter_(seed, "terrain/grains") {
+  for (const SoilType& soil : soils) friction_.push_back(std::tan(soil.repose_angle_rad));
+}
+
+double Grains::clod_m3() const {
+  return kClod_m3 * (1 + (kLargestClods - 1) * static_cast<double>(count()) / kMost);
+}
+
+void Grains::Pour(const SpoilMix& spoil, const Vec3& from_W, const Vec3& to_W, const Vec3& v_W,
+                  Columns* ground) {
+  for (Spoil rest : spoil.parts()) {
+    const int clods = std::max(1, static_cast<int>(std::lround(rest.volume_m3 / clod_m3())));
+    for (int n = clods; n > 0; --n) {
+      const Spoil clod = rest.Take(1.0 / n);
+      const std::uint64_t k = poured_++;
+      const Vec3 p_W = from_W + scatter_.Uniform(k, 1) * (to_W - from_W);
+      if (count() < kMost) {
+        grains_.push_back({p_W, v_W + kScatter_mps * scatter_.Gaussian3(k, 2), clod});
+      } else {
+        ground->DepositAt(ground->NearestI(p_W.x()), ground->NearestJ(p_W.y()), clod);
+      }
+    }
+  }
+}
+
+bool Grains::Move(double dt_s, const Columns& ground, Grain* grain) const {
+  Vec3 &p_W = grain->p_W_m, &v_W = grain->v_W_mps;
+  v_W += dt_s * kGravity_W;
+  p_W += dt_s * v_W;
+  const double ground_m = ground.HeightAt(p_W.x(), p_W.y());
+  if (p_W.z() > ground_m) return false;
+  p_W.z() = ground_m;
+  grain->slid_s += dt_s;
+  const Vec3 n_W = NormalAt(ground, p_W.x(), p_W.y());
+  const double into_mps = std::max(0.0, -v_W.dot(n_W));
+  const double friction = friction_[grain->spoil.soil];
+  v_W = Slowed(v_W + into_mps * n_W, friction * into_mps);
+  const bool holds = n_W.head<2>().norm() <= friction * n_W.z();
+  return (holds && v_W.norm() < kRestSpeed_mps) || grain->slid_s > kLongestSlide_s;
+}
+
+void Grains::Step(double dt_s, Columns* ground) {
+  if (grains_.empty()) return;
+  std::size_t kept = 0;
+  for (Grain& grain : grains_) {
+    if (Move(dt_s, *ground, &grain)) {
+      ground->DepositAt(ground->NearestI(grain.p_W_m.x()), ground->NearestJ(grain.p_W_m.y()),
+                        grain.spoil);
+    } else {
+      grains_[kept++] = grain;
+    }
+  }
+  grains_.resize(kept);
+  Show(ground);
+}
+
+void Grains::Show(Columns* ground) const {
+  std::vector<TerrainSurface::Grain> shown;
+  shown.reserve(grains_.size());
+  for (const Grain& grain : grains_) {
+    const auto radius_m = static_cast<float>(std::cbrt(3 * grain.spoil.volume_m3 / (4 * kPi)));
+    shown.push_back({grain.p_W_m.cast<float>() + radius_m * Eigen::Vector3f::UnitZ(), radius_m,
+                     grain.spoil.soil,
+                     static_cast<std::uint8_t>(std::lround(255 * grain.spoil.moisture))});
+  }
+  ground->ShowGrains(std::move(shown));
+}
+
+double Grains::mass_kg() const {
+  double sum_kg = 0;
+  for (const Grain& grain : grains_) sum_kg += grain.spoil.mass_kg;
+  return sum_kg;
+}
+
+}  // namespace tera

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/random.h"
+#include "soil/columns.h"
+#include "soil/spoil.h"
+
+namespace tera {
+
+/// Soil in the air and on its way down slopes, as clods that each stand for a small volume.
+///
+/// Frames  W.
+/// Model   A clod falls freely. Where it meets the ground it loses its velocity into the surface
+///         and, by Coulomb friction, as much of that along it; it slides on while the surface is
+///         steeper than friction holds. At rest, or when it has slid for kLongestSlide_s, it
+///         becomes loose soil of the column below. There are never more than kMost: clods are
+///         larger while many are under way, and what more is poured lies in the column below at
+///         once. Clods neither touch each other nor machines: they exert no force.
+/// Omits   collisions between clods, bouncing, drag of the air.
+class Grains {
+ public:
+  static constexpr std::size_t kMost = 20000;
+
+  /// `seed` scatters clods along the line that they leave from.
+  Grains(const std::vector<SoilType>& soils, std::uint64_t seed);
+
+  /// Volume of the clods that are made now.
+  double clod_m3() const;
+  /// Lets soil go with a velocity, from places on the line between two points.
+  void Pour(const SpoilMix& spoil, const Vec3& from_W_m, const Vec3& to_W_m, const Vec3& v_W_mps,
+            Columns* ground);
+  void Step(double dt_s, Columns* ground);
+
+  std::size_t count() const { return grains_.size(); }
+  double mass_kg() const;
+
+ private:
+  struct Grain {
+    Vec3 p_W_m, v_W_mps;
+    Spoil spoil;
+    double slid_s = 0;
+  };
+  /// Whether it has come to rest.
+  bool Move(double dt_s, const Columns& ground, Grain* grain) const;
+  void Show(Columns* ground) const;
+
+  std::vector<double> friction_;  ///< of each soil
+  Stream scatter_;
+  std::uint64_t poured_ = 0;  ///< clods so far
+  std::vector<Grain> grains_;
+};
+
+}  // namespace tera
