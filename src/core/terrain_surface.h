@@ -59,12 +59,13 @@ class TerrainSurface : public TerrainGrid {
     bool operator==(const Vertex&) const = default;
   };
 
-  /// A clod in the air or rolling, drawn as a round stone of its soil.
+  /// A clod in the air or on its way down a slope.
   struct Grain {
-    Eigen::Vector3f p_W_m = Eigen::Vector3f::Zero();
+    Eigen::Vector3f p_W_m = Eigen::Vector3f::Zero();  ///< of its middle
     float radius_m = 0;
-    std::uint8_t soil = 0;
-    std::uint8_t moisture = 0;
+    std::uint16_t number = 0;   ///< tells clods apart: how it is turned
+    std::uint8_t soil = 0;      ///< as in Cover
+    std::uint8_t moisture = 0;  ///< as in Cover
   };
 
   TerrainSurface() = default;

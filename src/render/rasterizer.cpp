@@ -11,6 +11,7 @@
 #include "render/daylight.h"
 #include "render/egl_context.h"
 #include "render/gl_objects.h"
+#include "render/grain_renderer.h"
 #include "render/lens.h"
 #include "render/node_renderer.h"
 #include "render/pictures.h"
@@ -68,6 +69,7 @@ struct Rasterizer::Impl {
   Daylight daylight;
   NodeRenderer nodes;
   TerrainRenderer terrain;
+  GrainRenderer grains;
   ShadowMap shadow_map;
   Silhouettes silhouettes;
   Program node_program{"node.vert", "node.frag"};
@@ -94,6 +96,7 @@ struct Rasterizer::Impl {
         daylight(model.environment),
         nodes(model),
         terrain(model, daylight.sky().to_sun_W()),
+        grains(model.soils),
         shadow_map(daylight.sky().to_sun_W()) {}
 
   Pictures& PicturesOf(int width_px, int height_px);
@@ -123,7 +126,8 @@ const GlInfo& Rasterizer::info() const { return impl_->context.info(); }
 std::int64_t Rasterizer::uploaded_tiles() const { return impl_->terrain.uploaded_tiles(); }
 
 std::int64_t Rasterizer::triangles_drawn() const {
-  return impl_->nodes.triangles_drawn() + impl_->terrain.triangles_drawn();
+  return impl_->nodes.triangles_drawn() + impl_->terrain.triangles_drawn() +
+         impl_->grains.triangles_drawn();
 }
 
 Pictures& Rasterizer::Impl::PicturesOf(int width_px, int height_px) {
@@ -168,7 +172,10 @@ void Rasterizer::Impl::DrawGeometry(const View& view, const Pictures& p) {
   node_program.Use();
   node_program.Set("u_clip_from_relative", view.ClipFromRelative());
   nodes.Draw(NodeRenderer::Surface::kOpaque);
-  if (has_ground) terrain.Draw(view);
+  if (has_ground) {
+    grains.Draw();
+    terrain.Draw(view);
+  }
   glDisable(GL_DEPTH_TEST);
 }
 
@@ -269,7 +276,10 @@ void Rasterizer::Impl::Develop(const Pictures& p) {
 
 void Rasterizer::Impl::DrawPinhole(const View& view, const SceneState& state, const Pictures& p) {
   has_ground = state.terrain != nullptr;
-  if (has_ground) terrain.Update(*state.terrain);
+  if (has_ground) {
+    terrain.Update(*state.terrain);
+    grains.Place(*state.terrain, view.eye_W_m);
+  }
   shadow_map.Update(state, view.eye_W_m, &nodes);
   nodes.Place(state, view.eye_W_m, &view);
   DrawGeometry(view, p);

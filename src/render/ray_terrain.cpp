@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/grain_shape.h"
+
 namespace tera {
 namespace {
 
@@ -20,6 +22,13 @@ void RayTerrain::Attach(Patch* patch) {
   patch_of_[patch->id] = patch;
 }
 
+void RayTerrain::Detach(Patch* patch) {
+  if (patch->id == RTC_INVALID_GEOMETRY_ID) return;
+  rtcDetachGeometry(scene_, patch->id);
+  patch_of_[patch->id] = nullptr;
+  patch->id = RTC_INVALID_GEOMETRY_ID;
+}
+
 /// Forgets the ground as it was, for a terrain of another size or place.
 void RayTerrain::Restart(const TerrainSurface& terrain) {
   for (const Patch* patch : patch_of_) {
@@ -27,6 +36,7 @@ void RayTerrain::Restart(const TerrainSurface& terrain) {
   }
   patch_of_.clear();
   land_ = Patch();
+  grains_ = Patch();
   tiles_.clear();
   grid_ = terrain;
   if (grid_.nx < 2 || grid_.ny < 2) return;
@@ -35,11 +45,7 @@ void RayTerrain::Restart(const TerrainSurface& terrain) {
 }
 
 void RayTerrain::NewTile(Patch* tile, int squares_x, int squares_y) {
-  if (tile->id != RTC_INVALID_GEOMETRY_ID) {  // it was undisturbed
-    rtcDetachGeometry(scene_, tile->id);
-    patch_of_[tile->id] = nullptr;
-    tile->id = RTC_INVALID_GEOMETRY_ID;
-  }
+  Detach(tile);  // it was undisturbed
   tile->geometry = EmbreeGeometry(rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_QUAD));
   const int row = squares_x + 1;
   const std::size_t squares = static_cast<std::size_t>(squares_x) * squares_y;
@@ -57,6 +63,11 @@ void RayTerrain::NewTile(Patch* tile, int squares_x, int squares_y) {
   rtcSetNewGeometryBuffer(tile->geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                           3 * sizeof(float), static_cast<std::size_t>(row) * (squares_y + 1));
   tile->reflectance.resize(squares);
+}
+
+float RayTerrain::Reflectance(std::uint8_t soil, std::uint8_t moisture) const {
+  const double dry = soils_.at(soil).albedo.mean();
+  return static_cast<float>(dry * (1.0 - (1.0 - kSaturatedReflectance) * moisture / 255.0));
 }
 
 void RayTerrain::RebuildTile(const TerrainSurface& terrain, int a, int b) {
@@ -78,10 +89,8 @@ void RayTerrain::RebuildTile(const TerrainSurface& terrain, int a, int b) {
       *vertex++ = static_cast<float>(terrain.y_m(vj));
       *vertex++ = v.height_m;
       if (i == squares_x || j == squares_y) continue;
-      const double dry = soils_.at(v.cover.soil).albedo.mean();
-      const double saturation = v.cover.moisture / 255.0;
       tile.reflectance[static_cast<std::size_t>(j) * squares_x + i] =
-          static_cast<float>(dry * (1.0 - (1.0 - kSaturatedReflectance) * saturation));
+          Reflectance(v.cover.soil, v.cover.moisture);
     }
   }
   rtcUpdateGeometryBuffer(tile.geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0);
@@ -115,6 +124,37 @@ void RayTerrain::RebuildLand(const TerrainSurface& terrain) {
   if (first) Attach(&land_);
 }
 
+void RayTerrain::RebuildGrains(const TerrainSurface& terrain) {
+  Detach(&grains_);
+  if (terrain.grains().empty()) return;
+  const GrainShape& shape = UnitGrain();
+  const std::size_t count = terrain.grains().size();
+  grains_.geometry = EmbreeGeometry(rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE));
+  grains_.reflectance.clear();
+  auto* vertex = static_cast<float*>(
+      rtcSetNewGeometryBuffer(grains_.geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                              3 * sizeof(float), count * shape.corners.size()));
+  auto* corner = static_cast<std::uint32_t*>(
+      rtcSetNewGeometryBuffer(grains_.geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                              3 * sizeof(std::uint32_t), count * shape.faces.size()));
+  std::uint32_t first = 0;
+  for (const TerrainSurface::Grain& grain : terrain.grains()) {
+    const Eigen::Affine3f X_WG = GrainToWorld(grain);
+    for (const Eigen::Vector3f& p : shape.corners) {
+      const Eigen::Vector3f p_W = X_WG * p;
+      vertex = std::copy_n(p_W.data(), 3, vertex);
+    }
+    for (const auto& face : shape.faces) {
+      for (const std::uint8_t k : face) *corner++ = first + k;
+    }
+    first += static_cast<std::uint32_t>(shape.corners.size());
+    grains_.reflectance.insert(grains_.reflectance.end(), shape.faces.size(),
+                               Reflectance(grain.soil, grain.moisture));
+  }
+  rtcCommitGeometry(grains_.geometry.get());
+  Attach(&grains_);
+}
+
 void RayTerrain::Update(const TerrainSurface& terrain) {
   if (grid_ != terrain) Restart(terrain);
   bool border = false;
@@ -127,6 +167,7 @@ void RayTerrain::Update(const TerrainSurface& terrain) {
     }
   }
   if (border) RebuildLand(terrain);
+  RebuildGrains(terrain);
 }
 
 float RayTerrain::ReflectanceAt(unsigned geometry, unsigned primitive) const {

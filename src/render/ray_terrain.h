@@ -10,7 +10,7 @@ namespace tera {
 
 /// The ground within an Embree scene: one geometry per tile of the terrain, of which only tiles
 /// with a new version are rebuilt, and one for the land around the site. Undisturbed tiles are of
-/// as few quads as describe them.
+/// as few quads as describe them. Soil in the air is one geometry, made anew each time.
 class RayTerrain {
  public:
   /// Adds to and takes from `scene`, which its owner commits.
@@ -38,13 +38,16 @@ class RayTerrain {
   void NewTile(Patch* tile, int squares_x, int squares_y);
   void RebuildTile(const TerrainSurface& terrain, int a, int b);
   void RebuildLand(const TerrainSurface& terrain);
+  void RebuildGrains(const TerrainSurface& terrain);
+  void Detach(Patch* patch);
+  float Reflectance(std::uint8_t soil, std::uint8_t moisture) const;
 
   RTCDevice device_;
   RTCScene scene_;
   std::vector<SoilAppearance> soils_;
   std::vector<Patch> tiles_;
   Surroundings surroundings_;
-  Patch land_;
+  Patch land_, grains_;
   std::vector<const Patch*> patch_of_;  ///< by geometry id; null where it is no ground
   TerrainGrid grid_;
   std::int64_t tiles_rebuilt_ = 0;

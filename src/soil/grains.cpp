@@ -48,7 +48,8 @@ void Grains::Pour(const SpoilMix& spoil, const Vec3& from_W, const Vec3& to_W, c
       const std::uint64_t k = poured_++;
       const Vec3 p_W = from_W + scatter_.Uniform(k, 1) * (to_W - from_W);
       if (count() < kMost) {
-        grains_.push_back({p_W, v_W + kScatter_mps * scatter_.Gaussian3(k, 2), clod});
+        grains_.push_back({p_W, v_W + kScatter_mps * scatter_.Gaussian3(k, 2), clod,
+                           static_cast<std::uint16_t>(k)});
       } else {
         ground->DepositAt(ground->NearestI(p_W.x()), ground->NearestJ(p_W.y()), clod);
       }
@@ -93,7 +94,7 @@ void Grains::Show(Columns* ground) const {
   for (const Grain& grain : grains_) {
     const auto radius_m = static_cast<float>(std::cbrt(3 * grain.spoil.volume_m3 / (4 * kPi)));
     shown.push_back({grain.p_W_m.cast<float>() + radius_m * Eigen::Vector3f::UnitZ(), radius_m,
-                     grain.spoil.soil,
+                     grain.number, grain.spoil.soil,
                      static_cast<std::uint8_t>(std::lround(255 * grain.spoil.moisture))});
   }
   ground->ShowGrains(std::move(shown));

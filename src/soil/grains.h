@@ -40,6 +40,7 @@ class Grains {
   struct Grain {
     Vec3 p_W_m, v_W_mps;
     Spoil spoil;
+    std::uint16_t number;
     double slid_s = 0;
   };
   /// Whether it has come to rest.

@@ -29,6 +29,21 @@ TEST(Rasterizer, SendsOnlyChangedTiles) {
       << "a picture must not depend on which pictures came before";
 }
 
+TEST(Rasterizer, SoilInTheAirIsSeenWhereItIs) {
+  Stage stage;
+  stage.SetTerrain(Ground(200, 0.1, Level));
+  stage.terrain.SetGrains({{{0.0f, 0.0f, 1.0f}, 0.2f, 3, 0, 0}});
+  const CameraIntrinsics camera = Pinhole();
+  const Pose X_WC = LookAt(Vec3(0, -5, 1), Vec3(0, 0, 1));
+  const CameraFrame frame = stage.Shoot(camera, X_WC);
+  const Vec2 p = camera.Project(X_WC.inverse() * Vec3(0, 0, 1));
+  const int u = static_cast<int>(std::lround(p.x())), v = static_cast<int>(std::lround(p.y()));
+  EXPECT_NEAR(frame.depth_m.at(u, v), 5 - 0.2, 0.06);
+  EXPECT_EQ(frame.semantic.at(u, v), static_cast<int>(SemanticClass::kTerrain));
+  const int beside = static_cast<int>(0.4 / 5 * camera.fx_px);
+  EXPECT_GT(frame.depth_m.at(u + beside, v), 5.5);
+}
+
 TEST(Rasterizer, CoarserTilesStayWithinTheirHeightError) {
   Stage stage;
   stage.SetTerrain(Ground(400, 0.1, Waves));

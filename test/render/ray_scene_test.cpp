@@ -157,6 +157,20 @@ TEST(RayScene, ATerrainOfAnotherSizeReplacesTheOldOne) {
   EXPECT_NEAR(TraceOne(scene, RayFrom({1.01, 1.02, 5}, -Vec3::UnitZ())).range_m, 3, 1e-5);
 }
 
+TEST(RayScene, SoilInTheAirIsMetWhereItIsAndGoneWhenItHasLanded) {
+  RayScene scene(OneBodyEach({}));
+  TerrainSurface ground = Ground(51, 51, 0.05, 0.0, [](double, double) { return 0.0; });
+  const Ray down = RayFrom({1.01, 1.02, 5}, -Vec3::UnitZ());
+  ground.SetGrains({{{1.0f, 1.0f, 2.0f}, 0.1f, 7, 0, 0}, {{2.0f, 2.0f, 2.0f}, 0.1f, 8, 0, 0}});
+  scene.Update({{}}, ground, {});
+  const RayHit hit = TraceOne(scene, down);
+  EXPECT_NEAR(hit.range_m, 5 - 2.1, 0.03);  // about a radius above its middle
+  EXPECT_EQ(hit.label, SemanticClass::kTerrain);
+  ground.SetGrains({});
+  scene.Update({{}}, ground, {});
+  EXPECT_NEAR(TraceOne(scene, down).range_m, 5, 1e-5);
+}
+
 TEST(RayScene, WetSoilIsDarkerToTheLidar) {
   SceneModel model = OneBodyEach({});
   model.soils[0].albedo = Vec3(0.5, 0.4, 0.3);
