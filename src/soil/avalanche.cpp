@@ -1,143 +1,167 @@
 #include "soil/avalanche.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "core/units.h"
 
 namespace tera {
 namespace {
 
-constexpr double kHysteresis_rad = 0.5 * kDeg;  ///< start and stop lie this far from repose
-constexpr double kFlowSpeed_mps = 1.5;      ///< at which an excess travels from column to column
-constexpr double kLargestShare = 1.0 / 12;  ///< of an excess per step: no overshoot on 8 neighbours
-constexpr double kLeastExcess_m = 2e-4;     ///< a smaller excess has come to rest
-constexpr int kLookDown = 12;               ///< columns over which a bank's height is measured
+constexpr double kStart_rad = 1.0 * kDeg;   ///< the start angle lies this far above repose
+constexpr double kSlow_rad = 0.5 * kDeg;    ///< friction of slow flow lies this far above it
+constexpr double kFast_rad = -5.0 * kDeg;   ///< friction of fast flow lies this far below it
+constexpr double kLeastAngle_rad = 1 * kDeg;
+constexpr double kFastSpeed_mps = 1.0;      ///< friction falls to that of fast flow up to here
+constexpr double kLongestStep_cells = 0.25; ///< soil moves no farther in a step
+constexpr double kAside = 0.35;             ///< rest ends at faces with this share of the slope
+constexpr double kLeastOverhang_m = 2e-4;
 constexpr double kBreakSpeed_mps = 1.0;     ///< at which a failing bank crumbles
-
-struct Direction {
-  int di, dj;
-  double distance;  ///< in cells
-};
-const std::array<Direction, 8> kDirections = {{{1, 0, 1},
-                                               {-1, 0, 1},
-                                               {0, 1, 1},
-                                               {0, -1, 1},
-                                               {1, 1, std::sqrt(2.0)},
-                                               {-1, -1, std::sqrt(2.0)},
-                                               {1, -1, std::sqrt(2.0)},
-                                               {-1, 1, std::sqrt(2.0)}}};
+constexpr double kFilm_m = 1e-4;            ///< of loose soil: no thinner layer flows
 
 }  // namespace
 
-double CulmannHeight_m(const SoilType& soil, double slope_rad) {
-  if (slope_rad <= soil.friction_angle_rad) return std::numeric_limits<double>::infinity();
-  return 4 * soil.cohesion_pa / (soil.bank_density_kgpm3 * kStandardGravity_mps2) *
-         std::sin(slope_rad) * std::cos(soil.friction_angle_rad) /
-         (1 - std::cos(slope_rad - soil.friction_angle_rad));
-}
-
-Avalanche::Avalanche(const std::vector<SoilType>& soils) {
+Avalanche::Avalanche(const std::vector<SoilType>& soils) : walls_(soils) {
   for (const SoilType& soil : soils) {
-    angles_.push_back({std::tan(soil.repose_angle_rad + kHysteresis_rad),
-                       std::tan(soil.repose_angle_rad - kHysteresis_rad),
-                       std::tan(std::max(soil.friction_angle_rad, soil.repose_angle_rad)),
-                       CulmannHeight_m(soil, kPi / 2), soil.friction_angle_rad});
+    const double repose_rad = soil.repose_angle_rad;
+    friction_.push_back({std::tan(repose_rad + kStart_rad), std::tan(repose_rad + kSlow_rad),
+                         std::tan(std::max(kLeastAngle_rad, repose_rad + kFast_rad))});
   }
 }
 
+/// Makes the column and its neighbours active.
 void Avalanche::Wake(ColumnId k, Columns* ground) {
   const Columns::Place place = ground->PlaceOf(k);
   for (int j = std::max(0, place.j - 1); j <= std::min(ground->ny() - 1, place.j + 1); ++j) {
     for (int i = std::max(0, place.i - 1); i <= std::min(ground->nx() - 1, place.i + 1); ++i) {
       const ColumnId m = ground->Touch(i, j);
-      if (m >= is_active_.size()) {
-        is_active_.resize(ground->id_end());
-        flowing_.resize(ground->id_end());
-      }
-      if (is_active_[m]) continue;
-      is_active_[m] = 1;
+      if (m >= motion_.size()) motion_.resize(ground->id_end());
+      if (motion_[m].is_active) continue;
+      motion_[m].is_active = true;
       active_.push_back(m);
     }
   }
 }
 
-bool Avalanche::CollectOutflow(ColumnId k, double share, Columns* ground) {
-  const Column& c = ground->at(k);
-  const double loose_m = c.loose_m();
-  if (loose_m <= 0) return false;
-  const Angles& angle = angles_[c.top_layer()->soil];
-  const auto [i, j] = ground->PlaceOf(k);
-  const double tan_limit = flowing_[k] ? angle.tan_stop : angle.tan_start;
-  std::array<double, 8> excess_m{};
-  double total_m = 0;
-  bool starts = false;
-  for (std::size_t d = 0; d < kDirections.size(); ++d) {
-    const auto& [di, dj, distance] = kDirections[d];
-    if (!ground->Contains(i + di, j + dj)) continue;
-    const Column* to = ground->Beside(k, di, dj);
-    if (to != nullptr && c.top_m > to->blocked_m) continue;
-    const double run_m = distance * ground->cell_m();
-    const double drop_m = c.top_m - (to != nullptr ? to->top_m : ground->TopAt(i + di, j + dj));
-    starts = starts || drop_m - tan_limit * run_m > kLeastExcess_m;
-    excess_m[d] = std::max(0.0, drop_m - angle.tan_stop * run_m);
-    total_m += excess_m[d];
-  }
-  if (!starts) return false;
-  const double scale = std::min(share, loose_m / total_m);
-  for (std::size_t d = 0; d < kDirections.size(); ++d) {
-    if (excess_m[d] <= 0) continue;
-    const ColumnId to = ground->Touch(i + kDirections[d].di, j + kDirections[d].dj);
-    transfers_.push_back({k, to, scale * excess_m[d]});
-  }
-  return true;
+double Avalanche::VelocityOf(ColumnId k, int di, int dj, Axis axis, const Columns& ground) const {
+  const ColumnId m = ground.BesideId(k, di, dj);
+  return m == Columns::kNone || m >= motion_.size() ? 0.0 : motion_[m].face_mps[axis];
 }
 
-double Avalanche::Overhang_m(ColumnId k, const Columns& ground) const {
+/// Slope of the surface at a column across `axis`. What stands higher is a wall: no slope.
+double Avalanche::TangentialSlope(ColumnId k, Axis axis, const Columns& ground) const {
   const Column& c = ground.at(k);
-  if (c.loose_m() > 0) return 0;
-  const std::uint8_t material = ground.soil_at(k);
-  const Angles& angle = angles_[material];
-  const SoilType& soil = ground.soils()[material];
-  const auto [i, j] = ground.PlaceOf(k);
-  double overhang_m = 0;
-  for (const auto& [di, dj, distance] : kDirections) {
-    if (!ground.Contains(i + di, j + dj)) continue;
-    const Column* beside = ground.Beside(k, di, dj);
-    const double run_m = distance * ground.cell_m();
-    if (beside != nullptr && c.top_m - beside->top_m <= angle.tan_stand * run_m)
-      continue;  // no edge
-    for (int m = 1; m <= kLookDown && ground.Contains(i + m * di, j + m * dj); ++m) {
-      const double drop_m = c.top_m - ground.TopAt(i + m * di, j + m * dj);
-      const double stands_m = std::max(angle.culmann_m, angle.tan_stand * m * run_m);
-      if (m == 1 && drop_m <= angle.tan_stand * run_m) break;  // no edge on this side
-      if (drop_m <= stands_m) continue;
-      if (drop_m <= CulmannHeight_m(soil, std::atan2(drop_m, m * run_m))) continue;
-      overhang_m = std::max(overhang_m, drop_m - stands_m);
+  const int di = axis == kX ? 0 : 1, dj = 1 - di;
+  const auto rise_m = [&](int sign) {
+    const Column* beside = ground.Beside(k, sign * di, sign * dj);
+    if (beside == nullptr) return 0.0;
+    const bool is_wall = beside->top_m > c.top_m && !beside->is_loose();
+    return is_wall ? 0.0 : beside->top_m - c.top_m;
+  };
+  return 0.5 * (rise_m(1) - rise_m(-1)) / ground.cell_m();
+}
+
+/// Velocity of the face between a column and the one beside, after the step.
+double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
+                               const Columns& ground) const {
+  const Column &a = ground.at(k), &b = ground.at(to);
+  const bool downhill = a.top_m >= b.top_m;
+  const Column &high = downhill ? a : b, &low = downhill ? b : a;
+  if (high.top_m > low.blocked_m || !high.is_loose()) return 0;
+  const double cell_m = ground.cell_m();
+  const double before_mps = motion_[k].face_mps[axis];
+  const double slope = (b.top_m - a.top_m) / cell_m;
+  const Friction& friction = friction_[high.top_layer()->soil];
+  if (before_mps == 0 && std::abs(slope) < kAside * friction.tan_start) return 0;
+
+  const int di = axis == kX ? 1 : 0, dj = 1 - di;  // along the axis; across it is (dj, di)
+  const Axis other = axis == kX ? kY : kX;
+  const double across_slope =
+      0.5 * (TangentialSlope(k, axis, ground) + TangentialSlope(to, axis, ground));
+  const double across_mps =
+      0.25 * (motion_[k].face_mps[other] + motion_[to].face_mps[other] +
+              VelocityOf(k, -dj, -di, other, ground) + VelocityOf(to, -dj, -di, other, ground));
+  const bool rests = before_mps == 0 && across_mps == 0;
+  if (rests && std::hypot(slope, across_slope) <= friction.tan_start) return 0;
+
+  // Momentum that the flow itself brings, from upstream.
+  const auto upstream = [&](double speed_mps, int i, int j) {
+    if (speed_mps == 0) return 0.0;
+    const int sign = speed_mps > 0 ? -1 : 1;
+    return std::abs(speed_mps) *
+           (before_mps - VelocityOf(k, sign * i, sign * j, axis, ground)) / cell_m;
+  };
+  const double carried_mps2 = upstream(before_mps, di, dj) + upstream(across_mps, dj, di);
+  const double along_mps =
+      before_mps - dt_s * (kStandardGravity_mps2 * slope + carried_mps2);
+  const double driven_across_mps = across_mps - dt_s * kStandardGravity_mps2 * across_slope;
+  const double speed_mps = std::hypot(along_mps, driven_across_mps);
+  const double tan_friction =
+      friction.tan_slow + (friction.tan_fast - friction.tan_slow) *
+                              std::min(1.0, std::hypot(before_mps, across_mps) / kFastSpeed_mps);
+  const double braked_mps = tan_friction * kStandardGravity_mps2 * dt_s;
+  if (speed_mps <= braked_mps) return 0;
+  const double most_mps = kLongestStep_cells * cell_m / dt_s;
+  return std::clamp(along_mps * (1 - braked_mps / speed_mps), -most_mps, most_mps);
+}
+
+void Avalanche::FindFluxes(const std::vector<ColumnId>& visited, double dt_s,
+                           const Columns& ground) {
+  fluxes_.clear();
+  for (const ColumnId k : visited) {
+    for (const Axis axis : {kX, kY}) {
+      const ColumnId to = ground.BesideId(k, axis == kX ? 1 : 0, axis == kX ? 0 : 1);
+      if (to == Columns::kNone || to >= motion_.size()) continue;
+      const double velocity_mps = FaceVelocity(k, to, axis, dt_s, ground);
+      if (velocity_mps != 0 || motion_[k].face_mps[axis] != 0) {
+        fluxes_.push_back({k, to, axis, velocity_mps});
+      }
     }
   }
-  return overhang_m;
+}
+
+/// Lets the new velocities carry loose soil, no column giving more than it has.
+void Avalanche::MoveSoil(double dt_s, Columns* ground) {
+  std::vector<double> moved_m;
+  for (Flux& flux : fluxes_) {
+    const double loose_m = ground->at(flux.source()).loose_m();
+    if (loose_m <= 0) flux.velocity_mps = 0;
+    const double travel_cells = std::abs(flux.velocity_mps) * dt_s / ground->cell_m();
+    // A thin layer leaves at once: no film stays behind.
+    const double thickness_m =
+        flux.velocity_mps == 0 ? 0 : std::max(travel_cells * loose_m, std::min(loose_m, kFilm_m));
+    motion_[flux.column].face_mps[flux.axis] = flux.velocity_mps;
+    motion_[flux.source()].outflow_m += thickness_m;
+    moved_m.push_back(thickness_m);
+  }
+  for (std::size_t n = 0; n < fluxes_.size(); ++n) {
+    const double outflow_m = motion_[fluxes_[n].source()].outflow_m;
+    const double loose_m = ground->at(fluxes_[n].source()).loose_m();
+    if (outflow_m > loose_m) moved_m[n] *= loose_m / outflow_m;
+  }
+  SpoilMix soil;
+  for (std::size_t n = 0; n < fluxes_.size(); ++n) {
+    motion_[fluxes_[n].source()].outflow_m = 0;
+    if (moved_m[n] <= 0) continue;
+    soil.clear();
+    ground->TakeLoose(fluxes_[n].source(), moved_m[n], &soil);
+    ground->Deposit(fluxes_[n].target(), soil);
+  }
 }
 
 void Avalanche::Flow(double dt_s, Columns* ground) {
   for (const ColumnId k : ground->TakeChanged()) Wake(k, ground);
-  const double share = std::min(kLargestShare, kFlowSpeed_mps * dt_s / ground->cell_m());
   const std::vector<ColumnId> visited = std::exchange(active_, {});
-  for (const ColumnId k : visited) is_active_[k] = 0;
-  transfers_.clear();
+  for (const ColumnId k : visited) motion_[k].is_active = false;
   for (const ColumnId k : visited) {
-    const double overhang_m = Overhang_m(k, *ground);
-    if (overhang_m > kLeastExcess_m) ground->Break(k, std::min(overhang_m, kBreakSpeed_mps * dt_s));
+    const double overhang_m = walls_.Overhang_m(k, *ground);
+    if (overhang_m > kLeastOverhang_m) {
+      ground->Break(k, std::min(overhang_m, kBreakSpeed_mps * dt_s));
+    }
   }
-  for (const ColumnId k : visited) flowing_[k] = CollectOutflow(k, share, ground) ? 1 : 0;
-  SpoilMix moved;
-  for (const Transfer& t : transfers_) {
-    moved.clear();
-    ground->TakeLoose(t.from, t.thickness_m, &moved);
-    ground->Deposit(t.to, moved);
-  }
+  FindFluxes(visited, dt_s, *ground);
+  MoveSoil(dt_s, ground);
 }
 
 }  // namespace tera

@@ -4,22 +4,26 @@
 #include <vector>
 
 #include "soil/columns.h"
+#include "soil/standing_wall.h"
 
 namespace tera {
 
-/// Loose soil that slides down, and banks that are too steep to stand.
+/// Loose soil that flows down slopes, and banks that fail.
 ///
-/// Model   A column whose loose surface is steeper than the start angle towards any of its eight
-///         neighbours (at their true distances) flows until it is no steeper than the stop angle
-///         towards all of them; each step moves a share of every excess height, at the speed of a
-///         dense granular flow. Both angles lie close around the angle of repose. All outflows are
-///         computed from the same surface, then applied, so that the order of columns does not
-///         matter. A bank stands up to Culmann's critical height for its slope, looking down over
-///         several columns; above that its top breaks into loose soil.
-///         Only columns near a change are visited. Nothing slides into a column in which a shovel
-///         stands.
-/// Omits   inertia of the flow, entrainment of bank soil, flow over the site's border.
-/// Source  Culmann's wedge: Das, Principles of Geotechnical Engineering, ch. 15.
+/// Model   Depth-averaged flow of the loose soil on top of each column, over what stands. The faces
+///         between columns have velocities: gravity drives them down the slope of the surface,
+///         momentum is carried along, and Coulomb friction acts against the flow's direction. The
+///         slope that counts is the surface's full gradient, so that piles are round. Ground at
+///         rest starts to flow where it is steeper than the start angle; friction of slow flow lies
+///         between that and the angle of repose, friction of fast flow below it. Mass leaves
+///         a column only with its own loose soil. All velocities of a step come from one state,
+///         and so do all masses: the order of columns does not matter. Failing banks crumble into
+///         loose soil. Only columns near a change are visited. Nothing flows into a column in
+///         which a tool stands lower than the surface beside.
+/// Omits   vertical acceleration, earth pressure other than hydrostatic, entrainment of bank soil,
+///         flow over the site's border.
+/// Source  Savage and Hutter 1989; runout of columns: Lube et al. 2004; start and stop angles:
+///         Pouliquen and Forterre 2002.
 class Avalanche {
  public:
   explicit Avalanche(const std::vector<SoilType>& soils);
@@ -29,27 +33,36 @@ class Avalanche {
   std::size_t active_count() const { return active_.size(); }
 
  private:
-  struct Transfer {
-    ColumnId from, to;
-    double thickness_m;
+  enum Axis { kX = 0, kY = 1 };
+  struct Motion {
+    double face_mps[2] = {0, 0};  ///< on the faces towards +x and +y
+    double outflow_m = 0;         ///< of loose soil wanted in this step
+    bool is_active = false;
+  };
+  struct Friction {
+    double tan_start, tan_slow, tan_fast;
+  };
+  struct Flux {
+    ColumnId column, beside;  ///< on both sides of a face
+    Axis axis;
+    double velocity_mps;
+
+    ColumnId source() const { return velocity_mps > 0 ? column : beside; }
+    ColumnId target() const { return velocity_mps > 0 ? beside : column; }
   };
   void Wake(ColumnId k, Columns* ground);
-  bool CollectOutflow(ColumnId k, double share, Columns* ground);
-  double Overhang_m(ColumnId k, const Columns& ground) const;
+  double VelocityOf(ColumnId k, int di, int dj, Axis axis, const Columns& ground) const;
+  double TangentialSlope(ColumnId k, Axis axis, const Columns& ground) const;
+  double FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
+                      const Columns& ground) const;
+  void FindFluxes(const std::vector<ColumnId>& visited, double dt_s, const Columns& ground);
+  void MoveSoil(double dt_s, Columns* ground);
 
+  StandingWalls walls_;
+  std::vector<Friction> friction_;  ///< one for each soil
   std::vector<ColumnId> active_;
-  std::vector<std::uint8_t> is_active_;  ///< by id
-  std::vector<std::uint8_t> flowing_;    ///< by id
-  std::vector<Transfer> transfers_;
-  struct Angles {
-    double tan_start, tan_stop, tan_stand;
-    double culmann_m;  ///< 4 c / (rho g)
-    double friction_rad;
-  };
-  std::vector<Angles> angles_;  ///< one for each soil
+  std::vector<Motion> motion_;  ///< by id
+  std::vector<Flux> fluxes_;
 };
-
-/// Greatest height at which a bank of slope `slope_rad` stands (infinite below the friction angle).
-double CulmannHeight_m(const SoilType& soil, double slope_rad);
 
 }  // namespace tera

@@ -43,6 +43,8 @@ struct Column {
   const SoilLayer* top_layer() const {
     return layer_count > 0 ? &layers[layer_count - 1] : nullptr;
   }
+  /// Whether loose soil lies at the surface.
+  bool is_loose() const { return layer_count > 0 && layers[layer_count - 1].loose; }
   /// Thickness of the loose soil at the surface.
   double loose_m() const;
   /// Mass for each square metre that it has more than at the start.

@@ -87,7 +87,25 @@ const Column* Columns::Beside(ColumnId k, int di, int dj) const {
   const int j = static_cast<int>((k >> kRowBits) & kRowMask) + dj;
   const Chunk& chunk = chunks_[k >> kTileBits];
   if (i >= 0 && j >= 0 && i < kCells && j < kCells) return &chunk.columns[j << kRowBits | i];
-  return Find(chunk.a * kCells + i, chunk.b * kCells + j);
+  return Contains(chunk.a * kCells + i, chunk.b * kCells + j)
+             ? Find(chunk.a * kCells + i, chunk.b * kCells + j)
+             : nullptr;
+}
+
+ColumnId Columns::BesideId(ColumnId k, int di, int dj) const {
+  const int i = static_cast<int>(k & kRowMask) + di;
+  const int j = static_cast<int>((k >> kRowBits) & kRowMask) + dj;
+  if (i >= 0 && j >= 0 && i < kCells && j < kCells) {
+    return (k & ~kLocalMask) | static_cast<ColumnId>(j << kRowBits | i);
+  }
+  const Chunk& chunk = chunks_[k >> kTileBits];
+  const int gi = chunk.a * kCells + i, gj = chunk.b * kCells + j;
+  if (!Contains(gi, gj)) return kNone;
+  const std::int32_t n = chunk_of_tile_[TileOf(gi, gj)];
+  if (n < 0) return kNone;
+  return static_cast<ColumnId>(n) << kTileBits |
+         static_cast<ColumnId>(gj - chunks_[n].b * kCells) << kRowBits |
+         static_cast<ColumnId>(gi - chunks_[n].a * kCells);
 }
 
 double Columns::TopAt(int i, int j) const {

@@ -60,6 +60,9 @@ class Columns {
   const Column& at(ColumnId k) const { return chunks_[k >> kTileBits].columns[k & kLocalMask]; }
   /// The column beside, if its tile has columns, else null.
   const Column* Beside(ColumnId k, int di, int dj) const;
+  /// Its id, or kNone.
+  ColumnId BesideId(ColumnId k, int di, int dj) const;
+  static constexpr ColumnId kNone = ~ColumnId{0};
   /// Ids lie below this.
   std::size_t id_end() const { return chunks_.size() << kTileBits; }
 

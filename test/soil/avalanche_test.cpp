@@ -60,7 +60,7 @@ TEST(Avalanche, PouredPileStandsAtReposeAlongAxesAndDiagonals) {
     }
     Settle(&ground, &avalanche, 5000);
     for (int k = 0; k < 8; ++k) {
-      EXPECT_NEAR(FlankAngle_deg(ground, k * 45 * kDeg), sand.repose_angle_rad / kDeg, 2.0)
+      EXPECT_NEAR(FlankAngle_deg(ground, k * 45 * kDeg), sand.repose_angle_rad / kDeg, 1.0)
           << "azimuth " << 45 * k << " deg, cells of " << cell_m << " m";
     }
     EXPECT_NEAR(ground.GroundGain().net_kg / poured_kg, 1, 1e-10);
