@@ -38,8 +38,8 @@ GrainShape MakeGrain() {
     }
   }
   for (int i = 0; i < 12; ++i) {
-    shape.corners[i] *= (1 + kUneven * std::sin(2.4f * static_cast<float>(i * i))) /
-                        shape.corners[i].norm();
+    shape.corners[i] *=
+        (1 + kUneven * std::sin(2.4f * static_cast<float>(i * i))) / shape.corners[i].norm();
   }
   return shape;
 }

@@ -9,16 +9,17 @@
 namespace tera {
 namespace {
 
-constexpr double kStart_rad = 1.0 * kDeg;   ///< the start angle lies this far above repose
-constexpr double kSlow_rad = 0.5 * kDeg;    ///< friction of slow flow lies this far above it
-constexpr double kFast_rad = -5.0 * kDeg;   ///< friction of fast flow lies this far below it
+constexpr double kStart_rad = 1.5 * kDeg;  ///< the start angle lies this far above repose
+constexpr double kSlow_rad = 1.1 * kDeg;   ///< friction of slow flow lies this far above it
+constexpr double kFast_rad = -7.0 * kDeg;  ///< friction of fast flow lies this far below it
 constexpr double kLeastAngle_rad = 1 * kDeg;
-constexpr double kFastSpeed_mps = 1.0;      ///< friction falls to that of fast flow up to here
-constexpr double kLongestStep_cells = 0.25; ///< soil moves no farther in a step
-constexpr double kAside = 0.35;             ///< rest ends at faces with this share of the slope
+constexpr double kFastSpeed_mps = 1.0;       ///< friction falls to that of fast flow up to here
+constexpr double kLongestStep_cells = 0.25;  ///< soil moves no farther in a step
+/// Share of the start angle's slope below which, along both axes, no column starts to flow.
+constexpr double kGentle = 0.65;
 constexpr double kLeastOverhang_m = 2e-4;
-constexpr double kBreakSpeed_mps = 1.0;     ///< at which a failing bank crumbles
-constexpr double kFilm_m = 1e-4;            ///< of loose soil: no thinner layer flows
+constexpr double kBreakSpeed_mps = 1.0;  ///< at which a failing bank crumbles
+constexpr double kFilm_m = 1e-4;         ///< of loose soil: a thinner layer moves as a whole
 
 }  // namespace
 
@@ -62,6 +63,23 @@ double Avalanche::TangentialSlope(ColumnId k, Axis axis, const Columns& ground) 
   return 0.5 * (rise_m(1) - rise_m(-1)) / ground.cell_m();
 }
 
+/// Whether a column neither flows nor is steep enough to start: a quick look before a closer one.
+bool Avalanche::Rests(ColumnId k, const Columns& ground) const {
+  const Column& c = ground.at(k);
+  double steepest_m = 0;
+  std::uint8_t soil = ground.soil_at(k);
+  for (const auto& [di, dj] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+    const Column* beside = ground.Beside(k, di, dj);
+    if (beside == nullptr) continue;
+    const double rise_m = beside->top_m - c.top_m;
+    if (rise_m > steepest_m && beside->is_loose()) soil = beside->top_layer()->soil;
+    steepest_m = std::max(steepest_m, std::abs(rise_m));
+  }
+  if (steepest_m > kGentle * friction_[soil].tan_start * ground.cell_m()) return false;
+  return motion_[k].face_mps[kX] == 0 && motion_[k].face_mps[kY] == 0 &&
+         VelocityOf(k, -1, 0, kX, ground) == 0 && VelocityOf(k, 0, -1, kY, ground) == 0;
+}
+
 /// Velocity of the face between a column and the one beside, after the step.
 double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
                                const Columns& ground) const {
@@ -73,7 +91,6 @@ double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
   const double before_mps = motion_[k].face_mps[axis];
   const double slope = (b.top_m - a.top_m) / cell_m;
   const Friction& friction = friction_[high.top_layer()->soil];
-  if (before_mps == 0 && std::abs(slope) < kAside * friction.tan_start) return 0;
 
   const int di = axis == kX ? 1 : 0, dj = 1 - di;  // along the axis; across it is (dj, di)
   const Axis other = axis == kX ? kY : kX;
@@ -89,12 +106,11 @@ double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
   const auto upstream = [&](double speed_mps, int i, int j) {
     if (speed_mps == 0) return 0.0;
     const int sign = speed_mps > 0 ? -1 : 1;
-    return std::abs(speed_mps) *
-           (before_mps - VelocityOf(k, sign * i, sign * j, axis, ground)) / cell_m;
+    return std::abs(speed_mps) * (before_mps - VelocityOf(k, sign * i, sign * j, axis, ground)) /
+           cell_m;
   };
   const double carried_mps2 = upstream(before_mps, di, dj) + upstream(across_mps, dj, di);
-  const double along_mps =
-      before_mps - dt_s * (kStandardGravity_mps2 * slope + carried_mps2);
+  const double along_mps = before_mps - dt_s * (kStandardGravity_mps2 * slope + carried_mps2);
   const double driven_across_mps = across_mps - dt_s * kStandardGravity_mps2 * across_slope;
   const double speed_mps = std::hypot(along_mps, driven_across_mps);
   const double tan_friction =
@@ -110,6 +126,7 @@ void Avalanche::FindFluxes(const std::vector<ColumnId>& visited, double dt_s,
                            const Columns& ground) {
   fluxes_.clear();
   for (const ColumnId k : visited) {
+    if (Rests(k, ground)) continue;
     for (const Axis axis : {kX, kY}) {
       const ColumnId to = ground.BesideId(k, axis == kX ? 1 : 0, axis == kX ? 0 : 1);
       if (to == Columns::kNone || to >= motion_.size()) continue;
@@ -129,8 +146,8 @@ void Avalanche::MoveSoil(double dt_s, Columns* ground) {
     if (loose_m <= 0) flux.velocity_mps = 0;
     const double travel_cells = std::abs(flux.velocity_mps) * dt_s / ground->cell_m();
     // A thin layer leaves at once: no film stays behind.
-    const double thickness_m =
-        flux.velocity_mps == 0 ? 0 : std::max(travel_cells * loose_m, std::min(loose_m, kFilm_m));
+    const bool is_film = flux.velocity_mps != 0 && loose_m < kFilm_m;
+    const double thickness_m = is_film ? loose_m : travel_cells * loose_m;
     motion_[flux.column].face_mps[flux.axis] = flux.velocity_mps;
     motion_[flux.source()].outflow_m += thickness_m;
     moved_m.push_back(thickness_m);

@@ -53,8 +53,8 @@ class Avalanche {
   void Wake(ColumnId k, Columns* ground);
   double VelocityOf(ColumnId k, int di, int dj, Axis axis, const Columns& ground) const;
   double TangentialSlope(ColumnId k, Axis axis, const Columns& ground) const;
-  double FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
-                      const Columns& ground) const;
+  bool Rests(ColumnId k, const Columns& ground) const;
+  double FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s, const Columns& ground) const;
   void FindFluxes(const std::vector<ColumnId>& visited, double dt_s, const Columns& ground);
   void MoveSoil(double dt_s, Columns* ground);
 

@@ -319,8 +319,7 @@ Wrench Digging::EdgeForce(const BodyState& body, double dt_s, const Columns& gro
   return wrench;
 }
 
-Digging::Result Digging::Act(const BodyState& body, double dt_s, Columns* ground,
-                             Grains* grains) {
+Digging::Result Digging::Act(const BodyState& body, double dt_s, Columns* ground, Grains* grains) {
   Result result;
   FindFootprint(body, ground);
   result.wrench = EdgeForce(body, dt_s, *ground);

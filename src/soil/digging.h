@@ -68,7 +68,7 @@ class Digging {
   ShovelShape shape_;
   std::vector<SoilType> soils_;
   SpoilMix carried_;
-  double spilling_m3_ = 0;  ///< of it that should have left, less than a clod
+  double spilling_m3_ = 0;      ///< of it that should have left, less than a clod
   double cut_travel_m_ = 0;     ///< elastic travel of the edge in its cutting direction
   double pierce_travel_m_ = 0;  ///< elastic travel of edge and teeth along the floor
   std::vector<Swept> footprint_;

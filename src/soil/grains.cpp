@@ -8,11 +8,11 @@
 namespace tera {
 namespace {
 
-constexpr double kClod_m3 = 1e-4;         ///< about 6 cm across
-constexpr double kLargestClods = 8;       ///< times that, when as many as may be are under way
-constexpr double kLongestSlide_s = 3;     ///< then a clod rests wherever it is
-constexpr double kRestSpeed_mps = 0.05;   ///< slower clods rest where friction holds them
-constexpr double kScatter_mps = 0.15;     ///< of a clod's velocity, each axis, one sigma
+constexpr double kClod_m3 = 1e-4;        ///< about 6 cm across
+constexpr double kLargestClods = 8;      ///< times that, when as many as may be are under way
+constexpr double kLongestSlide_s = 3;    ///< then a clod rests wherever it is
+constexpr double kRestSpeed_mps = 0.05;  ///< slower clods rest where friction holds them
+constexpr double kScatter_mps = 0.15;    ///< of a clod's velocity, each axis, one sigma
 const Vec3 kGravity_W(0, 0, -kStandardGravity_mps2);
 
 Vec3 NormalAt(const Columns& ground, double x, double y) {

@@ -11,7 +11,7 @@ namespace tera {
 namespace {
 
 constexpr double kVeneer_m = 0.01;  ///< more loose soil than this covers what stands below
-constexpr int kLookDown = 12;  ///< columns over which a bank's height is measured
+constexpr int kLookDown = 12;       ///< columns over which a bank's height is measured
 
 struct Direction {
   int di, dj;

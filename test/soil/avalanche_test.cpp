@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "soil/soil_type.h"
@@ -65,6 +66,79 @@ TEST(Avalanche, PouredPileStandsAtReposeAlongAxesAndDiagonals) {
     }
     EXPECT_NEAR(ground.GroundGain().net_kg / poured_kg, 1, 1e-10);
   }
+}
+
+/// Radius to which a cylinder of loose soil spreads, mean over 16 directions.
+double Runout_m(const SoilType& soil, double radius_m, double height_m) {
+  constexpr double kCell_m = 0.05;
+  Columns ground = LevelColumns(soil, kCell_m, 2 * static_cast<int>(4 * radius_m / kCell_m) + 1);
+  Avalanche avalanche(ground.soils());
+  for (int j = 0; j < ground.ny(); ++j) {
+    for (int i = 0; i < ground.nx(); ++i) {
+      const double r_m = std::hypot(ground.x_m(i), ground.y_m(j));
+      const double inside = std::clamp((radius_m - r_m) / kCell_m + 0.5, 0.0, 1.0);
+      const double volume_m3 = inside * height_m * ground.area_m2();
+      ground.Deposit(ground.Touch(i, j), Spoil{volume_m3 * LooseDensity_kgpm3(soil), volume_m3});
+    }
+  }
+  Settle(&ground, &avalanche, 2000);
+  double sum_m = 0;
+  for (int k = 0; k < 16; ++k) {
+    const double azimuth_rad = k * kPi / 8;
+    double end_m = 0;
+    for (double r = 0; r < 3.9 * radius_m; r += 0.005) {
+      if (ground.HeightAt(r * std::cos(azimuth_rad), r * std::sin(azimuth_rad)) > 2e-3) end_m = r;
+    }
+    sum_m += end_m;
+  }
+  return sum_m / 16;
+}
+
+TEST(Avalanche, AColumnCollapsesAsFarAsLubeMeasured) {
+  const SoilType sand = Shipped("sand");
+  for (const double aspect : {0.4, 0.8, 1.2, 1.6}) {
+    const double radius_m = 0.5;
+    EXPECT_NEAR(Runout_m(sand, radius_m, aspect * radius_m) / (radius_m * (1 + 1.24 * aspect)), 1,
+                0.1)
+        << "height over radius " << aspect;
+  }
+}
+
+/// A slope of loose soil between repose and the angle at which it starts to flow, along y.
+Columns MarginalSlope(const SoilType& soil) {
+  Columns ground = LevelColumns(soil, 0.05, 121);
+  const double slope = std::tan(soil.repose_angle_rad + 0.4 * kDeg);
+  for (int j = 0; j < 121; ++j) {
+    for (int i = 0; i < 121; ++i) {
+      const double volume_m3 = (0.3 + slope * 0.05 * std::clamp(j - 30, 0, 50)) * ground.area_m2();
+      ground.Deposit(ground.Touch(i, j), Spoil{volume_m3 * LooseDensity_kgpm3(soil), volume_m3});
+    }
+  }
+  return ground;
+}
+
+TEST(Avalanche, AGrainOnAMarginalSlopeMovesLessThanTenTimesItsOwnVolume) {
+  const SoilType sand = Shipped("sand");
+  Columns ground = MarginalSlope(sand);
+  Avalanche avalanche(ground.soils());
+  Settle(&ground, &avalanche, 500);
+  ASSERT_EQ(avalanche.active_count(), 0u);
+  std::vector<double> before_m;
+  for (int j = 0; j < 121; ++j) {
+    for (int i = 0; i < 121; ++i) before_m.push_back(ground.TopAt(i, j));
+  }
+  constexpr double kGrain_m3 = 1e-4;
+  ground.Deposit(ground.Touch(60, 70), Spoil{0.134, kGrain_m3});
+  Settle(&ground, &avalanche, 5000);
+  double moved_m3 = 0;
+  std::size_t k = 0;
+  for (int j = 0; j < 121; ++j) {
+    for (int i = 0; i < 121; ++i) {
+      moved_m3 += 0.5 * std::abs(ground.TopAt(i, j) - before_m[k++]) * ground.area_m2();
+    }
+  }
+  EXPECT_LT(moved_m3, 10 * kGrain_m3);
+  EXPECT_EQ(avalanche.active_count(), 0u);
 }
 
 TEST(Avalanche, APileComesToRestAndThenCostsNothing) {

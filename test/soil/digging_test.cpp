@@ -70,8 +70,8 @@ TEST(Digging, CycleDigsCarriesDumpsAndLosesNothing) {
   EXPECT_NEAR(ledger.total_kg() / ledger.shifted_kg, 0, 1e-9);
   EXPECT_EQ(ledger.outside_kg, 0);
   const TerrainSurface& ground = soil->surface();
-  EXPECT_LT(ground.HeightAt(-0.3, 0), -0.15);    // a trench
-  double pile_m = 0;  // where it was dumped, and as far as it flew
+  EXPECT_LT(ground.HeightAt(-0.3, 0), -0.15);  // a trench
+  double pile_m = 0;                           // where it was dumped, and as far as it flew
   for (double x = -2.2; x < -0.9; x += 0.05) pile_m = std::max(pile_m, ground.HeightAt(x, 2.5));
   EXPECT_GT(pile_m, 0.15);
 }

@@ -73,7 +73,8 @@ TEST(Grains, OnASlopeSteeperThanFrictionTheyGoDownAndOnAGentlerOneTheyStay) {
     plan.grid = {.origin_W_m = Vec2(-5, -5), .cell_m = 0.05, .nx = 201, .ny = 201};
     plan.base_cells = 50;
     for (int b = 0; b < 5; ++b) {
-      for (int a = 0; a < 5; ++a) plan.base_height_m.push_back(2.5 * a * std::tan(slope_deg * kDeg));
+      for (int a = 0; a < 5; ++a)
+        plan.base_height_m.push_back(2.5 * a * std::tan(slope_deg * kDeg));
     }
     plan.profiles.push_back(GroundProfile({{1e9, 0, 0, 1500}}));
     Columns ground(plan, {Sand()});
