@@ -9,17 +9,18 @@
 namespace tera {
 namespace {
 
-constexpr double kStart_rad = 1.5 * kDeg;  ///< the start angle lies this far above repose
-constexpr double kSlow_rad = 1.1 * kDeg;   ///< friction of slow flow lies this far above it
-constexpr double kFast_rad = -7.0 * kDeg;  ///< friction of fast flow lies this far below it
+constexpr double kStart_rad = 1.5 * kDeg;   ///< the start angle lies this far above repose
+constexpr double kSlow_rad = 1.1 * kDeg;    ///< friction of slow flow lies this far above it
+constexpr double kFast_rad = -10.0 * kDeg;  ///< friction of fast flow lies this far below it
 constexpr double kLeastAngle_rad = 1 * kDeg;
-constexpr double kFastSpeed_mps = 1.0;       ///< friction falls to that of fast flow up to here
-constexpr double kLongestStep_cells = 0.25;  ///< soil moves no farther in a step
+constexpr double kSlowSpeed_mps = 0.4, kFastSpeed_mps = 1.2;  ///< friction falls in between
+constexpr double kLongestStep_cells = 0.25;                   ///< soil moves no farther in a step
 /// Share of the start angle's slope below which, along both axes, no column starts to flow.
 constexpr double kGentle = 0.65;
 constexpr double kLeastOverhang_m = 2e-4;
-constexpr double kBreakSpeed_mps = 1.0;  ///< at which a failing bank crumbles
-constexpr double kFilm_m = 1e-4;         ///< of loose soil: a thinner layer moves as a whole
+constexpr double kBreakSpeed_mps = 1.0;   ///< at which a failing bank crumbles
+constexpr double kFilm_m = 1e-4;          ///< the thinnest layer that flows
+constexpr double kMobileOverExcess = 10;  ///< thickness that flows over what stands too steep
 
 }  // namespace
 
@@ -63,6 +64,12 @@ double Avalanche::TangentialSlope(ColumnId k, Axis axis, const Columns& ground) 
   return 0.5 * (rise_m(1) - rise_m(-1)) / ground.cell_m();
 }
 
+/// Whether soil crosses one of a column's faces.
+bool Avalanche::Flows(ColumnId k, const Columns& ground) const {
+  return motion_[k].face_mps[kX] != 0 || motion_[k].face_mps[kY] != 0 ||
+         VelocityOf(k, -1, 0, kX, ground) != 0 || VelocityOf(k, 0, -1, kY, ground) != 0;
+}
+
 /// Whether a column neither flows nor is steep enough to start: a quick look before a closer one.
 bool Avalanche::Rests(ColumnId k, const Columns& ground) const {
   const Column& c = ground.at(k);
@@ -76,8 +83,7 @@ bool Avalanche::Rests(ColumnId k, const Columns& ground) const {
     steepest_m = std::max(steepest_m, std::abs(rise_m));
   }
   if (steepest_m > kGentle * friction_[soil].tan_start * ground.cell_m()) return false;
-  return motion_[k].face_mps[kX] == 0 && motion_[k].face_mps[kY] == 0 &&
-         VelocityOf(k, -1, 0, kX, ground) == 0 && VelocityOf(k, 0, -1, kY, ground) == 0;
+  return !Flows(k, ground);
 }
 
 /// Velocity of the face between a column and the one beside, after the step.
@@ -113,9 +119,10 @@ double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
   const double along_mps = before_mps - dt_s * (kStandardGravity_mps2 * slope + carried_mps2);
   const double driven_across_mps = across_mps - dt_s * kStandardGravity_mps2 * across_slope;
   const double speed_mps = std::hypot(along_mps, driven_across_mps);
-  const double tan_friction =
-      friction.tan_slow + (friction.tan_fast - friction.tan_slow) *
-                              std::min(1.0, std::hypot(before_mps, across_mps) / kFastSpeed_mps);
+  const double fast = std::clamp(
+      (std::hypot(before_mps, across_mps) - kSlowSpeed_mps) / (kFastSpeed_mps - kSlowSpeed_mps),
+      0.0, 1.0);
+  const double tan_friction = friction.tan_slow + fast * (friction.tan_fast - friction.tan_slow);
   const double braked_mps = tan_friction * kStandardGravity_mps2 * dt_s;
   if (speed_mps <= braked_mps) return 0;
   const double most_mps = kLongestStep_cells * cell_m / dt_s;
@@ -126,10 +133,10 @@ void Avalanche::FindFluxes(const std::vector<ColumnId>& visited, double dt_s,
                            const Columns& ground) {
   fluxes_.clear();
   for (const ColumnId k : visited) {
-    if (Rests(k, ground)) continue;
     for (const Axis axis : {kX, kY}) {
       const ColumnId to = ground.BesideId(k, axis == kX ? 1 : 0, axis == kX ? 0 : 1);
-      if (to == Columns::kNone || to >= motion_.size()) continue;
+      if (to == Columns::kNone || to >= motion_.size() || !motion_[to].is_visited) continue;
+      if (motion_[k].rests && motion_[to].rests) continue;
       const double velocity_mps = FaceVelocity(k, to, axis, dt_s, ground);
       if (velocity_mps != 0 || motion_[k].face_mps[axis] != 0) {
         fluxes_.push_back({k, to, axis, velocity_mps});
@@ -138,46 +145,70 @@ void Avalanche::FindFluxes(const std::vector<ColumnId>& visited, double dt_s,
   }
 }
 
+/// A flow takes with it the soil that stands above the slope that friction holds.
+void Avalanche::Mobilise(const Flux& flux, const Columns& ground) {
+  Motion& source = motion_[flux.source()];
+  const Column& c = ground.at(flux.source());
+  const double loose_m = c.loose_m();
+  const double drop_m = c.top_m - ground.at(flux.target()).top_m;
+  const double excess_m = drop_m - friction_[c.top_layer()->soil].tan_slow * ground.cell_m();
+  source.mobile_m =
+      std::min(loose_m, std::max({source.mobile_m, kFilm_m, kMobileOverExcess * excess_m}));
+}
+
 /// Lets the new velocities carry loose soil, no column giving more than it has.
 void Avalanche::MoveSoil(double dt_s, Columns* ground) {
   std::vector<double> moved_m;
   for (Flux& flux : fluxes_) {
+    Motion& source = motion_[flux.source()];
     const double loose_m = ground->at(flux.source()).loose_m();
     if (loose_m <= 0) flux.velocity_mps = 0;
-    const double travel_cells = std::abs(flux.velocity_mps) * dt_s / ground->cell_m();
-    // A thin layer leaves at once: no film stays behind.
-    const bool is_film = flux.velocity_mps != 0 && loose_m < kFilm_m;
-    const double thickness_m = is_film ? loose_m : travel_cells * loose_m;
     motion_[flux.column].face_mps[flux.axis] = flux.velocity_mps;
-    motion_[flux.source()].outflow_m += thickness_m;
+    double thickness_m = 0;
+    if (flux.velocity_mps != 0) {
+      Mobilise(flux, *ground);
+      const double travel_cells = std::abs(flux.velocity_mps) * dt_s / ground->cell_m();
+      thickness_m = travel_cells * source.mobile_m;
+    }
+    source.outflow_m += thickness_m;
     moved_m.push_back(thickness_m);
   }
   for (std::size_t n = 0; n < fluxes_.size(); ++n) {
-    const double outflow_m = motion_[fluxes_[n].source()].outflow_m;
-    const double loose_m = ground->at(fluxes_[n].source()).loose_m();
-    if (outflow_m > loose_m) moved_m[n] *= loose_m / outflow_m;
+    const Motion& source = motion_[fluxes_[n].source()];
+    if (source.outflow_m > source.mobile_m) moved_m[n] *= source.mobile_m / source.outflow_m;
   }
-  SpoilMix soil;
-  for (std::size_t n = 0; n < fluxes_.size(); ++n) {
+  if (moving_.size() < fluxes_.size()) moving_.resize(fluxes_.size());
+  for (std::size_t n = 0; n < fluxes_.size(); ++n) {  // all leave before any arrives
     motion_[fluxes_[n].source()].outflow_m = 0;
-    if (moved_m[n] <= 0) continue;
-    soil.clear();
-    ground->TakeLoose(fluxes_[n].source(), moved_m[n], &soil);
-    ground->Deposit(fluxes_[n].target(), soil);
+    moving_[n].clear();
+    if (moved_m[n] > 0) ground->TakeLoose(fluxes_[n].source(), moved_m[n], &moving_[n]);
+  }
+  for (std::size_t n = 0; n < fluxes_.size(); ++n) {
+    ground->Deposit(fluxes_[n].target(), moving_[n]);
+    motion_[fluxes_[n].source()].mobile_m -= moved_m[n];
+    motion_[fluxes_[n].target()].mobile_m += moved_m[n];
   }
 }
 
 void Avalanche::Flow(double dt_s, Columns* ground) {
   for (const ColumnId k : ground->TakeChanged()) Wake(k, ground);
   const std::vector<ColumnId> visited = std::exchange(active_, {});
-  for (const ColumnId k : visited) motion_[k].is_active = false;
+  for (const ColumnId k : visited) {
+    motion_[k].is_active = false;
+    motion_[k].is_visited = true;
+  }
   for (const ColumnId k : visited) {
     const double overhang_m = walls_.Overhang_m(k, *ground);
     if (overhang_m > kLeastOverhang_m) {
       ground->Break(k, std::min(overhang_m, kBreakSpeed_mps * dt_s));
     }
   }
+  for (const ColumnId k : visited) motion_[k].rests = Rests(k, *ground);
   FindFluxes(visited, dt_s, *ground);
+  for (const ColumnId k : visited) {
+    motion_[k].is_visited = false;
+    if (!Flows(k, *ground)) motion_[k].mobile_m = 0;
+  }
   MoveSoil(dt_s, ground);
 }
 

@@ -36,8 +36,11 @@ class Avalanche {
   enum Axis { kX = 0, kY = 1 };
   struct Motion {
     double face_mps[2] = {0, 0};  ///< on the faces towards +x and +y
-    double outflow_m = 0;         ///< of loose soil wanted in this step
-    bool is_active = false;
+    double mobile_m = 0;          ///< of the loose soil, from the surface down: the part that flows
+    double outflow_m = 0;         ///< of it wanted in this step
+    bool is_active = false;       ///< to be visited at the next step
+    bool is_visited = false;      ///< in this step
+    bool rests = true;            ///< of a visited one: it does not flow and is gentle
   };
   struct Friction {
     double tan_start, tan_slow, tan_fast;
@@ -53,9 +56,11 @@ class Avalanche {
   void Wake(ColumnId k, Columns* ground);
   double VelocityOf(ColumnId k, int di, int dj, Axis axis, const Columns& ground) const;
   double TangentialSlope(ColumnId k, Axis axis, const Columns& ground) const;
+  bool Flows(ColumnId k, const Columns& ground) const;
   bool Rests(ColumnId k, const Columns& ground) const;
   double FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s, const Columns& ground) const;
   void FindFluxes(const std::vector<ColumnId>& visited, double dt_s, const Columns& ground);
+  void Mobilise(const Flux& flux, const Columns& ground);
   void MoveSoil(double dt_s, Columns* ground);
 
   StandingWalls walls_;
@@ -63,6 +68,7 @@ class Avalanche {
   std::vector<ColumnId> active_;
   std::vector<Motion> motion_;  ///< by id
   std::vector<Flux> fluxes_;
+  std::vector<SpoilMix> moving_;  ///< what each flux carries; kept for its memory
 };
 
 }  // namespace tera
