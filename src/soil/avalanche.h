@@ -15,8 +15,10 @@ namespace tera {
 ///         momentum is carried along, and Coulomb friction acts against the flow's direction. The
 ///         slope that counts is the surface's full gradient, so that piles are round. Ground at
 ///         rest starts to flow where it is steeper than the start angle; friction of slow flow lies
-///         between that and the angle of repose, friction of fast flow below it. Mass leaves
-///         a column only with its own loose soil. All velocities of a step come from one state,
+///         between that and the angle of repose, friction of fast flow below it, by as much as
+///         lets columns run out as far as Lube measured. What flows is several times the part of
+///         the loose soil that stands above the slope of slow friction, and what has come along;
+///         what lies deeper rests. All velocities of a step come from one state,
 ///         and so do all masses: the order of columns does not matter. Failing banks crumble into
 ///         loose soil. Only columns near a change are visited. Nothing flows into a column in
 ///         which a tool stands lower than the surface beside.
