@@ -102,7 +102,7 @@ class Columns {
     surface_.SetGrains(std::move(grains));
   }
 
-  /// Mass that columns have gained since the start: all together, and those alone that gained.
+  /// Mass that columns have more than undisturbed: all together, and those alone that gained.
   struct Gain {
     double net_kg = 0, gained_kg = 0;
   };

@@ -25,7 +25,8 @@ class Ground : public Soil {
       : columns_(BuildColumns(plan)),
         avalanche_(columns_.soils()),
         grains_(columns_.soils(), seed),
-        georeference_(plan.georeference) {}
+        georeference_(plan.georeference),
+        piles_kg_(columns_.GroundGain().net_kg) {}
 
   int AddMachine(const GroundTools& tools) override {
     Machine machine;
@@ -68,6 +69,7 @@ class Ground : public Soil {
   Avalanche avalanche_;
   Grains grains_;
   std::optional<SiteOrigin> georeference_;
+  double piles_kg_;  ///< put on the site before the start
   std::vector<Machine> machines_;
 };
 
@@ -109,7 +111,7 @@ SoilReaction Ground::Act(int handle, const GroundToolsMotion& motion, double dt_
 MassLedger Ground::ledger() const {
   MassLedger ledger;
   const Columns::Gain gain = columns_.GroundGain();
-  ledger.ground_kg = gain.net_kg;
+  ledger.ground_kg = gain.net_kg - piles_kg_;
   ledger.shifted_kg = gain.gained_kg;
   ledger.grains_kg = grains_.mass_kg();
   ledger.outside_kg = columns_.outside_kg();

@@ -50,7 +50,7 @@ struct RaisedGround {
 /// Where soil has gone since the start. What one place gained another lost: the total stays zero.
 struct MassLedger {
   double ground_kg = 0;   ///< gained by the ground
-  double shifted_kg = 0;  ///< sum of what single columns gained: the scale of its errors
+  double shifted_kg = 0;  ///< sum of what single columns have on them, piles included
   double grains_kg = 0;   ///< in the air
   double carried_kg = 0;  ///< in shovels
   double outside_kg = 0;  ///< pushed over the border of the site
