@@ -9,12 +9,13 @@
 namespace tera {
 namespace {
 
-constexpr double kStart_rad = 1.5 * kDeg;   ///< the start angle lies this far above repose
-constexpr double kSlow_rad = 1.1 * kDeg;    ///< friction of slow flow lies this far above it
+constexpr double kStart_rad = 2.1 * kDeg;   ///< the start angle lies this far above repose
+constexpr double kSlow_rad = 1.8 * kDeg;    ///< friction of slow flow lies this far above it
 constexpr double kFast_rad = -10.0 * kDeg;  ///< friction of fast flow lies this far below it
 constexpr double kLeastAngle_rad = 1 * kDeg;
 constexpr double kSlowSpeed_mps = 0.4, kFastSpeed_mps = 1.2;  ///< friction falls in between
-constexpr double kLongestStep_cells = 0.25;                   ///< soil moves no farther in a step
+constexpr double kCreep_mps = 0.02;          ///< slower flows come to rest where none would start
+constexpr double kLongestStep_cells = 0.25;  ///< soil moves no farther in a step
 /// Share of the start angle's slope below which, along both axes, no column starts to flow.
 constexpr double kGentle = 0.65;
 constexpr double kLeastOverhang_m = 2e-4;
@@ -51,15 +52,17 @@ double Avalanche::VelocityOf(ColumnId k, int di, int dj, Axis axis, const Column
   return m == Columns::kNone || m >= motion_.size() ? 0.0 : motion_[m].face_mps[axis];
 }
 
-/// Slope of the surface at a column across `axis`. What stands higher is a wall: no slope.
+/// Slope of the loose soil at a column across `axis`. What stands firm, above it or below, pushes
+/// nothing sideways.
 double Avalanche::TangentialSlope(ColumnId k, Axis axis, const Columns& ground) const {
   const Column& c = ground.at(k);
+  const double loose_m = c.loose_m();
   const int di = axis == kX ? 0 : 1, dj = 1 - di;
   const auto rise_m = [&](int sign) {
     const Column* beside = ground.Beside(k, sign * di, sign * dj);
     if (beside == nullptr) return 0.0;
-    const bool is_wall = beside->top_m > c.top_m && !beside->is_loose();
-    return is_wall ? 0.0 : beside->top_m - c.top_m;
+    const double rise_m = beside->top_m - c.top_m;
+    return rise_m > 0 ? std::min(rise_m, beside->loose_m()) : std::max(rise_m, -loose_m);
   };
   return 0.5 * (rise_m(1) - rise_m(-1)) / ground.cell_m();
 }
@@ -106,7 +109,8 @@ double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
       0.25 * (motion_[k].face_mps[other] + motion_[to].face_mps[other] +
               VelocityOf(k, -dj, -di, other, ground) + VelocityOf(to, -dj, -di, other, ground));
   const bool rests = before_mps == 0 && across_mps == 0;
-  if (rests && std::hypot(slope, across_slope) <= friction.tan_start) return 0;
+  const bool is_steep = std::hypot(slope, across_slope) > friction.tan_start;
+  if (rests && !is_steep) return 0;
 
   // Momentum that the flow itself brings, from upstream.
   const auto upstream = [&](double speed_mps, int i, int j) {
@@ -124,7 +128,8 @@ double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
       0.0, 1.0);
   const double tan_friction = friction.tan_slow + fast * (friction.tan_fast - friction.tan_slow);
   const double braked_mps = tan_friction * kStandardGravity_mps2 * dt_s;
-  if (speed_mps <= braked_mps) return 0;
+  const bool creeps = speed_mps - braked_mps < kCreep_mps;
+  if (speed_mps <= braked_mps || (creeps && !is_steep)) return 0;
   const double most_mps = kLongestStep_cells * cell_m / dt_s;
   return std::clamp(along_mps * (1 - braked_mps / speed_mps), -most_mps, most_mps);
 }
@@ -169,6 +174,10 @@ void Avalanche::MoveSoil(double dt_s, Columns* ground) {
       Mobilise(flux, *ground);
       const double travel_cells = std::abs(flux.velocity_mps) * dt_s / ground->cell_m();
       thickness_m = travel_cells * source.mobile_m;
+      if (loose_m < kFilm_m) {  // a film leaves at once, and has no momentum to speak of
+        thickness_m = loose_m;
+        motion_[flux.column].face_mps[flux.axis] = 0;
+      }
     }
     source.outflow_m += thickness_m;
     moved_m.push_back(thickness_m);
