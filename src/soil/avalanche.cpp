@@ -9,12 +9,13 @@
 namespace tera {
 namespace {
 
-constexpr double kStart_rad = 2.1 * kDeg;   ///< the start angle lies this far above repose
-constexpr double kSlow_rad = 1.8 * kDeg;    ///< friction of slow flow lies this far above it
+constexpr double kStart_rad = 1.1 * kDeg;   ///< the start angle lies this far above repose
+constexpr double kSlow_rad = 0.9 * kDeg;    ///< friction of slow flow lies this far above it
 constexpr double kFast_rad = -10.0 * kDeg;  ///< friction of fast flow lies this far below it
 constexpr double kLeastAngle_rad = 1 * kDeg;
-constexpr double kSlowSpeed_mps = 0.4, kFastSpeed_mps = 1.2;  ///< friction falls in between
-constexpr double kCreep_mps = 0.02;          ///< slower flows come to rest where none would start
+constexpr double kSlowSpeed_mps = 0.2, kFastSpeed_mps = 0.8;  ///< friction falls in between
+constexpr double kThin_m = 0.05, kThick_m = 0.2;  ///< thin flows keep the friction of slow ones
+constexpr double kCreep_mps = 0.005;         ///< slower flows come to rest where none would start
 constexpr double kLongestStep_cells = 0.25;  ///< soil moves no farther in a step
 /// Share of the start angle's slope below which, along both axes, no column starts to flow.
 constexpr double kGentle = 0.65;
@@ -22,6 +23,11 @@ constexpr double kLeastOverhang_m = 2e-4;
 constexpr double kBreakSpeed_mps = 1.0;   ///< at which a failing bank crumbles
 constexpr double kFilm_m = 1e-4;          ///< the thinnest layer that flows
 constexpr double kMobileOverExcess = 10;  ///< thickness that flows over what stands too steep
+
+/// From 0 at `low` to 1 at `high`.
+double Ramp(double x, double low, double high) {
+  return std::clamp((x - low) / (high - low), 0.0, 1.0);
+}
 
 }  // namespace
 
@@ -123,9 +129,9 @@ double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
   const double along_mps = before_mps - dt_s * (kStandardGravity_mps2 * slope + carried_mps2);
   const double driven_across_mps = across_mps - dt_s * kStandardGravity_mps2 * across_slope;
   const double speed_mps = std::hypot(along_mps, driven_across_mps);
-  const double fast = std::clamp(
-      (std::hypot(before_mps, across_mps) - kSlowSpeed_mps) / (kFastSpeed_mps - kSlowSpeed_mps),
-      0.0, 1.0);
+  const double mobile_m = std::max(motion_[k].mobile_m, motion_[to].mobile_m);
+  const double fast = Ramp(std::hypot(before_mps, across_mps), kSlowSpeed_mps, kFastSpeed_mps) *
+                      Ramp(mobile_m, kThin_m, kThick_m);
   const double tan_friction = friction.tan_slow + fast * (friction.tan_fast - friction.tan_slow);
   const double braked_mps = tan_friction * kStandardGravity_mps2 * dt_s;
   const bool creeps = speed_mps - braked_mps < kCreep_mps;
