@@ -24,6 +24,9 @@ constexpr double kBreakSpeed_mps = 1.0;   ///< at which a failing bank crumbles
 constexpr double kFilm_m = 1e-4;          ///< the thinnest layer that flows
 constexpr double kMobileOverExcess = 10;  ///< thickness that flows over what stands too steep
 
+/// Of numbers that neither overflow nor vanish: quicker than std::hypot.
+double Norm(double x, double y) { return std::sqrt(x * x + y * y); }
+
 /// From 0 at `low` to 1 at `high`.
 double Ramp(double x, double low, double high) {
   return std::clamp((x - low) / (high - low), 0.0, 1.0);
@@ -44,7 +47,8 @@ void Avalanche::Wake(ColumnId k, Columns* ground) {
   const Columns::Place place = ground->PlaceOf(k);
   for (int j = std::max(0, place.j - 1); j <= std::min(ground->ny() - 1, place.j + 1); ++j) {
     for (int i = std::max(0, place.i - 1); i <= std::min(ground->nx() - 1, place.i + 1); ++i) {
-      const ColumnId m = ground->Touch(i, j);
+      ColumnId m = ground->BesideId(k, i - place.i, j - place.j);
+      if (m == Columns::kNone) m = ground->Touch(i, j);
       if (m >= motion_.size()) motion_.resize(ground->id_end());
       if (motion_[m].is_active) continue;
       motion_[m].is_active = true;
@@ -115,7 +119,7 @@ double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
       0.25 * (motion_[k].face_mps[other] + motion_[to].face_mps[other] +
               VelocityOf(k, -dj, -di, other, ground) + VelocityOf(to, -dj, -di, other, ground));
   const bool rests = before_mps == 0 && across_mps == 0;
-  const bool is_steep = std::hypot(slope, across_slope) > friction.tan_start;
+  const bool is_steep = Norm(slope, across_slope) > friction.tan_start;
   if (rests && !is_steep) return 0;
 
   // Momentum that the flow itself brings, from upstream.
@@ -128,9 +132,9 @@ double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
   const double carried_mps2 = upstream(before_mps, di, dj) + upstream(across_mps, dj, di);
   const double along_mps = before_mps - dt_s * (kStandardGravity_mps2 * slope + carried_mps2);
   const double driven_across_mps = across_mps - dt_s * kStandardGravity_mps2 * across_slope;
-  const double speed_mps = std::hypot(along_mps, driven_across_mps);
+  const double speed_mps = Norm(along_mps, driven_across_mps);
   const double mobile_m = std::max(motion_[k].mobile_m, motion_[to].mobile_m);
-  const double fast = Ramp(std::hypot(before_mps, across_mps), kSlowSpeed_mps, kFastSpeed_mps) *
+  const double fast = Ramp(Norm(before_mps, across_mps), kSlowSpeed_mps, kFastSpeed_mps) *
                       Ramp(mobile_m, kThin_m, kThick_m);
   const double tan_friction = friction.tan_slow + fast * (friction.tan_fast - friction.tan_slow);
   const double braked_mps = tan_friction * kStandardGravity_mps2 * dt_s;

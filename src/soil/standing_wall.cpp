@@ -51,6 +51,10 @@ double StandingWalls::Overhang_m(ColumnId k, const Columns& ground) const {
   double overhang_m = 0;
   for (const auto& [di, dj, distance] : kDirections) {
     const double run_m = distance * ground.cell_m();
+    const Column* beside = ground.Beside(k, di, dj);
+    if (beside != nullptr && c.top_m - beside->top_m <= limits_[material].tan_stand * run_m) {
+      continue;  // no edge on this side
+    }
     for (int m = 1; m <= kLookDown && ground.Contains(i + m * di, j + m * dj); ++m) {
       const double drop_m = c.top_m - ground.TopAt(i + m * di, j + m * dj);
       const double slope_m = limits_[material].tan_stand * m * run_m;
