@@ -15,8 +15,9 @@ constexpr double kFast_rad = -10.0 * kDeg;  ///< friction of fast flow lies this
 constexpr double kLeastAngle_rad = 1 * kDeg;
 constexpr double kSlowSpeed_mps = 0.2, kFastSpeed_mps = 0.8;  ///< friction falls in between
 constexpr double kThin_m = 0.05, kThick_m = 0.2;  ///< thin flows keep the friction of slow ones
-constexpr double kCreep_mps = 0.005;         ///< slower flows come to rest where none would start
-constexpr double kLongestStep_cells = 0.25;  ///< soil moves no farther in a step
+constexpr double kCreep_mps = 0.005;        ///< slower flows come to rest where none would start
+constexpr double kStep_s = 0.008;           ///< flow is slow beside tools, which need shorter steps
+constexpr double kLongestStep_cells = 0.5;  ///< soil moves no farther in a step
 /// Share of the start angle's slope below which, along both axes, no column starts to flow.
 constexpr double kGentle = 0.65;
 constexpr double kLeastOverhang_m = 2e-4;
@@ -210,6 +211,12 @@ void Avalanche::MoveSoil(double dt_s, Columns* ground) {
 }
 
 void Avalanche::Flow(double dt_s, Columns* ground) {
+  pending_s_ += dt_s;
+  if (pending_s_ + 0.5 * dt_s < kStep_s) return;
+  Step(std::exchange(pending_s_, 0), ground);
+}
+
+void Avalanche::Step(double dt_s, Columns* ground) {
   for (const ColumnId k : ground->TakeChanged()) Wake(k, ground);
   const std::vector<ColumnId> visited = std::exchange(active_, {});
   for (const ColumnId k : visited) {

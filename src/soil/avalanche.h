@@ -29,9 +29,10 @@ namespace tera {
 class Avalanche {
  public:
   explicit Avalanche(const std::vector<SoilType>& soils);
-  /// Visits columns changed since the last call and those still flowing.
+  /// Lets time pass. Every few milliseconds of it, visits columns changed since the last visit and
+  /// those still flowing.
   void Flow(double dt_s, Columns* ground);
-  /// Columns to be visited at the next call, besides those that change until then.
+  /// Columns to be visited next, besides those that change until then.
   std::size_t active_count() const { return active_.size(); }
 
  private:
@@ -55,6 +56,7 @@ class Avalanche {
     ColumnId source() const { return velocity_mps > 0 ? column : beside; }
     ColumnId target() const { return velocity_mps > 0 ? beside : column; }
   };
+  void Step(double dt_s, Columns* ground);
   void Wake(ColumnId k, Columns* ground);
   double VelocityOf(ColumnId k, int di, int dj, Axis axis, const Columns& ground) const;
   double TangentialSlope(ColumnId k, Axis axis, const Columns& ground) const;
@@ -65,6 +67,7 @@ class Avalanche {
   void Mobilise(const Flux& flux, const Columns& ground);
   void MoveSoil(double dt_s, Columns* ground);
 
+  double pending_s_ = 0;  ///< passed since the last visit
   StandingWalls walls_;
   std::vector<Friction> friction_;  ///< one for each soil
   std::vector<ColumnId> active_;

@@ -97,8 +97,8 @@ SoilReaction Ground::Act(int handle, const GroundToolsMotion& motion, double dt_
     reaction.gear_slip.push_back(gear.slip);
     reaction.gear_grip_n.push_back(gear.grip_n);
   }
-  for (const HullContact& point : machine.hull) {
-    Add(point.Act(links[point.link()], columns_), &reaction.link_wrench[point.link()]);
+  for (HullContact& point : machine.hull) {
+    Add(point.Act(links[point.link()], dt_s, columns_), &reaction.link_wrench[point.link()]);
   }
   for (Digging& shovel : machine.shovels) {
     const Digging::Result digging = shovel.Act(links[shovel.link()], dt_s, &columns_, &grains_);

@@ -13,11 +13,14 @@ constexpr double kCreepSpeed_mps = 0.05;  ///< friction is proportional to speed
 
 }  // namespace
 
-Wrench HullContact::Act(const BodyState& body, const Columns& ground) const {
+Wrench HullContact::Act(const BodyState& body, double dt_s, const Columns& ground) {
   Wrench wrench;
   const Vec3 p_W = body.X_WB * point_.p_B_m;
   const double z_m = ground.HeightAt(p_W.x(), p_W.y());
-  if (p_W.z() >= z_m) return wrench;
+  if (p_W.z() >= z_m) {
+    pressed_m_ = 0;
+    return wrench;
+  }
   const double h = ground.cell_m();
   const Vec3 n_W =
       Vec3(ground.HeightAt(p_W.x() - h, p_W.y()) - ground.HeightAt(p_W.x() + h, p_W.y()),
@@ -25,7 +28,10 @@ Wrench HullContact::Act(const BodyState& body, const Columns& ground) const {
           .normalized();
   const Vec3 v_W = PointVelocity(body, point_.p_B_m);
   const double depth_m = (z_m - p_W.z()) * n_W.z();
-  const double normal_n = std::max(0.0, kStiffness_npm * depth_m - kDamping_nspm * v_W.dot(n_W));
+  const double parting_mps = v_W.dot(n_W);
+  pressed_m_ = std::clamp(pressed_m_ - parting_mps * dt_s, 0.0, depth_m);
+  if (pressed_m_ == 0) return wrench;
+  const double normal_n = std::max(0.0, kStiffness_npm * pressed_m_ - kDamping_nspm * parting_mps);
   const Vec3 slide_W = v_W - v_W.dot(n_W) * n_W;
   const Vec3 friction_n =
       -kFriction * normal_n * slide_W / std::max(slide_W.norm(), kCreepSpeed_mps);
