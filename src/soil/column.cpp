@@ -10,11 +10,12 @@ namespace {
 constexpr double kThinnest_m = 1e-9;  ///< thinner layers are gone
 constexpr double kMostAtOnce = 0.5;   ///< of the layers' thickness is pressed in at once
 
-/// The share of a layer that lies in `thickness_m` of it, as soil on the move.
-Spoil Parcel(const SoilLayer& layer, double thickness_m, const SoilType& soil, double area_m2) {
-  const double kgpm2 = layer.kgpm2 * thickness_m / layer.thickness_m;
-  const double volume_m =
-      layer.loose ? thickness_m : kgpm2 / LooseDensity_kgpm3(soil);  // what stood swells
+/// A share of a layer as soil on the move. The layer may be so little soil that it has mass but no
+/// thickness.
+Spoil Parcel(const SoilLayer& layer, double share, const SoilType& soil, double area_m2) {
+  const double kgpm2 = layer.kgpm2 * share;
+  const double volume_m = layer.loose ? layer.thickness_m * share
+                                      : kgpm2 / LooseDensity_kgpm3(soil);  // what stood swells
   return {kgpm2 * area_m2, volume_m * area_m2, layer.soil, layer.moisture};
 }
 
@@ -69,7 +70,7 @@ void CutBank(const ColumnMaterial& m, double z_m, Column* c, SpoilMix* cut) {
     const double thickness_m = std::min(bottom_m, stratum.bottom_m) - top_m;
     const SoilLayer layer{thickness_m, thickness_m * stratum.density_kgpm3, stratum.moisture,
                           stratum.soil, false};
-    cut->Add(Parcel(layer, thickness_m, m.soils[stratum.soil], m.area_m2));
+    cut->Add(Parcel(layer, 1, m.soils[stratum.soil], m.area_m2));
     top_m = std::min(bottom_m, stratum.bottom_m);
   }
   c->bank_m = z_m;
@@ -140,15 +141,15 @@ void CutColumn(const ColumnMaterial& m, double z_m, Column* c, SpoilMix* cut) {
     SoilLayer& layer = c->layers[c->layer_count - 1];
     if (!layer.loose) c->pressed_m = 0;
     const bool whole = c->top_m - z_m > layer.thickness_m - kThinnest_m;
-    const double take_m = whole ? layer.thickness_m : c->top_m - z_m;
-    cut->Add(Parcel(layer, take_m, m.soils[layer.soil], m.area_m2));
+    const double share = whole ? 1 : (c->top_m - z_m) / layer.thickness_m;
+    cut->Add(Parcel(layer, share, m.soils[layer.soil], m.area_m2));
+    c->top_m -= layer.thickness_m * share;
     if (whole) {
       --c->layer_count;
     } else {
-      layer.kgpm2 *= 1 - take_m / layer.thickness_m;
-      layer.thickness_m -= take_m;
+      layer.kgpm2 *= 1 - share;
+      layer.thickness_m *= 1 - share;
     }
-    c->top_m -= take_m;
   }
   if (c->layer_count == 0 && c->bank_m > z_m) {
     CutBank(m, z_m, c, cut);

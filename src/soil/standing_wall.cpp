@@ -30,6 +30,7 @@ const std::array<Direction, 8> kDirections = {{{1, 0, 1},
 
 double CulmannHeight_m(const SoilType& soil, double slope_rad) {
   if (slope_rad <= soil.friction_angle_rad) return std::numeric_limits<double>::infinity();
+  if (soil.cohesion_pa == 0) return 0;
   return 4 * soil.cohesion_pa / (soil.bank_density_kgpm3 * kStandardGravity_mps2) *
          std::sin(slope_rad) * std::cos(soil.friction_angle_rad) /
          (1 - std::cos(slope_rad - soil.friction_angle_rad));

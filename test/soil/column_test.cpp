@@ -67,6 +67,19 @@ TEST_F(ColumnTest, WhatIsPutOnLastIsTakenFirst) {
   EXPECT_NEAR(Gain_kgpm2(), 0.05 * 1000, 1e-9);
 }
 
+TEST_F(ColumnTest, DustThatIsTooThinToMeasureIsCutWithItsMass) {
+  // Parts of parts leave, by rounding, mass without volume.
+  const double dust_kg = 1e-18;
+  DepositOn(material_, {dust_kg, 0, 0, 0.5f}, &column_);
+  Deposit(0.10, 1000, 1);
+  const SpoilMix cut = Cut(1.9);
+  ASSERT_EQ(cut.parts().size(), 2u);
+  EXPECT_NEAR(cut.parts()[0].volume_m3, 0.1 * 1.25 * kArea_m2, 1e-12);
+  EXPECT_NEAR(cut.parts()[0].mass_kg, 0.1 * 1300 * kArea_m2, 1e-12);
+  EXPECT_NEAR(cut.parts()[1].mass_kg, 0.1 * 1000 * kArea_m2, 1e-12);
+  EXPECT_NEAR(Gain_kgpm2(), -0.1 * 1300, 1e-9);
+}
+
 TEST_F(ColumnTest, AFullColumnJoinsLayersAndKeepsTheirMassAndHeight) {
   double mass_kgpm2 = 0;
   for (int n = 0; n < 12; ++n) {
