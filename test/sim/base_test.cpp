@@ -157,8 +157,12 @@ TEST(Base, TracksPushTheBucketIntoAPile) {
       if (!at_pile && ToSeconds(drive.simulation->state().t_ns) > 1.1) free_n += thrust_n(), ++n;
       if (at_pile) most_n = std::max(most_n, thrust_n());
     });
-    const double raised_m = drive.simulation->ground().HeightAt(tip().x() + 0.2, 0) -
-                            before.HeightAt(tip().x() + 0.2, 0);
+    double raised_m = 0;
+    for (double ahead_m = 0.05; ahead_m < 0.8; ahead_m += 0.05) {
+      const double x_m = tip().x() + ahead_m;
+      raised_m =
+          std::max(raised_m, drive.simulation->ground().HeightAt(x_m, 0) - before.HeightAt(x_m, 0));
+    }
     EXPECT_GT(tip().x(), 3.4) << ground;
     EXPECT_GT(raised_m, 0.05) << ground;  // what it pushes ahead
     EXPECT_GT(most_n, free_n / n + 2000) << ground;
