@@ -1,7 +1,6 @@
 #include "app/followed_run.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <string>
 #include <utility>
@@ -54,8 +53,7 @@ void AddRunOptions(CLI::App* command, RunOptions* options) {
 }
 
 void FollowRun(LoadedScenario loaded, const RunOptions& options) {
-  const GenerateReport report = RunWithProgress(std::move(loaded), options);
-  if (isatty(STDOUT_FILENO) == 1) PrintReport(report, options.out.string());
+  PrintReport(RunWithProgress(std::move(loaded), options), options.out.string());
 }
 
 }  // namespace tera

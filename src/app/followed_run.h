@@ -18,7 +18,8 @@ struct RunOptions {
 /// --out, --resume, and those of the host. The options must outlive the parsing.
 void AddRunOptions(CLI::App* command, RunOptions* options);
 
-/// Generates `loaded` with its progress on the terminal, and what it cost after it.
+/// Generates `loaded`, its progress on standard error where that is a terminal, and prints at its
+/// end what it cost.
 void FollowRun(LoadedScenario loaded, const RunOptions& options);
 
 }  // namespace tera

@@ -26,7 +26,7 @@ void NeedFile(const fs::path& file, const std::string& shown) {
 Layer OverlayLayer(const Config::Overlay& overlay) {
   const std::string shown = internal::ShownName(overlay.file);
   NeedFile(overlay.file, shown);
-  const Layer layer{internal::LoadYaml(overlay.file, shown), shown, overlay.file.parent_path()};
+  const Layer layer{internal::LoadYaml(overlay.file, shown), shown, overlay.file.parent_path(), ""};
   if (!internal::ValueIn(layer.node, overlay.key) || layer.node.size() != 1) {
     throw InputError(
         fmt::format("{}:1:1: need one mapping, '{}:', and nothing else", shown, overlay.key));
@@ -41,7 +41,7 @@ Config Config::FromFile(const fs::path& file, const std::vector<std::string>& ov
   const std::string shown = internal::ShownName(file);
   NeedFile(file, shown);
   auto document = std::make_shared<internal::ConfigDocument>();
-  const Layer layer{internal::LoadYaml(file, shown), shown, file.parent_path()};
+  const Layer layer{internal::LoadYaml(file, shown), shown, file.parent_path(), ""};
   const std::vector<Layer> with_overrides = internal::LayersAbove(layer, overrides);
   // Built from top to bottom: assigning a yaml-cpp node, as an insertion does, changes what all its
   // handles refer to.
@@ -50,7 +50,7 @@ Config Config::FromFile(const fs::path& file, const std::vector<std::string>& ov
     layers.push_back(OverlayLayer(*overlay));
   }
   layers.push_back(with_overrides.back());
-  document->root = document->AddNode("", std::move(layers));
+  document->root = document->AddNode(std::move(layers));
   return Config(document);
 }
 
@@ -66,7 +66,7 @@ Config Config::FromText(const std::string& text, const std::string& name,
   if (!node.IsMap()) throw InputError(fmt::format("{}:1:1: need a mapping of keys", name));
   auto document = std::make_shared<internal::ConfigDocument>();
   document->root = document->AddNode(
-      "", internal::LayersAbove(Layer{node, name, fs::current_path()}, overrides));
+      internal::LayersAbove(Layer{node, name, fs::current_path(), ""}, overrides));
   return Config(document);
 }
 
@@ -81,7 +81,7 @@ void Config::Finish() const {
       for (const auto& entry : layer.node) {
         const std::string key = entry.first.Scalar();
         const std::string head = fmt::format("{}: {}: ", internal::PlaceOf(entry.first, layer.file),
-                                             internal::Join(node->path, key));
+                                             internal::Join(layer.path, key));
         if (!seen.insert(key).second) {
           faults.push_back(head + "repeated key; keep one");
         } else if (!node->asked.contains(key)) {

@@ -71,7 +71,8 @@ YAML::Node LoadYaml(const fs::path& file, const std::string& shown) {
   }
 }
 
-std::optional<Layer> LoadLayer(ConfigNode& node, std::string_view key, const Found& found) {
+std::optional<Layer> LoadLayer(ConfigNode& node, std::string_view key, const Found& found,
+                               const std::string& mapping_path) {
   const fs::path path = Resolve(found.node.Scalar(), found.layer->directory);
   if (!IsFile(path)) {
     AddFault(node, key, found,
@@ -82,7 +83,7 @@ std::optional<Layer> LoadLayer(ConfigNode& node, std::string_view key, const Fou
   }
   const std::string shown = ShownName(path);
   try {
-    return Layer{LoadYaml(path, shown), shown, path.parent_path()};
+    return Layer{LoadYaml(path, shown), shown, path.parent_path(), mapping_path};
   } catch (const InputError& e) {
     node.document->faults.push_back(e.what());
     return std::nullopt;
@@ -113,7 +114,7 @@ void ConfigMap::ApplyPreset(std::string_view key) const {
                            found->node.Scalar()));
       return;
     }
-    const auto layer = internal::LoadLayer(*node_, key, *found);
+    const auto layer = internal::LoadLayer(*node_, key, *found, found->layer->path);
     if (!layer) return;
     node_->layers.push_back(*layer);
     const auto next = internal::ValueIn(layer->node, key);

@@ -61,21 +61,17 @@ std::string Shown(const YAML::Node& node) {
   return "nothing";
 }
 
-void AddFault(ConfigNode& node, std::string_view key, const std::string& place,
+void AddFault(ConfigNode& node, std::string_view key, const Found& found,
               const std::string& finding) {
-  const std::string path = Join(node.path, key);
+  const std::string place = PlaceOf(found.node, found.layer->file);
+  const std::string path = Join(found.layer->path, key);
   node.document->faults.push_back(path.empty() ? fmt::format("{}: {}", place, finding)
                                                : fmt::format("{}: {}: {}", place, path, finding));
 }
 
-void AddFault(ConfigNode& node, std::string_view key, const Found& found,
-              const std::string& finding) {
-  AddFault(node, key, PlaceOf(found.node, found.layer->file), finding);
-}
-
 void AddMissing(ConfigNode& node, std::string_view key, const std::string& need) {
   const Layer& layer = node.layers.back();
-  AddFault(node, key, PlaceOf(layer.node, layer.file), fmt::format("missing, need {}", need));
+  AddFault(node, key, Found{layer.node, &layer}, fmt::format("missing, need {}", need));
 }
 
 void Record(ConfigNode& node, std::string_view key, const std::string& scalar) {

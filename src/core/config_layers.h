@@ -17,16 +17,18 @@
 
 namespace tera::internal {
 
-/// One source of a mapping: a YAML node, the file it stands in (for messages and relative paths).
+/// One source of a mapping: a YAML node, the file it stands in (for messages and relative paths),
+/// and the key path that whoever wrote it there sees, "machines[0].sensors[2]". Layers of one
+/// mapping may have different ones, effects of a machine and those of a scenario above them.
 struct Layer {
   YAML::Node node;
   std::string file;
   std::filesystem::path directory;
+  std::string path;
 };
 
 struct ConfigNode {
   ConfigDocument* document = nullptr;
-  std::string path;           ///< key path from the root, "machines[0].sensors[2]"
   std::vector<Layer> layers;  ///< first wins
   YAML::Node resolved{YAML::NodeType::Map};
   std::set<std::string> asked;  ///< every key the reader knows
@@ -39,14 +41,20 @@ struct ConfigDocument {
   std::vector<std::shared_ptr<ConfigNode>> nodes;
   std::shared_ptr<ConfigNode> root;
 
-  std::shared_ptr<ConfigNode> AddNode(std::string path, std::vector<Layer> layers) {
+  std::shared_ptr<ConfigNode> AddNode(std::vector<Layer> layers) {
     auto node = std::make_shared<ConfigNode>();
     node->document = this;
-    node->path = std::move(path);
     node->layers = std::move(layers);
     nodes.push_back(node);
     return node;
   }
+
+  /// The mapping at `key` of `config`, which `none` in its place takes away: nothing below that
+  /// counts. Without a value where it is absent or taken away, and after a fault: another value
+  /// than these, or a `none` with nothing to take away. For effects; no other key can be taken
+  /// away.
+  static std::optional<ConfigMap> MapOrNone(const ConfigMap& config, std::string_view key,
+                                            const std::string& need);
 };
 
 /// Stands for a file's name in the messages about overrides, which have no lines.
@@ -75,8 +83,6 @@ std::string PlaceOf(const YAML::Node& node, const std::string& file);
 std::string Join(const std::string& path, std::string_view key);
 /// A value as messages show it.
 std::string Shown(const YAML::Node& node);
-void AddFault(ConfigNode& node, std::string_view key, const std::string& place,
-              const std::string& finding);
 void AddFault(ConfigNode& node, std::string_view key, const Found& found,
               const std::string& finding);
 void AddMissing(ConfigNode& node, std::string_view key, const std::string& need);
@@ -108,8 +114,10 @@ std::filesystem::path Resolve(const std::string& text, const std::filesystem::pa
 /// A path as messages show it: relative to the working directory where it is below it.
 std::string ShownName(const std::filesystem::path& path);
 YAML::Node LoadYaml(const std::filesystem::path& file, const std::string& shown);
-/// Loads the file that `found` names as a layer, or reports a fault.
-std::optional<Layer> LoadLayer(ConfigNode& node, std::string_view key, const Found& found);
+/// Loads the file that `found` names as a layer of the mapping at `mapping_path`, or reports a
+/// fault.
+std::optional<Layer> LoadLayer(ConfigNode& node, std::string_view key, const Found& found,
+                               const std::string& mapping_path);
 
 // Overrides.
 

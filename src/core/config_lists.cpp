@@ -220,14 +220,15 @@ std::vector<ConfigMap> ConfigMap::List(std::string_view key) const {
     std::vector<Layer> layers;
     for (const Found& part : found->items[i]) {
       if (part.node.IsMap()) {
-        layers.push_back({part.node, part.layer->file, part.layer->directory});
+        layers.push_back({part.node, part.layer->file, part.layer->directory,
+                          internal::Join(part.layer->path, item_key)});
       } else {
         AddFault(*node_, item_key, part,
                  fmt::format("{} found, need a mapping of keys", Shown(part.node)));
       }
     }
     if (layers.empty()) continue;
-    auto child = node_->document->AddNode(internal::Join(node_->path, item_key), layers);
+    auto child = node_->document->AddNode(layers);
     resolved.push_back(child->resolved);
     maps.push_back(ConfigMap(child));
   }

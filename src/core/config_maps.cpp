@@ -12,42 +12,47 @@ using internal::AddFault;
 using internal::AddMissing;
 using internal::ConfigNode;
 using internal::Find;
+using internal::FindAll;
 using internal::Found;
 using internal::Join;
 using internal::Layer;
 using internal::PlaceOf;
 using internal::Shown;
-using internal::ValueIn;
 
 namespace {
 
-/// In the place of a mapping: takes away what the layers below have.
+/// In the place of an effect: takes away what the layers below have.
 constexpr char kNothing[] = "none";
+
+/// The layer of the mapping at `key` that `found` is.
+Layer LayerAt(std::string_view key, const Found& found) {
+  return {found.node, found.layer->file, found.layer->directory, Join(found.layer->path, key)};
+}
 
 /// Layers of the mapping at `key`: the overlaying patches and every layer's own mapping.
 std::vector<Layer> LayersOf(ConfigNode& node, std::string_view key) {
-  node.asked.emplace(key);
   std::vector<Layer> layers;
-  for (const Layer& layer : node.layers) {
-    const auto value = ValueIn(layer.node, key);
-    if (!value) continue;
-    if (value->IsMap()) {
-      layers.push_back({*value, layer.file, layer.directory});
-    } else if (!layers.empty() && value->IsScalar() && value->Scalar() == kNothing) {
-      break;  // it takes away what lies below, and was overlaid itself
+  for (const Found& found : FindAll(node, key)) {
+    if (found.node.IsMap()) {
+      layers.push_back(LayerAt(key, found));
     } else {
-      AddFault(node, key, Found{*value, &layer},
-               fmt::format("{} found, need a mapping of keys", Shown(*value)));
+      AddFault(node, key, found,
+               fmt::format("{} found, need a mapping of keys", Shown(found.node)));
     }
   }
   return layers;
 }
 
+bool TakesAway(const YAML::Node& node) { return node.IsScalar() && node.Scalar() == kNothing; }
+
 std::shared_ptr<ConfigNode> AddChild(ConfigNode& parent, std::string_view key,
                                      std::vector<Layer> layers) {
   if (layers.empty())
-    layers.push_back({YAML::Node(YAML::NodeType::Map), parent.layers[0].file, {}});
-  auto child = parent.document->AddNode(Join(parent.path, key), std::move(layers));
+    layers.push_back({YAML::Node(YAML::NodeType::Map),
+                      parent.layers[0].file,
+                      {},
+                      Join(parent.layers[0].path, key)});
+  auto child = parent.document->AddNode(std::move(layers));
   parent.resolved[std::string(key)] = child->resolved;
   parent.children.emplace(key, child);
   return child;
@@ -85,23 +90,47 @@ ConfigMap ConfigMap::MapOrFile(std::string_view key) const {
   }
   if (!Has(key)) AddMissing(*node_, key, "a YAML file's path, or a mapping of keys");
   std::vector<Layer> layers;
-  for (const Layer& layer : node_->layers) {
-    const auto value = ValueIn(layer.node, key);
-    if (!value) continue;
-    if (value->IsMap()) {
-      layers.push_back({*value, layer.file, layer.directory});
-    } else if (value->IsScalar()) {
-      if (auto loaded = internal::LoadLayer(*node_, key, Found{*value, &layer})) {
-        layers.push_back(*loaded);
-      }
+  for (const Found& found : FindAll(*node_, key)) {
+    if (found.node.IsMap()) {
+      layers.push_back(LayerAt(key, found));
+    } else if (found.node.IsScalar()) {
+      const std::string path = Join(found.layer->path, key);
+      if (auto loaded = internal::LoadLayer(*node_, key, found, path)) layers.push_back(*loaded);
       break;  // a file replaces what lies below
     } else {
-      AddFault(*node_, key, Found{*value, &layer},
-               fmt::format("{} found, need a file's path or a mapping", Shown(*value)));
+      AddFault(*node_, key, found,
+               fmt::format("{} found, need a file's path or a mapping", Shown(found.node)));
     }
   }
   return ConfigMap(AddChild(*node_, key, std::move(layers)));
 }
+
+std::optional<ConfigMap> internal::ConfigDocument::MapOrNone(const ConfigMap& config,
+                                                             std::string_view key,
+                                                             const std::string& need) {
+  ConfigNode& node = *config.node_;
+  const std::vector<Found> values = FindAll(node, key);
+  if (values.empty()) return std::nullopt;
+  std::vector<Layer> layers;
+  for (const Found& found : values) {
+    if (TakesAway(found.node)) break;
+    if (!found.node.IsMap()) {
+      AddFault(node, key, found, fmt::format("{} found, need {}", Shown(found.node), need));
+      return std::nullopt;
+    }
+    layers.push_back(LayerAt(key, found));
+  }
+  if (TakesAway(values.back().node)) {
+    AddFault(node, key, values.back(),
+             fmt::format("'{}' takes away an effect of a lower layer (the machine's file, the "
+                         "scenario, an earlier --effects file), but none of them has it; leave it "
+                         "out",
+                         kNothing));
+  }
+  if (layers.empty()) return std::nullopt;
+  return ConfigMap(AddChild(node, key, std::move(layers)));
+}
+
 std::vector<std::pair<std::string, ConfigMap>> ConfigMap::NamedMaps(std::string_view key) const {
   std::vector<std::pair<std::string, ConfigMap>> maps;
   const auto parent = OptionalMap(key);
@@ -127,14 +156,14 @@ void ConfigMap::Fault(std::string_view key, const std::string& finding) const {
     AddFault(*node_, key, *found, finding);
   } else {
     const Layer& layer = node_->layers.back();
-    AddFault(*node_, key, PlaceOf(layer.node, layer.file), finding);
+    AddFault(*node_, key, Found{layer.node, &layer}, finding);
   }
 }
 
 std::string ConfigMap::Place(std::string_view key) const {
-  const std::string path = Join(node_->path, key);
   const auto found = key.empty() ? std::nullopt : Find(*node_, key);
   const Layer& layer = found ? *found->layer : node_->layers.back();
+  const std::string path = Join(layer.path, key);
   const std::string place = PlaceOf(found ? found->node : layer.node, layer.file);
   return path.empty() ? place : fmt::format("{}: {}", place, path);
 }

@@ -49,7 +49,7 @@ Layer OverrideLayer(const std::string& text) {
     map[*key] = value;
     value.reset(map);
   }
-  return {value, kOverlayName, fs::current_path()};
+  return {value, kOverlayName, fs::current_path(), ""};
 }
 
 }  // namespace

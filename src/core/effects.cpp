@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/check.h"
+#include "core/config_layers.h"
 
 namespace tera {
 namespace {
@@ -22,6 +23,18 @@ double ReadParameter(const ConfigMap& map, const EffectParameter& parameter) {
   }
   return parameter.otherwise ? map.Number(name, range, *parameter.otherwise)
                              : map.Number(name, range);
+}
+
+/// What may stand at a mechanism's name, "its parameters, {width: 0 to 0.9}, or none to take it
+/// away".
+std::string NeedOf(const Mechanism& mechanism) {
+  std::vector<std::string> items;
+  for (const EffectParameter& p : mechanism.parameters) {
+    items.push_back(fmt::format("{}: {} to {}", p.name, p.lower, p.upper));
+  }
+  return fmt::format("{}, {{{}}}, or none to take it away",
+                     items.empty() ? "a mapping without parameters" : "its parameters",
+                     fmt::join(items, ", "));
 }
 
 /// Mechanisms that are in the library but for other targets.
@@ -122,15 +135,12 @@ Effects ReadEffects(const ConfigMap& config, EffectTarget target,
                     std::span<const Mechanism> library) {
   Effects effects;
   for (const Mechanism& mechanism : library) {
-    if (!mechanism.ActsOn(target) || !config.Has(mechanism.id)) continue;
-    if (config.IsText(mechanism.id)) {
-      config.Choice(mechanism.id, {"none"});
-      continue;
-    }
-    const ConfigMap map = config.Map(mechanism.id);
+    if (!mechanism.ActsOn(target)) continue;
+    const auto map = internal::ConfigDocument::MapOrNone(config, mechanism.id, NeedOf(mechanism));
+    if (!map) continue;
     Effect effect{&mechanism, {}};
     for (const EffectParameter& parameter : mechanism.parameters) {
-      effect.values.push_back(ReadParameter(map, parameter));
+      effect.values.push_back(ReadParameter(*map, parameter));
     }
     effects.push_back(std::move(effect));
   }

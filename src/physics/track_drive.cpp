@@ -66,6 +66,10 @@ TrackDrive::TrackDrive(const MachineModel& model)
                       0.5 * (left_m / left_count_ + right_m / right_count_), contact.low_m);
 }
 
+bool TrackDrive::MovesOnLevelGround() const {
+  return MoveOnTracks({1, 1}, {}, geometry_, parameters_).forward_mps > 0;
+}
+
 TrackCircumstances TrackDrive::CircumstancesOf(const MachineState& state,
                                                const SoilReaction& soil) const {
   TrackCircumstances c;

@@ -23,6 +23,9 @@ class TrackDrive {
 
   /// Middle of the contact with the ground.
   const Vec3& contact_B_m() const { return contact_B_m_; }
+  const TrackGeometry& geometry() const { return geometry_; }
+  /// Whether the slips among the effects leave anything of the tracks' speed on level ground.
+  bool MovesOnLevelGround() const;
 
   struct Target {
     PlanarTwist twist;

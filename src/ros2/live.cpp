@@ -40,7 +40,8 @@ class Session {
         states_(run_.scenario(), now(), &participant_),
         levers_(run_.scenario(), &participant_,
                 options.pace == Pace::kLockstep ? Obey::kAnswers : Obey::kLast, options.log),
-        lockstep_(run_.scenario(), &levers_, options.answer_timeout_s, WaysOfWaiting()) {}
+        lockstep_(run_.scenario(), &levers_, options.answer_timeout_s, WaysOfWaiting()),
+        real_time_(options.wall) {}
 
   LiveRosReport Run() {
     LiveRosReport report;

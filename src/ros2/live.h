@@ -20,6 +20,7 @@ struct LiveRosOptions {
   LiveOptions live;
   std::function<bool()> stop;                   ///< asked before each tick
   std::function<void(const std::string&)> log;  ///< what a user should know meanwhile
+  Wall wall;                                    ///< that Pace::kReal keeps to
 };
 
 struct LiveRosReport {

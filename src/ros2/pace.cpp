@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <thread>
 #include <utility>
 
 namespace tera::ros {
@@ -27,7 +26,7 @@ RealTime::Moment RealTime::Due(TimeNs t_ns, Moment now) {
   return now;
 }
 
-void RealTime::WaitFor(TimeNs t_ns) { std::this_thread::sleep_until(Due(t_ns, WallClock::now())); }
+void RealTime::WaitFor(TimeNs t_ns) { wall_.sleep_until(Due(t_ns, wall_.now())); }
 
 Lockstep::Lockstep(const Scenario& scenario, const LeverInput* levers, double timeout_s, Ways ways)
     : scenario_(scenario),

@@ -5,6 +5,8 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "core/time.h"
@@ -19,22 +21,34 @@ enum class Pace {
   kLockstep  ///< as the answers to /clock come
 };
 
+/// The clock on the wall, and how to wait for it.
+struct Wall {
+  using Moment = std::chrono::steady_clock::time_point;
+  std::function<Moment()> now = std::chrono::steady_clock::now;
+  std::function<void(Moment)> sleep_until =
+      &std::this_thread::sleep_until<Moment::clock, Moment::duration>;
+};
+
 /// Holds simulated time to the clock on the wall. What is lost by more than a hiccup is not caught
 /// up with.
 class RealTime {
  public:
-  using Moment = std::chrono::steady_clock::time_point;
+  using Moment = Wall::Moment;
   static constexpr std::chrono::milliseconds kHiccup{100};
 
-  /// From `now` on, which is `t_ns`.
-  void Restart(TimeNs t_ns, Moment now = std::chrono::steady_clock::now());
+  explicit RealTime(Wall wall = {}) : wall_(std::move(wall)), start_(wall_.now()) {}
+
+  /// From `now` on, or from now on, which is `t_ns`.
+  void Restart(TimeNs t_ns, Moment now);
+  void Restart(TimeNs t_ns) { Restart(t_ns, wall_.now()); }
   /// When it is to be `t_ns`; past where time was lost. Begins anew where that was too much.
   Moment Due(TimeNs t_ns, Moment now);
   /// Until `t_ns`.
   void WaitFor(TimeNs t_ns);
 
  private:
-  Moment start_ = std::chrono::steady_clock::now();
+  Wall wall_;
+  Moment start_;
   TimeNs start_ns_ = 0;
 };
 

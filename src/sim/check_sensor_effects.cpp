@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <span>
+#include <string_view>
+
+#include "sensors/slots/encoder_errors.h"
 #include "sim/reflector.h"
 #include "sim/rig.h"
 
@@ -75,7 +79,36 @@ bool CanTurn(const MachineModel& model, int link) {
   return false;
 }
 
+/// Of one quantity, the parameters of its quantisation and its saturation.
+struct StepAndLimit {
+  std::string_view step, limit;
+};
+constexpr StepAndLimit kOfImu[] = {{"gyro_step_degps", "gyro_limit_degps"},
+                                   {"accel_step_mps2", "accel_limit_mps2"}};
+constexpr StepAndLimit kOfEncoder[] = {{"angle_step_deg", "angle_limit_deg"},
+                                       {"rate_step_degps", "rate_limit_degps"},
+                                       {"travel_step_m", "travel_limit_m"},
+                                       {"speed_step_mps", "speed_limit_mps"}};
+
+/// Steps of quantisation beyond the limit of saturation: what is clipped would round to zero, or to
+/// more than the limit. Reported at the one of both that `config` has.
+void CheckSteps(const ConfigMap& config, const Effects& effects,
+                std::span<const StepAndLimit> quantities) {
+  const Effect* rounding = FindEffect(effects, "quantisation");
+  const Effect* clipping = FindEffect(effects, "saturation");
+  if (!rounding || !clipping) return;
+  for (const auto& [step, limit] : quantities) {
+    if ((*rounding)[step] <= (*clipping)[limit]) continue;
+    config.Fault(
+        config.Has("quantisation") ? "quantisation" : "saturation",
+        fmt::format("{} {:g} of quantisation is beyond {} {:g} of saturation, which leaves "
+                    "no value between; need a step of at most the limit",
+                    step, (*rounding)[step], limit, (*clipping)[limit]));
+  }
+}
+
 void CheckImu(const ConfigMap& config, const MachineModel& model, const SensorDescription& imu) {
+  CheckSteps(config, imu.effects, kOfImu);
   const Effect* flip = FindEffect(imu.effects, "axis_flip");
   if (flip && (*flip)["x"] == 0 && (*flip)["y"] == 0 && (*flip)["z"] == 0) {
     config.Fault("axis_flip", "flips no axis; need 1 for x, y or z");
@@ -126,8 +159,12 @@ void CheckEncoder(const ConfigMap& effects, const MachineModel& model,
     if (own == sensor.axis_effects.end()) continue;
     CheckUnits(effects.Map(sensor.name + "/" + axis.name), own->second,
                {.turning = !axis.linear, .sliding = axis.linear});
+    CheckSteps(effects.Map(sensor.name + "/" + axis.name),
+               EffectsOfAxis(sensor.effects, own->second), kOfEncoder);
   }
-  if (!sensor.effects.empty()) CheckUnits(effects.Map(sensor.name), sensor.effects, all);
+  if (sensor.effects.empty()) return;
+  CheckUnits(effects.Map(sensor.name), sensor.effects, all);
+  CheckSteps(effects.Map(sensor.name), sensor.effects, kOfEncoder);
 }
 
 }  // namespace

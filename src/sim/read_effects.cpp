@@ -19,12 +19,23 @@ namespace {
 
 constexpr std::string_view kBaseTarget = "base";
 
+/// Whether a mapping stands at `key`, if anything; a word or a number there is a fault.
+bool IsMappingOf(std::string_view need, const ConfigMap& config, std::string_view key) {
+  if (!config.IsText(key)) return true;
+  config.Fault(key, fmt::format("'{}' found, need {}", config.Text(key), need));
+  return false;
+}
+
 /// Reads target after target of one machine's effects; a name stands for one of them alone.
 class TargetReader {
  public:
   explicit TargetReader(const ConfigMap& config) : config_(config) {}
 
   Effects Read(const std::string& name, EffectTarget target, std::span<const Mechanism> library) {
+    if (!IsMappingOf("mechanisms, {MECHANISM: {PARAMETER: VALUE}}, and none for one to take away",
+                     config_, name)) {
+      return {};
+    }
     const auto map = config_.OptionalMap(name);
     if (!map) return {};
     if (!read_.insert(name).second) {
@@ -86,6 +97,13 @@ void CheckEffects(const ConfigMap& effects, const MachineModel& model,
 
 }  // namespace
 
+std::optional<ConfigMap> ReadScenarioEffects(const ConfigMap& scenario) {
+  constexpr std::string_view kNeed =
+      "machines by their names, {MACHINE: {TARGET: {MECHANISM: {PARAMETER: VALUE}}}}";
+  if (!IsMappingOf(kNeed, scenario, "effects")) return std::nullopt;
+  return scenario.OptionalMap("effects");
+}
+
 void ReadMachineEffects(const ConfigMap& machine, const std::optional<ConfigMap>& scenario_effects,
                         const std::string& name, MachineModel* model,
                         std::vector<SensorDescription>* sensors) {
@@ -93,8 +111,12 @@ void ReadMachineEffects(const ConfigMap& machine, const std::optional<ConfigMap>
   effects.joints.resize(model->joints.size());
   effects.gears.resize(model->ground_tools.gears.size());
   effects.pumps.resize(model->pumps.size());
-  const auto map = scenario_effects ? machine.OptionalMapUnder("effects", *scenario_effects, name)
-                                    : machine.OptionalMap("effects");
+  constexpr std::string_view kNeed =
+      "what its effects act on, {TARGET: {MECHANISM: {PARAMETER: VALUE}}}; a target is a joint, a "
+      "track or wheel set, a pump, a sensor or base";
+  const bool overlaid = scenario_effects && IsMappingOf(kNeed, *scenario_effects, name);
+  const auto map = overlaid ? machine.OptionalMapUnder("effects", *scenario_effects, name)
+                            : machine.OptionalMap("effects");
   if (!map) return;
   TargetReader reader(*map);
   for (std::size_t j = 0; j < model->joints.size(); ++j) {

@@ -9,11 +9,14 @@
 
 namespace tera {
 
+/// `effects:` of a scenario, for all its machines; without a value where it has none.
+std::optional<ConfigMap> ReadScenarioEffects(const ConfigMap& scenario);
+
 /// Reads the effects of one machine into its model and its sensors: `effects:` of the machine's
 /// mapping and, over it, the mapping of the machine's name in `scenario_effects`. Targets are the
 /// names of joints, running gears, pumps and sensors, of one axis of a set of encoders
-/// "encoders/boom", and `base` for the motion of the whole
-/// machine. Faults go to the mappings.
+/// "encoders/boom", and `base` for the motion of the whole machine. Faults go to the mappings, each
+/// to the one that has what is wrong.
 void ReadMachineEffects(const ConfigMap& machine, const std::optional<ConfigMap>& scenario_effects,
                         const std::string& name, MachineModel* model,
                         std::vector<SensorDescription>* sensors);

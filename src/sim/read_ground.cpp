@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <string_view>
 
 #include "physics/slots/track_kinematics.h"
+#include "physics/track_faults.h"
 
 namespace tera {
 namespace {
@@ -20,6 +22,12 @@ GroundModel ReadGroundModel(const ConfigMap& config) {
   if (ground == "ideal") return GroundModel::kIdeal;
   if (ground == "kinematic") return GroundModel::kKinematic;
   return GroundModel::kTerramechanics;
+}
+
+/// Reports something of an effect of the base, which the machine of the entry `config` has.
+void FaultOfBase(const ConfigMap& config, std::string_view mechanism, const std::string& finding) {
+  const ConfigMap base = config.MapOrFile("machine").Map("effects").Map("base");
+  base.Fault(mechanism, fmt::format("'{}' {}", mechanism, finding));
 }
 
 /// Whether the root stands on running gear to its left and to its right.
@@ -58,12 +66,17 @@ void ReadGround(const ConfigMap& config, MachineModel* model) {
   if (model->ground != GroundModel::kKinematic) {
     for (const std::string_view id : kOfSlip) {
       if (!FindEffect(model->effects.base, id)) continue;
-      config.Fault("ground", "effect '" + std::string(id) +
-                                 "' of base acts only with ground: kinematic; choose that or take "
-                                 "the effect away");
+      FaultOfBase(config, id,
+                  "acts only on a machine with ground: kinematic; choose that or take the effect "
+                  "away");
     }
   }
-  if (model->ground == GroundModel::kKinematic) CheckTools(config, *model);
+  if (model->ground == GroundModel::kKinematic) {
+    CheckTools(config, *model);
+    for (const EffectFault& fault : FaultsOfSlips(*model)) {
+      FaultOfBase(config, fault.mechanism, fault.finding);
+    }
+  }
   const TrackSpeeds shoes = ShoeSpeeds({1, 1}, TrackKinematicsOf(model->effects.base));
   for (std::size_t g = 0; g < model->ground_tools.gears.size(); ++g) {
     model->ground_tools.gears[g].shoe_ratio =
@@ -87,10 +100,10 @@ void CheckRaisedGround(const ConfigMap& config, const MachineModel& model,
   const double reach_m = (*effect)["radius_m"] + (*effect)["edge_m"];
   const Vec2 nearest_m = centre_m.cwiseMax(low_m).cwiseMin(high_m);
   if ((centre_m - nearest_m).norm() < reach_m) return;
-  config.Fault("",
-               fmt::format("effect 'terrain_height' of base raises ground beyond the site alone; "
-                           "need a place within {:g} m of x {:g} to {:g} m, y {:g} to {:g} m",
-                           reach_m, low_m.x(), high_m.x(), low_m.y(), high_m.y()));
+  FaultOfBase(config, "terrain_height",
+              fmt::format("raises ground beyond the site alone; need a place within {:g} m of x "
+                          "{:g} to {:g} m, y {:g} to {:g} m",
+                          reach_m, low_m.x(), high_m.x(), low_m.y(), high_m.y()));
 }
 
 void RaiseGround(const MachineModel& model, Soil* soil) {

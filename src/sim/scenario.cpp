@@ -242,7 +242,7 @@ Scenario ReadScenario(const ConfigMap& config) {
   if (const auto environment = config.OptionalMap("environment")) {
     scenario.environment = ReadEnvironment(*environment);
   }
-  const std::optional<ConfigMap> effects = config.OptionalMap("effects");
+  const std::optional<ConfigMap> effects = ReadScenarioEffects(config);
   for (const ConfigMap& machine : config.List("machines")) {
     scenario.machines.push_back(ReadMachineEntry(machine, scenario.seed, effects));
     CheckRaisedGround(machine, scenario.machines.back().placement.model, scenario.soil->surface());

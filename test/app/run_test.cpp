@@ -16,6 +16,7 @@ namespace {
 using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
+using testing::MatchesRegex;
 using testing::Not;
 using testing::StartsWith;
 namespace fs = std::filesystem;
@@ -64,10 +65,16 @@ class GenerateRun : public testing::Test {
   ScratchDirectory scratch_;
 };
 
-TEST_F(GenerateRun, SaysNothingWhereThereIsNoTerminal) {
+TEST_F(GenerateRun, SaysAtItsEndWhatItCostButNoProgressWhereThereIsNoTerminal) {
   const Outcome outcome = RunTera(Generate("run", {"--duration", "0.2"}), {path()});
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_EQ(outcome.out, "");
+  const std::string number = " +[0-9.]+ +([0-9.]+ x|-)\n";
+  EXPECT_THAT(outcome.out,
+              MatchesRegex("run: 0\\.2 s simulated in [0-9.]+ s, [0-9]+ frames, [0-9.]+ MB\n"
+                           "  stage +wall s +real time\n"
+                           "  physics" +
+                           number + "  soil" + number + "  cameras" + number + "  lidars" + number +
+                           "  everything else" + number + "  whole run" + number));
   EXPECT_EQ(outcome.err, "");
   EXPECT_TRUE(fs::exists(path() / "run/dataset.yaml"));
   EXPECT_FALSE(fs::exists(path() / "run.incomplete"));

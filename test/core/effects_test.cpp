@@ -36,9 +36,9 @@ Effects BoomEffects(const std::string& text, const std::string& upper = "{machin
   return effects;
 }
 
-std::string FaultOf(const std::string& text) {
+std::string FaultOf(const std::string& text, const std::string& upper = "{machine: {}}") {
   try {
-    BoomEffects(text);
+    BoomEffects(text, upper);
   } catch (const InputError& e) {
     return e.what();
   }
@@ -84,12 +84,63 @@ TEST(Effects, ReportWhatIsUnknownMissingOrOutOfRange) {
   EXPECT_THAT(FaultOf("effects: {boom: {dead_band: {}}}"),
               HasSubstr("effects.boom.dead_band.width"));
   EXPECT_THAT(FaultOf("effects: {boom: {dead_band: {width: 2}}}"), HasSubstr("0 to 0.9"));
-  EXPECT_THAT(FaultOf("effects: {boom: {dead_band: off}}"), HasSubstr("none"));
   EXPECT_THAT(
       FaultOf("effects: {boom: {bias: {x: 0}}}"),
       HasSubstr("effects.boom.bias: 'bias' does not act on this target, a joint; those that "
                 "do: dead_band, lag, count"));
   EXPECT_THAT(FaultOf("effects: {boom: {count: {n: 1.5}}}"), HasSubstr("not a whole number"));
+}
+
+TEST(Effects, AreFaultyWhereTheyWereWrittenAndByTheKeysThatStandThere) {
+  const std::string machine = "effects: {boom: {dead_band: {width: 0.2}}}";
+  EXPECT_EQ(FaultOf("effects: {boom: {dead_band: {width: 2}}}", "{machine: {boom: {lag: {}}}}"),
+            "machine.yaml:1:37: effects.boom.dead_band.width: 2 is out of range, need 0 to 0.9");
+  EXPECT_EQ(FaultOf(machine, "{machine: {boom: {dead_band: {width: 2}}}}"),
+            "scenario.yaml:1:38: machine.boom.dead_band.width: 2 is out of range, need 0 to 0.9");
+  EXPECT_EQ(FaultOf("effects: {boom: {}}", "{machine: {boom: {dead_band: {}}}}"),
+            "scenario.yaml:1:30: machine.boom.dead_band.width: missing, need 0 to 0.9");
+  EXPECT_EQ(FaultOf(machine, "{machine: {boom: {dead_bend: {width: 0.1}}}}"),
+            "scenario.yaml:1:19: machine.boom.dead_bend: unknown key (did you mean 'dead_band'?)");
+  EXPECT_THAT(FaultOf(machine, "{machine: {boom: {bias: {x: 0}}}}"),
+              HasSubstr("scenario.yaml:1:25: machine.boom.bias: 'bias' does not act"));
+}
+
+TEST(Effects, AreMappingsOfTheirParametersOrNone) {
+  const std::string need =
+      "' found, need its parameters, {width: 0 to 0.9}, or none to take it away";
+  EXPECT_EQ(FaultOf("effects: {boom: {dead_band: 0.1}}"),
+            "machine.yaml:1:29: effects.boom.dead_band: '0.1" + need);
+  EXPECT_EQ(FaultOf("effects: {boom: {dead_band: off}}"),
+            "machine.yaml:1:29: effects.boom.dead_band: 'off" + need);
+  EXPECT_EQ(
+      FaultOf("effects: {boom: {dead_band: {width: 0.2}}}", "{machine: {boom: {dead_band: 0.1}}}"),
+      "scenario.yaml:1:30: machine.boom.dead_band: '0.1" + need);
+  EXPECT_THAT(FaultOf("effects: {boom: {dead_band: [0.1]}}"), HasSubstr("a list of 1 found, need"));
+  EXPECT_THAT(FaultOf("effects: {boom: {dead_band: }}"), HasSubstr("nothing found, need"));
+}
+
+TEST(Effects, ThatNothingBelowHasCannotBeTakenAway) {
+  const std::string finding = "'none' takes away an effect of a lower layer";
+  EXPECT_THAT(FaultOf("effects: {boom: {lag: none}}"),
+              HasSubstr("machine.yaml:1:23: effects.boom.lag: " + finding));
+  EXPECT_THAT(
+      FaultOf("effects: {boom: {dead_band: {width: 0.2}}}", "{machine: {boom: {lag: none}}}"),
+      HasSubstr("scenario.yaml:1:24: machine.boom.lag: " + finding));
+  // Nor by a layer that another lies above.
+  EXPECT_THAT(FaultOf("effects: {boom: {lag: none}}", "{machine: {boom: {lag: {}}}}"),
+              HasSubstr("machine.yaml:1:23: effects.boom.lag: " + finding));
+}
+
+TEST(Effects, TakenAwayAreNotInTheResolvedDocument) {
+  const Config config = Config::FromText("{boom: {dead_band: {width: 0.2}, lag: {}}}",
+                                         "machine.yaml", {"boom.dead_band=none"});
+  ReadEffects(config.root().Map("boom"), EffectTarget::kJoint, Library());
+  config.Finish();
+  const Config again = Config::FromText(config.ResolvedYaml(), "again.yaml");
+  const Effects effects = ReadEffects(again.root().Map("boom"), EffectTarget::kJoint, Library());
+  again.Finish();
+  ASSERT_EQ(effects.size(), 1u);
+  EXPECT_EQ(effects[0].mechanism->id, "lag");
 }
 
 TEST(Effects, ComeFromAFileOfTheirOwnOverAConfiguration) {

@@ -204,7 +204,10 @@ TEST(GearLoad, EveryMechanismAtItsBoundsKeepsTracksWithinTheirLimits) {
           pump ? "main: " + effect : "{left: " + effect + ", right: " + effect + "}";
       for (const GroundModel ground : kGrounds) {
         const MachineModel model = CrawlerRun::Model(effects, ground);
-        ASSERT_TRUE(FaultsOfGear(model, 0).empty() && FaultsOfPump(model, 0).empty()) << effect;
+        const bool refused = !FaultsOfGear(model, 0).empty() || !FaultsOfPump(model, 0).empty();
+        // At its upper bounds a dead band leaves nothing of positive levers.
+        ASSERT_EQ(refused, mechanism.id == "dead_band" && upper) << effect;
+        if (refused) continue;
         const int reversals = Reversals(effects, ground);
         // The lever turns over twice in this time.
         if (ReadsLoad(mechanism)) {

@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <vector>
+
 #include "ros2/live_run.h"
 
 // How simulated time goes by.
@@ -113,12 +116,24 @@ TEST(LiveRos, EveryPaceEndsAtItsDurationWithNobodyThere) {
   }
 }
 
-TEST(LiveRos, RealPaceDoesNotRunAheadOfTheWall) {
-  BackgroundRun run({.pace = ros::Pace::kReal, .duration_s = 2});
-  const ros::LiveRosReport report = run.Wait();
-  // It may catch up with a tenth of a second, and does not wait after the last tick. Any machine
-  // is slow enough for that.
-  EXPECT_GT(report.wall_s, report.simulated_s - 0.12);
+TEST(LiveRos, RealPaceWaitsBeforeEachTickUntilTheWallIsThere) {
+  // A wall whose clock goes on only while somebody waits for it.
+  const ros::Wall::Moment start = ros::Wall::Moment() + std::chrono::seconds(1000);
+  ros::Wall::Moment now = start;
+  std::vector<ros::Wall::Moment> waited;
+  const ros::Wall wall = {.now = [&] { return now; },
+                          .sleep_until =
+                              [&](ros::Wall::Moment moment) {
+                                waited.push_back(moment);
+                                now = moment;
+                              }};
+  BackgroundRun run({.pace = ros::Pace::kReal, .duration_s = 2, .wall = wall});
+  EXPECT_NEAR(run.Wait().simulated_s, 2, 1e-9);
+  // 100 ticks a second; none after the last of the run.
+  ASSERT_EQ(waited.size(), 200u);
+  for (std::size_t tick = 0; tick < waited.size(); ++tick) {
+    EXPECT_EQ(waited[tick], start + tick * std::chrono::milliseconds(10));
+  }
 }
 
 TEST(LiveRos, DurationThatIsNoWholeNumberOfTicksEndsWithItsStepOfThePhysics) {

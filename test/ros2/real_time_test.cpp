@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "ros2/pace.h"
 
 // Simulated time beside a clock on the wall that the test itself moves: nothing here waits.
@@ -29,6 +31,18 @@ TEST(RealTime, GoesByAsOnTheWallWhereTheSimulationIsFaster) {
     EXPECT_EQ(due, kStart + tick * 10ms);
     now = due;
   }
+}
+
+TEST(RealTime, WaitsOnItsWall) {
+  Moment now = kStart;
+  std::vector<Moment> waited;
+  ros::RealTime time({.now = [&] { return now; },
+                      .sleep_until = [&](Moment moment) { waited.push_back(moment); }});
+  time.WaitFor(30'000'000);  // counted from when it was made
+  now += 5s;
+  time.Restart(kStart_ns);
+  time.WaitFor(kStart_ns + kTick_ns);
+  EXPECT_EQ(waited, (std::vector<Moment>{kStart + 30ms, kStart + 5s + 10ms}));
 }
 
 TEST(RealTime, OfTimeLostATenthOfASecondIsCaughtUpWith) {

@@ -226,7 +226,7 @@ TEST(TrackDrive, FaultsOfTheChoiceSayWhatIsNeeded) {
   EXPECT_THAT(FaultOf("mast.yaml", Ground("ideal")), HasSubstr("running gear left and right"));
   for (const char* ground : {"terramechanics", "ideal"}) {
     EXPECT_THAT(FaultOf(kExcavator, Ground(ground, "track_slip: {slip: 0.1}")),
-                HasSubstr("'track_slip' of base acts only with ground: kinematic"));
+                HasSubstr("'track_slip' acts only on a machine with ground: kinematic"));
   }
   EXPECT_THAT(FaultOf(kExcavator, Ground("kinematic", "track_slip: {slip: 1.5}")),
               HasSubstr("out of range"));

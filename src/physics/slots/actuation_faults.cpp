@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "physics/slots/actuation.h"
 
@@ -40,20 +41,69 @@ bool ShapesRate(const Mechanism& mechanism) {
          mechanism.id == "structural_flex";
 }
 
-/// Of a joint or gear: what nothing drives, and a leak without the pressure that drives it.
-std::vector<EffectFault> FaultsOfAxis(const Effects& effects, const std::string& undriven,
-                                      double max_effort_nm, std::string_view effort_key) {
+/// A joint or gear as its effects meet it.
+struct Axis {
+  std::string undriven;  ///< why, empty if something drives it
+  double max_rate_positive_radps = 0, max_rate_negative_radps = 0;
+  double max_effort_nm = 0;
+  std::string_view effort_key;
+};
+
+/// How a dead band leaves nothing of a full lever in one direction, empty if it does not.
+std::string FaultOfDeadBand(const LeverMapParameters& map) {
+  const bool positive = map.dead_positive >= map.dead_negative;
+  const double dead = positive ? map.dead_positive : map.dead_negative;
+  if (dead < map.limit) return "";
+  return fmt::format(
+      "takes up {} levers as far as {:g}, but they end at {:g}{}, so that none of them acts; need "
+      "less than that in width (1 + |asymmetry|)",
+      positive ? "positive" : "negative", dead, map.limit,
+      map.limit < 1 ? " by lever_saturation" : "");
+}
+
+/// How friction alone takes up the effort at which pressure_droop has the axis stand still, empty
+/// if it does not.
+std::string FaultOfDroop(const Effects& effects, const Axis& axis) {
+  const LoadFrictionParameters load = LoadFrictionOf(effects, axis.max_effort_nm);
+  const LeverMapParameters map = LeverMapOf(effects);
+  for (const double lever : {1.0, -1.0}) {
+    const double full_radps =
+        lever > 0 ? axis.max_rate_positive_radps : axis.max_rate_negative_radps;
+    if (full_radps <= 0) continue;
+    const double rate_radps = full_radps * std::abs(MapLever(map, lever));
+    const AxisFriction friction = LoadFriction(load).Friction(rate_radps);
+    const double against_nm =
+        friction.viscous_nmsprad * rate_radps +
+        (lever > 0 ? friction.against_positive_nm : friction.against_negative_nm);
+    if (against_nm < load.stall_nm) continue;
+    return fmt::format(
+        "has the axis stand still at stall_nm {:g}, but at full {} lever its friction alone is "
+        "{:g}; need more than that, or less friction",
+        load.stall_nm, lever > 0 ? "positive" : "negative", against_nm);
+  }
+  return "";
+}
+
+/// Of a joint or gear: what nothing drives, a leak without the pressure that drives it, and numbers
+/// with which a full lever does not move it.
+std::vector<EffectFault> FaultsOfAxis(const Effects& effects, const Axis& axis) {
   std::vector<EffectFault> faults;
   for (const Effect& effect : effects) {
     const std::string_view id = effect.mechanism->id;
-    if (ShapesRate(*effect.mechanism) && !undriven.empty()) {
-      faults.push_back({id, fmt::format("shapes a commanded rate, but {}", undriven)});
+    if (ShapesRate(*effect.mechanism) && !axis.undriven.empty()) {
+      faults.push_back({id, fmt::format("shapes a commanded rate, but {}", axis.undriven)});
     }
-    if (id == "sag" && max_effort_nm <= 0) {
-      faults.push_back(
-          {id, fmt::format("is stated at full effort, but {} is 0; need more than 0", effort_key)});
+    if (id == "sag" && axis.max_effort_nm <= 0) {
+      faults.push_back({id, fmt::format("is stated at full effort, but {} is 0; need more than 0",
+                                        axis.effort_key)});
     }
   }
+  if (!axis.undriven.empty()) return faults;
+  const auto add = [&](std::string_view id, const std::string& finding) {
+    if (!finding.empty()) faults.push_back({id, finding});
+  };
+  if (FindEffect(effects, "dead_band")) add("dead_band", FaultOfDeadBand(LeverMapOf(effects)));
+  if (FindEffect(effects, "pressure_droop")) add("pressure_droop", FaultOfDroop(effects, axis));
   return faults;
 }
 
@@ -72,6 +122,12 @@ std::string FaultOfCylinderLever(const MachineModel& model, std::size_t joint,
   if (!rod && lever["angle_at_zero_rad"] != 0) {
     return "takes its angles from the machine's own cylinder; angle_at_zero_rad needs barrel_m and "
            "rod_m beside it";
+  }
+  if (!rod && (lever["reference_rad"] < j.lower_rad || lever["reference_rad"] > j.upper_rad)) {
+    return fmt::format(
+        "has its reference_rad beyond the joint's stops, where its cylinder has no lever arm; need "
+        "{:.4g} to {:.4g} rad",
+        j.lower_rad, j.upper_rad);
   }
   if (KinematicGain(gain).reference_arm_m() < kLeastArm_m) {
     return "has its reference_rad at a dead centre, where the rate has no bound; need another";
@@ -93,7 +149,8 @@ std::vector<EffectFault> FaultsOfJoint(const MachineModel& model, std::size_t jo
   const Joint& j = model.joints[joint];
   const Effects& effects = EffectsAt(model.effects.joints, joint);
   std::vector<EffectFault> faults =
-      FaultsOfAxis(effects, WhyJointUndriven(model, joint), j.max_effort_nm, EffortKey(j));
+      FaultsOfAxis(effects, {WhyJointUndriven(model, joint), j.max_rate_positive_radps,
+                             j.max_rate_negative_radps, j.max_effort_nm, EffortKey(j)});
   const bool stops = j.type != JointType::kContinuous && j.lower_rad < j.upper_rad;
   if (FindEffect(effects, "end_cushion") && !stops) {
     faults.push_back({"end_cushion",
@@ -113,8 +170,10 @@ std::vector<EffectFault> FaultsOfJoint(const MachineModel& model, std::size_t jo
 }
 
 std::vector<EffectFault> FaultsOfGear(const MachineModel& model, std::size_t gear) {
-  return FaultsOfAxis(EffectsAt(model.effects.gears, gear), WhyGearUndriven(model, gear),
-                      model.gear_drives[gear].max_torque_nm, "max_torque_nm");
+  const GearDrive& drive = model.gear_drives[gear];
+  return FaultsOfAxis(EffectsAt(model.effects.gears, gear),
+                      {WhyGearUndriven(model, gear), drive.max_rate_radps, drive.max_rate_radps,
+                       drive.max_torque_nm, "max_torque_nm"});
 }
 
 std::vector<EffectFault> FaultsOfPump(const MachineModel& model, std::size_t pump) {

@@ -7,7 +7,8 @@
 
 #include "physics/machine.h"
 
-/// Effects that change nothing on what they stand at: a machine that lacks what they act through.
+/// Effects that cannot act: on a machine that lacks what they act through, so that they change
+/// nothing, or with numbers that leave no lever anything to move.
 
 namespace tera {
 

@@ -64,6 +64,47 @@ TEST(ActuationFaults, AJointThatSlidesHasNoLeverToTurn) {
   EXPECT_THAT(Text(FaultsOfJoint(model, 0)), HasSubstr("this one slides"));
 }
 
+TEST(ActuationFaults, ADeadBandLeavesSomethingOfEveryFullLever) {
+  EXPECT_EQ(OfLift("dead_band: {width: 0.9}"), "");
+  EXPECT_EQ(OfLift("dead_band: {width: 0.49, asymmetry: 1}"), "");
+  EXPECT_EQ(OfLift("dead_band: {width: 0.9, asymmetry: 1}"),
+            "dead_band: takes up positive levers as far as 1.8, but they end at 1, so that none of "
+            "them acts; need less than that in width (1 + |asymmetry|)");
+  EXPECT_THAT(OfLift("dead_band: {width: 0.5, asymmetry: -1}"),
+              HasSubstr("negative levers as far as 1, but they end at 1,"));
+  EXPECT_THAT(OfLift("dead_band: {width: 0.3}, lever_saturation: {limit: 0.3}"),
+              HasSubstr("as far as 0.3, but they end at 0.3 by lever_saturation"));
+  EXPECT_EQ(OfLift("dead_band: {width: 0.29}, lever_saturation: {limit: 0.3}"), "");
+}
+
+TEST(ActuationFaults, FrictionAloneDoesNotStallAJoint) {
+  const std::string droop = "pressure_droop: {stall_nm: 1000}, ";
+  EXPECT_EQ(OfLift(droop + "coulomb_friction: {effort_nm: 999}"), "");
+  EXPECT_EQ(OfLift(droop + "coulomb_friction: {effort_nm: 1000}"),
+            "pressure_droop: has the axis stand still at stall_nm 1000, but at full positive lever "
+            "its friction alone is 1000; need more than that, or less friction");
+  EXPECT_THAT(OfLift(droop + "asymmetric_friction: {negative_nm: 1500}"),
+              HasSubstr("at full negative lever its friction alone is 1500"));
+  // 30 deg/s are 0.5236 rad/s; half of that with the gain.
+  EXPECT_THAT(OfLift(droop + "viscous_friction: {coefficient_nmsprad: 2000}"),
+              HasSubstr("friction alone is 1047.2"));
+  EXPECT_EQ(OfLift(droop + "viscous_friction: {coefficient_nmsprad: 2000}, rate_gain: {gain: 0.5}"),
+            "");
+  // The extra effort at break-away is gone at full rate.
+  EXPECT_EQ(OfLift(droop + "stribeck_friction: {excess_nm: 5000}"), "");
+}
+
+TEST(ActuationFaults, TheReferenceOfAMachinesOwnCylinderIsWithinTheStops) {
+  const auto boom = [](const std::string& reference_rad) {
+    const MachineModel model = WithEffects(
+        ShippedMachine("tb235"), "boom: {cylinder_lever: {reference_rad: " + reference_rad + "}}");
+    return Text(FaultsOfJoint(model, static_cast<std::size_t>(model.JointIndex("boom"))));
+  };
+  EXPECT_EQ(boom("0.1"), "");
+  EXPECT_THAT(boom("3"), HasSubstr("reference_rad beyond the joint's stops"));
+  EXPECT_THAT(boom("-3"), HasSubstr("reference_rad beyond the joint's stops"));
+}
+
 constexpr const char* kOfTheRate[] = {
     "command_delay: {delay_s: 0.1}",
     "input_hold: {period_s: 0.1}",
