@@ -59,10 +59,13 @@ const std::map<std::string, std::set<std::string>> kMaySee = {
     {"render", {"core"}},
     {"dataset", {"core"}},
     {"sensors", {"core", "render"}},
+    {"diagnose", {"core", "physics", "sensors", "dataset"}},
     {"sim", {"core", "physics", "soil", "render", "dataset", "sensors"}},
     {"serve", {"core", "physics", "soil", "render", "dataset", "sensors", "sim"}},
     {"ros2", {"core", "physics", "soil", "render", "dataset", "sensors", "sim"}},
-    {"app", {"core", "physics", "soil", "render", "dataset", "sensors", "sim", "serve", "ros2"}},
+    {"app",
+     {"core", "physics", "soil", "render", "dataset", "sensors", "diagnose", "sim", "serve",
+      "ros2"}},
 };
 
 /// Headers of a library by their beginning, and the folder that may include them. A header that is

@@ -1,0 +1,208 @@
+#include "diagnose/replay/axis_log.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.h"
+#include "physics/gravity_load.h"
+
+namespace tera {
+namespace {
+
+constexpr double kLoadEvery_s = 0.02;  ///< poses, and so loads, change little in between
+constexpr double kAtStop_rad = 0.01;   ///< nearer to an end stop, a joint may be held up by it
+
+/// Position and rate of one axis over time.
+struct AxisSamples {
+  std::vector<TimeNs> t_ns;
+  std::vector<double> position_rad, rate_radps;
+};
+
+int AxisNamed(const MachineModel& model, const std::string& name) {
+  if (const int joint = model.JointIndex(name); joint >= 0) return joint;
+  for (std::size_t g = 0; g < model.ground_tools.gears.size(); ++g) {
+    if (model.ground_tools.gears[g].name == name) return static_cast<int>(model.joints.size() + g);
+  }
+  return -1;
+}
+
+int AxisOf(const MachineModel& model, const Lever& lever) {
+  return lever.joint >= 0 ? lever.joint : static_cast<int>(model.joints.size()) + lever.gear;
+}
+
+/// Which samples of an axis are between its end stops.
+std::vector<bool> BetweenStops(const MachineModel& model, std::size_t axis,
+                               const std::vector<double>& position_rad) {
+  std::vector<bool> is_free;
+  for (const double q : position_rad) {
+    const bool has_stops = axis < model.joints.size() &&
+                           model.joints[axis].lower_rad < model.joints[axis].upper_rad &&
+                           model.joints[axis].type != JointType::kContinuous;
+    is_free.push_back(!has_stops || (q > model.joints[axis].lower_rad + kAtStop_rad &&
+                                     q < model.joints[axis].upper_rad - kAtStop_rad));
+  }
+  return is_free;
+}
+
+std::vector<AxisSamples> SamplesByAxis(const MachineModel& model,
+                                       const std::vector<NamedEncoders>& encoders, AxisLog* log) {
+  std::vector<AxisSamples> samples(log->axes);
+  for (const auto& [channel, recording] : encoders) {
+    for (std::size_t i = 0; i < recording.axes.size(); ++i) {
+      const EncoderAxis& named = recording.axes[i];
+      const int axis = AxisNamed(model, named.name);
+      if (axis < 0) continue;
+      AxisSamples own;
+      for (const EncoderSample& sample : recording.samples) {
+        own.t_ns.push_back(sample.t_ns);
+        own.position_rad.push_back(sample.q_rad[i]);
+        own.rate_radps.push_back(sample.qd_radps[i]);
+      }
+      log->measured.push_back(
+          {.channel = fmt::format("{}/{}{}", channel, named.name, named.linear ? "_mps" : "_radps"),
+           .axis = static_cast<std::size_t>(axis),
+           .t_ns = own.t_ns,
+           .at_step = {},
+           .rate_radps = own.rate_radps,
+           .is_free = BetweenStops(model, axis, own.position_rad)});
+      samples[axis] = std::move(own);
+    }
+  }
+  return samples;
+}
+
+void SetTimes(const TableRecording& commands, AxisLog* log) {
+  TimeNs first_ns = std::numeric_limits<TimeNs>::max(), last_ns = 0;
+  for (const MeasuredRate& measured : log->measured) {
+    if (measured.t_ns.empty()) continue;
+    first_ns = std::min(first_ns, measured.t_ns.front());
+    last_ns = std::max(last_ns, measured.t_ns.back());
+  }
+  if (commands.t_ns.empty() || first_ns > last_ns || commands.t_ns.front() >= last_ns) {
+    throw InputError(fmt::format(
+        "commands and encoders have no time in common: {} commands from {:.3f} s, encoders from "
+        "{:.3f} s to {:.3f} s; need clocks that count from the same event (`time` of the import)",
+        commands.t_ns.size(), commands.t_ns.empty() ? 0.0 : ToSeconds(commands.t_ns.front()),
+        first_ns > last_ns ? 0.0 : ToSeconds(first_ns), ToSeconds(last_ns)));
+  }
+  log->start_ns = std::min(first_ns, commands.t_ns.front());
+  log->steps =
+      static_cast<std::size_t>(std::ceil(ToSeconds(last_ns - log->start_ns) / log->step_s)) + 1;
+  for (MeasuredRate& measured : log->measured) {
+    for (const TimeNs t_ns : measured.t_ns) {
+      measured.at_step.push_back(ToSeconds(t_ns - log->start_ns) / log->step_s);
+    }
+  }
+}
+
+/// Adds a command that holds between two times to the means of the steps.
+void Hold(double lever, double from_step, double to_step, std::size_t axis, AxisLog* log) {
+  to_step = std::min(to_step, static_cast<double>(log->steps));
+  for (double at = std::max(0.0, from_step); at < to_step;) {
+    const double end = std::min(std::floor(at) + 1, to_step);
+    log->lever[static_cast<std::size_t>(at) * log->axes + axis] += lever * (end - at);
+    at = end;
+  }
+}
+
+void SetLevers(const MachineModel& model, const TableRecording& commands, AxisLog* log) {
+  log->lever.assign(log->steps * log->axes, 0.0);
+  std::vector<std::string> names;
+  for (const Lever& lever : model.levers) names.push_back(lever.name);
+  bool any = false;
+  for (std::size_t c = 0; c < commands.columns.size(); ++c) {
+    const int lever = model.LeverIndex(commands.columns[c]);
+    if (lever < 0) continue;
+    any = true;
+    const std::size_t axis = AxisOf(model, model.levers[lever]);
+    const auto at_step = [&](std::size_t row) {
+      return row < commands.t_ns.size()
+                 ? ToSeconds(commands.t_ns[row] - log->start_ns) / log->step_s
+                 : static_cast<double>(log->steps);
+    };
+    for (std::size_t row = 0; row < commands.rows.size(); ++row) {
+      const double position = std::clamp(commands.rows[row][c], -1.0, 1.0);
+      Hold(position, at_step(row), at_step(row + 1), axis, log);
+    }
+  }
+  if (!any) {
+    throw InputError(
+        fmt::format("no lever channel: the commands have the columns {}; need one of {}",
+                    fmt::join(commands.columns, ", "), fmt::join(names, ", ")));
+  }
+}
+
+/// Straight between two samples, constant beyond the first and the last.
+void Interpolate(const AxisSamples& samples, std::size_t axis, AxisLog* log) {
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < log->steps; ++k) {
+    const double t_s = ToSeconds(log->start_ns) + static_cast<double>(k) * log->step_s;
+    while (next < samples.t_ns.size() && ToSeconds(samples.t_ns[next]) < t_s) ++next;
+    AxisMotion& motion = log->motion[k * log->axes + axis];
+    const std::size_t b = std::min(next, samples.t_ns.size() - 1), a = next == 0 ? 0 : next - 1;
+    const double t_a_s = ToSeconds(samples.t_ns[a]), t_b_s = ToSeconds(samples.t_ns[b]);
+    const double s = b > a ? std::clamp((t_s - t_a_s) / (t_b_s - t_a_s), 0.0, 1.0) : 0.0;
+    motion.position_rad = std::lerp(samples.position_rad[a], samples.position_rad[b], s);
+    motion.rate_radps = std::lerp(samples.rate_radps[a], samples.rate_radps[b], s);
+  }
+}
+
+void SetMotion(const MachineModel& model, const std::vector<AxisSamples>& samples, AxisLog* log) {
+  log->motion.resize(log->steps * log->axes);
+  for (std::size_t axis = 0; axis < log->axes; ++axis) {
+    if (!samples[axis].t_ns.empty()) {
+      Interpolate(samples[axis], axis, log);
+    } else if (axis < model.joints.size()) {
+      for (std::size_t k = 0; k < log->steps; ++k) {
+        log->motion[k * log->axes + axis].position_rad = model.joints[axis].initial_rad;
+      }
+    }
+  }
+}
+
+void SetLoads(const MachineModel& model, AxisLog* log) {
+  const std::size_t joints = model.joints.size();
+  const auto stride =
+      static_cast<std::size_t>(std::max(1.0, std::round(kLoadEvery_s / log->step_s)));
+  const auto loads_at = [&](std::size_t step) {
+    std::vector<double> q_rad(joints);
+    for (std::size_t j = 0; j < joints; ++j) q_rad[j] = log->motions_at(step)[j].position_rad;
+    return GravityLoads_nm(model, Pose::Identity(), q_rad);
+  };
+  std::vector<double> from_nm = loads_at(0);
+  for (std::size_t first = 0; first < log->steps; first += stride) {
+    const std::size_t last = std::min(first + stride, log->steps - 1);
+    const std::vector<double> to_nm = loads_at(last);
+    for (std::size_t k = first; k < std::min(first + stride, log->steps); ++k) {
+      const double s = last > first ? static_cast<double>(k - first) / (last - first) : 0.0;
+      for (std::size_t j = 0; j < joints; ++j) {
+        log->motion[k * log->axes + j].load_nm = std::lerp(from_nm[j], to_nm[j], s);
+      }
+    }
+    from_nm = to_nm;
+  }
+}
+
+}  // namespace
+
+AxisLog MakeAxisLog(const MachineModel& model, const TableRecording& commands,
+                    const std::vector<NamedEncoders>& encoders, double step_s) {
+  AxisLog log;
+  log.step_s = step_s;
+  log.axes = model.joints.size() + model.gear_drives.size();
+  const std::vector<AxisSamples> samples = SamplesByAxis(model, encoders, &log);
+  if (log.measured.empty()) {
+    throw InputError("no encoder measures a joint or gear of the machine; need one by its name");
+  }
+  SetTimes(commands, &log);
+  SetLevers(model, commands, &log);
+  SetMotion(model, samples, &log);
+  SetLoads(model, &log);
+  return log;
+}
+
+}  // namespace tera

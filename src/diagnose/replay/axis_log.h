@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dataset/recording.h"
+#include "physics/machine.h"
+#include "physics/slots/actuation.h"
+
+namespace tera {
+
+/// Rates of one joint or gear as an encoder measured them.
+struct MeasuredRate {
+  std::string channel;  ///< "excavator1/encoders/boom_radps"
+  std::size_t axis = 0;
+  std::vector<TimeNs> t_ns;
+  std::vector<double> at_step;  ///< when, in steps of the log
+  std::vector<double> rate_radps;
+  std::vector<bool> is_free;  ///< the joint was not at an end stop
+};
+
+/// Levers of one machine and the measured motion of its axes on even steps: what the chain of
+/// actuation is replayed over. Axes are joints, then gears, in the model's order.
+///
+/// Model   Levers are the means over each step of commands that hold until the next one, neutral
+///         before the first; positions and rates are straight between samples; the load is what
+///         bears the links' weight at the measured positions, on a machine that stands level.
+///         An axis without encoder stays at its initial position and has no rate.
+/// Omits   the ground's load on tools and tracks; a base that leans.
+struct AxisLog {
+  TimeNs start_ns = 0;
+  double step_s = 0;
+  std::size_t steps = 0, axes = 0;
+  std::vector<double> lever;       ///< steps x axes
+  std::vector<AxisMotion> motion;  ///< steps x axes, at the start of each step
+  std::vector<MeasuredRate> measured;
+
+  std::span<const double> levers_at(std::size_t step) const {
+    return {lever.data() + step * axes, axes};
+  }
+  std::span<const AxisMotion> motions_at(std::size_t step) const {
+    return {motion.data() + step * axes, axes};
+  }
+};
+
+/// Encoders with the name of their channel.
+struct NamedEncoders {
+  std::string channel;
+  EncoderRecording recording;
+};
+
+/// The log of a machine from its commands (columns by the names of levers) and encoders (axes by
+/// the names of joints and gears; others are left out). Throws InputError where commands and
+/// encoders have no time in common or no column belongs to the machine.
+AxisLog MakeAxisLog(const MachineModel& model, const TableRecording& commands,
+                    const std::vector<NamedEncoders>& encoders, double step_s);
+
+}  // namespace tera

@@ -1,0 +1,170 @@
+#include "diagnose/replay/axis_replay.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.h"
+#include "sim/drive_fixture.h"
+
+namespace tera {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// What a recording of a drive would hold: the levers of each step, and ideal encoders at 100 Hz.
+struct Recorded {
+  TableRecording commands;
+  NamedEncoders encoders{"m/encoders", {}};
+};
+
+Recorded Record(Drive* drive, double duration_s) {
+  const MachineModel& model = drive->scenario.machines[0].placement.model;
+  Recorded recorded;
+  for (const Lever& lever : model.levers) recorded.commands.columns.push_back(lever.name);
+  for (const Joint& joint : model.joints) {
+    recorded.encoders.recording.axes.push_back({joint.name});
+  }
+  constexpr TimeNs kPeriod_ns = kNsPerSecond / 100;
+  TimeNs before_ns = drive->simulation->state().t_ns;
+  drive->Run(duration_s, [&] {
+    const TimeNs t_ns = drive->simulation->state().t_ns;
+    const MachineState& state = drive->machine();
+    recorded.commands.t_ns.push_back(before_ns);
+    recorded.commands.rows.push_back(state.levers);
+    before_ns = t_ns;
+    if (t_ns % kPeriod_ns == 0) {
+      recorded.encoders.recording.samples.push_back(
+          {.t_ns = t_ns, .q_rad = state.q_rad, .qd_radps = state.qd_radps});
+    }
+  });
+  return recorded;
+}
+
+/// Boom, arm and bucket move in the air, at many speeds and together.
+NamedLevers Sway(double t_s) {
+  return {{"boom", 0.5 * std::sin(1.1 * t_s)},
+          {"arm", 0.6 * std::sin(1.5 * t_s + 1)},
+          {"bucket", 0.7 * std::sin(2.1 * t_s + 2)}};
+}
+
+const char* const kRaised = "{joints_deg: {boom: 40, arm: -80, bucket: -30, blade: 20}}";
+
+Drive Swaying(const std::string& effects) {
+  Drive drive("tb235.yaml", kRaised, "soil: dirt", 0, 0, effects);
+  drive.Operate(Sway);
+  return drive;
+}
+
+double Rms(const std::vector<double>& predicted, const MeasuredRate& measured) {
+  double square = 0;
+  int n = 0;
+  for (std::size_t i = 0; i < predicted.size(); ++i) {
+    if (!measured.is_free[i]) continue;
+    const double error_radps = predicted[i] - measured.rate_radps[i];
+    square += error_radps * error_radps;
+    ++n;
+  }
+  EXPECT_GT(n, 500);
+  return std::sqrt(square / n);
+}
+
+/// RMS of what a replay leaves of a joint's measured rate.
+double Residual_radps(const AxisLog& log, const MachineModel& model, const MachineEffects& effects,
+                      const std::string& joint) {
+  const auto predicted = AxisReplay(model, log).Predict(effects);
+  for (std::size_t m = 0; m < log.measured.size(); ++m) {
+    if (log.measured[m].axis != static_cast<std::size_t>(model.JointIndex(joint))) continue;
+    EXPECT_EQ(predicted[m].size(), log.measured[m].rate_radps.size());
+    return Rms(predicted[m], log.measured[m]);
+  }
+  ADD_FAILURE() << "no rate of " << joint;
+  return 0;
+}
+
+struct Case {
+  std::string joint, effects;
+};
+
+class ReplayOfEffects : public ::testing::TestWithParam<Case> {};
+
+TEST_P(ReplayOfEffects, TellsWhatTheSimulationDidAndTheIdealChainDoesNot) {
+  Drive drive = Swaying("effects: {m: {" + GetParam().joint + ": {" + GetParam().effects + "}}}");
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  const Recorded recorded = Record(&drive, 12);
+  const AxisLog log = MakeAxisLog(model, recorded.commands, {recorded.encoders}, 0.002);
+  const double with = Residual_radps(log, model, model.effects, GetParam().joint);
+  const double without = Residual_radps(log, model, {}, GetParam().joint);
+  EXPECT_LT(with, 2e-3);
+  EXPECT_GT(without, 5 * with);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Mechanisms, ReplayOfEffects,
+    ::testing::Values(Case{"boom", "dead_band: {width: 0.15}"},
+                      Case{"arm", "command_delay: {delay_s: 0.2}"},
+                      Case{"bucket", "actuator_lag: {time_s: 0.3}"},
+                      Case{"arm", "valve_curve: {exponent: 1.6}"},
+                      Case{"boom", "cylinder_lever: {reference_rad: 0.7}"},
+                      Case{"boom", "pressure_droop: {stall_nm: 60000, response_s: 0.05}"},
+                      Case{"arm", "backlash: {gap_rad: 0.02}"}));
+
+TEST(AxisLog, AsksForAnEncoderOfTheMachine) {
+  Drive drive = Swaying("");
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  Recorded recorded = Record(&drive, 0.1);
+  for (EncoderAxis& axis : recorded.encoders.recording.axes) axis.name = "another_" + axis.name;
+  EXPECT_THROW(MakeAxisLog(model, recorded.commands, {recorded.encoders}, 0.002), InputError);
+}
+
+TEST(AxisLog, SaysThatClocksDoNotOverlap) {
+  Drive drive = Swaying("");
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  Recorded recorded = Record(&drive, 0.1);
+  for (TimeNs& t_ns : recorded.commands.t_ns) t_ns += 60 * kNsPerSecond;
+  try {
+    MakeAxisLog(model, recorded.commands, {recorded.encoders}, 0.002);
+    FAIL() << "clocks without a common time were accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("no time in common"));
+  }
+}
+
+TEST(AxisLog, SaysWhichLeversItNeeds) {
+  Drive drive = Swaying("");
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  Recorded recorded = Record(&drive, 0.1);
+  for (std::string& column : recorded.commands.columns) column += "_volts";
+  try {
+    MakeAxisLog(model, recorded.commands, {recorded.encoders}, 0.002);
+    FAIL() << "a recording without levers was accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("no lever channel"));
+    EXPECT_THAT(error.what(), HasSubstr("boom"));
+  }
+}
+
+TEST(AxisLog, KeepsWhatCommandsSumToWhateverTheStep) {
+  Drive drive = Swaying("");
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  TableRecording commands;
+  commands.columns = {"boom"};
+  commands.t_ns = {0, 37'000'000, 91'000'000};
+  commands.rows = {{0.5}, {-0.25}, {0}};
+  EncoderRecording encoders;
+  encoders.axes = {{"boom"}};
+  encoders.samples = {{.t_ns = 0, .q_rad = {0.7}, .qd_radps = {0}},
+                      {.t_ns = 200'000'000, .q_rad = {0.7}, .qd_radps = {0}}};
+  for (const double step_s : {0.001, 0.01, 0.025}) {
+    const AxisLog log = MakeAxisLog(model, commands, {{"m/encoders", encoders}}, step_s);
+    double sum_s = 0;
+    for (std::size_t k = 0; k < log.steps; ++k) {
+      sum_s += log.levers_at(k)[model.JointIndex("boom")] * step_s;
+    }
+    EXPECT_NEAR(sum_s, 0.5 * 0.037 - 0.25 * 0.054, 1e-12) << step_s;
+  }
+}
+
+}  // namespace
+}  // namespace tera
