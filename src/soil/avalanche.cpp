@@ -66,14 +66,13 @@ double Avalanche::VelocityOf(ColumnId k, int di, int dj, Axis axis, const Column
 /// Slope of the loose soil at a column across `axis`. What stands firm, above it or below, pushes
 /// nothing sideways.
 double Avalanche::TangentialSlope(ColumnId k, Axis axis, const Columns& ground) const {
-  const Column& c = ground.at(k);
-  const double loose_m = c.loose_m();
+  const Columns::Skin& c = ground.skin(k);
   const int di = axis == kX ? 0 : 1, dj = 1 - di;
   const auto rise_m = [&](int sign) {
-    const Column* beside = ground.Beside(k, sign * di, sign * dj);
+    const Columns::Skin* beside = ground.Beside(k, sign * di, sign * dj);
     if (beside == nullptr) return 0.0;
     const double rise_m = beside->top_m - c.top_m;
-    return rise_m > 0 ? std::min(rise_m, beside->loose_m()) : std::max(rise_m, -loose_m);
+    return rise_m > 0 ? std::min(rise_m, beside->loose_m) : std::max(rise_m, -c.loose_m);
   };
   return 0.5 * (rise_m(1) - rise_m(-1)) / ground.cell_m();
 }
@@ -86,14 +85,14 @@ bool Avalanche::Flows(ColumnId k, const Columns& ground) const {
 
 /// Whether a column neither flows nor is steep enough to start: a quick look before a closer one.
 bool Avalanche::Rests(ColumnId k, const Columns& ground) const {
-  const Column& c = ground.at(k);
+  const Columns::Skin& c = ground.skin(k);
   double steepest_m = 0;
-  std::uint8_t soil = ground.soil_at(k);
+  std::uint8_t soil = c.soil;
   for (const auto& [di, dj] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-    const Column* beside = ground.Beside(k, di, dj);
+    const Columns::Skin* beside = ground.Beside(k, di, dj);
     if (beside == nullptr) continue;
     const double rise_m = beside->top_m - c.top_m;
-    if (rise_m > steepest_m && beside->is_loose()) soil = beside->top_layer()->soil;
+    if (rise_m > steepest_m && beside->is_loose) soil = beside->soil;
     steepest_m = std::max(steepest_m, std::abs(rise_m));
   }
   if (steepest_m > kGentle * friction_[soil].tan_start * ground.cell_m()) return false;
@@ -103,14 +102,14 @@ bool Avalanche::Rests(ColumnId k, const Columns& ground) const {
 /// Velocity of the face between a column and the one beside, after the step.
 double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
                                const Columns& ground) const {
-  const Column &a = ground.at(k), &b = ground.at(to);
+  const Columns::Skin &a = ground.skin(k), &b = ground.skin(to);
   const bool downhill = a.top_m >= b.top_m;
-  const Column &high = downhill ? a : b, &low = downhill ? b : a;
-  if (high.top_m > low.blocked_m || !high.is_loose()) return 0;
+  const Columns::Skin &high = downhill ? a : b, &low = downhill ? b : a;
+  if (high.top_m > low.blocked_m || !high.is_loose) return 0;
   const double cell_m = ground.cell_m();
   const double before_mps = motion_[k].face_mps[axis];
   const double slope = (b.top_m - a.top_m) / cell_m;
-  const Friction& friction = friction_[high.top_layer()->soil];
+  const Friction& friction = friction_[high.soil];
 
   const int di = axis == kX ? 1 : 0, dj = 1 - di;  // along the axis; across it is (dj, di)
   const Axis other = axis == kX ? kY : kX;
@@ -164,12 +163,11 @@ void Avalanche::FindFluxes(const std::vector<ColumnId>& visited, double dt_s,
 /// A flow takes with it the soil that stands above the slope that friction holds.
 void Avalanche::Mobilise(const Flux& flux, const Columns& ground) {
   Motion& source = motion_[flux.source()];
-  const Column& c = ground.at(flux.source());
-  const double loose_m = c.loose_m();
-  const double drop_m = c.top_m - ground.at(flux.target()).top_m;
-  const double excess_m = drop_m - friction_[c.top_layer()->soil].tan_slow * ground.cell_m();
+  const Columns::Skin& c = ground.skin(flux.source());
+  const double drop_m = c.top_m - ground.skin(flux.target()).top_m;
+  const double excess_m = drop_m - friction_[c.soil].tan_slow * ground.cell_m();
   source.mobile_m =
-      std::min(loose_m, std::max({source.mobile_m, kFilm_m, kMobileOverExcess * excess_m}));
+      std::min(c.loose_m, std::max({source.mobile_m, kFilm_m, kMobileOverExcess * excess_m}));
 }
 
 /// Lets the new velocities carry loose soil, no column giving more than it has.
@@ -177,7 +175,7 @@ void Avalanche::MoveSoil(double dt_s, Columns* ground) {
   std::vector<double> moved_m;
   for (Flux& flux : fluxes_) {
     Motion& source = motion_[flux.source()];
-    const double loose_m = ground->at(flux.source()).loose_m();
+    const double loose_m = ground->skin(flux.source()).loose_m;
     if (loose_m <= 0) flux.velocity_mps = 0;
     motion_[flux.column].face_mps[flux.axis] = flux.velocity_mps;
     double thickness_m = 0;

@@ -1,6 +1,7 @@
 #include "soil/column.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "soil/soil_type.h"
 

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "soil/soil.h"
@@ -37,7 +36,6 @@ struct Column {
   double pressed_m = 0;  ///< plastic sinkage pressed into this surface, for reloading
   std::array<SoilLayer, kMostLayers> layers;  ///< from below
   int layer_count = 0;
-  float blocked_m = std::numeric_limits<float>::infinity();  ///< lowest point of a tool in it
   std::uint8_t profile = 0;
 
   const SoilLayer* top_layer() const {

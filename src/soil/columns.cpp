@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "core/check.h"
@@ -38,42 +37,46 @@ int Columns::NearestJ(double y_m) const {
   return static_cast<int>(std::lround((y_m - surface_.origin_W_m.y()) / surface_.cell_m));
 }
 
-int Columns::TileOf(int i, int j) const {
-  return surface_.tile_index(std::min(i / kCells, surface_.tiles_x() - 1),
-                             std::min(j / kCells, surface_.tiles_y() - 1));
-}
-
-const Column* Columns::Find(int i, int j) const {
-  const std::int32_t n = chunk_of_tile_[TileOf(i, j)];
-  if (n < 0) return nullptr;
-  const Chunk& chunk = chunks_[n];
-  return &chunk.columns[((j - chunk.b * kCells) << kRowBits) | (i - chunk.a * kCells)];
-}
-
 ColumnId Columns::Touch(int i, int j) {
   TERA_CHECK(Contains(i, j), i, j);
-  std::int32_t& n = chunk_of_tile_[TileOf(i, j)];
-  if (n < 0) {
-    n = static_cast<std::int32_t>(chunks_.size());
-    const int a = std::min(i / kCells, surface_.tiles_x() - 1);
-    const int b = std::min(j / kCells, surface_.tiles_y() - 1);
-    chunks_.push_back(
-        {a, b, std::vector<Column>(1u << kTileBits), std::vector<std::uint8_t>(1u << kTileBits)});
-    const bool uniform = ground_.IsUniform(a, b);
-    const std::uint8_t profile = ground_.ProfileAt(Vec2(x_m(a * kCells), y_m(b * kCells)));
-    for (int local = 0; local < 1 << kTileBits; ++local) {
-      const int ci = a * kCells + (local & static_cast<int>(kRowMask));
-      const int cj = b * kCells + (local >> kRowBits);
-      if (!Contains(ci, cj)) continue;
-      Column& c = chunks_.back().columns[local];
+  const ColumnId k = IdAt(i, j);
+  if (k != kNone) return k;
+  Unfold(std::min(i / kCells, surface_.tiles_x() - 1),
+         std::min(j / kCells, surface_.tiles_y() - 1));
+  return IdAt(i, j);
+}
+
+/// Gives a tile columns of its own.
+void Columns::Unfold(int a, int b) {
+  const auto n = static_cast<ColumnId>(chunks_.size());
+  const int nx_here = a == surface_.tiles_x() - 1 ? nx() - a * kCells : kCells;
+  const int ny_here = b == surface_.tiles_y() - 1 ? ny() - b * kCells : kCells;
+  constexpr std::size_t kColumns = std::size_t{1} << kTileBits;
+  chunks_.push_back({a, b, nx_here, ny_here, std::vector<Column>(kColumns),
+                     std::vector<Skin>(kColumns), std::vector<std::uint8_t>(kColumns)});
+  chunk_of_tile_[surface_.tile_index(a, b)] = static_cast<std::int32_t>(n);
+  const bool uniform = ground_.IsUniform(a, b);
+  const std::uint8_t profile = ground_.ProfileAt(Vec2(x_m(a * kCells), y_m(b * kCells)));
+  for (int j = 0; j < ny_here; ++j) {
+    for (int i = 0; i < nx_here; ++i) {
+      const int ci = a * kCells + i, cj = b * kCells + j;
+      const ColumnId k = n << kTileBits | static_cast<ColumnId>(j << kRowBits | i);
+      Column& c = Get(k);
       c.ground_m = c.bank_m = c.top_m = ground_.HeightAt(ci, cj);
       c.profile = uniform ? profile : ground_.ProfileAt(Vec2(x_m(ci), y_m(cj)));
+      RefreshSkin(k);
     }
   }
-  const Chunk& chunk = chunks_[n];
-  return static_cast<ColumnId>(n) << kTileBits |
-         static_cast<ColumnId>(j - chunk.b * kCells) << kRowBits |
-         static_cast<ColumnId>(i - chunk.a * kCells);
+}
+
+void Columns::RefreshSkin(ColumnId k) {
+  const Column& c = at(k);
+  Skin& skin = SkinOf(k);
+  skin.top_m = c.top_m;
+  skin.loose_m = c.loose_m();
+  skin.pressed_m = c.pressed_m;
+  skin.soil = c.layer_count > 0 ? c.top_layer()->soil : BankOf(k).soil;
+  skin.is_loose = c.is_loose();
 }
 
 Columns::Place Columns::PlaceOf(ColumnId k) const {
@@ -82,44 +85,15 @@ Columns::Place Columns::PlaceOf(ColumnId k) const {
           chunk.b * kCells + static_cast<int>((k >> kRowBits) & kRowMask)};
 }
 
-const Column* Columns::Beside(ColumnId k, int di, int dj) const {
-  const int i = static_cast<int>(k & kRowMask) + di;
-  const int j = static_cast<int>((k >> kRowBits) & kRowMask) + dj;
-  const Chunk& chunk = chunks_[k >> kTileBits];
-  if (i >= 0 && j >= 0 && i < kCells && j < kCells) return &chunk.columns[j << kRowBits | i];
-  return Contains(chunk.a * kCells + i, chunk.b * kCells + j)
-             ? Find(chunk.a * kCells + i, chunk.b * kCells + j)
-             : nullptr;
-}
-
-ColumnId Columns::BesideId(ColumnId k, int di, int dj) const {
-  const int i = static_cast<int>(k & kRowMask) + di;
-  const int j = static_cast<int>((k >> kRowBits) & kRowMask) + dj;
-  if (i >= 0 && j >= 0 && i < kCells && j < kCells) {
-    return (k & ~kLocalMask) | static_cast<ColumnId>(j << kRowBits | i);
-  }
-  const Chunk& chunk = chunks_[k >> kTileBits];
-  const int gi = chunk.a * kCells + i, gj = chunk.b * kCells + j;
-  if (!Contains(gi, gj)) return kNone;
-  const std::int32_t n = chunk_of_tile_[TileOf(gi, gj)];
-  if (n < 0) return kNone;
-  return static_cast<ColumnId>(n) << kTileBits |
-         static_cast<ColumnId>(gj - chunks_[n].b * kCells) << kRowBits |
-         static_cast<ColumnId>(gi - chunks_[n].a * kCells);
-}
-
 double Columns::TopAt(int i, int j) const {
-  const Column* c = Find(i, j);
-  return c != nullptr ? c->top_m : ground_.HeightAt(i, j);
+  const ColumnId k = IdAt(i, j);
+  return k != kNone ? skin(k).top_m : ground_.HeightAt(i, j);
 }
 
 std::uint8_t Columns::SoilAt(int i, int j) const {
-  const Column* c = Find(i, j);
-  if (c == nullptr) {
-    return ground_.profiles[ground_.ProfileAt(Vec2(x_m(i), y_m(j)))].strata().front().soil;
-  }
-  if (c->layer_count > 0) return c->top_layer()->soil;
-  return ground_.profiles[c->profile].Below(c->ground_m - c->bank_m).soil;
+  const ColumnId k = IdAt(i, j);
+  if (k != kNone) return skin(k).soil;
+  return ground_.profiles[ground_.ProfileAt(Vec2(x_m(i), y_m(j)))].strata().front().soil;
 }
 
 Columns::Sample Columns::SampleAt(double x, double y) const {
@@ -129,21 +103,31 @@ Columns::Sample Columns::SampleAt(double x, double y) const {
   const int j = std::min(static_cast<int>(gy), ny() - 2);
   const double u = gx - i, v = gy - j;
   Sample sample{0, 0, u < 0.5 ? i : i + 1, v < 0.5 ? j : j + 1};
-  const auto add = [&](int ci, int cj, double share) {
-    const Column* c = Find(ci, cj);
-    sample.top_m += share * (c != nullptr ? c->top_m : ground_.HeightAt(ci, cj));
-    if (c != nullptr) sample.pressed_m += share * c->pressed_m;
+  const auto add = [&sample](const Skin& skin, double share) {
+    sample.top_m += share * skin.top_m;
+    sample.pressed_m += share * skin.pressed_m;
   };
-  add(i, j, (1 - u) * (1 - v));
-  add(i + 1, j, u * (1 - v));
-  add(i, j + 1, (1 - u) * v);
-  add(i + 1, j + 1, u * v);
+  const ColumnId k = IdAt(i, j);
+  if (k != kNone) {  // most often all four stand in one chunk
+    const Chunk& chunk = chunks_[k >> kTileBits];
+    if (i + 1 - chunk.a * kCells < chunk.nx && j + 1 - chunk.b * kCells < chunk.ny) {
+      const Skin* skins = &chunk.skins[k & kLocalMask];
+      add(skins[0], (1 - u) * (1 - v));
+      add(skins[1], u * (1 - v));
+      add(skins[1 << kRowBits], (1 - u) * v);
+      add(skins[(1 << kRowBits) + 1], u * v);
+      return sample;
+    }
+  }
+  const auto add_at = [&](int ci, int cj, double share) {
+    const ColumnId m = IdAt(ci, cj);
+    m != kNone ? add(skin(m), share) : add({.top_m = ground_.HeightAt(ci, cj)}, share);
+  };
+  add_at(i, j, (1 - u) * (1 - v));
+  add_at(i + 1, j, u * (1 - v));
+  add_at(i, j + 1, (1 - u) * v);
+  add_at(i + 1, j + 1, u * v);
   return sample;
-}
-
-std::uint8_t Columns::soil_at(ColumnId k) const {
-  const Column& c = at(k);
-  return c.layer_count > 0 ? c.top_layer()->soil : BankOf(k).soil;
 }
 
 const Stratum& Columns::BankOf(ColumnId k) const {
@@ -177,9 +161,8 @@ void Columns::Cut(ColumnId k, double z_m, SpoilMix* cut) {
 }
 
 void Columns::TakeLoose(ColumnId k, double thickness_m, SpoilMix* taken) {
-  const Column& c = at(k);
-  const double take_m = std::min(thickness_m, c.loose_m());
-  if (take_m > 0) Cut(k, c.top_m - take_m, taken);
+  const double take_m = std::min(thickness_m, skin(k).loose_m);
+  if (take_m > 0) Cut(k, skin(k).top_m - take_m, taken);
 }
 
 void Columns::Deposit(ColumnId k, const Spoil& spoil) {
@@ -221,7 +204,7 @@ void Columns::Break(ColumnId k, double thickness_m) {
 void Columns::MarkRut(ColumnId k) { ShowRut(k, kRutOfContact); }
 
 void Columns::Unblock(ColumnId k) {
-  Get(k).blocked_m = std::numeric_limits<float>::infinity();
+  Release(k);
   Changed(k);  // what was held back may now slide
 }
 
@@ -251,23 +234,28 @@ void Columns::Changed(ColumnId k) {
     is_changed = 1;
     changed_.push_back(k);
   }
+  RefreshSkin(k);
+  Skin& skin = SkinOf(k);
   const Column& c = at(k);
-  const Place place = PlaceOf(k);
-  const double loose_m = c.loose_m();
   const bool stands_pressed = c.pressed_m > 0 || (c.layer_count > 0 && !c.layers[0].loose);
-  TerrainSurface::Vertex vertex = surface_.at(place.i, place.j);
+  if (skin.loose_m > kLooseShown_m || !stands_pressed) skin.rut = 0;
+  TerrainSurface::Vertex vertex;
   vertex.height_m = static_cast<float>(c.top_m);
-  vertex.cover.soil = soil_at(k);
+  vertex.cover.soil = skin.soil;
   vertex.cover.moisture = Byte(c.layer_count > 0 ? c.top_layer()->moisture : BankOf(k).moisture);
-  vertex.cover.looseness = Byte(loose_m / kLooseShown_m);
-  if (loose_m > kLooseShown_m || !stands_pressed) vertex.cover.rut = 0;
+  vertex.cover.looseness = Byte(skin.loose_m / kLooseShown_m);
+  vertex.cover.rut = skin.rut;
+  const Place place = PlaceOf(k);
   surface_.Set(place.i, place.j, vertex);
 }
 
 void Columns::ShowRut(ColumnId k, double rut) {
+  Skin& skin = SkinOf(k);
+  if (Byte(rut) <= skin.rut) return;
+  skin.rut = Byte(rut);
   const Place place = PlaceOf(k);
   TerrainSurface::Vertex vertex = surface_.at(place.i, place.j);
-  vertex.cover.rut = std::max(vertex.cover.rut, Byte(rut));
+  vertex.cover.rut = skin.rut;
   surface_.Set(place.i, place.j, vertex);
 }
 

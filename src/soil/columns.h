@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/terrain_surface.h"
@@ -58,18 +60,49 @@ class Columns {
   };
   Place PlaceOf(ColumnId k) const;
   const Column& at(ColumnId k) const { return chunks_[k >> kTileBits].columns[k & kLocalMask]; }
-  /// The column beside, if its tile has columns, else null.
-  const Column* Beside(ColumnId k, int di, int dj) const;
-  /// Its id, or kNone.
-  ColumnId BesideId(ColumnId k, int di, int dj) const;
+  static constexpr float kOpen_m = std::numeric_limits<float>::infinity();
+  /// What is asked of a column most often, close together in memory.
+  struct Skin {
+    double top_m = 0, loose_m = 0, pressed_m = 0;  ///< as in Column
+    float blocked_m = kOpen_m;                     ///< lowest point of a tool in it
+    std::uint8_t soil = 0;                         ///< at the surface
+    std::uint8_t rut = 0;                          ///< as shown
+    bool is_loose = false;                         ///< as in Column
+  };
+  const Skin& skin(ColumnId k) const { return chunks_[k >> kTileBits].skins[k & kLocalMask]; }
   static constexpr ColumnId kNone = ~ColumnId{0};
+  /// The id of the column beside, if its tile has columns, else kNone.
+  ColumnId BesideId(ColumnId k, int di, int dj) const {
+    const Chunk& chunk = chunks_[k >> kTileBits];
+    const int i = static_cast<int>(k & kRowMask) + di;
+    const int j = static_cast<int>((k >> kRowBits) & kRowMask) + dj;
+    if (i >= 0 && j >= 0 && i < chunk.nx && j < chunk.ny) {
+      return (k & ~kLocalMask) | static_cast<ColumnId>(j << kRowBits | i);
+    }
+    return IdAt(chunk.a * TerrainGrid::kTileCells + i, chunk.b * TerrainGrid::kTileCells + j);
+  }
+  /// Its skin, or null.
+  const Skin* Beside(ColumnId k, int di, int dj) const {
+    const ColumnId beside = BesideId(k, di, dj);
+    return beside == kNone ? nullptr : &skin(beside);
+  }
+  /// The id of column (i, j), if it is on the site and its tile has columns, else kNone.
+  ColumnId IdAt(int i, int j) const {
+    if (!Contains(i, j)) return kNone;
+    const std::int32_t n = chunk_of_tile_[TileOf(i, j)];
+    if (n < 0) return kNone;
+    const Chunk& chunk = chunks_[n];
+    return static_cast<ColumnId>(n) << kTileBits |
+           static_cast<ColumnId>(j - chunk.b * TerrainGrid::kTileCells) << kRowBits |
+           static_cast<ColumnId>(i - chunk.a * TerrainGrid::kTileCells);
+  }
   /// Ids lie below this.
   std::size_t id_end() const { return chunks_.size() << kTileBits; }
 
   const UndisturbedGround& undisturbed() const { return ground_; }
   const TerrainSurface& surface() const { return surface_; }
   const std::vector<SoilType>& soils() const { return soils_; }
-  std::uint8_t soil_at(ColumnId k) const;
+  std::uint8_t soil_at(ColumnId k) const { return skin(k).soil; }
   /// Stratum of the undisturbed soil at the top of a column's bank.
   const Stratum& BankOf(ColumnId k) const;
 
@@ -94,7 +127,10 @@ class Columns {
   void MarkRut(ColumnId k);
 
   /// A tool stands in this column from `low_m` upwards: soil higher than that does not slide in.
-  void Block(ColumnId k, double low_m) { Get(k).blocked_m = static_cast<float>(low_m); }
+  void Block(ColumnId k, double low_m) { SkinOf(k).blocked_m = static_cast<float>(low_m); }
+  bool IsBlocked(ColumnId k) const { return skin(k).blocked_m < kOpen_m; }
+  /// The tool may have left: unless it blocks the column again, Unblock is due.
+  void Release(ColumnId k) { SkinOf(k).blocked_m = kOpen_m; }
   void Unblock(ColumnId k);
 
   /// Shows soil in the air.
@@ -116,13 +152,20 @@ class Columns {
   static constexpr int kRowBits = 6, kTileBits = 2 * kRowBits;
   static constexpr ColumnId kRowMask = (1u << kRowBits) - 1, kLocalMask = (1u << kTileBits) - 1;
   struct Chunk {
-    int a, b;  ///< the tile's
+    int a, b;    ///< the tile's
+    int nx, ny;  ///< columns along x and y
     std::vector<Column> columns;
+    std::vector<Skin> skins;
     std::vector<std::uint8_t> is_changed;
   };
   Column& Get(ColumnId k) { return chunks_[k >> kTileBits].columns[k & kLocalMask]; }
-  const Column* Find(int i, int j) const;
-  int TileOf(int i, int j) const;
+  Skin& SkinOf(ColumnId k) { return chunks_[k >> kTileBits].skins[k & kLocalMask]; }
+  int TileOf(int i, int j) const {
+    return surface_.tile_index(std::min(i / TerrainGrid::kTileCells, surface_.tiles_x() - 1),
+                               std::min(j / TerrainGrid::kTileCells, surface_.tiles_y() - 1));
+  }
+  void Unfold(int a, int b);
+  void RefreshSkin(ColumnId k);
   ColumnMaterial MaterialOf(const Column& c) const {
     return {ground_.profiles[c.profile], soils_, area_m2_};
   }

@@ -31,6 +31,8 @@ class GearContact {
  public:
   /// `soils` are those of the ground, as the machine meets them.
   GearContact(const RunningGear& gear, bool shears, std::vector<SoilType> soils);
+  GearContact(GearContact&&) noexcept;
+  ~GearContact();
 
   struct Result {
     Wrench wrench;          ///< about the link's origin
@@ -48,10 +50,10 @@ class GearContact {
     Vec2 j_out_m = Vec2::Zero();         ///< shear displacement where shoes leave the patch
     bool in_contact = false;
   };
+  struct Plate;
   struct Pressed;
-  double MakeRut(const ContactPatch& patch, const BodyState& body, double dt_s, Columns* ground);
-  void Uncover(const std::vector<ColumnId>& before, Columns* ground);
-  Pressed Bear(const ContactPatch& patch, const BodyState& body, const Columns& ground) const;
+  double MakeRut(std::size_t patch_index, const BodyState& body, double dt_s, Columns* ground);
+  Pressed Bear(std::size_t patch_index, const BodyState& body, const Columns& ground) const;
   Vec2 Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_mps, double shoe_mps,
              double dt_s, const std::vector<Patch>& before);
 
@@ -59,6 +61,7 @@ class GearContact {
   bool shears_ = true;
   std::vector<SoilType> soils_;
   std::vector<Patch> patches_;
+  std::vector<Plate> plates_;      ///< of each patch, one for each soil
   std::vector<ColumnId> covered_;  ///< columns under the gear, into which no soil slides
   double rut_work_j_ = 0;          ///< plastic work still to be paid back as drag
 };

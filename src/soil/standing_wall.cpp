@@ -44,15 +44,15 @@ StandingWalls::StandingWalls(const std::vector<SoilType>& soils) {
 }
 
 double StandingWalls::Overhang_m(ColumnId k, const Columns& ground) const {
-  const Column& c = ground.at(k);
-  if (c.loose_m() > kVeneer_m) return 0;
+  const Columns::Skin& c = ground.skin(k);
+  if (c.loose_m > kVeneer_m) return 0;
   const std::uint8_t material = ground.soil_at(k);
   const SoilType& soil = ground.soils()[material];
   const auto [i, j] = ground.PlaceOf(k);
   double overhang_m = 0;
   for (const auto& [di, dj, distance] : kDirections) {
     const double run_m = distance * ground.cell_m();
-    const Column* beside = ground.Beside(k, di, dj);
+    const Columns::Skin* beside = ground.Beside(k, di, dj);
     if (beside != nullptr && c.top_m - beside->top_m <= limits_[material].tan_stand * run_m) {
       continue;  // no edge on this side
     }

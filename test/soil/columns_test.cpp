@@ -119,9 +119,9 @@ TEST(Columns, EveryColumnIsFoundAgainAndHasItsNeighbours) {
     EXPECT_EQ(ground.PlaceOf(k).i, i);
     EXPECT_EQ(ground.PlaceOf(k).j, j);
     for (const auto& [di, dj] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {1, -1}}) {
-      if (!ground.Contains(i + di, j + dj)) continue;
-      const Column* expected = &ground.at(ground.Touch(i + di, j + dj));
-      EXPECT_EQ(ground.Beside(k, di, dj), expected) << i << ' ' << j << ' ' << di << ' ' << dj;
+      const ColumnId expected =
+          ground.Contains(i + di, j + dj) ? ground.Touch(i + di, j + dj) : Columns::kNone;
+      EXPECT_EQ(ground.BesideId(k, di, dj), expected) << i << ' ' << j << ' ' << di << ' ' << dj;
     }
   }
 }
