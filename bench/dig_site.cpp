@@ -13,21 +13,25 @@ constexpr int kInstants = 10;
 
 }  // namespace
 
-ShippedScenario Load(const std::string& name,
-                     const std::function<bool(const SensorDescription&)>& keep) {
-  const Config config = Config::FromFile(DataRoot() / "config/scenarios" / (name + ".yaml"));
+ShippedScenario LoadWith(const std::string& name, const std::vector<std::string>& overrides) {
+  const Config config =
+      Config::FromFile(DataRoot() / "config/scenarios" / (name + ".yaml"), overrides);
   ShippedScenario loaded{ReadScenario(config.root()), {}};
   config.Finish();
   loaded.resolved_yaml = config.ResolvedYaml();
+  return loaded;
+}
+
+ShippedScenario Load(const std::string& name,
+                     const std::function<bool(const SensorDescription&)>& keep) {
+  ShippedScenario loaded = LoadWith(name, {});
   for (ScenarioMachine& machine : loaded.scenario.machines) {
     std::erase_if(machine.sensors, [&](const SensorDescription& s) { return !keep(s); });
   }
   return loaded;
 }
 
-ShippedScenario Load(const std::string& name) {
-  return Load(name, [](const SensorDescription&) { return true; });
-}
+ShippedScenario Load(const std::string& name) { return LoadWith(name, {}); }
 
 DigSite::DigSite() : scenario_(Load("quickstart").scenario), assembly_(scenario_) {
   for (std::size_t m = 0; m < scenario_.machines.size(); ++m) {

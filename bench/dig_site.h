@@ -20,6 +20,8 @@ struct ShippedScenario {
 ShippedScenario Load(const std::string& name,
                      const std::function<bool(const SensorDescription&)>& keep);
 ShippedScenario Load(const std::string& name);
+/// With some values set, as on the command line.
+ShippedScenario LoadWith(const std::string& name, const std::vector<std::string>& overrides);
 
 /// What a sensor saw of the site at one instant.
 struct Instant {

@@ -10,21 +10,32 @@ namespace {
 
 constexpr double kMicrosecondsPerSecond = 1e6;
 
-void Say(const Target& target, const char* relation, double measured, bool met,
-         benchmark::State* state) {
-  state->SetLabel(fmt::format("{} {:.2f}{}, target {} {:g}{}: {}", target.what, measured,
-                              target.unit, relation, target.least_or_most, target.unit,
-                              met ? "met" : "not met"));
+std::string Said(const Target& target, const char* relation, double measured, bool met) {
+  return fmt::format("{} {:.2f}{}, target {} {:g}{}: {}", target.what, measured, target.unit,
+                     relation, target.least_or_most, target.unit, met ? "met" : "not met");
+}
+
+std::string AtMost(const Target& target, double measured) {
+  return Said(target, "<=", measured, measured <= target.least_or_most);
 }
 
 }  // namespace
 
 void ExpectAtLeast(const Target& target, double measured, benchmark::State* state) {
-  Say(target, ">=", measured, measured >= target.least_or_most, state);
+  state->SetLabel(Said(target, ">=", measured, measured >= target.least_or_most));
 }
 
 void ExpectAtMost(const Target& target, double measured, benchmark::State* state) {
-  Say(target, "<=", measured, measured <= target.least_or_most, state);
+  state->SetLabel(AtMost(target, measured));
+}
+
+void ExpectAtMost(const std::vector<Measured>& figures, const std::string& remark,
+                  benchmark::State* state) {
+  std::string said;
+  for (const auto& [target, figure] : figures) {
+    said += (said.empty() ? "" : "; ") + AtMost(target, figure);
+  }
+  state->SetLabel(remark.empty() ? said : said + "; " + remark);
 }
 
 double StepTimes::Mean_us() const {

@@ -18,6 +18,13 @@ struct Target {
 
 void ExpectAtLeast(const Target& target, double measured, benchmark::State* state);
 void ExpectAtMost(const Target& target, double measured, benchmark::State* state);
+/// Several of them, and a remark.
+struct Measured {
+  Target target;
+  double figure = 0;
+};
+void ExpectAtMost(const std::vector<Measured>& figures, const std::string& remark,
+                  benchmark::State* state);
 
 /// Durations of single steps, for their mean and 95th percentile.
 class StepTimes {
