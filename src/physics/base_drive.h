@@ -3,17 +3,13 @@
 #include <memory>
 
 #include "core/motion.h"
+#include "physics/base_effort.h"
 #include "physics/slots/track_kinematics.h"
 
 class btMultiBody;
 class btMultiBodyDynamicsWorld;
 
 namespace tera {
-
-/// Largest forces, either way, with which a base is driven.
-struct BaseEffort {
-  double forward_n = 0, left_n = 0, yaw_nm = 0;
-};
 
 /// Drives a machine's root link over the ground by three velocity constraints.
 ///

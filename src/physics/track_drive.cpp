@@ -42,6 +42,14 @@ Contact ContactOf(const MachineModel& model) {
 
 }  // namespace
 
+void SetShoeRatios(MachineModel* model) {
+  const TrackSpeeds shoes = ShoeSpeeds({1, 1}, TrackKinematicsOf(model->effects.base));
+  for (std::size_t g = 0; g < model->ground_tools.gears.size(); ++g) {
+    model->ground_tools.gears[g].shoe_ratio =
+        LeftOfRoot_m(*model, g) > 0 ? shoes.left_mps : shoes.right_mps;
+  }
+}
+
 TrackDrive::TrackDrive(const MachineModel& model)
     : parameters_(TrackKinematicsOf(model.effects.base)) {
   const GroundTools& tools = model.ground_tools;

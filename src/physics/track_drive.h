@@ -2,11 +2,15 @@
 
 #include <vector>
 
-#include "physics/base_drive.h"
+#include "physics/base_effort.h"
 #include "physics/machine.h"
 #include "physics/slots/track_kinematics.h"
 
 namespace tera {
+
+/// Gives the gears the ratio that track_scale and track_asymmetry among the effects of the base
+/// make between their shoes and their sprockets.
+void SetShoeRatios(MachineModel* model);
 
 /// A machine's running gear as two tracks, for the ground slot.
 ///

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "physics/slots/track_kinematics.h"
+#include "physics/track_drive.h"
 #include "physics/track_faults.h"
 
 namespace tera {
@@ -77,11 +78,7 @@ void ReadGround(const ConfigMap& config, MachineModel* model) {
       FaultOfBase(config, fault.mechanism, fault.finding);
     }
   }
-  const TrackSpeeds shoes = ShoeSpeeds({1, 1}, TrackKinematicsOf(model->effects.base));
-  for (std::size_t g = 0; g < model->ground_tools.gears.size(); ++g) {
-    model->ground_tools.gears[g].shoe_ratio =
-        LeftOfRoot_m(*model, g) > 0 ? shoes.left_mps : shoes.right_mps;
-  }
+  SetShoeRatios(model);
   Footing& footing = model->ground_tools.footing;
   footing.shears = model->ground == GroundModel::kTerramechanics;
   if (const Effect* soil = FindEffect(model->effects.base, "soil_strength")) {

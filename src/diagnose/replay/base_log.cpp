@@ -1,0 +1,119 @@
+#include "diagnose/replay/base_log.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/units.h"
+#include "physics/track_drive.h"
+
+namespace tera {
+namespace {
+
+constexpr double kInstant_s = 0.02;       ///< rates of gears change little in between
+constexpr double kLongestInterval_s = 1;  ///< beyond it the path between two poses is unknown
+
+/// Rate of one gear over time.
+struct GearSamples {
+  std::vector<TimeNs> t_ns;
+  std::vector<double> rate_radps;
+
+  double At(TimeNs t) const {
+    const auto next = std::lower_bound(t_ns.begin(), t_ns.end(), t);
+    if (next == t_ns.begin()) return rate_radps.front();
+    if (next == t_ns.end()) return rate_radps.back();
+    const auto b = static_cast<std::size_t>(next - t_ns.begin()), a = b - 1;
+    return std::lerp(rate_radps[a], rate_radps[b],
+                     static_cast<double>(t - t_ns[a]) / static_cast<double>(t_ns[b] - t_ns[a]));
+  }
+};
+
+GearSamples SamplesOf(const std::string& gear, const std::vector<NamedEncoders>& encoders) {
+  GearSamples samples;
+  for (const auto& [channel, recording] : encoders) {
+    for (std::size_t i = 0; i < recording.axes.size(); ++i) {
+      if (recording.axes[i].name != gear) continue;
+      for (const EncoderSample& sample : recording.samples) {
+        samples.t_ns.push_back(sample.t_ns);
+        samples.rate_radps.push_back(sample.qd_radps[i]);
+      }
+      return samples;
+    }
+  }
+  throw InputError(
+      fmt::format("no encoder measures {}; a replay of the base needs every gear", gear));
+}
+
+double Yaw_rad(const Mat3& R) { return std::atan2(R(1, 0), R(0, 0)); }
+
+PlanarTwist MeanTwist(const Pose& X_WA, const Pose& X_WB, const Vec3& contact_B_m, double dt_s) {
+  const double from_rad = Yaw_rad(X_WA.linear());
+  const double turned_rad = std::remainder(Yaw_rad(X_WB.linear()) - from_rad, 2 * kPi);
+  const double heading_rad = from_rad + 0.5 * turned_rad;
+  const Vec3 moved_W_m = X_WB * contact_B_m - X_WA * contact_B_m;
+  const Vec3 forward_W = X_WA.linear().col(0) + X_WB.linear().col(0);
+  const Vec3 along_W =
+      Vec3(std::cos(heading_rad), std::sin(heading_rad), forward_W.z() / forward_W.head<2>().norm())
+          .normalized();
+  const Vec3 left_W(-std::sin(heading_rad), std::cos(heading_rad), 0);
+  // Half a turn's arc is longer than its chord.
+  const double arc = turned_rad == 0 ? 1 : 0.5 * turned_rad / std::sin(0.5 * turned_rad);
+  return {arc * moved_W_m.dot(along_W) / dt_s, arc * moved_W_m.dot(left_W) / dt_s,
+          turned_rad / dt_s};
+}
+
+void AddInterval(const TruthPose& from, const TruthPose& to, const std::vector<GearSamples>& gears,
+                 const Vec3& contact_B_m, BaseLog* log) {
+  const double dt_s = ToSeconds(to.t_ns - from.t_ns);
+  BaseInterval interval{from.t_ns, to.t_ns, MeanTwist(from.X_WB, to.X_WB, contact_B_m, dt_s),
+                        log->instants.size(),
+                        static_cast<std::size_t>(std::max(1.0, std::ceil(dt_s / kInstant_s)))};
+  for (std::size_t i = 0; i < interval.count; ++i) {
+    const double s = (static_cast<double>(i) + 0.5) / static_cast<double>(interval.count);
+    BaseInstant instant;
+    for (const GearSamples& gear : gears) {
+      instant.gear_rate_radps.push_back(gear.At(from.t_ns + FromSeconds(s * dt_s)));
+    }
+    instant.R_WB = (s < 0.5 ? from : to).X_WB.linear();
+    log->instants.push_back(std::move(instant));
+  }
+  log->intervals.push_back(interval);
+}
+
+}  // namespace
+
+BaseLog MakeBaseLog(const MachineModel& model, const std::vector<NamedEncoders>& encoders,
+                    const std::vector<TruthPose>& poses, double interval_s) {
+  std::vector<GearSamples> gears;
+  TimeNs first_ns = poses.empty() ? 0 : poses.front().t_ns;
+  TimeNs last_ns = poses.empty() ? -1 : poses.back().t_ns;
+  for (const RunningGear& gear : model.ground_tools.gears) {
+    gears.push_back(SamplesOf(gear.name, encoders));
+    if (gears.back().t_ns.empty()) last_ns = first_ns - 1;
+    if (last_ns < first_ns) break;
+    first_ns = std::max(first_ns, gears.back().t_ns.front());
+    last_ns = std::min(last_ns, gears.back().t_ns.back());
+  }
+  if (first_ns >= last_ns) {
+    throw InputError(
+        "gears and poses have no time in common; need clocks that count from the same "
+        "event (`time` of the import)");
+  }
+  const Vec3 contact_B_m = TrackDrive(model).contact_B_m();
+  BaseLog log;
+  const TruthPose* from = nullptr;
+  for (const TruthPose& pose : poses) {
+    if (pose.t_ns < first_ns || pose.t_ns > last_ns) continue;
+    if (from == nullptr || ToSeconds(pose.t_ns - from->t_ns) > kLongestInterval_s) {
+      from = &pose;
+    } else if (ToSeconds(pose.t_ns - from->t_ns) >= interval_s) {
+      AddInterval(*from, pose, gears, contact_B_m, &log);
+      from = &pose;
+    }
+  }
+  return log;
+}
+
+}  // namespace tera

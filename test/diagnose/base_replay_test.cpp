@@ -1,0 +1,136 @@
+#include "diagnose/replay/base_replay.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.h"
+#include "sim/drive_fixture.h"
+
+namespace tera {
+namespace {
+
+struct Recorded {
+  NamedEncoders encoders{"m/wheels", {}};
+  std::vector<TruthPose> poses;
+};
+
+/// Ideal encoders of the gears at 100 Hz, and poses at 20 Hz.
+Recorded Record(Drive* drive, double duration_s) {
+  const MachineModel& model = drive->scenario.machines[0].placement.model;
+  Recorded recorded;
+  for (const RunningGear& gear : model.ground_tools.gears) {
+    recorded.encoders.recording.axes.push_back({gear.name});
+  }
+  drive->Run(duration_s, [&] {
+    const TimeNs t_ns = drive->simulation->state().t_ns;
+    const MachineState& state = drive->machine();
+    if (t_ns % (kNsPerSecond / 100) == 0) {
+      recorded.encoders.recording.samples.push_back(
+          {.t_ns = t_ns, .q_rad = state.gear_angle_rad, .qd_radps = state.gear_rate_radps});
+    }
+    if (t_ns % (kNsPerSecond / 20) == 0) {
+      recorded.poses.push_back({.t_ns = t_ns, .X_WB = state.links[0].X_WB});
+    }
+  });
+  return recorded;
+}
+
+/// Forward, backward, and turning either way, slowly changing.
+NamedLevers Meander(double t_s) {
+  return {{"left_track", 0.35 + 0.4 * std::sin(0.7 * t_s)},
+          {"right_track", 0.3 + 0.4 * std::sin(0.9 * t_s + 1)}};
+}
+
+Drive Meandering(const std::string& terrain, const std::string& base) {
+  Drive drive(
+      "tb235.yaml", "{xy_m: [-6, -3], yaw_deg: 25}", "cell_m: 0.1, " + terrain, 0, 0,
+      "    ground: kinematic\n" + (base.empty() ? "" : "effects: {m: {base: {" + base + "}}}\n"));
+  drive.Operate(Meander);
+  return drive;
+}
+
+PlanarTwist RmsError(const BaseLog& log, const std::vector<PlanarTwist>& predicted) {
+  PlanarTwist sum;
+  for (std::size_t i = 0; i < predicted.size(); ++i) {
+    const PlanarTwist& measured = log.intervals[i].twist;
+    sum.forward_mps += std::pow(predicted[i].forward_mps - measured.forward_mps, 2);
+    sum.left_mps += std::pow(predicted[i].left_mps - measured.left_mps, 2);
+    sum.yaw_radps += std::pow(predicted[i].yaw_radps - measured.yaw_radps, 2);
+  }
+  const auto n = static_cast<double>(predicted.size());
+  return {std::sqrt(sum.forward_mps / n), std::sqrt(sum.left_mps / n),
+          std::sqrt(sum.yaw_radps / n)};
+}
+
+struct Case {
+  std::string terrain, base;
+};
+
+class ReplayOfGround : public ::testing::TestWithParam<Case> {};
+
+TEST_P(ReplayOfGround, TellsHowTheSimulatedMachineMovedAndTheIdealTracksDoNot) {
+  Drive drive = Meandering(GetParam().terrain, GetParam().base);
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  const Recorded recorded = Record(&drive, 10);
+  const BaseLog log = MakeBaseLog(model, {recorded.encoders}, recorded.poses, 0.1);
+  ASSERT_GT(log.intervals.size(), 90u);
+  const BaseReplay replay(model, log);
+  const PlanarTwist with = RmsError(log, replay.Predict(model.effects.base));
+  const PlanarTwist without = RmsError(log, replay.Predict({}));
+  EXPECT_LT(with.forward_mps, 0.01);
+  EXPECT_LT(with.left_mps, 0.01);
+  EXPECT_LT(with.yaw_radps, 0.01);
+  EXPECT_GT(without.forward_mps + without.left_mps + without.yaw_radps,
+            5 * (with.forward_mps + with.left_mps + with.yaw_radps));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Mechanisms, ReplayOfGround,
+    ::testing::Values(Case{"soil: asphalt", "track_slip: {slip: 0.15}"},
+                      Case{"soil: asphalt", "effective_gauge: {ratio: 1.7}"},
+                      Case{"soil: asphalt", "track_asymmetry: {difference: 0.2}"},
+                      Case{"soil: asphalt", "icr_shift: {forward_m: 0.2, left_m: 0.1}"},
+                      Case{"soil: dirt, relief: {slope_deg: 8}",
+                           "slope_slip: {slip: 0.02, slip_per_slope: 1.5}"}));
+
+TEST(BaseLog, TellsHowFarOnAnArc) {
+  // A quarter of a circle of 2 m radius in 4 s, in steps of 0.25 s.
+  Drive drive = Meandering("soil: asphalt", "");
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  std::vector<TruthPose> poses;
+  EncoderRecording wheels;
+  for (const RunningGear& gear : model.ground_tools.gears) wheels.axes.push_back({gear.name});
+  for (int k = 0; k <= 16; ++k) {
+    const double turned_rad = k * kPi / 32;
+    Pose X_WB = Pose::Identity();
+    X_WB.rotate(Eigen::AngleAxisd(turned_rad, Vec3::UnitZ()));
+    X_WB.translation() = Vec3(2 * std::sin(turned_rad), 2 - 2 * std::cos(turned_rad), 0);
+    const TimeNs t_ns = k * kNsPerSecond / 4;
+    poses.push_back({.t_ns = t_ns, .X_WB = X_WB});
+    wheels.samples.push_back({.t_ns = t_ns, .q_rad = {0, 0}, .qd_radps = {1, 1}});
+  }
+  const BaseLog log = MakeBaseLog(model, {{"m/wheels", wheels}}, poses, 0.5);
+  ASSERT_EQ(log.intervals.size(), 8u);
+  for (const BaseInterval& interval : log.intervals) {
+    EXPECT_NEAR(interval.twist.forward_mps, kPi / 4, 1e-9);  // the contact is amid the root
+    EXPECT_NEAR(interval.twist.yaw_radps, kPi / 8, 1e-9);
+    EXPECT_NEAR(interval.twist.left_mps, 0, 1e-9);
+  }
+}
+
+TEST(BaseLog, NamesTheGearThatNoEncoderMeasures) {
+  Drive drive = Meandering("soil: asphalt", "");
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  Recorded recorded = Record(&drive, 0.5);
+  recorded.encoders.recording.axes[1].name = "idler";
+  try {
+    MakeBaseLog(model, {recorded.encoders}, recorded.poses, 0.1);
+    FAIL() << "a missing gear was accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find(model.ground_tools.gears[1].name), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace tera
