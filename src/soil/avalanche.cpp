@@ -45,11 +45,14 @@ Avalanche::Avalanche(const std::vector<SoilType>& soils) : walls_(soils) {
 
 /// Makes the column and its neighbours active.
 void Avalanche::Wake(ColumnId k, Columns* ground) {
-  const Columns::Place place = ground->PlaceOf(k);
-  for (int j = std::max(0, place.j - 1); j <= std::min(ground->ny() - 1, place.j + 1); ++j) {
-    for (int i = std::max(0, place.i - 1); i <= std::min(ground->nx() - 1, place.i + 1); ++i) {
-      ColumnId m = ground->BesideId(k, i - place.i, j - place.j);
-      if (m == Columns::kNone) m = ground->Touch(i, j);
+  for (int dj = -1; dj <= 1; ++dj) {
+    for (int di = -1; di <= 1; ++di) {
+      ColumnId m = ground->BesideId(k, di, dj);
+      if (m == Columns::kNone) {
+        const auto [i, j] = ground->PlaceOf(k);
+        if (!ground->Contains(i + di, j + dj)) continue;
+        m = ground->Touch(i + di, j + dj);
+      }
       if (m >= motion_.size()) motion_.resize(ground->id_end());
       if (motion_[m].is_active) continue;
       motion_[m].is_active = true;
@@ -63,40 +66,33 @@ double Avalanche::VelocityOf(ColumnId k, int di, int dj, Axis axis, const Column
   return m == Columns::kNone || m >= motion_.size() ? 0.0 : motion_[m].face_mps[axis];
 }
 
-/// Slope of the loose soil at a column across `axis`. What stands firm, above it or below, pushes
-/// nothing sideways.
-double Avalanche::TangentialSlope(ColumnId k, Axis axis, const Columns& ground) const {
-  const Columns::Skin& c = ground.skin(k);
-  const int di = axis == kX ? 0 : 1, dj = 1 - di;
-  const auto rise_m = [&](int sign) {
-    const Columns::Skin* beside = ground.Beside(k, sign * di, sign * dj);
-    if (beside == nullptr) return 0.0;
-    const double rise_m = beside->top_m - c.top_m;
-    return rise_m > 0 ? std::min(rise_m, beside->loose_m) : std::max(rise_m, -c.loose_m);
-  };
-  return 0.5 * (rise_m(1) - rise_m(-1)) / ground.cell_m();
-}
-
 /// Whether soil crosses one of a column's faces.
 bool Avalanche::Flows(ColumnId k, const Columns& ground) const {
   return motion_[k].face_mps[kX] != 0 || motion_[k].face_mps[kY] != 0 ||
          VelocityOf(k, -1, 0, kX, ground) != 0 || VelocityOf(k, 0, -1, kY, ground) != 0;
 }
 
-/// Whether a column neither flows nor is steep enough to start: a quick look before a closer one.
-bool Avalanche::Rests(ColumnId k, const Columns& ground) const {
+/// Finds a column's slopes, and whether it neither flows nor is steep enough to start.
+void Avalanche::LookAround(ColumnId k, const Columns& ground) {
   const Columns::Skin& c = ground.skin(k);
   double steepest_m = 0;
   std::uint8_t soil = c.soil;
-  for (const auto& [di, dj] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+  /// By how much loose soil beside stands higher, or here.
+  const auto loose_rise_m = [&](int di, int dj) {
     const Columns::Skin* beside = ground.Beside(k, di, dj);
-    if (beside == nullptr) continue;
+    if (beside == nullptr) return 0.0;
     const double rise_m = beside->top_m - c.top_m;
     if (rise_m > steepest_m && beside->is_loose) soil = beside->soil;
     steepest_m = std::max(steepest_m, std::abs(rise_m));
-  }
-  if (steepest_m > kGentle * friction_[soil].tan_start * ground.cell_m()) return false;
-  return !Flows(k, ground);
+    return rise_m > 0 ? std::min(rise_m, beside->loose_m) : std::max(rise_m, -c.loose_m);
+  };
+  Motion& motion = motion_[k];
+  const double along_x_m = loose_rise_m(1, 0) - loose_rise_m(-1, 0);
+  const double along_y_m = loose_rise_m(0, 1) - loose_rise_m(0, -1);
+  motion.across_slope[kX] = 0.5 * along_y_m / ground.cell_m();
+  motion.across_slope[kY] = 0.5 * along_x_m / ground.cell_m();
+  motion.rests =
+      steepest_m <= kGentle * friction_[soil].tan_start * ground.cell_m() && !Flows(k, ground);
 }
 
 /// Velocity of the face between a column and the one beside, after the step.
@@ -114,7 +110,7 @@ double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
   const int di = axis == kX ? 1 : 0, dj = 1 - di;  // along the axis; across it is (dj, di)
   const Axis other = axis == kX ? kY : kX;
   const double across_slope =
-      0.5 * (TangentialSlope(k, axis, ground) + TangentialSlope(to, axis, ground));
+      0.5 * (motion_[k].across_slope[axis] + motion_[to].across_slope[axis]);
   const double across_mps =
       0.25 * (motion_[k].face_mps[other] + motion_[to].face_mps[other] +
               VelocityOf(k, -dj, -di, other, ground) + VelocityOf(to, -dj, -di, other, ground));
@@ -227,7 +223,7 @@ void Avalanche::Step(double dt_s, Columns* ground) {
       ground->Break(k, std::min(overhang_m, kBreakSpeed_mps * dt_s));
     }
   }
-  for (const ColumnId k : visited) motion_[k].rests = Rests(k, *ground);
+  for (const ColumnId k : visited) LookAround(k, *ground);
   FindFluxes(visited, dt_s, *ground);
   for (const ColumnId k : visited) {
     motion_[k].is_visited = false;

@@ -44,6 +44,9 @@ class Avalanche {
     bool is_active = false;       ///< to be visited at the next step
     bool is_visited = false;      ///< in this step
     bool rests = true;            ///< of a visited one: it does not flow and is gentle
+    /// Of a visited one: slope of the loose soil across each axis. What stands firm, above it or
+    /// below, pushes nothing sideways.
+    double across_slope[2] = {0, 0};
   };
   struct Friction {
     double tan_start, tan_slow, tan_fast;
@@ -59,9 +62,8 @@ class Avalanche {
   void Step(double dt_s, Columns* ground);
   void Wake(ColumnId k, Columns* ground);
   double VelocityOf(ColumnId k, int di, int dj, Axis axis, const Columns& ground) const;
-  double TangentialSlope(ColumnId k, Axis axis, const Columns& ground) const;
   bool Flows(ColumnId k, const Columns& ground) const;
-  bool Rests(ColumnId k, const Columns& ground) const;
+  void LookAround(ColumnId k, const Columns& ground);
   double FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s, const Columns& ground) const;
   void FindFluxes(const std::vector<ColumnId>& visited, double dt_s, const Columns& ground);
   void Mobilise(const Flux& flux, const Columns& ground);

@@ -18,41 +18,62 @@ constexpr double kLeastRange_rad = 10 * kDeg;
 
 double Cot(double a) { return 1 / std::tan(a); }
 
-/// P for one wedge angle, cohesion of the flanks included.
-double ForceAt_n(const CuttingInput& in, double wedge_rad) {
-  const CuttingFactors n = CuttingFactorsAt(in, wedge_rad);
-  const double weight_npm3 = in.density_kgpm3 * kStandardGravity_mps2;
-  const double d = in.depth_m;
-  double cohesive_npm = in.cohesion_pa * d;
-  if (in.flank_share > 0) {
-    const double at_rest = 1 - std::sin(in.friction_rad);  // Jaky
-    const double area_m2 = 0.5 * d * d * Cot(wedge_rad);
-    const double shear_n =
-        2 * in.flank_share * area_m2 *
-        (in.cohesion_pa + at_rest * weight_npm3 * d / 3 * std::tan(in.friction_rad));
-    // N_c counts c over the slip plane of length d / sin(beta).
-    cohesive_npm += shear_n * std::sin(wedge_rad) / in.width_m;
+/// The equation for one tool in one soil, ready to be evaluated for many wedge angles, of which it
+/// takes the tangent: all functions of other angles are looked up once.
+class Wedges {
+ public:
+  explicit Wedges(const CuttingInput& in)
+      : in_(in),
+        weight_npm3_(in.density_kgpm3 * kStandardGravity_mps2),
+        cot_rake_(Cot(in.rake_rad)),
+        cos_contact_(std::cos(in.rake_rad + in.tool_friction_rad)),
+        sin_contact_(std::sin(in.rake_rad + in.tool_friction_rad)),
+        tan_friction_(std::tan(in.friction_rad)),
+        tan_slope_(std::tan(in.slope_rad)),
+        at_rest_(1 - std::sin(in.friction_rad)) {}  // Jaky
+
+  CuttingFactors FactorsAt(double tan_wedge) const {
+    const double slip = (1 - tan_wedge * tan_friction_) / (tan_wedge + tan_friction_);  // cotangent
+    const double D = cos_contact_ + sin_contact_ * slip;
+    // The slip plane comes out where it meets a surface that rises by the slope.
+    const double ahead = 1 / (tan_wedge - tan_slope_);
+    CuttingFactors n;
+    n.n_q = (cot_rake_ + ahead) / D;
+    n.n_gamma = 0.5 * n.n_q;
+    n.n_c = (tan_wedge + slip) * ahead / D;
+    n.n_a = (1 - cot_rake_ * slip) / D;
+    n.inertia = (tan_wedge + slip) / (1 + tan_wedge * cot_rake_) / D;
+    return n;
   }
-  return in.width_m * (weight_npm3 * d * d * n.n_gamma + cohesive_npm * n.n_c +
-                       in.adhesion_pa * d * n.n_a + in.surcharge_pa * d * n.n_q +
-                       in.density_kgpm3 * in.speed_mps * in.speed_mps * d * n.inertia);
-}
+
+  /// P, cohesion of the flanks included.
+  double ForceAt_n(double wedge_rad) const {
+    const double tan_wedge = std::tan(wedge_rad);
+    const CuttingFactors n = FactorsAt(tan_wedge);
+    const double d = in_.depth_m;
+    double cohesive_npm = in_.cohesion_pa * d;
+    if (in_.flank_share > 0) {
+      const double area_m2 = 0.5 * d * d / tan_wedge;
+      const double shear_n = 2 * in_.flank_share * area_m2 *
+                             (in_.cohesion_pa + at_rest_ * weight_npm3_ * d / 3 * tan_friction_);
+      // N_c counts c over the slip plane of length d / sin(beta).
+      cohesive_npm += shear_n * tan_wedge / std::sqrt(1 + tan_wedge * tan_wedge) / in_.width_m;
+    }
+    return in_.width_m * (weight_npm3_ * d * d * n.n_gamma + cohesive_npm * n.n_c +
+                          in_.adhesion_pa * d * n.n_a + in_.surcharge_pa * d * n.n_q +
+                          in_.density_kgpm3 * in_.speed_mps * in_.speed_mps * d * n.inertia);
+  }
+
+ private:
+  const CuttingInput& in_;
+  double weight_npm3_, cot_rake_, cos_contact_, sin_contact_, tan_friction_, tan_slope_, at_rest_;
+};
 
 }  // namespace
 
 CuttingFactors CuttingFactorsAt(const CuttingInput& in, double wedge_rad) {
-  const double contact = in.rake_rad + in.tool_friction_rad;
-  const double slip = Cot(wedge_rad + in.friction_rad);
-  const double D = std::cos(contact) + std::sin(contact) * slip;
-  CuttingFactors n;
+  CuttingFactors n = Wedges(in).FactorsAt(std::tan(wedge_rad));
   n.wedge_rad = wedge_rad;
-  // The slip plane comes out where it meets a surface that rises by the slope.
-  const double ahead = 1 / (std::tan(wedge_rad) - std::tan(in.slope_rad));
-  n.n_q = (Cot(in.rake_rad) + ahead) / D;
-  n.n_gamma = 0.5 * n.n_q;
-  n.n_c = (1 + Cot(wedge_rad) * slip) * ahead * std::tan(wedge_rad) / D;
-  n.n_a = (1 - Cot(in.rake_rad) * slip) / D;
-  n.inertia = (std::tan(wedge_rad) + slip) / (1 + std::tan(wedge_rad) * Cot(in.rake_rad)) / D;
   return n;
 }
 
@@ -67,21 +88,22 @@ CuttingForce Cut(const CuttingInput& input) {
   in.rake_rad = std::clamp(in.rake_rad, kLeastRake_rad, steepest);
   double high =
       std::max(low + kMargin_rad, std::min(kPi / 2 - kMargin_rad, leans_to - in.rake_rad));
+  const Wedges wedges(in);
   constexpr double kGolden = 0.6180339887498949;
-  constexpr int kSections = 28;  // 90 deg * 0.618^28 is 1e-4 deg
+  constexpr int kSections = 20;  // 90 deg * 0.618^20 is 0.006 deg
   double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
-  double at_a = ForceAt_n(in, a), at_b = ForceAt_n(in, b);
+  double at_a = wedges.ForceAt_n(a), at_b = wedges.ForceAt_n(b);
   for (int k = 0; k < kSections; ++k) {
     if (at_a < at_b) {
       high = b, b = a, at_b = at_a;
-      a = high - kGolden * (high - low), at_a = ForceAt_n(in, a);
+      a = high - kGolden * (high - low), at_a = wedges.ForceAt_n(a);
     } else {
       low = a, a = b, at_a = at_b;
-      b = low + kGolden * (high - low), at_b = ForceAt_n(in, b);
+      b = low + kGolden * (high - low), at_b = wedges.ForceAt_n(b);
     }
   }
   result.wedge_rad = 0.5 * (low + high);
-  result.total_n = std::max(0.0, ForceAt_n(in, result.wedge_rad));
+  result.total_n = std::max(0.0, wedges.ForceAt_n(result.wedge_rad));
   result.draft_n = result.total_n * std::sin(in.rake_rad + in.tool_friction_rad);
   result.vertical_n = result.total_n * std::cos(in.rake_rad + in.tool_friction_rad);
   result.wedge_length_m = in.depth_m * Cot(result.wedge_rad);

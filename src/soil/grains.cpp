@@ -49,7 +49,8 @@ void Grains::Pour(const SpoilMix& spoil, const Vec3& from_W, const Vec3& to_W, c
       const Vec3 p_W = from_W + scatter_.Uniform(k, 1) * (to_W - from_W);
       if (count() < kMost) {
         grains_.push_back({p_W, v_W + kScatter_mps * scatter_.Gaussian3(k, 2), clod,
-                           static_cast<std::uint16_t>(k)});
+                           static_cast<std::uint16_t>(k),
+                           static_cast<float>(std::cbrt(3 * clod.volume_m3 / (4 * kPi)))});
       } else {
         ground->DepositAt(ground->NearestI(p_W.x()), ground->NearestJ(p_W.y()), clod);
       }
@@ -92,9 +93,8 @@ void Grains::Show(Columns* ground) const {
   std::vector<TerrainSurface::Grain> shown;
   shown.reserve(grains_.size());
   for (const Grain& grain : grains_) {
-    const auto radius_m = static_cast<float>(std::cbrt(3 * grain.spoil.volume_m3 / (4 * kPi)));
-    shown.push_back({grain.p_W_m.cast<float>() + radius_m * Eigen::Vector3f::UnitZ(), radius_m,
-                     grain.number, grain.spoil.soil,
+    shown.push_back({grain.p_W_m.cast<float>() + grain.radius_m * Eigen::Vector3f::UnitZ(),
+                     grain.radius_m, grain.number, grain.spoil.soil,
                      static_cast<std::uint8_t>(std::lround(255 * grain.spoil.moisture))});
   }
   ground->ShowGrains(std::move(shown));

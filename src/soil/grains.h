@@ -41,6 +41,7 @@ class Grains {
     Vec3 p_W_m, v_W_mps;
     Spoil spoil;
     std::uint16_t number;
+    float radius_m;
     double slid_s = 0;
   };
   /// Whether it has come to rest.
