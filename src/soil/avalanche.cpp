@@ -16,12 +16,14 @@ constexpr double kLeastAngle_rad = 1 * kDeg;
 constexpr double kSlowSpeed_mps = 0.2, kFastSpeed_mps = 0.8;  ///< friction falls in between
 constexpr double kThin_m = 0.05, kThick_m = 0.2;  ///< thin flows keep the friction of slow ones
 constexpr double kCreep_mps = 0.005;        ///< slower flows come to rest where none would start
+constexpr double kTrickle_m2ps = 2e-5;      ///< so do flows of less volume for each metre of width
 constexpr double kStep_s = 0.008;           ///< flow is slow beside tools, which need shorter steps
 constexpr double kLongestStep_cells = 0.5;  ///< soil moves no farther in a step
 /// Share of the start angle's slope below which, along both axes, no column starts to flow.
 constexpr double kGentle = 0.65;
 constexpr double kLeastOverhang_m = 2e-4;
 constexpr double kBreakSpeed_mps = 1.0;   ///< at which a failing bank crumbles
+constexpr double kLevel = 1e-9;           ///< a gradient that is none
 constexpr double kFilm_m = 1e-4;          ///< the thinnest layer that flows
 constexpr double kMobileOverExcess = 10;  ///< thickness that flows over what stands too steep
 
@@ -97,7 +99,7 @@ void Avalanche::LookAround(ColumnId k, const Columns& ground) {
 
 /// Velocity of the face between a column and the one beside, after the step.
 double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
-                               const Columns& ground) const {
+                               const Columns& ground, double* gradient) const {
   const Columns::Skin &a = ground.skin(k), &b = ground.skin(to);
   const bool downhill = a.top_m >= b.top_m;
   const Columns::Skin &high = downhill ? a : b, &low = downhill ? b : a;
@@ -115,7 +117,8 @@ double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
       0.25 * (motion_[k].face_mps[other] + motion_[to].face_mps[other] +
               VelocityOf(k, -dj, -di, other, ground) + VelocityOf(to, -dj, -di, other, ground));
   const bool rests = before_mps == 0 && across_mps == 0;
-  const bool is_steep = Norm(slope, across_slope) > friction.tan_start;
+  *gradient = Norm(slope, across_slope);
+  const bool is_steep = *gradient > friction.tan_start;
   if (rests && !is_steep) return 0;
 
   // Momentum that the flow itself brings, from upstream.
@@ -134,7 +137,8 @@ double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
                       Ramp(mobile_m, kThin_m, kThick_m);
   const double tan_friction = friction.tan_slow + fast * (friction.tan_fast - friction.tan_slow);
   const double braked_mps = tan_friction * kStandardGravity_mps2 * dt_s;
-  const bool creeps = speed_mps - braked_mps < kCreep_mps;
+  const double left_mps = speed_mps - braked_mps;
+  const bool creeps = left_mps < kCreep_mps || left_mps * mobile_m < kTrickle_m2ps;
   if (speed_mps <= braked_mps || (creeps && !is_steep)) return 0;
   const double most_mps = kLongestStep_cells * cell_m / dt_s;
   return std::clamp(along_mps * (1 - braked_mps / speed_mps), -most_mps, most_mps);
@@ -148,20 +152,23 @@ void Avalanche::FindFluxes(const std::vector<ColumnId>& visited, double dt_s,
       const ColumnId to = ground.BesideId(k, axis == kX ? 1 : 0, axis == kX ? 0 : 1);
       if (to == Columns::kNone || to >= motion_.size() || !motion_[to].is_visited) continue;
       if (motion_[k].rests && motion_[to].rests) continue;
-      const double velocity_mps = FaceVelocity(k, to, axis, dt_s, ground);
+      double gradient = 0;
+      const double velocity_mps = FaceVelocity(k, to, axis, dt_s, ground, &gradient);
       if (velocity_mps != 0 || motion_[k].face_mps[axis] != 0) {
-        fluxes_.push_back({k, to, axis, velocity_mps});
+        fluxes_.push_back({k, to, axis, velocity_mps, gradient});
       }
     }
   }
 }
 
-/// A flow takes with it the soil that stands above the slope that friction holds.
+/// A flow takes with it the soil that stands above the slope that friction holds, each face its
+/// share of the full gradient.
 void Avalanche::Mobilise(const Flux& flux, const Columns& ground) {
   Motion& source = motion_[flux.source()];
   const Columns::Skin& c = ground.skin(flux.source());
   const double drop_m = c.top_m - ground.skin(flux.target()).top_m;
-  const double excess_m = drop_m - friction_[c.soil].tan_slow * ground.cell_m();
+  const double excess_m =
+      drop_m * std::max(0.0, 1 - friction_[c.soil].tan_slow / std::max(flux.gradient, kLevel));
   source.mobile_m =
       std::min(c.loose_m, std::max({source.mobile_m, kFilm_m, kMobileOverExcess * excess_m}));
 }

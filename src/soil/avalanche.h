@@ -55,6 +55,7 @@ class Avalanche {
     ColumnId column, beside;  ///< on both sides of a face
     Axis axis;
     double velocity_mps;
+    double gradient;  ///< of the surface there, along both axes
 
     ColumnId source() const { return velocity_mps > 0 ? column : beside; }
     ColumnId target() const { return velocity_mps > 0 ? beside : column; }
@@ -64,7 +65,8 @@ class Avalanche {
   double VelocityOf(ColumnId k, int di, int dj, Axis axis, const Columns& ground) const;
   bool Flows(ColumnId k, const Columns& ground) const;
   void LookAround(ColumnId k, const Columns& ground);
-  double FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s, const Columns& ground) const;
+  double FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s, const Columns& ground,
+                      double* gradient) const;
   void FindFluxes(const std::vector<ColumnId>& visited, double dt_s, const Columns& ground);
   void Mobilise(const Flux& flux, const Columns& ground);
   void MoveSoil(double dt_s, Columns* ground);
