@@ -89,6 +89,8 @@ const std::map<std::string, std::string> kFolderOfLibrary = {
     {"opencv2/", "dataset"},
     {"liblzf/", "dataset"},
     {"nlohmann/", "dataset"},
+    {"boost/math/", "diagnose"},
+    {"unsupported/Eigen/", "diagnose"},
     {"CLI/", "app"},
     {"grpcpp/", "serve"},
     {"google/protobuf/", "serve"},
@@ -190,6 +192,18 @@ std::vector<Include> WhatSlotsMayNotSee(const std::vector<Include>& includes) {
   return faults;
 }
 
+/// Plain series in, numbers out.
+std::vector<Include> WhatStatisticsMayNotSee(const std::vector<Include>& includes) {
+  std::vector<Include> faults;
+  for (const Include& include : includes) {
+    if (!include.file.starts_with("diagnose/statistics/") || !IsOurs(include.header)) continue;
+    const bool allowed = include.header.starts_with("core/") ||
+                         include.header.starts_with("diagnose/statistics/");
+    if (!allowed) faults.push_back(include);
+  }
+  return faults;
+}
+
 void ExpectNone(const std::vector<Include>& faults) {
   for (const Include& fault : faults) ADD_FAILURE() << fault.Text();
 }
@@ -247,6 +261,16 @@ TEST(Includes, KeepTheSlotsFreeOfTheMultibody) {
   };
   EXPECT_EQ(faults("BulletDynamics/Featherstone/btMultiBody.h"), 1u);
   EXPECT_EQ(faults("physics/joint_drive.h"), 1u);
+  EXPECT_EQ(faults("core/random.h"), 0u);
+}
+
+TEST(Includes, KeepTheStatisticsFreeOfMachines) {
+  ExpectNone(WhatStatisticsMayNotSee(AllIncludes()));
+  const auto faults = [](const std::string& header) {
+    return WhatStatisticsMayNotSee(IncludesOf("diagnose/statistics/series.h", header)).size();
+  };
+  EXPECT_EQ(faults("physics/machine.h"), 1u);
+  EXPECT_EQ(faults("diagnose/replay/axis_log.h"), 1u);
   EXPECT_EQ(faults("core/random.h"), 0u);
 }
 

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "core/random.h"
+#include "diagnose/statistics/noise_model.h"
+#include "diagnose/statistics/regime_test.h"
+
+namespace tera {
+
+struct PartiallingOptions {
+  RegimeTestOptions test;
+  double alpha = 0.01;  ///< family-wise, a step
+  std::size_t most = 4;
+};
+
+/// One step: the variable that was taken in, and how all of them stood before it was.
+struct PartiallingStep {
+  std::size_t variable = 0;
+  double p_adjusted = 1;
+  double share = 0;
+  std::vector<RegimeTestResult> tests;  ///< of all variables, in order
+};
+
+struct Partialling {
+  std::vector<PartiallingStep> steps;
+  std::vector<RegimeTestResult> left;  ///< all variables with everything taken in
+};
+
+/// Which of several variables explain a residual when the others are already in.
+///
+/// Model   forward selection: each step tests every variable not in yet given those that are
+///         (regime_test.h), adjusts p_tail by Holm over them, and of those at or below alpha takes
+///         in the one that explains the largest share of whitened energy, with twenty splines.
+/// Omits   products of variables; removal of a variable that a later one makes superfluous.
+///
+/// All series have the residual's length.
+Partialling SelectRegimes(const Series& residual, const NoiseModel& noise,
+                          const std::vector<RegimeVariable>& variables,
+                          const PartiallingOptions& options, const Stream& stream);
+
+/// Twenty splines of the variable, sample by sample: what a design takes as known.
+Eigen::MatrixXd KnownColumns(const RegimeAxis& axis);
+
+}  // namespace tera

@@ -1,0 +1,121 @@
+#include "diagnose/statistics/regime_test.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+
+namespace tera {
+namespace {
+
+constexpr Eigen::Index kSplines = 10;
+constexpr double kEffectiveFreedom = 5;
+constexpr double kLeastInformation = 2e-3;  ///< of the best known direction
+constexpr double kLeastRemaining = 0.05;
+
+/// Weights 1 / (1 + lambda roughness) that sum to the effective freedom.
+Eigen::VectorXd ShrinkingWeights(const Eigen::VectorXd& roughness) {
+  const auto weights = [&](double lambda) -> Eigen::VectorXd {
+    return (1 + lambda * roughness.array().max(0)).inverse().matrix();
+  };
+  if (static_cast<double>(roughness.size()) <= kEffectiveFreedom) return weights(0);
+  double low = -40, high = 40;
+  for (int step = 0; step < 60; ++step) {
+    const double middle = (low + high) / 2;
+    (weights(std::exp(middle)).sum() > kEffectiveFreedom ? low : high) = middle;
+  }
+  return weights(std::exp(low));
+}
+
+/// What Q Q' or Q mu^-1/2 Q' does to scores.
+struct Remainder {
+  Eigen::MatrixXd project, normalise;
+  double directions = 0;
+};
+
+Remainder RemainderOf(const Eigen::MatrixXd& information) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(information);
+  Remainder out;
+  out.project = out.normalise = Eigen::MatrixXd::Zero(information.rows(), information.rows());
+  for (Eigen::Index k = 0; k < information.rows(); ++k) {
+    const double left = solver.eigenvalues()[k];
+    if (left < kLeastRemaining) continue;
+    const Eigen::VectorXd q = solver.eigenvectors().col(k);
+    out.project += q * q.transpose();
+    out.normalise += q * q.transpose() / std::sqrt(left);
+    ++out.directions;
+  }
+  return out;
+}
+
+Eigen::VectorXd ShiftedSumByBin(const RegimeAxis& axis, const Eigen::VectorXd& score,
+                                const CircularShifts& shifts, std::size_t k) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(axis.bins());
+  shifts.ForEachPiece(k, [&](std::size_t to, std::size_t from, std::size_t length) {
+    const std::uint8_t* bin = axis.bin().data() + from;
+    const double* value = score.data() + to;
+    for (std::size_t i = 0; i < length; ++i) sum[bin[i]] += value[i];
+  });
+  return sum;
+}
+
+}  // namespace
+
+RegimeProbe::RegimeProbe(const RegimeVariable& variable, const WhiteningFilter& filter)
+    : name_(variable.name), axis_(variable), gram_(WhitenedGram(axis_, filter)) {
+  const Eigen::VectorXd ones =
+      filter.Apply(Eigen::VectorXd::Ones(static_cast<Eigen::Index>(axis_.samples())));
+  const Eigen::VectorXd cross = SumByBin(axis_, filter.Transposed(ones));
+  const Eigen::MatrixXd centred =
+      gram_ - cross * cross.transpose() / std::max(ones.squaredNorm(), 1e-300);
+
+  const Eigen::MatrixXd splines = axis_.Splines(kSplines);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> information(splines.transpose() * centred *
+                                                                   splines);
+  const Eigen::VectorXd& known = information.eigenvalues();
+  Eigen::Index kept = 0;
+  while (kept < known.size() &&
+         known[known.size() - 1 - kept] > kLeastInformation * std::max(known.maxCoeff(), 1e-200)) {
+    ++kept;
+  }
+  const Eigen::MatrixXd unit = information.eigenvectors().rightCols(kept) *
+                               known.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> rough(unit.transpose() *
+                                                             axis_.Roughness(kSplines) * unit);
+  directions_ = splines * unit * rough.eigenvectors();
+  weights_ = ShrinkingWeights(rough.eigenvalues());
+}
+
+RegimeTestResult TestRegime(const RegimeDesign& design, const RegimeProbe& probe,
+                            const RegimeTestOptions& options, const Stream& stream) {
+  RegimeTestResult out;
+  out.name = probe.name();
+  if (probe.directions().cols() == 0) return out;
+  const RegimeAxis& axis = probe.axis();
+  const Eigen::MatrixXd& directions = probe.directions();
+  const Remainder remainder =
+      RemainderOf(directions.transpose() * design.Remaining(axis, probe.gram()) * directions);
+  if (remainder.directions == 0) return out;
+
+  const double unit = 1 / std::sqrt(design.psi_variance());
+  const auto energy = [&](const Eigen::VectorXd& score) {
+    return probe.weights().dot(score.cwiseAbs2());
+  };
+  const Eigen::VectorXd observed =
+      unit * remainder.normalise * (directions.transpose() * SumByBin(axis, design.score()));
+  out.share = std::max(0.0, (observed.squaredNorm() - remainder.directions) /
+                                static_cast<double>(design.filter().row_count()));
+
+  const std::size_t least = std::max(axis.correlation_length(), 2 * design.filter().taps().size());
+  const CircularShifts shifts(axis.samples(), least, options.shifts, options.block, stream);
+  std::vector<double> shifted(shifts.count());
+  for (std::size_t k = 0; k < shifts.count(); ++k) {
+    const Eigen::VectorXd sum = ShiftedSumByBin(axis, design.score(), shifts, k);
+    shifted[k] = energy(unit * remainder.project * (directions.transpose() * sum));
+  }
+  out.comparison = CompareWithShifts(energy(observed), std::move(shifted));
+  return out;
+}
+
+}  // namespace tera

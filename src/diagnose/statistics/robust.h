@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace tera {
+
+/// Value below which a share `share` of the values lies, between samples linear. Not empty.
+double Quantile(std::vector<double> values, double share);
+
+double Median(std::vector<double> values);
+
+/// Standard deviation as the median absolute deviation gives it for a normal distribution:
+/// 1.4826 median |x - median x|.
+double RobustScale(const std::vector<double>& values);
+
+/// First lag, in samples, at which the autocorrelation falls below `level`; at most a quarter of
+/// the length. 1 for a constant.
+std::size_t CorrelationLength(std::span<const double> values, double level = 0.2);
+
+}  // namespace tera

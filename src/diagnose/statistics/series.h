@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace tera {
+
+/// One entry a sample: 1 where the sample can be used.
+using Mask = std::vector<std::uint8_t>;
+
+/// Uniformly sampled quantity with gaps.
+///
+/// Model   sample k at k * period_s. Where `valid` is 0 there is no measurement, and `value` is 0.
+struct Series {
+  double period_s = 0.01;
+  std::vector<double> value;
+  Mask valid;
+
+  std::size_t size() const { return value.size(); }
+};
+
+/// Not-finite values become gaps.
+Series MakeSeries(double period_s, std::vector<double> value);
+
+/// Samples [begin, end).
+struct Segment {
+  std::size_t begin = 0, end = 0;
+  std::size_t size() const { return end - begin; }
+  bool operator==(const Segment&) const = default;
+};
+
+/// Runs of valid samples at least `shortest` long, in order.
+std::vector<Segment> SegmentsOf(const Mask& valid, std::size_t shortest = 1);
+
+std::size_t CountValid(const Mask& valid);
+
+/// Valid where both are.
+Mask Both(const Mask& a, const Mask& b);
+
+/// The series with everything outside `kept` made a gap.
+Series Restricted(const Series& series, const Mask& kept);
+
+/// The samples that are there, in order.
+std::vector<double> ValidValues(const Series& series);
+
+/// Values with gaps bridged linearly and the ends held: for an input whose gaps are short. All zero
+/// if there is no valid sample.
+std::vector<double> BridgedValues(const Series& series);
+
+/// Values beyond +-limit brought to +-limit: an independent series stays independent, and its
+/// fourth moment becomes finite.
+Series Clipped(const Series& series, double limit);
+
+}  // namespace tera
