@@ -52,8 +52,13 @@ void Columns::Unfold(int a, int b) {
   const int nx_here = a == surface_.tiles_x() - 1 ? nx() - a * kCells : kCells;
   const int ny_here = b == surface_.tiles_y() - 1 ? ny() - b * kCells : kCells;
   constexpr std::size_t kColumns = std::size_t{1} << kTileBits;
-  chunks_.push_back({a, b, nx_here, ny_here, std::vector<Column>(kColumns),
-                     std::vector<Skin>(kColumns), std::vector<std::uint8_t>(kColumns)});
+  chunks_.push_back({.a = a,
+                     .b = b,
+                     .nx = nx_here,
+                     .ny = ny_here,
+                     .columns = std::vector<Column>(kColumns),
+                     .skins = std::vector<Skin>(kColumns),
+                     .is_changed = std::vector<std::uint8_t>(kColumns)});
   chunk_of_tile_[surface_.tile_index(a, b)] = static_cast<std::int32_t>(n);
   const bool uniform = ground_.IsUniform(a, b);
   const std::uint8_t profile = ground_.ProfileAt(Vec2(x_m(a * kCells), y_m(b * kCells)));
@@ -73,6 +78,8 @@ void Columns::RefreshSkin(ColumnId k) {
   const Column& c = at(k);
   Skin& skin = SkinOf(k);
   skin.top_m = c.top_m;
+  double& ceiling_m = chunks_[k >> kTileBits].ceiling_m;
+  ceiling_m = std::max(ceiling_m, c.top_m);
   skin.loose_m = c.loose_m();
   skin.pressed_m = c.pressed_m;
   skin.soil = c.layer_count > 0 ? c.top_layer()->soil : BankOf(k).soil;
@@ -128,6 +135,18 @@ Columns::Sample Columns::SampleAt(double x, double y) const {
   add_at(i, j + 1, (1 - u) * v);
   add_at(i + 1, j + 1, u * v);
   return sample;
+}
+
+bool Columns::IsWellAbove(const Vec3& p_W_m) const {
+  const double gx = (p_W_m.x() - surface_.origin_W_m.x()) / cell_m();
+  const double gy = (p_W_m.y() - surface_.origin_W_m.y()) / cell_m();
+  if (!(gx >= 0 && gy >= 0 && gx < nx() - 1 && gy < ny() - 1)) return false;
+  const int i = static_cast<int>(gx), j = static_cast<int>(gy);
+  const std::int32_t n = chunk_of_tile_[TileOf(i, j)];
+  if (n < 0) return false;
+  const Chunk& chunk = chunks_[n];
+  return p_W_m.z() > chunk.ceiling_m && i + 1 - chunk.a * kCells < chunk.nx &&
+         j + 1 - chunk.b * kCells < chunk.ny;
 }
 
 const Stratum& Columns::BankOf(ColumnId k) const {

@@ -52,6 +52,8 @@ class Columns {
     int i, j;  ///< a column beside
   };
   Sample SampleAt(double x_m, double y_m) const;
+  /// Whether a point lies above all that its tile has ever held: a quick look, true only if so.
+  bool IsWellAbove(const Vec3& p_W_m) const;
 
   /// Gives the tile of column (i, j) columns of its own. References stay good.
   ColumnId Touch(int i, int j);
@@ -152,8 +154,9 @@ class Columns {
   static constexpr int kRowBits = 6, kTileBits = 2 * kRowBits;
   static constexpr ColumnId kRowMask = (1u << kRowBits) - 1, kLocalMask = (1u << kTileBits) - 1;
   struct Chunk {
-    int a, b;    ///< the tile's
-    int nx, ny;  ///< columns along x and y
+    int a, b;                                                     ///< the tile's
+    int nx, ny;                                                   ///< columns along x and y
+    double ceiling_m = -std::numeric_limits<double>::infinity();  ///< no column was ever higher
     std::vector<Column> columns;
     std::vector<Skin> skins;
     std::vector<std::uint8_t> is_changed;

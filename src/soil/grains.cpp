@@ -62,6 +62,7 @@ bool Grains::Move(double dt_s, const Columns& ground, Grain* grain) const {
   Vec3 &p_W = grain->p_W_m, &v_W = grain->v_W_mps;
   v_W += dt_s * kGravity_W;
   p_W += dt_s * v_W;
+  if (ground.IsWellAbove(p_W)) return false;
   const double ground_m = ground.HeightAt(p_W.x(), p_W.y());
   if (p_W.z() > ground_m) return false;
   p_W.z() = ground_m;

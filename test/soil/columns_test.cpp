@@ -111,6 +111,18 @@ TEST(Columns, TouchingGroundChangesNeitherItNorItsLooks) {
   EXPECT_EQ(ground.GroundGain().gained_kg, 0);
 }
 
+TEST(Columns, WhatIsWellAboveIsAboveTheGroundAndAboveAllThatItWas) {
+  Columns ground = LevelColumns(Dirt(), 0.05, 121);
+  EXPECT_FALSE(ground.IsWellAbove(Vec3(0.01, 0.02, 1)));  // nothing is known of this tile
+  const ColumnId k = ground.Touch(60, 60);
+  EXPECT_TRUE(ground.IsWellAbove(Vec3(0.01, 0.02, 1e-6)));
+  EXPECT_FALSE(ground.IsWellAbove(Vec3(0.01, 0.02, 0)));
+  ground.Deposit(k, Spoil{1, 0.3 * ground.area_m2()});
+  EXPECT_FALSE(ground.IsWellAbove(Vec3(1.0, 0.02, 0.29)));
+  EXPECT_TRUE(ground.IsWellAbove(Vec3(1.0, 0.02, 0.31)));
+  EXPECT_FALSE(ground.IsWellAbove(Vec3(1.99, 0.02, 0.31)));  // between two tiles
+}
+
 TEST(Columns, EveryColumnIsFoundAgainAndHasItsNeighbours) {
   Columns ground = LevelColumns(Dirt(), 0.05, 121);
   for (const auto& [i, j] :
