@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/stopwatch.h"
 #include "sim/run.h"
+#include "sim/terrain_log.h"
 
 namespace tera {
 namespace {
@@ -18,16 +19,17 @@ void RunToEnd(Scenario* scenario, const SceneAssembly& assembly, const GenerateO
   const std::int64_t steps_per_report =
       std::max<std::int64_t>(1, std::llround(scenario->physics_rate_hz / 5));
   Run run(scenario, assembly, options.egl, options.threads, writer);
-  scenario->soil->WriteGeoTiff(writer->PathFor("truth/terrain/height_start.tif"), scenario->origin);
+  TerrainLog terrain(*scenario, writer);
   while (*step < steps) {
     ++*step;
     run.Step();
+    terrain.Write(run.simulation().state().t_ns);
     if (options.progress && *step % steps_per_report == 0) {
       options.progress({ToSeconds(run.simulation().state().t_ns), scenario->duration_s,
                         writer->frames_written()});
     }
   }
-  scenario->soil->WriteGeoTiff(writer->PathFor("truth/terrain/height_end.tif"), scenario->origin);
+  terrain.Finish();
   run.Finish();
   writer->Finish();
   report->simulated_s = scenario->duration_s;

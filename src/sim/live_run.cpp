@@ -10,6 +10,7 @@
 #include "dataset/sink_group.h"
 #include "dataset/writer.h"
 #include "sim/run.h"
+#include "sim/terrain_log.h"
 
 namespace tera {
 namespace {
@@ -52,7 +53,7 @@ struct LiveRun::Impl {
         group(AllSinks(std::move(sinks))) {
     try {
       run = std::make_unique<Run>(&scenario, assembly, options.egl, options.threads, &group);
-      if (recorder) WriteTerrain("truth/terrain/height_start.tif");
+      if (recorder) terrain = std::make_unique<TerrainLog>(scenario, recorder.get());
     } catch (const InputError&) {
       if (recorder) recorder->Discard();
       throw;
@@ -67,6 +68,7 @@ struct LiveRun::Impl {
   /// Steps, and each second brings what was recorded to the disk: a killed run goes as far.
   void Step() {
     run->Step();
+    if (terrain) terrain->Write(run->simulation().state().t_ns);
     const auto steps_per_flush =
         static_cast<std::int64_t>(std::ceil(kFlush_s * scenario.physics_rate_hz));
     if (recorder && ++steps % steps_per_flush == 0) recorder->Flush();
@@ -75,7 +77,7 @@ struct LiveRun::Impl {
   void Finish() {
     run->Finish();
     if (!recorder) return;
-    WriteTerrain("truth/terrain/height_end.tif");
+    terrain->Finish();
     recorder->SetDuration(ToSeconds(run->simulation().state().t_ns));
     recorder->Finish();
   }
@@ -92,16 +94,13 @@ struct LiveRun::Impl {
     }
   }
 
-  void WriteTerrain(const std::string& file) {
-    scenario.soil->WriteGeoTiff(recorder->PathFor(file), scenario.origin);
-  }
-
   Scenario scenario;
   std::vector<RemoteOperator*> operators;
   SceneAssembly assembly;
   std::unique_ptr<DatasetWriter> recorder;
   SinkGroup group;
   std::unique_ptr<Run> run;
+  std::unique_ptr<TerrainLog> terrain;  ///< only where there is a recorder
   std::int64_t steps = 0;
 };
 

@@ -238,6 +238,7 @@ Scenario ReadScenario(const ConfigMap& config) {
   scenario.settle_s =
       config.Number("settle_s", Between(0, kLongestSettle_s, "s"), kDefaultSettle_s);
   scenario.soil = Soil::Read(config.Map("terrain"), scenario.seed);
+  scenario.record = ReadTerrainRecord(config.OptionalMap("record"), scenario.soil->surface());
   scenario.origin = ReadOrigin(config, *scenario.soil);
   if (const auto environment = config.OptionalMap("environment")) {
     scenario.environment = ReadEnvironment(*environment);

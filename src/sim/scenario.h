@@ -14,6 +14,7 @@
 #include "render/scene.h"
 #include "sensors/sensor.h"
 #include "sim/operator.h"
+#include "sim/terrain_record.h"
 #include "soil/soil.h"
 
 namespace tera {
@@ -55,6 +56,7 @@ struct Scenario {
   std::unique_ptr<Soil> soil;
   std::vector<ScenarioMachine> machines;
   std::vector<ScenarioObstacle> obstacles;
+  TerrainRecord record;
 };
 
 /// Reads a scenario and everything it names. Faults go to `config`; call Config::Finish before use.

@@ -37,6 +37,39 @@ int Columns::NearestJ(double y_m) const {
   return static_cast<int>(std::lround((y_m - surface_.origin_W_m.y()) / surface_.cell_m));
 }
 
+Column Columns::ColumnAt(int i, int j) const {
+  const ColumnId k = IdAt(i, j);
+  if (k != kNone) return at(k);
+  Column quiet;
+  quiet.ground_m = quiet.bank_m = quiet.top_m = ground_.HeightAt(i, j);
+  quiet.profile = ground_.ProfileAt(Vec2(x_m(i), y_m(j)));
+  return quiet;
+}
+
+void Columns::MarkStart() {
+  start_.clear();
+  for (const Chunk& chunk : chunks_) {
+    start_.emplace_back();
+    for (const Column& c : chunk.columns) {
+      start_.back().push_back({c.top_m - c.ground_m, c.Gain_kgpm2(ground_.profiles[c.profile])});
+    }
+  }
+}
+
+Columns::Change Columns::ChangeAt(int i, int j) const {
+  const ColumnId k = IdAt(i, j);
+  if (k == kNone) return {};
+  const Column& c = at(k);
+  Change change{c.top_m - c.ground_m, c.Gain_kgpm2(ground_.profiles[c.profile])};
+  const std::size_t chunk = k >> kTileBits;
+  if (chunk < start_.size()) {
+    const Change& before = start_[chunk][k & kLocalMask];
+    change.height_m -= before.height_m;
+    change.kgpm2 -= before.kgpm2;
+  }
+  return change;
+}
+
 ColumnId Columns::Touch(int i, int j) {
   TERA_CHECK(Contains(i, j), i, j);
   const ColumnId k = IdAt(i, j);

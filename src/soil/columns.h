@@ -125,6 +125,18 @@ class Columns {
   void Press(ColumnId k, double ds_m, double influence_m, SpoilMix* beside);
   /// Turns the upper `thickness_m` into loose soil.
   void Break(ColumnId k, double thickness_m);
+  /// From now on, what has changed is counted from the present ground.
+  void MarkStart();
+  /// The column at a place; of a quiet tile, what it would be.
+  Column ColumnAt(int i, int j) const;
+  /// What it has gained since MarkStart, or since it was undisturbed.
+  struct Change {
+    double height_m = 0, kgpm2 = 0;
+  };
+  Change ChangeAt(int i, int j) const;
+  /// Whether tile (a, b) has columns of its own, because something has happened there.
+  bool HasColumns(int a, int b) const { return chunk_of_tile_[surface_.tile_index(a, b)] >= 0; }
+
   /// Marks a column as touched by a running gear.
   void MarkRut(ColumnId k);
 
@@ -180,6 +192,7 @@ class Columns {
   std::vector<SoilType> soils_;
   std::vector<Chunk> chunks_;
   std::vector<std::int32_t> chunk_of_tile_;  ///< -1 where nothing has happened
+  std::vector<std::vector<Change>> start_;   ///< of each chunk that was there at MarkStart
   double area_m2_ = 0;
   double outside_kg_ = 0;
   std::vector<ColumnId> changed_;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "soil/soil.h"
@@ -32,13 +34,28 @@ struct ElevationGrid {
 };
 
 /// Reads a one-band elevation GeoTIFF in a projected or geographic reference system. Throws
-/// InputError if it is unreadable, has no projection, is rotated, has gaps, or is not in metres.
+/// InputError if it is unreadable, has no projection, is rotated, has gaps, is not in metres, or
+/// has more than 2.5e7 pixels.
 ElevationGrid ReadElevation(const std::filesystem::path& file);
 
-/// Writes a surface as float32 metres above the ellipsoid, in a transverse Mercator projection
-/// whose origin is `origin`. The file appears under its name when it is complete. Throws InputError
-/// where it cannot be written.
-void WriteElevation(const std::filesystem::path& file, const TerrainSurface& surface,
-                    const SiteOrigin& origin);
+/// Classes of soil on a site, row-major with x fastest and y northwards.
+///
+/// Frames  the tangent plane at `origin`, as of an ElevationGrid.
+/// Model   the file's classes, of the nearest pixel, looked up through its reference system on a
+///         grid that encloses the file.
+struct SoilClassGrid {
+  int nx = 0, ny = 0;
+  Vec2 first_m = Vec2::Zero();  ///< middle of cell (0, 0)
+  Vec2 cell_m = Vec2::Zero();
+  std::vector<std::uint8_t> value;
+  std::optional<std::uint8_t> gap_value;  ///< what the file calls no data
+  SiteOrigin origin;                      ///< height zero unless given
+};
+
+/// Reads a one-band GeoTIFF of bytes. `about` is the site's origin where something else says it,
+/// else it is the file's middle. Throws InputError as ReadElevation does, and for pixels of another
+/// type.
+SoilClassGrid ReadSoilClasses(const std::filesystem::path& file,
+                              const std::optional<SiteOrigin>& about);
 
 }  // namespace tera

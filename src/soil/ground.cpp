@@ -8,8 +8,9 @@
 #include "soil/columns.h"
 #include "soil/digging.h"
 #include "soil/gear_contact.h"
-#include "soil/geotiff.h"
 #include "soil/grains.h"
+#include "soil/ground_raster.h"
+#include "soil/ground_view.h"
 #include "soil/hull_contact.h"
 #include "soil/site.h"
 #include "soil/soil.h"
@@ -53,8 +54,14 @@ class Ground : public Soil {
   const std::vector<SoilType>& soils() const override { return columns_.soils(); }
   MassLedger ledger() const override;
   std::optional<SiteOrigin> georeference() const override { return georeference_; }
-  void WriteGeoTiff(const std::filesystem::path& file, const SiteOrigin& origin) const override {
-    WriteElevation(file, columns_.surface(), origin);
+  void MarkStart() override { columns_.MarkStart(); }
+  std::optional<SoilSample> SampleBelow(double x_m, double y_m, double depth_m) const override {
+    return tera::SampleBelow(columns_, x_m, y_m, depth_m);
+  }
+  SoilVoxels Voxels(const VoxelBox& box) const override { return CutIntoCubes(columns_, box); }
+  void WriteGeoTiff(const std::filesystem::path& file, GroundRaster raster,
+                    const SiteOrigin& origin, int columns_per_pixel) const override {
+    WriteGroundRaster(file, columns_, raster, origin, columns_per_pixel);
   }
 
  private:

@@ -5,10 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "soil/soil_type.h"
+
 namespace tera {
 namespace {
 
-constexpr double kBeyond_m = 1e5;       ///< strips reach this far across
+constexpr double kBeyond_m = 1e5;  ///< strips reach this far across
+constexpr std::size_t kFewestCorners = 3;
 constexpr double kLeastArea_m2 = 1e-4;  ///< of a region
 
 Stratum StratumOf(std::uint8_t soil, const SoilCatalogue& soils) {
@@ -16,6 +19,22 @@ Stratum StratumOf(std::uint8_t soil, const SoilCatalogue& soils) {
   const SoilType& type = soils.soils()[soil];
   return {std::numeric_limits<double>::infinity(), soil, static_cast<float>(type.moisture),
           type.bank_density_kgpm3};
+}
+
+/// Bulk density of a layer, which its soil must be able to have.
+double ReadDensity(const ConfigMap& layer, const SoilCatalogue& soils, const Stratum& stratum) {
+  const double density_kgpm3 =
+      layer.Number("density_kgpm3", Between(500, 4000, "kg/m^3"), stratum.density_kgpm3);
+  if (soils.soils().empty()) return density_kgpm3;
+  const SoilType& soil = soils.soils()[stratum.soil];
+  if (density_kgpm3 < LooseDensity_kgpm3(soil) || density_kgpm3 > soil.max_density_kgpm3) {
+    layer.Fault(
+        "density_kgpm3",
+        fmt::format("{} is not a density of {}, need {:.0f} (dug) to {:.0f} (compacted) "
+                    "kg/m^3",
+                    density_kgpm3, soil.name, LooseDensity_kgpm3(soil), soil.max_density_kgpm3));
+  }
+  return density_kgpm3;
 }
 
 /// Layers by depth, from the surface down without gap or overlap, the last one without end.
@@ -48,8 +67,7 @@ GroundProfile ReadLayers(const ConfigMap& config, SoilCatalogue* soils) {
     } else if (item.Has("to_m")) {
       item.Fault("to_m", "the lowest layer goes on without end; leave to_m out");
     }
-    stratum.density_kgpm3 =
-        item.Number("density_kgpm3", Between(500, 4000, "kg/m^3"), stratum.density_kgpm3);
+    stratum.density_kgpm3 = ReadDensity(item, *soils, stratum);
     stratum.moisture =
         static_cast<float>(item.Number("moisture", Between(0, 1, "(degree of saturation)"),
                                        static_cast<double>(stratum.moisture)));
@@ -106,31 +124,61 @@ bool Cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
+/// What is wrong with a region's corners, or nothing.
+std::string OutlineFault(const std::vector<Vec2>& p) {
+  if (p.size() < kFewestCorners) {
+    return fmt::format("{} corners found, need at least {}, each [x, y] in m", p.size(),
+                       kFewestCorners);
+  }
+  double twice_area_m2 = 0;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const Vec2 &a = p[k], &b = p[(k + 1) % p.size()];
+    twice_area_m2 += a.x() * b.y() - a.y() * b.x();
+    for (std::size_t m = k + 1; m < p.size(); ++m) {
+      if (!Cross(a, b, p[m], p[(m + 1) % p.size()])) continue;
+      return fmt::format("its sides {} and {} cross; name the corners in order around the region",
+                         k + 1, m + 1);
+    }
+  }
+  if (std::abs(twice_area_m2) < 2 * kLeastArea_m2) return "its corners enclose no area";
+  return "";
+}
+
 void ReadRegions(const ConfigMap& config, SoilCatalogue* soils, SiteProfiles* site) {
   for (const ConfigMap& item : config.List("regions")) {
     ProfileRegion region;
-    for (const auto& row : item.NumberRows("outline_m", Any("m"), 2, 3)) {
+    for (const auto& row : item.NumberRows("outline_m", Any("m"), 2, 0)) {
       region.outline_W_m.emplace_back(row[0], row[1]);
-    }
-    const std::vector<Vec2>& p = region.outline_W_m;
-    double twice_area_m2 = 0;
-    for (std::size_t k = 0; k < p.size(); ++k) {
-      const Vec2 &a = p[k], &b = p[(k + 1) % p.size()];
-      twice_area_m2 += a.x() * b.y() - a.y() * b.x();
-      for (std::size_t m = k + 1; m < p.size(); ++m) {
-        if (Cross(a, b, p[m], p[(m + 1) % p.size()])) {
-          item.Fault("outline_m", fmt::format("its sides {} and {} cross; name the corners in "
-                                              "order around the region",
-                                              k + 1, m + 1));
-        }
-      }
-    }
-    if (!p.empty() && std::abs(twice_area_m2) < 2 * kLeastArea_m2) {
-      item.Fault("outline_m", "its corners enclose no area");
     }
     site->profiles.push_back(ReadProfile(item, soils));
     region.profile = static_cast<std::uint8_t>(site->profiles.size() - 1);
-    site->regions.push_back(region);
+    const std::string fault = OutlineFault(region.outline_W_m);
+    if (fault.empty()) {
+      site->regions.push_back(region);
+    } else {
+      item.Fault("outline_m", fault);
+    }
+  }
+}
+
+/// The classes of a soil map, each with `soil` or `layers`.
+void ReadClasses(const ConfigMap& config, SoilCatalogue* soils, SiteProfiles* site) {
+  for (const char* key : {"soil", "layers"}) {
+    if (!config.Has(key)) continue;
+    config.Fault(key, fmt::format("{} and soil_classes exclude each other; leave one out", key));
+  }
+  const ConfigMap map = config.Map("soil_classes");
+  for (const ConfigMap& item : map.List("classes")) {
+    const auto value = static_cast<std::uint8_t>(item.Integer("value", Between(0, 255, "")));
+    site->profiles.push_back(ReadProfile(item, soils));
+    const auto profile = static_cast<std::uint8_t>(site->profiles.size() - 1);
+    if (!site->profile_of_class.emplace(value, profile).second) {
+      item.Fault("value", fmt::format("second class of value {}", value));
+    }
+  }
+  if (site->profiles.empty()) {
+    map.Fault("classes", "names no class; need {value, soil} for each value of the file");
+    site->profiles.push_back(GroundProfile({StratumOf(0, *soils)}));
   }
 }
 
@@ -140,7 +188,9 @@ SiteProfiles ReadProfiles(const ConfigMap& config, SoilCatalogue* soils) {
   SiteProfiles site;
   const std::vector<std::string> names = config.Texts("soils");
   for (const std::string& name : names) soils->Index(config, "soils", name);
-  if (config.Has("layers") || config.Has("soil")) {
+  if (config.Has("soil_classes")) {
+    ReadClasses(config, soils, &site);
+  } else if (config.Has("layers") || config.Has("soil")) {
     site.profiles.push_back(ReadProfile(config, soils));
   } else {
     const std::string name = names.empty() ? config.Text("soil", "dirt") : names.front();
@@ -150,7 +200,8 @@ SiteProfiles ReadProfiles(const ConfigMap& config, SoilCatalogue* soils) {
   ReadRegions(config, soils, &site);
   constexpr std::size_t kMostProfiles = 256;
   if (site.profiles.size() > kMostProfiles) {
-    config.Fault("regions", fmt::format("{} strips and regions, with at most {} possible",
+    config.Fault("regions", fmt::format("{} strips, regions and classes of soil, with at most {} "
+                                        "possible",
                                         site.profiles.size() - 1, kMostProfiles - 1));
     site.regions.clear();
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/error.h"
 #include "core/units.h"
@@ -18,7 +19,8 @@ namespace {
 
 constexpr double kDefaultSize_m = 40, kDefaultCell_m = 0.05;
 constexpr double kMostColumns = 4e8;
-constexpr double kRoughestBase_m = 0.5;    ///< spacing of undisturbed heights that vary
+constexpr double kRoughestBase_m = 0.5;  ///< spacing of undisturbed heights that vary
+constexpr double kMostBaseVertices = 2.6e7;
 constexpr double kBasePerWavelength = 16;  ///< four for the shortest octave
 
 Relief ReadRelief(const ConfigMap& config, std::uint64_t seed) {
@@ -57,18 +59,81 @@ std::optional<ElevationGrid> ReadGeotiff(const ConfigMap& config) {
   }
 }
 
-/// Largest number of squares, a divisor of a tile's, that is not longer than `spacing_m`.
-int BaseCells(double spacing_m, double cell_m) {
+/// Largest number of squares, a divisor of a tile's, that is not longer than `spacing_m`, but
+/// longer where there would be too many vertices.
+int BaseCells(double spacing_m, const TerrainGrid& grid) {
   int best = 1;
   for (int n = 1; n <= TerrainGrid::kTileCells; ++n) {
-    if (TerrainGrid::kTileCells % n == 0 && n * cell_m <= spacing_m * (1 + 1e-9)) best = n;
+    if (TerrainGrid::kTileCells % n != 0) continue;
+    const double vertices = static_cast<double>(grid.nx) / best * grid.ny / best;
+    if (n * grid.cell_m <= spacing_m * (1 + 1e-9) || vertices > kMostBaseVertices) {
+      best = n;
+    }
   }
   return best;
 }
 
-TerrainGrid ReadGrid(const ConfigMap& config, const std::optional<ElevationGrid>& elevation) {
+/// The soil map's grid about `origin`, if one is known already.
+std::optional<SoilClassGrid> ReadClassFile(const ConfigMap& config,
+                                           const std::optional<SiteOrigin>& origin) {
+  const auto map = config.OptionalMap("soil_classes");
+  if (!map) return std::nullopt;
+  const std::filesystem::path file = map->File("geotiff");
+  if (file.empty()) return std::nullopt;
+  try {
+    return ReadSoilClasses(file, origin);
+  } catch (const InputError& e) {
+    map->Fault("geotiff", e.what());
+    return std::nullopt;
+  }
+}
+
+/// A soil map must have a class for every place of the site, but for what a grid's turn by the
+/// meridian convergence may leave out at the corners.
+void RequireCover(const ConfigMap& config, const SoilClassGrid& classes, const TerrainGrid& grid) {
+  constexpr double kSpare = 0.05;  // of the map's size: three degrees
+  const Vec2 size_m = classes.cell_m.cwiseProduct(Vec2(classes.nx, classes.ny));
+  const Vec2 low_m = classes.first_m - 0.5 * classes.cell_m, high_m = low_m + size_m;
+  const Vec2 site_high_m(grid.x_m(grid.nx - 1), grid.y_m(grid.ny - 1));
+  const bool covers = (grid.origin_W_m.array() >= (low_m - kSpare * size_m).array()).all() &&
+                      (site_high_m.array() <= (high_m + kSpare * size_m).array()).all();
+  if (covers) return;
+  config.Map("soil_classes")
+      .Fault("geotiff",
+             fmt::format("reaches from x {:.1f} to {:.1f} m, y {:.1f} to {:.1f} m of the site, "
+                         "which goes from x {:.1f} to {:.1f} m, y {:.1f} to {:.1f} m; need a "
+                         "class for all of it",
+                         low_m.x(), high_m.x(), low_m.y(), high_m.y(), grid.origin_W_m.x(),
+                         site_high_m.x(), grid.origin_W_m.y(), site_high_m.y()));
+}
+
+/// Profiles by a soil map; a value that is not among the scenario's classes is a fault.
+ProfileMap MapOf(const ConfigMap& config, const SoilClassGrid& classes,
+                 const std::map<std::uint8_t, std::uint8_t>& profile_of_class) {
+  ProfileMap map{classes.nx, classes.ny, classes.first_m, classes.cell_m, {}};
+  std::map<std::uint8_t, std::int64_t> unknown;
+  for (const std::uint8_t value : classes.value) {
+    const auto known = profile_of_class.find(value);
+    if (known == profile_of_class.end()) ++unknown[value];
+    map.profile.push_back(known == profile_of_class.end() ? 0 : known->second);
+  }
+  for (const auto& [value, count] : unknown) {
+    const bool is_gap = classes.gap_value == value;
+    config.Map("soil_classes")
+        .Fault("geotiff",
+               fmt::format("{} of {} pixels have {} {}; {}", count, classes.value.size(),
+                           is_gap ? "no class: the file's no-data value" : "the value", value,
+                           is_gap ? "fill the gaps, or name its soil under classes"
+                                  : "name its soil under classes"));
+  }
+  return map;
+}
+
+TerrainGrid ReadGrid(const ConfigMap& config, const std::optional<ElevationGrid>& elevation,
+                     const std::optional<SoilClassGrid>& classes) {
   TerrainGrid grid;
   Vec2 size_m(kDefaultSize_m, kDefaultSize_m);
+  if (classes) size_m = classes->cell_m.cwiseProduct(Vec2(classes->nx - 1, classes->ny - 1));
   if (elevation) size_m = Vec2(elevation->width_m(), elevation->depth_m());
   size_m = config.Vector2("size_m", Between(1, 2000, "m"), size_m);
   grid.cell_m = config.Number("cell_m", Between(0.01, 1, "m"), kDefaultCell_m);
@@ -90,12 +155,18 @@ SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed) {
   SitePlan plan;
   const auto elevation = ReadGeotiff(config);
   if (elevation) plan.georeference = elevation->origin;
+  const auto classes = ReadClassFile(config, plan.georeference);
+  if (classes && !elevation) plan.georeference = classes->origin;
   UndisturbedGround& ground = plan.ground;
-  ground.grid = ReadGrid(config, elevation);
+  ground.grid = ReadGrid(config, elevation, classes);
   SoilCatalogue soils(config);
   SiteProfiles profiles = ReadProfiles(config, &soils);
   ground.profiles = std::move(profiles.profiles);
   ground.regions = std::move(profiles.regions);
+  if (classes) {
+    RequireCover(config, *classes, ground.grid);
+    ground.map = MapOf(config, *classes, profiles.profile_of_class);
+  }
   plan.piles = ReadPiles(config, &soils);
   plan.soils = soils.soils();
 
@@ -108,7 +179,7 @@ SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed) {
     spacing_m = std::min(
         {spacing_m, kRoughestBase_m, 0.5 * std::min(elevation->cell_x_m, elevation->cell_y_m)});
   }
-  ground.base_cells = BaseCells(spacing_m, ground.grid.cell_m);
+  ground.base_cells = BaseCells(spacing_m, ground.grid);
   for (int b = 0; b < ground.base_ny(); ++b) {
     const double y_m = ground.grid.y_m(BaseVertex(b, ground.grid.ny, ground.base_cells));
     for (int a = 0; a < ground.base_nx(); ++a) {
@@ -147,6 +218,7 @@ Columns BuildColumns(const SitePlan& plan) {
       }
     }
   }
+  columns.MarkStart();
   return columns;
 }
 

@@ -24,8 +24,8 @@ struct SitePlan {
   std::optional<SiteOrigin> georeference;
 };
 
-/// Reads `size_m cell_m soil soils layers custom_soils strips regions relief geotiff piles`. Faults
-/// go to `config`; a GeoTIFF that cannot be used is one of them.
+/// Reads `size_m cell_m soil soils layers soil_classes custom_soils strips regions relief geotiff
+/// piles`. Faults go to `config`; a GeoTIFF that cannot be used is one of them.
 SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed);
 
 /// The columns of a site, its piles in place at their angle of repose.

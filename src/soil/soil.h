@@ -10,6 +10,7 @@
 #include "core/config.h"
 #include "core/ground_tools.h"
 #include "core/terrain_surface.h"
+#include "soil/soil_view.h"
 
 namespace tera {
 
@@ -65,10 +66,10 @@ struct SiteOrigin {
 /// The ground as columns and everything that moves it.
 ///
 /// Frames  W; tools in the frames of their links, as in GroundTools.
-/// Model   columns of bank, compacted crust and loose soil that keep mass; tools cut, carry, push
+/// Model   columns of strata and layers of soil that keep mass; tools cut, carry, push
 ///         and dump, tracks press ruts, slopes steeper than repose flow. Forces by the fundamental
 ///         earthmoving equation and by pressure-sinkage. docs/soil.md says each in full.
-/// Omits   layers of different soil, water that moves, time in the air, flow inside the bucket.
+/// Omits   water that moves, collisions between clods, flow inside the bucket.
 /// Source  Reece 1964; McKyes 1985; Bekker 1969; Janosi and Hanamoto 1961; Culmann's wall.
 class Soil {
  public:
@@ -92,8 +93,18 @@ class Soil {
   virtual const std::vector<SoilType>& soils() const = 0;
   virtual MassLedger ledger() const = 0;
   virtual std::optional<SiteOrigin> georeference() const = 0;
-  /// Heights to a GeoTIFF (float32, metres), georeferenced about `origin`.
-  virtual void WriteGeoTiff(const std::filesystem::path& file, const SiteOrigin& origin) const = 0;
+
+  /// Change is counted from the present ground on; at first, from the site as it was read.
+  virtual void MarkStart() = 0;
+  /// What lies `depth_m` below the surface at (x, y) in W, at the nearest column; nothing above the
+  /// surface and beyond the site.
+  virtual std::optional<SoilSample> SampleBelow(double x_m, double y_m, double depth_m) const = 0;
+  /// The ground in cubes: mass, soil, compaction and moisture at every depth of a box.
+  virtual SoilVoxels Voxels(const VoxelBox& box) const = 0;
+  /// A raster of the ground as GeoTIFF, georeferenced about `origin`; a pixel is the mean of
+  /// `columns_per_pixel` columns to a side. Throws InputError where it cannot be written.
+  virtual void WriteGeoTiff(const std::filesystem::path& file, GroundRaster raster,
+                            const SiteOrigin& origin, int columns_per_pixel) const = 0;
 };
 
 }  // namespace tera

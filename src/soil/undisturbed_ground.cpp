@@ -65,6 +65,31 @@ bool ProfileRegion::CrossesBox(const Vec2& low, const Vec2& high) const {
   return false;
 }
 
+int ProfileMap::I(double x_m) const {
+  return static_cast<int>(
+      std::clamp(std::round((x_m - first_W_m.x()) / cell_m.x()), 0.0, nx - 1.0));
+}
+
+int ProfileMap::J(double y_m) const {
+  return static_cast<int>(
+      std::clamp(std::round((y_m - first_W_m.y()) / cell_m.y()), 0.0, ny - 1.0));
+}
+
+std::uint8_t ProfileMap::At(const Vec2& p_W_m) const {
+  return profile[static_cast<std::size_t>(J(p_W_m.y())) * nx + I(p_W_m.x())];
+}
+
+bool ProfileMap::IsUniform(const Vec2& low_W_m, const Vec2& high_W_m) const {
+  const std::uint8_t first = At(low_W_m);
+  for (int j = J(low_W_m.y()); j <= J(high_W_m.y()); ++j) {
+    const std::uint8_t* row = &profile[static_cast<std::size_t>(j) * nx];
+    const bool same = std::all_of(row + I(low_W_m.x()), row + I(high_W_m.x()) + 1,
+                                  [&](std::uint8_t p) { return p == first; });
+    if (!same) return false;
+  }
+  return true;
+}
+
 double UndisturbedGround::HeightAt(int i, int j) const {
   const int a = std::min(i / base_cells, base_nx() - 2);
   const int b = std::min(j / base_cells, base_ny() - 2);
@@ -81,13 +106,14 @@ std::uint8_t UndisturbedGround::ProfileAt(const Vec2& p_W_m) const {
   for (auto region = regions.rbegin(); region != regions.rend(); ++region) {
     if (region->Contains(p_W_m)) return region->profile;
   }
-  return 0;
+  return map ? map->At(p_W_m) : 0;
 }
 
 bool UndisturbedGround::IsUniform(int a, int b) const {
   constexpr int kCells = TerrainGrid::kTileCells;
   const Vec2 low(grid.x_m(a * kCells), grid.y_m(b * kCells));
   const Vec2 high = low + Vec2::Constant(kCells * grid.cell_m);
+  if (map && !map->IsUniform(low, high)) return false;
   return std::none_of(regions.begin(), regions.end(),
                       [&](const ProfileRegion& region) { return region.CrossesBox(low, high); });
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/terrain_surface.h"
@@ -42,18 +43,36 @@ struct ProfileRegion {
   bool CrossesBox(const Vec2& low_W_m, const Vec2& high_W_m) const;
 };
 
+/// Profiles on a grid: that of the nearest cell, outside it the border's.
+struct ProfileMap {
+  int nx = 0, ny = 0;
+  Vec2 first_W_m = Vec2::Zero();  ///< middle of cell (0, 0)
+  Vec2 cell_m = Vec2::Zero();
+  std::vector<std::uint8_t> profile;  ///< row-major, x fastest
+
+  std::uint8_t At(const Vec2& p_W_m) const;
+  /// Whether one profile covers the whole of the rectangle.
+  bool IsUniform(const Vec2& low_W_m, const Vec2& high_W_m) const;
+
+ private:
+  int I(double x_m) const;
+  int J(double y_m) const;
+};
+
 /// The ground before anything has moved: what need not be kept column by column.
 ///
 /// Frames  W.
 /// Model   heights at every `base_cells`-th vertex of the grid with plane triangles between them,
 /// as
-///         in TerrainSurface; strata that follow the surface; regions with strata of their own, of
-///         which the last one that holds a place counts.
+///         in TerrainSurface; strata that follow the surface; the first profile everywhere, or what
+///         the map says; regions with strata of their own over it, of which the last one that holds
+///         a place counts.
 struct UndisturbedGround {
   TerrainGrid grid;
   int base_cells = 1;
   std::vector<double> base_height_m;
   std::vector<GroundProfile> profiles;
+  std::optional<ProfileMap> map;
   std::vector<ProfileRegion> regions;
 
   double HeightAt(int i, int j) const;

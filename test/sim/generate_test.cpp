@@ -278,6 +278,42 @@ machines:
   EXPECT_NEAR(columns[6].back(), (pull_n + 0.2e6 * 7.853982e-3) / 5.026548e-3, 100);
 }
 
+/// Names of what is kept of the ground.
+std::vector<std::string> GroundFiles(const Files& files) {
+  const std::string folder = "truth/terrain/";
+  std::vector<std::string> names;
+  for (const auto& [name, bytes] : files) {
+    if (name.starts_with(folder)) names.push_back(name.substr(folder.size()));
+  }
+  return names;
+}
+
+TEST(Generate, TheGroundIsKeptAtTheStartAndTheEnd) {
+  EXPECT_THAT(GroundFiles(Generated("ground")),
+              ::testing::ElementsAre("change_end.tif", "density_end.tif", "density_start.tif",
+                                     "height_end.tif", "height_start.tif", "soil_class_end.tif",
+                                     "soil_class_start.tif"));
+}
+
+TEST(Generate, WhatIsKeptOfTheGroundAndWhenIsTheScenariosToSay) {
+  const std::string record =
+      "record: {terrain: [mass_change], PIXEL every_s: 0.5, "
+      "voxels: [{name: pit, low_m: [2, -2, -1], high_m: [4, 2, 0.5], edge_m: 0.2}]}\n";
+  const auto with = [&](const std::string& pixel) {
+    std::string text = record;
+    return ScenarioText() + text.replace(text.find("PIXEL"), 5, pixel);
+  };
+  const Files fine = Generated("kept", with(""));
+  EXPECT_THAT(GroundFiles(fine),
+              ::testing::ElementsAre("mass_change_1000000000.tif", "mass_change_500000000.tif",
+                                     "mass_change_end.tif", "pit_1000000000.vti",
+                                     "pit_500000000.vti", "pit_end.vti", "pit_start.vti"));
+  const Files coarse = Generated("kept_coarse", with("pixel_m: 0.7,"));
+  EXPECT_LT(2 * coarse.at("truth/terrain/mass_change_end.tif").size(),
+            fine.at("truth/terrain/mass_change_end.tif").size());
+  EXPECT_EQ(coarse.at("truth/terrain/pit_end.vti"), fine.at("truth/terrain/pit_end.vti"));
+}
+
 TEST(Generate, RefusesToResumeAnotherScenario) {
   struct Killed {};
   const fs::path out = Fresh("other");

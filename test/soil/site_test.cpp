@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "core/error.h"
+#include "geotiff_fixture.h"
 #include "soil/geotiff.h"
 #include "soil_fixture.h"
 
@@ -198,6 +199,11 @@ TEST(Site, EveryFaultOfATerrainIsNamed) {
   EXPECT_THAT(FaultsOf("size_m: [4, 4]\nregions:\n"
                        "  - {outline_m: [[0, 0], [1, 1], [2, 2]], soil: sand}\n"),
               HasSubstr("enclose no area"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\nregions:\n"
+                       "  - {outline_m: [[0, 0], [1, 1]], soil: sand}\n"),
+              HasSubstr("outline_m: 2 corners found, need at least 3"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\nlayers: [{soil: dirt, from_m: 0, density_kgpm3: 2500}]\n"),
+              HasSubstr("2500 is not a density of dirt, need 1340 (dug) to 2000 (compacted)"));
   const std::string dirt =
       "size_m: [4, 4]\nsoil: mine\ncustom_soils:\n  - {preset: "
       "tera:config/soils/dirt.yaml, name: mine, ";
@@ -212,26 +218,13 @@ TEST(Site, EveryFaultOfATerrainIsNamed) {
               HasSubstr("second soil named 'dirt'"));
 }
 
-/// A folder of its own for each test that writes.
-class GeotiffTest : public ::testing::Test {
- protected:
-  GeotiffTest()
-      : folder_(std::filesystem::temp_directory_path() /
-                ("tera_geotiff_" +
-                 std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()))) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~GeotiffTest() override { std::filesystem::remove_all(folder_); }
-  std::string File(const std::string& name) const { return (folder_ / name).string(); }
-
-  std::filesystem::path folder_;
-};
+class GeotiffTest : public testing_soil::FolderTest {};
 
 TEST_F(GeotiffTest, HeightsAndPlaceSurviveARoundTrip) {
   const auto soil =
       MakeSite("size_m: [12, 8]\ncell_m: 0.1\nrelief: {amplitude_m: 0.5, wavelength_m: 4}\n");
   const SiteOrigin origin{46.81, -71.21, 87.5};
-  soil->WriteGeoTiff(File("site.tif"), origin);
+  soil->WriteGeoTiff(File("site.tif"), GroundRaster::kHeight, origin, 1);
   const auto again = MakeSite("cell_m: 0.1\ngeotiff: " + File("site.tif") + "\n");
   ASSERT_TRUE(again->georeference());
   EXPECT_NEAR(again->georeference()->lat_deg, origin.lat_deg, 1e-9);
@@ -248,7 +241,7 @@ TEST_F(GeotiffTest, HeightsAndPlaceSurviveARoundTrip) {
 
 TEST_F(GeotiffTest, FinerCellsInterpolateTheSameGround) {
   MakeSite("size_m: [6, 6]\ncell_m: 0.5\nrelief: {slope_deg: 8, slope_direction_deg: 30}\n")
-      ->WriteGeoTiff(File("slope.tif"), {10, 20, 0});
+      ->WriteGeoTiff(File("slope.tif"), GroundRaster::kHeight, {10, 20, 0}, 1);
   const auto fine = MakeSite("cell_m: 0.05\ngeotiff: " + File("slope.tif") + "\n");
   EXPECT_EQ(fine->surface().nx, 121);
   const double rise = std::tan(8 * kDeg) * (1.23 * std::cos(30 * kDeg) + 2.1 * std::sin(30 * kDeg));
@@ -262,7 +255,8 @@ TEST_F(GeotiffTest, UnreadableFilesAreFaultsAtTheirKey) {
               AllOf(HasSubstr("site.yaml:1:10: geotiff"), HasSubstr("not readable as a GeoTIFF")));
   std::ofstream(File("empty.tif"));
   EXPECT_THAT(FaultsOf("geotiff: " + File("empty.tif") + "\n"), HasSubstr("not readable"));
-  MakeSite("size_m: [6, 6]\nrelief: {amplitude_m: 1}\n")->WriteGeoTiff(File("cut.tif"), {1, 2, 0});
+  MakeSite("size_m: [6, 6]\nrelief: {amplitude_m: 1}\n")
+      ->WriteGeoTiff(File("cut.tif"), GroundRaster::kHeight, {1, 2, 0}, 1);
   std::filesystem::resize_file(File("cut.tif"), std::filesystem::file_size(File("cut.tif")) / 2);
   EXPECT_THAT(FaultsOf("geotiff: " + File("cut.tif") + "\n"), HasSubstr("cut.tif"));
 }
@@ -296,8 +290,9 @@ TEST_F(GeotiffTest, GapsAreAFault) {
 
 TEST_F(GeotiffTest, FolderThatIsNotThereIsAnErrorAndSpoilsNoLaterFile) {
   const auto soil = MakeSite("size_m: [2, 2]\n");
-  EXPECT_THROW(soil->WriteGeoTiff(File("no/such/folder.tif"), {0, 0, 0}), InputError);
-  EXPECT_NO_THROW(soil->WriteGeoTiff(File("good.tif"), {0, 0, 0}));
+  EXPECT_THROW(soil->WriteGeoTiff(File("no/such/folder.tif"), GroundRaster::kHeight, {0, 0, 0}, 1),
+               InputError);
+  EXPECT_NO_THROW(soil->WriteGeoTiff(File("good.tif"), GroundRaster::kHeight, {0, 0, 0}, 1));
   EXPECT_TRUE(std::filesystem::exists(File("good.tif")));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);  // nothing beside
 }
@@ -306,8 +301,131 @@ TEST_F(GeotiffTest, AFullDiskLeavesNoFileUnderTheFinalName) {
   // /dev/full takes no byte: the part file is a link to it.
   std::filesystem::create_symlink("/dev/full", File("full.tif.part"));
   const auto soil = MakeSite("size_m: [2, 2]\n");
-  EXPECT_THROW(soil->WriteGeoTiff(File("full.tif"), {0, 0, 0}), InputError);
+  EXPECT_THROW(soil->WriteGeoTiff(File("full.tif"), GroundRaster::kHeight, {0, 0, 0}, 1),
+               InputError);
   EXPECT_FALSE(std::filesystem::exists(File("full.tif")));
+}
+
+/// Twelve by eight pixels of half a metre: class 1 west, 2 east, 7 in the north-east corner pixel.
+void WriteClasses(const std::string& file, GDALDataType type = GDT_Byte, bool referenced = true) {
+  std::vector<std::vector<double>> rows(8, std::vector<double>(12, 1));
+  for (auto& row : rows) std::fill(row.begin() + 6, row.end(), 2);
+  rows[0][11] = 7;
+  testing_soil::WriteUtmRaster(file, rows, 0.5, {500000, 5200000}, type, referenced);
+}
+
+std::string ClassesYaml(const std::string& file, const std::string& classes) {
+  return "soil_classes: {geotiff: " + file + ", classes: [" + classes + "]}\n";
+}
+
+TEST_F(GeotiffTest, SoilClassesSayWhatLiesWhere) {
+  WriteClasses(File("soil.tif"));
+  const std::string classes =
+      "{value: 1, soil: sand}, {value: 2, layers: [{soil: dirt, from_m: 0, to_m: 0.2}, "
+      "{soil: gravel, from_m: 0.2}]}, {value: 7, soil: asphalt}";
+  const SitePlan plan = Plan(ClassesYaml(File("soil.tif"), classes) + "cell_m: 0.05\n");
+  // The file's middle is W's origin. UTM's scale on the central meridian is 0.9996.
+  ASSERT_TRUE(plan.georeference);
+  EXPECT_NEAR(plan.georeference->lon_deg, 15, 1e-4);
+  EXPECT_NEAR(plan.ground.grid.cell_m * (plan.ground.grid.nx - 1), 11 * 0.5 / 0.9996, 0.05);
+  const auto soil_at = [&](double x, double y, double depth_m) {
+    const GroundProfile& profile = plan.ground.profiles[plan.ground.ProfileAt(Vec2(x, y))];
+    return plan.soils[profile.Below(depth_m).soil].name;
+  };
+  EXPECT_EQ(soil_at(-0.05, 0, 0), "sand");
+  EXPECT_EQ(soil_at(0.05, 0, 0), "dirt");
+  EXPECT_EQ(soil_at(0.05, 0, 0.21), "gravel");
+  EXPECT_EQ(soil_at(2.6, 1.6, 0), "asphalt");
+  EXPECT_EQ(soil_at(2.4, 1.6, 0), "dirt");
+  EXPECT_EQ(soil_at(2.6, 1.4, 0), "dirt");
+}
+
+TEST_F(GeotiffTest, SoilClassesLieWhereTheHeightsLie) {
+  // The heights' file reaches 4 m further west than the classes', so that its middle, W's origin,
+  // lies 2 m west of theirs.
+  WriteClasses(File("soil.tif"));
+  testing_soil::WriteUtmRaster(File("height.tif"), std::vector(8, std::vector<double>(20, 120.0)),
+                               0.5, {499996, 5200000}, GDT_Float32);
+  const SitePlan plan =
+      Plan("geotiff: " + File("height.tif") + "\nsize_m: [1, 3]\ncell_m: 0.05\n" +
+           ClassesYaml(File("soil.tif"),
+                       "{value: 1, soil: sand}, {value: 2, soil: dirt}, {value: 7, soil: gravel}"));
+  EXPECT_NEAR(plan.georeference->height_m, 120, 1e-6);
+  const auto soil_at = [&](double x) {
+    return plan.soils[plan.ground.profiles[plan.ground.ProfileAt(Vec2(x, 0))].Below(0).soil].name;
+  };
+  EXPECT_EQ(soil_at(1.95), "sand");
+  EXPECT_EQ(soil_at(2.05), "dirt");
+}
+
+TEST_F(GeotiffTest, OnlyTilesWithABorderOfClassesAreSeenVertexByVertex) {
+  std::vector<std::vector<double>> rows(20, std::vector<double>(40, 1));
+  for (auto& row : rows) std::fill(row.begin() + 13, row.end(), 2);  // the border: x = -7 m
+  testing_soil::WriteUtmRaster(File("soil.tif"), rows, 1.0);
+  const auto soil =
+      MakeSite(ClassesYaml(File("soil.tif"), "{value: 1, soil: sand}, {value: 2, soil: dirt}"));
+  const TerrainSurface& ground = soil->surface();
+  int refined = 0;
+  double sand_m2 = 0;
+  for (int b = 0; b < ground.tiles_y(); ++b) {
+    for (int a = 0; a < ground.tiles_x(); ++a) refined += ground.IsRefined(a, b);
+  }
+  EXPECT_LE(refined, 3 * ground.tiles_y());  // of 16 along x
+  for (int j = 0; j < ground.ny; ++j) {
+    for (int i = 0; i < ground.nx; ++i) {
+      sand_m2 += soil->soils()[ground.at(i, j).cover.soil].name == "sand" ? 0.05 * 0.05 : 0;
+    }
+  }
+  EXPECT_NEAR(sand_m2, 12.5 * 19.05, 1.5);
+}
+
+TEST_F(GeotiffTest, FaultsOfSoilClassesAreNamed) {
+  WriteClasses(File("soil.tif"));
+  const std::string two = "{value: 1, soil: sand}, {value: 2, soil: dirt}";
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), two)),
+              AllOf(HasSubstr("soil_classes.geotiff: 1 of 96 pixels have the value 7"),
+                    HasSubstr("name its soil under classes")));
+  const std::string all = two + ", {value: 7, soil: gravel}";
+  EXPECT_EQ(FaultsOf(ClassesYaml(File("soil.tif"), all)), "");
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), all) + "soil: dirt\n"),
+              HasSubstr("soil and soil_classes exclude each other"));
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), all + ", {value: 2, soil: sand}")),
+              HasSubstr("second class of value 2"));
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), "")), HasSubstr("names no class"));
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), "{value: 300, soil: sand}")),
+              HasSubstr("300 is out of range"));
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), all) + "size_m: [40, 4]\n"),
+              HasSubstr("need a class for all of it"));
+  WriteClasses(File("float.tif"), GDT_Float32);
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("float.tif"), all)),
+              AllOf(HasSubstr("its pixels are Float32, need classes as Byte"),
+                    HasSubstr("gdal_translate -ot Byte")));
+  WriteClasses(File("nowhere.tif"), GDT_Byte, false);
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("nowhere.tif"), all)), HasSubstr("has no projection"));
+  {
+    std::unique_ptr<GDALDataset, testing_soil::ReadRaster::Close> file(
+        static_cast<GDALDataset*>(GDALOpen(File("soil.tif").c_str(), GA_Update)));
+    file->GetRasterBand(1)->SetNoDataValue(7);
+  }
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), two)),
+              AllOf(HasSubstr("1 of 96 pixels have no class: the file's no-data value 7"),
+                    HasSubstr("fill the gaps")));
+}
+
+TEST_F(GeotiffTest, WhatWasExportedComesBackAsSoilClasses) {
+  const auto soil = MakeSite(
+      "size_m: [8, 6]\ncell_m: 0.1\nsoils: [dirt, sand]\n"
+      "regions:\n  - {outline_m: [[-2, -1], [2, -1], [0, 2]], soil: sand}\n");
+  soil->WriteGeoTiff(File("soil.tif"), GroundRaster::kSoilClass, {46.8, -71.2, 80}, 1);
+  const auto again =
+      MakeSite("cell_m: 0.1\n" +
+               ClassesYaml(File("soil.tif"), "{value: 0, soil: dirt}, {value: 1, soil: sand}"));
+  const TerrainSurface &a = soil->surface(), &b = again->surface();
+  ASSERT_EQ(a.nx, b.nx);
+  ASSERT_EQ(a.ny, b.ny);
+  for (int j = 0; j < a.ny; ++j) {
+    for (int i = 0; i < a.nx; ++i) ASSERT_EQ(a.at(i, j).cover.soil, b.at(i, j).cover.soil);
+  }
 }
 
 /// A plane through the middle of a UTM zone 19N raster (central meridian 69 W), given in the

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "dataset/writer.h"
+#include "sim/scenario.h"
+
+namespace tera {
+
+/// Writes what a recording keeps of the ground (TerrainRecord) to truth/terrain/.
+class TerrainLog {
+ public:
+  /// Keeps references. The ground of now is what changes count from.
+  TerrainLog(const Scenario& scenario, DatasetWriter* writer);
+
+  /// After each step, which led to `t_ns`.
+  void Write(TimeNs t_ns);
+  void Finish();
+
+ private:
+  /// All files, their names ending in `when`.
+  void WriteAll(const std::string& when);
+
+  const Scenario& scenario_;
+  DatasetWriter* writer_;
+  std::int64_t next_ = 1;  ///< of the multiples of the period
+};
+
+}  // namespace tera
