@@ -37,6 +37,18 @@ class ColumnValues {
   double height_m_;
   EllipsoidDrop drop_;
   std::vector<int> profile_of_tile_;  ///< -1 where it must be asked for column by column
+
+  int TileOf(int i, int j) const {
+    const TerrainGrid& grid = columns_.grid();
+    return grid.tile_index(std::min(i / kCells, grid.tiles_x() - 1),
+                           std::min(j / kCells, grid.tiles_y() - 1));
+  }
+  /// Whether all columns from (i0, j0) to before (i1, j1) have one value.
+  bool IsOneValue(int i0, int j0, int i1, int j1) const {
+    const int tile = TileOf(i0, j0);
+    return raster_ != GroundRaster::kHeight && profile_of_tile_[tile] >= 0 &&
+           tile == TileOf(i1 - 1, j1 - 1);
+  }
 };
 
 ColumnValues::ColumnValues(const Columns& columns, GroundRaster raster, const SiteOrigin& origin)
@@ -57,11 +69,8 @@ double ColumnValues::At(int i, int j) const {
   }
   if (raster_ == GroundRaster::kChange) return columns_.ChangeAt(i, j).height_m;
   if (raster_ == GroundRaster::kMassChange) return columns_.ChangeAt(i, j).kgpm2;
-  const TerrainGrid& grid = columns_.grid();
-  const int a = std::min(i / kCells, grid.tiles_x() - 1);
-  const int b = std::min(j / kCells, grid.tiles_y() - 1);
   const auto& profiles = columns_.undisturbed().profiles;
-  const int quiet = profile_of_tile_[grid.tile_index(a, b)];
+  const int quiet = profile_of_tile_[TileOf(i, j)];
   if (raster_ == GroundRaster::kSoilClass) {
     return quiet >= 0 ? profiles[quiet].strata().front().soil : columns_.SoilAt(i, j);
   }
@@ -71,8 +80,8 @@ double ColumnValues::At(int i, int j) const {
 }
 
 double ColumnValues::OfPixel(int i, int j, int n) const {
-  if (n == 1) return At(i, j);
   const int i1 = std::min(i + n, columns_.nx()), j1 = std::min(j + n, columns_.ny());
+  if (n == 1 || IsOneValue(i, j, i1, j1)) return At(i, j);
   if (raster_ == GroundRaster::kSoilClass) return MostCommon(i, j, i1, j1);
   double sum = 0;
   for (int cj = j; cj < j1; ++cj) {
