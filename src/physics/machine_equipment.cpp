@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/plain_name.h"
+#include "core/polygon.h"
 #include "core/spelling.h"
 #include "physics/machine_reading.h"
 #include "physics/running_gear.h"
@@ -17,22 +18,24 @@ constexpr double kLeastProfile_m2 = 1e-4;  ///< below it the points lie on a lin
 constexpr double kMostTeeth = 100, kLongestTooth_m = 1, kMostShoes = 1000;
 
 void CheckProfile(const ConfigMap& config, const std::vector<Vec2>& profile_m) {
-  double twice_area_m2 = 0;
   for (std::size_t k = 0; k < profile_m.size(); ++k) {
     const std::size_t next = (k + 1) % profile_m.size();
-    const Vec2 &a = profile_m[k], &b = profile_m[next];
-    twice_area_m2 += a.x() * b.y() - a.y() * b.x();
-    if (a == b) {
+    if (profile_m[k] == profile_m[next]) {
       config.Fault("profile_m", fmt::format("points {} and {} are the same; need each once, the "
                                             "profile being open",
                                             k, next));
       return;
     }
   }
-  if (0.5 * std::abs(twice_area_m2) < kLeastProfile_m2) {
+  if (const auto sides = FirstCrossing(profile_m)) {
+    config.Fault("profile_m",
+                 fmt::format("the lines from points {} and {} cross; need the points in "
+                             "order from the cutting edge to the top edge",
+                             sides->first, sides->second));
+  } else if (AreaOf(profile_m) < kLeastProfile_m2) {
     config.Fault("profile_m", fmt::format("the points enclose no area ({:.2g} m2); need a "
                                           "cross-section with an inside",
-                                          0.5 * std::abs(twice_area_m2)));
+                                          AreaOf(profile_m)));
   }
 }
 

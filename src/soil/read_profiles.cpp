@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/polygon.h"
 #include "soil/soil_type.h"
 
 namespace tera {
@@ -116,31 +117,17 @@ void ReadStrips(const ConfigMap& config, SoilCatalogue* soils, SiteProfiles* sit
   }
 }
 
-/// Whether two segments cross, ends that touch not counted.
-bool Cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  const auto side = [](const Vec2& from, const Vec2& to, const Vec2& p) {
-    return (to.x() - from.x()) * (p.y() - from.y()) - (to.y() - from.y()) * (p.x() - from.x());
-  };
-  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
-}
-
 /// What is wrong with a region's corners, or nothing.
 std::string OutlineFault(const std::vector<Vec2>& p) {
   if (p.size() < kFewestCorners) {
     return fmt::format("{} corners found, need at least {}, each [x, y] in m", p.size(),
                        kFewestCorners);
   }
-  double twice_area_m2 = 0;
-  for (std::size_t k = 0; k < p.size(); ++k) {
-    const Vec2 &a = p[k], &b = p[(k + 1) % p.size()];
-    twice_area_m2 += a.x() * b.y() - a.y() * b.x();
-    for (std::size_t m = k + 1; m < p.size(); ++m) {
-      if (!Cross(a, b, p[m], p[(m + 1) % p.size()])) continue;
-      return fmt::format("its sides {} and {} cross; name the corners in order around the region",
-                         k + 1, m + 1);
-    }
+  if (const auto sides = FirstCrossing(p)) {
+    return fmt::format("its sides {} and {} cross; name the corners in order around the region",
+                       sides->first + 1, sides->second + 1);
   }
-  if (std::abs(twice_area_m2) < 2 * kLeastArea_m2) return "its corners enclose no area";
+  if (AreaOf(p) < kLeastArea_m2) return "its corners enclose no area";
   return "";
 }
 

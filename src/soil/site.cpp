@@ -35,11 +35,18 @@ Relief ReadRelief(const ConfigMap& config, std::uint64_t seed) {
   return relief;
 }
 
-std::vector<PilePlan> ReadPiles(const ConfigMap& config, SoilCatalogue* soils) {
+std::vector<PilePlan> ReadPiles(const ConfigMap& config, const TerrainGrid& grid,
+                                SoilCatalogue* soils) {
+  const Vec2 low_m = grid.origin_W_m, high_m(grid.x_m(grid.nx - 1), grid.y_m(grid.ny - 1));
   std::vector<PilePlan> piles;
   for (const ConfigMap& item : config.List("piles")) {
     PilePlan pile;
     pile.xy_W_m = item.Vector2("xy_m", Any("m"));
+    if ((pile.xy_W_m.array() < low_m.array()).any() ||
+        (pile.xy_W_m.array() > high_m.array()).any()) {
+      item.Fault("xy_m", fmt::format("lies beyond the site, x {:g} to {:g} m, y {:g} to {:g} m",
+                                     low_m.x(), high_m.x(), low_m.y(), high_m.y()));
+    }
     pile.height_m = item.Number("height_m", Between(0, 20, "m"));
     pile.soil = soils->Index(item, "soil", item.Text("soil"));
     piles.push_back(pile);
@@ -167,7 +174,7 @@ SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed) {
     RequireCover(config, *classes, ground.grid);
     ground.map = MapOf(config, *classes, profiles.profile_of_class);
   }
-  plan.piles = ReadPiles(config, &soils);
+  plan.piles = ReadPiles(config, ground.grid, &soils);
   plan.soils = soils.soils();
 
   const Relief relief = ReadRelief(config, seed);

@@ -165,6 +165,24 @@ TEST(BadInput, ARegionWithoutAProperOutlineIsRefused) {
                        "terrain.regions[0].outline_m: 2 corners found, need at least 3"));
 }
 
+TEST(BadInput, AShovelWithADegenerateEdgeIsRefused) {
+  const auto refused = [](const std::string& key, const std::string& message) {
+    const ScratchDirectory scratch;
+    WriteWholeFile(scratch.path() / "small.yaml",
+                   Edited(Edited(SmallScenario(), "warthog", "tb235"), "chassis", "arm"));
+    const Arguments generate = {"generate", "small.yaml",
+                                "--out",    "run",
+                                "--set",    "machines[0].machine.shovels.bucket." + key};
+    ExpectRefused(scratch, generate, HasSubstr(message));
+  };
+  refused("width_m=0", "shovels.bucket.width_m: 0 is out of range, need more than 0 m");
+  refused("profile_m=[[0.8, 0], [0.4, 0.2], [0, 0.4]]", "profile_m: the points enclose no area");
+  refused("profile_m=[[0.8, 0], [0.4, 0.2], [0, 0], [0.8, 0]]",
+          "profile_m: points 3 and 0 are the same");
+  refused("profile_m=[[0, 0], [1, 1], [1, 0], [0, 1]]",
+          "profile_m: the lines from points 0 and 2 cross");
+}
+
 /// A raster of 3 x 2 pixels as an ASCII grid, which GDAL reads too.
 void WriteAsciiGrid(const fs::path& stem, const std::string& rows, bool projected) {
   WriteWholeFile(stem.string() + ".asc",

@@ -250,6 +250,9 @@ TEST(MachineFaults, EachNamesItsPlaceAndItsRemedy) {
   EXPECT_THAT(with("shovels.scoop.profile_m=[[0, 0], [1, 1]]"), HasSubstr("at least 3 rows"));
   EXPECT_THAT(with("shovels.scoop.profile_m=[[0, 0], [1, 1], [2, 2]]"),
               HasSubstr("shovels.scoop.profile_m: the points enclose no area"));
+  EXPECT_THAT(with("shovels.scoop.profile_m=[[0, 0], [1, 1], [1, 0], [0, 1]]"),
+              HasSubstr("profile_m: the lines from points 0 and 2 cross"));
+  EXPECT_THAT(with("shovels.scoop.width_m=0"), HasSubstr("width_m: 0 is out of range"));
   EXPECT_THAT(with("shovels.scoop.profile_m=[[1, 0], [1, 0], [0, 1], [0, 0]]"),
               HasSubstr("points 0 and 1 are the same"));
   EXPECT_THAT(with("shovels.scoop.teeth=5000000000"), HasSubstr("teeth: 5000000000 is out of"));

@@ -106,7 +106,7 @@ TEST(GroundView, CubesOfAnySizeHoldAllMass) {
   for (int j = 20; j < 40; ++j) {
     for (int i = 40; i < 60; ++i) ground.Cut(ground.Touch(i, j), -0.3 + 0.001 * i, &cut);
   }
-  for (int i = 70; i < 90; ++i) ground.DepositAt(i, 50, cut.Take(0.04));
+  for (int i = 70; i < 90; ++i) ground.DepositAt(i, 50, cut.Take(0.005));
   for (int i = 10; i < 20; ++i) ground.Press(ground.Touch(i, 10), 0.04, 0.3, &beside);
   for (const int columns : {1, 3, 8}) {
     const SoilVoxels voxels = CutIntoCubes(ground, {.low_W_m = Vec3(-3.025, -2.025, low_m),

@@ -88,7 +88,7 @@ TEST(Site, RegionsAndLayersSetWhatLiesWhere) {
   const SitePlan plan = Plan(
       "size_m: [12, 6]\nlayers:\n"
       "  - {soil: dirt, from_m: 0, to_m: 0.3, moisture: 0.7}\n"
-      "  - {soil: gravel, from_m: 0.3, density_kgpm3: 1900}\n"
+      "  - {soil: gravel, from_m: 0.3, density_kgpm3: 1590}\n"
       "regions:\n"
       "  - {outline_m: [[-2, -1], [2, -1], [0, 2]], soil: sand}\n");
   const auto soil_at = [&](double x, double y, double depth_m) {
@@ -101,7 +101,7 @@ TEST(Site, RegionsAndLayersSetWhatLiesWhere) {
   EXPECT_EQ(soil_at(0, 0, 4), "sand");
   EXPECT_EQ(soil_at(1.5, 1.5, 0), "dirt");  // in the triangle's box, outside its sides
   const GroundProfile& layers = plan.ground.profiles[0];
-  EXPECT_NEAR(layers.Mass_kgpm2(0.1, 0.5), 0.2 * 1474 + 0.2 * 1900, 1e-9);
+  EXPECT_NEAR(layers.Mass_kgpm2(0.1, 0.5), 0.2 * 1474 + 0.2 * 1590, 1e-9);
   EXPECT_FLOAT_EQ(layers.Below(0).moisture, 0.7f);
 }
 
@@ -182,6 +182,8 @@ TEST(Site, EveryFaultOfATerrainIsNamed) {
               HasSubstr("overlaps the one from 0 to 2 m"));
   EXPECT_THAT(FaultsOf("size_m: [4, 4]\npiles: [{xy_m: [0, 0], height_m: -1, soil: sand}]\n"),
               HasSubstr("piles[0].height_m: -1 is out of range"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\npiles: [{xy_m: [0, 2.1], height_m: 1, soil: sand}]\n"),
+              HasSubstr("piles[0].xy_m: lies beyond the site, x -2 to 2 m, y -2 to 2 m"));
   EXPECT_THAT(
       FaultsOf("size_m: [4, 4]\nlayers:\n  - {soil: dirt, from_m: 0, to_m: 0.4}\n"
                "  - {soil: sand, from_m: 0.3}\n"),
