@@ -9,6 +9,8 @@
 #include "app/commands.h"
 #include "app/followed_run.h"
 #include "app/scenario_options.h"
+#include "dataset/recorded_inputs.h"
+#include "dataset/writer.h"
 
 namespace tera {
 namespace {
@@ -19,7 +21,15 @@ struct Arguments {
   RunOptions run;
 };
 
+/// Before the scenario is read, which a changed file may make unreadable.
+void RequireInputsOfStopped(const std::filesystem::path& out) {
+  const std::filesystem::path stopped = IncompleteOf(out);
+  RequireInputs(LoadInputs(stopped), {},
+                fmt::format("put that file back, or delete {} to start afresh", stopped.string()));
+}
+
 void RunGenerate(const Arguments& arguments) {
+  if (arguments.run.resume) RequireInputsOfStopped(arguments.run.out);
   std::vector<std::string> overrides;
   if (arguments.duration_s)
     overrides.push_back(fmt::format("duration_s={}", *arguments.duration_s));

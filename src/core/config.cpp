@@ -70,6 +70,8 @@ Config Config::FromText(const std::string& text, const std::string& name,
   return Config(document);
 }
 
+void Config::Move(std::vector<MovedFiles> moved) { document_->moved = std::move(moved); }
+
 ConfigMap Config::root() const { return ConfigMap(document_->root); }
 
 void Config::Finish() const {

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/input_files.h"
 #include "core/motion.h"
 
 /// Strict YAML. A reader asks for each key by name, type and range; whatever is then left over,
@@ -111,6 +112,10 @@ class ConfigMap {
   // DataRoot(). The file must exist.
   std::filesystem::path File(std::string_view key) const;
   std::optional<std::filesystem::path> OptionalFile(std::string_view key) const;
+  /// Tells of a file that one of those names in its turn, as a URDF its meshes.
+  void AlsoReads(const std::filesystem::path& file) const;
+  /// The files named so far in the whole configuration, each once, by their names.
+  std::vector<InputFile> Inputs() const;
 
   /// Reports a fault that only the caller can see, at the place of `key` (or of the mapping itself
   /// where `key` is empty or absent). `finding` says what was found and what is needed.
@@ -152,6 +157,8 @@ class Config {
   static Config FromText(const std::string& text, const std::string& name,
                          const std::vector<std::string>& overrides = {});
 
+  /// Files that File then reads elsewhere; the resolved document names them as they were.
+  void Move(std::vector<MovedFiles> moved);
   ConfigMap root() const;
   /// Throws InputError listing every fault, unknown and repeated keys included.
   void Finish() const;

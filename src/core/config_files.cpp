@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -14,14 +15,6 @@ namespace fs = std::filesystem;
 namespace internal {
 namespace {
 
-/// The form of a path that means the same on another machine where that is possible.
-std::string Portable(const fs::path& path) {
-  const fs::path absolute = Canonical(path);
-  const fs::path relative = absolute.lexically_relative(Canonical(DataRoot()));
-  if (!relative.empty() && *relative.begin() != "..") return "tera:" + relative.generic_string();
-  return absolute.generic_string();
-}
-
 /// What paths of a layer are relative to, for messages.
 std::string BaseOf(const Layer& layer) {
   return layer.file == kOverlayName ? "the working directory" : layer.file;
@@ -32,6 +25,12 @@ std::string BaseOf(const Layer& layer) {
 bool IsFile(const fs::path& path) {
   std::error_code ignored;
   return fs::is_regular_file(path, ignored);
+}
+
+fs::path ConfigDocument::PlaceOf(const std::string& name, const fs::path& named) const {
+  const bool is_moved = std::any_of(moved.begin(), moved.end(),
+                                    [&](const MovedFiles& files) { return Concerns(files, name); });
+  return is_moved ? PlaceOfInput(name, moved) : named;
 }
 
 fs::path Canonical(const fs::path& path) {
@@ -132,7 +131,9 @@ fs::path ConfigMap::File(std::string_view key) const {
     AddFault(*node_, key, *found, fmt::format("{} found, need a file's path", Shown(found->node)));
     return {};
   }
-  const fs::path path = internal::Resolve(found->node.Scalar(), found->layer->directory);
+  const fs::path named = internal::Resolve(found->node.Scalar(), found->layer->directory);
+  const std::string name = PortableName(named);
+  const fs::path path = node_->document->PlaceOf(name, named).lexically_normal();
   if (!internal::IsFile(path)) {
     AddFault(*node_, key, *found,
              fmt::format("file '{}' does not exist; correct the path (relative to {}, or "
@@ -140,14 +141,26 @@ fs::path ConfigMap::File(std::string_view key) const {
                          found->node.Scalar(), internal::BaseOf(*found->layer)));
     return {};
   }
-  Record(*node_, key, internal::Portable(path));
-  return path.lexically_normal();
+  Record(*node_, key, name);
+  node_->document->inputs.emplace(name, path);
+  return path;
 }
 
 std::optional<fs::path> ConfigMap::OptionalFile(std::string_view key) const {
   if (!Has(key)) return std::nullopt;
   return File(key);
 }
+
+void ConfigMap::AlsoReads(const fs::path& file) const {
+  node_->document->inputs.emplace(PortableName(file), file);
+}
+
+std::vector<InputFile> ConfigMap::Inputs() const {
+  std::vector<InputFile> inputs;
+  for (const auto& [name, path] : node_->document->inputs) inputs.push_back({name, path});
+  return inputs;
+}
+
 fs::path DataRoot() {
   if (const char* directory = std::getenv("TERA_DATA_DIR")) return directory;
   // An installed program may have been moved with its data, whatever prefix it was built for.

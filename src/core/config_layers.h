@@ -40,6 +40,11 @@ struct ConfigDocument {
   std::vector<std::string> faults;
   std::vector<std::shared_ptr<ConfigNode>> nodes;
   std::shared_ptr<ConfigNode> root;
+  std::map<std::string, std::filesystem::path> inputs;  ///< places by portable name
+  std::vector<MovedFiles> moved;
+
+  /// Where a file of that name is read: as `moved` says, else at `named`.
+  std::filesystem::path PlaceOf(const std::string& name, const std::filesystem::path& named) const;
 
   std::shared_ptr<ConfigNode> AddNode(std::vector<Layer> layers) {
     auto node = std::make_shared<ConfigNode>();

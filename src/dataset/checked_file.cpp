@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <system_error>
 #include <utility>
@@ -120,6 +121,15 @@ void MakeFolder(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error) FailFile(path, "folder cannot be created", error.value());
+}
+
+void MakeWritableFolder(const std::filesystem::path& path) {
+  MakeFolder(path);
+  std::string name = (path / ".writable_XXXXXX").string();
+  const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
+  if (descriptor < 0) FailFile(path, "cannot be written to", errno);
+  ::close(descriptor);
+  ::unlink(name.c_str());
 }
 
 }  // namespace tera

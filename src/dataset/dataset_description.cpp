@@ -65,7 +65,7 @@ std::string DatasetYaml(const DatasetInfo& info, const std::vector<ChannelDescri
     fmt::format_to(out, "  - {{id: {}, name: {}, class: {}}}\n", instance.id,
                    YamlQuoted(instance.name), instance.label);
   }
-  return text;
+  return text + InputsYaml(info.inputs);
 }
 
 }  // namespace tera

@@ -359,6 +359,7 @@ void ImportCsv(const std::filesystem::path& mapping_file, const std::filesystem:
   Mapping mapping = ReadMapping(config.root());
   config.Finish();
   mapping.info.resolved_scenario_yaml = config.ResolvedYaml();
+  mapping.info.inputs = DigestsOf(config.root().Inputs());
   DatasetWriter writer(out, mapping.info,
                        {.kind = "import", .remedy = "delete it and import it again"});
   try {

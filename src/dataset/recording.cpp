@@ -96,6 +96,7 @@ DatasetInfo ReadInfo(const ConfigMap& root) {
     info.instances.push_back({static_cast<std::uint16_t>(item.Integer("id", Between(0, 65535, ""))),
                               item.Text("name"), item.Text("class")});
   }
+  info.inputs = ReadInputs(root);
   return info;
 }
 

@@ -57,10 +57,10 @@ void Remove(const fs::path& path) {
 
 void NeedSame(const fs::path& file, const std::string& now) {
   if (Exists(file) && ReadWholeFile(file) == now) return;
-  throw InputError(
-      fmt::format("{}: the incomplete recording is of another scenario, seed or version; resume it "
-                  "with what it was begun with, or delete {} to start afresh",
-                  file.string(), file.parent_path().string()));
+  throw InputError(fmt::format(
+      "{}: the incomplete recording is of another scenario, seed or version, or of other "
+      "inputs; resume it with what it was begun with, or delete {} to start afresh",
+      file.string(), file.parent_path().string()));
 }
 
 /// What stands in `text` between two marks, or nothing.
@@ -79,6 +79,11 @@ void NeedSameNote(const fs::path& root, const std::string& now) {
                                  root.string(), Between(there, "This ", kKindEnds), remedy));
   }
   NeedSame(root / kNoteName, now);
+}
+
+void RemoveNotes(const fs::path& root) {
+  Remove(root / kInputsOfStoppedName);
+  Remove(root / kNoteName);
 }
 
 /// Temporary files of a killed run.
@@ -156,6 +161,7 @@ void DatasetWriter::Impl::Begin(const WriterOptions& options) {
   if (resumed) {
     NeedSameNote(root, note);
     NeedSame(root / kScenarioName, info.resolved_scenario_yaml);
+    NeedSame(root / kInputsOfStoppedName, InputsYaml(info.inputs));
     RemoveParts(root);
   } else {
     WriteNotes();
@@ -168,6 +174,7 @@ void DatasetWriter::Impl::WriteNotes() {
   MakeFolder(root);
   try {
     WriteWholeFile(root / kScenarioName, info.resolved_scenario_yaml);
+    WriteWholeFile(root / kInputsOfStoppedName, InputsYaml(info.inputs));
     WriteWholeFile(root / kNoteName, note);
   } catch (const InputError&) {
     std::error_code ignored;
@@ -277,8 +284,11 @@ bool DatasetWriter::FinishWhole(const fs::path& directory, const DatasetInfo& in
   // Where the note is gone already, the scenario tells the seed and the duration too.
   if (Exists(root / kNoteName)) NeedSameNote(root, Note(info, WriterOptions()));
   NeedSame(root / kScenarioName, info.resolved_scenario_yaml);
+  if (Exists(root / kInputsOfStoppedName)) {
+    NeedSame(root / kInputsOfStoppedName, InputsYaml(info.inputs));
+  }
   FrameLog(root).Remove();
-  Remove(root / kNoteName);
+  RemoveNotes(root);
   GiveName(root, directory.has_filename() ? directory : directory.parent_path());
   return true;
 }
@@ -406,7 +416,7 @@ void DatasetWriter::Finish() {
   }
   WriteWholeFile(impl_->root / kDescriptionName, DatasetYaml(impl_->info, descriptions));
   impl_->frame_log->Remove();
-  Remove(impl_->root / kNoteName);
+  RemoveNotes(impl_->root);
   GiveName(impl_->root, impl_->final_directory);
 }
 

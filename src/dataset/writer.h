@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dataset/measurement_sink.h"
+#include "dataset/recorded_inputs.h"
 
 namespace tera {
 
@@ -24,6 +25,7 @@ struct DatasetInfo {
     std::string label;
   };
   std::vector<Instance> instances;
+  std::vector<RecordedInput> inputs;
 };
 
 struct WriterOptions {
@@ -43,7 +45,7 @@ std::filesystem::path IncompleteOf(const std::filesystem::path& directory);
 /// renamed to `<directory>` by Finish; every file appears under its name only when whole.
 ///
 /// Throws InputError: directory not empty, not writable, disk full; on resume, a partial dataset of
-/// another scenario, seed or version.
+/// another scenario, seed, version or inputs.
 class DatasetWriter : public MeasurementSink {
  public:
   DatasetWriter(const std::filesystem::path& directory, const DatasetInfo& info,
@@ -52,7 +54,7 @@ class DatasetWriter : public MeasurementSink {
   ~DatasetWriter() override;
 
   /// Gives a recording its name that an earlier run had finished but for that. False where there is
-  /// none. Throws InputError where it is of another scenario, seed or version.
+  /// none. Throws InputError where it is of another scenario, seed, version or inputs.
   static bool FinishWhole(const std::filesystem::path& directory, const DatasetInfo& info);
 
   ChannelId AddImu(const std::string& folder, const std::string& sensor_yaml) override;

@@ -100,6 +100,7 @@ void AddVisuals(const urdf::Link& in, const fs::path& file, const PartPlace& pla
                               mesh->filename, mesh->scale.x, mesh->scale.y, mesh->scale.z));
       continue;
     }
+    place.config.AlsoReads(path->lexically_normal());
     link->visuals.push_back({.mesh = path->lexically_normal(),
                              .place = place.config.Place("urdf") + ": " + place.part,
                              .X_BG = ToPose(visual->origin),

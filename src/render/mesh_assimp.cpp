@@ -1,7 +1,9 @@
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <assimp/Importer.hpp>
 
 #include "core/error.h"
@@ -13,6 +15,21 @@ namespace {
 [[noreturn]] void Refuse(const std::filesystem::path& file, const std::string& finding) {
   throw InputError(fmt::format("{}: {}", file.string(), finding));
 }
+
+/// assimp's own reading, which also lists what was read.
+class NotingFiles : public Assimp::DefaultIOSystem {
+ public:
+  explicit NotingFiles(std::vector<std::filesystem::path>* read) : read_(*read) {}
+  Assimp::IOStream* Open(const char* path, const char* mode) override {
+    Assimp::IOStream* stream = DefaultIOSystem::Open(path, mode);
+    const bool again = std::find(read_.begin(), read_.end(), path) != read_.end();
+    if (stream != nullptr && !again) read_.emplace_back(path);
+    return stream;
+  }
+
+ private:
+  std::vector<std::filesystem::path>& read_;
+};
 
 const aiScene* ReadScene(const std::filesystem::path& file, Assimp::Importer* importer) {
   // Points and lines are dropped, so that every face that is left is a triangle.
@@ -83,7 +100,9 @@ void CollectNames(const aiNode& node, std::vector<std::string>* names) {
 }  // namespace
 
 Mesh LoadWithAssimp(const std::filesystem::path& file, const std::string& node) {
+  Mesh mesh;
   Assimp::Importer importer;
+  importer.SetIOHandler(new NotingFiles(&mesh.files));  // the importer deletes it
   const aiScene* scene = ReadScene(file, &importer);
   const aiNode* start = scene->mRootNode;
   if (!node.empty()) {
@@ -94,7 +113,6 @@ Mesh LoadWithAssimp(const std::filesystem::path& file, const std::string& node) 
       Refuse(file, fmt::format("has no node '{}'{}", node, NodeHint(node, names)));
     }
   }
-  Mesh mesh;
   AddNode(*scene, *start, Eigen::Affine3f::Identity(), !node.empty(), &mesh);
   FinishMesh(file, &mesh);
   return mesh;

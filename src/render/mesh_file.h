@@ -6,7 +6,7 @@
 
 namespace tera {
 
-/// Meshes of a glTF file (.gltf, .glb), by tinygltf.
+/// Meshes of a glTF file (.gltf, .glb), by tinygltf. Both loaders name the files they read.
 ///
 /// Frames  glTF has y up; our frames have z up: p = (x, -z, y) of the file's numbers. With a node
 ///         name, the node and its children in that node's own frame; without, the whole scene.

@@ -21,9 +21,23 @@ bool SkipImage(tinygltf::Image*, const int, std::string*, std::string*, int, int
   return true;
 }
 
-tinygltf::Model ReadModel(const std::filesystem::path& file) {
+/// tinygltf's own reading, which also enters the path in the list at `read`.
+bool ReadAndNote(std::vector<unsigned char>* bytes, std::string* error, const std::string& path,
+                 void* read) {
+  static_cast<std::vector<std::filesystem::path>*>(read)->emplace_back(path);
+  return tinygltf::ReadWholeFile(bytes, error, path, nullptr);
+}
+
+/// The model, and in `read` every file that it was read from.
+tinygltf::Model ReadModel(const std::filesystem::path& file,
+                          std::vector<std::filesystem::path>* read) {
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(SkipImage, nullptr);
+  loader.SetFsCallbacks({.FileExists = tinygltf::FileExists,
+                         .ExpandFilePath = tinygltf::ExpandFilePath,
+                         .ReadWholeFile = ReadAndNote,
+                         .WriteWholeFile = nullptr,
+                         .user_data = read});
   tinygltf::Model model;
   std::string error, warning;
   const bool binary = file.extension() == ".glb";
@@ -231,8 +245,8 @@ std::vector<std::string> NamesOf(const tinygltf::Model& model) {
 }  // namespace
 
 Mesh LoadGltf(const std::filesystem::path& file, const std::string& node) {
-  const tinygltf::Model model = ReadModel(file);
   Mesh mesh;
+  const tinygltf::Model model = ReadModel(file, &mesh.files);
   Reader reader{file, model, &mesh};
   const Eigen::Affine3d identity = Eigen::Affine3d::Identity();
   if (node.empty()) {

@@ -35,6 +35,8 @@ struct MeshPart {
 struct Mesh {
   std::string name;
   std::vector<MeshPart> parts;
+  /// All that it was read from: its file, and those that the file names.
+  std::vector<std::filesystem::path> files;
 };
 
 /// A mesh shown at a body slot. Several nodes may share a body and an instance.

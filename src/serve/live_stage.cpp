@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "dataset/checked_file.h"
 #include "serve/action.h"
 #include "serve/description.h"
 #include "serve/observation.h"
@@ -168,6 +169,7 @@ class LiveStage : public Stage {
 
 Server::MakeStage LiveStages(const Scenario& scenario, ScenarioSource source,
                              const StageOptions& options, Server::Log log) {
+  if (options.record) MakeWritableFolder(*options.record);
   return [description = Describe(scenario), source = std::move(source), options,
           log = std::move(log)](std::function<bool()> ended) {
     return std::make_unique<LiveStage>(description, source, options, log, std::move(ended));

@@ -33,7 +33,8 @@ struct StageOptions {
 ///
 /// Model   An episode lasts from a Reset to the next or to the session's end, however it comes;
 ///         its recording is then finished. An action holds for the whole of its step.
-/// Throws  InputError where the source does. `log` is told of a recording that cannot be finished
+/// Throws  InputError at once where the folder for recordings cannot be written to; later where the
+///         source does. `log` is told of a recording that cannot be finished
 ///         after the session's end.
 ///
 /// `scenario` is what `source` gives, to be described.

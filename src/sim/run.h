@@ -11,7 +11,7 @@
 namespace tera {
 
 /// What dataset.yaml says of a run of `scenario`. `resolved_yaml` is as Config::ResolvedYaml gives
-/// it.
+/// it. Reads every input for its digest; throws InputError where one cannot be read.
 DatasetInfo InfoOf(const Scenario& scenario, const std::string& resolved_yaml,
                    const SceneModel& scene);
 

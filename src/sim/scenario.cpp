@@ -254,6 +254,7 @@ Scenario ReadScenario(const ConfigMap& config) {
   }
   if (scenario.machines.empty()) config.Fault("machines", "no machine given, need at least one");
   RequireUniqueNames(config, scenario);
+  scenario.inputs = config.Inputs();
   return scenario;
 }
 

@@ -57,6 +57,8 @@ struct Scenario {
   std::vector<ScenarioMachine> machines;
   std::vector<ScenarioObstacle> obstacles;
   TerrainRecord record;
+  /// What it was read from besides YAML, but for files that meshes name.
+  std::vector<InputFile> inputs;
 };
 
 /// Reads a scenario and everything it names. Faults go to `config`; call Config::Finish before use.

@@ -367,6 +367,24 @@ TEST(BadInput, AReplayIsNotWrittenOverItsOwnSource) {
   ExpectRefused(scratch, {"replay", "run.incomplete", "--out", "run.incomplete"}, message);
 }
 
+TEST(BadInput, AReplayIsNotWrittenInsideItsSource) {
+  const ScratchDirectory scratch;
+  fs::create_directories(scratch.path() / "run.incomplete/rover1");
+  fs::create_directory(scratch.path() / "other");
+  WriteWholeFile(scratch.path() / "run.incomplete/INCOMPLETE.txt", "killed");
+  fs::create_directory_symlink("run.incomplete", scratch.path() / "link");
+  fs::create_directory_symlink(scratch.path() / "run.incomplete/rover1", scratch.path() / "inner");
+  for (const std::string out :
+       {"run.incomplete/again", "run.incomplete/not/yet/there", "other/../run.incomplete/again",
+        "link/again", "inner/again", "inner", "inner/../again"}) {
+    ExpectRefused(scratch, {"replay", "run.incomplete", "--out", out},
+                  AllOf(StartsWith("--out " + out + ": lies inside run.incomplete"),
+                        HasSubstr("choose a folder outside it")));
+    ExpectRefused(scratch, {"replay", "link", "--out", out},
+                  StartsWith("--out " + out + ": lies inside link"));
+  }
+}
+
 TEST(BadInput, AnImportedColumnThatIsNotThereIsRefusedWithTheOneItResembles) {
   const ScratchDirectory scratch;
   WriteWholeFile(scratch.path() / "drive.csv", "t_s,wz\n0,0.1\n");

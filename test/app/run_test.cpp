@@ -196,6 +196,14 @@ TEST_F(GenerateRun, IsReplayedFromItsCommandsToTheSameBytes) {
   EXPECT_EQ(AllFiles(path() / "again"), whole);
 }
 
+TEST_F(GenerateRun, IsNotReplayedIntoItself) {
+  const auto whole = Whole();
+  const Outcome outcome = RunTera({"replay", "whole", "--out", "whole/again"}, {path()});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, StartsWith("--out whole/again: lies inside whole"));
+  EXPECT_EQ(AllFiles(path() / "whole"), whole);
+}
+
 TEST_F(GenerateRun, OfOtherLeversThanItsCommandsIsNotReplayed) {
   Whole();
   const fs::path commands = path() / "whole/rover1/commands.csv";

@@ -91,6 +91,7 @@ const std::map<std::string, std::string> kFolderOfLibrary = {
     {"nlohmann/", "dataset"},
     {"boost/math/", "diagnose"},
     {"unsupported/Eigen/", "diagnose"},
+    {"openssl/", "dataset"},
     {"CLI/", "app"},
     {"grpcpp/", "serve"},
     {"google/protobuf/", "serve"},

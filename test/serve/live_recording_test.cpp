@@ -40,11 +40,31 @@ TEST(LiveStages, RecordsEveryEpisodeAsADataset) {
   EXPECT_TRUE(names().contains("episode_0003"));
 }
 
-TEST(LiveStages, AnEpisodeThatCannotBeRecordedIsRefused) {
+Server::MakeStage StagesThatRecordIn(const fs::path& folder) {
+  return LiveStages(Source(std::nullopt).scenario, Source, {.record = folder},
+                    [](const std::string&) {});
+}
+
+TEST(LiveStages, AFolderThatCannotBeWrittenIsRefusedAtTheStart) {
   const fs::path file = OwnFolder() / "file";
   std::fclose(std::fopen(file.c_str(), "w"));
-  const StageOptions options{.record = file};
-  EXPECT_THROW(NewStage(options)->Reset(v1::Reset()), InputError);
+  EXPECT_THROW(StagesThatRecordIn(file), InputError);
+  EXPECT_THROW(StagesThatRecordIn(file / "inside"), InputError);
+  EXPECT_THROW(StagesThatRecordIn("/proc"), InputError);  // of nobody's making, root's neither
+}
+
+TEST(LiveStages, TryingItsFolderLeavesNothingThere) {
+  const fs::path folder = OwnFolder() / "tried/anew";
+  StagesThatRecordIn(folder);
+  EXPECT_TRUE(fs::is_empty(folder));
+}
+
+TEST(LiveStages, AnEpisodeThatCannotBeRecordedIsRefused) {
+  const fs::path folder = OwnFolder() / "gone";
+  const std::unique_ptr<Stage> stage = NewStage({.record = folder});
+  fs::remove(folder);
+  std::fclose(std::fopen(folder.c_str(), "w"));
+  EXPECT_THROW(stage->Reset(v1::Reset()), InputError);
 }
 
 TEST(LiveStages, AFaultOfTheRecordingEndsTheEpisodeAndSaysWhatIsKept) {

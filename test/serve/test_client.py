@@ -414,6 +414,16 @@ class ServerTest(unittest.TestCase):
         rows = (again / "digger" / "commands.csv").read_text().splitlines()
         self.assertGreaterEqual(len(rows), 2 * 500)
 
+    def test_a_folder_for_recordings_that_cannot_be_written_ends_the_server_at_its_start(self):
+        file = Path(folder.name) / "in_the_way"
+        file.write_text("")
+        for record in (file, file / "inside", Path("/proc")):
+            ended = subprocess.run([tera.server.find_program(), "serve", scenario, "--port", "0", "--record", record],
+                                   stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=300)
+            self.assertEqual(ended.returncode, 2)
+            self.assertIn(str(record), ended.stderr)
+            self.assertEqual(ended.stdout, "")
+
     def test_a_wrong_scenario_is_reported(self):
         with self.assertRaisesRegex(RuntimeError, "nowhere.yaml"):
             tera.Server("nowhere.yaml")
