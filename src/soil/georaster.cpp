@@ -42,6 +42,13 @@ RasterFile OpenRaster(const std::filesystem::path& file, std::string_view conten
   return raster;
 }
 
+std::vector<std::filesystem::path> FilesOf(GDALDataset* raster) {
+  char** names = raster->GetFileList();
+  const std::vector<std::filesystem::path> files(names, names + CSLCount(names));
+  CSLDestroy(names);
+  return files;
+}
+
 RasterFrame ReadFrame(const std::filesystem::path& file, GDALDataset* raster) {
   RasterFrame frame;
   const OGRSpatialReference* projection = raster->GetSpatialRef();

@@ -48,6 +48,9 @@ struct RasterFrame {
 /// Opens a one-band raster. `content` says what is needed, for messages: "elevation raster".
 RasterFile OpenRaster(const std::filesystem::path& file, std::string_view content);
 
+/// The raster's file, and those beside it that GDAL reads with it (.tfw, .aux.xml).
+std::vector<std::filesystem::path> FilesOf(GDALDataset* raster);
+
 /// Projection, geotransform and size of a file. Refuses one without them, one that is not north-up,
 /// and one of more pixels than fit into memory with all that is made of them.
 RasterFrame ReadFrame(const std::filesystem::path& file, GDALDataset* raster);

@@ -98,6 +98,7 @@ ElevationGrid ReadElevation(const std::filesystem::path& file) {
   };
 
   ElevationGrid grid;
+  grid.files = FilesOf(raster.get());
   grid.nx = frame.nx;
   grid.ny = frame.ny;
   grid.origin = MiddleOf(file, frame);
@@ -129,6 +130,7 @@ SoilClassGrid ReadSoilClasses(const std::filesystem::path& file,
   const std::vector<std::uint8_t> pixels = ReadBand<std::uint8_t>(file, raster.get(), GDT_Byte);
 
   SoilClassGrid grid;
+  grid.files = FilesOf(raster.get());
   grid.origin = about ? *about : MiddleOf(file, frame);
   int has_gap_value = 0;
   const double gap_value = band->GetNoDataValue(&has_gap_value);

@@ -26,6 +26,8 @@ struct ElevationGrid {
   double cell_x_m = 0, cell_y_m = 0;
   std::vector<double> height_m;  ///< about the height of the grid's middle
   SiteOrigin origin;             ///< the grid's middle
+  /// The file, and those beside it that GDAL reads with it (.tfw, .aux.xml).
+  std::vector<std::filesystem::path> files;
 
   double width_m() const { return (nx - 1) * cell_x_m; }
   double depth_m() const { return (ny - 1) * cell_y_m; }
@@ -48,8 +50,9 @@ struct SoilClassGrid {
   Vec2 first_m = Vec2::Zero();  ///< middle of cell (0, 0)
   Vec2 cell_m = Vec2::Zero();
   std::vector<std::uint8_t> value;
-  std::optional<std::uint8_t> gap_value;  ///< what the file calls no data
-  SiteOrigin origin;                      ///< height zero unless given
+  std::optional<std::uint8_t> gap_value;     ///< what the file calls no data
+  SiteOrigin origin;                         ///< height zero unless given
+  std::vector<std::filesystem::path> files;  ///< as of ElevationGrid
 };
 
 /// Reads a one-band GeoTIFF of bytes. `about` is the site's origin where something else says it,

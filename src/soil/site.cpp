@@ -59,7 +59,9 @@ std::optional<ElevationGrid> ReadGeotiff(const ConfigMap& config) {
   const auto file = config.OptionalFile("geotiff");
   if (!file || file->empty()) return std::nullopt;
   try {
-    return ReadElevation(*file);
+    const ElevationGrid grid = ReadElevation(*file);
+    for (const std::filesystem::path& read : grid.files) config.AlsoReads(read);
+    return grid;
   } catch (const InputError& e) {
     config.Fault("geotiff", e.what());
     return std::nullopt;
@@ -88,7 +90,9 @@ std::optional<SoilClassGrid> ReadClassFile(const ConfigMap& config,
   const std::filesystem::path file = map->File("geotiff");
   if (file.empty()) return std::nullopt;
   try {
-    return ReadSoilClasses(file, origin);
+    SoilClassGrid classes = ReadSoilClasses(file, origin);
+    for (const std::filesystem::path& read : classes.files) map->AlsoReads(read);
+    return classes;
   } catch (const InputError& e) {
     map->Fault("geotiff", e.what());
     return std::nullopt;

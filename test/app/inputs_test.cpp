@@ -45,8 +45,12 @@ constexpr const char* kObj =
     "mtllib upper.mtl\nv 0 0 0\nv 0.8 0 0.1\nv 0 0.3 0\nusemtl paint\nf 1 2 3\n";
 
 /// Files of the site that the scenario below names, or that these name.
-const std::vector<std::string> kFiles = {"height.tif", "levers.csv", "robot/meshes/upper.mtl",
-                                         "robot/meshes/upper.obj", "robot/urdf/arm.urdf"};
+const std::vector<std::string> kFiles = {"height.tif",
+                                         "height.tif.aux.xml",
+                                         "levers.csv",
+                                         "robot/meshes/upper.mtl",
+                                         "robot/meshes/upper.obj",
+                                         "robot/urdf/arm.urdf"};
 
 std::string SiteScenario() {
   std::string text =
@@ -73,6 +77,8 @@ class Inputs : public testing::Test {
     fs::create_directories(site() / "robot/urdf");
     fs::create_directories(site() / "robot/meshes");
     fs::copy(path() / "flat/truth/terrain/height_start.tif", site() / "height.tif");
+    WriteWholeFile(site() / "height.tif.aux.xml",
+                   "<PAMDataset><Metadata><MDI key=\"by\">hand</MDI></Metadata></PAMDataset>\n");
     WriteWholeFile(site() / "levers.csv",
                    "t_ns,left_track,right_track\n0,0.5,0.3\n200000000,0,1\n");
     WriteWholeFile(site() / "robot/urdf/arm.urdf", kUrdf);

@@ -83,7 +83,7 @@ TEST(RecordedInputs, OfNoSenseAreAnErrorAtTheirPlace) {
                  "inputs:\n  - {file: a, bytes: -1, sha256: \"12ab\", size: 3}\n");
   EXPECT_THAT([&] { LoadInputs(scratch.path()); },
               ThrowsMessage<InputError>(
-                  AllOf(HasSubstr(":2:23: inputs[0].bytes: -1"),
+                  AllOf(HasSubstr(":2:22: inputs[0].bytes: -1"),
                         HasSubstr("inputs[0].sha256: '12ab' is no digest, need 64 digits"),
                         HasSubstr("inputs[0].size: unknown key"))));
 }
