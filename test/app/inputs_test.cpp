@@ -150,7 +150,8 @@ TEST_F(Inputs, AreListedWithTheirSizesAndDigests) {
   std::vector<std::string> names, expected;
   for (const std::string& file : kFiles) expected.push_back((site() / file).string());
   expected.push_back("tera:assets/warthog.glb");
-  for (const RecordedInput& input : Recording(path() / "whole").info().inputs) {
+  const Recording recording(path() / "whole");
+  for (const RecordedInput& input : recording.info().inputs) {
     names.push_back(input.name);
     const fs::path file = input.name.starts_with("tera:")
                               ? fs::path(TERA_SOURCE_DIR) / input.name.substr(5)
@@ -246,6 +247,7 @@ TEST_F(Inputs, AMeshThatIsNowFoundElsewhereIsNotReplayed) {
 TEST_F(Inputs, ThatTeraShipsAreFoundOnAnotherMachine) {
   ExpectDone({"generate", "flat.yaml", "--out", "whole"});
   const std::string data = path() / "data";
+  fs::create_directory(data);
   for (const char* folder : {"assets", "config", "shaders"}) {
     fs::copy(fs::path(TERA_SOURCE_DIR) / folder, fs::path(data) / folder,
              fs::copy_options::recursive);
