@@ -186,10 +186,8 @@ void ShakeAtRandom(int seed, double length_s) {
   const double lost = -ledger.total_kg() / ledger.shifted_kg;
   fmt::print(
       "seed {}, {:.0f} s: kinetic energy up to {:.0f} J, tilt up to {:.0f} deg, undercarriage "
-      "up to {:.2f} m in unopened ground, {:.0f} kg of soil shifted and {:.1g} of it lost; {:.1f} "
-      "x "
-      "real "
-      "time\n",
+      "up to {:.2f} m in unopened ground, {:.0f} kg of soil shifted and {:.1g} of it lost; "
+      "{:.1f} x real time\n",
       seed, length_s, most_j, steepest_rad / kDeg, deepest_m, ledger.shifted_kg, lost,
       length_s / (simulation.physics_wall_s() + simulation.soil_wall_s()));
   std::fflush(stdout);
