@@ -16,6 +16,22 @@ constexpr double kLeastProfile_m2 = 1e-4;  ///< below it the points lie on a lin
 // A machine with more or longer ones is a mistyped one.
 constexpr double kMostTeeth = 100, kLongestTooth_m = 1, kThickestSteel_m = 0.5, kMostShoes = 1000;
 
+/// Whether two sides of a polygon that share no corner cross.
+bool CrossesItself(const std::vector<Vec2>& polygon) {
+  const auto left = [](const Vec2& a, const Vec2& b, const Vec2& p) {
+    return (b - a).x() * (p - a).y() > (b - a).y() * (p - a).x();
+  };
+  const std::size_t n = polygon.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i + 2; j < n; ++j) {
+      if (i == 0 && j + 1 == n) continue;
+      const Vec2 &a = polygon[i], &b = polygon[i + 1], &c = polygon[j], &d = polygon[(j + 1) % n];
+      if (left(a, b, c) != left(a, b, d) && left(c, d, a) != left(c, d, b)) return true;
+    }
+  }
+  return false;
+}
+
 void CheckProfile(const ConfigMap& config, const std::vector<Vec2>& profile_m) {
   double twice_area_m2 = 0;
   for (std::size_t k = 0; k < profile_m.size(); ++k) {
@@ -33,6 +49,10 @@ void CheckProfile(const ConfigMap& config, const std::vector<Vec2>& profile_m) {
     config.Fault("profile_m", fmt::format("the points enclose no area ({:.2g} m2); need a "
                                           "cross-section with an inside",
                                           0.5 * std::abs(twice_area_m2)));
+  } else if (CrossesItself(profile_m)) {
+    config.Fault("profile_m",
+                 "the profile or its mouth crosses itself; need points in order from the cutting "
+                 "edge along floor and back to the top edge");
   }
 }
 

@@ -20,8 +20,10 @@ constexpr double kSlideSpeed_mps = 0.10;    ///< shell friction is proportional 
 constexpr double kNear_m = 0.3;             ///< a shovel this close to the ground holds soil back
 constexpr double kLeastSpeed_mps = 1e-4;    ///< no direction below it
 // Soil pushed aside.
-constexpr int kWidestWedge = 60;     ///< columns
-constexpr double kParcel_m = 0.001;  ///< soil is spread in parcels at least this thick
+constexpr int kWidestWedge = 60;      ///< columns
+constexpr double kParcel_m = 0.001;   ///< soil is spread in parcels at least this thick
+constexpr double kThickest_m = 0.02;  ///< and at most this
+constexpr int kLongestRoll = 60;      ///< columns
 // Carried soil.
 constexpr double kSpillTime_s = 0.25;   ///< time constant at which what cannot stay leaves
 constexpr double kBeforeLip_cells = 2;  ///< where the ground before the mouth is looked at
@@ -97,7 +99,7 @@ void Digging::FindFootprint(const BodyState& body, Columns* ground) {
 
 /// Puts soil outside the footprint in `direction`, on the columns that rise when a body pushes a
 /// wedge of soil before it: those above a plane that rises from its lowest point at Rankine's
-/// passive angle.
+/// passive angle. From there it rolls down what is steeper than repose.
 void Digging::PutOutside(const Swept& swept, const Vec2& direction, SpoilMix* spoil,
                          Columns* ground) {
   constexpr double kStep = 0.7;  // in columns: skips none
@@ -108,6 +110,7 @@ void Digging::PutOutside(const Swept& swept, const Vec2& direction, SpoilMix* sp
     y += kStep * direction.y();
   }
   const double friction_rad = soils_[spoil->main_soil()].friction_angle_rad;
+  const double repose_rad = soils_[spoil->main_soil()].repose_angle_rad;
   const double rise_m = std::tan(kPi / 4 - friction_rad / 2) * ground->cell_m();
   const auto rises = [&](int n) {
     const int i = at(x + n * direction.x()), j = at(y + n * direction.y());
@@ -119,12 +122,32 @@ void Digging::PutOutside(const Swept& swept, const Vec2& direction, SpoilMix* sp
   // In parcels that are worth the trouble, which take turns over the columns.
   const double thickness_m = spoil->volume_m3() / ground->area_m2();
   const std::size_t parcels =
-      std::clamp<std::size_t>(static_cast<std::size_t>(thickness_m / kParcel_m), 1, wide);
+      std::clamp<std::size_t>(static_cast<std::size_t>(thickness_m / kParcel_m), 1,
+                              std::max(wide, static_cast<std::size_t>(thickness_m / kThickest_m)));
   for (std::size_t p = 0; p < parcels; ++p) {
     const std::size_t n = (put_++ + p * wide / parcels) % wide;
-    ground->DepositAt(at(x + n * direction.x()), at(y + n * direction.y()),
-                      spoil->Take(1.0 / static_cast<double>(parcels - p)));
+    Place rest{at(x + n * direction.x()), at(y + n * direction.y())};
+    for (int k = 0; k < kLongestRoll && RollsOn(repose_rad, *ground, &rest); ++k) continue;
+    ground->DepositAt(rest.i, rest.j, spoil->Take(1.0 / static_cast<double>(parcels - p)));
   }
+}
+
+/// Whether soil put on a column rolls on, and to which of those around: the steepest way down that
+/// the shovel does not bar.
+bool Digging::RollsOn(double repose_rad, const Columns& ground, Place* at) const {
+  if (!ground.Contains(at->i, at->j)) return false;
+  const double top_m = ground.TopAt(at->i, at->j);
+  double steepest = std::tan(repose_rad) * ground.cell_m();
+  const Place from = *at;
+  for (int dj = -1; dj <= 1; ++dj) {
+    for (int di = -1; di <= 1; ++di) {
+      const Place to{from.i + di, from.j + dj};
+      if ((di == 0 && dj == 0) || !ground.Contains(to.i, to.j) || InFootprint(to.i, to.j)) continue;
+      const double fall = (top_m - ground.TopAt(to.i, to.j)) / std::hypot(di, dj);
+      if (fall > steepest) steepest = fall, *at = to;
+    }
+  }
+  return at->i != from.i || at->j != from.j;
 }
 
 /// Whether the shell bears on the ground in a column, which then keeps `keep_m` above the shell's

@@ -11,11 +11,11 @@ namespace {
 
 using namespace testing_soil;
 
-// 100 cycles take about a minute; the environment's TERA_DIG_CYCLES sets another number than the
+// 100 cycles take two minutes; the environment's TERA_DIG_CYCLES sets another number than the
 // usual one.
 int Cycles() {
   const char* given = std::getenv("TERA_DIG_CYCLES");
-  return given ? std::atoi(given) : 12;
+  return given ? std::atoi(given) : 8;
 }
 
 /// A bucket, a blade and a track on links of their own.
