@@ -16,7 +16,7 @@ namespace tera {
 /// Frames  B link frame. The tool is an extrusion along B's y axis, from -width/2 to +width/2.
 /// Model   `profile_B_m` is the inner side profile in B's x-z plane, an open polyline that starts
 ///         at the cutting edge (first point; at the tips of the teeth where there are any), follows
-///         the floor, then the back, and ends at the top lip. The segment from last to first point
+///         the floor, then the back, and ends at the top edge. The segment from last to first point
 ///         is the mouth. A blade has a profile that does not enclose an area worth carrying:
 ///         `capacity_m3` is 0 and it only pushes.
 struct Shovel {
@@ -27,6 +27,8 @@ struct Shovel {
   double capacity_m3 = 0;  ///< struck capacity; heaped load may exceed it by the angle of repose
   int teeth = 0;
   double tooth_length_m = 0;  ///< by which the teeth stand before the edge
+  double tooth_width_m = 0.06, tooth_thickness_m = 0.02;
+  double edge_thickness_m = 0.012;
 };
 
 /// A small area of a track shoe or tyre that presses on the ground.
@@ -87,6 +89,7 @@ struct SoilReaction {
     double mass_kg = 0;
     Vec3 com_B_m = Vec3::Zero();
     double volume_m3 = 0;
+    std::vector<double> soil_kg;  ///< of the mass, each of the site's soils
   };
   std::vector<Load> shovel_load;       ///< one for each shovel: the soil it carries
   std::vector<double> gear_sinkage_m;  ///< one for each gear: largest sinkage of its patches

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMinProfilePoints = 3;
 constexpr double kLeastProfile_m2 = 1e-4;  ///< below it the points lie on a line
 // A machine with more or longer ones is a mistyped one.
-constexpr double kMostTeeth = 100, kLongestTooth_m = 1, kMostShoes = 1000;
+constexpr double kMostTeeth = 100, kLongestTooth_m = 1, kThickestSteel_m = 0.5, kMostShoes = 1000;
 
 void CheckProfile(const ConfigMap& config, const std::vector<Vec2>& profile_m) {
   for (std::size_t k = 0; k < profile_m.size(); ++k) {
@@ -116,6 +116,15 @@ void ReadShovel(const std::string& name, const ConfigMap& config, MachineModel* 
   shovel.capacity_m3 = config.Number("capacity_m3", AtLeast(0, "m3"), 0.0);
   shovel.teeth = static_cast<int>(config.Integer("teeth", Between(0, kMostTeeth, "1"), 0));
   shovel.tooth_length_m = config.Number("tooth_length_m", Between(0, kLongestTooth_m, "m"), 0.0);
+  const Range steel = Between(1e-3, kThickestSteel_m, "m");
+  shovel.tooth_width_m = config.Number("tooth_width_m", steel, shovel.tooth_width_m);
+  shovel.tooth_thickness_m = config.Number("tooth_thickness_m", steel, shovel.tooth_thickness_m);
+  shovel.edge_thickness_m = config.Number("edge_thickness_m", steel, shovel.edge_thickness_m);
+  if (shovel.teeth * shovel.tooth_width_m > shovel.width_m) {
+    config.Fault("teeth",
+                 fmt::format("{} of {} m are wider than width_m {}; need room between them",
+                             shovel.teeth, shovel.tooth_width_m, shovel.width_m));
+  }
   model->ground_tools.shovels.push_back(shovel);
 }
 

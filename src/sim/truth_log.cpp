@@ -3,7 +3,7 @@
 namespace tera {
 namespace {
 
-std::vector<std::string> Columns(const MachineModel& model) {
+std::vector<std::string> Columns(const MachineModel& model, const std::vector<SoilType>& soils) {
   std::vector<std::string> columns;
   for (const Joint& joint : model.joints) {
     const bool prismatic = joint.type == JointType::kPrismatic;
@@ -17,13 +17,17 @@ std::vector<std::string> Columns(const MachineModel& model) {
     }
   }
   for (const Shovel& shovel : model.ground_tools.shovels) {
-    for (const char* unit : {"_soil_kg", "_soil_m3"}) columns.push_back(shovel.name + unit);
+    for (const char* of : {"_soil_kg", "_soil_m3", "_soil_x_m", "_soil_y_m", "_soil_z_m"}) {
+      columns.push_back(shovel.name + of);
+    }
+    for (const SoilType& soil : soils)
+      columns.push_back(shovel.name + "_soil_" + soil.name + "_kg");
   }
   return columns;
 }
 
 /// Values of `now`; rates at its time, from those before and after it.
-std::vector<double> JointRow(const MachineState& now, const MachineState& next) {
+std::vector<double> JointRow(const MachineState& now, const MachineState& next, std::size_t soils) {
   std::vector<double> row;
   for (std::size_t j = 0; j < now.q_rad.size(); ++j) {
     const double rate_radps = 0.5 * (now.qd_radps[j] + next.qd_radps[j]);
@@ -35,7 +39,11 @@ std::vector<double> JointRow(const MachineState& now, const MachineState& next) 
                            now.gear_sinkage_m[g], now.gear_slip[g]});
   }
   for (const SoilReaction::Load& load : now.shovel_load) {
-    row.insert(row.end(), {load.mass_kg, load.volume_m3});
+    const Vec3& com_B_m = load.com_B_m;
+    row.insert(row.end(), {load.mass_kg, load.volume_m3, com_B_m.x(), com_B_m.y(), com_B_m.z()});
+    std::vector<double> soil_kg = load.soil_kg;
+    soil_kg.resize(soils);  // none before the first step
+    row.insert(row.end(), soil_kg.begin(), soil_kg.end());
   }
   return row;
 }
@@ -65,16 +73,18 @@ std::vector<double> HydraulicRow(const MachineState& now, const MachineState& ne
 
 }  // namespace
 
-TruthLog::TruthLog(const Scenario& scenario, MeasurementSink* sink) : sink_(sink) {
+TruthLog::TruthLog(const Scenario& scenario, MeasurementSink* sink)
+    : sink_(sink), soils_(scenario.soil->soils().size()) {
   for (const ScenarioMachine& machine : scenario.machines) {
     const MachineModel& model = machine.placement.model;
     const std::string& name = machine.placement.name;
     std::vector<std::string> levers;
     for (const Lever& lever : model.levers) levers.push_back(lever.name);
-    channels_.push_back({sink->AddTable(name + "/commands.csv", levers),
-                         sink->AddPose("truth/" + name + "/pose.csv"),
-                         sink->AddTable("truth/" + name + "/joints.csv", Columns(model)),
-                         std::nullopt});
+    channels_.push_back(
+        {sink->AddTable(name + "/commands.csv", levers),
+         sink->AddPose("truth/" + name + "/pose.csv"),
+         sink->AddTable("truth/" + name + "/joints.csv", Columns(model, scenario.soil->soils())),
+         std::nullopt});
     if (model.cylinders.empty()) continue;
     channels_.back().hydraulics =
         sink->AddTable("truth/" + name + "/hydraulics.csv", HydraulicColumns(model));
@@ -88,7 +98,8 @@ void TruthLog::WriteRows(const WorldState& now, const WorldState& next) {
     const Vec3 w_W_radps = 0.5 * (root.w_WB_radps + later.w_WB_radps);
     sink_->Write(channels_[m].pose, TruthPose{now.t_ns, root.X_WB, v_W_mps,
                                               root.X_WB.linear().transpose() * w_W_radps});
-    sink_->WriteRow(channels_[m].joints, now.t_ns, JointRow(now.machines[m], next.machines[m]));
+    sink_->WriteRow(channels_[m].joints, now.t_ns,
+                    JointRow(now.machines[m], next.machines[m], soils_));
     if (!channels_[m].hydraulics) continue;
     sink_->WriteRow(*channels_[m].hydraulics, now.t_ns,
                     HydraulicRow(now.machines[m], next.machines[m]));

@@ -30,6 +30,7 @@ class TruthLog {
   void WriteRows(const WorldState& now, const WorldState& next);
 
   MeasurementSink* sink_;
+  std::size_t soils_;  ///< how many soils the site has
   std::vector<Channels> channels_;
 };
 

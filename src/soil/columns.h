@@ -105,6 +105,8 @@ class Columns {
   const TerrainSurface& surface() const { return surface_; }
   const std::vector<SoilType>& soils() const { return soils_; }
   std::uint8_t soil_at(ColumnId k) const { return skin(k).soil; }
+  /// Strata of a column's undisturbed soil.
+  const GroundProfile& ProfileOf(ColumnId k) const { return ground_.profiles[at(k).profile]; }
   /// Stratum of the undisturbed soil at the top of a column's bank.
   const Stratum& BankOf(ColumnId k) const;
 

@@ -1,13 +1,11 @@
 #include "soil/digging.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "core/units.h"
-#include "soil/earthmoving.h"
 #include "soil/soil_type.h"
 
 namespace tera {
@@ -20,36 +18,40 @@ constexpr double kLeastDownward = 0.35;     ///< parts of the shell facing furth
 constexpr double kShellDampingRatio = 0.2;  ///< of critical for the mass that the pressure carries
 constexpr double kSlideSpeed_mps = 0.10;    ///< shell friction is proportional to speed below it
 constexpr double kNear_m = 0.3;             ///< a shovel this close to the ground holds soil back
-// Edge.
-constexpr double kElasticTravel_m = 0.006;  ///< travel over which the edge's force builds up
-constexpr double kLookAhead_m = 0.30;       ///< over which the ground's slope ahead is measured
-constexpr double kNearAhead_cells = 1.5;    ///< where the depth is measured: past the cut itself
-constexpr double kLeastLevelMouth = 0.1;    ///< a mouth that looks more up or down than this
-constexpr double kLeastLevel = 1e-6;        ///< no direction below it
-constexpr double kSteepestSlope_rad = 25 * kDeg;
-constexpr double kEdgeThickness_m = 0.012;
-constexpr double kToothWidth_m = 0.06, kToothThickness_m = 0.02;
-constexpr double kFullPierceDepth_m = 0.5, kPierceAtSurface = 0.1;
-constexpr double kLeastSpeed_mps = 1e-4;  ///< slower edges keep their elastic travel
+constexpr double kLeastSpeed_mps = 1e-4;    ///< no direction below it
+// Soil pushed aside.
+constexpr int kWidestWedge = 60;      ///< columns
+constexpr double kParcel_m = 0.001;   ///< soil is spread in parcels at least this thick
+constexpr double kThickest_m = 0.02;  ///< and at most this
+constexpr int kLongestRoll = 60;      ///< columns
 // Carried soil.
 constexpr double kSpillTime_s = 0.25;   ///< time constant at which what cannot stay leaves
 constexpr double kBeforeLip_cells = 2;  ///< where the ground before the mouth is looked at
 constexpr double kShut_m = 0.05;        ///< ground this far above the lip shuts the mouth
-constexpr double kMouthDown = -0.7;     ///< z of a mouth that no ground can shut
+constexpr double kMouthDown = -0.7;     ///< z of a mouth that looks down
+constexpr double kGravityTime_s = 0.2;  ///< over which apparent gravity is smoothed
+constexpr double kMostGravity_mps2 = 3 * kStandardGravity_mps2;  ///< more is a knock
 
 double Clamp01(double x) { return std::clamp(x, 0.0, 1.0); }
 
-/// Resistance of the ground to being pierced at a depth; none above it.
-double PiercePressure_pa(const SoilType& soil, double depth_m) {
-  if (depth_m <= 0) return 0;
-  return BearingPressure_pa(soil, kEdgeThickness_m, kFullPierceDepth_m) *
-         (kPierceAtSurface + (1 - kPierceAtSurface) * std::min(1.0, depth_m / kFullPierceDepth_m));
+/// A level unit vector below a direction.
+Vec2 Level(const Vec3& v_W) {
+  const Vec2 level = v_W.head<2>();
+  return level.norm() > kLeastSpeed_mps ? Vec2(level.normalized()) : Vec2(Vec2::UnitX());
 }
 
 }  // namespace
 
 Digging::Digging(const Shovel& shovel, std::vector<SoilType> soils)
-    : shovel_(shovel), shape_(shovel), soils_(std::move(soils)) {}
+    : shovel_(shovel), shape_(shovel), edge_(shovel, soils), soils_(std::move(soils)) {
+  for (SoilType soil : soils_) {
+    heaped_m3_ = std::max(heaped_m3_,
+                          shape_.HoldFor(shape_.LevelUp_B(), soil.repose_angle_rad, 0).volume_m3);
+    bearing_pa_.push_back(BearingPressure_pa(soil, kShellWidth_m, 0));
+    soil.cohesion_pa = 0;
+    bearing_loose_pa_.push_back(BearingPressure_pa(soil, kShellWidth_m, 0));
+  }
+}
 
 bool Digging::InFootprint(int i, int j) const {
   if (i < i0_ || i > i1_ || j < j0_ || j > j1_) return false;
@@ -95,92 +97,169 @@ void Digging::FindFootprint(const BodyState& body, Columns* ground) {
   }
 }
 
-/// Puts soil on the first column outside the footprint in `direction`.
-void Digging::PutOutside(int i, int j, const Vec2& direction, const SpoilMix& spoil,
-                         Columns* ground) const {
+/// Puts soil outside the footprint in `direction`, on the columns that rise when a body pushes a
+/// wedge of soil before it: those above a plane that rises from its lowest point at Rankine's
+/// passive angle. From there it rolls down what is steeper than repose.
+void Digging::PutOutside(const Swept& swept, const Vec2& direction, SpoilMix* spoil,
+                         Columns* ground) {
   constexpr double kStep = 0.7;  // in columns: skips none
-  double x = i, y = j;
-  while (InFootprint(static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y)))) {
+  double x = swept.i, y = swept.j;
+  const auto at = [](double v) { return static_cast<int>(std::lround(v)); };
+  while (InFootprint(at(x), at(y))) {
     x += kStep * direction.x();
     y += kStep * direction.y();
   }
-  ground->DepositAt(static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y)), spoil);
+  const double friction_rad = soils_[spoil->main_soil()].friction_angle_rad;
+  const double repose_rad = soils_[spoil->main_soil()].repose_angle_rad;
+  const double rise_m = std::tan(kPi / 4 - friction_rad / 2) * ground->cell_m();
+  const auto rises = [&](int n) {
+    const int i = at(x + n * direction.x()), j = at(y + n * direction.y());
+    return ground->Contains(i, j) && !InFootprint(i, j) &&
+           swept.crossing.low_m + n * rise_m < ground->TopAt(i, j);
+  };
+  std::size_t wide = 1;
+  while (wide < kWidestWedge && rises(static_cast<int>(wide))) ++wide;
+  // In parcels that are worth the trouble, which take turns over the columns.
+  const double thickness_m = spoil->volume_m3() / ground->area_m2();
+  const std::size_t parcels =
+      std::clamp<std::size_t>(static_cast<std::size_t>(thickness_m / kParcel_m), 1,
+                              std::max(wide, static_cast<std::size_t>(thickness_m / kThickest_m)));
+  for (std::size_t p = 0; p < parcels; ++p) {
+    const std::size_t n = (put_++ + p * wide / parcels) % wide;
+    Place rest{at(x + n * direction.x()), at(y + n * direction.y())};
+    for (int k = 0; k < kLongestRoll && RollsOn(repose_rad, *ground, &rest); ++k) continue;
+    ground->DepositAt(rest.i, rest.j, spoil->Take(1.0 / static_cast<double>(parcels - p)));
+  }
+}
+
+/// Whether soil put on a column rolls on, and to which of those around: the steepest way down that
+/// the shovel does not bar.
+bool Digging::RollsOn(double repose_rad, const Columns& ground, Place* at) const {
+  if (!ground.Contains(at->i, at->j)) return false;
+  const double top_m = ground.TopAt(at->i, at->j);
+  double steepest = std::tan(repose_rad) * ground.cell_m();
+  const Place from = *at;
+  for (int dj = -1; dj <= 1; ++dj) {
+    for (int di = -1; di <= 1; ++di) {
+      const Place to{from.i + di, from.j + dj};
+      if ((di == 0 && dj == 0) || !ground.Contains(to.i, to.j) || InFootprint(to.i, to.j)) continue;
+      const double fall = (top_m - ground.TopAt(to.i, to.j)) / std::hypot(di, dj);
+      if (fall > steepest) steepest = fall, *at = to;
+    }
+  }
+  return at->i != from.i || at->j != from.j;
+}
+
+/// Whether the shell bears on the ground in a column, which then keeps `keep_m` above the shell's
+/// lowest point.
+bool Digging::PressShell(const BodyState& body, const Swept& swept, double dt_s, bool may_enter,
+                         Columns* ground, double* keep_m, Wrench* wrench) const {
+  const Vec3 n_W = body.X_WB.linear() * swept.crossing.low_normal_B;
+  if (n_W.z() >= -kLeastDownward) return false;
+  const ColumnId k = ground->Touch(swept.i, swept.j);
+  const double overlap_m = ground->at(k).top_m - swept.crossing.low_m;
+  const Vec3 p_W(ground->x_m(swept.i), ground->y_m(swept.j), swept.crossing.low_m);
+  const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(p_W - body.X_WB.translation());
+  // The shell's own advance into the column, and what it may indent elastically.
+  const double v_in_mps = v_W.dot(n_W);
+  const double advance_m = std::max(0.0, v_in_mps) / -n_W.z() * dt_s;
+  if (may_enter && overlap_m > kElasticDepth_m + 2 * advance_m) return false;
+  *keep_m = std::min(overlap_m, kElasticDepth_m);
+  const std::uint8_t soil = ground->soil_at(k);
+  const double bearing_pa = (ground->at(k).is_loose() ? bearing_loose_pa_ : bearing_pa_)[soil];
+  const double elastic_pa = bearing_pa * *keep_m / kElasticDepth_m;
+  const double damping =
+      2 * kShellDampingRatio *
+      std::sqrt(bearing_pa / kElasticDepth_m * elastic_pa / kStandardGravity_mps2);
+  const double pressure_pa =
+      elastic_pa + std::clamp(damping * v_in_mps, -elastic_pa, 0.5 * elastic_pa);
+  const double normal_n = pressure_pa * ground->area_m2() / -n_W.z();
+  const Vec3 slide_W = v_W - v_in_mps * n_W;
+  const Vec3 friction_W = -std::tan(soils_[soil].soil_tool_friction_rad) * normal_n * slide_W /
+                          std::max(slide_W.norm(), kSlideSpeed_mps);
+  wrench->AddForceAt(-normal_n * n_W + friction_W, p_W, body.X_WB.translation());
+  return true;
+}
+
+/// Where soil goes that a part of the shovel pushes: ahead of it, or, pressed down, to the nearer
+/// side.
+Vec2 Digging::WayOut(const BodyState& body, const Vec3& p_W, const Vec3& v_W) const {
+  const Vec2 ahead = v_W.head<2>();
+  if (ahead.norm() >= 0.5 * std::abs(v_W.z()) && ahead.norm() >= kLeastSpeed_mps) {
+    return ahead.normalized();
+  }
+  const Mat3& R_WB = body.X_WB.linear();
+  const double y_B = (R_WB.transpose() * (p_W - body.X_WB.translation())).y();
+  const Vec2 side = (y_B >= 0 ? 1.0 : -1.0) * R_WB.col(1).head<2>();
+  return Level({side.x(), side.y(), 0});
 }
 
 void Digging::CutFootprint(const BodyState& body, double dt_s, Columns* ground, Wrench* wrench) {
-  const Mat3& R_WB = body.X_WB.linear();
-  const Vec3 mouth_W = R_WB * shape_.mouth_normal_B();
+  const Vec3 mouth_W = body.X_WB.linear() * shape_.mouth_normal_B();
   const bool carries = shovel_.capacity_m3 > 0;
+  double room_m3 = heaped_m3_ - carried_.volume_m3();
   for (const Swept& swept : footprint_) {
     const ColumnId k = ground->Touch(swept.i, swept.j);
-    const SoilType& soil = soils_[ground->soil_at(k)];
-    const double top_m = ground->at(k).top_m;
-    const double overlap_m = top_m - swept.crossing.low_m;
     const Vec3 p_W(ground->x_m(swept.i), ground->y_m(swept.j), swept.crossing.low_m);
     const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(p_W - body.X_WB.translation());
-    const Vec3 n_W = R_WB * swept.crossing.low_normal_B;
     const bool open = carries && swept.crossing.through_mouth;
-    const bool bears = !open && n_W.z() < -kLeastDownward;
-    const bool mouth_first = carries && (open || v_W.dot(mouth_W) > 0);
-
-    // The shell's own advance into the column, and what it may indent elastically.
-    const double v_in_mps = v_W.dot(n_W);
-    const double advance_m = bears ? std::max(0.0, v_in_mps) / -n_W.z() * dt_s : 0.0;
-    const bool shell_contact =
-        bears && (!mouth_first || overlap_m <= kElasticDepth_m + 2 * advance_m);
+    const bool enters = carries && (open || v_W.dot(mouth_W) > 0);
     double keep_m = 0;
-    if (shell_contact) {
-      keep_m = std::min(overlap_m, kElasticDepth_m);
-      const double bearing_pa = BearingPressure_pa(soil, kShellWidth_m, 0);
-      const double elastic_pa = bearing_pa * keep_m / kElasticDepth_m;
-      const double damping =
-          2 * kShellDampingRatio *
-          std::sqrt(bearing_pa / kElasticDepth_m * elastic_pa / kStandardGravity_mps2);
-      const double pressure_pa =
-          elastic_pa + std::clamp(damping * v_in_mps, -elastic_pa, 0.5 * elastic_pa);
-      const double normal_n = pressure_pa * ground->area_m2() / -n_W.z();
-      const Vec3 slide_W = v_W - v_in_mps * n_W;
-      const Vec3 friction_W = -std::tan(soil.soil_tool_friction_rad) * normal_n * slide_W /
-                              std::max(slide_W.norm(), kSlideSpeed_mps);
-      wrench->AddForceAt(-normal_n * n_W + friction_W, p_W, body.X_WB.translation());
-    }
-    if (overlap_m <= keep_m) continue;
+    const bool bears = !open && PressShell(body, swept, dt_s, enters, ground, &keep_m, wrench);
+    if (ground->at(k).top_m - swept.crossing.low_m <= keep_m) continue;
     SpoilMix cut;
     ground->Cut(k, swept.crossing.low_m + keep_m, &cut);
-    if (mouth_first && !shell_contact) {
+    if (enters && !bears && room_m3 > 0) {
+      room_m3 -= cut.volume_m3();
       carried_.Add(cut);
-      continue;
+    } else {
+      PutOutside(swept, WayOut(body, p_W, v_W), &cut, ground);
     }
-    Vec2 direction = v_W.head<2>();
-    if (direction.norm() < 0.5 * std::abs(v_W.z()) || direction.norm() < kLeastSpeed_mps) {
-      // Pressed down: to the nearer side of the shovel.
-      const Vec3 side_W =
-          R_WB.col(1) *
-          ((R_WB.transpose() * (p_W - body.X_WB.translation())).y() >= 0 ? 1.0 : -1.0);
-      direction = side_W.head<2>();
-      if (direction.norm() < kLeastSpeed_mps) direction = Vec2::UnitX();
-    }
-    PutOutside(swept.i, swept.j, direction.normalized(), cut, ground);
   }
 }
 
-void Digging::Spill(const BodyState& body, double dt_s, Columns* ground, Grains* grains) {
-  if (carried_.empty()) return;
-  const Vec3 up_B = body.X_WB.linear().transpose().col(2);
-  const double repose_rad = ground->soils()[carried_.main_soil()].repose_angle_rad;
-  const Vec3 lip_B = shape_.LowerLip_B(up_B);
+/// Apparent gravity: what soil in the shovel feels, without knocks.
+void Digging::FeelGravity(const BodyState& body, double dt_s) {
+  const Vec3 r_W = body.X_WB.linear() * shape_.edge_B();
+  const Vec3& w = body.w_WB_radps;
+  Vec3 up_W = body.a_WB_mps2 + body.alpha_WB_radps2.cross(r_W) + w.cross(w.cross(r_W)) +
+              kStandardGravity_mps2 * Vec3::UnitZ();
+  up_W *= std::min(1.0, kMostGravity_mps2 / std::max(up_W.norm(), kLeastSpeed_mps));
+  up_W_mps2_ += Clamp01(dt_s / kGravityTime_s) * (up_W - up_W_mps2_);
+}
+
+/// Whether ground stands before the mouth and keeps soil in. A mouth that looks down rests on it.
+bool Digging::IsShut(const BodyState& body, const Columns& ground) const {
   const Vec3 mouth_W = body.X_WB.linear() * shape_.mouth_normal_B();
-  const Vec2 mouth = mouth_W.head<2>();
-  const Vec2 out = mouth.norm() > kLeastSpeed_mps ? Vec2(mouth.normalized()) : Vec2::UnitX();
-  const double carried_m3 = carried_.volume_m3();
-  double holds_m3 = shape_.HoldFor(up_B, repose_rad, carried_m3).volume_m3;
-  // Ground that stands before the mouth keeps soil in.
-  const Vec3 lip_W = body.X_WB * lip_B;
-  const Vec2 before_lip = lip_W.head<2>() + kBeforeLip_cells * ground->cell_m() * out;
-  if (mouth_W.z() > kMouthDown &&
-      ground->HeightAt(before_lip.x(), before_lip.y()) > lip_W.z() + kShut_m) {
-    holds_m3 = std::max(holds_m3, shovel_.capacity_m3);
+  const Vec3 edge_W = body.X_WB * shape_.edge_B(), top_W = body.X_WB * shape_.top_edge_B();
+  if (mouth_W.z() < kMouthDown) {
+    const Vec3 middle_W = 0.5 * (edge_W + top_W);
+    return ground.HeightAt(middle_W.x(), middle_W.y()) > middle_W.z() - kShut_m;
   }
+  const Vec3& lip_W = edge_W.z() < top_W.z() ? edge_W : top_W;
+  const Vec2 before_lip = lip_W.head<2>() + kBeforeLip_cells * ground.cell_m() * Level(mouth_W);
+  return ground.HeightAt(before_lip.x(), before_lip.y()) > lip_W.z() + kShut_m;
+}
+
+/// What stays in the shovel as it is.
+double Digging::Holds_m3(const Vec3& up_B) const {
+  const SoilType& soil = soils_[carried_.main_soil()];
+  const double carried_m3 = carried_.volume_m3();
+  const double heap_m3 = shape_.HoldFor(up_B, soil.repose_angle_rad, carried_m3).volume_m3;
+  const double weight_npm3 = kStandardGravity_mps2 * carried_.mass_kg() / carried_m3;
+  const double layer_m = std::min(soil.adhesion_pa, soil.cohesion_pa) / weight_npm3;
+  const double touched = Clamp01(fullest_m3_ / shovel_.capacity_m3);
+  return std::max(heap_m3, std::min(layer_m * shape_.inside_m2() * touched, shovel_.capacity_m3));
+}
+
+void Digging::Spill(const BodyState& body, double dt_s, Columns* ground, Grains* grains) {
+  const double carried_m3 = carried_.volume_m3();
+  fullest_m3_ = carried_.empty() ? 0 : std::max(fullest_m3_, carried_m3);
+  if (carried_.empty()) return;
+  const Mat3& R_WB = body.X_WB.linear();
+  const Vec3 up_B = R_WB.transpose() * up_W_mps2_;
+  const Vec3 lip_B = shape_.LowerLip_B(up_B);
+  const double holds_m3 = IsShut(body, *ground) ? carried_m3 : Holds_m3(up_B);
   const double excess_m3 = carried_m3 - holds_m3;
   if (excess_m3 <= 0) {
     spilling_m3_ = 0;
@@ -194,6 +273,7 @@ void Digging::Spill(const BodyState& body, double dt_s, Columns* ground, Grains*
   const double leaves_m3 = last ? carried_m3 : std::min(spilling_m3_, excess_m3);
   spilling_m3_ = 0;
   // Just beyond the lip, anywhere over the shovel's width.
+  const Vec2 out = Level(R_WB * shape_.mouth_normal_B());
   const Vec3 out_W = ground->cell_m() * Vec3(out.x(), out.y(), 0);
   const double half_m = 0.5 * shovel_.width_m;
   grains->Pour(carried_.Take(last ? 1.0 : leaves_m3 / carried_m3),
@@ -202,135 +282,24 @@ void Digging::Spill(const BodyState& body, double dt_s, Columns* ground, Grains*
                ground);
 }
 
-/// A part of the edge's width, and the ground that it cuts.
-struct Digging::Strip {
-  Vec3 p_W;
-  double depth_m, slope_rad;
-  const SoilType* soil;
-};
-
-/// Horizontal direction in which the edge cuts: along the ground in the plane of the cross-section,
-/// mouth first. Nothing where that plane lies level.
-std::optional<Vec3> Digging::CutDirection(const Mat3& R_WB) const {
-  const auto level = [](const Vec3& v) { return Vec3(v - v.z() * Vec3::UnitZ()); };
-  Vec3 travel_W = level(R_WB * shape_.mouth_normal_B());
-  if (travel_W.norm() < kLeastLevelMouth) travel_W = level(R_WB * shape_.edge_direction_B());
-  if (travel_W.norm() < kLeastLevel) return std::nullopt;
-  return travel_W.normalized();
-}
-
-std::array<Digging::Strip, Digging::kStrips> Digging::Strips(const BodyState& body,
-                                                             const Vec3& travel_W,
-                                                             const Columns& ground) const {
-  std::array<Strip, kStrips> strips;
-  const double near_m = kNearAhead_cells * ground.cell_m();
-  for (int s = 0; s < kStrips; ++s) {
-    const double y_m = ((s + 0.5) / kStrips - 0.5) * shovel_.width_m;
-    Strip& strip = strips[s];
-    strip.p_W = body.X_WB * (shape_.edge_B() + Vec3(0, y_m, 0));
-    const Vec2 near = (strip.p_W + near_m * travel_W).head<2>();
-    const Vec2 far = (strip.p_W + kLookAhead_m * travel_W).head<2>();
-    const double z_near = ground.HeightAt(near.x(), near.y());
-    const double z_far = ground.HeightAt(far.x(), far.y());
-    strip.slope_rad = std::clamp(std::atan2(z_far - z_near, kLookAhead_m - near_m),
-                                 -kSteepestSlope_rad, kSteepestSlope_rad);
-    strip.depth_m = std::clamp(z_near - strip.p_W.z(), 0.0, shape_.radius_m());
-    const int i = std::clamp(ground.NearestI(near.x()), 0, ground.nx() - 1);
-    const int j = std::clamp(ground.NearestJ(near.y()), 0, ground.ny() - 1);
-    strip.soil = &soils_[ground.SoilAt(i, j)];
-  }
-  return strips;
-}
-
-/// Force of the ground that a strip cuts, when it has failed. `floor_W` points from the edge up the
-/// floor.
-Vec3 Digging::CuttingForceOn(const Strip& strip, const Vec3& travel_W, const Vec3& floor_W,
-                             double speed_mps) const {
-  const SoilType& soil = *strip.soil;
-  // Rake in the ground's own slope.
-  const Vec3 along_W =
-      std::cos(strip.slope_rad) * travel_W + std::sin(strip.slope_rad) * Vec3::UnitZ();
-  const Vec3 up_W =
-      std::cos(strip.slope_rad) * Vec3::UnitZ() - std::sin(strip.slope_rad) * travel_W;
-  CuttingInput in;
-  in.width_m = shovel_.width_m / kStrips;
-  in.depth_m = strip.depth_m * std::cos(strip.slope_rad);
-  in.rake_rad = std::atan2(floor_W.dot(up_W), -floor_W.dot(along_W));
-  in.density_kgpm3 = soil.bank_density_kgpm3;
-  in.friction_rad = soil.friction_angle_rad;
-  in.tool_friction_rad = soil.soil_tool_friction_rad;
-  in.cohesion_pa = soil.cohesion_pa;
-  in.adhesion_pa = soil.adhesion_pa;
-  in.speed_mps = std::max(0.0, speed_mps);
-  in.flank_share = 1.0 / kStrips;
-  if (in.rake_rad < 0) in.rake_rad = 0;
-  CuttingForce cut = Cut(in);
-  if (shovel_.capacity_m3 > 0 && cut.wedge_length_m > 0) {
-    // Carried soil rests on the wedge with the share of its length that lies over it.
-    const double load_npm = carried_.mass_kg() * kStandardGravity_mps2 / shovel_.width_m;
-    in.surcharge_pa = load_npm / std::max(cut.wedge_length_m, shape_.radius_m());
-    cut = Cut(in);
-  }
-  return -(cut.draft_n * along_W + cut.vertical_n * up_W);
-}
-
-/// Resistance of a strip's ground to being pierced along the floor.
-double Digging::PiercingForceOn_n(const Strip& strip, double sine_down) const {
-  // The profile ends at the tips of the teeth, where there are any; the edge stands behind them.
-  const double edge_area_m2 = shovel_.width_m * kEdgeThickness_m;
-  const double tooth_area_m2 = shovel_.teeth * kToothWidth_m * kToothThickness_m;
-  const double edge_behind_m =
-      shovel_.teeth > 0 ? shovel_.tooth_length_m * std::max(0.0, sine_down) : 0.0;
-  return (tooth_area_m2 * PiercePressure_pa(*strip.soil, strip.depth_m) +
-          edge_area_m2 * PiercePressure_pa(*strip.soil, strip.depth_m - edge_behind_m)) /
-         kStrips;
-}
-
-Wrench Digging::EdgeForce(const BodyState& body, double dt_s, const Columns& ground) {
-  Wrench wrench;
-  const Mat3& R_WB = body.X_WB.linear();
-  const std::optional<Vec3> travel_W = CutDirection(R_WB);
-  if (!travel_W) return wrench;
-  const std::array<Strip, kStrips> strips = Strips(body, *travel_W, ground);
-  if (std::none_of(strips.begin(), strips.end(), [](const Strip& s) { return s.depth_m > 0; })) {
-    cut_travel_m_ = pierce_travel_m_ = 0;
-    return wrench;
-  }
-  const Vec3 v_W = PointVelocity(body, shape_.edge_B());
-  const Vec3 cut_dir_W = R_WB * shape_.edge_direction_B();
-  const double v_cut_mps = v_W.dot(*travel_W), v_pierce_mps = v_W.dot(cut_dir_W);
-  cut_travel_m_ = std::clamp(cut_travel_m_ + v_cut_mps * dt_s, 0.0, kElasticTravel_m);
-  pierce_travel_m_ = std::clamp(pierce_travel_m_ + v_pierce_mps * dt_s, 0.0, kElasticTravel_m);
-  const double cut_share = cut_travel_m_ / kElasticTravel_m;
-  const double pierce_share = pierce_travel_m_ / kElasticTravel_m;
-  for (const Strip& strip : strips) {
-    if (strip.depth_m <= 0) continue;
-    const Vec3 cut_W_n = cut_share * CuttingForceOn(strip, *travel_W, -cut_dir_W, v_cut_mps);
-    const double pierce_n = pierce_share * PiercingForceOn_n(strip, -cut_dir_W.z());
-    wrench.AddForceAt(cut_W_n - pierce_n * cut_dir_W, strip.p_W, body.X_WB.translation());
-  }
-  // The ground never drives the edge on.
-  const double power_w = wrench.force_W_n.dot(v_W);
-  const double v2 = v_W.squaredNorm();
-  if (power_w > 0 && v2 > kLeastSpeed_mps * kLeastSpeed_mps) {
-    const Vec3 excess_W = power_w / v2 * v_W;
-    wrench.AddForceAt(-excess_W, body.X_WB * shape_.edge_B(), body.X_WB.translation());
-  }
-  return wrench;
-}
-
 Digging::Result Digging::Act(const BodyState& body, double dt_s, Columns* ground, Grains* grains) {
   Result result;
+  FeelGravity(body, dt_s);
   FindFootprint(body, ground);
-  result.wrench = EdgeForce(body, dt_s, *ground);
+  result.wrench =
+      edge_.Act(shape_, body, {carried_.mass_kg(), carried_.volume_m3(), carried_.main_soil()},
+                dt_s, soils_, ground);
   CutFootprint(body, dt_s, ground, &result.wrench);
   Spill(body, dt_s, ground, grains);
+  result.load.soil_kg.resize(soils_.size());
   if (!carried_.empty()) {
-    const Vec3 up_B = body.X_WB.linear().transpose().col(2);
-    const double repose_rad = ground->soils()[carried_.main_soil()].repose_angle_rad;
+    const Vec3 up_B = body.X_WB.linear().transpose() * up_W_mps2_;
+    const double repose_rad = soils_[carried_.main_soil()].repose_angle_rad;
     const double volume_m3 = carried_.volume_m3();
-    result.load = {carried_.mass_kg(), shape_.HoldFor(up_B, repose_rad, volume_m3).com_B_m,
-                   volume_m3};
+    result.load.mass_kg = carried_.mass_kg();
+    result.load.volume_m3 = volume_m3;
+    result.load.com_B_m = shape_.HoldFor(up_B, repose_rad, volume_m3).com_B_m;
+    for (const Spoil& part : carried_.parts()) result.load.soil_kg[part.soil] = part.mass_kg;
   }
   return result;
 }

@@ -7,13 +7,53 @@
 #include <utility>
 
 #include "core/check.h"
+#include "core/units.h"
 
 namespace tera {
 namespace {
 
 constexpr double kTiny = 1e-12;
+constexpr double kSteepestRise_rad = 85 * kDeg;  ///< of soil from a side wall
+
+double NotZero(double x) { return std::abs(x) > kTiny ? x : kTiny; }
 
 double Cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+double TwiceArea_m2(const std::vector<Vec2>& profile) {
+  double sum_m2 = 0;
+  for (std::size_t k = 0; k < profile.size(); ++k) {
+    sum_m2 += Cross(profile[k], profile[(k + 1) % profile.size()]);
+  }
+  return sum_m2;
+}
+
+/// What is left of a polyline without its first `length_m`; at least its last three points.
+std::vector<Vec2> Behind(double length_m, std::vector<Vec2> profile) {
+  while (length_m > 0 && profile.size() > 3) {
+    const Vec2 along = profile[1] - profile[0];
+    if (along.norm() > length_m) {
+      profile[0] += length_m * along.normalized();
+      break;
+    }
+    length_m -= along.norm();
+    profile.erase(profile.begin());
+  }
+  return profile;
+}
+
+/// Mean over a width of the height of soil that is `most_m` high in the middle and rises with given
+/// slopes from both ends, of which the first may fall.
+double MeanOfRoof_m(double most_m, double rise_a, double rise_b, double width_m) {
+  if (rise_a < 0) {
+    if (most_m >= 0) return 0.5 * rise_a * width_m;
+    const double met_m = std::min(most_m / rise_a, width_m);
+    return (most_m * met_m + 0.5 * rise_a * (width_m * width_m - met_m * met_m)) / width_m;
+  }
+  if (most_m <= 0) return most_m;
+  const double ridge_m = rise_a * rise_b / std::max(rise_a + rise_b, kTiny) * width_m;
+  if (most_m >= ridge_m) return 0.5 * ridge_m;
+  return most_m * (1 - 0.5 * most_m / ridge_m);
+}
 
 }  // namespace
 
@@ -23,10 +63,14 @@ ShovelShape::ShovelShape(const Shovel& shovel)
       capacity_m3_(shovel.capacity_m3) {
   const std::size_t n = profile_.size();
   TERA_CHECK(n >= 3, shovel.name, n);
-  double twice_area = 0;
-  for (std::size_t k = 0; k < n; ++k) twice_area += Cross(profile_[k], profile_[(k + 1) % n]);
-  area_m2_ = 0.5 * std::abs(twice_area);
-  TERA_CHECK(area_m2_ > 0, shovel.name);
+  held_ = Behind(shovel.teeth > 0 ? shovel.tooth_length_m : 0, profile_);
+  const double twice_area = TwiceArea_m2(profile_);
+  held_area_m2_ = 0.5 * std::abs(TwiceArea_m2(held_));
+  TERA_CHECK(held_area_m2_ > 0, shovel.name);
+  inside_m2_ = 2 * held_area_m2_;
+  for (std::size_t k = 0; k + 1 < held_.size(); ++k) {
+    inside_m2_ += (held_[k + 1] - held_[k]).norm() * shovel.width_m;
+  }
   const double turn = twice_area > 0 ? 1 : -1;
   for (std::size_t k = 0; k < n; ++k) {
     const Vec2 a = profile_[k], b = profile_[(k + 1) % n];
@@ -40,15 +84,22 @@ ShovelShape::ShovelShape(const Shovel& shovel)
 
 Vec3 ShovelShape::edge_B() const { return Vec3(profile_[0].x(), 0, profile_[0].y()); }
 
+Vec3 ShovelShape::top_edge_B() const { return Vec3(profile_.back().x(), 0, profile_.back().y()); }
+
 Vec3 ShovelShape::edge_direction_B() const {
   const Vec2 d = (profile_[0] - profile_[1]).normalized();
   return Vec3(d.x(), 0, d.y());
 }
 
+Vec3 ShovelShape::LevelUp_B() const {
+  const Vec2 mouth = held_.front() - held_.back();
+  const Vec3 up(-mouth.y(), 0, mouth.x());
+  return up.dot(mouth_normal_B_) > 0 ? Vec3(up.normalized()) : Vec3(-up.normalized());
+}
+
 Vec3 ShovelShape::LowerLip_B(const Vec3& up_B) const {
   const Vec2 up(up_B.x(), up_B.z());
-  const Vec2 lip =
-      profile_.front().dot(up) <= profile_.back().dot(up) ? profile_.front() : profile_.back();
+  const Vec2 lip = held_.front().dot(up) <= held_.back().dot(up) ? held_.front() : held_.back();
   return Vec3(lip.x(), 0, lip.y());
 }
 
@@ -138,17 +189,23 @@ struct ShovelShape::Heap {
   }
 };
 
-/// The fullest heap under `up`: soil rises from each lip inwards at the angle of repose.
-ShovelShape::Heap ShovelShape::FullestHeap(const Vec2& up, double repose_rad) const {
+/// The fullest heap under `up_B`: soil rises from each lip inwards at the angle of repose, and over
+/// the mouth from the side walls, which may stand at different heights.
+ShovelShape::Heap ShovelShape::FullestHeap(const Vec3& up_B, double repose_rad) const {
+  const Vec2 up = Vec2(up_B.x(), up_B.z()).normalized();
   Heap heap{.right = Vec2(up.y(), -up.x()), .up = up};
-  const Vec2 lip_a = heap.Level(profile_.front()), lip_b = heap.Level(profile_.back());
+  const double slope = std::tan(repose_rad);
+  const double tilt_rad = std::atan2(std::abs(up_B.y()), Vec2(up_B.x(), up_B.z()).norm());
+  const double rise_low = std::tan(std::max(repose_rad - tilt_rad, -kSteepestRise_rad));
+  const double rise_high = std::tan(std::min(repose_rad + tilt_rad, kSteepestRise_rad));
+  const Vec2 lip_a = heap.Level(held_.front()), lip_b = heap.Level(held_.back());
+  const double mouth_slope = (lip_b.y() - lip_a.y()) / NotZero(lip_b.x() - lip_a.x());
   double from = std::numeric_limits<double>::infinity(), to = -from;
-  for (const Vec2& p : profile_) {
+  for (const Vec2& p : held_) {
     from = std::min(from, heap.Level(p).x());
     to = std::max(to, heap.Level(p).x());
   }
   heap.dx = (to - from) / Heap::kSlices;
-  const double slope = std::tan(repose_rad);
   const double mouth_left = std::min(lip_a.x(), lip_b.x());
   const double mouth_right = std::max(lip_a.x(), lip_b.x());
   for (int k = 0; k < Heap::kSlices; ++k) {
@@ -156,12 +213,13 @@ ShovelShape::Heap ShovelShape::FullestHeap(const Vec2& up, double repose_rad) co
     slice.x = from + (k + 0.5) * heap.dx;
     double low = std::numeric_limits<double>::infinity(), high = -low;
     bool open = false, bottomless = false;
-    for (std::size_t m = 0; m < segments_.size(); ++m) {
-      const Vec2 a = heap.Level(segments_[m].a), b = heap.Level(segments_[m].b);
+    for (std::size_t m = 0; m < held_.size(); ++m) {
+      const bool is_mouth = m + 1 == held_.size();
+      const Vec2 a = heap.Level(held_[m]), b = heap.Level(held_[is_mouth ? 0 : m + 1]);
       if ((a.x() - slice.x) * (b.x() - slice.x) > 0 || a.x() == b.x()) continue;
       const double z = a.y() + (b.y() - a.y()) * (slice.x - a.x()) / (b.x() - a.x());
-      if (z < low) low = z, bottomless = m + 1 == segments_.size();
-      if (z > high) high = z, open = m + 1 == segments_.size();
+      if (z < low) low = z, bottomless = is_mouth;
+      if (z > high) high = z, open = is_mouth;
     }
     if (!(high > low) || bottomless) continue;
     // Beyond a lip the soil stays level.
@@ -170,7 +228,13 @@ ShovelShape::Heap ShovelShape::FullestHeap(const Vec2& up, double repose_rad) co
     double surface = std::min(lip_a.y() + slope * std::max(0.0, inward_a),
                               lip_b.y() + slope * std::max(0.0, inward_b));
     const bool under_mouth = slice.x > mouth_left && slice.x < mouth_right;
-    if (!(open && under_mouth)) surface = std::min(surface, high);
+    if (open && under_mouth) {
+      const double side_wall = lip_a.y() + mouth_slope * (slice.x - lip_a.x());
+      surface =
+          side_wall + MeanOfRoof_m(surface - side_wall, rise_low, rise_high, 2 * half_width_m_);
+    } else {
+      surface = std::min(surface, high);
+    }
     slice.floor = low;
     slice.surface = std::max(low, surface);
   }
@@ -182,9 +246,9 @@ ShovelShape::Hold ShovelShape::HoldFor(const Vec3& up_B, double repose_rad,
   Hold hold;
   const Vec2 up(up_B.x(), up_B.z());
   if (up.norm() < kTiny || capacity_m3_ <= 0) return hold;
-  const Heap heap = FullestHeap(up.normalized(), repose_rad);
+  const Heap heap = FullestHeap(up_B, repose_rad);
   const auto [bottom, top] = heap.Extent();
-  const double volume_per_area_m = capacity_m3_ / area_m2_;
+  const double volume_per_area_m = capacity_m3_ / held_area_m2_;
   if (top > bottom) hold.volume_m3 = heap.AreaBelow(top) * volume_per_area_m;
   // Level at which the volume asked for is reached, then its centre.
   double cap = top;
@@ -196,7 +260,7 @@ ShovelShape::Hold ShovelShape::HoldFor(const Vec3& up_B, double repose_rad,
       (heap.AreaBelow(cap) * volume_per_area_m < volume_m3 ? low : high) = cap;
     }
   }
-  const Vec2 centre = heap.CentreBelow(cap).value_or(heap.Level(profile_[profile_.size() / 2]));
+  const Vec2 centre = heap.CentreBelow(cap).value_or(heap.Level(held_[held_.size() / 2]));
   const Vec2 in_B = centre.x() * heap.right + centre.y() * heap.up;
   hold.com_B_m = Vec3(in_B.x(), 0, in_B.y());
   return hold;

@@ -11,6 +11,9 @@ namespace tera {
 ///
 /// Frames  B's x-z plane, as in Shovel; mouth_normal_B and each segment's outward normal point out
 ///         of the region.
+/// Model   It holds soil behind the edge, not on the teeth, between which soil falls: heaped at the
+///         angle of repose from both lips and, over the mouth, from the tops of the side walls. Its
+///         struck volume is the capacity.
 class ShovelShape {
  public:
   explicit ShovelShape(const Shovel& shovel);
@@ -33,25 +36,30 @@ class ShovelShape {
 
   /// Middle of the lip that soil leaves over when `up_B` is up.
   Vec3 LowerLip_B(const Vec3& up_B) const;
+  /// The up direction in which the lips that hold soil stand level.
+  Vec3 LevelUp_B() const;
   const Vec3& mouth_normal_B() const { return mouth_normal_B_; }
   /// Direction from the floor to the edge, the way the edge cuts.
   Vec3 edge_direction_B() const;
   Vec3 edge_B() const;
-  double area_m2() const { return area_m2_; }
-  double radius_m() const { return radius_m_; }  ///< of a sphere about B's origin that holds it
+  Vec3 top_edge_B() const;
+  double inside_m2() const { return inside_m2_; }  ///< of the shell where soil lies
+  double radius_m() const { return radius_m_; }    ///< of a sphere about B's origin that holds it
 
  private:
   struct Segment {
     Vec2 a, b, outward;
   };
   struct Heap;
-  Heap FullestHeap(const Vec2& up, double repose_rad) const;
+  Heap FullestHeap(const Vec3& up_B, double repose_rad) const;
 
   std::vector<Vec2> profile_;
+  std::vector<Vec2> held_;         ///< behind the teeth
   std::vector<Segment> segments_;  ///< the last one is the mouth
   double half_width_m_ = 0;
   double capacity_m3_ = 0;
-  double area_m2_ = 0;
+  double held_area_m2_ = 0;
+  double inside_m2_ = 0;
   double radius_m_ = 0;
   Vec3 mouth_normal_B_ = Vec3::Zero();
 };

@@ -255,8 +255,12 @@ TEST(MachineFaults, EachNamesItsPlaceAndItsRemedy) {
   EXPECT_THAT(with("shovels.scoop.width_m=0"), HasSubstr("width_m: 0 is out of range"));
   EXPECT_THAT(with("shovels.scoop.profile_m=[[1, 0], [1, 0], [0, 1], [0, 0]]"),
               HasSubstr("points 0 and 1 are the same"));
+  EXPECT_THAT(with("shovels.scoop.profile_m=[[0, 0], [1, 1], [1, 0], [0, 0.5]]"),
+              HasSubstr("the profile or its mouth crosses itself"));
   EXPECT_THAT(with("shovels.scoop.teeth=5000000000"), HasSubstr("teeth: 5000000000 is out of"));
   EXPECT_THAT(with("shovels.scoop.tooth_length_m=3"), HasSubstr("tooth_length_m: 3 is out of"));
+  EXPECT_THAT(with("shovels.scoop.edge_thickness_m=0"), HasSubstr("edge_thickness_m: 0 is out of"));
+  EXPECT_THAT(with("shovels.scoop.teeth=90"), HasSubstr("need room between them"));
   EXPECT_THAT(with("links.arm.visuals=[{mesh: nowhere.glb}]"),
               HasSubstr("file 'nowhere.glb' does not exist"));
   EXPECT_THAT(with("frames.tip={link: arm, xyz_m: [0, 0]}"), HasSubstr("3 numbers"));
