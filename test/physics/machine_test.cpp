@@ -256,7 +256,7 @@ TEST(MachineFaults, EachNamesItsPlaceAndItsRemedy) {
   EXPECT_THAT(with("shovels.scoop.profile_m=[[1, 0], [1, 0], [0, 1], [0, 0]]"),
               HasSubstr("points 0 and 1 are the same"));
   EXPECT_THAT(with("shovels.scoop.profile_m=[[0, 0], [1, 1], [1, 0], [0, 0.5]]"),
-              HasSubstr("the profile or its mouth crosses itself"));
+              HasSubstr("cross; need the points in order"));
   EXPECT_THAT(with("shovels.scoop.teeth=5000000000"), HasSubstr("teeth: 5000000000 is out of"));
   EXPECT_THAT(with("shovels.scoop.tooth_length_m=3"), HasSubstr("tooth_length_m: 3 is out of"));
   EXPECT_THAT(with("shovels.scoop.edge_thickness_m=0"), HasSubstr("edge_thickness_m: 0 is out of"));
