@@ -127,7 +127,8 @@ TEST(BadInput, ASoilThatCannotBeIsRefusedByItsKey) {
   const std::string mine =
       "size_m: [14, 14], soil: mine, custom_soils: [{preset: tera:config/soils/dirt.yaml, name: "
       "mine, KEY}]";
-  const std::string light = OnGround(Edited(mine, "KEY", "bank_density_kgpm3: -5"));
+  const std::string light =
+      OnGround(Edited(mine, "KEY", "bank_density_kgpm3: -5, max_density_kgpm3: 3000"));
   ExpectScenarioRefused(
       light,
       StartsWith(At(light, "-5") + "terrain.custom_soils[0].bank_density_kgpm3: -5 is out of "
@@ -232,7 +233,7 @@ TEST(BadInput, WhatCannotBeRecordedOfTheGroundIsRefused) {
   refused("{terrain: [hight]}", "[hight]", "no raster of the ground (did you mean 'height'?)");
   refused("{terrain: [height, height]}", "[height", "names 'height' twice");
   refused("{pixel_m: 0.25}", "0.25", "no whole multiple of the site's cell of 0.1 m");
-  refused("{every_s: 0}", "0}", "every_s: 0 is out of range");
+  refused("{every_s: 0}", "0}\n", "every_s: 0 is out of range");
   const std::string box = "{voxels: [{name: pit, low_m: [-1, -1, -1], high_m: HIGH}]}";
   refused(Edited(box, "HIGH", "[1, 1, -2]"), "[1, 1, -2]", "needs to lie above low_m");
   refused(Edited(box, "HIGH", "[9, 1, 1]"), "[-1, -1", "reaches beyond the site, x -7 to 7 m");
