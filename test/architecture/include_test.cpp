@@ -198,8 +198,8 @@ std::vector<Include> WhatStatisticsMayNotSee(const std::vector<Include>& include
   std::vector<Include> faults;
   for (const Include& include : includes) {
     if (!include.file.starts_with("diagnose/statistics/") || !IsOurs(include.header)) continue;
-    const bool allowed = include.header.starts_with("core/") ||
-                         include.header.starts_with("diagnose/statistics/");
+    const bool allowed =
+        include.header.starts_with("core/") || include.header.starts_with("diagnose/statistics/");
     if (!allowed) faults.push_back(include);
   }
   return faults;
