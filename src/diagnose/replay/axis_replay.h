@@ -13,7 +13,8 @@ namespace tera {
 /// Model   Actuation over the steps of the log; a joint runs as its drive asks, which is what its
 ///         motor does where it is not held up.
 /// Omits   joints that the ground, their end stops or their effort limits hold up; the inertia that
-///         an effort has to accelerate.
+///         an effort has to accelerate; `payload`, whose weight is not in the log's loads; which
+///         messages `command_drops` lost, for it draws its own.
 class AxisReplay {
  public:
   /// Both must outlive it.
