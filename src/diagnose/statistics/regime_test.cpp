@@ -12,6 +12,7 @@ namespace {
 constexpr Eigen::Index kSplines = 10;
 constexpr double kEffectiveFreedom = 5;
 constexpr double kLeastInformation = 2e-3;  ///< of the best known direction
+constexpr double kRounding = 1e-9;          ///< of the information that the mean takes away
 constexpr double kLeastRemaining = 0.05;
 
 /// Weights 1 / (1 + lambda roughness) that sum to the effective freedom.
@@ -74,11 +75,12 @@ RegimeProbe::RegimeProbe(const RegimeVariable& variable, const WhiteningFilter& 
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> information(splines.transpose() * centred *
                                                                    splines);
   const Eigen::VectorXd& known = information.eigenvalues();
-  Eigen::Index kept = 0;
-  while (kept < known.size() &&
-         known[known.size() - 1 - kept] > kLeastInformation * std::max(known.maxCoeff(), 1e-200)) {
-    ++kept;
-  }
+  const double least = std::max(kLeastInformation * known.maxCoeff(),
+                                kRounding * (splines.transpose() * gram_ * splines).trace());
+  const Eigen::Index kept = (known.array() > least).count();
+  directions_.resize(axis_.bins(), kept);
+  weights_.resize(kept);
+  if (kept == 0) return;  // a variable that does not move; Eigen has no spectrum of nothing
   const Eigen::MatrixXd unit = information.eigenvectors().rightCols(kept) *
                                known.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> rough(unit.transpose() *
