@@ -183,7 +183,14 @@ void DigCycle::Advance(const OperatorView& view) {
         ++cycle_;
         dig_azimuth_rad_ += plan_.azimuth_step_rad;
         const bool done = plan_.cycles > 0 && cycle_ >= plan_.cycles;
-        Enter(done ? Phase::kDone : Phase::kApproach, view);
+        const Phase back = plan_.clear_dump_rad > 0 ? Phase::kReturn : Phase::kApproach;
+        Enter(done ? Phase::kDone : back, view);
+      }
+      break;
+    case Phase::kReturn:
+      if (slewed || late ||
+          std::abs(Nearest(plan_.dump_azimuth_rad, slew_rad) - slew_rad) >= plan_.clear_dump_rad) {
+        Enter(Phase::kApproach, view);
       }
       break;
     case Phase::kDone:
@@ -229,6 +236,8 @@ DigCycle::Target DigCycle::TargetNow(const OperatorView& view) const {
     case Phase::kDone:
       return {{plan_.dump_reach_m, dump_ground_m + plan_.dump_height_m, kDumpPitch_rad},
               plan_.dump_azimuth_rad};
+    case Phase::kReturn:
+      return {{plan_.dump_reach_m, carry.z_m, kDumpPitch_rad}, dig_azimuth_rad_};
   }
   return {};
 }

@@ -23,6 +23,7 @@ struct DigPlan {
   double cut_speed_mps = 0.7;
   double dump_reach_m = 3.8;
   double dump_height_m = 1.3;      ///< of the tip above the ground while swinging and dumping
+  double clear_dump_rad = 0;       ///< slewed from the dump place before the tip comes down
   double servo_gain_1ps = 4.0;     ///< of all joints, see ServoLever
   double slew_braking_radps2 = 0;  ///< the slew comes to rest at this; 0: at once
   double patience_s = 4.0;         ///< a phase never holds the cycle up longer
@@ -46,7 +47,7 @@ class DigCycle : public Operator {
   std::vector<double> Levers(const OperatorView& view) override;
 
  private:
-  enum class Phase { kApproach, kLower, kCut, kCurl, kLift, kSwing, kDump, kDone };
+  enum class Phase { kApproach, kLower, kCut, kCurl, kLift, kSwing, kDump, kReturn, kDone };
 
   struct Target {
     PlanarArm::Tip tip;

@@ -100,6 +100,7 @@ std::optional<DigPlan> ReadDigPlan(const ConfigMap& config, const MachineModel& 
   plan.cut_speed_mps = config.Number("cut_speed_mps", Positive("m/s"), plan.cut_speed_mps);
   plan.dump_reach_m = config.Number("dump_reach_m", Positive("m"), plan.dump_reach_m);
   plan.dump_height_m = config.Number("dump_height_m", Positive("m"), plan.dump_height_m);
+  plan.clear_dump_rad = config.Number("clear_dump_deg", Between(0, 180, "deg"), 0) * kDeg;
   plan.slew_braking_radps2 =
       config.Number("slew_braking_degps2", AtLeast(0, "deg/s2"), plan.slew_braking_radps2) * kDeg;
   plan.servo_gain_1ps = config.Number("servo_gain_1ps", Positive("1/s"), plan.servo_gain_1ps);

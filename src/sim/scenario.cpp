@@ -23,6 +23,7 @@ constexpr double kMostSeed = 9e15;  ///< below 2^53: every YAML reader keeps it 
 constexpr double kSlowest_hz = 100, kFastest_hz = 5000;  ///< steps that machines and soil bear
 constexpr double kDefaultRate_hz = 500, kDefaultSettle_s = 1.5, kLongestSettle_s = 60;
 constexpr double kSunAzimuth_deg = 150, kSunElevation_deg = 42;  ///< a fair morning
+constexpr double kLeastBed_m = 0.3, kLargestBed_m = 30;
 constexpr SiteOrigin kDefaultOrigin = {47.3763, 8.5477, 460.0};
 
 /// Height and tilt of the ground under a rectangle of half extents `half_m` about `xy`.
@@ -143,6 +144,15 @@ void PlaceOnGround(Scenario* scenario) {
   }
 }
 
+SoilBed ReadBed(const ConfigMap& config) {
+  const Range size = Between(kLeastBed_m, kLargestBed_m, "m");
+  SoilBed bed;
+  bed.floor_B_m = config.Vector3("xyz_m", Any("m"));
+  bed.size_m = config.Vector2("size_m", size);
+  bed.wall_m = config.Number("wall_m", Between(0, kLargestBed_m, "m"));
+  return bed;
+}
+
 ScenarioObstacle ReadObstacle(const ConfigMap& config) {
   config.ApplyPreset("preset");
   ScenarioObstacle obstacle;
@@ -163,6 +173,7 @@ ScenarioObstacle ReadObstacle(const ConfigMap& config) {
   for (const ConfigMap& box : config.List("collision")) {
     obstacle.collision.push_back({box.PoseXyzRpy(), box.Vector3("size_m", Positive("m"))});
   }
+  if (const auto bed = config.OptionalMap("bed")) obstacle.bed = ReadBed(*bed);
   obstacle.xy_W_m = config.Vector2("xy_m", Any("m"));
   obstacle.yaw_rad = config.Number("yaw_deg", Between(-360, 360, "deg"), 0) * kDeg;
   obstacle.height_above_ground_m = config.Number("height_above_ground_m", Any("m"), 0);

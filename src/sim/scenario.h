@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,7 @@ struct ScenarioObstacle {
   SemanticClass label = SemanticClass::kRock;
   Visual visual;
   std::vector<CollisionBox> collision;
+  std::optional<SoilBed> bed;  ///< soil may be dumped into it
   Vec2 xy_W_m = Vec2::Zero();
   double yaw_rad = 0;
   double height_above_ground_m = 0;

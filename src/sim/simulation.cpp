@@ -17,7 +17,10 @@ Simulation::Simulation(Scenario* scenario)
   for (const ScenarioObstacle& obstacle : scenario->obstacles) {
     state_.obstacles.push_back(ObstacleAt(obstacle, 0, ground()));
     obstacles.push_back({obstacle.name, obstacle.collision, state_.obstacles.back()});
+    bed_handle_.emplace_back();
+    if (obstacle.bed) bed_handle_.back() = scenario->soil->AddBed(*obstacle.bed);
   }
+  MoveBeds();
   physics_ = std::make_unique<PhysicsWorld>(placements, obstacles, kStandardGravity_mps2,
                                             WorldStart{scenario->seed, step_});
   Capture();
@@ -37,6 +40,7 @@ void Simulation::Step() {
   for (std::size_t o = 0; o < state_.obstacles.size(); ++o) {
     state_.obstacles[o] = ObstacleAt(scenario_->obstacles[o], clock_.Due(step_), ground());
   }
+  MoveBeds();
   {
     const Stopwatch watch(&physics_wall_s_);
     physics_->Step(inputs, state_.obstacles, dt_s);
@@ -62,9 +66,19 @@ SoilReaction Simulation::GroundActsOn(std::size_t machine) {
   return scenario_->soil->Act(soil_handle_[machine], motion, 1.0 / scenario_->physics_rate_hz);
 }
 
+void Simulation::MoveBeds() {
+  for (std::size_t o = 0; o < bed_handle_.size(); ++o) {
+    if (bed_handle_[o]) scenario_->soil->MoveBed(*bed_handle_[o], state_.obstacles[o].X_WB);
+  }
+}
+
 void Simulation::Capture() {
   state_.t_ns = clock_.Due(step_);
   state_.machines = physics_->machines();
+  state_.beds.clear();
+  for (const std::optional<int>& bed : bed_handle_) {
+    state_.beds.push_back(bed ? scenario_->soil->bed_load(*bed) : BedLoad{});
+  }
 }
 
 }  // namespace tera

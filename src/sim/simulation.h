@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/time.h"
@@ -14,6 +15,7 @@ struct WorldState {
   TimeNs t_ns = 0;
   std::vector<MachineState> machines;
   std::vector<BodyState> obstacles;
+  std::vector<BedLoad> beds;  ///< one for each obstacle; nothing where it has no bed
 };
 
 /// Evolves a scenario: levers -> soil's forces -> bodies -> flow of the soil.
@@ -41,13 +43,15 @@ class Simulation {
  private:
   std::vector<double> LeversOf(std::size_t machine) const;
   SoilReaction GroundActsOn(std::size_t machine);
+  void MoveBeds();
   void Capture();
 
   Scenario* scenario_;
   SampleClock clock_;
   std::int64_t step_;
   std::unique_ptr<PhysicsWorld> physics_;
-  std::vector<int> soil_handle_;  ///< one for each machine
+  std::vector<int> soil_handle_;                ///< one for each machine
+  std::vector<std::optional<int>> bed_handle_;  ///< one for each obstacle
   WorldState state_, previous_;
   double physics_wall_s_ = 0, soil_wall_s_ = 0;
 };

@@ -89,6 +89,11 @@ TruthLog::TruthLog(const Scenario& scenario, MeasurementSink* sink)
     channels_.back().hydraulics =
         sink->AddTable("truth/" + name + "/hydraulics.csv", HydraulicColumns(model));
   }
+  for (const ScenarioObstacle& obstacle : scenario.obstacles) {
+    beds_.emplace_back();
+    if (!obstacle.bed) continue;
+    beds_.back() = sink->AddTable("truth/" + obstacle.name + "/bed.csv", {"soil_kg", "soil_m3"});
+  }
 }
 
 void TruthLog::WriteRows(const WorldState& now, const WorldState& next) {
@@ -103,6 +108,10 @@ void TruthLog::WriteRows(const WorldState& now, const WorldState& next) {
     if (!channels_[m].hydraulics) continue;
     sink_->WriteRow(*channels_[m].hydraulics, now.t_ns,
                     HydraulicRow(now.machines[m], next.machines[m]));
+  }
+  for (std::size_t o = 0; o < beds_.size(); ++o) {
+    if (!beds_[o]) continue;
+    sink_->WriteRow(*beds_[o], now.t_ns, {now.beds[o].mass_kg, now.beds[o].volume_m3});
   }
 }
 

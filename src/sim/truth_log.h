@@ -8,7 +8,8 @@
 
 namespace tera {
 
-/// Writes what really happened: commands of every machine, and poses, joints, loads and cylinders.
+/// Writes what really happened: commands of every machine, poses, joints, loads and cylinders, and
+/// what lies in the beds of obstacles.
 ///
 /// Model   one row for each step. The physics step finds the rates that carry the pose from one
 ///         row to the next, so that those of the middle between two steps are known; a row holds
@@ -32,6 +33,7 @@ class TruthLog {
   MeasurementSink* sink_;
   std::size_t soils_;  ///< how many soils the site has
   std::vector<Channels> channels_;
+  std::vector<std::optional<ChannelId>> beds_;  ///< of each obstacle
 };
 
 }  // namespace tera

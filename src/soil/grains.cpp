@@ -52,9 +52,23 @@ void Grains::Pour(const SpoilMix& spoil, const Vec3& from_W, const Vec3& to_W, c
                            static_cast<std::uint16_t>(k),
                            static_cast<float>(std::cbrt(3 * clod.volume_m3 / (4 * kPi)))});
       } else {
-        ground->DepositAt(ground->NearestI(p_W.x()), ground->NearestJ(p_W.y()), clod);
+        LayDown(p_W, clod, ground);
       }
     }
+  }
+}
+
+Bed* Grains::BedAt(const Vec3& p_W_m) {
+  const auto bed =
+      std::find_if(beds_.begin(), beds_.end(), [&](const Bed& b) { return b.Holds(p_W_m); });
+  return bed == beds_.end() ? nullptr : &*bed;
+}
+
+void Grains::LayDown(const Vec3& p_W_m, const Spoil& spoil, Columns* ground) {
+  if (Bed* bed = BedAt(p_W_m)) {
+    bed->Deposit(p_W_m, spoil);
+  } else {
+    ground->DepositAt(ground->NearestI(p_W_m.x()), ground->NearestJ(p_W_m.y()), spoil);
   }
 }
 
@@ -75,13 +89,27 @@ bool Grains::Move(double dt_s, const Columns& ground, Grain* grain) const {
   return (holds && v_W.norm() < kRestSpeed_mps) || grain->slid_s > kLongestSlide_s;
 }
 
+/// As Move, in the frame of a bed's floor.
+bool Grains::MoveInBed(double dt_s, const Bed& bed, Grain* grain) const {
+  const Pose& X_WF = bed.X_WF();
+  Grain in_F = *grain;
+  in_F.p_W_m = X_WF.inverse() * grain->p_W_m;
+  in_F.v_W_mps = X_WF.linear().transpose() * grain->v_W_mps;
+  const bool rests = Move(dt_s, bed.columns(), &in_F);
+  bed.KeepWithinWalls(&in_F.p_W_m, &in_F.v_W_mps);
+  grain->p_W_m = X_WF * in_F.p_W_m;
+  grain->v_W_mps = X_WF.linear() * in_F.v_W_mps;
+  grain->slid_s = in_F.slid_s;
+  return rests;
+}
+
 void Grains::Step(double dt_s, Columns* ground) {
-  if (grains_.empty()) return;
+  if (grains_.empty() && beds_.empty()) return;
   std::size_t kept = 0;
   for (Grain& grain : grains_) {
-    if (Move(dt_s, *ground, &grain)) {
-      ground->DepositAt(ground->NearestI(grain.p_W_m.x()), ground->NearestJ(grain.p_W_m.y()),
-                        grain.spoil);
+    const Bed* bed = BedAt(grain.p_W_m);
+    if (bed != nullptr ? MoveInBed(dt_s, *bed, &grain) : Move(dt_s, *ground, &grain)) {
+      LayDown(grain.p_W_m, grain.spoil, ground);
     } else {
       grains_[kept++] = grain;
     }
@@ -98,6 +126,7 @@ void Grains::Show(Columns* ground) const {
                      grain.radius_m, grain.number, grain.spoil.soil,
                      static_cast<std::uint8_t>(std::lround(255 * grain.spoil.moisture))});
   }
+  for (const Bed& bed : beds_) bed.Show(&shown);
   ground->ShowGrains(std::move(shown));
 }
 

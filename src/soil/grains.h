@@ -4,20 +4,23 @@
 #include <vector>
 
 #include "core/random.h"
+#include "soil/bed.h"
 #include "soil/columns.h"
 #include "soil/spoil.h"
 
 namespace tera {
 
-/// Soil in the air and on its way down slopes, as clods that each stand for a small volume.
+/// Soil in the air and on its way down slopes, as clods that each stand for a small volume, and the
+/// beds that it may fall into.
 ///
 /// Frames  W.
 /// Model   A clod falls freely. Where it meets the ground it loses its velocity into the surface
 ///         and, by Coulomb friction, as much of that along it; it slides on while the surface is
 ///         steeper than friction holds. At rest, or when it has slid for kLongestSlide_s, it
-///         becomes loose soil of the column below. There are never more than kMost: clods are
-///         larger while many are under way, and what more is poured lies in the column below at
-///         once. Clods neither touch each other nor machines: they exert no force.
+///         becomes loose soil of the column below, or of the bed over which it is. There are never
+///         more than kMost: clods are larger while many are under way, and what more is poured lies
+///         in the column below at once. Clods neither touch each other nor machines: they exert no
+///         force.
 /// Omits   collisions between clods, bouncing, drag of the air.
 class Grains {
  public:
@@ -33,6 +36,9 @@ class Grains {
             Columns* ground);
   void Step(double dt_s, Columns* ground);
 
+  std::vector<Bed>& beds() { return beds_; }
+  const std::vector<Bed>& beds() const { return beds_; }
+
   std::size_t count() const { return grains_.size(); }
   double mass_kg() const;
 
@@ -46,12 +52,17 @@ class Grains {
   };
   /// Whether it has come to rest.
   bool Move(double dt_s, const Columns& ground, Grain* grain) const;
+  bool MoveInBed(double dt_s, const Bed& bed, Grain* grain) const;
+  /// Bed over whose floor a point is, or null.
+  Bed* BedAt(const Vec3& p_W_m);
+  void LayDown(const Vec3& p_W_m, const Spoil& spoil, Columns* ground);
   void Show(Columns* ground) const;
 
   std::vector<double> friction_;  ///< of each soil
   Stream scatter_;
   std::uint64_t poured_ = 0;  ///< clods so far
   std::vector<Grain> grains_;
+  std::vector<Bed> beds_;
 };
 
 }  // namespace tera

@@ -5,6 +5,7 @@
 #include "core/check.h"
 #include "core/units.h"
 #include "soil/avalanche.h"
+#include "soil/bed.h"
 #include "soil/columns.h"
 #include "soil/digging.h"
 #include "soil/gear_contact.h"
@@ -46,9 +47,16 @@ class Ground : public Soil {
   void Raise(const RaisedGround& raised) override { columns_.Raise(raised); }
   SoilReaction Act(int handle, const GroundToolsMotion& motion, double dt_s) override;
   void Flow(double dt_s) override {
+    for (Bed& bed : grains_.beds()) bed.Flow(dt_s, &columns_, &grains_);
     grains_.Step(dt_s, &columns_);
     avalanche_.Flow(dt_s, &columns_);
   }
+  int AddBed(const SoilBed& bed) override {
+    grains_.beds().emplace_back(bed, columns_.soils());
+    return static_cast<int>(grains_.beds().size()) - 1;
+  }
+  void MoveBed(int handle, const Pose& X_WB) override { grains_.beds().at(handle).Move(X_WB); }
+  BedLoad bed_load(int handle) const override { return grains_.beds().at(handle).load(); }
 
   const TerrainSurface& surface() const override { return columns_.surface(); }
   const std::vector<SoilType>& soils() const override { return columns_.soils(); }
@@ -122,6 +130,7 @@ MassLedger Ground::ledger() const {
   ledger.shifted_kg = gain.gained_kg;
   ledger.grains_kg = grains_.mass_kg();
   ledger.outside_kg = columns_.outside_kg();
+  for (const Bed& bed : grains_.beds()) ledger.beds_kg += bed.mass_kg();
   for (const Machine& machine : machines_) {
     for (const Digging& shovel : machine.shovels) ledger.carried_kg += shovel.carried().mass_kg();
   }

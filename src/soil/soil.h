@@ -54,8 +54,23 @@ struct MassLedger {
   double shifted_kg = 0;  ///< sum of what single columns have on them, piles included
   double grains_kg = 0;   ///< in the air
   double carried_kg = 0;  ///< in shovels
+  double beds_kg = 0;     ///< in trucks' beds
   double outside_kg = 0;  ///< pushed over the border of the site
-  double total_kg() const { return ground_kg + grains_kg + carried_kg + outside_kg; }
+  double total_kg() const { return ground_kg + grains_kg + carried_kg + beds_kg + outside_kg; }
+};
+
+/// An open box that soil may be dumped into: a truck's bed, a container, a bin.
+///
+/// Frames  B frame of what carries it, z up.
+struct SoilBed {
+  Vec3 floor_B_m = Vec3::Zero();  ///< middle of its floor
+  Vec2 size_m = Vec2::Zero();     ///< inner length along x and width along y
+  double wall_m = 0;              ///< height of its walls above the floor
+};
+
+/// What lies in a bed.
+struct BedLoad {
+  double mass_kg = 0, volume_m3 = 0;
 };
 
 /// Georeference of a site read from a GeoTIFF: geodetic place of W's origin.
@@ -82,6 +97,12 @@ class Soil {
   virtual void Raise(const RaisedGround& raised) = 0;
   /// Registers a machine's tools; returns its handle for Act. Call before the first Act.
   virtual int AddMachine(const GroundTools& tools) = 0;
+
+  /// Adds a bed, empty, at W's origin; returns its handle.
+  virtual int AddBed(const SoilBed& bed) = 0;
+  /// Puts a bed, with what lies in it, where its carrier is, which stands upright.
+  virtual void MoveBed(int handle, const Pose& X_WB) = 0;
+  virtual BedLoad bed_load(int handle) const = 0;
 
   /// Forces of the ground on machine `handle` in its present motion, and the work that its tools
   /// and tracks do on the ground over the next `dt_s`: cuts, carries, dumps, presses ruts.

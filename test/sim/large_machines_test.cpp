@@ -180,6 +180,35 @@ TEST(LargeMachines, TheExcavatorDigsLiftsAndDumps) {
   EXPECT_NEAR(ledger.total_kg() / ledger.shifted_kg, 0, 1e-9);
 }
 
+TEST(LargeMachines, TheExcavatorLoadsATruck) {
+  const Config config = Config::FromFile("config/scenarios/load_truck.yaml", {});
+  Scenario scenario = ReadScenario(config.root());
+  config.Finish();
+  Simulation simulation(&scenario);
+  const int slew = scenario.machines[0].placement.model.JointIndex("slew");
+  // What it holds over the bed, and what lies there after each of two dumps.
+  double over_bed_kg = 0, sum_kg = 0;
+  int dumps = 0;
+  for (bool full = false; dumps < 2 && simulation.state().t_ns < FromSeconds(60);) {
+    simulation.Step();
+    const double held_kg = simulation.state().machines[0].shovel_load[0].mass_kg;
+    const double slew_rad = simulation.state().machines[0].q_rad[slew];
+    if (slew_rad > 70 * kDeg) over_bed_kg = std::max(over_bed_kg, held_kg);
+    full = full || (over_bed_kg > 300 && slew_rad > 70 * kDeg);
+    if (full && slew_rad < 60 * kDeg) {
+      sum_kg += over_bed_kg - held_kg;
+      EXPECT_GT(simulation.state().beds[0].mass_kg, 0.9 * sum_kg);
+      full = false, over_bed_kg = 0;
+      ++dumps;
+    }
+  }
+  EXPECT_EQ(dumps, 2);
+  EXPECT_GT(sum_kg, 1200);
+  const MassLedger ledger = scenario.soil->ledger();
+  EXPECT_NEAR(ledger.total_kg() / ledger.shifted_kg, 0, 1e-9);
+  EXPECT_NEAR(ledger.beds_kg / simulation.state().beds[0].mass_kg, 1, 1e-9);
+}
+
 TEST(LargeMachines, TheExcavatorDigsThroughDeadBandsOfItsLevers) {
   const auto most_kg = [](const std::string& width) {
     std::string effects = "effects:\n  m:\n";

@@ -66,6 +66,22 @@ TEST(ReadScenario, RefusesAMissingMesh) {
               AllOf(HasSubstr("obstacles[0].mesh"), HasSubstr("'no.glb' does not exist")));
 }
 
+TEST(ReadScenario, RefusesABedWithoutAFloorOrWithWallsThatGoDown) {
+  const auto faults = [](const std::string& bed) {
+    return FaultsOf(std::string(kSite) + kExcavator +
+                    "obstacles: [{name: bin, label: structure, mesh: tera:assets/container.glb, "
+                    "xy_m: [1, 1], bed: " +
+                    bed + "}]\n");
+  };
+  EXPECT_EQ(faults("{xyz_m: [0, 0, 1], size_m: [3, 2], wall_m: 0.5}"), "");
+  EXPECT_THAT(faults("{xyz_m: [0, 0, 1], size_m: [3, 0], wall_m: 0.5}"),
+              HasSubstr("obstacles[0].bed.size_m"));
+  EXPECT_THAT(faults("{xyz_m: [0, 0, 1], size_m: [3, 2], wall_m: -0.5}"),
+              HasSubstr("obstacles[0].bed.wall_m: -0.5 is out of range"));
+  EXPECT_THAT(faults("{size_m: [3, 2], wall_m: 0.5, walls_m: 1}"),
+              AllOf(HasSubstr("obstacles[0].bed.xyz_m"), HasSubstr("walls_m: unknown key")));
+}
+
 TEST(ReadScenario, RefusesAnUnreadableGeoTiff) {
   EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator, {"terrain.geotiff=LICENSE"}),
               HasSubstr("terrain.geotiff"));
@@ -127,7 +143,8 @@ TEST(ReadScenario, ResolvedScenarioReadsTheSameAgain) {
 }
 
 TEST(Scenarios, AllThatAreShippedAreValid) {
-  for (const char* name : {"quickstart", "drive_three_soils", "two_machines", "warthog_asphalt"}) {
+  for (const char* name :
+       {"quickstart", "drive_three_soils", "load_truck", "two_machines", "warthog_asphalt"}) {
     const Config config = Config::FromFile(std::string("config/scenarios/") + name + ".yaml",
                                            {"terrain.cell_m=0.25"});
     ReadScenario(config.root());
