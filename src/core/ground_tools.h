@@ -40,6 +40,9 @@ struct ContactPatch {
   Vec3 travel_B = -Vec3::UnitX();
   double length_m = 0;  ///< along travel
   double width_m = 0;   ///< across travel
+  // Road wheels press on the track from above, so that the pressure under it has peaks.
+  double wheel_pitch_m = 0;  ///< between their axles; 0: the patch presses evenly
+  double past_wheel_m = 0;   ///< from the nearest axle to the patch's middle, along travel
 };
 
 /// One driven element on the ground: a track or a wheel. Its patches stand still in B while the
@@ -49,6 +52,7 @@ struct RunningGear {
   int link = 0;
   double drive_radius_m = 0;  ///< sprocket pitch radius or rolling radius, as described
   double shoe_ratio = 1;      ///< what the surface moves over what that radius would
+  double grouser_m = 0;       ///< height of the ribs (lugs) of its surface, which hold soil
   std::vector<ContactPatch> patches;
 
   /// What the surface moves for one radian of the drive.

@@ -16,6 +16,8 @@ constexpr std::size_t kMinProfilePoints = 3;
 constexpr double kLeastProfile_m2 = 1e-4;  ///< below it the points lie on a line
 // A machine with more or longer ones is a mistyped one.
 constexpr double kMostTeeth = 100, kLongestTooth_m = 1, kThickestSteel_m = 0.5, kMostShoes = 1000;
+constexpr double kMostRoadWheels = 50, kHighestGrouser_m = 0.3;
+constexpr double kLengthTolerance_m = 1e-9;
 
 void CheckProfile(const ConfigMap& config, const std::vector<Vec2>& profile_m) {
   for (std::size_t k = 0; k < profile_m.size(); ++k) {
@@ -62,18 +64,36 @@ GearDrive ReadDrive(const ConfigMap& config, double radius_m) {
   return drive;
 }
 
+void ReadRoadWheels(const ConfigMap& config, TrackShape* shape) {
+  const auto wheels = config.OptionalMap("road_wheels");
+  if (!wheels) return;
+  shape->road_wheels = static_cast<int>(wheels->Integer("count", Between(1, kMostRoadWheels, "1")));
+  shape->road_wheel_pitch_m = wheels->Number("pitch_m", Positive("m"));
+  const double run_m = shape->road_wheels * shape->road_wheel_pitch_m;
+  if (run_m > shape->wheelbase_m + kLengthTolerance_m) {
+    wheels->Fault(
+        "pitch_m",
+        fmt::format("{} wheels at a pitch of {} m take {:.4g} m, half a pitch at either "
+                    "end included; need at most wheelbase_m, {} m",
+                    shape->road_wheels, shape->road_wheel_pitch_m, run_m, shape->wheelbase_m));
+  }
+}
+
 void ReadTrack(const std::string& name, const ConfigMap& config, MachineModel* model) {
-  const TrackShape shape{.center_B_m = config.Vector3("center_m", Any("m")),
-                         .wheelbase_m = config.Number("wheelbase_m", Positive("m")),
-                         .radius_m = config.Number("radius_m", Positive("m")),
-                         .width_m = config.Number("width_m", Positive("m"))};
+  TrackShape shape{.center_B_m = config.Vector3("center_m", Any("m")),
+                   .wheelbase_m = config.Number("wheelbase_m", Positive("m")),
+                   .radius_m = config.Number("radius_m", Positive("m")),
+                   .width_m = config.Number("width_m", Positive("m"))};
+  ReadRoadWheels(config, &shape);
   const int gear = static_cast<int>(model->ground_tools.gears.size());
   const int link = ReadLinkName(config, "link", *model);
   model->gear_drives.push_back(ReadDrive(config, shape.radius_m));
-  model->ground_tools.gears.push_back({.name = name,
-                                       .link = link,
-                                       .drive_radius_m = shape.radius_m,
-                                       .patches = TrackPatches(shape)});
+  model->ground_tools.gears.push_back(
+      {.name = name,
+       .link = link,
+       .drive_radius_m = shape.radius_m,
+       .grouser_m = config.Number("grouser_m", Between(0, kHighestGrouser_m, "m"), 0.0),
+       .patches = TrackPatches(shape)});
   if (const auto shoe = config.OptionalMap("shoe")) {
     Visual visual = ReadMesh(*shoe);
     visual.label = SemanticClass::kTrack;

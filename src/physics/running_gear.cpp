@@ -11,6 +11,7 @@ namespace {
 /// Patches are about this long: three cells of the default terrain, so that neighbouring patches
 /// feel neighbouring ground.
 constexpr double kBottomPatch_m = 0.16;
+constexpr double kLeastPatch_m = 1e-6;  ///< less is rounding
 /// A nose carries patches up to this angle from straight down, in steps.
 constexpr double kNoseAngle_rad = 80 * kDeg;
 constexpr int kNosePatches = 4;
@@ -34,6 +35,26 @@ ContactPatch PatchOnCircle(const Vec3& center_B_m, double radius_m, double angle
   return patch;
 }
 
+/// Appends even parts of the bottom run between `from_m` and `to_m`, along x from its middle.
+void AddBottom(const TrackShape& track, double from_m, double to_m, bool under_wheels,
+               std::vector<ContactPatch>* patches) {
+  if (to_m - from_m < kLeastPatch_m) return;
+  const int count = std::max(1, static_cast<int>(std::lround((to_m - from_m) / kBottomPatch_m)));
+  const double rear_wheel_m = -0.5 * (track.road_wheels - 1) * track.road_wheel_pitch_m;
+  for (int i = 0; i < count; ++i) {
+    ContactPatch patch;
+    patch.length_m = (to_m - from_m) / count;
+    patch.width_m = track.width_m;
+    const double x_m = from_m + (i + 0.5) * patch.length_m;
+    patch.p_B_m = track.center_B_m + Vec3(x_m, 0, -track.radius_m);
+    if (under_wheels) {
+      patch.wheel_pitch_m = track.road_wheel_pitch_m;
+      patch.past_wheel_m = -std::remainder(x_m - rear_wheel_m, track.road_wheel_pitch_m);
+    }
+    patches->push_back(patch);
+  }
+}
+
 }  // namespace
 
 std::vector<ContactPatch> TrackPatches(const TrackShape& track) {
@@ -45,14 +66,11 @@ std::vector<ContactPatch> TrackPatches(const TrackShape& track) {
     patches.push_back(PatchOnCircle(rear, track.radius_m, -(i + 0.5) * nose_span_rad, nose_span_rad,
                                     track.width_m));
   }
-  const int count = std::max(1, static_cast<int>(std::lround(track.wheelbase_m / kBottomPatch_m)));
-  for (int i = 0; i < count; ++i) {
-    ContactPatch patch;
-    patch.p_B_m = rear + Vec3((i + 0.5) * track.wheelbase_m / count, 0, -track.radius_m);
-    patch.length_m = track.wheelbase_m / count;
-    patch.width_m = track.width_m;
-    patches.push_back(patch);
-  }
+  const double end_m = 0.5 * track.wheelbase_m;
+  const double wheels_end_m = 0.5 * track.road_wheels * track.road_wheel_pitch_m;
+  AddBottom(track, -end_m, -wheels_end_m, false, &patches);
+  AddBottom(track, -wheels_end_m, wheels_end_m, true, &patches);
+  AddBottom(track, wheels_end_m, end_m, false, &patches);
   for (int i = 0; i < kNosePatches; ++i) {
     patches.push_back(PatchOnCircle(front, track.radius_m, (i + 0.5) * nose_span_rad, nose_span_rad,
                                     track.width_m));

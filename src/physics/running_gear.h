@@ -17,6 +17,8 @@ struct TrackShape {
   double wheelbase_m = 0;          ///< sprocket to idler
   double radius_m = 0;             ///< outside of the shoes around sprocket and idler
   double width_m = 0;
+  int road_wheels = 0;            ///< on the bottom run, as many before the middle as behind
+  double road_wheel_pitch_m = 0;  ///< between their axles
 };
 
 /// Wheels that turn together, such as those of one side of a skid-steer machine.
@@ -27,7 +29,8 @@ struct WheelSetShape {
 };
 
 /// Patches of the bottom run from rear to front, with the noses that rise around sprocket and
-/// idler, by which a track climbs and levels out.
+/// idler, by which a track climbs and levels out. Under the road wheels, half a pitch before the
+/// first to half a pitch behind the last, the pressure has peaks.
 std::vector<ContactPatch> TrackPatches(const TrackShape& track);
 
 /// Patches of the lower part of every wheel, each tangent to the tyre.

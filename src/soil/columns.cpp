@@ -247,6 +247,13 @@ void Columns::Press(ColumnId k, double ds_m, double influence_m, SpoilMix* besid
   ShowRut(k, kRutOfContact + (1 - kRutOfContact) * c.pressed_m / kRutShown_m);
 }
 
+void Columns::Scrape(ColumnId k, double thickness_m, SpoilMix* cut) {
+  const double pressed_m = at(k).pressed_m;
+  Cut(k, at(k).top_m - thickness_m, cut);
+  Get(k).pressed_m = pressed_m;
+  Changed(k);
+}
+
 void Columns::Break(ColumnId k, double thickness_m) {
   SpoilMix broken;
   Cut(k, at(k).top_m - thickness_m, &broken);

@@ -125,6 +125,9 @@ class Columns {
   /// Presses the surface down by `ds_m`: loose soil at the surface gives way first, then the upper
   /// `influence_m` become denser. What exceeds the greatest density is added to `beside`.
   void Press(ColumnId k, double ds_m, double influence_m, SpoilMix* beside);
+  /// Takes the upper `thickness_m` away and adds it to `cut`. What was pressed into the surface
+  /// stays so in the one below.
+  void Scrape(ColumnId k, double thickness_m, SpoilMix* cut);
   /// Turns the upper `thickness_m` into loose soil.
   void Break(ColumnId k, double thickness_m);
   /// From now on, what has changed is counted from the present ground.

@@ -16,8 +16,6 @@ namespace {
 constexpr double kDampingRatio = 0.6;
 constexpr double kLeastUpward = 0.05;       ///< patches facing further up touch no ground
 constexpr double kMostUpward = 0.5;         ///< no patch faces further up in the machine's frame
-constexpr double kInfluenceDepths = 1.0;    ///< crust thickness over patch width
-constexpr double kLongestPatch = 4;         ///< times its length counts of a patch's width
 constexpr double kShearDampingRatio = 0.7;  ///< of critical, only near rest
 constexpr double kRestSpeed_mps = 0.02;     ///< slip at which shear damping has faded to a half
 constexpr double kLargestShear = 8.0;       ///< |j| is kept below this many K: fully mobilised
@@ -26,11 +24,6 @@ constexpr double kInletShare = 0.1;         ///< of the patch's length: where it
 constexpr double kDragLength_m = 0.10;      ///< distance over which rut work is paid back
 constexpr double kDragSpeed_mps = 0.05;     ///< below it the drag fades, so that rest stays rest
 constexpr double kSlowestShoe_mps = 0.01;   ///< slower shoes have no slip ratio
-
-/// Width that the pressure-sinkage relation sees.
-double PlateWidth_m(const ContactPatch& patch) {
-  return std::min(patch.width_m, kLongestPatch * patch.length_m);
-}
 
 /// Neighbour of patch k whose centre is nearest to a patch length away along `direction` x travel.
 int Neighbour(const RunningGear& gear, std::size_t k, double direction) {
@@ -82,47 +75,6 @@ void ShearFurther(const SoilType& soil, const Vec2& slip_m, Vec2* j_m) {
 
 }  // namespace
 
-/// A patch on one of the soils, all that does not change looked up.
-struct GearContact::Plate {
-  const SoilType* soil;
-  double width_m;
-  double rebound_papm;  ///< k_e
-  float modulus_npm_n2, exponent;
-
-  /// Whether Bekker's pressure at z_m is at least `pressure_pa`. Single precision tells in nearly
-  /// all cases.
-  bool Bears(double pressure_pa, double z_m) const {
-    constexpr double kSure = 1e-4;
-    if (z_m <= 0) return pressure_pa <= 0;
-    const double about_pa = modulus_npm_n2 * std::pow(static_cast<float>(z_m), exponent);
-    if (pressure_pa < (1 - kSure) * about_pa) return true;
-    if (pressure_pa > (1 + kSure) * about_pa) return false;
-    return pressure_pa <= BekkerPressure_pa(*soil, width_m, z_m);
-  }
-  /// Solves k_e (pen - ds) = p_Bekker(pressed + ds) for ds by safeguarded Newton steps; 0 where the
-  /// ground bears the plate elastically.
-  double PlasticSinkage_m(double pressed_m, double pen_m) const;
-};
-
-double GearContact::Plate::PlasticSinkage_m(double pressed_m, double pen_m) const {
-  constexpr int kSteps = 12;
-  constexpr double kClose_m = 1e-7;
-  if (Bears(rebound_papm * pen_m, pressed_m)) return 0;
-  double low = 0, high = pen_m, ds = pen_m;
-  for (int step = 0; step < kSteps; ++step) {
-    const double z = pressed_m + ds;
-    const double p = BekkerPressure_pa(*soil, width_m, z);
-    const double residual = p - rebound_papm * (pen_m - ds);
-    (residual > 0 ? high : low) = ds;
-    const double slope = rebound_papm + soil->sinkage_exponent * p / std::max(z, kClose_m);
-    double next = ds - residual / slope;
-    if (next <= low || next >= high) next = 0.5 * (low + high);
-    if (std::abs(next - ds) < kClose_m) break;
-    ds = next;
-  }
-  return ds;
-}
-
 /// What the ground under one patch answers.
 struct GearContact::Pressed {
   double normal_n = 0;
@@ -137,75 +89,17 @@ struct GearContact::Pressed {
 };
 
 GearContact::GearContact(const RunningGear& gear, bool shears, std::vector<SoilType> soils)
-    : gear_(gear), shears_(shears), soils_(std::move(soils)), patches_(gear.patches.size()) {
+    : gear_(gear),
+      shears_(shears),
+      soils_(std::move(soils)),
+      patches_(gear.patches.size()),
+      plates_(PlatesOf(gear_, soils_)),
+      rut_(gear_, soils_) {
   for (std::size_t k = 0; k < patches_.size(); ++k) {
     TERA_CHECK(gear_.patches[k].outward_B.z() < kMostUpward, gear_.name, k);
     patches_[k].upstream = Neighbour(gear_, k, -1);
     patches_[k].downstream = Neighbour(gear_, k, +1);
-    const double width_m = PlateWidth_m(gear_.patches[k]);
-    for (const SoilType& soil : soils_) {
-      plates_.push_back({&soil, width_m, Rebound_papm(soil, width_m),
-                         static_cast<float>(BekkerPressure_pa(soil, width_m, 1)),
-                         static_cast<float>(soil.sinkage_exponent)});
-    }
   }
-}
-
-GearContact::GearContact(GearContact&&) noexcept = default;
-GearContact::~GearContact() = default;
-
-/// Presses the columns under the patch for good where they cannot bear it.
-double GearContact::MakeRut(std::size_t patch_index, const BodyState& body, double dt_s,
-                            Columns* ground) {
-  const ContactPatch& patch = gear_.patches[patch_index];
-  const Vec3 p_W = body.X_WB * patch.p_B_m;
-  const Vec3 n_W = body.X_WB.linear() * patch.outward_B;
-  const Vec3 along_W = body.X_WB.linear() * patch.travel_B;
-  const Vec3 across_W = n_W.cross(along_W);
-  const Vec3 reach =
-      0.5 * (patch.length_m * along_W.cwiseAbs() + patch.width_m * across_W.cwiseAbs());
-  const int i0 = std::max(0, ground->NearestI(p_W.x() - reach.x()));
-  const int i1 = std::min(ground->nx() - 1, ground->NearestI(p_W.x() + reach.x()));
-  const int j0 = std::max(0, ground->NearestJ(p_W.y() - reach.y()));
-  const int j1 = std::min(ground->ny() - 1, ground->NearestJ(p_W.y() + reach.y()));
-  double work_j = 0;
-  for (int j = j0; j <= j1; ++j) {
-    for (int i = i0; i <= i1; ++i) {
-      const double dx = ground->x_m(i) - p_W.x(), dy = ground->y_m(j) - p_W.y();
-      const Vec3 d(dx, dy, -(n_W.x() * dx + n_W.y() * dy) / n_W.z());  // on the patch's plane
-      const double across_m = d.dot(across_W);
-      if (std::abs(d.dot(along_W)) > 0.5 * patch.length_m ||
-          std::abs(across_m) > 0.5 * patch.width_m) {
-        continue;
-      }
-      ColumnId k = ground->IdAt(i, j);
-      const double top_m = k != Columns::kNone ? ground->skin(k).top_m : ground->TopAt(i, j);
-      const double pen_m = (top_m - (p_W.z() + d.z())) * -n_W.z();
-      if (pen_m <= 0) continue;
-      if (k == Columns::kNone) k = ground->Touch(i, j);
-      const Plate& plate = plates_[patch_index * soils_.size() + ground->soil_at(k)];
-      const SoilType& soil = *plate.soil;
-      const double width_m = plate.width_m;
-      const double pressed_m = ground->skin(k).pressed_m;
-      const double plastic_m = plate.PlasticSinkage_m(pressed_m, pen_m);
-      ground->MarkRut(k);
-      ground->Block(k, p_W.z() + d.z());
-      covered_.push_back(k);
-      if (plastic_m <= 0) continue;
-      const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(p_W + d - body.X_WB.translation());
-      const double moved_on = 1 - std::clamp(v_W.dot(n_W) * dt_s / plastic_m, 0.0, 1.0);
-      work_j += moved_on * ground->area_m2() *
-                (BekkerWork_jpm2(soil, width_m, pressed_m + plastic_m) -
-                 BekkerWork_jpm2(soil, width_m, pressed_m));
-      SpoilMix beside;
-      ground->Press(k, plastic_m / -n_W.z(), kInfluenceDepths * patch.width_m, &beside);
-      if (beside.empty()) continue;
-      const double out_m = 0.5 * patch.width_m + ground->cell_m();
-      const Vec3 out_W = p_W + d + ((across_m >= 0 ? out_m : -out_m) - across_m) * across_W;
-      ground->DepositAt(ground->NearestI(out_W.x()), ground->NearestJ(out_W.y()), beside);
-    }
-  }
-  return work_j;
 }
 
 /// Pressure on a grid of points fixed to the patch, about a cell apart: as smooth as the ground.
@@ -220,14 +114,17 @@ GearContact::Pressed GearContact::Bear(std::size_t patch_index, const BodyState&
   const Vec3 across_W = n_W.cross(along_W);
   const Vec3 p_W = body.X_WB * patch.p_B_m;
   const double area_m2 = patch.length_m * patch.width_m / (n_along * n_across);
-  // Velocity into the ground, which changes evenly over the patch.
+  // Velocity into the ground along the machine's vertical, which changes evenly over the patch.
+  const Vec3 up_W = body.X_WB.linear().col(2);
+  const Vec3 into_W = up_W.dot(n_W) * up_W;
   const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(p_W - body.X_WB.translation());
-  const double into_mps = v_W.dot(n_W);
-  const double into_along_radps = body.w_WB_radps.cross(along_W).dot(n_W);
-  const double into_across_radps = body.w_WB_radps.cross(across_W).dot(n_W);
+  const double into_mps = v_W.dot(into_W);
+  const double into_along_radps = body.w_WB_radps.cross(along_W).dot(into_W);
+  const double into_across_radps = body.w_WB_radps.cross(across_W).dot(into_W);
   for (int a = 0; a < n_along; ++a) {
+    const double along_m = ((a + 0.5) / n_along - 0.5) * patch.length_m;
+    const double share = PressureShare(patch, along_m);
     for (int b = 0; b < n_across; ++b) {
-      const double along_m = ((a + 0.5) / n_along - 0.5) * patch.length_m;
       const double across_m = ((b + 0.5) / n_across - 0.5) * patch.width_m;
       const Vec3 q_W = p_W + along_m * along_W + across_m * across_W;
       const Columns::Sample sample = ground.SampleAt(q_W.x(), q_W.y());
@@ -235,18 +132,19 @@ GearContact::Pressed GearContact::Bear(std::size_t patch_index, const BodyState&
       if (pen_m <= 0) continue;
       const Plate& plate = plates_[patch_index * soils_.size() + ground.SoilAt(sample.i, sample.j)];
       const double sinkage_m = sample.pressed_m + pen_m;
-      double pressure_pa = plate.rebound_papm * pen_m;
+      const double stiffness_papm = share * plate.rebound_papm();
+      double pressure_pa = stiffness_papm * pen_m;
       if (!plate.Bears(pressure_pa, sinkage_m)) {
-        pressure_pa = BekkerPressure_pa(*plate.soil, plate.width_m, sinkage_m);
+        pressure_pa = BekkerPressure_pa(plate.soil(), plate.width_m(), sinkage_m);
       }
       const double damping =
-          2 * kDampingRatio * std::sqrt(plate.rebound_papm * pressure_pa / kStandardGravity_mps2);
+          2 * kDampingRatio * std::sqrt(stiffness_papm * pressure_pa / kStandardGravity_mps2);
       const double v_mps = into_mps + along_m * into_along_radps + across_m * into_across_radps;
       const double damped_pa = pressure_pa + std::clamp(damping * v_mps, -pressure_pa, pressure_pa);
       result.normal_n += damped_pa * area_m2;
       result.moment_W += damped_pa * area_m2 * q_W;
       result.area_m2 += area_m2;
-      result.soil = plate.soil;
+      result.soil = &plate.soil();
       result.sinkage_m = std::max(result.sinkage_m, sinkage_m);
     }
   }
@@ -294,14 +192,14 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
   const std::vector<Patch> before = patches_;
   const Vec3 origin_W = body.X_WB.translation();
   const double shoe_mps = gear_.ShoeRadius_m() * rate_radps;
-  const std::vector<ColumnId> covered_before = std::exchange(covered_, {});
-  for (const ColumnId k : covered_before) ground->Release(k);
+  rut_.Begin(ground);
+  const double contact_m = std::exchange(contact_m_, 0.0);
   double forward_mps = 0, weight_n = 0;
   for (std::size_t k = 0; k < patches_.size(); ++k) {
     const ContactPatch& patch = gear_.patches[k];
     Pressed pressed;
     if ((body.X_WB.linear() * patch.outward_B).z() < -kLeastUpward) {
-      rut_work_j_ += MakeRut(k, body, dt_s, ground);
+      rut_work_j_ += rut_.Press(k, body, dt_s, ground);
       pressed = Bear(k, body, *ground);
     }
     if (pressed.normal_n <= 0) {
@@ -322,6 +220,8 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
     const Vec2 slip_mps(over_soil_W.dot(along_W) + shoe_mps, over_soil_W.dot(across_W));
     const Vec2 shear_n =
         shears_ ? Shear(k, pressed, slip_mps, shoe_mps, dt_s, before) : Vec2(Vec2::Zero());
+    contact_m_ += patch.length_m;
+    if (shears_ && contact_m > 0) rut_.Slip(k, slip_mps.x() * dt_s, contact_m, body, ground);
     result.grip_n += pressed.Strength_n();
     result.wrench.AddForceAt(
         -pressed.normal_n * n_W + shear_n.x() * along_W + shear_n.y() * across_W, p_W, origin_W);
@@ -330,9 +230,7 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
     forward_mps += pressed.normal_n * v_W.dot(body.X_WB.linear().col(0));
     weight_n += pressed.normal_n;
   }
-  for (const ColumnId k : covered_before) {
-    if (!ground->IsBlocked(k)) ground->Unblock(k);  // the gear has left it
-  }
+  rut_.End(ground);
   if (weight_n <= 0) {
     rut_work_j_ = 0;
     return result;

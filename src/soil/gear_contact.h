@@ -4,16 +4,18 @@
 
 #include "core/ground_tools.h"
 #include "soil/columns.h"
+#include "soil/plate.h"
+#include "soil/rut.h"
 
 namespace tera {
 
 /// Track or wheel on the ground: carries, drives, steers, sinks and leaves a rut.
 ///
 /// Frames  W; patches as in ContactPatch, in the frame B of the gear's link.
-/// Model   Normal: points fixed to each patch bear elastically, p = k_e pen, at most Bekker's
-///         pressure at their sinkage; columns under the patch give way plastically to where both
-///         agree and remember it for later passes. Damping is a fraction of critical for the mass
-///         that the pressure carries, and the ground never pulls.
+/// Model   Normal: points fixed to each patch bear elastically, p = s k_e pen, at most Bekker's
+///         pressure at their sinkage; s has peaks under road wheels and the mean 1. The rut below
+///         is Rut's. Damping is a fraction of critical for the mass that the pressure carries,
+///         against motion along the machine's vertical, and the ground never pulls.
 ///         Tangential: each patch has a shear displacement j, carried along by the moving shoes:
 ///         dj/dt = v_slip - v_shoe (j - j_upstream) / length; it is zero where a shoe meets the
 ///         ground. Slip is over the soil, which gives way as a rolling shoe comes down on it,
@@ -22,17 +24,15 @@ namespace tera {
 ///         the closed-form thrust at steady slip. Slip against j unloads at the initial stiffness,
 ///         so that shearing back and forth dissipates; stress across the slip yields to it within K
 ///         where the strength is used up, so that sliding soil resists against the slip.
-///         Compaction resistance: plastic work done by moving on, rather than by moving down, is
-///         paid back as a drag over a short distance.
+///         Resistance: work done on the rut by moving on, rather than by moving down, is paid back
+///         as a drag over a short distance.
 ///         Gear that does not shear the ground is carried alone: no shear force, no drag.
-/// Omits   grousers, bulldozing resistance, tyre flexibility, pressure peaks under road wheels.
-/// Source  Bekker 1969; Janosi and Hanamoto 1961; memory and grid as in Krenn and Hirzinger 2009.
+/// Omits   shear on the sides of grousers, tyre flexibility, tension of the track.
+/// Source  Bekker 1969; Janosi and Hanamoto 1961; Wills 1963.
 class GearContact {
  public:
   /// `soils` are those of the ground, as the machine meets them.
   GearContact(const RunningGear& gear, bool shears, std::vector<SoilType> soils);
-  GearContact(GearContact&&) noexcept;
-  ~GearContact();
 
   struct Result {
     Wrench wrench;          ///< about the link's origin
@@ -50,9 +50,7 @@ class GearContact {
     Vec2 j_out_m = Vec2::Zero();         ///< shear displacement where shoes leave the patch
     bool in_contact = false;
   };
-  struct Plate;
   struct Pressed;
-  double MakeRut(std::size_t patch_index, const BodyState& body, double dt_s, Columns* ground);
   Pressed Bear(std::size_t patch_index, const BodyState& body, const Columns& ground) const;
   Vec2 Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_mps, double shoe_mps,
              double dt_s, const std::vector<Patch>& before);
@@ -61,9 +59,10 @@ class GearContact {
   bool shears_ = true;
   std::vector<SoilType> soils_;
   std::vector<Patch> patches_;
-  std::vector<Plate> plates_;      ///< of each patch, one for each soil
-  std::vector<ColumnId> covered_;  ///< columns under the gear, into which no soil slides
-  double rut_work_j_ = 0;          ///< plastic work still to be paid back as drag
+  std::vector<Plate> plates_;
+  Rut rut_;
+  double contact_m_ = 0;   ///< length of the ground under the gear
+  double rut_work_j_ = 0;  ///< plastic work still to be paid back as drag
 };
 
 }  // namespace tera

@@ -13,7 +13,8 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kSteepest_deg = 89.0;  ///< angles of a soil stay short of vertical
+constexpr double kSteepest_deg = 89.0;   ///< angles of a soil stay short of vertical
+constexpr double kLocalShear = 2.0 / 3;  ///< Terzaghi's reduction of cohesion and tan(phi)
 
 fs::path SoilFolder() { return DataRoot() / "config" / "soils"; }
 
@@ -78,17 +79,20 @@ SoilType Met(const SoilType& soil, const Footing& footing) {
   return met;
 }
 
-double BearingPressure_pa(const SoilType& soil, double width_m, double depth_m) {
-  constexpr double kLocalShear = 2.0 / 3;  // Terzaghi's reduction of cohesion and tan(phi)
-  constexpr double kLeastTan = 1e-3;       // below it N_c has its limit pi + 2
+BearingFactors LocalShear(const SoilType& soil) {
+  constexpr double kLeastTan = 1e-3;  // below it N_c has its limit pi + 2
   const double t = std::max(kLocalShear * std::tan(soil.friction_angle_rad), kLeastTan);
   const double phi = std::atan(t);
   const double n_q = std::exp(kPi * t) * std::pow(std::tan(kPi / 4 + phi / 2), 2);
-  const double n_c = (n_q - 1) / t;
-  const double n_gamma = 2 * (n_q + 1) * t;
+  return {
+      .n_c = (n_q - 1) / t, .n_q = n_q, .n_gamma = 2 * (n_q + 1) * t, .friction_angle_rad = phi};
+}
+
+double BearingPressure_pa(const SoilType& soil, double width_m, double depth_m) {
+  const BearingFactors n = LocalShear(soil);
   const double weight_npm3 = soil.bank_density_kgpm3 * kStandardGravity_mps2;
-  return kLocalShear * soil.cohesion_pa * n_c +
-         weight_npm3 * (depth_m * n_q + 0.5 * width_m * n_gamma);
+  return kLocalShear * soil.cohesion_pa * n.n_c +
+         weight_npm3 * (depth_m * n.n_q + 0.5 * width_m * n.n_gamma);
 }
 
 }  // namespace tera

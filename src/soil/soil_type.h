@@ -26,6 +26,15 @@ inline double LooseDensity_kgpm3(const SoilType& soil) {
   return soil.bank_density_kgpm3 / soil.swell;
 }
 
+/// Bearing factors of a strip footing for local shear (soil that compresses before it fails: two
+/// thirds of tan phi): Reissner's N_q, Prandtl's N_c and Vesic's N_gamma.
+/// Source: Terzaghi 1943; Das, Principles of Foundation Engineering, ch. 3.
+struct BearingFactors {
+  double n_c, n_q, n_gamma;
+  double friction_angle_rad;  ///< the reduced one
+};
+BearingFactors LocalShear(const SoilType& soil);
+
 /// Terzaghi's bearing pressure of a strip `width_m` wide pressed in at `depth_m`, for local shear
 /// (soil that compresses before it fails: two thirds of cohesion and tan phi):
 /// c N_c + rho g depth N_q + rho g width N_gamma / 2, with Reissner's N_q, Prandtl's N_c and

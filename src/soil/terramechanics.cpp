@@ -1,11 +1,16 @@
 #include "soil/terramechanics.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "core/units.h"
+#include "soil/soil_type.h"
 
 namespace tera {
 namespace {
 
 constexpr double kPoisson = 0.3;
+constexpr double kLongestPatch = 4;  ///< times its length counts of a patch's width
 constexpr double kShape = 0.88;  ///< rigid square plate, Das, Principles of Foundation Engineering
 
 double Modulus_npm_n2(const SoilType& soil, double width_m) {
@@ -46,8 +51,30 @@ double TrackThrust_n(const SoilType& soil, double width_m, double length_m, doub
   return strength_n * (1 + std::expm1(-ratio) / ratio);
 }
 
+double PlateWidth_m(const ContactPatch& patch) {
+  return std::min(patch.width_m, kLongestPatch * patch.length_m);
+}
+
+double PressureShare(const ContactPatch& patch, double along_m) {
+  if (patch.wheel_pitch_m <= 0) return 1;
+  return 1 + std::cos(2 * kPi * (patch.past_wheel_m + along_m) / patch.wheel_pitch_m);
+}
+
 double CompactionResistance_n(const SoilType& soil, double width_m, double z_m) {
   return width_m * BekkerWork_jpm2(soil, width_m, z_m);
+}
+
+double BulldozingResistance_n(const SoilType& soil, double width_m, double z_m) {
+  if (z_m <= 0) return 0;
+  constexpr double kCohesionShare = 0.67;
+  const BearingFactors n = LocalShear(soil);
+  const double t = std::tan(n.friction_angle_rad);
+  const double cos_squared = 1 / (1 + t * t);
+  const double k_pc = (n.n_c - t) * cos_squared;
+  const double k_pgamma = (2 * n.n_gamma / t + 1) * cos_squared;
+  const double weight_npm3 = soil.bank_density_kgpm3 * kStandardGravity_mps2;
+  return width_m * (kCohesionShare * soil.cohesion_pa * z_m * k_pc +
+                    0.5 * weight_npm3 * z_m * z_m * k_pgamma);
 }
 
 }  // namespace tera

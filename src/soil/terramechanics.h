@@ -5,7 +5,8 @@
 /// Closed forms of pressure, sinkage and shear under running gear.
 ///
 /// Source  Bekker 1969, Introduction to Terrain-Vehicle Systems; Janosi and Hanamoto 1961; Wong,
-///         Theory of Ground Vehicles, 4th ed. 2008, ch. 2.
+///         Theory of Ground Vehicles, 4th ed. 2008, ch. 2; peaks of pressure: Wills 1963, J. Agric.
+///         Eng. Res. 8.
 
 namespace tera {
 
@@ -29,7 +30,20 @@ double ShearMobilisation(const SoilType& soil, double j_m);
 double TrackThrust_n(const SoilType& soil, double width_m, double length_m, double load_n,
                      double slip);
 
+/// Width of a patch that the pressure-sinkage relation sees.
+double PlateWidth_m(const ContactPatch& patch);
+
+/// Pressure at `along_m` (along travel) from a patch's middle over the mean pressure: Wills'
+/// multi-peak sine 1 + cos(2 pi x / pitch), x the distance from a road wheel. Its mean is 1.
+double PressureShare(const ContactPatch& patch, double along_m);
+
 /// Resistance of the rut that a track of width `width_m` presses to sinkage `z_m`.
 double CompactionResistance_n(const SoilType& soil, double width_m, double z_m);
+
+/// Resistance of the soil that running gear of width `width_m`, sunk to `z_m`, pushes before it and
+/// aside: b (0.67 c z K_pc + rho g z^2 K_pg / 2), with K_pc = (N_c - tan phi') cos^2 phi', K_pg =
+/// (2 N_g / tan phi' + 1) cos^2 phi' and the bearing factors of local shear, tan phi' = 2/3 tan
+/// phi. Source: Bekker 1960, Off-the-Road Locomotion; Wong 2008, ch. 2.
+double BulldozingResistance_n(const SoilType& soil, double width_m, double z_m);
 
 }  // namespace tera

@@ -144,6 +144,14 @@ wheels:
   EXPECT_EQ(gear("tracks.left.width_m=0.5", 0).patches[0].width_m, 0.5);
   EXPECT_GT(gear("tracks.left.wheelbase_m=2", 0).patches.size(),
             model.ground_tools.gears[0].patches.size());
+  EXPECT_EQ(gear("tracks.left.grouser_m=0.03", 0).grouser_m, 0.03);
+  const auto wheels = [&](const std::string& text) {
+    return gear("tracks.left.road_wheels={" + text + "}", 0).patches[5];
+  };
+  EXPECT_EQ(gear("", 0).patches[5].wheel_pitch_m, 0);
+  EXPECT_EQ(wheels("count: 4, pitch_m: 0.25").wheel_pitch_m, 0.25);
+  EXPECT_EQ(wheels("count: 3, pitch_m: 0.3").wheel_pitch_m, 0.3);
+  EXPECT_EQ(wheels("count: 1, pitch_m: 0.3").wheel_pitch_m, 0);  // the wheel is farther forward
   EXPECT_EQ(gear("wheels.right.link=post", 1).link, 0);
   EXPECT_EQ(gear("wheels.right.radius_m=0.5", 1).drive_radius_m, 0.5);
   EXPECT_EQ(gear("wheels.right.width_m=0.5", 1).patches[0].width_m, 0.5);
@@ -265,6 +273,25 @@ TEST(MachineFaults, EachNamesItsPlaceAndItsRemedy) {
               HasSubstr("file 'nowhere.glb' does not exist"));
   EXPECT_THAT(with("frames.tip={link: arm, xyz_m: [0, 0]}"), HasSubstr("3 numbers"));
   EXPECT_THAT(with("urdf=nowhere.urdf"), HasSubstr("file 'nowhere.urdf' does not exist"));
+}
+
+TEST(MachineFaults, RoadWheelsFitUnderTheirTrack) {
+  using testing::HasSubstr;
+  const auto with = [](const std::string& keys) {
+    return FaultsOf(kLiftArm, {"tracks={left: {link: arm, center_m: [0, 1, 0.2], wheelbase_m: 1, "
+                               "radius_m: 0.2, width_m: 0.3, max_speed_mps: 2, max_torque_nm: 500, "
+                               "inertia_kgm2: 3, " +
+                               keys + "}}"});
+  };
+  EXPECT_EQ(with("road_wheels: {count: 5, pitch_m: 0.2}"), "");
+  EXPECT_THAT(
+      with("road_wheels: {count: 5, pitch_m: 0.21}"),
+      HasSubstr("tracks.left.road_wheels.pitch_m: 5 wheels at a pitch of 0.21 m take 1.05 m, "
+                "half a pitch at either end included; need at most wheelbase_m, 1 m"));
+  EXPECT_THAT(with("road_wheels: {count: 0, pitch_m: 0.2}"), HasSubstr("count: 0 is out of range"));
+  EXPECT_THAT(with("road_wheels: {count: 2, pitch_m: -0.2}"), HasSubstr("pitch_m: -0.2 is out of"));
+  EXPECT_THAT(with("road_wheels: {count: 2}"), HasSubstr("pitch_m"));
+  EXPECT_THAT(with("grouser_m: -0.01"), HasSubstr("grouser_m: -0.01 is out of range"));
 }
 
 TEST(MachineFaults, ALinkHangsOnOneJoint) {

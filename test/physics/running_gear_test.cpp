@@ -27,6 +27,29 @@ TEST(RunningGear, TheBottomRunCoversTheWheelbaseOnce) {
   EXPECT_NEAR(length_m, 1.6, 1e-12);
 }
 
+TEST(RunningGear, RoadWheelsStandEvenlyAboutTheMiddleOfTheBottomRun) {
+  TrackShape track = kTrack;
+  track.road_wheels = 3;
+  track.road_wheel_pitch_m = 0.4;  // axles at x = -0.3, 0.1, 0.5; the run from -0.5 to 0.7
+  double under_wheels_m = 0, length_m = 0;
+  for (const ContactPatch& patch : TrackPatches(track)) {
+    if (patch.outward_B.z() > -0.9999) continue;
+    length_m += patch.length_m;
+    if (patch.wheel_pitch_m == 0) {
+      EXPECT_GE(std::abs(patch.p_B_m.x() - 0.1) - 0.5 * patch.length_m, 0.6 - 1e-12);
+      continue;
+    }
+    EXPECT_EQ(patch.wheel_pitch_m, 0.4);
+    under_wheels_m += patch.length_m;
+    // Travel is backwards: that far in front of the patch stands an axle.
+    const double axle_x_m = patch.p_B_m.x() + patch.past_wheel_m;
+    EXPECT_NEAR(std::remainder(axle_x_m - 0.1, 0.4), 0, 1e-12);
+    EXPECT_LE(std::abs(patch.past_wheel_m), 0.2 + 1e-12);
+  }
+  EXPECT_NEAR(under_wheels_m, 1.2, 1e-12);
+  EXPECT_NEAR(length_m, 1.6, 1e-12);
+}
+
 TEST(RunningGear, NosesRiseAtBothEndsSoThatATrackClimbs) {
   double highest_front_m = 0, highest_rear_m = 0;
   for (const ContactPatch& patch : TrackPatches(kTrack)) {

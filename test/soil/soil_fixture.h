@@ -75,6 +75,15 @@ inline RunningGear FlatTrack(double y_m, double length_m, double width_m, int pa
   return gear;
 }
 
+/// The same under road wheels `pitch_m` apart, as many before the link's origin as behind.
+inline void PutRoadWheels(double pitch_m, RunningGear* gear) {
+  for (ContactPatch& patch : gear->patches) {
+    const double x_m = patch.p_B_m.x() - 0.5 * pitch_m;  // from one of the wheels
+    patch.wheel_pitch_m = pitch_m;
+    patch.past_wheel_m = pitch_m * std::round(x_m / pitch_m) - x_m;
+  }
+}
+
 /// The same between noses that rise on circles of `radius_m`, as around sprocket and idler.
 inline RunningGear NosedTrack(double y_m, double length_m, double width_m, int patches,
                               double radius_m) {

@@ -53,5 +53,34 @@ TEST(Terramechanics, TrackOnSandyLoam) {
               {{0.05, 13250}, {0.10, 15970}, {0.20, 17440}, {0.40, 18180}});
 }
 
+// By hand: tan phi' = 2/3 tan 30 = 0.3849, phi' = 21.05 deg, N_q = e^(0.3849 pi) tan^2 55.53
+// = 7.106, N_c = 6.106 / 0.3849 = 15.86, N_g = 2 x 8.106 x 0.3849 = 6.240; K_pg = 33.42 x 0.8710
+// = 29.11, K_pc = 15.48 x 0.8710 = 13.48.
+TEST(Terramechanics, BulldozedSoilResistsAsBekkerSays) {
+  SoilType soil;
+  soil.bank_density_kgpm3 = 1500;
+  soil.friction_angle_rad = 30 * kDeg;
+  const double weight_n = 0.3 * 0.5 * 1500 * 9.80665 * 29.11;  // for z = 1 m
+  EXPECT_NEAR(BulldozingResistance_n(soil, 0.3, 0.1) / (0.01 * weight_n), 1, 0.002);
+  EXPECT_NEAR(BulldozingResistance_n(soil, 0.3, 0.2) / (0.04 * weight_n), 1, 0.002);
+  soil.cohesion_pa = 2000;
+  const double cohesion_n = 0.3 * 0.67 * 2000 * 13.48;
+  EXPECT_NEAR(BulldozingResistance_n(soil, 0.3, 0.1) / (0.01 * weight_n + 0.1 * cohesion_n), 1,
+              0.002);
+  EXPECT_EQ(BulldozingResistance_n(soil, 0.3, -0.1), 0);
+}
+
+TEST(Terramechanics, PressureUnderRoadWheelsHasPeaksAndTheSameMean) {
+  ContactPatch patch;
+  EXPECT_EQ(PressureShare(patch, 0.03), 1);
+  patch.wheel_pitch_m = 0.4;
+  patch.past_wheel_m = -0.1;
+  EXPECT_NEAR(PressureShare(patch, 0.1), 2, 1e-12);   // under the axle
+  EXPECT_NEAR(PressureShare(patch, -0.1), 0, 1e-12);  // half-way to the next
+  double mean = 0;
+  for (int k = 0; k < 40; ++k) mean += PressureShare(patch, 0.01 * k) / 40;
+  EXPECT_NEAR(mean, 1, 1e-12);
+}
+
 }  // namespace
 }  // namespace tera
