@@ -225,6 +225,7 @@ void Avalanche::Step(double dt_s, Columns* ground) {
     motion_[k].is_visited = true;
   }
   for (const ColumnId k : visited) {
+    if (ground->IsBlocked(k)) continue;  // the tool on it holds it
     const double overhang_m = walls_.Overhang_m(k, *ground);
     if (overhang_m > kLeastOverhang_m) {
       ground->Break(k, std::min(overhang_m, kBreakSpeed_mps * dt_s));

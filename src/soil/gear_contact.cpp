@@ -221,7 +221,8 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
     const Vec2 shear_n =
         shears_ ? Shear(k, pressed, slip_mps, shoe_mps, dt_s, before) : Vec2(Vec2::Zero());
     contact_m_ += patch.length_m;
-    if (shears_ && contact_m > 0) rut_.Slip(k, slip_mps.x() * dt_s, contact_m, body, ground);
+    if (shears_ && contact_m > 0)
+      rut_.Slip(k, slip_mps.x() * dt_s, pressed.sinkage_m, contact_m, body, ground);
     result.grip_n += pressed.Strength_n();
     result.wrench.AddForceAt(
         -pressed.normal_n * n_W + shear_n.x() * along_W + shear_n.y() * across_W, p_W, origin_W);

@@ -82,9 +82,10 @@ double Rut::Press(std::size_t patch_index, const BodyState& body, double dt_s, C
   return work_j;
 }
 
-void Rut::Slip(std::size_t k, double slip_m, double contact_m, const BodyState& body,
-               Columns* ground) {
-  scrape_m_[k] += gear_.grouser_m * slip_m / contact_m;
+void Rut::Slip(std::size_t k, double slip_m, double sinkage_m, double contact_m,
+               const BodyState& body, Columns* ground) {
+  if (pressed_.empty()) return;
+  scrape_m_[k] += std::min(gear_.grouser_m, sinkage_m) * slip_m / contact_m;
   if (std::abs(scrape_m_[k]) < kScraped_m) return;
   const double scraped_m = std::exchange(scrape_m_[k], 0.0);
   SpoilMix thrown;
@@ -95,7 +96,7 @@ void Rut::Slip(std::size_t k, double slip_m, double contact_m, const BodyState& 
 /// Puts soil behind the gear's last patch on the ground, in `direction` times travel.
 void Rut::ThrowOut(double direction, const BodyState& body, const SpoilMix& thrown,
                    Columns* ground) {
-  std::size_t last = was_touching_.empty() ? touching_.front() : was_touching_.front();
+  std::size_t last = touching_.front();
   const Vec3 backward_B = -direction * Vec3::UnitX();
   for (const std::size_t k : was_touching_) {
     if (gear_.patches[k].p_B_m.dot(backward_B) > gear_.patches[last].p_B_m.dot(backward_B)) {

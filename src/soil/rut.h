@@ -15,9 +15,9 @@ namespace tera {
 ///         its peaks under road wheels, and Bekker's agree, and remember it for later passes.
 ///         Height becomes density; what would exceed the greatest is put beside the gear. Soil
 ///         between grousers goes with the shoes: where they slip over the ground, a layer as thick
-///         as they are high leaves at the end to which it is carried, and the gear sinks by as
-///         much, evenly over its contact: h i / (1 - i) in a pass at slip i. The ground keeps its
-///         memory of pressure thereby.
+///         as they are high, and no thicker than they have sunk in, leaves at the end to which it
+///         is carried, and the gear sinks by as much, evenly over its contact: h i / (1 - i) in a
+///         pass at slip i. The ground keeps its memory of pressure thereby.
 /// Omits   soil that grousers carry sideways; single grousers' imprints.
 /// Source  Bekker 1969; memory and grid as in Krenn and Hirzinger 2009; slip sinkage: Reece 1965.
 class Rut {
@@ -33,7 +33,9 @@ class Rut {
   double Press(std::size_t k, const BodyState& body, double dt_s, Columns* ground);
   /// Lets patch `k`, whose columns were just pressed, slip by `slip_m` over them, along travel;
   /// `contact_m` is the length of ground under the whole gear.
-  void Slip(std::size_t k, double slip_m, double contact_m, const BodyState& body, Columns* ground);
+  /// Its shoes stand `sinkage_m` deep.
+  void Slip(std::size_t k, double slip_m, double sinkage_m, double contact_m, const BodyState& body,
+            Columns* ground);
   /// After a step's patches: soil may slide again into columns that the gear has left.
   void End(Columns* ground);
 

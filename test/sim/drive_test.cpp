@@ -110,8 +110,10 @@ TEST(Drive, SinksAsBekkerSays) {
     drive.Run(0.2);
     const double sinkage_m = -drive.place().z();
     const double expected_m = bearing.Sinkage_m(kMass_kg * kG_mps2 / (2 * kB_m * kL_m));
-    // The machine's weight lies off the middle of its tracks, the relation is not linear: 10 %.
-    EXPECT_NEAR(sinkage_m / expected_m, 1, 0.10) << soil;
+    // Under the road wheels the pressure has peaks, which sink deeper: on average 10 % on sand, 17
+    // % on gravel. The machine's weight lies off the middle of its tracks: another 10 %.
+    EXPECT_GT(sinkage_m / expected_m, 1.0) << soil;
+    EXPECT_LT(sinkage_m / expected_m, 1.3) << soil;
     EXPECT_GT(sinkage_m, shallower_m) << soil;
     shallower_m = sinkage_m;
   }
@@ -129,7 +131,8 @@ TEST(Drive, EqualLeversDriveStraightAtTheTracksSpeed) {
     // Its resistance takes thrust, and thrust takes slip.
     const double lost = 1 - speed_mps / (0.25 * drive.machine().gear_rate_radps[0]);
     EXPECT_GT(lost, 0) << soil;
-    EXPECT_NEAR(drive.machine().gear_slip[0], lost, 0.001) << soil;
+    // The slip of one instant, beside the mean: the machine pitches slowly.
+    EXPECT_NEAR(drive.machine().gear_slip[0], lost, 0.003) << soil;
     EXPECT_LT(heading.cross(motion.v_W_mps).norm(), 0.01) << soil;
     EXPECT_NEAR(drive.yaw_rad() / kDeg, 20, 0.3) << soil;
     // 1 % of g, smoother than any ride: the ground's cells are not felt.
@@ -197,27 +200,34 @@ TEST(Drive, UnequalLeversSteerBySkidding) {
   const double no_slip_radps = 0.4 * kFullSpeed_mps / kGauge_m;
   EXPECT_GT(rate_radps, 0.3 * no_slip_radps);  // towards the slower track, the left one
   EXPECT_LT(rate_radps, 0.9 * no_slip_radps);
-  // The inner track brakes, the outer one drives.
-  EXPECT_LT(drive.machine().gear_torque_nm[0], 0);
-  EXPECT_GT(drive.machine().gear_torque_nm[1], 0);
-  EXPECT_LT(drive.machine().gear_slip[0], 0);
-  EXPECT_GT(drive.machine().gear_slip[1], 0);
+  // The inner track brakes, the outer one drives, on average over a second.
+  double torque_nm[2] = {0, 0}, slip[2] = {0, 0};
+  drive.Run(1.0, [&] {
+    for (int g = 0; g < 2; ++g) {
+      torque_nm[g] += drive.machine().gear_torque_nm[g];
+      slip[g] += drive.machine().gear_slip[g];
+    }
+  });
+  EXPECT_LT(torque_nm[0], 0);
+  EXPECT_GT(torque_nm[1], 0);
+  EXPECT_LT(slip[0], 0);
+  EXPECT_GT(slip[1], 0);
 }
 
 TEST(Drive, SlipGrowsWithTheSlopeItClimbsAsJanosiSays) {
-  // Thrust share tan(slope) / tan(39 deg) = 1 - (1 - e^-x) / x with x = slip L / K, K = 18 mm, has
-  // the roots x = 0.50, 1.35, 2.76. The rut costs some 0.04 of the strength more.
-  const std::map<double, double> root = {{10, 0.50}, {20, 1.35}, {28, 2.76}};
+  // Thrust share tan(slope) / tan(44 deg) = 1 - (1 - e^-x) / x with x = slip L / K, K = 10 mm, has
+  // the roots x = 0.418, 1.035, 1.889. The rut costs little on gravel.
+  const std::map<double, double> root = {{10, 0.418}, {20, 1.035}, {28, 1.889}};
   double last_slip = 0;
   for (const auto& [slope_deg, x] : root) {
-    Drive drive(kExcavator, At(0, -6, 90), Rising("sand", slope_deg), 0.5, 0.5);
+    Drive drive(kExcavator, At(0, -6, 90), Rising("gravel", slope_deg), 0.5, 0.5);
     drive.Run(3.0);
     const double start_z_m = drive.place().z();
     double slip = 0;
     int n = 0;
     drive.Run(3.0, [&] { slip += drive.machine().gear_slip[0], ++n; });
     slip /= n;
-    EXPECT_NEAR(slip / (x * 0.018 / kL_m), 1, 0.5) << slope_deg;
+    EXPECT_NEAR(slip / (x * 0.010 / kL_m), 1, 0.5) << slope_deg;
     EXPECT_GT(slip, last_slip) << slope_deg;
     last_slip = slip;
     EXPECT_NEAR(
