@@ -241,9 +241,9 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
   }
   if (!shears_) return result;
   const Vec3 v_W(body.v_WB_mps.x(), body.v_WB_mps.y(), 0);
-  const double drag_n = rut_work_j_ / kDragLength_m;
-  result.wrench.force_W_n -= drag_n * v_W / (v_W.norm() + kDragSpeed_mps);
-  rut_work_j_ = std::max(0.0, rut_work_j_ - drag_n * v_W.norm() * dt_s);
+  const Vec3 drag_W_n = -rut_work_j_ / kDragLength_m * v_W / (v_W.norm() + kDragSpeed_mps);
+  result.wrench.force_W_n += drag_W_n;
+  rut_work_j_ = std::max(0.0, rut_work_j_ + drag_W_n.dot(v_W) * dt_s);
   return result;
 }
 

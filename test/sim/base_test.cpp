@@ -87,11 +87,11 @@ TEST(Base, ClimbsAStepAndNotAWall) {
     double most_rad = 0;
     over.Run(6.0, [&] { most_rad = std::max(most_rad, Tilt_rad(over)); });
     EXPECT_NEAR(over.place().x(), -2.0 + 6 * 0.625, 0.3) << soil << ' ' << ground;
-    // Dirt gives by up to 7 cm where the road wheels have passed.
-    EXPECT_LT(over.place().z(), 0.15 + 0.03) << soil << ' ' << ground;
-    EXPECT_GT(over.place().z(), 0.15 - 0.08) << soil << ' ' << ground;
+    // Road wheels press with twice the mean of 36 kPa: on dirt, by Bekker, a rut of 4 cm.
+    const double rut_m = soil == std::string("dirt") ? 0.04 : 0;
+    EXPECT_NEAR(over.place().z(), 0.15 - rut_m, 0.03) << soil << ' ' << ground;
     // With its nose on the step and its heel on the ground: 0.15 m over the tracks' 1.6 m, more
-    // when it balances on the edge before it falls over.
+    // when it balances on the edge before it falls over; in dirt the edge gives as the heel does.
     EXPECT_GT(most_rad, 0.95 * std::asin(0.15 / 1.6)) << soil << ' ' << ground;
     EXPECT_LT(most_rad, 3 * std::asin(0.15 / 1.6)) << soil << ' ' << ground;
 

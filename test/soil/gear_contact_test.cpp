@@ -27,6 +27,7 @@ const char kDrySand[] =
 struct Block {
   struct Tracks {
     double nose_m = 0, wheel_pitch_m = 0, grouser_m = 0;
+    int patches = kPatches;
   };
   double mass_kg = kMass_kg;
   std::unique_ptr<Soil> soil;
@@ -42,8 +43,8 @@ struct Block {
     GroundTools tools;
     for (const double y_m : {kGauge_m / 2, -kGauge_m / 2}) {
       RunningGear gear = tracks.nose_m > 0
-                             ? NosedTrack(y_m, kLength_m, kWidth_m, kPatches, tracks.nose_m)
-                             : FlatTrack(y_m, kLength_m, kWidth_m, kPatches);
+                             ? NosedTrack(y_m, kLength_m, kWidth_m, tracks.patches, tracks.nose_m)
+                             : FlatTrack(y_m, kLength_m, kWidth_m, tracks.patches);
       if (tracks.wheel_pitch_m > 0) PutRoadWheels(tracks.wheel_pitch_m, &gear);
       gear.grouser_m = tracks.grouser_m;
       tools.gears.push_back(gear);
@@ -102,38 +103,56 @@ struct Block {
 double DrySandSinkage_m(double times) { return 0.0371 * std::pow(times, 1 / 1.1); }
 constexpr auto kNothing = [](const Vec3&) {};
 
+/// The block's depth at rest: Bekker's 37.1 mm, and what rebounds: a plate of width b on a half
+/// space settles by p b (1 - nu^2) I / E, nu = 0.3, I = 0.88.
+constexpr double kDepth_m = 0.0371 + 40875 * kWidth_m * (1 - 0.09) * 0.88 / 4.5e6;
+
 TEST(GearContact, BlockSinksToBekkersDepthAndIsCarriedInFull) {
   Block block(kDrySand, Vec2(-2.013, 0.217), 0.3);
   Vec3 force_n;
   for (int k = 0; k < 4000; ++k) force_n = block.ActAndSinkGently();
   EXPECT_NEAR(force_n.z() / (kMass_kg * kStandardGravity_mps2), 1, 1e-3);
-  // Closed form 37.1 mm; the elastic rebound of the sand adds a few millimetres.
-  const double elastic_m = 40900 / Rebound_papm(block.soil->soils()[0], kWidth_m);
-  EXPECT_NEAR(block.reaction.gear_sinkage_m[0], 0.0371 + elastic_m, 0.002);
-  EXPECT_NEAR(-block.links[0].X_WB.translation().z(), 0.0371 + elastic_m, 0.002);
+  // Ground that slopes down from the rut's rim within a cell bears some of the weight: 2 %.
+  EXPECT_NEAR(block.reaction.gear_sinkage_m[0] / kDepth_m, 1, 0.02);
+  EXPECT_NEAR(-block.links[0].X_WB.translation().z() / kDepth_m, 1, 0.02);
   EXPECT_EQ(block.reaction.gear_slip[0], 0);
 }
 
+/// Both tracks, 39.24 kN, dry sand, K = 25 mm: closed form, see terramechanics_test.cpp.
+const std::vector<std::pair<double, double>> kThrustOverSlip = {
+    {0.05, 15310}, {0.10, 18450}, {0.20, 20150}, {0.40, 21010}};
+
+/// Mean over the second half of a drive.
+double Thrust_n(Block* block, double shoe_mps, double slip) {
+  block->motion.gear_rate_radps = {shoe_mps / 0.25, shoe_mps / 0.25};
+  double sum_n = 0;
+  const int steps = static_cast<int>(5.0 / shoe_mps / kStep_s);
+  for (int k = 0; k < steps; ++k) {
+    block->links[0].v_WB_mps.x() = (1 - slip) * shoe_mps;
+    block->ActAndSinkGently();
+    if (k < steps / 2) continue;
+    sum_n += block->reaction.gear_traction_n[0] + block->reaction.gear_traction_n[1];
+  }
+  EXPECT_NEAR(block->reaction.gear_slip[0], slip, 1e-6);
+  return sum_n / (steps - steps / 2);
+}
+
 TEST(GearContact, ThrustFollowsTheClosedFormOverSlip) {
-  // Both tracks, 39.24 kN, dry sand, K = 25 mm: closed form, see terramechanics_test.cpp.
-  for (const auto& [slip, expected_n] : std::vector<std::pair<double, double>>{
-           {0.05, 15310}, {0.10, 18450}, {0.20, 20150}, {0.40, 21010}}) {
+  // Damping of the shear near rest still adds 2 % at 5 cm/s of slip.
+  for (const auto& [slip, expected_n] : kThrustOverSlip) {
     Block block(kDrySand, Vec2(-4.5, 0.1));
-    for (int k = 0; k < 2000; ++k) block.ActAndSinkGently();
-    const double shoe_mps = 1.0;
-    block.motion.gear_rate_radps = {shoe_mps / 0.25, shoe_mps / 0.25};
-    block.links[0].v_WB_mps.x() = (1 - slip) * shoe_mps;
-    double sum_n = 0;
-    int count = 0;
-    for (int k = 0; k < 3000; ++k) {
-      block.links[0].v_WB_mps.x() = (1 - slip) * shoe_mps;
-      block.ActAndSinkGently();
-      if (k < 1500) continue;
-      sum_n += block.reaction.gear_traction_n[0] + block.reaction.gear_traction_n[1];
-      ++count;
-    }
-    EXPECT_NEAR(sum_n / count / expected_n, 1, 0.10) << "slip " << slip;
-    EXPECT_NEAR(block.reaction.gear_slip[0], slip, 1e-6);
+    block.Stand(2000);
+    EXPECT_NEAR(Thrust_n(&block, 1.0, slip) / expected_n, 1, 0.03) << "slip " << slip;
+  }
+}
+
+TEST(GearContact, FineContactMeetsTheClosedFormsWithinOnePercent) {
+  // Cells of 2.5 cm, patches of 10 cm, and slip too fast for the damping near rest.
+  for (const auto& [slip, expected_n] : kThrustOverSlip) {
+    Block block(std::string(kDrySand) + "cell_m: 0.025\n", Vec2(-4.5, 0.1), 0, {.patches = 16});
+    block.Stand(3000);
+    EXPECT_NEAR(-block.links[0].X_WB.translation().z() / kDepth_m, 1, 0.01);
+    EXPECT_NEAR(Thrust_n(&block, 4.0, slip) / expected_n, 1, 0.01) << "slip " << slip;
   }
 }
 
@@ -240,7 +259,7 @@ TEST(GearContact, ShearingBackAndForthDissipates) {
 TEST(GearContact, SandThatIsPressedAsideDoesNotComeBackUnderTheTrack) {
   // A machine twice as heavy presses the sand beyond its greatest density, so that some of it goes
   // aside. Driving on costs the work of the rut, once: Bekker's compaction resistance.
-  Block block("size_m: [12, 4]\nsoil: sand\n", Vec2(-3, 0));
+  Block block("size_m: [12, 4]\nsoil: sand\n", Vec2(-3, 0.02));
   block.mass_kg = 2 * kMass_kg;
   for (int k = 0; k < 1000; ++k) block.ActAndSinkGently();
   block.motion.gear_rate_radps = {4, 4};
@@ -257,7 +276,7 @@ TEST(GearContact, SandThatIsPressedAsideDoesNotComeBackUnderTheTrack) {
   const double z_m = BekkerSinkage_m(sand, kWidth_m, pressure_pa);
   const double expected_n =
       CompactionResistance_n(sand, kWidth_m, z_m) + BulldozingResistance_n(sand, kWidth_m, z_m);
-  EXPECT_NEAR(drag_n / (2 * expected_n), 1, 0.25);
+  EXPECT_NEAR(drag_n / (2 * expected_n), 1, 0.1);
 }
 
 TEST(GearContact, SecondPassSinksOnlyFromWhereTheFirstHasPressed) {
@@ -333,7 +352,7 @@ TEST(GearContact, ThrustUnderRoadWheelsFollowsItsClosedForm) {
       sum_n += block.reaction.gear_traction_n[0] + block.reaction.gear_traction_n[1];
       ++count;
     });
-    EXPECT_NEAR(sum_n / count / expected_n, 1, 0.10) << "slip " << slip;
+    EXPECT_NEAR(sum_n / count / expected_n, 1, 0.05) << "slip " << slip;
   }
 }
 
