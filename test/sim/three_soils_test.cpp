@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/config.h"
+#include "sim/simulation.h"
+
+/// The shipped drive over firm dirt, gravel and loose sand.
+
+namespace tera {
+namespace {
+
+/// Speed and sinkage while the whole machine is on one soil and drives.
+struct Strip {
+  double from_x_m, to_x_m;
+  std::vector<double> speed_mps, sinkage_m;
+
+  static double Mean(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values) sum += value;
+    return sum / values.size();
+  }
+  double MeanSpeed_mps() const { return Mean(speed_mps); }
+  double LeastSpeed_mps() const { return *std::min_element(speed_mps.begin(), speed_mps.end()); }
+  /// Standard deviation of the speed over its mean.
+  double Variation() const {
+    const double mean = MeanSpeed_mps();
+    double square = 0;
+    for (const double v : speed_mps) square += (v - mean) * (v - mean);
+    return std::sqrt(square / speed_mps.size()) / mean;
+  }
+};
+
+TEST(ThreeSoils, SpeedIsSteadyOnDirtAndGravelAndBreaksDownOnSand) {
+  const Config config = Config::FromFile("config/scenarios/drive_three_soils.yaml",
+                                         {"machines[0].start.xy_m=[-11, 0.01]"});
+  Scenario scenario = ReadScenario(config.root());
+  config.Finish();
+  Simulation simulation(&scenario);
+  // Tracks reach 1.1 m from their middle; borders are at -5 and 5 m.
+  Strip dirt{-8, -6.1, {}, {}}, gravel{-3.9, 3.9, {}, {}}, sand{6.1, 12, {}, {}};
+  std::vector<double> entering_m;  // sinkage, for each half metre over the border
+  while (true) {
+    simulation.Step();
+    ASSERT_LT(simulation.state().t_ns, FromSeconds(40));
+    const MachineState& machine = simulation.state().machines[0];
+    const double x_m = machine.links[0].X_WB.translation().x();
+    const double sinkage_m = 0.5 * (machine.gear_sinkage_m[0] + machine.gear_sinkage_m[1]);
+    if (x_m > 4.0 + 0.5 * entering_m.size() && x_m < 6.0) entering_m.push_back(sinkage_m);
+    for (Strip* strip : {&dirt, &gravel, &sand}) {
+      if (x_m < strip->from_x_m || x_m > strip->to_x_m) continue;
+      strip->speed_mps.push_back(machine.links[0].v_WB_mps.x());
+      strip->sinkage_m.push_back(sinkage_m);
+    }
+    if (x_m > sand.to_x_m) break;
+  }
+  EXPECT_LT(dirt.Variation(), 0.03);
+  EXPECT_LT(gravel.Variation(), 0.01);
+  EXPECT_GT(dirt.MeanSpeed_mps(), 0.9);
+  EXPECT_GT(gravel.MeanSpeed_mps(), 0.97);
+  EXPECT_LT(sand.MeanSpeed_mps(), 0.9 * dirt.MeanSpeed_mps());
+  EXPECT_LT(sand.LeastSpeed_mps(), 0.7 * dirt.MeanSpeed_mps());
+  EXPECT_GT(sand.Variation(), 3 * std::max(dirt.Variation(), gravel.Variation()));
+  EXPECT_TRUE(std::is_sorted(entering_m.begin(), entering_m.end()));
+  EXPECT_EQ(entering_m.size(), 4u);
+  EXPECT_GT(Strip::Mean(sand.sinkage_m), 3 * Strip::Mean(dirt.sinkage_m));
+  EXPECT_GT(Strip::Mean(dirt.sinkage_m), Strip::Mean(gravel.sinkage_m));
+  // A rut with a ridge on either side, behind each track.
+  const TerrainSurface& ground = simulation.ground();
+  for (const double track_y_m : {0.01 + 0.574, 0.01 - 0.574}) {
+    EXPECT_LT(ground.HeightAt(9, track_y_m), -0.05);
+    for (const double side : {1, -1}) {
+      double ridge_m = 0;
+      for (double out_m = 0.15; out_m < 0.45; out_m += 0.05) {
+        ridge_m = std::max<double>(ridge_m, ground.HeightAt(9, track_y_m + side * out_m));
+      }
+      EXPECT_GT(ridge_m, 0.01);
+      EXPECT_LT(ridge_m, 0.10);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tera
