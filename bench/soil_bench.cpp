@@ -177,7 +177,7 @@ void GrainsInFlight(benchmark::State& state) {
     {
       const CpuStopwatch watch(&step_s);
       grains.Step(kStep_s, &ground);
-      avalanche.Flow(kStep_s, &ground);
+      avalanche.Flow(kStep_s, &ground, &grains);
     }
     times.Add(step_s);
   }

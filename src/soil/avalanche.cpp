@@ -21,8 +21,6 @@ constexpr double kStep_s = 0.008;           ///< flow is slow beside tools, whic
 constexpr double kLongestStep_cells = 0.5;  ///< soil moves no farther in a step
 /// Share of the start angle's slope below which, along both axes, no column starts to flow.
 constexpr double kGentle = 0.65;
-constexpr double kLeastOverhang_m = 2e-4;
-constexpr double kBreakSpeed_mps = 1.0;   ///< at which a failing bank crumbles
 constexpr double kLevel = 1e-9;           ///< a gradient that is none
 constexpr double kFilm_m = 1e-4;          ///< the thinnest layer that flows
 constexpr double kMobileOverExcess = 10;  ///< thickness that flows over what stands too steep
@@ -211,26 +209,34 @@ void Avalanche::MoveSoil(double dt_s, Columns* ground) {
   }
 }
 
-void Avalanche::Flow(double dt_s, Columns* ground) {
-  pending_s_ += dt_s;
-  if (pending_s_ + 0.5 * dt_s < kStep_s) return;
-  Step(std::exchange(pending_s_, 0), ground);
+/// Lets the banks that cannot stand fail, all judged by one state of the ground.
+void Avalanche::FailWalls(const std::vector<ColumnId>& visited, double dt_s, Columns* ground,
+                          Grains* grains) {
+  std::vector<StandingWalls::Failure> failures;
+  for (const ColumnId k : visited) {
+    if (const auto failure = walls_.FailureAt(k, *ground)) failures.push_back(*failure);
+  }
+  for (const StandingWalls::Failure& failure : failures) {
+    if (walls_.Fail(failure, dt_s, ground, grains)) continue;
+    motion_[failure.column].is_active = true;  // it waits
+    active_.push_back(failure.column);
+  }
 }
 
-void Avalanche::Step(double dt_s, Columns* ground) {
+void Avalanche::Flow(double dt_s, Columns* ground, Grains* grains) {
+  pending_s_ += dt_s;
+  if (pending_s_ + 0.5 * dt_s < kStep_s) return;
+  Step(std::exchange(pending_s_, 0), ground, grains);
+}
+
+void Avalanche::Step(double dt_s, Columns* ground, Grains* grains) {
   for (const ColumnId k : ground->TakeChanged()) Wake(k, ground);
   const std::vector<ColumnId> visited = std::exchange(active_, {});
   for (const ColumnId k : visited) {
     motion_[k].is_active = false;
     motion_[k].is_visited = true;
   }
-  for (const ColumnId k : visited) {
-    if (ground->IsBlocked(k)) continue;  // the tool on it holds it
-    const double overhang_m = walls_.Overhang_m(k, *ground);
-    if (overhang_m > kLeastOverhang_m) {
-      ground->Break(k, std::min(overhang_m, kBreakSpeed_mps * dt_s));
-    }
-  }
+  FailWalls(visited, dt_s, ground, grains);
   for (const ColumnId k : visited) LookAround(k, *ground);
   FindFluxes(visited, dt_s, *ground);
   for (const ColumnId k : visited) {

@@ -8,6 +8,8 @@
 
 namespace tera {
 
+class Grains;
+
 /// Loose soil that flows down slopes, and banks that fail.
 ///
 /// Model   Depth-averaged flow of the loose soil on top of each column, over what stands. The faces
@@ -19,8 +21,8 @@ namespace tera {
 ///         lets columns run out as far as Lube measured. What flows is several times the part of
 ///         the loose soil that stands above the slope of slow friction, and what has come along;
 ///         what lies deeper rests. All velocities of a step come from one state,
-///         and so do all masses: the order of columns does not matter. Failing banks crumble into
-///         loose soil. Only columns near a change are visited. Nothing flows into a column in
+///         and so do all masses: the order of columns does not matter. Banks fail as in
+///         StandingWalls. Only columns near a change are visited. Nothing flows into a column in
 ///         which a tool stands lower than the surface beside.
 /// Omits   vertical acceleration, earth pressure other than hydrostatic, entrainment of bank soil,
 ///         flow over the site's border.
@@ -30,8 +32,8 @@ class Avalanche {
  public:
   explicit Avalanche(const std::vector<SoilType>& soils);
   /// Lets time pass. Every few milliseconds of it, visits columns changed since the last visit and
-  /// those still flowing.
-  void Flow(double dt_s, Columns* ground);
+  /// those still flowing. Wedges that fail become grains.
+  void Flow(double dt_s, Columns* ground, Grains* grains);
   /// Columns to be visited next, besides those that change until then.
   std::size_t active_count() const { return active_.size(); }
 
@@ -60,7 +62,9 @@ class Avalanche {
     ColumnId source() const { return velocity_mps > 0 ? column : beside; }
     ColumnId target() const { return velocity_mps > 0 ? beside : column; }
   };
-  void Step(double dt_s, Columns* ground);
+  void Step(double dt_s, Columns* ground, Grains* grains);
+  void FailWalls(const std::vector<ColumnId>& visited, double dt_s, Columns* ground,
+                 Grains* grains);
   void Wake(ColumnId k, Columns* ground);
   double VelocityOf(ColumnId k, int di, int dj, Axis axis, const Columns& ground) const;
   bool Flows(ColumnId k, const Columns& ground) const;

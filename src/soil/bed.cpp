@@ -68,7 +68,7 @@ void Bed::Deposit(const Vec3& p_W_m, const Spoil& spoil) {
 
 void Bed::Flow(double dt_s, Columns* ground, Grains* grains) {
   if (load_.mass_kg <= 0) return;
-  avalanche_.Flow(dt_s, &columns_);
+  avalanche_.Flow(dt_s, &columns_, grains);
   const int last_i = columns_.nx() - 1, last_j = columns_.ny() - 1;
   for (int j = 0; j <= last_j; ++j) {
     for (int i = 0; i <= last_i; i += j == 0 || j == last_j ? 1 : last_i) {

@@ -13,6 +13,8 @@ constexpr double kLargestClods = 8;      ///< times that, when as many as may be
 constexpr double kLongestSlide_s = 3;    ///< then a clod rests wherever it is
 constexpr double kRestSpeed_mps = 0.05;  ///< slower clods rest where friction holds them
 constexpr double kScatter_mps = 0.15;    ///< of a clod's velocity, each axis, one sigma
+constexpr int kMostFalls = 40;           ///< columns that what is laid down falls on over
+constexpr double kWall = 2;              ///< slope of what a clod does not climb
 const Vec3 kGravity_W(0, 0, -kStandardGravity_mps2);
 
 Vec3 NormalAt(const Columns& ground, double x, double y) {
@@ -20,6 +22,23 @@ Vec3 NormalAt(const Columns& ground, double x, double y) {
   return Vec3(ground.HeightAt(x - h, y) - ground.HeightAt(x + h, y),
               ground.HeightAt(x, y - h) - ground.HeightAt(x, y + h), 2 * h)
       .normalized();
+}
+
+/// Whether soil put on a column would fall off it, as off a wall, to the lowest one around.
+bool FallsOn(const Columns& ground, Columns::Place* at) {
+  if (!ground.Contains(at->i, at->j)) return false;
+  const double edge_m = ground.TopAt(at->i, at->j) - kWall * ground.cell_m();
+  double lowest_m = edge_m;
+  Columns::Place lowest = *at;
+  for (int dj = -1; dj <= 1; ++dj) {
+    for (int di = -1; di <= 1; ++di) {
+      if (!ground.Contains(at->i + di, at->j + dj)) continue;
+      const double top_m = ground.TopAt(at->i + di, at->j + dj);
+      if (top_m < lowest_m) lowest_m = top_m, lowest = {at->i + di, at->j + dj};
+    }
+  }
+  *at = lowest;
+  return lowest_m < edge_m;
 }
 
 /// Takes up to `loss_mps` of speed.
@@ -68,20 +87,35 @@ void Grains::LayDown(const Vec3& p_W_m, const Spoil& spoil, Columns* ground) {
   if (Bed* bed = BedAt(p_W_m)) {
     bed->Deposit(p_W_m, spoil);
   } else {
-    ground->DepositAt(ground->NearestI(p_W_m.x()), ground->NearestJ(p_W_m.y()), spoil);
+    const double cell_m3 = ground->cell_m() * ground->area_m2();
+    Spoil rest = spoil;
+    for (int n = static_cast<int>(std::ceil(spoil.volume_m3 / cell_m3)); n > 0; --n) {
+      Columns::Place at = {ground->NearestI(p_W_m.x()), ground->NearestJ(p_W_m.y())};
+      for (int k = 0; k < kMostFalls && FallsOn(*ground, &at); ++k) {
+      }
+      ground->DepositAt(at.i, at.j, rest.Take(1.0 / n));
+    }
   }
 }
 
 bool Grains::Move(double dt_s, const Columns& ground, Grain* grain) const {
   Vec3 &p_W = grain->p_W_m, &v_W = grain->v_W_mps;
+  const Vec3 before_W = p_W;
   v_W += dt_s * kGravity_W;
   p_W += dt_s * v_W;
   if (ground.IsWellAbove(p_W)) return false;
-  const double ground_m = ground.HeightAt(p_W.x(), p_W.y());
+  double ground_m = ground.HeightAt(p_W.x(), p_W.y());
   if (p_W.z() > ground_m) return false;
-  p_W.z() = ground_m;
   grain->slid_s += dt_s;
-  const Vec3 n_W = NormalAt(ground, p_W.x(), p_W.y());
+  Vec3 n_W = NormalAt(ground, p_W.x(), p_W.y());
+  if (n_W.head<2>().norm() > kWall * n_W.z() && n_W.head<2>().dot(v_W.head<2>()) < 0) {
+    p_W.head<2>() = before_W.head<2>();
+    v_W.head<2>().setZero();
+    ground_m = ground.HeightAt(p_W.x(), p_W.y());
+    if (p_W.z() > ground_m) return false;
+    n_W = NormalAt(ground, p_W.x(), p_W.y());
+  }
+  p_W.z() = ground_m;
   const double into_mps = std::max(0.0, -v_W.dot(n_W));
   const double friction = friction_[grain->spoil.soil];
   v_W = Slowed(v_W + into_mps * n_W, friction * into_mps);

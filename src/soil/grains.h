@@ -16,11 +16,11 @@ namespace tera {
 /// Frames  W.
 /// Model   A clod falls freely. Where it meets the ground it loses its velocity into the surface
 ///         and, by Coulomb friction, as much of that along it; it slides on while the surface is
-///         steeper than friction holds. At rest, or when it has slid for kLongestSlide_s, it
-///         becomes loose soil of the column below, or of the bed over which it is. There are never
-///         more than kMost: clods are larger while many are under way, and what more is poured lies
-///         in the column below at once. Clods neither touch each other nor machines: they exert no
-///         force.
+///         steeper than friction holds. A wall stops its travel: it is not lifted over an edge. At
+///         rest, or when it has slid for kLongestSlide_s, it becomes loose soil of the column
+///         below, or of the bed over which it is. There are never more than kMost: clods are larger
+///         while many are under way, and what more is poured lies in the column below at once.
+///         Clods neither touch each other nor machines: they exert no force.
 /// Omits   collisions between clods, bouncing, drag of the air.
 class Grains {
  public:
@@ -40,6 +40,8 @@ class Grains {
   const std::vector<Bed>& beds() const { return beds_; }
 
   std::size_t count() const { return grains_.size(); }
+  /// Whether what can wait should not be poured now.
+  bool is_crowded() const { return count() > kMost / 10 * 9; }
   double mass_kg() const;
 
  private:

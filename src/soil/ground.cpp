@@ -49,7 +49,7 @@ class Ground : public Soil {
   void Flow(double dt_s) override {
     for (Bed& bed : grains_.beds()) bed.Flow(dt_s, &columns_, &grains_);
     grains_.Step(dt_s, &columns_);
-    avalanche_.Flow(dt_s, &columns_);
+    avalanche_.Flow(dt_s, &columns_, &grains_);
   }
   int AddBed(const SoilBed& bed) override {
     grains_.beds().emplace_back(bed, columns_.soils());

@@ -143,8 +143,8 @@ TEST(ReadScenario, ResolvedScenarioReadsTheSameAgain) {
 }
 
 TEST(Scenarios, AllThatAreShippedAreValid) {
-  for (const char* name :
-       {"quickstart", "drive_three_soils", "load_truck", "two_machines", "warthog_asphalt"}) {
+  for (const char* name : {"quickstart", "drive_three_soils", "load_truck", "trench",
+                           "two_machines", "warthog_asphalt"}) {
     const Config config = Config::FromFile(std::string("config/scenarios/") + name + ".yaml",
                                            {"terrain.cell_m=0.25"});
     ReadScenario(config.root());

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/config.h"
@@ -84,6 +85,36 @@ TEST(Simulation, DigCycleMovesSoilToTheDumpAndLosesNone) {
   }
   EXPECT_LT(ahead_m3, -0.01);
   EXPECT_GT(left_m3, 0.01);
+}
+
+TEST(Simulation, ThreeDigsLeaveATrenchAndAHeapButNoNeedles) {
+  for (const std::string soil : {"clay", "sand"}) {
+    SCOPED_TRACE(soil);
+    const Config config =
+        Config::FromFile("config/scenarios/trench.yaml", {"terrain.soil=" + soil});
+    Scenario scenario = ReadScenario(config.root());
+    config.Finish();
+    Simulation simulation(&scenario);
+    StepUntil(&simulation, 44);
+    const TerrainSurface& end = simulation.ground();
+    float highest_m = -1, lowest_m = 1, needle_m = -1;
+    for (int j = 1; j + 1 < end.ny; ++j) {
+      for (int i = 1; i + 1 < end.nx; ++i) {
+        const float z_m = end.height_m(i, j);
+        const float beside_m = std::max({end.height_m(i - 1, j), end.height_m(i + 1, j),
+                                         end.height_m(i, j - 1), end.height_m(i, j + 1)});
+        highest_m = std::max(highest_m, z_m);
+        lowest_m = std::min(lowest_m, z_m);
+        needle_m = std::max(needle_m, z_m - beside_m);
+      }
+    }
+    // Three buckets of 0.11 m^3, swollen by up to 1.4, make a cone at 35 deg of 0.60 m.
+    EXPECT_LT(highest_m, 0.6);
+    EXPECT_LT(lowest_m, -0.25);
+    EXPECT_LT(needle_m, 0.06);
+    const MassLedger ledger = scenario.soil->ledger();
+    EXPECT_NEAR(ledger.total_kg() / ledger.shifted_kg, 0, 1e-9);
+  }
 }
 
 TEST(Simulation, DigCycleFillsItsBucketThroughDeadBandsAndDelay) {

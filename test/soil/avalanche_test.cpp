@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "soil/grains.h"
 #include "soil/soil_type.h"
 #include "soil_fixture.h"
 
@@ -20,7 +21,11 @@ SoilType Shipped(const std::string& name) {
 }
 
 void Settle(Columns* ground, Avalanche* avalanche, int steps) {
-  for (int k = 0; k < steps; ++k) avalanche->Flow(kStep_s, ground);
+  Grains grains(ground->soils(), 1);
+  for (int k = 0; k < steps; ++k) {
+    grains.Step(kStep_s, ground);
+    avalanche->Flow(kStep_s, ground, &grains);
+  }
 }
 
 /// Slope angle of a straight line fitted to heights between 20 % and 80 % of the top along a ray.
@@ -46,6 +51,7 @@ TEST(Avalanche, PouredPileStandsAtReposeAlongAxesAndDiagonals) {
     const SoilType sand = Shipped("sand");
     Columns ground = LevelColumns(sand, cell_m, static_cast<int>(6 / cell_m) + 1);
     Avalanche avalanche(ground.soils());
+    Grains grains(ground.soils(), 1);
     const int mid = ground.nx() / 2;
     double poured_kg = 0;
     for (int k = 0; k < 6000; ++k) {  // 0.6 m^3 over an area of 15 cm
@@ -57,7 +63,7 @@ TEST(Avalanche, PouredPileStandsAtReposeAlongAxesAndDiagonals) {
           poured_kg += volume_m3 * LooseDensity_kgpm3(sand);
         }
       }
-      avalanche.Flow(kStep_s, &ground);
+      avalanche.Flow(kStep_s, &ground, &grains);
     }
     Settle(&ground, &avalanche, 5000);
     for (int k = 0; k < 8; ++k) {
@@ -163,31 +169,6 @@ TEST(Avalanche, BothDiagonalsAndAxesFlowAlike) {
     EXPECT_NEAR(ground.TopAt(40 - 2, 40 + d), h, 1e-12);
   }
 }
-
-/// A pit with an upright wall `height_m` tall along x = 0 (low side at x > 0), then 10 s of time.
-double WallTopAfter(const SoilType& soil, double height_m) {
-  Columns ground = LevelColumns(soil, 0.05, 121);
-  Avalanche avalanche(ground.soils());
-  for (int j = 0; j < 121; ++j) {
-    for (int i = 60; i < 121; ++i) {
-      SpoilMix cut;
-      ground.Cut(ground.Touch(i, j), -height_m, &cut);
-    }
-  }
-  Settle(&ground, &avalanche, 5000);
-  return ground.HeightAt(-0.1, 0);
-}
-
-TEST(Avalanche, CohesiveWallStandsToItsCriticalHeightOnly) {
-  const SoilType dirt = Shipped("dirt");
-  // Culmann for an upright wall: 4 c / (rho g) tan(45 deg + phi / 2).
-  const double critical_m = 4 * 2100 / (1474 * kStandardGravity_mps2) * std::tan(65 * kDeg);
-  EXPECT_NEAR(CulmannHeight_m(dirt, 90 * kDeg), critical_m, 1e-9);
-  EXPECT_NEAR(WallTopAfter(dirt, 0.9 * critical_m), 0, 1e-9);
-  EXPECT_LT(WallTopAfter(dirt, 1.3 * critical_m), -0.05);
-}
-
-TEST(Avalanche, SandWallSlumpsAtOnce) { EXPECT_LT(WallTopAfter(Shipped("sand"), 0.5), -0.03); }
 
 }  // namespace
 }  // namespace tera

@@ -48,7 +48,7 @@ struct Yard {
     for (int k = 0; k < std::lround(time_s / kStep_s); ++k) {
       for (Bed& b : grains.beds()) b.Flow(kStep_s, &ground, &grains);
       grains.Step(kStep_s, &ground);
-      avalanche.Flow(kStep_s, &ground);
+      avalanche.Flow(kStep_s, &ground, &grains);
     }
   }
   double Sum_kg() { return bed().mass_kg() + grains.mass_kg() + ground.GroundGain().net_kg; }
