@@ -32,11 +32,12 @@ struct Yard {
     bed().Move(X_WB);
   }
   Bed& bed() { return grains.beds().front(); }
-  /// Lets soil fall to a place in the floor's frame, 1 m above the rim, at 0.1 m^3/s.
-  void Pour(const Vec2& p_F, double volume_m3) {
-    for (double left_m3 = volume_m3; left_m3 > 0; left_m3 -= 1e-3) {
+  /// Lets soil fall to a place in the floor's frame, 1 m above the rim.
+  void Pour(const Vec2& p_F, double volume_m3, double rate_m3ps = 0.1) {
+    const double part_m3 = 0.01 * rate_m3ps;
+    for (double left_m3 = volume_m3; left_m3 > 0; left_m3 -= part_m3) {
       SpoilMix spoil;
-      spoil.Add({1250 * 1e-3, 1e-3, 0, 0});
+      spoil.Add({1250 * part_m3, part_m3, 0, 0});
       poured_kg += spoil.mass_kg();
       const Vec3 p_W = bed().X_WF() * Vec3(p_F.x(), p_F.y(), wall_m + 1);
       grains.Pour(spoil, p_W, p_W, Vec3::Zero(), &ground);
@@ -82,7 +83,7 @@ TEST(Bed, HoldsWhatIsPouredIntoItAtRepose) {
 
 TEST(Bed, FillsToTheRimThenOverflowsOntoTheGround) {
   Yard yard;
-  yard.Pour(Vec2(0, 0), 6.0);
+  yard.Pour(Vec2(0, 0), 6.0, 0.4);
   EXPECT_NEAR(yard.Sum_kg() / yard.poured_kg, 1, 1e-12);
   const double struck_m3 = 3 * 2 * 0.6;
   EXPECT_GT(yard.bed().load().volume_m3, struck_m3);
