@@ -1,0 +1,165 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "core/random.h"
+#include "drive_fixture.h"
+#include "sim/planar_arm.h"
+
+/// A compact excavator that drives its bucket into the ground with all it has.
+
+namespace tera {
+namespace {
+
+double KineticEnergy_j(const MachineModel& model, const MachineState& state) {
+  double energy_j = 0;
+  for (std::size_t k = 0; k < model.links.size(); ++k) {
+    const Link& link = model.links[k];
+    const BodyState& body = state.links[k];
+    const Vec3 w_B_radps = body.X_WB.linear().transpose() * body.w_WB_radps;
+    energy_j += 0.5 * link.mass_kg * PointVelocity(body, link.com_B_m).squaredNorm() +
+                0.5 * w_B_radps.dot(link.inertia_B_kgm2 * w_B_radps);
+  }
+  return energy_j;
+}
+
+/// What joints and running gears put in over a step, braking not counted back.
+double WorkIn_j(const MachineState& state, double dt_s) {
+  double power_w = 0;
+  for (std::size_t k = 0; k < state.q_rad.size(); ++k) {
+    power_w += std::max(0.0, state.effort_nm[k] * state.qd_radps[k]);
+  }
+  for (std::size_t k = 0; k < state.gear_rate_radps.size(); ++k) {
+    power_w += std::max(0.0, state.gear_torque_nm[k] * state.gear_rate_radps[k]);
+  }
+  return power_w * dt_s;
+}
+
+MachineModel Excavator() {
+  const Config config = Config::FromFile(DataRoot() / "config/machines/tb235.yaml");
+  return ReadMachine(config.root());
+}
+
+int TipFrame(const MachineModel& model) {
+  int frame = 0;
+  while (model.frames.at(frame).name != "bucket_tip") ++frame;
+  return frame;
+}
+
+/// Joint angles that hold the bucket's tip a little above level ground, reach and pitch at random.
+std::string PoseAboveTheGround(const MachineModel& model, const Stream& random, int trial) {
+  const PlanarArm::Joints joints{model.JointIndex("slew"), model.JointIndex("boom"),
+                                 model.JointIndex("arm"), model.JointIndex("bucket")};
+  const PlanarArm arm(model, joints, TipFrame(model));
+  constexpr double kSlewFrame_m = 0.6;  // above the ground, about
+  const auto is_within = [&](int joint, double q_rad) {
+    return q_rad > model.joints[joint].lower_rad && q_rad < model.joints[joint].upper_rad;
+  };
+  for (std::uint32_t lane = 100;; lane += 2) {
+    const PlanarArm::Tip tip{2.0 + 2.5 * random.Uniform(trial, lane), 0.35 - kSlewFrame_m,
+                             -kPi * random.Uniform(trial, lane + 1)};
+    const std::optional<PlanarArm::Angles> angles = arm.Inverse(tip);
+    if (!angles || !is_within(joints.boom, angles->boom_rad) ||
+        !is_within(joints.arm, angles->arm_rad) || !is_within(joints.bucket, angles->bucket_rad)) {
+      continue;
+    }
+    return fmt::format("slew: {}, boom: {}, arm: {}, bucket: {}",
+                       360 * random.Uniform(trial, 3) - 180, angles->boom_rad / kDeg,
+                       angles->arm_rad / kDeg, angles->bucket_rad / kDeg);
+  }
+}
+
+struct Outcome {
+  bool is_finite = true;
+  double most_gained_j = -1e9;  ///< kinetic and potential energy beyond what the drives gave
+  double fastest_link_mps = 0;
+  double lifted_m = 0;    ///< highest rise of a corner of the undercarriage
+  double boom_share = 0;  ///< of its greatest rate, mean over the last quarter second
+  double deepest_tip_m = 0;
+  double lost_share = 0;  ///< of the soil shifted
+};
+
+/// Boom down at full lever, every other lever at an end or neutral, on one of four soils.
+Outcome DriveIntoTheGround(const MachineModel& model, int trial) {
+  const Stream random(17, "test/full_lever");
+  const char* soils[] = {"dirt", "gravel", "sand", "wet_sand"};
+  const auto uniform = [&](int lane, double low, double high) {
+    return low + (high - low) * random.Uniform(trial, lane);
+  };
+  Drive drive("tb235.yaml",
+              fmt::format("{{xy_m: [{}, {}], yaw_deg: {}, joints_deg: {{{}}}}}", uniform(0, -3, 3),
+                          uniform(1, -3, 3), uniform(2, -180, 180),
+                          PoseAboveTheGround(model, random, trial)),
+              fmt::format("cell_m: 0.1, soil: {}", soils[trial % 4]), 0, 0, "settle_s: 0.3\n");
+  drive.Operate([&](double) {
+    NamedLevers levers;
+    for (std::size_t k = 0; k < model.levers.size(); ++k) {
+      const double third = uniform(10 + static_cast<int>(k), 0, 3);
+      const double position = third < 1 ? -1 : third < 2 ? 0 : 1;
+      levers.emplace_back(model.levers[k].name, model.levers[k].name == "boom" ? -1 : position);
+    }
+    return levers;
+  });
+  constexpr double kLength_s = 2.0, kEnd_s = 0.25;
+  const int boom = model.JointIndex("boom");
+  const NamedFrame& tip = model.frames[TipFrame(model)];
+  const double weight_n = model.TotalMass_kg() * kStandardGravity_mps2;
+  const double dt_s = 1.0 / drive.scenario.physics_rate_hz;
+  const Mat3 R_start = drive.body().X_WB.linear();
+  const double start_m = drive.CentreOfMass().z(), base_m = drive.place().z();
+  double given_j = KineticEnergy_j(model, drive.machine());
+  Outcome outcome;
+  drive.Run(kLength_s, [&] {
+    const MachineState& state = drive.machine();
+    outcome.is_finite =
+        outcome.is_finite && drive.place().allFinite() && drive.body().v_WB_mps.allFinite();
+    given_j += WorkIn_j(state, dt_s);
+    const double held_j =
+        KineticEnergy_j(model, state) + weight_n * (drive.CentreOfMass().z() - start_m);
+    outcome.most_gained_j = std::max(outcome.most_gained_j, held_j - given_j);
+    for (const BodyState& link : state.links) {
+      outcome.fastest_link_mps = std::max(outcome.fastest_link_mps, link.v_WB_mps.norm());
+    }
+    for (const double x_m : {-1.0, 1.0}) {
+      for (const double y_m : {-0.7, 0.7}) {
+        const Vec3 corner_m(x_m, y_m, 0);
+        const double rise_m =
+            (drive.body().X_WB * corner_m).z() - base_m - (R_start * corner_m).z();
+        outcome.lifted_m = std::max(outcome.lifted_m, rise_m);
+      }
+    }
+    const Vec3 tip_m = state.links[tip.link].X_WB * tip.X_BF.translation();
+    outcome.deepest_tip_m = std::max(outcome.deepest_tip_m, -tip_m.z());
+    if (ToSeconds(drive.simulation->state().t_ns) > kLength_s - kEnd_s) {
+      outcome.boom_share +=
+          -state.qd_radps[boom] / model.joints[boom].max_rate_negative_radps * dt_s / kEnd_s;
+    }
+  });
+  const MassLedger ledger = drive.scenario.soil->ledger();
+  outcome.lost_share = std::abs(ledger.total_kg()) / std::max(1.0, ledger.shifted_kg);
+  return outcome;
+}
+
+TEST(FullLever, OfAHundredBucketsDrivenIntoTheGroundEachLiftsTheMachineOrStalls) {
+  const MachineModel model = Excavator();
+  int in_the_ground = 0;
+  for (int trial = 0; trial < 100; ++trial) {
+    const Outcome outcome = DriveIntoTheGround(model, trial);
+    EXPECT_TRUE(outcome.is_finite) << trial;
+    in_the_ground += outcome.deepest_tip_m > 0.1;
+    EXPECT_TRUE(outcome.lifted_m > 0.03 || outcome.boom_share < 0.2)
+        << trial << ": lifted by " << outcome.lifted_m << " m, boom at " << outcome.boom_share;
+    // The elastic ground gives back what it held at the start.
+    EXPECT_LT(outcome.most_gained_j, 100) << trial;
+    EXPECT_LT(outcome.fastest_link_mps, 6) << trial;
+    EXPECT_LT(outcome.lost_share, 1e-9) << trial;
+  }
+  EXPECT_GT(in_the_ground, 50);  // the others press with the bucket's back
+}
+
+}  // namespace
+}  // namespace tera
