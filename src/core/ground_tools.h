@@ -68,6 +68,7 @@ struct Footing {
 
 /// Everything of one machine that the soil can feel.
 struct GroundTools {
+  double mass_kg = 0;  ///< of the whole machine, which its structure on the ground must bear
   Footing footing;
   std::vector<Shovel> shovels;
   std::vector<RunningGear> gears;

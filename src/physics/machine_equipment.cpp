@@ -163,6 +163,7 @@ void ReadRunningGear(const ConfigMap& config, MachineModel* model) {
 }
 
 void ReadEquipment(const ConfigMap& config, MachineModel* model) {
+  model->ground_tools.mass_kg = model->TotalMass_kg();
   for (const auto& [name, map] : config.NamedMaps("shovels")) {
     RequirePlainName(map, "", name);
     ReadShovel(name, map, model);

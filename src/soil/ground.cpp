@@ -39,7 +39,7 @@ class Ground : public Soil {
       machine.gears.emplace_back(gear, tools.footing.shears, soils);
       machine.gear_links.push_back(gear.link);
     }
-    for (const auto& point : tools.hull_points) machine.hull.emplace_back(point);
+    for (const auto& point : tools.hull_points) machine.hull.emplace_back(point, tools.mass_kg);
     machines_.push_back(std::move(machine));
     return static_cast<int>(machines_.size()) - 1;
   }

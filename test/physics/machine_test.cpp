@@ -211,7 +211,7 @@ TEST(Machine, ExcavatorHasItsEquipment) {
   EXPECT_EQ(model.ground_tools.shovels[0].teeth, 6);
   EXPECT_DOUBLE_EQ(model.ground_tools.shovels[0].tooth_length_m, 0.15);
   EXPECT_DOUBLE_EQ(model.ground_tools.shovels[0].capacity_m3, 0.11);
-  EXPECT_EQ(model.ground_tools.hull_points.size(), 26u);
+  EXPECT_EQ(model.ground_tools.hull_points.size(), 32u);
   EXPECT_DOUBLE_EQ(model.gear_drives[0].max_rate_radps, 1.25 / 0.25);
   EXPECT_EQ(model.links[model.LinkIndex("boom")].label, SemanticClass::kBoom);
   EXPECT_EQ(model.links[model.LinkIndex("boom")].collision.size(), 2u);
@@ -220,6 +220,7 @@ TEST(Machine, ExcavatorHasItsEquipment) {
 TEST(Machine, SkidSteerTurnsTwoWheelsWithEachLever) {
   const MachineModel model = ShippedMachine("warthog");
   EXPECT_NEAR(model.TotalMass_kg(), 470, 1e-9);
+  EXPECT_NEAR(model.ground_tools.mass_kg, 470, 1e-9);
   EXPECT_TRUE(model.joints.empty());
   ASSERT_EQ(model.ground_tools.gears.size(), 2u);
   EXPECT_EQ(model.wheel_visuals.size(), 4u);

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace {
 
 using namespace testing_soil;
 
-// 100 cycles take two minutes; the environment's TERA_DIG_CYCLES sets another number than the
+// 100 cycles take minutes; the environment's TERA_DIG_CYCLES sets another number than the
 // usual one.
 int Cycles() {
   const char* given = std::getenv("TERA_DIG_CYCLES");
@@ -61,11 +62,13 @@ TEST(DiggingCycles, DigDumpPushAndDriveLoseNoMass) {
       }
     }
   }
+  RecordProperty("worst_share_of_shifted", fmt::format("{:.2g}", worst));
   EXPECT_LT(worst, 1e-9);
   EXPECT_GT(most_carried_kg, 80);
   EXPECT_GT(most_in_air_kg, 1);
   const MassLedger ledger = soil->ledger();
   EXPECT_GT(ledger.shifted_kg, 100 * Cycles());
+  RecordProperty("shifted_kg", fmt::format("{:.0f}", ledger.shifted_kg));
   EXPECT_EQ(ledger.outside_kg, 0);
 }
 
