@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "physics/gravity_load.h"
+#include "physics/joint_inertia.h"
 
 namespace tera {
 namespace {
@@ -164,26 +165,34 @@ void SetMotion(const MachineModel& model, const std::vector<AxisSamples>& sample
   }
 }
 
-void SetLoads(const MachineModel& model, AxisLog* log) {
-  const std::size_t joints = model.joints.size();
+/// Loads and inertias at one step.
+struct Weights {
+  std::vector<double> load_nm, inertia_kgm2;
+};
+
+Weights WeightsAt(const MachineModel& model, const AxisLog& log, std::size_t step) {
+  std::vector<double> q_rad(model.joints.size());
+  for (std::size_t j = 0; j < q_rad.size(); ++j) q_rad[j] = log.motions_at(step)[j].position_rad;
+  return {GravityLoads_nm(model, Pose::Identity(), q_rad), JointInertias_kgm2(model, q_rad)};
+}
+
+void SetWeights(const MachineModel& model, AxisLog* log) {
+  log->inertia_kgm2.assign(log->steps * log->axes, 0.0);
   const auto stride =
       static_cast<std::size_t>(std::max(1.0, std::round(kLoadEvery_s / log->step_s)));
-  const auto loads_at = [&](std::size_t step) {
-    std::vector<double> q_rad(joints);
-    for (std::size_t j = 0; j < joints; ++j) q_rad[j] = log->motions_at(step)[j].position_rad;
-    return GravityLoads_nm(model, Pose::Identity(), q_rad);
-  };
-  std::vector<double> from_nm = loads_at(0);
+  Weights from = WeightsAt(model, *log, 0);
   for (std::size_t first = 0; first < log->steps; first += stride) {
     const std::size_t last = std::min(first + stride, log->steps - 1);
-    const std::vector<double> to_nm = loads_at(last);
+    const Weights to = WeightsAt(model, *log, last);
     for (std::size_t k = first; k < std::min(first + stride, log->steps); ++k) {
       const double s = last > first ? static_cast<double>(k - first) / (last - first) : 0.0;
-      for (std::size_t j = 0; j < joints; ++j) {
-        log->motion[k * log->axes + j].load_nm = std::lerp(from_nm[j], to_nm[j], s);
+      for (std::size_t j = 0; j < model.joints.size(); ++j) {
+        log->motion[k * log->axes + j].load_nm = std::lerp(from.load_nm[j], to.load_nm[j], s);
+        log->inertia_kgm2[k * log->axes + j] =
+            std::lerp(from.inertia_kgm2[j], to.inertia_kgm2[j], s);
       }
     }
-    from_nm = to_nm;
+    from = to;
   }
 }
 
@@ -201,7 +210,7 @@ AxisLog MakeAxisLog(const MachineModel& model, const TableRecording& commands,
   SetTimes(commands, &log);
   SetLevers(model, commands, &log);
   SetMotion(model, samples, &log);
-  SetLoads(model, &log);
+  SetWeights(model, &log);
   return log;
 }
 

@@ -26,7 +26,8 @@ struct MeasuredRate {
 ///
 /// Model   Levers are the means over each step of commands that hold until the next one, neutral
 ///         before the first; positions and rates are straight between samples; the load is what
-///         bears the links' weight at the measured positions, on a machine that stands level.
+///         bears the links' weight at the measured positions, on a machine that stands level, as is
+///         the inertia.
 ///         An axis without encoder stays at its initial position and has no rate.
 /// Omits   the ground's load on tools and tracks; a base that leans.
 struct AxisLog {
@@ -35,10 +36,15 @@ struct AxisLog {
   std::size_t steps = 0, axes = 0;
   std::vector<double> lever;       ///< steps x axes
   std::vector<AxisMotion> motion;  ///< steps x axes, at the start of each step
+  /// steps x axes: mass or inertia of the links beyond a joint; 0 for gears and fixed joints.
+  std::vector<double> inertia_kgm2;
   std::vector<MeasuredRate> measured;
 
   std::span<const double> levers_at(std::size_t step) const {
     return {lever.data() + step * axes, axes};
+  }
+  std::span<const double> inertias_at(std::size_t step) const {
+    return {inertia_kgm2.data() + step * axes, axes};
   }
   std::span<const AxisMotion> motions_at(std::size_t step) const {
     return {motion.data() + step * axes, axes};

@@ -2,35 +2,106 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "physics/slots/actuation.h"
 
 namespace tera {
+namespace {
+
+/// Takes the rates at the ends of steps to the times of the samples, straight in between.
+class SampledRate {
+ public:
+  explicit SampledRate(const std::vector<double>& at_step) : at_step_(at_step) {
+    rates_.reserve(at_step_.size());
+  }
+  void Add(std::size_t step, double end_radps) {
+    while (rates_.size() < at_step_.size() &&
+           at_step_[rates_.size()] <= static_cast<double>(step) + 1) {
+      const double s = std::max(0.0, at_step_[rates_.size()] - static_cast<double>(step));
+      rates_.push_back(std::lerp(before_radps_, end_radps, s));
+    }
+    before_radps_ = end_radps;
+  }
+  std::vector<double> Take() { return std::move(rates_); }
+
+ private:
+  const std::vector<double>& at_step_;
+  std::vector<double> rates_;
+  double before_radps_ = 0;
+};
+
+/// Effort of an axis's motor; none known for gears, which move the whole machine.
+double FullEffort_nm(const MachineModel& model, std::size_t axis) {
+  return axis < model.joints.size() ? model.joints[axis].max_effort_nm : 0;
+}
+
+/// The rate at the end of a step for which the motor has its full effort to take the masses from
+/// one rate to the next.
+double Accelerated(double from_radps, double asked_radps, double full_nm, double load_nm,
+                   double inertia_kgm2, double dt_s) {
+  if (inertia_kgm2 <= 0 || full_nm <= 0) return asked_radps;
+  const double most_radps = std::max(0.0, full_nm - load_nm) / inertia_kgm2 * dt_s;
+  const double least_radps = -std::max(0.0, full_nm + load_nm) / inertia_kgm2 * dt_s;
+  return from_radps + std::clamp(asked_radps - from_radps, least_radps, most_radps);
+}
+
+}  // namespace
 
 std::vector<std::vector<double>> AxisReplay::Predict(const MachineEffects& effects) const {
   MachineModel model = model_;
   model.effects = effects;
   Actuation actuation(model, {.machine = model.kind});
-  std::vector<std::vector<double>> rates(log_.measured.size());
-  std::vector<std::size_t> next(log_.measured.size(), 0);
-  std::vector<double> before(log_.axes, 0.0);
+  std::vector<double> rate_radps(log_.axes, 0.0);
+  std::vector<SampledRate> sampled;
+  for (const MeasuredRate& measured : log_.measured) sampled.emplace_back(measured.at_step);
   for (std::size_t k = 0; k < log_.steps; ++k) {
     actuation.Step(log_.levers_at(k), log_.motions_at(k), log_.step_s);
-    for (std::size_t m = 0; m < rates.size(); ++m) {
-      const MeasuredRate& measured = log_.measured[m];
-      const double end_radps = actuation.drives()[measured.axis].rate_radps;
-      // Samples up to the end of this step, between its start and its end.
-      while (next[m] < measured.at_step.size() && measured.at_step[next[m]] <= k + 1.0) {
-        const double s = std::max(0.0, measured.at_step[next[m]] - static_cast<double>(k));
-        rates[m].push_back(std::lerp(before[measured.axis], end_radps, s));
-        ++next[m];
-      }
-    }
     for (std::size_t axis = 0; axis < log_.axes; ++axis) {
-      before[axis] = actuation.drives()[axis].rate_radps;
+      rate_radps[axis] = Accelerated(rate_radps[axis], actuation.drives()[axis].rate_radps,
+                                     FullEffort_nm(model_, axis), log_.motions_at(k)[axis].load_nm,
+                                     log_.inertias_at(k)[axis], log_.step_s);
+    }
+    for (std::size_t m = 0; m < sampled.size(); ++m) {
+      sampled[m].Add(k, rate_radps[log_.measured[m].axis]);
     }
   }
+  std::vector<std::vector<double>> rates;
+  for (SampledRate& rate : sampled) rates.push_back(rate.Take());
   return rates;
+}
+
+LoneAxisReplay::LoneAxisReplay(const MachineModel& model, const AxisLog& log, std::size_t measured)
+    : model_(model),
+      axis_(log.measured[measured].axis),
+      step_s_(log.step_s),
+      at_step_(log.measured[measured].at_step) {
+  for (std::size_t k = 0; k < log.steps; ++k) {
+    lever_.push_back(log.levers_at(k)[axis_]);
+    motion_.push_back(log.motions_at(k)[axis_]);
+    inertia_kgm2_.push_back(log.inertias_at(k)[axis_]);
+  }
+  model_.effects.joints.resize(model.joints.size());
+  model_.effects.gears.resize(model.gear_drives.size());
+}
+
+std::vector<double> LoneAxisReplay::Predict(const Effects& added) const {
+  const std::size_t joints = model_.joints.size();
+  MachineModel model = model_;
+  Effects& own = axis_ < joints ? model.effects.joints[axis_] : model.effects.gears[axis_ - joints];
+  own.insert(own.end(), added.begin(), added.end());
+  AxisActuation actuation = AxisActuationOf(model, axis_, {.machine = model.kind});
+  const double full_nm = FullEffort_nm(model, axis_);
+  double rate_radps = 0;
+  SampledRate sampled(at_step_);
+  for (std::size_t k = 0; k < lever_.size(); ++k) {
+    const double demand_radps = actuation.Demand(lever_[k], step_s_);
+    const double asked_radps = actuation.Deliver(demand_radps, motion_[k], step_s_).rate_radps;
+    rate_radps = Accelerated(rate_radps, asked_radps, full_nm, motion_[k].load_nm, inertia_kgm2_[k],
+                             step_s_);
+    sampled.Add(k, rate_radps);
+  }
+  return sampled.Take();
 }
 
 }  // namespace tera

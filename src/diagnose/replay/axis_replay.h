@@ -10,11 +10,11 @@ namespace tera {
 /// the joints and gears of a machine with other effects would have done in the same place. Errors
 /// stay where they arise and do not drift.
 ///
-/// Model   Actuation over the steps of the log; a joint runs as its drive asks, which is what its
-///         motor does where it is not held up.
-/// Omits   joints that the ground, their end stops or their effort limits hold up; the inertia that
-///         an effort has to accelerate; `payload`, whose weight is not in the log's loads; which
-///         messages `command_drops` lost, for it draws its own.
+/// Model   Actuation over the steps of the log; a joint runs as its drive asks, as fast as its full
+///         effort less its load accelerates what is beyond it.
+/// Omits   joints that the ground or their end stops hold up; the inertia of other joints that move
+///         and of the gears; limits of effort by position and direction; `payload`, whose weight is
+///         not in the log's loads; which messages `command_drops` lost, for it draws its own.
 class AxisReplay {
  public:
   /// Both must outlive it.
@@ -27,6 +27,25 @@ class AxisReplay {
  private:
   const MachineModel& model_;
   const AxisLog& log_;
+};
+
+/// The chain of one axis, with pumps that deliver all that is asked of them: what a search
+/// evaluates thousands of times.
+class LoneAxisReplay {
+ public:
+  /// Of the axis of one of the log's measured rates. Both are copied as far as they are needed.
+  LoneAxisReplay(const MachineModel& model, const AxisLog& log, std::size_t measured);
+
+  /// Rates at the measured rate's times, with `added` to the axis's own effects.
+  std::vector<double> Predict(const Effects& added) const;
+
+ private:
+  MachineModel model_;
+  std::size_t axis_ = 0;
+  double step_s_ = 0;
+  std::vector<double> lever_, at_step_;
+  std::vector<AxisMotion> motion_;
+  std::vector<double> inertia_kgm2_;
 };
 
 }  // namespace tera

@@ -130,21 +130,26 @@ AxisDrive AxisActuation::Deliver(double rate_radps, const AxisMotion& motion, do
   return {load_.Step(joint_radps, motion.load_nm, dt_s), load_.Friction(motion.rate_radps)};
 }
 
-Actuation::Actuation(const MachineModel& model, const ActuationStart& start) {
-  const auto add = [&](const std::string& name, const AxisParameters& parameters) {
+AxisActuation AxisActuationOf(const MachineModel& model, std::size_t axis,
+                              const ActuationStart& start) {
+  const auto of = [&](const std::string& name, const AxisParameters& parameters) {
     const Stream drops(start.seed, start.machine + "/" + name + "/command_drops");
-    axes_.emplace_back(parameters, drops, start.step);
+    return AxisActuation(parameters, drops, start.step);
   };
-  for (std::size_t j = 0; j < model.joints.size(); ++j) {
-    const Effects& effects = EffectsAt(model.effects.joints, j);
-    AxisParameters axis = AxisOf(model.joints[j], effects);
-    SetDisplacement(model, j, &axis);
-    axis.gain = GainOf(model, j);
-    add(model.joints[j].name, axis);
+  if (axis >= model.joints.size()) {
+    const std::size_t gear = axis - model.joints.size();
+    return of(model.ground_tools.gears[gear].name,
+              AxisOf(model.gear_drives[gear], EffectsAt(model.effects.gears, gear)));
   }
-  for (std::size_t g = 0; g < model.gear_drives.size(); ++g) {
-    add(model.ground_tools.gears[g].name,
-        AxisOf(model.gear_drives[g], EffectsAt(model.effects.gears, g)));
+  AxisParameters parameters = AxisOf(model.joints[axis], EffectsAt(model.effects.joints, axis));
+  SetDisplacement(model, axis, &parameters);
+  parameters.gain = GainOf(model, axis);
+  return of(model.joints[axis].name, parameters);
+}
+
+Actuation::Actuation(const MachineModel& model, const ActuationStart& start) {
+  for (std::size_t axis = 0; axis < model.joints.size() + model.gear_drives.size(); ++axis) {
+    axes_.push_back(AxisActuationOf(model, axis, start));
   }
   demand_radps_.assign(axes_.size(), 0.0);
   drives_.resize(axes_.size());

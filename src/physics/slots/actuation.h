@@ -85,6 +85,10 @@ const Effects& EffectsAt(const std::vector<Effects>& effects, std::size_t k);
 /// `cylinder_lever` names no pins.
 KinematicGainParameters GainOf(const MachineModel& model, std::size_t joint);
 
+/// The chain of one axis of a machine (joints first, then gears), without the pumps.
+AxisActuation AxisActuationOf(const MachineModel& model, std::size_t axis,
+                              const ActuationStart& start);
+
 /// The chain of a whole machine: joints first, then gears, each in the model's order.
 ///
 /// Model   Every pump delivers one share to all that it feeds; an axis fed by several pumps asks

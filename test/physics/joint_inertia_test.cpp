@@ -1,0 +1,55 @@
+#include "physics/joint_inertia.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/config.h"
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+MachineModel Read(const std::string& yaml) {
+  const Config config = Config::FromText(yaml, "arm.yaml");
+  MachineModel model = ReadMachine(config.root());
+  config.Finish();
+  return model;
+}
+
+/// Two links of 10 and 4 kg that turn about -y, and a slider of 2 kg along the second one's x.
+const char* const kTwoLinksAndASlider = R"(
+kind: arm
+fixed_base: true
+links:
+  base: {mass_kg: 50, inertia_kgm2: [1, 1, 1]}
+  upper: {mass_kg: 10, com_m: [0.5, 0, 0], inertia_kgm2: [0.5, 1.5, 2.5]}
+  lower: {mass_kg: 4, com_m: [0.3, 0, 0], inertia_kgm2: [0.1, 0.7, 0.2]}
+  slide: {mass_kg: 2, com_m: [0.1, 0, 0], inertia_kgm2: [0.1, 0.3, 0.1]}
+joints:
+  shoulder: {type: revolute, parent: base, child: upper, axis: [0, -1, 0], limits_deg: [-90, 90],
+             max_rate_degps: 30, max_effort_nm: 500}
+  elbow: {type: revolute, parent: upper, child: lower, xyz_m: [1, 0, 0], axis: [0, -1, 0],
+          limits_deg: [-90, 90], max_rate_degps: 30, max_effort_nm: 500}
+  extension: {type: prismatic, parent: lower, child: slide, xyz_m: [0.6, 0, 0], axis: [1, 0, 0],
+              limits_m: [0, 1], max_rate_mps: 0.3, max_effort_n: 500}
+levers: [shoulder, elbow, extension]
+)";
+
+TEST(JointInertia, IsThatOfAllMassesBeyondAboutTheAxis) {
+  const MachineModel model = Read(kTwoLinksAndASlider);
+  const double b = 40 * kDeg, out_m = 0.25;
+  const auto inertia_kgm2 = JointInertias_kgm2(model, {25 * kDeg, b, out_m});
+  // Steiner: I_c + m r^2, the slider's centre 0.6 + 0.25 + 0.1 m beyond the elbow.
+  const double slide_m = 0.6 + out_m + 0.1;
+  const double elbow_kgm2 = 0.7 + 4 * 0.3 * 0.3 + 0.3 + 2 * slide_m * slide_m;
+  const auto from_shoulder_m2 = [&](double r_m) { return 1 + r_m * r_m + 2 * r_m * std::cos(b); };
+  const double shoulder_kgm2 =
+      1.5 + 10 * 0.25 + 0.7 + 4 * from_shoulder_m2(0.3) + 0.3 + 2 * from_shoulder_m2(slide_m);
+  EXPECT_NEAR(inertia_kgm2[0], shoulder_kgm2, 1e-9);
+  EXPECT_NEAR(inertia_kgm2[1], elbow_kgm2, 1e-9);
+  EXPECT_NEAR(inertia_kgm2[2], 2, 1e-12);
+}
+
+}  // namespace
+}  // namespace tera
