@@ -7,6 +7,7 @@
 
 namespace tera {
 
+void AddDiagnoseCommand(CLI::App* app);
 void AddGenerateCommand(CLI::App* app);
 void AddCheckCommand(CLI::App* app);
 void AddInfoCommand(CLI::App* app);

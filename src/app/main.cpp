@@ -23,6 +23,7 @@ int Run(int argc, char** argv) {
   tera::AddCheckCommand(&app);
   tera::AddInfoCommand(&app);
   tera::AddCompareCommand(&app);
+  tera::AddDiagnoseCommand(&app);
   tera::AddImportCommand(&app);
   tera::AddImportRigCommand(&app);
   tera::AddOverviewCommand(&app);

@@ -101,6 +101,21 @@ std::vector<double> TwistReplay::Levers(const OperatorView& view) {
   return levers;
 }
 
+CommandTable ReplayedLevers(Operator* driver, const MachineModel& model) {
+  const CommandTable* table = nullptr;
+  if (const auto* levers = dynamic_cast<const LeverReplay*>(driver)) table = &levers->table();
+  if (const auto* twists = dynamic_cast<const TwistReplay*>(driver)) table = &twists->table();
+  CommandTable out;
+  if (table == nullptr) return out;
+  const MachineState unseen;
+  const TerrainSurface nowhere;
+  for (const TimeNs t_ns : table->t_ns) {
+    out.t_ns.push_back(t_ns);
+    out.rows.push_back(driver->Levers({t_ns, model, unseen, nowhere}));
+  }
+  return out;
+}
+
 std::unique_ptr<Operator> ReadLeverReplay(const ConfigMap& config, const MachineModel& model) {
   const std::filesystem::path file = config.File("csv");
   const std::string time_column = config.Text("time_column", "t_ns");

@@ -24,6 +24,7 @@ class LeverReplay : public Operator {
   /// `lever_of_column[c]` is the lever that column c moves.
   LeverReplay(CommandTable table, std::vector<int> lever_of_column);
   std::vector<double> Levers(const OperatorView& view) override;
+  const CommandTable& table() const { return table_; }
 
  private:
   CommandTable table_;
@@ -38,11 +39,16 @@ class TwistReplay : public Operator {
  public:
   TwistReplay(CommandTable table, const SkidSteerLevers& levers);
   std::vector<double> Levers(const OperatorView& view) override;
+  const CommandTable& table() const { return table_; }
 
  private:
   CommandTable table_;
   SkidSteerLevers levers_;
 };
+
+/// The levers that a replaying operator gives, a row wherever they may change, a column for each
+/// lever of the model. No rows for operators that look at the machine before they act.
+CommandTable ReplayedLevers(Operator* driver, const MachineModel& model);
 
 /// Reads the keys of `type: lever_replay` and `type: twist_replay`.
 std::unique_ptr<Operator> ReadLeverReplay(const ConfigMap& config, const MachineModel& model);

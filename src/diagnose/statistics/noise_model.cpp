@@ -192,7 +192,7 @@ NoiseModel FitNoise(const Series& series, const NoiseFitOptions& options) {
     noise.ar.assign(ar.begin(), ar.end());
     const std::vector<double> error = Errors(x, rows, noise.ar);
     if (step == 0) noise.scale = std::max(RobustScale(error), 1e-300);
-    if (step % 3 == 0) noise.dof = DofOf(error, noise.scale);
+    if (step % 3 == 0) noise.dof = std::max(DofOf(error, noise.scale), options.least_dof);
     noise.scale = std::max(ScaleAt(error, noise.dof, noise.scale), 1e-300);
     for (std::size_t r = 0; r < rows.size(); ++r) {
       const double e = error[r] / noise.scale;

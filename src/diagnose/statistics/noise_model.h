@@ -29,6 +29,7 @@ struct NoiseModel {
 struct NoiseFitOptions {
   std::optional<std::size_t> order;  ///< by BIC up to `highest_order` where not given
   std::size_t highest_order = 20;
+  double least_dof = 0;       ///< tails at most so heavy; the scale then takes up the rest
   bool estimate_mean = true;  ///< else 0: an offset then stays in the innovations
 };
 

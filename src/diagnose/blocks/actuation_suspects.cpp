@@ -1,0 +1,129 @@
+#include "diagnose/blocks/actuation_suspects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "core/check.h"
+#include "physics/actuation_mechanisms.h"
+#include "physics/slots/actuation.h"
+
+namespace tera {
+namespace {
+
+/// What an axis did in the log.
+struct Reach {
+  double full_rate_radps = 0, largest_load_nm = 0;
+  double lowest_rad = 0, highest_rad = 0;
+  bool is_joint = false, has_stops = false, has_cylinder = false;
+};
+
+Reach ReachOf(const MachineModel& model, const AxisLog& log, std::size_t axis) {
+  Reach reach;
+  reach.is_joint = axis < model.joints.size();
+  if (reach.is_joint) {
+    const Joint& joint = model.joints[axis];
+    reach.full_rate_radps = std::max(joint.max_rate_positive_radps, joint.max_rate_negative_radps);
+    reach.has_stops = joint.type != JointType::kContinuous && joint.lower_rad < joint.upper_rad;
+    for (const Cylinder& cylinder : model.cylinders) {
+      reach.has_cylinder = reach.has_cylinder || cylinder.joint == static_cast<int>(axis);
+    }
+  } else {
+    reach.full_rate_radps = model.gear_drives[axis - model.joints.size()].max_rate_radps;
+  }
+  reach.lowest_rad = reach.highest_rad = log.motion[axis].position_rad;
+  for (std::size_t k = 0; k < log.steps; ++k) {
+    const AxisMotion& motion = log.motion[k * log.axes + axis];
+    reach.largest_load_nm = std::max(reach.largest_load_nm, std::abs(motion.load_nm));
+    reach.lowest_rad = std::min(reach.lowest_rad, motion.position_rad);
+    reach.highest_rad = std::max(reach.highest_rad, motion.position_rad);
+  }
+  return reach;
+}
+
+const Mechanism& MechanismOf(std::string_view id) {
+  const auto library = ActuationMechanisms();
+  const auto found =
+      std::find_if(library.begin(), library.end(), [&](const Mechanism& m) { return m.id == id; });
+  TERA_CHECK(found != library.end(), id);
+  return *found;
+}
+
+class Suspects {
+ public:
+  Suspects(std::string target, const Effects& present)
+      : target_(std::move(target)), present_(present) {}
+
+  void Add(std::string_view id, std::vector<FreeParameter> free,
+           std::vector<std::vector<double>> starts) {
+    if (FindEffect(present_, id)) return;
+    found_.push_back({&MechanismOf(id), target_, std::move(free), std::move(starts)});
+  }
+  std::vector<Suspect> Take() { return std::move(found_); }
+
+ private:
+  std::string target_;
+  const Effects& present_;
+  std::vector<Suspect> found_;
+};
+
+void AddTimingAndMap(Suspects* out) {
+  out->Add("command_delay", {{0, 0, 0.8}}, {{0.04}, {0.1}, {0.2}, {0.35}});
+  out->Add("input_hold", {{0, 0.02, 0.6, true}, {1, 0, 1}},
+           {{0.05, 0.0}, {0.1, 0.0}, {0.1, 0.5}, {0.2, 0.0}, {0.2, 0.33}, {0.2, 0.67}});
+  out->Add("lever_saturation", {{0, 0.2, 1}}, {{0.9}, {0.75}, {0.6}});
+  out->Add("dead_band", {{0, 0, 0.5}, {1, -0.9, 0.9}},
+           {{0.03, 0}, {0.08, 0}, {0.15, 0}, {0.25, 0}});
+  out->Add("valve_curve", {{0, 0.4, 3, true}}, {{1.2}, {1.5}, {2}, {0.8}});
+  out->Add("asymmetric_gain", {{0, 0.3, 3, true}}, {{1.2}, {1.5}, {1.9}, {0.7}});
+  out->Add("rate_gain", {{0, 0.3, 1.8}}, {{0.9}, {1.15}, {0.75}});
+}
+
+void AddActuator(const Reach& reach, Suspects* out) {
+  const double w = reach.full_rate_radps;
+  out->Add("actuator_lag", {{0, 0, 1.5}}, {{0.05}, {0.12}, {0.25}, {0.5}});
+  out->Add("rate_limit", {{0, w / 5, w / 0.02, true}}, {{w / 0.1}, {w / 0.3}, {w / 1}});
+  out->Add("actuator_ring", {{0, 3, 60, true}, {1, 0.5, 30, true}, {2, -1.5, 1.5}},
+           {{20, 6, 0}, {12, 4, 0}, {28, 8, 0}, {8, 3, 0}});
+  if (reach.has_stops) {
+    out->Add("end_cushion", {{0, 0.02, 0.6, true}, {1, 0.02, 0.9}}, {{0.08, 0.3}, {0.2, 0.2}});
+  }
+}
+
+void AddGainAndLoad(const Reach& reach, Suspects* out) {
+  const double low = reach.lowest_rad, high = reach.highest_rad;
+  if (reach.has_cylinder && low < high) {
+    out->Add("cylinder_lever", {{3, low, high}},
+             {{0, 0, 0, 0.5 * (low + high)},
+              {0, 0, 0, 0.8 * low + 0.2 * high},
+              {0, 0, 0, 0.2 * low + 0.8 * high}});
+  }
+  out->Add("backlash", {{0, 5e-4, 0.15, true}}, {{0.004}, {0.015}, {0.04}});
+  const double load = reach.largest_load_nm;
+  if (load <= 0) return;
+  out->Add("pressure_droop", {{0, 1.02 * load, 30 * load, true}, {1, 0, 0.5}},
+           {{8 * load, 0.05}, {3 * load, 0.05}, {1.5 * load, 0.05}});
+  out->Add("sag", {{0, 2e-4, 0.15, true}}, {{0.003, 40}, {0.01, 40}, {0.04, 40}});
+  if (reach.is_joint) {
+    out->Add("structural_flex", {{0, 2, 80, true}, {1, 0.01, 0.9}},
+             {{30, 0.1}, {12, 0.1}, {6, 0.1}, {12, 0.5}});
+  }
+}
+
+}  // namespace
+
+std::vector<Suspect> SuspectsOfAxis(const MachineModel& model, const AxisLog& log,
+                                    std::size_t axis) {
+  const std::size_t joints = model.joints.size();
+  const Reach reach = ReachOf(model, log, axis);
+  Suspects out(
+      reach.is_joint ? model.joints[axis].name : model.ground_tools.gears[axis - joints].name,
+      reach.is_joint ? EffectsAt(model.effects.joints, axis)
+                     : EffectsAt(model.effects.gears, axis - joints));
+  AddTimingAndMap(&out);
+  AddActuator(reach, &out);
+  AddGainAndLoad(reach, &out);
+  return out.Take();
+}
+
+}  // namespace tera

@@ -1,0 +1,160 @@
+#include "diagnose/blocks/axis_block.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "diagnose/blocks/actuation_suspects.h"
+#include "diagnose/blocks/sample_grid.h"
+#include "diagnose/replay/axis_replay.h"
+#include "diagnose/statistics/robust.h"
+#include "physics/slots/actuation.h"
+
+namespace tera {
+namespace {
+
+constexpr std::ptrdiff_t kFewestSamples = 200;
+constexpr double kStill_s = 1;  ///< a rate that repeats itself for longer says nothing
+constexpr int kLags = 12;
+constexpr double kLongestLag_s = 0.8;
+
+/// Which samples tell anything: not those at end stops, nor those of a rate that has been the same
+/// number for long, of a machine switched off or an encoder that counts no noise.
+std::vector<bool> TellingSamples(const MeasuredRate& measured) {
+  std::vector<bool> telling = measured.is_free;
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < telling.size(); ++i) {
+    if (measured.rate_radps[i] != measured.rate_radps[first]) first = i;
+    if (ToSeconds(measured.t_ns[i] - measured.t_ns[first]) > kStill_s) telling[i] = false;
+  }
+  return telling;
+}
+
+/// A quantity of the log's steps at the places of the grid.
+template <typename Value>
+Series Sampled(const SampleGrid& grid, const AxisLog& log, const MeasuredRate& measured,
+               const Value& value_at_step) {
+  Series series{grid.period_s, std::vector<double>(grid.size), Mask(grid.size, 1)};
+  const double first = measured.at_step.front();
+  for (std::size_t k = 0; k < grid.size; ++k) {
+    const double at = first + static_cast<double>(k) * grid.period_s / log.step_s;
+    series.value[k] = value_at_step(std::min(static_cast<std::size_t>(at), log.steps - 1));
+  }
+  return series;
+}
+
+/// Shapes of a lever that a valve may make of it.
+std::array<double, 5> ShapesOf(double u) {
+  const auto beyond = [&](double dead) {
+    return std::copysign(std::max(0.0, std::abs(u) - dead), u);
+  };
+  return {u, u * std::abs(u), beyond(0.1), beyond(0.25), u > 0 ? 1.0 : (u < 0 ? -1.0 : 0.0)};
+}
+
+/// The lever's shapes through lags, and the lever by position and load.
+Eigen::MatrixXd FreeMember(const Series& lever, const Series& position, const Series& load) {
+  const auto rows = static_cast<Eigen::Index>(lever.size());
+  const double spread = std::max(RobustScale(position.value), 1e-9);
+  const double middle = Median(position.value);
+  const double heaviest = std::max(
+      1e-9, *std::max_element(load.value.begin(), load.value.end(),
+                              [](double a, double b) { return std::abs(a) < std::abs(b); }));
+  std::vector<std::size_t> lags;
+  for (int i = 0; i < kLags; ++i) {
+    const double lag_s = kLongestLag_s * std::pow(i / (kLags - 1.0), 1.5);
+    const auto lag = static_cast<std::size_t>(std::llround(lag_s / lever.period_s));
+    if (lags.empty() || lag > lags.back()) lags.push_back(lag);
+  }
+  Eigen::MatrixXd columns(rows, static_cast<Eigen::Index>(5 * lags.size() + 8));
+  for (Eigen::Index k = 0; k < rows; ++k) {
+    Eigen::Index c = 0;
+    for (const std::size_t lag : lags) {
+      const auto past = k - static_cast<Eigen::Index>(lag);
+      const double u = past < 0 ? 0 : lever.value[static_cast<std::size_t>(past)];
+      for (const double shape : ShapesOf(u)) columns(k, c++) = shape;
+    }
+    const auto at = static_cast<std::size_t>(k);
+    const double u = lever.value[at], l = load.value[at] / heaviest;
+    const double q = std::clamp((position.value[at] - middle) / (3 * spread), -1.0, 1.0);
+    for (const double x :
+         {q, u * q, u * q * q, u * q * q * q, l, u * l, std::abs(u) * l, u * l * l}) {
+      columns(k, c++) = x;
+    }
+  }
+  return columns;
+}
+
+std::string NameOfAxis(const MachineModel& model, std::size_t axis) {
+  return axis < model.joints.size() ? model.joints[axis].name
+                                    : model.ground_tools.gears[axis - model.joints.size()].name;
+}
+
+bool HasLever(const MachineModel& model, std::size_t axis) {
+  const auto joints = static_cast<int>(model.joints.size());
+  return std::any_of(model.levers.begin(), model.levers.end(), [&](const Lever& lever) {
+    return (lever.joint >= 0 ? lever.joint : joints + lever.gear) == static_cast<int>(axis);
+  });
+}
+
+std::vector<RegimeVariable> VariablesOf(const MachineModel& model, const AxisLog& log,
+                                        const MeasuredRate& measured, const SampleGrid& grid) {
+  const std::size_t own = measured.axis;
+  const auto lever_of = [&](std::size_t axis) {
+    return Sampled(grid, log, measured, [&](std::size_t k) { return log.levers_at(k)[axis]; });
+  };
+  const auto motion_of = [&](double AxisMotion::*part) {
+    return Sampled(grid, log, measured,
+                   [&](std::size_t k) { return log.motions_at(k)[own].*part; });
+  };
+  const std::string name = NameOfAxis(model, own);
+  std::vector<RegimeVariable> variables = {
+      {"lever/" + name, lever_of(own)},
+      {"position/" + name, motion_of(&AxisMotion::position_rad)},
+      {"load/" + name, motion_of(&AxisMotion::load_nm)},
+      {"time", Sampled(grid, log, measured,
+                       [&](std::size_t k) { return static_cast<double>(k) * log.step_s; })}};
+  for (std::size_t axis = 0; axis < log.axes; ++axis) {
+    if (axis != own && HasLever(model, axis)) {
+      variables.push_back({"lever/" + NameOfAxis(model, axis), lever_of(axis)});
+    }
+  }
+  return variables;
+}
+
+}  // namespace
+
+std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLog& log,
+                                         std::size_t measured_index) {
+  const MeasuredRate& measured = log.measured[measured_index];
+  const std::size_t axis = measured.axis;
+  if (!HasLever(model, axis)) return std::nullopt;
+  const std::vector<bool> telling = TellingSamples(measured);
+  if (std::count(telling.begin(), telling.end(), true) < kFewestSamples) return std::nullopt;
+  const SampleGrid grid = SampleGrid::Under(measured.t_ns);
+  Channel channel;
+  channel.name = measured.channel;
+  channel.unit = measured.channel.ends_with("_mps") ? "m/s" : "rad/s";
+  channel.measured = grid.SpreadSeries(measured.rate_radps, telling);
+  channel.nuisances = {.offset = 1e-3, .gain = 0.02, .delay_s = 0.5 * grid.period_s};
+  channel.variables = VariablesOf(model, log, measured, grid);
+  channel.free_member = FreeMember(channel.variables[0].series, channel.variables[1].series,
+                                   channel.variables[2].series);
+  ReplayBlock block;
+  block.name = NameOfAxis(model, axis);
+  for (const RegimeVariable& variable : channel.variables) {
+    if (variable.name.starts_with("lever/")) block.commands.push_back(variable.series);
+  }
+  block.channels.push_back(std::move(channel));
+  block.suspects = SuspectsOfAxis(model, log, axis);
+  const LoneAxisReplay replay(model, log, measured_index);
+  block.predict = [replay, grid](const Structure& terms) {
+    Effects added;
+    for (const Term& term : terms) added.push_back({term.suspect->mechanism, term.values});
+    return std::vector<std::vector<double>>{grid.Spread(replay.Predict(added))};
+  };
+  return block;
+}
+
+}  // namespace tera

@@ -1,0 +1,165 @@
+#include "diagnose/blocks/base_block.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "core/check.h"
+#include "core/motion.h"
+#include "diagnose/blocks/sample_grid.h"
+#include "diagnose/replay/base_replay.h"
+#include "physics/ground_mechanisms.h"
+
+namespace tera {
+namespace {
+
+constexpr std::size_t kFewestIntervals = 100;
+constexpr int kLags = 4;
+constexpr double kLongestLag_s = 0.5;
+
+const Mechanism& MechanismOf(std::string_view id) {
+  const auto library = GroundMechanisms();
+  const auto found =
+      std::find_if(library.begin(), library.end(), [&](const Mechanism& m) { return m.id == id; });
+  TERA_CHECK(found != library.end(), id);
+  return *found;
+}
+
+std::vector<Suspect> SuspectsOf(const Effects& present) {
+  std::vector<Suspect> suspects;
+  const auto add = [&](std::string_view id, std::vector<FreeParameter> free,
+                       std::vector<std::vector<double>> starts) {
+    if (FindEffect(present, id)) return;
+    suspects.push_back({&MechanismOf(id), "base", std::move(free), std::move(starts)});
+  };
+  add("track_scale", {{0, 0.7, 1.3}}, {{0.97}, {1.03}, {0.9}, {1.1}});
+  add("track_asymmetry", {{0, -0.3, 0.3}}, {{0.02}, {-0.02}, {0.08}, {-0.08}});
+  add("track_slip", {{0, -0.2, 0.7}}, {{0.04, 0, 0.7}, {0.12, 0, 0.7}, {0.3, 0, 0.7}});
+  add("slope_slip", {{0, -0.2, 0.5}, {1, -2, 2}}, {{0, 0.2}, {0, 0.6}, {0.1, 0.5}});
+  add("side_slip", {{0, -2, 2}}, {{0.1}, {0.4}, {-0.2}});
+  add("effective_gauge", {{0, 0.7, 3, true}}, {{1.1}, {1.4}, {1.8}, {0.9}});
+  add("icr_shift", {{0, -1.5, 1.5}, {1, -1, 1}}, {{0.1, 0}, {-0.1, 0}, {0.4, 0}, {0, 0.2}});
+  return suspects;
+}
+
+/// The base over the intervals: speeds of the sides by their gears, and slopes.
+struct Course {
+  std::vector<double> left_mps, right_mps, roll_rad, pitch_rad, time_s;
+};
+
+Course CourseOf(const MachineModel& model, const BaseLog& log) {
+  Course course;
+  for (const BaseInterval& interval : log.intervals) {
+    double left = 0, right = 0, lefts = 0, rights = 0;
+    Vec3 rpy_rad = Vec3::Zero();
+    for (std::size_t i = interval.first; i < interval.first + interval.count; ++i) {
+      const BaseInstant& instant = log.instants[i];
+      rpy_rad += RpyFromRotation(instant.R_WB) / static_cast<double>(interval.count);
+      for (std::size_t g = 0; g < instant.gear_rate_radps.size(); ++g) {
+        const RunningGear& gear = model.ground_tools.gears[g];
+        const bool is_left = gear.patches.front().p_B_m.y() > 0;
+        (is_left ? left : right) += instant.gear_rate_radps[g] * gear.drive_radius_m;
+        (is_left ? lefts : rights) += 1;
+      }
+    }
+    course.left_mps.push_back(lefts > 0 ? left / lefts : 0);
+    course.right_mps.push_back(rights > 0 ? right / rights : 0);
+    course.roll_rad.push_back(rpy_rad.x());
+    course.pitch_rad.push_back(rpy_rad.y());
+    course.time_s.push_back(ToSeconds(interval.to_ns - log.intervals.front().from_ns));
+  }
+  return course;
+}
+
+Eigen::MatrixXd FreeMember(const Course& course, const SampleGrid& grid) {
+  const std::vector<double> left = grid.Spread(course.left_mps);
+  const std::vector<double> right = grid.Spread(course.right_mps);
+  const std::vector<double> roll = grid.Spread(course.roll_rad);
+  const std::vector<double> pitch = grid.Spread(course.pitch_rad);
+  Eigen::MatrixXd columns(static_cast<Eigen::Index>(grid.size), 8 * kLags);
+  for (std::size_t k = 0; k < grid.size; ++k) {
+    Eigen::Index c = 0;
+    for (int i = 0; i < kLags; ++i) {
+      const auto lag =
+          static_cast<std::size_t>(std::llround(kLongestLag_s * i / (kLags - 1.0) / grid.period_s));
+      const std::size_t at = k >= lag ? k - lag : 0;
+      const double v = 0.5 * (left[at] + right[at]), w = 0.5 * (right[at] - left[at]);
+      for (const double x : {v, w, std::abs(v), std::abs(w), v * pitch[at], w * pitch[at],
+                             std::abs(v) * roll[at], w * std::abs(v)}) {
+        columns(static_cast<Eigen::Index>(k), c++) = x;
+      }
+    }
+  }
+  return columns;
+}
+
+std::vector<RegimeVariable> VariablesOf(const Course& course, const SampleGrid& grid) {
+  const std::vector<bool> all(course.time_s.size(), true);
+  std::vector<double> forward, turning;
+  for (std::size_t i = 0; i < course.time_s.size(); ++i) {
+    forward.push_back(0.5 * (course.left_mps[i] + course.right_mps[i]));
+    turning.push_back(course.right_mps[i] - course.left_mps[i]);
+  }
+  return {{"speed", grid.SpreadSeries(forward, all)},
+          {"turning", grid.SpreadSeries(turning, all)},
+          {"pitch", grid.SpreadSeries(course.pitch_rad, all)},
+          {"roll", grid.SpreadSeries(course.roll_rad, all)},
+          {"time", grid.SpreadSeries(course.time_s, all)}};
+}
+
+/// A side's speed over the fastest one.
+Series CommandOf(const std::vector<double>& speed_mps, const SampleGrid& grid) {
+  double fastest = 1e-9;
+  for (const double v : speed_mps) fastest = std::max(fastest, std::abs(v));
+  std::vector<double> share;
+  for (const double v : speed_mps) share.push_back(v / fastest);
+  return grid.SpreadSeries(share, std::vector<bool>(share.size(), true));
+}
+
+std::vector<double> PartOf(const std::vector<PlanarTwist>& twists, double PlanarTwist::*part) {
+  std::vector<double> values;
+  for (const PlanarTwist& twist : twists) values.push_back(twist.*part);
+  return values;
+}
+
+}  // namespace
+
+std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLog& log,
+                                         const std::string& name) {
+  if (log.intervals.size() < kFewestIntervals) return std::nullopt;
+  std::vector<TimeNs> t_ns;
+  std::vector<PlanarTwist> measured;
+  for (const BaseInterval& interval : log.intervals) {
+    t_ns.push_back(interval.to_ns);
+    measured.push_back(interval.twist);
+  }
+  const SampleGrid grid = SampleGrid::Under(t_ns);
+  const Course course = CourseOf(model, log);
+  const std::vector<bool> all(t_ns.size(), true);
+  ReplayBlock block;
+  block.name = name;
+  const auto add = [&](const char* suffix, const char* unit, double PlanarTwist::*part) {
+    block.channels.push_back({name + suffix,
+                              unit,
+                              grid.SpreadSeries(PartOf(measured, part), all),
+                              {.offset = 1e-3, .gain = 0.01, .delay_s = 0.5 * grid.period_s},
+                              VariablesOf(course, grid),
+                              FreeMember(course, grid)});
+  };
+  add("/forward_mps", "m/s", &PlanarTwist::forward_mps);
+  add("/left_mps", "m/s", &PlanarTwist::left_mps);
+  add("/yaw_radps", "rad/s", &PlanarTwist::yaw_radps);
+  block.commands = {CommandOf(course.left_mps, grid), CommandOf(course.right_mps, grid)};
+  block.suspects = SuspectsOf(model.effects.base);
+  block.predict = [model, log, grid](const Structure& terms) {
+    Effects base = model.effects.base;
+    for (const Term& term : terms) base.push_back({term.suspect->mechanism, term.values});
+    const std::vector<PlanarTwist> twists = BaseReplay(model, log).Predict(base);
+    return std::vector<std::vector<double>>{grid.Spread(PartOf(twists, &PlanarTwist::forward_mps)),
+                                            grid.Spread(PartOf(twists, &PlanarTwist::left_mps)),
+                                            grid.Spread(PartOf(twists, &PlanarTwist::yaw_radps))};
+  };
+  return block;
+}
+
+}  // namespace tera

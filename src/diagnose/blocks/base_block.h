@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "diagnose/replay/base_log.h"
+#include "diagnose/search/replay_block.h"
+
+namespace tera {
+
+/// The motion of a machine's base over the ground: forward, to the left and in yaw, as poses tell
+/// it, against what the ground slot makes of the measured rates of its running gear.
+///
+/// Model   the grid has the median length of the log's intervals. Free member: both sides' speeds,
+///         their magnitudes, and both by the slopes, now and up to half a second ago.
+/// Omits   forces on tools; friction that depends on the place.
+///
+/// `name` stands before the channels' names: "excavator1/base". No block where there is hardly an
+/// interval.
+std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLog& log,
+                                         const std::string& name);
+
+}  // namespace tera

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/time.h"
+#include "diagnose/statistics/series.h"
+
+namespace tera {
+
+/// A uniform grid under samples that come almost evenly.
+///
+/// Model   its period is the median of the samples' steps; a sample stands at the place nearest to
+///         its time, of two at one place the first one.
+struct SampleGrid {
+  double period_s = 0;
+  std::size_t size = 0;
+  std::vector<std::size_t> place;  ///< of each sample
+
+  /// Two samples at least, times that rise.
+  static SampleGrid Under(const std::vector<TimeNs>& t_ns);
+
+  /// Values of the samples at their places, 0 in between.
+  std::vector<double> Spread(const std::vector<double>& at_samples) const;
+  /// The same as a series, valid where a sample is that may be used.
+  Series SpreadSeries(const std::vector<double>& at_samples, const std::vector<bool>& usable) const;
+};
+
+}  // namespace tera

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dataset/recording.h"
+#include "diagnose/search/block_diagnosis.h"
+#include "physics/machine.h"
+
+namespace tera {
+
+/// A block and what came of it. The findings point into the block's suspects: it is moved, not
+/// copied.
+struct DiagnosedBlock {
+  DiagnosedBlock() = default;
+  DiagnosedBlock(DiagnosedBlock&&) = default;
+  DiagnosedBlock& operator=(DiagnosedBlock&&) = default;
+
+  ReplayBlock block;
+  BlockDiagnosis diagnosis;
+};
+
+/// Why one machine's recording differs from its simulation.
+struct Diagnosis {
+  std::string machine;  ///< its name in the recording
+  TimeNs start_ns = 0;  ///< of the recording's first sample
+  std::vector<DiagnosedBlock> blocks;
+};
+
+/// What a diagnosis can say; several may hold.
+enum class Verdict { kNone, kNamed, kClass, kUnexplained, kUntestable };
+
+/// As in diagnosis.json: "named".
+std::string_view NameOf(Verdict verdict);
+
+/// kNone where nothing was found and nothing is left; kNamed, kClass by the findings; kUnexplained
+/// where error is left; kUntestable where no block could be made of what was recorded, or some
+/// suspect would not have been seen at any size.
+std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis);
+
+/// What is to be diagnosed.
+struct DiagnosisInput {
+  const MachineModel* model = nullptr;
+  std::string machine;      ///< name in the recording
+  TableRecording commands;  ///< columns by the names of levers
+};
+
+struct DiagnosisOptions {
+  SearchOptions search;
+  std::uint64_t seed = 1;
+  double step_s = 0.01;           ///< of the replay of axes
+  double from_s = 0, to_s = 1e9;  ///< part of the recording to look at, from its first sample on
+  double base_interval_s = 0.2;   ///< over which the base's motion is compared
+};
+
+/// Diagnoses every block that the recording has channels for: joints and gears with encoders and
+/// levers, the base with gears and poses. `progress` is told what is looked at, before each block.
+/// Throws InputError where there is no block at all.
+Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
+                   const DiagnosisOptions& options,
+                   const std::function<void(const std::string&)>& progress);
+
+}  // namespace tera

@@ -1,0 +1,140 @@
+#include "diagnose/report/diagnosis_json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "diagnose/report/by_weight.h"
+
+namespace tera {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json Number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
+}
+
+Json Number(const std::optional<double>& value) { return value ? Number(*value) : Json(nullptr); }
+
+Json Intervals(const Location& location, double period_s) {
+  Json list = Json::array();
+  for (const Segment& segment : location.intervals) {
+    list.push_back({Number(static_cast<double>(segment.begin) * period_s),
+                    Number(static_cast<double>(segment.end) * period_s)});
+  }
+  return list;
+}
+
+std::string ShapeOf(const CurveShape& shape) {
+  std::string text;
+  if (shape.parity == CurveParity::kOdd || shape.parity == CurveParity::kEven) {
+    text = std::string(NameOf(shape.parity)) + " ";
+  }
+  text += NameOf(shape.form);
+  return shape.outside ? text + " outside" : text;
+}
+
+Json RegimeOf(const Location& location) {
+  if (location.regimes.empty()) return nullptr;
+  const Regime& regime = location.regimes.front();
+  const bool has_range = regime.shape.form != CurveForm::kNone;
+  return {{"variable", regime.variable},
+          {"low", has_range ? Number(regime.shape.low) : Json(nullptr)},
+          {"high", has_range ? Number(regime.shape.high) : Json(nullptr)},
+          {"shape", ShapeOf(regime.shape)}};
+}
+
+Json ParametersOf(const Finding& finding) {
+  Json map = Json::object();
+  for (const ParameterEstimate& estimate : finding.parameters) {
+    map[estimate.name] = {{"value", Number(estimate.value)},
+                          {"sigma", Number(estimate.sigma)},
+                          {"unit", estimate.unit}};
+  }
+  return map;
+}
+
+Json HeldOut(double before, double after, const std::string& unit, double removed) {
+  return {{"rmse_before", Number(before)},
+          {"rmse_after", Number(after)},
+          {"unit", unit},
+          {"excess_variance_removed", Number(removed)}};
+}
+
+/// The part that named and unexplained findings share.
+Json Where(const DiagnosedBlock& diagnosed, const Location& location) {
+  return {{"channel", diagnosed.block.channels[location.channel].name},
+          {"intervals_s", Intervals(location, diagnosed.block.period_s())},
+          {"regime", RegimeOf(location)}};
+}
+
+Json Named(const DiagnosedBlock& diagnosed, const Finding& finding) {
+  Json json = Where(diagnosed, finding.location);
+  const Suspect& suspect = *finding.term.suspect;
+  json["mechanism"] = std::string(suspect.mechanism->id);
+  json["slot"] = std::string(NameOf(suspect.mechanism->slot));
+  json["target"] = suspect.target;
+  json["parameters"] = ParametersOf(finding);
+  json["class"] = Json::array();
+  for (const Suspect* rival : finding.evidence.rivals) {
+    json["class"].push_back(std::string(rival->mechanism->id));
+  }
+  json["confidence"] = Number(finding.confidence);
+  const HeldOutError& error = finding.held_out;
+  json["held_out"] = HeldOut(error.rmse_before, error.rmse_after,
+                             diagnosed.block.channels[error.channel].unit, error.excess_removed);
+  return json;
+}
+
+Json NotNamed(const DiagnosedBlock& diagnosed, const Unexplained& unexplained) {
+  Json json = Where(diagnosed, unexplained.location);
+  json["mechanism"] = "unexplained";
+  json["slot"] = nullptr;
+  json["target"] = nullptr;
+  json["parameters"] = Json::object();
+  json["class"] = Json::array();
+  json["confidence"] = Number(1 - unexplained.p);
+  json["held_out"] = nullptr;
+  for (const HeldOutError& error : diagnosed.diagnosis.confirmed) {
+    if (error.channel != unexplained.location.channel) continue;
+    json["held_out"] = HeldOut(error.rmse_after, error.rmse_after,
+                               diagnosed.block.channels[error.channel].unit, 0);
+  }
+  return json;
+}
+
+Json Untestable(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    for (const Detectability& one : diagnosed.diagnosis.detectability) {
+      if (one.smallest) continue;
+      list.push_back({{"mechanism", std::string(one.suspect->mechanism->id)},
+                      {"target", one.suspect->target},
+                      {"smallest_detectable", nullptr}});
+    }
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string DiagnosisJson(const Diagnosis& diagnosis) {
+  Json json = {{"verdict", Json::array()}, {"findings", Json::array()}};
+  for (const Verdict verdict : VerdictsOf(diagnosis)) {
+    json["verdict"].push_back(std::string(NameOf(verdict)));
+  }
+  for (const auto& [diagnosed, finding] : FindingsByWeight(diagnosis)) {
+    json["findings"].push_back(Named(*diagnosed, *finding));
+  }
+  for (const auto& [diagnosed, unexplained] : UnexplainedByWeight(diagnosis)) {
+    json["findings"].push_back(NotNamed(*diagnosed, *unexplained));
+  }
+  json["untestable"] = Untestable(diagnosis);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace tera

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "diagnose/diagnosis.h"
+
+namespace tera {
+
+/// The text of diagnosis.json.
+///
+/// Model   verdict: a list of names; findings: the weightiest first, named ones before those with
+///         mechanism "unexplained", which have no slot, target or parameters and whose held-out
+///         error is what is left; untestable: mechanisms that would not have been seen at any size.
+///         SI units and radians; times in seconds from the block's first sample; six digits; null
+///         where something is not known. regime.shape is parity and form, "odd threshold outside"
+///         where the error lives beyond [low, high].
+std::string DiagnosisJson(const Diagnosis& diagnosis);
+
+}  // namespace tera

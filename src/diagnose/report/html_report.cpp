@@ -1,0 +1,239 @@
+#include "diagnose/report/html_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "diagnose/report/block_figures.h"
+#include "diagnose/report/by_weight.h"
+#include "diagnose/report/page_style.h"
+#include "diagnose/report/sentence.h"
+#include "diagnose/report/svg_plot.h"
+#include "diagnose/report/wording.h"
+
+namespace tera {
+namespace {
+
+constexpr std::size_t kRegimesShown = 2;
+
+/// A table; columns whose heading begins with '>' are of numbers.
+class Table {
+ public:
+  explicit Table(const std::vector<std::string>& headings) {
+    html_ = "<div class='wide'><table><tr>";
+    for (const std::string& heading : headings) {
+      const bool is_number = heading.starts_with('>');
+      classes_.push_back(is_number ? " class='r'" : "");
+      html_ += fmt::format("<th{}>{}</th>", classes_.back(), heading.substr(is_number ? 1 : 0));
+    }
+    html_ += "</tr>\n";
+  }
+
+  /// Cells are HTML.
+  void Row(const std::vector<std::string>& cells) {
+    html_ += "<tr>";
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      html_ += fmt::format("<td{}>{}</td>", classes_[i], cells[i]);
+    }
+    html_ += "</tr>\n";
+  }
+
+  std::string Take() const { return html_ + "</table></div>\n"; }
+
+ private:
+  std::string html_;
+  std::vector<std::string> classes_;
+};
+
+std::string Code(std::string_view text) { return "<code>" + Escaped(text) + "</code>"; }
+
+std::string UnitCell(std::string_view unit) { return unit == "1" ? "" : Escaped(unit); }
+
+std::string_view Explained(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kNone:
+      return "nothing found";
+    case Verdict::kNamed:
+      return "cause named";
+    case Verdict::kClass:
+      return "several causes not told apart";
+    case Verdict::kUnexplained:
+      return "some of it unexplained";
+    case Verdict::kUntestable:
+      return "some causes not testable";
+  }
+  return "";
+}
+
+std::string Top(const Diagnosis& diagnosis, const std::string& recording) {
+  std::string html = fmt::format(
+      "<h1>Simulation against recording: {}</h1>\n<p class='soft'>Recording {}; times "
+      "from its start.</p>\n<p>",
+      Escaped(diagnosis.machine), Code(recording));
+  for (const Verdict verdict : VerdictsOf(diagnosis)) {
+    html += fmt::format("<span class='verdict {}'>{}</span>", NameOf(verdict), Explained(verdict));
+  }
+  html += "</p>\n<ol class='findings'>\n";
+  for (const std::string& sentence : SentencesOf(diagnosis)) {
+    html += fmt::format("<li>{}</li>\n", Escaped(sentence));
+  }
+  return html + "</ol>\n";
+}
+
+std::string ParameterTable(const DiagnosedBlock& diagnosed) {
+  Table table({"Mechanism", "On", "Parameter", ">Value", ">±", "Unit", ">Confidence"});
+  for (const Finding* finding : FindingsByWeight(diagnosed)) {
+    const Suspect& suspect = *finding->term.suspect;
+    bool is_first = true;
+    for (const FreeParameter& free : suspect.free) {
+      const ParameterEstimate& estimate = finding->parameters[free.index];
+      std::string value = WithSigma(estimate.value, estimate.sigma), sigma = "unknown";
+      if (const auto at = value.find(" ± "); at != std::string::npos) {
+        sigma = value.substr(at + std::string_view(" ± ").size());
+        value.resize(at);
+      }
+      table.Row({is_first ? Code(suspect.mechanism->id) : "",
+                 is_first ? Escaped(suspect.target) : "", Code(estimate.name), value, sigma,
+                 UnitCell(estimate.unit),
+                 is_first ? Escaped(ConfidenceText(finding->confidence)) : ""});
+      is_first = false;
+    }
+  }
+  return "<h3>Parameters</h3>\n" + table.Take();
+}
+
+void AddErrorRow(const DiagnosedBlock& diagnosed, const std::string& what,
+                 const HeldOutError& error, Table* table) {
+  const Channel& channel = diagnosed.block.channels[error.channel];
+  const ReadableUnit unit = ReadableUnitOf(channel.unit);
+  table->Row({Escaped(Capitalised(QuantityOf(channel.name))), what,
+              Significant(error.rmse_before * unit.factor, 3),
+              Significant(error.rmse_after * unit.factor, 3), unit.name,
+              PercentText(std::max(error.excess_removed, 0.0)), Escaped(ProbabilityText(error.p))});
+}
+
+std::string ErrorTable(const DiagnosedBlock& diagnosed) {
+  Table table({"Channel", "With against without", ">RMSE without", ">with", "Unit",
+               ">Excess variance removed", ">By chance"});
+  for (const HeldOutError& error : diagnosed.diagnosis.confirmed) {
+    AddErrorRow(diagnosed, "all that was found", error, &table);
+  }
+  if (diagnosed.diagnosis.findings.size() > 1) {
+    for (const Finding* finding : FindingsByWeight(diagnosed)) {
+      AddErrorRow(diagnosed, Code(finding->term.suspect->mechanism->id) + " alone left out",
+                  finding->held_out, &table);
+    }
+  }
+  return "<h3>Errors on manoeuvres that nothing was fitted to</h3>\n" + table.Take();
+}
+
+/// The figures of one location, under what it is the location of.
+std::string LocationFigures(const DiagnosedBlock& diagnosed, const std::string& heading,
+                            const std::string& error, const Location& location) {
+  std::string html =
+      fmt::format("<h3>{}: {} <span class='soft'>{}</span></h3>\n", Escaped(heading),
+                  Escaped(QuantityOf(diagnosed.block.channels[location.channel].name)),
+                  Code(diagnosed.block.channels[location.channel].name));
+  html += PredictionFigure(diagnosed, location) + ResidualFigure(diagnosed, location);
+  html += "<div class='pair'>";
+  for (std::size_t r = 0; r < std::min(location.regimes.size(), kRegimesShown); ++r) {
+    html += RegimeFigure(diagnosed, location, location.regimes[r], error);
+  }
+  return html + "</div>\n";
+}
+
+std::string BlockSection(const DiagnosedBlock& diagnosed) {
+  std::string html =
+      fmt::format("<section>\n<h2>{}</h2>\n", Escaped(Capitalised(Spaced(diagnosed.block.name))));
+  for (const Finding* finding : FindingsByWeight(diagnosed)) {
+    const std::string name = Spaced(finding->term.suspect->mechanism->id);
+    html += LocationFigures(diagnosed, Capitalised(name), "The error without " + name,
+                            finding->location);
+  }
+  for (const Unexplained& unexplained : diagnosed.diagnosis.unexplained) {
+    html +=
+        LocationFigures(diagnosed, "Unexplained", "The error that is left", unexplained.location);
+  }
+  if (!diagnosed.diagnosis.findings.empty()) html += ParameterTable(diagnosed);
+  html += ErrorTable(diagnosed);
+  html += "<h3>Evidence</h3>\n" + EvidenceFigure(diagnosed);
+  return html + "</section>\n";
+}
+
+bool HasAnything(const DiagnosedBlock& diagnosed) {
+  return !diagnosed.diagnosis.findings.empty() || !diagnosed.diagnosis.unexplained.empty();
+}
+
+std::string AgreeingSection(const Diagnosis& diagnosis) {
+  Table table({"Channel", ">RMSE", "Unit"});
+  bool any = false;
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    if (HasAnything(diagnosed)) continue;
+    for (const HeldOutError& error : diagnosed.diagnosis.confirmed) {
+      const Channel& channel = diagnosed.block.channels[error.channel];
+      const ReadableUnit unit = ReadableUnitOf(channel.unit);
+      table.Row({Escaped(Capitalised(QuantityOf(channel.name))) + " " + Code(channel.name),
+                 Significant(error.rmse_before * unit.factor, 3), unit.name});
+      any = true;
+    }
+  }
+  return any ? "<section>\n<h2>Where they agree</h2>\n<p class='soft'>Error on held-out "
+               "manoeuvres, "
+               "as large as the noise.</p>\n" +
+                   table.Take() + "</section>\n"
+             : "";
+}
+
+/// The number that the smallest size is of.
+std::string SmallestCell(const Detectability& one) {
+  const auto& parameters = one.suspect->mechanism->parameters;
+  if (parameters.empty()) return "";
+  const std::size_t main = one.suspect->free.empty() ? 0 : one.suspect->free.front().index;
+  return fmt::format("{} {} {}", Code(parameters[main].name), Significant(*one.smallest, 3),
+                     UnitCell(parameters[main].unit));
+}
+
+std::string UnseenSection(const Diagnosis& diagnosis) {
+  Table unseen({"On", "Mechanisms"}), seen({"On", "Mechanism", "Seen from about"});
+  bool any = false;
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    std::string names;
+    for (const Detectability& one : diagnosed.diagnosis.detectability) {
+      const std::string_view id = one.suspect->mechanism->id;
+      if (one.smallest) {
+        seen.Row({Escaped(one.suspect->target), Code(id), SmallestCell(one)});
+      } else {
+        names += (names.empty() ? "" : ", ") + Code(id);
+      }
+    }
+    if (names.empty()) continue;
+    unseen.Row({Escaped(Capitalised(Spaced(diagnosed.block.name))), names});
+    any = true;
+  }
+  return "<section>\n<h2>What this recording cannot show</h2>\n" +
+         (any ? "<p class='soft'>These would not have been seen at any size looked for.</p>\n" +
+                    unseen.Take()
+              : std::string("<p>Every mechanism looked for would have been seen, were it strong "
+                            "enough.</p>\n")) +
+         "<details><summary>Smallest sizes that would have been seen</summary>\n" + seen.Take() +
+         "</details>\n</section>\n";
+}
+
+}  // namespace
+
+std::string HtmlReport(const Diagnosis& diagnosis, const std::string& recording) {
+  std::string html = fmt::format(
+      "<!DOCTYPE html>\n<html lang='en'>\n<head>\n<meta charset='utf-8'>\n<meta name='viewport' "
+      "content='width=device-width, initial-scale=1'>\n<title>Diagnosis of "
+      "{}</title>\n<style>{}</style>\n</head>\n<body><main>\n",
+      Escaped(diagnosis.machine), kPageStyle);
+  html += Top(diagnosis, recording);
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    if (HasAnything(diagnosed)) html += BlockSection(diagnosed);
+  }
+  html += AgreeingSection(diagnosis) + UnseenSection(diagnosis);
+  return html + "</main></body>\n</html>\n";
+}
+
+}  // namespace tera

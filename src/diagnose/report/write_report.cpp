@@ -1,0 +1,18 @@
+#include "diagnose/report/write_report.h"
+
+#include "dataset/checked_file.h"
+#include "diagnose/report/diagnosis_json.h"
+#include "diagnose/report/effects_yaml.h"
+#include "diagnose/report/html_report.h"
+
+namespace tera {
+
+void WriteReport(const std::filesystem::path& directory, const Diagnosis& diagnosis,
+                 const std::string& recording) {
+  MakeWritableFolder(directory);
+  WriteWholeFile(directory / "diagnosis.json", DiagnosisJson(diagnosis));
+  WriteWholeFile(directory / "effects.yaml", EffectsYaml(diagnosis, recording));
+  WriteWholeFile(directory / "report.html", HtmlReport(diagnosis, recording));
+}
+
+}  // namespace tera

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "diagnose/diagnosis.h"
+
+namespace tera {
+
+/// Writes diagnosis.json, effects.yaml and report.html into a folder, which is made where it is
+/// not there; each appears when it is whole. Throws InputError. `recording` is how the files name
+/// it.
+void WriteReport(const std::filesystem::path& directory, const Diagnosis& diagnosis,
+                 const std::string& recording);
+
+}  // namespace tera

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/random.h"
+#include "diagnose/search/replay_block.h"
+#include "diagnose/statistics/curve_shape.h"
+#include "diagnose/statistics/noise_model.h"
+#include "diagnose/statistics/regime_curve.h"
+
+namespace tera {
+
+/// Of what a channel's error is a function, and of which shape.
+struct Regime {
+  std::string variable;
+  double p = 1;      ///< Holm over the variables
+  double share = 0;  ///< of the whitened residual's energy
+  CurveShape shape;
+  RegimeCurve curve;
+};
+
+/// Where a channel's error is.
+struct Location {
+  std::size_t channel = 0;
+  std::vector<Segment> intervals;  ///< in samples
+  std::vector<Regime> regimes;     ///< the most telling first; each given those before it
+};
+
+/// Locates the residual of a channel in time (change_points.h) and among the channel's variables
+/// (partialling.h, regime_curve.h). Where no variable is significant, as in a recording too short
+/// for enough shifts, the one that explains most is given with its p as it is.
+Location Locate(const Channel& channel, std::size_t index, const Series& residual,
+                const NoiseModel& noise, const Stream& stream);
+
+}  // namespace tera

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/effects.h"
+#include "diagnose/statistics/regime_axis.h"
+#include "diagnose/statistics/series.h"
+
+/// What a search for left-out physics works on: channels that were measured, mechanisms that may
+/// act on them, and a replay that says what the channels would have been. The search knows no
+/// machine.
+
+namespace tera {
+
+/// One number of a mechanism that a fit may move.
+struct FreeParameter {
+  std::size_t index = 0;  ///< among the mechanism's parameters
+  double lower = 0, upper = 1;
+  bool logarithmic = false;  ///< moved by ratios, not differences
+};
+
+/// A mechanism that may act on a target, and where to begin looking for its numbers.
+struct Suspect {
+  const Mechanism* mechanism = nullptr;
+  std::string target;  ///< as in YAML: "boom", "base", "encoders/boom"
+  std::vector<FreeParameter> free;
+  /// All of the mechanism's numbers, each list within the bounds of `free`; at least one. From
+  /// faint to strong, so that they serve as a ladder of sizes as well.
+  std::vector<std::vector<double>> starts;
+};
+
+/// A suspect with its numbers, all of the mechanism's parameters.
+struct Term {
+  const Suspect* suspect = nullptr;
+  std::vector<double> values;
+};
+
+/// What is taken to act; each suspect once.
+using Structure = std::vector<Term>;
+
+/// How far a channel may be off for reasons that are no finding: standard deviations of an offset,
+/// of a factor on the prediction, of a shift in time.
+struct Nuisances {
+  double offset = 0;
+  double gain = 0.03;
+  double delay_s = 0;
+};
+
+/// A measured quantity on the block's grid.
+struct Channel {
+  std::string name;  ///< "excavator1/encoders/boom_radps"
+  std::string unit;  ///< "rad/s"
+  Series measured;
+  Nuisances nuisances;
+  /// What its error may depend on, each of the grid's length.
+  std::vector<RegimeVariable> variables;
+  /// Columns, one row a sample, whose combinations come near to anything that the physics of the
+  /// block could do: the free member. May be empty.
+  Eigen::MatrixXd free_member;
+};
+
+/// One part of the chain, replayed alone over its measured neighbours.
+struct ReplayBlock {
+  std::string name;
+  std::vector<Channel> channels;  ///< at least one, all on one grid
+  std::vector<Suspect> suspects;
+  std::vector<Series> commands;  ///< on the grid: what tells manoeuvres apart
+  /// What each channel would have been, on the grid, were these terms at work beside what the model
+  /// has. Thread-safe, the same for the same terms in any order.
+  std::function<std::vector<std::vector<double>>(const Structure&)> predict;
+
+  std::size_t samples() const { return channels.front().measured.size(); }
+  double period_s() const { return channels.front().measured.period_s; }
+};
+
+}  // namespace tera

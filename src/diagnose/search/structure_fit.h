@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "diagnose/search/likelihood.h"
+#include "diagnose/search/replay_block.h"
+
+namespace tera {
+
+/// A structure with the numbers that make the measurements most likely.
+struct FittedStructure {
+  Structure terms;
+  double log_likelihood = 0;    ///< on the samples that it was fitted to, nuisances penalised
+  Misfit misfit;                ///< nuisances from the same samples
+  Eigen::MatrixXd information;  ///< of the free parameters, in the order of terms and their `free`
+};
+
+/// Fits the free parameters of a structure.
+///
+/// Model   maximum likelihood within the parameters' bounds by Levenberg–Marquardt on signed square
+///         roots of the Student-t deviance, difference quotients of a five-hundredth of each
+///         range; nuisances are fitted anew in every evaluation. Starts: the values of `terms` as
+///         given, and with the last term's replaced by each of its suspect's; the most likely one
+///         is refined. Where nothing at all fits badly (innovations of more than twice the noise's
+///         variance), likewise under white noise of the size of what nothing leaves, whose
+///         likelihood is smooth far from the truth, and from there under the noise itself; the
+///         likelier of both ends counts.
+/// Source  Ceres Solver (trust region with bounds); Golub and Pereyra 1973 (variable projection).
+class StructureFitter {
+ public:
+  /// Both must outlive it.
+  StructureFitter(const ReplayBlock& block, const Likelihood& likelihood, Mask fit_on);
+
+  FittedStructure Fit(Structure terms) const;
+  /// Judged as it stands.
+  FittedStructure AsGiven(Structure terms) const;
+
+ private:
+  Structure BestStart(Structure terms, const Likelihood& likelihood) const;
+  Structure Refine(const Structure& terms, const Likelihood& likelihood) const;
+
+  const ReplayBlock& block_;
+  const Likelihood& likelihood_;
+  Mask fit_on_;
+  std::optional<Likelihood> coarse_;
+};
+
+}  // namespace tera

@@ -1,0 +1,374 @@
+#include "diagnose/search/structure_search.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <set>
+#include <thread>
+
+#include "diagnose/search/free_member.h"
+#include "diagnose/statistics/signed_rank.h"
+
+namespace tera {
+namespace {
+
+constexpr double kScreenedGain = 6;  ///< of log-likelihood: it may mean something
+constexpr double kDiscernible = 1;   ///< squared innovations by which two predictions differ
+constexpr double kRivalP = 0.05;
+constexpr double kRivalShare = 0.05;  ///< of the structure's gain that a rival may lack
+constexpr double kRivalGain = 3;      ///< of log-likelihood: nothing to choose by
+
+/// Results in the order of jobs, whatever the number of threads.
+template <typename Result>
+std::vector<Result> InParallel(std::size_t jobs, int threads,
+                               const std::function<Result(std::size_t)>& job) {
+  std::vector<Result> results(jobs);
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t k = next++; k < jobs; k = next++) results[k] = job(k);
+  };
+  std::vector<std::jthread> others;
+  for (int t = 1; t < threads; ++t) others.emplace_back(work);
+  work();
+  return results;
+}
+
+/// A structure and how it stands, without the bulk of its innovations.
+struct Scored {
+  Structure terms;
+  double log_likelihood = 0, criterion = 0;
+  std::vector<double> held_out;  ///< log-likelihood by block
+};
+
+double Total(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return sum;
+}
+
+std::vector<double> Differences(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> difference(a.size());
+  for (std::size_t k = 0; k < a.size(); ++k) difference[k] = a[k] - b[k];
+  return difference;
+}
+
+bool Has(const Structure& terms, const Suspect* suspect) {
+  return std::any_of(terms.begin(), terms.end(),
+                     [&](const Term& term) { return term.suspect == suspect; });
+}
+
+Structure Without(Structure terms, std::size_t k) {
+  terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(k));
+  return terms;
+}
+
+Structure With(Structure terms, const Suspect& suspect, const std::vector<double>& values) {
+  terms.push_back({&suspect, values});
+  return terms;
+}
+
+class Search {
+ public:
+  Search(const ReplayBlock& block, const Likelihood& likelihood,
+         const std::vector<Manoeuvre>& manoeuvres, const SearchOptions& options)
+      : block_(block),
+        likelihood_(likelihood),
+        options_(options),
+        train_(MaskOf(manoeuvres, Part::kTrain, block.samples())),
+        fitter_(block, likelihood, train_),
+        blocks_(
+            HeldOutBlocks(manoeuvres, Part::kSelect, block.period_s(), options.held_out_block_s)) {
+    for (std::size_t c = 0; c < block.channels.size(); ++c) {
+      rows_ += static_cast<double>(CountValid(Both(likelihood.rows(c), train_)));
+    }
+  }
+
+  SearchResult Run();
+
+ private:
+  Scored Score(const FittedStructure& fitted) const;
+  Scored FitAndScore(const Structure& terms) const { return Score(fitter_.Fit(terms)); }
+  std::vector<Scored> FitAll(const std::vector<Structure>& structures) const;
+  void FitSingles();
+  void Screen();
+  Scored BestOfPairs() const;
+  Scored Grow(Scored best) const;
+  Scored Swap(Scored best) const;
+  Scored Prune(Scored kept, std::vector<TermEvidence>* evidence) const;
+  TermEvidence EvidenceOf(const Scored& with, const Scored& without) const;
+  std::vector<const Suspect*> RivalsOf(const Scored& found, std::size_t term) const;
+  double FreeGain() const;
+  double EffectOf(const Structure& a, const Structure& b) const;
+
+  const ReplayBlock& block_;
+  const Likelihood& likelihood_;
+  const SearchOptions& options_;
+  const Mask train_;
+  const StructureFitter fitter_;
+  const std::vector<Segment> blocks_;
+  double rows_ = 0;
+  Scored nothing_;
+  std::vector<Scored> singles_;        ///< one a suspect
+  std::vector<std::size_t> screened_;  ///< suspects
+  double free_gain_ = 0;
+};
+
+Scored Search::Score(const FittedStructure& fitted) const {
+  Scored scored{fitted.terms, fitted.log_likelihood, 0, {}};
+  double parameters = 0;
+  for (const Term& term : fitted.terms)
+    parameters += 1 + static_cast<double>(term.suspect->free.size());
+  scored.criterion = fitted.log_likelihood - 0.5 * parameters * std::log(rows_);
+  for (const Segment& block : blocks_) {
+    scored.held_out.push_back(likelihood_.Sum(fitted.misfit, block));
+  }
+  return scored;
+}
+
+std::vector<Scored> Search::FitAll(const std::vector<Structure>& structures) const {
+  return InParallel<Scored>(structures.size(), options_.threads,
+                            [&](std::size_t k) { return FitAndScore(structures[k]); });
+}
+
+void Search::FitSingles() {
+  std::vector<Structure> structures;
+  for (const Suspect& suspect : block_.suspects) {
+    structures.push_back(With({}, suspect, suspect.starts.front()));
+  }
+  singles_ = FitAll(structures);
+}
+
+void Search::Screen() {
+  std::vector<std::size_t> order(block_.suspects.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return singles_[a].log_likelihood > singles_[b].log_likelihood;
+  });
+  std::set<Slot> slots;
+  for (std::size_t rank = 0; rank < order.size(); ++rank) {
+    const Slot slot = block_.suspects[order[rank]].mechanism->slot;
+    const double gain = singles_[order[rank]].log_likelihood - nothing_.log_likelihood;
+    const bool stands_for_slot = !slots.contains(slot) && gain > kScreenedGain;
+    slots.insert(slot);
+    if (rank < options_.screened || stands_for_slot) screened_.push_back(order[rank]);
+  }
+}
+
+/// The best of nothing, all single suspects and all pairs of the screened; no pairs where no
+/// suspect alone tells anything.
+Scored Search::BestOfPairs() const {
+  std::vector<Structure> pairs;
+  const bool any = std::any_of(singles_.begin(), singles_.end(), [&](const Scored& single) {
+    return single.log_likelihood - nothing_.log_likelihood > kScreenedGain;
+  });
+  for (std::size_t a = 0; any && a < screened_.size(); ++a) {
+    for (std::size_t b = a + 1; b < screened_.size(); ++b) {
+      const Scored& first = singles_[screened_[a]];
+      const Term& second = singles_[screened_[b]].terms.front();
+      pairs.push_back(With(first.terms, *second.suspect, second.values));
+    }
+  }
+  Scored best = nothing_;
+  const auto take = [&](const Scored& scored) {
+    if (scored.criterion > best.criterion) best = scored;
+  };
+  for (const Scored& single : singles_) take(single);
+  for (const Scored& pair : FitAll(pairs)) take(pair);
+  return best;
+}
+
+/// One term more as long as the criterion rises.
+Scored Search::Grow(Scored best) const {
+  while (!best.terms.empty() && best.terms.size() < options_.deepest) {
+    std::vector<Structure> larger;
+    for (const Scored& single : singles_) {
+      const Term& term = single.terms.front();
+      if (!Has(best.terms, term.suspect)) {
+        larger.push_back(With(best.terms, *term.suspect, term.values));
+      }
+    }
+    bool grown = false;
+    for (Scored& scored : FitAll(larger)) {
+      if (scored.criterion <= best.criterion) continue;
+      best = std::move(scored);
+      grown = true;
+    }
+    if (!grown) break;
+    best = Swap(std::move(best));
+  }
+  return best;
+}
+
+/// The best exchange of one term for a screened suspect, if any is better.
+Scored Search::Swap(Scored best) const {
+  std::vector<Structure> swapped;
+  for (std::size_t t = 0; t < best.terms.size(); ++t) {
+    for (const std::size_t s : screened_) {
+      const Term& term = singles_[s].terms.front();
+      if (Has(best.terms, term.suspect)) continue;
+      swapped.push_back(With(Without(best.terms, t), *term.suspect, term.values));
+    }
+  }
+  for (Scored& scored : FitAll(swapped)) {
+    if (scored.criterion > best.criterion) best = std::move(scored);
+  }
+  return best;
+}
+
+double Search::EffectOf(const Structure& a, const Structure& b) const {
+  const auto with = block_.predict(a), without = block_.predict(b);
+  double largest = 0;
+  for (std::size_t c = 0; c < with.size(); ++c) {
+    const Series& measured = block_.channels[c].measured;
+    double changed = 0, energy = 0;
+    for (std::size_t k = 0; k < measured.size(); ++k) {
+      if (!measured.valid[k]) continue;
+      changed += std::pow(with[c][k] - without[c][k], 2);
+      energy += std::pow(measured.value[k], 2);
+    }
+    if (energy > 0) largest = std::max(largest, std::sqrt(changed / energy));
+  }
+  return largest;
+}
+
+TermEvidence Search::EvidenceOf(const Scored& with, const Scored& without) const {
+  TermEvidence evidence;
+  const std::vector<double> gain = Differences(with.held_out, without.held_out);
+  const auto tests = static_cast<double>(block_.suspects.size());
+  const double p = SteadyGainP(likelihood_, fitter_.AsGiven(without.terms).misfit,
+                               fitter_.AsGiven(with.terms).misfit, blocks_);
+  evidence.p = std::min(1.0, tests * p);
+  const double found = Total(with.held_out) - Total(nothing_.held_out);
+  evidence.share = Total(gain) / std::max({free_gain_, found, 1e-9});
+  evidence.effect = EffectOf(with.terms, without.terms);
+  return evidence;
+}
+
+/// Removes the term that is needed least until all are needed.
+Scored Search::Prune(Scored kept, std::vector<TermEvidence>* evidence) const {
+  while (true) {
+    std::vector<Structure> smaller;
+    for (std::size_t t = 0; t < kept.terms.size(); ++t) smaller.push_back(Without(kept.terms, t));
+    const std::vector<Scored> without = FitAll(smaller);
+    evidence->clear();
+    std::size_t least = kept.terms.size();
+    for (std::size_t t = 0; t < without.size(); ++t) {
+      evidence->push_back(EvidenceOf(kept, without[t]));
+      const TermEvidence& e = evidence->back();
+      const bool needed = e.p <= options_.alpha && e.share >= options_.least_share &&
+                          e.effect >= options_.least_effect;
+      if (needed) continue;
+      if (least == kept.terms.size() || e.share < (*evidence)[least].share) least = t;
+    }
+    if (least == kept.terms.size()) return kept;
+    kept = without[least];
+  }
+}
+
+std::vector<const Suspect*> Search::RivalsOf(const Scored& found, std::size_t term) const {
+  std::vector<Structure> swapped;
+  for (const std::size_t s : screened_) {
+    const Term& other = singles_[s].terms.front();
+    if (Has(found.terms, other.suspect)) continue;
+    swapped.push_back(With(Without(found.terms, term), *other.suspect, other.values));
+  }
+  std::vector<const Suspect*> rivals = {found.terms[term].suspect};
+  const double own = Total(found.held_out) - Total(nothing_.held_out);
+  for (const Scored& rival : FitAll(swapped)) {
+    const std::vector<double> lead = Differences(found.held_out, rival.held_out);
+    const double all = Total(lead) + found.log_likelihood - rival.log_likelihood;
+    const double p = SteadyGainP(likelihood_, fitter_.AsGiven(rival.terms).misfit,
+                                 fitter_.AsGiven(found.terms).misfit, blocks_);
+    const bool alike = p > kRivalP && Total(lead) < kRivalShare * std::max(own, 0.0);
+    if (alike || all < kRivalGain) rivals.push_back(rival.terms.back().suspect);
+  }
+  return rivals;
+}
+
+double Search::FreeGain() const {
+  const Misfit misfit = fitter_.AsGiven({}).misfit;
+  double gain = 0;
+  for (std::size_t c = 0; c < block_.channels.size(); ++c) {
+    const NoiseModel& noise = likelihood_.noise()[c];
+    const Series left = LessFreeMember(block_.channels[c], misfit.residual[c], noise, train_);
+    const WhiteningFilter filter(noise, left.valid);
+    const Eigen::VectorXd innovation =
+        filter.Apply(Eigen::Map<const Eigen::VectorXd>(left.value.data(),
+                                                       static_cast<Eigen::Index>(left.size()))) /
+        noise.scale;
+    for (const Segment& block : blocks_) {
+      for (std::size_t k = block.begin; k < block.end; ++k) {
+        const auto row = static_cast<Eigen::Index>(k);
+        if (!likelihood_.rows(c)[k]) continue;
+        gain += LogDensityOf(innovation[row], noise.dof) -
+                LogDensityOf(misfit.innovation[c][row], noise.dof);
+      }
+    }
+  }
+  return gain;
+}
+
+SearchResult Search::Run() {
+  SearchResult result;
+  result.nothing = fitter_.AsGiven({});
+  nothing_ = Score(result.nothing);
+  free_gain_ = result.free_gain = FreeGain();
+  FitSingles();
+  Screen();
+  const Scored found = Prune(Grow(Swap(BestOfPairs())), &result.evidence);
+  for (std::size_t t = 0; t < found.terms.size(); ++t) {
+    result.evidence[t].rivals = RivalsOf(found, t);
+  }
+  result.found = found.terms.empty() ? result.nothing : fitter_.Fit(found.terms);
+  for (std::size_t s = 0; s < singles_.size(); ++s) {
+    result.singles.push_back({&block_.suspects[s], singles_[s].terms.front().values,
+                              singles_[s].log_likelihood - nothing_.log_likelihood,
+                              Total(singles_[s].held_out) - Total(nothing_.held_out)});
+  }
+  return result;
+}
+
+}  // namespace
+
+double SteadyGainP(const Likelihood& likelihood, const Misfit& before, const Misfit& after,
+                   const std::vector<Segment>& blocks) {
+  std::vector<double> gain;
+  for (const Segment& block : blocks) {
+    double apart = 0;
+    for (std::size_t c = 0; c < after.innovation.size(); ++c) {
+      for (std::size_t k = block.begin; k < block.end; ++k) {
+        const auto row = static_cast<Eigen::Index>(k);
+        if (!likelihood.rows(c)[k]) continue;
+        apart += std::pow(after.innovation[c][row] - before.innovation[c][row], 2);
+      }
+    }
+    if (apart < kDiscernible) continue;
+    gain.push_back(likelihood.Sum(after, block) - likelihood.Sum(before, block));
+  }
+  return gain.empty() ? 1 : TestSignedRank(gain).p_greater;
+}
+
+std::vector<Segment> HeldOutBlocks(const std::vector<Manoeuvre>& manoeuvres, Part part,
+                                   double period_s, double block_s) {
+  const auto length = static_cast<std::size_t>(std::max(1.0, std::round(block_s / period_s)));
+  std::vector<Segment> blocks;
+  for (const Manoeuvre& manoeuvre : manoeuvres) {
+    if (manoeuvre.part != part) continue;
+    const std::size_t size = manoeuvre.samples.size();
+    const std::size_t pieces = std::max<std::size_t>(1, (size + length / 2) / length);
+    for (std::size_t p = 0; p < pieces; ++p) {
+      blocks.push_back({manoeuvre.samples.begin + p * size / pieces,
+                        manoeuvre.samples.begin + (p + 1) * size / pieces});
+    }
+  }
+  return blocks;
+}
+
+SearchResult SearchStructures(const ReplayBlock& block, const Likelihood& likelihood,
+                              const std::vector<Manoeuvre>& manoeuvres,
+                              const SearchOptions& options) {
+  return Search(block, likelihood, manoeuvres, options).Run();
+}
+
+}  // namespace tera

@@ -1,0 +1,131 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/program.h"
+
+namespace tera {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// The boom up and down in the air, 40 s of steps from a tenth of the lever to its whole.
+std::string BoomLevers() {
+  std::ostringstream csv;
+  csv << "t_s,boom\n0,0\n";
+  const double size[] = {0.1, 0.25, 0.6, 0.15, 1.0, 0.4, 0.2, 0.8, 0.12, 0.5, 0.3, 0.7, 0.1};
+  double t_s = 1;
+  for (const double lever : size) {
+    const double hold_s = std::min(1.2, 0.5 / lever);
+    csv << t_s << ',' << lever << '\n' << t_s + hold_s << ",0\n";
+    csv << t_s + hold_s + 0.3 << ',' << -lever << '\n' << t_s + 2 * hold_s + 0.3 << ",0\n";
+    t_s += 2 * hold_s + 0.6;
+  }
+  return csv.str();
+}
+
+class DiagnoseCommand : public testing::Test {
+ protected:
+  DiagnoseCommand() {
+    Write("levers.csv", BoomLevers());
+    Write("boom.yaml", R"(
+name: boom
+duration_s: 32
+terrain: {size_m: [16, 16], cell_m: 0.2, soil: asphalt}
+machines:
+  - name: excavator1
+    machine: tera:config/machines/tb235.yaml
+    start: {joints_deg: {boom: 45, arm: -90, bucket: -40, blade: 20}}
+    operator: {type: lever_replay, csv: levers.csv, time_column: t_s}
+    rig: {sensors: [{name: encoders, preset: tera:config/sensors/encoder.yaml, joints: [boom]}]}
+)");
+  }
+  void Write(const std::string& name, const std::string& text) const {
+    std::ofstream(scratch_.path() / name) << text;
+  }
+  std::string Read(const std::string& name) const {
+    std::ifstream file(scratch_.path() / name);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  Outcome Run(const Arguments& arguments) const { return RunTera(arguments, {scratch_.path()}); }
+  void Record(const std::string& out, const Arguments& more = {}) const {
+    Arguments arguments = {"generate", "boom.yaml", "--out", out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = Run(arguments);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+  }
+
+  const ScratchDirectory scratch_;
+};
+
+TEST_F(DiagnoseCommand, NamesADeadBandThatTheScenarioLacksAndWritesTheOverlayThatHasIt) {
+  Record("real", {"--set", "effects.excavator1.boom.dead_band.width=0.08"});
+  const Outcome outcome = Run({"diagnose", "boom.yaml", "real", "--out", "why"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("dead band 0.08"));
+  const auto json = nlohmann::json::parse(Read("why/diagnosis.json"));
+  EXPECT_EQ(json["verdict"][0], "named");
+  ASSERT_EQ(json["findings"].size(), 1u);
+  const auto& finding = json["findings"][0];
+  EXPECT_EQ(finding["mechanism"], "dead_band");
+  EXPECT_EQ(finding["target"], "boom");
+  EXPECT_EQ(finding["channel"], "excavator1/encoders/boom_radps");
+  EXPECT_NEAR(finding["parameters"]["width"]["value"].get<double>(), 0.08, 0.005);
+  EXPECT_GT(finding["held_out"]["excess_variance_removed"].get<double>(), 0.9);
+  EXPECT_THAT(Read("why/report.html"), HasSubstr("</html>"));
+
+  // With the overlay there is nothing left to say.
+  const Outcome again = Run({"diagnose", "boom.yaml", "real", "--effects", "why/effects.yaml",
+                             "--out", "nothing"});
+  ASSERT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(nlohmann::json::parse(Read("nothing/diagnosis.json"))["findings"].size(), 0u);
+}
+
+TEST_F(DiagnoseCommand, SaysNothingOfARecordingThatIsAsItsScenario) {
+  Record("real");
+  const Outcome outcome = Run({"diagnose", "boom.yaml", "real", "--out", "why"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(Read("why/diagnosis.json"));
+  EXPECT_EQ(json["verdict"][0], "none");
+  EXPECT_EQ(json["findings"].size(), 0u);
+}
+
+TEST_F(DiagnoseCommand, RefusesAReportFolderThatIsThere) {
+  Record("real");
+  std::filesystem::create_directory(scratch_.path() / "why");
+  const Outcome outcome = Run({"diagnose", "boom.yaml", "real", "--out", "why"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("why"), HasSubstr("exists already")));
+}
+
+TEST_F(DiagnoseCommand, SaysWhichMachinesARecordingHas) {
+  Record("real");
+  Write("other.yaml", Edited(Edited(Read("boom.yaml"), "name: excavator1", "name: digger"),
+                             "    machine: tera:config/machines/tb235.yaml",
+                             "    machine: tera:config/machines/tb235.yaml") +
+                          "  - {name: second, machine: tera:config/machines/tb235.yaml, start: "
+                          "{xy_m: [0, 6]}, operator: {type: idle}}\n");
+  const Outcome outcome = Run({"diagnose", "other.yaml", "real", "--out", "why"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("digger"), HasSubstr("excavator1")));
+  EXPECT_FALSE(std::filesystem::exists(scratch_.path() / "why"));
+}
+
+TEST_F(DiagnoseCommand, AsksForEncoders) {
+  Write("boom.yaml",
+        Edited(Read("boom.yaml"),
+               "{name: encoders, preset: tera:config/sensors/encoder.yaml, joints: [boom]}",
+               "{name: imu, preset: tera:config/sensors/xsens_mti_670.yaml, link: upper}"));
+  Record("real", {"--duration", "1"});
+  const Outcome outcome = Run({"diagnose", "boom.yaml", "real", "--out", "why"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("no encoder channel of excavator1")));
+  EXPECT_FALSE(std::filesystem::exists(scratch_.path() / "why"));
+}
+
+}  // namespace
+}  // namespace tera

@@ -1,0 +1,48 @@
+#include "diagnose/search/likelihood.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "diagnose/search/toy_block.h"
+
+namespace tera {
+namespace {
+
+TEST(Likelihood, TakesOffsetGainAndDelayForWhatTheyMayBe) {
+  // Prediction, and the same shifted by a third of a sample, 1 % larger and 0.004 higher.
+  constexpr std::size_t kSize = 4000;
+  std::vector<double> predicted(kSize), measured(kSize);
+  for (std::size_t k = 0; k < kSize; ++k) {
+    const auto at = [](double t_s) { return std::sin(2 * t_s) + 0.4 * std::sin(5.1 * t_s); };
+    const double t_s = 0.01 * static_cast<double>(k);
+    predicted[k] = at(t_s);
+    measured[k] = 1.01 * at(t_s - 0.0033) + 0.004 + 1e-3 * Stream(3, "noise").Gaussian(k);
+  }
+  ReplayBlock block = ToyBlock(predicted, MakeSeries(0.01, measured), {});
+  block.channels[0].nuisances = {.offset = 0.01, .gain = 0.02, .delay_s = 0.01};
+  const Likelihood likelihood(block, {{.scale = 1e-3}});
+  const Misfit misfit = likelihood.Judge({predicted}, Mask(kSize, 1));
+  EXPECT_NEAR(misfit.nuisances[0][0] * 0.01, 0.004, 2e-4);
+  EXPECT_NEAR(misfit.nuisances[0][1] * 0.02, 0.01, 2e-4);
+  EXPECT_NEAR(misfit.nuisances[0][2] * 0.01, 0.0033, 2e-4);
+  double square = 0;
+  for (std::size_t k = 100; k < kSize - 100; ++k)
+    square += std::pow(misfit.residual[0].value[k], 2);
+  EXPECT_NEAR(std::sqrt(square / (kSize - 200)), 1e-3, 5e-5);
+}
+
+TEST(Likelihood, DiscernsWhatIsBeyondNuisancesAlone) {
+  const std::vector<double> lever = ToyLever(4000, 5);
+  std::vector<double> larger = lever, squared = lever;
+  for (double& x : larger) x *= 1.02;
+  for (double& x : squared) x += 0.02 * x * x;
+  const ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, 0.02, 5), {});
+  const Likelihood likelihood(block, {{.scale = 0.02}});
+  const Mask all(lever.size(), 1);
+  EXPECT_LT(likelihood.Discernible({lever}, {larger}, all), 1.0);
+  EXPECT_GT(likelihood.Discernible({lever}, {squared}, all), 10.0);
+}
+
+}  // namespace
+}  // namespace tera
