@@ -23,9 +23,9 @@ kind: arm
 fixed_base: true
 links:
   base: {mass_kg: 50, inertia_kgm2: [1, 1, 1]}
-  upper: {mass_kg: 10, com_m: [0.5, 0, 0], inertia_kgm2: [0.5, 1.5, 2.5]}
-  lower: {mass_kg: 4, com_m: [0.3, 0, 0], inertia_kgm2: [0.1, 0.7, 0.2]}
-  slide: {mass_kg: 2, com_m: [0.1, 0, 0], inertia_kgm2: [0.1, 0.3, 0.1]}
+  upper: {mass_kg: 10, com_m: [0.5, 0, 0], inertia_kgm2: [1.5, 1.5, 2.5]}
+  lower: {mass_kg: 4, com_m: [0.3, 0, 0], inertia_kgm2: [0.6, 0.7, 0.2]}
+  slide: {mass_kg: 2, com_m: [0.1, 0, 0], inertia_kgm2: [0.2, 0.3, 0.2]}
 joints:
   shoulder: {type: revolute, parent: base, child: upper, axis: [0, -1, 0], limits_deg: [-90, 90],
              max_rate_degps: 30, max_effort_nm: 500}
