@@ -20,16 +20,39 @@ constexpr double kStill_s = 1;  ///< a rate that repeats itself for longer says 
 constexpr int kLags = 12;
 constexpr double kLongestLag_s = 0.8;
 
-/// Which samples tell anything: not those at end stops, nor those of a rate that has been the same
-/// number for long, of a machine switched off or an encoder that counts no noise.
-std::vector<bool> TellingSamples(const MeasuredRate& measured) {
-  std::vector<bool> telling = measured.is_free;
-  std::size_t first = 0;
-  for (std::size_t i = 1; i < telling.size(); ++i) {
-    if (measured.rate_radps[i] != measured.rate_radps[first]) first = i;
-    if (ToSeconds(measured.t_ns[i] - measured.t_ns[first]) > kStill_s) telling[i] = false;
+/// Whether most samples of a moving axis are the one before, bit for bit: a slower measurement that
+/// is handed on again and again.
+bool IsHeld(const std::vector<double>& rate_radps) {
+  std::size_t moving = 0, repeated = 0;
+  for (std::size_t i = 1; i < rate_radps.size(); ++i) {
+    if (rate_radps[i] == 0) continue;
+    ++moving;
+    repeated += rate_radps[i] == rate_radps[i - 1] ? 1 : 0;
   }
-  return telling;
+  return 2 * repeated > moving;
+}
+
+/// The samples that are measurements of their own: of a held rate those that differ from the one
+/// before, of any rate none of a number that has stood for long.
+MeasuredRate Fresh(const MeasuredRate& measured) {
+  const bool held = IsHeld(measured.rate_radps);
+  MeasuredRate fresh = measured;
+  fresh.t_ns.clear();
+  fresh.at_step.clear();
+  fresh.rate_radps.clear();
+  fresh.is_free.clear();
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < measured.t_ns.size(); ++i) {
+    const bool repeats = i > 0 && measured.rate_radps[i] == measured.rate_radps[i - 1];
+    if (!repeats) first = i;
+    const double stood_s = ToSeconds(measured.t_ns[i] - measured.t_ns[first]);
+    if ((held && repeats) || stood_s > kStill_s) continue;
+    fresh.t_ns.push_back(measured.t_ns[i]);
+    fresh.at_step.push_back(measured.at_step[i]);
+    fresh.rate_radps.push_back(measured.rate_radps[i]);
+    fresh.is_free.push_back(measured.is_free[i]);
+  }
+  return fresh;
 }
 
 /// A quantity of the log's steps at the places of the grid.
@@ -127,16 +150,17 @@ std::vector<RegimeVariable> VariablesOf(const MachineModel& model, const AxisLog
 
 std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLog& log,
                                          std::size_t measured_index) {
-  const MeasuredRate& measured = log.measured[measured_index];
+  const MeasuredRate measured = Fresh(log.measured[measured_index]);
   const std::size_t axis = measured.axis;
   if (!HasLever(model, axis)) return std::nullopt;
-  const std::vector<bool> telling = TellingSamples(measured);
-  if (std::count(telling.begin(), telling.end(), true) < kFewestSamples) return std::nullopt;
+  if (std::count(measured.is_free.begin(), measured.is_free.end(), true) < kFewestSamples) {
+    return std::nullopt;
+  }
   const SampleGrid grid = SampleGrid::Under(measured.t_ns);
   Channel channel;
   channel.name = measured.channel;
   channel.unit = measured.channel.ends_with("_mps") ? "m/s" : "rad/s";
-  channel.measured = grid.SpreadSeries(measured.rate_radps, telling);
+  channel.measured = grid.SpreadSeries(measured.rate_radps, measured.is_free);
   channel.nuisances = {.offset = 1e-3, .gain = 0.02, .delay_s = 0.5 * grid.period_s};
   channel.variables = VariablesOf(model, log, measured, grid);
   channel.free_member = FreeMember(channel.variables[0].series, channel.variables[1].series,
@@ -148,7 +172,7 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   }
   block.channels.push_back(std::move(channel));
   block.suspects = SuspectsOfAxis(model, log, axis);
-  const LoneAxisReplay replay(model, log, measured_index);
+  const LoneAxisReplay replay(model, log, measured);
   block.predict = [replay, grid](const Structure& terms) {
     Effects added;
     for (const Term& term : terms) added.push_back({term.suspect->mechanism, term.values});

@@ -71,11 +71,9 @@ std::vector<std::vector<double>> AxisReplay::Predict(const MachineEffects& effec
   return rates;
 }
 
-LoneAxisReplay::LoneAxisReplay(const MachineModel& model, const AxisLog& log, std::size_t measured)
-    : model_(model),
-      axis_(log.measured[measured].axis),
-      step_s_(log.step_s),
-      at_step_(log.measured[measured].at_step) {
+LoneAxisReplay::LoneAxisReplay(const MachineModel& model, const AxisLog& log,
+                               const MeasuredRate& measured)
+    : model_(model), axis_(measured.axis), step_s_(log.step_s), at_step_(measured.at_step) {
   for (std::size_t k = 0; k < log.steps; ++k) {
     lever_.push_back(log.levers_at(k)[axis_]);
     motion_.push_back(log.motions_at(k)[axis_]);

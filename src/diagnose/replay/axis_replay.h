@@ -33,8 +33,9 @@ class AxisReplay {
 /// evaluates thousands of times.
 class LoneAxisReplay {
  public:
-  /// Of the axis of one of the log's measured rates. Both are copied as far as they are needed.
-  LoneAxisReplay(const MachineModel& model, const AxisLog& log, std::size_t measured);
+  /// Of the axis of one of the log's measured rates, or of some of its samples. All are copied as
+  /// far as they are needed.
+  LoneAxisReplay(const MachineModel& model, const AxisLog& log, const MeasuredRate& measured);
 
   /// Rates at the measured rate's times, with `added` to the axis's own effects.
   std::vector<double> Predict(const Effects& added) const;
