@@ -12,6 +12,8 @@
 namespace tera {
 namespace {
 
+constexpr double kShortest_s = 25;  ///< less leaves too little of SELECT and FINAL
+
 /// The encoders of one machine.
 std::vector<NamedEncoders> EncodersOf(const Recording& recording, const std::string& machine) {
   std::vector<NamedEncoders> encoders;
@@ -131,11 +133,14 @@ Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
   std::vector<ReplayBlock> blocks;
   if (!input.commands.columns.empty()) AddAxes(input, encoders, options.step_s, &blocks);
   AddBase(input, recording, encoders, options, &blocks);
+  std::erase_if(blocks, [](const ReplayBlock& block) {
+    return static_cast<double>(block.samples()) * block.period_s() < kShortest_s;
+  });
   if (blocks.empty()) {
     throw InputError(fmt::format(
         "{}: nothing of {} can be replayed: need levers and encoders of the same joints, or "
-        "encoders of all tracks or wheels and poses, over 2 s at least",
-        recording.directory().string(), input.machine));
+        "encoders of all tracks or wheels and poses, over {} s at least",
+        recording.directory().string(), input.machine, kShortest_s));
   }
   Diagnosis diagnosis{input.machine, start_ns, {}};
   for (ReplayBlock& block : blocks) {

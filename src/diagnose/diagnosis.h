@@ -56,8 +56,8 @@ struct DiagnosisOptions {
 };
 
 /// Diagnoses every block that the recording has channels for: joints and gears with encoders and
-/// levers, the base with gears and poses. `progress` is told what is looked at, before each block.
-/// Throws InputError where there is no block at all.
+/// levers, the base with gears and poses, over 25 s at least. `progress` is told what is looked at,
+/// before each block. Throws InputError where there is no block at all.
 Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
                    const DiagnosisOptions& options,
                    const std::function<void(const std::string&)>& progress);

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kSeen = 15;  ///< gain in log-likelihood on TRAIN that survives all that follows
 constexpr double kLeastUnexplained = 0.05;
+constexpr std::size_t kLongestResponse = 2000;
 constexpr double kUnconfirmedP = 0.05;
 constexpr double kUndetermined = 1e-10;  ///< of the largest eigenvalue of the information
 
@@ -31,6 +32,7 @@ class Procedure {
 
  private:
   Finding Describe(const SearchResult& search, std::size_t term) const;
+  void Confirm(BlockDiagnosis* out) const;
   void FindUnexplained(const SearchResult& search, BlockDiagnosis* out) const;
   Detectability DetectabilityOf(const Suspect& suspect) const;
   HeldOutError Compare(const FittedStructure& before, const FittedStructure& after,
@@ -55,6 +57,21 @@ double MeanSquare(const Series& residual, const Mask& mask) {
     ++count;
   }
   return count > 0 ? sum / count : 0;
+}
+
+/// Of the process, by its response to single innovations; those of a t distribution.
+double VarianceOf(const NoiseModel& noise) {
+  std::vector<double> response = {1};
+  double sum = 1;
+  for (std::size_t k = 1; k < kLongestResponse; ++k) {
+    double next = 0;
+    for (std::size_t i = 0; i < std::min(noise.order(), k); ++i) {
+      next += noise.ar[i] * response[k - 1 - i];
+    }
+    response.push_back(next);
+    sum += next * next;
+  }
+  return sum * noise.scale * noise.scale * noise.dof / (noise.dof - 2);
 }
 
 /// Standard deviations from an information matrix; none for what lies in its null space.
@@ -116,14 +133,12 @@ HeldOutError Procedure::Compare(const FittedStructure& before, const FittedStruc
   HeldOutError error{channel, 0, 0, 0, 1};
   const double mse_before = MeanSquare(before.misfit.residual[channel], final_);
   const double mse_after = MeanSquare(after.misfit.residual[channel], final_);
-  const double mse_free =
-      MeanSquare(LessFreeMember(block_.channels[channel], before.misfit.residual[channel],
-                                likelihood_.noise()[channel], train_),
-                 final_);
+  const double noise = VarianceOf(likelihood_.noise()[channel]);
   error.rmse_before = std::sqrt(mse_before);
   error.rmse_after = std::sqrt(mse_after);
-  const double floor = std::min(mse_free, mse_after);
-  if (mse_before > floor) error.excess_removed = (mse_before - mse_after) / (mse_before - floor);
+  if (mse_before > noise) {
+    error.excess_removed = std::clamp((mse_before - mse_after) / (mse_before - noise), -1.0, 1.0);
+  }
   error.p = SteadyGainP(
       likelihood_, before.misfit, after.misfit,
       HeldOutBlocks(manoeuvres_, Part::kFinal, block_.period_s(), options_.held_out_block_s));
@@ -202,17 +217,35 @@ Detectability Procedure::DetectabilityOf(const Suspect& suspect) const {
   return out;
 }
 
+/// Parts what FINAL confirms from what it does not; what is confirmed is fitted anew on its own.
+void Procedure::Confirm(BlockDiagnosis* out) const {
+  Structure kept;
+  std::vector<TermEvidence> evidence;
+  for (std::size_t t = 0; t < out->search.found.terms.size(); ++t) {
+    Finding finding = Describe(out->search, t);
+    if (finding.held_out.p <= kUnconfirmedP && finding.held_out.excess_removed > 0) {
+      kept.push_back(finding.term);
+      evidence.push_back(finding.evidence);
+      out->findings.push_back(std::move(finding));
+    } else {
+      out->unconfirmed.push_back(std::move(finding));
+    }
+  }
+  if (out->unconfirmed.empty()) return;
+  out->search.found = fitter_.Fit(kept);
+  out->search.evidence = std::move(evidence);
+  out->findings.clear();
+  for (std::size_t t = 0; t < out->search.found.terms.size(); ++t) {
+    out->findings.push_back(Describe(out->search, t));
+  }
+}
+
 BlockDiagnosis Procedure::Run() {
   BlockDiagnosis out;
   out.manoeuvres = manoeuvres_;
   out.noise = likelihood_.noise();
   out.search = SearchStructures(block_, likelihood_, manoeuvres_, options_);
-  for (std::size_t t = 0; t < out.search.found.terms.size(); ++t) {
-    Finding finding = Describe(out.search, t);
-    const bool confirmed =
-        finding.held_out.p <= kUnconfirmedP && finding.held_out.excess_removed > 0;
-    (confirmed ? out.findings : out.unconfirmed).push_back(std::move(finding));
-  }
+  Confirm(&out);
   FindUnexplained(out.search, &out);
   for (const Suspect& suspect : block_.suspects) {
     out.detectability.push_back(DetectabilityOf(suspect));

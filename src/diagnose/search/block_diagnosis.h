@@ -32,7 +32,9 @@ struct Finding {
   TermEvidence evidence;
   Location location;      ///< of the error that it leaves if it alone is left out
   HeldOutError held_out;  ///< without it, and with it
-  double confidence = 0;  ///< that the name is right
+  /// 1 less the p of SELECT and FINAL, shared among the class: how sure it is that something of
+  /// this class acts, not calibrated on cases of known cause.
+  double confidence = 0;
 };
 
 /// Error that no suspect takes away.

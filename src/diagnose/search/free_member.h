@@ -15,9 +15,9 @@ Series LessFreeMember(const Channel& channel, const Series& residual, const Nois
                       const Mask& fit_on);
 
 /// Noise of each channel: what a fit of the free member, together with what the block predicts
-/// without any suspect, leaves of the measurements. No mechanism enters, so that no mechanism can
-/// hide in it. Innovations are at least 0.2 % of the channel's RMS: no replay is
-/// better.
+/// without any suspect, leaves of the measurements. No mechanism enters, so that none can hide in
+/// it that the free member can follow. Innovations are at least 0.2 % of the channel's RMS: no
+/// replay is better.
 std::vector<NoiseModel> NoiseOfBlock(const ReplayBlock& block);
 
 }  // namespace tera
