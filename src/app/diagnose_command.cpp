@@ -68,7 +68,8 @@ Diagnosis DiagnoseMachine(const Arguments& arguments, const Scenario& scenario,
                           const ScenarioMachine& machine, const Recording& recording) {
   const std::string name =
       NameInRecording(machine.placement.name, scenario.machines.size(), recording);
-  const DiagnosisInput input{&machine.placement.model, name, CommandsOf(recording, name, machine)};
+  const DiagnosisInput input{&machine.placement.model, name, machine.placement.name,
+                             CommandsOf(recording, name, machine)};
   DiagnosisOptions options{.seed = scenario.seed};
   options.search.threads = arguments.threads;
   if (arguments.from_s) options.from_s = *arguments.from_s;
@@ -105,9 +106,9 @@ void AddDiagnoseCommand(CLI::App* app) {
       ->required();
   command->add_option("--out", arguments->out, "Folder to write, which must not exist")->required();
   command->add_option("--from", arguments->from_s, "Seconds of the recording to leave out first")
-      ->check(PositiveNumber("seconds"));
+      ->check(CLI::Range(0.0, 1e6));
   command->add_option("--to", arguments->to_s, "Seconds of the recording at which to stop")
-      ->check(PositiveNumber("seconds"));
+      ->check(CLI::Range(0.0, 1e6));
   command->add_option("--threads", arguments->threads, "Fits at a time")
       ->check(CLI::PositiveNumber);
   command->callback([arguments] { RunDiagnose(*arguments); });

@@ -120,6 +120,8 @@ Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
                    const DiagnosisOptions& options,
                    const std::function<void(const std::string&)>& progress) {
   std::vector<NamedEncoders> encoders = EncodersOf(recording, input.machine);
+  std::erase_if(encoders,
+                [](const NamedEncoders& named) { return named.recording.samples.empty(); });
   if (encoders.empty()) {
     throw InputError(fmt::format(
         "{}: no encoder channel of {}; need rates of joints or of tracks and wheels to compare",
@@ -142,7 +144,7 @@ Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
         "encoders of all tracks or wheels and poses, over {} s at least",
         recording.directory().string(), input.machine, kShortest_s));
   }
-  Diagnosis diagnosis{input.machine, start_ns, {}};
+  Diagnosis diagnosis{input.machine, input.scenario, start_ns, {}};
   for (ReplayBlock& block : blocks) {
     progress(block.name);
     DiagnosedBlock diagnosed;

@@ -24,8 +24,9 @@ struct DiagnosedBlock {
 
 /// Why one machine's recording differs from its simulation.
 struct Diagnosis {
-  std::string machine;  ///< its name in the recording
-  TimeNs start_ns = 0;  ///< of the recording's first sample
+  std::string machine;   ///< its name in the recording
+  std::string scenario;  ///< its name in the scenario, to which the overlay speaks
+  TimeNs start_ns = 0;   ///< of the recording's first sample
   std::vector<DiagnosedBlock> blocks;
 };
 
@@ -44,6 +45,7 @@ std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis);
 struct DiagnosisInput {
   const MachineModel* model = nullptr;
   std::string machine;      ///< name in the recording
+  std::string scenario;     ///< name in the scenario
   TableRecording commands;  ///< columns by the names of levers
 };
 

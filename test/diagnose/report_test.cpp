@@ -104,7 +104,7 @@ Unexplained GrowingBeyond12kNm() {
 }
 
 Diagnosis Of(DiagnosedBlock block) {
-  Diagnosis diagnosis{"excavator1", 0, {}};
+  Diagnosis diagnosis{"excavator1", "excavator1", 0, {}};
   diagnosis.blocks.push_back(std::move(block));
   return diagnosis;
 }
@@ -316,7 +316,7 @@ TEST(EffectsYaml, OfNothingIsAnOverlayThatChangesNothing) {
 
 TEST(EffectsYaml, QuotesNamesThatYamlWouldReadAsSomethingElse) {
   Diagnosis diagnosis = Of(BoomWithDeadBand());
-  diagnosis.machine = "digger: no 7's";
+  diagnosis.scenario = "digger: no 7's";
   EXPECT_THAT(EffectsYaml(diagnosis, "run"), HasSubstr("\n  'digger: no 7''s':\n"));
 }
 

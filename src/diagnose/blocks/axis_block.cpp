@@ -16,7 +16,8 @@ namespace tera {
 namespace {
 
 constexpr std::ptrdiff_t kFewestSamples = 200;
-constexpr double kStill_s = 1;  ///< a rate that repeats itself for longer says nothing
+constexpr double kStill_s =
+    1;  ///< a rate that repeats itself for longer without a lever says nothing
 constexpr int kLags = 12;
 constexpr double kLongestLag_s = 0.8;
 
@@ -33,8 +34,8 @@ bool IsHeld(const std::vector<double>& rate_radps) {
 }
 
 /// The samples that are measurements of their own: of a held rate those that differ from the one
-/// before, of any rate none of a number that has stood for long.
-MeasuredRate Fresh(const MeasuredRate& measured) {
+/// before, of any rate none of a number that has stood for long without a lever.
+MeasuredRate Fresh(const MeasuredRate& measured, const AxisLog& log) {
   const bool held = IsHeld(measured.rate_radps);
   MeasuredRate fresh = measured;
   fresh.t_ns.clear();
@@ -46,7 +47,9 @@ MeasuredRate Fresh(const MeasuredRate& measured) {
     const bool repeats = i > 0 && measured.rate_radps[i] == measured.rate_radps[i - 1];
     if (!repeats) first = i;
     const double stood_s = ToSeconds(measured.t_ns[i] - measured.t_ns[first]);
-    if ((held && repeats) || stood_s > kStill_s) continue;
+    const auto step = static_cast<std::size_t>(std::max(0.0, measured.at_step[i]));
+    const bool pushed = log.levers_at(std::min(step, log.steps - 1))[measured.axis] != 0;
+    if ((held && repeats) || (stood_s > kStill_s && !pushed)) continue;
     fresh.t_ns.push_back(measured.t_ns[i]);
     fresh.at_step.push_back(measured.at_step[i]);
     fresh.rate_radps.push_back(measured.rate_radps[i]);
@@ -81,9 +84,8 @@ Eigen::MatrixXd FreeMember(const Series& lever, const Series& position, const Se
   const auto rows = static_cast<Eigen::Index>(lever.size());
   const double spread = std::max(RobustScale(position.value), 1e-9);
   const double middle = Median(position.value);
-  const double heaviest = std::max(
-      1e-9, *std::max_element(load.value.begin(), load.value.end(),
-                              [](double a, double b) { return std::abs(a) < std::abs(b); }));
+  double heaviest = 1e-9;
+  for (const double nm : load.value) heaviest = std::max(heaviest, std::abs(nm));
   std::vector<std::size_t> lags;
   for (int i = 0; i < kLags; ++i) {
     const double lag_s = kLongestLag_s * std::pow(i / (kLags - 1.0), 1.5);
@@ -150,7 +152,7 @@ std::vector<RegimeVariable> VariablesOf(const MachineModel& model, const AxisLog
 
 std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLog& log,
                                          std::size_t measured_index) {
-  const MeasuredRate measured = Fresh(log.measured[measured_index]);
+  const MeasuredRate measured = Fresh(log.measured[measured_index], log);
   const std::size_t axis = measured.axis;
   if (!HasLever(model, axis)) return std::nullopt;
   if (std::count(measured.is_free.begin(), measured.is_free.end(), true) < kFewestSamples) {

@@ -1,11 +1,19 @@
 #include "diagnose/blocks/sample_grid.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "core/check.h"
+#include "core/error.h"
 #include "diagnose/statistics/robust.h"
 
 namespace tera {
+namespace {
+
+constexpr double kEmptiest = 50;  ///< places of the grid for each sample
+
+}  // namespace
 
 SampleGrid SampleGrid::Under(const std::vector<TimeNs>& t_ns) {
   TERA_CHECK(t_ns.size() >= 2, t_ns.size());
@@ -13,6 +21,14 @@ SampleGrid SampleGrid::Under(const std::vector<TimeNs>& t_ns) {
   for (std::size_t i = 1; i < t_ns.size(); ++i) step_s.push_back(ToSeconds(t_ns[i] - t_ns[i - 1]));
   SampleGrid grid;
   grid.period_s = Median(step_s);
+  const double length_s = ToSeconds(t_ns.back() - t_ns.front());
+  if (length_s > kEmptiest * grid.period_s * static_cast<double>(t_ns.size())) {
+    throw InputError(
+        fmt::format("{} samples, {:.6f} s apart at the median, reach over {:.0f} s: they come in "
+                    "bursts or leave a long gap; need samples that come about evenly (--from and "
+                    "--to look at a part)",
+                    t_ns.size(), grid.period_s, length_s));
+  }
   for (const TimeNs t : t_ns) {
     grid.place.push_back(
         static_cast<std::size_t>(std::llround(ToSeconds(t - t_ns.front()) / grid.period_s)));

@@ -15,6 +15,7 @@ namespace tera {
 namespace {
 
 constexpr double kLoadEvery_s = 0.02;  ///< poses, and so loads, change little in between
+constexpr double kLongest_s = 86400;   ///< a recording of a day is none of one machine at work
 constexpr double kAtStop_rad = 0.01;   ///< nearer to an end stop, a joint may be held up by it
 
 /// Position and rate of one axis over time.
@@ -91,6 +92,12 @@ void SetTimes(const TableRecording& commands, AxisLog* log) {
         first_ns > last_ns ? 0.0 : ToSeconds(first_ns), ToSeconds(last_ns)));
   }
   log->start_ns = std::min(first_ns, commands.t_ns.front());
+  if (ToSeconds(last_ns - log->start_ns) > kLongest_s) {
+    throw InputError(fmt::format(
+        "commands and encoders reach from {:.0f} s to {:.0f} s, over more than a day; need clocks "
+        "that count from the same event (`time` of the import)",
+        ToSeconds(log->start_ns), ToSeconds(last_ns)));
+  }
   log->steps =
       static_cast<std::size_t>(std::ceil(ToSeconds(last_ns - log->start_ns) / log->step_s)) + 1;
   for (MeasuredRate& measured : log->measured) {

@@ -89,10 +89,10 @@ std::string OnOneLine(std::string text) {
 
 std::string EffectsYaml(const Diagnosis& diagnosis, const std::string& recording) {
   std::string text = fmt::format("# What the recording {} shows of {} beyond its simulation.\n",
-                                 OnOneLine(recording), OnOneLine(diagnosis.machine));
+                                 OnOneLine(recording), OnOneLine(diagnosis.scenario));
   const std::vector<TargetLines> targets = LinesOf(diagnosis);
   if (targets.empty()) return text + "effects: {}\n";
-  text += fmt::format("effects:\n  {}:\n", Key(diagnosis.machine));
+  text += fmt::format("effects:\n  {}:\n", Key(diagnosis.scenario));
   for (const TargetLines& target : targets) {
     text += fmt::format("    {}:\n", Key(target.target));
     for (const std::string& line : target.lines) text += fmt::format("      {}\n", line);

@@ -88,7 +88,7 @@ std::vector<NoiseModel> NoiseOfBlock(const ReplayBlock& block) {
     const Series left = LessFreeMember(channel, residual, {}, everywhere);
     noise.push_back(FitNoise(
         left, {.highest_order = kHighestOrder, .least_dof = kLeastDof, .estimate_mean = false}));
-    noise.back().scale = std::max(noise.back().scale, kFloor * RmsOf(channel.measured));
+    noise.back().scale = std::max({noise.back().scale, kFloor * RmsOf(channel.measured), 1e-9});
   }
   return noise;
 }

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <exception>
 #include <functional>
+#include <mutex>
 #include <set>
 #include <thread>
 
@@ -25,12 +27,22 @@ std::vector<Result> InParallel(std::size_t jobs, int threads,
                                const std::function<Result(std::size_t)>& job) {
   std::vector<Result> results(jobs);
   std::atomic<std::size_t> next = 0;
+  std::mutex mutex;
+  std::exception_ptr failure;
   const auto work = [&] {
-    for (std::size_t k = next++; k < jobs; k = next++) results[k] = job(k);
+    try {
+      for (std::size_t k = next++; k < jobs; k = next++) results[k] = job(k);
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      failure = std::current_exception();
+    }
   };
-  std::vector<std::jthread> others;
-  for (int t = 1; t < threads; ++t) others.emplace_back(work);
-  work();
+  {
+    std::vector<std::jthread> others;
+    for (int t = 1; t < threads; ++t) others.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
   return results;
 }
 
