@@ -173,7 +173,8 @@ TEST(Sentence, OfNothingNamesTheChannelsAndWhatWasNotSeen) {
       ElementsAre("Nothing found: boom rate and sideways speed agree with the simulation "
                   "within the noise. Of 3 mechanisms looked for, 1 could not have been seen "
                   "at any size."));
-  EXPECT_THAT(SentencesOf({"excavator1", 0, {}}), ElementsAre(HasSubstr("Nothing compared")));
+  EXPECT_THAT(SentencesOf({"excavator1", "excavator1", 0, {}}),
+              ElementsAre(HasSubstr("Nothing compared")));
 }
 
 TEST(Wording, GivesAsManyDigitsAsANumberIsKnownTo) {
@@ -309,7 +310,7 @@ TEST(EffectsYaml, IsWhatGenerateReadsBack) {
 }
 
 TEST(EffectsYaml, OfNothingIsAnOverlayThatChangesNothing) {
-  const std::string text = EffectsYaml({"excavator1", 0, {}}, "run");
+  const std::string text = EffectsYaml({"excavator1", "excavator1", 0, {}}, "run");
   EXPECT_THAT(text, HasSubstr("effects: {}\n"));
   EXPECT_EQ(FindEffect(BoomEffects(Overlaid(text)), "dead_band"), nullptr);
 }
