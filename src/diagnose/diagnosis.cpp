@@ -144,7 +144,7 @@ Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
         "encoders of all tracks or wheels and poses, over {} s at least",
         recording.directory().string(), input.machine, kShortest_s));
   }
-  Diagnosis diagnosis{input.machine, input.scenario, start_ns, {}};
+  Diagnosis diagnosis{input.machine, input.scenario, {}};
   for (ReplayBlock& block : blocks) {
     progress(block.name);
     DiagnosedBlock diagnosed;

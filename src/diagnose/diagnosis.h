@@ -26,7 +26,6 @@ struct DiagnosedBlock {
 struct Diagnosis {
   std::string machine;   ///< its name in the recording
   std::string scenario;  ///< its name in the scenario, to which the overlay speaks
-  TimeNs start_ns = 0;   ///< of the recording's first sample
   std::vector<DiagnosedBlock> blocks;
 };
 

@@ -79,8 +79,8 @@ TEST_F(DiagnoseCommand, NamesADeadBandThatTheScenarioLacksAndWritesTheOverlayTha
   EXPECT_THAT(Read("why/report.html"), HasSubstr("</html>"));
 
   // With the overlay there is nothing left to say.
-  const Outcome again = Run({"diagnose", "boom.yaml", "real", "--effects", "why/effects.yaml",
-                             "--out", "nothing"});
+  const Outcome again =
+      Run({"diagnose", "boom.yaml", "real", "--effects", "why/effects.yaml", "--out", "nothing"});
   ASSERT_EQ(again.status, 0) << again.err;
   EXPECT_EQ(nlohmann::json::parse(Read("nothing/diagnosis.json"))["findings"].size(), 0u);
 }
@@ -104,9 +104,7 @@ TEST_F(DiagnoseCommand, RefusesAReportFolderThatIsThere) {
 
 TEST_F(DiagnoseCommand, SaysWhichMachinesARecordingHas) {
   Record("real");
-  Write("other.yaml", Edited(Edited(Read("boom.yaml"), "name: excavator1", "name: digger"),
-                             "    machine: tera:config/machines/tb235.yaml",
-                             "    machine: tera:config/machines/tb235.yaml") +
+  Write("other.yaml", Edited(Read("boom.yaml"), "name: excavator1", "name: digger") +
                           "  - {name: second, machine: tera:config/machines/tb235.yaml, start: "
                           "{xy_m: [0, 6]}, operator: {type: idle}}\n");
   const Outcome outcome = Run({"diagnose", "other.yaml", "real", "--out", "why"});

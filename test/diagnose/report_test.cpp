@@ -104,7 +104,7 @@ Unexplained GrowingBeyond12kNm() {
 }
 
 Diagnosis Of(DiagnosedBlock block) {
-  Diagnosis diagnosis{"excavator1", "excavator1", 0, {}};
+  Diagnosis diagnosis{"excavator1", "excavator1", {}};
   diagnosis.blocks.push_back(std::move(block));
   return diagnosis;
 }
@@ -173,7 +173,7 @@ TEST(Sentence, OfNothingNamesTheChannelsAndWhatWasNotSeen) {
       ElementsAre("Nothing found: boom rate and sideways speed agree with the simulation "
                   "within the noise. Of 3 mechanisms looked for, 1 could not have been seen "
                   "at any size."));
-  EXPECT_THAT(SentencesOf({"excavator1", "excavator1", 0, {}}),
+  EXPECT_THAT(SentencesOf({"excavator1", "excavator1", {}}),
               ElementsAre(HasSubstr("Nothing compared")));
 }
 
@@ -310,7 +310,7 @@ TEST(EffectsYaml, IsWhatGenerateReadsBack) {
 }
 
 TEST(EffectsYaml, OfNothingIsAnOverlayThatChangesNothing) {
-  const std::string text = EffectsYaml({"excavator1", "excavator1", 0, {}}, "run");
+  const std::string text = EffectsYaml({"excavator1", "excavator1", {}}, "run");
   EXPECT_THAT(text, HasSubstr("effects: {}\n"));
   EXPECT_EQ(FindEffect(BoomEffects(Overlaid(text)), "dead_band"), nullptr);
 }

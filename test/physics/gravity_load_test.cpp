@@ -4,18 +4,11 @@
 
 #include <cmath>
 
-#include "core/config.h"
 #include "core/units.h"
+#include "physics/machine_fixture.h"
 
 namespace tera {
 namespace {
-
-MachineModel Read(const std::string& yaml) {
-  const Config config = Config::FromText(yaml, "arm.yaml");
-  MachineModel model = ReadMachine(config.root());
-  config.Finish();
-  return model;
-}
 
 /// Two links of 10 and 4 kg that turn about -y, so that positive angles raise them.
 const char* const kTwoLinks = R"(
@@ -34,7 +27,7 @@ levers: [shoulder, elbow]
 )";
 
 TEST(GravityLoad, IsWeightTimesHorizontalDistance) {
-  const MachineModel model = Read(kTwoLinks);
+  const MachineModel model = MachineFromText(kTwoLinks);
   const double a = 30 * kDeg, b = 25 * kDeg, g = kStandardGravity_mps2;
   const double elbow_nm = 4 * g * 0.3 * std::cos(a + b);
   const double shoulder_nm = 10 * g * 0.5 * std::cos(a) + 4 * g * std::cos(a) + elbow_nm;
@@ -44,7 +37,7 @@ TEST(GravityLoad, IsWeightTimesHorizontalDistance) {
 }
 
 TEST(GravityLoad, OfALeaningMachineIsThatOfItsTrueAttitude) {
-  const MachineModel model = Read(kTwoLinks);
+  const MachineModel model = MachineFromText(kTwoLinks);
   Pose X_WB = Pose::Identity();
   X_WB.rotate(Eigen::AngleAxisd(-20 * kDeg, Vec3::UnitY()));  // nose up
   X_WB.translation() = Vec3(3, -2, 1);

@@ -4,18 +4,11 @@
 
 #include <cmath>
 
-#include "core/config.h"
 #include "core/units.h"
+#include "physics/machine_fixture.h"
 
 namespace tera {
 namespace {
-
-MachineModel Read(const std::string& yaml) {
-  const Config config = Config::FromText(yaml, "arm.yaml");
-  MachineModel model = ReadMachine(config.root());
-  config.Finish();
-  return model;
-}
 
 /// Two links of 10 and 4 kg that turn about -y, and a slider of 2 kg along the second one's x.
 const char* const kTwoLinksAndASlider = R"(
@@ -37,7 +30,7 @@ levers: [shoulder, elbow, extension]
 )";
 
 TEST(JointInertia, IsThatOfAllMassesBeyondAboutTheAxis) {
-  const MachineModel model = Read(kTwoLinksAndASlider);
+  const MachineModel model = MachineFromText(kTwoLinksAndASlider);
   const double b = 40 * kDeg, out_m = 0.25;
   const auto inertia_kgm2 = JointInertias_kgm2(model, {25 * kDeg, b, out_m});
   // Steiner: I_c + m r^2, the slider's centre 0.6 + 0.25 + 0.1 m beyond the elbow.

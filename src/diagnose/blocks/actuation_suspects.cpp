@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/check.h"
+#include "diagnose/blocks/mechanism_named.h"
 #include "physics/actuation_mechanisms.h"
 #include "physics/slots/actuation.h"
 
@@ -41,14 +41,6 @@ Reach ReachOf(const MachineModel& model, const AxisLog& log, std::size_t axis) {
   return reach;
 }
 
-const Mechanism& MechanismOf(std::string_view id) {
-  const auto library = ActuationMechanisms();
-  const auto found =
-      std::find_if(library.begin(), library.end(), [&](const Mechanism& m) { return m.id == id; });
-  TERA_CHECK(found != library.end(), id);
-  return *found;
-}
-
 class Suspects {
  public:
   Suspects(std::string target, const Effects& present)
@@ -57,7 +49,8 @@ class Suspects {
   void Add(std::string_view id, std::vector<FreeParameter> free,
            std::vector<std::vector<double>> starts) {
     if (FindEffect(present_, id)) return;
-    found_.push_back({&MechanismOf(id), target_, std::move(free), std::move(starts)});
+    found_.push_back(
+        {&MechanismNamed(id, ActuationMechanisms()), target_, std::move(free), std::move(starts)});
   }
   std::vector<Suspect> Take() { return std::move(found_); }
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/check.h"
 #include "core/motion.h"
+#include "diagnose/blocks/mechanism_named.h"
 #include "diagnose/blocks/sample_grid.h"
 #include "diagnose/replay/base_replay.h"
 #include "physics/ground_mechanisms.h"
@@ -17,20 +17,13 @@ constexpr std::size_t kFewestIntervals = 100;
 constexpr int kLags = 4;
 constexpr double kLongestLag_s = 0.5;
 
-const Mechanism& MechanismOf(std::string_view id) {
-  const auto library = GroundMechanisms();
-  const auto found =
-      std::find_if(library.begin(), library.end(), [&](const Mechanism& m) { return m.id == id; });
-  TERA_CHECK(found != library.end(), id);
-  return *found;
-}
-
 std::vector<Suspect> SuspectsOf(const Effects& present) {
   std::vector<Suspect> suspects;
   const auto add = [&](std::string_view id, std::vector<FreeParameter> free,
                        std::vector<std::vector<double>> starts) {
     if (FindEffect(present, id)) return;
-    suspects.push_back({&MechanismOf(id), "base", std::move(free), std::move(starts)});
+    suspects.push_back(
+        {&MechanismNamed(id, GroundMechanisms()), "base", std::move(free), std::move(starts)});
   };
   add("track_scale", {{0, 0.7, 1.3}}, {{0.97}, {1.03}, {0.9}, {1.1}});
   add("track_asymmetry", {{0, -0.3, 0.3}}, {{0.02}, {-0.02}, {0.08}, {-0.08}});

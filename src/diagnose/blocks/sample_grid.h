@@ -17,8 +17,8 @@ struct SampleGrid {
   std::size_t size = 0;
   std::vector<std::size_t> place;  ///< of each sample
 
-  /// Two samples at least, times that rise. Throws InputError where most of the grid would be empty:
-  /// samples in bursts, or a gap far longer than all that was measured.
+  /// Two samples at least, times that rise. Throws InputError where most of the grid would be
+  /// empty: samples in bursts, or a gap far longer than all that was measured.
   static SampleGrid Under(const std::vector<TimeNs>& t_ns);
 
   /// Values of the samples at their places, 0 in between.
