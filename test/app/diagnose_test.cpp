@@ -85,6 +85,20 @@ TEST_F(DiagnoseCommand, NamesADeadBandThatTheScenarioLacksAndWritesTheOverlayTha
   EXPECT_EQ(nlohmann::json::parse(Read("nothing/diagnosis.json"))["findings"].size(), 0u);
 }
 
+TEST_F(DiagnoseCommand, CorrectsAWrongNumberThatTheScenarioHas) {
+  Record("real", {"--set", "effects.excavator1.boom.dead_band.width=0.12"});
+  Write("wrong.yaml", "effects: {excavator1: {boom: {dead_band: {width: 0.05}}}}\n");
+  const Outcome outcome =
+      Run({"diagnose", "boom.yaml", "real", "--effects", "wrong.yaml", "--out", "why"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("dead band 0.12"), HasSubstr("instead of 0.05")));
+  const auto json = nlohmann::json::parse(Read("why/diagnosis.json"));
+  ASSERT_EQ(json["findings"].size(), 1u);
+  const auto& width = json["findings"][0]["parameters"]["width"];
+  EXPECT_NEAR(width["value"].get<double>(), 0.12, 0.005);
+  EXPECT_EQ(width["instead_of"], 0.05);
+}
+
 TEST_F(DiagnoseCommand, SaysNothingOfARecordingThatIsAsItsScenario) {
   Record("real");
   const Outcome outcome = Run({"diagnose", "boom.yaml", "real", "--out", "why"});

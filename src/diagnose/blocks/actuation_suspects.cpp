@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
-#include "diagnose/blocks/mechanism_named.h"
+#include "diagnose/blocks/suspect_list.h"
 #include "physics/actuation_mechanisms.h"
 #include "physics/slots/actuation.h"
 
@@ -41,26 +40,7 @@ Reach ReachOf(const MachineModel& model, const AxisLog& log, std::size_t axis) {
   return reach;
 }
 
-class Suspects {
- public:
-  Suspects(std::string target, const Effects& present)
-      : target_(std::move(target)), present_(present) {}
-
-  void Add(std::string_view id, std::vector<FreeParameter> free,
-           std::vector<std::vector<double>> starts) {
-    if (FindEffect(present_, id)) return;
-    found_.push_back(
-        {&MechanismNamed(id, ActuationMechanisms()), target_, std::move(free), std::move(starts)});
-  }
-  std::vector<Suspect> Take() { return std::move(found_); }
-
- private:
-  std::string target_;
-  const Effects& present_;
-  std::vector<Suspect> found_;
-};
-
-void AddTimingAndMap(Suspects* out) {
+void AddTimingAndMap(SuspectList* out) {
   out->Add("command_delay", {{0, 0, 0.8}}, {{0.04}, {0.1}, {0.2}, {0.35}});
   out->Add("input_hold", {{0, 0.02, 0.6, true}, {1, 0, 1}},
            {{0.05, 0.0}, {0.1, 0.0}, {0.1, 0.5}, {0.2, 0.0}, {0.2, 0.33}, {0.2, 0.67}});
@@ -72,7 +52,7 @@ void AddTimingAndMap(Suspects* out) {
   out->Add("rate_gain", {{0, 0.3, 1.8}}, {{0.9}, {1.15}, {0.75}});
 }
 
-void AddActuator(const Reach& reach, Suspects* out) {
+void AddActuator(const Reach& reach, SuspectList* out) {
   const double w = reach.full_rate_radps;
   out->Add("actuator_lag", {{0, 0, 1.5}}, {{0.05}, {0.12}, {0.25}, {0.5}});
   out->Add("rate_limit", {{0, w / 5, w / 0.02, true}}, {{w / 0.1}, {w / 0.3}, {w / 1}});
@@ -83,7 +63,7 @@ void AddActuator(const Reach& reach, Suspects* out) {
   }
 }
 
-void AddGainAndLoad(const Reach& reach, Suspects* out) {
+void AddGainAndLoad(const Reach& reach, SuspectList* out) {
   const double low = reach.lowest_rad, high = reach.highest_rad;
   if (reach.has_cylinder && low < high) {
     out->Add("cylinder_lever", {{3, low, high}},
@@ -109,10 +89,11 @@ std::vector<Suspect> SuspectsOfAxis(const MachineModel& model, const AxisLog& lo
                                     std::size_t axis) {
   const std::size_t joints = model.joints.size();
   const Reach reach = ReachOf(model, log, axis);
-  Suspects out(
+  SuspectList out(
       reach.is_joint ? model.joints[axis].name : model.ground_tools.gears[axis - joints].name,
       reach.is_joint ? EffectsAt(model.effects.joints, axis)
-                     : EffectsAt(model.effects.gears, axis - joints));
+                     : EffectsAt(model.effects.gears, axis - joints),
+      ActuationMechanisms());
   AddTimingAndMap(&out);
   AddActuator(reach, &out);
   AddGainAndLoad(reach, &out);

@@ -11,7 +11,8 @@ namespace tera {
 
 /// The mechanisms of command_timing, lever_map, actuator, kinematic_gain and load_friction that the
 /// rate of a joint or gear can show, with bounds and starts by what the log holds: rates up to the
-/// axis's full one, loads up to the largest seen. Those that it has already are left out.
+/// axis's full one, loads up to the largest seen. What it has already is suspected of wrong
+/// numbers.
 ///
 /// Omits   friction and payload: a motor that asks for a rate gets it against both, so that they
 ///         show in no rate but through pressure_droop; command_drops, whose losses a replay does

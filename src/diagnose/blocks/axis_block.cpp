@@ -8,6 +8,7 @@
 
 #include "diagnose/blocks/actuation_suspects.h"
 #include "diagnose/blocks/sample_grid.h"
+#include "diagnose/blocks/suspect_list.h"
 #include "diagnose/replay/axis_replay.h"
 #include "diagnose/statistics/robust.h"
 #include "physics/slots/actuation.h"
@@ -176,9 +177,8 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   block.suspects = SuspectsOfAxis(model, log, axis);
   const LoneAxisReplay replay(model, log, measured);
   block.predict = [replay, grid](const Structure& terms) {
-    Effects added;
-    for (const Term& term : terms) added.push_back({term.suspect->mechanism, term.values});
-    return std::vector<std::vector<double>>{grid.Spread(replay.Predict(added))};
+    return std::vector<std::vector<double>>{
+        grid.Spread(replay.Predict(WithTerms(replay.effects(), terms)))};
   };
   return block;
 }

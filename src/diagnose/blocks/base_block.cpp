@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include "core/motion.h"
-#include "diagnose/blocks/mechanism_named.h"
 #include "diagnose/blocks/sample_grid.h"
+#include "diagnose/blocks/suspect_list.h"
 #include "diagnose/replay/base_replay.h"
 #include "physics/ground_mechanisms.h"
 
@@ -18,21 +17,15 @@ constexpr int kLags = 4;
 constexpr double kLongestLag_s = 0.5;
 
 std::vector<Suspect> SuspectsOf(const Effects& present) {
-  std::vector<Suspect> suspects;
-  const auto add = [&](std::string_view id, std::vector<FreeParameter> free,
-                       std::vector<std::vector<double>> starts) {
-    if (FindEffect(present, id)) return;
-    suspects.push_back(
-        {&MechanismNamed(id, GroundMechanisms()), "base", std::move(free), std::move(starts)});
-  };
-  add("track_scale", {{0, 0.7, 1.3}}, {{0.97}, {1.03}, {0.9}, {1.1}});
-  add("track_asymmetry", {{0, -0.3, 0.3}}, {{0.02}, {-0.02}, {0.08}, {-0.08}});
-  add("track_slip", {{0, -0.2, 0.7}}, {{0.04, 0, 0.7}, {0.12, 0, 0.7}, {0.3, 0, 0.7}});
-  add("slope_slip", {{0, -0.2, 0.5}, {1, -2, 2}}, {{0, 0.2}, {0, 0.6}, {0.1, 0.5}});
-  add("side_slip", {{0, -2, 2}}, {{0.1}, {0.4}, {-0.2}});
-  add("effective_gauge", {{0, 0.7, 3, true}}, {{1.1}, {1.4}, {1.8}, {0.9}});
-  add("icr_shift", {{0, -1.5, 1.5}, {1, -1, 1}}, {{0.1, 0}, {-0.1, 0}, {0.4, 0}, {0, 0.2}});
-  return suspects;
+  SuspectList out("base", present, GroundMechanisms());
+  out.Add("track_scale", {{0, 0.7, 1.3}}, {{0.97}, {1.03}, {0.9}, {1.1}});
+  out.Add("track_asymmetry", {{0, -0.3, 0.3}}, {{0.02}, {-0.02}, {0.08}, {-0.08}});
+  out.Add("track_slip", {{0, -0.2, 0.7}}, {{0.04, 0, 0.7}, {0.12, 0, 0.7}, {0.3, 0, 0.7}});
+  out.Add("slope_slip", {{0, -0.2, 0.5}, {1, -2, 2}}, {{0, 0.2}, {0, 0.6}, {0.1, 0.5}});
+  out.Add("side_slip", {{0, -2, 2}}, {{0.1}, {0.4}, {-0.2}});
+  out.Add("effective_gauge", {{0, 0.7, 3, true}}, {{1.1}, {1.4}, {1.8}, {0.9}});
+  out.Add("icr_shift", {{0, -1.5, 1.5}, {1, -1, 1}}, {{0.1, 0}, {-0.1, 0}, {0.4, 0}, {0, 0.2}});
+  return out.Take();
 }
 
 /// The base over the intervals: speeds of the sides by their gears, and slopes.
@@ -145,9 +138,8 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
   block.commands = {CommandOf(course.left_mps, grid), CommandOf(course.right_mps, grid)};
   block.suspects = SuspectsOf(model.effects.base);
   block.predict = [model, log, grid](const Structure& terms) {
-    Effects base = model.effects.base;
-    for (const Term& term : terms) base.push_back({term.suspect->mechanism, term.values});
-    const std::vector<PlanarTwist> twists = BaseReplay(model, log).Predict(base);
+    const std::vector<PlanarTwist> twists =
+        BaseReplay(model, log).Predict(WithTerms(model.effects.base, terms));
     return std::vector<std::vector<double>>{grid.Spread(PartOf(twists, &PlanarTwist::forward_mps)),
                                             grid.Spread(PartOf(twists, &PlanarTwist::left_mps)),
                                             grid.Spread(PartOf(twists, &PlanarTwist::yaw_radps))};

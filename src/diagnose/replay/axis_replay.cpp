@@ -83,11 +83,15 @@ LoneAxisReplay::LoneAxisReplay(const MachineModel& model, const AxisLog& log,
   model_.effects.gears.resize(model.gear_drives.size());
 }
 
-std::vector<double> LoneAxisReplay::Predict(const Effects& added) const {
+const Effects& LoneAxisReplay::effects() const {
+  const std::size_t joints = model_.joints.size();
+  return axis_ < joints ? model_.effects.joints[axis_] : model_.effects.gears[axis_ - joints];
+}
+
+std::vector<double> LoneAxisReplay::Predict(const Effects& effects) const {
   const std::size_t joints = model_.joints.size();
   MachineModel model = model_;
-  Effects& own = axis_ < joints ? model.effects.joints[axis_] : model.effects.gears[axis_ - joints];
-  own.insert(own.end(), added.begin(), added.end());
+  (axis_ < joints ? model.effects.joints[axis_] : model.effects.gears[axis_ - joints]) = effects;
   AxisActuation actuation = AxisActuationOf(model, axis_, {.machine = model.kind});
   const double full_nm = FullEffort_nm(model, axis_);
   double rate_radps = 0;

@@ -37,8 +37,11 @@ class LoneAxisReplay {
   /// far as they are needed.
   LoneAxisReplay(const MachineModel& model, const AxisLog& log, const MeasuredRate& measured);
 
-  /// Rates at the measured rate's times, with `added` to the axis's own effects.
-  std::vector<double> Predict(const Effects& added) const;
+  /// Rates at the measured rate's times, with `effects` in place of the axis's own.
+  std::vector<double> Predict(const Effects& effects) const;
+
+  /// What the axis has.
+  const Effects& effects() const;
 
  private:
   MachineModel model_;

@@ -49,11 +49,13 @@ Json RegimeOf(const Location& location) {
 }
 
 Json ParametersOf(const Finding& finding) {
+  const std::vector<double>& present = finding.term.suspect->present;
   Json map = Json::object();
   for (const ParameterEstimate& estimate : finding.parameters) {
     map[estimate.name] = {{"value", Number(estimate.value)},
                           {"sigma", Number(estimate.sigma)},
                           {"unit", estimate.unit}};
+    if (!present.empty()) map[estimate.name]["instead_of"] = Number(present[map.size() - 1]);
   }
   return map;
 }

@@ -56,7 +56,9 @@ std::string MechanismLine(const Finding& finding) {
     const double value = finding.term.values[i];
     const bool is_free = std::any_of(suspect.free.begin(), suspect.free.end(),
                                      [&](const FreeParameter& free) { return free.index == i; });
-    if (!is_free && parameter.otherwise && *parameter.otherwise == value) continue;
+    const bool has_already =
+        suspect.present.empty() ? parameter.otherwise == value : suspect.present[i] == value;
+    if (!is_free && has_already) continue;
     numbers.push_back(fmt::format("{}: {}", parameter.name, Value(value, parameter)));
   }
   return fmt::format("{}: {{{}}}", suspect.mechanism->id, fmt::join(numbers, ", "));

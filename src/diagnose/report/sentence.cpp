@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kSignificant = 0.05;
 constexpr std::size_t kRivalsTold = 2;
+constexpr int kPresentDigits = 4;
 
 std::string ChannelText(const DiagnosedBlock& diagnosed, std::size_t channel) {
   return Capitalised(QuantityOf(diagnosed.block.channels[channel].name));
@@ -103,6 +104,13 @@ bool GoesUnnamed(const Mechanism& mechanism, std::size_t index) {
   return index == 0 && required == 1 && !mechanism.parameters[0].otherwise;
 }
 
+/// " instead of 0.05", where the simulation has the mechanism already.
+std::string InsteadText(const Suspect& suspect, std::size_t index, const ReadableUnit& unit) {
+  if (suspect.present.empty()) return "";
+  return " instead of " +
+         WithUnit(Significant(suspect.present[index] * unit.factor, kPresentDigits), unit);
+}
+
 /// "dead band 0.18 ± 0.02, asymmetry 0.1 ± 0.05".
 std::string MechanismText(const DiagnosedBlock& diagnosed, const Finding& finding) {
   const Suspect& suspect = *finding.term.suspect;
@@ -117,7 +125,8 @@ std::string MechanismText(const DiagnosedBlock& diagnosed, const Finding& findin
     const ReadableUnit unit = ReadableUnitOf(estimate);
     std::optional<double> sigma = estimate.sigma;
     if (sigma) *sigma *= unit.factor;
-    const std::string number = WithUnit(WithSigma(estimate.value * unit.factor, sigma), unit);
+    const std::string number = WithUnit(WithSigma(estimate.value * unit.factor, sigma), unit) +
+                               InsteadText(suspect, free.index, unit);
     numbers.push_back(GoesUnnamed(*suspect.mechanism, free.index)
                           ? number
                           : WithoutUnit(estimate.name) + " " + number);

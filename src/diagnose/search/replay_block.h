@@ -31,6 +31,8 @@ struct Suspect {
   /// All of the mechanism's numbers, each list within the bounds of `free`; at least one. From
   /// faint to strong, so that they serve as a ladder of sizes as well.
   std::vector<std::vector<double>> starts;
+  /// The numbers that the model has of it already; none where it has not.
+  std::vector<double> present;
 };
 
 /// A suspect with its numbers, all of the mechanism's parameters.
@@ -69,8 +71,9 @@ struct ReplayBlock {
   std::vector<Channel> channels;  ///< at least one, all on one grid
   std::vector<Suspect> suspects;
   std::vector<Series> commands;  ///< on the grid: what tells manoeuvres apart
-  /// What each channel would have been, on the grid, were these terms at work beside what the model
-  /// has. Thread-safe, the same for the same terms in any order.
+  /// What each channel would have been, on the grid, were these terms at work, each in place of
+  /// what the model has of that mechanism, beside all else that it has. Thread-safe, the same for
+  /// the same terms in any order.
   std::function<std::vector<std::vector<double>>(const Structure&)> predict;
 
   std::size_t samples() const { return channels.front().measured.size(); }

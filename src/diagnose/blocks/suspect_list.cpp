@@ -1,0 +1,66 @@
+#include "diagnose/blocks/suspect_list.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/check.h"
+
+namespace tera {
+namespace {
+
+/// Changes of a mechanism's main number that a search begins with, as factors.
+constexpr double kChanges[] = {1.04, 0.96, 1.15, 0.87, 1.5, 0.67, 2.5, 0.4};
+
+/// Bounds that hold the present value; where it moves by ratios, the present value is none of
+/// nothing.
+FreeParameter Around(FreeParameter free, double present) {
+  if (free.logarithmic && present <= 0) return free;
+  free.lower = std::min(free.lower, present);
+  free.upper = std::max(free.upper, present);
+  return free;
+}
+
+std::vector<std::vector<double>> StartsFrom(const std::vector<double>& present,
+                                            const FreeParameter& main) {
+  std::vector<std::vector<double>> starts;
+  for (const double change : kChanges) {
+    std::vector<double> start = present;
+    start[main.index] = std::clamp(change * present[main.index], main.lower, main.upper);
+    if (start != present) starts.push_back(std::move(start));
+  }
+  return starts;
+}
+
+}  // namespace
+
+void SuspectList::Add(std::string_view id, std::vector<FreeParameter> free,
+                      std::vector<std::vector<double>> starts) {
+  const auto mechanism = std::find_if(library_.begin(), library_.end(),
+                                      [&](const Mechanism& m) { return m.id == id; });
+  TERA_CHECK(mechanism != library_.end(), id);
+  Suspect suspect{&*mechanism, target_, std::move(free), std::move(starts), {}};
+  if (const Effect* effect = FindEffect(present_, id)) {
+    suspect.present = effect->values;
+    for (FreeParameter& one : suspect.free) one = Around(one, suspect.present[one.index]);
+    auto near = StartsFrom(suspect.present, suspect.free.front());
+    suspect.starts.insert(suspect.starts.begin(), near.begin(), near.end());
+  }
+  found_.push_back(std::move(suspect));
+}
+
+Effects WithTerms(Effects present, const Structure& terms) {
+  for (const Term& term : terms) {
+    const Effect effect{term.suspect->mechanism, term.values};
+    const auto same = std::find_if(present.begin(), present.end(), [&](const Effect& one) {
+      return one.mechanism->id == effect.mechanism->id;
+    });
+    if (same == present.end()) {
+      present.push_back(effect);
+    } else {
+      *same = effect;
+    }
+  }
+  return present;
+}
+
+}  // namespace tera

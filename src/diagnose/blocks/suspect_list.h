@@ -1,0 +1,38 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnose/search/replay_block.h"
+
+namespace tera {
+
+/// Collects what may act on one target.
+///
+/// Model   a mechanism that the target has already is a suspect of wrong numbers: it is looked for
+///         from its present numbers, faint changes first, and from the ladder for a target without
+///         it; its bounds hold the present numbers.
+class SuspectList {
+ public:
+  /// The library must outlive the suspects.
+  SuspectList(std::string target, const Effects& present, std::span<const Mechanism> library)
+      : target_(std::move(target)), present_(present), library_(library) {}
+
+  /// `id` must be in the library; `starts` are for a target without it.
+  void Add(std::string_view id, std::vector<FreeParameter> free,
+           std::vector<std::vector<double>> starts);
+  std::vector<Suspect> Take() { return std::move(found_); }
+
+ private:
+  std::string target_;
+  Effects present_;
+  std::span<const Mechanism> library_;
+  std::vector<Suspect> found_;
+};
+
+/// The effects of a target with those of `terms`, each in place of what it has of that mechanism.
+Effects WithTerms(Effects present, const Structure& terms);
+
+}  // namespace tera
