@@ -30,21 +30,25 @@ class Wedges {
         sin_contact_(std::sin(in.rake_rad + in.tool_friction_rad)),
         tan_friction_(std::tan(in.friction_rad)),
         tan_slope_(std::tan(in.slope_rad)),
+        rise_(1 + tan_slope_ * cot_rake_),
         at_rest_(1 - std::sin(in.friction_rad)) {}  // Jaky
 
   CuttingFactors FactorsAt(double tan_wedge) const {
     const double slip = (1 - tan_wedge * tan_friction_) / (tan_wedge + tan_friction_);  // cotangent
     const double D = cos_contact_ + sin_contact_ * slip;
-    // The slip plane comes out where it meets a surface that rises by the slope.
-    const double ahead = 1 / (tan_wedge - tan_slope_);
+    const double ahead = Ahead(tan_wedge);
     CuttingFactors n;
-    n.n_q = (cot_rake_ + ahead) / D;
+    n.n_q = (cot_rake_ / rise_ + ahead) / D;
     n.n_gamma = 0.5 * n.n_q;
     n.n_c = (tan_wedge + slip) * ahead / D;
-    n.n_a = (1 - cot_rake_ * slip) / D;
-    n.inertia = (tan_wedge + slip) / (1 + tan_wedge * cot_rake_) / D;
+    n.n_a = (1 - cot_rake_ * slip) / rise_ / D;
+    n.inertia = (tan_wedge + slip) * rise_ / (1 + tan_wedge * cot_rake_) / D;
     return n;
   }
+
+  /// Of the level ahead of the edge, how much the wedge lifts: the slip plane comes out where it
+  /// meets a surface that rises by the slope.
+  double Ahead(double tan_wedge) const { return 1 / (tan_wedge - tan_slope_); }
 
   /// P, cohesion of the flanks included.
   double ForceAt_n(double wedge_rad) const {
@@ -53,11 +57,12 @@ class Wedges {
     const double d = in_.depth_m;
     double cohesive_npm = in_.cohesion_pa * d;
     if (in_.flank_share > 0) {
-      const double area_m2 = 0.5 * d * d / tan_wedge;
+      const double ahead = Ahead(tan_wedge);
+      const double area_m2 = 0.5 * d * d * ahead;
       const double shear_n = 2 * in_.flank_share * area_m2 *
                              (in_.cohesion_pa + at_rest_ * weight_npm3_ * d / 3 * tan_friction_);
-      // N_c counts c over the slip plane of length d / sin(beta).
-      cohesive_npm += shear_n * tan_wedge / std::sqrt(1 + tan_wedge * tan_wedge) / in_.width_m;
+      // N_c counts c over the slip plane, whose level part is `ahead` times the depth.
+      cohesive_npm += shear_n / (ahead * std::sqrt(1 + tan_wedge * tan_wedge)) / in_.width_m;
     }
     return in_.width_m * (weight_npm3_ * d * d * n.n_gamma + cohesive_npm * n.n_c +
                           in_.adhesion_pa * d * n.n_a + in_.surcharge_pa * d * n.n_q +
@@ -66,7 +71,9 @@ class Wedges {
 
  private:
   const CuttingInput& in_;
-  double weight_npm3_, cot_rake_, cos_contact_, sin_contact_, tan_friction_, tan_slope_, at_rest_;
+  double weight_npm3_, cot_rake_, cos_contact_, sin_contact_, tan_friction_, tan_slope_;
+  double rise_;  ///< depth at the edge over the height of the blade up to the surface
+  double at_rest_;
 };
 
 }  // namespace
@@ -81,11 +88,13 @@ CuttingForce Cut(const CuttingInput& input) {
   CuttingForce result;
   if (input.depth_m <= 0) return result;
   CuttingInput in = input;
-  double low = std::max(0.0, in.slope_rad) + 4 * kMargin_rad;
+  double low = std::max(in.slope_rad, -in.friction_rad) + 4 * kMargin_rad;
   const double leans_to = kPi - in.tool_friction_rad - in.friction_rad - kMargin_rad;
+  // A blade comes out of falling ground behind its edge where it is steeper than the ground.
+  const double least_rad = kLeastRake_rad + std::max(0.0, -in.slope_rad);
   const double steepest =
-      std::max(kLeastRake_rad, std::min(kSteepestRake_rad, leans_to - low - kLeastRange_rad));
-  in.rake_rad = std::clamp(in.rake_rad, kLeastRake_rad, steepest);
+      std::max(least_rad, std::min(kSteepestRake_rad, leans_to - low - kLeastRange_rad));
+  in.rake_rad = std::clamp(in.rake_rad, least_rad, steepest);
   double high =
       std::max(low + kMargin_rad, std::min(kPi / 2 - kMargin_rad, leans_to - in.rake_rad));
   const Wedges wedges(in);
@@ -106,7 +115,7 @@ CuttingForce Cut(const CuttingInput& input) {
   result.total_n = std::max(0.0, wedges.ForceAt_n(result.wedge_rad));
   result.draft_n = result.total_n * std::sin(in.rake_rad + in.tool_friction_rad);
   result.vertical_n = result.total_n * std::cos(in.rake_rad + in.tool_friction_rad);
-  result.wedge_length_m = in.depth_m * Cot(result.wedge_rad);
+  result.wedge_length_m = in.depth_m * wedges.Ahead(std::tan(result.wedge_rad));
   return result;
 }
 

@@ -4,42 +4,47 @@
 ///
 /// Model   The wedge between blade and the slip plane is in limit equilibrium:
 ///         P = w (rho g d^2 N_gamma + c d N_c + c_a d N_a + q d N_q) + inertia, with the slip
-///         plane's angle beta that makes P least. On ground that rises ahead by `slope_rad` the
-///         wedge is larger. Shear on the wedge's two flanks is added to the slip plane's cohesion.
+///         plane's angle beta that makes P least. All angles are from the level, gravity is
+///         upright, and `depth_m` is the surface's height above the edge: on ground that rises
+///         ahead by `slope_rad` the slip plane comes out d / (tan beta - tan slope) ahead, and the
+///         wedge, its slip plane and the blade in the ground are as large as that makes them. Of
+///         the soil on the blade, behind the upright line through the edge, all weight is counted
+///         (Luengo's swept volume). Shear on the wedge's two flanks is added to the slip plane's
+///         cohesion.
 /// Omits   bent blades, the rest of the tool, three-dimensional wedges beyond the flanks' shear.
 /// Source  Reece 1964; McKyes 1985, Soil Cutting and Tillage; slope after Luengo, Singh and Cannon
-///         1998.
+///         1998, which measures angles from the surface and turns gravity in them: the same force.
 
 namespace tera {
 
 struct CuttingInput {
   double width_m = 1;
-  double depth_m = 0;
-  double rake_rad = 0;  ///< between blade and ground, 90 deg is upright
+  double depth_m = 0;   ///< upright, from the surface to the edge
+  double rake_rad = 0;  ///< between blade and level, 90 deg is upright
   double density_kgpm3 = 0;
   double friction_rad = 0;
   double tool_friction_rad = 0;
   double cohesion_pa = 0;
   double adhesion_pa = 0;
   double surcharge_pa = 0;
-  double speed_mps = 0;
+  double speed_mps = 0;  ///< over ground, its level part
   double slope_rad = 0;  ///< the ground rises ahead
   double flank_share =
       0;  ///< of the two flanks' shear: 1 for a whole tool, 1/n for one of n strips
 };
 
 struct CuttingFactors {
-  double wedge_rad = 0;  ///< beta, between slip plane and ground
+  double wedge_rad = 0;  ///< beta, between slip plane and level
   double n_gamma = 0, n_c = 0, n_a = 0, n_q = 0;
   double inertia = 0;  ///< force per rho v^2 w d
 };
 
 struct CuttingForce {
   double total_n = 0;     ///< P
-  double draft_n = 0;     ///< along the travel, against the tool
+  double draft_n = 0;     ///< level, against the tool's travel
   double vertical_n = 0;  ///< positive pulls the tool in
   double wedge_rad = 0;
-  double wedge_length_m = 0;  ///< of ground that the wedge lifts ahead of the edge
+  double wedge_length_m = 0;  ///< of ground, seen from above, that the wedge lifts ahead
 };
 
 /// Factors at a given wedge angle; valid while rake + tool friction + wedge + friction < 180 deg.

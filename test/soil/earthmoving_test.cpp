@@ -85,6 +85,45 @@ TEST(Earthmoving, GrowsWithDepthSlopeSpeedCohesionAndSurcharge) {
   EXPECT_EQ(with([](auto* in) { in->depth_m = 0; }), 0);
 }
 
+// Coulomb's passive pressure of ground that rises by i behind a smooth upright wall,
+// K_p = cos^2 phi / (1 - sqrt(sin phi sin(phi + i) / cos i))^2 (Das, Principles of Foundation
+// Engineering, ch. 7), worked by hand for phi = 30 deg.
+TEST(Earthmoving, ASmoothUprightBladeOnASlopeMeetsCoulombsPassivePressure) {
+  const std::array<std::array<double, 2>, 4> table = {
+      {{-20, 1.548}, {-10, 2.204}, {10, 4.081}, {20, 5.737}}};
+  for (const auto& [slope_deg, k_p] : table) {
+    CuttingInput in = UprightFrictionless(30);
+    in.slope_rad = slope_deg * kDeg;
+    EXPECT_NEAR(Cut(in).total_n / (k_p / 2 * 1600 * kStandardGravity_mps2), 1, 0.002) << slope_deg;
+  }
+}
+
+// Luengo, Singh and Cannon's form in the frame of the surface: N_w = (cot beta - tan a)
+// (cos a + sin a cot(beta + phi)) / 2D of the wedge ahead of the upright through the edge, N_c of
+// its slip plane, and the swept volume on the blade. Worked by a program of its own for 1 m of
+// width, 0.3 m below the surface; sand: phi 39, delta 19.5 deg, 1474 kg/m^3; dirt: phi 40, delta 20
+// deg and c = 2100 Pa.
+TEST(Earthmoving, SlopesAreLuengos) {
+  struct Case {
+    double cohesion_pa, rake_deg, slope_deg, expected_n;
+  };
+  const Case cases[] = {{0, 40, -20, 2002},    {0, 40, 0, 2257},      {0, 40, 20, 2538},
+                        {0, 60, -20, 1597},    {0, 60, -10, 2091},    {0, 60, 10, 3410},
+                        {0, 60, 20, 4494},     {2100, 40, -20, 3040}, {2100, 40, 20, 4468},
+                        {2100, 60, -10, 3662}, {2100, 60, 20, 8714}};
+  for (const Case& c : cases) {
+    CuttingInput in;
+    in.depth_m = 0.3;
+    in.density_kgpm3 = 1474;
+    in.cohesion_pa = c.cohesion_pa;
+    in.friction_rad = (c.cohesion_pa > 0 ? 40 : 39) * kDeg;
+    in.tool_friction_rad = in.friction_rad / 2;
+    in.rake_rad = c.rake_deg * kDeg;
+    in.slope_rad = c.slope_deg * kDeg;
+    EXPECT_NEAR(Cut(in).total_n / c.expected_n, 1, 0.002) << c.rake_deg << ' ' << c.slope_deg;
+  }
+}
+
 // Where tool, slope and friction leave no room for a wedge, the force must not run off to the pole
 // of the wedge's equilibrium: it is a continuous function of the rake, so that a small step of the
 // rake makes a small step of the force.
