@@ -5,7 +5,6 @@
 
 #include "core/units.h"
 #include "soil/earthmoving.h"
-#include "soil/soil_type.h"
 
 namespace tera {
 namespace {
@@ -15,8 +14,9 @@ constexpr double kLookAhead_m = 0.30;       ///< over which the ground's slope a
 constexpr double kNearAhead_cells = 1.5;    ///< where the depth is measured: past the cut itself
 constexpr double kLeastLevelMouth = 0.1;    ///< a mouth that looks more up or down than this
 constexpr double kLeastLevel = 1e-6;        ///< no direction below it
+/// Of the surface ahead. What is steeper is a step, at whose top or foot the slope ends: the wedge,
+/// which comes out of a plane, would not.
 constexpr double kSteepestSlope_rad = 25 * kDeg;
-constexpr double kFullPierceDepth_m = 0.5, kPierceAtSurface = 0.1;
 constexpr double kDeadLoad = 0.8;         ///< of the capacity: from here soil separates along it
 constexpr double kLeastSpeed_mps = 1e-4;  ///< slower edges keep their elastic travel
 
@@ -28,12 +28,6 @@ std::optional<Vec3> CutDirection(const ShovelShape& shape, const Mat3& R_WB) {
   if (travel_W.norm() < kLeastLevelMouth) travel_W = level(R_WB * shape.edge_direction_B());
   if (travel_W.norm() < kLeastLevel) return std::nullopt;
   return travel_W.normalized();
-}
-
-/// Share of the full resistance against piercing at a depth; none above the ground.
-double PierceShare(double depth_m) {
-  if (depth_m <= 0) return 0;
-  return kPierceAtSurface + (1 - kPierceAtSurface) * std::min(1.0, depth_m / kFullPierceDepth_m);
 }
 
 }  // namespace
@@ -54,14 +48,7 @@ struct CuttingEdge::Plane {
 };
 
 CuttingEdge::CuttingEdge(const Shovel& shovel, const std::vector<SoilType>& soils)
-    : shovel_(shovel) {
-  for (SoilType soil : soils) {
-    pierced_pa_.push_back(BearingPressure_pa(soil, shovel.edge_thickness_m, kFullPierceDepth_m));
-    soil.cohesion_pa = 0;
-    pierced_loose_pa_.push_back(
-        BearingPressure_pa(soil, shovel.edge_thickness_m, kFullPierceDepth_m));
-  }
-}
+    : shovel_(shovel), piercing_(soils, shovel.edge_thickness_m) {}
 
 std::array<CuttingEdge::Strip, CuttingEdge::kStrips> CuttingEdge::Strips(
     const ShovelShape& shape, const BodyState& body, const Vec3& travel_W,
@@ -75,11 +62,15 @@ std::array<CuttingEdge::Strip, CuttingEdge::kStrips> CuttingEdge::Strips(
     const Vec2 near = (strip.p_W + near_m * travel_W).head<2>();
     const Vec2 far = (strip.p_W + kLookAhead_m * travel_W).head<2>();
     const double z_near = ground->HeightAt(near.x(), near.y());
-    strip.depth_m = std::clamp(z_near - strip.p_W.z(), 0.0, shape.radius_m());
-    if (strip.depth_m <= 0) continue;
+    strip.depth_m = 0;
+    if (z_near <= strip.p_W.z()) continue;
     const double z_far = ground->HeightAt(far.x(), far.y());
     strip.slope_rad = std::clamp(std::atan2(z_far - z_near, kLookAhead_m - near_m),
                                  -kSteepestSlope_rad, kSteepestSlope_rad);
+    // The surface that was above the edge before it cut.
+    const double z_above = z_near - near_m * std::tan(strip.slope_rad);
+    strip.depth_m = std::clamp(z_above - strip.p_W.z(), 0.0, shape.radius_m());
+    if (strip.depth_m <= 0) continue;
     const int i = std::clamp(ground->NearestI(near.x()), 0, ground->nx() - 1);
     const int j = std::clamp(ground->NearestJ(near.y()), 0, ground->ny() - 1);
     strip.soil = SoilAbove(ground->Touch(i, j), strip.p_W.z(), *ground, soils);
@@ -104,15 +95,11 @@ CuttingEdge::Plane CuttingEdge::CutPlane(const ShovelShape& shape, const Mat3& R
 /// Force of the ground that a strip cuts, when it has failed.
 Vec3 CuttingEdge::CuttingForceOn(const Strip& strip, const Vec3& travel_W, const Plane& plane,
                                  double speed_mps) const {
-  // Rake in the ground's own slope.
-  const Vec3 along_W =
-      std::cos(strip.slope_rad) * travel_W + std::sin(strip.slope_rad) * Vec3::UnitZ();
-  const Vec3 up_W =
-      std::cos(strip.slope_rad) * Vec3::UnitZ() - std::sin(strip.slope_rad) * travel_W;
   CuttingInput in;
   in.width_m = shovel_.width_m / kStrips;
-  in.depth_m = strip.depth_m * std::cos(strip.slope_rad);
-  in.rake_rad = std::max(0.0, std::atan2(plane.up_W.dot(up_W), -plane.up_W.dot(along_W)));
+  in.depth_m = strip.depth_m;
+  in.slope_rad = strip.slope_rad;
+  in.rake_rad = std::max(0.0, std::atan2(plane.up_W.z(), -plane.up_W.dot(travel_W)));
   in.density_kgpm3 = strip.soil.density_kgpm3;
   in.friction_rad = strip.soil.friction_rad;
   in.tool_friction_rad = strip.soil.tool_friction_rad +
@@ -127,7 +114,7 @@ Vec3 CuttingEdge::CuttingForceOn(const Strip& strip, const Vec3& travel_W, const
     in.surcharge_pa = plane.surcharge_npm / std::max(cut.wedge_length_m, plane.surcharge_over_m);
     cut = Cut(in);
   }
-  return -(cut.draft_n * along_W + cut.vertical_n * up_W);
+  return -(cut.draft_n * travel_W + cut.vertical_n * Vec3::UnitZ());
 }
 
 /// Resistance of a strip's ground to being pierced along the floor.
@@ -137,11 +124,8 @@ double CuttingEdge::PiercingForceOn_n(const Strip& strip, double sine_down) cons
   const double tooth_area_m2 = shovel_.teeth * shovel_.tooth_width_m * shovel_.tooth_thickness_m;
   const double edge_behind_m =
       shovel_.teeth > 0 ? shovel_.tooth_length_m * std::max(0.0, sine_down) : 0.0;
-  const double full_pa =
-      (strip.soil.edge_in_loose ? pierced_loose_pa_ : pierced_pa_)[strip.soil.at_edge];
-  return full_pa *
-         (tooth_area_m2 * PierceShare(strip.depth_m) +
-          edge_area_m2 * PierceShare(strip.depth_m - edge_behind_m)) /
+  return (tooth_area_m2 * piercing_.Pressure_pa(strip.soil, strip.depth_m) +
+          edge_area_m2 * piercing_.Pressure_pa(strip.soil, strip.depth_m - edge_behind_m)) /
          kStrips;
 }
 

@@ -7,6 +7,7 @@
 #include "core/ground_tools.h"
 #include "soil/columns.h"
 #include "soil/cut_soil.h"
+#include "soil/piercing.h"
 #include "soil/shovel_shape.h"
 
 namespace tera {
@@ -15,19 +16,17 @@ namespace tera {
 ///
 /// Frames  W; B frame of the shovel's link.
 /// Model   The fundamental earthmoving equation for each of several strips of the edge, with its
-///         own depth, ground slope and speed, the soil that it cuts through (CutSoil), the carried
-///         soil's surcharge, and its share of the flanks' shear. Edge and teeth, which run ahead of
-///         it by their length, pierce the soil that they meet: 10 % of its bearing pressure at 0.5
-///         m at the surface, all of it from 0.5 m on. Once the carried soil fills 0.8 of the struck
-///         capacity the soil separates along it instead of the floor: the plane that cuts turns
-///         towards the mouth until the bucket is full, and soil rubs on soil. What comes in pushes
-///         the carried soil up the floor, against its friction there and on the side walls (at-rest
-///         pressure).
-///         All builds up over a few millimetres of travel (soil is elastic before it fails), so
-///         that it holds at rest; no strip is ever driven on.
-/// Omits   resistance of side cutters, layers of which only one gives way.
-/// Source  see earthmoving.h; penetration and secondary separation as in Algoryx's terrain
-/// material.
+///         own depth, speed and slope of the ground ahead (up to 25 deg either way), the soil that
+///         it cuts through (CutSoil), the carried soil's surcharge, and its share of the flanks'
+///         shear. Edge and teeth, which run ahead of it by their length, pierce the soil that they
+///         meet (Piercing). Once the carried soil fills 0.8 of the struck capacity the soil
+///         separates along it instead of the floor: the plane that cuts turns towards the mouth
+///         until the bucket is full, and soil rubs on soil. What comes in pushes the carried soil
+///         up the floor, against its friction there and on the side walls (at-rest pressure). All
+///         builds up over a few millimetres of travel (soil is elastic before it fails), so that it
+///         holds at rest; no strip is ever driven on.
+/// Omits   side cutters, layers of which only one gives way, slopes across the travel.
+/// Source  see earthmoving.h; secondary separation as in Algoryx's terrain material.
 class CuttingEdge {
  public:
   /// `soils` are those of the ground, as the machine meets them.
@@ -56,7 +55,7 @@ class CuttingEdge {
   double PiercingForceOn_n(const Strip& strip, double sine_down) const;
 
   Shovel shovel_;
-  std::vector<double> pierced_pa_, pierced_loose_pa_;  ///< of each soil, at full depth
+  Piercing piercing_;
   double cut_travel_m_ = 0;     ///< elastic travel of the edge in its cutting direction
   double pierce_travel_m_ = 0;  ///< elastic travel of edge and teeth along the floor
 };

@@ -1,6 +1,7 @@
 #include "soil/digging.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -17,6 +18,7 @@ constexpr double kShellWidth_m = 0.10;      ///< width of the loaded strip for t
 constexpr double kLeastDownward = 0.35;     ///< parts of the shell facing further up carry nothing
 constexpr double kShellDampingRatio = 0.2;  ///< of critical for the mass that the pressure carries
 constexpr double kSlideSpeed_mps = 0.10;    ///< shell friction is proportional to speed below it
+constexpr double kBeside_cells = 2;         ///< where the ground beside the shovel is looked at
 constexpr double kNear_m = 0.3;             ///< a shovel this close to the ground holds soil back
 constexpr double kLeastSpeed_mps = 1e-4;    ///< no direction below it
 // Soil pushed aside.
@@ -26,6 +28,7 @@ constexpr double kThickest_m = 0.02;  ///< and at most this
 constexpr int kLongestRoll = 60;      ///< columns
 // Carried soil.
 constexpr double kSpillTime_s = 0.25;   ///< time constant at which what cannot stay leaves
+constexpr double kStuckClod_m = 0.025;  ///< thickest layer that hangs on the shell: an estimate
 constexpr double kBeforeLip_cells = 2;  ///< where the ground before the mouth is looked at
 constexpr double kShut_m = 0.05;        ///< ground this far above the lip shuts the mouth
 constexpr double kMouthDown = -0.7;     ///< z of a mouth that looks down
@@ -43,14 +46,23 @@ Vec2 Level(const Vec3& v_W) {
 }  // namespace
 
 Digging::Digging(const Shovel& shovel, std::vector<SoilType> soils)
-    : shovel_(shovel), shape_(shovel), edge_(shovel, soils), soils_(std::move(soils)) {
+    : shovel_(shovel),
+      shape_(shovel),
+      edge_(shovel, soils),
+      walls_(shovel, soils),
+      soils_(std::move(soils)) {
   for (SoilType soil : soils_) {
     heaped_m3_ = std::max(heaped_m3_,
                           shape_.HoldFor(shape_.LevelUp_B(), soil.repose_angle_rad, 0).volume_m3);
-    bearing_pa_.push_back(BearingPressure_pa(soil, kShellWidth_m, 0));
+    bearing_.push_back(BearingOf(soil));
     soil.cohesion_pa = 0;
-    bearing_loose_pa_.push_back(BearingPressure_pa(soil, kShellWidth_m, 0));
+    bearing_loose_.push_back(BearingOf(soil));
   }
+}
+
+Digging::Bearing Digging::BearingOf(const SoilType& soil) const {
+  const double at_surface_pa = BearingPressure_pa(soil, kShellWidth_m, 0);
+  return {at_surface_pa, BearingPressure_pa(soil, kShellWidth_m, 1) - at_surface_pa};
 }
 
 bool Digging::InFootprint(int i, int j) const {
@@ -150,6 +162,30 @@ bool Digging::RollsOn(double repose_rad, const Columns& ground, Place* at) const
   return at->i != from.i || at->j != from.j;
 }
 
+/// The ground on the side of the shovel where it lies lowest, which is where it gives way.
+double Digging::LowestBeside_m(const BodyState& body, const Columns& ground) const {
+  constexpr std::array<double, 3> kAt = {-0.4, 0.0, 0.4};  // along a side, of its length
+  const Vec3 up_B = body.X_WB.linear().transpose() * Vec3::UnitZ();
+  const ShovelShape::LevelExtent extent = shape_.ExtentAcross(up_B);
+  const double off_m = kBeside_cells * ground.cell_m();
+  const double half_x = 0.5 * (extent.to_m - extent.from_m), half_y = 0.5 * shovel_.width_m;
+  const auto surface_m = [&](double x, double y) {  // from the shovel's middle
+    const Vec2 p = (extent.from_m + half_x + x) * extent.right;
+    const Vec3 p_W = body.X_WB * Vec3(p.x(), y, p.y());
+    return ground.HeightAt(p_W.x(), p_W.y());
+  };
+  double lowest_m = std::numeric_limits<double>::infinity();
+  for (const double side : {-1.0, 1.0}) {
+    double across_m = 0, along_m = 0;
+    for (const double at : kAt) {
+      across_m += surface_m(side * (half_x + off_m), at * 2 * half_y) / kAt.size();
+      along_m += surface_m(at * 2 * half_x, side * (half_y + off_m)) / kAt.size();
+    }
+    lowest_m = std::min({lowest_m, across_m, along_m});
+  }
+  return lowest_m;
+}
+
 /// Whether the shell bears on the ground in a column, which then keeps `keep_m` above the shell's
 /// lowest point.
 bool Digging::PressShell(const BodyState& body, const Swept& swept, double dt_s, bool may_enter,
@@ -166,7 +202,8 @@ bool Digging::PressShell(const BodyState& body, const Swept& swept, double dt_s,
   if (may_enter && overlap_m > kElasticDepth_m + 2 * advance_m) return false;
   *keep_m = std::min(overlap_m, kElasticDepth_m);
   const std::uint8_t soil = ground->soil_at(k);
-  const double bearing_pa = (ground->at(k).is_loose() ? bearing_loose_pa_ : bearing_pa_)[soil];
+  const double bearing_pa = (ground->at(k).is_loose() ? bearing_loose_ : bearing_)[soil].At_pa(
+      std::max(0.0, beside_m_ - swept.crossing.low_m));
   const double elastic_pa = bearing_pa * *keep_m / kElasticDepth_m;
   const double damping =
       2 * kShellDampingRatio *
@@ -175,8 +212,10 @@ bool Digging::PressShell(const BodyState& body, const Swept& swept, double dt_s,
       elastic_pa + std::clamp(damping * v_in_mps, -elastic_pa, 0.5 * elastic_pa);
   const double normal_n = pressure_pa * ground->area_m2() / -n_W.z();
   const Vec3 slide_W = v_W - v_in_mps * n_W;
-  const Vec3 friction_W = -std::tan(soils_[soil].soil_tool_friction_rad) * normal_n * slide_W /
-                          std::max(slide_W.norm(), kSlideSpeed_mps);
+  const double friction_rad = swept.crossing.through_mouth ? soils_[soil].friction_angle_rad
+                                                           : soils_[soil].soil_tool_friction_rad;
+  const Vec3 friction_W =
+      -std::tan(friction_rad) * normal_n * slide_W / std::max(slide_W.norm(), kSlideSpeed_mps);
   wrench->AddForceAt(-normal_n * n_W + friction_W, p_W, body.X_WB.translation());
   return true;
 }
@@ -198,6 +237,7 @@ void Digging::CutFootprint(const BodyState& body, double dt_s, Columns* ground, 
   const Vec3 mouth_W = body.X_WB.linear() * shape_.mouth_normal_B();
   const bool carries = shovel_.capacity_m3 > 0;
   double room_m3 = heaped_m3_ - carried_.volume_m3();
+  if (!footprint_.empty()) beside_m_ = LowestBeside_m(body, *ground);
   for (const Swept& swept : footprint_) {
     const ColumnId k = ground->Touch(swept.i, swept.j);
     const Vec3 p_W(ground->x_m(swept.i), ground->y_m(swept.j), swept.crossing.low_m);
@@ -205,7 +245,9 @@ void Digging::CutFootprint(const BodyState& body, double dt_s, Columns* ground, 
     const bool open = carries && swept.crossing.through_mouth;
     const bool enters = carries && (open || v_W.dot(mouth_W) > 0);
     double keep_m = 0;
-    const bool bears = !open && PressShell(body, swept, dt_s, enters, ground, &keep_m, wrench);
+    const bool is_full = open && room_m3 <= 0;
+    const bool bears = (!open || is_full) &&
+                       PressShell(body, swept, dt_s, enters && !is_full, ground, &keep_m, wrench);
     if (ground->at(k).top_m - swept.crossing.low_m <= keep_m) continue;
     SpoilMix cut;
     ground->Cut(k, swept.crossing.low_m + keep_m, &cut);
@@ -247,9 +289,22 @@ double Digging::Holds_m3(const Vec3& up_B) const {
   const double carried_m3 = carried_.volume_m3();
   const double heap_m3 = shape_.HoldFor(up_B, soil.repose_angle_rad, carried_m3).volume_m3;
   const double weight_npm3 = kStandardGravity_mps2 * carried_.mass_kg() / carried_m3;
-  const double layer_m = std::min(soil.adhesion_pa, soil.cohesion_pa) / weight_npm3;
+  // Clods that have been dug no longer hold together: those alone hang that touch the shell.
+  const double layer_m =
+      std::min(std::min(soil.adhesion_pa, soil.cohesion_pa) / weight_npm3, kStuckClod_m);
   const double touched = Clamp01(fullest_m3_ / shovel_.capacity_m3);
   return std::max(heap_m3, std::min(layer_m * shape_.inside_m2() * touched, shovel_.capacity_m3));
+}
+
+/// Over the edge, the spaces between the teeth take turns; the outer teeth stand flush with the
+/// side walls.
+Digging::Gap Digging::NextGap(bool over_the_edge) {
+  const double half_m = 0.5 * shovel_.width_m;
+  if (!over_the_edge || shovel_.teeth < 2) return {-half_m, half_m};
+  const int gaps = shovel_.teeth - 1;
+  const double pitch_m = (shovel_.width_m - shovel_.tooth_width_m) / gaps;
+  const double tooth_m = -half_m + pitch_m * static_cast<double>(spilt_++ % gaps);
+  return {tooth_m + shovel_.tooth_width_m, tooth_m + pitch_m};
 }
 
 void Digging::Spill(const BodyState& body, double dt_s, Columns* ground, Grains* grains) {
@@ -272,13 +327,13 @@ void Digging::Spill(const BodyState& body, double dt_s, Columns* ground, Grains*
   const bool last = carried_m3 - spilling_m3_ < clod_m3 && holds_m3 < clod_m3;
   const double leaves_m3 = last ? carried_m3 : std::min(spilling_m3_, excess_m3);
   spilling_m3_ = 0;
-  // Just beyond the lip, anywhere over the shovel's width.
+  // Just beyond the lip.
   const Vec2 out = Level(R_WB * shape_.mouth_normal_B());
   const Vec3 out_W = ground->cell_m() * Vec3(out.x(), out.y(), 0);
-  const double half_m = 0.5 * shovel_.width_m;
+  const Gap gap = NextGap(shape_.IsOverEdge(up_B));
   grains->Pour(carried_.Take(last ? 1.0 : leaves_m3 / carried_m3),
-               body.X_WB * Vec3(lip_B.x(), -half_m, lip_B.z()) + out_W,
-               body.X_WB * Vec3(lip_B.x(), half_m, lip_B.z()) + out_W, PointVelocity(body, lip_B),
+               body.X_WB * Vec3(lip_B.x(), gap.from_m, lip_B.z()) + out_W,
+               body.X_WB * Vec3(lip_B.x(), gap.to_m, lip_B.z()) + out_W, PointVelocity(body, lip_B),
                ground);
 }
 
@@ -289,6 +344,13 @@ Digging::Result Digging::Act(const BodyState& body, double dt_s, Columns* ground
   result.wrench =
       edge_.Act(shape_, body, {carried_.mass_kg(), carried_.volume_m3(), carried_.main_soil()},
                 dt_s, soils_, ground);
+  if (footprint_.empty()) {
+    walls_.Release();
+  } else {
+    const Wrench walls = walls_.Act(shape_, body, dt_s, soils_, ground);
+    result.wrench.force_W_n += walls.force_W_n;
+    result.wrench.torque_W_nm += walls.torque_W_nm;
+  }
   CutFootprint(body, dt_s, ground, &result.wrench);
   Spill(body, dt_s, ground, grains);
   result.load.soil_kg.resize(soils_.size());

@@ -97,10 +97,28 @@ Vec3 ShovelShape::LevelUp_B() const {
   return up.dot(mouth_normal_B_) > 0 ? Vec3(up.normalized()) : Vec3(-up.normalized());
 }
 
-Vec3 ShovelShape::LowerLip_B(const Vec3& up_B) const {
+bool ShovelShape::IsOverEdge(const Vec3& up_B) const {
   const Vec2 up(up_B.x(), up_B.z());
-  const Vec2 lip = held_.front().dot(up) <= held_.back().dot(up) ? held_.front() : held_.back();
+  return held_.front().dot(up) <= held_.back().dot(up);
+}
+
+Vec3 ShovelShape::LowerLip_B(const Vec3& up_B) const {
+  const Vec2 lip = IsOverEdge(up_B) ? held_.front() : held_.back();
   return Vec3(lip.x(), 0, lip.y());
+}
+
+ShovelShape::LevelExtent ShovelShape::ExtentAcross(const Vec3& up_B) const {
+  Vec2 up(up_B.x(), up_B.z());
+  up = up.norm() > kTiny ? Vec2(up.normalized()) : Vec2(Vec2::UnitY());
+  LevelExtent extent{.right = Vec2(up.y(), -up.x()),
+                     .up = up,
+                     .from_m = std::numeric_limits<double>::infinity(),
+                     .to_m = -std::numeric_limits<double>::infinity()};
+  for (const Vec2& p : profile_) {
+    extent.from_m = std::min(extent.from_m, p.dot(extent.right));
+    extent.to_m = std::max(extent.to_m, p.dot(extent.right));
+  }
+  return extent;
 }
 
 std::optional<ShovelShape::Crossing> ShovelShape::VerticalCrossing(const Pose& X_WB, double x_m,

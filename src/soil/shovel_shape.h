@@ -36,6 +36,8 @@ class ShovelShape {
 
   /// Middle of the lip that soil leaves over when `up_B` is up.
   Vec3 LowerLip_B(const Vec3& up_B) const;
+  /// Whether that is the lip behind the cutting edge.
+  bool IsOverEdge(const Vec3& up_B) const;
   /// The up direction in which the lips that hold soil stand level.
   Vec3 LevelUp_B() const;
   const Vec3& mouth_normal_B() const { return mouth_normal_B_; }
@@ -46,16 +48,26 @@ class ShovelShape {
   double inside_m2() const { return inside_m2_; }  ///< of the shell where soil lies
   double radius_m() const { return radius_m_; }    ///< of a sphere about B's origin that holds it
 
- private:
+  /// Part of the outline, in B's x-z plane.
   struct Segment {
     Vec2 a, b, outward;
   };
+  /// The last one is the mouth.
+  const std::vector<Segment>& segments() const { return segments_; }
+  /// What the outline takes up along the level direction in B's x-z plane.
+  struct LevelExtent {
+    Vec2 right, up;  ///< axes
+    double from_m, to_m;
+  };
+  LevelExtent ExtentAcross(const Vec3& up_B) const;
+
+ private:
   struct Heap;
   Heap FullestHeap(const Vec3& up_B, double repose_rad) const;
 
   std::vector<Vec2> profile_;
-  std::vector<Vec2> held_;         ///< behind the teeth
-  std::vector<Segment> segments_;  ///< the last one is the mouth
+  std::vector<Vec2> held_;  ///< behind the teeth
+  std::vector<Segment> segments_;
   double half_width_m_ = 0;
   double capacity_m3_ = 0;
   double held_area_m2_ = 0;

@@ -142,19 +142,20 @@ void ShovelWalls::Push(const std::vector<Strip>& strips, const Vec3& normal_B,
     const Beside beside(low_W, out_W, *ground);
     deepest_m = std::max(deepest_m, beside.depth_m);
     if (beside.depth_m <= 0) continue;
-    const Vec3 v_strip_W = PointVelocity(body, strip.low_B);
+    const double height_m = high_W.z() - low_W.z();
+    const Vec3 p_B =  // passive pressure acts on the lower third
+        strip.low_B + std::min(1.0, beside.depth_m / height_m) / 3 * (strip.high_B - strip.low_B);
+    const Vec3 v_strip_W = PointVelocity(body, p_B);
     CuttingInput in = PlateIn(beside.SoilAbove(low_W.z(), soils, ground), strip.width_m, rake_rad,
                               v_strip_W.dot(out_W));
     in.depth_m = beside.depth_m;
     const CuttingForce all = Cut(in);
-    in.depth_m = beside.depth_m - (high_W.z() - low_W.z());
+    in.depth_m = beside.depth_m - height_m;
     const CuttingForce above = Cut(in);
     const Vec3 force_W_n = -(all.draft_n - above.draft_n) * out_W -
                            (all.vertical_n - above.vertical_n) * Vec3::UnitZ();
-    const Vec3 third_W =
-        std::min(1.0, beside.depth_m / (high_W.z() - low_W.z())) / 3 * (high_W - low_W);
     wrench->AddForceAt(*travel_m / kElasticTravel_m * Opposing(force_W_n, v_strip_W),
-                       low_W + third_W, body.X_WB.translation());
+                       body.X_WB * p_B, body.X_WB.translation());
   }
   if (deepest_m <= 0) *travel_m = 0;
 }

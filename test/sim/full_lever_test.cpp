@@ -83,10 +83,9 @@ struct Outcome {
   double lost_share = 0;  ///< of the soil shifted
 };
 
-/// Boom down at full lever, every other lever at an end or neutral, on one of four soils.
-Outcome DriveIntoTheGround(const MachineModel& model, int trial) {
+/// Boom down at full lever, every other lever at an end or neutral.
+Outcome DriveIntoTheGround(const MachineModel& model, const std::string& soil, int trial) {
   const Stream random(17, "test/full_lever");
-  const char* soils[] = {"dirt", "gravel", "sand", "wet_sand"};
   const auto uniform = [&](int lane, double low, double high) {
     return low + (high - low) * random.Uniform(trial, lane);
   };
@@ -94,7 +93,7 @@ Outcome DriveIntoTheGround(const MachineModel& model, int trial) {
               fmt::format("{{xy_m: [{}, {}], yaw_deg: {}, joints_deg: {{{}}}}}", uniform(0, -3, 3),
                           uniform(1, -3, 3), uniform(2, -180, 180),
                           PoseAboveTheGround(model, random, trial)),
-              fmt::format("cell_m: 0.1, soil: {}", soils[trial % 4]), 0, 0, "settle_s: 0.3\n");
+              "cell_m: 0.1, soil: " + soil, 0, 0, "settle_s: 0.3\n");
   drive.Operate([&](double) {
     NamedLevers levers;
     for (std::size_t k = 0; k < model.levers.size(); ++k) {
@@ -144,24 +143,29 @@ Outcome DriveIntoTheGround(const MachineModel& model, int trial) {
   return outcome;
 }
 
-TEST(FullLever,
-     OfAHundredBucketsDrivenIntoTheGroundNoneExplodesAndNearlyEachLiftsTheMachineOrStalls) {
+class FullLever : public testing::TestWithParam<std::string> {};
+
+TEST_P(FullLever, OfAHundredBucketsDrivenIntoTheGroundEachLiftsTheMachineOrStallsAndNoneExplodes) {
   const MachineModel model = Excavator();
-  int in_the_ground = 0, held = 0;
+  int by_the_edge = 0;
   for (int trial = 0; trial < 100; ++trial) {
-    const Outcome outcome = DriveIntoTheGround(model, trial);
+    const Outcome outcome = DriveIntoTheGround(model, GetParam(), trial);
     EXPECT_TRUE(outcome.is_finite) << trial;
-    in_the_ground += outcome.deepest_tip_m > 0.1;
-    held += outcome.lifted_m > 0.03 || outcome.boom_share < 0.2;
+    by_the_edge += outcome.deepest_tip_m > 0.05;
+    EXPECT_TRUE(outcome.lifted_m > 0.03 || outcome.boom_share < 0.2)
+        << trial << ": " << outcome.deepest_tip_m << " m deep, at " << outcome.boom_share
+        << " of the boom's rate";
+    EXPECT_LT(outcome.deepest_tip_m, 1.3) << trial;
     // The elastic ground gives back what it held at the start.
     EXPECT_LT(outcome.most_gained_j, 100) << trial;
     EXPECT_LT(outcome.fastest_link_mps, 6) << trial;
     EXPECT_LT(outcome.lost_share, 1e-9) << trial;
   }
-  // Of one in sand, slewed and opened on its way down, the ground makes too little: docs/status.md.
-  EXPECT_GE(held, 99);
-  EXPECT_GT(in_the_ground, 50);  // the others press with the bucket's back
+  EXPECT_GT(by_the_edge, 45);  // the others press with the bucket's back
 }
+
+INSTANTIATE_TEST_SUITE_P(Soils, FullLever, testing::Values("sand", "dirt", "gravel", "clay"),
+                         [](const auto& info) { return info.param; });
 
 }  // namespace
 }  // namespace tera

@@ -98,6 +98,7 @@ TEST(Simulation, ThreeDigsLeaveATrenchAndAHeapButNoNeedles) {
     StepUntil(&simulation, 44);
     const TerrainSurface& end = simulation.ground();
     float highest_m = -1, lowest_m = 1, needle_m = -1;
+    double heap_m3 = 0;  // of what lies above the former ground, two metres and more to the left
     for (int j = 1; j + 1 < end.ny; ++j) {
       for (int i = 1; i + 1 < end.nx; ++i) {
         const float z_m = end.height_m(i, j);
@@ -106,10 +107,16 @@ TEST(Simulation, ThreeDigsLeaveATrenchAndAHeapButNoNeedles) {
         highest_m = std::max(highest_m, z_m);
         lowest_m = std::min(lowest_m, z_m);
         needle_m = std::max(needle_m, z_m - beside_m);
+        if (end.y_m(j) > 2) heap_m3 += std::max(z_m, 0.0f) * end.cell_m * end.cell_m;
       }
     }
     // Three buckets of 0.11 m^3, swollen by up to 1.4, make a cone at 35 deg of 0.60 m.
     EXPECT_LT(highest_m, 0.6);
+    EXPECT_GT(highest_m, 0.3);
+    EXPECT_GT(heap_m3, 2 * 0.11);
+    EXPECT_LT(heap_m3, 3 * 0.11 * 1.5);
+    // Clay, a few centimetres thick.
+    EXPECT_LT(simulation.state().machines[0].shovel_load[0].mass_kg, 40);
     EXPECT_LT(lowest_m, -0.25);
     EXPECT_LT(needle_m, 0.06);
     const MassLedger ledger = scenario.soil->ledger();

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/random.h"
+#include "shaped_ground.h"
 #include "soil_fixture.h"
 
 namespace tera {
@@ -70,6 +71,38 @@ TEST(CuttingEdge, AnUprightSmoothPlateMeetsRankinesPassivePressure) {
   const double cohesion_n = 2 * 5000 * 0.4 * std::sqrt(3) * 8;
   EXPECT_NEAR(Draft_n(Plate(), Clay(5000), 0.4, 90 * kDeg, 1e-3) / (weight_n + cohesion_n), 1.04,
               0.05);
+}
+
+/// Draft on the upright plate at the middle of ground that rises by `slope_rad` the way it goes.
+double DraftOnSlope_n(const SoilType& soil, double depth_m, double slope_rad) {
+  Columns ground = ShapedColumns(soil, 0.1, 121, [&](double x, double y) {
+    return 2.0 + std::tan(slope_rad) * kAhead_W.head<2>().dot(Vec2(x, y));
+  });
+  CuttingEdge edge(Plate(), {soil});
+  const BodyState body = Moving(Vec3(0, 0, 2.0 - depth_m), 1e-3 * kAhead_W, 0, kYaw_rad);
+  return -edge.Act(ShovelShape(Plate()), body, {}, kLong_s, {soil}, &ground)
+              .force_W_n.dot(kAhead_W);
+}
+
+TEST(CuttingEdge, OnASlopeAnUprightPlateMeetsCoulombsPassivePressure) {
+  // K_p as in the earthmoving equation's tests; shear on the flanks adds up to 4 %.
+  const auto weight_n = [](double k_p) { return 1500 * 9.81 * 0.4 * 0.4 * k_p / 2 * 8; };
+  EXPECT_NEAR(DraftOnSlope_n(Sand(), 0.4, -20 * kDeg) / weight_n(1.548), 1.02, 0.03);
+  EXPECT_NEAR(DraftOnSlope_n(Sand(), 0.4, -10 * kDeg) / weight_n(2.204), 1.02, 0.03);
+  EXPECT_NEAR(DraftOnSlope_n(Sand(), 0.4, 10 * kDeg) / weight_n(4.081), 1.02, 0.03);
+  EXPECT_NEAR(DraftOnSlope_n(Sand(), 0.4, 20 * kDeg) / weight_n(5.737), 1.02, 0.03);
+}
+
+TEST(CuttingEdge, OnEverSteeperGroundResistanceGrowsAndStaysWithinBounds) {
+  SoilType soil = Clay(2000);
+  soil.soil_tool_friction_rad = 20 * kDeg;
+  double last_n = 0;
+  for (double slope_deg = -60; slope_deg <= 60; slope_deg += 2) {
+    const double draft_n = DraftOnSlope_n(soil, 0.3, slope_deg * kDeg);
+    EXPECT_GE(draft_n, 0.999 * last_n) << slope_deg;
+    last_n = draft_n;
+  }
+  EXPECT_LT(last_n, 20 * DraftOnSlope_n(soil, 0.3, 0));
 }
 
 TEST(CuttingEdge, ResistsMoreTheDeeperTheSteeperTheFasterAndTheMoreCohesiveTheSoil) {

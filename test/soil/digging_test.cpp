@@ -224,6 +224,15 @@ TEST(Digging, StickySoilLeavesALayerInTheBucket) {
   EXPECT_NEAR(LeftAfterDump_kg("wet_sand") / (300 / 9.81 * 1.0), 1, 0.2);
 }
 
+TEST(Digging, ClayFallsOutOfABucketWhoseMouthLooksDownButForAFewCentimetres) {
+  // It is dug as clods that weigh 1790 / 1.4 kg/m^3. A layer of 1 to 3 cm on the square metre of
+  // the inside is what a shovel has to scrape off: less than a third of the 0.11 m^3 struck.
+  const double left_kg = LeftAfterDump_kg("clay");
+  EXPECT_GT(left_kg, 0.01 * 1279);
+  EXPECT_LT(left_kg, 0.03 * 1279);
+  EXPECT_LT(left_kg, 0.11 * 1279 / 3);
+}
+
 TEST(Digging, AHeapedBucketSpillsWhenItIsSlewedHard) {
   const auto carried_kg = [](double sideways_mps2) {
     auto soil = MakeSite("soil: dirt\n");
