@@ -57,8 +57,8 @@ TEST(Case, HidesWhatItsKindSays) {
 }
 
 TEST(Case, KeepsJointsOffTheirStopsWhateverIsHidden) {
-  for (int k = 0; k < 16; ++k) {
-    BenchmarkCase c = DrawCase(11, k, Tb235(), 40);
+  for (int k = 0; k < 6; ++k) {
+    BenchmarkCase c = DrawCase(11, k, Tb235(), 26);
     if (!c.joints) continue;
     for (const std::vector<double>& row : Record(&c, 11).encoders.rows) {
       for (std::size_t m = 0; m < c.joints->measured.size(); ++m) {
@@ -71,8 +71,8 @@ TEST(Case, KeepsJointsOffTheirStopsWhateverIsHidden) {
 }
 
 TEST(Case, ShowsInTheMotionWhatItHides) {
-  for (int k = 0; k < 16; ++k) {
-    BenchmarkCase c = DrawCase(1, k, Tb235(), 30);
+  for (int k = 0; k < 6; ++k) {
+    BenchmarkCase c = DrawCase(1, k, Tb235(), 26);
     const CaseRecording recording = Record(&c, 1);
     ASSERT_EQ(recording.changes.size(), c.hidden.size());
     const bool shows = c.kind != CaseKind::kUntestable;
