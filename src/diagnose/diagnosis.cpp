@@ -1,6 +1,7 @@
 #include "diagnose/diagnosis.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
@@ -8,6 +9,7 @@
 #include "core/error.h"
 #include "diagnose/blocks/axis_block.h"
 #include "diagnose/blocks/base_block.h"
+#include "diagnose/blocks/imu_block.h"
 
 namespace tera {
 namespace {
@@ -31,15 +33,6 @@ void Trim(TimeNs from_ns, TimeNs to_ns, std::vector<Sample>* samples) {
   std::erase_if(*samples, [&](const Sample& s) { return s.t_ns < from_ns || s.t_ns > to_ns; });
 }
 
-TimeNs StartOf(const std::vector<NamedEncoders>& encoders) {
-  TimeNs start_ns = std::numeric_limits<TimeNs>::max();
-  for (const NamedEncoders& named : encoders) {
-    if (named.recording.samples.empty()) continue;
-    start_ns = std::min(start_ns, named.recording.samples.front().t_ns);
-  }
-  return start_ns;
-}
-
 bool Measures(const std::vector<NamedEncoders>& encoders, const std::string& axis) {
   for (const NamedEncoders& named : encoders) {
     for (const EncoderAxis& measured : named.recording.axes) {
@@ -49,33 +42,114 @@ bool Measures(const std::vector<NamedEncoders>& encoders, const std::string& axi
   return false;
 }
 
+/// What a recording holds of one machine, within the time that is looked at.
+struct Measurements {
+  std::vector<NamedEncoders> encoders;
+  std::vector<TruthPose> poses;
+  /// One for each of the scenario's sensors; empty of those that are none or were not recorded.
+  std::vector<std::vector<ImuSample>> imus;
+};
+
+TimeNs StartOf(const Measurements& measured) {
+  TimeNs start_ns = std::numeric_limits<TimeNs>::max();
+  for (const NamedEncoders& named : measured.encoders) {
+    start_ns = std::min(start_ns, named.recording.samples.front().t_ns);
+  }
+  for (const auto& samples : measured.imus) {
+    if (!samples.empty()) start_ns = std::min(start_ns, samples.front().t_ns);
+  }
+  return start_ns;
+}
+
+Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& recording,
+                            const DiagnosisOptions& options) {
+  Measurements measured;
+  measured.encoders = EncodersOf(recording, input.machine);
+  std::erase_if(measured.encoders,
+                [](const NamedEncoders& named) { return named.recording.samples.empty(); });
+  const std::string poses = "truth/" + input.machine + "/pose.csv";
+  if (recording.Has(poses)) measured.poses = recording.LoadPose(poses).poses;
+  bool any = !measured.encoders.empty();
+  for (const SensorDescription& sensor : input.sensors) {
+    const std::string channel = input.machine + "/" + sensor.name;
+    const bool is_imu = std::holds_alternative<ImuModel>(sensor.model) && recording.Has(channel);
+    measured.imus.push_back(is_imu ? recording.LoadImu(channel) : std::vector<ImuSample>{});
+    any = any || !measured.imus.back().empty();
+  }
+  if (!any) {
+    throw InputError(fmt::format(
+        "{}: no encoder channel of {}, and no inertial unit that the scenario has; need "
+        "something measured to compare",
+        recording.directory().string(), input.machine));
+  }
+  const TimeNs start_ns = StartOf(measured);
+  const TimeNs from_ns = start_ns + FromSeconds(options.from_s);
+  const TimeNs to_ns = start_ns + FromSeconds(options.to_s);
+  for (NamedEncoders& named : measured.encoders) Trim(from_ns, to_ns, &named.recording.samples);
+  for (auto& samples : measured.imus) Trim(from_ns, to_ns, &samples);
+  return measured;
+}
+
 /// Encoders may have a block for each joint and gear with a lever.
-void AddAxes(const DiagnosisInput& input, const std::vector<NamedEncoders>& encoders, double step_s,
-             std::vector<ReplayBlock>* blocks) {
-  const AxisLog log = MakeAxisLog(*input.model, input.commands, encoders, step_s);
-  for (std::size_t measured = 0; measured < log.measured.size(); ++measured) {
-    if (auto block = MakeAxisBlock(*input.model, log, measured)) {
+void AddAxes(const DiagnosisInput& input, const Measurements& measured,
+             const DiagnosisOptions& options, std::vector<ReplayBlock>* blocks) {
+  if (input.commands.columns.empty() || measured.encoders.empty()) return;
+  const AxisLog log = MakeAxisLog(*input.model, input.commands, measured.encoders, options.step_s);
+  for (std::size_t axis = 0; axis < log.measured.size(); ++axis) {
+    if (auto block = MakeAxisBlock(*input.model, log, axis)) blocks->push_back(std::move(*block));
+  }
+}
+
+/// Every gear's encoder and poses make a block of the base.
+void AddBase(const DiagnosisInput& input, const Measurements& measured,
+             const DiagnosisOptions& options, std::vector<ReplayBlock>* blocks) {
+  const auto& gears = input.model->ground_tools.gears;
+  const bool all = std::all_of(gears.begin(), gears.end(), [&](const RunningGear& gear) {
+    return Measures(measured.encoders, gear.name);
+  });
+  if (gears.empty() || !all || measured.poses.empty()) return;
+  // Gears bound the time.
+  const BaseLog log =
+      MakeBaseLog(*input.model, measured.encoders, measured.poses, options.base_interval_s);
+  if (auto block = MakeBaseBlock(*input.model, log, input.machine + "/base")) {
+    blocks->push_back(std::move(*block));
+  }
+}
+
+/// An inertial unit makes a block where its link's motion was measured.
+void AddImus(const DiagnosisInput& input, const Measurements& measured,
+             const DiagnosisOptions& options, std::vector<ReplayBlock>* blocks) {
+  for (std::size_t s = 0; s < input.sensors.size(); ++s) {
+    const SensorDescription& sensor = input.sensors[s];
+    if (measured.imus[s].empty()) continue;
+    ImuLog log = MakeImuLog(*input.model, sensor, measured.imus[s], measured.encoders,
+                            measured.poses, options.base_interval_s);
+    if (auto block = MakeImuBlock(sensor, std::move(log), input.machine + "/" + sensor.name)) {
       blocks->push_back(std::move(*block));
     }
   }
 }
 
-/// Every gear's encoder and poses make a block of the base.
-void AddBase(const DiagnosisInput& input, const Recording& recording,
-             const std::vector<NamedEncoders>& encoders, const DiagnosisOptions& options,
-             std::vector<ReplayBlock>* blocks) {
-  const std::string poses = "truth/" + input.machine + "/pose.csv";
-  const auto& gears = input.model->ground_tools.gears;
-  const bool measured = std::all_of(gears.begin(), gears.end(), [&](const RunningGear& gear) {
-    return Measures(encoders, gear.name);
-  });
-  if (gears.empty() || !measured || !recording.Has(poses)) return;
-  // Gears bound the time.
-  const BaseLog log =
-      MakeBaseLog(*input.model, encoders, recording.LoadPose(poses).poses, options.base_interval_s);
-  if (auto block = MakeBaseBlock(*input.model, log, input.machine + "/base")) {
-    blocks->push_back(std::move(*block));
+/// One kind of block that cannot be made leaves the others.
+void Try(const std::function<void()>& add, std::vector<std::string>* obstacles) {
+  try {
+    add();
+  } catch (const InputError& error) {
+    obstacles->push_back(error.what());
   }
+}
+
+[[noreturn]] void ThrowNothingToCompare(const DiagnosisInput& input, const Recording& recording,
+                                        const std::vector<std::string>& obstacles) {
+  const std::string directory = recording.directory().string();
+  if (!obstacles.empty()) {
+    throw InputError(fmt::format("{}: {}", directory, fmt::join(obstacles, "; ")));
+  }
+  throw InputError(fmt::format(
+      "{}: nothing of {} can be replayed: need levers and encoders of the same joints, encoders of "
+      "all tracks or wheels and poses, or an inertial unit and what tells how its link moved, over "
+      "{} s at least",
+      directory, input.machine, kShortest_s));
 }
 
 }  // namespace
@@ -119,31 +193,16 @@ std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis) {
 Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
                    const DiagnosisOptions& options,
                    const std::function<void(const std::string&)>& progress) {
-  std::vector<NamedEncoders> encoders = EncodersOf(recording, input.machine);
-  std::erase_if(encoders,
-                [](const NamedEncoders& named) { return named.recording.samples.empty(); });
-  if (encoders.empty()) {
-    throw InputError(fmt::format(
-        "{}: no encoder channel of {}; need rates of joints or of tracks and wheels to compare",
-        recording.directory().string(), input.machine));
-  }
-  const TimeNs start_ns = StartOf(encoders);
-  for (NamedEncoders& named : encoders) {
-    Trim(start_ns + FromSeconds(options.from_s), start_ns + FromSeconds(options.to_s),
-         &named.recording.samples);
-  }
+  const Measurements measured = MeasurementsOf(input, recording, options);
   std::vector<ReplayBlock> blocks;
-  if (!input.commands.columns.empty()) AddAxes(input, encoders, options.step_s, &blocks);
-  AddBase(input, recording, encoders, options, &blocks);
+  std::vector<std::string> obstacles;
+  Try([&] { AddAxes(input, measured, options, &blocks); }, &obstacles);
+  Try([&] { AddBase(input, measured, options, &blocks); }, &obstacles);
+  Try([&] { AddImus(input, measured, options, &blocks); }, &obstacles);
   std::erase_if(blocks, [](const ReplayBlock& block) {
     return static_cast<double>(block.samples()) * block.period_s() < kShortest_s;
   });
-  if (blocks.empty()) {
-    throw InputError(fmt::format(
-        "{}: nothing of {} can be replayed: need levers and encoders of the same joints, or "
-        "encoders of all tracks or wheels and poses, over {} s at least",
-        recording.directory().string(), input.machine, kShortest_s));
-  }
+  if (blocks.empty()) ThrowNothingToCompare(input, recording, obstacles);
   Diagnosis diagnosis{input.machine, input.scenario, {}};
   for (ReplayBlock& block : blocks) {
     progress(block.name);

@@ -8,6 +8,7 @@
 #include "dataset/recording.h"
 #include "diagnose/search/block_diagnosis.h"
 #include "physics/machine.h"
+#include "sensors/sensor.h"
 
 namespace tera {
 
@@ -46,6 +47,8 @@ struct DiagnosisInput {
   std::string machine;      ///< name in the recording
   std::string scenario;     ///< name in the scenario
   TableRecording commands;  ///< columns by the names of levers
+  /// As the scenario has them, by the names that they have in the recording.
+  std::vector<SensorDescription> sensors;
 };
 
 struct DiagnosisOptions {
@@ -53,12 +56,13 @@ struct DiagnosisOptions {
   std::uint64_t seed = 1;
   double step_s = 0.01;           ///< of the replay of axes
   double from_s = 0, to_s = 1e9;  ///< part of the recording to look at, from its first sample on
-  double base_interval_s = 0.2;   ///< over which the base's motion is compared
+  double base_interval_s = 0.2;   ///< over which the motion of base and inertial units is compared
 };
 
 /// Diagnoses every block that the recording has channels for: joints and gears with encoders and
-/// levers, the base with gears and poses, over 25 s at least. `progress` is told what is looked at,
-/// before each block. Throws InputError where there is no block at all.
+/// levers, the base with gears and poses, inertial units whose link's motion was measured, over 25
+/// s at least. `progress` is told what is looked at, before each block. Throws InputError where
+/// there is no block at all.
 Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
                    const DiagnosisOptions& options,
                    const std::function<void(const std::string&)>& progress);

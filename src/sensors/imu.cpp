@@ -13,6 +13,11 @@ double WhiteSigma(double density, double per_sample, double interval_s) {
   return std::sqrt(density * density / interval_s + per_sample * per_sample);
 }
 
+/// Normal with that standard deviation on each axis; nothing is drawn where it is 0.
+Vec3 Noise(double sigma, const Stream& stream, std::int64_t k) {
+  return sigma == 0 ? Vec3(Vec3::Zero()) : Vec3(sigma * stream.Gaussian3(k));
+}
+
 }  // namespace
 
 ImuModel ReadImuModel(const ConfigMap& config) {
@@ -95,8 +100,8 @@ ImuSample Imu::CloseInterval() {
   const std::int64_t k = next_++;
   const double T_s = ToSeconds(clock_.Due(k) - clock_.Due(k - 1));
   const double walk_s = std::sqrt(T_s);
-  gyro_bias_radps_ += model_.gyro_bias_random_walk_radps2rthz * walk_s * gyro_walk_.Gaussian3(k);
-  accel_bias_mps2_ += model_.accel_bias_random_walk_mps3rthz * walk_s * accel_walk_.Gaussian3(k);
+  gyro_bias_radps_ += Noise(model_.gyro_bias_random_walk_radps2rthz * walk_s, gyro_walk_, k);
+  accel_bias_mps2_ += Noise(model_.accel_bias_random_walk_mps3rthz * walk_s, accel_walk_, k);
   const double gyro_sigma_radps =
       WhiteSigma(model_.gyro_noise_density_radpsrthz, model_.gyro_sample_noise_radps, T_s);
   const double accel_sigma_mps2 =
@@ -106,9 +111,9 @@ ImuSample Imu::CloseInterval() {
   sample.t_ns = clock_.Due(k);
   sample.t_available_ns = sample.t_ns + latency_ns_;
   sample.w_WS_S_radps =
-      rate_integral_rad_ / T_s + gyro_bias_radps_ + gyro_sigma_radps * gyro_white_.Gaussian3(k);
+      rate_integral_rad_ / T_s + gyro_bias_radps_ + Noise(gyro_sigma_radps, gyro_white_, k);
   sample.f_S_mps2 =
-      force_integral_mps_ / T_s + accel_bias_mps2_ + accel_sigma_mps2 * accel_white_.Gaussian3(k);
+      force_integral_mps_ / T_s + accel_bias_mps2_ + Noise(accel_sigma_mps2, accel_white_, k);
   rate_integral_rad_.setZero();
   force_integral_mps_.setZero();
   return sample;

@@ -99,6 +99,23 @@ TEST_F(DiagnoseCommand, CorrectsAWrongNumberThatTheScenarioHas) {
   EXPECT_EQ(width["instead_of"], 0.05);
 }
 
+TEST_F(DiagnoseCommand, FindsAnInertialUnitThatSitsAskew) {
+  Write("boom.yaml",
+        Edited(Read("boom.yaml"), "joints: [boom]}",
+               "joints: [slew, swing, boom]}, {name: imu, preset: "
+               "tera:config/sensors/xsens_mti_670.yaml, link: boom, xyz_m: [1, 0, 0.2]}"));
+  Record("real", {"--set", "effects.excavator1.imu.mount_rotation={roll_deg: 1.5, pitch_deg: -2}"});
+  const Outcome outcome = Run({"diagnose", "boom.yaml", "real", "--out", "why"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(Read("why/diagnosis.json"));
+  ASSERT_EQ(json["findings"].size(), 1u);
+  const auto& finding = json["findings"][0];
+  EXPECT_EQ(finding["mechanism"], "mount_rotation");
+  EXPECT_EQ(finding["target"], "imu");
+  EXPECT_NEAR(finding["parameters"]["roll_deg"]["value"].get<double>(), 1.5, 0.3);
+  EXPECT_NEAR(finding["parameters"]["pitch_deg"]["value"].get<double>(), -2, 0.3);
+}
+
 TEST_F(DiagnoseCommand, SaysNothingOfARecordingThatIsAsItsScenario) {
   Record("real");
   const Outcome outcome = Run({"diagnose", "boom.yaml", "real", "--out", "why"});
@@ -135,7 +152,7 @@ TEST_F(DiagnoseCommand, AsksForEncoders) {
   Record("real", {"--duration", "1"});
   const Outcome outcome = Run({"diagnose", "boom.yaml", "real", "--out", "why"});
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("no encoder channel of excavator1")));
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("nothing of excavator1 can be replayed")));
   EXPECT_FALSE(std::filesystem::exists(scratch_.path() / "why"));
 }
 

@@ -91,6 +91,7 @@ std::vector<Suspect> SuspectsOfAxis(const MachineModel& model, const AxisLog& lo
   const Reach reach = ReachOf(model, log, axis);
   SuspectList out(
       reach.is_joint ? model.joints[axis].name : model.ground_tools.gears[axis - joints].name,
+      reach.is_joint ? EffectTarget::kJoint : EffectTarget::kGear,
       reach.is_joint ? EffectsAt(model.effects.joints, axis)
                      : EffectsAt(model.effects.gears, axis - joints),
       ActuationMechanisms());

@@ -17,7 +17,7 @@ constexpr int kLags = 4;
 constexpr double kLongestLag_s = 0.5;
 
 std::vector<Suspect> SuspectsOf(const Effects& present) {
-  SuspectList out("base", present, GroundMechanisms());
+  SuspectList out("base", EffectTarget::kBase, present, GroundMechanisms());
   out.Add("track_scale", {{0, 0.7, 1.3}}, {{0.97}, {1.03}, {0.9}, {1.1}});
   out.Add("track_asymmetry", {{0, -0.3, 0.3}}, {{0.02}, {-0.02}, {0.08}, {-0.08}});
   out.Add("track_slip", {{0, -0.2, 0.7}}, {{0.04, 0, 0.7}, {0.12, 0, 0.7}, {0.3, 0, 0.7}});

@@ -20,6 +20,15 @@ FreeParameter Around(FreeParameter free, double present) {
   return free;
 }
 
+/// The numbers with which a mechanism does nothing.
+std::vector<double> WithoutEffect(const Mechanism& mechanism) {
+  std::vector<double> values;
+  for (const EffectParameter& parameter : mechanism.parameters) {
+    values.push_back(parameter.otherwise.value_or(0));
+  }
+  return values;
+}
+
 std::vector<std::vector<double>> StartsFrom(const std::vector<double>& present,
                                             const FreeParameter& main) {
   std::vector<std::vector<double>> starts;
@@ -35,15 +44,21 @@ std::vector<std::vector<double>> StartsFrom(const std::vector<double>& present,
 
 void SuspectList::Add(std::string_view id, std::vector<FreeParameter> free,
                       std::vector<std::vector<double>> starts) {
-  const auto mechanism = std::find_if(library_.begin(), library_.end(),
-                                      [&](const Mechanism& m) { return m.id == id; });
+  const auto mechanism = std::find_if(library_.begin(), library_.end(), [&](const Mechanism& m) {
+    return m.id == id && m.ActsOn(kind_);
+  });
   TERA_CHECK(mechanism != library_.end(), id);
+  for (const auto& start : starts) TERA_CHECK(start.size() == mechanism->parameters.size(), id);
   Suspect suspect{&*mechanism, target_, std::move(free), std::move(starts), {}};
   if (const Effect* effect = FindEffect(present_, id)) {
     suspect.present = effect->values;
     for (FreeParameter& one : suspect.free) one = Around(one, suspect.present[one.index]);
-    auto near = StartsFrom(suspect.present, suspect.free.front());
-    suspect.starts.insert(suspect.starts.begin(), near.begin(), near.end());
+    if (suspect.free.empty()) {
+      suspect.starts.push_back(WithoutEffect(*mechanism));
+    } else {
+      auto near = StartsFrom(suspect.present, suspect.free.front());
+      suspect.starts.insert(suspect.starts.begin(), near.begin(), near.end());
+    }
   }
   found_.push_back(std::move(suspect));
 }

@@ -17,16 +17,18 @@ namespace tera {
 class SuspectList {
  public:
   /// The library must outlive the suspects.
-  SuspectList(std::string target, const Effects& present, std::span<const Mechanism> library)
-      : target_(std::move(target)), present_(present), library_(library) {}
+  SuspectList(std::string target, EffectTarget kind, const Effects& present,
+              std::span<const Mechanism> library)
+      : target_(std::move(target)), kind_(kind), present_(present), library_(library) {}
 
-  /// `id` must be in the library; `starts` are for a target without it.
+  /// `id` must be in the library, for targets of that kind; `starts` are for a target without it.
   void Add(std::string_view id, std::vector<FreeParameter> free,
            std::vector<std::vector<double>> starts);
   std::vector<Suspect> Take() { return std::move(found_); }
 
  private:
   std::string target_;
+  EffectTarget kind_;
   Effects present_;
   std::span<const Mechanism> library_;
   std::vector<Suspect> found_;

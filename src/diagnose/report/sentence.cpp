@@ -16,6 +16,8 @@ namespace {
 constexpr double kSignificant = 0.05;
 constexpr std::size_t kRivalsTold = 2;
 constexpr int kPresentDigits = 4;
+constexpr std::size_t kAllTold = 3;  ///< numbers of a mechanism
+constexpr double kClear = 3;         ///< standard deviations
 
 std::string ChannelText(const DiagnosedBlock& diagnosed, std::size_t channel) {
   return Capitalised(QuantityOf(diagnosed.block.channels[channel].name));
@@ -111,6 +113,16 @@ std::string InsteadText(const Suspect& suspect, std::size_t index, const Readabl
          WithUnit(Significant(suspect.present[index] * unit.factor, kPresentDigits), unit);
 }
 
+/// Whether a number is worth telling: of few all, of many those that are clearly not as they would
+/// be without the finding.
+bool IsTold(const Suspect& suspect, const FreeParameter& free, const ParameterEstimate& estimate) {
+  if (suspect.free.size() <= kAllTold || !estimate.sigma) return true;
+  const double without = suspect.present.empty()
+                             ? suspect.mechanism->parameters[free.index].otherwise.value_or(0)
+                             : suspect.present[free.index];
+  return std::abs(estimate.value - without) > kClear * *estimate.sigma;
+}
+
 /// "dead band 0.18 ± 0.02, asymmetry 0.1 ± 0.05".
 std::string MechanismText(const DiagnosedBlock& diagnosed, const Finding& finding) {
   const Suspect& suspect = *finding.term.suspect;
@@ -122,6 +134,7 @@ std::string MechanismText(const DiagnosedBlock& diagnosed, const Finding& findin
   std::vector<std::string> numbers;
   for (const FreeParameter& free : suspect.free) {
     const ParameterEstimate& estimate = finding.parameters[free.index];
+    if (!IsTold(suspect, free, estimate)) continue;
     const ReadableUnit unit = ReadableUnitOf(estimate);
     std::optional<double> sigma = estimate.sigma;
     if (sigma) *sigma *= unit.factor;

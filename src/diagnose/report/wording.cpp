@@ -46,6 +46,16 @@ constexpr std::string_view kUnitEndings[] = {
     "_1ps",     "_mps",    "_mpk",   "_rad",   "_deg",   "_ppm",  "_nm",
     "_kg",      "_hz",     "_pa",    "_s",     "_m",     "_n",    "_w"};
 
+/// "rate about x" of "wx_radps", "specific force along z" of "az_mps2", as inertial units have
+/// them; else nothing.
+std::string TriadQuantityOf(std::string_view column) {
+  if (column.size() < 2 || column[1] < 'x' || column[1] > 'z') return "";
+  const std::string axis(1, column[1]);
+  if (column.substr(2) == "_radps" && column[0] == 'w') return "rate about " + axis;
+  if (column.substr(2) == "_mps2" && column[0] == 'a') return "specific force along " + axis;
+  return "";
+}
+
 }  // namespace
 
 ReadableUnit ReadableUnitOf(std::string_view unit) {
@@ -115,6 +125,10 @@ std::string WithoutUnit(std::string_view key) {
 std::string QuantityOf(const std::string& channel) {
   const std::string_view column = std::string_view(channel).substr(channel.rfind('/') + 1);
   if (column == "left_mps") return "sideways speed";
+  if (const std::string triad = TriadQuantityOf(column); !triad.empty()) {
+    const std::string folder = channel.substr(0, channel.size() - column.size() - 1);
+    return Spaced(folder.substr(folder.rfind('/') + 1)) + " " + triad;
+  }
   for (const auto& [ending, quantity] : kQuantityOfEnding) {
     if (column.ends_with(ending) && column.size() > ending.size()) {
       return Spaced(column.substr(0, column.size() - ending.size())) + " " + std::string(quantity);
@@ -141,6 +155,8 @@ std::string UnitOfVariable(const std::string& variable, const std::string& chann
   if (kind == "load") return slides ? "N" : "N m";
   if (kind == "time") return "s";
   if (kind == "speed" || kind == "turning") return "m/s";
+  if (kind == "rate") return "rad/s";
+  if (kind == "force") return "m/s^2";
   if (kind == "pitch" || kind == "roll" || kind == "yaw" || kind == "slope") return "rad";
   return "1";
 }

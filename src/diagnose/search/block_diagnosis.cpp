@@ -78,6 +78,7 @@ double VarianceOf(const NoiseModel& noise) {
 std::vector<std::optional<double>> SigmasOf(const Eigen::MatrixXd& information) {
   const Eigen::Index size = information.rows();
   std::vector<std::optional<double>> sigma(static_cast<std::size_t>(size));
+  if (size == 0) return sigma;
   const Eigen::VectorXd unit = information.diagonal().cwiseMax(1e-300).cwiseSqrt();
   const Eigen::MatrixXd scaled =
       unit.cwiseInverse().asDiagonal() * information * unit.cwiseInverse().asDiagonal();

@@ -1,0 +1,228 @@
+#include "diagnose/blocks/imu_block.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "diagnose/blocks/suspect_list.h"
+#include "sensors/sensor_mechanisms.h"
+
+namespace tera {
+namespace {
+
+constexpr std::ptrdiff_t kFewestIntervals = 100;
+constexpr std::size_t kQuantities = 6;
+constexpr double kLeastCorrelation = 0.3;
+constexpr std::array<const char*, kQuantities> kColumns = {"wx_radps", "wy_radps", "wz_radps",
+                                                           "ax_mps2",  "ay_mps2",  "az_mps2"};
+constexpr std::array<std::size_t, 4> kLags = {0, 1, 2, 4};  ///< intervals, of the free member
+
+using Quantities = std::array<std::vector<double>, kQuantities>;
+
+/// A number for each of three axes at once.
+std::vector<double> Triads(double gyro, double accel) {
+  return {gyro, gyro, gyro, accel, accel, accel};
+}
+
+std::vector<FreeParameter> Axes(std::size_t first, double gyro_lower, double gyro_upper,
+                                double accel_lower, double accel_upper) {
+  std::vector<FreeParameter> free;
+  for (std::size_t i = 0; i < 3; ++i) free.push_back({first + i, gyro_lower, gyro_upper});
+  for (std::size_t i = 3; i < 6; ++i) free.push_back({first + i, accel_lower, accel_upper});
+  return free;
+}
+
+/// Whether a predicted quantity follows a motion: that lasts from one interval to the next, while
+/// what is differentiated noise of encoders turns about. Against such noise any factor below 1
+/// would look better than 1.
+bool IsExcited(const std::vector<double>& predicted) {
+  double mean = 0, square = 0, next = 0;
+  for (const double x : predicted) mean += x / static_cast<double>(predicted.size());
+  for (std::size_t k = 0; k < predicted.size(); ++k) {
+    square += std::pow(predicted[k] - mean, 2);
+    if (k > 0) next += (predicted[k] - mean) * (predicted[k - 1] - mean);
+  }
+  return next > kLeastCorrelation * square;
+}
+
+void AddScale(const Quantities& predicted, SuspectList* out) {
+  std::vector<FreeParameter> free = Axes(0, 0.7, 1.4, 0.7, 1.4);
+  std::vector<std::vector<double>> starts = {Triads(1.005, 1.005), Triads(1.02, 1.02),
+                                             Triads(0.97, 0.97), Triads(1.1, 1.1)};
+  std::erase_if(free, [&](const FreeParameter& one) { return !IsExcited(predicted[one.index]); });
+  for (std::size_t i = 0; i < kQuantities; ++i) {
+    if (IsExcited(predicted[i])) continue;
+    for (auto& start : starts) start[i] = 1;
+  }
+  if (!free.empty()) out->Add("scale", std::move(free), std::move(starts));
+}
+
+void AddStatic(SuspectList* out) {
+  out->Add("bias", Axes(0, -10, 10, -5, 5),
+           {Triads(0.03, 0.02), Triads(0.1, 0.05), Triads(0.3, 0.2), Triads(1, 0.5)});
+  auto drift = Axes(2, -0.1, 0.1, -0.02, 0.02);
+  drift.push_back({1, 10, 5000, true});
+  std::vector<std::vector<double>> starts;
+  for (const double strength : {1.0, 4.0, 16.0}) {
+    for (const double time_s : {60.0, 600.0}) {
+      std::vector<double> start = {30, time_s};
+      for (const double x : Triads(0.001 * strength, 0.0005 * strength)) start.push_back(x);
+      starts.push_back(std::move(start));
+    }
+  }
+  out->Add("temperature_drift", std::move(drift), std::move(starts));
+}
+
+void AddGeometry(SuspectList* out) {
+  out->Add("mount_rotation", {{0, -180, 180}, {1, -90, 90}, {2, -180, 180}},
+           {{0.5, 0.5, 0.5},
+            {2, 0, 0},
+            {0, 2, 0},
+            {0, 0, 2},
+            {8, 0, 0},
+            {0, 8, 0},
+            {0, 0, 8},
+            {0, 0, 90},
+            {0, 0, -90},
+            {0, 0, 180},
+            {180, 0, 0}});
+  out->Add("axis_flip", {},
+           {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}});
+  out->Add("imu_lever_arm", {{0, -4, 4}, {1, -4, 4}, {2, -4, 4}},
+           {{0.05, 0.05, 0.05}, {0.3, 0, 0}, {0, 0.3, 0}, {0, 0, 0.3}, {1, 0, 0}, {-1, 0, 0}});
+}
+
+void AddTiming(SuspectList* out) {
+  out->Add("clock_offset", {{0, -3, 3}}, {{0.02}, {-0.02}, {0.1}, {-0.1}, {0.5}, {-0.5}});
+  out->Add("latency", {{0, 0, 3}}, {{0.02, 0}, {0.1, 0}, {0.5, 0}});
+  out->Add("filter_delay", {{0, 0.002, 3, true}}, {{0.02}, {0.1}, {0.4}});
+}
+
+/// By quantity, each less its mean in `reference`.
+Quantities Split(const std::vector<ImuSample>& samples, const Vec3& mean_f_S_mps2) {
+  Quantities split;
+  for (const ImuSample& sample : samples) {
+    const Vec3 f_S_mps2 = sample.f_S_mps2 - mean_f_S_mps2;
+    for (int i = 0; i < 3; ++i) {
+      split[static_cast<std::size_t>(i)].push_back(sample.w_WS_S_radps[i]);
+      split[static_cast<std::size_t>(i) + 3].push_back(f_S_mps2[i]);
+    }
+  }
+  return split;
+}
+
+/// All predicted quantities through lags, squares of rates, changes of rates, time.
+Eigen::MatrixXd FreeMember(const Quantities& predicted) {
+  const std::size_t rows = predicted[0].size();
+  Eigen::MatrixXd columns(static_cast<Eigen::Index>(rows),
+                          static_cast<Eigen::Index>(kQuantities * kLags.size() + 6 + 3 + 2));
+  for (std::size_t k = 0; k < rows; ++k) {
+    const auto row = static_cast<Eigen::Index>(k);
+    Eigen::Index c = 0;
+    for (const std::size_t lag : kLags) {
+      for (const auto& quantity : predicted) columns(row, c++) = quantity[k >= lag ? k - lag : 0];
+    }
+    for (std::size_t a = 0; a < 3; ++a) {
+      for (std::size_t b = a; b < 3; ++b) columns(row, c++) = predicted[a][k] * predicted[b][k];
+    }
+    for (std::size_t a = 0; a < 3; ++a) {
+      const std::size_t next = std::min(k + 1, rows - 1), before = k == 0 ? 0 : k - 1;
+      columns(row, c++) = predicted[a][next] - predicted[a][before];
+    }
+    const double t = static_cast<double>(k) / static_cast<double>(rows);
+    columns(row, c++) = t;
+    columns(row, c++) = t * t;
+  }
+  return columns;
+}
+
+std::vector<RegimeVariable> VariablesOf(const Quantities& predicted, const ImuLog& log,
+                                        double period_s) {
+  std::vector<RegimeVariable> variables;
+  const auto add = [&](const std::string& name, std::vector<double> values) {
+    Mask all(values.size(), 1);
+    variables.push_back({name, {period_s, std::move(values), std::move(all)}});
+  };
+  for (std::size_t i = 0; i < kQuantities; ++i) {
+    add((i < 3 ? "rate/" : "force/") + std::string(1, "xyz"[i % 3]), predicted[i]);
+  }
+  std::vector<double> roll_rad, pitch_rad, time_s;
+  for (std::size_t k = 0; k < predicted[0].size(); ++k) {
+    const Vec3 rpy_rad = RpyFromRotation(log.track.X_WL[2 * k + 1].linear());
+    roll_rad.push_back(rpy_rad.x());
+    pitch_rad.push_back(rpy_rad.y());
+    time_s.push_back(static_cast<double>(k) * period_s);
+  }
+  add("roll", std::move(roll_rad));
+  add("pitch", std::move(pitch_rad));
+  add("time", std::move(time_s));
+  return variables;
+}
+
+/// The rates about the three axes, each over its largest: what tells manoeuvres apart.
+std::vector<Series> CommandsOf(const Quantities& predicted, double period_s) {
+  std::vector<Series> commands;
+  for (std::size_t a = 0; a < 3; ++a) {
+    double largest = 0.02;
+    for (const double w : predicted[a]) largest = std::max(largest, std::abs(w));
+    std::vector<double> share;
+    for (const double w : predicted[a]) share.push_back(w / largest);
+    Mask all(share.size(), 1);
+    commands.push_back({period_s, std::move(share), std::move(all)});
+  }
+  return commands;
+}
+
+}  // namespace
+
+std::optional<ReplayBlock> MakeImuBlock(const SensorDescription& sensor, ImuLog given,
+                                        const std::string& channel) {
+  if (std::count(given.known.begin(), given.known.end(), true) < kFewestIntervals) return {};
+  // What predicts holds both for as long as the block lives.
+  const auto log = std::make_shared<const ImuLog>(std::move(given));
+  const auto described = std::make_shared<const SensorDescription>(sensor);
+  const double period_s = ToSeconds(log->clock.Period());
+  const std::vector<ImuSample> as_documented = ImuReplay(*described, *log).Predict(sensor.effects);
+  Vec3 mean_f_S_mps2 = Vec3::Zero();
+  for (const ImuSample& sample : as_documented) {
+    mean_f_S_mps2 += sample.f_S_mps2 / static_cast<double>(as_documented.size());
+  }
+  const Quantities predicted = Split(as_documented, mean_f_S_mps2);
+  std::vector<ImuSample> samples(log->known.size());
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    samples[k].w_WS_S_radps = log->w_S_radps[k];
+    samples[k].f_S_mps2 = log->f_S_mps2[k];
+  }
+  Quantities measured = Split(samples, mean_f_S_mps2);
+
+  ReplayBlock block;
+  block.name = channel;
+  const Eigen::MatrixXd free_member = FreeMember(predicted);
+  const Mask valid(log->known.begin(), log->known.end());
+  for (std::size_t i = 0; i < kQuantities; ++i) {
+    const bool is_rate = i < 3;
+    block.channels.push_back({channel + "/" + kColumns[i],
+                              is_rate ? "rad/s" : "m/s^2",
+                              {period_s, std::move(measured[i]), valid},
+                              {.offset = is_rate ? 1e-6 : 1e-5, .gain = 1e-5, .delay_s = 0.002},
+                              VariablesOf(predicted, *log, period_s),
+                              free_member});
+  }
+  block.commands = CommandsOf(predicted, period_s);
+  SuspectList suspects(sensor.name, EffectTarget::kImu, sensor.effects, SensorMechanisms());
+  AddStatic(&suspects);
+  AddScale(predicted, &suspects);
+  AddGeometry(&suspects);
+  AddTiming(&suspects);
+  block.suspects = suspects.Take();
+  block.predict = [described, log, mean_f_S_mps2](const Structure& terms) {
+    Quantities split = Split(
+        ImuReplay(*described, *log).Predict(WithTerms(described->effects, terms)), mean_f_S_mps2);
+    return std::vector<std::vector<double>>(std::make_move_iterator(split.begin()),
+                                            std::make_move_iterator(split.end()));
+  };
+  return block;
+}
+
+}  // namespace tera

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnose/replay/link_track.h"
+#include "sensors/sensor.h"
+
+namespace tera {
+
+/// What an inertial unit measured, and how the link that it sits on moved.
+///
+/// Frames  S as documented; both quantities expressed in it.
+/// Model   means over even intervals; interval k >= 1 ends at clock.Due(k) and is entry k - 1.
+struct ImuLog {
+  SampleClock clock;
+  LinkTrack track;  ///< two steps an interval
+  std::vector<Vec3> w_S_radps, f_S_mps2;
+  std::vector<bool> known;  ///< both sides are
+};
+
+/// No intervals where the track is empty or the unit measured nothing meanwhile.
+ImuLog MakeImuLog(const MachineModel& model, const SensorDescription& sensor,
+                  const std::vector<ImuSample>& samples, const std::vector<NamedEncoders>& encoders,
+                  const std::vector<TruthPose>& poses, double interval_s);
+
+/// An inertial unit carried along a measured motion.
+///
+/// Model   the simulator's own Imu without noise, its documented bias included, at its true mount,
+/// then ImuSlots; what gets
+///         another time stamp is read between stamps.
+/// Omits   motion faster than the intervals; the errors that draw random numbers (`outliers`,
+///         jitter of `latency`) act, but as drawn here.
+class ImuReplay {
+ public:
+  /// Both must outlive it.
+  ImuReplay(const SensorDescription& sensor, const ImuLog& log) : sensor_(sensor), log_(log) {}
+
+  /// Samples at the ends of the log's intervals, with `effects` in place of the sensor's own.
+  std::vector<ImuSample> Predict(const Effects& effects) const;
+
+ private:
+  const SensorDescription& sensor_;
+  const ImuLog& log_;
+};
+
+}  // namespace tera

@@ -1,0 +1,140 @@
+#include "diagnose/replay/link_track.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace tera {
+namespace {
+
+constexpr double kTurns_radps = 1e-3;  ///< of a wheel: less is none
+constexpr TimeNs kNear_ns = 300'000'000;
+
+/// Position of one joint, or of the base, over time.
+template <typename Value>
+struct Measured {
+  std::vector<TimeNs> t_ns;
+  std::vector<Value> value;
+
+  bool KnownAt(TimeNs t) const {
+    const auto next = std::lower_bound(t_ns.begin(), t_ns.end(), t);
+    if (next == t_ns.end()) return false;
+    if (*next == t) return true;
+    return next != t_ns.begin() && *next - *(next - 1) <= kNear_ns;
+  }
+  /// The samples about `t` and how far between them it is.
+  struct Place {
+    std::size_t a, b;
+    double s;
+  };
+  Place At(TimeNs t) const {
+    const auto next = std::lower_bound(t_ns.begin(), t_ns.end(), t);
+    const auto last = t_ns.size() - 1;
+    const auto b = std::min(last, static_cast<std::size_t>(next - t_ns.begin()));
+    const std::size_t a = b == 0 ? 0 : b - 1;
+    if (b == a || t >= t_ns[b]) return {b, b, 0};
+    const double s = static_cast<double>(t - t_ns[a]) / static_cast<double>(t_ns[b] - t_ns[a]);
+    return {a, b, std::max(0.0, s)};
+  }
+};
+
+std::optional<Measured<double>> PositionOf(const std::string& joint,
+                                           const std::vector<NamedEncoders>& encoders) {
+  for (const auto& [channel, recording] : encoders) {
+    for (std::size_t i = 0; i < recording.axes.size(); ++i) {
+      if (recording.axes[i].name != joint || recording.samples.empty()) continue;
+      Measured<double> measured;
+      for (const EncoderSample& sample : recording.samples) {
+        measured.t_ns.push_back(sample.t_ns);
+        measured.value.push_back(sample.q_rad[i]);
+      }
+      return measured;
+    }
+  }
+  return std::nullopt;
+}
+
+bool HasLever(const MachineModel& model, int joint) {
+  return std::any_of(model.levers.begin(), model.levers.end(),
+                     [&](const Lever& lever) { return lever.joint == joint; });
+}
+
+/// Joints from the base to a link.
+std::vector<std::size_t> WayTo(const MachineModel& model, int link) {
+  std::vector<std::size_t> way;
+  for (std::size_t j = model.joints.size(); j-- > 0;) {
+    if (model.joints[j].child != link) continue;
+    way.push_back(j);
+    link = model.joints[j].parent;
+  }
+  return way;
+}
+
+/// The positions of the joints on the way, by joint; nothing where one that moves is not measured.
+std::optional<std::vector<std::optional<Measured<double>>>> JointsTo(
+    const MachineModel& model, const std::vector<NamedEncoders>& encoders, int link) {
+  std::vector<std::optional<Measured<double>>> joints(model.joints.size());
+  for (const std::size_t j : WayTo(model, link)) {
+    if (model.joints[j].type == JointType::kFixed) continue;
+    joints[j] = PositionOf(model.joints[j].name, encoders);
+    if (!joints[j] && HasLever(model, static_cast<int>(j))) return std::nullopt;
+  }
+  return joints;
+}
+
+/// Whether tracks or wheels were measured, and none turned.
+bool StoodStill(const MachineModel& model, const std::vector<NamedEncoders>& encoders) {
+  if (model.fixed_base) return true;
+  std::size_t measured = 0;
+  for (const auto& [channel, recording] : encoders) {
+    for (std::size_t i = 0; i < recording.axes.size(); ++i) {
+      const auto& gears = model.ground_tools.gears;
+      const bool is_gear = std::any_of(gears.begin(), gears.end(), [&](const RunningGear& gear) {
+        return gear.name == recording.axes[i].name;
+      });
+      if (!is_gear) continue;
+      ++measured;
+      for (const EncoderSample& sample : recording.samples) {
+        if (std::abs(sample.qd_radps[i]) > kTurns_radps) return false;
+      }
+    }
+  }
+  return measured > 0 && measured == model.ground_tools.gears.size();
+}
+
+}  // namespace
+
+LinkTrack TrackOfLink(const MachineModel& model, const std::vector<NamedEncoders>& encoders,
+                      const std::vector<TruthPose>& poses, int link, TimeNs from_ns, TimeNs to_ns,
+                      TimeNs step_ns) {
+  LinkTrack track{from_ns, step_ns, {}, {}};
+  const auto joints = JointsTo(model, encoders, link);
+  if (!joints || (poses.empty() && !StoodStill(model, encoders))) return track;
+  Measured<Pose> base;
+  for (const TruthPose& pose : poses) {
+    base.t_ns.push_back(pose.t_ns);
+    base.value.push_back(pose.X_WB);
+  }
+  std::vector<double> q_rad(model.joints.size());
+  for (TimeNs t = from_ns; t <= to_ns; t += step_ns) {
+    bool known = base.t_ns.empty() || base.KnownAt(t);
+    Pose X_WB = Pose::Identity();
+    if (!base.t_ns.empty()) {
+      const auto [a, b, s] = base.At(t);
+      X_WB = Interpolate(base.value[a], base.value[b], s);
+    }
+    for (std::size_t j = 0; j < q_rad.size(); ++j) {
+      q_rad[j] = model.joints[j].initial_rad;
+      if (const auto& joint = (*joints)[j]) {
+        const auto [a, b, s] = joint->At(t);
+        q_rad[j] = std::lerp(joint->value[a], joint->value[b], s);
+        known = known && joint->KnownAt(t);
+      }
+    }
+    track.X_WL.push_back(ForwardKinematics(model, X_WB, q_rad)[static_cast<std::size_t>(link)]);
+    track.known.push_back(known);
+  }
+  return track;
+}
+
+}  // namespace tera

@@ -1,0 +1,167 @@
+#include "diagnose/replay/imu_replay.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sensors/sensor_mechanisms.h"
+#include "sensors/slots/sensor_slots.h"
+#include "sensors/slots/true_mount.h"
+#include "sim/drive_fixture.h"
+
+namespace tera {
+namespace {
+
+constexpr TimeNs kMillisecond_ns = 1'000'000;
+
+/// The boom moves, the machine drives and turns.
+NamedLevers Work(double t_s) {
+  return {{"boom", 0.5 * std::sin(1.1 * t_s)},
+          {"slew", 0.4 * std::sin(0.7 * t_s)},
+          {"left_track", 0.4 + 0.2 * std::sin(0.4 * t_s)},
+          {"right_track", 0.3}};
+}
+
+SensorDescription OnTheBoom() {
+  SensorDescription sensor;
+  sensor.name = "imu_boom";
+  sensor.link = "boom";
+  sensor.X_BS = MakePose({0.8, 0.1, 0.3}, 0.2, -0.4, 0.9);
+  sensor.model = ImuModel{};
+  return sensor;
+}
+
+/// What a recording would hold: the unit at 200 Hz with `effects`, ideal encoders and poses at 100
+/// Hz.
+struct Recorded {
+  std::vector<ImuSample> imu;
+  std::vector<NamedEncoders> encoders{{"m/encoders", {}}};
+  std::vector<TruthPose> poses;
+};
+
+Recorded Record(Drive* drive, const Effects& effects, double duration_s) {
+  const MachineModel& model = drive->scenario.machines[0].placement.model;
+  const SensorDescription sensor = OnTheBoom();
+  const auto link = static_cast<std::size_t>(model.LinkIndex(sensor.link));
+  Recorded recorded;
+  for (const Joint& joint : model.joints) {
+    recorded.encoders[0].recording.axes.push_back({joint.name});
+  }
+  Imu imu({}, TrueMount(sensor.X_BS, effects), {200, 0}, 0, 1, "imu");
+  TimeNs before_ns = drive->simulation->state().t_ns;
+  BodyState before = drive->machine().links[link];
+  drive->Run(duration_s, [&] {
+    const TimeNs t_ns = drive->simulation->state().t_ns;
+    const MachineState& state = drive->machine();
+    imu.Advance(before_ns, before, t_ns, state.links[link], {0, 0, -kStandardGravity_mps2},
+                &recorded.imu);
+    before_ns = t_ns;
+    before = state.links[link];
+    if (t_ns % (10 * kMillisecond_ns) != 0) return;
+    recorded.encoders[0].recording.samples.push_back(
+        {.t_ns = t_ns, .q_rad = state.q_rad, .qd_radps = state.qd_radps});
+    recorded.poses.push_back({.t_ns = t_ns, .X_WB = state.links[0].X_WB});
+  });
+  ImuSlots slots(effects, 1, "imu");
+  for (ImuSample& sample : recorded.imu) slots.Apply(&sample);
+  return recorded;
+}
+
+Drive Working() {
+  Drive drive("tb235.yaml", "{xy_m: [-6, -3], yaw_deg: 25, joints_deg: {boom: 40, arm: -80}}",
+              "cell_m: 0.1, soil: asphalt", 0, 0, "    ground: kinematic\n");
+  drive.Operate(Work);
+  return drive;
+}
+
+ImuLog LogOf(const Drive& drive, const Recorded& recorded, const SensorDescription& sensor) {
+  return MakeImuLog(drive.scenario.machines[0].placement.model, sensor, recorded.imu,
+                    recorded.encoders, recorded.poses, 0.2);
+}
+
+struct Rms {
+  double w_radps = 0, f_mps2 = 0;
+};
+
+/// After the jolt of the start.
+Rms ErrorOf(const ImuLog& log, const std::vector<ImuSample>& predicted) {
+  Rms sum;
+  double n = 0;
+  for (std::size_t k = 10; k < log.known.size(); ++k) {
+    if (!log.known[k]) continue;
+    sum.w_radps += (predicted[k].w_WS_S_radps - log.w_S_radps[k]).squaredNorm();
+    sum.f_mps2 += (predicted[k].f_S_mps2 - log.f_S_mps2[k]).squaredNorm();
+    ++n;
+  }
+  EXPECT_GT(n, 50);
+  return {std::sqrt(sum.w_radps / n), std::sqrt(sum.f_mps2 / n)};
+}
+
+Effect Named(std::string_view id, std::vector<double> values) {
+  for (const Mechanism& mechanism : SensorMechanisms()) {
+    if (mechanism.id == id && mechanism.ActsOn(EffectTarget::kImu)) return {&mechanism, values};
+  }
+  ADD_FAILURE() << id;
+  return {};
+}
+
+TEST(ImuReplay, MeasuresWhatTheUnitOnTheMovingMachineMeasured) {
+  Drive drive = Working();
+  const Recorded recorded = Record(&drive, {}, 15);
+  const SensorDescription sensor = OnTheBoom();
+  const ImuLog log = LogOf(drive, recorded, sensor);
+  const Rms error = ErrorOf(log, ImuReplay(sensor, log).Predict({}));
+  // The slew alone turns at 0.3 rad/s, gravity is 9.8 m/s^2.
+  EXPECT_LT(error.w_radps, 0.001);
+  EXPECT_LT(error.f_mps2, 0.03);
+}
+
+TEST(ImuReplay, WithTheUnitsOwnErrorsMeasuresAsItDid) {
+  const Effects effects = {Named("mount_rotation", {3, -2, 4}),
+                           Named("bias", {0.5, 0, -0.5, 0.2, 0, 0.1}),
+                           Named("clock_offset", {0.12})};
+  Drive drive = Working();
+  const Recorded recorded = Record(&drive, effects, 15);
+  const SensorDescription sensor = OnTheBoom();
+  const ImuLog log = LogOf(drive, recorded, sensor);
+  const ImuReplay replay(sensor, log);
+  const Rms with = ErrorOf(log, replay.Predict(effects));
+  const Rms without = ErrorOf(log, replay.Predict({}));
+  EXPECT_LT(with.w_radps, 0.003);
+  EXPECT_LT(with.f_mps2, 0.03);
+  EXPECT_GT(without.w_radps, 0.02);
+  EXPECT_GT(without.f_mps2, 0.3);
+}
+
+TEST(ImuReplay, SaysNothingWhereAJointOnTheWayWasNotMeasured) {
+  Drive drive = Working();
+  Recorded recorded = Record(&drive, {}, 2);
+  for (EncoderAxis& axis : recorded.encoders[0].recording.axes) {
+    if (axis.name == "slew") axis.name = "other";
+  }
+  EXPECT_TRUE(LogOf(drive, recorded, OnTheBoom()).known.empty());
+}
+
+TEST(ImuReplay, WithoutPosesAMachineWhoseTracksNeverTurnedStandsLevel) {
+  Drive drive = Working();
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  Recorded recorded;
+  SensorDescription sensor = OnTheBoom();
+  sensor.link = model.links[0].name;
+  sensor.X_BS = Pose::Identity();
+  recorded.encoders[0].recording.axes = {{"left_track"}, {"right_track"}};
+  for (int k = 0; k < 100; ++k) {
+    recorded.imu.push_back({.t_ns = 10 * k * kMillisecond_ns, .f_S_mps2 = {0, 0, 9.8}});
+    recorded.encoders[0].recording.samples.push_back(
+        {.t_ns = 10 * k * kMillisecond_ns, .q_rad = {0, 0}, .qd_radps = {0, 0}});
+  }
+  const ImuLog log = LogOf(drive, recorded, sensor);
+  ASSERT_FALSE(log.known.empty());
+  const std::vector<ImuSample> predicted = ImuReplay(sensor, log).Predict({});
+  EXPECT_NEAR(predicted.front().f_S_mps2.z(), kStandardGravity_mps2, 1e-9);
+  recorded.encoders[0].recording.samples[50].qd_radps = {0.2, 0};
+  EXPECT_TRUE(LogOf(drive, recorded, sensor).known.empty());
+}
+
+}  // namespace
+}  // namespace tera
