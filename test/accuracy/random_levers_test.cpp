@@ -38,9 +38,9 @@ constexpr std::array<double, kSoils> kStart_x_m = {-5, 0, 5};
 
 /// Stiff springs' worth, not through the ground.
 constexpr double kUndercarriage_m = 0.1;
-/// Of what digs: the bucket's body and the arm behind it go where the edge has opened the ground,
-/// and stand in a wall of it where levers press them there.
-constexpr double kTools_m = 0.5;
+/// Of what digs: bucket and arm stand in the walls of what the edge has opened, where slew and
+/// tracks press them there and only two of the arm's points feel the ground.
+constexpr double kTools_m = 0.4;
 
 /// Levers that go on where they were when the simulation before this one ended.
 class Onward : public Operator {

@@ -28,15 +28,20 @@ class UnopenedGround {
     }
   }
 
-  /// How far a point lies below the unopened ground within a stride of it.
+  /// How far a point is in the unopened ground: the shortest way to a place that it does not fill,
+  /// a stride to the side not counted.
   double DepthOf_m(const Vec3& p_W_m) const {
-    constexpr double kStride_m = 0.2;
+    constexpr double kStride_m = 0.2, kFarthest_m = 0.7, kStep_m = 0.1;
     double depth_m = lowest_.HeightAt(p_W_m.x(), p_W_m.y()) - p_W_m.z();
-    for (int i = 0; depth_m > 0 && i < 8; ++i) {
-      const double around_rad = i * kPi / 4;
-      const Vec2 beside_m =
-          p_W_m.head<2>() + kStride_m * Vec2(std::cos(around_rad), std::sin(around_rad));
-      depth_m = std::min(depth_m, lowest_.HeightAt(beside_m.x(), beside_m.y()) - p_W_m.z());
+    for (double away_m = kStride_m; away_m - kStride_m < std::min(depth_m, kFarthest_m);
+         away_m += kStep_m) {
+      for (int i = 0; i < 8; ++i) {
+        const double around_rad = i * kPi / 4;
+        const Vec2 beside_m =
+            p_W_m.head<2>() + away_m * Vec2(std::cos(around_rad), std::sin(around_rad));
+        const double up_m = lowest_.HeightAt(beside_m.x(), beside_m.y()) - p_W_m.z();
+        depth_m = std::min(depth_m, std::hypot(away_m - kStride_m, std::max(0.0, up_m)));
+      }
     }
     return depth_m;
   }
