@@ -57,7 +57,7 @@ std::vector<Mechanism> Table() {
       {"pressure_droop",
        kLoadFriction,
        drives,
-       {{"stall_nm", "N m", 1, 1e8, {}}, {"response_s", "s", 0, 1, 0.05}}},
+       {{"stall_nm", "N m", 0, 1e8, 0.0}, {"response_s", "s", 0, 1, 0.05}}},
       {"coulomb_friction", kLoadFriction, drives, {{"effort_nm", "N m", 0, 1e7, {}}}},
       {"viscous_friction",
        kLoadFriction,

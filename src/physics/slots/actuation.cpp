@@ -4,18 +4,19 @@
 #include <cmath>
 
 #include "core/check.h"
+#include "physics/hydraulics.h"
 #include "physics/linkage.h"
 
 namespace tera {
 namespace {
 
-AxisParameters AxisOf(const Effects& effects, double max_effort_nm) {
+AxisParameters AxisOf(const Effects& effects, const ActuatorEffort& effort) {
   AxisParameters axis;
   axis.timing = CommandTimingOf(effects);
   axis.map = LeverMapOf(effects);
   axis.actuator = ActuatorOf(effects);
   axis.gain = KinematicGainOf(effects);
-  axis.load = LoadFrictionOf(effects, max_effort_nm);
+  axis.load = LoadFrictionOf(effects, effort);
   return axis;
 }
 
@@ -44,13 +45,17 @@ void AddOwnCylinder(const MachineModel& model, std::size_t joint, KinematicGainP
   }
 }
 
+/// Whether cylinders with a bore move the joint.
+bool HasDrivingCylinder(const MachineModel& model, std::size_t joint) {
+  return std::any_of(model.cylinders.begin(), model.cylinders.end(), [&](const Cylinder& c) {
+    return c.joint == static_cast<int>(joint) && c.bore_m > 0;
+  });
+}
+
 /// What the cylinders with a bore take that move the joint, or else its own displacement.
 void SetDisplacement(const MachineModel& model, std::size_t joint, AxisParameters* axis) {
   const Joint& j = model.joints[joint];
-  const auto driven = [&](const Cylinder& cylinder) {
-    return cylinder.joint == static_cast<int>(joint) && cylinder.bore_m > 0;
-  };
-  if (std::none_of(model.cylinders.begin(), model.cylinders.end(), driven)) {
+  if (!HasDrivingCylinder(model, joint)) {
     axis->displacement_positive_m3prad.values = {j.displacement_m3prad};
     axis->displacement_negative_m3prad.values = {j.displacement_m3prad};
     return;
@@ -64,8 +69,8 @@ void SetDisplacement(const MachineModel& model, std::size_t joint, AxisParameter
   axis->displacement_negative_m3prad = toward(-1);
 }
 
-AxisParameters AxisOf(const Joint& joint, const Effects& effects) {
-  AxisParameters axis = AxisOf(effects, joint.max_effort_nm);
+AxisParameters AxisOf(const Joint& joint, const Effects& effects, const ActuatorEffort& effort) {
+  AxisParameters axis = AxisOf(effects, effort);
   axis.max_rate_positive_radps = joint.max_rate_positive_radps;
   axis.max_rate_negative_radps = joint.max_rate_negative_radps;
   axis.actuator.lower_rad = joint.lower_rad;
@@ -77,7 +82,7 @@ AxisParameters AxisOf(const Joint& joint, const Effects& effects) {
 }
 
 AxisParameters AxisOf(const GearDrive& drive, const Effects& effects) {
-  AxisParameters axis = AxisOf(effects, drive.max_torque_nm);
+  AxisParameters axis = AxisOf(effects, ActuatorEffort::Constant(drive.max_torque_nm));
   axis.max_rate_positive_radps = axis.max_rate_negative_radps = drive.max_rate_radps;
   axis.displacement_positive_m3prad.values = {drive.displacement_m3prad};
   axis.displacement_negative_m3prad.values = {drive.displacement_m3prad};
@@ -98,6 +103,20 @@ KinematicGainParameters GainOf(const MachineModel& model, std::size_t joint) {
     AddOwnCylinder(model, joint, &gain);
   }
   return gain;
+}
+
+ActuatorEffort EffortOf(const MachineModel& model, std::size_t axis) {
+  if (axis >= model.joints.size()) {
+    return ActuatorEffort::Constant(model.gear_drives[axis - model.joints.size()].max_torque_nm);
+  }
+  const Joint& joint = model.joints[axis];
+  if (!HasDrivingCylinder(model, axis)) return ActuatorEffort::Constant(joint.max_effort_nm);
+  const auto relief = [&](double q_rad) {
+    return ReliefEffort(model, static_cast<int>(axis), q_rad);
+  };
+  return {Tabulate(joint, [&](double q_rad) { return relief(q_rad).positive_nm; }),
+          Tabulate(joint, [&](double q_rad) { return relief(q_rad).negative_nm; }),
+          joint.max_effort_nm};
 }
 
 AxisActuation::AxisActuation(const AxisParameters& parameters, const Stream& drops,
@@ -127,7 +146,8 @@ double AxisActuation::Power_w(double rate_radps, const AxisMotion& motion) const
 AxisDrive AxisActuation::Deliver(double rate_radps, const AxisMotion& motion, double dt_s) {
   const double actuator_radps = actuator_.Step(rate_radps, motion.position_rad, dt_s);
   const double joint_radps = gain_.Step(actuator_radps, motion.position_rad, dt_s);
-  return {load_.Step(joint_radps, motion.load_nm, dt_s), load_.Friction(motion.rate_radps)};
+  return {load_.Step(joint_radps, motion.load_nm, motion.position_rad, dt_s),
+          load_.Friction(motion.rate_radps)};
 }
 
 AxisActuation AxisActuationOf(const MachineModel& model, std::size_t axis,
@@ -141,7 +161,10 @@ AxisActuation AxisActuationOf(const MachineModel& model, std::size_t axis,
     return of(model.ground_tools.gears[gear].name,
               AxisOf(model.gear_drives[gear], EffectsAt(model.effects.gears, gear)));
   }
-  AxisParameters parameters = AxisOf(model.joints[axis], EffectsAt(model.effects.joints, axis));
+  const Effects& effects = EffectsAt(model.effects.joints, axis);
+  const bool meets_load = FindEffect(effects, "pressure_droop") || FindEffect(effects, "sag");
+  AxisParameters parameters =
+      AxisOf(model.joints[axis], effects, meets_load ? EffortOf(model, axis) : ActuatorEffort());
   SetDisplacement(model, axis, &parameters);
   parameters.gain = GainOf(model, axis);
   return of(model.joints[axis].name, parameters);

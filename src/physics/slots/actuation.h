@@ -85,6 +85,10 @@ const Effects& EffectsAt(const std::vector<Effects>& effects, std::size_t k);
 /// `cylinder_lever` names no pins.
 KinematicGainParameters GainOf(const MachineModel& model, std::size_t joint);
 
+/// What drives an axis (joints first, then gears) over its travel: what relief lets the joint's
+/// cylinders do, or else its own largest effort.
+ActuatorEffort EffortOf(const MachineModel& model, std::size_t axis);
+
 /// The chain of one axis of a machine (joints first, then gears), without the pumps.
 AxisActuation AxisActuationOf(const MachineModel& model, std::size_t axis,
                               const ActuationStart& start);

@@ -47,6 +47,7 @@ struct Axis {
   double max_rate_positive_radps = 0, max_rate_negative_radps = 0;
   double max_effort_nm = 0;
   std::string_view effort_key;
+  ActuatorEffort effort;
 };
 
 /// How a dead band leaves nothing of a full lever in one direction, empty if it does not.
@@ -64,7 +65,7 @@ std::string FaultOfDeadBand(const LeverMapParameters& map) {
 /// How friction alone takes up the effort at which pressure_droop has the axis stand still, empty
 /// if it does not.
 std::string FaultOfDroop(const Effects& effects, const Axis& axis) {
-  const LoadFrictionParameters load = LoadFrictionOf(effects, axis.max_effort_nm);
+  const LoadFrictionParameters load = LoadFrictionOf(effects, axis.effort);
   const LeverMapParameters map = LeverMapOf(effects);
   for (const double lever : {1.0, -1.0}) {
     const double full_radps =
@@ -75,11 +76,14 @@ std::string FaultOfDroop(const Effects& effects, const Axis& axis) {
     const double against_nm =
         friction.viscous_nmsprad * rate_radps +
         (lever > 0 ? friction.against_positive_nm : friction.against_negative_nm);
-    if (against_nm < load.stall_nm) continue;
+    const std::vector<double>& stalls =
+        (lever > 0 ? load.stall_positive_nm : load.stall_negative_nm).values;
+    const double stall_nm = *std::min_element(stalls.begin(), stalls.end());
+    if (against_nm < stall_nm) continue;
     return fmt::format(
-        "has the axis stand still at stall_nm {:g}, but at full {} lever its friction alone is "
+        "has the axis stand still at {:g}, but at full {} lever its friction alone is "
         "{:g}; need more than that, or less friction",
-        load.stall_nm, lever > 0 ? "positive" : "negative", against_nm);
+        stall_nm, lever > 0 ? "positive" : "negative", against_nm);
   }
   return "";
 }
@@ -148,9 +152,9 @@ std::string WhyGearUndriven(const MachineModel& model, std::size_t gear) {
 std::vector<EffectFault> FaultsOfJoint(const MachineModel& model, std::size_t joint) {
   const Joint& j = model.joints[joint];
   const Effects& effects = EffectsAt(model.effects.joints, joint);
-  std::vector<EffectFault> faults =
-      FaultsOfAxis(effects, {WhyJointUndriven(model, joint), j.max_rate_positive_radps,
-                             j.max_rate_negative_radps, j.max_effort_nm, EffortKey(j)});
+  std::vector<EffectFault> faults = FaultsOfAxis(
+      effects, {WhyJointUndriven(model, joint), j.max_rate_positive_radps,
+                j.max_rate_negative_radps, j.max_effort_nm, EffortKey(j), EffortOf(model, joint)});
   const bool stops = j.type != JointType::kContinuous && j.lower_rad < j.upper_rad;
   if (FindEffect(effects, "end_cushion") && !stops) {
     faults.push_back({"end_cushion",
@@ -171,9 +175,10 @@ std::vector<EffectFault> FaultsOfJoint(const MachineModel& model, std::size_t jo
 
 std::vector<EffectFault> FaultsOfGear(const MachineModel& model, std::size_t gear) {
   const GearDrive& drive = model.gear_drives[gear];
-  return FaultsOfAxis(EffectsAt(model.effects.gears, gear),
-                      {WhyGearUndriven(model, gear), drive.max_rate_radps, drive.max_rate_radps,
-                       drive.max_torque_nm, "max_torque_nm"});
+  return FaultsOfAxis(
+      EffectsAt(model.effects.gears, gear),
+      {WhyGearUndriven(model, gear), drive.max_rate_radps, drive.max_rate_radps,
+       drive.max_torque_nm, "max_torque_nm", EffortOf(model, model.joints.size() + gear)});
 }
 
 std::vector<EffectFault> FaultsOfPump(const MachineModel& model, std::size_t pump) {

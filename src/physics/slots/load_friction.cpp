@@ -20,6 +20,14 @@ double ViscosityRatio(double oil_degc) {
   return OilViscosity_cst(oil_degc) / OilViscosity_cst(kReference_degc);
 }
 
+/// Near a dead centre a cylinder counts as if it could do this share of its rated effort.
+constexpr double kWeakest = 0.1;
+
+OverTravel AtLeast(double least, OverTravel table) {
+  for (double& value : table.values) value = std::max(value, least);
+  return table;
+}
+
 }  // namespace
 
 double OilViscosity_cst(double oil_degc) {
@@ -33,10 +41,20 @@ double OilViscosity_cst(double oil_degc) {
   return std::pow(10, std::pow(10, log_log)) - kChartShift_cst;
 }
 
-LoadFrictionParameters LoadFrictionOf(const Effects& effects, double max_effort_nm) {
+ActuatorEffort ActuatorEffort::Constant(double effort_nm) {
+  return {{.values = {effort_nm}}, {.values = {effort_nm}}, effort_nm};
+}
+
+LoadFrictionParameters LoadFrictionOf(const Effects& effects, const ActuatorEffort& effort) {
   LoadFrictionParameters parameters;
   if (const Effect* droop = FindEffect(effects, "pressure_droop")) {
-    parameters.stall_nm = (*droop)["stall_nm"];
+    const double stall_nm = (*droop)["stall_nm"];
+    if (stall_nm > 0) {
+      parameters.stall_positive_nm.values = parameters.stall_negative_nm.values = {stall_nm};
+    } else if (effort.rated_nm > 0) {
+      parameters.stall_positive_nm = AtLeast(kWeakest * effort.rated_nm, effort.positive_nm);
+      parameters.stall_negative_nm = AtLeast(kWeakest * effort.rated_nm, effort.negative_nm);
+    }
     parameters.droop_response_s = (*droop)["response_s"];
   }
   if (const Effect* friction = FindEffect(effects, "coulomb_friction")) {
@@ -55,9 +73,15 @@ LoadFrictionParameters LoadFrictionOf(const Effects& effects, double max_effort_
     parameters.more_negative_nm = (*friction)["negative_nm"];
   }
   if (const Effect* sag = FindEffect(effects, "sag")) {
-    if (max_effort_nm > 0) {
-      parameters.drift_radpspnm =
-          (*sag)["drift_radps"] / max_effort_nm / ViscosityRatio((*sag)["oil_degc"]);
+    const double drift_radps = (*sag)["drift_radps"] / ViscosityRatio((*sag)["oil_degc"]);
+    if (effort.rated_nm > 0 && drift_radps > 0) {
+      const auto drift = [&](const OverTravel& against_nm) {
+        OverTravel table = AtLeast(kWeakest * effort.rated_nm, against_nm);
+        for (double& e_nm : table.values) e_nm = drift_radps * effort.rated_nm / (e_nm * e_nm);
+        return table;
+      };
+      parameters.drift_negative_radpspnm = drift(effort.positive_nm);
+      parameters.drift_positive_radpspnm = drift(effort.negative_nm);
     }
   }
   if (const Effect* flex = FindEffect(effects, "structural_flex")) {
@@ -68,19 +92,15 @@ LoadFrictionParameters LoadFrictionOf(const Effects& effects, double max_effort_
 }
 
 bool LoadFriction::ReadsLoad() const {
-  return std::isfinite(parameters_.stall_nm) || parameters_.drift_radpspnm > 0;
+  return !parameters_.stall_positive_nm.values.empty() ||
+         !parameters_.drift_negative_radpspnm.values.empty();
 }
 
-double LoadFriction::Step(double rate_radps, double load_nm, double dt_s) {
+double LoadFriction::Step(double rate_radps, double load_nm, double position_rad, double dt_s) {
   if (dt_s != dt_s_) Prepare(dt_s);
   double rate = rate_radps;
-  if (std::isfinite(parameters_.stall_nm)) rate = Droop(rate, load_nm);
-  if (parameters_.drift_radpspnm > 0) {
-    // Friction that holds part of a load keeps that part off the oil.
-    const AxisFriction held = Friction(0);
-    rate -= parameters_.drift_radpspnm *
-            (load_nm - std::clamp(load_nm, -held.against_positive_nm, held.against_negative_nm));
-  }
+  if (!parameters_.stall_positive_nm.values.empty()) rate = Droop(rate, load_nm, position_rad);
+  if (!parameters_.drift_negative_radpspnm.values.empty()) rate -= Leak(load_nm, position_rad);
   if (parameters_.flex_radps > 0) rate = Flex(rate);
   return rate;
 }
@@ -96,14 +116,28 @@ void LoadFriction::Prepare(double dt_s) {
   flex_sin_ = decay * std::sin(turn_rad);
 }
 
-double LoadFriction::Droop(double rate_radps, double load_nm) {
+double LoadFriction::Leak(double load_nm, double position_rad) const {
+  // Friction that holds part of a load keeps that part off the oil.
+  const AxisFriction held = Friction(0);
+  const double on_oil_nm =
+      load_nm - std::clamp(load_nm, -held.against_positive_nm, held.against_negative_nm);
+  if (on_oil_nm == 0) return 0;
+  return on_oil_nm *
+         (on_oil_nm > 0 ? parameters_.drift_negative_radpspnm : parameters_.drift_positive_radpspnm)
+             .At(position_rad);
+}
+
+double LoadFriction::Droop(double rate_radps, double load_nm, double position_rad) {
   pressed_nm_ += response_step_ * (load_nm - pressed_nm_);
   if (rate_radps == 0) return 0;
   const AxisFriction friction = Friction(rate_radps);
   const double dry_nm = rate_radps > 0 ? pressed_nm_ + friction.against_positive_nm
                                        : -pressed_nm_ + friction.against_negative_nm;
   const double against_nm = dry_nm + friction.viscous_nmsprad * std::abs(rate_radps);
-  return rate_radps * std::sqrt(std::max(0.0, 1 - against_nm / parameters_.stall_nm));
+  const double stall_nm =
+      (rate_radps > 0 ? parameters_.stall_positive_nm : parameters_.stall_negative_nm)
+          .At(position_rad);
+  return rate_radps * std::sqrt(std::max(0.0, 1 - against_nm / stall_nm));
 }
 
 double LoadFriction::Flex(double rate_radps) {

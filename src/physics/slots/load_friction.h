@@ -1,25 +1,37 @@
 #pragma once
 
-#include <limits>
-
 #include "core/effects.h"
+#include "physics/slots/over_travel.h"
 
 namespace tera {
+
+/// The most that an actuator can do in either direction, magnitudes over its travel.
+struct ActuatorEffort {
+  OverTravel positive_nm{.values = {0}}, negative_nm{.values = {0}};
+  /// At mid-travel, the mean of both directions.
+  double rated_nm = 0;
+
+  /// The same everywhere.
+  static ActuatorEffort Constant(double effort_nm);
+};
 
 /// What load and friction do to an actuator. As built, nothing. Efforts are newtons and rates
 /// metres a second for a joint that slides.
 struct LoadFrictionParameters {
-  double stall_nm = std::numeric_limits<double>::infinity();
+  /// At which effort it stands still in either direction; no values: at none.
+  OverTravel stall_positive_nm, stall_negative_nm;
   double droop_response_s = 0;
-  double drift_radpspnm = 0;
+  /// Yield to a load that pushes it the negative way, or the positive; no values: none.
+  OverTravel drift_negative_radpspnm, drift_positive_radpspnm;
   double coulomb_nm = 0, viscous_nmsprad = 0;
   double stribeck_nm = 0, stribeck_radps = 1;
   double more_positive_nm = 0, more_negative_nm = 0;
   double flex_radps = 0, flex_damping = 0;
 };
 
-/// `max_effort_nm` is the effort at which the sag is stated.
-LoadFrictionParameters LoadFrictionOf(const Effects& effects, double max_effort_nm);
+/// `effort` is what the actuator can do: it stalls there where no number is given, and there its
+/// leak is stated.
+LoadFrictionParameters LoadFrictionOf(const Effects& effects, const ActuatorEffort& effort);
 
 /// What opposes the motion of an axis over a step: dry friction, which also holds it at rest, with
 /// at most these magnitudes in either direction, and the viscous one, which belongs to the rate at
@@ -37,10 +49,13 @@ struct AxisFriction {
 /// Frames  The load is the effort that the joint needs at a steady rate beside that against its
 ///         own friction, positive where it must be pushed towards larger positions.
 /// Model   pressure_droop: v = v0 sqrt((ps - pL) / ps) with pL / ps the load and the friction
-///         against v0 over the effort at which the actuator stalls, seen through a first-order lag
-///         of the oil's compression; an aiding load makes it faster. The pressure that accelerates
+///         against v0 over the effort at which the actuator stalls, which without a number is the
+///         most it can do where it stands in that direction, seen through a first-order lag of the
+///         oil's compression; an aiding load makes it faster. The pressure that accelerates
 ///         masses is no load: it is gone within I v0 / ps, some milliseconds. sag: a leak lets the
-///         joint yield at a rate proportional to the load beyond what friction holds.
+///         joint yield at a rate proportional to the load beyond what friction holds, w = drift
+///         (rated / E)^2 load / rated with E the most it can do where it stands against that load:
+///         pressure is load over area and lever arm, and so is the rate over the leak.
 ///         structural_flex: the rate passes a filter of second order, w_n^2 / (s^2 + 2 z w_n s +
 ///         w_n^2). Friction: F = F_c + F_s exp(-(w / w_s)^2) + c |w| (coulomb_friction,
 ///         stribeck_friction, viscous_friction), and more by direction (asymmetric_friction); it
@@ -57,14 +72,15 @@ class LoadFriction {
   /// Whether the rate depends on the load.
   bool ReadsLoad() const;
   /// Rate over a step of `dt_s` when the actuator alone would run at `rate_radps`.
-  double Step(double rate_radps, double load_nm, double dt_s);
+  double Step(double rate_radps, double load_nm, double position_rad, double dt_s);
 
   /// Of a joint that moves at `rate_radps`.
   AxisFriction Friction(double rate_radps) const;
 
  private:
   void Prepare(double dt_s);
-  double Droop(double rate_radps, double load_nm);
+  double Droop(double rate_radps, double load_nm, double position_rad);
+  double Leak(double load_nm, double position_rad) const;
   double Flex(double rate_radps);
 
   LoadFrictionParameters parameters_;

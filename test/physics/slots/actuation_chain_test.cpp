@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/hydraulics.h"
 #include "physics/linkage.h"
 #include "physics/machine_fixture.h"
 #include "physics/slots/actuation.h"
@@ -138,6 +139,80 @@ TEST(ActuationChain, AMachinesOwnCylindersExtendSteadily) {
       EXPECT_NEAR(rate_at(q_rad) * change_m / 2e-5, steady_mps, 1e-3 * std::abs(steady_mps));
     }
   }
+}
+
+/// What a joint of the compact excavator is asked for at a position and a load.
+double RateUnder(const MachineModel& model, std::size_t axis, double lever, double q_rad,
+                 double load_nm) {
+  Actuation chain(model, {"m", 1});
+  std::vector<double> levers(model.joints.size() + 2);
+  std::vector<AxisMotion> motions(levers.size());
+  levers[axis] = lever;
+  motions[axis] = {q_rad, 0, load_nm};
+  chain.Step(levers, motions, kStep_s);
+  return chain.drives()[axis].rate_radps;
+}
+
+TEST(ActuationChain, DroopWithoutANumberStallsWhereReliefLetsGoOfTheCylinder) {
+  for (const char* name : {"boom", "bucket"}) {
+    const MachineModel model = WithEffects(
+        ShippedMachine("tb235"), std::string(name) + ": {pressure_droop: {response_s: 0}}");
+    const auto axis = static_cast<std::size_t>(model.JointIndex(name));
+    const Joint& joint = model.joints[axis];
+    double least_nm = 1e9, most_nm = 0;
+    for (const double share : {0.1, 0.4, 0.6, 0.9}) {
+      const double q_rad = std::lerp(joint.lower_rad, joint.upper_rad, share);
+      const EffortLimits relief = ReliefEffort(model, static_cast<int>(axis), q_rad);
+      // Half the rate at three quarters of the pressure, by the root.
+      EXPECT_NEAR(RateUnder(model, axis, 1, q_rad, 0.75 * relief.positive_nm),
+                  0.5 * joint.max_rate_positive_radps, 1e-3)
+          << name;
+      EXPECT_NEAR(RateUnder(model, axis, -1, q_rad, -0.75 * relief.negative_nm),
+                  -0.5 * joint.max_rate_negative_radps, 1e-3)
+          << name;
+      EXPECT_EQ(RateUnder(model, axis, 1, q_rad, 1.001 * relief.positive_nm), 0) << name;
+      least_nm = std::min({least_nm, relief.positive_nm, relief.negative_nm});
+      most_nm = std::max({most_nm, relief.positive_nm, relief.negative_nm});
+    }
+    EXPECT_GT(most_nm, 1.5 * least_nm) << name;  // so that one number would not have done
+  }
+}
+
+TEST(ActuationChain, DroopWithoutANumberOfWhatNoCylinderMovesStallsAtItsFullEffort) {
+  const MachineModel model =
+      WithEffects(ShippedMachine("tb235"), "slew: {pressure_droop: {response_s: 0}}");
+  const auto slew = static_cast<std::size_t>(model.JointIndex("slew"));
+  EXPECT_NEAR(RateUnder(model, slew, 1, 0.4, 0.75 * 3500), 0.5 * 54 * kDeg, 1e-12);
+  EXPECT_EQ(RateUnder(model, slew, -1, 0.4, -3500), 0);
+}
+
+TEST(ActuationChain, ALeakAtReliefIsOneFlowWhereverTheCylinderStands) {
+  const double drift_radps = 4e-4;
+  const MachineModel model =
+      WithEffects(ShippedMachine("tb235"), "boom: {sag: {drift_radps: 0.0004}}");
+  const auto boom = static_cast<std::size_t>(model.JointIndex("boom"));
+  const Joint& joint = model.joints[boom];
+  // 1.0e-7 m3/s or so: what the rated effort's pressure drives through, seen at mid-travel.
+  std::vector<double> flows;
+  for (const double share : {0.05, 0.3, 0.5, 0.8}) {
+    const double q_rad = std::lerp(joint.lower_rad, joint.upper_rad, share);
+    const EffortLimits relief = ReliefEffort(model, static_cast<int>(boom), q_rad);
+    for (const int sign : {1, -1}) {
+      const double load_nm = sign > 0 ? relief.positive_nm : -relief.negative_nm;
+      const double rate_radps = RateUnder(model, boom, 0, q_rad, load_nm);
+      EXPECT_LT(rate_radps * sign, 0);
+      const double displacement_m3prad =
+          CylinderDisplacement_m3prad(model, static_cast<int>(boom), q_rad, sign);
+      flows.push_back(std::abs(rate_radps) * displacement_m3prad);
+    }
+  }
+  const double mid_m3prad =
+      0.5 * (CylinderDisplacement_m3prad(model, static_cast<int>(boom),
+                                         0.5 * (joint.lower_rad + joint.upper_rad), 1) +
+             CylinderDisplacement_m3prad(model, static_cast<int>(boom),
+                                         0.5 * (joint.lower_rad + joint.upper_rad), -1));
+  // Return pressure, which is no load's, makes 2 % of difference.
+  for (const double flow : flows) EXPECT_NEAR(flow / (drift_radps * mid_m3prad), 1, 0.03);
 }
 
 /// All that the chain asks for while levers sway between measured neighbours.

@@ -81,7 +81,7 @@ TEST(ActuationFaults, FrictionAloneDoesNotStallAJoint) {
   const std::string droop = "pressure_droop: {stall_nm: 1000}, ";
   EXPECT_EQ(OfLift(droop + "coulomb_friction: {effort_nm: 999}"), "");
   EXPECT_EQ(OfLift(droop + "coulomb_friction: {effort_nm: 1000}"),
-            "pressure_droop: has the axis stand still at stall_nm 1000, but at full positive lever "
+            "pressure_droop: has the axis stand still at 1000, but at full positive lever "
             "its friction alone is 1000; need more than that, or less friction");
   EXPECT_THAT(OfLift(droop + "asymmetric_friction: {negative_nm: 1500}"),
               HasSubstr("at full negative lever its friction alone is 1500"));
