@@ -11,7 +11,9 @@
 #include <optional>
 
 #include "core/check.h"
+#include "core/rigid_obstacle.h"
 #include "physics/bullet_types.h"
+#include "physics/climb_tag.h"
 
 namespace tera {
 namespace {
@@ -48,6 +50,7 @@ struct LinkShape {
   std::vector<std::unique_ptr<btBoxShape>> boxes;
   std::unique_ptr<btCompoundShape> compound;
   std::unique_ptr<btMultiBodyLinkCollider> collider;
+  std::unique_ptr<ClimbTag> tag;
 };
 
 LinkShape MakeShape(const Link& link, const Pose& X_BP, btMultiBody* body, int bullet_link) {
@@ -166,6 +169,9 @@ void ArticulatedBody::Bullet::AddShapes(const MachineModel& model, bool meets_ot
     if (link >= 0 && (!meets_others || model.links[i].collision.empty())) continue;
     shapes.push_back(MakeShape(model.links[i], axes[i].X_BP, body.get(), link));
     btMultiBodyLinkCollider* collider = shapes.back().collider.get();
+    shapes.back().tag = std::make_unique<ClimbTag>();
+    shapes.back().tag->climb_m = ClimbHeight_m(model.ground_tools.gears, static_cast<int>(i));
+    collider->setUserPointer(shapes.back().tag.get());
     if (link < 0) {
       body->setBaseCollider(collider);
     } else {

@@ -13,6 +13,7 @@
 
 #include "core/check.h"
 #include "physics/bullet_types.h"
+#include "physics/climb_tag.h"
 #include "physics/machine_dynamics.h"
 #include "physics/soft_row_solver.h"
 
@@ -27,7 +28,8 @@ constexpr double kSoftness = 1e-12;
 
 /// An obstacle in Bullet: a body that moves as it is told.
 struct KinematicObstacle {
-  KinematicObstacle(const ObstacleBody& obstacle, btMultiBodyDynamicsWorld* world) : world(world) {
+  KinematicObstacle(const ObstacleBody& obstacle, btMultiBodyDynamicsWorld* world)
+      : world(world), tag{.rise_m = obstacle.rise_m} {
     for (const CollisionBox& box : obstacle.collision) {
       boxes.push_back(std::make_unique<btBoxShape>(ToBullet(Vec3(0.5 * box.size_m))));
       compound.addChildShape(ToBullet(box.X_BG), boxes.back().get());
@@ -36,6 +38,7 @@ struct KinematicObstacle {
     body->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
     body->setActivationState(DISABLE_DEACTIVATION);
     body->setFriction(kObstacleFriction);
+    body->setUserPointer(&tag);
     body->setWorldTransform(ToBullet(obstacle.state.X_WB));
     body->setInterpolationWorldTransform(body->getWorldTransform());
     world->addRigidBody(body.get(), btBroadphaseProxy::KinematicFilter,
@@ -46,6 +49,7 @@ struct KinematicObstacle {
   KinematicObstacle& operator=(const KinematicObstacle&) = delete;
 
   btMultiBodyDynamicsWorld* world;
+  ClimbTag tag;
   std::vector<std::unique_ptr<btBoxShape>> boxes;
   btCompoundShape compound;
   std::unique_ptr<btRigidBody> body;
@@ -91,20 +95,23 @@ class MidpointWorld : public btMultiBodyDynamicsWorld {
   std::vector<std::vector<btScalar>> last_, to_middle_;
 };
 
-/// Parts of one machine are no pairs for collision.
+/// Parts of one machine are no pairs for collision, nor is running gear with what it drives over.
 class OtherBodiesOnly : public btOverlapFilterCallback {
  public:
   bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override {
     const btMultiBody* body = BodyOf(a);
+    if (DrivesOver(*ObjectOf(a), *ObjectOf(b))) return false;
     return (body == nullptr || body != BodyOf(b)) &&
            (a->m_collisionFilterGroup & b->m_collisionFilterMask) != 0 &&
            (b->m_collisionFilterGroup & a->m_collisionFilterMask) != 0;
   }
 
  private:
+  static const btCollisionObject* ObjectOf(const btBroadphaseProxy* proxy) {
+    return static_cast<const btCollisionObject*>(proxy->m_clientObject);
+  }
   static const btMultiBody* BodyOf(const btBroadphaseProxy* proxy) {
-    const auto* object = static_cast<const btCollisionObject*>(proxy->m_clientObject);
-    const auto* link = btMultiBodyLinkCollider::upcast(object);
+    const auto* link = btMultiBodyLinkCollider::upcast(ObjectOf(proxy));
     return link ? link->m_multiBody : nullptr;
   }
 };

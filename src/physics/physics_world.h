@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@ struct ObstacleBody {
   std::string name;
   std::vector<CollisionBox> collision;
   BodyState state;
+  /// Of its highest corner over the ground: running gear drives over what it can climb
+  /// (ClimbHeight_m), and collides with what it cannot.
+  double rise_m = std::numeric_limits<double>::infinity();
 };
 
 /// Multibody dynamics of all machines (Bullet btMultiBody, Featherstone), with obstacles.
@@ -26,7 +30,8 @@ struct ObstacleBody {
 ///         are those at the end of a step and poses follow them (semi-implicit), so that soil
 ///         forces given for the present pose act stably. Joints with cylinders are limited by
 ///         relief (see Hydraulics). Boxes of different machines, and of machines and obstacles,
-///         collide without bouncing.
+///         collide without bouncing; but links with running gear drive over obstacles that it can
+///         climb, on which the ground bears them (see Soil::AddObstacle).
 /// Omits   the reaction of a gear's inertia on its link, collision within one machine.
 class PhysicsWorld {
  public:

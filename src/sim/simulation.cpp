@@ -1,9 +1,30 @@
 #include "sim/simulation.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "core/stopwatch.h"
 #include "core/units.h"
 
 namespace tera {
+namespace {
+
+/// An obstacle's boxes as machines drive over them or against them.
+RigidObstacle RigidPartOf(const ScenarioObstacle& obstacle) {
+  RigidObstacle rigid;
+  double highest_m = -std::numeric_limits<double>::infinity();
+  for (const CollisionBox& box : obstacle.collision) {
+    rigid.boxes.push_back({box.X_BG, box.size_m});
+    const Vec3 up_G = box.X_BG.linear().row(2);
+    highest_m =
+        std::max(highest_m, box.X_BG.translation().z() + 0.5 * up_G.cwiseAbs().dot(box.size_m));
+  }
+  rigid.rise_m = obstacle.height_above_ground_m + highest_m;
+  return rigid;
+}
+
+}  // namespace
+
 Simulation::Simulation(Scenario* scenario)
     : scenario_(scenario),
       clock_{.rate_hz = scenario->physics_rate_hz},
@@ -16,11 +37,13 @@ Simulation::Simulation(Scenario* scenario)
   std::vector<ObstacleBody> obstacles;
   for (const ScenarioObstacle& obstacle : scenario->obstacles) {
     state_.obstacles.push_back(ObstacleAt(obstacle, 0, ground()));
-    obstacles.push_back({obstacle.name, obstacle.collision, state_.obstacles.back()});
+    const RigidObstacle rigid = RigidPartOf(obstacle);
+    obstacles.push_back({obstacle.name, obstacle.collision, state_.obstacles.back(), rigid.rise_m});
+    obstacle_handle_.push_back(scenario->soil->AddObstacle(rigid));
     bed_handle_.emplace_back();
     if (obstacle.bed) bed_handle_.back() = scenario->soil->AddBed(*obstacle.bed);
   }
-  MoveBeds();
+  MoveObstacles();
   physics_ = std::make_unique<PhysicsWorld>(placements, obstacles, kStandardGravity_mps2,
                                             WorldStart{scenario->seed, step_});
   Capture();
@@ -40,7 +63,7 @@ void Simulation::Step() {
   for (std::size_t o = 0; o < state_.obstacles.size(); ++o) {
     state_.obstacles[o] = ObstacleAt(scenario_->obstacles[o], clock_.Due(step_), ground());
   }
-  MoveBeds();
+  MoveObstacles();
   {
     const Stopwatch watch(&physics_wall_s_);
     physics_->Step(inputs, state_.obstacles, dt_s);
@@ -66,8 +89,9 @@ SoilReaction Simulation::GroundActsOn(std::size_t machine) {
   return scenario_->soil->Act(soil_handle_[machine], motion, 1.0 / scenario_->physics_rate_hz);
 }
 
-void Simulation::MoveBeds() {
+void Simulation::MoveObstacles() {
   for (std::size_t o = 0; o < bed_handle_.size(); ++o) {
+    scenario_->soil->MoveObstacle(obstacle_handle_[o], state_.obstacles[o]);
     if (bed_handle_[o]) scenario_->soil->MoveBed(*bed_handle_[o], state_.obstacles[o].X_WB);
   }
 }

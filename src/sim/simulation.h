@@ -43,7 +43,7 @@ class Simulation {
  private:
   std::vector<double> LeversOf(std::size_t machine) const;
   SoilReaction GroundActsOn(std::size_t machine);
-  void MoveBeds();
+  void MoveObstacles();
   void Capture();
 
   Scenario* scenario_;
@@ -52,6 +52,7 @@ class Simulation {
   std::unique_ptr<PhysicsWorld> physics_;
   std::vector<int> soil_handle_;                ///< one for each machine
   std::vector<std::optional<int>> bed_handle_;  ///< one for each obstacle
+  std::vector<int> obstacle_handle_;            ///< the soil's, one for each
   WorldState state_, previous_;
   double physics_wall_s_ = 0, soil_wall_s_ = 0;
 };

@@ -73,6 +73,24 @@ void ShearFurther(const SoilType& soil, const Vec2& slip_m, Vec2* j_m) {
   *j_m = -soil.shear_modulus_m * std::log1p(-std::min(size, most)) / size * after;
 }
 
+/// The surface of an obstacle: asphalt's numbers, see config/soils/asphalt.yaml for their sources.
+SoilType HardSurface() {
+  SoilType hard;
+  hard.name = "obstacle";
+  hard.bank_density_kgpm3 = hard.max_density_kgpm3 = 2400;
+  hard.friction_angle_rad = 38.7 * kDeg;
+  hard.young_modulus_pa = 2.0e6;
+  hard.k_phi_npm_n2 = 1.0e9;
+  hard.shear_modulus_m = 0.004;
+  return hard;
+}
+
+/// The ground's soils and, last, what obstacles are made of.
+std::vector<SoilType> WithHardSurface(std::vector<SoilType> soils) {
+  soils.push_back(HardSurface());
+  return soils;
+}
+
 }  // namespace
 
 /// What the ground under one patch answers.
@@ -81,6 +99,7 @@ struct GearContact::Pressed {
   double area_m2 = 0;
   double sinkage_m = 0;
   Vec3 moment_W = Vec3::Zero();  ///< sum of normal force times place, for the centre of pressure
+  Vec3 moving_W = Vec3::Zero();  ///< sum of normal force times velocity of what it presses on
   const SoilType* soil = nullptr;
 
   double Strength_n() const {
@@ -91,7 +110,7 @@ struct GearContact::Pressed {
 GearContact::GearContact(const RunningGear& gear, bool shears, std::vector<SoilType> soils)
     : gear_(gear),
       shears_(shears),
-      soils_(std::move(soils)),
+      soils_(WithHardSurface(std::move(soils))),
       patches_(gear.patches.size()),
       plates_(PlatesOf(gear_, soils_)),
       rut_(gear_, soils_) {
@@ -104,7 +123,7 @@ GearContact::GearContact(const RunningGear& gear, bool shears, std::vector<SoilT
 
 /// Pressure on a grid of points fixed to the patch, about a cell apart: as smooth as the ground.
 GearContact::Pressed GearContact::Bear(std::size_t patch_index, const BodyState& body,
-                                       const Columns& ground) const {
+                                       const Columns& ground, const LowObstacles& obstacles) const {
   const ContactPatch& patch = gear_.patches[patch_index];
   Pressed result;
   const Vec3 n_W = body.X_WB.linear() * patch.outward_B;
@@ -121,6 +140,7 @@ GearContact::Pressed GearContact::Bear(std::size_t patch_index, const BodyState&
   const double into_mps = v_W.dot(into_W);
   const double into_along_radps = body.w_WB_radps.cross(along_W).dot(into_W);
   const double into_across_radps = body.w_WB_radps.cross(across_W).dot(into_W);
+  const double climb_m = ClimbHeight_m(gear_);
   for (int a = 0; a < n_along; ++a) {
     const double along_m = ((a + 0.5) / n_along - 0.5) * patch.length_m;
     const double share = PressureShare(patch, along_m);
@@ -128,10 +148,13 @@ GearContact::Pressed GearContact::Bear(std::size_t patch_index, const BodyState&
       const double across_m = ((b + 0.5) / n_across - 0.5) * patch.width_m;
       const Vec3 q_W = p_W + along_m * along_W + across_m * across_W;
       const Columns::Sample sample = ground.SampleAt(q_W.x(), q_W.y());
-      const double pen_m = (sample.top_m - q_W.z()) * -n_W.z();
+      const auto obstacle = obstacles.TopAt(q_W.x(), q_W.y(), climb_m);
+      const bool hard = obstacle && obstacle->z_m > sample.top_m;
+      const double pen_m = ((hard ? obstacle->z_m : sample.top_m) - q_W.z()) * -n_W.z();
       if (pen_m <= 0) continue;
-      const Plate& plate = plates_[patch_index * soils_.size() + ground.SoilAt(sample.i, sample.j)];
-      const double sinkage_m = sample.pressed_m + pen_m;
+      const std::size_t soil = hard ? soils_.size() - 1 : ground.SoilAt(sample.i, sample.j);
+      const Plate& plate = plates_[patch_index * soils_.size() + soil];
+      const double sinkage_m = pen_m + (hard ? 0 : sample.pressed_m);
       const double stiffness_papm = share * plate.rebound_papm();
       double pressure_pa = stiffness_papm * pen_m;
       if (!plate.Bears(pressure_pa, sinkage_m)) {
@@ -143,6 +166,7 @@ GearContact::Pressed GearContact::Bear(std::size_t patch_index, const BodyState&
       const double damped_pa = pressure_pa + std::clamp(damping * v_mps, -pressure_pa, pressure_pa);
       result.normal_n += damped_pa * area_m2;
       result.moment_W += damped_pa * area_m2 * q_W;
+      if (hard) result.moving_W += damped_pa * area_m2 * obstacle->v_W_mps;
       result.area_m2 += area_m2;
       result.soil = &plate.soil();
       result.sinkage_m = std::max(result.sinkage_m, sinkage_m);
@@ -187,7 +211,7 @@ Vec2 GearContact::Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_
 }
 
 GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, double dt_s,
-                                     Columns* ground) {
+                                     const LowObstacles& obstacles, Columns* ground) {
   Result result;
   const std::vector<Patch> before = patches_;
   const Vec3 origin_W = body.X_WB.translation();
@@ -199,8 +223,8 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
     const ContactPatch& patch = gear_.patches[k];
     Pressed pressed;
     if ((body.X_WB.linear() * patch.outward_B).z() < -kLeastUpward) {
-      rut_work_j_ += rut_.Press(k, body, dt_s, ground);
-      pressed = Bear(k, body, *ground);
+      rut_work_j_ += rut_.Press(k, body, dt_s, obstacles, ground);
+      pressed = Bear(k, body, *ground, obstacles);
     }
     if (pressed.normal_n <= 0) {
       patches_[k].in_contact = false;
@@ -212,7 +236,8 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
     const Vec3 along_W = body.X_WB.linear() * patch.travel_B;
     const Vec3 across_W = n_W.cross(along_W);
     const Vec3 p_W = pressed.moment_W / pressed.normal_n;
-    const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(p_W - origin_W);
+    const Vec3 v_W =
+        body.v_WB_mps + body.w_WB_radps.cross(p_W - origin_W) - pressed.moving_W / pressed.normal_n;
     // Over the soil, which gives way as a rolling shoe comes down on it: half-way between the
     // patch's normal and the machine's down. So a raised nose that rolls shears nothing.
     const Vec3 yield_W = n_W - body.X_WB.linear().col(2);

@@ -4,6 +4,7 @@
 
 #include "core/ground_tools.h"
 #include "soil/columns.h"
+#include "soil/low_obstacles.h"
 #include "soil/plate.h"
 #include "soil/rut.h"
 
@@ -27,6 +28,8 @@ namespace tera {
 ///         Resistance: work done on the rut by moving on, rather than by moving down, is paid back
 ///         as a drag over a short distance.
 ///         Gear that does not shear the ground is carried alone: no shear force, no drag.
+///         An obstacle low enough for the gear to climb bears it as pavement does, moves under it
+///         with its own velocity, and keeps it off the ground below.
 /// Omits   shear on the sides of grousers, tyre flexibility, tension of the track.
 /// Source  Bekker 1969; Janosi and Hanamoto 1961; Wills 1963.
 class GearContact {
@@ -41,7 +44,8 @@ class GearContact {
     double slip = 0;    ///< 1 - v / (r w), v along the link's x axis where the gear bears
     double grip_n = 0;  ///< shear strength of the ground under all patches
   };
-  Result Act(const BodyState& body, double rate_radps, double dt_s, Columns* ground);
+  Result Act(const BodyState& body, double rate_radps, double dt_s, const LowObstacles& obstacles,
+             Columns* ground);
 
  private:
   struct Patch {
@@ -51,7 +55,8 @@ class GearContact {
     bool in_contact = false;
   };
   struct Pressed;
-  Pressed Bear(std::size_t patch_index, const BodyState& body, const Columns& ground) const;
+  Pressed Bear(std::size_t patch_index, const BodyState& body, const Columns& ground,
+               const LowObstacles& obstacles) const;
   Vec2 Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_mps, double shoe_mps,
              double dt_s, const std::vector<Patch>& before);
 

@@ -13,6 +13,7 @@
 #include "soil/ground_raster.h"
 #include "soil/ground_view.h"
 #include "soil/hull_contact.h"
+#include "soil/low_obstacles.h"
 #include "soil/site.h"
 #include "soil/soil.h"
 #include "soil/soil_type.h"
@@ -39,7 +40,9 @@ class Ground : public Soil {
       machine.gears.emplace_back(gear, tools.footing.shears, soils);
       machine.gear_links.push_back(gear.link);
     }
-    for (const auto& point : tools.hull_points) machine.hull.emplace_back(point, tools.mass_kg);
+    for (const auto& point : tools.hull_points) {
+      machine.hull.emplace_back(point, tools.mass_kg, ClimbHeight_m(tools.gears, point.link));
+    }
     machines_.push_back(std::move(machine));
     return static_cast<int>(machines_.size()) - 1;
   }
@@ -57,6 +60,8 @@ class Ground : public Soil {
   }
   void MoveBed(int handle, const Pose& X_WB) override { grains_.beds().at(handle).Move(X_WB); }
   BedLoad bed_load(int handle) const override { return grains_.beds().at(handle).load(); }
+  int AddObstacle(const RigidObstacle& obstacle) override { return obstacles_.Add(obstacle); }
+  void MoveObstacle(int handle, const BodyState& state) override { obstacles_.Move(handle, state); }
 
   const TerrainSurface& surface() const override { return columns_.surface(); }
   const std::vector<SoilType>& soils() const override { return columns_.soils(); }
@@ -83,6 +88,7 @@ class Ground : public Soil {
   Columns columns_;
   Avalanche avalanche_;
   Grains grains_;
+  LowObstacles obstacles_;
   std::optional<SiteOrigin> georeference_;
   double piles_kg_;  ///< put on the site before the start
   std::vector<Machine> machines_;
@@ -105,7 +111,7 @@ SoilReaction Ground::Act(int handle, const GroundToolsMotion& motion, double dt_
   for (std::size_t k = 0; k < machine.gears.size(); ++k) {
     const int link = machine.gear_links[k];
     const GearContact::Result gear =
-        machine.gears[k].Act(links[link], motion.gear_rate_radps[k], dt_s, &columns_);
+        machine.gears[k].Act(links[link], motion.gear_rate_radps[k], dt_s, obstacles_, &columns_);
     Add(gear.wrench, &reaction.link_wrench[link]);
     reaction.gear_traction_n.push_back(gear.traction_n);
     reaction.gear_sinkage_m.push_back(gear.sinkage_m);
@@ -113,7 +119,8 @@ SoilReaction Ground::Act(int handle, const GroundToolsMotion& motion, double dt_
     reaction.gear_grip_n.push_back(gear.grip_n);
   }
   for (HullContact& point : machine.hull) {
-    Add(point.Act(links[point.link()], dt_s, columns_), &reaction.link_wrench[point.link()]);
+    Add(point.Act(links[point.link()], dt_s, columns_, obstacles_),
+        &reaction.link_wrench[point.link()]);
   }
   for (Digging& shovel : machine.shovels) {
     const Digging::Result digging = shovel.Act(links[shovel.link()], dt_s, &columns_, &grains_);

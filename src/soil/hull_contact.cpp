@@ -18,8 +18,9 @@ constexpr double kFriction = 0.5;                  ///< steel on soil
 
 }  // namespace
 
-HullContact::HullContact(const GroundTools::HullPoint& point, double mass_kg)
+HullContact::HullContact(const GroundTools::HullPoint& point, double mass_kg, double climb_m)
     : point_(point),
+      climb_m_(climb_m),
       stiffness_npm_(kStiffness_npm_kg * mass_kg),
       damping_nspm_(kDamping_nspm_kg * mass_kg) {
   TERA_CHECK(mass_kg >= 0, mass_kg);
@@ -30,16 +31,22 @@ void HullContact::Release() {
   sheared_W_m_.setZero();
 }
 
-Wrench HullContact::Act(const BodyState& body, double dt_s, const Columns& ground) {
+Wrench HullContact::Act(const BodyState& body, double dt_s, const Columns& ground,
+                        const LowObstacles& obstacles) {
   Wrench wrench;
   const Vec3 p_W = body.X_WB * point_.p_B_m;
-  const std::optional<GroundExit> exit = FindGroundExit(ground, p_W);
+  std::optional<GroundExit> exit = FindGroundExit(ground, p_W);
+  Vec3 v_W = PointVelocity(body, point_.p_B_m);
+  const std::optional<LowObstacles::Exit> off = obstacles.ExitFrom(p_W, climb_m_);
+  if (off && (!exit || off->way.depth_m > exit->depth_m)) {
+    exit = off->way;
+    v_W -= off->v_W_mps;
+  }
   if (!exit) {
     Release();
     return wrench;
   }
   const Vec3& n_W = exit->direction_W;
-  const Vec3 v_W = PointVelocity(body, point_.p_B_m);
   const double parting_mps = v_W.dot(n_W);
   pressed_m_ = std::clamp(pressed_m_ - parting_mps * dt_s, 0.0, exit->depth_m);
   if (pressed_m_ == 0) {

@@ -26,7 +26,8 @@ void Rut::Begin(Columns* ground) {
   was_touching_ = std::exchange(touching_, {});
 }
 
-double Rut::Press(std::size_t patch_index, const BodyState& body, double dt_s, Columns* ground) {
+double Rut::Press(std::size_t patch_index, const BodyState& body, double dt_s,
+                  const LowObstacles& obstacles, Columns* ground) {
   pressed_.clear();
   const ContactPatch& patch = gear_.patches[patch_index];
   const Vec3 p_W = body.X_WB * patch.p_B_m;
@@ -39,6 +40,7 @@ double Rut::Press(std::size_t patch_index, const BodyState& body, double dt_s, C
   const int i1 = std::min(ground->nx() - 1, ground->NearestI(p_W.x() + reach.x()));
   const int j0 = std::max(0, ground->NearestJ(p_W.y() - reach.y()));
   const int j1 = std::min(ground->ny() - 1, ground->NearestJ(p_W.y() + reach.y()));
+  const double climb_m = ClimbHeight_m(gear_);
   double work_j = 0;
   for (int j = j0; j <= j1; ++j) {
     for (int i = i0; i <= i1; ++i) {
@@ -52,6 +54,8 @@ double Rut::Press(std::size_t patch_index, const BodyState& body, double dt_s, C
       const double top_m = k != Columns::kNone ? ground->skin(k).top_m : ground->TopAt(i, j);
       const double pen_m = (top_m - (p_W.z() + d.z())) * -n_W.z();
       if (pen_m <= 0) continue;
+      const auto obstacle = obstacles.TopAt(ground->x_m(i), ground->y_m(j), climb_m);
+      if (obstacle && obstacle->z_m > top_m) continue;
       if (k == Columns::kNone) k = ground->Touch(i, j);
       const Plate& plate = plates_[patch_index * soils_.size() + ground->soil_at(k)];
       const double was_m = ground->skin(k).pressed_m;

@@ -4,6 +4,7 @@
 
 #include "core/ground_tools.h"
 #include "soil/columns.h"
+#include "soil/low_obstacles.h"
 #include "soil/plate.h"
 
 namespace tera {
@@ -28,9 +29,11 @@ class Rut {
 
   /// Before a step's patches.
   void Begin(Columns* ground);
-  /// Presses the columns under patch `k` where they cannot bear it. Returns the work of it that the
-  /// patch's pressure does not do, because the gear moves on rather than down.
-  double Press(std::size_t k, const BodyState& body, double dt_s, Columns* ground);
+  /// Presses the columns under patch `k` where they cannot bear it and no low obstacle lies on
+  /// them. Returns the work of it that the patch's pressure does not do, because the gear moves on
+  /// rather than down.
+  double Press(std::size_t k, const BodyState& body, double dt_s, const LowObstacles& obstacles,
+               Columns* ground);
   /// Lets patch `k`, whose columns were just pressed, slip by `slip_m` over them, along travel;
   /// `contact_m` is the length of ground under the whole gear.
   /// Its shoes stand `sinkage_m` deep.

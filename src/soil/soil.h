@@ -9,6 +9,7 @@
 
 #include "core/config.h"
 #include "core/ground_tools.h"
+#include "core/rigid_obstacle.h"
 #include "core/terrain_surface.h"
 #include "soil/soil_view.h"
 
@@ -103,6 +104,10 @@ class Soil {
   /// Puts a bed, with what lies in it, where its carrier is, which stands upright.
   virtual void MoveBed(int handle, const Pose& X_WB) = 0;
   virtual BedLoad bed_load(int handle) const = 0;
+
+  /// Adds an obstacle at W's origin, for those machines that climb it; returns its handle.
+  virtual int AddObstacle(const RigidObstacle& obstacle) = 0;
+  virtual void MoveObstacle(int handle, const BodyState& state) = 0;
 
   /// Forces of the ground on machine `handle` in its present motion, and the work that its tools
   /// and tracks do on the ground over the next `dt_s`: cuts, carries, dumps, presses ruts.

@@ -41,7 +41,7 @@ class Plate {
     for (int k = 0; k < seconds / kStep_s; ++k) {
       force_W_n_ = Vec3::Zero();
       for (HullContact& contact : contacts_) {
-        force_W_n_ += contact.Act(body_, kStep_s, ground).force_W_n;
+        force_W_n_ += contact.Act(body_, kStep_s, ground, LowObstacles()).force_W_n;
       }
       body_.v_WB_mps += (force_W_n_ / kMass_kg - Vec3(0, 0, kStandardGravity_mps2)) * kStep_s;
       body_.X_WB.translation() += body_.v_WB_mps * kStep_s;
@@ -87,7 +87,7 @@ TEST(HullContact, ATonneThatFallsOnOneCornerGoesInLessThanATenthOfAMetre) {
   body.v_WB_mps = Vec3(0, 0, -std::sqrt(2 * kStandardGravity_mps2 * 0.3));
   double deepest_m = 0;
   for (int k = 0; k < 500; ++k) {
-    const Vec3 force_W_n = corner.Act(body, kStep_s, ground).force_W_n;
+    const Vec3 force_W_n = corner.Act(body, kStep_s, ground, LowObstacles()).force_W_n;
     body.v_WB_mps += (force_W_n / Plate::kMass_kg - Vec3(0, 0, kStandardGravity_mps2)) * kStep_s;
     body.X_WB.translation() += body.v_WB_mps * kStep_s;
     deepest_m = std::max(deepest_m, -body.X_WB.translation().z());
@@ -144,7 +144,7 @@ TEST(HullContact, OnASlopeItStaysOrSlidesAsFrictionSays) {
     Vec3 force_W_n = Vec3::Zero();
     const auto move = [&](double seconds) {
       for (int k = 0; k < seconds / kStep_s; ++k) {
-        force_W_n = foot.Act(body, kStep_s, ground).force_W_n;
+        force_W_n = foot.Act(body, kStep_s, ground, LowObstacles()).force_W_n;
         body.v_WB_mps += (force_W_n / kMass_kg - Vec3(0, 0, kStandardGravity_mps2)) * kStep_s;
         body.X_WB.translation() += body.v_WB_mps * kStep_s;
       }
@@ -178,7 +178,7 @@ TEST(HullContact, WhatSlidesIntoTheWallOfAPitIsPushedBackSideways) {
     body.v_WB_mps = Vec3(1.1, 0, 0);
     double deepest_m = 0;
     for (int k = 0; k < 1500; ++k) {
-      const Vec3 force_W_n = corner.Act(body, kStep_s, ground).force_W_n;
+      const Vec3 force_W_n = corner.Act(body, kStep_s, ground, LowObstacles()).force_W_n;
       // The wall leans by a tenth, and on the way out friction turns.
       EXPECT_LE(std::abs(force_W_n.z()), 0.12 * force_W_n.norm() + 200);
       body.v_WB_mps.x() += force_W_n.x() / 1750 * kStep_s;  // half a machine, on a rail along x
@@ -204,7 +204,7 @@ TEST(HullContact, InTheCornerOfFloorAndWallBothBear) {
   constexpr double kMass_kg = 800, kPush_n = 12000;
   Vec3 force_W_n;
   for (int k = 0; k < 1500; ++k) {
-    force_W_n = corner.Act(body, kStep_s, ground).force_W_n;
+    force_W_n = corner.Act(body, kStep_s, ground, LowObstacles()).force_W_n;
     body.v_WB_mps +=
         (force_W_n / kMass_kg + Vec3(kPush_n / kMass_kg, 0, -kStandardGravity_mps2)) * kStep_s;
     body.X_WB.translation() += body.v_WB_mps * kStep_s;
@@ -225,7 +225,7 @@ TEST(HullContact, AlikeMachinesOfAnyMassGoInAlike) {
     body.v_WB_mps = Vec3(0, 0, -1.5);
     double deepest_m = 0;
     for (int k = 0; k < 500; ++k) {
-      const Vec3 force_W_n = corner.Act(body, kStep_s, ground).force_W_n;
+      const Vec3 force_W_n = corner.Act(body, kStep_s, ground, LowObstacles()).force_W_n;
       body.v_WB_mps += (4 * force_W_n / mass_kg - Vec3(0, 0, kStandardGravity_mps2)) * kStep_s;
       body.X_WB.translation() += body.v_WB_mps * kStep_s;
       deepest_m = std::max(deepest_m, -body.X_WB.translation().z());
@@ -268,7 +268,7 @@ TEST(HullContact, GroundNeverGivesWork) {
       body.X_WB.translation() = place(static_cast<double>(k) / kSteps);
       const Vec3 step_m = place((k + 1.0) / kSteps) - body.X_WB.translation();
       body.v_WB_mps = step_m / kStep_s;
-      const double given_j = point.Act(body, kStep_s, ground).force_W_n.dot(step_m);
+      const double given_j = point.Act(body, kStep_s, ground, LowObstacles()).force_W_n.dot(step_m);
       work_j += given_j;
       most_j = std::max(most_j, work_j);
     }
