@@ -3,8 +3,6 @@
 
 #include <cmath>
 #include <cstring>
-#include <fstream>
-#include <regex>
 
 #include "core/config.h"
 #include "core/error.h"
@@ -321,34 +319,6 @@ TEST(Levers, NoNumberBeyondFullAndNoTimeAreFaults) {
   EXPECT_THAT(fault(&ros::DeltaCan::left_travel, -1.001f), HasSubstr("left_travel is -1.001"));
   EXPECT_THAT(fault(&ros::DeltaCan::stamp_nanosec, 1'000'000'000u), HasSubstr("stamp"));
   EXPECT_THAT(fault(&ros::DeltaCan::stamp_sec, -1), HasSubstr("stamp"));
-}
-
-TEST(Levers, RosDefinitionHasTheFieldsOfTheWire) {
-  const auto matches = [](const std::string& file, const std::regex& form) {
-    std::ifstream stream(file);
-    EXPECT_TRUE(stream) << file;
-    std::vector<std::string> found;
-    std::smatch match;
-    for (std::string line; std::getline(stream, line);) {
-      if (std::regex_search(line, match, form))
-        found.push_back(match[1].str() + " " + match[2].str());
-    }
-    return found;
-  };
-  auto ros_fields = matches("examples/ros2/tera_msgs/msg/DeltaCAN.msg",
-                            std::regex(R"(^(\S+) ([a-z_]+)\s*(#.*)?$)"));
-  for (std::string& field : ros_fields) {
-    field = std::regex_replace(field, std::regex("^float32\\[\\]"), "sequence<float>");
-    field = std::regex_replace(field, std::regex("^float32"), "float");
-    field = std::regex_replace(field, std::regex("^bool "), "boolean ");
-    field =
-        std::regex_replace(field, std::regex("^std_msgs/Header"), "std_msgs::msg::dds_::Header_");
-  }
-  const auto all =
-      matches("src/ros2/topic_types.idl", std::regex(R"(^ +(\S+) ([A-Za-z0-9_]+)[;{ ])"));
-  ASSERT_GE(all.size(), 13u);
-  const std::vector<std::string> last(all.end() - 13, all.end());
-  EXPECT_EQ(ros_fields, last);
 }
 
 TEST(RosNames, GnssTopicsAreCalledGps) {

@@ -91,7 +91,7 @@ TEST(LoadFriction, FlexRingsAtItsDampedFrequencyWithItsOvershoot) {
   LoadFriction load = LoadFrom("structural_flex: {natural_radps: 12, damping: 0.2}");
   double peak = 0, at_s = 0, rate = 0;
   for (int i = 1; i <= 5000; ++i) {
-    rate = load.Step(1, 0, 0.001);
+    rate = load.Step(1, 0, 0, 0.001);
     if (i <= 500 && rate > peak) peak = rate, at_s = i * 0.001;
   }
   EXPECT_NEAR(at_s, 0.26720, 0.001);
@@ -104,7 +104,7 @@ TEST(LoadFriction, FlexPassesASineAsASecondOrderFilter) {
   LoadFriction load = LoadFrom("structural_flex: {natural_radps: 12, damping: 0.1}");
   double most = 0;
   for (int i = 0; i < 10000; ++i) {
-    const double y = load.Step(std::sin(12 * (i + 0.5) * 0.001), 0, 0.001);
+    const double y = load.Step(std::sin(12 * (i + 0.5) * 0.001), 0, 0, 0.001);
     if (i > 8000) most = std::max(most, y);
   }
   EXPECT_NEAR(most, 5, 0.01);
