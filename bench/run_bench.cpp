@@ -5,8 +5,8 @@
 #include "sim/generate.h"
 #include "verdict.h"
 
-// The quickstart from start to finished dataset, with all its sensors or some. Figures are factors
-// of real time: simulated seconds over seconds taken.
+// Shipped scenarios from start to finished dataset, with all their sensors or some. Figures are
+// factors of real time: simulated seconds over seconds taken.
 
 namespace tera::bench {
 namespace {
@@ -16,13 +16,17 @@ bool Is(const SensorDescription& sensor) {
   return std::holds_alternative<Model>(sensor.model);
 }
 
-GenerateReport RunQuickstart(const std::function<bool(const SensorDescription&)>& keep) {
+using Keep = std::function<bool(const SensorDescription&)>;
+
+GenerateReport RunShipped(const std::string& scenario, const Keep& keep) {
   const ScratchFolder folder("run");
-  ShippedScenario loaded = Load("quickstart", keep);
+  ShippedScenario loaded = Load(scenario, keep);
   GenerateOptions options;
   options.out = folder.path() / "out";
   return Generate(std::move(loaded.scenario), loaded.resolved_yaml, options);
 }
+
+GenerateReport RunQuickstart(const Keep& keep) { return RunShipped("quickstart", keep); }
 
 void Report(const GenerateReport& report, benchmark::State* state) {
   const auto factor = [&](const char* name, double wall_s) {
@@ -73,6 +77,16 @@ void RunWhole(benchmark::State& state) {
   Report(report, &state);
 }
 
+/// Two compact excavators, one of 20 t and a dozer at once, without cameras.
+void RunFourMachines(benchmark::State& state) {
+  GenerateReport report;
+  for (auto _ : state) {
+    report = RunShipped("four_machines", [](const SensorDescription&) { return true; });
+  }
+  Report(report, &state);
+  ExpectAtLeast({"of real time", 3, "x"}, report.simulated_s / report.wall_s, &state);
+}
+
 BENCHMARK(RunInertial)
     ->Iterations(1)
     ->MeasureProcessCPUTime()
@@ -87,6 +101,12 @@ BENCHMARK(RunDepthCamera)
     ->Unit(benchmark::kSecond);
 BENCHMARK(RunWhole)->Iterations(1)->MeasureProcessCPUTime()->UseRealTime()->Unit(
     benchmark::kSecond);
+
+BENCHMARK(RunFourMachines)
+    ->Iterations(1)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->Unit(benchmark::kSecond);
 
 }  // namespace
 }  // namespace tera::bench

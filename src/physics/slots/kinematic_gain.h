@@ -26,7 +26,9 @@ KinematicGainParameters KinematicGainOf(const Effects& effects);
 ///         cos g) and the lever arm r = dL/dg = a b sin(g) / L; scaled to 1 at a reference
 ///         position, and at most 10 near a dead centre. backlash: the play operator, what moves
 ///         behind a gap moves only while what moves before it presses on one of its sides.
-/// Omits   the impact when a gap closes.
+/// Omits   the load: it is what the actuator asks for that crosses the gap, at each of its
+///         reversals. A gap that a load holds closed on one side is crossed where the load
+///         reverses, under gravity hardly ever. The impact when a gap closes.
 /// Source  Visintin 1994, "Differential models of hysteresis": the play operator.
 class KinematicGain {
  public:

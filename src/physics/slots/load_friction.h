@@ -60,7 +60,8 @@ struct AxisFriction {
 ///         w_n^2). Friction: F = F_c + F_s exp(-(w / w_s)^2) + c |w| (coulomb_friction,
 ///         stribeck_friction, viscous_friction), and more by direction (asymmetric_friction); it
 ///         opposes motion, and holds a joint at rest with at most F(0).
-/// Omits   presliding displacement, dependence of friction on load; `payload` is a mass of the
+/// Omits   what a flexible link gives way to loads, presliding displacement, dependence of friction
+///         on load; `payload` is a mass of the
 ///         machine's links (see AddPayloads).
 /// Source  Merritt 1967, "Hydraulic control systems", ch. 3 (orifice, laminar leak); Armstrong-
 ///         Helouvry et al. 1994, "A survey of models, analysis tools and compensation methods for

@@ -22,7 +22,9 @@ PumpFlowParameters PumpFlowOf(const Effects& effects, double pump_flow_m3ps);
 ///         P_max / P, where P sums load times rate over all that draw from the pump and move
 ///         against their load, seen through the regulator's first-order lag. The smaller share
 ///         holds.
-/// Omits   priority valves, load sensing, regeneration, the engine's speed.
+/// Omits   what actuators behind it make of their share: it is the demand that is shared, and an
+///         actuator_ring takes more than the pump gives for as long as it overshoots. Priority
+///         valves, load sensing, regeneration, the engine's speed.
 class PumpFlow {
  public:
   explicit PumpFlow(const PumpFlowParameters& parameters) : parameters_(parameters) {}
