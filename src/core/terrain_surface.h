@@ -11,9 +11,9 @@ namespace tera {
 
 /// Where the vertices of a ground stand.
 ///
-/// Frames  W. Vertex (i, j) stands at origin_W_m + cell_m * (i, j). Tiles of kTileCells x
-/// kTileCells
-///         squares cover the grid; the last ones may have fewer.
+/// Frames  W. Vertex (i, j) stands at origin_W_m + cell_m * (i, j). Tiles of
+///         kTileCells x kTileCells squares cover the grid; the last ones may have
+///         fewer.
 struct TerrainGrid {
   static constexpr int kTileCells = 50;
 

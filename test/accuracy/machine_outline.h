@@ -18,10 +18,10 @@ struct PartOutline {
 /// follows the cutting edge of each shovel that carries soil.
 ///
 /// Model   undercarriage: the corners of the tracks' shoes below and, mirrored, above the
-/// sprockets'
-///         height, which have a say when the machine lies on its side, and those of the boxes that
-///         are no track's. (A track's box is square where the track is round.) Other links: their
-///         boxes' corners. Shovels: floor and back from where the profile leaves the edge.
+///         sprockets' height, which have a say when the machine lies on its side, and those of the
+///         boxes that are no track's. (A track's box is square where the track is round.) Other
+///         links: their boxes' corners. Shovels: floor and back from where the profile leaves the
+///         edge.
 /// Omits   links whose shovel carries nothing (a blade).
 std::vector<PartOutline> OutlinesOf(const MachineModel& model);
 

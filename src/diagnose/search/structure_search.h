@@ -45,13 +45,13 @@ struct SearchResult {
 /// Which suspects explain a block, together.
 ///
 /// Model   every suspect alone; every pair of the screened (the likeliest, and the likeliest of
-/// each
-///         slot); then one term more at a time, with swaps, as long as the Bayesian information
-///         criterion on TRAIN falls. Backward: a term goes unless its gain over the structure
-///         refitted without it is significant on SELECT (signed ranks of the gains of those short
-///         blocks in which the two predictions are discernible; Bonferroni over the suspects), at
-///         least `least_share` of the excess, and its effect at least
-///         `least_effect` of the channel. Rivals: each term is swapped for each screened suspect.
+///         each slot); then one term more at a time, with swaps, as long as the Bayesian
+///         information criterion on TRAIN falls. Backward: a term goes unless its gain over the
+///         structure refitted without it is significant on SELECT (signed ranks of the gains of
+///         those short blocks in which the two predictions are discernible; Bonferroni over the
+///         suspects), at least `least_share` of the excess, and its effect at least
+///         `least_effect` of the channel. Rivals: each term is swapped for each screened
+///         suspect.
 /// Source  Wilcoxon 1945; Schwarz 1978.
 SearchResult SearchStructures(const ReplayBlock& block, const Likelihood& likelihood,
                               const std::vector<Manoeuvre>& manoeuvres,

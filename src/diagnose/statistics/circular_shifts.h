@@ -16,8 +16,8 @@ namespace tera {
 ///         shift at all. With blocks, each block is turned within itself by its own random amount,
 ///         which keeps what varies slowly in place (a machine that works in one half of the
 ///         recording).
-/// Omits   the seam at which end meets beginning. One of the two series should be stationary
-/// (within
+/// Omits   the seam at which end meets beginning. One of
+///         the two series should be stationary (within
 ///         blocks).
 /// Source  Harris 2020, "A shift test for independence in generic
 ///         time series".
@@ -53,9 +53,9 @@ class CircularShifts {
 /// Where an observed statistic lies among those under shifts.
 ///
 /// Model   p = (1 + #{shifted >= observed}) / (1 + shifts). p_tail, for ranking what lies beyond
-/// all
-///         shifts: p where ten shifts or more exceed, else an exponential tail through the upper
-///         fifth of the shifts (statistics are energies), never above p. Equals p below 50 shifts.
+///         all shifts: p where ten shifts or more exceed, else an exponential tail through the
+///         upper fifth of the shifts (statistics are energies), never above p. Equals p below 50
+///         shifts.
 /// Source  Phipson and Smyth 2010, "Permutation p-values should never be zero"; Knijnenburg et al.
 ///         2009, "Fewer permutations, more accurate P-values".
 struct ShiftComparison {

@@ -17,15 +17,15 @@ struct CoherenceOptions {
 
 /// Linear dependence of two series by frequency.
 ///
-/// Model   magnitude-squared coherence |S_xy|^2 / (S_xx S_yy), spectra averaged over Hann windows
-/// that
-///         overlap by half (Welch), each window's mean removed and its gaps set to 0. Statistic:
-///         the largest coherence over all frequencies but 0, against the same with one series'
-///         windows turned circularly (shifts by whole half-windows).
+/// Model   magnitude-squared coherence |S_xy|^2 / (S_xx S_yy), spectra averaged over Hann
+///         windows that overlap by half (Welch), each window's mean removed and its gaps
+///         set to 0. Statistic: the largest coherence over all frequencies but 0, against
+///         the same with one series' windows turned circularly (shifts by whole
+///         half-windows).
 /// Omits   correction of the bias 1 / windows.
-/// Source  Welch 1967; Carter, Knapp and Nuttall 1973, "Estimation of the magnitude-squared
-/// coherence
-///         function via overlapped FFT processing".
+/// Source  Welch 1967; Carter, Knapp and Nuttall 1973, "Estimation of the
+///         magnitude-squared coherence function via overlapped FFT
+///         processing".
 struct Coherence {
   std::vector<double> frequency_hz, coherence;
   double peak_hz = 0;

@@ -25,11 +25,11 @@ struct LaggedCorrelation {
 
 /// Whether a residual depends on an input, at any lag, directly or by way of squares.
 ///
-/// Model   forms residual–input, residual–input^2, residual^2–input, residual^2–input^2 (each
-/// centred).
-///         Statistic of a form: max over lags of n_l r_l^2, so that its p is of the whole family of
-///         lags. `p` of the whole: the largest statistic over forms, each divided by its median
-///         under shifts, against the same under shifts.
+/// Model   forms residual–input, residual–input^2, residual^2–input, residual^2–input^2
+///         (each centred). Statistic of a form: max over lags of n_l r_l^2, so that its
+///         p is of the whole family of lags. `p` of the whole: the largest statistic
+///         over forms, each divided by its median under shifts, against the same under
+///         shifts.
 /// Omits   lags beyond `highest_lag`.
 /// Source  Billings and Voon 1986, "Correlation based model validity tests for non-linear models";
 ///         shifts in circular_shifts.h.

@@ -22,14 +22,14 @@ enum class CurveForm {
 
 enum class CurveParity { kNotTested, kOdd, kEven, kNeither };
 
-/// Model   each form is a family of one to three coefficients, and a bend where it has one, tried
-/// over a
-///         ladder of bends; gain is the likelihood ratio 2 log(L / L_constant) under the curve's
-///         information; the form of the largest gain - (coefficients + bends) log(rows) wins.
-///         Parity by odd and even piecewise-linear functions of |x|, where both signs were visited.
-///         [low, high] is where the curve lives: between the bends (saturating, local), beyond them
-///         (threshold: `outside`), about the jump (step), where nine tenths of its energy lie
-///         (free), else all that was visited.
+/// Model   each form is a family of one to three coefficients, and a bend where it has
+///         one, tried over a ladder of bends; gain is the likelihood ratio 2 log(L /
+///         L_constant) under the curve's information; the form of the largest gain -
+///         (coefficients + bends) log(rows) wins. Parity by odd and even piecewise-linear
+///         functions of |x|, where both signs were visited. [low, high] is where the curve
+///         lives: between the bends (saturating, local), beyond them (threshold:
+///         `outside`), about the jump (step), where nine tenths of its energy lie (free),
+///         else all that was visited.
 /// Source  Schwarz 1978.
 struct CurveShape {
   CurveForm form = CurveForm::kNone;

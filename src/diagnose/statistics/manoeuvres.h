@@ -30,13 +30,13 @@ struct ManoeuvreOptions {
 /// Cuts a recording by what was commanded and shares the pieces out: TRAIN 40, SELECT 30, FINAL 30
 /// %.
 ///
-/// Model   a manoeuvre is a run over which the same set of commands exceeds rest_level, with
-/// `tail_s`
-///         of the rest after it; what remains of the rest is a piece of its own. With fewer than
-///         `fewest` such pieces: blocks of equal length. Pieces with the same axes and the same
-///         half of amplitudes make a stratum; within each, in random order, the piece goes to the
-///         part that lacks most of its share of the stratum's time, or of all the time where the
-///         stratum leaves it open.
+/// Model   a manoeuvre is a run over which the same set of commands exceeds rest_level,
+///         with `tail_s` of the rest after it; what remains of the rest is a piece of
+///         its own. With fewer than `fewest` such pieces: blocks of equal length. Pieces
+///         with the same axes and the same half of amplitudes make a stratum; within
+///         each, in random order, the piece goes to the part that lacks most of its
+///         share of the stratum's time, or of all the time where the stratum leaves it
+///         open.
 /// Omits   what a manoeuvre owes to the one before it, beyond the tail.
 ///
 /// Commands of equal length, at most 64, gaps bridged; at least one. The pieces cover every sample,

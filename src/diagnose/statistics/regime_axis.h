@@ -19,11 +19,11 @@ struct RegimeVariable {
 
 /// A variable cut into bins, and smooth functions over them.
 ///
-/// Model   64 equal bins from the 0.2 % to the 99.8 % quantile, what lies beyond in the outermost;
-/// from
-///         -pi to pi for an angle; one bin a value where there are at most 12 values. Gaps are
-///         bridged. Functions: uniform cubic B-splines (cyclic for an angle; one column a value for
-///         discrete variables), roughness by squared second differences of coefficients.
+/// Model   64 equal bins from the 0.2 % to the 99.8 % quantile, what lies beyond in the
+///         outermost; from -pi to pi for an angle; one bin a value where there are at most 12
+///         values. Gaps are bridged. Functions: uniform cubic B-splines (cyclic for an angle; one
+///         column a value for discrete variables), roughness by squared second differences of
+///         coefficients.
 /// Source  Eilers and Marx 1996, "Flexible smoothing with B-splines and penalties".
 class RegimeAxis {
  public:

@@ -11,11 +11,11 @@ namespace tera {
 
 /// A residual y regressed on what is already known (columns Z), ready to be asked for more.
 ///
-/// Model   generalised least squares under the noise model with Huber's function: e = A (y - Z g),
-/// A the
-///         whitening filter, g such that (A Z)' psi(e) = 0, psi(e) = e clipped at `clip` robust
-///         scales; score = A' psi(e). For a function of a variable with bins B, B' score is what
-///         the residual still says for it, and B' A' A B (less what Z explains) how much was to be
+/// Model   generalised least squares under the noise model with Huber's function: e
+///         = A (y - Z g), A the whitening filter, g such that (A Z)' psi(e) = 0,
+///         psi(e) = e clipped at `clip` robust scales; score = A' psi(e). For a
+///         function of a variable with bins B, B' score is what the residual still
+///         says for it, and B' A' A B (less what Z explains) how much was to be
 ///         learnt.
 /// Source  Huber 1981, "Robust statistics", chapter 7 (modified residuals); Rao's score test.
 class RegimeDesign {

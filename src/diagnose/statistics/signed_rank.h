@@ -17,9 +17,9 @@ struct SignedRank {
 /// Wilcoxon's signed-rank test of differences, symmetric about 0 under the hypothesis.
 ///
 /// Model   ranks of |difference|, ties share their mean rank, zeros are left out. Up to 50
-/// differences
-///         the distribution over all sign assignments of these ranks (ties included) is exact, by
-///         counting; beyond, normal with the variance of the tied ranks and continuity correction.
+///         differences the distribution over all sign assignments of these ranks (ties included) is
+///         exact, by counting; beyond, normal with the variance of the tied ranks and continuity
+///         correction.
 /// Source  Wilcoxon 1945; Hollander and Wolfe, "Nonparametric statistical methods", chapter 3.
 SignedRank TestSignedRank(const std::vector<double>& differences);
 

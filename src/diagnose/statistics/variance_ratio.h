@@ -18,10 +18,10 @@ struct VarianceRatioResult {
 
 /// Whether a series carries more energy than the noise that was measured at rest.
 ///
-/// Model   energies min(|x|, clip)^2 about zero, means over blocks of each series; log of the ratio
-/// over
-///         its standard error from the scatter of the block means (which autocorrelation within a
-///         block enters), Student-t with Welch's degrees of freedom.
+/// Model   energies min(|x|, clip)^2 about zero, means over blocks of each series; log of
+///         the ratio over its standard error from the scatter of the block means (which
+///         autocorrelation within a block enters), Student-t with Welch's degrees of
+///         freedom.
 /// Omits   correlation beyond a block.
 /// Source  Welch 1947; batch means as in Law and Kelton, "Simulation modeling and analysis".
 ///

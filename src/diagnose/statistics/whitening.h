@@ -18,11 +18,11 @@ struct Innovations {
   Series Steady() const;
 };
 
-/// Model   each valid sample is predicted from the valid samples right before it, at most order()
-/// of
-///         them: after a gap by the shorter predictor, whose larger error is scaled down likewise,
-///         so that a segment of Gaussian noise is whitened exactly from its first sample.
-///         log_likelihood is that of Student-t innovations.
+/// Model   each valid sample is predicted from the valid samples right before it, at
+///         most order() of them: after a gap by the shorter predictor, whose larger
+///         error is scaled down likewise, so that a segment of Gaussian noise is
+///         whitened exactly from its first sample. log_likelihood is that of Student-t
+///         innovations.
 /// Omits   what samples before a gap tell about those after it.
 Innovations Whiten(const NoiseModel& noise, const Series& series);
 
