@@ -27,6 +27,7 @@ int Run(int argc, char** argv) {
   tera::AddImportCommand(&app);
   tera::AddImportRigCommand(&app);
   tera::AddOverviewCommand(&app);
+  tera::AddProveCommand(&app);
   tera::AddReplayCommand(&app);
   tera::AddRos2Command(&app);
   tera::AddServeCommand(&app);

@@ -95,6 +95,7 @@ const std::multimap<std::string, std::string> kFolderOfLibrary = {
     {"unsupported/Eigen/", "diagnose"},
     {"openssl/", "dataset"},
     {"CLI/", "app"},
+    {"blind/", "app"},
     {"grpcpp/", "serve"},
     {"google/protobuf/", "serve"},
     {"tera/v1/", "serve"},

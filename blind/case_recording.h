@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tera::blind {
+
+/// Columns over time, as a CSV file of the recording has them.
+struct Table {
+  std::vector<std::string> columns;  ///< without t_ns
+  std::vector<long long> t_ns;
+  std::vector<std::vector<double>> rows;
+};
+
+/// What hidden effects change in a channel, over the deviation of its noise.
+struct Change {
+  std::vector<double> t_s, over_noise;
+  double Rms() const;
+};
+
+/// A case as it was driven and measured.
+struct CaseRecording {
+  Table commands, encoders, poses;  ///< poses without columns: none
+  std::vector<Change> changes;      ///< for each of what is hidden
+};
+
+}  // namespace tera::blind

@@ -1,0 +1,33 @@
+#include "blind/messages.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tera::blind {
+
+void Messages::Send(double t_s, double lever) {
+  // A slow reader sees only what is there when it looks.
+  if (form_.hold_s > 0) {
+    if (t_s < looked_s_ + form_.hold_s - 1e-9) return;
+    looked_s_ = t_s;
+  }
+  const double late_s =
+      form_.queue_s + form_.queue_jitter_s * std::abs(stream_.Gaussian(sent_.size()));
+  double comes_s = t_s + late_s;
+  if (!sent_.empty()) comes_s = std::max(comes_s, sent_.back().comes_s + 1e-6);
+  sent_.push_back({comes_s, lever});
+}
+
+double Messages::At(double t_s) {
+  while (next_ < sent_.size() && sent_[next_].comes_s <= t_s + 1e-9) held_ = sent_[next_++].lever;
+  return held_;
+}
+
+double Messages::Next(double t_s) const {
+  for (std::size_t i = next_; i < sent_.size(); ++i) {
+    if (sent_[i].comes_s > t_s + 1e-9) return sent_[i].comes_s;
+  }
+  return 1e9;
+}
+
+}  // namespace tera::blind

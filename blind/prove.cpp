@@ -1,0 +1,80 @@
+#include "blind/prove.h"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <fstream>
+#include <iterator>
+
+#include "blind/answer.h"
+#include "blind/recording_files.h"
+#include "blind/seal.h"
+#include "blind/table.h"
+#include "core/error.h"
+#include "core/stopwatch.h"
+
+namespace tera::blind {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string TextOf(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void Write(const fs::path& file, const std::string& text) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream)
+    throw InputError(fmt::format("{}: cannot be written; check the disk", file.string()));
+}
+
+/// A tool that gives up has given an answer too: none.
+Mark ProveCase(BenchmarkCase c, std::uint64_t seed, const Tool& tool, const fs::path& folder) {
+  const CaseRecording recording = Record(&c, seed);
+  WriteCase(c, recording, folder);
+  const std::string truth = TruthJson(c, recording);
+  SealTruth(truth, folder);
+  const fs::path report = folder / "report";
+  std::string fault;
+  double seconds = 0;
+  try {
+    const Stopwatch watch(&seconds);
+    tool(folder / "scenario.yaml", folder / "recording", report);
+  } catch (const std::exception& e) {
+    fault = e.what();
+  }
+  const fs::path json = report / "diagnosis.json";
+  OpenTruth(truth, fault.empty() ? TextOf(json) : fault, folder);
+  Mark mark = MarkAnswer(c, recording, fault.empty() ? ReadAnswer(json) : Answer{});
+  mark.fault = fault;
+  mark.seconds = seconds;
+  return mark;
+}
+
+void WriteTables(const std::vector<Mark>& marks, std::uint64_t seed, const fs::path& out) {
+  const std::vector<Row> rows = TableOf(marks);
+  Write(out / "table.md", TableMarkdown(rows));
+  Write(out / "table.json", TableJson(rows, marks, seed));
+  Write(out / "cases.md", CasesMarkdown(marks));
+}
+
+}  // namespace
+
+std::vector<Mark> Prove(const ProveOptions& options, const Tool& tool,
+                        const std::function<void(const Mark&)>& progress) {
+  const PlainMachine nominal = PlainMachine::Read(options.machine_yaml);
+  std::vector<Mark> marks;
+  for (int number = 0; number < options.cases; ++number) {
+    const fs::path folder = options.out / fmt::format("case_{:04}", number + 1);
+    marks.push_back(ProveCase(DrawCase(options.seed, number, nominal, options.duration_s),
+                              options.seed, tool, folder));
+    progress(marks.back());
+    WriteTables(marks, options.seed, options.out);
+  }
+  return marks;
+}
+
+}  // namespace tera::blind

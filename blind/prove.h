@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "blind/mark.h"
+
+namespace tera::blind {
+
+struct ProveOptions {
+  int cases = 50;
+  std::uint64_t seed = 1;
+  double duration_s = 45;              ///< of each recording
+  std::filesystem::path machine_yaml;  ///< that the scenarios take
+  std::filesystem::path out;           ///< must not exist
+};
+
+/// The tool under test: diagnoses `recording` by `scenario` and writes its report into `out`, as
+/// the command `tera diagnose` does. All it is told is in these files.
+using Tool =
+    std::function<void(const std::filesystem::path& scenario,
+                       const std::filesystem::path& recording, const std::filesystem::path& out)>;
+
+/// Conceals effects, has them diagnosed, opens the truth, marks the answers.
+///
+/// Writes into `out`, for each case, case_0001/{scenario.yaml, recording/, report/, seal.txt,
+/// truth.json}; after each case anew table.md, table.json and cases.md of all so far. `progress` is
+/// told each case's mark.
+std::vector<Mark> Prove(const ProveOptions& options, const Tool& tool,
+                        const std::function<void(const Mark&)>& progress);
+
+}  // namespace tera::blind

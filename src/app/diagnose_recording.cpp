@@ -1,0 +1,88 @@
+#include "app/diagnose_recording.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "dataset/recording.h"
+#include "diagnose/diagnosis.h"
+#include "diagnose/report/sentence.h"
+#include "diagnose/report/write_report.h"
+#include "sim/lever_replay.h"
+
+namespace tera {
+namespace {
+
+/// The machine of the recording that a machine of the scenario is meant to be: of the same name, or
+/// the only one where each side has one.
+std::string NameInRecording(const std::string& name, std::size_t in_scenario,
+                            const Recording& recording) {
+  const std::vector<std::string> names = recording.Machines();
+  if (std::find(names.begin(), names.end(), name) != names.end()) return name;
+  if (in_scenario == 1 && names.size() == 1) return names.front();
+  throw InputError(fmt::format("{}: has no machine '{}', but {}; need the names of the scenario",
+                               recording.directory().string(), name, fmt::join(names, ", ")));
+}
+
+/// The levers that were recorded, else those that the scenario replays.
+TableRecording CommandsOf(const Recording& recording, const std::string& name,
+                          const ScenarioMachine& machine) {
+  if (const std::string file = name + "/commands.csv"; recording.Has(file)) {
+    return recording.LoadTable(file);
+  }
+  TableRecording commands;
+  const MachineModel& model = machine.placement.model;
+  CommandTable table = ReplayedLevers(machine.driver.get(), model);
+  if (table.t_ns.empty()) return commands;
+  for (const Lever& lever : model.levers) commands.columns.push_back(lever.name);
+  commands.t_ns = std::move(table.t_ns);
+  commands.rows = std::move(table.rows);
+  return commands;
+}
+
+Diagnosis DiagnoseMachine(const DiagnoseArguments& arguments, const Scenario& scenario,
+                          const ScenarioMachine& machine, const Recording& recording) {
+  const std::string name =
+      NameInRecording(machine.placement.name, scenario.machines.size(), recording);
+  const DiagnosisInput input{&machine.placement.model, name, machine.placement.name,
+                             CommandsOf(recording, name, machine), machine.sensors};
+  DiagnosisOptions options{.seed = scenario.seed};
+  options.search.threads = arguments.threads;
+  if (arguments.from_s) options.from_s = *arguments.from_s;
+  if (arguments.to_s) options.to_s = *arguments.to_s;
+  return Diagnose(input, recording, options,
+                  [&](const std::string& block) { fmt::print(stderr, "{}: {}\n", name, block); });
+}
+
+}  // namespace
+
+void RequireNewFolder(const std::filesystem::path& out) {
+  if (!std::filesystem::exists(out)) return;
+  throw InputError(
+      fmt::format("{}: exists already; need a folder that does not, for a report of "
+                  "its own",
+                  out.string()));
+}
+
+void DiagnoseRecording(const DiagnoseArguments& arguments) {
+  RequireNewFolder(arguments.out);
+  const LoadedScenario loaded = Load(arguments.scenario);
+  const Recording recording(arguments.recording);
+  const auto& machines = loaded.scenario.machines;
+  std::vector<Diagnosis> diagnoses;
+  for (const ScenarioMachine& machine : machines) {
+    diagnoses.push_back(DiagnoseMachine(arguments, loaded.scenario, machine, recording));
+  }
+  for (const Diagnosis& diagnosis : diagnoses) {
+    for (const std::string& sentence : SentencesOf(diagnosis)) fmt::print("{}\n", sentence);
+    const auto folder = diagnoses.size() == 1 ? arguments.out : arguments.out / diagnosis.machine;
+    WriteReport(folder, diagnosis, arguments.recording.string());
+    fmt::print("report: {}\n", (folder / "report.html").string());
+  }
+}
+
+}  // namespace tera

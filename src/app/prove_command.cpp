@@ -1,0 +1,56 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/diagnose_recording.h"
+#include "blind/prove.h"
+#include "blind/recording_files.h"
+#include "blind/table.h"
+#include "core/input_files.h"
+
+namespace tera {
+namespace {
+
+struct Arguments {
+  blind::ProveOptions prove;
+  int threads = HostOptions().threads;
+};
+
+void RunProve(Arguments* arguments) {
+  RequireNewFolder(arguments->prove.out);
+  arguments->prove.machine_yaml = PlaceOfInput(blind::kMachine, {});
+  const auto tool = [&](const std::filesystem::path& scenario,
+                        const std::filesystem::path& recording, const std::filesystem::path& out) {
+    DiagnoseRecording({.scenario = {.scenario = scenario.string()},
+                       .recording = recording,
+                       .out = out,
+                       .threads = arguments->threads});
+  };
+  const auto marks = blind::Prove(arguments->prove, tool, [](const blind::Mark& mark) {
+    fmt::print("{}", blind::CaseLine(mark));
+    std::fflush(stdout);
+  });
+  fmt::print("\n{}", blind::TableMarkdown(blind::TableOf(marks)));
+}
+
+}  // namespace
+
+void AddProveCommand(CLI::App* app) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app->add_subcommand(
+      "prove", "Conceal effects in recordings of another simulator and score what diagnose says");
+  command->add_option("--cases", arguments->prove.cases, "How many")->check(CLI::Range(1, 100000));
+  command->add_option("--seed", arguments->prove.seed, "Of what is concealed");
+  command->add_option("--out", arguments->prove.out, "Folder to write, which must not exist")
+      ->required();
+  command->add_option("--duration", arguments->prove.duration_s, "Seconds of each recording")
+      ->check(CLI::Range(26.0, 3600.0));
+  command->add_option("--threads", arguments->threads, "Fits at a time")
+      ->check(CLI::PositiveNumber);
+  command->callback([arguments] { RunProve(arguments.get()); });
+}
+
+}  // namespace tera

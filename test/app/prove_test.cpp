@@ -1,0 +1,50 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "app/program.h"
+
+namespace tera {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// A frozen seed at a reduced size: that cases are written, answered, sealed and marked. How good the
+/// answers are, docs/proof.md says of many more.
+TEST(ProveCommand, ConcealsAsksAndMarksCasesOfAFrozenSeed) {
+  const ScratchDirectory scratch;
+  const Outcome outcome =
+      RunTera({"prove", "--cases", "3", "--seed", "1", "--duration", "30", "--out", "proof"},
+              {scratch.path()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("| false alarm where nothing is wrong | ≤ 2 % |"));
+  std::ifstream file(scratch.path() / "proof" / "table.json");
+  const auto json = nlohmann::json::parse(file);
+  EXPECT_EQ(json["cases"], 3);
+  for (const auto& mark : json["marks"]) {
+    EXPECT_EQ(mark["fault"], "") << "every case has an answer";
+  }
+  for (const char* name : {"case_0001", "case_0002", "case_0003"}) {
+    const auto folder = scratch.path() / "proof" / name;
+    for (const char* part : {"truth.json", "seal.txt", "report/report.html"}) {
+      EXPECT_TRUE(std::filesystem::exists(folder / part)) << folder / part;
+    }
+  }
+}
+
+TEST(ProveCommand, RefusesAFolderThatIsThereAndRecordingsThatAreTooShort) {
+  const ScratchDirectory scratch;
+  std::filesystem::create_directory(scratch.path() / "proof");
+  const Outcome there = RunTera({"prove", "--out", "proof"}, {scratch.path()});
+  EXPECT_EQ(there.status, 2);
+  EXPECT_THAT(there.err, AllOf(HasSubstr("proof"), HasSubstr("exists already")));
+  const Outcome brief = RunTera({"prove", "--out", "new", "--duration", "5"}, {scratch.path()});
+  EXPECT_EQ(brief.status, 2);
+  EXPECT_THAT(brief.err, HasSubstr("--duration"));
+}
+
+}  // namespace
+}  // namespace tera

@@ -1,0 +1,138 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include "blind/benchmark_case.h"
+#include "blind/prove.h"
+#include "blind/recording_files.h"
+#include "blind/seal.h"
+#include "own_folder.h"
+
+namespace tera::blind {
+namespace {
+
+namespace fs = std::filesystem;
+
+const PlainMachine& Tb235() {
+  static const PlainMachine machine = PlainMachine::Read("config/machines/tb235.yaml");
+  return machine;
+}
+
+std::string TextOf(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(Case, KindsComeInTheirShares) {
+  std::map<CaseKind, int> count;
+  for (int k = 0; k < 960; ++k) ++count[DrawCase(7, k, Tb235(), 45).kind];
+  EXPECT_NEAR(count[CaseKind::kNothing], 400, 4);
+  EXPECT_NEAR(count[CaseKind::kOne], 260, 4);
+  EXPECT_NEAR(count[CaseKind::kTwo], 120, 4);
+  EXPECT_NEAR(count[CaseKind::kOutside], 80, 4);
+  EXPECT_NEAR(count[CaseKind::kConfounded], 60, 4);
+  EXPECT_NEAR(count[CaseKind::kUntestable], 40, 4);
+}
+
+TEST(Case, HidesWhatItsKindSays) {
+  for (int k = 0; k < 200; ++k) {
+    const BenchmarkCase c = DrawCase(2, k, Tb235(), 45);
+    const std::size_t hidden =
+        c.kind == CaseKind::kNothing ? 0 : (c.kind == CaseKind::kTwo ? 2 : 1);
+    EXPECT_EQ(c.hidden.size(), hidden);
+    EXPECT_NE(c.joints.has_value(), c.tracks.has_value());
+    for (const Concealed& concealed : c.hidden) {
+      EXPECT_EQ(concealed.name.empty(), c.kind == CaseKind::kOutside);
+    }
+    if (!c.joints) continue;
+    EXPECT_GE(c.joints->measured.size(), 2u);
+    for (const std::size_t axis : c.joints->hidden_axes) {
+      EXPECT_THAT(c.joints->measured, testing::Contains(axis));
+    }
+  }
+}
+
+TEST(Case, KeepsJointsOffTheirStopsWhateverIsHidden) {
+  for (int k = 0; k < 6; ++k) {
+    BenchmarkCase c = DrawCase(11, k, Tb235(), 26);
+    if (!c.joints) continue;
+    for (const std::vector<double>& row : Record(&c, 11).encoders.rows) {
+      for (std::size_t m = 0; m < c.joints->measured.size(); ++m) {
+        const PlainAxis& axis = Tb235().excavator.axis(c.joints->measured[m]);
+        ASSERT_GT(row[m], axis.lower_rad) << "case " << k;
+        ASSERT_LT(row[m], axis.upper_rad) << "case " << k;
+      }
+    }
+  }
+}
+
+TEST(Case, ShowsInTheMotionWhatItHides) {
+  for (int k = 0; k < 6; ++k) {
+    BenchmarkCase c = DrawCase(1, k, Tb235(), 26);
+    const CaseRecording recording = Record(&c, 1);
+    ASSERT_EQ(recording.changes.size(), c.hidden.size());
+    const bool shows = c.kind != CaseKind::kUntestable;
+    for (const Change& change : recording.changes) {
+      EXPECT_EQ(change.Rms() > 0.02, shows) << "case " << k;
+    }
+  }
+}
+
+TEST(Seal, IsThePublishedDigest) {
+  // FIPS 180-4's example.
+  EXPECT_EQ(Digest("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST(Prove, ToolSeesNoTruthAndTheSealHoldsBoth) {
+  const fs::path folder = OwnFolder() / "blind_seal";
+  const auto tool = [&](const fs::path& scenario, const fs::path& recording, const fs::path& out) {
+    EXPECT_FALSE(fs::exists(scenario.parent_path() / "truth.json"));
+    EXPECT_TRUE(fs::exists(recording / "dataset.yaml"));
+    EXPECT_THAT(TextOf(scenario.parent_path() / "seal.txt"), testing::StartsWith("truth "));
+    fs::create_directories(out);
+    std::ofstream(out / "diagnosis.json")
+        << R"({"verdict": ["none"], "findings": [], "untestable": []})";
+  };
+  const ProveOptions options{.cases = 2,
+                             .seed = 5,
+                             .duration_s = 26,
+                             .machine_yaml = "config/machines/tb235.yaml",
+                             .out = folder / "proof"};
+  EXPECT_EQ(Prove(options, tool, [](const Mark&) {}).size(), 2u);
+  const fs::path first = options.out / "case_0001";
+  const std::string truth = TextOf(first / "truth.json");
+  const std::string answer = TextOf(first / "report" / "diagnosis.json");
+  EXPECT_EQ(TextOf(first / "seal.txt"), "truth " + Digest(truth) + "\nanswer " + Digest(answer) +
+                                            "\nboth " + Digest(truth + answer) + "\n");
+  EXPECT_THAT(TextOf(options.out / "table.md"), testing::HasSubstr("false alarm"));
+}
+
+TEST(Prove, SameSeedSameBytes) {
+  const fs::path folder = OwnFolder() / "blind_bytes";
+  BenchmarkCase c = DrawCase(3, 4, Tb235(), 26);
+  WriteCase(c, Record(&c, 3), folder / "a");
+  WriteCase(c, Record(&c, 3), folder / "b");
+  const fs::path data = fs::path("recording") / kName / "encoders" / "data.csv";
+  EXPECT_GT(TextOf(folder / "a" / data).size(), 10000u);
+  EXPECT_EQ(TextOf(folder / "a" / data), TextOf(folder / "b" / data));
+}
+
+TEST(Prove, KeepsAToolThatGivesUpAsACaseWithoutAnswer) {
+  const fs::path folder = OwnFolder() / "blind_fault";
+  const auto tool = [](const fs::path&, const fs::path&, const fs::path&) {
+    throw std::runtime_error("no");
+  };
+  const auto marks = Prove({.cases = 1,
+                            .duration_s = 26,
+                            .machine_yaml = "config/machines/tb235.yaml",
+                            .out = folder / "proof"},
+                           tool, [](const Mark&) {});
+  EXPECT_EQ(marks[0].fault, "no");
+}
+
+}  // namespace
+}  // namespace tera::blind
