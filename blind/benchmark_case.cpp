@@ -50,9 +50,8 @@ class JointsDraw {
         streams_{Stream(seed, name + "/first"), Stream(seed, name + "/second")} {
     joints_.excavator = nominal.Off(kOff, Stream(seed, name + "/off"));
     joints_.noise = DrawNoise(Stream(seed, name + "/noise"));
-    for (std::size_t i = 1; i < kAxes; ++i) {
-      joints_.start_rad[i] = (nominal.axis(i).lower_rad + nominal.axis(i).upper_rad) / 2;
-    }
+    // Joints that are not measured stay where the machine's file has them.
+    for (std::size_t i = 0; i < kAxes; ++i) joints_.start_rad[i] = nominal.axis(i).initial_rad;
   }
 
   void One() {

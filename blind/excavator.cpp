@@ -34,6 +34,7 @@ Matrix3d Turned(const YAML::Node& joint) {
 }
 
 void ReadLimits(const YAML::Node& joint, PlainAxis* axis) {
+  if (joint["initial_deg"]) axis->initial_rad = joint["initial_deg"].as<double>() * kDeg;
   if (joint["limits_deg"]) {
     axis->lower_rad = joint["limits_deg"][0].as<double>() * kDeg;
     axis->upper_rad = joint["limits_deg"][1].as<double>() * kDeg;

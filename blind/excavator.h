@@ -20,7 +20,7 @@ struct PlainAxis {
   Eigen::Vector3d place_m;  ///< of the joint in the link before
   Eigen::Matrix3d turned;   ///< axes of the joint at 0 in the link before
   Eigen::Vector3d axis;     ///< in the link that it moves
-  double lower_rad = 0, upper_rad = 0;
+  double lower_rad = 0, upper_rad = 0, initial_rad = 0;
   double rate_positive_radps = 0, rate_negative_radps = 0;  ///< at full lever
   double effort_nm = 0;                                     ///< what its motor or cylinder can do
   double mass_kg = 0;
