@@ -50,14 +50,6 @@ double Nearest(double angle_rad, double reference_rad) {
   return angle_rad + 2 * kPi * std::round((reference_rad - angle_rad) / (2 * kPi));
 }
 
-/// Rate of a joint, of that at full lever in its direction.
-double Moving(const OperatorView& view, int joint) {
-  const Joint& j = view.model.joints[joint];
-  const double rate_radps = view.state.qd_radps[joint];
-  const double full_radps = rate_radps > 0 ? j.max_rate_positive_radps : j.max_rate_negative_radps;
-  return full_radps > 0 ? rate_radps / full_radps : 0.0;
-}
-
 double TipError_m(const PlanarArm::Tip& a, const PlanarArm::Tip& b) {
   return std::hypot(a.r_m - b.r_m, a.z_m - b.z_m);
 }
@@ -103,7 +95,7 @@ std::vector<double> DigCycle::Levers(const OperatorView& view) {
     if (joint == plan_.joints.bucket) {
       servo(angles.bucket_rad, rate(angles.bucket_rad, before.bucket_rad));
     }
-    levers[i] = feel_[i].Lever(levers[i], Moving(view, joint), dt_s);
+    levers[i] = feel_[i].Lever(levers[i], ShareOfFullRate(view.model, view.state, joint), dt_s);
     const double reach = kLeverRate_1ps * dt_s;
     levers[i] = std::clamp(levers[i], levers_[i] - reach, levers_[i] + reach);
   }

@@ -12,4 +12,11 @@ double ServoLever(const MachineModel& model, const MachineState& state, int join
   return full_radps > 0 ? std::clamp(rate_radps / full_radps, -1.0, 1.0) : 0.0;
 }
 
+double ShareOfFullRate(const MachineModel& model, const MachineState& state, int joint) {
+  const Joint& j = model.joints[joint];
+  const double rate_radps = state.qd_radps[joint];
+  const double full_radps = rate_radps > 0 ? j.max_rate_positive_radps : j.max_rate_negative_radps;
+  return full_radps > 0 ? rate_radps / full_radps : 0.0;
+}
+
 }  // namespace tera

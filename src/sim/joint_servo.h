@@ -12,4 +12,7 @@ namespace tera {
 double ServoLever(const MachineModel& model, const MachineState& state, int joint,
                   double target_rad, double target_rate_radps, double gain_1ps);
 
+/// Rate of joint `joint` over its own at full lever in that direction; 0 where it has none.
+double ShareOfFullRate(const MachineModel& model, const MachineState& state, int joint);
+
 }  // namespace tera

@@ -11,12 +11,20 @@
 namespace tera {
 namespace {
 
-/// Of the angle error of a joint, closed in this time.
-constexpr double kServoGain_1ps = 4.0;
+/// Of the angle error of a joint, closed in this time: of one that is moved at a rate, and of one
+/// that is taken to a place, which a joint of much inertia behind a delay must not swing about.
+constexpr double kRateGain_1ps = 4.0, kPlaceGain_1ps = 1.8;
 /// How far a held angle may run ahead of a joint that cannot follow.
 constexpr double kLead_rad = 0.05;
+/// Of joints that are to come to rest at a place: within 0.012 of the fastest one's rate, 0.4
+/// degrees, and pushed only where they stand.
+constexpr Touch kGentle = {
+    .soft = 0.012, .slow = 0.15, .back = 0.15, .fast = 1.5, .wait_s = 0.6, .push_1ps = 0.3};
 /// Beyond full lever by no more than this is a rounding of the sender's.
 constexpr double kLeverRounding = 1e-6;
+
+/// Beyond a joint's limit by no more than this (or metres) is where a stop that yields holds it.
+constexpr double kStopYield_rad = 0.02;
 
 /// A place farther from the root link than any tool reaches is a mistyped one.
 constexpr double kFarthest_m = 1000.0;
@@ -42,6 +50,22 @@ std::optional<std::string> FaultOfLevers(const std::vector<double>& position,
   for (std::size_t i = 0; i < position.size(); ++i) {
     if (std::abs(position[i]) > 1 + kLeverRounding) {
       return fmt::format("lever '{}' is {}, need -1 to 1", model.levers[i].name, position[i]);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> FaultOfPositions(const std::vector<double>& q_rad,
+                                            const MachineModel& model) {
+  if (auto fault = FaultOfNumbers(q_rad, "joint positions", model)) return fault;
+  for (std::size_t i = 0; i < q_rad.size(); ++i) {
+    if (model.levers[i].joint < 0) continue;
+    const Joint& joint = model.joints[model.levers[i].joint];
+    if (joint.type == JointType::kContinuous) continue;
+    if (q_rad[i] < joint.lower_rad - kStopYield_rad ||
+        q_rad[i] > joint.upper_rad + kStopYield_rad) {
+      return fmt::format("joint position {} of '{}' is beyond the joint's limits, need {} to {}",
+                         q_rad[i], model.levers[i].name, joint.lower_rad, joint.upper_rad);
     }
   }
   return std::nullopt;
@@ -80,7 +104,7 @@ std::optional<std::string> FaultOf(const ControlMessage& message, const MachineM
     return FaultOfNumbers(rates->rate_radps, "joint rates", model);
   }
   if (const auto* positions = std::get_if<ControlMessage::JointPositions>(&message.command)) {
-    return FaultOfNumbers(positions->q_rad, "joint positions", model);
+    return FaultOfPositions(positions->q_rad, model);
   }
   return FaultOfToolPose(std::get<ControlMessage::ToolPose>(message.command), model);
 }
@@ -93,6 +117,7 @@ void RemoteOperator::Receive(TimeNs t_ns, const ControlMessage& message) {
                        std::holds_alternative<ControlMessage::JointRates>(message_->command) &&
                        std::holds_alternative<ControlMessage::JointRates>(message.command);
   if (!goes_on) held_q_rad_.clear();
+  if (!message_) last_ns_ = t_ns;
   message_ = message;
   received_ns_ = t_ns;
 }
@@ -117,8 +142,19 @@ std::vector<double> RemoteOperator::HoldRates(const OperatorView& view,
       if (begins) held_rad = q_rad;
       held_rad = std::clamp(held_rad + rates_radps[i] * dt_s, q_rad - kLead_rad, q_rad + kLead_rad);
       levers[i] =
-          ServoLever(model, view.state, lever.joint, held_rad, rates_radps[i], kServoGain_1ps);
+          ServoLever(model, view.state, lever.joint, held_rad, rates_radps[i], kRateGain_1ps);
     }
+  }
+  return levers;
+}
+
+std::vector<double> RemoteOperator::Feel(const OperatorView& view, std::vector<double> levers) {
+  const double dt_s = ToSeconds(view.t_ns - last_ns_);
+  feel_.resize(levers.size(), LeverFeel(kGentle));
+  for (std::size_t i = 0; i < levers.size(); ++i) {
+    const int joint = view.model.levers[i].joint;
+    if (joint < 0) continue;
+    levers[i] = feel_[i].Lever(levers[i], ShareOfFullRate(view.model, view.state, joint), dt_s);
   }
   return levers;
 }
@@ -142,9 +178,9 @@ std::vector<double> RemoteOperator::LeversFor(const OperatorView& view) {
   if (const auto* positions = std::get_if<ControlMessage::JointPositions>(&message_->command)) {
     for (const std::size_t i : lever_of) {
       levers[i] = ServoLever(model, view.state, model.levers[i].joint, positions->q_rad[i], 0.0,
-                             kServoGain_1ps);
+                             kPlaceGain_1ps);
     }
-    return levers;
+    return Feel(view, std::move(levers));
   }
   const auto& pose = std::get<ControlMessage::ToolPose>(message_->command);
   const std::vector<double> rates_radps =
@@ -155,7 +191,7 @@ std::vector<double> RemoteOperator::LeversFor(const OperatorView& view) {
         rates_radps[k] > 0 ? joint.max_rate_positive_radps : joint.max_rate_negative_radps;
     if (full_radps > 0) levers[lever_of[k]] = std::clamp(rates_radps[k] / full_radps, -1.0, 1.0);
   }
-  return levers;
+  return Feel(view, std::move(levers));
 }
 
 std::vector<double> RemoteOperator::Levers(const OperatorView& view) {
@@ -164,6 +200,7 @@ std::vector<double> RemoteOperator::Levers(const OperatorView& view) {
                        ToSeconds(view.t_ns - received_ns_) >= kTimeout_s;
   if (neutral) {
     held_q_rad_.clear();
+    last_ns_ = view.t_ns;
     return std::vector<double>(view.model.levers.size(), 0.0);
   }
   std::vector<double> levers = LeversFor(view);

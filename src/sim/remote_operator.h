@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/lever_feel.h"
 #include "sim/operator.h"
 #include "sim/tool_servo.h"
 
@@ -41,7 +42,8 @@ struct ControlMessage {
 };
 
 /// What is wrong with a message for this machine (a wrong count, a lever beyond full, a number that
-/// is not finite, an unknown frame, a place out of all reach), or nothing.
+/// is not finite, a position beyond the joint's limits, an unknown frame, a place out of all
+/// reach), or nothing.
 std::optional<std::string> FaultOf(const ControlMessage& message, const MachineModel& model);
 
 /// A machine's operator once somebody drives it from outside: the scenario's own operator until the
@@ -50,8 +52,9 @@ std::optional<std::string> FaultOf(const ControlMessage& message, const MachineM
 /// Model   A message holds until the next one, for at most kTimeout_s of simulated time; after that
 ///         all levers are neutral. Joint rates are held by the angle they lead to, so that a joint
 ///         under load does not fall behind; joint positions and tool poses by proportional feedback
-///         of the rate (ServoLever, ToolRates). All of them become levers, which is what a machine
-///         obeys, what is recorded, and what replays it.
+///         of the rate (ServoLever, ToolRates), whose levers LeverFeel pushes on where a joint does
+///         not follow them. All of them become levers, which is what a machine obeys, what is
+///         recorded, and what replays it.
 class RemoteOperator : public Operator {
  public:
   static constexpr double kTimeout_s = 1.0;
@@ -64,12 +67,15 @@ class RemoteOperator : public Operator {
 
  private:
   std::vector<double> LeversFor(const OperatorView& view);
+  /// Levers for those that ideal joints would need.
+  std::vector<double> Feel(const OperatorView& view, std::vector<double> levers);
   std::vector<double> HoldRates(const OperatorView& view, const std::vector<double>& rates_radps);
 
   std::unique_ptr<Operator> until_then_;
   std::optional<ControlMessage> message_;
   TimeNs received_ns_ = 0, last_ns_ = 0;
   std::vector<double> held_q_rad_;  ///< where joint rates have led to, one for each lever
+  std::vector<LeverFeel> feel_;     ///< of each lever, for positions and tool poses
 };
 
 }  // namespace tera

@@ -15,7 +15,7 @@ constexpr double kStep_s = 0.002;
 struct Valve {
   double band = 0;
   double q_rad = 0, rate_radps = 0;
-  LeverFeel feel;
+  LeverFeel feel = LeverFeel();
 
   /// Time until the target is within `near_rad`, or 60 s.
   double Reach(double target_rad, double near_rad) {
@@ -68,15 +68,35 @@ TEST(LeverFeel, GivesWayWhereTheBandIsNarrowerThanFelt) {
 }
 
 TEST(LeverFeel, DoesNotPushAJointThatItsLoadHolds) {
-  LeverFeel feel;
+  LeverFeel feel = LeverFeel();
   for (int k = 0; k < 5000; ++k) EXPECT_EQ(feel.Lever(0.6, 0, kStep_s), 0.6);
 }
 
 TEST(LeverFeel, NeverAsksForMoreThanFullLever) {
-  LeverFeel feel;
+  LeverFeel feel = LeverFeel();
   for (int k = 0; k < 5000; ++k) feel.Lever(0.4, 0, kStep_s);
   EXPECT_EQ(feel.Lever(0.9, 0.9, kStep_s), 1.0);
   EXPECT_LE(feel.Lever(0.4, 0.4, kStep_s), 0.9);
+}
+
+TEST(LeverFeel, LeavesAJointAloneThatOvershotIfItIsToldSo) {
+  // Asked for 0.3, and swinging back at as much for a second.
+  LeverFeel gentle({.back = 0.15}), eager;
+  for (double t_s = 0; t_s < 1; t_s += kStep_s) {
+    EXPECT_EQ(gentle.Lever(0.3, -0.3, kStep_s), 0.3);
+    eager.Lever(0.3, -0.3, kStep_s);
+  }
+  EXPECT_GT(eager.Lever(0.3, -0.3, kStep_s), 0.4);
+}
+
+TEST(LeverFeel, TheSofterTheNearerAJointComes) {
+  double left_rad[2] = {};
+  for (const bool softer : {false, true}) {
+    Valve valve{.band = 0.15, .feel = LeverFeel({.soft = softer ? 0.015 : 0.05})};
+    valve.Reach(0.5, 0);
+    left_rad[softer] = std::abs(0.5 - valve.q_rad);
+  }
+  EXPECT_LT(left_rad[true], 0.5 * left_rad[false]);
 }
 
 }  // namespace

@@ -6,65 +6,17 @@
 #include <cmath>
 #include <limits>
 
-#include "core/config.h"
-#include "sim/live_run.h"
+#include "core/units.h"
+#include "remote_machine.h"
 
-// Driving a machine from outside by rates, positions and tool poses. The excavator stands on
-// asphalt, turned and off the origin.
+// Driving a machine from outside by rates, positions and tool poses.
 
 namespace tera {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-Scenario Load() {
-  const Config config = Config::FromText(R"(
-name: remote
-duration_s: 60
-settle_s: 1
-terrain: {size_m: [20, 20], cell_m: 0.2, soil: asphalt}
-machines:
-  - name: excavator1
-    machine: tera:config/machines/tb235.yaml
-    start: {xy_m: [1, -2], yaw_deg: 30}
-    operator: {type: idle}
-)",
-                                         "remote.yaml");
-  Scenario scenario = ReadScenario(config.root());
-  config.Finish();
-  return scenario;
-}
-
-class RemoteOperatorTest : public testing::Test {
- protected:
-  const MachineModel& model() const { return run_.scenario().machines[0].placement.model; }
-  const MachineState& state() const { return run_.simulation().state().machines[0]; }
-  double Angle(const char* joint) const { return state().q_rad[model().JointIndex(joint)]; }
-
-  /// Sends the message ten times a second, as a controller would.
-  void Drive(const ControlMessage& message, double duration_s) {
-    ASSERT_EQ(FaultOf(message, model()), std::nullopt);
-    for (int step = 0; step < duration_s * 500; ++step) {
-      if (step % 50 == 0) run_.Command(0, message);
-      run_.Step();
-    }
-  }
-
-  /// Values for each lever, by name; others `otherwise`.
-  std::vector<double> ByLever(const std::vector<std::pair<std::string, double>>& values) const {
-    std::vector<double> all(model().levers.size(), 0.0);
-    for (const auto& [name, value] : values) all[model().LeverIndex(name)] = value;
-    return all;
-  }
-
-  Vec3 TipInRoot() const {
-    const NamedFrame& tip = model().frames[0];
-    return state().links[0].X_WB.inverse() *
-           (state().links[tip.link].X_WB * tip.X_BF.translation());
-  }
-
-  LiveRun run_{Load(), "", {}, {}};
-};
+class RemoteOperatorTest : public RemoteMachineTest {};
 
 TEST_F(RemoteOperatorTest, TurnsJointsAtTheRatesAskedFor) {
   const double boom_rad = Angle("boom"), slew_rad = Angle("slew");
@@ -151,6 +103,13 @@ TEST_F(RemoteOperatorTest, NamesWhatIsWrongWithAMessage) {
               Optional(HasSubstr("joint rates of 'slew'")));
   EXPECT_THAT(fault({.command = ControlMessage::JointPositions{{}}}),
               Optional(HasSubstr("0 joint positions")));
+  const auto bent = [&](double boom_rad) {
+    return ControlMessage{
+        .command = ControlMessage::JointPositions{ByLever({{"boom", boom_rad}, {"arm", -1.0}})}};
+  };
+  EXPECT_EQ(fault(bent(72 * kDeg)), std::nullopt);
+  EXPECT_THAT(fault(bent(3)), Optional(HasSubstr("3 of 'boom' is beyond the joint's limits")));
+  EXPECT_THAT(fault(bent(-1)), Optional(HasSubstr("-1 of 'boom'")));
   EXPECT_THAT(fault({.command = ControlMessage::ToolPose{"bucket", {}}}),
               Optional(HasSubstr("no frame 'bucket'")));
   EXPECT_THAT(fault({.command = ControlMessage::ToolPose{"bucket_tip", {Vec3(0, -1e308, 0), {}}}}),
@@ -164,7 +123,7 @@ TEST_F(RemoteOperatorTest, NamesWhatIsWrongWithAMessage) {
 }
 
 TEST(ToolServo, MovesTheFrameTowardsItsTargetAndNoFasterThanTheJointsCan) {
-  const Scenario scenario = Load();
+  const Scenario scenario = RemoteScenario();
   const MachineModel& model = scenario.machines[0].placement.model;
   const Pose X_WB = MakePose(Vec3(4, -1, 2), RotationFromRpy(0.1, -0.2, 2.0));
   std::vector<double> q_rad(model.joints.size(), 0.0);
