@@ -1,6 +1,6 @@
 """Digs one bucket of soil by moving the levers, and says how much it holds.
 
-    PYTHONPATH=build/release/python python3 examples/python/dig_by_lever.py
+    PYTHONPATH=build/release/python /usr/bin/python3 examples/python/dig_by_lever.py
 """
 
 from pathlib import Path
@@ -14,9 +14,9 @@ SCENARIO = Path(__file__).resolve().parents[2] / "config/scenarios/quickstart.ya
 # Seconds, and the levers held for so long; all others rest.
 STROKES = [
     (1.2, {"boom": -0.8, "arm": 0.4}),    # down, reaching out
-    (1.8, {"arm": -0.7, "bucket": 0.1}),  # drag towards the machine
-    (1.4, {"bucket": 0.9, "arm": -0.3}),  # curl
-    (1.5, {"boom": 0.9, "bucket": 0.3}),  # lift
+    (1.8, {"arm": -0.7, "bucket": -0.1}),  # drag towards the machine
+    (1.4, {"bucket": -0.9, "arm": -0.3}),  # curl
+    (1.5, {"boom": 0.9, "bucket": -0.3}),  # lift
 ]
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tera.server import Server
-from tera.session import Session
+from tera.session import Refused, Session
 from tera.spaces import Box, Dict, EnvBase
 from tera.v1 import simulation_pb2 as messages
 
@@ -29,6 +29,7 @@ class Env(EnvBase):
     machine     its name; the first that has levers, unless given
     control     what an action is: "levers" (-1 to 1 each), "joint_rates", "joint_positions" (one for each lever), or
                 "tool_position" (where `tool_frame` is to go, x, y, z in the root link's frame, metres)
+    tool_frame  the name of one of the machine's frames; its first, unless given
     step_s      simulated time of a step
     sensors     names of the machine's sensors to observe
     all_frames  every picture and scan of a step in info["samples"], not the latest of it alone
@@ -38,12 +39,14 @@ class Env(EnvBase):
 
     An observation is a dict of arrays: joint_position, joint_rate, joint_effort, gear_rate_radps, levers,
     base_position_W_m, base_rotation_WB (w, x, y, z), base_twist (velocity in W, angular velocity in B), shovel_load_kg;
+    of `tool_frame`, where the machine has frames, tool_position_B_m and tool_rotation_B (w, x, y, z) in the root link's
+    frame; cylinder_stroke_m and cylinder_pressure_pa (head and rod side) where it has cylinders;
     terrain_m (n x n, second index forward, relative to the patch's centre); and of each sensor the latest measurement:
     "<camera>/rgb", "<camera>/depth_m", "<camera>/semantic", "<camera>/instance", "<imu>" (angular rate, specific
     force), "<gnss>" (east, north, up, fix), "<encoder>" (positions, rates). Until a sensor has measured something its
     arrays are 0. Lidars, whose scans differ in length, are in info["samples"] alone.
 
-    info has time_s; age_s, of each sensor the age of its latest measurement, or None before the first; samples, of each
+    info has time_s; seed, of the episode; age_s, of each sensor the age of its latest measurement, or None before the first; samples, of each
     sensor a list of dicts of arrays, all that it measured in the step; and message, the server's own Observation.
     """
 
@@ -53,10 +56,14 @@ class Env(EnvBase):
                  reward=None, terminated=None, tool_frame=None):
         if control not in CONTROLS:
             raise ValueError(f"control {control!r}; need one of {', '.join(CONTROLS)}")
+        if not 0 < step_s < math.inf:
+            raise ValueError(f"step_s {step_s}; need a time in seconds, more than 0")
         self._server = None
         self.session = Session(address, client="tera.Env")
         self._control, self._step_s, self._patch = control, step_s, patch
         self._reward, self._terminated = reward, terminated
+        self._seeds = None  # where a reset without a seed takes one from, after the first
+        self._in_episode = False
         try:
             self._choose(machine, sensors, tool_frame)
             self._observe = messages.Observe(
@@ -83,21 +90,45 @@ class Env(EnvBase):
             if name not in known:
                 raise ValueError(f"no sensor {name!r} on {self.machine.name}; need one of: {', '.join(known)}")
         self._sensors = {name: known[name] for name in sensors}
-        self._tool_frame = tool_frame or (self.machine.frames[0].name if self.machine.frames else "")
+        frames = [frame.name for frame in self.machine.frames]
+        if tool_frame not in [None, *frames] or (self._control == "tool_position" and not frames):
+            raise ValueError(f"no frame {tool_frame!r} on {self.machine.name}; need one of: "
+                             f"{', '.join(frames) or 'none there'}")
+        self._tool_frame = tool_frame or (frames[0] if frames else None)
 
     # ---- Gymnasium's calls
 
     def reset(self, *, seed=None, options=None):
-        """A fresh episode with that seed, or with the scenario's own. There are no options."""
+        """A fresh episode with that seed. There are no options.
+
+        Without a seed, the first has the scenario's own, and each later one another, drawn from a generator that the
+        last seed given (or the scenario's) began: the same calls give the same episodes.
+        """
         if options:
             raise ValueError(f"options of a reset: {', '.join(options)}; need none")
-        if seed is not None and EnvBase is not object:
-            super().reset(seed=seed)
+        if seed is None and self._seeds is not None:
+            seed = int(self._seeds.integers(2**32))
+        else:
+            if seed is None:
+                seed = self.session.description.seed
+            elif EnvBase is not object:
+                super().reset(seed=seed)
+            self._seeds = np.random.default_rng(seed)
         self._latest = {}
-        return self._told(self.session.reset(seed=seed, observe=self._observe))
+        self._seed = seed
+        self._in_episode = False
+        told = self.session.reset(seed=seed, observe=self._observe)
+        self._in_episode = True
+        return self._told(told)
 
     def step(self, action):
-        told = self.session.step([self._action(action)], duration_s=self._step_s, observe=self._observe)
+        if not self._in_episode:
+            raise RuntimeError("step before reset; need env.reset() first")
+        try:
+            told = self.session.step([self._action(action)], duration_s=self._step_s, observe=self._observe)
+        except Refused as refused:
+            self._in_episode = not refused.episode_over
+            raise
         observation, info = self._told(told)
         reward = float(self._reward(observation, info)) if self._reward else 0.0
         terminated = bool(self._terminated(observation, info)) if self._terminated else False
@@ -174,6 +205,11 @@ class Env(EnvBase):
                   "gear_rate_radps": free(gears), "levers": Box(-1.0, 1.0, (len(machine.levers),), np.float64),
                   "base_position_W_m": free(3), "base_rotation_WB": free(4), "base_twist": free(6),
                   "shovel_load_kg": free(len(machine.shovels))}
+        if self._tool_frame:
+            spaces.update({"tool_position_B_m": free(3), "tool_rotation_B": free(4)})
+        if machine.cylinders:
+            count = len(machine.cylinders)
+            spaces.update({"cylinder_stroke_m": free(count), "cylinder_pressure_pa": free(count, 2)})
         if self._patch:
             n = math.floor(self._patch.size_m / self._patch.resolution_m + 0.5) + 1
             spaces["terrain_m"] = Box(-np.inf, np.inf, (n, n), np.float32)
@@ -184,16 +220,22 @@ class Env(EnvBase):
     def _told(self, told):
         """The observation and info of a server's Observation."""
         state = next(m for m in told.machines if m.name == self.machine.name)
-        X, v, w = state.X_WB, state.v_WB_mps, state.w_WB_B_radps
-        position, rotation = X.position_m, X.rotation
+        v, w = state.v_WB_mps, state.w_WB_B_radps
         observation = {
             "joint_position": np.array(state.joint_position), "joint_rate": np.array(state.joint_rate),
             "joint_effort": np.array(state.joint_effort), "gear_rate_radps": np.array(state.gear_rate_radps),
             "levers": np.array(state.lever),
-            "base_position_W_m": np.array([position.x, position.y, position.z]),
-            "base_rotation_WB": np.array([rotation.w, rotation.x, rotation.y, rotation.z]),
+            "base_position_W_m": _vector(state.X_WB.position_m), "base_rotation_WB": _quaternion(state.X_WB.rotation),
             "base_twist": np.array([v.x, v.y, v.z, w.x, w.y, w.z]),
             "shovel_load_kg": np.array(state.shovel_load_kg)}
+        if self._tool_frame:
+            tool = next(X for X, frame in zip(state.X_BF, self.machine.frames) if frame.name == self._tool_frame)
+            observation["tool_position_B_m"] = _vector(tool.position_m)
+            observation["tool_rotation_B"] = _quaternion(tool.rotation)
+        if state.cylinder:
+            observation["cylinder_stroke_m"] = np.array([c.stroke_m for c in state.cylinder])
+            observation["cylinder_pressure_pa"] = np.array([(c.head_pressure_pa, c.rod_pressure_pa)
+                                                            for c in state.cylinder])
         if told.patches:
             patch = told.patches[0]
             observation["terrain_m"] = np.frombuffer(patch.height_m, "<f4").reshape(patch.n, patch.n)
@@ -203,9 +245,10 @@ class Env(EnvBase):
                 self._latest[name] = measured[-1]
         for sensor in self._sensors.values():
             observation.update(_latest_arrays(sensor, self._latest.get(sensor.name)))
-        age_s = {name: (told.time_ns - self._latest[name]["time_ns"]) * 1e-9 if name in self._latest else None
+        age_s = {name: (told.time_ns - self._latest[name]["time_ns"]) / 1e9 if name in self._latest else None
                  for name in self._sensors}
-        return observation, {"time_s": told.time_ns * 1e-9, "age_s": age_s, "samples": samples, "message": told}
+        info = {"time_s": told.time_ns / 1e9, "seed": self._seed, "age_s": age_s, "samples": samples, "message": told}
+        return observation, info
 
 
 def make(scenario, options=(), **env_options):
@@ -229,6 +272,10 @@ _COLUMNS = {"xyz_S_m": np.dtype("<f4"), "intensity": np.dtype("<f4"), "time_offs
 
 def _vector(message):
     return np.array([message.x, message.y, message.z])
+
+
+def _quaternion(message):
+    return np.array([message.w, message.x, message.y, message.z])
 
 
 def _imu(sample):

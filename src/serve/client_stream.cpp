@@ -1,11 +1,13 @@
 #include "serve/client_stream.h"
 
+#include <utility>
+
 namespace tera {
 
 ClientStream::Heard ClientStream::Read(grpc::ByteBuffer* buffer,
                                        std::optional<std::chrono::milliseconds> within) {
   StartRead(&incoming_);
-  if (!Wait(within)) return Heard::kSilence;
+  if (!Wait(within)) return cancelled_ ? Heard::kStopped : Heard::kSilence;
   if (!ok_) return Heard::kEnd;
   buffer->Swap(&incoming_);
   return Heard::kMessage;
@@ -13,8 +15,17 @@ ClientStream::Heard ClientStream::Read(grpc::ByteBuffer* buffer,
 
 bool ClientStream::Write(const grpc::ByteBuffer& buffer) {
   StartWrite(&buffer);
-  Wait();
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return done_; });
+  done_ = false;
   return ok_;
+}
+
+void ClientStream::Stop() {
+  cancelled_ = true;
+  const std::lock_guard lock(mutex_);
+  stopped_ = true;
+  changed_.notify_one();
 }
 
 void ClientStream::Done(bool ok) {
@@ -26,14 +37,13 @@ void ClientStream::Done(bool ok) {
 
 bool ClientStream::Wait(std::optional<std::chrono::milliseconds> within) {
   std::unique_lock lock(mutex_);
-  const auto done = [this] { return done_; };
+  const auto done = [this] { return done_ || stopped_; };
   if (!within) {
     changed_.wait(lock, done);
   } else if (!changed_.wait_for(lock, *within, done)) {
     return false;
   }
-  done_ = false;
-  return true;
+  return std::exchange(done_, false);
 }
 
 }  // namespace tera

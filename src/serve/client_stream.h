@@ -17,13 +17,16 @@ class ClientStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc
  public:
   enum class Heard {
     kMessage,
-    kEnd,     ///< the client closed its side, died, or sent what gRPC refuses
-    kSilence  ///< nothing came in time; only End may follow
+    kEnd,      ///< the client closed its side, died, or sent what gRPC refuses
+    kSilence,  ///< nothing came in time; only End may follow
+    kStopped   ///< the server stops; only End may follow
   };
   /// Waits for a message, without end unless `within` is given.
   Heard Read(grpc::ByteBuffer* buffer, std::optional<std::chrono::milliseconds> within = {});
   /// False where nobody is there to read.
   bool Write(const grpc::ByteBuffer& buffer);
+  /// Ends waiting for messages: the server stops. Any thread.
+  void Stop();
   /// Ends the call; the last use of this.
   void End(const grpc::Status& status) { Finish(status); }
 
@@ -36,7 +39,7 @@ class ClientStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc
   void OnCancel() override { cancelled_ = true; }
   void OnDone() override { delete this; }
   void Done(bool ok);
-  /// False where nothing was done in time.
+  /// For a read. False where none was done in time, or before the server stopped.
   bool Wait(std::optional<std::chrono::milliseconds> within = {});
 
   grpc::ByteBuffer incoming_;  ///< outlives a read that is left
@@ -44,6 +47,7 @@ class ClientStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc
   std::mutex mutex_;
   std::condition_variable changed_;
   bool done_ = false, ok_ = false;  ///< of the read or write under way
+  bool stopped_ = false;
 };
 
 }  // namespace tera

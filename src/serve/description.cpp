@@ -46,6 +46,10 @@ void PutJoints(const MachineModel& model, v1::Machine* machine) {
     message.set_max_rate_positive(joint.max_rate_positive_radps);
     message.set_max_rate_negative(joint.max_rate_negative_radps);
     message.set_max_effort(joint.max_effort_nm);
+    message.set_parent(model.links[joint.parent].name);
+    message.set_child(model.links[joint.child].name);
+    Put(joint.X_PJ, message.mutable_x_pj());
+    Put(joint.axis_J, message.mutable_axis_j());
   }
   for (const Lever& lever : model.levers) {
     v1::Lever& message = *machine->add_levers();
@@ -77,6 +81,20 @@ void PutTools(const MachineModel& model, v1::Machine* machine) {
     message.set_name(frame.name);
     message.set_link(model.links[frame.link].name);
     Put(frame.X_BF, message.mutable_x_bf());
+  }
+}
+
+void PutCylinders(const MachineModel& model, v1::Machine* machine) {
+  for (const Cylinder& cylinder : model.cylinders) {
+    v1::Cylinder& message = *machine->add_cylinders();
+    message.set_name(cylinder.name);
+    message.set_joint(model.joints[cylinder.joint].name);
+    message.set_count(static_cast<std::uint32_t>(cylinder.count));
+    message.set_bore_m(cylinder.bore_m);
+    message.set_rod_diameter_m(cylinder.rod_diameter_m);
+    message.set_relief_pa(cylinder.relief_pa);
+    message.set_shortest_m(cylinder.shortest_m);
+    message.set_longest_m(cylinder.longest_m);
   }
 }
 
@@ -135,6 +153,7 @@ v1::Description Describe(const Scenario& scenario) {
     message.set_mass_kg(model.TotalMass_kg());
     PutJoints(model, &message);
     PutTools(model, &message);
+    PutCylinders(model, &message);
     for (const SensorDescription& sensor : machine.sensors) {
       PutSensor(sensor, model, message.add_sensors());
     }

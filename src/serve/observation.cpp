@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "core/error.h"
+#include "physics/linkage.h"
 #include "serve/geometry_messages.h"
 #include "serve/session.h"
 #include "sim/rig.h"
@@ -129,9 +130,26 @@ void PutPatch(const PatchPlan& plan, const MachineModel& model, const MachineSta
   patch->set_height_m(height_m.data(), height_m.size() * sizeof(float));
 }
 
-void PutMachine(const std::string& name, const MachineState& state, v1::MachineState* message) {
+void PutCylinder(const MachineModel& model, const Cylinder& cylinder, const CylinderState& now,
+                 const MachineState& state, v1::CylinderState* message) {
+  message->set_length_m(now.length_m);
+  message->set_stroke_m(now.stroke_m);
+  message->set_rate_mps(now.rate_mps);
+  message->set_force_n(now.force_n);
+  message->set_head_pressure_pa(now.head_pressure_pa);
+  message->set_rod_pressure_pa(now.rod_pressure_pa);
+  const Pose X_BP =
+      state.links[0].X_WB.inverse() * state.links[model.joints[cylinder.joint].parent].X_WB;
+  const CylinderPins pins = PinsOf(model, cylinder, state.q_rad[cylinder.joint]);
+  Put(Vec3(X_BP * pins.barrel_P_m), message->mutable_barrel_pin_b_m());
+  Put(Vec3(X_BP * pins.rod_P_m), message->mutable_rod_pin_b_m());
+}
+
+void PutMachine(const MachinePlacement& machine, const MachineState& state,
+                v1::MachineState* message) {
+  const MachineModel& model = machine.model;
   const BodyState& root = state.links[0];
-  message->set_name(name);
+  message->set_name(machine.name);
   Put(root.X_WB, message->mutable_x_wb());
   Put(root.v_WB_mps, message->mutable_v_wb_mps());
   Put(Vec3(root.X_WB.linear().transpose() * root.w_WB_radps), message->mutable_w_wb_b_radps());
@@ -148,6 +166,12 @@ void PutMachine(const std::string& name, const MachineState& state, v1::MachineS
   for (const SoilReaction::Load& load : state.shovel_load) {
     message->add_shovel_load_kg(load.mass_kg);
     message->add_shovel_load_m3(load.volume_m3);
+  }
+  for (const NamedFrame& frame : model.frames) {
+    Put(Pose(root.X_WB.inverse() * state.links[frame.link].X_WB * frame.X_BF), message->add_x_bf());
+  }
+  for (std::size_t c = 0; c < model.cylinders.size(); ++c) {
+    PutCylinder(model, model.cylinders[c], state.cylinders[c], state, message->add_cylinder());
   }
 }
 
@@ -191,7 +215,7 @@ void PutState(const WorldState& state, const TerrainSurface& ground, const Scena
               const std::vector<PatchPlan>& patches, v1::Observation* observation) {
   observation->set_time_ns(state.t_ns);
   for (std::size_t m = 0; m < state.machines.size(); ++m) {
-    PutMachine(scenario.machines[m].placement.name, state.machines[m], observation->add_machines());
+    PutMachine(scenario.machines[m].placement, state.machines[m], observation->add_machines());
   }
   for (const PatchPlan& patch : patches) {
     PutPatch(patch, scenario.machines[patch.machine].placement.model, state.machines[patch.machine],

@@ -22,6 +22,8 @@ namespace {
 // A client whose machine or network vanished without a word is missed after the two together.
 constexpr int kAskAfter_ms = 30'000, kAnswerWithin_ms = 30'000;
 
+constexpr std::chrono::seconds kFarewell{2};
+
 /// One address and port as a URI wants it: IPv6 in brackets.
 std::string Endpoint(const std::string& address, int port) {
   const bool bare_ipv6 = address.find(':') != std::string::npos && !address.starts_with("[");
@@ -36,6 +38,10 @@ class RefusedStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grp
  private:
   void OnDone() override { delete this; }
 };
+
+grpc::Status BeingStopped() {
+  return {grpc::StatusCode::UNAVAILABLE, "the server is being stopped"};
+}
 
 using Service = v1::Simulation::WithRawCallbackMethod_Session<v1::Simulation::Service>;
 using Reactor = grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>;
@@ -78,10 +84,11 @@ struct Server::Impl final : Service {
     {
       const std::lock_guard lock(mutex);
       stopping = true;
+      if (stream != nullptr) stream->Stop();
       changed.notify_all();
     }
-    // Calls under way are cancelled at once, which is how the thread learns of it.
-    grpc_server->Shutdown(std::chrono::system_clock::now());
+    // Who is being served is told; a client that does not read it is cancelled.
+    grpc_server->Shutdown(std::chrono::system_clock::now() + kFarewell);
     thread.join();
     grpc_server->Wait();
   }
@@ -89,7 +96,7 @@ struct Server::Impl final : Service {
   Reactor* Session(grpc::CallbackServerContext* context) override {
     const std::lock_guard lock(mutex);
     if (stopping) {
-      return new RefusedStream({grpc::StatusCode::UNAVAILABLE, "the server is being stopped"});
+      return new RefusedStream(BeingStopped());
     }
     if (stream != nullptr) {
       return new RefusedStream(
@@ -109,7 +116,8 @@ struct Server::Impl final : Service {
       if (stream == nullptr) return;
       ClientStream* const serving = stream;
       lock.unlock();
-      const grpc::Status status = ServeWhole(serving);
+      grpc::Status status = ServeWhole(serving);
+      if (Stopping()) status = BeingStopped();
       log(fmt::format("{}: session ended{}", who,
                       status.ok() ? "" : ": " + status.error_message()));
       lock.lock();
@@ -136,7 +144,7 @@ struct Server::Impl final : Service {
       const auto heard =
           session->greeted() ? serving->Read(&incoming) : serving->Read(&incoming, hello_within);
       if (heard == ClientStream::Heard::kSilence) return NoHello();
-      if (heard == ClientStream::Heard::kEnd) break;
+      if (heard != ClientStream::Heard::kMessage) break;
       grpc::Slice bytes;
       if (const grpc::Status status = incoming.DumpToSingleSlice(&bytes); !status.ok()) {
         return status;
@@ -154,6 +162,11 @@ struct Server::Impl final : Service {
     }
     if (serving->cancelled()) return {grpc::StatusCode::CANCELLED, "the client is gone"};
     return grpc::Status::OK;
+  }
+
+  bool Stopping() {
+    const std::lock_guard lock(mutex);
+    return stopping;
   }
 
   grpc::Status NoHello() const {

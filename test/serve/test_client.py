@@ -69,6 +69,26 @@ def equal(a, b):
     return a.keys() == b.keys() and all(np.array_equal(a[name], b[name]) for name in a)
 
 
+def rotation(w, x, y, z):
+    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
+
+
+def pose(message):
+    """A Pose as a matrix."""
+    p, q = message.position_m, message.rotation
+    matrix = np.eye(4)
+    matrix[:3, :3], matrix[:3, 3] = rotation(q.w, q.x, q.y, q.z), [p.x, p.y, p.z]
+    return matrix
+
+
+def turn(axis, angle):
+    matrix = np.eye(4)
+    matrix[:3, :3] = rotation(np.cos(angle / 2), *(np.sin(angle / 2) * np.array(axis)))
+    return matrix
+
+
 def files(directory):
     """The bytes of every file below, by its path."""
     return {path.relative_to(directory): path.read_bytes() for path in directory.rglob("*") if path.is_file()}
@@ -92,9 +112,23 @@ class EnvTest(unittest.TestCase):
         self.assertTrue(all(equal(a, b) for a, b in zip(first, again)))
         self.assertFalse(np.array_equal(first[-1]["imu"], other[-1]["imu"]))
 
-    def test_a_reset_without_a_seed_takes_that_of_the_scenario(self):
+    def test_the_first_reset_without_a_seed_takes_that_of_the_scenario_and_later_ones_others(self):
         env = self.env(sensors=["gnss"])
-        self.assertTrue(equal(env.reset()[0], env.reset(seed=5)[0]))
+        unseeded = [env.reset() for _ in range(3)]
+        self.assertEqual(unseeded[0][1]["seed"], 5)
+        self.assertEqual(len({info["seed"] for _, info in unseeded}), 3)
+        self.assertFalse(equal(unseeded[0][0], unseeded[1][0]))
+        self.assertTrue(equal(unseeded[0][0], env.reset(seed=5)[0]))
+        self.assertTrue(equal(unseeded[1][0], env.reset()[0]))  # the same calls, the same episodes
+        self.assertTrue(equal(unseeded[2][0], env.reset(seed=unseeded[2][1]["seed"])[0]))
+
+    def test_a_step_before_a_reset_is_told_and_does_no_harm(self):
+        env = self.env()
+        still = np.zeros(env.action_space.shape)
+        with self.assertRaisesRegex(RuntimeError, "step before reset"):
+            env.step(still)
+        env.reset(seed=1)
+        env.step(still)
 
     def test_steps_last_as_asked_and_the_episode_is_truncated_at_its_duration(self):
         env = self.env(step_s=0.25)
@@ -133,13 +167,51 @@ class EnvTest(unittest.TestCase):
         after = env.step(hold)[0]
         np.testing.assert_allclose(after["joint_position"], before["joint_position"], atol=0.02)
 
-    def test_a_tool_position_is_approached(self):
+    def test_a_tool_comes_to_the_position_asked_for(self):
         env = self.env(step_s=1.0, control="tool_position", tool_frame="bucket_tip")
         self.assertEqual(env.action_space.shape, (3,))
         env.reset(seed=1)
-        start = env.step([3.0, 0.0, 1.0])[0]["joint_position"]
-        end = env.step([4.0, 0.0, 1.0])[0]["joint_position"]
-        self.assertGreater(np.abs(end - start).max(), 0.05)
+        for target in ([3.0, 0.5, 1.0], [4.0, -0.5, 0.8]):
+            left_m = [np.linalg.norm(env.step(target)[0]["tool_position_B_m"] - target) for _ in range(7)]
+            self.assertLess(left_m[1], left_m[0])
+            self.assertLess(left_m[-1], 0.03)
+
+    def test_the_tool_is_where_the_joints_of_the_description_put_it(self):
+        env = self.env(step_s=0.5)
+        env.reset(seed=1)
+        env.action_space.seed(4)
+        observation = env.step(env.action_space.sample())[0]
+        machine = env.machine
+        frame = machine.frames[0]
+        joint_of = {joint.child: (joint, q) for joint, q in zip(machine.joints, observation["joint_position"])}
+        place, link = pose(frame.X_BF), frame.link
+        while link in joint_of:
+            joint, q = joint_of[link]
+            place = pose(joint.X_PJ) @ turn([joint.axis_J.x, joint.axis_J.y, joint.axis_J.z], q) @ place
+            link = joint.parent
+        np.testing.assert_allclose(observation["tool_position_B_m"], place[:3, 3], atol=1e-9)
+        w, x, y, z = observation["tool_rotation_B"]
+        np.testing.assert_allclose(rotation(w, x, y, z), place[:3, :3], atol=1e-9)
+
+    def test_cylinders_are_as_long_as_their_pins_are_apart(self):
+        env = self.env(step_s=0.5)
+        env.reset(seed=1)
+        raised = np.where([lever.name == "boom" for lever in env.machine.levers], 0.5, 0.0)
+        observation, _, _, _, info = env.step(raised)
+        names = [cylinder.name for cylinder in env.machine.cylinders]
+        state = next(m for m in info["message"].machines if m.name == "digger")
+        for k, (cylinder, now) in enumerate(zip(env.machine.cylinders, state.cylinder)):
+            pins = [np.array([p.x, p.y, p.z]) for p in (now.barrel_pin_B_m, now.rod_pin_B_m)]
+            self.assertAlmostEqual(np.linalg.norm(pins[1] - pins[0]), now.length_m, places=9)
+            self.assertAlmostEqual(now.length_m - cylinder.shortest_m, observation["cylinder_stroke_m"][k])
+        boom = state.cylinder[names.index("boom_cylinder")]
+        self.assertGreater(boom.rate_mps, 0.01)
+        # It pushes, and carries boom, arm and bucket by the pressure under its piston.
+        area_m2 = np.pi / 4 * env.machine.cylinders[names.index("boom_cylinder")].bore_m ** 2
+        head_pa, rod_pa = observation["cylinder_pressure_pa"][names.index("boom_cylinder")]
+        self.assertGreater(head_pa, 1e6)
+        self.assertGreater(head_pa, rod_pa)
+        self.assertLess(abs(head_pa * area_m2 / boom.force_n - 1), 0.3)
 
     def test_actions_beyond_a_bound_by_a_rounding_are_done_and_others_refused(self):
         env = self.env(control="joint_rates")
@@ -252,6 +324,10 @@ class EnvTest(unittest.TestCase):
             self.env(sensors=["radar"])
         with self.assertRaisesRegex(ValueError, "need one of levers"):
             self.env(control="thoughts")
+        with self.assertRaisesRegex(ValueError, "no frame 'hook' on digger; need one of: bucket_tip"):
+            self.env(tool_frame="hook")
+        with self.assertRaisesRegex(ValueError, "step_s 0; need a time"):
+            self.env(step_s=0)
         env = self.env(patch=tera.Patch(2, 0.5, shovel="spoon"))
         with self.assertRaisesRegex(tera.Refused, "named 'spoon'"):
             env.reset(seed=1)
@@ -461,7 +537,7 @@ class ServerTest(unittest.TestCase):
         session.reset(seed=1)
         own._process.send_signal(signal.SIGTERM)
         self.assertEqual(own._process.wait(), 0)
-        with self.assertRaises(tera.SessionEnded):
+        with self.assertRaisesRegex(tera.SessionEnded, "the server is being stopped"):
             session.step(physics_steps=1)
         session.close()
         own.close()
