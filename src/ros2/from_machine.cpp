@@ -66,6 +66,20 @@ JointState JointStateMessage(TimeNs t_ns, const ScenarioMachine& machine,
   return message;
 }
 
+JointState CylindersMessage(TimeNs t_ns, const ScenarioMachine& machine,
+                            const MachineState& state) {
+  const std::vector<Cylinder>& cylinders = machine.placement.model.cylinders;
+  JointState message;
+  message.header = {t_ns, LinkFrame(machine, 0)};
+  for (std::size_t c = 0; c < cylinders.size(); ++c) {
+    message.name.push_back(cylinders[c].name);
+    message.position.push_back(state.cylinders[c].stroke_m);
+    message.velocity.push_back(state.cylinders[c].rate_mps);
+    message.effort.push_back(state.cylinders[c].force_n);
+  }
+  return message;
+}
+
 std::vector<TransformStamped> MovingTransforms(TimeNs t_ns, const ScenarioMachine& machine,
                                                const MachineState& state) {
   std::vector<TransformStamped> transforms;

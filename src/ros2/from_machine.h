@@ -19,6 +19,10 @@ Odometry OdometryMessage(TimeNs t_ns, const ScenarioMachine& machine, const Mach
 JointState JointStateMessage(TimeNs t_ns, const ScenarioMachine& machine,
                              const MachineState& state);
 
+/// Strokes (m), their rates and forces (N, positive where the rod is pushed out), of each of those
+/// side by side; named as in the machine's description.
+JointState CylindersMessage(TimeNs t_ns, const ScenarioMachine& machine, const MachineState& state);
+
 /// What moves: the root in the world, unless it is fixed there, and the child of each joint that
 /// is not fixed in its parent.
 std::vector<TransformStamped> MovingTransforms(TimeNs t_ns, const ScenarioMachine& machine,

@@ -47,7 +47,8 @@ void RequireFrameName(const ScenarioMachine& machine, const std::string& link) {
 
 void RequireDistinct(const ScenarioMachine& machine) {
   std::set<std::string> frames;
-  std::set<std::string> topics = {"odom", "joint_states", "ee_pose", "bucket_mass", "delta_can"};
+  std::set<std::string> topics = {"odom",    "joint_states", "cylinders",
+                                  "ee_pose", "bucket_mass",  "delta_can"};
   for (const Link& link : machine.placement.model.links) frames.insert(link.name);
   for (const SensorDescription& sensor : machine.sensors) {
     const bool camera = std::holds_alternative<CameraModel>(sensor.model);

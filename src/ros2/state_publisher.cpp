@@ -27,6 +27,9 @@ StatePublisher::StatePublisher(const Scenario& scenario, const WorldState& start
     topics.odom = participant->Advertise<Odometry>(topic("odom"), Delivery::kState);
     topics.joint_states =
         participant->Advertise<JointState>(topic("joint_states"), Delivery::kState);
+    if (!machine.placement.model.cylinders.empty()) {
+      topics.cylinders = participant->Advertise<JointState>(topic("cylinders"), Delivery::kState);
+    }
     topics.tool = EndEffectorOf(machine.placement.model);
     if (topics.tool) {
       topics.ee_pose = participant->Advertise<PoseStamped>(topic("ee_pose"), Delivery::kState);
@@ -48,6 +51,9 @@ void StatePublisher::Publish(const WorldState& state) {
     const MachineState& now = state.machines[m];
     participant_->Publish(topics.odom, OdometryMessage(now_ns_, machine, now));
     participant_->Publish(topics.joint_states, JointStateMessage(now_ns_, machine, now));
+    if (topics.cylinders >= 0) {
+      participant_->Publish(topics.cylinders, CylindersMessage(now_ns_, machine, now));
+    }
     if (topics.tool) {
       participant_->Publish(topics.ee_pose,
                             EndEffectorMessage(now_ns_, machine, now, *topics.tool));

@@ -10,7 +10,8 @@
 namespace tera::ros {
 
 /// The time, and what every machine truly does: /clock, /tf, /tf_static, and below each machine
-/// odom, joint_states, ee_pose and bucket_mass, the last two where it has a shovel that carries.
+/// odom, joint_states, cylinders where it has any, and ee_pose and bucket_mass where it has a
+/// shovel that carries.
 class StatePublisher {
  public:
   /// Sends /tf_static at once. Keeps references to all but `start`.
@@ -23,7 +24,7 @@ class StatePublisher {
 
  private:
   struct Topics {
-    Participant::WriterId odom, joint_states;
+    Participant::WriterId odom, joint_states, cylinders = -1;
     std::optional<EndEffector> tool;
     Participant::WriterId ee_pose = -1, bucket_mass = -1;
   };

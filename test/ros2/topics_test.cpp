@@ -38,6 +38,7 @@ TEST(LiveRos, OffersTheTopicsOfBothMachinesWithRosTypesAndQuality) {
   for (const std::string machine : {"rt/red/", "rt/blue/"}) {
     expected[machine + "odom"] = {"nav_msgs::msg::dds_::Odometry_", true, false};
     expected[machine + "joint_states"] = {"sensor_msgs::msg::dds_::JointState_", true, false};
+    expected[machine + "cylinders"] = {"sensor_msgs::msg::dds_::JointState_", true, false};
     expected[machine + "ee_pose"] = {"geometry_msgs::msg::dds_::PoseStamped_", true, false};
     expected[machine + "bucket_mass"] = {"std_msgs::msg::dds_::Float64_", true, false};
   }

@@ -74,6 +74,7 @@ class DrivenRun : public testing::Test {
     const auto sensor = [](const std::string& type) { return "sensor_msgs::msg::dds_::" + type; };
     return {{"rt/red/odom", "nav_msgs::msg::dds_::Odometry_"},
             {"rt/red/joint_states", sensor("JointState_")},
+            {"rt/red/cylinders", sensor("JointState_")},
             {"rt/red/ee_pose", "geometry_msgs::msg::dds_::PoseStamped_"},
             {"rt/red/bucket_mass", "std_msgs::msg::dds_::Float64_"},
             {"rt/tf", "tf2_msgs::msg::dds_::TFMessage_"},
@@ -192,6 +193,19 @@ TEST_F(DrivenRun, JointStatesAreTheTrueOnes) {
   EXPECT_GT(joints.velocity.at("boom"), 0.05);
   EXPECT_GT(joints.velocity.at("slew"), 0.05);
   EXPECT_GT(joints.effort.at("boom"), 1000) << "holds the arm and the bucket";
+}
+
+TEST_F(DrivenRun, CylindersAreAsFarOutAsTheirPinsAreApart) {
+  const JointView cylinders = JointsOf(Of("cylinders"));
+  const TableRecording truth = recording_->LoadTable("truth/red/hydraulics.csv");
+  const std::vector<double>& row = truth.rows.at(RowAt(truth.t_ns, cylinders.t_ns));
+  EXPECT_EQ(cylinders.position.size(), 5u);
+  for (const auto& [name, stroke_m] : cylinders.position) {
+    const auto column = std::ranges::find(truth.columns, name + "_stroke_m");
+    EXPECT_NEAR(stroke_m, row.at(column - truth.columns.begin()), 1e-9) << name;
+  }
+  EXPECT_GT(cylinders.velocity.at("boom_cylinder"), 0.01) << "raises the boom";
+  EXPECT_GT(cylinders.effort.at("boom_cylinder"), 5000) << "and carries it";
 }
 
 TEST_F(DrivenRun, EndEffectorIsWhereTheJointAnglesLead) {
