@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <memory>
@@ -8,6 +9,7 @@
 #include "app/commands.h"
 #include "app/scenario_options.h"
 #include "core/units.h"
+#include "physics/urdf_left_out.h"
 #include "sim/scene_assembly.h"
 
 namespace tera {
@@ -24,6 +26,9 @@ void PrintMachine(const ScenarioMachine& machine) {
       "m\n",
       machine.placement.name, model.kind, model.links.size(), model.joints.size(),
       model.levers.size(), model.TotalMass_kg(), p.x(), p.y(), p.z());
+  std::vector<std::string> levers;
+  for (const Lever& lever : model.levers) levers.push_back(lever.name);
+  if (!levers.empty()) fmt::print("  levers: {}\n", fmt::join(levers, ", "));
   fmt::print("  {:<18} {:<8} {:<14} {:>22} {:>22} {:>9}\n", "sensor", "type", "link", "xyz m",
              "rpy deg", "rate Hz");
   for (const SensorDescription& sensor : machine.sensors) {
@@ -35,6 +40,15 @@ void PrintMachine(const ScenarioMachine& machine) {
         fmt::format("{:.3f} {:.3f} {:.3f}", xyz.x(), xyz.y(), xyz.z()),
         fmt::format("{:.1f} {:.1f} {:.1f}", Tenths(rpy.x()), Tenths(rpy.y()), Tenths(rpy.z())),
         sensor.clock.rate_hz);
+  }
+}
+
+void PrintLeftOut(const std::vector<InputFile>& inputs) {
+  for (const InputFile& input : inputs) {
+    if (input.path.extension() != ".urdf") continue;
+    const std::string left_out = LeftOutOf(input.path);
+    if (left_out.empty()) continue;
+    fmt::print("{}: {} left out\n", input.path.filename().string(), left_out);
   }
 }
 
@@ -54,6 +68,7 @@ void RunCheck(const ScenarioOptions& options) {
     fmt::print("{} {} at ({:.2f}, {:.2f}) m{}\n", NameOf(obstacle.label), obstacle.name,
                obstacle.xy_W_m.x(), obstacle.xy_W_m.y(), obstacle.path.empty() ? "" : ", moving");
   }
+  PrintLeftOut(scenario.inputs);
   fmt::print("valid\n");
 }
 

@@ -98,18 +98,18 @@ void CheckLink(const LinkPart& part, bool may_be_massless) {
   CheckInertia(part);
 }
 
-void OrderIntoTree(const MachineParts& parts, const ConfigMap& config, MachineModel* model) {
+bool OrderIntoTree(const MachineParts& parts, const ConfigMap& config, MachineModel* model) {
   std::map<std::string, int> index;
   for (std::size_t i = 0; i < parts.links.size(); ++i) {
     index.emplace(parts.links[i].link.name, static_cast<int>(i));
   }
   if (parts.links.empty()) {
     config.Fault("links", "there are no links; need at least one");
-    return;
+    return false;
   }
   const std::vector<int> parent_joint = ParentJoints(parts, index);
   const int root = FindRoot(parts, parent_joint, config);
-  if (root < 0) return;
+  if (root < 0) return false;
 
   std::vector<int> place_of(parts.links.size(), -1);  // in model->links
   place_of[root] = 0;
@@ -141,6 +141,7 @@ void OrderIntoTree(const MachineParts& parts, const ConfigMap& config, MachineMo
     parts.links[i].place.Fault("", fmt::format("link '{}' is not connected to the root '{}'",
                                                parts.links[i].link.name, model->links[0].name));
   }
+  return model->links.size() == parts.links.size();
 }
 
 }  // namespace tera

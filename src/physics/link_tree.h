@@ -42,7 +42,7 @@ void CheckLink(const LinkPart& part, bool may_be_massless);
 
 /// Puts the parts in order (root first, links[k + 1] the child of joints[k]) into `model`, and
 /// reports joints that name no link, links with two parents, loops, several roots. After such a
-/// fault the model holds what could be ordered.
-void OrderIntoTree(const MachineParts& parts, const ConfigMap& config, MachineModel* model);
+/// fault the model holds what could be ordered, and false is returned.
+bool OrderIntoTree(const MachineParts& parts, const ConfigMap& config, MachineModel* model);
 
 }  // namespace tera

@@ -201,7 +201,14 @@ MachineModel ReadMachine(const ConfigMap& config) {
   model.kind = config.Text("kind");
   model.fixed_base = config.Boolean("fixed_base", false);
   const MachineParts parts = config.Has("urdf") ? ReadUrdfParts(config) : ReadParts(config);
-  OrderIntoTree(parts, config, &model);
+  if (!OrderIntoTree(parts, config, &model)) {
+    // What stands on links and joints cannot be judged before they are mended.
+    for (const char* key : {"tracks", "wheels", "gauge_m", "shovels", "hull_points", "frames",
+                            "linkages", "hydraulics", "cylinders", "pumps", "levers", "effects"}) {
+      config.Has(key);
+    }
+    return model;
+  }
   ReadRunningGear(config, &model);
   ReadEquipment(config, &model);
   ReadHydraulics(config, &model);

@@ -1,5 +1,6 @@
 #include <console_bridge/console.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include "core/error.h"
 #include "core/plain_name.h"
 #include "physics/machine_reading.h"
+#include "physics/urdf_left_out.h"
 #include "physics/urdf_transmissions.h"
 
 /// URDF to links and joints.
@@ -198,17 +200,47 @@ void LayOver(const ConfigMap& config, MachineParts* parts) {
   }
 }
 
+std::string WholeText(const fs::path& file) {
+  std::ifstream stream(file);
+  std::stringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+std::string Counted(int count, const std::string& one, const std::string& several) {
+  return fmt::format("{} {}", count, count == 1 ? one : several);
+}
+
 }  // namespace
+
+std::string LeftOutOf(const fs::path& urdf) {
+  const ParserMessages messages;
+  const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(WholeText(urdf));
+  if (!model) return "";
+  int visuals = 0, collisions = 0;
+  for (const auto& [name, link] : model->links_) {
+    for (const auto& visual : link->visual_array) {
+      visuals += visual->geometry && visual->geometry->type != urdf::Geometry::MESH;
+    }
+    for (const auto& collision : link->collision_array) {
+      collisions += collision->geometry && collision->geometry->type == urdf::Geometry::MESH;
+    }
+  }
+  std::vector<std::string> parts;
+  if (visuals > 0) {
+    parts.push_back(Counted(visuals, "visual that is no mesh", "visuals that are no meshes"));
+  }
+  if (collisions > 0) parts.push_back(Counted(collisions, "collision mesh", "collision meshes"));
+  return fmt::format("{}", fmt::join(parts, " and "));
+}
 
 MachineParts ReadUrdfParts(const ConfigMap& config) {
   MachineParts parts;
   const fs::path file = config.File("urdf");
   if (file.empty()) return parts;
-  std::ifstream stream(file);
-  std::stringstream text;
-  text << stream.rdbuf();
+  const std::string text = WholeText(file);
   const ParserMessages messages;
-  const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(text.str());
+  const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(text);
   if (!model) {
     config.Fault("urdf",
                  fmt::format("'{}' is not a valid URDF: {}; correct it (check_urdf tells more)",
@@ -226,7 +258,7 @@ MachineParts ReadUrdfParts(const ConfigMap& config) {
     parts.joints.push_back(
         {ToJoint(*joint, place), joint->parent_link_name, joint->child_link_name, place});
   }
-  ReadUrdfDrives(config, file, text.str(), &parts);
+  ReadUrdfDrives(config, file, text, &parts);
   LayOver(config, &parts);
   CheckDriven(parts);
   return parts;

@@ -113,6 +113,7 @@ TEST(Check, PrintsTheRigAsATable) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_THAT(outcome.out,
               AllOf(HasSubstr("machine rover1 (warthog): 1 links, 0 joints, 2 levers, 470 kg"),
+                    HasSubstr("\n  levers: left_track, right_track\n"),
                     ContainsRegex("sensor +type +link +xyz m +rpy deg +rate Hz\n"),
                     ContainsRegex("imu +imu +chassis +0.000 0.000 0.000 +0.0 0.0 0.0 +100\n"),
                     ContainsRegex("lidar +lidar +chassis +0.000 0.000 1.200 +0.0 0.0 0.0 +10\n"),

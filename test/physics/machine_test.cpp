@@ -309,6 +309,25 @@ TEST(MachineFaults, AMachineHasLinks) {
   EXPECT_THAT(FaultsOf("kind: ghost\n"), testing::HasSubstr("there are no links"));
 }
 
+TEST(MachineFaults, WhatStandsOnLinksIsJudgedOnceTheyAreATree) {
+  using testing::HasSubstr;
+  const std::string cylinder =
+      "cylinders={ram: {barrel: {link: post, pin_m: [0, 0, 0]}, rod: {link: arm, pin_m: [1, 0, "
+      "0]}}}";
+  for (const auto& [change, told] : std::vector<std::pair<std::string, std::string>>{
+           {"joints.lift.child=hand", "there is no link 'hand'"},
+           {"joints.lift.parent=arm", "link 'arm' is the parent already"},
+           {"joints.back={type: fixed, parent: arm, child: post}", "the joints form a loop"},
+           {"links.spare={mass_kg: 1, inertia_kgm2: [1, 1, 1]}",
+            "links post, spare have no parent"},
+           {"joints=null", "joints"}}) {
+    const std::string faults = FaultsOf(kLiftArm, {change, cylinder});
+    EXPECT_THAT(faults, HasSubstr(told));
+    EXPECT_THAT(faults, testing::Not(testing::AnyOf(HasSubstr("ram"), HasSubstr("unknown key"))));
+  }
+  EXPECT_EQ(FaultsOf("kind: ghost\ncylinders: {ram: {}}\n").find("ram"), std::string::npos);
+}
+
 TEST(MachineFaults, AreReportedAllAtOnce) {
   const std::string faults =
       FaultsOf(kLiftArm, {"links.arm.mass_kg=-1", "joints.lift.limits_deg=[3, 1]", "levers=[x]"});

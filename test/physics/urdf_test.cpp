@@ -5,6 +5,7 @@
 
 #include "own_folder.h"
 #include "physics/machine_fixture.h"
+#include "physics/urdf_left_out.h"
 
 namespace tera {
 namespace {
@@ -85,6 +86,26 @@ TEST(Urdf, TeraKeysLieOverIt) {
   EXPECT_DOUBLE_EQ(turn.initial_rad, 20 * kDeg);
   EXPECT_DOUBLE_EQ(turn.max_effort_nm, 600);
   EXPECT_DOUBLE_EQ(model.joints[model.JointIndex("reach")].max_effort_nm, 77);
+}
+
+TEST(Urdf, WhatIsLeftOutIsCounted) {
+  const std::string file = OwnFolder() / "left_out.urdf";
+  const auto left_out = [&](const std::string& parts) {
+    std::ofstream(file) << "<robot name=\"r\"><link name=\"a\">" + parts + "</link></robot>";
+    return LeftOutOf(file);
+  };
+  const std::string box = "<geometry><box size=\"1 2 3\"/></geometry>";
+  const std::string ball = "<geometry><sphere radius=\"1\"/></geometry>";
+  const std::string mesh = "<geometry><mesh filename=\"a.stl\"/></geometry>";
+  const auto visual = [](const std::string& shape) { return "<visual>" + shape + "</visual>"; };
+  const auto collision = [](const std::string& shape) {
+    return "<collision>" + shape + "</collision>";
+  };
+  EXPECT_EQ(left_out(visual(mesh) + collision(box) + collision(ball)), "");
+  EXPECT_EQ(left_out(visual(box) + visual(mesh)), "1 visual that is no mesh");
+  EXPECT_EQ(left_out(visual(box) + visual(ball) + collision(mesh)),
+            "2 visuals that are no meshes and 1 collision mesh");
+  EXPECT_EQ(left_out(collision(mesh) + collision(mesh)), "2 collision meshes");
 }
 
 TEST(Urdf, FaultsNameTheUrdfAndItsPart) {
