@@ -103,7 +103,7 @@ struct GearContact::Pressed {
   const SoilType* soil = nullptr;
 
   double Strength_n() const {
-    return soil->cohesion_pa * area_m2 + normal_n * std::tan(soil->friction_angle_rad);
+    return soil->shear_cohesion_pa * area_m2 + normal_n * std::tan(soil->shear_friction_rad);
   }
 };
 

@@ -31,10 +31,13 @@ struct SoilType {
   double adhesion_pa = 0;
   double repose_angle_rad = 0;
   double young_modulus_pa = 0;
-  // Pressure-sinkage (Bekker) and shear (Janosi-Hanamoto).
+  // Pressure-sinkage (Bekker) and shear (Janosi-Hanamoto) under running gear, all of one
+  // measurement: a plate's shear strength is not the internal one that a cut or a wall has.
   double k_c_npm_n1 = 0;    ///< N/m^(n+1)
   double k_phi_npm_n2 = 0;  ///< N/m^(n+2)
   double sinkage_exponent = 1;
+  double shear_friction_rad = 0;
+  double shear_cohesion_pa = 0;
   double shear_modulus_m = 0;  ///< K
   double moisture = 0;         ///< degree of saturation, 0..1
   // Appearance.

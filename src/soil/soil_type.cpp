@@ -43,6 +43,9 @@ SoilType ReadSoilType(const ConfigMap& config) {
   soil.k_c_npm_n1 = config.Number("k_c_npm_n1", AtLeast(0, "N/m^(n+1)"));
   soil.k_phi_npm_n2 = config.Number("k_phi_npm_n2", Positive("N/m^(n+2)"));
   soil.sinkage_exponent = config.Number("sinkage_exponent", Between(0.1, 2, ""));
+  soil.shear_friction_rad =
+      kDeg * config.Number("shear_friction_deg", angle, soil.friction_angle_rad / kDeg);
+  soil.shear_cohesion_pa = config.Number("shear_cohesion_pa", AtLeast(0, "Pa"), soil.cohesion_pa);
   soil.shear_modulus_m = config.Number("shear_modulus_m", Between(1e-4, 0.5, "m"));
   soil.moisture = config.Number("moisture", Between(0, 1, "(degree of saturation)"));
   soil.albedo = config.Vector3("albedo", Between(0, 1, ""), soil.albedo);
@@ -72,6 +75,8 @@ SoilType Met(const SoilType& soil, const Footing& footing) {
   met.cohesion_pa *= footing.strength;
   met.adhesion_pa *= footing.strength;
   met.friction_angle_rad = std::atan(footing.strength * std::tan(soil.friction_angle_rad));
+  met.shear_cohesion_pa *= footing.strength;
+  met.shear_friction_rad = std::atan(footing.strength * std::tan(soil.shear_friction_rad));
   met.soil_tool_friction_rad = std::atan(footing.strength * std::tan(soil.soil_tool_friction_rad));
   met.young_modulus_pa *= footing.stiffness;
   met.k_c_npm_n1 *= footing.stiffness;
@@ -79,9 +84,9 @@ SoilType Met(const SoilType& soil, const Footing& footing) {
   return met;
 }
 
-BearingFactors LocalShear(const SoilType& soil) {
+BearingFactors LocalShear(double friction_angle_rad) {
   constexpr double kLeastTan = 1e-3;  // below it N_c has its limit pi + 2
-  const double t = std::max(kLocalShear * std::tan(soil.friction_angle_rad), kLeastTan);
+  const double t = std::max(kLocalShear * std::tan(friction_angle_rad), kLeastTan);
   const double phi = std::atan(t);
   const double n_q = std::exp(kPi * t) * std::pow(std::tan(kPi / 4 + phi / 2), 2);
   return {
@@ -89,7 +94,7 @@ BearingFactors LocalShear(const SoilType& soil) {
 }
 
 double BearingPressure_pa(const SoilType& soil, double width_m, double depth_m) {
-  const BearingFactors n = LocalShear(soil);
+  const BearingFactors n = LocalShear(soil.friction_angle_rad);
   const double weight_npm3 = soil.bank_density_kgpm3 * kStandardGravity_mps2;
   return kLocalShear * soil.cohesion_pa * n.n_c +
          weight_npm3 * (depth_m * n.n_q + 0.5 * width_m * n.n_gamma);

@@ -33,7 +33,7 @@ struct BearingFactors {
   double n_c, n_q, n_gamma;
   double friction_angle_rad;  ///< the reduced one
 };
-BearingFactors LocalShear(const SoilType& soil);
+BearingFactors LocalShear(double friction_angle_rad);
 
 /// Terzaghi's bearing pressure of a strip `width_m` wide pressed in at `depth_m`, for local shear
 /// (soil that compresses before it fails: two thirds of cohesion and tan phi):

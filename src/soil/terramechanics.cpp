@@ -46,7 +46,7 @@ double ShearMobilisation(const SoilType& soil, double j_m) {
 double TrackThrust_n(const SoilType& soil, double width_m, double length_m, double load_n,
                      double slip) {
   const double strength_n =
-      width_m * length_m * soil.cohesion_pa + load_n * std::tan(soil.friction_angle_rad);
+      width_m * length_m * soil.shear_cohesion_pa + load_n * std::tan(soil.shear_friction_rad);
   const double ratio = slip * length_m / soil.shear_modulus_m;
   return strength_n * (1 + std::expm1(-ratio) / ratio);
 }
@@ -67,13 +67,13 @@ double CompactionResistance_n(const SoilType& soil, double width_m, double z_m) 
 double BulldozingResistance_n(const SoilType& soil, double width_m, double z_m) {
   if (z_m <= 0) return 0;
   constexpr double kCohesionShare = 0.67;
-  const BearingFactors n = LocalShear(soil);
+  const BearingFactors n = LocalShear(soil.shear_friction_rad);
   const double t = std::tan(n.friction_angle_rad);
   const double cos_squared = 1 / (1 + t * t);
   const double k_pc = (n.n_c - t) * cos_squared;
   const double k_pgamma = (2 * n.n_gamma / t + 1) * cos_squared;
   const double weight_npm3 = soil.bank_density_kgpm3 * kStandardGravity_mps2;
-  return width_m * (kCohesionShare * soil.cohesion_pa * z_m * k_pc +
+  return width_m * (kCohesionShare * soil.shear_cohesion_pa * z_m * k_pc +
                     0.5 * weight_npm3 * z_m * z_m * k_pgamma);
 }
 

@@ -19,8 +19,10 @@ std::string At(double x_m, double y_m, double yaw_deg, const std::string& joints
 }
 
 std::string Custom(const std::string& name, const std::string& like, double friction_deg) {
-  return fmt::format("{{preset: tera:config/soils/{}.yaml, name: {}, friction_angle_deg: {}}}",
-                     like, name, friction_deg);
+  return fmt::format(
+      "{{preset: tera:config/soils/{}.yaml, name: {}, shear_friction_deg: {}, "
+      "shear_cohesion_pa: 0}}",
+      like, name, friction_deg);
 }
 
 std::string Ground(const std::string& ground) { return "    ground: " + ground + "\n"; }

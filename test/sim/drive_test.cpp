@@ -78,10 +78,11 @@ struct Bearing {
   }
 };
 
-/// Wong 2008, table 2.3, and the moduli of the material library, in order of sinkage.
+/// Wong 2008, table 2.3 and the moduli of the material
+/// library, in order of sinkage.
 const std::vector<std::pair<const char*, Bearing>> kBearing = {
-    {"gravel", {102000, 5301000, 0.793, 4.6e6}}, {"loose", {5270, 1515040, 0.7, 1.0e6}},
-    {"dirt", {52530, 1127970, 0.9, 6.5e6}},      {"wet_sand", {74600, 2080000, 1.1, 4.0e6}},
+    {"gravel", {102000, 5301000, 0.793, 4.6e6}}, {"dirt", {5270, 1515040, 0.7, 6.5e6}},
+    {"wet_sand", {74600, 2080000, 1.1, 4.0e6}},  {"loose", {52530, 1127970, 0.9, 1.0e6}},
     {"sand", {990, 1528430, 1.1, 4.5e6}},
 };
 
@@ -271,11 +272,13 @@ double JanosiSlip(double share, double shear_modulus_m, double behind_m) {
 TEST(Drive, SlipGrowsWithTheSlopeItClimbsAsJanosiSays) {
   const struct {
     const char* soil;
-    double friction_deg, shear_modulus_m;
-  } soils[] = {{"gravel", 44, 0.010}, {"sand", 39, 0.018}};
-  for (const auto& [soil, friction_deg, shear_modulus_m] : soils) {
+    double friction_deg, cohesion_pa, shear_modulus_m;
+    std::vector<double> slopes_deg;
+  } soils[] = {{"gravel", 31.1, 1300, 0.012, {10, 15, 20}},
+               {"sand", 28, 1040, 0.018, {10, 13, 16}}};
+  for (const auto& [soil, friction_deg, cohesion_pa, shear_modulus_m, slopes_deg] : soils) {
     double last_slip = 0;
-    for (const double slope_deg : {10.0, 20.0, 28.0}) {
+    for (const double slope_deg : slopes_deg) {
       const std::string where = fmt::format("{} {} deg", soil, slope_deg);
       Drive drive(kExcavator, At(0, -6, 90), Rising(soil, slope_deg), 0.5, 0.5);
       drive.Run(3.0);
@@ -294,7 +297,8 @@ TEST(Drive, SlipGrowsWithTheSlopeItClimbsAsJanosiSays) {
       const double resistance_n = thrust_n - weight_n * std::sin(slope);
       EXPECT_GT(resistance_n, 0) << where;
       EXPECT_LT(resistance_n, 0.15 * weight_n) << where;
-      const double strength_n = weight_n * std::cos(slope) * std::tan(friction_deg * kDeg);
+      const double strength_n = weight_n * std::cos(slope) * std::tan(friction_deg * kDeg) +
+                                2 * kB_m * kL_m * cohesion_pa;
       const Vec3 com_B = drive.body().X_WB.inverse() * drive.CentreOfMass();
       const double behind_m = com_B.z() * std::tan(slope) - com_B.x();
       const double expected = JanosiSlip(thrust_n / strength_n, shear_modulus_m, behind_m);

@@ -57,10 +57,22 @@ TEST(Site, SizeAndCellSetTheGrid) {
 }
 
 TEST(Site, EveryShippedSoilIsReadable) {
-  for (const char* name : {"dirt", "gravel", "sand", "wet_sand", "loose", "asphalt"}) {
+  for (const char* name :
+       {"dirt", "gravel", "sand", "loose_sand", "wet_sand", "loose", "clay", "asphalt"}) {
     const SitePlan plan = Plan(std::string("size_m: [2, 2]\nsoil: ") + name + "\n");
     EXPECT_EQ(plan.soils[0].name, name);
   }
+}
+
+TEST(Site, StrengthUnderRunningGearIsItsOwnOrThatOfTheGround) {
+  const SoilType sand = Plan("size_m: [2, 2]\nsoil: sand\n").soils[0];
+  EXPECT_NEAR(sand.friction_angle_rad, 39 * kDeg, 1e-12);
+  EXPECT_NEAR(sand.shear_friction_rad, 28 * kDeg, 1e-12);
+  EXPECT_EQ(sand.cohesion_pa, 0);
+  EXPECT_EQ(sand.shear_cohesion_pa, 1040);
+  const SoilType clay = Plan("size_m: [2, 2]\nsoil: clay\n").soils[0];
+  EXPECT_NEAR(clay.shear_friction_rad, 13 * kDeg, 1e-12);
+  EXPECT_EQ(clay.shear_cohesion_pa, 4140);
 }
 
 TEST(Site, StripsSetTheSoilAlongTheirAxis) {
@@ -212,6 +224,8 @@ TEST(Site, EveryFaultOfATerrainIsNamed) {
   EXPECT_EQ(FaultsOf(dirt + "cohesion_pa: 10}\n"), "");
   EXPECT_THAT(FaultsOf(dirt + "bank_density_kgpm3: -5}\n"), HasSubstr("-5 is out of range"));
   EXPECT_THAT(FaultsOf(dirt + "friction_angle_deg: 90}\n"), HasSubstr("90 is out of range"));
+  EXPECT_THAT(FaultsOf(dirt + "shear_friction_deg: 90}\n"), HasSubstr("90 is out of range"));
+  EXPECT_THAT(FaultsOf(dirt + "shear_cohesion_pa: -1}\n"), HasSubstr("-1 is out of range"));
   EXPECT_THAT(FaultsOf(dirt + "max_density_kgpm3: 1000}\n"),
               HasSubstr("1000 is less than bank_density_kgpm3 1474"));
   EXPECT_THAT(FaultsOf("size_m: [4, 4]\ncustom_soils:\n"

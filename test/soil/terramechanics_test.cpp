@@ -14,8 +14,8 @@ SoilType DrySand() {
   soil.k_c_npm_n1 = 990;
   soil.k_phi_npm_n2 = 1528430;
   soil.sinkage_exponent = 1.1;
-  soil.cohesion_pa = 1040;
-  soil.friction_angle_rad = 28 * kDeg;
+  soil.shear_cohesion_pa = 1040;
+  soil.shear_friction_rad = 28 * kDeg;
   soil.shear_modulus_m = 0.025;
   return soil;
 }
@@ -25,8 +25,8 @@ SoilType SandyLoam11() {
   soil.k_c_npm_n1 = 52530;
   soil.k_phi_npm_n2 = 1127970;
   soil.sinkage_exponent = 0.9;
-  soil.cohesion_pa = 4830;
-  soil.friction_angle_rad = 20 * kDeg;
+  soil.shear_cohesion_pa = 4830;
+  soil.shear_friction_rad = 20 * kDeg;
   return soil;
 }
 
@@ -59,11 +59,11 @@ TEST(Terramechanics, TrackOnSandyLoam) {
 TEST(Terramechanics, BulldozedSoilResistsAsBekkerSays) {
   SoilType soil;
   soil.bank_density_kgpm3 = 1500;
-  soil.friction_angle_rad = 30 * kDeg;
+  soil.shear_friction_rad = 30 * kDeg;
   const double weight_n = 0.3 * 0.5 * 1500 * 9.80665 * 29.11;  // for z = 1 m
   EXPECT_NEAR(BulldozingResistance_n(soil, 0.3, 0.1) / (0.01 * weight_n), 1, 0.002);
   EXPECT_NEAR(BulldozingResistance_n(soil, 0.3, 0.2) / (0.04 * weight_n), 1, 0.002);
-  soil.cohesion_pa = 2000;
+  soil.shear_cohesion_pa = 2000;
   const double cohesion_n = 0.3 * 0.67 * 2000 * 13.48;
   EXPECT_NEAR(BulldozingResistance_n(soil, 0.3, 0.1) / (0.01 * weight_n + 0.1 * cohesion_n), 1,
               0.002);
