@@ -50,9 +50,10 @@ struct ContactPatch {
 struct RunningGear {
   std::string name;
   int link = 0;
-  double drive_radius_m = 0;  ///< sprocket pitch radius or rolling radius, as described
-  double shoe_ratio = 1;      ///< what the surface moves over what that radius would
-  double grouser_m = 0;       ///< height of the ribs (lugs) of its surface, which hold soil
+  double drive_radius_m = 0;   ///< sprocket pitch radius or rolling radius, as described
+  double shoe_ratio = 1;       ///< what the surface moves over what that radius would
+  double grouser_m = 0;        ///< height of the ribs (lugs) of its surface, which hold soil
+  double grouser_pitch_m = 0;  ///< from rib to rib along travel; 0: they leave no print
   std::vector<ContactPatch> patches;
 
   /// What the surface moves for one radian of the drive.

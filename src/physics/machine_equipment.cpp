@@ -5,6 +5,7 @@
 #include "core/plain_name.h"
 #include "core/polygon.h"
 #include "core/spelling.h"
+#include "core/units.h"
 #include "physics/machine_reading.h"
 #include "physics/running_gear.h"
 
@@ -97,11 +98,12 @@ void ReadTrack(const std::string& name, const ConfigMap& config, MachineModel* m
   if (const auto shoe = config.OptionalMap("shoe")) {
     Visual visual = ReadMesh(*shoe);
     visual.label = SemanticClass::kTrack;
+    const int count = static_cast<int>(shoe->Integer("count", Between(1, kMostShoes, "1")));
     model->track_visuals.push_back(
-        {.gear = gear,
-         .shoe = visual,
-         .path_B_m = TrackPath(shape),
-         .shoe_count = static_cast<int>(shoe->Integer("count", Between(1, kMostShoes, "1")))});
+        {.gear = gear, .shoe = visual, .path_B_m = TrackPath(shape), .shoe_count = count});
+    // One rib on each shoe.
+    model->ground_tools.gears[gear].grouser_pitch_m =
+        2 * (shape.wheelbase_m + kPi * shape.radius_m) / count;
   }
 }
 

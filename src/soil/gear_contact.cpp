@@ -6,6 +6,7 @@
 
 #include "core/check.h"
 #include "core/units.h"
+#include "soil/footprint.h"
 #include "soil/terramechanics.h"
 
 namespace tera {
@@ -73,12 +74,33 @@ void ShearFurther(const SoilType& soil, const Vec2& slip_m, Vec2* j_m) {
   *j_m = -soil.shear_modulus_m * std::log1p(-std::min(size, most)) / size * after;
 }
 
+/// Pressure of the ground on a point that is `pen_m` in it and goes further at `into_mps`.
+double DampedPressure_pa(const Plate& plate, double share, double pen_m, double sinkage_m,
+                         double into_mps) {
+  const double stiffness_papm = share * plate.rebound_papm();
+  double pressure_pa = stiffness_papm * pen_m;
+  if (!plate.Bears(pressure_pa, sinkage_m)) {
+    pressure_pa = BekkerPressure_pa(plate.soil(), plate.width_m(), sinkage_m);
+  }
+  const double damping =
+      2 * kDampingRatio * std::sqrt(stiffness_papm * pressure_pa / kStandardGravity_mps2);
+  return pressure_pa + std::clamp(damping * into_mps, -pressure_pa, pressure_pa);
+}
+
+/// Velocity of a patch over the soil at p_W, which gives way as a rolling shoe comes down on it:
+/// half-way between the patch's normal and the machine's down. So a raised nose that rolls shears
+/// nothing.
+Vec3 OverSoil_mps(const Footprint& foot, const BodyState& body, const Vec3& v_W) {
+  const Vec3 yield_W = foot.n_W - body.X_WB.linear().col(2);
+  return v_W - v_W.dot(foot.n_W) / yield_W.dot(foot.n_W) * yield_W;
+}
+
 /// The surface of an obstacle: asphalt's numbers, see config/soils/asphalt.yaml for their sources.
 SoilType HardSurface() {
   SoilType hard;
   hard.name = "obstacle";
   hard.bank_density_kgpm3 = hard.max_density_kgpm3 = 2400;
-  hard.friction_angle_rad = 38.7 * kDeg;
+  hard.friction_angle_rad = hard.shear_friction_rad = 38.7 * kDeg;
   hard.young_modulus_pa = 2.0e6;
   hard.k_phi_npm_n2 = 1.0e9;
   hard.shear_modulus_m = 0.004;
@@ -92,6 +114,22 @@ std::vector<SoilType> WithHardSurface(std::vector<SoilType> soils) {
 }
 
 }  // namespace
+
+/// A step of the gear.
+struct GearContact::Step {
+  const BodyState& body;
+  double shoe_mps, dt_s;
+  double contact_m;                  ///< length of the ground under the gear before it
+  const std::vector<Patch>& before;  ///< the patches before it
+  Columns* ground;
+};
+
+/// What the patches do together.
+struct GearContact::Sum {
+  Result result;
+  double weight_n = 0;   ///< normal forces
+  double forward_w = 0;  ///< times the speed forwards at each
+};
 
 /// What the ground under one patch answers.
 struct GearContact::Pressed {
@@ -126,44 +164,34 @@ GearContact::Pressed GearContact::Bear(std::size_t patch_index, const BodyState&
                                        const Columns& ground, const LowObstacles& obstacles) const {
   const ContactPatch& patch = gear_.patches[patch_index];
   Pressed result;
-  const Vec3 n_W = body.X_WB.linear() * patch.outward_B;
+  const Footprint foot(patch, body.X_WB);
   const int n_along = std::max(1, static_cast<int>(std::ceil(patch.length_m / ground.cell_m())));
   const int n_across = std::max(1, static_cast<int>(std::ceil(patch.width_m / ground.cell_m())));
-  const Vec3 along_W = body.X_WB.linear() * patch.travel_B;
-  const Vec3 across_W = n_W.cross(along_W);
-  const Vec3 p_W = body.X_WB * patch.p_B_m;
   const double area_m2 = patch.length_m * patch.width_m / (n_along * n_across);
   // Velocity into the ground along the machine's vertical, which changes evenly over the patch.
   const Vec3 up_W = body.X_WB.linear().col(2);
-  const Vec3 into_W = up_W.dot(n_W) * up_W;
-  const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(p_W - body.X_WB.translation());
+  const Vec3 into_W = up_W.dot(foot.n_W) * up_W;
+  const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(foot.p_W_m - body.X_WB.translation());
   const double into_mps = v_W.dot(into_W);
-  const double into_along_radps = body.w_WB_radps.cross(along_W).dot(into_W);
-  const double into_across_radps = body.w_WB_radps.cross(across_W).dot(into_W);
+  const double into_along_radps = body.w_WB_radps.cross(foot.along_W).dot(into_W);
+  const double into_across_radps = body.w_WB_radps.cross(foot.across_W).dot(into_W);
   const double climb_m = ClimbHeight_m(gear_);
   for (int a = 0; a < n_along; ++a) {
     const double along_m = ((a + 0.5) / n_along - 0.5) * patch.length_m;
     const double share = PressureShare(patch, along_m);
     for (int b = 0; b < n_across; ++b) {
       const double across_m = ((b + 0.5) / n_across - 0.5) * patch.width_m;
-      const Vec3 q_W = p_W + along_m * along_W + across_m * across_W;
+      const Vec3 q_W = foot.p_W_m + along_m * foot.along_W + across_m * foot.across_W;
       const Columns::Sample sample = ground.SampleAt(q_W.x(), q_W.y());
       const auto obstacle = obstacles.TopAt(q_W.x(), q_W.y(), climb_m);
       const bool hard = obstacle && obstacle->z_m > sample.top_m;
-      const double pen_m = ((hard ? obstacle->z_m : sample.top_m) - q_W.z()) * -n_W.z();
+      const double pen_m = ((hard ? obstacle->z_m : sample.top_m) - q_W.z()) * -foot.n_W.z();
       if (pen_m <= 0) continue;
       const std::size_t soil = hard ? soils_.size() - 1 : ground.SoilAt(sample.i, sample.j);
       const Plate& plate = plates_[patch_index * soils_.size() + soil];
       const double sinkage_m = pen_m + (hard ? 0 : sample.pressed_m);
-      const double stiffness_papm = share * plate.rebound_papm();
-      double pressure_pa = stiffness_papm * pen_m;
-      if (!plate.Bears(pressure_pa, sinkage_m)) {
-        pressure_pa = BekkerPressure_pa(plate.soil(), plate.width_m(), sinkage_m);
-      }
-      const double damping =
-          2 * kDampingRatio * std::sqrt(stiffness_papm * pressure_pa / kStandardGravity_mps2);
       const double v_mps = into_mps + along_m * into_along_radps + across_m * into_across_radps;
-      const double damped_pa = pressure_pa + std::clamp(damping * v_mps, -pressure_pa, pressure_pa);
+      const double damped_pa = DampedPressure_pa(plate, share, pen_m, sinkage_m, v_mps);
       result.normal_n += damped_pa * area_m2;
       result.moment_W += damped_pa * area_m2 * q_W;
       if (hard) result.moving_W += damped_pa * area_m2 * obstacle->v_W_mps;
@@ -176,17 +204,17 @@ GearContact::Pressed GearContact::Bear(std::size_t patch_index, const BodyState&
 }
 
 Vec2 GearContact::Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_mps,
-                        double shoe_mps, double dt_s, const std::vector<Patch>& before) {
+                        const Step& step) {
   Patch& patch = patches_[k];
   const SoilType& soil = *pressed.soil;
-  const int from = shoe_mps >= 0 ? patch.upstream : patch.downstream;
+  const int from = step.shoe_mps >= 0 ? patch.upstream : patch.downstream;
   const Vec2 j_upstream_m =
-      from >= 0 && before[from].in_contact ? before[from].j_out_m : Vec2::Zero();
+      from >= 0 && step.before[from].in_contact ? step.before[from].j_out_m : Vec2::Zero();
   const double length_m = gear_.patches[k].length_m;
   const auto advance = [&](Vec2* j_m, double over_m) {
-    const double renewed = std::min(1.0, std::abs(shoe_mps) * dt_s / over_m);
+    const double renewed = std::min(1.0, std::abs(step.shoe_mps) * step.dt_s / over_m);
     *j_m -= renewed * (*j_m - j_upstream_m);
-    ShearFurther(soil, slip_mps * dt_s, j_m);
+    ShearFurther(soil, slip_mps * step.dt_s, j_m);
     const double limit_m = kLargestShear * soil.shear_modulus_m;
     if (j_m->norm() > limit_m) *j_m *= limit_m / j_m->norm();
   };
@@ -212,64 +240,70 @@ Vec2 GearContact::Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_
 
 GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, double dt_s,
                                      const LowObstacles& obstacles, Columns* ground) {
-  Result result;
   const std::vector<Patch> before = patches_;
-  const Vec3 origin_W = body.X_WB.translation();
-  const double shoe_mps = gear_.ShoeRadius_m() * rate_radps;
-  rut_.Begin(ground);
-  const double contact_m = std::exchange(contact_m_, 0.0);
-  double forward_mps = 0, weight_n = 0;
+  const Step step{body,   gear_.ShoeRadius_m() * rate_radps,
+                  dt_s,   std::exchange(contact_m_, 0.0),
+                  before, ground};
+  Sum sum;
+  rut_.Begin(step.shoe_mps * dt_s, ground);
   for (std::size_t k = 0; k < patches_.size(); ++k) {
-    const ContactPatch& patch = gear_.patches[k];
     Pressed pressed;
-    if ((body.X_WB.linear() * patch.outward_B).z() < -kLeastUpward) {
+    if ((body.X_WB.linear() * gear_.patches[k].outward_B).z() < -kLeastUpward) {
       rut_work_j_ += rut_.Press(k, body, dt_s, obstacles, ground);
       pressed = Bear(k, body, *ground, obstacles);
     }
-    if (pressed.normal_n <= 0) {
-      patches_[k].in_contact = false;
-      patches_[k].j_in_m.setZero();
-      patches_[k].j_out_m.setZero();
-      continue;
+    if (pressed.normal_n > 0) {
+      Carry(k, pressed, step, &sum);
+    } else {
+      patches_[k].Lift();
     }
-    const Vec3 n_W = body.X_WB.linear() * patch.outward_B;
-    const Vec3 along_W = body.X_WB.linear() * patch.travel_B;
-    const Vec3 across_W = n_W.cross(along_W);
-    const Vec3 p_W = pressed.moment_W / pressed.normal_n;
-    const Vec3 v_W =
-        body.v_WB_mps + body.w_WB_radps.cross(p_W - origin_W) - pressed.moving_W / pressed.normal_n;
-    // Over the soil, which gives way as a rolling shoe comes down on it: half-way between the
-    // patch's normal and the machine's down. So a raised nose that rolls shears nothing.
-    const Vec3 yield_W = n_W - body.X_WB.linear().col(2);
-    const Vec3 over_soil_W = v_W - v_W.dot(n_W) / yield_W.dot(n_W) * yield_W;
-    const Vec2 slip_mps(over_soil_W.dot(along_W) + shoe_mps, over_soil_W.dot(across_W));
-    const Vec2 shear_n =
-        shears_ ? Shear(k, pressed, slip_mps, shoe_mps, dt_s, before) : Vec2(Vec2::Zero());
-    contact_m_ += patch.length_m;
-    if (shears_ && contact_m > 0)
-      rut_.Slip(k, slip_mps.x() * dt_s, pressed.sinkage_m, contact_m, body, ground);
-    result.grip_n += pressed.Strength_n();
-    result.wrench.AddForceAt(
-        -pressed.normal_n * n_W + shear_n.x() * along_W + shear_n.y() * across_W, p_W, origin_W);
-    result.traction_n -= shear_n.x();
-    result.sinkage_m = std::max(result.sinkage_m, pressed.sinkage_m);
-    forward_mps += pressed.normal_n * v_W.dot(body.X_WB.linear().col(0));
-    weight_n += pressed.normal_n;
   }
-  rut_.End(ground);
-  if (weight_n <= 0) {
-    rut_work_j_ = 0;
-    return result;
+  rut_.End(body, ground);
+  if (sum.weight_n <= 0) rut_work_j_ = 0;
+  if (sum.weight_n > 0 && std::abs(step.shoe_mps) > kSlowestShoe_mps) {
+    sum.result.slip = std::clamp(1 - sum.forward_w / sum.weight_n / step.shoe_mps, -1.0, 1.0);
   }
-  if (std::abs(shoe_mps) > kSlowestShoe_mps) {
-    result.slip = std::clamp(1 - forward_mps / weight_n / shoe_mps, -1.0, 1.0);
+  if (shears_) sum.result.wrench.force_W_n += PayBack(body.v_WB_mps, dt_s);
+  return sum.result;
+}
+
+/// One patch that bears: its forces, and the soil that its shoes carry away.
+void GearContact::Carry(std::size_t k, const Pressed& pressed, const Step& step, Sum* sum) {
+  const BodyState& body = step.body;
+  const ContactPatch& patch = gear_.patches[k];
+  const Footprint foot(patch, body.X_WB);
+  const Vec3 origin_W = body.X_WB.translation();
+  const Vec3 p_W = pressed.moment_W / pressed.normal_n;
+  const Vec3 v_W =
+      body.v_WB_mps + body.w_WB_radps.cross(p_W - origin_W) - pressed.moving_W / pressed.normal_n;
+  contact_m_ += patch.length_m;
+  Vec2 shear_n = Vec2::Zero();
+  if (shears_) {
+    const Vec3 over_soil_W = OverSoil_mps(foot, body, v_W);
+    const Vec2 slip_mps(over_soil_W.dot(foot.along_W) + step.shoe_mps,
+                        over_soil_W.dot(foot.across_W));
+    shear_n = Shear(k, pressed, slip_mps, step);
+    if (step.contact_m > 0) {
+      rut_.Slip(k, slip_mps.x() * step.dt_s, pressed.sinkage_m, step.contact_m, body, step.ground);
+    }
   }
-  if (!shears_) return result;
-  const Vec3 v_W(body.v_WB_mps.x(), body.v_WB_mps.y(), 0);
+  Result& result = sum->result;
+  result.grip_n += pressed.Strength_n();
+  result.wrench.AddForceAt(
+      -pressed.normal_n * foot.n_W + shear_n.x() * foot.along_W + shear_n.y() * foot.across_W, p_W,
+      origin_W);
+  result.traction_n -= shear_n.x();
+  result.sinkage_m = std::max(result.sinkage_m, pressed.sinkage_m);
+  sum->forward_w += pressed.normal_n * v_W.dot(body.X_WB.linear().col(0));
+  sum->weight_n += pressed.normal_n;
+}
+
+/// The drag by which a moving gear pays for its rut.
+Vec3 GearContact::PayBack(const Vec3& v_WB_mps, double dt_s) {
+  const Vec3 v_W(v_WB_mps.x(), v_WB_mps.y(), 0);
   const Vec3 drag_W_n = -rut_work_j_ / kDragLength_m * v_W / (v_W.norm() + kDragSpeed_mps);
-  result.wrench.force_W_n += drag_W_n;
   rut_work_j_ = std::max(0.0, rut_work_j_ + drag_W_n.dot(v_W) * dt_s);
-  return result;
+  return drag_W_n;
 }
 
 }  // namespace tera

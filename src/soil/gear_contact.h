@@ -53,12 +53,20 @@ class GearContact {
     Vec2 j_in_m = Vec2::Zero();          ///< shear displacement where shoes enter the patch
     Vec2 j_out_m = Vec2::Zero();         ///< shear displacement where shoes leave the patch
     bool in_contact = false;
+    void Lift() {
+      in_contact = false;
+      j_in_m.setZero();
+      j_out_m.setZero();
+    }
   };
+  struct Step;
+  struct Sum;
   struct Pressed;
   Pressed Bear(std::size_t patch_index, const BodyState& body, const Columns& ground,
                const LowObstacles& obstacles) const;
-  Vec2 Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_mps, double shoe_mps,
-             double dt_s, const std::vector<Patch>& before);
+  void Carry(std::size_t k, const Pressed& pressed, const Step& step, Sum* sum);
+  Vec2 Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_mps, const Step& step);
+  Vec3 PayBack(const Vec3& v_WB_mps, double dt_s);
 
   RunningGear gear_;
   bool shears_ = true;

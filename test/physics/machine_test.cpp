@@ -165,6 +165,11 @@ wheels:
                 .track_visuals.at(0)
                 .shoe_count,
             7);
+  // 2 x 1 m and a circle of 0.2 m around: 3.2566 m in 7 shoes.
+  EXPECT_NEAR(gear("tracks.left.shoe={mesh: 'tera:assets/tb235.glb', node: shoe, count: 7}", 0)
+                  .grouser_pitch_m,
+              0.46523, 1e-5);
+  EXPECT_EQ(model.ground_tools.gears[0].grouser_pitch_m, 0);
   EXPECT_THAT(FaultsOf(tracked, {"tracks.left.shoe={mesh: 'tera:assets/tb235.glb', node: shoe, "
                                  "count: 5000000000}"}),
               testing::HasSubstr("count: 5000000000 is out of range"));
