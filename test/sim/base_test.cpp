@@ -89,8 +89,8 @@ TEST(Base, ClimbsAStepAndNotAWall) {
     double most_rad = 0;
     over.Run(6.0, [&] { most_rad = std::max(most_rad, Tilt_rad(over)); });
     EXPECT_NEAR(over.place().x(), -2.0 + 6 * 0.625, 0.3) << soil << ' ' << ground;
-    // Road wheels press with twice the mean of 36 kPa: on dirt, by Bekker, a rut of 4 cm.
-    const double rut_m = soil == std::string("dirt") ? 0.04 : 0;
+    // Road wheels press with twice the mean of 36 kPa: on dirt, by Bekker, a rut of 1.3 cm.
+    const double rut_m = soil == std::string("dirt") ? 0.013 : 0;
     EXPECT_NEAR(over.place().z(), 0.15 - rut_m, 0.03) << soil << ' ' << ground;
     // With its nose on the step and its heel on the ground: 0.15 m over the tracks' 1.6 m, more
     // when it balances on the edge before it falls over; in dirt the edge gives as the heel does.
