@@ -98,7 +98,7 @@ TEST(LargeMachines, StandLevelInRutsOfTheirGroundPressure) {
   // 0.88 (1 - 0.3^2) p b / E of elastic settlement.
   const auto expected_m = [](double mass_kg, double length_m, double width_m) {
     const double pressure_pa = mass_kg * 9.81 / (2 * length_m * width_m);
-    return std::pow(pressure_pa / (52530 / width_m + 1127970), 1 / 0.9) +
+    return std::pow(pressure_pa / (5270 / width_m + 1515040), 1 / 0.7) +
            0.88 * 0.91 * pressure_pa * width_m / 6.5e6;
   };
   Site excavator("excavator20t", kReach, "{type: idle}");
