@@ -103,7 +103,7 @@ Outcome DriveIntoTheGround(const MachineModel& model, const std::string& soil, i
     }
     return levers;
   });
-  constexpr double kLength_s = 2.0, kEnd_s = 0.25;
+  constexpr double kLength_s = 2.5, kEnd_s = 0.25;
   const int boom = model.JointIndex("boom");
   const NamedFrame& tip = model.frames[TipFrame(model)];
   const double weight_n = model.TotalMass_kg() * kStandardGravity_mps2;
