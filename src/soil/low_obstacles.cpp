@@ -51,7 +51,7 @@ struct Standing {
 };
 
 Vec3 VelocityAt(const BodyState& body, const Vec3& p_W_m) {
-  return body.v_WB_mps + body.w_WB_radps.cross(p_W_m - body.X_WB.translation());
+  return PointVelocity(body, body.X_WB.inverse() * p_W_m);
 }
 
 }  // namespace

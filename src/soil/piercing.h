@@ -10,8 +10,7 @@ namespace tera {
 /// Pressure on a steel edge of some thickness that is pushed into each of several soils.
 ///
 /// Model   Of the bearing pressure at 0.5 m, 10 % at the surface, growing with depth to all of it
-/// at
-///         0.5 m, and no more below; none above the ground. Loose soil has no cohesion.
+///         at 0.5 m, and no more below; none above the ground. Loose soil has no cohesion.
 /// Source  penetration resistance as in Algoryx's terrain material.
 class Piercing {
  public:

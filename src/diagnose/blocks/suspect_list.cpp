@@ -11,8 +11,8 @@ namespace {
 /// Changes of a mechanism's main number that a search begins with, as factors.
 constexpr double kChanges[] = {1.04, 0.96, 1.15, 0.87, 1.5, 0.67, 2.5, 0.4};
 
-/// Bounds that hold the present value; where it moves by ratios, the present value is none of
-/// nothing.
+/// Bounds that hold the present value; as they are where a value that moves by ratios is 0 or less
+/// at present, which no ratio reaches.
 FreeParameter Around(FreeParameter free, double present) {
   if (free.logarithmic && present <= 0) return free;
   free.lower = std::min(free.lower, present);
