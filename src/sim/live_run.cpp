@@ -65,20 +65,22 @@ struct LiveRun::Impl {
     return sinks;
   }
 
-  /// Steps, and each second brings what was recorded to the disk: a killed run goes as far.
+  /// Steps, and each second brings what was recorded to the disk, with the first levers of the
+  /// next: a killed run goes as far.
   void Step() {
     run->Step();
     if (terrain) terrain->Write(run->simulation().state().t_ns);
     const auto steps_per_flush =
         static_cast<std::int64_t>(std::ceil(kFlush_s * scenario.physics_rate_hz));
-    if (recorder && ++steps % steps_per_flush == 0) recorder->Flush();
+    if (recorder && ++steps % steps_per_flush == 1) recorder->Flush();
   }
 
   void Finish() {
+    const double duration_s = ToSeconds(run->simulation().state().t_ns);
+    if (terrain) terrain->Finish();
     run->Finish();
     if (!recorder) return;
-    terrain->Finish();
-    recorder->SetDuration(ToSeconds(run->simulation().state().t_ns));
+    recorder->SetDuration(duration_s);
     recorder->Finish();
   }
 

@@ -74,11 +74,12 @@ void CommandAsFarAsRecorded(const std::filesystem::path& directory, Scenario* sc
     steps = std::min(steps, table.t_ns.size());
     machine.driver = Replayed(std::move(table), machine.placement, (directory / file).string());
   }
-  if (steps == 0) {
+  // The levers in force at the end are a row of their own.
+  if (steps < 2) {
     throw InputError(fmt::format("{}: was stopped before any command came to the disk; delete it",
                                  directory.string()));
   }
-  scenario->duration_s = static_cast<double>(steps) / scenario->physics_rate_hz;
+  scenario->duration_s = static_cast<double>(steps - 1) / scenario->physics_rate_hz;
 }
 
 }  // namespace tera

@@ -158,13 +158,8 @@ void Rig::SampleImus(const WorldState& before, const WorldState& after) {
   }
 }
 
-void Rig::Finish() {
-  std::vector<ImuSample> samples;
-  for (ImuUnit& unit : imus_) {
-    samples.clear();
-    unit.imu.Finish(&samples);
-    Report(&unit, &samples);
-  }
+void Rig::Finish(const Simulation& simulation) {
+  SampleImus(simulation.previous(), simulation.state());
 }
 
 void Rig::Report(ImuUnit* unit, std::vector<ImuSample>* samples) {

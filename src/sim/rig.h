@@ -46,8 +46,9 @@ class Rig {
   void SampleStart(const Simulation& simulation);
   /// Samples everything that falls due in (simulation.previous, simulation.state].
   void Sample(const Simulation& simulation);
-  /// Writes the inertial samples that the last step left open.
-  void Finish();
+  /// Writes the inertial samples that the last step left open, after the step that follows it, in
+  /// which nothing else is sampled.
+  void Finish(const Simulation& simulation);
 
   double camera_wall_s() const { return camera_wall_s_; }
   double lidar_wall_s() const { return lidar_wall_s_; }

@@ -60,8 +60,9 @@ void Run::Step() {
 }
 
 void Run::Finish() {
-  truth_.Finish(simulation_.state());
-  rig_.Finish();
+  simulation_.Step();
+  truth_.Write(simulation_.previous(), simulation_.state());
+  rig_.Finish(simulation_);
 }
 
 }  // namespace tera

@@ -24,7 +24,10 @@ class Run {
       MeasurementSink* sink);
 
   void Step();
-  /// The state at the end, and the samples that the last step left open. No step may follow.
+  /// Takes one step more, and of it writes only what belongs to its start: the state at the end,
+  /// whose rates are the mean of those before and after it, the levers in force from there on, and
+  /// inertial samples. So all that a run writes is the beginning of what a longer one does. No step
+  /// may follow.
   void Finish();
 
   const Simulation& simulation() const { return simulation_; }

@@ -96,7 +96,7 @@ TruthLog::TruthLog(const Scenario& scenario, MeasurementSink* sink)
   }
 }
 
-void TruthLog::WriteRows(const WorldState& now, const WorldState& next) {
+void TruthLog::WriteStates(const WorldState& now, const WorldState& next) {
   for (std::size_t m = 0; m < channels_.size(); ++m) {
     const BodyState &root = now.machines[m].links[0], &later = next.machines[m].links[0];
     const Vec3 v_W_mps = 0.5 * (root.v_WB_mps + later.v_WB_mps);
@@ -119,9 +119,7 @@ void TruthLog::Write(const WorldState& before, const WorldState& after) {
   for (std::size_t m = 0; m < channels_.size(); ++m) {
     sink_->WriteRow(channels_[m].commands, before.t_ns, after.machines[m].levers);
   }
-  WriteRows(before, after);
+  WriteStates(before, after);
 }
-
-void TruthLog::Finish(const WorldState& last) { WriteRows(last, last); }
 
 }  // namespace tera

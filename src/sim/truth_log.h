@@ -20,15 +20,13 @@ class TruthLog {
 
   /// The state `before` a step that led to `after`, and the levers in force in between.
   void Write(const WorldState& before, const WorldState& after);
-  /// The state at the end.
-  void Finish(const WorldState& last);
 
  private:
   struct Channels {
     ChannelId commands, pose, joints;
     std::optional<ChannelId> hydraulics;
   };
-  void WriteRows(const WorldState& now, const WorldState& next);
+  void WriteStates(const WorldState& now, const WorldState& next);
 
   MeasurementSink* sink_;
   std::size_t soils_;  ///< how many soils the site has

@@ -510,7 +510,7 @@ class ServerTest(unittest.TestCase):
             env.reset(seed=1)
             env.step(np.zeros(env.action_space.shape))
         commands = (record / "episode_0001" / "digger" / "commands.csv").read_text().splitlines()
-        self.assertEqual(len(commands), 1 + 50)  # 0.1 s at 500 Hz
+        self.assertEqual(len(commands), 1 + 50 + 1)  # 0.1 s at 500 Hz, and in force from there on
 
     def test_a_recorded_episode_replays_to_the_same_bytes(self):
         record, again = Path(folder.name) / "to_replay", Path(folder.name) / "replayed"
