@@ -77,7 +77,7 @@ bool LocalhostOnlyByEnvironment() {
 
 void PrintReport(const ros::LiveRosReport& report) {
   fmt::print(
-      "{:.2f} s simulated in {:.2f} s; {} messages published, {} dropped; {} lever messages "
+      "{:g} s simulated in {:.2f} s; {} messages published, {} dropped; {} lever messages "
       "taken, {} refused",
       report.simulated_s, report.wall_s, report.published, report.dropped, report.levers_received,
       report.levers_refused);
@@ -97,11 +97,13 @@ void RunRos2(const Arguments& arguments) {
   if (arguments.record) options.live.record = *arguments.record;
   options.stop = &StopRequest::Asked;
   options.log = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+  options.started = [name = loaded.scenario.name, dds = options.dds] {
+    fmt::print("{} for ROS 2 on domain {}{}\n", name, dds.domain_id,
+               dds.this_host_only ? ", this host only" : "");
+    std::fflush(stdout);
+  };
 
   const StopRequest stop;
-  fmt::print("{} for ROS 2 on domain {}{}\n", loaded.scenario.name, options.dds.domain_id,
-             options.dds.this_host_only ? ", this host only" : "");
-  std::fflush(stdout);
   PrintReport(ros::RunForRos(std::move(loaded.scenario), loaded.resolved_yaml, options));
 }
 

@@ -49,6 +49,7 @@ class Session {
       const Stopwatch watch(&report.wall_s);
       const SampleClock clock{options_.rate_hz};
       const TimeNs end_ns = EndOf(options_.duration_s);
+      if (options_.started) options_.started();
       Say();
       for (std::int64_t tick = 1; !options_.stop() && now().t_ns < end_ns; ++tick) {
         Listen();
@@ -58,9 +59,9 @@ class Session {
         }
         Say();
       }
+      report.simulated_s = ToSeconds(now().t_ns);
       run_.Finish();
     }
-    report.simulated_s = ToSeconds(now().t_ns);
     report.published = participant_.published();
     report.dropped = participant_.dropped();
     report.levers_received = levers_.received();

@@ -18,6 +18,7 @@ struct LiveRosOptions {
   /// The run ends with the step of the physics that reaches it.
   double duration_s = std::numeric_limits<double>::infinity();
   LiveOptions live;
+  std::function<void()> started;                ///< called where nothing hinders the run
   std::function<bool()> stop;                   ///< asked before each tick
   std::function<void(const std::string&)> log;  ///< what a user should know meanwhile
   Wall wall;                                    ///< that Pace::kReal keeps to

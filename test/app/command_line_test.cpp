@@ -105,6 +105,21 @@ TEST(Info, NamesVersionsRendererAndThreads) {
   }
 }
 
+TEST(Check, SaysWhatOfAUrdfIsNotRead) {
+  const ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "small.yaml",
+                 Edited(Edited(SmallScenario(), "tera:config/machines/warthog.yaml",
+                               TERA_SOURCE_DIR "/test/sim/data/backhoe_loader.yaml"),
+                        "cell_m: 0.1", "cell_m: 0.2"));
+  const Outcome outcome = RunTera({"check", "small.yaml"}, {scratch.path()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("machine rover1 (backhoe_loader): 22 links, 21 joints, 10 levers"),
+                    HasSubstr("\n  levers: loader_lift, loader_tilt, swing, boom, dipper, curl, "),
+                    HasSubstr("\nbackhoe_loader.urdf: 1 texture, 5 joints' damping and friction, 1 "
+                              "safety controller left out\nvalid\n")));
+}
+
 TEST(Check, PrintsTheRigAsATable) {
   const ScratchDirectory scratch;
   WriteWholeFile(scratch.path() / "small.yaml", SmallScenario(kLidar));
