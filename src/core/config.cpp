@@ -75,7 +75,8 @@ void Config::Move(std::vector<MovedFiles> moved) { document_->moved = std::move(
 ConfigMap Config::root() const { return ConfigMap(document_->root); }
 
 void Config::Finish() const {
-  std::vector<std::string> faults = document_->faults;
+  // A mistyped key first: what the lack of the right one leads to comes after it.
+  std::vector<std::string> faults;
   std::set<std::string> seen_unknown;
   for (const auto& node : document_->nodes) {
     for (const Layer& layer : node->layers) {
@@ -97,6 +98,7 @@ void Config::Finish() const {
       }
     }
   }
+  faults.insert(faults.end(), document_->faults.begin(), document_->faults.end());
   if (!faults.empty()) throw InputError(fmt::format("{}", fmt::join(faults, "\n")));
 }
 

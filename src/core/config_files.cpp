@@ -114,7 +114,10 @@ void ConfigMap::ApplyPreset(std::string_view key) const {
       return;
     }
     const auto layer = internal::LoadLayer(*node_, key, *found, found->layer->path);
-    if (!layer) return;
+    if (!layer) {
+      node_->unread = true;
+      return;
+    }
     node_->layers.push_back(*layer);
     const auto next = internal::ValueIn(layer->node, key);
     found = next ? std::optional(Found{*next, &node_->layers.back()}) : std::nullopt;

@@ -63,6 +63,7 @@ std::string Shown(const YAML::Node& node) {
 
 void AddFault(ConfigNode& node, std::string_view key, const Found& found,
               const std::string& finding) {
+  if (node.unread) return;
   const std::string place = PlaceOf(found.node, found.layer->file);
   const std::string path = Join(found.layer->path, key);
   node.document->faults.push_back(path.empty() ? fmt::format("{}: {}", place, finding)

@@ -32,6 +32,8 @@ struct ConfigNode {
   std::vector<Layer> layers;  ///< first wins
   YAML::Node resolved{YAML::NodeType::Map};
   std::set<std::string> asked;  ///< every key the reader knows
+  /// It is not there or could not be read, which is reported already: what it lacks is no fault.
+  bool unread = false;
   std::map<std::string, std::shared_ptr<ConfigNode>, std::less<>>
       children;  ///< mappings handed out
 };
@@ -52,6 +54,11 @@ struct ConfigDocument {
     node->layers = std::move(layers);
     nodes.push_back(node);
     return node;
+  }
+
+  /// Of the document that `config` is part of.
+  static std::size_t FaultsWith(const ConfigMap& config) {
+    return config.node_->document->faults.size();
   }
 
   /// The mapping at `key` of `config`, which `none` in its place takes away: nothing below that

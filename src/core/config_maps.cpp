@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/config_faults.h"
 #include "core/config_layers.h"
 
 /// Mappings in mappings, in files and by name; faults and places.
@@ -53,6 +54,7 @@ std::shared_ptr<ConfigNode> AddChild(ConfigNode& parent, std::string_view key,
                       {},
                       Join(parent.layers[0].path, key)});
   auto child = parent.document->AddNode(std::move(layers));
+  child->unread = parent.unread;
   parent.resolved[std::string(key)] = child->resolved;
   parent.children.emplace(key, child);
   return child;
@@ -66,8 +68,11 @@ ConfigMap ConfigMap::Map(std::string_view key) const {
   if (const auto known = node_->children.find(key); known != node_->children.end()) {
     return ConfigMap(known->second);
   }
+  const std::size_t faults_before = FaultCount(*this);
   if (!Has(key)) AddMissing(*node_, key, "a mapping of keys");
-  return ConfigMap(AddChild(*node_, key, LayersOf(*node_, key)));
+  const auto child = AddChild(*node_, key, LayersOf(*node_, key));
+  child->unread = child->unread || FaultCount(*this) > faults_before;
+  return ConfigMap(child);
 }
 
 std::optional<ConfigMap> ConfigMap::OptionalMap(std::string_view key) const {
@@ -88,6 +93,7 @@ ConfigMap ConfigMap::MapOrFile(std::string_view key) const {
   if (const auto known = node_->children.find(key); known != node_->children.end()) {
     return ConfigMap(known->second);
   }
+  const std::size_t faults_before = FaultCount(*this);
   if (!Has(key)) AddMissing(*node_, key, "a YAML file's path, or a mapping of keys");
   std::vector<Layer> layers;
   for (const Found& found : FindAll(*node_, key)) {
@@ -102,7 +108,9 @@ ConfigMap ConfigMap::MapOrFile(std::string_view key) const {
                fmt::format("{} found, need a file's path or a mapping", Shown(found.node)));
     }
   }
-  return ConfigMap(AddChild(*node_, key, std::move(layers)));
+  const auto child = AddChild(*node_, key, std::move(layers));
+  child->unread = child->unread || FaultCount(*this) > faults_before;
+  return ConfigMap(child);
 }
 
 std::optional<ConfigMap> internal::ConfigDocument::MapOrNone(const ConfigMap& config,
@@ -151,6 +159,10 @@ std::vector<std::pair<std::string, double>> ConfigMap::NamedNumbers(std::string_
   }
   return numbers;
 }
+std::size_t FaultCount(const ConfigMap& config) {
+  return internal::ConfigDocument::FaultsWith(config);
+}
+
 void ConfigMap::Fault(std::string_view key, const std::string& finding) const {
   if (const auto found = key.empty() ? std::nullopt : Find(*node_, key)) {
     AddFault(*node_, key, *found, finding);

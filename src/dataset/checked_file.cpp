@@ -36,11 +36,16 @@ std::string Remedy(int error_number) {
   }
 }
 
+[[noreturn]] void Fail(const std::filesystem::path& path, const std::string& doing,
+                       int error_number, const std::string& remedy) {
+  throw InputError(
+      fmt::format("{}: {}: {}; {}", path.string(), doing, std::strerror(error_number), remedy));
+}
+
 }  // namespace
 
 void FailFile(const std::filesystem::path& path, const std::string& doing, int error_number) {
-  throw InputError(fmt::format("{}: {}: {}; {}", path.string(), doing, std::strerror(error_number),
-                               Remedy(error_number)));
+  Fail(path, doing, error_number, Remedy(error_number));
 }
 
 CheckedFile::CheckedFile(const std::filesystem::path& path) : path_(path), temporary_(path) {
@@ -120,7 +125,10 @@ std::string ReadWholeFile(const std::filesystem::path& path) {
 void MakeFolder(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
-  if (error) FailFile(path, "folder cannot be created", error.value());
+  const std::string doing = "folder cannot be created";
+  // Missing parents are made too: where they cannot be, the place is one for no folders.
+  if (error.value() == ENOENT) Fail(path, doing, ENOENT, Remedy(EACCES));
+  if (error) FailFile(path, doing, error.value());
 }
 
 void MakeWritableFolder(const std::filesystem::path& path) {

@@ -142,6 +142,10 @@ TableRecording LoadStoppedTable(const fs::path& directory, const std::string& fi
 
 Recording::Recording(const fs::path& directory) : directory_(directory) {
   std::error_code ignored;
+  if (!fs::is_directory(directory, ignored)) {
+    throw InputError(
+        fmt::format("{}: no such folder; name that of a recording", directory.string()));
+  }
   if (!fs::is_regular_file(directory / "dataset.yaml", ignored)) {
     const bool incomplete = WasStopped(directory);
     throw InputError(fmt::format(

@@ -56,6 +56,7 @@ struct LinkShape {
 LinkShape MakeShape(const Link& link, const Pose& X_BP, btMultiBody* body, int bullet_link) {
   LinkShape shape;
   shape.compound = std::make_unique<btCompoundShape>();
+  TERA_CHECK(link.collision_meshes.empty(), link.name);  // they are boxes by now
   for (const CollisionBox& box : link.collision) {
     shape.boxes.push_back(std::make_unique<btBoxShape>(ToBullet(Vec3(0.5 * box.size_m))));
     shape.compound->addChildShape(ToBullet(Pose(X_BP.inverse() * box.X_BG)),

@@ -6,6 +6,9 @@
 #include <Eigen/Eigenvalues>
 #include <map>
 
+#include "core/config_faults.h"
+#include "core/spelling.h"
+
 namespace tera {
 namespace {
 
@@ -31,13 +34,18 @@ void CheckInertia(const LinkPart& part) {
 /// Index of the joint that carries each link, -1 for roots; faults for bad names.
 std::vector<int> ParentJoints(const MachineParts& parts, const std::map<std::string, int>& index) {
   std::vector<int> parent_joint(parts.links.size(), -1);
+  std::vector<std::string> known;
+  for (const LinkPart& part : parts.links) known.push_back(part.link.name);
+  const auto unknown = [&](const std::string& name) {
+    return fmt::format("there is no link '{}'{}", name, DidYouMean(name, known));
+  };
   for (std::size_t k = 0; k < parts.joints.size(); ++k) {
     const JointPart& part = parts.joints[k];
     if (!index.contains(part.parent)) {
-      part.place.Fault("parent", fmt::format("there is no link '{}'", part.parent));
+      part.place.Fault("parent", unknown(part.parent));
     }
     if (!index.contains(part.child)) {
-      part.place.Fault("child", fmt::format("there is no link '{}'", part.child));
+      part.place.Fault("child", unknown(part.child));
       continue;
     }
     if (part.parent == part.child) {
@@ -107,7 +115,9 @@ bool OrderIntoTree(const MachineParts& parts, const ConfigMap& config, MachineMo
     config.Fault("links", "there are no links; need at least one");
     return false;
   }
+  const std::size_t faults_before = FaultCount(config);
   const std::vector<int> parent_joint = ParentJoints(parts, index);
+  if (FaultCount(config) > faults_before) return false;
   const int root = FindRoot(parts, parent_joint, config);
   if (root < 0) return false;
 

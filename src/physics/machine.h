@@ -10,6 +10,7 @@
 #include "core/effects.h"
 #include "core/ground_tools.h"
 #include "core/labels.h"
+#include "core/looks.h"
 #include "core/motion.h"
 
 /// What a machine is: a tree of links and joints, its levers, its tools and its looks. Nothing here
@@ -23,13 +24,24 @@ struct CollisionBox {
   Vec3 size_m = Vec3::Zero();    ///< edge lengths
 };
 
-/// A mesh node shown at the link's frame.
+/// A mesh whose box is to collide. Whoever can read meshes makes a CollisionBox of it before the
+/// machine is simulated.
+struct CollisionMesh {
+  std::filesystem::path mesh;  ///< glTF, OBJ, STL or DAE
+  std::string part;            ///< that has it, for messages: "link 'boom' of arm.urdf:12"
+  Pose X_BG = Pose::Identity();
+  Vec3 scale = Vec3::Ones();
+};
+
+/// A mesh node, or a solid, shown at the link's frame.
 struct Visual {
   std::filesystem::path mesh;  ///< glTF, OBJ, STL or DAE
   std::string node;            ///< node of the file, empty for all of it
   std::string place;           ///< "file:line:column: key" that names the mesh, for messages
   Pose X_BG = Pose::Identity();
   double scale = 1.0;
+  std::optional<Solid> solid;  ///< instead of a mesh
+  std::optional<Paint> paint;  ///< of what has no colour of its own: a solid, an STL file
   /// Label where it differs from the link's (tracks on the undercarriage).
   std::optional<SemanticClass> label;
 };
@@ -41,6 +53,7 @@ struct Link {
   Mat3 inertia_B_kgm2 = Mat3::Zero();  ///< about the centre of mass, axes of B
   SemanticClass label = SemanticClass::kVehicle;
   std::vector<CollisionBox> collision;
+  std::vector<CollisionMesh> collision_meshes;  ///< of a URDF, until they are boxes
   std::vector<Visual> visuals;
 };
 
@@ -197,7 +210,8 @@ struct MachineModel {
 };
 
 /// Reads a machine description, either TERA's own keys or, with `urdf: file.urdf`, a URDF plus the
-/// keys that URDF lacks (levers, running gear, shovels). Faults go to `config`.
+/// keys that URDF lacks (levers, running gear, shovels). Faults go to `config`; after one that
+/// leaves no tree of links the model is empty, and what stands on its links is not judged.
 MachineModel ReadMachine(const ConfigMap& config);
 
 /// Pose of a joint's child frame in the joint frame J at position `q` (radians or metres).

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "core/config_faults.h"
 #include "core/plain_name.h"
 #include "core/spelling.h"
 #include "core/units.h"
@@ -125,6 +126,7 @@ bool CheckCloses(const ConfigMap& config, const MachineModel& model, const FourB
 
 /// Whether the linkage can be used.
 bool ReadLinkage(const std::string& name, const ConfigMap& config, MachineModel* model) {
+  const std::size_t faults_before = FaultCount(config);
   const ConfigMap rocker = config.Map("rocker"), coupler = config.Map("coupler");
   const Pin rocker_pin = ReadPin(rocker, *model), coupler_pin = ReadPin(coupler, *model);
   FourBar linkage{
@@ -134,6 +136,7 @@ bool ReadLinkage(const std::string& name, const ConfigMap& config, MachineModel*
       .branch = config.Choice("branch", {"positive", "negative"}) == "negative" ? -1 : 1,
       .rocker = ReadOptionalMesh(rocker),
       .coupler = ReadOptionalMesh(coupler)};
+  if (FaultCount(config) > faults_before) return false;
   const int joint = JointBetween(config, *model, rocker_pin.link, coupler_pin.link);
   if (joint < 0) return false;
   linkage.joint = joint;
@@ -222,14 +225,16 @@ void SetTravel(const ConfigMap& config, const MachineModel& model, Cylinder* cyl
   }
 }
 
-/// Fills what `rod:` says, the barrel's pin being known. False after a fault.
-bool ReadRod(const ConfigMap& cylinder_map, const Pin& barrel_pin,
+/// Fills what `rod:` says, the barrel's pin being known. False after a fault, here or since there
+/// were `faults_before`.
+bool ReadRod(const ConfigMap& cylinder_map, const Pin& barrel_pin, std::size_t faults_before,
              const std::set<std::string>& open_linkages, const MachineModel& model,
              Cylinder* cylinder) {
   const ConfigMap rod = cylinder_map.Map("rod");
   cylinder->rod = ReadOptionalMesh(rod);
   if (!rod.Has("linkage")) {
     const Pin pin = ReadPin(rod, model);
+    if (FaultCount(cylinder_map) > faults_before) return false;
     cylinder->joint = JointBetween(cylinder_map, model, barrel_pin.link, pin.link);
     if (cylinder->joint < 0) return false;
     const Pin on_link = OnJointLink(model, cylinder->joint, pin);
@@ -249,6 +254,7 @@ bool ReadRod(const ConfigMap& cylinder_map, const Pin& barrel_pin,
   cylinder->linkage = static_cast<int>(found - known.begin());
   const FourBar& linkage = model.linkages[cylinder->linkage];
   cylinder->rod_pin_m = rod.Vector3("pin_m", Any("m"), Vec3(linkage.rocker_m, 0, 0));
+  if (FaultCount(cylinder_map) > faults_before) return false;
   cylinder->joint = linkage.joint;
   const Joint& joint = model.joints[linkage.joint];
   cylinder->rod_link = joint.parent;
@@ -271,6 +277,7 @@ bool ReadRod(const ConfigMap& cylinder_map, const Pin& barrel_pin,
 void ReadCylinder(const std::string& name, const ConfigMap& config,
                   const std::optional<ConfigMap>& hydraulics,
                   const std::set<std::string>& open_linkages, MachineModel* model) {
+  const std::size_t faults_before = FaultCount(config);
   Cylinder cylinder;
   cylinder.name = name;
   const ConfigMap barrel = config.Map("barrel");
@@ -280,7 +287,7 @@ void ReadCylinder(const std::string& name, const ConfigMap& config,
       static_cast<int>(config.Integer("count", Between(1, kMostCylinders, "1"), cylinder.count));
   if (cylinder.count > 1) cylinder.spacing_m = config.Number("spacing_m", Positive("m"));
   if (config.Has("bore_m")) ReadPiston(config, hydraulics, &cylinder);
-  if (!ReadRod(config, pin, open_linkages, *model, &cylinder)) return;
+  if (!ReadRod(config, pin, faults_before, open_linkages, *model, &cylinder)) return;
   const Pin on_link = OnJointLink(*model, cylinder.joint, pin);
   cylinder.barrel_link = on_link.link;
   cylinder.barrel_pin_m = on_link.p_m;
@@ -359,6 +366,7 @@ void CheckFed(const ConfigMap& config, const MachineModel& model) {
 }  // namespace
 
 void ReadHydraulics(const ConfigMap& config, MachineModel* model) {
+  const std::size_t faults_before = FaultCount(config);
   std::set<std::string> open_linkages;
   for (const auto& [name, map] : config.NamedMaps("linkages")) {
     if (!ReadLinkage(name, map, model)) open_linkages.insert(name);
@@ -370,7 +378,7 @@ void ReadHydraulics(const ConfigMap& config, MachineModel* model) {
   }
   DriveByCylinders(config, model);
   for (const auto& [name, map] : config.NamedMaps("pumps")) ReadPump(name, map, model);
-  CheckFed(config, *model);
+  if (FaultCount(config) == faults_before) CheckFed(config, *model);
 }
 
 }  // namespace tera

@@ -200,19 +200,20 @@ MachineModel ReadMachine(const ConfigMap& config) {
   MachineModel model;
   model.kind = config.Text("kind");
   model.fixed_base = config.Boolean("fixed_base", false);
-  const MachineParts parts = config.Has("urdf") ? ReadUrdfParts(config) : ReadParts(config);
-  if (!OrderIntoTree(parts, config, &model)) {
+  const std::optional<MachineParts> parts =
+      config.Has("urdf") ? ReadUrdfParts(config) : ReadParts(config);
+  if (!parts || !OrderIntoTree(*parts, config, &model)) {
     // What stands on links and joints cannot be judged before they are mended.
     for (const char* key : {"tracks", "wheels", "gauge_m", "shovels", "hull_points", "frames",
                             "linkages", "hydraulics", "cylinders", "pumps", "levers", "effects"}) {
       config.Has(key);
     }
-    return model;
+    return {.kind = model.kind};
   }
   ReadRunningGear(config, &model);
   ReadEquipment(config, &model);
   ReadHydraulics(config, &model);
-  ReadLevers(config, parts.driven, &model);
+  ReadLevers(config, parts->driven, &model);
   config.Has("effects");  // read with those of the scenario
   return model;
 }

@@ -5,8 +5,8 @@
 
 namespace tera {
 
-/// What a URDF shows or collides with and ReadMachine leaves out, in words, such as "3 visuals that
-/// are no meshes and 1 collision mesh"; empty where it takes everything.
+/// What a URDF says and ReadMachine leaves out, in words, such as "1 texture, 3 joints' damping and
+/// friction"; empty where it takes everything.
 std::string LeftOutOf(const std::filesystem::path& urdf);
 
 }  // namespace tera

@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 
+#include "core/check.h"
 #include "core/spelling.h"
 #include "core/units.h"
 
@@ -282,11 +283,7 @@ class DriveReader {
 void ReadUrdfDrives(const ConfigMap& config, const std::filesystem::path& file,
                     const std::string& xml, MachineParts* parts) {
   tinyxml2::XMLDocument document;
-  if (document.Parse(xml.c_str(), xml.size()) != tinyxml2::XML_SUCCESS) {
-    config.Fault("urdf", fmt::format("'{}' is not valid XML: {}", file.filename().string(),
-                                     document.ErrorStr()));
-    return;
-  }
+  TERA_CHECK(document.Parse(xml.c_str(), xml.size()) == tinyxml2::XML_SUCCESS, file.string());
   DriveReader reader(config, file, parts);
   if (const Element* robot = document.FirstChildElement("robot")) reader.Read(*robot);
 }

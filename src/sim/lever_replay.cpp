@@ -121,7 +121,10 @@ std::unique_ptr<Operator> ReadLeverReplay(const ConfigMap& config, const Machine
   const std::string time_column = config.Text("time_column", "t_ns");
   std::vector<std::string> columns;
   std::vector<int> levers;
-  for (const std::string& name : HeaderOf(config, file)) {
+  std::vector<std::string> header = HeaderOf(config, file);
+  // Without its time, which is told, nothing says what the other columns are.
+  if (std::find(header.begin(), header.end(), time_column) == header.end()) header.clear();
+  for (const std::string& name : header) {
     if (name == time_column) continue;
     const int lever = model.LeverIndex(name);
     if (lever < 0) {

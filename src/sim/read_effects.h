@@ -16,9 +16,10 @@ std::optional<ConfigMap> ReadScenarioEffects(const ConfigMap& scenario);
 /// mapping and, over it, the mapping of the machine's name in `scenario_effects`. Targets are the
 /// names of joints, running gears, pumps and sensors, of one axis of a set of encoders
 /// "encoders/boom", and `base` for the motion of the whole machine. Faults go to the mappings, each
-/// to the one that has what is wrong.
+/// to the one that has what is wrong. What effects come to is judged only where the machine's own
+/// description is `sound`.
 void ReadMachineEffects(const ConfigMap& machine, const std::optional<ConfigMap>& scenario_effects,
-                        const std::string& name, MachineModel* model,
+                        const std::string& name, bool sound, MachineModel* model,
                         std::vector<SensorDescription>* sensors);
 
 }  // namespace tera

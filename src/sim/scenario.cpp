@@ -7,9 +7,11 @@
 #include <cmath>
 #include <set>
 
+#include "core/config_faults.h"
 #include "core/plain_name.h"
 #include "core/spelling.h"
 #include "core/units.h"
+#include "sim/collision_meshes.h"
 #include "sim/read_effects.h"
 #include "sim/read_ground.h"
 #include "sim/rig.h"
@@ -105,15 +107,30 @@ void ReadSensors(const ConfigMap& config, const MachineModel& model,
   }
 }
 
+/// Lets the keys be that are about a machine whose description was refused.
+void LeaveUnread(const ConfigMap& config, const ConfigMap& description,
+                 const std::optional<ConfigMap>& effects, const std::string& name) {
+  for (const char* key : {"start", "operator", "rig", "ground"}) config.Has(key);
+  description.Has("effects");
+  if (effects) effects->Has(name);
+}
+
 /// A machine but for its height and tilt, which wait until all have shaped the ground.
 ScenarioMachine ReadMachineEntry(const ConfigMap& config, std::uint64_t seed,
                                  const std::optional<ConfigMap>& effects) {
   ScenarioMachine machine;
   machine.placement.name = config.Text("name");
   RequirePlainName(config, "name", machine.placement.name);
+  const std::size_t faults_before = FaultCount(config);
   const ConfigMap description = config.MapOrFile("machine");
   machine.placement.model = ReadMachine(description);
+  SetCollisionMeshes(description, &machine.placement.model);
   const MachineModel& model = machine.placement.model;
+  if (model.links.empty()) {
+    LeaveUnread(config, description, effects, machine.placement.name);
+    return machine;
+  }
+  const bool sound = FaultCount(config) == faults_before;
   for (const Joint& joint : model.joints) machine.placement.q_rad.push_back(joint.initial_rad);
   Vec2 xy_m = Vec2::Zero();
   double yaw_rad = 0;
@@ -125,7 +142,7 @@ ScenarioMachine ReadMachineEntry(const ConfigMap& config, std::uint64_t seed,
   machine.placement.X_WB = MakePose(Vec3(xy_m.x(), xy_m.y(), 0), RotationFromRpy(0, 0, yaw_rad));
   machine.driver = ReadOperator(config.Map("operator"), model, {seed, machine.placement.name});
   ReadSensors(config, model, &machine.sensors);
-  ReadMachineEffects(description, effects, machine.placement.name, &machine.placement.model,
+  ReadMachineEffects(description, effects, machine.placement.name, sound, &machine.placement.model,
                      &machine.sensors);
   ReadGround(config, &machine.placement.model);
   return machine;

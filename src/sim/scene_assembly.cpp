@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "physics/linkage.h"
+#include "render/painted_parts.h"
 #include "render/soil_colour.h"
 #include "sim/heap_mesh.h"
 
@@ -68,6 +69,13 @@ std::vector<double> ArcLengths(const std::vector<Vec3>& path_m) {
     arc_m.push_back(arc_m.back() + (path_m[(i + 1) % path_m.size()] - path_m[i]).norm());
   }
   return arc_m;
+}
+
+/// Adds the mesh or the solid of `visual`; returns the mesh's index.
+int AddLooksOf(const Visual& visual, SceneModel* scene) {
+  if (visual.solid) return AddSolid(*visual.solid, visual.paint.value_or(Paint()), scene);
+  if (visual.paint) return AddPaintedMesh(visual.mesh, *visual.paint, scene);
+  return scene->AddMesh(visual.mesh, visual.node);
 }
 
 }  // namespace
@@ -181,7 +189,7 @@ void SceneAssembly::AddNode(const Visual& visual, int body, SemanticClass label,
                             std::uint16_t instance) {
   SceneNode node;
   try {
-    node.mesh = model_.AddMesh(visual.mesh, visual.node);
+    node.mesh = AddLooksOf(visual, &model_);
   } catch (const InputError& e) {
     throw InputError(visual.place + ": " + e.what());
   }

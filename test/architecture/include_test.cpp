@@ -77,6 +77,7 @@ const std::multimap<std::string, std::string> kFolderOfLibrary = {
     {"BulletDynamics/", "physics"},
     {"LinearMath/", "physics"},
     {"console_bridge/", "physics"},
+    {"urdf_model/", "physics"},
     {"urdf_parser/", "physics"},
     {"tinyxml2.h", "physics"},
     {"gdal_priv.h", "soil"},

@@ -90,22 +90,25 @@ TEST(Urdf, TeraKeysLieOverIt) {
 
 TEST(Urdf, WhatIsLeftOutIsCounted) {
   const std::string file = OwnFolder() / "left_out.urdf";
-  const auto left_out = [&](const std::string& parts) {
-    std::ofstream(file) << "<robot name=\"r\"><link name=\"a\">" + parts + "</link></robot>";
+  const auto left_out = [&](const std::string& visual, const std::string& joint) {
+    std::ofstream(file) << R"(<robot name="r"><link name="b"/><link name="a">)" + visual +
+                               R"(</link><joint name="j" type="continuous"><parent link="a"/>
+                                  <child link="b"/><axis xyz="0 0 1"/>)" +
+                               joint + "</joint></robot>";
     return LeftOutOf(file);
   };
-  const std::string box = "<geometry><box size=\"1 2 3\"/></geometry>";
-  const std::string ball = "<geometry><sphere radius=\"1\"/></geometry>";
-  const std::string mesh = "<geometry><mesh filename=\"a.stl\"/></geometry>";
-  const auto visual = [](const std::string& shape) { return "<visual>" + shape + "</visual>"; };
-  const auto collision = [](const std::string& shape) {
-    return "<collision>" + shape + "</collision>";
+  const auto painted = [](const std::string& material) {
+    return R"(<visual><geometry><box size="1 2 3"/></geometry><material name="m">)" + material +
+           "</material></visual>";
   };
-  EXPECT_EQ(left_out(visual(mesh) + collision(box) + collision(ball)), "");
-  EXPECT_EQ(left_out(visual(box) + visual(mesh)), "1 visual that is no mesh");
-  EXPECT_EQ(left_out(visual(box) + visual(ball) + collision(mesh)),
-            "2 visuals that are no meshes and 1 collision mesh");
-  EXPECT_EQ(left_out(collision(mesh) + collision(mesh)), "2 collision meshes");
+  const std::string red = R"(<color rgba="1 0 0 1"/>)", bricks = R"(<texture filename="b.png"/>)";
+  EXPECT_EQ(left_out(painted(red), ""), "");
+  EXPECT_EQ(left_out(painted(bricks), ""), "1 texture");
+  EXPECT_EQ(left_out(painted(red), R"(<dynamics damping="0" friction="0"/>)"), "");
+  EXPECT_EQ(left_out(painted(bricks), R"(<dynamics damping="0.1"/>)"),
+            "1 texture, 1 joint's damping and friction");
+  EXPECT_EQ(left_out(painted(red), R"(<safety_controller k_velocity="10"/>)"),
+            "1 safety controller");
 }
 
 TEST(Urdf, FaultsNameTheUrdfAndItsPart) {
@@ -120,11 +123,13 @@ TEST(Urdf, FaultsNameTheUrdfAndItsPart) {
     std::ofstream(file) << text;
     return FaultsOf("kind: broken\nurdf: " + file + "\n");
   };
-  EXPECT_THAT(faults_with("<robot"), HasSubstr("not a valid URDF: "));
+  EXPECT_THAT(faults_with("<robot"), HasSubstr("broken.urdf:1 is not valid XML"));
+  EXPECT_THAT(faults_with("<robot name='r'>\n<link name='a'>\n</robot>"),
+              HasSubstr("broken.urdf:2 is not valid XML (mismatched element); correct it"));
   EXPECT_THAT(faults_with(R"(<robot name="r"><link name="a"/><link name="b"/></robot>)"),
               HasSubstr("not a valid URDF: "));
   EXPECT_THAT(faults_with(R"(<robot name="r"><link name="a"/></robot>)"),
-              HasSubstr("link 'a' of broken.urdf, mass_kg: 0 kg; need a positive mass"));
+              HasSubstr("link 'a' of broken.urdf:1, mass_kg: 0 kg; need a positive mass"));
   EXPECT_THAT(faults_with(R"(<robot name="r"><link name="a">
       <inertial><mass value="-3"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
       </link></robot>)"),
@@ -134,7 +139,7 @@ TEST(Urdf, FaultsNameTheUrdfAndItsPart) {
       <visual><geometry><mesh filename="gone.stl"/></geometry></visual></link></robot>)"),
               HasSubstr("mesh 'gone.stl' does not exist"));
   EXPECT_THAT(faults_with(R"(<robot name="r"><link name="a,b"/></robot>)"),
-              HasSubstr("link 'a,b' of broken.urdf, name: need letters"));
+              HasSubstr("link 'a,b' of broken.urdf:1, name: need letters"));
 }
 
 }  // namespace

@@ -149,10 +149,10 @@ TEST(UrdfTransmission, FaultsSayWhatTheDriveNeeds) {
 
 TEST(UrdfTransmission, ADrivenJointNeedsLimits) {
   EXPECT_THAT(FaultsWith(R"(<limit effort="900" velocity="2.0"/>)", ""),
-              HasSubstr("joint 'waist' of arm.urdf, velocity: it is driven but has no velocity "
+              HasSubstr("joint 'waist' of arm.urdf:60, velocity: it is driven but has no velocity "
                         "limit; give it in <limit>, or max_rate_degps in `joints:`"));
   EXPECT_THAT(FaultsWith(R"(effort="900" velocity="1.6")", R"(effort="0" velocity="1.6")"),
-              HasSubstr("joint 'shoulder' of arm.urdf, effort: it is driven but has no effort"));
+              HasSubstr("joint 'shoulder' of arm.urdf:66, effort: it is driven but has no effort"));
   EXPECT_THAT(FaultsWith(R"(<joint name="spin">
       <state_interface name="position"/>)",
                          R"(<joint name="spinn">)"),
