@@ -63,7 +63,6 @@ std::string Shown(const YAML::Node& node) {
 
 void AddFault(ConfigNode& node, std::string_view key, const Found& found,
               const std::string& finding) {
-  if (node.unread) return;
   const std::string place = PlaceOf(found.node, found.layer->file);
   const std::string path = Join(found.layer->path, key);
   node.document->faults.push_back(path.empty() ? fmt::format("{}: {}", place, finding)
@@ -71,6 +70,7 @@ void AddFault(ConfigNode& node, std::string_view key, const Found& found,
 }
 
 void AddMissing(ConfigNode& node, std::string_view key, const std::string& need) {
+  if (node.unread) return;
   const Layer& layer = node.layers.back();
   AddFault(node, key, Found{layer.node, &layer}, fmt::format("missing, need {}", need));
 }

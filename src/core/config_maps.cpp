@@ -166,7 +166,7 @@ std::size_t FaultCount(const ConfigMap& config) {
 void ConfigMap::Fault(std::string_view key, const std::string& finding) const {
   if (const auto found = key.empty() ? std::nullopt : Find(*node_, key)) {
     AddFault(*node_, key, *found, finding);
-  } else {
+  } else if (!node_->unread) {
     const Layer& layer = node_->layers.back();
     AddFault(*node_, key, Found{layer.node, &layer}, finding);
   }

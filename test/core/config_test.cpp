@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
+#include "core/config_faults.h"
 #include "core/error.h"
 #include "own_folder.h"
 
@@ -207,6 +209,33 @@ TEST(Config, BrokenYamlNamesLineAndColumn) {
         }
       },
       InputError);
+}
+
+TEST(Config, WhatAMappingLacksIsNoFaultWhereItIsNotThereItself) {
+  const Config config =
+      Config::FromText("file: nowhere.yaml\nlist: [1]\nhere: {depth_m: -2}\n", "a.yaml");
+  const ConfigMap root = config.root();
+  for (const ConfigMap& map :
+       {root.MapOrFile("file"), root.Map("list"), root.Map("gone").Map("below")}) {
+    EXPECT_EQ(map.Text("name"), "");
+    map.Number("width_m", Positive("m"));
+    map.Fault("links", "there are none; need one");
+  }
+  EXPECT_EQ(FaultCount(root), 3u);
+  root.Map("here").Number("depth_m", Positive("m"));
+  root.Map("here").Number("width_m", Positive("m"));
+  EXPECT_EQ(FaultCount(root), 5u);
+  const std::string faults = FaultsOf(config);
+  EXPECT_EQ(std::count(faults.begin(), faults.end(), '\n'), 4) << faults;
+  EXPECT_THAT(faults, AllOf(HasSubstr("'nowhere.yaml' does not exist"), HasSubstr("list: a list"),
+                            HasSubstr("gone: missing"), HasSubstr("here.depth_m: -2"),
+                            HasSubstr("here.width_m: missing")));
+}
+
+TEST(Config, AnUnknownKeyIsToldBeforeWhatIsMissingForIt) {
+  const Config config = Config::FromText("a: {wdth_m: 3}\n", "a.yaml");
+  config.root().Map("a").Number("width_m", Positive("m"));
+  EXPECT_THAT(FaultsOf(config), testing::StartsWith("a.yaml:1:5: a.wdth_m: unknown key (did you"));
 }
 
 }  // namespace

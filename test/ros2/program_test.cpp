@@ -46,7 +46,7 @@ TEST_F(Ros2Command, SaysOnWhichDomainItIsAndWhatItDid) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("small for ROS 2 on domain " +
                                            std::to_string(OwnDomainId()) + ", this host only"),
-                                 HasSubstr("0.20 s simulated"), HasSubstr("0 dropped")));
+                                 HasSubstr("0.2 s simulated"), HasSubstr("0 dropped")));
 }
 
 TEST_F(Ros2Command, OptionsGoBeforeTheEnvironment) {
@@ -65,6 +65,7 @@ TEST_F(Ros2Command, BadInputIsStatus2AndNamesIt) {
     arguments.insert(arguments.end(), {"--pace", "fast", "--duration", "0.1"});
     const Outcome outcome = RunTera(arguments, here);
     EXPECT_EQ(outcome.status, 2) << text;
+    EXPECT_EQ(outcome.out, "") << text;  // nothing has begun
     EXPECT_THAT(outcome.err, HasSubstr(text));
   };
   for (const std::string id : {"x", "-1", "233", "7 "}) {
