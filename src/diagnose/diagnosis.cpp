@@ -48,6 +48,7 @@ struct Measurements {
   std::vector<TruthPose> poses;
   /// One for each of the scenario's sensors; empty of those that are none or were not recorded.
   std::vector<std::vector<ImuSample>> imus;
+  TimeNs start_ns = 0;  ///< of the whole recording
 };
 
 TimeNs StartOf(const Measurements& measured) {
@@ -82,9 +83,9 @@ Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& record
         "something measured to compare",
         recording.directory().string(), input.machine));
   }
-  const TimeNs start_ns = StartOf(measured);
-  const TimeNs from_ns = start_ns + FromSeconds(options.from_s);
-  const TimeNs to_ns = start_ns + FromSeconds(options.to_s);
+  measured.start_ns = StartOf(measured);
+  const TimeNs from_ns = measured.start_ns + FromSeconds(options.from_s);
+  const TimeNs to_ns = measured.start_ns + FromSeconds(options.to_s);
   for (NamedEncoders& named : measured.encoders) Trim(from_ns, to_ns, &named.recording.samples);
   for (auto& samples : measured.imus) Trim(from_ns, to_ns, &samples);
   return measured;
@@ -152,6 +153,17 @@ void Try(const std::function<void()>& add, std::vector<std::string>* obstacles) 
       directory, input.machine, kShortest_s));
 }
 
+void CountTimeFrom(TimeNs start_ns, ReplayBlock* block) {
+  block->first_ns -= start_ns;
+  for (Channel& channel : block->channels) {
+    for (RegimeVariable& variable : channel.variables) {
+      if (variable.name != "time") continue;
+      const double late_s = block->time_s(0) - variable.series.value.front();
+      for (double& t_s : variable.series.value) t_s += late_s;
+    }
+  }
+}
+
 }  // namespace
 
 std::string_view NameOf(Verdict verdict) {
@@ -171,8 +183,10 @@ std::string_view NameOf(Verdict verdict) {
 }
 
 std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis) {
-  bool named = false, several = false, unexplained = false, untestable = false;
+  bool named = false, several = false, unexplained = false, untestable = false, judged = false;
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    judged = judged || diagnosed.diagnosis.is_testable;
+    untestable = untestable || !diagnosed.diagnosis.is_testable;
     for (const Finding& finding : diagnosed.diagnosis.findings) {
       (finding.evidence.rivals.size() > 1 ? several : named) = true;
     }
@@ -185,14 +199,13 @@ std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis) {
   if (named) verdicts.push_back(Verdict::kNamed);
   if (several) verdicts.push_back(Verdict::kClass);
   if (unexplained) verdicts.push_back(Verdict::kUnexplained);
-  if (verdicts.empty()) verdicts.push_back(Verdict::kNone);
+  if (verdicts.empty() && judged) verdicts.push_back(Verdict::kNone);
   if (untestable) verdicts.push_back(Verdict::kUntestable);
   return verdicts;
 }
 
-Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
-                   const DiagnosisOptions& options,
-                   const std::function<void(const std::string&)>& progress) {
+std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Recording& recording,
+                                  const DiagnosisOptions& options) {
   const Measurements measured = MeasurementsOf(input, recording, options);
   std::vector<ReplayBlock> blocks;
   std::vector<std::string> obstacles;
@@ -203,16 +216,35 @@ Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
     return static_cast<double>(block.samples()) * block.period_s() < kShortest_s;
   });
   if (blocks.empty()) ThrowNothingToCompare(input, recording, obstacles);
-  Diagnosis diagnosis{input.machine, input.scenario, {}};
+  for (ReplayBlock& block : blocks) CountTimeFrom(measured.start_ns, &block);
+  return blocks;
+}
+
+std::vector<DiagnosedBlock> DiagnoseBlocks(
+    std::vector<ReplayBlock> blocks, SearchOptions options, std::uint64_t seed,
+    const std::function<void(const std::string&)>& progress) {
+  options.suspects_in_all = options.channels_in_all = 0;
+  for (const ReplayBlock& block : blocks) {
+    options.suspects_in_all += block.suspects.size();
+    options.channels_in_all += block.channels.size();
+  }
+  std::vector<DiagnosedBlock> diagnosed;
   for (ReplayBlock& block : blocks) {
     progress(block.name);
-    DiagnosedBlock diagnosed;
-    diagnosed.block = std::move(block);
-    diagnosed.diagnosis = DiagnoseBlock(diagnosed.block, options.search,
-                                        Stream(options.seed, "diagnose/" + diagnosed.block.name));
-    diagnosis.blocks.push_back(std::move(diagnosed));
+    DiagnosedBlock one;
+    one.block = std::move(block);
+    one.diagnosis = DiagnoseBlock(one.block, options, Stream(seed, "diagnose/" + one.block.name));
+    diagnosed.push_back(std::move(one));
   }
-  return diagnosis;
+  return diagnosed;
+}
+
+Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
+                   const DiagnosisOptions& options,
+                   const std::function<void(const std::string&)>& progress) {
+  return {
+      input.machine, input.scenario,
+      DiagnoseBlocks(BlocksOf(input, recording, options), options.search, options.seed, progress)};
 }
 
 }  // namespace tera

@@ -36,9 +36,9 @@ enum class Verdict { kNone, kNamed, kClass, kUnexplained, kUntestable };
 /// As in diagnosis.json: "named".
 std::string_view NameOf(Verdict verdict);
 
-/// kNone where nothing was found and nothing is left; kNamed, kClass by the findings; kUnexplained
-/// where error is left; kUntestable where no block could be made of what was recorded, or some
-/// suspect would not have been seen at any size.
+/// kNone where nothing was found and nothing is left of the blocks that could be judged; kNamed,
+/// kClass by the findings; kUnexplained where error is left; kUntestable where a block could not be
+/// judged, or some suspect would not have been seen at any size.
 std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis);
 
 /// What is to be diagnosed.
@@ -59,10 +59,18 @@ struct DiagnosisOptions {
   double base_interval_s = 0.2;   ///< over which the motion of base and inertial units is compared
 };
 
-/// Diagnoses every block that the recording has channels for: joints and gears with encoders and
-/// levers, the base with gears and poses, inertial units whose link's motion was measured, over 25
-/// s at least. `progress` is told what is looked at, before each block. Throws InputError where
-/// there is no block at all.
+/// Every block that the recording has channels for: joints and gears with encoders and levers, the
+/// base with gears and poses, inertial units whose link's motion was measured, over 25 s at least.
+/// Throws InputError where there is none at all.
+std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Recording& recording,
+                                  const DiagnosisOptions& options);
+
+/// Diagnoses blocks, whose tests count together. `progress` is told what is looked at, before each.
+std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks, SearchOptions options,
+                                           std::uint64_t seed,
+                                           const std::function<void(const std::string&)>& progress);
+
+/// Both.
 Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
                    const DiagnosisOptions& options,
                    const std::function<void(const std::string&)>& progress);

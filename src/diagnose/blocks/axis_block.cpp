@@ -170,9 +170,9 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
                                    channel.variables[2].series);
   ReplayBlock block;
   block.name = NameOfAxis(model, axis);
-  for (const RegimeVariable& variable : channel.variables) {
-    if (variable.name.starts_with("lever/")) block.commands.push_back(variable.series);
-  }
+  block.first_ns = measured.t_ns.front();
+  // Other levers move the axis through its position and load alone, which are measured.
+  block.commands = {channel.variables[0].series};
   block.channels.push_back(std::move(channel));
   block.suspects = SuspectsOfAxis(model, log, axis);
   const LoneAxisReplay replay(model, log, measured);

@@ -124,6 +124,7 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
   const std::vector<bool> all(t_ns.size(), true);
   ReplayBlock block;
   block.name = name;
+  block.first_ns = t_ns.front();
   const auto add = [&](const char* suffix, const char* unit, double PlanarTwist::*part) {
     block.channels.push_back({name + suffix,
                               unit,

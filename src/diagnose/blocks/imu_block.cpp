@@ -198,6 +198,7 @@ std::optional<ReplayBlock> MakeImuBlock(const SensorDescription& sensor, ImuLog 
 
   ReplayBlock block;
   block.name = channel;
+  block.first_ns = log->clock.Due(1);
   const Eigen::MatrixXd free_member = FreeMember(predicted);
   const Mask valid(log->known.begin(), log->known.end());
   for (std::size_t i = 0; i < kQuantities; ++i) {

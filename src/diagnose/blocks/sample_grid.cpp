@@ -40,6 +40,13 @@ SampleGrid SampleGrid::Under(const std::vector<TimeNs>& t_ns) {
 std::vector<double> SampleGrid::Spread(const std::vector<double>& at_samples) const {
   std::vector<double> values(size, 0.0);
   for (std::size_t i = at_samples.size(); i-- > 0;) values[place[i]] = at_samples[i];
+  for (std::size_t i = 1; i < place.size(); ++i) {
+    const std::size_t from = place[i - 1], to = place[i];
+    for (std::size_t k = from + 1; k < to; ++k) {
+      values[k] = std::lerp(values[from], values[to],
+                            static_cast<double>(k - from) / static_cast<double>(to - from));
+    }
+  }
   return values;
 }
 

@@ -21,9 +21,9 @@ struct SampleGrid {
   /// empty: samples in bursts, or a gap far longer than all that was measured.
   static SampleGrid Under(const std::vector<TimeNs>& t_ns);
 
-  /// Values of the samples at their places, 0 in between.
+  /// Values of the samples at their places, straight in between.
   std::vector<double> Spread(const std::vector<double>& at_samples) const;
-  /// The same as a series, valid where a sample is that may be used.
+  /// The same as a series, valid where a sample is that may be used, 0 elsewhere.
   Series SpreadSeries(const std::vector<double>& at_samples, const std::vector<bool>& usable) const;
 };
 

@@ -79,6 +79,13 @@ LoneAxisReplay::LoneAxisReplay(const MachineModel& model, const AxisLog& log,
     motion_.push_back(log.motions_at(k)[axis_]);
     inertia_kgm2_.push_back(log.inertias_at(k)[axis_]);
   }
+  // Not needed without pumps and contact, and much to copy for every prediction.
+  for (Cylinder& cylinder : model_.cylinders) cylinder.bore_m = 0;
+  for (Link& link : model_.links) link = {};
+  model_.levers.clear();
+  model_.track_visuals.clear();
+  model_.wheel_visuals.clear();
+  model_.frames.clear();
   model_.effects.joints.resize(model.joints.size());
   model_.effects.gears.resize(model.gear_drives.size());
 }

@@ -40,6 +40,14 @@ Series Predicted(const Series& measured, const Series& residual) {
   return predicted;
 }
 
+/// EnvelopeOf at the times of the recording.
+std::vector<PlotPoint> LineOf(const ReplayBlock& block, const Series& series,
+                              const Segment& samples, double factor) {
+  std::vector<PlotPoint> line = EnvelopeOf(series, samples, factor, kMostPoints);
+  for (PlotPoint& point : line) point.x += block.time_s(0);
+  return line;
+}
+
 /// The `length` samples of `within` with the largest sum of squares.
 Segment Worst(const Series& residual, const Segment& within, std::size_t length) {
   if (within.size() <= length) return within;
@@ -97,18 +105,17 @@ std::string PredictionFigure(const DiagnosedBlock& diagnosed, const Location& lo
   const ReadableUnit unit = ReadableUnitOf(channel.unit);
   const Segment window = WindowOf(diagnosed, location);
   const auto line = [&](const Series& series) {
-    return EnvelopeOf(series, window, unit.factor, kMostPoints);
+    return LineOf(diagnosed.block, series, window, unit.factor);
   };
   const auto measured = line(channel.measured);
   const auto before =
       line(Predicted(channel.measured, search.nothing.misfit.residual[location.channel]));
   const auto after =
       line(Predicted(channel.measured, search.found.misfit.residual[location.channel]));
-  const double period_s = diagnosed.block.period_s();
+  const ReplayBlock& block = diagnosed.block;
   SvgPlot plot(
       "measured and predicted over time",
-      {static_cast<double>(window.begin) * period_s, static_cast<double>(window.end) * period_s,
-       "Time, s"},
+      {block.time_s(window.begin), block.time_s(window.end), "Time, s"},
       RangeOf({measured, before, after}, 0, LabelWithUnit(QuantityOf(channel.name), unit)));
   plot.Horizontal(0, "zero");
   plot.Line(measured, "line measured");
@@ -124,16 +131,14 @@ std::string ResidualFigure(const DiagnosedBlock& diagnosed, const Location& loca
   const ReadableUnit unit = ReadableUnitOf(channel.unit);
   const Segment all{0, diagnosed.block.samples()};
   const auto line = [&](const FittedStructure& structure) {
-    return EnvelopeOf(structure.misfit.residual[location.channel], all, unit.factor, kMostPoints);
+    return LineOf(diagnosed.block, structure.misfit.residual[location.channel], all, unit.factor);
   };
   const auto before = line(search.nothing), after = line(search.found);
-  const double period_s = diagnosed.block.period_s();
-  SvgPlot plot("residual over the recording",
-               {0, static_cast<double>(all.end) * period_s, "Time, s"},
+  const ReplayBlock& block = diagnosed.block;
+  SvgPlot plot("residual over the recording", {block.time_s(0), block.time_s(all.end), "Time, s"},
                RangeOf({before, after}, 0.002, LabelWithUnit("measured − simulated", unit)));
   for (const Segment& interval : location.intervals) {
-    plot.Shade(static_cast<double>(interval.begin) * period_s,
-               static_cast<double>(interval.end) * period_s, "shade");
+    plot.Shade(block.time_s(interval.begin), block.time_s(interval.end), "shade");
   }
   plot.Line(before, "thin before");
   if (!search.found.terms.empty()) plot.Line(after, "thin after");

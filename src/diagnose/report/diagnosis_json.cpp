@@ -20,11 +20,10 @@ Json Number(double value) {
 
 Json Number(const std::optional<double>& value) { return value ? Number(*value) : Json(nullptr); }
 
-Json Intervals(const Location& location, double period_s) {
+Json Intervals(const Location& location, const ReplayBlock& block) {
   Json list = Json::array();
   for (const Segment& segment : location.intervals) {
-    list.push_back({Number(static_cast<double>(segment.begin) * period_s),
-                    Number(static_cast<double>(segment.end) * period_s)});
+    list.push_back({Number(block.time_s(segment.begin)), Number(block.time_s(segment.end))});
   }
   return list;
 }
@@ -45,7 +44,8 @@ Json RegimeOf(const Location& location) {
   return {{"variable", regime.variable},
           {"low", has_range ? Number(regime.shape.low) : Json(nullptr)},
           {"high", has_range ? Number(regime.shape.high) : Json(nullptr)},
-          {"shape", ShapeOf(regime.shape)}};
+          {"shape", ShapeOf(regime.shape)},
+          {"p", Number(regime.p)}};
 }
 
 Json ParametersOf(const Finding& finding) {
@@ -70,7 +70,7 @@ Json HeldOut(double before, double after, const std::string& unit, double remove
 /// The part that named and unexplained findings share.
 Json Where(const DiagnosedBlock& diagnosed, const Location& location) {
   return {{"channel", diagnosed.block.channels[location.channel].name},
-          {"intervals_s", Intervals(location, diagnosed.block.period_s())},
+          {"intervals_s", Intervals(location, diagnosed.block)},
           {"regime", RegimeOf(location)}};
 }
 
@@ -85,7 +85,13 @@ Json Named(const DiagnosedBlock& diagnosed, const Finding& finding) {
   for (const Suspect* rival : finding.evidence.rivals) {
     json["class"].push_back(std::string(rival->mechanism->id));
   }
-  json["confidence"] = Number(finding.confidence);
+  json["rejected"] = Json::array();
+  for (const Rival& rival : finding.evidence.rejected) {
+    json["rejected"].push_back(
+        {{"mechanism", std::string(rival.suspect->mechanism->id)}, {"p", Number(rival.p)}});
+  }
+  json["evidence"] = {{"p_chosen", Number(finding.evidence.p)},
+                      {"p_confirmed", Number(finding.held_out.p)}};
   const HeldOutError& error = finding.held_out;
   json["held_out"] = HeldOut(error.rmse_before, error.rmse_after,
                              diagnosed.block.channels[error.channel].unit, error.excess_removed);
@@ -99,14 +105,37 @@ Json NotNamed(const DiagnosedBlock& diagnosed, const Unexplained& unexplained) {
   json["target"] = nullptr;
   json["parameters"] = Json::object();
   json["class"] = Json::array();
-  json["confidence"] = Number(1 - unexplained.p);
-  json["held_out"] = nullptr;
-  for (const HeldOutError& error : diagnosed.diagnosis.confirmed) {
-    if (error.channel != unexplained.location.channel) continue;
-    json["held_out"] = HeldOut(error.rmse_after, error.rmse_after,
-                               diagnosed.block.channels[error.channel].unit, 0);
-  }
+  json["rejected"] = Json::array();
+  json["evidence"] = {{"p_chosen", Number(unexplained.p)}, {"p_confirmed", nullptr}};
+  const std::string& unit = diagnosed.block.channels[unexplained.location.channel].unit;
+  json["held_out"] = HeldOut(unexplained.rmse, unexplained.rmse, unit, 0);
+  json["held_out"]["noise"] = Number(unexplained.noise);
   return json;
+}
+
+/// What SELECT chose and FINAL did not confirm.
+Json Unconfirmed(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    for (const Finding& finding : diagnosed.diagnosis.unconfirmed) {
+      list.push_back({{"mechanism", std::string(finding.term.suspect->mechanism->id)},
+                      {"target", finding.term.suspect->target},
+                      {"evidence",
+                       {{"p_chosen", Number(finding.evidence.p)},
+                        {"p_confirmed", Number(finding.held_out.p)}}}});
+    }
+  }
+  return list;
+}
+
+/// Blocks with too few manoeuvres.
+Json NotJudged(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    if (diagnosed.diagnosis.is_testable) continue;
+    for (const Channel& channel : diagnosed.block.channels) list.push_back(channel.name);
+  }
+  return list;
 }
 
 Json Untestable(const Diagnosis& diagnosis) {
@@ -135,7 +164,9 @@ std::string DiagnosisJson(const Diagnosis& diagnosis) {
   for (const auto& [diagnosed, unexplained] : UnexplainedByWeight(diagnosis)) {
     json["findings"].push_back(NotNamed(*diagnosed, *unexplained));
   }
+  json["unconfirmed"] = Unconfirmed(diagnosis);
   json["untestable"] = Untestable(diagnosis);
+  json["not_judged"] = NotJudged(diagnosis);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -82,7 +82,7 @@ std::string Top(const Diagnosis& diagnosis, const std::string& recording) {
 }
 
 std::string ParameterTable(const DiagnosedBlock& diagnosed) {
-  Table table({"Mechanism", "On", "Parameter", ">Value", ">±", "Unit", ">Confidence"});
+  Table table({"Mechanism", "On", "Parameter", ">Value", ">±", "Unit", ">Chosen", ">Confirmed"});
   for (const Finding* finding : FindingsByWeight(diagnosed)) {
     const Suspect& suspect = *finding->term.suspect;
     bool is_first = true;
@@ -96,7 +96,8 @@ std::string ParameterTable(const DiagnosedBlock& diagnosed) {
       table.Row({is_first ? Code(suspect.mechanism->id) : "",
                  is_first ? Escaped(suspect.target) : "", Code(estimate.name), value, sigma,
                  UnitCell(estimate.unit),
-                 is_first ? Escaped(ConfidenceText(finding->confidence)) : ""});
+                 is_first ? Escaped(ProbabilityText(finding->evidence.p)) : "",
+                 is_first ? Escaped(ProbabilityText(finding->held_out.p)) : ""});
       is_first = false;
     }
   }
@@ -166,21 +167,21 @@ bool HasAnything(const DiagnosedBlock& diagnosed) {
 }
 
 std::string AgreeingSection(const Diagnosis& diagnosis) {
-  Table table({"Channel", ">RMSE", "Unit"});
+  Table table({"Channel", ">RMSE", ">Noise", "Unit"});
   bool any = false;
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     if (HasAnything(diagnosed)) continue;
-    for (const HeldOutError& error : diagnosed.diagnosis.confirmed) {
-      const Channel& channel = diagnosed.block.channels[error.channel];
+    for (const Remainder& remainder : diagnosed.diagnosis.remainders) {
+      const Channel& channel = diagnosed.block.channels[remainder.channel];
       const ReadableUnit unit = ReadableUnitOf(channel.unit);
       table.Row({Escaped(Capitalised(QuantityOf(channel.name))) + " " + Code(channel.name),
-                 Significant(error.rmse_before * unit.factor, 3), unit.name});
+                 Significant(remainder.rmse * unit.factor, 3),
+                 Significant(remainder.noise.rms() * unit.factor, 3), unit.name});
       any = true;
     }
   }
-  return any ? "<section>\n<h2>Where they agree</h2>\n<p class='soft'>Error on held-out "
-               "manoeuvres, "
-               "as large as the noise.</p>\n" +
+  return any ? "<section>\n<h2>Where they agree</h2>\n<p class='soft'>Error on manoeuvres kept "
+               "back, and noise as it shows at rest or from sample to sample.</p>\n" +
                    table.Take() + "</section>\n"
              : "";
 }
@@ -208,11 +209,13 @@ std::string UnseenSection(const Diagnosis& diagnosis) {
       }
     }
     if (names.empty()) continue;
+    if (!diagnosed.diagnosis.is_testable) names = "all: too few manoeuvres";
     unseen.Row({Escaped(Capitalised(Spaced(diagnosed.block.name))), names});
     any = true;
   }
   return "<section>\n<h2>What this recording cannot show</h2>\n" +
-         (any ? "<p class='soft'>These would not have been seen at any size looked for.</p>\n" +
+         (any ? "<p class='soft'>These would not have been seen at any size looked for, were noise "
+                "the only trouble.</p>\n" +
                     unseen.Take()
               : std::string("<p>Every mechanism looked for would have been seen, were it strong "
                             "enough.</p>\n")) +

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "diagnose/report/by_weight.h"
 #include "diagnose/report/wording.h"
@@ -29,9 +28,8 @@ std::string IntervalsText(const DiagnosedBlock& diagnosed, const std::vector<Seg
   const Segment& longest =
       *std::max_element(intervals.begin(), intervals.end(),
                         [](const Segment& a, const Segment& b) { return a.size() < b.size(); });
-  const double period_s = diagnosed.block.period_s();
-  const double from_s = static_cast<double>(longest.begin) * period_s;
-  const double to_s = static_cast<double>(longest.end) * period_s;
+  const double from_s = diagnosed.block.time_s(longest.begin);
+  const double to_s = diagnosed.block.time_s(longest.end);
   std::string text =
       fmt::format("{}–{} s", TimeText(from_s, to_s - from_s), TimeText(to_s, to_s - from_s));
   const std::size_t more = intervals.size() - 1;
@@ -147,33 +145,51 @@ std::string MechanismText(const DiagnosedBlock& diagnosed, const Finding& findin
   return numbers.empty() ? text : fmt::format("{} {}", text, fmt::join(numbers, ", "));
 }
 
-/// Suspects that gain most alone but do not stand in this one's place.
-std::vector<std::string> RejectedRivals(const DiagnosedBlock& diagnosed, const Finding& finding) {
-  const SearchResult& search = diagnosed.diagnosis.search;
-  std::set<const Suspect*> others(finding.evidence.rivals.begin(), finding.evidence.rivals.end());
-  for (const Term& term : search.found.terms) others.insert(term.suspect);
-  std::vector<SingleEvidence> singles = search.singles;
-  std::stable_sort(singles.begin(), singles.end(),
-                   [](const auto& a, const auto& b) { return a.gain > b.gain; });
-  std::vector<std::string> names;
-  for (const SingleEvidence& single : singles) {
-    if (names.size() == kRivalsTold) break;
-    if (others.contains(single.suspect) || single.held_out_gain <= 0) continue;
-    names.push_back(Spaced(single.suspect->mechanism->id));
-  }
-  return names;
-}
-
-std::string ConfidenceClause(const DiagnosedBlock& diagnosed, const Finding& finding) {
-  std::string text = "confidence " + ConfidenceText(finding.confidence);
-  std::vector<std::string> alike;
+std::string EvidenceClause(const Finding& finding) {
+  std::string text =
+      fmt::format("chosen with {}, confirmed with {}", ProbabilityText(finding.evidence.p),
+                  ProbabilityText(finding.held_out.p));
+  std::vector<std::string> alike, rejected;
   for (const Suspect* rival : finding.evidence.rivals) {
     if (rival != finding.term.suspect) alike.push_back(Spaced(rival->mechanism->id));
   }
+  for (const Rival& rival : finding.evidence.rejected) {
+    if (rejected.size() == kRivalsTold) break;
+    rejected.push_back(
+        fmt::format("{} ({})", Spaced(rival.suspect->mechanism->id), ProbabilityText(rival.p)));
+  }
   if (!alike.empty()) text += fmt::format("; not told apart from: {}", fmt::join(alike, ", "));
-  const auto rejected = RejectedRivals(diagnosed, finding);
   if (!rejected.empty()) text += fmt::format("; rivals rejected: {}", fmt::join(rejected, ", "));
   return text;
+}
+
+/// "0.6 deg/s at a noise of 0.2 deg/s".
+std::string LeftText(double rmse, double noise, const std::string& si_unit) {
+  const ReadableUnit unit = ReadableUnitOf(si_unit);
+  return fmt::format("{} at a noise of {}", WithUnit(Significant(rmse * unit.factor, 2), unit),
+                     WithUnit(Significant(noise * unit.factor, 2), unit));
+}
+
+/// What is left of a channel of which nothing is unexplained.
+std::string RemainderText(const DiagnosedBlock& diagnosed, std::size_t channel) {
+  if (IsLeft(diagnosed, channel)) return "";
+  for (const Remainder& remainder : diagnosed.diagnosis.remainders) {
+    if (remainder.channel != channel) continue;
+    std::string text = " Left: " + LeftText(remainder.rmse, remainder.noise.rms(),
+                                            diagnosed.block.channels[channel].unit);
+    if (remainder.kind == Remainder::Kind::kUnknown) {
+      text += ", of noise or error, which a recording without rest does not tell";
+    }
+    if (remainder.kind == Remainder::Kind::kOfFew) {
+      text +=
+          fmt::format(", most of it in {} of {} manoeuvres", remainder.loud, remainder.manoeuvres);
+    }
+    if (!remainder.free_member_tells) {
+      text += ", and no free curve that could tell whether there is more";
+    }
+    return text + ".";
+  }
+  return "";
 }
 
 std::string HeldOutText(const HeldOutError& error, const std::string& si_unit) {
@@ -219,35 +235,70 @@ std::string SentenceOf(const DiagnosedBlock& diagnosed, const Finding& finding) 
       "{}, {}; the error {}: {} ({}). {}{}", ChannelText(diagnosed, channel),
       IntervalsText(diagnosed, finding.location.intervals),
       DependenceText(diagnosed, finding.location), MechanismText(diagnosed, finding),
-      ConfidenceClause(diagnosed, finding),
+      EvidenceClause(finding),
       HeldOutText(finding.held_out, diagnosed.block.channels[finding.held_out.channel].unit),
-      IsLeft(diagnosed, channel) ? "" : " Nothing left.");
+      RemainderText(diagnosed, channel));
 }
 
 std::string SentenceOf(const DiagnosedBlock& diagnosed, const Unexplained& unexplained) {
+  const std::size_t channel = unexplained.location.channel;
+  const std::string left =
+      LeftText(unexplained.rmse, unexplained.noise, diagnosed.block.channels[channel].unit);
   return fmt::format(
-      "{}, {}; the error {}: no known mechanism explains it ({}; {} of what a free "
-      "curve could explain).",
-      ChannelText(diagnosed, unexplained.location.channel),
-      IntervalsText(diagnosed, unexplained.location.intervals),
-      DependenceText(diagnosed, unexplained.location), ProbabilityText(unexplained.p),
-      PercentText(unexplained.share));
+      "{}, {}; the error {}: no known mechanism explains it ({}). Left: {}.",
+      ChannelText(diagnosed, channel), IntervalsText(diagnosed, unexplained.location.intervals),
+      DependenceText(diagnosed, unexplained.location),
+      unexplained.p ? fmt::format("{}; {} of what a free curve could explain",
+                                  ProbabilityText(*unexplained.p), PercentText(unexplained.share))
+                    : std::string("nor does a free curve"),
+      left);
+}
+
+std::string SentenceOfUnconfirmed(const DiagnosedBlock& diagnosed, const Finding& finding) {
+  return fmt::format("{}: {} was chosen ({}) and is not confirmed on manoeuvres kept back ({}).",
+                     ChannelText(diagnosed, finding.location.channel),
+                     MechanismText(diagnosed, finding), ProbabilityText(finding.evidence.p),
+                     ProbabilityText(finding.held_out.p));
+}
+
+std::string SentenceOfUntestable(const DiagnosedBlock& diagnosed) {
+  std::vector<std::string> channels;
+  for (const Channel& channel : diagnosed.block.channels)
+    channels.push_back(QuantityOf(channel.name));
+  return fmt::format("{}: not judged, for it is moved in too few manoeuvres of the recording.",
+                     Capitalised(Listed(channels)));
 }
 
 std::string SentenceOfNothing(const Diagnosis& diagnosis) {
-  std::vector<std::string> channels;
+  std::vector<std::string> channels, unknown, few;
   std::size_t suspects = 0, unseen = 0;
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    if (!diagnosed.diagnosis.is_testable) continue;
     for (const Channel& channel : diagnosed.block.channels) {
       channels.push_back(QuantityOf(channel.name));
+    }
+    for (const Remainder& remainder : diagnosed.diagnosis.remainders) {
+      const std::string quantity = QuantityOf(diagnosed.block.channels[remainder.channel].name);
+      if (remainder.kind == Remainder::Kind::kUnknown) unknown.push_back(quantity);
+      if (remainder.kind == Remainder::Kind::kOfFew) few.push_back(quantity);
     }
     suspects += diagnosed.diagnosis.detectability.size();
     for (const Detectability& one : diagnosed.diagnosis.detectability)
       unseen += one.smallest ? 0 : 1;
   }
-  if (channels.empty()) return "Nothing compared: no channel of the recording can be replayed.";
-  std::string text = fmt::format("Nothing found: {} agree{} with the simulation within the noise.",
-                                 Listed(channels), channels.size() == 1 ? "s" : "");
+  if (channels.empty()) return "Nothing compared: no channel of the recording can be judged.";
+  std::string text = fmt::format(
+      "Nothing found: {} agree{} with the simulation, but for noise and what nominal "
+      "numbers are off by.",
+      Listed(channels), channels.size() == 1 ? "s" : "");
+  if (!few.empty()) {
+    text += fmt::format(" Not so in a few manoeuvres of {}.", Listed(few));
+  }
+  if (!unknown.empty()) {
+    text += fmt::format(
+        " What is left of {} may be noise or error: a recording without rest does not tell.",
+        Listed(unknown));
+  }
   if (unseen > 0) {
     text += fmt::format(" Of {} mechanisms looked for, {} could not have been seen at any size.",
                         suspects, unseen);
@@ -264,6 +315,12 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
     sentences.push_back(SentenceOf(*diagnosed, *unexplained));
   }
   if (sentences.empty()) sentences.push_back(SentenceOfNothing(diagnosis));
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    for (const Finding& finding : diagnosed.diagnosis.unconfirmed) {
+      sentences.push_back(SentenceOfUnconfirmed(diagnosed, finding));
+    }
+    if (!diagnosed.diagnosis.is_testable) sentences.push_back(SentenceOfUntestable(diagnosed));
+  }
   return sentences;
 }
 

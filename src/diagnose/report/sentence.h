@@ -8,15 +8,22 @@
 namespace tera {
 
 /// "Boom rate, 41–63 s and 8 more intervals; the error depends on |lever| < 0.2, odd: dead band
-/// 0.18 ± 0.02 (confidence 0.93; rivals rejected: valve curve). Held-out RMSE 3.1 → 0.6 deg/s, 94 %
-/// of the excess variance removed. Nothing left."
+/// 0.18 ± 0.02 (chosen with p 0.0002, confirmed with p 0.001; rivals rejected: valve curve (p
+/// 0.003)). Held-out RMSE 3.1 → 0.6 deg/s, 94 % of the excess variance removed. Left: 0.6 deg/s at
+/// a noise of 0.5 deg/s."
 ///
-/// Times are from the block's first sample. The interval is the longest. "± " stands where the data
+/// Times are from the recording's start. The interval is the longest. "± " stands where the data
 /// hold the number; numbers that were not fitted are left out.
 std::string SentenceOf(const DiagnosedBlock& diagnosed, const Finding& finding);
 
 /// What no mechanism explains: where, and of what it is a function.
 std::string SentenceOf(const DiagnosedBlock& diagnosed, const Unexplained& unexplained);
+
+/// What SELECT chose and FINAL did not confirm.
+std::string SentenceOfUnconfirmed(const DiagnosedBlock& diagnosed, const Finding& finding);
+
+/// A block with too few manoeuvres.
+std::string SentenceOfUntestable(const DiagnosedBlock& diagnosed);
 
 /// Which channels agree, and how much could not have been seen.
 std::string SentenceOfNothing(const Diagnosis& diagnosis);

@@ -48,6 +48,8 @@ PlotAxis Widened(double low, double high, std::string label) {
   if (!(low <= high) || !std::isfinite(low) || !std::isfinite(high)) low = high = 0;
   double margin = 0.05 * (high - low);
   if (margin <= 0) margin = low == 0 ? 1 : 0.05 * std::abs(low);
+  // Ticks are counted; beyond 2^53 of them a count would stand still.
+  margin = std::max(margin, 1e-9 * std::max(std::abs(low), std::abs(high)));
   return {low - margin, high + margin, std::move(label)};
 }
 

@@ -93,12 +93,6 @@ std::string WithSigma(double value, const std::optional<double>& sigma) {
   return Fixed(value, power) + " ± " + Fixed(*sigma, power);
 }
 
-std::string ConfidenceText(double confidence) {
-  if (confidence > 0.99) return "> 0.99";
-  if (confidence < 0.01) return "< 0.01";
-  return fmt::format("{:.2f}", confidence);
-}
-
 std::string ProbabilityText(double p) { return p < 1e-4 ? "p < 0.0001" : "p " + Significant(p, 2); }
 
 std::string PercentText(double share) { return fmt::format("{:.0f} %", 100 * share); }

@@ -28,8 +28,6 @@ std::string Significant(double value, int digits);
 /// "0.18 ± 0.02": the deviation with one digit, two where it begins with 1, the value as far as
 /// that; without a deviation three digits.
 std::string WithSigma(double value, const std::optional<double>& sigma);
-/// "0.93"; what would round to 0 or 1 as a bound.
-std::string ConfidenceText(double confidence);
 /// "p 0.003", "p < 0.0001".
 std::string ProbabilityText(double p);
 /// Whole percents: "94 %".

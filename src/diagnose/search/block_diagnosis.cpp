@@ -5,16 +5,23 @@
 #include <cmath>
 
 #include "diagnose/search/free_member.h"
-#include "diagnose/statistics/signed_rank.h"
+#include "diagnose/search/steady_gain.h"
 
 namespace tera {
 namespace {
 
-constexpr double kSeen = 15;  ///< gain in log-likelihood on TRAIN that survives all that follows
+constexpr std::size_t kFewestManoeuvres = 3;  ///< of SELECT and of FINAL; steady_gain.h needs them
+constexpr double kLongest_s = 5;  ///< of a manoeuvre: a machine that is driven on does much in it
+constexpr double kSeen = 10;      ///< gain in log-likelihood on TRAIN that the criterion asks for
+constexpr std::uint64_t kDraws = 20;  ///< of noise, of which three quarters are to show a suspect
 constexpr double kLeastUnexplained = 0.05;
 constexpr std::size_t kLongestResponse = 2000;
 constexpr double kUnconfirmedP = 0.05;
 constexpr double kUndetermined = 1e-10;  ///< of the largest eigenvalue of the information
+constexpr double kAtBound = 1e-3;        ///< of a parameter's range
+constexpr double kLoudWithoutRest = 6;
+constexpr double kLoud = 2;        ///< times the noise: error, not noise
+constexpr double kNominal = 0.03;  ///< of a channel's RMS: nominal numbers are known no better
 
 class Procedure {
  public:
@@ -22,31 +29,37 @@ class Procedure {
       : block_(block),
         options_(options),
         stream_(stream),
-        manoeuvres_(SplitByManoeuvre(block.commands, {}, stream)),
-        likelihood_(block, NoiseOfBlock(block)),
-        train_(MaskOf(manoeuvres_, Part::kTrain, block.samples())),
-        final_(MaskOf(manoeuvres_, Part::kFinal, block.samples())),
-        fitter_(block, likelihood_, train_) {}
+        manoeuvres_(SplitByManoeuvre(block.commands, {.longest_s = kLongest_s}, stream)),
+        select_(SegmentsOf(manoeuvres_, Part::kSelect)),
+        final_(SegmentsOf(manoeuvres_, Part::kFinal)),
+        final_mask_(MaskOf(manoeuvres_, Part::kFinal, block.samples())),
+        likelihood_(block, NoiseOfBlock(block, manoeuvres_),
+                    MaskOf(manoeuvres_, Part::kTrain, block.samples())),
+        fitter_(block, likelihood_, manoeuvres_) {}
 
   BlockDiagnosis Run();
 
  private:
+  bool IsTestable() const;
   Finding Describe(const SearchResult& search, std::size_t term) const;
   void Confirm(BlockDiagnosis* out) const;
-  void FindUnexplained(const SearchResult& search, BlockDiagnosis* out) const;
+  void FindRemainders(const SearchResult& search, BlockDiagnosis* out) const;
+  void JudgeRemainder(const Series& residual, Remainder* remainder) const;
+  void FindUnexplained(BlockDiagnosis* out) const;
   Detectability DetectabilityOf(const Suspect& suspect) const;
+  bool WouldBeSeen(const Misfit& difference) const;
   HeldOutError Compare(const FittedStructure& before, const FittedStructure& after,
                        std::size_t channel) const;
   std::size_t MostImproved(const FittedStructure& before, const FittedStructure& after) const;
-  Eigen::VectorXd LeftByFreeMember(const Misfit& misfit, std::size_t channel) const;
 
   const ReplayBlock& block_;
   const SearchOptions& options_;
   const Stream& stream_;
-  std::vector<Manoeuvre> manoeuvres_;
-  Likelihood likelihood_;
-  Mask train_, final_;
-  StructureFitter fitter_;
+  const std::vector<Manoeuvre> manoeuvres_;
+  const std::vector<Segment> select_, final_;
+  const Mask final_mask_;
+  const Likelihood likelihood_;
+  const StructureFitter fitter_;
 };
 
 double MeanSquare(const Series& residual, const Mask& mask) {
@@ -74,35 +87,64 @@ double VarianceOf(const NoiseModel& noise) {
   return sum * noise.scale * noise.scale * noise.dof / (noise.dof - 2);
 }
 
-/// Standard deviations from an information matrix; none for what lies in its null space.
-std::vector<std::optional<double>> SigmasOf(const Eigen::MatrixXd& information) {
+/// Inverse of an information matrix where it has one, and which parameters it determines.
+struct Covariance {
+  Eigen::MatrixXd matrix;
+  std::vector<bool> is_determined;
+};
+
+Covariance CovarianceOf(const Eigen::MatrixXd& information) {
   const Eigen::Index size = information.rows();
-  std::vector<std::optional<double>> sigma(static_cast<std::size_t>(size));
-  if (size == 0) return sigma;
+  if (size == 0) return {};
   const Eigen::VectorXd unit = information.diagonal().cwiseMax(1e-300).cwiseSqrt();
   const Eigen::MatrixXd scaled =
       unit.cwiseInverse().asDiagonal() * information * unit.cwiseInverse().asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled);
   const double least = kUndetermined * solver.eigenvalues().maxCoeff();
-  for (Eigen::Index i = 0; i < size; ++i) {
-    double variance = 0;
-    bool determined = information(i, i) > 0;
-    for (Eigen::Index e = 0; e < size; ++e) {
-      const double part = std::pow(solver.eigenvectors()(i, e), 2);
-      if (solver.eigenvalues()[e] > least) {
-        variance += part / solver.eigenvalues()[e];
-      } else if (part > 1e-6) {
-        determined = false;
-      }
+  Covariance out{Eigen::MatrixXd::Zero(size, size), {}};
+  for (Eigen::Index i = 0; i < size; ++i) out.is_determined.push_back(information(i, i) > 0);
+  for (Eigen::Index e = 0; e < size; ++e) {
+    const Eigen::VectorXd direction = solver.eigenvectors().col(e);
+    if (solver.eigenvalues()[e] > least) {
+      out.matrix += direction * direction.transpose() / solver.eigenvalues()[e];
+      continue;
     }
-    if (determined) sigma[static_cast<std::size_t>(i)] = std::sqrt(variance) / unit[i];
+    for (Eigen::Index i = 0; i < size; ++i) {
+      if (direction[i] * direction[i] > 1e-6)
+        out.is_determined[static_cast<std::size_t>(i)] = false;
+    }
+  }
+  out.matrix = unit.cwiseInverse().asDiagonal() * out.matrix * unit.cwiseInverse().asDiagonal();
+  return out;
+}
+
+/// Standard deviations; none for what lies in the null space of the information. The larger of what
+/// independent samples give and of what the scatter of scores over manoeuvres gives.
+/// Source  Huber 1967, White 1982 (the latter).
+std::vector<std::optional<double>> SigmasOf(const FittedStructure& fitted) {
+  const Covariance covariance = CovarianceOf(fitted.information);
+  const auto manoeuvres = static_cast<double>(fitted.scores.cols());
+  const Eigen::MatrixXd moved = covariance.matrix * fitted.scores;
+  const Eigen::VectorXd of_manoeuvres =
+      manoeuvres / std::max(1.0, manoeuvres - 1) * moved.rowwise().squaredNorm();
+  std::vector<std::optional<double>> sigma(covariance.is_determined.size());
+  for (std::size_t i = 0; i < sigma.size(); ++i) {
+    const auto p = static_cast<Eigen::Index>(i);
+    if (!covariance.is_determined[i]) continue;
+    sigma[i] = std::sqrt(std::max(covariance.matrix(p, p), of_manoeuvres[p]));
   }
   return sigma;
 }
 
-/// The numbers of one term; no standard deviation where it is wider than the parameter's range.
+bool IsAtBound(const FreeParameter& free, double value) {
+  const double place = PlaceOf(free, value);
+  return place < kAtBound || place > 1 - kAtBound;
+}
+
+/// The numbers of one term; no standard deviation where it is wider than the parameter's range, or
+/// the number stands at an end of it.
 std::vector<ParameterEstimate> EstimatesOf(const FittedStructure& found, std::size_t wanted) {
-  const std::vector<std::optional<double>> sigmas = SigmasOf(found.information);
+  const std::vector<std::optional<double>> sigmas = SigmasOf(found);
   std::size_t first = 0;
   for (std::size_t t = 0; t < wanted; ++t) first += found.terms[t].suspect->free.size();
   const Term& term = found.terms[wanted];
@@ -115,44 +157,37 @@ std::vector<ParameterEstimate> EstimatesOf(const FittedStructure& found, std::si
   for (std::size_t f = 0; f < term.suspect->free.size(); ++f) {
     const FreeParameter& free = term.suspect->free[f];
     if (sigmas[first + f].value_or(1e300) > free.upper - free.lower) continue;
+    if (IsAtBound(free, term.values[free.index])) continue;
     estimates[free.index].sigma = sigmas[first + f];
   }
   return estimates;
 }
 
-Eigen::VectorXd Procedure::LeftByFreeMember(const Misfit& misfit, std::size_t channel) const {
-  const NoiseModel& noise = likelihood_.noise()[channel];
-  const Series left =
-      LessFreeMember(block_.channels[channel], misfit.residual[channel], noise, train_);
-  const Eigen::Map<const Eigen::VectorXd> value(left.value.data(),
-                                                static_cast<Eigen::Index>(left.size()));
-  return WhiteningFilter(noise, left.valid).Apply(value) / noise.scale;
-}
-
 HeldOutError Procedure::Compare(const FittedStructure& before, const FittedStructure& after,
                                 std::size_t channel) const {
   HeldOutError error{channel, 0, 0, 0, 1};
-  const double mse_before = MeanSquare(before.misfit.residual[channel], final_);
-  const double mse_after = MeanSquare(after.misfit.residual[channel], final_);
+  const double mse_before = MeanSquare(before.misfit.residual[channel], final_mask_);
+  const double mse_after = MeanSquare(after.misfit.residual[channel], final_mask_);
   const double noise = VarianceOf(likelihood_.noise()[channel]);
   error.rmse_before = std::sqrt(mse_before);
   error.rmse_after = std::sqrt(mse_after);
   if (mse_before > noise) {
     error.excess_removed = std::clamp((mse_before - mse_after) / (mse_before - noise), -1.0, 1.0);
   }
-  error.p = SteadyGainP(
-      likelihood_, before.misfit, after.misfit,
-      HeldOutBlocks(manoeuvres_, Part::kFinal, block_.period_s(), options_.held_out_block_s));
+  error.p = SteadyGainP(GainsOf(likelihood_, before.misfit, after.misfit, final_, channel));
   return error;
 }
 
+/// By SELECT, so that FINAL does not choose what it is asked about.
 std::size_t Procedure::MostImproved(const FittedStructure& before,
                                     const FittedStructure& after) const {
   std::size_t best = 0;
-  double most = -1;
+  double most = -INFINITY;
   for (std::size_t c = 0; c < block_.channels.size(); ++c) {
-    const double gain =
-        before.misfit.innovation[c].squaredNorm() - after.misfit.innovation[c].squaredNorm();
+    double gain = 0;
+    for (const auto& one : GainsOf(likelihood_, before.misfit, after.misfit, select_, c)) {
+      gain += one.gain;
+    }
     if (gain <= most) continue;
     most = gain;
     best = c;
@@ -164,7 +199,7 @@ Finding Procedure::Describe(const SearchResult& search, std::size_t term) const 
   const FittedStructure& found = search.found;
   Structure others = found.terms;
   others.erase(others.begin() + static_cast<std::ptrdiff_t>(term));
-  const FittedStructure without = fitter_.Fit(others);
+  const FittedStructure without = fitter_.FitValues(others);
   Finding finding;
   finding.term = found.terms[term];
   finding.parameters = EstimatesOf(found, term);
@@ -173,37 +208,107 @@ Finding Procedure::Describe(const SearchResult& search, std::size_t term) const 
   finding.location = Locate(block_.channels[channel], channel, without.misfit.residual[channel],
                             likelihood_.noise()[channel], stream_);
   finding.held_out = Compare(without, found, channel);
-  const auto alike = static_cast<double>(finding.evidence.rivals.size());
-  finding.confidence = (1 - finding.evidence.p) * (1 - finding.held_out.p) / alike;
   return finding;
 }
 
-/// The free member over what was found: does it still gain, and of what is that a function?
-void Procedure::FindUnexplained(const SearchResult& search, BlockDiagnosis* out) const {
-  const Misfit& misfit = search.found.misfit;
-  const auto blocks =
-      HeldOutBlocks(manoeuvres_, Part::kSelect, block_.period_s(), options_.held_out_block_s);
-  for (std::size_t c = 0; c < block_.channels.size(); ++c) {
-    const Eigen::VectorXd left = LeftByFreeMember(misfit, c);
-    const double dof = likelihood_.noise()[c].dof;
-    std::vector<double> gain;
-    double total = 0;
-    for (const Segment& block : blocks) {
-      gain.push_back(0);
-      for (std::size_t k = block.begin; k < block.end; ++k) {
-        const auto row = static_cast<Eigen::Index>(k);
-        if (!likelihood_.rows(c)[k]) continue;
-        gain.back() += LogDensityOf(left[row], dof) - LogDensityOf(misfit.innovation[c][row], dof);
-      }
-      total += gain.back();
-    }
-    const double p = TestSignedRank(gain).p_greater;
-    const double share = total / std::max({search.free_gain, total, 1e-9});
-    if (p > options_.alpha || share < kLeastUnexplained) continue;
-    out->unexplained.push_back(
-        {Locate(block_.channels[c], c, misfit.residual[c], likelihood_.noise()[c], stream_), p,
-         share});
+/// Mean square over the samples of a segment that are there.
+double MeanSquare(const Series& residual, const Segment& samples) {
+  Mask mask(residual.size(), 0);
+  for (std::size_t k = samples.begin; k < samples.end; ++k) mask[k] = 1;
+  return MeanSquare(residual, mask);
+}
+
+/// What a mean square may be and still be noise and nominal numbers.
+double Quiet(const NoiseLevel& noise, double loud, double signal) {
+  const double square = noise.rms() * noise.rms();
+  return std::max(loud * loud * square, square + kNominal * kNominal * signal);
+}
+
+void Procedure::JudgeRemainder(const Series& residual, Remainder* remainder) const {
+  const Series& measured = block_.channels[remainder->channel].measured;
+  const double signal = MeanSquare(measured, final_mask_);
+  const double quiet = Quiet(remainder->noise, kLoud, signal);
+  for (const Manoeuvre& manoeuvre : manoeuvres_) {
+    if (manoeuvre.part != Part::kFinal || manoeuvre.axes == 0) continue;
+    ++remainder->manoeuvres;
+    remainder->loud += MeanSquare(residual, manoeuvre.samples) > quiet ? 1 : 0;
   }
+  const double square = remainder->rmse * remainder->rmse;
+  if (square <= quiet) return;
+  const bool is_told =
+      remainder->noise.at_rest || square > Quiet(remainder->noise, kLoudWithoutRest, signal);
+  remainder->kind = !is_told                                      ? Remainder::Kind::kUnknown
+                    : 2 * remainder->loud < remainder->manoeuvres ? Remainder::Kind::kOfFew
+                                                                  : Remainder::Kind::kError;
+}
+
+void Procedure::FindRemainders(const SearchResult& search, BlockDiagnosis* out) const {
+  Mask not_final = final_mask_;
+  for (auto& is_final : not_final) is_final = !is_final;
+  const Misfit free = LessFreeMember(block_, likelihood_, search.nothing.misfit, manoeuvres_);
+  for (std::size_t c = 0; c < block_.channels.size(); ++c) {
+    const Series& residual = search.found.misfit.residual[c];
+    Remainder remainder{.channel = c, .rmse = std::sqrt(MeanSquare(residual, final_mask_))};
+    remainder.noise = NoiseLevelOf(block_, c, residual, not_final);
+    for (const auto& one : GainsOf(likelihood_, search.nothing.misfit, free, select_, c)) {
+      remainder.free_member_tells = remainder.free_member_tells || one.possible > 0;
+    }
+    JudgeRemainder(residual, &remainder);
+    out->remainders.push_back(remainder);
+  }
+}
+
+/// What is louder than noise, or what the free member still follows.
+void Procedure::FindUnexplained(BlockDiagnosis* out) const {
+  const SearchResult& search = out->search;
+  const Misfit& misfit = search.found.misfit;
+  const Misfit free = LessFreeMember(block_, likelihood_, misfit, manoeuvres_);
+  const std::size_t tests = std::max(options_.channels_in_all, block_.channels.size());
+  for (const Remainder& remainder : out->remainders) {
+    const std::size_t c = remainder.channel;
+    const auto gains = GainsOf(likelihood_, misfit, free, select_, c);
+    double total = 0;
+    for (const ManoeuvreGain& one : gains) total += one.gain;
+    const double p = std::min(1.0, static_cast<double>(tests) * SteadyGainP(gains));
+    Unexplained left{{}, {}, 0, remainder.rmse, remainder.noise.rms()};
+    left.share = std::max(0.0, total / std::max({search.free_gain, total, 1e-9}));
+    const bool follows =
+        p <= options_.alpha && left.share >= kLeastUnexplained &&
+        EffectOf(block_, free, misfit) >= options_.least_effect &&
+        SteadyGainP(GainsOf(likelihood_, misfit, free, final_, c)) <= kUnconfirmedP;
+    if (follows) left.p = p;
+    if (!follows && remainder.kind != Remainder::Kind::kError) continue;
+    left.location =
+        Locate(block_.channels[c], c, misfit.residual[c], likelihood_.noise()[c], stream_);
+    out->unexplained.push_back(std::move(left));
+  }
+}
+
+/// Whether a difference between two predictions would pass SELECT and FINAL under most draws of the
+/// noise. A draw's gain of log-likelihood is normal, of mean `possible` and twice its variance.
+bool Procedure::WouldBeSeen(const Misfit& difference) const {
+  const Misfit none = [&] {
+    Misfit out = difference;
+    for (Eigen::VectorXd& innovation : out.innovation) innovation.setZero();
+    return out;
+  }();
+  const std::size_t tests = std::max(options_.suspects_in_all, block_.suspects.size());
+  const auto passes = [&](const std::vector<Segment>& part, std::uint64_t first, double level) {
+    std::vector<ManoeuvreGain> gains = GainsOf(likelihood_, difference, none, part);
+    for (ManoeuvreGain& gain : gains) {
+      gain.gain = gain.possible + std::sqrt(2 * gain.possible) * stream_.Gaussian(first++);
+    }
+    return SteadyGainP(gains) <= level;
+  };
+  std::uint64_t seen = 0;
+  for (std::uint64_t draw = 0; draw < kDraws; ++draw) {
+    const std::uint64_t first = (draw + 1) << 33;
+    seen += passes(select_, first, options_.alpha / static_cast<double>(tests)) &&
+                    passes(final_, first + (std::uint64_t{1} << 32), kUnconfirmedP)
+                ? 1
+                : 0;
+  }
+  return 4 * seen >= 3 * kDraws;
 }
 
 Detectability Procedure::DetectabilityOf(const Suspect& suspect) const {
@@ -211,7 +316,14 @@ Detectability Procedure::DetectabilityOf(const Suspect& suspect) const {
   Detectability out{&suspect, {}};
   for (const std::vector<double>& start : suspect.starts) {
     const auto truth = block_.predict({{&suspect, start}});
-    if (likelihood_.Discernible(nothing, truth, train_) < kSeen) continue;
+    if (likelihood_.Discernible(nothing, truth) < kSeen) continue;
+    const Misfit difference = likelihood_.JudgeAgainst(truth, nothing);
+    Misfit none = difference;
+    for (Series& residual : none.residual) {
+      std::fill(residual.value.begin(), residual.value.end(), 0.0);
+    }
+    if (EffectOf(block_, difference, none) < options_.least_effect) continue;
+    if (!WouldBeSeen(difference)) continue;
     out.smallest = start[suspect.free.empty() ? 0 : suspect.free.front().index];
     break;
   }
@@ -241,13 +353,30 @@ void Procedure::Confirm(BlockDiagnosis* out) const {
   }
 }
 
+/// Enough manoeuvres in which something was commanded.
+bool Procedure::IsTestable() const {
+  const auto moving = [&](Part part) {
+    return static_cast<std::size_t>(std::count_if(
+        manoeuvres_.begin(), manoeuvres_.end(),
+        [&](const Manoeuvre& manoeuvre) { return manoeuvre.part == part && manoeuvre.axes != 0; }));
+  };
+  return moving(Part::kSelect) >= kFewestManoeuvres && moving(Part::kFinal) >= kFewestManoeuvres;
+}
+
 BlockDiagnosis Procedure::Run() {
   BlockDiagnosis out;
   out.manoeuvres = manoeuvres_;
   out.noise = likelihood_.noise();
-  out.search = SearchStructures(block_, likelihood_, manoeuvres_, options_);
+  out.is_testable = IsTestable();
+  if (!out.is_testable) {
+    out.search.nothing = out.search.found = fitter_.AsGiven({});
+    for (const Suspect& suspect : block_.suspects) out.detectability.push_back({&suspect, {}});
+    return out;
+  }
+  out.search = SearchStructures(block_, likelihood_, fitter_, manoeuvres_, options_);
   Confirm(&out);
-  FindUnexplained(out.search, &out);
+  FindRemainders(out.search, &out);
+  FindUnexplained(&out);
   for (const Suspect& suspect : block_.suspects) {
     out.detectability.push_back(DetectabilityOf(suspect));
   }

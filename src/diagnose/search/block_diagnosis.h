@@ -6,6 +6,7 @@
 
 #include "core/random.h"
 #include "diagnose/search/locate.h"
+#include "diagnose/search/noise_level.h"
 #include "diagnose/search/structure_search.h"
 
 namespace tera {
@@ -22,7 +23,7 @@ struct HeldOutError {
   std::size_t channel = 0;
   double rmse_before = 0, rmse_after = 0;
   double excess_removed = 0;  ///< of the mean square above that of the noise
-  double p = 1;               ///< of a gain this steady over blocks by chance
+  double p = 1;               ///< of a gain of this channel so steady over manoeuvres by chance
 };
 
 /// A mechanism that acts.
@@ -32,25 +33,40 @@ struct Finding {
   TermEvidence evidence;
   Location location;      ///< of the error that it leaves if it alone is left out
   HeldOutError held_out;  ///< without it, and with it
-  /// 1 less the p of SELECT and FINAL, shared among the class: how sure it is that something of
-  /// this class acts, not calibrated on cases of known cause.
-  double confidence = 0;
 };
 
 /// Error that no suspect takes away.
 struct Unexplained {
   Location location;
-  double p = 1;
-  double share = 0;  ///< of the gain in likelihood that the free member had over nothing
+  std::optional<double> p;  ///< of the free member gaining so steadily by chance, if it gains
+  double share = 0;         ///< of the gain in likelihood that the free member had over nothing
+  double rmse = 0;          ///< on FINAL
+  double noise = 0;         ///< RMS of the channel's noise
 };
 
-/// How small a suspect's main number may be and still be seen.
+/// What is left of a channel on FINAL with all that was found, beside its noise.
+struct Remainder {
+  std::size_t channel = 0;
+  double rmse = 0;
+  NoiseLevel noise;
+  /// The free member predicts manoeuvres of TRAIN that it has not seen: it could show what is left.
+  bool free_member_tells = false;
+  std::size_t manoeuvres = 0, loud = 0;  ///< of FINAL that move, and those louder than noise
+  /// Noise, or what nominal numbers are off by; error of most manoeuvres or of a few; unknown where
+  /// it is louder than differences between samples say and the recording has no rest to tell.
+  enum class Kind { kNoise, kUnknown, kOfFew, kError } kind = Kind::kNoise;
+};
+
+/// How small a suspect's main number may be and still be seen, were noise the only trouble.
 struct Detectability {
   const Suspect* suspect = nullptr;
   std::optional<double> smallest;  ///< none: not even the strongest start would be seen
 };
 
 struct BlockDiagnosis {
+  /// False where SELECT or FINAL have so few manoeuvres that nothing could be found: then only the
+  /// manoeuvres, the noise and `search.nothing` are given.
+  bool is_testable = true;
   std::vector<Manoeuvre> manoeuvres;
   std::vector<NoiseModel> noise;
   SearchResult search;
@@ -58,12 +74,21 @@ struct BlockDiagnosis {
   /// What was found on TRAIN and SELECT and did not make FINAL any better.
   std::vector<Finding> unconfirmed;
   std::vector<Unexplained> unexplained;
+  std::vector<Remainder> remainders;         ///< one a channel
   std::vector<Detectability> detectability;  ///< one a suspect
   std::vector<HeldOutError> confirmed;       ///< nothing against all findings, one a channel
 };
 
 /// Says why a block's measurements differ from its replay: noise, search, location, what remains,
 /// what could not have been seen, and the error on data that was not used.
+///
+/// Model   what is left of a channel on FINAL is noise where it is at most twice the channel's
+/// noise
+///         (noise_level.h), or adds to it no more than 3 % of the channel's RMS. What is louder
+///         in half of the manoeuvres or more is unexplained, and so is what the free member still
+///         follows, steadily over SELECT (Bonferroni over the diagnosis's channels) and FINAL. In a
+///         recording without rest, six times the noise: noise of AR(1), 0.95, is so much louder
+///         than its differences.
 BlockDiagnosis DiagnoseBlock(const ReplayBlock& block, const SearchOptions& options,
                              const Stream& stream);
 

@@ -1,23 +1,31 @@
 #pragma once
 
+#include "diagnose/search/likelihood.h"
 #include "diagnose/search/replay_block.h"
+#include "diagnose/statistics/manoeuvres.h"
 #include "diagnose/statistics/noise_model.h"
 
 namespace tera {
 
-/// What the free member of a channel leaves of a residual.
+/// A misfit less what the channels' free members, fitted to TRAIN, explain of it.
 ///
-/// Model   Huber regression (clip 3 robust scales) of the whitened residual on the whitened columns
-///         of the channel's free member and a constant, over the samples of `fit_on`, with a ridge
-///         of 1e-6 of each column's energy.
+/// Model   for each channel, Huber regression (clip 3 robust scales) of the whitened residual on
+///         the whitened columns of its free member and a constant. The ridge, in parts of each
+///         column's energy, is the one of a ladder that predicts TRAIN manoeuvres best which the
+///         fit has not seen (five folds); where none predicts them better than nothing does, the
+///         misfit is left as it is.
 /// Omits   choice among the columns: they are to be far fewer than the samples.
-Series LessFreeMember(const Channel& channel, const Series& residual, const NoiseModel& noise,
-                      const Mask& fit_on);
+Misfit LessFreeMember(const ReplayBlock& block, const Likelihood& likelihood, const Misfit& misfit,
+                      const std::vector<Manoeuvre>& manoeuvres);
 
 /// Noise of each channel: what a fit of the free member, together with what the block predicts
-/// without any suspect, leaves of the measurements. No mechanism enters, so that none can hide in
-/// it that the free member can follow. Innovations are at least 0.2 % of the channel's RMS: no
-/// replay is better.
-std::vector<NoiseModel> NoiseOfBlock(const ReplayBlock& block);
+/// without any suspect, leaves of the measurements of TRAIN and SELECT. No mechanism enters: what
+/// of one the free member can follow does not count as noise, the rest does.
+///
+/// Model   ridge 1e-6, for what is fitted here is not to predict; the scale is enlarged by the
+///         degrees of freedom that the columns take. Innovations are at least 0.2 % of the
+///         channel's RMS: no replay is better.
+std::vector<NoiseModel> NoiseOfBlock(const ReplayBlock& block,
+                                     const std::vector<Manoeuvre>& manoeuvres);
 
 }  // namespace tera

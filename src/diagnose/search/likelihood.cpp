@@ -36,21 +36,17 @@ Eigen::MatrixXd ColumnsOf(const std::vector<double>& predicted, double period_s,
   return columns;
 }
 
-/// Student-t regression of y on the columns, unit normal prior on the coefficients, over the rows.
-Eigen::Vector3d Regress(const Eigen::VectorXd& y, const Eigen::MatrixXd& columns,
-                        const std::vector<Eigen::Index>& rows, double dof) {
+/// Student-t regression of y on the columns, unit normal prior on the coefficients.
+Eigen::Vector3d Regress(const Eigen::VectorXd& y,
+                        const Eigen::Matrix<double, Eigen::Dynamic, 3>& columns, double dof) {
   Eigen::Vector3d beta = Eigen::Vector3d::Zero();
   for (int pass = 0; pass < kReweightings; ++pass) {
-    Eigen::Matrix3d information = Eigen::Matrix3d::Identity();
-    Eigen::Vector3d pull = Eigen::Vector3d::Zero();
-    for (const Eigen::Index k : rows) {
-      const Eigen::Vector3d x = columns.row(k).transpose();
-      const double e = y[k] - x.dot(beta);
-      const double weight = (dof + 1) / (dof + e * e);
-      information.noalias() += weight * x * x.transpose();
-      pull.noalias() += weight * y[k] * x;
-    }
-    beta = information.ldlt().solve(pull);
+    const Eigen::ArrayXd error = y - columns * beta;
+    const Eigen::VectorXd weight = (dof + 1) / (dof + error.square());
+    const Eigen::Matrix<double, Eigen::Dynamic, 3> weighted = weight.asDiagonal() * columns;
+    const Eigen::Matrix3d information =
+        Eigen::Matrix3d::Identity() + Eigen::Matrix3d(weighted.transpose() * columns);
+    beta = information.ldlt().solve(Eigen::Vector3d(weighted.transpose() * y));
   }
   return beta;
 }
@@ -61,78 +57,124 @@ double LogDensityOf(double innovation, double dof) {
   return -0.5 * (dof + 1) * std::log1p(innovation * innovation / dof);
 }
 
-Likelihood::Likelihood(const ReplayBlock& block, std::vector<NoiseModel> noise)
+Likelihood::Likelihood(const ReplayBlock& block, std::vector<NoiseModel> noise, const Mask& fit_on)
     : block_(block), noise_(std::move(noise)) {
   TERA_CHECK(noise_.size() == block.channels.size(), noise_.size(), block.channels.size());
   for (std::size_t c = 0; c < noise_.size(); ++c) {
-    filter_.emplace_back(noise_[c], block.channels[c].measured.valid);
+    const Channel& channel = block.channels[c];
+    parts_.push_back({WhiteningFilter(noise_[c], channel.measured.valid), {}, {}, {}, {}});
+    ChannelPart& part = parts_.back();
+    part.runs = SegmentsOf(Both(part.filter.rows(), fit_on));
+    for (const Segment& run : part.runs) {
+      for (std::size_t k = run.begin; k < run.end; ++k) part.samples.push_back(k);
+    }
+    const auto size = static_cast<Eigen::Index>(channel.measured.size());
+    part.measured = Gathered(c, AsVector(channel.measured.value));
+    part.offset = Gathered(c, Eigen::VectorXd::Constant(size, channel.nuisances.offset));
   }
 }
 
-Misfit Likelihood::Leave(const std::vector<Eigen::VectorXd>& measured,
-                         const std::vector<std::vector<double>>& predicted,
-                         const Mask& fit_on) const {
+Eigen::VectorXd Likelihood::Gathered(std::size_t channel,
+                                     const Eigen::Ref<const Eigen::VectorXd>& x) const {
+  const ChannelPart& part = parts_[channel];
+  Eigen::VectorXd out(static_cast<Eigen::Index>(part.samples.size()));
+  Eigen::Index at = 0;
+  for (const Segment& run : part.runs) {
+    const auto size = static_cast<Eigen::Index>(run.size());
+    part.filter.ApplyOver(run, x, out.segment(at, size));
+    at += size;
+  }
+  return out / noise_[channel].scale;
+}
+
+Likelihood::Weighed Likelihood::Weigh(std::size_t channel, const Eigen::VectorXd& measured,
+                                      const std::vector<double>& predicted) const {
+  const Series& series = block_.channels[channel].measured;
+  const Nuisances& sigma = block_.channels[channel].nuisances;
+  TERA_CHECK(predicted.size() == series.size(), predicted.size());
+  const Eigen::VectorXd white = Gathered(channel, AsVector(predicted));
+  Rows columns(white.size(), 3);
+  columns.col(0) = parts_[channel].offset;
+  columns.col(1) = sigma.gain * white;
+  if (sigma.delay_s > 0) {
+    columns.col(2) =
+        -sigma.delay_s * Gathered(channel, AsVector(Slope(predicted, series.period_s)));
+  } else {
+    columns.col(2).setZero();
+  }
+  const Eigen::VectorXd y = measured - white;
+  const Eigen::Vector3d beta = Regress(y, columns, noise_[channel].dof);
+  return {y - columns * beta, beta};
+}
+
+Misfit Likelihood::Judge(const std::vector<std::vector<double>>& predicted) const {
+  std::vector<std::vector<double>> measured;
+  for (const Channel& channel : block_.channels) measured.push_back(channel.measured.value);
+  return JudgeAgainst(measured, predicted);
+}
+
+Misfit Likelihood::JudgeAgainst(const std::vector<std::vector<double>>& measured,
+                                const std::vector<std::vector<double>>& predicted) const {
   Misfit out;
   for (std::size_t c = 0; c < noise_.size(); ++c) {
     const Channel& channel = block_.channels[c];
-    TERA_CHECK(predicted[c].size() == channel.measured.size(), predicted[c].size());
-    const double scale = noise_[c].scale;
-    const Eigen::MatrixXd columns =
-        ColumnsOf(predicted[c], channel.measured.period_s, channel.nuisances);
-    Eigen::VectorXd y = measured[c] - AsVector(predicted[c]);
-    const Eigen::VectorXd white = filter_[c].Apply(y) / scale;
-    Eigen::MatrixXd white_columns(columns.rows(), 3);
-    for (int i = 0; i < 3; ++i) white_columns.col(i) = filter_[c].Apply(columns.col(i)) / scale;
-    std::vector<Eigen::Index> rows;
-    for (std::size_t k = 0; k < fit_on.size(); ++k) {
-      if (fit_on[k] && filter_[c].rows()[k]) rows.push_back(static_cast<Eigen::Index>(k));
-    }
-    const Eigen::Vector3d beta = Regress(white, white_columns, rows, noise_[c].dof);
+    const auto y = AsVector(measured[c]);
+    const Eigen::Vector3d beta = Weigh(c, Gathered(c, y), predicted[c]).nuisances;
+    const Eigen::VectorXd left =
+        y - AsVector(predicted[c]) -
+        ColumnsOf(predicted[c], channel.measured.period_s, channel.nuisances) * beta;
     out.nuisances.push_back(beta);
-    out.innovation.push_back(white - white_columns * beta);
-    y -= columns * beta;
+    out.innovation.push_back(parts_[c].filter.Apply(left) / noise_[c].scale);
     Series residual = channel.measured;
     for (std::size_t k = 0; k < residual.size(); ++k) {
-      residual.value[k] = residual.valid[k] ? y[static_cast<Eigen::Index>(k)] : 0;
+      residual.value[k] = residual.valid[k] ? left[static_cast<Eigen::Index>(k)] : 0;
     }
     out.residual.push_back(std::move(residual));
   }
   return out;
 }
 
-Misfit Likelihood::Judge(const std::vector<std::vector<double>>& predicted,
-                         const Mask& fit_on) const {
-  std::vector<Eigen::VectorXd> measured;
-  for (const Channel& channel : block_.channels)
-    measured.push_back(AsVector(channel.measured.value));
-  return Leave(measured, predicted, fit_on);
+std::vector<double> Likelihood::Deviances(const std::vector<std::vector<double>>& predicted) const {
+  std::vector<double> rows;
+  for (std::size_t c = 0; c < noise_.size(); ++c) {
+    const double dof = noise_[c].dof;
+    const Weighed weighed = Weigh(c, parts_[c].measured, predicted[c]);
+    for (const double e : weighed.innovation) {
+      rows.push_back(std::copysign(std::sqrt(-2 * LogDensityOf(e, dof)), e));
+    }
+    for (const double nuisance : weighed.nuisances) rows.push_back(nuisance);
+  }
+  return rows;
 }
 
-double Likelihood::Discernible(const std::vector<std::vector<double>>& predicted,
-                               const std::vector<std::vector<double>>& truth,
-                               const Mask& mask) const {
-  std::vector<Eigen::VectorXd> measured;
-  for (const std::vector<double>& channel : truth) measured.push_back(AsVector(channel));
-  return -SumWithPenalty(Leave(measured, predicted, mask), mask);
-}
-
-double Likelihood::Sum(const Misfit& misfit, const Segment& samples) const {
+double Likelihood::LogLikelihood(const std::vector<std::vector<double>>& predicted) const {
   double sum = 0;
   for (std::size_t c = 0; c < noise_.size(); ++c) {
-    for (std::size_t k = samples.begin; k < samples.end; ++k) {
-      if (!rows(c)[k]) continue;
-      sum += LogDensityOf(misfit.innovation[c][static_cast<Eigen::Index>(k)], noise_[c].dof);
-    }
+    const Weighed weighed = Weigh(c, parts_[c].measured, predicted[c]);
+    sum -= 0.5 * weighed.nuisances.squaredNorm();
+    for (const double e : weighed.innovation) sum += LogDensityOf(e, noise_[c].dof);
   }
   return sum;
 }
 
-double Likelihood::SumWithPenalty(const Misfit& misfit, const Mask& mask) const {
+double Likelihood::Discernible(const std::vector<std::vector<double>>& predicted,
+                               const std::vector<std::vector<double>>& truth) const {
   double sum = 0;
   for (std::size_t c = 0; c < noise_.size(); ++c) {
-    sum -= 0.5 * misfit.nuisances[c].squaredNorm();
-    for (std::size_t k = 0; k < mask.size(); ++k) {
-      if (!mask[k] || !rows(c)[k]) continue;
+    const Weighed weighed = Weigh(c, Gathered(c, AsVector(truth[c])), predicted[c]);
+    sum += 0.5 * weighed.nuisances.squaredNorm();
+    for (const double e : weighed.innovation) sum -= LogDensityOf(e, noise_[c].dof);
+  }
+  return sum;
+}
+
+double Likelihood::Sum(const Misfit& misfit, const Segment& samples,
+                       std::optional<std::size_t> channel) const {
+  double sum = 0;
+  for (std::size_t c = 0; c < noise_.size(); ++c) {
+    if (channel && c != *channel) continue;
+    for (std::size_t k = samples.begin; k < samples.end; ++k) {
+      if (!rows(c)[k]) continue;
       sum += LogDensityOf(misfit.innovation[c][static_cast<Eigen::Index>(k)], noise_[c].dof);
     }
   }

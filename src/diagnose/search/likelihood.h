@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "diagnose/search/replay_block.h"
@@ -28,33 +29,61 @@ struct Misfit {
 /// Omits   noise common to several channels.
 class Likelihood {
  public:
-  /// One noise model a channel. The block must outlive it.
-  Likelihood(const ReplayBlock& block, std::vector<NoiseModel> noise);
+  /// One noise model a channel; `fit_on`: samples that nuisances are fitted to. The block must
+  /// outlive it.
+  Likelihood(const ReplayBlock& block, std::vector<NoiseModel> noise, const Mask& fit_on);
 
   const std::vector<NoiseModel>& noise() const { return noise_; }
   /// Samples of a channel that have an innovation.
-  const Mask& rows(std::size_t channel) const { return filter_[channel].rows(); }
+  const Mask& rows(std::size_t channel) const { return parts_[channel].filter.rows(); }
 
-  /// `fit_on`: samples that the nuisances are fitted to.
-  Misfit Judge(const std::vector<std::vector<double>>& predicted, const Mask& fit_on) const;
+  Misfit Judge(const std::vector<std::vector<double>>& predicted) const;
+  /// The same of other measurements than the block's.
+  Misfit JudgeAgainst(const std::vector<std::vector<double>>& measured,
+                      const std::vector<std::vector<double>>& predicted) const;
+  /// What least squares is to make small: signed square roots of the deviance of each innovation of
+  /// the samples fitted to, the channels in turn, and at the end of each channel's its nuisances.
+  std::vector<double> Deviances(const std::vector<std::vector<double>>& predicted) const;
+  /// Half the sum of squares of these, negative: log-likelihood of the samples fitted to, less that
+  /// of innovations of 0, less half the square of each nuisance.
+  double LogLikelihood(const std::vector<std::vector<double>>& predicted) const;
+  /// The samples that the deviances of one channel belong to, in order.
+  const std::vector<std::size_t>& fitted_samples(std::size_t channel) const {
+    return parts_[channel].samples;
+  }
 
   /// How much likelier one would be than the other if it were true, were there no noise to hide the
   /// difference: what a recording can say at best, beyond nuisances.
   double Discernible(const std::vector<std::vector<double>>& predicted,
-                     const std::vector<std::vector<double>>& truth, const Mask& mask) const;
+                     const std::vector<std::vector<double>>& truth) const;
 
-  /// Log-likelihood of the samples [from, to), all channels, less that of innovations of 0.
-  double Sum(const Misfit& misfit, const Segment& samples) const;
-  /// The same over a mask, and less half the square of each nuisance.
-  double SumWithPenalty(const Misfit& misfit, const Mask& mask) const;
+  /// Log-likelihood of the samples [from, to), all channels or one, less that of innovations of 0.
+  double Sum(const Misfit& misfit, const Segment& samples,
+             std::optional<std::size_t> channel = {}) const;
 
  private:
-  Misfit Leave(const std::vector<Eigen::VectorXd>& measured,
-               const std::vector<std::vector<double>>& predicted, const Mask& fit_on) const;
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+  /// A channel's whitening filter, and what it makes of the samples fitted to.
+  struct ChannelPart {
+    WhiteningFilter filter;
+    std::vector<Segment> runs;
+    std::vector<std::size_t> samples;
+    Eigen::VectorXd measured, offset;  ///< whitened, over the noise's scale
+  };
+  /// Innovations of the samples fitted to, and the nuisances.
+  struct Weighed {
+    Eigen::VectorXd innovation;
+    Eigen::Vector3d nuisances;
+  };
+
+  Eigen::VectorXd Gathered(std::size_t channel, const Eigen::Ref<const Eigen::VectorXd>& x) const;
+  Weighed Weigh(std::size_t channel, const Eigen::VectorXd& measured,
+                const std::vector<double>& predicted) const;
 
   const ReplayBlock& block_;
   std::vector<NoiseModel> noise_;
-  std::vector<WhiteningFilter> filter_;
+  std::vector<ChannelPart> parts_;
 };
 
 /// Log-density of an innovation, less that of 0.

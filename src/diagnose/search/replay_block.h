@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/effects.h"
+#include "core/time.h"
 #include "diagnose/statistics/regime_axis.h"
 #include "diagnose/statistics/series.h"
 
@@ -68,6 +69,7 @@ struct Channel {
 /// One part of the chain, replayed alone over its measured neighbours.
 struct ReplayBlock {
   std::string name;
+  TimeNs first_ns = 0;            ///< of the grid's first place; from the recording's first sample
   std::vector<Channel> channels;  ///< at least one, all on one grid
   std::vector<Suspect> suspects;
   std::vector<Series> commands;  ///< on the grid: what tells manoeuvres apart
@@ -78,6 +80,10 @@ struct ReplayBlock {
 
   std::size_t samples() const { return channels.front().measured.size(); }
   double period_s() const { return channels.front().measured.period_s; }
+  /// Time of a place of the grid in the recording.
+  double time_s(std::size_t place) const {
+    return ToSeconds(first_ns) + static_cast<double>(place) * period_s();
+  }
 };
 
 }  // namespace tera

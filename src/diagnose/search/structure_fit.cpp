@@ -6,20 +6,15 @@
 #include <cmath>
 #include <memory>
 
+#include "diagnose/search/steady_gain.h"
+
 namespace tera {
 namespace {
 
 constexpr double kStep = 0.002;  ///< of a parameter's range, for difference quotients
 constexpr int kMostIterations = 12;
-constexpr double kBadFit = 2;  ///< mean squared innovation
-
-/// A free parameter as a place in its range, 0 to 1.
-double PlaceOf(const FreeParameter& free, double value) {
-  const double place = free.logarithmic
-                           ? std::log(value / free.lower) / std::log(free.upper / free.lower)
-                           : (value - free.lower) / (free.upper - free.lower);
-  return std::clamp(place, 0.0, 1.0);
-}
+constexpr double kBadFit = 2;         ///< mean squared innovation
+constexpr double kConverged = 0.005;  ///< log-likelihood that a step still gains
 
 double ValueAt(const FreeParameter& free, double place) {
   return free.logarithmic ? free.lower * std::pow(free.upper / free.lower, place)
@@ -45,35 +40,26 @@ Structure AtPlaces(Structure terms, const double* places) {
   return terms;
 }
 
-/// Square roots of the deviance by rows, and nuisances, as least squares wants them.
-std::vector<double> Rows(const Likelihood& likelihood, const Misfit& misfit, const Mask& mask) {
-  std::vector<double> rows;
-  for (std::size_t c = 0; c < misfit.innovation.size(); ++c) {
-    const double dof = likelihood.noise()[c].dof;
-    for (std::size_t k = 0; k < mask.size(); ++k) {
-      if (!mask[k] || !likelihood.rows(c)[k]) continue;
-      const double e = misfit.innovation[c][static_cast<Eigen::Index>(k)];
-      rows.push_back(std::copysign(std::sqrt(-2 * LogDensityOf(e, dof)), e));
-    }
-    for (int i = 0; i < 3; ++i) rows.push_back(misfit.nuisances[c][i]);
-  }
-  return rows;
-}
-
 class Deviance final : public ceres::CostFunction {
  public:
-  Deviance(const ReplayBlock& block, const Likelihood& likelihood, const Mask& mask,
-           const Structure& terms)
-      : block_(block), likelihood_(likelihood), mask_(mask), terms_(terms) {
-    places_ = PlacesOf(terms);
-    set_num_residuals(static_cast<int>(RowsAt(places_).size()));
+  Deviance(const ReplayBlock& block, const Likelihood& likelihood, const Structure& terms)
+      : block_(block), likelihood_(likelihood), terms_(terms), places_(PlacesOf(terms)) {
+    at_start_ = RowsAt(places_);
+    set_num_residuals(static_cast<int>(at_start_.size()));
     mutable_parameter_block_sizes()->push_back(static_cast<int>(places_.size()));
+  }
+
+  /// Half the sum of squares at the terms given.
+  double CostAtStart() const {
+    double sum = 0;
+    for (const double row : at_start_) sum += 0.5 * row * row;
+    return sum;
   }
 
   bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override {
     std::vector<double> at(parameters[0], parameters[0] + places_.size());
-    const std::vector<double> rows = RowsAt(at);
+    const std::vector<double> rows = at == places_ ? at_start_ : RowsAt(at);
     std::copy(rows.begin(), rows.end(), residuals);
     if (jacobians == nullptr || jacobians[0] == nullptr) return true;
     for (std::size_t p = 0; p < at.size(); ++p) {
@@ -89,48 +75,39 @@ class Deviance final : public ceres::CostFunction {
   }
 
   std::vector<double> RowsAt(const std::vector<double>& places) const {
-    const auto predicted = block_.predict(AtPlaces(terms_, places.data()));
-    return Rows(likelihood_, likelihood_.Judge(predicted, mask_), mask_);
+    return likelihood_.Deviances(block_.predict(AtPlaces(terms_, places.data())));
   }
 
  private:
   const ReplayBlock& block_;
   const Likelihood& likelihood_;
-  const Mask& mask_;
   const Structure& terms_;
-  std::vector<double> places_;
+  std::vector<double> places_, at_start_;
 };
 
-/// J' J in the parameters' own units.
-Eigen::MatrixXd InformationAt(const Deviance& deviance, const Structure& terms,
-                              const std::vector<double>& places) {
-  const auto count = static_cast<Eigen::Index>(places.size());
-  std::vector<double> rows(static_cast<std::size_t>(deviance.num_residuals()));
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> jacobian(rows.size(),
-                                                                                  count);
-  const double* at[] = {places.data()};
-  double* jacobians[] = {jacobian.data()};
-  deviance.Evaluate(at, rows.data(), jacobians);
-  Eigen::Index p = 0;
+/// By how much each free parameter changes from one end of its range to the other, as a tangent.
+Eigen::VectorXd RangesAt(const Structure& terms) {
+  std::vector<double> ranges;
   for (const Term& term : terms) {
     for (const FreeParameter& free : term.suspect->free) {
-      const double range = free.logarithmic
-                               ? term.values[free.index] * std::log(free.upper / free.lower)
-                               : free.upper - free.lower;
-      jacobian.col(p++) /= range;
+      ranges.push_back(free.logarithmic
+                           ? term.values[free.index] * std::log(free.upper / free.lower)
+                           : free.upper - free.lower);
     }
   }
-  return jacobian.transpose() * jacobian;
+  return Eigen::Map<const Eigen::VectorXd>(ranges.data(), static_cast<Eigen::Index>(ranges.size()));
 }
 
 /// White noise of the size of what is left of each channel, if that is much more than the noise.
-std::optional<Likelihood> CoarseLikelihood(const ReplayBlock& block, const Misfit& misfit) {
+std::optional<Likelihood> CoarseLikelihood(const ReplayBlock& block, const Likelihood& likelihood,
+                                           const Mask& train) {
+  const Misfit misfit = likelihood.Judge(block.predict({}));
   std::vector<NoiseModel> noise;
   bool bad = false;
   for (std::size_t c = 0; c < block.channels.size(); ++c) {
     double innovations = 0, left = 0, count = 0;
     for (std::size_t k = 0; k < block.samples(); ++k) {
-      if (!misfit.residual[c].valid[k]) continue;
+      if (!train[k] || !misfit.residual[c].valid[k]) continue;
       innovations += std::pow(misfit.innovation[c][static_cast<Eigen::Index>(k)], 2);
       left += std::pow(misfit.residual[c].value[k], 2);
       ++count;
@@ -139,35 +116,42 @@ std::optional<Likelihood> CoarseLikelihood(const ReplayBlock& block, const Misfi
     noise.push_back({.scale = std::sqrt(left / std::max(count, 1.0)) + 1e-300, .dof = 10});
   }
   if (!bad) return std::nullopt;
-  return Likelihood(block, noise);
+  return Likelihood(block, noise, train);
 }
 
 }  // namespace
 
+double PlaceOf(const FreeParameter& free, double value) {
+  const double place = free.logarithmic
+                           ? std::log(value / free.lower) / std::log(free.upper / free.lower)
+                           : (value - free.lower) / (free.upper - free.lower);
+  return std::clamp(place, 0.0, 1.0);
+}
+
 StructureFitter::StructureFitter(const ReplayBlock& block, const Likelihood& likelihood,
-                                 Mask fit_on)
+                                 const std::vector<Manoeuvre>& manoeuvres)
     : block_(block),
       likelihood_(likelihood),
-      fit_on_(std::move(fit_on)),
-      coarse_(CoarseLikelihood(block, likelihood.Judge(block.predict({}), fit_on_))) {}
+      train_(SegmentsOf(manoeuvres, Part::kTrain)),
+      coarse_(
+          CoarseLikelihood(block, likelihood, MaskOf(manoeuvres, Part::kTrain, block.samples()))) {}
 
 FittedStructure StructureFitter::AsGiven(Structure terms) const {
   FittedStructure out;
-  out.misfit = likelihood_.Judge(block_.predict(terms), fit_on_);
-  out.log_likelihood = likelihood_.SumWithPenalty(out.misfit, fit_on_);
+  const auto predicted = block_.predict(terms);
+  out.misfit = likelihood_.Judge(predicted);
+  out.log_likelihood = likelihood_.LogLikelihood(predicted);
   out.terms = std::move(terms);
   return out;
 }
 
 Structure StructureFitter::BestStart(Structure terms, const Likelihood& likelihood) const {
-  const auto log_likelihood = [&] {
-    return likelihood.SumWithPenalty(likelihood.Judge(block_.predict(terms), fit_on_), fit_on_);
-  };
   Structure best = terms;
-  double most = log_likelihood();
+  double most = likelihood.LogLikelihood(block_.predict(terms));
   for (const std::vector<double>& start : terms.back().suspect->starts) {
+    if (start == best.back().values) continue;
     terms.back().values = start;
-    const double this_one = log_likelihood();
+    const double this_one = likelihood.LogLikelihood(block_.predict(terms));
     if (this_one <= most) continue;
     most = this_one;
     best = terms;
@@ -178,12 +162,11 @@ Structure StructureFitter::BestStart(Structure terms, const Likelihood& likeliho
 Structure StructureFitter::Refine(const Structure& terms, const Likelihood& likelihood) const {
   std::vector<double> places = PlacesOf(terms);
   if (places.empty()) return terms;
-  const Deviance deviance(block_, likelihood, fit_on_, terms);
+  Deviance deviance(block_, likelihood, terms);
   ceres::Problem::Options keep;
   keep.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ceres::Problem problem(keep);
-  // Ceres wants to be given the function for keeps; it changes nothing in it.
-  problem.AddResidualBlock(const_cast<Deviance*>(&deviance), nullptr, places.data());
+  problem.AddResidualBlock(&deviance, nullptr, places.data());
   for (int p = 0; p < static_cast<int>(places.size()); ++p) {
     problem.SetParameterLowerBound(places.data(), p, 0);
     problem.SetParameterUpperBound(places.data(), p, 1);
@@ -191,7 +174,7 @@ Structure StructureFitter::Refine(const Structure& terms, const Likelihood& like
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   options.max_num_iterations = kMostIterations;
-  options.function_tolerance = 1e-7;
+  options.function_tolerance = std::min(1e-4, kConverged / std::max(deviance.CostAtStart(), 1.0));
   options.parameter_tolerance = 1e-5;
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
@@ -199,7 +182,7 @@ Structure StructureFitter::Refine(const Structure& terms, const Likelihood& like
   return AtPlaces(terms, places.data());
 }
 
-FittedStructure StructureFitter::Fit(Structure terms) const {
+FittedStructure StructureFitter::FitValues(Structure terms) const {
   if (terms.empty()) return AsGiven(std::move(terms));
   FittedStructure out = AsGiven(Refine(BestStart(terms, likelihood_), likelihood_));
   if (coarse_) {
@@ -207,9 +190,42 @@ FittedStructure StructureFitter::Fit(Structure terms) const {
     FittedStructure other = AsGiven(Refine(rough, likelihood_));
     if (other.log_likelihood > out.log_likelihood) out = std::move(other);
   }
-  const Deviance deviance(block_, likelihood_, fit_on_, out.terms);
-  out.information = InformationAt(deviance, out.terms, PlacesOf(out.terms));
   return out;
+}
+
+FittedStructure StructureFitter::Fit(Structure terms) const {
+  FittedStructure out = FitValues(std::move(terms));
+  AddInformation(&out);
+  return out;
+}
+
+/// J' J in the parameters' own units, and J' times the rows of each manoeuvre.
+void StructureFitter::AddInformation(FittedStructure* fitted) const {
+  std::vector<double> places = PlacesOf(fitted->terms);
+  const auto count = static_cast<Eigen::Index>(places.size());
+  fitted->information = Eigen::MatrixXd::Zero(count, count);
+  fitted->scores = Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(train_.size()));
+  if (count == 0) return;
+  const Deviance deviance(block_, likelihood_, fitted->terms);
+  std::vector<double> rows(static_cast<std::size_t>(deviance.num_residuals()));
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> jacobian(rows.size(),
+                                                                                  count);
+  const double* at[] = {places.data()};
+  double* jacobians[] = {jacobian.data()};
+  deviance.Evaluate(at, rows.data(), jacobians);
+  jacobian *= RangesAt(fitted->terms).cwiseInverse().asDiagonal();
+  fitted->information = jacobian.transpose() * jacobian;
+  std::size_t row = 0;
+  for (std::size_t c = 0; c < block_.channels.size(); ++c) {
+    std::size_t manoeuvre = 0;
+    for (const std::size_t k : likelihood_.fitted_samples(c)) {
+      while (k >= train_[manoeuvre].end) ++manoeuvre;
+      fitted->scores.col(static_cast<Eigen::Index>(manoeuvre)) +=
+          rows[row] * jacobian.row(static_cast<Eigen::Index>(row)).transpose();
+      ++row;
+    }
+    row += 3;  // the nuisances
+  }
 }
 
 }  // namespace tera

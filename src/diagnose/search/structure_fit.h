@@ -5,6 +5,7 @@
 
 #include "diagnose/search/likelihood.h"
 #include "diagnose/search/replay_block.h"
+#include "diagnose/statistics/manoeuvres.h"
 
 namespace tera {
 
@@ -14,7 +15,11 @@ struct FittedStructure {
   double log_likelihood = 0;    ///< on the samples that it was fitted to, nuisances penalised
   Misfit misfit;                ///< nuisances from the same samples
   Eigen::MatrixXd information;  ///< of the free parameters, in the order of terms and their `free`
+  Eigen::MatrixXd scores;       ///< of the same by the manoeuvres fitted to, one column each
 };
+
+/// A free parameter as a place in its range, 0 to 1.
+double PlaceOf(const FreeParameter& free, double value);
 
 /// Fits the free parameters of a structure.
 ///
@@ -29,20 +34,24 @@ struct FittedStructure {
 /// Source  Ceres Solver (trust region with bounds); Golub and Pereyra 1973 (variable projection).
 class StructureFitter {
  public:
-  /// Both must outlive it.
-  StructureFitter(const ReplayBlock& block, const Likelihood& likelihood, Mask fit_on);
+  /// Fits to TRAIN, as the likelihood does. Block and likelihood must outlive it.
+  StructureFitter(const ReplayBlock& block, const Likelihood& likelihood,
+                  const std::vector<Manoeuvre>& manoeuvres);
 
   FittedStructure Fit(Structure terms) const;
+  /// The same without information and scores.
+  FittedStructure FitValues(Structure terms) const;
   /// Judged as it stands.
   FittedStructure AsGiven(Structure terms) const;
 
  private:
   Structure BestStart(Structure terms, const Likelihood& likelihood) const;
   Structure Refine(const Structure& terms, const Likelihood& likelihood) const;
+  void AddInformation(FittedStructure* fitted) const;
 
   const ReplayBlock& block_;
   const Likelihood& likelihood_;
-  Mask fit_on_;
+  std::vector<Segment> train_;
   std::optional<Likelihood> coarse_;
 };
 

@@ -10,16 +10,14 @@
 #include <thread>
 
 #include "diagnose/search/free_member.h"
-#include "diagnose/statistics/signed_rank.h"
+#include "diagnose/search/steady_gain.h"
 
 namespace tera {
 namespace {
 
 constexpr double kScreenedGain = 6;  ///< of log-likelihood: it may mean something
-constexpr double kDiscernible = 1;   ///< squared innovations by which two predictions differ
 constexpr double kRivalP = 0.05;
-constexpr double kRivalShare = 0.05;  ///< of the structure's gain that a rival may lack
-constexpr double kRivalGain = 3;      ///< of log-likelihood: nothing to choose by
+constexpr double kRivalGain = 3;  ///< of log-likelihood: nothing to choose by
 
 /// Results in the order of jobs, whatever the number of threads.
 template <typename Result>
@@ -50,7 +48,7 @@ std::vector<Result> InParallel(std::size_t jobs, int threads,
 struct Scored {
   Structure terms;
   double log_likelihood = 0, criterion = 0;
-  std::vector<double> held_out;  ///< log-likelihood by block
+  std::vector<double> held_out;  ///< log-likelihood by manoeuvre of SELECT
 };
 
 double Total(const std::vector<double>& values) {
@@ -82,17 +80,16 @@ Structure With(Structure terms, const Suspect& suspect, const std::vector<double
 
 class Search {
  public:
-  Search(const ReplayBlock& block, const Likelihood& likelihood,
+  Search(const ReplayBlock& block, const Likelihood& likelihood, const StructureFitter& fitter,
          const std::vector<Manoeuvre>& manoeuvres, const SearchOptions& options)
       : block_(block),
         likelihood_(likelihood),
+        fitter_(fitter),
+        manoeuvres_(manoeuvres),
         options_(options),
-        train_(MaskOf(manoeuvres, Part::kTrain, block.samples())),
-        fitter_(block, likelihood, train_),
-        blocks_(
-            HeldOutBlocks(manoeuvres, Part::kSelect, block.period_s(), options.held_out_block_s)) {
+        select_(SegmentsOf(manoeuvres, Part::kSelect)) {
     for (std::size_t c = 0; c < block.channels.size(); ++c) {
-      rows_ += static_cast<double>(CountValid(Both(likelihood.rows(c), train_)));
+      rows_ += static_cast<double>(likelihood.fitted_samples(c).size());
     }
   }
 
@@ -100,7 +97,7 @@ class Search {
 
  private:
   Scored Score(const FittedStructure& fitted) const;
-  Scored FitAndScore(const Structure& terms) const { return Score(fitter_.Fit(terms)); }
+  Scored FitAndScore(const Structure& terms) const { return Score(fitter_.FitValues(terms)); }
   std::vector<Scored> FitAll(const std::vector<Structure>& structures) const;
   void FitSingles();
   void Screen();
@@ -109,16 +106,15 @@ class Search {
   Scored Swap(Scored best) const;
   Scored Prune(Scored kept, std::vector<TermEvidence>* evidence) const;
   TermEvidence EvidenceOf(const Scored& with, const Scored& without) const;
-  std::vector<const Suspect*> RivalsOf(const Scored& found, std::size_t term) const;
-  double FreeGain() const;
-  double EffectOf(const Structure& a, const Structure& b) const;
+  void FindRivals(const Scored& found, std::size_t term, TermEvidence* evidence) const;
+  double FreeGain(const Misfit& nothing) const;
 
   const ReplayBlock& block_;
   const Likelihood& likelihood_;
+  const StructureFitter& fitter_;
+  const std::vector<Manoeuvre>& manoeuvres_;
   const SearchOptions& options_;
-  const Mask train_;
-  const StructureFitter fitter_;
-  const std::vector<Segment> blocks_;
+  const std::vector<Segment> select_;
   double rows_ = 0;
   Scored nothing_;
   std::vector<Scored> singles_;        ///< one a suspect
@@ -132,8 +128,8 @@ Scored Search::Score(const FittedStructure& fitted) const {
   for (const Term& term : fitted.terms)
     parameters += 1 + static_cast<double>(term.suspect->free.size());
   scored.criterion = fitted.log_likelihood - 0.5 * parameters * std::log(rows_);
-  for (const Segment& block : blocks_) {
-    scored.held_out.push_back(likelihood_.Sum(fitted.misfit, block));
+  for (const Segment& manoeuvre : select_) {
+    scored.held_out.push_back(likelihood_.Sum(fitted.misfit, manoeuvre));
   }
   return scored;
 }
@@ -228,32 +224,17 @@ Scored Search::Swap(Scored best) const {
   return best;
 }
 
-double Search::EffectOf(const Structure& a, const Structure& b) const {
-  const auto with = block_.predict(a), without = block_.predict(b);
-  double largest = 0;
-  for (std::size_t c = 0; c < with.size(); ++c) {
-    const Series& measured = block_.channels[c].measured;
-    double changed = 0, energy = 0;
-    for (std::size_t k = 0; k < measured.size(); ++k) {
-      if (!measured.valid[k]) continue;
-      changed += std::pow(with[c][k] - without[c][k], 2);
-      energy += std::pow(measured.value[k], 2);
-    }
-    if (energy > 0) largest = std::max(largest, std::sqrt(changed / energy));
-  }
-  return largest;
-}
-
 TermEvidence Search::EvidenceOf(const Scored& with, const Scored& without) const {
   TermEvidence evidence;
-  const std::vector<double> gain = Differences(with.held_out, without.held_out);
-  const auto tests = static_cast<double>(block_.suspects.size());
-  const double p = SteadyGainP(likelihood_, fitter_.AsGiven(without.terms).misfit,
-                               fitter_.AsGiven(with.terms).misfit, blocks_);
-  evidence.p = std::min(1.0, tests * p);
+  const Misfit before = fitter_.AsGiven(without.terms).misfit;
+  const Misfit after = fitter_.AsGiven(with.terms).misfit;
+  const std::size_t tests = std::max(options_.suspects_in_all, block_.suspects.size());
+  const double p = SteadyGainP(GainsOf(likelihood_, before, after, select_));
+  evidence.p = std::min(1.0, static_cast<double>(tests) * p);
   const double found = Total(with.held_out) - Total(nothing_.held_out);
-  evidence.share = Total(gain) / std::max({free_gain_, found, 1e-9});
-  evidence.effect = EffectOf(with.terms, without.terms);
+  evidence.share =
+      Total(Differences(with.held_out, without.held_out)) / std::max({free_gain_, found, 1e-9});
+  evidence.effect = EffectOf(block_, after, before);
   return evidence;
 }
 
@@ -278,46 +259,34 @@ Scored Search::Prune(Scored kept, std::vector<TermEvidence>* evidence) const {
   }
 }
 
-std::vector<const Suspect*> Search::RivalsOf(const Scored& found, std::size_t term) const {
+void Search::FindRivals(const Scored& found, std::size_t term, TermEvidence* evidence) const {
   std::vector<Structure> swapped;
   for (const std::size_t s : screened_) {
     const Term& other = singles_[s].terms.front();
     if (Has(found.terms, other.suspect)) continue;
     swapped.push_back(With(Without(found.terms, term), *other.suspect, other.values));
   }
-  std::vector<const Suspect*> rivals = {found.terms[term].suspect};
-  const double own = Total(found.held_out) - Total(nothing_.held_out);
-  for (const Scored& rival : FitAll(swapped)) {
-    const std::vector<double> lead = Differences(found.held_out, rival.held_out);
-    const double all = Total(lead) + found.log_likelihood - rival.log_likelihood;
-    const double p = SteadyGainP(likelihood_, fitter_.AsGiven(rival.terms).misfit,
-                                 fitter_.AsGiven(found.terms).misfit, blocks_);
-    const bool alike = p > kRivalP && Total(lead) < kRivalShare * std::max(own, 0.0);
-    if (alike || all < kRivalGain) rivals.push_back(rival.terms.back().suspect);
-  }
-  return rivals;
-}
-
-double Search::FreeGain() const {
-  const Misfit misfit = fitter_.AsGiven({}).misfit;
-  double gain = 0;
-  for (std::size_t c = 0; c < block_.channels.size(); ++c) {
-    const NoiseModel& noise = likelihood_.noise()[c];
-    const Series left = LessFreeMember(block_.channels[c], misfit.residual[c], noise, train_);
-    const WhiteningFilter filter(noise, left.valid);
-    const Eigen::VectorXd innovation =
-        filter.Apply(Eigen::Map<const Eigen::VectorXd>(left.value.data(),
-                                                       static_cast<Eigen::Index>(left.size()))) /
-        noise.scale;
-    for (const Segment& block : blocks_) {
-      for (std::size_t k = block.begin; k < block.end; ++k) {
-        const auto row = static_cast<Eigen::Index>(k);
-        if (!likelihood_.rows(c)[k]) continue;
-        gain += LogDensityOf(innovation[row], noise.dof) -
-                LogDensityOf(misfit.innovation[c][row], noise.dof);
-      }
+  evidence->rivals = {found.terms[term].suspect};
+  const Misfit with = fitter_.AsGiven(found.terms).misfit;
+  for (const Scored& scored : FitAll(swapped)) {
+    const Misfit instead = fitter_.AsGiven(scored.terms).misfit;
+    const Rival rival{scored.terms.back().suspect,
+                      SteadyGainP(GainsOf(likelihood_, instead, with, select_)),
+                      Total(Differences(found.held_out, scored.held_out))};
+    if (rival.p > kRivalP || rival.lead < kRivalGain) {
+      evidence->rivals.push_back(rival.suspect);
+    } else {
+      evidence->rejected.push_back(rival);
     }
   }
+  std::stable_sort(evidence->rejected.begin(), evidence->rejected.end(),
+                   [](const Rival& a, const Rival& b) { return a.lead < b.lead; });
+}
+
+double Search::FreeGain(const Misfit& nothing) const {
+  const Misfit free = LessFreeMember(block_, likelihood_, nothing, manoeuvres_);
+  double gain = 0;
+  for (const ManoeuvreGain& one : GainsOf(likelihood_, nothing, free, select_)) gain += one.gain;
   return gain;
 }
 
@@ -325,12 +294,12 @@ SearchResult Search::Run() {
   SearchResult result;
   result.nothing = fitter_.AsGiven({});
   nothing_ = Score(result.nothing);
-  free_gain_ = result.free_gain = FreeGain();
+  free_gain_ = result.free_gain = FreeGain(result.nothing.misfit);
   FitSingles();
   Screen();
   const Scored found = Prune(Grow(Swap(BestOfPairs())), &result.evidence);
   for (std::size_t t = 0; t < found.terms.size(); ++t) {
-    result.evidence[t].rivals = RivalsOf(found, t);
+    FindRivals(found, t, &result.evidence[t]);
   }
   result.found = found.terms.empty() ? result.nothing : fitter_.Fit(found.terms);
   for (std::size_t s = 0; s < singles_.size(); ++s) {
@@ -343,44 +312,26 @@ SearchResult Search::Run() {
 
 }  // namespace
 
-double SteadyGainP(const Likelihood& likelihood, const Misfit& before, const Misfit& after,
-                   const std::vector<Segment>& blocks) {
-  std::vector<double> gain;
-  for (const Segment& block : blocks) {
-    double apart = 0;
-    for (std::size_t c = 0; c < after.innovation.size(); ++c) {
-      for (std::size_t k = block.begin; k < block.end; ++k) {
-        const auto row = static_cast<Eigen::Index>(k);
-        if (!likelihood.rows(c)[k]) continue;
-        apart += std::pow(after.innovation[c][row] - before.innovation[c][row], 2);
-      }
+double EffectOf(const ReplayBlock& block, const Misfit& with, const Misfit& without) {
+  double largest = 0;
+  for (std::size_t c = 0; c < with.residual.size(); ++c) {
+    const Series& measured = block.channels[c].measured;
+    double changed = 0, energy = 0;
+    for (std::size_t k = 0; k < measured.size(); ++k) {
+      if (!measured.valid[k]) continue;
+      changed += std::pow(with.residual[c].value[k] - without.residual[c].value[k], 2);
+      energy += std::pow(measured.value[k], 2);
     }
-    if (apart < kDiscernible) continue;
-    gain.push_back(likelihood.Sum(after, block) - likelihood.Sum(before, block));
+    if (energy > 0) largest = std::max(largest, std::sqrt(changed / energy));
   }
-  return gain.empty() ? 1 : TestSignedRank(gain).p_greater;
-}
-
-std::vector<Segment> HeldOutBlocks(const std::vector<Manoeuvre>& manoeuvres, Part part,
-                                   double period_s, double block_s) {
-  const auto length = static_cast<std::size_t>(std::max(1.0, std::round(block_s / period_s)));
-  std::vector<Segment> blocks;
-  for (const Manoeuvre& manoeuvre : manoeuvres) {
-    if (manoeuvre.part != part) continue;
-    const std::size_t size = manoeuvre.samples.size();
-    const std::size_t pieces = std::max<std::size_t>(1, (size + length / 2) / length);
-    for (std::size_t p = 0; p < pieces; ++p) {
-      blocks.push_back({manoeuvre.samples.begin + p * size / pieces,
-                        manoeuvre.samples.begin + (p + 1) * size / pieces});
-    }
-  }
-  return blocks;
+  return largest;
 }
 
 SearchResult SearchStructures(const ReplayBlock& block, const Likelihood& likelihood,
+                              const StructureFitter& fitter,
                               const std::vector<Manoeuvre>& manoeuvres,
                               const SearchOptions& options) {
-  return Search(block, likelihood, manoeuvres, options).Run();
+  return Search(block, likelihood, fitter, manoeuvres, options).Run();
 }
 
 }  // namespace tera

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include <cstddef>
 #include <vector>
 
 #include "diagnose/search/structure_fit.h"
@@ -9,22 +9,32 @@
 namespace tera {
 
 struct SearchOptions {
-  std::size_t screened = 8;    ///< suspects that pairs are made of
-  std::size_t deepest = 4;     ///< terms in a structure
-  double alpha = 0.01;         ///< probability of a term where there is none, all suspects together
+  std::size_t screened = 8;  ///< suspects that pairs are made of
+  std::size_t deepest = 4;   ///< terms in a structure
+  double alpha = 0.01;       ///< probability of a term where there is none, all tests together
+  /// Mechanisms that the whole diagnosis tests, and channels of which it asks what is left; 0:
+  /// those of the block alone.
+  std::size_t suspects_in_all = 0, channels_in_all = 0;
   double least_share = 0.02;   ///< of the excess, that a term must explain
   double least_effect = 0.02;  ///< RMS of what a term changes over the RMS of the channel
-  double held_out_block_s = 0.25;
   int threads = 2;
+};
+
+/// What stands in a term's place no worse, or was tried there in vain.
+struct Rival {
+  const Suspect* suspect = nullptr;
+  double p = 1;  ///< of SELECT gaining this steadily by chance from the term in the rival's place
+  double lead = 0;  ///< of the term's structure in log-likelihood on SELECT
 };
 
 /// How a term stands on samples that it was not fitted to.
 struct TermEvidence {
-  double p = 1;       ///< of a gain this steady over blocks by chance, times the number of suspects
+  double p = 1;       ///< of a gain this steady over SELECT by chance, times the number of tests
   double share = 0;   ///< of the gain in likelihood that the free member has over nothing
   double effect = 0;  ///< RMS of what it changes over the RMS of the channel, largest over channels
   /// Suspects in whose place the structure is not significantly worse, itself first.
   std::vector<const Suspect*> rivals;
+  std::vector<Rival> rejected;  ///< the others that were tried, the nearest first
 };
 
 /// A suspect alone.
@@ -47,24 +57,20 @@ struct SearchResult {
 /// Model   every suspect alone; every pair of the screened (the likeliest, and the likeliest of
 ///         each slot); then one term more at a time, with swaps, as long as the Bayesian
 ///         information criterion on TRAIN falls. Backward: a term goes unless its gain over the
-///         structure refitted without it is significant on SELECT (signed ranks of the gains of
-///         those short blocks in which the two predictions are discernible; Bonferroni over the
-///         suspects), at least `least_share` of the excess, and its effect at least
-///         `least_effect` of the channel. Rivals: each term is swapped for each screened
-///         suspect.
-/// Source  Wilcoxon 1945; Schwarz 1978.
+///         structure refitted without it is steady over the manoeuvres of SELECT (steady_gain.h;
+///         Bonferroni over all that the diagnosis tests), at least `least_share` of the excess, and
+///         its effect, beyond nuisances, at least `least_effect` of the channel. Rivals: each term
+///         is swapped for each screened suspect; where SELECT does not gain from the term with p at
+///         most 0.05, or less than 3 of log-likelihood, they are alike.
+/// Omits   that SELECT chooses more than once: backward steps and rivals look at the same
+///         manoeuvres.
+/// Source  Schwarz 1978.
 SearchResult SearchStructures(const ReplayBlock& block, const Likelihood& likelihood,
+                              const StructureFitter& fitter,
                               const std::vector<Manoeuvre>& manoeuvres,
                               const SearchOptions& options);
 
-/// Probability of gains of `after` over `before` as steady as these by chance: signed ranks over
-/// the blocks in which the two differ by the noise's scale or more, which blocks does not hang on
-/// the measurements.
-double SteadyGainP(const Likelihood& likelihood, const Misfit& before, const Misfit& after,
-                   const std::vector<Segment>& blocks);
-
-/// Pieces of the samples of a part, each within one manoeuvre and about `block_s` long.
-std::vector<Segment> HeldOutBlocks(const std::vector<Manoeuvre>& manoeuvres, Part part,
-                                   double period_s, double block_s);
+/// RMS of what one misfit differs from another by, over the RMS of the channel; the largest.
+double EffectOf(const ReplayBlock& block, const Misfit& with, const Misfit& without);
 
 }  // namespace tera

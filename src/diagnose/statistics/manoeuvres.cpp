@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include "core/check.h"
 #include "diagnose/statistics/block_bootstrap.h"
@@ -17,28 +18,38 @@ using Commands = std::vector<std::vector<double>>;
 
 constexpr std::array<double, 3> kShare = {0.4, 0.3, 0.3};
 
-std::uint64_t AxesAt(const Commands& commands, std::size_t k, double rest_level) {
-  std::uint64_t axes = 0;
+/// Which commands are given, and which of them below 0.
+struct Activity {
+  std::uint64_t axes = 0, backward = 0;
+  bool operator==(const Activity&) const = default;
+};
+
+Activity ActivityAt(const Commands& commands, std::size_t k, double rest_level) {
+  Activity activity;
   for (std::size_t c = 0; c < commands.size(); ++c) {
-    if (std::abs(commands[c][k]) > rest_level) axes |= std::uint64_t{1} << c;
+    if (std::abs(commands[c][k]) <= rest_level) continue;
+    activity.axes |= std::uint64_t{1} << c;
+    if (commands[c][k] < 0) activity.backward |= std::uint64_t{1} << c;
   }
-  return axes;
+  return activity;
 }
 
-/// Runs of one set of axes; those that are too short belong to the one before.
+/// Runs of one activity; those that are too short belong to the one before.
 std::vector<Manoeuvre> RunsOfActivity(const Commands& commands, double rest_level,
                                       std::size_t shortest) {
   std::vector<Manoeuvre> runs;
   const std::size_t size = commands.front().size();
   for (std::size_t begin = 0; begin < size;) {
-    const std::uint64_t axes = AxesAt(commands, begin, rest_level);
+    const Activity activity = ActivityAt(commands, begin, rest_level);
     std::size_t end = begin + 1;
-    while (end < size && AxesAt(commands, end, rest_level) == axes) ++end;
-    const bool joins = !runs.empty() && (end - begin < shortest || runs.back().axes == axes);
+    while (end < size && ActivityAt(commands, end, rest_level) == activity) ++end;
+    const bool joins =
+        !runs.empty() &&
+        (end - begin < shortest || Activity{runs.back().axes, runs.back().backward} == activity);
     if (joins) {
       runs.back().samples.end = end;
     } else {
-      runs.push_back({{begin, end}, axes});
+      runs.push_back({{begin, end}, activity.axes, activity.backward});
     }
     begin = end;
   }
@@ -67,7 +78,8 @@ std::vector<Manoeuvre> CutLongOnes(const std::vector<Manoeuvre>& runs, std::size
     for (std::size_t p = 0; p < pieces; ++p) {
       out.push_back(
           {{run.samples.begin + p * size / pieces, run.samples.begin + (p + 1) * size / pieces},
-           run.axes});
+           run.axes,
+           run.backward});
     }
   }
   return out;
@@ -78,7 +90,9 @@ std::vector<Manoeuvre> Blocks(const Commands& commands, double rest_level, std::
   for (const Segment& block : CutIntoBlocks(commands.front().size(), length)) {
     Manoeuvre manoeuvre{block};
     for (std::size_t k = block.begin; k < block.end; ++k) {
-      manoeuvre.axes |= AxesAt(commands, k, rest_level);
+      const Activity activity = ActivityAt(commands, k, rest_level);
+      manoeuvre.axes |= activity.axes;
+      manoeuvre.backward |= activity.backward;
     }
     out.push_back(manoeuvre);
   }
@@ -95,12 +109,14 @@ void SetAmplitudes(const Commands& commands, std::vector<Manoeuvre>* manoeuvres)
   }
 }
 
-/// Indices of the manoeuvres by axes, each list halved at its median amplitude.
+/// Indices of the manoeuvres by axes and directions, each list halved at its median amplitude.
 std::vector<std::vector<std::size_t>> Strata(const std::vector<Manoeuvre>& manoeuvres) {
-  std::map<std::uint64_t, std::vector<std::size_t>> by_axes;
-  for (std::size_t m = 0; m < manoeuvres.size(); ++m) by_axes[manoeuvres[m].axes].push_back(m);
+  std::map<std::pair<std::uint64_t, std::uint64_t>, std::vector<std::size_t>> by_activity;
+  for (std::size_t m = 0; m < manoeuvres.size(); ++m) {
+    by_activity[{manoeuvres[m].axes, manoeuvres[m].backward}].push_back(m);
+  }
   std::vector<std::vector<std::size_t>> strata;
-  for (auto& [axes, members] : by_axes) {
+  for (auto& [activity, members] : by_activity) {
     std::vector<double> amplitude;
     for (const std::size_t m : members) amplitude.push_back(manoeuvres[m].amplitude);
     const double middle = Median(std::move(amplitude));
@@ -113,34 +129,36 @@ std::vector<std::vector<std::size_t>> Strata(const std::vector<Manoeuvre>& manoe
   return strata;
 }
 
-/// Samples that each part has.
+/// Manoeuvres that each part has.
 using Filling = std::array<double, 3>;
 
-double Lack(const Filling& filled, double more, std::size_t part) {
-  const double total = filled[0] + filled[1] + filled[2] + more;
+/// By how much a part would be short of its share were there one more.
+double Lack(const Filling& filled, std::size_t part) {
+  const double total = filled[0] + filled[1] + filled[2] + 1;
   return kShare[part] * total - filled[part];
 }
 
+/// By number, for that is what tests count.
 void ShareOut(std::vector<Manoeuvre>* manoeuvres, const Stream& stream) {
-  Filling overall{};
+  Filling resting{}, moving{};
   for (std::vector<std::size_t>& stratum : Strata(*manoeuvres)) {
     std::stable_sort(stratum.begin(), stratum.end(), [&](std::size_t a, std::size_t b) {
       return stream.Uniform(a) < stream.Uniform(b);
     });
+    Filling& overall = (*manoeuvres)[stratum.front()].axes == 0 ? resting : moving;
     Filling here{};
     for (const std::size_t m : stratum) {
-      const auto size = static_cast<double>((*manoeuvres)[m].samples.size());
       std::size_t best = 0;
       double most = -INFINITY;
       for (std::size_t part = 0; part < kShare.size(); ++part) {
-        const double lack = Lack(here, size, part) + Lack(overall, size, part);
+        const double lack = Lack(here, part) + Lack(overall, part);
         if (lack <= most) continue;
         most = lack;
         best = part;
       }
       (*manoeuvres)[m].part = static_cast<Part>(best);
-      here[best] += size;
-      overall[best] += size;
+      ++here[best];
+      ++overall[best];
     }
   }
 }

@@ -13,8 +13,9 @@ enum class Part { kTrain, kSelect, kFinal };
 /// A run of one commanded activity.
 struct Manoeuvre {
   Segment samples;
-  std::uint64_t axes = 0;  ///< bit k: command k was given; 0: rest
-  double amplitude = 0;    ///< largest |command| over the axes
+  std::uint64_t axes = 0;      ///< bit k: command k was given; 0: rest
+  std::uint64_t backward = 0;  ///< bit k: command k was given, below 0
+  double amplitude = 0;        ///< largest |command| over the axes
   Part part = Part::kTrain;
 };
 
@@ -30,13 +31,13 @@ struct ManoeuvreOptions {
 /// Cuts a recording by what was commanded and shares the pieces out: TRAIN 40, SELECT 30, FINAL 30
 /// %.
 ///
-/// Model   a manoeuvre is a run over which the same set of commands exceeds rest_level,
-///         with `tail_s` of the rest after it; what remains of the rest is a piece of
-///         its own. With fewer than `fewest` such pieces: blocks of equal length. Pieces
-///         with the same axes and the same half of amplitudes make a stratum; within
-///         each, in random order, the piece goes to the part that lacks most of its
-///         share of the stratum's time, or of all the time where the stratum leaves it
-///         open.
+/// Model   a manoeuvre is a run over which the same set of commands exceeds rest_level, each in one
+///         direction, with `tail_s` of the rest after it; what remains of the rest is a piece of
+///         its own. With fewer than `fewest` such pieces: blocks of equal length. Pieces with the
+///         same axes and directions and the same half of amplitudes make a stratum; within each, in
+///         random order, the piece goes to the part that lacks most of its share of the stratum, or
+///         of all that moves (of all rest) where the stratum leaves it open. Shares are of time and
+///         of number, in equal parts.
 /// Omits   what a manoeuvre owes to the one before it, beyond the tail.
 ///
 /// Commands of equal length, at most 64, gaps bridged; at least one. The pieces cover every sample,

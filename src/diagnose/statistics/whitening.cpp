@@ -38,21 +38,29 @@ WhiteningFilter::WhiteningFilter(const NoiseModel& noise, const Mask& valid)
     : taps_{1.0}, rows_(valid.size(), 0) {
   for (const double a : noise.ar) taps_.push_back(-a);
   for (const Segment& segment : SegmentsOf(valid, taps_.size())) {
-    for (std::size_t k = segment.begin + noise.order(); k < segment.end; ++k) {
-      rows_[k] = 1;
-      ++count_;
-    }
+    runs_.push_back({segment.begin + noise.order(), segment.end});
+    for (std::size_t k = runs_.back().begin; k < segment.end; ++k) rows_[k] = 1;
+    count_ += runs_.back().size();
   }
 }
 
-Eigen::VectorXd WhiteningFilter::Apply(const Eigen::VectorXd& x) const {
+void WhiteningFilter::ApplyOver(const Segment& samples, const Eigen::Ref<const Eigen::VectorXd>& x,
+                                Eigen::Ref<Eigen::VectorXd> out) const {
+  const auto begin = static_cast<Eigen::Index>(samples.begin);
+  const auto size = static_cast<Eigen::Index>(samples.size());
+  out = x.segment(begin, size);
+  for (std::size_t i = 1; i < taps_.size(); ++i) {
+    out += taps_[i] * x.segment(begin - static_cast<Eigen::Index>(i), size);
+  }
+}
+
+Eigen::VectorXd WhiteningFilter::Apply(const Eigen::Ref<const Eigen::VectorXd>& x) const {
   TERA_CHECK(static_cast<std::size_t>(x.size()) == rows_.size(), x.size(), rows_.size());
   Eigen::VectorXd out = Eigen::VectorXd::Zero(x.size());
-  for (Eigen::Index t = 0; t < x.size(); ++t) {
-    if (!rows_[static_cast<std::size_t>(t)]) continue;
-    for (std::size_t i = 0; i < taps_.size(); ++i) {
-      out[t] += taps_[i] * x[t - static_cast<Eigen::Index>(i)];
-    }
+  for (const Segment& run : runs_) {
+    ApplyOver(
+        run, x,
+        out.segment(static_cast<Eigen::Index>(run.begin), static_cast<Eigen::Index>(run.size())));
   }
   return out;
 }

@@ -38,12 +38,19 @@ class WhiteningFilter {
   /// 1, -ar_1, -ar_2 ..
   const std::vector<double>& taps() const { return taps_; }
 
-  Eigen::VectorXd Apply(const Eigen::VectorXd& x) const;
+  /// Runs of `rows`.
+  const std::vector<Segment>& runs() const { return runs_; }
+
+  Eigen::VectorXd Apply(const Eigen::Ref<const Eigen::VectorXd>& x) const;
+  /// (A x) of the samples of a segment that lies within a run.
+  void ApplyOver(const Segment& samples, const Eigen::Ref<const Eigen::VectorXd>& x,
+                 Eigen::Ref<Eigen::VectorXd> out) const;
   Eigen::VectorXd Transposed(const Eigen::VectorXd& e) const;
 
  private:
   std::vector<double> taps_;
   Mask rows_;
+  std::vector<Segment> runs_;
   std::size_t count_ = 0;
 };
 

@@ -21,8 +21,8 @@ TEST(Likelihood, TakesOffsetGainAndDelayForWhatTheyMayBe) {
   }
   ReplayBlock block = ToyBlock(predicted, MakeSeries(0.01, measured), {});
   block.channels[0].nuisances = {.offset = 0.01, .gain = 0.02, .delay_s = 0.01};
-  const Likelihood likelihood(block, {{.scale = 1e-3}});
-  const Misfit misfit = likelihood.Judge({predicted}, Mask(kSize, 1));
+  const Likelihood likelihood(block, {{.scale = 1e-3}}, Mask(kSize, 1));
+  const Misfit misfit = likelihood.Judge({predicted});
   EXPECT_NEAR(misfit.nuisances[0][0] * 0.01, 0.004, 2e-4);
   EXPECT_NEAR(misfit.nuisances[0][1] * 0.02, 0.01, 2e-4);
   EXPECT_NEAR(misfit.nuisances[0][2] * 0.01, 0.0033, 2e-4);
@@ -38,10 +38,32 @@ TEST(Likelihood, DiscernsWhatIsBeyondNuisancesAlone) {
   for (double& x : larger) x *= 1.02;
   for (double& x : squared) x += 0.02 * x * x;
   const ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, 0.02, 5), {});
-  const Likelihood likelihood(block, {{.scale = 0.02}});
-  const Mask all(lever.size(), 1);
-  EXPECT_LT(likelihood.Discernible({lever}, {larger}, all), 1.0);
-  EXPECT_GT(likelihood.Discernible({lever}, {squared}, all), 10.0);
+  const Likelihood likelihood(block, {{.scale = 0.02}}, Mask(lever.size(), 1));
+  EXPECT_LT(likelihood.Discernible({lever}, {larger}), 1.0);
+  EXPECT_GT(likelihood.Discernible({lever}, {squared}), 10.0);
+}
+
+TEST(Likelihood, FitsToTheMaskWhatItThenJudgesEverywhere) {
+  // An offset of the second half alone: fitted to the first half, it is left in the second.
+  constexpr std::size_t kSize = 2000;
+  std::vector<double> predicted(kSize, 0.0), measured(kSize, 0.0);
+  Mask first(kSize, 0);
+  for (std::size_t k = 0; k < kSize; ++k) {
+    predicted[k] = std::sin(0.02 * static_cast<double>(k));
+    first[k] = k < kSize / 2;
+    measured[k] = predicted[k] + (first[k] ? 0 : 0.1);
+  }
+  ReplayBlock block = ToyBlock(predicted, MakeSeries(0.01, measured), {});
+  block.channels[0].nuisances = {.offset = 1, .gain = 0.02};
+  const Likelihood likelihood(block, {{.scale = 1e-3}}, first);
+  const Misfit misfit = likelihood.Judge({predicted});
+  EXPECT_NEAR(misfit.residual[0].value[100], 0, 1e-6);
+  EXPECT_NEAR(misfit.residual[0].value[1900], 0.1, 1e-6);
+  EXPECT_EQ(likelihood.fitted_samples(0).size(), kSize / 2);
+  // The sum over the samples fitted to, less the nuisances, is what the fit makes large.
+  EXPECT_NEAR(likelihood.LogLikelihood({predicted}),
+              likelihood.Sum(misfit, {0, kSize / 2}) - 0.5 * misfit.nuisances[0].squaredNorm(),
+              1e-9);
 }
 
 }  // namespace

@@ -1,0 +1,44 @@
+// How often `tera diagnose` finds something in recordings in which nothing is wrong.
+//
+//   false_alarms [RECORDINGS [SECONDS [FIRST_SEED]]]
+//
+// prints what each alarm was, and the share of recordings with any, with Wilson's interval.
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "diagnose/null/null_recording.h"
+#include "diagnose/statistics/proportion.h"
+
+int main(int argc, char** argv) {
+  const auto number = [&](int k, double otherwise) {
+    return argc > k ? std::atof(argv[k]) : otherwise;
+  };
+  const auto recordings = static_cast<std::size_t>(number(1, 200));
+  const double duration_s = number(2, 90);
+  const auto first = static_cast<std::uint64_t>(number(3, 1));
+  const tera::MachineModel model = tera::RaisedTb235();
+  std::size_t alarms = 0, unconfirmed = 0, judged = 0, blocks = 0;
+  for (std::size_t k = 0; k < recordings; ++k) {
+    const tera::NullOutcome outcome = tera::DiagnoseNull(model, duration_s, first + k);
+    alarms += outcome.alarms.empty() ? 0 : 1;
+    unconfirmed += outcome.unconfirmed.empty() ? 0 : 1;
+    judged += outcome.judged;
+    blocks += outcome.blocks;
+    for (const std::string& alarm : outcome.alarms) {
+      fmt::print("seed {}: {}\n", first + k, alarm);
+    }
+    for (const std::string& chosen : outcome.unconfirmed) {
+      fmt::print("seed {}: not confirmed: {}\n", first + k, chosen);
+    }
+    std::fflush(stdout);
+  }
+  const tera::Interval share = tera::WilsonInterval(alarms, recordings);
+  fmt::print(
+      "{} recordings of {} s, {} of {} blocks judged\nfalse alarms: {} = {:.1f} % (95 %: {:.1f} to "
+      "{:.1f} %); chosen and not confirmed in {}\n",
+      recordings, duration_s, judged, blocks, alarms, 100.0 * alarms / recordings, 100 * share.low,
+      100 * share.high, unconfirmed);
+}
