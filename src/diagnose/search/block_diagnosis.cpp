@@ -248,7 +248,9 @@ void Procedure::FindRemainders(const SearchResult& search, BlockDiagnosis* out) 
   const Misfit free = LessFreeMember(block_, likelihood_, search.nothing.misfit, manoeuvres_);
   for (std::size_t c = 0; c < block_.channels.size(); ++c) {
     const Series& residual = search.found.misfit.residual[c];
-    Remainder remainder{.channel = c, .rmse = std::sqrt(MeanSquare(residual, final_mask_))};
+    Remainder remainder;
+    remainder.channel = c;
+    remainder.rmse = std::sqrt(MeanSquare(residual, final_mask_));
     remainder.noise = NoiseLevelOf(block_, c, residual, not_final);
     for (const auto& one : GainsOf(likelihood_, search.nothing.misfit, free, select_, c)) {
       remainder.free_member_tells = remainder.free_member_tells || one.possible > 0;

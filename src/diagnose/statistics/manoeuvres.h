@@ -36,8 +36,8 @@ struct ManoeuvreOptions {
 ///         its own. With fewer than `fewest` such pieces: blocks of equal length. Pieces with the
 ///         same axes and directions and the same half of amplitudes make a stratum; within each, in
 ///         random order, the piece goes to the part that lacks most of its share of the stratum, or
-///         of all that moves (of all rest) where the stratum leaves it open. Shares are of time and
-///         of number, in equal parts.
+///         of all that moves (of all rest) where the stratum leaves it open. Shares are of
+///         number.
 /// Omits   what a manoeuvre owes to the one before it, beyond the tail.
 ///
 /// Commands of equal length, at most 64, gaps bridged; at least one. The pieces cover every sample,
