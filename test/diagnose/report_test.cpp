@@ -287,6 +287,7 @@ TEST(DiagnosisJson, HasItsStructureInFixedOrderAndDigits) {
         "p_chosen": 0.0002,
         "p_confirmed": 0.004
       },
+      "confidence": 0.995801,
       "held_out": {
         "rmse_before": 0.0541052,
         "rmse_after": 0.010472,

@@ -13,6 +13,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double kUnfollowed = 0.5;  ///< in place of a p, of error that no free member follows
+
 Json Number(double value) {
   if (!std::isfinite(value)) return nullptr;
   return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
@@ -74,6 +76,12 @@ Json Where(const DiagnosedBlock& diagnosed, const Location& location) {
           {"regime", RegimeOf(location)}};
 }
 
+/// What tells surer names from less sure ones: no probability, being calibrated on nothing.
+double ScoreOf(const Finding& finding) {
+  const auto alike = static_cast<double>(finding.evidence.rivals.size());
+  return (1 - finding.evidence.p) * (1 - finding.held_out.p) / alike;
+}
+
 Json Named(const DiagnosedBlock& diagnosed, const Finding& finding) {
   Json json = Where(diagnosed, finding.location);
   const Suspect& suspect = *finding.term.suspect;
@@ -92,6 +100,7 @@ Json Named(const DiagnosedBlock& diagnosed, const Finding& finding) {
   }
   json["evidence"] = {{"p_chosen", Number(finding.evidence.p)},
                       {"p_confirmed", Number(finding.held_out.p)}};
+  json["confidence"] = Number(ScoreOf(finding));
   const HeldOutError& error = finding.held_out;
   json["held_out"] = HeldOut(error.rmse_before, error.rmse_after,
                              diagnosed.block.channels[error.channel].unit, error.excess_removed);
@@ -107,6 +116,7 @@ Json NotNamed(const DiagnosedBlock& diagnosed, const Unexplained& unexplained) {
   json["class"] = Json::array();
   json["rejected"] = Json::array();
   json["evidence"] = {{"p_chosen", Number(unexplained.p)}, {"p_confirmed", nullptr}};
+  json["confidence"] = Number(1 - unexplained.p.value_or(kUnfollowed));
   const std::string& unit = diagnosed.block.channels[unexplained.location.channel].unit;
   json["held_out"] = HeldOut(unexplained.rmse, unexplained.rmse, unit, 0);
   json["held_out"]["noise"] = Number(unexplained.noise);
