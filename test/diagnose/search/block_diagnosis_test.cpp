@@ -56,7 +56,7 @@ TEST(BlockDiagnosis, NamesTheOneThatActsWithItsSizeAndWhereItIsSeen) {
   EXPECT_NEAR(found.parameters[0].value, 0.2, 4 * found.parameters[0].sigma.value());
   EXPECT_LT(*found.parameters[0].sigma, 0.02);
   EXPECT_LT(found.held_out.p, 0.01);
-  EXPECT_GT(found.held_out.excess_removed, 0.9);
+  EXPECT_GT(found.held_out.excess_removed, 0.8);
   EXPECT_LT(found.held_out.rmse_after, found.held_out.rmse_before);
   ASSERT_FALSE(found.location.regimes.empty());
   EXPECT_EQ(found.location.regimes[0].variable, "lever");
@@ -139,7 +139,7 @@ TEST(BlockDiagnosis, LeavesFinalOutOfEverythingThatChooses) {
   ASSERT_EQ(before.search.singles.size(), after.search.singles.size());
   for (std::size_t s = 0; s < before.search.singles.size(); ++s) {
     // But for the first samples of a manoeuvre, which are whitened by those before it.
-    EXPECT_NEAR(before.search.singles[s].values[0], after.search.singles[s].values[0], 1e-4);
+    EXPECT_NEAR(before.search.singles[s].values[0], after.search.singles[s].values[0], 1e-3);
     EXPECT_NEAR(before.search.singles[s].held_out_gain, after.search.singles[s].held_out_gain, 0.1);
   }
   EXPECT_NEAR(before.remainders[0].noise.differences, after.remainders[0].noise.differences, 1e-6);
