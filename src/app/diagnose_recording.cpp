@@ -48,7 +48,12 @@ Diagnosis DiagnoseMachine(const DiagnoseArguments& arguments, const Scenario& sc
                           const ScenarioMachine& machine, const Recording& recording) {
   const std::string name =
       NameInRecording(machine.placement.name, scenario.machines.size(), recording);
-  const DiagnosisInput input{&machine.placement.model, name, machine.placement.name,
+  // Joints that nothing measures stay where the scenario has them.
+  MachineModel model = machine.placement.model;
+  for (std::size_t j = 0; j < model.joints.size(); ++j) {
+    model.joints[j].initial_rad = machine.placement.q_rad[j];
+  }
+  const DiagnosisInput input{&model, name, machine.placement.name,
                              CommandsOf(recording, name, machine), machine.sensors};
   DiagnosisOptions options{.seed = scenario.seed};
   options.search.threads = arguments.threads;

@@ -21,6 +21,9 @@ constexpr double kStill_s =
     1;  ///< a rate that repeats itself for longer without a lever says nothing
 constexpr int kLags = 12;
 constexpr double kLongestLag_s = 0.8;
+/// Standard deviations: of rates, and of full effort over inertia, where effort, masses and their
+/// places are known to 3 % each, and inertia has the square of a place.
+constexpr double kNominalRate = 0.03, kNominalEffort = 0.07;
 
 /// Whether most samples of a moving axis are the one before, bit for bit: a slower measurement that
 /// is handed on again and again.
@@ -112,6 +115,24 @@ Eigen::MatrixXd FreeMember(const Series& lever, const Series& position, const Se
   return columns;
 }
 
+/// What the rate at full lever and the effort over the inertia change without any suspect, to the
+/// second order: where the rate is limited by the effort, a larger one is reached later.
+Eigen::MatrixXd NominalColumns(const LoneAxisReplay& replay, const SampleGrid& grid) {
+  const auto predict = [&](double rate, double effort) -> Eigen::VectorXd {
+    const std::vector<double> y =
+        grid.Spread(replay.Predict(replay.effects(), {.rate = 1 + rate * kNominalRate,
+                                                      .effort = 1 + effort * kNominalEffort}));
+    return Eigen::Map<const Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size()));
+  };
+  const Eigen::VectorXd nominal = predict(0, 0);
+  const Eigen::VectorXd faster = predict(1, 0) - nominal, slower = predict(-1, 0) - nominal;
+  const Eigen::VectorXd stronger = predict(0, 1) - nominal, weaker = predict(0, -1) - nominal;
+  Eigen::MatrixXd columns(nominal.size(), 5);
+  columns << (faster - slower) / 2, (faster + slower) / 2, (stronger - weaker) / 2,
+      (stronger + weaker) / 2, predict(1, 1) - nominal - faster - stronger;
+  return columns;
+}
+
 std::string NameOfAxis(const MachineModel& model, std::size_t axis) {
   return axis < model.joints.size() ? model.joints[axis].name
                                     : model.ground_tools.gears[axis - model.joints.size()].name;
@@ -169,13 +190,14 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   channel.free_member = FreeMember(channel.variables[0].series, channel.variables[1].series,
                                    channel.variables[2].series);
   ReplayBlock block;
+  const LoneAxisReplay replay(model, log, measured);
+  channel.nominal = NominalColumns(replay, grid);
   block.name = NameOfAxis(model, axis);
   block.first_ns = measured.t_ns.front();
   // Other levers move the axis through its position and load alone, which are measured.
   block.commands = {channel.variables[0].series};
   block.channels.push_back(std::move(channel));
   block.suspects = SuspectsOfAxis(model, log, axis);
-  const LoneAxisReplay replay(model, log, measured);
   block.predict = [replay, grid](const Structure& terms) {
     return std::vector<std::vector<double>>{
         grid.Spread(replay.Predict(WithTerms(replay.effects(), terms)))};

@@ -95,17 +95,18 @@ const Effects& LoneAxisReplay::effects() const {
   return axis_ < joints ? model_.effects.joints[axis_] : model_.effects.gears[axis_ - joints];
 }
 
-std::vector<double> LoneAxisReplay::Predict(const Effects& effects) const {
+std::vector<double> LoneAxisReplay::Predict(const Effects& effects, const Nominal& nominal) const {
   const std::size_t joints = model_.joints.size();
   MachineModel model = model_;
   (axis_ < joints ? model.effects.joints[axis_] : model.effects.gears[axis_ - joints]) = effects;
   AxisActuation actuation = AxisActuationOf(model, axis_, {.machine = model.kind});
-  const double full_nm = FullEffort_nm(model, axis_);
+  const double full_nm = nominal.effort * FullEffort_nm(model, axis_);
   double rate_radps = 0;
   SampledRate sampled(at_step_);
   for (std::size_t k = 0; k < lever_.size(); ++k) {
     const double demand_radps = actuation.Demand(lever_[k], step_s_);
-    const double asked_radps = actuation.Deliver(demand_radps, motion_[k], step_s_).rate_radps;
+    const double asked_radps =
+        nominal.rate * actuation.Deliver(demand_radps, motion_[k], step_s_).rate_radps;
     rate_radps = Accelerated(rate_radps, asked_radps, full_nm, motion_[k].load_nm, inertia_kgm2_[k],
                              step_s_);
     sampled.Add(k, rate_radps);

@@ -37,8 +37,14 @@ class LoneAxisReplay {
   /// far as they are needed.
   LoneAxisReplay(const MachineModel& model, const AxisLog& log, const MeasuredRate& measured);
 
+  /// Nominal numbers of the axis, as factors of what its model has.
+  struct Nominal {
+    double rate = 1, effort = 1;
+  };
+
   /// Rates at the measured rate's times, with `effects` in place of the axis's own.
-  std::vector<double> Predict(const Effects& effects) const;
+  std::vector<double> Predict(const Effects& effects, const Nominal& nominal) const;
+  std::vector<double> Predict(const Effects& effects) const { return Predict(effects, Nominal()); }
 
   /// What the axis has.
   const Effects& effects() const;

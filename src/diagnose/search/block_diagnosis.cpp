@@ -10,9 +10,11 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kFewestManoeuvres = 3;  ///< of SELECT and of FINAL; steady_gain.h needs them
-constexpr double kLongest_s = 5;  ///< of a manoeuvre: a machine that is driven on does much in it
-constexpr double kSeen = 10;      ///< gain in log-likelihood on TRAIN that the criterion asks for
+constexpr std::size_t kFewestSeen = 6;   ///< manoeuvres of TRAIN and SELECT that move
+constexpr std::size_t kFewestFinal = 3;  ///< of FINAL; steady_gain.h needs them
+constexpr double kLongest_s = 3;  ///< of a manoeuvre: a machine that is driven on does much in it
+constexpr double kSeen =
+    20;  ///< gain in log-likelihood that the criterion asks for on TRAIN, and as much of SELECT
 constexpr std::uint64_t kDraws = 20;  ///< of noise, of which three quarters are to show a suspect
 constexpr double kLeastUnexplained = 0.05;
 constexpr std::size_t kLongestResponse = 2000;
@@ -23,6 +25,11 @@ constexpr double kLoudWithoutRest = 6;
 constexpr double kLoud = 2;        ///< times the noise: error, not noise
 constexpr double kNominal = 0.03;  ///< of a channel's RMS: nominal numbers are known no better
 
+Mask Not(Mask mask) {
+  for (auto& is : mask) is = !is;
+  return mask;
+}
+
 class Procedure {
  public:
   Procedure(const ReplayBlock& block, const SearchOptions& options, const Stream& stream)
@@ -31,11 +38,11 @@ class Procedure {
         stream_(stream),
         manoeuvres_(SplitByManoeuvre(block.commands, {.longest_s = kLongest_s}, stream)),
         select_(SegmentsOf(manoeuvres_, Part::kSelect)),
+        seen_(SeenSegmentsOf(manoeuvres_)),
         final_(SegmentsOf(manoeuvres_, Part::kFinal)),
         final_mask_(MaskOf(manoeuvres_, Part::kFinal, block.samples())),
-        likelihood_(block, NoiseOfBlock(block, manoeuvres_),
-                    MaskOf(manoeuvres_, Part::kTrain, block.samples())),
-        fitter_(block, likelihood_, manoeuvres_) {}
+        likelihood_(block, NoiseOfBlock(block, manoeuvres_), Not(final_mask_)),
+        fitter_(block, likelihood_, seen_) {}
 
   BlockDiagnosis Run();
 
@@ -56,10 +63,10 @@ class Procedure {
   const SearchOptions& options_;
   const Stream& stream_;
   const std::vector<Manoeuvre> manoeuvres_;
-  const std::vector<Segment> select_, final_;
+  const std::vector<Segment> select_, seen_, final_;
   const Mask final_mask_;
-  const Likelihood likelihood_;
-  const StructureFitter fitter_;
+  const Likelihood likelihood_;   ///< of TRAIN and SELECT
+  const StructureFitter fitter_;  ///< to TRAIN and SELECT
 };
 
 double MeanSquare(const Series& residual, const Mask& mask) {
@@ -178,14 +185,14 @@ HeldOutError Procedure::Compare(const FittedStructure& before, const FittedStruc
   return error;
 }
 
-/// By SELECT, so that FINAL does not choose what it is asked about.
+/// Not by FINAL, which is not to choose what it is asked about.
 std::size_t Procedure::MostImproved(const FittedStructure& before,
                                     const FittedStructure& after) const {
   std::size_t best = 0;
   double most = -INFINITY;
   for (std::size_t c = 0; c < block_.channels.size(); ++c) {
     double gain = 0;
-    for (const auto& one : GainsOf(likelihood_, before.misfit, after.misfit, select_, c)) {
+    for (const auto& one : GainsOf(likelihood_, before.misfit, after.misfit, seen_, c)) {
       gain += one.gain;
     }
     if (gain <= most) continue;
@@ -243,8 +250,7 @@ void Procedure::JudgeRemainder(const Series& residual, Remainder* remainder) con
 }
 
 void Procedure::FindRemainders(const SearchResult& search, BlockDiagnosis* out) const {
-  Mask not_final = final_mask_;
-  for (auto& is_final : not_final) is_final = !is_final;
+  const Mask not_final = Not(final_mask_);
   const Misfit free = LessFreeMember(block_, likelihood_, search.nothing.misfit, manoeuvres_);
   for (std::size_t c = 0; c < block_.channels.size(); ++c) {
     const Series& residual = search.found.misfit.residual[c];
@@ -286,8 +292,9 @@ void Procedure::FindUnexplained(BlockDiagnosis* out) const {
   }
 }
 
-/// Whether a difference between two predictions would pass SELECT and FINAL under most draws of the
-/// noise. A draw's gain of log-likelihood is normal, of mean `possible` and twice its variance.
+/// Whether a difference between two predictions would pass all that is seen and FINAL under most
+/// draws of the noise. A draw's gain of log-likelihood is normal, of mean `possible` and twice its
+/// variance.
 bool Procedure::WouldBeSeen(const Misfit& difference) const {
   const Misfit none = [&] {
     Misfit out = difference;
@@ -305,7 +312,7 @@ bool Procedure::WouldBeSeen(const Misfit& difference) const {
   std::uint64_t seen = 0;
   for (std::uint64_t draw = 0; draw < kDraws; ++draw) {
     const std::uint64_t first = (draw + 1) << 33;
-    seen += passes(select_, first, options_.alpha / static_cast<double>(tests)) &&
+    seen += passes(seen_, first, options_.alpha / static_cast<double>(tests)) &&
                     passes(final_, first + (std::uint64_t{1} << 32), kUnconfirmedP)
                 ? 1
                 : 0;
@@ -357,12 +364,11 @@ void Procedure::Confirm(BlockDiagnosis* out) const {
 
 /// Enough manoeuvres in which something was commanded.
 bool Procedure::IsTestable() const {
-  const auto moving = [&](Part part) {
-    return static_cast<std::size_t>(std::count_if(
-        manoeuvres_.begin(), manoeuvres_.end(),
-        [&](const Manoeuvre& manoeuvre) { return manoeuvre.part == part && manoeuvre.axes != 0; }));
-  };
-  return moving(Part::kSelect) >= kFewestManoeuvres && moving(Part::kFinal) >= kFewestManoeuvres;
+  std::size_t seen = 0, final = 0;
+  for (const Manoeuvre& manoeuvre : manoeuvres_) {
+    if (manoeuvre.axes != 0) ++(manoeuvre.part == Part::kFinal ? final : seen);
+  }
+  return seen >= kFewestSeen && final >= kFewestFinal;
 }
 
 BlockDiagnosis Procedure::Run() {
@@ -375,7 +381,7 @@ BlockDiagnosis Procedure::Run() {
     for (const Suspect& suspect : block_.suspects) out.detectability.push_back({&suspect, {}});
     return out;
   }
-  out.search = SearchStructures(block_, likelihood_, fitter_, manoeuvres_, options_);
+  out.search = SearchStructures(block_, likelihood_.noise(), fitter_, manoeuvres_, options_);
   Confirm(&out);
   FindRemainders(out.search, &out);
   FindUnexplained(&out);

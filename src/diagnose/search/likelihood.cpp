@@ -27,26 +27,26 @@ Eigen::Map<const Eigen::VectorXd> AsVector(const std::vector<double>& x) {
 }
 
 /// Nuisances as columns, each times its standard deviation.
-Eigen::MatrixXd ColumnsOf(const std::vector<double>& predicted, double period_s,
-                          const Nuisances& sigma) {
-  Eigen::MatrixXd columns(static_cast<Eigen::Index>(predicted.size()), 3);
+Eigen::MatrixXd ColumnsOf(const Channel& channel, const std::vector<double>& predicted) {
+  const Nuisances& sigma = channel.nuisances;
+  Eigen::MatrixXd columns(static_cast<Eigen::Index>(predicted.size()), 3 + channel.nominal.cols());
   columns.col(0).setConstant(sigma.offset);
   columns.col(1) = sigma.gain * AsVector(predicted);
-  columns.col(2) = -sigma.delay_s * AsVector(Slope(predicted, period_s));
+  columns.col(2) = -sigma.delay_s * AsVector(Slope(predicted, channel.measured.period_s));
+  columns.rightCols(channel.nominal.cols()) = channel.nominal;
   return columns;
 }
 
 /// Student-t regression of y on the columns, unit normal prior on the coefficients.
-Eigen::Vector3d Regress(const Eigen::VectorXd& y,
-                        const Eigen::Matrix<double, Eigen::Dynamic, 3>& columns, double dof) {
-  Eigen::Vector3d beta = Eigen::Vector3d::Zero();
+Eigen::VectorXd Regress(const Eigen::VectorXd& y, const Eigen::MatrixXd& columns, double dof) {
+  Eigen::VectorXd beta = Eigen::VectorXd::Zero(columns.cols());
   for (int pass = 0; pass < kReweightings; ++pass) {
     const Eigen::ArrayXd error = y - columns * beta;
     const Eigen::VectorXd weight = (dof + 1) / (dof + error.square());
-    const Eigen::Matrix<double, Eigen::Dynamic, 3> weighted = weight.asDiagonal() * columns;
-    const Eigen::Matrix3d information =
-        Eigen::Matrix3d::Identity() + Eigen::Matrix3d(weighted.transpose() * columns);
-    beta = information.ldlt().solve(Eigen::Vector3d(weighted.transpose() * y));
+    const Eigen::MatrixXd weighted = weight.asDiagonal() * columns;
+    Eigen::MatrixXd information = weighted.transpose() * columns;
+    information.diagonal().array() += 1;
+    beta = information.ldlt().solve(weighted.transpose() * y);
   }
   return beta;
 }
@@ -62,7 +62,7 @@ Likelihood::Likelihood(const ReplayBlock& block, std::vector<NoiseModel> noise, 
   TERA_CHECK(noise_.size() == block.channels.size(), noise_.size(), block.channels.size());
   for (std::size_t c = 0; c < noise_.size(); ++c) {
     const Channel& channel = block.channels[c];
-    parts_.push_back({WhiteningFilter(noise_[c], channel.measured.valid), {}, {}, {}, {}});
+    parts_.push_back({WhiteningFilter(noise_[c], channel.measured.valid), {}, {}, {}, {}, {}});
     ChannelPart& part = parts_.back();
     part.runs = SegmentsOf(Both(part.filter.rows(), fit_on));
     for (const Segment& run : part.runs) {
@@ -71,6 +71,10 @@ Likelihood::Likelihood(const ReplayBlock& block, std::vector<NoiseModel> noise, 
     const auto size = static_cast<Eigen::Index>(channel.measured.size());
     part.measured = Gathered(c, AsVector(channel.measured.value));
     part.offset = Gathered(c, Eigen::VectorXd::Constant(size, channel.nuisances.offset));
+    part.nominal.resize(part.offset.size(), channel.nominal.cols());
+    for (Eigen::Index n = 0; n < channel.nominal.cols(); ++n) {
+      part.nominal.col(n) = Gathered(c, channel.nominal.col(n));
+    }
   }
 }
 
@@ -93,7 +97,8 @@ Likelihood::Weighed Likelihood::Weigh(std::size_t channel, const Eigen::VectorXd
   const Nuisances& sigma = block_.channels[channel].nuisances;
   TERA_CHECK(predicted.size() == series.size(), predicted.size());
   const Eigen::VectorXd white = Gathered(channel, AsVector(predicted));
-  Rows columns(white.size(), 3);
+  const Eigen::MatrixXd& nominal = parts_[channel].nominal;
+  Eigen::MatrixXd columns(white.size(), 3 + nominal.cols());
   columns.col(0) = parts_[channel].offset;
   columns.col(1) = sigma.gain * white;
   if (sigma.delay_s > 0) {
@@ -102,8 +107,9 @@ Likelihood::Weighed Likelihood::Weigh(std::size_t channel, const Eigen::VectorXd
   } else {
     columns.col(2).setZero();
   }
+  columns.rightCols(nominal.cols()) = nominal;
   const Eigen::VectorXd y = measured - white;
-  const Eigen::Vector3d beta = Regress(y, columns, noise_[channel].dof);
+  const Eigen::VectorXd beta = Regress(y, columns, noise_[channel].dof);
   return {y - columns * beta, beta};
 }
 
@@ -119,10 +125,9 @@ Misfit Likelihood::JudgeAgainst(const std::vector<std::vector<double>>& measured
   for (std::size_t c = 0; c < noise_.size(); ++c) {
     const Channel& channel = block_.channels[c];
     const auto y = AsVector(measured[c]);
-    const Eigen::Vector3d beta = Weigh(c, Gathered(c, y), predicted[c]).nuisances;
+    const Eigen::VectorXd beta = Weigh(c, Gathered(c, y), predicted[c]).nuisances;
     const Eigen::VectorXd left =
-        y - AsVector(predicted[c]) -
-        ColumnsOf(predicted[c], channel.measured.period_s, channel.nuisances) * beta;
+        y - AsVector(predicted[c]) - ColumnsOf(channel, predicted[c]) * beta;
     out.nuisances.push_back(beta);
     out.innovation.push_back(parts_[c].filter.Apply(left) / noise_[c].scale);
     Series residual = channel.measured;

@@ -14,18 +14,19 @@ namespace tera {
 struct Misfit {
   /// One list a channel, one entry a sample: innovation over the noise's scale; 0 where none.
   std::vector<Eigen::VectorXd> innovation;
-  /// Offset, gain - 1 and delay (s) of each channel, over their standard deviations.
-  std::vector<Eigen::Vector3d> nuisances;
+  /// Offset, gain - 1, delay (s) and nominal numbers of each channel, over their standard
+  /// deviations.
+  std::vector<Eigen::VectorXd> nuisances;
   std::vector<Series> residual;  ///< measured less predicted, nuisances included
 };
 
 /// How likely the measurements of a block are, given predictions of its channels.
 ///
-/// Model   measured = (1 + g) predicted + b - d d(predicted)/dt + noise, the noise of each channel
-///         autoregressive with Student-t innovations (noise_model.h); b, g and d normal about 0
-///         with the channel's standard deviations, fitted to the samples of a mask by iteratively
-///         reweighted least squares on whitened columns. Samples without full memory since the last
-///         gap say nothing.
+/// Model   measured = (1 + g) predicted + b - d d(predicted)/dt + N n + noise, the noise of each
+///         channel autoregressive with Student-t innovations (noise_model.h); b, g and d normal
+///         about 0 with the channel's standard deviations, n of its nominal columns N likewise with
+///         1, fitted to the samples of a mask by iteratively reweighted least squares on whitened
+///         columns. Samples without full memory since the last gap say nothing.
 /// Omits   noise common to several channels.
 class Likelihood {
  public:
@@ -62,19 +63,18 @@ class Likelihood {
              std::optional<std::size_t> channel = {}) const;
 
  private:
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
-
   /// A channel's whitening filter, and what it makes of the samples fitted to.
   struct ChannelPart {
     WhiteningFilter filter;
     std::vector<Segment> runs;
     std::vector<std::size_t> samples;
     Eigen::VectorXd measured, offset;  ///< whitened, over the noise's scale
+    Eigen::MatrixXd nominal;           ///< likewise
   };
   /// Innovations of the samples fitted to, and the nuisances.
   struct Weighed {
     Eigen::VectorXd innovation;
-    Eigen::Vector3d nuisances;
+    Eigen::VectorXd nuisances;
   };
 
   Eigen::VectorXd Gathered(std::size_t channel, const Eigen::Ref<const Eigen::VectorXd>& x) const;

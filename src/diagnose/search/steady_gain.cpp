@@ -61,4 +61,12 @@ std::vector<Segment> SegmentsOf(const std::vector<Manoeuvre>& manoeuvres, Part p
   return segments;
 }
 
+std::vector<Segment> SeenSegmentsOf(const std::vector<Manoeuvre>& manoeuvres) {
+  std::vector<Segment> segments;
+  for (const Manoeuvre& manoeuvre : manoeuvres) {
+    if (manoeuvre.part != Part::kFinal) segments.push_back(manoeuvre.samples);
+  }
+  return segments;
+}
+
 }  // namespace tera

@@ -36,4 +36,7 @@ double SteadyGainP(const std::vector<ManoeuvreGain>& gains);
 /// The samples of the manoeuvres of a part.
 std::vector<Segment> SegmentsOf(const std::vector<Manoeuvre>& manoeuvres, Part part);
 
+/// The samples of the manoeuvres of TRAIN and SELECT, in order.
+std::vector<Segment> SeenSegmentsOf(const std::vector<Manoeuvre>& manoeuvres);
+
 }  // namespace tera

@@ -98,25 +98,27 @@ Eigen::VectorXd RangesAt(const Structure& terms) {
   return Eigen::Map<const Eigen::VectorXd>(ranges.data(), static_cast<Eigen::Index>(ranges.size()));
 }
 
-/// White noise of the size of what is left of each channel, if that is much more than the noise.
-std::optional<Likelihood> CoarseLikelihood(const ReplayBlock& block, const Likelihood& likelihood,
-                                           const Mask& train) {
+/// White noise of the size of what is left of each channel's samples fitted to, if that is much
+/// more than the noise.
+std::optional<Likelihood> CoarseLikelihood(const ReplayBlock& block, const Likelihood& likelihood) {
   const Misfit misfit = likelihood.Judge(block.predict({}));
   std::vector<NoiseModel> noise;
+  Mask fitted(block.samples(), 0);
   bool bad = false;
   for (std::size_t c = 0; c < block.channels.size(); ++c) {
-    double innovations = 0, left = 0, count = 0;
-    for (std::size_t k = 0; k < block.samples(); ++k) {
-      if (!train[k] || !misfit.residual[c].valid[k]) continue;
+    double innovations = 0, left = 0;
+    const std::vector<std::size_t>& samples = likelihood.fitted_samples(c);
+    for (const std::size_t k : samples) {
+      fitted[k] = 1;
       innovations += std::pow(misfit.innovation[c][static_cast<Eigen::Index>(k)], 2);
       left += std::pow(misfit.residual[c].value[k], 2);
-      ++count;
     }
+    const auto count = static_cast<double>(samples.size());
     bad = bad || innovations > kBadFit * count;
     noise.push_back({.scale = std::sqrt(left / std::max(count, 1.0)) + 1e-300, .dof = 10});
   }
   if (!bad) return std::nullopt;
-  return Likelihood(block, noise, train);
+  return Likelihood(block, noise, fitted);
 }
 
 }  // namespace
@@ -129,12 +131,11 @@ double PlaceOf(const FreeParameter& free, double value) {
 }
 
 StructureFitter::StructureFitter(const ReplayBlock& block, const Likelihood& likelihood,
-                                 const std::vector<Manoeuvre>& manoeuvres)
+                                 std::vector<Segment> manoeuvres)
     : block_(block),
       likelihood_(likelihood),
-      train_(SegmentsOf(manoeuvres, Part::kTrain)),
-      coarse_(
-          CoarseLikelihood(block, likelihood, MaskOf(manoeuvres, Part::kTrain, block.samples()))) {}
+      manoeuvres_(std::move(manoeuvres)),
+      coarse_(CoarseLikelihood(block, likelihood)) {}
 
 FittedStructure StructureFitter::AsGiven(Structure terms) const {
   FittedStructure out;
@@ -193,6 +194,10 @@ FittedStructure StructureFitter::FitValues(Structure terms) const {
   return out;
 }
 
+FittedStructure StructureFitter::FitFrom(const Structure& terms) const {
+  return AsGiven(Refine(terms, likelihood_));
+}
+
 FittedStructure StructureFitter::Fit(Structure terms) const {
   FittedStructure out = FitValues(std::move(terms));
   AddInformation(&out);
@@ -204,7 +209,7 @@ void StructureFitter::AddInformation(FittedStructure* fitted) const {
   std::vector<double> places = PlacesOf(fitted->terms);
   const auto count = static_cast<Eigen::Index>(places.size());
   fitted->information = Eigen::MatrixXd::Zero(count, count);
-  fitted->scores = Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(train_.size()));
+  fitted->scores = Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(manoeuvres_.size()));
   if (count == 0) return;
   const Deviance deviance(block_, likelihood_, fitted->terms);
   std::vector<double> rows(static_cast<std::size_t>(deviance.num_residuals()));
@@ -219,12 +224,12 @@ void StructureFitter::AddInformation(FittedStructure* fitted) const {
   for (std::size_t c = 0; c < block_.channels.size(); ++c) {
     std::size_t manoeuvre = 0;
     for (const std::size_t k : likelihood_.fitted_samples(c)) {
-      while (k >= train_[manoeuvre].end) ++manoeuvre;
+      while (k >= manoeuvres_[manoeuvre].end) ++manoeuvre;
       fitted->scores.col(static_cast<Eigen::Index>(manoeuvre)) +=
           rows[row] * jacobian.row(static_cast<Eigen::Index>(row)).transpose();
       ++row;
     }
-    row += 3;  // the nuisances
+    row += static_cast<std::size_t>(3 + block_.channels[c].nominal.cols());  // the nuisances
   }
 }
 

@@ -34,13 +34,16 @@ double PlaceOf(const FreeParameter& free, double value);
 /// Source  Ceres Solver (trust region with bounds); Golub and Pereyra 1973 (variable projection).
 class StructureFitter {
  public:
-  /// Fits to TRAIN, as the likelihood does. Block and likelihood must outlive it.
+  /// Fits to the samples that the likelihood is of, all in `manoeuvres`, in order, by which scores
+  /// are given. Block and likelihood must outlive it.
   StructureFitter(const ReplayBlock& block, const Likelihood& likelihood,
-                  const std::vector<Manoeuvre>& manoeuvres);
+                  std::vector<Segment> manoeuvres);
 
   FittedStructure Fit(Structure terms) const;
   /// The same without information and scores.
   FittedStructure FitValues(Structure terms) const;
+  /// The same from the values given alone.
+  FittedStructure FitFrom(const Structure& terms) const;
   /// Judged as it stands.
   FittedStructure AsGiven(Structure terms) const;
 
@@ -51,7 +54,7 @@ class StructureFitter {
 
   const ReplayBlock& block_;
   const Likelihood& likelihood_;
-  std::vector<Segment> train_;
+  std::vector<Segment> manoeuvres_;
   std::optional<Likelihood> coarse_;
 };
 

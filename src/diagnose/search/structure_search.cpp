@@ -9,6 +9,7 @@
 #include <set>
 #include <thread>
 
+#include "diagnose/search/cross_fit.h"
 #include "diagnose/search/free_member.h"
 #include "diagnose/search/steady_gain.h"
 
@@ -80,16 +81,20 @@ Structure With(Structure terms, const Suspect& suspect, const std::vector<double
 
 class Search {
  public:
-  Search(const ReplayBlock& block, const Likelihood& likelihood, const StructureFitter& fitter,
-         const std::vector<Manoeuvre>& manoeuvres, const SearchOptions& options)
+  Search(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
+         const StructureFitter& on_seen, const std::vector<Manoeuvre>& manoeuvres,
+         const SearchOptions& options)
       : block_(block),
-        likelihood_(likelihood),
-        fitter_(fitter),
+        on_seen_(on_seen),
         manoeuvres_(manoeuvres),
         options_(options),
-        select_(SegmentsOf(manoeuvres, Part::kSelect)) {
+        select_(SegmentsOf(manoeuvres, Part::kSelect)),
+        seen_(SeenSegmentsOf(manoeuvres)),
+        likelihood_(block, noise, MaskOf(manoeuvres, Part::kTrain, block.samples())),
+        fitter_(block, likelihood_, {}),
+        crossed_(block, noise, manoeuvres) {
     for (std::size_t c = 0; c < block.channels.size(); ++c) {
-      rows_ += static_cast<double>(likelihood.fitted_samples(c).size());
+      rows_ += static_cast<double>(likelihood_.fitted_samples(c).size());
     }
   }
 
@@ -105,16 +110,20 @@ class Search {
   Scored Grow(Scored best) const;
   Scored Swap(Scored best) const;
   Scored Prune(Scored kept, std::vector<TermEvidence>* evidence) const;
-  TermEvidence EvidenceOf(const Scored& with, const Scored& without) const;
+  TermEvidence EvidenceOf(const Scored& with, const Misfit& crossed_with,
+                          const Scored& without) const;
+  bool IsNeeded(const TermEvidence& evidence) const;
   void FindRivals(const Scored& found, std::size_t term, TermEvidence* evidence) const;
-  double FreeGain(const Misfit& nothing) const;
+  double FreeGain(const Misfit& misfit) const;
 
   const ReplayBlock& block_;
-  const Likelihood& likelihood_;
-  const StructureFitter& fitter_;
+  const StructureFitter& on_seen_;
   const std::vector<Manoeuvre>& manoeuvres_;
   const SearchOptions& options_;
-  const std::vector<Segment> select_;
+  const std::vector<Segment> select_, seen_;
+  const Likelihood likelihood_;   ///< of TRAIN
+  const StructureFitter fitter_;  ///< to TRAIN
+  const CrossFit crossed_;
   double rows_ = 0;
   Scored nothing_;
   std::vector<Scored> singles_;        ///< one a suspect
@@ -224,18 +233,25 @@ Scored Search::Swap(Scored best) const {
   return best;
 }
 
-TermEvidence Search::EvidenceOf(const Scored& with, const Scored& without) const {
+TermEvidence Search::EvidenceOf(const Scored& with, const Misfit& crossed_with,
+                                const Scored& without) const {
   TermEvidence evidence;
-  const Misfit before = fitter_.AsGiven(without.terms).misfit;
-  const Misfit after = fitter_.AsGiven(with.terms).misfit;
+  const Misfit crossed_without = crossed_.Judge(without.terms);
   const std::size_t tests = std::max(options_.suspects_in_all, block_.suspects.size());
-  const double p = SteadyGainP(GainsOf(likelihood_, before, after, select_));
+  const double p = SteadyGainP(GainsOf(likelihood_, crossed_without, crossed_with, seen_));
   evidence.p = std::min(1.0, static_cast<double>(tests) * p);
+  const Misfit before = fitter_.AsGiven(without.terms).misfit;
+  const double gained = Total(Differences(with.held_out, without.held_out));
   const double found = Total(with.held_out) - Total(nothing_.held_out);
-  evidence.share =
-      Total(Differences(with.held_out, without.held_out)) / std::max({free_gain_, found, 1e-9});
-  evidence.effect = EffectOf(block_, after, before);
+  evidence.share = gained / std::max({free_gain_, found, 1e-9});
+  evidence.of_rest = gained / std::max({FreeGain(before), gained, 1e-9});
+  evidence.effect = EffectOf(block_, fitter_.AsGiven(with.terms).misfit, before);
   return evidence;
+}
+
+bool Search::IsNeeded(const TermEvidence& evidence) const {
+  return evidence.p <= options_.alpha && evidence.of_rest >= options_.least_of_rest &&
+         evidence.effect >= options_.least_effect;
 }
 
 /// Removes the term that is needed least until all are needed.
@@ -244,15 +260,14 @@ Scored Search::Prune(Scored kept, std::vector<TermEvidence>* evidence) const {
     std::vector<Structure> smaller;
     for (std::size_t t = 0; t < kept.terms.size(); ++t) smaller.push_back(Without(kept.terms, t));
     const std::vector<Scored> without = FitAll(smaller);
-    evidence->clear();
+    const Misfit crossed = crossed_.Judge(kept.terms);
+    *evidence = InParallel<TermEvidence>(without.size(), options_.threads, [&](std::size_t t) {
+      return EvidenceOf(kept, crossed, without[t]);
+    });
     std::size_t least = kept.terms.size();
     for (std::size_t t = 0; t < without.size(); ++t) {
-      evidence->push_back(EvidenceOf(kept, without[t]));
-      const TermEvidence& e = evidence->back();
-      const bool needed = e.p <= options_.alpha && e.share >= options_.least_share &&
-                          e.effect >= options_.least_effect;
-      if (needed) continue;
-      if (least == kept.terms.size() || e.share < (*evidence)[least].share) least = t;
+      if (IsNeeded((*evidence)[t])) continue;
+      if (least == kept.terms.size() || (*evidence)[t].share < (*evidence)[least].share) least = t;
     }
     if (least == kept.terms.size()) return kept;
     kept = without[least];
@@ -267,12 +282,15 @@ void Search::FindRivals(const Scored& found, std::size_t term, TermEvidence* evi
     swapped.push_back(With(Without(found.terms, term), *other.suspect, other.values));
   }
   evidence->rivals = {found.terms[term].suspect};
-  const Misfit with = fitter_.AsGiven(found.terms).misfit;
-  for (const Scored& scored : FitAll(swapped)) {
-    const Misfit instead = fitter_.AsGiven(scored.terms).misfit;
-    const Rival rival{scored.terms.back().suspect,
-                      SteadyGainP(GainsOf(likelihood_, instead, with, select_)),
-                      Total(Differences(found.held_out, scored.held_out))};
+  const Misfit with = crossed_.Judge(found.terms);
+  const auto rivals = InParallel<Rival>(swapped.size(), options_.threads, [&](std::size_t k) {
+    const Misfit instead = crossed_.Judge(fitter_.FitValues(swapped[k]).terms);
+    const auto gains = GainsOf(likelihood_, instead, with, seen_);
+    Rival rival{swapped[k].back().suspect, SteadyGainP(gains), 0};
+    for (const ManoeuvreGain& one : gains) rival.lead += one.gain;
+    return rival;
+  });
+  for (const Rival& rival : rivals) {
     if (rival.p > kRivalP || rival.lead < kRivalGain) {
       evidence->rivals.push_back(rival.suspect);
     } else {
@@ -283,25 +301,27 @@ void Search::FindRivals(const Scored& found, std::size_t term, TermEvidence* evi
                    [](const Rival& a, const Rival& b) { return a.lead < b.lead; });
 }
 
-double Search::FreeGain(const Misfit& nothing) const {
-  const Misfit free = LessFreeMember(block_, likelihood_, nothing, manoeuvres_);
+/// What the free member gains on SELECT over a misfit of TRAIN.
+double Search::FreeGain(const Misfit& misfit) const {
+  const Misfit free = LessFreeMember(block_, likelihood_, misfit, manoeuvres_);
   double gain = 0;
-  for (const ManoeuvreGain& one : GainsOf(likelihood_, nothing, free, select_)) gain += one.gain;
+  for (const ManoeuvreGain& one : GainsOf(likelihood_, misfit, free, select_)) gain += one.gain;
   return gain;
 }
 
 SearchResult Search::Run() {
   SearchResult result;
-  result.nothing = fitter_.AsGiven({});
-  nothing_ = Score(result.nothing);
-  free_gain_ = result.free_gain = FreeGain(result.nothing.misfit);
+  const FittedStructure nothing = fitter_.AsGiven({});
+  nothing_ = Score(nothing);
+  free_gain_ = result.free_gain = FreeGain(nothing.misfit);
   FitSingles();
   Screen();
   const Scored found = Prune(Grow(Swap(BestOfPairs())), &result.evidence);
   for (std::size_t t = 0; t < found.terms.size(); ++t) {
     FindRivals(found, t, &result.evidence[t]);
   }
-  result.found = found.terms.empty() ? result.nothing : fitter_.Fit(found.terms);
+  result.nothing = on_seen_.AsGiven({});
+  result.found = found.terms.empty() ? result.nothing : on_seen_.Fit(found.terms);
   for (std::size_t s = 0; s < singles_.size(); ++s) {
     result.singles.push_back({&block_.suspects[s], singles_[s].terms.front().values,
                               singles_[s].log_likelihood - nothing_.log_likelihood,
@@ -327,11 +347,11 @@ double EffectOf(const ReplayBlock& block, const Misfit& with, const Misfit& with
   return largest;
 }
 
-SearchResult SearchStructures(const ReplayBlock& block, const Likelihood& likelihood,
-                              const StructureFitter& fitter,
+SearchResult SearchStructures(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
+                              const StructureFitter& on_seen,
                               const std::vector<Manoeuvre>& manoeuvres,
                               const SearchOptions& options) {
-  return Search(block, likelihood, fitter, manoeuvres, options).Run();
+  return Search(block, noise, on_seen, manoeuvres, options).Run();
 }
 
 }  // namespace tera

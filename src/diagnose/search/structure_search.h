@@ -15,7 +15,7 @@ struct SearchOptions {
   /// Mechanisms that the whole diagnosis tests, and channels of which it asks what is left; 0:
   /// those of the block alone.
   std::size_t suspects_in_all = 0, channels_in_all = 0;
-  double least_share = 0.02;   ///< of the excess, that a term must explain
+  double least_of_rest = 0.1;  ///< of what the others leave, that a term must explain
   double least_effect = 0.02;  ///< RMS of what a term changes over the RMS of the channel
   int threads = 2;
 };
@@ -23,14 +23,15 @@ struct SearchOptions {
 /// What stands in a term's place no worse, or was tried there in vain.
 struct Rival {
   const Suspect* suspect = nullptr;
-  double p = 1;  ///< of SELECT gaining this steadily by chance from the term in the rival's place
-  double lead = 0;  ///< of the term's structure in log-likelihood on SELECT
+  double p = 1;     ///< of a gain so steady by chance from the term in the rival's place
+  double lead = 0;  ///< of the term's structure in log-likelihood, over the same manoeuvres
 };
 
-/// How a term stands on samples that it was not fitted to.
+/// How a term stands on manoeuvres that it was not fitted to.
 struct TermEvidence {
-  double p = 1;       ///< of a gain this steady over SELECT by chance, times the number of tests
-  double share = 0;   ///< of the gain in likelihood that the free member has over nothing
+  double p = 1;      ///< of a gain this steady by chance (cross_fit.h), times the number of tests
+  double share = 0;  ///< of the gain in likelihood on SELECT that the free member has over nothing
+  double of_rest = 0;  ///< of the gain that the free member has over the structure without the term
   double effect = 0;  ///< RMS of what it changes over the RMS of the channel, largest over channels
   /// Suspects in whose place the structure is not significantly worse, itself first.
   std::vector<const Suspect*> rivals;
@@ -46,7 +47,7 @@ struct SingleEvidence {
 };
 
 struct SearchResult {
-  FittedStructure nothing, found;
+  FittedStructure nothing, found;      ///< fitted to TRAIN and SELECT
   std::vector<TermEvidence> evidence;  ///< one for each term found
   std::vector<SingleEvidence> singles;
   double free_gain = 0;  ///< held-out gain in log-likelihood of the free member over nothing
@@ -57,16 +58,19 @@ struct SearchResult {
 /// Model   every suspect alone; every pair of the screened (the likeliest, and the likeliest of
 ///         each slot); then one term more at a time, with swaps, as long as the Bayesian
 ///         information criterion on TRAIN falls. Backward: a term goes unless its gain over the
-///         structure refitted without it is steady over the manoeuvres of SELECT (steady_gain.h;
-///         Bonferroni over all that the diagnosis tests), at least `least_share` of the excess, and
-///         its effect, beyond nuisances, at least `least_effect` of the channel. Rivals: each term
-///         is swapped for each screened suspect; where SELECT does not gain from the term with p at
-///         most 0.05, or less than 3 of log-likelihood, they are alike.
-/// Omits   that SELECT chooses more than once: backward steps and rivals look at the same
-///         manoeuvres.
+///         structure fitted without it is steady over the manoeuvres of TRAIN and SELECT, each left
+///         out of the fits that it judges (cross_fit.h, steady_gain.h; Bonferroni over all that the
+///         diagnosis tests), at least `least_of_rest` of what a free member gains there, and its
+///         effect, beyond nuisances, at least `least_effect` of the channel. Rivals: each term is
+///         swapped for each screened suspect; where the same manoeuvres do not gain from the term
+///         with p at most 0.05, or less than 3 of log-likelihood, they are alike.
+/// Omits   that the structures whose terms are tested were chosen on part of the same manoeuvres,
+///         beyond the number of suspects; FINAL is for that.
 /// Source  Schwarz 1978.
-SearchResult SearchStructures(const ReplayBlock& block, const Likelihood& likelihood,
-                              const StructureFitter& fitter,
+///
+/// `noise` of each channel; `on_seen` fits to TRAIN and SELECT.
+SearchResult SearchStructures(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
+                              const StructureFitter& on_seen,
                               const std::vector<Manoeuvre>& manoeuvres,
                               const SearchOptions& options);
 

@@ -138,8 +138,9 @@ TEST(BlockDiagnosis, LeavesFinalOutOfEverythingThatChooses) {
   EXPECT_EQ(before.noise[0].ar, after.noise[0].ar);
   ASSERT_EQ(before.search.singles.size(), after.search.singles.size());
   for (std::size_t s = 0; s < before.search.singles.size(); ++s) {
-    // But for the first samples of a manoeuvre, which are whitened by those before it.
-    EXPECT_NEAR(before.search.singles[s].values[0], after.search.singles[s].values[0], 1e-3);
+    // But for the first samples of a manoeuvre, which are whitened by those before it, and for
+    // where a fit ends.
+    EXPECT_NEAR(before.search.singles[s].values[0], after.search.singles[s].values[0], 3e-3);
     EXPECT_NEAR(before.search.singles[s].held_out_gain, after.search.singles[s].held_out_gain, 0.1);
   }
   EXPECT_NEAR(before.remainders[0].noise.differences, after.remainders[0].noise.differences, 1e-6);

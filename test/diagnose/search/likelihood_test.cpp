@@ -43,6 +43,32 @@ TEST(Likelihood, DiscernsWhatIsBeyondNuisancesAlone) {
   EXPECT_GT(likelihood.Discernible({lever}, {squared}), 10.0);
 }
 
+TEST(Likelihood, TakesANominalNumberForWhatItMayBe) {
+  // A lag known to be 0.2 s give or take 0.02 s, in truth 0.23 s; judged from the first half.
+  const std::vector<double> lever = ToyLever(4000, 6);
+  const std::vector<double> nominal = ToyResponse(lever, 0, 0, 0.2);
+  const std::vector<double> slower = ToyResponse(lever, 0, 0, 0.22);
+  ReplayBlock block = ToyBlock(lever, ToyMeasured(ToyResponse(lever, 0, 0, 0.23), 1e-3, 6), {});
+  Mask first(lever.size(), 0);
+  std::fill_n(first.begin(), 2000, 1);
+  const auto left = [&] {
+    const Misfit misfit = Likelihood(block, {{.scale = 1e-3}}, first).Judge({nominal});
+    double square = 0;
+    for (std::size_t k = 2100; k < 3900; ++k) square += std::pow(misfit.residual[0].value[k], 2);
+    return std::sqrt(square / 1800);
+  };
+  const double without = left();
+  block.channels[0].nominal.resize(4000, 1);
+  for (Eigen::Index k = 0; k < 4000; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    block.channels[0].nominal(k, 0) = slower[at] - nominal[at];
+  }
+  const Misfit misfit = Likelihood(block, {{.scale = 1e-3}}, first).Judge({nominal});
+  EXPECT_NEAR(misfit.nuisances[0][3], 1.5, 0.15);  // 0.03 s over 0.02 s, but for curvature
+  EXPECT_GT(without, 0.01);
+  EXPECT_LT(left(), 0.2 * without);
+}
+
 TEST(Likelihood, FitsToTheMaskWhatItThenJudgesEverywhere) {
   // An offset of the second half alone: fitted to the first half, it is left in the second.
   constexpr std::size_t kSize = 2000;

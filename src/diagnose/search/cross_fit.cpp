@@ -1,0 +1,60 @@
+#include "diagnose/search/cross_fit.h"
+
+#include <algorithm>
+
+namespace tera {
+namespace {
+
+constexpr std::size_t kFolds = 5;
+
+/// Takes over what another misfit leaves of some samples.
+void TakeOver(const Misfit& from, const Segment& samples, Misfit* out) {
+  const auto begin = static_cast<std::ptrdiff_t>(samples.begin);
+  const auto end = static_cast<std::ptrdiff_t>(samples.end);
+  for (std::size_t c = 0; c < out->innovation.size(); ++c) {
+    const auto first = static_cast<Eigen::Index>(samples.begin);
+    const auto size = static_cast<Eigen::Index>(samples.size());
+    out->innovation[c].segment(first, size) = from.innovation[c].segment(first, size);
+    const std::vector<double>& left = from.residual[c].value;
+    std::copy(left.begin() + begin, left.begin() + end, out->residual[c].value.begin() + begin);
+  }
+}
+
+}  // namespace
+
+CrossFit::CrossFit(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
+                   const std::vector<Manoeuvre>& manoeuvres)
+    : folds_(kFolds) {
+  std::size_t moving = 0, resting = 0;
+  std::vector<Mask> seen(kFolds, Mask(block.samples(), 0));
+  for (const Manoeuvre& manoeuvre : manoeuvres) {
+    if (manoeuvre.part == Part::kFinal) continue;
+    const std::size_t own = (manoeuvre.axes == 0 ? resting++ : moving++) % kFolds;
+    folds_[own].unseen.push_back(manoeuvre.samples);
+    for (std::size_t f = 0; f < kFolds; ++f) {
+      if (f == own) continue;
+      std::fill(seen[f].begin() + static_cast<std::ptrdiff_t>(manoeuvre.samples.begin),
+                seen[f].begin() + static_cast<std::ptrdiff_t>(manoeuvre.samples.end), 1);
+    }
+  }
+  for (std::size_t f = 0; f < kFolds; ++f) {
+    folds_[f].likelihood = std::make_unique<Likelihood>(block, noise, seen[f]);
+    folds_[f].fitter =
+        std::make_unique<StructureFitter>(block, *folds_[f].likelihood, std::vector<Segment>{});
+  }
+}
+
+Misfit CrossFit::Judge(const Structure& terms) const {
+  Misfit out;
+  for (std::size_t f = 0; f < folds_.size(); ++f) {
+    Misfit misfit = folds_[f].fitter->FitFrom(terms).misfit;
+    if (f == 0) {
+      out = std::move(misfit);
+      continue;
+    }
+    for (const Segment& samples : folds_[f].unseen) TakeOver(misfit, samples, &out);
+  }
+  return out;
+}
+
+}  // namespace tera
