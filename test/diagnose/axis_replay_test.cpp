@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
+#include <string>
 
 #include "core/error.h"
 #include "sim/drive_fixture.h"
@@ -86,6 +88,10 @@ double Residual_radps(const AxisLog& log, const MachineModel& model, const Machi
 struct Case {
   std::string joint, effects;
 };
+
+void PrintTo(const Case& tested, std::ostream* out) {
+  *out << tested.joint << " {" << tested.effects << "}";
+}
 
 class ReplayOfEffects : public ::testing::TestWithParam<Case> {};
 

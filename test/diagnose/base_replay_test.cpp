@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
+#include <string>
 
 #include "core/error.h"
 #include "sim/drive_fixture.h"
@@ -66,6 +68,10 @@ PlanarTwist RmsError(const BaseLog& log, const std::vector<PlanarTwist>& predict
 struct Case {
   std::string terrain, base;
 };
+
+void PrintTo(const Case& tested, std::ostream* out) {
+  *out << tested.terrain << " {" << tested.base << "}";
+}
 
 class ReplayOfGround : public ::testing::TestWithParam<Case> {};
 

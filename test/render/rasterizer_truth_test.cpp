@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 
 #include "core/units.h"
 #include "rasterizer_stage.h"
@@ -9,6 +10,13 @@
 /// Where things stand in the picture: projection, depth, labels and boxes.
 
 namespace tera {
+
+/// What a test of several lenses is told apart by.
+static void PrintTo(const CameraIntrinsics& camera, std::ostream* out) {
+  *out << camera.width_px << " x " << camera.height_px << " px"
+       << (camera.Distorted() ? ", distorted" : "");
+}
+
 namespace {
 
 TEST(Intrinsics, ProjectFollowsBrownConradyByHand) {

@@ -128,8 +128,9 @@ Eigen::MatrixXd NominalColumns(const LoneAxisReplay& replay, const SampleGrid& g
   const Eigen::VectorXd faster = predict(1, 0) - nominal, slower = predict(-1, 0) - nominal;
   const Eigen::VectorXd stronger = predict(0, 1) - nominal, weaker = predict(0, -1) - nominal;
   Eigen::MatrixXd columns(nominal.size(), 5);
-  columns << (faster - slower) / 2, (faster + slower) / 2, (stronger - weaker) / 2,
-      (stronger + weaker) / 2, predict(1, 1) - nominal - faster - stronger;
+  // The second order is that of two standard deviations for a coefficient of two.
+  columns << (faster - slower) / 2, faster + slower, (stronger - weaker) / 2, stronger + weaker,
+      2 * (predict(1, 1) - nominal - faster - stronger);
   return columns;
 }
 
@@ -185,7 +186,7 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   channel.name = measured.channel;
   channel.unit = measured.channel.ends_with("_mps") ? "m/s" : "rad/s";
   channel.measured = grid.SpreadSeries(measured.rate_radps, measured.is_free);
-  channel.nuisances = {.offset = 1e-3, .gain = 0.02, .delay_s = 0.5 * grid.period_s};
+  channel.nuisances = {.offset = 1e-3, .gain = 0.005, .delay_s = 0.5 * grid.period_s};
   channel.variables = VariablesOf(model, log, measured, grid);
   channel.free_member = FreeMember(channel.variables[0].series, channel.variables[1].series,
                                    channel.variables[2].series);

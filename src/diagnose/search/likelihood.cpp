@@ -10,6 +10,7 @@ namespace tera {
 namespace {
 
 constexpr int kReweightings = 2;
+constexpr double kBound = 2;  ///< standard deviations that a nuisance may be off by
 
 /// Central difference; ends as their neighbours.
 std::vector<double> Slope(const std::vector<double>& y, double period_s) {
@@ -37,7 +38,30 @@ Eigen::MatrixXd ColumnsOf(const Channel& channel, const std::vector<double>& pre
   return columns;
 }
 
-/// Student-t regression of y on the columns, unit normal prior on the coefficients.
+/// Minimum of beta' information beta / 2 - pull' beta with no coefficient beyond the bound: the one
+/// that is furthest beyond is held there, in turn.
+Eigen::VectorXd SolveBounded(const Eigen::MatrixXd& information, Eigen::VectorXd pull) {
+  Eigen::VectorXd beta = Eigen::VectorXd::Zero(pull.size());
+  std::vector<Eigen::Index> open;
+  for (Eigen::Index i = 0; i < pull.size(); ++i) open.push_back(i);
+  while (!open.empty()) {
+    const Eigen::VectorXd solved =
+        Eigen::MatrixXd(information(open, open)).ldlt().solve(Eigen::VectorXd(pull(open)));
+    Eigen::Index furthest = 0;
+    if (solved.cwiseAbs().maxCoeff(&furthest) <= kBound) {
+      beta(open) = solved;
+      return beta;
+    }
+    const Eigen::Index held = open[static_cast<std::size_t>(furthest)];
+    beta[held] = std::copysign(kBound, solved[furthest]);
+    pull -= beta[held] * information.col(held);
+    open.erase(open.begin() + furthest);
+  }
+  return beta;
+}
+
+/// Student-t regression of y on the columns, unit normal prior on the coefficients, cut at the
+/// bound.
 Eigen::VectorXd Regress(const Eigen::VectorXd& y, const Eigen::MatrixXd& columns, double dof) {
   Eigen::VectorXd beta = Eigen::VectorXd::Zero(columns.cols());
   for (int pass = 0; pass < kReweightings; ++pass) {
@@ -46,7 +70,7 @@ Eigen::VectorXd Regress(const Eigen::VectorXd& y, const Eigen::MatrixXd& columns
     const Eigen::MatrixXd weighted = weight.asDiagonal() * columns;
     Eigen::MatrixXd information = weighted.transpose() * columns;
     information.diagonal().array() += 1;
-    beta = information.ldlt().solve(weighted.transpose() * y);
+    beta = SolveBounded(information, weighted.transpose() * y);
   }
   return beta;
 }

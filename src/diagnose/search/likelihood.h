@@ -25,8 +25,9 @@ struct Misfit {
 /// Model   measured = (1 + g) predicted + b - d d(predicted)/dt + N n + noise, the noise of each
 ///         channel autoregressive with Student-t innovations (noise_model.h); b, g and d normal
 ///         about 0 with the channel's standard deviations, n of its nominal columns N likewise with
-///         1, fitted to the samples of a mask by iteratively reweighted least squares on whitened
-///         columns. Samples without full memory since the last gap say nothing.
+///         1, none beyond two of them, so that what is more is no nuisance; fitted to the samples
+///         of a mask by iteratively reweighted least squares on whitened columns. Samples without
+///         full memory since the last gap say nothing.
 /// Omits   noise common to several channels.
 class Likelihood {
  public:

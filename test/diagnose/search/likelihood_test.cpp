@@ -69,6 +69,24 @@ TEST(Likelihood, TakesANominalNumberForWhatItMayBe) {
   EXPECT_LT(left(), 0.2 * without);
 }
 
+TEST(Likelihood, NoNuisanceIsMoreThanTwoStandardDeviations) {
+  // A gain that is known to 2 % and is off by 30 % leaves 26 %, and pulls no other nuisance along.
+  const std::vector<double> lever = ToyLever(4000, 7);
+  std::vector<double> larger = lever;
+  for (double& x : larger) x *= 1.3;
+  ReplayBlock block = ToyBlock(lever, ToyMeasured(larger, 1e-3, 7), {});
+  block.channels[0].nuisances = {.offset = 1e-6, .gain = 0.02};
+  const Misfit misfit =
+      Likelihood(block, {{.scale = 1e-2, .dof = 1e9}}, Mask(lever.size(), 1)).Judge({lever});
+  EXPECT_DOUBLE_EQ(misfit.nuisances[0][1], 2);
+  double of_lever = 0, square = 0;
+  for (std::size_t k = 0; k < lever.size(); ++k) {
+    of_lever += misfit.residual[0].value[k] * lever[k];
+    square += block.channels[0].measured.valid[k] ? lever[k] * lever[k] : 0;
+  }
+  EXPECT_NEAR(of_lever / square, 0.26, 0.01);
+}
+
 TEST(Likelihood, FitsToTheMaskWhatItThenJudgesEverywhere) {
   // An offset of the second half alone: fitted to the first half, it is left in the second.
   constexpr std::size_t kSize = 2000;
