@@ -129,9 +129,10 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
     block.channels.push_back({name + suffix,
                               unit,
                               grid.SpreadSeries(PartOf(measured, part), all),
-                              {.offset = 1e-3, .gain = 0.01, .delay_s = 0.5 * grid.period_s},
+                              {.offset = 1e-3, .gain = 0.02, .delay_s = 0.5 * grid.period_s},
                               VariablesOf(course, grid),
-                              FreeMember(course, grid)});
+                              FreeMember(course, grid),
+                              {}});
   };
   add("/forward_mps", "m/s", &PlanarTwist::forward_mps);
   add("/left_mps", "m/s", &PlanarTwist::left_mps);

@@ -208,7 +208,8 @@ std::optional<ReplayBlock> MakeImuBlock(const SensorDescription& sensor, ImuLog 
                               {period_s, std::move(measured[i]), valid},
                               {.offset = is_rate ? 1e-6 : 1e-5, .gain = 1e-5, .delay_s = 0.002},
                               VariablesOf(predicted, *log, period_s),
-                              free_member});
+                              free_member,
+                              {}});
   }
   block.commands = CommandsOf(predicted, period_s);
   SuspectList suspects(sensor.name, EffectTarget::kImu, sensor.effects, SensorMechanisms());

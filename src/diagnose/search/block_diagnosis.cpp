@@ -37,12 +37,12 @@ class Procedure {
         options_(options),
         stream_(stream),
         manoeuvres_(SplitByManoeuvre(block.commands, {.longest_s = kLongest_s}, stream)),
-        select_(SegmentsOf(manoeuvres_, Part::kSelect)),
-        seen_(SeenSegmentsOf(manoeuvres_)),
-        final_(SegmentsOf(manoeuvres_, Part::kFinal)),
+        select_(PiecesOf(SegmentsOf(manoeuvres_, Part::kSelect), block.period_s())),
+        seen_(PiecesOf(SeenSegmentsOf(manoeuvres_), block.period_s())),
+        final_(PiecesOf(SegmentsOf(manoeuvres_, Part::kFinal), block.period_s())),
         final_mask_(MaskOf(manoeuvres_, Part::kFinal, block.samples())),
         likelihood_(block, NoiseOfBlock(block, manoeuvres_), Not(final_mask_)),
-        fitter_(block, likelihood_, seen_) {}
+        fitter_(block, likelihood_, SeenSegmentsOf(manoeuvres_)) {}
 
   BlockDiagnosis Run();
 
@@ -63,7 +63,7 @@ class Procedure {
   const SearchOptions& options_;
   const Stream& stream_;
   const std::vector<Manoeuvre> manoeuvres_;
-  const std::vector<Segment> select_, seen_, final_;
+  const std::vector<Segment> select_, seen_, final_;  ///< in pieces
   const Mask final_mask_;
   const Likelihood likelihood_;   ///< of TRAIN and SELECT
   const StructureFitter fitter_;  ///< to TRAIN and SELECT

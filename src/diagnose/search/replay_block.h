@@ -61,12 +61,12 @@ struct Channel {
   Nuisances nuisances;
   /// What its error may depend on, each of the grid's length.
   std::vector<RegimeVariable> variables;
-  /// What the prediction changes by where a nominal number is off by its standard deviation: one
-  /// column a number, one row a sample. Nuisances beside the three above; may be empty.
-  Eigen::MatrixXd nominal;
   /// Columns, one row a sample, whose combinations come near to anything that the physics of the
   /// block could do: the free member. May be empty.
   Eigen::MatrixXd free_member;
+  /// What the prediction changes by where a nominal number is off by its standard deviation: one
+  /// column a number, one row a sample. Nuisances beside the three; may be empty.
+  Eigen::MatrixXd nominal;
 };
 
 /// One part of the chain, replayed alone over its measured neighbours.

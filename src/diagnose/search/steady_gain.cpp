@@ -1,5 +1,6 @@
 #include "diagnose/search/steady_gain.h"
 
+#include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
@@ -9,6 +10,8 @@ namespace {
 constexpr double kLeastPossible = 2;
 constexpr double kClear = 20;  ///< log-likelihood, far above the scatter of noise
 constexpr std::size_t kFewest = 3;
+constexpr double kPiece_s = 1;
+constexpr std::size_t kPieceSamples = 25;
 
 }  // namespace
 
@@ -32,6 +35,20 @@ std::vector<ManoeuvreGain> GainsOf(const Likelihood& likelihood, const Misfit& b
     gains.push_back(gain);
   }
   return gains;
+}
+
+std::vector<Segment> PiecesOf(const std::vector<Segment>& manoeuvres, double period_s) {
+  const auto shortest =
+      std::max(kPieceSamples, static_cast<std::size_t>(std::lround(kPiece_s / period_s)));
+  std::vector<Segment> pieces;
+  for (const Segment& whole : manoeuvres) {
+    const std::size_t count = std::max<std::size_t>(1, whole.size() / shortest);
+    for (std::size_t p = 0; p < count; ++p) {
+      pieces.push_back(
+          {whole.begin + p * whole.size() / count, whole.begin + (p + 1) * whole.size() / count});
+    }
+  }
+  return pieces;
 }
 
 double SteadyGainP(const std::vector<ManoeuvreGain>& gains) {

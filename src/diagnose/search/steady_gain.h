@@ -9,7 +9,7 @@
 
 namespace tera {
 
-/// What one manoeuvre says of two predictions.
+/// What one manoeuvre, or a piece of one, says of two predictions.
 struct ManoeuvreGain {
   double gain = 0;      ///< of log-likelihood, of the second over the first
   double possible = 0;  ///< the same were the second true and there no noise
@@ -20,7 +20,11 @@ std::vector<ManoeuvreGain> GainsOf(const Likelihood& likelihood, const Misfit& b
                                    const Misfit& after, const std::vector<Segment>& manoeuvres,
                                    std::optional<std::size_t> channel = {});
 
-/// Probability, by chance, of gains as steady over manoeuvres as these.
+/// Manoeuvres in equal pieces of a second or more, 25 samples at least: what lasts longer than
+/// noise and shorter than a manoeuvre counts once a piece.
+std::vector<Segment> PiecesOf(const std::vector<Segment>& manoeuvres, double period_s);
+
+/// Probability, by chance, of gains as steady over manoeuvres, or pieces of them, as these.
 ///
 /// Model   one number a manoeuvre: its gain over sqrt(possible (possible + 20)), which is 1 where a
 ///         large difference is all gained, and of one variance where it drowns in noise.
@@ -28,7 +32,7 @@ std::vector<ManoeuvreGain> GainsOf(const Likelihood& likelihood, const Misfit& b
 ///         p at 1. Student's t, one-sided: errors that last as long as a manoeuvre count once, and
 ///         manoeuvres may differ in how sure they are: for p below 0.08 the test is then
 ///         conservative.
-/// Omits   errors that outlast a manoeuvre.
+/// Omits   errors that outlast a manoeuvre, or a piece.
 /// Source  Ibragimov and Mueller 2010, "t-statistic based correlation and heterogeneity robust
 ///         inference"; Bakirov and Szekely 2006.
 double SteadyGainP(const std::vector<ManoeuvreGain>& gains);

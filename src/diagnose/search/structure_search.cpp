@@ -89,7 +89,7 @@ class Search {
         manoeuvres_(manoeuvres),
         options_(options),
         select_(SegmentsOf(manoeuvres, Part::kSelect)),
-        seen_(SeenSegmentsOf(manoeuvres)),
+        seen_(PiecesOf(SeenSegmentsOf(manoeuvres), block.period_s())),
         likelihood_(block, noise, MaskOf(manoeuvres, Part::kTrain, block.samples())),
         fitter_(block, likelihood_, {}),
         crossed_(block, noise, manoeuvres) {

@@ -70,8 +70,8 @@ inline ReplayBlock ToyBlock(const std::vector<double>& lever, const Series& meas
                             measured,
                             {.offset = 0.01, .gain = 0.02},
                             {{"lever", command}, {"temperature", temperature}},
-                            {},
-                            free});
+                            free,
+                            {}});
   block.commands = {command};
   for (const std::size_t s : suspects) {
     const bool is_lag = s == 3;
