@@ -24,6 +24,10 @@ constexpr double kAtBound = 1e-3;        ///< of a parameter's range
 constexpr double kLoudWithoutRest = 6;
 constexpr double kLoud = 2;        ///< times the noise: error, not noise
 constexpr double kNominal = 0.03;  ///< of a channel's RMS: nominal numbers are known no better
+constexpr double kForm = 0.02;     ///< of an excess: its form in the library is no better
+/// Standard deviation of a mechanism's number, of itself, for the form that it has in the library
+/// instead of its own, and for nominal numbers.
+constexpr double kFormOfNumber = 0.03;
 
 Mask Not(Mask mask) {
   for (auto& is : mask) is = !is;
@@ -51,7 +55,8 @@ class Procedure {
   Finding Describe(const SearchResult& search, std::size_t term) const;
   void Confirm(BlockDiagnosis* out) const;
   void FindRemainders(const SearchResult& search, BlockDiagnosis* out) const;
-  void JudgeRemainder(const Series& residual, Remainder* remainder) const;
+  double QuietOf(const Remainder& remainder, const SearchResult& search, double loud) const;
+  void JudgeRemainder(const SearchResult& search, Remainder* remainder) const;
   void FindUnexplained(BlockDiagnosis* out) const;
   Detectability DetectabilityOf(const Suspect& suspect) const;
   bool WouldBeSeen(const Misfit& difference) const;
@@ -148,6 +153,11 @@ bool IsAtBound(const FreeParameter& free, double value) {
   return place < kAtBound || place > 1 - kAtBound;
 }
 
+/// Sensors have the forms of the library; machines and ground do not.
+double FormDeviation(const Mechanism& mechanism, double value) {
+  return mechanism.slot < Slot::kSensorGeometry ? kFormOfNumber * std::abs(value) : 0;
+}
+
 /// The numbers of one term; no standard deviation where it is wider than the parameter's range, or
 /// the number stands at an end of it.
 std::vector<ParameterEstimate> EstimatesOf(const FittedStructure& found, std::size_t wanted) {
@@ -165,7 +175,8 @@ std::vector<ParameterEstimate> EstimatesOf(const FittedStructure& found, std::si
     const FreeParameter& free = term.suspect->free[f];
     if (sigmas[first + f].value_or(1e300) > free.upper - free.lower) continue;
     if (IsAtBound(free, term.values[free.index])) continue;
-    estimates[free.index].sigma = sigmas[first + f];
+    estimates[free.index].sigma = std::hypot(
+        *sigmas[first + f], FormDeviation(*term.suspect->mechanism, term.values[free.index]));
   }
   return estimates;
 }
@@ -225,16 +236,21 @@ double MeanSquare(const Series& residual, const Segment& samples) {
   return MeanSquare(residual, mask);
 }
 
-/// What a mean square may be and still be noise and nominal numbers.
-double Quiet(const NoiseLevel& noise, double loud, double signal) {
-  const double square = noise.rms() * noise.rms();
-  return std::max(loud * loud * square, square + kNominal * kNominal * signal);
+/// What a mean square may be and still be noise, nominal numbers, and what the forms of mechanisms
+/// that were found differ by from what they stand for.
+double Procedure::QuietOf(const Remainder& remainder, const SearchResult& search,
+                          double loud) const {
+  const std::size_t c = remainder.channel;
+  const double noise = remainder.noise.rms() * remainder.noise.rms();
+  const double signal = MeanSquare(block_.channels[c].measured, final_mask_);
+  const double excess = MeanSquare(search.nothing.misfit.residual[c], final_mask_) - noise;
+  return std::max(loud * loud * noise,
+                  noise + kNominal * kNominal * signal + kForm * std::max(0.0, excess));
 }
 
-void Procedure::JudgeRemainder(const Series& residual, Remainder* remainder) const {
-  const Series& measured = block_.channels[remainder->channel].measured;
-  const double signal = MeanSquare(measured, final_mask_);
-  const double quiet = Quiet(remainder->noise, kLoud, signal);
+void Procedure::JudgeRemainder(const SearchResult& search, Remainder* remainder) const {
+  const Series& residual = search.found.misfit.residual[remainder->channel];
+  const double quiet = QuietOf(*remainder, search, kLoud);
   for (const Manoeuvre& manoeuvre : manoeuvres_) {
     if (manoeuvre.part != Part::kFinal || manoeuvre.axes == 0) continue;
     ++remainder->manoeuvres;
@@ -243,7 +259,7 @@ void Procedure::JudgeRemainder(const Series& residual, Remainder* remainder) con
   const double square = remainder->rmse * remainder->rmse;
   if (square <= quiet) return;
   const bool is_told =
-      remainder->noise.at_rest || square > Quiet(remainder->noise, kLoudWithoutRest, signal);
+      remainder->noise.at_rest || square > QuietOf(*remainder, search, kLoudWithoutRest);
   remainder->kind = !is_told                                      ? Remainder::Kind::kUnknown
                     : 2 * remainder->loud < remainder->manoeuvres ? Remainder::Kind::kOfFew
                                                                   : Remainder::Kind::kError;
@@ -261,7 +277,7 @@ void Procedure::FindRemainders(const SearchResult& search, BlockDiagnosis* out) 
     for (const auto& one : GainsOf(likelihood_, search.nothing.misfit, free, select_, c)) {
       remainder.free_member_tells = remainder.free_member_tells || one.possible > 0;
     }
-    JudgeRemainder(residual, &remainder);
+    JudgeRemainder(search, &remainder);
     out->remainders.push_back(remainder);
   }
 }
