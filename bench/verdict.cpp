@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <numeric>
 
 namespace tera::bench {
@@ -10,9 +11,18 @@ namespace {
 
 constexpr double kMicrosecondsPerSecond = 1e6;
 
+/// What was not met so far, as it was said.
+std::vector<std::string>& Missed() {
+  static std::vector<std::string> missed;
+  return missed;
+}
+
 std::string Said(const Target& target, const char* relation, double measured, bool met) {
-  return fmt::format("{} {:.2f}{}, target {} {:g}{}: {}", target.what, measured, target.unit,
-                     relation, target.least_or_most, target.unit, met ? "met" : "not met");
+  std::string said =
+      fmt::format("{} {:.2f}{}, target {} {:g}{}: {}", target.what, measured, target.unit, relation,
+                  target.least_or_most, target.unit, met ? "met" : "not met");
+  if (!met) Missed().push_back(said);
+  return said;
 }
 
 std::string AtMost(const Target& target, double measured) {
@@ -36,6 +46,15 @@ void ExpectAtMost(const std::vector<Measured>& figures, const std::string& remar
     said += (said.empty() ? "" : "; ") + AtMost(target, figure);
   }
   state->SetLabel(remark.empty() ? said : said + "; " + remark);
+}
+
+int RunAndJudge(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  for (const std::string& said : Missed()) fmt::print(stderr, "missed: {}\n", said);
+  return Missed().empty() ? 0 : 1;
 }
 
 double StepTimes::Mean_us() const {

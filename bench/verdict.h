@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-/// How a benchmark says how far its figure is from its target: as the label that ends its line.
+/// How a benchmark says how far its figure is from its target: as the label that ends its line. A
+/// program of benchmarks fails if any target is not met (RunAndJudge).
 
 namespace tera::bench {
 
@@ -25,6 +26,10 @@ struct Measured {
 };
 void ExpectAtMost(const std::vector<Measured>& figures, const std::string& remark,
                   benchmark::State* state);
+
+/// The `main` of a program of benchmarks: runs those that the arguments ask for. Returns 0 if all
+/// targets were met, 1 with their names on the standard error if not, 2 for wrong arguments.
+int RunAndJudge(int argc, char** argv);
 
 /// Durations of single steps, for their mean and 95th percentile.
 class StepTimes {

@@ -45,6 +45,7 @@ Avalanche::Avalanche(const std::vector<SoilType>& soils) : walls_(soils) {
 
 /// Makes the column and its neighbours active.
 void Avalanche::Wake(ColumnId k, Columns* ground) {
+  if (ground->IsWithinTile(k)) return active_.AddWithNeighbours(k);
   for (int dj = -1; dj <= 1; ++dj) {
     for (int di = -1; di <= 1; ++di) {
       ColumnId m = ground->BesideId(k, di, dj);
@@ -53,10 +54,7 @@ void Avalanche::Wake(ColumnId k, Columns* ground) {
         if (!ground->Contains(i + di, j + dj)) continue;
         m = ground->Touch(i + di, j + dj);
       }
-      if (m >= motion_.size()) motion_.resize(ground->id_end());
-      if (motion_[m].is_active) continue;
-      motion_[m].is_active = true;
-      active_.push_back(m);
+      active_.Add(m);
     }
   }
 }
@@ -115,9 +113,10 @@ double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
       0.25 * (motion_[k].face_mps[other] + motion_[to].face_mps[other] +
               VelocityOf(k, -dj, -di, other, ground) + VelocityOf(to, -dj, -di, other, ground));
   const bool rests = before_mps == 0 && across_mps == 0;
-  *gradient = Norm(slope, across_slope);
-  const bool is_steep = *gradient > friction.tan_start;
+  const bool is_steep =
+      slope * slope + across_slope * across_slope > friction.tan_start * friction.tan_start;
   if (rests && !is_steep) return 0;
+  *gradient = Norm(slope, across_slope);
 
   // Momentum that the flow itself brings, from upstream.
   const auto upstream = [&](double speed_mps, int i, int j) {
@@ -142,13 +141,12 @@ double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
   return std::clamp(along_mps * (1 - braked_mps / speed_mps), -most_mps, most_mps);
 }
 
-void Avalanche::FindFluxes(const std::vector<ColumnId>& visited, double dt_s,
-                           const Columns& ground) {
+void Avalanche::FindFluxes(double dt_s, const Columns& ground) {
   fluxes_.clear();
-  for (const ColumnId k : visited) {
+  for (const ColumnId k : visited_) {
     for (const Axis axis : {kX, kY}) {
       const ColumnId to = ground.BesideId(k, axis == kX ? 1 : 0, axis == kX ? 0 : 1);
-      if (to == Columns::kNone || to >= motion_.size() || !motion_[to].is_visited) continue;
+      if (to == Columns::kNone || !is_visited_.Contains(to)) continue;
       if (motion_[k].rests && motion_[to].rests) continue;
       double gradient = 0;
       const double velocity_mps = FaceVelocity(k, to, axis, dt_s, ground, &gradient);
@@ -171,55 +169,49 @@ void Avalanche::Mobilise(const Flux& flux, const Columns& ground) {
       std::min(c.loose_m, std::max({source.mobile_m, kFilm_m, kMobileOverExcess * excess_m}));
 }
 
+/// Thickness of the layer that a flux takes from its source in a step, if there is enough.
+double Avalanche::Wanted_m(const Flux& flux, double dt_s, const Columns& ground) {
+  const double loose_m = ground.skin(flux.source()).loose_m;
+  double& velocity_mps = motion_[flux.column].face_mps[flux.axis];
+  velocity_mps = loose_m > 0 ? flux.velocity_mps : 0;
+  if (velocity_mps == 0) return 0;
+  Mobilise(flux, ground);
+  if (loose_m >= kFilm_m) {
+    return std::abs(velocity_mps) * dt_s / ground.cell_m() * motion_[flux.source()].mobile_m;
+  }
+  velocity_mps = 0;  // a film leaves at once, and has no momentum to speak of
+  return loose_m;
+}
+
 /// Lets the new velocities carry loose soil, no column giving more than it has.
 void Avalanche::MoveSoil(double dt_s, Columns* ground) {
-  std::vector<double> moved_m;
-  for (Flux& flux : fluxes_) {
-    Motion& source = motion_[flux.source()];
-    const double loose_m = ground->skin(flux.source()).loose_m;
-    if (loose_m <= 0) flux.velocity_mps = 0;
-    motion_[flux.column].face_mps[flux.axis] = flux.velocity_mps;
-    double thickness_m = 0;
-    if (flux.velocity_mps != 0) {
-      Mobilise(flux, *ground);
-      const double travel_cells = std::abs(flux.velocity_mps) * dt_s / ground->cell_m();
-      thickness_m = travel_cells * source.mobile_m;
-      if (loose_m < kFilm_m) {  // a film leaves at once, and has no momentum to speak of
-        thickness_m = loose_m;
-        motion_[flux.column].face_mps[flux.axis] = 0;
-      }
-    }
-    source.outflow_m += thickness_m;
-    moved_m.push_back(thickness_m);
+  moved_.clear();
+  for (const Flux& flux : fluxes_) {
+    const double thickness_m = Wanted_m(flux, dt_s, *ground);
+    if (thickness_m <= 0) continue;
+    motion_[flux.source()].outflow_m += thickness_m;
+    moved_.push_back({flux.source(), flux.target(), thickness_m});
   }
-  for (std::size_t n = 0; n < fluxes_.size(); ++n) {
-    const Motion& source = motion_[fluxes_[n].source()];
-    if (source.outflow_m > source.mobile_m) moved_m[n] *= source.mobile_m / source.outflow_m;
+  for (Columns::Transfer& moved : moved_) {
+    const Motion& source = motion_[moved.from];
+    if (source.outflow_m > source.mobile_m) moved.thickness_m *= source.mobile_m / source.outflow_m;
   }
-  if (moving_.size() < fluxes_.size()) moving_.resize(fluxes_.size());
-  for (std::size_t n = 0; n < fluxes_.size(); ++n) {  // all leave before any arrives
-    motion_[fluxes_[n].source()].outflow_m = 0;
-    moving_[n].clear();
-    if (moved_m[n] > 0) ground->TakeLoose(fluxes_[n].source(), moved_m[n], &moving_[n]);
-  }
-  for (std::size_t n = 0; n < fluxes_.size(); ++n) {
-    ground->Deposit(fluxes_[n].target(), moving_[n]);
-    motion_[fluxes_[n].source()].mobile_m -= moved_m[n];
-    motion_[fluxes_[n].target()].mobile_m += moved_m[n];
+  ground->Transport(moved_);
+  for (const Columns::Transfer& moved : moved_) {
+    motion_[moved.from].outflow_m = 0;
+    motion_[moved.from].mobile_m -= moved.thickness_m;
+    motion_[moved.to].mobile_m += moved.thickness_m;
   }
 }
 
 /// Lets the banks that cannot stand fail, all judged by one state of the ground.
-void Avalanche::FailWalls(const std::vector<ColumnId>& visited, double dt_s, Columns* ground,
-                          Grains* grains) {
+void Avalanche::FailWalls(double dt_s, Columns* ground, Grains* grains) {
   std::vector<StandingWalls::Failure> failures;
-  for (const ColumnId k : visited) {
+  for (const ColumnId k : visited_) {
     if (const auto failure = walls_.FailureAt(k, *ground)) failures.push_back(*failure);
   }
   for (const StandingWalls::Failure& failure : failures) {
-    if (walls_.Fail(failure, dt_s, ground, grains)) continue;
-    motion_[failure.column].is_active = true;  // it waits
-    active_.push_back(failure.column);
+    if (!walls_.Fail(failure, dt_s, ground, grains)) active_.Add(failure.column);  // it waits
   }
 }
 
@@ -231,16 +223,14 @@ void Avalanche::Flow(double dt_s, Columns* ground, Grains* grains) {
 
 void Avalanche::Step(double dt_s, Columns* ground, Grains* grains) {
   for (const ColumnId k : ground->TakeChanged()) Wake(k, ground);
-  const std::vector<ColumnId> visited = std::exchange(active_, {});
-  for (const ColumnId k : visited) {
-    motion_[k].is_active = false;
-    motion_[k].is_visited = true;
-  }
-  FailWalls(visited, dt_s, ground, grains);
-  for (const ColumnId k : visited) LookAround(k, *ground);
-  FindFluxes(visited, dt_s, *ground);
-  for (const ColumnId k : visited) {
-    motion_[k].is_visited = false;
+  motion_.resize(ground->id_end());
+  is_visited_.clear();
+  std::swap(active_, is_visited_);
+  is_visited_.ListTo(&visited_);
+  FailWalls(dt_s, ground, grains);
+  for (const ColumnId k : visited_) LookAround(k, *ground);
+  FindFluxes(dt_s, *ground);
+  for (const ColumnId k : visited_) {
     if (!Flows(k, *ground)) motion_[k].mobile_m = 0;
   }
   MoveSoil(dt_s, ground);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "soil/column_set.h"
 #include "soil/columns.h"
 #include "soil/standing_wall.h"
 
@@ -43,8 +44,6 @@ class Avalanche {
     double face_mps[2] = {0, 0};  ///< on the faces towards +x and +y
     double mobile_m = 0;          ///< of the loose soil, from the surface down: the part that flows
     double outflow_m = 0;         ///< of it wanted in this step
-    bool is_active = false;       ///< to be visited at the next step
-    bool is_visited = false;      ///< in this step
     bool rests = true;            ///< of a visited one: it does not flow and is gentle
     /// Of a visited one: slope of the loose soil across each axis. What stands firm, above it or
     /// below, pushes nothing sideways.
@@ -63,25 +62,27 @@ class Avalanche {
     ColumnId target() const { return velocity_mps > 0 ? beside : column; }
   };
   void Step(double dt_s, Columns* ground, Grains* grains);
-  void FailWalls(const std::vector<ColumnId>& visited, double dt_s, Columns* ground,
-                 Grains* grains);
+  void FailWalls(double dt_s, Columns* ground, Grains* grains);
   void Wake(ColumnId k, Columns* ground);
   double VelocityOf(ColumnId k, int di, int dj, Axis axis, const Columns& ground) const;
   bool Flows(ColumnId k, const Columns& ground) const;
   void LookAround(ColumnId k, const Columns& ground);
   double FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s, const Columns& ground,
                       double* gradient) const;
-  void FindFluxes(const std::vector<ColumnId>& visited, double dt_s, const Columns& ground);
+  void FindFluxes(double dt_s, const Columns& ground);
   void Mobilise(const Flux& flux, const Columns& ground);
+  double Wanted_m(const Flux& flux, double dt_s, const Columns& ground);
   void MoveSoil(double dt_s, Columns* ground);
 
   double pending_s_ = 0;  ///< passed since the last visit
   StandingWalls walls_;
   std::vector<Friction> friction_;  ///< one for each soil
-  std::vector<ColumnId> active_;
-  std::vector<Motion> motion_;  ///< by id
+  ColumnSet active_;                ///< to be visited at the next step
+  ColumnSet is_visited_;            ///< in this step
+  std::vector<ColumnId> visited_;   ///< the same, in the order of their ids
+  std::vector<Motion> motion_;      ///< by id
   std::vector<Flux> fluxes_;
-  std::vector<SpoilMix> moving_;  ///< what each flux carries; kept for its memory
+  std::vector<Columns::Transfer> moved_;  ///< by the fluxes
 };
 
 }  // namespace tera

@@ -52,8 +52,21 @@ class Columns {
     int i, j;  ///< a column beside
   };
   Sample SampleAt(double x_m, double y_m) const;
+  /// Upward unit normal of the surface there, over two cells.
+  Vec3 NormalAt(double x_m, double y_m) const;
   /// Whether a point lies above all that its tile has ever held: a quick look, true only if so.
-  bool IsWellAbove(const Vec3& p_W_m) const;
+  bool IsWellAbove(const Vec3& p_W_m) const {
+    const double gx = (p_W_m.x() - surface_.origin_W_m.x()) * cells_per_m_;
+    const double gy = (p_W_m.y() - surface_.origin_W_m.y()) * cells_per_m_;
+    if (!(gx >= 0 && gy >= 0 && gx < nx() - 1 && gy < ny() - 1)) return false;
+    const int i = static_cast<int>(gx), j = static_cast<int>(gy);
+    const int a = i / TerrainGrid::kTileCells, b = j / TerrainGrid::kTileCells;
+    const std::int32_t n = chunk_of_tile_[surface_.tile_index(a, b)];
+    if (n < 0) return false;
+    const Chunk& chunk = chunks_[n];
+    return p_W_m.z() > chunk.ceiling_m && i + 1 - a * TerrainGrid::kTileCells < chunk.nx &&
+           j + 1 - b * TerrainGrid::kTileCells < chunk.ny;
+  }
 
   /// Gives the tile of column (i, j) columns of its own. References stay good.
   ColumnId Touch(int i, int j);
@@ -70,9 +83,20 @@ class Columns {
     std::uint8_t soil = 0;                         ///< at the surface
     std::uint8_t rut = 0;                          ///< as shown
     bool is_loose = false;                         ///< as in Column
+    bool is_stale = false;                         ///< in Transport: not in step with its column
   };
   const Skin& skin(ColumnId k) const { return chunks_[k >> kTileBits].skins[k & kLocalMask]; }
   static constexpr ColumnId kNone = ~ColumnId{0};
+  /// An id holds the chunk of its tile, the row, and the place in the row, from the highest bit on.
+  static constexpr int kRowBits = 6, kTileBits = 2 * kRowBits;
+  static constexpr ColumnId kRowMask = (1u << kRowBits) - 1, kLocalMask = (1u << kTileBits) - 1;
+  /// Whether the eight columns around are of the same tile: their ids then differ by Step().
+  bool IsWithinTile(ColumnId k) const {
+    const Chunk& chunk = chunks_[k >> kTileBits];
+    const int i = static_cast<int>(k & kRowMask), j = static_cast<int>((k >> kRowBits) & kRowMask);
+    return i > 0 && j > 0 && i + 1 < chunk.nx && j + 1 < chunk.ny;
+  }
+  static constexpr int Step(int di, int dj) { return dj * (1 << kRowBits) + di; }
   /// The id of the column beside, if its tile has columns, else kNone.
   ColumnId BesideId(ColumnId k, int di, int dj) const {
     const Chunk& chunk = chunks_[k >> kTileBits];
@@ -116,6 +140,13 @@ class Columns {
   void Cut(ColumnId k, double z_m, SpoilMix* cut);
   /// Takes up to `thickness_m` of the loose soil at the surface away and adds it to `taken`.
   void TakeLoose(ColumnId k, double thickness_m, SpoilMix* taken);
+  /// Loose soil on its way from one column to another.
+  struct Transfer {
+    ColumnId from, to;
+    double thickness_m;  ///< at most what is loose is taken
+  };
+  /// All soil leaves its columns before any arrives.
+  void Transport(const std::vector<Transfer>& transfers);
   /// Puts loose soil on a column.
   void Deposit(ColumnId k, const Spoil& spoil);
   void Deposit(ColumnId k, const SpoilMix& spoil);
@@ -168,8 +199,6 @@ class Columns {
   std::vector<ColumnId> TakeChanged();
 
  private:
-  static constexpr int kRowBits = 6, kTileBits = 2 * kRowBits;
-  static constexpr ColumnId kRowMask = (1u << kRowBits) - 1, kLocalMask = (1u << kTileBits) - 1;
   struct Chunk {
     int a, b;                                                     ///< the tile's
     int nx, ny;                                                   ///< columns along x and y
@@ -190,6 +219,8 @@ class Columns {
     return {ground_.profiles[c.profile], soils_, area_m2_};
   }
   void Changed(ColumnId k);
+  void ChangesLater(ColumnId k);
+  void Fetch(ColumnId k) const;
   void ShowRut(ColumnId k, double rut);
 
   UndisturbedGround ground_;
@@ -198,9 +229,17 @@ class Columns {
   std::vector<Chunk> chunks_;
   std::vector<std::int32_t> chunk_of_tile_;  ///< -1 where nothing has happened
   std::vector<std::vector<Change>> start_;   ///< of each chunk that was there at MarkStart
+  double cells_per_m_ = 0;
   double area_m2_ = 0;
   double outside_kg_ = 0;
   std::vector<ColumnId> changed_;
+  struct Arrival {
+    ColumnId to;
+    Spoil spoil;
+  };
+  // Of Transport; kept for their memory.
+  std::vector<Arrival> arrivals_;
+  std::vector<ColumnId> stale_;
 };
 
 }  // namespace tera

@@ -17,13 +17,6 @@ constexpr int kMostFalls = 40;           ///< columns that what is laid down fal
 constexpr double kWall = 2;              ///< slope of what a clod does not climb
 const Vec3 kGravity_W(0, 0, -kStandardGravity_mps2);
 
-Vec3 NormalAt(const Columns& ground, double x, double y) {
-  const double h = ground.cell_m();
-  return Vec3(ground.HeightAt(x - h, y) - ground.HeightAt(x + h, y),
-              ground.HeightAt(x, y - h) - ground.HeightAt(x, y + h), 2 * h)
-      .normalized();
-}
-
 /// Whether soil put on a column would fall off it, as off a wall, to the lowest one around.
 bool FallsOn(const Columns& ground, Columns::Place* at) {
   if (!ground.Contains(at->i, at->j)) return false;
@@ -107,13 +100,13 @@ bool Grains::Move(double dt_s, const Columns& ground, Grain* grain) const {
   double ground_m = ground.HeightAt(p_W.x(), p_W.y());
   if (p_W.z() > ground_m) return false;
   grain->slid_s += dt_s;
-  Vec3 n_W = NormalAt(ground, p_W.x(), p_W.y());
+  Vec3 n_W = ground.NormalAt(p_W.x(), p_W.y());
   if (n_W.head<2>().norm() > kWall * n_W.z() && n_W.head<2>().dot(v_W.head<2>()) < 0) {
     p_W.head<2>() = before_W.head<2>();
     v_W.head<2>().setZero();
     ground_m = ground.HeightAt(p_W.x(), p_W.y());
     if (p_W.z() > ground_m) return false;
-    n_W = NormalAt(ground, p_W.x(), p_W.y());
+    n_W = ground.NormalAt(p_W.x(), p_W.y());
   }
   p_W.z() = ground_m;
   const double into_mps = std::max(0.0, -v_W.dot(n_W));
@@ -139,16 +132,18 @@ bool Grains::MoveInBed(double dt_s, const Bed& bed, Grain* grain) const {
 
 void Grains::Step(double dt_s, Columns* ground) {
   if (grains_.empty() && beds_.empty()) return;
-  std::size_t kept = 0;
-  for (Grain& grain : grains_) {
-    const Bed* bed = BedAt(grain.p_W_m);
+  const bool has_beds = !beds_.empty();
+  for (std::size_t n = 0; n < grains_.size();) {
+    Grain& grain = grains_[n];
+    const Bed* bed = has_beds ? BedAt(grain.p_W_m) : nullptr;
     if (bed != nullptr ? MoveInBed(dt_s, *bed, &grain) : Move(dt_s, *ground, &grain)) {
       LayDown(grain.p_W_m, grain.spoil, ground);
+      grain = grains_.back();
+      grains_.pop_back();
     } else {
-      grains_[kept++] = grain;
+      ++n;
     }
   }
-  grains_.resize(kept);
   Show(ground);
 }
 
@@ -158,7 +153,7 @@ void Grains::Show(Columns* ground) const {
   for (const Grain& grain : grains_) {
     shown.push_back({grain.p_W_m.cast<float>() + grain.radius_m * Eigen::Vector3f::UnitZ(),
                      grain.radius_m, grain.number, grain.spoil.soil,
-                     static_cast<std::uint8_t>(std::lround(255 * grain.spoil.moisture))});
+                     static_cast<std::uint8_t>(255 * grain.spoil.moisture + 0.5F)});
   }
   for (const Bed& bed : beds_) bed.Show(&shown);
   ground->ShowGrains(std::move(shown));

@@ -5,15 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "core/polygon.h"
+#include "soil/outline.h"
 #include "soil/soil_type.h"
 
 namespace tera {
 namespace {
 
 constexpr double kBeyond_m = 1e5;  ///< strips reach this far across
-constexpr std::size_t kFewestCorners = 3;
-constexpr double kLeastArea_m2 = 1e-4;  ///< of a region
 
 Stratum StratumOf(std::uint8_t soil, const SoilCatalogue& soils) {
   if (soils.soils().empty()) return {std::numeric_limits<double>::infinity(), soil, 0, 0};
@@ -117,34 +115,13 @@ void ReadStrips(const ConfigMap& config, SoilCatalogue* soils, SiteProfiles* sit
   }
 }
 
-/// What is wrong with a region's corners, or nothing.
-std::string OutlineFault(const std::vector<Vec2>& p) {
-  if (p.size() < kFewestCorners) {
-    return fmt::format("{} corners found, need at least {}, each [x, y] in m", p.size(),
-                       kFewestCorners);
-  }
-  if (const auto sides = FirstCrossing(p)) {
-    return fmt::format("its sides {} and {} cross; name the corners in order around the region",
-                       sides->first + 1, sides->second + 1);
-  }
-  if (AreaOf(p) < kLeastArea_m2) return "its corners enclose no area";
-  return "";
-}
-
 void ReadRegions(const ConfigMap& config, SoilCatalogue* soils, SiteProfiles* site) {
   for (const ConfigMap& item : config.List("regions")) {
     ProfileRegion region;
-    for (const auto& row : item.NumberRows("outline_m", Any("m"), 2, 0)) {
-      region.outline_W_m.emplace_back(row[0], row[1]);
-    }
+    region.outline_W_m = ReadOutline(item);
     site->profiles.push_back(ReadProfile(item, soils));
     region.profile = static_cast<std::uint8_t>(site->profiles.size() - 1);
-    const std::string fault = OutlineFault(region.outline_W_m);
-    if (fault.empty()) {
-      site->regions.push_back(region);
-    } else {
-      item.Fault("outline_m", fault);
-    }
+    if (!region.outline_W_m.empty()) site->regions.push_back(region);
   }
 }
 

@@ -179,6 +179,7 @@ SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed) {
     ground.map = MapOf(config, *classes, profiles.profile_of_class);
   }
   plan.piles = ReadPiles(config, ground.grid, &soils);
+  plan.pits = ReadPits(config, ground.grid);
   plan.soils = soils.soils();
 
   const Relief relief = ReadRelief(config, seed);
@@ -208,6 +209,7 @@ Columns BuildColumns(const SitePlan& plan) {
   std::vector<SoilType> soils = plan.soils;
   if (soils.empty()) soils.emplace_back();
   Columns columns(plan.ground, std::move(soils));
+  for (const PitPlan& pit : plan.pits) Dig(pit, &columns);
   for (const PilePlan& pile : plan.piles) {
     const SoilType& soil = columns.soils()[pile.soil];
     const double slope = std::tan(soil.repose_angle_rad);

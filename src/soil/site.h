@@ -6,6 +6,7 @@
 
 #include "core/config.h"
 #include "soil/columns.h"
+#include "soil/pit.h"
 
 namespace tera {
 
@@ -21,14 +22,15 @@ struct SitePlan {
   UndisturbedGround ground;
   std::vector<SoilType> soils;
   std::vector<PilePlan> piles;
+  std::vector<PitPlan> pits;
   std::optional<SiteOrigin> georeference;
 };
 
 /// Reads `size_m cell_m soil soils layers soil_classes custom_soils strips regions relief geotiff
-/// piles`. Faults go to `config`; a GeoTIFF that cannot be used is one of them.
+/// piles pits`. Faults go to `config`; a GeoTIFF that cannot be used is one of them.
 SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed);
 
-/// The columns of a site, its piles in place at their angle of repose.
+/// The columns of a site, its pits dug and its piles in place at their angle of repose.
 Columns BuildColumns(const SitePlan& plan);
 
 }  // namespace tera

@@ -120,6 +120,11 @@ bool StandingWalls::IsEdge(ColumnId k, const Columns& ground) const {
   const double straight_m = c.top_m - c.loose_m - least_tan_stand_ * ground.cell_m();
   const double diagonal_m =
       c.top_m - c.loose_m - std::sqrt(2.0) * least_tan_stand_ * ground.cell_m();
+  if (ground.IsWithinTile(k)) {
+    return std::any_of(kDirections.begin(), kDirections.end(), [&](const Direction& d) {
+      return (&c + Columns::Step(d.di, d.dj))->top_m < (d.distance > 1 ? diagonal_m : straight_m);
+    });
+  }
   return std::any_of(kDirections.begin(), kDirections.end(), [&](const Direction& d) {
     const Columns::Skin* beside = ground.Beside(k, d.di, d.dj);
     return beside == nullptr || beside->top_m < (d.distance > 1 ? diagonal_m : straight_m);

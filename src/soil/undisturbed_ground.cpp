@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "soil/outline.h"
+
 namespace tera {
 namespace {
 
@@ -47,16 +49,7 @@ double GroundProfile::Mass_kgpm2(double from_m, double to_m) const {
   return sum_kgpm2;
 }
 
-bool ProfileRegion::Contains(const Vec2& p) const {
-  bool inside = false;  // crossings of a ray towards +x
-  for (std::size_t k = 0, last = outline_W_m.size() - 1; k < outline_W_m.size(); last = k++) {
-    const Vec2 &a = outline_W_m[k], &b = outline_W_m[last];
-    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-    const double x = a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y());
-    if (p.x() < x) inside = !inside;
-  }
-  return inside;
-}
+bool ProfileRegion::Contains(const Vec2& p_W_m) const { return Encloses(outline_W_m, p_W_m); }
 
 bool ProfileRegion::CrossesBox(const Vec2& low, const Vec2& high) const {
   for (std::size_t k = 0, last = outline_W_m.size() - 1; k < outline_W_m.size(); last = k++) {

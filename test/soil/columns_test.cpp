@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/random.h"
 #include "soil/soil_type.h"
 #include "soil_fixture.h"
 
@@ -121,6 +122,29 @@ TEST(Columns, WhatIsWellAboveIsAboveTheGroundAndAboveAllThatItWas) {
   EXPECT_FALSE(ground.IsWellAbove(Vec3(1.0, 0.02, 0.29)));
   EXPECT_TRUE(ground.IsWellAbove(Vec3(1.0, 0.02, 0.31)));
   EXPECT_FALSE(ground.IsWellAbove(Vec3(1.99, 0.02, 0.31)));  // between two tiles
+}
+
+TEST(Columns, NormalsAreThoseOfTheSurfaceWithinTilesAndOverTheirBorders) {
+  Columns ground = LevelColumns(Dirt(), 0.05, 121);  // three tiles to a side; the middle's is quiet
+  const Stream random(3, "heights");
+  std::uint64_t n = 0;
+  for (int j = 0; j < 121; ++j) {
+    for (int i = 0; i < 45; ++i) {
+      const double volume_m3 = 0.04 * random.Uniform(++n) * ground.area_m2();
+      ground.Deposit(ground.Touch(i, j), Spoil{1000 * volume_m3, volume_m3});
+    }
+  }
+  for (int k = 0; k < 2000; ++k) {
+    const Vec2 p(6.2 * random.Uniform(++n) - 3.1, 6.2 * random.Uniform(++n) - 3.1);
+    const auto z_m = [&](double dx, double dy) { return ground.HeightAt(p.x() + dx, p.y() + dy); };
+    const Vec3 across_x(0.1, 0, z_m(0.05, 0) - z_m(-0.05, 0));
+    const Vec3 across_y(0, 0.1, z_m(0, 0.05) - z_m(0, -0.05));
+    const Vec3 normal = ground.NormalAt(p.x(), p.y());
+    ASSERT_NEAR(normal.norm(), 1, 1e-12);
+    ASSERT_GT(normal.z(), 0);
+    ASSERT_NEAR(normal.dot(across_x), 0, 1e-12) << p.transpose();
+    ASSERT_NEAR(normal.dot(across_y), 0, 1e-12) << p.transpose();
+  }
 }
 
 TEST(Columns, EveryColumnIsFoundAgainAndHasItsNeighbours) {
