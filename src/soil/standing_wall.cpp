@@ -16,6 +16,8 @@ constexpr double kLeastWedge_m = 0.1;    ///< soil that stands no higher crumble
 constexpr double kBreakSpeed_mps = 1.0;  ///< at which it does
 constexpr double kVeneer_m = 0.05;       ///< more loose soil than this covers what would crumble
 constexpr double kLongestWedge_m = 10;
+/// Sum of the directions in which ground falls away; if shorter, it does so on all sides alike.
+constexpr double kLeastLean = 0.1;
 constexpr double kSide = 1 + 1e-9;  ///< columns on the side of a strip belong to it
 
 struct Direction {
@@ -61,7 +63,7 @@ Vec2 Outward(const Columns::Place& place, double z_m, const Columns& ground) {
     if (!ground.Contains(place.i + di, place.j + dj)) continue;
     if (ground.TopAt(place.i + di, place.j + dj) < z_m) sum += Vec2(di, dj) / distance;
   }
-  return sum.norm() > 0.1 ? Vec2(sum.normalized()) : Vec2(Vec2::Zero());
+  return sum.norm() > kLeastLean ? Vec2(sum.normalized()) : Vec2(Vec2::Zero());
 }
 
 /// The wedge behind an edge becomes clods, in a strip as wide as the column at the edge.

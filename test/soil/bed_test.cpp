@@ -14,6 +14,9 @@ namespace {
 using testing_soil::kStep_s;
 using testing_soil::LevelColumns;
 
+/// Clods fall for less than a second and slide for three at most.
+constexpr double kAtRest_s = 4;
+
 SoilType Sand() {
   SoilType sand;
   sand.bank_density_kgpm3 = 1500;
@@ -43,7 +46,7 @@ struct Yard {
       grains.Pour(spoil, p_W, p_W, Vec3::Zero(), &ground);
       Wait(0.01);
     }
-    Wait(2);
+    Wait(kAtRest_s);
   }
   void Wait(double time_s) {
     for (int k = 0; k < std::lround(time_s / kStep_s); ++k) {
@@ -139,7 +142,7 @@ TEST(Bed, SoilUnderItStaysOnTheGround) {
   spoil.Add({12.5, 0.01, 0, 0});
   const Vec3 p_W = yard.bed().X_WF() * Vec3(0, 0, -0.8);
   yard.grains.Pour(spoil, p_W, p_W, Vec3::Zero(), &yard.ground);
-  yard.Wait(1);
+  yard.Wait(kAtRest_s);
   EXPECT_EQ(yard.bed().mass_kg(), 0);
   EXPECT_NEAR(yard.ground.GroundGain().net_kg, 12.5, 1e-9);
 }
