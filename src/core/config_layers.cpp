@@ -69,9 +69,15 @@ void AddFault(ConfigNode& node, std::string_view key, const Found& found,
                                                : fmt::format("{}: {}: {}", place, path, finding));
 }
 
+const Layer& LowestWritten(const ConfigNode& node) {
+  const auto lowest = std::find_if(node.layers.rbegin(), node.layers.rend(),
+                                   [](const Layer& layer) { return !layer.beneath; });
+  return lowest == node.layers.rend() ? node.layers.back() : *lowest;
+}
+
 void AddMissing(ConfigNode& node, std::string_view key, const std::string& need) {
   if (node.unread) return;
-  const Layer& layer = node.layers.back();
+  const Layer& layer = LowestWritten(node);
   AddFault(node, key, Found{layer.node, &layer}, fmt::format("missing, need {}", need));
 }
 

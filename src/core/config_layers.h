@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/config.h"
+#include "core/config_beneath.h"
 
 /// The layers that a configuration's mappings are made of, for the files of config_*.cpp.
 
@@ -25,6 +26,7 @@ struct Layer {
   std::string file;
   std::filesystem::path directory;
   std::string path;
+  bool beneath = false;  ///< of LayBeneath: below the resolved document too
 };
 
 struct ConfigNode {
@@ -32,7 +34,8 @@ struct ConfigNode {
   std::vector<Layer> layers;  ///< first wins
   YAML::Node resolved{YAML::NodeType::Map};
   std::set<std::string> asked;  ///< every key the reader knows
-  /// It is not there or could not be read, which is reported already: what it lacks is no fault.
+  /// It is not there or could not be read, which is reported already: what it lacks, and what it
+  /// has beside that, is no fault.
   bool unread = false;
   std::map<std::string, std::shared_ptr<ConfigNode>, std::less<>>
       children;  ///< mappings handed out
@@ -60,6 +63,11 @@ struct ConfigDocument {
   static std::size_t FaultsWith(const ConfigMap& config) {
     return config.node_->document->faults.size();
   }
+
+  static void LeaveUnread(const ConfigMap& config) { config.node_->unread = true; }
+  static bool Unread(const ConfigMap& config) { return config.node_->unread; }
+  static void LayBeneath(const ConfigMap& config, const std::string& file,
+                         const std::vector<GivenNumber>& numbers);
 
   /// The mapping at `key` of `config`, which `none` in its place takes away: nothing below that
   /// counts. Without a value where it is absent or taken away, and after a fault: another value
@@ -92,6 +100,8 @@ std::vector<std::string> NamesIn(const ConfigNode& node);
 // Saying where and what.
 
 std::string PlaceOf(const YAML::Node& node, const std::string& file);
+/// The layer in which a key that no layer has would be looked for.
+const Layer& LowestWritten(const ConfigNode& node);
 std::string Join(const std::string& path, std::string_view key);
 /// A value as messages show it.
 std::string Shown(const YAML::Node& node);

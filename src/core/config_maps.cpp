@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/config_beneath.h"
 #include "core/config_faults.h"
 #include "core/config_layers.h"
 
@@ -18,6 +19,7 @@ using internal::Found;
 using internal::Join;
 using internal::Layer;
 using internal::PlaceOf;
+using internal::Record;
 using internal::Shown;
 
 namespace {
@@ -27,7 +29,8 @@ constexpr char kNothing[] = "none";
 
 /// The layer of the mapping at `key` that `found` is.
 Layer LayerAt(std::string_view key, const Found& found) {
-  return {found.node, found.layer->file, found.layer->directory, Join(found.layer->path, key)};
+  return {found.node, found.layer->file, found.layer->directory, Join(found.layer->path, key),
+          found.layer->beneath};
 }
 
 /// Layers of the mapping at `key`: the overlaying patches and every layer's own mapping.
@@ -135,7 +138,11 @@ std::optional<ConfigMap> internal::ConfigDocument::MapOrNone(const ConfigMap& co
                          "out",
                          kNothing));
   }
-  if (layers.empty()) return std::nullopt;
+  if (layers.empty()) {
+    // What lies beneath is there again when the resolved document is read.
+    if (values.back().layer->beneath) Record(node, key, kNothing);
+    return std::nullopt;
+  }
   return ConfigMap(AddChild(node, key, std::move(layers)));
 }
 
@@ -159,24 +166,52 @@ std::vector<std::pair<std::string, double>> ConfigMap::NamedNumbers(std::string_
   }
   return numbers;
 }
-std::size_t FaultCount(const ConfigMap& config) {
-  return internal::ConfigDocument::FaultsWith(config);
-}
 
 void ConfigMap::Fault(std::string_view key, const std::string& finding) const {
   if (const auto found = key.empty() ? std::nullopt : Find(*node_, key)) {
     AddFault(*node_, key, *found, finding);
   } else if (!node_->unread) {
-    const Layer& layer = node_->layers.back();
+    const Layer& layer = internal::LowestWritten(*node_);
     AddFault(*node_, key, Found{layer.node, &layer}, finding);
   }
 }
 
 std::string ConfigMap::Place(std::string_view key) const {
   const auto found = key.empty() ? std::nullopt : Find(*node_, key);
-  const Layer& layer = found ? *found->layer : node_->layers.back();
+  const Layer& layer = found ? *found->layer : internal::LowestWritten(*node_);
   const std::string path = Join(layer.path, key);
   const std::string place = PlaceOf(found ? found->node : layer.node, layer.file);
   return path.empty() ? place : fmt::format("{}: {}", place, path);
+}
+
+std::size_t FaultCount(const ConfigMap& config) {
+  return internal::ConfigDocument::FaultsWith(config);
+}
+
+std::string ChoiceOfKeys(const ConfigMap& config, std::string_view key,
+                         std::initializer_list<std::string_view> allowed) {
+  const std::size_t faults_before = FaultCount(config);
+  std::string choice = config.Choice(key, allowed);
+  if (FaultCount(config) > faults_before) internal::ConfigDocument::LeaveUnread(config);
+  return choice;
+}
+
+bool IsUnread(const ConfigMap& config) { return internal::ConfigDocument::Unread(config); }
+
+void LayBeneath(const ConfigMap& config, const std::string& file,
+                const std::vector<GivenNumber>& numbers) {
+  internal::ConfigDocument::LayBeneath(config, file, numbers);
+}
+
+void internal::ConfigDocument::LayBeneath(const ConfigMap& config, const std::string& file,
+                                          const std::vector<GivenNumber>& numbers) {
+  YAML::Node map(YAML::NodeType::Map);
+  for (const GivenNumber& number : numbers) {
+    YAML::Node at = map;
+    for (const std::string& key : number.path) at.reset(at[key]);
+    at = NumberText(number.value);
+  }
+  const Layer own = LowestWritten(*config.node_);
+  config.node_->layers.push_back({map, file, own.directory, own.path, true});
 }
 }  // namespace tera

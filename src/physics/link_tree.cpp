@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <map>
 
 #include "core/config_faults.h"
 #include "core/spelling.h"
+#include "physics/fixed_links.h"
 
 namespace tera {
 namespace {
@@ -39,15 +41,14 @@ std::vector<int> ParentJoints(const MachineParts& parts, const std::map<std::str
   const auto unknown = [&](const std::string& name) {
     return fmt::format("there is no link '{}'{}", name, DidYouMean(name, known));
   };
+  const auto check = [&](const JointPart& part, std::string_view key, const std::string& name) {
+    if (!index.contains(name) && !name.empty()) part.place.Fault(key, unknown(name));
+  };
   for (std::size_t k = 0; k < parts.joints.size(); ++k) {
     const JointPart& part = parts.joints[k];
-    if (!index.contains(part.parent)) {
-      part.place.Fault("parent", unknown(part.parent));
-    }
-    if (!index.contains(part.child)) {
-      part.place.Fault("child", unknown(part.child));
-      continue;
-    }
+    check(part, "parent", part.parent);
+    check(part, "child", part.child);
+    if (!index.contains(part.child)) continue;
     if (part.parent == part.child) {
       part.place.Fault("child",
                        fmt::format("link '{}' is the parent already; need two links", part.child));
@@ -86,6 +87,40 @@ int FindRoot(const MachineParts& parts, const std::vector<int>& parent_joint,
   return -1;
 }
 
+/// Mass and inertia as they are written; none is admissible here.
+void CheckMass(const LinkPart& part) {
+  if (part.link.mass_kg < 0) {
+    part.place.Fault("mass_kg", fmt::format("{} kg; need a positive mass", part.link.mass_kg));
+  } else if (part.link.mass_kg > 0) {
+    CheckInertia(part);
+  }
+}
+
+/// A root without mass that is called so is the ground to some programs and a frame to others.
+constexpr char kWorld[] = "world";
+
+/// Gathers the masses and reports links that move without any; `parts[i]` is the model's link i.
+void GiveMasses(const std::vector<const LinkPart*>& parts, const ConfigMap& config,
+                MachineModel* model) {
+  if (model->links[0].name == kWorld && model->links[0].mass_kg == 0 && !config.Has("fixed_base")) {
+    parts[0]->place.Fault("name",
+                          "a root without mass of that name may stand for the ground or for a "
+                          "frame of the machine; say which with `fixed_base: true`, bolted to it, "
+                          "or `fixed_base: false`, free");
+  }
+  GatherFixedMasses(model);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const bool moves = i == 0 ? !model->fixed_base : model->joints[i - 1].type != JointType::kFixed;
+    if (!moves || parts[i]->link.mass_kg < 0 || model->links[i].mass_kg > 0) continue;
+    parts[i]->place.Fault(
+        "mass_kg",
+        fmt::format(
+            "0 kg, and no link fixed to it has any; a link that moves needs a positive "
+            "mass: give one of them an <inertial>{}",
+            i == 0 ? ", or the machine `fixed_base: true` if it is bolted to the world" : ""));
+  }
+}
+
 }  // namespace
 
 void PartPlace::Fault(std::string_view key, const std::string& finding) const {
@@ -94,16 +129,6 @@ void PartPlace::Fault(std::string_view key, const std::string& finding) const {
   } else {
     config.Fault("urdf", fmt::format("{}, {}: {}", part, key, finding));
   }
-}
-
-void CheckLink(const LinkPart& part, bool may_be_massless) {
-  if (part.link.mass_kg == 0 && may_be_massless) return;
-  if (part.link.mass_kg <= 0) {
-    part.place.Fault("mass_kg", fmt::format("{} kg; need a positive mass for a link that moves",
-                                            part.link.mass_kg));
-    return;
-  }
-  CheckInertia(part);
 }
 
 bool OrderIntoTree(const MachineParts& parts, const ConfigMap& config, MachineModel* model) {
@@ -118,13 +143,15 @@ bool OrderIntoTree(const MachineParts& parts, const ConfigMap& config, MachineMo
   const std::size_t faults_before = FaultCount(config);
   const std::vector<int> parent_joint = ParentJoints(parts, index);
   if (FaultCount(config) > faults_before) return false;
+  const auto unnamed = [](const JointPart& p) { return p.parent.empty() || p.child.empty(); };
+  if (std::any_of(parts.joints.begin(), parts.joints.end(), unnamed)) return false;  // on record
   const int root = FindRoot(parts, parent_joint, config);
   if (root < 0) return false;
 
   std::vector<int> place_of(parts.links.size(), -1);  // in model->links
+  std::vector<const LinkPart*> in_order = {&parts.links[root]};
   place_of[root] = 0;
   model->links = {parts.links[root].link};
-  CheckLink(parts.links[root], model->fixed_base);
   // Joints in their written order as soon as their parent is there, so that a description with
   // parents first keeps its order.
   std::vector<bool> taken(parts.joints.size(), false);
@@ -142,10 +169,12 @@ bool OrderIntoTree(const MachineParts& parts, const ConfigMap& config, MachineMo
       joint.child = place_of[child];
       model->joints.push_back(joint);
       model->links.push_back(parts.links[child].link);
-      CheckLink(parts.links[child], joint.type == JointType::kFixed);
+      in_order.push_back(&parts.links[child]);
       break;
     }
   }
+  for (const LinkPart* part : in_order) CheckMass(*part);
+  GiveMasses(in_order, config, model);
   for (std::size_t i = 0; i < parts.links.size(); ++i) {
     if (place_of[i] >= 0) continue;
     parts.links[i].place.Fault("", fmt::format("link '{}' is not connected to the root '{}'",

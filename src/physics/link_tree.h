@@ -34,15 +34,14 @@ struct MachineParts {
   std::vector<LinkPart> links;
   std::vector<JointPart> joints;
   std::vector<std::string> driven;  ///< joints that the description says are driven, in its order
+  bool whole = true;  ///< the kinds of all joints are known; else what moves cannot be judged
 };
-
-/// Reports what is wrong with a link's mass or inertia. Links without mass are admissible where
-/// they are fixed to another (`may_be_massless`).
-void CheckLink(const LinkPart& part, bool may_be_massless);
 
 /// Puts the parts in order (root first, links[k + 1] the child of joints[k]) into `model`, and
 /// reports joints that name no link, links with two parents, loops, several roots. After such a
-/// fault the model holds what could be ordered, and false is returned.
+/// fault the model holds what could be ordered, and false is returned. Masses of links fixed to one
+/// that has none become its own (fixed_links.h); bodies without mass or with an impossible inertia
+/// are faults.
 bool OrderIntoTree(const MachineParts& parts, const ConfigMap& config, MachineModel* model);
 
 }  // namespace tera

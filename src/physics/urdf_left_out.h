@@ -5,8 +5,8 @@
 
 namespace tera {
 
-/// What a URDF says and ReadMachine leaves out, in words, such as "1 texture, 3 joints' damping and
-/// friction"; empty where it takes everything.
+/// Textures and safety controllers of a URDF, which ReadMachine leaves out, in words such as
+/// "1 texture, 3 safety controllers"; empty where it has none.
 std::string LeftOutOf(const std::filesystem::path& urdf);
 
 }  // namespace tera

@@ -4,10 +4,12 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "core/config_beneath.h"
 #include "core/error.h"
 #include "core/plain_name.h"
 #include "physics/machine_reading.h"
@@ -20,8 +22,9 @@
 ///
 /// Model   inertials, revolute, continuous, prismatic and fixed joints with their limits, visuals
 ///         and collisions (urdf_shapes.h), drives (urdf_transmissions.h).
-/// Omits   friction and damping of joints, safety controllers, calibration, textures; joints that
-///         mimic others are faults.
+///         A joint's damping and friction are effects of the machine, viscous_friction and
+///         coulomb_friction, below those that it is given.
+/// Omits   safety controllers, calibration, textures; joints that mimic others are faults.
 
 namespace tera {
 namespace {
@@ -67,7 +70,8 @@ Link ToLink(const urdf::Link& in, const fs::path& file, const PartPlace& place) 
   return link;
 }
 
-Joint ToJoint(const urdf::Joint& in, const PartPlace& place) {
+/// `known` turns false where the joint is of a kind that is not.
+Joint ToJoint(const urdf::Joint& in, const PartPlace& place, bool* known) {
   Joint joint;
   joint.name = in.name;
   joint.X_PJ = PoseOf(in.parent_to_joint_origin_transform);
@@ -85,6 +89,7 @@ Joint ToJoint(const urdf::Joint& in, const PartPlace& place) {
       return joint;
     default:
       place.Fault("type", "need fixed, revolute, continuous or prismatic");
+      *known = false;
       return joint;
   }
   joint.axis_J = Vec3(in.axis.x, in.axis.y, in.axis.z);
@@ -112,6 +117,22 @@ Joint ToJoint(const urdf::Joint& in, const PartPlace& place) {
                           ? 0.0
                           : std::clamp(0.0, joint.lower_rad, joint.upper_rad);
   return joint;
+}
+
+/// Adds what `in` says of friction to `effects`, in their units: N m s/rad and N m, of a joint that
+/// slides N s/m and N.
+void AddFriction(const urdf::Joint& in, const PartPlace& place, std::vector<GivenNumber>* effects) {
+  if (in.type == urdf::Joint::FIXED || !in.dynamics) return;
+  const auto add = [&](std::string_view key, double value, const std::string& mechanism,
+                       const std::string& parameter) {
+    if (!std::isfinite(value) || value < 0) {
+      place.Fault("dynamics", fmt::format("{} is {}; need 0 or more", key, value));
+    } else if (value > 0) {
+      effects->push_back({{"effects", in.name, mechanism, parameter}, value});
+    }
+  };
+  add("damping", in.dynamics->damping, "viscous_friction", "coefficient_nmsprad");
+  add("friction", in.dynamics->friction, "coulomb_friction", "effort_nm");
 }
 
 /// Lays the TERA keys of `links:` and `joints:` over what the URDF says.
@@ -149,15 +170,13 @@ std::string LeftOutOf(const fs::path& urdf) {
   const ParserMessages messages;
   const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(WholeText(urdf));
   if (!model) return "";
-  int textures = 0, rubbing = 0, safe = 0;
+  int textures = 0, safe = 0;
   for (const auto& [name, link] : model->links_) {
     for (const auto& visual : link->visual_array) {
       textures += visual->material && !visual->material->texture_filename.empty();
     }
   }
   for (const auto& [name, joint] : model->joints_) {
-    const auto& dynamics = joint->dynamics;
-    rubbing += dynamics && (dynamics->damping != 0 || dynamics->friction != 0);
     safe += joint->safety != nullptr;
   }
   std::vector<std::string> parts;
@@ -165,7 +184,6 @@ std::string LeftOutOf(const fs::path& urdf) {
     if (count > 0) parts.push_back(fmt::format("{} {}", count, count == 1 ? one : several));
   };
   add(textures, "texture", "textures");
-  add(rubbing, "joint's damping and friction", "joints' damping and friction");
   add(safe, "safety controller", "safety controllers");
   return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -191,12 +209,15 @@ std::optional<MachineParts> ReadUrdfParts(const ConfigMap& config) {
     RequireName(name, place);
     parts.links.push_back({ToLink(*link, file, place), place});
   }
+  std::vector<GivenNumber> effects;
   for (const auto& [name, joint] : model->joints_) {
     const PartPlace place{config, lines->PlaceOf("joint", name)};
+    AddFriction(*joint, place, &effects);
     RequireName(name, place);
-    parts.joints.push_back(
-        {ToJoint(*joint, place), joint->parent_link_name, joint->child_link_name, place});
+    parts.joints.push_back({ToJoint(*joint, place, &parts.whole), joint->parent_link_name,
+                            joint->child_link_name, place});
   }
+  if (!effects.empty()) LayBeneath(config, file.filename().string(), effects);
   ReadUrdfDrives(config, file, text, &parts);
   LayOver(config, &parts);
   CheckDriven(parts);

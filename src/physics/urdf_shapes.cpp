@@ -76,14 +76,16 @@ void AddVisual(const urdf::Visual& in, const fs::path& file, const PartPlace& pl
   if (const auto* mesh = dynamic_cast<const urdf::Mesh*>(in.geometry.get())) {
     const auto path = MeshFile(*mesh, file, place, "visual");
     if (!path) return;
-    const Vec3 scale = VectorOf(mesh->scale);
-    if (scale.x() != scale.y() || scale.x() != scale.z() || scale.x() <= 0) {
-      place.Fault("visual", fmt::format("mesh '{}' is scaled by {} {} {}; need one positive factor",
+    const Vec3 scale = VectorOf(mesh->scale), size = scale.cwiseAbs();
+    if (size.x() != size.y() || size.x() != size.z() || !(size.x() > 0)) {
+      place.Fault("visual", fmt::format("mesh '{}' is scaled by {} {} {}; need one factor, which "
+                                        "may be negative along axes that are mirrored",
                                         mesh->filename, scale.x(), scale.y(), scale.z()));
       return;
     }
     visual.mesh = *path;
-    visual.scale = scale.x();
+    visual.scale = scale.prod() > 0 ? size.x() : -size.x();
+    visual.X_BG.linear() *= (scale / visual.scale).asDiagonal();  // half a turn, or none
   } else {
     visual.solid = SolidOf(*in.geometry, place, "visual");
     if (!visual.solid) return;

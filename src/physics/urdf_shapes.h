@@ -12,10 +12,10 @@ Pose PoseOf(const urdf::Pose& pose);
 
 /// Adds to `link` what the link of the URDF at `file` shows and collides with.
 ///
-/// Model   boxes, cylinders, spheres and mesh files are visuals; a material's colour is taken as
-/// the
-///         one that a screen shows, by solids and by STL files, which have none of their own. In
-///         collisions each is the box around it, a mesh along the axes of its own frame.
+/// Model   boxes, cylinders, spheres and mesh files are visuals; the colour of a material is what
+///         a screen shows, and goes to solids and to STL files, which have none of their own. A
+///         mesh mirrored along one axis is one mirrored along all three and turned by half a turn.
+///         In collisions each is the box around it, a mesh along the axes of its own frame.
 /// Omits   textures.
 void AddUrdfShapes(const urdf::Link& in, const std::filesystem::path& file, const PartPlace& place,
                    Link* link);

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/config_beneath.h"
 #include "core/config_faults.h"
 #include "core/error.h"
 #include "own_folder.h"
@@ -33,6 +34,42 @@ TEST(Config, UnknownKeyNamesPlaceAndNearestKey) {
   lidar.Number("max_range_m", Positive("m"), 10.0);
   EXPECT_EQ(FaultsOf(config),
             "a.yaml:2:3: lidar.max_rang_m: unknown key (did you mean 'max_range_m'?)");
+}
+
+TEST(Config, NumbersLaidBeneathGiveWayToWhatIsWritten) {
+  const Config config = Config::FromText("file: x.urdf\na: {b: 1}\n", "a.yaml", {"a.c=2"});
+  config.root().Text("file");
+  LayBeneath(config.root(), "x.urdf",
+             {{{"a", "b"}, 5}, {{"a", "c"}, 6}, {{"a", "d"}, 7}, {{"extra", "f"}, -8}});
+  const ConfigMap a = config.root().Map("a");
+  EXPECT_EQ(a.Number("b", Any("m")), 1);
+  EXPECT_EQ(a.Number("c", Any("m")), 2);
+  EXPECT_EQ(a.Number("d", Any("m")), 7);
+  EXPECT_EQ(FaultsOf(config), "x.urdf: extra: unknown key; known here: a, file");
+  config.root().Map("extra").Number("f", Positive("m"));
+  config.root().Number("g", Any("m"));
+  EXPECT_THAT(FaultsOf(config), AllOf(HasSubstr("x.urdf: extra.f: -8 is out of range"),
+                                      HasSubstr("a.yaml:1:1: g: missing")));
+}
+
+TEST(Config, AChoiceOfKeysThatIsRefusedIsTheOnlyFaultOfItsMapping) {
+  const auto faults = [](const std::string& text) {
+    const Config config = Config::FromText(text, "a.yaml");
+    const ConfigMap map = config.root().Map("m");
+    if (ChoiceOfKeys(map, "type", {"ball", "box"}) == "ball") {
+      map.Number("radius_m", Positive("m"));
+    } else {
+      map.Number("edge_m", Positive("m"));
+    }
+    return FaultsOf(config);
+  };
+  EXPECT_EQ(faults("m: {type: box, edge_m: 2}"), "");
+  EXPECT_EQ(faults("m: {type: boxx, edge_m: 2}"),
+            "a.yaml:1:11: m.type: 'boxx' is not known, need one of ball, box (did you mean "
+            "'box'?)");
+  EXPECT_EQ(faults("m: {edge_m: 2}"), "a.yaml:1:4: m.type: missing, need one of ball, box");
+  EXPECT_THAT(faults("m: {type: box, radius_m: 2}"),
+              AllOf(HasSubstr("m.radius_m: unknown key"), HasSubstr("m.edge_m: missing")));
 }
 
 TEST(Config, OutOfRangeNumberNamesWhatIsNeeded) {

@@ -104,9 +104,7 @@ TEST(Urdf, WhatIsLeftOutIsCounted) {
   const std::string red = R"(<color rgba="1 0 0 1"/>)", bricks = R"(<texture filename="b.png"/>)";
   EXPECT_EQ(left_out(painted(red), ""), "");
   EXPECT_EQ(left_out(painted(bricks), ""), "1 texture");
-  EXPECT_EQ(left_out(painted(red), R"(<dynamics damping="0" friction="0"/>)"), "");
-  EXPECT_EQ(left_out(painted(bricks), R"(<dynamics damping="0.1"/>)"),
-            "1 texture, 1 joint's damping and friction");
+  EXPECT_EQ(left_out(painted(red), R"(<dynamics damping="0.1" friction="2"/>)"), "");
   EXPECT_EQ(left_out(painted(red), R"(<safety_controller k_velocity="10"/>)"),
             "1 safety controller");
 }
@@ -128,8 +126,9 @@ TEST(Urdf, FaultsNameTheUrdfAndItsPart) {
               HasSubstr("broken.urdf:2 is not valid XML (mismatched element); correct it"));
   EXPECT_THAT(faults_with(R"(<robot name="r"><link name="a"/><link name="b"/></robot>)"),
               HasSubstr("not a valid URDF: "));
-  EXPECT_THAT(faults_with(R"(<robot name="r"><link name="a"/></robot>)"),
-              HasSubstr("link 'a' of broken.urdf:1, mass_kg: 0 kg; need a positive mass"));
+  EXPECT_THAT(
+      faults_with(R"(<robot name="r"><link name="a"/></robot>)"),
+      HasSubstr("link 'a' of broken.urdf:1, mass_kg: 0 kg, and no link fixed to it has any"));
   EXPECT_THAT(faults_with(R"(<robot name="r"><link name="a">
       <inertial><mass value="-3"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
       </link></robot>)"),
@@ -138,6 +137,20 @@ TEST(Urdf, FaultsNameTheUrdfAndItsPart) {
       <inertial><mass value="3"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
       <visual><geometry><mesh filename="gone.stl"/></geometry></visual></link></robot>)"),
               HasSubstr("mesh 'gone.stl' does not exist"));
+  const auto rubbing = [&](const std::string& dynamics) {
+    return faults_with(R"(<robot name="r"><link name="a"><inertial><mass value="3"/>
+      <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link><link name="b"/>
+      <joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint>
+      <link name="c"><inertial><mass value="3"/>
+      <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+      <joint name="k" type="continuous"><parent link="a"/><child link="c"/>)" +
+                       dynamics + "</joint></robot>");
+  };
+  EXPECT_THAT(rubbing(R"(<dynamics damping="-2"/>)"),
+              HasSubstr("joint 'k' of broken.urdf:6, dynamics: damping is -2; need 0 or more"));
+  EXPECT_THAT(rubbing(R"(<dynamics friction="-1" damping="1"/>)"),
+              HasSubstr("dynamics: friction is -1; need 0 or more"));
+  EXPECT_EQ(rubbing(R"(<dynamics friction="1" damping="1"/>)"), "");
   EXPECT_THAT(faults_with(R"(<robot name="r"><link name="a,b"/></robot>)"),
               HasSubstr("link 'a,b' of broken.urdf:1, name: need letters"));
 }

@@ -11,7 +11,7 @@
 #include "physics/urdf_left_out.h"
 #include "sim/scene_assembly.h"
 
-// A backhoe loader of 22 links, all that a URDF may hold, from its file to a run.
+// A backhoe loader of 23 links, all that a URDF may hold, from its file to a run.
 
 namespace tera {
 namespace {
@@ -51,7 +51,7 @@ const Link& LinkOf(const Scenario& scenario, const std::string& name) {
 
 TEST(UrdfMachine, HasTheLeversOfItsDrivesInTheirOrder) {
   const Scenario scenario = Read();
-  EXPECT_EQ(ModelOf(scenario).links.size(), 22u);
+  EXPECT_EQ(ModelOf(scenario).links.size(), 23u);
   std::vector<std::string> levers;
   for (const Lever& lever : ModelOf(scenario).levers) levers.push_back(lever.name);
   EXPECT_THAT(levers,
@@ -60,8 +60,7 @@ TEST(UrdfMachine, HasTheLeversOfItsDrivesInTheirOrder) {
 }
 
 TEST(UrdfMachine, WhatIsNotReadIsCounted) {
-  EXPECT_EQ(LeftOutOf(kData / "backhoe_loader.urdf"),
-            "1 texture, 5 joints' damping and friction, 1 safety controller");
+  EXPECT_EQ(LeftOutOf(kData / "backhoe_loader.urdf"), "1 texture, 1 safety controller");
 }
 
 Vec3 ShownSize_m(const SceneModel& scene, const std::string& name) {
@@ -224,6 +223,45 @@ TEST(UrdfMachine, AMeshThatCannotBeReadIsTold) {
 TEST(UrdfMachine, ASolidWithoutASizeIsTold) {
   EXPECT_THAT(FaultsWith(R"(<sphere radius="0.08"/>)", R"(<sphere radius="0"/>)"),
               HasSubstr("visual: a solid of 0 x 0 x 0 m; need sizes above 0"));
+}
+
+TEST(UrdfMachine, MirroredMeshesAreShownMirrored) {
+  const fs::path folder = OwnFolder();
+  // A corner whose edges along x, y, z are 1, 2 and 3 long.
+  std::ofstream(folder / "corner.obj") << "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\n"
+                                          "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  std::string urdf = "<robot name='r'><link name='root'/>";
+  const std::vector<Vec3> scales = {{1, -1, 1},  {-0.5, 0.5, 0.5}, {1, 1, -1}, {-1, -1, 1},
+                                    {2, -2, -2}, {-1, -1, -1},     {1, 1, 1}};
+  for (std::size_t i = 0; i < scales.size(); ++i) {
+    std::stringstream scale;
+    scale << scales[i].transpose();
+    const std::string name = "l" + std::to_string(i);
+    urdf += "<link name='" + name + "'><visual><origin xyz='1 0 0' rpy='0 0 1.5707963267948966'/>" +
+            "<geometry><mesh filename='corner.obj' scale='" + scale.str() +
+            "'/></geometry></visual></link><joint name='j" + name +
+            "' type='fixed'><parent link='root'/><child link='" + name + "'/></joint>";
+  }
+  std::ofstream(folder / "corners.urdf") << urdf << "</robot>";
+  std::ofstream(folder / "corners.yaml") << "kind: r\nfixed_base: true\nurdf: corners.urdf\n";
+  const Scenario scenario = Read(folder / "corners.yaml");
+  const SceneAssembly assembly(scenario);
+  for (const SceneInstance& instance : assembly.model().instances) {
+    const std::size_t at = instance.name.find("/l");
+    if (at == std::string::npos) continue;
+    const Vec3 edges_m =
+        scales[std::stoul(instance.name.substr(at + 2))].cwiseProduct(Vec3(1, 2, 3));
+    // Turned left by 90 deg: x shows along y, y against x; moved by 1 m along x.
+    const Vec3 far_m = Vec3(1 - edges_m.y(), edges_m.x(), edges_m.z()), near_m = Vec3(1, 0, 0);
+    EXPECT_TRUE(instance.box_min_B_m.isApprox(far_m.cwiseMin(near_m), 1e-6)) << instance.name;
+    EXPECT_TRUE(instance.box_max_B_m.isApprox(far_m.cwiseMax(near_m), 1e-6)) << instance.name;
+  }
+}
+
+TEST(UrdfMachine, AMeshOfSeveralScalesIsTold) {
+  EXPECT_THAT(FaultsWith("0.0011 0.0011 0.0011", "0.0011 -0.0011 0.001"),
+              HasSubstr("visual: mesh 'wedge.stl' is scaled by 0.0011 -0.0011 0.001; need one"));
+  EXPECT_THAT(FaultsWith("0.0011 0.0011 0.0011", "0 0 0"), HasSubstr("is scaled by 0 0 0"));
 }
 
 TEST(UrdfMachine, AJointThatMimicsAnotherIsTold) {
