@@ -79,6 +79,7 @@ void Config::Finish() const {
   std::vector<std::string> faults;
   std::set<std::string> seen_unknown;
   for (const auto& node : document_->nodes) {
+    if (node->unread) continue;
     for (const Layer& layer : node->layers) {
       std::set<std::string> seen;
       for (const auto& entry : layer.node) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/config_faults.h"
 #include "core/plain_name.h"
 #include "core/spelling.h"
 #include "core/units.h"
@@ -49,7 +50,8 @@ Link ReadLink(const std::string& name, const ConfigMap& config) {
 }
 
 JointType ReadJointType(const ConfigMap& config) {
-  const std::string type = config.Choice("type", {"fixed", "revolute", "continuous", "prismatic"});
+  const std::string type =
+      ChoiceOfKeys(config, "type", {"fixed", "revolute", "continuous", "prismatic"});
   if (type == "revolute") return JointType::kRevolute;
   if (type == "continuous") return JointType::kContinuous;
   if (type == "prismatic") return JointType::kPrismatic;
@@ -187,6 +189,7 @@ MachineParts ReadParts(const ConfigMap& config) {
     Joint joint;
     joint.name = name;
     joint.type = ReadJointType(map);
+    parts.whole = parts.whole && !IsUnread(map);
     joint.X_PJ = map.PoseXyzRpy();
     if (joint.type != JointType::kFixed) joint.axis_J = ReadAxis(map);
     ReadLimits(map, &joint);
@@ -202,7 +205,7 @@ MachineModel ReadMachine(const ConfigMap& config) {
   model.fixed_base = config.Boolean("fixed_base", false);
   const std::optional<MachineParts> parts =
       config.Has("urdf") ? ReadUrdfParts(config) : ReadParts(config);
-  if (!parts || !OrderIntoTree(*parts, config, &model)) {
+  if (!parts || !OrderIntoTree(*parts, config, &model) || !parts->whole) {
     // What stands on links and joints cannot be judged before they are mended.
     for (const char* key : {"tracks", "wheels", "gauge_m", "shovels", "hull_points", "frames",
                             "linkages", "hydraulics", "cylinders", "pumps", "levers", "effects"}) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/config_faults.h"
 #include "core/mounting.h"
 #include "core/plain_name.h"
 #include "core/units.h"
@@ -102,7 +103,9 @@ SensorDescription ReadSensor(const ConfigMap& config) {
   s.name = config.Text("name");
   RequirePlainName(config, "name", s.name);
   config.ApplyPreset("preset");
-  const std::string type = config.Choice("type", {"imu", "gnss", "camera", "lidar", "encoder"});
+  const std::string type =
+      ChoiceOfKeys(config, "type", {"imu", "gnss", "camera", "lidar", "encoder"});
+  if (IsUnread(config)) return s;
   if (type != "encoder") {
     s.link = config.Text("link");
     s.X_BS = config.PoseXyzRpy();

@@ -1,5 +1,6 @@
 #include "sim/operator.h"
 
+#include "core/config_faults.h"
 #include "sim/dig_cycle.h"
 #include "sim/lever_replay.h"
 #include "sim/random_levers.h"
@@ -26,8 +27,10 @@ std::unique_ptr<Operator> ReadDigCycle(const ConfigMap& config, const MachineMod
 
 std::unique_ptr<Operator> ReadOperator(const ConfigMap& config, const MachineModel& model,
                                        const OperatorStream& stream) {
-  const std::string type = config.Choice(
-      "type", {"idle", "lever_replay", "twist_replay", "waypoints", "dig_cycle", "random_levers"});
+  const std::string type = ChoiceOfKeys(
+      config, "type",
+      {"idle", "lever_replay", "twist_replay", "waypoints", "dig_cycle", "random_levers"});
+  if (IsUnread(config)) return std::make_unique<Idle>();
   if (type == "lever_replay") return ReadLeverReplay(config, model);
   if (type == "twist_replay") return ReadTwistReplay(config, model);
   if (type == "waypoints") return ReadWaypointDriver(config, model);

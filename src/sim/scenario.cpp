@@ -79,13 +79,19 @@ void ReadStartAngles(const ConfigMap& start, const MachineModel& model,
   }
 }
 
-void ReadSensors(const ConfigMap& config, const MachineModel& model,
+/// Whether the types of all sensors are known; without those that are not.
+bool ReadSensors(const ConfigMap& config, const MachineModel& model,
                  std::vector<SensorDescription>* sensors) {
   const auto rig = config.Has("rig") ? std::optional(config.MapOrFile("rig")) : std::nullopt;
-  if (!rig) return;
+  if (!rig) return true;
+  bool all_known = true;
   std::set<std::string> names;
   for (const ConfigMap& item : rig->List("sensors")) {
     SensorDescription sensor = ReadSensor(item);
+    if (IsUnread(item)) {
+      all_known = false;
+      continue;
+    }
     if (!names.insert(sensor.name).second) {
       item.Fault("name", "'" + sensor.name +
                              "' is taken by another sensor of this machine; "
@@ -105,14 +111,21 @@ void ReadSensors(const ConfigMap& config, const MachineModel& model,
     }
     sensors->push_back(std::move(sensor));
   }
+  return all_known;
+}
+
+/// Lets the effects of a machine be that has a part of which nothing is known.
+void LeaveEffectsUnread(const ConfigMap& description, const std::optional<ConfigMap>& effects,
+                        const std::string& name) {
+  description.Has("effects");
+  if (effects) effects->Has(name);
 }
 
 /// Lets the keys be that are about a machine whose description was refused.
 void LeaveUnread(const ConfigMap& config, const ConfigMap& description,
                  const std::optional<ConfigMap>& effects, const std::string& name) {
   for (const char* key : {"start", "operator", "rig", "ground"}) config.Has(key);
-  description.Has("effects");
-  if (effects) effects->Has(name);
+  LeaveEffectsUnread(description, effects, name);
 }
 
 /// A machine but for its height and tilt, which wait until all have shaped the ground.
@@ -141,9 +154,12 @@ ScenarioMachine ReadMachineEntry(const ConfigMap& config, std::uint64_t seed,
   }
   machine.placement.X_WB = MakePose(Vec3(xy_m.x(), xy_m.y(), 0), RotationFromRpy(0, 0, yaw_rad));
   machine.driver = ReadOperator(config.Map("operator"), model, {seed, machine.placement.name});
-  ReadSensors(config, model, &machine.sensors);
-  ReadMachineEffects(description, effects, machine.placement.name, sound, &machine.placement.model,
-                     &machine.sensors);
+  if (ReadSensors(config, model, &machine.sensors)) {
+    ReadMachineEffects(description, effects, machine.placement.name, sound,
+                       &machine.placement.model, &machine.sensors);
+  } else {
+    LeaveEffectsUnread(description, effects, machine.placement.name);
+  }
   ReadGround(config, &machine.placement.model);
   return machine;
 }

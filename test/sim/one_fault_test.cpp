@@ -35,7 +35,8 @@ void Replace(const std::string& passage, const std::string& by, std::string* tex
 
 /// All messages about a scenario whose machine is described in `machine` and whose operator and
 /// sensors stand on that machine's levers, joints and links.
-std::string FaultsOf(const std::string& machine, const std::string& levers = "t_s,boom\n0,0.1\n") {
+std::string FaultsOf(const std::string& machine, const std::string& levers = "t_s,boom\n0,0.1\n",
+                     const std::vector<std::string>& overrides = {}) {
   const fs::path file = OwnFolder() / "machine.yaml", csv = OwnFolder() / "levers.csv";
   std::ofstream(file) << machine;
   std::ofstream(csv) << levers;
@@ -52,7 +53,7 @@ machines:
                                              R"(, time_column: t_s}
     rig: {sensors: [{name: imu, preset: 'tera:config/sensors/xsens_mti_670.yaml', link: boom}]}
 )",
-                                         "s.yaml");
+                                         "s.yaml", overrides);
   try {
     ReadScenario(config.root());
     config.Finish();
@@ -118,6 +119,40 @@ TEST(OneFault, AMistypedLinkOfACylinderOrALinkage) {
   EXPECT_THAT(FaultsOf(Digger("rod: {linkage: bucket_linkage,", "rod: {linkage: bucket_linkag,")),
               OneLine(HasSubstr("rod.linkage: there is no linkage 'bucket_linkag' (did you mean "
                                 "'bucket_linkage'?)")));
+}
+
+TEST(OneFault, AMistypedOrMissingTypeOfAJoint) {
+  EXPECT_THAT(FaultsOf(Digger("type: revolute", "type: revolut")),
+              OneLine(HasSubstr(".type: 'revolut' is not known, need one of fixed, revolute, "
+                                "continuous, prismatic (did you mean 'revolute'?)")));
+  EXPECT_THAT(FaultsOf(Digger("type: revolute", "typ: revolute")),
+              OneLine(HasSubstr(".type: missing, need one of fixed, revolute")));
+}
+
+TEST(OneFault, BesideAMistypedTypeOtherMistakesAreTold) {
+  std::string machine = Digger("type: revolute", "type: revolut");
+  Replace("    child: boom\n", "    child: bom\n", &machine);
+  const std::string faults = FaultsOf(machine);
+  EXPECT_THAT(faults, AllOf(HasSubstr("'revolut' is not known"), HasSubstr("no link 'bom'")));
+  EXPECT_EQ(std::count(faults.begin(), faults.end(), '\n'), 1) << faults;
+}
+
+TEST(OneFault, AMistypedTypeOfAnOperatorOrASensor) {
+  EXPECT_THAT(FaultsOf(Digger(), "t_s,boom\n0,0.1\n", {"machines[0].operator.type=lever_repaly"}),
+              OneLine(HasSubstr("operator.type: 'lever_repaly' is not known, need one of idle, ")));
+  EXPECT_THAT(FaultsOf(Digger(), "t_s,boom\n0,0.1\n",
+                       {"machines[0].rig.sensors[0].type=camra",
+                        "effects.digger.imu={extrinsic: {x_m: 0.1}}"}),
+              OneLine(HasSubstr("sensors[0].type: 'camra' is not known, need one of imu, gnss, "
+                                "camera, lidar, encoder (did you mean 'camera'?)")));
+  EXPECT_THAT(FaultsOf(Digger(), "t_s,boom\n0,0.1\n",
+                       {"machines[0].rig.sensors={0: {type: camra, link: nowhere}}"}),
+              OneLine(HasSubstr("sensors[0].type: 'camra' is not known")));
+}
+
+TEST(OneFault, AJointWhoseChildIsLeftEmpty) {
+  EXPECT_THAT(FaultsOf(Digger("    child: boom\n", "    child:\n")),
+              OneLine(HasSubstr("boom.child: nothing is not a text")));
 }
 
 TEST(OneFault, AMistypedRateIsToldBeforeWhatItLeadsTo) {
