@@ -12,9 +12,11 @@
 namespace tera {
 namespace {
 
+constexpr double kShown_s = 0.005;  ///< less is 0.00 in the table: a stage that the run has not
+
 void PrintReport(const GenerateReport& report, const std::string& out) {
   const auto factor = [&](double wall_s) {
-    return wall_s > 0 ? fmt::format("{:8.1f} x", report.simulated_s / wall_s) : "       -";
+    return wall_s >= kShown_s ? fmt::format("{:8.1f} x", report.simulated_s / wall_s) : "       -";
   };
   fmt::print("{}: {:.1f} s simulated in {:.1f} s, {} frames, {:.1f} MB\n", out, report.simulated_s,
              report.wall_s, report.frames, 1e-6 * static_cast<double>(report.bytes));
