@@ -209,9 +209,9 @@ struct MachineModel {
   double TotalMass_kg() const;
 };
 
-/// Reads a machine description, either TERA's own keys or, with `urdf: file.urdf`, a URDF plus the
-/// keys that URDF lacks (levers, running gear, shovels). Faults go to `config`; after one that
-/// leaves no tree of links the model is empty, and what stands on its links is not judged.
+/// Reads TERA's keys or, with `urdf: file.urdf`, a URDF and the keys that it lacks (levers, gear,
+/// shovels). Faults go to `config`; after one that leaves no tree the model is empty. Of meshes in
+/// `collision_meshes` boxes must then be made, by SetCollisionMeshes of sim/collision_meshes.h.
 MachineModel ReadMachine(const ConfigMap& config);
 
 /// Pose of a joint's child frame in the joint frame J at position `q` (radians or metres).
