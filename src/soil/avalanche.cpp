@@ -14,7 +14,8 @@ constexpr double kSlow_rad = 0.9 * kDeg;    ///< friction of slow flow lies this
 constexpr double kFast_rad = -10.0 * kDeg;  ///< friction of fast flow lies this far below it
 constexpr double kLeastAngle_rad = 1 * kDeg;
 constexpr double kSlowSpeed_mps = 0.2, kFastSpeed_mps = 0.8;  ///< friction falls in between
-constexpr double kThin_m = 0.05, kThick_m = 0.2;  ///< thin flows keep the friction of slow ones
+constexpr double kThin_m = 0.05, kThick_m = 0.15;             ///< of thin flows and thick ones
+constexpr double kStrengthening_spm = 0.2;  ///< of the friction of thin flows, for each m/s
 constexpr double kCreep_mps = 0.005;        ///< slower flows come to rest where none would start
 constexpr double kTrickle_m2ps = 2e-5;      ///< so do flows of less volume for each metre of width
 constexpr double kStep_s = 0.008;           ///< flow is slow beside tools, which need shorter steps
@@ -23,7 +24,7 @@ constexpr double kLongestStep_cells = 0.5;  ///< soil moves no farther in a step
 constexpr double kGentle = 0.65;
 constexpr double kLevel = 1e-9;           ///< a gradient that is none
 constexpr double kFilm_m = 1e-4;          ///< the thinnest layer that flows
-constexpr double kMobileOverExcess = 10;  ///< thickness that flows over what stands too steep
+constexpr double kMobileOverExcess = 20;  ///< thickness that flows over what stands too steep
 
 /// Of numbers that neither overflow nor vanish: quicker than std::hypot.
 double Norm(double x, double y) { return std::sqrt(x * x + y * y); }
@@ -130,9 +131,10 @@ double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
   const double driven_across_mps = across_mps - dt_s * kStandardGravity_mps2 * across_slope;
   const double speed_mps = Norm(along_mps, driven_across_mps);
   const double mobile_m = std::max(motion_[k].mobile_m, motion_[to].mobile_m);
-  const double fast = Ramp(Norm(before_mps, across_mps), kSlowSpeed_mps, kFastSpeed_mps) *
-                      Ramp(mobile_m, kThin_m, kThick_m);
-  const double tan_friction = friction.tan_slow + fast * (friction.tan_fast - friction.tan_slow);
+  const double thick = Ramp(mobile_m, kThin_m, kThick_m);
+  const double fast = thick * Ramp(Norm(before_mps, across_mps), kSlowSpeed_mps, kFastSpeed_mps);
+  const double tan_friction = friction.tan_slow + fast * (friction.tan_fast - friction.tan_slow) +
+                              (1 - thick) * kStrengthening_spm * speed_mps;
   const double braked_mps = tan_friction * kStandardGravity_mps2 * dt_s;
   const double left_mps = speed_mps - braked_mps;
   const bool creeps = left_mps < kCreep_mps || left_mps * mobile_m < kTrickle_m2ps;

@@ -18,8 +18,9 @@ class Grains;
 ///         momentum is carried along, and Coulomb friction acts against the flow's direction. The
 ///         slope that counts is the surface's full gradient, so that piles are round. Ground at
 ///         rest starts to flow where it is steeper than the start angle; friction of slow flow lies
-///         between that and the angle of repose, friction of fast flow below it, by as much as
-///         lets columns run out as far as Lube measured. What flows is several times the part of
+///         between that and the angle of repose. That of thin flows rises with their speed, that of
+///         thick and fast ones lies below, by as much as lets columns run out as far as Lube
+///         measured. What flows is several times the part of
 ///         the loose soil that stands above the slope of slow friction, and what has come along;
 ///         what lies deeper rests. All velocities of a step come from one state,
 ///         and so do all masses: the order of columns does not matter. Banks fail as in
@@ -28,7 +29,7 @@ class Grains;
 /// Omits   vertical acceleration, earth pressure other than hydrostatic, entrainment of bank soil,
 ///         flow over the site's border.
 /// Source  Savage and Hutter 1989; runout of columns: Lube et al. 2004; start and stop angles:
-///         Pouliquen and Forterre 2002.
+///         Pouliquen and Forterre 2002; friction that rises with speed: Jop et al. 2006.
 class Avalanche {
  public:
   explicit Avalanche(const std::vector<SoilType>& soils);

@@ -22,10 +22,11 @@ constexpr double kBeside_cells = 2;         ///< where the ground beside the sho
 constexpr double kNear_m = 0.3;             ///< a shovel this close to the ground holds soil back
 constexpr double kLeastSpeed_mps = 1e-4;    ///< no direction below it
 // Soil pushed aside.
-constexpr int kWidestWedge = 60;      ///< columns
-constexpr double kParcel_m = 0.001;   ///< soil is spread in parcels at least this thick
-constexpr double kThickest_m = 0.02;  ///< and at most this
-constexpr int kLongestRoll = 60;      ///< columns
+constexpr int kWidestWedge = 60;        ///< columns
+constexpr double kFan_rad = 25 * kDeg;  ///< to both sides of the direction of motion
+constexpr double kParcel_m = 0.001;     ///< soil is spread in parcels at least this thick
+constexpr double kThickest_m = 0.02;    ///< and at most this
+constexpr int kLongestRoll = 60;        ///< columns
 // Carried soil.
 constexpr double kSpillTime_s = 0.25;   ///< time constant at which what cannot stay leaves
 constexpr double kStuckClod_m = 0.025;  ///< thickest layer that hangs on the shell: an estimate
@@ -34,6 +35,14 @@ constexpr double kShut_m = 0.05;        ///< ground this far above the lip shuts
 constexpr double kMouthDown = -0.7;     ///< z of a mouth that looks down
 constexpr double kGravityTime_s = 0.2;  ///< over which apparent gravity is smoothed
 constexpr double kMostGravity_mps2 = 3 * kStandardGravity_mps2;  ///< more is a knock
+
+/// The n-th multiple of a ratio, without its whole part: with these two ratios, numbers that fill a
+/// square evenly, however many there are (Roberts 2018, the sequence R2).
+constexpr double kAcross = 0.7548776662466927, kAlong = 0.5698402909980532;
+double Turn(std::size_t n, double ratio) {
+  const double at = ratio * static_cast<double>(n);
+  return at - std::floor(at);
+}
 
 double Clamp01(double x) { return std::clamp(x, 0.0, 1.0); }
 
@@ -112,9 +121,13 @@ void Digging::FindFootprint(const BodyState& body, Columns* ground) {
 /// Puts soil outside the footprint in `direction`, on the columns that rise when a body pushes a
 /// wedge of soil before it: those above a plane that rises from its lowest point at Rankine's
 /// passive angle. From there it rolls down what is steeper than repose.
-void Digging::PutOutside(const Swept& swept, const Vec2& direction, SpoilMix* spoil,
+void Digging::PutOutside(const Swept& swept, const Vec2& way_out, SpoilMix* spoil,
                          Columns* ground) {
   constexpr double kStep = 0.7;  // in columns: skips none
+  // The wedge fans out, or all that one place of the shovel pushes would lie in one line.
+  const double fan_rad = kFan_rad * (2 * Turn(put_, kAcross) - 1);
+  const Vec2 direction(std::cos(fan_rad) * way_out.x() - std::sin(fan_rad) * way_out.y(),
+                       std::sin(fan_rad) * way_out.x() + std::cos(fan_rad) * way_out.y());
   double x = swept.i, y = swept.j;
   const auto at = [](double v) { return static_cast<int>(std::lround(v)); };
   while (InFootprint(at(x), at(y))) {
@@ -137,7 +150,7 @@ void Digging::PutOutside(const Swept& swept, const Vec2& direction, SpoilMix* sp
       std::clamp<std::size_t>(static_cast<std::size_t>(thickness_m / kParcel_m), 1,
                               std::max(wide, static_cast<std::size_t>(thickness_m / kThickest_m)));
   for (std::size_t p = 0; p < parcels; ++p) {
-    const std::size_t n = (put_++ + p * wide / parcels) % wide;
+    const auto n = static_cast<std::size_t>(Turn(++put_, kAlong) * static_cast<double>(wide));
     Place rest{at(x + n * direction.x()), at(y + n * direction.y())};
     for (int k = 0; k < kLongestRoll && RollsOn(repose_rad, *ground, &rest); ++k) continue;
     ground->DepositAt(rest.i, rest.j, spoil->Take(1.0 / static_cast<double>(parcels - p)));
@@ -212,8 +225,9 @@ bool Digging::PressShell(const BodyState& body, const Swept& swept, double dt_s,
       elastic_pa + std::clamp(damping * v_in_mps, -elastic_pa, 0.5 * elastic_pa);
   const double normal_n = pressure_pa * ground->area_m2() / -n_W.z();
   const Vec3 slide_W = v_W - v_in_mps * n_W;
-  const double friction_rad = swept.crossing.through_mouth ? soils_[soil].friction_angle_rad
-                                                           : soils_[soil].soil_tool_friction_rad;
+  const bool on_soil = swept.crossing.through_mouth && shovel_.capacity_m3 > 0;
+  const double friction_rad =
+      on_soil ? soils_[soil].friction_angle_rad : soils_[soil].soil_tool_friction_rad;
   const Vec3 friction_W =
       -std::tan(friction_rad) * normal_n * slide_W / std::max(slide_W.norm(), kSlideSpeed_mps);
   wrench->AddForceAt(-normal_n * n_W + friction_W, p_W, body.X_WB.translation());

@@ -55,7 +55,7 @@ class Digging {
   bool PressShell(const BodyState& body, const Swept& swept, double dt_s, bool may_enter,
                   Columns* ground, double* keep_m, Wrench* wrench) const;
   double LowestBeside_m(const BodyState& body, const Columns& ground) const;
-  void PutOutside(const Swept& swept, const Vec2& direction, SpoilMix* spoil, Columns* ground);
+  void PutOutside(const Swept& swept, const Vec2& way_out, SpoilMix* spoil, Columns* ground);
   using Place = Columns::Place;
   bool RollsOn(double repose_rad, const Columns& ground, Place* at) const;
   Vec2 WayOut(const BodyState& body, const Vec3& p_W, const Vec3& v_W) const;

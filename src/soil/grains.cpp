@@ -14,6 +14,7 @@ constexpr double kLongestSlide_s = 3;    ///< then a clod rests wherever it is
 constexpr double kRestSpeed_mps = 0.05;  ///< slower clods rest where friction holds them
 constexpr double kScatter_mps = 0.15;    ///< of a clod's velocity, each axis, one sigma
 constexpr int kMostFalls = 40;           ///< columns that what is laid down falls on over
+constexpr double kSteep = 1;             ///< slope of loose soil on which a clod slides on
 constexpr double kWall = 2;              ///< slope of what a clod does not climb
 const Vec3 kGravity_W(0, 0, -kStandardGravity_mps2);
 
@@ -34,6 +35,51 @@ bool FallsOn(const Columns& ground, Columns::Place* at) {
   return lowest_m < edge_m;
 }
 
+Columns::Place NearestPlace(const Columns& ground, const Vec3& p_W_m) {
+  return {ground.NearestI(p_W_m.x()), ground.NearestJ(p_W_m.y())};
+}
+
+/// Puts soil on a column, or where it falls to from there, in parcels no thicker than a cell.
+void PutDown(const Columns::Place& place, Spoil spoil, Columns* ground) {
+  const double cell_m3 = ground->cell_m() * ground->area_m2();
+  for (int n = static_cast<int>(std::ceil(spoil.volume_m3 / cell_m3)); n > 0; --n) {
+    Columns::Place at = place;
+    for (int k = 0; k < kMostFalls && FallsOn(*ground, &at); ++k) {
+    }
+    ground->DepositAt(at.i, at.j, spoil.Take(1.0 / n));
+  }
+}
+
+/// Lays soil on the four columns around a point, so that its middle stays where it is, but on none
+/// that stands beside the point as a wall.
+void Spread(const Vec3& p_W_m, const Spoil& spoil, Columns* ground) {
+  auto [i, j] = NearestPlace(*ground, p_W_m);
+  if (ground->x_m(i) > p_W_m.x()) --i;
+  if (ground->y_m(j) > p_W_m.y()) --j;
+  const auto put = [&](const Columns::Place& at, const Spoil& part) {
+    const bool is_wall = ground->Contains(at.i, at.j) &&
+                         ground->TopAt(at.i, at.j) > p_W_m.z() + kSteep * ground->cell_m();
+    PutDown(is_wall ? NearestPlace(*ground, p_W_m) : at, part, ground);
+  };
+  Spoil here = spoil;
+  Spoil beside = here.Take((p_W_m.x() - ground->x_m(i)) / ground->cell_m());
+  for (const int di : {0, 1}) {
+    Spoil& near = di == 0 ? here : beside;
+    const Spoil far = near.Take((p_W_m.y() - ground->y_m(j)) / ground->cell_m());
+    put({i + di, j}, near);
+    put({i + di, j + 1}, far);
+  }
+}
+
+/// Whether a clod comes to lie where it meets the ground: in loose soil deep enough to take it in,
+/// but not on a steep flank of it.
+bool TakesIn(const Columns& ground, const Vec3& n_W, const Vec3& p_W, double radius_m) {
+  if (n_W.head<2>().norm() > kSteep * n_W.z()) return false;
+  const auto [i, j] = NearestPlace(ground, p_W);
+  const ColumnId k = ground.IdAt(i, j);
+  return k != Columns::kNone && ground.skin(k).is_loose && ground.skin(k).loose_m > radius_m;
+}
+
 /// Takes up to `loss_mps` of speed.
 Vec3 Slowed(const Vec3& v_mps, double loss_mps) {
   const double speed_mps = v_mps.norm();
@@ -52,7 +98,7 @@ double Grains::clod_m3() const {
 }
 
 void Grains::Pour(const SpoilMix& spoil, const Vec3& from_W, const Vec3& to_W, const Vec3& v_W,
-                  Columns* ground) {
+                  Columns* ground, Kind kind) {
   for (Spoil rest : spoil.parts()) {
     const int clods = std::max(1, static_cast<int>(std::lround(rest.volume_m3 / clod_m3())));
     for (int n = clods; n > 0; --n) {
@@ -62,9 +108,9 @@ void Grains::Pour(const SpoilMix& spoil, const Vec3& from_W, const Vec3& to_W, c
       if (count() < kMost) {
         grains_.push_back({p_W, v_W + kScatter_mps * scatter_.Gaussian3(k, 2), clod,
                            static_cast<std::uint16_t>(k),
-                           static_cast<float>(std::cbrt(3 * clod.volume_m3 / (4 * kPi)))});
+                           static_cast<float>(std::cbrt(3 * clod.volume_m3 / (4 * kPi))), kind});
       } else {
-        LayDown(p_W, clod, ground);
+        LayDown(p_W, clod, kind, ground);
       }
     }
   }
@@ -76,18 +122,13 @@ Bed* Grains::BedAt(const Vec3& p_W_m) {
   return bed == beds_.end() ? nullptr : &*bed;
 }
 
-void Grains::LayDown(const Vec3& p_W_m, const Spoil& spoil, Columns* ground) {
+void Grains::LayDown(const Vec3& p_W_m, const Spoil& spoil, Kind kind, Columns* ground) {
   if (Bed* bed = BedAt(p_W_m)) {
     bed->Deposit(p_W_m, spoil);
+  } else if (kind == Kind::kFirm) {
+    PutDown(NearestPlace(*ground, p_W_m), spoil, ground);
   } else {
-    const double cell_m3 = ground->cell_m() * ground->area_m2();
-    Spoil rest = spoil;
-    for (int n = static_cast<int>(std::ceil(spoil.volume_m3 / cell_m3)); n > 0; --n) {
-      Columns::Place at = {ground->NearestI(p_W_m.x()), ground->NearestJ(p_W_m.y())};
-      for (int k = 0; k < kMostFalls && FallsOn(*ground, &at); ++k) {
-      }
-      ground->DepositAt(at.i, at.j, rest.Take(1.0 / n));
-    }
+    Spread(p_W_m, spoil, ground);
   }
 }
 
@@ -109,6 +150,7 @@ bool Grains::Move(double dt_s, const Columns& ground, Grain* grain) const {
     n_W = ground.NormalAt(p_W.x(), p_W.y());
   }
   p_W.z() = ground_m;
+  if (grain->kind == Kind::kLoose && TakesIn(ground, n_W, p_W, grain->radius_m)) return true;
   const double into_mps = std::max(0.0, -v_W.dot(n_W));
   const double friction = friction_[grain->spoil.soil];
   v_W = Slowed(v_W + into_mps * n_W, friction * into_mps);
@@ -137,7 +179,7 @@ void Grains::Step(double dt_s, Columns* ground) {
     Grain& grain = grains_[n];
     const Bed* bed = has_beds ? BedAt(grain.p_W_m) : nullptr;
     if (bed != nullptr ? MoveInBed(dt_s, *bed, &grain) : Move(dt_s, *ground, &grain)) {
-      LayDown(grain.p_W_m, grain.spoil, ground);
+      LayDown(grain.p_W_m, grain.spoil, grain.kind, ground);
       grain = grains_.back();
       grains_.pop_back();
     } else {

@@ -16,15 +16,24 @@ namespace tera {
 /// Frames  W.
 /// Model   A clod falls freely. Where it meets the ground it loses its velocity into the surface
 ///         and, by Coulomb friction, as much of that along it; it slides on while the surface is
-///         steeper than friction holds. A wall stops its travel: it is not lifted over an edge. At
-///         rest, or when it has slid for kLongestSlide_s, it becomes loose soil of the column
-///         below, or of the bed over which it is. There are never more than kMost: clods are larger
-///         while many are under way, and what more is poured lies in the column below at once.
-///         Clods neither touch each other nor machines: they exert no force.
-/// Omits   collisions between clods, bouncing, drag of the air.
+///         steeper than friction holds. A wall stops its travel: it is not lifted over an edge.
+///         Loose soil takes in what was poured where it meets it: what lies too steep then flows as
+///         Avalanche says; pieces of a bank slide on over it. Otherwise, at rest, or when it has
+///         slid for kLongestSlide_s, it becomes loose soil of the columns around, or of the bed
+///         over which it is. There are never more than kMost: clods are larger while many are under
+///         way, and what more is poured lies in the column below at once. Clods neither touch each
+///         other nor machines: they exert no force.
+/// Omits   collisions between clods, bouncing, drag of the air, the push that a clod gives the
+/// loose
+///         soil that takes it in.
 class Grains {
  public:
   static constexpr std::size_t kMost = 20000;
+
+  enum class Kind : std::uint8_t {
+    kLoose,  ///< poured
+    kFirm    ///< pieces of a bank that fails
+  };
 
   /// `seed` scatters clods along the line that they leave from.
   Grains(const std::vector<SoilType>& soils, std::uint64_t seed);
@@ -33,7 +42,7 @@ class Grains {
   double clod_m3() const;
   /// Lets soil go with a velocity, from places on the line between two points.
   void Pour(const SpoilMix& spoil, const Vec3& from_W_m, const Vec3& to_W_m, const Vec3& v_W_mps,
-            Columns* ground);
+            Columns* ground, Kind kind = Kind::kLoose);
   void Step(double dt_s, Columns* ground);
 
   std::vector<Bed>& beds() { return beds_; }
@@ -50,6 +59,7 @@ class Grains {
     Spoil spoil;
     std::uint16_t number;
     float radius_m;
+    Kind kind;
     double slid_s = 0;
   };
   /// Whether it has come to rest.
@@ -57,7 +67,7 @@ class Grains {
   bool MoveInBed(double dt_s, const Bed& bed, Grain* grain) const;
   /// Bed over whose floor a point is, or null.
   Bed* BedAt(const Vec3& p_W_m);
-  void LayDown(const Vec3& p_W_m, const Spoil& spoil, Columns* ground);
+  void LayDown(const Vec3& p_W_m, const Spoil& spoil, Kind kind, Columns* ground);
   void Show(Columns* ground) const;
 
   std::vector<double> friction_;  ///< of each soil

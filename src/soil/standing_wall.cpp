@@ -93,7 +93,7 @@ void SlideOff(const StandingWalls::Failure& failure, Columns* ground, Grains* gr
       SpoilMix slid;
       ground->Cut(k, plane_m, &slid);
       grains->Pour(slid, Vec3(at.x(), at.y(), plane_m), Vec3(at.x(), at.y(), top_m), Vec3::Zero(),
-                   ground);
+                   ground, Grains::Kind::kFirm);
     }
   }
 }

@@ -1,12 +1,16 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <string>
+#include <tuple>
 #include <vector>
 
 #include "soil_fixture.h"
 
-/// What leaves a bucket, and where.
+/// What leaves a bucket: where it leaves it, and the pile that it makes.
 
 namespace tera {
 namespace {
@@ -39,6 +43,91 @@ TEST(Pouring, WhatSpillsOverTheCuttingEdgeLeavesBetweenTheTeeth) {
   EXPECT_GT(clods[1], 200);  // of a thousand of a tenth of a litre
   EXPECT_GT(clods[-1], 200);
 }
+
+/// Digs with the compact bucket in eight places, at y from -3.5 to 3.5 m and x about 0, and each
+/// time opens it within five seconds, its edge resting at a place.
+BucketPath EightBucketsOver(const Vec3& edge_W_m) {
+  const Vec3 edge_B(CompactBucket().profile_B_m[0].x(), 0, 0);
+  const auto edge_there = [&](double t_s, double pitch_rad) {
+    return BucketPlace{t_s, edge_W_m - RotationFromRpy(0, pitch_rad, 0) * edge_B, pitch_rad};
+  };
+  std::vector<BucketPlace> places;
+  for (int k = 0; k < 8; ++k) {
+    const double start_s = 15 * k, y_m = k - 3.5;
+    for (const BucketPlace& place : {BucketPlace{0, {0.8, y_m, 1.5}, 80 * kDeg},
+                                     {1, {0.8, y_m, 0.6}, 85 * kDeg},
+                                     {2.5, {-0.5, y_m, 0.58}, 105 * kDeg},
+                                     {3.5, {-0.7, y_m, 0.65}, 165 * kDeg},
+                                     {4.5, {-0.7, y_m, 1.6}, 182 * kDeg}}) {
+      places.push_back(place);
+      places.back().t_s += start_s;
+    }
+    for (int step = 0; step <= 30; ++step) {
+      places.push_back(edge_there(start_s + 7 + step / 6.0, (182 - 5.4 * step) * kDeg));
+    }
+    places.push_back(edge_there(start_s + 13, 20 * kDeg));
+  }
+  places.push_back(edge_there(15 * 8, 20 * kDeg));
+  return BucketPath(places);
+}
+
+/// Slope angle of a straight line fitted to heights between 20 % and 80 % of the top, over a sector
+/// of 8 deg about an azimuth.
+double FlankAngle_deg(const TerrainSurface& ground, const Vec2& from_W_m, double top_m,
+                      double azimuth_rad) {
+  double n = 0, sr = 0, sz = 0, srr = 0, srz = 0;
+  for (const double beside_deg : {-4, -2, 0, 2, 4}) {
+    const double a = azimuth_rad + beside_deg * kDeg;
+    for (double r = 0; r < 3; r += 0.01) {
+      const double z =
+          ground.HeightAt(from_W_m.x() + r * std::cos(a), from_W_m.y() + r * std::sin(a));
+      if (z > 0.2 * top_m && z < 0.8 * top_m) n += 1, sr += r, sz += z, srr += r * r, srz += r * z;
+    }
+  }
+  return std::atan(-(n * srz - sr * sz) / (n * srr - sr * sr)) / kDeg;
+}
+
+class PileOfABucket : public testing::TestWithParam<std::tuple<std::string, double>> {};
+
+TEST_P(PileOfABucket, StandsAtReposeAlongAxesAndDiagonals) {
+  const auto [name, cell_m] = GetParam();
+  const double repose_deg = name == "sand" ? 33 : 37;  // config/soils
+  auto soil = MakeSite("size_m: [14, 12]\nsoil: " + name + "\ncell_m: " + std::to_string(cell_m));
+  GroundTools tools;
+  tools.shovels = {CompactBucket()};
+  const int machine = soil->AddMachine(tools);
+  const Vec2 spot_W_m(4.0, 0.02);
+  RunBucket(soil.get(), machine, EightBucketsOver({spot_W_m.x(), spot_W_m.y(), 1.3}),
+            [](double, const BodyState&, const SoilReaction&) {});
+  EXPECT_EQ(soil->ledger().grains_kg, 0);  // all at rest
+  const TerrainSurface& ground = soil->surface();
+  double top_m = 0;
+  for (double x = 3; x < 5; x += 0.02) top_m = std::max(top_m, ground.HeightAt(x, spot_W_m.y()));
+  EXPECT_GT(top_m, 0.55);          // flanks of ten columns of 10 cm
+  Vec2 middle_W_m = Vec2::Zero();  // of what lies above half the height
+  int above = 0;
+  for (double x = 2; x < 6; x += 0.02) {
+    for (double y = -2; y < 2; y += 0.02) {
+      if (ground.HeightAt(x, y) > 0.5 * top_m) middle_W_m += Vec2(x, y), ++above;
+    }
+  }
+  middle_W_m /= above;
+  for (int k = 0; k < 8; ++k) {
+    // The pile's crest is as long as the lip is wide.
+    const double side_m = k == 0 || k == 4 ? 0.0 : k < 4 ? 0.25 : -0.25;
+    EXPECT_NEAR(FlankAngle_deg(ground, middle_W_m + Vec2(0, side_m), top_m, k * 45 * kDeg),
+                repose_deg, 1.0)
+        << "azimuth " << 45 * k << " deg, " << top_m << " m high at " << middle_W_m.transpose();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Soils, PileOfABucket,
+                         testing::Combine(testing::Values("sand", "dirt"),
+                                          testing::Values(0.05, 0.10)),
+                         [](const auto& info) {
+                           return std::get<0>(info.param) +
+                                  (std::get<1>(info.param) < 0.07 ? "At5Cm" : "At10Cm");
+                         });
 
 }  // namespace
 }  // namespace tera
