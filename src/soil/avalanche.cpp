@@ -15,9 +15,9 @@ constexpr double kFast_rad = -10.0 * kDeg;  ///< friction of fast flow lies this
 constexpr double kLeastAngle_rad = 1 * kDeg;
 constexpr double kSlowSpeed_mps = 0.2, kFastSpeed_mps = 0.8;  ///< friction falls in between
 constexpr double kThin_m = 0.05, kThick_m = 0.15;             ///< of thin flows and thick ones
-constexpr double kStrengthening_spm = 0.2;  ///< of the friction of thin flows, for each m/s
-constexpr double kCreep_mps = 0.005;        ///< slower flows come to rest where none would start
-constexpr double kTrickle_m2ps = 2e-5;      ///< so do flows of less volume for each metre of width
+constexpr double kStrengthening_spm = 0.15;  ///< of the friction of thin flows, for each m/s
+constexpr double kCreep_mps = 0.005;         ///< slower flows come to rest where none would start
+constexpr double kTrickle_m2ps = 2e-5;       ///< so do flows of less volume for each metre of width
 constexpr double kStep_s = 0.008;           ///< flow is slow beside tools, which need shorter steps
 constexpr double kLongestStep_cells = 0.5;  ///< soil moves no farther in a step
 /// Share of the start angle's slope below which, along both axes, no column starts to flow.
