@@ -246,6 +246,9 @@ TEST(UrdfMachine, MirroredMeshesAreShownMirrored) {
   std::ofstream(folder / "corners.yaml") << "kind: r\nfixed_base: true\nurdf: corners.urdf\n";
   const Scenario scenario = Read(folder / "corners.yaml");
   const SceneAssembly assembly(scenario);
+  for (const SceneNode& node : assembly.model().nodes) {
+    EXPECT_NEAR(node.X_BG.linear().determinant(), 1, 1e-9);  // a pose cannot mirror
+  }
   for (const SceneInstance& instance : assembly.model().instances) {
     const std::size_t at = instance.name.find("/l");
     if (at == std::string::npos) continue;
