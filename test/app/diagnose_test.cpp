@@ -69,7 +69,7 @@ TEST_F(DiagnoseCommand, NamesADeadBandThatTheScenarioLacksAndWritesTheOverlayTha
   EXPECT_THAT(outcome.out, HasSubstr("dead band 0.08"));
   const auto json = nlohmann::json::parse(Read("why/diagnosis.json"));
   EXPECT_EQ(json["verdict"][0], "named");
-  ASSERT_EQ(json["findings"].size(), 1u);
+  ASSERT_EQ(json["findings"].size(), 1u) << outcome.out;
   const auto& finding = json["findings"][0];
   EXPECT_EQ(finding["mechanism"], "dead_band");
   EXPECT_EQ(finding["target"], "boom");
@@ -94,7 +94,7 @@ TEST_F(DiagnoseCommand, CorrectsAWrongNumberThatTheScenarioHas) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("dead band 0.12"), HasSubstr("instead of 0.05")));
   const auto json = nlohmann::json::parse(Read("why/diagnosis.json"));
-  ASSERT_EQ(json["findings"].size(), 1u);
+  ASSERT_EQ(json["findings"].size(), 1u) << outcome.out;
   const auto& width = json["findings"][0]["parameters"]["width"];
   EXPECT_NEAR(width["value"].get<double>(), 0.12, 0.005);
   EXPECT_EQ(width["instead_of"], 0.05);
@@ -109,7 +109,7 @@ TEST_F(DiagnoseCommand, FindsAnInertialUnitThatSitsAskew) {
   const Outcome outcome = Run({"diagnose", "boom.yaml", "real", "--out", "why"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto json = nlohmann::json::parse(Read("why/diagnosis.json"));
-  ASSERT_EQ(json["findings"].size(), 1u);
+  ASSERT_EQ(json["findings"].size(), 1u) << outcome.out;
   const auto& finding = json["findings"][0];
   EXPECT_EQ(finding["mechanism"], "mount_rotation");
   EXPECT_EQ(finding["target"], "imu");

@@ -17,6 +17,7 @@ namespace tera {
 namespace {
 
 constexpr double kScreenedGain = 6;  ///< of log-likelihood: it may mean something
+constexpr double kLeastShare = 0.02;  ///< of all that was found, that a term must explain
 constexpr double kRivalP = 0.05;
 constexpr double kRivalGain = 3;  ///< of log-likelihood: nothing to choose by
 
@@ -250,8 +251,8 @@ TermEvidence Search::EvidenceOf(const Scored& with, const Misfit& crossed_with,
 }
 
 bool Search::IsNeeded(const TermEvidence& evidence) const {
-  return evidence.p <= options_.alpha && evidence.of_rest >= options_.least_of_rest &&
-         evidence.effect >= options_.least_effect;
+  return evidence.p <= options_.alpha && evidence.share >= kLeastShare &&
+         evidence.of_rest >= options_.least_of_rest && evidence.effect >= options_.least_effect;
 }
 
 /// Removes the term that is needed least until all are needed.
