@@ -28,16 +28,6 @@ std::string BoomLevers() {
   return csv.str();
 }
 
-/// Findings but for what is called unexplained: a machine that rocks on its tracks leaves an error in
-/// the replay of a joint alone.
-std::size_t NamedIn(const nlohmann::json& diagnosis) {
-  std::size_t named = 0;
-  for (const auto& finding : diagnosis["findings"]) {
-    named += finding["mechanism"] == "unexplained" ? 0 : 1;
-  }
-  return named;
-}
-
 class DiagnoseCommand : public testing::Test {
  protected:
   DiagnoseCommand() {
@@ -79,7 +69,7 @@ TEST_F(DiagnoseCommand, NamesADeadBandThatTheScenarioLacksAndWritesTheOverlayTha
   EXPECT_THAT(outcome.out, HasSubstr("dead band 0.08"));
   const auto json = nlohmann::json::parse(Read("why/diagnosis.json"));
   EXPECT_EQ(json["verdict"][0], "named");
-  ASSERT_EQ(NamedIn(json), 1u) << outcome.out;
+  ASSERT_EQ(json["findings"].size(), 1u) << outcome.out;
   const auto& finding = json["findings"][0];
   EXPECT_EQ(finding["mechanism"], "dead_band");
   EXPECT_EQ(finding["target"], "boom");
@@ -93,7 +83,7 @@ TEST_F(DiagnoseCommand, NamesADeadBandThatTheScenarioLacksAndWritesTheOverlayTha
   const Outcome again =
       Run({"diagnose", "boom.yaml", "real", "--effects", "why/effects.yaml", "--out", "nothing"});
   ASSERT_EQ(again.status, 0) << again.err;
-  EXPECT_EQ(NamedIn(nlohmann::json::parse(Read("nothing/diagnosis.json"))), 0u) << again.out;
+  EXPECT_EQ(nlohmann::json::parse(Read("nothing/diagnosis.json"))["findings"].size(), 0u);
 }
 
 TEST_F(DiagnoseCommand, CorrectsAWrongNumberThatTheScenarioHas) {
@@ -104,7 +94,7 @@ TEST_F(DiagnoseCommand, CorrectsAWrongNumberThatTheScenarioHas) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("dead band 0.12"), HasSubstr("instead of 0.05")));
   const auto json = nlohmann::json::parse(Read("why/diagnosis.json"));
-  ASSERT_EQ(NamedIn(json), 1u) << outcome.out;
+  ASSERT_EQ(json["findings"].size(), 1u) << outcome.out;
   const auto& width = json["findings"][0]["parameters"]["width"];
   EXPECT_NEAR(width["value"].get<double>(), 0.12, 0.005);
   EXPECT_EQ(width["instead_of"], 0.05);
@@ -119,7 +109,7 @@ TEST_F(DiagnoseCommand, FindsAnInertialUnitThatSitsAskew) {
   const Outcome outcome = Run({"diagnose", "boom.yaml", "real", "--out", "why"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto json = nlohmann::json::parse(Read("why/diagnosis.json"));
-  ASSERT_EQ(NamedIn(json), 1u) << outcome.out;
+  ASSERT_EQ(json["findings"].size(), 1u) << outcome.out;
   const auto& finding = json["findings"][0];
   EXPECT_EQ(finding["mechanism"], "mount_rotation");
   EXPECT_EQ(finding["target"], "imu");

@@ -87,7 +87,7 @@ struct BlockDiagnosis {
 ///         variance that was there beyond noise before anything was found. What is louder in half
 ///         of the manoeuvres or more is unexplained, and so is what the free member still follows,
 ///         steadily over SELECT (Bonferroni over the diagnosis's channels) and FINAL. In a
-///         recording without rest, six times the noise: noise of AR(1), 0.95, is so much louder
+///         recording without rest, ten times the noise: noise of AR(1), 0.995, is so much louder
 ///         than its differences.
 BlockDiagnosis DiagnoseBlock(const ReplayBlock& block, const SearchOptions& options,
                              const Stream& stream);
