@@ -82,7 +82,8 @@ struct BlockDiagnosis {
 /// Says why a block's measurements differ from its replay: noise, search, location, what remains,
 /// what could not have been seen, and the error on data that was not used.
 ///
-/// Model   what is left of a channel on FINAL is noise where it is at most twice the channel's noise
+/// Model   what is left of a channel on FINAL is noise where it is at most twice the channel's
+/// noise
 ///         (noise_level.h), or adds to it no more than 3 % of the channel's RMS and 2 % of the
 ///         variance that was there beyond noise before anything was found. What is louder in half
 ///         of the manoeuvres or more is unexplained, and so is what the free member still follows,

@@ -16,7 +16,7 @@
 namespace tera {
 namespace {
 
-constexpr double kScreenedGain = 6;  ///< of log-likelihood: it may mean something
+constexpr double kScreenedGain = 6;   ///< of log-likelihood: it may mean something
 constexpr double kLeastShare = 0.02;  ///< of all that was found, that a term must explain
 constexpr double kRivalP = 0.05;
 constexpr double kRivalGain = 3;  ///< of log-likelihood: nothing to choose by
