@@ -51,6 +51,9 @@ Answer ReadAnswer(const std::filesystem::path& diagnosis_json) {
     for (const Json& one : json.at("untestable")) {
       answer.untestable.emplace_back(Text(one.at("mechanism")), Text(one.at("target")));
     }
+    for (const Json& one : json.at("held_out")) {
+      answer.rmse_after[Text(one.at("channel"))] = Number(one.at("rmse_after"));
+    }
     return answer;
   } catch (const Json::exception& e) {
     throw InputError(fmt::format("{}: {}; need a diagnosis as docs/diagnose.md describes it",

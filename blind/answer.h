@@ -28,6 +28,7 @@ struct Answer {
   std::vector<std::string> verdicts;
   std::vector<Finding> findings;
   std::vector<std::pair<std::string, std::string>> untestable;  ///< mechanism, target
+  std::map<std::string, double> rmse_after;  ///< by channel, on held-out manoeuvres
 };
 
 /// Throws InputError where the file is not of the form that docs/diagnose.md describes.

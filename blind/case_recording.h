@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct Change {
 struct CaseRecording {
   Table commands, encoders, poses;  ///< poses without columns: none
   std::vector<Change> changes;      ///< for each of what is hidden
+  /// RMS of what measuring adds, by the names that the tool has for its channels.
+  std::map<std::string, double> noise_rms;
 };
 
 }  // namespace tera::blind

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "blind/recording_files.h"
+
 namespace tera::blind {
 namespace {
 
@@ -30,6 +32,15 @@ Table EncodersOf(const EncoderRows& rows) {
     table.rows.push_back(std::move(row));
   }
   return table;
+}
+
+double NoiseOf(const EncoderRows& rows, const Motion& motion, std::size_t axis) {
+  double sum = 0;
+  for (std::size_t k = 0; k < rows.w_radps.size(); ++k) {
+    const double error = rows.w_radps[k][axis] - motion.w_radps[rows.sample[k]][axis];
+    sum += error * error;
+  }
+  return std::sqrt(sum / static_cast<double>(rows.w_radps.size()));
 }
 
 Change ChangeOf(const Motion& with, const Motion& without, std::size_t axis,
@@ -61,7 +72,12 @@ CaseRecording RecordJoints(const JointsCase& joints, double duration_s, std::uin
       [&](double t_s, const AxisValues& q_rad) { return someone.At(t_s, q_rad); }, queue);
   CaseRecording recording;
   recording.commands = CommandsOf(motion);
-  recording.encoders = EncodersOf(Measure(motion, joints.measured, joints.noise, noise));
+  const EncoderRows rows = Measure(motion, joints.measured, joints.noise, noise);
+  recording.encoders = EncodersOf(rows);
+  for (const std::size_t axis : joints.measured) {
+    const std::string channel = fmt::format("{}/encoders/{}_radps", kName, kJoints[axis]);
+    recording.noise_rms[channel] = NoiseOf(rows, motion, axis);
+  }
   if (joints.hidden_axes.empty()) return recording;
   const Motion without = Move(joints.excavator, Forms{}, course, Replayed(motion), queue);
   for (const std::size_t axis : joints.hidden_axes) {

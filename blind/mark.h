@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "blind/answer.h"
 #include "blind/benchmark_case.h"
+#include "blind/improvement.h"
 
 namespace tera::blind {
 
@@ -46,6 +48,8 @@ struct Mark {
   bool right_channel = false, right_variable = false, has_variable = false;
   double overlap = 0;
   std::vector<ParameterMark> parameters;
+  std::optional<double> share_of_oracle;  ///< improvement.h
+  std::vector<MethodMark> methods;        ///< beside it
 };
 
 Mark MarkAnswer(const BenchmarkCase& benchmark_case, const CaseRecording& recording,

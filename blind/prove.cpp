@@ -31,8 +31,16 @@ void Write(const fs::path& file, const std::string& text) {
     throw InputError(fmt::format("{}: cannot be written; check the disk", file.string()));
 }
 
+/// What simpler methods reach, and what the tool does of the same.
+void MarkImprovement(const BenchmarkCase& c, const CaseRecording& recording, const Answer& answer,
+                     const fs::path& baselines_json, Mark* mark) {
+  const BaselineAnswers baselines = ReadBaselines(baselines_json);
+  mark->share_of_oracle = ShareOfOracle(c, recording, baselines.as_it_is, answer.rmse_after);
+  mark->methods = MarkMethods(c, recording, baselines);
+}
+
 /// A tool that gives up has given an answer too: none.
-Mark ProveCase(BenchmarkCase c, std::uint64_t seed, const Tool& tool, const fs::path& folder) {
+Mark ProveCase(BenchmarkCase c, std::uint64_t seed, const Tools& tools, const fs::path& folder) {
   const CaseRecording recording = Record(&c, seed);
   WriteCase(c, recording, folder);
   const std::string truth = TruthJson(c, recording);
@@ -42,35 +50,40 @@ Mark ProveCase(BenchmarkCase c, std::uint64_t seed, const Tool& tool, const fs::
   double seconds = 0;
   try {
     const Stopwatch watch(&seconds);
-    tool(folder / "scenario.yaml", folder / "recording", report);
+    tools.diagnose(folder / "scenario.yaml", folder / "recording", report);
   } catch (const std::exception& e) {
     fault = e.what();
   }
   const fs::path json = report / "diagnosis.json";
   OpenTruth(truth, fault.empty() ? TextOf(json) : fault, folder);
-  Mark mark = MarkAnswer(c, recording, fault.empty() ? ReadAnswer(json) : Answer{});
+  const Answer answer = fault.empty() ? ReadAnswer(json) : Answer{};
+  Mark mark = MarkAnswer(c, recording, answer);
   mark.fault = fault;
   mark.seconds = seconds;
+  if (fault.empty() && tools.baselines) {
+    tools.baselines(folder / "scenario.yaml", folder / "recording", report);
+    MarkImprovement(c, recording, answer, report / "baselines.json", &mark);
+  }
   return mark;
 }
 
 void WriteTables(const std::vector<Mark>& marks, std::uint64_t seed, const fs::path& out) {
   const std::vector<Row> rows = TableOf(marks);
-  Write(out / "table.md", TableMarkdown(rows));
+  Write(out / "table.md", TableMarkdown(rows) + "\n" + MethodsMarkdown(MethodsOf(marks)));
   Write(out / "table.json", TableJson(rows, marks, seed));
   Write(out / "cases.md", CasesMarkdown(marks));
 }
 
 }  // namespace
 
-std::vector<Mark> Prove(const ProveOptions& options, const Tool& tool,
+std::vector<Mark> Prove(const ProveOptions& options, const Tools& tools,
                         const std::function<void(const Mark&)>& progress) {
   const PlainMachine nominal = PlainMachine::Read(options.machine_yaml);
   std::vector<Mark> marks;
   for (int number = 0; number < options.cases; ++number) {
     const fs::path folder = options.out / fmt::format("case_{:04}", number + 1);
     marks.push_back(ProveCase(DrawCase(options.seed, number, nominal, options.duration_s),
-                              options.seed, tool, folder));
+                              options.seed, tools, folder));
     progress(marks.back());
     WriteTables(marks, options.seed, options.out);
   }

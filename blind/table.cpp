@@ -50,6 +50,10 @@ Row ValueOf(const std::string& measure, const std::string& target, std::vector<d
   return row;
 }
 
+nlohmann::ordered_json Json(const std::optional<double>& value) {
+  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+}
+
 Test Is(CaseKind kind) {
   return [kind](const Mark& mark) { return mark.kind == kind; };
 }
@@ -90,11 +94,12 @@ void AddNames(const std::vector<Mark>& marks, std::vector<Row>* rows) {
 }
 
 void AddNumbers(const std::vector<Mark>& marks, std::vector<Row>* rows) {
-  std::vector<double> errors, overlaps, seconds;
+  std::vector<double> errors, overlaps, seconds, shares;
   Row coverage{"parameter: 90 % interval covers", "85–95 %"};
   for (const Mark& mark : marks) {
     if (!mark.fault.empty()) continue;
     seconds.push_back(mark.seconds * 600 / mark.recorded_s);
+    if (mark.share_of_oracle) shares.push_back(*mark.share_of_oracle);
     if (mark.located && mark.right_channel) overlaps.push_back(mark.overlap);
     for (const ParameterMark& parameter : mark.parameters) {
       errors.push_back(parameter.RelativeError());
@@ -103,6 +108,9 @@ void AddNumbers(const std::vector<Mark>& marks, std::vector<Row>* rows) {
     }
   }
   coverage.cases = coverage.share.cases;
+  const char* improvement = "share of the oracle's improvement on held-out manoeuvres";
+  rows->push_back(ValueOf(fmt::format("{}, median", improvement), "≥ 0.90", shares, 0.5));
+  rows->push_back(ValueOf(fmt::format("{}, 10th percentile", improvement), "≥ 0.70", shares, 0.1));
   rows->push_back(ValueOf("parameter error, median", "≤ 0.10", errors, 0.5));
   rows->push_back(coverage);
   const Test located = &Mark::located;
@@ -140,6 +148,53 @@ std::vector<Row> TableOf(const std::vector<Mark>& marks) {
   AddNames(marks, &rows);
   AddNumbers(marks, &rows);
   return rows;
+}
+
+std::vector<MethodRow> MethodsOf(const std::vector<Mark>& marks) {
+  std::vector<MethodRow> rows = {
+      {.method = "tera diagnose", .false_alarm = Share{}, .right_first = Share{}}};
+  const auto count = [](const Mark& mark, bool found, bool right, MethodRow* row) {
+    if (mark.kind == CaseKind::kNothing && row->false_alarm) {
+      ++row->false_alarm->cases;
+      row->false_alarm->hits += found ? 1 : 0;
+    }
+    if (mark.kind == CaseKind::kOne && row->right_first) {
+      ++row->right_first->cases;
+      row->right_first->hits += right ? 1 : 0;
+    }
+  };
+  for (const Mark& mark : marks) {
+    if (mark.methods.empty()) continue;  // the same cases for all
+    count(mark, mark.found_something, mark.right_first, &rows[0]);
+    if (mark.share_of_oracle) rows[0].shares.push_back(*mark.share_of_oracle);
+    for (std::size_t m = 0; m < mark.methods.size(); ++m) {
+      const MethodMark& one = mark.methods[m];
+      if (rows.size() <= m + 1) {
+        rows.push_back({.method = one.method});
+        if (one.gives_findings) rows.back().false_alarm = Share{};
+        if (one.gives_names) rows.back().right_first = Share{};
+      }
+      count(mark, one.found, one.right_first, &rows[m + 1]);
+      if (one.share) rows[m + 1].shares.push_back(*one.share);
+    }
+  }
+  for (MethodRow& row : rows) std::sort(row.shares.begin(), row.shares.end());
+  return rows;
+}
+
+std::string MethodsMarkdown(const std::vector<MethodRow>& rows) {
+  std::string text =
+      "| method | false alarm | right name first, one effect | share of the oracle's improvement: "
+      "median | 10th percentile |\n| --- | --- | --- | --- | --- |\n";
+  const auto share = [](const std::optional<Share>& one) {
+    return one ? fmt::format("{} of {}", one->hits, one->cases) : std::string("gives none");
+  };
+  for (const MethodRow& row : rows) {
+    text += fmt::format("| {} | {} | {} | {:.2f} | {:.2f} ({} cases) |\n", row.method,
+                        share(row.false_alarm), share(row.right_first), Quantile(row.shares, 0.5),
+                        Quantile(row.shares, 0.1), row.shares.size());
+  }
+  return text;
 }
 
 std::string TableMarkdown(const std::vector<Row>& rows) {
@@ -200,6 +255,14 @@ std::string TableJson(const std::vector<Row>& rows, const std::vector<Mark>& mar
                                   {"spurious", mark.spurious},
                                   {"confident_wrong", mark.confident_wrong},
                                   {"overlap", mark.overlap}};
+    one["share_of_oracle"] = Json(mark.share_of_oracle);
+    one["methods"] = nlohmann::ordered_json::array();
+    for (const MethodMark& m : mark.methods) {
+      one["methods"].push_back({{"method", m.method},
+                                {"found", m.found},
+                                {"right_first", m.right_first},
+                                {"share_of_oracle", Json(m.share)}});
+    }
     one["parameters"] = nlohmann::ordered_json::array();
     for (const ParameterMark& p : mark.parameters) {
       one["parameters"].push_back({{"effect", p.effect},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,17 @@ struct Row {
   int cases = 0;     ///< that the value is from
   std::string Text() const;
 };
+
+/// One method beside others.
+struct MethodRow {
+  std::string method;
+  std::optional<Share> false_alarm, right_first;  ///< of methods that give findings, or names
+  std::vector<double> shares;                     ///< of the oracle's improvement, rising
+};
+
+/// The tool and every simpler method that answered.
+std::vector<MethodRow> MethodsOf(const std::vector<Mark>& marks);
+std::string MethodsMarkdown(const std::vector<MethodRow>& rows);
 
 std::vector<Row> TableOf(const std::vector<Mark>& marks);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "blind/recording_files.h"
 #include "core/check.h"
 
 namespace tera::blind {
@@ -101,16 +102,20 @@ Table PosesOf(const Drive& drive, const PoseNoise& noise, const Stream& stream) 
   return table;
 }
 
+/// Of a difference of positions over the interval, and of headings.
+double TravelNoise_m(const PoseNoise& noise) {
+  return noise.position_m * std::sqrt(2 * (1 - std::pow(noise.memory, 10)));
+}
+double TurnNoise_rad(const PoseNoise& noise) { return noise.angle_rad * std::sqrt(2.0); }
+
 /// Of forward speed and turning, the louder one.
 Change ChangeOf(const Drive& with, const Drive& without, const PoseNoise& noise) {
   Change change{with.t_s, {}};
-  const double speed_noise = noise.position_m * std::sqrt(2 * (1 - std::pow(noise.memory, 10)));
-  const double turn_noise = noise.angle_rad * std::sqrt(2.0);
   for (std::size_t k = 0; k < with.t_s.size(); ++k) {
     const double forward = (with.forward_mps[k] - without.forward_mps[k]) * kInterval_s;
     const double turn = (with.yaw_radps[k] - without.yaw_radps[k]) * kInterval_s;
     change.over_noise.push_back(
-        std::max(std::abs(forward) / speed_noise, std::abs(turn) / turn_noise));
+        std::max(std::abs(forward) / TravelNoise_m(noise), std::abs(turn) / TurnNoise_rad(noise)));
   }
   return change;
 }
@@ -205,6 +210,9 @@ CaseRecording RecordTracks(const TracksCase& c, double duration_s, std::uint64_t
   recording.commands = CommandsOf(drive);
   recording.encoders = EncodersOf(drive, c.noise, Stream(seed, name + "/measurement"));
   recording.poses = PosesOf(drive, c.pose_noise, Stream(seed, name + "/poses"));
+  const std::string base = std::string(kName) + "/base/";
+  recording.noise_rms[base + "forward_mps"] = TravelNoise_m(c.pose_noise) / kInterval_s;
+  recording.noise_rms[base + "yaw_radps"] = TurnNoise_rad(c.pose_noise) / kInterval_s;
   if (hidden->empty()) return recording;
   const Drive without = DriveAlong(c.tracks, TrackForm{}, duration_s, times, Replayed(drive));
   for (Concealed& concealed : *hidden) {

@@ -4,12 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/error.h"
 #include "dataset/recording.h"
 #include "diagnose/diagnosis.h"
+#include "diagnose/report/baselines_json.h"
 #include "diagnose/report/sentence.h"
 #include "diagnose/report/write_report.h"
 #include "sim/lever_replay.h"
@@ -44,23 +46,38 @@ TableRecording CommandsOf(const Recording& recording, const std::string& name,
   return commands;
 }
 
-Diagnosis DiagnoseMachine(const DiagnoseArguments& arguments, const Scenario& scenario,
-                          const ScenarioMachine& machine, const Recording& recording) {
+/// What the diagnosis of one machine is of.
+struct MachineCase {
+  MachineModel model;
+  DiagnosisInput input;  ///< points to the model
+  DiagnosisOptions options;
+};
+
+std::unique_ptr<MachineCase> CaseOf(const DiagnoseArguments& arguments, const Scenario& scenario,
+                                    const ScenarioMachine& machine, const Recording& recording) {
   const std::string name =
       NameInRecording(machine.placement.name, scenario.machines.size(), recording);
+  auto out = std::make_unique<MachineCase>();
   // Joints that nothing measures stay where the scenario has them.
-  MachineModel model = machine.placement.model;
-  for (std::size_t j = 0; j < model.joints.size(); ++j) {
-    model.joints[j].initial_rad = machine.placement.q_rad[j];
+  out->model = machine.placement.model;
+  for (std::size_t j = 0; j < out->model.joints.size(); ++j) {
+    out->model.joints[j].initial_rad = machine.placement.q_rad[j];
   }
-  const DiagnosisInput input{&model, name, machine.placement.name,
-                             CommandsOf(recording, name, machine), machine.sensors};
-  DiagnosisOptions options{.seed = scenario.seed};
-  options.search.threads = arguments.threads;
-  if (arguments.from_s) options.from_s = *arguments.from_s;
-  if (arguments.to_s) options.to_s = *arguments.to_s;
-  return Diagnose(input, recording, options,
-                  [&](const std::string& block) { fmt::print(stderr, "{}: {}\n", name, block); });
+  out->input = {&out->model, name, machine.placement.name, CommandsOf(recording, name, machine),
+                machine.sensors};
+  out->options.seed = scenario.seed;
+  out->options.search.threads = arguments.threads;
+  if (arguments.from_s) out->options.from_s = *arguments.from_s;
+  if (arguments.to_s) out->options.to_s = *arguments.to_s;
+  return out;
+}
+
+Diagnosis DiagnoseMachine(const DiagnoseArguments& arguments, const Scenario& scenario,
+                          const ScenarioMachine& machine, const Recording& recording) {
+  const auto one = CaseOf(arguments, scenario, machine, recording);
+  return Diagnose(one->input, recording, one->options, [&](const std::string& block) {
+    fmt::print(stderr, "{}: {}\n", one->input.machine, block);
+  });
 }
 
 }  // namespace
@@ -71,6 +88,21 @@ void RequireNewFolder(const std::filesystem::path& out) {
       fmt::format("{}: exists already; need a folder that does not, for a report of "
                   "its own",
                   out.string()));
+}
+
+std::string BaselinesOfRecording(const DiagnoseArguments& arguments) {
+  const LoadedScenario loaded = Load(arguments.scenario);
+  const Recording recording(arguments.recording);
+  const auto one = CaseOf(arguments, loaded.scenario, loaded.scenario.machines.front(), recording);
+  std::vector<BlockBaselines> blocks;
+  for (const ReplayBlock& block : BlocksOf(one->input, recording, one->options)) {
+    const Stream stream = StreamOf(block, one->options.seed);
+    BlockBaselines baselines{{}, RmseAsItIs(block, stream), {}};
+    for (const Channel& channel : block.channels) baselines.channels.push_back(channel.name);
+    baselines.answers = BaselinesOf(block, arguments.threads, stream);
+    blocks.push_back(std::move(baselines));
+  }
+  return BaselinesJson(blocks);
 }
 
 void DiagnoseRecording(const DiagnoseArguments& arguments) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "app/scenario_options.h"
 
@@ -17,6 +18,10 @@ struct DiagnoseArguments {
 
 /// A folder that is not there yet, so that nothing of an earlier run is mixed in.
 void RequireNewFolder(const std::filesystem::path& out);
+
+/// What four simpler methods make of it, as baselines.json has it (diagnose/search/baselines.h), of
+/// the scenario's first machine. Throws InputError.
+std::string BaselinesOfRecording(const DiagnoseArguments& arguments);
 
 /// `tera diagnose`: writes the report and prints its sentences. Throws InputError.
 void DiagnoseRecording(const DiagnoseArguments& arguments);

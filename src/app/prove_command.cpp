@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 
 #include "app/commands.h"
@@ -22,18 +23,29 @@ struct Arguments {
 void RunProve(Arguments* arguments) {
   RequireNewFolder(arguments->prove.out);
   arguments->prove.machine_yaml = PlaceOfInput(blind::kMachine, {});
-  const auto tool = [&](const std::filesystem::path& scenario,
-                        const std::filesystem::path& recording, const std::filesystem::path& out) {
+  const auto diagnose = [&](const std::filesystem::path& scenario,
+                            const std::filesystem::path& recording,
+                            const std::filesystem::path& out) {
     DiagnoseRecording({.scenario = {.scenario = scenario.string()},
                        .recording = recording,
                        .out = out,
                        .threads = arguments->threads});
   };
-  const auto marks = blind::Prove(arguments->prove, tool, [](const blind::Mark& mark) {
-    fmt::print("{}", blind::CaseLine(mark));
-    std::fflush(stdout);
-  });
+  const auto baselines = [&](const std::filesystem::path& scenario,
+                             const std::filesystem::path& recording,
+                             const std::filesystem::path& out) {
+    std::ofstream(out / "baselines.json")
+        << BaselinesOfRecording({.scenario = {.scenario = scenario.string()},
+                                 .recording = recording,
+                                 .threads = arguments->threads});
+  };
+  const auto marks =
+      blind::Prove(arguments->prove, {diagnose, baselines}, [](const blind::Mark& mark) {
+        fmt::print("{}", blind::CaseLine(mark));
+        std::fflush(stdout);
+      });
   fmt::print("\n{}", blind::TableMarkdown(blind::TableOf(marks)));
+  fmt::print("\n{}", blind::MethodsMarkdown(blind::MethodsOf(marks)));
 }
 
 }  // namespace

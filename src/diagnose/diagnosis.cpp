@@ -220,6 +220,10 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Recording& 
   return blocks;
 }
 
+Stream StreamOf(const ReplayBlock& block, std::uint64_t seed) {
+  return Stream(seed, "diagnose/" + block.name);
+}
+
 std::vector<DiagnosedBlock> DiagnoseBlocks(
     std::vector<ReplayBlock> blocks, SearchOptions options, std::uint64_t seed,
     const std::function<void(const std::string&)>& progress) {
@@ -233,7 +237,7 @@ std::vector<DiagnosedBlock> DiagnoseBlocks(
     progress(block.name);
     DiagnosedBlock one;
     one.block = std::move(block);
-    one.diagnosis = DiagnoseBlock(one.block, options, Stream(seed, "diagnose/" + one.block.name));
+    one.diagnosis = DiagnoseBlock(one.block, options, StreamOf(one.block, seed));
     diagnosed.push_back(std::move(one));
   }
   return diagnosed;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/random.h"
 #include "dataset/recording.h"
 #include "diagnose/search/block_diagnosis.h"
 #include "physics/machine.h"
@@ -64,6 +65,9 @@ struct DiagnosisOptions {
 /// Throws InputError where there is none at all.
 std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Recording& recording,
                                   const DiagnosisOptions& options);
+
+/// From which all that is random about a block's diagnosis comes.
+Stream StreamOf(const ReplayBlock& block, std::uint64_t seed);
 
 /// Diagnoses blocks, whose tests count together. `progress` is told what is looked at, before each.
 std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks, SearchOptions options,

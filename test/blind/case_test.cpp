@@ -95,14 +95,14 @@ TEST(Prove, ToolSeesNoTruthAndTheSealHoldsBoth) {
     EXPECT_THAT(TextOf(scenario.parent_path() / "seal.txt"), testing::StartsWith("truth "));
     fs::create_directories(out);
     std::ofstream(out / "diagnosis.json")
-        << R"({"verdict": ["none"], "findings": [], "untestable": []})";
+        << R"({"verdict": ["none"], "findings": [], "untestable": [], "held_out": []})";
   };
   const ProveOptions options{.cases = 2,
                              .seed = 5,
                              .duration_s = 26,
                              .machine_yaml = "config/machines/tb235.yaml",
                              .out = folder / "proof"};
-  EXPECT_EQ(Prove(options, tool, [](const Mark&) {}).size(), 2u);
+  EXPECT_EQ(Prove(options, {tool, {}}, [](const Mark&) {}).size(), 2u);
   const fs::path first = options.out / "case_0001";
   const std::string truth = TextOf(first / "truth.json");
   const std::string answer = TextOf(first / "report" / "diagnosis.json");
@@ -130,7 +130,7 @@ TEST(Prove, KeepsAToolThatGivesUpAsACaseWithoutAnswer) {
                             .duration_s = 26,
                             .machine_yaml = "config/machines/tb235.yaml",
                             .out = folder / "proof"},
-                           tool, [](const Mark&) {});
+                           {tool, {}}, [](const Mark&) {});
   EXPECT_EQ(marks[0].fault, "no");
 }
 

@@ -138,6 +138,21 @@ Json Unconfirmed(const Diagnosis& diagnosis) {
   return list;
 }
 
+/// Of every channel judged, with nothing and with all that was found.
+Json HeldOutOfAll(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    for (const HeldOutError& error : diagnosed.diagnosis.confirmed) {
+      const Channel& channel = diagnosed.block.channels[error.channel];
+      Json one = {{"channel", channel.name}};
+      one.update(
+          HeldOut(error.rmse_before, error.rmse_after, channel.unit, error.excess_removed));
+      list.push_back(std::move(one));
+    }
+  }
+  return list;
+}
+
 /// Blocks with too few manoeuvres.
 Json NotJudged(const Diagnosis& diagnosis) {
   Json list = Json::array();
@@ -174,6 +189,7 @@ std::string DiagnosisJson(const Diagnosis& diagnosis) {
   for (const auto& [diagnosed, unexplained] : UnexplainedByWeight(diagnosis)) {
     json["findings"].push_back(NotNamed(*diagnosed, *unexplained));
   }
+  json["held_out"] = HeldOutOfAll(diagnosis);
   json["unconfirmed"] = Unconfirmed(diagnosis);
   json["untestable"] = Untestable(diagnosis);
   json["not_judged"] = NotJudged(diagnosis);

@@ -40,7 +40,7 @@ class Procedure {
       : block_(block),
         options_(options),
         stream_(stream),
-        manoeuvres_(SplitByManoeuvre(block.commands, {.longest_s = kLongest_s}, stream)),
+        manoeuvres_(ManoeuvresOf(block, stream)),
         select_(PiecesOf(SegmentsOf(manoeuvres_, Part::kSelect), block.period_s())),
         seen_(PiecesOf(SeenSegmentsOf(manoeuvres_), block.period_s())),
         final_(PiecesOf(SegmentsOf(manoeuvres_, Part::kFinal), block.period_s())),
@@ -242,7 +242,11 @@ double Procedure::QuietOf(const Remainder& remainder, const SearchResult& search
                           double loud) const {
   const std::size_t c = remainder.channel;
   const double noise = remainder.noise.rms() * remainder.noise.rms();
-  const double signal = MeanSquare(block_.channels[c].measured, final_mask_);
+  double signal = 0;  // axes of one quantity: nominal directions are known no better either
+  for (const Channel& channel : block_.channels) {
+    if (channel.unit != block_.channels[c].unit) continue;
+    signal = std::max(signal, MeanSquare(channel.measured, final_mask_));
+  }
   const double excess = MeanSquare(search.nothing.misfit.residual[c], final_mask_) - noise;
   return std::max(loud * loud * noise,
                   noise + kNominal * kNominal * signal + kForm * std::max(0.0, excess));
@@ -411,6 +415,10 @@ BlockDiagnosis Procedure::Run() {
 }
 
 }  // namespace
+
+std::vector<Manoeuvre> ManoeuvresOf(const ReplayBlock& block, const Stream& stream) {
+  return SplitByManoeuvre(block.commands, {.longest_s = kLongest_s}, stream);
+}
 
 BlockDiagnosis DiagnoseBlock(const ReplayBlock& block, const SearchOptions& options,
                              const Stream& stream) {

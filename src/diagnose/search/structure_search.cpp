@@ -1,16 +1,12 @@
 #include "diagnose/search/structure_search.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
-#include <functional>
-#include <mutex>
 #include <set>
-#include <thread>
 
 #include "diagnose/search/cross_fit.h"
 #include "diagnose/search/free_member.h"
+#include "diagnose/search/in_parallel.h"
 #include "diagnose/search/steady_gain.h"
 
 namespace tera {
@@ -20,31 +16,6 @@ constexpr double kScreenedGain = 6;   ///< of log-likelihood: it may mean someth
 constexpr double kLeastShare = 0.02;  ///< of all that was found, that a term must explain
 constexpr double kRivalP = 0.05;
 constexpr double kRivalGain = 3;  ///< of log-likelihood: nothing to choose by
-
-/// Results in the order of jobs, whatever the number of threads.
-template <typename Result>
-std::vector<Result> InParallel(std::size_t jobs, int threads,
-                               const std::function<Result(std::size_t)>& job) {
-  std::vector<Result> results(jobs);
-  std::atomic<std::size_t> next = 0;
-  std::mutex mutex;
-  std::exception_ptr failure;
-  const auto work = [&] {
-    try {
-      for (std::size_t k = next++; k < jobs; k = next++) results[k] = job(k);
-    } catch (...) {
-      const std::lock_guard lock(mutex);
-      failure = std::current_exception();
-    }
-  };
-  {
-    std::vector<std::jthread> others;
-    for (int t = 1; t < threads; ++t) others.emplace_back(work);
-    work();
-  }
-  if (failure) std::rethrow_exception(failure);
-  return results;
-}
 
 /// A structure and how it stands, without the bulk of its innovations.
 struct Scored {

@@ -123,6 +123,30 @@ TEST(BlockDiagnosis, CallsErrorAboveTheNoiseUnexplainedThoughNoFreeCurveFollowsI
   EXPECT_LT(diagnosis.unexplained[0].noise, 2 * kNoise);
 }
 
+TEST(BlockDiagnosis, AsksOfAnAxisWhatThreePerCentOfItsQuantityAre) {
+  // A second axis that hardly moves, with a wave of 1 % of the first's size: an axis that is askew
+  // by half a degree shows as much. As another quantity it is error.
+  const std::vector<double> lever = ToyLever(kSamples, 18);
+  ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, kNoise, 18), {0, 2, 3});
+  std::vector<double> wave(kSamples, 0.0);
+  for (std::size_t k = 0; k < kSamples; ++k) {
+    const double t_s = 0.01 * static_cast<double>(k);
+    if (std::abs(lever[k]) >= 0.02) wave[k] = 0.01 * std::sin(7.3 * t_s + 2 * std::sin(t_s));
+  }
+  Channel other = block.channels[0];
+  other.measured = ToyMeasured(wave, 0.0005, 19);
+  other.nuisances.offset = 0.0002;
+  block.channels.push_back(other);
+  block.predict = [one = block.predict](const Structure& terms) {
+    auto both = one(terms);
+    both.push_back(std::vector<double>(kSamples, 0.0));
+    return both;
+  };
+  EXPECT_THAT(DiagnoseBlock(block, {}, Stream(18, "diagnose")).unexplained, IsEmpty());
+  block.channels[1].unit = "m";
+  EXPECT_EQ(DiagnoseBlock(block, {}, Stream(18, "diagnose")).unexplained.size(), 1u);
+}
+
 TEST(BlockDiagnosis, LeavesFinalOutOfEverythingThatChooses) {
   // The same recording, but for a mechanism that sets in only where FINAL is: nothing but what is
   // said of FINAL itself may differ.
