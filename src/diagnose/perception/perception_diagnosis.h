@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "diagnose/perception/dust.h"
+#include "diagnose/perception/ground_map.h"
+#include "diagnose/perception/missing_objects.h"
+#include "diagnose/perception/range_scan.h"
+#include "diagnose/perception/sensor_search.h"
+
+namespace tera {
+
+/// What makes scans differ, as the report tells it.
+struct PerceptionFinding {
+  std::string mechanism;                      ///< "extrinsic", "terrain_height"
+  std::string slot;                           ///< as of Mechanism
+  std::string target;                         ///< a sensor, an obstacle, or "ground"
+  bool is_effect = false;                     ///< effects.yaml knows it on this target
+  std::vector<ParameterEstimate> parameters;  ///< in the units of effects.yaml
+  std::vector<double> present;                ///< of each, as the scenario has it; may be empty
+  std::vector<std::string> rivals;            ///< that do as well, itself first
+  double p_chosen = 1, p_confirmed = 1;
+  /// Of distances to the simulated surfaces, on FINAL: without it, with it.
+  double rmse_before_m = 0, rmse_after_m = 0;
+  /// Where on the site, if it is a place.
+  struct Place {
+    Vec2 centre_W_m = Vec2::Zero(), low_W_m = Vec2::Zero(), high_W_m = Vec2::Zero();
+  };
+  std::optional<Place> place;
+  std::vector<std::pair<double, double>> intervals_s;  ///< when; empty: all the time
+};
+
+/// Why the scans of one lidar, or the depth pictures of one camera, differ from the simulation of
+/// the same rays on the recorded trajectory.
+struct PerceptionDiagnosis {
+  std::string channel;     ///< "excavator1/lidar_roof"
+  std::string target;      ///< the sensor's name in the scenario
+  std::string not_judged;  ///< why; empty where it is judged
+  std::size_t scans = 0;
+  SensorSearch sensor;
+  GroundMap ground;  ///< under the numbers that were found
+  std::vector<PerceptionFinding> findings, unconfirmed;
+
+  bool is_judged() const { return not_judged.empty(); }
+  bool found_nothing() const { return findings.empty(); }
+};
+
+/// Numbers of the sensor first, then places (docs/perception.md).
+PerceptionDiagnosis DiagnosePerception(const RangeSource& source, std::uint64_t seed);
+
+}  // namespace tera

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnose/perception/scan_split.h"
+#include "diagnose/perception/sensor_fit.h"
+#include "diagnose/search/block_diagnosis.h"
+
+namespace tera {
+
+/// A mechanism that acts on a whole sensor and so on all its points.
+struct SensorFinding {
+  std::string_view mechanism;                 ///< as in effects.yaml
+  std::vector<ParameterEstimate> parameters;  ///< in the units of effects.yaml
+  std::vector<double> present;                ///< of each parameter, where the scenario has it
+  std::vector<std::string_view> rivals;       ///< that do as well, the one found first
+  double p_chosen = 1, p_confirmed = 1;
+  /// Of the 95 % of FINAL's points that lie nearest to the simulated surfaces: without it, with it.
+  double rmse_before_m = 0, rmse_after_m = 0;
+};
+
+/// How small a mechanism may be and still change the distances to the surfaces enough.
+struct SensorDetectability {
+  std::string_view mechanism, parameter, unit;
+  std::optional<double> smallest;  ///< none: the scans do not tell
+};
+
+struct SensorSearch {
+  SensorNumbers numbers;  ///< with all that was found
+  double scale = 1;       ///< of the noise over its model
+  double noise_rmse_m = 0;
+  std::vector<SensorFinding> findings;
+  std::vector<SensorFinding> unconfirmed;
+  std::vector<SensorDetectability> detectability;
+};
+
+/// Which of `extrinsic`, `range_bias`, `scale` and `clock_offset` acts on a sensor.
+///
+/// Model   noise from what a fit of all four leaves of TRAIN. Forward from nothing, each fitted to
+///         TRAIN (sensor_fit.h), the one that gains most on SELECT first; one stays if its gain
+///         there is steady over blocks of time (steady_gain.h, one per cent over four) and makes
+///         the error at least 2 % smaller; then each that the others can do without goes. A
+///         mechanism of fewer numbers is preferred where it is not steadily worse, and what does as
+///         well in its place is its rival. On FINAL, which nothing was fitted to, each must gain at
+///         five per cent again.
+/// Omits   errors of single beams; drift over time.
+///
+/// `left_out` names points that something else explains, one list a scan; may be empty.
+SensorSearch SearchSensor(const RangeSource& source, const ScanSplit& split,
+                          const std::vector<std::vector<bool>>& left_out);
+
+/// Root mean square of the 95 % nearest.
+double TrimmedRmse_m(const std::vector<PointResidual>& residuals);
+
+}  // namespace tera
