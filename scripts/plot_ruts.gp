@@ -15,13 +15,13 @@ cm(z) = 100 * z
 along(x0, x1) = table(x0, track_m - 0.024, x1, track_m + 0.024)
 across(x) = table(x - 0.024, -1.525, x + 0.024, 1.525)
 
-print "soil    rut cm  greatest cm  ridge cm"
+print "soil        rut cm  greatest cm  ridge cm"
 do for [k=1:3] {
-  name = word("dirt gravel sand", k)
+  name = word("dirt gravel loose_sand", k)
   from = word("-9 -3.5 8", k) + 0; to = word("-6.1 2.5 14", k) + 0
   stats along(from, to) using (cm($3)) nooutput;  mean = STATS_mean; most = STATS_min
   stats table(from, track_m - 0.5, to, track_m + 0.5) using (cm($3)) nooutput
-  print sprintf("%-7s %6.1f %12.1f %9.1f", name, -mean, -most, STATS_max)
+  print sprintf("%-11s %6.1f %12.1f %9.1f", name, -mean, -most, STATS_max)
 }
 
 set terminal pngcairo size 1100,1000 font 'sans,11'

@@ -13,7 +13,7 @@ set datafile separator ','
 
 radius_m = 0.25                # of the sprocket
 border = "-20 -5 5 20"         # of the strips, m along x
-soils = "dirt gravel sand"
+soils = "dirt gravel loose_sand"
 half_m = 1.1                   # of the tracks: farther from a border, the machine is on one soil
 start_m = 3                    # in which it sets off, or stops
 
@@ -29,7 +29,7 @@ to(k) = k == 3 ? 16 - start_m : word(border, k + 1) - half_m
 on(k, v) = (column("x_m") > from(k) && column("x_m") < to(k)) ? v : NaN
 
 array enter_s[3]
-print "soil    speed m/s  least m/s  variation %  shoes m/s  slip %  sinkage cm  torque N m a track  acceleration RMS m/s2"
+print "soil        speed m/s  least m/s  variation %  shoes m/s  slip %  sinkage cm  torque N m a track  acceleration RMS m/s2"
 do for [k=1:3] {
   stats both using (on(k, seconds(0))) nooutput
   enter_s[k] = STATS_min
@@ -40,7 +40,7 @@ do for [k=1:3] {
   stats both using (on(k, sinkage_cm(0))) nooutput;     z = STATS_mean
   stats both using (on(k, torque_nm(0))) nooutput;      m = STATS_mean
   stats imu using (seconds(0) > t0 && seconds(0) < t1 ? column("ax_mps2") : NaN) nooutput
-  print sprintf("%-7s %9.3f %10.3f %12.1f %10.3f %7.2f %11.2f %19.0f %22.3f", word(soils, k), v, l, c, s, i, z, m, STATS_stddev)
+  print sprintf("%-11s %9.3f %10.3f %12.1f %10.3f %7.2f %11.2f %19.0f %22.3f", word(soils, k), v, l, c, s, i, z, m, STATS_stddev)
 }
 
 set terminal pngcairo size 1000,900 font 'sans,11'
@@ -56,7 +56,7 @@ do for [k=2:3] {
   set arrow k from t, graph 0 to t, graph 1 nohead dt 2 lc rgb '#888888'
 }
 do for [k=1:3] {
-  set label k word(soils, k) at (k == 1 ? 3 : enter_s[k] + 3), graph (k == 3 ? 0.15 : 0.5)
+  set label k word(soils, k) noenhanced at (k == 1 ? 3 : enter_s[k] + 3), graph (k == 3 ? 0.15 : 0.5)
 }
 set ylabel 'speed, m/s'
 plot both using (seconds(0)):(shoes(0)) with lines lc rgb '#d9541e' title 'shoes', \

@@ -7,6 +7,7 @@
 #include "accuracy/long_shift.h"
 #include "core/config.h"
 #include "core/units.h"
+#include "kinetic_energy.h"
 #include "sim/simulation.h"
 
 // A long shift of digging on the quickstart's site. TERA_ENDURANCE_S in the environment sets its

@@ -49,18 +49,6 @@ bool IsFinite(const MachineState& state) {
          AllAreFinite(state.cylinders);
 }
 
-double KineticEnergy_j(const MachineModel& model, const MachineState& state) {
-  double energy_j = 0;
-  for (std::size_t i = 0; i < state.links.size(); ++i) {
-    const Link& link = model.links[i];
-    const BodyState& body = state.links[i];
-    const Vec3 w_B_radps = body.X_WB.linear().transpose() * body.w_WB_radps;
-    energy_j += 0.5 * link.mass_kg * PointVelocity(body, link.com_B_m).squaredNorm() +
-                0.5 * w_B_radps.dot(link.inertia_B_kgm2 * w_B_radps);
-  }
-  return energy_j;
-}
-
 double Tilt_rad(const MachineState& state) {
   return std::acos(std::clamp(state.links[0].X_WB.linear()(2, 2), -1.0, 1.0));
 }

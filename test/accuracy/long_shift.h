@@ -10,9 +10,6 @@ double FromEnvironment(const char* name, double usual);
 /// Whether there is neither infinity nor NaN in anything that a machine's state tells.
 bool IsFinite(const MachineState& state);
 
-/// Kinetic energy, which no digging machine has much of: its links never pass 4 m/s.
-double KineticEnergy_j(const MachineModel& model, const MachineState& state);
-
 /// Angle between the undercarriage's z axis and the vertical.
 double Tilt_rad(const MachineState& state);
 

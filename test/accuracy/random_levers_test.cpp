@@ -16,6 +16,7 @@
 #include "accuracy/unopened_ground.h"
 #include "core/config.h"
 #include "core/units.h"
+#include "kinetic_energy.h"
 #include "sim/simulation.h"
 
 // All levers at random on three soils, for a long time. In the environment, TERA_ENDURANCE_S sets

@@ -8,24 +8,13 @@
 
 #include "core/random.h"
 #include "drive_fixture.h"
+#include "kinetic_energy.h"
 #include "sim/planar_arm.h"
 
 /// A compact excavator that drives its bucket into the ground with all it has.
 
 namespace tera {
 namespace {
-
-double KineticEnergy_j(const MachineModel& model, const MachineState& state) {
-  double energy_j = 0;
-  for (std::size_t k = 0; k < model.links.size(); ++k) {
-    const Link& link = model.links[k];
-    const BodyState& body = state.links[k];
-    const Vec3 w_B_radps = body.X_WB.linear().transpose() * body.w_WB_radps;
-    energy_j += 0.5 * link.mass_kg * PointVelocity(body, link.com_B_m).squaredNorm() +
-                0.5 * w_B_radps.dot(link.inertia_B_kgm2 * w_B_radps);
-  }
-  return energy_j;
-}
 
 /// What joints and running gears put in over a step, braking not counted back.
 double WorkIn_j(const MachineState& state, double dt_s) {

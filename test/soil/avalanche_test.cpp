@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "soil/grains.h"
-#include "soil/soil_type.h"
 #include "soil_fixture.h"
 
 namespace tera {
@@ -15,11 +14,7 @@ namespace {
 
 using testing_soil::kStep_s;
 using testing_soil::LevelColumns;
-
-SoilType Shipped(const std::string& name) {
-  const Config config = Config::FromFile(*ShippedSoilFile(name));
-  return ReadSoilType(config.root());
-}
+using testing_soil::Shipped;
 
 void Settle(Columns* ground, Avalanche* avalanche, int steps) {
   Grains grains(ground->soils(), 1);

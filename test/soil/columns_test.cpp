@@ -13,10 +13,7 @@ namespace {
 
 using testing_soil::LevelColumns;
 
-SoilType Dirt() {
-  const Config config = Config::FromFile(*ShippedSoilFile("dirt"));
-  return ReadSoilType(config.root());
-}
+SoilType Dirt() { return testing_soil::Shipped("dirt"); }
 
 /// 6 m x 6 m of dirt, one metre above zero, cells of 5 cm.
 Columns SmallSite() { return LevelColumns(Dirt(), 0.05, 121, 1.0); }

@@ -15,18 +15,8 @@ namespace {
 
 using namespace testing_soil;
 
-SoilType Sand() {
-  SoilType soil;
-  soil.name = "sand";
-  soil.bank_density_kgpm3 = 1500;
-  soil.max_density_kgpm3 = 1800;
-  soil.friction_angle_rad = 30 * kDeg;
-  soil.repose_angle_rad = 33 * kDeg;
-  return soil;
-}
-
 SoilType Clay(double cohesion_pa) {
-  SoilType soil = Sand();
+  SoilType soil = SandOf30Deg();
   soil.cohesion_pa = cohesion_pa;
   return soil;
 }
@@ -67,7 +57,7 @@ TEST(CuttingEdge, AnUprightSmoothPlateMeetsRankinesPassivePressure) {
   // K_p = 3 at 30 deg: rho g d^2 K_p / 2 and 2 c d sqrt(K_p) for each metre. The shear on the
   // flanks of a plate 8 m wide adds a few parts in a hundred.
   const double weight_n = 1500 * 9.81 * 0.4 * 0.4 * 3 / 2 * 8;
-  EXPECT_NEAR(Draft_n(Plate(), Sand(), 0.4, 90 * kDeg, 1e-3) / weight_n, 1.02, 0.03);
+  EXPECT_NEAR(Draft_n(Plate(), SandOf30Deg(), 0.4, 90 * kDeg, 1e-3) / weight_n, 1.02, 0.03);
   const double cohesion_n = 2 * 5000 * 0.4 * std::sqrt(3) * 8;
   EXPECT_NEAR(Draft_n(Plate(), Clay(5000), 0.4, 90 * kDeg, 1e-3) / (weight_n + cohesion_n), 1.04,
               0.05);
@@ -87,10 +77,10 @@ double DraftOnSlope_n(const SoilType& soil, double depth_m, double slope_rad) {
 TEST(CuttingEdge, OnASlopeAnUprightPlateMeetsCoulombsPassivePressure) {
   // K_p as in the earthmoving equation's tests; shear on the flanks adds up to 4 %.
   const auto weight_n = [](double k_p) { return 1500 * 9.81 * 0.4 * 0.4 * k_p / 2 * 8; };
-  EXPECT_NEAR(DraftOnSlope_n(Sand(), 0.4, -20 * kDeg) / weight_n(1.548), 1.02, 0.03);
-  EXPECT_NEAR(DraftOnSlope_n(Sand(), 0.4, -10 * kDeg) / weight_n(2.204), 1.02, 0.03);
-  EXPECT_NEAR(DraftOnSlope_n(Sand(), 0.4, 10 * kDeg) / weight_n(4.081), 1.02, 0.03);
-  EXPECT_NEAR(DraftOnSlope_n(Sand(), 0.4, 20 * kDeg) / weight_n(5.737), 1.02, 0.03);
+  EXPECT_NEAR(DraftOnSlope_n(SandOf30Deg(), 0.4, -20 * kDeg) / weight_n(1.548), 1.02, 0.03);
+  EXPECT_NEAR(DraftOnSlope_n(SandOf30Deg(), 0.4, -10 * kDeg) / weight_n(2.204), 1.02, 0.03);
+  EXPECT_NEAR(DraftOnSlope_n(SandOf30Deg(), 0.4, 10 * kDeg) / weight_n(4.081), 1.02, 0.03);
+  EXPECT_NEAR(DraftOnSlope_n(SandOf30Deg(), 0.4, 20 * kDeg) / weight_n(5.737), 1.02, 0.03);
 }
 
 TEST(CuttingEdge, OnEverSteeperGroundResistanceGrowsAndStaysWithinBounds) {
@@ -134,7 +124,7 @@ TEST(CuttingEdge, CutsThroughTheLayersThatLieAboveIt) {
   strata.base_height_m.assign(static_cast<std::size_t>(strata.base_nx()) * strata.base_ny(), 2.0);
   strata.profiles.push_back(
       GroundProfile({{0.2, 0, 0, 1500}, {std::numeric_limits<double>::infinity(), 1, 0, 1500}}));
-  const std::vector<SoilType> soils = {Sand(), Clay(cohesion_pa)};
+  const std::vector<SoilType> soils = {SandOf30Deg(), Clay(cohesion_pa)};
   Columns ground(std::move(strata), soils);
   const auto draft_n = [&](double depth_m) {
     CuttingEdge edge(Plate(), soils);
@@ -142,7 +132,7 @@ TEST(CuttingEdge, CutsThroughTheLayersThatLieAboveIt) {
     return -edge.Act(ShovelShape(Plate()), body, {}, kLong_s, soils, &ground)
                 .force_W_n.dot(kAhead_W);
   };
-  EXPECT_NEAR(draft_n(0.2) / Draft_n(Plate(), Sand(), 0.2, 90 * kDeg, 1e-3), 1, 1e-6);
+  EXPECT_NEAR(draft_n(0.2) / Draft_n(Plate(), SandOf30Deg(), 0.2, 90 * kDeg, 1e-3), 1, 1e-6);
   EXPECT_NEAR(draft_n(0.4) / Draft_n(Plate(), Clay(cohesion_pa / 2), 0.4, 90 * kDeg, 1e-3), 1,
               1e-6);
 }
@@ -158,7 +148,7 @@ TEST(CuttingEdge, LooseSoilHasLostItsCohesion) {
   const BodyState body = Moving(Vec3(0.3, -0.2, top_m - 0.4), 1e-3 * kAhead_W, 0, kYaw_rad);
   const double draft_n =
       -edge.Act(ShovelShape(Plate()), body, {}, kLong_s, {clay}, &ground).force_W_n.dot(kAhead_W);
-  EXPECT_NEAR(draft_n / Draft_n(Plate(), Sand(), 0.4, 90 * kDeg, 1e-3), 1, 1e-6);
+  EXPECT_NEAR(draft_n / Draft_n(Plate(), SandOf30Deg(), 0.4, 90 * kDeg, 1e-3), 1, 1e-6);
 }
 
 TEST(CuttingEdge, ABucketThatIsFullCutsLikeAPlateOfSoilAcrossItsMouth) {
@@ -209,7 +199,7 @@ TEST(CuttingEdge, TeethPierceFirstAndTheEdgeFollowsTheirLengthLater) {
 
 TEST(CuttingEdge, CarriedSoilIsPushedUpTheFloorAgainstItsFriction) {
   // A flat box on level ground: the load's weight rubs on its floor.
-  SoilType soil = Sand();
+  SoilType soil = SandOf30Deg();
   soil.soil_tool_friction_rad = std::atan(0.3);
   Shovel box;
   box.profile_B_m = {{2, 0}, {0, 0}, {0, 0.5}, {1.9, 0.5}};

@@ -15,8 +15,7 @@ namespace {
 
 template <typename Height>
 Columns Shaped(Height height_m, double cell_m = 0.1) {
-  const Config config = Config::FromFile(*ShippedSoilFile("dirt"));
-  return testing_soil::ShapedColumns(ReadSoilType(config.root()), cell_m, 101, height_m);
+  return testing_soil::ShapedColumns(testing_soil::Shipped("dirt"), cell_m, 101, height_m);
 }
 
 TEST(GroundExit, ThereIsNoneAboveTheGround) {

@@ -8,8 +8,7 @@
 
 #include "core/error.h"
 #include "geotiff_fixture.h"
-#include "soil/site.h"
-#include "soil_fixture.h"
+#include "site_fixture.h"
 
 namespace tera {
 namespace {
@@ -24,14 +23,10 @@ constexpr double kSand_kgpm3 = 1500, kGravel_kgpm3 = 1550;
 
 /// 12 x 8 m at 10 cm, sloping: 0.3 m of sand over gravel, one soil more that is named alone.
 Columns Layered() {
-  const Config config = Config::FromText(
+  return BuildColumns(testing_soil::Plan(
       "size_m: [12, 8]\ncell_m: 0.1\nsoils: [dirt]\nrelief: {slope_deg: 5}\nlayers:\n"
       "  - {soil: sand, from_m: 0, to_m: 0.3, density_kgpm3: 1500}\n"
-      "  - {soil: gravel, from_m: 0.3, density_kgpm3: 1550}\n",
-      "site.yaml");
-  const SitePlan plan = ReadSite(config.root(), 3);
-  config.Finish();
-  return BuildColumns(plan);
+      "  - {soil: gravel, from_m: 0.3, density_kgpm3: 1550}\n"));
 }
 
 /// Takes 0.5 m off the columns of x 1.0 to 2.9 m, y -2.0 to -1.1 m.
@@ -190,9 +185,7 @@ TEST_F(GroundRasterTest, ChangeCountsFromTheMarkedStart) {
 }
 
 TEST_F(GroundRasterTest, ALargeSiteIsWrittenWhileItsQuietTilesStayWithoutColumns) {
-  const Config config = Config::FromText("size_m: [500, 500]\nsoil: dirt\n", "site.yaml");
-  Columns ground = BuildColumns(ReadSite(config.root(), 3));
-  config.Finish();
+  Columns ground = BuildColumns(testing_soil::Plan("size_m: [500, 500]\nsoil: dirt\n"));
   SpoilMix cut;
   ground.Cut(ground.Touch(9000, 40), ground.TopAt(9000, 40) - 1.0, &cut);
   WriteGroundRaster(File("change.tif"), ground, GroundRaster::kChange, kQuebec, 20);
@@ -208,10 +201,8 @@ TEST_F(GroundRasterTest, ALargeSiteIsWrittenWhileItsQuietTilesStayWithoutColumns
 }
 
 TEST_F(GroundRasterTest, ManyPixelsHaveOverviewsForAGis) {
-  const Config config =
-      Config::FromText("size_m: [210, 4]\ncell_m: 0.1\nsoil: dirt\n", "site.yaml");
-  const Columns ground = BuildColumns(ReadSite(config.root(), 3));
-  config.Finish();
+  const Columns ground =
+      BuildColumns(testing_soil::Plan("size_m: [210, 4]\ncell_m: 0.1\nsoil: dirt\n"));
   WriteGroundRaster(File("density.tif"), ground, GroundRaster::kDensity, kQuebec, 1);
   const ReadRaster density(File("density.tif"));
   EXPECT_EQ(density.nx, 2101);

@@ -10,9 +10,8 @@
 
 #include "core/error.h"
 #include "geotiff_fixture.h"
-#include "soil/site.h"
+#include "site_fixture.h"
 #include "soil/voxel_file.h"
-#include "soil_fixture.h"
 
 namespace tera {
 namespace {
@@ -21,14 +20,10 @@ using ::testing::HasSubstr;
 
 /// 6 x 4 m at 5 cm, 0.2 m above zero at the middle, rising to the east: 0.4 m of dirt over sand.
 Columns TopsoilOverSand() {
-  const Config config = Config::FromText(
-      "size_m: [6, 4]\nrelief: {slope_deg: 4}\nlayers:\n"
-      "  - {soil: dirt, from_m: 0, to_m: 0.4, moisture: 0.6}\n"
-      "  - {soil: sand, from_m: 0.4, density_kgpm3: 1650, moisture: 0.1}\n",
-      "site.yaml");
-  const SitePlan plan = ReadSite(config.root(), 3);
-  config.Finish();
-  return BuildColumns(plan);
+  return BuildColumns(
+      testing_soil::Plan("size_m: [6, 4]\nrelief: {slope_deg: 4}\nlayers:\n"
+                         "  - {soil: dirt, from_m: 0, to_m: 0.4, moisture: 0.6}\n"
+                         "  - {soil: sand, from_m: 0.4, density_kgpm3: 1650, moisture: 0.1}\n"));
 }
 
 double Mass_kg(const SoilVoxels& voxels) {

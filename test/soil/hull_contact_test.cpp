@@ -21,10 +21,7 @@ using testing_soil::ShapedColumns;
 
 constexpr double kMachine_kg = 3500;  ///< that the points are said to belong to
 
-SoilType Sand() {
-  const Config config = Config::FromFile(*ShippedSoilFile("sand"));
-  return ReadSoilType(config.root());
-}
+SoilType Sand() { return testing_soil::Shipped("sand"); }
 
 /// A plate of a tonne that only moves, on points at its four corners.
 class Plate {

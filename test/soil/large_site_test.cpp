@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <string>
 
 #include "soil_fixture.h"
 
@@ -91,21 +93,24 @@ TEST(LargeSite, OnlyTilesThatAMachineReachedHaveColumns) {
   EXPECT_NEAR(soil->ledger().total_kg(), 0, 1e-9 * soil->ledger().shifted_kg);
 }
 
+/// Sand that the compact bucket has dug along a path, on a site of its own.
+std::unique_ptr<Soil> Dug(const std::string& size_m, const BucketPath& path) {
+  auto soil = MakeSite("size_m: " + size_m + "\nsoil: sand\n");
+  GroundTools tools;
+  tools.shovels = {CompactBucket()};
+  const int machine = soil->AddMachine(tools);
+  RunBucket(soil.get(), machine, path, [](double, const BodyState&, const SoilReaction&) {});
+  for (int k = 0; k < 1500; ++k) soil->Flow(kStep_s);
+  return soil;
+}
+
 TEST(LargeSite, TheSameCutOnASiteOfAnySizeLeavesTheSameGround) {
   // Into the ground and along it, not out of it: places round otherwise on another site, and where
   // a clod falls decides by a hair's breadth what flows.
   const BucketPath cut({{0.0, {0.3, 0, 1.28}, 80 * kDeg},
                         {1.0, {0.3, 0, 0.58}, 85 * kDeg},
                         {2.5, {-0.5, 0, 0.56}, 105 * kDeg}});
-  const auto dug = [&](const std::string& size) {
-    auto soil = MakeSite("size_m: " + size + "\nsoil: sand\n");
-    GroundTools tools;
-    tools.shovels = {CompactBucket()};
-    const int machine = soil->AddMachine(tools);
-    RunBucket(soil.get(), machine, cut, [](double, const BodyState&, const SoilReaction&) {});
-    return soil;
-  };
-  const auto small = dug("[40, 40]"), large = dug("[500, 500]");
+  const auto small = Dug("[40, 40]", cut), large = Dug("[500, 500]", cut);
   const int shift = (10001 - 801) / 2;
   int changed = 0;
   for (int j = 340; j < 480; ++j) {
@@ -116,6 +121,35 @@ TEST(LargeSite, TheSameCutOnASiteOfAnySizeLeavesTheSameGround) {
     }
   }
   EXPECT_GT(changed, 200);
+}
+
+/// What a dig leaves: what is missing, and what lies where the bucket was dumped.
+struct HoleAndHeap {
+  explicit HoleAndHeap(const TerrainSurface& ground) {
+    for (double y_m = -2.5; y_m < 5; y_m += ground.cell_m) {
+      for (double x_m = -3.5; x_m < 2.5; x_m += ground.cell_m) {
+        const double z_m = ground.HeightAt(x_m, y_m), area_m2 = ground.cell_m * ground.cell_m;
+        hole_m3 += std::max(0.0, -z_m) * area_m2;
+        deepest_m = std::max(deepest_m, -z_m);
+        if (y_m < 1.5) continue;
+        heap_m3 += std::max(0.0, z_m) * area_m2;
+        highest_m = std::max(highest_m, z_m);
+      }
+    }
+  }
+  double hole_m3 = 0, deepest_m = 0, heap_m3 = 0, highest_m = 0;
+};
+
+TEST(LargeSite, AWholeDigOnASiteOfAnySizeLeavesAHoleAndAHeapAlike) {
+  // As deep and as high to 2 mm, of the same volumes to 1 %, whatever places clods round to.
+  const HoleAndHeap small(Dug("[40, 40]", DigCycle(0.25))->surface());
+  const HoleAndHeap large(Dug("[500, 500]", DigCycle(0.25))->surface());
+  EXPECT_GT(small.hole_m3, 0.05);
+  EXPECT_GT(small.heap_m3, 0.05);
+  EXPECT_NEAR(large.hole_m3 / small.hole_m3, 1, 0.01);
+  EXPECT_NEAR(large.heap_m3 / small.heap_m3, 1, 0.01);
+  EXPECT_NEAR(large.deepest_m, small.deepest_m, 0.002);
+  EXPECT_NEAR(large.highest_m, small.highest_m, 0.002);
 }
 
 }  // namespace

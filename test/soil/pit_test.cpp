@@ -5,24 +5,14 @@
 
 #include <cmath>
 
-#include "core/error.h"
 #include "core/units.h"
-#include "soil_fixture.h"
+#include "site_fixture.h"
 
 namespace tera {
 namespace {
 
 using testing::HasSubstr;
-using testing_soil::MakeSite;
-
-std::string FaultsOf(const std::string& yaml) {
-  try {
-    MakeSite(yaml);
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "";
-}
+using namespace testing_soil;
 
 TEST(Pit, IsAsDeepAsItSaysWithinItsOutlineAndNowhereElse) {
   const auto soil = MakeSite(

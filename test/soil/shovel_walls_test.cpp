@@ -12,16 +12,6 @@ namespace {
 
 using namespace testing_soil;
 
-SoilType Sand() {
-  SoilType soil;
-  soil.name = "sand";
-  soil.bank_density_kgpm3 = 1500;
-  soil.max_density_kgpm3 = 1800;
-  soil.friction_angle_rad = 30 * kDeg;
-  soil.repose_angle_rad = 33 * kDeg;
-  return soil;
-}
-
 /// A smooth box 2 m long, 0.5 m high and 0.6 m wide, whose mouth looks ahead.
 Shovel Box() {
   Shovel box;
@@ -54,21 +44,23 @@ TEST(ShovelWalls, ASideWallPushedSidewaysMeetsRankinesPassivePressure) {
   const double force_n = 3 * 1500 * 9.81 * 0.4 * 0.4 / 2 * 2;
   for (const double side : {-1.0, 1.0}) {
     const Vec3 v_W = side * 1e-3 * kLeft_W;
-    EXPECT_NEAR(Force_n(Box(), Sand(), 0.4, v_W).dot(-side * kLeft_W) / force_n, 1.05, 0.05);
+    EXPECT_NEAR(Force_n(Box(), SandOf30Deg(), 0.4, v_W).dot(-side * kLeft_W) / force_n, 1.05, 0.05);
   }
   // 0.3 m below the surface it meets that much less.
   const double buried_n = 3 * 1500 * 9.81 * (0.8 * 0.8 - 0.3 * 0.3) / 2 * 2;
-  EXPECT_NEAR(Force_n(Box(), Sand(), 0.8, 1e-3 * kLeft_W).dot(-kLeft_W) / buried_n, 1.1, 0.1);
-  EXPECT_EQ(Force_n(Box(), Sand(), -0.001, 1e-3 * kLeft_W), Vec3::Zero());
+  EXPECT_NEAR(Force_n(Box(), SandOf30Deg(), 0.8, 1e-3 * kLeft_W).dot(-kLeft_W) / buried_n, 1.1,
+              0.1);
+  EXPECT_EQ(Force_n(Box(), SandOf30Deg(), -0.001, 1e-3 * kLeft_W), Vec3::Zero());
 }
 
 TEST(ShovelWalls, TheBackPushesSoilBehindItAndIsNotHeldFromBehind) {
   const double force_n = 3 * 1500 * 9.81 * 0.4 * 0.4 / 2 * 0.6;  // over the width
   // A narrow wedge: the shear on its ends is a third of that.
-  EXPECT_NEAR(Force_n(Box(), Sand(), 0.4, -1e-3 * kAhead_W).dot(kAhead_W) / force_n, 1.2, 0.2);
+  EXPECT_NEAR(Force_n(Box(), SandOf30Deg(), 0.4, -1e-3 * kAhead_W).dot(kAhead_W) / force_n, 1.2,
+              0.2);
   Shovel blade = Box();  // without a rim
   blade.capacity_m3 = 0;
-  EXPECT_LT(Force_n(blade, Sand(), 0.4, 1e-3 * kAhead_W).norm(), 1e-6);
+  EXPECT_LT(Force_n(blade, SandOf30Deg(), 0.4, 1e-3 * kAhead_W).norm(), 1e-6);
 }
 
 TEST(ShovelWalls, TheRimOfAMouthThatLooksDownIsPushedInLikeAThinEdge) {
@@ -79,7 +71,7 @@ TEST(ShovelWalls, TheRimOfAMouthThatLooksDownIsPushedInLikeAThinEdge) {
   const double full_n = 1500 * 9.81 * (0.5 * 7.1 + 0.006 * 6.2) * 0.012 * 1.6;
   const Vec3 down_W(0, 0, -1e-3);
   const auto up_n = [&](double depth_m, const Vec3& v_W) {
-    return Force_n(Box(), Sand(), depth_m - 2, v_W, 90 * kDeg).z();
+    return Force_n(Box(), SandOf30Deg(), depth_m - 2, v_W, 90 * kDeg).z();
   };
   EXPECT_NEAR(up_n(0.5, down_W) / full_n, 1, 0.03);
   EXPECT_NEAR(up_n(0.25, down_W) / full_n, 0.55, 0.02);
@@ -97,13 +89,15 @@ TEST(ShovelWalls, NoMotionIsEverDrivenOn) {
     const auto uniform = [&](int lane, double low, double high) {
       return low + (high - low) * random.Uniform(trial, lane);
     };
-    Columns ground = LevelColumns(Sand(), 0.05, 101, kGround_m);
-    ShovelWalls walls(bucket, {Sand()});
+    Columns ground = LevelColumns(SandOf30Deg(), 0.05, 101, kGround_m);
+    ShovelWalls walls(bucket, {SandOf30Deg()});
     BodyState body;
     body.X_WB =
         MakePose(Vec3(0, 0, kGround_m + uniform(0, -1.0, 0.7)),
                  RotationFromRpy(uniform(1, -0.5, 0.5), uniform(2, -3, 3), uniform(3, -3, 3)));
-    const auto act = [&](double dt_s) { return walls.Act(shape, body, dt_s, {Sand()}, &ground); };
+    const auto act = [&](double dt_s) {
+      return walls.Act(shape, body, dt_s, {SandOf30Deg()}, &ground);
+    };
     body.v_WB_mps = Vec3(uniform(4, -2, 2), uniform(5, -2, 2), uniform(6, -2, 2));
     body.w_WB_radps = Vec3(uniform(7, -2, 2), uniform(8, -2, 2), uniform(9, -2, 2));
     act(0.01);

@@ -11,12 +11,30 @@
 #include "core/units.h"
 #include "soil/columns.h"
 #include "soil/soil.h"
+#include "soil/soil_type.h"
 
 /// Sites, tools and motions that the soil's tests share.
 
 namespace tera::testing_soil {
 
 inline constexpr double kStep_s = 0.002;
+
+/// A soil of config/soils.
+inline SoilType Shipped(const std::string& name) {
+  const Config config = Config::FromFile(*ShippedSoilFile(name));
+  return ReadSoilType(config.root());
+}
+
+/// Dry sand of friction 30 deg, for which Rankine's passive coefficient is 3.
+inline SoilType SandOf30Deg() {
+  SoilType soil;
+  soil.name = "sand";
+  soil.bank_density_kgpm3 = 1500;
+  soil.max_density_kgpm3 = 1800;
+  soil.friction_angle_rad = 30 * kDeg;
+  soil.repose_angle_rad = 33 * kDeg;
+  return soil;
+}
 
 /// n x n columns of one soil, level at `z_m`, centred on W's origin.
 inline Columns LevelColumns(const SoilType& soil, double cell_m, int n, double z_m = 0) {

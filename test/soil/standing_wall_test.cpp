@@ -9,7 +9,6 @@
 
 #include "soil/avalanche.h"
 #include "soil/grains.h"
-#include "soil/soil_type.h"
 #include "soil_fixture.h"
 
 namespace tera {
@@ -17,11 +16,7 @@ namespace {
 
 using testing_soil::kStep_s;
 using testing_soil::LevelColumns;
-
-SoilType Shipped(const std::string& name) {
-  const Config config = Config::FromFile(*ShippedSoilFile(name));
-  return ReadSoilType(config.root());
-}
+using testing_soil::Shipped;
 
 /// Terzaghi's height of an upright wall of config/soils/clay.yaml: 4 c / (rho g) tan(45 + phi / 2).
 const double kClayStands_m = 4 * 4140 / (1790 * kStandardGravity_mps2) * std::tan(51.5 * kDeg);

@@ -1,0 +1,136 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "geotiff_fixture.h"
+#include "site_fixture.h"
+
+// A raster that says which soil lies where (soil_classes).
+
+namespace tera {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using namespace testing_soil;
+
+class SoilClassesTest : public FolderTest {};
+
+/// Twelve by eight pixels of half a metre: class 1 west, 2 east, 7 in the north-east corner pixel.
+void WriteClasses(const std::string& file, GDALDataType type = GDT_Byte, bool referenced = true) {
+  std::vector<std::vector<double>> rows(8, std::vector<double>(12, 1));
+  for (auto& row : rows) std::fill(row.begin() + 6, row.end(), 2);
+  rows[0][11] = 7;
+  WriteUtmRaster(file, rows, 0.5, {500000, 5200000}, type, referenced);
+}
+
+std::string ClassesYaml(const std::string& file, const std::string& classes) {
+  return "soil_classes: {geotiff: " + file + ", classes: [" + classes + "]}\n";
+}
+
+TEST_F(SoilClassesTest, SayWhatLiesWhere) {
+  WriteClasses(File("soil.tif"));
+  const std::string classes =
+      "{value: 1, soil: sand}, {value: 2, layers: [{soil: dirt, from_m: 0, to_m: 0.2}, "
+      "{soil: gravel, from_m: 0.2}]}, {value: 7, soil: asphalt}";
+  const SitePlan plan = Plan(ClassesYaml(File("soil.tif"), classes) + "cell_m: 0.05\n");
+  // The file's middle is W's origin. UTM's scale on the central meridian is 0.9996.
+  ASSERT_TRUE(plan.georeference);
+  EXPECT_NEAR(plan.georeference->lon_deg, 15, 1e-4);
+  EXPECT_NEAR(plan.ground.grid.cell_m * (plan.ground.grid.nx - 1), 11 * 0.5 / 0.9996, 0.05);
+  EXPECT_EQ(SoilAt(plan, -0.05, 0, 0), "sand");
+  EXPECT_EQ(SoilAt(plan, 0.05, 0, 0), "dirt");
+  EXPECT_EQ(SoilAt(plan, 0.05, 0, 0.21), "gravel");
+  EXPECT_EQ(SoilAt(plan, 2.6, 1.6, 0), "asphalt");
+  EXPECT_EQ(SoilAt(plan, 2.4, 1.6, 0), "dirt");
+  EXPECT_EQ(SoilAt(plan, 2.6, 1.4, 0), "dirt");
+}
+
+TEST_F(SoilClassesTest, LieWhereTheHeightsLie) {
+  // The heights' file reaches 4 m further west than the classes', so that its middle, W's origin,
+  // lies 2 m west of theirs.
+  WriteClasses(File("soil.tif"));
+  WriteUtmRaster(File("height.tif"), std::vector(8, std::vector<double>(20, 120.0)), 0.5,
+                 {499996, 5200000}, GDT_Float32);
+  const SitePlan plan =
+      Plan("geotiff: " + File("height.tif") + "\nsize_m: [1, 3]\ncell_m: 0.05\n" +
+           ClassesYaml(File("soil.tif"),
+                       "{value: 1, soil: sand}, {value: 2, soil: dirt}, {value: 7, soil: gravel}"));
+  EXPECT_NEAR(plan.georeference->height_m, 120, 1e-6);
+  EXPECT_EQ(SoilAt(plan, 1.95, 0, 0), "sand");
+  EXPECT_EQ(SoilAt(plan, 2.05, 0, 0), "dirt");
+}
+
+TEST_F(SoilClassesTest, OnlyTilesWithABorderAreSeenVertexByVertex) {
+  std::vector<std::vector<double>> rows(20, std::vector<double>(40, 1));
+  for (auto& row : rows) std::fill(row.begin() + 13, row.end(), 2);  // the border: x = -7 m
+  WriteUtmRaster(File("soil.tif"), rows, 1.0);
+  const auto soil =
+      MakeSite(ClassesYaml(File("soil.tif"), "{value: 1, soil: sand}, {value: 2, soil: dirt}"));
+  const TerrainSurface& ground = soil->surface();
+  int refined = 0;
+  double sand_m2 = 0;
+  for (int b = 0; b < ground.tiles_y(); ++b) {
+    for (int a = 0; a < ground.tiles_x(); ++a) refined += ground.IsRefined(a, b);
+  }
+  EXPECT_LE(refined, 3 * ground.tiles_y());  // of 16 along x
+  for (int j = 0; j < ground.ny; ++j) {
+    for (int i = 0; i < ground.nx; ++i) {
+      sand_m2 += soil->soils()[ground.at(i, j).cover.soil].name == "sand" ? 0.05 * 0.05 : 0;
+    }
+  }
+  EXPECT_NEAR(sand_m2, 12.5 * 19.05, 1.5);
+}
+
+TEST_F(SoilClassesTest, EveryFaultIsNamed) {
+  WriteClasses(File("soil.tif"));
+  const std::string two = "{value: 1, soil: sand}, {value: 2, soil: dirt}";
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), two)),
+              AllOf(HasSubstr("soil_classes.geotiff: 1 of 96 pixels have the value 7"),
+                    HasSubstr("name its soil under classes")));
+  const std::string all = two + ", {value: 7, soil: gravel}";
+  EXPECT_EQ(FaultsOf(ClassesYaml(File("soil.tif"), all)), "");
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), all) + "soil: dirt\n"),
+              HasSubstr("soil and soil_classes exclude each other"));
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), all + ", {value: 2, soil: sand}")),
+              HasSubstr("second class of value 2"));
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), "")), HasSubstr("names no class"));
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), "{value: 300, soil: sand}")),
+              HasSubstr("300 is out of range"));
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), all) + "size_m: [40, 4]\n"),
+              HasSubstr("need a class for all of it"));
+  WriteClasses(File("float.tif"), GDT_Float32);
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("float.tif"), all)),
+              AllOf(HasSubstr("its pixels are Float32, need classes as Byte"),
+                    HasSubstr("gdal_translate -ot Byte")));
+  WriteClasses(File("nowhere.tif"), GDT_Byte, false);
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("nowhere.tif"), all)), HasSubstr("has no projection"));
+  {
+    std::unique_ptr<GDALDataset, ReadRaster::Close> file(
+        static_cast<GDALDataset*>(GDALOpen(File("soil.tif").c_str(), GA_Update)));
+    file->GetRasterBand(1)->SetNoDataValue(7);
+  }
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), two)),
+              AllOf(HasSubstr("1 of 96 pixels have no class: the file's no-data value 7"),
+                    HasSubstr("fill the gaps")));
+}
+
+TEST_F(SoilClassesTest, WhatWasExportedComesBack) {
+  const auto soil = MakeSite(
+      "size_m: [8, 6]\ncell_m: 0.1\nsoils: [dirt, sand]\n"
+      "regions:\n  - {outline_m: [[-2, -1], [2, -1], [0, 2]], soil: sand}\n");
+  soil->WriteGeoTiff(File("soil.tif"), GroundRaster::kSoilClass, {46.8, -71.2, 80}, 1);
+  const auto again =
+      MakeSite("cell_m: 0.1\n" +
+               ClassesYaml(File("soil.tif"), "{value: 0, soil: dirt}, {value: 1, soil: sand}"));
+  const TerrainSurface &a = soil->surface(), &b = again->surface();
+  ASSERT_EQ(a.nx, b.nx);
+  ASSERT_EQ(a.ny, b.ny);
+  for (int j = 0; j < a.ny; ++j) {
+    for (int i = 0; i < a.nx; ++i) ASSERT_EQ(a.at(i, j).cover.soil, b.at(i, j).cover.soil);
+  }
+}
+
+}  // namespace
+}  // namespace tera
