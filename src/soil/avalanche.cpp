@@ -11,10 +11,10 @@ namespace {
 
 constexpr double kStart_rad = 1.1 * kDeg;   ///< the start angle lies this far above repose
 constexpr double kSlow_rad = 0.9 * kDeg;    ///< friction of slow flow lies this far above it
-constexpr double kFast_rad = -10.0 * kDeg;  ///< friction of fast flow lies this far below it
+constexpr double kFast_rad = -12.5 * kDeg;  ///< friction of fast flow lies this far below it
 constexpr double kLeastAngle_rad = 1 * kDeg;
-constexpr double kSlowSpeed_mps = 0.2, kFastSpeed_mps = 0.8;  ///< friction falls in between
-constexpr double kThin_m = 0.05, kThick_m = 0.15;             ///< of thin flows and thick ones
+constexpr double kSlowSpeed_mps = 0.25, kFastSpeed_mps = 0.55;  ///< friction falls in between
+constexpr double kThin_m = 0.04, kThick_m = 0.10;               ///< of thin flows and thick ones
 constexpr double kStrengthening_spm = 0.15;  ///< of the friction of thin flows, for each m/s
 constexpr double kCreep_mps = 0.005;         ///< slower flows come to rest where none would start
 constexpr double kTrickle_m2ps = 2e-5;       ///< so do flows of less volume for each metre of width

@@ -30,7 +30,8 @@ namespace tera {
 ///         it presses the ground aside; Coulomb friction along it. What lies over the ground below
 ///         the lowest of the surfaces on the shovel's four sides is its surcharge. So does the soil
 ///         in a full bucket whose mouth looks down.
-/// Omits   flow inside the bucket.
+/// Omits   flow inside the bucket, sticky soil that is shaken off, soil that slips through a blade
+///         thinner than a cell where it stands diagonally to the grid.
 /// Source  Rankine 1857 (passive wedge); Terzaghi 1943 (bearing).
 class Digging {
  public:

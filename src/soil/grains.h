@@ -23,9 +23,8 @@ namespace tera {
 ///         over which it is. There are never more than kMost: clods are larger while many are under
 ///         way, and what more is poured lies in the column below at once. Clods neither touch each
 ///         other nor machines: they exert no force.
-/// Omits   collisions between clods, bouncing, drag of the air, the push that a clod gives the
-/// loose
-///         soil that takes it in.
+/// Omits   collisions between clods, bouncing, drag of the air, the push that a clod gives the soil
+///         that takes it in.
 class Grains {
  public:
   static constexpr std::size_t kMost = 20000;

@@ -101,20 +101,19 @@ double Runout_m(const SoilType& soil, double cell_m, double radius_m, double hei
   return sum_m / 16;
 }
 
-// Lube's law has no length of its own. Friction that falls with the thickness of a flow has: it was
-// fitted to columns of 0.5 m, and smaller ones run out less far.
+// Lube's law has no length of its own. Friction that falls with the thickness and the speed of a
+// flow has: it serves columns of a quarter of a metre to a metre.
 TEST(Avalanche, AColumnCollapsesAsFarAsLubeMeasured) {
   const SoilType sand = Shipped("sand");
   struct Size {
-    double radius_m, cell_m, error;
+    double radius_m, cell_m;
   };
-  for (const auto& [radius_m, cell_m, error] :
-       {Size{0.25, 0.05, 0.16}, Size{0.5, 0.05, 0.10}, Size{1.0, 0.1, 0.10}}) {
+  for (const auto& [radius_m, cell_m] : {Size{0.25, 0.05}, Size{0.5, 0.05}, Size{1.0, 0.1}}) {
     for (const double aspect : {0.4, 0.8, 1.2, 1.6}) {
       const double share =
           Runout_m(sand, cell_m, radius_m, aspect * radius_m) / (radius_m * (1 + 1.24 * aspect));
-      EXPECT_NEAR(share, 1, error)
-          << "height over radius " << aspect << ", radius " << radius_m << " m";
+      EXPECT_NEAR(share, 1, 0.10) << "height over radius " << aspect << ", radius " << radius_m
+                                  << " m";
       RecordProperty(fmt::format("radius_{:g}_m_aspect_{:g}", radius_m, aspect),
                      fmt::format("{:+.1f} %", 100 * (share - 1)));
     }
