@@ -12,6 +12,7 @@ namespace {
 constexpr double kLeverRate_1ps = 5.0;  // a hand goes from neutral to full lever in 0.2 s
 constexpr double kTipTolerance_m = 0.12;
 constexpr double kAngleTolerance_rad = 6 * kDeg;
+constexpr double kSlewAtRest_radps = 5 * kDeg;  // slower than this, it may lower or dump
 constexpr double kClearance = 0.58;      // lengths of the bucket above the ground before lowering
 constexpr double kCarryInside_m = 1.6;   // the load is carried this much nearer than dumped
 constexpr double kCarryAbove_m = 0.2;    // and this much higher
@@ -65,6 +66,7 @@ std::vector<double> DigCycle::Levers(const OperatorView& view) {
   std::vector<double> levers(view.model.levers.size(), 0.0);
   if (!started_) {
     started_ = true;
+    X_WJ_start_ = SlewFrame(view);
     last_ns_ = view.t_ns;
     Enter(Phase::kApproach, view);
   }
@@ -129,7 +131,7 @@ void DigCycle::Enter(Phase phase, const OperatorView& view) {
     cut_ground_m_.clear();
     for (int k = 0; k <= kGroundSamples; ++k) {
       const double r_m = plan_.reach_m - plan_.cut_length_m * k / kGroundSamples;
-      cut_ground_m_.push_back(GroundInPlane(view, dig_azimuth_rad_, r_m));
+      cut_ground_m_.push_back(GroundInPlane(view, DigPlace(view).slew_rad, r_m));
     }
   }
 }
@@ -139,6 +141,8 @@ void DigCycle::Advance(const OperatorView& view) {
   const PlanarArm::Tip tip = TipNow(view.state);
   const double slew_rad = view.state.q_rad[plan_.joints.slew];
   const bool slewed = std::abs(Nearest(target.slew_rad, slew_rad) - slew_rad) < kAngleTolerance_rad;
+  const bool stands =
+      slewed && std::abs(view.state.qd_radps[plan_.joints.slew]) < kSlewAtRest_radps;
   const bool placed = ArmError_rad(view, target.tip) < kAngleTolerance_rad;
   const double time_s = PhaseTime_s(view);
   const bool late = time_s > plan_.patience_s;
@@ -146,7 +150,7 @@ void DigCycle::Advance(const OperatorView& view) {
 
   switch (phase_) {
     case Phase::kApproach:
-      if ((slewed && placed) || late) Enter(Phase::kLower, view);
+      if ((stands && placed) || late) Enter(Phase::kLower, view);
       break;
     case Phase::kLower:
       if (TipError_m(tip, target.tip) < kTipTolerance_m || late) Enter(Phase::kCut, view);
@@ -168,7 +172,7 @@ void DigCycle::Advance(const OperatorView& view) {
       }
       break;
     case Phase::kSwing:
-      if (slewed || late) Enter(Phase::kDump, view);
+      if (stands || late) Enter(Phase::kDump, view);
       break;
     case Phase::kDump:
       if ((placed && load.mass_kg <= kDumpedShare * phase_load_kg_) || late) {
@@ -181,7 +185,8 @@ void DigCycle::Advance(const OperatorView& view) {
       break;
     case Phase::kReturn:
       if (slewed || late ||
-          std::abs(Nearest(plan_.dump_azimuth_rad, slew_rad) - slew_rad) >= plan_.clear_dump_rad) {
+          std::abs(Nearest(DumpPlace(view).slew_rad, slew_rad) - slew_rad) >=
+              plan_.clear_dump_rad) {
         Enter(Phase::kApproach, view);
       }
       break;
@@ -199,37 +204,57 @@ void DigCycle::AdvanceCut(const OperatorView& view, double lag_m) {
   }
 }
 
+Pose DigCycle::SlewFrame(const OperatorView& view) const {
+  const Joint& slew = view.model.joints[plan_.joints.slew];
+  return view.state.links[slew.parent].X_WB * slew.X_PJ;
+}
+
+DigCycle::Place DigCycle::PlaceOf(const OperatorView& view, double azimuth_rad, double r_m) const {
+  const Vec3& axis = view.model.joints[plan_.joints.slew].axis_J;
+  const Vec3 p_W = X_WJ_start_ * (Eigen::AngleAxisd(azimuth_rad, axis) * Vec3(r_m, 0, 0));
+  const Vec3 p_J = SlewFrame(view).inverse() * p_W;
+  return {std::atan2(axis.dot(Vec3::UnitX().cross(p_J)), p_J.x()), p_J.head<2>().norm()};
+}
+
+DigCycle::Place DigCycle::DumpPlace(const OperatorView& view) const {
+  return PlaceOf(view, plan_.dump_azimuth_rad, plan_.dump_reach_m);
+}
+
+DigCycle::Place DigCycle::DigPlace(const OperatorView& view) const {
+  return {PlaceOf(view, dig_azimuth_rad_, plan_.reach_m).slew_rad, plan_.reach_m};
+}
+
 DigCycle::Target DigCycle::TargetNow(const OperatorView& view) const {
-  const double dump_ground_m = GroundInPlane(view, plan_.dump_azimuth_rad, plan_.dump_reach_m);
-  const PlanarArm::Tip carry = {plan_.dump_reach_m - kCarryInside_m,
+  const Place dump = DumpPlace(view), dig = DigPlace(view);
+  const double dump_ground_m = GroundInPlane(view, dump.slew_rad, dump.r_m);
+  const PlanarArm::Tip carry = {dump.r_m - kCarryInside_m,
                                 dump_ground_m + plan_.dump_height_m + kCarryAbove_m,
                                 kCarryPitch_rad};
-  const double dig_ground_m = GroundInPlane(view, dig_azimuth_rad_, plan_.reach_m);
+  const double dig_ground_m = GroundInPlane(view, dig.slew_rad, dig.r_m);
   switch (phase_) {
     case Phase::kApproach:
-      return {{plan_.reach_m, dig_ground_m + kClearance * arm_.bucket_length_m(), kEntryPitch_rad},
-              dig_azimuth_rad_};
+      return {{dig.r_m, dig_ground_m + kClearance * arm_.bucket_length_m(), kEntryPitch_rad},
+              dig.slew_rad};
     case Phase::kLower:
-      return {{plan_.reach_m, dig_ground_m, kEntryPitch_rad}, dig_azimuth_rad_};
+      return {{dig.r_m, dig_ground_m, kEntryPitch_rad}, dig.slew_rad};
     case Phase::kCut:
-      return {CutPoint(cut_s_m_), dig_azimuth_rad_};
+      return {CutPoint(cut_s_m_), dig.slew_rad};
     case Phase::kCurl: {
       const double s = Smooth(PhaseTime_s(view) / kCurl_s);
       const double bucket_m = arm_.bucket_length_m() * s;
       return {{phase_tip_.r_m - kCurlDrag * bucket_m, phase_tip_.z_m + kCurlLift * bucket_m,
                Mix(phase_tip_.pitch_rad, kCarryPitch_rad, s)},
-              dig_azimuth_rad_};
+              dig.slew_rad};
     }
     case Phase::kLift:
-      return {carry, dig_azimuth_rad_};
+      return {carry, dig.slew_rad};
     case Phase::kSwing:
-      return {carry, plan_.dump_azimuth_rad};
+      return {carry, dump.slew_rad};
     case Phase::kDump:
     case Phase::kDone:
-      return {{plan_.dump_reach_m, dump_ground_m + plan_.dump_height_m, kDumpPitch_rad},
-              plan_.dump_azimuth_rad};
+      return {{dump.r_m, dump_ground_m + plan_.dump_height_m, kDumpPitch_rad}, dump.slew_rad};
     case Phase::kReturn:
-      return {{plan_.dump_reach_m, carry.z_m, kDumpPitch_rad}, dig_azimuth_rad_};
+      return {{dump.r_m, carry.z_m, kDumpPitch_rad}, dig.slew_rad};
   }
   return {};
 }
@@ -246,10 +271,8 @@ PlanarArm::Tip DigCycle::CutPoint(double s_m) const {
 }
 
 double DigCycle::GroundInPlane(const OperatorView& view, double azimuth_rad, double r_m) const {
-  const Joint& slew = view.model.joints[plan_.joints.slew];
-  const Pose X_WJ =
-      view.state.links[slew.parent].X_WB * slew.X_PJ * Eigen::AngleAxisd(azimuth_rad, slew.axis_J);
-  const Vec3 p_W = X_WJ * Vec3(r_m, 0, 0);
+  const Vec3& axis = view.model.joints[plan_.joints.slew].axis_J;
+  const Vec3 p_W = SlewFrame(view) * (Eigen::AngleAxisd(azimuth_rad, axis) * Vec3(r_m, 0, 0));
   // The plane is nearly vertical: a height difference in W is one along the plane's z.
   return view.ground.HeightAt(p_W.x(), p_W.y()) - p_W.z();
 }

@@ -8,8 +8,8 @@
 
 namespace tera {
 
-/// Where and how to dig. Radii from the slew axis, azimuths from the undercarriage's x axis
-/// (positive to the left), heights above the ground at the place itself.
+/// Where and how to dig. Radii from the slew axis, azimuths from the undercarriage's x axis at the
+/// start (positive to the left), heights above the ground at the place itself.
 struct DigPlan {
   PlanarArm::Joints joints;
   int tip_frame = -1;
@@ -38,8 +38,10 @@ struct DigPlan {
 ///         where the soil holds the tip back it waits and comes up, as an operator lifts a stalled
 ///         bucket.
 ///         Where a joint does not follow its lever, LeverFeel pushes it on.
-///         Levers move no faster than a hand does. The slew turns at most at sqrt(2 a e), from
-///         which braking at a stops it over the angle e that is left.
+///         Places stay where they are in W when the tracks turn or slide: an operator sees the
+///         truck that he loads. The dump place does so wholly, the dig place by its azimuth. Levers
+///         move no faster than a hand does. The slew turns at most at sqrt(2 a e), from which
+///         braking at a stops it over the angle e that is left.
 /// Omits   force control; avoidance of obstacles; boom swing and travel stay neutral.
 class DigCycle : public Operator {
  public:
@@ -54,6 +56,15 @@ class DigCycle : public Operator {
     double slew_rad = 0;
   };
 
+  /// As the machine stands now.
+  struct Place {
+    double slew_rad, r_m;
+  };
+
+  Pose SlewFrame(const OperatorView& view) const;
+  Place PlaceOf(const OperatorView& view, double azimuth_rad, double r_m) const;
+  Place DumpPlace(const OperatorView& view) const;
+  Place DigPlace(const OperatorView& view) const;
   void Enter(Phase phase, const OperatorView& view);
   void Advance(const OperatorView& view);
   Target TargetNow(const OperatorView& view) const;
@@ -74,6 +85,7 @@ class DigCycle : public Operator {
   TimeNs phase_start_ns_ = 0, last_ns_ = 0;
   int cycle_ = 0;
   bool started_ = false;
+  Pose X_WJ_start_ = Pose::Identity();  ///< frame of the slew's axis when the first cycle began
   double dig_azimuth_rad_;
   double cut_s_m_ = 0;                ///< along the cut
   double cut_raised_m_ = 0;           ///< above the planned line, to get through
