@@ -145,8 +145,7 @@ Json HeldOutOfAll(const Diagnosis& diagnosis) {
     for (const HeldOutError& error : diagnosed.diagnosis.confirmed) {
       const Channel& channel = diagnosed.block.channels[error.channel];
       Json one = {{"channel", channel.name}};
-      one.update(
-          HeldOut(error.rmse_before, error.rmse_after, channel.unit, error.excess_removed));
+      one.update(HeldOut(error.rmse_before, error.rmse_after, channel.unit, error.excess_removed));
       list.push_back(std::move(one));
     }
   }
