@@ -194,6 +194,11 @@ FittedStructure StructureFitter::FitValues(Structure terms) const {
   return out;
 }
 
+FittedStructure StructureFitter::FitNear(Structure terms) const {
+  if (terms.empty()) return AsGiven(std::move(terms));
+  return AsGiven(Refine(BestStart(std::move(terms), likelihood_), likelihood_));
+}
+
 FittedStructure StructureFitter::FitFrom(const Structure& terms) const {
   return AsGiven(Refine(terms, likelihood_));
 }

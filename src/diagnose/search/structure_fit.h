@@ -42,6 +42,8 @@ class StructureFitter {
   FittedStructure Fit(Structure terms) const;
   /// The same without information and scores.
   FittedStructure FitValues(Structure terms) const;
+  /// The same without the smooth likelihood: where the other terms are fitted already.
+  FittedStructure FitNear(Structure terms) const;
   /// The same from the values given alone.
   FittedStructure FitFrom(const Structure& terms) const;
   /// Judged as it stands.

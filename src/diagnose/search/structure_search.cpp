@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kScreenedGain = 6;   ///< of log-likelihood: it may mean something
 constexpr double kLeastShare = 0.02;  ///< of all that was found, that a term must explain
+constexpr std::size_t kNearest = 5;   ///< rivals that a term is held against
 constexpr double kRivalP = 0.05;
 constexpr double kRivalGain = 3;  ///< of log-likelihood: nothing to choose by
 
@@ -74,8 +75,8 @@ class Search {
 
  private:
   Scored Score(const FittedStructure& fitted) const;
-  Scored FitAndScore(const Structure& terms) const { return Score(fitter_.FitValues(terms)); }
   std::vector<Scored> FitAll(const std::vector<Structure>& structures) const;
+  std::vector<Scored> FitAllNear(const std::vector<Structure>& structures) const;
   void FitSingles();
   void Screen();
   Scored BestOfPairs() const;
@@ -85,7 +86,9 @@ class Search {
   TermEvidence EvidenceOf(const Scored& with, const Misfit& crossed_with,
                           const Scored& without) const;
   bool IsNeeded(const TermEvidence& evidence) const;
-  void FindRivals(const Scored& found, std::size_t term, TermEvidence* evidence) const;
+  std::vector<Structure> NearestRivals(const Scored& found, std::size_t term) const;
+  void FindRivals(const Scored& found, const Misfit& crossed, std::size_t term,
+                  TermEvidence* evidence) const;
   double FreeGain(const Misfit& misfit) const;
 
   const ReplayBlock& block_;
@@ -117,7 +120,12 @@ Scored Search::Score(const FittedStructure& fitted) const {
 
 std::vector<Scored> Search::FitAll(const std::vector<Structure>& structures) const {
   return InParallel<Scored>(structures.size(), options_.threads,
-                            [&](std::size_t k) { return FitAndScore(structures[k]); });
+                            [&](std::size_t k) { return Score(fitter_.FitValues(structures[k])); });
+}
+
+std::vector<Scored> Search::FitAllNear(const std::vector<Structure>& structures) const {
+  return InParallel<Scored>(structures.size(), options_.threads,
+                            [&](std::size_t k) { return Score(fitter_.FitNear(structures[k])); });
 }
 
 void Search::FitSingles() {
@@ -178,7 +186,7 @@ Scored Search::Grow(Scored best) const {
       }
     }
     bool grown = false;
-    for (Scored& scored : FitAll(larger)) {
+    for (Scored& scored : FitAllNear(larger)) {
       if (scored.criterion <= best.criterion) continue;
       best = std::move(scored);
       grown = true;
@@ -199,7 +207,7 @@ Scored Search::Swap(Scored best) const {
       swapped.push_back(With(Without(best.terms, t), *term.suspect, term.values));
     }
   }
-  for (Scored& scored : FitAll(swapped)) {
+  for (Scored& scored : FitAllNear(swapped)) {
     if (scored.criterion > best.criterion) best = std::move(scored);
   }
   return best;
@@ -246,18 +254,31 @@ Scored Search::Prune(Scored kept, std::vector<TermEvidence>* evidence) const {
   }
 }
 
-void Search::FindRivals(const Scored& found, std::size_t term, TermEvidence* evidence) const {
+/// The likeliest exchanges of one term for a screened suspect.
+std::vector<Structure> Search::NearestRivals(const Scored& found, std::size_t term) const {
   std::vector<Structure> swapped;
   for (const std::size_t s : screened_) {
     const Term& other = singles_[s].terms.front();
     if (Has(found.terms, other.suspect)) continue;
     swapped.push_back(With(Without(found.terms, term), *other.suspect, other.values));
   }
+  std::vector<Scored> fitted = FitAllNear(swapped);
+  std::stable_sort(fitted.begin(), fitted.end(), [](const Scored& a, const Scored& b) {
+    return a.log_likelihood > b.log_likelihood;
+  });
+  std::vector<Structure> nearest;
+  for (std::size_t k = 0; k < std::min(kNearest, fitted.size()); ++k) {
+    nearest.push_back(std::move(fitted[k].terms));
+  }
+  return nearest;
+}
+
+void Search::FindRivals(const Scored& found, const Misfit& crossed, std::size_t term,
+                        TermEvidence* evidence) const {
+  const std::vector<Structure> swapped = NearestRivals(found, term);
   evidence->rivals = {found.terms[term].suspect};
-  const Misfit with = crossed_.Judge(found.terms);
   const auto rivals = InParallel<Rival>(swapped.size(), options_.threads, [&](std::size_t k) {
-    const Misfit instead = crossed_.Judge(fitter_.FitValues(swapped[k]).terms);
-    const auto gains = GainsOf(likelihood_, instead, with, seen_);
+    const auto gains = GainsOf(likelihood_, crossed_.Judge(swapped[k]), crossed, seen_);
     Rival rival{swapped[k].back().suspect, SteadyGainP(gains), 0};
     for (const ManoeuvreGain& one : gains) rival.lead += one.gain;
     return rival;
@@ -289,8 +310,11 @@ SearchResult Search::Run() {
   FitSingles();
   Screen();
   const Scored found = Prune(Grow(Swap(BestOfPairs())), &result.evidence);
-  for (std::size_t t = 0; t < found.terms.size(); ++t) {
-    FindRivals(found, t, &result.evidence[t]);
+  if (!found.terms.empty()) {
+    const Misfit crossed = crossed_.Judge(found.terms);
+    for (std::size_t t = 0; t < found.terms.size(); ++t) {
+      FindRivals(found, crossed, t, &result.evidence[t]);
+    }
   }
   result.nothing = on_seen_.AsGiven({});
   result.found = found.terms.empty() ? result.nothing : on_seen_.Fit(found.terms);

@@ -62,8 +62,9 @@ struct SearchResult {
 ///         out of the fits that it judges (cross_fit.h, steady_gain.h; Bonferroni over all that the
 ///         diagnosis tests), at least `least_of_rest` of what a free member gains there, and its
 ///         effect, beyond nuisances, at least `least_effect` of the channel. Rivals: each term is
-///         swapped for each screened suspect; where the same manoeuvres do not gain from the term
-///         with p at most 0.05, or less than 3 of log-likelihood, they are alike.
+///         swapped for each screened suspect; of the five likeliest, where the same manoeuvres do
+///         not gain from the term with p at most 0.05, or less than 3 of log-likelihood, they are
+///         alike.
 /// Omits   that the structures whose terms are tested were chosen on part of the same manoeuvres,
 ///         beyond the number of suspects; FINAL is for that.
 /// Source  Schwarz 1978.
