@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "app/perception_run.h"
 #include "core/error.h"
 #include "dataset/recording.h"
 #include "diagnose/diagnosis.h"
@@ -72,12 +74,32 @@ std::unique_ptr<MachineCase> CaseOf(const DiagnoseArguments& arguments, const Sc
   return out;
 }
 
+/// `seen`: what its lidars and cameras show.
 Diagnosis DiagnoseMachine(const DiagnoseArguments& arguments, const Scenario& scenario,
-                          const ScenarioMachine& machine, const Recording& recording) {
+                          const ScenarioMachine& machine, const Recording& recording,
+                          std::vector<PerceptionDiagnosis> seen) {
   const auto one = CaseOf(arguments, scenario, machine, recording);
-  return Diagnose(one->input, recording, one->options, [&](const std::string& block) {
-    fmt::print(stderr, "{}: {}\n", one->input.machine, block);
-  });
+  one->options.needs_blocks = seen.empty();
+  Diagnosis diagnosis =
+      Diagnose(one->input, recording, one->options, [&](const std::string& block) {
+        fmt::print(stderr, "{}: {}\n", one->input.machine, block);
+      });
+  diagnosis.perception = std::move(seen);
+  return diagnosis;
+}
+
+std::vector<std::vector<PerceptionDiagnosis>> DiagnoseSensors(const DiagnoseArguments& arguments,
+                                                              Scenario* scenario,
+                                                              const Recording& recording) {
+  std::vector<std::string> names;
+  for (const ScenarioMachine& machine : scenario->machines) {
+    names.push_back(NameInRecording(machine.placement.name, scenario->machines.size(), recording));
+  }
+  PerceptionOptions options;
+  options.threads = arguments.threads;
+  options.from_s = arguments.from_s.value_or(options.from_s);
+  options.to_s = arguments.to_s.value_or(options.to_s);
+  return RunPerception(scenario, names, recording, options);
 }
 
 }  // namespace
@@ -107,12 +129,14 @@ std::string BaselinesOfRecording(const DiagnoseArguments& arguments) {
 
 void DiagnoseRecording(const DiagnoseArguments& arguments) {
   RequireNewFolder(arguments.out);
-  const LoadedScenario loaded = Load(arguments.scenario);
+  LoadedScenario loaded = Load(arguments.scenario);
   const Recording recording(arguments.recording);
+  auto seen = DiagnoseSensors(arguments, &loaded.scenario, recording);
   const auto& machines = loaded.scenario.machines;
   std::vector<Diagnosis> diagnoses;
-  for (const ScenarioMachine& machine : machines) {
-    diagnoses.push_back(DiagnoseMachine(arguments, loaded.scenario, machine, recording));
+  for (std::size_t m = 0; m < machines.size(); ++m) {
+    diagnoses.push_back(
+        DiagnoseMachine(arguments, loaded.scenario, machines[m], recording, std::move(seen[m])));
   }
   for (const Diagnosis& diagnosis : diagnoses) {
     for (const std::string& sentence : SentencesOf(diagnosis)) fmt::print("{}\n", sentence);

@@ -77,6 +77,7 @@ Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& record
     measured.imus.push_back(is_imu ? recording.LoadImu(channel) : std::vector<ImuSample>{});
     any = any || !measured.imus.back().empty();
   }
+  if (!any && !options.needs_blocks) return measured;
   if (!any) {
     throw InputError(fmt::format(
         "{}: no encoder channel of {}, and no inertial unit that the scenario has; need "
@@ -195,6 +196,13 @@ std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis) {
       untestable = untestable || !suspect.smallest;
     }
   }
+  for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
+    judged = judged || sensor.is_judged();
+    untestable = untestable || !sensor.is_judged();
+    for (const PerceptionFinding& finding : sensor.findings) {
+      (finding.rivals.size() > 1 ? several : named) = true;
+    }
+  }
   std::vector<Verdict> verdicts;
   if (named) verdicts.push_back(Verdict::kNamed);
   if (several) verdicts.push_back(Verdict::kClass);
@@ -215,7 +223,7 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Recording& 
   std::erase_if(blocks, [](const ReplayBlock& block) {
     return static_cast<double>(block.samples()) * block.period_s() < kShortest_s;
   });
-  if (blocks.empty()) ThrowNothingToCompare(input, recording, obstacles);
+  if (blocks.empty() && options.needs_blocks) ThrowNothingToCompare(input, recording, obstacles);
   for (ReplayBlock& block : blocks) CountTimeFrom(measured.start_ns, &block);
   return blocks;
 }
@@ -247,8 +255,10 @@ Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
                    const DiagnosisOptions& options,
                    const std::function<void(const std::string&)>& progress) {
   return {
-      input.machine, input.scenario,
-      DiagnoseBlocks(BlocksOf(input, recording, options), options.search, options.seed, progress)};
+      input.machine,
+      input.scenario,
+      DiagnoseBlocks(BlocksOf(input, recording, options), options.search, options.seed, progress),
+      {}};
 }
 
 }  // namespace tera

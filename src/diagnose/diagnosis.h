@@ -7,6 +7,7 @@
 
 #include "core/random.h"
 #include "dataset/recording.h"
+#include "diagnose/perception/perception_diagnosis.h"
 #include "diagnose/search/block_diagnosis.h"
 #include "physics/machine.h"
 #include "sensors/sensor.h"
@@ -29,6 +30,7 @@ struct Diagnosis {
   std::string machine;   ///< its name in the recording
   std::string scenario;  ///< its name in the scenario, to which the overlay speaks
   std::vector<DiagnosedBlock> blocks;
+  std::vector<PerceptionDiagnosis> perception;  ///< of sensors that measure ranges
 };
 
 /// What a diagnosis can say; several may hold.
@@ -57,12 +59,13 @@ struct DiagnosisOptions {
   std::uint64_t seed = 1;
   double step_s = 0.01;           ///< of the replay of axes
   double from_s = 0, to_s = 1e9;  ///< part of the recording to look at, from its first sample on
+  bool needs_blocks = true;       ///< that nothing can be replayed is an error
   double base_interval_s = 0.2;   ///< over which the motion of base and inertial units is compared
 };
 
 /// Every block that the recording has channels for: joints and gears with encoders and levers, the
 /// base with gears and poses, inertial units whose link's motion was measured, over 25 s at least.
-/// Throws InputError where there is none at all.
+/// Throws InputError where there is none at all, unless `needs_blocks` is false.
 std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Recording& recording,
                                   const DiagnosisOptions& options);
 

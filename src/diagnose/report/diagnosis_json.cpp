@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -123,6 +124,49 @@ Json NotNamed(const DiagnosedBlock& diagnosed, const Unexplained& unexplained) {
   return json;
 }
 
+/// What a sensor of ranges shows.
+Json Seen(const PerceptionDiagnosis& sensor, const PerceptionFinding& finding) {
+  Json parameters = Json::object();
+  for (std::size_t i = 0; i < finding.parameters.size(); ++i) {
+    const ParameterEstimate& estimate = finding.parameters[i];
+    parameters[estimate.name] = {{"value", Number(estimate.value)},
+                                 {"sigma", Number(estimate.sigma)},
+                                 {"unit", estimate.unit}};
+    if (!finding.present.empty()) {
+      parameters[estimate.name]["instead_of"] = Number(finding.present[i]);
+    }
+  }
+  Json intervals = Json::array(), place = nullptr;
+  for (const auto& [from_s, to_s] : finding.intervals_s) {
+    intervals.push_back({Number(from_s), Number(to_s)});
+  }
+  if (finding.place) {
+    const auto point = [](const Vec2& p) { return Json{Number(p.x()), Number(p.y())}; };
+    place = {{"centre_m", point(finding.place->centre_W_m)},
+             {"low_m", point(finding.place->low_W_m)},
+             {"high_m", point(finding.place->high_W_m)}};
+  }
+  const double before = finding.rmse_before_m, after = finding.rmse_after_m;
+  const double noise = sensor.sensor.noise_rmse_m;
+  const double excess = before * before - noise * noise;
+  const double removed = excess > 0 ? (before * before - after * after) / excess : 0;
+  return {{"channel", sensor.channel},
+          {"intervals_s", intervals},
+          {"place", place},
+          {"regime", nullptr},
+          {"mechanism", finding.mechanism},
+          {"slot", finding.slot},
+          {"target", finding.target},
+          {"parameters", parameters},
+          {"class", finding.rivals},
+          {"rejected", Json::array()},
+          {"evidence",
+           {{"p_chosen", Number(finding.p_chosen)}, {"p_confirmed", Number(finding.p_confirmed)}}},
+          {"confidence", Number((1 - finding.p_chosen) * (1 - finding.p_confirmed) /
+                                static_cast<double>(finding.rivals.size()))},
+          {"held_out", HeldOut(before, after, "m", std::clamp(removed, 0.0, 1.0))}};
+}
+
 /// What SELECT chose and FINAL did not confirm.
 Json Unconfirmed(const Diagnosis& diagnosis) {
   Json list = Json::array();
@@ -159,6 +203,9 @@ Json NotJudged(const Diagnosis& diagnosis) {
     if (diagnosed.diagnosis.is_testable) continue;
     for (const Channel& channel : diagnosed.block.channels) list.push_back(channel.name);
   }
+  for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
+    if (!sensor.is_judged()) list.push_back(sensor.channel);
+  }
   return list;
 }
 
@@ -187,6 +234,11 @@ std::string DiagnosisJson(const Diagnosis& diagnosis) {
   }
   for (const auto& [diagnosed, unexplained] : UnexplainedByWeight(diagnosis)) {
     json["findings"].push_back(NotNamed(*diagnosed, *unexplained));
+  }
+  for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
+    for (const PerceptionFinding& finding : sensor.findings) {
+      json["findings"].push_back(Seen(sensor, finding));
+    }
   }
   json["held_out"] = HeldOutOfAll(diagnosis);
   json["unconfirmed"] = Unconfirmed(diagnosis);

@@ -12,6 +12,7 @@
 
 #include "core/check.h"
 #include "diagnose/report/by_weight.h"
+#include "diagnose/report/perception_text.h"
 
 namespace tera {
 namespace {
@@ -77,6 +78,13 @@ std::vector<TargetLines> LinesOf(const Diagnosis& diagnosis) {
       continue;
     at->mechanisms.push_back(id);
     at->lines.push_back(MechanismLine(*finding));
+  }
+  for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
+    TargetLines lines{sensor.target, {}, {}};
+    for (const PerceptionFinding& finding : sensor.findings) {
+      if (finding.is_effect) lines.lines.push_back(EffectLine(finding));
+    }
+    if (!lines.lines.empty()) targets.push_back(std::move(lines));
   }
   return targets;
 }

@@ -8,6 +8,7 @@
 #include "diagnose/report/block_figures.h"
 #include "diagnose/report/by_weight.h"
 #include "diagnose/report/page_style.h"
+#include "diagnose/report/perception_figures.h"
 #include "diagnose/report/sentence.h"
 #include "diagnose/report/svg_plot.h"
 #include "diagnose/report/wording.h"
@@ -235,7 +236,8 @@ std::string HtmlReport(const Diagnosis& diagnosis, const std::string& recording)
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     if (HasAnything(diagnosed)) html += BlockSection(diagnosed);
   }
-  html += AgreeingSection(diagnosis) + UnseenSection(diagnosis);
+  html += PerceptionSections(diagnosis);
+  if (!diagnosis.blocks.empty()) html += AgreeingSection(diagnosis) + UnseenSection(diagnosis);
   return html + "</main></body>\n</html>\n";
 }
 

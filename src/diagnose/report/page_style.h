@@ -45,6 +45,9 @@ path.after{stroke:var(--after)}.shade{fill:var(--shade)}
 .key.shaded{background:var(--shade)}.key.band{background:var(--before);opacity:.3}
 .key.visited{background:var(--visits)}.key.chosen{background:var(--after)}
 .key.free{border:1px solid var(--soft)}
+.level{fill:var(--fill)}.higher{fill:var(--before)}.lower{fill:var(--after)}
+.key.higher{background:var(--before);height:.75em;width:1.1em}
+.key.lower{background:var(--after);height:.75em;width:1.1em}
 .wide{overflow-x:auto}
 table{border-collapse:collapse;font-size:.92rem;margin:.4rem 0 1rem;font-variant-numeric:tabular-nums}
 th{text-align:left;font-weight:600;color:var(--soft);border-bottom:1.5px solid var(--rule)}

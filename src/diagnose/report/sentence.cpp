@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "diagnose/report/by_weight.h"
+#include "diagnose/report/perception_text.h"
 #include "diagnose/report/wording.h"
 
 namespace tera {
@@ -314,13 +315,16 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
   for (const auto& [diagnosed, unexplained] : UnexplainedByWeight(diagnosis)) {
     sentences.push_back(SentenceOf(*diagnosed, *unexplained));
   }
-  if (sentences.empty()) sentences.push_back(SentenceOfNothing(diagnosis));
+  const bool has_blocks = !diagnosis.blocks.empty() || diagnosis.perception.empty();
+  if (sentences.empty() && has_blocks) sentences.push_back(SentenceOfNothing(diagnosis));
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     for (const Finding& finding : diagnosed.diagnosis.unconfirmed) {
       sentences.push_back(SentenceOfUnconfirmed(diagnosed, finding));
     }
     if (!diagnosed.diagnosis.is_testable) sentences.push_back(SentenceOfUntestable(diagnosed));
   }
+  const std::vector<std::string> seen = PerceptionSentences(diagnosis.perception);
+  sentences.insert(sentences.end(), seen.begin(), seen.end());
   return sentences;
 }
 

@@ -4,6 +4,7 @@
 #include "diagnose/report/diagnosis_json.h"
 #include "diagnose/report/effects_yaml.h"
 #include "diagnose/report/html_report.h"
+#include "diagnose/report/perception_figures.h"
 
 namespace tera {
 
@@ -13,6 +14,10 @@ void WriteReport(const std::filesystem::path& directory, const Diagnosis& diagno
   WriteWholeFile(directory / "diagnosis.json", DiagnosisJson(diagnosis));
   WriteWholeFile(directory / "effects.yaml", EffectsYaml(diagnosis, recording));
   WriteWholeFile(directory / "report.html", HtmlReport(diagnosis, recording));
+  for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
+    if (!sensor.is_judged()) continue;
+    WriteWholeFile(directory / ("ground_" + sensor.target + ".csv"), GroundCsv(sensor.ground));
+  }
 }
 
 }  // namespace tera

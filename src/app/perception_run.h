@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dataset/recording.h"
+#include "diagnose/perception/perception_diagnosis.h"
+#include "sim/scenario.h"
+
+namespace tera {
+
+/// What of a recording is looked at, and by how much of this computer.
+struct PerceptionOptions {
+  double from_s = 0, to_s = 1e9;  ///< from the recording's first scan on
+  int threads = 1;
+};
+
+/// Compares what the lidars and depth cameras of a scenario recorded with what they would see on
+/// the recorded trajectory: one list a machine, one entry for each of its sensors that the
+/// recording has. Works the scenario's soil. `names`: of the machines, in the recording.
+///
+/// Throws InputError where a recorded file is not as it must be.
+std::vector<std::vector<PerceptionDiagnosis>> RunPerception(Scenario* scenario,
+                                                            const std::vector<std::string>& names,
+                                                            const Recording& recording,
+                                                            const PerceptionOptions& options);
+
+}  // namespace tera

@@ -1,0 +1,120 @@
+#include "app/scan_caster.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tera {
+namespace {
+
+constexpr double kBeyond = 1.5;  ///< of the sensor's reach, so that what it cannot see is known
+
+double ReachOf(const SensorDescription& sensor) {
+  if (const auto* lidar = std::get_if<LidarModel>(&sensor.model)) return lidar->max_range_m;
+  return std::get<CameraModel>(sensor.model).depth_max_m;
+}
+
+double LeastRangeOf(const SensorDescription& sensor) {
+  if (const auto* lidar = std::get_if<LidarModel>(&sensor.model)) return lidar->min_range_m;
+  return std::get<CameraModel>(sensor.model).depth_min_m;
+}
+
+}  // namespace
+
+ScanCaster::ScanCaster(const Scenario& scenario, const SceneAssembly& assembly,
+                       const RecordedStage& stage, const std::vector<RecordedMotion>& machines,
+                       int threads)
+    : scenario_(scenario),
+      assembly_(assembly),
+      stage_(stage),
+      machines_(machines),
+      threads_(threads),
+      scene_(assembly.model()) {
+  for (const SceneInstance& instance : assembly.model().instances) {
+    Surface surface = Surface::kObstacle;
+    for (std::size_t m = 0; m < machines.size(); ++m) {
+      if (!instance.name.starts_with(scenario.machines[m].placement.name + "/")) continue;
+      surface = machines[m].shows_whole() ? Surface::kMachine : Surface::kUnknown;
+    }
+    const bool has_other_shape =
+        instance.label == SemanticClass::kTrack || instance.label == SemanticClass::kSoilInBucket;
+    surface_.push_back(has_other_shape ? Surface::kUnknown : surface);
+  }
+}
+
+std::string ScanCaster::NameOf(int object) const {
+  return assembly_.model().instances[static_cast<std::size_t>(object)].name;
+}
+
+void ScanCaster::ShowScene(std::size_t machine, int link, const Scan& scan, TimeNs start_ns) {
+  if (posed_start_ns_ == start_ns && posed_span_ns_ == scan.span_ns && posed_link_ == link &&
+      posed_machine_ == machine && posed_ground_ == scan.moment.ground.get()) {
+    return;
+  }
+  const int keys = scan.span_ns > 0 ? Lidar::kScenePoses : 1;
+  std::vector<std::vector<Pose>> poses;
+  std::vector<float> scales;
+  link_.clear();
+  for (int k = 0; k < keys; ++k) {
+    const TimeNs t_ns = start_ns + (keys > 1 ? scan.span_ns * k / (keys - 1) : 0);
+    const WorldState state = stage_.StateAt(t_ns, scan.moment);
+    poses.push_back(assembly_.BodyPoses(state));
+    scales = assembly_.BodyScales(state);
+    link_.push_back(state.machines[machine].links[static_cast<std::size_t>(link)]);
+  }
+  scene_.Update(poses, *scan.moment.ground, scales);
+  posed_start_ns_ = start_ns;
+  posed_span_ns_ = scan.span_ns;
+  posed_link_ = link;
+  posed_machine_ = machine;
+  posed_ground_ = scan.moment.ground.get();
+}
+
+std::vector<SimulatedReturn> ScanCaster::Cast(std::size_t machine, const SensorDescription& sensor,
+                                              const Scan& scan, const SensorNumbers& numbers,
+                                              const std::vector<Beam>& beams) {
+  std::vector<SimulatedReturn> returns(beams.size());
+  const TimeNs start_ns = scan.t_ns - FromSeconds(numbers.value[SensorNumbers::kOffset]);
+  const RecordedMotion& motion = machines_[machine];
+  if (!motion.IsKnownAt(start_ns) || !motion.IsKnownAt(start_ns + scan.span_ns)) return returns;
+  const int link = scenario_.machines[machine].placement.model.LinkIndex(sensor.link);
+  ShowScene(machine, link, scan, start_ns);
+  const Vec3 p_BT_m = sensor.X_BS.translation() + numbers.shift_B_m();
+  const Mat3 R_BT = sensor.X_BS.linear() * numbers.R_ST();
+  const auto last = static_cast<double>(link_.size() - 1);
+  std::vector<Ray> rays;
+  for (std::size_t i = 0; i < beams.size(); ++i) {
+    const double part =
+        scan.span_ns > 0
+            ? std::clamp(static_cast<double>(beams[i].since_ns) / static_cast<double>(scan.span_ns),
+                         0.0, 1.0)
+            : 0.0;
+    const double at = part * last;
+    const auto a = static_cast<std::size_t>(std::min(std::floor(at), std::max(0.0, last - 1)));
+    const std::size_t b = std::min(a + 1, link_.size() - 1);
+    const BodyState body = Interpolate(link_[a], link_[b], at - static_cast<double>(a));
+    returns[i].X_WB = body.X_WB;
+    returns[i].v_WB_mps = body.v_WB_mps;
+    returns[i].w_WB_radps = body.w_WB_radps;
+    rays.push_back({.origin_W_m = (body.X_WB * p_BT_m).cast<float>(),
+                    .direction_W = (body.X_WB.linear() * (R_BT * beams[i].d_S)).cast<float>(),
+                    .max_range_m = static_cast<float>(kBeyond * ReachOf(sensor)),
+                    .time = static_cast<float>(part)});
+  }
+  std::vector<RayHit> hits(rays.size());
+  scene_.Trace(rays, hits, threads_);
+  const double least_m = LeastRangeOf(sensor);
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (!hits[i].hit) {
+      returns[i].surface = Surface::kNothing;
+      continue;
+    }
+    returns[i].range_m = hits[i].range_m;
+    returns[i].normal_W = hits[i].normal_W.cast<double>();
+    returns[i].object = hits[i].instance;
+    returns[i].surface = hits[i].instance == 0 ? Surface::kGround : surface_[hits[i].instance];
+    if (hits[i].range_m < least_m) returns[i].surface = Surface::kUnknown;
+  }
+  return returns;
+}
+
+}  // namespace tera

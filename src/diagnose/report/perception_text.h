@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnose/diagnosis.h"
+
+/// What lidars and cameras show, in sentences.
+
+namespace tera {
+
+/// "Lidar roof: range bias 0.050 ± 0.001 m (chosen with p < 0.0001, confirmed with p 0.001).
+/// Held-out distance to the simulated surfaces 4.8 → 1.1 cm."
+std::string SentenceOf(const PerceptionDiagnosis& diagnosis, const PerceptionFinding& finding);
+
+/// One for each finding; then, for each sensor, what was not confirmed, that nothing was found, or
+/// why it was not judged.
+std::vector<std::string> PerceptionSentences(const std::vector<PerceptionDiagnosis>& sensors);
+
+/// "extrinsic: {pitch_deg: 1.5}".
+std::string EffectLine(const PerceptionFinding& finding);
+
+}  // namespace tera

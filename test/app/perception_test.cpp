@@ -1,0 +1,167 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "app/program.h"
+#include "core/random.h"
+#include "dataset/pcd.h"
+#include "dataset/recording.h"
+
+namespace tera {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+/// A lidar on a mast, tilted, above a slope with a pile, a pit to come, a rock and a truck.
+const char* const kSite = R"(
+name: watch
+duration_s: 14
+terrain: {size_m: [24, 24], cell_m: 0.2, soil: clay, relief: {amplitude_m: 0.1, wavelength_m: 8},
+          piles: [{xy_m: [5, -3], height_m: 0.8, soil: clay}]}
+machines:
+  - name: mast1
+    machine: tera:config/machines/mast.yaml
+    start: {xy_m: [-1, 0.5], yaw_deg: 20}
+    operator: {type: idle}
+    rig:
+      sensors:
+        - {name: lidar, preset: tera:config/sensors/vlp16.yaml, link: mast, xyz_m: [0, 0, 3],
+           rpy_deg: [4, 20, 0], columns: 360, rate_hz: 2, firing_offset_us: [0, 0, 0, 0, 0, 0, 0, 0,
+           0, 0, 0, 0, 0, 0, 0, 0]}
+obstacles:
+  - {name: rock1, preset: tera:config/obstacles/rock.yaml, xy_m: [4, 2], yaw_deg: 30}
+  - {name: truck1, preset: tera:config/obstacles/truck.yaml, xy_m: [1, 8], yaw_deg: 8}
+)";
+
+class PerceivedSite : public testing::Test {
+ protected:
+  PerceivedSite() { Write("site.yaml", kSite); }
+  void Write(const std::string& name, const std::string& text) const {
+    std::ofstream(scratch_.path() / name) << text;
+  }
+  std::string Read(const std::string& name) const {
+    std::ifstream file(scratch_.path() / name);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  Outcome Run(const Arguments& arguments) const { return RunTera(arguments, {scratch_.path()}); }
+  void Record(const Arguments& more = {}) const {
+    Arguments arguments = {"generate", "site.yaml", "--out", "real"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = Run(arguments);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+  }
+  Json Diagnosed(const Arguments& more = {}) const {
+    Arguments arguments = {"diagnose", "site.yaml", "real", "--out", "why"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = Run(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.status == 0 ? Json::parse(Read("why/diagnosis.json")) : Json();
+  }
+
+  const ScratchDirectory scratch_;
+};
+
+TEST_F(PerceivedSite, ALidarOfAnotherRangeIsNamedAndItsOverlayLeavesNothing) {
+  Record({"--set", "effects.mast1.lidar.range_bias.range_m=0.06"});
+  const Json json = Diagnosed();
+  ASSERT_EQ(json["findings"].size(), 1u) << json;
+  EXPECT_EQ(json["verdict"][0], "named");
+  const Json& finding = json["findings"][0];
+  EXPECT_EQ(finding["channel"], "mast1/lidar");
+  EXPECT_EQ(finding["mechanism"], "range_bias");
+  EXPECT_EQ(finding["target"], "lidar");
+  EXPECT_NEAR(finding["parameters"]["range_m"]["value"].get<double>(), 0.06, 0.003);
+  EXPECT_THAT(Read("why/effects.yaml"), HasSubstr("range_bias: {range_m: 0.0"));
+  const Outcome again =
+      Run({"diagnose", "site.yaml", "real", "--effects", "why/effects.yaml", "--out", "nothing"});
+  ASSERT_EQ(again.status, 0) << again.err;
+  EXPECT_THAT(again.out, HasSubstr("nothing found"));
+  EXPECT_TRUE(Json::parse(Read("nothing/diagnosis.json"))["findings"].empty());
+}
+
+TEST_F(PerceivedSite, APitThatTheScenarioHasNotIsOnTheMap) {
+  Record({"--set",
+          "terrain.pits=[{outline_m: [[2, -6], [5, -6], [5, -4.5], [2, -4.5]], "
+          "depth_m: 0.5}]"});
+  const Json json = Diagnosed();
+  ASSERT_EQ(json["findings"].size(), 1u) << json;
+  const Json& finding = json["findings"][0];
+  EXPECT_EQ(finding["mechanism"], "terrain_height");
+  EXPECT_EQ(finding["target"], "ground");
+  EXPECT_NEAR(finding["place"]["centre_m"][0].get<double>(), 3.5, 0.4);
+  EXPECT_NEAR(finding["place"]["centre_m"][1].get<double>(), -5.25, 0.4);
+  EXPECT_NEAR(finding["parameters"]["lowest_m"]["value"].get<double>(), -0.5, 0.1);
+  EXPECT_THAT(Read("why/report.html"), HasSubstr("Measured ground over simulated ground"));
+  EXPECT_THAT(Read("why/ground_lidar.csv"), HasSubstr("x_m,y_m,above_m"));
+}
+
+TEST_F(PerceivedSite, DustForAFewSecondsIsNamedWithItsTime) {
+  Record();
+  // A third of the rays in a sector end 2.5 to 5 m away.
+  const Recording recording(scratch_.path() / "real");
+  const Stream draw(1, "test/dust");
+  std::uint64_t k = 0;
+  for (const TimeNs t_ns : recording.FrameTimes("mast1/lidar")) {
+    if (t_ns < FromSeconds(3) || t_ns > FromSeconds(10)) continue;
+    std::vector<LidarPoint> points = recording.LoadScan("mast1/lidar", t_ns).points;
+    for (LidarPoint& p : points) {
+      const double r_m = std::hypot(p.x_m, p.y_m, p.z_m), stop_m = 2.5 + 2.5 * draw.Uniform(++k);
+      const double azimuth_rad = std::atan2(p.y_m, p.x_m);
+      if (azimuth_rad < -0.6 || azimuth_rad > 0.1 || r_m < stop_m + 0.8) continue;
+      if (draw.Uniform(k, 1) > 0.33) continue;
+      const auto shorter = static_cast<float>(stop_m / r_m);
+      p.x_m *= shorter;
+      p.y_m *= shorter;
+      p.z_m *= shorter;
+    }
+    std::ofstream(scratch_.path() / fmt::format("real/mast1/lidar/scans/{}.pcd", t_ns),
+                  std::ios::binary)
+        << EncodePcd(points);
+  }
+  const Json json = Diagnosed();
+  ASSERT_EQ(json["findings"].size(), 1u) << json;
+  EXPECT_EQ(json["findings"][0]["mechanism"], "dust");
+  ASSERT_EQ(json["findings"][0]["intervals_s"].size(), 1u) << json;
+  EXPECT_NEAR(json["findings"][0]["intervals_s"][0][0].get<double>(), 3, 0.6);
+  EXPECT_NEAR(json["findings"][0]["intervals_s"][0][1].get<double>(), 10, 0.6);
+}
+
+TEST_F(PerceivedSite, AsDescribedGivesNoFinding) {
+  Record();
+  const Json json = Diagnosed();
+  EXPECT_TRUE(json["findings"].empty()) << json;
+  EXPECT_EQ(json["verdict"][0], "none");
+}
+
+TEST_F(PerceivedSite, ALidarOfOtherBeamsIsNotJudgedAndToldWhy) {
+  Record();
+  Write("site.yaml", Edited(Edited(Read("site.yaml"), "rate_hz: 2,",
+                                   "rate_hz: 2, elevation_deg: "
+                                   "[15, 5, -5, -15],"),
+                            "firing_offset_us: [0, 0, 0, 0, 0, 0, 0, 0,\n           0, 0, 0, 0, 0, "
+                            "0, 0, 0]",
+                            "firing_offset_us: [0, 0, 0, 0]"));
+  const Outcome outcome = Run({"diagnose", "site.yaml", "real", "--out", "why"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("not judged"), HasSubstr("4 beams")));
+  EXPECT_EQ(Json::parse(Read("why/diagnosis.json"))["not_judged"][0], "mast1/lidar");
+}
+
+TEST_F(PerceivedSite, ATruncatedScanIsOneErrorAndNoReport) {
+  Record();
+  const std::filesystem::path scan = scratch_.path() / "real/mast1/lidar/scans/0.pcd";
+  std::filesystem::resize_file(scan, std::filesystem::file_size(scan) / 2);
+  const Outcome outcome = Run({"diagnose", "site.yaml", "real", "--out", "why"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("0.pcd"), HasSubstr("truncated")));
+  EXPECT_FALSE(std::filesystem::exists(scratch_.path() / "why"));
+}
+
+}  // namespace
+}  // namespace tera
