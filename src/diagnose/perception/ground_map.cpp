@@ -307,6 +307,36 @@ void Confirm(const std::vector<Sounding>& final_soundings, const GroundMap& map,
       boost::math::complement(boost::math::students_t(n - 1), std::abs(mean) / sigma_m));
 }
 
+/// Clusters of cells that differ in the whole recording or in one half of it, and the cells of the
+/// map. Of the regions only how sure they are, and whether they have walls.
+std::vector<GroundRegion> FindRegions(const Cells& cells, const ScanSplit& split, GroundMap* map) {
+  const auto blocks = static_cast<double>(split.blocks);
+  std::map<Place, Judged> differing = Differing(cells, 0, blocks);
+  for (const auto& part : {Differing(cells, 0, blocks / 2), Differing(cells, blocks / 2, blocks)}) {
+    differing.insert(part.begin(), part.end());
+  }
+  for (const auto& [place, values] : cells) {
+    const auto own = differing.find(place);
+    const auto judged =
+        own != differing.end() ? std::optional(own->second) : Judge(values, 0, blocks);
+    if (judged) map->cells[place] = {judged->middle_m, judged->sigma_m, judged->blocks, -1, true};
+  }
+  std::vector<GroundRegion> found;
+  for (const std::vector<Place>& cluster : Clusters(differing)) {
+    GroundRegion region;
+    std::size_t steep = 0;
+    for (const Place& place : cluster) {
+      map->cells[place].region = static_cast<int>(found.size());
+      region.p_chosen = std::min(region.p_chosen, differing[place].p);
+      steep += IsSteep(cells.at(place)) ? 1 : 0;
+    }
+    region.p_chosen = std::min(1.0, kWindows * static_cast<double>(cells.size()) * region.p_chosen);
+    region.upright = static_cast<double>(steep) > kSteepShare * static_cast<double>(cluster.size());
+    found.push_back(region);
+  }
+  return found;
+}
+
 }  // namespace
 
 std::pair<int, int> GroundMap::CellAt(const Vec2& xy_W_m) const {
@@ -329,33 +359,9 @@ GroundMap CompareGround(const RangeSource& source, const ScanSplit& split,
     Sound(source, split, numbers, scale, s, left_out[s], map,
           split.part[s] == Part::kFinal ? &held_out : &seen);
   }
-  map.points = seen.size() + held_out.size();
   Cells cells;
   for (const Sounding& s : seen) cells[s.cell][s.block].push_back(s.above_m);
-  const auto blocks = static_cast<double>(split.blocks);
-  std::map<Place, Judged> differing = Differing(cells, 0, blocks);
-  for (const auto& part : {Differing(cells, 0, blocks / 2), Differing(cells, blocks / 2, blocks)}) {
-    differing.insert(part.begin(), part.end());
-  }
-  for (const auto& [place, values] : cells) {
-    const auto own = differing.find(place);
-    const auto judged =
-        own != differing.end() ? std::optional(own->second) : Judge(values, 0, blocks);
-    if (judged) map.cells[place] = {judged->middle_m, judged->sigma_m, judged->blocks, -1, true};
-  }
-  std::vector<GroundRegion> found;
-  for (const std::vector<Place>& cluster : Clusters(differing)) {
-    GroundRegion region;
-    std::size_t steep = 0;
-    for (const Place& place : cluster) {
-      map.cells[place].region = static_cast<int>(found.size());
-      region.p_chosen = std::min(region.p_chosen, differing[place].p);
-      steep += IsSteep(cells[place]) ? 1 : 0;
-    }
-    region.p_chosen = std::min(1.0, kWindows * static_cast<double>(cells.size()) * region.p_chosen);
-    region.upright = static_cast<double>(steep) > kSteepShare * static_cast<double>(cluster.size());
-    found.push_back(region);
-  }
+  std::vector<GroundRegion> found = FindRegions(cells, split, &map);
   FillGaps(&map);
   std::vector<int> kept_as(found.size(), -1);
   std::vector<Sounding> all = seen;
@@ -377,7 +383,6 @@ GroundMap CompareGround(const RangeSource& source, const ScanSplit& split,
     if (IsNearRegion(map, s.cell) || IsNearRegion(map, s.simulated)) {
       map.explained[s.scan][s.point] = true;
     }
-    map.explained_points += map.explained[s.scan][s.point] ? 1 : 0;
   }
   return map;
 }

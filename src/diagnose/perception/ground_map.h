@@ -40,7 +40,6 @@ struct GroundMap {
   std::vector<GroundRegion> unconfirmed;
   /// Of each scan, the points that a region explains.
   std::vector<std::vector<bool>> explained;
-  std::size_t points = 0, explained_points = 0;
 
   std::pair<int, int> CellAt(const Vec2& xy_W_m) const;
 };
