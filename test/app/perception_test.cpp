@@ -1,15 +1,10 @@
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/program.h"
-#include "core/random.h"
-#include "dataset/pcd.h"
-#include "dataset/recording.h"
 
 namespace tera {
 namespace {
@@ -99,37 +94,6 @@ TEST_F(PerceivedSite, APitThatTheScenarioHasNotIsOnTheMap) {
   EXPECT_NEAR(finding["parameters"]["lowest_m"]["value"].get<double>(), -0.5, 0.1);
   EXPECT_THAT(Read("why/report.html"), HasSubstr("Measured ground over simulated ground"));
   EXPECT_THAT(Read("why/ground_lidar.csv"), HasSubstr("x_m,y_m,above_m"));
-}
-
-TEST_F(PerceivedSite, DustForAFewSecondsIsNamedWithItsTime) {
-  Record();
-  // A third of the rays in a sector end 2.5 to 5 m away.
-  const Recording recording(scratch_.path() / "real");
-  const Stream draw(1, "test/dust");
-  std::uint64_t k = 0;
-  for (const TimeNs t_ns : recording.FrameTimes("mast1/lidar")) {
-    if (t_ns < FromSeconds(3) || t_ns > FromSeconds(10)) continue;
-    std::vector<LidarPoint> points = recording.LoadScan("mast1/lidar", t_ns).points;
-    for (LidarPoint& p : points) {
-      const double r_m = std::hypot(p.x_m, p.y_m, p.z_m), stop_m = 2.5 + 2.5 * draw.Uniform(++k);
-      const double azimuth_rad = std::atan2(p.y_m, p.x_m);
-      if (azimuth_rad < -0.6 || azimuth_rad > 0.1 || r_m < stop_m + 0.8) continue;
-      if (draw.Uniform(k, 1) > 0.33) continue;
-      const auto shorter = static_cast<float>(stop_m / r_m);
-      p.x_m *= shorter;
-      p.y_m *= shorter;
-      p.z_m *= shorter;
-    }
-    std::ofstream(scratch_.path() / fmt::format("real/mast1/lidar/scans/{}.pcd", t_ns),
-                  std::ios::binary)
-        << EncodePcd(points);
-  }
-  const Json json = Diagnosed();
-  ASSERT_EQ(json["findings"].size(), 1u) << json;
-  EXPECT_EQ(json["findings"][0]["mechanism"], "dust");
-  ASSERT_EQ(json["findings"][0]["intervals_s"].size(), 1u) << json;
-  EXPECT_NEAR(json["findings"][0]["intervals_s"][0][0].get<double>(), 3, 0.6);
-  EXPECT_NEAR(json["findings"][0]["intervals_s"][0][1].get<double>(), 10, 0.6);
 }
 
 TEST_F(PerceivedSite, AsDescribedGivesNoFinding) {
