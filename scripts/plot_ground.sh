@@ -51,7 +51,7 @@ set label \"$letter'\" at $bx,$by center offset 0,0.6 front font ',13'
 done
 rows=$n
 share=1 # of the right half's height, for the sections
-[ -z "$seen" ] || share=0.55
+[ -z "$seen" ] || share=$([ "$n" -lt 3 ] && echo 0.55 || echo 0.65)
 width=1500 height=900
 
 {
@@ -99,8 +99,8 @@ unset key; unset border; unset tics; unset xlabel; unset ylabel; unset title
 set autoscale xy
 set lmargin 1; set rmargin 1; set tmargin 0.5; set bmargin 0.5
 set size ratio -1
-set size 0.5,0.45
-set origin 0.5,0.55
+set size 0.5,1-$share
+set origin 0.5,$share
 plot '$seen' binary filetype=png with rgbimage
 set border; set xtics out nomirror; set ytics out nomirror; set ylabel 'm'
 set key top right inside horizontal samplen 2 opaque
@@ -118,7 +118,7 @@ set xlabel 'm along the section' offset 0,0.5
 set autoscale xy
 stats '$work/section$k' using 1:(\$2-$level) nooutput name 'S'
 high = S_max_y - S_min_y + 0.4
-box_px = $share * $height / $rows - 85
+box_px = $share * $height / $rows - 75
 scale = (660 / S_max_x < box_px / high) ? 660 / S_max_x : box_px / high
 low_px = $share * $height * ($rows - $k) / $rows + 50
 set lmargin at screen 0.54
@@ -128,6 +128,9 @@ set tmargin at screen (low_px + scale * high) / $height
 set xrange [0:S_max_x]
 set yrange [S_min_y-0.1:S_max_y+0.3]
 set key $([ "$k" = 1 ] || [ -n "$angles" ] && echo on || echo off)
+if (scale * S_max_x < 450) {
+  set key at screen 0.98, screen (low_px + scale * high) / $height top right vertical noopaque
+} else { set key top right inside horizontal opaque }
 set ytics 0.2
 plot '$work/section$k' using 1:(\$2-$level):(S_min_y-0.1) with filledcurves fc rgb '#e9dcc6' notitle, \
   0 lc rgb '#606060' lw 1 dt 3 title 'undisturbed', \
