@@ -19,7 +19,8 @@ constexpr double kBefore_m = 0.5, kOverGround_m = 0.3;
 constexpr double kCube_m = 0.5, kStep_m = 0.25;
 constexpr int kReach = 2;
 constexpr std::size_t kFewestReturns = 40, kFewestBlocks = 3;
-constexpr double kThing = 0.6, kThick_m = 0.1, kRare = 0.005, kFloor = 0.001, kLevel = 0.01;
+constexpr double kThing = 0.6, kThick_m = 0.1, kRare = 0.005, kFloor = 0.001;
+constexpr double kChosen = 0.05, kConfirmed = 0.01;
 constexpr double kPresent = 0.25;  ///< of a cloud's densest tenth: less is clear air
 
 using Cube = std::array<int, 3>;
@@ -212,21 +213,27 @@ Dust FindDust(const RangeSource& source, const ScanSplit& split, const SensorNum
   }
   if (strays.size() < kFewestReturns) return dust;
   int count = 0;
-  const std::map<Cube, int> cloud = Clouds(strays, &count);
+  std::map<Cube, int> cloud = Clouds(strays, &count);
   std::vector<Tally> tallies(static_cast<std::size_t>(count));
   for (const Stray& stray : strays) {
     Tally& tally = tallies[static_cast<std::size_t>(cloud.at(CubeAt(stray.p_W_m)))];
     tally.strays.push_back(&stray);
     tally.blocks[split.block[stray.scan]].stopped += 1;
   }
+  std::erase_if(cloud, [&](const auto& cube) {
+    return tallies[static_cast<std::size_t>(cube.second)].strays.size() < kFewestReturns;
+  });
+  if (cloud.empty()) return dust;
+  const auto large =
+      static_cast<double>(std::count_if(tallies.begin(), tallies.end(), [](const Tally& tally) {
+        return tally.strays.size() >= kFewestReturns;
+      }));
   CountPassing(paths, split, cloud, &tallies);
   for (const Tally& tally : tallies) {
     if (tally.strays.size() < kFewestReturns) continue;
     const DustCloud one = CloudOf(source, split, tally);
-    const double level = kLevel / static_cast<double>(count);
-    if (one.stopped > kThing || one.thickness_m < kThick_m || one.p_chosen > level ||
-        one.p_confirmed > level)
-      continue;
+    const bool is_sure = one.p_chosen <= kChosen / large && one.p_confirmed <= kConfirmed / large;
+    if (!is_sure || one.stopped > kThing || one.thickness_m < kThick_m) continue;
     for (const Stray* stray : tally.strays) dust.explained[stray->scan][stray->point] = true;
     dust.clouds.push_back(one);
   }

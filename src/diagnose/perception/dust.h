@@ -26,7 +26,8 @@ struct DustCloud {
 ///         dust where of the rays that came to its cubes fewer than 60 % ended there, and where
 ///         the returns within a cubic metre scatter by 0.1 m and more in every direction; Student's
 ///         t over blocks of time must say that more than one ray in 200 ended there, on TRAIN and
-///         SELECT and again on FINAL, at one per cent over the clouds. What stops more is a thing.
+///         SELECT at five per cent over the clouds, and at one per cent on FINAL, of which the
+///         blocks count from when to when the others show the cloud. What stops more is a thing.
 /// Omits   rays that the dust swallowed, of which a scan holds no point. A tree or a fence that the
 ///         scenario has not passes for dust: it stops some rays at many depths too.
 /// Source  Phillips et al. 2017, "When the dust settles: the four behaviors of lidar in the

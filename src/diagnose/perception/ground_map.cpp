@@ -20,6 +20,7 @@ constexpr double kSuspicious_m = 0.04;
 constexpr double kCliff_m = 0.08;  ///< heights so near may be meant
 constexpr double kDeepest_m = 10;
 constexpr double kFloor_m = 0.01, kLeast_m = 0.05;
+constexpr double kPriorDof = 8, kPriorScatter_m = 0.02;
 constexpr double kFalseShare = 0.01, kConfirmed = 0.01, kHalf = 0.5;
 constexpr std::size_t kFewestBlocksOfCell = 3, kFewestPoints = 6, kFewestCells = 4;
 constexpr int kReach = 2;             ///< cells between members of a region
@@ -96,6 +97,25 @@ void Sound(const RangeSource& source, const ScanSplit& split, const SensorNumber
 using CellBlocks = std::map<std::size_t, std::vector<double>>;
 using Cells = std::map<Place, CellBlocks>;
 
+struct MeanOfBlocks {
+  double mean_m, sigma_m;
+  double p;  ///< of a mean so far on one side by chance
+};
+
+/// Student's t, the variance shrunk to that of blocks which agree within 2 cm, as if there were
+/// eight more of these: where few blocks see a place, their own scatter says little.
+MeanOfBlocks MeanOf(const std::vector<double>& medians) {
+  const auto n = static_cast<double>(medians.size());
+  const double mean_m = std::accumulate(medians.begin(), medians.end(), 0.0) / n;
+  double square = kPriorDof * kPriorScatter_m * kPriorScatter_m;
+  for (const double m : medians) square += (m - mean_m) * (m - mean_m);
+  const double dof = kPriorDof + n - 1;
+  const double sigma_m = std::sqrt(square / dof / n + kFloor_m * kFloor_m);
+  const double p = boost::math::cdf(
+      boost::math::complement(boost::math::students_t(dof), std::abs(mean_m) / sigma_m));
+  return {mean_m, sigma_m, p};
+}
+
 struct Judged {
   double middle_m, sigma_m, p;
   std::size_t blocks;
@@ -111,14 +131,8 @@ std::optional<Judged> Judge(const CellBlocks& blocks, double first, double last)
     points += values.size();
   }
   if (medians.size() < kFewestBlocksOfCell || points < kFewestPoints) return std::nullopt;
-  const auto n = static_cast<double>(medians.size());
-  const double mean = std::accumulate(medians.begin(), medians.end(), 0.0) / n;
-  double square = 0;
-  for (const double m : medians) square += (m - mean) * (m - mean);
-  const double sigma_m = std::sqrt(square / (n - 1) / n + kFloor_m * kFloor_m);
-  const boost::math::students_t t(n - 1);
-  const double p = 2 * boost::math::cdf(boost::math::complement(t, std::abs(mean) / sigma_m));
-  return Judged{Median(medians), sigma_m, p, medians.size()};
+  const MeanOfBlocks of = MeanOf(medians);
+  return Judged{Median(medians), of.sigma_m, 2 * of.p, medians.size()};
 }
 
 /// Whether there are walls in a cell.
@@ -297,14 +311,9 @@ void Confirm(const std::vector<Sounding>& final_soundings, const GroundMap& map,
     region->rmse_after_m = std::sqrt(after / count);
   }
   if (medians.size() < kFewestBlocksOfCell) return;
-  const auto n = static_cast<double>(medians.size());
-  const double mean = std::accumulate(medians.begin(), medians.end(), 0.0) / n;
-  if (mean / region->mean_m < kHalf) return;
-  double square = 0;
-  for (const double m : medians) square += (m - mean) * (m - mean);
-  const double sigma_m = std::sqrt(square / (n - 1) / n + kFloor_m * kFloor_m);
-  region->p_confirmed = boost::math::cdf(
-      boost::math::complement(boost::math::students_t(n - 1), std::abs(mean) / sigma_m));
+  const MeanOfBlocks of = MeanOf(medians);
+  if (of.mean_m / region->mean_m < kHalf) return;
+  region->p_confirmed = of.p;
 }
 
 /// Clusters of cells that differ in the whole recording or in one half of it, and the cells of the

@@ -50,14 +50,15 @@ struct GroundMap {
 /// Model   height of each point over the simulated ground below it, but for points on simulated
 ///         objects and on their edges (a ray turned by up to 1.2 deg would meet one there). Of a
 ///         square of 0.25 m the median of each block of time, and Student's t of these over blocks,
-///         each with an error of 1 cm that no number of scans makes smaller. Squares of 5 cm and
+///         their variance moderated by eight blocks that agree within 2 cm, each with an error of 1
+///         cm that no number of scans makes smaller. Squares of 5 cm and
 ///         more that Benjamini and Hochberg keep at one false in a hundred, found on TRAIN and
 ///         SELECT, make regions of four and more, of one sign, with gaps of up to half a metre,
 ///         which unseen squares in between take over. A region stays that on FINAL is at least half
 ///         as high again, at one per cent over the regions. The two halves of the recording are
 ///         looked at alone too.
 /// Omits   what no ray met; ground that moves and moves back.
-/// Source  Benjamini and Hochberg 1995.
+/// Source  Benjamini and Hochberg 1995; moderated t: Smyth 2004.
 ///
 /// `left_out`: of each scan, the points that something else explains.
 GroundMap CompareGround(const RangeSource& source, const ScanSplit& split,
