@@ -284,7 +284,11 @@ void ArticulatedBody::ApplyWrenches(const std::vector<Wrench>& link_wrench,
 
 void ArticulatedBody::DriveJoints(const std::vector<JointTarget>& targets) {
   for (std::size_t k = 0; k < targets.size(); ++k) {
-    if (auto& drive = bullet_->drives[k]) drive->SetTarget(targets[k]);
+    if (!bullet_->drives[k]) continue;
+    bullet_->drives[k]->SetTarget(targets[k]);
+    if (targets[k].offset_nm != 0) {
+      bullet_->body->addJointTorque(static_cast<int>(k), -targets[k].offset_nm);
+    }
   }
 }
 

@@ -15,6 +15,7 @@ struct JointTarget {
   double rate_radps = 0;
   double max_positive_nm = 0, max_negative_nm = 0;  ///< of the motor, by the effort's direction
   AxisFriction friction;
+  double offset_nm = 0;  ///< pushes the joint the negative way, whoever drives it
 };
 
 /// Motor, friction and end stops of one joint with one degree of freedom.

@@ -115,7 +115,8 @@ void MachineDynamics::DriveJoints() {
   for (std::size_t j = 0; j < model_.joints.size(); ++j) {
     const EffortLimits& limits = hydraulics_.limits()[j];
     const AxisDrive& drive = actuation_.drives()[j];
-    joint_target_[j] = {drive.rate_radps, limits.positive_nm, limits.negative_nm, drive.friction};
+    joint_target_[j] = {drive.rate_radps, limits.positive_nm, limits.negative_nm, drive.friction,
+                        drive.offset_nm};
   }
   body_.DriveJoints(joint_target_);
 }

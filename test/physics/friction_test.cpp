@@ -144,6 +144,15 @@ TEST(Friction, TheMotorBearsTheFrictionOfASteadyMotion) {
   EXPECT_NEAR(run.state().effort_nm[0], 0, 1e-3);
 }
 
+TEST(Friction, TheMotorMakesUpForAnOffsetBothWays) {
+  MachineRun run = WeightlessArm("effort_offset: {effort_nm: -70}");
+  for (const double lever : {1.0, -1.0, 0.0}) {
+    run.input.levers = {lever};
+    run.StepFor(0.5);
+    EXPECT_NEAR(run.state().effort_nm[0], -70, 1e-3) << lever;
+  }
+}
+
 /// Of the lift arm about its pin.
 constexpr double kLiftInertia_kgm2 = 3.0 + 20 * 0.64;
 

@@ -147,7 +147,7 @@ AxisDrive AxisActuation::Deliver(double rate_radps, const AxisMotion& motion, do
   const double actuator_radps = actuator_.Step(rate_radps, motion.position_rad, dt_s);
   const double joint_radps = gain_.Step(actuator_radps, motion.position_rad, dt_s);
   return {load_.Step(joint_radps, motion.load_nm, motion.position_rad, dt_s),
-          load_.Friction(motion.rate_radps)};
+          load_.Friction(motion.rate_radps), load_.Offset_nm()};
 }
 
 AxisActuation AxisActuationOf(const MachineModel& model, std::size_t axis,

@@ -40,10 +40,11 @@ struct AxisMotion {
   double position_rad = 0, rate_radps = 0, load_nm = 0;
 };
 
-/// What the chain asks of an axis over a step.
+/// What the chain asks of an axis over a step, and what acts on it beside its load.
 struct AxisDrive {
   double rate_radps = 0;
   AxisFriction friction;
+  double offset_nm = 0;  ///< constant effort that the actuator must make up for
 };
 
 /// The chain of one axis in two parts, between which pumps share their flow.

@@ -71,6 +71,11 @@ LoadFrictionParameters LoadFrictionOf(const Effects& effects, const ActuatorEffo
   if (const Effect* friction = FindEffect(effects, "asymmetric_friction")) {
     parameters.more_positive_nm = (*friction)["positive_nm"];
     parameters.more_negative_nm = (*friction)["negative_nm"];
+    parameters.more_positive_nmsprad = (*friction)["positive_nmsprad"];
+    parameters.more_negative_nmsprad = (*friction)["negative_nmsprad"];
+  }
+  if (const Effect* offset = FindEffect(effects, "effort_offset")) {
+    parameters.offset_nm = (*offset)["effort_nm"];
   }
   if (const Effect* sag = FindEffect(effects, "sag")) {
     const double drift_radps = (*sag)["drift_radps"] / ViscosityRatio((*sag)["oil_degc"]);
@@ -156,8 +161,11 @@ AxisFriction LoadFriction::Friction(double rate_radps) const {
     const double x = rate_radps / parameters_.stribeck_radps;
     both += parameters_.stribeck_nm * std::exp(-x * x);
   }
+  double viscous_nmsprad = parameters_.viscous_nmsprad;
+  if (rate_radps > 0) viscous_nmsprad += parameters_.more_positive_nmsprad;
+  if (rate_radps < 0) viscous_nmsprad += parameters_.more_negative_nmsprad;
   return {both + parameters_.more_positive_nm, both + parameters_.more_negative_nm,
-          parameters_.viscous_nmsprad};
+          viscous_nmsprad};
 }
 
 }  // namespace tera

@@ -26,6 +26,8 @@ struct LoadFrictionParameters {
   double coulomb_nm = 0, viscous_nmsprad = 0;
   double stribeck_nm = 0, stribeck_radps = 1;
   double more_positive_nm = 0, more_negative_nm = 0;
+  double more_positive_nmsprad = 0, more_negative_nmsprad = 0;
+  double offset_nm = 0;
   double flex_radps = 0, flex_damping = 0;
 };
 
@@ -58,8 +60,10 @@ struct AxisFriction {
 ///         pressure is load over area and lever arm, and so is the rate over the leak.
 ///         structural_flex: the rate passes a filter of second order, w_n^2 / (s^2 + 2 z w_n s +
 ///         w_n^2). Friction: F = F_c + F_s exp(-(w / w_s)^2) + c |w| (coulomb_friction,
-///         stribeck_friction, viscous_friction), and more by direction (asymmetric_friction); it
-///         opposes motion, and holds a joint at rest with at most F(0).
+///         stribeck_friction, viscous_friction), and more of F_c and c by direction
+///         (asymmetric_friction); it opposes motion, and holds a joint at rest with at most F(0).
+///         effort_offset: a constant effort that the actuator must make up for, whichever way the
+///         joint moves.
 /// Omits   what a flexible link gives way to loads, presliding displacement, dependence of friction
 ///         on load; `payload` is a mass of the
 ///         machine's links (see AddPayloads).
@@ -75,7 +79,9 @@ class LoadFriction {
   /// Rate over a step of `dt_s` when the actuator alone would run at `rate_radps`.
   double Step(double rate_radps, double load_nm, double position_rad, double dt_s);
 
-  /// Of a joint that moves at `rate_radps`.
+  /// The constant effort that the joint needs besides.
+  double Offset_nm() const { return parameters_.offset_nm; }
+  /// Of a joint that moves at `rate_radps`; at rest, the viscous one is that of both directions.
   AxisFriction Friction(double rate_radps) const;
 
  private:

@@ -229,6 +229,7 @@ std::vector<double> Outputs(const std::string& effects) {
       all.push_back(drive.friction.against_positive_nm);
       all.push_back(drive.friction.against_negative_nm);
       all.push_back(drive.friction.viscous_nmsprad);
+      all.push_back(drive.offset_nm);
     }
   }
   return all;
@@ -285,6 +286,9 @@ TEST(ActuationChain, EveryParameterChangesWhatIsAskedFor) {
       {"stribeck_friction", "rate_radps", "0.02", "0.5", "excess_nm: 10"},
       {"asymmetric_friction", "positive_nm", "0", "1"},
       {"asymmetric_friction", "negative_nm", "0", "1"},
+      {"asymmetric_friction", "positive_nmsprad", "0", "1"},
+      {"asymmetric_friction", "negative_nmsprad", "0", "1"},
+      {"effort_offset", "effort_nm", "0", "1"},
       {"sag", "drift_radps", "0.001", "0.002"},
       {"sag", "oil_degc", "40", "50", "drift_radps: 0.001"},
       {"structural_flex", "natural_radps", "15", "16"},

@@ -135,5 +135,13 @@ TEST(LoadFriction, FrictionMayDifferByDirection) {
   EXPECT_EQ(load.Friction(-0.1).against_negative_nm, 110);
 }
 
+TEST(LoadFriction, ViscousFrictionMayDifferByDirection) {
+  const LoadFriction load = LoadFrom(
+      "{viscous_friction: {coefficient_nmsprad: 167}, asymmetric_friction: {positive_nmsprad: 5, "
+      "negative_nmsprad: 73}}");
+  EXPECT_EQ(load.Friction(0.1).viscous_nmsprad, 172);
+  EXPECT_EQ(load.Friction(-0.1).viscous_nmsprad, 240);
+}
+
 }  // namespace
 }  // namespace tera
