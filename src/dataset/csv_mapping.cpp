@@ -39,6 +39,9 @@ constexpr Unit kUnits[] = {
     {"m/s2", Dimension::kAcceleration, 1},
     {"g", Dimension::kAcceleration, kStandardGravity_mps2},
     {"m2", Dimension::kVariance, 1},
+    {"N", Dimension::kForce, 1},
+    {"kN", Dimension::kForce, 1e3},
+    {"N m", Dimension::kTorque, 1},
     {"1", Dimension::kNone, 1},
     {"%", Dimension::kNone, 1e-2},
 };
@@ -122,8 +125,13 @@ ColumnMapping ReadColumnMapping(const ConfigMap& config, Dimension dimension,
 RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top) {
   RowSource source;
   source.file = channel.Has("file") ? channel.File("file") : top.File("file");
-  source.time = ReadColumnMapping(channel.Has("time") ? channel.Map("time") : top.Map("time"),
-                                  Dimension::kTime);
+  const ConfigMap time = channel.Has("time") ? channel.Map("time") : top.Map("time");
+  if (const auto interval = time.OptionalNumber("interval", Positive(""))) {
+    source.interval_s = *interval * UnitFactor(time, Dimension::kTime);
+    source.time.offset = time.Number("offset", Any("s"), 0.0);
+  } else {
+    source.time = ReadColumnMapping(time, Dimension::kTime);
+  }
   for (const ConfigMap& rule : channel.List("valid_if")) source.rules.push_back(ReadRule(rule));
   return source;
 }
@@ -145,7 +153,8 @@ std::vector<MappedRow> ReadRows(const RowSource& source,
     const bool valid = std::all_of(source.rules.begin(), source.rules.end(),
                                    [&](const RowRule& rule) { return Holds(csv, rule, row); });
     if (!valid) continue;
-    MappedRow mapped{FromSeconds(value(source.time, row)), csv.Line(row), {}};
+    const double late_s = static_cast<double>(row) * source.interval_s.value_or(0);
+    MappedRow mapped{FromSeconds(value(source.time, row) + late_s), csv.Line(row), {}};
     if (!rows.empty() && mapped.t_ns <= rows.back().t_ns) {
       csv.Fail(row, csv.Column(source.time.column), "need a later time than in the row before");
     }

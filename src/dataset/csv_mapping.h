@@ -22,6 +22,8 @@ enum class Dimension {
   kRate,
   kAcceleration,
   kVariance,
+  kForce,
+  kTorque,
   kNone
 };
 
@@ -50,11 +52,13 @@ struct RowRule {
 struct RowSource {
   std::filesystem::path file;
   ColumnMapping time;  ///< gives seconds
+  /// Where rows have no time: from each to the next, left out ones too; `time` is the first one's.
+  std::optional<double> interval_s;
   std::vector<RowRule> rules;
 };
 
 /// Reads `file:`, `time:` and `valid_if:` of a channel; file and time default to those of the
-/// mapping's top level.
+/// mapping's top level. A time is a column or `{interval:, unit:, offset:}`.
 RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top);
 
 /// One valid row: its time and the values of the columns asked for.

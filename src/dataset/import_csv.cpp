@@ -186,12 +186,12 @@ ImportJob ReadGnss(const ConfigMap& config, const ConfigMap& top, Mapping* mappi
   };
 }
 
-/// Where one joint's angle and rate stand among the columns; no angle means the rate's integral.
-/// Of a prismatic joint these are travel and speed.
+/// Where one joint's angle and rate stand among the columns; no angle means the rate's integral, no
+/// rate the angle's differences. Of a prismatic joint these are travel and speed.
 struct JointColumns {
   EncoderAxis axis;
   int angle = -1;
-  int rate = 0;
+  int rate = -1;
 };
 
 /// Angles over time by the trapezoidal rule, 0 at the first row.
@@ -205,6 +205,16 @@ void IntegrateRate(const JointColumns& joint, std::size_t j, const std::vector<M
   }
 }
 
+/// Rates as central differences, one-sided at both ends; 0 of a single row.
+void DifferentiateAngle(std::size_t j, std::vector<EncoderSample>* samples) {
+  const std::size_t last = samples->empty() ? 0 : samples->size() - 1;
+  for (std::size_t i = 0; i < samples->size() && last > 0; ++i) {
+    const EncoderSample& a = (*samples)[i == 0 ? 0 : i - 1];
+    const EncoderSample& b = (*samples)[std::min(i + 1, last)];
+    (*samples)[i].qd_radps[j] = (b.q_rad[j] - a.q_rad[j]) / ToSeconds(b.t_ns - a.t_ns);
+  }
+}
+
 std::vector<EncoderSample> EncoderSamples(const std::vector<JointColumns>& joints,
                                           const std::vector<MappedRow>& rows) {
   std::vector<EncoderSample> samples;
@@ -213,12 +223,14 @@ std::vector<EncoderSample> EncoderSamples(const std::vector<JointColumns>& joint
     for (const JointColumns& joint : joints) {
       sample.q_rad.push_back(joint.angle < 0 ? 0.0
                                              : row.values[static_cast<std::size_t>(joint.angle)]);
-      sample.qd_radps.push_back(row.values[static_cast<std::size_t>(joint.rate)]);
+      sample.qd_radps.push_back(joint.rate < 0 ? 0.0
+                                               : row.values[static_cast<std::size_t>(joint.rate)]);
     }
     samples.push_back(std::move(sample));
   }
   for (std::size_t j = 0; j < joints.size(); ++j) {
     if (joints[j].angle < 0) IntegrateRate(joints[j], j, rows, &samples);
+    if (joints[j].rate < 0) DifferentiateAngle(j, &samples);
   }
   return samples;
 }
@@ -232,9 +244,11 @@ JointColumns ReadJoint(const ConfigMap& config, std::vector<ColumnMapping>* colu
     columns->push_back(
         ReadColumnMapping(*position, linear ? Dimension::kLength : Dimension::kAngle));
   }
+  const std::string rate = linear ? "speed" : "rate";
+  if (joint.angle >= 0 && !config.Has(rate)) return joint;
   joint.rate = static_cast<int>(columns->size());
-  columns->push_back(ReadColumnMapping(config.Map(linear ? "speed" : "rate"),
-                                       linear ? Dimension::kSpeed : Dimension::kRate));
+  columns->push_back(
+      ReadColumnMapping(config.Map(rate), linear ? Dimension::kSpeed : Dimension::kRate));
   return joint;
 }
 

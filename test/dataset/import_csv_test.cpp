@@ -87,6 +87,30 @@ TEST_F(ImportTest, TakesAnglesWhereThereAreSome) {
   EXPECT_NEAR(joints.samples[1].qd_radps[0], kPi, kTight);
 }
 
+TEST_F(ImportTest, DifferentiatesAnAngleWithoutRates) {
+  const Recording recording = Import(
+      "encoders:\n  - name: e\n    joints: [{name: left, travel: {column: east_mm, unit: mm}}]\n");
+  const EncoderRecording travel = recording.LoadEncoder("digger/e");
+  // 0, 0.25, 0.25 and 1 m, 0.1 s apart.
+  const double speed_mps[] = {2.5, 1.25, 3.75, 7.5};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(travel.samples[i].qd_radps[0], speed_mps[i], 1e-9) << i;
+  }
+}
+
+TEST_F(ImportTest, CountsTimeByRowsWhereThereIsNoColumnOfIt) {
+  const Recording recording = Import(
+      "tables:\n  - name: efforts\n    time: {interval: 50, unit: ms, offset: 2}\n"
+      "    valid_if: [{column: n, above: 0}]\n"
+      "    columns: {lift_n: {column: rpm, unit: kN}, turn_nm: {column: rpm, unit: N m}}\n");
+  const TableRecording table = recording.LoadTable("digger/efforts.csv");
+  // The first row does not count, but its time passes.
+  ASSERT_EQ(table.t_ns.size(), 3u);
+  EXPECT_EQ(table.t_ns[0], 2'050'000'000);
+  EXPECT_EQ(table.t_ns[2], 2'150'000'000);
+  EXPECT_EQ(table.rows[0], (std::vector<double>{60000, 60}));
+}
+
 constexpr char kPose[] =
     "pose:\n  world: {xyz_m: [10, 0, 0], rpy_deg: [0, 0, 90]}\n  body: {xyz_m: [0, 0, -1]}\n"
     "  columns:\n    x: {column: east_mm, unit: mm}\n    y: {constant: 0}\n"
