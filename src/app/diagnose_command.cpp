@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "app/argument_checks.h"
 #include "app/commands.h"
 #include "app/diagnose_recording.h"
 
@@ -17,6 +18,18 @@ void AddDiagnoseCommand(CLI::App* app) {
       ->check(CLI::Range(0.0, 1e6));
   command->add_option("--to", arguments->to_s, "Seconds of the recording at which to stop")
       ->check(CLI::Range(0.0, 1e6));
+  command
+      ->add_option("--held-out", arguments->held_out,
+                   "Further recording on which to judge what was found; may be repeated")
+      ->take_all();
+  command->add_option("--library", arguments->library,
+                      "File (YAML) that limits or extends the mechanisms that are suspected");
+  command
+      ->add_option("--time-limit", arguments->time_limit_s,
+                   "Seconds after which the search stops and what is done is reported")
+      ->check(PositiveNumber("seconds"));
+  command->add_flag("!--no-simulation", arguments->simulate,
+                    "Leave out the whole simulation that confirms what was found");
   command->add_option("--threads", arguments->threads, "Fits at a time")
       ->check(CLI::PositiveNumber);
   command->callback([arguments] { DiagnoseRecording(*arguments); });

@@ -4,11 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "app/diagnose_progress.h"
+#include "app/diagnose_simulation.h"
 #include "app/perception_run.h"
 #include "core/error.h"
 #include "dataset/recording.h"
@@ -48,43 +49,83 @@ TableRecording CommandsOf(const Recording& recording, const std::string& name,
   return commands;
 }
 
-/// What the diagnosis of one machine is of.
+/// One machine of the scenario and what the diagnosis is to know of it.
 struct MachineCase {
-  MachineModel model;
-  DiagnosisInput input;  ///< points to the model
-  DiagnosisOptions options;
+  const Scenario& scenario;
+  std::size_t index = 0;
+  MachineModel model;  ///< joints that nothing measures stay where the scenario has them
+
+  MachineCase(const Scenario& of, std::size_t machine)
+      : scenario(of), index(machine), model(of.machines[machine].placement.model) {
+    for (std::size_t j = 0; j < model.joints.size(); ++j) {
+      model.joints[j].initial_rad = of.machines[machine].placement.q_rad[j];
+    }
+  }
+  DiagnosisInput InputOf(const Recording& recording) const {
+    const ScenarioMachine& machine = scenario.machines[index];
+    const std::string& name = machine.placement.name;
+    const std::string recorded = NameInRecording(name, scenario.machines.size(), recording);
+    return {&model, recorded, name, CommandsOf(recording, recorded, machine), machine.sensors};
+  }
 };
 
-std::unique_ptr<MachineCase> CaseOf(const DiagnoseArguments& arguments, const Scenario& scenario,
-                                    const ScenarioMachine& machine, const Recording& recording) {
-  const std::string name =
-      NameInRecording(machine.placement.name, scenario.machines.size(), recording);
-  auto out = std::make_unique<MachineCase>();
-  // Joints that nothing measures stay where the scenario has them.
-  out->model = machine.placement.model;
-  for (std::size_t j = 0; j < out->model.joints.size(); ++j) {
-    out->model.joints[j].initial_rad = machine.placement.q_rad[j];
+DiagnosisOptions OptionsOf(const DiagnoseArguments& arguments, std::uint64_t seed) {
+  DiagnosisOptions options{.seed = seed};
+  options.search.threads = arguments.threads;
+  if (arguments.from_s) options.from_s = *arguments.from_s;
+  if (arguments.to_s) options.to_s = *arguments.to_s;
+  if (arguments.library) options.library = ReadSuspectLibrary(*arguments.library);
+  options.time_limit_s = arguments.time_limit_s;
+  return options;
+}
+
+/// The blocks of the further recordings, before anything is searched: what cannot be read is told
+/// at once.
+std::vector<std::vector<ReplayBlock>> FurtherBlocks(
+    const MachineCase& machine, const std::vector<std::filesystem::path>& recordings) {
+  std::vector<std::vector<ReplayBlock>> blocks;
+  for (const std::filesystem::path& path : recordings) {
+    const Recording recording(path);
+    blocks.push_back(BlocksOf(machine.InputOf(recording), recording, {}));
   }
-  out->input = {&out->model, name, machine.placement.name, CommandsOf(recording, name, machine),
-                machine.sensors};
-  out->options.seed = scenario.seed;
-  out->options.search.threads = arguments.threads;
-  if (arguments.from_s) out->options.from_s = *arguments.from_s;
-  if (arguments.to_s) out->options.to_s = *arguments.to_s;
-  return out;
+  return blocks;
+}
+
+bool HasFindings(const Diagnosis& diagnosis) {
+  return std::any_of(
+      diagnosis.blocks.begin(), diagnosis.blocks.end(),
+      [](const DiagnosedBlock& diagnosed) { return !diagnosed.diagnosis.findings.empty(); });
+}
+
+bool IsOutOfTime(const Diagnosis& diagnosis) {
+  return std::any_of(
+      diagnosis.blocks.begin(), diagnosis.blocks.end(),
+      [](const DiagnosedBlock& diagnosed) { return diagnosed.diagnosis.out_of_time; });
 }
 
 /// `seen`: what its lidars and cameras show.
-Diagnosis DiagnoseMachine(const DiagnoseArguments& arguments, const Scenario& scenario,
-                          const ScenarioMachine& machine, const Recording& recording,
+Diagnosis DiagnoseMachine(const DiagnoseArguments& arguments, DiagnosisOptions options,
+                          const MachineCase& machine, const Recording& recording,
                           std::vector<PerceptionDiagnosis> seen) {
-  const auto one = CaseOf(arguments, scenario, machine, recording);
-  one->options.needs_blocks = seen.empty();
-  Diagnosis diagnosis =
-      Diagnose(one->input, recording, one->options, [&](const std::string& block) {
-        fmt::print(stderr, "{}: {}\n", one->input.machine, block);
-      });
+  options.needs_blocks = seen.empty();
+  const auto further = FurtherBlocks(machine, arguments.held_out);
+  const DiagnosisInput input = machine.InputOf(recording);
+  const DiagnoseProgress bar(input.machine);
+  Diagnosis diagnosis = Diagnose(input, recording, options,
+                                 [&](const BlockProgress& progress) { bar.Show(progress); });
   diagnosis.perception = std::move(seen);
+  for (std::size_t r = 0; r < further.size(); ++r) {
+    diagnosis.held_out.push_back(
+        JudgeHeldOut(diagnosis.blocks, further[r], arguments.held_out[r].string(), options.seed));
+  }
+  if (!arguments.simulate || !HasFindings(diagnosis)) return diagnosis;
+  if (IsOutOfTime(diagnosis)) {
+    diagnosis.whole = WholeSimulation{};
+    diagnosis.whole->obstacle = "the time was over";
+  } else {
+    diagnosis.whole =
+        SimulateWhole(arguments.scenario, machine.index, input, recording, options, diagnosis);
+  }
   return diagnosis;
 }
 
@@ -115,10 +156,11 @@ void RequireNewFolder(const std::filesystem::path& out) {
 std::string BaselinesOfRecording(const DiagnoseArguments& arguments) {
   const LoadedScenario loaded = Load(arguments.scenario);
   const Recording recording(arguments.recording);
-  const auto one = CaseOf(arguments, loaded.scenario, loaded.scenario.machines.front(), recording);
+  const MachineCase machine(loaded.scenario, 0);
+  const DiagnosisOptions options = OptionsOf(arguments, loaded.scenario.seed);
   std::vector<BlockBaselines> blocks;
-  for (const ReplayBlock& block : BlocksOf(one->input, recording, one->options)) {
-    const Stream stream = StreamOf(block, one->options.seed);
+  for (const ReplayBlock& block : BlocksOf(machine.InputOf(recording), recording, options)) {
+    const Stream stream = StreamOf(block, options.seed);
     BlockBaselines baselines{{}, RmseAsItIs(block, stream), {}};
     for (const Channel& channel : block.channels) baselines.channels.push_back(channel.name);
     baselines.answers = BaselinesOf(block, arguments.threads, stream);
@@ -131,12 +173,12 @@ void DiagnoseRecording(const DiagnoseArguments& arguments) {
   RequireNewFolder(arguments.out);
   LoadedScenario loaded = Load(arguments.scenario);
   const Recording recording(arguments.recording);
+  const DiagnosisOptions options = OptionsOf(arguments, loaded.scenario.seed);
   auto seen = DiagnoseSensors(arguments, &loaded.scenario, recording);
-  const auto& machines = loaded.scenario.machines;
   std::vector<Diagnosis> diagnoses;
-  for (std::size_t m = 0; m < machines.size(); ++m) {
-    diagnoses.push_back(
-        DiagnoseMachine(arguments, loaded.scenario, machines[m], recording, std::move(seen[m])));
+  for (std::size_t m = 0; m < loaded.scenario.machines.size(); ++m) {
+    diagnoses.push_back(DiagnoseMachine(arguments, options, MachineCase(loaded.scenario, m),
+                                        recording, std::move(seen[m])));
   }
   for (const Diagnosis& diagnosis : diagnoses) {
     for (const std::string& sentence : SentencesOf(diagnosis)) fmt::print("{}\n", sentence);

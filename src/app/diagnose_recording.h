@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/scenario_options.h"
 
@@ -12,7 +13,10 @@ namespace tera {
 struct DiagnoseArguments {
   ScenarioOptions scenario;
   std::filesystem::path recording, out;
-  std::optional<double> from_s, to_s;
+  std::vector<std::filesystem::path> held_out;   ///< further recordings, to be judged by
+  std::optional<std::filesystem::path> library;  ///< of suspects
+  std::optional<double> from_s, to_s, time_limit_s;
+  bool simulate = true;  ///< the whole scenario, to confirm what was found
   int threads = HostOptions().threads;
 };
 

@@ -29,6 +29,7 @@ void RunProve(Arguments* arguments) {
     DiagnoseRecording({.scenario = {.scenario = scenario.string()},
                        .recording = recording,
                        .out = out,
+                       .simulate = false,
                        .threads = arguments->threads});
   };
   const auto baselines = [&](const std::filesystem::path& scenario,

@@ -4,12 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 
 #include "core/error.h"
 #include "diagnose/blocks/axis_block.h"
 #include "diagnose/blocks/base_block.h"
 #include "diagnose/blocks/imu_block.h"
+#include "diagnose/input_checks.h"
 
 namespace tera {
 namespace {
@@ -62,6 +64,17 @@ TimeNs StartOf(const Measurements& measured) {
   return start_ns;
 }
 
+void CheckMeasurements(const DiagnosisInput& input, const Recording& recording,
+                       const Measurements& measured) {
+  const RecordedPlace place{recording.directory().string(), input.machine};
+  CheckLevers(place, input.commands, *input.model);
+  CheckClocks(place, input.commands, measured.encoders, measured.imus, measured.poses);
+  CheckEncoders(place, input.commands, measured.encoders, *input.model);
+  for (std::size_t s = 0; s < input.sensors.size(); ++s) {
+    CheckImu(place, input.machine + "/" + input.sensors[s].name, measured.imus[s]);
+  }
+}
+
 Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& recording,
                             const DiagnosisOptions& options) {
   Measurements measured;
@@ -84,6 +97,7 @@ Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& record
         "something measured to compare",
         recording.directory().string(), input.machine));
   }
+  CheckMeasurements(input, recording, measured);
   measured.start_ns = StartOf(measured);
   const TimeNs from_ns = measured.start_ns + FromSeconds(options.from_s);
   const TimeNs to_ns = measured.start_ns + FromSeconds(options.to_s);
@@ -165,6 +179,66 @@ void CountTimeFrom(TimeNs start_ns, ReplayBlock* block) {
   }
 }
 
+/// Thrown out of a search whose time is over.
+struct OutOfTime {};
+
+class Deadline {
+ public:
+  explicit Deadline(double limit_s)
+      : at_(std::chrono::steady_clock::now() +
+            std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                std::chrono::duration<double>(limit_s))) {}
+  void Keep() const {
+    if (std::chrono::steady_clock::now() >= at_) throw OutOfTime();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point at_;
+};
+
+/// Every prediction looks at the clock: nothing that a search does goes without one for long.
+BlockDiagnosis DiagnoseInTime(ReplayBlock* block, const SearchOptions& options,
+                              const Stream& stream, const std::optional<Deadline>& deadline) {
+  if (!deadline) return DiagnoseBlock(*block, options, stream);
+  const auto predict = block->predict;
+  block->predict = [predict, deadline](const Structure& terms) {
+    deadline->Keep();
+    return predict(terms);
+  };
+  BlockDiagnosis diagnosis;
+  try {
+    diagnosis = DiagnoseBlock(*block, options, stream);
+  } catch (const OutOfTime&) {
+    diagnosis = {};
+    diagnosis.is_testable = false;
+    diagnosis.out_of_time = true;
+  }
+  block->predict = predict;
+  return diagnosis;
+}
+
+void Propose(std::uint64_t seed, DiagnosedBlock* diagnosed) {
+  for (const Unexplained& left : diagnosed->diagnosis.unexplained) {
+    const std::size_t channel = left.location.channel;
+    const Stream stream(seed, "diagnose/proposal/" + diagnosed->block.channels[channel].name);
+    if (auto proposal = ProposeTerms(diagnosed->block, diagnosed->diagnosis, channel, stream)) {
+      diagnosed->proposals.push_back(std::move(*proposal));
+    }
+  }
+}
+
+std::optional<NextManoeuvre> NextManoeuvreOf(const MachineModel& model,
+                                             const std::vector<DiagnosedBlock>& blocks,
+                                             const DiagnosisOptions& options) {
+  NextManoeuvreOptions next{.step_s = options.step_s, .alpha = options.search.alpha};
+  std::vector<DiagnosedAxis> axes;
+  for (const DiagnosedBlock& diagnosed : blocks) {
+    axes.push_back({&diagnosed.block, &diagnosed.diagnosis});
+    next.suspects_in_all += diagnosed.block.suspects.size();
+  }
+  return DesignNextManoeuvre(model, axes, next, Stream(options.seed, "diagnose/next_manoeuvre"));
+}
+
 }  // namespace
 
 std::string_view NameOf(Verdict verdict) {
@@ -224,6 +298,7 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Recording& 
     return static_cast<double>(block.samples()) * block.period_s() < kShortest_s;
   });
   if (blocks.empty() && options.needs_blocks) ThrowNothingToCompare(input, recording, obstacles);
+  CheckUnitsOf({recording.directory().string(), input.machine}, blocks);
   for (ReplayBlock& block : blocks) CountTimeFrom(measured.start_ns, &block);
   return blocks;
 }
@@ -232,33 +307,65 @@ Stream StreamOf(const ReplayBlock& block, std::uint64_t seed) {
   return Stream(seed, "diagnose/" + block.name);
 }
 
-std::vector<DiagnosedBlock> DiagnoseBlocks(
-    std::vector<ReplayBlock> blocks, SearchOptions options, std::uint64_t seed,
-    const std::function<void(const std::string&)>& progress) {
+TimeNs StartOf(const DiagnosisInput& input, const Recording& recording) {
+  return MeasurementsOf(input, recording, {}).start_ns;
+}
+
+std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks, SearchOptions options,
+                                           std::uint64_t seed, const FollowProgress& progress,
+                                           std::optional<double> time_limit_s) {
   options.suspects_in_all = options.channels_in_all = 0;
   for (const ReplayBlock& block : blocks) {
     options.suspects_in_all += block.suspects.size();
     options.channels_in_all += block.channels.size();
   }
+  std::optional<Deadline> deadline;
+  if (time_limit_s) deadline = Deadline(*time_limit_s);
   std::vector<DiagnosedBlock> diagnosed;
   for (ReplayBlock& block : blocks) {
-    progress(block.name);
+    const std::size_t number = diagnosed.size() + 1;
+    progress({block.name, number, blocks.size(), nullptr});
     DiagnosedBlock one;
     one.block = std::move(block);
-    one.diagnosis = DiagnoseBlock(one.block, options, StreamOf(one.block, seed));
+    one.diagnosis = DiagnoseInTime(&one.block, options, StreamOf(one.block, seed), deadline);
     diagnosed.push_back(std::move(one));
+    const DiagnosedBlock& done = diagnosed.back();
+    progress({done.block.name, number, blocks.size(), &done.diagnosis});
   }
   return diagnosed;
 }
 
 Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
-                   const DiagnosisOptions& options,
-                   const std::function<void(const std::string&)>& progress) {
-  return {
-      input.machine,
-      input.scenario,
-      DiagnoseBlocks(BlocksOf(input, recording, options), options.search, options.seed, progress),
-      {}};
+                   const DiagnosisOptions& options, const FollowProgress& progress) {
+  std::vector<ReplayBlock> blocks = BlocksOf(input, recording, options);
+  if (options.library) ApplyLibrary(*options.library, *input.model, &blocks);
+  Diagnosis diagnosis;
+  diagnosis.machine = input.machine;
+  diagnosis.scenario = input.scenario;
+  diagnosis.blocks = DiagnoseBlocks(std::move(blocks), options.search, options.seed, progress,
+                                    options.time_limit_s);
+  for (DiagnosedBlock& diagnosed : diagnosis.blocks) Propose(options.seed, &diagnosed);
+  diagnosis.next = NextManoeuvreOf(*input.model, diagnosis.blocks, options);
+  return diagnosis;
+}
+
+HeldOutRecording JudgeHeldOut(const std::vector<DiagnosedBlock>& diagnosed,
+                              const std::vector<ReplayBlock>& further, const std::string& recording,
+                              std::uint64_t seed) {
+  HeldOutRecording out{recording, {}, {}};
+  for (const DiagnosedBlock& one : diagnosed) {
+    const auto same = std::find_if(further.begin(), further.end(), [&](const ReplayBlock& block) {
+      return block.name == one.block.name;
+    });
+    if (same == further.end()) {
+      if (!one.diagnosis.findings.empty()) out.missing.push_back(one.block.name);
+      continue;
+    }
+    const auto channels = JudgeOnBlock(*same, one.diagnosis.search.found.terms,
+                                       Stream(seed, "diagnose/held_out/" + same->name));
+    out.channels.insert(out.channels.end(), channels.begin(), channels.end());
+  }
+  return out;
 }
 
 }  // namespace tera

@@ -7,8 +7,13 @@
 
 #include "core/random.h"
 #include "dataset/recording.h"
+#include "diagnose/confirm/held_out_recording.h"
+#include "diagnose/confirm/whole_simulation.h"
+#include "diagnose/next/next_manoeuvre.h"
 #include "diagnose/perception/perception_diagnosis.h"
+#include "diagnose/proposal/proposal.h"
 #include "diagnose/search/block_diagnosis.h"
+#include "diagnose/suspects/suspect_library.h"
 #include "physics/machine.h"
 #include "sensors/sensor.h"
 
@@ -23,6 +28,7 @@ struct DiagnosedBlock {
 
   ReplayBlock block;
   BlockDiagnosis diagnosis;
+  std::vector<Proposal> proposals;  ///< of channels of which something is unexplained
 };
 
 /// Why one machine's recording differs from its simulation.
@@ -31,6 +37,11 @@ struct Diagnosis {
   std::string scenario;  ///< its name in the scenario, to which the overlay speaks
   std::vector<DiagnosedBlock> blocks;
   std::vector<PerceptionDiagnosis> perception;  ///< of sensors that measure ranges
+  /// The levers that would tell what this recording leaves open; none where nothing is open, or no
+  /// levers would.
+  std::optional<NextManoeuvre> next;
+  std::vector<HeldOutRecording> held_out;  ///< further recordings, as they were given
+  std::optional<WholeSimulation> whole;  ///< none where nothing was found, or it was not asked for
 };
 
 /// What a diagnosis can say; several may hold.
@@ -61,7 +72,19 @@ struct DiagnosisOptions {
   double from_s = 0, to_s = 1e9;  ///< part of the recording to look at, from its first sample on
   bool needs_blocks = true;       ///< that nothing can be replayed is an error
   double base_interval_s = 0.2;   ///< over which the motion of base and inertial units is compared
+  std::optional<SuspectLibrary> library;  ///< instead of what the blocks suspect by themselves
+  /// Of the search; blocks that are not done by then are not judged, and what is left depends on
+  /// the machine that it runs on. Without reaching it the answer is the same as with none.
+  std::optional<double> time_limit_s;
 };
+
+/// How far a diagnosis is: before a block, and after it with what came of it.
+struct BlockProgress {
+  std::string block;
+  std::size_t number = 1, count = 1;
+  const BlockDiagnosis* done = nullptr;
+};
+using FollowProgress = std::function<void(const BlockProgress&)>;
 
 /// Every block that the recording has channels for: joints and gears with encoders and levers, the
 /// base with gears and poses, inertial units whose link's motion was measured, over 25 s at least.
@@ -72,14 +95,21 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Recording& 
 /// From which all that is random about a block's diagnosis comes.
 Stream StreamOf(const ReplayBlock& block, std::uint64_t seed);
 
-/// Diagnoses blocks, whose tests count together. `progress` is told what is looked at, before each.
-std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks, SearchOptions options,
-                                           std::uint64_t seed,
-                                           const std::function<void(const std::string&)>& progress);
+/// When the first encoder or inertial unit of the machine measured: what all times count from.
+TimeNs StartOf(const DiagnosisInput& input, const Recording& recording);
 
-/// Both.
+/// Diagnoses blocks, whose tests count together, within a time that may be limited.
+std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks, SearchOptions options,
+                                           std::uint64_t seed, const FollowProgress& progress,
+                                           std::optional<double> time_limit_s = {});
+
+/// Both, and the levers to drive next.
 Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
-                   const DiagnosisOptions& options,
-                   const std::function<void(const std::string&)>& progress);
+                   const DiagnosisOptions& options, const FollowProgress& progress);
+
+/// What the blocks of a further recording, which it is named by, say of a diagnosis.
+HeldOutRecording JudgeHeldOut(const std::vector<DiagnosedBlock>& diagnosed,
+                              const std::vector<ReplayBlock>& further, const std::string& recording,
+                              std::uint64_t seed);
 
 }  // namespace tera

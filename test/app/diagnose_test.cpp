@@ -75,9 +75,16 @@ TEST_F(DiagnoseCommand, NamesADeadBandThatTheScenarioLacksAndWritesTheOverlayTha
   EXPECT_EQ(finding["target"], "boom");
   EXPECT_EQ(finding["channel"], "excavator1/encoders/boom_radps");
   EXPECT_NEAR(finding["parameters"]["width"]["value"].get<double>(), 0.08, 0.005);
-  // What is left is the machine that rocks on its tracks, which no replay of a joint alone has.
+  // What is left the replay of a joint alone has with nothing concealed as well (docs/diagnose.md).
   EXPECT_GT(finding["held_out"]["excess_variance_removed"].get<double>(), 0.3);
   EXPECT_THAT(Read("why/report.html"), HasSubstr("</html>"));
+  // The simulation as a whole comes as near to the recording as it is itself.
+  const auto& whole = json["whole_simulation"]["channels"];
+  ASSERT_EQ(whole.size(), 1u) << json["whole_simulation"];
+  EXPECT_EQ(whole[0]["channel"], "excavator1/encoders/boom_radps");
+  EXPECT_TRUE(whole[0]["follows"].get<bool>());
+  EXPECT_LT(whole[0]["rmse_after"].get<double>(), 0.3 * whole[0]["rmse_before"].get<double>());
+  EXPECT_THAT(outcome.out, HasSubstr("The whole simulation as it was and with what was found"));
 
   // With the overlay there is nothing left to say.
   const Outcome again =

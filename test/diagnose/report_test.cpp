@@ -296,6 +296,15 @@ TEST(DiagnosisJson, HasItsStructureInFixedOrderAndDigits) {
       }
     }
   ],
+  "held_out": [
+    {
+      "channel": "excavator1/encoders/boom_radps",
+      "rmse_before": 0.05,
+      "rmse_after": 0.01,
+      "unit": "rad/s",
+      "excess_variance_removed": 0.9
+    }
+  ],
   "unconfirmed": [],
   "untestable": [
     {
@@ -304,9 +313,59 @@ TEST(DiagnosisJson, HasItsStructureInFixedOrderAndDigits) {
       "smallest_detectable": null
     }
   ],
-  "not_judged": []
+  "not_judged": [],
+  "out_of_time": [],
+  "held_out_recordings": [],
+  "whole_simulation": null,
+  "next_manoeuvre": null
 }
 )");
+}
+
+/// All that may stand beside the findings.
+Diagnosis Complete() {
+  Diagnosis diagnosis = Of(BoomWithDeadBand());
+  diagnosis.held_out = {{"out/second",
+                         {{"excavator1/encoders/boom_radps", "rad/s", 3 * kDeg, 0.5 * kDeg, 1e-4}},
+                         {"arm"}}};
+  diagnosis.whole =
+      WholeSimulation{90,
+                      {{"excavator1/encoders/boom_radps", "rad/s", 2 * kDeg, 0.25 * kDeg},
+                       {"excavator1/encoders/slew_radps", "rad/s", 1 * kDeg, 1.5 * kDeg}},
+                      PathLengths{57.39, 50.47, 57.2},
+                      {},
+                      {}};
+  NextManoeuvre next;
+  next.description = "boom: steps of 0.15";
+  next.commands = {{"boom"}, {0, 1000000000}, {{0}, {0.15}}};
+  next.duration_s = 34;
+  next.separates = {{"boom", {"dead_band", "valve_curve"}, true, 0.9}};
+  next.leaves = {{"boom", {"backlash", "nothing"}, false, 0.1}};
+  next.power = 0.9;
+  diagnosis.next = next;
+  return diagnosis;
+}
+
+TEST(Sentence, OfFurtherRecordingsAndTheWholeSimulationComparesAndWarns) {
+  const std::vector<std::string> sentences = SentencesOf(Complete());
+  EXPECT_THAT(sentences,
+              ::testing::Contains("On out/second, which nothing was fitted to: RMSE of boom rate 3 "
+                                  "→ 0.5 deg/s. It says nothing of arm."));
+  EXPECT_THAT(sentences, ::testing::Contains(
+                             "The whole simulation as it was and with what was found, first 90 s, "
+                             "manoeuvres kept back: boom rate 2 → 0.25 deg/s and slew rate 1 → 1.5 "
+                             "deg/s; path 57.39 m recorded, 50.47 → 57.2 m simulated. The whole "
+                             "simulation does not follow: slew rate."));
+}
+
+TEST(DiagnosisJson, HoldsFurtherRecordingsTheWholeSimulationAndTheNextManoeuvre) {
+  const std::string text = DiagnosisJson(Complete());
+  EXPECT_THAT(text, HasSubstr("\"recording\": \"out/second\""));
+  EXPECT_THAT(text, HasSubstr("\"rmse_before\": 0.0523599"));
+  EXPECT_THAT(text, HasSubstr("\"follows\": false"));
+  EXPECT_THAT(text, HasSubstr("\"recorded_m\": 57.39"));
+  EXPECT_THAT(text, HasSubstr("\"commands_csv\": \"next_manoeuvre.csv\""));
+  EXPECT_THAT(text, HasSubstr("\"power\": 0.9"));
 }
 
 TEST(DiagnosisJson, PutsTheWeightiestFirstAndWhatIsUnexplainedLast) {
@@ -403,6 +462,9 @@ TEST(HtmlReport, HoldsTheSentencesAndNeedsNothingElse) {
   for (const std::string& sentence : SentencesOf(diagnosis)) {
     EXPECT_THAT(html, HasSubstr(Escaped(sentence)));
   }
+  EXPECT_TRUE(IsBalanced(HtmlReport(Complete(), "run")));
+  EXPECT_THAT(HtmlReport(Complete(), "run"), ::testing::AllOf(HasSubstr("What to record next"),
+                                                              HasSubstr("Further confirmation")));
   EXPECT_THAT(html, HasSubstr("a&lt;b&gt;&amp;&#39;c&#39;"));
   EXPECT_THAT(html, HasSubstr("Where they agree"));
   EXPECT_THAT(html, HasSubstr("<code>backlash</code>"));
@@ -469,6 +531,12 @@ TEST(WriteReport, LeavesThreeWholeFiles) {
   EXPECT_EQ(ReadWholeFile(folder / "effects.yaml"), EffectsYaml(diagnosis, "run"));
   EXPECT_EQ(ReadWholeFile(folder / "report.html"), HtmlReport(diagnosis, "run"));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 3);
+}
+
+TEST(WriteReport, AddsTheLeversToDriveNext) {
+  const std::filesystem::path folder = OwnFolder() / "with_levers";
+  WriteReport(folder, Complete(), "run");
+  EXPECT_EQ(ReadWholeFile(folder / "next_manoeuvre.csv"), "t_ns,boom\n0,0\n1000000000,0.15\n");
 }
 
 TEST(WriteReport, SaysWhereItCannotWrite) {

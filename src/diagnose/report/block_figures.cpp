@@ -212,4 +212,28 @@ std::string EvidenceFigure(const DiagnosedBlock& diagnosed) {
                     Key("chosen", "found") + Key("free", "what a free curve gains"));
 }
 
+std::string LeversFigure(const NextManoeuvre& next) {
+  constexpr std::string_view kClasses[] = {"before", "after", "measured"};
+  SvgPlot plot("levers over time", {0, next.duration_s, "Time, s"}, Widened(-1, 1, "Lever"));
+  plot.Horizontal(0, "zero");
+  std::string keys;
+  std::size_t shown = 0;
+  for (std::size_t c = 0; c < next.commands.columns.size(); ++c) {
+    std::vector<PlotPoint> line;
+    double last = 0;
+    for (std::size_t r = 0; r < next.commands.rows.size(); ++r) {
+      const double t_s = ToSeconds(next.commands.t_ns[r]), lever = next.commands.rows[r][c];
+      if (lever == last) continue;
+      line.push_back({t_s, last});
+      line.push_back({t_s, lever});
+      last = lever;
+    }
+    if (line.empty()) continue;
+    const std::string_view css_class = kClasses[shown++ % std::size(kClasses)];
+    plot.Line(line, fmt::format("line {}", css_class));
+    keys += Key(css_class, Escaped(next.commands.columns[c]));
+  }
+  return Figure(plot.Take(), keys);
+}
+
 }  // namespace tera

@@ -4,7 +4,7 @@
 
 #include "diagnose/diagnosis.h"
 
-/// The figures of a block, each as HTML: <figure> with inline SVG and a caption.
+/// The figures of a report, each as HTML: <figure> with inline SVG and a caption.
 
 namespace tera {
 
@@ -22,5 +22,8 @@ std::string RegimeFigure(const DiagnosedBlock& diagnosed, const Location& locati
 
 /// What each mechanism alone gains on held-out samples.
 std::string EvidenceFigure(const DiagnosedBlock& diagnosed);
+
+/// The levers that move, over time.
+std::string LeversFigure(const NextManoeuvre& next);
 
 }  // namespace tera

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "diagnose/report/by_weight.h"
+#include "diagnose/report/next_manoeuvre_text.h"
+#include "diagnose/report/proposal_text.h"
 
 namespace tera {
 namespace {
@@ -108,6 +110,27 @@ Json Named(const DiagnosedBlock& diagnosed, const Finding& finding) {
   return json;
 }
 
+/// The formula for what is left of a channel, if there is one.
+Json ProposalOf(const DiagnosedBlock& diagnosed, std::size_t channel) {
+  for (const Proposal& proposal : diagnosed.proposals) {
+    if (proposal.channel != channel) continue;
+    Json terms = Json::array();
+    for (const ProposedTerm& term : proposal.terms) {
+      terms.push_back({{"term", TermText(diagnosed.block, term.factors)},
+                       {"coefficient", Number(term.coefficient)},
+                       {"sigma", Number(term.sigma)},
+                       {"unit", CoefficientUnit(diagnosed.block, channel, term.factors)},
+                       {"stability", Number(term.stability)}});
+    }
+    return {{"formula", FormulaText(diagnosed.block, proposal)},
+            {"terms", std::move(terms)},
+            {"rmse_before", Number(proposal.rmse_before)},
+            {"rmse_after", Number(proposal.rmse_after)},
+            {"unit", diagnosed.block.channels[channel].unit}};
+  }
+  return nullptr;
+}
+
 Json NotNamed(const DiagnosedBlock& diagnosed, const Unexplained& unexplained) {
   Json json = Where(diagnosed, unexplained.location);
   json["mechanism"] = "unexplained";
@@ -121,6 +144,7 @@ Json NotNamed(const DiagnosedBlock& diagnosed, const Unexplained& unexplained) {
   const std::string& unit = diagnosed.block.channels[unexplained.location.channel].unit;
   json["held_out"] = HeldOut(unexplained.rmse, unexplained.rmse, unit, 0);
   json["held_out"]["noise"] = Number(unexplained.noise);
+  json["proposal"] = ProposalOf(diagnosed, unexplained.location.channel);
   return json;
 }
 
@@ -196,7 +220,61 @@ Json HeldOutOfAll(const Diagnosis& diagnosis) {
   return list;
 }
 
-/// Blocks with too few manoeuvres.
+/// Channels of blocks that the time was over for.
+Json OutOfTime(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    if (!diagnosed.diagnosis.out_of_time) continue;
+    for (const Channel& channel : diagnosed.block.channels) list.push_back(channel.name);
+  }
+  return list;
+}
+
+Json BeforeAndAfter(const std::string& channel, double before, double after,
+                    const std::string& unit) {
+  return {{"channel", channel},
+          {"rmse_before", Number(before)},
+          {"rmse_after", Number(after)},
+          {"unit", unit}};
+}
+
+Json FurtherRecordings(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const HeldOutRecording& further : diagnosis.held_out) {
+    Json channels = Json::array();
+    for (const HeldOutChannel& one : further.channels) {
+      channels.push_back(BeforeAndAfter(one.channel, one.rmse_before, one.rmse_after, one.unit));
+      channels.back()["p"] = Number(one.p);
+    }
+    list.push_back({{"recording", further.recording},
+                    {"channels", std::move(channels)},
+                    {"not_compared", further.missing}});
+  }
+  return list;
+}
+
+Json Whole(const Diagnosis& diagnosis) {
+  if (!diagnosis.whole) return nullptr;
+  const WholeSimulation& whole = *diagnosis.whole;
+  Json channels = Json::array();
+  for (const SimulatedChannel& one : whole.channels) {
+    channels.push_back(BeforeAndAfter(one.channel, one.rmse_before, one.rmse_after, one.unit));
+    channels.back()["follows"] = one.Follows();
+  }
+  Json path = nullptr;
+  if (whole.path) {
+    path = {{"recorded_m", Number(whole.path->recorded_m)},
+            {"before_m", Number(whole.path->before_m)},
+            {"after_m", Number(whole.path->after_m)}};
+  }
+  return {{"until_s", Number(whole.until_s)},
+          {"channels", std::move(channels)},
+          {"path", std::move(path)},
+          {"not_simulated", whole.left_out},
+          {"obstacle", whole.obstacle.empty() ? Json(nullptr) : Json(whole.obstacle)}};
+}
+
+/// Blocks with too few manoeuvres, or without time.
 Json NotJudged(const Diagnosis& diagnosis) {
   Json list = Json::array();
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
@@ -222,6 +300,26 @@ Json Untestable(const Diagnosis& diagnosis) {
   return list;
 }
 
+Json Matters(const std::vector<SeparatedMatter>& matters) {
+  Json list = Json::array();
+  for (const SeparatedMatter& matter : matters) {
+    list.push_back(
+        {{"target", matter.target}, {"members", matter.members}, {"power", Number(matter.power)}});
+  }
+  return list;
+}
+
+Json Next(const Diagnosis& diagnosis) {
+  if (!diagnosis.next) return nullptr;
+  const NextManoeuvre& next = *diagnosis.next;
+  Json separates = Json::array();
+  for (const SeparatedMatter& matter : next.separates) separates.push_back(matter.members);
+  return {{"description", next.description},       {"commands_csv", kNextManoeuvreFile},
+          {"duration_s", Number(next.duration_s)}, {"separates", separates},
+          {"power", Number(next.power)},           {"separated", Matters(next.separates)},
+          {"not_separated", Matters(next.leaves)}, {"left_for_later", next.left_for_later}};
+}
+
 }  // namespace
 
 std::string DiagnosisJson(const Diagnosis& diagnosis) {
@@ -244,6 +342,10 @@ std::string DiagnosisJson(const Diagnosis& diagnosis) {
   json["unconfirmed"] = Unconfirmed(diagnosis);
   json["untestable"] = Untestable(diagnosis);
   json["not_judged"] = NotJudged(diagnosis);
+  json["out_of_time"] = OutOfTime(diagnosis);
+  json["held_out_recordings"] = FurtherRecordings(diagnosis);
+  json["whole_simulation"] = Whole(diagnosis);
+  json["next_manoeuvre"] = Next(diagnosis);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

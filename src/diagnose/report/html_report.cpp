@@ -7,6 +7,7 @@
 
 #include "diagnose/report/block_figures.h"
 #include "diagnose/report/by_weight.h"
+#include "diagnose/report/next_manoeuvre_text.h"
 #include "diagnose/report/page_style.h"
 #include "diagnose/report/perception_figures.h"
 #include "diagnose/report/sentence.h"
@@ -209,8 +210,10 @@ std::string UnseenSection(const Diagnosis& diagnosis) {
         names += (names.empty() ? "" : ", ") + Code(id);
       }
     }
-    if (names.empty()) continue;
-    if (!diagnosed.diagnosis.is_testable) names = "all: too few manoeuvres";
+    if (names.empty() && diagnosed.diagnosis.is_testable) continue;
+    if (!diagnosed.diagnosis.is_testable) {
+      names = diagnosed.diagnosis.out_of_time ? "all: out of time" : "all: too few manoeuvres";
+    }
     unseen.Row({Escaped(Capitalised(Spaced(diagnosed.block.name))), names});
     any = true;
   }
@@ -222,6 +225,57 @@ std::string UnseenSection(const Diagnosis& diagnosis) {
                             "enough.</p>\n")) +
          "<details><summary>Smallest sizes that would have been seen</summary>\n" + seen.Take() +
          "</details>\n</section>\n";
+}
+
+/// Further recordings and the whole simulation.
+std::string ConfirmationSection(const Diagnosis& diagnosis) {
+  Table table({"Against", "Channel", ">RMSE without", ">with", "Unit"});
+  bool any = false;
+  const auto row = [&](const std::string& against, const std::string& channel,
+                       const std::string& si_unit, double before, double after) {
+    const ReadableUnit unit = ReadableUnitOf(si_unit);
+    table.Row({against, Escaped(Capitalised(QuantityOf(channel))) + " " + Code(channel),
+               Significant(before * unit.factor, 3), Significant(after * unit.factor, 3),
+               unit.name});
+    any = true;
+  };
+  for (const HeldOutRecording& further : diagnosis.held_out) {
+    for (const HeldOutChannel& one : further.channels) {
+      row(Code(further.recording), one.channel, one.unit, one.rmse_before, one.rmse_after);
+    }
+  }
+  if (diagnosis.whole) {
+    for (const SimulatedChannel& one : diagnosis.whole->channels) {
+      row("the whole simulation", one.channel, one.unit, one.rmse_before, one.rmse_after);
+    }
+  }
+  return any ? "<section>\n<h2>Further confirmation</h2>\n" + table.Take() + "</section>\n" : "";
+}
+
+void AddMatterRows(const std::vector<SeparatedMatter>& matters, Table* table) {
+  for (const SeparatedMatter& matter : matters) {
+    std::string members;
+    for (const std::string& member : matter.members) {
+      members += (members.empty() ? "" : ", ") + (member == "nothing" ? member : Code(member));
+    }
+    table->Row({Escaped(matter.target), members, Significant(matter.power, 2)});
+  }
+}
+
+std::string NextSection(const Diagnosis& diagnosis) {
+  if (!diagnosis.next) return "";
+  const NextManoeuvre& next = *diagnosis.next;
+  std::string html = fmt::format(
+      "<section>\n<h2>What to record next</h2>\n<p>{}</p>\n<p class='soft'>Levers in {}, of {:.0f} "
+      "s, from the scenario's initial position. Power: how often a recording of it would tell, by "
+      "the noise of this one.</p>\n",
+      Escaped(next.description), Code(kNextManoeuvreFile), next.duration_s);
+  Table told({"On", "Told apart", ">Power"}), open({"On", "Still open", ">Power"});
+  AddMatterRows(next.separates, &told);
+  AddMatterRows(next.leaves, &open);
+  html += LeversFigure(next) + told.Take();
+  if (!next.leaves.empty()) html += open.Take();
+  return html + "</section>\n";
 }
 
 }  // namespace
@@ -236,8 +290,9 @@ std::string HtmlReport(const Diagnosis& diagnosis, const std::string& recording)
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     if (HasAnything(diagnosed)) html += BlockSection(diagnosed);
   }
-  html += PerceptionSections(diagnosis);
+  html += ConfirmationSection(diagnosis) + PerceptionSections(diagnosis);
   if (!diagnosis.blocks.empty()) html += AgreeingSection(diagnosis) + UnseenSection(diagnosis);
+  html += NextSection(diagnosis);
   return html + "</main></body>\n</html>\n";
 }
 

@@ -7,7 +7,10 @@
 #include <cmath>
 
 #include "diagnose/report/by_weight.h"
+#include "diagnose/report/confirmation_text.h"
+#include "diagnose/report/next_manoeuvre_text.h"
 #include "diagnose/report/perception_text.h"
+#include "diagnose/report/proposal_text.h"
 #include "diagnose/report/wording.h"
 
 namespace tera {
@@ -203,15 +206,6 @@ std::string HeldOutText(const HeldOutError& error, const std::string& si_unit) {
                      WithUnit(Significant(error.rmse_after * unit.factor, 2), unit), removed);
 }
 
-/// "a, b and c".
-std::string Listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string RegimeText(const Regime& regime, const DiagnosedBlock& diagnosed, std::size_t channel) {
@@ -266,6 +260,9 @@ std::string SentenceOfUntestable(const DiagnosedBlock& diagnosed) {
   std::vector<std::string> channels;
   for (const Channel& channel : diagnosed.block.channels)
     channels.push_back(QuantityOf(channel.name));
+  if (diagnosed.diagnosis.out_of_time) {
+    return fmt::format("{}: not judged, for the time was over.", Capitalised(Listed(channels)));
+  }
   return fmt::format("{}: not judged, for it is moved in too few manoeuvres of the recording.",
                      Capitalised(Listed(channels)));
 }
@@ -314,6 +311,10 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
   }
   for (const auto& [diagnosed, unexplained] : UnexplainedByWeight(diagnosis)) {
     sentences.push_back(SentenceOf(*diagnosed, *unexplained));
+    for (const Proposal& proposal : diagnosed->proposals) {
+      if (proposal.channel != unexplained->location.channel) continue;
+      sentences.push_back(SentenceOf(diagnosed->block, proposal));
+    }
   }
   const bool has_blocks = !diagnosis.blocks.empty() || diagnosis.perception.empty();
   if (sentences.empty() && has_blocks) sentences.push_back(SentenceOfNothing(diagnosis));
@@ -325,6 +326,11 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
   }
   const std::vector<std::string> seen = PerceptionSentences(diagnosis.perception);
   sentences.insert(sentences.end(), seen.begin(), seen.end());
+  for (const HeldOutRecording& further : diagnosis.held_out) {
+    sentences.push_back(SentenceOf(further));
+  }
+  if (diagnosis.whole) sentences.push_back(SentenceOf(*diagnosis.whole));
+  if (diagnosis.next) sentences.push_back(SentenceOf(*diagnosis.next));
   return sentences;
 }
 

@@ -22,7 +22,7 @@ std::string SentenceOf(const DiagnosedBlock& diagnosed, const Unexplained& unexp
 /// What SELECT chose and FINAL did not confirm.
 std::string SentenceOfUnconfirmed(const DiagnosedBlock& diagnosed, const Finding& finding);
 
-/// A block with too few manoeuvres.
+/// A block with too few manoeuvres, or that there was no time for.
 std::string SentenceOfUntestable(const DiagnosedBlock& diagnosed);
 
 /// Which channels agree, and how much could not have been seen.

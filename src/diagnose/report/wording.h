@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "diagnose/search/block_diagnosis.h"
 
@@ -46,5 +47,7 @@ std::string VariableText(const std::string& variable, const ReplayBlock& block);
 /// SI unit of a variable beside a channel in `channel_unit`.
 std::string UnitOfVariable(const std::string& variable, const std::string& channel_unit);
 std::string Capitalised(std::string text);
+/// "a, b and c".
+std::string Listed(const std::vector<std::string>& names);
 
 }  // namespace tera

@@ -5,6 +5,7 @@
 #include "diagnose/report/effects_yaml.h"
 #include "diagnose/report/html_report.h"
 #include "diagnose/report/perception_figures.h"
+#include "diagnose/report/next_manoeuvre_text.h"
 
 namespace tera {
 
@@ -13,6 +14,7 @@ void WriteReport(const std::filesystem::path& directory, const Diagnosis& diagno
   MakeWritableFolder(directory);
   WriteWholeFile(directory / "diagnosis.json", DiagnosisJson(diagnosis));
   WriteWholeFile(directory / "effects.yaml", EffectsYaml(diagnosis, recording));
+  if (diagnosis.next) WriteWholeFile(directory / kNextManoeuvreFile, CsvOf(*diagnosis.next));
   WriteWholeFile(directory / "report.html", HtmlReport(diagnosis, recording));
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
     if (!sensor.is_judged()) continue;

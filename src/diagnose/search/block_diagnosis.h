@@ -67,6 +67,8 @@ struct BlockDiagnosis {
   /// False where SELECT or FINAL have so few manoeuvres that nothing could be found: then only the
   /// manoeuvres, the noise and `search.nothing` are given.
   bool is_testable = true;
+  /// The time of the whole diagnosis was over first: not testable, and nothing else is given.
+  bool out_of_time = false;
   std::vector<Manoeuvre> manoeuvres;
   std::vector<NoiseModel> noise;
   SearchResult search;

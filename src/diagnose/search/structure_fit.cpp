@@ -16,11 +16,6 @@ constexpr int kMostIterations = 12;
 constexpr double kBadFit = 2;         ///< mean squared innovation
 constexpr double kConverged = 0.005;  ///< log-likelihood that a step still gains
 
-double ValueAt(const FreeParameter& free, double place) {
-  return free.logarithmic ? free.lower * std::pow(free.upper / free.lower, place)
-                          : std::lerp(free.lower, free.upper, place);
-}
-
 std::vector<double> PlacesOf(const Structure& terms) {
   std::vector<double> places;
   for (const Term& term : terms) {
@@ -128,6 +123,11 @@ double PlaceOf(const FreeParameter& free, double value) {
                            ? std::log(value / free.lower) / std::log(free.upper / free.lower)
                            : (value - free.lower) / (free.upper - free.lower);
   return std::clamp(place, 0.0, 1.0);
+}
+
+double ValueAt(const FreeParameter& free, double place) {
+  return free.logarithmic ? free.lower * std::pow(free.upper / free.lower, place)
+                          : std::lerp(free.lower, free.upper, place);
 }
 
 StructureFitter::StructureFitter(const ReplayBlock& block, const Likelihood& likelihood,

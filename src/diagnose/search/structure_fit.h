@@ -20,6 +20,8 @@ struct FittedStructure {
 
 /// A free parameter as a place in its range, 0 to 1.
 double PlaceOf(const FreeParameter& free, double value);
+/// The free parameter at a place in its range.
+double ValueAt(const FreeParameter& free, double place);
 
 /// Fits the free parameters of a structure.
 ///

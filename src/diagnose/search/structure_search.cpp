@@ -12,9 +12,8 @@
 namespace tera {
 namespace {
 
-constexpr double kScreenedGain = 6;   ///< of log-likelihood: it may mean something
-constexpr double kLeastShare = 0.02;  ///< of all that was found, that a term must explain
-constexpr std::size_t kNearest = 5;   ///< rivals that a term is held against
+constexpr double kScreenedGain = 6;  ///< of log-likelihood: it may mean something
+constexpr std::size_t kNearest = 5;  ///< rivals that a term is held against
 constexpr double kRivalP = 0.05;
 constexpr double kRivalGain = 3;  ///< of log-likelihood: nothing to choose by
 
@@ -230,7 +229,7 @@ TermEvidence Search::EvidenceOf(const Scored& with, const Misfit& crossed_with,
 }
 
 bool Search::IsNeeded(const TermEvidence& evidence) const {
-  return evidence.p <= options_.alpha && evidence.share >= kLeastShare &&
+  return evidence.p <= options_.alpha && evidence.share >= options_.least_share &&
          evidence.of_rest >= options_.least_of_rest && evidence.effect >= options_.least_effect;
 }
 

@@ -15,6 +15,7 @@ struct SearchOptions {
   /// Mechanisms that the whole diagnosis tests, and channels of which it asks what is left; 0:
   /// those of the block alone.
   std::size_t suspects_in_all = 0, channels_in_all = 0;
+  double least_share = 0.02;   ///< of all that was found on SELECT, that a term must explain
   double least_of_rest = 0.1;  ///< of what the others leave, that a term must explain
   double least_effect = 0.02;  ///< RMS of what a term changes over the RMS of the channel
   int threads = 2;
@@ -60,11 +61,12 @@ struct SearchResult {
 ///         information criterion on TRAIN falls. Backward: a term goes unless its gain over the
 ///         structure fitted without it is steady over the manoeuvres of TRAIN and SELECT, each left
 ///         out of the fits that it judges (cross_fit.h, steady_gain.h; Bonferroni over all that the
-///         diagnosis tests), at least `least_of_rest` of what a free member gains there, and its
-///         effect, beyond nuisances, at least `least_effect` of the channel. Rivals: each term is
-///         swapped for each screened suspect; of the five likeliest, where the same manoeuvres do
-///         not gain from the term with p at most 0.05, or less than 3 of log-likelihood, they are
-///         alike.
+///         diagnosis tests), on SELECT at least `least_share` of what the whole structure, or a
+///         free member if that is more, gains over nothing and at least `least_of_rest` of what a
+///         free member gains over the structure without it, and its effect, beyond nuisances, at
+///         least `least_effect` of the channel. Rivals: each term is swapped for each screened
+///         suspect; of the five likeliest, where the same manoeuvres do not gain from the term with
+///         p at most 0.05, or less than 3 of log-likelihood, they are alike.
 /// Omits   that the structures whose terms are tested were chosen on part of the same manoeuvres,
 ///         beyond the number of suspects; FINAL is for that.
 /// Source  Schwarz 1978.

@@ -238,7 +238,7 @@ NullOutcome DiagnoseNull(const MachineModel& model, double duration_s, std::uint
   }
   NullOutcome outcome;
   for (const DiagnosedBlock& diagnosed :
-       DiagnoseBlocks(std::move(blocks), {}, seed, [](const std::string&) {})) {
+       DiagnoseBlocks(std::move(blocks), {}, seed, [](const BlockProgress&) {})) {
     const BlockDiagnosis& diagnosis = diagnosed.diagnosis;
     ++outcome.blocks;
     outcome.judged += diagnosis.is_testable ? 1 : 0;

@@ -1,0 +1,294 @@
+#include "app/diagnose_simulation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "diagnose/blocks/suspect_list.h"
+#include "diagnose/replay/base_log.h"
+#include "sim/lever_replay.h"
+#include "sim/simulation.h"
+
+namespace tera {
+namespace {
+
+constexpr double kLongest_s = 120;
+constexpr double kEarly_s = 1;
+constexpr double kPathStep_s = 0.5;
+constexpr double kMoved_m = 0.5;  ///< a path that is shorter is none
+
+/// Rates of all joints, then gears, and the base, at even times.
+struct Course {
+  double step_s = 0;
+  std::vector<std::vector<double>> rate;  ///< one list a step
+  std::vector<Pose> X_WB;
+
+  std::size_t StepAt(double t_s) const {
+    return static_cast<std::size_t>(
+        std::clamp(std::floor(t_s / step_s), 0.0, static_cast<double>(rate.size() - 1)));
+  }
+  double RateAt(double t_s, std::size_t axis) const {
+    const std::size_t a = StepAt(t_s), b = std::min(a + 1, rate.size() - 1);
+    return std::lerp(rate[a][axis], rate[b][axis],
+                     std::clamp(t_s / step_s - static_cast<double>(a), 0.0, 1.0));
+  }
+};
+
+/// The effects of one target of a machine; none of a sensor's.
+Effects* EffectsOf(const std::string& target, MachineModel* model) {
+  model->effects.joints.resize(model->joints.size());
+  model->effects.gears.resize(model->ground_tools.gears.size());
+  if (target == "base") return &model->effects.base;
+  if (const int joint = model->JointIndex(target); joint >= 0) {
+    return &model->effects.joints[static_cast<std::size_t>(joint)];
+  }
+  for (std::size_t g = 0; g < model->ground_tools.gears.size(); ++g) {
+    if (model->ground_tools.gears[g].name == target) return &model->effects.gears[g];
+  }
+  return nullptr;
+}
+
+std::unique_ptr<Operator> DriverOf(const DiagnosisInput& input, TimeNs zero_ns) {
+  CommandTable table;
+  std::vector<int> lever_of_column;
+  std::vector<std::size_t> columns;
+  for (std::size_t c = 0; c < input.commands.columns.size(); ++c) {
+    const int lever = input.model->LeverIndex(input.commands.columns[c]);
+    if (lever < 0) continue;
+    columns.push_back(c);
+    lever_of_column.push_back(lever);
+  }
+  for (std::size_t r = 0; r < input.commands.rows.size(); ++r) {
+    table.t_ns.push_back(input.commands.t_ns[r] - zero_ns);
+    std::vector<double> row;
+    for (const std::size_t c : columns) {
+      row.push_back(std::clamp(input.commands.rows[r][c], -1.0, 1.0));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return std::make_unique<LeverReplay>(std::move(table), std::move(lever_of_column));
+}
+
+Course Simulated(Scenario scenario, std::size_t machine, double until_s) {
+  Course course;
+  course.step_s = 1 / scenario.physics_rate_hz;
+  Simulation simulation(&scenario);
+  const auto keep = [&] {
+    const MachineState& state = simulation.state().machines[machine];
+    std::vector<double> rates = state.qd_radps;
+    rates.insert(rates.end(), state.gear_rate_radps.begin(), state.gear_rate_radps.end());
+    course.rate.push_back(std::move(rates));
+    course.X_WB.push_back(state.links.front().X_WB);
+  };
+  keep();
+  const auto steps = static_cast<std::int64_t>(std::ceil(until_s * scenario.physics_rate_hz));
+  for (std::int64_t k = 0; k < steps; ++k) {
+    simulation.Step();
+    keep();
+  }
+  return course;
+}
+
+/// Sum of the ground's steps between poses that lie `kPathStep_s` apart.
+double PathLength_m(const std::vector<TruthPose>& poses) {
+  double length_m = 0;
+  const TruthPose* last = nullptr;
+  for (const TruthPose& pose : poses) {
+    if (last != nullptr && ToSeconds(pose.t_ns - last->t_ns) < kPathStep_s) continue;
+    if (last != nullptr) {
+      length_m += (pose.X_WB.translation() - last->X_WB.translation()).head<2>().norm();
+    }
+    last = &pose;
+  }
+  return length_m;
+}
+
+class Comparison {
+ public:
+  Comparison(const DiagnosisInput& input, const Recording& recording,
+             const DiagnosisOptions& options, const Diagnosis& diagnosis)
+      : input_(input), recording_(recording), options_(options), diagnosis_(diagnosis) {
+    start_ns_ = StartOf(input, recording);
+    zero_ns_ = ToSeconds(start_ns_) > kEarly_s ? start_ns_ : 0;
+    const std::string poses = "truth/" + input.machine + "/pose.csv";
+    if (recording.Has(poses)) poses_ = recording.LoadPose(poses).poses;
+  }
+
+  WholeSimulation Run(const ScenarioOptions& scenario, std::size_t machine);
+
+ private:
+  double Until_s() const;
+  Scenario Prepared(const ScenarioOptions& scenario, std::size_t machine, bool with_findings) const;
+  void AddBlock(const DiagnosedBlock& diagnosed, const Course& before, const Course& after,
+                WholeSimulation* out) const;
+  std::vector<std::vector<double>> Simulated(const DiagnosedBlock& diagnosed,
+                                             const Course& course) const;
+  std::vector<std::vector<double>> OfBase(const DiagnosedBlock& diagnosed,
+                                          const Course& course) const;
+  std::vector<TruthPose> PosesOf(const Course& course, double until_s) const;
+  /// Of a place of a block's grid, in the simulation.
+  double TimeOf_s(const ReplayBlock& block, std::size_t place) const {
+    return block.time_s(place) + ToSeconds(start_ns_ - zero_ns_);
+  }
+
+  const DiagnosisInput& input_;
+  const Recording& recording_;
+  const DiagnosisOptions& options_;
+  const Diagnosis& diagnosis_;
+  std::vector<TruthPose> poses_;
+  TimeNs start_ns_ = 0, zero_ns_ = 0;
+};
+
+double Comparison::Until_s() const {
+  double until_s = 0;
+  for (const DiagnosedBlock& diagnosed : diagnosis_.blocks) {
+    until_s = std::max(until_s, TimeOf_s(diagnosed.block, diagnosed.block.samples() - 1));
+  }
+  return std::min(until_s, kLongest_s);
+}
+
+Scenario Comparison::Prepared(const ScenarioOptions& options, std::size_t machine,
+                              bool with_findings) const {
+  Scenario scenario = Load(options).scenario;
+  ScenarioMachine& driven = scenario.machines[machine];
+  driven.driver = DriverOf(input_, zero_ns_);
+  for (const DiagnosedBlock& diagnosed : diagnosis_.blocks) {
+    for (const Term& term : diagnosed.diagnosis.search.found.terms) {
+      Effects* effects = EffectsOf(term.suspect->target, &driven.placement.model);
+      if (effects != nullptr && with_findings) *effects = WithTerms(*effects, {term});
+    }
+  }
+  return scenario;
+}
+
+/// Poses of the simulation at the times of the recorded ones.
+std::vector<TruthPose> Comparison::PosesOf(const Course& course, double until_s) const {
+  std::vector<TruthPose> poses;
+  for (const TruthPose& recorded : poses_) {
+    const double t_s = ToSeconds(recorded.t_ns - zero_ns_);
+    if (t_s < 0 || t_s > until_s) continue;
+    TruthPose pose;
+    pose.t_ns = recorded.t_ns;
+    pose.X_WB = course.X_WB[course.StepAt(t_s + 0.5 * course.step_s)];
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
+/// The base's channels over the intervals of the recorded poses; nothing where there are none.
+std::vector<std::vector<double>> Comparison::OfBase(const DiagnosedBlock& diagnosed,
+                                                    const Course& course) const {
+  const ReplayBlock& block = diagnosed.block;
+  std::vector<NamedEncoders> encoders;
+  for (const std::string& channel : recording_.ChannelsOf(ChannelType::kEncoder)) {
+    if (channel.starts_with(input_.machine + "/")) {
+      encoders.push_back({channel, recording_.LoadEncoder(channel)});
+    }
+  }
+  const BaseLog log =
+      MakeBaseLog(*input_.model, encoders, PosesOf(course, Until_s()), options_.base_interval_s);
+  std::vector<std::vector<double>> values(3, std::vector<double>(block.samples(), NAN));
+  for (const BaseInterval& interval : log.intervals) {
+    const double place =
+        (ToSeconds(interval.to_ns - start_ns_) - block.time_s(0)) / block.period_s();
+    const auto k = static_cast<std::ptrdiff_t>(std::llround(place));
+    if (k < 0 || k >= static_cast<std::ptrdiff_t>(block.samples())) continue;
+    const auto at = static_cast<std::size_t>(k);
+    values[0][at] = interval.twist.forward_mps;
+    values[1][at] = interval.twist.left_mps;
+    values[2][at] = interval.twist.yaw_radps;
+  }
+  return values;
+}
+
+/// What the simulation did in a block's channels, not a number beyond its end; empty where it does
+/// not have them.
+std::vector<std::vector<double>> Comparison::Simulated(const DiagnosedBlock& diagnosed,
+                                                       const Course& course) const {
+  const ReplayBlock& block = diagnosed.block;
+  const MachineModel& model = *input_.model;
+  if (block.name == input_.machine + "/base") return OfBase(diagnosed, course);
+  int axis = model.JointIndex(block.name);
+  for (std::size_t g = 0; g < model.ground_tools.gears.size() && axis < 0; ++g) {
+    if (model.ground_tools.gears[g].name != block.name) continue;
+    axis = static_cast<int>(model.joints.size() + g);
+  }
+  if (axis < 0) return {};
+  const double end_s = static_cast<double>(course.rate.size() - 1) * course.step_s;
+  std::vector<double> values(block.samples(), NAN);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const double t_s = TimeOf_s(block, k);
+    if (t_s >= 0 && t_s <= end_s) values[k] = course.RateAt(t_s, static_cast<std::size_t>(axis));
+  }
+  return {values};
+}
+
+/// RMSE over what FINAL has of a channel and the simulation knows; not a number where it has none.
+double RmseOnFinal(const DiagnosedBlock& diagnosed, std::size_t channel,
+                   const std::vector<double>& simulated) {
+  const Series& measured = diagnosed.block.channels[channel].measured;
+  const Mask final = MaskOf(diagnosed.diagnosis.manoeuvres, Part::kFinal, measured.size());
+  double sum = 0, count = 0;
+  for (std::size_t k = 0; k < measured.size(); ++k) {
+    if (!final[k] || !measured.valid[k] || !std::isfinite(simulated[k])) continue;
+    sum += std::pow(measured.value[k] - simulated[k], 2);
+    ++count;
+  }
+  return std::sqrt(sum / count);
+}
+
+void Comparison::AddBlock(const DiagnosedBlock& diagnosed, const Course& before,
+                          const Course& after, WholeSimulation* out) const {
+  const auto was = Simulated(diagnosed, before), is = Simulated(diagnosed, after);
+  for (std::size_t c = 0; c < diagnosed.block.channels.size(); ++c) {
+    const Channel& channel = diagnosed.block.channels[c];
+    const bool is_named =
+        std::any_of(diagnosed.diagnosis.findings.begin(), diagnosed.diagnosis.findings.end(),
+                    [&](const Finding& finding) { return finding.location.channel == c; });
+    if (!is_named) continue;
+    const double rmse = was.empty() ? NAN : RmseOnFinal(diagnosed, c, was[c]);
+    if (std::isfinite(rmse)) {
+      out->channels.push_back({channel.name, channel.unit, rmse, RmseOnFinal(diagnosed, c, is[c])});
+    } else {
+      out->left_out.push_back(channel.name);
+    }
+  }
+}
+
+WholeSimulation Comparison::Run(const ScenarioOptions& scenario, std::size_t machine) {
+  WholeSimulation out;
+  out.until_s = Until_s();
+  if (input_.commands.rows.empty()) {
+    out.obstacle = "the recording has no levers to drive it by";
+    return out;
+  }
+  const Course before = tera::Simulated(Prepared(scenario, machine, false), machine, out.until_s);
+  const Course after = tera::Simulated(Prepared(scenario, machine, true), machine, out.until_s);
+  for (const DiagnosedBlock& diagnosed : diagnosis_.blocks) {
+    AddBlock(diagnosed, before, after, &out);
+  }
+  std::vector<TruthPose> recorded;
+  for (const TruthPose& pose : poses_) {
+    const double t_s = ToSeconds(pose.t_ns - zero_ns_);
+    if (t_s >= 0 && t_s <= out.until_s) recorded.push_back(pose);
+  }
+  const PathLengths path{PathLength_m(recorded), PathLength_m(PosesOf(before, out.until_s)),
+                         PathLength_m(PosesOf(after, out.until_s))};
+  if (path.recorded_m > kMoved_m) out.path = path;
+  return out;
+}
+
+}  // namespace
+
+WholeSimulation SimulateWhole(const ScenarioOptions& scenario, std::size_t machine,
+                              const DiagnosisInput& input, const Recording& recording,
+                              const DiagnosisOptions& options, const Diagnosis& diagnosis) {
+  return Comparison(input, recording, options, diagnosis).Run(scenario, machine);
+}
+
+}  // namespace tera

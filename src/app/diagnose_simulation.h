@@ -1,0 +1,22 @@
+#pragma once
+
+#include "app/diagnose_recording.h"
+#include "dataset/recording.h"
+#include "diagnose/diagnosis.h"
+
+namespace tera {
+
+/// Simulates the scenario under the recorded levers twice, as it is and with what was found of
+/// joints, tracks and the base, and holds both against the recording on the manoeuvres that the
+/// diagnosis kept back.
+///
+/// Model   no sensors: rates and poses are those of the simulation at the times of the
+///         measurements, base motion over the same intervals as the block's. Times count from the
+///         recording's own zero, or from its first sample where that is later than a second. The
+///         first 120 s at most. Path: along poses half a second apart.
+/// Omits   inertial units, whose findings nothing here shows.
+WholeSimulation SimulateWhole(const ScenarioOptions& scenario, std::size_t machine,
+                              const DiagnosisInput& input, const Recording& recording,
+                              const DiagnosisOptions& options, const Diagnosis& diagnosis);
+
+}  // namespace tera

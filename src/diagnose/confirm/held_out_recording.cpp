@@ -1,0 +1,44 @@
+#include "diagnose/confirm/held_out_recording.h"
+
+#include <cmath>
+
+#include "diagnose/search/free_member.h"
+#include "diagnose/search/steady_gain.h"
+
+namespace tera {
+namespace {
+
+constexpr double kLongest_s = 3;  ///< of a manoeuvre, as block_diagnosis.h cuts them
+
+double RmsOf(const Series& residual) {
+  double sum = 0, count = 0;
+  for (std::size_t k = 0; k < residual.size(); ++k) {
+    if (!residual.valid[k]) continue;
+    sum += residual.value[k] * residual.value[k];
+    ++count;
+  }
+  return count > 0 ? std::sqrt(sum / count) : 0;
+}
+
+}  // namespace
+
+std::vector<HeldOutChannel> JudgeOnBlock(const ReplayBlock& further, const Structure& found,
+                                         const Stream& stream) {
+  const auto manoeuvres = SplitByManoeuvre(further.commands, {.longest_s = kLongest_s}, stream);
+  const Likelihood likelihood(further, NoiseOfBlock(further, manoeuvres),
+                              Mask(further.samples(), 1));
+  const Misfit before = likelihood.Judge(further.predict({}));
+  const Misfit after = found.empty() ? before : likelihood.Judge(further.predict(found));
+  std::vector<Segment> all;
+  for (const Manoeuvre& manoeuvre : manoeuvres) all.push_back(manoeuvre.samples);
+  std::vector<HeldOutChannel> channels;
+  for (std::size_t c = 0; c < further.channels.size(); ++c) {
+    channels.push_back(
+        {further.channels[c].name, further.channels[c].unit, RmsOf(before.residual[c]),
+         RmsOf(after.residual[c]),
+         SteadyGainP(GainsOf(likelihood, before, after, PiecesOf(all, further.period_s()), c))});
+  }
+  return channels;
+}
+
+}  // namespace tera

@@ -1,0 +1,331 @@
+#include "diagnose/input_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "core/error.h"
+#include "core/units.h"
+#include "diagnose/statistics/robust.h"
+
+namespace tera {
+namespace {
+
+constexpr double kDegrees = 1 / kDeg;
+constexpr double kNear = 1.3;        ///< a factor of units is met up to this ratio
+constexpr double kAlike = 0.7;       ///< correlation
+constexpr double kLeverMoves = 0.2;  ///< between its ends
+constexpr double kMoves_rad = 0.05;  ///< likewise of a position
+constexpr double kLimit_rad = 0.2;   ///< beyond a joint's limits
+constexpr double kPair_s = 0.1;      ///< between two positions whose difference is held to a rate
+constexpr double kBefore_s = 10;  ///< commands that end so long before all else are of another time
+constexpr const char* kNotConverted = "nothing is converted: give its unit in the import";
+
+struct Ends {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+  void Add(double x) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+  double Span() const { return high < low ? 0 : high - low; }
+};
+
+bool IsNear(double found, double factor) {
+  return found > 0 && std::abs(std::log(found / factor)) < std::log(kNear);
+}
+
+/// The unit in place of an SI unit that makes numbers so many times too large; empty where none is
+/// known to.
+std::string UnitBehind(double factor, const std::string& si_unit) {
+  const bool is_angle = si_unit.starts_with("rad");
+  const std::string rest = si_unit.substr(is_angle ? 3 : std::min<std::size_t>(1, si_unit.size()));
+  if (is_angle && IsNear(factor, kDegrees)) return "deg" + rest;
+  if (IsNear(factor, 1000)) return "m" + si_unit;
+  if (is_angle && IsNear(factor, 1 / kDegrees)) return si_unit + ", taken for deg" + rest;
+  if (IsNear(factor, 0.001)) return si_unit + ", taken for m" + si_unit;
+  return "";
+}
+
+std::string FileOf(const RecordedPlace& place, const std::string& channel) {
+  return fmt::format("{}/{}/data.csv", place.directory, channel);
+}
+
+/// Slope of y over x through their means, and their correlation.
+struct Proportion {
+  double factor = 0, correlation = 0;
+};
+
+Proportion ProportionOf(const std::vector<double>& y, const std::vector<double>& x) {
+  const auto count = static_cast<double>(x.size());
+  double mean_x = 0, mean_y = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    mean_x += x[k] / count;
+    mean_y += y[k] / count;
+  }
+  double xx = 0, xy = 0, yy = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    xx += (x[k] - mean_x) * (x[k] - mean_x);
+    xy += (x[k] - mean_x) * (y[k] - mean_y);
+    yy += (y[k] - mean_y) * (y[k] - mean_y);
+  }
+  if (xx <= 0 || yy <= 0) return {};
+  return {xy / xx, xy / std::sqrt(xx * yy)};
+}
+
+/// Whether the lever of a joint or gear of that name moves.
+bool LeverMoves(const TableRecording& commands, const MachineModel& model,
+                const std::string& axis) {
+  for (std::size_t c = 0; c < commands.columns.size(); ++c) {
+    const int index = model.LeverIndex(commands.columns[c]);
+    if (index < 0) continue;
+    const Lever& lever = model.levers[static_cast<std::size_t>(index)];
+    const std::string& name =
+        lever.joint >= 0 ? model.joints[static_cast<std::size_t>(lever.joint)].name
+                         : model.ground_tools.gears[static_cast<std::size_t>(lever.gear)].name;
+    if (name != axis) continue;
+    Ends ends;
+    for (const auto& row : commands.rows) ends.Add(row[c]);
+    return ends.Span() > kLeverMoves;
+  }
+  return false;
+}
+
+/// One joint or gear of an encoder channel.
+struct AxisColumns {
+  std::string file, position, rate, position_unit, rate_unit;
+  std::vector<double> t_s, q, qd;
+};
+
+AxisColumns ColumnsOf(const RecordedPlace& place, const NamedEncoders& encoders, std::size_t axis) {
+  const EncoderAxis& named = encoders.recording.axes[axis];
+  AxisColumns columns;
+  columns.file = FileOf(place, encoders.channel);
+  columns.position_unit = named.linear ? "m" : "rad";
+  columns.rate_unit = columns.position_unit + "/s";
+  columns.position = named.name + (named.linear ? "_m" : "_rad");
+  columns.rate = named.name + (named.linear ? "_mps" : "_radps");
+  for (const EncoderSample& sample : encoders.recording.samples) {
+    columns.t_s.push_back(ToSeconds(sample.t_ns));
+    columns.q.push_back(sample.q_rad[axis]);
+    columns.qd.push_back(sample.qd_radps[axis]);
+  }
+  return columns;
+}
+
+Ends EndsOf(const std::vector<double>& values) {
+  Ends ends;
+  for (const double x : values) ends.Add(x);
+  return ends;
+}
+
+void RequireMoving(const AxisColumns& axis, bool lever_moves) {
+  const double q_span = EndsOf(axis.q).Span(), qd_span = EndsOf(axis.qd).Span();
+  const bool moves = q_span > kMoves_rad || lever_moves;
+  if (qd_span == 0 && moves) {
+    throw InputError(fmt::format(
+        "{}: column '{}' is {} in all {} samples while {}; need the rate that was measured, or a "
+        "recording without this joint",
+        axis.file, axis.rate, axis.qd.front(), axis.qd.size(),
+        q_span > kMoves_rad ? fmt::format("'{}' changes", axis.position) : "its lever moves"));
+  }
+  if (q_span == 0 && qd_span > 0 && lever_moves) {
+    throw InputError(fmt::format(
+        "{}: column '{}' is {} in all {} samples while '{}' changes and its lever moves; need the "
+        "position that was measured",
+        axis.file, axis.position, axis.q.front(), axis.q.size(), axis.rate));
+  }
+}
+
+/// Rates over what positions change by between samples that are `kPair_s` apart.
+void RequireRatesOfPositions(const AxisColumns& axis) {
+  std::vector<double> change, rate;
+  std::size_t from = 0;
+  double sum = 0;
+  for (std::size_t k = 1; k < axis.q.size(); ++k) {
+    sum += axis.qd[k];
+    const double span_s = axis.t_s[k] - axis.t_s[from];
+    if (span_s < kPair_s) continue;
+    change.push_back((axis.q[k] - axis.q[from]) / span_s);
+    rate.push_back(sum / static_cast<double>(k - from));
+    from = k;
+    sum = 0;
+  }
+  if (change.size() < 20) return;
+  const Proportion found = ProportionOf(rate, change);
+  if (found.correlation < kAlike) return;
+  const std::string unit = UnitBehind(found.factor, axis.rate_unit);
+  if (unit.empty()) return;
+  throw InputError(fmt::format(
+      "{}: column '{}' is {:.3g} times what '{}' changes by in a second; need {} and {}. Is the "
+      "rate in {}, or the position in another unit? {}",
+      axis.file, axis.rate, found.factor, axis.position, axis.rate_unit, axis.position_unit, unit,
+      kNotConverted));
+}
+
+/// Positions that are beyond the joint's limits, and within them in another unit.
+void RequireWithinLimits(const AxisColumns& axis, const Joint& joint) {
+  if (joint.type == JointType::kContinuous || joint.lower_rad >= joint.upper_rad) return;
+  const auto beyond = [&](double factor) {
+    std::size_t count = 0;
+    for (const double q : axis.q) {
+      const double real = q / factor;
+      count += real < joint.lower_rad - kLimit_rad || real > joint.upper_rad + kLimit_rad ? 1 : 0;
+    }
+    return static_cast<double>(count) / static_cast<double>(axis.q.size());
+  };
+  if (beyond(1) < 0.5) return;
+  for (const double factor : {kDegrees, 1000.0}) {
+    const std::string unit = UnitBehind(factor, axis.position_unit);
+    if (unit.empty() || beyond(factor) > 0.01) continue;
+    throw InputError(fmt::format(
+        "{}: column '{}' goes from {:.4g} to {:.4g}, and the joint from {:.4g} to {:.4g} {}. Is it "
+        "in {}? {}",
+        axis.file, axis.position, EndsOf(axis.q).low, EndsOf(axis.q).high, joint.lower_rad,
+        joint.upper_rad, axis.position_unit, unit, kNotConverted));
+  }
+}
+
+/// When a channel begins and ends.
+struct TimeSpan {
+  std::string what;
+  TimeNs first_ns = 0, last_ns = 0;
+};
+
+template <typename Sample>
+void AddSpan(const std::string& what, const std::vector<Sample>& samples,
+             std::vector<TimeSpan>* spans) {
+  if (!samples.empty()) spans->push_back({what, samples.front().t_ns, samples.back().t_ns});
+}
+
+}  // namespace
+
+void CheckLevers(const RecordedPlace& place, const TableRecording& commands,
+                 const MachineModel& model) {
+  for (std::size_t c = 0; c < commands.columns.size(); ++c) {
+    if (model.LeverIndex(commands.columns[c]) < 0) continue;
+    double largest = 0;
+    for (const auto& row : commands.rows) largest = std::max(largest, std::abs(row[c]));
+    if (largest <= 1 + 1e-9) continue;
+    const char* unit = largest <= 1.1                     ? ""
+                       : largest > 10 && largest <= 105   ? " Is it in percent?"
+                       : largest > 200 && largest <= 1050 ? " Is it in parts of a thousand?"
+                                                          : "";
+    throw InputError(fmt::format(
+        "{}/{}/commands.csv: column '{}' reaches {:.4g}; need -1 to 1 of full lever.{} {}",
+        place.directory, place.machine, commands.columns[c], largest, unit, kNotConverted));
+  }
+}
+
+void CheckClocks(const RecordedPlace& place, const TableRecording& commands,
+                 const std::vector<NamedEncoders>& encoders,
+                 const std::vector<std::vector<ImuSample>>& imus,
+                 const std::vector<TruthPose>& poses) {
+  std::vector<TimeSpan> spans;
+  for (const NamedEncoders& named : encoders) {
+    AddSpan(named.channel, named.recording.samples, &spans);
+  }
+  for (const auto& samples : imus) AddSpan("an inertial unit", samples, &spans);
+  AddSpan("poses", poses, &spans);
+  if (!commands.t_ns.empty() && !spans.empty()) {
+    // What is commanded holds until the next command.
+    const TimeNs last_ns = commands.t_ns.size() == 1
+                               ? std::numeric_limits<TimeNs>::max()
+                               : commands.t_ns.back() + FromSeconds(kBefore_s);
+    spans.push_back({"commands", commands.t_ns.front(), last_ns});
+  }
+  for (std::size_t k = 1; k < spans.size(); ++k) {
+    const TimeSpan &a = spans.front(), &b = spans[k];
+    if (a.first_ns <= b.last_ns && b.first_ns <= a.last_ns) continue;
+    throw InputError(fmt::format(
+        "{}: {} and {} have no time in common, {:.3f} s to {:.3f} s and {:.3f} s to {:.3f} s; need "
+        "clocks that count from the same event (`time` of the import)",
+        place.directory, a.what, b.what, ToSeconds(a.first_ns), ToSeconds(a.last_ns),
+        ToSeconds(b.first_ns), ToSeconds(b.what == "commands" ? commands.t_ns.back() : b.last_ns)));
+  }
+}
+
+void CheckEncoders(const RecordedPlace& place, const TableRecording& commands,
+                   const std::vector<NamedEncoders>& encoders, const MachineModel& model) {
+  for (const NamedEncoders& named : encoders) {
+    for (std::size_t i = 0; i < named.recording.axes.size(); ++i) {
+      const AxisColumns axis = ColumnsOf(place, named, i);
+      if (axis.q.empty()) continue;
+      const std::string& name = named.recording.axes[i].name;
+      RequireMoving(axis, LeverMoves(commands, model, name));
+      if (const int joint = model.JointIndex(name); joint >= 0) {
+        RequireWithinLimits(axis, model.joints[static_cast<std::size_t>(joint)]);
+      }
+      RequireRatesOfPositions(axis);
+    }
+  }
+}
+
+void CheckImu(const RecordedPlace& place, const std::string& channel,
+              const std::vector<ImuSample>& samples) {
+  if (samples.empty()) return;
+  constexpr std::array<const char*, 6> kColumns = {"wx_radps", "wy_radps", "wz_radps",
+                                                   "ax_mps2",  "ay_mps2",  "az_mps2"};
+  std::array<Ends, 6> ends;
+  std::vector<double> force_mps2;
+  for (const ImuSample& sample : samples) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      ends[i].Add(sample.w_WS_S_radps[static_cast<Eigen::Index>(i)]);
+      ends[3 + i].Add(sample.f_S_mps2[static_cast<Eigen::Index>(i)]);
+    }
+    force_mps2.push_back(sample.f_S_mps2.norm());
+  }
+  for (std::size_t i = 0; i < 6; ++i) {
+    const std::size_t first = i < 3 ? 0 : 3;
+    const bool others_change =
+        ends[first].Span() + ends[first + 1].Span() + ends[first + 2].Span() > 0;
+    if (ends[i].Span() > 0 || !others_change) continue;
+    throw InputError(fmt::format(
+        "{}: column '{}' is {} in all {} samples while others change; need what the unit measured, "
+        "or a recording without it",
+        FileOf(place, channel), kColumns[i], ends[i].low, samples.size()));
+  }
+  const double usual_mps2 = Median(force_mps2);
+  const char* unit = IsNear(usual_mps2, 1)                              ? "g (9.80665 m/s²)"
+                     : IsNear(usual_mps2, 1000)                         ? "thousandths of g"
+                     : IsNear(usual_mps2, 1000 * kStandardGravity_mps2) ? "mm/s²"
+                                                                        : nullptr;
+  if (unit == nullptr) return;
+  throw InputError(fmt::format(
+      "{}: the specific force is {:.4g} at the median, and gravity's {:.3f} m/s². Is it in {}? {}",
+      FileOf(place, channel), usual_mps2, kStandardGravity_mps2, unit, kNotConverted));
+}
+
+void CheckUnitsOf(const RecordedPlace& place, const std::vector<ReplayBlock>& blocks) {
+  for (const ReplayBlock& block : blocks) {
+    const auto predicted = block.predict({});
+    for (std::size_t c = 0; c < block.channels.size(); ++c) {
+      const Channel& channel = block.channels[c];
+      std::vector<double> measured, expected;
+      for (std::size_t k = 0; k < channel.measured.size(); ++k) {
+        if (!channel.measured.valid[k]) continue;
+        measured.push_back(channel.measured.value[k]);
+        expected.push_back(predicted[c][k]);
+      }
+      if (measured.empty()) continue;
+      const Proportion found = ProportionOf(measured, expected);
+      if (found.correlation < kAlike) continue;
+      const std::string unit = UnitBehind(found.factor, channel.unit);
+      if (unit.empty()) continue;
+      throw InputError(
+          fmt::format("{}: {} is {:.3g} times what the scenario says of it (correlation {:.2f}); "
+                      "need {}. Is it "
+                      "in {}? {}",
+                      place.directory, channel.name, found.factor, found.correlation, channel.unit,
+                      unit, kNotConverted));
+    }
+  }
+}
+
+}  // namespace tera

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/measurement.h"
+#include "dataset/recording.h"
+#include "diagnose/replay/axis_log.h"
+#include "diagnose/search/replay_block.h"
+#include "physics/machine.h"
+
+/// What a recording must not be before anything is compared with it. Each check throws InputError
+/// that says where, what was found, what is needed, and which unit it may be in; nothing is ever
+/// converted.
+
+namespace tera {
+
+/// Where the files of a recording are, for messages.
+struct RecordedPlace {
+  std::string directory, machine;
+};
+
+/// Levers between -1 and 1.
+void CheckLevers(const RecordedPlace& place, const TableRecording& commands,
+                 const MachineModel& model);
+
+/// Commands, encoders and poses that have time in common.
+void CheckClocks(const RecordedPlace& place, const TableRecording& commands,
+                 const std::vector<NamedEncoders>& encoders,
+                 const std::vector<std::vector<ImuSample>>& imus,
+                 const std::vector<TruthPose>& poses);
+
+/// No column that stands still while its own lever, or the other column of the joint, moves; rates
+/// that are the changes of positions, and positions within the joints' limits, but for factors that
+/// are not those of units.
+void CheckEncoders(const RecordedPlace& place, const TableRecording& commands,
+                   const std::vector<NamedEncoders>& encoders, const MachineModel& model);
+
+/// No axis of a triad that stands still while another one changes; specific forces about that of
+/// gravity. `channel` is the unit's folder.
+void CheckImu(const RecordedPlace& place, const std::string& channel,
+              const std::vector<ImuSample>& samples);
+
+/// Channels that are no multiple of what their replay predicts by a factor of units.
+void CheckUnitsOf(const RecordedPlace& place, const std::vector<ReplayBlock>& blocks);
+
+}  // namespace tera

@@ -1,0 +1,130 @@
+#include "diagnose/next/piece_choice.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/search/structure_fit.h"
+#include "diagnose/statistics/whitening.h"
+
+namespace tera {
+namespace {
+
+constexpr double kStep = 0.02;   ///< of a number's range
+constexpr double kSpread = 0.3;  ///< likewise: how far it may have to move
+
+Eigen::VectorXd Predicted(const ReplayBlock& run, const Structure& terms) {
+  const std::vector<double> y = run.predict(terms).front();
+  return Eigen::Map<const Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size()));
+}
+
+/// What the false account can do about a difference: its numbers, then the nuisances.
+Eigen::MatrixXd ColumnsOf(const ReplayBlock& run, const Structure& terms,
+                          const Eigen::VectorXd& predicted) {
+  const Channel& channel = run.channels.front();
+  std::vector<Eigen::VectorXd> columns;
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    for (const FreeParameter& free : terms[t].suspect->free) {
+      Structure moved = terms;
+      const double place = PlaceOf(free, terms[t].values[free.index]);
+      const double step = place + kStep <= 1 ? kStep : -kStep;
+      moved[t].values[free.index] = ValueAt(free, place + step);
+      columns.push_back((Predicted(run, moved) - predicted) * (kSpread / step));
+    }
+  }
+  const Eigen::Index rows = predicted.size();
+  Eigen::VectorXd slope = Eigen::VectorXd::Zero(rows);
+  if (rows > 2) {
+    slope.segment(1, rows - 2) =
+        (predicted.tail(rows - 2) - predicted.head(rows - 2)) / (2 * channel.measured.period_s);
+  }
+  columns.push_back(Eigen::VectorXd::Constant(rows, channel.nuisances.offset));
+  columns.push_back(channel.nuisances.gain * predicted);
+  columns.push_back(-channel.nuisances.delay_s * slope);
+  for (Eigen::Index n = 0; n < channel.nominal.cols(); ++n) {
+    columns.push_back(channel.nominal.col(n));
+  }
+  Eigen::MatrixXd out(rows, static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    out.col(static_cast<Eigen::Index>(c)) = columns[c];
+  }
+  return out;
+}
+
+}  // namespace
+
+PieceEvidence& PieceEvidence::operator+=(const PieceEvidence& other) {
+  if (information.size() == 0) return *this = other;
+  information += other.information;
+  pull += other.pull;
+  energy += other.energy;
+  return *this;
+}
+
+double PieceEvidence::Lead() const {
+  if (information.size() == 0) return 0;
+  Eigen::MatrixXd with_prior = information;
+  with_prior.diagonal().array() += 1;
+  return std::max(0.0, 0.5 * (energy - pull.dot(with_prior.ldlt().solve(pull))));
+}
+
+std::vector<std::vector<PieceEvidence>> EvidenceOf(const ReplayBlock& run, const NoiseModel& noise,
+                                                   const std::vector<OpenQuestion>& questions,
+                                                   const std::vector<Segment>& pieces) {
+  const WhiteningFilter filter(noise, run.channels.front().measured.valid);
+  std::vector<std::vector<PieceEvidence>> evidence;
+  for (const OpenQuestion& question : questions) {
+    const Eigen::VectorXd instead = Predicted(run, question.instead);
+    const Eigen::VectorXd difference =
+        filter.Apply(Predicted(run, question.truth) - instead) / noise.scale;
+    Eigen::MatrixXd columns = ColumnsOf(run, question.instead, instead);
+    for (Eigen::Index c = 0; c < columns.cols(); ++c) {
+      columns.col(c) = filter.Apply(columns.col(c)) / noise.scale;
+    }
+    std::vector<PieceEvidence> of_pieces;
+    for (const Segment& piece : pieces) {
+      const auto first = static_cast<Eigen::Index>(piece.begin);
+      const auto size = static_cast<Eigen::Index>(piece.size());
+      const auto rows = columns.middleRows(first, size);
+      const auto d = difference.segment(first, size);
+      of_pieces.push_back({rows.transpose() * rows, rows.transpose() * d, d.squaredNorm()});
+    }
+    evidence.push_back(std::move(of_pieces));
+  }
+  return evidence;
+}
+
+std::vector<std::size_t> ChoosePieces(const std::vector<std::vector<PieceEvidence>>& evidence,
+                                      const std::vector<double>& weight,
+                                      const std::vector<double>& length_s, double duration_s) {
+  std::vector<std::size_t> chosen;
+  std::vector<PieceEvidence> sum(evidence.size());
+  std::vector<double> score(evidence.size(), 0.0);
+  double left_s = duration_s;
+  while (true) {
+    std::size_t best = length_s.size();
+    double most = 0;
+    for (std::size_t p = 0; p < length_s.size(); ++p) {
+      if (length_s[p] > left_s) continue;
+      double gain = 0;
+      for (std::size_t q = 0; q < evidence.size(); ++q) {
+        PieceEvidence with = sum[q];
+        with += evidence[q][p];
+        gain += weight[q] * (std::log1p(with.Lead()) - score[q]);
+      }
+      gain /= length_s[p];
+      if (gain <= most) continue;
+      most = gain;
+      best = p;
+    }
+    if (best == length_s.size()) return chosen;
+    chosen.push_back(best);
+    left_s -= length_s[best];
+    for (std::size_t q = 0; q < evidence.size(); ++q) {
+      sum[q] += evidence[q][best];
+      score[q] = std::log1p(sum[q].Lead());
+    }
+  }
+}
+
+}  // namespace tera

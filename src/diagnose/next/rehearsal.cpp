@@ -1,0 +1,186 @@
+#include "diagnose/next/rehearsal.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/blocks/axis_block.h"
+#include "physics/gravity_load.h"
+#include "physics/slots/actuation.h"
+
+namespace tera {
+namespace {
+
+constexpr double kLoadEvery_s = 0.05;
+/// Of a rate: an encoder that repeats itself to the bit is taken for one that hands on what it had.
+constexpr double kTremor_radps = 1e-9;
+
+std::size_t AxesOf(const MachineModel& model) {
+  return model.joints.size() + model.gear_drives.size();
+}
+
+std::size_t AxisOf(const MachineModel& model, const Lever& lever) {
+  return static_cast<std::size_t>(
+      lever.joint >= 0 ? lever.joint : static_cast<int>(model.joints.size()) + lever.gear);
+}
+
+/// The levers in force at a time, by axis.
+class LeversOverTime {
+ public:
+  LeversOverTime(const MachineModel& model, const std::vector<LeverMove>& moves)
+      : moves_(moves), now_(AxesOf(model), 0.0) {
+    std::stable_sort(moves_.begin(), moves_.end(),
+                     [](const LeverMove& a, const LeverMove& b) { return a.t_s < b.t_s; });
+  }
+  const std::vector<double>& At(double t_s) {
+    while (next_ < moves_.size() && moves_[next_].t_s <= t_s + 1e-9) {
+      now_[moves_[next_].axis] = moves_[next_].lever;
+      ++next_;
+    }
+    return now_;
+  }
+
+ private:
+  std::vector<LeverMove> moves_;
+  std::vector<double> now_;
+  std::size_t next_ = 0;
+};
+
+/// A row wherever a lever moves, neutral at the beginning and the end.
+TableRecording CommandsOf(const MachineModel& model, const std::vector<LeverMove>& moves,
+                          double length_s) {
+  TableRecording table;
+  for (const Lever& lever : model.levers) table.columns.push_back(lever.name);
+  std::vector<double> times = {0, length_s};
+  for (const LeverMove& move : moves) times.push_back(move.t_s);
+  std::sort(times.begin(), times.end());
+  LeversOverTime levers(model, moves);
+  std::vector<double> last;
+  for (const double t_s : times) {
+    const std::vector<double>& now = levers.At(t_s);
+    std::vector<double> row;
+    for (const Lever& lever : model.levers) row.push_back(now[AxisOf(model, lever)]);
+    const TimeNs t_ns = FromSeconds(t_s);
+    if (!table.t_ns.empty() && (t_ns <= table.t_ns.back() || (row == last && t_s < length_s))) {
+      if (t_ns == table.t_ns.back()) table.rows.back() = last = row;
+      continue;
+    }
+    table.t_ns.push_back(t_ns);
+    table.rows.push_back(row);
+    last = row;
+  }
+  return table;
+}
+
+void Measure(const std::vector<AxisMotion>& motion, std::size_t sample, double t_s,
+             EncoderRecording* encoders) {
+  EncoderSample measured;
+  measured.t_ns = measured.t_available_ns = FromSeconds(t_s);
+  const double tremor_radps = sample % 2 == 0 ? kTremor_radps : -kTremor_radps;
+  for (const AxisMotion& axis : motion) {
+    measured.q_rad.push_back(axis.position_rad);
+    measured.qd_radps.push_back(axis.rate_radps + tremor_radps);
+  }
+  encoders->samples.push_back(std::move(measured));
+}
+
+}  // namespace
+
+int AxisNamed(const MachineModel& model, const std::string& name) {
+  if (const int joint = model.JointIndex(name); joint >= 0) return joint;
+  for (std::size_t g = 0; g < model.gear_drives.size(); ++g) {
+    if (model.ground_tools.gears[g].name == name) return static_cast<int>(model.joints.size() + g);
+  }
+  return -1;
+}
+
+Rehearsal Rehearse(const MachineModel& model, const std::vector<LeverMove>& moves, double length_s,
+                   std::vector<double> start_rad, const RehearsalSteps& steps) {
+  Rehearsal out;
+  out.length_s = length_s;
+  out.commands = CommandsOf(model, moves, length_s);
+  out.encoders.channel = "rehearsal/encoders";
+  for (const Joint& joint : model.joints) {
+    out.encoders.recording.axes.push_back({joint.name, joint.type == JointType::kPrismatic});
+  }
+  for (std::size_t g = 0; g < model.gear_drives.size(); ++g) {
+    out.encoders.recording.axes.push_back({model.ground_tools.gears[g].name});
+  }
+  std::vector<AxisMotion> motion(AxesOf(model));
+  for (std::size_t j = 0; j < start_rad.size(); ++j) motion[j].position_rad = start_rad[j];
+  out.lowest_rad = out.highest_rad = start_rad;
+  Actuation chain(model, {.machine = model.kind});
+  LeversOverTime levers(model, moves);
+  const auto count = static_cast<std::size_t>(std::lround(length_s / steps.step_s));
+  const auto load_stride =
+      static_cast<std::size_t>(std::max(1.0, std::round(kLoadEvery_s / steps.step_s)));
+  double next_sample_s = 0;
+  for (std::size_t k = 0; k <= count; ++k) {
+    const double t_s = static_cast<double>(k) * steps.step_s;
+    if (k % load_stride == 0) {
+      for (std::size_t j = 0; j < start_rad.size(); ++j) start_rad[j] = motion[j].position_rad;
+      const std::vector<double> loads = GravityLoads_nm(model, Pose::Identity(), start_rad);
+      for (std::size_t j = 0; j < loads.size(); ++j) motion[j].load_nm = loads[j];
+    }
+    if (t_s + 1e-9 >= next_sample_s) {
+      Measure(motion, out.encoders.recording.samples.size(), t_s, &out.encoders.recording);
+      next_sample_s += steps.period_s;
+    }
+    chain.Step(levers.At(t_s), motion, steps.step_s);
+    for (std::size_t axis = 0; axis < motion.size(); ++axis) {
+      motion[axis].rate_radps = chain.drives()[axis].rate_radps;
+      motion[axis].position_rad += motion[axis].rate_radps * steps.step_s;
+    }
+    for (std::size_t j = 0; j < out.lowest_rad.size(); ++j) {
+      out.lowest_rad[j] = std::min(out.lowest_rad[j], motion[j].position_rad);
+      out.highest_rad[j] = std::max(out.highest_rad[j], motion[j].position_rad);
+    }
+  }
+  for (std::size_t j = 0; j < out.lowest_rad.size(); ++j) {
+    out.end_rad.push_back(motion[j].position_rad);
+  }
+  return out;
+}
+
+Rehearsal Joined(const std::vector<Rehearsal>& runs) {
+  Rehearsal out;
+  for (const Rehearsal& run : runs) {
+    const TimeNs late_ns = FromSeconds(out.length_s);
+    if (out.commands.columns.empty()) {
+      out = run;
+      continue;
+    }
+    for (std::size_t r = 0; r < run.commands.rows.size(); ++r) {
+      const TimeNs t_ns = run.commands.t_ns[r] + late_ns;
+      if (t_ns <= out.commands.t_ns.back()) {
+        out.commands.rows.back() = run.commands.rows[r];
+        continue;
+      }
+      out.commands.t_ns.push_back(t_ns);
+      out.commands.rows.push_back(run.commands.rows[r]);
+    }
+    for (EncoderSample sample : run.encoders.recording.samples) {
+      sample.t_ns += late_ns;
+      sample.t_available_ns += late_ns;
+      auto& samples = out.encoders.recording.samples;
+      if (sample.t_ns > samples.back().t_ns) samples.push_back(std::move(sample));
+    }
+    out.length_s += run.length_s;
+    out.end_rad = run.end_rad;
+    for (std::size_t j = 0; j < out.lowest_rad.size(); ++j) {
+      out.lowest_rad[j] = std::min(out.lowest_rad[j], run.lowest_rad[j]);
+      out.highest_rad[j] = std::max(out.highest_rad[j], run.highest_rad[j]);
+    }
+  }
+  return out;
+}
+
+std::optional<ReplayBlock> BlockOf(const MachineModel& model, const Rehearsal& rehearsal,
+                                   std::size_t axis, double step_s) {
+  const AxisLog log = MakeAxisLog(model, rehearsal.commands, {rehearsal.encoders}, step_s);
+  for (std::size_t m = 0; m < log.measured.size(); ++m) {
+    if (log.measured[m].axis == axis) return MakeAxisBlock(model, log, m);
+  }
+  return std::nullopt;
+}
+
+}  // namespace tera

@@ -1,0 +1,74 @@
+#include "diagnose/report/confirmation_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
+
+#include "diagnose/report/wording.h"
+
+namespace tera {
+namespace {
+
+/// "boom rate 3.1 → 0.6 deg/s".
+std::string ChangeText(const std::string& channel, const std::string& si_unit, double before,
+                       double after) {
+  const ReadableUnit unit = ReadableUnitOf(si_unit);
+  return fmt::format("{} {} → {}", QuantityOf(channel), Significant(before * unit.factor, 2),
+                     WithUnit(Significant(after * unit.factor, 2), unit));
+}
+
+std::vector<std::string> Quantities(const std::vector<std::string>& channels) {
+  std::vector<std::string> names;
+  for (const std::string& channel : channels) names.push_back(QuantityOf(channel));
+  return names;
+}
+
+}  // namespace
+
+std::string SentenceOf(const HeldOutRecording& further) {
+  std::vector<std::string> changes;
+  for (const HeldOutChannel& one : further.channels) {
+    changes.push_back(ChangeText(one.channel, one.unit, one.rmse_before, one.rmse_after));
+  }
+  std::string text = fmt::format("On {}, which nothing was fitted to: RMSE of {}.",
+                                 further.recording, fmt::join(changes, ", "));
+  if (changes.empty()) {
+    text = fmt::format("{} has no channel of those that were judged.", further.recording);
+  }
+  if (!further.missing.empty()) {
+    text += fmt::format(" It says nothing of {}.", Listed(Quantities(further.missing)));
+  }
+  return text;
+}
+
+std::string SentenceOf(const WholeSimulation& whole) {
+  if (!whole.obstacle.empty()) {
+    return fmt::format("The whole simulation does not confirm: {}.", whole.obstacle);
+  }
+  std::vector<std::string> changes, not_followed;
+  for (const SimulatedChannel& one : whole.channels) {
+    changes.push_back(ChangeText(one.channel, one.unit, one.rmse_before, one.rmse_after));
+    if (!one.Follows()) not_followed.push_back(QuantityOf(one.channel));
+  }
+  std::string text = fmt::format(
+      "The whole simulation as it was and with what was found, first {:.0f} s, manoeuvres kept "
+      "back: {}",
+      whole.until_s,
+      changes.empty() ? std::string("no channel of a joint, track or the base") : Listed(changes));
+  if (whole.path) {
+    text += fmt::format("; path {} m recorded, {} → {} m simulated",
+                        Significant(whole.path->recorded_m, 4),
+                        Significant(whole.path->before_m, 4), Significant(whole.path->after_m, 4));
+  }
+  text += ".";
+  if (!not_followed.empty()) {
+    text += fmt::format(" The whole simulation does not follow: {}.", Listed(not_followed));
+  }
+  if (!whole.left_out.empty()) {
+    text += fmt::format(" Not simulated: {}.", Listed(Quantities(whole.left_out)));
+  }
+  return text;
+}
+
+}  // namespace tera

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "diagnose/confirm/held_out_recording.h"
+#include "diagnose/confirm/whole_simulation.h"
+
+namespace tera {
+
+/// "On out/second, of which nothing was known: boom rate 3.1 → 0.6 deg/s, arm rate 2 → 0.2 deg/s."
+std::string SentenceOf(const HeldOutRecording& further);
+
+/// "The whole simulation, 0–90 s, on manoeuvres kept back: boom rate 1.8 → 0.02 deg/s; path 57.4 m
+/// recorded, 50.5 → 57.1 m simulated. It does not follow in: slew rate."
+std::string SentenceOf(const WholeSimulation& whole);
+
+}  // namespace tera

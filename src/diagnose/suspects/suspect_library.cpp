@@ -1,0 +1,203 @@
+#include "diagnose/suspects/suspect_library.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/config.h"
+#include "core/error.h"
+#include "core/spelling.h"
+#include "diagnose/search/structure_fit.h"
+#include "physics/actuation_mechanisms.h"
+#include "physics/ground_mechanisms.h"
+#include "sensors/sensor_mechanisms.h"
+
+namespace tera {
+namespace {
+
+constexpr double kLadder[] = {0.1, 0.3, 0.6, 0.9};  ///< of a new range: sizes to begin with
+
+std::vector<const Mechanism*> AllMechanisms() {
+  std::vector<const Mechanism*> all;
+  for (const auto library : {ActuationMechanisms(), GroundMechanisms(), SensorMechanisms()}) {
+    for (const Mechanism& mechanism : library) all.push_back(&mechanism);
+  }
+  return all;
+}
+
+/// Every identifier once.
+std::vector<std::string> Identifiers() {
+  std::vector<std::string> names;
+  for (const Mechanism* mechanism : AllMechanisms()) names.emplace_back(mechanism->id);
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+bool IsMechanism(const ConfigMap& config, std::string_view key, const std::string& id) {
+  const std::vector<std::string> names = Identifiers();
+  if (std::find(names.begin(), names.end(), id) != names.end()) return true;
+  config.Fault(key, fmt::format("'{}' is no mechanism{}; docs/mechanisms.md lists them", id,
+                                DidYouMean(id, names)));
+  return false;
+}
+
+std::vector<std::string> ReadIdentifiers(const ConfigMap& config, std::string_view key) {
+  std::vector<std::string> names;
+  if (!config.Has(key)) return names;
+  for (const std::string& id : config.Texts(key)) {
+    if (IsMechanism(config, key, id)) names.push_back(id);
+  }
+  return names;
+}
+
+/// The range of one number, where the mapping has it.
+std::optional<NumberRange> ReadRange(const ConfigMap& config, const EffectParameter& parameter,
+                                     std::size_t index) {
+  if (!config.Has(parameter.name)) return std::nullopt;
+  const Range within = Between(parameter.lower, parameter.upper, std::string(parameter.unit));
+  if (!config.IsList(parameter.name)) {
+    const double value = config.Number(parameter.name, within);
+    return NumberRange{index, value, value};
+  }
+  const std::vector<double> ends = config.Numbers(parameter.name, within, 2, 2);
+  if (ends.size() != 2) return std::nullopt;
+  if (!(ends[0] < ends[1])) {
+    config.Fault(parameter.name, fmt::format("the range from {} to {} is empty; need the lower end "
+                                             "first, or one number to hold it there",
+                                             ends[0], ends[1]));
+    return std::nullopt;
+  }
+  return NumberRange{index, ends[0], ends[1]};
+}
+
+/// Mechanisms of one name may differ by what they act on; each gets the ranges of its numbers.
+void ReadRanges(const ConfigMap& config, const std::string& id, SuspectLibrary* library) {
+  for (const Mechanism* mechanism : AllMechanisms()) {
+    if (mechanism->id != id) continue;
+    std::vector<NumberRange> ranges;
+    for (std::size_t i = 0; i < mechanism->parameters.size(); ++i) {
+      if (const auto range = ReadRange(config, mechanism->parameters[i], i)) {
+        ranges.push_back(*range);
+      }
+    }
+    library->ranges.emplace_back(mechanism, std::move(ranges));
+  }
+}
+
+bool Holds(const std::vector<std::string>& names, std::string_view id) {
+  return std::find(names.begin(), names.end(), id) != names.end();
+}
+
+/// Limits one number of a suspect, which becomes free, or is held.
+void Limit(const NumberRange& range, Suspect* suspect) {
+  bool by_ratios = false;
+  std::erase_if(suspect->free, [&](const FreeParameter& free) {
+    if (free.index != range.index) return false;
+    by_ratios = free.logarithmic && range.lower > 0;
+    return true;
+  });
+  if (range.lower < range.upper) {
+    suspect->free.insert(suspect->free.begin() + static_cast<std::ptrdiff_t>(
+                                                     std::min(range.index, suspect->free.size())),
+                         {range.index, range.lower, range.upper, by_ratios});
+  }
+  std::vector<std::vector<double>> starts;
+  for (std::vector<double> start : suspect->starts) {
+    start[range.index] = std::clamp(start[range.index], range.lower, range.upper);
+    if (std::find(starts.begin(), starts.end(), start) == starts.end()) starts.push_back(start);
+  }
+  suspect->starts = std::move(starts);
+}
+
+/// A suspect that the block has not by itself; its sizes are spread over the first range.
+Suspect NewSuspect(const Mechanism& mechanism, const std::vector<NumberRange>& ranges,
+                   const std::string& target, const std::string& file) {
+  std::vector<std::optional<NumberRange>> by_number(mechanism.parameters.size());
+  for (const NumberRange& range : ranges) by_number[range.index] = range;
+  Suspect suspect{&mechanism, target, {}, {}, {}};
+  for (const double place : kLadder) {
+    std::vector<double> start;
+    bool is_first = true;
+    for (std::size_t i = 0; i < mechanism.parameters.size(); ++i) {
+      const EffectParameter& parameter = mechanism.parameters[i];
+      if (!by_number[i] && !parameter.otherwise) {
+        throw InputError(
+            fmt::format("{}: suspects.{}: needs a range for {}, which has no default "
+                        "and no range of its own on {}",
+                        file, mechanism.id, parameter.name, target));
+      }
+      if (!by_number[i]) {
+        start.push_back(*parameter.otherwise);
+        continue;
+      }
+      const bool is_free = by_number[i]->lower < by_number[i]->upper;
+      start.push_back(
+          std::lerp(by_number[i]->lower, by_number[i]->upper, is_free && is_first ? place : 0.5));
+      is_first = is_first && !is_free;
+    }
+    if (suspect.starts.empty() || suspect.starts.back() != start) suspect.starts.push_back(start);
+  }
+  for (const NumberRange& range : ranges) {
+    if (range.lower < range.upper) suspect.free.push_back({range.index, range.lower, range.upper});
+  }
+  return suspect;
+}
+
+/// What kind of thing the suspects of a block act on.
+EffectTarget KindOf(const MachineModel& model, const std::string& target) {
+  if (target == "base") return EffectTarget::kBase;
+  if (model.JointIndex(target) >= 0) return EffectTarget::kJoint;
+  for (const RunningGear& gear : model.ground_tools.gears) {
+    if (gear.name == target) return EffectTarget::kGear;
+  }
+  return EffectTarget::kImu;
+}
+
+}  // namespace
+
+SuspectLibrary ReadSuspectLibrary(const std::filesystem::path& file) {
+  const Config config = Config::FromFile(file);
+  const ConfigMap root = config.root();
+  SuspectLibrary library{
+      file.string(), ReadIdentifiers(root, "only"), ReadIdentifiers(root, "without"), {}};
+  for (const auto& [id, map] : root.NamedMaps("suspects")) {
+    if (!IsMechanism(root.Map("suspects"), id, id)) continue;
+    ReadRanges(map, id, &library);
+  }
+  config.Finish();
+  return library;
+}
+
+void ApplyLibrary(const SuspectLibrary& library, const MachineModel& model,
+                  std::vector<ReplayBlock>* blocks) {
+  std::size_t left = 0;
+  for (ReplayBlock& block : *blocks) {
+    const std::string target = block.suspects.empty() ? block.name : block.suspects.front().target;
+    for (const auto& [mechanism, ranges] : library.ranges) {
+      const auto own =
+          std::find_if(block.suspects.begin(), block.suspects.end(),
+                       [&](const Suspect& suspect) { return suspect.mechanism == mechanism; });
+      if (own != block.suspects.end()) {
+        for (const NumberRange& range : ranges) Limit(range, &*own);
+      } else if (mechanism->ActsOn(KindOf(model, target))) {
+        block.suspects.push_back(NewSuspect(*mechanism, ranges, target, library.file));
+      }
+    }
+    std::erase_if(block.suspects, [&](const Suspect& suspect) {
+      const std::string_view id = suspect.mechanism->id;
+      return Holds(library.without, id) || (!library.only.empty() && !Holds(library.only, id));
+    });
+    left += block.suspects.size();
+  }
+  if (left > 0) return;
+  throw InputError(fmt::format(
+      "{}: leaves no suspect for what this recording has ({} blocks); need an identifier of a "
+      "mechanism that can act there",
+      library.file, blocks->size()));
+}
+
+}  // namespace tera

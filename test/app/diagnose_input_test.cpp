@@ -1,0 +1,148 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "app/hand_made_recording.h"
+#include "app/program.h"
+#include "app/refused.h"
+
+namespace tera {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// A recording that cannot be compared: one message, exit 2, no report.
+class BadRecording : public testing::Test {
+ protected:
+  BadRecording() { WriteWholeFile(scratch_.path() / "boom.yaml", kHandMadeScenario); }
+
+  void ExpectRefusedWith(const testing::Matcher<const std::string&>& message) const {
+    ExpectRefused(scratch_, {"diagnose", "boom.yaml", "real", "--out", "why"}, message);
+  }
+  std::filesystem::path File(const std::string& name) const {
+    return scratch_.path() / "real" / "excavator1" / name;
+  }
+  std::string Read(const std::string& name) const {
+    std::ifstream file(File(name));
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  /// Rewrites every row of a table below its header.
+  void EditRows(const std::string& name,
+                const std::function<std::string(const std::string&)>& edit) const {
+    std::istringstream text(Read(name));
+    std::string out, line;
+    std::getline(text, line);
+    out = line + "\n";
+    while (std::getline(text, line)) out += edit(line) + "\n";
+    WriteWholeFile(File(name), out);
+  }
+
+  const ScratchDirectory scratch_;
+};
+
+/// The columns of a row of the encoder.
+std::array<std::string, 3> Cells(const std::string& row) {
+  std::istringstream text(row);
+  std::array<std::string, 3> cells;
+  for (std::string& cell : cells) std::getline(text, cell, ',');
+  return cells;
+}
+
+TEST_F(BadRecording, WithoutAnyCommonChannelSaysWhatIsNeeded) {
+  WriteHandMade(scratch_.path() / "real", {});
+  WriteWholeFile(scratch_.path() / "real" / "dataset.yaml",
+                 Edited(ReadWholeFile(scratch_.path() / "real" / "dataset.yaml"),
+                        "  - {path: excavator1/encoders, type: encoder}\n", ""));
+  ExpectRefusedWith(AllOf(HasSubstr("no encoder channel of excavator1"),
+                          HasSubstr("need something measured to compare")));
+}
+
+TEST_F(BadRecording, WithoutALeverOfTheMachineNamesThoseThatItHas) {
+  WriteHandMade(scratch_.path() / "real", {});
+  const std::string commands = Read("commands.csv");
+  WriteWholeFile(File("commands.csv"), Edited(commands, "t_ns,boom", "t_ns,throttle"));
+  ExpectRefusedWith(AllOf(HasSubstr("no lever channel: the commands have the columns throttle"),
+                          HasSubstr("need one of"), HasSubstr("boom")));
+}
+
+TEST_F(BadRecording, WithClocksThatDoNotOverlapGivesBothSpans) {
+  WriteHandMade(scratch_.path() / "real", {.clock_s = 1000});
+  ExpectRefusedWith(AllOf(HasSubstr("excavator1/encoders and commands have no time in common"),
+                          HasSubstr("1000.000 s to 1041.980 s and 0.000 s to 41.980 s"),
+                          HasSubstr("count from the same event")));
+}
+
+TEST_F(BadRecording, WithARateThatStandsStillWhileItsPositionChanges) {
+  WriteHandMade(scratch_.path() / "real", {});
+  EditRows("encoders/data.csv", [](const std::string& row) {
+    const auto cells = Cells(row);
+    return cells[0] + "," + cells[1] + ",0";
+  });
+  ExpectRefusedWith(AllOf(HasSubstr("encoders/data.csv: column 'boom_radps' is 0 in all 2100"),
+                          HasSubstr("while 'boom_rad' changes")));
+}
+
+TEST_F(BadRecording, WithAPositionThatStandsStillWhileItsRateChanges) {
+  WriteHandMade(scratch_.path() / "real", {});
+  EditRows("encoders/data.csv", [](const std::string& row) {
+    const auto cells = Cells(row);
+    return cells[0] + ",0.5," + cells[2];
+  });
+  ExpectRefusedWith(AllOf(HasSubstr("column 'boom_rad' is 0.5 in all 2100 samples"),
+                          HasSubstr("need the position that was measured")));
+}
+
+TEST_F(BadRecording, WithRatesInDegreesSuggestsThemAndConvertsNothing) {
+  WriteHandMade(scratch_.path() / "real", {.rate_factor = 57.29578});
+  ExpectRefusedWith(AllOf(HasSubstr("column 'boom_radps' is 57.3 times what 'boom_rad' changes by"),
+                          HasSubstr("in deg/s"), HasSubstr("nothing is converted")));
+}
+
+TEST_F(BadRecording, WithPositionsInDegreesComparesThemWithTheJointsLimits) {
+  WriteHandMade(scratch_.path() / "real", {.rate_factor = 57.29578, .position_factor = 57.29578});
+  ExpectRefusedWith(AllOf(HasSubstr("column 'boom_rad' goes from"), HasSubstr("the joint from"),
+                          HasSubstr("Is it in deg?")));
+}
+
+TEST_F(BadRecording, WithEverythingAThousandTimesTooSmallIsHeldAgainstTheLevers) {
+  WriteHandMade(scratch_.path() / "real",
+                {.noise_radps = 0.0003, .rate_factor = 0.001, .position_factor = 0.001});
+  ExpectRefusedWith(AllOf(HasSubstr("boom_radps is 0.00"),
+                          HasSubstr("times what the scenario says of it"),
+                          HasSubstr("taken for mrad/s"), HasSubstr("nothing is converted")));
+}
+
+TEST_F(BadRecording, WithLeversInPercent) {
+  WriteHandMade(scratch_.path() / "real", {.lever_factor = 100});
+  ExpectRefusedWith(AllOf(HasSubstr("commands.csv: column 'boom' reaches 100"),
+                          HasSubstr("need -1 to 1"), HasSubstr("percent")));
+}
+
+TEST_F(BadRecording, WithANumberThatIsNoneSaysWhere) {
+  WriteHandMade(scratch_.path() / "real", {});
+  int row = 0;
+  EditRows("encoders/data.csv", [&](const std::string& line) {
+    const auto cells = Cells(line);
+    return ++row == 10 ? cells[0] + ",nan," + cells[2] : line;
+  });
+  ExpectRefusedWith(AllOf(HasSubstr("encoders/data.csv:11"), HasSubstr("boom_rad")));
+}
+
+TEST_F(BadRecording, WithATimeThatComesTwiceSaysWhere) {
+  WriteHandMade(scratch_.path() / "real", {});
+  int row = 0;
+  std::string before;
+  EditRows("encoders/data.csv", [&](const std::string& line) {
+    const auto cells = Cells(line);
+    const std::string time = ++row == 10 ? before : cells[0];
+    before = cells[0];
+    return time + "," + cells[1] + "," + cells[2];
+  });
+  ExpectRefusedWith(HasSubstr("encoders/data.csv:11"));
+}
+
+}  // namespace
+}  // namespace tera

@@ -1,0 +1,143 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "app/hand_made_recording.h"
+#include "app/program.h"
+#include "app/refused.h"
+
+namespace tera {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A boom with a dead band of 0.1 that its scenario lacks.
+class DiagnoseOptions : public testing::Test {
+ protected:
+  DiagnoseOptions() {
+    WriteWholeFile(scratch_.path() / "boom.yaml", kHandMadeScenario);
+    WriteHandMade(scratch_.path() / "real", {.valve = DeadTo0_1});
+  }
+  nlohmann::json Diagnosed(const Arguments& more) const {
+    Arguments arguments = {"diagnose", "boom.yaml", "real", "--no-simulation", "--out", "why"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = RunTera(arguments, {scratch_.path()});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    out_ = outcome.out;
+    std::ifstream file(scratch_.path() / "why" / "diagnosis.json");
+    return nlohmann::json::parse(file);
+  }
+
+  const ScratchDirectory scratch_;
+  mutable std::string out_;
+};
+
+TEST_F(DiagnoseOptions, AFurtherRecordingIsJudgedWithWhatTheFirstOneShowed) {
+  // Of the second the valve lets nothing through up to 0.1 as well; the third is as the scenario.
+  WriteHandMade(scratch_.path() / "same", {.valve = DeadTo0_1, .seed = 2});
+  WriteHandMade(scratch_.path() / "other", {.seed = 3});
+  const auto json = Diagnosed({"--held-out", "same", "--held-out", "other"});
+  ASSERT_EQ(json["findings"].size(), 1u) << out_;
+  EXPECT_EQ(json["findings"][0]["mechanism"], "dead_band");
+  ASSERT_EQ(json["held_out_recordings"].size(), 2u);
+  const auto& same = json["held_out_recordings"][0];
+  EXPECT_EQ(same["recording"], "same");
+  const double before = same["channels"][0]["rmse_before"],
+               after = same["channels"][0]["rmse_after"];
+  EXPECT_NEAR(after, 0.003, 0.001);  // the noise
+  EXPECT_GT(before, 3 * after);
+  EXPECT_LT(same["channels"][0]["p"].get<double>(), 1e-3);
+  const auto& other = json["held_out_recordings"][1]["channels"][0];
+  EXPECT_NEAR(other["rmse_before"].get<double>(), 0.003, 0.001);
+  EXPECT_GT(other["rmse_after"].get<double>(), 3 * other["rmse_before"].get<double>());
+  EXPECT_THAT(out_, HasSubstr("On same, which nothing was fitted to: RMSE of boom rate"));
+}
+
+TEST_F(DiagnoseOptions, AFurtherRecordingThatIsNoneStopsBeforeAnythingIsSearched) {
+  ExpectRefused(scratch_,
+                {"diagnose", "boom.yaml", "real", "--held-out", "nowhere", "--out", "why"},
+                HasSubstr("nowhere: no such folder"));
+}
+
+TEST_F(DiagnoseOptions, ALibraryLimitsWhatIsSuspected) {
+  WriteWholeFile(scratch_.path() / "library.yaml", "without: [dead_band]\n");
+  const auto json = Diagnosed({"--library", "library.yaml"});
+  for (const auto& finding : json["findings"]) EXPECT_NE(finding["mechanism"], "dead_band");
+  EXPECT_THAT(out_, Not(HasSubstr("dead band")));
+}
+
+TEST_F(DiagnoseOptions, ALibraryLimitsTheRangeOfANumberOrHoldsIt) {
+  WriteWholeFile(scratch_.path() / "library.yaml",
+                 "only: [dead_band]\nsuspects: {dead_band: {width: [0.02, 0.08], asymmetry: 0}}\n");
+  const auto json = Diagnosed({"--library", "library.yaml"});
+  ASSERT_EQ(json["findings"].size(), 1u) << out_;
+  const auto& parameters = json["findings"][0]["parameters"];
+  EXPECT_NEAR(parameters["width"]["value"].get<double>(), 0.08, 1e-3);  // the range's end
+  EXPECT_TRUE(parameters["width"]["sigma"].is_null());
+  EXPECT_EQ(parameters["asymmetry"]["value"], 0);
+}
+
+TEST_F(DiagnoseOptions, ALibraryAddsAMechanismThatNothingSuspectsByItself) {
+  WriteWholeFile(scratch_.path() / "library.yaml",
+                 "only: [command_drops, dead_band]\nsuspects: {command_drops: {period_s: 0.1, "
+                 "probability: [0.02, 0.5]}}\n");
+  const auto json = Diagnosed({"--library", "library.yaml"});
+  ASSERT_EQ(json["findings"].size(), 1u) << out_;
+  EXPECT_EQ(json["findings"][0]["mechanism"], "dead_band");
+  bool tried = false;
+  for (const auto& rival : json["findings"][0]["rejected"]) {
+    tried = tried || rival["mechanism"] == "command_drops";
+  }
+  EXPECT_TRUE(tried) << json.dump(1);
+}
+
+TEST_F(DiagnoseOptions, ALibraryWithFaultsNamesThemAllWithTheirPlace) {
+  WriteWholeFile(scratch_.path() / "library.yaml",
+                 "only: [dead_bend]\nsuspects:\n  dead_band: {width: [0.3, 0.1], wdth: 0}\n");
+  const Outcome outcome =
+      RunTera({"diagnose", "boom.yaml", "real", "--library", "library.yaml", "--out", "why"},
+              {scratch_.path()});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err,
+              AllOf(HasSubstr("library.yaml:1"), HasSubstr("'dead_bend' is no mechanism"),
+                    HasSubstr("did you mean 'dead_band'?"), HasSubstr("library.yaml:3"),
+                    HasSubstr("the range from 0.3 to 0.1 is empty"), HasSubstr("wdth"),
+                    HasSubstr("did you mean 'width'?")));
+  EXPECT_FALSE(std::filesystem::exists(scratch_.path() / "why"));
+}
+
+TEST_F(DiagnoseOptions, ALibraryThatLeavesNoSuspectIsRefused) {
+  WriteWholeFile(scratch_.path() / "library.yaml", "only: [track_slip]\n");
+  ExpectRefused(scratch_,
+                {"diagnose", "boom.yaml", "real", "--library", "library.yaml", "--out", "why"},
+                HasSubstr("library.yaml: leaves no suspect"));
+}
+
+TEST_F(DiagnoseOptions, OutOfTimeSaysSoAndReportsWhatIsDone) {
+  const auto json = Diagnosed({"--time-limit", "0.001"});
+  EXPECT_EQ(json["findings"].size(), 0u);
+  EXPECT_EQ(json["out_of_time"][0], "excavator1/encoders/boom_radps");
+  EXPECT_EQ(json["not_judged"][0], "excavator1/encoders/boom_radps");
+  EXPECT_EQ(json["verdict"][0], "untestable");
+  EXPECT_THAT(out_, HasSubstr("Boom rate: not judged, for the time was over."));
+}
+
+TEST_F(DiagnoseOptions, ATimeThatIsNotReachedChangesNothing) {
+  const auto free = Diagnosed({});
+  std::filesystem::remove_all(scratch_.path() / "why");
+  EXPECT_EQ(Diagnosed({"--time-limit", "500"}), free);
+}
+
+TEST_F(DiagnoseOptions, OnATerminalEachBlockHasALineWithWhatCameOfIt) {
+  const Outcome outcome = RunTeraOnTerminal(
+      {"diagnose", "boom.yaml", "real", "--no-simulation", "--out", "why"}, scratch_.path(), 100);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("excavator1: boom (1 of 1) .."),
+                                 HasSubstr("excavator1: boom (1 of 1): dead_band")));
+}
+
+}  // namespace
+}  // namespace tera
