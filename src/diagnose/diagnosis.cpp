@@ -10,13 +10,15 @@
 #include "core/error.h"
 #include "diagnose/blocks/axis_block.h"
 #include "diagnose/blocks/base_block.h"
+#include "diagnose/blocks/effort_block.h"
 #include "diagnose/blocks/imu_block.h"
 #include "diagnose/input_checks.h"
 
 namespace tera {
 namespace {
 
-constexpr double kShortest_s = 25;  ///< less leaves too little of SELECT and FINAL
+constexpr double kStepOfPeriod = 0.2;  ///< of an encoder's, that a replay steps over at most
+constexpr double kShortest_s = 20;  ///< less leaves too little of SELECT and FINAL
 
 /// The encoders of one machine.
 std::vector<NamedEncoders> EncodersOf(const Recording& recording, const std::string& machine) {
@@ -35,6 +37,14 @@ void Trim(TimeNs from_ns, TimeNs to_ns, std::vector<Sample>* samples) {
   std::erase_if(*samples, [&](const Sample& s) { return s.t_ns < from_ns || s.t_ns > to_ns; });
 }
 
+void Trim(TimeNs from_ns, TimeNs to_ns, TableRecording* table) {
+  const auto first = std::lower_bound(table->t_ns.begin(), table->t_ns.end(), from_ns);
+  const auto end = std::upper_bound(first, table->t_ns.end(), to_ns);
+  const auto rows = table->rows.begin();
+  table->rows = {rows + (first - table->t_ns.begin()), rows + (end - table->t_ns.begin())};
+  table->t_ns = {first, end};
+}
+
 bool Measures(const std::vector<NamedEncoders>& encoders, const std::string& axis) {
   for (const NamedEncoders& named : encoders) {
     for (const EncoderAxis& measured : named.recording.axes) {
@@ -48,6 +58,7 @@ bool Measures(const std::vector<NamedEncoders>& encoders, const std::string& axi
 struct Measurements {
   std::vector<NamedEncoders> encoders;
   std::vector<TruthPose> poses;
+  TableRecording efforts;  ///< of drives
   /// One for each of the scenario's sensors; empty of those that are none or were not recorded.
   std::vector<std::vector<ImuSample>> imus;
   TimeNs start_ns = 0;  ///< of the whole recording
@@ -83,6 +94,8 @@ Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& record
                 [](const NamedEncoders& named) { return named.recording.samples.empty(); });
   const std::string poses = "truth/" + input.machine + "/pose.csv";
   if (recording.Has(poses)) measured.poses = recording.LoadPose(poses).poses;
+  const std::string efforts = input.machine + "/efforts.csv";
+  if (recording.Has(efforts)) measured.efforts = recording.LoadTable(efforts);
   bool any = !measured.encoders.empty();
   for (const SensorDescription& sensor : input.sensors) {
     const std::string channel = input.machine + "/" + sensor.name;
@@ -93,8 +106,8 @@ Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& record
   if (!any && !options.needs_blocks) return measured;
   if (!any) {
     throw InputError(fmt::format(
-        "{}: no encoder channel of {}, and no inertial unit that the scenario has; need "
-        "something measured to compare",
+        "{}: no encoder channel of {}, and no inertial unit that the scenario has; "
+        "need something measured to compare",
         recording.directory().string(), input.machine));
   }
   CheckMeasurements(input, recording, measured);
@@ -103,16 +116,42 @@ Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& record
   const TimeNs to_ns = measured.start_ns + FromSeconds(options.to_s);
   for (NamedEncoders& named : measured.encoders) Trim(from_ns, to_ns, &named.recording.samples);
   for (auto& samples : measured.imus) Trim(from_ns, to_ns, &samples);
+  Trim(from_ns, to_ns, &measured.efforts);
   return measured;
+}
+
+/// Fine enough for the encoder that samples fastest, and no finer than wanted.
+double AxisStep_s(const std::vector<NamedEncoders>& encoders, double wanted_s) {
+  double shortest_s = std::numeric_limits<double>::max();
+  for (const NamedEncoders& named : encoders) {
+    const std::vector<EncoderSample>& samples = named.recording.samples;
+    if (samples.size() < 2) continue;
+    const double length_s = ToSeconds(samples.back().t_ns - samples.front().t_ns);
+    shortest_s = std::min(shortest_s, length_s / static_cast<double>(samples.size() - 1));
+  }
+  const bool any = shortest_s < std::numeric_limits<double>::max();
+  return any ? std::max(wanted_s, kStepOfPeriod * shortest_s) : wanted_s;
 }
 
 /// Encoders may have a block for each joint and gear with a lever.
 void AddAxes(const DiagnosisInput& input, const Measurements& measured,
              const DiagnosisOptions& options, std::vector<ReplayBlock>* blocks) {
   if (input.commands.columns.empty() || measured.encoders.empty()) return;
-  const AxisLog log = MakeAxisLog(*input.model, input.commands, measured.encoders, options.step_s);
+  const AxisLog log = MakeAxisLog(*input.model, input.commands, measured.encoders,
+                                  AxisStep_s(measured.encoders, options.step_s));
   for (std::size_t axis = 0; axis < log.measured.size(); ++axis) {
     if (auto block = MakeAxisBlock(*input.model, log, axis)) blocks->push_back(std::move(*block));
+  }
+}
+
+/// A joint whose drive's effort was measured, and its position, makes a block.
+void AddEfforts(const DiagnosisInput& input, const Measurements& measured,
+                std::vector<ReplayBlock>* blocks) {
+  for (EffortLog& log : MakeEffortLogs(*input.model, input.machine + "/efforts", measured.efforts,
+                                       measured.encoders)) {
+    if (auto block = MakeEffortBlock(*input.model, std::move(log))) {
+      blocks->push_back(std::move(*block));
+    }
   }
 }
 
@@ -162,9 +201,9 @@ void Try(const std::function<void()>& add, std::vector<std::string>* obstacles) 
     throw InputError(fmt::format("{}: {}", directory, fmt::join(obstacles, "; ")));
   }
   throw InputError(fmt::format(
-      "{}: nothing of {} can be replayed: need levers and encoders of the same joints, encoders of "
-      "all tracks or wheels and poses, or an inertial unit and what tells how its link moved, over "
-      "{} s at least",
+      "{}: nothing of {} can be replayed: need levers and encoders of the same joints, efforts and "
+      "encoders of the same joints, encoders of all tracks or wheels and poses, "
+      "or an inertial unit and what tells how its link moved, over {} s at least",
       directory, input.machine, kShortest_s));
 }
 
@@ -292,6 +331,7 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Recording& 
   std::vector<ReplayBlock> blocks;
   std::vector<std::string> obstacles;
   Try([&] { AddAxes(input, measured, options, &blocks); }, &obstacles);
+  Try([&] { AddEfforts(input, measured, &blocks); }, &obstacles);
   Try([&] { AddBase(input, measured, options, &blocks); }, &obstacles);
   Try([&] { AddImus(input, measured, options, &blocks); }, &obstacles);
   std::erase_if(blocks, [](const ReplayBlock& block) {

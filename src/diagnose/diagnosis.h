@@ -68,7 +68,7 @@ struct DiagnosisInput {
 struct DiagnosisOptions {
   SearchOptions search;
   std::uint64_t seed = 1;
-  double step_s = 0.01;           ///< of the replay of axes
+  double step_s = 0.01;           ///< of the replay of axes, where encoders sample often enough
   double from_s = 0, to_s = 1e9;  ///< part of the recording to look at, from its first sample on
   bool needs_blocks = true;       ///< that nothing can be replayed is an error
   double base_interval_s = 0.2;   ///< over which the motion of base and inertial units is compared
@@ -86,9 +86,10 @@ struct BlockProgress {
 };
 using FollowProgress = std::function<void(const BlockProgress&)>;
 
-/// Every block that the recording has channels for: joints and gears with encoders and levers, the
-/// base with gears and poses, inertial units whose link's motion was measured, over 25 s at least.
-/// Throws InputError where there is none at all, unless `needs_blocks` is false.
+/// Every block that the recording has channels for: joints and gears with encoders and levers,
+/// drives with efforts and encoders, the base with gears and poses, inertial units
+/// whose link's motion was measured, over 20 s at least. Throws InputError where there is none at
+/// all, unless `needs_blocks` is false.
 std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Recording& recording,
                                   const DiagnosisOptions& options);
 

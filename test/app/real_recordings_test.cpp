@@ -1,11 +1,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <nlohmann/json.hpp>
+
 #include "app/recorded_drive.h"
 #include "dataset/recording.h"
 
-// Whole recordings of the DRIVE data set, which are too large to ship. They lie in
-// TERA_RECORDINGS/drive_warthog, a folder that CMake is told of.
+// Recordings of real machines that are too large to ship. They lie in folders of TERA_RECORDINGS,
+// which CMake is told of: drive_warthog (the whole DRIVE recordings), emps, hydraulic_actuator.
+// What they show is in docs/real.md.
 
 namespace tera {
 namespace {
@@ -83,6 +87,76 @@ TEST_F(RealRecording, DrivingAheadOnGrassIsSimulatedOverTheSameWay) {
   EXPECT_NEAR(e.path_length_b_m, e.path_length_a_m, 0.2 * e.path_length_a_m);
   EXPECT_LT(e.ape_translation_m.rmse, 0.2 * e.path_length_a_m);
   EXPECT_LT(std::abs(DifferenceOf(c, "wz_radps").mean), 0.4) << "turns the same way";
+}
+
+using Json = nlohmann::json;
+
+class DiagnosisOfReality : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!fs::is_directory(folder_ / "emps")) {
+      GTEST_SKIP() << "no recordings in " << folder_ << "; configure with -DTERA_RECORDINGS=FOLDER";
+    }
+  }
+
+  void Import(const std::string& mapping, const std::string& file, const std::string& out) {
+    const Outcome outcome = RunTera({"import", TERA_SOURCE_DIR "/config/import/" + mapping, "--set",
+                                     "file=" + (folder_ / file).string(), "--out", out},
+                                    {scratch_.path()});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+  }
+
+  /// diagnosis.json of a recording against a scenario of config/scenarios.
+  Json Diagnose(const std::string& scenario, const std::string& recording, const std::string& out,
+                const Arguments& more = {}) {
+    Arguments arguments = {"diagnose", TERA_SOURCE_DIR "/config/scenarios/" + scenario, recording,
+                           "--out", out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = RunTera(arguments, {scratch_.path()});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    std::ifstream file(scratch_.path() / out / "diagnosis.json");
+    return Json::parse(file, nullptr, false);
+  }
+
+  static double Number(const Json& json, const std::string& mechanism,
+                       const std::string& parameter) {
+    for (const Json& finding : json["findings"]) {
+      if (finding["mechanism"] == mechanism) return finding["parameters"][parameter]["value"];
+    }
+    ADD_FAILURE() << "no finding of " << mechanism;
+    return 0;
+  }
+
+  const fs::path folder_ = TERA_RECORDINGS;
+  const ScratchDirectory scratch_;
+};
+
+TEST_F(DiagnosisOfReality, NamesTheFrictionOfThePositioningSystemAndForetellsForcesItHasNotSeen) {
+  Import("emps.yaml", "emps/train.csv", "train");
+  const Json why = Diagnose("emps.yaml", "train", "why");
+  // Published with friction of one's own for each direction: Coulomb 20.4 N, viscous 167 and 240 N
+  // s/m.
+  EXPECT_EQ(why["findings"].size(), 3u);
+  EXPECT_NEAR(Number(why, "coulomb_friction", "effort_nm"), 20.4, 1.5);
+  const double forward_nspm = Number(why, "viscous_friction", "coefficient_nmsprad");
+  EXPECT_NEAR(forward_nspm, 167, 10);
+  EXPECT_NEAR(forward_nspm + Number(why, "asymmetric_friction", "negative_nmsprad"), 240, 12);
+
+  Import("emps.yaml", "emps/test_pulses.csv", "pulses");
+  const Json after = Diagnose("emps.yaml", "pulses", "after", {"--effects", "why/effects.yaml"});
+  EXPECT_EQ(after["findings"].size(), 0u);
+  const Json& force = after["channels"][0];
+  // 4.2 %; the aim of 4 % is missed (docs/real.md).
+  EXPECT_LT(force["rmse"].get<double>(), 0.045 * force["rms"].get<double>());
+}
+
+TEST_F(DiagnosisOfReality, GivesTheHydraulicActuatorNoNameItDoesNotHave) {
+  Import("hydraulic_actuator.yaml", "hydraulic_actuator/actuator.csv", "actuator");
+  const Json why = Diagnose("hydraulic_actuator.yaml", "actuator", "why");
+  EXPECT_EQ(why["verdict"][0], "unexplained");
+  ASSERT_EQ(why["findings"].size(), 1u);
+  EXPECT_EQ(why["findings"][0]["mechanism"], "unexplained");
+  EXPECT_EQ(why["findings"][0]["regime"]["variable"], "lever/pressure");
 }
 
 }  // namespace

@@ -44,6 +44,9 @@ DiagnosedBlock Block(const std::string& name, const std::string& channel, const 
   made.block.name = name;
   const Series measured = MakeSeries(0.5, std::vector<double>(200, 3.0));
   made.block.channels = {{channel, unit, measured, {}, {}, {}}};
+  made.block.predict = [](const Structure&) {
+    return std::vector<std::vector<double>>{std::vector<double>(200, 2.0)};
+  };
   SearchResult& search = made.diagnosis.search;
   search.nothing.misfit.residual = {MakeSeries(0.5, std::vector<double>(200, 1.0))};
   search.found.misfit.residual = {MakeSeries(0.5, std::vector<double>(200, 0.0))};
@@ -303,6 +306,14 @@ TEST(DiagnosisJson, HasItsStructureInFixedOrderAndDigits) {
       "rmse_after": 0.01,
       "unit": "rad/s",
       "excess_variance_removed": 0.9
+    }
+  ],
+  "channels": [
+    {
+      "channel": "excavator1/encoders/boom_radps",
+      "unit": "rad/s",
+      "rms": 3.0,
+      "rmse": 1.0
     }
   ],
   "unconfirmed": [],

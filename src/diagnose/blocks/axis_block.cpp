@@ -194,6 +194,7 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   const LoneAxisReplay replay(model, log, measured);
   channel.nominal = NominalColumns(replay, grid);
   block.name = NameOfAxis(model, axis);
+  block.slides = channel.unit == "m/s";
   block.first_ns = measured.t_ns.front();
   // Other levers move the axis through its position and load alone, which are measured.
   block.commands = {channel.variables[0].series};

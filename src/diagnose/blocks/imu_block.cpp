@@ -179,11 +179,12 @@ std::vector<Series> CommandsOf(const Quantities& predicted, double period_s) {
 std::optional<ReplayBlock> MakeImuBlock(const SensorDescription& sensor, ImuLog given,
                                         const std::string& channel) {
   if (std::count(given.known.begin(), given.known.end(), true) < kFewestIntervals) return {};
-  // What predicts holds both for as long as the block lives.
+  // What predicts holds all three for as long as the block lives.
   const auto log = std::make_shared<const ImuLog>(std::move(given));
   const auto described = std::make_shared<const SensorDescription>(sensor);
+  const auto replay = std::make_shared<const ImuReplay>(*described, *log);
   const double period_s = ToSeconds(log->clock.Period());
-  const std::vector<ImuSample> as_documented = ImuReplay(*described, *log).Predict(sensor.effects);
+  const std::vector<ImuSample> as_documented = replay->Predict(sensor.effects);
   Vec3 mean_f_S_mps2 = Vec3::Zero();
   for (const ImuSample& sample : as_documented) {
     mean_f_S_mps2 += sample.f_S_mps2 / static_cast<double>(as_documented.size());
@@ -218,9 +219,8 @@ std::optional<ReplayBlock> MakeImuBlock(const SensorDescription& sensor, ImuLog 
   AddGeometry(&suspects);
   AddTiming(&suspects);
   block.suspects = suspects.Take();
-  block.predict = [described, log, mean_f_S_mps2](const Structure& terms) {
-    Quantities split = Split(
-        ImuReplay(*described, *log).Predict(WithTerms(described->effects, terms)), mean_f_S_mps2);
+  block.predict = [described, log, replay, mean_f_S_mps2](const Structure& terms) {
+    Quantities split = Split(replay->Predict(WithTerms(described->effects, terms)), mean_f_S_mps2);
     return std::vector<std::vector<double>>(std::make_move_iterator(split.begin()),
                                             std::make_move_iterator(split.end()));
   };

@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-constexpr double kInstant_s = 0.02;       ///< rates of gears change little in between
+constexpr double kInstant_s = 0.05;       ///< rates of gears change little in between
 constexpr double kLongestInterval_s = 1;  ///< beyond it the path between two poses is unknown
 
 /// Rate of one gear over time.

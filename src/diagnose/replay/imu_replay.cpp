@@ -42,28 +42,69 @@ void SetMeasured(const std::vector<ImuSample>& samples, ImuLog* log) {
   }
 }
 
-/// Between the stamps of two samples; beyond the first and the last, those.
-ImuSample At(const std::vector<ImuSample>& samples, TimeNs t_ns) {
-  const auto next = std::lower_bound(samples.begin(), samples.end(), t_ns,
-                                     [](const ImuSample& s, TimeNs t) { return s.t_ns < t; });
-  if (next == samples.begin()) return samples.front();
-  if (next == samples.end()) return samples.back();
-  const ImuSample &b = *next, &a = *(next - 1);
-  const double s = ToSeconds(t_ns - a.t_ns) / ToSeconds(b.t_ns - a.t_ns);
-  return {t_ns, t_ns, (1 - s) * a.w_WS_S_radps + s * b.w_WS_S_radps,
-          (1 - s) * a.f_S_mps2 + s * b.f_S_mps2};
-}
+/// Reads samples at times that grow: between the stamps of two; beyond the first and the last,
+/// those.
+class ReadBetween {
+ public:
+  explicit ReadBetween(const std::vector<ImuSample>& samples) : samples_(samples) {}
+
+  ImuSample At(TimeNs t_ns) {
+    while (next_ < samples_.size() && samples_[next_].t_ns < t_ns) ++next_;
+    if (next_ == samples_.size()) return samples_.back();
+    const ImuSample& b = samples_[next_];
+    if (next_ == 0 || b.t_ns == t_ns) return b;
+    const ImuSample& a = samples_[next_ - 1];
+    const double s = ToSeconds(t_ns - a.t_ns) / ToSeconds(b.t_ns - a.t_ns);
+    return {t_ns, t_ns, (1 - s) * a.w_WS_S_radps + s * b.w_WS_S_radps,
+            (1 - s) * a.f_S_mps2 + s * b.f_S_mps2};
+  }
+
+ private:
+  const std::vector<ImuSample>& samples_;
+  std::size_t next_ = 0;
+};
 
 /// Of interval `k`, counted from 0, that ends with its last sample.
-ImuSample MeanOver(std::int64_t k, const SampleClock& fine, const std::vector<ImuSample>& samples) {
+ImuSample MeanOver(std::int64_t k, std::int64_t an_interval, const SampleClock& clock,
+                   ReadBetween* samples) {
   ImuSample mean;
-  for (int i = 1; i <= kSamplesAnInterval; ++i) {
-    const ImuSample sample = At(samples, fine.Due(k * kSamplesAnInterval + i));
-    mean.t_ns = mean.t_available_ns = sample.t_ns;
-    mean.w_WS_S_radps += sample.w_WS_S_radps / kSamplesAnInterval;
-    mean.f_S_mps2 += sample.f_S_mps2 / kSamplesAnInterval;
+  const auto share = 1 / static_cast<double>(an_interval);
+  for (std::int64_t i = 1; i <= an_interval; ++i) {
+    const TimeNs t_ns = clock.Due(k * an_interval + i);
+    const ImuSample sample = samples->At(t_ns);
+    mean.t_ns = mean.t_available_ns = t_ns;
+    mean.w_WS_S_radps += share * sample.w_WS_S_radps;
+    mean.f_S_mps2 += share * sample.f_S_mps2;
   }
   return mean;
+}
+
+SampleClock ClockOf(const ImuLog& log, std::int64_t an_interval) {
+  return {static_cast<double>(an_interval) * log.clock.rate_hz, log.clock.start_ns};
+}
+
+/// Whether what effects make of a mean is the mean of what they make.
+bool AreLinear(const Effects& effects) {
+  return std::all_of(effects.begin(), effects.end(), [](const Effect& effect) {
+    const std::string_view id = effect.mechanism->id;
+    return effect.mechanism->slot == Slot::kSensorGeometry || id == "bias" || id == "scale" ||
+           id == "temperature_drift";
+  });
+}
+
+/// What an ideal unit at `X_BS` measures.
+std::vector<ImuSample> Ideal(const ImuLog& log, const Pose& X_BS) {
+  Imu imu({}, X_BS, ClockOf(log, kSamplesAnInterval), 0, 0, "");
+  const Vec3 gravity_W_mps2(0, 0, -kStandardGravity_mps2);
+  std::vector<ImuSample> samples;
+  BodyState begin, end;
+  for (std::size_t k = 0; k + 1 < log.track.X_WL.size(); ++k) {
+    begin.X_WB = log.track.X_WL[k];
+    end.X_WB = log.track.X_WL[k + 1];
+    imu.Advance(log.track.t_ns(k), begin, log.track.t_ns(k + 1), end, gravity_W_mps2, &samples);
+  }
+  imu.Finish(&samples);
+  return samples;
 }
 
 }  // namespace
@@ -85,27 +126,52 @@ ImuLog MakeImuLog(const MachineModel& model, const SensorDescription& sensor,
   return log;
 }
 
-std::vector<ImuSample> ImuReplay::Predict(const Effects& effects) const {
-  const Pose X_BT = TrueMount(sensor_.X_BS, effects);
-  const SampleClock fine{kSamplesAnInterval * log_.clock.rate_hz, log_.clock.start_ns};
-  const auto& documented = std::get<ImuModel>(sensor_.model);
-  Imu imu({.gyro_bias_radps = documented.gyro_bias_radps,
-           .accel_bias_mps2 = documented.accel_bias_mps2},
-          X_BT, fine, 0, 0, sensor_.name);
-  const Vec3 gravity_W_mps2(0, 0, -kStandardGravity_mps2);
-  std::vector<ImuSample> samples;
-  BodyState begin, end;
-  for (std::size_t k = 0; k + 1 < log_.track.X_WL.size(); ++k) {
-    begin.X_WB = log_.track.X_WL[k];
-    end.X_WB = log_.track.X_WL[k + 1];
-    imu.Advance(log_.track.t_ns(k), begin, log_.track.t_ns(k + 1), end, gravity_W_mps2, &samples);
+ImuReplay::ImuReplay(const SensorDescription& sensor, const ImuLog& log)
+    : sensor_(sensor), log_(log), fine_{kSamplesAnInterval, Ideal(log, sensor.X_BS), {}} {
+  fine_.f_by_place_1ps2.resize(fine_.samples.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    Pose X_BS = sensor.X_BS;
+    X_BS.translation()[axis] += 1;
+    const std::vector<ImuSample> beside = Ideal(log, X_BS);
+    for (std::size_t k = 0; k < beside.size(); ++k) {
+      fine_.f_by_place_1ps2[k].col(axis) = beside[k].f_S_mps2 - fine_.samples[k].f_S_mps2;
+    }
   }
-  imu.Finish(&samples);
+  ReadBetween between(fine_.samples);
+  const SampleClock clock = ClockOf(log, kSamplesAnInterval);
+  for (std::size_t k = 0; k < log.known.size(); ++k) {
+    means_.samples.push_back(
+        MeanOver(static_cast<std::int64_t>(k), kSamplesAnInterval, clock, &between));
+    Mat3 f_by_place_1ps2 = Mat3::Zero();
+    for (std::size_t i = 0; i < kSamplesAnInterval; ++i) {
+      const std::size_t at = std::min(k * kSamplesAnInterval + i, fine_.samples.size() - 1);
+      f_by_place_1ps2 += fine_.f_by_place_1ps2[at] / kSamplesAnInterval;
+    }
+    means_.f_by_place_1ps2.push_back(f_by_place_1ps2);
+  }
+}
+
+std::vector<ImuSample> ImuReplay::Predict(const Effects& effects) const {
+  const Carried& carried = AreLinear(effects) ? means_ : fine_;
+  const Pose X_BT = TrueMount(sensor_.X_BS, effects);
+  const Vec3 away_B_m = X_BT.translation() - sensor_.X_BS.translation();
+  const Mat3 R_TS = X_BT.linear().transpose() * sensor_.X_BS.linear();
+  const auto& model = std::get<ImuModel>(sensor_.model);
   ImuSlots slots(effects, 0, sensor_.name);
-  for (ImuSample& sample : samples) slots.Apply(&sample);
+  std::vector<ImuSample> samples = carried.samples;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    ImuSample& sample = samples[k];
+    sample.w_WS_S_radps = R_TS * sample.w_WS_S_radps + model.gyro_bias_radps;
+    const Vec3 f_S_mps2 = sample.f_S_mps2 + carried.f_by_place_1ps2[k] * away_B_m;
+    sample.f_S_mps2 = R_TS * f_S_mps2 + model.accel_bias_mps2;
+    slots.Apply(&sample);
+  }
+  const SampleClock clock = ClockOf(log_, carried.an_interval);
+  ReadBetween between(samples);
   std::vector<ImuSample> predicted;
   for (std::size_t k = 0; k < log_.known.size(); ++k) {
-    predicted.push_back(MeanOver(static_cast<std::int64_t>(k), fine, samples));
+    predicted.push_back(
+        MeanOver(static_cast<std::int64_t>(k), carried.an_interval, clock, &between));
   }
   return predicted;
 }

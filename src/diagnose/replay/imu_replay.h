@@ -27,14 +27,17 @@ ImuLog MakeImuLog(const MachineModel& model, const SensorDescription& sensor,
 /// An inertial unit carried along a measured motion.
 ///
 /// Model   the simulator's own Imu without noise, its documented bias included, at its true mount,
-/// then ImuSlots; what gets
-///         another time stamp is read between stamps.
+///         then ImuSlots; what gets another time stamp is read between stamps. The Imu runs four
+///         times, when this is made: where the unit is documented, and a metre from there along
+///         each axis of its link. Its specific force is linear in its place and everything turns
+///         with it, so that these tell what it measures anywhere. Errors that are linear act on the
+///         means over intervals at once, the others on eight samples an interval.
 /// Omits   motion faster than the intervals; the errors that draw random numbers (`outliers`,
 ///         jitter of `latency`) act, but as drawn here.
 class ImuReplay {
  public:
   /// Both must outlive it.
-  ImuReplay(const SensorDescription& sensor, const ImuLog& log) : sensor_(sensor), log_(log) {}
+  ImuReplay(const SensorDescription& sensor, const ImuLog& log);
 
   /// Samples at the ends of the log's intervals, with `effects` in place of the sensor's own.
   std::vector<ImuSample> Predict(const Effects& effects) const;
@@ -42,6 +45,14 @@ class ImuReplay {
  private:
   const SensorDescription& sensor_;
   const ImuLog& log_;
+  /// Samples of an ideal unit where it is documented.
+  struct Carried {
+    std::int64_t an_interval = 1;
+    std::vector<ImuSample> samples;
+    std::vector<Mat3> f_by_place_1ps2;  ///< change of the force in S by the place in the link
+  };
+  Carried fine_;
+  Carried means_;  ///< over intervals: enough for what neither bends nor delays
 };
 
 }  // namespace tera

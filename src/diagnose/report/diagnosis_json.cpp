@@ -56,11 +56,14 @@ Json RegimeOf(const Location& location) {
 Json ParametersOf(const Finding& finding) {
   const std::vector<double>& present = finding.term.suspect->present;
   Json map = Json::object();
-  for (const ParameterEstimate& estimate : finding.parameters) {
-    map[estimate.name] = {{"value", Number(estimate.value)},
-                          {"sigma", Number(estimate.sigma)},
-                          {"unit", estimate.unit}};
-    if (!present.empty()) map[estimate.name]["instead_of"] = Number(present[map.size() - 1]);
+  for (std::size_t i = 0; i < finding.parameters.size(); ++i) {
+    const ParameterEstimate& estimate = finding.parameters[i];
+    Json& json = map[estimate.name];
+    json = {{"value", Number(estimate.value)},
+            {"sigma", Number(estimate.sigma)},
+            {"unit", estimate.unit}};
+    if (!present.empty()) json["instead_of"] = Number(present[i]);
+    if (finding.term.IsHeld(i)) json["determined"] = false;
   }
   return map;
 }
@@ -253,6 +256,31 @@ Json FurtherRecordings(const Diagnosis& diagnosis) {
   return list;
 }
 
+/// How far the scenario is from the recording as it stands, over all samples: nothing fitted, not
+/// even nuisances.
+Json Channels(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    const std::vector<std::vector<double>> predicted = diagnosed.block.predict({});
+    for (std::size_t c = 0; c < predicted.size(); ++c) {
+      const Channel& channel = diagnosed.block.channels[c];
+      double square = 0, error = 0, count = 0;
+      for (std::size_t k = 0; k < channel.measured.size(); ++k) {
+        if (!channel.measured.valid[k]) continue;
+        square += std::pow(channel.measured.value[k], 2);
+        error += std::pow(channel.measured.value[k] - predicted[c][k], 2);
+        ++count;
+      }
+      count = std::max(count, 1.0);
+      list.push_back({{"channel", channel.name},
+                      {"unit", channel.unit},
+                      {"rms", Number(std::sqrt(square / count))},
+                      {"rmse", Number(std::sqrt(error / count))}});
+    }
+  }
+  return list;
+}
+
 Json Whole(const Diagnosis& diagnosis) {
   if (!diagnosis.whole) return nullptr;
   const WholeSimulation& whole = *diagnosis.whole;
@@ -339,6 +367,7 @@ std::string DiagnosisJson(const Diagnosis& diagnosis) {
     }
   }
   json["held_out"] = HeldOutOfAll(diagnosis);
+  json["channels"] = Channels(diagnosis);
   json["unconfirmed"] = Unconfirmed(diagnosis);
   json["untestable"] = Untestable(diagnosis);
   json["not_judged"] = NotJudged(diagnosis);

@@ -59,7 +59,7 @@ std::string MechanismLine(const Finding& finding) {
                                      [&](const FreeParameter& free) { return free.index == i; });
     const bool has_already =
         suspect.present.empty() ? parameter.otherwise == value : suspect.present[i] == value;
-    if (!is_free && has_already) continue;
+    if ((!is_free || finding.term.IsHeld(i)) && has_already) continue;
     numbers.push_back(fmt::format("{}: {}", parameter.name, Value(value, parameter)));
   }
   return fmt::format("{}: {{{}}}", suspect.mechanism->id, fmt::join(numbers, ", "));

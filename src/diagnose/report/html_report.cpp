@@ -95,6 +95,7 @@ std::string ParameterTable(const DiagnosedBlock& diagnosed) {
         sigma = value.substr(at + std::string_view(" ± ").size());
         value.resize(at);
       }
+      if (finding->term.IsHeld(free.index)) sigma = "not determined";
       table.Row({is_first ? Code(suspect.mechanism->id) : "",
                  is_first ? Escaped(suspect.target) : "", Code(estimate.name), value, sigma,
                  UnitCell(estimate.unit),

@@ -136,7 +136,7 @@ std::string MechanismText(const DiagnosedBlock& diagnosed, const Finding& findin
   std::vector<std::string> numbers;
   for (const FreeParameter& free : suspect.free) {
     const ParameterEstimate& estimate = finding.parameters[free.index];
-    if (!IsTold(suspect, free, estimate)) continue;
+    if (finding.term.IsHeld(free.index) || !IsTold(suspect, free, estimate)) continue;
     const ReadableUnit unit = ReadableUnitOf(estimate);
     std::optional<double> sigma = estimate.sigma;
     if (sigma) *sigma *= unit.factor;

@@ -38,6 +38,7 @@ constexpr std::pair<std::string_view, std::string_view> kQuantityOfEnding[] = {
     {"_rad", "angle"},
     {"_deg", "angle"},
     {"_nm", "torque"},
+    {"_n", "force"},
     {"_m", "position"}};
 
 /// Of what a parameter is counted in.
@@ -143,13 +144,14 @@ std::string VariableText(const std::string& variable, const ReplayBlock& block) 
 }
 
 std::string UnitOfVariable(const std::string& variable, const std::string& channel_unit) {
-  const bool slides = channel_unit == "m/s" || channel_unit == "m";
+  const bool slides = channel_unit == "m/s" || channel_unit == "m" || channel_unit == "N";
   const std::string kind = variable.substr(0, variable.find('/'));
   if (kind == "position") return slides ? "m" : "rad";
   if (kind == "load") return slides ? "N" : "N m";
   if (kind == "time") return "s";
   if (kind == "speed" || kind == "turning") return "m/s";
-  if (kind == "rate") return "rad/s";
+  if (kind == "rate") return slides ? "m/s" : "rad/s";
+  if (kind == "acceleration") return slides ? "m/s^2" : "rad/s^2";
   if (kind == "force") return "m/s^2";
   if (kind == "pitch" || kind == "roll" || kind == "yaw" || kind == "slope") return "rad";
   return "1";

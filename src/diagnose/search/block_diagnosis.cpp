@@ -158,21 +158,36 @@ double FormDeviation(const Mechanism& mechanism, double value) {
   return mechanism.slot < Slot::kSensorGeometry ? kFormOfNumber * std::abs(value) : 0;
 }
 
+/// A parameter's unit where radians are metres and newton metres newtons.
+std::string UnitOfSliding(std::string_view unit) {
+  if (unit == "rad") return "m";
+  if (unit == "rad/s") return "m/s";
+  if (unit == "rad/s2") return "m/s2";
+  if (unit == "N m") return "N";
+  if (unit == "N m s/rad") return "N s/m";
+  return std::string(unit);
+}
+
 /// The numbers of one term; no standard deviation where it is wider than the parameter's range, or
 /// the number stands at an end of it.
-std::vector<ParameterEstimate> EstimatesOf(const FittedStructure& found, std::size_t wanted) {
+std::vector<ParameterEstimate> EstimatesOf(const FittedStructure& found, std::size_t wanted,
+                                           bool slides) {
   const std::vector<std::optional<double>> sigmas = SigmasOf(found);
   std::size_t first = 0;
-  for (std::size_t t = 0; t < wanted; ++t) first += found.terms[t].suspect->free.size();
+  for (std::size_t t = 0; t < wanted; ++t) first += found.terms[t].Free().size();
   const Term& term = found.terms[wanted];
   std::vector<ParameterEstimate> estimates;
   const auto& parameters = term.suspect->mechanism->parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    estimates.push_back(
-        {std::string(parameters[i].name), std::string(parameters[i].unit), term.values[i], {}});
+    const std::string_view unit = parameters[i].unit;
+    estimates.push_back({std::string(parameters[i].name),
+                         slides ? UnitOfSliding(unit) : std::string(unit),
+                         term.values[i],
+                         {}});
   }
-  for (std::size_t f = 0; f < term.suspect->free.size(); ++f) {
-    const FreeParameter& free = term.suspect->free[f];
+  const std::vector<FreeParameter> moved = term.Free();
+  for (std::size_t f = 0; f < moved.size(); ++f) {
+    const FreeParameter& free = moved[f];
     if (sigmas[first + f].value_or(1e300) > free.upper - free.lower) continue;
     if (IsAtBound(free, term.values[free.index])) continue;
     estimates[free.index].sigma = std::hypot(
@@ -220,7 +235,7 @@ Finding Procedure::Describe(const SearchResult& search, std::size_t term) const 
   const FittedStructure without = fitter_.FitValues(others);
   Finding finding;
   finding.term = found.terms[term];
-  finding.parameters = EstimatesOf(found, term);
+  finding.parameters = EstimatesOf(found, term, block_.slides);
   finding.evidence = search.evidence[term];
   const std::size_t channel = MostImproved(without, found);
   finding.location = Locate(block_.channels[channel], channel, without.misfit.residual[channel],

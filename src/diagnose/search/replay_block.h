@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -40,6 +41,18 @@ struct Suspect {
 struct Term {
   const Suspect* suspect = nullptr;
   std::vector<double> values;
+  /// Of its parameters, those that a fit leaves as they are though the suspect would free them.
+  std::vector<std::size_t> held = {};
+
+  bool IsHeld(std::size_t index) const {
+    return std::find(held.begin(), held.end(), index) != held.end();
+  }
+  /// What a fit moves.
+  std::vector<FreeParameter> Free() const {
+    std::vector<FreeParameter> free = suspect->free;
+    std::erase_if(free, [&](const FreeParameter& one) { return IsHeld(one.index); });
+    return free;
+  }
 };
 
 /// What is taken to act; each suspect once.
@@ -74,6 +87,7 @@ struct ReplayBlock {
   std::string name;
   TimeNs first_ns = 0;            ///< of the grid's first place; from the recording's first sample
   std::vector<Channel> channels;  ///< at least one, all on one grid
+  bool slides = false;  ///< of a joint whose radians and newton metres are metres and newtons
   std::vector<Suspect> suspects;
   std::vector<Series> commands;  ///< on the grid: what tells manoeuvres apart
   /// What each channel would have been, on the grid, were these terms at work, each in place of

@@ -2,6 +2,7 @@
 
 #include <ceres/ceres.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -14,12 +15,13 @@ namespace {
 constexpr double kStep = 0.002;  ///< of a parameter's range, for difference quotients
 constexpr int kMostIterations = 12;
 constexpr double kBadFit = 2;         ///< mean squared innovation
+constexpr double kLeastPart = 0.3;    ///< of a direction of length 1, that a parameter may have
 constexpr double kConverged = 0.005;  ///< log-likelihood that a step still gains
 
 std::vector<double> PlacesOf(const Structure& terms) {
   std::vector<double> places;
   for (const Term& term : terms) {
-    for (const FreeParameter& free : term.suspect->free) {
+    for (const FreeParameter& free : term.Free()) {
       places.push_back(PlaceOf(free, term.values[free.index]));
     }
   }
@@ -28,7 +30,7 @@ std::vector<double> PlacesOf(const Structure& terms) {
 
 Structure AtPlaces(Structure terms, const double* places) {
   for (Term& term : terms) {
-    for (const FreeParameter& free : term.suspect->free) {
+    for (const FreeParameter& free : term.Free()) {
       term.values[free.index] = ValueAt(free, *places++);
     }
   }
@@ -84,13 +86,67 @@ class Deviance final : public ceres::CostFunction {
 Eigen::VectorXd RangesAt(const Structure& terms) {
   std::vector<double> ranges;
   for (const Term& term : terms) {
-    for (const FreeParameter& free : term.suspect->free) {
+    for (const FreeParameter& free : term.Free()) {
       ranges.push_back(free.logarithmic
                            ? term.values[free.index] * std::log(free.upper / free.lower)
                            : free.upper - free.lower);
     }
   }
   return Eigen::Map<const Eigen::VectorXd>(ranges.data(), static_cast<Eigen::Index>(ranges.size()));
+}
+
+/// The number that a parameter has where its mechanism is not looked for; none where it must be
+/// given.
+std::optional<double> DefaultOf(const Suspect& suspect, std::size_t index) {
+  if (!suspect.present.empty()) return suspect.present[index];
+  return suspect.mechanism->parameters[index].otherwise;
+}
+
+/// A free parameter of a structure.
+struct Freedom {
+  Term* term = nullptr;
+  std::size_t index = 0;
+  double range = 1;
+};
+
+std::vector<Freedom> FreedomsOf(Structure* terms) {
+  const Eigen::VectorXd ranges = RangesAt(*terms);
+  std::vector<Freedom> freedoms;
+  for (Term& term : *terms) {
+    for (const FreeParameter& free : term.Free()) {
+      const auto place = static_cast<Eigen::Index>(freedoms.size());
+      freedoms.push_back({&term, free.index, std::abs(ranges[place])});
+    }
+  }
+  return freedoms;
+}
+
+/// Puts the parameter that has most part in the direction that the information says least of to its
+/// default and holds it there, if that direction is not known to within the parameters' ranges.
+/// Whether there was one.
+bool HoldUndetermined(const Eigen::MatrixXd& information, Structure* terms) {
+  const std::vector<Freedom> freedoms = FreedomsOf(terms);
+  if (freedoms.empty()) return false;
+  Eigen::VectorXd ranges(information.rows());
+  for (Eigen::Index i = 0; i < ranges.size(); ++i) {
+    ranges[i] = std::max(freedoms[static_cast<std::size_t>(i)].range, 1e-300);
+  }
+  const Eigen::MatrixXd scaled = ranges.asDiagonal() * information * ranges.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled);
+  if (!(solver.eigenvalues()[0] < 1)) return false;
+  const Eigen::VectorXd direction = solver.eigenvectors().col(0);
+  const Freedom* most = nullptr;
+  double part = kLeastPart;
+  for (std::size_t i = 0; i < freedoms.size(); ++i) {
+    const double own = std::abs(direction[static_cast<Eigen::Index>(i)]);
+    if (own <= part || !DefaultOf(*freedoms[i].term->suspect, freedoms[i].index)) continue;
+    part = own;
+    most = &freedoms[i];
+  }
+  if (most == nullptr) return false;
+  most->term->values[most->index] = *DefaultOf(*most->term->suspect, most->index);
+  most->term->held.push_back(most->index);
+  return true;
 }
 
 /// White noise of the size of what is left of each channel's samples fitted to, if that is much
@@ -206,6 +262,10 @@ FittedStructure StructureFitter::FitFrom(const Structure& terms) const {
 FittedStructure StructureFitter::Fit(Structure terms) const {
   FittedStructure out = FitValues(std::move(terms));
   AddInformation(&out);
+  while (HoldUndetermined(out.information, &out.terms)) {
+    out = FitFrom(out.terms);
+    AddInformation(&out);
+  }
   return out;
 }
 

@@ -41,8 +41,10 @@ class StructureFitter {
   StructureFitter(const ReplayBlock& block, const Likelihood& likelihood,
                   std::vector<Segment> manoeuvres);
 
+  /// Numbers that the measurements do not determine, a direction of the information that is not
+  /// known to within the parameters' ranges, stand at their defaults and are held there.
   FittedStructure Fit(Structure terms) const;
-  /// The same without information and scores.
+  /// The same without information, scores and such numbers.
   FittedStructure FitValues(Structure terms) const;
   /// The same without the smooth likelihood: where the other terms are fitted already.
   FittedStructure FitNear(Structure terms) const;

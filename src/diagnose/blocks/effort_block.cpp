@@ -1,0 +1,149 @@
+#include "diagnose/blocks/effort_block.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "diagnose/blocks/suspect_list.h"
+#include "diagnose/replay/effort_replay.h"
+#include "diagnose/statistics/robust.h"
+#include "physics/actuation_mechanisms.h"
+
+namespace tera {
+namespace {
+
+constexpr std::size_t kFewestSamples = 200;
+constexpr double kNominalMass = 0.03;  ///< standard deviation, of mass, inertia and weight
+constexpr double kMostOfEfforts = 0.99;
+constexpr double kSoftSign = 0.02;  ///< of the largest rate, over which a free sign turns
+
+double LargestOf(const std::vector<double>& x) {
+  double largest = 0;
+  for (const double one : x) largest = std::max(largest, std::abs(one));
+  return largest;
+}
+
+/// Sizes that the numbers of suspects are looked for in.
+struct Reach {
+  double effort_nm = 0, rate_radps = 0;
+  double viscous_nmsprad() const { return effort_nm / rate_radps; }
+};
+
+Reach ReachOf(const EffortLog& log) {
+  std::vector<double> magnitude_nm = ValidValues(log.measured);
+  for (double& e : magnitude_nm) e = std::abs(e);
+  return {Quantile(magnitude_nm, kMostOfEfforts), LargestOf(log.rate_radps)};
+}
+
+std::vector<Suspect> SuspectsOf(const std::string& joint, const Effects& present,
+                                const Reach& reach) {
+  const double f = reach.effort_nm, w = reach.rate_radps, c = reach.viscous_nmsprad();
+  SuspectList out(joint, EffectTarget::kJoint, present, ActuationMechanisms());
+  out.Add("coulomb_friction", {{0, 0, 2 * f}}, {{0.02 * f}, {0.07 * f}, {0.2 * f}, {0.6 * f}});
+  out.Add("viscous_friction", {{0, 0, 5 * c}},
+          {{0.02 * c, 40}, {0.07 * c, 40}, {0.2 * c, 40}, {0.6 * c, 40}});
+  out.Add("stribeck_friction", {{0, 0, 2 * f}, {1, 2e-3 * w, 0.5 * w, true}},
+          {{0.02 * f, 0.03 * w}, {0.07 * f, 0.03 * w}, {0.2 * f, 0.03 * w}, {0.2 * f, 0.15 * w}});
+  out.Add("asymmetric_friction", {{0, 0, 2 * f}, {2, 0, 5 * c}},
+          {{0, 0, 0.05 * c, 0}, {0.05 * f, 0, 0, 0}, {0.05 * f, 0, 0.1 * c, 0}});
+  out.Add("asymmetric_friction", {{1, 0, 2 * f}, {3, 0, 5 * c}},
+          {{0, 0, 0, 0.05 * c}, {0, 0.05 * f, 0, 0}, {0, 0.05 * f, 0, 0.1 * c}});
+  out.Add("effort_offset", {{0, -2 * f, 2 * f}},
+          {{0.01 * f}, {-0.01 * f}, {0.04 * f}, {-0.04 * f}, {0.2 * f}, {-0.2 * f}});
+  return out.Take();
+}
+
+/// What friction of any form could be, by position, and what a wrong mass could.
+Eigen::MatrixXd FreeMember(const EffortLog& log) {
+  const double w = LargestOf(log.rate_radps), a = LargestOf(log.acceleration_radps2);
+  const double middle = Median(log.position_rad);
+  const double spread = std::max(RobustScale(log.position_rad), 1e-9);
+  Eigen::MatrixXd columns(static_cast<Eigen::Index>(log.rate_radps.size()), 20);
+  for (std::size_t k = 0; k < log.rate_radps.size(); ++k) {
+    const double v = log.rate_radps[k] / w, b = log.acceleration_radps2[k] / std::max(a, 1e-9);
+    const double sign = std::tanh(v / kSoftSign), slow = std::exp(-std::pow(v / 0.1, 2));
+    const double q = std::clamp((log.position_rad[k] - middle) / (2 * spread), -2.0, 2.0);
+    const std::array<double, 20> row = {
+        1.0,      sign,         v,     std::abs(v), v * std::abs(v),
+        v * v,    sign * slow,  q,     q * q,       q * q * q,
+        sign * q, sign * q * q, v * q, v * q * q,   std::abs(v) * q,
+        b,        b * sign,     b * b, b * v,       b * std::abs(v)};
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      columns(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(c)) = row[c];
+    }
+  }
+  return columns;
+}
+
+Eigen::MatrixXd NominalColumns(const EffortLog& log) {
+  const auto size = static_cast<Eigen::Index>(log.inertial_nm.size());
+  const bool heavy = LargestOf(log.weight_nm) > 0;
+  Eigen::MatrixXd columns(size, heavy ? 2 : 1);
+  columns.col(0) = kNominalMass * Eigen::Map<const Eigen::VectorXd>(log.inertial_nm.data(), size);
+  if (heavy) {
+    columns.col(1) = kNominalMass * Eigen::Map<const Eigen::VectorXd>(log.weight_nm.data(), size);
+  }
+  return columns;
+}
+
+std::vector<RegimeVariable> VariablesOf(const std::string& joint, const EffortLog& log) {
+  const double period_s = log.measured.period_s;
+  std::vector<RegimeVariable> variables;
+  const auto add = [&](const std::string& name, std::vector<double> values) {
+    Mask all(values.size(), 1);
+    variables.push_back({name, {period_s, std::move(values), std::move(all)}});
+  };
+  add("rate/" + joint, log.rate_radps);
+  add("position/" + joint, log.position_rad);
+  add("acceleration/" + joint, log.acceleration_radps2);
+  if (LargestOf(log.weight_nm) > 0) add("load/" + joint, log.weight_nm);
+  std::vector<double> time_s;
+  for (std::size_t k = 0; k < log.rate_radps.size(); ++k) {
+    time_s.push_back(static_cast<double>(k) * period_s);
+  }
+  add("time", std::move(time_s));
+  return variables;
+}
+
+/// The rate over its largest.
+Series CommandOf(const EffortLog& log, double largest_radps) {
+  Series command{log.measured.period_s, log.rate_radps, Mask(log.rate_radps.size(), 1)};
+  for (double& share : command.value) share /= largest_radps;
+  return command;
+}
+
+}  // namespace
+
+std::optional<ReplayBlock> MakeEffortBlock(const MachineModel& model, EffortLog given) {
+  if (CountValid(given.measured.valid) < kFewestSamples) return std::nullopt;
+  const Reach reach = ReachOf(given);
+  if (reach.rate_radps <= 0 || reach.effort_nm <= 0) return std::nullopt;
+  // What predicts holds both for as long as the block lives.
+  const auto log = std::make_shared<const EffortLog>(std::move(given));
+  const auto machine = std::make_shared<const MachineModel>(model);
+  const Joint& joint = machine->joints[log->joint];
+  const bool slides = joint.type == JointType::kPrismatic;
+  const Effects present = EffectsAt(machine->effects.joints, log->joint);
+  ReplayBlock block;
+  block.name = joint.name;
+  block.first_ns = log->first_ns;
+  block.slides = slides;
+  block.channels.push_back(
+      {log->channel,
+       slides ? "N" : "N m",
+       log->measured,
+       {.offset = 1e-4 * reach.effort_nm, .gain = 0.005, .delay_s = log->fine_s},
+       VariablesOf(joint.name, *log),
+       FreeMember(*log),
+       NominalColumns(*log)});
+  block.commands = {CommandOf(*log, reach.rate_radps)};
+  block.suspects = SuspectsOf(joint.name, present, reach);
+  block.predict = [machine, log, present](const Structure& terms) {
+    return std::vector<std::vector<double>>{
+        EffortReplay(*machine, *log).Predict(WithTerms(present, terms))};
+  };
+  return block;
+}
+
+}  // namespace tera

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "core/effects.h"
+#include "diagnose/replay/effort_log.h"
+
+namespace tera {
+
+/// The effort that a joint's drive would have needed for the motion that was measured.
+///
+/// Model   effort = inertial + weight + friction(rate) + offset, with friction and offset those of
+///         the simulator's slot load_friction, through the log's Gaussian.
+/// Omits   what friction takes at rest: the log has gaps there.
+class EffortReplay {
+ public:
+  /// Both must outlive it.
+  EffortReplay(const MachineModel& model, const EffortLog& log) : model_(model), log_(log) {}
+
+  /// With `effects` in place of the joint's own, one a sample of the log's grid.
+  std::vector<double> Predict(const Effects& effects) const;
+
+ private:
+  const MachineModel& model_;
+  const EffortLog& log_;
+};
+
+}  // namespace tera

@@ -1,0 +1,78 @@
+#include "diagnose/search/structure_fit.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "diagnose/search/toy_block.h"
+
+namespace tera {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+constexpr std::size_t kSamples = 4000;
+
+/// A square of the lever with three numbers: its size, its place, and one that does nothing.
+const Mechanism kSquare = {
+    "square",
+    Slot::kLeverMap,
+    {},
+    {{"size", "1", -2, 2, {}}, {"place", "1", -1, 1, 0.0}, {"idle_deg", "deg", -180, 180, 5.0}}};
+
+struct Fixture {
+  explicit Fixture(double size)
+      : lever(ToyLever(kSamples, 3)),
+        block(ToyBlock(lever, ToyMeasured(Response(size, 0.1), 0.05, 3), {})),
+        likelihood(block, {{.scale = 0.05, .dof = 4}}, Mask(kSamples, 1)),
+        fitter(block, likelihood, {{0, kSamples}}) {
+    suspect = {&kSquare,
+               "toy",
+               {{0, -2, 2}, {1, -1, 1}, {2, -180, 180}},
+               {{0.1, 0, 40}, {0.3, 0, -170}},
+               {}};
+    block.predict = [this](const Structure& terms) {
+      return std::vector<std::vector<double>>{
+          terms.empty() ? lever : Response(terms[0].values[0], terms[0].values[1])};
+    };
+  }
+  std::vector<double> Response(double size, double place) const {
+    std::vector<double> y;
+    for (const double u : lever) y.push_back(u + size * (u - place) * (u - place));
+    return y;
+  }
+
+  std::vector<double> lever;
+  ReplayBlock block;
+  Suspect suspect;
+  Likelihood likelihood;
+  StructureFitter fitter;
+};
+
+TEST(StructureFit, ANumberThatTheMeasurementsSayNothingOfStandsAtItsDefault) {
+  const Fixture toy(0.4);
+  const FittedStructure fitted = toy.fitter.Fit({{&toy.suspect, {0.1, 0, 40}}});
+  EXPECT_NEAR(fitted.terms[0].values[0], 0.4, 0.03);
+  EXPECT_NEAR(fitted.terms[0].values[1], 0.1, 0.03);
+  EXPECT_EQ(fitted.terms[0].values[2], 5);
+  EXPECT_THAT(fitted.terms[0].held, ElementsAre(2));
+  EXPECT_EQ(fitted.information.rows(), 2);
+}
+
+TEST(StructureFit, OrWhereTheModelHasIt) {
+  Fixture toy(0.4);
+  toy.suspect.present = {0.2, 0, 33};
+  const FittedStructure fitted = toy.fitter.Fit({{&toy.suspect, {0.1, 0, 40}}});
+  EXPECT_EQ(fitted.terms[0].values[2], 33);
+}
+
+TEST(StructureFit, NumbersThatAreDeterminedAreFree) {
+  Fixture toy(0.4);
+  toy.suspect.free.pop_back();
+  const FittedStructure fitted = toy.fitter.Fit({{&toy.suspect, {0.1, 0, 40}}});
+  EXPECT_THAT(fitted.terms[0].held, IsEmpty());
+  EXPECT_EQ(fitted.information.rows(), 2);
+}
+
+}  // namespace
+}  // namespace tera
