@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kScreenedGain = 6;  ///< of log-likelihood: it may mean something
 constexpr std::size_t kNearest = 5;  ///< rivals that a term is held against
+constexpr double kAsLikely = 0.5;    ///< of log-likelihood
+constexpr double kCalmer = 0.8;      ///< of the sum of effects
 constexpr double kRivalP = 0.05;
 constexpr double kRivalGain = 3;  ///< of log-likelihood: nothing to choose by
 
@@ -81,6 +83,8 @@ class Search {
   Scored BestOfPairs() const;
   Scored Grow(Scored best) const;
   Scored Swap(Scored best) const;
+  double SumOfEffects(const Structure& terms) const;
+  Scored Disentangle(Scored found) const;
   Scored Prune(Scored kept, std::vector<TermEvidence>* evidence) const;
   TermEvidence EvidenceOf(const Scored& with, const Misfit& crossed_with,
                           const Scored& without) const;
@@ -212,6 +216,31 @@ Scored Search::Swap(Scored best) const {
   return best;
 }
 
+/// Of what each term changes: large where terms undo each other.
+double Search::SumOfEffects(const Structure& terms) const {
+  const Misfit all = fitter_.AsGiven(terms).misfit;
+  double sum = 0;
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    sum += EffectOf(block_, all, fitter_.AsGiven(Without(terms, t)).misfit);
+  }
+  return sum;
+}
+
+/// Of structures that are as likely, the one whose terms undo each other less: an offset and
+/// friction in one direction do together what friction does.
+Scored Search::Disentangle(Scored found) const {
+  for (std::size_t t = 0; found.terms.size() > 1 && t < found.terms.size(); ++t) {
+    for (const Structure& other : NearestRivals(found, t)) {
+      const Scored scored = Score(fitter_.FitFrom(other));
+      if (scored.criterion < found.criterion - kAsLikely) continue;
+      if (SumOfEffects(scored.terms) > kCalmer * SumOfEffects(found.terms)) continue;
+      found = scored;
+      break;
+    }
+  }
+  return found;
+}
+
 TermEvidence Search::EvidenceOf(const Scored& with, const Misfit& crossed_with,
                                 const Scored& without) const {
   TermEvidence evidence;
@@ -308,7 +337,7 @@ SearchResult Search::Run() {
   free_gain_ = result.free_gain = FreeGain(nothing.misfit);
   FitSingles();
   Screen();
-  const Scored found = Prune(Grow(Swap(BestOfPairs())), &result.evidence);
+  const Scored found = Prune(Disentangle(Grow(Swap(BestOfPairs()))), &result.evidence);
   if (!found.terms.empty()) {
     const Misfit crossed = crossed_.Judge(found.terms);
     for (std::size_t t = 0; t < found.terms.size(); ++t) {

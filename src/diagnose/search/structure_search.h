@@ -58,7 +58,8 @@ struct SearchResult {
 ///
 /// Model   every suspect alone; every pair of the screened (the likeliest, and the likeliest of
 ///         each slot); then one term more at a time, with swaps, as long as the Bayesian
-///         information criterion on TRAIN falls. Backward: a term goes unless its gain over the
+///         information criterion on TRAIN falls; of structures that are as likely, the one whose
+///         terms undo each other less. Backward: a term goes unless its gain over the
 ///         structure fitted without it is steady over the manoeuvres of TRAIN and SELECT, each left
 ///         out of the fits that it judges (cross_fit.h, steady_gain.h; Bonferroni over all that the
 ///         diagnosis tests), on SELECT at least `least_share` of what the whole structure, or a
