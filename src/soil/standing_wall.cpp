@@ -14,7 +14,6 @@ constexpr int kLookDown = 12;  ///< columns over which a bank's height is measur
 constexpr double kLeastOverhang_m = 2e-4;
 constexpr double kLeastWedge_m = 0.1;    ///< soil that stands no higher crumbles
 constexpr double kBreakSpeed_mps = 1.0;  ///< at which it does
-constexpr double kSlender = 4;           ///< height over thickness at which a slab falls (estimate)
 constexpr double kVeneer_m = 0.05;       ///< more loose soil than this covers what would crumble
 constexpr double kLongestWedge_m = 10;
 /// Sum of the directions in which ground falls away; if shorter, it does so on all sides alike.
@@ -54,37 +53,6 @@ Bank BankAt(ColumnId k, const Columns& ground) {
   }
   if (n == 0 && stratum.soil == bank.soil) bank.thickness_m += stratum_m;
   return bank;
-}
-
-bool IsBelow(double z_m, int i, int j, const Columns& ground) {
-  return ground.Contains(i, j) && ground.TopAt(i, j) < z_m;
-}
-
-/// How far it is through the soil of a column, from its upright `side` to where the ground lies
-/// below `z_m` again; `most_m` where that is farther, or `side` is none.
-double Through_m(const Columns::Place& place, const Direction& side, double z_m, double most_m,
-                 const Columns& ground) {
-  if (!IsBelow(z_m, place.i + side.di, place.j + side.dj, ground)) return most_m;
-  const double step_m = side.distance * ground.cell_m();
-  int n = 1;
-  while (n * step_m < most_m &&
-         !IsBelow(z_m, place.i - n * side.di, place.j - n * side.dj, ground)) {
-    ++n;
-  }
-  return std::min(most_m, n * step_m);
-}
-
-/// Thickness of the slab that a column is of, with those beside it along the slab: what sticks out
-/// of a thicker bank by a column is tied to it.
-double SlabThickness_m(const Columns::Place& place, const Direction& side, double z_m,
-                       double most_m, const Columns& ground) {
-  double thickness_m = Through_m(place, side, z_m, most_m, ground);
-  for (const int way : {-1, 1}) {
-    const Columns::Place beside{place.i - way * side.dj, place.j + way * side.di};
-    if (IsBelow(z_m, beside.i, beside.j, ground)) continue;
-    thickness_m = std::max(thickness_m, Through_m(beside, side, z_m, most_m, ground));
-  }
-  return thickness_m;
 }
 
 /// Level direction, of length 1, in which the ground beside a column falls away to below `z_m`;
@@ -174,8 +142,7 @@ std::optional<StandingWalls::Failure> StandingWalls::FailureAt(ColumnId k,
   const auto [i, j] = ground.PlaceOf(k);
   std::optional<Failure> worst;
   double edge_drop_m = 0;  // to the neighbour on that side
-  for (const Direction& side : kDirections) {
-    const auto& [di, dj, distance] = side;
+  for (const auto& [di, dj, distance] : kDirections) {
     const double step_m = distance * ground.cell_m();
     for (int m = 1; m <= kLookDown && ground.Contains(i + m * di, j + m * dj); ++m) {
       const ColumnId below = ground.IdAt(i + m * di, j + m * dj);
@@ -184,18 +151,10 @@ std::optional<StandingWalls::Failure> StandingWalls::FailureAt(ColumnId k,
       if (m == 1 && fall_m <= limit.tan_stand * step_m) break;  // no edge on this side
       const double drop_m = std::min(bank.thickness_m, fall_m);
       const double run_m = (m - 1) * step_m;
-      double upright_m = limit.upright_m;
-      if (m == 1 && upright_m > kLeastWedge_m) {
-        const double thin_m = drop_m / kSlender;
-        const double thick_m =
-            SlabThickness_m({i, j}, side, bank.top_m - 0.5 * drop_m, thin_m, ground);
-        if (thick_m < thin_m) upright_m = std::min(upright_m, kSlender * thick_m);
-      }
-      const double stands_m = std::max(upright_m, limit.tan_stand * m * step_m);
+      const double stands_m = std::max(limit.upright_m, limit.tan_stand * m * step_m);
       const double overhang_m = drop_m - stands_m;
       if (overhang_m <= (worst ? worst->overhang_m : kLeastOverhang_m)) continue;
-      const bool slender = upright_m < limit.upright_m;
-      if (!slender && drop_m <= CulmannHeight_m(soil, std::atan2(drop_m, run_m))) continue;
+      if (drop_m <= CulmannHeight_m(soil, std::atan2(drop_m, run_m))) continue;
       worst = {k, bank.soil, bank.top_m, drop_m, run_m, overhang_m, Vec2::Zero()};
       edge_drop_m = bank.top_m - ground.TopAt(i + di, j + dj);
     }

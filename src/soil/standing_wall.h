@@ -23,8 +23,6 @@ double CulmannHeight_m(const SoilType& soil, double slope_rad);
 ///         top does not count, loose soil at the toe supports, and so does a tool. A cohesive bank
 ///         that is too high loses the wedge above the plane through its toe at half the sum of
 ///         slope and friction angle: it becomes clods where it stood, which slide down the plane.
-///         A slab that is free on both sides falls where it is more than four times as high as it is
-///         thick, as a stack of bricks would that nothing ties back.
 ///         One with no or little cohesion crumbles at the surface into loose soil, down to the
 ///         slope of internal friction.
 /// Omits   surcharge behind the edge, water in cracks, undercut banks, banks held up by what lies

@@ -200,35 +200,6 @@ TEST(StandingWall, WhatFailsNeverStandsMoreThanACellHigherThanTheGroundDid) {
   }
 }
 
-TEST(StandingWall, ASlabBetweenTwoPitsFallsAboveFourTimesItsThickness) {
-  // Clay, cells of 5 cm, pits less deep than what a wall of it bears: 1.19 m.
-  struct Case {
-    double thickness_m, depth_m;
-    bool stands;
-  };
-  for (const auto& [thickness_m, depth_m, stands] :
-       {Case{0.25, 0.95, true}, Case{0.25, 1.1, false}, Case{0.05, 0.25, false}}) {
-    Columns ground = LevelColumns(Shipped("clay"), 0.05, 81);
-    Avalanche avalanche(ground.soils());
-    Grains grains(ground.soils(), 1);
-    SpoilMix cut;
-    for (int j = 0; j < ground.ny(); ++j) {
-      for (int i = 0; i < ground.nx(); ++i) {
-        const double x_m = std::abs(ground.x_m(i));
-        if (x_m < 0.5 * thickness_m || x_m > 1) continue;
-        ground.Cut(ground.Touch(i, j), -depth_m, &cut);
-      }
-    }
-    for (int k = 0; k < std::lround(4 / kStep_s); ++k) {
-      grains.Step(kStep_s, &ground);
-      avalanche.Flow(kStep_s, &ground, &grains);
-    }
-    EXPECT_EQ(ground.HeightAt(0, 0) > -0.01, stands) << thickness_m << " m, " << depth_m << " m";
-    EXPECT_NEAR(ground.GroundGain().net_kg + ground.outside_kg() + cut.mass_kg() + grains.mass_kg(),
-                0, 1e-6);
-  }
-}
-
 TEST(StandingWall, FailsAlikeWithTheSameSeedAndNotWithAnother) {
   const auto heights_m = [](std::uint64_t seed) {
     Pit pit(Shipped("clay"), 0.10, 1.5, Vec2(1, 0), seed);
