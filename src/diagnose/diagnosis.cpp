@@ -18,7 +18,7 @@ namespace tera {
 namespace {
 
 constexpr double kStepOfPeriod = 0.2;  ///< of an encoder's, that a replay steps over at most
-constexpr double kShortest_s = 20;  ///< less leaves too little of SELECT and FINAL
+constexpr double kShortest_s = 20;     ///< less leaves too little of SELECT and FINAL
 
 /// The encoders of one machine.
 std::vector<NamedEncoders> EncodersOf(const Recording& recording, const std::string& machine) {
@@ -105,10 +105,10 @@ Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& record
   }
   if (!any && !options.needs_blocks) return measured;
   if (!any) {
-    throw InputError(fmt::format(
-        "{}: no encoder channel of {}, and no inertial unit that the scenario has; "
-        "need something measured to compare",
-        recording.directory().string(), input.machine));
+    throw InputError(
+        fmt::format("{}: no encoder channel of {}, and no inertial unit that the scenario has; "
+                    "need something measured to compare",
+                    recording.directory().string(), input.machine));
   }
   CheckMeasurements(input, recording, measured);
   measured.start_ns = StartOf(measured);

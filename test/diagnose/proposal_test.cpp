@@ -53,8 +53,9 @@ TEST(Proposal, OfAGainThatFallsWithTemperatureIsThatProduct) {
   EXPECT_EQ(term.factors.size(), 2u);
   EXPECT_NEAR(proposal->rmse_after, kNoise, 0.02);
   EXPECT_GT(proposal->rmse_before, 1.5 * proposal->rmse_after);
-  EXPECT_THAT(SentenceOf(odd.block, *proposal),
-              AllOf(HasSubstr("a proposal and no name: add -0.199 ± 0.011"), HasSubstr("temperature")));
+  EXPECT_THAT(
+      SentenceOf(odd.block, *proposal),
+      AllOf(HasSubstr("a proposal and no name: add -0.199 ± 0.011"), HasSubstr("temperature")));
 }
 
 TEST(Proposal, OfADragThatGrowsWithTheSquareHasTheSquareThatKeepsItsSign) {

@@ -4,8 +4,8 @@
 #include "diagnose/report/diagnosis_json.h"
 #include "diagnose/report/effects_yaml.h"
 #include "diagnose/report/html_report.h"
-#include "diagnose/report/perception_figures.h"
 #include "diagnose/report/next_manoeuvre_text.h"
+#include "diagnose/report/perception_figures.h"
 
 namespace tera {
 
