@@ -72,7 +72,7 @@ std::string FaultOfDroop(const Effects& effects, const Axis& axis) {
         lever > 0 ? axis.max_rate_positive_radps : axis.max_rate_negative_radps;
     if (full_radps <= 0) continue;
     const double rate_radps = full_radps * std::abs(MapLever(map, lever));
-    const AxisFriction friction = LoadFriction(load).Friction(rate_radps);
+    const AxisFriction friction = LoadFriction(load).Friction(std::copysign(rate_radps, lever));
     const double against_nm =
         friction.viscous_nmsprad * rate_radps +
         (lever > 0 ? friction.against_positive_nm : friction.against_negative_nm);
