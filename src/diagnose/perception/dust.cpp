@@ -18,8 +18,10 @@ namespace {
 constexpr double kBefore_m = 0.5, kOverGround_m = 0.3;
 constexpr double kCube_m = 0.5, kStep_m = 0.25;
 constexpr int kReach = 2;
-constexpr std::size_t kFewestReturns = 40, kFewestBlocks = 3;
-constexpr double kThing = 0.6, kThick_m = 0.1, kRare = 0.005, kFloor = 0.001;
+constexpr std::size_t kFewestReturns = 40, kFewestBlocks = 2;
+constexpr std::size_t kMostParts = 8;  ///< of a recording, looked at alone
+constexpr double kThing = 0.6, kThick_m = 0.1, kRare = 0.005;
+constexpr double kPriorDof = 8, kPriorScatter = 0.1;
 constexpr double kChosen = 0.05, kConfirmed = 0.01;
 constexpr double kPresent = 0.25;  ///< of a cloud's densest tenth: less is clear air
 
@@ -101,16 +103,17 @@ std::map<Cube, int> Clouds(const std::vector<Stray>& strays, int* count) {
   return cloud;
 }
 
-/// Probability of shares so far above the rarest that counts, by chance.
+/// Probability of shares so far above the rarest that counts, by chance: Student's t, the variance
+/// shrunk to that of blocks which agree within a tenth, as if there were eight more of these.
 double P(const std::vector<double>& shares) {
   if (shares.size() < kFewestBlocks) return 1;
   const auto n = static_cast<double>(shares.size());
   const double mean = std::accumulate(shares.begin(), shares.end(), 0.0) / n;
-  double square = 0;
+  double square = kPriorDof * kPriorScatter * kPriorScatter;
   for (const double s : shares) square += (s - mean) * (s - mean);
-  const double sigma = std::sqrt(square / (n - 1) / n + kFloor * kFloor);
-  return boost::math::cdf(
-      boost::math::complement(boost::math::students_t(n - 1), (mean - kRare) / sigma));
+  const double dof = kPriorDof + n - 1;
+  return boost::math::cdf(boost::math::complement(boost::math::students_t(dof),
+                                                  (mean - kRare) / std::sqrt(square / dof / n)));
 }
 
 struct Tally {
@@ -136,16 +139,59 @@ void CountPassing(const std::vector<Path>& paths, const ScanSplit& split,
   }
 }
 
+/// Blocks from `first` to before `end`.
+struct Window {
+  std::size_t first = 0, end = 0;
+  double p = 1;
+  bool Has(std::size_t block) const { return block >= first && block < end; }
+};
+
+using Shares = std::map<std::size_t, double>;
+
+std::vector<double> SharesIn(const Shares& shares, const Window& window) {
+  std::vector<double> within;
+  for (const auto& [block, share] : shares) {
+    if (window.Has(block)) within.push_back(share);
+  }
+  return within;
+}
+
+/// Of the whole recording, its halves, quarters and eighths the one that shows a cloud best; p over
+/// all of them.
+Window ShownBestIn(const Shares& seen, std::size_t blocks) {
+  Window best{0, blocks, 1};
+  double windows = 0;
+  for (std::size_t parts = 1; parts <= kMostParts; parts *= 2) {
+    for (std::size_t k = 0; k < parts; ++k) {
+      Window window{k * blocks / parts, (k + 1) * blocks / parts, 1};
+      window.p = P(SharesIn(seen, window));
+      if (window.p < best.p) best = window;
+      windows += 1;
+    }
+  }
+  best.p = std::min(1.0, windows * best.p);
+  return best;
+}
+
+/// From the first to the last block that shows the cloud.
+Window PresentIn(const Shares& seen, double least) {
+  Window present;
+  for (const auto& [block, share] : seen) {
+    if (share <= least) continue;
+    if (present.end == 0) present.first = block;
+    present.end = block + 1;
+  }
+  return present;
+}
+
+/// `least`: share of a block that shows the cloud.
 void AddIntervals(const RangeSource& source, const ScanSplit& split, const Tally& tally,
-                  DustCloud* cloud) {
-  std::vector<double> shares;
-  for (const auto& [block, count] : tally.blocks) shares.push_back(count.share());
-  const double dense = Quantile(shares, 0.9);
+                  double least, DustCloud* cloud) {
   bool open = false, always = true;
   for (std::size_t s = 0; s < source.scans.size(); ++s) {
     const auto at = tally.blocks.find(split.block[s]);
     if (at == tally.blocks.end()) continue;
-    const bool is_there = at->second.share() > kPresent * dense;
+    const bool is_there = at->second.share() > least;
     always = always && is_there;
     const double t_s = ToSeconds(source.scans[s].t_ns - source.start_ns);
     if (is_there && !open) cloud->intervals_s.emplace_back(t_s, t_s);
@@ -155,7 +201,7 @@ void AddIntervals(const RangeSource& source, const ScanSplit& split, const Tally
   if (always) cloud->intervals_s.clear();
 }
 
-/// Median over cubic metres of the least standard deviation of the returns in them.
+/// Median over returns of the least standard deviation of those in their cubic metre.
 double ThicknessOf(const std::vector<const Stray*>& strays) {
   constexpr std::size_t kFewest = 6;
   std::map<Cube, std::vector<Vec3>> cubes;
@@ -169,7 +215,8 @@ double ThicknessOf(const std::vector<const Stray*>& strays) {
     for (const Vec3& p : points) covariance += (p - mean) * (p - mean).transpose();
     const Eigen::SelfAdjointEigenSolver<Mat3> solver(covariance /
                                                      static_cast<double>(points.size() - 1));
-    thickness_m.push_back(std::sqrt(std::max(0.0, solver.eigenvalues()[0])));
+    thickness_m.insert(thickness_m.end(), points.size(),
+                       std::sqrt(std::max(0.0, solver.eigenvalues()[0])));
   }
   return thickness_m.empty() ? 0 : Median(thickness_m);
 }
@@ -188,24 +235,31 @@ DustCloud CloudOf(const RangeSource& source, const ScanSplit& split, const Tally
   for (std::size_t s = 0; s < source.scans.size(); ++s) {
     is_final[split.block[s]] = split.part[s] == Part::kFinal;
   }
-  std::vector<double> seen, held_out;
-  Count all;
+  Shares seen, held_out;
   for (const auto& [block, count] : tally.blocks) {
-    (is_final[block] ? held_out : seen).push_back(count.share());
-    all.stopped += count.stopped;
-    all.passed += count.passed;
+    (is_final[block] ? held_out : seen)[block] = count.share();
   }
-  cloud.stopped = all.share();
-  cloud.p_chosen = P(seen);
-  cloud.p_confirmed = P(held_out);
-  AddIntervals(source, split, tally, &cloud);
+  const Window best = ShownBestIn(seen, split.blocks);
+  cloud.p_chosen = best.p;
+  if (best.p >= 1) return cloud;
+  const double least = kPresent * Quantile(SharesIn(seen, best), 0.9);
+  const Window present = PresentIn(seen, least);
+  cloud.p_confirmed = P(SharesIn(held_out, present));
+  Count while_there;
+  for (const auto& [block, count] : tally.blocks) {
+    if (!present.Has(block)) continue;
+    while_there.stopped += count.stopped;
+    while_there.passed += count.passed;
+  }
+  cloud.stopped = while_there.share();
+  AddIntervals(source, split, tally, least, &cloud);
   return cloud;
 }
 
 }  // namespace
 
 Dust FindDust(const RangeSource& source, const ScanSplit& split, const SensorNumbers& numbers) {
-  Dust dust{{}, NoPoints(source.scans)};
+  Dust dust{{}, {}, NoPoints(source.scans)};
   std::vector<Stray> strays;
   std::vector<Path> paths;
   for (std::size_t s = 0; s < source.scans.size(); ++s) {
@@ -232,10 +286,11 @@ Dust FindDust(const RangeSource& source, const ScanSplit& split, const SensorNum
   for (const Tally& tally : tallies) {
     if (tally.strays.size() < kFewestReturns) continue;
     const DustCloud one = CloudOf(source, split, tally);
-    const bool is_sure = one.p_chosen <= kChosen / large && one.p_confirmed <= kConfirmed / large;
-    if (!is_sure || one.stopped > kThing || one.thickness_m < kThick_m) continue;
+    const bool is_chosen = one.p_chosen <= kChosen / large;
+    if (!is_chosen || one.stopped > kThing || one.thickness_m < kThick_m) continue;
+    const bool is_confirmed = one.p_confirmed <= kConfirmed / large;
+    (is_confirmed ? dust.clouds : dust.unconfirmed).push_back(one);
     for (const Stray* stray : tally.strays) dust.explained[stray->scan][stray->point] = true;
-    dust.clouds.push_back(one);
   }
   return dust;
 }

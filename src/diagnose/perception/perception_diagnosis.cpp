@@ -172,6 +172,9 @@ void Explain(const RangeSource& source, const ScanSplit& split, PerceptionDiagno
   for (const GroundRegion& region : scene.ground.unconfirmed) {
     diagnosis->unconfirmed.push_back(AsFinding(region));
   }
+  for (const DustCloud& cloud : scene.dust.unconfirmed) {
+    diagnosis->unconfirmed.push_back(AsFinding(cloud));
+  }
   diagnosis->ground = std::move(scene.ground);
 }
 

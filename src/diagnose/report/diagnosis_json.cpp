@@ -206,6 +206,15 @@ Json Unconfirmed(const Diagnosis& diagnosis) {
                         {"p_confirmed", Number(finding.held_out.p)}}}});
     }
   }
+  for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
+    for (const PerceptionFinding& finding : sensor.unconfirmed) {
+      list.push_back({{"mechanism", finding.mechanism},
+                      {"target", finding.target},
+                      {"evidence",
+                       {{"p_chosen", Number(finding.p_chosen)},
+                        {"p_confirmed", Number(finding.p_confirmed)}}}});
+    }
+  }
   return list;
 }
 
