@@ -10,6 +10,7 @@
 
 #include "app/diagnose_progress.h"
 #include "app/diagnose_simulation.h"
+#include "app/ground_map_file.h"
 #include "app/perception_run.h"
 #include "core/error.h"
 #include "dataset/recording.h"
@@ -184,6 +185,7 @@ void DiagnoseRecording(const DiagnoseArguments& arguments) {
     for (const std::string& sentence : SentencesOf(diagnosis)) fmt::print("{}\n", sentence);
     const auto folder = diagnoses.size() == 1 ? arguments.out : arguments.out / diagnosis.machine;
     WriteReport(folder, diagnosis, arguments.recording.string());
+    WriteGroundMaps(folder, diagnosis, loaded.scenario.origin);
     fmt::print("report: {}\n", (folder / "report.html").string());
   }
 }

@@ -1,5 +1,9 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <cstdio>
+#include <limits>
 
 #include "app/perceived_site.h"
 
@@ -9,6 +13,17 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 using Json = nlohmann::json;
+
+/// Of a GeoTIFF, as GDAL's own program reads it.
+double ValueAt(const std::filesystem::path& file, double x_m, double y_m) {
+  const std::string command =
+      fmt::format("gdallocationinfo -valonly -geoloc {} {} {}", file.string(), x_m, y_m);
+  FILE* pipe = popen(command.c_str(), "r");
+  double value = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(std::fscanf(pipe, "%lf", &value), 1) << command;
+  pclose(pipe);
+  return value;
+}
 
 TEST_F(PerceivedSite, ALidarOfAnotherRangeIsNamedAndItsOverlayLeavesNothing) {
   Record({"--set", "effects.mast1.lidar.range_bias.range_m=0.06"});
@@ -42,6 +57,8 @@ TEST_F(PerceivedSite, APitThatTheScenarioHasNotIsOnTheMap) {
   EXPECT_NEAR(finding["parameters"]["lowest_m"]["value"].get<double>(), -0.5, 0.1);
   EXPECT_THAT(Read("why/report.html"), HasSubstr("Measured ground over simulated ground"));
   EXPECT_THAT(Read("why/ground_lidar.csv"), HasSubstr("x_m,y_m,above_m"));
+  EXPECT_NEAR(ValueAt(scratch_.path() / "why/ground_lidar.tif", 3.4, -5.3), -0.5, 0.1);
+  EXPECT_NEAR(ValueAt(scratch_.path() / "why/ground_lidar.tif", 3.4, -3.4), 0, 0.03);
 }
 
 TEST_F(PerceivedSite, AsDescribedGivesNoFinding) {
