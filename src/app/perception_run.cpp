@@ -3,18 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <memory>
 
+#include "app/picture_run.h"
 #include "app/scan_caster.h"
 #include "core/check.h"
+#include "core/error.h"
 #include "core/units.h"
 #include "sensors/slots/effect_numbers.h"
 
 namespace tera {
 namespace {
 
-constexpr std::size_t kMostScans = 60, kPointsOfScan = 4000;
+constexpr std::size_t kMostScans = 60, kMostPictures = 40, kPointsOfScan = 4000;
 
 /// One sensor with scans in the recording.
 struct Sensor {
@@ -30,14 +33,13 @@ bool MeasuresRanges(const SensorDescription& sensor) {
   return std::holds_alternative<LidarModel>(sensor.model) || (camera && camera->depth);
 }
 
-/// Up to `kMostScans` of the times in a range, evenly spread.
-std::vector<TimeNs> Thinned(std::vector<TimeNs> times, TimeNs from_ns, TimeNs to_ns) {
+/// Up to `most` of the times in a range, evenly spread.
+std::vector<TimeNs> Thinned(std::vector<TimeNs> times, TimeNs from_ns, TimeNs to_ns,
+                            std::size_t most) {
   std::erase_if(times, [&](TimeNs t) { return t < from_ns || t > to_ns; });
-  if (times.size() <= kMostScans) return times;
+  if (times.size() <= most) return times;
   std::vector<TimeNs> chosen;
-  for (std::size_t k = 0; k < kMostScans; ++k) {
-    chosen.push_back(times[k * times.size() / kMostScans]);
-  }
+  for (std::size_t k = 0; k < most; ++k) chosen.push_back(times[k * times.size() / most]);
   return chosen;
 }
 
@@ -47,7 +49,8 @@ std::vector<Sensor> SensorsOf(const Scenario& scenario, const std::vector<std::s
   for (std::size_t m = 0; m < names.size(); ++m) {
     for (const SensorDescription& description : scenario.machines[m].sensors) {
       const std::string channel = names[m] + "/" + description.name;
-      if (!MeasuresRanges(description) || !recording.Has(channel)) continue;
+      const bool is_compared = MeasuresRanges(description) || TakesPictures(description);
+      if (!is_compared || !recording.Has(channel)) continue;
       const std::vector<TimeNs> times = recording.FrameTimes(channel);
       if (times.empty()) continue;
       const TimeNs first_ns = times.front();
@@ -56,7 +59,9 @@ std::vector<Sensor> SensorsOf(const Scenario& scenario, const std::vector<std::s
       const TimeNs span_ns = turns ? description.clock.Period() : 0;
       const TimeNs to_ns = options.to_s < 1e9 ? first_ns + FromSeconds(options.to_s)
                                               : std::numeric_limits<TimeNs>::max();
-      for (const TimeNs t_ns : Thinned(times, first_ns + FromSeconds(options.from_s), to_ns)) {
+      const TimeNs from_ns = first_ns + FromSeconds(options.from_s);
+      const std::size_t most = TakesPictures(description) ? kMostPictures : kMostScans;
+      for (const TimeNs t_ns : Thinned(times, from_ns, to_ns, most)) {
         sensor.scans.push_back({t_ns, span_ns, {}});
       }
       sensors.push_back(std::move(sensor));
@@ -170,22 +175,24 @@ std::string ObstacleTo(const Sensor& sensor, const RecordedMotion& motion,
   return "";
 }
 
-PerceptionDiagnosis DiagnoseOne(const Scenario& scenario, const Recording& recording,
-                                Sensor* sensor, ScanCaster* caster) {
+PerceptionDiagnosis NotJudged(const Sensor& sensor) {
+  PerceptionDiagnosis diagnosis;
+  diagnosis.channel = sensor.channel;
+  diagnosis.target = sensor.description->name;
+  diagnosis.not_judged = sensor.not_judged;
+  return diagnosis;
+}
+
+PerceptionDiagnosis DiagnoseRanges(const Scenario& scenario, const Recording& recording,
+                                   Sensor* sensor, ScanCaster* caster) {
   RangeSource source;
   source.channel = sensor->channel;
   source.target = sensor->description->name;
   source.planar_depth = std::holds_alternative<CameraModel>(sensor->description->model);
   source.X_BS = sensor->description->X_BS;
   source.present = PresentOf(*sensor->description);
-  if (sensor->not_judged.empty()) source.scans = LoadScans(recording, sensor);
-  if (!sensor->not_judged.empty()) {
-    PerceptionDiagnosis diagnosis;
-    diagnosis.channel = source.channel;
-    diagnosis.target = source.target;
-    diagnosis.not_judged = sensor->not_judged;
-    return diagnosis;
-  }
+  source.scans = LoadScans(recording, sensor);
+  if (!sensor->not_judged.empty()) return NotJudged(*sensor);
   source.start_ns = source.scans.empty() ? 0 : source.scans.front().t_ns;
   source.cast = [&](std::size_t scan, const SensorNumbers& numbers,
                     const std::vector<Beam>& beams) {
@@ -202,6 +209,21 @@ PerceptionDiagnosis DiagnoseOne(const Scenario& scenario, const Recording& recor
   };
   source.name_of = [&](int object) { return caster->NameOf(object); };
   return DiagnosePerception(source, scenario.seed);
+}
+
+/// What renders pictures, where some sensor takes them. Without OpenGL these are not judged.
+std::unique_ptr<PictureCaster> PainterFor(
+    std::vector<Sensor>* sensors, const std::function<std::unique_ptr<PictureCaster>()>& make) {
+  const auto takes = [](const Sensor& sensor) { return TakesPictures(*sensor.description); };
+  if (std::none_of(sensors->begin(), sensors->end(), takes)) return nullptr;
+  try {
+    return make();
+  } catch (const InputError& error) {
+    for (Sensor& sensor : *sensors) {
+      if (takes(sensor)) sensor.not_judged = error.what();
+    }
+    return nullptr;
+  }
 }
 
 }  // namespace
@@ -231,8 +253,21 @@ std::vector<std::vector<PerceptionDiagnosis>> RunPerception(Scenario* scenario,
   RecordedStage stage(scenario, machines, start_ns);
   WorkGround(&stage, &sensors);
   ScanCaster caster(*scenario, assembly, stage, machines, options.threads);
+  const auto painter = PainterFor(&sensors, [&] {
+    return std::make_unique<PictureCaster>(*scenario, assembly, stage, machines);
+  });
   for (Sensor& sensor : sensors) {
-    diagnoses[sensor.machine].push_back(DiagnoseOne(*scenario, recording, &sensor, &caster));
+    PerceptionDiagnosis diagnosis;
+    if (!sensor.not_judged.empty()) {
+      diagnosis = NotJudged(sensor);
+    } else if (TakesPictures(*sensor.description)) {
+      const RecordedCamera camera{sensor.machine, sensor.description, sensor.channel, &sensor.scans,
+                                  PresentOf(*sensor.description)};
+      diagnosis = DiagnoseCamera(camera, recording, scenario->seed, painter.get());
+    } else {
+      diagnosis = DiagnoseRanges(*scenario, recording, &sensor, &caster);
+    }
+    diagnoses[sensor.machine].push_back(std::move(diagnosis));
   }
   return diagnoses;
 }

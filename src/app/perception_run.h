@@ -15,7 +15,7 @@ struct PerceptionOptions {
   int threads = 1;
 };
 
-/// Compares what the lidars and depth cameras of a scenario recorded with what they would see on
+/// Compares what the lidars and cameras of a scenario recorded with what they would see on
 /// the recorded trajectory: one list a machine, one entry for each of its sensors that the
 /// recording has. Works the scenario's soil. `names`: of the machines, in the recording.
 ///

@@ -20,15 +20,9 @@ double LeastRangeOf(const SensorDescription& sensor) {
 
 }  // namespace
 
-ScanCaster::ScanCaster(const Scenario& scenario, const SceneAssembly& assembly,
-                       const RecordedStage& stage, const std::vector<RecordedMotion>& machines,
-                       int threads)
-    : scenario_(scenario),
-      assembly_(assembly),
-      stage_(stage),
-      machines_(machines),
-      threads_(threads),
-      scene_(assembly.model()) {
+std::vector<Surface> SurfacesOf(const Scenario& scenario, const SceneAssembly& assembly,
+                                const std::vector<RecordedMotion>& machines) {
+  std::vector<Surface> surfaces;
   for (const SceneInstance& instance : assembly.model().instances) {
     Surface surface = Surface::kObstacle;
     for (std::size_t m = 0; m < machines.size(); ++m) {
@@ -37,9 +31,22 @@ ScanCaster::ScanCaster(const Scenario& scenario, const SceneAssembly& assembly,
     }
     const bool has_other_shape =
         instance.label == SemanticClass::kTrack || instance.label == SemanticClass::kSoilInBucket;
-    surface_.push_back(has_other_shape ? Surface::kUnknown : surface);
+    surfaces.push_back(has_other_shape ? Surface::kUnknown : surface);
   }
+  surfaces.front() = Surface::kGround;
+  return surfaces;
 }
+
+ScanCaster::ScanCaster(const Scenario& scenario, const SceneAssembly& assembly,
+                       const RecordedStage& stage, const std::vector<RecordedMotion>& machines,
+                       int threads)
+    : scenario_(scenario),
+      assembly_(assembly),
+      stage_(stage),
+      machines_(machines),
+      threads_(threads),
+      scene_(assembly.model()),
+      surface_(SurfacesOf(scenario, assembly, machines)) {}
 
 std::string ScanCaster::NameOf(int object) const {
   return assembly_.model().instances[static_cast<std::size_t>(object)].name;
@@ -111,7 +118,7 @@ std::vector<SimulatedReturn> ScanCaster::Cast(std::size_t machine, const SensorD
     returns[i].range_m = hits[i].range_m;
     returns[i].normal_W = hits[i].normal_W.cast<double>();
     returns[i].object = hits[i].instance;
-    returns[i].surface = hits[i].instance == 0 ? Surface::kGround : surface_[hits[i].instance];
+    returns[i].surface = surface_[hits[i].instance];
     if (hits[i].range_m < least_m) returns[i].surface = Surface::kUnknown;
   }
   return returns;

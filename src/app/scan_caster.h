@@ -10,12 +10,16 @@
 
 namespace tera {
 
+/// Of each instance of the scene, what it is to a comparison. Tracks and what a shovel carries are
+/// not to be compared: nothing measured their shape. Nor are parts of machines of which a joint was
+/// not measured. The ground is instance 0.
+std::vector<Surface> SurfacesOf(const Scenario& scenario, const SceneAssembly& assembly,
+                                const std::vector<RecordedMotion>& machines);
+
 /// Casts rays of recorded scans in the simulated scene, as seen from the recorded trajectory.
 ///
 /// Model   bodies and link are posed at eleven instants of a revolution, at one of a picture; the
-///         ground is that of a revolution's end. Tracks and what a shovel carries are not to be
-///         compared: nothing measured their shape. Nor are parts of machines of which a joint was
-///         not measured.
+///         ground is that of a revolution's end.
 class ScanCaster {
  public:
   /// Keeps references to all.

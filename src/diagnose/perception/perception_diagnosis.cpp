@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "diagnose/perception/range_residuals.h"
 #include "diagnose/perception/scan_split.h"
 
 namespace tera {
@@ -34,24 +35,6 @@ std::string ObstacleTo(const RangeSource& source, const ScanSplit& split) {
   return "";
 }
 
-PerceptionFinding AsFinding(const SensorFinding& found, const std::string& target) {
-  PerceptionFinding finding;
-  finding.mechanism = found.mechanism;
-  finding.slot = found.mechanism == "extrinsic"      ? "sensor_geometry"
-                 : found.mechanism == "clock_offset" ? "sensor_timing"
-                                                     : "sensor_static";
-  finding.target = target;
-  finding.is_effect = true;
-  finding.parameters = found.parameters;
-  finding.present = found.present;
-  finding.rivals.assign(found.rivals.begin(), found.rivals.end());
-  finding.p_chosen = found.p_chosen;
-  finding.p_confirmed = found.p_confirmed;
-  finding.rmse_before_m = found.rmse_before_m;
-  finding.rmse_after_m = found.rmse_after_m;
-  return finding;
-}
-
 PerceptionFinding AsFinding(const GroundRegion& region) {
   PerceptionFinding finding;
   finding.mechanism = region.upright ? "object_added" : "terrain_height";
@@ -68,8 +51,8 @@ PerceptionFinding AsFinding(const GroundRegion& region) {
   finding.rivals = {finding.mechanism};
   finding.p_chosen = region.p_chosen;
   finding.p_confirmed = region.p_confirmed;
-  finding.rmse_before_m = region.rmse_before_m;
-  finding.rmse_after_m = region.rmse_after_m;
+  finding.rmse_before = region.rmse_before_m;
+  finding.rmse_after = region.rmse_after_m;
   finding.place = {region.centre_W_m, region.low_W_m, region.high_W_m};
   finding.intervals_s = region.intervals_s;
   return finding;
@@ -85,7 +68,7 @@ PerceptionFinding AsFinding(const MissingObject& missing, const std::string& nam
   finding.rivals = {finding.mechanism};
   finding.p_chosen = missing.p_chosen;
   finding.p_confirmed = missing.p_confirmed;
-  finding.rmse_before_m = missing.rmse_before_m;
+  finding.rmse_before = missing.rmse_before_m;
   finding.place = {missing.centre_W_m, missing.centre_W_m, missing.centre_W_m};
   return finding;
 }
@@ -179,6 +162,24 @@ void Explain(const RangeSource& source, const ScanSplit& split, PerceptionDiagno
 }
 
 }  // namespace
+
+PerceptionFinding AsFinding(const SensorFinding& found, const std::string& target) {
+  PerceptionFinding finding;
+  finding.mechanism = found.mechanism;
+  finding.slot = found.mechanism == "extrinsic"      ? "sensor_geometry"
+                 : found.mechanism == "clock_offset" ? "sensor_timing"
+                                                     : "sensor_static";
+  finding.target = target;
+  finding.is_effect = true;
+  finding.parameters = found.parameters;
+  finding.present = found.present;
+  finding.rivals.assign(found.rivals.begin(), found.rivals.end());
+  finding.p_chosen = found.p_chosen;
+  finding.p_confirmed = found.p_confirmed;
+  finding.rmse_before = found.rmse_before;
+  finding.rmse_after = found.rmse_after;
+  return finding;
+}
 
 PerceptionDiagnosis DiagnosePerception(const RangeSource& source, std::uint64_t seed) {
   PerceptionDiagnosis diagnosis;

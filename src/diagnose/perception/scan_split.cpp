@@ -27,15 +27,20 @@ std::array<Part, kRound> OneRound(const Stream& stream, std::size_t round) {
 }  // namespace
 
 ScanSplit SplitScans(const std::vector<RangeScan>& scans, const Stream& stream) {
+  std::vector<TimeNs> t_ns;
+  for (const RangeScan& scan : scans) t_ns.push_back(scan.t_ns);
+  return SplitTimes(t_ns, stream);
+}
+
+ScanSplit SplitTimes(const std::vector<TimeNs>& t_ns, const Stream& stream) {
   ScanSplit split;
-  if (scans.empty()) return split;
-  const TimeNs first_ns = scans.front().t_ns;
-  const TimeNs length_ns =
-      std::max(kShortestBlock_ns, (scans.back().t_ns - first_ns) / kMostBlocks + 1);
+  if (t_ns.empty()) return split;
+  const TimeNs first_ns = t_ns.front();
+  const TimeNs length_ns = std::max(kShortestBlock_ns, (t_ns.back() - first_ns) / kMostBlocks + 1);
   std::set<std::size_t> used;
   TimeNs last = -1;
-  for (const RangeScan& scan : scans) {
-    const TimeNs at = (scan.t_ns - first_ns) / length_ns;
+  for (const TimeNs t : t_ns) {
+    const TimeNs at = (t - first_ns) / length_ns;
     // Numbered without the empty ones, so that shares are of blocks that have scans.
     if (at != last) used.insert(used.size());
     last = at;

@@ -22,6 +22,7 @@ struct ScanSplit {
   std::size_t blocks = 0;          ///< those that have scans
 };
 
+ScanSplit SplitTimes(const std::vector<TimeNs>& t_ns, const Stream& stream);
 ScanSplit SplitScans(const std::vector<RangeScan>& scans, const Stream& stream);
 
 /// Fewest blocks with scans of which something may be said: three of them FINAL.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "diagnose/perception/range_scan.h"
@@ -10,13 +11,13 @@ namespace tera {
 /// Which of a sensor's numbers are free in a fit.
 using FreeNumbers = std::array<bool, SensorNumbers::kCount>;
 
-/// What one point says of one set of numbers.
+/// What one point says of one set of numbers: in metres, of pictures in pixels.
 struct PointResidual {
   std::size_t scan = 0;
   Surface surface = Surface::kUnknown;
-  double beyond_m = 0;  ///< of the point behind the simulated surface, along its normal
-  double sigma_m = 1;   ///< of that, by the model of noise
-  /// Derivatives of beyond_m by the numbers.
+  double beyond = 0;  ///< of the point behind the simulated surface or edge, along its normal
+  double sigma = 1;   ///< of that, by the model of noise
+  /// Derivatives of `beyond` by the numbers.
   Eigen::Matrix<double, SensorNumbers::kCount, 1> slope =
       Eigen::Matrix<double, SensorNumbers::kCount, 1>::Zero();
 
@@ -32,13 +33,16 @@ struct ScanPoints {
   std::vector<std::size_t> points;
 };
 
-/// Casts the rays of `points` under `numbers` and compares.
-///
-/// Model   noise along the normal: that of the range times the cosine of incidence, an angle of
-///         0.02 deg times the range (encoders and poses), and 2 mm of the surface.
-std::vector<PointResidual> ResidualsOf(const RangeSource& source,
-                                       const std::vector<ScanPoints>& points,
-                                       const SensorNumbers& numbers);
+/// How the recording of a sensor differs from its simulation.
+struct SensorComparison {
+  SensorNumbers present;  ///< as the scenario has them
+  /// Residuals of points under numbers: `coarse` 0 in full, each more sees differences twice as
+  /// large, but less of them.
+  std::function<std::vector<PointResidual>(const std::vector<ScanPoints>& points,
+                                           const SensorNumbers& numbers, int coarse)>
+      residuals;
+  int coarsest = 0;
+};
 
 /// Numbers fitted to scans, the others as they are at the start.
 struct SensorFit {
@@ -48,8 +52,7 @@ struct SensorFit {
   std::array<double, SensorNumbers::kCount> sigma = {};
 };
 
-/// Fits by Gauss and Newton on the distances to the simulated surfaces, whose rays are cast anew in
-/// each of its rounds.
+/// Fits by Gauss and Newton, the residuals taken anew in each of its rounds, coarse ones first.
 ///
 /// Model   Student-t noise of 4 degrees of freedom and `scale` times sigma_m, approached from a
 ///         wide scale so that errors larger than noise are followed too; normal priors about the
@@ -57,7 +60,7 @@ struct SensorFit {
 ///         deviations are the larger of two: of independent points, and of the scatter of the
 ///         scores of scans.
 /// Source  Chen and Medioni 1992 (distance to planes); Lange, Little, Taylor 1989 (Student-t).
-SensorFit FitSensor(const RangeSource& source, const std::vector<ScanPoints>& points,
+SensorFit FitSensor(const SensorComparison& sensor, const std::vector<ScanPoints>& points,
                     const FreeNumbers& is_free, const SensorNumbers& start, double scale);
 
 /// Log-likelihood of a point, less that of a distance of 0; bounded, so that a ray that meets

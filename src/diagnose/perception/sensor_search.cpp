@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/units.h"
+#include "diagnose/perception/range_residuals.h"
 #include "diagnose/search/steady_gain.h"
 
 namespace tera {
@@ -12,35 +13,8 @@ namespace {
 
 using Index = SensorNumbers::Index;
 
-struct NumberOfMechanism {
-  Index index;
-  std::string_view name, unit;
-  double factor;  ///< from SI
-};
-
-struct SensorMechanism {
-  std::string_view id;
-  std::vector<NumberOfMechanism> numbers;
-};
-
-std::vector<SensorMechanism> MechanismsOf(const RangeSource& source) {
-  const bool depth = source.planar_depth;
-  return {{"extrinsic",
-           {{Index::kX, "x_m", "m", 1},
-            {Index::kY, "y_m", "m", 1},
-            {Index::kZ, "z_m", "m", 1},
-            {Index::kRoll, "roll_deg", "deg", 1 / kDeg},
-            {Index::kPitch, "pitch_deg", "deg", 1 / kDeg},
-            {Index::kYaw, "yaw_deg", "deg", 1 / kDeg}}},
-          {"range_bias", {{Index::kRange, depth ? "depth_m" : "range_m", "m", 1}}},
-          {"scale", {{Index::kFactor, depth ? "depth_factor" : "range_factor", "1", 1}}},
-          {"clock_offset", {{Index::kOffset, "offset_s", "s", 1}}}};
-}
-
 /// Bit k: mechanism k acts.
 using Structure = unsigned;
-constexpr std::size_t kMechanisms = 4;
-constexpr Structure kAll = (1u << kMechanisms) - 1, kClock = 1u << 3;
 
 constexpr std::size_t kPointsOfScan = 400;
 constexpr double kChosen = 0.01, kConfirmed = 0.05;
@@ -58,21 +32,16 @@ struct Judged {
 
 class Search {
  public:
-  Search(const RangeSource& source, const ScanSplit& split,
-         const std::vector<std::vector<bool>>& left_out)
-      : source_(source), split_(split), mechanisms_(MechanismsOf(source)) {
-    const auto points = [&](const std::vector<Part>& parts) {
-      return PointsOf(source.scans, split, parts, kPointsOfScan, left_out);
-    };
-    train_ = points({Part::kTrain});
-    select_ = points({Part::kSelect});
-    seen_ = points({Part::kTrain, Part::kSelect});
-    final_ = points({Part::kFinal});
-  }
+  Search(const SensorComparison& sensor, const std::vector<SensorMechanism>& mechanisms,
+         const SearchedPoints& points)
+      : sensor_(sensor),
+        mechanisms_(mechanisms),
+        points_(points),
+        all_((1u << mechanisms.size()) - 1) {}
 
   SensorSearch Run() {
     SensorSearch result;
-    result.numbers = source_.present;
+    result.numbers = sensor_.present;
     EstimateNoise(&result);
     const Structure chosen = Choose();
     Confirm(chosen, &result);
@@ -82,9 +51,10 @@ class Search {
  private:
   FreeNumbers FreeOf(Structure structure) const {
     FreeNumbers is_free = {};
-    for (std::size_t m = 0; m < kMechanisms; ++m) {
+    for (std::size_t m = 0; m < mechanisms_.size(); ++m) {
       if (!(structure >> m & 1u)) continue;
-      for (const NumberOfMechanism& number : mechanisms_[m].numbers) is_free[number.index] = true;
+      for (const SensorMechanism::Number& number : mechanisms_[m].numbers)
+        is_free[number.index] = true;
     }
     return is_free;
   }
@@ -99,10 +69,10 @@ class Search {
                 const SensorNumbers& start) const {
     SensorNumbers from = start;
     for (std::size_t i = 0; i < SensorNumbers::kCount; ++i) {
-      if (!FreeOf(structure)[i]) from.value[i] = source_.present.value[i];
+      if (!FreeOf(structure)[i]) from.value[i] = sensor_.present.value[i];
     }
     FreeNumbers is_free = FreeOf(structure);
-    SensorFit fit = FitSensor(source_, points, is_free, from, scale_);
+    SensorFit fit = FitSensor(sensor_, points, is_free, from, scale_);
     bool again = false;
     for (std::size_t i = 0; i < SensorNumbers::kCount; ++i) {
       if (!is_free[i] || fit.undetermined[i] < kUndetermined) continue;
@@ -111,11 +81,16 @@ class Search {
     }
     if (!again) return fit;
     const auto undetermined = fit.undetermined;
-    fit = FitSensor(source_, points, is_free, from, scale_);
+    fit = FitSensor(sensor_, points, is_free, from, scale_);
     for (std::size_t i = 0; i < SensorNumbers::kCount; ++i) {
       fit.undetermined[i] = std::max(fit.undetermined[i], undetermined[i]);
     }
     return fit;
+  }
+
+  std::vector<PointResidual> Residuals(const std::vector<ScanPoints>& points,
+                                       const SensorNumbers& numbers) const {
+    return sensor_.residuals(points, numbers, 0);
   }
 
   double LogLikelihood(const std::vector<PointResidual>& residuals) const {
@@ -126,17 +101,17 @@ class Search {
 
   /// The present numbers with the clock that fits TRAIN best.
   SensorNumbers StartOfClock(const std::vector<PointResidual>& nothing) const {
-    SensorNumbers best = source_.present;
+    SensorNumbers best = sensor_.present;
     double moved = 0;
     for (const PointResidual& r : nothing) moved += std::abs(r.slope[Index::kOffset]);
     if (moved == 0) return best;
     std::vector<ScanPoints> some;
-    for (std::size_t s = 0; s < train_.size(); s += 2) some.push_back(train_[s]);
-    double highest = LogLikelihood(ResidualsOf(source_, some, best));
+    for (std::size_t s = 0; s < points_.train.size(); s += 2) some.push_back(points_.train[s]);
+    double highest = LogLikelihood(sensor_.residuals(some, best, sensor_.coarsest));
     for (const double offset_s : kOffsets_s) {
-      SensorNumbers late = source_.present;
+      SensorNumbers late = sensor_.present;
       late.value[Index::kOffset] += offset_s;
-      const double likelihood = LogLikelihood(ResidualsOf(source_, some, late));
+      const double likelihood = LogLikelihood(sensor_.residuals(some, late, sensor_.coarsest));
       if (likelihood <= highest) continue;
       highest = likelihood;
       best = late;
@@ -145,14 +120,14 @@ class Search {
   }
 
   void EstimateNoise(SensorSearch* result) {
-    nothing_ = ResidualsOf(source_, train_, source_.present);
+    nothing_ = Residuals(points_.train, sensor_.present);
     scale_ = 1;
     clock_start_ = StartOfClock(nothing_);
-    const SensorFit all = Fit(train_, kAll, clock_start_);
-    const std::vector<PointResidual> left = ResidualsOf(source_, train_, all.numbers);
+    const SensorFit all = Fit(points_.train, all_, clock_start_);
+    const std::vector<PointResidual> left = Residuals(points_.train, all.numbers);
     scale_ = ScaleOf(left);
     result->scale = scale_;
-    result->noise_rmse_m = TrimmedRmse_m(left);
+    result->noise_rmse = TrimmedRmse(left);
     AddDetectability(left, all, result);
   }
 
@@ -164,10 +139,10 @@ class Search {
     for (const PointResidual& r : left) {
       if (!r.is_judged()) continue;
       judged += 1;
-      square += (r.slope / (scale_ * r.sigma_m)).cwiseAbs2();
+      square += (r.slope / (scale_ * r.sigma)).cwiseAbs2();
     }
     for (const SensorMechanism& mechanism : mechanisms_) {
-      for (const NumberOfMechanism& number : mechanism.numbers) {
+      for (const SensorMechanism::Number& number : mechanism.numbers) {
         SensorDetectability one{mechanism.id, number.name, number.unit, {}};
         const bool tells =
             square[number.index] > 0 && all.undetermined[number.index] < kUndetermined;
@@ -183,12 +158,12 @@ class Search {
     const auto at = on_select_.find(structure);
     if (at != on_select_.end()) return at->second;
     Judged judged;
-    const SensorNumbers& start = structure & kClock ? clock_start_ : source_.present;
+    const SensorNumbers& start = FreeOf(structure)[Index::kOffset] ? clock_start_ : sensor_.present;
     if (structure)
-      judged.fit = Fit(train_, structure, start);
+      judged.fit = Fit(points_.train, structure, start);
     else
-      judged.fit.numbers = source_.present;
-    judged.residuals = ResidualsOf(source_, select_, judged.fit.numbers);
+      judged.fit.numbers = sensor_.present;
+    judged.residuals = Residuals(points_.select, judged.fit.numbers);
     return on_select_.emplace(structure, std::move(judged)).first->second;
   }
 
@@ -197,11 +172,11 @@ class Search {
                                    const std::vector<PointResidual>& after) const {
     std::map<std::size_t, ManoeuvreGain> gains;
     for (std::size_t i = 0; i < before.size(); ++i) {
-      ManoeuvreGain& gain = gains[split_.block[before[i].scan]];
+      ManoeuvreGain& gain = gains[points_.block[before[i].scan]];
       gain.gain += LogLikelihoodOf(after[i], scale_) - LogLikelihoodOf(before[i], scale_);
       const bool both = before[i].is_judged() && after[i].is_judged();
-      const double apart_m = both ? after[i].beyond_m - before[i].beyond_m : 0;
-      gain.possible -= LogDensityAt(apart_m / (scale_ * before[i].sigma_m));
+      const double apart = both ? after[i].beyond - before[i].beyond : 0;
+      gain.possible -= LogDensityAt(apart / (scale_ * before[i].sigma));
     }
     std::vector<ManoeuvreGain> list;
     for (const auto& [block, gain] : gains) list.push_back(gain);
@@ -217,8 +192,8 @@ class Search {
   bool IsBetter(Structure less, Structure more) {
     const auto& before = OnSelect(less).residuals;
     const auto& after = OnSelect(more).residuals;
-    if (P(before, after) > kChosen / kMechanisms) return false;
-    return TrimmedRmse_m(after) <= (1 - kLeastShare) * TrimmedRmse_m(before);
+    if (P(before, after) > kChosen / static_cast<double>(mechanisms_.size())) return false;
+    return TrimmedRmse(after) <= (1 - kLeastShare) * TrimmedRmse(before);
   }
 
   /// The best of some structures on SELECT; of those that are not steadily worse than it, the one
@@ -236,18 +211,18 @@ class Search {
   }
 
   Structure Choose() {
-    if (!IsBetter(0, kAll)) return 0;
+    if (!IsBetter(0, all_)) return 0;
     Structure chosen = 0;
-    while (chosen != kAll) {
+    while (chosen != all_) {
       std::vector<Structure> candidates;
-      for (std::size_t m = 0; m < kMechanisms; ++m) {
+      for (std::size_t m = 0; m < mechanisms_.size(); ++m) {
         if (!(chosen >> m & 1u)) candidates.push_back(chosen | 1u << m);
       }
       const Structure next = BestOf(candidates);
       if (!IsBetter(chosen, next)) break;
       chosen = next;
     }
-    for (std::size_t m = 0; m < kMechanisms; ++m) {
+    for (std::size_t m = 0; m < mechanisms_.size(); ++m) {
       const Structure without = chosen & ~(1u << m);
       if (without != chosen && !IsBetter(without, chosen)) chosen = without;
     }
@@ -256,7 +231,7 @@ class Search {
 
   std::vector<std::string_view> RivalsOf(Structure chosen, std::size_t m) {
     std::vector<std::string_view> rivals = {mechanisms_[m].id};
-    for (std::size_t other = 0; other < kMechanisms; ++other) {
+    for (std::size_t other = 0; other < mechanisms_.size(); ++other) {
       if (chosen >> other & 1u) continue;
       const Structure swapped = (chosen & ~(1u << m)) | 1u << other;
       if (!IsBetter(swapped, chosen)) rivals.push_back(mechanisms_[other].id);
@@ -265,7 +240,7 @@ class Search {
   }
 
   void AddParameters(std::size_t m, const SensorFit& fit, SensorFinding* finding) const {
-    for (const NumberOfMechanism& number : mechanisms_[m].numbers) {
+    for (const SensorMechanism::Number& number : mechanisms_[m].numbers) {
       ParameterEstimate estimate;
       estimate.name = number.name;
       estimate.unit = number.unit;
@@ -274,28 +249,28 @@ class Search {
         estimate.sigma = number.factor * fit.sigma[number.index];
       }
       finding->parameters.push_back(estimate);
-      finding->present.push_back(number.factor * source_.present.value[number.index]);
+      finding->present.push_back(number.factor * sensor_.present.value[number.index]);
     }
   }
 
   void Confirm(Structure chosen, SensorSearch* result) {
     if (!chosen) return;
-    const SensorFit fit = Fit(seen_, chosen, OnSelect(chosen).fit.numbers);
-    const std::vector<PointResidual> with = ResidualsOf(source_, final_, fit.numbers);
+    const SensorFit fit = Fit(points_.seen, chosen, OnSelect(chosen).fit.numbers);
+    const std::vector<PointResidual> with = Residuals(points_.final, fit.numbers);
     Structure confirmed = 0;
-    for (std::size_t m = 0; m < kMechanisms; ++m) {
+    for (std::size_t m = 0; m < mechanisms_.size(); ++m) {
       if (!(chosen >> m & 1u)) continue;
       const Structure rest = chosen & ~(1u << m);
-      SensorFit without{source_.present, {}, {}};
-      if (rest) without = Fit(seen_, rest, OnSelect(rest).fit.numbers);
-      const std::vector<PointResidual> before = ResidualsOf(source_, final_, without.numbers);
+      SensorFit without{sensor_.present, {}, {}};
+      if (rest) without = Fit(points_.seen, rest, OnSelect(rest).fit.numbers);
+      const std::vector<PointResidual> before = Residuals(points_.final, without.numbers);
       SensorFinding finding;
       finding.mechanism = mechanisms_[m].id;
       finding.rivals = RivalsOf(chosen, m);
       finding.p_chosen = P(OnSelect(rest).residuals, OnSelect(chosen).residuals);
       finding.p_confirmed = P(before, with);
-      finding.rmse_before_m = TrimmedRmse_m(before);
-      finding.rmse_after_m = TrimmedRmse_m(with);
+      finding.rmse_before = TrimmedRmse(before);
+      finding.rmse_after = TrimmedRmse(with);
       AddParameters(m, fit, &finding);
       const bool holds = finding.p_confirmed <= kConfirmed;
       if (holds) confirmed |= 1u << m;
@@ -304,13 +279,13 @@ class Search {
     if (confirmed == chosen)
       result->numbers = fit.numbers;
     else if (confirmed)
-      result->numbers = Fit(seen_, confirmed, fit.numbers).numbers;
+      result->numbers = Fit(points_.seen, confirmed, fit.numbers).numbers;
   }
 
-  const RangeSource& source_;
-  const ScanSplit& split_;
-  std::vector<SensorMechanism> mechanisms_;
-  std::vector<ScanPoints> train_, select_, seen_, final_;
+  const SensorComparison& sensor_;
+  const std::vector<SensorMechanism>& mechanisms_;
+  const SearchedPoints& points_;
+  const Structure all_;
   double scale_ = 1;
   std::vector<PointResidual> nothing_;
   SensorNumbers clock_start_;
@@ -319,15 +294,45 @@ class Search {
 
 }  // namespace
 
-SensorSearch SearchSensor(const RangeSource& source, const ScanSplit& split,
-                          const std::vector<std::vector<bool>>& left_out) {
-  return Search(source, split, left_out).Run();
+std::vector<SensorMechanism> MechanismsOf(const RangeSource& source) {
+  const bool depth = source.planar_depth;
+  return {{"extrinsic",
+           {{Index::kX, "x_m", "m", 1},
+            {Index::kY, "y_m", "m", 1},
+            {Index::kZ, "z_m", "m", 1},
+            {Index::kRoll, "roll_deg", "deg", 1 / kDeg},
+            {Index::kPitch, "pitch_deg", "deg", 1 / kDeg},
+            {Index::kYaw, "yaw_deg", "deg", 1 / kDeg}}},
+          {"range_bias", {{Index::kRange, depth ? "depth_m" : "range_m", "m", 1}}},
+          {"scale", {{Index::kFactor, depth ? "depth_factor" : "range_factor", "1", 1}}},
+          {"clock_offset", {{Index::kOffset, "offset_s", "s", 1}}}};
 }
 
-double TrimmedRmse_m(const std::vector<PointResidual>& residuals) {
+SearchedPoints PointsToSearch(const RangeSource& source, const ScanSplit& split,
+                              const std::vector<std::vector<bool>>& left_out) {
+  const auto points = [&](const std::vector<Part>& parts) {
+    return PointsOf(source.scans, split, parts, kPointsOfScan, left_out);
+  };
+  return {points({Part::kTrain}), points({Part::kSelect}), points({Part::kTrain, Part::kSelect}),
+          points({Part::kFinal}), split.block};
+}
+
+SensorSearch SearchSensor(const SensorComparison& sensor,
+                          const std::vector<SensorMechanism>& mechanisms,
+                          const SearchedPoints& points) {
+  return Search(sensor, mechanisms, points).Run();
+}
+
+SensorSearch SearchSensor(const RangeSource& source, const ScanSplit& split,
+                          const std::vector<std::vector<bool>>& left_out) {
+  return SearchSensor(ComparisonOf(source), MechanismsOf(source),
+                      PointsToSearch(source, split, left_out));
+}
+
+double TrimmedRmse(const std::vector<PointResidual>& residuals) {
   std::vector<double> square;
   for (const PointResidual& r : residuals) {
-    if (r.is_judged()) square.push_back(r.beyond_m * r.beyond_m);
+    if (r.is_judged()) square.push_back(r.beyond * r.beyond);
   }
   if (square.empty()) return 0;
   const auto kept =

@@ -11,6 +11,29 @@
 
 namespace tera {
 
+/// A mechanism that may act on a whole sensor, and its numbers in effects.yaml.
+struct SensorMechanism {
+  struct Number {
+    SensorNumbers::Index index;
+    std::string_view name, unit;
+    double factor;  ///< from SI
+  };
+  std::string_view id;
+  std::vector<Number> numbers;
+};
+
+/// `extrinsic`, `range_bias`, `scale` and `clock_offset`.
+std::vector<SensorMechanism> MechanismsOf(const RangeSource& source);
+
+/// What a search looks at: the points of one part or of several, and when they were.
+struct SearchedPoints {
+  std::vector<ScanPoints> train, select, seen, final;  ///< seen: both of the first
+  std::vector<std::size_t> block;                      ///< of each scan
+};
+
+SearchedPoints PointsToSearch(const RangeSource& source, const ScanSplit& split,
+                              const std::vector<std::vector<bool>>& left_out);
+
 /// A mechanism that acts on a whole sensor and so on all its points.
 struct SensorFinding {
   std::string_view mechanism;                 ///< as in effects.yaml
@@ -18,8 +41,8 @@ struct SensorFinding {
   std::vector<double> present;                ///< of each parameter, where the scenario has it
   std::vector<std::string_view> rivals;       ///< that do as well, the one found first
   double p_chosen = 1, p_confirmed = 1;
-  /// Of the 95 % of FINAL's points that lie nearest to the simulated surfaces: without it, with it.
-  double rmse_before_m = 0, rmse_after_m = 0;
+  /// Of the 95 % of FINAL's points that lie nearest to the simulation: without it, with it.
+  double rmse_before = 0, rmse_after = 0;
 };
 
 /// How small a mechanism may be and still change the distances to the surfaces enough.
@@ -31,15 +54,15 @@ struct SensorDetectability {
 struct SensorSearch {
   SensorNumbers numbers;  ///< with all that was found
   double scale = 1;       ///< of the noise over its model
-  double noise_rmse_m = 0;
+  double noise_rmse = 0;
   std::vector<SensorFinding> findings;
   std::vector<SensorFinding> unconfirmed;
   std::vector<SensorDetectability> detectability;
 };
 
-/// Which of `extrinsic`, `range_bias`, `scale` and `clock_offset` acts on a sensor.
+/// Which of some mechanisms act on a sensor.
 ///
-/// Model   noise from what a fit of all four leaves of TRAIN. Forward from nothing, each fitted to
+/// Model   noise from what a fit of all leaves of TRAIN. Forward from nothing, each fitted to
 ///         TRAIN (sensor_fit.h), the one that gains most on SELECT first; one stays if its gain
 ///         there is steady over blocks of time (steady_gain.h, one per cent over four) and makes
 ///         the error at least 2 % smaller; then each that the others can do without goes. A
@@ -47,12 +70,16 @@ struct SensorSearch {
 ///         well in its place is its rival. On FINAL, which nothing was fitted to, each must gain at
 ///         five per cent again.
 /// Omits   errors of single beams; drift over time.
-///
-/// `left_out` names points that something else explains, one list a scan; may be empty.
+SensorSearch SearchSensor(const SensorComparison& sensor,
+                          const std::vector<SensorMechanism>& mechanisms,
+                          const SearchedPoints& points);
+
+/// The same of ranges. `left_out` names points that something else explains, one list a scan; may
+/// be empty.
 SensorSearch SearchSensor(const RangeSource& source, const ScanSplit& split,
                           const std::vector<std::vector<bool>>& left_out);
 
 /// Root mean square of the 95 % nearest.
-double TrimmedRmse_m(const std::vector<PointResidual>& residuals);
+double TrimmedRmse(const std::vector<PointResidual>& residuals);
 
 }  // namespace tera

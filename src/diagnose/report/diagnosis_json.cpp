@@ -173,8 +173,8 @@ Json Seen(const PerceptionDiagnosis& sensor, const PerceptionFinding& finding) {
              {"low_m", point(finding.place->low_W_m)},
              {"high_m", point(finding.place->high_W_m)}};
   }
-  const double before = finding.rmse_before_m, after = finding.rmse_after_m;
-  const double noise = sensor.sensor.noise_rmse_m;
+  const double before = finding.rmse_before, after = finding.rmse_after;
+  const double noise = sensor.sensor.noise_rmse;
   const double excess = before * before - noise * noise;
   const double removed = excess > 0 ? (before * before - after * after) / excess : 0;
   return {{"channel", sensor.channel},
@@ -191,7 +191,7 @@ Json Seen(const PerceptionDiagnosis& sensor, const PerceptionFinding& finding) {
            {{"p_chosen", Number(finding.p_chosen)}, {"p_confirmed", Number(finding.p_confirmed)}}},
           {"confidence", Number((1 - finding.p_chosen) * (1 - finding.p_confirmed) /
                                 static_cast<double>(finding.rivals.size()))},
-          {"held_out", HeldOut(before, after, "m", std::clamp(removed, 0.0, 1.0))}};
+          {"held_out", HeldOut(before, after, sensor.unit, std::clamp(removed, 0.0, 1.0))}};
 }
 
 /// What SELECT chose and FINAL did not confirm.

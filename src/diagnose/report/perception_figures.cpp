@@ -167,11 +167,19 @@ std::string PerceptionSections(const Diagnosis& diagnosis) {
   std::string html;
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
     if (!sensor.is_judged()) continue;
-    html += fmt::format(
-        "<section>\n<h2>{}</h2>\n<p class='soft'>{} scans of <code>{}</code> beside the same rays "
-        "in the simulation, on the recorded trajectory. Noise: {} cm from the surface.</p>\n",
-        Escaped(Capitalised(Spaced(sensor.target))), sensor.scans, Escaped(sensor.channel),
-        Significant(100 * sensor.sensor.noise_rmse_m, 2));
+    const std::string title = Escaped(Capitalised(Spaced(sensor.target)));
+    const double noise = sensor.sensor.noise_rmse;
+    html += fmt::format("<section>\n<h2>{}</h2>\n<p class='soft'>{} ", title, sensor.scans);
+    html += sensor.unit == "m"
+                ? fmt::format(
+                      "scans of <code>{}</code> beside the same rays in the simulation, on the "
+                      "recorded trajectory. Noise: {} cm from the surface.</p>\n",
+                      Escaped(sensor.channel), Significant(100 * noise, 2))
+                : fmt::format(
+                      "pictures of <code>{}</code> beside simulated ones from the recorded "
+                      "trajectory. Noise: {} pixels from the edges, in pictures of at most 400 "
+                      "pixels' width.</p>\n",
+                      Escaped(sensor.channel), Significant(noise, 2));
     html += MapFigure(sensor) + NumbersTable(sensor) + DetectabilityTable(sensor) + "</section>\n";
   }
   return html;

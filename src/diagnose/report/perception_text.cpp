@@ -15,6 +15,20 @@ namespace {
 constexpr double kClear = 3;  ///< standard deviations: a number that is told
 constexpr double kCm = 100;
 
+/// "0.41 cm" of metres, "0.4 px" of pixels.
+std::string DistanceText(const PerceptionDiagnosis& diagnosis, double distance) {
+  const bool metres = diagnosis.unit == "m";
+  return Significant(metres ? kCm * distance : distance, 2) + (metres ? " cm" : " px");
+}
+
+/// What the sensor took, and what is compared with it.
+std::string_view ScansText(const PerceptionDiagnosis& diagnosis) {
+  return diagnosis.unit == "m" ? "scans" : "pictures";
+}
+std::string_view SurfacesText(const PerceptionDiagnosis& diagnosis) {
+  return diagnosis.unit == "m" ? "surfaces" : "edges";
+}
+
 /// Whether a number is worth telling or writing: the scans hold it, and it is not as it was.
 bool IsTold(const PerceptionFinding& finding, std::size_t index) {
   const ParameterEstimate& estimate = finding.parameters[index];
@@ -120,9 +134,10 @@ std::string SentenceOfNothing(const PerceptionDiagnosis& diagnosis) {
       unseen.insert(Spaced(one.mechanism) + " " + WithoutUnit(one.parameter));
     }
   }
-  std::string text = fmt::format(
-      "{}: nothing found; its {} scans lie within {} cm of the simulated surfaces.",
-      SensorText(diagnosis), diagnosis.scans, Significant(kCm * diagnosis.sensor.noise_rmse_m, 2));
+  std::string text =
+      fmt::format("{}: nothing found; its {} {} lie within {} of the simulated {}.",
+                  SensorText(diagnosis), diagnosis.scans, ScansText(diagnosis),
+                  DistanceText(diagnosis, diagnosis.sensor.noise_rmse), SurfacesText(diagnosis));
   if (!unseen.empty()) {
     text += fmt::format(" It does not tell {}.", fmt::join(unseen, ", "));
   }
@@ -137,10 +152,10 @@ std::string SentenceOf(const PerceptionDiagnosis& diagnosis, const PerceptionFin
                   WhatText(finding), ProbabilityText(finding.p_chosen),
                   ProbabilityText(finding.p_confirmed), RivalsClause(finding));
   // Of what is not there, or in the air, there is no surface.
-  if (finding.rmse_after_m <= 0) return text;
-  return text + fmt::format(" Held-out distance to the simulated surfaces {} → {} cm.",
-                            Significant(kCm * finding.rmse_before_m, 2),
-                            Significant(kCm * finding.rmse_after_m, 2));
+  if (finding.rmse_after <= 0) return text;
+  return text + fmt::format(" Held-out distance to the simulated {} {} → {}.",
+                            SurfacesText(diagnosis), DistanceText(diagnosis, finding.rmse_before),
+                            DistanceText(diagnosis, finding.rmse_after));
 }
 
 std::vector<std::string> PerceptionSentences(const std::vector<PerceptionDiagnosis>& sensors) {

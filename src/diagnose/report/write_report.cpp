@@ -17,7 +17,7 @@ void WriteReport(const std::filesystem::path& directory, const Diagnosis& diagno
   if (diagnosis.next) WriteWholeFile(directory / kNextManoeuvreFile, CsvOf(*diagnosis.next));
   WriteWholeFile(directory / "report.html", HtmlReport(diagnosis, recording));
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
-    if (!sensor.is_judged()) continue;
+    if (sensor.ground.cells.empty()) continue;
     WriteWholeFile(directory / ("ground_" + sensor.target + ".csv"), GroundCsv(sensor.ground));
   }
 }

@@ -84,7 +84,7 @@ TEST(PerceivedSensor, AsDescribedGivesNoFinding) {
     EXPECT_TRUE(diagnosis.findings.empty()) << seed;
     EXPECT_TRUE(diagnosis.unconfirmed.empty()) << seed;
     // 1 cm of range, met at an angle.
-    EXPECT_LT(diagnosis.sensor.noise_rmse_m, 0.012);
+    EXPECT_LT(diagnosis.sensor.noise_rmse, 0.012);
   }
 }
 

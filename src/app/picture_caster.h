@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "app/recorded_stage.h"
+#include "app/scan_caster.h"
+#include "diagnose/perception/picture_source.h"
+#include "render/rasterizer.h"
+#include "sensors/sensor.h"
+
+namespace tera {
+
+/// Renders what a camera would have seen from the recorded trajectory.
+///
+/// Model   bodies, link and ground at one instant, that of the picture; the simulator's own camera
+///         without noise, `reduced` times smaller in both directions.
+class PictureCaster {
+ public:
+  /// Keeps references to all. Throws InputError where there is no OpenGL.
+  PictureCaster(const Scenario& scenario, const SceneAssembly& assembly, const RecordedStage& stage,
+                const std::vector<RecordedMotion>& machines);
+
+  /// Motion of the camera's link at the true time of a picture; nothing where it is not known.
+  std::optional<BodyState> LinkAt(std::size_t machine, const SensorDescription& sensor,
+                                  const ScanCaster::Scan& picture,
+                                  const SensorNumbers& numbers) const;
+  std::optional<SimulatedPicture> Render(std::size_t machine, const SensorDescription& sensor,
+                                         const ScanCaster::Scan& picture,
+                                         const SensorNumbers& numbers, int reduced);
+
+ private:
+  const Scenario& scenario_;
+  const SceneAssembly& assembly_;
+  const RecordedStage& stage_;
+  const std::vector<RecordedMotion>& machines_;
+  std::vector<Surface> surface_;  ///< of each instance
+  Rasterizer rasterizer_;
+};
+
+/// Of a picture so many times smaller in both directions, each pixel the mean of what it covers.
+CameraIntrinsics Reduced(const CameraIntrinsics& lens, int times);
+/// The brightness of a picture (Rec. 601) from 0 to 1, so many times smaller.
+Image<float> ReducedGrey(const Image<std::uint8_t>& rgb, int times);
+
+}  // namespace tera

@@ -1,0 +1,120 @@
+#include "diagnose/perception/picture_diagnosis.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "core/units.h"
+#include "diagnose/perception/picture_registration.h"
+#include "diagnose/statistics/robust.h"
+
+namespace tera {
+namespace {
+
+constexpr double kLeastContrast = 0.012;  ///< of the range of values, three of 255
+constexpr double kFewestLandmarks = 40;   ///< of a picture
+constexpr double kLike = 0.5;
+
+std::vector<SensorMechanism> MechanismsOfPictures() {
+  using enum SensorNumbers::Index;
+  return {{"extrinsic",
+           {{kX, "x_m", "m", 1},
+            {kY, "y_m", "m", 1},
+            {kZ, "z_m", "m", 1},
+            {kRoll, "roll_deg", "deg", 1 / kDeg},
+            {kPitch, "pitch_deg", "deg", 1 / kDeg},
+            {kYaw, "yaw_deg", "deg", 1 / kDeg}}},
+          {"clock_offset", {{kOffset, "offset_s", "s", 1}}}};
+}
+
+/// Standard deviation of a picture's values.
+double ContrastOf(const Image<float>& grey) {
+  double sum = 0, square = 0;
+  for (const float value : grey.data) {
+    sum += value;
+    square += value * value;
+  }
+  const auto n = static_cast<double>(grey.data.size());
+  return std::sqrt(std::max(0.0, square / n - sum / n * sum / n));
+}
+
+/// Why the pictures themselves tell nothing; empty where they do.
+std::string ObstacleTo(const PictureSource& source, const ScanSplit& split) {
+  if (split.blocks < kFewestBlocks) {
+    return fmt::format("its {} pictures are spread over {} blocks of a second; need {}",
+                       source.t_ns.size(), split.blocks, kFewestBlocks);
+  }
+  std::vector<double> contrasts;
+  for (const Image<float>& grey : source.grey) contrasts.push_back(ContrastOf(grey));
+  if (const double contrast = Median(contrasts); contrast < kLeastContrast) {
+    return fmt::format(
+        "its pictures have no contrast: a standard deviation of {:.1f} of 255; need {:.0f}",
+        255 * contrast, 255 * kLeastContrast);
+  }
+  return "";
+}
+
+SearchedPoints PointsToSearch(const PictureRegistration& pictures, const ScanSplit& split) {
+  const auto points = [&](const std::vector<Part>& parts) {
+    return pictures.PointsOf(split, parts);
+  };
+  return {points({Part::kTrain}), points({Part::kSelect}), points({Part::kTrain, Part::kSelect}),
+          points({Part::kFinal}), split.block};
+}
+
+SensorSearch SearchPictures(const PictureSource& source, const PictureRegistration& pictures,
+                            const SearchedPoints& points) {
+  SensorComparison comparison;
+  comparison.present = source.present;
+  comparison.coarsest = PictureLevels::kCount - 1;
+  comparison.residuals = [&](const std::vector<ScanPoints>& some, const SensorNumbers& numbers,
+                             int coarse) { return pictures.Compare(some, numbers, coarse); };
+  return SearchSensor(comparison, MechanismsOfPictures(), points);
+}
+
+}  // namespace
+
+PerceptionDiagnosis DiagnosePictures(const PictureSource& source, std::uint64_t seed) {
+  PerceptionDiagnosis diagnosis;
+  diagnosis.channel = source.channel;
+  diagnosis.target = source.target;
+  diagnosis.unit = "px";
+  diagnosis.scans = source.t_ns.size();
+  const ScanSplit split =
+      SplitTimes(source.t_ns, Stream(seed, "diagnose/" + source.channel + "/split"));
+  diagnosis.not_judged = ObstacleTo(source, split);
+  if (!diagnosis.is_judged()) return diagnosis;
+  auto pictures = std::make_unique<PictureRegistration>(source, source.present);
+  if (const double count = pictures->LandmarksOfFrame(); count < kFewestLandmarks) {
+    diagnosis.not_judged = fmt::format(
+        "the simulated pictures show {:.0f} edges each that could be compared; need {:.0f}", count,
+        kFewestLandmarks);
+    return diagnosis;
+  }
+  SearchedPoints points = PointsToSearch(*pictures, split);
+  diagnosis.sensor = SearchPictures(source, *pictures, points);
+  if (!diagnosis.sensor.findings.empty()) {
+    pictures = std::make_unique<PictureRegistration>(source, diagnosis.sensor.numbers);
+    points = PointsToSearch(*pictures, split);
+    diagnosis.sensor = SearchPictures(source, *pictures, points);
+  }
+  const double like = pictures->Likeness(points.seen, diagnosis.sensor.numbers);
+  if (like < kLike) {
+    diagnosis.sensor = {};
+    diagnosis.not_judged = fmt::format(
+        "its pictures are not like the simulated ones: a correlation of {:.2f} at their edges; "
+        "need {:.1f}",
+        like, kLike);
+    return diagnosis;
+  }
+  for (const SensorFinding& found : diagnosis.sensor.findings) {
+    diagnosis.findings.push_back(AsFinding(found, source.target));
+  }
+  for (const SensorFinding& found : diagnosis.sensor.unconfirmed) {
+    diagnosis.unconfirmed.push_back(AsFinding(found, source.target));
+  }
+  return diagnosis;
+}
+
+}  // namespace tera
