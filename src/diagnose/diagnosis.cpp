@@ -11,6 +11,7 @@
 #include "diagnose/blocks/axis_block.h"
 #include "diagnose/blocks/base_block.h"
 #include "diagnose/blocks/effort_block.h"
+#include "diagnose/blocks/gnss_block.h"
 #include "diagnose/blocks/imu_block.h"
 #include "diagnose/input_checks.h"
 
@@ -61,7 +62,8 @@ struct Measurements {
   TableRecording efforts;  ///< of drives
   /// One for each of the scenario's sensors; empty of those that are none or were not recorded.
   std::vector<std::vector<ImuSample>> imus;
-  TimeNs start_ns = 0;  ///< of the whole recording
+  std::vector<std::vector<GnssSample>> gnss;  ///< likewise
+  TimeNs start_ns = 0;                        ///< of the whole recording
 };
 
 TimeNs StartOf(const Measurements& measured) {
@@ -72,6 +74,11 @@ TimeNs StartOf(const Measurements& measured) {
   for (const auto& samples : measured.imus) {
     if (!samples.empty()) start_ns = std::min(start_ns, samples.front().t_ns);
   }
+  if (start_ns < std::numeric_limits<TimeNs>::max()) return start_ns;
+  // Receivers count only where nothing else was measured: their clocks are not the machine's.
+  for (const auto& samples : measured.gnss) {
+    if (!samples.empty()) start_ns = std::min(start_ns, samples.front().t_ns);
+  }
   return start_ns;
 }
 
@@ -79,10 +86,13 @@ void CheckMeasurements(const DiagnosisInput& input, const Recording& recording,
                        const Measurements& measured) {
   const RecordedPlace place{recording.directory().string(), input.machine};
   CheckLevers(place, input.commands, *input.model);
-  CheckClocks(place, input.commands, measured.encoders, measured.imus, measured.poses);
+  CheckClocks(place, input.commands, measured.encoders, measured.imus, measured.gnss,
+              measured.poses);
   CheckEncoders(place, input.commands, measured.encoders, *input.model);
   for (std::size_t s = 0; s < input.sensors.size(); ++s) {
-    CheckImu(place, input.machine + "/" + input.sensors[s].name, measured.imus[s]);
+    const std::string channel = input.machine + "/" + input.sensors[s].name;
+    CheckImu(place, channel, measured.imus[s]);
+    CheckGnss(place, channel, measured.gnss[s], measured.poses);
   }
 }
 
@@ -101,13 +111,15 @@ Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& record
     const std::string channel = input.machine + "/" + sensor.name;
     const bool is_imu = std::holds_alternative<ImuModel>(sensor.model) && recording.Has(channel);
     measured.imus.push_back(is_imu ? recording.LoadImu(channel) : std::vector<ImuSample>{});
-    any = any || !measured.imus.back().empty();
+    const bool is_gnss = std::holds_alternative<GnssModel>(sensor.model) && recording.Has(channel);
+    measured.gnss.push_back(is_gnss ? recording.LoadGnss(channel) : std::vector<GnssSample>{});
+    any = any || !measured.imus.back().empty() || !measured.gnss.back().empty();
   }
   if (!any && !options.needs_blocks) return measured;
   if (!any) {
     throw InputError(
-        fmt::format("{}: no encoder channel of {}, and no inertial unit that the scenario has; "
-                    "need something measured to compare",
+        fmt::format("{}: no encoder channel of {}, and no inertial unit or receiver that the "
+                    "scenario has; need something measured to compare",
                     recording.directory().string(), input.machine));
   }
   CheckMeasurements(input, recording, measured);
@@ -116,6 +128,7 @@ Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& record
   const TimeNs to_ns = measured.start_ns + FromSeconds(options.to_s);
   for (NamedEncoders& named : measured.encoders) Trim(from_ns, to_ns, &named.recording.samples);
   for (auto& samples : measured.imus) Trim(from_ns, to_ns, &samples);
+  for (auto& samples : measured.gnss) Trim(from_ns, to_ns, &samples);
   Trim(from_ns, to_ns, &measured.efforts);
   return measured;
 }
@@ -185,6 +198,40 @@ void AddImus(const DiagnosisInput& input, const Measurements& measured,
   }
 }
 
+/// Some of the scenario's receivers, by their numbers among its sensors, make a block where poses
+/// and joints tell how their antennas moved.
+std::optional<ReplayBlock> GnssBlockOf(const DiagnosisInput& input, const Measurements& measured,
+                                       const std::vector<std::size_t>& which) {
+  std::vector<SensorDescription> receivers;
+  std::vector<std::vector<GnssSample>> samples;
+  for (const std::size_t s : which) {
+    receivers.push_back(input.sensors[s]);
+    samples.push_back(measured.gnss[s]);
+  }
+  GnssLog log = MakeGnssLog(*input.model, receivers, samples, measured.encoders, measured.poses);
+  return MakeGnssBlock(receivers, std::move(log), input.machine);
+}
+
+/// Two receivers make one block where both have enough to say; else each has its own.
+void AddGnss(const DiagnosisInput& input, const Measurements& measured,
+             std::vector<ReplayBlock>* blocks) {
+  std::vector<std::size_t> which;
+  std::size_t in_all = 0;
+  for (std::size_t s = 0; s < input.sensors.size(); ++s) {
+    in_all += std::holds_alternative<GnssModel>(input.sensors[s].model) ? 1 : 0;
+    if (!measured.gnss[s].empty()) which.push_back(s);
+  }
+  if (which.size() == 2 && in_all == 2) {
+    if (auto pair = GnssBlockOf(input, measured, which)) {
+      blocks->push_back(std::move(*pair));
+      return;
+    }
+  }
+  for (const std::size_t s : which) {
+    if (auto block = GnssBlockOf(input, measured, {s})) blocks->push_back(std::move(*block));
+  }
+}
+
 /// One kind of block that cannot be made leaves the others.
 void Try(const std::function<void()>& add, std::vector<std::string>* obstacles) {
   try {
@@ -203,7 +250,8 @@ void Try(const std::function<void()>& add, std::vector<std::string>* obstacles) 
   throw InputError(fmt::format(
       "{}: nothing of {} can be replayed: need levers and encoders of the same joints, efforts and "
       "encoders of the same joints, encoders of all tracks or wheels and poses, "
-      "or an inertial unit and what tells how its link moved, over {} s at least",
+      "a receiver and poses, or an inertial unit and what tells how its link moved, over {} s at "
+      "least",
       directory, input.machine, kShortest_s));
 }
 
@@ -334,6 +382,7 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Recording& 
   Try([&] { AddEfforts(input, measured, &blocks); }, &obstacles);
   Try([&] { AddBase(input, measured, options, &blocks); }, &obstacles);
   Try([&] { AddImus(input, measured, options, &blocks); }, &obstacles);
+  Try([&] { AddGnss(input, measured, &blocks); }, &obstacles);
   std::erase_if(blocks, [](const ReplayBlock& block) {
     return static_cast<double>(block.samples()) * block.period_s() < kShortest_s;
   });

@@ -88,8 +88,8 @@ using FollowProgress = std::function<void(const BlockProgress&)>;
 
 /// Every block that the recording has channels for: joints and gears with encoders and levers,
 /// drives with efforts and encoders, the base with gears and poses, inertial units
-/// whose link's motion was measured, over 20 s at least. Throws InputError where there is none at
-/// all, unless `needs_blocks` is false.
+/// and receivers whose link's motion was measured, over 20 s at least. Throws InputError where
+/// there is none at all, unless `needs_blocks` is false.
 std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Recording& recording,
                                   const DiagnosisOptions& options);
 

@@ -22,6 +22,7 @@ constexpr double kNear = 1.3;        ///< a factor of units is met up to this ra
 constexpr double kAlike = 0.7;       ///< correlation
 constexpr double kLeverMoves = 0.2;  ///< between its ends
 constexpr double kMoves_rad = 0.05;  ///< likewise of a position
+constexpr double kDrives_m = 2;      ///< between the ends of a way
 constexpr double kLimit_rad = 0.2;   ///< beyond a joint's limits
 constexpr double kPair_s = 0.1;      ///< between two positions whose difference is held to a rate
 constexpr double kBefore_s = 10;  ///< commands that end so long before all else are of another time
@@ -204,6 +205,23 @@ void AddSpan(const std::string& what, const std::vector<Sample>& samples,
   if (!samples.empty()) spans->push_back({what, samples.front().t_ns, samples.back().t_ns});
 }
 
+/// Where a receiver and the machine's poses were, east or north, at the receiver's times.
+struct Ways {
+  std::vector<double> receiver_m, machine_m;
+};
+
+Ways WaysOf(const std::vector<GnssSample>& samples, const std::vector<TruthPose>& poses, int axis) {
+  Ways ways;
+  for (const GnssSample& sample : samples) {
+    const auto at = std::lower_bound(poses.begin(), poses.end(), sample.t_ns,
+                                     [](const TruthPose& p, TimeNs t) { return p.t_ns < t; });
+    if (sample.fix == GnssFix::kNone || at == poses.end()) continue;
+    ways.receiver_m.push_back(sample.enu_m[axis]);
+    ways.machine_m.push_back(at->X_WB.translation()[axis]);
+  }
+  return ways;
+}
+
 }  // namespace
 
 void CheckLevers(const RecordedPlace& place, const TableRecording& commands,
@@ -226,12 +244,14 @@ void CheckLevers(const RecordedPlace& place, const TableRecording& commands,
 void CheckClocks(const RecordedPlace& place, const TableRecording& commands,
                  const std::vector<NamedEncoders>& encoders,
                  const std::vector<std::vector<ImuSample>>& imus,
+                 const std::vector<std::vector<GnssSample>>& gnss,
                  const std::vector<TruthPose>& poses) {
   std::vector<TimeSpan> spans;
   for (const NamedEncoders& named : encoders) {
     AddSpan(named.channel, named.recording.samples, &spans);
   }
   for (const auto& samples : imus) AddSpan("an inertial unit", samples, &spans);
+  for (const auto& samples : gnss) AddSpan("a receiver", samples, &spans);
   AddSpan("poses", poses, &spans);
   if (!commands.t_ns.empty() && !spans.empty()) {
     // What is commanded holds until the next command.
@@ -300,6 +320,31 @@ void CheckImu(const RecordedPlace& place, const std::string& channel,
   throw InputError(fmt::format(
       "{}: the specific force is {:.4g} at the median, and gravity's {:.3f} m/s². Is it in {}? {}",
       FileOf(place, channel), usual_mps2, kStandardGravity_mps2, unit, kNotConverted));
+}
+
+void CheckGnss(const RecordedPlace& place, const std::string& channel,
+               const std::vector<GnssSample>& samples, const std::vector<TruthPose>& poses) {
+  constexpr std::array<const char*, 2> kColumns = {"east_m", "north_m"};
+  for (int axis = 0; axis < 2; ++axis) {
+    const Ways ways = WaysOf(samples, poses, axis);
+    if (ways.receiver_m.empty() || EndsOf(ways.machine_m).Span() < kDrives_m) continue;
+    const char* column = kColumns[static_cast<std::size_t>(axis)];
+    if (EndsOf(ways.receiver_m).Span() == 0) {
+      throw InputError(
+          fmt::format("{}: column '{}' is {} in all {} samples with a fix while the machine goes "
+                      "{:.1f} m; need "
+                      "what the receiver measured, or a recording without it",
+                      FileOf(place, channel), column, ways.receiver_m.front(),
+                      ways.receiver_m.size(), EndsOf(ways.machine_m).Span()));
+    }
+    const Proportion found = ProportionOf(ways.receiver_m, ways.machine_m);
+    const std::string unit = UnitBehind(found.factor, "m");
+    if (found.correlation < kAlike || unit.empty()) continue;
+    throw InputError(
+        fmt::format("{}: column '{}' changes by {:.3g} times what the machine's poses do; need m. "
+                    "Is it in {}? {}",
+                    FileOf(place, channel), column, found.factor, unit, kNotConverted));
+  }
 }
 
 void CheckUnitsOf(const RecordedPlace& place, const std::vector<ReplayBlock>& blocks) {

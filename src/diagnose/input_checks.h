@@ -24,10 +24,11 @@ struct RecordedPlace {
 void CheckLevers(const RecordedPlace& place, const TableRecording& commands,
                  const MachineModel& model);
 
-/// Commands, encoders and poses that have time in common.
+/// Commands, encoders, sensors and poses that have time in common.
 void CheckClocks(const RecordedPlace& place, const TableRecording& commands,
                  const std::vector<NamedEncoders>& encoders,
                  const std::vector<std::vector<ImuSample>>& imus,
+                 const std::vector<std::vector<GnssSample>>& gnss,
                  const std::vector<TruthPose>& poses);
 
 /// No column that stands still while its own lever, or the other column of the joint, moves; rates
@@ -40,6 +41,11 @@ void CheckEncoders(const RecordedPlace& place, const TableRecording& commands,
 /// gravity. `channel` is the unit's folder.
 void CheckImu(const RecordedPlace& place, const std::string& channel,
               const std::vector<ImuSample>& samples);
+
+/// No position that stands still while the machine drives, and none that is a multiple of the
+/// machine's by a factor of units. `channel` is the receiver's folder.
+void CheckGnss(const RecordedPlace& place, const std::string& channel,
+               const std::vector<GnssSample>& samples, const std::vector<TruthPose>& poses);
 
 /// Channels that are no multiple of what their replay predicts by a factor of units.
 void CheckUnitsOf(const RecordedPlace& place, const std::vector<ReplayBlock>& blocks);

@@ -5,8 +5,8 @@
 #include <span>
 #include <string_view>
 
+#include "physics/reflector.h"
 #include "sensors/slots/encoder_errors.h"
-#include "sim/reflector.h"
 #include "sim/rig.h"
 
 namespace tera {

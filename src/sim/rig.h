@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "dataset/measurement_sink.h"
+#include "physics/reflector.h"
 #include "sensors/slots/sensor_slots.h"
-#include "sim/reflector.h"
 #include "sim/scenario.h"
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"

@@ -19,21 +19,25 @@ SampleGrid SampleGrid::Under(const std::vector<TimeNs>& t_ns) {
   TERA_CHECK(t_ns.size() >= 2, t_ns.size());
   std::vector<double> step_s;
   for (std::size_t i = 1; i < t_ns.size(); ++i) step_s.push_back(ToSeconds(t_ns[i] - t_ns[i - 1]));
-  SampleGrid grid;
-  grid.period_s = Median(step_s);
+  const double period_s = Median(step_s);
   const double length_s = ToSeconds(t_ns.back() - t_ns.front());
-  if (length_s > kEmptiest * grid.period_s * static_cast<double>(t_ns.size())) {
+  if (length_s > kEmptiest * period_s * static_cast<double>(t_ns.size())) {
     throw InputError(
         fmt::format("{} samples, {:.6f} s apart at the median, reach over {:.0f} s: they come in "
                     "bursts or leave a long gap; need samples that come about evenly (--from and "
                     "--to look at a part)",
-                    t_ns.size(), grid.period_s, length_s));
+                    t_ns.size(), period_s, length_s));
   }
-  for (const TimeNs t : t_ns) {
-    grid.place.push_back(
-        static_cast<std::size_t>(std::llround(ToSeconds(t - t_ns.front()) / grid.period_s)));
-  }
-  grid.size = grid.place.back() + 1;
+  return Over(t_ns.front(), t_ns.back(), period_s, t_ns);
+}
+
+SampleGrid SampleGrid::Over(TimeNs first_ns, TimeNs last_ns, double period_s,
+                            const std::vector<TimeNs>& t_ns) {
+  const auto place_of = [&](TimeNs t) {
+    return static_cast<std::size_t>(std::llround(ToSeconds(t - first_ns) / period_s));
+  };
+  SampleGrid grid{period_s, place_of(last_ns) + 1, {}};
+  for (const TimeNs t : t_ns) grid.place.push_back(place_of(t));
   return grid;
 }
 

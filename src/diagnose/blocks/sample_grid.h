@@ -21,6 +21,10 @@ struct SampleGrid {
   /// empty: samples in bursts, or a gap far longer than all that was measured.
   static SampleGrid Under(const std::vector<TimeNs>& t_ns);
 
+  /// A grid from `first_ns` to `last_ns` on which several lists of samples stand, this one within.
+  static SampleGrid Over(TimeNs first_ns, TimeNs last_ns, double period_s,
+                         const std::vector<TimeNs>& t_ns);
+
   /// Values of the samples at their places, straight in between.
   std::vector<double> Spread(const std::vector<double>& at_samples) const;
   /// The same as a series, valid where a sample is that may be used, 0 elsewhere.

@@ -104,6 +104,22 @@ bool StoodStill(const MachineModel& model, const std::vector<NamedEncoders>& enc
 
 }  // namespace
 
+Pose LinkTrack::At(TimeNs at_ns) const {
+  if (at_ns <= start_ns) return X_WL.front();
+  const auto k = static_cast<std::size_t>((at_ns - start_ns) / step_ns);
+  if (k + 1 >= X_WL.size()) return X_WL.back();
+  const double s = static_cast<double>(at_ns - t_ns(k)) / static_cast<double>(step_ns);
+  return Interpolate(X_WL[k], X_WL[k + 1], s);
+}
+
+Vec3 LinkTrack::PointAt(TimeNs at_ns, const Vec3& p_L_m) const {
+  if (at_ns <= start_ns) return X_WL.front() * p_L_m;
+  const auto k = static_cast<std::size_t>((at_ns - start_ns) / step_ns);
+  if (k + 1 >= X_WL.size()) return X_WL.back() * p_L_m;
+  const double s = static_cast<double>(at_ns - t_ns(k)) / static_cast<double>(step_ns);
+  return (1 - s) * (X_WL[k] * p_L_m) + s * (X_WL[k + 1] * p_L_m);
+}
+
 LinkTrack TrackOfLink(const MachineModel& model, const std::vector<NamedEncoders>& encoders,
                       const std::vector<TruthPose>& poses, int link, TimeNs from_ns, TimeNs to_ns,
                       TimeNs step_ns) {

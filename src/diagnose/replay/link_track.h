@@ -16,6 +16,10 @@ struct LinkTrack {
   std::vector<bool> known;  ///< of each time, whether measurements are near enough to tell
 
   TimeNs t_ns(std::size_t k) const { return start_ns + static_cast<TimeNs>(k) * step_ns; }
+  /// Between two times; beyond the first and the last, as it was then. Of a track that has times.
+  Pose At(TimeNs at_ns) const;
+  /// Where a point of the link is then, on a straight line between two times.
+  Vec3 PointAt(TimeNs at_ns, const Vec3& p_L_m) const;
 };
 
 /// From the poses of the base and the encoders of the joints between base and link, over

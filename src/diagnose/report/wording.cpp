@@ -48,8 +48,11 @@ constexpr std::string_view kUnitEndings[] = {
     "_kg",      "_hz",     "_pa",    "_s",     "_m",     "_n",    "_w"};
 
 /// "rate about x" of "wx_radps", "specific force along z" of "az_mps2", as inertial units have
-/// them; else nothing.
+/// them, "east position" of "east_m", as receivers have it; else nothing.
 std::string TriadQuantityOf(std::string_view column) {
+  if (column == "east_m" || column == "north_m" || column == "up_m") {
+    return std::string(column.substr(0, column.size() - 2)) + " position";
+  }
   if (column.size() < 2 || column[1] < 'x' || column[1] > 'z') return "";
   const std::string axis(1, column[1]);
   if (column.substr(2) == "_radps" && column[0] == 'w') return "rate about " + axis;
@@ -154,6 +157,7 @@ std::string UnitOfVariable(const std::string& variable, const std::string& chann
   if (kind == "acceleration") return slides ? "m/s^2" : "rad/s^2";
   if (kind == "force") return "m/s^2";
   if (kind == "pitch" || kind == "roll" || kind == "yaw" || kind == "slope") return "rad";
+  if (kind == "yaw_rate") return "rad/s";
   return "1";
 }
 

@@ -368,7 +368,7 @@ Detectability Procedure::DetectabilityOf(const Suspect& suspect) const {
     }
     if (EffectOf(block_, difference, none) < options_.least_effect) continue;
     if (!WouldBeSeen(difference)) continue;
-    out.smallest = start[suspect.free.empty() ? 0 : suspect.free.front().index];
+    out.smallest = start.empty() ? 1 : start[suspect.free.empty() ? 0 : suspect.free.front().index];
     break;
   }
   return out;

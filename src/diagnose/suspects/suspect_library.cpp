@@ -147,14 +147,33 @@ Suspect NewSuspect(const Mechanism& mechanism, const std::vector<NumberRange>& r
   return suspect;
 }
 
+/// Whether all that a block suspects acts on receivers.
+bool IsOfReceivers(const ReplayBlock& block) {
+  if (block.suspects.empty()) return false;
+  return std::all_of(block.suspects.begin(), block.suspects.end(), [](const Suspect& suspect) {
+    return suspect.mechanism->ActsOn(EffectTarget::kGnss);
+  });
+}
+
 /// What kind of thing the suspects of a block act on.
-EffectTarget KindOf(const MachineModel& model, const std::string& target) {
+EffectTarget KindOf(const MachineModel& model, const ReplayBlock& block,
+                    const std::string& target) {
   if (target == "base") return EffectTarget::kBase;
   if (model.JointIndex(target) >= 0) return EffectTarget::kJoint;
   for (const RunningGear& gear : model.ground_tools.gears) {
     if (gear.name == target) return EffectTarget::kGear;
   }
-  return EffectTarget::kImu;
+  return IsOfReceivers(block) ? EffectTarget::kGnss : EffectTarget::kImu;
+}
+
+/// What the suspects of a block act on; the block itself where it has none.
+std::vector<std::string> TargetsOf(const ReplayBlock& block) {
+  if (block.suspects.empty()) return {block.name};
+  std::vector<std::string> targets;
+  for (const Suspect& suspect : block.suspects) {
+    if (!Holds(targets, suspect.target)) targets.push_back(suspect.target);
+  }
+  return targets;
 }
 
 }  // namespace
@@ -176,14 +195,16 @@ void ApplyLibrary(const SuspectLibrary& library, const MachineModel& model,
                   std::vector<ReplayBlock>* blocks) {
   std::size_t left = 0;
   for (ReplayBlock& block : *blocks) {
-    const std::string target = block.suspects.empty() ? block.name : block.suspects.front().target;
+    const std::vector<std::string> targets = TargetsOf(block);
     for (const auto& [mechanism, ranges] : library.ranges) {
-      const auto own =
-          std::find_if(block.suspects.begin(), block.suspects.end(),
-                       [&](const Suspect& suspect) { return suspect.mechanism == mechanism; });
-      if (own != block.suspects.end()) {
-        for (const NumberRange& range : ranges) Limit(range, &*own);
-      } else if (mechanism->ActsOn(KindOf(model, target))) {
+      bool is_own = false;
+      for (Suspect& suspect : block.suspects) {
+        if (suspect.mechanism != mechanism) continue;
+        for (const NumberRange& range : ranges) Limit(range, &suspect);
+        is_own = true;
+      }
+      for (const std::string& target : targets) {
+        if (is_own || !mechanism->ActsOn(KindOf(model, block, target))) continue;
         block.suspects.push_back(NewSuspect(*mechanism, ranges, target, library.file));
       }
     }

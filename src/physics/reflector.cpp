@@ -1,4 +1,4 @@
-#include "sim/reflector.h"
+#include "physics/reflector.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,176 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/program.h"
+#include "app/refused.h"
+#include "dataset/checked_file.h"
+
+namespace tera {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// What a receiver says of an antenna, and when.
+struct Said {
+  double t_s = 0, east_m = 0, north_m = 0, up_m = 0;
+};
+
+/// A recording that nothing simulated: a machine on a winding way, level, and what a receiver says
+/// whose antenna is 0.9 m behind and 2.1 m above its origin.
+class ReceiverRecording : public testing::Test {
+ protected:
+  ReceiverRecording() {
+    WriteWholeFile(scratch_.path() / "site.yaml", R"(
+name: site
+duration_s: 60
+terrain: {size_m: [60, 60], cell_m: 0.5, soil: asphalt}
+machines:
+  - name: excavator1
+    machine: tera:config/machines/tb235.yaml
+    operator: {type: idle}
+    rig: {sensors: [{name: gnss, preset: tera:config/sensors/rtk_f9p.yaml, link: undercarriage, xyz_m: [-0.9, 0, 2.1]}]}
+)");
+  }
+
+  static double Heading(double t_s) { return 0.8 * std::sin(0.31 * t_s) + 0.5; }
+
+  /// `measured` changes what the receiver would say at a time of an antenna at x, y, z of the
+  /// machine.
+  void Write(const Said& antenna_m, const std::function<Said(Said)>& measured) const {
+    namespace fs = std::filesystem;
+    const fs::path folder = scratch_.path() / "real";
+    fs::create_directories(folder / "excavator1" / "gnss");
+    fs::create_directories(folder / "truth" / "excavator1");
+    WriteWholeFile(folder / "dataset.yaml",
+                   "format: 1\ntera_version: \"0.1.0\"\nname: hand\nsimulated: false\nseed: 0\n"
+                   "duration_s: 60\norigin: {lat_deg: 0, lon_deg: 0, height_m: 0}\nchannels:\n"
+                   "  - {path: truth/excavator1/pose.csv, type: pose}\n"
+                   "  - {path: excavator1/gnss, type: gnss}\n"
+                   "classes:\n  - {id: 0, name: sky}\ninstances: []\n");
+    std::ostringstream poses, gnss;
+    poses.precision(12);
+    gnss.precision(12);
+    poses << "t_ns,x_m,y_m,z_m,qw,qx,qy,qz\n";
+    gnss << "t_ns,lat_deg,lon_deg,alt_m,east_m,north_m,up_m,fix,var_e_m2,var_n_m2,var_u_m2\n";
+    unsigned state = 1;
+    const auto noise_m = [&](double sigma_m) {  // uniform
+      state = state * 1664525u + 1013904223u;
+      return sigma_m * std::sqrt(12.0) * (state / 4294967296.0 - 0.5);
+    };
+    double x_m = -10, y_m = -10;
+    for (int k = 0; k <= 1200; ++k) {
+      const double t_s = 0.05 * k, yaw_rad = Heading(t_s);
+      const double c = std::cos(yaw_rad), s = std::sin(yaw_rad);
+      poses << k * 50'000'000LL << ',' << x_m << ',' << y_m << ",0," << std::cos(yaw_rad / 2)
+            << ",0,0," << std::sin(yaw_rad / 2) << '\n';
+      const Said said =
+          measured({t_s, x_m + c * antenna_m.east_m - s * antenna_m.north_m + noise_m(0.005),
+                    y_m + s * antenna_m.east_m + c * antenna_m.north_m + noise_m(0.005),
+                    antenna_m.up_m + noise_m(0.009)});
+      if (k % 4 == 0) {
+        gnss << std::llround(said.t_s * 1e9) << ",0,0,0," << said.east_m << ',' << said.north_m
+             << ',' << said.up_m << ",4,1e-4,1e-4,2e-4\n";
+      }
+      const double speed_mps = 0.6 + 0.5 * std::sin(0.9 * t_s);
+      x_m += 0.05 * speed_mps * c;
+      y_m += 0.05 * speed_mps * s;
+    }
+    WriteWholeFile(folder / "truth" / "excavator1" / "pose.csv", poses.str());
+    WriteWholeFile(folder / "excavator1" / "gnss" / "data.csv", gnss.str());
+  }
+
+  nlohmann::json Diagnosed() const {
+    const Outcome outcome =
+        RunTera({"diagnose", "site.yaml", "real", "--out", "why"}, {scratch_.path()});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    out_ = outcome.out;
+    return nlohmann::json::parse(ReadWholeFile(scratch_.path() / "why" / "diagnosis.json"));
+  }
+  void ExpectRefusedWith(const testing::Matcher<const std::string&>& message) const {
+    ExpectRefused(scratch_, {"diagnose", "site.yaml", "real", "--out", "why"}, message);
+  }
+
+  static constexpr Said kAsDocumented = {0, -0.9, 0, 2.1};
+  static Said AsItIs(Said said) { return said; }
+  const ScratchDirectory scratch_;
+  mutable std::string out_;
+};
+
+TEST_F(ReceiverRecording, OfAnAntennaThatIsWhereItShouldBeIsAsTheScenario) {
+  Write(kAsDocumented, AsItIs);
+  const auto json = Diagnosed();
+  EXPECT_EQ(json["verdict"][0], "none") << out_;
+  EXPECT_EQ(json["findings"].size(), 0u) << out_;
+  EXPECT_THAT(out_, HasSubstr("gnss east position"));
+}
+
+TEST_F(ReceiverRecording, ShowsALeverArmAndTheOverlayThatHasIt) {
+  Write({0, -0.6, 0.25, 2.1}, AsItIs);
+  const auto json = Diagnosed();
+  ASSERT_EQ(json["findings"].size(), 1u) << out_;
+  const auto& finding = json["findings"][0];
+  EXPECT_EQ(finding["mechanism"], "gnss_lever_arm");
+  EXPECT_EQ(finding["target"], "gnss");
+  EXPECT_NEAR(finding["parameters"]["x_m"]["value"].get<double>(), 0.3, 0.02);
+  EXPECT_NEAR(finding["parameters"]["y_m"]["value"].get<double>(), 0.25, 0.02);
+  const Outcome check =
+      RunTera({"check", "site.yaml", "--effects", "why/effects.yaml"}, {scratch_.path()});
+  EXPECT_EQ(check.status, 0) << check.err;
+}
+
+TEST_F(ReceiverRecording, ShowsTheSecondsBetweenGpsTimeAndUtc) {
+  Write(kAsDocumented, [](Said said) {
+    said.t_s += 18;
+    return said;
+  });
+  const auto json = Diagnosed();
+  ASSERT_EQ(json["findings"].size(), 1u) << out_;
+  EXPECT_EQ(json["findings"][0]["mechanism"], "clock_offset");
+  const auto& offset = json["findings"][0]["parameters"]["offset_s"];
+  EXPECT_NEAR(offset["value"].get<double>(), 18, 0.05);
+}
+
+TEST_F(ReceiverRecording, WithAClockOfAnotherDayGivesBothSpans) {
+  Write(kAsDocumented, [](Said said) {
+    said.t_s += 86400;
+    return said;
+  });
+  ExpectRefusedWith(AllOf(HasSubstr("a receiver and poses have no time in common"),
+                          HasSubstr("86400.000 s to 86460.000 s and 0.000 s to 60.000 s")));
+}
+
+TEST_F(ReceiverRecording, InMillimetresSuggestsThemAndConvertsNothing) {
+  Write(kAsDocumented, [](Said said) {
+    return Said{said.t_s, 1000 * said.east_m, 1000 * said.north_m, 1000 * said.up_m};
+  });
+  ExpectRefusedWith(AllOf(HasSubstr("gnss/data.csv: column 'east_m' changes by"),
+                          HasSubstr("Is it in mm?"), HasSubstr("nothing is converted")));
+}
+
+TEST_F(ReceiverRecording, ThatStandsStillWhileTheMachineDrives) {
+  Write(kAsDocumented, [](Said said) {
+    said.north_m = 3.5;
+    return said;
+  });
+  ExpectRefusedWith(AllOf(HasSubstr("column 'north_m' is 3.5 in all 301 samples with a fix"),
+                          HasSubstr("while the machine goes")));
+}
+
+TEST_F(ReceiverRecording, WithoutPosesSaysWhatItNeeds) {
+  Write(kAsDocumented, AsItIs);
+  const std::filesystem::path file = scratch_.path() / "real" / "dataset.yaml";
+  WriteWholeFile(
+      file, Edited(ReadWholeFile(file), "  - {path: truth/excavator1/pose.csv, type: pose}\n", ""));
+  std::filesystem::remove_all(scratch_.path() / "real" / "truth");
+  ExpectRefusedWith(
+      AllOf(HasSubstr("nothing of excavator1 can be replayed"), HasSubstr("a receiver and poses")));
+}
+
+}  // namespace
+}  // namespace tera
