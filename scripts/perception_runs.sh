@@ -50,8 +50,8 @@ depth_mount effects.excavator1.camera_front.extrinsic={pitch_deg: 0.8, yaw_deg: 
 depth_clock effects.excavator1.camera_front.clock_offset.offset_s=0.12
 colour_mount effects.excavator1.camera_side.extrinsic={roll_deg: 0.5, pitch_deg: -0.7, yaw_deg: 1, z_m: 0.05}
 colour_clock effects.excavator1.camera_side.clock_offset.offset_s=0.12
-truck_moved obstacles[0].xy_m=[4.5, 7.5]
-pit terrain.pits=[{outline_m: [[3.5, -2.5], [5.5, -2.5], [5.5, -1], [3.5, -1]], depth_m: 0.6}]
+truck_moved obstacles[0].xy_m=[8, 6]
+pit terrain.pits=[{outline_m: [[7, -3], [9.5, -3], [9.5, -1], [7, -1]], depth_m: 0.6}]
 '
 
 case $what in

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <limits>
 
@@ -59,6 +60,24 @@ TEST_F(PerceivedSite, APitThatTheScenarioHasNotIsOnTheMap) {
   EXPECT_THAT(Read("why/ground_lidar.csv"), HasSubstr("x_m,y_m,above_m"));
   EXPECT_NEAR(ValueAt(scratch_.path() / "why/ground_lidar.tif", 3.4, -5.3), -0.5, 0.1);
   EXPECT_NEAR(ValueAt(scratch_.path() / "why/ground_lidar.tif", 3.4, -3.4), 0, 0.03);
+}
+
+TEST_F(PerceivedSite, ATruckThatStandsElsewhereIsMissingHereAndAddedThere) {
+  Record({"--set", "obstacles[1].xy_m=[7, 5.5]"});
+  const Json json = Diagnosed();
+  bool missing = false, added = false;
+  for (const Json& finding : json["findings"]) {
+    missing =
+        missing || (finding["mechanism"] == "object_missing" && finding["target"] == "truck1");
+    if (finding["mechanism"] == "object_added") {
+      added = added || std::hypot(finding["place"]["centre_m"][0].get<double>() - 7,
+                                  finding["place"]["centre_m"][1].get<double>() - 5.5) < 2;
+    }
+    EXPECT_NE(finding["mechanism"], "terrain_height") << finding;
+    EXPECT_NE(finding["target"], "lidar") << finding;
+  }
+  EXPECT_TRUE(missing) << json["findings"];
+  EXPECT_TRUE(added) << json["findings"];
 }
 
 TEST_F(PerceivedSite, AsDescribedGivesNoFinding) {

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 
+#include "core/units.h"
 #include "diagnose/perception/object_edges.h"
 #include "diagnose/statistics/robust.h"
 
@@ -26,6 +27,7 @@ constexpr std::size_t kFewestBlocksOfCell = 3, kFewestPoints = 6, kFewestCells =
 constexpr int kReach = 2;             ///< cells between members of a region
 constexpr double kSteep_m = 0.3;      ///< of heights within one cell
 constexpr double kSteepShare = 0.35;  ///< of a region's cells
+constexpr double kSteepest = 1.7;     ///< of soil: 60 deg
 constexpr double kWindows = 3;        ///< the recording and its two halves
 
 /// Height over the simulated ground of one point.
@@ -246,6 +248,13 @@ void Measure(const GroundMap& map, int index, GroundRegion* region) {
   region->mean_m = region->volume_m3 / region->area_m2;
 }
 
+/// Whether soil cannot stand so: what is higher than simulated has walls, or is higher than a cone
+/// of kSteepest on its area.
+bool IsThing(const GroundRegion& region) {
+  if (region.mean_m < 0) return false;
+  return region.upright || region.highest_m > kSteepest * std::sqrt(region.area_m2 / kPi);
+}
+
 bool IsNearRegion(const GroundMap& map, const Place& place) {
   for (int a = -1; a <= 1; ++a) {
     for (int b = -1; b <= 1; ++b) {
@@ -378,6 +387,7 @@ GroundMap CompareGround(const RangeSource& source, const ScanSplit& split,
   for (std::size_t r = 0; r < found.size(); ++r) {
     const int index = static_cast<int>(r);
     Measure(map, index, &found[r]);
+    found[r].upright = IsThing(found[r]);
     Confirm(held_out, map, index, &found[r]);
     AddIntervals(source, split, BlocksOf(all, map, index), &found[r]);
     const bool holds = found[r].p_confirmed <= kConfirmed / static_cast<double>(found.size());

@@ -25,7 +25,7 @@ struct GroundRegion {
   double volume_m3 = 0;  ///< measured less simulated: below 0 where soil is missing
   double mean_m = 0, lowest_m = 0, highest_m = 0;
   Vec2 centre_W_m = Vec2::Zero(), low_W_m = Vec2::Zero(), high_W_m = Vec2::Zero();
-  bool upright = false;  ///< with walls too steep for soil: a thing
+  bool upright = false;  ///< higher, and too steep for soil: a thing
   double p_chosen = 1, p_confirmed = 1;
   /// Distance of the measured ground to the simulated one on FINAL: as it is, and with the map.
   double rmse_before_m = 0, rmse_after_m = 0;

@@ -51,6 +51,8 @@ void AddScan(const RangeSource& source, const ScanSplit& split, const SensorNumb
     const double behind_m = TruePoint(source, numbers, points[p].p_S_m).norm() - hits[p].range_m;
     const double off_m = BeyondSurface_m(source, numbers, points[p], hits[p]);
     const bool went_on = behind_m > kBehind_m && off_m > kOffSurface_m;
+    // What ended before it tells of something else.
+    if (behind_m < -kBehind_m && off_m < -kOffSurface_m) continue;
     Tally& tally = (*tallies)[hits[p].object];
     Count& count = (is_final ? tally.held_out : tally.seen)[split.block[scan]];
     count.all += 1;

@@ -19,10 +19,11 @@ struct MissingObject {
 
 /// Obstacles of the simulation that the recording does not show where they should be.
 ///
-/// Model   of the rays that meet an obstacle in the simulation, those that were measured 0.3 m and
-///         more behind it, along the ray, and no nearer than 0.15 m to its surface. An obstacle is
-///         missing where more than half went on, of 20 at least, in TRAIN and SELECT and again in
-///         FINAL, by Student's t over blocks of time, at one per cent over the obstacles.
+/// Model   of the rays that meet an obstacle in the simulation and were not stopped 0.3 m and more
+///         before it, those that were measured 0.3 m and more behind it, along the ray, and no
+///         nearer than 0.15 m to its surface. An obstacle is missing where more than half went on,
+///         of 20 at least, in TRAIN and SELECT and again in FINAL, by Student's t over blocks of
+///         time, at one per cent over the obstacles.
 /// Omits   rays that met nothing at all, of which a scan holds no point.
 struct MissingObjects {
   std::vector<MissingObject> objects;

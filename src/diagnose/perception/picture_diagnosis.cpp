@@ -15,6 +15,8 @@ namespace {
 constexpr double kLeastContrast = 0.012;  ///< of the range of values, three of 255
 constexpr double kFewestLandmarks = 40;   ///< of a picture
 constexpr double kLike = 0.5;
+constexpr double kFurthest_px = 1;  ///< of edges, with the best numbers
+constexpr int kRounds = 2;          ///< of rendering again
 
 std::vector<SensorMechanism> MechanismsOfPictures() {
   using enum SensorNumbers::Index;
@@ -64,9 +66,10 @@ SearchedPoints PointsToSearch(const PictureRegistration& pictures, const ScanSpl
 }
 
 SensorSearch SearchPictures(const PictureSource& source, const PictureRegistration& pictures,
-                            const SearchedPoints& points) {
+                            const SearchedPoints& points, const SensorNumbers& start) {
   SensorComparison comparison;
   comparison.present = source.present;
+  comparison.start = start;
   comparison.coarsest = PictureLevels::kCount - 1;
   comparison.residuals = [&](const std::vector<ScanPoints>& some, const SensorNumbers& numbers,
                              int coarse) { return pictures.Compare(some, numbers, coarse); };
@@ -93,11 +96,12 @@ PerceptionDiagnosis DiagnosePictures(const PictureSource& source, std::uint64_t 
     return diagnosis;
   }
   SearchedPoints points = PointsToSearch(*pictures, split);
-  diagnosis.sensor = SearchPictures(source, *pictures, points);
-  if (!diagnosis.sensor.findings.empty()) {
-    pictures = std::make_unique<PictureRegistration>(source, diagnosis.sensor.numbers);
+  diagnosis.sensor = SearchPictures(source, *pictures, points, source.present);
+  for (int round = 0; round < kRounds && !diagnosis.sensor.findings.empty(); ++round) {
+    const SensorNumbers found = diagnosis.sensor.numbers;
+    pictures = std::make_unique<PictureRegistration>(source, found);
     points = PointsToSearch(*pictures, split);
-    diagnosis.sensor = SearchPictures(source, *pictures, points);
+    diagnosis.sensor = SearchPictures(source, *pictures, points, found);
   }
   const double like = pictures->Likeness(points.seen, diagnosis.sensor.numbers);
   if (like < kLike) {
@@ -106,6 +110,13 @@ PerceptionDiagnosis DiagnosePictures(const PictureSource& source, std::uint64_t 
         "its pictures are not like the simulated ones: a correlation of {:.2f} at their edges; "
         "need {:.1f}",
         like, kLike);
+    return diagnosis;
+  }
+  if (diagnosis.sensor.noise_rmse > kFurthest_px) {
+    diagnosis.not_judged =
+        fmt::format("at best its edges lie within {:.1f} pixels of the simulated ones; need {:.0f}",
+                    diagnosis.sensor.noise_rmse, kFurthest_px);
+    diagnosis.sensor = {};
     return diagnosis;
   }
   for (const SensorFinding& found : diagnosis.sensor.findings) {

@@ -6,7 +6,7 @@
 namespace tera {
 namespace {
 
-constexpr double kFlat = 0.02;    ///< of the range of values: less is no contrast
+constexpr double kFlat = 0.05;    ///< of the range of values: less is no contrast
 constexpr double kWindow = 0.05;  ///< of the width
 
 /// Means of 2 `reach` + 1 values about each of `count`, `stride` apart.

@@ -10,7 +10,7 @@ namespace tera {
 /// A picture without its exposure, in several degrees of blur.
 ///
 /// Model   (I - m) / sqrt(v + c^2) with the mean m and the variance v of a window of a twentieth of
-///         the picture's width about each pixel and c = 0.02: gain, offset and vignetting fall out,
+///         the picture's width about each pixel and c = 0.05: gain, offset and vignetting fall out,
 ///         and what is as flat as noise stays small. Level k is that, blurred by 2^k pixels.
 class PictureLevels {
  public:

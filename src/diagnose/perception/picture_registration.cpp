@@ -10,6 +10,7 @@ constexpr double kSquare = 1.0 / 30;  ///< of the width
 constexpr double kLeastSlope = 0.08;  ///< of brightness over its spread, a pixel
 constexpr double kBorder = 0.02;      ///< of the width, without landmarks
 constexpr double kBrightness = 0.1, kPlace_px = 0.2;
+constexpr double kShift_m[PictureLevels::kCount] = {0, 0.02, 0.05, 0.1};
 constexpr double kTurn_rad = 1e-6, kMove_m = 1e-5;
 constexpr double kBefore_m = 0.05;  ///< the camera
 
@@ -38,10 +39,26 @@ std::optional<Surface> SurfaceAt(const SimulatedPicture& picture, int x, int y) 
   return found;
 }
 
+/// The pixel of a square where brightness changes most; nothing where it hardly does.
+std::optional<Vec2> SteepestIn(const PictureLevels& levels, int level, int left, int top,
+                               int size) {
+  std::optional<Vec2> px;
+  double steepest = kLeastSlope * std::pow(0.5, level);
+  for (int y = top; y < top + size; ++y) {
+    for (int x = left; x < left + size; ++x) {
+      const double slope = levels.GradientAt(level, Vec2(x, y)).norm();
+      if (slope <= steepest) continue;
+      steepest = slope;
+      px = Vec2(x, y);
+    }
+  }
+  return px;
+}
+
 }  // namespace
 
 PictureRegistration::PictureRegistration(const PictureSource& source, const SensorNumbers& numbers)
-    : source_(source), landmarks_(source.t_ns.size()) {
+    : source_(source), squares_(source.t_ns.size()) {
   for (std::size_t f = 0; f < source.t_ns.size(); ++f) {
     measured_.emplace_back(source.grey[f]);
     const auto simulated = source.render(f, numbers);
@@ -50,42 +67,42 @@ PictureRegistration::PictureRegistration(const PictureSource& source, const Sens
   }
 }
 
+std::optional<PictureRegistration::Landmark> PictureRegistration::LandmarkAt(
+    const SimulatedPicture& simulated, const BodyState& link, const SensorNumbers& numbers,
+    const Vec2& px) const {
+  const int x = static_cast<int>(px.x()), y = static_cast<int>(px.y());
+  const double depth_m = ForegroundDepth_m(simulated.depth_m, x, y);
+  const auto surface = SurfaceAt(simulated, x, y);
+  const auto ray = source_.ray(px);
+  if (!(depth_m > 0) || !surface || !ray) return std::nullopt;
+  Landmark landmark;
+  landmark.surface = *surface;
+  const Vec3 p_S_m = source_.X_SC * Vec3(depth_m * *ray);
+  landmark.p_m = source_.X_BS.translation() + numbers.shift_B_m() +
+                 source_.X_BS.linear() * (numbers.R_ST() * p_S_m);
+  if (*surface != Surface::kMachine) landmark.p_m = link.X_WB * landmark.p_m;
+  return landmark;
+}
+
 void PictureRegistration::AddLandmarks(std::size_t frame, const SimulatedPicture& simulated,
                                        const BodyState& link, const SensorNumbers& numbers) {
   const PictureLevels levels(simulated.grey);
   const int width = simulated.grey.width_px, height = simulated.grey.height_px;
-  const int square = std::max(4, static_cast<int>(kSquare * width));
+  const int size = std::max(4, static_cast<int>(kSquare * width));
   const int border = std::max(2, static_cast<int>(kBorder * width));
-  for (int top = border; top + square <= height - border; top += square) {
-    for (int left = border; left + square <= width - border; left += square) {
-      int x = -1, y = -1;
-      double steepest = kLeastSlope;
-      for (int b = top; b < top + square; ++b) {
-        for (int a = left; a < left + square; ++a) {
-          const double slope = levels.GradientAt(0, Vec2(a, b)).norm();
-          if (slope <= steepest) continue;
-          steepest = slope;
-          x = a;
-          y = b;
-        }
-      }
-      if (x < 0) continue;
-      const double depth_m = ForegroundDepth_m(simulated.depth_m, x, y);
-      const auto surface = SurfaceAt(simulated, x, y);
-      const auto ray = source_.ray(Vec2(x, y));
-      if (!(depth_m > 0) || !surface || !ray) continue;
-      Landmark landmark;
-      landmark.px = Vec2(x, y);
-      landmark.surface = *surface;
-      const Vec3 p_S_m = source_.X_SC * Vec3(depth_m * *ray);
-      landmark.p_m = source_.X_BS.translation() + numbers.shift_B_m() +
-                     source_.X_BS.linear() * (numbers.R_ST() * p_S_m);
-      if (*surface != Surface::kMachine) landmark.p_m = link.X_WB * landmark.p_m;
+  for (int top = border; top + size <= height - border; top += size) {
+    for (int left = border; left + size <= width - border; left += size) {
+      Square square;
       for (int k = 0; k < PictureLevels::kCount; ++k) {
-        landmark.value[static_cast<std::size_t>(k)] = levels.At(k, landmark.px);
-        landmark.slope[static_cast<std::size_t>(k)] = levels.GradientAt(k, landmark.px);
+        const auto px = SteepestIn(levels, k, left, top, size);
+        if (!px) continue;
+        auto& landmark = square[static_cast<std::size_t>(k)];
+        landmark = LandmarkAt(simulated, link, numbers, *px);
+        if (!landmark) continue;
+        landmark->value = levels.At(k, *px);
+        landmark->slope = levels.GradientAt(k, *px);
       }
-      landmarks_[frame].push_back(landmark);
+      if (square[0]) squares_[frame].push_back(square);
     }
   }
 }
@@ -93,10 +110,10 @@ void PictureRegistration::AddLandmarks(std::size_t frame, const SimulatedPicture
 std::vector<ScanPoints> PictureRegistration::PointsOf(const ScanSplit& split,
                                                       const std::vector<Part>& parts) const {
   std::vector<ScanPoints> chosen;
-  for (std::size_t f = 0; f < landmarks_.size(); ++f) {
+  for (std::size_t f = 0; f < squares_.size(); ++f) {
     if (std::find(parts.begin(), parts.end(), split.part[f]) == parts.end()) continue;
     ScanPoints of_frame{f, {}};
-    for (std::size_t p = 0; p < landmarks_[f].size(); ++p) of_frame.points.push_back(p);
+    for (std::size_t p = 0; p < squares_[f].size(); ++p) of_frame.points.push_back(p);
     chosen.push_back(std::move(of_frame));
   }
   return chosen;
@@ -144,17 +161,19 @@ std::vector<PointResidual> PictureRegistration::Compare(const std::vector<ScanPo
   for (const ScanPoints& of_frame : points) {
     const auto link = source_.link_at(of_frame.scan, numbers);
     for (const std::size_t p : of_frame.points) {
-      const Landmark& landmark = landmarks_[of_frame.scan][p];
+      const std::optional<Landmark>& landmark = squares_[of_frame.scan][p][k];
       PointResidual residual;
       residual.scan = of_frame.scan;
-      const auto seen = link ? SeenAt(landmark, *link, numbers) : std::nullopt;
+      const auto seen = link && landmark ? SeenAt(*landmark, *link, numbers) : std::nullopt;
       if (seen) {
         const PictureLevels& measured = measured_[of_frame.scan];
-        const double steep = std::max(1e-3, landmark.slope[k].norm());
-        const Vec2 slope = 0.5 * (landmark.slope[k] + measured.GradientAt(level, seen->px));
-        residual.surface = landmark.surface;
-        residual.beyond = (measured.At(level, seen->px) - landmark.value[k]) / steep;
-        residual.sigma = std::hypot(kBrightness / steep, kPlace_px);
+        const double steep = std::max(1e-3, landmark->slope.norm());
+        const Vec2 slope = 0.5 * (landmark->slope + measured.GradientAt(level, seen->px));
+        residual.surface = landmark->surface;
+        residual.beyond = (measured.At(level, seen->px) - landmark->value) / steep;
+        const double parallax_pxpm = seen->slope.leftCols<3>().norm() / std::sqrt(2.0);
+        residual.sigma =
+            std::hypot(kBrightness / steep, kPlace_px, kShift_m[level] * parallax_pxpm);
         residual.slope = (slope.transpose() * seen->slope).transpose() / steep;
       }
       residuals.push_back(residual);
@@ -170,13 +189,13 @@ double PictureRegistration::Likeness(const std::vector<ScanPoints>& points,
     const auto link = source_.link_at(of_frame.scan, numbers);
     if (!link) continue;
     for (const std::size_t p : of_frame.points) {
-      const Landmark& landmark = landmarks_[of_frame.scan][p];
+      const Landmark& landmark = *squares_[of_frame.scan][p][0];
       const auto seen = SeenAt(landmark, *link, numbers);
       if (!seen) continue;
       // Both sides of the edge: the middle alone is grey in every picture.
       for (const double side : {-1.0, 1.0}) {
-        const Vec2 aside = 1.5 * side * landmark.slope[0].normalized();
-        const double x = landmark.value[0] + landmark.slope[0].dot(aside);
+        const Vec2 aside = 1.5 * side * landmark.slope.normalized();
+        const double x = landmark.value + landmark.slope.dot(aside);
         const double y = measured_[of_frame.scan].At(0, seen->px + aside);
         n += 1;
         a += x;
@@ -193,8 +212,8 @@ double PictureRegistration::Likeness(const std::vector<ScanPoints>& points,
 
 double PictureRegistration::LandmarksOfFrame() const {
   double count = 0;
-  for (const auto& of_frame : landmarks_) count += static_cast<double>(of_frame.size());
-  return landmarks_.empty() ? 0 : count / static_cast<double>(landmarks_.size());
+  for (const auto& of_frame : squares_) count += static_cast<double>(of_frame.size());
+  return squares_.empty() ? 0 : count / static_cast<double>(squares_.size());
 }
 
 }  // namespace tera

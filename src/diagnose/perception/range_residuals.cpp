@@ -81,7 +81,7 @@ std::vector<PointResidual> ResidualsOf(const RangeSource& source,
 }
 
 SensorComparison ComparisonOf(const RangeSource& source) {
-  return {source.present,
+  return {source.present, source.present,
           [&source](const std::vector<ScanPoints>& points, const SensorNumbers& numbers, int) {
             return ResidualsOf(source, points, numbers);
           }};

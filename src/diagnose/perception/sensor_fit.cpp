@@ -17,7 +17,7 @@ using Matrix = Eigen::Matrix<double, SensorNumbers::kCount, SensorNumbers::kCoun
 
 constexpr double kDof = 4;
 constexpr double kFurthest = 30;  ///< sigmas: a point further away is no further evidence
-constexpr int kRounds = 9, kCoarseRounds = 3;
+constexpr int kRounds = 9, kCoarseRounds = 4;
 constexpr double kWide = 2;              ///< times the robust scale, to begin with
 constexpr double kNarrowing = 0.4;       ///< of the scale, from one round to the next
 constexpr double kStill = 1e-3;          ///< of the prior: a step so short ends the rounds
@@ -96,6 +96,12 @@ double Step(const NormalEquations& equations, const FreeNumbers& is_free,
   return length;
 }
 
+FreeNumbers TurningAlone(FreeNumbers is_free) {
+  using enum SensorNumbers::Index;
+  for (const std::size_t i : {kX, kY, kZ, kRange, kFactor}) is_free[i] = false;
+  return is_free;
+}
+
 void AddSigmas(const NormalEquations& equations, const FreeNumbers& is_free, SensorFit* fit) {
   const Matrix covariance = OnlyFree(equations.information + PriorInformation(), is_free).inverse();
   Matrix scatter = Matrix::Zero();
@@ -126,7 +132,8 @@ SensorFit FitSensor(const SensorComparison& sensor, const std::vector<ScanPoints
     for (int round = 0; round < kCoarseRounds; ++round) {
       const auto residuals = sensor.residuals(points, fit.numbers, coarse);
       const double wide = std::max(scale, kWide * ScaleOf(residuals));
-      Step(EquationsOf(residuals, wide), is_free, start, &fit.numbers);
+      Step(EquationsOf(residuals, wide), coarse > 2 ? TurningAlone(is_free) : is_free, start,
+           &fit.numbers);
     }
   }
   double wide = 0;

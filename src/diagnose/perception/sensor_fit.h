@@ -36,6 +36,7 @@ struct ScanPoints {
 /// How the recording of a sensor differs from its simulation.
 struct SensorComparison {
   SensorNumbers present;  ///< as the scenario has them
+  SensorNumbers start;    ///< from which fits begin
   /// Residuals of points under numbers: `coarse` 0 in full, each more sees differences twice as
   /// large, but less of them.
   std::function<std::vector<PointResidual>(const std::vector<ScanPoints>& points,
@@ -52,7 +53,8 @@ struct SensorFit {
   std::array<double, SensorNumbers::kCount> sigma = {};
 };
 
-/// Fits by Gauss and Newton, the residuals taken anew in each of its rounds, coarse ones first.
+/// Fits by Gauss and Newton, the residuals taken anew in each of its rounds, coarse ones first: in
+/// the coarsest angles and clock alone, since a place is soon lost among the angles.
 ///
 /// Model   Student-t noise of 4 degrees of freedom and `scale` times sigma_m, approached from a
 ///         wide scale so that errors larger than noise are followed too; normal priors about the

@@ -77,6 +77,7 @@ class Search {
     for (std::size_t i = 0; i < SensorNumbers::kCount; ++i) {
       if (!is_free[i] || fit.undetermined[i] < kUndetermined) continue;
       is_free[i] = false;
+      from.value[i] = sensor_.present.value[i];
       again = true;
     }
     if (!again) return fit;
@@ -99,9 +100,9 @@ class Search {
     return sum;
   }
 
-  /// The present numbers with the clock that fits TRAIN best.
+  /// The start with the clock that fits TRAIN best.
   SensorNumbers StartOfClock(const std::vector<PointResidual>& nothing) const {
-    SensorNumbers best = sensor_.present;
+    SensorNumbers best = sensor_.start;
     double moved = 0;
     for (const PointResidual& r : nothing) moved += std::abs(r.slope[Index::kOffset]);
     if (moved == 0) return best;
@@ -109,7 +110,7 @@ class Search {
     for (std::size_t s = 0; s < points_.train.size(); s += 2) some.push_back(points_.train[s]);
     double highest = LogLikelihood(sensor_.residuals(some, best, sensor_.coarsest));
     for (const double offset_s : kOffsets_s) {
-      SensorNumbers late = sensor_.present;
+      SensorNumbers late = sensor_.start;
       late.value[Index::kOffset] += offset_s;
       const double likelihood = LogLikelihood(sensor_.residuals(some, late, sensor_.coarsest));
       if (likelihood <= highest) continue;
@@ -158,7 +159,7 @@ class Search {
     const auto at = on_select_.find(structure);
     if (at != on_select_.end()) return at->second;
     Judged judged;
-    const SensorNumbers& start = FreeOf(structure)[Index::kOffset] ? clock_start_ : sensor_.present;
+    const SensorNumbers& start = FreeOf(structure)[Index::kOffset] ? clock_start_ : sensor_.start;
     if (structure)
       judged.fit = Fit(points_.train, structure, start);
     else

@@ -77,6 +77,17 @@ TEST(GroundMap, AThingWithWallsIsUpright) {
   EXPECT_NEAR(map.regions[0].centre_W_m.y(), 3, 1.0);
 }
 
+TEST(GroundMap, APitIsNoThingHoweverSteepItsWalls) {
+  AnalyticScene dug;
+  dug.relief = [](const Vec2& xy_m) {
+    return std::abs(xy_m.x() - 5) < 1 && std::abs(xy_m.y() + 3) < 0.8 ? -0.8 : 0.0;
+  };
+  const GroundMap map = MapOf(dug, {});
+  ASSERT_EQ(map.regions.size(), 1u);
+  EXPECT_FALSE(map.regions[0].upright);
+  EXPECT_LT(map.regions[0].mean_m, -0.3);
+}
+
 TEST(PerceivedGround, AHeapIsNotTakenForAnotherMountOfTheSensor) {
   AnalyticScene heaped;
   heaped.relief = Heap_m;

@@ -21,6 +21,7 @@ struct PaintedYard {
   double gain = 1, offset = 0;
   double duration_s = 24;
   bool moves = true, painted = true;
+  bool has_bonnet = false;  ///< a painted edge of the machine, a metre before the camera
   std::uint64_t seed = 4;
 };
 
@@ -52,7 +53,13 @@ BodyState LinkAt(double t_s, bool moves) {
   return link;
 }
 
-SimulatedPicture PictureFrom(const Pose& X_WC, bool painted) {
+/// Where a ray meets the bonnet, which moves with B; infinite where it does not.
+double BonnetAt(const Vec3& from_B_m, const Vec3& d_B) {
+  const double t = (1.5 - from_B_m.x()) / d_B.x();
+  return d_B.x() > 0 && from_B_m.z() + t * d_B.z() < 0.15 ? t : 1e9;
+}
+
+SimulatedPicture PictureFrom(const Pose& X_WC, const Pose& X_BC, const PaintedYard& yard) {
   SimulatedPicture picture{Image<float>(kWidth, kHeight), Image<float>(kWidth, kHeight),
                            Image<std::uint8_t>(kWidth, kHeight)};
   const Vec3 from_m = X_WC.translation();
@@ -61,14 +68,21 @@ SimulatedPicture PictureFrom(const Pose& X_WC, bool painted) {
       const Vec3 d_W = X_WC.linear() * Vec3((x - 79.5) / kFocal_px, (y - 59.5) / kFocal_px, 1);
       const double to_wall = d_W.x() > 0 ? (9 - from_m.x()) / d_W.x() : 1e9;
       const double to_floor = d_W.z() < 0 ? -from_m.z() / d_W.z() : 1e9;
-      const double z_m = std::min(to_wall, to_floor);
+      const Vec3 d_C = X_WC.linear().transpose() * d_W, d_B = X_BC.linear() * d_C;
+      const double to_bonnet = yard.has_bonnet ? BonnetAt(X_BC.translation(), d_B) : 1e9;
+      const double z_m = std::min({to_wall, to_floor, to_bonnet});
       const Vec3 p_W_m = from_m + z_m * d_W;
       const bool wall = to_wall < to_floor;
-      const double grey = wall ? PaintAt(p_W_m.y() + 40, p_W_m.z()) : PaintAt(p_W_m.x(), p_W_m.y());
-      picture.grey.at(x, y) = painted ? static_cast<float>(grey) : 0.4f;
+      const bool bonnet = z_m == to_bonnet;
+      const Vec3 p_B_m = X_BC.translation() + z_m * d_B;
+      const double grey = bonnet ? PaintAt(5 * p_B_m.y(), 5 * p_B_m.z() + 70)
+                          : wall ? PaintAt(p_W_m.y() + 40, p_W_m.z())
+                                 : PaintAt(p_W_m.x(), p_W_m.y());
+      picture.grey.at(x, y) = yard.painted ? static_cast<float>(grey) : 0.4f;
       picture.depth_m.at(x, y) = static_cast<float>(z_m);
-      picture.surface.at(x, y) =
-          static_cast<std::uint8_t>(wall ? Surface::kObstacle : Surface::kGround);
+      picture.surface.at(x, y) = static_cast<std::uint8_t>(bonnet ? Surface::kMachine
+                                                           : wall ? Surface::kObstacle
+                                                                  : Surface::kGround);
     }
   }
   return picture;
@@ -83,17 +97,18 @@ PictureSource PicturesOf(const PaintedYard& yard) {
   R_SC << 0, 0, 1, -1, 0, 0, 0, -1, 0;
   source.X_SC.linear() = R_SC;
   const double first_s = 10;
-  const auto pose_of = [=, X_BS = source.X_BS, X_SC = source.X_SC, moves = yard.moves](
-                           double t_s, const SensorNumbers& numbers) {
+  const auto picture_at = [=, X_BS = source.X_BS, X_SC = source.X_SC](
+                              double t_s, const SensorNumbers& numbers, const PaintedYard& of) {
     const Pose X_BT =
         MakePose(X_BS.translation() + numbers.shift_B_m(), X_BS.linear() * numbers.R_ST());
-    return LinkAt(t_s, moves).X_WB * X_BT * X_SC;
+    const Pose X_BC = X_BT * X_SC;
+    return PictureFrom(LinkAt(t_s, of.moves).X_WB * X_BC, X_BC, of);
   };
   const Stream noise(yard.seed, "test/grey");
   std::uint64_t draw = 0;
   for (double t_s = first_s; t_s < first_s + yard.duration_s; t_s += 0.8) {
     source.t_ns.push_back(FromSeconds(t_s + yard.numbers.value[kOffset]));
-    Image<float> grey = PictureFrom(pose_of(t_s, yard.numbers), yard.painted).grey;
+    Image<float> grey = picture_at(t_s, yard.numbers, yard).grey;
     for (float& value : grey.data) {
       const double seen = yard.gain * value + yard.offset + yard.noise * noise.Gaussian(draw++);
       value = static_cast<float>(std::clamp(seen, 0.0, 1.0));
@@ -104,7 +119,9 @@ PictureSource PicturesOf(const PaintedYard& yard) {
   source.render = [=](std::size_t frame,
                       const SensorNumbers& numbers) -> std::optional<SimulatedPicture> {
     const double t_s = ToSeconds(t_ns[frame]) - numbers.value[kOffset];
-    return PictureFrom(pose_of(t_s, numbers), true);
+    PaintedYard painted = yard;
+    painted.painted = true;
+    return picture_at(t_s, numbers, painted);
   };
   source.link_at = [=, moves = yard.moves](
                        std::size_t frame,
@@ -150,6 +167,22 @@ TEST(PicturedSensor, ThatSitsAskewIsFoundWithItsAnglesAndPlace) {
   EXPECT_NEAR(NumberOf(finding, "y_m"), 0, 0.01);
   EXPECT_NEAR(NumberOf(finding, "z_m"), -0.04, 0.01);
   EXPECT_LT(finding.rmse_after, 0.3 * finding.rmse_before);
+}
+
+TEST(PicturedSensor, ThatSitsElsewhereIsFoundBehindThePartsOfItsMachineNearBy) {
+  PaintedYard yard;
+  yard.has_bonnet = true;
+  yard.numbers.value[kPitch] = -0.7 * kDeg;
+  yard.numbers.value[kYaw] = 1 * kDeg;
+  // 6 px of the bonnet, 1 px of the wall.
+  yard.numbers.value[kZ] = 0.05;
+  const PerceptionDiagnosis diagnosis = DiagnosisOf(yard);
+  ASSERT_EQ(diagnosis.findings.size(), 1u) << diagnosis.not_judged;
+  const PerceptionFinding& finding = diagnosis.findings[0];
+  EXPECT_EQ(finding.mechanism, "extrinsic");
+  EXPECT_NEAR(NumberOf(finding, "pitch_deg"), -0.7, 0.05);
+  EXPECT_NEAR(NumberOf(finding, "yaw_deg"), 1, 0.05);
+  EXPECT_NEAR(NumberOf(finding, "z_m"), 0.05, 0.005);
 }
 
 TEST(PicturedSensor, WithAnotherClockIsFoundWhileItTurns) {
