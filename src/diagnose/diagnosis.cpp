@@ -59,7 +59,8 @@ bool Measures(const std::vector<NamedEncoders>& encoders, const std::string& axi
 struct Measurements {
   std::vector<NamedEncoders> encoders;
   std::vector<TruthPose> poses;
-  TableRecording efforts;  ///< of drives
+  bool poses_were_measured = false;  ///< not simulated
+  TableRecording efforts;            ///< of drives
   /// One for each of the scenario's sensors; empty of those that are none or were not recorded.
   std::vector<std::vector<ImuSample>> imus;
   std::vector<std::vector<GnssSample>> gnss;  ///< likewise
@@ -104,6 +105,7 @@ Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& record
                 [](const NamedEncoders& named) { return named.recording.samples.empty(); });
   const std::string poses = "truth/" + input.machine + "/pose.csv";
   if (recording.Has(poses)) measured.poses = recording.LoadPose(poses).poses;
+  measured.poses_were_measured = !measured.poses.empty() && !recording.info().simulated;
   const std::string efforts = input.machine + "/efforts.csv";
   if (recording.Has(efforts)) measured.efforts = recording.LoadTable(efforts);
   bool any = !measured.encoders.empty();
@@ -179,7 +181,8 @@ void AddBase(const DiagnosisInput& input, const Measurements& measured,
   // Gears bound the time.
   const BaseLog log =
       MakeBaseLog(*input.model, measured.encoders, measured.poses, options.base_interval_s);
-  if (auto block = MakeBaseBlock(*input.model, log, input.machine + "/base")) {
+  if (auto block =
+          MakeBaseBlock(*input.model, log, input.machine + "/base", measured.poses_were_measured)) {
     blocks->push_back(std::move(*block));
   }
 }
@@ -187,12 +190,14 @@ void AddBase(const DiagnosisInput& input, const Measurements& measured,
 /// An inertial unit makes a block where its link's motion was measured.
 void AddImus(const DiagnosisInput& input, const Measurements& measured,
              const DiagnosisOptions& options, std::vector<ReplayBlock>* blocks) {
+  const double interval_s = std::max(options.base_interval_s, ImuInterval_s(measured.poses));
   for (std::size_t s = 0; s < input.sensors.size(); ++s) {
     const SensorDescription& sensor = input.sensors[s];
     if (measured.imus[s].empty()) continue;
     ImuLog log = MakeImuLog(*input.model, sensor, measured.imus[s], measured.encoders,
-                            measured.poses, options.base_interval_s);
-    if (auto block = MakeImuBlock(sensor, std::move(log), input.machine + "/" + sensor.name)) {
+                            measured.poses, interval_s);
+    if (auto block = MakeImuBlock(sensor, std::move(log), input.machine + "/" + sensor.name,
+                                  measured.poses_were_measured)) {
       blocks->push_back(std::move(*block));
     }
   }

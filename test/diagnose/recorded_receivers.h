@@ -27,7 +27,7 @@ inline SensorDescription AntennaAt(const std::string& name, const Vec3& p_m) {
   SensorDescription sensor;
   sensor.name = name;
   sensor.X_BS = MakePose(p_m);
-  sensor.clock = {10, 0};
+  sensor.clock = {5, 0};
   sensor.model = GnssModel{.white_horizontal_m = 0.005,
                            .white_vertical_m = 0.009,
                            .correlated_horizontal_m = 0.007,
@@ -77,7 +77,7 @@ struct Receivers {
     GnssSlots slots(real.effects, 7, "m/" + real.name);
     const SiteFrame site(46.8, -71.3, 90);
     std::vector<GnssSample> samples;
-    for (std::int64_t k = 0; k <= 800; ++k) {
+    for (std::int64_t k = 0; k <= 400; ++k) {
       const Pose X_WB = BaseAt(ToSeconds(real.clock.Due(k)));
       GnssSample sample = gnss.Measure(k, X_WB * p_B_m, site);
       slots.Apply({X_WB.linear() * Vec3(std::cos(30 * kDeg), 0, std::sin(30 * kDeg))}, site,

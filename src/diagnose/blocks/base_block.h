@@ -14,9 +14,9 @@ namespace tera {
 ///         their magnitudes, and both by the slopes, now and up to half a second ago.
 /// Omits   forces on tools; friction that depends on the place.
 ///
-/// `name` stands before the channels' names: "excavator1/base". No block where there is hardly an
-/// interval.
+/// `name` stands before the channels' names: "excavator1/base". Poses that were measured may come
+/// late (measured_poses.h). No block where there is hardly an interval.
 std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLog& log,
-                                         const std::string& name);
+                                         const std::string& name, bool poses_were_measured);
 
 }  // namespace tera

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "diagnose/blocks/measured_poses.h"
 #include "diagnose/blocks/suspect_list.h"
 #include "sensors/sensor_mechanisms.h"
 
@@ -14,6 +15,7 @@ namespace {
 constexpr std::ptrdiff_t kFewestIntervals = 100;
 constexpr std::size_t kQuantities = 6;
 constexpr double kLeastCorrelation = 0.3;
+constexpr double kTurns_radps = 0.02;  ///< of a link: less is rest
 constexpr std::array<const char*, kQuantities> kColumns = {"wx_radps", "wy_radps", "wz_radps",
                                                            "ax_mps2",  "ay_mps2",  "az_mps2"};
 constexpr std::array<std::size_t, 4> kLags = {0, 1, 2, 4};  ///< intervals, of the free member
@@ -46,6 +48,13 @@ bool IsExcited(const std::vector<double>& predicted) {
   return next > kLeastCorrelation * square;
 }
 
+/// Whether the link never turned.
+bool IsAtRest(const Quantities& predicted) {
+  return std::all_of(predicted.begin(), predicted.begin() + 3, [](const std::vector<double>& w) {
+    return std::all_of(w.begin(), w.end(), [](double one) { return std::abs(one) < kTurns_radps; });
+  });
+}
+
 void AddScale(const Quantities& predicted, SuspectList* out) {
   std::vector<FreeParameter> free = Axes(0, 0.7, 1.4, 0.7, 1.4);
   std::vector<std::vector<double>> starts = {Triads(1.005, 1.005), Triads(1.02, 1.02),
@@ -74,7 +83,7 @@ void AddStatic(SuspectList* out) {
   out->Add("temperature_drift", std::move(drift), std::move(starts));
 }
 
-void AddGeometry(SuspectList* out) {
+void AddDirections(SuspectList* out) {
   out->Add("mount_rotation", {{0, -180, 180}, {1, -90, 90}, {2, -180, 180}},
            {{0.5, 0.5, 0.5},
             {2, 0, 0},
@@ -89,6 +98,9 @@ void AddGeometry(SuspectList* out) {
             {180, 0, 0}});
   out->Add("axis_flip", {},
            {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}});
+}
+
+void AddPlace(SuspectList* out) {
   out->Add("imu_lever_arm", {{0, -4, 4}, {1, -4, 4}, {2, -4, 4}},
            {{0.05, 0.05, 0.05}, {0.3, 0, 0}, {0, 0.3, 0}, {0, 0, 0.3}, {1, 0, 0}, {-1, 0, 0}});
 }
@@ -97,6 +109,41 @@ void AddTiming(SuspectList* out) {
   out->Add("clock_offset", {{0, -3, 3}}, {{0.02}, {-0.02}, {0.1}, {-0.1}, {0.5}, {-0.5}});
   out->Add("latency", {{0, 0, 3}}, {{0.02, 0}, {0.1, 0}, {0.5, 0}});
   out->Add("filter_delay", {{0, 0.002, 3, true}}, {{0.02}, {0.1}, {0.4}});
+}
+
+std::vector<Suspect> SuspectsOf(const SensorDescription& sensor, const Quantities& predicted,
+                                bool poses_were_measured) {
+  SuspectList out(sensor.name, EffectTarget::kImu, sensor.effects, SensorMechanisms());
+  AddStatic(&out);
+  AddDirections(&out);
+  if (IsAtRest(predicted)) return out.Take();
+  AddScale(predicted, &out);
+  AddPlace(&out);
+  AddTiming(&out);
+  std::vector<Suspect> suspects = out.Take();
+  if (poses_were_measured) {
+    suspects.insert(suspects.begin(), LatePoses());
+    suspects.push_back(TiltedMap());
+  }
+  return suspects;
+}
+
+/// A unit beside poses that are late: its clock is behind theirs.
+Effects WithLatePoses(Effects effects, double late_s) {
+  if (late_s == 0) return effects;
+  const auto own = std::find_if(effects.begin(), effects.end(), [](const Effect& effect) {
+    return effect.mechanism->id == "clock_offset";
+  });
+  if (own != effects.end()) {
+    own->values.front() -= late_s;
+    return effects;
+  }
+  for (const Mechanism& mechanism : SensorMechanisms()) {
+    if (mechanism.id != "clock_offset" || !mechanism.ActsOn(EffectTarget::kImu)) continue;
+    effects.push_back({&mechanism, {-late_s}});
+    break;
+  }
+  return effects;
 }
 
 /// By quantity, each less its mean in `reference`.
@@ -137,6 +184,18 @@ Eigen::MatrixXd FreeMember(const Quantities& predicted) {
   return columns;
 }
 
+/// What a map that leans shows, to the free member.
+void AddHeading(const ImuLog& log, Eigen::MatrixXd* columns) {
+  const Eigen::Index first = columns->cols();
+  columns->conservativeResize(Eigen::NoChange, first + 2);
+  for (Eigen::Index k = 0; k < columns->rows(); ++k) {
+    const Pose& X_WL = log.track.X_WL[2 * static_cast<std::size_t>(k) + 1];
+    const double yaw_rad = RpyFromRotation(X_WL.linear()).z();
+    (*columns)(k, first) = std::cos(yaw_rad);
+    (*columns)(k, first + 1) = std::sin(yaw_rad);
+  }
+}
+
 std::vector<RegimeVariable> VariablesOf(const Quantities& predicted, const ImuLog& log,
                                         double period_s) {
   std::vector<RegimeVariable> variables;
@@ -147,24 +206,31 @@ std::vector<RegimeVariable> VariablesOf(const Quantities& predicted, const ImuLo
   for (std::size_t i = 0; i < kQuantities; ++i) {
     add((i < 3 ? "rate/" : "force/") + std::string(1, "xyz"[i % 3]), predicted[i]);
   }
-  std::vector<double> roll_rad, pitch_rad, time_s;
+  std::vector<double> yaw_rad, roll_rad, pitch_rad, time_s;
   for (std::size_t k = 0; k < predicted[0].size(); ++k) {
     const Vec3 rpy_rad = RpyFromRotation(log.track.X_WL[2 * k + 1].linear());
     roll_rad.push_back(rpy_rad.x());
     pitch_rad.push_back(rpy_rad.y());
+    yaw_rad.push_back(rpy_rad.z());
     time_s.push_back(static_cast<double>(k) * period_s);
   }
+  variables.push_back({"yaw", {period_s, yaw_rad, Mask(yaw_rad.size(), 1)}, true});
   add("roll", std::move(roll_rad));
   add("pitch", std::move(pitch_rad));
   add("time", std::move(time_s));
   return variables;
 }
 
-/// The rates about the three axes, each over its largest: what tells manoeuvres apart.
+/// The rates about the three axes, each over its largest: what tells manoeuvres apart. At rest all
+/// of the recording is one command.
 std::vector<Series> CommandsOf(const Quantities& predicted, double period_s) {
+  if (IsAtRest(predicted)) {
+    const std::size_t size = predicted[0].size();
+    return {{period_s, std::vector<double>(size, 1.0), Mask(size, 1)}};
+  }
   std::vector<Series> commands;
   for (std::size_t a = 0; a < 3; ++a) {
-    double largest = 0.02;
+    double largest = kTurns_radps;
     for (const double w : predicted[a]) largest = std::max(largest, std::abs(w));
     std::vector<double> share;
     for (const double w : predicted[a]) share.push_back(w / largest);
@@ -177,7 +243,7 @@ std::vector<Series> CommandsOf(const Quantities& predicted, double period_s) {
 }  // namespace
 
 std::optional<ReplayBlock> MakeImuBlock(const SensorDescription& sensor, ImuLog given,
-                                        const std::string& channel) {
+                                        const std::string& channel, bool poses_were_measured) {
   if (std::count(given.known.begin(), given.known.end(), true) < kFewestIntervals) return {};
   // What predicts holds all three for as long as the block lives.
   const auto log = std::make_shared<const ImuLog>(std::move(given));
@@ -200,7 +266,8 @@ std::optional<ReplayBlock> MakeImuBlock(const SensorDescription& sensor, ImuLog 
   ReplayBlock block;
   block.name = channel;
   block.first_ns = log->clock.Due(1);
-  const Eigen::MatrixXd free_member = FreeMember(predicted);
+  Eigen::MatrixXd free_member = FreeMember(predicted);
+  if (poses_were_measured) AddHeading(*log, &free_member);
   const Mask valid(log->known.begin(), log->known.end());
   for (std::size_t i = 0; i < kQuantities; ++i) {
     const bool is_rate = i < 3;
@@ -213,14 +280,11 @@ std::optional<ReplayBlock> MakeImuBlock(const SensorDescription& sensor, ImuLog 
                               {}});
   }
   block.commands = CommandsOf(predicted, period_s);
-  SuspectList suspects(sensor.name, EffectTarget::kImu, sensor.effects, SensorMechanisms());
-  AddStatic(&suspects);
-  AddScale(predicted, &suspects);
-  AddGeometry(&suspects);
-  AddTiming(&suspects);
-  block.suspects = suspects.Take();
+  block.suspects = SuspectsOf(sensor, predicted, poses_were_measured);
   block.predict = [described, log, replay, mean_f_S_mps2](const Structure& terms) {
-    Quantities split = Split(replay->Predict(WithTerms(described->effects, terms)), mean_f_S_mps2);
+    const Effects effects =
+        WithLatePoses(WithTerms(described->effects, BesidesPoses(terms)), LatenessOfPoses_s(terms));
+    Quantities split = Split(replay->Predict(effects, TiltOfMap(terms)), mean_f_S_mps2);
     return std::vector<std::vector<double>>(std::make_move_iterator(split.begin()),
                                             std::make_move_iterator(split.end()));
   };

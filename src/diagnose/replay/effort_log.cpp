@@ -16,10 +16,12 @@ namespace {
 
 constexpr double kWidestBand_hz = 20;  ///< machines do little beyond, encoders' noise much
 constexpr double kBandOfRate = 0.2;    ///< of the slower side's sample rate, at most
-constexpr double kReach = 4;           ///< standard deviations of the Gaussian
-constexpr double kRest = 0.01;         ///< of the largest rate: slower all along is at rest
-constexpr double kGap = 5;             ///< sample steps without a sample
-constexpr std::size_t kFewest = 100;   ///< samples of either side
+/// Of the band: at half their rate, twice the band, the Gaussian lets a quarter through.
+constexpr double kSamplesAPeriod = 4;
+constexpr double kReach = 4;          ///< standard deviations of the Gaussian
+constexpr double kRest = 0.01;        ///< of the largest rate: slower all along is at rest
+constexpr double kGap = 5;            ///< sample steps without a sample
+constexpr std::size_t kFewest = 100;  ///< samples of either side
 constexpr std::size_t kMostSteps = 10'000'000;
 
 /// One quantity over time.
@@ -263,7 +265,8 @@ std::optional<EffortLog> MakeLog(const MachineModel& model, const std::string& c
   }
   SetFineRate(*positions[joint], kernels, &log);
   const double rest_radps = kRest * LargestOf(log.fine_rate_radps);
-  const auto stride = static_cast<std::size_t>(std::lround(0.5 / log.band_hz / grid.step_s));
+  const auto stride =
+      static_cast<std::size_t>(std::lround(1 / (kSamplesAPeriod * log.band_hz * grid.step_s)));
   log.measured.period_s = static_cast<double>(stride) * grid.step_s;
   // The rate has one window of the position, what is made of it another one.
   const std::size_t margin = kernels.smooth.size();

@@ -30,9 +30,9 @@ struct EffortLog {
   /// Gaussian over the fine steps, odd in number, of sum 1.
   std::vector<double> kernel;
 
-  /// The grid of the comparison, two samples a period of the band: fine step of each of its
-  /// samples, and the quantities there. A gap where a side was not measured, or the joint rested,
-  /// where friction takes what load there is.
+  /// The grid of the comparison, four samples a period of the band, for the Gaussian passes some of
+  /// what is beyond: fine step of each of its samples, and the quantities there. A gap where a side
+  /// was not measured, or the joint rested, where friction takes what load there is.
   TimeNs first_ns = 0;
   std::vector<std::size_t> at_fine;
   Series measured;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "diagnose/statistics/robust.h"
 #include "sensors/slots/sensor_slots.h"
 #include "sensors/slots/true_mount.h"
 
@@ -11,8 +12,9 @@ namespace tera {
 namespace {
 
 constexpr int kStepsAnInterval = 2;
-constexpr int kSamplesAnInterval = 8;  ///< so that a clock may be off by less than an interval
-constexpr double kLeastShare = 0.5;    ///< of the samples that an interval usually has
+constexpr int kSamplesAnInterval = 8;      ///< so that a clock may be off by less than an interval
+constexpr double kForceNoise_mps2 = 0.05;  ///< of poses, that forces told from them may have
+constexpr double kLeastShare = 0.5;        ///< of the samples that an interval usually has
 
 /// Means of the samples in each interval.
 void SetMeasured(const std::vector<ImuSample>& samples, ImuLog* log) {
@@ -109,6 +111,20 @@ std::vector<ImuSample> Ideal(const ImuLog& log, const Pose& X_BS) {
 
 }  // namespace
 
+double ImuInterval_s(const std::vector<TruthPose>& poses) {
+  double sigma_m = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto p_m = [&](std::size_t k) { return poses[k].X_WB.translation()[axis]; };
+    std::vector<double> differences;
+    for (std::size_t k = 3; k < poses.size(); ++k) {
+      differences.push_back(p_m(k) - 3 * p_m(k - 1) + 3 * p_m(k - 2) - p_m(k - 3));
+    }
+    if (differences.empty()) return 0;
+    sigma_m = std::max(sigma_m, RobustScale(differences) / std::sqrt(20.0));
+  }
+  return 2 * std::sqrt(std::sqrt(6.0) * sigma_m / kForceNoise_mps2);
+}
+
 ImuLog MakeImuLog(const MachineModel& model, const SensorDescription& sensor,
                   const std::vector<ImuSample>& samples, const std::vector<NamedEncoders>& encoders,
                   const std::vector<TruthPose>& poses, double interval_s) {
@@ -127,7 +143,11 @@ ImuLog MakeImuLog(const MachineModel& model, const SensorDescription& sensor,
 }
 
 ImuReplay::ImuReplay(const SensorDescription& sensor, const ImuLog& log)
-    : sensor_(sensor), log_(log), fine_{kSamplesAnInterval, Ideal(log, sensor.X_BS), {}} {
+    : sensor_(sensor), log_(log), fine_{kSamplesAnInterval, Ideal(log, sensor.X_BS), {}, {}} {
+  const Mat3 R_LS = sensor.X_BS.linear();
+  for (const ImuSample& sample : fine_.samples) {
+    fine_.R_WS.push_back(log.track.At(sample.t_ns).linear() * R_LS);
+  }
   fine_.f_by_place_1ps2.resize(fine_.samples.size());
   for (int axis = 0; axis < 3; ++axis) {
     Pose X_BS = sensor.X_BS;
@@ -148,21 +168,25 @@ ImuReplay::ImuReplay(const SensorDescription& sensor, const ImuLog& log)
       f_by_place_1ps2 += fine_.f_by_place_1ps2[at] / kSamplesAnInterval;
     }
     means_.f_by_place_1ps2.push_back(f_by_place_1ps2);
+    means_.R_WS.push_back(log.track.X_WL[kStepsAnInterval * k + 1].linear() * R_LS);
   }
 }
 
-std::vector<ImuSample> ImuReplay::Predict(const Effects& effects) const {
+std::vector<ImuSample> ImuReplay::Predict(const Effects& effects, const Mat3& R_WL) const {
   const Carried& carried = AreLinear(effects) ? means_ : fine_;
   const Pose X_BT = TrueMount(sensor_.X_BS, effects);
   const Vec3 away_B_m = X_BT.translation() - sensor_.X_BS.translation();
   const Mat3 R_TS = X_BT.linear().transpose() * sensor_.X_BS.linear();
   const auto& model = std::get<ImuModel>(sensor_.model);
+  const Vec3 up_mps2(0, 0, kStandardGravity_mps2);
+  const Vec3 leans_W_mps2 = R_WL * up_mps2 - up_mps2;
   ImuSlots slots(effects, 0, sensor_.name);
   std::vector<ImuSample> samples = carried.samples;
   for (std::size_t k = 0; k < samples.size(); ++k) {
     ImuSample& sample = samples[k];
     sample.w_WS_S_radps = R_TS * sample.w_WS_S_radps + model.gyro_bias_radps;
-    const Vec3 f_S_mps2 = sample.f_S_mps2 + carried.f_by_place_1ps2[k] * away_B_m;
+    const Vec3 f_S_mps2 = sample.f_S_mps2 + carried.f_by_place_1ps2[k] * away_B_m +
+                          carried.R_WS[k].transpose() * leans_W_mps2;
     sample.f_S_mps2 = R_TS * f_S_mps2 + model.accel_bias_mps2;
     slots.Apply(&sample);
   }

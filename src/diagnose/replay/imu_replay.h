@@ -19,6 +19,15 @@ struct ImuLog {
   std::vector<bool> known;  ///< both sides are
 };
 
+/// Intervals over which forces can be told from poses that are themselves measured.
+///
+/// Model   poses half an interval apart, of noise sigma along each axis, give accelerations of
+/// noise
+///         sqrt(6) sigma / (T/2)^2: the shortest T with at most 0.05 m/s^2. Sigma by the robust
+///         scale of the third differences of positions, over sqrt(20).
+/// Omits   noise of poses that is slower than their steps. 0 s where there are hardly any poses.
+double ImuInterval_s(const std::vector<TruthPose>& poses);
+
 /// No intervals where the track is empty or the unit measured nothing meanwhile.
 ImuLog MakeImuLog(const MachineModel& model, const SensorDescription& sensor,
                   const std::vector<ImuSample>& samples, const std::vector<NamedEncoders>& encoders,
@@ -39,8 +48,9 @@ class ImuReplay {
   /// Both must outlive it.
   ImuReplay(const SensorDescription& sensor, const ImuLog& log);
 
-  /// Samples at the ends of the log's intervals, with `effects` in place of the sensor's own.
-  std::vector<ImuSample> Predict(const Effects& effects) const;
+  /// Samples at the ends of the log's intervals, with `effects` in place of the sensor's own;
+  /// `R_WL` turns the level's axes into those of a map W that leans.
+  std::vector<ImuSample> Predict(const Effects& effects, const Mat3& R_WL = Mat3::Identity()) const;
 
  private:
   const SensorDescription& sensor_;
@@ -50,6 +60,7 @@ class ImuReplay {
     std::int64_t an_interval = 1;
     std::vector<ImuSample> samples;
     std::vector<Mat3> f_by_place_1ps2;  ///< change of the force in S by the place in the link
+    std::vector<Mat3> R_WS;             ///< of it as documented
   };
   Carried fine_;
   Carried means_;  ///< over intervals: enough for what neither bends nor delays

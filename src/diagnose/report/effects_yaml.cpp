@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/check.h"
+#include "diagnose/blocks/measured_poses.h"
 #include "diagnose/report/by_weight.h"
 #include "diagnose/report/perception_text.h"
 
@@ -69,6 +70,7 @@ std::vector<TargetLines> LinesOf(const Diagnosis& diagnosis) {
   std::vector<TargetLines> targets;
   for (const auto& [diagnosed, finding] : FindingsByWeight(diagnosis)) {
     const Suspect& suspect = *finding->term.suspect;
+    if (suspect.target == kPoses) continue;  // no part of a simulation
     auto at = std::find_if(targets.begin(), targets.end(), [&](const TargetLines& lines) {
       return lines.target == suspect.target;
     });

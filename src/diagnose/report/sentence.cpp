@@ -149,18 +149,24 @@ std::string MechanismText(const DiagnosedBlock& diagnosed, const Finding& findin
   return numbers.empty() ? text : fmt::format("{} {}", text, fmt::join(numbers, ", "));
 }
 
+/// "latency", "latency of the poses" where that is of another target.
+std::string RivalText(const Suspect& rival, const Suspect& found) {
+  const std::string text = Spaced(rival.mechanism->id);
+  return rival.target == found.target ? text : text + " of the " + Spaced(rival.target);
+}
+
 std::string EvidenceClause(const Finding& finding) {
   std::string text =
       fmt::format("chosen with {}, confirmed with {}", ProbabilityText(finding.evidence.p),
                   ProbabilityText(finding.held_out.p));
   std::vector<std::string> alike, rejected;
   for (const Suspect* rival : finding.evidence.rivals) {
-    if (rival != finding.term.suspect) alike.push_back(Spaced(rival->mechanism->id));
+    if (rival != finding.term.suspect) alike.push_back(RivalText(*rival, *finding.term.suspect));
   }
   for (const Rival& rival : finding.evidence.rejected) {
     if (rejected.size() == kRivalsTold) break;
-    rejected.push_back(
-        fmt::format("{} ({})", Spaced(rival.suspect->mechanism->id), ProbabilityText(rival.p)));
+    rejected.push_back(fmt::format("{} ({})", RivalText(*rival.suspect, *finding.term.suspect),
+                                   ProbabilityText(rival.p)));
   }
   if (!alike.empty()) text += fmt::format("; not told apart from: {}", fmt::join(alike, ", "));
   if (!rejected.empty()) text += fmt::format("; rivals rejected: {}", fmt::join(rejected, ", "));

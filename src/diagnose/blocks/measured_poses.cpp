@@ -1,0 +1,52 @@
+#include "diagnose/blocks/measured_poses.h"
+
+#include <string>
+#include <utility>
+
+#include "core/units.h"
+#include "diagnose/blocks/suspect_list.h"
+#include "sensors/sensor_mechanisms.h"
+
+namespace tera {
+namespace {
+
+Suspect OfPoses(std::string_view id, std::vector<FreeParameter> free,
+                std::vector<std::vector<double>> starts) {
+  SuspectList out(std::string(kPoses), EffectTarget::kImu, {}, SensorMechanisms());
+  out.Add(id, std::move(free), std::move(starts));
+  return out.Take().front();
+}
+
+const Term* FindTerm(const Structure& terms, std::string_view id) {
+  for (const Term& term : terms) {
+    if (term.suspect->target == kPoses && term.suspect->mechanism->id == id) return &term;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+Suspect LatePoses() { return OfPoses("latency", {{0, 0, 3}}, {{0.05, 0}, {0.15, 0}, {0.4, 0}}); }
+
+Suspect TiltedMap() {
+  return OfPoses("mount_rotation", {{0, -15, 15}, {1, -15, 15}},
+                 {{0.5, 0, 0}, {0, 0.5, 0}, {2, 0, 0}, {-2, 0, 0}, {0, 2, 0}, {0, -2, 0}});
+}
+
+double LatenessOfPoses_s(const Structure& terms) {
+  const Term* late = FindTerm(terms, "latency");
+  return late != nullptr ? late->values.front() : 0;
+}
+
+Mat3 TiltOfMap(const Structure& terms) {
+  const Term* tilt = FindTerm(terms, "mount_rotation");
+  if (tilt == nullptr) return Mat3::Identity();
+  return RotationFromRpy(tilt->values[0] * kDeg, tilt->values[1] * kDeg, 0).transpose();
+}
+
+Structure BesidesPoses(Structure terms) {
+  std::erase_if(terms, [](const Term& term) { return term.suspect->target == kPoses; });
+  return terms;
+}
+
+}  // namespace tera

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string_view>
+
+#include "core/motion.h"
+#include "diagnose/search/replay_block.h"
+
+namespace tera {
+
+/// Poses that a recording holds were measured too, where nothing simulated them. Registration gives
+/// them late: what is compared with them then seems early. And its map begins as the machine stood,
+/// which need not be level: gravity then seems to come from the side.
+///
+/// Model   two suspects of the target "poses". `latency`: stamped so long after they were; a sensor
+///         whose clock is behind by as much shows the same. `mount_rotation`, roll and pitch of the
+///         map from the level.
+/// Omits   that a filter makes them smooth as well; a map that bends.
+
+inline constexpr std::string_view kPoses = "poses";
+
+Suspect LatePoses();
+Suspect TiltedMap();
+
+/// By how much a structure has the poses late.
+double LatenessOfPoses_s(const Structure& terms);
+
+/// The level's axes to the map's, as a structure has them.
+Mat3 TiltOfMap(const Structure& terms);
+
+/// The terms that are of something else.
+Structure BesidesPoses(Structure terms);
+
+}  // namespace tera
