@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "diagnose/blocks/base_block.h"
 #include "sim/drive_fixture.h"
 
 namespace tera {
@@ -135,6 +136,35 @@ TEST(BaseLog, NamesTheGearThatNoEncoderMeasures) {
     FAIL() << "a missing gear was accepted";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find(model.ground_tools.gears[1].name), std::string::npos);
+  }
+}
+
+/// A machine that stands while its sprockets turn to and fro, over 40 s.
+ReplayBlock SprocketsAlone(const MachineModel& model, bool poses_were_measured) {
+  std::vector<TruthPose> poses;
+  EncoderRecording wheels;
+  for (const RunningGear& gear : model.ground_tools.gears) wheels.axes.push_back({gear.name});
+  for (int k = 0; k <= 400; ++k) {
+    const TimeNs t_ns = k * kNsPerSecond / 10;
+    const double rate_radps = std::sin(0.6 * ToSeconds(t_ns));
+    poses.push_back({.t_ns = t_ns, .X_WB = Pose::Identity()});
+    wheels.samples.push_back({.t_ns = t_ns, .q_rad = {0, 0}, .qd_radps = {rate_radps, rate_radps}});
+  }
+  const BaseLog log = MakeBaseLog(model, {{"m/wheels", wheels}}, poses, 0.2);
+  return *MakeBaseBlock(model, log, "m/base", poses_were_measured);
+}
+
+TEST(BaseBlock, BesideLatePosesWouldHaveMovedAsMuchLater) {
+  Drive drive = Meandering("soil: asphalt", "");
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  const ReplayBlock block = SprocketsAlone(model, true);
+  const Suspect& late = block.suspects.back();
+  ASSERT_EQ(late.target, "poses");
+  const auto now = block.predict({})[0], then = block.predict({{&late, {0.4, 0}}})[0];
+  ASSERT_GT(now.size(), 190u);
+  for (std::size_t k = 2; k < now.size(); ++k) EXPECT_NEAR(then[k], now[k - 2], 1e-9) << k;
+  for (const Suspect& suspect : SprocketsAlone(model, false).suspects) {
+    EXPECT_EQ(suspect.target, "base");
   }
 }
 

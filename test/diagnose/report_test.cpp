@@ -440,6 +440,13 @@ TEST(EffectsYaml, OfNothingIsAnOverlayThatChangesNothing) {
   EXPECT_EQ(FindEffect(BoomEffects(Overlaid(text)), "dead_band"), nullptr);
 }
 
+TEST(EffectsYaml, LeavesOutWhatIsOfThePosesWhichNoSimulationHas) {
+  Diagnosis diagnosis = Of(BoomWithDeadBand());
+  diagnosis.blocks[0].block.suspects[0].target = "poses";
+  EXPECT_THAT(EffectsYaml(diagnosis, "run"), HasSubstr("\neffects: {}\n"));
+  EXPECT_THAT(SentencesOf(diagnosis)[0], HasSubstr("dead band of the poses"));
+}
+
 TEST(EffectsYaml, QuotesNamesThatYamlWouldReadAsSomethingElse) {
   Diagnosis diagnosis = Of(BoomWithDeadBand());
   diagnosis.scenario = "digger: no 7's";
