@@ -18,6 +18,7 @@ constexpr std::ptrdiff_t kFewestPositions = 100;
 constexpr std::array<const char*, 3> kColumns = {"/east_m", "/north_m", "/up_m"};
 constexpr std::size_t kMostPositions = 1200;  ///< of a receiver, that are compared
 constexpr double kLargestYaw_deg = 135;       ///< of a pair: a half turn is an exchange
+constexpr double kPlaced_m = 0.01;            ///< to which an antenna's place on its link is known
 constexpr double kLeastOffset_m = 1e-3;
 /// Slower, or turning slower, a machine is at rest.
 constexpr double kLeastSpeed_mps = 0.05, kLeastTurning_radps = 0.02;
@@ -159,6 +160,19 @@ Eigen::MatrixXd FreeMember(const Course& course, int axis) {
   return columns;
 }
 
+/// What east, north or up change by where the antenna sits a little ahead, and to the left.
+Eigen::MatrixXd Placed(const Course& course, std::size_t axis) {
+  const auto size = static_cast<Eigen::Index>(course.yaw_rad.size());
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(size, axis < 2 ? 2 : 0);
+  for (Eigen::Index k = 0; axis < 2 && k < size; ++k) {
+    const double yaw_rad = course.yaw_rad[static_cast<std::size_t>(k)];
+    const Vec3 ahead(std::cos(yaw_rad), std::sin(yaw_rad), 0);
+    columns(k, 0) = kPlaced_m * ahead[static_cast<Eigen::Index>(axis)];
+    columns(k, 1) = kPlaced_m * Vec3::UnitZ().cross(ahead)[static_cast<Eigen::Index>(axis)];
+  }
+  return columns;
+}
+
 Series Whole(std::vector<double> values, double period_s) {
   Mask all(values.size(), 1);
   return {period_s, std::move(values), std::move(all)};
@@ -293,7 +307,7 @@ void AddChannels(const Held& held, std::size_t r, const Course& course, const Co
          {.offset = std::max(slow_m, kLeastOffset_m), .gain = 1e-5},
          VariablesOf(course, log.boom.has_value(), grid.period_s()),
          FreeMember(course, static_cast<int>(i)),
-         {}});
+         Placed(course, i)});
   }
 }
 
