@@ -26,7 +26,12 @@ diagnose() {
   rm -r "${out:?}/$1"
 }
 
-findings() { python3 -c 'import json, sys; print(len(json.load(open(sys.argv[1]))["findings"]))' "$1/diagnosis.json"; }
+# findings FOLDER: how many are of a sensor.
+findings() {
+  python3 -c 'import json, sys
+sensors = ("lidar_roof", "camera_front", "camera_side")
+print(sum(f["channel"].endswith(sensors) for f in json.load(open(sys.argv[1]))["findings"]))' "$1/diagnosis.json"
+}
 
 nulls() {
   local with=0 count=0
@@ -37,7 +42,7 @@ nulls() {
     count=$((count + 1))
     if [ "$(findings "$out/null_$seed.why")" != 0 ]; then with=$((with + 1)); fi
   done
-  echo "$with of $count recordings of nothing gave a finding"
+  echo "$with of $count recordings of nothing gave a finding of a sensor"
 }
 
 # What is set in the recording alone, a line each: NAME KEY=VALUE...

@@ -15,10 +15,12 @@ namespace {
 constexpr double kClear = 3;  ///< standard deviations: a number that is told
 constexpr double kCm = 100;
 
-/// "0.41 cm" of metres, "0.4 px" of pixels.
+/// Metres in centimetres, pixels as they are.
 std::string DistanceText(const PerceptionDiagnosis& diagnosis, double distance) {
-  const bool metres = diagnosis.unit == "m";
-  return Significant(metres ? kCm * distance : distance, 2) + (metres ? " cm" : " px");
+  return Significant(diagnosis.unit == "m" ? kCm * distance : distance, 2);
+}
+std::string_view UnitText(const PerceptionDiagnosis& diagnosis) {
+  return diagnosis.unit == "m" ? "cm" : "px";
 }
 
 /// What the sensor took, and what is compared with it.
@@ -134,10 +136,10 @@ std::string SentenceOfNothing(const PerceptionDiagnosis& diagnosis) {
       unseen.insert(Spaced(one.mechanism) + " " + WithoutUnit(one.parameter));
     }
   }
-  std::string text =
-      fmt::format("{}: nothing found; its {} {} lie within {} of the simulated {}.",
-                  SensorText(diagnosis), diagnosis.scans, ScansText(diagnosis),
-                  DistanceText(diagnosis, diagnosis.sensor.noise_rmse), SurfacesText(diagnosis));
+  std::string text = fmt::format(
+      "{}: nothing found; its {} {} lie within {} {} of the simulated {}.", SensorText(diagnosis),
+      diagnosis.scans, ScansText(diagnosis), DistanceText(diagnosis, diagnosis.sensor.noise_rmse),
+      UnitText(diagnosis), SurfacesText(diagnosis));
   if (!unseen.empty()) {
     text += fmt::format(" It does not tell {}.", fmt::join(unseen, ", "));
   }
@@ -153,9 +155,9 @@ std::string SentenceOf(const PerceptionDiagnosis& diagnosis, const PerceptionFin
                   ProbabilityText(finding.p_confirmed), RivalsClause(finding));
   // Of what is not there, or in the air, there is no surface.
   if (finding.rmse_after <= 0) return text;
-  return text + fmt::format(" Held-out distance to the simulated {} {} → {}.",
+  return text + fmt::format(" Held-out distance to the simulated {} {} → {} {}.",
                             SurfacesText(diagnosis), DistanceText(diagnosis, finding.rmse_before),
-                            DistanceText(diagnosis, finding.rmse_after));
+                            DistanceText(diagnosis, finding.rmse_after), UnitText(diagnosis));
 }
 
 std::vector<std::string> PerceptionSentences(const std::vector<PerceptionDiagnosis>& sensors) {
