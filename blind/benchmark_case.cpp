@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kOff = 0.03;
 constexpr double kTrackShare = 0.25;
+constexpr double kInjected_s = 120;
 
 /// Draws in order, by name.
 class Draws {
@@ -27,11 +28,12 @@ class Draws {
 
 double Fraction(double x) { return x - std::floor(x); }
 
-CaseKind KindAt(double place) {
+CaseKind KindAt(double place, bool has_real) {
   constexpr std::pair<CaseKind, double> kShares[] = {
       {CaseKind::kNothing, 40}, {CaseKind::kOne, 26},       {CaseKind::kTwo, 12},
-      {CaseKind::kOutside, 8},  {CaseKind::kConfounded, 6}, {CaseKind::kUntestable, 4}};
-  double left = place * 96;
+      {CaseKind::kOutside, 8},  {CaseKind::kConfounded, 6}, {CaseKind::kUntestable, 4},
+      {CaseKind::kInjected, 4}};
+  double left = place * (has_real ? 100 : 96);
   for (const auto& [kind, share] : kShares) {
     if (left < share) return kind;
     left -= share;
@@ -73,7 +75,8 @@ class JointsDraw {
   }
 
   void Outside() {
-    const std::size_t axis = 1 + draws_->Below(3), other = 1 + axis % 3;
+    // The other is on another pump: what shares a pump, the library can name.
+    const std::size_t axis = 1 + draws_->Below(3), other = axis == 2 ? 3 : 2;
     Add(HideOutside(axis, other, joints_.excavator, joints_.start_rad, streams_[0]));
     if (joints_.forms[axis].other_share > 0) joints_.habit.uses[other] = true;
   }
@@ -93,14 +96,26 @@ class JointsDraw {
   }
 
   /// The joints concerned and one more, which nothing is wrong with.
-  std::vector<std::size_t> ChooseAxes() {
+  void ChooseAxes() {
     std::array<bool, kAxes>& uses = joints_.habit.uses;
     for (const std::size_t axis : axes_) uses[axis] = true;
     while (std::count(uses.begin(), uses.end(), true) < 2) uses[draws_->Below(kAxes)] = true;
     for (std::size_t i = 0; i < kAxes; ++i) {
       if (uses[i]) joints_.measured.push_back(i);
     }
-    return axes_;
+  }
+
+  /// What the joints would be without each of what is hidden, the others as they are.
+  void TakeAway() {
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+      HiddenInJoint& hidden = joints_.hidden.emplace_back();
+      hidden.axis = axes_[i];
+      for (std::size_t k = 0; k < axes_.size(); ++k) {
+        if (k == i) continue;
+        AxisForm& form = hidden.without[axes_[k]];
+        form = FormOf(out_->hidden[k].name, axes_[k], form, k).form;
+      }
+    }
   }
 
  private:
@@ -116,9 +131,13 @@ class JointsDraw {
     out_->hidden.push_back(hidden.concealed);
     axes_.push_back(hidden.axis);
   }
+  Hidden FormOf(const std::string& name, std::size_t axis, const AxisForm& onto,
+                std::size_t number) const {
+    return Hide(name, out_->strength, axis, onto, joints_.excavator, joints_.start_rad,
+                streams_[number]);
+  }
   void Named(const std::string& name, std::size_t axis) {
-    Add(Hide(name, out_->strength, axis, joints_.forms[axis], joints_.excavator, joints_.start_rad,
-             streams_[std::min<std::size_t>(axes_.size(), 1)]));
+    Add(FormOf(name, axis, joints_.forms[axis], axes_.size()));
   }
 
   Draws* draws_;
@@ -149,8 +168,11 @@ void DrawJoints(Draws* draws, std::uint64_t seed, const std::string& name, const
     case CaseKind::kUntestable:
       joints.Unseen();
       break;
+    case CaseKind::kInjected:
+      break;
   }
-  out->joints->hidden_axes = joints.ChooseAxes();
+  joints.ChooseAxes();
+  joints.TakeAway();
 }
 
 void DrawTracks(Draws* draws, std::uint64_t seed, const std::string& name,
@@ -160,18 +182,39 @@ void DrawTracks(Draws* draws, std::uint64_t seed, const std::string& name,
   tracks.noise = DrawNoise(Stream(seed, name + "/noise"));
   const std::size_t count = NameableTrackEffects().size();
   const std::size_t first = draws->Below(count), step = 1 + draws->Below(count - 1);
-  const auto hide = [&](std::size_t index, const char* stream) {
-    out->hidden.push_back(HideInTracks(NameableTrackEffects()[index % count], out->strength,
-                                       Stream(seed, name + stream), &tracks.form));
+  std::vector<std::size_t> indices;
+  if (out->kind != CaseKind::kNothing) indices = {first % count};
+  if (out->kind == CaseKind::kTwo) indices.push_back((first + step) % count);
+  const auto hide = [&](std::size_t i, TrackForm* form) {
+    return HideInTracks(NameableTrackEffects()[indices[i]], out->strength,
+                        Stream(seed, name + (i == 0 ? "/first" : "/second")), form);
   };
-  if (out->kind != CaseKind::kNothing) hide(first, "/first");
-  if (out->kind == CaseKind::kTwo) hide(first + step, "/second");
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    out->hidden.push_back(hide(i, &tracks.form));
+    TrackForm& without = tracks.without.emplace_back();
+    for (std::size_t k = 0; k < indices.size(); ++k) {
+      if (k != i) hide(k, &without);
+    }
+  }
+}
+
+/// Into two minutes of a drive that lasts from 125 s to 290 s.
+void DrawInjected(Draws* draws, std::uint64_t seed, const std::string& name, const RealDrive& real,
+                  BenchmarkCase* out) {
+  const std::vector<std::string>& names = NameableInRealDrives();
+  InjectedCase& injected = out->injected.emplace();
+  injected.drive = real.Part(125 + 45 * draws->Uniform(), kInjected_s);
+  out->duration_s = kInjected_s;
+  out->hidden.push_back(HideInRealDrive(names[draws->Below(names.size())], out->strength,
+                                        Stream(seed, name + "/first"), &injected));
 }
 
 Strength StrengthOf(CaseKind kind, Draws* draws) {
   const auto any = static_cast<Strength>(draws->Below(3));
   if (kind == CaseKind::kOne) return any;
-  if (kind == CaseKind::kTwo) return any == Strength::kFaint ? Strength::kStrong : any;
+  if (kind == CaseKind::kTwo || kind == CaseKind::kInjected) {
+    return any == Strength::kFaint ? Strength::kStrong : any;
+  }
   return kind == CaseKind::kConfounded ? Strength::kStrong : Strength::kMedium;
 }
 
@@ -191,6 +234,8 @@ std::string_view NameOf(CaseKind kind) {
       return "confounded";
     case CaseKind::kUntestable:
       return "untestable";
+    case CaseKind::kInjected:
+      return "injected into a real drive";
   }
   return "";
 }
@@ -204,8 +249,12 @@ BenchmarkCase DrawCase(std::uint64_t seed, int number, const PlainMachine& nomin
   out.duration_s = duration_s;
   // Golden-section places: any run of numbers has each kind in nearly its share.
   const double start = Stream(seed, "blind/kinds").Uniform(0);
-  out.kind = KindAt(Fraction(start + 0.6180339887498949 * number));
+  out.kind = KindAt(Fraction(start + 0.6180339887498949 * number), nominal.real.has_value());
   out.strength = StrengthOf(out.kind, &draws);
+  if (out.kind == CaseKind::kInjected) {
+    DrawInjected(&draws, seed, name, *nominal.real, &out);
+    return out;
+  }
   const bool has_track_cases =
       out.kind == CaseKind::kNothing || out.kind == CaseKind::kOne || out.kind == CaseKind::kTwo;
   if (has_track_cases && draws.Uniform() < kTrackShare) {
@@ -218,6 +267,7 @@ BenchmarkCase DrawCase(std::uint64_t seed, int number, const PlainMachine& nomin
 
 CaseRecording Record(BenchmarkCase* c, std::uint64_t seed) {
   const std::string name = fmt::format("blind/{}", c->number);
+  if (c->injected) return RecordInjected(*c->injected);
   if (c->tracks) return RecordTracks(*c->tracks, c->duration_s, seed, name, &c->hidden);
   return RecordJoints(*c->joints, c->duration_s, seed, name);
 }

@@ -7,25 +7,27 @@
 #include <vector>
 
 #include "blind/concealed.h"
+#include "blind/injected_case.h"
 #include "blind/joints_case.h"
 #include "blind/tracks_case.h"
 
 namespace tera::blind {
 
-enum class CaseKind { kNothing, kOne, kTwo, kOutside, kConfounded, kUntestable };
+enum class CaseKind { kNothing, kOne, kTwo, kOutside, kConfounded, kUntestable, kInjected };
 std::string_view NameOf(CaseKind kind);
 
 /// The machine's numbers as the scenario has them.
 struct PlainMachine {
   Excavator excavator;
   PlainTracks tracks;
+  std::optional<RealDrive> real;  ///< into which some cases are injected; none: no such cases
   /// Throws InputError.
   static PlainMachine Read(const std::filesystem::path& machine_yaml) {
-    return {Excavator::Read(machine_yaml), PlainTracks::Read(machine_yaml)};
+    return {Excavator::Read(machine_yaml), PlainTracks::Read(machine_yaml), {}};
   }
 };
 
-/// One concealed case: what is hidden in the joints, or in the tracks.
+/// One concealed case: what is hidden in the joints, in the tracks, or in a real drive.
 struct BenchmarkCase {
   int number = 0;
   CaseKind kind = CaseKind::kNothing;
@@ -34,14 +36,15 @@ struct BenchmarkCase {
   std::vector<Concealed> hidden;
   std::optional<JointsCase> joints;
   std::optional<TracksCase> tracks;
+  std::optional<InjectedCase> injected;
 };
 
 /// Case `number` (from 0) of a benchmark.
 ///
 /// Model   kinds as 40 % nothing wrong, 26 one effect, 12 two, 8 outside the library, 6 confounded,
-///         4 untestable, each spread evenly over the numbers; the 4 % injected into a real
-///         recording are shared out among them. Of the first three kinds a quarter is of tracks.
-///         The real machine's numbers are off by up to 3 %.
+///         4 untestable, 4 injected into a real recording, each spread evenly over the numbers;
+///         without a real drive the last are shared out among the others. Of the first three kinds
+///         a quarter is of tracks. The simulated machine's numbers are off by up to 3 %.
 BenchmarkCase DrawCase(std::uint64_t seed, int number, const PlainMachine& nominal,
                        double duration_s);
 

@@ -13,16 +13,18 @@ struct Table {
   std::vector<std::vector<double>> rows;
 };
 
-/// What hidden effects change in a channel, over the deviation of its noise.
+/// What a hidden effect changes in a channel, over the deviation of its noise.
 struct Change {
   std::vector<double> t_s, over_noise;
   double Rms() const;
+  /// How long it changes the channel by more than the noise's deviation.
+  double Shows_s() const;
 };
 
 /// A case as it was driven and measured.
 struct CaseRecording {
   Table commands, encoders, poses;  ///< poses without columns: none
-  std::vector<Change> changes;      ///< for each of what is hidden
+  std::vector<Change> changes;      ///< for each of what is hidden, the others being there
   /// RMS of what measuring adds, by the names that the tool has for its channels.
   std::map<std::string, double> noise_rms;
 };

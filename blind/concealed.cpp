@@ -253,7 +253,7 @@ Hidden HideOutside(std::size_t axis, std::size_t other_axis, const Excavator& ex
   } else if (kind < 0.75) {
     hidden.form.ripple_share = 0.2 + 0.15 * size;
     hidden.form.ripple_cycles = 8;
-    concealed.form = "gain with eight waves a radian";
+    concealed.form = "gain that goes up and down with the angle, 8 rad a radian";
     concealed.variables = {"position/" + joint};
   } else {
     hidden.form.bristle_nm = (0.9 + 0.8 * size) * excavator.Inertias_kgm2(start_rad)[axis];

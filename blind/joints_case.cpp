@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "blind/recording_files.h"
@@ -55,6 +56,13 @@ Change ChangeOf(const Motion& with, const Motion& without, std::size_t axis,
 
 }  // namespace
 
+double Change::Shows_s() const {
+  if (t_s.size() < 2) return 0;
+  const auto loud = std::count_if(over_noise.begin(), over_noise.end(),
+                                  [](double x) { return std::abs(x) >= 1; });
+  return static_cast<double>(loud) / static_cast<double>(t_s.size()) * (t_s.back() - t_s.front());
+}
+
 double Change::Rms() const {
   double sum = 0;
   for (const double x : over_noise) sum += x * x;
@@ -78,10 +86,9 @@ CaseRecording RecordJoints(const JointsCase& joints, double duration_s, std::uin
     const std::string channel = fmt::format("{}/encoders/{}_radps", kName, kJoints[axis]);
     recording.noise_rms[channel] = NoiseOf(rows, motion, axis);
   }
-  if (joints.hidden_axes.empty()) return recording;
-  const Motion without = Move(joints.excavator, Forms{}, course, Replayed(motion), queue);
-  for (const std::size_t axis : joints.hidden_axes) {
-    recording.changes.push_back(ChangeOf(motion, without, axis, joints.noise));
+  for (const HiddenInJoint& hidden : joints.hidden) {
+    const Motion without = Move(joints.excavator, hidden.without, course, Replayed(motion), queue);
+    recording.changes.push_back(ChangeOf(motion, without, hidden.axis, joints.noise));
   }
   return recording;
 }

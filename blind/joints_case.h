@@ -11,6 +11,12 @@
 
 namespace tera::blind {
 
+/// One thing that is hidden: where, and how the joints would be without it.
+struct HiddenInJoint {
+  std::size_t axis = 0;
+  Forms without{};
+};
+
 /// Joints of an excavator that stands: how they are, how they are driven and measured.
 struct JointsCase {
   Forms forms{};
@@ -18,8 +24,8 @@ struct JointsCase {
   AxisValues start_rad{};
   Habit habit;
   EncoderNoise noise;
-  std::vector<std::size_t> measured;     ///< axes
-  std::vector<std::size_t> hidden_axes;  ///< of what is hidden, in its order
+  std::vector<std::size_t> measured;  ///< axes
+  std::vector<HiddenInJoint> hidden;
 };
 
 /// `name` is the case's, for its streams.

@@ -94,7 +94,9 @@ void MarkPlace(const BenchmarkCase& c, const CaseRecording& recording, const Ans
     mark->right_channel = true;
     mark->has_variable = mark->has_variable || !hidden.variables.empty();
     mark->right_variable = mark->right_variable || Contains(hidden.variables, first.variable);
-    mark->overlap = Overlap(WhereItShows(recording.changes[i], c.duration_s), first.intervals_s);
+    mark->overlap =
+        std::max(mark->overlap,
+                 Overlap(WhereItShows(recording.changes[i], c.duration_s), first.intervals_s));
   }
 }
 
@@ -140,6 +142,7 @@ Mark MarkAnswer(const BenchmarkCase& c, const CaseRecording& recording, const An
   }
   for (const Change& change : recording.changes) {
     mark.signal_to_noise = std::max(mark.signal_to_noise, change.Rms());
+    mark.shows_s = mark.shows_s > 0 ? std::min(mark.shows_s, change.Shows_s()) : change.Shows_s();
   }
   for (const Concealed& hidden : c.hidden) {
     mark.hidden.push_back(

@@ -32,7 +32,8 @@ struct Mark {
   Strength strength = Strength::kMedium;
   std::string fault;  ///< why there is no answer; empty: there is one
   double seconds = 0, recorded_s = 0;
-  double signal_to_noise = 0;  ///< of the loudest joint
+  double signal_to_noise = 0;  ///< of the loudest effect
+  double shows_s = 0;          ///< how long that which shows for least shows
 
   std::vector<std::string> hidden, answered;  ///< for the list of cases
   bool found_something = false;

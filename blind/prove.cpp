@@ -78,9 +78,10 @@ void WriteTables(const std::vector<Mark>& marks, std::uint64_t seed, const fs::p
 
 std::vector<Mark> Prove(const ProveOptions& options, const Tools& tools,
                         const std::function<void(const Mark&)>& progress) {
-  const PlainMachine nominal = PlainMachine::Read(options.machine_yaml);
+  PlainMachine nominal = PlainMachine::Read(options.machine_yaml);
+  if (!options.real_csv.empty()) nominal.real = RealDrive::Read(options.real_csv);
   std::vector<Mark> marks;
-  for (int number = 0; number < options.cases; ++number) {
+  for (int number = options.first - 1; number < options.first - 1 + options.cases; ++number) {
     const fs::path folder = options.out / fmt::format("case_{:04}", number + 1);
     marks.push_back(ProveCase(DrawCase(options.seed, number, nominal, options.duration_s),
                               options.seed, tools, folder));

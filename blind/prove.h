@@ -12,9 +12,11 @@ namespace tera::blind {
 
 struct ProveOptions {
   int cases = 50;
+  int first = 1;  ///< number of the first case, to run a part of a benchmark again
   std::uint64_t seed = 1;
   double duration_s = 45;              ///< of each recording
   std::filesystem::path machine_yaml;  ///< that the scenarios take
+  std::filesystem::path real_csv;      ///< a RealDrive (injected_case.h); empty: none
   std::filesystem::path out;           ///< must not exist
 };
 

@@ -26,6 +26,24 @@ void Write(const fs::path& file, const std::string& text) {
   }
 }
 
+/// Of a real vehicle: its effective gauge is known from elsewhere.
+std::string VehicleYaml(const BenchmarkCase& c) {
+  return fmt::format(R"(name: blind
+seed: 1
+duration_s: {}
+terrain: {{size_m: [120, 120], cell_m: 0.5, soil: asphalt}}
+machines:
+  - name: {}
+    machine: {}
+    operator: {{type: idle}}
+    ground: kinematic
+    rig: {{sensors: [{{name: encoders, preset: "tera:config/sensors/encoder.yaml", joints: [left_track, right_track]}}]}}
+effects:
+  {}: {{base: {{effective_gauge: {{ratio: 1.75}}}}}}
+)",
+                     c.duration_s, kName, kVehicle, kName);
+}
+
 /// Start, encoders, and the rings that the machine's file has and this machine has not.
 std::string ScenarioYaml(const BenchmarkCase& c) {
   std::string start, rings;
@@ -60,8 +78,12 @@ effects:
 }
 
 std::string DatasetYaml(const BenchmarkCase& c) {
+  const std::string commands =
+      c.injected ? "" : fmt::format("  - {{path: \"{}/commands.csv\", type: table}}\n", kName);
   const std::string pose =
-      c.tracks ? fmt::format("  - {{path: \"truth/{}/pose.csv\", type: pose}}\n", kName) : "";
+      c.tracks || c.injected
+          ? fmt::format("  - {{path: \"truth/{}/pose.csv\", type: pose}}\n", kName)
+          : "";
   return fmt::format(R"(format: 1
 tera_version: "0.1.0"
 name: "blind"
@@ -70,13 +92,12 @@ seed: 0
 duration_s: {}
 origin: {{lat_deg: 0, lon_deg: 0, height_m: 0}}
 channels:
-  - {{path: "{}/commands.csv", type: table}}
-  - {{path: "{}/encoders", type: encoder}}
+{}  - {{path: "{}/encoders", type: encoder}}
 {}classes:
   - {{id: 0, name: sky}}
 instances: []
 )",
-                     c.duration_s, kName, kName, pose);
+                     c.duration_s, commands, kName, pose);
 }
 
 std::string Csv(const Table& table) {
@@ -92,12 +113,13 @@ std::string SensorYaml() { return "type: encoder\nname: encoders\nrate_hz: 100\n
 }  // namespace
 
 void WriteCase(const BenchmarkCase& c, const CaseRecording& recording, const fs::path& folder) {
-  Write(folder / "scenario.yaml", ScenarioYaml(c));
+  Write(folder / "scenario.yaml", c.injected ? VehicleYaml(c) : ScenarioYaml(c));
   const fs::path data = folder / "recording";
-  Write(data / kName / "commands.csv", Csv(recording.commands));
+  if (!c.injected) Write(data / kName / "commands.csv", Csv(recording.commands));
   Write(data / kName / "encoders" / "data.csv", Csv(recording.encoders));
   Write(data / kName / "encoders" / "sensor.yaml", SensorYaml());
-  if (c.tracks) Write(data / "truth" / kName / "pose.csv", Csv(recording.poses));
+  if (!recording.poses.columns.empty())
+    Write(data / "truth" / kName / "pose.csv", Csv(recording.poses));
   Write(data / "dataset.yaml", DatasetYaml(c));
 }
 

@@ -12,6 +12,7 @@ namespace tera::blind {
 namespace {
 
 constexpr double kZ = 1.959964;  ///< of 95 %
+constexpr double kShows_s = 6;   ///< of an effect that a second one can be told by
 
 using Test = std::function<bool(const Mark&)>;
 
@@ -76,7 +77,13 @@ void AddNames(const std::vector<Mark>& marks, std::vector<Row>* rows) {
   rows->push_back(ShareOf(
       marks, "confident wrong name, all cases", "≤ 2 %", [](const Mark&) { return true; },
       &Mark::confident_wrong));
-  rows->push_back(ShareOf(marks, "two effects: both", "≥ 75 %", Is(CaseKind::kTwo),
+  const auto both_show = [](const Mark& mark) {
+    return mark.kind == CaseKind::kTwo && mark.shows_s >= kShows_s;
+  };
+  rows->push_back(ShareOf(marks,
+                          fmt::format("two effects, each showing for {:.0f} s: both", kShows_s),
+                          "≥ 75 %", both_show, [](const Mark& mark) { return mark.named == 2; }));
+  rows->push_back(ShareOf(marks, "two effects, all cases: both", "", Is(CaseKind::kTwo),
                           [](const Mark& mark) { return mark.named == 2; }));
   rows->push_back(ShareOf(marks, "two effects: at least one", "≥ 97 %", Is(CaseKind::kTwo),
                           [](const Mark& mark) { return mark.named >= 1; }));
@@ -88,6 +95,8 @@ void AddNames(const std::vector<Mark>& marks, std::vector<Row>* rows) {
                           &Mark::misnamed));
   rows->push_back(ShareOf(marks, "confounded: the true one in the class", "",
                           Is(CaseKind::kConfounded),
+                          [](const Mark& mark) { return mark.named == 1; }));
+  rows->push_back(ShareOf(marks, "injected into a real drive: named", "", Is(CaseKind::kInjected),
                           [](const Mark& mark) { return mark.named == 1; }));
   rows->push_back(ShareOf(marks, "untestable: nothing named", "", Is(CaseKind::kUntestable),
                           [](const Mark& mark) { return !mark.found_something; }));
@@ -248,6 +257,7 @@ std::string TableJson(const std::vector<Row>& rows, const std::vector<Mark>& mar
                                   {"fault", mark.fault},
                                   {"seconds", mark.seconds},
                                   {"signal_to_noise", mark.signal_to_noise},
+                                  {"shows_s", mark.shows_s},
                                   {"hidden", mark.hidden},
                                   {"answered", mark.answered},
                                   {"right_first", mark.right_first},

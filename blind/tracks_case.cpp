@@ -184,8 +184,9 @@ Concealed HideInTracks(const std::string& name, Strength strength, const Stream&
     concealed.alike = {"track_scale", "rolling_resistance"};
     concealed.variables = {"speed"};
   } else if (name == "track_scale") {
-    form->worn_left *= 1 - size(0.12, 0.06, 0.03);
-    form->worn_right = form->worn_left;
+    const double worn = 1 - size(0.12, 0.06, 0.03);
+    form->worn_left *= worn;
+    form->worn_right *= worn;
     concealed.form = "sprockets and shoes of another radius";
     concealed.alike = {"track_slip"};
     concealed.variables = {"speed"};
@@ -214,9 +215,9 @@ CaseRecording RecordTracks(const TracksCase& c, double duration_s, std::uint64_t
   recording.noise_rms[base + "forward_mps"] = TravelNoise_m(c.pose_noise) / kInterval_s;
   recording.noise_rms[base + "yaw_radps"] = TurnNoise_rad(c.pose_noise) / kInterval_s;
   if (hidden->empty()) return recording;
-  const Drive without = DriveAlong(c.tracks, TrackForm{}, duration_s, times, Replayed(drive));
-  for (Concealed& concealed : *hidden) {
-    SetTruth(c, drive, &concealed);
+  for (std::size_t i = 0; i < hidden->size(); ++i) {
+    SetTruth(c, drive, &(*hidden)[i]);
+    const Drive without = DriveAlong(c.tracks, c.without[i], duration_s, times, Replayed(drive));
     recording.changes.push_back(ChangeOf(drive, without, c.pose_noise));
   }
   return recording;

@@ -21,7 +21,8 @@ struct PoseNoise {
 /// A machine that drives: how its tracks are, how they are measured.
 struct TracksCase {
   TrackForm form;
-  PlainTracks tracks;  ///< numbers off from those of the scenario
+  std::vector<TrackForm> without;  ///< the same without each of what is hidden
+  PlainTracks tracks;              ///< numbers off from those of the scenario
   EncoderNoise noise;
   PoseNoise pose_noise;
 };

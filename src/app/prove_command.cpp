@@ -23,6 +23,7 @@ struct Arguments {
 void RunProve(Arguments* arguments) {
   RequireNewFolder(arguments->prove.out);
   arguments->prove.machine_yaml = PlaceOfInput(blind::kMachine, {});
+  arguments->prove.real_csv = PlaceOfInput(blind::kRealDrive, {});
   const auto diagnose = [&](const std::filesystem::path& scenario,
                             const std::filesystem::path& recording,
                             const std::filesystem::path& out) {
@@ -56,6 +57,8 @@ void AddProveCommand(CLI::App* app) {
   CLI::App* command = app->add_subcommand(
       "prove", "Conceal effects in recordings of another simulator and score what diagnose says");
   command->add_option("--cases", arguments->prove.cases, "How many")->check(CLI::Range(1, 100000));
+  command->add_option("--first", arguments->prove.first, "Number of the first of them")
+      ->check(CLI::Range(1, 100000));
   command->add_option("--seed", arguments->prove.seed, "Of what is concealed");
   command->add_option("--out", arguments->prove.out, "Folder to write, which must not exist")
       ->required();

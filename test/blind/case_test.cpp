@@ -10,6 +10,7 @@
 #include "blind/prove.h"
 #include "blind/recording_files.h"
 #include "blind/seal.h"
+#include "core/error.h"
 #include "own_folder.h"
 
 namespace tera::blind {
@@ -50,8 +51,8 @@ TEST(Case, HidesWhatItsKindSays) {
     }
     if (!c.joints) continue;
     EXPECT_GE(c.joints->measured.size(), 2u);
-    for (const std::size_t axis : c.joints->hidden_axes) {
-      EXPECT_THAT(c.joints->measured, testing::Contains(axis));
+    for (const HiddenInJoint& one : c.joints->hidden) {
+      EXPECT_THAT(c.joints->measured, testing::Contains(one.axis));
     }
   }
 }
@@ -80,6 +81,75 @@ TEST(Case, ShowsInTheMotionWhatItHides) {
       EXPECT_EQ(change.Rms() > 0.02, shows) << "case " << k;
     }
   }
+}
+
+TEST(Case, HidesBothOfTwoEffectsOfTracksInEitherOrder) {
+  const std::pair<const char*, const char*> orders[] = {{"track_asymmetry", "track_scale"},
+                                                        {"track_scale", "track_asymmetry"}};
+  for (const auto& [first, second] : orders) {
+    TrackForm form;
+    HideInTracks(first, Strength::kStrong, Stream(1, "first"), &form);
+    HideInTracks(second, Strength::kStrong, Stream(1, "second"), &form);
+    EXPECT_LT(form.worn_left, 0.97 * form.worn_right) << first;
+    EXPECT_LT(form.worn_left + form.worn_right, 1.94) << first;
+  }
+}
+
+TEST(Case, TellsWhatEachOfTwoEffectsChangesBesideTheOther) {
+  int cases = 0;
+  for (int k = 0; k < 60 && cases < 3; ++k) {
+    BenchmarkCase c = DrawCase(2, k, Tb235(), 26);
+    if (c.kind != CaseKind::kTwo || !c.joints || c.hidden[0].target != c.hidden[1].target) continue;
+    ++cases;
+    const CaseRecording recording = Record(&c, 2);
+    ASSERT_EQ(recording.changes.size(), 2u);
+    EXPECT_NE(recording.changes[0].Rms(), recording.changes[1].Rms()) << "case " << k;
+    EXPECT_LE(recording.changes[0].Shows_s(), 26) << "case " << k;
+  }
+  EXPECT_EQ(cases, 3);
+}
+
+constexpr const char* kDrive = "examples/recordings/drive_warthog/asphalt_2024-09-20.csv";
+
+TEST(InjectedCase, LeavesTheRealDriveAsItIsButForTheWheels) {
+  const RealDrive real = RealDrive::Read(kDrive);
+  EXPECT_EQ(real.t_s.size(), 8747u);
+  EXPECT_EQ(real.poses.columns.size(), 7u);
+  InjectedCase injected{real.Part(150, 60)};
+  EXPECT_NEAR(injected.drive.t_s.front(), 0, 0.06);
+  EXPECT_NEAR(injected.drive.t_s.back(), 60, 0.06);
+  const Concealed concealed =
+      HideInRealDrive("track_asymmetry", Strength::kStrong, Stream(1, "injected"), &injected);
+  EXPECT_EQ(concealed.target, "base");
+  const CaseRecording recording = RecordInjected(injected);
+  const double parts = injected.left / injected.right - 1;
+  EXPECT_GT(parts, 0.08);
+  EXPECT_LT(parts, 0.14);
+  ASSERT_EQ(recording.encoders.rows.size(), injected.drive.t_s.size());
+  for (std::size_t k = 0; k < recording.encoders.rows.size(); ++k) {
+    EXPECT_EQ(recording.encoders.rows[k][2], injected.left * injected.drive.left_radps[k]);
+    EXPECT_EQ(recording.encoders.rows[k][3], injected.right * injected.drive.right_radps[k]);
+  }
+  EXPECT_EQ(recording.poses.rows, injected.drive.poses.rows);
+  EXPECT_GT(recording.changes[0].Rms(), 0.5);
+}
+
+TEST(InjectedCase, IsDrawnWhereThereIsARealDriveAlone) {
+  PlainMachine with = Tb235();
+  with.real = RealDrive::Read(kDrive);
+  int injected = 0;
+  for (int k = 0; k < 100; ++k) {
+    injected += DrawCase(2, k, with, 45).kind == CaseKind::kInjected;
+    EXPECT_NE(DrawCase(2, k, Tb235(), 45).kind, CaseKind::kInjected);
+  }
+  EXPECT_NEAR(injected, 4, 1);
+}
+
+TEST(InjectedCase, NeedsTheColumnsOfTheDrive) {
+  EXPECT_THROW(RealDrive::Read("no/such.csv"), InputError);
+  const fs::path other = OwnFolder() / "other.csv";
+  std::ofstream(other) << "t_s,left\n0,1\n";
+  EXPECT_THROW(RealDrive::Read(other), InputError);
 }
 
 TEST(Seal, IsThePublishedDigest) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 #include <string>
@@ -115,6 +116,26 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"boom", "cylinder_lever: {reference_rad: 0.7}"},
                       Case{"boom", "pressure_droop: {stall_nm: 60000, response_s: 0.05}"},
                       Case{"arm", "backlash: {gap_rad: 0.02}"}));
+
+TEST(LoneAxisReplay, KnowsWhatItsPumpGivesToOthers) {
+  for (const std::string effect :
+       {"flow_sharing: {capacity: 0.35}", "power_limit: {power_w: 1200, regulator_s: 0.2}"}) {
+    Drive drive = Swaying("effects: {m: {pump_1: {" + effect + "}}}");
+    const MachineModel& model = drive.scenario.machines[0].placement.model;
+    const Recorded recorded = Record(&drive, 12);
+    const AxisLog log = MakeAxisLog(model, recorded.commands, {recorded.encoders}, 0.002);
+    const auto boom =
+        std::find_if(log.measured.begin(), log.measured.end(), [&](const MeasuredRate& measured) {
+          return measured.axis == static_cast<std::size_t>(model.JointIndex("boom"));
+        });
+    ASSERT_NE(boom, log.measured.end());
+    const LoneAxisReplay replay(model, log, *boom);
+    const double with = Rms(replay.Predict(replay.effects()), *boom);
+    const double without = Rms(replay.Predict({.axis = replay.effects().axis, .pump = {}}), *boom);
+    EXPECT_LT(with, 2e-3) << effect;
+    EXPECT_GT(without, 5 * with) << effect;
+  }
+}
 
 TEST(AxisLog, AsksForAnEncoderOfTheMachine) {
   Drive drive = Swaying("");

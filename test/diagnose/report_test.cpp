@@ -60,7 +60,7 @@ DiagnosedBlock Block(const std::string& name, const std::string& channel, const 
 }
 
 Regime RegimeOf(const std::string& variable, CurveShape shape) {
-  Regime regime{variable, 0.001, 0.5, shape, {}};
+  Regime regime{variable, false, 0.001, 0.5, shape, {}};
   regime.curve.at = Eigen::Vector3d(-0.5, 0, 0.5);
   regime.curve.mean = Eigen::Vector3d(-0.1, 0, 0.1);
   regime.curve.low = regime.curve.mean.array() - 0.02;
@@ -186,6 +186,14 @@ TEST(Sentence, OfTheUnexplainedSaysOnWhatItDepends) {
               HasSubstr("no known mechanism explains it (nor does a free curve). Left: 0.9 deg/s"));
 }
 
+TEST(Sentence, OfAnErrorThatIsAShareOfTheSimulatedValueSaysSo) {
+  DiagnosedBlock boom = BoomWithDeadBand();
+  boom.diagnosis.findings[0].location.regimes[0].is_share = true;
+  EXPECT_THAT(
+      SentenceOf(boom, boom.diagnosis.findings[0]),
+      HasSubstr("the error is a share of the simulated value that depends on |lever| < 0.2"));
+}
+
 TEST(Sentence, OfWhatWasNotConfirmedOrNotJudgedFollowsTheFindings) {
   DiagnosedBlock boom = BoomWithDeadBand();
   boom.diagnosis.unconfirmed = std::move(boom.diagnosis.findings);
@@ -257,6 +265,7 @@ TEST(DiagnosisJson, HasItsStructureInFixedOrderAndDigits) {
       ],
       "regime": {
         "variable": "lever/boom",
+        "error": "value",
         "low": -0.2,
         "high": 0.2,
         "shape": "odd local",

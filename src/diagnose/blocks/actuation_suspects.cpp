@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "diagnose/blocks/beats.h"
 #include "diagnose/blocks/suspect_list.h"
 #include "physics/actuation_mechanisms.h"
 #include "physics/slots/actuation.h"
 
 namespace tera {
 namespace {
+
+constexpr double kLeastTogether_s = 2;
 
 /// What an axis did in the log.
 struct Reach {
@@ -40,10 +44,29 @@ Reach ReachOf(const MachineModel& model, const AxisLog& log, std::size_t axis) {
   return reach;
 }
 
-void AddTimingAndMap(SuspectList* out) {
+/// Where to begin looking for a reader that looks once a period: too sharp a thing to be met with
+/// by chance, so where the rate itself changes to a beat. What lags behind makes the phase seem
+/// later.
+std::vector<std::vector<double>> HoldStarts(const AxisLog& log, std::size_t axis) {
+  std::vector<std::vector<double>> starts = {{0.05, 0.0}, {0.1, 0.0},  {0.1, 0.5},
+                                             {0.2, 0.0},  {0.2, 0.33}, {0.2, 0.67}};
+  for (const MeasuredRate& measured : log.measured) {
+    if (measured.axis != axis) continue;
+    std::vector<double> t_s;
+    for (const double step : measured.at_step) t_s.push_back(step * log.step_s);
+    for (const Beat& beat : BeatsOf(t_s, measured.rate_radps, {})) {
+      for (const double late : {0.0, 0.05, 0.1, 0.2}) {
+        const double phase = beat.phase - late;
+        starts.push_back({beat.period_s, phase - std::floor(phase)});
+      }
+    }
+  }
+  return starts;
+}
+
+void AddTimingAndMap(const std::vector<std::vector<double>>& holds, SuspectList* out) {
   out->Add("command_delay", {{0, 0, 0.8}}, {{0.04}, {0.1}, {0.2}, {0.35}});
-  out->Add("input_hold", {{0, 0.02, 0.6, true}, {1, 0, 1}},
-           {{0.05, 0.0}, {0.1, 0.0}, {0.1, 0.5}, {0.2, 0.0}, {0.2, 0.33}, {0.2, 0.67}});
+  out->Add("input_hold", {{0, 0.02, 0.6, true}, {1, 0, 1}}, holds);
   out->Add("lever_saturation", {{0, 0.2, 1}}, {{0.9}, {0.75}, {0.6}});
   out->Add("dead_band", {{0, 0, 0.5}, {1, -0.9, 0.9}},
            {{0.03, 0}, {0.08, 0}, {0.15, 0}, {0.25, 0}});
@@ -83,10 +106,28 @@ void AddGainAndLoad(const Reach& reach, SuspectList* out) {
   }
 }
 
+/// The pump's, where more was asked of it than the axis alone could ask.
+std::vector<Suspect> SuspectsOfPump(const MachineModel& model, const PumpDemand& demand) {
+  if (demand.together_s < kLeastTogether_s) return {};
+  const Pump& pump = model.pumps[demand.pump];
+  SuspectList out(pump.name, EffectTarget::kPump, EffectsAt(model.effects.pumps, demand.pump),
+                  ActuationMechanisms());
+  const double most = demand.most_m3ps / pump.max_flow_m3ps;
+  if (most > 0.05) {
+    out.Add("flow_sharing", {{0, 0.05, std::min(5.0, most)}},
+            {{0.9 * most}, {0.75 * most}, {0.6 * most}, {0.45 * most}});
+  }
+  const double w = demand.most_w;
+  if (w > 10) {
+    out.Add("power_limit", {{0, 0.1 * w, w}}, {{0.85 * w, 0.1}, {0.65 * w, 0.1}, {0.4 * w, 0.1}});
+  }
+  return out.Take();
+}
+
 }  // namespace
 
-std::vector<Suspect> SuspectsOfAxis(const MachineModel& model, const AxisLog& log,
-                                    std::size_t axis) {
+std::vector<Suspect> SuspectsOfAxis(const MachineModel& model, const AxisLog& log, std::size_t axis,
+                                    const std::optional<PumpDemand>& pump) {
   const std::size_t joints = model.joints.size();
   const Reach reach = ReachOf(model, log, axis);
   SuspectList out(
@@ -95,10 +136,14 @@ std::vector<Suspect> SuspectsOfAxis(const MachineModel& model, const AxisLog& lo
       reach.is_joint ? EffectsAt(model.effects.joints, axis)
                      : EffectsAt(model.effects.gears, axis - joints),
       ActuationMechanisms());
-  AddTimingAndMap(&out);
+  AddTimingAndMap(HoldStarts(log, axis), &out);
   AddActuator(reach, &out);
   AddGainAndLoad(reach, &out);
-  return out.Take();
+  std::vector<Suspect> suspects = out.Take();
+  if (pump) {
+    for (Suspect& suspect : SuspectsOfPump(model, *pump)) suspects.push_back(std::move(suspect));
+  }
+  return suspects;
 }
 
 }  // namespace tera

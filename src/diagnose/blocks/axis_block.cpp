@@ -21,6 +21,8 @@ constexpr double kStill_s =
     1;  ///< a rate that repeats itself for longer without a lever says nothing
 constexpr int kLags = 12;
 constexpr double kLongestLag_s = 0.8;
+constexpr std::size_t kOtherLevers = 4;  ///< variables of the axis itself come before them
+constexpr double kMoved = 0.05;          ///< of full lever
 /// Standard deviations: of rates, and of full effort over inertia, where effort, masses and their
 /// places are known to 3 % each, and inertia has the square of a place.
 constexpr double kNominalRate = 0.03, kNominalEffort = 0.07;
@@ -83,8 +85,25 @@ std::array<double, 5> ShapesOf(double u) {
   return {u, u * std::abs(u), beyond(0.1), beyond(0.25), u > 0 ? 1.0 : (u < 0 ? -1.0 : 0.0)};
 }
 
+/// The lever by time and by what the other levers do.
+Eigen::MatrixXd ByTimeAndOthers(const Series& lever, const std::vector<Series>& others) {
+  const auto rows = static_cast<Eigen::Index>(lever.size());
+  Eigen::MatrixXd columns(rows, static_cast<Eigen::Index>(2 + 2 * others.size()));
+  for (Eigen::Index k = 0; k < rows; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    const double u = lever.value[at], t = static_cast<double>(k) / static_cast<double>(rows);
+    Eigen::Index c = 0;
+    for (const double x : {u * t, u * t * t}) columns(k, c++) = x;
+    for (const Series& other : others) {
+      const double v = std::abs(other.value[at]);
+      for (const double x : {u * v, v > kMoved ? u : 0.0}) columns(k, c++) = x;
+    }
+  }
+  return columns;
+}
+
 /// The lever's shapes through lags, and the lever by position and load.
-Eigen::MatrixXd FreeMember(const Series& lever, const Series& position, const Series& load) {
+Eigen::MatrixXd ByLagAndPlace(const Series& lever, const Series& position, const Series& load) {
   const auto rows = static_cast<Eigen::Index>(lever.size());
   const double spread = std::max(RobustScale(position.value), 1e-9);
   const double middle = Median(position.value);
@@ -134,6 +153,28 @@ Eigen::MatrixXd NominalColumns(const LoneAxisReplay& replay, const SampleGrid& g
   return columns;
 }
 
+/// Of the variables below.
+Eigen::MatrixXd FreeMember(const std::vector<RegimeVariable>& variables) {
+  const Series& lever = variables[0].series;
+  std::vector<Series> others;
+  for (std::size_t v = kOtherLevers; v < variables.size(); ++v)
+    others.push_back(variables[v].series);
+  const Eigen::MatrixXd place = ByLagAndPlace(lever, variables[1].series, variables[2].series);
+  const Eigen::MatrixXd rest = ByTimeAndOthers(lever, others);
+  Eigen::MatrixXd columns(place.rows(), place.cols() + rest.cols());
+  columns << place, rest;
+  return columns;
+}
+
+/// Terms of slot flow act on the pump, all others on the axis.
+AxisEffects WithTerms(const AxisEffects& present, const Structure& terms) {
+  Structure of_axis, of_pump;
+  for (const Term& term : terms) {
+    (term.suspect->mechanism->slot == Slot::kFlow ? of_pump : of_axis).push_back(term);
+  }
+  return {WithTerms(present.axis, of_axis), WithTerms(present.pump, of_pump)};
+}
+
 std::string NameOfAxis(const MachineModel& model, std::size_t axis) {
   return axis < model.joints.size() ? model.joints[axis].name
                                     : model.ground_tools.gears[axis - model.joints.size()].name;
@@ -146,6 +187,7 @@ bool HasLever(const MachineModel& model, std::size_t axis) {
   });
 }
 
+/// Lever, position, load, time, and from kOtherLevers on the other levers.
 std::vector<RegimeVariable> VariablesOf(const MachineModel& model, const AxisLog& log,
                                         const MeasuredRate& measured, const SampleGrid& grid) {
   const std::size_t own = measured.axis;
@@ -188,8 +230,7 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   channel.measured = grid.SpreadSeries(measured.rate_radps, measured.is_free);
   channel.nuisances = {.offset = 1e-3, .gain = 0.005, .delay_s = 0.5 * grid.period_s};
   channel.variables = VariablesOf(model, log, measured, grid);
-  channel.free_member = FreeMember(channel.variables[0].series, channel.variables[1].series,
-                                   channel.variables[2].series);
+  channel.free_member = FreeMember(channel.variables);
   ReplayBlock block;
   const LoneAxisReplay replay(model, log, measured);
   channel.nominal = NominalColumns(replay, grid);
@@ -199,7 +240,7 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   // Other levers move the axis through its position and load alone, which are measured.
   block.commands = {channel.variables[0].series};
   block.channels.push_back(std::move(channel));
-  block.suspects = SuspectsOfAxis(model, log, axis);
+  block.suspects = SuspectsOfAxis(model, log, axis, replay.pump());
   block.predict = [replay, grid](const Structure& terms) {
     return std::vector<std::vector<double>>{
         grid.Spread(replay.Predict(WithTerms(replay.effects(), terms)))};

@@ -73,7 +73,11 @@ std::vector<std::vector<double>> AxisReplay::Predict(const MachineEffects& effec
 
 LoneAxisReplay::LoneAxisReplay(const MachineModel& model, const AxisLog& log,
                                const MeasuredRate& measured)
-    : model_(model), axis_(measured.axis), step_s_(log.step_s), at_step_(measured.at_step) {
+    : model_(model),
+      axis_(measured.axis),
+      step_s_(log.step_s),
+      at_step_(measured.at_step),
+      pump_(PumpDemandOf(model, log, measured.axis)) {
   for (std::size_t k = 0; k < log.steps; ++k) {
     lever_.push_back(log.levers_at(k)[axis_]);
     motion_.push_back(log.motions_at(k)[axis_]);
@@ -88,23 +92,34 @@ LoneAxisReplay::LoneAxisReplay(const MachineModel& model, const AxisLog& log,
   model_.frames.clear();
   model_.effects.joints.resize(model.joints.size());
   model_.effects.gears.resize(model.gear_drives.size());
+  model_.effects.pumps.resize(model.pumps.size());
 }
 
-const Effects& LoneAxisReplay::effects() const {
+AxisEffects LoneAxisReplay::effects() const {
   const std::size_t joints = model_.joints.size();
-  return axis_ < joints ? model_.effects.joints[axis_] : model_.effects.gears[axis_ - joints];
+  return {axis_ < joints ? model_.effects.joints[axis_] : model_.effects.gears[axis_ - joints],
+          pump_ ? model_.effects.pumps[pump_->pump] : Effects()};
 }
 
-std::vector<double> LoneAxisReplay::Predict(const Effects& effects, const Nominal& nominal) const {
+std::vector<double> LoneAxisReplay::Predict(const AxisEffects& effects,
+                                            const Nominal& nominal) const {
   const std::size_t joints = model_.joints.size();
   MachineModel model = model_;
-  (axis_ < joints ? model.effects.joints[axis_] : model.effects.gears[axis_ - joints]) = effects;
+  (axis_ < joints ? model.effects.joints[axis_] : model.effects.gears[axis_ - joints]) =
+      effects.axis;
   AxisActuation actuation = AxisActuationOf(model, axis_, {.machine = model.kind});
   const double full_nm = nominal.effort * FullEffort_nm(model, axis_);
+  PumpFlow flow(PumpFlowOf(effects.pump, pump_ ? model.pumps[pump_->pump].max_flow_m3ps : 0));
+  const bool is_shared = pump_ && !effects.pump.empty();
   double rate_radps = 0;
   SampledRate sampled(at_step_);
   for (std::size_t k = 0; k < lever_.size(); ++k) {
-    const double demand_radps = actuation.Demand(lever_[k], step_s_);
+    double demand_radps = actuation.Demand(lever_[k], step_s_);
+    if (is_shared) {
+      demand_radps *=
+          flow.Step(pump_->others_m3ps[k] + pump_->Own_m3ps(k, demand_radps),
+                    pump_->others_w[k] + actuation.Power_w(demand_radps, motion_[k]), step_s_);
+    }
     const double asked_radps =
         nominal.rate * actuation.Deliver(demand_radps, motion_[k], step_s_).rate_radps;
     rate_radps = Accelerated(rate_radps, asked_radps, full_nm, motion_[k].load_nm, inertia_kgm2_[k],

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "diagnose/replay/axis_log.h"
+#include "diagnose/replay/pump_demand.h"
 
 namespace tera {
 
@@ -13,8 +14,9 @@ namespace tera {
 /// Model   Actuation over the steps of the log; a joint runs as its drive asks, as fast as its full
 ///         effort less its load accelerates what is beyond it.
 /// Omits   joints that the ground or their end stops hold up; the inertia of other joints that move
-///         and of the gears; limits of effort by position and direction; `payload`, whose weight is
-///         not in the log's loads; which messages `command_drops` lost, for it draws its own.
+///         or give way and of the gears; limits of effort by position and direction; `payload`,
+///         whose weight is not in the log's loads; which messages `command_drops` lost, for it
+///         draws its own.
 class AxisReplay {
  public:
   /// Both must outlive it.
@@ -29,8 +31,14 @@ class AxisReplay {
   const AxisLog& log_;
 };
 
-/// The chain of one axis, with pumps that deliver all that is asked of them: what a search
-/// evaluates thousands of times.
+/// Of an axis, and of the pump that feeds it.
+struct AxisEffects {
+  Effects axis, pump;
+};
+
+/// The chain of one axis: what a search evaluates thousands of times. What the pump's other
+/// functions ask of it is taken as it is (pump_demand.h); an axis that several pumps feed gets all
+/// that it asks for.
 class LoneAxisReplay {
  public:
   /// Of the axis of one of the log's measured rates, or of some of its samples. All are copied as
@@ -42,12 +50,15 @@ class LoneAxisReplay {
     double rate = 1, effort = 1;
   };
 
-  /// Rates at the measured rate's times, with `effects` in place of the axis's own.
-  std::vector<double> Predict(const Effects& effects, const Nominal& nominal) const;
-  std::vector<double> Predict(const Effects& effects) const { return Predict(effects, Nominal()); }
+  /// Rates at the measured rate's times, with `effects` in place of those that the model has.
+  std::vector<double> Predict(const AxisEffects& effects, const Nominal& nominal) const;
+  std::vector<double> Predict(const AxisEffects& effects) const {
+    return Predict(effects, Nominal());
+  }
 
-  /// What the axis has.
-  const Effects& effects() const;
+  /// What the model has.
+  AxisEffects effects() const;
+  const std::optional<PumpDemand>& pump() const { return pump_; }
 
  private:
   MachineModel model_;
@@ -56,6 +67,7 @@ class LoneAxisReplay {
   std::vector<double> lever_, at_step_;
   std::vector<AxisMotion> motion_;
   std::vector<double> inertia_kgm2_;
+  std::optional<PumpDemand> pump_;
 };
 
 }  // namespace tera

@@ -22,9 +22,8 @@ Json EmptyAnswer(const BaselineAnswer& answer) {
 
 void Add(const std::vector<std::string>& channels, const BaselineAnswer& answer, Json* method) {
   if (answer.found) (*method)["found"] = true;
-  for (const Suspect* suspect : answer.names) {
-    (*method)["names"].push_back(
-        {{"mechanism", std::string(suspect->mechanism->id)}, {"target", suspect->target}});
+  for (const NamedMechanism& name : answer.names) {
+    (*method)["names"].push_back({{"mechanism", name.mechanism}, {"target", name.target}});
   }
   Put(channels, answer.rmse_final, &(*method)["rmse"]);
 }

@@ -150,7 +150,7 @@ std::string ResidualFigure(const DiagnosedBlock& diagnosed, const Location& loca
 std::string RegimeFigure(const DiagnosedBlock& diagnosed, const Location& location,
                          const Regime& regime, const std::string& error) {
   const Channel& channel = diagnosed.block.channels[location.channel];
-  const ReadableUnit y_unit = ReadableUnitOf(channel.unit);
+  const ReadableUnit y_unit = ReadableUnitOf(regime.is_share ? "1" : channel.unit);
   const ReadableUnit x_unit = ReadableUnitOf(UnitOfVariable(regime.variable, channel.unit));
   const RegimeCurve& curve = regime.curve;
   std::vector<PlotPoint> mean, low, high, counts;
@@ -168,8 +168,11 @@ std::string RegimeFigure(const DiagnosedBlock& diagnosed, const Location& locati
   SvgPlot plot("error as a function of " + regime.variable,
                Widened(mean.front().x, mean.back().x,
                        LabelWithUnit(VariableText(regime.variable, diagnosed.block), x_unit)),
-               RangeOf({low, high, {{0, 0}}}, 0, LabelWithUnit("error less its mean", y_unit)), 480,
-               280);
+               RangeOf({low, high, {{0, 0}}}, 0,
+                       LabelWithUnit(regime.is_share ? "error over simulated value, less its mean"
+                                                     : "error less its mean",
+                                     y_unit)),
+               480, 280);
   const CurveShape& shape = regime.shape;
   if (shape.low < shape.high && !shape.outside) {
     plot.Shade(x_unit.factor * shape.low, x_unit.factor * shape.high, "shade");
@@ -186,7 +189,8 @@ std::string RegimeFigure(const DiagnosedBlock& diagnosed, const Location& locati
     plot.Band(low, high, "band");
     plot.Line(mean, "line before");
   }
-  return Figure(plot.Take(), fmt::format("{} depends on {} ({}). ", Escaped(error),
+  return Figure(plot.Take(), fmt::format("{} {} on {} ({}). ", Escaped(error),
+                                         regime.is_share ? "as a share depends" : "depends",
                                          Escaped(RegimeText(regime, diagnosed, location.channel)),
                                          Escaped(ProbabilityText(regime.p))) +
                                  Key("band", "90 % band") + Key("visited", "how often visited"));

@@ -47,6 +47,7 @@ Json RegimeOf(const Location& location) {
   const Regime& regime = location.regimes.front();
   const bool has_range = regime.shape.form != CurveForm::kNone;
   return {{"variable", regime.variable},
+          {"error", regime.is_share ? "share of simulated" : "value"},
           {"low", has_range ? Number(regime.shape.low) : Json(nullptr)},
           {"high", has_range ? Number(regime.shape.high) : Json(nullptr)},
           {"shape", ShapeOf(regime.shape)},

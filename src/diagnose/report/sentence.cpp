@@ -88,16 +88,22 @@ bool HasRange(CurveForm form) {
 std::string DependenceText(const DiagnosedBlock& diagnosed, const Location& location) {
   if (location.regimes.empty()) return "depends on nothing that was recorded";
   const Regime& first = location.regimes.front();
+  const std::string depends =
+      first.is_share ? "is a share of the simulated value that depends" : "depends";
   std::string text = RegimeText(first, diagnosed, location.channel);
   if (first.p > kSignificant)
-    return fmt::format("depends most on {} ({})", text, ProbabilityText(first.p));
+    return fmt::format("{} most on {} ({})", depends, text, ProbabilityText(first.p));
   std::vector<std::string> others;
   for (std::size_t r = 1; r < location.regimes.size(); ++r) {
     if (location.regimes[r].p > kSignificant) continue;
-    others.push_back(VariableText(location.regimes[r].variable, diagnosed.block));
+    const std::string name = VariableText(location.regimes[r].variable, diagnosed.block);
+    if (name != VariableText(first.variable, diagnosed.block) &&
+        std::find(others.begin(), others.end(), name) == others.end()) {
+      others.push_back(name);
+    }
   }
   if (!others.empty()) text += fmt::format(", and on {}", fmt::join(others, " and "));
-  return "depends on " + text;
+  return fmt::format("{} on {}", depends, text);
 }
 
 /// The number that a mechanism cannot be without, where it is the first and only one, goes by the

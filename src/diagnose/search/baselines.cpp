@@ -254,7 +254,9 @@ std::vector<BaselineAnswer> BaselinesOf(const ReplayBlock& block, int threads,
   }
   const GreedySearch search(block, parts, seen, threads);
   const Structure found = search.Run();
-  for (const Term& term : found) greedy.names.push_back(term.suspect);
+  for (const Term& term : found) {
+    greedy.names.push_back({std::string(term.suspect->mechanism->id), term.suspect->target});
+  }
   greedy.found = !found.empty();
   greedy.rmse_final = search.RmseOf(found, &Parts::final);
   return {std::move(tuned), std::move(greedy), std::move(sparse), std::move(black_box)};

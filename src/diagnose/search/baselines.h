@@ -8,13 +8,18 @@
 
 namespace tera {
 
+/// A mechanism and what it acts on.
+struct NamedMechanism {
+  std::string mechanism, target;
+};
+
 /// What a simpler method makes of a block, to hold the diagnosis against.
 struct BaselineAnswer {
   std::string method;
   bool gives_findings = false;        ///< it can say that something is wrong
   bool gives_names = false;           ///< and by which mechanism
   bool found = false;                 ///< something is, as it says
-  std::vector<const Suspect*> names;  ///< of a method that names, the first taken first
+  std::vector<NamedMechanism> names;  ///< of a method that names, the first taken first
   std::vector<double> rmse_final;     ///< one a channel: what it leaves of FINAL
 };
 

@@ -14,21 +14,42 @@ struct Told {
   double p, share;
 };
 
-/// The variables that were taken in; if none, for want of shifts, the one of the largest share.
+/// The variables that were taken in; if none, for want of shifts, the one of the best criterion.
 std::vector<Told> Telling(const Partialling& found) {
   std::vector<Told> telling;
   for (const PartiallingStep& step : found.steps) {
     telling.push_back({step.variable, step.p_adjusted, step.share});
   }
   if (!telling.empty()) return telling;
-  Told most{0, 1, kLeastShare};
+  Told most{0, 1, 0};
+  double best = kLeastShare;
   for (std::size_t v = 0; v < found.left.size(); ++v) {
     const RegimeTestResult& test = found.left[v];
-    if (test.comparison.shifts == 0 || test.share < most.share) continue;
+    if (test.comparison.shifts == 0 || test.criterion < best) continue;
+    best = test.criterion;
     most = {v, test.comparison.p, test.share};
   }
-  if (most.share > kLeastShare) telling.push_back(most);
+  if (best > kLeastShare) telling.push_back(most);
   return telling;
+}
+
+/// The channel's variables, and each again as what a share of the simulated value may depend on.
+std::vector<RegimeVariable> VariablesAndShares(const Channel& channel, const Series& residual) {
+  std::vector<double> simulated(residual.size(), 0.0);
+  for (std::size_t k = 0; k < residual.size(); ++k) {
+    if (residual.valid[k]) simulated[k] = channel.measured.value[k] - residual.value[k];
+  }
+  std::vector<RegimeVariable> variables = channel.variables;
+  for (const RegimeVariable& variable : channel.variables) {
+    variables.push_back(variable);
+    variables.back().times = simulated;
+  }
+  return variables;
+}
+
+/// What is known when a variable is asked: what came before, and what its curve is multiplied with.
+Eigen::MatrixXd KnownBefore(const Eigen::MatrixXd& known, const RegimeAxis& axis) {
+  return axis.has_times() ? WithColumns(known, axis.times()) : known;
 }
 
 }  // namespace
@@ -38,17 +59,17 @@ Location Locate(const Channel& channel, std::size_t index, const Series& residua
   Location location{index, {}, {}};
   location.intervals = FindChangePoints(Whiten(noise, residual).Steady(), noise.dof).mismatch;
   if (channel.variables.empty()) return location;
-  const Partialling found = SelectRegimes(residual, noise, channel.variables, {}, stream);
+  const std::vector<RegimeVariable> variables = VariablesAndShares(channel, residual);
+  const Partialling found = SelectRegimes(residual, noise, variables, {}, stream);
   Eigen::MatrixXd known(static_cast<Eigen::Index>(residual.size()), 0);
   for (const auto& [index_of_variable, p, share] : Telling(found)) {
-    const RegimeVariable& variable = channel.variables[index_of_variable];
-    Regime regime{variable.name, p, share, {}, {}};
-    regime.curve = FitRegimeCurve(residual, noise, known, variable, {}, stream);
+    const RegimeVariable& variable = variables[index_of_variable];
+    const RegimeAxis axis(variable);
+    Regime regime{variable.name, axis.has_times(), p, share, {}, {}};
+    regime.curve = FitRegimeCurve(residual, noise, KnownBefore(known, axis), variable, {}, stream);
     regime.shape = ClassifyCurve(regime.curve);
     location.regimes.push_back(std::move(regime));
-    const Eigen::MatrixXd columns = KnownColumns(RegimeAxis(variable));
-    known.conservativeResize(Eigen::NoChange, known.cols() + columns.cols());
-    known.rightCols(columns.cols()) = columns;
+    known = WithColumns(known, KnownColumns(axis));
   }
   return location;
 }

@@ -15,8 +15,9 @@ namespace tera {
 /// Of what a channel's error is a function, and of which shape.
 struct Regime {
   std::string variable;
-  double p = 1;      ///< Holm over the variables
-  double share = 0;  ///< of the whitened residual's energy
+  bool is_share = false;  ///< the curve is of the error over the simulated value
+  double p = 1;           ///< Holm over the variables
+  double share = 0;       ///< of the whitened residual's energy
   CurveShape shape;
   RegimeCurve curve;
 };
@@ -29,7 +30,8 @@ struct Location {
 };
 
 /// Locates the residual of a channel in time (change_points.h) and among the channel's variables
-/// (partialling.h, regime_curve.h). Where no variable is significant, as in a recording too short
+/// (partialling.h, regime_curve.h): each as it is, and as what a share of the simulated value
+/// depends on. Where no variable is significant, as in a recording too short
 /// for enough shifts, the one that explains most is given with its p as it is.
 Location Locate(const Channel& channel, std::size_t index, const Series& residual,
                 const NoiseModel& noise, const Stream& stream);

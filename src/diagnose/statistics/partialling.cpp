@@ -7,8 +7,37 @@
 namespace tera {
 namespace {
 
-std::vector<RegimeTestResult> TestAll(const RegimeDesign& design,
-                                      const std::vector<RegimeProbe>& probes,
+/// Asks variables for what they say beyond what is known.
+class Tester {
+ public:
+  Tester(const Series& residual, const NoiseModel& noise, const Eigen::MatrixXd& known)
+      : residual_(residual), noise_(noise), known_(known), plain_(residual, noise, known) {}
+
+  RegimeTestResult Test(const RegimeProbe& probe, const RegimeTestOptions& options,
+                        const Stream& stream) {
+    if (!probe.axis().has_times()) return TestRegime(plain_, probe, options, stream);
+    const Eigen::VectorXd& times = probe.axis().times();
+    if (!with_times_ || times_ != times) {
+      times_ = times;
+      with_times_.emplace(residual_, noise_, WithColumns(known_, times));
+    }
+    RegimeTestResult test = TestRegime(*with_times_, probe, options, stream);
+    const double energy = with_times_->psi_variance() / plain_.psi_variance();
+    test.share *= energy;
+    test.criterion *= energy;
+    return test;
+  }
+
+ private:
+  const Series& residual_;
+  const NoiseModel& noise_;
+  const Eigen::MatrixXd& known_;
+  const RegimeDesign plain_;
+  Eigen::VectorXd times_;
+  std::optional<RegimeDesign> with_times_;  ///< knows `times_` too
+};
+
+std::vector<RegimeTestResult> TestAll(Tester tester, const std::vector<RegimeProbe>& probes,
                                       const std::vector<bool>& taken,
                                       const RegimeTestOptions& options, const Stream& stream) {
   std::vector<RegimeTestResult> tests;
@@ -16,13 +45,13 @@ std::vector<RegimeTestResult> TestAll(const RegimeDesign& design,
     if (taken[v]) {
       tests.push_back({probes[v].name(), {}, 0});
     } else {
-      tests.push_back(TestRegime(design, probes[v], options, stream));
+      tests.push_back(tester.Test(probes[v], options, stream));
     }
   }
   return tests;
 }
 
-/// The significant one of the largest share.
+/// The significant one of the best criterion.
 std::optional<PartiallingStep> Best(const std::vector<RegimeTestResult>& tests,
                                     const std::vector<bool>& taken, double alpha) {
   std::vector<std::size_t> open;
@@ -35,10 +64,12 @@ std::optional<PartiallingStep> Best(const std::vector<RegimeTestResult>& tests,
   const std::vector<double> adjusted = HolmAdjusted(p);
   std::optional<PartiallingStep> best;
   for (std::size_t k = 0; k < open.size(); ++k) {
-    const double share = tests[open[k]].share;
-    if (adjusted[k] > alpha || (best && share <= best->share)) continue;
-    best = PartiallingStep{open[k], adjusted[k], share, tests};
+    const RegimeTestResult& test = tests[open[k]];
+    if (adjusted[k] > alpha || (best && test.criterion <= tests[best->variable].criterion))
+      continue;
+    best = PartiallingStep{open[k], adjusted[k], test.share, {}};
   }
+  if (best) best->tests = tests;
   return best;
 }
 
@@ -48,9 +79,16 @@ Eigen::MatrixXd KnownColumns(const RegimeAxis& axis) {
   const Eigen::MatrixXd splines = axis.Splines(20);
   Eigen::MatrixXd columns(static_cast<Eigen::Index>(axis.samples()), splines.cols());
   for (Eigen::Index k = 0; k < columns.rows(); ++k) {
-    columns.row(k) = splines.row(axis.bin()[static_cast<std::size_t>(k)]);
+    columns.row(k) = axis.times()[k] * splines.row(axis.bin()[static_cast<std::size_t>(k)]);
   }
   return columns;
+}
+
+Eigen::MatrixXd WithColumns(const Eigen::MatrixXd& known, const Eigen::MatrixXd& columns) {
+  Eigen::MatrixXd out(columns.rows(), known.cols() + columns.cols());
+  if (known.cols() > 0) out.leftCols(known.cols()) = known;
+  out.rightCols(columns.cols()) = columns;
+  return out;
 }
 
 Partialling SelectRegimes(const Series& residual, const NoiseModel& noise,
@@ -63,17 +101,15 @@ Partialling SelectRegimes(const Series& residual, const NoiseModel& noise,
   Eigen::MatrixXd known(static_cast<Eigen::Index>(residual.size()), 0);
   Partialling out;
   while (true) {
-    const RegimeDesign design(residual, noise, known);
-    std::vector<RegimeTestResult> tests = TestAll(design, probes, taken, options.test, stream);
+    std::vector<RegimeTestResult> tests =
+        TestAll(Tester(residual, noise, known), probes, taken, options.test, stream);
     const std::optional<PartiallingStep> best = Best(tests, taken, options.alpha);
     if (!best || out.steps.size() == options.most) {
       out.left = std::move(tests);
       return out;
     }
     taken[best->variable] = true;
-    const Eigen::MatrixXd columns = KnownColumns(probes[best->variable].axis());
-    known.conservativeResize(Eigen::NoChange, known.cols() + columns.cols());
-    known.rightCols(columns.cols()) = columns;
+    known = WithColumns(known, KnownColumns(probes[best->variable].axis()));
     out.steps.push_back(*best);
   }
 }

@@ -31,7 +31,9 @@ struct Partialling {
 ///
 /// Model   forward selection: each step tests every variable not in yet given those that are
 ///         (regime_test.h), adjusts p_tail by Holm over them, and of those at or below alpha takes
-///         in the one that explains the largest share of whitened energy, with twenty splines.
+///         in the one of the best criterion, the largest share of whitened energy for its size,
+///         with twenty splines. Variables whose functions are multiplied are tested
+///         given what they are multiplied with: a constant share is no dependence on them.
 /// Omits   products of variables; removal of a variable that a later one makes superfluous.
 ///
 /// All series have the residual's length.
@@ -39,7 +41,10 @@ Partialling SelectRegimes(const Series& residual, const NoiseModel& noise,
                           const std::vector<RegimeVariable>& variables,
                           const PartiallingOptions& options, const Stream& stream);
 
-/// Twenty splines of the variable, sample by sample: what a design takes as known.
+/// Splines of the variable, sample by sample: what a design takes as known.
 Eigen::MatrixXd KnownColumns(const RegimeAxis& axis);
+
+/// Columns side by side; `known` may have none.
+Eigen::MatrixXd WithColumns(const Eigen::MatrixXd& known, const Eigen::MatrixXd& columns);
 
 }  // namespace tera

@@ -42,8 +42,15 @@ double CubicBSpline(double x) {
 
 }  // namespace
 
-RegimeAxis::RegimeAxis(const RegimeVariable& variable) : angle_(variable.angle) {
+RegimeAxis::RegimeAxis(const RegimeVariable& variable)
+    : times_(Eigen::VectorXd::Ones(static_cast<Eigen::Index>(variable.series.size()))),
+      angle_(variable.angle),
+      has_times_(!variable.times.empty()) {
   TERA_CHECK(variable.series.size() > 0);
+  if (has_times_) {
+    TERA_CHECK(variable.times.size() == variable.series.size(), variable.times.size());
+    times_ = Eigen::Map<const Eigen::VectorXd>(variable.times.data(), times_.size());
+  }
   std::vector<double> value = BridgedValues(variable.series);
   const std::vector<double> levels = LevelsOf(variable.series);
   bin_.resize(value.size());
@@ -117,7 +124,7 @@ Eigen::VectorXd SumByBin(const RegimeAxis& axis, const Eigen::VectorXd& value) {
   TERA_CHECK(static_cast<std::size_t>(value.size()) == axis.samples(), value.size());
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(axis.bins());
   for (Eigen::Index k = 0; k < value.size(); ++k) {
-    sum[axis.bin()[static_cast<std::size_t>(k)]] += value[k];
+    sum[axis.bin()[static_cast<std::size_t>(k)]] += axis.times()[k] * value[k];
   }
   return sum;
 }

@@ -15,6 +15,9 @@ struct RegimeVariable {
   std::string name;
   Series series;
   bool angle = false;  ///< radians, periodic with 2 pi
+  /// Sample by sample what a function of the variable is multiplied with, such as the simulated
+  /// value where the error may be a share of it; empty: the function itself is asked for.
+  std::vector<double> times = {};
 };
 
 /// A variable cut into bins, and smooth functions over them.
@@ -39,6 +42,9 @@ class RegimeAxis {
   double width() const { return width_; }
   bool angle() const { return angle_; }
   bool discrete() const { return discrete_; }
+  /// What a function of the variable is multiplied with; ones where there is nothing.
+  const Eigen::VectorXd& times() const { return times_; }
+  bool has_times() const { return has_times_; }
   /// Samples after which the variable has changed (robust.h); of it and of its distance from its
   /// mean.
   std::size_t correlation_length() const { return correlation_length_; }
@@ -49,14 +55,14 @@ class RegimeAxis {
   Eigen::MatrixXd Roughness(Eigen::Index wanted) const;
 
  private:
-  Eigen::VectorXd centre_, count_;
+  Eigen::VectorXd centre_, count_, times_;
   std::vector<std::uint8_t> bin_;
   double width_ = 0;
-  bool angle_ = false, discrete_ = false;
+  bool angle_ = false, discrete_ = false, has_times_ = false;
   std::size_t correlation_length_ = 1;
 };
 
-/// sum of `value` in each bin.
+/// sum of `value` times `times` in each bin: what each bin's column says of it.
 Eigen::VectorXd SumByBin(const RegimeAxis& axis, const Eigen::VectorXd& value);
 
 }  // namespace tera

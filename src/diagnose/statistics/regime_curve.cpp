@@ -16,7 +16,9 @@ constexpr int kSteps = 6;
 Series Less(const Series& residual, const RegimeAxis& axis, const Eigen::VectorXd& curve) {
   Series out = residual;
   for (std::size_t k = 0; k < out.size(); ++k) {
-    if (out.valid[k]) out.value[k] -= curve[axis.bin()[k]];
+    if (out.valid[k]) {
+      out.value[k] -= axis.times()[static_cast<Eigen::Index>(k)] * curve[axis.bin()[k]];
+    }
   }
   return out;
 }
@@ -69,7 +71,9 @@ Eigen::MatrixXd BlockScores(const RegimeDesign& design, const RegimeAxis& axis,
     for (std::size_t t = blocks[b].begin; t < blocks[b].end; ++t) {
       if (!design.filter().rows()[t]) continue;
       const double psi = design.psi()[static_cast<Eigen::Index>(t)];
-      for (std::size_t i = 0; i < taps.size(); ++i) sum[axis.bin()[t - i]] += taps[i] * psi;
+      for (std::size_t i = 0; i < taps.size(); ++i) {
+        sum[axis.bin()[t - i]] += axis.times()[static_cast<Eigen::Index>(t - i)] * taps[i] * psi;
+      }
     }
     const auto begin = static_cast<Eigen::Index>(blocks[b].begin);
     const auto length = static_cast<Eigen::Index>(blocks[b].size());

@@ -16,11 +16,12 @@ struct RegimeCurveOptions {
 
 /// How a residual depends on a variable, E[residual | variable], with what is known held fixed.
 ///
-/// Model   penalised cubic B-splines (20) by generalised least squares with Huber's function; the
+/// Model   penalised cubic B-splines (20) by generalised least squares with Huber's
+/// function; the
 ///         penalty by generalised cross-validation; centred so that its mean over the samples is 0.
 ///         Band: blocks of the scores drawn with replacement, the estimate moved by its
 ///         linearisation; `low` and `high` hold the whole curve over the occupied bins with the
-///         given confidence.
+///         given confidence. Of a variable whose functions are multiplied, the curve is the factor.
 /// Omits   the bias of smoothing; the offset, which a coloured residual hardly determines.
 /// Source  Eilers and Marx 1996; Craven and Wahba 1979; Künsch 1989.
 struct RegimeCurve {

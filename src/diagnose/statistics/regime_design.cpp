@@ -84,7 +84,7 @@ Eigen::MatrixXd WhitenedGram(const RegimeAxis& axis, const WhiteningFilter& filt
     for (std::size_t i = 0; i < taps.size(); ++i) {
       const std::uint8_t b = bin[t - i];
       if (std::find(touched.begin(), touched.end(), b) == touched.end()) touched.push_back(b);
-      weight[b] += taps[i];
+      weight[b] += taps[i] * axis.times()[static_cast<Eigen::Index>(t - i)];
     }
     for (const std::uint8_t a : touched) {
       for (const std::uint8_t b : touched) gram(a, b) += weight[a] * weight[b];

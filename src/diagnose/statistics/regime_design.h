@@ -50,7 +50,7 @@ class RegimeDesign {
   double psi_variance_ = 0, unclipped_ = 1;
 };
 
-/// B' A' A B for the bins of an axis.
+/// B' A' A B for the bins of an axis, B with what its functions are multiplied with.
 Eigen::MatrixXd WhitenedGram(const RegimeAxis& axis, const WhiteningFilter& filter);
 
 }  // namespace tera

@@ -65,11 +65,10 @@ Eigen::VectorXd ShiftedSumByBin(const RegimeAxis& axis, const Eigen::VectorXd& s
 
 RegimeProbe::RegimeProbe(const RegimeVariable& variable, const WhiteningFilter& filter)
     : name_(variable.name), axis_(variable), gram_(WhitenedGram(axis_, filter)) {
-  const Eigen::VectorXd ones =
-      filter.Apply(Eigen::VectorXd::Ones(static_cast<Eigen::Index>(axis_.samples())));
-  const Eigen::VectorXd cross = SumByBin(axis_, filter.Transposed(ones));
+  const Eigen::VectorXd constant = filter.Apply(axis_.times());
+  const Eigen::VectorXd cross = SumByBin(axis_, filter.Transposed(constant));
   const Eigen::MatrixXd centred =
-      gram_ - cross * cross.transpose() / std::max(ones.squaredNorm(), 1e-300);
+      gram_ - cross * cross.transpose() / std::max(constant.squaredNorm(), 1e-300);
 
   const Eigen::MatrixXd splines = axis_.Splines(kSplines);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> information(splines.transpose() * centred *
@@ -106,14 +105,16 @@ RegimeTestResult TestRegime(const RegimeDesign& design, const RegimeProbe& probe
   };
   const Eigen::VectorXd observed =
       unit * remainder.normalise * (directions.transpose() * SumByBin(axis, design.score()));
-  out.share = std::max(0.0, (observed.squaredNorm() - remainder.directions) /
-                                static_cast<double>(design.filter().row_count()));
+  const auto rows = static_cast<double>(design.filter().row_count());
+  out.share = std::max(0.0, (observed.squaredNorm() - remainder.directions) / rows);
+  out.criterion = (observed.squaredNorm() - remainder.directions * std::log(rows)) / rows;
 
   const std::size_t least = std::max(axis.correlation_length(), 2 * design.filter().taps().size());
   const CircularShifts shifts(axis.samples(), least, options.shifts, options.block, stream);
+  const Eigen::VectorXd score = axis.times().cwiseProduct(design.score());
   std::vector<double> shifted(shifts.count());
   for (std::size_t k = 0; k < shifts.count(); ++k) {
-    const Eigen::VectorXd sum = ShiftedSumByBin(axis, design.score(), shifts, k);
+    const Eigen::VectorXd sum = ShiftedSumByBin(axis, score, shifts, k);
     shifted[k] = energy(unit * remainder.project * (directions.transpose() * sum));
   }
   out.comparison = CompareWithShifts(energy(observed), std::move(shifted));

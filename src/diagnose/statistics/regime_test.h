@@ -19,7 +19,7 @@ struct RegimeTestOptions {
 ///
 /// Model   ten B-splines in the basis in which both their information under the noise and their
 ///         roughness are diagonal (Demmler and Reinsch), weighted to five effective degrees of
-///         freedom.
+///         freedom. A constant, times what the functions are multiplied with, is taken out.
 class RegimeProbe {
  public:
   RegimeProbe(const RegimeVariable& variable, const WhiteningFilter& filter);
@@ -43,9 +43,11 @@ struct RegimeTestResult {
   ShiftComparison comparison;  ///< statistic: weighted score, mean 5 if the variable says nothing
   double share =
       0;  ///< of the whitened residual's energy that the variable explains, beyond chance
+  double criterion = 0;  ///< the same, but log(rows) for each direction (Schwarz 1978)
 };
 
-/// Whether E[residual | variable], given what the design knows, is other than constant.
+/// Whether E[residual | variable], given what the design knows, is other than constant. Of a
+/// variable whose functions are multiplied the design must know what they are multiplied with.
 ///
 /// Model   score statistic; reference: the same with the variable turned circularly against the
 ///         residual that remains. Directions of which the known leaves less than 5 % of the

@@ -25,7 +25,7 @@ struct Simpler {
     answers = BaselinesOf(block, 1, stream);
     for (const BaselineAnswer& answer : answers) {
       if (answer.method == "greedy BIC" && !answer.names.empty()) {
-        first_name = answer.names.front()->mechanism->id;
+        first_name = answer.names.front().mechanism;
       }
     }
   }

@@ -81,6 +81,15 @@ void TestOne(std::uint64_t seed, Rejections* out) {
     out->Count("regime, " + test.name, test.comparison.p);
     out->Count("regime, " + test.name + ", tail", test.comparison.p_tail);
   }
+  const Series& simulated = null.lever;
+  Eigen::MatrixXd known(static_cast<Eigen::Index>(kSize), 1);
+  known.col(0) = Eigen::Map<const Eigen::VectorXd>(simulated.value.data(), known.rows());
+  const RegimeDesign beyond_gain(null.residual, null.noise, known);
+  const RegimeProbe share({.name = "drift, share", .series = null.drift, .times = simulated.value},
+                          filter);
+  const RegimeTestResult test = TestRegime(beyond_gain, share, {}, stream);
+  out->Count("regime, " + test.name, test.comparison.p);
+  out->Count("regime, " + test.name + ", tail", test.comparison.p_tail);
 }
 
 TEST(Dependence, TestsRejectNoMoreThanTheyPromiseUnderStubbornNoise) {
@@ -188,6 +197,66 @@ TEST(Dependence, RegimeTestFindsADeadBandThatIsATenthOfTheNoise) {
   }
   std::printf("dead band of a tenth of the noise's variance found: %d of %d\n", found, runs);
   EXPECT_GE(found, 32);
+}
+
+/// What a machine does at 10 units a second of full lever, where something takes a share of it.
+class ShareOfTheSimulated : public testing::Test {
+ protected:
+  static constexpr std::size_t kOther = 0, kPlace = 1;
+
+  ShareOfTheSimulated() : null_(4711) {
+    const Series other = LeverSeries(kSize, Stream(1, "other"));
+    std::vector<double> place(kSize), simulated(kSize);
+    for (std::size_t k = 0; k < kSize; ++k) {
+      simulated[k] = 30 * null_.lever.value[k];
+      const double t = static_cast<double>(k);
+      place[k] = std::sin(0.013 * t) + 0.6 * std::sin(0.0071 * t + 1) + 0.3 * std::sin(0.031 * t);
+    }
+    for (const Series& series : {other, MakeSeries(0.01, place)}) {
+      variables_.push_back({.name = "plain", .series = series});
+    }
+    for (std::size_t v = 0; v < 2; ++v) {
+      variables_.push_back(variables_[v]);
+      variables_.back().name = "share";
+      variables_.back().times = simulated;
+    }
+  }
+
+  template <typename Share>
+  std::size_t FirstTold(const Share& share) {
+    Series residual = null_.residual;
+    for (std::size_t k = 0; k < kSize; ++k) {
+      if (!residual.valid[k]) continue;
+      residual.value[k] +=
+          30 * null_.lever.value[k] *
+          share(variables_[kOther].series.value[k], variables_[kPlace].series.value[k]);
+    }
+    const Partialling found = SelectRegimes(residual, FitNoise(residual, {.highest_order = 3}),
+                                            variables_, {}, Stream(5, "shifts"));
+    if (!found.steps.empty()) return found.steps.front().variable;
+    // A place goes round too seldom for enough shifts: the one that explains most, if any does.
+    const auto best =
+        std::max_element(found.left.begin(), found.left.end(),
+                         [](const auto& a, const auto& b) { return a.criterion < b.criterion; });
+    return best->criterion > 0.02 ? static_cast<std::size_t>(best - found.left.begin())
+                                  : variables_.size();
+  }
+
+  NullRecording null_;
+  std::vector<RegimeVariable> variables_;  ///< two plain, two as a share
+};
+
+TEST_F(ShareOfTheSimulated, ThatGoesWhileAnotherLeverIsOutIsToldByThatLever) {
+  EXPECT_EQ(FirstTold([](double other, double) { return std::abs(other) > 0.1 ? -0.5 : 0.0; }), 2u);
+}
+
+TEST_F(ShareOfTheSimulated, ThatChangesWithThePlaceIsToldByThePlace) {
+  EXPECT_EQ(FirstTold([](double, double place) { return 0.5 * place; }), 3u);
+  EXPECT_EQ(FirstTold([](double, double place) { return 0.4 * std::sin(4 * place); }), 3u);
+}
+
+TEST_F(ShareOfTheSimulated, ThatIsTheSameEverywhereIsNoDependence) {
+  EXPECT_EQ(FirstTold([](double, double) { return 0.5; }), variables_.size());
 }
 
 TEST(Shifts, TurnEveryBlockWithinItself) {

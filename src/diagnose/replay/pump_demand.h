@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/effects.h"
+#include "diagnose/replay/axis_log.h"
+#include "physics/machine.h"
+#include "physics/slots/pump_flow.h"
+
+namespace tera {
+
+/// What is asked of the pump that feeds one axis, step by step of a log.
+///
+/// Model   each of the pump's other functions asks what its own chain makes of its recorded lever,
+///         as the model has it; the axis takes oil by its displacement at the measured position.
+/// Omits   axes that several pumps feed; what an axis's own `cylinder_lever` makes of oil and
+/// power.
+struct PumpDemand {
+  std::size_t pump = 0;
+  std::vector<double> others_m3ps, others_w;
+  /// Of the axis by its rate's sign: oil a radian.
+  std::vector<double> positive_m3prad, negative_m3prad;
+  /// How long the axis and others ask together, and what all of them ask at most.
+  double together_s = 0, most_m3ps = 0, most_w = 0;
+
+  double Own_m3ps(std::size_t step, double rate_radps) const {
+    return rate_radps > 0 ? positive_m3prad[step] * rate_radps
+                          : -negative_m3prad[step] * rate_radps;
+  }
+};
+
+/// None for an axis that no pump feeds, or more than one.
+std::optional<PumpDemand> PumpDemandOf(const MachineModel& model, const AxisLog& log,
+                                       std::size_t axis);
+
+}  // namespace tera
