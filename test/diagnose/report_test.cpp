@@ -11,6 +11,7 @@
 #include "diagnose/report/diagnosis_json.h"
 #include "diagnose/report/effects_yaml.h"
 #include "diagnose/report/html_report.h"
+#include "diagnose/report/next_manoeuvre_text.h"
 #include "diagnose/report/sentence.h"
 #include "diagnose/report/svg_plot.h"
 #include "diagnose/report/wording.h"
@@ -376,6 +377,16 @@ TEST(Sentence, OfFurtherRecordingsAndTheWholeSimulationComparesAndWarns) {
                              "manoeuvres kept back: boom rate 2 → 0.25 deg/s and slew rate 1 → 1.5 "
                              "deg/s; path 57.39 m recorded, 50.47 → 57.2 m simulated. The whole "
                              "simulation does not follow: slew rate."));
+}
+
+TEST(Sentence, OfTheNextManoeuvreCountsMechanismsWhereTheyAreMany) {
+  NextManoeuvre next;
+  for (const char* mechanism : {"sag", "backlash", "dead_band", "rate_limit"}) {
+    next.separates.push_back({"slew", {mechanism, "nothing"}, false, 0.9});
+    EXPECT_THAT(
+        SentenceOf(next),
+        HasSubstr(next.separates.size() < 4 ? "sag" : "would show 4 mechanisms of the slew"));
+  }
 }
 
 TEST(DiagnosisJson, HoldsFurtherRecordingsTheWholeSimulationAndTheNextManoeuvre) {

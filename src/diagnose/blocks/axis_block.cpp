@@ -21,6 +21,8 @@ constexpr double kStill_s =
     1;  ///< a rate that repeats itself for longer without a lever says nothing
 constexpr int kLags = 12;
 constexpr double kLongestLag_s = 0.8;
+constexpr double kSurelyThere = 0.5;     ///< of the effort that the model has
+constexpr double kMostLost = 0.4;        ///< of the samples that move
 constexpr std::size_t kOtherLevers = 4;  ///< variables of the axis itself come before them
 constexpr double kMoved = 0.05;          ///< of full lever
 /// Standard deviations: of rates, and of full effort over inertia, where effort, masses and their
@@ -62,6 +64,25 @@ MeasuredRate Fresh(const MeasuredRate& measured, const AxisLog& log) {
     fresh.is_free.push_back(measured.is_free[i]);
   }
   return fresh;
+}
+
+/// Without the samples of moments in which the drive gives all it has: how fast it then is depends
+/// on other joints, which give way, and on where its cylinder stands, of which the replay of one
+/// axis knows nothing. All of them stay where it gives all it has most of the time.
+MeasuredRate WithinItsEffort(const LoneAxisReplay& replay, MeasuredRate measured) {
+  const std::vector<bool> falls_short =
+      replay.FallsShort(replay.effects(), {.effort = kSurelyThere});
+  double moves = 0, lost = 0;
+  for (std::size_t i = 0; i < falls_short.size(); ++i) {
+    if (!measured.is_free[i] || measured.rate_radps[i] == 0) continue;
+    ++moves;
+    lost += falls_short[i] ? 1 : 0;
+  }
+  if (lost > kMostLost * moves) return measured;
+  for (std::size_t i = 0; i < falls_short.size(); ++i) {
+    if (falls_short[i]) measured.is_free[i] = false;
+  }
+  return measured;
 }
 
 /// A quantity of the log's steps at the places of the grid.
@@ -217,9 +238,11 @@ std::vector<RegimeVariable> VariablesOf(const MachineModel& model, const AxisLog
 
 std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLog& log,
                                          std::size_t measured_index) {
-  const MeasuredRate measured = Fresh(log.measured[measured_index], log);
-  const std::size_t axis = measured.axis;
-  if (!HasLever(model, axis)) return std::nullopt;
+  const MeasuredRate fresh = Fresh(log.measured[measured_index], log);
+  const std::size_t axis = fresh.axis;
+  if (!HasLever(model, axis) || fresh.t_ns.empty()) return std::nullopt;
+  const LoneAxisReplay replay(model, log, fresh);
+  const MeasuredRate measured = WithinItsEffort(replay, fresh);
   if (std::count(measured.is_free.begin(), measured.is_free.end(), true) < kFewestSamples) {
     return std::nullopt;
   }
@@ -232,7 +255,6 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   channel.variables = VariablesOf(model, log, measured, grid);
   channel.free_member = FreeMember(channel.variables);
   ReplayBlock block;
-  const LoneAxisReplay replay(model, log, measured);
   channel.nominal = NominalColumns(replay, grid);
   block.name = NameOfAxis(model, axis);
   block.slides = channel.unit == "m/s";

@@ -101,8 +101,9 @@ AxisEffects LoneAxisReplay::effects() const {
           pump_ ? model_.effects.pumps[pump_->pump] : Effects()};
 }
 
-std::vector<double> LoneAxisReplay::Predict(const AxisEffects& effects,
-                                            const Nominal& nominal) const {
+void LoneAxisReplay::Run(
+    const AxisEffects& effects, const Nominal& nominal,
+    const std::function<void(std::size_t step, const Rates& at_end)>& take) const {
   const std::size_t joints = model_.joints.size();
   MachineModel model = model_;
   (axis_ < joints ? model.effects.joints[axis_] : model.effects.gears[axis_ - joints]) =
@@ -111,8 +112,7 @@ std::vector<double> LoneAxisReplay::Predict(const AxisEffects& effects,
   const double full_nm = nominal.effort * FullEffort_nm(model, axis_);
   PumpFlow flow(PumpFlowOf(effects.pump, pump_ ? model.pumps[pump_->pump].max_flow_m3ps : 0));
   const bool is_shared = pump_ && !effects.pump.empty();
-  double rate_radps = 0;
-  SampledRate sampled(at_step_);
+  Rates rates;
   for (std::size_t k = 0; k < lever_.size(); ++k) {
     double demand_radps = actuation.Demand(lever_[k], step_s_);
     if (is_shared) {
@@ -120,13 +120,32 @@ std::vector<double> LoneAxisReplay::Predict(const AxisEffects& effects,
           flow.Step(pump_->others_m3ps[k] + pump_->Own_m3ps(k, demand_radps),
                     pump_->others_w[k] + actuation.Power_w(demand_radps, motion_[k]), step_s_);
     }
-    const double asked_radps =
+    rates.asked_radps =
         nominal.rate * actuation.Deliver(demand_radps, motion_[k], step_s_).rate_radps;
-    rate_radps = Accelerated(rate_radps, asked_radps, full_nm, motion_[k].load_nm, inertia_kgm2_[k],
-                             step_s_);
-    sampled.Add(k, rate_radps);
+    rates.rate_radps = Accelerated(rates.rate_radps, rates.asked_radps, full_nm, motion_[k].load_nm,
+                                   inertia_kgm2_[k], step_s_);
+    take(k, rates);
   }
+}
+
+std::vector<double> LoneAxisReplay::Predict(const AxisEffects& effects,
+                                            const Nominal& nominal) const {
+  SampledRate sampled(at_step_);
+  Run(effects, nominal,
+      [&](std::size_t k, const Rates& at_end) { sampled.Add(k, at_end.rate_radps); });
   return sampled.Take();
+}
+
+std::vector<bool> LoneAxisReplay::FallsShort(const AxisEffects& effects,
+                                             const Nominal& nominal) const {
+  std::vector<bool> falls_short(at_step_.size(), false);
+  std::size_t next = 0;
+  Run(effects, nominal, [&](std::size_t k, const Rates& at_end) {
+    while (next < at_step_.size() && at_step_[next] <= static_cast<double>(k)) ++next;
+    if (next == at_step_.size() || at_end.asked_radps == at_end.rate_radps) return;
+    falls_short[next] = true;
+  });
+  return falls_short;
 }
 
 }  // namespace tera

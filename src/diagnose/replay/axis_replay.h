@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "diagnose/replay/axis_log.h"
@@ -56,11 +58,22 @@ class LoneAxisReplay {
     return Predict(effects, Nominal());
   }
 
+  /// For each of the measured rate's times, whether the rate is not what the drive asks for at some
+  /// time since the one before, because its full effort does not accelerate the masses so fast.
+  std::vector<bool> FallsShort(const AxisEffects& effects, const Nominal& nominal) const;
+
   /// What the model has.
   AxisEffects effects() const;
   const std::optional<PumpDemand>& pump() const { return pump_; }
 
  private:
+  /// Rates at the ends of all steps: what the drive asks for, and what comes of it.
+  struct Rates {
+    double asked_radps = 0, rate_radps = 0;
+  };
+  void Run(const AxisEffects& effects, const Nominal& nominal,
+           const std::function<void(std::size_t step, const Rates& at_end)>& take) const;
+
   MachineModel model_;
   std::size_t axis_ = 0;
   double step_s_ = 0;

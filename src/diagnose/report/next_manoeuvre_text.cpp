@@ -17,7 +17,10 @@ std::vector<std::string> SpacedAll(const std::vector<std::string>& identifiers) 
   return names;
 }
 
-/// Mechanisms that could not be seen, by target: "backlash and sag of the boom".
+constexpr std::size_t kNamed = 3;  ///< mechanisms of a target that are told one by one
+
+/// Mechanisms that could not be seen, by target: "backlash and sag of the boom", "12 mechanisms of
+/// the slew".
 std::vector<std::string> Shown(const std::vector<SeparatedMatter>& matters) {
   std::vector<std::pair<std::string, std::vector<std::string>>> by_target;
   for (const SeparatedMatter& matter : matters) {
@@ -29,7 +32,9 @@ std::vector<std::string> Shown(const std::vector<SeparatedMatter>& matters) {
   }
   std::vector<std::string> parts;
   for (const auto& [target, names] : by_target) {
-    parts.push_back(fmt::format("{} of the {}", Listed(names), Spaced(target)));
+    const std::string what =
+        names.size() > kNamed ? fmt::format("{} mechanisms", names.size()) : Listed(names);
+    parts.push_back(fmt::format("{} of the {}", what, Spaced(target)));
   }
   return parts;
 }

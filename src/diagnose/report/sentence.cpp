@@ -92,7 +92,8 @@ std::string DependenceText(const DiagnosedBlock& diagnosed, const Location& loca
       first.is_share ? "is a share of the simulated value that depends" : "depends";
   std::string text = RegimeText(first, diagnosed, location.channel);
   if (first.p > kSignificant)
-    return fmt::format("{} most on {} ({})", depends, text, ProbabilityText(first.p));
+    return fmt::format("{} most on {} ({})", depends, text,
+                       first.p < 1 ? ProbabilityText(first.p) : "which moves too slowly for a p");
   std::vector<std::string> others;
   for (std::size_t r = 1; r < location.regimes.size(); ++r) {
     if (location.regimes[r].p > kSignificant) continue;

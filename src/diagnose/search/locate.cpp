@@ -1,5 +1,7 @@
 #include "diagnose/search/locate.h"
 
+#include <algorithm>
+
 #include "diagnose/statistics/change_points.h"
 #include "diagnose/statistics/partialling.h"
 #include "diagnose/statistics/whitening.h"
@@ -8,28 +10,40 @@ namespace tera {
 namespace {
 
 constexpr double kLeastShare = 0.02;
+constexpr double kMuchMore = 1.3;  ///< times the criterion of what was significant
 
 struct Told {
   std::size_t variable;
   double p, share;
 };
 
-/// The variables that were taken in; if none, for want of shifts, the one of the best criterion.
+/// Of all variables before any was taken in, the one that explains most, more than `least`.
+Told MostTelling(const std::vector<RegimeTestResult>& tests, double least) {
+  Told most{tests.size(), 1, 0};
+  for (std::size_t v = 0; v < tests.size(); ++v) {
+    if (tests[v].criterion <= kLeastShare || tests[v].whole_criterion <= least) continue;
+    least = tests[v].whole_criterion;
+    most = {v, tests[v].comparison.p, tests[v].share};
+  }
+  return most;
+}
+
+/// The variables that were taken in. Before them one that explains much more but moves too slowly
+/// for a p that means anything, as time does; alone, if none was taken in.
 std::vector<Told> Telling(const Partialling& found) {
   std::vector<Told> telling;
+  double least = kLeastShare;
+  if (!found.steps.empty()) {
+    const PartiallingStep& first = found.steps.front();
+    least = std::max(least, kMuchMore * first.tests[first.variable].criterion);
+  }
+  const auto& tests = found.steps.empty() ? found.left : found.steps.front().tests;
+  const Told slow = MostTelling(tests, least);
+  if (slow.variable < tests.size()) telling.push_back(slow);
   for (const PartiallingStep& step : found.steps) {
+    if (step.variable == slow.variable) continue;
     telling.push_back({step.variable, step.p_adjusted, step.share});
   }
-  if (!telling.empty()) return telling;
-  Told most{0, 1, 0};
-  double best = kLeastShare;
-  for (std::size_t v = 0; v < found.left.size(); ++v) {
-    const RegimeTestResult& test = found.left[v];
-    if (test.comparison.shifts == 0 || test.criterion < best) continue;
-    best = test.criterion;
-    most = {v, test.comparison.p, test.share};
-  }
-  if (best > kLeastShare) telling.push_back(most);
   return telling;
 }
 

@@ -31,8 +31,9 @@ struct Location {
 
 /// Locates the residual of a channel in time (change_points.h) and among the channel's variables
 /// (partialling.h, regime_curve.h): each as it is, and as what a share of the simulated value
-/// depends on. Where no variable is significant, as in a recording too short
-/// for enough shifts, the one that explains most is given with its p as it is.
+/// depends on. A variable that explains 1.3 times as much as the most telling significant one, or
+/// two per cent where none is significant, comes first with its p as it is: time, and a place that
+/// is seldom come back to, have too few shifts for a small one.
 Location Locate(const Channel& channel, std::size_t index, const Series& residual,
                 const NoiseModel& noise, const Stream& stream);
 

@@ -25,6 +25,7 @@ class Tester {
     const double energy = with_times_->psi_variance() / plain_.psi_variance();
     test.share *= energy;
     test.criterion *= energy;
+    test.whole_criterion = test.criterion + 1 - energy;
     return test;
   }
 

@@ -108,6 +108,7 @@ RegimeTestResult TestRegime(const RegimeDesign& design, const RegimeProbe& probe
   const auto rows = static_cast<double>(design.filter().row_count());
   out.share = std::max(0.0, (observed.squaredNorm() - remainder.directions) / rows);
   out.criterion = (observed.squaredNorm() - remainder.directions * std::log(rows)) / rows;
+  out.whole_criterion = out.criterion;
 
   const std::size_t least = std::max(axis.correlation_length(), 2 * design.filter().taps().size());
   const CircularShifts shifts(axis.samples(), least, options.shifts, options.block, stream);

@@ -44,6 +44,8 @@ struct RegimeTestResult {
   double share =
       0;  ///< of the whitened residual's energy that the variable explains, beyond chance
   double criterion = 0;  ///< the same, but log(rows) for each direction (Schwarz 1978)
+  /// With what a constant times what the functions are multiplied with explains as well.
+  double whole_criterion = 0;
 };
 
 /// Whether E[residual | variable], given what the design knows, is other than constant. Of a

@@ -1,0 +1,72 @@
+#include "diagnose/search/locate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "diagnose/search/toy_block.h"
+
+namespace tera {
+namespace {
+
+constexpr std::size_t kSamples = 4500;
+constexpr double kPeriod_s = 0.01;
+
+/// A lever moves a joint; what is measured is off by `error` of lever, angle and time, and by
+/// noise.
+class Locating : public testing::Test {
+ protected:
+  using Error = std::function<double(double lever, double angle, double t_s)>;
+
+  Location Of(const Error& error) const {
+    const std::vector<double> lever = ToyLever(kSamples, 5);
+    const Stream noise(5, "noise");
+    Channel channel;
+    channel.measured = MakeSeries(kPeriod_s, lever);
+    Series residual = channel.measured, angle = residual, time = residual;
+    double q_rad = 0;
+    for (std::size_t k = 0; k < kSamples; ++k) {
+      const double t_s = kPeriod_s * static_cast<double>(k);
+      q_rad += 0.5 * kPeriod_s * lever[k];
+      angle.value[k] = q_rad;
+      time.value[k] = t_s;
+      residual.value[k] = error(lever[k], q_rad, t_s) + 0.01 * noise.Gaussian(k);
+      channel.measured.value[k] += residual.value[k];
+    }
+    channel.variables = {{"lever", MakeSeries(kPeriod_s, lever)}, {"angle", angle}, {"time", time}};
+    return Locate(channel, 0, residual, {.scale = 0.01, .dof = 8}, Stream(5, "shifts"));
+  }
+};
+
+TEST_F(Locating, AnErrorThatDiesAwayIsAShareOfTheSimulatedValueByTime) {
+  const Location location =
+      Of([](double lever, double, double t_s) { return -0.5 * std::exp(-t_s / 8) * lever; });
+  ASSERT_FALSE(location.regimes.empty());
+  EXPECT_EQ(location.regimes[0].variable, "time");
+  EXPECT_TRUE(location.regimes[0].is_share);
+}
+
+TEST_F(Locating, AGainThatDependsOnTheAngleIsAShareByTheAngle) {
+  const Location location =
+      Of([](double lever, double q_rad, double) { return 0.25 * std::sin(8 * q_rad) * lever; });
+  ASSERT_FALSE(location.regimes.empty());
+  EXPECT_EQ(location.regimes[0].variable, "angle");
+  EXPECT_TRUE(location.regimes[0].is_share);
+}
+
+TEST_F(Locating, AnErrorAtSmallLeversDependsOnTheLeverItself) {
+  const Location location =
+      Of([](double lever, double, double) { return -std::clamp(lever, -0.15, 0.15); });
+  ASSERT_FALSE(location.regimes.empty());
+  EXPECT_EQ(location.regimes[0].variable, "lever");
+  EXPECT_FALSE(location.regimes[0].is_share);
+}
+
+TEST_F(Locating, NoiseDependsOnNothing) {
+  EXPECT_TRUE(Of([](double, double, double) { return 0.0; }).regimes.empty());
+}
+
+}  // namespace
+}  // namespace tera
