@@ -82,22 +82,30 @@ double Overlap(const std::vector<bool>& shows,
   return either > 0 ? both / either : 0;
 }
 
-/// Of the first finding, whatever its name.
+/// Of the first finding, whatever its name. A real drive has faults of its own to be located.
 void MarkPlace(const BenchmarkCase& c, const CaseRecording& recording, const Answer& answer,
                Mark* mark) {
-  if (answer.findings.empty() || c.hidden.empty()) return;
+  if (answer.findings.empty() || c.hidden.empty() || c.injected) return;
   const Finding& first = answer.findings.front();
   mark->located = true;
+  std::vector<bool> shows;
+  bool is_named = false;
   for (std::size_t i = 0; i < c.hidden.size(); ++i) {
     const Concealed& hidden = c.hidden[i];
     if (!IsOf(hidden, first)) continue;
     mark->right_channel = true;
     mark->has_variable = mark->has_variable || !hidden.variables.empty();
     mark->right_variable = mark->right_variable || Contains(hidden.variables, first.variable);
-    mark->overlap =
-        std::max(mark->overlap,
-                 Overlap(WhereItShows(recording.changes[i], c.duration_s), first.intervals_s));
+    const std::vector<bool> own = WhereItShows(recording.changes[i], c.duration_s);
+    if (is_named) continue;
+    is_named = Names(first, hidden);
+    if (is_named || shows.empty()) {
+      shows = own;
+    } else {
+      for (std::size_t k = 0; k < own.size(); ++k) shows[k] = shows[k] || own[k];
+    }
   }
+  mark->overlap = Overlap(shows, first.intervals_s);
 }
 
 void MarkOutside(const BenchmarkCase& c, const Answer& answer, Mark* mark) {
@@ -142,7 +150,7 @@ Mark MarkAnswer(const BenchmarkCase& c, const CaseRecording& recording, const An
   }
   for (const Change& change : recording.changes) {
     mark.signal_to_noise = std::max(mark.signal_to_noise, change.Rms());
-    mark.shows_s = mark.shows_s > 0 ? std::min(mark.shows_s, change.Shows_s()) : change.Shows_s();
+    mark.shows_s = std::min(mark.shows_s, change.Shows_s());
   }
   for (const Concealed& hidden : c.hidden) {
     mark.hidden.push_back(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,15 +26,15 @@ struct ParameterMark {
 ///         confidence is 0.9 or more and its class holds nothing that was hidden in that joint.
 ///         Intervals overlap by the time in both over the time in either; the true ones are where
 ///         what is hidden changes the rate by more than the noise's deviation, half a second
-///         around.
+///         around: of the effect that the finding names, or of all those of its channel.
 struct Mark {
   int number = 0;
   CaseKind kind = CaseKind::kNothing;
   Strength strength = Strength::kMedium;
   std::string fault;  ///< why there is no answer; empty: there is one
   double seconds = 0, recorded_s = 0;
-  double signal_to_noise = 0;  ///< of the loudest effect
-  double shows_s = 0;          ///< how long that which shows for least shows
+  double signal_to_noise = 0;                                ///< of the loudest effect
+  double shows_s = std::numeric_limits<double>::infinity();  ///< of what shows for least
 
   std::vector<std::string> hidden, answered;  ///< for the list of cases
   bool found_something = false;

@@ -83,7 +83,7 @@ void AddNames(const std::vector<Mark>& marks, std::vector<Row>* rows) {
   rows->push_back(ShareOf(marks,
                           fmt::format("two effects, each showing for {:.0f} s: both", kShows_s),
                           "≥ 75 %", both_show, [](const Mark& mark) { return mark.named == 2; }));
-  rows->push_back(ShareOf(marks, "two effects, all cases: both", "", Is(CaseKind::kTwo),
+  rows->push_back(ShareOf(marks, "two effects, all cases: both", "≥ 75 %", Is(CaseKind::kTwo),
                           [](const Mark& mark) { return mark.named == 2; }));
   rows->push_back(ShareOf(marks, "two effects: at least one", "≥ 97 %", Is(CaseKind::kTwo),
                           [](const Mark& mark) { return mark.named >= 1; }));
@@ -257,7 +257,7 @@ std::string TableJson(const std::vector<Row>& rows, const std::vector<Mark>& mar
                                   {"fault", mark.fault},
                                   {"seconds", mark.seconds},
                                   {"signal_to_noise", mark.signal_to_noise},
-                                  {"shows_s", mark.shows_s},
+                                  {"shows_s", mark.hidden.empty() ? 0 : mark.shows_s},
                                   {"hidden", mark.hidden},
                                   {"answered", mark.answered},
                                   {"right_first", mark.right_first},

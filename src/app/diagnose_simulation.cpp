@@ -39,20 +39,6 @@ struct Course {
   }
 };
 
-/// The effects of one target of a machine; none of a sensor's.
-Effects* EffectsOf(const std::string& target, MachineModel* model) {
-  model->effects.joints.resize(model->joints.size());
-  model->effects.gears.resize(model->ground_tools.gears.size());
-  if (target == "base") return &model->effects.base;
-  if (const int joint = model->JointIndex(target); joint >= 0) {
-    return &model->effects.joints[static_cast<std::size_t>(joint)];
-  }
-  for (std::size_t g = 0; g < model->ground_tools.gears.size(); ++g) {
-    if (model->ground_tools.gears[g].name == target) return &model->effects.gears[g];
-  }
-  return nullptr;
-}
-
 std::unique_ptr<Operator> DriverOf(const DiagnosisInput& input, TimeNs zero_ns) {
   CommandTable table;
   std::vector<int> lever_of_column;
@@ -157,11 +143,10 @@ Scenario Comparison::Prepared(const ScenarioOptions& options, std::size_t machin
   Scenario scenario = Load(options).scenario;
   ScenarioMachine& driven = scenario.machines[machine];
   driven.driver = DriverOf(input_, zero_ns_);
+  MachineModel& model = driven.placement.model;
   for (const DiagnosedBlock& diagnosed : diagnosis_.blocks) {
-    for (const Term& term : diagnosed.diagnosis.search.found.terms) {
-      Effects* effects = EffectsOf(term.suspect->target, &driven.placement.model);
-      if (effects != nullptr && with_findings) *effects = WithTerms(*effects, {term});
-    }
+    if (!with_findings) break;
+    model = WithTerms(std::move(model), diagnosed.diagnosis.search.found.terms);
   }
   return scenario;
 }

@@ -54,6 +54,19 @@ TEST(Mark, OfTheRightAnswer) {
   EXPECT_TRUE(mark.parameters[0].Covered());
 }
 
+TEST(Mark, OfTwoEffectsTellsHowLongTheLesserShowsInEitherOrder) {
+  for (const bool first_never_shows : {false, true}) {
+    HiddenDeadBand two;
+    Change never = two.recording.changes[0];
+    for (double& x : never.over_noise) x = 0;
+    two.c.hidden.push_back(two.c.hidden[0]);
+    two.recording.changes.insert(
+        first_never_shows ? two.recording.changes.begin() : two.recording.changes.end(), never);
+    EXPECT_EQ(two.Of(DeadBandOfBoom()).shows_s, 0);
+  }
+  EXPECT_NEAR(HiddenDeadBand().Of(DeadBandOfBoom()).shows_s, 10, 0.02);
+}
+
 TEST(Mark, OfAnswersThatAreWrong) {
   const HiddenDeadBand hidden;
   Finding wrong = DeadBandOfBoom();

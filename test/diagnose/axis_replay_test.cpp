@@ -5,10 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <ostream>
 #include <string>
 
 #include "core/error.h"
+#include "dataset/sample_recording.h"
+#include "diagnose/blocks/axis_block.h"
+#include "diagnose/blocks/suspect_list.h"
+#include "diagnose/suspects/suspect_library.h"
 #include "sim/drive_fixture.h"
 
 namespace tera {
@@ -134,6 +139,49 @@ TEST(LoneAxisReplay, KnowsWhatItsPumpGivesToOthers) {
     const double without = Rms(replay.Predict({.axis = replay.effects().axis, .pump = {}}), *boom);
     EXPECT_LT(with, 2e-3) << effect;
     EXPECT_GT(without, 5 * with) << effect;
+  }
+}
+
+/// Of the boom, which shares pump 1 with the bucket.
+ReplayBlock BlockOfBoom(const Drive& drive, const Recorded& recorded) {
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  const AxisLog log = MakeAxisLog(model, recorded.commands, {recorded.encoders}, 0.005);
+  for (std::size_t m = 0; m < log.measured.size(); ++m) {
+    if (log.measured[m].axis != static_cast<std::size_t>(model.JointIndex("boom"))) continue;
+    return MakeAxisBlock(model, log, m).value();
+  }
+  ADD_FAILURE() << "no rate of the boom";
+  return {};
+}
+
+TEST(AxisBlock, SuspectsThePumpThatTheAxisSharesAndPutsItsTermsOnThePump) {
+  Drive drive = Swaying("");
+  const ReplayBlock block = BlockOfBoom(drive, Record(&drive, 22));
+  const auto sharing =
+      std::find_if(block.suspects.begin(), block.suspects.end(),
+                   [](const Suspect& one) { return one.mechanism->id == "flow_sharing"; });
+  ASSERT_NE(sharing, block.suspects.end());
+  EXPECT_EQ(sharing->target, "pump_1");
+  const Structure terms = {{&*sharing, {0.3}}};
+  EXPECT_NE(block.predict(terms), block.predict({}));
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  const MachineModel with = WithTerms(model, terms);
+  ASSERT_EQ(with.effects.pumps.size(), model.pumps.size());
+  ASSERT_NE(FindEffect(with.effects.pumps[0], "flow_sharing"), nullptr);
+  EXPECT_EQ((*FindEffect(with.effects.pumps[0], "flow_sharing"))["capacity"], 0.3);
+  EXPECT_TRUE(with.effects.pumps[1].empty());
+}
+
+TEST(AxisBlock, OfALibraryGetsMechanismsOfPumpsOnPumpsAndOfNothingElse) {
+  Drive drive = Swaying("");
+  std::vector<ReplayBlock> blocks = {BlockOfBoom(drive, Record(&drive, 22))};
+  const ScratchDirectory scratch;
+  std::ofstream(scratch.path() / "library.yaml") << "suspects: {bias: {}, flow_sharing: {}}\n";
+  ApplyLibrary(ReadSuspectLibrary(scratch.path() / "library.yaml"),
+               drive.scenario.machines[0].placement.model, &blocks);
+  for (const Suspect& suspect : blocks[0].suspects) {
+    EXPECT_NE(suspect.mechanism->id, "bias") << suspect.target;
+    if (suspect.target == "pump_1") EXPECT_EQ(suspect.mechanism->slot, Slot::kFlow);
   }
 }
 

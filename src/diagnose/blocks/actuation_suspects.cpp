@@ -112,9 +112,9 @@ std::vector<Suspect> SuspectsOfPump(const MachineModel& model, const PumpDemand&
   const Pump& pump = model.pumps[demand.pump];
   SuspectList out(pump.name, EffectTarget::kPump, EffectsAt(model.effects.pumps, demand.pump),
                   ActuationMechanisms());
-  const double most = demand.most_m3ps / pump.max_flow_m3ps;
-  if (most > 0.05) {
-    out.Add("flow_sharing", {{0, 0.05, std::min(5.0, most)}},
+  const double most = std::min(5.0, demand.most_m3ps / pump.max_flow_m3ps);
+  if (most > 0.2) {
+    out.Add("flow_sharing", {{0, 0.05, most}},
             {{0.9 * most}, {0.75 * most}, {0.6 * most}, {0.45 * most}});
   }
   const double w = demand.most_w;

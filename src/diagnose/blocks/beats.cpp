@@ -15,6 +15,8 @@ constexpr double kWindow_s = 60;
 /// Frequencies tried in one over the length: to find a peak, and to say where it is.
 constexpr double kCoarse = 4, kFine = 64;
 
+constexpr double kBin_s = 0.01;  ///< within which changes are one
+
 /// Sizes of changes and the middles of the times between which they happened.
 struct Changes {
   std::vector<double> t_s, size;
@@ -28,12 +30,20 @@ Changes ChangesOf(const std::vector<double>& t_s, const std::vector<double>& val
   Changes changes;
   if (gaps_s.empty()) return changes;
   const double longest_s = 2 * Median(gaps_s);
-  double mean = 0;
+  double mean = 0, first_s = 0;
   for (std::size_t k = 1; k < t_s.size(); ++k) {
     if (gaps_s[k - 1] > longest_s) continue;
-    changes.t_s.push_back(0.5 * (t_s[k] + t_s[k - 1]));
-    changes.size.push_back(std::abs(value[k] - value[k - 1]));
-    mean += changes.size.back();
+    const double size = std::abs(value[k] - value[k - 1]);
+    const double at_s = 0.5 * (t_s[k] + t_s[k - 1]);
+    mean += size;
+    if (!changes.t_s.empty() && at_s - first_s < kBin_s) {
+      changes.size.back() += size;
+      changes.t_s.back() = 0.5 * (first_s + at_s);
+      continue;
+    }
+    first_s = at_s;
+    changes.t_s.push_back(at_s);
+    changes.size.push_back(size);
   }
   for (double& size : changes.size) size -= mean / static_cast<double>(changes.size.size());
   return changes;
@@ -75,8 +85,9 @@ std::vector<Peak> PeaksOf(const Changes& changes, double lowest_hz, double highe
                           double steps_of_resolution) {
   const double step_hz = 1 / (steps_of_resolution * changes.length_s());
   std::vector<double> height;
-  for (double f = lowest_hz; f <= highest_hz; f += step_hz) {
-    height.push_back(std::abs(SumAt(changes, f)));
+  const auto steps = static_cast<std::size_t>((highest_hz - lowest_hz) / step_hz);
+  for (std::size_t k = 0; k <= steps; ++k) {
+    height.push_back(std::abs(SumAt(changes, lowest_hz + static_cast<double>(k) * step_hz)));
   }
   std::vector<Peak> peaks;
   for (std::size_t k = 1; k + 1 < height.size(); ++k) {
@@ -111,6 +122,7 @@ std::vector<Beat> BeatsOf(const std::vector<double>& t_s, const std::vector<doub
     if (beats.size() == options.most || whole <= 0) break;
     double f = Highest(all, coarse.frequency_hz, 1 / lively.length_s(), kCoarse);
     f = Highest(all, f, 1 / all.length_s(), kFine);
+    f = std::clamp(f, 1 / options.longest_s, 1 / options.shortest_s);
     const std::complex<double> sum = SumAt(all, f);
     const double turn = -std::arg(sum) / (2 * std::numbers::pi);
     beats.push_back({1 / f, turn - std::floor(turn), std::abs(sum) / whole});

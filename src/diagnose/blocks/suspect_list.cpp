@@ -40,6 +40,20 @@ std::vector<std::vector<double>> StartsFrom(const std::vector<double>& present,
   return starts;
 }
 
+Effects* EffectsOf(const std::string& target, MachineModel* model) {
+  if (target == "base") return &model->effects.base;
+  if (const int joint = model->JointIndex(target); joint >= 0) {
+    return &model->effects.joints[static_cast<std::size_t>(joint)];
+  }
+  for (std::size_t g = 0; g < model->ground_tools.gears.size(); ++g) {
+    if (model->ground_tools.gears[g].name == target) return &model->effects.gears[g];
+  }
+  for (std::size_t p = 0; p < model->pumps.size(); ++p) {
+    if (model->pumps[p].name == target) return &model->effects.pumps[p];
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 void SuspectList::Add(std::string_view id, std::vector<FreeParameter> free,
@@ -76,6 +90,17 @@ Effects WithTerms(Effects present, const Structure& terms) {
     }
   }
   return present;
+}
+
+MachineModel WithTerms(MachineModel model, const Structure& terms) {
+  model.effects.joints.resize(model.joints.size());
+  model.effects.gears.resize(model.ground_tools.gears.size());
+  model.effects.pumps.resize(model.pumps.size());
+  for (const Term& term : terms) {
+    Effects* effects = EffectsOf(term.suspect->target, &model);
+    if (effects != nullptr) *effects = WithTerms(*effects, {term});
+  }
+  return model;
 }
 
 }  // namespace tera

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "diagnose/search/replay_block.h"
+#include "physics/machine.h"
 
 namespace tera {
 
@@ -36,5 +37,9 @@ class SuspectList {
 
 /// The effects of a target with those of `terms`, each in place of what it has of that mechanism.
 Effects WithTerms(Effects present, const Structure& terms);
+
+/// The machine with `terms` on the base, joints, gears and pumps that they act on; terms of sensors
+/// and of other things that are no part of it are left out.
+MachineModel WithTerms(MachineModel model, const Structure& terms);
 
 }  // namespace tera

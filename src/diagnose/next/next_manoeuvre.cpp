@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "diagnose/blocks/suspect_list.h"
 #include "diagnose/next/open_question.h"
@@ -94,17 +95,11 @@ AxisRoom RoomOf(const MachineModel& model, const ReplayBlock& block, std::size_t
   return room;
 }
 
-/// The machine as far as it is known: with what was found of joints and gears.
+/// The machine as far as it is known: with what was found of joints, gears and their pumps.
 MachineModel AsFound(MachineModel model, const std::vector<DiagnosedAxis>& blocks) {
-  model.effects.joints.resize(model.joints.size());
-  model.effects.gears.resize(model.gear_drives.size());
   for (const DiagnosedAxis& one : blocks) {
-    const int axis = AxisNamed(model, one.block->name);
-    if (axis < 0) continue;
-    const auto at = static_cast<std::size_t>(axis);
-    Effects& effects = at < model.joints.size() ? model.effects.joints[at]
-                                                : model.effects.gears[at - model.joints.size()];
-    effects = WithTerms(effects, one.diagnosis->search.found.terms);
+    if (AxisNamed(model, one.block->name) < 0) continue;
+    model = WithTerms(std::move(model), one.diagnosis->search.found.terms);
   }
   return model;
 }

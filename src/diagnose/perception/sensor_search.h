@@ -64,11 +64,11 @@ struct SensorSearch {
 ///
 /// Model   noise from what a fit of all leaves of TRAIN. Forward from nothing, each fitted to
 ///         TRAIN (sensor_fit.h), the one that gains most on SELECT first; one stays if its gain
-///         there is steady over blocks of time (steady_gain.h, one per cent over four) and makes
-///         the error at least 2 % smaller; then each that the others can do without goes. A
-///         mechanism of fewer numbers is preferred where it is not steadily worse, and what does as
-///         well in its place is its rival. On FINAL, which nothing was fitted to, each must gain at
-///         five per cent again.
+///         there is steady over blocks of time (steady_gain.h, one per cent over the number of
+///         mechanisms) and makes the error at least 2 % smaller; then each that the others can do
+///         without goes. A mechanism of fewer numbers is preferred where it is not steadily worse,
+///         and what does as well in its place is its rival. On FINAL, which nothing was fitted to,
+///         each must gain at five per cent again.
 /// Omits   errors of single beams; drift over time.
 SensorSearch SearchSensor(const SensorComparison& sensor,
                           const std::vector<SensorMechanism>& mechanisms,

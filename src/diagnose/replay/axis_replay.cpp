@@ -43,7 +43,9 @@ double Accelerated(double from_radps, double asked_radps, double full_nm, double
   if (inertia_kgm2 <= 0 || full_nm <= 0) return asked_radps;
   const double most_radps = std::max(0.0, full_nm - load_nm) / inertia_kgm2 * dt_s;
   const double least_radps = -std::max(0.0, full_nm + load_nm) / inertia_kgm2 * dt_s;
-  return from_radps + std::clamp(asked_radps - from_radps, least_radps, most_radps);
+  const double change_radps = asked_radps - from_radps;
+  if (change_radps >= least_radps && change_radps <= most_radps) return asked_radps;
+  return from_radps + std::clamp(change_radps, least_radps, most_radps);
 }
 
 }  // namespace

@@ -91,9 +91,6 @@ std::string DependenceText(const DiagnosedBlock& diagnosed, const Location& loca
   const std::string depends =
       first.is_share ? "is a share of the simulated value that depends" : "depends";
   std::string text = RegimeText(first, diagnosed, location.channel);
-  if (first.p > kSignificant)
-    return fmt::format("{} most on {} ({})", depends, text,
-                       first.p < 1 ? ProbabilityText(first.p) : "which moves too slowly for a p");
   std::vector<std::string> others;
   for (std::size_t r = 1; r < location.regimes.size(); ++r) {
     if (location.regimes[r].p > kSignificant) continue;
@@ -104,7 +101,9 @@ std::string DependenceText(const DiagnosedBlock& diagnosed, const Location& loca
     }
   }
   if (!others.empty()) text += fmt::format(", and on {}", fmt::join(others, " and "));
-  return fmt::format("{} on {}", depends, text);
+  if (first.p <= kSignificant) return fmt::format("{} on {}", depends, text);
+  return fmt::format("{} most on {} ({})", depends, text,
+                     first.p < 1 ? ProbabilityText(first.p) : "which moves too slowly for a p");
 }
 
 /// The number that a mechanism cannot be without, where it is the first and only one, goes by the

@@ -19,6 +19,9 @@ constexpr std::uint64_t kDraws = 20;  ///< of noise, of which three quarters are
 constexpr double kLeastUnexplained = 0.05;
 constexpr std::size_t kLongestResponse = 2000;
 constexpr double kUnconfirmedP = 0.05;
+/// Of a term that was chosen so surely; together they are rarer than a choice at one per cent and a
+/// confirmation at five (Fisher's sum of logarithms).
+constexpr double kSurelyChosenP = 1e-5, kSurelyUnconfirmedP = 0.2;
 constexpr double kUndetermined = 1e-10;  ///< of the largest eigenvalue of the information
 constexpr double kAtBound = 1e-3;        ///< of a parameter's range
 constexpr double kLoudWithoutRest = 10;
@@ -380,7 +383,9 @@ void Procedure::Confirm(BlockDiagnosis* out) const {
   std::vector<TermEvidence> evidence;
   for (std::size_t t = 0; t < out->search.found.terms.size(); ++t) {
     Finding finding = Describe(out->search, t);
-    if (finding.held_out.p <= kUnconfirmedP && finding.held_out.excess_removed > 0) {
+    const double level =
+        finding.evidence.p <= kSurelyChosenP ? kSurelyUnconfirmedP : kUnconfirmedP;
+    if (finding.held_out.p <= level && finding.held_out.excess_removed > 0) {
       kept.push_back(finding.term);
       evidence.push_back(finding.evidence);
       out->findings.push_back(std::move(finding));

@@ -39,9 +39,10 @@ std::vector<Told> Telling(const Partialling& found) {
   }
   const auto& tests = found.steps.empty() ? found.left : found.steps.front().tests;
   const Told slow = MostTelling(tests, least);
-  if (slow.variable < tests.size()) telling.push_back(slow);
+  const bool is_first = !found.steps.empty() && slow.variable == found.steps.front().variable;
+  if (slow.variable < tests.size() && !is_first) telling.push_back(slow);
   for (const PartiallingStep& step : found.steps) {
-    if (step.variable == slow.variable) continue;
+    if (step.variable == slow.variable && !is_first) continue;
     telling.push_back({step.variable, step.p_adjusted, step.share});
   }
   return telling;

@@ -16,7 +16,7 @@ namespace tera {
 struct Regime {
   std::string variable;
   bool is_share = false;  ///< the curve is of the error over the simulated value
-  double p = 1;           ///< Holm over the variables
+  double p = 1;           ///< Holm over the variables; as it is where shifts are too few (Locate)
   double share = 0;       ///< of the whitened residual's energy
   CurveShape shape;
   RegimeCurve curve;

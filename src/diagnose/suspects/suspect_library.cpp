@@ -10,6 +10,7 @@
 #include "core/config.h"
 #include "core/error.h"
 #include "core/spelling.h"
+#include "diagnose/blocks/measured_poses.h"
 #include "diagnose/search/structure_fit.h"
 #include "physics/actuation_mechanisms.h"
 #include "physics/ground_mechanisms.h"
@@ -155,13 +156,17 @@ bool IsOfReceivers(const ReplayBlock& block) {
   });
 }
 
-/// What kind of thing the suspects of a block act on.
-EffectTarget KindOf(const MachineModel& model, const ReplayBlock& block,
-                    const std::string& target) {
+/// What kind of thing a target is; none of measured poses, which have suspects of their own alone.
+std::optional<EffectTarget> KindOf(const MachineModel& model, const ReplayBlock& block,
+                                   const std::string& target) {
+  if (target == kPoses) return std::nullopt;
   if (target == "base") return EffectTarget::kBase;
   if (model.JointIndex(target) >= 0) return EffectTarget::kJoint;
   for (const RunningGear& gear : model.ground_tools.gears) {
     if (gear.name == target) return EffectTarget::kGear;
+  }
+  for (const Pump& pump : model.pumps) {
+    if (pump.name == target) return EffectTarget::kPump;
   }
   return IsOfReceivers(block) ? EffectTarget::kGnss : EffectTarget::kImu;
 }
@@ -204,7 +209,8 @@ void ApplyLibrary(const SuspectLibrary& library, const MachineModel& model,
         is_own = true;
       }
       for (const std::string& target : targets) {
-        if (is_own || !mechanism->ActsOn(KindOf(model, block, target))) continue;
+        const auto kind = KindOf(model, block, target);
+        if (is_own || !kind || !mechanism->ActsOn(*kind)) continue;
         block.suspects.push_back(NewSuspect(*mechanism, ranges, target, library.file));
       }
     }
