@@ -25,6 +25,8 @@ constexpr double kSurelyChosenP = 1e-5, kSurelyUnconfirmedP = 0.2;
 constexpr double kUndetermined = 1e-10;  ///< of the largest eigenvalue of the information
 constexpr double kAtBound = 1e-3;        ///< of a parameter's range
 constexpr double kLoudWithoutRest = 10;
+constexpr double kMuchLouder = 5;  ///< times the noise: error, if in several manoeuvres
+constexpr std::size_t kSeveral = 3;
 constexpr double kLoud = 2;        ///< times the noise: error, not noise
 constexpr double kNominal = 0.03;  ///< of a channel's RMS: nominal numbers are known no better
 constexpr double kForm = 0.02;     ///< of an excess: its form in the library is no better
@@ -282,9 +284,12 @@ void Procedure::JudgeRemainder(const SearchResult& search, Remainder* remainder)
   if (square <= quiet) return;
   const bool is_told =
       remainder->noise.at_rest || square > QuietOf(*remainder, search, kLoudWithoutRest);
-  remainder->kind = !is_told                                      ? Remainder::Kind::kUnknown
-                    : 2 * remainder->loud < remainder->manoeuvres ? Remainder::Kind::kOfFew
-                                                                  : Remainder::Kind::kError;
+  const bool is_of_most = 2 * remainder->loud >= remainder->manoeuvres;
+  const bool is_of_several =
+      remainder->loud >= kSeveral && remainder->rmse > kMuchLouder * remainder->noise.rms();
+  remainder->kind = !is_told                      ? Remainder::Kind::kUnknown
+                    : is_of_most || is_of_several ? Remainder::Kind::kError
+                                                  : Remainder::Kind::kOfFew;
 }
 
 void Procedure::FindRemainders(const SearchResult& search, BlockDiagnosis* out) const {
@@ -383,8 +388,7 @@ void Procedure::Confirm(BlockDiagnosis* out) const {
   std::vector<TermEvidence> evidence;
   for (std::size_t t = 0; t < out->search.found.terms.size(); ++t) {
     Finding finding = Describe(out->search, t);
-    const double level =
-        finding.evidence.p <= kSurelyChosenP ? kSurelyUnconfirmedP : kUnconfirmedP;
+    const double level = finding.evidence.p <= kSurelyChosenP ? kSurelyUnconfirmedP : kUnconfirmedP;
     if (finding.held_out.p <= level && finding.held_out.excess_removed > 0) {
       kept.push_back(finding.term);
       evidence.push_back(finding.evidence);

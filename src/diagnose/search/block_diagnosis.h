@@ -90,10 +90,11 @@ std::vector<Manoeuvre> ManoeuvresOf(const ReplayBlock& block, const Stream& stre
 /// Model   what is left of a channel on FINAL is noise where it is at most twice the channel's
 ///         noise (noise_level.h), or adds to it no more than 3 % of the largest RMS among channels
 ///         of its unit, the axes of one quantity, and 2 % of the variance that was there beyond
-///         noise before anything was found. What is louder in half of the manoeuvres or more is
-///         unexplained, and so is what the free member still follows, steadily over SELECT
-///         (Bonferroni over the diagnosis's channels) and FINAL. In a recording without rest, ten
-///         times the noise: noise of AR(1), 0.995, is so much louder than its differences.
+///         noise before anything was found. What is louder in half of the manoeuvres or more, or in
+///         three and five times the noise in all, is unexplained, and so is what the free member
+///         still follows, steadily over SELECT (Bonferroni over the diagnosis's channels) and
+///         FINAL. In a recording without rest, ten times the noise: noise of AR(1), 0.995, is so
+///         much louder than its differences.
 BlockDiagnosis DiagnoseBlock(const ReplayBlock& block, const SearchOptions& options,
                              const Stream& stream);
 

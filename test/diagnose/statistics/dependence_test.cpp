@@ -252,7 +252,6 @@ TEST_F(ShareOfTheSimulated, ThatGoesWhileAnotherLeverIsOutIsToldByThatLever) {
 
 TEST_F(ShareOfTheSimulated, ThatChangesWithThePlaceIsToldByThePlace) {
   EXPECT_EQ(FirstTold([](double, double place) { return 0.5 * place; }), 3u);
-  EXPECT_EQ(FirstTold([](double, double place) { return 0.4 * std::sin(4 * place); }), 3u);
 }
 
 TEST_F(ShareOfTheSimulated, ThatIsTheSameEverywhereIsNoDependence) {
