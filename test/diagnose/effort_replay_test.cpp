@@ -6,22 +6,15 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "core/random.h"
-#include "sim/drive_fixture.h"
+#include "diagnose/sled.h"
 
 namespace tera {
 namespace {
 
 using ::testing::HasSubstr;
 
-/// What a recording would hold: ideal encoders and efforts at 500 Hz.
-struct Recorded {
-  TableRecording efforts;
-  std::vector<NamedEncoders> encoders{{"m/encoders", {}}};
-};
-
 /// All three joints of the arm move at once, so that each feels the others.
-Recorded RecordArm(const std::string& effects, double duration_s) {
+RecordedEfforts RecordArm(const std::string& effects, double duration_s) {
   Drive drive("fixed_arm.yaml", "{joints_deg: {shoulder: 60, elbow: -50, wrist: -40}}",
               "soil: asphalt", 0, 0, effects);
   drive.Operate([](double t_s) {
@@ -30,7 +23,7 @@ Recorded RecordArm(const std::string& effects, double duration_s) {
                        {"wrist", 0.7 * std::sin(1.7 * t_s + 2)}};
   });
   const MachineModel& model = drive.scenario.machines[0].placement.model;
-  Recorded recorded;
+  RecordedEfforts recorded;
   for (const Joint& joint : model.joints) {
     recorded.encoders[0].recording.axes.push_back({joint.name});
     recorded.efforts.columns.push_back(joint.name + "_nm");
@@ -64,7 +57,7 @@ TEST(EffortReplay, NeedsWhatTheMotorsOfTheMovingArmGave) {
       "effects: {m: {shoulder: {coulomb_friction: {effort_nm: 60}}, elbow: {viscous_friction: "
       "{coefficient_nmsprad: 120}, asymmetric_friction: {negative_nm: 20}}, wrist: {effort_offset: "
       "{effort_nm: 25}}}}\n";
-  const Recorded recorded = RecordArm(kEffects, 6);
+  const RecordedEfforts recorded = RecordArm(kEffects, 6);
   const MachineModel model =
       Drive::Read("fixed_arm.yaml", "{}", "soil: asphalt", kEffects).machines[0].placement.model;
   const auto logs = MakeEffortLogs(model, "m/efforts", recorded.efforts, recorded.encoders);
@@ -78,39 +71,8 @@ TEST(EffortReplay, NeedsWhatTheMotorsOfTheMovingArmGave) {
   }
 }
 
-/// A sled of 95.1 kg on a level rail, driven to and fro; its effort by Newton's law.
-struct Sled {
-  Sled(double offset_n, double more_back_nspm, double noise_n) {
-    const Stream noise(5, "noise");
-    recorded.encoders[0].recording.axes.push_back({"carriage", true});
-    recorded.efforts.columns = {"carriage_n"};
-    for (int k = 0; k < 10000; ++k) {
-      const double t_s = 0.004 * k, w = 2.2, z = 3.7;
-      const double q_m = 0.04 * std::sin(w * t_s) + 0.015 * std::sin(z * t_s + 0.3);
-      const double v_mps = 0.04 * w * std::cos(w * t_s) + 0.015 * z * std::cos(z * t_s + 0.3);
-      const double a_mps2 =
-          -0.04 * w * w * std::sin(w * t_s) - 0.015 * z * z * std::sin(z * t_s + 0.3);
-      const double viscous_nspm = v_mps > 0 ? 200 : 200 + more_back_nspm;
-      const double force_n = 95.1 * a_mps2 + std::copysign(20, v_mps) + viscous_nspm * v_mps +
-                             offset_n + noise_n * noise.Gaussian(static_cast<std::uint64_t>(k));
-      const TimeNs t_ns = TimeNs{k} * 4'000'000;
-      recorded.encoders[0].recording.samples.push_back(
-          {.t_ns = t_ns, .q_rad = {q_m}, .qd_radps = {v_mps}});
-      recorded.efforts.t_ns.push_back(t_ns);
-      recorded.efforts.rows.push_back({force_n});
-    }
-    model = Drive::Read("emps.yaml", "{}", "soil: asphalt", "").machines[0].placement.model;
-  }
-  std::vector<EffortLog> Logs() const {
-    return MakeEffortLogs(model, "m/efforts", recorded.efforts, recorded.encoders);
-  }
-
-  Recorded recorded;
-  MachineModel model;
-};
-
 TEST(EffortLog, RefusesATorqueOfAJointThatSlides) {
-  Sled sled(0, 0, 0);
+  Sled sled;
   sled.recorded.efforts.columns = {"carriage_nm"};
   try {
     sled.Logs();
@@ -121,7 +83,7 @@ TEST(EffortLog, RefusesATorqueOfAJointThatSlides) {
 }
 
 TEST(EffortLog, HasGapsWhereTheJointRests) {
-  Sled sled(0, 0, 0);
+  Sled sled;
   auto& samples = sled.recorded.encoders[0].recording.samples;
   for (std::size_t k = 2500; k < 3500; ++k) samples[k].q_rad = samples[2500].q_rad;
   const EffortLog log = sled.Logs().at(0);
