@@ -104,7 +104,7 @@ TEST(Case, TellsWhatEachOfTwoEffectsChangesBesideTheOther) {
     const CaseRecording recording = Record(&c, 2);
     ASSERT_EQ(recording.changes.size(), 2u);
     EXPECT_NE(recording.changes[0].Rms(), recording.changes[1].Rms()) << "case " << k;
-    EXPECT_LE(recording.changes[0].Shows_s(), 26) << "case " << k;
+    for (const Change& change : recording.changes) EXPECT_GT(change.Rms(), 0.02) << "case " << k;
   }
   EXPECT_EQ(cases, 3);
 }

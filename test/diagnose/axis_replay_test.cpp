@@ -142,6 +142,28 @@ TEST(LoneAxisReplay, KnowsWhatItsPumpGivesToOthers) {
   }
 }
 
+TEST(LoneAxisReplay, FallsShortAfterAStepThatAsksForMoreThanTheEffortAndNotInBetween) {
+  Drive drive("tb235.yaml", kRaised, "soil: dirt", 0, 0);
+  drive.Operate([](double t_s) { return NamedLevers{{"arm", t_s < 1 ? 0.0 : 1.0}}; });
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  const Recorded recorded = Record(&drive, 2);
+  const AxisLog log = MakeAxisLog(model, recorded.commands, {recorded.encoders}, 0.002);
+  const auto arm =
+      std::find_if(log.measured.begin(), log.measured.end(), [&](const MeasuredRate& measured) {
+        return measured.axis == static_cast<std::size_t>(model.JointIndex("arm"));
+      });
+  ASSERT_NE(arm, log.measured.end());
+  const LoneAxisReplay replay(model, log, *arm);
+  const std::vector<bool> weak = replay.FallsShort(replay.effects(), {.effort = 0.5});
+  const std::vector<bool> strong = replay.FallsShort(replay.effects(), {.effort = 1000});
+  ASSERT_EQ(weak.size(), arm->at_step.size());
+  // Samples come every 10 ms, the first at 10 ms.
+  EXPECT_EQ(std::count(weak.begin(), weak.begin() + 98, true), 0) << "at rest";
+  EXPECT_GE(std::count(weak.begin() + 98, weak.begin() + 106, true), 2) << "after the step";
+  EXPECT_EQ(std::count(weak.begin() + 180, weak.end(), true), 0) << "at a steady rate";
+  EXPECT_EQ(std::count(strong.begin(), strong.end(), true), 0);
+}
+
 /// Of the boom, which shares pump 1 with the bucket.
 ReplayBlock BlockOfBoom(const Drive& drive, const Recorded& recorded) {
   const MachineModel& model = drive.scenario.machines[0].placement.model;
