@@ -14,6 +14,7 @@
 #include "app/perception_run.h"
 #include "core/error.h"
 #include "dataset/recording.h"
+#include "dataset/whole_folder.h"
 #include "diagnose/diagnosis.h"
 #include "diagnose/report/baselines_json.h"
 #include "diagnose/report/sentence.h"
@@ -104,6 +105,24 @@ bool IsOutOfTime(const Diagnosis& diagnosis) {
       [](const DiagnosedBlock& diagnosed) { return diagnosed.diagnosis.out_of_time; });
 }
 
+/// A folder for each, where there are several.
+void WriteReports(const DiagnoseArguments& arguments, const std::vector<Diagnosis>& diagnoses,
+                  const SiteOrigin& origin) {
+  WholeFolder out(arguments.out);
+  const auto of_machine = [&](const std::filesystem::path& folder, const Diagnosis& diagnosis) {
+    return diagnoses.size() == 1 ? folder : folder / diagnosis.machine;
+  };
+  for (const Diagnosis& diagnosis : diagnoses) {
+    const std::filesystem::path folder = of_machine(out.temporary(), diagnosis);
+    WriteReport(folder, diagnosis, arguments.recording.string());
+    WriteGroundMaps(folder, diagnosis, origin);
+  }
+  out.Commit();
+  for (const Diagnosis& diagnosis : diagnoses) {
+    fmt::print("report: {}\n", (of_machine(arguments.out, diagnosis) / "report.html").string());
+  }
+}
+
 /// `seen`: what its lidars and cameras show.
 Diagnosis DiagnoseMachine(const DiagnoseArguments& arguments, DiagnosisOptions options,
                           const MachineCase& machine, const Recording& recording,
@@ -147,6 +166,7 @@ std::vector<std::vector<PerceptionDiagnosis>> DiagnoseSensors(const DiagnoseArgu
 }  // namespace
 
 void RequireNewFolder(const std::filesystem::path& out) {
+  RequireNoneStopped(out);
   if (!std::filesystem::exists(out)) return;
   throw InputError(
       fmt::format("{}: exists already; need a folder that does not, for a report of "
@@ -183,11 +203,8 @@ void DiagnoseRecording(const DiagnoseArguments& arguments) {
   }
   for (const Diagnosis& diagnosis : diagnoses) {
     for (const std::string& sentence : SentencesOf(diagnosis)) fmt::print("{}\n", sentence);
-    const auto folder = diagnoses.size() == 1 ? arguments.out : arguments.out / diagnosis.machine;
-    WriteReport(folder, diagnosis, arguments.recording.string());
-    WriteGroundMaps(folder, diagnosis, loaded.scenario.origin);
-    fmt::print("report: {}\n", (folder / "report.html").string());
   }
+  WriteReports(arguments, diagnoses, loaded.scenario.origin);
 }
 
 }  // namespace tera

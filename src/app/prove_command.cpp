@@ -2,7 +2,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "app/commands.h"
@@ -11,6 +10,7 @@
 #include "blind/recording_files.h"
 #include "blind/table.h"
 #include "core/input_files.h"
+#include "dataset/checked_file.h"
 
 namespace tera {
 namespace {
@@ -36,10 +36,10 @@ void RunProve(Arguments* arguments) {
   const auto baselines = [&](const std::filesystem::path& scenario,
                              const std::filesystem::path& recording,
                              const std::filesystem::path& out) {
-    std::ofstream(out / "baselines.json")
-        << BaselinesOfRecording({.scenario = {.scenario = scenario.string()},
-                                 .recording = recording,
-                                 .threads = arguments->threads});
+    WriteWholeFile(out / "baselines.json",
+                   BaselinesOfRecording({.scenario = {.scenario = scenario.string()},
+                                         .recording = recording,
+                                         .threads = arguments->threads}));
   };
   const auto marks =
       blind::Prove(arguments->prove, {diagnose, baselines}, [](const blind::Mark& mark) {

@@ -17,6 +17,7 @@
 #include "dataset/object_boxes.h"
 #include "dataset/pcd.h"
 #include "dataset/png.h"
+#include "dataset/whole_folder.h"
 
 namespace tera {
 namespace fs = std::filesystem;
@@ -41,12 +42,6 @@ std::string Note(const DatasetInfo& info, const WriterOptions& options) {
 bool Exists(const fs::path& path) {
   std::error_code ignored;
   return fs::exists(path, ignored);
-}
-
-bool HoldsSomething(const fs::path& path) {
-  std::error_code error;
-  const bool empty = fs::is_directory(path, error) && fs::is_empty(path, error);
-  return Exists(path) && !(empty && !error);
 }
 
 void Remove(const fs::path& path) {
@@ -96,12 +91,6 @@ void RemoveParts(const fs::path& root) {
   }
   if (error) FailFile(root, "cannot be listed", error.value());
   for (const fs::path& part : parts) Remove(part);
-}
-
-void GiveName(const fs::path& root, const fs::path& directory) {
-  std::error_code error;
-  fs::rename(root, directory, error);
-  if (error) FailFile(directory, "cannot be given its name", error.value());
 }
 
 struct Channel {

@@ -148,6 +148,16 @@ double AxisStep_s(const std::vector<NamedEncoders>& encoders, double wanted_s) {
   return any ? std::max(wanted_s, kStepOfPeriod * shortest_s) : wanted_s;
 }
 
+/// What cannot be compared leaves the rest, and is told with its place.
+void Try(const std::string& place, std::vector<std::string>* obstacles,
+         const std::function<void()>& add) {
+  try {
+    add();
+  } catch (const InputError& error) {
+    obstacles->push_back(place + error.what());
+  }
+}
+
 /// Encoders may have a block for each joint and gear with a lever.
 void AddAxes(const DiagnosisInput& input, const Measurements& measured,
              const DiagnosisOptions& options, std::vector<ReplayBlock>* blocks) {
@@ -189,17 +199,19 @@ void AddBase(const DiagnosisInput& input, const Measurements& measured,
 
 /// An inertial unit makes a block where its link's motion was measured.
 void AddImus(const DiagnosisInput& input, const Measurements& measured,
-             const DiagnosisOptions& options, std::vector<ReplayBlock>* blocks) {
+             const DiagnosisOptions& options, std::vector<ReplayBlock>* blocks,
+             std::vector<std::string>* obstacles) {
   const double interval_s = std::max(options.base_interval_s, ImuInterval_s(measured.poses));
   for (std::size_t s = 0; s < input.sensors.size(); ++s) {
     const SensorDescription& sensor = input.sensors[s];
+    const std::string channel = input.machine + "/" + sensor.name;
     if (measured.imus[s].empty()) continue;
-    ImuLog log = MakeImuLog(*input.model, sensor, measured.imus[s], measured.encoders,
-                            measured.poses, interval_s);
-    if (auto block = MakeImuBlock(sensor, std::move(log), input.machine + "/" + sensor.name,
-                                  measured.poses_were_measured)) {
-      blocks->push_back(std::move(*block));
-    }
+    Try(channel + ": ", obstacles, [&] {
+      ImuLog log = MakeImuLog(*input.model, sensor, measured.imus[s], measured.encoders,
+                              measured.poses, interval_s);
+      auto block = MakeImuBlock(sensor, std::move(log), channel, measured.poses_were_measured);
+      if (block) blocks->push_back(std::move(*block));
+    });
   }
 }
 
@@ -217,32 +229,30 @@ std::optional<ReplayBlock> GnssBlockOf(const DiagnosisInput& input, const Measur
   return MakeGnssBlock(receivers, std::move(log), input.machine);
 }
 
-/// Two receivers make one block where both have enough to say; else each has its own.
+/// Two receivers make one block where both have enough to say; else, and where one of them cannot
+/// be compared, each has its own.
 void AddGnss(const DiagnosisInput& input, const Measurements& measured,
-             std::vector<ReplayBlock>* blocks) {
+             std::vector<ReplayBlock>* blocks, std::vector<std::string>* obstacles) {
   std::vector<std::size_t> which;
   std::size_t in_all = 0;
   for (std::size_t s = 0; s < input.sensors.size(); ++s) {
     in_all += std::holds_alternative<GnssModel>(input.sensors[s].model) ? 1 : 0;
     if (!measured.gnss[s].empty()) which.push_back(s);
   }
+  const auto add = [&](const std::vector<std::size_t>& receivers) {
+    auto block = GnssBlockOf(input, measured, receivers);
+    if (block) blocks->push_back(std::move(*block));
+    return block.has_value();
+  };
   if (which.size() == 2 && in_all == 2) {
-    if (auto pair = GnssBlockOf(input, measured, which)) {
-      blocks->push_back(std::move(*pair));
-      return;
-    }
+    bool is_made = false;
+    std::vector<std::string> of_one;  // whose own block will tell it again
+    Try("", &of_one, [&] { is_made = add(which); });
+    if (is_made) return;
   }
   for (const std::size_t s : which) {
-    if (auto block = GnssBlockOf(input, measured, {s})) blocks->push_back(std::move(*block));
-  }
-}
-
-/// One kind of block that cannot be made leaves the others.
-void Try(const std::function<void()>& add, std::vector<std::string>* obstacles) {
-  try {
-    add();
-  } catch (const InputError& error) {
-    obstacles->push_back(error.what());
+    const std::string channel = input.machine + "/" + input.sensors[s].name;
+    Try(channel + ": ", obstacles, [&] { add({s}); });
   }
 }
 
@@ -350,7 +360,8 @@ std::string_view NameOf(Verdict verdict) {
 }
 
 std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis) {
-  bool named = false, several = false, unexplained = false, untestable = false, judged = false;
+  bool named = false, several = false, unexplained = false, judged = false;
+  bool untestable = !diagnosis.not_compared.empty();
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     judged = judged || diagnosed.diagnosis.is_testable;
     untestable = untestable || !diagnosed.diagnosis.is_testable;
@@ -379,21 +390,23 @@ std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis) {
 }
 
 std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Recording& recording,
-                                  const DiagnosisOptions& options) {
+                                  const DiagnosisOptions& options,
+                                  std::vector<std::string>* not_compared) {
   const Measurements measured = MeasurementsOf(input, recording, options);
   std::vector<ReplayBlock> blocks;
   std::vector<std::string> obstacles;
-  Try([&] { AddAxes(input, measured, options, &blocks); }, &obstacles);
-  Try([&] { AddEfforts(input, measured, &blocks); }, &obstacles);
-  Try([&] { AddBase(input, measured, options, &blocks); }, &obstacles);
-  Try([&] { AddImus(input, measured, options, &blocks); }, &obstacles);
-  Try([&] { AddGnss(input, measured, &blocks); }, &obstacles);
+  Try("", &obstacles, [&] { AddAxes(input, measured, options, &blocks); });
+  Try("", &obstacles, [&] { AddEfforts(input, measured, &blocks); });
+  Try("", &obstacles, [&] { AddBase(input, measured, options, &blocks); });
+  AddImus(input, measured, options, &blocks, &obstacles);
+  AddGnss(input, measured, &blocks, &obstacles);
   std::erase_if(blocks, [](const ReplayBlock& block) {
     return static_cast<double>(block.samples()) * block.period_s() < kShortest_s;
   });
   if (blocks.empty() && options.needs_blocks) ThrowNothingToCompare(input, recording, obstacles);
   CheckUnitsOf({recording.directory().string(), input.machine}, blocks);
   for (ReplayBlock& block : blocks) CountTimeFrom(measured.start_ns, &block);
+  if (not_compared != nullptr) *not_compared = std::move(obstacles);
   return blocks;
 }
 
@@ -431,9 +444,9 @@ std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks, Sear
 
 Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
                    const DiagnosisOptions& options, const FollowProgress& progress) {
-  std::vector<ReplayBlock> blocks = BlocksOf(input, recording, options);
-  if (options.library) ApplyLibrary(*options.library, *input.model, &blocks);
   Diagnosis diagnosis;
+  std::vector<ReplayBlock> blocks = BlocksOf(input, recording, options, &diagnosis.not_compared);
+  if (options.library) ApplyLibrary(*options.library, *input.model, &blocks);
   diagnosis.machine = input.machine;
   diagnosis.scenario = input.scenario;
   diagnosis.blocks = DiagnoseBlocks(std::move(blocks), options.search, options.seed, progress,

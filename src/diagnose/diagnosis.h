@@ -36,6 +36,7 @@ struct Diagnosis {
   std::string machine;   ///< its name in the recording
   std::string scenario;  ///< its name in the scenario, to which the overlay speaks
   std::vector<DiagnosedBlock> blocks;
+  std::vector<std::string> not_compared;        ///< what was measured, and why nothing came of it
   std::vector<PerceptionDiagnosis> perception;  ///< of sensors that measure ranges
   /// The levers that would tell what this recording leaves open; none where nothing is open, or no
   /// levers would.
@@ -51,8 +52,8 @@ enum class Verdict { kNone, kNamed, kClass, kUnexplained, kUntestable };
 std::string_view NameOf(Verdict verdict);
 
 /// kNone where nothing was found and nothing is left of the blocks that could be judged; kNamed,
-/// kClass by the findings; kUnexplained where error is left; kUntestable where a block could not be
-/// judged, or some suspect would not have been seen at any size.
+/// kClass by the findings; kUnexplained where error is left; kUntestable where something could not
+/// be compared or judged, or some suspect would not have been seen at any size.
 std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis);
 
 /// What is to be diagnosed.
@@ -89,9 +90,11 @@ using FollowProgress = std::function<void(const BlockProgress&)>;
 /// Every block that the recording has channels for: joints and gears with encoders and levers,
 /// drives with efforts and encoders, the base with gears and poses, inertial units
 /// and receivers whose link's motion was measured, over 20 s at least. Throws InputError where
-/// there is none at all, unless `needs_blocks` is false.
+/// there is none at all, unless `needs_blocks` is false. `not_compared` is given what was measured
+/// in a way that makes no block, and why.
 std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Recording& recording,
-                                  const DiagnosisOptions& options);
+                                  const DiagnosisOptions& options,
+                                  std::vector<std::string>* not_compared = nullptr);
 
 /// From which all that is random about a block's diagnosis comes.
 Stream StreamOf(const ReplayBlock& block, std::uint64_t seed);

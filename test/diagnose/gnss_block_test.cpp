@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "diagnose/recorded_receivers.h"
 #include "diagnose/search/block_diagnosis.h"
 
@@ -91,6 +93,40 @@ TEST(GnssBlock, NamesAClockThatIsLate) {
   EXPECT_EQ(late.term.suspect->target, "right");
   EXPECT_THAT(late.term.suspect->mechanism->id, ::testing::AnyOf("clock_offset", "latency"));
   EXPECT_NEAR(late.parameters[0].value, 0.35, 0.03);
+}
+
+/// The same at a rate so many times as high, straight in between.
+std::vector<GnssSample> Denser(const std::vector<GnssSample>& samples, int times) {
+  std::vector<GnssSample> denser;
+  for (std::size_t k = 0; k + 1 < samples.size(); ++k) {
+    for (int i = 0; i < times; ++i) {
+      const double s = static_cast<double>(i) / times;
+      GnssSample sample = samples[k];
+      sample.t_ns += (samples[k + 1].t_ns - samples[k].t_ns) * i / times;
+      sample.enu_m = (1 - s) * samples[k].enu_m + s * samples[k + 1].enu_m;
+      denser.push_back(sample);
+    }
+  }
+  return denser;
+}
+
+TEST(GnssBlock, LeavesOutPositionsOfTheReceiverAloneThatHasTooMany) {
+  Receivers receivers({}, {});
+  std::vector<GnssSample> rare;
+  for (std::size_t k = 0; k < receivers.samples[0].size(); k += 3) {
+    rare.push_back(receivers.samples[0][k]);
+  }
+  receivers.samples[0] = rare;
+  receivers.samples[1] = Denser(receivers.samples[1], 30);
+  const auto block = MakeGnssBlock(receivers.sensors, receivers.Log(), "m");
+  ASSERT_TRUE(block);
+  const auto compared = [&](std::size_t channel) {
+    const Mask& valid = block->channels[channel].measured.valid;
+    return std::count(valid.begin(), valid.end(), 1);
+  };
+  // 80 s at 5/3 Hz; the first may come before the machine's first pose.
+  EXPECT_NEAR(static_cast<double>(compared(0)), 134, 1);
+  EXPECT_NEAR(static_cast<double>(compared(3)), 134, 1);
 }
 
 }  // namespace

@@ -335,6 +335,7 @@ TEST(DiagnosisJson, HasItsStructureInFixedOrderAndDigits) {
     }
   ],
   "not_judged": [],
+  "not_compared": [],
   "out_of_time": [],
   "held_out_recordings": [],
   "whole_simulation": null,

@@ -30,8 +30,8 @@ using Axes = std::array<std::vector<double>, 3>;
 
 /// Times that all receivers of a block stand on.
 struct CommonGrid {
-  std::vector<SampleGrid> of;  ///< by receiver, under every so many-th of its samples
-  std::size_t every = 1;
+  std::vector<SampleGrid> of;      ///< by receiver, under every so many-th of its samples
+  std::vector<std::size_t> every;  ///< by receiver
   TimeNs first_ns = 0;
 
   std::size_t size() const { return of.front().size; }
@@ -48,22 +48,33 @@ std::vector<Value> Every(std::size_t step, const std::vector<Value>& values) {
   return out;
 }
 
+/// By receiver: of its positions every so many-th is compared. What has fewer keeps more of them.
+std::vector<std::size_t> ThinningOf(const GnssLog& log) {
+  std::size_t most = 1;
+  for (const ReceiverLog& one : log) most = std::max(most, one.t_ns.size());
+  const std::size_t of_most = (most + kMostPositions - 1) / kMostPositions;
+  std::vector<std::size_t> every;
+  for (const ReceiverLog& one : log) {
+    every.push_back(std::max<std::size_t>(1, (of_most * one.t_ns.size() + most / 2) / most));
+  }
+  return every;
+}
+
 CommonGrid GridOf(const GnssLog& log) {
   CommonGrid grid;
-  for (const ReceiverLog& one : log) {
-    grid.every = std::max(grid.every, (one.t_ns.size() + kMostPositions - 1) / kMostPositions);
-  }
+  grid.every = ThinningOf(log);
   double period_s = 0;
   TimeNs last_ns = log.front().t_ns.back();
   grid.first_ns = log.front().t_ns.front();
-  for (const ReceiverLog& one : log) {
-    period_s = std::max(period_s, SampleGrid::Under(Every(grid.every, one.t_ns)).period_s);
-    grid.first_ns = std::min(grid.first_ns, one.t_ns.front());
-    last_ns = std::max(last_ns, one.t_ns.back());
+  std::vector<std::vector<TimeNs>> compared_ns;
+  for (std::size_t r = 0; r < log.size(); ++r) {
+    compared_ns.push_back(Every(grid.every[r], log[r].t_ns));
+    period_s = std::max(period_s, SampleGrid::Under(compared_ns[r]).period_s);
+    grid.first_ns = std::min(grid.first_ns, log[r].t_ns.front());
+    last_ns = std::max(last_ns, log[r].t_ns.back());
   }
-  for (const ReceiverLog& one : log) {
-    grid.of.push_back(
-        SampleGrid::Over(grid.first_ns, last_ns, period_s, Every(grid.every, one.t_ns)));
+  for (const std::vector<TimeNs>& t_ns : compared_ns) {
+    grid.of.push_back(SampleGrid::Over(grid.first_ns, last_ns, period_s, t_ns));
   }
   return grid;
 }
@@ -300,14 +311,14 @@ void AddChannels(const Held& held, std::size_t r, const Course& course, const Co
   const auto& noise = std::get<GnssModel>(held.receivers[r].model);
   for (std::size_t i = 0; i < 3; ++i) {
     const double slow_m = i < 2 ? noise.correlated_horizontal_m : noise.correlated_vertical_m;
-    block->channels.push_back(
-        {channel + kColumns[i],
-         "m",
-         grid.of[r].SpreadSeries(Every(grid.every, measured[i]), Every(grid.every, log.known)),
-         {.offset = std::max(slow_m, kLeastOffset_m), .gain = 1e-5},
-         VariablesOf(course, log.boom.has_value(), grid.period_s()),
-         FreeMember(course, static_cast<int>(i)),
-         Placed(course, i)});
+    block->channels.push_back({channel + kColumns[i],
+                               "m",
+                               grid.of[r].SpreadSeries(Every(grid.every[r], measured[i]),
+                                                       Every(grid.every[r], log.known)),
+                               {.offset = std::max(slow_m, kLeastOffset_m), .gain = 1e-5},
+                               VariablesOf(course, log.boom.has_value(), grid.period_s()),
+                               FreeMember(course, static_cast<int>(i)),
+                               Placed(course, i)});
   }
 }
 
@@ -338,7 +349,7 @@ std::optional<ReplayBlock> MakeGnssBlock(const std::vector<SensorDescription>& r
     std::vector<std::vector<double>> channels;
     for (std::size_t r = 0; r < predicted_m.size(); ++r) {
       for (const std::vector<double>& axis : Split(predicted_m[r], held->documented_m[r])) {
-        channels.push_back(grid.of[r].Spread(Every(grid.every, axis)));
+        channels.push_back(grid.of[r].Spread(Every(grid.every[r], axis)));
       }
     }
     return channels;

@@ -29,7 +29,8 @@ namespace tera {
 /// filters does so at its own rate.
 ///
 /// Channels are in the receivers' folders, "excavator1/gnss_left/east_m". Nothing where one of them
-/// has fewer than 100 positions.
+/// has fewer than 100 positions. Throws InputError where those of one come so unevenly that most of
+/// a grid under them would be empty.
 std::optional<ReplayBlock> MakeGnssBlock(const std::vector<SensorDescription>& receivers,
                                          GnssLog log, const std::string& machine);
 

@@ -381,6 +381,7 @@ std::string DiagnosisJson(const Diagnosis& diagnosis) {
   json["unconfirmed"] = Unconfirmed(diagnosis);
   json["untestable"] = Untestable(diagnosis);
   json["not_judged"] = NotJudged(diagnosis);
+  json["not_compared"] = diagnosis.not_compared;
   json["out_of_time"] = OutOfTime(diagnosis);
   json["held_out_recordings"] = FurtherRecordings(diagnosis);
   json["whole_simulation"] = Whole(diagnosis);

@@ -336,6 +336,9 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
     }
     if (!diagnosed.diagnosis.is_testable) sentences.push_back(SentenceOfUntestable(diagnosed));
   }
+  for (const std::string& obstacle : diagnosis.not_compared) {
+    sentences.push_back(fmt::format("Not compared: {}.", obstacle));
+  }
   const std::vector<std::string> seen = PerceptionSentences(diagnosis.perception);
   sentences.insert(sentences.end(), seen.begin(), seen.end());
   for (const HeldOutRecording& further : diagnosis.held_out) {

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+namespace tera {
+
+class FolderLock;
+
+/// A folder that is written beside its place and appears there when it is whole.
+///
+/// It goes to `<folder>.incomplete`, as recordings do (writer.h); what cannot be gone on with, such
+/// as a report, is gone again where it is not completed.
+class WholeFolder {
+ public:
+  /// Makes the folder beside, with its parents. Throws InputError where it cannot be made, where
+  /// another run writes it, or where a stopped one has left something.
+  explicit WholeFolder(const std::filesystem::path& folder);
+  /// Without Commit, removes what was written.
+  ~WholeFolder();
+  WholeFolder(const WholeFolder&) = delete;
+  WholeFolder& operator=(const WholeFolder&) = delete;
+
+  /// Where to write before Commit.
+  const std::filesystem::path& temporary() const { return temporary_; }
+  /// Gives the folder its name. Throws InputError.
+  void Commit();
+
+ private:
+  std::filesystem::path folder_, temporary_;
+  std::unique_ptr<FolderLock> lock_;
+  bool committed_ = false;
+};
+
+/// Throws InputError where a run that was stopped has left something beside a folder.
+void RequireNoneStopped(const std::filesystem::path& folder);
+
+/// Whether there is a file, or a folder that is not empty.
+bool HoldsSomething(const std::filesystem::path& path);
+
+/// Renames a folder. Throws InputError.
+void GiveName(const std::filesystem::path& from, const std::filesystem::path& to);
+
+}  // namespace tera
