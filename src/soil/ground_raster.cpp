@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/check.h"
+#include "soil/file_in_place.h"
 #include "soil/georaster.h"
 #include "soil/ground_view.h"
 
@@ -220,17 +221,10 @@ void WriteGroundRaster(const std::filesystem::path& file, const Columns& columns
                        GroundRaster raster, const SiteOrigin& origin, int columns_per_pixel) {
   TERA_CHECK(columns_per_pixel > 0, columns_per_pixel);
   const QuietGdal quiet;
-  const std::filesystem::path part = file.string() + ".part";
-  std::error_code error;
-  if (!Output(columns, raster, origin, columns_per_pixel).Write(part)) {
-    const std::string reason = CPLGetLastErrorMsg();
-    std::filesystem::remove(part, error);
-    Refuse(file, fmt::format("cannot be written ({}); check the folder, its permissions and the "
-                             "space on the disk",
-                             reason));
-  }
-  std::filesystem::rename(part, file, error);
-  if (error) Refuse(file, fmt::format("cannot be put in place ({})", error.message()));
+  PutInPlace(file, [&](const std::filesystem::path& part) -> std::optional<std::string> {
+    if (Output(columns, raster, origin, columns_per_pixel).Write(part)) return std::nullopt;
+    return CPLGetLastErrorMsg();
+  });
 }
 
 }  // namespace tera

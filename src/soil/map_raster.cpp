@@ -1,10 +1,9 @@
 #include "soil/map_raster.h"
 
-#include <fmt/format.h>
-
 #include <limits>
 
 #include "core/check.h"
+#include "soil/file_in_place.h"
 #include "soil/georaster.h"
 
 namespace tera {
@@ -45,17 +44,10 @@ void WriteSiteMap(const std::filesystem::path& file, const SiteMap& map, const S
   TERA_CHECK(map.nx > 0 && map.ny > 0, map.nx, map.ny);
   TERA_CHECK(map.values.size() == static_cast<std::size_t>(map.nx) * map.ny, map.values.size());
   const QuietGdal quiet;
-  const std::filesystem::path part = file.string() + ".part";
-  std::error_code error;
-  if (!Write(part, map, origin)) {
-    const std::string reason = CPLGetLastErrorMsg();
-    std::filesystem::remove(part, error);
-    Refuse(file, fmt::format("cannot be written ({}); check the folder, its permissions and the "
-                             "space on the disk",
-                             reason));
-  }
-  std::filesystem::rename(part, file, error);
-  if (error) Refuse(file, fmt::format("cannot be put in place ({})", error.message()));
+  PutInPlace(file, [&](const std::filesystem::path& part) -> std::optional<std::string> {
+    if (Write(part, map, origin)) return std::nullopt;
+    return CPLGetLastErrorMsg();
+  });
 }
 
 }  // namespace tera

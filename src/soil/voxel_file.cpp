@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-#include "core/error.h"
+#include "soil/file_in_place.h"
 
 namespace tera {
 namespace {
@@ -94,22 +94,11 @@ bool WriteAll(const std::filesystem::path& file, const SoilVoxels& voxels,
 
 void WriteVoxels(const std::filesystem::path& file, const SoilVoxels& voxels,
                  const std::vector<SoilType>& soils) {
-  const std::filesystem::path part = file.string() + ".part";
-  std::error_code error;
-  errno = 0;
-  if (!WriteAll(part, voxels, soils)) {
-    const std::string reason = std::strerror(errno);
-    std::filesystem::remove(part, error);
-    throw InputError(
-        fmt::format("{}: cannot be written ({}); check the folder, its permissions and "
-                    "the space on the disk",
-                    file.string(), reason));
-  }
-  std::filesystem::rename(part, file, error);
-  if (error) {
-    throw InputError(
-        fmt::format("{}: cannot be put in place ({})", file.string(), error.message()));
-  }
+  PutInPlace(file, [&](const std::filesystem::path& part) -> std::optional<std::string> {
+    errno = 0;
+    if (WriteAll(part, voxels, soils)) return std::nullopt;
+    return std::strerror(errno);
+  });
 }
 
 }  // namespace tera
