@@ -6,6 +6,16 @@
 set -euo pipefail
 tera=${TERA:-build/release/tera}
 scenario=config/scenarios/survey.yaml
+usage() {
+  sed -n '2,5s/^# *//p' "$0" >&2
+  exit 2
+}
+
+case $#:${2-} in
+  4:nulls) ;;
+  *:wrong) ;;
+  *) usage ;;
+esac
 out=$1 what=$2
 mkdir -p "$out"
 # The scenario with levers at rest: without those of the recording, joints are left out.
@@ -69,5 +79,4 @@ case $what in
       echo "$name: $set"
       diagnose "$name" 1 < /dev/null
     done <<< "$wrong" ;;
-  *) sed -n '2,5s/^# *//p' "$0" >&2; exit 2 ;;
 esac

@@ -175,14 +175,6 @@ std::string ObstacleTo(const Sensor& sensor, const RecordedMotion& motion,
   return "";
 }
 
-PerceptionDiagnosis NotJudged(const Sensor& sensor) {
-  PerceptionDiagnosis diagnosis;
-  diagnosis.channel = sensor.channel;
-  diagnosis.target = sensor.description->name;
-  diagnosis.not_judged = sensor.not_judged;
-  return diagnosis;
-}
-
 PerceptionDiagnosis DiagnoseRanges(const Scenario& scenario, const Recording& recording,
                                    Sensor* sensor, ScanCaster* caster) {
   RangeSource source;
@@ -192,7 +184,9 @@ PerceptionDiagnosis DiagnoseRanges(const Scenario& scenario, const Recording& re
   source.X_BS = sensor->description->X_BS;
   source.present = PresentOf(*sensor->description);
   source.scans = LoadScans(recording, sensor);
-  if (!sensor->not_judged.empty()) return NotJudged(*sensor);
+  if (!sensor->not_judged.empty()) {
+    return NotJudged(source.channel, source.target, sensor->not_judged);
+  }
   source.start_ns = source.scans.empty() ? 0 : source.scans.front().t_ns;
   source.cast = [&](std::size_t scan, const SensorNumbers& numbers,
                     const std::vector<Beam>& beams) {
@@ -259,7 +253,7 @@ std::vector<std::vector<PerceptionDiagnosis>> RunPerception(Scenario* scenario,
   for (Sensor& sensor : sensors) {
     PerceptionDiagnosis diagnosis;
     if (!sensor.not_judged.empty()) {
-      diagnosis = NotJudged(sensor);
+      diagnosis = NotJudged(sensor.channel, sensor.description->name, sensor.not_judged);
     } else if (TakesPictures(*sensor.description)) {
       const RecordedCamera camera{sensor.machine, sensor.description, sensor.channel, &sensor.scans,
                                   PresentOf(*sensor.description)};

@@ -12,8 +12,12 @@ namespace tera {
 
 /// Renders what a camera would have seen from the recorded trajectory.
 ///
+/// Frames  W of the recorded poses; B the camera's link; S the sensor, at X_BS with the numbers'
+///         shift and turn; C optical.
 /// Model   bodies, link and ground at one instant, that of the picture; the simulator's own camera
 ///         without noise, `reduced` times smaller in both directions.
+/// Omits   what the simulator's camera omits (sensors/camera.h); what tracks and shovels look like,
+///         whose pixels are marked as not to be compared.
 class PictureCaster {
  public:
   /// Keeps references to all. Throws InputError where there is no OpenGL.

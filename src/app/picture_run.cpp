@@ -58,12 +58,7 @@ PerceptionDiagnosis DiagnoseCamera(const RecordedCamera& camera, const Recording
   source.ray = [small](const Vec2& px) { return small.RayOf(px); };
   const std::string obstacle = Load(camera, recording, reduced, &source);
   if (obstacle.empty()) return DiagnosePictures(source, seed);
-  PerceptionDiagnosis diagnosis;
-  diagnosis.channel = source.channel;
-  diagnosis.target = source.target;
-  diagnosis.unit = "px";
-  diagnosis.not_judged = obstacle;
-  return diagnosis;
+  return NotJudged(source.channel, source.target, obstacle);
 }
 
 }  // namespace tera

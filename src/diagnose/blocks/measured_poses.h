@@ -11,6 +11,8 @@ namespace tera {
 /// them late: what is compared with them then seems early. And its map begins as the machine stood,
 /// which need not be level: gravity then seems to come from the side.
 ///
+/// Frames  the map, in which the poses are; the level, whose z is up. They share their origin and,
+///         but for roll and pitch, their axes.
 /// Model   two suspects of the target "poses". `latency`: stamped so long after they were; a sensor
 ///         whose clock is behind by as much shows the same. `mount_rotation`, roll and pitch of the
 ///         map from the level.

@@ -3,13 +3,12 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "diagnose/perception/ground_map.h"
 #include "diagnose/perception/object_edges.h"
+#include "diagnose/perception/share_test.h"
 #include "diagnose/statistics/robust.h"
 
 namespace tera {
@@ -18,10 +17,11 @@ namespace {
 constexpr double kBefore_m = 0.5, kOverGround_m = 0.3;
 constexpr double kCube_m = 0.5, kStep_m = 0.25;
 constexpr int kReach = 2;
-constexpr std::size_t kFewestReturns = 40, kFewestBlocks = 2;
+constexpr std::size_t kFewestReturns = 40;
 constexpr std::size_t kMostParts = 8;  ///< of a recording, looked at alone
-constexpr double kThing = 0.6, kThick_m = 0.1, kRare = 0.005;
-constexpr double kPriorDof = 8, kPriorScatter = 0.1;
+constexpr double kThing = 0.6, kThick_m = 0.1;
+/// More than one ray in 200, by blocks that agree within a tenth.
+constexpr ShareTest kMoreThanRare{.limit = 0.005, .prior_blocks = 8, .prior_scatter = 0.1};
 constexpr double kChosen = 0.05, kConfirmed = 0.01;
 constexpr double kPresent = 0.25;  ///< of a cloud's densest tenth: less is clear air
 
@@ -103,19 +103,6 @@ std::map<Cube, int> Clouds(const std::vector<Stray>& strays, int* count) {
   return cloud;
 }
 
-/// Probability of shares so far above the rarest that counts, by chance: Student's t, the variance
-/// shrunk to that of blocks which agree within a tenth, as if there were eight more of these.
-double P(const std::vector<double>& shares) {
-  if (shares.size() < kFewestBlocks) return 1;
-  const auto n = static_cast<double>(shares.size());
-  const double mean = std::accumulate(shares.begin(), shares.end(), 0.0) / n;
-  double square = kPriorDof * kPriorScatter * kPriorScatter;
-  for (const double s : shares) square += (s - mean) * (s - mean);
-  const double dof = kPriorDof + n - 1;
-  return boost::math::cdf(boost::math::complement(boost::math::students_t(dof),
-                                                  (mean - kRare) / std::sqrt(square / dof / n)));
-}
-
 struct Tally {
   std::map<std::size_t, Count> blocks;
   std::vector<const Stray*> strays;
@@ -164,7 +151,7 @@ Window ShownBestIn(const Shares& seen, std::size_t blocks) {
   for (std::size_t parts = 1; parts <= kMostParts; parts *= 2) {
     for (std::size_t k = 0; k < parts; ++k) {
       Window window{k * blocks / parts, (k + 1) * blocks / parts, 1};
-      window.p = P(SharesIn(seen, window));
+      window.p = kMoreThanRare.P(SharesIn(seen, window));
       if (window.p < best.p) best = window;
       windows += 1;
     }
@@ -244,7 +231,7 @@ DustCloud CloudOf(const RangeSource& source, const ScanSplit& split, const Tally
   if (best.p >= 1) return cloud;
   const double least = kPresent * Quantile(SharesIn(seen, best), 0.9);
   const Window present = PresentIn(seen, least);
-  cloud.p_confirmed = P(SharesIn(held_out, present));
+  cloud.p_confirmed = kMoreThanRare.P(SharesIn(held_out, present));
   Count while_there;
   for (const auto& [block, count] : tally.blocks) {
     if (!present.Has(block)) continue;

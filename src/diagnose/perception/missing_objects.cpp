@@ -1,16 +1,17 @@
 #include "diagnose/perception/missing_objects.h"
 
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <map>
-#include <numeric>
+
+#include "diagnose/perception/share_test.h"
 
 namespace tera {
 namespace {
 
 constexpr double kBehind_m = 0.3, kOffSurface_m = 0.15;
-constexpr double kHalf = 0.5, kFloor = 0.03, kLevel = 0.01;
-constexpr std::size_t kFewestRays = 20, kFewestBlocks = 3;
+constexpr double kLevel = 0.01;
+constexpr std::size_t kFewestRays = 20;
+constexpr ShareTest kMoreThanHalf{.limit = 0.5, .fewest_blocks = 3, .least_sigma = 0.03};
 
 /// Rays that should have met one object, in one block of time.
 struct Count {
@@ -25,18 +26,11 @@ struct Tally {
   std::size_t rays = 0;
 };
 
-/// Probability of a mean share so far above one half by chance.
+/// Whether more than half went on.
 double ShareP(const std::map<std::size_t, Count>& blocks) {
   std::vector<double> shares;
   for (const auto& [block, count] : blocks) shares.push_back(count.through / count.all);
-  if (shares.size() < kFewestBlocks) return 1;
-  const auto n = static_cast<double>(shares.size());
-  const double mean = std::accumulate(shares.begin(), shares.end(), 0.0) / n;
-  double square = 0;
-  for (const double s : shares) square += (s - mean) * (s - mean);
-  const double sigma = std::sqrt(square / (n - 1) / n + kFloor * kFloor);
-  return boost::math::cdf(
-      boost::math::complement(boost::math::students_t(n - 1), (mean - kHalf) / sigma));
+  return kMoreThanHalf.P(shares);
 }
 
 void AddScan(const RangeSource& source, const ScanSplit& split, const SensorNumbers& numbers,

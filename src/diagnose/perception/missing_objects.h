@@ -19,11 +19,12 @@ struct MissingObject {
 
 /// Obstacles of the simulation that the recording does not show where they should be.
 ///
-/// Model   of the rays that meet an obstacle in the simulation and were not stopped 0.3 m and more
-///         before it, those that were measured 0.3 m and more behind it, along the ray, and no
-///         nearer than 0.15 m to its surface. An obstacle is missing where more than half went on,
-///         of 20 at least, in TRAIN and SELECT and again in FINAL, by Student's t over blocks of
-///         time, at one per cent over the obstacles.
+/// Model   a ray that meets an obstacle in the simulation was measured behind it, or before it,
+///         where it ended 0.3 m and more further, or nearer, along the ray, and 0.15 m and more
+///         off the obstacle's surface. Of those that did not end before it the ones behind it went
+///         on. An obstacle is missing where more than half did, of 20 at least, in TRAIN and SELECT
+///         and again in FINAL, by Student's t over three blocks of time at least, whose mean is
+///         known to 0.03 at best, at one per cent over the obstacles.
 /// Omits   rays that met nothing at all, of which a scan holds no point.
 struct MissingObjects {
   std::vector<MissingObject> objects;

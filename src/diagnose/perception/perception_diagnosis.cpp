@@ -163,6 +163,15 @@ void Explain(const RangeSource& source, const ScanSplit& split, PerceptionDiagno
 
 }  // namespace
 
+PerceptionDiagnosis NotJudged(const std::string& channel, const std::string& target,
+                              const std::string& why) {
+  PerceptionDiagnosis diagnosis;
+  diagnosis.channel = channel;
+  diagnosis.target = target;
+  diagnosis.not_judged = why;
+  return diagnosis;
+}
+
 PerceptionFinding AsFinding(const SensorFinding& found, const std::string& target) {
   PerceptionFinding finding;
   finding.mechanism = found.mechanism;

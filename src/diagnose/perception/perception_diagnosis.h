@@ -48,6 +48,10 @@ struct PerceptionDiagnosis {
   bool found_nothing() const { return findings.empty(); }
 };
 
+/// Of a sensor of which nothing can be said.
+PerceptionDiagnosis NotJudged(const std::string& channel, const std::string& target,
+                              const std::string& why);
+
 /// As the report tells it.
 PerceptionFinding AsFinding(const SensorFinding& found, const std::string& target);
 

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
-#include "core/units.h"
 #include "diagnose/perception/picture_registration.h"
 #include "diagnose/statistics/robust.h"
 
@@ -17,18 +17,6 @@ constexpr double kFewestLandmarks = 40;   ///< of a picture
 constexpr double kLike = 0.5;
 constexpr double kFurthest_px = 1;  ///< of edges, with the best numbers
 constexpr int kRounds = 2;          ///< of rendering again
-
-std::vector<SensorMechanism> MechanismsOfPictures() {
-  using enum SensorNumbers::Index;
-  return {{"extrinsic",
-           {{kX, "x_m", "m", 1},
-            {kY, "y_m", "m", 1},
-            {kZ, "z_m", "m", 1},
-            {kRoll, "roll_deg", "deg", 1 / kDeg},
-            {kPitch, "pitch_deg", "deg", 1 / kDeg},
-            {kYaw, "yaw_deg", "deg", 1 / kDeg}}},
-          {"clock_offset", {{kOffset, "offset_s", "s", 1}}}};
-}
 
 /// Standard deviation of a picture's values.
 double ContrastOf(const Image<float>& grey) {
@@ -43,6 +31,11 @@ double ContrastOf(const Image<float>& grey) {
 
 /// Why the pictures themselves tell nothing; empty where they do.
 std::string ObstacleTo(const PictureSource& source, const ScanSplit& split) {
+  for (const Image<float>& grey : source.grey) {
+    if (std::min(grey.width_px, grey.height_px) >= PictureLevels::kSmallest_px) continue;
+    return fmt::format("its pictures are compared at {} x {} pixels; need {} either way",
+                       grey.width_px, grey.height_px, PictureLevels::kSmallest_px);
+  }
   if (split.blocks < kFewestBlocks) {
     return fmt::format("its {} pictures are spread over {} blocks of a second; need {}",
                        source.t_ns.size(), split.blocks, kFewestBlocks);
@@ -57,12 +50,9 @@ std::string ObstacleTo(const PictureSource& source, const ScanSplit& split) {
   return "";
 }
 
-SearchedPoints PointsToSearch(const PictureRegistration& pictures, const ScanSplit& split) {
-  const auto points = [&](const std::vector<Part>& parts) {
-    return pictures.PointsOf(split, parts);
-  };
-  return {points({Part::kTrain}), points({Part::kSelect}), points({Part::kTrain, Part::kSelect}),
-          points({Part::kFinal}), split.block};
+SearchedPoints LandmarksToSearch(const PictureRegistration& pictures, const ScanSplit& split) {
+  return PointsToSearch(
+      split, [&](const std::vector<Part>& parts) { return pictures.PointsOf(split, parts); });
 }
 
 SensorSearch SearchPictures(const PictureSource& source, const PictureRegistration& pictures,
@@ -73,7 +63,7 @@ SensorSearch SearchPictures(const PictureSource& source, const PictureRegistrati
   comparison.coarsest = PictureLevels::kCount - 1;
   comparison.residuals = [&](const std::vector<ScanPoints>& some, const SensorNumbers& numbers,
                              int coarse) { return pictures.Compare(some, numbers, coarse); };
-  return SearchSensor(comparison, MechanismsOfPictures(), points);
+  return SearchSensor(comparison, {OfMount(), OfClock()}, points);
 }
 
 }  // namespace
@@ -95,12 +85,12 @@ PerceptionDiagnosis DiagnosePictures(const PictureSource& source, std::uint64_t 
         kFewestLandmarks);
     return diagnosis;
   }
-  SearchedPoints points = PointsToSearch(*pictures, split);
+  SearchedPoints points = LandmarksToSearch(*pictures, split);
   diagnosis.sensor = SearchPictures(source, *pictures, points, source.present);
   for (int round = 0; round < kRounds && !diagnosis.sensor.findings.empty(); ++round) {
     const SensorNumbers found = diagnosis.sensor.numbers;
     pictures = std::make_unique<PictureRegistration>(source, found);
-    points = PointsToSearch(*pictures, split);
+    points = LandmarksToSearch(*pictures, split);
     diagnosis.sensor = SearchPictures(source, *pictures, points, found);
   }
   const double like = pictures->Likeness(points.seen, diagnosis.sensor.numbers);

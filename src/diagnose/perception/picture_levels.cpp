@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/check.h"
+
 namespace tera {
 namespace {
 
@@ -58,6 +60,8 @@ Image<float> Blurred(const Image<float>& picture, double sigma_px) {
 }
 
 PictureLevels::PictureLevels(const Image<float>& grey) {
+  TERA_CHECK(std::min(grey.width_px, grey.height_px) >= kSmallest_px, grey.width_px,
+             grey.height_px);
   const Image<float> plain = WithoutExposure(grey);
   for (int level = 0; level < kCount; ++level) {
     levels_[static_cast<std::size_t>(level)] = Blurred(plain, std::pow(2.0, level));
@@ -78,6 +82,12 @@ float PictureLevels::At(int level, const Vec2& px) const {
 Vec2 PictureLevels::GradientAt(int level, const Vec2& px) const {
   return 0.5 * Vec2(At(level, px + Vec2::UnitX()) - At(level, px - Vec2::UnitX()),
                     At(level, px + Vec2::UnitY()) - At(level, px - Vec2::UnitY()));
+}
+
+bool PictureLevels::Holds(const Vec2& px) const {
+  const Image<float>& picture = levels_.front();
+  const Vec2 last(picture.width_px - 2, picture.height_px - 2);
+  return (px.array() >= 1).all() && (px.array() <= last.array()).all();
 }
 
 }  // namespace tera

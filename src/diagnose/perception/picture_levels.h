@@ -15,12 +15,16 @@ namespace tera {
 class PictureLevels {
  public:
   static constexpr int kCount = 4;
+  static constexpr int kSmallest_px = 32;  ///< either side: four of the widest blur's
+  /// Of a picture that is not smaller.
   explicit PictureLevels(const Image<float>& grey);
 
   /// Straight between pixels; beyond the border the border's.
   float At(int level, const Vec2& px) const;
   /// Of At, by central differences of a pixel.
   Vec2 GradientAt(int level, const Vec2& px) const;
+  /// Whether At and GradientAt are of what the picture shows there, not of its border repeated.
+  bool Holds(const Vec2& px) const;
 
  private:
   std::array<Image<float>, kCount> levels_;

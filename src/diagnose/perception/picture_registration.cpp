@@ -165,8 +165,9 @@ std::vector<PointResidual> PictureRegistration::Compare(const std::vector<ScanPo
       PointResidual residual;
       residual.scan = of_frame.scan;
       const auto seen = link && landmark ? SeenAt(*landmark, *link, numbers) : std::nullopt;
-      if (seen) {
-        const PictureLevels& measured = measured_[of_frame.scan];
+      const PictureLevels& measured = measured_[of_frame.scan];
+      residual.out_of_picture = seen && !measured.Holds(seen->px);
+      if (seen && !residual.out_of_picture) {
         const double steep = std::max(1e-3, landmark->slope.norm());
         const Vec2 slope = 0.5 * (landmark->slope + measured.GradientAt(level, seen->px));
         residual.surface = landmark->surface;
@@ -192,11 +193,13 @@ double PictureRegistration::Likeness(const std::vector<ScanPoints>& points,
       const Landmark& landmark = *squares_[of_frame.scan][p][0];
       const auto seen = SeenAt(landmark, *link, numbers);
       if (!seen) continue;
+      const PictureLevels& measured = measured_[of_frame.scan];
       // Both sides of the edge: the middle alone is grey in every picture.
       for (const double side : {-1.0, 1.0}) {
         const Vec2 aside = 1.5 * side * landmark.slope.normalized();
+        if (!measured.Holds(seen->px + aside)) continue;
         const double x = landmark.value + landmark.slope.dot(aside);
-        const double y = measured_[of_frame.scan].At(0, seen->px + aside);
+        const double y = measured.At(0, seen->px + aside);
         n += 1;
         a += x;
         b += y;

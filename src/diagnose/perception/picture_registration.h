@@ -21,7 +21,8 @@ namespace tera {
 ///         pixels, is the difference of brightness there over the simulated slope; its derivatives
 ///         are by the mean of both slopes. Brightness is that of PictureLevels. Noise: 0.1 over the
 ///         slope, 0.2 pixels, and in blurred pictures, whose reach what is near soon leaves, a
-///         shift of the camera by up to 0.1 m.
+///         shift of the camera by up to 0.1 m. Beyond the border of the measured picture a landmark
+///         is not judged.
 /// Omits   what comes into sight or is hidden as the camera moves; shadows that move.
 /// Source  Lucas and Kanade 1981; Engel, Koltun and Cremers 2018, "Direct sparse odometry"; mean of
 ///         slopes: Benhimane and Malis 2004.

@@ -17,6 +17,7 @@ struct PointResidual {
   Surface surface = Surface::kUnknown;
   double beyond = 0;  ///< of the point behind the simulated surface or edge, along its normal
   double sigma = 1;   ///< of that, by the model of noise
+  bool out_of_picture = false;  ///< beyond its border: not judged, and no evidence either way
   /// Derivatives of `beyond` by the numbers.
   Eigen::Matrix<double, SensorNumbers::kCount, 1> slope =
       Eigen::Matrix<double, SensorNumbers::kCount, 1>::Zero();

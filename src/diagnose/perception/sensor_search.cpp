@@ -173,6 +173,7 @@ class Search {
                                    const std::vector<PointResidual>& after) const {
     std::map<std::size_t, ManoeuvreGain> gains;
     for (std::size_t i = 0; i < before.size(); ++i) {
+      if (before[i].out_of_picture || after[i].out_of_picture) continue;
       ManoeuvreGain& gain = gains[points_.block[before[i].scan]];
       gain.gain += LogLikelihoodOf(after[i], scale_) - LogLikelihoodOf(before[i], scale_);
       const bool both = before[i].is_judged() && after[i].is_judged();
@@ -295,18 +296,24 @@ class Search {
 
 }  // namespace
 
+SensorMechanism OfMount() {
+  return {"extrinsic",
+          {{Index::kX, "x_m", "m", 1},
+           {Index::kY, "y_m", "m", 1},
+           {Index::kZ, "z_m", "m", 1},
+           {Index::kRoll, "roll_deg", "deg", 1 / kDeg},
+           {Index::kPitch, "pitch_deg", "deg", 1 / kDeg},
+           {Index::kYaw, "yaw_deg", "deg", 1 / kDeg}}};
+}
+
+SensorMechanism OfClock() { return {"clock_offset", {{Index::kOffset, "offset_s", "s", 1}}}; }
+
 std::vector<SensorMechanism> MechanismsOf(const RangeSource& source) {
   const bool depth = source.planar_depth;
-  return {{"extrinsic",
-           {{Index::kX, "x_m", "m", 1},
-            {Index::kY, "y_m", "m", 1},
-            {Index::kZ, "z_m", "m", 1},
-            {Index::kRoll, "roll_deg", "deg", 1 / kDeg},
-            {Index::kPitch, "pitch_deg", "deg", 1 / kDeg},
-            {Index::kYaw, "yaw_deg", "deg", 1 / kDeg}}},
+  return {OfMount(),
           {"range_bias", {{Index::kRange, depth ? "depth_m" : "range_m", "m", 1}}},
           {"scale", {{Index::kFactor, depth ? "depth_factor" : "range_factor", "1", 1}}},
-          {"clock_offset", {{Index::kOffset, "offset_s", "s", 1}}}};
+          OfClock()};
 }
 
 SearchedPoints PointsToSearch(const RangeSource& source, const ScanSplit& split,
@@ -314,6 +321,12 @@ SearchedPoints PointsToSearch(const RangeSource& source, const ScanSplit& split,
   const auto points = [&](const std::vector<Part>& parts) {
     return PointsOf(source.scans, split, parts, kPointsOfScan, left_out);
   };
+  return PointsToSearch(split, points);
+}
+
+SearchedPoints PointsToSearch(
+    const ScanSplit& split,
+    const std::function<std::vector<ScanPoints>(const std::vector<Part>& parts)>& points) {
   return {points({Part::kTrain}), points({Part::kSelect}), points({Part::kTrain, Part::kSelect}),
           points({Part::kFinal}), split.block};
 }

@@ -22,7 +22,10 @@ struct SensorMechanism {
   std::vector<Number> numbers;
 };
 
-/// `extrinsic`, `range_bias`, `scale` and `clock_offset`.
+SensorMechanism OfMount();  ///< `extrinsic`
+SensorMechanism OfClock();  ///< `clock_offset`
+
+/// Both, `range_bias` and `scale`.
 std::vector<SensorMechanism> MechanismsOf(const RangeSource& source);
 
 /// What a search looks at: the points of one part or of several, and when they were.
@@ -31,6 +34,9 @@ struct SearchedPoints {
   std::vector<std::size_t> block;                      ///< of each scan
 };
 
+SearchedPoints PointsToSearch(
+    const ScanSplit& split,
+    const std::function<std::vector<ScanPoints>(const std::vector<Part>& parts)>& points);
 SearchedPoints PointsToSearch(const RangeSource& source, const ScanSplit& split,
                               const std::vector<std::vector<bool>>& left_out);
 

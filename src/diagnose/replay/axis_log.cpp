@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "diagnose/replay/between_samples.h"
 #include "physics/gravity_load.h"
 #include "physics/joint_inertia.h"
 
@@ -144,18 +145,13 @@ void SetLevers(const MachineModel& model, const TableRecording& commands, AxisLo
   }
 }
 
-/// Straight between two samples, constant beyond the first and the last.
-void Interpolate(const AxisSamples& samples, std::size_t axis, AxisLog* log) {
-  std::size_t next = 0;
+void SetMeasured(const AxisSamples& samples, std::size_t axis, AxisLog* log) {
   for (std::size_t k = 0; k < log->steps; ++k) {
-    const double t_s = ToSeconds(log->start_ns) + static_cast<double>(k) * log->step_s;
-    while (next < samples.t_ns.size() && ToSeconds(samples.t_ns[next]) < t_s) ++next;
+    const TimeNs t_ns = log->start_ns + FromSeconds(static_cast<double>(k) * log->step_s);
+    const BetweenSamples at(samples.t_ns, t_ns);
     AxisMotion& motion = log->motion[k * log->axes + axis];
-    const std::size_t b = std::min(next, samples.t_ns.size() - 1), a = next == 0 ? 0 : next - 1;
-    const double t_a_s = ToSeconds(samples.t_ns[a]), t_b_s = ToSeconds(samples.t_ns[b]);
-    const double s = b > a ? std::clamp((t_s - t_a_s) / (t_b_s - t_a_s), 0.0, 1.0) : 0.0;
-    motion.position_rad = std::lerp(samples.position_rad[a], samples.position_rad[b], s);
-    motion.rate_radps = std::lerp(samples.rate_radps[a], samples.rate_radps[b], s);
+    motion.position_rad = at.Of(samples.position_rad);
+    motion.rate_radps = at.Of(samples.rate_radps);
   }
 }
 
@@ -163,7 +159,7 @@ void SetMotion(const MachineModel& model, const std::vector<AxisSamples>& sample
   log->motion.resize(log->steps * log->axes);
   for (std::size_t axis = 0; axis < log->axes; ++axis) {
     if (!samples[axis].t_ns.empty()) {
-      Interpolate(samples[axis], axis, log);
+      SetMeasured(samples[axis], axis, log);
     } else if (axis < model.joints.size()) {
       for (std::size_t k = 0; k < log->steps; ++k) {
         log->motion[k * log->axes + axis].position_rad = model.joints[axis].initial_rad;

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/units.h"
+#include "diagnose/replay/between_samples.h"
 #include "physics/track_drive.h"
 
 namespace tera {
@@ -20,14 +21,7 @@ struct GearSamples {
   std::vector<TimeNs> t_ns;
   std::vector<double> rate_radps;
 
-  double At(TimeNs t) const {
-    const auto next = std::lower_bound(t_ns.begin(), t_ns.end(), t);
-    if (next == t_ns.begin()) return rate_radps.front();
-    if (next == t_ns.end()) return rate_radps.back();
-    const auto b = static_cast<std::size_t>(next - t_ns.begin()), a = b - 1;
-    return std::lerp(rate_radps[a], rate_radps[b],
-                     static_cast<double>(t - t_ns[a]) / static_cast<double>(t_ns[b] - t_ns[a]));
-  }
+  double At(TimeNs t) const { return BetweenSamples(t_ns, t).Of(rate_radps); }
 };
 
 GearSamples SamplesOf(const std::string& gear, const std::vector<NamedEncoders>& encoders) {

@@ -10,8 +10,11 @@ namespace tera {
 
 /// What one receiver measured, and how the links moved that matter to it.
 ///
-/// Frames  W of the poses, which is that of the site.
-/// Model   positions with the documented fix or a better one, stamped within the track.
+/// Frames  W of the poses, which is that of the site; B the link of the boom; S the antenna.
+/// Model   positions with the documented fix or a better one, stamped within the track; links are
+///         posed every 0.05 s.
+/// Omits   positions of a worse fix, which the receiver tells itself, and the variances that it
+///         gives.
 struct ReceiverLog {
   LinkTrack track;                       ///< of the antenna's link
   std::vector<TimeNs> t_ns;              ///< as stamped; times rise

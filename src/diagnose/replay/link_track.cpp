@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "diagnose/replay/between_samples.h"
+
 namespace tera {
 namespace {
 
@@ -21,20 +23,6 @@ struct Measured {
     if (next == t_ns.end()) return false;
     if (*next == t) return true;
     return next != t_ns.begin() && *next - *(next - 1) <= kNear_ns;
-  }
-  /// The samples about `t` and how far between them it is.
-  struct Place {
-    std::size_t a, b;
-    double s;
-  };
-  Place At(TimeNs t) const {
-    const auto next = std::lower_bound(t_ns.begin(), t_ns.end(), t);
-    const auto last = t_ns.size() - 1;
-    const auto b = std::min(last, static_cast<std::size_t>(next - t_ns.begin()));
-    const std::size_t a = b == 0 ? 0 : b - 1;
-    if (b == a || t >= t_ns[b]) return {b, b, 0};
-    const double s = static_cast<double>(t - t_ns[a]) / static_cast<double>(t_ns[b] - t_ns[a]);
-    return {a, b, std::max(0.0, s)};
   }
 };
 
@@ -136,14 +124,13 @@ LinkTrack TrackOfLink(const MachineModel& model, const std::vector<NamedEncoders
     bool known = base.t_ns.empty() || base.KnownAt(t);
     Pose X_WB = Pose::Identity();
     if (!base.t_ns.empty()) {
-      const auto [a, b, s] = base.At(t);
-      X_WB = Interpolate(base.value[a], base.value[b], s);
+      const BetweenSamples at(base.t_ns, t);
+      X_WB = Interpolate(base.value[at.a], base.value[at.b], at.s);
     }
     for (std::size_t j = 0; j < q_rad.size(); ++j) {
       q_rad[j] = model.joints[j].initial_rad;
       if (const auto& joint = (*joints)[j]) {
-        const auto [a, b, s] = joint->At(t);
-        q_rad[j] = std::lerp(joint->value[a], joint->value[b], s);
+        q_rad[j] = BetweenSamples(joint->t_ns, t).Of(joint->value);
         known = known && joint->KnownAt(t);
       }
     }

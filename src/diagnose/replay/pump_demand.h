@@ -15,7 +15,9 @@ namespace tera {
 /// Model   each of the pump's other functions asks what its own chain makes of its recorded lever,
 ///         as the model has it; the axis takes oil by its displacement at the measured position.
 /// Omits   axes that several pumps feed; what an axis's own `cylinder_lever` makes of oil and
-/// power.
+///         power.
+/// Source  as of flow_sharing (docs/mechanisms.md): Djurovic and Helduser 2004, "New control
+///         strategies for electrohydraulic load-sensing".
 struct PumpDemand {
   std::size_t pump = 0;
   std::vector<double> others_m3ps, others_w;

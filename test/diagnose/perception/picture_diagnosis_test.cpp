@@ -1,10 +1,11 @@
 #include "diagnose/perception/picture_diagnosis.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/random.h"
 #include "core/units.h"
+#include "diagnose/perception/paint.h"
 
 namespace tera {
 namespace {
@@ -27,20 +28,6 @@ struct PaintedYard {
 
 constexpr int kWidth = 160, kHeight = 120;
 constexpr double kFocal_px = 140;
-
-/// Squares of paint 0.7 m wide, softened at their edges, each of its own grey.
-double PaintAt(double u_m, double v_m) {
-  static const Stream paint(11, "test/paint");
-  const auto square = [&](int i, int j) {
-    return 0.2 + 0.6 * paint.Uniform(static_cast<std::uint64_t>((i + 500) * 1000 + j + 500));
-  };
-  const double x = u_m / 0.7, y = v_m / 0.7;
-  const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
-  const auto soft = [](double t) { return 1 / (1 + std::exp(-12 * (t - 0.5))); };
-  const double a = soft(x - i), b = soft(y - j);
-  return (1 - b) * ((1 - a) * square(i, j) + a * square(i + 1, j)) +
-         b * ((1 - a) * square(i, j + 1) + a * square(i + 1, j + 1));
-}
 
 BodyState LinkAt(double t_s, bool moves) {
   BodyState link;
@@ -225,6 +212,15 @@ TEST(PicturedSensor, InTheDarkIsNotJudged) {
   PaintedYard yard;
   yard.gain = 0.02;
   EXPECT_THAT(DiagnosisOf(yard).not_judged, HasSubstr("no contrast"));
+}
+
+TEST(PicturedSensor, OfPicturesTooSmallToBlurIsNotJudged) {
+  for (const auto& [width_px, height_px] : {std::pair(31, 120), {160, 31}, {1, 1}, {400, 0}}) {
+    PictureSource source = PicturesOf({});
+    for (Image<float>& grey : source.grey) grey = Image<float>(width_px, height_px);
+    EXPECT_THAT(DiagnosePictures(source, 3).not_judged,
+                HasSubstr(fmt::format("{} x {} pixels; need 32", width_px, height_px)));
+  }
 }
 
 TEST(PicturedSensor, ThatLooksAtSomethingElseIsNotJudged) {
