@@ -1,0 +1,131 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "core/units.h"
+#include "diagnose/diagnosis.h"
+#include "physics/actuation_mechanisms.h"
+#include "physics/ground_mechanisms.h"
+
+/// Diagnoses made by hand, for the tests of what a report says of them.
+
+namespace tera {
+
+inline const Mechanism& MechanismOf(std::string_view id) {
+  for (const auto library : {ActuationMechanisms(), GroundMechanisms()}) {
+    for (const Mechanism& mechanism : library) {
+      if (mechanism.id == id) return mechanism;
+    }
+  }
+  throw std::runtime_error("no such mechanism");
+}
+
+/// 100 s of 2 Hz: 3 measured throughout; simulated 1 short with nothing, right with what was found.
+inline DiagnosedBlock Block(const std::string& name, const std::string& channel,
+                            const std::string& unit) {
+  DiagnosedBlock made;
+  made.block.name = name;
+  const Series measured = MakeSeries(0.5, std::vector<double>(200, 3.0));
+  made.block.channels = {{channel, unit, measured, {}, {}, {}}};
+  made.block.predict = [](const Structure&) {
+    return std::vector<std::vector<double>>{std::vector<double>(200, 2.0)};
+  };
+  SearchResult& search = made.diagnosis.search;
+  search.nothing.misfit.residual = {MakeSeries(0.5, std::vector<double>(200, 1.0))};
+  search.found.misfit.residual = {MakeSeries(0.5, std::vector<double>(200, 0.0))};
+  search.free_gain = 1000;
+  made.diagnosis.confirmed = {{0, 0.05, 0.01, 0.9, 1e-5}};
+  made.diagnosis.remainders = {{.channel = 0,
+                                .rmse = 0.6 * kDeg,
+                                .noise = {.at_rest = 0.5 * kDeg, .differences = 0.2 * kDeg},
+                                .free_member_tells = true}};
+  return made;
+}
+
+inline Regime RegimeOf(const std::string& variable, CurveShape shape) {
+  Regime regime{variable, false, 0.001, 0.5, shape, {}};
+  regime.curve.at = Eigen::Vector3d(-0.5, 0, 0.5);
+  regime.curve.mean = Eigen::Vector3d(-0.1, 0, 0.1);
+  regime.curve.low = regime.curve.mean.array() - 0.02;
+  regime.curve.high = regime.curve.mean.array() + 0.02;
+  regime.curve.count = Eigen::Vector3d(50, 100, 50);
+  return regime;
+}
+
+/// The boom's dead band of 0.18, between 41 and 63 s and between 70 and 75 s.
+inline DiagnosedBlock BoomWithDeadBand() {
+  DiagnosedBlock made = Block("boom", "excavator1/encoders/boom_radps", "rad/s");
+  made.block.suspects = {{&MechanismOf("dead_band"), "boom", {{0, 0, 0.5}}, {{0.1, 0}}},
+                         {&MechanismOf("valve_curve"), "boom", {{0, 0.4, 3}}, {{1.5}}},
+                         {&MechanismOf("backlash"), "boom", {{0, 0, 0.1}}, {{0.01}}}};
+  const Suspect& dead_band = made.block.suspects[0];
+  Finding finding;
+  finding.term = {&dead_band, {0.1812, 0}};
+  finding.parameters = {{"width", "1", 0.1812, 0.0213}, {"asymmetry", "1", 0, {}}};
+  finding.evidence.share = 0.9;
+  finding.evidence.rivals = {&dead_band};
+  finding.location = {0, {{82, 126}, {140, 150}}, {}};
+  finding.location.regimes = {
+      RegimeOf("lever/boom",
+               {.form = CurveForm::kLocal, .parity = CurveParity::kOdd, .low = -0.2, .high = 0.2})};
+  finding.held_out = {0, 3.1 * kDeg, 0.6 * kDeg, 0.94, 0.004};
+  finding.evidence.p = 0.0002;
+  finding.evidence.rejected = {{&made.block.suspects[1], 0.003, 40}};
+  made.diagnosis.search.found.terms = {finding.term};
+  made.diagnosis.search.singles = {{&dead_band, {0.18, 0}, 950, 700},
+                                   {&made.block.suspects[1], {1.4}, 400, 300},
+                                   {&made.block.suspects[2], {0.001}, 2, -1}};
+  made.diagnosis.detectability = {
+      {&dead_band, 0.03}, {&made.block.suspects[1], 1.2}, {&made.block.suspects[2], {}}};
+  made.diagnosis.findings = {finding};
+  return made;
+}
+
+inline Unexplained GrowingBeyond12kNm() {
+  Unexplained left;
+  left.location = {0, {{24, 40}}, {}};
+  left.location.regimes = {RegimeOf("load/arm", {.form = CurveForm::kThreshold,
+                                                 .parity = CurveParity::kEven,
+                                                 .low = -12000,
+                                                 .high = 12000,
+                                                 .outside = true})};
+  left.p = 0.00041;
+  left.share = 0.35;
+  left.rmse = 0.9 * kDeg;
+  left.noise = 0.2 * kDeg;
+  return left;
+}
+
+inline Diagnosis Of(DiagnosedBlock block) {
+  Diagnosis diagnosis{"excavator1", "excavator1", {}};
+  diagnosis.blocks.push_back(std::move(block));
+  return diagnosis;
+}
+
+/// All that may stand beside the findings.
+inline Diagnosis Complete() {
+  Diagnosis diagnosis = Of(BoomWithDeadBand());
+  diagnosis.held_out = {{"out/second",
+                         {{"excavator1/encoders/boom_radps", "rad/s", 3 * kDeg, 0.5 * kDeg, 1e-4}},
+                         {"arm"}}};
+  diagnosis.whole =
+      WholeSimulation{90,
+                      {{"excavator1/encoders/boom_radps", "rad/s", 2 * kDeg, 0.25 * kDeg},
+                       {"excavator1/encoders/slew_radps", "rad/s", 1 * kDeg, 1.5 * kDeg}},
+                      PathLengths{57.39, 50.47, 57.2},
+                      {},
+                      {}};
+  NextManoeuvre next;
+  next.description = "boom: steps of 0.15";
+  next.commands = {{"boom"}, {0, 1000000000}, {{0}, {0.15}}};
+  next.duration_s = 34;
+  next.separates = {{"boom", {"dead_band", "valve_curve"}, true, 0.9}};
+  next.leaves = {{"boom", {"backlash", "nothing"}, false, 0.1}};
+  next.power = 0.9;
+  diagnosis.next = next;
+  return diagnosis;
+}
+
+}  // namespace tera

@@ -1,0 +1,151 @@
+#include "diagnose/report/sentence.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/units.h"
+#include "diagnose/report/made_diagnosis.h"
+#include "diagnose/report/next_manoeuvre_text.h"
+
+namespace tera {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+TEST(Sentence, TellsWhereOnWhatWhichHowSureAndHowMuchBetter) {
+  const DiagnosedBlock boom = BoomWithDeadBand();
+  EXPECT_EQ(
+      SentenceOf(boom, boom.diagnosis.findings[0]),
+      "Boom rate, 41–63 s and 1 more interval; the error depends on |lever| < 0.2, odd: dead "
+      "band 0.18 ± 0.02 (chosen with p 0.0002, confirmed with p 0.004; rivals rejected: valve "
+      "curve (p 0.003)). Held-out RMSE 3.1 → 0.6 deg/s, 94 % of the excess variance removed. "
+      "Left: 0.6 deg/s at a noise of 0.5 deg/s.");
+}
+
+TEST(Sentence, OfAClassNamesAllThatAreAlike) {
+  DiagnosedBlock boom = BoomWithDeadBand();
+  Finding& finding = boom.diagnosis.findings[0];
+  finding.evidence.rivals.push_back(&boom.block.suspects[1]);
+  finding.evidence.rejected.clear();
+  finding.parameters[0].sigma.reset();
+  finding.location.regimes[0].p = 0.3;
+  finding.location.intervals.clear();
+  boom.diagnosis.unexplained = {GrowingBeyond12kNm()};
+  EXPECT_EQ(
+      SentenceOf(boom, finding),
+      "Boom rate, the whole recording; the error depends most on |lever| < 0.2, odd (p 0.3): "
+      "dead band 0.181 (chosen with p 0.0002, confirmed with p 0.004; not told apart from: valve "
+      "curve). Held-out RMSE 3.1 → 0.6 deg/s, 94 % of the excess variance removed.");
+}
+
+TEST(Sentence, NamesNumbersWhereAMechanismHasSeveralAndWritesAnglesInDegrees) {
+  DiagnosedBlock arm = Block("arm", "excavator1/encoders/arm_radps", "rad/s");
+  arm.block.suspects = {
+      {&MechanismOf("end_cushion"), "arm", {{0, 0.02, 0.6}, {1, 0.02, 0.9}}, {{0.1, 0.2}}}};
+  Finding finding;
+  finding.term = {&arm.block.suspects[0], {10 * kDeg, 0.25}};
+  finding.parameters = {{"zone_rad", "rad", 10 * kDeg, 0.5 * kDeg},
+                        {"end_ratio", "1", 0.25, 0.012}};
+  finding.evidence.rivals = {finding.term.suspect};
+  finding.location = {0, {{2, 3}}, {}};
+  finding.location.regimes = {RegimeOf("position/arm", {.form = CurveForm::kThreshold,
+                                                        .parity = CurveParity::kNotTested,
+                                                        .low = 60 * kDeg,
+                                                        .high = 75 * kDeg})};
+  finding.held_out = {0, 2 * kDeg, 2 * kDeg, -0.01, 0.5};
+  finding.evidence.p = 1e-7;
+  arm.diagnosis.remainders[0].kind = Remainder::Kind::kUnknown;
+  arm.diagnosis.remainders[0].free_member_tells = false;
+  arm.block.first_ns = FromSeconds(45);
+  EXPECT_EQ(
+      SentenceOf(arm, finding),
+      "Arm rate, 46.00–46.50 s; the error depends on angle from 60 to 75 deg, growing: end "
+      "cushion 10.0 ± 0.5 deg, end ratio 0.250 ± 0.012 (chosen with p < 0.0001, confirmed with p "
+      "0.5). Held-out RMSE 2 → 2 deg/s, none of the excess variance removed. Left: 0.6 deg/s at a "
+      "noise of 0.5 deg/s, of noise or error, which a recording without rest does not tell, and no "
+      "free curve that could tell whether there is more.");
+}
+
+TEST(Sentence, OfTheUnexplainedSaysOnWhatItDepends) {
+  DiagnosedBlock boom = BoomWithDeadBand();
+  EXPECT_EQ(
+      SentenceOf(boom, GrowingBeyond12kNm()),
+      "Boom rate, 12.0–20.0 s; the error depends on |arm load| > 12000 N m, growing, even: no "
+      "known mechanism explains it (p 0.00041; 35 % of what a free curve could explain). Left: 0.9 "
+      "deg/s at a noise of 0.2 deg/s.");
+  Unexplained loud = GrowingBeyond12kNm();
+  loud.p.reset();
+  EXPECT_THAT(SentenceOf(boom, loud),
+              HasSubstr("no known mechanism explains it (nor does a free curve). Left: 0.9 deg/s"));
+}
+
+TEST(Sentence, OfAnErrorThatIsAShareOfTheSimulatedValueSaysSo) {
+  DiagnosedBlock boom = BoomWithDeadBand();
+  boom.diagnosis.findings[0].location.regimes[0].is_share = true;
+  EXPECT_THAT(
+      SentenceOf(boom, boom.diagnosis.findings[0]),
+      HasSubstr("the error is a share of the simulated value that depends on |lever| < 0.2"));
+}
+
+TEST(Sentence, OfWhatWasNotConfirmedOrNotJudgedFollowsTheFindings) {
+  DiagnosedBlock boom = BoomWithDeadBand();
+  boom.diagnosis.unconfirmed = std::move(boom.diagnosis.findings);
+  boom.diagnosis.findings.clear();
+  boom.diagnosis.unconfirmed[0].held_out.p = 0.3;
+  Diagnosis diagnosis = Of(std::move(boom));
+  DiagnosedBlock arm = Block("arm", "excavator1/encoders/arm_radps", "rad/s");
+  arm.diagnosis.is_testable = false;
+  diagnosis.blocks.push_back(std::move(arm));
+  EXPECT_THAT(
+      SentencesOf(diagnosis),
+      ElementsAre(HasSubstr("Nothing found: boom rate agrees"),
+                  "Boom rate: dead band 0.18 ± 0.02 was chosen (p 0.0002) and is not confirmed on "
+                  "manoeuvres kept back (p 0.3).",
+                  "Arm rate: not judged, for it is moved in too few manoeuvres of the recording."));
+  EXPECT_THAT(VerdictsOf(diagnosis), ElementsAre(Verdict::kNone, Verdict::kUntestable));
+  diagnosis.blocks.erase(diagnosis.blocks.begin());
+  EXPECT_THAT(VerdictsOf(diagnosis), ElementsAre(Verdict::kUntestable));
+}
+
+TEST(Sentence, OfNothingNamesTheChannelsAndWhatWasNotSeen) {
+  DiagnosedBlock boom = BoomWithDeadBand();
+  boom.diagnosis.findings.clear();
+  boom.diagnosis.remainders[0].kind = Remainder::Kind::kOfFew;
+  Diagnosis diagnosis = Of(std::move(boom));
+  diagnosis.blocks.push_back(Block("excavator1/base", "excavator1/base/left_mps", "m/s"));
+  EXPECT_THAT(
+      SentencesOf(diagnosis),
+      ElementsAre("Nothing found: boom rate and sideways speed agree with the simulation, but for "
+                  "noise and what nominal numbers are off by. Not so in a few manoeuvres of boom "
+                  "rate. Of 3 mechanisms looked for, 1 could "
+                  "not have been seen "
+                  "at any size."));
+  EXPECT_THAT(SentencesOf({"excavator1", "excavator1", {}}),
+              ElementsAre(HasSubstr("Nothing compared")));
+}
+
+TEST(Sentence, OfFurtherRecordingsAndTheWholeSimulationComparesAndWarns) {
+  const std::vector<std::string> sentences = SentencesOf(Complete());
+  EXPECT_THAT(sentences,
+              ::testing::Contains("On out/second, which nothing was fitted to: RMSE of boom rate 3 "
+                                  "→ 0.5 deg/s. It says nothing of arm."));
+  EXPECT_THAT(sentences, ::testing::Contains(
+                             "The whole simulation as it was and with what was found, first 90 s, "
+                             "manoeuvres kept back: boom rate 2 → 0.25 deg/s and slew rate 1 → 1.5 "
+                             "deg/s; path 57.39 m recorded, 50.47 → 57.2 m simulated. The whole "
+                             "simulation does not follow: slew rate."));
+}
+
+TEST(Sentence, OfTheNextManoeuvreCountsMechanismsWhereTheyAreMany) {
+  NextManoeuvre next;
+  for (const char* mechanism : {"sag", "backlash", "dead_band", "rate_limit"}) {
+    next.separates.push_back({"slew", {mechanism, "nothing"}, false, 0.9});
+    EXPECT_THAT(
+        SentenceOf(next),
+        HasSubstr(next.separates.size() < 4 ? "sag" : "would show 4 mechanisms of the slew"));
+  }
+}
+
+}  // namespace
+}  // namespace tera
