@@ -69,6 +69,14 @@ TEST_F(PicturedSite, ACameraOfAnotherSizeIsNotJudgedAndToldWhy) {
               AllOf(HasSubstr("not judged"), HasSubstr("240 x 180"), HasSubstr("has 200 x 180")));
 }
 
+TEST_F(PicturedSite, ACameraOfAFewLinesIsNotJudgedAndToldWhy) {
+  Write("site.yaml", Edited(Read("site.yaml"), "height_px: 180", "height_px: 1"));
+  Record();
+  const Outcome outcome = Run({"diagnose", "site.yaml", "real", "--out", "why"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("not judged"), HasSubstr("240 x 1 pixels; need 32")));
+}
+
 TEST_F(PicturedSite, ATruncatedPictureIsOneErrorAndNoReport) {
   Record();
   const std::filesystem::path picture = scratch_.path() / "real/mast1/camera/rgb/0.png";

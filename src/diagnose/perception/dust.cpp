@@ -8,7 +8,7 @@
 
 #include "diagnose/perception/ground_map.h"
 #include "diagnose/perception/object_edges.h"
-#include "diagnose/perception/share_test.h"
+#include "diagnose/perception/shares_above.h"
 #include "diagnose/statistics/robust.h"
 
 namespace tera {
@@ -21,7 +21,7 @@ constexpr std::size_t kFewestReturns = 40;
 constexpr std::size_t kMostParts = 8;  ///< of a recording, looked at alone
 constexpr double kThing = 0.6, kThick_m = 0.1;
 /// More than one ray in 200, by blocks that agree within a tenth.
-constexpr ShareTest kMoreThanRare{.limit = 0.005, .prior_blocks = 8, .prior_scatter = 0.1};
+constexpr SharesAbove kMoreThanRare{.limit = 0.005, .prior_blocks = 8, .prior_scatter = 0.1};
 constexpr double kChosen = 0.05, kConfirmed = 0.01;
 constexpr double kPresent = 0.25;  ///< of a cloud's densest tenth: less is clear air
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "diagnose/perception/share_test.h"
+#include "diagnose/perception/shares_above.h"
 
 namespace tera {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 constexpr double kBehind_m = 0.3, kOffSurface_m = 0.15;
 constexpr double kLevel = 0.01;
 constexpr std::size_t kFewestRays = 20;
-constexpr ShareTest kMoreThanHalf{.limit = 0.5, .fewest_blocks = 3, .least_sigma = 0.03};
+constexpr SharesAbove kMoreThanHalf{.limit = 0.5, .fewest_blocks = 3, .least_sigma = 0.03};
 
 /// Rays that should have met one object, in one block of time.
 struct Count {

@@ -12,7 +12,7 @@ namespace tera {
 ///         one known before, as if so many more blocks had shown it (moderated t), and a standard
 ///         deviation of the mean that is added to it.
 /// Source  Smyth 2004, "Linear models and empirical Bayes methods" (moderated t).
-struct ShareTest {
+struct SharesAbove {
   double limit = 0;
   std::size_t fewest_blocks = 2;  ///< fewer tell nothing: p is 1
   double prior_blocks = 0, prior_scatter = 0;

@@ -1,4 +1,4 @@
-#include "diagnose/perception/share_test.h"
+#include "diagnose/perception/shares_above.h"
 
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 namespace tera {
 
-double ShareTest::P(const std::vector<double>& shares) const {
+double SharesAbove::P(const std::vector<double>& shares) const {
   if (shares.size() < fewest_blocks) return 1;
   const auto n = static_cast<double>(shares.size());
   const double mean = std::accumulate(shares.begin(), shares.end(), 0.0) / n;
