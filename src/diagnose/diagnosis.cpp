@@ -160,12 +160,16 @@ void Try(const std::string& place, std::vector<std::string>* obstacles,
 
 /// Encoders may have a block for each joint and gear with a lever.
 void AddAxes(const DiagnosisInput& input, const Measurements& measured,
-             const DiagnosisOptions& options, std::vector<ReplayBlock>* blocks) {
+             const DiagnosisOptions& options, std::vector<ReplayBlock>* blocks,
+             std::vector<std::string>* obstacles) {
   if (input.commands.columns.empty() || measured.encoders.empty()) return;
   const AxisLog log = MakeAxisLog(*input.model, input.commands, measured.encoders,
                                   AxisStep_s(measured.encoders, options.step_s));
   for (std::size_t axis = 0; axis < log.measured.size(); ++axis) {
-    if (auto block = MakeAxisBlock(*input.model, log, axis)) blocks->push_back(std::move(*block));
+    Try(log.measured[axis].channel + ": ", obstacles, [&] {
+      auto block = MakeAxisBlock(*input.model, log, axis);
+      if (block) blocks->push_back(std::move(*block));
+    });
   }
 }
 
@@ -199,19 +203,17 @@ void AddBase(const DiagnosisInput& input, const Measurements& measured,
 
 /// An inertial unit makes a block where its link's motion was measured.
 void AddImus(const DiagnosisInput& input, const Measurements& measured,
-             const DiagnosisOptions& options, std::vector<ReplayBlock>* blocks,
-             std::vector<std::string>* obstacles) {
+             const DiagnosisOptions& options, std::vector<ReplayBlock>* blocks) {
   const double interval_s = std::max(options.base_interval_s, ImuInterval_s(measured.poses));
   for (std::size_t s = 0; s < input.sensors.size(); ++s) {
     const SensorDescription& sensor = input.sensors[s];
-    const std::string channel = input.machine + "/" + sensor.name;
     if (measured.imus[s].empty()) continue;
-    Try(channel + ": ", obstacles, [&] {
-      ImuLog log = MakeImuLog(*input.model, sensor, measured.imus[s], measured.encoders,
-                              measured.poses, interval_s);
-      auto block = MakeImuBlock(sensor, std::move(log), channel, measured.poses_were_measured);
-      if (block) blocks->push_back(std::move(*block));
-    });
+    ImuLog log = MakeImuLog(*input.model, sensor, measured.imus[s], measured.encoders,
+                            measured.poses, interval_s);
+    if (auto block = MakeImuBlock(sensor, std::move(log), input.machine + "/" + sensor.name,
+                                  measured.poses_were_measured)) {
+      blocks->push_back(std::move(*block));
+    }
   }
 }
 
@@ -395,10 +397,10 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Recording& 
   const Measurements measured = MeasurementsOf(input, recording, options);
   std::vector<ReplayBlock> blocks;
   std::vector<std::string> obstacles;
-  Try("", &obstacles, [&] { AddAxes(input, measured, options, &blocks); });
+  Try("", &obstacles, [&] { AddAxes(input, measured, options, &blocks, &obstacles); });
   Try("", &obstacles, [&] { AddEfforts(input, measured, &blocks); });
   Try("", &obstacles, [&] { AddBase(input, measured, options, &blocks); });
-  AddImus(input, measured, options, &blocks, &obstacles);
+  Try("", &obstacles, [&] { AddImus(input, measured, options, &blocks); });
   AddGnss(input, measured, &blocks, &obstacles);
   std::erase_if(blocks, [](const ReplayBlock& block) {
     return static_cast<double>(block.samples()) * block.period_s() < kShortest_s;

@@ -144,5 +144,35 @@ TEST_F(BadRecording, WithATimeThatComesTwiceSaysWhere) {
   ExpectRefusedWith(HasSubstr("encoders/data.csv:11"));
 }
 
+TEST_F(BadRecording, OfOneJointWithALongGapLeavesTheOthersToBeJudged) {
+  HandMade made;
+  made.valve = DeadTo0_1;
+  WriteHandMade(scratch_.path() / "real", made);
+  // The arm before the boom: a second, and one row a minute later.
+  std::filesystem::create_directories(File("arm_encoder"));
+  std::ostringstream rows;
+  rows.precision(12);
+  rows << "t_ns,arm_rad,arm_radps\n";
+  for (int k = 0; k <= 240; ++k) {
+    const double t_s = k < 240 ? 0.005 * k : 70;
+    rows << std::llround(t_s * 1e9) << ',' << 0.2 * std::sin(3 * t_s) - 1.5 << ','
+         << 0.6 * std::cos(3 * t_s) << '\n';
+  }
+  WriteWholeFile(File("arm_encoder/data.csv"), rows.str());
+  const std::filesystem::path dataset = scratch_.path() / "real" / "dataset.yaml";
+  WriteWholeFile(dataset, Edited(ReadWholeFile(dataset), "  - {path: excavator1/encoders",
+                                 "  - {path: excavator1/arm_encoder, type: encoder}\n"
+                                 "  - {path: excavator1/encoders"));
+  WriteWholeFile(scratch_.path() / "only.yaml", "only: [dead_band]\n");
+  const Outcome outcome = RunTera({"diagnose", "boom.yaml", "real", "--library", "only.yaml",
+                                   "--no-simulation", "--out", "why"},
+                                  {scratch_.path()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("Boom rate"), HasSubstr("dead band 0."),
+                    HasSubstr("Not compared: excavator1/arm_encoder/arm_radps: 241 samples"),
+                    HasSubstr("leave a long gap")));
+}
+
 }  // namespace
 }  // namespace tera
