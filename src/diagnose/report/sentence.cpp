@@ -262,10 +262,13 @@ std::string SentenceOf(const DiagnosedBlock& diagnosed, const Unexplained& unexp
 }
 
 std::string SentenceOfUnconfirmed(const DiagnosedBlock& diagnosed, const Finding& finding) {
-  return fmt::format("{}: {} was chosen ({}) and is not confirmed on manoeuvres kept back ({}).",
+  return fmt::format("{}: {} was chosen ({}) and is not confirmed on manoeuvres kept back ({}{}).",
                      ChannelText(diagnosed, finding.location.channel),
                      MechanismText(diagnosed, finding), ProbabilityText(finding.evidence.p),
-                     ProbabilityText(finding.held_out.p));
+                     ProbabilityText(finding.held_out.p),
+                     finding.held_out.excess_removed > 0 || finding.held_out.p > kSignificant
+                         ? ""
+                         : ", but the error is no smaller with it");
 }
 
 std::string SentenceOfUntestable(const DiagnosedBlock& diagnosed) {
