@@ -118,6 +118,7 @@ void Droop(const Setting& s, Hidden* out) {
   const double load_nm = std::abs(s.excavator.Loads_nm(s.start_rad)[s.axis]);
   out->form.supply_nm = load_nm / s.Size(0.45, 0.22, 0.09);
   out->concealed.form = "orifice into compressible oil that moves the mass";
+  out->concealed.besides = {"actuator_ring", "structural_flex"};  // the oil is a spring
   out->concealed.truth["stall_nm"] = out->form.supply_nm;
   const std::string joint = kJoints[s.axis];
   out->concealed.variables = {"load/" + joint, "position/" + joint, "lever/" + joint};

@@ -19,6 +19,7 @@ struct Concealed {
   std::string target;                   ///< joint, or base
   std::string name;                     ///< the answer wanted; empty: nothing that the tool knows
   std::vector<std::string> alike;       ///< names that say the same of this form
+  std::vector<std::string> besides;     ///< names of what this form has in it besides
   std::string form;                     ///< what it is here, in words
   std::map<std::string, double> truth;  ///< parameters of the answer that this form comes to
   std::vector<std::string> variables;   ///< that the error depends on, any of them

@@ -40,8 +40,18 @@ bool Names(const Finding& finding, const Concealed& hidden) {
          HoldsNameOf(hidden, finding);
 }
 
+/// Names something that comes with the form: neither what was asked for nor wrong.
+bool NamesWhatIsBesides(const BenchmarkCase& c, const Finding& finding) {
+  return std::any_of(c.hidden.begin(), c.hidden.end(), [&](const Concealed& hidden) {
+    return finding.target == hidden.target &&
+           std::any_of(hidden.besides.begin(), hidden.besides.end(),
+                       [&](const std::string& name) { return Contains(finding.names, name); });
+  });
+}
+
 bool IsConfidentlyWrong(const BenchmarkCase& c, const Finding& finding) {
   if (finding.unexplained() || finding.confidence < kConfident) return false;
+  if (NamesWhatIsBesides(c, finding)) return false;
   return std::none_of(c.hidden.begin(), c.hidden.end(),
                       [&](const Concealed& hidden) { return HoldsNameOf(hidden, finding); });
 }
@@ -146,7 +156,8 @@ Mark MarkAnswer(const BenchmarkCase& c, const CaseRecording& recording, const An
     mark.confident_wrong = mark.confident_wrong || IsConfidentlyWrong(c, finding);
     const bool is_right = std::any_of(c.hidden.begin(), c.hidden.end(),
                                       [&](const Concealed& h) { return Names(finding, h); });
-    mark.spurious = mark.spurious || (!finding.unexplained() && !is_right);
+    mark.spurious =
+        mark.spurious || (!finding.unexplained() && !is_right && !NamesWhatIsBesides(c, finding));
   }
   for (const Change& change : recording.changes) {
     mark.signal_to_noise = std::max(mark.signal_to_noise, change.Rms());

@@ -85,6 +85,18 @@ TEST(Mark, OfAnswersThatAreWrong) {
   EXPECT_FALSE(hidden.Of(vague).confident_wrong) << "but it is not wrong";
 }
 
+TEST(Mark, OfWhatTheFormHasInItBesidesIsNeitherRightNorWrong) {
+  HiddenDeadBand hidden;
+  Finding besides = DeadBandOfBoom();
+  besides.names = {"actuator_ring"}, besides.mechanism = "actuator_ring";
+  EXPECT_TRUE(hidden.Of(besides).confident_wrong && hidden.Of(besides).spurious);
+  hidden.c.hidden[0].besides = {"actuator_ring"};
+  EXPECT_FALSE(hidden.Of(besides).confident_wrong || hidden.Of(besides).spurious);
+  EXPECT_EQ(hidden.Of(besides).named, 0);
+  besides.target = "arm";
+  EXPECT_TRUE(hidden.Of(besides).confident_wrong && hidden.Of(besides).spurious);
+}
+
 TEST(Mark, OfAnEffectThatHasNoName) {
   HiddenDeadBand hidden;
   hidden.c.kind = CaseKind::kOutside;

@@ -24,7 +24,7 @@ std::vector<Suspect> SuspectsOf(const Effects& present) {
   out.Add("track_slip", {{0, -0.2, 0.7}}, {{0.04, 0, 0.7}, {0.12, 0, 0.7}, {0.3, 0, 0.7}});
   out.Add("slope_slip", {{0, -0.2, 0.5}, {1, -2, 2}}, {{0, 0.2}, {0, 0.6}, {0.1, 0.5}});
   out.Add("side_slip", {{0, -2, 2}}, {{0.1}, {0.4}, {-0.2}});
-  out.Add("effective_gauge", {{0, 0.7, 3, true}}, {{1.1}, {1.4}, {1.8}, {0.9}});
+  out.Add("effective_gauge", {{0, 0.7, 4, true}}, {{1.1}, {1.4}, {1.8}, {0.9}});
   out.Add("icr_shift", {{0, -1.5, 1.5}, {1, -1, 1}}, {{0.1, 0}, {-0.1, 0}, {0.4, 0}, {0, 0.2}});
   return out.Take();
 }

@@ -33,6 +33,10 @@ constexpr double kForm = 0.02;     ///< of an excess: its form in the library is
 /// Standard deviation of a mechanism's number, of itself, for the form that it has in the library
 /// instead of its own, and for nominal numbers.
 constexpr double kFormOfNumber = 0.03;
+constexpr int kPasses = 3;  ///< of noise and search
+/// Of the variance of a channel's noise, and of the scale of its innovations: less by so much is
+/// worth another search.
+constexpr double kQuieter = 0.5, kQuieterInnovations = 0.7;
 
 Mask Not(Mask mask) {
   for (auto& is : mask) is = !is;
@@ -41,22 +45,26 @@ Mask Not(Mask mask) {
 
 class Procedure {
  public:
-  Procedure(const ReplayBlock& block, const SearchOptions& options, const Stream& stream)
+  Procedure(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
+            const std::vector<Manoeuvre>& manoeuvres, const std::vector<NoiseModel>& noise)
       : block_(block),
         options_(options),
         stream_(stream),
-        manoeuvres_(ManoeuvresOf(block, stream)),
+        manoeuvres_(manoeuvres),
         select_(PiecesOf(SegmentsOf(manoeuvres_, Part::kSelect), block.period_s())),
         seen_(PiecesOf(SeenSegmentsOf(manoeuvres_), block.period_s())),
         final_(PiecesOf(SegmentsOf(manoeuvres_, Part::kFinal), block.period_s())),
         final_mask_(MaskOf(manoeuvres_, Part::kFinal, block.samples())),
-        likelihood_(block, NoiseOfBlock(block, manoeuvres_), Not(final_mask_)),
+        likelihood_(block, noise, Not(final_mask_)),
         fitter_(block, likelihood_, SeenSegmentsOf(manoeuvres_)) {}
 
-  BlockDiagnosis Run();
+  bool IsTestable() const;
+  /// As it stands, without a search.
+  BlockDiagnosis Untested() const;
+  SearchResult Search() const;
+  BlockDiagnosis Explain(SearchResult search) const;
 
  private:
-  bool IsTestable() const;
   Finding Describe(const SearchResult& search, std::size_t term) const;
   void Confirm(BlockDiagnosis* out) const;
   void FindRemainders(const SearchResult& search, BlockDiagnosis* out) const;
@@ -72,7 +80,7 @@ class Procedure {
   const ReplayBlock& block_;
   const SearchOptions& options_;
   const Stream& stream_;
-  const std::vector<Manoeuvre> manoeuvres_;
+  const std::vector<Manoeuvre>& manoeuvres_;
   const std::vector<Segment> select_, seen_, final_;  ///< in pieces
   const Mask final_mask_;
   const Likelihood likelihood_;   ///< of TRAIN and SELECT
@@ -87,6 +95,13 @@ double MeanSquare(const Series& residual, const Mask& mask) {
     ++count;
   }
   return count > 0 ? sum / count : 0;
+}
+
+/// Mean square over the samples of a segment that are there.
+double MeanSquare(const Series& residual, const Segment& samples) {
+  Mask mask(residual.size(), 0);
+  for (std::size_t k = samples.begin; k < samples.end; ++k) mask[k] = 1;
+  return MeanSquare(residual, mask);
 }
 
 /// Of the process, by its response to single innovations; those of a t distribution.
@@ -216,16 +231,17 @@ HeldOutError Procedure::Compare(const FittedStructure& before, const FittedStruc
   return error;
 }
 
-/// Not by FINAL, which is not to choose what it is asked about.
+/// By how much of its noise's variance, and not by FINAL, which is not to choose what it is asked
+/// about.
 std::size_t Procedure::MostImproved(const FittedStructure& before,
                                     const FittedStructure& after) const {
+  const Mask seen = Not(final_mask_);
   std::size_t best = 0;
   double most = -INFINITY;
   for (std::size_t c = 0; c < block_.channels.size(); ++c) {
-    double gain = 0;
-    for (const auto& one : GainsOf(likelihood_, before.misfit, after.misfit, seen_, c)) {
-      gain += one.gain;
-    }
+    const double gain =
+        (MeanSquare(before.misfit.residual[c], seen) - MeanSquare(after.misfit.residual[c], seen)) /
+        VarianceOf(likelihood_.noise()[c]);
     if (gain <= most) continue;
     most = gain;
     best = c;
@@ -246,14 +262,8 @@ Finding Procedure::Describe(const SearchResult& search, std::size_t term) const 
   finding.location = Locate(block_.channels[channel], channel, without.misfit.residual[channel],
                             likelihood_.noise()[channel], stream_);
   finding.held_out = Compare(without, found, channel);
+  finding.held_out.p = SteadyGainP(GainsOf(likelihood_, without.misfit, found.misfit, final_));
   return finding;
-}
-
-/// Mean square over the samples of a segment that are there.
-double MeanSquare(const Series& residual, const Segment& samples) {
-  Mask mask(residual.size(), 0);
-  for (std::size_t k = samples.begin; k < samples.end; ++k) mask[k] = 1;
-  return MeanSquare(residual, mask);
 }
 
 /// What a mean square may be and still be noise, nominal numbers, and what the forms of mechanisms
@@ -389,7 +399,7 @@ void Procedure::Confirm(BlockDiagnosis* out) const {
   for (std::size_t t = 0; t < out->search.found.terms.size(); ++t) {
     Finding finding = Describe(out->search, t);
     const double level = finding.evidence.p <= kSurelyChosenP ? kSurelyUnconfirmedP : kUnconfirmedP;
-    if (finding.held_out.p <= level && finding.held_out.excess_removed > 0) {
+    if (finding.held_out.p <= level) {
       kept.push_back(finding.term);
       evidence.push_back(finding.evidence);
       out->findings.push_back(std::move(finding));
@@ -415,17 +425,25 @@ bool Procedure::IsTestable() const {
   return seen >= kFewestSeen && final >= kFewestFinal;
 }
 
-BlockDiagnosis Procedure::Run() {
+BlockDiagnosis Procedure::Untested() const {
+  BlockDiagnosis out;
+  out.is_testable = false;
+  out.manoeuvres = manoeuvres_;
+  out.noise = likelihood_.noise();
+  out.search.nothing = out.search.found = fitter_.AsGiven({});
+  for (const Suspect& suspect : block_.suspects) out.detectability.push_back({&suspect, {}});
+  return out;
+}
+
+SearchResult Procedure::Search() const {
+  return SearchStructures(block_, likelihood_.noise(), fitter_, manoeuvres_, options_);
+}
+
+BlockDiagnosis Procedure::Explain(SearchResult search) const {
   BlockDiagnosis out;
   out.manoeuvres = manoeuvres_;
   out.noise = likelihood_.noise();
-  out.is_testable = IsTestable();
-  if (!out.is_testable) {
-    out.search.nothing = out.search.found = fitter_.AsGiven({});
-    for (const Suspect& suspect : block_.suspects) out.detectability.push_back({&suspect, {}});
-    return out;
-  }
-  out.search = SearchStructures(block_, likelihood_.noise(), fitter_, manoeuvres_, options_);
+  out.search = std::move(search);
   Confirm(&out);
   FindRemainders(out.search, &out);
   FindUnexplained(&out);
@@ -438,6 +456,15 @@ BlockDiagnosis Procedure::Run() {
   return out;
 }
 
+/// Whether any channel's noise is much less than it was taken for.
+bool IsMuchQuieter(const std::vector<NoiseModel>& now, const std::vector<NoiseModel>& before) {
+  for (std::size_t c = 0; c < now.size(); ++c) {
+    if (VarianceOf(now[c]) < kQuieter * VarianceOf(before[c])) return true;
+    if (now[c].scale < kQuieterInnovations * before[c].scale) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<Manoeuvre> ManoeuvresOf(const ReplayBlock& block, const Stream& stream) {
@@ -446,7 +473,18 @@ std::vector<Manoeuvre> ManoeuvresOf(const ReplayBlock& block, const Stream& stre
 
 BlockDiagnosis DiagnoseBlock(const ReplayBlock& block, const SearchOptions& options,
                              const Stream& stream) {
-  return Procedure(block, options, stream).Run();
+  const std::vector<Manoeuvre> manoeuvres = ManoeuvresOf(block, stream);
+  std::vector<NoiseModel> noise = NoiseOfBlock(block, manoeuvres);
+  for (int pass = 1;; ++pass) {
+    const Procedure procedure(block, options, stream, manoeuvres, noise);
+    if (!procedure.IsTestable()) return procedure.Untested();
+    SearchResult search = procedure.Search();
+    std::vector<NoiseModel> less = NoiseOfBlock(block, manoeuvres, search.found.terms);
+    if (pass == kPasses || search.found.terms.empty() || !IsMuchQuieter(less, noise)) {
+      return procedure.Explain(std::move(search));
+    }
+    noise = std::move(less);
+  }
 }
 
 }  // namespace tera

@@ -227,8 +227,9 @@ Misfit LessFreeMember(const ReplayBlock& block, const Likelihood& likelihood, co
 }
 
 std::vector<NoiseModel> NoiseOfBlock(const ReplayBlock& block,
-                                     const std::vector<Manoeuvre>& manoeuvres) {
-  const auto predicted = block.predict({});
+                                     const std::vector<Manoeuvre>& manoeuvres,
+                                     const Structure& found) {
+  const auto predicted = block.predict(found);
   const Mask fit_on = NotFinal(manoeuvres, block.samples());
   std::vector<NoiseModel> noise;
   for (std::size_t c = 0; c < block.channels.size(); ++c) {

@@ -19,13 +19,15 @@ Misfit LessFreeMember(const ReplayBlock& block, const Likelihood& likelihood, co
                       const std::vector<Manoeuvre>& manoeuvres);
 
 /// Noise of each channel: what a fit of the free member, together with what the block predicts
-/// without any suspect, leaves of the measurements of TRAIN and SELECT. No mechanism enters: what
-/// of one the free member can follow does not count as noise, the rest does.
+/// with the terms that were found so far, leaves of the measurements of TRAIN and SELECT. What of a
+/// mechanism that is not among them the free member can follow does not count as noise, the rest
+/// does.
 ///
 /// Model   ridge 1e-6, for what is fitted here is not to predict; the scale is enlarged by the
 ///         degrees of freedom that the columns take. Innovations are at least 0.2 % of the
 ///         channel's RMS: no replay is better.
 std::vector<NoiseModel> NoiseOfBlock(const ReplayBlock& block,
-                                     const std::vector<Manoeuvre>& manoeuvres);
+                                     const std::vector<Manoeuvre>& manoeuvres,
+                                     const Structure& found = {});
 
 }  // namespace tera

@@ -11,7 +11,7 @@ constexpr double kLeastPossible = 2;
 constexpr double kClear = 20;  ///< log-likelihood, far above the scatter of noise
 constexpr std::size_t kFewest = 3;
 constexpr double kPiece_s = 1;
-constexpr std::size_t kPieceSamples = 25;
+constexpr std::size_t kPieceSamples = 5;
 
 }  // namespace
 

@@ -20,7 +20,7 @@ std::vector<ManoeuvreGain> GainsOf(const Likelihood& likelihood, const Misfit& b
                                    const Misfit& after, const std::vector<Segment>& manoeuvres,
                                    std::optional<std::size_t> channel = {});
 
-/// Manoeuvres in equal pieces of a second or more, 25 samples at least: what lasts longer than
+/// Manoeuvres in equal pieces of a second or more, five samples at least: what lasts longer than
 /// noise and shorter than a manoeuvre counts once a piece.
 std::vector<Segment> PiecesOf(const std::vector<Segment>& manoeuvres, double period_s);
 

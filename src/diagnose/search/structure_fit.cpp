@@ -12,7 +12,6 @@
 namespace tera {
 namespace {
 
-constexpr double kStep = 0.002;  ///< of a parameter's range, for difference quotients
 constexpr int kMostIterations = 12;
 constexpr double kBadFit = 2;         ///< mean squared innovation
 constexpr double kLeastPart = 0.3;    ///< of a direction of length 1, that a parameter may have
@@ -28,6 +27,15 @@ std::vector<double> PlacesOf(const Structure& terms) {
   return places;
 }
 
+/// By how much each place is moved for its difference quotient.
+std::vector<double> StepsOf(const Structure& terms) {
+  std::vector<double> steps;
+  for (const Term& term : terms) {
+    for (const FreeParameter& free : term.Free()) steps.push_back(free.step);
+  }
+  return steps;
+}
+
 Structure AtPlaces(Structure terms, const double* places) {
   for (Term& term : terms) {
     for (const FreeParameter& free : term.Free()) {
@@ -40,7 +48,11 @@ Structure AtPlaces(Structure terms, const double* places) {
 class Deviance final : public ceres::CostFunction {
  public:
   Deviance(const ReplayBlock& block, const Likelihood& likelihood, const Structure& terms)
-      : block_(block), likelihood_(likelihood), terms_(terms), places_(PlacesOf(terms)) {
+      : block_(block),
+        likelihood_(likelihood),
+        terms_(terms),
+        places_(PlacesOf(terms)),
+        steps_(StepsOf(terms)) {
     at_start_ = RowsAt(places_);
     set_num_residuals(static_cast<int>(at_start_.size()));
     mutable_parameter_block_sizes()->push_back(static_cast<int>(places_.size()));
@@ -60,7 +72,7 @@ class Deviance final : public ceres::CostFunction {
     std::copy(rows.begin(), rows.end(), residuals);
     if (jacobians == nullptr || jacobians[0] == nullptr) return true;
     for (std::size_t p = 0; p < at.size(); ++p) {
-      const double here = at[p], step = here + kStep <= 1 ? kStep : -kStep;
+      const double here = at[p], step = here + steps_[p] <= 1 ? steps_[p] : -steps_[p];
       at[p] = here + step;
       const std::vector<double> moved = RowsAt(at);
       at[p] = here;
@@ -79,7 +91,7 @@ class Deviance final : public ceres::CostFunction {
   const ReplayBlock& block_;
   const Likelihood& likelihood_;
   const Structure& terms_;
-  std::vector<double> places_, at_start_;
+  std::vector<double> places_, steps_, at_start_;
 };
 
 /// By how much each free parameter changes from one end of its range to the other, as a tangent.

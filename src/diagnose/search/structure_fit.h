@@ -26,10 +26,10 @@ double ValueAt(const FreeParameter& free, double place);
 /// Fits the free parameters of a structure.
 ///
 /// Model   maximum likelihood within the parameters' bounds by Levenberg–Marquardt on signed square
-///         roots of the Student-t deviance, difference quotients of a five-hundredth of each
-///         range; nuisances are fitted anew in every evaluation. Starts: the values of `terms` as
-///         given, and with the last term's replaced by each of its suspect's; the most likely one
-///         is refined. Where nothing at all fits badly (innovations of more than twice the noise's
+///         roots of the Student-t deviance, difference quotients over each parameter's `step`;
+///         nuisances are fitted anew in every evaluation. Starts: the values of `terms` as given,
+///         and with the last term's replaced by each of its suspect's; the most likely one is
+///         refined. Where nothing at all fits badly (innovations of more than twice the noise's
 ///         variance), likewise under white noise of the size of what nothing leaves, whose
 ///         likelihood is smooth far from the truth, and from there under the noise itself; the
 ///         likelier of both ends counts.

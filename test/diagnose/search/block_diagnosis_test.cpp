@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "diagnose/search/free_member.h"
 #include "diagnose/search/toy_block.h"
 
 namespace tera {
@@ -68,6 +69,44 @@ TEST(BlockDiagnosis, NamesTwoThatActTogether) {
   ASSERT_THAT(NamesOf(toy.diagnosis.findings), UnorderedElementsAre("square", "lag"));
   EXPECT_NEAR(FindingOf(toy.diagnosis, "lag").parameters[0].value, 0.12, 0.02);
   EXPECT_NEAR(FindingOf(toy.diagnosis, "square").parameters[0].value, 0.25, 0.03);
+}
+
+TEST(BlockDiagnosis, FindsTheLesserOfTwoThoughTheGreaterPassedForNoiseAtFirst) {
+  // A ripple too fine for the free member, which `step` stands for here.
+  const std::vector<double> lever = ToyLever(kSamples, 31);
+  const auto response = [&](double square, double ripple) {
+    std::vector<double> y;
+    for (const double u : lever) y.push_back(u + square * u * u + ripple * std::sin(25 * u));
+    return y;
+  };
+  ReplayBlock block = ToyBlock(lever, ToyMeasured(response(0.085, 0.3), kNoise, 31), {0, 2});
+  block.predict = [&](const Structure& terms) {
+    double square = 0, ripple = 0;
+    for (const Term& term : terms) {
+      (term.suspect->mechanism->id == "square" ? square : ripple) += term.values[0];
+    }
+    return std::vector<std::vector<double>>{response(square, ripple)};
+  };
+  const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(31, "diagnose"));
+  EXPECT_THAT(NamesOf(diagnosis.findings), UnorderedElementsAre("square", "step"));
+  EXPECT_GT(NoiseOfBlock(block, diagnosis.manoeuvres)[0].scale, 1.5 * diagnosis.noise[0].scale);
+}
+
+TEST(BlockDiagnosis, KeepsANameThoughOneManoeuvreHeldBackIsOfAnotherKind) {
+  const std::vector<double> lever = ToyLever(kSamples, 12);
+  ReplayBlock block =
+      ToyBlock(lever, ToyMeasured(ToyResponse(lever, 0.2, 0, 0), kNoise, 12), {0, 2, 3});
+  const Stream stream(12, "diagnose");
+  for (const Manoeuvre& manoeuvre : ManoeuvresOf(block, stream)) {
+    if (manoeuvre.part != Part::kFinal || manoeuvre.axes == 0) continue;
+    Series& measured = block.channels[0].measured;
+    for (std::size_t k = manoeuvre.samples.begin; k < manoeuvre.samples.end; ++k) {
+      if (measured.valid[k]) measured.value[k] -= 2 * lever[k] * lever[k];  // it hit something
+    }
+    break;
+  }
+  const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, stream);
+  EXPECT_THAT(NamesOf(diagnosis.findings), ElementsAre("square"));
 }
 
 TEST(BlockDiagnosis, AnswersWithAClassWhereTwoSuspectsDoTheSame) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "diagnose/search/toy_block.h"
 
 namespace tera {
@@ -72,6 +74,22 @@ TEST(StructureFit, NumbersThatAreDeterminedAreFree) {
   const FittedStructure fitted = toy.fitter.Fit({{&toy.suspect, {0.1, 0, 40}}});
   EXPECT_THAT(fitted.terms[0].held, IsEmpty());
   EXPECT_EQ(fitted.information.rows(), 2);
+}
+
+TEST(StructureFit, ANumberThatActsInStairsIsFreeIfItIsMovedByAStairOrMore) {
+  Fixture toy(0.4);
+  toy.suspect.free.pop_back();
+  toy.block.predict = [&toy](const Structure& terms) {
+    if (terms.empty()) return std::vector<std::vector<double>>{toy.lever};
+    const double stair = 0.04 * std::round(terms[0].values[1] / 0.04);
+    return std::vector<std::vector<double>>{toy.Response(terms[0].values[0], stair)};
+  };
+  const FittedStructure stuck = toy.fitter.Fit({{&toy.suspect, {0.1, 0, 40}}});
+  EXPECT_THAT(stuck.terms[0].held, ElementsAre(1));
+  toy.suspect.free[1].step = 0.03;  // 0.06 of the range from -1 to 1
+  const FittedStructure free = toy.fitter.Fit({{&toy.suspect, {0.1, 0, 40}}});
+  EXPECT_THAT(free.terms[0].held, IsEmpty());
+  EXPECT_NEAR(free.terms[0].values[1], 0.1, 0.04);
 }
 
 }  // namespace
