@@ -22,6 +22,10 @@ double Slot(double stroke, double notch) {
 
 }  // namespace
 
+double Play_rad(const AxisForm& form) {
+  return form.gap_rad + 2 * kSeized_radps2 / (kGap_radps * kGap_radps);
+}
+
 AxisEquations::AxisEquations(const Excavator& excavator, std::size_t axis, const AxisForm& form)
     : excavator_(excavator), axis_(axis), form_(form) {}
 

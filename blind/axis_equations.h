@@ -14,6 +14,10 @@ struct Surroundings {
   double load_nm = 0, inertia_kgm2 = 1;
 };
 
+/// Play that a drive with this gap sees at a reversal: the gap, and what the contact gives way to
+/// the seized pin on either side.
+double Play_rad(const AxisForm& form);
+
 /// The equations of one joint: state, derivative, edges.
 ///
 /// Model   state: line lags, two lags, ramp, pressure, drive's angle, bristle, then rate and angle.

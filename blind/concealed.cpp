@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "blind/axis_equations.h"
 #include "core/check.h"
 
 namespace tera::blind {
@@ -145,7 +146,7 @@ void Flex(const Setting& s, Hidden* out) {
 void Backlash(const Setting& s, Hidden* out) {
   out->form.gap_rad = s.Size(0.05, 0.022, 0.009);
   out->concealed.form = "two masses and a gap, the second held by its pin's friction";
-  out->concealed.truth["gap_rad"] = out->form.gap_rad;
+  out->concealed.truth["gap_rad"] = Play_rad(out->form);
   out->concealed.variables = {};
 }
 

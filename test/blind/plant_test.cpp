@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "blind/axis_equations.h"
 #include "blind/integrator.h"
 
 namespace tera::blind {
@@ -121,13 +122,13 @@ TEST(Plant, AGapIsLostAtEveryReversal) {
   AxisForm form;
   form.gap_rad = 0.04;
   const auto there_and_back = [](double t_s) { return t_s < 1 ? 0.5 : (t_s < 2 ? -0.5 : 0); };
-  const Motion with = Driven(kBucket, form, 3, there_and_back);
-  const Motion without = Driven(kBucket, {}, 3, there_and_back);
-  const auto turned = [](const Motion& motion) {
-    return motion.q_rad.back()[kBucket] - motion.q_rad[100][kBucket];
-  };
-  // Half of the gap on the way out, all of it on the way back.
-  EXPECT_NEAR(turned(with) - turned(without), 0.04, 0.01);
+  const Motion motion = Driven(kBucket, form, 3, there_and_back);
+  const double turned_rad = motion.q_rad[190][kBucket] - motion.q_rad[95][kBucket];
+  const double drive_rad =
+      0.5 * kDeg * (43.3 * (1 - motion.t_s[95]) - 64.3 * (motion.t_s[190] - 1));
+  // Half of the play on the way out, all of it on the way back.
+  EXPECT_NEAR(turned_rad - drive_rad, Play_rad(form), 0.0005);
+  EXPECT_NEAR(Play_rad(form), 0.0483, 0.0001);
 }
 
 TEST(Plant, AMassOnASpringSwingsAtItsFrequency) {

@@ -32,7 +32,7 @@ constexpr double kNominal = 0.03;  ///< of a channel's RMS: nominal numbers are 
 constexpr double kForm = 0.02;     ///< of an excess: its form in the library is no better
 /// Standard deviation of a mechanism's number, of itself, for the form that it has in the library
 /// instead of its own, and for nominal numbers.
-constexpr double kFormOfNumber = 0.03;
+constexpr double kFormOfNumber = 0.05;
 constexpr int kPasses = 3;  ///< of noise and search
 /// Of the variance of a channel's noise, and of the scale of its innovations: less by so much is
 /// worth another search.
