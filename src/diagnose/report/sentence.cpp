@@ -213,9 +213,14 @@ std::string HeldOutText(const HeldOutError& error, const std::string& si_unit) {
   const std::string removed = error.excess_removed > 0
                                   ? PercentText(error.excess_removed) + " of the excess variance"
                                   : "none of the excess variance";
-  return fmt::format("Held-out RMSE {} → {}, {} removed.",
+  // It was confirmed by how many manoeuvres are likelier with it, which a few loud ones may
+  // outweigh.
+  return fmt::format("Held-out RMSE {} → {}, {} removed{}.",
                      Significant(error.rmse_before * unit.factor, 2),
-                     WithUnit(Significant(error.rmse_after * unit.factor, 2), unit), removed);
+                     WithUnit(Significant(error.rmse_after * unit.factor, 2), unit), removed,
+                     error.excess_removed > 0 || error.p > kSignificant
+                         ? ""
+                         : ", for a few manoeuvres outweigh the rest");
 }
 
 }  // namespace
@@ -262,13 +267,10 @@ std::string SentenceOf(const DiagnosedBlock& diagnosed, const Unexplained& unexp
 }
 
 std::string SentenceOfUnconfirmed(const DiagnosedBlock& diagnosed, const Finding& finding) {
-  return fmt::format("{}: {} was chosen ({}) and is not confirmed on manoeuvres kept back ({}{}).",
+  return fmt::format("{}: {} was chosen ({}) and is not confirmed on manoeuvres kept back ({}).",
                      ChannelText(diagnosed, finding.location.channel),
                      MechanismText(diagnosed, finding), ProbabilityText(finding.evidence.p),
-                     ProbabilityText(finding.held_out.p),
-                     finding.held_out.excess_removed > 0 || finding.held_out.p > kSignificant
-                         ? ""
-                         : ", but the error is no smaller with it");
+                     ProbabilityText(finding.held_out.p));
 }
 
 std::string SentenceOfUntestable(const DiagnosedBlock& diagnosed) {
