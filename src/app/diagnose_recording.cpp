@@ -81,14 +81,27 @@ DiagnosisOptions OptionsOf(const DiagnoseArguments& arguments, std::uint64_t see
   return options;
 }
 
+/// The scenario as it is under the levers of the recording, where that is wanted.
+std::optional<SimulatedCourse> CourseOf(const DiagnoseArguments& arguments,
+                                        const MachineCase& machine, const DiagnosisInput& input,
+                                        const Recording& recording) {
+  if (!arguments.simulate) return std::nullopt;
+  return SimulateAsItIs(arguments.scenario, machine.index, input, recording);
+}
+
 /// The blocks of the further recordings, before anything is searched: what cannot be read is told
 /// at once.
-std::vector<std::vector<ReplayBlock>> FurtherBlocks(
-    const MachineCase& machine, const std::vector<std::filesystem::path>& recordings) {
+std::vector<std::vector<ReplayBlock>> FurtherBlocks(const DiagnoseArguments& arguments,
+                                                    const MachineCase& machine,
+                                                    std::uint64_t seed) {
   std::vector<std::vector<ReplayBlock>> blocks;
-  for (const std::filesystem::path& path : recordings) {
+  for (const std::filesystem::path& path : arguments.held_out) {
     const Recording recording(path);
-    blocks.push_back(BlocksOf(machine.InputOf(recording), recording, {}));
+    const DiagnosisInput input = machine.InputOf(recording);
+    blocks.push_back(BlocksOf(input, recording, {}));
+    if (const auto course = CourseOf(arguments, machine, input, recording)) {
+      TakeOffAll(UnreplayedOf(input, recording, {}, *course), seed, &blocks.back());
+    }
   }
   return blocks;
 }
@@ -128,10 +141,12 @@ Diagnosis DiagnoseMachine(const DiagnoseArguments& arguments, DiagnosisOptions o
                           const MachineCase& machine, const Recording& recording,
                           std::vector<PerceptionDiagnosis> seen) {
   options.needs_blocks = seen.empty();
-  const auto further = FurtherBlocks(machine, arguments.held_out);
+  const auto further = FurtherBlocks(arguments, machine, options.seed);
   const DiagnosisInput input = machine.InputOf(recording);
+  std::optional<SimulatedCourse> course;
+  const auto simulate = [&] { return course = CourseOf(arguments, machine, input, recording); };
   const DiagnoseProgress bar(input.machine);
-  Diagnosis diagnosis = Diagnose(input, recording, options,
+  Diagnosis diagnosis = Diagnose(input, recording, options, simulate,
                                  [&](const BlockProgress& progress) { bar.Show(progress); });
   diagnosis.perception = std::move(seen);
   for (std::size_t r = 0; r < further.size(); ++r) {
@@ -143,8 +158,8 @@ Diagnosis DiagnoseMachine(const DiagnoseArguments& arguments, DiagnosisOptions o
     diagnosis.whole = WholeSimulation{};
     diagnosis.whole->obstacle = "the time was over";
   } else {
-    diagnosis.whole =
-        SimulateWhole(arguments.scenario, machine.index, input, recording, options, diagnosis);
+    diagnosis.whole = SimulateWhole(arguments.scenario, machine.index, input, recording, options,
+                                    diagnosis, course);
   }
   return diagnosis;
 }

@@ -17,27 +17,11 @@
 namespace tera {
 namespace {
 
-constexpr double kLongest_s = 120;
+constexpr double kLongest_s = 600;   ///< of the scenario as it is
+constexpr double kCompared_s = 120;  ///< with what was found
 constexpr double kEarly_s = 1;
 constexpr double kPathStep_s = 0.5;
 constexpr double kMoved_m = 0.5;  ///< a path that is shorter is none
-
-/// Rates of all joints, then gears, and the base, at even times.
-struct Course {
-  double step_s = 0;
-  std::vector<std::vector<double>> rate;  ///< one list a step
-  std::vector<Pose> X_WB;
-
-  std::size_t StepAt(double t_s) const {
-    return static_cast<std::size_t>(
-        std::clamp(std::floor(t_s / step_s), 0.0, static_cast<double>(rate.size() - 1)));
-  }
-  double RateAt(double t_s, std::size_t axis) const {
-    const std::size_t a = StepAt(t_s), b = std::min(a + 1, rate.size() - 1);
-    return std::lerp(rate[a][axis], rate[b][axis],
-                     std::clamp(t_s / step_s - static_cast<double>(a), 0.0, 1.0));
-  }
-};
 
 std::unique_ptr<Operator> DriverOf(const DiagnosisInput& input, TimeNs zero_ns) {
   CommandTable table;
@@ -60,24 +44,51 @@ std::unique_ptr<Operator> DriverOf(const DiagnosisInput& input, TimeNs zero_ns) 
   return std::make_unique<LeverReplay>(std::move(table), std::move(lever_of_column));
 }
 
-Course Simulated(Scenario scenario, std::size_t machine, double until_s) {
-  Course course;
-  course.step_s = 1 / scenario.physics_rate_hz;
-  Simulation simulation(&scenario);
-  const auto keep = [&] {
-    const MachineState& state = simulation.state().machines[machine];
-    std::vector<double> rates = state.qd_radps;
-    rates.insert(rates.end(), state.gear_rate_radps.begin(), state.gear_rate_radps.end());
-    course.rate.push_back(std::move(rates));
-    course.X_WB.push_back(state.links.front().X_WB);
+SimulatedCourse::Step StepOf(const MachineState& state) {
+  SimulatedCourse::Step step{state.q_rad, state.qd_radps, state.links.front().X_WB};
+  const auto append = [](const std::vector<double>& more, std::vector<double>* list) {
+    list->insert(list->end(), more.begin(), more.end());
   };
-  keep();
+  append(state.gear_angle_rad, &step.position_rad);
+  append(state.gear_rate_radps, &step.rate_radps);
+  return step;
+}
+
+SimulatedCourse Simulated(Scenario scenario, std::size_t machine, TimeNs zero_ns, double until_s) {
+  SimulatedCourse course{.zero_ns = zero_ns, .step_s = 1 / scenario.physics_rate_hz, .steps = {}};
+  Simulation simulation(&scenario);
+  course.steps.push_back(StepOf(simulation.state().machines[machine]));
   const auto steps = static_cast<std::int64_t>(std::ceil(until_s * scenario.physics_rate_hz));
   for (std::int64_t k = 0; k < steps; ++k) {
     simulation.Step();
-    keep();
+    course.steps.push_back(StepOf(simulation.state().machines[machine]));
   }
   return course;
+}
+
+Scenario UnderLevers(const ScenarioOptions& options, std::size_t machine,
+                     const DiagnosisInput& input, TimeNs zero_ns) {
+  Scenario scenario = Load(options).scenario;
+  scenario.machines[machine].driver = DriverOf(input, zero_ns);
+  return scenario;
+}
+
+/// When the simulation starts, in the recording.
+TimeNs ZeroOf(const DiagnosisInput& input, const Recording& recording) {
+  const TimeNs start_ns = StartOf(input, recording);
+  return ToSeconds(start_ns) > kEarly_s ? start_ns : 0;
+}
+
+/// The last that encoders measured of the machine; none where there are none.
+std::optional<TimeNs> LastOf(const DiagnosisInput& input, const Recording& recording) {
+  std::optional<TimeNs> last_ns;
+  for (const std::string& channel : recording.ChannelsOf(ChannelType::kEncoder)) {
+    if (!channel.starts_with(input.machine + "/")) continue;
+    const EncoderRecording encoder = recording.LoadEncoder(channel);
+    if (encoder.samples.empty()) continue;
+    last_ns = std::max(last_ns.value_or(0), encoder.samples.back().t_ns);
+  }
+  return last_ns;
 }
 
 /// Sum of the ground's steps between poses that lie `kPathStep_s` apart.
@@ -100,23 +111,24 @@ class Comparison {
              const DiagnosisOptions& options, const Diagnosis& diagnosis)
       : input_(input), recording_(recording), options_(options), diagnosis_(diagnosis) {
     start_ns_ = StartOf(input, recording);
-    zero_ns_ = ToSeconds(start_ns_) > kEarly_s ? start_ns_ : 0;
+    zero_ns_ = ZeroOf(input, recording);
     const std::string poses = "truth/" + input.machine + "/pose.csv";
     if (recording.Has(poses)) poses_ = recording.LoadPose(poses).poses;
   }
 
-  WholeSimulation Run(const ScenarioOptions& scenario, std::size_t machine);
+  WholeSimulation Run(const ScenarioOptions& scenario, std::size_t machine,
+                      const std::optional<SimulatedCourse>& before);
 
  private:
   double Until_s() const;
-  Scenario Prepared(const ScenarioOptions& scenario, std::size_t machine, bool with_findings) const;
-  void AddBlock(const DiagnosedBlock& diagnosed, const Course& before, const Course& after,
-                WholeSimulation* out) const;
+  Scenario WithFindings(const ScenarioOptions& scenario, std::size_t machine) const;
+  void AddBlock(const DiagnosedBlock& diagnosed, const SimulatedCourse& before,
+                const SimulatedCourse& after, WholeSimulation* out) const;
   std::vector<std::vector<double>> Simulated(const DiagnosedBlock& diagnosed,
-                                             const Course& course) const;
+                                             const SimulatedCourse& course) const;
   std::vector<std::vector<double>> OfBase(const DiagnosedBlock& diagnosed,
-                                          const Course& course) const;
-  std::vector<TruthPose> PosesOf(const Course& course, double until_s) const;
+                                          const SimulatedCourse& course) const;
+  std::vector<TruthPose> PosesOf(const SimulatedCourse& course, double until_s) const;
   /// Of a place of a block's grid, in the simulation.
   double TimeOf_s(const ReplayBlock& block, std::size_t place) const {
     return block.time_s(place) + ToSeconds(start_ns_ - zero_ns_);
@@ -135,39 +147,29 @@ double Comparison::Until_s() const {
   for (const DiagnosedBlock& diagnosed : diagnosis_.blocks) {
     until_s = std::max(until_s, TimeOf_s(diagnosed.block, diagnosed.block.samples() - 1));
   }
-  return std::min(until_s, kLongest_s);
+  return std::min(until_s, kCompared_s);
 }
 
-Scenario Comparison::Prepared(const ScenarioOptions& options, std::size_t machine,
-                              bool with_findings) const {
-  Scenario scenario = Load(options).scenario;
-  ScenarioMachine& driven = scenario.machines[machine];
-  driven.driver = DriverOf(input_, zero_ns_);
-  MachineModel& model = driven.placement.model;
+Scenario Comparison::WithFindings(const ScenarioOptions& options, std::size_t machine) const {
+  Scenario scenario = UnderLevers(options, machine, input_, zero_ns_);
+  MachineModel& model = scenario.machines[machine].placement.model;
   for (const DiagnosedBlock& diagnosed : diagnosis_.blocks) {
-    if (!with_findings) break;
     model = WithTerms(std::move(model), diagnosed.diagnosis.search.found.terms);
   }
   return scenario;
 }
 
 /// Poses of the simulation at the times of the recorded ones.
-std::vector<TruthPose> Comparison::PosesOf(const Course& course, double until_s) const {
-  std::vector<TruthPose> poses;
-  for (const TruthPose& recorded : poses_) {
-    const double t_s = ToSeconds(recorded.t_ns - zero_ns_);
-    if (t_s < 0 || t_s > until_s) continue;
-    TruthPose pose;
-    pose.t_ns = recorded.t_ns;
-    pose.X_WB = course.X_WB[course.StepAt(t_s + 0.5 * course.step_s)];
-    poses.push_back(pose);
-  }
+std::vector<TruthPose> Comparison::PosesOf(const SimulatedCourse& course, double until_s) const {
+  std::vector<TruthPose> poses = AsSimulated(course, poses_);
+  std::erase_if(poses,
+                [&](const TruthPose& pose) { return ToSeconds(pose.t_ns - zero_ns_) > until_s; });
   return poses;
 }
 
 /// The base's channels over the intervals of the recorded poses; nothing where there are none.
 std::vector<std::vector<double>> Comparison::OfBase(const DiagnosedBlock& diagnosed,
-                                                    const Course& course) const {
+                                                    const SimulatedCourse& course) const {
   const ReplayBlock& block = diagnosed.block;
   std::vector<NamedEncoders> encoders;
   for (const std::string& channel : recording_.ChannelsOf(ChannelType::kEncoder)) {
@@ -194,7 +196,7 @@ std::vector<std::vector<double>> Comparison::OfBase(const DiagnosedBlock& diagno
 /// What the simulation did in a block's channels, not a number beyond its end; empty where it does
 /// not have them.
 std::vector<std::vector<double>> Comparison::Simulated(const DiagnosedBlock& diagnosed,
-                                                       const Course& course) const {
+                                                       const SimulatedCourse& course) const {
   const ReplayBlock& block = diagnosed.block;
   const MachineModel& model = *input_.model;
   if (block.name == input_.machine + "/base") return OfBase(diagnosed, course);
@@ -204,11 +206,12 @@ std::vector<std::vector<double>> Comparison::Simulated(const DiagnosedBlock& dia
     axis = static_cast<int>(model.joints.size() + g);
   }
   if (axis < 0) return {};
-  const double end_s = static_cast<double>(course.rate.size() - 1) * course.step_s;
+  const double end_s = std::min(Until_s(), ToSeconds(course.end_ns() - zero_ns_));
   std::vector<double> values(block.samples(), NAN);
   for (std::size_t k = 0; k < values.size(); ++k) {
     const double t_s = TimeOf_s(block, k);
-    if (t_s >= 0 && t_s <= end_s) values[k] = course.RateAt(t_s, static_cast<std::size_t>(axis));
+    if (t_s < 0 || t_s > end_s) continue;
+    values[k] = course.RateAt(zero_ns_ + FromSeconds(t_s), static_cast<std::size_t>(axis));
   }
   return {values};
 }
@@ -227,8 +230,8 @@ double RmseOnFinal(const DiagnosedBlock& diagnosed, std::size_t channel,
   return std::sqrt(sum / count);
 }
 
-void Comparison::AddBlock(const DiagnosedBlock& diagnosed, const Course& before,
-                          const Course& after, WholeSimulation* out) const {
+void Comparison::AddBlock(const DiagnosedBlock& diagnosed, const SimulatedCourse& before,
+                          const SimulatedCourse& after, WholeSimulation* out) const {
   const auto was = Simulated(diagnosed, before), is = Simulated(diagnosed, after);
   for (std::size_t c = 0; c < diagnosed.block.channels.size(); ++c) {
     const Channel& channel = diagnosed.block.channels[c];
@@ -245,15 +248,20 @@ void Comparison::AddBlock(const DiagnosedBlock& diagnosed, const Course& before,
   }
 }
 
-WholeSimulation Comparison::Run(const ScenarioOptions& scenario, std::size_t machine) {
+WholeSimulation Comparison::Run(const ScenarioOptions& scenario, std::size_t machine,
+                                const std::optional<SimulatedCourse>& as_it_is) {
   WholeSimulation out;
   out.until_s = Until_s();
   if (input_.commands.rows.empty()) {
     out.obstacle = "the recording has no levers to drive it by";
     return out;
   }
-  const Course before = tera::Simulated(Prepared(scenario, machine, false), machine, out.until_s);
-  const Course after = tera::Simulated(Prepared(scenario, machine, true), machine, out.until_s);
+  const SimulatedCourse before =
+      as_it_is ? *as_it_is
+               : tera::Simulated(UnderLevers(scenario, machine, input_, zero_ns_), machine,
+                                 zero_ns_, out.until_s);
+  const SimulatedCourse after =
+      tera::Simulated(WithFindings(scenario, machine), machine, zero_ns_, out.until_s);
   for (const DiagnosedBlock& diagnosed : diagnosis_.blocks) {
     AddBlock(diagnosed, before, after, &out);
   }
@@ -270,10 +278,21 @@ WholeSimulation Comparison::Run(const ScenarioOptions& scenario, std::size_t mac
 
 }  // namespace
 
+std::optional<SimulatedCourse> SimulateAsItIs(const ScenarioOptions& scenario, std::size_t machine,
+                                              const DiagnosisInput& input,
+                                              const Recording& recording) {
+  const std::optional<TimeNs> last_ns = LastOf(input, recording);
+  if (input.commands.rows.empty() || !last_ns) return std::nullopt;
+  const TimeNs zero_ns = ZeroOf(input, recording);
+  return Simulated(UnderLevers(scenario, machine, input, zero_ns), machine, zero_ns,
+                   std::min(ToSeconds(*last_ns - zero_ns), kLongest_s));
+}
+
 WholeSimulation SimulateWhole(const ScenarioOptions& scenario, std::size_t machine,
                               const DiagnosisInput& input, const Recording& recording,
-                              const DiagnosisOptions& options, const Diagnosis& diagnosis) {
-  return Comparison(input, recording, options, diagnosis).Run(scenario, machine);
+                              const DiagnosisOptions& options, const Diagnosis& diagnosis,
+                              const std::optional<SimulatedCourse>& before) {
+  return Comparison(input, recording, options, diagnosis).Run(scenario, machine, before);
 }
 
 }  // namespace tera

@@ -184,14 +184,18 @@ void AddEfforts(const DiagnosisInput& input, const Measurements& measured,
   }
 }
 
-/// Every gear's encoder and poses make a block of the base.
-void AddBase(const DiagnosisInput& input, const Measurements& measured,
-             const DiagnosisOptions& options, std::vector<ReplayBlock>* blocks) {
+bool HasBase(const DiagnosisInput& input, const Measurements& measured) {
   const auto& gears = input.model->ground_tools.gears;
   const bool all = std::all_of(gears.begin(), gears.end(), [&](const RunningGear& gear) {
     return Measures(measured.encoders, gear.name);
   });
-  if (gears.empty() || !all || measured.poses.empty()) return;
+  return !gears.empty() && all && !measured.poses.empty();
+}
+
+/// Every gear's encoder and poses make a block of the base.
+void AddBase(const DiagnosisInput& input, const Measurements& measured,
+             const DiagnosisOptions& options, std::vector<ReplayBlock>* blocks) {
+  if (!HasBase(input, measured)) return;
   // Gears bound the time.
   const BaseLog log =
       MakeBaseLog(*input.model, measured.encoders, measured.poses, options.base_interval_s);
@@ -199,6 +203,33 @@ void AddBase(const DiagnosisInput& input, const Measurements& measured,
           MakeBaseBlock(*input.model, log, input.machine + "/base", measured.poses_were_measured)) {
     blocks->push_back(std::move(*block));
   }
+}
+
+/// What the replays of joints and gears leave of what they do in a simulation.
+void AddUnreplayedRates(const DiagnosisInput& input, const Measurements& measured,
+                        const std::vector<NamedEncoders>& simulated,
+                        const DiagnosisOptions& options, std::vector<Unreplayed>* out) {
+  if (input.commands.columns.empty() || measured.encoders.empty()) return;
+  const double step_s = AxisStep_s(measured.encoders, options.step_s);
+  const AxisLog log = MakeAxisLog(*input.model, input.commands, measured.encoders, step_s);
+  const AxisLog course = MakeAxisLog(*input.model, input.commands, simulated, step_s);
+  for (std::size_t axis = 0; axis < log.measured.size(); ++axis) {
+    std::vector<double> left = UnreplayedRate(*input.model, log, course, axis);
+    if (!left.empty()) out->push_back({log.measured[axis].channel, {left}});
+  }
+}
+
+/// What the replay of the base leaves of what it does in a simulation.
+void AddUnreplayedMotion(const DiagnosisInput& input, const Measurements& measured,
+                         const std::vector<NamedEncoders>& simulated, const SimulatedCourse& course,
+                         const DiagnosisOptions& options, std::vector<Unreplayed>* out) {
+  if (!HasBase(input, measured)) return;
+  const auto log_of = [&](const auto& encoders, const auto& poses) {
+    return MakeBaseLog(*input.model, encoders, poses, options.base_interval_s);
+  };
+  auto left = UnreplayedMotion(*input.model, log_of(measured.encoders, measured.poses),
+                               log_of(simulated, AsSimulated(course, measured.poses)));
+  if (!left.empty()) out->push_back({input.machine + "/base/forward_mps", std::move(left)});
 }
 
 /// An inertial unit makes a block where its link's motion was measured.
@@ -412,6 +443,55 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Recording& 
   return blocks;
 }
 
+std::vector<Unreplayed> UnreplayedOf(const DiagnosisInput& input, const Recording& recording,
+                                     const DiagnosisOptions& options,
+                                     const SimulatedCourse& course) {
+  const MachineModel& model = *input.model;
+  const Measurements measured = MeasurementsOf(input, recording, options);
+  std::vector<Unreplayed> unreplayed;
+  const std::string place = recording.directory().string();
+  std::vector<std::string> obstacles;  // told by BlocksOf
+  const std::vector<NamedEncoders> encoders = AsSimulated(model, course, measured.encoders);
+  Try(place, &obstacles,
+      [&] { AddUnreplayedRates(input, measured, encoders, options, &unreplayed); });
+  Try(place, &obstacles,
+      [&] { AddUnreplayedMotion(input, measured, encoders, course, options, &unreplayed); });
+  return unreplayed;
+}
+
+std::vector<TakenOff> TakeOffAll(const std::vector<Unreplayed>& unreplayed, std::uint64_t seed,
+                                 std::vector<ReplayBlock>* blocks) {
+  std::vector<TakenOff> taken;
+  for (ReplayBlock& block : *blocks) {
+    for (const Unreplayed& one : unreplayed) {
+      if (one.first_channel != block.channels.front().name) continue;
+      const auto of_block = TakeOff(one, StreamOf(block, seed), &block);
+      taken.insert(taken.end(), of_block.begin(), of_block.end());
+    }
+  }
+  return taken;
+}
+
+/// The channels of joints, gears and the base, without a simulation.
+std::vector<TakenOff> NotTakenOff(const DiagnosisInput& input,
+                                  const std::vector<ReplayBlock>& blocks) {
+  const MachineModel& model = *input.model;
+  const auto has_gear = [&](const std::string& name) {
+    const auto& gears = model.ground_tools.gears;
+    return std::any_of(gears.begin(), gears.end(),
+                       [&](const RunningGear& gear) { return gear.name == name; });
+  };
+  std::vector<TakenOff> none;
+  for (const ReplayBlock& block : blocks) {
+    const bool is_one = model.JointIndex(block.name) >= 0 || has_gear(block.name) ||
+                        block.name == input.machine + "/base";
+    const std::string& unit = block.channels.front().unit;
+    if (!is_one || (unit != "m/s" && unit != "rad/s")) continue;  // else effort
+    for (const Channel& channel : block.channels) none.push_back({channel.name, channel.unit});
+  }
+  return none;
+}
+
 Stream StreamOf(const ReplayBlock& block, std::uint64_t seed) {
   return Stream(seed, "diagnose/" + block.name);
 }
@@ -445,10 +525,15 @@ std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks, Sear
 }
 
 Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
-                   const DiagnosisOptions& options, const FollowProgress& progress) {
+                   const DiagnosisOptions& options, const SimulateMachine& simulate,
+                   const FollowProgress& progress) {
   Diagnosis diagnosis;
   std::vector<ReplayBlock> blocks = BlocksOf(input, recording, options, &diagnosis.not_compared);
   if (options.library) ApplyLibrary(*options.library, *input.model, &blocks);
+  const std::optional<SimulatedCourse> course = simulate ? simulate() : std::nullopt;
+  diagnosis.taken_off =
+      course ? TakeOffAll(UnreplayedOf(input, recording, options, *course), options.seed, &blocks)
+             : NotTakenOff(input, blocks);
   diagnosis.machine = input.machine;
   diagnosis.scenario = input.scenario;
   diagnosis.blocks = DiagnoseBlocks(std::move(blocks), options.search, options.seed, progress,

@@ -14,6 +14,8 @@
 #include "diagnose/proposal/proposal.h"
 #include "diagnose/search/block_diagnosis.h"
 #include "diagnose/suspects/suspect_library.h"
+#include "diagnose/unreplayed/simulated_course.h"
+#include "diagnose/unreplayed/take_off.h"
 #include "physics/machine.h"
 #include "sensors/sensor.h"
 
@@ -42,6 +44,8 @@ struct Diagnosis {
   /// levers would.
   std::optional<NextManoeuvre> next;
   std::vector<HeldOutRecording> held_out;  ///< further recordings, as they were given
+  /// What replays leave of the simulation, of each channel of joints, tracks and the base.
+  std::vector<TakenOff> taken_off;
   std::optional<WholeSimulation> whole;  ///< none where nothing was found, or it was not asked for
 };
 
@@ -96,6 +100,16 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Recording& 
                                   const DiagnosisOptions& options,
                                   std::vector<std::string>* not_compared = nullptr);
 
+/// What the replays of joints, gears and base leave of a simulation of the scenario under the
+/// recorded levers: for the blocks of BlocksOf.
+std::vector<Unreplayed> UnreplayedOf(const DiagnosisInput& input, const Recording& recording,
+                                     const DiagnosisOptions& options,
+                                     const SimulatedCourse& course);
+
+/// Takes it off the blocks that it is of.
+std::vector<TakenOff> TakeOffAll(const std::vector<Unreplayed>& unreplayed, std::uint64_t seed,
+                                 std::vector<ReplayBlock>* blocks);
+
 /// From which all that is random about a block's diagnosis comes.
 Stream StreamOf(const ReplayBlock& block, std::uint64_t seed);
 
@@ -107,9 +121,14 @@ std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks, Sear
                                            std::uint64_t seed, const FollowProgress& progress,
                                            std::optional<double> time_limit_s = {});
 
-/// Both, and the levers to drive next.
+/// Simulates the scenario as it is under the recorded levers; none where that cannot be. Empty: not
+/// wanted.
+using SimulateMachine = std::function<std::optional<SimulatedCourse>()>;
+
+/// Both, and the levers to drive next. Without a simulation nothing is taken off.
 Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
-                   const DiagnosisOptions& options, const FollowProgress& progress);
+                   const DiagnosisOptions& options, const SimulateMachine& simulate,
+                   const FollowProgress& progress);
 
 /// What the blocks of a further recording, which it is named by, say of a diagnosis.
 HeldOutRecording JudgeHeldOut(const std::vector<DiagnosedBlock>& diagnosed,

@@ -270,4 +270,25 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   return block;
 }
 
+std::vector<double> UnreplayedRate(const MachineModel& model, const AxisLog& log,
+                                   const AxisLog& simulated, std::size_t measured_index) {
+  const MeasuredRate fresh = Fresh(log.measured[measured_index], log);
+  if (!HasLever(model, fresh.axis) || fresh.t_ns.size() < 2) return {};
+  const MeasuredRate& rates = simulated.measured[measured_index];
+  MeasuredRate same{.channel = fresh.channel, .axis = fresh.axis};
+  for (std::size_t i = 0, s = 0; i < fresh.t_ns.size(); ++i) {
+    while (s < rates.t_ns.size() && rates.t_ns[s] < fresh.t_ns[i]) ++s;
+    if (s == rates.t_ns.size()) break;
+    same.t_ns.push_back(rates.t_ns[s]);
+    same.at_step.push_back(rates.at_step[s]);
+    same.rate_radps.push_back(rates.rate_radps[s]);
+    same.is_free.push_back(rates.is_free[s]);
+  }
+  const LoneAxisReplay replay(model, simulated, same);
+  const std::vector<double> replayed = replay.Predict(replay.effects());
+  std::vector<double> left(fresh.t_ns.size(), 0.0);
+  for (std::size_t i = 0; i < replayed.size(); ++i) left[i] = same.rate_radps[i] - replayed[i];
+  return SampleGrid::Under(fresh.t_ns).Spread(left);
+}
+
 }  // namespace tera

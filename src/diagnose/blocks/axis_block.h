@@ -25,4 +25,12 @@ namespace tera {
 std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLog& log,
                                          std::size_t measured);
 
+/// What the chain of actuation, over a simulation of the whole machine, leaves of its rates, on the
+/// grid of the block of `log`: other joints that pull on this one, ground that holds it up.
+///
+/// `simulated` is a log of the simulation under the same levers, with rates free of errors at the
+/// times of `log`; beyond its end nothing is left. Empty where there is no block.
+std::vector<double> UnreplayedRate(const MachineModel& model, const AxisLog& log,
+                                   const AxisLog& simulated, std::size_t measured);
+
 }  // namespace tera

@@ -16,6 +16,8 @@ namespace {
 constexpr std::size_t kFewestIntervals = 100;
 constexpr int kLags = 4;
 constexpr double kLongestLag_s = 0.5;
+constexpr double kDriven_mps =
+    0.1;  ///< slower sides at their fastest: hardly driven, or not at all
 
 std::vector<Suspect> SuspectsOf(const Effects& present) {
   SuspectList out("base", EffectTarget::kBase, present, GroundMechanisms());
@@ -94,9 +96,9 @@ std::vector<RegimeVariable> VariablesOf(const Course& course, const SampleGrid& 
           {"time", grid.SpreadSeries(course.time_s, all)}};
 }
 
-/// A side's speed over the fastest one.
+/// A side's speed over the fastest one. Noise of the encoders of a machine that stands is none.
 Series CommandOf(const std::vector<double>& speed_mps, const SampleGrid& grid) {
-  double fastest = 1e-9;
+  double fastest = kDriven_mps;
   for (const double v : speed_mps) fastest = std::max(fastest, std::abs(v));
   std::vector<double> share;
   for (const double v : speed_mps) share.push_back(v / fastest);
@@ -166,6 +168,28 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
     return channels;
   };
   return block;
+}
+
+std::vector<std::vector<double>> UnreplayedMotion(const MachineModel& model, const BaseLog& log,
+                                                  const BaseLog& simulated) {
+  if (log.intervals.size() < kFewestIntervals) return {};
+  std::vector<TimeNs> t_ns;
+  for (const BaseInterval& interval : log.intervals) t_ns.push_back(interval.to_ns);
+  const std::vector<PlanarTwist> replayed =
+      BaseReplay(model, simulated).Predict(model.effects.base);
+  std::vector<PlanarTwist> left(t_ns.size());
+  for (std::size_t i = 0, s = 0; i < left.size(); ++i) {
+    while (s < replayed.size() && simulated.intervals[s].to_ns < t_ns[i]) ++s;
+    if (s == replayed.size()) break;
+    if (simulated.intervals[s].to_ns != t_ns[i]) continue;
+    const PlanarTwist& moved = simulated.intervals[s].twist;
+    left[i] = {moved.forward_mps - replayed[s].forward_mps, moved.left_mps - replayed[s].left_mps,
+               moved.yaw_radps - replayed[s].yaw_radps};
+  }
+  const SampleGrid grid = SampleGrid::Under(t_ns);
+  return {grid.Spread(PartOf(left, &PlanarTwist::forward_mps)),
+          grid.Spread(PartOf(left, &PlanarTwist::left_mps)),
+          grid.Spread(PartOf(left, &PlanarTwist::yaw_radps))};
 }
 
 }  // namespace tera

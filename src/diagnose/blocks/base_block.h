@@ -19,4 +19,12 @@ namespace tera {
 std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLog& log,
                                          const std::string& name, bool poses_were_measured);
 
+/// What the ground slot, over a simulation of the whole machine, leaves of the base's motion, a
+/// list for each channel on the grid of the block of `log`: slip of tracks on soil, rocking.
+///
+/// `simulated` is a log of the simulation at the times of `log`; beyond its end nothing is left.
+/// Empty where there is no block.
+std::vector<std::vector<double>> UnreplayedMotion(const MachineModel& model, const BaseLog& log,
+                                                  const BaseLog& simulated);
+
 }  // namespace tera

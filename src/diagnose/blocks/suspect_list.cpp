@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/check.h"
+#include "physics/track_drive.h"
 
 namespace tera {
 namespace {
@@ -100,6 +101,7 @@ MachineModel WithTerms(MachineModel model, const Structure& terms) {
     Effects* effects = EffectsOf(term.suspect->target, &model);
     if (effects != nullptr) *effects = WithTerms(*effects, {term});
   }
+  SetShoeRatios(&model);
   return model;
 }
 

@@ -10,6 +10,8 @@
 namespace tera {
 namespace {
 
+constexpr double kTold = 10;  ///< of log-likelihood: a gain that is worth a word
+
 /// "boom rate 3.1 → 0.6 deg/s".
 std::string ChangeText(const std::string& channel, const std::string& si_unit, double before,
                        double after) {
@@ -69,6 +71,35 @@ std::string SentenceOf(const WholeSimulation& whole) {
     text += fmt::format(" Not simulated: {}.", Listed(Quantities(whole.left_out)));
   }
   return text;
+}
+
+std::string SentenceOf(const std::vector<TakenOff>& taken_off) {
+  std::vector<std::string> taken, not_shown, not_simulated;
+  for (const TakenOff& one : taken_off) {
+    const ReadableUnit unit = ReadableUnitOf(one.unit);
+    const std::string amount = fmt::format("{} {}", QuantityOf(one.channel),
+                                           WithUnit(Significant(one.rms * unit.factor, 2), unit));
+    if (!one.is_simulated) not_simulated.push_back(QuantityOf(one.channel));
+    if (one.is_simulated && one.gain > kTold) taken.push_back(amount);
+    if (one.is_simulated && one.gain < -kTold) not_shown.push_back(amount);
+  }
+  std::vector<std::string> parts;
+  if (!taken.empty()) {
+    parts.push_back(
+        fmt::format("Taken off, since the replays leave it of the simulation itself: {} (RMS).",
+                    Listed(taken)));
+  }
+  if (!not_shown.empty()) {
+    parts.push_back(fmt::format(
+        "Left by the replays of the simulation itself, but not seen in the recording: {} (RMS).",
+        Listed(not_shown)));
+  }
+  if (!not_simulated.empty()) {
+    parts.push_back(
+        fmt::format("Not simulated as a whole: {}; what a replay lacks counts as a difference.",
+                    Listed(not_simulated)));
+  }
+  return fmt::format("{}", fmt::join(parts, " "));
 }
 
 }  // namespace tera

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "diagnose/confirm/held_out_recording.h"
 #include "diagnose/confirm/whole_simulation.h"
+#include "diagnose/unreplayed/take_off.h"
 
 namespace tera {
 
@@ -13,5 +15,9 @@ std::string SentenceOf(const HeldOutRecording& further);
 /// "The whole simulation, 0–90 s, on manoeuvres kept back: boom rate 1.8 → 0.02 deg/s; path 57.4 m
 /// recorded, 50.5 → 57.1 m simulated. It does not follow in: slew rate."
 std::string SentenceOf(const WholeSimulation& whole);
+
+/// "Taken off, since the replays leave it of the simulation itself: yaw rate 2.1 deg/s (RMS)." What
+/// the recording hardly tells is left out; empty where nothing is left to say.
+std::string SentenceOf(const std::vector<TakenOff>& taken_off);
 
 }  // namespace tera

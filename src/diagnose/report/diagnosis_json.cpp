@@ -312,6 +312,19 @@ Json Whole(const Diagnosis& diagnosis) {
           {"obstacle", whole.obstacle.empty() ? Json(nullptr) : Json(whole.obstacle)}};
 }
 
+/// What the replays leave of the simulation itself; null of channels that were not simulated.
+Json TakenOffOf(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const TakenOff& one : diagnosis.taken_off) {
+    list.push_back({{"channel", one.channel},
+                    {"rms", one.is_simulated ? Number(one.rms) : Json(nullptr)},
+                    {"unit", one.unit},
+                    {"log_likelihood_gain", one.is_simulated ? Number(one.gain) : Json(nullptr)},
+                    {"taken", one.is_taken()}});
+  }
+  return list;
+}
+
 /// Blocks with too few manoeuvres, or without time.
 Json NotJudged(const Diagnosis& diagnosis) {
   Json list = Json::array();
@@ -384,6 +397,7 @@ std::string DiagnosisJson(const Diagnosis& diagnosis) {
   json["not_compared"] = diagnosis.not_compared;
   json["out_of_time"] = OutOfTime(diagnosis);
   json["held_out_recordings"] = FurtherRecordings(diagnosis);
+  json["taken_off"] = TakenOffOf(diagnosis);
   json["whole_simulation"] = Whole(diagnosis);
   json["next_manoeuvre"] = Next(diagnosis);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -280,8 +280,8 @@ std::string SentenceOfUntestable(const DiagnosedBlock& diagnosed) {
   if (diagnosed.diagnosis.out_of_time) {
     return fmt::format("{}: not judged, for the time was over.", Capitalised(Listed(channels)));
   }
-  return fmt::format("{}: not judged, for it is moved in too few manoeuvres of the recording.",
-                     Capitalised(Listed(channels)));
+  return fmt::format("{}: not judged, for {} moved in too few manoeuvres of the recording.",
+                     Capitalised(Listed(channels)), channels.size() == 1 ? "it is" : "they are");
 }
 
 std::string SentenceOfNothing(const Diagnosis& diagnosis) {
@@ -321,6 +321,19 @@ std::string SentenceOfNothing(const Diagnosis& diagnosis) {
   return text;
 }
 
+/// Of blocks that are judged: what is taken off others tells nothing.
+std::vector<TakenOff> TakenOffOfJudged(const Diagnosis& diagnosis) {
+  std::vector<TakenOff> judged;
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    for (const Channel& channel : diagnosed.block.channels) {
+      for (const TakenOff& one : diagnosis.taken_off) {
+        if (diagnosed.diagnosis.is_testable && one.channel == channel.name) judged.push_back(one);
+      }
+    }
+  }
+  return judged;
+}
+
 std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
   std::vector<std::string> sentences;
   for (const auto& [diagnosed, finding] : FindingsByWeight(diagnosis)) {
@@ -348,6 +361,9 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
   sentences.insert(sentences.end(), seen.begin(), seen.end());
   for (const HeldOutRecording& further : diagnosis.held_out) {
     sentences.push_back(SentenceOf(further));
+  }
+  if (std::string text = SentenceOf(TakenOffOfJudged(diagnosis)); !text.empty()) {
+    sentences.push_back(std::move(text));
   }
   if (diagnosis.whole) sentences.push_back(SentenceOf(*diagnosis.whole));
   if (diagnosis.next) sentences.push_back(SentenceOf(*diagnosis.next));

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "diagnose/report/made_diagnosis.h"
 
 namespace tera {
@@ -103,6 +105,7 @@ TEST(DiagnosisJson, HasItsStructureInFixedOrderAndDigits) {
   "not_compared": [],
   "out_of_time": [],
   "held_out_recordings": [],
+  "taken_off": [],
   "whole_simulation": null,
   "next_manoeuvre": null
 }
@@ -117,6 +120,19 @@ TEST(DiagnosisJson, HoldsFurtherRecordingsTheWholeSimulationAndTheNextManoeuvre)
   EXPECT_THAT(text, HasSubstr("\"recorded_m\": 57.39"));
   EXPECT_THAT(text, HasSubstr("\"commands_csv\": \"next_manoeuvre.csv\""));
   EXPECT_THAT(text, HasSubstr("\"power\": 0.9"));
+}
+
+TEST(DiagnosisJson, TellsWhatReplaysLeaveOfTheSimulationWhereThereIsOne) {
+  Diagnosis diagnosis = Of(BoomWithDeadBand());
+  diagnosis.taken_off = {{"excavator1/encoders/boom_radps", "rad/s", true, 0.125, 40},
+                         {"excavator1/base/yaw_radps", "rad/s"}};
+  const auto list = nlohmann::json::parse(DiagnosisJson(diagnosis))["taken_off"];
+  ASSERT_EQ(list.size(), 2u);
+  EXPECT_EQ(list[0]["rms"], 0.125);
+  EXPECT_EQ(list[0]["log_likelihood_gain"], 40);
+  EXPECT_TRUE(list[0]["taken"].get<bool>());
+  EXPECT_TRUE(list[1]["rms"].is_null());
+  EXPECT_FALSE(list[1]["taken"].get<bool>());
 }
 
 TEST(DiagnosisJson, PutsTheWeightiestFirstAndWhatIsUnexplainedLast) {

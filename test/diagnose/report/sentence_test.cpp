@@ -146,6 +146,27 @@ TEST(Sentence, OfFurtherRecordingsAndTheWholeSimulationComparesAndWarns) {
                              "simulation does not follow: slew rate."));
 }
 
+TEST(Sentence, OfWhatReplaysLeaveOfTheSimulationNamesWhatIsJudgedAndWorthAWord) {
+  Diagnosis diagnosis = Of(BoomWithDeadBand());
+  for (const char* axis : {"arm", "bucket", "slew", "swing"}) {
+    const std::string channel = std::string("excavator1/encoders/") + axis + "_radps";
+    diagnosis.blocks.push_back(Block(axis, channel, "rad/s"));
+  }
+  diagnosis.blocks.back().diagnosis.is_testable = false;
+  diagnosis.taken_off = {{"excavator1/encoders/boom_radps", "rad/s", true, 2 * kDeg, 40},
+                         {"excavator1/encoders/arm_radps", "rad/s", true, 0.1 * kDeg, 2},
+                         {"excavator1/encoders/bucket_radps", "rad/s", true, 3 * kDeg, -40},
+                         {"excavator1/encoders/slew_radps", "rad/s"},
+                         {"excavator1/encoders/swing_radps", "rad/s", true, 9 * kDeg, 90}};
+  EXPECT_THAT(
+      SentencesOf(diagnosis),
+      ::testing::Contains(
+          "Taken off, since the replays leave it of the simulation itself: boom rate 2 deg/s "
+          "(RMS). Left by the replays of the simulation itself, but not seen in the recording: "
+          "bucket rate 3 deg/s (RMS). Not simulated as a whole: slew rate; what a replay lacks "
+          "counts as a difference."));
+}
+
 TEST(Sentence, OfTheNextManoeuvreCountsMechanismsWhereTheyAreMany) {
   NextManoeuvre next;
   for (const char* mechanism : {"sag", "backlash", "dead_band", "rate_limit"}) {

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/motion.h"
+#include "core/time.h"
+#include "diagnose/replay/axis_log.h"
+
+namespace tera {
+
+/// How one machine moved in the simulation of its whole scenario, at even times.
+///
+/// Frames  W of the scenario; B root link. Axes are joints, then gears, in the model's order.
+/// Model   motion is straight between steps.
+struct SimulatedCourse {
+  struct Step {
+    std::vector<double> position_rad, rate_radps;  ///< one for each axis
+    Pose X_WB = Pose::Identity();
+  };
+  TimeNs zero_ns = 0;  ///< when the simulation starts, in the recording
+  double step_s = 0;
+  std::vector<Step> steps;  ///< at least one
+
+  TimeNs end_ns() const {
+    return zero_ns + FromSeconds(static_cast<double>(steps.size() - 1) * step_s);
+  }
+  double RateAt(TimeNs t_ns, std::size_t axis) const;
+  double PositionAt(TimeNs t_ns, std::size_t axis) const;
+  Pose PoseAt(TimeNs t_ns) const;
+};
+
+/// What encoders, free of errors, would have measured in the simulation: the same axes at the same
+/// times, as far as it goes. Axes that the machine lacks stay as they were measured.
+std::vector<NamedEncoders> AsSimulated(const MachineModel& model, const SimulatedCourse& course,
+                                       std::vector<NamedEncoders> measured);
+
+/// The simulated poses at the times of the measured ones, as far as the simulation goes.
+std::vector<TruthPose> AsSimulated(const SimulatedCourse& course,
+                                   const std::vector<TruthPose>& measured);
+
+}  // namespace tera
