@@ -13,7 +13,6 @@ namespace tera {
 namespace {
 
 constexpr double kLeastTogether_s = 2;
-constexpr double kPhaseStep = 0.03;  ///< of a period; some steps of a replay
 
 /// What an axis did in the log.
 struct Reach {
@@ -67,7 +66,7 @@ std::vector<std::vector<double>> HoldStarts(const AxisLog& log, std::size_t axis
 
 void AddTimingAndMap(const std::vector<std::vector<double>>& holds, SuspectList* out) {
   out->Add("command_delay", {{0, 0, 0.8}}, {{0.04}, {0.1}, {0.2}, {0.35}});
-  out->Add("input_hold", {{0, 0.02, 0.6, true}, {1, 0, 1, false, kPhaseStep}}, holds);
+  out->Add("input_hold", {{0, 0.02, 0.6, true}, {1, 0, 1, false, true}}, holds);
   out->Add("lever_saturation", {{0, 0.2, 1}}, {{0.9}, {0.75}, {0.6}});
   out->Add("dead_band", {{0, 0, 0.5}, {1, -0.9, 0.9}},
            {{0.03, 0}, {0.08, 0}, {0.15, 0}, {0.25, 0}});
@@ -95,7 +94,7 @@ void AddGainAndLoad(const Reach& reach, SuspectList* out) {
               {0, 0, 0, 0.8 * low + 0.2 * high},
               {0, 0, 0, 0.2 * low + 0.8 * high}});
   }
-  out->Add("backlash", {{0, 5e-4, 0.15, true}}, {{0.004}, {0.015}, {0.04}});
+  out->Add("backlash", {{0, 5e-4, 0.15, true, true}}, {{0.004}, {0.015}, {0.04}});
   const double load = reach.largest_load_nm;
   if (load <= 0) return;
   out->Add("pressure_droop", {{0, 1.02 * load, 30 * load, true}, {1, 0, 0.5}},

@@ -61,7 +61,7 @@ class Procedure {
   bool IsTestable() const;
   /// As it stands, without a search.
   BlockDiagnosis Untested() const;
-  SearchResult Search() const;
+  SearchResult Search(const SearchResult* before) const;
   BlockDiagnosis Explain(SearchResult search) const;
 
  private:
@@ -435,8 +435,8 @@ BlockDiagnosis Procedure::Untested() const {
   return out;
 }
 
-SearchResult Procedure::Search() const {
-  return SearchStructures(block_, likelihood_.noise(), fitter_, manoeuvres_, options_);
+SearchResult Procedure::Search(const SearchResult* before) const {
+  return SearchStructures(block_, likelihood_.noise(), fitter_, manoeuvres_, options_, before);
 }
 
 BlockDiagnosis Procedure::Explain(SearchResult search) const {
@@ -475,15 +475,17 @@ BlockDiagnosis DiagnoseBlock(const ReplayBlock& block, const SearchOptions& opti
                              const Stream& stream) {
   const std::vector<Manoeuvre> manoeuvres = ManoeuvresOf(block, stream);
   std::vector<NoiseModel> noise = NoiseOfBlock(block, manoeuvres);
+  std::optional<SearchResult> before;
   for (int pass = 1;; ++pass) {
     const Procedure procedure(block, options, stream, manoeuvres, noise);
     if (!procedure.IsTestable()) return procedure.Untested();
-    SearchResult search = procedure.Search();
+    SearchResult search = procedure.Search(before ? &*before : nullptr);
     std::vector<NoiseModel> less = NoiseOfBlock(block, manoeuvres, search.found.terms);
     if (pass == kPasses || search.found.terms.empty() || !IsMuchQuieter(less, noise)) {
       return procedure.Explain(std::move(search));
     }
     noise = std::move(less);
+    before = std::move(search);
   }
 }
 

@@ -91,16 +91,16 @@ std::vector<Manoeuvre> ManoeuvresOf(const ReplayBlock& block, const Stream& stre
 ///
 /// Model   noise and search in turn: what was found may have passed for noise at first, so noise is
 ///         estimated again beside it, and where a channel's then has less than half the variance,
-///         or its innovations less than 0.7 of the scale, the search begins anew, twice at most. A
-///         term stays if FINAL gains from it with p of at most 0.05, or 0.2 if it was chosen with
-///         p of at most 1e-5. What is left of a channel on FINAL is noise where it is at most twice
-///         the channel's noise (noise_level.h), or adds to it no more than 3 % of the largest RMS
-///         among channels of its unit, the axes of one quantity, and 2 % of the variance that was
-///         there beyond noise before anything was found. What is louder in half of the manoeuvres
-///         or more, or in three and five times the noise in all, is unexplained, and so is what the
-///         free member still follows, steadily over SELECT (Bonferroni over the diagnosis's
-///         channels) and FINAL. In a recording without rest, ten times the noise: noise of AR(1),
-///         0.995, is so much louder than its differences.
+///         or its innovations less than 0.7 of the scale, the search goes on from there, twice at
+///         most. A term stays if FINAL gains from it with p of at most 0.05, or 0.2 if it was
+///         chosen with p of at most 1e-5. What is left of a channel on FINAL is noise where it is
+///         at most twice the channel's noise (noise_level.h), or adds to it no more than 3 % of the
+///         largest RMS among channels of its unit, the axes of one quantity, and 2 % of the
+///         variance that was there beyond noise before anything was found. What is louder in half
+///         of the manoeuvres or more, or in three and five times the noise in all, is unexplained,
+///         and so is what the free member still follows, steadily over SELECT (Bonferroni over the
+///         diagnosis's channels) and FINAL. In a recording without rest, ten times the noise: noise
+///         of AR(1), 0.995, is so much louder than its differences.
 BlockDiagnosis DiagnoseBlock(const ReplayBlock& block, const SearchOptions& options,
                              const Stream& stream);
 

@@ -23,8 +23,8 @@ struct FreeParameter {
   std::size_t index = 0;  ///< among the mechanism's parameters
   double lower = 0, upper = 1;
   bool logarithmic = false;  ///< moved by ratios, not differences
-  /// Of the range, for difference quotients: what a replay by steps of time can tell apart.
-  double step = 0.002;
+  /// It moves instants, between which samples say nothing: the likelihood has stairs and kinks.
+  bool kinked = false;
 };
 
 /// A mechanism that may act on a target, and where to begin looking for its numbers.

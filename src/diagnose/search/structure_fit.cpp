@@ -12,6 +12,10 @@
 namespace tera {
 namespace {
 
+constexpr double kStep = 0.002;       ///< of a parameter's range, for difference quotients
+constexpr double kKinkedStep = 0.03;  ///< likewise, where the likelihood has kinks
+constexpr double kFinestStep = 0.002;
+constexpr int kMostMoves = 30;
 constexpr int kMostIterations = 12;
 constexpr double kBadFit = 2;         ///< mean squared innovation
 constexpr double kLeastPart = 0.3;    ///< of a direction of length 1, that a parameter may have
@@ -31,7 +35,8 @@ std::vector<double> PlacesOf(const Structure& terms) {
 std::vector<double> StepsOf(const Structure& terms) {
   std::vector<double> steps;
   for (const Term& term : terms) {
-    for (const FreeParameter& free : term.Free()) steps.push_back(free.step);
+    for (const FreeParameter& free : term.Free())
+      steps.push_back(free.kinked ? kKinkedStep : kStep);
   }
   return steps;
 }
@@ -228,7 +233,8 @@ Structure StructureFitter::BestStart(Structure terms, const Likelihood& likeliho
   return best;
 }
 
-Structure StructureFitter::Refine(const Structure& terms, const Likelihood& likelihood) const {
+Structure StructureFitter::RefineSmooth(const Structure& terms,
+                                        const Likelihood& likelihood) const {
   std::vector<double> places = PlacesOf(terms);
   if (places.empty()) return terms;
   Deviance deviance(block_, likelihood, terms);
@@ -249,6 +255,40 @@ Structure StructureFitter::Refine(const Structure& terms, const Likelihood& like
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
   return AtPlaces(terms, places.data());
+}
+
+/// Each number whose likelihood has kinks, by itself: moved by a step while that is likelier,
+/// either way, then by half of it.
+Structure StructureFitter::Settle(Structure terms, const Likelihood& likelihood) const {
+  double most = likelihood.LogLikelihood(block_.predict(terms));
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    for (const FreeParameter& free : terms[t].Free()) {
+      double step = free.kinked ? 2 * kKinkedStep : 0;
+      for (int move = 0; std::abs(step) > kFinestStep && move < kMostMoves; ++move) {
+        Structure moved = terms;
+        double& value = moved[t].values[free.index];
+        value = ValueAt(free, std::clamp(PlaceOf(free, value) + step, 0.0, 1.0));
+        const double this_one = likelihood.LogLikelihood(block_.predict(moved));
+        if (this_one > most) {
+          most = this_one;
+          terms = std::move(moved);
+        } else {
+          step = step > 0 ? -step : -0.5 * step;
+        }
+      }
+    }
+  }
+  return terms;
+}
+
+Structure StructureFitter::Refine(const Structure& terms, const Likelihood& likelihood) const {
+  const Structure smooth = RefineSmooth(terms, likelihood);
+  const bool any_kinked = std::any_of(terms.begin(), terms.end(), [](const Term& term) {
+    const std::vector<FreeParameter> free = term.Free();
+    return std::any_of(free.begin(), free.end(), [](const FreeParameter& f) { return f.kinked; });
+  });
+  if (!any_kinked) return smooth;
+  return RefineSmooth(Settle(smooth, likelihood), likelihood);
 }
 
 FittedStructure StructureFitter::FitValues(Structure terms) const {

@@ -26,7 +26,9 @@ double ValueAt(const FreeParameter& free, double place);
 /// Fits the free parameters of a structure.
 ///
 /// Model   maximum likelihood within the parameters' bounds by Levenberg–Marquardt on signed square
-///         roots of the Student-t deviance, difference quotients over each parameter's `step`;
+///         roots of the Student-t deviance, difference quotients of a five-hundredth of each
+///         range; numbers whose likelihood has kinks are then moved by themselves, by steps that
+///         are halved;
 ///         nuisances are fitted anew in every evaluation. Starts: the values of `terms` as given,
 ///         and with the last term's replaced by each of its suspect's; the most likely one is
 ///         refined. Where nothing at all fits badly (innovations of more than twice the noise's
@@ -56,6 +58,8 @@ class StructureFitter {
  private:
   Structure BestStart(Structure terms, const Likelihood& likelihood) const;
   Structure Refine(const Structure& terms, const Likelihood& likelihood) const;
+  Structure RefineSmooth(const Structure& terms, const Likelihood& likelihood) const;
+  Structure Settle(Structure terms, const Likelihood& likelihood) const;
   void AddInformation(FittedStructure* fitted) const;
 
   const ReplayBlock& block_;

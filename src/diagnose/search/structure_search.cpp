@@ -72,13 +72,14 @@ class Search {
     }
   }
 
-  SearchResult Run();
+  SearchResult Run(const SearchResult* before);
 
  private:
   Scored Score(const FittedStructure& fitted) const;
   std::vector<Scored> FitAll(const std::vector<Structure>& structures) const;
   std::vector<Scored> FitAllNear(const std::vector<Structure>& structures) const;
   void FitSingles();
+  void TakeSingles(const std::vector<SingleEvidence>& before);
   void Screen();
   Scored BestOfPairs() const;
   Scored Grow(Scored best) const;
@@ -137,6 +138,12 @@ void Search::FitSingles() {
     structures.push_back(With({}, suspect, suspect.starts.front()));
   }
   singles_ = FitAll(structures);
+}
+
+void Search::TakeSingles(const std::vector<SingleEvidence>& before) {
+  singles_ = InParallel<Scored>(before.size(), options_.threads, [&](std::size_t k) {
+    return Score(fitter_.AsGiven(With({}, *before[k].suspect, before[k].values)));
+  });
 }
 
 void Search::Screen() {
@@ -330,14 +337,20 @@ double Search::FreeGain(const Misfit& misfit) const {
   return gain;
 }
 
-SearchResult Search::Run() {
+SearchResult Search::Run(const SearchResult* before) {
   SearchResult result;
   const FittedStructure nothing = fitter_.AsGiven({});
   nothing_ = Score(nothing);
   free_gain_ = result.free_gain = FreeGain(nothing.misfit);
-  FitSingles();
+  if (before != nullptr) {
+    TakeSingles(before->singles);
+  } else {
+    FitSingles();
+  }
   Screen();
-  const Scored found = Prune(Disentangle(Grow(Swap(BestOfPairs()))), &result.evidence);
+  const Scored start =
+      before != nullptr ? Score(fitter_.FitNear(before->found.terms)) : BestOfPairs();
+  const Scored found = Prune(Disentangle(Grow(Swap(start))), &result.evidence);
   if (!found.terms.empty()) {
     const Misfit crossed = crossed_.Judge(found.terms);
     for (std::size_t t = 0; t < found.terms.size(); ++t) {
@@ -374,8 +387,8 @@ double EffectOf(const ReplayBlock& block, const Misfit& with, const Misfit& with
 SearchResult SearchStructures(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
                               const StructureFitter& on_seen,
                               const std::vector<Manoeuvre>& manoeuvres,
-                              const SearchOptions& options) {
-  return Search(block, noise, on_seen, manoeuvres, options).Run();
+                              const SearchOptions& options, const SearchResult* before) {
+  return Search(block, noise, on_seen, manoeuvres, options).Run(before);
 }
 
 }  // namespace tera

@@ -72,11 +72,13 @@ struct SearchResult {
 ///         beyond the number of suspects; FINAL is for that.
 /// Source  Schwarz 1978.
 ///
-/// `noise` of each channel; `on_seen` fits to TRAIN and SELECT.
+/// `noise` of each channel; `on_seen` fits to TRAIN and SELECT. `before`: of a search of the same
+/// block under other noise, where this one begins: single suspects with the numbers that they had
+/// there, and what was found instead of pairs.
 SearchResult SearchStructures(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
                               const StructureFitter& on_seen,
                               const std::vector<Manoeuvre>& manoeuvres,
-                              const SearchOptions& options);
+                              const SearchOptions& options, const SearchResult* before = nullptr);
 
 /// RMS of what one misfit differs from another by, over the RMS of the channel; the largest.
 double EffectOf(const ReplayBlock& block, const Misfit& with, const Misfit& without);

@@ -76,7 +76,7 @@ TEST(StructureFit, NumbersThatAreDeterminedAreFree) {
   EXPECT_EQ(fitted.information.rows(), 2);
 }
 
-TEST(StructureFit, ANumberThatActsInStairsIsFreeIfItIsMovedByAStairOrMore) {
+TEST(StructureFit, ANumberThatActsInStairsIsFreeIfItIsSaidToHaveKinks) {
   Fixture toy(0.4);
   toy.suspect.free.pop_back();
   toy.block.predict = [&toy](const Structure& terms) {
@@ -86,7 +86,7 @@ TEST(StructureFit, ANumberThatActsInStairsIsFreeIfItIsMovedByAStairOrMore) {
   };
   const FittedStructure stuck = toy.fitter.Fit({{&toy.suspect, {0.1, 0, 40}}});
   EXPECT_THAT(stuck.terms[0].held, ElementsAre(1));
-  toy.suspect.free[1].step = 0.03;  // 0.06 of the range from -1 to 1
+  toy.suspect.free[1].kinked = true;
   const FittedStructure free = toy.fitter.Fit({{&toy.suspect, {0.1, 0, 40}}});
   EXPECT_THAT(free.terms[0].held, IsEmpty());
   EXPECT_NEAR(free.terms[0].values[1], 0.1, 0.04);
