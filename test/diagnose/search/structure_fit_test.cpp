@@ -92,5 +92,29 @@ TEST(StructureFit, ANumberThatActsInStairsIsFreeIfItIsSaidToHaveKinks) {
   EXPECT_NEAR(free.terms[0].values[1], 0.1, 0.04);
 }
 
+TEST(StructureFit, ANumberThatMovesInstantsIsFoundFromAfar) {
+  // A pulse every 2 s that sets in later by half the place, as a drive does after its play.
+  Fixture toy(0);
+  const auto pulses = [](double place) {
+    std::vector<double> y;
+    for (std::size_t k = 0; k < kSamples; ++k) {
+      const double since_s = std::fmod(0.01 * static_cast<double>(k), 2.0);
+      y.push_back(since_s > 0.5 + 0.5 * place && since_s < 1.5 ? 1 : 0);
+    }
+    return y;
+  };
+  toy.block.channels[0].measured = ToyMeasured(pulses(0.3), 0.05, 3);
+  toy.block.predict = [&](const Structure& terms) {
+    return std::vector<std::vector<double>>{pulses(terms.empty() ? 0 : terms[0].values[1])};
+  };
+  const Likelihood likelihood(toy.block, {{.scale = 0.05, .dof = 4}}, Mask(kSamples, 1));
+  const StructureFitter fitter(toy.block, likelihood, {{0, kSamples}});
+  toy.suspect.free = {{1, -1, 1}};
+  toy.suspect.starts = {{0.1, -0.2, 40}};
+  EXPECT_LT(fitter.FitFrom({{&toy.suspect, {0.1, -0.2, 40}}}).terms[0].values[1], 0);
+  toy.suspect.free[0].kinked = true;
+  EXPECT_NEAR(fitter.FitFrom({{&toy.suspect, {0.1, -0.2, 40}}}).terms[0].values[1], 0.3, 0.02);
+}
+
 }  // namespace
 }  // namespace tera
