@@ -210,17 +210,18 @@ std::string RemainderText(const DiagnosedBlock& diagnosed, std::size_t channel) 
 
 std::string HeldOutText(const HeldOutError& error, const std::string& si_unit) {
   const ReadableUnit unit = ReadableUnitOf(si_unit);
-  const std::string removed = error.excess_removed > 0
-                                  ? PercentText(error.excess_removed) + " of the excess variance"
-                                  : "none of the excess variance";
-  // It was confirmed by how many manoeuvres are likelier with it, which a few loud ones may
-  // outweigh.
-  return fmt::format("Held-out RMSE {} → {}, {} removed{}.",
-                     Significant(error.rmse_before * unit.factor, 2),
-                     WithUnit(Significant(error.rmse_after * unit.factor, 2), unit), removed,
-                     error.excess_removed > 0 || error.p > kSignificant
-                         ? ""
-                         : ", for a few manoeuvres outweigh the rest");
+  const std::string fall =
+      fmt::format("Held-out RMSE {} → {}", Significant(error.rmse_before * unit.factor, 2),
+                  WithUnit(Significant(error.rmse_after * unit.factor, 2), unit));
+  if (error.excess_removed > 0) {
+    return fmt::format("{}, {} of the excess variance removed.", fall,
+                       PercentText(error.excess_removed));
+  }
+  // No louder than what passed for noise: there is no excess to speak of.
+  if (error.rmse_after < error.rmse_before) return fall + ".";
+  // It was confirmed by how many manoeuvres are likelier with it.
+  return fmt::format("{}, none of the excess variance removed{}.", fall,
+                     error.p > kSignificant ? "" : ", for a few manoeuvres outweigh the rest");
 }
 
 }  // namespace

@@ -115,6 +115,8 @@ TEST(Sentence, OfWhatAFewManoeuvresOutweighSaysThatTheErrorIsNoSmaller) {
   EXPECT_THAT(SentenceOf(boom, finding),
               HasSubstr("Held-out RMSE 2 → 2.1 deg/s, none of the excess variance removed, for a "
                         "few manoeuvres outweigh the rest."));
+  finding.held_out = {0, 2 * kDeg, 1.1 * kDeg, 0, 0.0007};  // of what passed for noise
+  EXPECT_THAT(SentenceOf(boom, finding), HasSubstr("Held-out RMSE 2 → 1.1 deg/s. "));
 }
 
 TEST(Sentence, OfNothingNamesTheChannelsAndWhatWasNotSeen) {
