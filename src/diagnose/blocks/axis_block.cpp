@@ -267,6 +267,12 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
     return std::vector<std::vector<double>>{
         grid.Spread(replay.Predict(WithTerms(replay.effects(), terms)))};
   };
+  block.predict_beginning = [replay, grid](const Structure& terms, std::size_t samples) {
+    const SampleGrid beginning = grid.First(samples);
+    const AxisEffects effects = WithTerms(replay.effects(), terms);
+    return std::vector<std::vector<double>>{
+        beginning.Spread(replay.Predict(effects, {}, beginning.place.size()))};
+  };
   return block;
 }
 

@@ -1,5 +1,6 @@
 #include "diagnose/blocks/beats.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -80,15 +81,32 @@ struct Peak {
   double frequency_hz = 0, height = 0;
 };
 
+/// Heights of the sum at evenly spaced frequencies: every change's phase turns by the same angle
+/// from one to the next.
+std::vector<double> HeightsOf(const Changes& changes, double lowest_hz, double step_hz,
+                              std::size_t count) {
+  const auto size = static_cast<Eigen::Index>(changes.t_s.size());
+  const Eigen::Map<const Eigen::ArrayXd> t_s(changes.t_s.data(), size);
+  const auto turned = [&](double frequency_hz) -> Eigen::ArrayXcd {
+    return (std::complex<double>(0, -2 * std::numbers::pi * frequency_hz) * t_s).exp();
+  };
+  Eigen::ArrayXcd phase =
+      turned(lowest_hz) * Eigen::Map<const Eigen::ArrayXd>(changes.size.data(), size);
+  const Eigen::ArrayXcd step = turned(step_hz);
+  std::vector<double> height;
+  for (std::size_t k = 0; k < count; ++k) {
+    height.push_back(std::abs(phase.sum()));
+    phase *= step;
+  }
+  return height;
+}
+
 /// Local maxima, the highest first.
 std::vector<Peak> PeaksOf(const Changes& changes, double lowest_hz, double highest_hz,
                           double steps_of_resolution) {
   const double step_hz = 1 / (steps_of_resolution * changes.length_s());
-  std::vector<double> height;
   const auto steps = static_cast<std::size_t>((highest_hz - lowest_hz) / step_hz);
-  for (std::size_t k = 0; k <= steps; ++k) {
-    height.push_back(std::abs(SumAt(changes, lowest_hz + static_cast<double>(k) * step_hz)));
-  }
+  const std::vector<double> height = HeightsOf(changes, lowest_hz, step_hz, steps + 1);
   std::vector<Peak> peaks;
   for (std::size_t k = 1; k + 1 < height.size(); ++k) {
     if (height[k] < height[k - 1] || height[k] <= height[k + 1]) continue;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/check.h"
@@ -39,6 +40,11 @@ SampleGrid SampleGrid::Over(TimeNs first_ns, TimeNs last_ns, double period_s,
   SampleGrid grid{period_s, place_of(last_ns) + 1, {}};
   for (const TimeNs t : t_ns) grid.place.push_back(place_of(t));
   return grid;
+}
+
+SampleGrid SampleGrid::First(std::size_t places) const {
+  const auto end = std::lower_bound(place.begin(), place.end(), places);
+  return {period_s, places, {place.begin(), end}};
 }
 
 std::vector<double> SampleGrid::Spread(const std::vector<double>& at_samples) const {

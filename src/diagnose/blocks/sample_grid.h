@@ -25,6 +25,9 @@ struct SampleGrid {
   static SampleGrid Over(TimeNs first_ns, TimeNs last_ns, double period_s,
                          const std::vector<TimeNs>& t_ns);
 
+  /// Its first places, with the samples that stand there.
+  SampleGrid First(std::size_t places) const;
+
   /// Values of the samples at their places, straight in between.
   std::vector<double> Spread(const std::vector<double>& at_samples) const;
   /// The same as a series, valid where a sample is that may be used, 0 elsewhere.

@@ -12,12 +12,12 @@ namespace {
 /// Takes the rates at the ends of steps to the times of the samples, straight in between.
 class SampledRate {
  public:
-  explicit SampledRate(const std::vector<double>& at_step) : at_step_(at_step) {
-    rates_.reserve(at_step_.size());
+  SampledRate(const std::vector<double>& at_step, std::size_t count)
+      : at_step_(at_step), count_(count) {
+    rates_.reserve(count);
   }
   void Add(std::size_t step, double end_radps) {
-    while (rates_.size() < at_step_.size() &&
-           at_step_[rates_.size()] <= static_cast<double>(step) + 1) {
+    while (rates_.size() < count_ && at_step_[rates_.size()] <= static_cast<double>(step) + 1) {
       const double s = std::max(0.0, at_step_[rates_.size()] - static_cast<double>(step));
       rates_.push_back(std::lerp(before_radps_, end_radps, s));
     }
@@ -27,6 +27,7 @@ class SampledRate {
 
  private:
   const std::vector<double>& at_step_;
+  std::size_t count_ = 0;
   std::vector<double> rates_;
   double before_radps_ = 0;
 };
@@ -36,13 +37,18 @@ double FullEffort_nm(const MachineModel& model, std::size_t axis) {
   return axis < model.joints.size() ? model.joints[axis].max_effort_nm : 0;
 }
 
+/// What a newton metre makes of a rate in one step; 0 where no inertia is known.
+double ChangePerEffort_radpspnm(double inertia_kgm2, double dt_s) {
+  return inertia_kgm2 > 0 ? dt_s / inertia_kgm2 : 0;
+}
+
 /// The rate at the end of a step for which the motor has its full effort to take the masses from
 /// one rate to the next.
 double Accelerated(double from_radps, double asked_radps, double full_nm, double load_nm,
-                   double inertia_kgm2, double dt_s) {
-  if (inertia_kgm2 <= 0 || full_nm <= 0) return asked_radps;
-  const double most_radps = std::max(0.0, full_nm - load_nm) / inertia_kgm2 * dt_s;
-  const double least_radps = -std::max(0.0, full_nm + load_nm) / inertia_kgm2 * dt_s;
+                   double change_radpspnm) {
+  if (change_radpspnm <= 0 || full_nm <= 0) return asked_radps;
+  const double most_radps = std::max(0.0, full_nm - load_nm) * change_radpspnm;
+  const double least_radps = -std::max(0.0, full_nm + load_nm) * change_radpspnm;
   const double change_radps = asked_radps - from_radps;
   if (change_radps >= least_radps && change_radps <= most_radps) return asked_radps;
   return from_radps + std::clamp(change_radps, least_radps, most_radps);
@@ -56,13 +62,16 @@ std::vector<std::vector<double>> AxisReplay::Predict(const MachineEffects& effec
   Actuation actuation(model, {.machine = model.kind});
   std::vector<double> rate_radps(log_.axes, 0.0);
   std::vector<SampledRate> sampled;
-  for (const MeasuredRate& measured : log_.measured) sampled.emplace_back(measured.at_step);
+  for (const MeasuredRate& measured : log_.measured) {
+    sampled.emplace_back(measured.at_step, measured.at_step.size());
+  }
   for (std::size_t k = 0; k < log_.steps; ++k) {
     actuation.Step(log_.levers_at(k), log_.motions_at(k), log_.step_s);
     for (std::size_t axis = 0; axis < log_.axes; ++axis) {
-      rate_radps[axis] = Accelerated(rate_radps[axis], actuation.drives()[axis].rate_radps,
-                                     FullEffort_nm(model_, axis), log_.motions_at(k)[axis].load_nm,
-                                     log_.inertias_at(k)[axis], log_.step_s);
+      rate_radps[axis] =
+          Accelerated(rate_radps[axis], actuation.drives()[axis].rate_radps,
+                      FullEffort_nm(model_, axis), log_.motions_at(k)[axis].load_nm,
+                      ChangePerEffort_radpspnm(log_.inertias_at(k)[axis], log_.step_s));
     }
     for (std::size_t m = 0; m < sampled.size(); ++m) {
       sampled[m].Add(k, rate_radps[log_.measured[m].axis]);
@@ -83,7 +92,7 @@ LoneAxisReplay::LoneAxisReplay(const MachineModel& model, const AxisLog& log,
   for (std::size_t k = 0; k < log.steps; ++k) {
     lever_.push_back(log.levers_at(k)[axis_]);
     motion_.push_back(log.motions_at(k)[axis_]);
-    inertia_kgm2_.push_back(log.inertias_at(k)[axis_]);
+    change_radpspnm_.push_back(ChangePerEffort_radpspnm(log.inertias_at(k)[axis_], log.step_s));
   }
   // Not needed without pumps and contact, and much to copy for every prediction.
   for (Cylinder& cylinder : model_.cylinders) cylinder.bore_m = 0;
@@ -103,9 +112,9 @@ AxisEffects LoneAxisReplay::effects() const {
           pump_ ? model_.effects.pumps[pump_->pump] : Effects()};
 }
 
-void LoneAxisReplay::Run(
-    const AxisEffects& effects, const Nominal& nominal,
-    const std::function<void(std::size_t step, const Rates& at_end)>& take) const {
+template <typename Take>
+void LoneAxisReplay::Run(const AxisEffects& effects, const Nominal& nominal, std::size_t steps,
+                         const Take& take) const {
   const std::size_t joints = model_.joints.size();
   MachineModel model = model_;
   (axis_ < joints ? model.effects.joints[axis_] : model.effects.gears[axis_ - joints]) =
@@ -115,34 +124,41 @@ void LoneAxisReplay::Run(
   PumpFlow flow(PumpFlowOf(effects.pump, pump_ ? model.pumps[pump_->pump].max_flow_m3ps : 0));
   const bool is_shared = pump_ && !effects.pump.empty();
   Rates rates;
-  for (std::size_t k = 0; k < lever_.size(); ++k) {
+  for (std::size_t k = 0; k < steps; ++k) {
     double demand_radps = actuation.Demand(lever_[k], step_s_);
     if (is_shared) {
       demand_radps *=
           flow.Step(pump_->others_m3ps[k] + pump_->Own_m3ps(k, demand_radps),
                     pump_->others_w[k] + actuation.Power_w(demand_radps, motion_[k]), step_s_);
     }
-    rates.asked_radps =
-        nominal.rate * actuation.Deliver(demand_radps, motion_[k], step_s_).rate_radps;
+    rates.asked_radps = nominal.rate * actuation.DeliveredRate(demand_radps, motion_[k], step_s_);
     rates.rate_radps = Accelerated(rates.rate_radps, rates.asked_radps, full_nm, motion_[k].load_nm,
-                                   inertia_kgm2_[k], step_s_);
+                                   change_radpspnm_[k]);
     take(k, rates);
   }
 }
 
-std::vector<double> LoneAxisReplay::Predict(const AxisEffects& effects,
-                                            const Nominal& nominal) const {
-  SampledRate sampled(at_step_);
-  Run(effects, nominal,
+std::vector<double> LoneAxisReplay::Predict(const AxisEffects& effects, const Nominal& nominal,
+                                            std::size_t most) const {
+  const std::size_t wanted = std::min(most, at_step_.size());
+  SampledRate sampled(at_step_, wanted);
+  Run(effects, nominal, StepsTo(wanted),
       [&](std::size_t k, const Rates& at_end) { sampled.Add(k, at_end.rate_radps); });
   return sampled.Take();
+}
+
+/// Steps up to the end of the one in which the last of some samples lies.
+std::size_t LoneAxisReplay::StepsTo(std::size_t samples) const {
+  if (samples == at_step_.size()) return lever_.size();
+  const double last = samples == 0 ? 0 : at_step_[samples - 1];
+  return std::min(lever_.size(), static_cast<std::size_t>(std::max(0.0, last)) + 1);
 }
 
 std::vector<bool> LoneAxisReplay::FallsShort(const AxisEffects& effects,
                                              const Nominal& nominal) const {
   std::vector<bool> falls_short(at_step_.size(), false);
   std::size_t next = 0;
-  Run(effects, nominal, [&](std::size_t k, const Rates& at_end) {
+  Run(effects, nominal, lever_.size(), [&](std::size_t k, const Rates& at_end) {
     while (next < at_step_.size() && at_step_[next] <= static_cast<double>(k)) ++next;
     if (next == at_step_.size() || at_end.asked_radps == at_end.rate_radps) return;
     falls_short[next] = true;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <functional>
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -52,8 +53,10 @@ class LoneAxisReplay {
     double rate = 1, effort = 1;
   };
 
-  /// Rates at the measured rate's times, with `effects` in place of those that the model has.
-  std::vector<double> Predict(const AxisEffects& effects, const Nominal& nominal) const;
+  /// Rates at the measured rate's times, or the first `most` of them, with `effects` in place of
+  /// those that the model has.
+  std::vector<double> Predict(const AxisEffects& effects, const Nominal& nominal,
+                              std::size_t most = std::numeric_limits<std::size_t>::max()) const;
   std::vector<double> Predict(const AxisEffects& effects) const {
     return Predict(effects, Nominal());
   }
@@ -71,15 +74,18 @@ class LoneAxisReplay {
   struct Rates {
     double asked_radps = 0, rate_radps = 0;
   };
-  void Run(const AxisEffects& effects, const Nominal& nominal,
-           const std::function<void(std::size_t step, const Rates& at_end)>& take) const;
+  /// Of the first `steps`; `take` gets each step's number and rates.
+  template <typename Take>
+  void Run(const AxisEffects& effects, const Nominal& nominal, std::size_t steps,
+           const Take& take) const;
+  std::size_t StepsTo(std::size_t samples) const;
 
   MachineModel model_;
   std::size_t axis_ = 0;
   double step_s_ = 0;
   std::vector<double> lever_, at_step_;
   std::vector<AxisMotion> motion_;
-  std::vector<double> inertia_kgm2_;
+  std::vector<double> change_radpspnm_;  ///< of the rate in a step, by effort; 0: no inertia
   std::optional<PumpDemand> pump_;
 };
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <optional>
 
+#include "core/in_parallel.h"
 #include "diagnose/search/block_diagnosis.h"
 #include "diagnose/search/free_member.h"
-#include "diagnose/search/in_parallel.h"
 #include "diagnose/search/structure_fit.h"
 
 namespace tera {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/in_parallel.h"
+#include "diagnose/search/beginning.h"
 #include "diagnose/search/free_member.h"
 #include "diagnose/search/steady_gain.h"
 
@@ -38,6 +40,15 @@ constexpr int kPasses = 3;  ///< of noise and search
 /// worth another search.
 constexpr double kQuieter = 0.5, kQuieterInnovations = 0.7;
 
+/// Enough of them in which something was commanded.
+bool IsTestable(const std::vector<Manoeuvre>& manoeuvres) {
+  std::size_t seen = 0, final = 0;
+  for (const Manoeuvre& manoeuvre : manoeuvres) {
+    if (manoeuvre.axes != 0) ++(manoeuvre.part == Part::kFinal ? final : seen);
+  }
+  return seen >= kFewestSeen && final >= kFewestFinal;
+}
+
 Mask Not(Mask mask) {
   for (auto& is : mask) is = !is;
   return mask;
@@ -58,10 +69,9 @@ class Procedure {
         likelihood_(block, noise, Not(final_mask_)),
         fitter_(block, likelihood_, SeenSegmentsOf(manoeuvres_)) {}
 
-  bool IsTestable() const;
   /// As it stands, without a search.
   BlockDiagnosis Untested() const;
-  SearchResult Search(const SearchResult* before) const;
+  SearchResult Search(const EarlierSearch& earlier) const;
   BlockDiagnosis Explain(SearchResult search) const;
 
  private:
@@ -253,14 +263,14 @@ Finding Procedure::Describe(const SearchResult& search, std::size_t term) const 
   const FittedStructure& found = search.found;
   Structure others = found.terms;
   others.erase(others.begin() + static_cast<std::ptrdiff_t>(term));
-  const FittedStructure without = fitter_.FitValues(others);
+  const FittedStructure without = fitter_.FitNear(others);
   Finding finding;
   finding.term = found.terms[term];
   finding.parameters = EstimatesOf(found, term, block_.slides);
   finding.evidence = search.evidence[term];
   const std::size_t channel = MostImproved(without, found);
   finding.location = Locate(block_.channels[channel], channel, without.misfit.residual[channel],
-                            likelihood_.noise()[channel], stream_);
+                            likelihood_.noise()[channel], stream_, options_.threads);
   finding.held_out = Compare(without, found, channel);
   finding.held_out.p = SteadyGainP(GainsOf(likelihood_, without.misfit, found.misfit, final_));
   return finding;
@@ -339,8 +349,8 @@ void Procedure::FindUnexplained(BlockDiagnosis* out) const {
         SteadyGainP(GainsOf(likelihood_, misfit, free, final_, c)) <= kUnconfirmedP;
     if (follows) left.p = p;
     if (!follows && remainder.kind != Remainder::Kind::kError) continue;
-    left.location =
-        Locate(block_.channels[c], c, misfit.residual[c], likelihood_.noise()[c], stream_);
+    left.location = Locate(block_.channels[c], c, misfit.residual[c], likelihood_.noise()[c],
+                           stream_, options_.threads);
     out->unexplained.push_back(std::move(left));
   }
 }
@@ -408,21 +418,12 @@ void Procedure::Confirm(BlockDiagnosis* out) const {
     }
   }
   if (out->unconfirmed.empty()) return;
-  out->search.found = fitter_.Fit(kept);
+  out->search.found = fitter_.Determine(fitter_.FitFrom(kept));
   out->search.evidence = std::move(evidence);
   out->findings.clear();
   for (std::size_t t = 0; t < out->search.found.terms.size(); ++t) {
     out->findings.push_back(Describe(out->search, t));
   }
-}
-
-/// Enough manoeuvres in which something was commanded.
-bool Procedure::IsTestable() const {
-  std::size_t seen = 0, final = 0;
-  for (const Manoeuvre& manoeuvre : manoeuvres_) {
-    if (manoeuvre.axes != 0) ++(manoeuvre.part == Part::kFinal ? final : seen);
-  }
-  return seen >= kFewestSeen && final >= kFewestFinal;
 }
 
 BlockDiagnosis Procedure::Untested() const {
@@ -435,8 +436,8 @@ BlockDiagnosis Procedure::Untested() const {
   return out;
 }
 
-SearchResult Procedure::Search(const SearchResult* before) const {
-  return SearchStructures(block_, likelihood_.noise(), fitter_, manoeuvres_, options_, before);
+SearchResult Procedure::Search(const EarlierSearch& earlier) const {
+  return SearchStructures(block_, likelihood_.noise(), fitter_, manoeuvres_, options_, earlier);
 }
 
 BlockDiagnosis Procedure::Explain(SearchResult search) const {
@@ -447,9 +448,9 @@ BlockDiagnosis Procedure::Explain(SearchResult search) const {
   Confirm(&out);
   FindRemainders(out.search, &out);
   FindUnexplained(&out);
-  for (const Suspect& suspect : block_.suspects) {
-    out.detectability.push_back(DetectabilityOf(suspect));
-  }
+  out.detectability =
+      InParallel<Detectability>(block_.suspects.size(), options_.threads,
+                                [&](std::size_t s) { return DetectabilityOf(block_.suspects[s]); });
   for (std::size_t c = 0; c < block_.channels.size(); ++c) {
     out.confirmed.push_back(Compare(out.search.nothing, out.search.found, c));
   }
@@ -465,6 +466,30 @@ bool IsMuchQuieter(const std::vector<NoiseModel>& now, const std::vector<NoiseMo
   return false;
 }
 
+/// What was found, under noise that was estimated beside it.
+struct Searched {
+  std::vector<NoiseModel> noise;
+  SearchResult search;
+};
+
+/// Noise and search in turn, from what the block's beginning told if it was searched.
+Searched SearchInTurn(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
+                      const std::vector<Manoeuvre>& manoeuvres,
+                      const std::optional<SearchResult>& begun) {
+  EarlierSearch earlier{begun ? &*begun : nullptr, begun.has_value()};
+  Searched last{NoiseOfBlock(block, manoeuvres, begun ? begun->found.terms : Structure()), {}};
+  for (int pass = 1;; ++pass) {
+    SearchResult search = Procedure(block, options, stream, manoeuvres, last.noise).Search(earlier);
+    last.search = std::move(search);
+    std::vector<NoiseModel> less = NoiseOfBlock(block, manoeuvres, last.search.found.terms);
+    if (pass == kPasses || last.search.found.terms.empty() || !IsMuchQuieter(less, last.noise)) {
+      return last;
+    }
+    last.noise = std::move(less);
+    earlier = {&last.search, false};
+  }
+}
+
 }  // namespace
 
 std::vector<Manoeuvre> ManoeuvresOf(const ReplayBlock& block, const Stream& stream) {
@@ -474,19 +499,21 @@ std::vector<Manoeuvre> ManoeuvresOf(const ReplayBlock& block, const Stream& stre
 BlockDiagnosis DiagnoseBlock(const ReplayBlock& block, const SearchOptions& options,
                              const Stream& stream) {
   const std::vector<Manoeuvre> manoeuvres = ManoeuvresOf(block, stream);
-  std::vector<NoiseModel> noise = NoiseOfBlock(block, manoeuvres);
-  std::optional<SearchResult> before;
-  for (int pass = 1;; ++pass) {
-    const Procedure procedure(block, options, stream, manoeuvres, noise);
-    if (!procedure.IsTestable()) return procedure.Untested();
-    SearchResult search = procedure.Search(before ? &*before : nullptr);
-    std::vector<NoiseModel> less = NoiseOfBlock(block, manoeuvres, search.found.terms);
-    if (pass == kPasses || search.found.terms.empty() || !IsMuchQuieter(less, noise)) {
-      return procedure.Explain(std::move(search));
-    }
-    noise = std::move(less);
-    before = std::move(search);
+  if (!IsTestable(manoeuvres)) {
+    return Procedure(block, options, stream, manoeuvres, NoiseOfBlock(block, manoeuvres))
+        .Untested();
   }
+  const std::size_t enough = EnoughSamples(manoeuvres, block.period_s());
+  std::optional<SearchResult> begun;
+  if (enough < block.samples() && IsTestable(Within(manoeuvres, enough))) {
+    const ReplayBlock beginning = BeginningOf(block, enough);
+    begun = OnWhole(
+        SearchInTurn(beginning, options, stream, Within(manoeuvres, enough), std::nullopt).search,
+        beginning, block);
+  }
+  Searched searched = SearchInTurn(block, options, stream, manoeuvres, std::move(begun));
+  return Procedure(block, options, stream, manoeuvres, searched.noise)
+      .Explain(std::move(searched.search));
 }
 
 }  // namespace tera

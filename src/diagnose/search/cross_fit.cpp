@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/in_parallel.h"
+
 namespace tera {
 namespace {
 
@@ -44,15 +46,20 @@ CrossFit::CrossFit(const ReplayBlock& block, const std::vector<NoiseModel>& nois
   }
 }
 
-Misfit CrossFit::Judge(const Structure& terms) const {
-  Misfit out;
-  for (std::size_t f = 0; f < folds_.size(); ++f) {
-    Misfit misfit = folds_[f].fitter->FitFrom(terms).misfit;
-    if (f == 0) {
-      out = std::move(misfit);
-      continue;
+std::vector<Misfit> CrossFit::Judge(const std::vector<Structure>& structures, int threads) const {
+  const std::vector<Misfit> left =
+      InParallel<Misfit>(structures.size() * folds_.size(), threads, [&](std::size_t k) {
+        const StructureFitter& fitter = *folds_[k % folds_.size()].fitter;
+        return fitter.FitFrom(structures[k / folds_.size()], Effort::kFewSteps).misfit;
+      });
+  std::vector<Misfit> out;
+  for (std::size_t s = 0; s < structures.size(); ++s) {
+    out.push_back(left[s * folds_.size()]);
+    for (std::size_t f = 1; f < folds_.size(); ++f) {
+      for (const Segment& samples : folds_[f].unseen) {
+        TakeOver(left[s * folds_.size() + f], samples, &out.back());
+      }
     }
-    for (const Segment& samples : folds_[f].unseen) TakeOver(misfit, samples, &out);
   }
   return out;
 }

@@ -25,8 +25,8 @@ class CrossFit {
            const std::vector<Manoeuvre>& manoeuvres);
 
   /// The samples of TRAIN and SELECT as left by the fits that have not seen them; others as left by
-  /// the first fit. Fits begin at the values of `terms`.
-  Misfit Judge(const Structure& terms) const;
+  /// the first fit. Fits begin at the structures' values and go a few steps.
+  std::vector<Misfit> Judge(const std::vector<Structure>& structures, int threads) const;
 
  private:
   struct Fold {

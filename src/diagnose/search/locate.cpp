@@ -70,12 +70,12 @@ Eigen::MatrixXd KnownBefore(const Eigen::MatrixXd& known, const RegimeAxis& axis
 }  // namespace
 
 Location Locate(const Channel& channel, std::size_t index, const Series& residual,
-                const NoiseModel& noise, const Stream& stream) {
+                const NoiseModel& noise, const Stream& stream, int threads) {
   Location location{index, {}, {}};
   location.intervals = FindChangePoints(Whiten(noise, residual).Steady(), noise.dof).mismatch;
   if (channel.variables.empty()) return location;
   const std::vector<RegimeVariable> variables = VariablesAndShares(channel, residual);
-  const Partialling found = SelectRegimes(residual, noise, variables, {}, stream);
+  const Partialling found = SelectRegimes(residual, noise, variables, {.threads = threads}, stream);
   Eigen::MatrixXd known(static_cast<Eigen::Index>(residual.size()), 0);
   for (const auto& [index_of_variable, p, share] : Telling(found)) {
     const RegimeVariable& variable = variables[index_of_variable];

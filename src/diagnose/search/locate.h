@@ -35,6 +35,6 @@ struct Location {
 /// two per cent where none is significant, comes first with its p as it is: time, and a place that
 /// is seldom come back to, have too few shifts for a small one.
 Location Locate(const Channel& channel, std::size_t index, const Series& residual,
-                const NoiseModel& noise, const Stream& stream);
+                const NoiseModel& noise, const Stream& stream, int threads = 2);
 
 }  // namespace tera

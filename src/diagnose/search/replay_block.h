@@ -96,6 +96,9 @@ struct ReplayBlock {
   /// what the model has of that mechanism, beside all else that it has. Thread-safe, the same for
   /// the same terms in any order.
   std::function<std::vector<std::vector<double>>(const Structure&)> predict;
+  /// The same over the first `samples` of the grid alone, where that is less work; else empty.
+  std::function<std::vector<std::vector<double>>(const Structure&, std::size_t samples)>
+      predict_beginning;
 
   std::size_t samples() const { return channels.front().measured.size(); }
   double period_s() const { return channels.front().measured.period_s; }

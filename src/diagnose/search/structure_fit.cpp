@@ -16,7 +16,7 @@ constexpr double kStep = 0.002;       ///< of a parameter's range, for differenc
 constexpr double kKinkedStep = 0.03;  ///< likewise, where the likelihood has kinks
 constexpr double kFinestStep = 0.002;
 constexpr int kMostMoves = 30;
-constexpr int kMostIterations = 12;
+constexpr int kMostIterations = 12, kFewIterations = 3;
 constexpr double kBadFit = 2;         ///< mean squared innovation
 constexpr double kLeastPart = 0.3;    ///< of a direction of length 1, that a parameter may have
 constexpr double kConverged = 0.005;  ///< log-likelihood that a step still gains
@@ -233,8 +233,8 @@ Structure StructureFitter::BestStart(Structure terms, const Likelihood& likeliho
   return best;
 }
 
-Structure StructureFitter::RefineSmooth(const Structure& terms,
-                                        const Likelihood& likelihood) const {
+Structure StructureFitter::RefineSmooth(const Structure& terms, const Likelihood& likelihood,
+                                        int most_iterations) const {
   std::vector<double> places = PlacesOf(terms);
   if (places.empty()) return terms;
   Deviance deviance(block_, likelihood, terms);
@@ -248,7 +248,7 @@ Structure StructureFitter::RefineSmooth(const Structure& terms,
   }
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  options.max_num_iterations = kMostIterations;
+  options.max_num_iterations = most_iterations;
   options.function_tolerance = std::min(1e-4, kConverged / std::max(deviance.CostAtStart(), 1.0));
   options.parameter_tolerance = 1e-5;
   options.logging_type = ceres::SILENT;
@@ -281,44 +281,49 @@ Structure StructureFitter::Settle(Structure terms, const Likelihood& likelihood)
   return terms;
 }
 
-Structure StructureFitter::Refine(const Structure& terms, const Likelihood& likelihood) const {
-  const Structure smooth = RefineSmooth(terms, likelihood);
+Structure StructureFitter::Refine(const Structure& terms, const Likelihood& likelihood,
+                                  Effort effort) const {
+  if (effort == Effort::kFewSteps) return RefineSmooth(terms, likelihood, kFewIterations);
+  const Structure smooth = RefineSmooth(terms, likelihood, kMostIterations);
   const bool any_kinked = std::any_of(terms.begin(), terms.end(), [](const Term& term) {
     const std::vector<FreeParameter> free = term.Free();
     return std::any_of(free.begin(), free.end(), [](const FreeParameter& f) { return f.kinked; });
   });
   if (!any_kinked) return smooth;
-  return RefineSmooth(Settle(smooth, likelihood), likelihood);
+  return RefineSmooth(Settle(smooth, likelihood), likelihood, kMostIterations);
 }
 
-FittedStructure StructureFitter::FitValues(Structure terms) const {
+FittedStructure StructureFitter::FitValues(Structure terms, Effort effort) const {
   if (terms.empty()) return AsGiven(std::move(terms));
-  FittedStructure out = AsGiven(Refine(BestStart(terms, likelihood_), likelihood_));
+  FittedStructure out = AsGiven(Refine(BestStart(terms, likelihood_), likelihood_, effort));
   if (coarse_) {
-    const Structure rough = Refine(BestStart(terms, *coarse_), *coarse_);
-    FittedStructure other = AsGiven(Refine(rough, likelihood_));
+    const Structure rough = Refine(BestStart(terms, *coarse_), *coarse_, effort);
+    FittedStructure other = AsGiven(Refine(rough, likelihood_, effort));
     if (other.log_likelihood > out.log_likelihood) out = std::move(other);
   }
   return out;
 }
 
-FittedStructure StructureFitter::FitNear(Structure terms) const {
+FittedStructure StructureFitter::FitNear(Structure terms, Effort effort) const {
   if (terms.empty()) return AsGiven(std::move(terms));
-  return AsGiven(Refine(BestStart(std::move(terms), likelihood_), likelihood_));
+  return AsGiven(Refine(BestStart(std::move(terms), likelihood_), likelihood_, effort));
 }
 
-FittedStructure StructureFitter::FitFrom(const Structure& terms) const {
-  return AsGiven(Refine(terms, likelihood_));
+FittedStructure StructureFitter::FitFrom(const Structure& terms, Effort effort) const {
+  return AsGiven(Refine(terms, likelihood_, effort));
 }
 
 FittedStructure StructureFitter::Fit(Structure terms) const {
-  FittedStructure out = FitValues(std::move(terms));
-  AddInformation(&out);
-  while (HoldUndetermined(out.information, &out.terms)) {
-    out = FitFrom(out.terms);
-    AddInformation(&out);
+  return Determine(FitValues(std::move(terms)));
+}
+
+FittedStructure StructureFitter::Determine(FittedStructure fitted) const {
+  AddInformation(&fitted);
+  while (HoldUndetermined(fitted.information, &fitted.terms)) {
+    fitted = FitFrom(fitted.terms);
+    AddInformation(&fitted);
   }
-  return out;
+  return fitted;
 }
 
 /// J' J in the parameters' own units, and J' times the rows of each manoeuvre.

@@ -23,6 +23,10 @@ double PlaceOf(const FreeParameter& free, double value);
 /// The free parameter at a place in its range.
 double ValueAt(const FreeParameter& free, double place);
 
+/// How far a fit goes: to the end, or a few steps, to tell which of many are worth more, or where
+/// the numbers are nearly right.
+enum class Effort { kFull, kFewSteps };
+
 /// Fits the free parameters of a structure.
 ///
 /// Model   maximum likelihood within the parameters' bounds by Levenberg–Marquardt on signed square
@@ -30,8 +34,8 @@ double ValueAt(const FreeParameter& free, double place);
 ///         range; numbers whose likelihood has kinks are then moved by themselves, by steps that
 ///         are halved; nuisances are fitted anew in every evaluation. Starts: the values of `terms`
 ///         as given, and with the last term's replaced by each of its suspect's; the most likely
-///         one is refined. Where nothing at all fits badly (innovations of more than twice the noise's
-///         variance), likewise under white noise of the size of what nothing leaves, whose
+///         one is refined. Where nothing at all fits badly (innovations of more than twice the
+///         noise's variance), likewise under white noise of the size of what nothing leaves, whose
 ///         likelihood is smooth far from the truth, and from there under the noise itself; the
 ///         likelier of both ends counts.
 /// Source  Ceres Solver (trust region with bounds); Golub and Pereyra 1973 (variable projection).
@@ -45,19 +49,22 @@ class StructureFitter {
   /// Numbers that the measurements do not determine, a direction of the information that is not
   /// known to within the parameters' ranges, stand at their defaults and are held there.
   FittedStructure Fit(Structure terms) const;
-  /// The same without information, scores and such numbers.
-  FittedStructure FitValues(Structure terms) const;
+  /// The same of a structure whose values are fitted already.
+  FittedStructure Determine(FittedStructure fitted) const;
+  /// Without information, scores and such numbers.
+  FittedStructure FitValues(Structure terms, Effort effort = Effort::kFull) const;
   /// The same without the smooth likelihood: where the other terms are fitted already.
-  FittedStructure FitNear(Structure terms) const;
+  FittedStructure FitNear(Structure terms, Effort effort = Effort::kFull) const;
   /// The same from the values given alone.
-  FittedStructure FitFrom(const Structure& terms) const;
+  FittedStructure FitFrom(const Structure& terms, Effort effort = Effort::kFull) const;
   /// Judged as it stands.
   FittedStructure AsGiven(Structure terms) const;
 
  private:
   Structure BestStart(Structure terms, const Likelihood& likelihood) const;
-  Structure Refine(const Structure& terms, const Likelihood& likelihood) const;
-  Structure RefineSmooth(const Structure& terms, const Likelihood& likelihood) const;
+  Structure Refine(const Structure& terms, const Likelihood& likelihood, Effort effort) const;
+  Structure RefineSmooth(const Structure& terms, const Likelihood& likelihood,
+                         int most_iterations) const;
   Structure Settle(Structure terms, const Likelihood& likelihood) const;
   void AddInformation(FittedStructure* fitted) const;
 

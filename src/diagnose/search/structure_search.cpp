@@ -2,20 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <set>
+#include <utility>
 
+#include "core/in_parallel.h"
 #include "diagnose/search/cross_fit.h"
 #include "diagnose/search/free_member.h"
-#include "diagnose/search/in_parallel.h"
 #include "diagnose/search/steady_gain.h"
 
 namespace tera {
 namespace {
 
-constexpr double kScreenedGain = 6;  ///< of log-likelihood: it may mean something
-constexpr std::size_t kNearest = 5;  ///< rivals that a term is held against
-constexpr double kAsLikely = 0.5;    ///< of log-likelihood
-constexpr double kCalmer = 0.8;      ///< of the sum of effects
+constexpr double kScreenedGain = 6;         ///< of log-likelihood: it may mean something
+constexpr std::size_t kLikeliestPairs = 8;  ///< that are fitted in full
+constexpr std::size_t kLikeliest = 4;       ///< likewise, of exchanges and additions
+constexpr std::size_t kNearest = 5;         ///< rivals that a term is held against
+constexpr double kAsLikely = 0.5;           ///< of log-likelihood
+constexpr double kCalmer = 0.8;             ///< of the sum of effects
 constexpr double kRivalP = 0.05;
 constexpr double kRivalGain = 3;  ///< of log-likelihood: nothing to choose by
 
@@ -38,6 +43,17 @@ std::vector<double> Differences(const std::vector<double>& a, const std::vector<
   return difference;
 }
 
+void SortByCriterion(std::vector<Scored>* scored) {
+  std::stable_sort(scored->begin(), scored->end(),
+                   [](const Scored& a, const Scored& b) { return a.criterion > b.criterion; });
+}
+
+void SortByLikelihood(std::vector<Scored>* scored) {
+  std::stable_sort(scored->begin(), scored->end(), [](const Scored& a, const Scored& b) {
+    return a.log_likelihood > b.log_likelihood;
+  });
+}
+
 bool Has(const Structure& terms, const Suspect* suspect) {
   return std::any_of(terms.begin(), terms.end(),
                      [&](const Term& term) { return term.suspect == suspect; });
@@ -53,15 +69,25 @@ Structure With(Structure terms, const Suspect& suspect, const std::vector<double
   return terms;
 }
 
+/// What a fit begins at.
+using Key = std::vector<std::pair<const Suspect*, std::vector<double>>>;
+
+Key KeyOf(const Structure& terms) {
+  Key key;
+  for (const Term& term : terms) key.push_back({term.suspect, term.values});
+  return key;
+}
+
 class Search {
  public:
   Search(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
          const StructureFitter& on_seen, const std::vector<Manoeuvre>& manoeuvres,
-         const SearchOptions& options)
+         const SearchOptions& options, const EarlierSearch& earlier)
       : block_(block),
         on_seen_(on_seen),
         manoeuvres_(manoeuvres),
         options_(options),
+        earlier_(earlier),
         select_(SegmentsOf(manoeuvres, Part::kSelect)),
         seen_(PiecesOf(SeenSegmentsOf(manoeuvres), block.period_s())),
         likelihood_(block, noise, MaskOf(manoeuvres, Part::kTrain, block.samples())),
@@ -72,33 +98,43 @@ class Search {
     }
   }
 
-  SearchResult Run(const SearchResult* before);
+  SearchResult Run();
 
  private:
   Scored Score(const FittedStructure& fitted) const;
-  std::vector<Scored> FitAll(const std::vector<Structure>& structures) const;
-  std::vector<Scored> FitAllNear(const std::vector<Structure>& structures) const;
+  using Fit = std::function<FittedStructure(const Structure&)>;
+  std::vector<Scored> FitAll(const std::vector<Structure>& structures, const Fit& fit) const;
+  std::vector<Scored> FitOnce(const std::vector<Structure>& structures,
+                              std::map<Key, Scored>* known, const Fit& fit) const;
+  std::vector<Scored> FitLikeliest(std::vector<Scored> by_few_steps, std::size_t most);
+  std::vector<Scored> FitLikeliestNear(const std::vector<Structure>& structures, std::size_t most);
   void FitSingles();
-  void TakeSingles(const std::vector<SingleEvidence>& before);
+  void TakeSingles();
   void Screen();
-  Scored BestOfPairs() const;
-  Scored Grow(Scored best) const;
-  Scored Swap(Scored best) const;
+  bool ChangesEnough(const Structure& with, const Structure& without) const;
+  Scored BestOf(const std::vector<Scored>& structures) const;
+  std::vector<Scored> Pairs();
+  Scored FindMore();
+  Scored Find();
+  const TermEvidence* EarlierEvidenceOf(const Suspect& suspect) const;
+  Scored Grow(Scored best);
+  Scored Swap(Scored best);
   double SumOfEffects(const Structure& terms) const;
-  Scored Disentangle(Scored found) const;
+  Scored Disentangle(Scored found);
   Scored Prune(Scored kept, std::vector<TermEvidence>* evidence) const;
-  TermEvidence EvidenceOf(const Scored& with, const Misfit& crossed_with,
-                          const Scored& without) const;
+  TermEvidence EvidenceOf(const Scored& with, const Scored& without, const Misfit& crossed_with,
+                          const Misfit& crossed_without) const;
   bool IsNeeded(const TermEvidence& evidence) const;
-  std::vector<Structure> NearestRivals(const Scored& found, std::size_t term) const;
+  std::vector<Structure> NearestRivals(const Scored& found, std::size_t term);
   void FindRivals(const Scored& found, const Misfit& crossed, std::size_t term,
-                  TermEvidence* evidence) const;
+                  TermEvidence* evidence);
   double FreeGain(const Misfit& misfit) const;
 
   const ReplayBlock& block_;
   const StructureFitter& on_seen_;
   const std::vector<Manoeuvre>& manoeuvres_;
   const SearchOptions& options_;
+  const EarlierSearch earlier_;
   const std::vector<Segment> select_, seen_;
   const Likelihood likelihood_;   ///< of TRAIN
   const StructureFitter fitter_;  ///< to TRAIN
@@ -108,6 +144,7 @@ class Search {
   std::vector<Scored> singles_;        ///< one a suspect
   std::vector<std::size_t> screened_;  ///< suspects
   double free_gain_ = 0;
+  std::map<Key, Scored> near_, fitted_;  ///< what fits made of structures: a few steps, in full
 };
 
 Scored Search::Score(const FittedStructure& fitted) const {
@@ -122,14 +159,44 @@ Scored Search::Score(const FittedStructure& fitted) const {
   return scored;
 }
 
-std::vector<Scored> Search::FitAll(const std::vector<Structure>& structures) const {
+std::vector<Scored> Search::FitAll(const std::vector<Structure>& structures, const Fit& fit) const {
   return InParallel<Scored>(structures.size(), options_.threads,
-                            [&](std::size_t k) { return Score(fitter_.FitValues(structures[k])); });
+                            [&](std::size_t k) { return Score(fit(structures[k])); });
 }
 
-std::vector<Scored> Search::FitAllNear(const std::vector<Structure>& structures) const {
-  return InParallel<Scored>(structures.size(), options_.threads,
-                            [&](std::size_t k) { return Score(fitter_.FitNear(structures[k])); });
+/// Swaps and rivals ask for many of the same ones.
+std::vector<Scored> Search::FitOnce(const std::vector<Structure>& structures,
+                                    std::map<Key, Scored>* known, const Fit& fit) const {
+  std::vector<Structure> fresh;
+  for (const Structure& terms : structures) {
+    if (known->try_emplace(KeyOf(terms)).second) fresh.push_back(terms);
+  }
+  std::vector<Scored> fitted = FitAll(fresh, fit);
+  for (std::size_t k = 0; k < fresh.size(); ++k) (*known)[KeyOf(fresh[k])] = std::move(fitted[k]);
+  std::vector<Scored> all;
+  for (const Structure& terms : structures) all.push_back(known->at(KeyOf(terms)));
+  return all;
+}
+
+/// The likeliest of many by a few steps, fitted in full, the likeliest of them first.
+std::vector<Scored> Search::FitLikeliest(std::vector<Scored> by_few_steps, std::size_t most) {
+  SortByLikelihood(&by_few_steps);
+  by_few_steps.resize(std::min(most, by_few_steps.size()));
+  std::vector<Structure> structures;
+  for (Scored& scored : by_few_steps) structures.push_back(std::move(scored.terms));
+  std::vector<Scored> fitted =
+      FitOnce(structures, &fitted_, [&](const Structure& terms) { return fitter_.FitFrom(terms); });
+  SortByLikelihood(&fitted);
+  return fitted;
+}
+
+/// Where all terms but the last are fitted already.
+std::vector<Scored> Search::FitLikeliestNear(const std::vector<Structure>& structures,
+                                             std::size_t most) {
+  return FitLikeliest(
+      FitOnce(structures, &near_,
+              [&](const Structure& terms) { return fitter_.FitNear(terms, Effort::kFewSteps); }),
+      most);
 }
 
 void Search::FitSingles() {
@@ -137,13 +204,24 @@ void Search::FitSingles() {
   for (const Suspect& suspect : block_.suspects) {
     structures.push_back(With({}, suspect, suspect.starts.front()));
   }
-  singles_ = FitAll(structures);
+  singles_ = FitAll(structures, [&](const Structure& one) { return fitter_.FitValues(one); });
 }
 
-void Search::TakeSingles(const std::vector<SingleEvidence>& before) {
-  singles_ = InParallel<Scored>(before.size(), options_.threads, [&](std::size_t k) {
-    return Score(fitter_.AsGiven(With({}, *before[k].suspect, before[k].values)));
-  });
+/// As they were fitted earlier; the likeliest anew, where nothing was found and one of them may be
+/// all there is.
+void Search::TakeSingles() {
+  std::vector<Structure> structures;
+  for (const SingleEvidence& single : earlier_.result->singles) {
+    structures.push_back(With({}, *single.suspect, single.values));
+  }
+  singles_ = FitAll(structures, [&](const Structure& one) { return fitter_.AsGiven(one); });
+  if (!earlier_.result->found.terms.empty()) return;
+  for (Scored& fitted : FitLikeliestNear(structures, kLikeliest)) {
+    for (Scored& single : singles_) {
+      const bool is_it = single.terms.front().suspect == fitted.terms.front().suspect;
+      if (is_it && fitted.log_likelihood > single.log_likelihood) single = fitted;
+    }
+  }
 }
 
 void Search::Screen() {
@@ -162,9 +240,17 @@ void Search::Screen() {
   }
 }
 
-/// The best of nothing, all single suspects and all pairs of the screened; no pairs where no
-/// suspect alone tells anything.
-Scored Search::BestOfPairs() const {
+/// The best of some structures, nothing among them.
+Scored Search::BestOf(const std::vector<Scored>& structures) const {
+  Scored best = nothing_;
+  for (const Scored& scored : structures) {
+    if (scored.criterion > best.criterion) best = scored;
+  }
+  return best;
+}
+
+/// The likeliest pairs of the screened; none where no suspect alone tells anything.
+std::vector<Scored> Search::Pairs() {
   std::vector<Structure> pairs;
   const bool any = std::any_of(singles_.begin(), singles_.end(), [&](const Scored& single) {
     return single.log_likelihood - nothing_.log_likelihood > kScreenedGain;
@@ -176,17 +262,41 @@ Scored Search::BestOfPairs() const {
       pairs.push_back(With(first.terms, *second.suspect, second.values));
     }
   }
-  Scored best = nothing_;
-  const auto take = [&](const Scored& scored) {
-    if (scored.criterion > best.criterion) best = scored;
+  const auto few_steps = [&](const Structure& pair) {
+    return fitter_.FitValues(pair, Effort::kFewSteps);
   };
-  for (const Scored& single : singles_) take(single);
-  for (const Scored& pair : FitAll(pairs)) take(pair);
-  return best;
+  return FitLikeliest(FitAll(pairs, few_steps), kLikeliestPairs);
+}
+
+/// From nothing, or what was found under other noise.
+Scored Search::Find() {
+  Scored start;
+  if (earlier_.result == nullptr) {
+    std::vector<Scored> candidates = Pairs();
+    candidates.insert(candidates.begin(), singles_.begin(), singles_.end());
+    start = BestOf(candidates);
+  } else {
+    start = Score(fitter_.FitNear(earlier_.result->found.terms));
+  }
+  return Disentangle(Grow(Swap(std::move(start))));
+}
+
+/// What was found in the beginning and what more the whole tells of.
+Scored Search::FindMore() {
+  const Structure& found = earlier_.result->found.terms;
+  if (!found.empty()) return Grow(Score(fitter_.FitFrom(found)));
+  Scored single = BestOf(singles_);
+  return ChangesEnough(single.terms, {}) ? Grow(std::move(single)) : nothing_;
+}
+
+/// Whether it is more than what Prune would take away again.
+bool Search::ChangesEnough(const Structure& with, const Structure& without) const {
+  const Misfit misfit = fitter_.AsGiven(with).misfit;
+  return EffectOf(block_, misfit, fitter_.AsGiven(without).misfit) >= options_.least_effect;
 }
 
 /// One term more as long as the criterion rises.
-Scored Search::Grow(Scored best) const {
+Scored Search::Grow(Scored best) {
   while (!best.terms.empty() && best.terms.size() < options_.deepest) {
     std::vector<Structure> larger;
     for (const Scored& single : singles_) {
@@ -195,20 +305,19 @@ Scored Search::Grow(Scored best) const {
         larger.push_back(With(best.terms, *term.suspect, term.values));
       }
     }
-    bool grown = false;
-    for (Scored& scored : FitAllNear(larger)) {
-      if (scored.criterion <= best.criterion) continue;
-      best = std::move(scored);
-      grown = true;
-    }
-    if (!grown) break;
-    best = Swap(std::move(best));
+    std::vector<Scored> fitted = FitLikeliestNear(larger, kLikeliest);
+    SortByCriterion(&fitted);
+    const auto next = std::find_if(fitted.begin(), fitted.end(), [&](const Scored& scored) {
+      return scored.criterion <= best.criterion || ChangesEnough(scored.terms, best.terms);
+    });
+    if (next == fitted.end() || next->criterion <= best.criterion) break;
+    best = earlier_.of_beginning ? std::move(*next) : Swap(std::move(*next));
   }
   return best;
 }
 
 /// The best exchange of one term for a screened suspect, if any is better.
-Scored Search::Swap(Scored best) const {
+Scored Search::Swap(Scored best) {
   std::vector<Structure> swapped;
   for (std::size_t t = 0; t < best.terms.size(); ++t) {
     for (const std::size_t s : screened_) {
@@ -217,7 +326,7 @@ Scored Search::Swap(Scored best) const {
       swapped.push_back(With(Without(best.terms, t), *term.suspect, term.values));
     }
   }
-  for (Scored& scored : FitAllNear(swapped)) {
+  for (Scored& scored : FitLikeliestNear(swapped, kLikeliest)) {
     if (scored.criterion > best.criterion) best = std::move(scored);
   }
   return best;
@@ -235,10 +344,10 @@ double Search::SumOfEffects(const Structure& terms) const {
 
 /// Of structures that are as likely, the one whose terms undo each other less: an offset and
 /// friction in one direction do together what friction does.
-Scored Search::Disentangle(Scored found) const {
+Scored Search::Disentangle(Scored found) {
   for (std::size_t t = 0; found.terms.size() > 1 && t < found.terms.size(); ++t) {
     for (const Structure& other : NearestRivals(found, t)) {
-      const Scored scored = Score(fitter_.FitFrom(other));
+      const Scored scored = Score(fitter_.AsGiven(other));
       if (scored.criterion < found.criterion - kAsLikely) continue;
       if (SumOfEffects(scored.terms) > kCalmer * SumOfEffects(found.terms)) continue;
       found = scored;
@@ -248,10 +357,9 @@ Scored Search::Disentangle(Scored found) const {
   return found;
 }
 
-TermEvidence Search::EvidenceOf(const Scored& with, const Misfit& crossed_with,
-                                const Scored& without) const {
+TermEvidence Search::EvidenceOf(const Scored& with, const Scored& without,
+                                const Misfit& crossed_with, const Misfit& crossed_without) const {
   TermEvidence evidence;
-  const Misfit crossed_without = crossed_.Judge(without.terms);
   const std::size_t tests = std::max(options_.suspects_in_all, block_.suspects.size());
   const double p = SteadyGainP(GainsOf(likelihood_, crossed_without, crossed_with, seen_));
   evidence.p = std::min(1.0, static_cast<double>(tests) * p);
@@ -274,10 +382,13 @@ Scored Search::Prune(Scored kept, std::vector<TermEvidence>* evidence) const {
   while (true) {
     std::vector<Structure> smaller;
     for (std::size_t t = 0; t < kept.terms.size(); ++t) smaller.push_back(Without(kept.terms, t));
-    const std::vector<Scored> without = FitAll(smaller);
-    const Misfit crossed = crossed_.Judge(kept.terms);
+    const std::vector<Scored> without =
+        FitAll(smaller, [&](const Structure& terms) { return fitter_.FitNear(terms); });
+    std::vector<Structure> judged = {kept.terms};
+    for (const Scored& scored : without) judged.push_back(scored.terms);
+    const std::vector<Misfit> crossed = crossed_.Judge(judged, options_.threads);
     *evidence = InParallel<TermEvidence>(without.size(), options_.threads, [&](std::size_t t) {
-      return EvidenceOf(kept, crossed, without[t]);
+      return EvidenceOf(kept, without[t], crossed[0], crossed[t + 1]);
     });
     std::size_t least = kept.terms.size();
     for (std::size_t t = 0; t < without.size(); ++t) {
@@ -289,36 +400,49 @@ Scored Search::Prune(Scored kept, std::vector<TermEvidence>* evidence) const {
   }
 }
 
-/// The likeliest exchanges of one term for a screened suspect.
-std::vector<Structure> Search::NearestRivals(const Scored& found, std::size_t term) const {
+/// What was told of a term in the beginning, if it was found there.
+const TermEvidence* Search::EarlierEvidenceOf(const Suspect& suspect) const {
+  if (!earlier_.of_beginning) return nullptr;
+  const Structure& found = earlier_.result->found.terms;
+  for (std::size_t t = 0; t < found.size(); ++t) {
+    if (found[t].suspect == &suspect) return &earlier_.result->evidence[t];
+  }
+  return nullptr;
+}
+
+/// The likeliest exchanges of one term for a screened suspect, or for those that the beginning did
+/// not tell it from.
+std::vector<Structure> Search::NearestRivals(const Scored& found, std::size_t term) {
+  const TermEvidence* earlier = EarlierEvidenceOf(*found.terms[term].suspect);
   std::vector<Structure> swapped;
   for (const std::size_t s : screened_) {
     const Term& other = singles_[s].terms.front();
     if (Has(found.terms, other.suspect)) continue;
+    if (earlier != nullptr && std::find(earlier->rivals.begin(), earlier->rivals.end(),
+                                        other.suspect) == earlier->rivals.end()) {
+      continue;
+    }
     swapped.push_back(With(Without(found.terms, term), *other.suspect, other.values));
   }
-  std::vector<Scored> fitted = FitAllNear(swapped);
-  std::stable_sort(fitted.begin(), fitted.end(), [](const Scored& a, const Scored& b) {
-    return a.log_likelihood > b.log_likelihood;
-  });
   std::vector<Structure> nearest;
-  for (std::size_t k = 0; k < std::min(kNearest, fitted.size()); ++k) {
-    nearest.push_back(std::move(fitted[k].terms));
+  for (Scored& scored : FitLikeliestNear(swapped, kNearest)) {
+    nearest.push_back(std::move(scored.terms));
   }
   return nearest;
 }
 
 void Search::FindRivals(const Scored& found, const Misfit& crossed, std::size_t term,
-                        TermEvidence* evidence) const {
+                        TermEvidence* evidence) {
   const std::vector<Structure> swapped = NearestRivals(found, term);
   evidence->rivals = {found.terms[term].suspect};
-  const auto rivals = InParallel<Rival>(swapped.size(), options_.threads, [&](std::size_t k) {
-    const auto gains = GainsOf(likelihood_, crossed_.Judge(swapped[k]), crossed, seen_);
+  if (const TermEvidence* earlier = EarlierEvidenceOf(*found.terms[term].suspect)) {
+    evidence->rejected = earlier->rejected;
+  }
+  const std::vector<Misfit> left = crossed_.Judge(swapped, options_.threads);
+  for (std::size_t k = 0; k < swapped.size(); ++k) {
+    const auto gains = GainsOf(likelihood_, left[k], crossed, seen_);
     Rival rival{swapped[k].back().suspect, SteadyGainP(gains), 0};
     for (const ManoeuvreGain& one : gains) rival.lead += one.gain;
-    return rival;
-  });
-  for (const Rival& rival : rivals) {
     if (rival.p > kRivalP || rival.lead < kRivalGain) {
       evidence->rivals.push_back(rival.suspect);
     } else {
@@ -337,28 +461,27 @@ double Search::FreeGain(const Misfit& misfit) const {
   return gain;
 }
 
-SearchResult Search::Run(const SearchResult* before) {
+SearchResult Search::Run() {
   SearchResult result;
   const FittedStructure nothing = fitter_.AsGiven({});
   nothing_ = Score(nothing);
   free_gain_ = result.free_gain = FreeGain(nothing.misfit);
-  if (before != nullptr) {
-    TakeSingles(before->singles);
+  if (earlier_.result != nullptr) {
+    TakeSingles();
   } else {
     FitSingles();
   }
   Screen();
-  const Scored start =
-      before != nullptr ? Score(fitter_.FitNear(before->found.terms)) : BestOfPairs();
-  const Scored found = Prune(Disentangle(Grow(Swap(start))), &result.evidence);
+  const Scored found = Prune(earlier_.of_beginning ? FindMore() : Find(), &result.evidence);
   if (!found.terms.empty()) {
-    const Misfit crossed = crossed_.Judge(found.terms);
+    const Misfit crossed = crossed_.Judge({found.terms}, options_.threads).front();
     for (std::size_t t = 0; t < found.terms.size(); ++t) {
       FindRivals(found, crossed, t, &result.evidence[t]);
     }
   }
   result.nothing = on_seen_.AsGiven({});
-  result.found = found.terms.empty() ? result.nothing : on_seen_.Fit(found.terms);
+  result.found =
+      found.terms.empty() ? result.nothing : on_seen_.Determine(on_seen_.FitFrom(found.terms));
   for (std::size_t s = 0; s < singles_.size(); ++s) {
     result.singles.push_back({&block_.suspects[s], singles_[s].terms.front().values,
                               singles_[s].log_likelihood - nothing_.log_likelihood,
@@ -387,8 +510,8 @@ double EffectOf(const ReplayBlock& block, const Misfit& with, const Misfit& with
 SearchResult SearchStructures(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
                               const StructureFitter& on_seen,
                               const std::vector<Manoeuvre>& manoeuvres,
-                              const SearchOptions& options, const SearchResult* before) {
-  return Search(block, noise, on_seen, manoeuvres, options).Run(before);
+                              const SearchOptions& options, const EarlierSearch& earlier) {
+  return Search(block, noise, on_seen, manoeuvres, options, earlier).Run();
 }
 
 }  // namespace tera

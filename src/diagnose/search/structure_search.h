@@ -54,31 +54,40 @@ struct SearchResult {
   double free_gain = 0;  ///< held-out gain in log-likelihood of the free member over nothing
 };
 
+/// A search of the same block that came before.
+struct EarlierSearch {
+  const SearchResult* result = nullptr;  ///< none: there was none
+  /// Of the block's beginning: what was exchanged and told apart there is not again, and what was
+  /// found is only added to. Else of all of it, under other noise.
+  bool of_beginning = false;
+};
+
 /// Which suspects explain a block, together.
 ///
 /// Model   every suspect alone; every pair of the screened (the likeliest, and the likeliest of
-///         each slot); then one term more at a time, with swaps, as long as the Bayesian
-///         information criterion on TRAIN falls; of structures that are as likely, the one whose
-///         terms undo each other less. Backward: a term goes unless its gain over the
-///         structure fitted without it is steady over the manoeuvres of TRAIN and SELECT, each left
-///         out of the fits that it judges (cross_fit.h, steady_gain.h; Bonferroni over all that the
-///         diagnosis tests), on SELECT at least `least_share` of what the whole structure, or a
-///         free member if that is more, gains over nothing and at least `least_of_rest` of what a
-///         free member gains over the structure without it, and its effect, beyond nuisances, at
-///         least `least_effect` of the channel. Rivals: each term is swapped for each screened
-///         suspect; of the five likeliest, where the same manoeuvres do not gain from the term with
-///         p at most 0.05, or less than 3 of log-likelihood, they are alike.
+///         each slot); then one term more at a time, of at least `least_effect`, with
+///         swaps, as long as the Bayesian information criterion on TRAIN falls; of structures that
+///         are as likely, the one whose terms undo each other less. Backward: a term goes unless
+///         its gain over the structure fitted without it is steady over the manoeuvres of TRAIN and
+///         SELECT, each left out of the fits that it judges (cross_fit.h, steady_gain.h; Bonferroni
+///         over all that the diagnosis tests), on SELECT at least `least_share` of what the whole
+///         structure, or a free member if that is more, gains over nothing and at least
+///         `least_of_rest` of what a free member gains over the structure without it, and its
+///         effect, beyond nuisances, at least `least_effect` of the channel. Rivals: each term is
+///         swapped for each screened suspect; of the five likeliest, where the same manoeuvres do
+///         not gain from the term with p at most 0.05, or less than 3 of log-likelihood, they are
+///         alike.
 /// Omits   that the structures whose terms are tested were chosen on part of the same manoeuvres,
 ///         beyond the number of suspects; FINAL is for that.
 /// Source  Schwarz 1978.
 ///
-/// `noise` of each channel; `on_seen` fits to TRAIN and SELECT. `before`: of a search of the same
-/// block under other noise, where this one begins: single suspects with the numbers that they had
-/// there, and what was found instead of pairs.
+/// `noise` of each channel; `on_seen` fits to TRAIN and SELECT. A search after an earlier one
+/// begins where that ended: single suspects with the numbers that they had there, and what was
+/// found instead of pairs.
 SearchResult SearchStructures(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
                               const StructureFitter& on_seen,
                               const std::vector<Manoeuvre>& manoeuvres,
-                              const SearchOptions& options, const SearchResult* before = nullptr);
+                              const SearchOptions& options, const EarlierSearch& earlier = {});
 
 /// RMS of what one misfit differs from another by, over the RMS of the channel; the largest.
 double EffectOf(const ReplayBlock& block, const Misfit& with, const Misfit& without);

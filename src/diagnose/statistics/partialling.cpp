@@ -1,7 +1,9 @@
 #include "diagnose/statistics/partialling.h"
 
 #include <optional>
+#include <utility>
 
+#include "core/in_parallel.h"
 #include "diagnose/statistics/multiple_testing.h"
 
 namespace tera {
@@ -10,19 +12,23 @@ namespace {
 /// Asks variables for what they say beyond what is known.
 class Tester {
  public:
-  Tester(const Series& residual, const NoiseModel& noise, const Eigen::MatrixXd& known)
-      : residual_(residual), noise_(noise), known_(known), plain_(residual, noise, known) {}
+  Tester(const Series& residual, const NoiseModel& noise, const Eigen::MatrixXd& known,
+         const std::vector<RegimeProbe>& probes)
+      : plain_(residual, noise, known) {
+    for (const RegimeProbe& probe : probes) {
+      const RegimeAxis& axis = probe.axis();
+      if (!axis.has_times() || WithTimes(axis) != nullptr) continue;
+      with_times_.emplace_back(axis.times(),
+                               RegimeDesign(residual, noise, WithColumns(known, axis.times())));
+    }
+  }
 
   RegimeTestResult Test(const RegimeProbe& probe, const RegimeTestOptions& options,
-                        const Stream& stream) {
+                        const Stream& stream) const {
     if (!probe.axis().has_times()) return TestRegime(plain_, probe, options, stream);
-    const Eigen::VectorXd& times = probe.axis().times();
-    if (!with_times_ || times_ != times) {
-      times_ = times;
-      with_times_.emplace(residual_, noise_, WithColumns(known_, times));
-    }
-    RegimeTestResult test = TestRegime(*with_times_, probe, options, stream);
-    const double energy = with_times_->psi_variance() / plain_.psi_variance();
+    const RegimeDesign& design = *WithTimes(probe.axis());
+    RegimeTestResult test = TestRegime(design, probe, options, stream);
+    const double energy = design.psi_variance() / plain_.psi_variance();
     test.share *= energy;
     test.criterion *= energy;
     test.whole_criterion = test.criterion + 1 - energy;
@@ -30,26 +36,25 @@ class Tester {
   }
 
  private:
-  const Series& residual_;
-  const NoiseModel& noise_;
-  const Eigen::MatrixXd& known_;
+  /// The design that knows what an axis is multiplied with too.
+  const RegimeDesign* WithTimes(const RegimeAxis& axis) const {
+    for (const auto& [times, design] : with_times_) {
+      if (times == axis.times()) return &design;
+    }
+    return nullptr;
+  }
+
   const RegimeDesign plain_;
-  Eigen::VectorXd times_;
-  std::optional<RegimeDesign> with_times_;  ///< knows `times_` too
+  std::vector<std::pair<Eigen::VectorXd, RegimeDesign>> with_times_;
 };
 
-std::vector<RegimeTestResult> TestAll(Tester tester, const std::vector<RegimeProbe>& probes,
+std::vector<RegimeTestResult> TestAll(const Tester& tester, const std::vector<RegimeProbe>& probes,
                                       const std::vector<bool>& taken,
-                                      const RegimeTestOptions& options, const Stream& stream) {
-  std::vector<RegimeTestResult> tests;
-  for (std::size_t v = 0; v < probes.size(); ++v) {
-    if (taken[v]) {
-      tests.push_back({probes[v].name(), {}, 0});
-    } else {
-      tests.push_back(tester.Test(probes[v], options, stream));
-    }
-  }
-  return tests;
+                                      const PartiallingOptions& options, const Stream& stream) {
+  return InParallel<RegimeTestResult>(probes.size(), options.threads, [&](std::size_t v) {
+    if (taken[v]) return RegimeTestResult{probes[v].name(), {}, 0};
+    return tester.Test(probes[v], options.test, stream);
+  });
 }
 
 /// The significant one of the best criterion.
@@ -103,7 +108,7 @@ Partialling SelectRegimes(const Series& residual, const NoiseModel& noise,
   Partialling out;
   while (true) {
     std::vector<RegimeTestResult> tests =
-        TestAll(Tester(residual, noise, known), probes, taken, options.test, stream);
+        TestAll(Tester(residual, noise, known, probes), probes, taken, options, stream);
     const std::optional<PartiallingStep> best = Best(tests, taken, options.alpha);
     if (!best || out.steps.size() == options.most) {
       out.left = std::move(tests);

@@ -12,6 +12,7 @@ struct PartiallingOptions {
   RegimeTestOptions test;
   double alpha = 0.01;  ///< family-wise, a step
   std::size_t most = 4;
+  int threads = 2;
 };
 
 /// One step: the variable that was taken in, and how all of them stood before it was.

@@ -143,11 +143,15 @@ double AxisActuation::Power_w(double rate_radps, const AxisMotion& motion) const
   return std::max(0.0, motion.load_nm * rate_radps * gain_.Gain(motion.position_rad));
 }
 
-AxisDrive AxisActuation::Deliver(double rate_radps, const AxisMotion& motion, double dt_s) {
+double AxisActuation::DeliveredRate(double rate_radps, const AxisMotion& motion, double dt_s) {
   const double actuator_radps = actuator_.Step(rate_radps, motion.position_rad, dt_s);
   const double joint_radps = gain_.Step(actuator_radps, motion.position_rad, dt_s);
-  return {load_.Step(joint_radps, motion.load_nm, motion.position_rad, dt_s),
-          load_.Friction(motion.rate_radps), load_.Offset_nm()};
+  return load_.Step(joint_radps, motion.load_nm, motion.position_rad, dt_s);
+}
+
+AxisDrive AxisActuation::Deliver(double rate_radps, const AxisMotion& motion, double dt_s) {
+  return {DeliveredRate(rate_radps, motion, dt_s), load_.Friction(motion.rate_radps),
+          load_.Offset_nm()};
 }
 
 AxisActuation AxisActuationOf(const MachineModel& model, std::size_t axis,

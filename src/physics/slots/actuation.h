@@ -61,7 +61,9 @@ class AxisActuation {
   double Flow_m3ps(double rate_radps, double position_rad) const;
   double Power_w(double rate_radps, const AxisMotion& motion) const;
   bool ReadsLoad() const { return load_.ReadsLoad(); }
-  /// What comes of `rate_radps`, the share of the demand that the pumps deliver.
+  /// What comes of `rate_radps`, the share of the demand that the pumps deliver; the rate alone, or
+  /// with all else that acts on the axis.
+  double DeliveredRate(double rate_radps, const AxisMotion& motion, double dt_s);
   AxisDrive Deliver(double rate_radps, const AxisMotion& motion, double dt_s);
 
  private:

@@ -26,7 +26,7 @@ ActuatorParameters ActuatorOf(const Effects& effects) {
   return parameters;
 }
 
-double ActuatorDynamics::Step(double command_radps, double position_rad, double dt_s) {
+double ActuatorDynamics::Act(double command_radps, double position_rad, double dt_s) {
   if (dt_s != dt_s_) Prepare(dt_s);
   double rate = command_radps;
   if (std::isfinite(parameters_.max_change_radps2)) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <complex>
 #include <limits>
 
@@ -34,18 +35,25 @@ ActuatorParameters ActuatorOf(const Effects& effects);
 ///         fast the joint really starts from rest is then set by its effort limit and its load.
 class ActuatorDynamics {
  public:
-  explicit ActuatorDynamics(const ActuatorParameters& parameters) : parameters_(parameters) {}
+  explicit ActuatorDynamics(const ActuatorParameters& parameters)
+      : parameters_(parameters),
+        acts_(std::isfinite(parameters.max_change_radps2) || parameters.lag_s > 0 ||
+              parameters.rings || parameters.cushion_rad > 0) {}
 
   /// Rate at the end of a step of `dt_s` during which `command_radps` is asked for, the joint being
   /// at `position_rad`.
-  double Step(double command_radps, double position_rad, double dt_s);
+  double Step(double command_radps, double position_rad, double dt_s) {
+    return acts_ ? Act(command_radps, position_rad, dt_s) : command_radps;
+  }
 
  private:
+  double Act(double command_radps, double position_rad, double dt_s);
   void Prepare(double dt_s);
   double Ring(double command_radps);
   double Cushion(double rate_radps, double position_rad) const;
 
   ActuatorParameters parameters_;
+  bool acts_;
   double limited_radps_ = 0, lagged_radps_ = 0, ring_command_radps_ = 0;
   /// Sum over all steps of w_ss e^(i phi) e^((-beta + i eta) t); its imaginary part is the ringing.
   std::complex<double> ringing_radps_ = 0;

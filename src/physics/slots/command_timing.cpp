@@ -36,12 +36,16 @@ CommandTimingParameters CommandTimingOf(const Effects& effects) {
 
 CommandTiming::CommandTiming(const CommandTimingParameters& parameters, const Stream& drops,
                              std::int64_t first_step)
-    : parameters_(parameters), drops_(drops), step_(first_step) {
+    : parameters_(parameters),
+      drops_(drops),
+      step_(first_step),
+      acts_(parameters.hold_period_s > 0 || parameters.drop_probability > 0 ||
+            parameters.delay_s > 0) {
   if (parameters.delay_s <= 0) return;
   past_.assign(static_cast<std::size_t>(std::ceil(parameters.delay_s * kFastest_hz)) + 2, 0.0);
 }
 
-double CommandTiming::Step(double command, double dt_s) {
+double CommandTiming::Act(double command, double dt_s) {
   const double t_s = static_cast<double>(step_++) * dt_s;
   if (parameters_.hold_period_s > 0) command = Hold(command, t_s);
   if (parameters_.drop_probability > 0) command = Drop(command, t_s);

@@ -36,9 +36,10 @@ class CommandTiming {
 
   /// The command at the valve during a step of `dt_s`, the same in every step, in which `command`
   /// is given.
-  double Step(double command, double dt_s);
+  double Step(double command, double dt_s) { return acts_ ? Act(command, dt_s) : command; }
 
  private:
+  double Act(double command, double dt_s);
   double Hold(double command, double t_s);
   double Drop(double command, double t_s);
   double Delay(double command, double dt_s);
@@ -46,6 +47,7 @@ class CommandTiming {
   CommandTimingParameters parameters_;
   Stream drops_;
   std::int64_t step_;
+  bool acts_;
   bool held_any_ = false;
   std::int64_t held_message_ = 0;
   double held_ = 0, received_ = 0;

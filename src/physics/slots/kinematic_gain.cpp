@@ -37,6 +37,7 @@ KinematicGainParameters KinematicGainOf(const Effects& effects) {
 
 KinematicGain::KinematicGain(const KinematicGainParameters& parameters)
     : parameters_(parameters), in_gap_rad_(0.5 * parameters.gap_rad) {
+  acts_ = HasLever() || parameters_.gap_rad > 0;
   if (HasLever()) reference_arm_m_ = LeverArm_m(parameters_, parameters_.reference_rad);
 }
 
@@ -46,7 +47,7 @@ double KinematicGain::Gain(double position_rad) const {
   return reference_arm_m_ / std::max(arm_m, reference_arm_m_ / kMostGain);
 }
 
-double KinematicGain::Step(double rate_radps, double position_rad, double dt_s) {
+double KinematicGain::Act(double rate_radps, double position_rad, double dt_s) {
   if (HasLever()) rate_radps *= Gain(position_rad);
   if (parameters_.gap_rad <= 0) return rate_radps;
   const double moved_rad = in_gap_rad_ + rate_radps * dt_s;

@@ -36,7 +36,9 @@ class KinematicGain {
   explicit KinematicGain(const KinematicGainParameters& parameters);
 
   /// Rate over a step of `dt_s` of the joint at `position_rad` whose actuator runs at `rate_radps`.
-  double Step(double rate_radps, double position_rad, double dt_s);
+  double Step(double rate_radps, double position_rad, double dt_s) {
+    return acts_ ? Act(rate_radps, position_rad, dt_s) : rate_radps;
+  }
 
   /// r(reference) / r(position).
   double Gain(double position_rad) const;
@@ -46,7 +48,10 @@ class KinematicGain {
   bool HasLever() const { return parameters_.rod_m > 0 || !parameters_.arms_m.values.empty(); }
 
  private:
+  double Act(double rate_radps, double position_rad, double dt_s);
+
   KinematicGainParameters parameters_;
+  bool acts_ = false;
   double reference_arm_m_ = 0;
   double in_gap_rad_ = 0;  ///< from the gap's negative side
 };

@@ -96,12 +96,15 @@ LoadFrictionParameters LoadFrictionOf(const Effects& effects, const ActuatorEffo
   return parameters;
 }
 
+LoadFriction::LoadFriction(const LoadFrictionParameters& parameters)
+    : parameters_(parameters), acts_(ReadsLoad() || parameters.flex_radps > 0) {}
+
 bool LoadFriction::ReadsLoad() const {
   return !parameters_.stall_positive_nm.values.empty() ||
          !parameters_.drift_negative_radpspnm.values.empty();
 }
 
-double LoadFriction::Step(double rate_radps, double load_nm, double position_rad, double dt_s) {
+double LoadFriction::Act(double rate_radps, double load_nm, double position_rad, double dt_s) {
   if (dt_s != dt_s_) Prepare(dt_s);
   double rate = rate_radps;
   if (!parameters_.stall_positive_nm.values.empty()) rate = Droop(rate, load_nm, position_rad);

@@ -72,12 +72,14 @@ struct AxisFriction {
 ///         the control of machines with friction".
 class LoadFriction {
  public:
-  explicit LoadFriction(const LoadFrictionParameters& parameters) : parameters_(parameters) {}
+  explicit LoadFriction(const LoadFrictionParameters& parameters);
 
   /// Whether the rate depends on the load.
   bool ReadsLoad() const;
   /// Rate over a step of `dt_s` when the actuator alone would run at `rate_radps`.
-  double Step(double rate_radps, double load_nm, double position_rad, double dt_s);
+  double Step(double rate_radps, double load_nm, double position_rad, double dt_s) {
+    return acts_ ? Act(rate_radps, load_nm, position_rad, dt_s) : rate_radps;
+  }
 
   /// The constant effort that the joint needs besides.
   double Offset_nm() const { return parameters_.offset_nm; }
@@ -85,12 +87,14 @@ class LoadFriction {
   AxisFriction Friction(double rate_radps) const;
 
  private:
+  double Act(double rate_radps, double load_nm, double position_rad, double dt_s);
   void Prepare(double dt_s);
   double Droop(double rate_radps, double load_nm, double position_rad);
   double Leak(double load_nm, double position_rad) const;
   double Flex(double rate_radps);
 
   LoadFrictionParameters parameters_;
+  bool acts_;                                           ///< on the rate
   double pressed_nm_ = 0;                               ///< load as the pressure shows it
   double flexed_radps_ = 0, flexed_change_radps2_ = 0;  ///< state of the filter
   double dt_s_ = 0;                                     ///< for which the following hold

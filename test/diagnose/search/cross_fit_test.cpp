@@ -41,7 +41,8 @@ TEST(CrossFit, JudgesEveryManoeuvreByFitsThatHaveNotSeenIt) {
   ReplayBlock block = ToyBlock(nothing, MakeSeries(0.01, measured), {});
   block.channels[0].nuisances = {.offset = 1e3, .gain = 0.02};
   // Tails so light that the fit is a mean.
-  const Misfit misfit = CrossFit(block, {{.scale = 1, .dof = 1e9}}, manoeuvres).Judge({});
+  const Misfit misfit =
+      CrossFit(block, {{.scale = 1, .dof = 1e9}}, manoeuvres).Judge({Structure()}, 1).front();
 
   std::vector<std::size_t> seen;
   for (std::size_t m = 0; m < kManoeuvres; ++m) {
@@ -66,7 +67,8 @@ TEST(CrossFit, AStructureThatFollowsNoiseGainsNothing) {
   const std::vector<NoiseModel> noise = {{.scale = 0.05}};
   const CrossFit crossed(block, noise, manoeuvres);
   const Suspect& suspect = block.suspects[0];
-  const Misfit with = crossed.Judge({{&suspect, suspect.starts[0]}}), without = crossed.Judge({});
+  const std::vector<Misfit> judged = crossed.Judge({{{&suspect, suspect.starts[0]}}, {}}, 2);
+  const Misfit &with = judged[0], &without = judged[1];
   const Likelihood likelihood(block, noise, Mask(lever.size(), 1));
   double gain = 0;
   for (const Manoeuvre& manoeuvre : manoeuvres) {
