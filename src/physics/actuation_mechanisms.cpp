@@ -15,7 +15,10 @@ using enum Slot;
 std::vector<Mechanism> Table() {
   const std::vector<EffectTarget> drives = {kJoint, kGear}, joint = {kJoint}, pump = {kPump};
   return {
-      {"command_delay", kCommandTiming, drives, {{"delay_s", "s", 0, 2, {}}}},
+      {"command_delay",
+       kCommandTiming,
+       drives,
+       {{"delay_s", "s", 0, 2, {}}, {"spread_s", "s", 0, 0.5, 0.0}}},
       {"input_hold",
        kCommandTiming,
        drives,

@@ -65,7 +65,9 @@ std::vector<std::vector<double>> HoldStarts(const AxisLog& log, std::size_t axis
 }
 
 void AddTimingAndMap(const std::vector<std::vector<double>>& holds, SuspectList* out) {
-  out->Add("command_delay", {{0, 0, 0.8}}, {{0.04}, {0.1}, {0.2}, {0.35}});
+  // A spread of nought changes nothing at first, so none begins there.
+  out->Add("command_delay", {{0, 0, 0.8}, {1, 0, 0.2}},
+           {{0.04, 0.008}, {0.1, 0.02}, {0.2, 0.04}, {0.35, 0.07}});
   out->Add("input_hold", {{0, 0.02, 0.6, true}, {1, 0, 1, false, true}}, holds);
   out->Add("lever_saturation", {{0, 0.2, 1}}, {{0.9}, {0.75}, {0.6}});
   out->Add("dead_band", {{0, 0, 0.5}, {1, -0.9, 0.9}},
@@ -101,8 +103,9 @@ void AddGainAndLoad(const Reach& reach, SuspectList* out) {
            {{8 * load, 0.05}, {3 * load, 0.05}, {1.5 * load, 0.05}});
   out->Add("sag", {{0, 2e-4, 0.15, true}}, {{0.003, 40}, {0.01, 40}, {0.04, 40}});
   if (reach.is_joint) {
-    out->Add("structural_flex", {{0, 2, 80, true}, {1, 0.01, 0.9}},
-             {{30, 0.1}, {12, 0.1}, {6, 0.1}, {12, 0.5}});
+    // Steel and oil swing; what is damped more is a lag by another name.
+    out->Add("structural_flex", {{0, 2, 80, true}, {1, 0.01, 0.5}},
+             {{30, 0.1}, {12, 0.1}, {6, 0.1}, {12, 0.4}});
   }
 }
 

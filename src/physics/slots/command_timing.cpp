@@ -1,5 +1,6 @@
 #include "physics/slots/command_timing.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/check.h"
@@ -30,6 +31,7 @@ CommandTimingParameters CommandTimingOf(const Effects& effects) {
   }
   if (const Effect* delay = FindEffect(effects, "command_delay")) {
     parameters.delay_s = (*delay)["delay_s"];
+    parameters.delay_spread_s = (*delay)["spread_s"];
   }
   return parameters;
 }
@@ -42,14 +44,17 @@ CommandTiming::CommandTiming(const CommandTimingParameters& parameters, const St
       acts_(parameters.hold_period_s > 0 || parameters.drop_probability > 0 ||
             parameters.delay_s > 0) {
   if (parameters.delay_s <= 0) return;
-  past_.assign(static_cast<std::size_t>(std::ceil(parameters.delay_s * kFastest_hz)) + 2, 0.0);
+  const double longest_s = (parameters.delay_spread_s > 0 ? 2 : 1) * parameters.delay_s;
+  past_.assign(static_cast<std::size_t>(std::ceil(longest_s * kFastest_hz)) + 3, 0.0);
 }
 
 double CommandTiming::Act(double command, double dt_s) {
   const double t_s = static_cast<double>(step_++) * dt_s;
   if (parameters_.hold_period_s > 0) command = Hold(command, t_s);
   if (parameters_.drop_probability > 0) command = Drop(command, t_s);
-  if (!past_.empty()) command = Delay(command, dt_s);
+  if (parameters_.delay_s > 0) {
+    command = parameters_.delay_spread_s > 0 ? Spread(command, dt_s) : Delay(command, dt_s);
+  }
   return command;
 }
 
@@ -79,6 +84,30 @@ double CommandTiming::Delay(double command, double dt_s) {
   const std::size_t earlier = (later + past_.size() - 1) % past_.size();
   const double fraction = steps - static_cast<double>(whole);
   return (1 - fraction) * past_[later] + fraction * past_[earlier];
+}
+
+double CommandTiming::Spread(double command, double dt_s) {
+  // Of a box as wide as the delays with one as wide as the step: the width of what they make
+  // together, and no command before it is given.
+  const double width_s = std::min(
+      std::sqrt(12 * parameters_.delay_spread_s * parameters_.delay_spread_s + dt_s * dt_s),
+      2 * parameters_.delay_s + dt_s);
+  const double middle_s = parameters_.delay_s + 0.5 * dt_s;
+  newest_ = (newest_ + 1) % past_.size();
+  sum_s_ += command * dt_s;
+  past_[newest_] = sum_s_;
+  return (SumBefore_s((middle_s - 0.5 * width_s) / dt_s) -
+          SumBefore_s((middle_s + 0.5 * width_s) / dt_s)) /
+         width_s;
+}
+
+/// Sum of all commands over time, up to so many steps before the end of the newest one.
+double CommandTiming::SumBefore_s(double steps) const {
+  const auto whole = static_cast<std::size_t>(std::max(0.0, steps));
+  TERA_CHECK(whole + 2 <= past_.size(), steps, parameters_.delay_s);
+  const std::size_t later = (newest_ + past_.size() - whole) % past_.size();
+  const std::size_t earlier = (later + past_.size() - 1) % past_.size();
+  return std::lerp(past_[later], past_[earlier], steps - static_cast<double>(whole));
 }
 
 }  // namespace tera

@@ -15,6 +15,7 @@ struct CommandTimingParameters {
   double drop_period_s = 0;  ///< one message each; 0: none can be lost
   double drop_probability = 0;
   double delay_s = 0;
+  double delay_spread_s = 0;  ///< standard deviation of the parts of a command about its delay
 };
 
 CommandTimingParameters CommandTimingOf(const Effects& effects);
@@ -26,7 +27,8 @@ CommandTimingParameters CommandTimingOf(const Effects& effects);
 ///         command_drops: of the messages k P .. (k + 1) P each is lost with one probability,
 ///         whatever the others; the last command before it stands meanwhile. command_delay:
 ///         y(t) = u(t - d), where u is held over each step and y its mean over a step, so that
-///         what the command sums to is exact for any d.
+///         what the command sums to is exact for any d; with a spread s, the mean over all delays
+///         from d - w / 2 to d + w / 2 alike, w = sqrt(12) s, but at most 2 d.
 /// Omits   jitter of the delay, reordered messages.
 class CommandTiming {
  public:
@@ -43,6 +45,8 @@ class CommandTiming {
   double Hold(double command, double t_s);
   double Drop(double command, double t_s);
   double Delay(double command, double dt_s);
+  double Spread(double command, double dt_s);
+  double SumBefore_s(double steps) const;
 
   CommandTimingParameters parameters_;
   Stream drops_;
@@ -51,8 +55,10 @@ class CommandTiming {
   bool held_any_ = false;
   std::int64_t held_message_ = 0;
   double held_ = 0, received_ = 0;
-  std::vector<double> past_;  ///< ring of commands, all neutral before the first
+  /// Ring of commands, all neutral before the first; of their sums over time, if spread.
+  std::vector<double> past_;
   std::size_t newest_ = 0;
+  double sum_s_ = 0;
 };
 
 }  // namespace tera

@@ -61,6 +61,45 @@ TEST(CommandTiming, ASineComesLaterByTheDelayAtAnyFraction) {
   EXPECT_NEAR(std::hypot(in_phase, quadrature) / 500, 1, 1e-4);
 }
 
+// The mean of delays that are spread evenly over w: over whole periods the phase is that of the
+// middle, and the amplitude sin(pi f w) / (pi f w).
+TEST(CommandTiming, ASpreadDelayRoundsASineByTheWidthOfItsBox) {
+  constexpr double kDelay_s = 0.2, kSpread_s = 0.06, kSine_hz = 2;
+  CommandTiming timing = TimingFrom("command_delay: {delay_s: 0.2, spread_s: 0.06}");
+  double in_phase = 0, quadrature = 0;
+  for (int i = 0; i < 1500; ++i) {
+    const double phase = 2 * M_PI * kSine_hz * i * kStep_s;
+    const double y = timing.Step(std::sin(phase), kStep_s);
+    if (i < 500) continue;
+    in_phase += y * std::sin(phase);
+    quadrature += y * std::cos(phase);
+  }
+  const double x = M_PI * kSine_hz * std::sqrt(12) * kSpread_s;
+  EXPECT_NEAR(std::hypot(in_phase, quadrature) / 500, std::sin(x) / x, 2e-4);
+  double lag_rad = std::atan2(-quadrature, in_phase);
+  if (lag_rad < 0) lag_rad += 2 * M_PI;
+  EXPECT_NEAR(lag_rad / (2 * M_PI * kSine_hz), kDelay_s, 2e-5);
+}
+
+TEST(CommandTiming, ASpreadDelayKeepsWhatTheCommandSumsTo) {
+  for (const double spread_s : {0.001, 0.03, 0.5}) {
+    CommandTiming timing =
+        TimingFrom("command_delay: {delay_s: 0.1503, spread_s: " + std::to_string(spread_s) + "}");
+    double sum_s = 0;
+    for (int i = 0; i < 500; ++i) sum_s += timing.Step(1, kStep_s) * kStep_s;
+    // The box is taken at the middle of each step: an edge is met to dt^2 / (8 w) at most.
+    EXPECT_NEAR(sum_s, 1.0 - 0.1503, 5e-6) << spread_s;
+  }
+}
+
+TEST(CommandTiming, NoSpreadIsSoWideThatACommandActsBeforeItIsGiven) {
+  CommandTiming timing = TimingFrom("command_delay: {delay_s: 0.05, spread_s: 0.5}");
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(timing.Step(0, kStep_s), 0);
+  EXPECT_GT(timing.Step(1, kStep_s), 0);  // the fastest part has no delay at all
+  for (int i = 0; i < 49; ++i) EXPECT_LT(timing.Step(1, kStep_s), 1);
+  EXPECT_NEAR(timing.Step(1, kStep_s), 1, 0.021);
+}
+
 TEST(CommandTiming, AHeldCommandChangesOnceAPeriodAtItsPhase) {
   CommandTiming timing = TimingFrom("input_hold: {period_s: 0.05, phase: 0.4}", -100);
   std::vector<int> changes;
