@@ -263,7 +263,7 @@ Finding Procedure::Describe(const SearchResult& search, std::size_t term) const 
   const FittedStructure& found = search.found;
   Structure others = found.terms;
   others.erase(others.begin() + static_cast<std::ptrdiff_t>(term));
-  const FittedStructure without = fitter_.FitNear(others);
+  const FittedStructure without = fitter_.FitValues(others);
   Finding finding;
   finding.term = found.terms[term];
   finding.parameters = EstimatesOf(found, term, block_.slides);

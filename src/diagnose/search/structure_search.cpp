@@ -383,7 +383,7 @@ Scored Search::Prune(Scored kept, std::vector<TermEvidence>* evidence) const {
     std::vector<Structure> smaller;
     for (std::size_t t = 0; t < kept.terms.size(); ++t) smaller.push_back(Without(kept.terms, t));
     const std::vector<Scored> without =
-        FitAll(smaller, [&](const Structure& terms) { return fitter_.FitNear(terms); });
+        FitAll(smaller, [&](const Structure& terms) { return fitter_.FitValues(terms); });
     std::vector<Structure> judged = {kept.terms};
     for (const Scored& scored : without) judged.push_back(scored.terms);
     const std::vector<Misfit> crossed = crossed_.Judge(judged, options_.threads);
