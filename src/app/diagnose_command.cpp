@@ -32,6 +32,7 @@ void AddDiagnoseCommand(CLI::App* app) {
                     "Leave out the whole simulation that confirms what was found");
   command->add_option("--threads", arguments->threads, "Fits at a time")
       ->check(CLI::PositiveNumber);
+  command->add_flag("--profile", arguments->profile, "Print where the time went");
   command->callback([arguments] { DiagnoseRecording(*arguments); });
 }
 

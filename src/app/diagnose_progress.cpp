@@ -27,21 +27,31 @@ std::string Outcome(const BlockDiagnosis& diagnosis) {
 
 }  // namespace
 
-DiagnoseProgress::DiagnoseProgress(std::string machine)
+DiagnoseProgress::DiagnoseProgress(std::string machine, StageClock* clock)
     : machine_(std::move(machine)),
       terminal_(isatty(STDERR_FILENO) == 1),
-      start_(std::chrono::steady_clock::now()) {}
+      clock_(clock),
+      start_(Clock::now()),
+      block_start_(start_) {}
 
-void DiagnoseProgress::Show(const BlockProgress& progress) const {
+void DiagnoseProgress::Show(const BlockProgress& progress) {
+  const Clock::time_point now = Clock::now();
+  const auto since_s = [&](Clock::time_point then) {
+    return std::chrono::duration<double>(now - then).count();
+  };
+  if (progress.done == nullptr) {
+    block_start_ = now;
+  } else {
+    clock_->Add("search: " + progress.block, since_s(block_start_));
+  }
   if (!terminal_) return;
   const std::string block =
       fmt::format("{}: {} ({} of {})", machine_, progress.block, progress.number, progress.count);
   if (progress.done == nullptr) {
     fmt::print(stderr, "{} ..", block);
   } else {
-    const double wall_s =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    fmt::print(stderr, "\r{}: {}, {:.0f} s so far\x1b[K\n", block, Outcome(*progress.done), wall_s);
+    fmt::print(stderr, "\r{}: {}, {:.0f} s so far\x1b[K\n", block, Outcome(*progress.done),
+               since_s(start_));
   }
   std::fflush(stderr);
 }

@@ -12,6 +12,7 @@
 #include "app/diagnose_simulation.h"
 #include "app/ground_map_file.h"
 #include "app/perception_run.h"
+#include "app/stage_clock.h"
 #include "core/error.h"
 #include "dataset/recording.h"
 #include "dataset/whole_folder.h"
@@ -139,13 +140,19 @@ void WriteReports(const DiagnoseArguments& arguments, const std::vector<Diagnosi
 /// `seen`: what its lidars and cameras show.
 Diagnosis DiagnoseMachine(const DiagnoseArguments& arguments, DiagnosisOptions options,
                           const MachineCase& machine, const Recording& recording,
-                          std::vector<PerceptionDiagnosis> seen) {
+                          std::vector<PerceptionDiagnosis> seen, StageClock* clock) {
   options.needs_blocks = seen.empty();
-  const auto further = FurtherBlocks(arguments, machine, options.seed);
+  const auto further = clock->Time("further recordings", [&] {
+    return FurtherBlocks(arguments, machine, options.seed);
+  });
   const DiagnosisInput input = machine.InputOf(recording);
   std::optional<SimulatedCourse> course;
-  const auto simulate = [&] { return course = CourseOf(arguments, machine, input, recording); };
-  const DiagnoseProgress bar(input.machine);
+  const auto simulate = [&] {
+    return clock->Time("simulation as it is", [&] {
+      return course = CourseOf(arguments, machine, input, recording);
+    });
+  };
+  DiagnoseProgress bar(input.machine, clock);
   Diagnosis diagnosis = Diagnose(input, recording, options, simulate,
                                  [&](const BlockProgress& progress) { bar.Show(progress); });
   diagnosis.perception = std::move(seen);
@@ -158,8 +165,10 @@ Diagnosis DiagnoseMachine(const DiagnoseArguments& arguments, DiagnosisOptions o
     diagnosis.whole = WholeSimulation{};
     diagnosis.whole->obstacle = "the time was over";
   } else {
-    diagnosis.whole = SimulateWhole(arguments.scenario, machine.index, input, recording, options,
-                                    diagnosis, course);
+    diagnosis.whole = clock->Time("whole simulation", [&] {
+      return SimulateWhole(arguments.scenario, machine.index, input, recording, options, diagnosis,
+                           course);
+    });
   }
   return diagnosis;
 }
@@ -210,16 +219,20 @@ void DiagnoseRecording(const DiagnoseArguments& arguments) {
   LoadedScenario loaded = Load(arguments.scenario);
   const Recording recording(arguments.recording);
   const DiagnosisOptions options = OptionsOf(arguments, loaded.scenario.seed);
-  auto seen = DiagnoseSensors(arguments, &loaded.scenario, recording);
+  StageClock clock;
+  auto seen = clock.Time("lidars and cameras", [&] {
+    return DiagnoseSensors(arguments, &loaded.scenario, recording);
+  });
   std::vector<Diagnosis> diagnoses;
   for (std::size_t m = 0; m < loaded.scenario.machines.size(); ++m) {
     diagnoses.push_back(DiagnoseMachine(arguments, options, MachineCase(loaded.scenario, m),
-                                        recording, std::move(seen[m])));
+                                        recording, std::move(seen[m]), &clock));
   }
   for (const Diagnosis& diagnosis : diagnoses) {
     for (const std::string& sentence : SentencesOf(diagnosis)) fmt::print("{}\n", sentence);
   }
   WriteReports(arguments, diagnoses, loaded.scenario.origin);
+  if (arguments.profile) fmt::print("{}", clock.Table());
 }
 
 }  // namespace tera

@@ -18,6 +18,7 @@ struct DiagnoseArguments {
   std::optional<double> from_s, to_s, time_limit_s;
   bool simulate = true;  ///< the whole scenario, to confirm what was found
   int threads = HostOptions().threads;
+  bool profile = false;  ///< tell where the time went
 };
 
 /// A folder that is not there yet, so that nothing of an earlier run is mixed in.

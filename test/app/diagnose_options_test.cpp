@@ -126,10 +126,12 @@ TEST_F(DiagnoseOptions, OutOfTimeSaysSoAndReportsWhatIsDone) {
   EXPECT_THAT(out_, HasSubstr("Boom rate: not judged, for the time was over."));
 }
 
-TEST_F(DiagnoseOptions, ATimeThatIsNotReachedChangesNothing) {
+TEST_F(DiagnoseOptions, ATimeThatIsNotReachedAndALookAtTheClockChangeNothing) {
   const auto free = Diagnosed({});
+  EXPECT_THAT(out_, Not(HasSubstr("search: boom")));
   std::filesystem::remove_all(scratch_.path() / "why");
-  EXPECT_EQ(Diagnosed({"--time-limit", "500"}), free);
+  EXPECT_EQ(Diagnosed({"--time-limit", "500", "--profile"}), free);
+  EXPECT_THAT(out_, AllOf(HasSubstr("search: boom"), HasSubstr("in all")));
 }
 
 TEST_F(DiagnoseOptions, OnATerminalEachBlockHasALineWithWhatCameOfIt) {
