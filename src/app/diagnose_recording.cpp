@@ -75,8 +75,8 @@ struct MachineCase {
 DiagnosisOptions OptionsOf(const DiagnoseArguments& arguments, std::uint64_t seed) {
   DiagnosisOptions options{.seed = seed};
   options.search.threads = arguments.threads;
-  if (arguments.from_s) options.from_s = *arguments.from_s;
-  if (arguments.to_s) options.to_s = *arguments.to_s;
+  if (arguments.from_s) options.blocks.measurements.from_s = *arguments.from_s;
+  if (arguments.to_s) options.blocks.measurements.to_s = *arguments.to_s;
   if (arguments.library) options.library = ReadSuspectLibrary(*arguments.library);
   options.time_limit_s = arguments.time_limit_s;
   return options;
@@ -121,17 +121,16 @@ bool IsOutOfTime(const Diagnosis& diagnosis) {
 
 /// A folder for each, where there are several.
 void WriteReports(const DiagnoseArguments& arguments, const std::vector<Diagnosis>& diagnoses,
-                  const SiteOrigin& origin) {
-  WholeFolder out(arguments.out);
+                  const SiteOrigin& origin, WholeFolder* out) {
   const auto of_machine = [&](const std::filesystem::path& folder, const Diagnosis& diagnosis) {
     return diagnoses.size() == 1 ? folder : folder / diagnosis.machine;
   };
   for (const Diagnosis& diagnosis : diagnoses) {
-    const std::filesystem::path folder = of_machine(out.temporary(), diagnosis);
+    const std::filesystem::path folder = of_machine(out->temporary(), diagnosis);
     WriteReport(folder, diagnosis, arguments.recording.string());
     WriteGroundMaps(folder, diagnosis, origin);
   }
-  out.Commit();
+  out->Commit();
   for (const Diagnosis& diagnosis : diagnoses) {
     fmt::print("report: {}\n", (of_machine(arguments.out, diagnosis) / "report.html").string());
   }
@@ -141,16 +140,14 @@ void WriteReports(const DiagnoseArguments& arguments, const std::vector<Diagnosi
 Diagnosis DiagnoseMachine(const DiagnoseArguments& arguments, DiagnosisOptions options,
                           const MachineCase& machine, const Recording& recording,
                           std::vector<PerceptionDiagnosis> seen, StageClock* clock) {
-  options.needs_blocks = seen.empty();
-  const auto further = clock->Time("further recordings", [&] {
-    return FurtherBlocks(arguments, machine, options.seed);
-  });
+  options.blocks.measurements.needs_any = seen.empty();
+  const auto further = clock->Time("further recordings",
+                                   [&] { return FurtherBlocks(arguments, machine, options.seed); });
   const DiagnosisInput input = machine.InputOf(recording);
   std::optional<SimulatedCourse> course;
   const auto simulate = [&] {
-    return clock->Time("simulation as it is", [&] {
-      return course = CourseOf(arguments, machine, input, recording);
-    });
+    return clock->Time("simulation as it is",
+                       [&] { return course = CourseOf(arguments, machine, input, recording); });
   };
   DiagnoseProgress bar(input.machine, clock);
   Diagnosis diagnosis = Diagnose(input, recording, options, simulate,
@@ -204,7 +201,7 @@ std::string BaselinesOfRecording(const DiagnoseArguments& arguments) {
   const MachineCase machine(loaded.scenario, 0);
   const DiagnosisOptions options = OptionsOf(arguments, loaded.scenario.seed);
   std::vector<BlockBaselines> blocks;
-  for (const ReplayBlock& block : BlocksOf(machine.InputOf(recording), recording, options)) {
+  for (const ReplayBlock& block : BlocksOf(machine.InputOf(recording), recording, options.blocks)) {
     const Stream stream = StreamOf(block, options.seed);
     BlockBaselines baselines{{}, RmseAsItIs(block, stream), {}};
     for (const Channel& channel : block.channels) baselines.channels.push_back(channel.name);
@@ -219,10 +216,10 @@ void DiagnoseRecording(const DiagnoseArguments& arguments) {
   LoadedScenario loaded = Load(arguments.scenario);
   const Recording recording(arguments.recording);
   const DiagnosisOptions options = OptionsOf(arguments, loaded.scenario.seed);
+  WholeFolder out(arguments.out);  // one that cannot be written is not worth a search
   StageClock clock;
-  auto seen = clock.Time("lidars and cameras", [&] {
-    return DiagnoseSensors(arguments, &loaded.scenario, recording);
-  });
+  auto seen = clock.Time("lidars and cameras",
+                         [&] { return DiagnoseSensors(arguments, &loaded.scenario, recording); });
   std::vector<Diagnosis> diagnoses;
   for (std::size_t m = 0; m < loaded.scenario.machines.size(); ++m) {
     diagnoses.push_back(DiagnoseMachine(arguments, options, MachineCase(loaded.scenario, m),
@@ -231,7 +228,7 @@ void DiagnoseRecording(const DiagnoseArguments& arguments) {
   for (const Diagnosis& diagnosis : diagnoses) {
     for (const std::string& sentence : SentencesOf(diagnosis)) fmt::print("{}\n", sentence);
   }
-  WriteReports(arguments, diagnoses, loaded.scenario.origin);
+  WriteReports(arguments, diagnoses, loaded.scenario.origin, &out);
   if (arguments.profile) fmt::print("{}", clock.Table());
 }
 

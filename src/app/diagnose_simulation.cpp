@@ -178,7 +178,7 @@ std::vector<std::vector<double>> Comparison::OfBase(const DiagnosedBlock& diagno
     }
   }
   const BaseLog log =
-      MakeBaseLog(*input_.model, encoders, PosesOf(course, Until_s()), options_.base_interval_s);
+      MakeBaseLog(*input_.model, encoders, PosesOf(course, Until_s()), options_.blocks.base_interval_s);
   std::vector<std::vector<double>> values(3, std::vector<double>(block.samples(), NAN));
   for (const BaseInterval& interval : log.intervals) {
     const double place =

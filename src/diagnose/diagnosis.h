@@ -6,18 +6,15 @@
 #include <vector>
 
 #include "core/random.h"
-#include "dataset/recording.h"
 #include "diagnose/confirm/held_out_recording.h"
 #include "diagnose/confirm/whole_simulation.h"
 #include "diagnose/next/next_manoeuvre.h"
 #include "diagnose/perception/perception_diagnosis.h"
 #include "diagnose/proposal/proposal.h"
+#include "diagnose/recorded_blocks.h"
 #include "diagnose/search/block_diagnosis.h"
 #include "diagnose/suspects/suspect_library.h"
-#include "diagnose/unreplayed/simulated_course.h"
 #include "diagnose/unreplayed/take_off.h"
-#include "physics/machine.h"
-#include "sensors/sensor.h"
 
 namespace tera {
 
@@ -60,23 +57,10 @@ std::string_view NameOf(Verdict verdict);
 /// be compared or judged, or some suspect would not have been seen at any size.
 std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis);
 
-/// What is to be diagnosed.
-struct DiagnosisInput {
-  const MachineModel* model = nullptr;
-  std::string machine;      ///< name in the recording
-  std::string scenario;     ///< name in the scenario
-  TableRecording commands;  ///< columns by the names of levers
-  /// As the scenario has them, by the names that they have in the recording.
-  std::vector<SensorDescription> sensors;
-};
-
 struct DiagnosisOptions {
+  BlockOptions blocks;
   SearchOptions search;
   std::uint64_t seed = 1;
-  double step_s = 0.01;           ///< of the replay of axes, where encoders sample often enough
-  double from_s = 0, to_s = 1e9;  ///< part of the recording to look at, from its first sample on
-  bool needs_blocks = true;       ///< that nothing can be replayed is an error
-  double base_interval_s = 0.2;   ///< over which the motion of base and inertial units is compared
   std::optional<SuspectLibrary> library;  ///< instead of what the blocks suspect by themselves
   /// Of the search; blocks that are not done by then are not judged, and what is left depends on
   /// the machine that it runs on. Without reaching it the answer is the same as with none.
@@ -91,30 +75,12 @@ struct BlockProgress {
 };
 using FollowProgress = std::function<void(const BlockProgress&)>;
 
-/// Every block that the recording has channels for: joints and gears with encoders and levers,
-/// drives with efforts and encoders, the base with gears and poses, inertial units
-/// and receivers whose link's motion was measured, over 20 s at least. Throws InputError where
-/// there is none at all, unless `needs_blocks` is false. `not_compared` is given what was measured
-/// in a way that makes no block, and why.
-std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Recording& recording,
-                                  const DiagnosisOptions& options,
-                                  std::vector<std::string>* not_compared = nullptr);
-
-/// What the replays of joints, gears and base leave of a simulation of the scenario under the
-/// recorded levers: for the blocks of BlocksOf.
-std::vector<Unreplayed> UnreplayedOf(const DiagnosisInput& input, const Recording& recording,
-                                     const DiagnosisOptions& options,
-                                     const SimulatedCourse& course);
-
 /// Takes it off the blocks that it is of.
 std::vector<TakenOff> TakeOffAll(const std::vector<Unreplayed>& unreplayed, std::uint64_t seed,
                                  std::vector<ReplayBlock>* blocks);
 
 /// From which all that is random about a block's diagnosis comes.
 Stream StreamOf(const ReplayBlock& block, std::uint64_t seed);
-
-/// When the first encoder or inertial unit of the machine measured: what all times count from.
-TimeNs StartOf(const DiagnosisInput& input, const Recording& recording);
 
 /// Diagnoses blocks, whose tests count together, within a time that may be limited.
 std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks, SearchOptions options,

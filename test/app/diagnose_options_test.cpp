@@ -63,6 +63,14 @@ TEST_F(DiagnoseOptions, AFurtherRecordingThatIsNoneStopsBeforeAnythingIsSearched
                 HasSubstr("nowhere: no such folder"));
 }
 
+TEST_F(DiagnoseOptions, AFolderThatCannotBeMadeStopsBeforeAnythingIsSearched) {
+  const Outcome outcome = RunTeraOnTerminal(
+      {"diagnose", "boom.yaml", "real", "--no-simulation", "--out", "boom.yaml/why"},
+      scratch_.path(), 100);
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("boom.yaml/why"), Not(HasSubstr("(1 of 1)"))));
+}
+
 TEST_F(DiagnoseOptions, ALibraryLimitsWhatIsSuspected) {
   WriteWholeFile(scratch_.path() / "library.yaml", "without: [dead_band]\n");
   const auto json = Diagnosed({"--library", "library.yaml"});

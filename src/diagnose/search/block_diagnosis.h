@@ -7,16 +7,10 @@
 #include "core/random.h"
 #include "diagnose/search/locate.h"
 #include "diagnose/search/noise_level.h"
+#include "diagnose/search/parameter_estimate.h"
 #include "diagnose/search/structure_search.h"
 
 namespace tera {
-
-/// A number of a mechanism with its standard deviation.
-struct ParameterEstimate {
-  std::string name, unit;
-  double value = 0;
-  std::optional<double> sigma;  ///< none where it was not fitted, or the data do not hold it
-};
 
 /// One channel before and after, on samples that nothing was fitted to or chosen by.
 struct HeldOutError {

@@ -1,0 +1,113 @@
+#include "diagnose/measurements.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "core/error.h"
+#include "diagnose/input_checks.h"
+
+namespace tera {
+namespace {
+
+/// The encoders of one machine.
+std::vector<NamedEncoders> EncodersOf(const Recording& recording, const std::string& machine) {
+  std::vector<NamedEncoders> encoders;
+  for (const std::string& channel : recording.ChannelsOf(ChannelType::kEncoder)) {
+    if (channel.starts_with(machine + "/")) {
+      encoders.push_back({channel, recording.LoadEncoder(channel)});
+    }
+  }
+  return encoders;
+}
+
+/// What lies between two times.
+template <typename Sample>
+void Trim(TimeNs from_ns, TimeNs to_ns, std::vector<Sample>* samples) {
+  std::erase_if(*samples, [&](const Sample& s) { return s.t_ns < from_ns || s.t_ns > to_ns; });
+}
+
+void Trim(TimeNs from_ns, TimeNs to_ns, TableRecording* table) {
+  const auto first = std::lower_bound(table->t_ns.begin(), table->t_ns.end(), from_ns);
+  const auto end = std::upper_bound(first, table->t_ns.end(), to_ns);
+  const auto rows = table->rows.begin();
+  table->rows = {rows + (first - table->t_ns.begin()), rows + (end - table->t_ns.begin())};
+  table->t_ns = {first, end};
+}
+
+TimeNs StartOf(const Measurements& measured) {
+  TimeNs start_ns = std::numeric_limits<TimeNs>::max();
+  for (const NamedEncoders& named : measured.encoders) {
+    start_ns = std::min(start_ns, named.recording.samples.front().t_ns);
+  }
+  for (const auto& samples : measured.imus) {
+    if (!samples.empty()) start_ns = std::min(start_ns, samples.front().t_ns);
+  }
+  if (start_ns < std::numeric_limits<TimeNs>::max()) return start_ns;
+  // Receivers count only where nothing else was measured: their clocks are not the machine's.
+  for (const auto& samples : measured.gnss) {
+    if (!samples.empty()) start_ns = std::min(start_ns, samples.front().t_ns);
+  }
+  return start_ns;
+}
+
+void CheckMeasurements(const DiagnosisInput& input, const Recording& recording,
+                       const Measurements& measured) {
+  const RecordedPlace place{recording.directory().string(), input.machine};
+  CheckLevers(place, input.commands, *input.model);
+  CheckClocks(place, input.commands, measured.encoders, measured.imus, measured.gnss,
+              measured.poses);
+  CheckEncoders(place, input.commands, measured.encoders, *input.model);
+  for (std::size_t s = 0; s < input.sensors.size(); ++s) {
+    const std::string channel = input.machine + "/" + input.sensors[s].name;
+    CheckImu(place, channel, measured.imus[s]);
+    CheckGnss(place, channel, measured.gnss[s], measured.poses);
+  }
+}
+
+}  // namespace
+
+Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& recording,
+                            const MeasurementOptions& options) {
+  Measurements measured;
+  measured.encoders = EncodersOf(recording, input.machine);
+  std::erase_if(measured.encoders,
+                [](const NamedEncoders& named) { return named.recording.samples.empty(); });
+  const std::string poses = "truth/" + input.machine + "/pose.csv";
+  if (recording.Has(poses)) measured.poses = recording.LoadPose(poses).poses;
+  measured.poses_were_measured = !measured.poses.empty() && !recording.info().simulated;
+  const std::string efforts = input.machine + "/efforts.csv";
+  if (recording.Has(efforts)) measured.efforts = recording.LoadTable(efforts);
+  bool any = !measured.encoders.empty();
+  for (const SensorDescription& sensor : input.sensors) {
+    const std::string channel = input.machine + "/" + sensor.name;
+    const bool is_imu = std::holds_alternative<ImuModel>(sensor.model) && recording.Has(channel);
+    measured.imus.push_back(is_imu ? recording.LoadImu(channel) : std::vector<ImuSample>{});
+    const bool is_gnss = std::holds_alternative<GnssModel>(sensor.model) && recording.Has(channel);
+    measured.gnss.push_back(is_gnss ? recording.LoadGnss(channel) : std::vector<GnssSample>{});
+    any = any || !measured.imus.back().empty() || !measured.gnss.back().empty();
+  }
+  if (!any && !options.needs_any) return measured;
+  if (!any) {
+    throw InputError(
+        fmt::format("{}: no encoder channel of {}, and no inertial unit or receiver that the "
+                    "scenario has; need something measured to compare",
+                    recording.directory().string(), input.machine));
+  }
+  CheckMeasurements(input, recording, measured);
+  measured.start_ns = StartOf(measured);
+  const TimeNs from_ns = measured.start_ns + FromSeconds(options.from_s);
+  const TimeNs to_ns = measured.start_ns + FromSeconds(options.to_s);
+  for (NamedEncoders& named : measured.encoders) Trim(from_ns, to_ns, &named.recording.samples);
+  for (auto& samples : measured.imus) Trim(from_ns, to_ns, &samples);
+  for (auto& samples : measured.gnss) Trim(from_ns, to_ns, &samples);
+  Trim(from_ns, to_ns, &measured.efforts);
+  return measured;
+}
+
+TimeNs StartOf(const DiagnosisInput& input, const Recording& recording) {
+  return MeasurementsOf(input, recording, {}).start_ns;
+}
+
+}  // namespace tera

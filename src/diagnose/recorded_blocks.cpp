@@ -1,0 +1,251 @@
+#include "diagnose/recorded_blocks.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include "core/error.h"
+#include "diagnose/blocks/axis_block.h"
+#include "diagnose/blocks/base_block.h"
+#include "diagnose/blocks/effort_block.h"
+#include "diagnose/blocks/gnss_block.h"
+#include "diagnose/blocks/imu_block.h"
+#include "diagnose/input_checks.h"
+
+namespace tera {
+namespace {
+
+constexpr double kStepOfPeriod = 0.2;  ///< of an encoder's, that a replay steps over at most
+constexpr double kShortest_s = 20;     ///< less leaves too little of SELECT and FINAL
+
+bool Measures(const std::vector<NamedEncoders>& encoders, const std::string& axis) {
+  for (const NamedEncoders& named : encoders) {
+    for (const EncoderAxis& measured : named.recording.axes) {
+      if (measured.name == axis) return true;
+    }
+  }
+  return false;
+}
+
+/// Fine enough for the encoder that samples fastest, and no finer than wanted.
+double AxisStep_s(const std::vector<NamedEncoders>& encoders, double wanted_s) {
+  double shortest_s = std::numeric_limits<double>::max();
+  for (const NamedEncoders& named : encoders) {
+    const std::vector<EncoderSample>& samples = named.recording.samples;
+    if (samples.size() < 2) continue;
+    const double length_s = ToSeconds(samples.back().t_ns - samples.front().t_ns);
+    shortest_s = std::min(shortest_s, length_s / static_cast<double>(samples.size() - 1));
+  }
+  const bool any = shortest_s < std::numeric_limits<double>::max();
+  return any ? std::max(wanted_s, kStepOfPeriod * shortest_s) : wanted_s;
+}
+
+/// What cannot be compared leaves the rest, and is told with its place.
+void Try(const std::string& place, std::vector<std::string>* obstacles,
+         const std::function<void()>& add) {
+  try {
+    add();
+  } catch (const InputError& error) {
+    obstacles->push_back(place + error.what());
+  }
+}
+
+/// Encoders may have a block for each joint and gear with a lever.
+void AddAxes(const DiagnosisInput& input, const Measurements& measured, const BlockOptions& options,
+             std::vector<ReplayBlock>* blocks, std::vector<std::string>* obstacles) {
+  if (input.commands.columns.empty() || measured.encoders.empty()) return;
+  const AxisLog log = MakeAxisLog(*input.model, input.commands, measured.encoders,
+                                  AxisStep_s(measured.encoders, options.step_s));
+  for (std::size_t axis = 0; axis < log.measured.size(); ++axis) {
+    Try(log.measured[axis].channel + ": ", obstacles, [&] {
+      auto block = MakeAxisBlock(*input.model, log, axis);
+      if (block) blocks->push_back(std::move(*block));
+    });
+  }
+}
+
+/// A joint whose drive's effort was measured, and its position, makes a block.
+void AddEfforts(const DiagnosisInput& input, const Measurements& measured,
+                std::vector<ReplayBlock>* blocks) {
+  for (EffortLog& log : MakeEffortLogs(*input.model, input.machine + "/efforts", measured.efforts,
+                                       measured.encoders)) {
+    if (auto block = MakeEffortBlock(*input.model, std::move(log))) {
+      blocks->push_back(std::move(*block));
+    }
+  }
+}
+
+bool HasBase(const DiagnosisInput& input, const Measurements& measured) {
+  const auto& gears = input.model->ground_tools.gears;
+  const bool all = std::all_of(gears.begin(), gears.end(), [&](const RunningGear& gear) {
+    return Measures(measured.encoders, gear.name);
+  });
+  return !gears.empty() && all && !measured.poses.empty();
+}
+
+/// Every gear's encoder and poses make a block of the base.
+void AddBase(const DiagnosisInput& input, const Measurements& measured, const BlockOptions& options,
+             std::vector<ReplayBlock>* blocks) {
+  if (!HasBase(input, measured)) return;
+  // Gears bound the time.
+  const BaseLog log =
+      MakeBaseLog(*input.model, measured.encoders, measured.poses, options.base_interval_s);
+  if (auto block =
+          MakeBaseBlock(*input.model, log, input.machine + "/base", measured.poses_were_measured)) {
+    blocks->push_back(std::move(*block));
+  }
+}
+
+/// What the replays of joints and gears leave of what they do in a simulation.
+void AddUnreplayedRates(const DiagnosisInput& input, const Measurements& measured,
+                        const std::vector<NamedEncoders>& simulated, const BlockOptions& options,
+                        std::vector<Unreplayed>* out) {
+  if (input.commands.columns.empty() || measured.encoders.empty()) return;
+  const double step_s = AxisStep_s(measured.encoders, options.step_s);
+  const AxisLog log = MakeAxisLog(*input.model, input.commands, measured.encoders, step_s);
+  const AxisLog course = MakeAxisLog(*input.model, input.commands, simulated, step_s);
+  for (std::size_t axis = 0; axis < log.measured.size(); ++axis) {
+    std::vector<double> left = UnreplayedRate(*input.model, log, course, axis);
+    if (!left.empty()) out->push_back({log.measured[axis].channel, {left}});
+  }
+}
+
+/// What the replay of the base leaves of what it does in a simulation.
+void AddUnreplayedMotion(const DiagnosisInput& input, const Measurements& measured,
+                         const std::vector<NamedEncoders>& simulated, const SimulatedCourse& course,
+                         const BlockOptions& options, std::vector<Unreplayed>* out) {
+  if (!HasBase(input, measured)) return;
+  const auto log_of = [&](const auto& encoders, const auto& poses) {
+    return MakeBaseLog(*input.model, encoders, poses, options.base_interval_s);
+  };
+  auto left = UnreplayedMotion(*input.model, log_of(measured.encoders, measured.poses),
+                               log_of(simulated, AsSimulated(course, measured.poses)));
+  if (!left.empty()) out->push_back({input.machine + "/base/forward_mps", std::move(left)});
+}
+
+/// An inertial unit makes a block where its link's motion was measured.
+void AddImus(const DiagnosisInput& input, const Measurements& measured, const BlockOptions& options,
+             std::vector<ReplayBlock>* blocks) {
+  const double interval_s = std::max(options.base_interval_s, ImuInterval_s(measured.poses));
+  for (std::size_t s = 0; s < input.sensors.size(); ++s) {
+    const SensorDescription& sensor = input.sensors[s];
+    if (measured.imus[s].empty()) continue;
+    ImuLog log = MakeImuLog(*input.model, sensor, measured.imus[s], measured.encoders,
+                            measured.poses, interval_s);
+    if (auto block = MakeImuBlock(sensor, std::move(log), input.machine + "/" + sensor.name,
+                                  measured.poses_were_measured)) {
+      blocks->push_back(std::move(*block));
+    }
+  }
+}
+
+/// Some of the scenario's receivers, by their numbers among its sensors, make a block where poses
+/// and joints tell how their antennas moved.
+std::optional<ReplayBlock> GnssBlockOf(const DiagnosisInput& input, const Measurements& measured,
+                                       const std::vector<std::size_t>& which) {
+  std::vector<SensorDescription> receivers;
+  std::vector<std::vector<GnssSample>> samples;
+  for (const std::size_t s : which) {
+    receivers.push_back(input.sensors[s]);
+    samples.push_back(measured.gnss[s]);
+  }
+  GnssLog log = MakeGnssLog(*input.model, receivers, samples, measured.encoders, measured.poses);
+  return MakeGnssBlock(receivers, std::move(log), input.machine);
+}
+
+/// Two receivers make one block where both have enough to say; else, and where one of them cannot
+/// be compared, each has its own.
+void AddGnss(const DiagnosisInput& input, const Measurements& measured,
+             std::vector<ReplayBlock>* blocks, std::vector<std::string>* obstacles) {
+  std::vector<std::size_t> which;
+  std::size_t in_all = 0;
+  for (std::size_t s = 0; s < input.sensors.size(); ++s) {
+    in_all += std::holds_alternative<GnssModel>(input.sensors[s].model) ? 1 : 0;
+    if (!measured.gnss[s].empty()) which.push_back(s);
+  }
+  const auto add = [&](const std::vector<std::size_t>& receivers) {
+    auto block = GnssBlockOf(input, measured, receivers);
+    if (block) blocks->push_back(std::move(*block));
+    return block.has_value();
+  };
+  if (which.size() == 2 && in_all == 2) {
+    bool is_made = false;
+    std::vector<std::string> of_one;  // whose own block will tell it again
+    Try("", &of_one, [&] { is_made = add(which); });
+    if (is_made) return;
+  }
+  for (const std::size_t s : which) {
+    const std::string channel = input.machine + "/" + input.sensors[s].name;
+    Try(channel + ": ", obstacles, [&] { add({s}); });
+  }
+}
+
+[[noreturn]] void ThrowNothingToCompare(const DiagnosisInput& input, const Recording& recording,
+                                        const std::vector<std::string>& obstacles) {
+  const std::string directory = recording.directory().string();
+  if (!obstacles.empty()) {
+    throw InputError(fmt::format("{}: {}", directory, fmt::join(obstacles, "; ")));
+  }
+  throw InputError(fmt::format(
+      "{}: nothing of {} can be replayed: need levers and encoders of the same joints, efforts and "
+      "encoders of the same joints, encoders of all tracks or wheels and poses, "
+      "a receiver and poses, or an inertial unit and what tells how its link moved, over {} s at "
+      "least",
+      directory, input.machine, kShortest_s));
+}
+
+void CountTimeFrom(TimeNs start_ns, ReplayBlock* block) {
+  block->first_ns -= start_ns;
+  for (Channel& channel : block->channels) {
+    for (RegimeVariable& variable : channel.variables) {
+      if (variable.name != "time") continue;
+      const double late_s = block->time_s(0) - variable.series.value.front();
+      for (double& t_s : variable.series.value) t_s += late_s;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Recording& recording,
+                                  const BlockOptions& options,
+                                  std::vector<std::string>* not_compared) {
+  const Measurements measured = MeasurementsOf(input, recording, options.measurements);
+  std::vector<ReplayBlock> blocks;
+  std::vector<std::string> obstacles;
+  Try("", &obstacles, [&] { AddAxes(input, measured, options, &blocks, &obstacles); });
+  Try("", &obstacles, [&] { AddEfforts(input, measured, &blocks); });
+  Try("", &obstacles, [&] { AddBase(input, measured, options, &blocks); });
+  Try("", &obstacles, [&] { AddImus(input, measured, options, &blocks); });
+  AddGnss(input, measured, &blocks, &obstacles);
+  std::erase_if(blocks, [](const ReplayBlock& block) {
+    return static_cast<double>(block.samples()) * block.period_s() < kShortest_s;
+  });
+  if (blocks.empty() && options.measurements.needs_any)
+    ThrowNothingToCompare(input, recording, obstacles);
+  CheckUnitsOf({recording.directory().string(), input.machine}, blocks);
+  for (ReplayBlock& block : blocks) CountTimeFrom(measured.start_ns, &block);
+  if (not_compared != nullptr) *not_compared = std::move(obstacles);
+  return blocks;
+}
+
+std::vector<Unreplayed> UnreplayedOf(const DiagnosisInput& input, const Recording& recording,
+                                     const BlockOptions& options, const SimulatedCourse& course) {
+  const MachineModel& model = *input.model;
+  const Measurements measured = MeasurementsOf(input, recording, options.measurements);
+  std::vector<Unreplayed> unreplayed;
+  const std::string place = recording.directory().string();
+  std::vector<std::string> obstacles;  // told by BlocksOf
+  const std::vector<NamedEncoders> encoders = AsSimulated(model, course, measured.encoders);
+  Try(place, &obstacles,
+      [&] { AddUnreplayedRates(input, measured, encoders, options, &unreplayed); });
+  Try(place, &obstacles,
+      [&] { AddUnreplayedMotion(input, measured, encoders, course, options, &unreplayed); });
+  return unreplayed;
+}
+
+}  // namespace tera
