@@ -212,12 +212,12 @@ std::string BaselinesOfRecording(const DiagnoseArguments& arguments) {
 }
 
 void DiagnoseRecording(const DiagnoseArguments& arguments) {
+  StageClock clock;
   RequireNewFolder(arguments.out);
   LoadedScenario loaded = Load(arguments.scenario);
   const Recording recording(arguments.recording);
   const DiagnosisOptions options = OptionsOf(arguments, loaded.scenario.seed);
   WholeFolder out(arguments.out);  // one that cannot be written is not worth a search
-  StageClock clock;
   auto seen = clock.Time("lidars and cameras",
                          [&] { return DiagnoseSensors(arguments, &loaded.scenario, recording); });
   std::vector<Diagnosis> diagnoses;

@@ -27,19 +27,11 @@ class Deadline {
 BlockDiagnosis DiagnoseInTime(ReplayBlock* block, const SearchOptions& options,
                               const Stream& stream, const std::optional<Deadline>& deadline) {
   if (!deadline) return DiagnoseBlock(*block, options, stream);
-  const auto predict = block->predict;
-  const auto predict_beginning = block->predict_beginning;
-  block->predict = [predict, deadline](const Structure& terms) {
+  const Replay replay = block->replay;
+  block->replay = [replay, deadline](const Structure& terms, std::size_t samples) {
     deadline->Keep();
-    return predict(terms);
+    return replay(terms, samples);
   };
-  if (predict_beginning) {
-    block->predict_beginning = [predict_beginning, deadline](const Structure& terms,
-                                                             std::size_t samples) {
-      deadline->Keep();
-      return predict_beginning(terms, samples);
-    };
-  }
   BlockDiagnosis diagnosis;
   try {
     diagnosis = DiagnoseBlock(*block, options, stream);
@@ -48,8 +40,7 @@ BlockDiagnosis DiagnoseInTime(ReplayBlock* block, const SearchOptions& options,
     diagnosis.is_testable = false;
     diagnosis.out_of_time = true;
   }
-  block->predict = predict;
-  block->predict_beginning = predict_beginning;
+  block->replay = replay;
   return diagnosis;
 }
 

@@ -176,6 +176,43 @@ ReplayBlock BlockOfBoom(const Drive& drive, const Recorded& recorded) {
   return {};
 }
 
+/// Without some of the samples, and none at its time to the millisecond.
+Recorded Tattered(Recorded recorded) {
+  std::vector<EncoderSample>& samples = recorded.encoders.recording.samples;
+  const Stream stream(3, "tatters");
+  std::vector<EncoderSample> kept;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const bool in_gap = k > 900 && k < 930;
+    if (in_gap || stream.Uniform(2 * k) < 0.05) continue;
+    kept.push_back(samples[k]);
+    kept.back().t_ns += FromSeconds(1e-3 * stream.Uniform(2 * k + 1));
+  }
+  samples = std::move(kept);
+  return recorded;
+}
+
+// A search looks at a beginning alone; terms with a memory must not notice.
+TEST(AxisBlock, ABeginningIsThatOfTheWhole) {
+  Drive drive = Swaying("");
+  const ReplayBlock block = BlockOfBoom(drive, Tattered(Record(&drive, 22)));
+  for (const char* id : {"command_delay", "actuator_lag", "backlash", "input_hold"}) {
+    const auto suspect = std::find_if(block.suspects.begin(), block.suspects.end(),
+                                      [&](const Suspect& one) { return one.mechanism->id == id; });
+    ASSERT_NE(suspect, block.suspects.end()) << id;
+    const Structure terms = {{&*suspect, suspect->starts.back()}};
+    const std::vector<double> whole = block.predict(terms)[0];
+    for (const std::size_t samples :
+         {std::size_t{1}, std::size_t{700}, std::size_t{915}, std::size_t{1500}, block.samples()}) {
+      const std::vector<double> beginning = block.replay(terms, samples)[0];
+      ASSERT_EQ(beginning.size(), samples);
+      for (std::size_t k = 0; k < samples; ++k) {
+        if (!block.channels[0].measured.valid[k]) continue;
+        ASSERT_EQ(beginning[k], whole[k]) << id << " " << samples << " " << k;
+      }
+    }
+  }
+}
+
 TEST(AxisBlock, SuspectsThePumpThatTheAxisSharesAndPutsItsTermsOnThePump) {
   Drive drive = Swaying("");
   const ReplayBlock block = BlockOfBoom(drive, Record(&drive, 22));

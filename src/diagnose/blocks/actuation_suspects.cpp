@@ -65,7 +65,7 @@ std::vector<std::vector<double>> HoldStarts(const AxisLog& log, std::size_t axis
 }
 
 void AddTimingAndMap(const std::vector<std::vector<double>>& holds, SuspectList* out) {
-  // A spread of nought changes nothing at first, so none begins there.
+  // From a spread of nought no small step changes anything.
   out->Add("command_delay", {{0, 0, 0.8}, {1, 0, 0.2}},
            {{0.04, 0.008}, {0.1, 0.02}, {0.2, 0.04}, {0.35, 0.07}});
   out->Add("input_hold", {{0, 0.02, 0.6, true}, {1, 0, 1, false, true}}, holds);

@@ -263,13 +263,9 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   block.commands = {channel.variables[0].series};
   block.channels.push_back(std::move(channel));
   block.suspects = SuspectsOfAxis(model, log, axis, replay.pump());
-  block.predict = [replay, grid](const Structure& terms) {
-    return std::vector<std::vector<double>>{
-        grid.Spread(replay.Predict(WithTerms(replay.effects(), terms)))};
-  };
-  block.predict_beginning = [replay, grid](const Structure& terms, std::size_t samples) {
-    const SampleGrid beginning = grid.First(samples);
+  block.replay = [replay, grid](const Structure& terms, std::size_t samples) {
     const AxisEffects effects = WithTerms(replay.effects(), terms);
+    const SampleGrid beginning = grid.First(samples);
     return std::vector<std::vector<double>>{
         beginning.Spread(replay.Predict(effects, {}, beginning.place.size()))};
   };

@@ -156,7 +156,7 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
   block.commands = {CommandOf(course.left_mps, grid), CommandOf(course.right_mps, grid)};
   block.suspects = SuspectsOf(model.effects.base);
   if (poses_were_measured) block.suspects.push_back(LatePoses());
-  block.predict = [model, log, grid](const Structure& terms) {
+  block.replay = WholeReplay([model, log, grid](const Structure& terms) {
     const std::vector<PlanarTwist> twists =
         BaseReplay(model, log).Predict(WithTerms(model.effects.base, BesidesPoses(terms)));
     std::vector<std::vector<double>> channels;
@@ -166,7 +166,7 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
           Late(grid.Spread(PartOf(twists, part)), LatenessOfPoses_s(terms) / grid.period_s));
     }
     return channels;
-  };
+  });
   return block;
 }
 

@@ -139,10 +139,10 @@ std::optional<ReplayBlock> MakeEffortBlock(const MachineModel& model, EffortLog 
        NominalColumns(*log)});
   block.commands = {CommandOf(*log, reach.rate_radps)};
   block.suspects = SuspectsOf(joint.name, present, reach);
-  block.predict = [machine, log, present](const Structure& terms) {
+  block.replay = WholeReplay([machine, log, present](const Structure& terms) {
     return std::vector<std::vector<double>>{
         EffortReplay(*machine, *log).Predict(WithTerms(present, terms))};
-  };
+  });
   return block;
 }
 

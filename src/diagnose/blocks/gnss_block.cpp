@@ -344,16 +344,17 @@ std::optional<ReplayBlock> MakeGnssBlock(const std::vector<SensorDescription>& r
                       CommandOf(course.turning_radps, kLeastTurning_radps, grid.period_s())};
   }
   block.suspects = SuspectsOf(receivers, held->log);
-  block.predict = [held = std::shared_ptr<const Held>(held), grid](const Structure& terms) {
-    const auto predicted_m = held->Predict(terms);
-    std::vector<std::vector<double>> channels;
-    for (std::size_t r = 0; r < predicted_m.size(); ++r) {
-      for (const std::vector<double>& axis : Split(predicted_m[r], held->documented_m[r])) {
-        channels.push_back(grid.of[r].Spread(Every(grid.every[r], axis)));
-      }
-    }
-    return channels;
-  };
+  block.replay =
+      WholeReplay([held = std::shared_ptr<const Held>(held), grid](const Structure& terms) {
+        const auto predicted_m = held->Predict(terms);
+        std::vector<std::vector<double>> channels;
+        for (std::size_t r = 0; r < predicted_m.size(); ++r) {
+          for (const std::vector<double>& axis : Split(predicted_m[r], held->documented_m[r])) {
+            channels.push_back(grid.of[r].Spread(Every(grid.every[r], axis)));
+          }
+        }
+        return channels;
+      });
   return block;
 }
 

@@ -281,13 +281,13 @@ std::optional<ReplayBlock> MakeImuBlock(const SensorDescription& sensor, ImuLog 
   }
   block.commands = CommandsOf(predicted, period_s);
   block.suspects = SuspectsOf(sensor, predicted, poses_were_measured);
-  block.predict = [described, log, replay, mean_f_S_mps2](const Structure& terms) {
+  block.replay = WholeReplay([described, log, replay, mean_f_S_mps2](const Structure& terms) {
     const Effects effects =
         WithLatePoses(WithTerms(described->effects, BesidesPoses(terms)), LatenessOfPoses_s(terms));
     Quantities split = Split(replay->Predict(effects, TiltOfMap(terms)), mean_f_S_mps2);
     return std::vector<std::vector<double>>(std::make_move_iterator(split.begin()),
                                             std::make_move_iterator(split.end()));
-  };
+  });
   return block;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/check.h"
+
 namespace tera {
 namespace {
 
@@ -31,6 +33,7 @@ Channel First(const Channel& channel, std::size_t samples) {
 }  // namespace
 
 std::size_t EnoughSamples(const std::vector<Manoeuvre>& manoeuvres, double period_s) {
+  TERA_CHECK(!manoeuvres.empty());
   const std::size_t all = manoeuvres.back().samples.end;
   double moved_s = 0;
   for (const Manoeuvre& manoeuvre : manoeuvres) {
@@ -53,11 +56,8 @@ ReplayBlock BeginningOf(const ReplayBlock& block, std::size_t samples) {
   }
   for (const Series& command : block.commands)
     beginning.commands.push_back(First(command, samples));
-  beginning.predict = [&block, samples](const Structure& terms) {
-    if (block.predict_beginning) return block.predict_beginning(terms, samples);
-    std::vector<std::vector<double>> channels = block.predict(terms);
-    for (std::vector<double>& channel : channels) channel.resize(samples);
-    return channels;
+  beginning.replay = [&block](const Structure& terms, std::size_t wanted) {
+    return block.replay(terms, wanted);
   };
   return beginning;
 }
@@ -72,7 +72,13 @@ SearchResult OnWhole(SearchResult search, const ReplayBlock& beginning, const Re
   const auto move = [&](const Suspect** suspect) {
     *suspect = &whole.suspects[static_cast<std::size_t>(*suspect - beginning.suspects.data())];
   };
-  for (Term& term : search.found.terms) move(&term.suspect);
+  for (Term& term : search.found.terms) {
+    move(&term.suspect);
+    for (const std::size_t held : term.held) {
+      term.values[held] = term.suspect->starts.front()[held];
+    }
+    term.held.clear();
+  }
   for (TermEvidence& evidence : search.evidence) {
     for (const Suspect*& rival : evidence.rivals) move(&rival);
     for (Rival& rival : evidence.rejected) move(&rival.suspect);

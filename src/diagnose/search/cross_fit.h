@@ -16,7 +16,8 @@ namespace tera {
 ///         structure is fitted five times, each time to all folds but one, and judged on that one:
 ///         every manoeuvre speaks of it, where a single part held out has too few to tell steady
 ///         from lucky.
-/// Omits   that the fits share most of their manoeuvres.
+/// Omits   that the fits share most of their manoeuvres; that each begins at numbers which may have
+///         seen all of them, and goes three steps: what has kinks hardly moves.
 /// Source  Stone 1974, "Cross-validatory choice and assessment of statistical predictions".
 class CrossFit {
  public:

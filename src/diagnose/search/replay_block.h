@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/effects.h"
@@ -84,6 +85,19 @@ struct Channel {
   Eigen::MatrixXd nominal;
 };
 
+using Replay =
+    std::function<std::vector<std::vector<double>>(const Structure&, std::size_t samples)>;
+
+/// A replay that goes over everything, however little is asked for.
+inline Replay WholeReplay(
+    std::function<std::vector<std::vector<double>>(const Structure&)> predict) {
+  return [predict = std::move(predict)](const Structure& terms, std::size_t samples) {
+    std::vector<std::vector<double>> channels = predict(terms);
+    for (std::vector<double>& channel : channels) channel.resize(samples);
+    return channels;
+  };
+}
+
 /// One part of the chain, replayed alone over its measured neighbours.
 struct ReplayBlock {
   std::string name;
@@ -92,13 +106,16 @@ struct ReplayBlock {
   bool slides = false;  ///< of a joint whose radians and newton metres are metres and newtons
   std::vector<Suspect> suspects;
   std::vector<Series> commands;  ///< on the grid: what tells manoeuvres apart
-  /// What each channel would have been, on the grid, were these terms at work, each in place of
-  /// what the model has of that mechanism, beside all else that it has. Thread-safe, the same for
-  /// the same terms in any order.
-  std::function<std::vector<std::vector<double>>(const Structure&)> predict;
-  /// The same over the first `samples` of the grid alone, where that is less work; else empty.
-  std::function<std::vector<std::vector<double>>(const Structure&, std::size_t samples)>
-      predict_beginning;
+  /// What each channel would have been, over the first `samples` of the grid, were these terms at
+  /// work, each in place of what the model has of that mechanism, beside all else that it has.
+  /// Thread-safe, the same for the same terms in any order. Fewer samples are a beginning of more,
+  /// but that in a gap at their end there is nothing to go towards.
+  Replay replay;
+
+  /// Over all of the grid.
+  std::vector<std::vector<double>> predict(const Structure& terms) const {
+    return replay(terms, samples());
+  }
 
   std::size_t samples() const { return channels.front().measured.size(); }
   double period_s() const { return channels.front().measured.period_s; }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "core/in_parallel.h"
@@ -70,11 +71,11 @@ Structure With(Structure terms, const Suspect& suspect, const std::vector<double
 }
 
 /// What a fit begins at.
-using Key = std::vector<std::pair<const Suspect*, std::vector<double>>>;
+using Key = std::vector<std::tuple<const Suspect*, std::vector<double>, std::vector<std::size_t>>>;
 
 Key KeyOf(const Structure& terms) {
   Key key;
-  for (const Term& term : terms) key.push_back({term.suspect, term.values});
+  for (const Term& term : terms) key.emplace_back(term.suspect, term.values, term.held);
   return key;
 }
 
@@ -285,8 +286,13 @@ Scored Search::Find() {
 Scored Search::FindMore() {
   const Structure& found = earlier_.result->found.terms;
   if (!found.empty()) return Grow(Score(fitter_.FitFrom(found)));
-  Scored single = BestOf(singles_);
-  return ChangesEnough(single.terms, {}) ? Grow(std::move(single)) : nothing_;
+  std::vector<Scored> singles = singles_;
+  SortByCriterion(&singles);
+  const auto first = std::find_if(singles.begin(), singles.end(), [&](const Scored& single) {
+    return single.criterion <= nothing_.criterion || ChangesEnough(single.terms, {});
+  });
+  const bool is_any = first != singles.end() && first->criterion > nothing_.criterion;
+  return is_any ? Grow(std::move(*first)) : nothing_;
 }
 
 /// Whether it is more than what Prune would take away again.
@@ -382,8 +388,9 @@ Scored Search::Prune(Scored kept, std::vector<TermEvidence>* evidence) const {
   while (true) {
     std::vector<Structure> smaller;
     for (std::size_t t = 0; t < kept.terms.size(); ++t) smaller.push_back(Without(kept.terms, t));
-    const std::vector<Scored> without =
-        FitAll(smaller, [&](const Structure& terms) { return fitter_.FitValues(terms); });
+    const std::vector<Scored> without = FitAll(smaller, [&](const Structure& terms) {
+      return earlier_.of_beginning ? fitter_.FitNear(terms) : fitter_.FitValues(terms);
+    });
     std::vector<Structure> judged = {kept.terms};
     for (const Scored& scored : without) judged.push_back(scored.terms);
     const std::vector<Misfit> crossed = crossed_.Judge(judged, options_.threads);
@@ -413,15 +420,17 @@ const TermEvidence* Search::EarlierEvidenceOf(const Suspect& suspect) const {
 /// The likeliest exchanges of one term for a screened suspect, or for those that the beginning did
 /// not tell it from.
 std::vector<Structure> Search::NearestRivals(const Scored& found, std::size_t term) {
-  const TermEvidence* earlier = EarlierEvidenceOf(*found.terms[term].suspect);
+  std::vector<std::size_t> others = screened_;
+  if (const TermEvidence* earlier = EarlierEvidenceOf(*found.terms[term].suspect)) {
+    others.clear();
+    for (const Suspect* rival : earlier->rivals) {
+      others.push_back(static_cast<std::size_t>(rival - block_.suspects.data()));
+    }
+  }
   std::vector<Structure> swapped;
-  for (const std::size_t s : screened_) {
+  for (const std::size_t s : others) {
     const Term& other = singles_[s].terms.front();
     if (Has(found.terms, other.suspect)) continue;
-    if (earlier != nullptr && std::find(earlier->rivals.begin(), earlier->rivals.end(),
-                                        other.suspect) == earlier->rivals.end()) {
-      continue;
-    }
     swapped.push_back(With(Without(found.terms, term), *other.suspect, other.values));
   }
   std::vector<Structure> nearest;

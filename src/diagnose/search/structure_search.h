@@ -21,7 +21,8 @@ struct SearchOptions {
   int threads = 2;
 };
 
-/// What stands in a term's place no worse, or was tried there in vain.
+/// What stands in a term's place no worse, or was tried there in vain; in the beginning of a block,
+/// by what that says.
 struct Rival {
   const Suspect* suspect = nullptr;
   double p = 1;     ///< of a gain so steady by chance from the term in the rival's place
@@ -64,9 +65,10 @@ struct EarlierSearch {
 
 /// Which suspects explain a block, together.
 ///
-/// Model   every suspect alone; every pair of the screened (the likeliest, and the likeliest of
-///         each slot); then one term more at a time, of at least `least_effect`, with
-///         swaps, as long as the Bayesian information criterion on TRAIN falls; of structures that
+/// Model   every suspect alone; pairs of the screened (the likeliest, and the likeliest of each
+///         slot), of which a few steps of each fit tell the eight that are fitted in full; then
+///         likewise, of four, one term more at a time, of at least `least_effect`, with swaps, as
+///         long as the Bayesian information criterion on TRAIN falls; of structures that
 ///         are as likely, the one whose terms undo each other less. Backward: a term goes unless
 ///         its gain over the structure fitted without it is steady over the manoeuvres of TRAIN and
 ///         SELECT, each left out of the fits that it judges (cross_fit.h, steady_gain.h; Bonferroni
@@ -74,16 +76,16 @@ struct EarlierSearch {
 ///         structure, or a free member if that is more, gains over nothing and at least
 ///         `least_of_rest` of what a free member gains over the structure without it, and its
 ///         effect, beyond nuisances, at least `least_effect` of the channel. Rivals: each term is
-///         swapped for each screened suspect; of the five likeliest, where the same manoeuvres do
-///         not gain from the term with p at most 0.05, or less than 3 of log-likelihood, they are
-///         alike.
+///         swapped for each screened suspect; of the five that a few steps make likeliest, where
+///         the same manoeuvres do not gain from the term with p at most 0.05, or less than 3 of
+///         log-likelihood, they are alike.
 /// Omits   that the structures whose terms are tested were chosen on part of the same manoeuvres,
 ///         beyond the number of suspects; FINAL is for that.
 /// Source  Schwarz 1978.
 ///
 /// `noise` of each channel; `on_seen` fits to TRAIN and SELECT. A search after an earlier one
-/// begins where that ended: single suspects with the numbers that they had there, and what was
-/// found instead of pairs.
+/// begins where that ended: single suspects with the numbers that they had there, the likeliest
+/// four fitted anew where nothing was found, and what was found instead of pairs.
 SearchResult SearchStructures(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
                               const StructureFitter& on_seen,
                               const std::vector<Manoeuvre>& manoeuvres,

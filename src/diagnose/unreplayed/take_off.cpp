@@ -22,7 +22,7 @@ double RmsOf(const std::vector<double>& values) {
 void AddTo(const std::vector<std::vector<double>>& unreplayed,
            std::vector<std::vector<double>>* predicted) {
   for (std::size_t c = 0; c < unreplayed.size(); ++c) {
-    for (std::size_t k = 0; k < unreplayed[c].size(); ++k) {
+    for (std::size_t k = 0; k < std::min(unreplayed[c].size(), (*predicted)[c].size()); ++k) {
       (*predicted)[c][k] += unreplayed[c][k];
     }
   }
@@ -39,9 +39,9 @@ void Extend(std::vector<std::vector<double>> unreplayed, ReplayBlock* block) {
     nominal.rightCols(1) =
         kOfAmount * Eigen::Map<const Eigen::VectorXd>(unreplayed[c].data(), rows);
   }
-  block->predict = [replay = block->predict,
-                    unreplayed = std::move(unreplayed)](const Structure& terms) {
-    std::vector<std::vector<double>> predicted = replay(terms);
+  block->replay = [replay = block->replay, unreplayed = std::move(unreplayed)](
+                      const Structure& terms, std::size_t samples) {
+    std::vector<std::vector<double>> predicted = replay(terms, samples);
     AddTo(unreplayed, &predicted);
     return predicted;
   };

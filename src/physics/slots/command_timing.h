@@ -27,9 +27,12 @@ CommandTimingParameters CommandTimingOf(const Effects& effects);
 ///         command_drops: of the messages k P .. (k + 1) P each is lost with one probability,
 ///         whatever the others; the last command before it stands meanwhile. command_delay:
 ///         y(t) = u(t - d), where u is held over each step and y its mean over a step, so that
-///         what the command sums to is exact for any d; with a spread s, the mean over all delays
-///         from d - w / 2 to d + w / 2 alike, w = sqrt(12) s, but at most 2 d.
-/// Omits   jitter of the delay, reordered messages.
+///         what the command sums to is exact for any d. With a spread s, the mean over all delays
+///         from d - w / 2 to d + w / 2 alike, w = sqrt(12) s but at most 2 d, so that nothing acts
+///         before it is given; box and step together are one box of their variance, taken at the
+///         middle of each step.
+/// Omits   jitter of the delay, reordered messages; what the edge of a spread delay's box does
+///         within a step, dt^2 / (8 w) of what the command sums to.
 class CommandTiming {
  public:
   /// `drops` decides which messages are lost. Time is `first_step` steps at the first one.

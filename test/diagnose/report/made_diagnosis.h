@@ -29,9 +29,9 @@ inline DiagnosedBlock Block(const std::string& name, const std::string& channel,
   made.block.name = name;
   const Series measured = MakeSeries(0.5, std::vector<double>(200, 3.0));
   made.block.channels = {{channel, unit, measured, {}, {}, {}}};
-  made.block.predict = [](const Structure&) {
+  made.block.replay = WholeReplay([](const Structure&) {
     return std::vector<std::vector<double>>{std::vector<double>(200, 2.0)};
-  };
+  });
   SearchResult& search = made.diagnosis.search;
   search.nothing.misfit.residual = {MakeSeries(0.5, std::vector<double>(200, 1.0))};
   search.found.misfit.residual = {MakeSeries(0.5, std::vector<double>(200, 0.0))};

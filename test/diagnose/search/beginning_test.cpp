@@ -10,6 +10,7 @@ namespace tera {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 using ::testing::UnorderedElementsAre;
 
 constexpr std::size_t kFourMinutes = 24000;
@@ -65,15 +66,15 @@ TEST(Beginning, DoesNotHideWhatActsLater) {
   ReplayBlock block = ToyBlock(lever, ToyMeasured(clean, kNoise, 21), {0, 3});
   // A suspect that acts from then on.
   block.suspects.push_back({&ToyMechanisms()[2], "toy", {{0, -2, 2}}, {{0.1}, {-0.1}}});
-  const auto always = block.predict;
-  block.predict = [always](const Structure& terms) {
-    std::vector<std::vector<double>> predicted = always(terms);
+  const Replay always = block.replay;
+  block.replay = WholeReplay([always](const Structure& terms) {
+    std::vector<std::vector<double>> predicted = always(terms, kFourMinutes);
     Structure before = terms;
     std::erase_if(before, [](const Term& term) { return term.suspect->mechanism->id == "step"; });
-    const std::vector<double> early = always(before)[0];
+    const std::vector<double> early = always(before, kFourMinutes)[0];
     std::copy_n(early.begin(), kFourMinutes / 2, predicted[0].begin());
     return predicted;
-  };
+  });
   ASSERT_LT(EnoughSamples(ManoeuvresOf(block, Stream(21, "diagnose")), 0.01), kFourMinutes / 2);
   const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(21, "diagnose"));
   EXPECT_THAT(NamesOf(diagnosis), UnorderedElementsAre("square", "step"));
@@ -81,6 +82,30 @@ TEST(Beginning, DoesNotHideWhatActsLater) {
     const bool is_step = finding.term.suspect->mechanism->id == "step";
     EXPECT_NEAR(finding.parameters[0].value, is_step ? 0.15 : 0.2, 0.02);
   }
+}
+
+// Of a number that the beginning does not hold, the whole is asked again: `late` acts only through
+// the last two minutes.
+TEST(Beginning, NumbersThatItDoesNotDetermineAreFreeAgain) {
+  static const Mechanism kBoth{
+      "both", Slot::kLeverMap, {}, {{"size", "1", -2, 2, 0.0}, {"late", "1", -2, 2, 0.0}}};
+  const std::vector<double> lever = ToyLever(kFourMinutes, 23);
+  const auto response = [&](double size, double late) {
+    std::vector<double> y = ToyResponse(lever, size, 0, 0);
+    const std::vector<double> more = ToyResponse(lever, size, late, 0);
+    std::copy(more.begin() + kFourMinutes / 2, more.end(), y.begin() + kFourMinutes / 2);
+    return y;
+  };
+  ReplayBlock block = ToyBlock(lever, ToyMeasured(response(0.2, 0.1), kNoise, 23), {});
+  block.suspects = {{&kBoth, "toy", {{0, -2, 2}, {1, -2, 2}}, {{0.1, 0.01}, {-0.1, 0.01}}, {}}};
+  block.replay = WholeReplay([&](const Structure& terms) {
+    return std::vector<std::vector<double>>{
+        terms.empty() ? lever : response(terms[0].values[0], terms[0].values[1])};
+  });
+  const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(23, "diagnose"));
+  ASSERT_EQ(diagnosis.findings.size(), 1u);
+  EXPECT_THAT(diagnosis.findings[0].term.held, IsEmpty());
+  EXPECT_NEAR(diagnosis.findings[0].parameters[1].value, 0.1, 0.01);
 }
 
 // What the beginning tells apart, and what the whole is asked for the rest of it, are a suspect's

@@ -80,13 +80,13 @@ TEST(BlockDiagnosis, FindsTheLesserOfTwoThoughTheGreaterPassedForNoiseAtFirst) {
     return y;
   };
   ReplayBlock block = ToyBlock(lever, ToyMeasured(response(0.085, 0.3), kNoise, 31), {0, 2});
-  block.predict = [&](const Structure& terms) {
+  block.replay = WholeReplay([&](const Structure& terms) {
     double square = 0, ripple = 0;
     for (const Term& term : terms) {
       (term.suspect->mechanism->id == "square" ? square : ripple) += term.values[0];
     }
     return std::vector<std::vector<double>>{response(square, ripple)};
-  };
+  });
   const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(31, "diagnose"));
   EXPECT_THAT(NamesOf(diagnosis.findings), UnorderedElementsAre("square", "step"));
   EXPECT_GT(NoiseOfBlock(block, diagnosis.manoeuvres)[0].scale, 1.5 * diagnosis.noise[0].scale);
@@ -176,11 +176,11 @@ TEST(BlockDiagnosis, AsksOfAnAxisWhatThreePerCentOfItsQuantityAre) {
   other.measured = ToyMeasured(wave, 0.0005, 19);
   other.nuisances.offset = 0.0002;
   block.channels.push_back(other);
-  block.predict = [one = block.predict](const Structure& terms) {
-    auto both = one(terms);
+  block.replay = WholeReplay([one = block.replay](const Structure& terms) {
+    auto both = one(terms, kSamples);
     both.push_back(std::vector<double>(kSamples, 0.0));
     return both;
-  };
+  });
   EXPECT_THAT(DiagnoseBlock(block, {}, Stream(18, "diagnose")).unexplained, IsEmpty());
   block.channels[1].unit = "m";
   EXPECT_EQ(DiagnoseBlock(block, {}, Stream(18, "diagnose")).unexplained.size(), 1u);

@@ -33,10 +33,10 @@ struct Fixture {
                {{0, -2, 2}, {1, -1, 1}, {2, -180, 180}},
                {{0.1, 0, 40}, {0.3, 0, -170}},
                {}};
-    block.predict = [this](const Structure& terms) {
+    block.replay = WholeReplay([this](const Structure& terms) {
       return std::vector<std::vector<double>>{
           terms.empty() ? lever : Response(terms[0].values[0], terms[0].values[1])};
-    };
+    });
   }
   std::vector<double> Response(double size, double place) const {
     std::vector<double> y;
@@ -79,11 +79,11 @@ TEST(StructureFit, NumbersThatAreDeterminedAreFree) {
 TEST(StructureFit, ANumberThatActsInStairsIsFreeIfItIsSaidToHaveKinks) {
   Fixture toy(0.4);
   toy.suspect.free.pop_back();
-  toy.block.predict = [&toy](const Structure& terms) {
+  toy.block.replay = WholeReplay([&toy](const Structure& terms) {
     if (terms.empty()) return std::vector<std::vector<double>>{toy.lever};
     const double stair = 0.04 * std::round(terms[0].values[1] / 0.04);
     return std::vector<std::vector<double>>{toy.Response(terms[0].values[0], stair)};
-  };
+  });
   const FittedStructure stuck = toy.fitter.Fit({{&toy.suspect, {0.1, 0, 40}}});
   EXPECT_THAT(stuck.terms[0].held, ElementsAre(1));
   toy.suspect.free[1].kinked = true;
@@ -104,9 +104,9 @@ TEST(StructureFit, ANumberThatMovesInstantsIsFoundFromAfar) {
     return y;
   };
   toy.block.channels[0].measured = ToyMeasured(pulses(0.3), 0.05, 3);
-  toy.block.predict = [&](const Structure& terms) {
+  toy.block.replay = WholeReplay([&](const Structure& terms) {
     return std::vector<std::vector<double>>{pulses(terms.empty() ? 0 : terms[0].values[1])};
-  };
+  });
   const Likelihood likelihood(toy.block, {{.scale = 0.05, .dof = 4}}, Mask(kSamples, 1));
   const StructureFitter fitter(toy.block, likelihood, {{0, kSamples}});
   toy.suspect.free = {{1, -1, 1}};

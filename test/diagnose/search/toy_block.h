@@ -81,7 +81,7 @@ inline ReplayBlock ToyBlock(const std::vector<double>& lever, const Series& meas
                               is_lag ? std::vector<std::vector<double>>{{0.05}, {0.3}}
                                      : std::vector<std::vector<double>>{{0.1}, {-0.1}, {0.5}}});
   }
-  block.predict = [lever](const Structure& terms) {
+  block.replay = WholeReplay([lever](const Structure& terms) {
     double square = 0, step = 0, lag_s = 0;
     for (const Term& term : terms) {
       const std::string_view id = term.suspect->mechanism->id;
@@ -90,7 +90,7 @@ inline ReplayBlock ToyBlock(const std::vector<double>& lever, const Series& meas
       if (id == "lag") lag_s += term.values[0];
     }
     return std::vector<std::vector<double>>{ToyResponse(lever, square, step, lag_s)};
-  };
+  });
   return block;
 }
 

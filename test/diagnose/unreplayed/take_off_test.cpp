@@ -63,6 +63,18 @@ TEST(TakeOff, WhatNeitherHasIsFoundBesideIt) {
   EXPECT_EQ(toy.Found(), Names{"step"});
 }
 
+// A long recording is searched in its beginning first.
+TEST(TakeOff, IsOffABeginningToo) {
+  Lacking toy(1);
+  const auto before = toy.block.replay({}, 1000)[0];
+  ASSERT_TRUE(toy.Take().is_taken());
+  const auto after = toy.block.replay({}, 1000)[0];
+  ASSERT_EQ(after.size(), 1000u);
+  for (std::size_t k = 0; k < 1000; ++k) {
+    EXPECT_EQ(after[k], before[k] + toy.square.channels[0][k]);
+  }
+}
+
 TEST(TakeOff, WhatTheRecordingDoesNotShowStays) {
   Lacking toy(0);
   const auto before = toy.block.predict({});

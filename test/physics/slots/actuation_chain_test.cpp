@@ -248,6 +248,7 @@ struct Change {
 TEST(ActuationChain, EveryParameterChangesWhatIsAskedFor) {
   const Change changes[] = {
       {"command_delay", "delay_s", "0.1", "0.1007"},
+      {"command_delay", "spread_s", "0", "0.03", "delay_s: 0.1"},
       {"input_hold", "period_s", "0.05", "0.06"},
       {"input_hold", "phase", "0", "0.5", "period_s: 0.05"},
       {"command_drops", "period_s", "0.05", "0.06", "probability: 0.5"},
