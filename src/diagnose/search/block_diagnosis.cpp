@@ -369,12 +369,11 @@ struct Searched {
   SearchResult search;
 };
 
-/// Noise and search in turn, from what the block's beginning told if it was searched.
+/// Noise and search in turn.
 Searched SearchInTurn(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
-                      const std::vector<Manoeuvre>& manoeuvres,
-                      const std::optional<SearchResult>& begun) {
-  EarlierSearch earlier{begun ? &*begun : nullptr, begun.has_value()};
-  Searched last{NoiseOfBlock(block, manoeuvres, begun ? begun->found.terms : Structure()), {}};
+                      const std::vector<Manoeuvre>& manoeuvres) {
+  EarlierSearch earlier;
+  Searched last{NoiseOfBlock(block, manoeuvres), {}};
   for (int pass = 1;; ++pass) {
     SearchResult search = Procedure(block, options, stream, manoeuvres, last.noise).Search(earlier);
     last.search = std::move(search);
@@ -385,6 +384,26 @@ Searched SearchInTurn(const ReplayBlock& block, const SearchOptions& options, co
     last.noise = std::move(less);
     earlier = {&last.search, false};
   }
+}
+
+/// From what the block's beginning told, under the noise that there is beside it.
+Searched SearchOn(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
+                  const std::vector<Manoeuvre>& manoeuvres, const SearchResult& begun) {
+  std::vector<NoiseModel> noise = NoiseOfBlock(block, manoeuvres, begun.found.terms);
+  SearchResult search = Procedure(block, options, stream, manoeuvres, noise).Search({&begun, true});
+  return {std::move(noise), std::move(search)};
+}
+
+Searched SearchFor(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
+                   const std::vector<Manoeuvre>& manoeuvres) {
+  const std::size_t enough = EnoughSamples(manoeuvres, block.period_s());
+  const std::vector<Manoeuvre> first = Within(manoeuvres, enough);
+  if (enough == block.samples() || !IsTestable(first)) {
+    return SearchInTurn(block, options, stream, manoeuvres);
+  }
+  const ReplayBlock beginning = BeginningOf(block, enough);
+  SearchResult begun = SearchInTurn(beginning, options, stream, first).search;
+  return SearchOn(block, options, stream, manoeuvres, OnWhole(std::move(begun), beginning, block));
 }
 
 }  // namespace
@@ -400,15 +419,7 @@ BlockDiagnosis DiagnoseBlock(const ReplayBlock& block, const SearchOptions& opti
     return Procedure(block, options, stream, manoeuvres, NoiseOfBlock(block, manoeuvres))
         .Untested();
   }
-  const std::size_t enough = EnoughSamples(manoeuvres, block.period_s());
-  std::optional<SearchResult> begun;
-  if (enough < block.samples() && IsTestable(Within(manoeuvres, enough))) {
-    const ReplayBlock beginning = BeginningOf(block, enough);
-    begun = OnWhole(
-        SearchInTurn(beginning, options, stream, Within(manoeuvres, enough), std::nullopt).search,
-        beginning, block);
-  }
-  Searched searched = SearchInTurn(block, options, stream, manoeuvres, std::move(begun));
+  Searched searched = SearchFor(block, options, stream, manoeuvres);
   return Procedure(block, options, stream, manoeuvres, searched.noise)
       .Explain(std::move(searched.search));
 }

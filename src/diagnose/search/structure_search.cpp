@@ -32,6 +32,13 @@ struct Scored {
   std::vector<double> held_out;  ///< log-likelihood by manoeuvre of SELECT
 };
 
+/// A structure of which every term is needed.
+struct Needed {
+  Scored structure;
+  Misfit crossed;  ///< as fits leave it that have not seen what they are judged on
+  std::vector<TermEvidence> evidence;  ///< one for each term
+};
+
 double Total(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values) sum += value;
@@ -122,7 +129,7 @@ class Search {
   Scored Swap(Scored best);
   double SumOfEffects(const Structure& terms) const;
   Scored Disentangle(Scored found);
-  Scored Prune(Scored kept, std::vector<TermEvidence>* evidence) const;
+  Needed Prune(Scored kept) const;
   TermEvidence EvidenceOf(const Scored& with, const Scored& without, const Misfit& crossed_with,
                           const Misfit& crossed_without) const;
   bool IsNeeded(const TermEvidence& evidence) const;
@@ -384,26 +391,30 @@ bool Search::IsNeeded(const TermEvidence& evidence) const {
 }
 
 /// Removes the term that is needed least until all are needed.
-Scored Search::Prune(Scored kept, std::vector<TermEvidence>* evidence) const {
+Needed Search::Prune(Scored kept) const {
+  Misfit crossed_kept = crossed_.Judge({kept.terms}, options_.threads).front();
   while (true) {
     std::vector<Structure> smaller;
     for (std::size_t t = 0; t < kept.terms.size(); ++t) smaller.push_back(Without(kept.terms, t));
     const std::vector<Scored> without = FitAll(smaller, [&](const Structure& terms) {
       return earlier_.of_beginning ? fitter_.FitNear(terms) : fitter_.FitValues(terms);
     });
-    std::vector<Structure> judged = {kept.terms};
+    std::vector<Structure> judged;
     for (const Scored& scored : without) judged.push_back(scored.terms);
-    const std::vector<Misfit> crossed = crossed_.Judge(judged, options_.threads);
-    *evidence = InParallel<TermEvidence>(without.size(), options_.threads, [&](std::size_t t) {
-      return EvidenceOf(kept, without[t], crossed[0], crossed[t + 1]);
-    });
+    std::vector<Misfit> crossed = crossed_.Judge(judged, options_.threads);
+    std::vector<TermEvidence> evidence = InParallel<TermEvidence>(
+        without.size(), options_.threads,
+        [&](std::size_t t) { return EvidenceOf(kept, without[t], crossed_kept, crossed[t]); });
     std::size_t least = kept.terms.size();
     for (std::size_t t = 0; t < without.size(); ++t) {
-      if (IsNeeded((*evidence)[t])) continue;
-      if (least == kept.terms.size() || (*evidence)[t].share < (*evidence)[least].share) least = t;
+      if (IsNeeded(evidence[t])) continue;
+      if (least == kept.terms.size() || evidence[t].share < evidence[least].share) least = t;
     }
-    if (least == kept.terms.size()) return kept;
+    if (least == kept.terms.size()) {
+      return {std::move(kept), std::move(crossed_kept), std::move(evidence)};
+    }
     kept = without[least];
+    crossed_kept = std::move(crossed[least]);
   }
 }
 
@@ -481,13 +492,12 @@ SearchResult Search::Run() {
     FitSingles();
   }
   Screen();
-  const Scored found = Prune(earlier_.of_beginning ? FindMore() : Find(), &result.evidence);
-  if (!found.terms.empty()) {
-    const Misfit crossed = crossed_.Judge({found.terms}, options_.threads).front();
-    for (std::size_t t = 0; t < found.terms.size(); ++t) {
-      FindRivals(found, crossed, t, &result.evidence[t]);
-    }
+  Needed needed = Prune(earlier_.of_beginning ? FindMore() : Find());
+  const Scored& found = needed.structure;
+  for (std::size_t t = 0; t < found.terms.size(); ++t) {
+    FindRivals(found, needed.crossed, t, &needed.evidence[t]);
   }
+  result.evidence = std::move(needed.evidence);
   result.nothing = on_seen_.AsGiven({});
   result.found =
       found.terms.empty() ? result.nothing : on_seen_.Determine(on_seen_.FitFrom(found.terms));
