@@ -75,8 +75,8 @@ struct MachineCase {
 DiagnosisOptions OptionsOf(const DiagnoseArguments& arguments, std::uint64_t seed) {
   DiagnosisOptions options{.seed = seed};
   options.search.threads = arguments.threads;
-  if (arguments.from_s) options.blocks.measurements.from_s = *arguments.from_s;
-  if (arguments.to_s) options.blocks.measurements.to_s = *arguments.to_s;
+  if (arguments.from_s) options.measurements.from_s = *arguments.from_s;
+  if (arguments.to_s) options.measurements.to_s = *arguments.to_s;
   if (arguments.library) options.library = ReadSuspectLibrary(*arguments.library);
   options.time_limit_s = arguments.time_limit_s;
   return options;
@@ -85,9 +85,9 @@ DiagnosisOptions OptionsOf(const DiagnoseArguments& arguments, std::uint64_t see
 /// The scenario as it is under the levers of the recording, where that is wanted.
 std::optional<SimulatedCourse> CourseOf(const DiagnoseArguments& arguments,
                                         const MachineCase& machine, const DiagnosisInput& input,
-                                        const Recording& recording) {
+                                        const Measurements& measured) {
   if (!arguments.simulate) return std::nullopt;
-  return SimulateAsItIs(arguments.scenario, machine.index, input, recording);
+  return SimulateAsItIs(arguments.scenario, machine.index, input, measured);
 }
 
 /// The blocks of the further recordings, before anything is searched: what cannot be read is told
@@ -99,9 +99,10 @@ std::vector<std::vector<ReplayBlock>> FurtherBlocks(const DiagnoseArguments& arg
   for (const std::filesystem::path& path : arguments.held_out) {
     const Recording recording(path);
     const DiagnosisInput input = machine.InputOf(recording);
-    blocks.push_back(BlocksOf(input, recording, {}));
-    if (const auto course = CourseOf(arguments, machine, input, recording)) {
-      TakeOffAll(UnreplayedOf(input, recording, {}, *course), seed, &blocks.back());
+    const Measurements measured = MeasurementsOf(input, recording);
+    blocks.push_back(BlocksOf(input, measured, {}));
+    if (const auto course = CourseOf(arguments, machine, input, measured)) {
+      TakeOffAll(UnreplayedOf(input, measured, {}, *course), seed, &blocks.back());
     }
   }
   return blocks;
@@ -140,14 +141,14 @@ void WriteReports(const DiagnoseArguments& arguments, const std::vector<Diagnosi
 Diagnosis DiagnoseMachine(const DiagnoseArguments& arguments, DiagnosisOptions options,
                           const MachineCase& machine, const Recording& recording,
                           std::vector<PerceptionDiagnosis> seen, StageClock* clock) {
-  options.blocks.measurements.needs_any = seen.empty();
+  options.measurements.needs_any = options.blocks.needs_any = seen.empty();
   const auto further = clock->Time("further recordings",
                                    [&] { return FurtherBlocks(arguments, machine, options.seed); });
   const DiagnosisInput input = machine.InputOf(recording);
   std::optional<SimulatedCourse> course;
-  const auto simulate = [&] {
+  const auto simulate = [&](const Measurements& measured) {
     return clock->Time("simulation as it is",
-                       [&] { return course = CourseOf(arguments, machine, input, recording); });
+                       [&] { return course = CourseOf(arguments, machine, input, measured); });
   };
   DiagnoseProgress bar(input.machine, clock);
   Diagnosis diagnosis = Diagnose(input, recording, options, simulate,
@@ -201,7 +202,9 @@ std::string BaselinesOfRecording(const DiagnoseArguments& arguments) {
   const MachineCase machine(loaded.scenario, 0);
   const DiagnosisOptions options = OptionsOf(arguments, loaded.scenario.seed);
   std::vector<BlockBaselines> blocks;
-  for (const ReplayBlock& block : BlocksOf(machine.InputOf(recording), recording, options.blocks)) {
+  const DiagnosisInput input = machine.InputOf(recording);
+  const Measurements measured = MeasurementsOf(input, recording, options.measurements);
+  for (const ReplayBlock& block : BlocksOf(input, measured, options.blocks)) {
     const Stream stream = StreamOf(block, options.seed);
     BlockBaselines baselines{{}, RmseAsItIs(block, stream), {}};
     for (const Channel& channel : block.channels) baselines.channels.push_back(channel.name);

@@ -74,19 +74,14 @@ Scenario UnderLevers(const ScenarioOptions& options, std::size_t machine,
 }
 
 /// When the simulation starts, in the recording.
-TimeNs ZeroOf(const DiagnosisInput& input, const Recording& recording) {
-  const TimeNs start_ns = StartOf(input, recording);
-  return ToSeconds(start_ns) > kEarly_s ? start_ns : 0;
-}
+TimeNs ZeroOf(TimeNs start_ns) { return ToSeconds(start_ns) > kEarly_s ? start_ns : 0; }
 
 /// The last that encoders measured of the machine; none where there are none.
-std::optional<TimeNs> LastOf(const DiagnosisInput& input, const Recording& recording) {
+std::optional<TimeNs> LastOf(const Measurements& measured) {
   std::optional<TimeNs> last_ns;
-  for (const std::string& channel : recording.ChannelsOf(ChannelType::kEncoder)) {
-    if (!channel.starts_with(input.machine + "/")) continue;
-    const EncoderRecording encoder = recording.LoadEncoder(channel);
-    if (encoder.samples.empty()) continue;
-    last_ns = std::max(last_ns.value_or(0), encoder.samples.back().t_ns);
+  for (const NamedEncoders& named : measured.encoders) {
+    if (named.recording.samples.empty()) continue;
+    last_ns = std::max(last_ns.value_or(0), named.recording.samples.back().t_ns);
   }
   return last_ns;
 }
@@ -110,8 +105,8 @@ class Comparison {
   Comparison(const DiagnosisInput& input, const Recording& recording,
              const DiagnosisOptions& options, const Diagnosis& diagnosis)
       : input_(input), recording_(recording), options_(options), diagnosis_(diagnosis) {
-    start_ns_ = StartOf(input, recording);
-    zero_ns_ = ZeroOf(input, recording);
+    start_ns_ = diagnosis.start_ns;
+    zero_ns_ = ZeroOf(start_ns_);
     const std::string poses = "truth/" + input.machine + "/pose.csv";
     if (recording.Has(poses)) poses_ = recording.LoadPose(poses).poses;
   }
@@ -177,8 +172,8 @@ std::vector<std::vector<double>> Comparison::OfBase(const DiagnosedBlock& diagno
       encoders.push_back({channel, recording_.LoadEncoder(channel)});
     }
   }
-  const BaseLog log =
-      MakeBaseLog(*input_.model, encoders, PosesOf(course, Until_s()), options_.blocks.base_interval_s);
+  const BaseLog log = MakeBaseLog(*input_.model, encoders, PosesOf(course, Until_s()),
+                                  options_.blocks.base_interval_s);
   std::vector<std::vector<double>> values(3, std::vector<double>(block.samples(), NAN));
   for (const BaseInterval& interval : log.intervals) {
     const double place =
@@ -280,10 +275,10 @@ WholeSimulation Comparison::Run(const ScenarioOptions& scenario, std::size_t mac
 
 std::optional<SimulatedCourse> SimulateAsItIs(const ScenarioOptions& scenario, std::size_t machine,
                                               const DiagnosisInput& input,
-                                              const Recording& recording) {
-  const std::optional<TimeNs> last_ns = LastOf(input, recording);
+                                              const Measurements& measured) {
+  const std::optional<TimeNs> last_ns = LastOf(measured);
   if (input.commands.rows.empty() || !last_ns) return std::nullopt;
-  const TimeNs zero_ns = ZeroOf(input, recording);
+  const TimeNs zero_ns = ZeroOf(measured.start_ns);
   return Simulated(UnderLevers(scenario, machine, input, zero_ns), machine, zero_ns,
                    std::min(ToSeconds(*last_ns - zero_ns), kLongest_s));
 }

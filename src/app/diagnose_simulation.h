@@ -14,7 +14,7 @@ namespace tera {
 /// where that is later than a second.
 std::optional<SimulatedCourse> SimulateAsItIs(const ScenarioOptions& scenario, std::size_t machine,
                                               const DiagnosisInput& input,
-                                              const Recording& recording);
+                                              const Measurements& measured);
 
 /// Simulates it with what was found of joints, tracks and the base, and holds both against the
 /// recording on the manoeuvres that the diagnosis kept back. `before`: as it is.

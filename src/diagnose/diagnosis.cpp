@@ -179,11 +179,13 @@ Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
                    const DiagnosisOptions& options, const SimulateMachine& simulate,
                    const FollowProgress& progress) {
   Diagnosis diagnosis;
+  const Measurements measured = MeasurementsOf(input, recording, options.measurements);
+  diagnosis.start_ns = measured.start_ns;
   std::vector<ReplayBlock> blocks =
-      BlocksOf(input, recording, options.blocks, &diagnosis.not_compared);
+      BlocksOf(input, measured, options.blocks, &diagnosis.not_compared);
   if (options.library) ApplyLibrary(*options.library, *input.model, &blocks);
-  const std::optional<SimulatedCourse> course = simulate ? simulate() : std::nullopt;
-  diagnosis.taken_off = course ? TakeOffAll(UnreplayedOf(input, recording, options.blocks, *course),
+  const std::optional<SimulatedCourse> course = simulate ? simulate(measured) : std::nullopt;
+  diagnosis.taken_off = course ? TakeOffAll(UnreplayedOf(input, measured, options.blocks, *course),
                                             options.seed, &blocks)
                                : NotTakenOff(input, blocks);
   diagnosis.machine = input.machine;

@@ -34,6 +34,7 @@ struct DiagnosedBlock {
 struct Diagnosis {
   std::string machine;   ///< its name in the recording
   std::string scenario;  ///< its name in the scenario, to which the overlay speaks
+  TimeNs start_ns = 0;   ///< in the recording, from which all times count
   std::vector<DiagnosedBlock> blocks;
   std::vector<std::string> not_compared;        ///< what was measured, and why nothing came of it
   std::vector<PerceptionDiagnosis> perception;  ///< of sensors that measure ranges
@@ -58,6 +59,7 @@ std::string_view NameOf(Verdict verdict);
 std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis);
 
 struct DiagnosisOptions {
+  MeasurementOptions measurements;
   BlockOptions blocks;
   SearchOptions search;
   std::uint64_t seed = 1;
@@ -89,7 +91,7 @@ std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks, Sear
 
 /// Simulates the scenario as it is under the recorded levers; none where that cannot be. Empty: not
 /// wanted.
-using SimulateMachine = std::function<std::optional<SimulatedCourse>()>;
+using SimulateMachine = std::function<std::optional<SimulatedCourse>(const Measurements&)>;
 
 /// Both, and the levers to drive next. Without a simulation nothing is taken off.
 Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,

@@ -71,6 +71,7 @@ void CheckMeasurements(const DiagnosisInput& input, const Recording& recording,
 Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& recording,
                             const MeasurementOptions& options) {
   Measurements measured;
+  measured.recording = recording.directory().string();
   measured.encoders = EncodersOf(recording, input.machine);
   std::erase_if(measured.encoders,
                 [](const NamedEncoders& named) { return named.recording.samples.empty(); });
@@ -104,10 +105,6 @@ Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& record
   for (auto& samples : measured.gnss) Trim(from_ns, to_ns, &samples);
   Trim(from_ns, to_ns, &measured.efforts);
   return measured;
-}
-
-TimeNs StartOf(const DiagnosisInput& input, const Recording& recording) {
-  return MeasurementsOf(input, recording, {}).start_ns;
 }
 
 }  // namespace tera

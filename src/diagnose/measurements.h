@@ -23,6 +23,7 @@ struct DiagnosisInput {
 
 /// What a recording holds of one machine, within the time that is looked at.
 struct Measurements {
+  std::string recording;  ///< its folder
   std::vector<NamedEncoders> encoders;
   std::vector<TruthPose> poses;
   bool poses_were_measured = false;  ///< not simulated
@@ -30,7 +31,9 @@ struct Measurements {
   /// One for each of the scenario's sensors; empty of those that are none or were not recorded.
   std::vector<std::vector<ImuSample>> imus;
   std::vector<std::vector<GnssSample>> gnss;  ///< likewise
-  TimeNs start_ns = 0;                        ///< of the whole recording
+  /// When the first encoder or inertial unit of the machine measured, in all of the recording: what
+  /// all times count from.
+  TimeNs start_ns = 0;
 };
 
 struct MeasurementOptions {
@@ -40,9 +43,6 @@ struct MeasurementOptions {
 
 /// What was measured of the machine, checked. Throws InputError.
 Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& recording,
-                            const MeasurementOptions& options);
-
-/// When the first encoder or inertial unit of the machine measured: what all times count from.
-TimeNs StartOf(const DiagnosisInput& input, const Recording& recording);
+                            const MeasurementOptions& options = {});
 
 }  // namespace tera

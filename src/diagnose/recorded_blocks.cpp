@@ -184,18 +184,17 @@ void AddGnss(const DiagnosisInput& input, const Measurements& measured,
   }
 }
 
-[[noreturn]] void ThrowNothingToCompare(const DiagnosisInput& input, const Recording& recording,
+[[noreturn]] void ThrowNothingToCompare(const DiagnosisInput& input, const Measurements& measured,
                                         const std::vector<std::string>& obstacles) {
-  const std::string directory = recording.directory().string();
   if (!obstacles.empty()) {
-    throw InputError(fmt::format("{}: {}", directory, fmt::join(obstacles, "; ")));
+    throw InputError(fmt::format("{}: {}", measured.recording, fmt::join(obstacles, "; ")));
   }
   throw InputError(fmt::format(
       "{}: nothing of {} can be replayed: need levers and encoders of the same joints, efforts and "
       "encoders of the same joints, encoders of all tracks or wheels and poses, "
       "a receiver and poses, or an inertial unit and what tells how its link moved, over {} s at "
       "least",
-      directory, input.machine, kShortest_s));
+      measured.recording, input.machine, kShortest_s));
 }
 
 void CountTimeFrom(TimeNs start_ns, ReplayBlock* block) {
@@ -211,10 +210,9 @@ void CountTimeFrom(TimeNs start_ns, ReplayBlock* block) {
 
 }  // namespace
 
-std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Recording& recording,
+std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Measurements& measured,
                                   const BlockOptions& options,
                                   std::vector<std::string>* not_compared) {
-  const Measurements measured = MeasurementsOf(input, recording, options.measurements);
   std::vector<ReplayBlock> blocks;
   std::vector<std::string> obstacles;
   Try("", &obstacles, [&] { AddAxes(input, measured, options, &blocks, &obstacles); });
@@ -225,25 +223,22 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Recording& 
   std::erase_if(blocks, [](const ReplayBlock& block) {
     return static_cast<double>(block.samples()) * block.period_s() < kShortest_s;
   });
-  if (blocks.empty() && options.measurements.needs_any)
-    ThrowNothingToCompare(input, recording, obstacles);
-  CheckUnitsOf({recording.directory().string(), input.machine}, blocks);
+  if (blocks.empty() && options.needs_any) ThrowNothingToCompare(input, measured, obstacles);
+  CheckUnitsOf({measured.recording, input.machine}, blocks);
   for (ReplayBlock& block : blocks) CountTimeFrom(measured.start_ns, &block);
   if (not_compared != nullptr) *not_compared = std::move(obstacles);
   return blocks;
 }
 
-std::vector<Unreplayed> UnreplayedOf(const DiagnosisInput& input, const Recording& recording,
+std::vector<Unreplayed> UnreplayedOf(const DiagnosisInput& input, const Measurements& measured,
                                      const BlockOptions& options, const SimulatedCourse& course) {
   const MachineModel& model = *input.model;
-  const Measurements measured = MeasurementsOf(input, recording, options.measurements);
   std::vector<Unreplayed> unreplayed;
-  const std::string place = recording.directory().string();
   std::vector<std::string> obstacles;  // told by BlocksOf
   const std::vector<NamedEncoders> encoders = AsSimulated(model, course, measured.encoders);
-  Try(place, &obstacles,
+  Try(measured.recording, &obstacles,
       [&] { AddUnreplayedRates(input, measured, encoders, options, &unreplayed); });
-  Try(place, &obstacles,
+  Try(measured.recording, &obstacles,
       [&] { AddUnreplayedMotion(input, measured, encoders, course, options, &unreplayed); });
   return unreplayed;
 }

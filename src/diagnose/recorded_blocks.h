@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "dataset/recording.h"
 #include "diagnose/measurements.h"
 #include "diagnose/search/replay_block.h"
 #include "diagnose/unreplayed/simulated_course.h"
@@ -12,7 +11,7 @@
 namespace tera {
 
 struct BlockOptions {
-  MeasurementOptions measurements;
+  bool needs_any = true;         ///< that nothing can be replayed is an error
   double step_s = 0.01;          ///< of the replay of axes, where encoders sample often enough
   double base_interval_s = 0.2;  ///< over which the motion of base and inertial units is compared
 };
@@ -22,13 +21,13 @@ struct BlockOptions {
 /// and receivers whose link's motion was measured, over 20 s at least. Throws InputError where
 /// there is none at all, unless `needs_any` is false. `not_compared` is given what was measured
 /// in a way that makes no block, and why.
-std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Recording& recording,
+std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Measurements& measured,
                                   const BlockOptions& options,
                                   std::vector<std::string>* not_compared = nullptr);
 
 /// What the replays of joints, gears and base leave of a simulation of the scenario under the
 /// recorded levers: for the blocks of BlocksOf.
-std::vector<Unreplayed> UnreplayedOf(const DiagnosisInput& input, const Recording& recording,
+std::vector<Unreplayed> UnreplayedOf(const DiagnosisInput& input, const Measurements& measured,
                                      const BlockOptions& options, const SimulatedCourse& course);
 
 }  // namespace tera

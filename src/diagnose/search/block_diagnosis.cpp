@@ -303,8 +303,11 @@ Detectability Procedure::DetectabilityOf(const Suspect& suspect) const {
 void Procedure::Confirm(BlockDiagnosis* out) const {
   Structure kept;
   std::vector<TermEvidence> evidence;
-  for (std::size_t t = 0; t < out->search.found.terms.size(); ++t) {
-    Finding finding = Describe(out->search, t);
+  std::vector<Finding> described =
+      InParallel<Finding>(out->search.found.terms.size(), options_.threads,
+                          [&](std::size_t t) { return Describe(out->search, t); });
+  for (std::size_t t = 0; t < described.size(); ++t) {
+    Finding& finding = described[t];
     const double level = finding.evidence.p <= kSurelyChosenP ? kSurelyUnconfirmedP : kUnconfirmedP;
     if (finding.held_out.p <= level) {
       kept.push_back(finding.term);
