@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <map>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "core/in_parallel.h"
 #include "diagnose/search/cross_fit.h"
 #include "diagnose/search/free_member.h"
+#include "diagnose/search/scored_fits.h"
 #include "diagnose/search/steady_gain.h"
 
 namespace tera {
@@ -24,13 +22,6 @@ constexpr double kAsLikely = 0.5;           ///< of log-likelihood
 constexpr double kCalmer = 0.8;             ///< of the sum of effects
 constexpr double kRivalP = 0.05;
 constexpr double kRivalGain = 3;  ///< of log-likelihood: nothing to choose by
-
-/// A structure and how it stands, without the bulk of its innovations.
-struct Scored {
-  Structure terms;
-  double log_likelihood = 0, criterion = 0;
-  std::vector<double> held_out;  ///< log-likelihood by manoeuvre of SELECT
-};
 
 /// A structure of which every term is needed.
 struct Needed {
@@ -56,12 +47,6 @@ void SortByCriterion(std::vector<Scored>* scored) {
                    [](const Scored& a, const Scored& b) { return a.criterion > b.criterion; });
 }
 
-void SortByLikelihood(std::vector<Scored>* scored) {
-  std::stable_sort(scored->begin(), scored->end(), [](const Scored& a, const Scored& b) {
-    return a.log_likelihood > b.log_likelihood;
-  });
-}
-
 bool Has(const Structure& terms, const Suspect* suspect) {
   return std::any_of(terms.begin(), terms.end(),
                      [&](const Term& term) { return term.suspect == suspect; });
@@ -75,15 +60,6 @@ Structure Without(Structure terms, std::size_t k) {
 Structure With(Structure terms, const Suspect& suspect, const std::vector<double>& values) {
   terms.push_back({&suspect, values});
   return terms;
-}
-
-/// What a fit begins at.
-using Key = std::vector<std::tuple<const Suspect*, std::vector<double>, std::vector<std::size_t>>>;
-
-Key KeyOf(const Structure& terms) {
-  Key key;
-  for (const Term& term : terms) key.emplace_back(term.suspect, term.values, term.held);
-  return key;
 }
 
 class Search {
@@ -100,22 +76,12 @@ class Search {
         seen_(PiecesOf(SeenSegmentsOf(manoeuvres), block.period_s())),
         likelihood_(block, noise, MaskOf(manoeuvres, Part::kTrain, block.samples())),
         fitter_(block, likelihood_, {}),
-        crossed_(block, noise, manoeuvres) {
-    for (std::size_t c = 0; c < block.channels.size(); ++c) {
-      rows_ += static_cast<double>(likelihood_.fitted_samples(c).size());
-    }
-  }
+        fits_(fitter_, likelihood_, select_, options.threads),
+        crossed_(block, noise, manoeuvres) {}
 
   SearchResult Run();
 
  private:
-  Scored Score(const FittedStructure& fitted) const;
-  using Fit = std::function<FittedStructure(const Structure&)>;
-  std::vector<Scored> FitAll(const std::vector<Structure>& structures, const Fit& fit) const;
-  std::vector<Scored> FitOnce(const std::vector<Structure>& structures,
-                              std::map<Key, Scored>* known, const Fit& fit) const;
-  std::vector<Scored> FitLikeliest(std::vector<Scored> by_few_steps, std::size_t most);
-  std::vector<Scored> FitLikeliestNear(const std::vector<Structure>& structures, std::size_t most);
   void FitSingles();
   void TakeSingles();
   void Screen();
@@ -146,73 +112,20 @@ class Search {
   const std::vector<Segment> select_, seen_;
   const Likelihood likelihood_;   ///< of TRAIN
   const StructureFitter fitter_;  ///< to TRAIN
+  ScoredFits fits_;
   const CrossFit crossed_;
-  double rows_ = 0;
   Scored nothing_;
   std::vector<Scored> singles_;        ///< one a suspect
   std::vector<std::size_t> screened_;  ///< suspects
   double free_gain_ = 0;
-  std::map<Key, Scored> near_, fitted_;  ///< what fits made of structures: a few steps, in full
 };
-
-Scored Search::Score(const FittedStructure& fitted) const {
-  Scored scored{fitted.terms, fitted.log_likelihood, 0, {}};
-  double parameters = 0;
-  for (const Term& term : fitted.terms)
-    parameters += 1 + static_cast<double>(term.suspect->free.size());
-  scored.criterion = fitted.log_likelihood - 0.5 * parameters * std::log(rows_);
-  for (const Segment& manoeuvre : select_) {
-    scored.held_out.push_back(likelihood_.Sum(fitted.misfit, manoeuvre));
-  }
-  return scored;
-}
-
-std::vector<Scored> Search::FitAll(const std::vector<Structure>& structures, const Fit& fit) const {
-  return InParallel<Scored>(structures.size(), options_.threads,
-                            [&](std::size_t k) { return Score(fit(structures[k])); });
-}
-
-/// Swaps and rivals ask for many of the same ones.
-std::vector<Scored> Search::FitOnce(const std::vector<Structure>& structures,
-                                    std::map<Key, Scored>* known, const Fit& fit) const {
-  std::vector<Structure> fresh;
-  for (const Structure& terms : structures) {
-    if (known->try_emplace(KeyOf(terms)).second) fresh.push_back(terms);
-  }
-  std::vector<Scored> fitted = FitAll(fresh, fit);
-  for (std::size_t k = 0; k < fresh.size(); ++k) (*known)[KeyOf(fresh[k])] = std::move(fitted[k]);
-  std::vector<Scored> all;
-  for (const Structure& terms : structures) all.push_back(known->at(KeyOf(terms)));
-  return all;
-}
-
-/// The likeliest of many by a few steps, fitted in full, the likeliest of them first.
-std::vector<Scored> Search::FitLikeliest(std::vector<Scored> by_few_steps, std::size_t most) {
-  SortByLikelihood(&by_few_steps);
-  by_few_steps.resize(std::min(most, by_few_steps.size()));
-  std::vector<Structure> structures;
-  for (Scored& scored : by_few_steps) structures.push_back(std::move(scored.terms));
-  std::vector<Scored> fitted =
-      FitOnce(structures, &fitted_, [&](const Structure& terms) { return fitter_.FitFrom(terms); });
-  SortByLikelihood(&fitted);
-  return fitted;
-}
-
-/// Where all terms but the last are fitted already.
-std::vector<Scored> Search::FitLikeliestNear(const std::vector<Structure>& structures,
-                                             std::size_t most) {
-  return FitLikeliest(
-      FitOnce(structures, &near_,
-              [&](const Structure& terms) { return fitter_.FitNear(terms, Effort::kFewSteps); }),
-      most);
-}
 
 void Search::FitSingles() {
   std::vector<Structure> structures;
   for (const Suspect& suspect : block_.suspects) {
     structures.push_back(With({}, suspect, suspect.starts.front()));
   }
-  singles_ = FitAll(structures, [&](const Structure& one) { return fitter_.FitValues(one); });
+  singles_ = fits_.All(structures, [&](const Structure& one) { return fitter_.FitValues(one); });
 }
 
 /// As they were fitted earlier; the likeliest anew, where nothing was found and one of them may be
@@ -222,9 +135,9 @@ void Search::TakeSingles() {
   for (const SingleEvidence& single : earlier_.result->singles) {
     structures.push_back(With({}, *single.suspect, single.values));
   }
-  singles_ = FitAll(structures, [&](const Structure& one) { return fitter_.AsGiven(one); });
+  singles_ = fits_.All(structures, [&](const Structure& one) { return fitter_.AsGiven(one); });
   if (!earlier_.result->found.terms.empty()) return;
-  for (Scored& fitted : FitLikeliestNear(structures, kLikeliest)) {
+  for (Scored& fitted : fits_.LikeliestNear(structures, kLikeliest)) {
     for (Scored& single : singles_) {
       const bool is_it = single.terms.front().suspect == fitted.terms.front().suspect;
       if (is_it && fitted.log_likelihood > single.log_likelihood) single = fitted;
@@ -273,7 +186,7 @@ std::vector<Scored> Search::Pairs() {
   const auto few_steps = [&](const Structure& pair) {
     return fitter_.FitValues(pair, Effort::kFewSteps);
   };
-  return FitLikeliest(FitAll(pairs, few_steps), kLikeliestPairs);
+  return fits_.Likeliest(fits_.All(pairs, few_steps), kLikeliestPairs);
 }
 
 /// From nothing, or what was found under other noise.
@@ -284,7 +197,7 @@ Scored Search::Find() {
     candidates.insert(candidates.begin(), singles_.begin(), singles_.end());
     start = BestOf(candidates);
   } else {
-    start = Score(fitter_.FitNear(earlier_.result->found.terms));
+    start = fits_.Score(fitter_.FitNear(earlier_.result->found.terms));
   }
   return Disentangle(Grow(Swap(std::move(start))));
 }
@@ -292,7 +205,7 @@ Scored Search::Find() {
 /// What was found in the beginning and what more the whole tells of.
 Scored Search::FindMore() {
   const Structure& found = earlier_.result->found.terms;
-  if (!found.empty()) return Grow(Score(fitter_.FitFrom(found)));
+  if (!found.empty()) return Grow(fits_.Score(fitter_.FitFrom(found)));
   std::vector<Scored> singles = singles_;
   SortByCriterion(&singles);
   const auto first = std::find_if(singles.begin(), singles.end(), [&](const Scored& single) {
@@ -318,7 +231,7 @@ Scored Search::Grow(Scored best) {
         larger.push_back(With(best.terms, *term.suspect, term.values));
       }
     }
-    std::vector<Scored> fitted = FitLikeliestNear(larger, kLikeliest);
+    std::vector<Scored> fitted = fits_.LikeliestNear(larger, kLikeliest);
     SortByCriterion(&fitted);
     const auto next = std::find_if(fitted.begin(), fitted.end(), [&](const Scored& scored) {
       return scored.criterion <= best.criterion || ChangesEnough(scored.terms, best.terms);
@@ -339,7 +252,7 @@ Scored Search::Swap(Scored best) {
       swapped.push_back(With(Without(best.terms, t), *term.suspect, term.values));
     }
   }
-  for (Scored& scored : FitLikeliestNear(swapped, kLikeliest)) {
+  for (Scored& scored : fits_.LikeliestNear(swapped, kLikeliest)) {
     if (scored.criterion > best.criterion) best = std::move(scored);
   }
   return best;
@@ -360,7 +273,7 @@ double Search::SumOfEffects(const Structure& terms) const {
 Scored Search::Disentangle(Scored found) {
   for (std::size_t t = 0; found.terms.size() > 1 && t < found.terms.size(); ++t) {
     for (const Structure& other : NearestRivals(found, t)) {
-      const Scored scored = Score(fitter_.AsGiven(other));
+      const Scored scored = fits_.Score(fitter_.AsGiven(other));
       if (scored.criterion < found.criterion - kAsLikely) continue;
       if (SumOfEffects(scored.terms) > kCalmer * SumOfEffects(found.terms)) continue;
       found = scored;
@@ -396,7 +309,7 @@ Needed Search::Prune(Scored kept) const {
   while (true) {
     std::vector<Structure> smaller;
     for (std::size_t t = 0; t < kept.terms.size(); ++t) smaller.push_back(Without(kept.terms, t));
-    const std::vector<Scored> without = FitAll(smaller, [&](const Structure& terms) {
+    const std::vector<Scored> without = fits_.All(smaller, [&](const Structure& terms) {
       return earlier_.of_beginning ? fitter_.FitNear(terms) : fitter_.FitValues(terms);
     });
     std::vector<Structure> judged;
@@ -445,7 +358,7 @@ std::vector<Structure> Search::NearestRivals(const Scored& found, std::size_t te
     swapped.push_back(With(Without(found.terms, term), *other.suspect, other.values));
   }
   std::vector<Structure> nearest;
-  for (Scored& scored : FitLikeliestNear(swapped, kNearest)) {
+  for (Scored& scored : fits_.LikeliestNear(swapped, kNearest)) {
     nearest.push_back(std::move(scored.terms));
   }
   return nearest;
@@ -484,7 +397,7 @@ double Search::FreeGain(const Misfit& misfit) const {
 SearchResult Search::Run() {
   SearchResult result;
   const FittedStructure nothing = fitter_.AsGiven({});
-  nothing_ = Score(nothing);
+  nothing_ = fits_.Score(nothing);
   free_gain_ = result.free_gain = FreeGain(nothing.misfit);
   if (earlier_.result != nullptr) {
     TakeSingles();

@@ -49,14 +49,6 @@ TEST(Beginning, IsTheSameBlockForAShorterTime) {
   EXPECT_THAT(beginning.predict(terms), ElementsAre(whole));
 }
 
-std::vector<std::string> NamesOf(const BlockDiagnosis& diagnosis) {
-  std::vector<std::string> names;
-  for (const Finding& finding : diagnosis.findings) {
-    names.emplace_back(finding.term.suspect->mechanism->id);
-  }
-  return names;
-}
-
 // The square acts throughout, the step after two minutes of four.
 TEST(Beginning, DoesNotHideWhatActsLater) {
   const std::vector<double> lever = ToyLever(kFourMinutes, 21);
@@ -77,7 +69,7 @@ TEST(Beginning, DoesNotHideWhatActsLater) {
   });
   ASSERT_LT(EnoughSamples(ManoeuvresOf(block, Stream(21, "diagnose")), 0.01), kFourMinutes / 2);
   const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(21, "diagnose"));
-  EXPECT_THAT(NamesOf(diagnosis), UnorderedElementsAre("square", "step"));
+  EXPECT_THAT(NamesOf(diagnosis.findings), UnorderedElementsAre("square", "step"));
   for (const Finding& finding : diagnosis.findings) {
     const bool is_step = finding.term.suspect->mechanism->id == "step";
     EXPECT_NEAR(finding.parameters[0].value, is_step ? 0.15 : 0.2, 0.02);

@@ -18,12 +18,6 @@ using ::testing::UnorderedElementsAre;
 constexpr std::size_t kSamples = 8000;
 constexpr double kNoise = 0.05;
 
-std::vector<std::string> NamesOf(const std::vector<Finding>& findings) {
-  std::vector<std::string> names;
-  for (const Finding& finding : findings) names.emplace_back(finding.term.suspect->mechanism->id);
-  return names;
-}
-
 const Finding& FindingOf(const BlockDiagnosis& diagnosis, std::string_view id) {
   for (const Finding& finding : diagnosis.findings) {
     if (finding.term.suspect->mechanism->id == id) return finding;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/effects.h"
+#include "diagnose/search/block_diagnosis.h"
 #include "diagnose/search/replay_block.h"
 #include "diagnose/statistics/simulated.h"
 
@@ -102,6 +103,12 @@ inline Series ToyMeasured(const std::vector<double>& clean, double sigma, std::u
   std::vector<double> measured(clean.size());
   for (std::size_t k = 0; k < clean.size(); ++k) measured[k] = clean[k] + error[k];
   return WithDropouts(MakeSeries(0.01, measured), 0.02, Stream(seed, "lost"));
+}
+
+inline std::vector<std::string> NamesOf(const std::vector<Finding>& findings) {
+  std::vector<std::string> names;
+  for (const Finding& finding : findings) names.emplace_back(finding.term.suspect->mechanism->id);
+  return names;
 }
 
 }  // namespace tera
