@@ -16,19 +16,65 @@ constexpr int kSamplesAnInterval = 8;      ///< so that a clock may be off by le
 constexpr double kForceNoise_mps2 = 0.05;  ///< of poses, that forces told from them may have
 constexpr double kLeastShare = 0.5;        ///< of the samples that an interval usually has
 
-/// Means of the samples in each interval.
-void SetMeasured(const std::vector<ImuSample>& samples, ImuLog* log) {
+/// What the replay of an ideal unit makes of the force that a unit at `X_LS` measured: that is seen
+/// through velocities that are means over the track's steps. Of a step it shows the force in W
+/// averaged over its own length and over the two around its middle.
+class ForcesOfSteps {
+ public:
+  ForcesOfSteps(const LinkTrack& track, const Mat3& R_LS, TimeNs sample_ns)
+      : track_(track),
+        R_LS_(R_LS),
+        sample_ns_(sample_ns),
+        sums_W_mps2_(track.X_WL.size() - 1, Vec3::Zero()),
+        weights_(track.X_WL.size() - 1, 0) {}
+
+  void Add(const ImuSample& sample) {
+    const TimeNs middle_ns = sample.t_ns - sample_ns_ / 2;
+    const Vec3 f_W_mps2 = track_.At(middle_ns).linear() * (R_LS_ * sample.f_S_mps2);
+    const double at = ToSeconds(middle_ns - track_.start_ns) / ToSeconds(track_.step_ns);
+    const auto own = static_cast<std::ptrdiff_t>(std::floor(at));
+    for (std::ptrdiff_t step = own - 1; step <= own + 1; ++step) {
+      if (step < 0 || step >= static_cast<std::ptrdiff_t>(weights_.size())) continue;
+      const double from_middle = std::abs(at - (static_cast<double>(step) + 0.5));
+      const double weight = std::clamp(1.5 - from_middle, 0.0, 1.0);
+      sums_W_mps2_[static_cast<std::size_t>(step)] += weight * f_W_mps2;
+      weights_[static_cast<std::size_t>(step)] += weight;
+    }
+  }
+
+  Vec3 MeanOver_S_mps2(std::size_t interval) const {
+    Vec3 mean_mps2 = Vec3::Zero();
+    for (std::size_t k = interval * kStepsAnInterval; k < (interval + 1) * kStepsAnInterval; ++k) {
+      if (weights_[k] == 0) continue;
+      const Mat3 R_WS = track_.At(track_.t_ns(k) + track_.step_ns / 2).linear() * R_LS_;
+      mean_mps2 += R_WS.transpose() * sums_W_mps2_[k] / (weights_[k] * kStepsAnInterval);
+    }
+    return mean_mps2;
+  }
+
+ private:
+  const LinkTrack& track_;
+  const Mat3 R_LS_;
+  const TimeNs sample_ns_;
+  std::vector<Vec3> sums_W_mps2_;
+  std::vector<double> weights_;
+};
+
+/// Turn rates are means of the samples in each interval.
+void SetMeasured(const std::vector<ImuSample>& samples, const Mat3& R_LS, ImuLog* log) {
   const std::size_t intervals = (log->track.X_WL.size() - 1) / kStepsAnInterval;
   log->w_S_radps.assign(intervals, Vec3::Zero());
   log->f_S_mps2.assign(intervals, Vec3::Zero());
   std::vector<double> count(intervals, 0.0);
+  const auto gaps = static_cast<TimeNs>(std::max<std::size_t>(samples.size(), 2) - 1);
+  ForcesOfSteps forces(log->track, R_LS, (samples.back().t_ns - samples.front().t_ns) / gaps);
   for (const ImuSample& sample : samples) {
+    forces.Add(sample);
     const TimeNs since_ns = sample.t_ns - log->clock.start_ns;
     if (since_ns <= 0) continue;
     const auto k = static_cast<std::size_t>((since_ns - 1) / log->clock.Period());
-    if (k >= intervals) break;
+    if (k >= intervals) continue;
     log->w_S_radps[k] += sample.w_WS_S_radps;
-    log->f_S_mps2[k] += sample.f_S_mps2;
     ++count[k];
   }
   const double usual = intervals == 0 ? 0 : *std::max_element(count.begin(), count.end());
@@ -40,7 +86,7 @@ void SetMeasured(const std::vector<ImuSample>& samples, ImuLog* log) {
         std::all_of(known, known + kStepsAnInterval + 1, [](bool b) { return b; }));
     if (count[k] == 0) continue;
     log->w_S_radps[k] /= count[k];
-    log->f_S_mps2[k] /= count[k];
+    log->f_S_mps2[k] = forces.MeanOver_S_mps2(k);
   }
 }
 
@@ -138,7 +184,7 @@ ImuLog MakeImuLog(const MachineModel& model, const SensorDescription& sensor,
   const TimeNs step_ns = FromSeconds(interval_s / kStepsAnInterval);
   log.clock = {1e9 / static_cast<double>(kStepsAnInterval * step_ns), from_ns};
   log.track = TrackOfLink(model, encoders, poses, link, from_ns, to_ns, step_ns);
-  if (log.track.X_WL.size() > kStepsAnInterval) SetMeasured(samples, &log);
+  if (log.track.X_WL.size() > kStepsAnInterval) SetMeasured(samples, sensor.X_BS.linear(), &log);
   return log;
 }
 

@@ -11,7 +11,10 @@ namespace tera {
 /// What an inertial unit measured, and how the link that it sits on moved.
 ///
 /// Frames  S as documented; both quantities expressed in it.
-/// Model   means over even intervals; interval k >= 1 ends at clock.Due(k) and is entry k - 1.
+/// Model   turn rates are means over even intervals; interval k >= 1 ends at clock.Due(k) and is
+///         entry k - 1. Specific forces are smoothed as the replay, which knows the motion at the
+///         track's steps alone, smooths them: in W, by a trapezoid over three steps, and turned
+///         into S again.
 struct ImuLog {
   SampleClock clock;
   LinkTrack track;  ///< two steps an interval
