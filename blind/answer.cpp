@@ -47,12 +47,17 @@ Answer ReadAnswer(const std::filesystem::path& diagnosis_json) {
     const Json json = Json::parse(file);
     Answer answer;
     for (const Json& verdict : json.at("verdict")) answer.verdicts.push_back(Text(verdict));
-    for (const Json& finding : json.at("findings")) answer.findings.push_back(FindingOf(finding));
     for (const Json& one : json.at("untestable")) {
       answer.untestable.emplace_back(Text(one.at("mechanism")), Text(one.at("target")));
     }
     for (const Json& one : json.at("held_out")) {
       answer.rmse_after[Text(one.at("channel"))] = Number(one.at("rmse_after"));
+    }
+    for (const Json& finding : json.at("findings")) {
+      answer.findings.push_back(FindingOf(finding));
+      const auto proposal = finding.find("proposal");
+      if (proposal == finding.end() || !proposal->is_object()) continue;
+      answer.rmse_after[Text(finding.at("channel"))] = Number(proposal->at("rmse_after"));
     }
     return answer;
   } catch (const Json::exception& e) {

@@ -54,7 +54,7 @@ double AxisEquations::Wanted_radps(const Surroundings& at, std::span<const doubl
                                    double q_rad) const {
   const double* own = x.data() + form_.line_stages;
   const double signal = form_.line_stages > 0 ? x[form_.line_stages - 1] : at.lever;
-  double share = form_.lag_s > 0 ? own[kLag2] : Opening(signal);
+  double share = form_.lag_s > 0 ? own[kLag3] : Opening(signal);
   if (form_.slew_per_s > 0) share = own[kRamp];
   const PlainAxis& axis = excavator_.axis(axis_);
   double rate = share * (share < 0 ? axis.rate_negative_radps : axis.rate_positive_radps);
@@ -87,11 +87,12 @@ void AxisEquations::Derive(const Surroundings& at, std::span<const double> x,
   std::fill(d, d + kFixed, 0.0);
   const double signal = n > 0 ? x[n - 1] : at.lever;
   if (form_.lag_s > 0) {
-    d[kLag1] = (Opening(signal) - own[kLag1]) / (form_.lag_s / 1.2);
-    d[kLag2] = (own[kLag1] - own[kLag2]) / (form_.lag_s / 6);
+    d[kLag1] = (Opening(signal) - own[kLag1]) / (form_.lag_s * kLagShares[0]);
+    d[kLag2] = (own[kLag1] - own[kLag2]) / (form_.lag_s * kLagShares[1]);
+    d[kLag3] = (own[kLag2] - own[kLag3]) / (form_.lag_s * kLagShares[2]);
   }
   if (form_.slew_per_s > 0) {
-    const double share = form_.lag_s > 0 ? own[kLag2] : Opening(signal);
+    const double share = form_.lag_s > 0 ? own[kLag3] : Opening(signal);
     d[kRamp] = form_.slew_per_s * std::tanh((share - own[kRamp]) / kRampEdge);
   }
   const double q = own[kAngle], w = own[kRate], I = at.inertia_kgm2;

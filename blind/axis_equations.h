@@ -41,6 +41,7 @@ class AxisEquations {
   enum Place : std::size_t {
     kLag1,
     kLag2,
+    kLag3,
     kRamp,
     kPressure,
     kDrive,

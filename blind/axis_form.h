@@ -4,6 +4,9 @@
 
 namespace tera::blind {
 
+/// Spool, pilot and coil.
+inline constexpr double kLagShares[] = {50. / 63, 10. / 63, 3. / 63};
+
 /// How one joint's drive departs from the ideal, in the forms of this benchmark: none is written as
 /// the mechanism of the library that should be named for it. 0, or 1 for factors, is ideal.
 ///
@@ -25,7 +28,7 @@ struct AxisForm {
   double delivered = 1;     ///< share of the flow that a worn pump delivers
 
   // Stroke of the spool and oil behind it.
-  double lag_s = 0;       ///< sum of two lags, the second a fifth of the first
+  double lag_s = 0;       ///< sum of three lags, of kLagShares
   double slew_per_s = 0;  ///< greatest change of the rate, in full rates a second
   double supply_nm = 0;   ///< effort at supply pressure; the oil's spring below
   double oil_radps = 40, oil_damping = 0.4;

@@ -44,11 +44,11 @@ BlockDiagnosis DiagnoseInTime(ReplayBlock* block, const SearchOptions& options,
   return diagnosis;
 }
 
-void Propose(std::uint64_t seed, DiagnosedBlock* diagnosed) {
+void ProposeFor(std::uint64_t seed, DiagnosedBlock* diagnosed) {
   for (const Unexplained& left : diagnosed->diagnosis.unexplained) {
     const std::size_t channel = left.location.channel;
     const Stream stream(seed, "diagnose/proposal/" + diagnosed->block.channels[channel].name);
-    if (auto proposal = ProposeTerms(diagnosed->block, diagnosed->diagnosis, channel, stream)) {
+    if (auto proposal = Propose(diagnosed->block, diagnosed->diagnosis, channel, stream)) {
       diagnosed->proposals.push_back(std::move(*proposal));
     }
   }
@@ -192,7 +192,7 @@ Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
   diagnosis.scenario = input.scenario;
   diagnosis.blocks = DiagnoseBlocks(std::move(blocks), options.search, options.seed, progress,
                                     options.time_limit_s);
-  for (DiagnosedBlock& diagnosed : diagnosis.blocks) Propose(options.seed, &diagnosed);
+  for (DiagnosedBlock& diagnosed : diagnosis.blocks) ProposeFor(options.seed, &diagnosed);
   diagnosis.next = NextManoeuvreOf(*input.model, diagnosis.blocks, options);
   return diagnosis;
 }

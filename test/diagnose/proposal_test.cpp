@@ -29,7 +29,7 @@ struct Odd {
     diagnosis = DiagnoseBlock(block, {}, Stream(seed, "diagnose"));
   }
   std::optional<Proposal> Proposed(std::uint64_t seed = 1) const {
-    return ProposeTerms(block, diagnosis, 0, Stream(seed, "proposal"));
+    return Propose(block, diagnosis, 0, Stream(seed, "proposal"));
   }
 
   std::vector<double> lever;
@@ -64,6 +64,32 @@ TEST(Proposal, OfADragThatGrowsWithTheSquareHasTheSquareThatKeepsItsSign) {
   ASSERT_TRUE(proposal.has_value());
   EXPECT_EQ(proposal->terms[0].factors[0].form, FactorForm::kSignedSquare);
   EXPECT_NEAR(proposal->terms[0].coefficient, -0.3, 0.06);
+}
+
+TEST(Proposal, OfAGainThatGoesUpAndDownIsItsCurve) {
+  const Odd odd(
+      24, [](double lever, double temperature) { return 0.4 * std::sin(5 * temperature) * lever; });
+  const auto proposal = odd.Proposed();
+  ASSERT_TRUE(proposal.has_value());
+  EXPECT_TRUE(proposal->terms.empty());
+  ASSERT_TRUE(proposal->curve.has_value());
+  const ProposedCurve& curve = *proposal->curve;
+  EXPECT_EQ(curve.variable, "temperature");
+  EXPECT_TRUE(curve.is_share);
+  double square = 0, beyond = 0;
+  for (Eigen::Index bin = 0; bin < curve.at.size(); ++bin) {
+    const double truth = 0.4 * std::sin(5 * curve.at[bin]);
+    square += std::pow(curve.mean[bin] - truth, 2);
+    beyond += truth < curve.low[bin] - 0.03 || truth > curve.high[bin] + 0.03 ? 1 : 0;
+  }
+  EXPECT_LT(std::sqrt(square / 64), 0.04);  // of 0.28
+  EXPECT_LE(beyond, 4);                     // of 64, but for what smoothing cuts off
+  EXPECT_NEAR(proposal->rmse_after, kNoise, 0.02);
+  EXPECT_GT(proposal->rmse_before, 2 * proposal->rmse_after);
+  EXPECT_THAT(SentenceOf(odd.block, *proposal),
+              AllOf(HasSubstr("a curve for what is left, a proposal and no name: add rate · "
+                              "c(temperature), c from -0."),
+                    HasSubstr(" at ")));
 }
 
 TEST(Proposal, OfNoiseAloneIsNone) {

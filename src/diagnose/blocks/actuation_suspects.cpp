@@ -77,10 +77,14 @@ void AddTimingAndMap(const std::vector<std::vector<double>>& holds, SuspectList*
   out->Add("rate_gain", {{0, 0.3, 1.8}}, {{0.9}, {1.15}, {0.75}});
 }
 
-void AddActuator(const Reach& reach, SuspectList* out) {
+/// A lag that is shorter than a step is none.
+void AddActuator(const Reach& reach, double step_s, SuspectList* out) {
   const double w = reach.full_rate_radps;
-  out->Add("actuator_lag", {{0, 0, 1.5}}, {{0.05}, {0.12}, {0.25}, {0.5}});
-  out->Add("rate_limit", {{0, w / 5, w / 0.02, true}}, {{w / 0.1}, {w / 0.3}, {w / 1}});
+  // From a pilot, or a band, of nought no small step changes anything.
+  out->Add("actuator_lag", {{0, step_s, 1.5}, {1, 0, 0.3}},
+           {{0.05, 0.01}, {0.12, 0.02}, {0.25, 0.04}, {0.5, 0.08}});
+  out->Add("rate_limit", {{0, w / 5, w / 0.02, true}, {1, 0, 0.2}},
+           {{w / 0.1, 0.01}, {w / 0.3, 0.01}, {w / 1, 0.02}});
   out->Add("actuator_ring", {{0, 3, 60, true}, {1, 0.5, 30, true}, {2, -1.5, 1.5}},
            {{20, 6, 0}, {12, 4, 0}, {28, 8, 0}, {8, 3, 0}});
   if (reach.has_stops) {
@@ -140,7 +144,7 @@ std::vector<Suspect> SuspectsOfAxis(const MachineModel& model, const AxisLog& lo
                      : EffectsAt(model.effects.gears, axis - joints),
       ActuationMechanisms());
   AddTimingAndMap(HoldStarts(log, axis), &out);
-  AddActuator(reach, &out);
+  AddActuator(reach, log.step_s, &out);
   AddGainAndLoad(reach, &out);
   std::vector<Suspect> suspects = out.Take();
   if (pump) {

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/random.h"
@@ -16,28 +19,32 @@ struct ProposedTerm {
   double stability = 0;  ///< share of subsamples of the manoeuvres that choose it, or one alike
 };
 
-/// A formula for error that no mechanism explains: what should be added to the prediction. A
-/// proposal, no name: it says of what the error is made, not why.
+/// A curve over one of the channel's variables, at places of it.
+struct ProposedCurve {
+  std::string variable;
+  bool is_share = false;  ///< of the predicted value, not in the channel's unit
+  Eigen::VectorXd at, mean, low, high;
+};
+
+/// What should be added to the prediction where no mechanism explains the error: a formula or a
+/// curve. A proposal, no name: it says of what the error is made, not why.
 struct Proposal {
   std::size_t channel = 0;
-  std::vector<ProposedTerm> terms;         ///< the weightiest first
+  std::vector<ProposedTerm> terms;  ///< of a formula, the weightiest first
+  std::optional<ProposedCurve> curve;
+  double rmse_select = 0;                  ///< on SELECT, of its numbers as TRAIN has them
   double rmse_before = 0, rmse_after = 0;  ///< on FINAL, of which nothing was used
 };
 
-/// The formula for what is left of a channel, if a short one is found that holds.
-///
-/// Model   orthogonal matching pursuit of the whitened residual on the term library
-///         (term_library.h), beside offset, gain, delay and nominal numbers, on TRAIN and SELECT;
-///         at most three terms, each by the extended Bayesian information criterion. Stability: the
-///         same on 60 random halves of the manoeuvres; a term must be chosen in seven of ten of
-///         them, or one that correlates with it by 0.95. What stays is fitted anew; standard
-///         deviations by the scatter over manoeuvres. Nothing where FINAL does not gain a
-///         twentieth.
-/// Omits   terms with memory; a dependence that the library has not.
-/// Source  Pati, Rezaiifar, Krishnaprasad 1993; Meinshausen and Buehlmann 2010, "Stability
-///         selection"; Chen and Chen 2008 (the criterion); Brunton, Proctor, Kutz 2016 (sparse
-///         regression on a library).
-std::optional<Proposal> ProposeTerms(const ReplayBlock& block, const BlockDiagnosis& diagnosis,
-                                     std::size_t channel, const Stream& stream);
+/// RMS of what is valid in a mask.
+double RmsOver(const Series& series, const Mask& mask);
+
+/// Whether FINAL gains a twentieth of its RMSE.
+bool Holds(const Proposal& proposal);
+
+/// What is proposed for what is left of a channel, if anything holds: a formula, unless a curve
+/// leaves less than nine tenths as much of SELECT.
+std::optional<Proposal> Propose(const ReplayBlock& block, const BlockDiagnosis& diagnosis,
+                                std::size_t channel, const Stream& stream);
 
 }  // namespace tera

@@ -114,7 +114,21 @@ Json Named(const DiagnosedBlock& diagnosed, const Finding& finding) {
   return json;
 }
 
-/// The formula for what is left of a channel, if there is one.
+Json CurveOf(const ProposedCurve& proposed) {
+  const auto list = [](const Eigen::VectorXd& values) {
+    Json numbers = Json::array();
+    for (const double value : values) numbers.push_back(Number(value));
+    return numbers;
+  };
+  return {{"variable", proposed.variable},
+          {"error", proposed.is_share ? "share of simulated" : "value"},
+          {"at", list(proposed.at)},
+          {"mean", list(proposed.mean)},
+          {"low", list(proposed.low)},
+          {"high", list(proposed.high)}};
+}
+
+/// The formula or curve for what is left of a channel, if there is one.
 Json ProposalOf(const DiagnosedBlock& diagnosed, std::size_t channel) {
   for (const Proposal& proposal : diagnosed.proposals) {
     if (proposal.channel != channel) continue;
@@ -128,6 +142,7 @@ Json ProposalOf(const DiagnosedBlock& diagnosed, std::size_t channel) {
     }
     return {{"formula", FormulaText(diagnosed.block, proposal)},
             {"terms", std::move(terms)},
+            {"curve", proposal.curve ? CurveOf(*proposal.curve) : Json(nullptr)},
             {"rmse_before", Number(proposal.rmse_before)},
             {"rmse_after", Number(proposal.rmse_after)},
             {"unit", diagnosed.block.channels[channel].unit}};

@@ -76,7 +76,7 @@ std::string CoefficientUnit(const ReplayBlock& block, std::size_t channel,
     const std::string unit = factor.variable == "rate" ? own : UnitOfVariable(factor.variable, own);
     if (power == 0 || unit == "1") continue;
     if (unit == own && above == own && power == 1) {
-      above = "1";
+      above.assign(1, '1');
     } else {
       below[unit] += power;
     }
@@ -88,6 +88,10 @@ std::string CoefficientUnit(const ReplayBlock& block, std::size_t channel,
 }
 
 std::string FormulaText(const ReplayBlock& block, const Proposal& proposal) {
+  if (proposal.curve) {
+    return fmt::format("{}c({})", proposal.curve->is_share ? "rate · " : "",
+                       VariableText(proposal.curve->variable, block));
+  }
   std::string text;
   for (const ProposedTerm& term : proposal.terms) {
     text += fmt::format("{}{} · {}", text.empty() ? "" : " + ", NumberText(block, proposal, term),
@@ -96,17 +100,43 @@ std::string FormulaText(const ReplayBlock& block, const Proposal& proposal) {
   return text;
 }
 
-std::string SentenceOf(const ReplayBlock& block, const Proposal& proposal) {
-  const Channel& channel = block.channels[proposal.channel];
-  const ReadableUnit unit = ReadableUnitOf(channel.unit);
+namespace {
+
+/// From where to where a curve goes.
+std::string CurveText(const ReplayBlock& block, const Proposal& proposal) {
+  const ProposedCurve& curve = *proposal.curve;
+  const std::string& own = block.channels[proposal.channel].unit;
+  const ReadableUnit unit = curve.is_share ? ReadableUnit{1, ""} : ReadableUnitOf(own);
+  const ReadableUnit at = ReadableUnitOf(UnitOfVariable(curve.variable, own));
+  Eigen::Index least = 0, most = 0;
+  curve.mean.minCoeff(&least);
+  curve.mean.maxCoeff(&most);
+  const auto place = [&](Eigen::Index bin) {
+    return fmt::format("{} at {}", WithUnit(Significant(curve.mean[bin] * unit.factor, 2), unit),
+                       WithUnit(Significant(curve.at[bin] * at.factor, 2), at));
+  };
+  return fmt::format("a curve for what is left, a proposal and no name: add {}, c from {} to {}",
+                     FormulaText(block, proposal), place(least), place(most));
+}
+
+std::string TermsText(const ReplayBlock& block, const Proposal& proposal) {
   double stability = 1;
   for (const ProposedTerm& term : proposal.terms) stability = std::min(stability, term.stability);
   return fmt::format(
-      "{}: a formula for what is left, a proposal and no name: add {} (SI units; chosen in {} of "
-      "random halves of the manoeuvres). Held-out RMSE {} → {}.",
-      Capitalised(QuantityOf(channel.name)), FormulaText(block, proposal), PercentText(stability),
-      Significant(proposal.rmse_before * unit.factor, 2),
-      WithUnit(Significant(proposal.rmse_after * unit.factor, 2), unit));
+      "a formula for what is left, a proposal and no name: add {} (SI units; chosen in {} of "
+      "random halves of the manoeuvres)",
+      FormulaText(block, proposal), PercentText(stability));
+}
+
+}  // namespace
+
+std::string SentenceOf(const ReplayBlock& block, const Proposal& proposal) {
+  const Channel& channel = block.channels[proposal.channel];
+  const ReadableUnit unit = ReadableUnitOf(channel.unit);
+  return fmt::format("{}: {}. Held-out RMSE {} → {}.", Capitalised(QuantityOf(channel.name)),
+                     proposal.curve ? CurveText(block, proposal) : TermsText(block, proposal),
+                     Significant(proposal.rmse_before * unit.factor, 2),
+                     WithUnit(Significant(proposal.rmse_after * unit.factor, 2), unit));
 }
 
 }  // namespace tera

@@ -11,7 +11,8 @@ namespace tera {
 /// How the rate of an actuator follows what is asked of it. As built, at once.
 struct ActuatorParameters {
   double max_change_radps2 = std::numeric_limits<double>::infinity();
-  double lag_s = 0;
+  double band_s = 0;  ///< of the rate limit: error over it, below the limit
+  double lag_s = 0, pilot_s = 0;
   bool rings = false;
   double eta_radps = 0, beta_1ps = 0, phi_rad = 0;
   double cushion_rad = 0, cushion_ratio = 1;
@@ -24,7 +25,8 @@ ActuatorParameters ActuatorOf(const Effects& effects);
 
 /// Slot `actuator` of one joint or gear.
 ///
-/// Model   In this order: rate_limit, |dw/dt| at most its limit; actuator_lag, T dw/dt = u - w;
+/// Model   In this order: rate_limit, dw/dt = (u - w) / tau, at most its limit either way;
+///         actuator_lag, Tp dx/dt = u - x, T dw/dt = x - w, of the pilot and of what it moves;
 ///         actuator_ring, the linear filter whose answer to a step of w_ss is
 ///         w(t) = w_ss (1 + sin(eta t + phi) e^(-beta t)), t > 0, so that steps superpose and a
 ///         lever moved back ends at rest; end_cushion, within a distance z of a stop the rate
@@ -38,7 +40,7 @@ class ActuatorDynamics {
   explicit ActuatorDynamics(const ActuatorParameters& parameters)
       : parameters_(parameters),
         acts_(std::isfinite(parameters.max_change_radps2) || parameters.lag_s > 0 ||
-              parameters.rings || parameters.cushion_rad > 0) {}
+              parameters.pilot_s > 0 || parameters.rings || parameters.cushion_rad > 0) {}
 
   /// Rate at the end of a step of `dt_s` during which `command_radps` is asked for, the joint being
   /// at `position_rad`.
@@ -49,16 +51,19 @@ class ActuatorDynamics {
  private:
   double Act(double command_radps, double position_rad, double dt_s);
   void Prepare(double dt_s);
+  double Limit(double command_radps, double dt_s) const;
+  double Lag(double command_radps);
   double Ring(double command_radps);
   double Cushion(double rate_radps, double position_rad) const;
 
   ActuatorParameters parameters_;
   bool acts_;
-  double limited_radps_ = 0, lagged_radps_ = 0, ring_command_radps_ = 0;
+  double limited_radps_ = 0, piloted_radps_ = 0, lagged_radps_ = 0, ring_command_radps_ = 0;
   /// Sum over all steps of w_ss e^(i phi) e^((-beta + i eta) t); its imaginary part is the ringing.
   std::complex<double> ringing_radps_ = 0;
-  double dt_s_ = 0;  ///< for which the following hold
-  double lag_step_ = 1;
+  double dt_s_ = 0;                         ///< for which the following hold
+  double lag_keeps_ = 0, pilot_keeps_ = 0;  ///< of an error, over a step
+  double lag_of_pilot_ = 0;                 ///< what the pilot's error leaves in the lag's
   std::complex<double> phase_ = 1, turn_ = 1;
 };
 

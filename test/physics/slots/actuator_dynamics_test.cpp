@@ -56,6 +56,40 @@ TEST(ActuatorDynamics, ALagAttenuatesASineAsAFirstOrderFilter) {
   EXPECT_NEAR(most, std::sqrt(0.5), 1e-4);
 }
 
+TEST(ActuatorDynamics, APilotBeforeALagIsASecondOne) {
+  // 1 - (T e^(-t/T) - P e^(-t/P)) / (T - P) at T = 0.3, P = 0.1, t = 0.2; t = 0.6.
+  for (const double dt_s : {0.0005, 0.002, 0.05}) {
+    const auto at = [&](double t_s) {
+      return static_cast<std::size_t>(std::lround(t_s / dt_s)) - 1;
+    };
+    const auto rates = StepResponse("actuator_lag: {time_s: 0.3, pilot_s: 0.1}", 2000, dt_s);
+    EXPECT_NEAR(rates[at(0.2)], 0.2975419631, 1e-9);
+    EXPECT_NEAR(rates[at(0.6)], 0.7982364512, 1e-9);
+    // Of equal times: 1 - (1 + t / T) e^(-t / T).
+    const auto equal = StepResponse("actuator_lag: {time_s: 0.3, pilot_s: 0.3}", 2000, dt_s);
+    EXPECT_NEAR(equal[at(0.3)], 0.2642411177, 1e-9);
+    // Which comes first does not show.
+    const auto turned = StepResponse("actuator_lag: {time_s: 0.1, pilot_s: 0.3}", 2000, dt_s);
+    EXPECT_NEAR(turned[at(0.2)], 0.2975419631, 1e-9);
+    const auto pilot = StepResponse("actuator_lag: {time_s: 0, pilot_s: 0.3}", 2000, dt_s);
+    EXPECT_NEAR(pilot[at(0.3)], 0.6321205588, 1e-9);
+  }
+}
+
+TEST(ActuatorDynamics, ARateLimitWithABandEndsAsALag) {
+  // Straight at 4 rad/s^2 until 4 * 0.1 = 0.4 are left of 1, at 0.15 s; then 0.4 e^(-(t - 0.15) /
+  // 0.1).
+  for (const double dt_s : {0.0005, 0.002, 0.05}) {
+    const auto at = [&](double t_s) {
+      return static_cast<std::size_t>(std::lround(t_s / dt_s)) - 1;
+    };
+    const auto rates = StepResponse("rate_limit: {max_change_radps2: 4, band_s: 0.1}", 2000, dt_s);
+    EXPECT_NEAR(rates[at(0.1)], 0.4, 1e-9);
+    EXPECT_NEAR(rates[at(0.25)], 1 - 0.4 * std::exp(-1.0), 1e-9);
+    EXPECT_NEAR(rates[at(0.45)], 1 - 0.4 * std::exp(-3.0), 1e-9);
+  }
+}
+
 TEST(ActuatorDynamics, ARateLimitRampsUpAndDown) {
   ActuatorDynamics actuator = ActuatorFrom("rate_limit: {max_change_radps2: 4}");
   for (int i = 1; i <= 100; ++i)

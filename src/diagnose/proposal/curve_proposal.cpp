@@ -1,0 +1,186 @@
+#include "diagnose/proposal/curve_proposal.h"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "diagnose/search/steady_gain.h"
+#include "diagnose/statistics/block_bootstrap.h"
+#include "diagnose/statistics/regime_axis.h"
+#include "diagnose/statistics/robust.h"
+
+namespace tera {
+namespace {
+
+constexpr Eigen::Index kSplines = 20;
+constexpr std::uint64_t kReplicates = 200;
+
+/// Normal equations of a curve's coefficients.
+struct Normal {
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(kSplines, kSplines);
+  Eigen::VectorXd pull = Eigen::VectorXd::Zero(kSplines);
+
+  void Add(const Normal& other, double times = 1) {
+    information += times * other.information;
+    pull += times * other.pull;
+  }
+};
+
+/// A residual as a function of one variable, or as that share of the prediction.
+class CurveOver {
+ public:
+  CurveOver(const RegimeVariable& variable, const Series& residual)
+      : residual_(residual),
+        axis_(variable),
+        splines_(axis_.Splines(kSplines)),
+        roughness_(axis_.Roughness(kSplines)) {}
+
+  bool IsSmooth() const { return !axis_.discrete(); }
+  const Eigen::VectorXd& at() const { return axis_.centre(); }
+
+  Normal Over(const Segment& samples) const {
+    Eigen::VectorXd weight = Eigen::VectorXd::Zero(axis_.bins()), pull = weight;
+    for (std::size_t k = samples.begin; k < samples.end; ++k) {
+      if (!residual_.valid[k]) continue;
+      const double times = axis_.times()[static_cast<Eigen::Index>(k)];
+      weight[axis_.bin()[k]] += times * times;
+      pull[axis_.bin()[k]] += times * residual_.value[k];
+    }
+    return {splines_.transpose() * weight.asDiagonal() * splines_, splines_.transpose() * pull};
+  }
+
+  /// The curve, for a penalty that counts from the trace of the information.
+  Eigen::VectorXd Solve(const Normal& normal, double penalty) const {
+    Eigen::MatrixXd left = normal.information;
+    const double trace = left.trace();
+    left += penalty * trace / roughness_.trace() * roughness_;
+    left.diagonal().array() += 1e-9 * trace / static_cast<double>(kSplines) + 1e-300;
+    return splines_ * left.ldlt().solve(normal.pull);
+  }
+
+  Series Left(const Eigen::VectorXd& curve) const {
+    Series left = residual_;
+    for (std::size_t k = 0; k < left.size(); ++k) {
+      left.value[k] -= axis_.times()[static_cast<Eigen::Index>(k)] * curve[axis_.bin()[k]];
+    }
+    return left;
+  }
+
+ private:
+  const Series& residual_;
+  RegimeAxis axis_;
+  Eigen::MatrixXd splines_, roughness_;
+};
+
+class CurveProposer {
+ public:
+  CurveProposer(const ReplayBlock& block, const BlockDiagnosis& diagnosis, std::size_t channel)
+      : channel_(channel),
+        manoeuvres_(diagnosis.manoeuvres),
+        variables_(block.channels[channel].variables),
+        residual_(diagnosis.search.found.misfit.residual[channel]),
+        predicted_(block.predict(diagnosis.search.found.terms)[channel]) {}
+
+  std::optional<Proposal> Run(const Stream& stream) const;
+
+ private:
+  struct Choice {
+    const RegimeVariable* variable = nullptr;
+    bool is_share = false;
+    double penalty = 0, rmse_select = 0;
+  };
+  Choice Choose() const;
+  CurveOver Over(const RegimeVariable& variable, bool is_share) const;
+  std::vector<Normal> Normals(const CurveOver& over) const;
+  void SetBand(const CurveOver& over, const std::vector<Normal>& normals, double penalty,
+               const Stream& stream, ProposedCurve* curve) const;
+  Mask Of(Part part) const { return MaskOf(manoeuvres_, part, residual_.size()); }
+
+  std::size_t channel_;
+  const std::vector<Manoeuvre>& manoeuvres_;
+  const std::vector<RegimeVariable>& variables_;
+  const Series& residual_;
+  const std::vector<double> predicted_;
+};
+
+CurveOver CurveProposer::Over(const RegimeVariable& variable, bool is_share) const {
+  RegimeVariable asked = variable;
+  if (is_share) asked.times = predicted_;
+  return CurveOver(asked, residual_);
+}
+
+CurveProposer::Choice CurveProposer::Choose() const {
+  const Mask select = Of(Part::kSelect);
+  Choice best;
+  best.rmse_select = RmsOver(residual_, select);
+  for (const RegimeVariable& variable : variables_) {
+    for (const bool is_share : {false, true}) {
+      const CurveOver over = Over(variable, is_share);
+      if (!over.IsSmooth()) continue;
+      Normal train;
+      for (const Segment& samples : SegmentsOf(manoeuvres_, Part::kTrain)) {
+        train.Add(over.Over(samples));
+      }
+      for (double exponent = -5; exponent <= 1; ++exponent) {
+        const double penalty = std::pow(10.0, exponent);
+        const double rmse = RmsOver(over.Left(over.Solve(train, penalty)), select);
+        if (rmse < best.rmse_select) best = {&variable, is_share, penalty, rmse};
+      }
+    }
+  }
+  return best;
+}
+
+/// One for each manoeuvre of TRAIN and SELECT.
+std::vector<Normal> CurveProposer::Normals(const CurveOver& over) const {
+  std::vector<Normal> normals;
+  for (const Segment& samples : SeenSegmentsOf(manoeuvres_)) normals.push_back(over.Over(samples));
+  return normals;
+}
+
+void CurveProposer::SetBand(const CurveOver& over, const std::vector<Normal>& normals,
+                            double penalty, const Stream& stream, ProposedCurve* curve) const {
+  std::vector<std::vector<double>> values(static_cast<std::size_t>(curve->at.size()));
+  for (std::uint64_t r = 0; r < kReplicates; ++r) {
+    const std::vector<int> times = DrawBlocks(normals.size(), r, stream);
+    Normal drawn;
+    for (std::size_t m = 0; m < normals.size(); ++m) drawn.Add(normals[m], times[m]);
+    const Eigen::VectorXd line = over.Solve(drawn, penalty);
+    for (std::size_t b = 0; b < values.size(); ++b) {
+      values[b].push_back(line[static_cast<Eigen::Index>(b)]);
+    }
+  }
+  curve->low = curve->high = curve->mean;
+  for (std::size_t b = 0; b < values.size(); ++b) {
+    const auto bin = static_cast<Eigen::Index>(b);
+    curve->low[bin] = Quantile(values[b], 0.05);
+    curve->high[bin] = Quantile(values[b], 0.95);
+  }
+}
+
+std::optional<Proposal> CurveProposer::Run(const Stream& stream) const {
+  const Choice choice = Choose();
+  if (choice.variable == nullptr) return std::nullopt;
+  const CurveOver over = Over(*choice.variable, choice.is_share);
+  const std::vector<Normal> normals = Normals(over);
+  Normal seen;
+  for (const Normal& one : normals) seen.Add(one);
+  ProposedCurve curve{
+      choice.variable->name, choice.is_share, over.at(), over.Solve(seen, choice.penalty), {}, {}};
+  SetBand(over, normals, choice.penalty, stream, &curve);
+  Proposal proposal{channel_, {}, std::move(curve)};
+  proposal.rmse_select = choice.rmse_select;
+  proposal.rmse_before = RmsOver(residual_, Of(Part::kFinal));
+  proposal.rmse_after = RmsOver(over.Left(proposal.curve->mean), Of(Part::kFinal));
+  return Holds(proposal) ? std::optional(std::move(proposal)) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Proposal> ProposeCurve(const ReplayBlock& block, const BlockDiagnosis& diagnosis,
+                                     std::size_t channel, const Stream& stream) {
+  return CurveProposer(block, diagnosis, channel).Run(stream);
+}
+
+}  // namespace tera
