@@ -66,7 +66,7 @@ std::vector<std::vector<double>> HoldStarts(const AxisLog& log, std::size_t axis
 
 void AddTimingAndMap(const std::vector<std::vector<double>>& holds, SuspectList* out) {
   // From a spread of nought no small step changes anything.
-  out->Add("command_delay", {{0, 0, 0.8}, {1, 0, 0.2}},
+  out->Add("command_delay", {{0, 0, 0.8}, {.index = 1, .upper = 0.2, .refines = true}},
            {{0.04, 0.008}, {0.1, 0.02}, {0.2, 0.04}, {0.35, 0.07}});
   out->Add("input_hold", {{0, 0.02, 0.6, true}, {1, 0, 1, false, true}}, holds);
   out->Add("lever_saturation", {{0, 0.2, 1}}, {{0.9}, {0.75}, {0.6}});
@@ -80,11 +80,12 @@ void AddTimingAndMap(const std::vector<std::vector<double>>& holds, SuspectList*
 /// A lag that is shorter than a step is none.
 void AddActuator(const Reach& reach, double step_s, SuspectList* out) {
   const double w = reach.full_rate_radps;
-  // From a pilot, or a band, of nought no small step changes anything.
-  out->Add("actuator_lag", {{0, step_s, 1.5}, {1, 0, 0.3}},
-           {{0.05, 0.01}, {0.12, 0.02}, {0.25, 0.04}, {0.5, 0.08}});
-  out->Add("rate_limit", {{0, w / 5, w / 0.02, true}, {1, 0, 0.2}},
-           {{w / 0.1, 0.01}, {w / 0.3, 0.01}, {w / 1, 0.02}});
+  out->Add("actuator_lag", {{0, step_s, 1.5}, {.index = 1, .refines = true}},
+           {{0.05, 0}, {0.12, 0}, {0.25, 0}, {0.5, 0}});
+  // A wider band would be a lag by another name.
+  out->Add("rate_limit",
+           {{0, w / 5, w / 0.02, true}, {.index = 1, .upper = 2 * step_s, .refines = true}},
+           {{w / 0.1, 0}, {w / 0.3, 0}, {w / 1, 0}});
   out->Add("actuator_ring", {{0, 3, 60, true}, {1, 0.5, 30, true}, {2, -1.5, 1.5}},
            {{20, 6, 0}, {12, 4, 0}, {28, 8, 0}, {8, 3, 0}});
   if (reach.has_stops) {

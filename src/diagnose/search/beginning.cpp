@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-constexpr double kEnough_s = 90;
+constexpr double kEnough_s = 60;
 constexpr double kWorthwhile = 2.0 / 3;  ///< of the whole, at most
 
 Series First(const Series& series, std::size_t samples) {

@@ -12,7 +12,7 @@
 
 namespace tera {
 
-/// Samples at the beginning of a block in which enough moves: 90 s of manoeuvres that are
+/// Samples at the beginning of a block in which enough moves: 60 s of manoeuvres that are
 /// commanded. All, where that would spare less than a third. At least one manoeuvre.
 std::size_t EnoughSamples(const std::vector<Manoeuvre>& manoeuvres, double period_s);
 

@@ -61,11 +61,11 @@ class Procedure {
         final_(PiecesOf(SegmentsOf(manoeuvres_, Part::kFinal), block.period_s())),
         final_mask_(MaskOf(manoeuvres_, Part::kFinal, block.samples())),
         likelihood_(block, noise, Not(final_mask_)),
-        fitter_(block, likelihood_, SeenSegmentsOf(manoeuvres_)) {}
+        fitter_(block, likelihood_, SeenSegmentsOf(manoeuvres_), options.threads) {}
 
   /// As it stands, without a search.
   BlockDiagnosis Untested() const;
-  SearchResult Search(const EarlierSearch& earlier) const;
+  StructureSearch SearchAfter(const EarlierSearch& earlier) const;
   BlockDiagnosis Explain(SearchResult search) const;
 
  private:
@@ -336,8 +336,8 @@ BlockDiagnosis Procedure::Untested() const {
   return out;
 }
 
-SearchResult Procedure::Search(const EarlierSearch& earlier) const {
-  return SearchStructures(block_, likelihood_.noise(), fitter_, manoeuvres_, options_, earlier);
+StructureSearch Procedure::SearchAfter(const EarlierSearch& earlier) const {
+  return {block_, likelihood_.noise(), fitter_, manoeuvres_, options_, earlier};
 }
 
 BlockDiagnosis Procedure::Explain(SearchResult search) const {
@@ -378,10 +378,12 @@ Searched SearchInTurn(const ReplayBlock& block, const SearchOptions& options, co
   EarlierSearch earlier;
   Searched last{NoiseOfBlock(block, manoeuvres), {}};
   for (int pass = 1;; ++pass) {
-    SearchResult search = Procedure(block, options, stream, manoeuvres, last.noise).Search(earlier);
-    last.search = std::move(search);
+    const Procedure procedure(block, options, stream, manoeuvres, last.noise);
+    StructureSearch search = procedure.SearchAfter(earlier);
+    last.search = search.Find();
     std::vector<NoiseModel> less = NoiseOfBlock(block, manoeuvres, last.search.found.terms);
     if (pass == kPasses || last.search.found.terms.empty() || !IsMuchQuieter(less, last.noise)) {
+      search.TellApart(&last.search);
       return last;
     }
     last.noise = std::move(less);
@@ -393,8 +395,11 @@ Searched SearchInTurn(const ReplayBlock& block, const SearchOptions& options, co
 Searched SearchOn(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
                   const std::vector<Manoeuvre>& manoeuvres, const SearchResult& begun) {
   std::vector<NoiseModel> noise = NoiseOfBlock(block, manoeuvres, begun.found.terms);
-  SearchResult search = Procedure(block, options, stream, manoeuvres, noise).Search({&begun, true});
-  return {std::move(noise), std::move(search)};
+  const Procedure procedure(block, options, stream, manoeuvres, noise);
+  StructureSearch search = procedure.SearchAfter({&begun, true});
+  SearchResult found = search.Find();
+  search.TellApart(&found);
+  return {std::move(noise), std::move(found)};
 }
 
 Searched SearchFor(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,

@@ -26,6 +26,8 @@ struct FreeParameter {
   bool logarithmic = false;  ///< moved by ratios, not differences
   /// It moves instants, between which samples say nothing: the likelihood has stairs and kinks.
   bool kinked = false;
+  /// It refines another number: in an answer it stands at its default unless it shows.
+  bool refines = false;
 };
 
 /// A mechanism that may act on a target, and where to begin looking for its numbers.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/in_parallel.h"
 #include "diagnose/search/steady_gain.h"
 
 namespace tera {
@@ -52,10 +53,12 @@ Structure AtPlaces(Structure terms, const double* places) {
 
 class Deviance final : public ceres::CostFunction {
  public:
-  Deviance(const ReplayBlock& block, const Likelihood& likelihood, const Structure& terms)
+  Deviance(const ReplayBlock& block, const Likelihood& likelihood, const Structure& terms,
+           int threads)
       : block_(block),
         likelihood_(likelihood),
         terms_(terms),
+        threads_(threads),
         places_(PlacesOf(terms)),
         steps_(StepsOf(terms)) {
     at_start_ = RowsAt(places_);
@@ -72,19 +75,20 @@ class Deviance final : public ceres::CostFunction {
 
   bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override {
-    std::vector<double> at(parameters[0], parameters[0] + places_.size());
+    const std::vector<double> at(parameters[0], parameters[0] + places_.size());
     const std::vector<double> rows = at == places_ ? at_start_ : RowsAt(at);
     std::copy(rows.begin(), rows.end(), residuals);
     if (jacobians == nullptr || jacobians[0] == nullptr) return true;
-    for (std::size_t p = 0; p < at.size(); ++p) {
-      const double here = at[p], step = here + steps_[p] <= 1 ? steps_[p] : -steps_[p];
-      at[p] = here + step;
-      const std::vector<double> moved = RowsAt(at);
-      at[p] = here;
+    InParallel<int>(at.size(), threads_, [&](std::size_t p) {
+      std::vector<double> moved_to = at;
+      const double step = at[p] + steps_[p] <= 1 ? steps_[p] : -steps_[p];
+      moved_to[p] += step;
+      const std::vector<double> moved = RowsAt(moved_to);
       for (std::size_t k = 0; k < rows.size(); ++k) {
         jacobians[0][k * at.size() + p] = (moved[k] - rows[k]) / step;
       }
-    }
+      return 0;
+    });
     return true;
   }
 
@@ -96,6 +100,7 @@ class Deviance final : public ceres::CostFunction {
   const ReplayBlock& block_;
   const Likelihood& likelihood_;
   const Structure& terms_;
+  const int threads_;
   std::vector<double> places_, steps_, at_start_;
 };
 
@@ -110,13 +115,6 @@ Eigen::VectorXd RangesAt(const Structure& terms) {
     }
   }
   return Eigen::Map<const Eigen::VectorXd>(ranges.data(), static_cast<Eigen::Index>(ranges.size()));
-}
-
-/// The number that a parameter has where its mechanism is not looked for; none where it must be
-/// given.
-std::optional<double> DefaultOf(const Suspect& suspect, std::size_t index) {
-  if (!suspect.present.empty()) return suspect.present[index];
-  return suspect.mechanism->parameters[index].otherwise;
 }
 
 /// A free parameter of a structure.
@@ -191,6 +189,11 @@ std::optional<Likelihood> CoarseLikelihood(const ReplayBlock& block, const Likel
 
 }  // namespace
 
+std::optional<double> DefaultOf(const Suspect& suspect, std::size_t index) {
+  if (!suspect.present.empty()) return suspect.present[index];
+  return suspect.mechanism->parameters[index].otherwise;
+}
+
 double PlaceOf(const FreeParameter& free, double value) {
   const double place = free.logarithmic
                            ? std::log(value / free.lower) / std::log(free.upper / free.lower)
@@ -204,10 +207,11 @@ double ValueAt(const FreeParameter& free, double place) {
 }
 
 StructureFitter::StructureFitter(const ReplayBlock& block, const Likelihood& likelihood,
-                                 std::vector<Segment> manoeuvres)
+                                 std::vector<Segment> manoeuvres, int threads)
     : block_(block),
       likelihood_(likelihood),
       manoeuvres_(std::move(manoeuvres)),
+      threads_(threads),
       coarse_(CoarseLikelihood(block, likelihood)) {}
 
 FittedStructure StructureFitter::AsGiven(Structure terms) const {
@@ -220,24 +224,26 @@ FittedStructure StructureFitter::AsGiven(Structure terms) const {
 }
 
 Structure StructureFitter::BestStart(Structure terms, const Likelihood& likelihood) const {
-  Structure best = terms;
-  double most = likelihood.LogLikelihood(block_.predict(terms));
-  for (const std::vector<double>& start : terms.back().suspect->starts) {
-    if (start == best.back().values) continue;
-    terms.back().values = start;
-    const double this_one = likelihood.LogLikelihood(block_.predict(terms));
-    if (this_one <= most) continue;
-    most = this_one;
-    best = terms;
+  std::vector<std::vector<double>> starts = terms.back().suspect->starts;
+  if (std::find(starts.begin(), starts.end(), terms.back().values) == starts.end()) {
+    starts.insert(starts.begin(), terms.back().values);
   }
-  return best;
+  const std::vector<double> likely =
+      InParallel<double>(starts.size(), threads_, [&](std::size_t k) {
+        Structure one = terms;
+        one.back().values = starts[k];
+        return likelihood.LogLikelihood(block_.predict(one));
+      });
+  const auto best = std::max_element(likely.begin(), likely.end()) - likely.begin();
+  terms.back().values = starts[static_cast<std::size_t>(best)];
+  return terms;
 }
 
 Structure StructureFitter::RefineSmooth(const Structure& terms, const Likelihood& likelihood,
                                         int most_iterations) const {
   std::vector<double> places = PlacesOf(terms);
   if (places.empty()) return terms;
-  Deviance deviance(block_, likelihood, terms);
+  Deviance deviance(block_, likelihood, terms, threads_);
   ceres::Problem::Options keep;
   keep.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ceres::Problem problem(keep);
@@ -333,7 +339,7 @@ void StructureFitter::AddInformation(FittedStructure* fitted) const {
   fitted->information = Eigen::MatrixXd::Zero(count, count);
   fitted->scores = Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(manoeuvres_.size()));
   if (count == 0) return;
-  const Deviance deviance(block_, likelihood_, fitted->terms);
+  const Deviance deviance(block_, likelihood_, fitted->terms, threads_);
   std::vector<double> rows(static_cast<std::size_t>(deviance.num_residuals()));
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> jacobian(rows.size(),
                                                                                   count);

@@ -18,6 +18,9 @@ struct FittedStructure {
   Eigen::MatrixXd scores;       ///< of the same by the manoeuvres fitted to, one column each
 };
 
+/// The number that a parameter has where its mechanism is not looked for; none where it must be
+/// given.
+std::optional<double> DefaultOf(const Suspect& suspect, std::size_t index);
 /// A free parameter as a place in its range, 0 to 1.
 double PlaceOf(const FreeParameter& free, double value);
 /// The free parameter at a place in its range.
@@ -44,7 +47,7 @@ class StructureFitter {
   /// Fits to the samples that the likelihood is of, all in `manoeuvres`, in order, by which scores
   /// are given. Block and likelihood must outlive it.
   StructureFitter(const ReplayBlock& block, const Likelihood& likelihood,
-                  std::vector<Segment> manoeuvres);
+                  std::vector<Segment> manoeuvres, int threads = 1);
 
   /// Numbers that the measurements do not determine, a direction of the information that is not
   /// known to within the parameters' ranges, stand at their defaults and are held there.
@@ -71,6 +74,7 @@ class StructureFitter {
   const ReplayBlock& block_;
   const Likelihood& likelihood_;
   std::vector<Segment> manoeuvres_;
+  int threads_;
   std::optional<Likelihood> coarse_;
 };
 

@@ -75,11 +75,12 @@ class Search {
         select_(SegmentsOf(manoeuvres, Part::kSelect)),
         seen_(PiecesOf(SeenSegmentsOf(manoeuvres), block.period_s())),
         likelihood_(block, noise, MaskOf(manoeuvres, Part::kTrain, block.samples())),
-        fitter_(block, likelihood_, {}),
+        fitter_(block, likelihood_, {}, options.threads),
         fits_(fitter_, likelihood_, select_, options.threads),
         crossed_(block, noise, manoeuvres) {}
 
-  SearchResult Run();
+  SearchResult Find();
+  void TellApart(SearchResult* result);
 
  private:
   void FitSingles();
@@ -89,13 +90,14 @@ class Search {
   Scored BestOf(const std::vector<Scored>& structures) const;
   std::vector<Scored> Pairs();
   Scored FindMore();
-  Scored Find();
+  Scored FindAfresh();
   const TermEvidence* EarlierEvidenceOf(const Suspect& suspect) const;
   Scored Grow(Scored best);
   Scored Swap(Scored best);
   double SumOfEffects(const Structure& terms) const;
   Scored Disentangle(Scored found);
   Needed Prune(Scored kept) const;
+  FittedStructure Simplest(FittedStructure fitted) const;
   TermEvidence EvidenceOf(const Scored& with, const Scored& without, const Misfit& crossed_with,
                           const Misfit& crossed_without) const;
   bool IsNeeded(const TermEvidence& evidence) const;
@@ -117,6 +119,7 @@ class Search {
   Scored nothing_;
   std::vector<Scored> singles_;        ///< one a suspect
   std::vector<std::size_t> screened_;  ///< suspects
+  Needed needed_;                      ///< what was found last
   double free_gain_ = 0;
 };
 
@@ -190,7 +193,7 @@ std::vector<Scored> Search::Pairs() {
 }
 
 /// From nothing, or what was found under other noise.
-Scored Search::Find() {
+Scored Search::FindAfresh() {
   Scored start;
   if (earlier_.result == nullptr) {
     std::vector<Scored> candidates = Pairs();
@@ -331,6 +334,24 @@ Needed Search::Prune(Scored kept) const {
   }
 }
 
+/// With each number that refines put to its default, if that changes less than a term would have to.
+FittedStructure Search::Simplest(FittedStructure fitted) const {
+  for (std::size_t t = 0; t < fitted.terms.size(); ++t) {
+    for (const FreeParameter& free : fitted.terms[t].Free()) {
+      const Suspect& suspect = *fitted.terms[t].suspect;
+      const std::optional<double> usual = DefaultOf(suspect, free.index);
+      if (!free.refines || !usual) continue;
+      Structure simpler = fitted.terms;
+      simpler[t].values[free.index] = *usual;
+      simpler[t].held.push_back(free.index);
+      FittedStructure refitted = on_seen_.Determine(on_seen_.FitFrom(simpler));
+      if (EffectOf(block_, refitted.misfit, fitted.misfit) >= options_.least_effect) continue;
+      fitted = std::move(refitted);
+    }
+  }
+  return fitted;
+}
+
 /// What was told of a term in the beginning, if it was found there.
 const TermEvidence* Search::EarlierEvidenceOf(const Suspect& suspect) const {
   if (!earlier_.of_beginning) return nullptr;
@@ -394,7 +415,7 @@ double Search::FreeGain(const Misfit& misfit) const {
   return gain;
 }
 
-SearchResult Search::Run() {
+SearchResult Search::Find() {
   SearchResult result;
   const FittedStructure nothing = fitter_.AsGiven({});
   nothing_ = fits_.Score(nothing);
@@ -405,21 +426,25 @@ SearchResult Search::Run() {
     FitSingles();
   }
   Screen();
-  Needed needed = Prune(earlier_.of_beginning ? FindMore() : Find());
-  const Scored& found = needed.structure;
-  for (std::size_t t = 0; t < found.terms.size(); ++t) {
-    FindRivals(found, needed.crossed, t, &needed.evidence[t]);
-  }
-  result.evidence = std::move(needed.evidence);
+  needed_ = Prune(earlier_.of_beginning ? FindMore() : FindAfresh());
+  const Structure& found = needed_.structure.terms;
+  result.evidence = needed_.evidence;
   result.nothing = on_seen_.AsGiven({});
   result.found =
-      found.terms.empty() ? result.nothing : on_seen_.Determine(on_seen_.FitFrom(found.terms));
+      found.empty() ? result.nothing : Simplest(on_seen_.Determine(on_seen_.FitFrom(found)));
   for (std::size_t s = 0; s < singles_.size(); ++s) {
     result.singles.push_back({&block_.suspects[s], singles_[s].terms.front().values,
                               singles_[s].log_likelihood - nothing_.log_likelihood,
                               Total(singles_[s].held_out) - Total(nothing_.held_out)});
   }
   return result;
+}
+
+void Search::TellApart(SearchResult* result) {
+  const Scored& found = needed_.structure;
+  for (std::size_t t = 0; t < found.terms.size(); ++t) {
+    FindRivals(found, needed_.crossed, t, &result->evidence[t]);
+  }
 }
 
 }  // namespace
@@ -439,11 +464,20 @@ double EffectOf(const ReplayBlock& block, const Misfit& with, const Misfit& with
   return largest;
 }
 
-SearchResult SearchStructures(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
-                              const StructureFitter& on_seen,
-                              const std::vector<Manoeuvre>& manoeuvres,
-                              const SearchOptions& options, const EarlierSearch& earlier) {
-  return Search(block, noise, on_seen, manoeuvres, options, earlier).Run();
-}
+struct StructureSearch::Work {
+  Search search;
+};
+
+StructureSearch::StructureSearch(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
+                                 const StructureFitter& on_seen,
+                                 const std::vector<Manoeuvre>& manoeuvres,
+                                 const SearchOptions& options, const EarlierSearch& earlier)
+    : work_(new Work{Search(block, noise, on_seen, manoeuvres, options, earlier)}) {}
+
+StructureSearch::~StructureSearch() = default;
+
+SearchResult StructureSearch::Find() { return work_->search.Find(); }
+
+void StructureSearch::TellApart(SearchResult* result) { work_->search.TellApart(result); }
 
 }  // namespace tera

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "diagnose/search/structure_fit.h"
@@ -63,7 +64,7 @@ struct EarlierSearch {
   bool of_beginning = false;
 };
 
-/// Which suspects explain a block, together.
+/// The search for the suspects that explain a block, together.
 ///
 /// Model   every suspect alone; pairs of the screened (the likeliest, and the likeliest of each
 ///         slot), of which a few steps of each fit tell the eight that are fitted in full; then
@@ -75,21 +76,35 @@ struct EarlierSearch {
 ///         over all that the diagnosis tests), on SELECT at least `least_share` of what the whole
 ///         structure, or a free member if that is more, gains over nothing and at least
 ///         `least_of_rest` of what a free member gains over the structure without it, and its
-///         effect, beyond nuisances, at least `least_effect` of the channel. Rivals: each term is
-///         swapped for each screened suspect; of the five that a few steps make likeliest, where
+///         effect, beyond nuisances, at least `least_effect` of the channel. What
+///         refines a number is put to its default in the answer where that changes less than
+///         `least_effect`. TellApart: each term
+///         is swapped for each screened suspect; of the five that a few steps make likeliest, where
 ///         the same manoeuvres do not gain from the term with p at most 0.05, or less than 3 of
 ///         log-likelihood, they are alike.
 /// Omits   that the structures whose terms are tested were chosen on part of the same manoeuvres,
 ///         beyond the number of suspects; FINAL is for that.
 /// Source  Schwarz 1978.
-///
-/// `noise` of each channel; `on_seen` fits to TRAIN and SELECT. A search after an earlier one
-/// begins where that ended: single suspects with the numbers that they had there, the likeliest
-/// four fitted anew where nothing was found, and what was found instead of pairs.
-SearchResult SearchStructures(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
-                              const StructureFitter& on_seen,
-                              const std::vector<Manoeuvre>& manoeuvres,
-                              const SearchOptions& options, const EarlierSearch& earlier = {});
+class StructureSearch {
+ public:
+  /// `noise` of each channel; `on_seen` fits to TRAIN and SELECT. A search after an earlier one
+  /// begins where that ended: single suspects with the numbers that they had there, the likeliest
+  /// four fitted anew where nothing was found, and what was found instead of pairs. All but the
+  /// noise must outlive it.
+  StructureSearch(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
+                  const StructureFitter& on_seen, const std::vector<Manoeuvre>& manoeuvres,
+                  const SearchOptions& options, const EarlierSearch& earlier = {});
+  ~StructureSearch();
+
+  /// All but the rivals of the terms.
+  SearchResult Find();
+  /// These, of what was found last.
+  void TellApart(SearchResult* result);
+
+ private:
+  struct Work;
+  std::unique_ptr<Work> work_;
+};
 
 /// RMS of what one misfit differs from another by, over the RMS of the channel; the largest.
 double EffectOf(const ReplayBlock& block, const Misfit& with, const Misfit& without);

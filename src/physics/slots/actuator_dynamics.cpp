@@ -19,7 +19,7 @@ ActuatorParameters ActuatorOf(const Effects& effects) {
   }
   if (const Effect* lag = FindEffect(effects, "actuator_lag")) {
     parameters.lag_s = (*lag)["time_s"];
-    parameters.pilot_s = (*lag)["pilot_s"];
+    parameters.pilot_s = parameters.lag_s * (*lag)["pilot_ratio"];
   }
   if (const Effect* ring = FindEffect(effects, "actuator_ring")) {
     parameters.rings = true;
@@ -40,7 +40,7 @@ double ActuatorDynamics::Act(double command_radps, double position_rad, double d
   if (std::isfinite(parameters_.max_change_radps2)) {
     rate = limited_radps_ = Limit(rate, dt_s);
   }
-  if (parameters_.lag_s > 0 || parameters_.pilot_s > 0) rate = Lag(rate);
+  if (parameters_.lag_s > 0) rate = Lag(rate);
   if (parameters_.rings) rate = Ring(rate);
   if (parameters_.cushion_rad > 0) rate = Cushion(rate, position_rad);
   return rate;
@@ -51,8 +51,7 @@ void ActuatorDynamics::Prepare(double dt_s) {
   const double T_s = parameters_.lag_s, Tp_s = parameters_.pilot_s;
   lag_keeps_ = T_s > 0 ? std::exp(-dt_s / T_s) : 0.0;
   pilot_keeps_ = Tp_s > 0 ? std::exp(-dt_s / Tp_s) : 0.0;
-  lag_of_pilot_ =
-      T_s > 0 && Tp_s > 0 ? dt_s / T_s * lag_keeps_ * ExpM1Over(dt_s / T_s - dt_s / Tp_s) : 0.0;
+  lag_of_pilot_ = Tp_s > 0 ? dt_s / T_s * lag_keeps_ * ExpM1Over(dt_s / T_s - dt_s / Tp_s) : 0.0;
   phase_ = std::polar(1.0, parameters_.phi_rad);
   turn_ = std::polar(std::exp(-parameters_.beta_1ps * dt_s), parameters_.eta_radps * dt_s);
 }
@@ -73,7 +72,6 @@ double ActuatorDynamics::Lag(double command_radps) {
   const double pilot_is_short = command_radps - piloted_radps_;
   const double lag_is_short = command_radps - lagged_radps_;
   piloted_radps_ = command_radps - pilot_keeps_ * pilot_is_short;
-  if (parameters_.lag_s == 0) return piloted_radps_;
   lagged_radps_ = command_radps - lag_keeps_ * lag_is_short - lag_of_pilot_ * pilot_is_short;
   return lagged_radps_;
 }

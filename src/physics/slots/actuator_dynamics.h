@@ -40,7 +40,7 @@ class ActuatorDynamics {
   explicit ActuatorDynamics(const ActuatorParameters& parameters)
       : parameters_(parameters),
         acts_(std::isfinite(parameters.max_change_radps2) || parameters.lag_s > 0 ||
-              parameters.pilot_s > 0 || parameters.rings || parameters.cushion_rad > 0) {}
+              parameters.rings || parameters.cushion_rad > 0) {}
 
   /// Rate at the end of a step of `dt_s` during which `command_radps` is asked for, the joint being
   /// at `position_rad`.

@@ -25,13 +25,13 @@ std::vector<Manoeuvre> MovingHalfTheTime(std::size_t count, std::size_t length) 
   return manoeuvres;
 }
 
-TEST(Beginning, EndsWithTheManoeuvreThatCompletesNinetySecondsOfMotion) {
-  // 5 s each: the 18th that moves is the 36th of all.
-  EXPECT_EQ(EnoughSamples(MovingHalfTheTime(100, 500), 0.01), 36 * 500u);
+TEST(Beginning, EndsWithTheManoeuvreThatCompletesAMinuteOfMotion) {
+  // 5 s each: the 12th that moves is the 24th of all.
+  EXPECT_EQ(EnoughSamples(MovingHalfTheTime(100, 500), 0.01), 24 * 500u);
 }
 
 TEST(Beginning, IsAllWhereItWouldSpareLittleOrTooLittleMoves) {
-  EXPECT_EQ(EnoughSamples(MovingHalfTheTime(50, 500), 0.01), 50 * 500u);
+  EXPECT_EQ(EnoughSamples(MovingHalfTheTime(34, 500), 0.01), 34 * 500u);
   EXPECT_EQ(EnoughSamples(MovingHalfTheTime(100, 50), 0.01), 100 * 50u);
 }
 

@@ -265,7 +265,7 @@ TEST(ActuationChain, EveryParameterChangesWhatIsAskedFor) {
       {"rate_limit", "max_change_radps2", "1", "1.1"},
       {"rate_limit", "band_s", "0", "0.05", "max_change_radps2: 1"},
       {"actuator_lag", "time_s", "0.1", "0.11"},
-      {"actuator_lag", "pilot_s", "0", "0.02", "time_s: 0.1"},
+      {"actuator_lag", "pilot_ratio", "0", "0.2", "time_s: 0.1"},
       {"actuator_ring", "eta_radps", "20", "21"},
       {"actuator_ring", "beta_1ps", "6", "7"},
       {"actuator_ring", "phi_rad", "0", "0.1"},
