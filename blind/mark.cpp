@@ -132,7 +132,7 @@ void MarkOutside(const BenchmarkCase& c, const Answer& answer, Mark* mark) {
 
 std::string Described(const Finding& finding) {
   return fmt::format("{} {}{}", finding.unexplained() ? finding.channel : finding.target,
-                     fmt::join(finding.names, "|"),
+                     fmt::join(finding.names, " or "),
                      finding.variable.empty() ? "" : " by " + finding.variable);
 }
 

@@ -31,7 +31,7 @@ void AddDiagnoseCommand(CLI::App* app) {
   command->add_flag("!--no-simulation", arguments->simulate,
                     "Leave out the whole simulation that confirms what was found");
   command->add_option("--threads", arguments->threads, "Fits at a time")
-      ->check(CLI::PositiveNumber);
+      ->check(WholeNumberBetween(1, 1024));
   command->add_flag("--profile", arguments->profile, "Print where the time went");
   command->callback([arguments] { DiagnoseRecording(*arguments); });
 }

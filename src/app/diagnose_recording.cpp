@@ -185,6 +185,17 @@ std::vector<std::vector<PerceptionDiagnosis>> DiagnoseSensors(const DiagnoseArgu
   return RunPerception(scenario, names, recording, options);
 }
 
+/// That none of the further recordings is the one that is searched.
+void RequireOthers(const DiagnoseArguments& arguments) {
+  for (const std::filesystem::path& further : arguments.held_out) {
+    std::error_code none;
+    if (!std::filesystem::equivalent(further, arguments.recording, none)) continue;
+    throw InputError(fmt::format(
+        "--held-out {}: is the recording that is searched; need one that nothing is fitted to",
+        further.string()));
+  }
+}
+
 }  // namespace
 
 void RequireNewFolder(const std::filesystem::path& out) {
@@ -217,6 +228,7 @@ std::string BaselinesOfRecording(const DiagnoseArguments& arguments) {
 void DiagnoseRecording(const DiagnoseArguments& arguments) {
   StageClock clock;
   RequireNewFolder(arguments.out);
+  RequireOthers(arguments);
   LoadedScenario loaded = Load(arguments.scenario);
   const Recording recording(arguments.recording);
   const DiagnosisOptions options = OptionsOf(arguments, loaded.scenario.seed);

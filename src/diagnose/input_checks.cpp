@@ -360,6 +360,13 @@ void CheckUnitsOf(const RecordedPlace& place, const std::vector<ReplayBlock>& bl
       }
       if (measured.empty()) continue;
       const Proportion found = ProportionOf(measured, expected);
+      const bool is_of_axis = block.channels.size() == 1 && channel.unit.ends_with("/s");
+      if (is_of_axis && found.correlation < -kAlike) {
+        throw InputError(
+            fmt::format("{}: {} goes against its lever (correlation {:.2f}); need the signs of the "
+                        "scenario's machine, in levers and encoders",
+                        place.directory, channel.name, found.correlation));
+      }
       if (found.correlation < kAlike) continue;
       const std::string unit = UnitBehind(found.factor, channel.unit);
       if (unit.empty()) continue;

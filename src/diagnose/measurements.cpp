@@ -52,6 +52,31 @@ TimeNs StartOf(const Measurements& measured) {
   return start_ns;
 }
 
+/// The last that was measured.
+TimeNs EndOf(const Measurements& measured) {
+  TimeNs end_ns = measured.start_ns;
+  const auto last = [&](const auto& samples) {
+    if (!samples.empty()) end_ns = std::max(end_ns, samples.back().t_ns);
+  };
+  for (const NamedEncoders& named : measured.encoders) last(named.recording.samples);
+  for (const auto& samples : measured.imus) last(samples);
+  for (const auto& samples : measured.gnss) last(samples);
+  return end_ns;
+}
+
+/// That the part which is looked at is long enough.
+void RequireLongEnough(const Measurements& measured, const MeasurementOptions& options) {
+  const double length_s = ToSeconds(EndOf(measured) - measured.start_ns);
+  const double left_s = std::min(options.to_s, length_s) - options.from_s;
+  if (left_s >= kShortestRecording_s) return;
+  const bool is_whole = options.from_s == 0 && options.to_s >= length_s;
+  throw InputError(fmt::format(
+      "{}: {:.1f} s were measured{}; need {:g} s at least", measured.recording, length_s,
+      is_whole ? ""
+               : fmt::format(", of which --from and --to leave {:.1f} s", std::max(0.0, left_s)),
+      kShortestRecording_s));
+}
+
 void CheckMeasurements(const DiagnosisInput& input, const Recording& recording,
                        const Measurements& measured) {
   const RecordedPlace place{recording.directory().string(), input.machine};
@@ -98,6 +123,7 @@ Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& record
   }
   CheckMeasurements(input, recording, measured);
   measured.start_ns = StartOf(measured);
+  if (options.needs_any) RequireLongEnough(measured, options);
   const TimeNs from_ns = measured.start_ns + FromSeconds(options.from_s);
   const TimeNs to_ns = measured.start_ns + FromSeconds(options.to_s);
   for (NamedEncoders& named : measured.encoders) Trim(from_ns, to_ns, &named.recording.samples);

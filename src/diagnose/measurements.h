@@ -36,6 +36,9 @@ struct Measurements {
   TimeNs start_ns = 0;
 };
 
+/// A recording that is shorter leaves too few manoeuvres that nothing is fitted to.
+inline constexpr double kShortestRecording_s = 20;
+
 struct MeasurementOptions {
   double from_s = 0, to_s = 1e9;  ///< part of the recording to look at, from its first sample on
   bool needs_any = true;          ///< that nothing was measured is an error

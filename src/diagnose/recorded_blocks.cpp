@@ -20,7 +20,6 @@ namespace tera {
 namespace {
 
 constexpr double kStepOfPeriod = 0.2;  ///< of an encoder's, that a replay steps over at most
-constexpr double kShortest_s = 20;     ///< less leaves too little of SELECT and FINAL
 
 bool Measures(const std::vector<NamedEncoders>& encoders, const std::string& axis) {
   for (const NamedEncoders& named : encoders) {
@@ -54,6 +53,25 @@ void Try(const std::string& place, std::vector<std::string>* obstacles,
   }
 }
 
+/// The lever of a joint or gear, if it has one.
+std::optional<std::string> LeverOf(const MachineModel& model, std::size_t axis) {
+  const auto joints = static_cast<int>(model.joints.size());
+  for (const Lever& lever : model.levers) {
+    const int moves = lever.joint >= 0 ? lever.joint : joints + lever.gear;
+    if (moves == static_cast<int>(axis)) return lever.name;
+  }
+  return std::nullopt;
+}
+
+/// That the recording has the lever of what it measured.
+void RequireLever(const DiagnosisInput& input, std::size_t axis) {
+  const std::optional<std::string> lever = LeverOf(*input.model, axis);
+  const std::vector<std::string>& columns = input.commands.columns;
+  if (!lever || std::find(columns.begin(), columns.end(), *lever) != columns.end()) return;
+  throw InputError(fmt::format("commands have no column '{}', but {}; need its lever", *lever,
+                               fmt::join(columns, ", ")));
+}
+
 /// Encoders may have a block for each joint and gear with a lever.
 void AddAxes(const DiagnosisInput& input, const Measurements& measured, const BlockOptions& options,
              std::vector<ReplayBlock>* blocks, std::vector<std::string>* obstacles) {
@@ -63,6 +81,7 @@ void AddAxes(const DiagnosisInput& input, const Measurements& measured, const Bl
   for (std::size_t axis = 0; axis < log.measured.size(); ++axis) {
     Try(log.measured[axis].channel + ": ", obstacles, [&] {
       auto block = MakeAxisBlock(*input.model, log, axis);
+      RequireLever(input, log.measured[axis].axis);
       if (block) blocks->push_back(std::move(*block));
     });
   }
@@ -194,7 +213,7 @@ void AddGnss(const DiagnosisInput& input, const Measurements& measured,
       "encoders of the same joints, encoders of all tracks or wheels and poses, "
       "a receiver and poses, or an inertial unit and what tells how its link moved, over {} s at "
       "least",
-      measured.recording, input.machine, kShortest_s));
+      measured.recording, input.machine, kShortestRecording_s));
 }
 
 void CountTimeFrom(TimeNs start_ns, ReplayBlock* block) {
@@ -221,7 +240,7 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Measurement
   Try("", &obstacles, [&] { AddImus(input, measured, options, &blocks); });
   AddGnss(input, measured, &blocks, &obstacles);
   std::erase_if(blocks, [](const ReplayBlock& block) {
-    return static_cast<double>(block.samples()) * block.period_s() < kShortest_s;
+    return static_cast<double>(block.samples()) * block.period_s() < kShortestRecording_s;
   });
   if (blocks.empty() && options.needs_any) ThrowNothingToCompare(input, measured, obstacles);
   CheckUnitsOf({measured.recording, input.machine}, blocks);

@@ -115,6 +115,31 @@ TEST_F(BadRecording, WithEverythingAThousandTimesTooSmallIsHeldAgainstTheLevers)
                           HasSubstr("taken for mrad/s"), HasSubstr("nothing is converted")));
 }
 
+TEST_F(BadRecording, WhoseJointGoesAgainstItsLever) {
+  WriteHandMade(scratch_.path() / "real", {.rate_factor = -1, .position_factor = -1});
+  ExpectRefusedWith(AllOf(HasSubstr("boom_radps goes against its lever (correlation -1.0"),
+                          HasSubstr("need the signs of the scenario's machine")));
+}
+
+TEST_F(BadRecording, OfWhichTooLittleIsLookedAt) {
+  WriteHandMade(scratch_.path() / "real", {});
+  const auto refused = [&](const Arguments& part, const char* left) {
+    Arguments arguments = {"diagnose", "boom.yaml", "real", "--out", "why"};
+    arguments.insert(arguments.end(), part.begin(), part.end());
+    ExpectRefused(scratch_, arguments,
+                  AllOf(HasSubstr("real: 42.0 s were measured, of which --from and --to leave"),
+                        HasSubstr(left), HasSubstr("need 20 s at least")));
+  };
+  refused({"--to", "10"}, "leave 10.0 s");
+  refused({"--from", "500"}, "leave 0.0 s");
+  refused({"--from", "30", "--to", "20"}, "leave 0.0 s");
+}
+
+TEST_F(BadRecording, ThatIsTooShort) {
+  WriteHandMade(scratch_.path() / "real", {.duration_s = 12});
+  ExpectRefusedWith(HasSubstr("real: 12.0 s were measured; need 20 s at least"));
+}
+
 TEST_F(BadRecording, WithLeversInPercent) {
   WriteHandMade(scratch_.path() / "real", {.lever_factor = 100});
   ExpectRefusedWith(AllOf(HasSubstr("commands.csv: column 'boom' reaches 100"),
@@ -144,34 +169,52 @@ TEST_F(BadRecording, WithATimeThatComesTwiceSaysWhere) {
   ExpectRefusedWith(HasSubstr("encoders/data.csv:11"));
 }
 
-TEST_F(BadRecording, OfOneJointWithALongGapLeavesTheOthersToBeJudged) {
-  HandMade made;
-  made.valve = DeadTo0_1;
-  WriteHandMade(scratch_.path() / "real", made);
-  // The arm before the boom: a second, and one row a minute later.
-  std::filesystem::create_directories(File("arm_encoder"));
-  std::ostringstream rows;
-  rows.precision(12);
-  rows << "t_ns,arm_rad,arm_radps\n";
-  for (int k = 0; k <= 240; ++k) {
-    const double t_s = k < 240 ? 0.005 * k : 70;
-    rows << std::llround(t_s * 1e9) << ',' << 0.2 * std::sin(3 * t_s) - 1.5 << ','
-         << 0.6 * std::cos(3 * t_s) << '\n';
+/// A recording of the boom and, in an encoder of its own, of an arm at times that are given.
+class PartlyBadRecording : public BadRecording {
+ protected:
+  /// What is said of it.
+  std::string DiagnosedWithArmAt(const std::vector<double>& times_s) const {
+    HandMade made;
+    made.valve = DeadTo0_1;
+    WriteHandMade(scratch_.path() / "real", made);
+    std::filesystem::create_directories(File("arm_encoder"));
+    std::ostringstream rows;
+    rows.precision(12);
+    rows << "t_ns,arm_rad,arm_radps\n";
+    for (const double t_s : times_s) {
+      rows << std::llround(t_s * 1e9) << ',' << 0.2 * std::sin(3 * t_s) - 1.5 << ','
+           << 0.6 * std::cos(3 * t_s) << '\n';
+    }
+    WriteWholeFile(File("arm_encoder/data.csv"), rows.str());
+    const std::filesystem::path dataset = scratch_.path() / "real" / "dataset.yaml";
+    WriteWholeFile(dataset, Edited(ReadWholeFile(dataset), "  - {path: excavator1/encoders",
+                                   "  - {path: excavator1/arm_encoder, type: encoder}\n"
+                                   "  - {path: excavator1/encoders"));
+    WriteWholeFile(scratch_.path() / "only.yaml", "only: [dead_band]\n");
+    const Outcome outcome = RunTera({"diagnose", "boom.yaml", "real", "--library", "only.yaml",
+                                     "--no-simulation", "--out", "why"},
+                                    {scratch_.path()});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, AllOf(HasSubstr("Boom rate"), HasSubstr("dead band 0.")));
+    return outcome.out;
   }
-  WriteWholeFile(File("arm_encoder/data.csv"), rows.str());
-  const std::filesystem::path dataset = scratch_.path() / "real" / "dataset.yaml";
-  WriteWholeFile(dataset, Edited(ReadWholeFile(dataset), "  - {path: excavator1/encoders",
-                                 "  - {path: excavator1/arm_encoder, type: encoder}\n"
-                                 "  - {path: excavator1/encoders"));
-  WriteWholeFile(scratch_.path() / "only.yaml", "only: [dead_band]\n");
-  const Outcome outcome = RunTera({"diagnose", "boom.yaml", "real", "--library", "only.yaml",
-                                   "--no-simulation", "--out", "why"},
-                                  {scratch_.path()});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_THAT(outcome.out,
-              AllOf(HasSubstr("Boom rate"), HasSubstr("dead band 0."),
-                    HasSubstr("Not compared: excavator1/arm_encoder/arm_radps: 241 samples"),
+};
+
+TEST_F(PartlyBadRecording, OfOneJointWithALongGapLeavesTheOthersToBeJudged) {
+  std::vector<double> times_s;  // of a second, and one row a minute later
+  for (int k = 0; k < 240; ++k) times_s.push_back(0.005 * k);
+  times_s.push_back(70);
+  EXPECT_THAT(DiagnosedWithArmAt(times_s),
+              AllOf(HasSubstr("Not compared: excavator1/arm_encoder/arm_radps: 241 samples"),
                     HasSubstr("leave a long gap")));
+}
+
+TEST_F(PartlyBadRecording, OfAJointWithoutItsLeverNamesTheColumnsThatThereAre) {
+  std::vector<double> times_s;
+  for (int k = 0; k < 2100; ++k) times_s.push_back(0.02 * k);
+  EXPECT_THAT(DiagnosedWithArmAt(times_s),
+              HasSubstr("Not compared: excavator1/arm_encoder/arm_radps: commands have no column "
+                        "'arm', but boom; need its lever."));
 }
 
 }  // namespace

@@ -125,13 +125,31 @@ TEST_F(DiagnoseOptions, ALibraryThatLeavesNoSuspectIsRefused) {
                 HasSubstr("library.yaml: leaves no suspect"));
 }
 
+TEST_F(DiagnoseOptions, WhatMakesNoSenseIsRefused) {
+  const auto refused = [&](const Arguments& more, const testing::Matcher<const std::string&>& m) {
+    Arguments arguments = {"diagnose", "boom.yaml", "real", "--out", "why"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    ExpectRefused(scratch_, arguments, m);
+  };
+  refused({"--held-out", "./real"},
+          HasSubstr("--held-out ./real: is the recording that is searched"));
+  const Outcome threads = RunTera(
+      {"diagnose", "boom.yaml", "real", "--out", "why", "--threads", "0"}, {scratch_.path()});
+  EXPECT_EQ(threads.status, 2);
+  EXPECT_THAT(threads.err, HasSubstr("need a whole number from 1 to 1024"));
+  WriteWholeFile(scratch_.path() / "library.yaml", "only: []\n");
+  refused({"--library", "library.yaml"},
+          AllOf(HasSubstr("library.yaml:1"), HasSubstr("only"), HasSubstr("is empty")));
+}
+
 TEST_F(DiagnoseOptions, OutOfTimeSaysSoAndReportsWhatIsDone) {
   const auto json = Diagnosed({"--time-limit", "0.001"});
   EXPECT_EQ(json["findings"].size(), 0u);
   EXPECT_EQ(json["out_of_time"][0], "excavator1/encoders/boom_radps");
   EXPECT_EQ(json["not_judged"][0], "excavator1/encoders/boom_radps");
   EXPECT_EQ(json["verdict"][0], "untestable");
-  EXPECT_THAT(out_, HasSubstr("Boom rate: not judged, for the time was over."));
+  EXPECT_THAT(out_, AllOf(HasSubstr("Nothing judged: the time was over"),
+                          HasSubstr("Boom rate: not judged, for the time was over.")));
 }
 
 TEST_F(DiagnoseOptions, ATimeThatIsNotReachedAndALookAtTheClockChangeNothing) {

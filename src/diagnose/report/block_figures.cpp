@@ -121,7 +121,8 @@ std::string PredictionFigure(const DiagnosedBlock& diagnosed, const Location& lo
   plot.Line(measured, "line measured");
   plot.Line(before, "line before");
   if (!search.found.terms.empty()) plot.Line(after, "line after");
-  return Figure(plot.Take(), Key("measured", "measured") + Key("before", "simulated as it was") +
+  return Figure(plot.Take(), Key("measured", "measured") +
+                                 Key("before", "simulated as it was, nominal numbers fitted") +
                                  KeyOfFound(search));
 }
 
@@ -143,8 +144,8 @@ std::string ResidualFigure(const DiagnosedBlock& diagnosed, const Location& loca
   plot.Line(before, "thin before");
   if (!search.found.terms.empty()) plot.Line(after, "thin after");
   plot.Horizontal(0, "zero");
-  return Figure(plot.Take(), Key("before", "residual as it was") + KeyOfFound(search) +
-                                 Key("shaded", "where the error stands out"));
+  return Figure(plot.Take(), Key("before", "residual as it was, nominal numbers fitted") +
+                                 KeyOfFound(search) + Key("shaded", "where the error stands out"));
 }
 
 std::string RegimeFigure(const DiagnosedBlock& diagnosed, const Location& location,
@@ -196,6 +197,15 @@ std::string RegimeFigure(const DiagnosedBlock& diagnosed, const Location& locati
                                  Key("band", "90 % band") + Key("visited", "how often visited"));
 }
 
+/// With its target where another one has the same name.
+std::string NameAmong(const std::vector<SingleEvidence>& singles, const Suspect& suspect) {
+  const auto same = std::count_if(singles.begin(), singles.end(), [&](const SingleEvidence& one) {
+    return one.suspect->mechanism == suspect.mechanism;
+  });
+  const std::string name = Spaced(suspect.mechanism->id);
+  return same == 1 ? name : name + ", " + Spaced(suspect.target);
+}
+
 std::string EvidenceFigure(const DiagnosedBlock& diagnosed) {
   const SearchResult& search = diagnosed.diagnosis.search;
   std::vector<SingleEvidence> singles = search.singles;
@@ -207,7 +217,7 @@ std::string EvidenceFigure(const DiagnosedBlock& diagnosed) {
     const bool is_found =
         std::any_of(search.found.terms.begin(), search.found.terms.end(),
                     [&](const Term& term) { return term.suspect == single.suspect; });
-    bars.push_back({Spaced(single.suspect->mechanism->id), single.held_out_gain,
+    bars.push_back({NameAmong(singles, *single.suspect), single.held_out_gain,
                     is_found ? "bar chosen" : "bar"});
   }
   bars.push_back({"free curve", search.free_gain, "bar free"});

@@ -102,8 +102,9 @@ std::string DependenceText(const DiagnosedBlock& diagnosed, const Location& loca
   }
   if (!others.empty()) text += fmt::format(", and on {}", fmt::join(others, " and "));
   if (first.p <= kSignificant) return fmt::format("{} on {}", depends, text);
-  return fmt::format("{} most on {} ({})", depends, text,
-                     first.p < 1 ? ProbabilityText(first.p) : "which moves too slowly for a p");
+  const std::string surely =
+      first.p < 1 ? ProbabilityText(first.p) + ": not surely" : "which moves too slowly for a p";
+  return fmt::format("{} most on {} ({})", depends, text, surely);
 }
 
 /// The number that a mechanism cannot be without, where it is the first and only one, goes by the
@@ -302,7 +303,13 @@ std::string SentenceOfNothing(const Diagnosis& diagnosis) {
     for (const Detectability& one : diagnosed.diagnosis.detectability)
       unseen += one.smallest ? 0 : 1;
   }
-  if (channels.empty()) return "Nothing compared: no channel of the recording can be judged.";
+  if (channels.empty()) {
+    const bool is_over = std::any_of(
+        diagnosis.blocks.begin(), diagnosis.blocks.end(),
+        [](const DiagnosedBlock& diagnosed) { return diagnosed.diagnosis.out_of_time; });
+    return is_over ? "Nothing judged: the time was over before any channel was."
+                   : "Nothing compared: no channel of the recording can be judged.";
+  }
   std::string text = fmt::format(
       "Nothing found: {} agree{} with the simulation, but for noise and what nominal "
       "numbers are off by.",
@@ -335,6 +342,12 @@ std::vector<TakenOff> TakenOffOfJudged(const Diagnosis& diagnosis) {
   return judged;
 }
 
+bool NoneIsJudged(const Diagnosis& diagnosis) {
+  return std::none_of(
+      diagnosis.blocks.begin(), diagnosis.blocks.end(),
+      [](const DiagnosedBlock& diagnosed) { return diagnosed.diagnosis.is_testable; });
+}
+
 std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
   std::vector<std::string> sentences;
   for (const auto& [diagnosed, finding] : FindingsByWeight(diagnosis)) {
@@ -347,8 +360,16 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
       sentences.push_back(SentenceOf(diagnosed->block, proposal));
     }
   }
+  const std::vector<std::string> seen = PerceptionSentences(diagnosis.perception);
+  const bool is_seen =
+      std::any_of(diagnosis.perception.begin(), diagnosis.perception.end(),
+                  [](const PerceptionDiagnosis& sensor) { return !sensor.findings.empty(); });
   const bool has_blocks = !diagnosis.blocks.empty() || diagnosis.perception.empty();
-  if (sentences.empty() && has_blocks) sentences.push_back(SentenceOfNothing(diagnosis));
+  const bool is_nothing = sentences.empty() && has_blocks;
+  if (is_seen) sentences.insert(sentences.end(), seen.begin(), seen.end());
+  if (is_nothing && !(is_seen && NoneIsJudged(diagnosis))) {
+    sentences.push_back(SentenceOfNothing(diagnosis));
+  }
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     for (const Finding& finding : diagnosed.diagnosis.unconfirmed) {
       sentences.push_back(SentenceOfUnconfirmed(diagnosed, finding));
@@ -358,8 +379,7 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
   for (const std::string& obstacle : diagnosis.not_compared) {
     sentences.push_back(fmt::format("Not compared: {}.", obstacle));
   }
-  const std::vector<std::string> seen = PerceptionSentences(diagnosis.perception);
-  sentences.insert(sentences.end(), seen.begin(), seen.end());
+  if (!is_seen) sentences.insert(sentences.end(), seen.begin(), seen.end());
   for (const HeldOutRecording& further : diagnosis.held_out) {
     sentences.push_back(SentenceOf(further));
   }
@@ -367,6 +387,10 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
     sentences.push_back(std::move(text));
   }
   if (diagnosis.whole) sentences.push_back(SentenceOf(*diagnosis.whole));
+  if (diagnosis.machine != diagnosis.scenario) {
+    sentences.push_back(fmt::format("The recording's {} is taken for the scenario's {}.",
+                                    diagnosis.machine, diagnosis.scenario));
+  }
   if (diagnosis.next) sentences.push_back(SentenceOf(*diagnosis.next));
   return sentences;
 }

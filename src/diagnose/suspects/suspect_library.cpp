@@ -52,6 +52,9 @@ std::vector<std::string> ReadIdentifiers(const ConfigMap& config, std::string_vi
   for (const std::string& id : config.Texts(key)) {
     if (IsMechanism(config, key, id)) names.push_back(id);
   }
+  if (config.Texts(key).empty()) {
+    config.Fault(key, fmt::format("is empty; need a mechanism in it, or no '{}'", key));
+  }
   return names;
 }
 

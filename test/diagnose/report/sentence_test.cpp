@@ -10,6 +10,7 @@
 namespace tera {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -34,7 +35,8 @@ TEST(Sentence, OfAClassNamesAllThatAreAlike) {
   boom.diagnosis.unexplained = {GrowingBeyond12kNm()};
   EXPECT_EQ(
       SentenceOf(boom, finding),
-      "Boom rate, the whole recording; the error depends most on |lever| < 0.2, odd (p 0.3): "
+      "Boom rate, the whole recording; the error depends most on |lever| < 0.2, odd (p 0.3: not "
+      "surely): "
       "dead band 0.181 (chosen with p 0.0002, confirmed with p 0.004; not told apart from: valve "
       "curve). Held-out RMSE 3.1 → 0.6 deg/s, 94 % of the excess variance removed.");
 }
@@ -134,6 +136,25 @@ TEST(Sentence, OfNothingNamesTheChannelsAndWhatWasNotSeen) {
                   "at any size."));
   EXPECT_THAT(SentencesOf({"excavator1", "excavator1", {}}),
               ElementsAre(HasSubstr("Nothing compared")));
+}
+
+TEST(Sentence, OfASensorsFindingComesBeforeWhatAgrees) {
+  PerceptionDiagnosis lidar;
+  lidar.channel = "excavator1/lidar_roof";
+  lidar.findings = {{.mechanism = "range_bias", .target = "lidar_roof", .rivals = {"range_bias"}}};
+  Diagnosis agreeing{"excavator1", "excavator1", {}};
+  agreeing.blocks.push_back(Block("boom", "excavator1/encoders/boom_radps", "rad/s"));
+  agreeing.perception = {lidar};
+  EXPECT_THAT(SentencesOf(agreeing),
+              ElementsAre(HasSubstr("range bias"), HasSubstr("Nothing found: boom rate agrees")));
+  // Nor is anything said of nothing where no block could be judged.
+  agreeing.blocks[0].diagnosis.is_testable = false;
+  EXPECT_THAT(SentencesOf(agreeing), ElementsAre(HasSubstr("range bias"), HasSubstr("not judged")));
+}
+
+TEST(Sentence, OfAMachineUnderAnotherNameSaysForWhatItIsTaken) {
+  EXPECT_THAT(SentencesOf({"warthog", "excavator1", {}}),
+              Contains("The recording's warthog is taken for the scenario's excavator1."));
 }
 
 TEST(Sentence, OfFurtherRecordingsAndTheWholeSimulationComparesAndWarns) {
