@@ -157,7 +157,7 @@ TEST_F(DiagnoseCommand, AsksForEncoders) {
         Edited(Read("boom.yaml"),
                "{name: encoders, preset: tera:config/sensors/encoder.yaml, joints: [boom]}",
                "{name: imu, preset: tera:config/sensors/xsens_mti_670.yaml, link: upper}"));
-  Record("real", {"--duration", "1"});
+  Record("real", {"--duration", "21"});
   const Outcome outcome = Run({"diagnose", "boom.yaml", "real", "--out", "why"});
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("nothing of excavator1 can be replayed")));

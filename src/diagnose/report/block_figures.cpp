@@ -166,14 +166,14 @@ std::string RegimeFigure(const DiagnosedBlock& diagnosed, const Location& locati
   if (mean.empty()) return "";
   const double width =
       static_cast<double>(curve.at.size()) > 1 ? x_unit.factor * (curve.at[1] - curve.at[0]) : 1;
-  SvgPlot plot("error as a function of " + regime.variable,
-               Widened(mean.front().x, mean.back().x,
-                       LabelWithUnit(VariableText(regime.variable, diagnosed.block), x_unit)),
-               RangeOf({low, high, {{0, 0}}}, 0,
-                       LabelWithUnit(regime.is_share ? "error over simulated value, less its mean"
-                                                     : "error less its mean",
-                                     y_unit)),
-               480, 280);
+  SvgPlot plot(
+      "error as a function of " + regime.variable,
+      Widened(mean.front().x, mean.back().x,
+              LabelWithUnit(VariableText(regime.variable, diagnosed.block), x_unit)),
+      RangeOf({low, high, {{0, 0}}}, 0,
+              LabelWithUnit(regime.is_share ? "error / simulated, less mean" : "error, less mean",
+                            y_unit)),
+      480, 280);
   const CurveShape& shape = regime.shape;
   if (shape.low < shape.high && !shape.outside) {
     plot.Shade(x_unit.factor * shape.low, x_unit.factor * shape.high, "shade");

@@ -26,6 +26,11 @@ std::vector<std::string> Quantities(const std::vector<std::string>& channels) {
   return names;
 }
 
+/// In metres; what is less than half a centimetre is none.
+std::string LengthText(double length_m) {
+  return length_m < 0.005 ? "0" : Significant(length_m, 4);
+}
+
 }  // namespace
 
 std::string SentenceOf(const HeldOutRecording& further) {
@@ -46,7 +51,7 @@ std::string SentenceOf(const HeldOutRecording& further) {
 
 std::string SentenceOf(const WholeSimulation& whole) {
   if (!whole.obstacle.empty()) {
-    return fmt::format("The whole simulation does not confirm: {}.", whole.obstacle);
+    return fmt::format("Without a whole simulation to confirm it: {}.", whole.obstacle);
   }
   std::vector<std::string> changes, not_followed;
   for (const SimulatedChannel& one : whole.channels) {
@@ -59,9 +64,9 @@ std::string SentenceOf(const WholeSimulation& whole) {
       whole.until_s,
       changes.empty() ? std::string("no channel of a joint, track or the base") : Listed(changes));
   if (whole.path) {
-    text += fmt::format("; path {} m recorded, {} → {} m simulated",
-                        Significant(whole.path->recorded_m, 4),
-                        Significant(whole.path->before_m, 4), Significant(whole.path->after_m, 4));
+    text +=
+        fmt::format("; path {} m recorded, {} → {} m simulated", LengthText(whole.path->recorded_m),
+                    LengthText(whole.path->before_m), LengthText(whole.path->after_m));
   }
   text += ".";
   if (!not_followed.empty()) {
