@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <exception>
@@ -10,11 +11,11 @@
 
 namespace tera {
 
-/// Whether the calling thread works on a job of InParallel.
-inline thread_local bool is_on_job = false;
+/// Whether the calling thread shares the jobs of an InParallel with others.
+inline thread_local bool shares_jobs = false;
 
-/// Results in the order of jobs, whatever the number of threads. The first exception is thrown on.
-/// A job's own jobs run on its thread.
+/// Results in the order of jobs, whatever the number of threads. Of jobs that throw, the exception
+/// of the first is thrown on. A job's own jobs run on its thread, unless it is alone.
 template <typename Result>
 std::vector<Result> InParallel(std::size_t jobs, int threads,
                                const std::function<Result(std::size_t)>& job) {
@@ -22,20 +23,27 @@ std::vector<Result> InParallel(std::size_t jobs, int threads,
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;
   std::exception_ptr failure;
-  const bool is_nested = is_on_job;
-  const auto work = [&] {
-    is_on_job = true;
+  std::size_t first_failed = jobs;
+  const auto run = [&](std::size_t k) {
     try {
-      for (std::size_t k = next++; k < jobs; k = next++) results[k] = job(k);
+      results[k] = job(k);
     } catch (...) {
       const std::lock_guard lock(mutex);
-      failure = std::current_exception();
+      if (k < first_failed) failure = std::current_exception(), first_failed = k;
+      next = jobs;  // those before it have begun
     }
-    is_on_job = is_nested;
+  };
+  const bool is_shared = shares_jobs;
+  const std::size_t most =
+      is_shared ? 1 : std::min(jobs, static_cast<std::size_t>(std::max(threads, 1)));
+  const auto work = [&] {
+    shares_jobs = is_shared || most > 1;
+    for (std::size_t k = next++; k < jobs; k = next++) run(k);
+    shares_jobs = is_shared;
   };
   {
     std::vector<std::jthread> others;
-    for (int t = 1; t < threads && !is_nested; ++t) others.emplace_back(work);
+    for (std::size_t t = 1; t < most; ++t) others.emplace_back(work);
     work();
   }
   if (failure) std::rethrow_exception(failure);

@@ -25,6 +25,7 @@ constexpr double kMoves_rad = 0.05;  ///< likewise of a position
 constexpr double kDrives_m = 2;      ///< between the ends of a way
 constexpr double kLimit_rad = 0.2;   ///< beyond a joint's limits
 constexpr double kPair_s = 0.1;      ///< between two positions whose difference is held to a rate
+constexpr double kLatest_s = 0.9;    ///< that a rate may follow its lever
 constexpr double kBefore_s = 10;  ///< commands that end so long before all else are of another time
 constexpr const char* kNotConverted = "nothing is converted: give its unit in the import";
 
@@ -222,6 +223,22 @@ Ways WaysOf(const std::vector<GnssSample>& samples, const std::vector<TruthPose>
   return ways;
 }
 
+/// Whether a measured rate follows the expected one, if later.
+bool FollowsLate(const Series& measured, const std::vector<double>& expected) {
+  const auto steps = static_cast<std::size_t>(kLatest_s / measured.period_s);
+  const std::size_t stride = std::max<std::size_t>(1, steps / 16);
+  for (std::size_t lag = stride; lag <= steps; lag += stride) {
+    std::vector<double> now, before;
+    for (std::size_t k = lag; k < measured.size(); ++k) {
+      if (!measured.valid[k]) continue;
+      now.push_back(measured.value[k]);
+      before.push_back(expected[k - lag]);
+    }
+    if (ProportionOf(now, before).correlation > kAlike) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void CheckLevers(const RecordedPlace& place, const TableRecording& commands,
@@ -362,6 +379,7 @@ void CheckUnitsOf(const RecordedPlace& place, const std::vector<ReplayBlock>& bl
       const Proportion found = ProportionOf(measured, expected);
       const bool is_of_axis = block.channels.size() == 1 && channel.unit.ends_with("/s");
       if (is_of_axis && found.correlation < -kAlike) {
+        if (FollowsLate(channel.measured, predicted[c])) continue;
         throw InputError(
             fmt::format("{}: {} goes against its lever (correlation {:.2f}); need the signs of the "
                         "scenario's machine, in levers and encoders",

@@ -11,6 +11,8 @@
 namespace tera {
 namespace {
 
+constexpr double kRounding_s = 0.05;  ///< of the length that a message gives
+
 /// The encoders of one machine.
 std::vector<NamedEncoders> EncodersOf(const Recording& recording, const std::string& machine) {
   std::vector<NamedEncoders> encoders;
@@ -52,7 +54,7 @@ TimeNs StartOf(const Measurements& measured) {
   return start_ns;
 }
 
-/// The last that was measured.
+/// The last that was measured; by receivers where nothing else was, as StartOf.
 TimeNs EndOf(const Measurements& measured) {
   TimeNs end_ns = measured.start_ns;
   const auto last = [&](const auto& samples) {
@@ -60,6 +62,7 @@ TimeNs EndOf(const Measurements& measured) {
   };
   for (const NamedEncoders& named : measured.encoders) last(named.recording.samples);
   for (const auto& samples : measured.imus) last(samples);
+  if (end_ns > measured.start_ns) return end_ns;
   for (const auto& samples : measured.gnss) last(samples);
   return end_ns;
 }
@@ -68,7 +71,7 @@ TimeNs EndOf(const Measurements& measured) {
 void RequireLongEnough(const Measurements& measured, const MeasurementOptions& options) {
   const double length_s = ToSeconds(EndOf(measured) - measured.start_ns);
   const double left_s = std::min(options.to_s, length_s) - options.from_s;
-  if (left_s >= kShortestRecording_s) return;
+  if (left_s >= kShortestRecording_s - kRounding_s) return;
   const bool is_whole = options.from_s == 0 && options.to_s >= length_s;
   throw InputError(fmt::format(
       "{}: {:.1f} s were measured{}; need {:g} s at least", measured.recording, length_s,

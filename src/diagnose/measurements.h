@@ -41,7 +41,7 @@ inline constexpr double kShortestRecording_s = 20;
 
 struct MeasurementOptions {
   double from_s = 0, to_s = 1e9;  ///< part of the recording to look at, from its first sample on
-  bool needs_any = true;          ///< that nothing was measured is an error
+  bool needs_any = true;          ///< that nothing, or too little, was measured is an error
 };
 
 /// What was measured of the machine, checked. Throws InputError.

@@ -121,6 +121,16 @@ TEST_F(BadRecording, WhoseJointGoesAgainstItsLever) {
                           HasSubstr("need the signs of the scenario's machine")));
 }
 
+TEST_F(BadRecording, WhoseJointIsLateDoesNotGoAgainstItsLever) {
+  // Strokes there and back in 2.8 s: 1.4 s late they would be turned round, 0.7 s late they are
+  // not.
+  WriteHandMade(scratch_.path() / "real", {.clock_s = 0.7});
+  const Outcome outcome = RunTera(
+      {"diagnose", "boom.yaml", "real", "--no-simulation", "--out", "why"}, {scratch_.path()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("command delay 0.7"));
+}
+
 TEST_F(BadRecording, OfWhichTooLittleIsLookedAt) {
   WriteHandMade(scratch_.path() / "real", {});
   const auto refused = [&](const Arguments& part, const char* left) {

@@ -76,6 +76,7 @@ TEST(Proposal, OfAGainThatGoesUpAndDownIsItsCurve) {
   const ProposedCurve& curve = *proposal->curve;
   EXPECT_EQ(curve.variable, "temperature");
   EXPECT_TRUE(curve.is_share);
+  ASSERT_EQ(curve.at.size(), 64);
   double square = 0, beyond = 0;
   for (Eigen::Index bin = 0; bin < curve.at.size(); ++bin) {
     const double truth = 0.4 * std::sin(5 * curve.at[bin]);

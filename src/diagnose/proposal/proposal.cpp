@@ -25,7 +25,7 @@ double RmsOver(const Series& series, const Mask& mask) {
 }
 
 bool Holds(const Proposal& proposal) {
-  return proposal.rmse_after <= (1 - kLeastGain) * proposal.rmse_before;
+  return proposal.rmse_before > 0 && proposal.rmse_after <= (1 - kLeastGain) * proposal.rmse_before;
 }
 
 std::optional<Proposal> Propose(const ReplayBlock& block, const BlockDiagnosis& diagnosis,

@@ -32,6 +32,7 @@ struct Proposal {
   std::size_t channel = 0;
   std::vector<ProposedTerm> terms;  ///< of a formula, the weightiest first
   std::optional<ProposedCurve> curve;
+  /// Of a formula beside offset, gain, delay and nominal numbers fitted anew, of a curve alone.
   double rmse_select = 0;                  ///< on SELECT, of its numbers as TRAIN has them
   double rmse_before = 0, rmse_after = 0;  ///< on FINAL, of which nothing was used
 };

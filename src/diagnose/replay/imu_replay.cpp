@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/units.h"
 #include "diagnose/statistics/robust.h"
@@ -16,9 +17,9 @@ constexpr int kSamplesAnInterval = 8;      ///< so that a clock may be off by le
 constexpr double kForceNoise_mps2 = 0.05;  ///< of poses, that forces told from them may have
 constexpr double kLeastShare = 0.5;        ///< of the samples that an interval usually has
 
-/// What the replay of an ideal unit makes of the force that a unit at `X_LS` measured: that is seen
-/// through velocities that are means over the track's steps. Of a step it shows the force in W
-/// averaged over its own length and over the two around its middle.
+/// What the replay of an ideal unit makes of the force that a unit turned by `R_LS` in its link
+/// measured: that is seen through velocities that are means over the track's steps. Of a step it
+/// shows the force in W averaged over its own length and over the two around its middle.
 class ForcesOfSteps {
  public:
   ForcesOfSteps(const LinkTrack& track, const Mat3& R_LS, TimeNs sample_ns)
@@ -42,10 +43,12 @@ class ForcesOfSteps {
     }
   }
 
-  Vec3 MeanOver_S_mps2(std::size_t interval) const {
+  /// Nothing where a step of it saw less than half of what it might.
+  std::optional<Vec3> MeanOver_S_mps2(std::size_t interval) const {
+    const double least = kLeastShare * *std::max_element(weights_.begin(), weights_.end());
     Vec3 mean_mps2 = Vec3::Zero();
     for (std::size_t k = interval * kStepsAnInterval; k < (interval + 1) * kStepsAnInterval; ++k) {
-      if (weights_[k] == 0) continue;
+      if (weights_[k] == 0 || weights_[k] < least) return std::nullopt;
       const Mat3 R_WS = track_.At(track_.t_ns(k) + track_.step_ns / 2).linear() * R_LS_;
       mean_mps2 += R_WS.transpose() * sums_W_mps2_[k] / (weights_[k] * kStepsAnInterval);
     }
@@ -60,14 +63,21 @@ class ForcesOfSteps {
   std::vector<double> weights_;
 };
 
+TimeNs UsualPeriod(const std::vector<ImuSample>& samples) {
+  std::vector<double> periods_s;
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    periods_s.push_back(ToSeconds(samples[k].t_ns - samples[k - 1].t_ns));
+  }
+  return periods_s.empty() ? 0 : FromSeconds(Median(periods_s));
+}
+
 /// Turn rates are means of the samples in each interval.
 void SetMeasured(const std::vector<ImuSample>& samples, const Mat3& R_LS, ImuLog* log) {
   const std::size_t intervals = (log->track.X_WL.size() - 1) / kStepsAnInterval;
   log->w_S_radps.assign(intervals, Vec3::Zero());
   log->f_S_mps2.assign(intervals, Vec3::Zero());
   std::vector<double> count(intervals, 0.0);
-  const auto gaps = static_cast<TimeNs>(std::max<std::size_t>(samples.size(), 2) - 1);
-  ForcesOfSteps forces(log->track, R_LS, (samples.back().t_ns - samples.front().t_ns) / gaps);
+  ForcesOfSteps forces(log->track, R_LS, UsualPeriod(samples));
   for (const ImuSample& sample : samples) {
     forces.Add(sample);
     const TimeNs since_ns = sample.t_ns - log->clock.start_ns;
@@ -86,7 +96,9 @@ void SetMeasured(const std::vector<ImuSample>& samples, const Mat3& R_LS, ImuLog
         std::all_of(known, known + kStepsAnInterval + 1, [](bool b) { return b; }));
     if (count[k] == 0) continue;
     log->w_S_radps[k] /= count[k];
-    log->f_S_mps2[k] = forces.MeanOver_S_mps2(k);
+    const std::optional<Vec3> force_mps2 = forces.MeanOver_S_mps2(k);
+    log->known[k] = log->known[k] && force_mps2.has_value();
+    log->f_S_mps2[k] = force_mps2.value_or(Vec3::Zero());
   }
 }
 

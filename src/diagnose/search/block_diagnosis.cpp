@@ -376,6 +376,7 @@ struct Searched {
 Searched SearchInTurn(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
                       const std::vector<Manoeuvre>& manoeuvres) {
   EarlierSearch earlier;
+  SearchResult before;
   Searched last{NoiseOfBlock(block, manoeuvres), {}};
   for (int pass = 1;; ++pass) {
     const Procedure procedure(block, options, stream, manoeuvres, last.noise);
@@ -387,7 +388,8 @@ Searched SearchInTurn(const ReplayBlock& block, const SearchOptions& options, co
       return last;
     }
     last.noise = std::move(less);
-    earlier = {&last.search, false};
+    before = std::move(last.search);
+    earlier = {&before, false};
   }
 }
 

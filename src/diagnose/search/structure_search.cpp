@@ -334,7 +334,8 @@ Needed Search::Prune(Scored kept) const {
   }
 }
 
-/// With each number that refines put to its default, if that changes less than a term would have to.
+/// With each number that refines put to its default, if that changes less than a term would have
+/// to.
 FittedStructure Search::Simplest(FittedStructure fitted) const {
   for (std::size_t t = 0; t < fitted.terms.size(); ++t) {
     for (const FreeParameter& free : fitted.terms[t].Free()) {

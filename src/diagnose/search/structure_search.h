@@ -77,11 +77,11 @@ struct EarlierSearch {
 ///         structure, or a free member if that is more, gains over nothing and at least
 ///         `least_of_rest` of what a free member gains over the structure without it, and its
 ///         effect, beyond nuisances, at least `least_effect` of the channel. What
-///         refines a number is put to its default in the answer where that changes less than
-///         `least_effect`. TellApart: each term
-///         is swapped for each screened suspect; of the five that a few steps make likeliest, where
-///         the same manoeuvres do not gain from the term with p at most 0.05, or less than 3 of
-///         log-likelihood, they are alike.
+///         refines a number is put to its default in the answer where that, one number after the
+///         other, changes less than `least_effect`. TellApart: each term is swapped for each
+///         screened suspect; of the five that a few steps make likeliest, where the same manoeuvres
+///         do not gain from the term with p at most 0.05, or less than 3 of log-likelihood, they
+///         are alike.
 /// Omits   that the structures whose terms are tested were chosen on part of the same manoeuvres,
 ///         beyond the number of suspects; FINAL is for that.
 /// Source  Schwarz 1978.
@@ -90,7 +90,7 @@ class StructureSearch {
   /// `noise` of each channel; `on_seen` fits to TRAIN and SELECT. A search after an earlier one
   /// begins where that ended: single suspects with the numbers that they had there, the likeliest
   /// four fitted anew where nothing was found, and what was found instead of pairs. All but the
-  /// noise must outlive it.
+  /// noise must outlive it and stay as they are.
   StructureSearch(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
                   const StructureFitter& on_seen, const std::vector<Manoeuvre>& manoeuvres,
                   const SearchOptions& options, const EarlierSearch& earlier = {});

@@ -11,7 +11,7 @@ namespace tera {
 /// How the rate of an actuator follows what is asked of it. As built, at once.
 struct ActuatorParameters {
   double max_change_radps2 = std::numeric_limits<double>::infinity();
-  double band_s = 0;  ///< of the rate limit: error over it, below the limit
+  double band_s = 0;  ///< in which an error within the rate limit closes
   double lag_s = 0, pilot_s = 0;
   bool rings = false;
   double eta_radps = 0, beta_1ps = 0, phi_rad = 0;
@@ -25,7 +25,7 @@ ActuatorParameters ActuatorOf(const Effects& effects);
 
 /// Slot `actuator` of one joint or gear.
 ///
-/// Model   In this order: rate_limit, dw/dt = (u - w) / tau, at most its limit either way;
+/// Model   In this order: rate_limit, dw/dt = (u - w) / band, at most its limit either way;
 ///         actuator_lag, Tp dx/dt = u - x, T dw/dt = x - w, of the pilot and of what it moves;
 ///         actuator_ring, the linear filter whose answer to a step of w_ss is
 ///         w(t) = w_ss (1 + sin(eta t + phi) e^(-beta t)), t > 0, so that steps superpose and a
