@@ -28,7 +28,7 @@ figure{margin:.6rem 0 1.2rem}figcaption{font-size:.86rem;color:var(--soft);margi
 .pair{display:grid;grid-template-columns:1fr 1fr;gap:1.6rem;align-items:start}
 @media(max-width:46rem){.pair figure:only-child{grid-column:1/-1;max-width:31rem}
 .pair{grid-template-columns:1fr}}
-svg{display:block;width:100%;height:auto;overflow:visible}svg svg{overflow:hidden}
+:not(svg)>svg{display:block;width:100%;height:auto;overflow:visible}svg svg{overflow:hidden}
 svg text{font-size:13px;fill:var(--soft)}svg text.axis{fill:var(--ink)}
 svg text.number{font-variant-numeric:tabular-nums}
 .grid{stroke:var(--rule);fill:none}.tick,.frame{stroke:var(--soft);fill:none}

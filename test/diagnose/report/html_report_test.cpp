@@ -30,6 +30,14 @@ bool IsBalanced(const std::string& html) {
   return open.empty();
 }
 
+// A rule for all pictures would size those within a picture as well, and move curves off their
+// axes.
+TEST(HtmlReport, SizesWholePicturesAlone) {
+  const std::string page = HtmlReport(Complete(), "recording");
+  EXPECT_THAT(page, HasSubstr(":not(svg)>svg{display:block;width:100%"));
+  EXPECT_THAT(page, Not(HasSubstr("\nsvg{")));
+}
+
 TEST(HtmlReport, HoldsTheSentencesAndNeedsNothingElse) {
   DiagnosedBlock boom = BoomWithDeadBand();
   boom.diagnosis.unexplained = {GrowingBeyond12kNm()};
