@@ -79,17 +79,23 @@ class Deviance final : public ceres::CostFunction {
     const std::vector<double> rows = at == places_ ? at_start_ : RowsAt(at);
     std::copy(rows.begin(), rows.end(), residuals);
     if (jacobians == nullptr || jacobians[0] == nullptr) return true;
-    InParallel<int>(at.size(), threads_, [&](std::size_t p) {
-      std::vector<double> moved_to = at;
-      const double step = at[p] + steps_[p] <= 1 ? steps_[p] : -steps_[p];
-      moved_to[p] += step;
-      const std::vector<double> moved = RowsAt(moved_to);
-      for (std::size_t k = 0; k < rows.size(); ++k) {
-        jacobians[0][k * at.size() + p] = (moved[k] - rows[k]) / step;
-      }
-      return 0;
+    const auto moved = InParallel<std::vector<double>>(at.size(), threads_, [&](std::size_t p) {
+      std::vector<double> there = at;
+      there[p] += StepFrom(at, p);
+      return RowsAt(there);
     });
+    for (std::size_t p = 0; p < at.size(); ++p) {
+      const double step = StepFrom(at, p);
+      for (std::size_t k = 0; k < rows.size(); ++k) {
+        jacobians[0][k * at.size() + p] = (moved[p][k] - rows[k]) / step;
+      }
+    }
     return true;
+  }
+
+  /// Inwards at the upper end.
+  double StepFrom(const std::vector<double>& at, std::size_t p) const {
+    return at[p] + steps_[p] <= 1 ? steps_[p] : -steps_[p];
   }
 
   std::vector<double> RowsAt(const std::vector<double>& places) const {
