@@ -300,11 +300,11 @@ double Designer::PowerOf(const OpenQuestion& question, bool is_class, ReplayBloc
     const auto gains = drawn(seen, first);
     double lead = 0;
     for (const ManoeuvreGain& gain : gains) lead += gain.gain;
-    const double p = SteadyGainP(gains);
+    const double p = is_class ? SteadyGainP(gains) : GainP(gains);
     const bool is_told =
         is_class ? p <= kRivalP && lead >= kRivalGain
                  : p <= options_.alpha / tests &&
-                       SteadyGainP(drawn(final, first + (std::uint64_t{1} << 32))) <= kFinalP;
+                       GainP(drawn(final, first + (std::uint64_t{1} << 32))) <= kFinalP;
     told += is_told ? 1 : 0;
   }
   return static_cast<double>(told) / static_cast<double>(kDraws);

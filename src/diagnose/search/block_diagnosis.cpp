@@ -123,6 +123,8 @@ double VarianceOf(const NoiseModel& noise) {
   return sum * noise.scale * noise.scale * noise.dof / (noise.dof - 2);
 }
 
+bool IsNearer(const HeldOutError& error) { return error.rmse_after < error.rmse_before; }
+
 HeldOutError Procedure::Compare(const FittedStructure& before, const FittedStructure& after,
                                 std::size_t channel) const {
   HeldOutError error{channel, 0, 0, 0, 1};
@@ -169,7 +171,10 @@ Finding Procedure::Describe(const SearchResult& search, std::size_t term) const 
   finding.location = Locate(block_.channels[channel], channel, without.misfit.residual[channel],
                             likelihood_.noise()[channel], stream_, options_.threads);
   finding.held_out = Compare(without, found, channel);
-  finding.held_out.p = SteadyGainP(GainsOf(likelihood_, without.misfit, found.misfit, final_));
+  const auto gains = GainsOf(likelihood_, without.misfit, found.misfit, final_);
+  const bool bets =
+      IsNearer(finding.held_out) && finding.evidence.share >= options_.least_share_of_bet;
+  finding.held_out.p = bets ? GainP(gains) : SteadyGainP(gains);
   return finding;
 }
 
@@ -267,7 +272,7 @@ bool Procedure::WouldBeSeen(const Misfit& difference) const {
     for (ManoeuvreGain& gain : gains) {
       gain.gain = gain.possible + std::sqrt(2 * gain.possible) * stream_.Gaussian(first++);
     }
-    return SteadyGainP(gains) <= level;
+    return GainP(gains) <= level;
   };
   std::uint64_t seen = 0;
   for (std::uint64_t draw = 0; draw < kDraws; ++draw) {
@@ -308,7 +313,8 @@ void Procedure::Confirm(BlockDiagnosis* out) const {
                           [&](std::size_t t) { return Describe(out->search, t); });
   for (std::size_t t = 0; t < described.size(); ++t) {
     Finding& finding = described[t];
-    const double level = finding.evidence.p <= kSurelyChosenP ? kSurelyUnconfirmedP : kUnconfirmedP;
+    const bool is_sure = finding.evidence.p <= kSurelyChosenP && IsNearer(finding.held_out);
+    const double level = is_sure ? kSurelyUnconfirmedP : kUnconfirmedP;
     if (finding.held_out.p <= level) {
       kept.push_back(finding.term);
       evidence.push_back(finding.evidence);

@@ -10,6 +10,7 @@ namespace {
 constexpr double kLeastPossible = 2;
 constexpr double kClear = 20;  ///< log-likelihood, far above the scatter of noise
 constexpr std::size_t kFewest = 3;
+constexpr double kMostOfOne = 2.25;  ///< of a gain, in a bet
 constexpr double kPiece_s = 1;
 constexpr std::size_t kPieceSamples = 5;
 
@@ -68,6 +69,14 @@ double SteadyGainP(const std::vector<ManoeuvreGain>& gains) {
   if (error <= 0) return mean > 0 ? 0 : 1;
   return boost::math::cdf(
       boost::math::complement(boost::math::students_t(count - 1), mean / error));
+}
+
+double GainP(const std::vector<ManoeuvreGain>& gains) {
+  double log_worth = 0;
+  for (const auto& [gain, possible] : gains) {
+    if (possible >= kLeastPossible) log_worth += std::min(gain, kMostOfOne);
+  }
+  return std::min(1.0, 2 * std::min(SteadyGainP(gains), std::exp(-log_worth)));
 }
 
 std::vector<Segment> SegmentsOf(const std::vector<Manoeuvre>& manoeuvres, Part part) {

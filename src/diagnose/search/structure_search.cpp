@@ -289,13 +289,15 @@ Scored Search::Disentangle(Scored found) {
 TermEvidence Search::EvidenceOf(const Scored& with, const Scored& without,
                                 const Misfit& crossed_with, const Misfit& crossed_without) const {
   TermEvidence evidence;
-  const std::size_t tests = std::max(options_.suspects_in_all, block_.suspects.size());
-  const double p = SteadyGainP(GainsOf(likelihood_, crossed_without, crossed_with, seen_));
-  evidence.p = std::min(1.0, static_cast<double>(tests) * p);
   const Misfit before = fitter_.AsGiven(without.terms).misfit;
   const double gained = Total(Differences(with.held_out, without.held_out));
   const double found = Total(with.held_out) - Total(nothing_.held_out);
   evidence.share = gained / std::max({free_gain_, found, 1e-9});
+  const auto gains = GainsOf(likelihood_, crossed_without, crossed_with, seen_);
+  const double p =
+      evidence.share >= options_.least_share_of_bet ? GainP(gains) : SteadyGainP(gains);
+  const std::size_t tests = std::max(options_.suspects_in_all, block_.suspects.size());
+  evidence.p = std::min(1.0, static_cast<double>(tests) * p);
   evidence.of_rest = gained / std::max({FreeGain(before), gained, 1e-9});
   evidence.effect = EffectOf(block_, fitter_.AsGiven(with.terms).misfit, before);
   return evidence;

@@ -16,9 +16,10 @@ struct SearchOptions {
   /// Mechanisms that the whole diagnosis tests, and channels of which it asks what is left; 0:
   /// those of the block alone.
   std::size_t suspects_in_all = 0, channels_in_all = 0;
-  double least_share = 0.02;   ///< of all that was found on SELECT, that a term must explain
-  double least_of_rest = 0.1;  ///< of what the others leave, that a term must explain
-  double least_effect = 0.02;  ///< RMS of what a term changes over the RMS of the channel
+  double least_share = 0.02;        ///< of all that was found on SELECT, that a term must explain
+  double least_share_of_bet = 0.1;  ///< likewise, by a gain that is clear and not steady
+  double least_of_rest = 0.1;       ///< of what the others leave, that a term must explain
+  double least_effect = 0.02;       ///< RMS of what a term changes over the RMS of the channel
   int threads = 2;
 };
 
