@@ -90,22 +90,39 @@ std::optional<SimulatedCourse> CourseOf(const DiagnoseArguments& arguments,
   return SimulateAsItIs(arguments.scenario, machine.index, input, measured);
 }
 
-/// The blocks of the further recordings, before anything is searched: what cannot be read is told
-/// at once.
-std::vector<std::vector<ReplayBlock>> FurtherBlocks(const DiagnoseArguments& arguments,
-                                                    const MachineCase& machine,
-                                                    std::uint64_t seed) {
-  std::vector<std::vector<ReplayBlock>> blocks;
+/// A recording that nothing is fitted to.
+struct Further {
+  DiagnosisInput input;
+  Measurements measured;
+  std::vector<ReplayBlock> blocks;
+};
+
+/// The further recordings, before anything is searched: what cannot be read is told at once.
+std::vector<Further> FurtherRecordings(const DiagnoseArguments& arguments,
+                                       const MachineCase& machine, std::uint64_t seed) {
+  std::vector<Further> further;
   for (const std::filesystem::path& path : arguments.held_out) {
     const Recording recording(path);
     const DiagnosisInput input = machine.InputOf(recording);
     const Measurements measured = MeasurementsOf(input, recording);
-    blocks.push_back(BlocksOf(input, measured, {}));
+    std::vector<ReplayBlock> blocks = BlocksOf(input, measured, {});
     if (const auto course = CourseOf(arguments, machine, input, measured)) {
-      TakeOffAll(UnreplayedOf(input, measured, {}, *course), seed, &blocks.back());
+      TakeOffAll(UnreplayedOf(input, measured, {}, *course), seed, &blocks);
     }
+    further.push_back({input, measured, std::move(blocks)});
   }
-  return blocks;
+  return further;
+}
+
+HeldOutRecording JudgeFurther(const Diagnosis& diagnosis, Further* further,
+                              const std::filesystem::path& recording, std::uint64_t seed) {
+  const bool tells = std::any_of(
+      diagnosis.blocks.begin(), diagnosis.blocks.end(),
+      [](const DiagnosedBlock& diagnosed) { return TellsOfArrivals(diagnosed.diagnosis); });
+  if (tells) {
+    PutInPlace(SensorBlocksByArrivals(further->input, further->measured, {}), &further->blocks);
+  }
+  return JudgeHeldOut(diagnosis.blocks, further->blocks, recording.string(), seed);
 }
 
 bool HasFindings(const Diagnosis& diagnosis) {
@@ -142,8 +159,8 @@ Diagnosis DiagnoseMachine(const DiagnoseArguments& arguments, DiagnosisOptions o
                           const MachineCase& machine, const Recording& recording,
                           std::vector<PerceptionDiagnosis> seen, StageClock* clock) {
   options.measurements.needs_any = options.blocks.needs_any = seen.empty();
-  const auto further = clock->Time("further recordings",
-                                   [&] { return FurtherBlocks(arguments, machine, options.seed); });
+  auto further = clock->Time("further recordings",
+                             [&] { return FurtherRecordings(arguments, machine, options.seed); });
   const DiagnosisInput input = machine.InputOf(recording);
   std::optional<SimulatedCourse> course;
   const auto simulate = [&](const Measurements& measured) {
@@ -156,7 +173,7 @@ Diagnosis DiagnoseMachine(const DiagnoseArguments& arguments, DiagnosisOptions o
   diagnosis.perception = std::move(seen);
   for (std::size_t r = 0; r < further.size(); ++r) {
     diagnosis.held_out.push_back(
-        JudgeHeldOut(diagnosis.blocks, further[r], arguments.held_out[r].string(), options.seed));
+        JudgeFurther(diagnosis, &further[r], arguments.held_out[r], options.seed));
   }
   if (!arguments.simulate || !HasFindings(diagnosis)) return diagnosis;
   if (IsOutOfTime(diagnosis)) {

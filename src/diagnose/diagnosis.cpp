@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "diagnose/blocks/measured_poses.h"
+
 namespace tera {
 namespace {
 
@@ -147,13 +149,26 @@ std::vector<TakenOff> NotTakenOff(const DiagnosisInput& input,
   return none;
 }
 
+bool TellsOfArrivals(const BlockDiagnosis& diagnosis) {
+  return HasArrivalStamps(diagnosis.search.found.terms);
+}
+
+void PutInPlace(std::vector<ReplayBlock> others, std::vector<ReplayBlock>* blocks) {
+  for (ReplayBlock& other : others) {
+    for (ReplayBlock& block : *blocks) {
+      if (block.name == other.name) block = std::move(other);
+    }
+  }
+}
+
 Stream StreamOf(const ReplayBlock& block, std::uint64_t seed) {
   return Stream(seed, "diagnose/" + block.name);
 }
 
 std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks, SearchOptions options,
                                            std::uint64_t seed, const FollowProgress& progress,
-                                           std::optional<double> time_limit_s) {
+                                           std::optional<double> time_limit_s,
+                                           const Revise& revise) {
   options.suspects_in_all = options.channels_in_all = 0;
   for (const ReplayBlock& block : blocks) {
     options.suspects_in_all += block.suspects.size();
@@ -171,6 +186,7 @@ std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks, Sear
     diagnosed.push_back(std::move(one));
     const DiagnosedBlock& done = diagnosed.back();
     progress({done.block.name, number, blocks.size(), &done.diagnosis});
+    if (revise) revise(done.diagnosis, &blocks);
   }
   return diagnosed;
 }
@@ -190,8 +206,14 @@ Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
                                : NotTakenOff(input, blocks);
   diagnosis.machine = input.machine;
   diagnosis.scenario = input.scenario;
+  const auto revise = [&](const BlockDiagnosis& told, std::vector<ReplayBlock>* blocks_to_come) {
+    if (!TellsOfArrivals(told)) return;
+    std::vector<ReplayBlock> others = SensorBlocksByArrivals(input, measured, options.blocks);
+    if (options.library) ApplyLibrary(*options.library, *input.model, &others);
+    PutInPlace(std::move(others), blocks_to_come);
+  };
   diagnosis.blocks = DiagnoseBlocks(std::move(blocks), options.search, options.seed, progress,
-                                    options.time_limit_s);
+                                    options.time_limit_s, revise);
   for (DiagnosedBlock& diagnosed : diagnosis.blocks) ProposeFor(options.seed, &diagnosed);
   diagnosis.next = NextManoeuvreOf(*input.model, diagnosis.blocks, options);
   return diagnosis;

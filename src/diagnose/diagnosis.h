@@ -84,10 +84,20 @@ std::vector<TakenOff> TakeOffAll(const std::vector<Unreplayed>& unreplayed, std:
 /// From which all that is random about a block's diagnosis comes.
 Stream StreamOf(const ReplayBlock& block, std::uint64_t seed);
 
+/// Puts others in the place of blocks, of which those before it are done, by what one tells.
+using Revise = std::function<void(const BlockDiagnosis& told, std::vector<ReplayBlock>* blocks)>;
+
 /// Diagnoses blocks, whose tests count together, within a time that may be limited.
 std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks, SearchOptions options,
                                            std::uint64_t seed, const FollowProgress& progress,
-                                           std::optional<double> time_limit_s = {});
+                                           std::optional<double> time_limit_s = {},
+                                           const Revise& revise = {});
+
+/// Whether poses were found to be stamped as they arrive.
+bool TellsOfArrivals(const BlockDiagnosis& diagnosis);
+
+/// Puts blocks in the place of those of the same names.
+void PutInPlace(std::vector<ReplayBlock> others, std::vector<ReplayBlock>* blocks);
 
 /// Simulates the scenario as it is under the recorded levers; none where that cannot be. Empty: not
 /// wanted.

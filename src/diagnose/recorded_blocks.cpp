@@ -106,13 +106,19 @@ bool HasBase(const DiagnosisInput& input, const Measurements& measured) {
   return !gears.empty() && all && !measured.poses.empty();
 }
 
+/// When poses that were measured were, where their stamps are those of their arrival.
+std::optional<PoseTimes> ArrivalsOf(const Measurements& measured) {
+  if (!measured.poses_were_measured) return std::nullopt;
+  return TimesOfArrivals(measured.poses);
+}
+
 /// Every gear's encoder and poses make a block of the base.
 void AddBase(const DiagnosisInput& input, const Measurements& measured, const BlockOptions& options,
              std::vector<ReplayBlock>* blocks) {
   if (!HasBase(input, measured)) return;
   // Gears bound the time.
-  const BaseLog log =
-      MakeBaseLog(*input.model, measured.encoders, measured.poses, options.base_interval_s);
+  const BaseLog log = MakeBaseLog(*input.model, measured.encoders, measured.poses,
+                                  options.base_interval_s, ArrivalsOf(measured));
   if (auto block =
           MakeBaseBlock(*input.model, log, input.machine + "/base", measured.poses_were_measured)) {
     blocks->push_back(std::move(*block));
@@ -227,6 +233,14 @@ void CountTimeFrom(TimeNs start_ns, ReplayBlock* block) {
   }
 }
 
+/// What all blocks are in the end.
+void Settle(TimeNs start_ns, std::vector<ReplayBlock>* blocks) {
+  std::erase_if(*blocks, [](const ReplayBlock& block) {
+    return static_cast<double>(block.samples()) * block.period_s() < kShortestRecording_s;
+  });
+  for (ReplayBlock& block : *blocks) CountTimeFrom(start_ns, &block);
+}
+
 }  // namespace
 
 std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Measurements& measured,
@@ -239,13 +253,23 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Measurement
   Try("", &obstacles, [&] { AddBase(input, measured, options, &blocks); });
   Try("", &obstacles, [&] { AddImus(input, measured, options, &blocks); });
   AddGnss(input, measured, &blocks, &obstacles);
-  std::erase_if(blocks, [](const ReplayBlock& block) {
-    return static_cast<double>(block.samples()) * block.period_s() < kShortestRecording_s;
-  });
+  Settle(measured.start_ns, &blocks);
   if (blocks.empty() && options.needs_any) ThrowNothingToCompare(input, measured, obstacles);
   CheckUnitsOf({measured.recording, input.machine}, blocks);
-  for (ReplayBlock& block : blocks) CountTimeFrom(measured.start_ns, &block);
   if (not_compared != nullptr) *not_compared = std::move(obstacles);
+  return blocks;
+}
+
+std::vector<ReplayBlock> SensorBlocksByArrivals(const DiagnosisInput& input, Measurements measured,
+                                                const BlockOptions& options) {
+  std::vector<ReplayBlock> blocks;
+  std::vector<std::string> obstacles;  // told by BlocksOf
+  if (const auto times = ArrivalsOf(measured)) {
+    measured.poses = AtTimes(std::move(measured.poses), *times);
+  }
+  Try("", &obstacles, [&] { AddImus(input, measured, options, &blocks); });
+  AddGnss(input, measured, &blocks, &obstacles);
+  Settle(measured.start_ns, &blocks);
   return blocks;
 }
 

@@ -25,6 +25,11 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Measurement
                                   const BlockOptions& options,
                                   std::vector<std::string>* not_compared = nullptr);
 
+/// The blocks of inertial units and receivers over poses that are stamped as they arrive, at the
+/// times at which they were measured.
+std::vector<ReplayBlock> SensorBlocksByArrivals(const DiagnosisInput& input, Measurements measured,
+                                                const BlockOptions& options);
+
 /// What the replays of joints, gears and base leave of a simulation of the scenario under the
 /// recorded levers: for the blocks of BlocksOf.
 std::vector<Unreplayed> UnreplayedOf(const DiagnosisInput& input, const Measurements& measured,

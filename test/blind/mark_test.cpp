@@ -97,6 +97,17 @@ TEST(Mark, OfWhatTheFormHasInItBesidesIsNeitherRightNorWrong) {
   EXPECT_TRUE(hidden.Of(besides).confident_wrong && hidden.Of(besides).spurious);
 }
 
+TEST(Mark, OfWhatARealDriveHasOfItsOwnIsNeitherRightNorWrong) {
+  HiddenDeadBand hidden;
+  Finding own = DeadBandOfBoom();
+  own.target = "poses", own.names = {"arrival_stamps"}, own.mechanism = "arrival_stamps";
+  EXPECT_TRUE(hidden.Of(own).confident_wrong && hidden.Of(own).spurious);
+  hidden.c.injected.emplace();
+  EXPECT_FALSE(hidden.Of(own).confident_wrong || hidden.Of(own).spurious);
+  own.target = "base";
+  EXPECT_TRUE(hidden.Of(own).confident_wrong);
+}
+
 TEST(Mark, OfAnEffectThatHasNoName) {
   HiddenDeadBand hidden;
   hidden.c.kind = CaseKind::kOutside;

@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <ostream>
 #include <string>
 
 #include "core/error.h"
 #include "diagnose/blocks/base_block.h"
+#include "diagnose/search/block_diagnosis.h"
 #include "sim/drive_fixture.h"
 
 namespace tera {
@@ -166,6 +169,63 @@ TEST(BaseBlock, BesideLatePosesWouldHaveMovedAsMuchLater) {
   for (const Suspect& suspect : SprocketsAlone(model, false).suspects) {
     EXPECT_EQ(suspect.target, "base");
   }
+}
+
+/// The same machine on even ground, as it was driven for 60 s, its poses stamped as they arrive:
+/// those of the first third of each second wait for its end.
+struct Waited {
+  Drive drive = Meandering("soil: asphalt", "");
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  Recorded recorded = Record(&drive, 60);
+
+  Waited() {
+    TimeNs last_ns = 0;
+    const TimeNs second_ns = kNsPerSecond;
+    for (TruthPose& pose : recorded.poses) {
+      const TimeNs into_ns = pose.t_ns % second_ns;
+      const TimeNs at_ns = std::max(pose.t_ns, pose.t_ns - into_ns + second_ns / 3);
+      last_ns = pose.t_ns = std::max(at_ns, last_ns + second_ns / 100);
+    }
+  }
+  std::optional<ReplayBlock> Block() const {
+    const BaseLog log = MakeBaseLog(model, {recorded.encoders}, recorded.poses, 0.2,
+                                    TimesOfArrivals(recorded.poses));
+    return MakeBaseBlock(model, log, "m/base", true);
+  }
+};
+
+double Rms(const Series& measured, const std::vector<double>& predicted) {
+  double sum = 0, count = 0;
+  for (std::size_t k = 0; k < measured.size(); ++k) {
+    if (!measured.valid[k]) continue;
+    sum += std::pow(measured.value[k] - predicted[k], 2);
+    ++count;
+  }
+  return std::sqrt(sum / count);
+}
+
+TEST(BaseBlock, FollowsPosesThatWaitedByWhenTheyWereMeasured) {
+  const Waited waited;
+  const auto block = waited.Block();
+  ASSERT_TRUE(block);
+  const Suspect& arrivals = block->suspects.back();
+  ASSERT_EQ(arrivals.mechanism->id, "arrival_stamps");
+  const auto as_stamped = block->predict({}), known = block->predict({{&arrivals, {0.05}}});
+  for (const std::size_t c : {0u, 2u}) {
+    const Series& measured = block->channels[c].measured;
+    EXPECT_GT(Rms(measured, as_stamped[c]), 0.1) << c;
+    EXPECT_LT(Rms(measured, known[c]), 0.02) << c;
+  }
+}
+
+TEST(BaseBlock, NamesStampsOfArrival) {
+  const Waited waited;
+  const auto block = waited.Block();
+  ASSERT_TRUE(block);
+  const BlockDiagnosis diagnosis = DiagnoseBlock(*block, {}, Stream(1, "arrivals"));
+  ASSERT_FALSE(diagnosis.findings.empty());
+  EXPECT_EQ(diagnosis.findings.front().term.suspect->mechanism->id, "arrival_stamps");
+  EXPECT_LT(diagnosis.findings.front().evidence.rivals.size(), 2u);
 }
 
 }  // namespace

@@ -111,19 +111,6 @@ std::vector<double> PartOf(const std::vector<PlanarTwist>& twists, double Planar
   return values;
 }
 
-/// Values so many places later, straight in between; before the first, that.
-std::vector<double> Late(const std::vector<double>& values, double places) {
-  if (places == 0) return values;
-  std::vector<double> late;
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const double at = std::max(0.0, static_cast<double>(k) - places);
-    const auto a = static_cast<std::size_t>(at);
-    late.push_back(std::lerp(values[a], values[std::min(a + 1, values.size() - 1)],
-                             at - static_cast<double>(a)));
-  }
-  return late;
-}
-
 }  // namespace
 
 std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLog& log,
@@ -156,16 +143,15 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
   block.commands = {CommandOf(course.left_mps, grid), CommandOf(course.right_mps, grid)};
   block.suspects = SuspectsOf(model.effects.base);
   if (poses_were_measured) block.suspects.push_back(LatePoses());
+  if (log.arrival_period_s) block.suspects.push_back(ArrivalStamps(*log.arrival_period_s));
   block.replay = WholeReplay([model, log, grid](const Structure& terms) {
     const std::vector<PlanarTwist> twists =
-        BaseReplay(model, log).Predict(WithTerms(model.effects.base, BesidesPoses(terms)));
-    std::vector<std::vector<double>> channels;
-    for (double PlanarTwist::*part :
-         {&PlanarTwist::forward_mps, &PlanarTwist::left_mps, &PlanarTwist::yaw_radps}) {
-      channels.push_back(
-          Late(grid.Spread(PartOf(twists, part)), LatenessOfPoses_s(terms) / grid.period_s));
-    }
-    return channels;
+        BaseReplay(model, log)
+            .Predict(WithTerms(model.effects.base, BesidesPoses(terms)),
+                     {HasArrivalStamps(terms), LatenessOfPoses_s(terms)});
+    return std::vector<std::vector<double>>{grid.Spread(PartOf(twists, &PlanarTwist::forward_mps)),
+                                            grid.Spread(PartOf(twists, &PlanarTwist::left_mps)),
+                                            grid.Spread(PartOf(twists, &PlanarTwist::yaw_radps))};
   });
   return block;
 }

@@ -15,7 +15,7 @@ namespace tera {
 /// Omits   forces on tools; friction that depends on the place.
 ///
 /// `name` stands before the channels' names: "excavator1/base". Poses that were measured may come
-/// late (measured_poses.h). No block where there is hardly an interval.
+/// late, and some later than others (measured_poses.h). No block where there is hardly an interval.
 std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLog& log,
                                          const std::string& name, bool poses_were_measured);
 

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/units.h"
 #include "diagnose/blocks/suspect_list.h"
@@ -26,7 +27,21 @@ const Term* FindTerm(const Structure& terms, std::string_view id) {
 
 }  // namespace
 
+std::span<const Mechanism> PoseMechanisms() {
+  static const std::vector<Mechanism> mechanisms = {
+      {"arrival_stamps", Slot::kSensorTiming, {}, {{"period_s", "s", 1e-3, 10, {}}}}};
+  return mechanisms;
+}
+
 Suspect LatePoses() { return OfPoses("latency", {{0, 0, 3}}, {{0.05, 0}, {0.15, 0}, {0.4, 0}}); }
+
+Suspect ArrivalStamps(double period_s) {
+  return {&PoseMechanisms().front(), std::string(kPoses), {}, {{period_s}}, {}};
+}
+
+bool HasArrivalStamps(const Structure& terms) {
+  return FindTerm(terms, PoseMechanisms().front().id) != nullptr;
+}
 
 Suspect TiltedMap() {
   return OfPoses("mount_rotation", {{0, -15, 15}, {1, -15, 15}},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string_view>
 
 #include "core/motion.h"
@@ -13,18 +14,25 @@ namespace tera {
 ///
 /// Frames  the map, in which the poses are; the level, whose z is up. They share their origin and,
 ///         but for roll and pitch, their axes.
-/// Model   two suspects of the target "poses". `latency`: stamped so long after they were; a sensor
-///         whose clock is behind by as much shows the same. `mount_rotation`, roll and pitch of the
-///         map from the level.
+/// Model   suspects of the target "poses". `latency`: stamped so long after they were; a sensor
+///         whose clock is behind by as much shows the same. `arrival_stamps`: stamped as they
+///         arrive, which is not evenly, though they were measured once a period (pose_times.h).
+///         `mount_rotation`, roll and pitch of the map from the level.
 /// Omits   that a filter makes them smooth as well; a map that bends.
 
 inline constexpr std::string_view kPoses = "poses";
 
+/// What acts on measured poses alone, and on nothing that is simulated.
+std::span<const Mechanism> PoseMechanisms();
+
 Suspect LatePoses();
+Suspect ArrivalStamps(double period_s);
 Suspect TiltedMap();
 
 /// By how much a structure has the poses late.
 double LatenessOfPoses_s(const Structure& terms);
+
+bool HasArrivalStamps(const Structure& terms);
 
 /// The level's axes to the map's, as a structure has them.
 Mat3 TiltOfMap(const Structure& terms);

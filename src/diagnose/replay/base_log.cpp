@@ -13,7 +13,6 @@
 namespace tera {
 namespace {
 
-constexpr double kInstant_s = 0.05;       ///< rates of gears change little in between
 constexpr double kLongestInterval_s = 1;  ///< beyond it the path between two poses is unknown
 
 /// Rate of one gear over time.
@@ -58,28 +57,50 @@ PlanarTwist MeanTwist(const Pose& X_WA, const Pose& X_WB, const Vec3& contact_B_
           turned_rad / dt_s};
 }
 
-void AddInterval(const TruthPose& from, const TruthPose& to, const std::vector<GearSamples>& gears,
-                 const Vec3& contact_B_m, BaseLog* log) {
-  const double dt_s = ToSeconds(to.t_ns - from.t_ns);
-  BaseInterval interval{from.t_ns, to.t_ns, MeanTwist(from.X_WB, to.X_WB, contact_B_m, dt_s),
-                        log->instants.size(),
-                        static_cast<std::size_t>(std::max(1.0, std::ceil(dt_s / kInstant_s)))};
-  for (std::size_t i = 0; i < interval.count; ++i) {
-    const double s = (static_cast<double>(i) + 0.5) / static_cast<double>(interval.count);
-    BaseInstant instant;
-    for (const GearSamples& gear : gears) {
-      instant.gear_rate_radps.push_back(gear.At(from.t_ns + FromSeconds(s * dt_s)));
+/// Rates of the gears and attitudes from `first_ns` to `last_ns`.
+void AddInstants(const std::vector<GearSamples>& gears, const std::vector<TruthPose>& poses,
+                 TimeNs first_ns, TimeNs last_ns, BaseLog* log) {
+  log->start_ns = first_ns;
+  std::size_t pose = 0;
+  for (TimeNs t_ns = first_ns + BaseLog::kStep_ns / 2; t_ns < last_ns + BaseLog::kStep_ns / 2;
+       t_ns += BaseLog::kStep_ns) {
+    while (pose + 1 < poses.size() &&
+           std::abs(poses[pose + 1].t_ns - t_ns) <= std::abs(poses[pose].t_ns - t_ns)) {
+      ++pose;
     }
-    instant.R_WB = (s < 0.5 ? from : to).X_WB.linear();
+    BaseInstant instant;
+    for (const GearSamples& gear : gears) instant.gear_rate_radps.push_back(gear.At(t_ns));
+    instant.R_WB = poses[pose].X_WB.linear();
     log->instants.push_back(std::move(instant));
   }
-  log->intervals.push_back(interval);
+}
+
+/// From pose `a` to pose `b`.
+BaseInterval IntervalOf(const std::vector<TruthPose>& poses, std::size_t a, std::size_t b,
+                        const std::optional<PoseTimes>& arrivals, const Vec3& contact_B_m,
+                        const BaseLog& log) {
+  const TruthPose &from = poses[a], &to = poses[b];
+  BaseInterval interval{from.t_ns, to.t_ns, from.t_ns, to.t_ns};
+  if (arrivals) {
+    interval.measured_from_ns = arrivals->t_ns[a];
+    interval.measured_to_ns = arrivals->t_ns[b];
+  }
+  interval.twist = MeanTwist(from.X_WB, to.X_WB, contact_B_m, ToSeconds(to.t_ns - from.t_ns));
+  const auto step_at = [&](TimeNs t_ns) {
+    const auto step = static_cast<std::size_t>(
+        std::lround(ToSeconds(t_ns - log.start_ns) / ToSeconds(BaseLog::kStep_ns)));
+    return std::min(step, log.instants.size() - 1);
+  };
+  interval.first = step_at(from.t_ns);
+  interval.count = std::max<std::size_t>(1, step_at(to.t_ns) - interval.first);
+  return interval;
 }
 
 }  // namespace
 
 BaseLog MakeBaseLog(const MachineModel& model, const std::vector<NamedEncoders>& encoders,
-                    const std::vector<TruthPose>& poses, double interval_s) {
+                    const std::vector<TruthPose>& poses, double interval_s,
+                    const std::optional<PoseTimes>& arrivals) {
   std::vector<GearSamples> gears;
   TimeNs first_ns = poses.empty() ? 0 : poses.front().t_ns;
   TimeNs last_ns = poses.empty() ? -1 : poses.back().t_ns;
@@ -97,15 +118,17 @@ BaseLog MakeBaseLog(const MachineModel& model, const std::vector<NamedEncoders>&
   }
   const Vec3 contact_B_m = TrackDrive(model).contact_B_m();
   BaseLog log;
-  const TruthPose* from = nullptr;
-  for (const TruthPose& pose : poses) {
-    if (pose.t_ns < first_ns || pose.t_ns > last_ns) continue;
-    if (from == nullptr || ToSeconds(pose.t_ns - from->t_ns) > kLongestInterval_s) {
-      from = &pose;
-    } else if (ToSeconds(pose.t_ns - from->t_ns) >= interval_s) {
-      AddInterval(*from, pose, gears, contact_B_m, &log);
-      from = &pose;
+  if (arrivals) log.arrival_period_s = arrivals->period_s;
+  AddInstants(gears, poses, first_ns, last_ns, &log);
+  std::optional<std::size_t> from;
+  for (std::size_t to = 0; to < poses.size(); ++to) {
+    if (poses[to].t_ns < first_ns || poses[to].t_ns > last_ns) continue;
+    const double apart_s = from ? ToSeconds(poses[to].t_ns - poses[*from].t_ns) : 0;
+    if (from && apart_s < interval_s) continue;
+    if (from && apart_s <= kLongestInterval_s) {
+      log.intervals.push_back(IntervalOf(poses, *from, to, arrivals, contact_B_m, log));
     }
+    from = to;
   }
   return log;
 }

@@ -1,41 +1,51 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "diagnose/replay/axis_log.h"
+#include "diagnose/replay/pose_times.h"
 #include "physics/slots/track_kinematics.h"
 
 namespace tera {
 
-/// What tracks or wheels did at one instant, and how the base stood.
+/// What tracks or wheels did in one step of time, and how the base stood.
 struct BaseInstant {
   std::vector<double> gear_rate_radps;  ///< one for each gear
   Mat3 R_WB = Mat3::Identity();
 };
 
-/// How far the base went between two of its measured poses, and what drove it.
+/// How far the base went between two of its measured poses.
 struct BaseInterval {
-  TimeNs from_ns = 0, to_ns = 0;
-  PlanarTwist twist;                 ///< mean, as the poses tell it
-  std::size_t first = 0, count = 0;  ///< instants in it, evenly spread
+  TimeNs from_ns = 0, to_ns = 0;                    ///< stamps of the poses
+  TimeNs measured_from_ns = 0, measured_to_ns = 0;  ///< the same but for stamps of arrival
+  PlanarTwist twist;                                ///< mean, as the poses and their stamps tell it
+  std::size_t first = 0, count = 0;                 ///< instants in it; one at least
 };
 
 /// Running gear and base of one machine over time: what the ground is replayed over.
 ///
 /// Frames  B root link. The twist is that of the middle of the contact with the ground, forward and
 ///         left of the heading half-way, and about B's z axis.
-/// Model   Rates are straight between samples, attitudes those of the nearer pose. Poses that are
-///         far apart in time say nothing of what was in between: they bound no interval.
+/// Model   Rates are straight between samples, attitudes those of the nearer pose; instant k is
+///         that of the middle of step k. Poses that are far apart in time say nothing of what was
+///         in between: they bound no interval.
 /// Omits   the ground's forces on bucket and blade.
 struct BaseLog {
+  static constexpr TimeNs kStep_ns = 50'000'000;  ///< rates of gears change little in it
+
+  TimeNs start_ns = 0;
   std::vector<BaseInstant> instants;
   std::vector<BaseInterval> intervals;
+  std::optional<double> arrival_period_s;  ///< where stamps may be those of arrival
 };
 
 /// Throws InputError where gears and poses have no time in common, or the encoders lack a gear.
-/// `interval_s` is the least length of an interval: shorter ones hold more noise than motion.
+/// `interval_s` is the least length of an interval: shorter ones hold more noise than motion;
+/// `arrivals` when the poses were measured, if their stamps are those of their arrival.
 BaseLog MakeBaseLog(const MachineModel& model, const std::vector<NamedEncoders>& encoders,
-                    const std::vector<TruthPose>& poses, double interval_s);
+                    const std::vector<TruthPose>& poses, double interval_s,
+                    const std::optional<PoseTimes>& arrivals = {});
 
 }  // namespace tera

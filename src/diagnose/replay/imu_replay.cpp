@@ -152,6 +152,16 @@ bool AreLinear(const Effects& effects) {
   });
 }
 
+/// How fast a unit turned by `R_LS` in its link turned in the step before each sample.
+void SetTurns(const LinkTrack& turns, const Mat3& R_LS, std::vector<ImuSample>* samples) {
+  for (ImuSample& sample : *samples) {
+    const Mat3 R_WA = turns.At(sample.t_ns - turns.step_ns).linear();
+    const Eigen::AngleAxisd turn(R_WA.transpose() * turns.At(sample.t_ns).linear());
+    sample.w_WS_S_radps =
+        R_LS.transpose() * turn.axis() * (turn.angle() / ToSeconds(turns.step_ns));
+  }
+}
+
 /// What an ideal unit at `X_BS` measures.
 std::vector<ImuSample> Ideal(const ImuLog& log, const Pose& X_BS) {
   Imu imu({}, X_BS, ClockOf(log, kSamplesAnInterval), 0, 0, "");
@@ -164,6 +174,7 @@ std::vector<ImuSample> Ideal(const ImuLog& log, const Pose& X_BS) {
     imu.Advance(log.track.t_ns(k), begin, log.track.t_ns(k + 1), end, gravity_W_mps2, &samples);
   }
   imu.Finish(&samples);
+  SetTurns(log.turns, X_BS.linear(), &samples);
   return samples;
 }
 
@@ -193,9 +204,11 @@ ImuLog MakeImuLog(const MachineModel& model, const SensorDescription& sensor,
       poses.empty() ? samples.front().t_ns : std::max(samples.front().t_ns, poses.front().t_ns);
   const TimeNs to_ns =
       poses.empty() ? samples.back().t_ns : std::min(samples.back().t_ns, poses.back().t_ns);
-  const TimeNs step_ns = FromSeconds(interval_s / kStepsAnInterval);
+  const TimeNs sample_ns = FromSeconds(interval_s / kSamplesAnInterval);
+  const TimeNs step_ns = kSamplesAnInterval / kStepsAnInterval * sample_ns;
   log.clock = {1e9 / static_cast<double>(kStepsAnInterval * step_ns), from_ns};
   log.track = TrackOfLink(model, encoders, poses, link, from_ns, to_ns, step_ns);
+  log.turns = TrackOfLink(model, encoders, poses, link, from_ns, to_ns, sample_ns);
   if (log.track.X_WL.size() > kStepsAnInterval) SetMeasured(samples, sensor.X_BS.linear(), &log);
   return log;
 }

@@ -17,7 +17,8 @@ namespace tera {
 ///         into S again.
 struct ImuLog {
   SampleClock clock;
-  LinkTrack track;  ///< two steps an interval
+  LinkTrack track;  ///< two steps an interval: what forces are told from
+  LinkTrack turns;  ///< eight: turn rates add up to how far it turned, however fine
   std::vector<Vec3> w_S_radps, f_S_mps2;
   std::vector<bool> known;  ///< both sides are
 };
@@ -39,7 +40,8 @@ ImuLog MakeImuLog(const MachineModel& model, const SensorDescription& sensor,
 /// An inertial unit carried along a measured motion.
 ///
 /// Model   the simulator's own Imu without noise, its documented bias included, at its true mount,
-///         then ImuSlots; what gets another time stamp is read between stamps. The Imu runs four
+///         then ImuSlots; what gets another time stamp is read between stamps. Its turn rates are
+///         those of the finer track. The Imu runs four
 ///         times, when this is made: where the unit is documented, and a metre from there along
 ///         each axis of its link. Its specific force is linear in its place and everything turns
 ///         with it, so that these tell what it measures anywhere. Errors that are linear act on the

@@ -23,7 +23,8 @@ constexpr double kLadder[] = {0.1, 0.3, 0.6, 0.9};  ///< of a new range: sizes t
 
 std::vector<const Mechanism*> AllMechanisms() {
   std::vector<const Mechanism*> all;
-  for (const auto library : {ActuationMechanisms(), GroundMechanisms(), SensorMechanisms()}) {
+  for (const auto library :
+       {ActuationMechanisms(), GroundMechanisms(), SensorMechanisms(), PoseMechanisms()}) {
     for (const Mechanism& mechanism : library) all.push_back(&mechanism);
   }
   return all;

@@ -1,0 +1,88 @@
+#include "diagnose/replay/pose_times.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tera {
+namespace {
+
+constexpr double kPeriod_s = 0.1, kAtBest_s = 0.04, kHandling_s = 0.03;
+
+/// Poses measured every 0.1 s for 60 s at 1.5 m/s along x, but at rest until 10 s, of which every
+/// `lost`th is lost.
+std::vector<double> MeasuredTimes(int lost) {
+  std::vector<double> t_s;
+  for (int k = 0; k < 600; ++k) {
+    if (lost == 0 || k % lost != lost - 1) t_s.push_back(kPeriod_s * k);
+  }
+  return t_s;
+}
+
+/// One queue, which hands nothing over in the first `wait_s` of every 3 s.
+std::vector<TruthPose> Arrive(const std::vector<double>& measured_s, double wait_s) {
+  std::vector<TruthPose> poses;
+  double free_s = 0;
+  for (const double t_s : measured_s) {
+    double at_s = std::max(t_s + kAtBest_s, free_s);
+    if (std::fmod(at_s, 3.0) < wait_s) at_s += wait_s - std::fmod(at_s, 3.0);
+    free_s = at_s + kHandling_s;
+    TruthPose pose{.t_ns = FromSeconds(at_s), .X_WB = Pose::Identity()};
+    pose.X_WB.translation().x() = 1.5 * std::max(0.0, t_s - 10);
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
+double Longest_s(const std::vector<TruthPose>& poses, const std::vector<TimeNs>& t_ns,
+                 const std::vector<double>& measured_s) {
+  double longest_s = 0;
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    longest_s = std::max(longest_s, std::abs(ToSeconds(t_ns[k]) - measured_s[k] - kAtBest_s));
+  }
+  return longest_s;
+}
+
+TEST(PoseTimes, AreThoseAtWhichWaitingPosesWereMeasured) {
+  const std::vector<double> measured_s = MeasuredTimes(0);
+  const std::vector<TruthPose> poses = Arrive(measured_s, 0.8);
+  std::vector<TimeNs> stamps;
+  for (const TruthPose& pose : poses) stamps.push_back(pose.t_ns);
+  ASSERT_GT(Longest_s(poses, stamps, measured_s), 0.7);
+  const auto times = TimesOfArrivals(poses);
+  ASSERT_TRUE(times);
+  EXPECT_NEAR(times->period_s, kPeriod_s, 1e-9);
+  EXPECT_LT(Longest_s(poses, times->t_ns, measured_s), 1e-6);
+}
+
+TEST(PoseTimes, CountThePosesThatWereLostWhileTheMachineMoved) {
+  // A loss while poses wait puts what waited before it a period earlier.
+  std::vector<double> measured_s = MeasuredTimes(0);
+  measured_s.erase(measured_s.begin() + 303);
+  const std::vector<TruthPose> poses = Arrive(measured_s, 0.8);
+  const auto times = TimesOfArrivals(poses);
+  ASSERT_TRUE(times);
+  EXPECT_LT(Longest_s(poses, times->t_ns, measured_s), 1e-6);
+}
+
+TEST(PoseTimes, DoNotCountTwiceAsFarWhereTheMachineGainsSpeed) {
+  std::vector<TruthPose> poses = Arrive(MeasuredTimes(0), 0.8);
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const double t_s = std::max(0.0, kPeriod_s * static_cast<double>(k) - 10);
+    poses[k].X_WB.translation().x() = 0.5 * std::pow(std::fmod(t_s, 5.0), 2);
+  }
+  const auto times = TimesOfArrivals(poses);
+  ASSERT_TRUE(times);
+  EXPECT_LT(Longest_s(poses, times->t_ns, MeasuredTimes(0)), 1e-6);
+}
+
+TEST(PoseTimes, OfPosesThatComeEvenlyAreTheirStamps) {
+  EXPECT_FALSE(TimesOfArrivals(Arrive(MeasuredTimes(0), 0)));
+  EXPECT_FALSE(TimesOfArrivals(Arrive(MeasuredTimes(0), 0.12)));
+  EXPECT_FALSE(TimesOfArrivals(Arrive(MeasuredTimes(7), 0)));
+  EXPECT_FALSE(TimesOfArrivals({}));
+}
+
+}  // namespace
+}  // namespace tera
