@@ -20,6 +20,7 @@ constexpr std::uint64_t kDraws = 20;  ///< of noise, of which three quarters are
 constexpr double kLeastUnexplained = 0.05;
 constexpr std::size_t kLongestResponse = 2000;
 constexpr double kUnconfirmedP = 0.05;
+constexpr double kBetP = 0.01;  ///< of a gain on FINAL that is not steady: three clear pieces
 /// Of a term that was chosen so surely; together they are rarer than a choice at one per cent and a
 /// confirmation at five (Fisher's sum of logarithms).
 constexpr double kSurelyChosenP = 1e-5, kSurelyUnconfirmedP = 0.2;
@@ -172,9 +173,11 @@ Finding Procedure::Describe(const SearchResult& search, std::size_t term) const 
                             likelihood_.noise()[channel], stream_, options_.threads);
   finding.held_out = Compare(without, found, channel);
   const auto gains = GainsOf(likelihood_, without.misfit, found.misfit, final_);
+  finding.held_out.p = SteadyGainP(gains);
   const bool bets =
       IsNearer(finding.held_out) && finding.evidence.share >= options_.least_share_of_bet;
-  finding.held_out.p = bets ? GainP(gains) : SteadyGainP(gains);
+  const double p = GainP(gains);
+  if (bets && p <= kBetP) finding.held_out.p = p;
   return finding;
 }
 
@@ -267,18 +270,20 @@ bool Procedure::WouldBeSeen(const Misfit& difference) const {
     return out;
   }();
   const std::size_t tests = std::max(options_.suspects_in_all, block_.suspects.size());
-  const auto passes = [&](const std::vector<Segment>& part, std::uint64_t first, double level) {
+  const double alpha = options_.alpha / static_cast<double>(tests);
+  const auto passes = [&](const std::vector<Segment>& part, std::uint64_t first, double level,
+                          double bet_level) {
     std::vector<ManoeuvreGain> gains = GainsOf(likelihood_, difference, none, part);
     for (ManoeuvreGain& gain : gains) {
       gain.gain = gain.possible + std::sqrt(2 * gain.possible) * stream_.Gaussian(first++);
     }
-    return GainP(gains) <= level;
+    return SteadyGainP(gains) <= level || GainP(gains) <= bet_level;
   };
   std::uint64_t seen = 0;
   for (std::uint64_t draw = 0; draw < kDraws; ++draw) {
     const std::uint64_t first = (draw + 1) << 33;
-    seen += passes(seen_, first, options_.alpha / static_cast<double>(tests)) &&
-                    passes(final_, first + (std::uint64_t{1} << 32), kUnconfirmedP)
+    seen += passes(seen_, first, alpha, alpha) &&
+                    passes(final_, first + (std::uint64_t{1} << 32), kUnconfirmedP, kBetP)
                 ? 1
                 : 0;
   }
@@ -313,7 +318,7 @@ void Procedure::Confirm(BlockDiagnosis* out) const {
                           [&](std::size_t t) { return Describe(out->search, t); });
   for (std::size_t t = 0; t < described.size(); ++t) {
     Finding& finding = described[t];
-    const bool is_sure = finding.evidence.p <= kSurelyChosenP && IsNearer(finding.held_out);
+    const bool is_sure = finding.evidence.steady_p <= kSurelyChosenP && IsNearer(finding.held_out);
     const double level = is_sure ? kSurelyUnconfirmedP : kUnconfirmedP;
     if (finding.held_out.p <= level) {
       kept.push_back(finding.term);

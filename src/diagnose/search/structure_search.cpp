@@ -294,10 +294,12 @@ TermEvidence Search::EvidenceOf(const Scored& with, const Scored& without,
   const double found = Total(with.held_out) - Total(nothing_.held_out);
   evidence.share = gained / std::max({free_gain_, found, 1e-9});
   const auto gains = GainsOf(likelihood_, crossed_without, crossed_with, seen_);
-  const double p =
-      evidence.share >= options_.least_share_of_bet ? GainP(gains) : SteadyGainP(gains);
-  const std::size_t tests = std::max(options_.suspects_in_all, block_.suspects.size());
-  evidence.p = std::min(1.0, static_cast<double>(tests) * p);
+  const auto tests =
+      static_cast<double>(std::max(options_.suspects_in_all, block_.suspects.size()));
+  evidence.p = evidence.steady_p = std::min(1.0, tests * SteadyGainP(gains));
+  if (evidence.share >= options_.least_share_of_bet) {
+    evidence.p = std::min(1.0, tests * GainP(gains));
+  }
   evidence.of_rest = gained / std::max({FreeGain(before), gained, 1e-9});
   evidence.effect = EffectOf(block_, fitter_.AsGiven(with.terms).misfit, before);
   return evidence;
