@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
-#include <set>
 #include <sstream>
 
 #include "blind/tracks_case.h"
@@ -98,13 +97,8 @@ RealDrive RealDrive::Part(double from_s, double length_s) const {
   return part;
 }
 
-bool IsOfRealDrive(const std::string& target, const std::vector<std::string>& names) {
-  static const std::map<std::string, std::set<std::string>> own = {
-      {"poses", {"arrival_stamps", "latency"}}, {"base", {"track_asymmetry"}}};
-  const auto of_target = own.find(target);
-  return of_target != own.end() &&
-         std::any_of(names.begin(), names.end(),
-                     [&](const std::string& name) { return of_target->second.contains(name); });
+bool IsOfRealDrive(const std::string& target, const std::string& mechanism) {
+  return target == "poses" && (mechanism == "arrival_stamps" || mechanism == "latency");
 }
 
 const std::vector<std::string>& NameableInRealDrives() {

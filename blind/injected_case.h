@@ -28,9 +28,9 @@ struct InjectedCase {
   double left = 1, right = 1;  ///< factors on the rates of the wheels
 };
 
-/// Whether a finding is of the vehicle itself, whatever was put in: its poses are stamped as they
-/// arrive, and late (its gyros say so as well), and its left and right wheels differ by 2 %.
-bool IsOfRealDrive(const std::string& target, const std::vector<std::string>& names);
+/// Whether a finding is of the vehicle itself, whatever was put in: its poses come late, and are
+/// stamped as they come (they stand still and jump while all wheels turn evenly).
+bool IsOfRealDrive(const std::string& target, const std::string& mechanism);
 
 /// Names of effects that are put into real drives.
 const std::vector<std::string>& NameableInRealDrives();

@@ -42,7 +42,7 @@ bool Names(const Finding& finding, const Concealed& hidden) {
 
 /// Names something that comes with the form, or a real drive: neither what was asked for nor wrong.
 bool NamesWhatIsBesides(const BenchmarkCase& c, const Finding& finding) {
-  if (c.injected && IsOfRealDrive(finding.target, finding.names)) return true;
+  if (c.injected && IsOfRealDrive(finding.target, finding.mechanism)) return true;
   return std::any_of(c.hidden.begin(), c.hidden.end(), [&](const Concealed& hidden) {
     return finding.target == hidden.target &&
            std::any_of(hidden.besides.begin(), hidden.besides.end(),

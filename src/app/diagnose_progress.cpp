@@ -32,7 +32,7 @@ DiagnoseProgress::DiagnoseProgress(std::string machine, StageClock* clock)
       terminal_(isatty(STDERR_FILENO) == 1),
       clock_(clock),
       start_(Clock::now()),
-      block_start_(start_) {}
+      search_start_(start_) {}
 
 void DiagnoseProgress::Show(const BlockProgress& progress) {
   const Clock::time_point now = Clock::now();
@@ -40,18 +40,23 @@ void DiagnoseProgress::Show(const BlockProgress& progress) {
     return std::chrono::duration<double>(now - then).count();
   };
   if (progress.done == nullptr) {
-    block_start_ = now;
+    if (block_starts_.empty()) search_start_ = now;
+    block_starts_[progress.block] = now;
   } else {
-    clock_->Add("search: " + progress.block, since_s(block_start_));
+    clock_->AddPart(progress.block, since_s(block_starts_.at(progress.block)));
+    block_starts_.erase(progress.block);
+    if (block_starts_.empty())
+      clock_->Add("search, blocks beside each other", since_s(search_start_));
   }
   if (!terminal_) return;
-  const std::string block =
-      fmt::format("{}: {} ({} of {})", machine_, progress.block, progress.number, progress.count);
-  if (progress.done == nullptr) {
-    fmt::print(stderr, "{} ..", block);
-  } else {
-    fmt::print(stderr, "\r{}: {}, {:.0f} s so far\x1b[K\n", block, Outcome(*progress.done),
-               since_s(start_));
+  if (progress.done != nullptr) {
+    fmt::print(stderr, "\r{}: {} ({} of {}): {}, {:.0f} s so far\x1b[K\n", machine_, progress.block,
+               progress.number, progress.count, Outcome(*progress.done), since_s(start_));
+  }
+  std::vector<std::string> under_way;
+  for (const auto& [block, start] : block_starts_) under_way.push_back(block);
+  if (!under_way.empty()) {
+    fmt::print(stderr, "\r{}: {} ..\x1b[K", machine_, fmt::join(under_way, " and "));
   }
   std::fflush(stderr);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <map>
 #include <string>
 
 #include "app/stage_clock.h"
@@ -8,9 +9,9 @@
 
 namespace tera {
 
-/// Follows a diagnosis: each block's search is a stage of the clock. On a terminal a line for each
-/// block, which first says that it is being looked at, then what came of it and when; nothing where
-/// standard error is no terminal.
+/// Follows a diagnosis: the search is a stage of the clock, each block a part. On a terminal a line
+/// for each block that says what came of it and when, under them what is being looked at; nothing
+/// where standard error is no terminal.
 class DiagnoseProgress {
  public:
   /// The clock must outlive it.
@@ -23,7 +24,8 @@ class DiagnoseProgress {
   std::string machine_;
   bool terminal_;
   StageClock* clock_;
-  Clock::time_point start_, block_start_;
+  Clock::time_point start_, search_start_;
+  std::map<std::string, Clock::time_point> block_starts_;  ///< of those that are searched now
 };
 
 }  // namespace tera

@@ -16,6 +16,7 @@
 #include "core/error.h"
 #include "dataset/recording.h"
 #include "dataset/whole_folder.h"
+#include "diagnose/blocks/measured_poses.h"
 #include "diagnose/diagnosis.h"
 #include "diagnose/report/baselines_json.h"
 #include "diagnose/report/sentence.h"
@@ -104,31 +105,36 @@ std::vector<Further> FurtherRecordings(const DiagnoseArguments& arguments,
   for (const std::filesystem::path& path : arguments.held_out) {
     const Recording recording(path);
     const DiagnosisInput input = machine.InputOf(recording);
-    const Measurements measured = MeasurementsOf(input, recording);
+    Measurements measured = MeasurementsOf(input, recording);
     std::vector<ReplayBlock> blocks = BlocksOf(input, measured, {});
     if (const auto course = CourseOf(arguments, machine, input, measured)) {
       TakeOffAll(UnreplayedOf(input, measured, {}, *course), seed, &blocks);
     }
-    further.push_back({input, measured, std::move(blocks)});
+    further.push_back({input, std::move(measured), std::move(blocks)});
   }
   return further;
 }
 
+/// What was found, over a further recording, whose sensors are compared as those of the first were.
 HeldOutRecording JudgeFurther(const Diagnosis& diagnosis, Further* further,
                               const std::filesystem::path& recording, std::uint64_t seed) {
-  const bool tells = std::any_of(
-      diagnosis.blocks.begin(), diagnosis.blocks.end(),
-      [](const DiagnosedBlock& diagnosed) { return TellsOfArrivals(diagnosed.diagnosis); });
-  if (tells) {
-    PutInPlace(SensorBlocksByArrivals(further->input, further->measured, {}), &further->blocks);
+  if (TellsOfArrivals(diagnosis.blocks)) {
+    std::vector<std::string> not_compared;  // as in the recording that is searched
+    TakeSensorBlocks(further->input.machine, &further->blocks);
+    for (ReplayBlock& block :
+         SensorBlocksByArrivals(further->input, further->measured, {}, &not_compared)) {
+      further->blocks.push_back(std::move(block));
+    }
   }
   return JudgeHeldOut(diagnosis.blocks, further->blocks, recording.string(), seed);
 }
 
-bool HasFindings(const Diagnosis& diagnosis) {
-  return std::any_of(
-      diagnosis.blocks.begin(), diagnosis.blocks.end(),
-      [](const DiagnosedBlock& diagnosed) { return !diagnosed.diagnosis.findings.empty(); });
+/// Any that a simulation can have: poses are not simulated late.
+bool HasFindingsToSimulate(const Diagnosis& diagnosis) {
+  return std::any_of(diagnosis.blocks.begin(), diagnosis.blocks.end(),
+                     [](const DiagnosedBlock& diagnosed) {
+                       return !BesidesPoses(diagnosed.diagnosis.search.found.terms).empty();
+                     });
 }
 
 bool IsOutOfTime(const Diagnosis& diagnosis) {
@@ -175,7 +181,7 @@ Diagnosis DiagnoseMachine(const DiagnoseArguments& arguments, DiagnosisOptions o
     diagnosis.held_out.push_back(
         JudgeFurther(diagnosis, &further[r], arguments.held_out[r], options.seed));
   }
-  if (!arguments.simulate || !HasFindings(diagnosis)) return diagnosis;
+  if (!arguments.simulate || !HasFindingsToSimulate(diagnosis)) return diagnosis;
   if (IsOutOfTime(diagnosis)) {
     diagnosis.whole = WholeSimulation{};
     diagnosis.whole->obstacle = "the time was over";

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "diagnose/blocks/measured_poses.h"
 #include "diagnose/blocks/suspect_list.h"
 #include "diagnose/replay/base_log.h"
 #include "sim/lever_replay.h"
@@ -230,9 +231,11 @@ void Comparison::AddBlock(const DiagnosedBlock& diagnosed, const SimulatedCourse
   const auto was = Simulated(diagnosed, before), is = Simulated(diagnosed, after);
   for (std::size_t c = 0; c < diagnosed.block.channels.size(); ++c) {
     const Channel& channel = diagnosed.block.channels[c];
-    const bool is_named =
-        std::any_of(diagnosed.diagnosis.findings.begin(), diagnosed.diagnosis.findings.end(),
-                    [&](const Finding& finding) { return finding.location.channel == c; });
+    const bool is_named = std::any_of(
+        diagnosed.diagnosis.findings.begin(), diagnosed.diagnosis.findings.end(),
+        [&](const Finding& finding) {
+          return finding.location.channel == c && finding.term.suspect->target != kPoses;
+        });
     if (!is_named) continue;
     const double rmse = was.empty() ? NAN : RmseOnFinal(diagnosed, c, was[c]);
     if (std::isfinite(rmse)) {

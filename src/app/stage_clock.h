@@ -25,12 +25,20 @@ class StageClock {
     return result;
   }
   void Add(const std::string& stage, double wall_s);
+  /// A part of the stage that is added next, of which several may go on at once.
+  void AddPart(const std::string& part, double wall_s);
   /// A line for each stage, for everything else and for all since this began.
   std::string Table() const;
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::vector<std::pair<std::string, double>> stages_;
+  struct Stage {
+    std::string name;
+    double wall_s = 0;
+    std::vector<std::pair<std::string, double>> parts;
+  };
+  std::vector<Stage> stages_;
+  std::vector<std::pair<std::string, double>> parts_;  ///< of the next one
 };
 
 }  // namespace tera

@@ -14,8 +14,30 @@ namespace tera {
 /// Whether the calling thread shares the jobs of an InParallel with others.
 inline thread_local bool shares_jobs = false;
 
+/// Threads of calls under way that have no job left, while others still work.
+inline std::atomic<int> spare_threads = 0;
+
+/// Some of the spare threads, for as long as it lives.
+class BorrowedThreads {
+ public:
+  explicit BorrowedThreads(std::size_t most) {
+    int spare = spare_threads;
+    while (count_ < most && spare > 0) {
+      if (spare_threads.compare_exchange_weak(spare, spare - 1)) ++count_;
+    }
+  }
+  BorrowedThreads(const BorrowedThreads&) = delete;
+  BorrowedThreads& operator=(const BorrowedThreads&) = delete;
+  ~BorrowedThreads() { spare_threads += static_cast<int>(count_); }
+  std::size_t count() const { return count_; }
+
+ private:
+  std::size_t count_ = 0;
+};
+
 /// Results in the order of jobs, whatever the number of threads. Of jobs that throw, the exception
-/// of the first is thrown on. A job's own jobs run on its thread, unless it is alone.
+/// of the first is thrown on. A job's own jobs run on its thread and on those that the calls around
+/// it have no job for any more.
 template <typename Result>
 std::vector<Result> InParallel(std::size_t jobs, int threads,
                                const std::function<Result(std::size_t)>& job) {
@@ -34,18 +56,24 @@ std::vector<Result> InParallel(std::size_t jobs, int threads,
     }
   };
   const bool is_shared = shares_jobs;
-  const std::size_t most =
-      is_shared ? 1 : std::min(jobs, static_cast<std::size_t>(std::max(threads, 1)));
+  const std::size_t wanted = std::min(jobs, static_cast<std::size_t>(std::max(threads, 1)));
+  const BorrowedThreads borrowed(is_shared && wanted > 1 ? wanted - 1 : 0);
+  const std::size_t most = is_shared ? 1 + borrowed.count() : wanted;
+  std::atomic<int> done = 0;
   const auto work = [&] {
     shares_jobs = is_shared || most > 1;
     for (std::size_t k = next++; k < jobs; k = next++) run(k);
     shares_jobs = is_shared;
+    if (is_shared || most == 1) return;
+    ++done;
+    ++spare_threads;
   };
   {
     std::vector<std::jthread> others;
     for (std::size_t t = 1; t < most; ++t) others.emplace_back(work);
     work();
   }
+  spare_threads -= done;
   if (failure) std::rethrow_exception(failure);
   return results;
 }

@@ -1,8 +1,10 @@
 #include "diagnose/diagnosis.h"
 
 #include <algorithm>
-#include <chrono>
+#include <iterator>
+#include <mutex>
 
+#include "core/in_parallel.h"
 #include "diagnose/blocks/measured_poses.h"
 
 namespace tera {
@@ -11,27 +13,13 @@ namespace {
 /// Thrown out of a search whose time is over.
 struct OutOfTime {};
 
-class Deadline {
- public:
-  explicit Deadline(double limit_s)
-      : at_(std::chrono::steady_clock::now() +
-            std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                std::chrono::duration<double>(limit_s))) {}
-  void Keep() const {
-    if (std::chrono::steady_clock::now() >= at_) throw OutOfTime();
-  }
-
- private:
-  std::chrono::steady_clock::time_point at_;
-};
-
 /// Every prediction looks at the clock: nothing that a search does goes without one for long.
 BlockDiagnosis DiagnoseInTime(ReplayBlock* block, const SearchOptions& options,
                               const Stream& stream, const std::optional<Deadline>& deadline) {
   if (!deadline) return DiagnoseBlock(*block, options, stream);
   const Replay replay = block->replay;
   block->replay = [replay, deadline](const Structure& terms, std::size_t samples) {
-    deadline->Keep();
+    if (std::chrono::steady_clock::now() >= *deadline) throw OutOfTime();
     return replay(terms, samples);
   };
   BlockDiagnosis diagnosis;
@@ -46,14 +34,16 @@ BlockDiagnosis DiagnoseInTime(ReplayBlock* block, const SearchOptions& options,
   return diagnosis;
 }
 
-void ProposeFor(std::uint64_t seed, DiagnosedBlock* diagnosed) {
-  for (const Unexplained& left : diagnosed->diagnosis.unexplained) {
+std::vector<Proposal> ProposalsFor(const DiagnosedBlock& diagnosed, std::uint64_t seed) {
+  std::vector<Proposal> proposals;
+  for (const Unexplained& left : diagnosed.diagnosis.unexplained) {
     const std::size_t channel = left.location.channel;
-    const Stream stream(seed, "diagnose/proposal/" + diagnosed->block.channels[channel].name);
-    if (auto proposal = Propose(diagnosed->block, diagnosed->diagnosis, channel, stream)) {
-      diagnosed->proposals.push_back(std::move(*proposal));
+    const Stream stream(seed, "diagnose/proposal/" + diagnosed.block.channels[channel].name);
+    if (auto proposal = Propose(diagnosed.block, diagnosed.diagnosis, channel, stream)) {
+      proposals.push_back(std::move(*proposal));
     }
   }
+  return proposals;
 }
 
 std::optional<NextManoeuvre> NextManoeuvreOf(const MachineModel& model,
@@ -149,47 +139,83 @@ std::vector<TakenOff> NotTakenOff(const DiagnosisInput& input,
   return none;
 }
 
-bool TellsOfArrivals(const BlockDiagnosis& diagnosis) {
-  return HasArrivalStamps(diagnosis.search.found.terms);
-}
-
-void PutInPlace(std::vector<ReplayBlock> others, std::vector<ReplayBlock>* blocks) {
-  for (ReplayBlock& other : others) {
-    for (ReplayBlock& block : *blocks) {
-      if (block.name == other.name) block = std::move(other);
-    }
-  }
+bool TellsOfArrivals(const std::vector<DiagnosedBlock>& blocks) {
+  return std::any_of(blocks.begin(), blocks.end(), [](const DiagnosedBlock& diagnosed) {
+    return HasArrivalStamps(diagnosed.diagnosis.search.found.terms);
+  });
 }
 
 Stream StreamOf(const ReplayBlock& block, std::uint64_t seed) {
   return Stream(seed, "diagnose/" + block.name);
 }
 
-std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks, SearchOptions options,
-                                           std::uint64_t seed, const FollowProgress& progress,
-                                           std::optional<double> time_limit_s,
-                                           const Revise& revise) {
+SearchOptions OverAll(SearchOptions options, const std::vector<ReplayBlock>& blocks) {
   options.suspects_in_all = options.channels_in_all = 0;
   for (const ReplayBlock& block : blocks) {
     options.suspects_in_all += block.suspects.size();
     options.channels_in_all += block.channels.size();
   }
-  std::optional<Deadline> deadline;
-  if (time_limit_s) deadline = Deadline(*time_limit_s);
-  std::vector<DiagnosedBlock> diagnosed;
-  for (ReplayBlock& block : blocks) {
-    const std::size_t number = diagnosed.size() + 1;
-    progress({block.name, number, blocks.size(), nullptr});
+  return options;
+}
+
+std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks,
+                                           const SearchOptions& options, std::uint64_t seed,
+                                           const FollowProgress& progress,
+                                           const std::optional<Deadline>& deadline) {
+  std::mutex telling;
+  const auto tell = [&](const BlockProgress& told) {
+    const std::lock_guard lock(telling);
+    progress(told);
+  };
+  return InParallel<DiagnosedBlock>(blocks.size(), options.threads, [&](std::size_t b) {
     DiagnosedBlock one;
-    one.block = std::move(block);
+    one.block = std::move(blocks[b]);
+    tell({one.block.name, b + 1, blocks.size(), nullptr});
     one.diagnosis = DiagnoseInTime(&one.block, options, StreamOf(one.block, seed), deadline);
-    diagnosed.push_back(std::move(one));
-    const DiagnosedBlock& done = diagnosed.back();
-    progress({done.block.name, number, blocks.size(), &done.diagnosis});
-    if (revise) revise(done.diagnosis, &blocks);
+    tell({one.block.name, b + 1, blocks.size(), &one.diagnosis});
+    return one;
+  });
+}
+
+namespace {
+
+/// The machine's own blocks, then those of what it carries, of which the base tells when poses were
+/// measured.
+std::vector<DiagnosedBlock> DiagnoseInTurn(const DiagnosisInput& input,
+                                           const Measurements& measured,
+                                           std::vector<ReplayBlock> blocks,
+                                           const DiagnosisOptions& options,
+                                           const FollowProgress& progress,
+                                           std::vector<std::string>* not_compared) {
+  const SearchOptions search = OverAll(options.search, blocks);
+  const std::size_t in_all = blocks.size();
+  std::optional<Deadline> deadline;
+  if (options.time_limit_s) {
+    deadline = std::chrono::steady_clock::now() +
+               std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                   std::chrono::duration<double>(*options.time_limit_s));
   }
+  std::vector<ReplayBlock> carried = TakeSensorBlocks(input.machine, &blocks);
+  const auto tell = [&](std::size_t before) {
+    return [&, before](BlockProgress told) {
+      told.number += before;
+      told.count = in_all;
+      progress(told);
+    };
+  };
+  std::vector<DiagnosedBlock> diagnosed =
+      DiagnoseBlocks(std::move(blocks), search, options.seed, tell(0), deadline);
+  if (TellsOfArrivals(diagnosed)) {
+    carried = SensorBlocksByArrivals(input, measured, options.blocks, not_compared);
+    if (options.library) ApplyLibrary(*options.library, *input.model, &carried);
+  }
+  std::vector<DiagnosedBlock> of_carried =
+      DiagnoseBlocks(std::move(carried), search, options.seed, tell(diagnosed.size()), deadline);
+  std::move(of_carried.begin(), of_carried.end(), std::back_inserter(diagnosed));
   return diagnosed;
 }
+
+}  // namespace
 
 Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
                    const DiagnosisOptions& options, const SimulateMachine& simulate,
@@ -199,22 +225,24 @@ Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
   diagnosis.start_ns = measured.start_ns;
   std::vector<ReplayBlock> blocks =
       BlocksOf(input, measured, options.blocks, &diagnosis.not_compared);
-  if (options.library) ApplyLibrary(*options.library, *input.model, &blocks);
+  if (options.library) {
+    ApplyLibrary(*options.library, *input.model, &blocks);
+    RequireSuspects(*options.library, blocks);
+  }
   const std::optional<SimulatedCourse> course = simulate ? simulate(measured) : std::nullopt;
   diagnosis.taken_off = course ? TakeOffAll(UnreplayedOf(input, measured, options.blocks, *course),
                                             options.seed, &blocks)
                                : NotTakenOff(input, blocks);
   diagnosis.machine = input.machine;
   diagnosis.scenario = input.scenario;
-  const auto revise = [&](const BlockDiagnosis& told, std::vector<ReplayBlock>* blocks_to_come) {
-    if (!TellsOfArrivals(told)) return;
-    std::vector<ReplayBlock> others = SensorBlocksByArrivals(input, measured, options.blocks);
-    if (options.library) ApplyLibrary(*options.library, *input.model, &others);
-    PutInPlace(std::move(others), blocks_to_come);
-  };
-  diagnosis.blocks = DiagnoseBlocks(std::move(blocks), options.search, options.seed, progress,
-                                    options.time_limit_s, revise);
-  for (DiagnosedBlock& diagnosed : diagnosis.blocks) ProposeFor(options.seed, &diagnosed);
+  diagnosis.blocks = DiagnoseInTurn(input, measured, std::move(blocks), options, progress,
+                                    &diagnosis.not_compared);
+  std::vector<std::vector<Proposal>> proposals = InParallel<std::vector<Proposal>>(
+      diagnosis.blocks.size(), options.search.threads,
+      [&](std::size_t b) { return ProposalsFor(diagnosis.blocks[b], options.seed); });
+  for (std::size_t b = 0; b < proposals.size(); ++b) {
+    diagnosis.blocks[b].proposals = std::move(proposals[b]);
+  }
   diagnosis.next = NextManoeuvreOf(*input.model, diagnosis.blocks, options);
   return diagnosis;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <optional>
 #include <string>
@@ -69,7 +70,7 @@ struct DiagnosisOptions {
   std::optional<double> time_limit_s;
 };
 
-/// How far a diagnosis is: before a block, and after it with what came of it.
+/// How far a diagnosis is: before a block, and after it with what came of it. Blocks may overlap.
 struct BlockProgress {
   std::string block;
   std::size_t number = 1, count = 1;
@@ -84,20 +85,20 @@ std::vector<TakenOff> TakeOffAll(const std::vector<Unreplayed>& unreplayed, std:
 /// From which all that is random about a block's diagnosis comes.
 Stream StreamOf(const ReplayBlock& block, std::uint64_t seed);
 
-/// Puts others in the place of blocks, of which those before it are done, by what one tells.
-using Revise = std::function<void(const BlockDiagnosis& told, std::vector<ReplayBlock>* blocks)>;
+/// With the tests of all these blocks counted together.
+SearchOptions OverAll(SearchOptions options, const std::vector<ReplayBlock>& blocks);
 
-/// Diagnoses blocks, whose tests count together, within a time that may be limited.
-std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks, SearchOptions options,
-                                           std::uint64_t seed, const FollowProgress& progress,
-                                           std::optional<double> time_limit_s = {},
-                                           const Revise& revise = {});
+using Deadline = std::chrono::steady_clock::time_point;
+
+/// Diagnoses blocks, as many at a time as there are threads, until a time that may be set. One at a
+/// time is told of its progress.
+std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks,
+                                           const SearchOptions& options, std::uint64_t seed,
+                                           const FollowProgress& progress,
+                                           const std::optional<Deadline>& deadline = {});
 
 /// Whether poses were found to be stamped as they arrive.
-bool TellsOfArrivals(const BlockDiagnosis& diagnosis);
-
-/// Puts blocks in the place of those of the same names.
-void PutInPlace(std::vector<ReplayBlock> others, std::vector<ReplayBlock>* blocks);
+bool TellsOfArrivals(const std::vector<DiagnosedBlock>& blocks);
 
 /// Simulates the scenario as it is under the recorded levers; none where that cannot be. Empty: not
 /// wanted.

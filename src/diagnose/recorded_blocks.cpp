@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -260,15 +261,27 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Measurement
   return blocks;
 }
 
+std::vector<ReplayBlock> TakeSensorBlocks(const std::string& machine,
+                                          std::vector<ReplayBlock>* blocks) {
+  const auto base = std::find_if(blocks->begin(), blocks->end(), [&](const ReplayBlock& block) {
+    return block.name == machine + "/base";
+  });
+  const auto first = base == blocks->end() ? base : base + 1;
+  std::vector<ReplayBlock> of_sensors(std::make_move_iterator(first),
+                                      std::make_move_iterator(blocks->end()));
+  blocks->erase(first, blocks->end());
+  return of_sensors;
+}
+
 std::vector<ReplayBlock> SensorBlocksByArrivals(const DiagnosisInput& input, Measurements measured,
-                                                const BlockOptions& options) {
+                                                const BlockOptions& options,
+                                                std::vector<std::string>* not_compared) {
   std::vector<ReplayBlock> blocks;
-  std::vector<std::string> obstacles;  // told by BlocksOf
-  if (const auto times = ArrivalsOf(measured)) {
-    measured.poses = AtTimes(std::move(measured.poses), *times);
+  if (const auto times_ns = ArrivalsOf(measured)) {
+    measured.poses = AtTimes(std::move(measured.poses), *times_ns);
   }
-  Try("", &obstacles, [&] { AddImus(input, measured, options, &blocks); });
-  AddGnss(input, measured, &blocks, &obstacles);
+  Try("", not_compared, [&] { AddImus(input, measured, options, &blocks); });
+  AddGnss(input, measured, &blocks, not_compared);
   Settle(measured.start_ns, &blocks);
   return blocks;
 }

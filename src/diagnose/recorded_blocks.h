@@ -25,10 +25,15 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Measurement
                                   const BlockOptions& options,
                                   std::vector<std::string>* not_compared = nullptr);
 
+/// Takes those of inertial units and receivers, which come after the machine's own.
+std::vector<ReplayBlock> TakeSensorBlocks(const std::string& machine,
+                                          std::vector<ReplayBlock>* blocks);
+
 /// The blocks of inertial units and receivers over poses that are stamped as they arrive, at the
-/// times at which they were measured.
+/// times at which they were measured. `not_compared` as above.
 std::vector<ReplayBlock> SensorBlocksByArrivals(const DiagnosisInput& input, Measurements measured,
-                                                const BlockOptions& options);
+                                                const BlockOptions& options,
+                                                std::vector<std::string>* not_compared);
 
 /// What the replays of joints, gears and base leave of a simulation of the scenario under the
 /// recorded levers: for the blocks of BlocksOf.

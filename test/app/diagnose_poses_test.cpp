@@ -80,9 +80,16 @@ TEST_F(DiagnoseMeasuredPoses, OfStampsOfArrivalNamesTheseAndNothingOfTheUnitThat
   EXPECT_EQ(Diagnose("real", "why", {"--no-simulation"}), Names{"arrival_stamps"});
   const Json finding = Report("why")["findings"][0];
   EXPECT_EQ(finding["target"], "poses");
-  EXPECT_NEAR(finding["parameters"]["period_s"]["value"].get<double>(), 0.02, 1e-6);
   EXPECT_TRUE(Report("why")["not_judged"].empty());
   EXPECT_GT(finding["held_out"]["excess_variance_removed"].get<double>(), 0.9);
+}
+
+TEST_F(DiagnoseMeasuredPoses, OfThatSuspectAloneComparesTheUnitWithoutAny) {
+  RecordReal();
+  Write("library.yaml", "only: [arrival_stamps]\n");
+  EXPECT_EQ(Diagnose("real", "why"), Names{"arrival_stamps"});
+  EXPECT_TRUE(Report("why")["not_judged"].empty());
+  EXPECT_TRUE(Report("why")["whole_simulation"].is_null());  // no simulation has stamps of arrival
 }
 
 TEST_F(DiagnoseMeasuredPoses, WithoutThatSuspectExplainsNothingAndCannotJudgeTheUnit) {

@@ -104,6 +104,8 @@ TEST(Mark, OfWhatARealDriveHasOfItsOwnIsNeitherRightNorWrong) {
   EXPECT_TRUE(hidden.Of(own).confident_wrong && hidden.Of(own).spurious);
   hidden.c.injected.emplace();
   EXPECT_FALSE(hidden.Of(own).confident_wrong || hidden.Of(own).spurious);
+  own.names = {"latency", "clock_offset"}, own.mechanism = "latency";
+  EXPECT_FALSE(hidden.Of(own).confident_wrong || hidden.Of(own).spurious);
   own.target = "base";
   EXPECT_TRUE(hidden.Of(own).confident_wrong);
 }

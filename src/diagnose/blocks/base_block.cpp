@@ -143,7 +143,7 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
   block.commands = {CommandOf(course.left_mps, grid), CommandOf(course.right_mps, grid)};
   block.suspects = SuspectsOf(model.effects.base);
   if (poses_were_measured) block.suspects.push_back(LatePoses());
-  if (log.arrival_period_s) block.suspects.push_back(ArrivalStamps(*log.arrival_period_s));
+  if (log.may_be_arrivals) block.suspects.push_back(ArrivalStamps());
   block.replay = WholeReplay([model, log, grid](const Structure& terms) {
     const std::vector<PlanarTwist> twists =
         BaseReplay(model, log)

@@ -29,15 +29,13 @@ const Term* FindTerm(const Structure& terms, std::string_view id) {
 
 std::span<const Mechanism> PoseMechanisms() {
   static const std::vector<Mechanism> mechanisms = {
-      {"arrival_stamps", Slot::kSensorTiming, {}, {{"period_s", "s", 1e-3, 10, {}}}}};
+      {"arrival_stamps", Slot::kSensorTiming, {}, {}}};
   return mechanisms;
 }
 
 Suspect LatePoses() { return OfPoses("latency", {{0, 0, 3}}, {{0.05, 0}, {0.15, 0}, {0.4, 0}}); }
 
-Suspect ArrivalStamps(double period_s) {
-  return {&PoseMechanisms().front(), std::string(kPoses), {}, {{period_s}}, {}};
-}
+Suspect ArrivalStamps() { return {&PoseMechanisms().front(), std::string(kPoses), {}, {{}}, {}}; }
 
 bool HasArrivalStamps(const Structure& terms) {
   return FindTerm(terms, PoseMechanisms().front().id) != nullptr;

@@ -26,7 +26,7 @@ inline constexpr std::string_view kPoses = "poses";
 std::span<const Mechanism> PoseMechanisms();
 
 Suspect LatePoses();
-Suspect ArrivalStamps(double period_s);
+Suspect ArrivalStamps();
 Suspect TiltedMap();
 
 /// By how much a structure has the poses late.

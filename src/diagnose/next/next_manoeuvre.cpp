@@ -304,7 +304,7 @@ double Designer::PowerOf(const OpenQuestion& question, bool is_class, ReplayBloc
     const bool is_told =
         is_class ? p <= kRivalP && lead >= kRivalGain
                  : p <= options_.alpha / tests &&
-                       SteadyGainP(drawn(final, first + (std::uint64_t{1} << 32))) <= kFinalP;
+                       AreConfirming(drawn(final, first + (std::uint64_t{1} << 32)), kFinalP);
     told += is_told ? 1 : 0;
   }
   return static_cast<double>(told) / static_cast<double>(kDraws);

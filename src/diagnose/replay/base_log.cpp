@@ -82,8 +82,8 @@ BaseInterval IntervalOf(const std::vector<TruthPose>& poses, std::size_t a, std:
   const TruthPose &from = poses[a], &to = poses[b];
   BaseInterval interval{from.t_ns, to.t_ns, from.t_ns, to.t_ns};
   if (arrivals) {
-    interval.measured_from_ns = arrivals->t_ns[a];
-    interval.measured_to_ns = arrivals->t_ns[b];
+    interval.measured_from_ns = arrivals->at(a);
+    interval.measured_to_ns = arrivals->at(b);
   }
   interval.twist = MeanTwist(from.X_WB, to.X_WB, contact_B_m, ToSeconds(to.t_ns - from.t_ns));
   const auto step_at = [&](TimeNs t_ns) {
@@ -118,7 +118,7 @@ BaseLog MakeBaseLog(const MachineModel& model, const std::vector<NamedEncoders>&
   }
   const Vec3 contact_B_m = TrackDrive(model).contact_B_m();
   BaseLog log;
-  if (arrivals) log.arrival_period_s = arrivals->period_s;
+  log.may_be_arrivals = arrivals.has_value();
   AddInstants(gears, poses, first_ns, last_ns, &log);
   std::optional<std::size_t> from;
   for (std::size_t to = 0; to < poses.size(); ++to) {

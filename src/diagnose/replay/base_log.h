@@ -18,10 +18,11 @@ struct BaseInstant {
 
 /// How far the base went between two of its measured poses.
 struct BaseInterval {
-  TimeNs from_ns = 0, to_ns = 0;                    ///< stamps of the poses
-  TimeNs measured_from_ns = 0, measured_to_ns = 0;  ///< the same but for stamps of arrival
-  PlanarTwist twist;                                ///< mean, as the poses and their stamps tell it
-  std::size_t first = 0, count = 0;                 ///< instants in it; one at least
+  TimeNs from_ns = 0, to_ns = 0;  ///< stamps of the poses
+  TimeNs measured_from_ns = 0,
+         measured_to_ns = 0;         ///< when they were measured, were these arrivals
+  PlanarTwist twist;                 ///< mean, as the poses and their stamps tell it
+  std::size_t first = 0, count = 0;  ///< instants in it; one at least
 };
 
 /// Running gear and base of one machine over time: what the ground is replayed over.
@@ -31,14 +32,16 @@ struct BaseInterval {
 /// Model   Rates are straight between samples, attitudes those of the nearer pose; instant k is
 ///         that of the middle of step k. Poses that are far apart in time say nothing of what was
 ///         in between: they bound no interval.
-/// Omits   the ground's forces on bucket and blade.
+/// Omits   the ground's forces on bucket and blade. Attitudes, and what is taken off, stay where
+/// the
+///         stamps have them, whatever these are of.
 struct BaseLog {
   static constexpr TimeNs kStep_ns = 50'000'000;  ///< rates of gears change little in it
 
   TimeNs start_ns = 0;
   std::vector<BaseInstant> instants;
   std::vector<BaseInterval> intervals;
-  std::optional<double> arrival_period_s;  ///< where stamps may be those of arrival
+  bool may_be_arrivals = false;  ///< stamps of poses
 };
 
 /// Throws InputError where gears and poses have no time in common, or the encoders lack a gear.

@@ -174,7 +174,6 @@ std::vector<ImuSample> Ideal(const ImuLog& log, const Pose& X_BS) {
     imu.Advance(log.track.t_ns(k), begin, log.track.t_ns(k + 1), end, gravity_W_mps2, &samples);
   }
   imu.Finish(&samples);
-  SetTurns(log.turns, X_BS.linear(), &samples);
   return samples;
 }
 
@@ -216,6 +215,7 @@ ImuLog MakeImuLog(const MachineModel& model, const SensorDescription& sensor,
 ImuReplay::ImuReplay(const SensorDescription& sensor, const ImuLog& log)
     : sensor_(sensor), log_(log), fine_{kSamplesAnInterval, Ideal(log, sensor.X_BS), {}, {}} {
   const Mat3 R_LS = sensor.X_BS.linear();
+  SetTurns(log.turns, R_LS, &fine_.samples);
   for (const ImuSample& sample : fine_.samples) {
     fine_.R_WS.push_back(log.track.At(sample.t_ns).linear() * R_LS);
   }

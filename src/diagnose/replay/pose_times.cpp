@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/check.h"
 #include "core/motion.h"
 #include "diagnose/statistics/robust.h"
 
@@ -13,7 +14,11 @@ constexpr std::size_t kNeighbours = 7;  ///< on either side
 constexpr double kSteady = 0.25;        ///< by which they may differ from one side to the other
 constexpr double kWhole = 0.3;          ///< from a whole number of times
 constexpr double kMoves_m = 0.02;       ///< less is rest, or noise
-constexpr double kPerRad_m = 1;
+constexpr double kPerRad_m = 1;         ///< about what a machine's outline moves by
+constexpr double kUsual = 0.25;    ///< of the median, that usual distances of stamps are off by
+constexpr double kUnknown = 0.01;  ///< of the period
+constexpr TimeNs kLeastWait = 2;   ///< periods, of the longest
+constexpr std::size_t kLongestQueue = 50;
 
 /// How far each pose is from the one before it.
 std::vector<double> StepsOf_m(const std::vector<TruthPose>& poses) {
@@ -26,9 +31,10 @@ std::vector<double> StepsOf_m(const std::vector<TruthPose>& poses) {
   return steps_m;
 }
 
-/// How many periods each step took.
-std::vector<TimeNs> PeriodsOf(const std::vector<double>& steps_m) {
-  std::vector<TimeNs> periods(steps_m.size(), 1);
+/// How many times as far each step went as those around it: a whole number; 1 where that is not
+/// told.
+std::vector<TimeNs> TimesAsFar(const std::vector<double>& steps_m) {
+  std::vector<TimeNs> times(steps_m.size(), 1);
   for (std::size_t k = kNeighbours; k + kNeighbours < steps_m.size(); ++k) {
     const auto at = steps_m.begin() + static_cast<std::ptrdiff_t>(k);
     const auto neighbours = static_cast<std::ptrdiff_t>(kNeighbours);
@@ -36,38 +42,63 @@ std::vector<TimeNs> PeriodsOf(const std::vector<double>& steps_m) {
     const double after_m = Median({at + 1, at + 1 + neighbours});
     if (std::min(before_m, after_m) < kMoves_m) continue;
     if (std::abs(before_m - after_m) > kSteady * std::max(before_m, after_m)) continue;
-    const double times = 2 * *at / (before_m + after_m);
-    if (times > 1.5 && std::abs(times - std::round(times)) < kWhole) {
-      periods[k] = std::llround(times);
-    }
+    const double far = 2 * *at / (before_m + after_m);
+    if (far > 1.5 && std::abs(far - std::round(far)) < kWhole) times[k] = std::llround(far);
   }
-  return periods;
+  return times;
+}
+
+TimeNs PeriodOf(const std::vector<TruthPose>& poses) {
+  std::vector<double> apart_s;
+  for (std::size_t k = 1; k < poses.size(); ++k) {
+    apart_s.push_back(ToSeconds(poses[k].t_ns - poses[k - 1].t_ns));
+  }
+  const double median_s = Median(apart_s);
+  double sum_s = 0, count = 0;
+  for (const double one_s : apart_s) {
+    if (std::abs(one_s - median_s) > kUsual * median_s) continue;
+    sum_s += one_s;
+    ++count;
+  }
+  return FromSeconds((1 - kUnknown) * sum_s / count);
+}
+
+/// Whether a pose that waits for so long has poses before it that came late enough to have waited
+/// before it: else it is no wait that makes it late.
+bool HasRoom(const std::vector<TruthPose>& poses, std::size_t pose, TimeNs waits_ns,
+             TimeNs period_ns) {
+  for (std::size_t k = pose; k > 0 && pose - k < kLongestQueue; --k) {
+    waits_ns += period_ns - (poses[k].t_ns - poses[k - 1].t_ns);
+    if (waits_ns <= 0) return true;
+  }
+  return false;
 }
 
 }  // namespace
 
 std::optional<PoseTimes> TimesOfArrivals(const std::vector<TruthPose>& poses) {
   if (poses.size() < 3) return std::nullopt;
-  std::vector<double> apart_s;
-  for (std::size_t k = 1; k < poses.size(); ++k) {
-    apart_s.push_back(ToSeconds(poses[k].t_ns - poses[k - 1].t_ns));
-  }
-  PoseTimes times{Median(std::move(apart_s)), {}};
-  const TimeNs period_ns = FromSeconds(times.period_s);
-  const std::vector<TimeNs> periods = PeriodsOf(StepsOf_m(poses));
-  times.t_ns.resize(poses.size());
-  times.t_ns.back() = poses.back().t_ns;
+  const TimeNs period_ns = PeriodOf(poses);
+  const std::vector<TimeNs> times_as_far = TimesAsFar(StepsOf_m(poses));
+  PoseTimes times_ns(poses.size());
+  times_ns.back() = poses.back().t_ns;
   TimeNs longest_ns = 0;
   for (std::size_t k = poses.size() - 1; k-- > 0;) {
-    times.t_ns[k] = std::min(poses[k].t_ns, times.t_ns[k + 1] - periods[k] * period_ns);
-    longest_ns = std::max(longest_ns, poses[k].t_ns - times.t_ns[k]);
+    const TimeNs lost_ns = (times_as_far[k] - 1) * period_ns;
+    const TimeNs latest_ns = std::min(poses[k].t_ns, times_ns[k + 1] - period_ns);
+    const TimeNs waits_ns =
+        std::max<TimeNs>(0, poses[k].t_ns - times_ns[k + 1] + period_ns + lost_ns);
+    const bool is_lost = lost_ns > 0 && HasRoom(poses, k, waits_ns, period_ns);
+    times_ns[k] = is_lost ? poses[k].t_ns - waits_ns : latest_ns;
+    longest_ns = std::max(longest_ns, poses[k].t_ns - times_ns[k]);
   }
-  if (longest_ns <= period_ns) return std::nullopt;
-  return times;
+  if (longest_ns <= kLeastWait * period_ns) return std::nullopt;
+  return times_ns;
 }
 
-std::vector<TruthPose> AtTimes(std::vector<TruthPose> poses, const PoseTimes& times) {
-  for (std::size_t k = 0; k < poses.size(); ++k) poses[k].t_ns = times.t_ns[k];
+std::vector<TruthPose> AtTimes(std::vector<TruthPose> poses, const PoseTimes& times_ns) {
+  TERA_CHECK(poses.size() == times_ns.size(), poses.size(), times_ns.size());
+  for (std::size_t k = 0; k < poses.size(); ++k) poses[k].t_ns = times_ns[k];
   return poses;
 }
 

@@ -20,7 +20,6 @@ constexpr std::uint64_t kDraws = 20;  ///< of noise, of which three quarters are
 constexpr double kLeastUnexplained = 0.05;
 constexpr std::size_t kLongestResponse = 2000;
 constexpr double kUnconfirmedP = 0.05;
-constexpr double kBetP = 0.01;  ///< of a gain on FINAL that is not steady: three clear pieces
 /// Of a term that was chosen so surely; together they are rarer than a choice at one per cent and a
 /// confirmation at five (Fisher's sum of logarithms).
 constexpr double kSurelyChosenP = 1e-5, kSurelyUnconfirmedP = 0.2;
@@ -126,6 +125,12 @@ double VarianceOf(const NoiseModel& noise) {
 
 bool IsNearer(const HeldOutError& error) { return error.rmse_after < error.rmse_before; }
 
+/// At which a steady gain on FINAL confirms a finding.
+double LevelOf(const Finding& finding) {
+  const bool is_sure = finding.evidence.steady_p <= kSurelyChosenP && IsNearer(finding.held_out);
+  return is_sure ? kSurelyUnconfirmedP : kUnconfirmedP;
+}
+
 HeldOutError Procedure::Compare(const FittedStructure& before, const FittedStructure& after,
                                 std::size_t channel) const {
   HeldOutError error{channel, 0, 0, 0, 1};
@@ -173,11 +178,11 @@ Finding Procedure::Describe(const SearchResult& search, std::size_t term) const 
                             likelihood_.noise()[channel], stream_, options_.threads);
   finding.held_out = Compare(without, found, channel);
   const auto gains = GainsOf(likelihood_, without.misfit, found.misfit, final_);
-  finding.held_out.p = SteadyGainP(gains);
   const bool bets =
       IsNearer(finding.held_out) && finding.evidence.share >= options_.least_share_of_bet;
-  const double p = GainP(gains);
-  if (bets && p <= kBetP) finding.held_out.p = p;
+  finding.held_out.p = bets ? GainP(gains) : SteadyGainP(gains);
+  finding.is_confirmed =
+      bets ? AreConfirming(gains, LevelOf(finding)) : SteadyGainP(gains) <= LevelOf(finding);
   return finding;
 }
 
@@ -271,19 +276,18 @@ bool Procedure::WouldBeSeen(const Misfit& difference) const {
   }();
   const std::size_t tests = std::max(options_.suspects_in_all, block_.suspects.size());
   const double alpha = options_.alpha / static_cast<double>(tests);
-  const auto passes = [&](const std::vector<Segment>& part, std::uint64_t first, double level,
-                          double bet_level) {
+  const auto drawn = [&](const std::vector<Segment>& part, std::uint64_t first) {
     std::vector<ManoeuvreGain> gains = GainsOf(likelihood_, difference, none, part);
     for (ManoeuvreGain& gain : gains) {
       gain.gain = gain.possible + std::sqrt(2 * gain.possible) * stream_.Gaussian(first++);
     }
-    return SteadyGainP(gains) <= level || GainP(gains) <= bet_level;
+    return gains;
   };
   std::uint64_t seen = 0;
   for (std::uint64_t draw = 0; draw < kDraws; ++draw) {
     const std::uint64_t first = (draw + 1) << 33;
-    seen += passes(seen_, first, alpha, alpha) &&
-                    passes(final_, first + (std::uint64_t{1} << 32), kUnconfirmedP, kBetP)
+    seen += GainP(drawn(seen_, first)) <= alpha &&
+                    AreConfirming(drawn(final_, first + (std::uint64_t{1} << 32)), kUnconfirmedP)
                 ? 1
                 : 0;
   }
@@ -318,9 +322,7 @@ void Procedure::Confirm(BlockDiagnosis* out) const {
                           [&](std::size_t t) { return Describe(out->search, t); });
   for (std::size_t t = 0; t < described.size(); ++t) {
     Finding& finding = described[t];
-    const bool is_sure = finding.evidence.steady_p <= kSurelyChosenP && IsNearer(finding.held_out);
-    const double level = is_sure ? kSurelyUnconfirmedP : kUnconfirmedP;
-    if (finding.held_out.p <= level) {
+    if (finding.is_confirmed) {
       kept.push_back(finding.term);
       evidence.push_back(finding.evidence);
       out->findings.push_back(std::move(finding));

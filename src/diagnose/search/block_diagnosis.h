@@ -17,8 +17,8 @@ struct HeldOutError {
   std::size_t channel = 0;
   double rmse_before = 0, rmse_after = 0;
   double excess_removed = 0;  ///< of the mean square above that of the noise
-  /// Of a gain so steady over manoeuvres by chance: of a finding, all channels together; else this
-  /// one's.
+  /// Of such a gain by chance (GainP for a finding of which a bet counts, else SteadyGainP): of a
+  /// finding, all channels together; else this one's.
   double p = 1;
 };
 
@@ -29,6 +29,7 @@ struct Finding {
   TermEvidence evidence;
   Location location;      ///< of the error that it leaves if it alone is left out
   HeldOutError held_out;  ///< without it, and with it
+  bool is_confirmed = false;
 };
 
 /// Error that no suspect takes away.
@@ -86,15 +87,17 @@ std::vector<Manoeuvre> ManoeuvresOf(const ReplayBlock& block, const Stream& stre
 /// Model   noise and search in turn: what was found may have passed for noise at first, so noise is
 ///         estimated again beside it, and where a channel's then has less than half the variance,
 ///         or its innovations less than 0.7 of the scale, the search goes on from there, twice at
-///         most. A term stays if FINAL gains from it with p of at most 0.05, or 0.2 if it was
-///         chosen with p of at most 1e-5. What is left of a channel on FINAL is noise where it is
-///         at most twice the channel's noise (noise_level.h), or adds to it no more than 3 % of the
-///         largest RMS among channels of its unit, the axes of one quantity, and 2 % of the
-///         variance that was there beyond noise before anything was found. What is louder in half
-///         of the manoeuvres or more, or in three and five times the noise in all, is unexplained,
-///         and so is what the free member still follows, steadily over SELECT (Bonferroni over the
-///         diagnosis's channels) and FINAL. In a recording without rest, ten times the noise: noise
-///         of AR(1), 0.995, is so much louder than its differences.
+///         most. A term stays if FINAL gains from it steadily with p of at most 0.05, or 0.2 if it
+///         was chosen as steadily with p of at most 1e-5 and FINAL's RMSE falls; or by three clear
+///         gains (AreConfirming), if it is worth a bet and FINAL's RMSE falls. What is left of a
+///         channel on FINAL is noise where it is at most twice the channel's noise (noise_level.h),
+///         or adds to it no more than 3 % of the largest RMS among channels of its unit, the axes
+///         of one quantity, and 2 % of the variance that was there beyond noise before anything was
+///         found. What is louder in half of the manoeuvres or more, or in three and five times the
+///         noise in all, is unexplained, and so is what the free member still follows, steadily
+///         over SELECT (Bonferroni over the diagnosis's channels) and FINAL. In a recording without
+///         rest, ten times the noise: noise of AR(1), 0.995, is so much louder than its
+///         differences.
 BlockDiagnosis DiagnoseBlock(const ReplayBlock& block, const SearchOptions& options,
                              const Stream& stream);
 

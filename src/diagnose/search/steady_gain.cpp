@@ -10,7 +10,8 @@ namespace {
 constexpr double kLeastPossible = 2;
 constexpr double kClear = 20;  ///< log-likelihood, far above the scatter of noise
 constexpr std::size_t kFewest = 3;
-constexpr double kMostOfOne = 2.25;  ///< of a gain, in a bet
+constexpr double kMostOfOne = 2.25;    ///< of a gain, in a bet
+constexpr double kConfirmingP = 0.01;  ///< of a bet: three clear gains
 constexpr double kPiece_s = 1;
 constexpr std::size_t kPieceSamples = 5;
 
@@ -76,7 +77,11 @@ double GainP(const std::vector<ManoeuvreGain>& gains) {
   for (const auto& [gain, possible] : gains) {
     if (possible >= kLeastPossible) log_worth += std::min(gain, kMostOfOne);
   }
-  return std::min(1.0, 2 * std::min(SteadyGainP(gains), std::exp(-log_worth)));
+  return std::min(SteadyGainP(gains), 2 * std::exp(-log_worth));
+}
+
+bool AreConfirming(const std::vector<ManoeuvreGain>& gains, double steady_level) {
+  return SteadyGainP(gains) <= steady_level || GainP(gains) <= kConfirmingP;
 }
 
 std::vector<Segment> SegmentsOf(const std::vector<Manoeuvre>& manoeuvres, Part part) {

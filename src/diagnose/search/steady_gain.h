@@ -39,16 +39,25 @@ double SteadyGainP(const std::vector<ManoeuvreGain>& gains);
 
 /// Probability, by chance, of gains as steady as these, or as large in as many manoeuvres.
 ///
-/// Model   twice the smaller of SteadyGainP and of 1 / w, w the worth of a bet: exp of the sum of
-///         the gains, none of which counts for more than 2.25. Where the first prediction is true
-///         and neither was fitted to these manoeuvres, a likelihood ratio is expected to be 1 and a
-///         capped one at most 1 (Markov's inequality). What acts in five of thirty pieces is no
-///         steady gain, but five clear ones are worth 8e4. Manoeuvres of which less than 2 is
-///         possible are no part of the bet.
-/// Omits   errors of the first prediction that last: each piece in which they speak for the second
-///         counts, at most for a factor of 10.
+/// Model   the smaller of SteadyGainP and of 2 / w, w the worth of a bet: exp of the sum of the
+///         gains, none of which counts for more than 2.25. Were the first prediction true, noise
+///         known and neither fitted to these manoeuvres, a likelihood ratio would be expected to be
+///         1 and a capped one at most 1, so that w is seldom large (Markov's inequality); with
+///         SteadyGainP beside it, one and a half times as seldom as p says. What acts in five of
+///         thirty pieces is no steady gain, but five clear ones are worth 8e4. Manoeuvres of which
+///         less than 2 is possible are no part of the bet.
+/// Omits   that noise and the first prediction are themselves fitted, and of cross-fitted
+/// manoeuvres
+///         that each was seen by the fits of the others, so that w is a little too large: how often
+///         all of it finds something in nothing is counted (docs/proof.md). Errors of the first
+///         prediction that last: each piece in which they speak for the second counts, at most for
+///         a factor of 10.
 /// Source  Shafer 2021, "Testing by betting"; Vovk and Wang 2021, "E-values".
 double GainP(const std::vector<ManoeuvreGain>& gains);
+
+/// Whether manoeuvres that nothing was fitted to, or chosen by, confirm a gain: one that is steady
+/// at this level, or three clear ones.
+bool AreConfirming(const std::vector<ManoeuvreGain>& gains, double steady_level);
 
 /// The samples of the manoeuvres of a part.
 std::vector<Segment> SegmentsOf(const std::vector<Manoeuvre>& manoeuvres, Part part);

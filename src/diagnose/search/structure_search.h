@@ -33,8 +33,8 @@ struct Rival {
 
 /// How a term stands on manoeuvres that it was not fitted to.
 struct TermEvidence {
-  double p = 1;  ///< of a gain this steady by chance (cross_fit.h), times the number of tests
-  double steady_p = 1;  ///< the same of gains that are steady, by Student's t alone
+  double p = 1;  ///< of such a gain by chance (cross_fit.h, GainP), times the number of tests
+  double steady_p = 1;  ///< the same by SteadyGainP alone
   double share = 0;  ///< of the gain in likelihood on SELECT that the free member has over nothing
   double of_rest = 0;  ///< of the gain that the free member has over the structure without the term
   double effect = 0;  ///< RMS of what it changes over the RMS of the channel, largest over channels

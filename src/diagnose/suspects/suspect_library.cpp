@@ -202,7 +202,6 @@ SuspectLibrary ReadSuspectLibrary(const std::filesystem::path& file) {
 
 void ApplyLibrary(const SuspectLibrary& library, const MachineModel& model,
                   std::vector<ReplayBlock>* blocks) {
-  std::size_t left = 0;
   for (ReplayBlock& block : *blocks) {
     const std::vector<std::string> targets = TargetsOf(block);
     for (const auto& [mechanism, ranges] : library.ranges) {
@@ -222,13 +221,17 @@ void ApplyLibrary(const SuspectLibrary& library, const MachineModel& model,
       const std::string_view id = suspect.mechanism->id;
       return Holds(library.without, id) || (!library.only.empty() && !Holds(library.only, id));
     });
-    left += block.suspects.size();
   }
-  if (left > 0) return;
+}
+
+void RequireSuspects(const SuspectLibrary& library, const std::vector<ReplayBlock>& blocks) {
+  const bool any = std::any_of(blocks.begin(), blocks.end(),
+                               [](const ReplayBlock& block) { return !block.suspects.empty(); });
+  if (any) return;
   throw InputError(fmt::format(
       "{}: leaves no suspect for what this recording has ({} blocks); need an identifier of a "
       "mechanism that can act there",
-      library.file, blocks->size()));
+      library.file, blocks.size()));
 }
 
 }  // namespace tera

@@ -38,9 +38,12 @@ struct SuspectLibrary {
 SuspectLibrary ReadSuspectLibrary(const std::filesystem::path& file);
 
 /// Gives blocks the suspects of a library. What a suspect begins its search with is brought within
-/// the ranges. Throws InputError where no block has a suspect left, or where a mechanism that a
-/// block does not suspect by itself lacks a range for a number that has no default.
+/// the ranges. Throws InputError where a mechanism that a block does not suspect by itself lacks a
+/// range for a number that has no default.
 void ApplyLibrary(const SuspectLibrary& library, const MachineModel& model,
                   std::vector<ReplayBlock>* blocks);
+
+/// Throws InputError where a library left none of the blocks a suspect.
+void RequireSuspects(const SuspectLibrary& library, const std::vector<ReplayBlock>& blocks);
 
 }  // namespace tera

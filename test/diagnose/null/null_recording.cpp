@@ -237,8 +237,9 @@ NullOutcome DiagnoseNull(const MachineModel& model, double duration_s, std::uint
     if (auto block = MakeAxisBlock(model, log, m)) blocks.push_back(std::move(*block));
   }
   NullOutcome outcome;
+  const SearchOptions options = OverAll({}, blocks);
   for (const DiagnosedBlock& diagnosed :
-       DiagnoseBlocks(std::move(blocks), {}, seed, [](const BlockProgress&) {})) {
+       DiagnoseBlocks(std::move(blocks), options, seed, [](const BlockProgress&) {})) {
     const BlockDiagnosis& diagnosis = diagnosed.diagnosis;
     ++outcome.blocks;
     outcome.judged += diagnosis.is_testable ? 1 : 0;

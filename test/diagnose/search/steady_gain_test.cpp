@@ -72,27 +72,41 @@ TEST(Gain, OfOneManoeuvreIsWorthNoMoreThanTen) {
   EXPECT_EQ(GainP({{1.5, 1.9}, {1.5, 1.9}, {1.5, 1.9}, {1.5, 1.9}}), 1);  // could not tell
 }
 
-TEST(Gain, IsTwiceTheSteadyOneWhereThatIsSurer) {
+TEST(Gain, IsTheSteadyOneWhereThatIsSurer) {
   const std::vector<ManoeuvreGain> steady = Gains(8, 4, 0.2, 0.02, 1);
-  EXPECT_NEAR(GainP(steady), 2 * SteadyGainP(steady), 1e-12);
+  EXPECT_EQ(GainP(steady), SteadyGainP(steady));
+  EXPECT_EQ(GainP({{-5000, 5000}, {-5000, 5000}, {-4000, 5000}}),
+            SteadyGainP({{-5000, 5000}, {-5000, 5000}, {-4000, 5000}}));
 }
 
-TEST(Gain, ByChanceIsAsRareAsItSays) {
+TEST(Gain, ByChanceIsABetThatIsExpectedToPayNothing) {
   // The first prediction is true and noise normal: a gain of log-likelihood is normal, of mean
-  // -possible and twice that variance. Of 4000 at 5 % (2.8 sigma above it 5.97 %), a bet wins
-  // the rarer the less it is told by one.
-  for (const double possible : {2.0, 8.0, 100.0}) {
-    int passed = 0;
-    for (std::uint64_t seed = 0; seed < 4000; ++seed) {
+  // -possible and twice that variance. Two pieces: p = 2 / w, so that 2 / p is at most expected to
+  // be 1, and without the cap would be just that.
+  for (const double possible : {2.0, 4.0}) {
+    double sum = 0, square = 0;
+    constexpr int kDraws = 20000;
+    for (int draw = 0; draw < kDraws; ++draw) {
       std::vector<ManoeuvreGain> gains;
-      for (std::size_t m = 0; m < 12; ++m) {
-        const double noise = Stream(seed, "gain").Gaussian(m);
+      for (std::size_t m = 0; m < 2; ++m) {
+        const double noise = Stream(static_cast<std::uint64_t>(draw), "gain").Gaussian(m);
         gains.push_back({-possible + std::sqrt(2 * possible) * noise, possible});
       }
-      passed += GainP(gains) <= 0.05 ? 1 : 0;
+      const double p = GainP(gains);
+      const double worth = p < 1 ? 2 / p : 0;
+      sum += worth, square += worth * worth;
     }
-    EXPECT_LE(passed, 238) << possible;
+    const double mean = sum / kDraws, error = std::sqrt(square) / kDraws;
+    EXPECT_LT(mean, 1 + 5 * error) << possible;
+    EXPECT_GT(mean, 0.1) << possible;
   }
+}
+
+TEST(Gain, IsConfirmedBySteadyOnesOrByThreeThatAreClear) {
+  const std::vector<ManoeuvreGain> clear(3, {50, 60});
+  EXPECT_TRUE(AreConfirming({clear[0], clear[1], clear[2], {-0.5, 3}, {-0.6, 3}}, 0));
+  EXPECT_FALSE(AreConfirming({clear[0], clear[1], {-0.5, 3}, {-0.6, 3}}, 0));
+  EXPECT_TRUE(AreConfirming(Gains(8, 4, 0.2, 0.02, 1), 0.05));
 }
 
 }  // namespace
