@@ -123,6 +123,9 @@ HeldOutRecording JudgeFurther(const Diagnosis& diagnosis, Further* further,
     TakeSensorBlocks(further->input.machine, &further->blocks);
     for (ReplayBlock& block :
          SensorBlocksByArrivals(further->input, further->measured, {}, &not_compared)) {
+      // Without a block of the base they were not told from the machine's own.
+      std::erase_if(further->blocks,
+                    [&](const ReplayBlock& stamped) { return stamped.name == block.name; });
       further->blocks.push_back(std::move(block));
     }
   }

@@ -206,7 +206,12 @@ std::vector<DiagnosedBlock> DiagnoseInTurn(const DiagnosisInput& input,
   std::vector<DiagnosedBlock> diagnosed =
       DiagnoseBlocks(std::move(blocks), search, options.seed, tell(0), deadline);
   if (TellsOfArrivals(diagnosed)) {
-    carried = SensorBlocksByArrivals(input, measured, options.blocks, not_compared);
+    std::vector<std::string> obstacles;
+    carried = SensorBlocksByArrivals(input, measured, options.blocks, &obstacles);
+    for (std::string& obstacle : obstacles) {  // most of them were told of the stamps already
+      const auto same = std::find(not_compared->begin(), not_compared->end(), obstacle);
+      if (same == not_compared->end()) not_compared->push_back(std::move(obstacle));
+    }
     if (options.library) ApplyLibrary(*options.library, *input.model, &carried);
   }
   std::vector<DiagnosedBlock> of_carried =

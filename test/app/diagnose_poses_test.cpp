@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "app/diagnosed_scenario.h"
 
@@ -55,8 +56,8 @@ machines:
   }
 
   /// A real recording of the scenario, poses as they arrive.
-  void RecordReal() const {
-    Record("real");
+  void RecordReal(const Arguments& more = {}) const {
+    Record("real", more);
     Edit("real/dataset.yaml", "simulated: true", "simulated: false");
     std::ifstream poses(folder() / "real/truth/excavator1/pose.csv");
     const std::string arrived = AsTheyArrive(poses);
@@ -90,6 +91,30 @@ TEST_F(DiagnoseMeasuredPoses, OfThatSuspectAloneComparesTheUnitWithoutAny) {
   EXPECT_EQ(Diagnose("real", "why"), Names{"arrival_stamps"});
   EXPECT_TRUE(Report("why")["not_judged"].empty());
   EXPECT_TRUE(Report("why")["whole_simulation"].is_null());  // no simulation has stamps of arrival
+}
+
+TEST_F(DiagnoseMeasuredPoses, TellsOnceWhatCannotBeComparedByStampsNorByArrivals) {
+  const Arguments with_receiver = {"--set",
+                                   "machines[0].rig.sensors[1]={name: gnss, link: undercarriage, "
+                                   "preset: \"tera:config/sensors/rtk_f9p.yaml\"}"};
+  RecordReal(with_receiver);
+  const std::string receiver = "real/excavator1/gnss/data.csv";
+  std::ifstream samples(folder() / receiver);
+  std::vector<std::string> rows;
+  for (std::string row; std::getline(samples, row);) rows.push_back(row);
+  ASSERT_GT(rows.size(), 200u);
+  std::string burst;  // 120 within 0.12 s, and the last
+  for (std::size_t k = 0; k <= 120; ++k) {
+    const std::string row = rows[k].substr(rows[k].find(','));
+    burst +=
+        (k == 0 ? "t_ns" : std::to_string(kSecond_ns + static_cast<long long>(k) * 1'000'000)) +
+        row + "\n";
+  }
+  burst += rows.back() + "\n";
+  Write(receiver, burst);
+  Write("library.yaml", "only: [arrival_stamps]\n");
+  EXPECT_EQ(Diagnose("real", "why", with_receiver), Names{"arrival_stamps"});
+  EXPECT_EQ(Report("why")["not_compared"].size(), 1u);
 }
 
 TEST_F(DiagnoseMeasuredPoses, WithoutThatSuspectExplainsNothingAndCannotJudgeTheUnit) {
