@@ -7,7 +7,6 @@ namespace tera::blind {
 namespace {
 
 constexpr double kServo_s = 0.004;  ///< of the rate that a motor asks for
-constexpr double kWeak_s = 0.08;    ///< the same of a drive that friction holds back
 constexpr double kRampEdge = 0.02;  ///< share of the full rate over which a ramp rounds
 constexpr double kGap_radps = 120;  ///< contact of two masses: its frequency
 constexpr double kGapDamping = 0.6;
@@ -69,7 +68,7 @@ double AxisEquations::Wanted_radps(const Surroundings& at, std::span<const doubl
 }
 
 double AxisEquations::Motor_nm(const Surroundings& at, double wanted_radps, double w_radps) const {
-  const double servo_s = form_.bristle_nm > 0 ? kWeak_s : kServo_s;
+  const double servo_s = form_.bristle_nm > 0 ? kWeakDrive_s : kServo_s;
   const double asked = at.load_nm + at.inertia_kgm2 * (wanted_radps - w_radps) / servo_s;
   const double most = excavator_.axis(axis_).effort_nm;
   return std::clamp(asked, -most, most);
@@ -126,7 +125,8 @@ void AxisEquations::Derive(const Surroundings& at, std::span<const double> x,
       // Bristles that bend until they slip.
       const double stiffness = form_.bristle_nm / 5e-4;
       const double slide = w / form_.bristle_radps;
-      const double hold = form_.bristle_nm * (0.6 + 0.4 * std::exp(-slide * slide));
+      const double hold =
+          form_.bristle_nm * (kSlidingShare + (1 - kSlidingShare) * std::exp(-slide * slide));
       d[kBristle] = w - stiffness * std::abs(w) / hold * own[kBristle];
       friction = stiffness * own[kBristle] + 0.02 * I * 2 * std::sqrt(stiffness / I) * d[kBristle];
     }

@@ -7,6 +7,10 @@ namespace tera::blind {
 /// Spool, pilot and coil.
 inline constexpr double kLagShares[] = {50. / 63, 10. / 63, 3. / 63};
 
+/// In which a drive that gives way to friction follows, and what sliding bristles hold of those
+/// that stick.
+inline constexpr double kWeakDrive_s = 0.08, kSlidingShare = 0.6;
+
 /// How one joint's drive departs from the ideal, in the forms of this benchmark: none is written as
 /// the mechanism of the library that should be named for it. 0, or 1 for factors, is ideal.
 ///
@@ -18,6 +22,9 @@ struct AxisForm {
   double hold_s = 0;          ///< messages looked at once a period
   double line_s = 0;          ///< sum of the line's lags
   std::size_t line_stages = 0;
+
+  double spool_play =
+      0;  ///< of the lever, within which friction holds the spool; centred by springs
 
   // Valve: what the notches of its spool open.
   double overlap = 0;       ///< of the spool over the port, of its full stroke
@@ -36,15 +43,15 @@ struct AxisForm {
   // Cylinder, structure, pins.
   bool pins = false;       ///< the lever sets the piston's rate, the pins make the joint's
   double pins_at_rad = 0;  ///< where that gives the nominal rate
-  double flex_radps = 0, flex_damping = 0;  ///< mass on a spring behind the drive
-  double gap_rad = 0;                       ///< two masses, the second held by its seized pin
+  double flex_radps = 0, flex_damping = 0;      ///< mass on a spring behind the drive
+  double gap_rad = 0;                           ///< two masses, the second held by its seized pin
+  double bristle_nm = 0, bristle_radps = 0.05;  ///< LuGre against a drive that gives way
 
   // What the library does not know.
   double warm_share = 0, warm_s = 1;  ///< rate less by share e^(-t / warm)
   double other_share = 0;             ///< rate less by share |lever of another axis|
   std::size_t other_axis = 0;
-  double ripple_share = 0, ripple_cycles = 0;   ///< rate by position: 1 + share sin(cycles q)
-  double bristle_nm = 0, bristle_radps = 0.05;  ///< LuGre against a drive that gives way
+  double ripple_share = 0, ripple_cycles = 0;  ///< rate by position: 1 + share sin(cycles q)
 };
 
 }  // namespace tera::blind

@@ -77,7 +77,7 @@ class JointsDraw {
   void Outside() {
     // The other is on another pump: what shares a pump, the library can name.
     const std::size_t axis = 1 + draws_->Below(3), other = axis == 2 ? 3 : 2;
-    Add(HideOutside(axis, other, joints_.excavator, joints_.start_rad, streams_[0]));
+    Add(HideOutside(axis, other, streams_[0]));
     if (joints_.forms[axis].other_share > 0) joints_.habit.uses[other] = true;
   }
 

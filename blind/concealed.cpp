@@ -158,6 +158,15 @@ void Backlash(const Setting& s, Hidden* out) {
   out->concealed.variables = {};
 }
 
+void StickSlip(const Setting& s, Hidden* out) {
+  const double inertia_kgm2 = s.excavator.Inertias_kgm2(s.start_rad)[s.axis];
+  const double bristle_radps2 = s.Size(1.7, 0.9, 0.45);
+  out->form.bristle_nm = bristle_radps2 * inertia_kgm2;
+  out->concealed.form = "LuGre friction against a drive that gives way";
+  out->concealed.truth = {{"lost_radps", kSlidingShare * bristle_radps2 * kWeakDrive_s},
+                          {"time_s", kWeakDrive_s}};
+}
+
 std::string ChannelOf(std::size_t axis) { return fmt::format("encoders/{}_radps", kJoints[axis]); }
 
 struct Effect {
@@ -187,6 +196,7 @@ const std::vector<Effect>& Effects() {
       {"cylinder_lever", OnPinned, Pins},
       {"structural_flex", OnQuick, Flex, true},
       {"backlash", OnBucket, Backlash, true},
+      {"stick_slip", OnQuick, StickSlip, true},
   };
   return effects;
 }
@@ -241,8 +251,7 @@ Hidden Hide(const std::string& name, Strength strength, std::size_t axis, const 
   return hidden;
 }
 
-Hidden HideOutside(std::size_t axis, std::size_t other_axis, const Excavator& excavator,
-                   const AxisValues& start_rad, const Stream& stream) {
+Hidden HideOutside(std::size_t axis, std::size_t other_axis, const Stream& stream) {
   Hidden hidden;
   Concealed& concealed = hidden.concealed;
   hidden.axis = axis;
@@ -266,8 +275,9 @@ Hidden HideOutside(std::size_t axis, std::size_t other_axis, const Excavator& ex
     concealed.form = "gain that goes up and down with the angle, 8 rad a radian";
     concealed.variables = {"position/" + joint};
   } else {
-    hidden.form.bristle_nm = (0.9 + 0.8 * size) * excavator.Inertias_kgm2(start_rad)[axis];
-    concealed.form = "LuGre friction against a drive that gives way";
+    hidden.form.spool_play = 0.12 + 0.1 * size;
+    concealed.form =
+        "spool that friction holds, 12 to 22 % of the lever wide, until springs centre it";
     concealed.variables = {"lever/" + joint};
   }
   return hidden;

@@ -44,7 +44,6 @@ bool CanHave(std::size_t axis, const std::string& name);
 bool GoTogether(const std::string& a, const std::string& b);
 
 /// Adds one of the effects that the tool has no name for.
-Hidden HideOutside(std::size_t axis, std::size_t other_axis, const Excavator& excavator,
-                   const AxisValues& start_rad, const Stream& stream);
+Hidden HideOutside(std::size_t axis, std::size_t other_axis, const Stream& stream);
 
 }  // namespace tera::blind

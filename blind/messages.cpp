@@ -19,7 +19,10 @@ void Messages::Send(double t_s, double lever) {
 }
 
 double Messages::At(double t_s) {
-  while (next_ < sent_.size() && sent_[next_].comes_s <= t_s + 1e-9) held_ = sent_[next_++].lever;
+  while (next_ < sent_.size() && sent_[next_].comes_s <= t_s + 1e-9) {
+    const double lever = sent_[next_++].lever, play = form_.spool_play / 2;
+    held_ = lever == 0 ? 0.0 : std::clamp(held_, lever - play, lever + play);
+  }
   return held_;
 }
 

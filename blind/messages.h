@@ -8,13 +8,13 @@
 namespace tera::blind {
 
 /// What one lever's messages are when they reach the valve: each sent once a period, looked at once
-/// in a hold, late by a queue that keeps their order.
+/// in a hold, late by a queue that keeps their order, followed by a spool that friction holds.
 class Messages {
  public:
   Messages(const AxisForm& form, const Stream& stream) : form_(form), stream_(stream) {}
 
   void Send(double t_s, double lever);
-  /// The last that had come by then; neutral before.
+  /// Where the spool is by the last that had come by then; neutral before.
   double At(double t_s);
   /// When the next one comes, at or after; far away where none is on its way.
   double Next(double t_s) const;

@@ -147,6 +147,30 @@ TEST(Plant, AMassOnASpringSwingsAtItsFrequency) {
   EXPECT_NEAR(peaks_s[1] - peaks_s[0], 2 * std::numbers::pi / 10, 0.03);
 }
 
+TEST(Plant, FrictionTakesItsRateFromAWeakDrive) {
+  // Steady: the drive falls behind by friction over its damping I / T, and what sticks holds until
+  // 1 / 0.6 of that is asked for.
+  AxisForm form;
+  const double lost_radps = 0.05;
+  form.bristle_nm =
+      lost_radps / (kSlidingShare * kWeakDrive_s) * Tb235().Inertias_kgm2(Folded())[kArm];
+  const double full_radps = 43.3 * kDeg;
+  EXPECT_NEAR(At(Driven(kArm, form, 1.5, [](double) { return 0.4; }), kArm, 1.0),
+              0.4 * full_radps - lost_radps, 0.003);
+  const double held = 0.95 * lost_radps / kSlidingShare / full_radps;
+  EXPECT_NEAR(At(Driven(kArm, form, 1.5, [&](double) { return held; }), kArm, 1.4), 0, 1e-3);
+}
+
+TEST(Plant, AHeldSpoolStaysBehindTheLeverBothWays) {
+  AxisForm form;
+  form.spool_play = 0.2;
+  const auto up_and_back = [](double t_s) { return t_s < 1 ? 0.6 : t_s < 2 ? 0.3 : 0; };
+  const Motion motion = Driven(kArm, form, 3, up_and_back);
+  EXPECT_NEAR(At(motion, kArm, 0.9), 0.5 * 43.3 * kDeg, 1e-3);
+  EXPECT_NEAR(At(motion, kArm, 1.9), 0.4 * 43.3 * kDeg, 1e-3);
+  EXPECT_NEAR(At(motion, kArm, 2.9), 0, 1e-3);
+}
+
 TEST(Plant, OilUnderLoadGoesSlowerUpThanDown) {
   AxisForm form;
   form.supply_nm = 3 * std::abs(Tb235().Loads_nm(Folded())[kBoom]);

@@ -101,6 +101,16 @@ void AddGainAndLoad(const Reach& reach, SuspectList* out) {
               {0, 0, 0, 0.8 * low + 0.2 * high},
               {0, 0, 0, 0.2 * low + 0.8 * high}});
   }
+  // Without some friction it would be a lag by another name; with more, full levers would not move.
+  const double w = reach.full_rate_radps;
+  out->Add("stick_slip",
+           {{0, 0.01 * w, 0.3 * w, true},
+            {1, 0, 0.5},
+            {.index = 2, .lower = 1, .upper = 3, .refines = true}},
+           {{0.03 * w, 0.02, 1, 0.02},
+            {0.08 * w, 0.08, 1, 0.02},
+            {0.2 * w, 0.08, 1, 0.02},
+            {0.1 * w, 0.08, 2, 0.02}});
   out->Add("backlash", {{0, 5e-4, 0.15, true, true}}, {{0.004}, {0.015}, {0.04}});
   const double load = reach.largest_load_nm;
   if (load <= 0) return;

@@ -38,7 +38,7 @@ std::string WhyJointUndriven(const MachineModel& model, std::size_t joint) {
 /// Whether a mechanism shapes the rate that a lever asks for, and nothing else.
 bool ShapesRate(const Mechanism& mechanism) {
   return mechanism.slot < Slot::kLoadFriction || mechanism.id == "pressure_droop" ||
-         mechanism.id == "structural_flex";
+         mechanism.id == "stick_slip" || mechanism.id == "structural_flex";
 }
 
 /// A joint or gear as its effects meet it.
@@ -88,6 +88,20 @@ std::string FaultOfDroop(const Effects& effects, const Axis& axis) {
   return "";
 }
 
+/// How dry friction holds the axis at rest even at full lever, empty if it does not.
+std::string FaultOfStickSlip(const Effects& effects, const Axis& axis) {
+  const LoadFrictionParameters load = LoadFrictionOf(effects, axis.effort);
+  const LeverMapParameters map = LeverMapOf(effects);
+  const double most_radps = std::max(axis.max_rate_positive_radps * std::abs(MapLever(map, 1)),
+                                     axis.max_rate_negative_radps * std::abs(MapLever(map, -1)));
+  const double held_radps = load.lost_radps * load.breakaway;
+  if (held_radps < most_radps) return "";
+  return fmt::format(
+      "holds the axis at rest until {:g} is asked of it, but full levers ask for {:g}; need less "
+      "in lost_radps times breakaway",
+      held_radps, most_radps);
+}
+
 /// Of a joint or gear: what nothing drives, a leak without the pressure that drives it, and numbers
 /// with which a full lever does not move it.
 std::vector<EffectFault> FaultsOfAxis(const Effects& effects, const Axis& axis) {
@@ -108,6 +122,7 @@ std::vector<EffectFault> FaultsOfAxis(const Effects& effects, const Axis& axis) 
   };
   if (FindEffect(effects, "dead_band")) add("dead_band", FaultOfDeadBand(LeverMapOf(effects)));
   if (FindEffect(effects, "pressure_droop")) add("pressure_droop", FaultOfDroop(effects, axis));
+  if (FindEffect(effects, "stick_slip")) add("stick_slip", FaultOfStickSlip(effects, axis));
   return faults;
 }
 

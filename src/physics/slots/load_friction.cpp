@@ -89,6 +89,12 @@ LoadFrictionParameters LoadFrictionOf(const Effects& effects, const ActuatorEffo
       parameters.drift_positive_radpspnm = drift(effort.negative_nm);
     }
   }
+  if (const Effect* slide = FindEffect(effects, "stick_slip")) {
+    parameters.lost_radps = (*slide)["lost_radps"];
+    parameters.slide_s = (*slide)["time_s"];
+    parameters.breakaway = (*slide)["breakaway"];
+    parameters.slide_stribeck_radps = (*slide)["stribeck_radps"];
+  }
   if (const Effect* flex = FindEffect(effects, "structural_flex")) {
     parameters.flex_radps = (*flex)["natural_radps"];
     parameters.flex_damping = (*flex)["damping"];
@@ -97,7 +103,8 @@ LoadFrictionParameters LoadFrictionOf(const Effects& effects, const ActuatorEffo
 }
 
 LoadFriction::LoadFriction(const LoadFrictionParameters& parameters)
-    : parameters_(parameters), acts_(ReadsLoad() || parameters.flex_radps > 0) {}
+    : parameters_(parameters),
+      acts_(ReadsLoad() || parameters.lost_radps > 0 || parameters.flex_radps > 0) {}
 
 bool LoadFriction::ReadsLoad() const {
   return !parameters_.stall_positive_nm.values.empty() ||
@@ -109,6 +116,7 @@ double LoadFriction::Act(double rate_radps, double load_nm, double position_rad,
   double rate = rate_radps;
   if (!parameters_.stall_positive_nm.values.empty()) rate = Droop(rate, load_nm, position_rad);
   if (!parameters_.drift_negative_radpspnm.values.empty()) rate -= Leak(load_nm, position_rad);
+  if (parameters_.lost_radps > 0) rate = StickSlip(rate);
   if (parameters_.flex_radps > 0) rate = Flex(rate);
   return rate;
 }
@@ -117,6 +125,7 @@ void LoadFriction::Prepare(double dt_s) {
   dt_s_ = dt_s;
   response_step_ =
       parameters_.droop_response_s > 0 ? -std::expm1(-dt_s / parameters_.droop_response_s) : 1.0;
+  slide_keeps_ = parameters_.slide_s > 0 ? std::exp(-dt_s / parameters_.slide_s) : 0.0;
   const double z = parameters_.flex_damping;
   const double decay = std::exp(-z * parameters_.flex_radps * dt_s);
   const double turn_rad = parameters_.flex_radps * std::sqrt(1 - z * z) * dt_s;
@@ -146,6 +155,16 @@ double LoadFriction::Droop(double rate_radps, double load_nm, double position_ra
       (rate_radps > 0 ? parameters_.stall_positive_nm : parameters_.stall_negative_nm)
           .At(position_rad);
   return rate_radps * std::sqrt(std::max(0.0, 1 - against_nm / stall_nm));
+}
+
+double LoadFriction::StickSlip(double rate_radps) {
+  // Friction of the rate at the start of the step; no more of it than brings the joint to rest.
+  const double x = slid_radps_ / parameters_.slide_stribeck_radps;
+  const double lost = parameters_.lost_radps * (1 + (parameters_.breakaway - 1) * std::exp(-x * x));
+  const double without = rate_radps + slide_keeps_ * (slid_radps_ - rate_radps);
+  const double left = std::abs(without) - (1 - slide_keeps_) * lost;
+  slid_radps_ = left > 0 ? std::copysign(left, without) : 0.0;
+  return slid_radps_;
 }
 
 double LoadFriction::Flex(double rate_radps) {

@@ -28,6 +28,8 @@ struct LoadFrictionParameters {
   double more_positive_nm = 0, more_negative_nm = 0;
   double more_positive_nmsprad = 0, more_negative_nmsprad = 0;
   double offset_nm = 0;
+  double lost_radps = 0, slide_s = 0;  ///< to friction, of a drive that gives way
+  double breakaway = 1, slide_stribeck_radps = 1;
   double flex_radps = 0, flex_damping = 0;
 };
 
@@ -58,6 +60,9 @@ struct AxisFriction {
 ///         joint yield at a rate proportional to the load beyond what friction holds, w = drift
 ///         (rated / E)^2 load / rated with E the most it can do where it stands against that load:
 ///         pressure is load over area and lever arm, and so is the rate over the leak.
+///         stick_slip: dry friction that the drive has no stiffness to ignore; it pushes the more
+///         the further the joint falls behind, T dw/dt = u - w - r(w) sgn w, r = lost (1 + (b - 1)
+///         exp(-(w / w_s)^2)), and stands still until |u| is over b times what is lost in sliding.
 ///         structural_flex: the rate passes a filter of second order, w_n^2 / (s^2 + 2 z w_n s +
 ///         w_n^2). Friction: F = F_c + F_s exp(-(w / w_s)^2) + c |w| (coulomb_friction,
 ///         stribeck_friction, viscous_friction), and more of F_c and c by direction
@@ -91,14 +96,16 @@ class LoadFriction {
   void Prepare(double dt_s);
   double Droop(double rate_radps, double load_nm, double position_rad);
   double Leak(double load_nm, double position_rad) const;
+  double StickSlip(double rate_radps);
   double Flex(double rate_radps);
 
   LoadFrictionParameters parameters_;
-  bool acts_;                                           ///< on the rate
-  double pressed_nm_ = 0;                               ///< load as the pressure shows it
+  bool acts_;              ///< on the rate
+  double pressed_nm_ = 0;  ///< load as the pressure shows it
+  double slid_radps_ = 0;
   double flexed_radps_ = 0, flexed_change_radps2_ = 0;  ///< state of the filter
   double dt_s_ = 0;                                     ///< for which the following hold
-  double response_step_ = 1, flex_cos_ = 1, flex_sin_ = 0;
+  double response_step_ = 1, slide_keeps_ = 0, flex_cos_ = 1, flex_sin_ = 0;
 };
 
 /// Kinematic viscosity of hydraulic oil ISO VG 46 (viscosity index about 100) at `oil_degc`.

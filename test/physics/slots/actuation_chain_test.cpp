@@ -294,6 +294,10 @@ TEST(ActuationChain, EveryParameterChangesWhatIsAskedFor) {
       {"effort_offset", "effort_nm", "0", "1"},
       {"sag", "drift_radps", "0.001", "0.002"},
       {"sag", "oil_degc", "40", "50", "drift_radps: 0.001"},
+      {"stick_slip", "lost_radps", "0.02", "0.03"},
+      {"stick_slip", "time_s", "0.05", "0.1", "lost_radps: 0.02"},
+      {"stick_slip", "breakaway", "1", "1.5", "lost_radps: 0.02"},
+      {"stick_slip", "stribeck_radps", "0.02", "0.5", "lost_radps: 0.02, breakaway: 1.5"},
       {"structural_flex", "natural_radps", "15", "16"},
       {"structural_flex", "damping", "0.05", "0.1", "natural_radps: 15"},
   };

@@ -121,6 +121,7 @@ constexpr const char* kOfTheRate[] = {
     "cylinder_lever: {reference_rad: 1, barrel_m: 0.4, rod_m: 1}",
     "backlash: {gap_rad: 0.01}",
     "pressure_droop: {stall_nm: 1000}",
+    "stick_slip: {lost_radps: 0.01}",
     "structural_flex: {natural_radps: 30}",
 };
 

@@ -110,6 +110,33 @@ TEST(LoadFriction, FlexPassesASineAsASecondOrderFilter) {
   EXPECT_NEAR(most, 5, 0.01);
 }
 
+TEST(LoadFriction, DryFrictionTakesItsRateFromADriveThatGivesWay) {
+  // T dw/dt = u - w - r from rest: w = (u - r) (1 - e^(-t/T)); back to rest T ln(1 + (u - r) / r)
+  // after the lever is let go.
+  LoadFriction load = LoadFrom("stick_slip: {lost_radps: 0.1, time_s: 0.2}");
+  double rate = 0;
+  for (int i = 1; i <= 200; ++i) rate = load.Step(0.5, 0, 0, 0.001);
+  EXPECT_NEAR(rate, 0.4 * (1 - std::exp(-1.0)), 1e-9);
+  for (int i = 1; i <= 4000; ++i) rate = load.Step(0.5, 0, 0, 0.001);
+  EXPECT_NEAR(rate, 0.4, 1e-6);
+  int steps = 0;
+  while (load.Step(0, 0, 0, 0.001) > 0) ++steps;
+  EXPECT_NEAR(0.001 * steps, 0.2 * std::log(5.0), 0.002);
+  EXPECT_EQ(load.Step(0, 0, 0, 0.001), 0);
+}
+
+TEST(LoadFriction, WhatSticksTakesMoreToBreakAway) {
+  // Rest holds up to 1.5 times what sliding loses, either way; once it moves it is less.
+  LoadFriction load =
+      LoadFrom("stick_slip: {lost_radps: 0.1, time_s: 0.05, breakaway: 1.5, stribeck_radps: 0.01}");
+  for (const double u : {0.149, -0.149}) EXPECT_EQ(load.Step(u, 0, 0, 0.001), 0);
+  double rate = 0;
+  for (int i = 0; i < 2000; ++i) rate = load.Step(-0.17, 0, 0, 0.001);
+  EXPECT_NEAR(rate, -0.07, 1e-4);
+  for (int i = 0; i < 2000; ++i) rate = load.Step(-0.145, 0, 0, 0.001);
+  EXPECT_NEAR(rate, -0.045, 1e-3);  // where it would not have begun
+}
+
 TEST(LoadFriction, FrictionIsCoulombStribeckAndViscous) {
   const LoadFriction load = LoadFrom(
       "{coulomb_friction: {effort_nm: 100}, viscous_friction: {coefficient_nmsprad: 50}, "
