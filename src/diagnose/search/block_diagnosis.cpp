@@ -174,8 +174,10 @@ Finding Procedure::Describe(const SearchResult& search, std::size_t term) const 
   finding.parameters = EstimatesOf(found, term, block_.slides);
   finding.evidence = search.evidence[term];
   const std::size_t channel = MostImproved(without, found);
+  const NoiseLevel level =
+      NoiseLevelOf(block_, channel, found.misfit.residual[channel], Not(final_mask_));
   finding.location = Locate(block_.channels[channel], channel, without.misfit.residual[channel],
-                            likelihood_.noise()[channel], stream_, options_.threads);
+                            likelihood_.noise()[channel], level.rms(), stream_, options_.threads);
   finding.held_out = Compare(without, found, channel);
   const auto gains = GainsOf(likelihood_, without.misfit, found.misfit, final_);
   const bool bets =
@@ -260,7 +262,7 @@ void Procedure::FindUnexplained(BlockDiagnosis* out) const {
     if (follows) left.p = p;
     if (!follows && remainder.kind != Remainder::Kind::kError) continue;
     left.location = Locate(block_.channels[c], c, misfit.residual[c], likelihood_.noise()[c],
-                           stream_, options_.threads);
+                           remainder.noise.rms(), stream_, options_.threads);
     out->unexplained.push_back(std::move(left));
   }
 }

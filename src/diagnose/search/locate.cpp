@@ -1,6 +1,7 @@
 #include "diagnose/search/locate.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "diagnose/statistics/change_points.h"
 #include "diagnose/statistics/partialling.h"
@@ -10,6 +11,8 @@ namespace tera {
 namespace {
 
 constexpr double kLeastShare = 0.02;
+constexpr double kLoud = 3;        ///< times the noise
+constexpr double kLongestRun = 3;  ///< deviation of means over that of single samples: AR(1) of 0.8
 constexpr double kMuchMore = 1.3;  ///< times the criterion of what was significant
 
 struct Told {
@@ -48,6 +51,52 @@ std::vector<Told> Telling(const Partialling& found) {
   return telling;
 }
 
+/// Of the mean over many samples: what its deviation is times the root of their number.
+double LongRunDeviation(const NoiseModel& noise) {
+  double left = 1;
+  for (const double a : noise.ar) left -= a;
+  return noise.scale / std::abs(left);
+}
+
+/// Stretches of either list, in order, joined where they meet.
+std::vector<Segment> Either(std::vector<Segment> a, const std::vector<Segment>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  std::sort(a.begin(), a.end(),
+            [](const Segment& x, const Segment& y) { return x.begin < y.begin; });
+  std::vector<Segment> joined;
+  for (const Segment& one : a) {
+    if (!joined.empty() && one.begin <= joined.back().end) {
+      joined.back().end = std::max(joined.back().end, one.end);
+    } else {
+      joined.push_back(one);
+    }
+  }
+  return joined;
+}
+
+/// Where a residual is more than noise: as it comes, by innovations, and as it stays, by itself
+/// over the noise's long run. A noise model that was fitted beside what the free member could not
+/// follow takes that for noise which remembers; the noise's size sets a bound to it.
+std::vector<Segment> Mismatch(const Series& residual, const NoiseModel& noise, double noise_rms) {
+  const double deviation = std::min(LongRunDeviation(noise), kLongestRun * noise_rms);
+  Series by_itself = residual;
+  for (double& value : by_itself.value) value /= deviation;
+  return Either(FindChangePoints(Whiten(noise, residual).Steady(), noise.dof).mismatch,
+                FindChangePoints(by_itself, noise.dof, {.guarded = false}).mismatch);
+}
+
+/// What a regime is judged beside: the noise, or, where the residual is much louder, white noise
+/// of its size. What else is wrong then counts for more than what was measured badly, and
+/// differences from sample to sample no more than levels do.
+NoiseModel NoiseBeside(const Series& residual, const NoiseModel& noise, double noise_rms) {
+  const std::vector<double> left = ValidValues(residual);
+  double square = 0;
+  for (const double value : left) square += value * value;
+  const double rms = std::sqrt(square / static_cast<double>(std::max<std::size_t>(1, left.size())));
+  if (rms <= kLoud * noise_rms) return noise;
+  return {.scale = rms, .dof = 10};
+}
+
 /// The channel's variables, and each again as what a share of the simulated value may depend on.
 std::vector<RegimeVariable> VariablesAndShares(const Channel& channel, const Series& residual) {
   std::vector<double> simulated(residual.size(), 0.0);
@@ -70,18 +119,20 @@ Eigen::MatrixXd KnownBefore(const Eigen::MatrixXd& known, const RegimeAxis& axis
 }  // namespace
 
 Location Locate(const Channel& channel, std::size_t index, const Series& residual,
-                const NoiseModel& noise, const Stream& stream, int threads) {
+                const NoiseModel& noise, double noise_rms, const Stream& stream, int threads) {
   Location location{index, {}, {}};
-  location.intervals = FindChangePoints(Whiten(noise, residual).Steady(), noise.dof).mismatch;
+  location.intervals = Mismatch(residual, noise, noise_rms);
   if (channel.variables.empty()) return location;
+  const NoiseModel beside = NoiseBeside(residual, noise, noise_rms);
   const std::vector<RegimeVariable> variables = VariablesAndShares(channel, residual);
-  const Partialling found = SelectRegimes(residual, noise, variables, {.threads = threads}, stream);
+  const Partialling found =
+      SelectRegimes(residual, beside, variables, {.threads = threads}, stream);
   Eigen::MatrixXd known(static_cast<Eigen::Index>(residual.size()), 0);
   for (const auto& [index_of_variable, p, share] : Telling(found)) {
     const RegimeVariable& variable = variables[index_of_variable];
     const RegimeAxis axis(variable);
     Regime regime{variable.name, axis.has_times(), p, share, {}, {}};
-    regime.curve = FitRegimeCurve(residual, noise, KnownBefore(known, axis), variable, {}, stream);
+    regime.curve = FitRegimeCurve(residual, beside, KnownBefore(known, axis), variable, {}, stream);
     regime.shape = ClassifyCurve(regime.curve);
     location.regimes.push_back(std::move(regime));
     known = WithColumns(known, KnownColumns(axis));

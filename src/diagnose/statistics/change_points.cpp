@@ -107,8 +107,8 @@ ChangePoints FindChangePoints(const Series& innovations, double dof,
       static_cast<std::size_t>(std::lround(options.cell_s / innovations.period_s)), 1);
   std::vector<Cell> cells = GatherCells(innovations, dof, length);
   if (cells.empty()) return out;
-  const double of_location = Inflation(cells, &Cell::location);
-  const double of_scale = Inflation(cells, &Cell::scale);
+  const double of_location = options.guarded ? Inflation(cells, &Cell::location) : 1;
+  const double of_scale = options.guarded ? Inflation(cells, &Cell::scale) : 1;
   for (Cell& cell : cells) {
     cell.location /= of_location;
     cell.scale /= of_scale;

@@ -10,6 +10,8 @@ struct ChangePointOptions {
   double cell_s = 0.2;       ///< samples are gathered in cells of this length
   double alpha = 0.01;       ///< probability of any change, or any interval, where there is none
   std::size_t shortest = 2;  ///< cells in a segment
+  /// Innovations may be somewhat correlated: scatter from cell to cell counts as noise.
+  bool guarded = true;
 };
 
 /// A stretch of constant behaviour.
@@ -30,12 +32,12 @@ struct ChangePoints {
 ///
 /// Model   with e Student-t of `dof`: location score (dof + 1) e / (dof + e^2) and scale score
 ///         (dof + 1) e^2 / (dof + e^2) - 1, both bounded and of mean 0, each brought to unit
-///         variance in cells (by the larger of theory and the scatter from cell to cell); least sum
-///         of squares plus a penalty for each change, exactly, by pruned dynamic programming
-///         (PELT). The penalty, 2 log(cells / alpha), bounds the probability of a change in
-///         innovations that are as modelled (chi-square tail of two degrees of freedom, union over
-///         places). A segment with more energy, or another level, than the noise by the same bound
-///         is a mismatch.
+///         variance in cells (by the larger of theory and, where guarded, the scatter from cell to
+///         cell); least sum of squares plus a penalty for each change, exactly, by pruned dynamic
+///         programming (PELT). The penalty, 2 log(cells / alpha), bounds the probability of a
+///         change in innovations that are as modelled (chi-square tail of two degrees of freedom,
+///         union over places). A segment with more energy, or another level, than the noise by the
+///         same bound is a mismatch.
 /// Omits   mismatch that is quieter than the noise.
 /// Source  Killick, Fearnhead and Eckley 2012, "Optimal detection of changepoints with a linear
 ///         computational cost"; scores of the t distribution as in Harvey 2013, "Dynamic models for

@@ -36,7 +36,7 @@ class Locating : public testing::Test {
       channel.measured.value[k] += residual.value[k];
     }
     channel.variables = {{"lever", MakeSeries(kPeriod_s, lever)}, {"angle", angle}, {"time", time}};
-    return Locate(channel, 0, residual, {.scale = 0.01, .dof = 8}, Stream(5, "shifts"));
+    return Locate(channel, 0, residual, {.scale = 0.01, .dof = 8}, 0.01, Stream(5, "shifts"));
   }
 };
 
