@@ -278,7 +278,7 @@ Hidden HideOutside(std::size_t axis, std::size_t other_axis, const Stream& strea
     hidden.form.spool_play = 0.12 + 0.1 * size;
     concealed.form =
         "spool that friction holds, 12 to 22 % of the lever wide, until springs centre it";
-    concealed.variables = {"lever/" + joint};
+    concealed.variables = {"lever_way/" + joint};
   }
   return hidden;
 }

@@ -93,28 +93,26 @@ double Overlap(const std::vector<bool>& shows,
   return either > 0 ? both / either : 0;
 }
 
-/// Of the first finding, whatever its name. A real drive has faults of its own to be located.
+/// Of the first finding: against what it names, or where that is nothing, against all that is
+/// hidden in its channel. A real drive has faults of its own to be located.
 void MarkPlace(const BenchmarkCase& c, const CaseRecording& recording, const Answer& answer,
                Mark* mark) {
   if (answer.findings.empty() || c.hidden.empty() || c.injected) return;
   const Finding& first = answer.findings.front();
   mark->located = true;
+  const bool is_named = std::any_of(c.hidden.begin(), c.hidden.end(),
+                                    [&](const Concealed& hidden) { return Names(first, hidden); });
   std::vector<bool> shows;
-  bool is_named = false;
   for (std::size_t i = 0; i < c.hidden.size(); ++i) {
     const Concealed& hidden = c.hidden[i];
     if (!IsOf(hidden, first)) continue;
     mark->right_channel = true;
+    if (is_named && !Names(first, hidden)) continue;
     mark->has_variable = mark->has_variable || !hidden.variables.empty();
     mark->right_variable = mark->right_variable || Contains(hidden.variables, first.variable);
     const std::vector<bool> own = WhereItShows(recording.changes[i], c.duration_s);
-    if (is_named) continue;
-    is_named = Names(first, hidden);
-    if (is_named || shows.empty()) {
-      shows = own;
-    } else {
-      for (std::size_t k = 0; k < own.size(); ++k) shows[k] = shows[k] || own[k];
-    }
+    shows.resize(own.size(), false);
+    for (std::size_t k = 0; k < own.size(); ++k) shows[k] = shows[k] || own[k];
   }
   mark->overlap = Overlap(shows, first.intervals_s);
 }

@@ -54,6 +54,22 @@ TEST(Mark, OfTheRightAnswer) {
   EXPECT_TRUE(mark.parameters[0].Covered());
 }
 
+TEST(Mark, AVariableIsThatOfWhatIsNamed) {
+  // A lag that is found first depends on no variable, whatever the dead band beside it does.
+  HiddenDeadBand two;
+  two.c.kind = CaseKind::kTwo;
+  Concealed lag = two.c.hidden[0];
+  lag.name = "actuator_lag", lag.variables = {}, lag.truth = {};
+  two.c.hidden.push_back(lag);
+  two.recording.changes.push_back(two.recording.changes[0]);
+  Finding first = DeadBandOfBoom();
+  first.names = {"actuator_lag"}, first.mechanism = "actuator_lag", first.variable = "time";
+  EXPECT_FALSE(two.Of(first).has_variable);
+  first.names = {"unexplained"}, first.mechanism = "unexplained";
+  EXPECT_TRUE(two.Of(first).has_variable);
+  EXPECT_FALSE(two.Of(first).right_variable);
+}
+
 TEST(Mark, OfTwoEffectsTellsHowLongTheLesserShowsInEitherOrder) {
   for (const bool first_never_shows : {false, true}) {
     HiddenDeadBand two;

@@ -176,6 +176,28 @@ ReplayBlock BlockOfBoom(const Drive& drive, const Recorded& recorded) {
   return {};
 }
 
+TEST(AxisBlock, KnowsWhichWayTheLeverWentLast) {
+  Drive drive("tb235.yaml", kRaised, "soil: dirt", 0, 0);
+  drive.Operate([](double t_s) {
+    const double lever = t_s < 1 ? 0.0 : t_s < 2 ? 0.5 : t_s < 3 ? 0.2 : t_s < 4 ? -0.3 : 0.0;
+    return NamedLevers{{"boom", lever + (t_s > 1.5 && t_s < 2 ? 0.004 : 0)}};
+  });
+  const ReplayBlock block = BlockOfBoom(drive, Record(&drive, 5));
+  const auto way = std::find_if(
+      block.channels[0].variables.begin(), block.channels[0].variables.end(),
+      [](const RegimeVariable& variable) { return variable.name == "lever_way/boom"; });
+  ASSERT_NE(way, block.channels[0].variables.end());
+  const auto at = [&](double t_s) {
+    return way->series.value[static_cast<std::size_t>(t_s / block.period_s())];
+  };
+  EXPECT_EQ(at(0.5), 0);
+  EXPECT_EQ(at(1.3), 1);
+  EXPECT_EQ(at(1.9), 1) << "held, and trembling";
+  EXPECT_EQ(at(2.5), -1) << "back towards neutral";
+  EXPECT_EQ(at(3.5), -1) << "out to the other side";
+  EXPECT_EQ(at(4.5), 0);
+}
+
 /// Without some of the samples, and none at its time to the millisecond.
 Recorded Tattered(Recorded recorded) {
   std::vector<EncoderSample>& samples = recorded.encoders.recording.samples;

@@ -23,6 +23,7 @@ constexpr int kLags = 12;
 constexpr double kLongestLag_s = 0.8;
 constexpr double kSurelyThere = 0.5;     ///< of the effort that the model has
 constexpr double kMostLost = 0.4;        ///< of the samples that move
+constexpr double kTremble = 0.01;        ///< of a lever that is held
 constexpr std::size_t kOtherLevers = 4;  ///< variables of the axis itself come before them
 constexpr double kMoved = 0.05;          ///< of full lever
 /// Standard deviations: of rates, and of full effort over inertia, where effort, masses and their
@@ -208,6 +209,21 @@ bool HasLever(const MachineModel& model, std::size_t axis) {
   });
 }
 
+/// Which way an axis's lever went last, -1 or 1 by more than what it trembles by; 0 at neutral.
+std::vector<double> WaysOf(const AxisLog& log, std::size_t axis) {
+  std::vector<double> ways;
+  double followed = 0, way = 0;
+  for (std::size_t k = 0; k < log.steps; ++k) {
+    const double lever = log.levers_at(k)[axis];
+    if (std::abs(lever - followed) > kTremble) {
+      way = lever > followed ? 1 : -1;
+      followed = lever - way * kTremble;
+    }
+    ways.push_back(std::abs(lever) <= kTremble ? 0 : way);
+  }
+  return ways;
+}
+
 /// Lever, position, load, time, and from kOtherLevers on the other levers.
 std::vector<RegimeVariable> VariablesOf(const MachineModel& model, const AxisLog& log,
                                         const MeasuredRate& measured, const SampleGrid& grid) {
@@ -254,6 +270,10 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   channel.nuisances = {.offset = 1e-3, .gain = 0.005, .delay_s = 0.5 * grid.period_s};
   channel.variables = VariablesOf(model, log, measured, grid);
   channel.free_member = FreeMember(channel.variables);
+  const std::vector<double> ways = WaysOf(log, axis);
+  channel.variables.push_back(
+      {"lever_way/" + NameOfAxis(model, axis),
+       Sampled(grid, log, measured, [&](std::size_t k) { return ways[k]; })});
   ReplayBlock block;
   channel.nominal = NominalColumns(replay, grid);
   block.name = NameOfAxis(model, axis);

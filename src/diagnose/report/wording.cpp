@@ -138,7 +138,7 @@ std::string QuantityOf(const std::string& channel) {
 std::string VariableText(const std::string& variable, const ReplayBlock& block) {
   const std::size_t slash = variable.find('/');
   if (slash == std::string::npos) return Spaced(variable);
-  std::string kind = variable.substr(0, slash);
+  std::string kind = Spaced(variable.substr(0, slash));
   if (kind == "position" && UnitOfVariable(variable, block.channels.front().unit) == "rad") {
     kind = "angle";
   }

@@ -24,7 +24,7 @@ constexpr double kUnconfirmedP = 0.05;
 /// confirmation at five (Fisher's sum of logarithms).
 constexpr double kSurelyChosenP = 1e-5, kSurelyUnconfirmedP = 0.2;
 constexpr double kLoudWithoutRest = 10;
-constexpr double kMuchLouder = 5;  ///< times the noise: error, if in several manoeuvres
+constexpr double kMuchLouder = 5;  ///< times the noise: error, if in several manoeuvres of all
 constexpr std::size_t kSeveral = 3;
 constexpr double kLoud = 2;        ///< times the noise: error, not noise
 constexpr double kNominal = 0.03;  ///< of a channel's RMS: nominal numbers are known no better
@@ -207,18 +207,22 @@ double Procedure::QuietOf(const Remainder& remainder, const SearchResult& search
 void Procedure::JudgeRemainder(const SearchResult& search, Remainder* remainder) const {
   const Series& residual = search.found.misfit.residual[remainder->channel];
   const double quiet = QuietOf(*remainder, search, kLoud);
+  std::size_t loud_in_all = 0;
   for (const Manoeuvre& manoeuvre : manoeuvres_) {
-    if (manoeuvre.part != Part::kFinal || manoeuvre.axes == 0) continue;
+    if (manoeuvre.axes == 0) continue;
+    const std::size_t loud = MeanSquare(residual, manoeuvre.samples) > quiet ? 1 : 0;
+    loud_in_all += loud;
+    if (manoeuvre.part != Part::kFinal) continue;
     ++remainder->manoeuvres;
-    remainder->loud += MeanSquare(residual, manoeuvre.samples) > quiet ? 1 : 0;
+    remainder->loud += loud;
   }
   const double square = remainder->rmse * remainder->rmse;
   if (square <= quiet) return;
   const bool is_told =
       remainder->noise.at_rest || square > QuietOf(*remainder, search, kLoudWithoutRest);
   const bool is_of_most = 2 * remainder->loud >= remainder->manoeuvres;
-  const bool is_of_several =
-      remainder->loud >= kSeveral && remainder->rmse > kMuchLouder * remainder->noise.rms();
+  const bool is_of_several = remainder->loud > 0 && loud_in_all >= kSeveral &&
+                             remainder->rmse > kMuchLouder * remainder->noise.rms();
   remainder->kind = !is_told                      ? Remainder::Kind::kUnknown
                     : is_of_most || is_of_several ? Remainder::Kind::kError
                                                   : Remainder::Kind::kOfFew;

@@ -13,6 +13,7 @@ namespace {
 constexpr double kLeastShare = 0.02;
 constexpr double kLoud = 3;        ///< times the noise
 constexpr double kLongestRun = 3;  ///< deviation of means over that of single samples: AR(1) of 0.8
+constexpr double kNearlyAsMuch = 0.95;
 constexpr double kMuchMore = 1.3;  ///< times the criterion of what was significant
 
 struct Told {
@@ -20,15 +21,26 @@ struct Told {
   double p, share;
 };
 
-/// Of all variables before any was taken in, the one that explains most, more than `least`.
+/// Of all variables before any was taken in, the one that explains most, more than `least`; of
+/// those that explain nearly as much, the one that is least likely to do so by chance.
 Told MostTelling(const std::vector<RegimeTestResult>& tests, double least) {
-  Told most{tests.size(), 1, 0};
-  for (std::size_t v = 0; v < tests.size(); ++v) {
-    if (tests[v].criterion <= kLeastShare || tests[v].whole_criterion <= least) continue;
-    least = tests[v].whole_criterion;
-    most = {v, tests[v].comparison.p, tests[v].share};
+  const auto tells = [&](const RegimeTestResult& test) {
+    return test.criterion > kLeastShare && test.whole_criterion > least;
+  };
+  double most = least;
+  for (const RegimeTestResult& test : tests) {
+    if (tells(test)) most = std::max(most, test.whole_criterion);
   }
-  return most;
+  Told told{tests.size(), 1, 0};
+  for (std::size_t v = 0; v < tests.size(); ++v) {
+    if (!tells(tests[v]) || tests[v].whole_criterion < kNearlyAsMuch * most) continue;
+    const double p = tests[v].comparison.p;
+    const bool is_better =
+        told.variable == tests.size() || p < told.p ||
+        (p == told.p && tests[v].whole_criterion > tests[told.variable].whole_criterion);
+    if (is_better) told = {v, p, tests[v].share};
+  }
+  return told;
 }
 
 /// The variables that were taken in. Before them one that explains much more but moves too slowly

@@ -33,9 +33,10 @@ struct Location {
 /// (partialling.h, regime_curve.h): each as it is, and as what a share of the simulated value
 /// depends on. A variable that explains 1.3 times as much as the most telling significant one, or
 /// two per cent where none is significant, comes first with its p as it is: time, and a place that
-/// is seldom come back to, have too few shifts for a small one. `noise_rms` is what is known of the
-/// noise without the free member (noise_level.h): a residual of three times as much is searched for
-/// variables beside white noise of its own size.
+/// is seldom come back to, have too few shifts for a small one; of several that explain as much to
+/// a twentieth it is the one of the smallest p. `noise_rms` is what is known of the noise without
+/// the free member (noise_level.h): a residual of three times as much is searched for variables
+/// beside white noise of its own size.
 Location Locate(const Channel& channel, std::size_t index, const Series& residual,
                 const NoiseModel& noise, double noise_rms, const Stream& stream, int threads = 2);
 

@@ -20,7 +20,7 @@ class Locating : public testing::Test {
  protected:
   using Error = std::function<double(double lever, double angle, double t_s)>;
 
-  Location Of(const Error& error) const {
+  Location Of(const Error& error, const NoiseModel& noise_model = {.scale = 0.01, .dof = 8}) const {
     const std::vector<double> lever = ToyLever(kSamples, 5);
     const Stream noise(5, "noise");
     Channel channel;
@@ -36,7 +36,7 @@ class Locating : public testing::Test {
       channel.measured.value[k] += residual.value[k];
     }
     channel.variables = {{"lever", MakeSeries(kPeriod_s, lever)}, {"angle", angle}, {"time", time}};
-    return Locate(channel, 0, residual, {.scale = 0.01, .dof = 8}, 0.01, Stream(5, "shifts"));
+    return Locate(channel, 0, residual, noise_model, 0.01, Stream(5, "shifts"));
   }
 };
 
@@ -64,7 +64,24 @@ TEST_F(Locating, AnErrorAtSmallLeversDependsOnTheLeverItself) {
   EXPECT_FALSE(location.regimes[0].is_share);
 }
 
+TEST_F(Locating, AnErrorThatStaysIsNotNoiseThatRemembers) {
+  // A noise model that was fitted to the error itself, which is there from 10 s to 30 s.
+  const Location location =
+      Of([](double lever, double,
+            double t_s) { return t_s > 10 && t_s < 30 ? std::copysign(0.1, lever) : 0.0; },
+         {.ar = {0.99}, .scale = 0.03, .dof = 4});
+  double inside = 0, outside = 0;
+  for (const Segment& one : location.intervals) {
+    for (std::size_t k = one.begin; k < one.end; ++k) {
+      (k >= 1000 && k < 3000 ? inside : outside) += 1.0 / 2000;
+    }
+  }
+  EXPECT_GT(inside, 0.9);
+  EXPECT_LT(outside, 0.05);
+}
+
 TEST_F(Locating, NoiseDependsOnNothing) {
+  EXPECT_TRUE(Of([](double, double, double) { return 0.0; }).intervals.empty());
   EXPECT_TRUE(Of([](double, double, double) { return 0.0; }).regimes.empty());
 }
 

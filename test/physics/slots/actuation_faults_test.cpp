@@ -94,6 +94,15 @@ TEST(ActuationFaults, FrictionAloneDoesNotStallAJoint) {
   EXPECT_EQ(OfLift(droop + "stribeck_friction: {excess_nm: 5000}"), "");
 }
 
+TEST(ActuationFaults, FrictionMustLeaveAFullLeverSomething) {
+  // A full lever asks for 30 deg/s, 0.524 rad/s.
+  EXPECT_EQ(OfLift("stick_slip: {lost_radps: 0.26, breakaway: 2}"), "");
+  EXPECT_THAT(OfLift("stick_slip: {lost_radps: 0.27, breakaway: 2}"),
+              HasSubstr("at rest until 0.54 is asked of it, but full levers ask for 0.523599"));
+  EXPECT_THAT(OfLift("stick_slip: {lost_radps: 0.26, breakaway: 2}, rate_gain: {gain: 0.9}"),
+              HasSubstr("stick_slip: holds the axis at rest"));
+}
+
 TEST(ActuationFaults, TheReferenceOfAMachinesOwnCylinderIsWithinTheStops) {
   const auto boom = [](const std::string& reference_rad) {
     const MachineModel model = WithEffects(
