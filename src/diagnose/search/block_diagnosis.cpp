@@ -125,9 +125,6 @@ double VarianceOf(const NoiseModel& noise) {
 
 bool IsNearer(const HeldOutError& error) { return error.rmse_after < error.rmse_before; }
 
-/// By more than a few samples of heavy tails may make.
-bool IsFurther(const HeldOutError& error) { return error.rmse_after > 1.02 * error.rmse_before; }
-
 /// At which a steady gain on FINAL confirms a finding.
 double LevelOf(const Finding& finding) {
   const bool is_sure = finding.evidence.steady_p <= kSurelyChosenP && IsNearer(finding.held_out);
@@ -186,9 +183,8 @@ Finding Procedure::Describe(const SearchResult& search, std::size_t term) const 
   const bool bets =
       IsNearer(finding.held_out) && finding.evidence.share >= options_.least_share_of_bet;
   finding.held_out.p = bets ? GainP(gains) : SteadyGainP(gains);
-  const bool gains_again =
+  finding.is_confirmed =
       bets ? AreConfirming(gains, LevelOf(finding)) : SteadyGainP(gains) <= LevelOf(finding);
-  finding.is_confirmed = gains_again && !IsFurther(finding.held_out);
   return finding;
 }
 
