@@ -128,6 +128,28 @@ TEST(BlockDiagnosis, SaysThatSomethingIsLeftAndOfWhatItIsAFunction) {
   EXPECT_EQ(diagnosis.unexplained[0].location.regimes[0].variable, "temperature");
 }
 
+TEST(BlockDiagnosis, WhatIsLoudInManyButHardlyInThoseKeptBackIsUnexplained) {
+  // A ripple that no suspect and no free member follows, until it has died away.
+  const std::vector<double> lever = ToyLever(kSamples, 33);
+  ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, kNoise, 33), {0, 2, 3});
+  const Stream stream(33, "diagnose");
+  std::size_t kept_back = 0, all = 0;
+  Series& measured = block.channels[0].measured;
+  for (const Manoeuvre& manoeuvre : ManoeuvresOf(block, stream)) {
+    if (manoeuvre.axes == 0 || (manoeuvre.part == Part::kFinal && kept_back > 0)) continue;
+    kept_back += manoeuvre.part == Part::kFinal ? 1 : 0;
+    if (++all > 5) continue;
+    for (std::size_t k = manoeuvre.samples.begin; k < manoeuvre.samples.end; ++k) {
+      if (measured.valid[k]) measured.value[k] += 1.5 * std::sin(25 * lever[k]);
+    }
+  }
+  const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, stream);
+  ASSERT_EQ(diagnosis.remainders.size(), 1u);
+  EXPECT_LT(2 * diagnosis.remainders[0].loud, diagnosis.remainders[0].manoeuvres);
+  EXPECT_LT(diagnosis.remainders[0].loud, 3u);
+  EXPECT_EQ(diagnosis.unexplained.size(), 1u);
+}
+
 TEST(BlockDiagnosis, SaysWhatALeverAtRestCannotShow) {
   const std::vector<double> lever(kSamples, 0.0);
   const ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, kNoise, 16), {0, 2, 3});
