@@ -98,6 +98,7 @@ RealDrive RealDrive::Part(double from_s, double length_s) const {
 }
 
 bool IsOfRealDrive(const std::string& target, const std::string& mechanism) {
+  if (target == "base") return mechanism == "track_asymmetry";
   return target == "poses" && (mechanism == "arrival_stamps" || mechanism == "latency");
 }
 

@@ -29,7 +29,9 @@ struct InjectedCase {
 };
 
 /// Whether a finding is of the vehicle itself, whatever was put in: its poses come late, and are
-/// stamped as they come (they stand still and jump while all wheels turn evenly).
+/// stamped as they come (they stand still and jump while all wheels turn evenly), and its sides
+/// differ by one or two per cent, which its gyroscope and wheels show without poses
+/// (scripts/gyro_asymmetry.py).
 bool IsOfRealDrive(const std::string& target, const std::string& mechanism);
 
 /// Names of effects that are put into real drives.

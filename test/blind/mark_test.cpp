@@ -124,6 +124,8 @@ TEST(Mark, OfWhatARealDriveHasOfItsOwnIsNeitherRightNorWrong) {
   EXPECT_FALSE(hidden.Of(own).confident_wrong || hidden.Of(own).spurious);
   own.target = "base";
   EXPECT_TRUE(hidden.Of(own).confident_wrong);
+  own.names = {"track_asymmetry"}, own.mechanism = "track_asymmetry";
+  EXPECT_FALSE(hidden.Of(own).confident_wrong || hidden.Of(own).spurious);
 }
 
 TEST(Mark, OfAnEffectThatHasNoName) {
