@@ -67,11 +67,9 @@ double AxisEquations::Wanted_radps(const Surroundings& at, std::span<const doubl
   return rate;
 }
 
-double AxisEquations::Motor_nm(const Surroundings& at, double wanted_radps, double w_radps) const {
-  const double servo_s = form_.bristle_nm > 0 ? kWeakDrive_s : kServo_s;
-  const double asked = at.load_nm + at.inertia_kgm2 * (wanted_radps - w_radps) / servo_s;
-  const double most = excavator_.axis(axis_).effort_nm;
-  return std::clamp(asked, -most, most);
+double AxisEquations::Asked_nm(const Surroundings& at, double wanted_radps, double w_radps) const {
+  const double servo_s = form_.bristle_nm > 0 ? form_.weak_s : kServo_s;
+  return at.load_nm + at.inertia_kgm2 * (wanted_radps - w_radps) / servo_s;
 }
 
 void AxisEquations::Derive(const Surroundings& at, std::span<const double> x,
@@ -125,12 +123,13 @@ void AxisEquations::Derive(const Surroundings& at, std::span<const double> x,
       // Bristles that bend until they slip.
       const double stiffness = form_.bristle_nm / 5e-4;
       const double slide = w / form_.bristle_radps;
-      const double hold =
-          form_.bristle_nm * (kSlidingShare + (1 - kSlidingShare) * std::exp(-slide * slide));
+      const double hold = form_.bristle_nm * (form_.sliding_share +
+                                              (1 - form_.sliding_share) * std::exp(-slide * slide));
       d[kBristle] = w - stiffness * std::abs(w) / hold * own[kBristle];
       friction = stiffness * own[kBristle] + 0.02 * I * 2 * std::sqrt(stiffness / I) * d[kBristle];
     }
-    d[kRate] = (Motor_nm(at, wanted, w) - at.load_nm - friction) / I;
+    const double most = excavator_.axis(axis_).effort_nm;
+    d[kRate] = (std::clamp(Asked_nm(at, wanted, w), -most, most) - at.load_nm - friction) / I;
   }
 }
 
@@ -142,8 +141,9 @@ void AxisEquations::Edges(const Surroundings& at, std::span<const double> x,
   edges[0] = form_.overlap > 0 ? std::abs(signal) - form_.overlap : 1;
   edges[1] = form_.gap_rad > 0 ? std::abs(own[kDrive] - own[kAngle]) - form_.gap_rad / 2 : 1;
   const double wanted = Wanted_radps(at, x, own[kAngle]);
-  const double asked = at.load_nm + at.inertia_kgm2 * (wanted - own[kRate]) / kServo_s;
+  const double asked = Asked_nm(at, wanted, own[kRate]);
   edges[2] = std::abs(asked) / excavator_.axis(axis_).effort_nm - 1;
+  edges[3] = form_.bristle_nm > 0 ? own[kRate] : 1;
 }
 
 }  // namespace tera::blind

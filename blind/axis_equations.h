@@ -26,7 +26,7 @@ class AxisEquations {
   AxisEquations(const Excavator& excavator, std::size_t axis, const AxisForm& form);
 
   std::size_t size() const { return kFixed + form_.line_stages; }
-  static constexpr std::size_t kEdges = 3;
+  static constexpr std::size_t kEdges = 4;
 
   double angle(std::span<const double> x) const { return x[form_.line_stages + kAngle]; }
   double rate(std::span<const double> x) const { return x[form_.line_stages + kRate]; }
@@ -53,7 +53,8 @@ class AxisEquations {
 
   double Opening(double lever) const;
   double Wanted_radps(const Surroundings& at, std::span<const double> x, double q_rad) const;
-  double Motor_nm(const Surroundings& at, double wanted_radps, double w_radps) const;
+  /// What a motor asks of itself; it gives as much as it can.
+  double Asked_nm(const Surroundings& at, double wanted_radps, double w_radps) const;
 
   const Excavator& excavator_;
   std::size_t axis_;

@@ -7,10 +7,6 @@ namespace tera::blind {
 /// Spool, pilot and coil.
 inline constexpr double kLagShares[] = {50. / 63, 10. / 63, 3. / 63};
 
-/// In which a drive that gives way to friction follows, and what sliding bristles hold of those
-/// that stick.
-inline constexpr double kWeakDrive_s = 0.08, kSlidingShare = 0.6;
-
 /// How one joint's drive departs from the ideal, in the forms of this benchmark: none is written as
 /// the mechanism of the library that should be named for it. 0, or 1 for factors, is ideal.
 ///
@@ -23,8 +19,7 @@ struct AxisForm {
   double line_s = 0;          ///< sum of the line's lags
   std::size_t line_stages = 0;
 
-  double spool_play =
-      0;  ///< of the lever, within which friction holds the spool; centred by springs
+  double spool_play = 0;  ///< of the lever: friction holds the spool within; springs centre it
 
   // Valve: what the notches of its spool open.
   double overlap = 0;       ///< of the spool over the port, of its full stroke
@@ -43,9 +38,11 @@ struct AxisForm {
   // Cylinder, structure, pins.
   bool pins = false;       ///< the lever sets the piston's rate, the pins make the joint's
   double pins_at_rad = 0;  ///< where that gives the nominal rate
-  double flex_radps = 0, flex_damping = 0;      ///< mass on a spring behind the drive
-  double gap_rad = 0;                           ///< two masses, the second held by its seized pin
-  double bristle_nm = 0, bristle_radps = 0.05;  ///< LuGre against a drive that gives way
+  double flex_radps = 0, flex_damping = 0;  ///< mass on a spring behind the drive
+  double gap_rad = 0;                       ///< two masses, the second held by its seized pin
+  // LuGre against a motor that gives way: it follows in `weak_s`, and bristles that slide hold a
+  // share of what they hold at rest.
+  double bristle_nm = 0, bristle_radps = 0.05, sliding_share = 0.6, weak_s = 0.08;
 
   // What the library does not know.
   double warm_share = 0, warm_s = 1;  ///< rate less by share e^(-t / warm)

@@ -158,13 +158,17 @@ void Backlash(const Setting& s, Hidden* out) {
   out->concealed.variables = {};
 }
 
-void StickSlip(const Setting& s, Hidden* out) {
+void DriveFriction(const Setting& s, Hidden* out) {
   const double inertia_kgm2 = s.excavator.Inertias_kgm2(s.start_rad)[s.axis];
-  const double bristle_radps2 = s.Size(1.7, 0.9, 0.45);
-  out->form.bristle_nm = bristle_radps2 * inertia_kgm2;
+  AxisForm& form = out->form;
+  form.weak_s = 0.04 + 0.1 * s.stream.Uniform(1);
+  form.sliding_share = 0.5 + 0.35 * s.stream.Uniform(2);
+  form.bristle_radps = 0.02 + 0.06 * s.stream.Uniform(3);
+  const double lost_radps = s.Size(0.08, 0.045, 0.02);
+  form.bristle_nm = lost_radps / (form.sliding_share * form.weak_s) * inertia_kgm2;
   out->concealed.form = "LuGre friction against a drive that gives way";
-  out->concealed.truth = {{"lost_radps", kSlidingShare * bristle_radps2 * kWeakDrive_s},
-                          {"time_s", kWeakDrive_s}};
+  // What they hold at rest depends on how fast the effort grows, and so is not asked for.
+  out->concealed.truth = {{"lost_radps", lost_radps}, {"time_s", form.weak_s}};
 }
 
 std::string ChannelOf(std::size_t axis) { return fmt::format("encoders/{}_radps", kJoints[axis]); }
@@ -196,7 +200,7 @@ const std::vector<Effect>& Effects() {
       {"cylinder_lever", OnPinned, Pins},
       {"structural_flex", OnQuick, Flex, true},
       {"backlash", OnBucket, Backlash, true},
-      {"stick_slip", OnQuick, StickSlip, true},
+      {"drive_friction", OnQuick, DriveFriction, true},
   };
   return effects;
 }

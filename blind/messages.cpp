@@ -4,6 +4,11 @@
 #include <cmath>
 
 namespace tera::blind {
+namespace {
+
+constexpr double kCentred = 0.01;  ///< of the lever, at which springs have the spool to themselves
+
+}  // namespace
 
 void Messages::Send(double t_s, double lever) {
   // A slow reader sees only what is there when it looks.
@@ -21,7 +26,7 @@ void Messages::Send(double t_s, double lever) {
 double Messages::At(double t_s) {
   while (next_ < sent_.size() && sent_[next_].comes_s <= t_s + 1e-9) {
     const double lever = sent_[next_++].lever, play = form_.spool_play / 2;
-    held_ = lever == 0 ? 0.0 : std::clamp(held_, lever - play, lever + play);
+    held_ = std::abs(lever) <= kCentred ? 0.0 : std::clamp(held_, lever - play, lever + play);
   }
   return held_;
 }

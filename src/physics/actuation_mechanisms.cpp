@@ -88,7 +88,7 @@ std::vector<Mechanism> Table() {
        kLoadFriction,
        drives,
        {{"drift_radps", "rad/s", 0, 0.15, {}}, {"oil_degc", "C", -20, 110, 40.0}}},
-      {"stick_slip",
+      {"drive_friction",
        kLoadFriction,
        drives,
        {{"lost_radps", "rad/s", 0, 5, {}},

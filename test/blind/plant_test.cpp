@@ -153,11 +153,11 @@ TEST(Plant, FrictionTakesItsRateFromAWeakDrive) {
   AxisForm form;
   const double lost_radps = 0.05;
   form.bristle_nm =
-      lost_radps / (kSlidingShare * kWeakDrive_s) * Tb235().Inertias_kgm2(Folded())[kArm];
+      lost_radps / (form.sliding_share * form.weak_s) * Tb235().Inertias_kgm2(Folded())[kArm];
   const double full_radps = 43.3 * kDeg;
   EXPECT_NEAR(At(Driven(kArm, form, 1.5, [](double) { return 0.4; }), kArm, 1.0),
               0.4 * full_radps - lost_radps, 0.003);
-  const double held = 0.95 * lost_radps / kSlidingShare / full_radps;
+  const double held = 0.95 * lost_radps / form.sliding_share / full_radps;
   EXPECT_NEAR(At(Driven(kArm, form, 1.5, [&](double) { return held; }), kArm, 1.4), 0, 1e-3);
 }
 

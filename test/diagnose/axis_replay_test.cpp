@@ -180,7 +180,7 @@ TEST(AxisBlock, KnowsWhichWayTheLeverWentLast) {
   Drive drive("tb235.yaml", kRaised, "soil: dirt", 0, 0);
   drive.Operate([](double t_s) {
     const double lever = t_s < 1 ? 0.0 : t_s < 2 ? 0.5 : t_s < 3 ? 0.2 : t_s < 4 ? -0.3 : 0.0;
-    return NamedLevers{{"boom", lever + (t_s > 1.5 && t_s < 2 ? 0.004 : 0)}};
+    return NamedLevers{{"boom", lever - (t_s > 1.5 && t_s < 2 ? 0.004 : 0)}};
   });
   const ReplayBlock block = BlockOfBoom(drive, Record(&drive, 5));
   const auto way = std::find_if(

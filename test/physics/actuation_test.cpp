@@ -195,8 +195,8 @@ TEST(Actuation, EveryMechanismAtItsBoundsKeepsAJointWithinItsLimits) {
       }
     }
   }
-  // All but cylinder_lever at its lower bounds, an angle without pins, and dead_band and stick_slip
-  // at their upper ones, which leave nothing of positive levers, or of any.
+  // All but cylinder_lever at its lower bounds, an angle without pins, and dead_band and
+  // drive_friction at their upper ones, which leave nothing of positive levers, or of any.
   EXPECT_EQ(tried, 2 * static_cast<int>(ActuationMechanisms().size()) - 3);
 }
 

@@ -206,7 +206,7 @@ TEST(GearLoad, EveryMechanismAtItsBoundsKeepsTracksWithinTheirLimits) {
         const MachineModel model = CrawlerRun::Model(effects, ground);
         const bool refused = !FaultsOfGear(model, 0).empty() || !FaultsOfPump(model, 0).empty();
         // At their upper bounds these leave nothing of levers.
-        const bool leaves_nothing = mechanism.id == "dead_band" || mechanism.id == "stick_slip";
+        const bool leaves_nothing = mechanism.id == "dead_band" || mechanism.id == "drive_friction";
         ASSERT_EQ(refused, leaves_nothing && upper) << effect;
         if (refused) continue;
         const int reversals = Reversals(effects, ground);

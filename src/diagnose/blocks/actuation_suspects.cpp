@@ -16,7 +16,8 @@ constexpr double kLeastTogether_s = 2;
 
 /// What an axis did in the log.
 struct Reach {
-  double full_rate_radps = 0, largest_load_nm = 0;
+  double full_rate_radps = 0, slower_rate_radps = 0;  ///< the slower of the ways that it moves
+  double largest_load_nm = 0;
   double lowest_rad = 0, highest_rad = 0;
   bool is_joint = false, has_stops = false, has_cylinder = false;
 };
@@ -27,12 +28,16 @@ Reach ReachOf(const MachineModel& model, const AxisLog& log, std::size_t axis) {
   if (reach.is_joint) {
     const Joint& joint = model.joints[axis];
     reach.full_rate_radps = std::max(joint.max_rate_positive_radps, joint.max_rate_negative_radps);
+    reach.slower_rate_radps =
+        std::min(joint.max_rate_positive_radps, joint.max_rate_negative_radps);
+    if (reach.slower_rate_radps == 0) reach.slower_rate_radps = reach.full_rate_radps;
     reach.has_stops = joint.type != JointType::kContinuous && joint.lower_rad < joint.upper_rad;
     for (const Cylinder& cylinder : model.cylinders) {
       reach.has_cylinder = reach.has_cylinder || cylinder.joint == static_cast<int>(axis);
     }
   } else {
     reach.full_rate_radps = model.gear_drives[axis - model.joints.size()].max_rate_radps;
+    reach.slower_rate_radps = reach.full_rate_radps;
   }
   reach.lowest_rad = reach.highest_rad = log.motion[axis].position_rad;
   for (std::size_t k = 0; k < log.steps; ++k) {
@@ -102,11 +107,11 @@ void AddGainAndLoad(const Reach& reach, SuspectList* out) {
               {0, 0, 0, 0.2 * low + 0.8 * high}});
   }
   // Without some friction it would be a lag by another name; with more, full levers would not move.
-  const double w = reach.full_rate_radps;
-  out->Add("stick_slip",
-           {{0, 0.01 * w, 0.3 * w, true},
+  const double w = reach.slower_rate_radps;
+  out->Add("drive_friction",
+           {{0, 0.01 * w, 0.25 * w, true},
             {1, 0, 0.5},
-            {.index = 2, .lower = 1, .upper = 3, .refines = true}},
+            {.index = 2, .lower = 1, .upper = 2.5, .refines = true}},
            {{0.03 * w, 0.02, 1, 0.02},
             {0.08 * w, 0.08, 1, 0.02},
             {0.2 * w, 0.08, 1, 0.02},

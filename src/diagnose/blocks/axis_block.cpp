@@ -23,7 +23,7 @@ constexpr int kLags = 12;
 constexpr double kLongestLag_s = 0.8;
 constexpr double kSurelyThere = 0.5;     ///< of the effort that the model has
 constexpr double kMostLost = 0.4;        ///< of the samples that move
-constexpr double kTremble = 0.01;        ///< of a lever that is held
+constexpr double kTremble = 0.01;        ///< of a lever that is held, either way
 constexpr std::size_t kOtherLevers = 4;  ///< variables of the axis itself come before them
 constexpr double kMoved = 0.05;          ///< of full lever
 /// Standard deviations: of rates, and of full effort over inertia, where effort, masses and their

@@ -18,7 +18,6 @@ constexpr double kSeen =
     20;  ///< gain in log-likelihood that the criterion asks for on TRAIN, and as much of SELECT
 constexpr std::uint64_t kDraws = 20;  ///< of noise, of which three quarters are to show a suspect
 constexpr double kLeastUnexplained = 0.05;
-constexpr std::size_t kLongestResponse = 2000;
 constexpr double kUnconfirmedP = 0.05;
 /// Of a term that was chosen so surely; together they are rarer than a choice at one per cent and a
 /// confirmation at five (Fisher's sum of logarithms).
@@ -108,21 +107,6 @@ double MeanSquare(const Series& residual, const Segment& samples) {
   return MeanSquare(residual, mask);
 }
 
-/// Of the process, by its response to single innovations; those of a t distribution.
-double VarianceOf(const NoiseModel& noise) {
-  std::vector<double> response = {1};
-  double sum = 1;
-  for (std::size_t k = 1; k < kLongestResponse; ++k) {
-    double next = 0;
-    for (std::size_t i = 0; i < std::min(noise.order(), k); ++i) {
-      next += noise.ar[i] * response[k - 1 - i];
-    }
-    response.push_back(next);
-    sum += next * next;
-  }
-  return sum * noise.scale * noise.scale * noise.dof / (noise.dof - 2);
-}
-
 bool IsNearer(const HeldOutError& error) { return error.rmse_after < error.rmse_before; }
 
 /// At which a steady gain on FINAL confirms a finding.
@@ -177,7 +161,7 @@ Finding Procedure::Describe(const SearchResult& search, std::size_t term) const 
   const NoiseLevel level =
       NoiseLevelOf(block_, channel, found.misfit.residual[channel], Not(final_mask_));
   finding.location = Locate(block_.channels[channel], channel, without.misfit.residual[channel],
-                            likelihood_.noise()[channel], level.rms(), stream_, options_.threads);
+                            likelihood_.noise()[channel], level, stream_, options_.threads);
   finding.held_out = Compare(without, found, channel);
   const auto gains = GainsOf(likelihood_, without.misfit, found.misfit, final_);
   const bool bets =
@@ -266,7 +250,7 @@ void Procedure::FindUnexplained(BlockDiagnosis* out) const {
     if (follows) left.p = p;
     if (!follows && remainder.kind != Remainder::Kind::kError) continue;
     left.location = Locate(block_.channels[c], c, misfit.residual[c], likelihood_.noise()[c],
-                           remainder.noise.rms(), stream_, options_.threads);
+                           remainder.noise, stream_, options_.threads);
     out->unexplained.push_back(std::move(left));
   }
 }

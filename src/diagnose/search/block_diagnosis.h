@@ -49,7 +49,8 @@ struct Remainder {
   /// The free member predicts manoeuvres of TRAIN that it has not seen: it could show what is left.
   bool free_member_tells = false;
   std::size_t manoeuvres = 0, loud = 0;  ///< of FINAL that move, and those louder than noise
-  /// Noise, or what nominal numbers are off by; error of most manoeuvres or of a few; unknown where
+  /// Noise, or what nominal numbers are off by; error of most manoeuvres, or of several in the
+  /// whole recording, or of a few; unknown where
   /// it is louder than differences between samples say and the recording has no rest to tell.
   enum class Kind { kNoise, kUnknown, kOfFew, kError } kind = Kind::kNoise;
 };
@@ -93,11 +94,11 @@ std::vector<Manoeuvre> ManoeuvresOf(const ReplayBlock& block, const Stream& stre
 ///         channel on FINAL is noise where it is at most twice the channel's noise (noise_level.h),
 ///         or adds to it no more than 3 % of the largest RMS among channels of its unit, the axes
 ///         of one quantity, and 2 % of the variance that was there beyond noise before anything was
-///         found. What is louder in half of the manoeuvres or more, or in three and five times the
-///         noise in all, is unexplained, and so is what the free member still follows, steadily
-///         over SELECT (Bonferroni over the diagnosis's channels) and FINAL. In a recording without
-///         rest, ten times the noise: noise of AR(1), 0.995, is so much louder than its
-///         differences.
+///         found. What is louder in half of the manoeuvres or more, or in one with three in the
+///         whole recording and five times the noise in all, is unexplained, and so is what the free
+///         member still follows, steadily over SELECT (Bonferroni over the diagnosis's channels)
+///         and FINAL. In a recording without rest, ten times the noise: noise of AR(1), 0.995, is
+///         so much louder than its differences.
 BlockDiagnosis DiagnoseBlock(const ReplayBlock& block, const SearchOptions& options,
                              const Stream& stream);
 

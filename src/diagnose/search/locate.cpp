@@ -5,13 +5,17 @@
 
 #include "diagnose/statistics/change_points.h"
 #include "diagnose/statistics/partialling.h"
+#include "diagnose/statistics/robust.h"
 #include "diagnose/statistics/whitening.h"
 
 namespace tera {
 namespace {
 
 constexpr double kLeastShare = 0.02;
-constexpr double kLoud = 3;        ///< times the noise
+constexpr double kAlpha = 0.01;           ///< of any interval where there is noise alone
+constexpr double kLeastDeviation = 1e-6;  ///< of a residual, where there is no noise
+constexpr double kLoud = 3;               ///< times the noise
+constexpr double kLoudWithoutRest = 10;   ///< the same, where slow noise is not known
 constexpr double kLongestRun = 3;  ///< deviation of means over that of single samples: AR(1) of 0.8
 constexpr double kNearlyAsMuch = 0.95;
 constexpr double kMuchMore = 1.3;  ///< times the criterion of what was significant
@@ -63,11 +67,10 @@ std::vector<Told> Telling(const Partialling& found) {
   return telling;
 }
 
-/// Of the mean over many samples: what its deviation is times the root of their number.
-double LongRunDeviation(const NoiseModel& noise) {
-  double left = 1;
-  for (const double a : noise.ar) left -= a;
-  return noise.scale / std::abs(left);
+double Rms(const Series& series) {
+  double sum = 0, count = 0;
+  for (const double value : ValidValues(series)) sum += value * value, ++count;
+  return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
 /// Stretches of either list, in order, joined where they meet.
@@ -86,27 +89,42 @@ std::vector<Segment> Either(std::vector<Segment> a, const std::vector<Segment>& 
   return joined;
 }
 
-/// Where a residual is more than noise: as it comes, by innovations, and as it stays, by itself
-/// over the noise's long run. A noise model that was fitted beside what the free member could not
-/// follow takes that for noise which remembers; the noise's size sets a bound to it.
-std::vector<Segment> Mismatch(const Series& residual, const NoiseModel& noise, double noise_rms) {
-  const double deviation = std::min(LongRunDeviation(noise), kLongestRun * noise_rms);
-  Series by_itself = residual;
-  for (double& value : by_itself.value) value /= deviation;
-  return Either(FindChangePoints(Whiten(noise, residual).Steady(), noise.dof).mismatch,
-                FindChangePoints(by_itself, noise.dof, {.guarded = false}).mismatch);
+/// Deviation of the noise, of a sample or of a mean over many if that is more. A noise model that
+/// was fitted beside what the free member could not follow takes that for noise which remembers;
+/// the noise at rest sets a bound to it.
+double LongRunDeviation(const NoiseModel& noise, const NoiseLevel& level) {
+  const double deviation = std::sqrt(std::max(VarianceOf(noise), LongRunVarianceOf(noise)));
+  return level.at_rest ? std::min(deviation, kLongestRun * level.rms()) : deviation;
 }
 
-/// What a regime is judged beside: the noise, or, where the residual is much louder, white noise
-/// of its size. What else is wrong then counts for more than what was measured badly, and
-/// differences from sample to sample no more than levels do.
-NoiseModel NoiseBeside(const Series& residual, const NoiseModel& noise, double noise_rms) {
-  const std::vector<double> left = ValidValues(residual);
-  double square = 0;
-  for (const double value : left) square += value * value;
-  const double rms = std::sqrt(square / static_cast<double>(std::max<std::size_t>(1, left.size())));
-  if (rms <= kLoud * noise_rms) return noise;
-  return {.scale = rms, .dof = 10};
+/// Where a residual is more than noise: as it comes, by innovations, and as it stays, by itself.
+std::vector<Segment> Mismatch(const Series& residual, const NoiseModel& noise,
+                              const NoiseLevel& level) {
+  const std::vector<Segment> as_it_comes =
+      FindChangePoints(Whiten(noise, residual).Steady(), noise.dof, {.alpha = kAlpha / 2}).mismatch;
+  const double deviation =
+      std::max(LongRunDeviation(noise, level), kLeastDeviation * Rms(residual));
+  if (deviation == 0) return as_it_comes;
+  Series by_itself = residual;
+  for (double& value : by_itself.value) value /= deviation;
+  return Either(
+      as_it_comes,
+      FindChangePoints(by_itself, noise.dof, {.alpha = kAlpha / 2, .guarded = false}).mismatch);
+}
+
+/// What a regime is judged beside, and after how many samples a residual says something new.
+struct Beside {
+  NoiseModel noise;
+  double repeats = 1;
+};
+
+/// The noise, or, where the residual is much louder, white noise of its size. What else is wrong
+/// then counts for more than what was measured badly, and differences from sample to sample no
+/// more than levels do.
+Beside NoiseBeside(const Series& residual, const NoiseModel& noise, const NoiseLevel& level) {
+  const double rms = Rms(residual);
+  if (rms <= (level.at_rest ? kLoud : kLoudWithoutRest) * level.rms()) return {noise};
+  return {{.scale = rms, .dof = 10}, static_cast<double>(CorrelationLength(ValidValues(residual)))};
 }
 
 /// The channel's variables, and each again as what a share of the simulated value may depend on.
@@ -131,20 +149,23 @@ Eigen::MatrixXd KnownBefore(const Eigen::MatrixXd& known, const RegimeAxis& axis
 }  // namespace
 
 Location Locate(const Channel& channel, std::size_t index, const Series& residual,
-                const NoiseModel& noise, double noise_rms, const Stream& stream, int threads) {
+                const NoiseModel& noise, const NoiseLevel& level, const Stream& stream,
+                int threads) {
   Location location{index, {}, {}};
-  location.intervals = Mismatch(residual, noise, noise_rms);
+  location.intervals = Mismatch(residual, noise, level);
   if (channel.variables.empty()) return location;
-  const NoiseModel beside = NoiseBeside(residual, noise, noise_rms);
+  const Beside beside = NoiseBeside(residual, noise, level);
   const std::vector<RegimeVariable> variables = VariablesAndShares(channel, residual);
   const Partialling found =
-      SelectRegimes(residual, beside, variables, {.threads = threads}, stream);
+      SelectRegimes(residual, beside.noise, variables,
+                    {.test = {.repeats = beside.repeats}, .threads = threads}, stream);
   Eigen::MatrixXd known(static_cast<Eigen::Index>(residual.size()), 0);
   for (const auto& [index_of_variable, p, share] : Telling(found)) {
     const RegimeVariable& variable = variables[index_of_variable];
     const RegimeAxis axis(variable);
     Regime regime{variable.name, axis.has_times(), p, share, {}, {}};
-    regime.curve = FitRegimeCurve(residual, beside, KnownBefore(known, axis), variable, {}, stream);
+    regime.curve =
+        FitRegimeCurve(residual, beside.noise, KnownBefore(known, axis), variable, {}, stream);
     regime.shape = ClassifyCurve(regime.curve);
     location.regimes.push_back(std::move(regime));
     known = WithColumns(known, KnownColumns(axis));

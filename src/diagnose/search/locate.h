@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/random.h"
+#include "diagnose/search/noise_level.h"
 #include "diagnose/search/replay_block.h"
 #include "diagnose/statistics/curve_shape.h"
 #include "diagnose/statistics/noise_model.h"
@@ -29,15 +30,23 @@ struct Location {
   std::vector<Regime> regimes;     ///< the most telling first; each given those before it
 };
 
-/// Locates the residual of a channel in time (change_points.h) and among the channel's variables
-/// (partialling.h, regime_curve.h): each as it is, and as what a share of the simulated value
-/// depends on. A variable that explains 1.3 times as much as the most telling significant one, or
-/// two per cent where none is significant, comes first with its p as it is: time, and a place that
-/// is seldom come back to, have too few shifts for a small one; of several that explain as much to
-/// a twentieth it is the one of the smallest p. `noise_rms` is what is known of the noise without
-/// the free member (noise_level.h): a residual of three times as much is searched for variables
-/// beside white noise of its own size.
+/// Locates the residual of a channel in time and among the channel's variables.
+///
+/// Model   in time (change_points.h): where innovations are not noise, and where the residual
+/// itself
+///         is not, over the noise's deviation of a sample or of long means, whichever is larger, at
+///         most three times the noise at rest; one per cent for both. By variable (partialling.h,
+///         regime_curve.h): each as it is, and as what a share of the simulated value depends on,
+///         beside the noise or, for a residual of three times the noise (ten times in a recording
+///         without rest), beside white noise of the residual's size. A variable that explains 1.3
+///         times as much as the most telling significant one, or two per cent where none is
+///         significant, comes first with its p as it is: time, and a place that is seldom come back
+///         to, have too few shifts for a small one; of several that explain as much to a twentieth
+///         it is the one of the smallest p.
+/// Omits   under white noise, that a slow residual says less about a curve's shape than its samples
+///         are many.
 Location Locate(const Channel& channel, std::size_t index, const Series& residual,
-                const NoiseModel& noise, double noise_rms, const Stream& stream, int threads = 2);
+                const NoiseModel& noise, const NoiseLevel& level, const Stream& stream,
+                int threads = 2);
 
 }  // namespace tera

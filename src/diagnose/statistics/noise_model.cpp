@@ -12,6 +12,8 @@
 namespace tera {
 namespace {
 
+constexpr std::size_t kLongestResponse = 2000;  ///< samples that an innovation is followed
+
 constexpr double kLowestDof = 1.5, kHighestDof = 200;
 
 /// Samples that have `order` valid ones right before them.
@@ -147,6 +149,26 @@ double StudentDraw(const Stream& stream, std::size_t index, double dof) {
 }
 
 }  // namespace
+
+double VarianceOf(const NoiseModel& noise) {
+  std::vector<double> response = {1};
+  double sum = 1;
+  for (std::size_t k = 1; k < kLongestResponse; ++k) {
+    double next = 0;
+    for (std::size_t i = 0; i < std::min(noise.order(), k); ++i) {
+      next += noise.ar[i] * response[k - 1 - i];
+    }
+    response.push_back(next);
+    sum += next * next;
+  }
+  return sum * noise.scale * noise.scale * noise.dof / (noise.dof - 2);
+}
+
+double LongRunVarianceOf(const NoiseModel& noise) {
+  double left = 1;
+  for (const double a : noise.ar) left -= a;
+  return std::pow(noise.scale / left, 2) * noise.dof / (noise.dof - 2);
+}
 
 double StudentLogDensity(double x, double dof) {
   return std::lgamma((dof + 1) / 2) - std::lgamma(dof / 2) - 0.5 * std::log(dof * kPi) -

@@ -57,6 +57,11 @@ ShorterPredictors PredictorsOf(const std::vector<double>& ar);
 /// as its standard deviation, at `frequency_hz`.
 double SpectralDensity(const NoiseModel& noise, double period_s, double frequency_hz);
 
+/// Variance of a sample of the process, by its response to single innovations; that of the mean of
+/// many samples, times their number. `dof` over 2.
+double VarianceOf(const NoiseModel& noise);
+double LongRunVarianceOf(const NoiseModel& noise);
+
 /// `count` samples of the process, from `stream`; the start is left to decay first.
 std::vector<double> SimulateNoise(const NoiseModel& noise, std::size_t count, const Stream& stream);
 

@@ -35,13 +35,14 @@ RegimeDesign::RegimeDesign(const Series& residual, const NoiseModel& noise,
   gram.diagonal() *= 1 + 1e-8;
   gram.diagonal().array() += 1e-12 * gram.trace() + 1e-300;
   known_gram_.compute(gram);
-  Fit(filter_.Apply(Eigen::Map<const Eigen::VectorXd>(residual.value.data(), n)), clip);
+  Fit(filter_.Apply(Eigen::Map<const Eigen::VectorXd>(residual.value.data(), n)), clip,
+      noise.scale);
 }
 
-void RegimeDesign::Fit(const Eigen::VectorXd& whitened, double clip) {
+void RegimeDesign::Fit(const Eigen::VectorXd& whitened, double clip, double least_scale) {
   Eigen::VectorXd error =
       whitened - whitened_known_ * SolveKnown(whitened_known_.transpose() * whitened);
-  const double limit = clip * RowScale(error, filter_.rows());
+  const double limit = clip * std::max(least_scale, RowScale(error, filter_.rows()));
   for (int step = 0; step < 12; ++step) {
     psi_ = error.cwiseMax(-limit).cwiseMin(limit);
     const Eigen::VectorXd pull = whitened_known_.transpose() * psi_;

@@ -13,8 +13,8 @@ namespace tera {
 ///
 /// Model   generalised least squares under the noise model with Huber's function: e
 ///         = A (y - Z g), A the whitening filter, g such that (A Z)' psi(e) = 0,
-///         psi(e) = e clipped at `clip` robust scales; score = A' psi(e). For a
-///         function of a variable with bins B, B' score is what the residual still
+///         psi(e) = e clipped at `clip` robust scales, each at least the noise's; score = A'
+///         psi(e). For a function of a variable with bins B, B' score is what the residual still
 ///         says for it, and B' A' A B (less what Z explains) how much was to be
 ///         learnt.
 /// Source  Huber 1981, "Robust statistics", chapter 7 (modified residuals); Rao's score test.
@@ -41,7 +41,7 @@ class RegimeDesign {
   Eigen::MatrixXd Remaining(const RegimeAxis& axis, const Eigen::MatrixXd& gram) const;
 
  private:
-  void Fit(const Eigen::VectorXd& whitened, double clip);
+  void Fit(const Eigen::VectorXd& whitened, double clip, double least_scale);
 
   WhiteningFilter filter_;
   Eigen::MatrixXd whitened_known_;

@@ -106,8 +106,10 @@ RegimeTestResult TestRegime(const RegimeDesign& design, const RegimeProbe& probe
   const Eigen::VectorXd observed =
       unit * remainder.normalise * (directions.transpose() * SumByBin(axis, design.score()));
   const auto rows = static_cast<double>(design.filter().row_count());
-  out.share = std::max(0.0, (observed.squaredNorm() - remainder.directions) / rows);
-  out.criterion = (observed.squaredNorm() - remainder.directions * std::log(rows)) / rows;
+  const double by_chance = remainder.directions * options.repeats;
+  out.share = std::max(0.0, (observed.squaredNorm() - by_chance) / rows);
+  const double price = std::max(by_chance, remainder.directions * std::log(rows));
+  out.criterion = (observed.squaredNorm() - price) / rows;
   out.whole_criterion = out.criterion;
 
   const std::size_t least = std::max(axis.correlation_length(), 2 * design.filter().taps().size());

@@ -13,6 +13,7 @@ namespace tera {
 struct RegimeTestOptions {
   std::size_t shifts = 200;
   std::size_t block = 0;  ///< samples; shifts within blocks of this length, 0 for one block
+  double repeats = 1;     ///< samples after which the residual says something new
 };
 
 /// A variable made ready to be tested again and again under one noise model.
@@ -43,7 +44,7 @@ struct RegimeTestResult {
   ShiftComparison comparison;  ///< statistic: weighted score, mean 5 if the variable says nothing
   double share =
       0;  ///< of the whitened residual's energy that the variable explains, beyond chance
-  double criterion = 0;  ///< the same, but log(rows) for each direction (Schwarz 1978)
+  double criterion = 0;  ///< the same, but at least log(rows) for each direction (Schwarz 1978)
   /// With what a constant times what the functions are multiplied with explains as well.
   double whole_criterion = 0;
 };

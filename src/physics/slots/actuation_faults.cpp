@@ -38,7 +38,7 @@ std::string WhyJointUndriven(const MachineModel& model, std::size_t joint) {
 /// Whether a mechanism shapes the rate that a lever asks for, and nothing else.
 bool ShapesRate(const Mechanism& mechanism) {
   return mechanism.slot < Slot::kLoadFriction || mechanism.id == "pressure_droop" ||
-         mechanism.id == "stick_slip" || mechanism.id == "structural_flex";
+         mechanism.id == "drive_friction" || mechanism.id == "structural_flex";
 }
 
 /// A joint or gear as its effects meet it.
@@ -88,18 +88,23 @@ std::string FaultOfDroop(const Effects& effects, const Axis& axis) {
   return "";
 }
 
-/// How dry friction holds the axis at rest even at full lever, empty if it does not.
-std::string FaultOfStickSlip(const Effects& effects, const Axis& axis) {
+/// How dry friction holds the axis at rest at full lever in one direction, empty if it does not.
+std::string FaultOfDriveFriction(const Effects& effects, const Axis& axis) {
   const LoadFrictionParameters load = LoadFrictionOf(effects, axis.effort);
-  const LeverMapParameters map = LeverMapOf(effects);
-  const double most_radps = std::max(axis.max_rate_positive_radps * std::abs(MapLever(map, 1)),
-                                     axis.max_rate_negative_radps * std::abs(MapLever(map, -1)));
   const double held_radps = load.lost_radps * load.breakaway;
-  if (held_radps < most_radps) return "";
-  return fmt::format(
-      "holds the axis at rest until {:g} is asked of it, but full levers ask for {:g}; need less "
-      "in lost_radps times breakaway",
-      held_radps, most_radps);
+  if (held_radps == 0) return "";
+  const LeverMapParameters map = LeverMapOf(effects);
+  for (const double lever : {1.0, -1.0}) {
+    const double full_radps =
+        lever > 0 ? axis.max_rate_positive_radps : axis.max_rate_negative_radps;
+    const double asked_radps = full_radps * std::abs(MapLever(map, lever));
+    if (asked_radps == 0 || held_radps < asked_radps) continue;
+    return fmt::format(
+        "holds the axis at rest until {:g} is asked of it, but a full {} lever asks for {:g}; need "
+        "less in lost_radps times breakaway",
+        held_radps, lever > 0 ? "positive" : "negative", asked_radps);
+  }
+  return "";
 }
 
 /// Of a joint or gear: what nothing drives, a leak without the pressure that drives it, and numbers
@@ -122,7 +127,8 @@ std::vector<EffectFault> FaultsOfAxis(const Effects& effects, const Axis& axis) 
   };
   if (FindEffect(effects, "dead_band")) add("dead_band", FaultOfDeadBand(LeverMapOf(effects)));
   if (FindEffect(effects, "pressure_droop")) add("pressure_droop", FaultOfDroop(effects, axis));
-  if (FindEffect(effects, "stick_slip")) add("stick_slip", FaultOfStickSlip(effects, axis));
+  if (FindEffect(effects, "drive_friction"))
+    add("drive_friction", FaultOfDriveFriction(effects, axis));
   return faults;
 }
 

@@ -89,7 +89,7 @@ LoadFrictionParameters LoadFrictionOf(const Effects& effects, const ActuatorEffo
       parameters.drift_positive_radpspnm = drift(effort.negative_nm);
     }
   }
-  if (const Effect* slide = FindEffect(effects, "stick_slip")) {
+  if (const Effect* slide = FindEffect(effects, "drive_friction")) {
     parameters.lost_radps = (*slide)["lost_radps"];
     parameters.slide_s = (*slide)["time_s"];
     parameters.breakaway = (*slide)["breakaway"];
@@ -116,7 +116,7 @@ double LoadFriction::Act(double rate_radps, double load_nm, double position_rad,
   double rate = rate_radps;
   if (!parameters_.stall_positive_nm.values.empty()) rate = Droop(rate, load_nm, position_rad);
   if (!parameters_.drift_negative_radpspnm.values.empty()) rate -= Leak(load_nm, position_rad);
-  if (parameters_.lost_radps > 0) rate = StickSlip(rate);
+  if (parameters_.lost_radps > 0) rate = DriveFriction(rate);
   if (parameters_.flex_radps > 0) rate = Flex(rate);
   return rate;
 }
@@ -157,7 +157,7 @@ double LoadFriction::Droop(double rate_radps, double load_nm, double position_ra
   return rate_radps * std::sqrt(std::max(0.0, 1 - against_nm / stall_nm));
 }
 
-double LoadFriction::StickSlip(double rate_radps) {
+double LoadFriction::DriveFriction(double rate_radps) {
   // Friction of the rate at the start of the step; no more of it than brings the joint to rest.
   const double x = slid_radps_ / parameters_.slide_stribeck_radps;
   const double lost = parameters_.lost_radps * (1 + (parameters_.breakaway - 1) * std::exp(-x * x));

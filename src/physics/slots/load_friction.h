@@ -28,8 +28,10 @@ struct LoadFrictionParameters {
   double more_positive_nm = 0, more_negative_nm = 0;
   double more_positive_nmsprad = 0, more_negative_nmsprad = 0;
   double offset_nm = 0;
-  double lost_radps = 0, slide_s = 0;  ///< to friction, of a drive that gives way
-  double breakaway = 1, slide_stribeck_radps = 1;
+  double lost_radps = 0;            ///< of its rate to dry friction, by a drive that gives way
+  double slide_s = 0;               ///< inertia over that drive's damping
+  double breakaway = 1;             ///< friction at rest over that in sliding ..
+  double slide_stribeck_radps = 1;  ///< .. which it has beyond this rate
   double flex_radps = 0, flex_damping = 0;
 };
 
@@ -60,8 +62,8 @@ struct AxisFriction {
 ///         joint yield at a rate proportional to the load beyond what friction holds, w = drift
 ///         (rated / E)^2 load / rated with E the most it can do where it stands against that load:
 ///         pressure is load over area and lever arm, and so is the rate over the leak.
-///         stick_slip: dry friction that the drive has no stiffness to ignore; it pushes the more
-///         the further the joint falls behind, T dw/dt = u - w - r(w) sgn w, r = lost (1 + (b - 1)
+///         drive_friction: dry friction that the drive has no stiffness to ignore; it pushes the
+///         more the more its rate falls short, T dw/dt = u - w - r(w) sgn w, r = lost (1 + (b - 1)
 ///         exp(-(w / w_s)^2)), and stands still until |u| is over b times what is lost in sliding.
 ///         structural_flex: the rate passes a filter of second order, w_n^2 / (s^2 + 2 z w_n s +
 ///         w_n^2). Friction: F = F_c + F_s exp(-(w / w_s)^2) + c |w| (coulomb_friction,
@@ -96,7 +98,7 @@ class LoadFriction {
   void Prepare(double dt_s);
   double Droop(double rate_radps, double load_nm, double position_rad);
   double Leak(double load_nm, double position_rad) const;
-  double StickSlip(double rate_radps);
+  double DriveFriction(double rate_radps);
   double Flex(double rate_radps);
 
   LoadFrictionParameters parameters_;

@@ -147,6 +147,7 @@ TEST(BlockDiagnosis, WhatIsLoudInManyButHardlyInThoseKeptBackIsUnexplained) {
   ASSERT_EQ(diagnosis.remainders.size(), 1u);
   EXPECT_LT(2 * diagnosis.remainders[0].loud, diagnosis.remainders[0].manoeuvres);
   EXPECT_LT(diagnosis.remainders[0].loud, 3u);
+  EXPECT_EQ(diagnosis.remainders[0].kind, Remainder::Kind::kError);
   EXPECT_EQ(diagnosis.unexplained.size(), 1u);
 }
 

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "diagnose/search/toy_block.h"
+#include "diagnose/statistics/noise_model.h"
 
 namespace tera {
 namespace {
@@ -36,7 +37,7 @@ class Locating : public testing::Test {
       channel.measured.value[k] += residual.value[k];
     }
     channel.variables = {{"lever", MakeSeries(kPeriod_s, lever)}, {"angle", angle}, {"time", time}};
-    return Locate(channel, 0, residual, noise_model, 0.01, Stream(5, "shifts"));
+    return Locate(channel, 0, residual, noise_model, {.at_rest = 0.01}, Stream(5, "shifts"));
   }
 };
 
@@ -83,6 +84,58 @@ TEST_F(Locating, AnErrorThatStaysIsNotNoiseThatRemembers) {
 TEST_F(Locating, NoiseDependsOnNothing) {
   EXPECT_TRUE(Of([](double, double, double) { return 0.0; }).intervals.empty());
   EXPECT_TRUE(Of([](double, double, double) { return 0.0; }).regimes.empty());
+}
+
+/// Share of the samples that lie in intervals, of noise alone.
+double FlaggedShare(const NoiseModel& noise, bool has_rest) {
+  double flagged = 0;
+  constexpr int kRuns = 12;
+  for (int seed = 0; seed < kRuns; ++seed) {
+    Channel channel;
+    channel.measured = NoiseSeries(noise, kSamples, Stream(seed, "noise alone"));
+    NoiseLevel level{{}, 0.5 * std::sqrt(VarianceOf(noise))};  // differences miss slow noise
+    if (has_rest) level.at_rest = std::sqrt(VarianceOf(noise));
+    const Location location =
+        Locate(channel, 0, channel.measured, noise, level, Stream(5, "shifts"));
+    for (const Segment& one : location.intervals) {
+      flagged += static_cast<double>(one.size()) / (kSamples * kRuns);
+    }
+  }
+  return flagged;
+}
+
+TEST(NoiseAlone, IsNoMismatchWhateverItsColour) {
+  const std::vector<NoiseModel> colours = {
+      {.scale = 0.01, .dof = 4},
+      {.ar = {0.8}, .scale = 0.01, .dof = 5},
+      {.ar = {-0.5}, .scale = 0.01, .dof = 8},
+      {.ar = {-0.8, -0.6, -0.4, -0.2}, .scale = 0.01, .dof = 8}};
+  for (const NoiseModel& noise : colours) {
+    EXPECT_LT(FlaggedShare(noise, true), 0.02) << noise.ar.size();
+    EXPECT_LT(FlaggedShare(noise, false), 0.02) << noise.ar.size();
+  }
+}
+
+TEST(NoiseAlone, AnErrorIsFoundWhereThereIsNoNoise) {
+  Channel channel;
+  channel.measured = MakeSeries(kPeriod_s, std::vector<double>(kSamples, 0.0));
+  for (std::size_t k = 1000; k < 2000; ++k) channel.measured.value[k] = 0.1;
+  const Location location = Locate(channel, 0, channel.measured, {.scale = 1e-9, .dof = 8},
+                                   {.at_rest = 0.0}, Stream(5, "shifts"));
+  EXPECT_FALSE(location.intervals.empty());
+}
+
+TEST_F(Locating, ALoudErrorOfNothingThatWasRecordedHasNoVariable) {
+  int told = 0;
+  for (int seed = 0; seed < 10; ++seed) {
+    const Series slow = NoiseSeries({.ar = {0.98}, .scale = 0.02, .dof = 50}, kSamples,
+                                    Stream(seed, "unknown cause"));
+    const auto error = [&](double, double, double t_s) {
+      return slow.value[static_cast<std::size_t>(t_s / kPeriod_s + 0.5)];
+    };
+    told += Of(error).regimes.empty() ? 0 : 1;
+  }
+  EXPECT_LE(told, 3);
 }
 
 }  // namespace

@@ -94,13 +94,16 @@ TEST(ActuationFaults, FrictionAloneDoesNotStallAJoint) {
   EXPECT_EQ(OfLift(droop + "stribeck_friction: {excess_nm: 5000}"), "");
 }
 
-TEST(ActuationFaults, FrictionMustLeaveAFullLeverSomething) {
-  // A full lever asks for 30 deg/s, 0.524 rad/s.
-  EXPECT_EQ(OfLift("stick_slip: {lost_radps: 0.26, breakaway: 2}"), "");
-  EXPECT_THAT(OfLift("stick_slip: {lost_radps: 0.27, breakaway: 2}"),
-              HasSubstr("at rest until 0.54 is asked of it, but full levers ask for 0.523599"));
-  EXPECT_THAT(OfLift("stick_slip: {lost_radps: 0.26, breakaway: 2}, rate_gain: {gain: 0.9}"),
-              HasSubstr("stick_slip: holds the axis at rest"));
+TEST(ActuationFaults, FrictionMustLeaveAFullLeverSomethingEitherWay) {
+  // Full levers ask for 30 and for 20 deg/s, 0.524 and 0.349 rad/s.
+  EXPECT_EQ(OfLift("drive_friction: {lost_radps: 0.17, breakaway: 2}"), "");
+  EXPECT_THAT(OfLift("drive_friction: {lost_radps: 0.18, breakaway: 2}"),
+              HasSubstr("at rest until 0.36 is asked of it, but a full negative lever asks for "
+                        "0.349066"));
+  EXPECT_THAT(OfLift("drive_friction: {lost_radps: 0.17, breakaway: 2}, rate_gain: {gain: 0.9}"),
+              HasSubstr("drive_friction: holds the axis at rest"));
+  // Without friction it does nothing, whatever else stops the axis.
+  EXPECT_EQ(OfLift("drive_friction: {lost_radps: 0}, rate_gain: {gain: 0}"), "");
 }
 
 TEST(ActuationFaults, TheReferenceOfAMachinesOwnCylinderIsWithinTheStops) {
@@ -130,7 +133,7 @@ constexpr const char* kOfTheRate[] = {
     "cylinder_lever: {reference_rad: 1, barrel_m: 0.4, rod_m: 1}",
     "backlash: {gap_rad: 0.01}",
     "pressure_droop: {stall_nm: 1000}",
-    "stick_slip: {lost_radps: 0.01}",
+    "drive_friction: {lost_radps: 0.01}",
     "structural_flex: {natural_radps: 30}",
 };
 

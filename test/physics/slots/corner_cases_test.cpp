@@ -18,13 +18,18 @@
 namespace tera {
 namespace {
 
+constexpr double kLittleLost_radps = 1e-3;
+
 /// The mechanism at each corner of its ranges.
 std::vector<Effect> CornersOf(const Mechanism& mechanism) {
   std::vector<Effect> corners = {{&mechanism, {}}};
   for (const EffectParameter& parameter : mechanism.parameters) {
     std::vector<Effect> longer;
     for (const Effect& corner : corners) {
-      for (const double value : {parameter.lower, parameter.upper}) {
+      std::vector<double> values = {parameter.lower, parameter.upper};
+      // At its lower end drive_friction does nothing, and the upper one is refused.
+      if (parameter.name == "lost_radps") values.push_back(kLittleLost_radps);
+      for (const double value : values) {
         longer.push_back(corner);
         longer.back().values.push_back(value);
       }

@@ -113,7 +113,7 @@ TEST(LoadFriction, FlexPassesASineAsASecondOrderFilter) {
 TEST(LoadFriction, DryFrictionTakesItsRateFromADriveThatGivesWay) {
   // T dw/dt = u - w - r from rest: w = (u - r) (1 - e^(-t/T)); back to rest T ln(1 + (u - r) / r)
   // after the lever is let go.
-  LoadFriction load = LoadFrom("stick_slip: {lost_radps: 0.1, time_s: 0.2}");
+  LoadFriction load = LoadFrom("drive_friction: {lost_radps: 0.1, time_s: 0.2}");
   double rate = 0;
   for (int i = 1; i <= 200; ++i) rate = load.Step(0.5, 0, 0, 0.001);
   EXPECT_NEAR(rate, 0.4 * (1 - std::exp(-1.0)), 1e-9);
@@ -127,14 +127,24 @@ TEST(LoadFriction, DryFrictionTakesItsRateFromADriveThatGivesWay) {
 
 TEST(LoadFriction, WhatSticksTakesMoreToBreakAway) {
   // Rest holds up to 1.5 times what sliding loses, either way; once it moves it is less.
-  LoadFriction load =
-      LoadFrom("stick_slip: {lost_radps: 0.1, time_s: 0.05, breakaway: 1.5, stribeck_radps: 0.01}");
+  LoadFriction load = LoadFrom(
+      "drive_friction: {lost_radps: 0.1, time_s: 0.05, breakaway: 1.5, stribeck_radps: 0.01}");
   for (const double u : {0.149, -0.149}) EXPECT_EQ(load.Step(u, 0, 0, 0.001), 0);
   double rate = 0;
   for (int i = 0; i < 2000; ++i) rate = load.Step(-0.17, 0, 0, 0.001);
   EXPECT_NEAR(rate, -0.07, 1e-4);
   for (int i = 0; i < 2000; ++i) rate = load.Step(-0.145, 0, 0, 0.001);
   EXPECT_NEAR(rate, -0.045, 1e-3);  // where it would not have begun
+}
+
+TEST(LoadFriction, WithoutInertiaADriveLosesItsRateAtOnce) {
+  LoadFriction load = LoadFrom(
+      "drive_friction: {lost_radps: 0.1, time_s: 0, breakaway: 1.5, stribeck_radps: 0.01}");
+  EXPECT_EQ(load.Step(0.149, 0, 0, 0.001), 0);
+  double rate = 0;
+  for (int i = 0; i < 10; ++i) rate = load.Step(0.3, 0, 0, 0.001);
+  EXPECT_NEAR(rate, 0.2, 1e-9);
+  EXPECT_EQ(load.Step(-0.05, 0, 0, 0.001), 0);
 }
 
 TEST(LoadFriction, FrictionIsCoulombStribeckAndViscous) {
