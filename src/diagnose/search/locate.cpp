@@ -17,6 +17,7 @@ constexpr double kLeastDeviation = 1e-6;  ///< of a residual, where there is no 
 constexpr double kLoud = 3;               ///< times the noise
 constexpr double kLoudWithoutRest = 10;   ///< the same, where slow noise is not known
 constexpr double kLongestRun = 3;  ///< deviation of means over that of single samples: AR(1) of 0.8
+constexpr double kLongestRunWithoutRest = 10;  ///< the same, over what third differences say of it
 constexpr double kNearlyAsMuch = 0.95;
 constexpr double kMuchMore = 1.3;  ///< times the criterion of what was significant
 
@@ -91,10 +92,10 @@ std::vector<Segment> Either(std::vector<Segment> a, const std::vector<Segment>& 
 
 /// Deviation of the noise, of a sample or of a mean over many if that is more. A noise model that
 /// was fitted beside what the free member could not follow takes that for noise which remembers;
-/// the noise at rest sets a bound to it.
+/// the noise at rest, or what differences between samples say of it, sets a bound to it.
 double LongRunDeviation(const NoiseModel& noise, const NoiseLevel& level) {
   const double deviation = std::sqrt(std::max(VarianceOf(noise), LongRunVarianceOf(noise)));
-  return level.at_rest ? std::min(deviation, kLongestRun * level.rms()) : deviation;
+  return std::min(deviation, (level.at_rest ? kLongestRun : kLongestRunWithoutRest) * level.rms());
 }
 
 /// Where a residual is more than noise: as it comes, by innovations, and as it stays, by itself.

@@ -35,7 +35,8 @@ struct Location {
 /// Model   in time (change_points.h): where innovations are not noise, and where the residual
 /// itself
 ///         is not, over the noise's deviation of a sample or of long means, whichever is larger, at
-///         most three times the noise at rest; one per cent for both. By variable (partialling.h,
+///         most three times the noise at rest, or ten times what differences between samples say of
+///         it; one per cent for both. By variable (partialling.h,
 ///         regime_curve.h): each as it is, and as what a share of the simulated value depends on,
 ///         beside the noise or, for a residual of three times the noise (ten times in a recording
 ///         without rest), beside white noise of the residual's size. A variable that explains 1.3
