@@ -18,5 +18,17 @@ TEST(Wording, GivesAsManyDigitsAsANumberIsKnownTo) {
   EXPECT_EQ(ProbabilityText(1e-9), "p < 0.0001");
 }
 
+TEST(Wording, CallsAVariableByWhoseItIs) {
+  ReplayBlock boom;
+  boom.name = "boom";
+  boom.channels.emplace_back();
+  boom.channels[0].unit = "rad/s";
+  EXPECT_EQ(VariableText("lever/boom", boom), "lever");
+  EXPECT_EQ(VariableText("lever_way/boom", boom), "lever way");
+  EXPECT_EQ(VariableText("lever/left_track", boom), "left track lever");
+  EXPECT_EQ(VariableText("position/boom", boom), "angle");
+  EXPECT_EQ(VariableText("yaw_rate", boom), "yaw rate");
+}
+
 }  // namespace
 }  // namespace tera
