@@ -16,10 +16,9 @@ struct AxisForm {
   double queue_s = 0,
          queue_jitter_s = 0;  ///< each message late by queue + |N(0, jitter)|, in order
   double hold_s = 0;          ///< messages looked at once a period
+  double spool_play = 0;      ///< of the lever: friction holds the spool in it; springs centre it
   double line_s = 0;          ///< sum of the line's lags
   std::size_t line_stages = 0;
-
-  double spool_play = 0;  ///< of the lever: friction holds the spool within; springs centre it
 
   // Valve: what the notches of its spool open.
   double overlap = 0;       ///< of the spool over the port, of its full stroke

@@ -12,9 +12,9 @@ for each delay of the wheels from -0.5 to 0.5 s, the best of which is kept. Whee
 the difference of `track_asymmetry` is s / p. Its deviation is that of independent seconds. No poses are used.
 """
 
+import argparse
 import csv
 import pathlib
-import sys
 
 import numpy
 
@@ -46,7 +46,9 @@ def fit(wheels, imu, delay_s):
 
 
 def main():
-    machine = pathlib.Path(sys.argv[1])
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("machine", type=pathlib.Path)
+    machine = parser.parse_args().machine
     wheels = read(machine / "wheels/data.csv", ["left_track_radps", "right_track_radps"])
     imu = read(machine / "imu/data.csv", ["wz_radps"])
     left_over, delay_s, (p, s, _), deviation = min(

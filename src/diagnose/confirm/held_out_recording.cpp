@@ -10,16 +10,6 @@ namespace {
 
 constexpr double kLongest_s = 3;  ///< of a manoeuvre, as block_diagnosis.h cuts them
 
-double RmsOf(const Series& residual) {
-  double sum = 0, count = 0;
-  for (std::size_t k = 0; k < residual.size(); ++k) {
-    if (!residual.valid[k]) continue;
-    sum += residual.value[k] * residual.value[k];
-    ++count;
-  }
-  return count > 0 ? std::sqrt(sum / count) : 0;
-}
-
 }  // namespace
 
 std::vector<HeldOutChannel> JudgeOnBlock(const ReplayBlock& further, const Structure& found,
@@ -34,8 +24,8 @@ std::vector<HeldOutChannel> JudgeOnBlock(const ReplayBlock& further, const Struc
   std::vector<HeldOutChannel> channels;
   for (std::size_t c = 0; c < further.channels.size(); ++c) {
     channels.push_back(
-        {further.channels[c].name, further.channels[c].unit, RmsOf(before.residual[c]),
-         RmsOf(after.residual[c]),
+        {further.channels[c].name, further.channels[c].unit, Rms(before.residual[c]),
+         Rms(after.residual[c]),
          SteadyGainP(GainsOf(likelihood, before, after, PiecesOf(all, further.period_s()), c))});
   }
   return channels;

@@ -167,12 +167,6 @@ class WhiteColumns {
   const WhiteningFilter& filter_;
 };
 
-double RmsOf(const Series& series) {
-  double sum = 0;
-  for (const double x : series.value) sum += x * x;  // gaps are 0
-  return std::sqrt(sum / std::max(1.0, static_cast<double>(CountValid(series.valid))));
-}
-
 Mask NotFinal(const std::vector<Manoeuvre>& manoeuvres, std::size_t samples) {
   Mask mask = MaskOf(manoeuvres, Part::kTrain, samples);
   const Mask select = MaskOf(manoeuvres, Part::kSelect, samples);
@@ -199,7 +193,7 @@ NoiseModel NoiseOf(const Channel& channel, const std::vector<double>& predicted,
                {.highest_order = kHighestOrder, .least_dof = kLeastDof, .estimate_mean = false});
   noise.scale /= std::sqrt(1 - taken);
   noise.scale =
-      std::max({noise.scale, kFloor * RmsOf(Restricted(channel.measured, fit_on)), kLeastScale});
+      std::max({noise.scale, kFloor * Rms(Restricted(channel.measured, fit_on)), kLeastScale});
   return noise;
 }
 

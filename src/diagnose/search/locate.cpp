@@ -68,12 +68,6 @@ std::vector<Told> Telling(const Partialling& found) {
   return telling;
 }
 
-double Rms(const Series& series) {
-  double sum = 0, count = 0;
-  for (const double value : ValidValues(series)) sum += value * value, ++count;
-  return count > 0 ? std::sqrt(sum / count) : 0;
-}
-
 /// Stretches of either list, in order, joined where they meet.
 std::vector<Segment> Either(std::vector<Segment> a, const std::vector<Segment>& b) {
   a.insert(a.end(), b.begin(), b.end());

@@ -32,12 +32,11 @@ struct Location {
 
 /// Locates the residual of a channel in time and among the channel's variables.
 ///
-/// Model   in time (change_points.h): where innovations are not noise, and where the residual
-/// itself
-///         is not, over the noise's deviation of a sample or of long means, whichever is larger, at
-///         most three times the noise at rest, or ten times what differences between samples say of
-///         it; one per cent for both. By variable (partialling.h,
-///         regime_curve.h): each as it is, and as what a share of the simulated value depends on,
+/// Model   in time (change_points.h): where innovations are not noise, and where the residual is
+///         not by itself, over the noise's deviation of a sample or of long means, whichever is
+///         larger, at most three times the noise at rest, or ten times what differences between
+///         samples say of it; one per cent for both. By variable (partialling.h, regime_curve.h):
+///         each as it is, and as what a share of the simulated value depends on,
 ///         beside the noise or, for a residual of three times the noise (ten times in a recording
 ///         without rest), beside white noise of the residual's size. A variable that explains 1.3
 ///         times as much as the most telling significant one, or two per cent where none is

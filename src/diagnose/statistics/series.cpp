@@ -61,6 +61,13 @@ std::vector<double> ValidValues(const Series& series) {
   return values;
 }
 
+double Rms(const Series& series) {
+  double sum = 0;
+  const std::vector<double> values = ValidValues(series);
+  for (const double value : values) sum += value * value;
+  return values.empty() ? 0 : std::sqrt(sum / static_cast<double>(values.size()));
+}
+
 std::vector<double> BridgedValues(const Series& series) {
   std::vector<double> out = series.value;
   const std::vector<Segment> known = SegmentsOf(series.valid);

@@ -44,6 +44,9 @@ Series Restricted(const Series& series, const Mask& kept);
 /// The samples that are there, in order.
 std::vector<double> ValidValues(const Series& series);
 
+/// Root mean square of the samples that are there; 0 of none.
+double Rms(const Series& series);
+
 /// Values with gaps bridged linearly and the ends held: for an input whose gaps are short. All zero
 /// if there is no valid sample.
 std::vector<double> BridgedValues(const Series& series);
