@@ -154,9 +154,10 @@ bool CanAct(const EffectParameter& parameter, const Place& place) {
   return place.turns || !unit.starts_with("deg");
 }
 
-/// A number of the range that is not the default.
+/// A number of the range that is not the default; small for a rate, which no drive reaches else.
 double Another(const EffectParameter& parameter) {
-  const double one = std::clamp(parameter.whole ? 1.0 : 0.5, parameter.lower, parameter.upper);
+  const double small = std::string_view(parameter.unit) == "rad/s" ? 0.1 : 0.5;
+  const double one = std::clamp(parameter.whole ? 1.0 : small, parameter.lower, parameter.upper);
   return parameter.otherwise != one ? one : 0.5 * (parameter.lower + one);
 }
 
