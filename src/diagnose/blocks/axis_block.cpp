@@ -28,7 +28,7 @@ constexpr std::size_t kOtherLevers = 4;  ///< variables of the axis itself come 
 constexpr double kMoved = 0.05;          ///< of full lever
 /// Standard deviations: of rates, and of full effort over inertia, where effort, masses and their
 /// places are known to 3 % each, and inertia has the square of a place.
-constexpr double kNominalRate = 0.03, kNominalEffort = 0.07;
+constexpr double kNominalRate = 0.02, kNominalEffort = 0.07;
 
 /// Whether most samples of a moving axis are the one before, bit for bit: a slower measurement that
 /// is handed on again and again.

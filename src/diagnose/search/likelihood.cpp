@@ -60,17 +60,42 @@ Eigen::VectorXd SolveBounded(const Eigen::MatrixXd& information, Eigen::VectorXd
   return beta;
 }
 
-/// Student-t regression of y on the columns, unit normal prior on the coefficients, cut at the
-/// bound.
+/// Rows that stay in the processor's nearest memory while products of columns are summed.
+constexpr Eigen::Index kNearRows = 256;
+
+/// Normal equations of a regression with weights.
+struct NormalEquations {
+  Eigen::MatrixXd information;  ///< its lower half
+  Eigen::VectorXd pull;
+};
+
+/// Those of Student-t errors about beta, and a unit normal prior on the coefficients.
+NormalEquations EquationsAbout(const Eigen::VectorXd& beta, const Eigen::VectorXd& y,
+                               const Eigen::MatrixXd& columns, double dof) {
+  const Eigen::Index count = columns.cols();
+  NormalEquations sum{Eigen::MatrixXd::Identity(count, count), Eigen::VectorXd::Zero(count)};
+  Eigen::MatrixXd weighted(kNearRows, count);
+  for (Eigen::Index first = 0; first < y.size(); first += kNearRows) {
+    const Eigen::Index rows = std::min(kNearRows, y.size() - first);
+    const auto near = columns.middleRows(first, rows);
+    const auto aim = y.segment(first, rows);
+    const Eigen::ArrayXd error = aim - near * beta;
+    weighted.topRows(rows) = ((dof + 1) / (dof + error.square())).matrix().asDiagonal() * near;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const auto own = weighted.col(i).head(rows);
+      for (Eigen::Index j = 0; j <= i; ++j) sum.information(i, j) += own.dot(near.col(j));
+      sum.pull[i] += own.dot(aim);
+    }
+  }
+  return sum;
+}
+
+/// Student-t regression of y on the columns, coefficients cut at the bound.
 Eigen::VectorXd Regress(const Eigen::VectorXd& y, const Eigen::MatrixXd& columns, double dof) {
   Eigen::VectorXd beta = Eigen::VectorXd::Zero(columns.cols());
   for (int pass = 0; pass < kReweightings; ++pass) {
-    const Eigen::ArrayXd error = y - columns * beta;
-    const Eigen::VectorXd weight = (dof + 1) / (dof + error.square());
-    const Eigen::MatrixXd weighted = weight.asDiagonal() * columns;
-    Eigen::MatrixXd information = weighted.transpose() * columns;
-    information.diagonal().array() += 1;
-    beta = SolveBounded(information, weighted.transpose() * y);
+    const NormalEquations sum = EquationsAbout(beta, y, columns, dof);
+    beta = SolveBounded(sum.information.selfadjointView<Eigen::Lower>(), sum.pull);
   }
   return beta;
 }
@@ -182,6 +207,17 @@ double Likelihood::LogLikelihood(const std::vector<std::vector<double>>& predict
     const Weighed weighed = Weigh(c, parts_[c].measured, predicted[c]);
     sum -= 0.5 * weighed.nuisances.squaredNorm();
     for (const double e : weighed.innovation) sum += LogDensityOf(e, noise_[c].dof);
+  }
+  return sum;
+}
+
+double Likelihood::LogLikelihood(const Misfit& judged) const {
+  double sum = 0;
+  for (std::size_t c = 0; c < noise_.size(); ++c) {
+    sum -= 0.5 * judged.nuisances[c].squaredNorm();
+    for (const std::size_t k : parts_[c].samples) {
+      sum += LogDensityOf(judged.innovation[c][static_cast<Eigen::Index>(k)], noise_[c].dof);
+    }
   }
   return sum;
 }

@@ -49,6 +49,8 @@ class Likelihood {
   /// Half the sum of squares of these, negative: log-likelihood of the samples fitted to, less that
   /// of innovations of 0, less half the square of each nuisance.
   double LogLikelihood(const std::vector<std::vector<double>>& predicted) const;
+  /// The same of what is judged already.
+  double LogLikelihood(const Misfit& judged) const;
   /// The samples that the deviances of one channel belong to, in order.
   const std::vector<std::size_t>& fitted_samples(std::size_t channel) const {
     return parts_[channel].samples;

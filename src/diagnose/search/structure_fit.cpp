@@ -36,8 +36,9 @@ std::vector<double> PlacesOf(const Structure& terms) {
 std::vector<double> StepsOf(const Structure& terms) {
   std::vector<double> steps;
   for (const Term& term : terms) {
-    for (const FreeParameter& free : term.Free())
+    for (const FreeParameter& free : term.Free()) {
       steps.push_back(free.kinked ? kKinkedStep : kStep);
+    }
   }
   return steps;
 }
@@ -51,6 +52,7 @@ Structure AtPlaces(Structure terms, const double* places) {
   return terms;
 }
 
+/// What least squares is to make small, asked by one thread.
 class Deviance final : public ceres::CostFunction {
  public:
   Deviance(const ReplayBlock& block, const Likelihood& likelihood, const Structure& terms,
@@ -59,24 +61,25 @@ class Deviance final : public ceres::CostFunction {
         likelihood_(likelihood),
         terms_(terms),
         threads_(threads),
-        places_(PlacesOf(terms)),
-        steps_(StepsOf(terms)) {
-    at_start_ = RowsAt(places_);
-    set_num_residuals(static_cast<int>(at_start_.size()));
-    mutable_parameter_block_sizes()->push_back(static_cast<int>(places_.size()));
+        steps_(StepsOf(terms)),
+        last_places_(PlacesOf(terms)),
+        last_rows_(RowsAt(last_places_)) {
+    for (const double row : last_rows_) cost_at_start_ += 0.5 * row * row;
+    set_num_residuals(static_cast<int>(last_rows_.size()));
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(last_places_.size()));
   }
 
   /// Half the sum of squares at the terms given.
-  double CostAtStart() const {
-    double sum = 0;
-    for (const double row : at_start_) sum += 0.5 * row * row;
-    return sum;
-  }
+  double cost_at_start() const { return cost_at_start_; }
 
   bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override {
-    const std::vector<double> at(parameters[0], parameters[0] + places_.size());
-    const std::vector<double> rows = at == places_ ? at_start_ : RowsAt(at);
+    const std::vector<double> at(parameters[0], parameters[0] + last_places_.size());
+    if (at != last_places_) {  // a step that is accepted is asked for twice
+      last_rows_ = RowsAt(at);
+      last_places_ = at;
+    }
+    const std::vector<double>& rows = last_rows_;
     std::copy(rows.begin(), rows.end(), residuals);
     if (jacobians == nullptr || jacobians[0] == nullptr) return true;
     const auto moved = InParallel<std::vector<double>>(at.size(), threads_, [&](std::size_t p) {
@@ -107,7 +110,9 @@ class Deviance final : public ceres::CostFunction {
   const Likelihood& likelihood_;
   const Structure& terms_;
   const int threads_;
-  std::vector<double> places_, steps_, at_start_;
+  const std::vector<double> steps_;
+  mutable std::vector<double> last_places_, last_rows_;
+  double cost_at_start_ = 0;
 };
 
 /// By how much each free parameter changes from one end of its range to the other, as a tangent.
@@ -222,27 +227,32 @@ StructureFitter::StructureFitter(const ReplayBlock& block, const Likelihood& lik
 
 FittedStructure StructureFitter::AsGiven(Structure terms) const {
   FittedStructure out;
-  const auto predicted = block_.predict(terms);
-  out.misfit = likelihood_.Judge(predicted);
-  out.log_likelihood = likelihood_.LogLikelihood(predicted);
+  out.misfit = likelihood_.Judge(block_.predict(terms));
+  out.log_likelihood = likelihood_.LogLikelihood(out.misfit);
   out.terms = std::move(terms);
   return out;
 }
 
-Structure StructureFitter::BestStart(Structure terms, const Likelihood& likelihood) const {
-  std::vector<std::vector<double>> starts = terms.back().suspect->starts;
-  if (std::find(starts.begin(), starts.end(), terms.back().values) == starts.end()) {
-    starts.insert(starts.begin(), terms.back().values);
+std::vector<StructureFitter::Start> StructureFitter::StartsOf(const Structure& terms) const {
+  std::vector<std::vector<double>> values = terms.back().suspect->starts;
+  if (std::find(values.begin(), values.end(), terms.back().values) == values.end()) {
+    values.insert(values.begin(), terms.back().values);
   }
-  const std::vector<double> likely =
-      InParallel<double>(starts.size(), threads_, [&](std::size_t k) {
-        Structure one = terms;
-        one.back().values = starts[k];
-        return likelihood.LogLikelihood(block_.predict(one));
-      });
+  return InParallel<Start>(values.size(), threads_, [&](std::size_t k) {
+    Start start{terms, {}};
+    start.terms.back().values = values[k];
+    start.predicted = block_.predict(start.terms);
+    return start;
+  });
+}
+
+Structure StructureFitter::BestOf(const std::vector<Start>& starts,
+                                  const Likelihood& likelihood) const {
+  const std::vector<double> likely = InParallel<double>(
+      starts.size(), threads_,
+      [&](std::size_t k) { return likelihood.LogLikelihood(starts[k].predicted); });
   const auto best = std::max_element(likely.begin(), likely.end()) - likely.begin();
-  terms.back().values = starts[static_cast<std::size_t>(best)];
-  return terms;
+  return starts[static_cast<std::size_t>(best)].terms;
 }
 
 Structure StructureFitter::RefineSmooth(const Structure& terms, const Likelihood& likelihood,
@@ -261,7 +271,7 @@ Structure StructureFitter::RefineSmooth(const Structure& terms, const Likelihood
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   options.max_num_iterations = most_iterations;
-  options.function_tolerance = std::min(1e-4, kConverged / std::max(deviance.CostAtStart(), 1.0));
+  options.function_tolerance = std::min(1e-4, kConverged / std::max(deviance.cost_at_start(), 1.0));
   options.parameter_tolerance = 1e-5;
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
@@ -305,28 +315,29 @@ Structure StructureFitter::Refine(const Structure& terms, const Likelihood& like
   return RefineSmooth(Settle(smooth, likelihood), likelihood, kMostIterations);
 }
 
-FittedStructure StructureFitter::FitValues(Structure terms, Effort effort) const {
-  if (terms.empty()) return AsGiven(std::move(terms));
-  FittedStructure out = AsGiven(Refine(BestStart(terms, likelihood_), likelihood_, effort));
+FittedStructure StructureFitter::FitValues(const Structure& terms, Effort effort) const {
+  if (terms.empty()) return AsGiven(terms);
+  const std::vector<Start> starts = StartsOf(terms);
+  FittedStructure out = AsGiven(Refine(BestOf(starts, likelihood_), likelihood_, effort));
   if (coarse_) {
-    const Structure rough = Refine(BestStart(terms, *coarse_), *coarse_, effort);
+    const Structure rough = Refine(BestOf(starts, *coarse_), *coarse_, effort);
     FittedStructure other = AsGiven(Refine(rough, likelihood_, effort));
     if (other.log_likelihood > out.log_likelihood) out = std::move(other);
   }
   return out;
 }
 
-FittedStructure StructureFitter::FitNear(Structure terms, Effort effort) const {
-  if (terms.empty()) return AsGiven(std::move(terms));
-  return AsGiven(Refine(BestStart(std::move(terms), likelihood_), likelihood_, effort));
+FittedStructure StructureFitter::FitNear(const Structure& terms, Effort effort) const {
+  if (terms.empty()) return AsGiven(terms);
+  return AsGiven(Refine(BestOf(StartsOf(terms), likelihood_), likelihood_, effort));
 }
 
 FittedStructure StructureFitter::FitFrom(const Structure& terms, Effort effort) const {
   return AsGiven(Refine(terms, likelihood_, effort));
 }
 
-FittedStructure StructureFitter::Fit(Structure terms) const {
-  return Determine(FitValues(std::move(terms)));
+FittedStructure StructureFitter::Fit(const Structure& terms) const {
+  return Determine(FitValues(terms));
 }
 
 FittedStructure StructureFitter::Determine(FittedStructure fitted) const {

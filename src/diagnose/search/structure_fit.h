@@ -51,20 +51,27 @@ class StructureFitter {
 
   /// Numbers that the measurements do not determine, a direction of the information that is not
   /// known to within the parameters' ranges, stand at their defaults and are held there.
-  FittedStructure Fit(Structure terms) const;
+  FittedStructure Fit(const Structure& terms) const;
   /// The same of a structure whose values are fitted already.
   FittedStructure Determine(FittedStructure fitted) const;
   /// Without information, scores and such numbers.
-  FittedStructure FitValues(Structure terms, Effort effort = Effort::kFull) const;
+  FittedStructure FitValues(const Structure& terms, Effort effort = Effort::kFull) const;
   /// The same without the smooth likelihood: where the other terms are fitted already.
-  FittedStructure FitNear(Structure terms, Effort effort = Effort::kFull) const;
+  FittedStructure FitNear(const Structure& terms, Effort effort = Effort::kFull) const;
   /// The same from the values given alone.
   FittedStructure FitFrom(const Structure& terms, Effort effort = Effort::kFull) const;
   /// Judged as it stands.
   FittedStructure AsGiven(Structure terms) const;
 
  private:
-  Structure BestStart(Structure terms, const Likelihood& likelihood) const;
+  /// Where a fit may begin, and what is predicted there.
+  struct Start {
+    Structure terms;
+    std::vector<std::vector<double>> predicted;
+  };
+
+  std::vector<Start> StartsOf(const Structure& terms) const;
+  Structure BestOf(const std::vector<Start>& starts, const Likelihood& likelihood) const;
   Structure Refine(const Structure& terms, const Likelihood& likelihood, Effort effort) const;
   Structure RefineSmooth(const Structure& terms, const Likelihood& likelihood,
                          int most_iterations) const;
