@@ -75,7 +75,7 @@ struct MachineCase {
 
 DiagnosisOptions OptionsOf(const DiagnoseArguments& arguments, std::uint64_t seed) {
   DiagnosisOptions options{.seed = seed};
-  options.search.threads = arguments.threads;
+  options.search.threads = options.blocks.threads = arguments.threads;
   if (arguments.from_s) options.measurements.from_s = *arguments.from_s;
   if (arguments.to_s) options.measurements.to_s = *arguments.to_s;
   if (arguments.library) options.library = ReadSuspectLibrary(*arguments.library);
@@ -102,13 +102,14 @@ struct Further {
 std::vector<Further> FurtherRecordings(const DiagnoseArguments& arguments,
                                        const MachineCase& machine, std::uint64_t seed) {
   std::vector<Further> further;
+  const BlockOptions options{.threads = arguments.threads};
   for (const std::filesystem::path& path : arguments.held_out) {
     const Recording recording(path);
     const DiagnosisInput input = machine.InputOf(recording);
     Measurements measured = MeasurementsOf(input, recording);
-    std::vector<ReplayBlock> blocks = BlocksOf(input, measured, {});
+    std::vector<ReplayBlock> blocks = BlocksOf(input, measured, options);
     if (const auto course = CourseOf(arguments, machine, input, measured)) {
-      TakeOffAll(UnreplayedOf(input, measured, {}, *course), seed, &blocks);
+      TakeOffAll(UnreplayedOf(input, measured, options, *course), seed, options.threads, &blocks);
     }
     further.push_back({input, std::move(measured), std::move(blocks)});
   }

@@ -107,16 +107,20 @@ std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis) {
 }
 
 std::vector<TakenOff> TakeOffAll(const std::vector<Unreplayed>& unreplayed, std::uint64_t seed,
-                                 std::vector<ReplayBlock>* blocks) {
-  std::vector<TakenOff> taken;
-  for (ReplayBlock& block : *blocks) {
+                                 int threads, std::vector<ReplayBlock>* blocks) {
+  const auto parts = InParallel<std::vector<TakenOff>>(blocks->size(), threads, [&](std::size_t b) {
+    ReplayBlock& block = (*blocks)[b];
+    std::vector<TakenOff> taken;
     for (const Unreplayed& one : unreplayed) {
       if (one.first_channel != block.channels.front().name) continue;
       const auto of_block = TakeOff(one, StreamOf(block, seed), &block);
       taken.insert(taken.end(), of_block.begin(), of_block.end());
     }
-  }
-  return taken;
+    return taken;
+  });
+  std::vector<TakenOff> all;
+  for (const auto& taken : parts) all.insert(all.end(), taken.begin(), taken.end());
+  return all;
 }
 
 /// The channels of joints, gears and the base, without a simulation.
@@ -236,7 +240,7 @@ Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
   }
   const std::optional<SimulatedCourse> course = simulate ? simulate(measured) : std::nullopt;
   diagnosis.taken_off = course ? TakeOffAll(UnreplayedOf(input, measured, options.blocks, *course),
-                                            options.seed, &blocks)
+                                            options.seed, options.search.threads, &blocks)
                                : NotTakenOff(input, blocks);
   diagnosis.machine = input.machine;
   diagnosis.scenario = input.scenario;

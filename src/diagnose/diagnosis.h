@@ -80,7 +80,7 @@ using FollowProgress = std::function<void(const BlockProgress&)>;
 
 /// Takes it off the blocks that it is of.
 std::vector<TakenOff> TakeOffAll(const std::vector<Unreplayed>& unreplayed, std::uint64_t seed,
-                                 std::vector<ReplayBlock>* blocks);
+                                 int threads, std::vector<ReplayBlock>* blocks);
 
 /// From which all that is random about a block's diagnosis comes.
 Stream StreamOf(const ReplayBlock& block, std::uint64_t seed);

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "core/in_parallel.h"
 #include "diagnose/blocks/axis_block.h"
 #include "diagnose/blocks/base_block.h"
 #include "diagnose/blocks/effort_block.h"
@@ -54,6 +55,27 @@ void Try(const std::string& place, std::vector<std::string>* obstacles,
   }
 }
 
+/// Blocks of some kind, and what there is none of.
+struct Made {
+  std::vector<ReplayBlock> blocks;
+  std::vector<std::string> obstacles;
+};
+
+/// Several makers beside each other, what they make in their order.
+Made MakeAll(std::size_t makers, int threads, const std::function<void(std::size_t, Made*)>& make) {
+  std::vector<Made> parts = InParallel<Made>(makers, threads, [&](std::size_t k) {
+    Made part;
+    Try("", &part.obstacles, [&] { make(k, &part); });
+    return part;
+  });
+  Made all;
+  for (Made& part : parts) {
+    std::move(part.blocks.begin(), part.blocks.end(), std::back_inserter(all.blocks));
+    std::move(part.obstacles.begin(), part.obstacles.end(), std::back_inserter(all.obstacles));
+  }
+  return all;
+}
+
 /// The lever of a joint or gear, if it has one.
 std::optional<std::string> LeverOf(const MachineModel& model, std::size_t axis) {
   const auto joints = static_cast<int>(model.joints.size());
@@ -75,17 +97,17 @@ void RequireLever(const DiagnosisInput& input, std::size_t axis) {
 
 /// Encoders may have a block for each joint and gear with a lever.
 void AddAxes(const DiagnosisInput& input, const Measurements& measured, const BlockOptions& options,
-             std::vector<ReplayBlock>* blocks, std::vector<std::string>* obstacles) {
+             Made* out) {
   if (input.commands.columns.empty() || measured.encoders.empty()) return;
   const AxisLog log = MakeAxisLog(*input.model, input.commands, measured.encoders,
                                   AxisStep_s(measured.encoders, options.step_s));
-  for (std::size_t axis = 0; axis < log.measured.size(); ++axis) {
-    Try(log.measured[axis].channel + ": ", obstacles, [&] {
+  *out = MakeAll(log.measured.size(), options.threads, [&](std::size_t axis, Made* one) {
+    Try(log.measured[axis].channel + ": ", &one->obstacles, [&] {
       auto block = MakeAxisBlock(*input.model, log, axis);
       RequireLever(input, log.measured[axis].axis);
-      if (block) blocks->push_back(std::move(*block));
+      if (block) one->blocks.push_back(std::move(*block));
     });
-  }
+  });
 }
 
 /// A joint whose drive's effort was measured, and its position, makes a block.
@@ -155,18 +177,18 @@ void AddUnreplayedMotion(const DiagnosisInput& input, const Measurements& measur
 
 /// An inertial unit makes a block where its link's motion was measured.
 void AddImus(const DiagnosisInput& input, const Measurements& measured, const BlockOptions& options,
-             std::vector<ReplayBlock>* blocks) {
+             Made* out) {
   const double interval_s = std::max(options.base_interval_s, ImuInterval_s(measured.poses));
-  for (std::size_t s = 0; s < input.sensors.size(); ++s) {
+  *out = MakeAll(input.sensors.size(), options.threads, [&](std::size_t s, Made* one) {
     const SensorDescription& sensor = input.sensors[s];
-    if (measured.imus[s].empty()) continue;
+    if (measured.imus[s].empty()) return;
     ImuLog log = MakeImuLog(*input.model, sensor, measured.imus[s], measured.encoders,
                             measured.poses, interval_s);
     if (auto block = MakeImuBlock(sensor, std::move(log), input.machine + "/" + sensor.name,
                                   measured.poses_were_measured)) {
-      blocks->push_back(std::move(*block));
+      one->blocks.push_back(std::move(*block));
     }
-  }
+  });
 }
 
 /// Some of the scenario's receivers, by their numbers among its sensors, make a block where poses
@@ -185,8 +207,7 @@ std::optional<ReplayBlock> GnssBlockOf(const DiagnosisInput& input, const Measur
 
 /// Two receivers make one block where both have enough to say; else, and where one of them cannot
 /// be compared, each has its own.
-void AddGnss(const DiagnosisInput& input, const Measurements& measured,
-             std::vector<ReplayBlock>* blocks, std::vector<std::string>* obstacles) {
+void AddGnss(const DiagnosisInput& input, const Measurements& measured, Made* out) {
   std::vector<std::size_t> which;
   std::size_t in_all = 0;
   for (std::size_t s = 0; s < input.sensors.size(); ++s) {
@@ -195,7 +216,7 @@ void AddGnss(const DiagnosisInput& input, const Measurements& measured,
   }
   const auto add = [&](const std::vector<std::size_t>& receivers) {
     auto block = GnssBlockOf(input, measured, receivers);
-    if (block) blocks->push_back(std::move(*block));
+    if (block) out->blocks.push_back(std::move(*block));
     return block.has_value();
   };
   if (which.size() == 2 && in_all == 2) {
@@ -206,7 +227,7 @@ void AddGnss(const DiagnosisInput& input, const Measurements& measured,
   }
   for (const std::size_t s : which) {
     const std::string channel = input.machine + "/" + input.sensors[s].name;
-    Try(channel + ": ", obstacles, [&] { add({s}); });
+    Try(channel + ": ", &out->obstacles, [&] { add({s}); });
   }
 }
 
@@ -247,18 +268,21 @@ void Settle(TimeNs start_ns, std::vector<ReplayBlock>* blocks) {
 std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Measurements& measured,
                                   const BlockOptions& options,
                                   std::vector<std::string>* not_compared) {
-  std::vector<ReplayBlock> blocks;
-  std::vector<std::string> obstacles;
-  Try("", &obstacles, [&] { AddAxes(input, measured, options, &blocks, &obstacles); });
-  Try("", &obstacles, [&] { AddEfforts(input, measured, &blocks); });
-  Try("", &obstacles, [&] { AddBase(input, measured, options, &blocks); });
-  Try("", &obstacles, [&] { AddImus(input, measured, options, &blocks); });
-  AddGnss(input, measured, &blocks, &obstacles);
-  Settle(measured.start_ns, &blocks);
-  if (blocks.empty() && options.needs_any) ThrowNothingToCompare(input, measured, obstacles);
-  CheckUnitsOf({measured.recording, input.machine}, blocks);
-  if (not_compared != nullptr) *not_compared = std::move(obstacles);
-  return blocks;
+  const std::vector<std::function<void(Made*)>> kinds = {
+      [&](Made* out) { AddAxes(input, measured, options, out); },
+      [&](Made* out) { AddEfforts(input, measured, &out->blocks); },
+      [&](Made* out) { AddBase(input, measured, options, &out->blocks); },
+      [&](Made* out) { AddImus(input, measured, options, out); },
+      [&](Made* out) { AddGnss(input, measured, out); }};
+  Made made = MakeAll(kinds.size(), options.threads,
+                      [&](std::size_t kind, Made* out) { kinds[kind](out); });
+  Settle(measured.start_ns, &made.blocks);
+  if (made.blocks.empty() && options.needs_any) {
+    ThrowNothingToCompare(input, measured, made.obstacles);
+  }
+  CheckUnitsOf({measured.recording, input.machine}, made.blocks);
+  if (not_compared != nullptr) *not_compared = std::move(made.obstacles);
+  return std::move(made.blocks);
 }
 
 std::vector<ReplayBlock> TakeSensorBlocks(const std::string& machine,
@@ -276,27 +300,32 @@ std::vector<ReplayBlock> TakeSensorBlocks(const std::string& machine,
 std::vector<ReplayBlock> SensorBlocksByArrivals(const DiagnosisInput& input, Measurements measured,
                                                 const BlockOptions& options,
                                                 std::vector<std::string>* not_compared) {
-  std::vector<ReplayBlock> blocks;
   if (const auto times_ns = ArrivalsOf(measured)) {
     measured.poses = AtTimes(std::move(measured.poses), *times_ns);
   }
-  Try("", not_compared, [&] { AddImus(input, measured, options, &blocks); });
-  AddGnss(input, measured, &blocks, not_compared);
-  Settle(measured.start_ns, &blocks);
-  return blocks;
+  Made made = MakeAll(2, options.threads, [&](std::size_t kind, Made* out) {
+    kind == 0 ? AddImus(input, measured, options, out) : AddGnss(input, measured, out);
+  });
+  Settle(measured.start_ns, &made.blocks);
+  *not_compared = std::move(made.obstacles);
+  return std::move(made.blocks);
 }
 
 std::vector<Unreplayed> UnreplayedOf(const DiagnosisInput& input, const Measurements& measured,
                                      const BlockOptions& options, const SimulatedCourse& course) {
-  const MachineModel& model = *input.model;
-  std::vector<Unreplayed> unreplayed;
-  std::vector<std::string> obstacles;  // told by BlocksOf
-  const std::vector<NamedEncoders> encoders = AsSimulated(model, course, measured.encoders);
-  Try(measured.recording, &obstacles,
-      [&] { AddUnreplayedRates(input, measured, encoders, options, &unreplayed); });
-  Try(measured.recording, &obstacles,
-      [&] { AddUnreplayedMotion(input, measured, encoders, course, options, &unreplayed); });
-  return unreplayed;
+  const std::vector<NamedEncoders> encoders = AsSimulated(*input.model, course, measured.encoders);
+  const auto parts = InParallel<std::vector<Unreplayed>>(2, options.threads, [&](std::size_t k) {
+    std::vector<Unreplayed> unreplayed;
+    std::vector<std::string> obstacles;  // told by BlocksOf
+    Try(measured.recording, &obstacles, [&] {
+      k == 0 ? AddUnreplayedRates(input, measured, encoders, options, &unreplayed)
+             : AddUnreplayedMotion(input, measured, encoders, course, options, &unreplayed);
+    });
+    return unreplayed;
+  });
+  std::vector<Unreplayed> all = parts[0];
+  all.insert(all.end(), parts[1].begin(), parts[1].end());
+  return all;
 }
 
 }  // namespace tera

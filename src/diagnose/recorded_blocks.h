@@ -14,6 +14,7 @@ struct BlockOptions {
   bool needs_any = true;         ///< that nothing can be replayed is an error
   double step_s = 0.01;          ///< of the replay of axes, where encoders sample often enough
   double base_interval_s = 0.2;  ///< over which the motion of base and inertial units is compared
+  int threads = 2;
 };
 
 /// Every block that the recording has channels for: joints and gears with encoders and levers,

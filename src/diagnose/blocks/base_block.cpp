@@ -18,9 +18,6 @@ constexpr int kLags = 4;
 constexpr double kLongestLag_s = 0.5;
 constexpr double kDriven_mps =
     0.1;  ///< slower sides at their fastest: hardly driven, or not at all
-/// How far a turn of a sprocket takes a machine is known better than how far a difference of the
-/// sides turns it.
-constexpr double kTravelGain = 0.01, kTurnGain = 0.02;
 
 std::vector<Suspect> SuspectsOf(const Effects& present) {
   SuspectList out("base", EffectTarget::kBase, present, GroundMechanisms());
@@ -131,19 +128,18 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
   ReplayBlock block;
   block.name = name;
   block.first_ns = t_ns.front();
-  const auto add = [&](const char* suffix, const char* unit, double PlanarTwist::*part,
-                       double gain) {
+  const auto add = [&](const char* suffix, const char* unit, double PlanarTwist::*part) {
     block.channels.push_back({name + suffix,
                               unit,
                               grid.SpreadSeries(PartOf(measured, part), all),
-                              {.offset = 1e-3, .gain = gain, .delay_s = 0.5 * grid.period_s},
+                              {.offset = 1e-3, .gain = 0.02, .delay_s = 0.5 * grid.period_s},
                               VariablesOf(course, grid),
                               FreeMember(course, grid),
                               {}});
   };
-  add("/forward_mps", "m/s", &PlanarTwist::forward_mps, kTravelGain);
-  add("/left_mps", "m/s", &PlanarTwist::left_mps, kTurnGain);
-  add("/yaw_radps", "rad/s", &PlanarTwist::yaw_radps, kTurnGain);
+  add("/forward_mps", "m/s", &PlanarTwist::forward_mps);
+  add("/left_mps", "m/s", &PlanarTwist::left_mps);
+  add("/yaw_radps", "rad/s", &PlanarTwist::yaw_radps);
   block.commands = {CommandOf(course.left_mps, grid), CommandOf(course.right_mps, grid)};
   block.suspects = SuspectsOf(model.effects.base);
   if (poses_were_measured) block.suspects.push_back(LatePoses());

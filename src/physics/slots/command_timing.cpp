@@ -78,12 +78,9 @@ double CommandTiming::Delay(double command, double dt_s) {
   const double steps = parameters_.delay_s / dt_s;
   const auto whole = static_cast<std::size_t>(steps);
   TERA_CHECK(whole + 2 <= past_.size(), dt_s, parameters_.delay_s);
-  newest_ = (newest_ + 1) % past_.size();
-  past_[newest_] = command;
-  const std::size_t later = (newest_ + past_.size() - whole) % past_.size();
-  const std::size_t earlier = (later + past_.size() - 1) % past_.size();
+  Remember(command);
   const double fraction = steps - static_cast<double>(whole);
-  return (1 - fraction) * past_[later] + fraction * past_[earlier];
+  return (1 - fraction) * Past(whole) + fraction * Past(whole + 1);
 }
 
 double CommandTiming::Spread(double command, double dt_s) {
@@ -93,21 +90,28 @@ double CommandTiming::Spread(double command, double dt_s) {
       std::sqrt(12 * parameters_.delay_spread_s * parameters_.delay_spread_s + dt_s * dt_s),
       2 * parameters_.delay_s + dt_s);
   const double middle_s = parameters_.delay_s + 0.5 * dt_s;
-  newest_ = (newest_ + 1) % past_.size();
   sum_s_ += command * dt_s;
-  past_[newest_] = sum_s_;
+  Remember(sum_s_);
   return (SumBefore_s((middle_s - 0.5 * width_s) / dt_s) -
           SumBefore_s((middle_s + 0.5 * width_s) / dt_s)) /
          width_s;
+}
+
+void CommandTiming::Remember(double value) {
+  newest_ = newest_ + 1 == past_.size() ? 0 : newest_ + 1;
+  past_[newest_] = value;
+}
+
+/// What was remembered so many steps before the newest.
+double CommandTiming::Past(std::size_t steps) const {
+  return past_[steps <= newest_ ? newest_ - steps : newest_ + past_.size() - steps];
 }
 
 /// Sum of all commands over time, up to so many steps before the end of the newest one.
 double CommandTiming::SumBefore_s(double steps) const {
   const auto whole = static_cast<std::size_t>(std::max(0.0, steps));
   TERA_CHECK(whole + 2 <= past_.size(), steps, parameters_.delay_s);
-  const std::size_t later = (newest_ + past_.size() - whole) % past_.size();
-  const std::size_t earlier = (later + past_.size() - 1) % past_.size();
-  return std::lerp(past_[later], past_[earlier], steps - static_cast<double>(whole));
+  return std::lerp(Past(whole), Past(whole + 1), steps - static_cast<double>(whole));
 }
 
 }  // namespace tera

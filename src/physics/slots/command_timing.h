@@ -50,6 +50,8 @@ class CommandTiming {
   double Delay(double command, double dt_s);
   double Spread(double command, double dt_s);
   double SumBefore_s(double steps) const;
+  void Remember(double value);
+  double Past(std::size_t steps) const;
 
   CommandTimingParameters parameters_;
   Stream drops_;
