@@ -27,7 +27,7 @@ const std::array<std::string, 4> kJoints = {"boom", "arm", "bucket", "slew"};
 
 MachineModel OffNominal(MachineModel model, const Stream& stream) {
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
-    const double factor = 1 + 0.02 * std::clamp(stream.Gaussian(j), -2.0, 2.0);
+    const double factor = 1 + 0.03 * (2 * stream.Uniform(j) - 1);
     model.joints[j].max_rate_positive_radps *= factor;
     model.joints[j].max_rate_negative_radps *= factor;
   }
