@@ -89,7 +89,7 @@ void AddActuator(const Reach& reach, double step_s, SuspectList* out) {
            {{0.05, 0}, {0.12, 0}, {0.25, 0}, {0.5, 0}});
   // A wider band, or a limit that hardly ever acts, would be a lag by another name.
   out->Add("rate_limit",
-           {{0, w / 5, w / 0.06, true}, {.index = 1, .upper = 2 * step_s, .refines = true}},
+           {{0, w / 5, w / 0.08, true}, {.index = 1, .upper = 2 * step_s, .refines = true}},
            {{w / 0.1, 0}, {w / 0.3, 0}, {w / 1, 0}});
   out->Add("actuator_ring", {{0, 3, 60, true}, {1, 0.5, 30, true}, {2, -1.5, 1.5}},
            {{20, 6, 0}, {12, 4, 0}, {28, 8, 0}, {8, 3, 0}});

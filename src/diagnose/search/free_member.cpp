@@ -220,6 +220,22 @@ Misfit LessFreeMember(const ReplayBlock& block, const Likelihood& likelihood, co
   return out;
 }
 
+Misfit LessUnseenFreeMember(const ReplayBlock& block, const Likelihood& likelihood,
+                            const Misfit& misfit, const std::vector<Manoeuvre>& manoeuvres) {
+  Misfit out = misfit;
+  for (std::size_t f = 0; f < kFolds; ++f) {
+    std::vector<Manoeuvre> parted = manoeuvres;
+    for (std::size_t m = 0; m < parted.size(); ++m) {
+      parted[m].part = m % kFolds == f ? Part::kFinal : Part::kTrain;
+    }
+    const Misfit less = LessFreeMember(block, likelihood, misfit, parted);
+    for (const Manoeuvre& manoeuvre : parted) {
+      if (manoeuvre.part == Part::kFinal) TakeOver(less, manoeuvre.samples, &out);
+    }
+  }
+  return out;
+}
+
 std::vector<NoiseModel> NoiseOfBlock(const ReplayBlock& block,
                                      const std::vector<Manoeuvre>& manoeuvres,
                                      const Structure& found) {

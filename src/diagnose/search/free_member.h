@@ -18,6 +18,11 @@ namespace tera {
 Misfit LessFreeMember(const ReplayBlock& block, const Likelihood& likelihood, const Misfit& misfit,
                       const std::vector<Manoeuvre>& manoeuvres);
 
+/// The same, each manoeuvre of all parts by a fit to the others: those that are left out together
+/// make five folds.
+Misfit LessUnseenFreeMember(const ReplayBlock& block, const Likelihood& likelihood,
+                            const Misfit& misfit, const std::vector<Manoeuvre>& manoeuvres);
+
 /// Noise of each channel: what a fit of the free member, together with what the block predicts
 /// with the terms that were found so far, leaves of the measurements of TRAIN and SELECT. What of a
 /// mechanism that is not among them the free member can follow does not count as noise, the rest

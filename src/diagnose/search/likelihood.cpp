@@ -246,4 +246,16 @@ double Likelihood::Sum(const Misfit& misfit, const Segment& samples,
   return sum;
 }
 
+void TakeOver(const Misfit& from, const Segment& samples, Misfit* out) {
+  const auto begin = static_cast<std::ptrdiff_t>(samples.begin);
+  const auto end = static_cast<std::ptrdiff_t>(samples.end);
+  for (std::size_t c = 0; c < out->innovation.size(); ++c) {
+    const auto first = static_cast<Eigen::Index>(samples.begin);
+    const auto size = static_cast<Eigen::Index>(samples.size());
+    out->innovation[c].segment(first, size) = from.innovation[c].segment(first, size);
+    const std::vector<double>& left = from.residual[c].value;
+    std::copy(left.begin() + begin, left.begin() + end, out->residual[c].value.begin() + begin);
+  }
+}
+
 }  // namespace tera

@@ -89,6 +89,9 @@ class Likelihood {
   std::vector<ChannelPart> parts_;
 };
 
+/// Takes over what another misfit leaves of some samples.
+void TakeOver(const Misfit& from, const Segment& samples, Misfit* out);
+
 /// Log-density of an innovation, less that of 0.
 double LogDensityOf(double innovation, double dof);
 
