@@ -151,6 +151,28 @@ TEST(BlockDiagnosis, WhatIsLoudInManyButHardlyInThoseKeptBackIsUnexplained) {
   EXPECT_EQ(diagnosis.unexplained.size(), 1u);
 }
 
+TEST(BlockDiagnosis, WhatActsNowAndThenIsToldFromSlowNoiseByAllManoeuvres) {
+  // Nobody rests, so that slow noise cannot be ruled out by its size; and what acts only while it
+  // is hottest is no steady gain of the manoeuvres kept back.
+  std::vector<double> lever = ToyLever(kSamples, 15);
+  for (double& u : lever) {
+    if (std::abs(u) < 0.05) u = std::copysign(0.05, u);
+  }
+  ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, kNoise, 15), {0, 2, 3});
+  const Series& temperature = block.channels[0].variables[1].series;
+  Series& measured = block.channels[0].measured;
+  for (std::size_t k = 0; k < measured.size(); ++k) {
+    if (measured.valid[k]) measured.value[k] += 0.6 * std::max(0.0, temperature.value[k] - 0.8);
+  }
+  const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(15, "diagnose"));
+  EXPECT_THAT(diagnosis.findings, IsEmpty());
+  ASSERT_EQ(diagnosis.remainders.size(), 1u);
+  EXPECT_EQ(diagnosis.remainders[0].kind, Remainder::Kind::kUnknown);
+  ASSERT_EQ(diagnosis.unexplained.size(), 1u);
+  EXPECT_LT(diagnosis.unexplained[0].p.value_or(1), 0.01);
+  EXPECT_EQ(diagnosis.unexplained[0].location.regimes[0].variable, "temperature");
+}
+
 TEST(BlockDiagnosis, SaysWhatALeverAtRestCannotShow) {
   const std::vector<double> lever(kSamples, 0.0);
   const ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, kNoise, 16), {0, 2, 3});
