@@ -164,6 +164,26 @@ TEST(LoneAxisReplay, FallsShortAfterAStepThatAsksForMoreThanTheEffortAndNotInBet
   EXPECT_EQ(std::count(strong.begin(), strong.end(), true), 0);
 }
 
+TEST(LoneAxisReplay, FallsShortAtEverySampleOfAStep) {
+  Drive drive("tb235.yaml", kRaised, "soil: dirt", 0, 0);
+  drive.Operate([](double t_s) { return NamedLevers{{"arm", t_s < 1 ? 0.0 : 1.0}}; });
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  const Recorded recorded = Record(&drive, 2);
+  // Two samples a step.
+  const AxisLog log = MakeAxisLog(model, recorded.commands, {recorded.encoders}, 0.02);
+  const auto arm =
+      std::find_if(log.measured.begin(), log.measured.end(), [&](const MeasuredRate& measured) {
+        return measured.axis == static_cast<std::size_t>(model.JointIndex("arm"));
+      });
+  ASSERT_NE(arm, log.measured.end());
+  const LoneAxisReplay replay(model, log, *arm);
+  const std::vector<bool> weak = replay.FallsShort(replay.effects(), {.effort = 0.05});
+  const auto first = std::find(weak.begin(), weak.end(), true);
+  const auto last = std::find(weak.rbegin(), weak.rend(), true).base();
+  ASSERT_GE(last - first, 6);
+  EXPECT_EQ(std::count(first, last, false), 0);
+}
+
 /// Of the boom, which shares pump 1 with the bucket.
 ReplayBlock BlockOfBoom(const Drive& drive, const Recorded& recorded) {
   const MachineModel& model = drive.scenario.machines[0].placement.model;

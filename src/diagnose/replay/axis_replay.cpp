@@ -159,9 +159,13 @@ std::vector<bool> LoneAxisReplay::FallsShort(const AxisEffects& effects,
   std::vector<bool> falls_short(at_step_.size(), false);
   std::size_t next = 0;
   Run(effects, nominal, lever_.size(), [&](std::size_t k, const Rates& at_end) {
-    while (next < at_step_.size() && at_step_[next] <= static_cast<double>(k)) ++next;
-    if (next == at_step_.size() || at_end.asked_radps == at_end.rate_radps) return;
-    falls_short[next] = true;
+    const auto begins = static_cast<double>(k);
+    while (next < at_step_.size() && at_step_[next] <= begins) ++next;
+    if (at_end.asked_radps == at_end.rate_radps) return;
+    // Of a sample of the next step too, which lies between what there is at the ends of both.
+    std::size_t sample = next;
+    while (sample < at_step_.size() && at_step_[sample] <= begins + 1) falls_short[sample++] = true;
+    if (sample < at_step_.size()) falls_short[sample] = true;
   });
   return falls_short;
 }

@@ -61,8 +61,9 @@ class LoneAxisReplay {
     return Predict(effects, Nominal());
   }
 
-  /// For each of the measured rate's times, whether the rate is not what the drive asks for at some
-  /// time since the one before, because its full effort does not accelerate the masses so fast.
+  /// For each of the measured rate's times, whether the rate is not what the drive asks for then,
+  /// or at some time since the one before, because its full effort does not accelerate the masses
+  /// so fast.
   std::vector<bool> FallsShort(const AxisEffects& effects, const Nominal& nominal) const;
 
   /// What the model has.
