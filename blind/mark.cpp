@@ -57,8 +57,14 @@ bool IsConfidentlyWrong(const BenchmarkCase& c, const Finding& finding) {
                       [&](const Concealed& hidden) { return HoldsNameOf(hidden, finding); });
 }
 
-void MarkParameters(const Concealed& hidden, const Finding& finding, Mark* mark) {
+/// A number is that of what is hidden if the finding stands for nothing else: two that do the same
+/// are one to whoever sees what they do together.
+void MarkParameters(const BenchmarkCase& c, const Concealed& hidden, const Finding& finding,
+                    Mark* mark) {
   if (finding.mechanism != hidden.name) return;  // others have other parameters
+  const auto stands_for = std::count_if(c.hidden.begin(), c.hidden.end(),
+                                        [&](const Concealed& h) { return Names(finding, h); });
+  if (stands_for > 1) return;
   for (const auto& [name, truth] : hidden.truth) {
     const auto found = finding.parameters.find(name);
     if (found == finding.parameters.end()) continue;
@@ -170,7 +176,7 @@ Mark MarkAnswer(const BenchmarkCase& c, const CaseRecording& recording, const An
     if (finding != answer.findings.end()) {
       ++mark.named;
       mark.right_first = mark.right_first || finding == answer.findings.begin();
-      MarkParameters(hidden, *finding, &mark);
+      MarkParameters(c, hidden, *finding, &mark);
     }
     for (const auto& [name, target] : answer.untestable) {
       mark.listed_untestable =

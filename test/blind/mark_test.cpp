@@ -54,6 +54,18 @@ TEST(Mark, OfTheRightAnswer) {
   EXPECT_TRUE(mark.parameters[0].Covered());
 }
 
+TEST(Mark, OfOneNameForTwoThatDoTheSameAsksForNoNumber) {
+  HiddenDeadBand two;
+  two.c.kind = CaseKind::kTwo;
+  Concealed same = two.c.hidden[0];
+  same.name = "lever_saturation", same.alike = {"dead_band"};
+  two.c.hidden.push_back(same);
+  two.recording.changes.push_back(two.recording.changes[0]);
+  const Mark mark = two.Of(DeadBandOfBoom());
+  EXPECT_EQ(mark.named, 2);
+  EXPECT_TRUE(mark.parameters.empty());
+}
+
 TEST(Mark, AVariableIsThatOfWhatIsNamed) {
   // A lag that is found first depends on no variable, whatever the dead band beside it does.
   HiddenDeadBand two;
