@@ -57,13 +57,26 @@ bool IsConfidentlyWrong(const BenchmarkCase& c, const Finding& finding) {
                       [&](const Concealed& hidden) { return HoldsNameOf(hidden, finding); });
 }
 
-/// A number is that of what is hidden if the finding stands for nothing else: two that do the same
-/// are one to whoever sees what they do together.
-void MarkParameters(const BenchmarkCase& c, const Concealed& hidden, const Finding& finding,
+/// The finding that names it, if any: by its own name rather than by one alike.
+const Finding* NamingOf(const Concealed& hidden, const Answer& answer) {
+  const Finding* alike = nullptr;
+  for (const Finding& finding : answer.findings) {
+    if (!Names(finding, hidden)) continue;
+    if (finding.mechanism == hidden.name) return &finding;
+    if (alike == nullptr) alike = &finding;
+  }
+  return alike;
+}
+
+/// Where one finding stands for two that look the same, its number is that of both together: not
+/// asked.
+void MarkParameters(const BenchmarkCase& c, const Concealed& hidden, const Answer& answer,
                     Mark* mark) {
+  const Finding& finding = *NamingOf(hidden, answer);
   if (finding.mechanism != hidden.name) return;  // others have other parameters
-  const auto stands_for = std::count_if(c.hidden.begin(), c.hidden.end(),
-                                        [&](const Concealed& h) { return Names(finding, h); });
+  const auto stands_for = std::count_if(c.hidden.begin(), c.hidden.end(), [&](const Concealed& h) {
+    return NamingOf(h, answer) == &finding;
+  });
   if (stands_for > 1) return;
   for (const auto& [name, truth] : hidden.truth) {
     const auto found = finding.parameters.find(name);
@@ -171,12 +184,10 @@ Mark MarkAnswer(const BenchmarkCase& c, const CaseRecording& recording, const An
   for (const Concealed& hidden : c.hidden) {
     mark.hidden.push_back(
         fmt::format("{} {}", hidden.target, hidden.name.empty() ? hidden.form : hidden.name));
-    const auto finding = std::find_if(answer.findings.begin(), answer.findings.end(),
-                                      [&](const Finding& f) { return Names(f, hidden); });
-    if (finding != answer.findings.end()) {
+    if (NamingOf(hidden, answer) != nullptr) {
       ++mark.named;
-      mark.right_first = mark.right_first || finding == answer.findings.begin();
-      MarkParameters(c, hidden, *finding, &mark);
+      mark.right_first = mark.right_first || Names(answer.findings.front(), hidden);
+      MarkParameters(c, hidden, answer, &mark);
     }
     for (const auto& [name, target] : answer.untestable) {
       mark.listed_untestable =

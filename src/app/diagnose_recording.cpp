@@ -118,19 +118,20 @@ std::vector<Further> FurtherRecordings(const DiagnoseArguments& arguments,
 
 /// What was found, over a further recording, whose sensors are compared as those of the first were.
 HeldOutRecording JudgeFurther(const Diagnosis& diagnosis, Further* further,
-                              const std::filesystem::path& recording, std::uint64_t seed) {
+                              const std::filesystem::path& recording,
+                              const DiagnosisOptions& options) {
   if (TellsOfArrivals(diagnosis.blocks)) {
     std::vector<std::string> not_compared;  // as in the recording that is searched
     TakeSensorBlocks(further->input.machine, &further->blocks);
     for (ReplayBlock& block :
-         SensorBlocksByArrivals(further->input, further->measured, {}, &not_compared)) {
+         SensorBlocksByArrivals(further->input, further->measured, options.blocks, &not_compared)) {
       // Without a block of the base they were not told from the machine's own.
       std::erase_if(further->blocks,
                     [&](const ReplayBlock& stamped) { return stamped.name == block.name; });
       further->blocks.push_back(std::move(block));
     }
   }
-  return JudgeHeldOut(diagnosis.blocks, further->blocks, recording.string(), seed);
+  return JudgeHeldOut(diagnosis.blocks, further->blocks, recording.string(), options.seed);
 }
 
 /// Any that a simulation can have: poses are not simulated late.
@@ -183,7 +184,7 @@ Diagnosis DiagnoseMachine(const DiagnoseArguments& arguments, DiagnosisOptions o
   diagnosis.perception = std::move(seen);
   for (std::size_t r = 0; r < further.size(); ++r) {
     diagnosis.held_out.push_back(
-        JudgeFurther(diagnosis, &further[r], arguments.held_out[r], options.seed));
+        JudgeFurther(diagnosis, &further[r], arguments.held_out[r], options));
   }
   if (!arguments.simulate || !HasFindingsToSimulate(diagnosis)) return diagnosis;
   if (IsOutOfTime(diagnosis)) {

@@ -303,9 +303,11 @@ std::vector<ReplayBlock> SensorBlocksByArrivals(const DiagnosisInput& input, Mea
   if (const auto times_ns = ArrivalsOf(measured)) {
     measured.poses = AtTimes(std::move(measured.poses), *times_ns);
   }
-  Made made = MakeAll(2, options.threads, [&](std::size_t kind, Made* out) {
-    kind == 0 ? AddImus(input, measured, options, out) : AddGnss(input, measured, out);
-  });
+  const std::vector<std::function<void(Made*)>> kinds = {
+      [&](Made* out) { AddImus(input, measured, options, out); },
+      [&](Made* out) { AddGnss(input, measured, out); }};
+  Made made = MakeAll(kinds.size(), options.threads,
+                      [&](std::size_t kind, Made* out) { kinds[kind](out); });
   Settle(measured.start_ns, &made.blocks);
   *not_compared = std::move(made.obstacles);
   return std::move(made.blocks);

@@ -14,7 +14,7 @@ struct BlockOptions {
   bool needs_any = true;         ///< that nothing can be replayed is an error
   double step_s = 0.01;          ///< of the replay of axes, where encoders sample often enough
   double base_interval_s = 0.2;  ///< over which the motion of base and inertial units is compared
-  int threads = 2;
+  int threads = 2;               ///< which the blocks do not depend on
 };
 
 /// Every block that the recording has channels for: joints and gears with encoders and levers,
@@ -31,7 +31,7 @@ std::vector<ReplayBlock> TakeSensorBlocks(const std::string& machine,
                                           std::vector<ReplayBlock>* blocks);
 
 /// The blocks of inertial units and receivers over poses that are stamped as they arrive, at the
-/// times at which they were measured. `not_compared` as above.
+/// times at which they were measured. `not_compared` is replaced by what of them makes no block.
 std::vector<ReplayBlock> SensorBlocksByArrivals(const DiagnosisInput& input, Measurements measured,
                                                 const BlockOptions& options,
                                                 std::vector<std::string>* not_compared);

@@ -64,6 +64,14 @@ TEST(Mark, OfOneNameForTwoThatDoTheSameAsksForNoNumber) {
   const Mark mark = two.Of(DeadBandOfBoom());
   EXPECT_EQ(mark.named, 2);
   EXPECT_TRUE(mark.parameters.empty());
+
+  // Each with a finding of its own, though either name would do for both.
+  two.c.hidden[0].alike = {"lever_saturation"};
+  Finding other = DeadBandOfBoom();
+  other.names = {"lever_saturation"}, other.mechanism = "lever_saturation";
+  const Mark apart = MarkAnswer(two.c, two.recording, {{}, {other, DeadBandOfBoom()}, {}});
+  EXPECT_EQ(apart.named, 2);
+  EXPECT_EQ(apart.parameters.size(), 2u);
 }
 
 TEST(Mark, AVariableIsThatOfWhatIsNamed) {

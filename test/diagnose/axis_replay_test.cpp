@@ -164,24 +164,38 @@ TEST(LoneAxisReplay, FallsShortAfterAStepThatAsksForMoreThanTheEffortAndNotInBet
   EXPECT_EQ(std::count(strong.begin(), strong.end(), true), 0);
 }
 
-TEST(LoneAxisReplay, FallsShortAtEverySampleOfAStep) {
+TEST(LoneAxisReplay, FallsShortAtEverySampleThatAWeakDriveChanges) {
   Drive drive("tb235.yaml", kRaised, "soil: dirt", 0, 0);
   drive.Operate([](double t_s) { return NamedLevers{{"arm", t_s < 1 ? 0.0 : 1.0}}; });
   const MachineModel& model = drive.scenario.machines[0].placement.model;
   const Recorded recorded = Record(&drive, 2);
-  // Two samples a step.
-  const AxisLog log = MakeAxisLog(model, recorded.commands, {recorded.encoders}, 0.02);
-  const auto arm =
-      std::find_if(log.measured.begin(), log.measured.end(), [&](const MeasuredRate& measured) {
-        return measured.axis == static_cast<std::size_t>(model.JointIndex("arm"));
-      });
-  ASSERT_NE(arm, log.measured.end());
-  const LoneAxisReplay replay(model, log, *arm);
-  const std::vector<bool> weak = replay.FallsShort(replay.effects(), {.effort = 0.05});
-  const auto first = std::find(weak.begin(), weak.end(), true);
-  const auto last = std::find(weak.rbegin(), weak.rend(), true).base();
-  ASSERT_GE(last - first, 6);
-  EXPECT_EQ(std::count(first, last, false), 0);
+  const auto check = [&](double step_s) {
+    const AxisLog log = MakeAxisLog(model, recorded.commands, {recorded.encoders}, step_s);
+    const auto arm =
+        std::find_if(log.measured.begin(), log.measured.end(), [&](const MeasuredRate& measured) {
+          return measured.axis == static_cast<std::size_t>(model.JointIndex("arm"));
+        });
+    ASSERT_NE(arm, log.measured.end());
+    const LoneAxisReplay replay(model, log, *arm);
+    const LoneAxisReplay::Nominal weak = {.effort = 0.05}, strong = {.effort = 1e6};
+    const std::vector<bool> marked = replay.FallsShort(replay.effects(), weak);
+    const std::vector<double> slow = replay.Predict(replay.effects(), weak);
+    const std::vector<double> fast = replay.Predict(replay.effects(), strong);
+    int changed = 0, spared = 0;
+    for (std::size_t k = 0; k < marked.size(); ++k) {
+      const bool differs = std::abs(slow[k] - fast[k]) > 1e-12;
+      changed += differs ? 1 : 0;
+      spared += differs && !marked[k] ? 1 : 0;
+    }
+    EXPECT_GE(changed, 20);
+    EXPECT_EQ(spared, 0);
+    // At both ends one of a step too many at most.
+    EXPECT_LE(std::count(marked.begin(), marked.end(), true), changed + 2 * 7 + 1);
+  };
+  for (const double step_s : {0.002, 0.02, 0.067}) {  // the last with six or seven samples
+    SCOPED_TRACE(step_s);
+    check(step_s);
+  }
 }
 
 /// Of the boom, which shares pump 1 with the bucket.

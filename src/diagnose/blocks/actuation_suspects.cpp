@@ -12,6 +12,10 @@
 namespace tera {
 namespace {
 
+/// In which full rate is reached under the mildest rate limit that is looked for: what is quicker
+/// is a motor's lag that steps of the lever show.
+constexpr double kShortestRise_s = 0.08;
+
 constexpr double kLeastTogether_s = 2;
 
 /// What an axis did in the log.
@@ -88,9 +92,10 @@ void AddActuator(const Reach& reach, double step_s, SuspectList* out) {
   out->Add("actuator_lag", {{0, step_s, 1.5}, {.index = 1, .refines = true}},
            {{0.05, 0}, {0.12, 0}, {0.25, 0}, {0.5, 0}});
   // A wider band, or a limit that hardly ever acts, would be a lag by another name.
-  out->Add("rate_limit",
-           {{0, w / 5, w / 0.08, true}, {.index = 1, .upper = 2 * step_s, .refines = true}},
-           {{w / 0.1, 0}, {w / 0.3, 0}, {w / 1, 0}});
+  out->Add(
+      "rate_limit",
+      {{0, w / 5, w / kShortestRise_s, true}, {.index = 1, .upper = 2 * step_s, .refines = true}},
+      {{w / 0.1, 0}, {w / 0.3, 0}, {w / 1, 0}});
   out->Add("actuator_ring", {{0, 3, 60, true}, {1, 0.5, 30, true}, {2, -1.5, 1.5}},
            {{20, 6, 0}, {12, 4, 0}, {28, 8, 0}, {8, 3, 0}});
   if (reach.has_stops) {

@@ -162,10 +162,10 @@ std::vector<bool> LoneAxisReplay::FallsShort(const AxisEffects& effects,
     const auto begins = static_cast<double>(k);
     while (next < at_step_.size() && at_step_[next] <= begins) ++next;
     if (at_end.asked_radps == at_end.rate_radps) return;
-    // Of a sample of the next step too, which lies between what there is at the ends of both.
+    // The rate of a sample of the next step lies between those at the ends of both.
     std::size_t sample = next;
-    while (sample < at_step_.size() && at_step_[sample] <= begins + 1) falls_short[sample++] = true;
-    if (sample < at_step_.size()) falls_short[sample] = true;
+    while (sample < at_step_.size() && at_step_[sample] < begins + 2) falls_short[sample++] = true;
+    if (sample == next && sample < at_step_.size()) falls_short[sample] = true;
   });
   return falls_short;
 }

@@ -97,9 +97,9 @@ std::vector<Manoeuvre> ManoeuvresOf(const ReplayBlock& block, const Stream& stre
 ///         found. What is louder in half of the manoeuvres or more, or in one with three in the
 ///         whole recording and five times the noise in all, is unexplained, and so is what the free
 ///         member still follows, steadily over SELECT (Bonferroni over the diagnosis's channels)
-///         and FINAL, or, of what is loud and may be noise, over all manoeuvres, each by a fit to
-///         others. In a recording without rest, ten times the noise: noise of AR(1), 0.995, is so
-///         much louder than its differences.
+///         and FINAL, or, of what is loud in too few of them or may be noise, over all manoeuvres,
+///         each by a fit to others, at half the level. In a recording without rest, ten times the
+///         noise: noise of AR(1), 0.995, is so much louder than its differences.
 BlockDiagnosis DiagnoseBlock(const ReplayBlock& block, const SearchOptions& options,
                              const Stream& stream);
 

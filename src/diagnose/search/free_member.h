@@ -18,8 +18,10 @@ namespace tera {
 Misfit LessFreeMember(const ReplayBlock& block, const Likelihood& likelihood, const Misfit& misfit,
                       const std::vector<Manoeuvre>& manoeuvres);
 
-/// The same, each manoeuvre of all parts by a fit to the others: those that are left out together
-/// make five folds.
+/// The same, each manoeuvre, of whatever part, less a fit to others: every fifth is left out of
+/// one.
+///
+/// Omits   that what outlasts a manoeuvre is seen in its neighbours.
 Misfit LessUnseenFreeMember(const ReplayBlock& block, const Likelihood& likelihood,
                             const Misfit& misfit, const std::vector<Manoeuvre>& manoeuvres);
 

@@ -49,7 +49,7 @@ class Likelihood {
   /// Half the sum of squares of these, negative: log-likelihood of the samples fitted to, less that
   /// of innovations of 0, less half the square of each nuisance.
   double LogLikelihood(const std::vector<std::vector<double>>& predicted) const;
-  /// The same of what is judged already.
+  /// The same of what this one has judged, with nothing taken off since.
   double LogLikelihood(const Misfit& judged) const;
   /// The samples that the deviances of one channel belong to, in order.
   const std::vector<std::size_t>& fitted_samples(std::size_t channel) const {
@@ -89,7 +89,7 @@ class Likelihood {
   std::vector<ChannelPart> parts_;
 };
 
-/// Takes over what another misfit leaves of some samples.
+/// Takes over what another misfit leaves of some samples; nuisances stay.
 void TakeOver(const Misfit& from, const Segment& samples, Misfit* out);
 
 /// Log-density of an innovation, less that of 0.

@@ -111,7 +111,7 @@ class Deviance final : public ceres::CostFunction {
   const Structure& terms_;
   const int threads_;
   const std::vector<double> steps_;
-  mutable std::vector<double> last_places_, last_rows_;
+  mutable std::vector<double> last_places_, last_rows_;  ///< of the evaluation before
   double cost_at_start_ = 0;
 };
 
@@ -269,6 +269,7 @@ Structure StructureFitter::RefineSmooth(const Structure& terms, const Likelihood
     problem.SetParameterUpperBound(places.data(), p, 1);
   }
   ceres::Solver::Options options;
+  options.num_threads = 1;  // Deviance has its own
   options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   options.max_num_iterations = most_iterations;
   options.function_tolerance = std::min(1e-4, kConverged / std::max(deviance.cost_at_start(), 1.0));

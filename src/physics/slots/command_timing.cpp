@@ -102,7 +102,7 @@ void CommandTiming::Remember(double value) {
   past_[newest_] = value;
 }
 
-/// What was remembered so many steps before the newest.
+/// What was remembered so many steps before the newest; fewer than all that there is room for.
 double CommandTiming::Past(std::size_t steps) const {
   return past_[steps <= newest_ ? newest_ - steps : newest_ + past_.size() - steps];
 }

@@ -170,7 +170,29 @@ TEST(BlockDiagnosis, WhatActsNowAndThenIsToldFromSlowNoiseByAllManoeuvres) {
   EXPECT_EQ(diagnosis.remainders[0].kind, Remainder::Kind::kUnknown);
   ASSERT_EQ(diagnosis.unexplained.size(), 1u);
   EXPECT_LT(diagnosis.unexplained[0].p.value_or(1), 0.01);
+  ASSERT_FALSE(diagnosis.unexplained[0].location.regimes.empty());
   EXPECT_EQ(diagnosis.unexplained[0].location.regimes[0].variable, "temperature");
+}
+
+TEST(BlockDiagnosis, SlowNoiseWithoutRestIsNoErrorOfAnything) {
+  // Slow noise, several times as loud as differences between samples say, and white noise.
+  for (std::uint64_t seed = 40; seed < 46; ++seed) {
+    std::vector<double> lever = ToyLever(kSamples, seed);
+    for (double& u : lever) {
+      if (std::abs(u) < 0.05) u = std::copysign(0.05, u);
+    }
+    const std::vector<double> slow =
+        SimulateNoise({.ar = {0.995}, .scale = 0.1 * std::sqrt(1 - 0.995 * 0.995)}, kSamples,
+                      Stream(seed, "slow"));
+    std::vector<double> measured = lever;
+    for (std::size_t k = 0; k < kSamples; ++k) measured[k] += slow[k];
+    const ReplayBlock block = ToyBlock(lever, ToyMeasured(measured, kNoise, seed), {0, 2, 3});
+    const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(seed, "diagnose"));
+    ASSERT_EQ(diagnosis.remainders.size(), 1u);
+    EXPECT_EQ(diagnosis.remainders[0].kind, Remainder::Kind::kUnknown) << seed;
+    EXPECT_THAT(diagnosis.unexplained, IsEmpty()) << seed;
+    EXPECT_THAT(diagnosis.findings, IsEmpty()) << seed;
+  }
 }
 
 TEST(BlockDiagnosis, SaysWhatALeverAtRestCannotShow) {

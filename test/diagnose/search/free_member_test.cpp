@@ -29,7 +29,7 @@ class FreeMember : public ::testing::Test {
   }
   Misfit Left() const {
     const ReplayBlock block = ToyBlock(lever_, MakeSeries(0.01, measured_), {});
-    const Likelihood likelihood(block, {{.scale = 0.05}}, Mask(kSamples, 1));
+    const Likelihood likelihood(block, {{.ar = {0.7}, .scale = 0.05}}, Mask(kSamples, 1));
     Misfit nothing = likelihood.Judge(block.predict({}));
     for (std::size_t k = 0; k < kSamples; ++k) {  // nuisances are not what is asked about here
       nothing.residual[0].value[k] = measured_[k] - lever_[k];
@@ -44,16 +44,25 @@ class FreeMember : public ::testing::Test {
 
 TEST_F(FreeMember, FollowsEveryManoeuvreOfWhateverPart) {
   const Misfit left = Left();
-  for (std::size_t k = 0; k < kSamples; ++k) EXPECT_NEAR(left.residual[0].value[k], 0, 0.01) << k;
+  for (std::size_t k = 1; k < kSamples; ++k) {
+    EXPECT_NEAR(left.residual[0].value[k], 0, 0.01) << k;
+    EXPECT_NEAR(left.innovation[0][static_cast<Eigen::Index>(k)], 0, 0.2) << k;
+  }
 }
 
 TEST_F(FreeMember, HasNotSeenTheManoeuvreThatItIsJudgedBy) {
-  const std::vector<double> before = Left().residual[0].value;
+  const Misfit before = Left();
   const Segment& own = manoeuvres_[6].samples;
   for (std::size_t k = own.begin; k < own.end; ++k) measured_[k] += 1 + lever_[k];
-  const std::vector<double> after = Left().residual[0].value;
+  const Misfit after = Left();
+  // But for what the first innovation of the manoeuvre after it remembers.
   for (std::size_t k = own.begin; k < own.end; ++k) {
-    EXPECT_NEAR(after[k] - before[k], 1 + lever_[k], 1e-9) << k;
+    EXPECT_NEAR(after.residual[0].value[k] - before.residual[0].value[k], 1 + lever_[k], 1e-3) << k;
+    if (k == own.begin) continue;  // its innovation remembers another manoeuvre
+    const auto at = static_cast<Eigen::Index>(k);
+    EXPECT_NEAR(after.innovation[0][at] - before.innovation[0][at],
+                (1 + lever_[k] - 0.7 * (1 + lever_[k - 1])) / 0.05, 0.02)
+        << k;
   }
 }
 
