@@ -82,7 +82,8 @@ TEST_F(DiagnoseOptions, ALibraryLimitsTheRangeOfANumberOrHoldsIt) {
   WriteWholeFile(scratch_.path() / "library.yaml",
                  "only: [dead_band]\nsuspects: {dead_band: {width: [0.02, 0.08], asymmetry: 0}}\n");
   const auto json = Diagnosed({"--library", "library.yaml"});
-  ASSERT_EQ(json["findings"].size(), 1u) << out_;
+  ASSERT_EQ(json["findings"].size(), 2u) << out_;
+  EXPECT_EQ(json["findings"][1]["mechanism"], "unexplained") << "what a wider one would explain";
   const auto& parameters = json["findings"][0]["parameters"];
   EXPECT_NEAR(parameters["width"]["value"].get<double>(), 0.08, 1e-3);  // the range's end
   EXPECT_TRUE(parameters["width"]["sigma"].is_null());
