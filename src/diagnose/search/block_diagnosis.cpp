@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/in_parallel.h"
 #include "diagnose/search/beginning.h"
@@ -74,7 +75,7 @@ class Procedure {
   double QuietOf(const Remainder& remainder, const SearchResult& search, double loud) const;
   void JudgeRemainder(const SearchResult& search, Remainder* remainder) const;
   std::optional<double> FollowedP(const Misfit& misfit, const Misfit& free,
-                                  const std::optional<Misfit>& crossed,
+                                  const std::function<const Misfit&()>& ask_all,
                                   const Remainder& remainder) const;
   void FindUnexplained(BlockDiagnosis* out) const;
   Detectability DetectabilityOf(const Suspect& suspect) const;
@@ -233,10 +234,10 @@ void Procedure::FindRemainders(const SearchResult& search, BlockDiagnosis* out) 
 }
 
 /// The probability, by chance, of the free member following a channel's residual so steadily; none
-/// where it does not. `crossed`: by fits to other manoeuvres, which all of them are asked about
-/// where what is left is loud: a second question, so that each counts twice.
+/// where it does not. `ask_all`: by fits to other manoeuvres, which all of them are asked about
+/// where what is left is loud and not told of yet: a second question, so that each counts twice.
 std::optional<double> Procedure::FollowedP(const Misfit& misfit, const Misfit& free,
-                                           const std::optional<Misfit>& crossed,
+                                           const std::function<const Misfit&()>& ask_all,
                                            const Remainder& remainder) const {
   if (EffectOf(block_, free, misfit) < options_.least_effect) return std::nullopt;
   const auto p_over = [&](const Misfit& less, const std::vector<Segment>& pieces) {
@@ -246,10 +247,12 @@ std::optional<double> Procedure::FollowedP(const Misfit& misfit, const Misfit& f
       static_cast<double>(std::max(options_.channels_in_all, block_.channels.size()));
   const double chosen_p = std::min(1.0, tests * p_over(free, select_));
   if (chosen_p <= options_.alpha && p_over(free, final_) <= kUnconfirmedP) return chosen_p;
-  if (!crossed || remainder.kind == Remainder::Kind::kNoise) return std::nullopt;
+  const bool is_open =
+      remainder.kind == Remainder::Kind::kUnknown || remainder.kind == Remainder::Kind::kOfFew;
+  if (!is_open) return std::nullopt;
   std::vector<Segment> all = seen_;
   all.insert(all.end(), final_.begin(), final_.end());
-  const double p = std::min(1.0, 2 * tests * p_over(*crossed, all));
+  const double p = std::min(1.0, 2 * tests * p_over(ask_all(), all));
   return p <= options_.alpha ? std::optional(p) : std::nullopt;
 }
 
@@ -259,18 +262,17 @@ void Procedure::FindUnexplained(BlockDiagnosis* out) const {
   const Misfit& misfit = search.found.misfit;
   const Misfit free = LessFreeMember(block_, likelihood_, misfit, manoeuvres_);
   std::optional<Misfit> crossed;
-  if (std::any_of(out->remainders.begin(), out->remainders.end(), [](const Remainder& remainder) {
-        return remainder.kind != Remainder::Kind::kNoise;
-      })) {
-    crossed = LessUnseenFreeMember(block_, likelihood_, misfit, manoeuvres_);
-  }
+  const auto ask_all = [&]() -> const Misfit& {
+    if (!crossed) crossed = LessUnseenFreeMember(block_, likelihood_, misfit, manoeuvres_);
+    return *crossed;
+  };
   for (const Remainder& remainder : out->remainders) {
     const std::size_t c = remainder.channel;
     double total = 0;
     for (const auto& one : GainsOf(likelihood_, misfit, free, select_, c)) total += one.gain;
     Unexplained left{{}, {}, 0, remainder.rmse, remainder.noise.rms()};
     left.share = std::max(0.0, total / std::max({search.free_gain, total, 1e-9}));
-    if (left.share >= kLeastUnexplained) left.p = FollowedP(misfit, free, crossed, remainder);
+    if (left.share >= kLeastUnexplained) left.p = FollowedP(misfit, free, ask_all, remainder);
     if (!left.p && remainder.kind != Remainder::Kind::kError) continue;
     left.location = Locate(block_.channels[c], c, misfit.residual[c], likelihood_.noise()[c],
                            remainder.noise, stream_, options_.threads);
