@@ -26,9 +26,9 @@ constexpr double kMostLost = 0.4;        ///< of the samples that move
 constexpr double kTremble = 0.01;        ///< of a lever that is held, either way
 constexpr std::size_t kOtherLevers = 4;  ///< variables of the axis itself come before them
 constexpr double kMoved = 0.05;          ///< of full lever
-/// Standard deviations. Rates are off by 3 % at most, which is twice this and the bound of a
-/// nuisance (likelihood.h); full effort over inertia, where effort, masses and their places are off
-/// by about 3 % each and inertia has the square of a place, by twice the other.
+/// Standard deviations, of which a nuisance has two at most (likelihood.h): of rates, for a data
+/// sheet is right to 3 %, and of full effort over inertia, where effort, masses and their places
+/// are off by about 3 % each and inertia has the square of a place.
 constexpr double kNominalRate = 0.015, kNominalEffort = 0.07;
 
 /// Whether most samples of a moving axis are the one before, bit for bit: a slower measurement that
