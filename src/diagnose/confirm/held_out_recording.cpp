@@ -6,15 +6,11 @@
 #include "diagnose/search/steady_gain.h"
 
 namespace tera {
-namespace {
-
-constexpr double kLongest_s = 3;  ///< of a manoeuvre, as block_diagnosis.h cuts them
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<HeldOutChannel> JudgeOnBlock(const ReplayBlock& further, const Structure& found,
                                          const Stream& stream) {
-  const auto manoeuvres = SplitByManoeuvre(further.commands, {.longest_s = kLongest_s}, stream);
+  const auto manoeuvres = SplitByManoeuvre(further.commands, {}, stream);
   const Likelihood likelihood(further, NoiseOfBlock(further, manoeuvres),
                               Mask(further.samples(), 1));
   const Misfit before = likelihood.Judge(further.predict({}));

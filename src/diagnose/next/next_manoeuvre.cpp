@@ -27,7 +27,6 @@ constexpr double kFirstRest_s = 1;
 constexpr double kClassWeight = 3;
 constexpr double kWorthwhile = 0.5;  ///< power
 constexpr std::uint64_t kDraws = 100;
-constexpr double kLongest_s = 3;  ///< of a manoeuvre, as block_diagnosis.h cuts them
 constexpr double kRivalP = 0.05, kRivalGain = 3, kFinalP = 0.05;
 constexpr std::size_t kKindsTold = 4;
 /// Manoeuvres that move, of TRAIN and SELECT and of FINAL: what a diagnosis needs, and what is
@@ -312,7 +311,7 @@ double Designer::PowerOf(const OpenQuestion& question, bool is_class, ReplayBloc
 
 double Designer::PowerOf(const OpenMatter& matter, const ReplayBlock& run,
                          const OpenAxis& axis) const {
-  const auto manoeuvres = SplitByManoeuvre(run.commands, {.longest_s = kLongest_s}, stream_);
+  const auto manoeuvres = SplitByManoeuvre(run.commands, {}, stream_);
   if (!HasManoeuvres(manoeuvres, kSeenNeeded, kFinalNeeded)) return 0;
   double power = 1;
   for (const OpenQuestion& question : matter.questions) {
@@ -338,8 +337,8 @@ void Designer::AddManoeuvres(const OpenAxis& axis) {
   std::erase_if(steps, [](const LeverPiece& piece) { return !piece.what.starts_with("steps"); });
   for (std::size_t k = 0; !steps.empty() && k < kMostSteps; ++k) {
     const auto run = RunSoFar(axis);
-    if (!run || HasManoeuvres(SplitByManoeuvre(run->commands, {.longest_s = kLongest_s}, stream_),
-                              kSeenWanted, kFinalWanted)) {
+    if (!run ||
+        HasManoeuvres(SplitByManoeuvre(run->commands, {}, stream_), kSeenWanted, kFinalWanted)) {
       return;
     }
     // The larger ones, in turn.

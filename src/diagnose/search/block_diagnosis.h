@@ -1,13 +1,12 @@
 #pragma once
 
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "core/random.h"
+#include "diagnose/search/detectability.h"
 #include "diagnose/search/locate.h"
-#include "diagnose/search/noise_level.h"
 #include "diagnose/search/parameter_estimate.h"
+#include "diagnose/search/remainder.h"
 #include "diagnose/search/structure_search.h"
 
 namespace tera {
@@ -30,35 +29,6 @@ struct Finding {
   Location location;      ///< of the error that it leaves if it alone is left out
   HeldOutError held_out;  ///< without it, and with it
   bool is_confirmed = false;
-};
-
-/// Error that no suspect takes away.
-struct Unexplained {
-  Location location;
-  std::optional<double> p;  ///< of the free member gaining so steadily by chance, if it gains
-  double share = 0;         ///< of the gain in likelihood that the free member had over nothing
-  double rmse = 0;          ///< on FINAL
-  double noise = 0;         ///< RMS of the channel's noise
-};
-
-/// What is left of a channel on FINAL with all that was found, beside its noise.
-struct Remainder {
-  std::size_t channel = 0;
-  double rmse = 0;
-  NoiseLevel noise;
-  /// The free member predicts manoeuvres of TRAIN that it has not seen: it could show what is left.
-  bool free_member_tells = false;
-  std::size_t manoeuvres = 0, loud = 0;  ///< of FINAL that move, and those louder than noise
-  /// Noise, or what nominal numbers are off by; error of most manoeuvres, or of several in the
-  /// whole recording, or of a few; unknown where
-  /// it is louder than differences between samples say and the recording has no rest to tell.
-  enum class Kind { kNoise, kUnknown, kOfFew, kError } kind = Kind::kNoise;
-};
-
-/// How small a suspect's main number may be and still be seen, were noise the only trouble.
-struct Detectability {
-  const Suspect* suspect = nullptr;
-  std::optional<double> smallest;  ///< none: not even the strongest start would be seen
 };
 
 struct BlockDiagnosis {
@@ -90,16 +60,8 @@ std::vector<Manoeuvre> ManoeuvresOf(const ReplayBlock& block, const Stream& stre
 ///         or its innovations less than 0.7 of the scale, the search goes on from there, twice at
 ///         most. A term stays if FINAL gains from it steadily with p of at most 0.05, or 0.2 if it
 ///         was chosen as steadily with p of at most 1e-5 and FINAL's RMSE falls; or by three clear
-///         gains (AreConfirming), if it is worth a bet and FINAL's RMSE falls. What is left of a
-///         channel on FINAL is noise where it is at most twice the channel's noise (noise_level.h),
-///         or adds to it no more than 3 % of the largest RMS among channels of its unit, the axes
-///         of one quantity, and 2 % of the variance that was there beyond noise before anything was
-///         found. What is louder in half of the manoeuvres or more, or in one with three in the
-///         whole recording and five times the noise in all, is unexplained, and so is what the free
-///         member still follows, steadily over SELECT (Bonferroni over the diagnosis's channels)
-///         and FINAL, or, of what is loud in too few of them or may be noise, over all manoeuvres,
-///         each by a fit to others, at half the level. In a recording without rest, ten times the
-///         noise: noise of AR(1), 0.995, is so much louder than its differences.
+///         gains (AreConfirming), if it is worth a bet and FINAL's RMSE falls. What remains:
+///         remainder.h.
 BlockDiagnosis DiagnoseBlock(const ReplayBlock& block, const SearchOptions& options,
                              const Stream& stream);
 

@@ -22,10 +22,10 @@ struct Manoeuvre {
 struct ManoeuvreOptions {
   double rest_level = 0.02;  ///< |command| up to this is rest
   double shortest_s = 0.5;   ///< shorter runs are joined to the one before
-  double longest_s = 15;     ///< longer runs are cut into equal pieces
-  double tail_s = 1;         ///< of rest, that a manoeuvre keeps for its decay
-  double block_s = 5;        ///< length of the blocks where there are no manoeuvres
-  std::size_t fewest = 10;   ///< fewer manoeuvres: blocks
+  double longest_s = 3;  ///< longer runs, in which a machine does much, are cut into equal pieces
+  double tail_s = 1;     ///< of rest, that a manoeuvre keeps for its decay
+  double block_s = 5;    ///< length of the blocks where there are no manoeuvres
+  std::size_t fewest = 10;  ///< fewer manoeuvres: blocks
 };
 
 /// Cuts a recording by what was commanded and shares the pieces out: TRAIN 40, SELECT 30, FINAL 30

@@ -68,6 +68,17 @@ double Rms(const Series& series) {
   return values.empty() ? 0 : std::sqrt(sum / static_cast<double>(values.size()));
 }
 
+double MeanSquare(const Series& series, const Mask& mask) {
+  TERA_CHECK(mask.size() == series.size(), mask.size(), series.size());
+  double sum = 0, count = 0;
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    if (!mask[k] || !series.valid[k]) continue;
+    sum += series.value[k] * series.value[k];
+    ++count;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
 std::vector<double> BridgedValues(const Series& series) {
   std::vector<double> out = series.value;
   const std::vector<Segment> known = SegmentsOf(series.valid);

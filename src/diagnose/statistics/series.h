@@ -47,6 +47,9 @@ std::vector<double> ValidValues(const Series& series);
 /// Root mean square of the samples that are there; 0 of none.
 double Rms(const Series& series);
 
+/// Mean square of the samples that are there and in the mask; 0 of none.
+double MeanSquare(const Series& series, const Mask& mask);
+
 /// Values with gaps bridged linearly and the ends held: for an input whose gaps are short. All zero
 /// if there is no valid sample.
 std::vector<double> BridgedValues(const Series& series);
