@@ -105,7 +105,9 @@ std::vector<Mechanism> Table() {
       {"structural_flex",
        kLoadFriction,
        joint,
-       {{"natural_radps", "rad/s", 0.5, 500, {}}, {"damping", "1", 0, 0.95, 0.05}}},
+       {{"natural_radps", "rad/s", 0.5, 500, {}},
+        {"damping", "1", 0, 0.95, 0.05},
+        {"compliance_radpnm", "rad/(N m)", 0, 1, 0.0}}},
   };
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/check.h"
 #include "physics/gear_motor.h"
+#include "physics/gravity_load.h"
 #include "physics/payload.h"
 
 namespace tera {
@@ -57,7 +58,8 @@ MachineDynamics::MachineDynamics(const MachinePlacement& placement, const WorldS
       body_(model_, placement.X_WB, placement.q_rad, meets_others, world),
       hydraulics_(model_, placement.q_rad),
       actuation_(model_, {placement.name, start.seed, start.step}),
-      inertial_(model_) {
+      inertial_(model_),
+      resting_nm_(GravityLoads_nm(model_, placement.X_WB, placement.q_rad)) {
   if (model_.ground == GroundModel::kTerramechanics) return;
   body_.AddBaseDrive(tracks_.contact_B_m());
   for (GearDrive& drive : model_.gear_drives) drive.max_torque_nm = kUnlimited_nm;
@@ -100,8 +102,11 @@ void MachineDynamics::MeasureLoads(const std::vector<double>& traction_n,
                                    const MachineState& state) {
   inertial_.Update(state);
   for (std::size_t j = 0; j < model_.joints.size(); ++j) {
-    axis_motion_[j].load_nm = state.effort_nm[j] + state.friction_nm[j] - inertial_.joints_nm()[j];
+    axis_motion_[j].load_nm =
+        resting_nm_.empty() ? state.effort_nm[j] + state.friction_nm[j] - inertial_.joints_nm()[j]
+                            : resting_nm_[j];
   }
+  resting_nm_.clear();
   const BaseEffort inertial = tracks_.AboutContact(inertial_.machine(), state.links[0].X_WB);
   for (std::size_t g = 0; g < model_.gear_drives.size() && g < traction_n.size(); ++g) {
     axis_motion_[model_.joints.size() + g].load_nm =

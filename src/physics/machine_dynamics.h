@@ -57,6 +57,7 @@ class MachineDynamics {
   Hydraulics hydraulics_;
   Actuation actuation_;
   InertialEfforts inertial_;
+  std::vector<double> resting_nm_;  ///< load of each joint before the first step, empty after it
   std::vector<double> last_traction_n_;  ///< of each gear by the soil
   std::vector<double> axis_lever_;
   std::vector<AxisMotion> axis_motion_;

@@ -120,6 +120,9 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"arm", "valve_curve: {exponent: 1.6}"},
                       Case{"boom", "cylinder_lever: {reference_rad: 0.7}"},
                       Case{"boom", "pressure_droop: {stall_nm: 60000, response_s: 0.05}"},
+                      Case{"arm",
+                           "structural_flex: {natural_radps: 8, damping: 0.1, "
+                           "compliance_radpnm: 2e-5}"},
                       Case{"arm", "backlash: {gap_rad: 0.02}"}));
 
 TEST(LoneAxisReplay, KnowsWhatItsPumpGivesToOthers) {

@@ -249,6 +249,16 @@ TEST(Friction, AHeldJointSagsAtTheRateOfItsLoad) {
   EXPECT_NEAR(run.state().q_rad[0], -10 * rate, 0.01 * 10 * rate);
 }
 
+TEST(Friction, AFlexibleJointAtRestIsBentByItsLoadAlready) {
+  // 157 N m on a spring of 1000 N m/rad, of which it is said where it stands with its load on.
+  MachineModel model = WithEffects(
+      MachineFromText(kLiftArm),
+      "lift: {structural_flex: {natural_radps: 8, damping: 0.1, compliance_radpnm: 0.001}}");
+  MachineRun run(model, MakePose(Vec3(1, 2, 0), 0, 0, 1));
+  run.StepFor(2);
+  EXPECT_NEAR(run.state().q_rad[0], 0, 1e-4);
+}
+
 TEST(Friction, AJointThatFrictionHoldsDoesNotSag) {
   MachineModel model =
       WithEffects(MachineFromText(kLiftArm),

@@ -17,6 +17,7 @@ namespace {
 constexpr double kShortestRise_s = 0.08;
 
 constexpr double kLeastTogether_s = 2;
+constexpr double kMostBent_rad = 0.5;  ///< a flexible link, by the largest load
 
 /// What an axis did in the log.
 struct Reach {
@@ -124,13 +125,17 @@ void AddGainAndLoad(const Reach& reach, SuspectList* out) {
   out->Add("backlash", {{0, 5e-4, 0.15, true, true}}, {{0.004}, {0.015}, {0.04}});
   const double load = reach.largest_load_nm;
   if (load <= 0) return;
-  out->Add("pressure_droop", {{0, 1.02 * load, 30 * load, true}, {1, 0, 0.5}},
+  // It may stall below the largest load: it then cannot raise that, and droops where there is less.
+  out->Add("pressure_droop", {{0, 0.5 * load, 30 * load, true}, {1, 0, 0.5}},
            {{8 * load, 0.05}, {3 * load, 0.05}, {1.5 * load, 0.05}});
   out->Add("sag", {{0, 2e-4, 0.15, true}}, {{0.003, 40}, {0.01, 40}, {0.04, 40}});
   if (reach.is_joint) {
     // Steel and oil swing; what is damped more is a lag by another name.
-    out->Add("structural_flex", {{0, 2, 80, true}, {1, 0.01, 0.5}},
-             {{30, 0.1}, {12, 0.1}, {6, 0.1}, {12, 0.4}});
+    out->Add("structural_flex",
+             {{0, 2, 80, true},
+              {1, 0.01, 0.5},
+              {.index = 2, .upper = std::min(1.0, kMostBent_rad / load), .refines = true}},
+             {{30, 0.1, 0}, {12, 0.1, 0}, {6, 0.1, 0}, {12, 0.4, 0}});
   }
 }
 

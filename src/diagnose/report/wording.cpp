@@ -43,9 +43,9 @@ constexpr std::pair<std::string_view, std::string_view> kQuantityOfEnding[] = {
 
 /// Of what a parameter is counted in.
 constexpr std::string_view kUnitEndings[] = {
-    "_nmsprad", "_radps2", "_radps", "_degps", "_degpk", "_mps2", "_degc",
-    "_1ps",     "_mps",    "_mpk",   "_rad",   "_deg",   "_ppm",  "_nm",
-    "_kg",      "_hz",     "_pa",    "_s",     "_m",     "_n",    "_w"};
+    "_nmsprad", "_radpnm", "_radps2", "_radps", "_degps", "_degpk", "_mps2", "_degc",
+    "_1ps",     "_mps",    "_mpk",    "_rad",   "_deg",   "_ppm",   "_nm",   "_kg",
+    "_hz",      "_pa",     "_s",      "_m",     "_n",     "_w"};
 
 /// "rate about x" of "wx_radps", "specific force along z" of "az_mps2", as inertial units have
 /// them, "east position" of "east_m", as receivers have it; else nothing.

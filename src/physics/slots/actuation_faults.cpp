@@ -35,7 +35,9 @@ std::string WhyJointUndriven(const MachineModel& model, std::size_t joint) {
                      j.max_effort_nm, EffortKey(j));
 }
 
-/// Whether a mechanism shapes the rate that a lever asks for, and nothing else.
+/// Whether a mechanism shapes the rate that a lever asks for: nothing to act on where nothing does.
+/// A flexible link would give way to its load there, too; of a joint that nothing drives that is
+/// not asked for.
 bool ShapesRate(const Mechanism& mechanism) {
   return mechanism.slot < Slot::kLoadFriction || mechanism.id == "pressure_droop" ||
          mechanism.id == "drive_friction" || mechanism.id == "structural_flex";

@@ -98,6 +98,7 @@ LoadFrictionParameters LoadFrictionOf(const Effects& effects, const ActuatorEffo
   if (const Effect* flex = FindEffect(effects, "structural_flex")) {
     parameters.flex_radps = (*flex)["natural_radps"];
     parameters.flex_damping = (*flex)["damping"];
+    parameters.compliance_radpnm = (*flex)["compliance_radpnm"];
   }
   return parameters;
 }
@@ -108,7 +109,7 @@ LoadFriction::LoadFriction(const LoadFrictionParameters& parameters)
 
 bool LoadFriction::ReadsLoad() const {
   return !parameters_.stall_positive_nm.values.empty() ||
-         !parameters_.drift_negative_radpspnm.values.empty();
+         !parameters_.drift_negative_radpspnm.values.empty() || parameters_.compliance_radpnm > 0;
 }
 
 double LoadFriction::Act(double rate_radps, double load_nm, double position_rad, double dt_s) {
@@ -117,7 +118,7 @@ double LoadFriction::Act(double rate_radps, double load_nm, double position_rad,
   if (!parameters_.stall_positive_nm.values.empty()) rate = Droop(rate, load_nm, position_rad);
   if (!parameters_.drift_negative_radpspnm.values.empty()) rate -= Leak(load_nm, position_rad);
   if (parameters_.lost_radps > 0) rate = DriveFriction(rate);
-  if (parameters_.flex_radps > 0) rate = Flex(rate);
+  if (parameters_.flex_radps > 0) rate = Flex(rate, load_nm);
   return rate;
 }
 
@@ -167,14 +168,23 @@ double LoadFriction::DriveFriction(double rate_radps) {
   return slid_radps_;
 }
 
-double LoadFriction::Flex(double rate_radps) {
+void LoadFriction::Swing(double towards, double* value, double* change) const {
   // With the input held over the step, e = x - u obeys e'' + 2 z w e' + w^2 e = 0.
   const double w = parameters_.flex_radps, z = parameters_.flex_damping;
   const double damped = w * std::sqrt(1 - z * z);
-  const double e = flexed_radps_ - rate_radps, de = flexed_change_radps2_;
-  flexed_radps_ = rate_radps + flex_cos_ * e + flex_sin_ * (de + z * w * e) / damped;
-  flexed_change_radps2_ = flex_cos_ * de - flex_sin_ * (w * w * e + z * w * de) / damped;
-  return flexed_radps_;
+  const double e = *value - towards, de = *change;
+  *value = towards + flex_cos_ * e + flex_sin_ * (de + z * w * e) / damped;
+  *change = flex_cos_ * de - flex_sin_ * (w * w * e + z * w * de) / damped;
+}
+
+double LoadFriction::Flex(double rate_radps, double load_nm) {
+  Swing(rate_radps, &flexed_radps_, &flexed_change_radps2_);
+  if (parameters_.compliance_radpnm == 0) return flexed_radps_;
+  const double bent_rad = -parameters_.compliance_radpnm * load_nm;
+  if (!bent_rad_) bent_rad_ = bent_rad;
+  const double before_rad = *bent_rad_;
+  Swing(bent_rad, &*bent_rad_, &bending_radps_);
+  return flexed_radps_ + (*bent_rad_ - before_rad) / dt_s_;
 }
 
 AxisFriction LoadFriction::Friction(double rate_radps) const {

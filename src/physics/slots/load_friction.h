@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "core/effects.h"
 #include "physics/slots/over_travel.h"
 
@@ -32,7 +34,7 @@ struct LoadFrictionParameters {
   double slide_s = 0;               ///< inertia over that drive's damping
   double breakaway = 1;             ///< friction at rest over that in sliding ..
   double slide_stribeck_radps = 1;  ///< .. which it has beyond this rate
-  double flex_radps = 0, flex_damping = 0;
+  double flex_radps = 0, flex_damping = 0, compliance_radpnm = 0;
 };
 
 /// `effort` is what the actuator can do: it stalls there where no number is given, and there its
@@ -66,12 +68,13 @@ struct AxisFriction {
 ///         more the more its rate falls short, T dw/dt = u - w - r(w) sgn w, r = lost (1 + (b - 1)
 ///         exp(-(w / w_s)^2)), and stands still until |u| is over b times what is lost in sliding.
 ///         structural_flex: the rate passes a filter of second order, w_n^2 / (s^2 + 2 z w_n s +
-///         w_n^2). Friction: F = F_c + F_s exp(-(w / w_s)^2) + c |w| (coulomb_friction,
-///         stribeck_friction, viscous_friction), and more of F_c and c by direction
-///         (asymmetric_friction); it opposes motion, and holds a joint at rest with at most F(0).
-///         effort_offset: a constant effort that the actuator must make up for, whichever way the
-///         joint moves.
-/// Omits   what a flexible link gives way to loads, presliding displacement, dependence of friction
+///         w_n^2), and so does the angle -c L by which a load L bends the link. Friction: F = F_c +
+///         F_s exp(-(w / w_s)^2) + c |w| (coulomb_friction, stribeck_friction, viscous_friction),
+///         and more of F_c and c by direction (asymmetric_friction); it opposes motion, and holds a
+///         joint at rest with at most F(0). effort_offset: a constant effort that the actuator must
+///         make up for, whichever way the joint moves.
+/// Omits   that what bends a flexible link includes its own acceleration, presliding displacement,
+/// dependence of friction
 ///         on load; `payload` is a mass of the
 ///         machine's links (see AddPayloads).
 /// Source  Merritt 1967, "Hydraulic control systems", ch. 3 (orifice, laminar leak); Armstrong-
@@ -99,14 +102,18 @@ class LoadFriction {
   double Droop(double rate_radps, double load_nm, double position_rad);
   double Leak(double load_nm, double position_rad) const;
   double DriveFriction(double rate_radps);
-  double Flex(double rate_radps);
+  /// One step of a value that follows another as the link swings.
+  void Swing(double towards, double* value, double* change) const;
+  double Flex(double rate_radps, double load_nm);
 
   LoadFrictionParameters parameters_;
   bool acts_;              ///< on the rate
   double pressed_nm_ = 0;  ///< load as the pressure shows it
   double slid_radps_ = 0;
   double flexed_radps_ = 0, flexed_change_radps2_ = 0;  ///< state of the filter
-  double dt_s_ = 0;                                     ///< for which the following hold
+  std::optional<double> bent_rad_;                      ///< by the load; none before the first step
+  double bending_radps_ = 0;
+  double dt_s_ = 0;  ///< for which the following hold
   double response_step_ = 1, slide_keeps_ = 0, flex_cos_ = 1, flex_sin_ = 0;
 };
 

@@ -300,6 +300,7 @@ TEST(ActuationChain, EveryParameterChangesWhatIsAskedFor) {
       {"drive_friction", "stribeck_radps", "0.02", "0.5", "lost_radps: 0.02, breakaway: 1.5"},
       {"structural_flex", "natural_radps", "15", "16"},
       {"structural_flex", "damping", "0.05", "0.1", "natural_radps: 15"},
+      {"structural_flex", "compliance_radpnm", "0", "1e-6", "natural_radps: 15"},
   };
   std::size_t parameters = 4;  // of payload, in EveryParameterOfAPayloadChangesTheLink
   for (const Change& change : changes) {

@@ -110,6 +110,22 @@ TEST(LoadFriction, FlexPassesASineAsASecondOrderFilter) {
   EXPECT_NEAR(most, 5, 0.01);
 }
 
+TEST(LoadFriction, FlexGivesWayToALoadAndSwingsAboutIt) {
+  // A spring of 1e5 N m/rad: 2000 N m more bend it by 0.02 rad in the end; on the way there it
+  // swings beyond by e^(-pi z / sqrt(1 - z^2)) = 0.52662 of that, at pi / (w sqrt(1 - z^2)).
+  LoadFriction load =
+      LoadFrom("structural_flex: {natural_radps: 12, damping: 0.2, compliance_radpnm: 1e-5}");
+  EXPECT_EQ(load.Step(0, 5000, 0, 0.001), 0);  // bent already
+  double angle_rad = 0, lowest_rad = 0, at_s = 0;
+  for (int i = 1; i <= 5000; ++i) {
+    angle_rad += 0.001 * load.Step(0, 7000, 0, 0.001);
+    if (angle_rad < lowest_rad) lowest_rad = angle_rad, at_s = i * 0.001;
+  }
+  EXPECT_NEAR(angle_rad, -0.02, 1e-4);
+  EXPECT_NEAR(lowest_rad, -0.02 * 1.52662, 1e-4);
+  EXPECT_NEAR(at_s, 0.26720, 0.002);
+}
+
 TEST(LoadFriction, DryFrictionTakesItsRateFromADriveThatGivesWay) {
   // T dw/dt = u - w - r from rest: w = (u - r) (1 - e^(-t/T)); back to rest T ln(1 + (u - r) / r)
   // after the lever is let go.
