@@ -6,11 +6,10 @@
 #include "diagnose/search/steady_gain.h"
 
 namespace tera {
-namespace {}  // namespace
 
 std::vector<HeldOutChannel> JudgeOnBlock(const ReplayBlock& further, const Structure& found,
                                          const Stream& stream) {
-  const auto manoeuvres = SplitByManoeuvre(further.commands, {}, stream);
+  const auto manoeuvres = ManoeuvresOf(further, stream);
   const Likelihood likelihood(further, NoiseOfBlock(further, manoeuvres),
                               Mask(further.samples(), 1));
   const Misfit before = likelihood.Judge(further.predict({}));

@@ -27,7 +27,7 @@ constexpr double kFirstRest_s = 1;
 constexpr double kClassWeight = 3;
 constexpr double kWorthwhile = 0.5;  ///< power
 constexpr std::uint64_t kDraws = 100;
-constexpr double kRivalP = 0.05, kRivalGain = 3, kFinalP = 0.05;
+constexpr double kRivalP = 0.05, kRivalGain = 3;
 constexpr std::size_t kKindsTold = 4;
 /// Manoeuvres that move, of TRAIN and SELECT and of FINAL: what a diagnosis needs, and what is
 /// asked for.
@@ -303,7 +303,7 @@ double Designer::PowerOf(const OpenQuestion& question, bool is_class, ReplayBloc
     const bool is_told =
         is_class ? p <= kRivalP && lead >= kRivalGain
                  : p <= options_.alpha / tests &&
-                       AreConfirming(drawn(final, first + (std::uint64_t{1} << 32)), kFinalP);
+                       AreConfirming(drawn(final, first + (std::uint64_t{1} << 32)), kConfirmedP);
     told += is_told ? 1 : 0;
   }
   return static_cast<double>(told) / static_cast<double>(kDraws);
@@ -311,7 +311,7 @@ double Designer::PowerOf(const OpenQuestion& question, bool is_class, ReplayBloc
 
 double Designer::PowerOf(const OpenMatter& matter, const ReplayBlock& run,
                          const OpenAxis& axis) const {
-  const auto manoeuvres = SplitByManoeuvre(run.commands, {}, stream_);
+  const auto manoeuvres = ManoeuvresOf(run, stream_);
   if (!HasManoeuvres(manoeuvres, kSeenNeeded, kFinalNeeded)) return 0;
   double power = 1;
   for (const OpenQuestion& question : matter.questions) {
@@ -337,8 +337,7 @@ void Designer::AddManoeuvres(const OpenAxis& axis) {
   std::erase_if(steps, [](const LeverPiece& piece) { return !piece.what.starts_with("steps"); });
   for (std::size_t k = 0; !steps.empty() && k < kMostSteps; ++k) {
     const auto run = RunSoFar(axis);
-    if (!run ||
-        HasManoeuvres(SplitByManoeuvre(run->commands, {}, stream_), kSeenWanted, kFinalWanted)) {
+    if (!run || HasManoeuvres(ManoeuvresOf(*run, stream_), kSeenWanted, kFinalWanted)) {
       return;
     }
     // The larger ones, in turn.

@@ -210,16 +210,34 @@ Json Seen(const PerceptionDiagnosis& sensor, const PerceptionFinding& finding) {
           {"held_out", HeldOut(before, after, sensor.unit, std::clamp(removed, 0.0, 1.0))}};
 }
 
+/// What was chosen and is no finding.
+Json Chosen(const Finding& finding) {
+  Json names = Json::array();
+  for (const Suspect* rival : finding.evidence.rivals)
+    names.push_back(std::string(rival->mechanism->id));
+  return {
+      {"mechanism", std::string(finding.term.suspect->mechanism->id)},
+      {"target", finding.term.suspect->target},
+      {"class", std::move(names)},
+      {"evidence",
+       {{"p_chosen", Number(finding.evidence.p)}, {"p_confirmed", Number(finding.held_out.p)}}}};
+}
+
+/// What comes nearest to what is unexplained.
+Json StandIns(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    for (const Finding& finding : diagnosed.diagnosis.stand_ins) list.push_back(Chosen(finding));
+  }
+  return list;
+}
+
 /// What SELECT chose and FINAL did not confirm.
 Json Unconfirmed(const Diagnosis& diagnosis) {
   Json list = Json::array();
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     for (const Finding& finding : diagnosed.diagnosis.unconfirmed) {
-      list.push_back({{"mechanism", std::string(finding.term.suspect->mechanism->id)},
-                      {"target", finding.term.suspect->target},
-                      {"evidence",
-                       {{"p_chosen", Number(finding.evidence.p)},
-                        {"p_confirmed", Number(finding.held_out.p)}}}});
+      list.push_back(Chosen(finding));
     }
   }
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
@@ -407,6 +425,7 @@ std::string DiagnosisJson(const Diagnosis& diagnosis) {
   json["held_out"] = HeldOutOfAll(diagnosis);
   json["channels"] = Channels(diagnosis);
   json["unconfirmed"] = Unconfirmed(diagnosis);
+  json["stand_ins"] = StandIns(diagnosis);
   json["untestable"] = Untestable(diagnosis);
   json["not_judged"] = NotJudged(diagnosis);
   json["not_compared"] = diagnosis.not_compared;

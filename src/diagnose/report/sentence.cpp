@@ -162,14 +162,21 @@ std::string RivalText(const Suspect& rival, const Suspect& found) {
   return rival.target == found.target ? text : text + " of the " + Spaced(rival.target);
 }
 
+/// The others of a finding's class.
+std::vector<std::string> AlikeTexts(const Finding& finding) {
+  std::vector<std::string> alike;
+  for (const Suspect* rival : finding.evidence.rivals) {
+    if (rival != finding.term.suspect) alike.push_back(RivalText(*rival, *finding.term.suspect));
+  }
+  return alike;
+}
+
 std::string EvidenceClause(const Finding& finding) {
   std::string text =
       fmt::format("chosen with {}, confirmed with {}", ProbabilityText(finding.evidence.p),
                   ProbabilityText(finding.held_out.p));
-  std::vector<std::string> alike, rejected;
-  for (const Suspect* rival : finding.evidence.rivals) {
-    if (rival != finding.term.suspect) alike.push_back(RivalText(*rival, *finding.term.suspect));
-  }
+  const std::vector<std::string> alike = AlikeTexts(finding);
+  std::vector<std::string> rejected;
   for (const Rival& rival : finding.evidence.rejected) {
     if (rejected.size() == kRivalsTold) break;
     rejected.push_back(fmt::format("{} ({})", RivalText(*rival.suspect, *finding.term.suspect),
@@ -275,6 +282,17 @@ std::string SentenceOfUnconfirmed(const DiagnosedBlock& diagnosed, const Finding
                      ProbabilityText(finding.held_out.p));
 }
 
+std::string SentenceOfStandIn(const DiagnosedBlock& diagnosed, const Finding& finding) {
+  const double removed = finding.held_out.excess_removed;
+  const std::string share =
+      removed > 0 ? fmt::format(" ({} of the excess variance removed)", PercentText(removed)) : "";
+  const std::vector<std::string> alike = AlikeTexts(finding);
+  const std::string others = alike.empty() ? "" : fmt::format(" or {}", fmt::join(alike, " or "));
+  return fmt::format("{}: {}{} comes nearest to what is unexplained and is no name for it{}.",
+                     ChannelText(diagnosed, finding.location.channel),
+                     MechanismText(diagnosed, finding), others, share);
+}
+
 std::string SentenceOfUntestable(const DiagnosedBlock& diagnosed) {
   std::vector<std::string> channels;
   for (const Channel& channel : diagnosed.block.channels)
@@ -371,6 +389,9 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
     sentences.push_back(SentenceOfNothing(diagnosis));
   }
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    for (const Finding& finding : diagnosed.diagnosis.stand_ins) {
+      sentences.push_back(SentenceOfStandIn(diagnosed, finding));
+    }
     for (const Finding& finding : diagnosed.diagnosis.unconfirmed) {
       sentences.push_back(SentenceOfUnconfirmed(diagnosed, finding));
     }

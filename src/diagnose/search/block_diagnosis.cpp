@@ -15,8 +15,12 @@ constexpr std::size_t kFewestSeen = 6;   ///< manoeuvres of TRAIN and SELECT tha
 constexpr std::size_t kFewestFinal = 3;  ///< of FINAL; steady_gain.h needs them
 /// Of a term that was chosen so surely; together they are rarer than a choice at one per cent and a
 /// confirmation at five (Fisher's sum of logarithms).
-constexpr double kSurelyChosenP = 1e-5, kSurelyChosenConfirmedP = 0.2;
-constexpr int kPasses = 3;  ///< of noise and search
+constexpr double kSurelyChosenP = 1e-5, kSurelyChosenSteadyP = 0.2;
+constexpr double kAll = 0.9;              ///< of the excess: next to nothing but noise is left
+constexpr std::size_t kLargestClass = 3;  ///< that names something, where error remains
+constexpr double kMost = 0.75;            ///< of the excess: enough to name several for
+constexpr double kMuchLess = 0.5;         ///< RMS, that the free member leaves
+constexpr int kPasses = 3;                ///< of noise and search
 /// Of the variance of a channel's noise, and of the scale of its innovations: less by so much is
 /// worth another search.
 constexpr double kQuieter = 0.5, kQuieterInnovations = 0.7;
@@ -44,7 +48,13 @@ class Procedure {
 
  private:
   Finding Describe(const SearchResult& search, std::size_t term) const;
+  void DescribeAll(BlockDiagnosis* out) const;
+  void TakeOut(const std::vector<bool>& is_out, std::vector<Finding>* taken,
+               BlockDiagnosis* out) const;
   void Confirm(BlockDiagnosis* out) const;
+  void FindUnexplained(BlockDiagnosis* out) const;
+  bool StandsIn(const BlockDiagnosis& out, std::size_t term) const;
+  void PartStandIns(BlockDiagnosis* out) const;
   HeldOutError Compare(const FittedStructure& before, const FittedStructure& after,
                        std::size_t channel) const;
   std::size_t MostImproved(const FittedStructure& before, const FittedStructure& after) const;
@@ -56,9 +66,11 @@ class Procedure {
 bool IsNearer(const HeldOutError& error) { return error.rmse_after < error.rmse_before; }
 
 /// At which a steady gain on FINAL confirms a finding.
-double LevelOf(const Finding& finding) {
-  const bool is_sure = finding.evidence.steady_p <= kSurelyChosenP && IsNearer(finding.held_out);
-  return is_sure ? kSurelyChosenConfirmedP : kConfirmedP;
+double SteadyLevelOf(const Finding& finding) {
+  const HeldOutError& error = finding.held_out;
+  const bool is_sure = finding.evidence.steady_p <= kSurelyChosenP ||
+                       (finding.evidence.p <= kSurelyChosenP && error.excess_removed >= kAll);
+  return is_sure && IsNearer(error) ? kSurelyChosenSteadyP : kConfirmedP;
 }
 
 HeldOutError Procedure::Compare(const FittedStructure& before, const FittedStructure& after,
@@ -104,44 +116,108 @@ Finding Procedure::Describe(const SearchResult& search, std::size_t term) const 
   finding.parameters = EstimatesOf(found, term, judged_.block.slides);
   finding.evidence = search.evidence[term];
   const std::size_t channel = MostImproved(without, found);
-  const NoiseLevel level =
+  const NoiseLevel noise =
       NoiseLevelOf(judged_.block, channel, found.misfit.residual[channel], judged_.seen_mask);
   finding.location =
       Locate(judged_.block.channels[channel], channel, without.misfit.residual[channel],
-             judged_.likelihood.noise()[channel], level, judged_.stream, judged_.options.threads);
+             judged_.likelihood.noise()[channel], noise, judged_.stream, judged_.options.threads);
   finding.held_out = Compare(without, found, channel);
   const auto gains = GainsOf(judged_.likelihood, without.misfit, found.misfit, judged_.final);
   const bool bets =
       IsNearer(finding.held_out) && finding.evidence.share >= judged_.options.least_share_of_bet;
   finding.held_out.p = bets ? GainP(gains) : SteadyGainP(gains);
+  const bool may_stand =
+      IsNearer(finding.held_out) || finding.evidence.steady_p <= judged_.options.alpha;
+  const double level = SteadyLevelOf(finding);
   finding.is_confirmed =
-      bets ? AreConfirming(gains, LevelOf(finding)) : SteadyGainP(gains) <= LevelOf(finding);
+      may_stand && (bets ? AreConfirming(gains, level) : SteadyGainP(gains) <= level);
   return finding;
 }
 
-/// Parts what FINAL confirms from what it does not; what is confirmed is fitted anew on its own.
-void Procedure::Confirm(BlockDiagnosis* out) const {
+void Procedure::DescribeAll(BlockDiagnosis* out) const {
+  out->findings = InParallel<Finding>(out->search.found.terms.size(), judged_.options.threads,
+                                      [&](std::size_t t) { return Describe(out->search, t); });
+}
+
+/// Parts some findings from the others, which are fitted anew on their own.
+void Procedure::TakeOut(const std::vector<bool>& is_out, std::vector<Finding>* taken,
+                        BlockDiagnosis* out) const {
   Structure kept;
   std::vector<TermEvidence> evidence;
-  std::vector<Finding> described =
-      InParallel<Finding>(out->search.found.terms.size(), judged_.options.threads,
-                          [&](std::size_t t) { return Describe(out->search, t); });
-  for (std::size_t t = 0; t < described.size(); ++t) {
-    Finding& finding = described[t];
-    if (finding.is_confirmed) {
-      kept.push_back(finding.term);
-      evidence.push_back(finding.evidence);
-      out->findings.push_back(std::move(finding));
+  for (std::size_t t = 0; t < is_out.size(); ++t) {
+    Finding& finding = out->findings[t];
+    if (is_out[t]) {
+      taken->push_back(std::move(finding));
     } else {
-      out->unconfirmed.push_back(std::move(finding));
+      kept.push_back(std::move(finding.term));
+      evidence.push_back(std::move(finding.evidence));
     }
   }
-  if (out->unconfirmed.empty()) return;
   out->search.found = fitter_.Determine(fitter_.FitFrom(kept));
   out->search.evidence = std::move(evidence);
-  out->findings.clear();
-  for (std::size_t t = 0; t < out->search.found.terms.size(); ++t) {
-    out->findings.push_back(Describe(out->search, t));
+  DescribeAll(out);
+}
+
+/// Parts what FINAL confirms from what it does not, until it confirms all that is left.
+void Procedure::Confirm(BlockDiagnosis* out) const {
+  while (true) {
+    std::vector<bool> is_out;
+    for (const Finding& finding : out->findings) is_out.push_back(!finding.is_confirmed);
+    if (std::find(is_out.begin(), is_out.end(), true) == is_out.end()) return;
+    TakeOut(is_out, &out->unconfirmed, out);
+  }
+}
+
+void Procedure::FindUnexplained(BlockDiagnosis* out) const {
+  out->remainders = RemaindersOf(judged_, out->search);
+  out->unexplained = UnexplainedOf(judged_, out->search, out->remainders);
+}
+
+const Unexplained* UnexplainedIn(const BlockDiagnosis& out, std::size_t channel) {
+  const auto left =
+      std::find_if(out.unexplained.begin(), out.unexplained.end(),
+                   [&](const Unexplained& one) { return one.location.channel == channel; });
+  return left != out.unexplained.end() ? &*left : nullptr;
+}
+
+/// Whether what its channel leaves unexplained shows that a finding stands in for something else.
+bool Procedure::StandsIn(const BlockDiagnosis& out, std::size_t term) const {
+  const Finding& finding = out.findings[term];
+  const std::size_t channel = finding.held_out.channel;
+  const Unexplained* left = UnexplainedIn(out, channel);
+  if (left == nullptr) return false;
+  if (finding.evidence.rivals.size() > kLargestClass && finding.held_out.excess_removed < kMost) {
+    return true;
+  }
+  if (finding.evidence.share > left->share) return false;
+  Structure others = out.search.found.terms;
+  others.erase(others.begin() + static_cast<std::ptrdiff_t>(term));
+  const Misfit free = LessFreeMember(judged_.block, judged_.likelihood,
+                                     fitter_.FitValues(others).misfit, judged_.manoeuvres);
+  const Series& found = out.search.found.misfit.residual[channel];
+  return MeanSquare(free.residual[channel], judged_.final_mask) <
+         kMuchLess * kMuchLess * MeanSquare(found, judged_.final_mask);
+}
+
+/// One after the other, the least first, as long as error without it is unexplained.
+void Procedure::PartStandIns(BlockDiagnosis* out) const {
+  while (true) {
+    std::optional<std::size_t> least;
+    for (std::size_t t = 0; t < out->findings.size(); ++t) {
+      const bool is_less =
+          !least || out->findings[t].evidence.share < out->findings[*least].evidence.share;
+      if (is_less && StandsIn(*out, t)) least = t;
+    }
+    if (!least) return;
+    const std::size_t channel = out->findings[*least].held_out.channel;
+    std::vector<bool> is_out(out->findings.size(), false);
+    is_out[*least] = true;
+    BlockDiagnosis without = *out;
+    TakeOut(is_out, &without.stand_ins, &without);
+    Confirm(&without);
+    FindUnexplained(&without);
+    if (UnexplainedIn(without, channel) == nullptr) return;
+    *out = std::move(without);
   }
 }
 
@@ -165,9 +241,10 @@ BlockDiagnosis Procedure::Explain(SearchResult search) const {
   out.manoeuvres = judged_.manoeuvres;
   out.noise = judged_.likelihood.noise();
   out.search = std::move(search);
+  DescribeAll(&out);
   Confirm(&out);
-  out.remainders = RemaindersOf(judged_, out.search);
-  out.unexplained = UnexplainedOf(judged_, out.search, out.remainders);
+  FindUnexplained(&out);
+  PartStandIns(&out);
   out.detectability = InParallel<Detectability>(
       judged_.block.suspects.size(), judged_.options.threads,
       [&](std::size_t s) { return DetectabilityOf(judged_, judged_.block.suspects[s]); });

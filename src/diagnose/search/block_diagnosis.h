@@ -43,6 +43,8 @@ struct BlockDiagnosis {
   std::vector<Finding> findings;
   /// What was found on TRAIN and SELECT and did not make FINAL any better.
   std::vector<Finding> unconfirmed;
+  /// What comes nearest to what is unexplained and is no name for it.
+  std::vector<Finding> stand_ins;
   std::vector<Unexplained> unexplained;
   std::vector<Remainder> remainders;         ///< one a channel
   std::vector<Detectability> detectability;  ///< one a suspect
@@ -59,9 +61,18 @@ std::vector<Manoeuvre> ManoeuvresOf(const ReplayBlock& block, const Stream& stre
 ///         estimated again beside it, and where a channel's then has less than half the variance,
 ///         or its innovations less than 0.7 of the scale, the search goes on from there, twice at
 ///         most. A term stays if FINAL gains from it steadily with p of at most 0.05, or 0.2 if it
-///         was chosen as steadily with p of at most 1e-5 and FINAL's RMSE falls; or by three clear
-///         gains (AreConfirming), if it is worth a bet and FINAL's RMSE falls. What remains:
-///         remainder.h.
+///         was chosen with p of at most 1e-5, as steadily or so that nine tenths of FINAL's excess
+///         are gone, and FINAL's RMSE falls; or by three clear gains (AreConfirming), if it is
+///         worth a bet and FINAL's RMSE falls; what was chosen by a bet alone makes it fall in any
+///         case. What remains: remainder.h. In a channel that stays unexplained a finding
+///         stands in for something else where it is not told from more than two others
+///         and removes less than three quarters of the excess, or where it explains less than the
+///         free member still does, and with that in its place FINAL's RMSE is less than half of
+///         what it is with the finding. It is taken out again, if error
+///         is then still unexplained.
+/// Omits   that beside something unknown and larger a lesser mechanism may be there and is then
+///         taken out, where the free member can do what it does; that in a block of several
+///         channels a finding explains in all of them, and the free member is asked in one.
 BlockDiagnosis DiagnoseBlock(const ReplayBlock& block, const SearchOptions& options,
                              const Stream& stream);
 

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "diagnose/search/steady_gain.h"
 
 namespace tera {
 namespace {
 
-constexpr double kSeen =
-    20;  ///< gain in log-likelihood that the criterion asks for on TRAIN, and as much of SELECT
+/// Gain in log-likelihood: what the criterion asks for on TRAIN, and as much of SELECT.
+constexpr double kSeen = 20;
 constexpr std::uint64_t kDraws = 20;  ///< of noise, of which three quarters are to show a suspect
 
 /// Whether a difference between two predictions would pass all that is seen and FINAL under most

@@ -13,8 +13,8 @@ struct Detectability {
   std::optional<double> smallest;  ///< none: not even the strongest start would be seen
 };
 
-/// By the smallest of the suspect's starts that would pass the tests of what is seen and of FINAL
-/// under most of twenty draws of the noise, its number being known.
+/// By the first of the suspect's starts, from faint to strong, that would pass the tests of what is
+/// seen and of FINAL under three quarters of twenty draws of the noise, its number being known.
 Detectability DetectabilityOf(const JudgedBlock& judged, const Suspect& suspect);
 
 }  // namespace tera

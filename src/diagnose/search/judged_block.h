@@ -9,8 +9,6 @@
 
 namespace tera {
 
-inline constexpr double kConfirmedP = 0.05;  ///< of a gain on FINAL
-
 /// A block under one noise, with its manoeuvres by what they may be used for. All that it is made
 /// of must outlive it and stay as it is.
 struct JudgedBlock {

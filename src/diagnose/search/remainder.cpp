@@ -18,12 +18,6 @@ constexpr double kLoud = 2;        ///< times the noise: error, not noise
 constexpr double kNominal = 0.03;  ///< of a channel's RMS: nominal numbers are known no better
 constexpr double kForm = 0.02;     ///< of an excess: its form in the library is no better
 
-double MeanSquare(const Series& residual, const Segment& samples) {
-  Mask mask(residual.size(), 0);
-  for (std::size_t k = samples.begin; k < samples.end; ++k) mask[k] = 1;
-  return MeanSquare(residual, mask);
-}
-
 /// What a mean square may be and still be noise, nominal numbers, and what the forms of mechanisms
 /// that were found differ by from what they stand for.
 double QuietOf(const JudgedBlock& judged, const SearchResult& search, const Remainder& remainder,

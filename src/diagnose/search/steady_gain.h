@@ -39,24 +39,27 @@ double SteadyGainP(const std::vector<ManoeuvreGain>& gains);
 
 /// Probability, by chance, of gains as steady as these, or as large in as many manoeuvres.
 ///
-/// Model   the smaller of SteadyGainP and of 2 / w, w the worth of a bet: exp of the sum of the
-///         gains, none of which counts for more than 2.25. Were the first prediction true, noise
-///         known and neither fitted to these manoeuvres, a likelihood ratio would be expected to be
-///         1 and a capped one at most 1, so that w is seldom large (Markov's inequality); with
-///         SteadyGainP beside it, one and a half times as seldom as p says. What acts in five of
-///         thirty pieces is no steady gain, but five clear ones are worth 8e4. Manoeuvres of which
-///         less than 2 is possible are no part of the bet.
+/// Model   the smaller of SteadyGainP and of 2 / w, w the worth of a bet: with each manoeuvre all
+///         that there is is put on the second prediction and multiplied by the ratio of
+///         likelihoods, nine and a half (exp 2.25) at most. Were the first prediction true, noise
+///         known and neither fitted to these manoeuvres, each ratio would be expected to be 1 at
+///         most, and so w, which is then seldom large (Markov's inequality); with SteadyGainP
+///         beside it, p is at most one and a half times too small. What acts in five of thirty
+///         pieces is no steady gain, but five clear ones are worth 8e4 where the others say
+///         nothing. Manoeuvres of which less than 2 is possible are no part of the bet.
 /// Omits   that noise and the first prediction are themselves fitted, and of cross-fitted
-/// manoeuvres
-///         that each was seen by the fits of the others, so that w is a little too large: how often
-///         all of it finds something in nothing is counted (docs/proof.md). Errors of the first
-///         prediction that last: each piece in which they speak for the second counts, at most for
-///         a factor of 10.
+///         manoeuvres that each was seen by the fits of the others, so that w is a little too
+///         large: how often all of it finds something in nothing is counted (docs/proof.md). Errors
+///         of the first prediction that last: each piece in which they speak for the second counts,
+///         at most for such a factor.
 /// Source  Shafer 2021, "Testing by betting"; Vovk and Wang 2021, "E-values".
 double GainP(const std::vector<ManoeuvreGain>& gains);
 
-/// Whether manoeuvres that nothing was fitted to, or chosen by, confirm a gain: one that is steady
-/// at this level, or three clear ones.
+/// Of what is steady on manoeuvres that nothing was fitted to or chosen by.
+inline constexpr double kConfirmedP = 0.05;
+
+/// Whether such manoeuvres confirm a gain: steady at this level, or three clear ones (GainP at
+/// 0.01).
 bool AreConfirming(const std::vector<ManoeuvreGain>& gains, double steady_level);
 
 /// The samples of the manoeuvres of a part.

@@ -18,8 +18,10 @@ struct SearchOptions {
   std::size_t suspects_in_all = 0, channels_in_all = 0;
   double least_share = 0.02;        ///< of all that was found on SELECT, that a term must explain
   double least_share_of_bet = 0.1;  ///< likewise, by a gain that is clear and not steady
-  double least_of_rest = 0.1;       ///< of what the others leave, that a term must explain
-  double least_effect = 0.02;       ///< RMS of what a term changes over the RMS of the channel
+  double least_share_of_forgiving_bet =
+      0.5;                     ///< likewise, though a few manoeuvres speak against it
+  double least_of_rest = 0.1;  ///< of what the others leave, that a term must explain
+  double least_effect = 0.02;  ///< RMS of what a term changes over the RMS of the channel
   int threads = 2;
 };
 
@@ -33,7 +35,8 @@ struct Rival {
 
 /// How a term stands on manoeuvres that it was not fitted to.
 struct TermEvidence {
-  double p = 1;  ///< of such a gain by chance (cross_fit.h, GainP), times the number of tests
+  double p =
+      1;  ///< of such a gain by chance (cross_fit.h, steady_gain.h), times the number of tests
   double steady_p = 1;  ///< the same by SteadyGainP alone
   double share = 0;  ///< of the gain in likelihood on SELECT that the free member has over nothing
   double of_rest = 0;  ///< of the gain that the free member has over the structure without the term

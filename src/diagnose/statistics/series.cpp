@@ -79,6 +79,17 @@ double MeanSquare(const Series& series, const Mask& mask) {
   return count > 0 ? sum / count : 0;
 }
 
+double MeanSquare(const Series& series, const Segment& samples) {
+  TERA_CHECK(samples.end <= series.size(), samples.end, series.size());
+  double sum = 0, count = 0;
+  for (std::size_t k = samples.begin; k < samples.end; ++k) {
+    if (!series.valid[k]) continue;
+    sum += series.value[k] * series.value[k];
+    ++count;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
 std::vector<double> BridgedValues(const Series& series) {
   std::vector<double> out = series.value;
   const std::vector<Segment> known = SegmentsOf(series.valid);

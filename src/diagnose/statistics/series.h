@@ -49,6 +49,8 @@ double Rms(const Series& series);
 
 /// Mean square of the samples that are there and in the mask; 0 of none.
 double MeanSquare(const Series& series, const Mask& mask);
+/// The same of a segment.
+double MeanSquare(const Series& series, const Segment& samples);
 
 /// Values with gaps bridged linearly and the ends held: for an input whose gaps are short. All zero
 /// if there is no valid sample.

@@ -94,6 +94,7 @@ TEST(DiagnosisJson, HasItsStructureInFixedOrderAndDigits) {
     }
   ],
   "unconfirmed": [],
+  "stand_ins": [],
   "untestable": [
     {
       "mechanism": "backlash",

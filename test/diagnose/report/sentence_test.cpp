@@ -13,6 +13,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(Sentence, TellsWhereOnWhatWhichHowSureAndHowMuchBetter) {
   const DiagnosedBlock boom = BoomWithDeadBand();
@@ -108,6 +109,19 @@ TEST(Sentence, OfWhatWasNotConfirmedOrNotJudgedFollowsTheFindings) {
   EXPECT_THAT(VerdictsOf(diagnosis), ElementsAre(Verdict::kNone, Verdict::kUntestable));
   diagnosis.blocks.erase(diagnosis.blocks.begin());
   EXPECT_THAT(VerdictsOf(diagnosis), ElementsAre(Verdict::kUntestable));
+}
+
+TEST(Sentence, OfWhatStandsInForTheUnexplainedIsNoName) {
+  DiagnosedBlock boom = BoomWithDeadBand();
+  boom.diagnosis.stand_ins = std::move(boom.diagnosis.findings);
+  boom.diagnosis.findings.clear();
+  boom.diagnosis.stand_ins[0].held_out.excess_removed = 0.56;
+  const Diagnosis diagnosis = Of(std::move(boom));
+  EXPECT_THAT(
+      SentencesOf(diagnosis),
+      Contains("Boom rate: dead band 0.18 ± 0.02 comes nearest to what is unexplained and is "
+               "no name for it (56 % of the excess variance removed)."));
+  EXPECT_THAT(VerdictsOf(diagnosis), Not(Contains(Verdict::kNamed)));
 }
 
 TEST(Sentence, OfWhatAFewManoeuvresOutweighSaysThatTheErrorIsNoSmaller) {

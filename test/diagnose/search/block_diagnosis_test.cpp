@@ -128,6 +128,77 @@ TEST(BlockDiagnosis, SaysThatSomethingIsLeftAndOfWhatItIsAFunction) {
   EXPECT_EQ(diagnosis.unexplained[0].location.regimes[0].variable, "temperature");
 }
 
+/// A toy in which `step` adds a multiple of |lever|.
+ReplayBlock ToyOfSizes(const std::vector<double>& lever, const Series& measured,
+                       const std::vector<std::size_t>& suspects) {
+  ReplayBlock block = ToyBlock(lever, measured, suspects);
+  block.replay = WholeReplay([lever](const Structure& terms) {
+    std::vector<double> y = lever;
+    for (const Term& term : terms) {
+      const bool is_size = term.suspect->mechanism->id == "step";
+      for (std::size_t k = 0; k < y.size(); ++k) {
+        y[k] += term.values[0] * (is_size ? std::abs(lever[k]) : lever[k] * lever[k]);
+      }
+    }
+    return std::vector<std::vector<double>>{y};
+  });
+  return block;
+}
+
+TEST(BlockDiagnosis, WhatOnlyComesNearestStandsInForWhatIsUnexplained) {
+  // A multiple of |lever| that goes up and down with the temperature, of which the library has the
+  // mean, and a free curve all.
+  const std::vector<double> lever = ToyLever(kSamples, 36);
+  ReplayBlock block = ToyOfSizes(lever, ToyMeasured(lever, kNoise, 36), {2});
+  Channel& channel = block.channels[0];
+  for (std::size_t k = 0; k < lever.size(); ++k) {
+    const double size = std::abs(lever[k]), t = channel.variables[1].series.value[k];
+    if (channel.measured.valid[k]) channel.measured.value[k] += size * 0.3 * (1 + 1.1 * t);
+    channel.free_member(static_cast<Eigen::Index>(k), 12) = size;
+    channel.free_member(static_cast<Eigen::Index>(k), 13) = size * t;
+  }
+  const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(36, "diagnose"));
+  EXPECT_THAT(NamesOf(diagnosis.findings), IsEmpty());
+  EXPECT_THAT(NamesOf(diagnosis.stand_ins), ElementsAre("step"));
+  EXPECT_EQ(diagnosis.unexplained.size(), 1u);
+  EXPECT_THAT(diagnosis.search.found.terms, IsEmpty());
+}
+
+TEST(BlockDiagnosis, OfAClassOfFourNoneIsANameBesideMoreThatIsUnexplained) {
+  // Four that do the same, and a drift that none of them does.
+  const std::vector<double> lever = ToyLever(kSamples, 34);
+  const auto diagnose = [&](double square, double drift) {
+    ReplayBlock block =
+        ToyBlock(lever, ToyMeasured(ToyResponse(lever, square, 0, 0), kNoise, 34), {0, 1, 1, 1});
+    const Series& temperature = block.channels[0].variables[1].series;
+    Series& measured = block.channels[0].measured;
+    for (std::size_t k = 0; k < measured.size(); ++k) {
+      measured.value[k] += drift * temperature.value[k];
+    }
+    return DiagnoseBlock(block, {}, Stream(34, "diagnose"));
+  };
+  const BlockDiagnosis lesser = diagnose(0.4, 0.08), greater = diagnose(0.3, 0.13);
+  EXPECT_EQ(lesser.unexplained.size(), 1u);
+  ASSERT_EQ(lesser.findings.size(), 1u);
+  EXPECT_EQ(lesser.findings[0].evidence.rivals.size(), 4u);
+  EXPECT_EQ(greater.unexplained.size(), 1u);
+  EXPECT_THAT(greater.findings, IsEmpty());
+  EXPECT_EQ(greater.stand_ins.size(), 1u);
+}
+
+TEST(BlockDiagnosis, KeepsANameBesideWhatIsUnexplained) {
+  const std::vector<double> lever = ToyLever(kSamples, 34);
+  ReplayBlock block =
+      ToyBlock(lever, ToyMeasured(ToyResponse(lever, 0.3, 0, 0), kNoise, 34), {0, 2, 3});
+  const Series& temperature = block.channels[0].variables[1].series;
+  Series& measured = block.channels[0].measured;
+  for (std::size_t k = 0; k < measured.size(); ++k) measured.value[k] += 0.1 * temperature.value[k];
+  const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(34, "diagnose"));
+  EXPECT_THAT(NamesOf(diagnosis.findings), ElementsAre("square"));
+  ASSERT_EQ(diagnosis.unexplained.size(), 1u);
+  EXPECT_EQ(diagnosis.unexplained[0].location.regimes.at(0).variable, "temperature");
+}
+
 TEST(BlockDiagnosis, WhatIsLoudInManyButHardlyInThoseKeptBackIsUnexplained) {
   // A ripple that no suspect and no free member follows, until it has died away.
   const std::vector<double> lever = ToyLever(kSamples, 33);
