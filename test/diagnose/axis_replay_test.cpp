@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "dataset/sample_recording.h"
+#include "diagnose/blocks/actuation_suspects.h"
 #include "diagnose/blocks/axis_block.h"
 #include "diagnose/blocks/suspect_list.h"
 #include "diagnose/suspects/suspect_library.h"
@@ -336,6 +337,25 @@ TEST(AxisLog, SaysWhichLeversItNeeds) {
     EXPECT_THAT(error.what(), HasSubstr("no lever channel"));
     EXPECT_THAT(error.what(), HasSubstr("boom"));
   }
+}
+
+TEST(SuspectsOfAxis, ADroopMayStallBelowTheLargestLoad) {
+  Drive drive = Swaying("");
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  const Recorded recorded = Record(&drive, 12);
+  const AxisLog log = MakeAxisLog(model, recorded.commands, {recorded.encoders}, 0.002);
+  const auto arm = static_cast<std::size_t>(model.JointIndex("arm"));
+  double largest_nm = 0;
+  for (std::size_t k = 0; k < log.steps; ++k) {
+    largest_nm = std::max(largest_nm, std::abs(log.motions_at(k)[arm].load_nm));
+  }
+  const std::vector<Suspect> suspects = SuspectsOfAxis(model, log, arm, {});
+  const auto droop = std::find_if(suspects.begin(), suspects.end(), [](const Suspect& suspect) {
+    return suspect.mechanism->id == "pressure_droop";
+  });
+  ASSERT_NE(droop, suspects.end());
+  EXPECT_LT(droop->free[0].lower, 0.8 * largest_nm);
+  EXPECT_GT(droop->free[0].upper, 8 * largest_nm);
 }
 
 TEST(AxisLog, KeepsWhatCommandsSumToWhateverTheStep) {
