@@ -98,6 +98,7 @@ TEST_P(ReplayOfGround, TellsHowTheSimulatedMachineMovedAndTheIdealTracksDoNot) {
 INSTANTIATE_TEST_SUITE_P(
     Mechanisms, ReplayOfGround,
     ::testing::Values(Case{"soil: asphalt", "track_slip: {slip: 0.15}"},
+                      Case{"soil: asphalt", "track_slip: {slip: 0.05, turn_slip: 0.6}"},
                       Case{"soil: asphalt", "effective_gauge: {ratio: 1.7}"},
                       Case{"soil: asphalt", "track_asymmetry: {difference: 0.2}"},
                       Case{"soil: asphalt", "icr_shift: {forward_m: 0.2, left_m: 0.1}"},

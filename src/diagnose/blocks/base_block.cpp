@@ -23,7 +23,8 @@ std::vector<Suspect> SuspectsOf(const Effects& present) {
   SuspectList out("base", EffectTarget::kBase, present, GroundMechanisms());
   out.Add("track_scale", {{0, 0.7, 1.3}}, {{0.97}, {1.03}, {0.9}, {1.1}});
   out.Add("track_asymmetry", {{0, -0.3, 0.3}}, {{0.02}, {-0.02}, {0.08}, {-0.08}});
-  out.Add("track_slip", {{0, -0.2, 0.7}}, {{0.04, 0, 0.7}, {0.12, 0, 0.7}, {0.3, 0, 0.7}});
+  out.Add("track_slip", {{0, -0.2, 0.7}, {.index = 3, .upper = 1, .refines = true}},
+          {{0.04, 0, 0.7, 0}, {0.12, 0, 0.7, 0}, {0.06, 0, 0.7, 0.5}, {0.3, 0, 0.7, 0}});
   out.Add("slope_slip", {{0, -0.2, 0.5}, {1, -2, 2}}, {{0, 0.2}, {0, 0.6}, {0.1, 0.5}});
   out.Add("side_slip", {{0, -2, 2}}, {{0.1}, {0.4}, {-0.2}});
   out.Add("effective_gauge", {{0, 0.7, 4, true}}, {{1.1}, {1.4}, {1.8}, {0.9}});

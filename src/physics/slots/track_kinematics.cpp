@@ -57,6 +57,7 @@ TrackKinematicsParameters TrackKinematicsOf(const Effects& base) {
     p.slip = (*e)["slip"];
     p.shear_modulus_m = (*e)["shear_modulus_m"];
     p.friction = (*e)["friction"];
+    p.turn_slip = (*e)["turn_slip"];
   }
   if (const Effect* e = FindEffect(base, "slope_slip")) {
     p.slope_slip = (*e)["slip"];
@@ -100,9 +101,13 @@ PlanarTwist MoveOnTracks(const TrackSpeeds& shoes, const TrackCircumstances& c,
       shoes.left_mps * (1 - SlipOf(shoes.left_mps, even + turning, slope, geometry, p));
   const double right_mps =
       shoes.right_mps * (1 - SlipOf(shoes.right_mps, even - turning, slope, geometry, p));
+  const double fastest_mps = std::abs(shoes.left_mps) + std::abs(shoes.right_mps);
+  const double turn =
+      fastest_mps > 0 ? std::abs(shoes.right_mps - shoes.left_mps) / fastest_mps : 0.0;
   PlanarTwist twist;
   twist.yaw_radps = (right_mps - left_mps) / (p.gauge_ratio * geometry.gauge_m);
-  twist.forward_mps = 0.5 * (left_mps + right_mps) + twist.yaw_radps * p.icr_left_m;
+  twist.forward_mps =
+      0.5 * (1 - p.turn_slip * turn) * (left_mps + right_mps) + twist.yaw_radps * p.icr_left_m;
   twist.left_mps =
       -twist.yaw_radps * p.icr_forward_m -
       p.drift_per_slope * side_slope * 0.5 * (std::abs(left_mps) + std::abs(right_mps));

@@ -20,6 +20,7 @@ struct TrackKinematicsParameters {
   double difference = 0;  ///< track_asymmetry: right over left
   double slip = 0;        ///< track_slip
   double shear_modulus_m = 0, friction = 1;
+  double turn_slip = 0;
   double slope_slip = 0, slip_per_slope = 0;
   double drift_per_slope = 0;  ///< side_slip
   double gauge_ratio = 1;      ///< effective_gauge
@@ -62,14 +63,17 @@ TrackSpeeds ShoeSpeeds(const TrackSpeeds& nominal, const TrackKinematicsParamete
 ///         and by rolling_resistance T / (C N), also where its f is 0. T carries the weight's part
 ///         along the slope, the rolling resistance f N and the tools' force. Then, with y0 and x0
 ///         of icr_shift and the effective gauge r B,
-///           w = (u_right - u_left) / (r B),  v_x = (u_left + u_right) / 2 + w y0,
+///           w = (u_right - u_left) / (r B),  v_x = (1 - k_turn t) (u_left + u_right) / 2 + w y0,
 ///           v_y = -w x0 - k_side tan(side slope) (|u_left| + |u_right|) / 2.
+///         with t = |V_right - V_left| / (|V_left| + |V_right|): shoes that are dragged sideways
+///         shear the ground lengthwise as well (track_slip's turn_slip).
 ///         digging_force: a tool force beyond the share h of the weight W drags the base along at
 ///         yield (|F| - h W) / W, its torque likewise with the arm L / 4 of the tracks.
 ///         Without effects v_x = (V_left + V_right) / 2, w = (V_right - V_left) / B, v_y = 0.
 /// Omits   inertia; load moved between the tracks; slip beyond |i| = 1.
 /// Source  Wong, Theory of Ground Vehicles, 4th ed. 2008, ch. 2 and 6; Janosi and Hanamoto 1961;
-///         Martinez, Mandow et al., Int. J. Robotics Research 24(10), 2005: ICRs of tracks.
+///         Martinez, Mandow et al., Int. J. Robotics Research 24(10), 2005: ICRs of tracks; Wong
+///         and Chiang, Proc. IMechE D 215(3), 2001: shear of tracks that skid in a turn.
 PlanarTwist MoveOnTracks(const TrackSpeeds& shoes, const TrackCircumstances& circumstances,
                          const TrackGeometry& geometry,
                          const TrackKinematicsParameters& parameters);

@@ -93,16 +93,28 @@ TEST(TrackKinematics, ScaleAndSlipShortenTheWay) {
               9.6, 1e-9);
   EXPECT_NEAR(Travel(20,
                      [] {
-                       return Move({0.5, 0.5}, One("track_slip", {0.12, 0, 0.7}));
+                       return Move({0.5, 0.5}, One("track_slip", {0.12, 0, 0.7, 0}));
                      })
                   .p_m.x(),
               8.8, 1e-9);
   EXPECT_NEAR(Travel(20,
                      [] {
-                       return Move({-0.5, -0.5}, One("track_slip", {0.12, 0, 0.7}));
+                       return Move({-0.5, -0.5}, One("track_slip", {0.12, 0, 0.7, 0}));
                      })
                   .p_m.x(),
               -8.8, 1e-9);
+}
+
+TEST(TrackKinematics, ATurnTakesForwardSpeedAndNoYawRate) {
+  // Sides at 0.4 and 1.0 m/s: 0.6 over 1.4 of what is lost where one side stands.
+  const Effects effects = One("track_slip", {0.1, 0, 0.7, 0.7});
+  const PlanarTwist arc = Move({0.4, 1.0}, effects), straight = Move({0.7, 0.7}, effects);
+  EXPECT_NEAR(straight.forward_mps, 0.63, 1e-12);
+  EXPECT_NEAR(arc.forward_mps, 0.63 * 0.7, 1e-12);
+  EXPECT_NEAR(arc.yaw_radps, 0.9 * 0.6 / 1.2, 1e-12);
+  EXPECT_NEAR(Move({0, 1}, effects).forward_mps, 0.9 * 0.5 * 0.3, 1e-12);
+  EXPECT_NEAR(Move({-0.4, -1.0}, effects).forward_mps, -arc.forward_mps, 1e-12);
+  EXPECT_EQ(Move({0, 0}, effects).forward_mps, 0);
 }
 
 TEST(TrackKinematics, AsymmetryBendsAStraightLineIntoACircle) {
@@ -119,7 +131,7 @@ TEST(TrackKinematics, SlipUnderThrustIsJanosisOverTheWeightOnTheSlope) {
   // 1 - (1 - e^-x) / x = 0.4495 has the root x = 1.3444 (bisection by hand in a calculator, see
   // also Drive.SlipGrowsWithTheSlopeItClimbsAsJanosiSays), i = x K / L with K = 18 mm.
   const double mu = std::tan(39 * kDeg);
-  const Effects janosi = One("track_slip", {0, 0.018, mu});
+  const Effects janosi = One("track_slip", {0, 0.018, mu, 0});
   const double climbing = 1 - Move({0.5, 0.5}, janosi, Climbing(20 * kDeg)).forward_mps / 0.5;
   double low = 0.01, high = 10;
   for (int k = 0; k < 60; ++k) {
@@ -231,7 +243,7 @@ TEST(TrackKinematics, EveryParameterOfTheSlotActs) {
   const std::vector<std::pair<std::string_view, std::vector<double>>> effects = {
       {"track_scale", {0.9}},
       {"track_asymmetry", {0.05}},
-      {"track_slip", {0.1, 0.02, 0.9}},
+      {"track_slip", {0.1, 0.02, 0.9, 0.4}},
       {"slope_slip", {0.05, 0.4}},
       {"side_slip", {0.5}},
       {"effective_gauge", {1.5}},
