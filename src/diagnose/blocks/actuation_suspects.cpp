@@ -16,6 +16,10 @@ namespace {
 /// is a motor's lag that steps of the lever show.
 constexpr double kShortestRise_s = 0.08;
 
+/// Of the range of a number that moves the instants at which a rate changes.
+constexpr double kKinkOfInstants = 0.06;
+constexpr double kLongestDelay_s = 0.8;
+
 constexpr double kLeastTogether_s = 2;
 constexpr double kMostBent_rad = 0.5;  ///< a flexible link, by the largest load
 
@@ -74,11 +78,15 @@ std::vector<std::vector<double>> HoldStarts(const AxisLog& log, std::size_t axis
   return starts;
 }
 
-void AddTimingAndMap(const std::vector<std::vector<double>>& holds, SuspectList* out) {
-  // From a spread of nought no small step changes anything.
-  out->Add("command_delay", {{0, 0, 0.8}, {.index = 1, .upper = 0.2, .refines = true}},
+void AddTimingAndMap(const std::vector<std::vector<double>>& holds, double step_s,
+                     SuspectList* out) {
+  // A command between two steps is shared out to both, which a delay of whole steps is not. From a
+  // spread of nought no small step changes anything.
+  out->Add("command_delay",
+           {{.index = 0, .upper = kLongestDelay_s, .kink = step_s / kLongestDelay_s},
+            {.index = 1, .upper = 0.2, .refines = true}},
            {{0.04, 0.008}, {0.1, 0.02}, {0.2, 0.04}, {0.35, 0.07}});
-  out->Add("input_hold", {{0, 0.02, 0.6, true}, {1, 0, 1, false, true}}, holds);
+  out->Add("input_hold", {{0, 0.02, 0.6, true}, {1, 0, 1, false, kKinkOfInstants}}, holds);
   out->Add("lever_saturation", {{0, 0.2, 1}}, {{0.9}, {0.75}, {0.6}});
   out->Add("dead_band", {{0, 0, 0.5}, {1, -0.9, 0.9}},
            {{0.03, 0}, {0.08, 0}, {0.15, 0}, {0.25, 0}});
@@ -122,7 +130,7 @@ void AddGainAndLoad(const Reach& reach, SuspectList* out) {
             {0.08 * w, 0.08, 1, 0.02},
             {0.2 * w, 0.08, 1, 0.02},
             {0.1 * w, 0.08, 2, 0.02}});
-  out->Add("backlash", {{0, 5e-4, 0.15, true, true}}, {{0.004}, {0.015}, {0.04}});
+  out->Add("backlash", {{0, 5e-4, 0.15, true, kKinkOfInstants}}, {{0.004}, {0.015}, {0.04}});
   const double load = reach.largest_load_nm;
   if (load <= 0) return;
   // It may stall below the largest load: it then cannot raise that, and droops where there is less.
@@ -169,7 +177,7 @@ std::vector<Suspect> SuspectsOfAxis(const MachineModel& model, const AxisLog& lo
       reach.is_joint ? EffectsAt(model.effects.joints, axis)
                      : EffectsAt(model.effects.gears, axis - joints),
       ActuationMechanisms());
-  AddTimingAndMap(HoldStarts(log, axis), &out);
+  AddTimingAndMap(HoldStarts(log, axis), log.step_s, &out);
   AddActuator(reach, log.step_s, &out);
   AddGainAndLoad(reach, &out);
   std::vector<Suspect> suspects = out.Take();

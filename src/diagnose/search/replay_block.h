@@ -24,8 +24,9 @@ struct FreeParameter {
   std::size_t index = 0;  ///< among the mechanism's parameters
   double lower = 0, upper = 1;
   bool logarithmic = false;  ///< moved by ratios, not differences
-  /// It moves instants, between which samples say nothing: the likelihood has stairs and kinks.
-  bool kinked = false;
+  /// How far apart the likelihood has stairs and kinks, of the range, as where the number moves
+  /// instants between which samples say nothing; 0: it is smooth.
+  double kink = 0;
   /// It refines another number: in an answer it stands at its default unless it shows.
   bool refines = false;
 };

@@ -13,8 +13,8 @@
 namespace tera {
 namespace {
 
-constexpr double kStep = 0.002;       ///< of a parameter's range, for difference quotients
-constexpr double kKinkedStep = 0.03;  ///< likewise, where the likelihood has kinks
+constexpr double kStep = 0.002;      ///< of a parameter's range, for difference quotients
+constexpr double kPartOfKink = 0.5;  ///< likewise, of the distance of the likelihood's kinks
 constexpr double kFinestStep = 0.002;
 constexpr int kMostMoves = 30;
 constexpr int kMostIterations = 12, kFewIterations = 3;
@@ -37,7 +37,7 @@ std::vector<double> StepsOf(const Structure& terms) {
   std::vector<double> steps;
   for (const Term& term : terms) {
     for (const FreeParameter& free : term.Free()) {
-      steps.push_back(free.kinked ? kKinkedStep : kStep);
+      steps.push_back(free.kink > 0 ? kPartOfKink * free.kink : kStep);
     }
   }
   return steps;
@@ -286,7 +286,7 @@ Structure StructureFitter::Settle(Structure terms, const Likelihood& likelihood)
   double most = likelihood.LogLikelihood(block_.predict(terms));
   for (std::size_t t = 0; t < terms.size(); ++t) {
     for (const FreeParameter& free : terms[t].Free()) {
-      double step = free.kinked ? 2 * kKinkedStep : 0;
+      double step = free.kink;
       for (int move = 0; std::abs(step) > kFinestStep && move < kMostMoves; ++move) {
         Structure moved = terms;
         double& value = moved[t].values[free.index];
@@ -308,11 +308,11 @@ Structure StructureFitter::Refine(const Structure& terms, const Likelihood& like
                                   Effort effort) const {
   if (effort == Effort::kFewSteps) return RefineSmooth(terms, likelihood, kFewIterations);
   const Structure smooth = RefineSmooth(terms, likelihood, kMostIterations);
-  const bool any_kinked = std::any_of(terms.begin(), terms.end(), [](const Term& term) {
+  const bool has_kinks = std::any_of(terms.begin(), terms.end(), [](const Term& term) {
     const std::vector<FreeParameter> free = term.Free();
-    return std::any_of(free.begin(), free.end(), [](const FreeParameter& f) { return f.kinked; });
+    return std::any_of(free.begin(), free.end(), [](const FreeParameter& f) { return f.kink > 0; });
   });
-  if (!any_kinked) return smooth;
+  if (!has_kinks) return smooth;
   return RefineSmooth(Settle(smooth, likelihood), likelihood, kMostIterations);
 }
 

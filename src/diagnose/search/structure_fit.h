@@ -34,13 +34,14 @@ enum class Effort { kFull, kFewSteps };
 ///
 /// Model   maximum likelihood within the parameters' bounds by Levenberg–Marquardt on signed square
 ///         roots of the Student-t deviance, difference quotients of a five-hundredth of each
-///         range; numbers whose likelihood has kinks are then moved by themselves, by steps that
-///         are halved; nuisances are fitted anew in every evaluation. Starts: the values of `terms`
-///         as given, and with the last term's replaced by each of its suspect's; the most likely
-///         one is refined. Where nothing at all fits badly (innovations of more than twice the
-///         noise's variance), likewise under white noise of the size of what nothing leaves, whose
-///         likelihood is smooth far from the truth, and from there under the noise itself; the
-///         likelier of both ends counts.
+///         range, or of half the distance of its likelihood's kinks; numbers that have kinks are
+///         then moved by themselves, by that distance and steps that are halved; nuisances are
+///         fitted anew in every evaluation. Starts: the values of `terms` as given, and with the
+///         last term's replaced by each of its suspect's; the most likely one is refined. Where
+///         nothing at all fits badly (innovations of more than twice the noise's variance),
+///         likewise under white noise of the size of what nothing leaves, whose likelihood is
+///         smooth far from the truth, and from there under the noise itself; the likelier of both
+///         ends counts.
 /// Source  Ceres Solver (trust region with bounds); Golub and Pereyra 1973 (variable projection).
 class StructureFitter {
  public:

@@ -18,10 +18,8 @@ struct SearchOptions {
   std::size_t suspects_in_all = 0, channels_in_all = 0;
   double least_share = 0.02;        ///< of all that was found on SELECT, that a term must explain
   double least_share_of_bet = 0.1;  ///< likewise, by a gain that is clear and not steady
-  double least_share_of_forgiving_bet =
-      0.5;                     ///< likewise, though a few manoeuvres speak against it
-  double least_of_rest = 0.1;  ///< of what the others leave, that a term must explain
-  double least_effect = 0.02;  ///< RMS of what a term changes over the RMS of the channel
+  double least_of_rest = 0.1;       ///< of what the others leave, that a term must explain
+  double least_effect = 0.02;       ///< RMS of what a term changes over the RMS of the channel
   int threads = 2;
 };
 

@@ -86,7 +86,7 @@ TEST(StructureFit, ANumberThatActsInStairsIsFreeIfItIsSaidToHaveKinks) {
   });
   const FittedStructure stuck = toy.fitter.Fit({{&toy.suspect, {0.1, 0, 40}}});
   EXPECT_THAT(stuck.terms[0].held, ElementsAre(1));
-  toy.suspect.free[1].kinked = true;
+  toy.suspect.free[1].kink = 0.06;
   const FittedStructure free = toy.fitter.Fit({{&toy.suspect, {0.1, 0, 40}}});
   EXPECT_THAT(free.terms[0].held, IsEmpty());
   EXPECT_NEAR(free.terms[0].values[1], 0.1, 0.04);
@@ -112,8 +112,30 @@ TEST(StructureFit, ANumberThatMovesInstantsIsFoundFromAfar) {
   toy.suspect.free = {{1, -1, 1}};
   toy.suspect.starts = {{0.1, -0.2, 40}};
   EXPECT_LT(fitter.FitFrom({{&toy.suspect, {0.1, -0.2, 40}}}).terms[0].values[1], 0);
-  toy.suspect.free[0].kinked = true;
+  toy.suspect.free[0].kink = 0.06;
   EXPECT_NEAR(fitter.FitFrom({{&toy.suspect, {0.1, -0.2, 40}}}).terms[0].values[1], 0.3, 0.02);
+}
+
+TEST(StructureFit, AnInstantBetweenTwoStepsOfAReplayIsNoPlaceToEnd) {
+  // What acts between two steps of the replay, 0.05 apart, is smeared over both.
+  Fixture toy(0);
+  const auto smeared = [&](double place) {
+    const double between = 20 * place - std::floor(20 * place);
+    std::vector<double> y;
+    for (const double u : toy.lever) y.push_back(u + place * u + between * (1 - between) * u * u);
+    return y;
+  };
+  toy.block.channels[0].measured = ToyMeasured(smeared(0.3), 0.05, 3);
+  toy.block.replay = WholeReplay([&](const Structure& terms) {
+    return std::vector<std::vector<double>>{smeared(terms.empty() ? 0 : terms[0].values[1])};
+  });
+  const Likelihood likelihood(toy.block, {{.scale = 0.05, .dof = 4}}, Mask(kSamples, 1));
+  const StructureFitter fitter(toy.block, likelihood, {{0, kSamples}});
+  toy.suspect.free = {{1, -1, 1}};
+  const Structure start = {{&toy.suspect, {0.1, 0.252, 40}}};
+  EXPECT_LT(fitter.FitFrom(start).terms[0].values[1], 0.27);
+  toy.suspect.free[0].kink = 0.025;
+  EXPECT_NEAR(fitter.FitFrom(start).terms[0].values[1], 0.3, 0.01);
 }
 
 }  // namespace
