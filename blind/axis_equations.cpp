@@ -62,9 +62,16 @@ double AxisEquations::Wanted_radps(const Surroundings& at, std::span<const doubl
   rate *= 1 + form_.ripple_share * std::sin(form_.ripple_cycles * q_rad);
   if (form_.pins) {
     rate *= excavator_.PinSlope_mprad(axis_, form_.pins_at_rad) /
-            excavator_.PinSlope_mprad(axis_, q_rad);
+            excavator_.PinSlope_mprad(axis_, WithinStops(q_rad));
   }
   return rate;
+}
+
+/// The same levers without another effect may lead beyond the stops, and there to the cylinder's
+/// dead point: it stays as it is at the stop.
+double AxisEquations::WithinStops(double q_rad) const {
+  const PlainAxis& axis = excavator_.axis(axis_);
+  return std::clamp(q_rad, axis.lower_rad, axis.upper_rad);
 }
 
 double AxisEquations::Asked_nm(const Surroundings& at, double wanted_radps, double w_radps) const {

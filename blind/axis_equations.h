@@ -53,6 +53,7 @@ class AxisEquations {
 
   double Opening(double lever) const;
   double Wanted_radps(const Surroundings& at, std::span<const double> x, double q_rad) const;
+  double WithinStops(double q_rad) const;
   /// What a motor asks of itself; it gives as much as it can.
   double Asked_nm(const Surroundings& at, double wanted_radps, double w_radps) const;
 

@@ -15,6 +15,10 @@ namespace tera::blind {
 
 enum class CaseKind { kNothing, kOne, kTwo, kOutside, kConfounded, kUntestable, kInjected };
 std::string_view NameOf(CaseKind kind);
+/// Whether what a case hides is drawn by strength.
+inline bool HasStrength(CaseKind kind) {
+  return kind == CaseKind::kOne || kind == CaseKind::kTwo || kind == CaseKind::kInjected;
+}
 
 /// The machine's numbers as the scenario has them.
 struct PlainMachine {

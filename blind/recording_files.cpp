@@ -124,10 +124,10 @@ void WriteCase(const BenchmarkCase& c, const CaseRecording& recording, const fs:
 }
 
 std::string TruthJson(const BenchmarkCase& c, const CaseRecording& recording) {
-  nlohmann::ordered_json json = {{"case", c.number},
+  nlohmann::ordered_json json = {{"case", c.number + 1},
                                  {"kind", std::string(NameOf(c.kind))},
-                                 {"strength", std::string(NameOf(c.strength))},
                                  {"hidden", nlohmann::ordered_json::array()}};
+  if (HasStrength(c.kind)) json["strength"] = NameOf(c.strength);
   for (std::size_t i = 0; i < c.hidden.size(); ++i) {
     const Concealed& hidden = c.hidden[i];
     json["hidden"].push_back({{"target", hidden.target},

@@ -199,9 +199,12 @@ std::string MethodsMarkdown(const std::vector<MethodRow>& rows) {
     return one ? fmt::format("{} of {}", one->hits, one->cases) : std::string("gives none");
   };
   for (const MethodRow& row : rows) {
-    text += fmt::format("| {} | {} | {} | {:.2f} | {:.2f} ({} cases) |\n", row.method,
-                        share(row.false_alarm), share(row.right_first), Quantile(row.shares, 0.5),
-                        Quantile(row.shares, 0.1), row.shares.size());
+    const std::string shares =
+        row.shares.empty() ? "no case | no case"
+                           : fmt::format("{:.2f} | {:.2f} ({} cases)", Quantile(row.shares, 0.5),
+                                         Quantile(row.shares, 0.1), row.shares.size());
+    text += fmt::format("| {} | {} | {} | {} |\n", row.method, share(row.false_alarm),
+                        share(row.right_first), shares);
   }
   return text;
 }
@@ -215,9 +218,8 @@ std::string TableMarkdown(const std::vector<Row>& rows) {
 }
 
 std::string CaseLine(const Mark& mark) {
-  const bool has_strength = mark.kind == CaseKind::kOne || mark.kind == CaseKind::kTwo;
   return fmt::format("| {} | {} | {} | {:.1f} | {} | {} | {:.0f} |\n", mark.number + 1,
-                     NameOf(mark.kind), has_strength ? NameOf(mark.strength) : "",
+                     NameOf(mark.kind), HasStrength(mark.kind) ? NameOf(mark.strength) : "",
                      mark.signal_to_noise, fmt::join(mark.hidden, "; "),
                      mark.fault.empty() ? fmt::format("{}", fmt::join(mark.answered, "; "))
                                         : "no answer: " + mark.fault,
@@ -253,7 +255,6 @@ std::string TableJson(const std::vector<Row>& rows, const std::vector<Mark>& mar
   for (const Mark& mark : marks) {
     nlohmann::ordered_json one = {{"case", mark.number + 1},
                                   {"kind", std::string(NameOf(mark.kind))},
-                                  {"strength", std::string(NameOf(mark.strength))},
                                   {"fault", mark.fault},
                                   {"seconds", mark.seconds},
                                   {"signal_to_noise", mark.signal_to_noise},
@@ -265,6 +266,7 @@ std::string TableJson(const std::vector<Row>& rows, const std::vector<Mark>& mar
                                   {"spurious", mark.spurious},
                                   {"confident_wrong", mark.confident_wrong},
                                   {"overlap", mark.overlap}};
+    if (HasStrength(mark.kind)) one["strength"] = NameOf(mark.strength);
     one["share_of_oracle"] = Json(mark.share_of_oracle);
     one["methods"] = nlohmann::ordered_json::array();
     for (const MethodMark& m : mark.methods) {

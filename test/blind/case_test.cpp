@@ -204,5 +204,14 @@ TEST(Prove, KeepsAToolThatGivesUpAsACaseWithoutAnswer) {
   EXPECT_EQ(marks[0].fault, "no");
 }
 
+TEST(Case, ACounterpartThatRunsIntoItsCylindersDeadPointIsIntegrated) {
+  // Without its rate limit the arm goes 16 deg beyond its stop, where the pins' distance is
+  // longest.
+  BenchmarkCase c = DrawCase(36, 33, Tb235(), 45);
+  ASSERT_EQ(c.hidden.size(), 2u);
+  EXPECT_EQ(c.hidden[0].name, "cylinder_lever");
+  for (const Change& change : Record(&c, 36).changes) EXPECT_GT(change.Rms(), 0.02);
+}
+
 }  // namespace
 }  // namespace tera::blind
