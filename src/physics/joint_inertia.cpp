@@ -46,4 +46,20 @@ std::vector<double> JointInertias_kgm2(const MachineModel& model,
   return inertia_kgm2;
 }
 
+double YawInertia_kgm2(const MachineModel& model, const std::vector<double>& q_rad) {
+  const std::vector<Pose> X_BL = ForwardKinematics(model, Pose::Identity(), q_rad);
+  double mass_kg = 0, about_root_kgm2 = 0;
+  Vec2 moment_kgm = Vec2::Zero();
+  for (std::size_t l = 0; l < model.links.size(); ++l) {
+    const Link& link = model.links[l];
+    const Vec2 com_B_m = (X_BL[l] * link.com_B_m).head<2>();
+    const Mat3 R_BL = X_BL[l].linear();
+    mass_kg += link.mass_kg;
+    moment_kgm += link.mass_kg * com_B_m;
+    about_root_kgm2 += (R_BL * link.inertia_B_kgm2 * R_BL.transpose())(2, 2) +
+                       link.mass_kg * com_B_m.squaredNorm();
+  }
+  return about_root_kgm2 - moment_kgm.squaredNorm() / mass_kg;
+}
+
 }  // namespace tera

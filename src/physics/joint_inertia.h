@@ -13,4 +13,8 @@ namespace tera {
 /// Omits   coupling to other joints and the root; soil in shovels; cylinders and linkages.
 std::vector<double> JointInertias_kgm2(const MachineModel& model, const std::vector<double>& q_rad);
 
+/// Inertia of the whole machine against turning about the z axis of its root, through its centre of
+/// mass.
+double YawInertia_kgm2(const MachineModel& model, const std::vector<double>& q_rad);
+
 }  // namespace tera

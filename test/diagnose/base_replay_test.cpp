@@ -105,6 +105,84 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"soil: dirt, relief: {slope_deg: 8}",
                            "slope_slip: {slip: 0.02, slip_per_slope: 1.5}"}));
 
+/// How much further a machine goes than its tracks, of which either goes one way for 2 s and the
+/// other way for 2 s.
+double FurtherThanItsTracks(double left_mps, double right_mps, double PlanarTwist::*part,
+                            const Grip& grip) {
+  Drive drive = Meandering("soil: asphalt", "");
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  const double radius_m = model.ground_tools.gears[0].drive_radius_m;
+  std::vector<TruthPose> poses;
+  EncoderRecording tracks;
+  for (const RunningGear& gear : model.ground_tools.gears) tracks.axes.push_back({gear.name});
+  for (int k = 0; k <= 400; ++k) {
+    const TimeNs t_ns = k * kNsPerSecond / 100;
+    const double way = (k < 200 ? 1 : -1) / radius_m;
+    Pose X_WB = Pose::Identity();
+    X_WB.translation().x() = 0.5 * (left_mps + right_mps) * ToSeconds(t_ns);
+    X_WB.rotate(
+        Eigen::AngleAxisd((right_mps - left_mps) / model.gauge_m * ToSeconds(t_ns), Vec3::UnitZ()));
+    poses.push_back({.t_ns = t_ns, .X_WB = X_WB});
+    tracks.samples.push_back(
+        {.t_ns = t_ns, .q_rad = {0, 0}, .qd_radps = {way * left_mps, way * right_mps}});
+  }
+  const BaseLog log = MakeBaseLog(model, {{"m/tracks", tracks}}, poses, 0.1);
+  const BaseReplay replay(model, log);
+  const std::vector<PlanarTwist> at_once = replay.Predict({});
+  const std::vector<PlanarTwist> held_back = replay.Predict({}, {}, grip);
+  double further = 0;
+  for (std::size_t i = 0; i < at_once.size(); ++i) {
+    const BaseInterval& interval = log.intervals[i];
+    further +=
+        (held_back[i].*part - at_once[i].*part) * ToSeconds(interval.to_ns - interval.from_ns);
+  }
+  return further;
+}
+
+TEST(BaseBlock, LetsPassWhatGroundThatHoldsLittleChanges) {
+  Drive drive = Meandering("soil: asphalt", "");
+  drive.Operate([](double t_s) {
+    const double lever = std::fmod(t_s, 2.0) < 1 ? 0.9 : -0.9;
+    return NamedLevers{{"left_track", lever}, {"right_track", lever}};
+  });
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  const Recorded recorded = Record(&drive, 22);
+  const BaseLog log = MakeBaseLog(model, {recorded.encoders}, recorded.poses, 0.2);
+  const auto block = MakeBaseBlock(model, log, "m/base", false);
+  ASSERT_TRUE(block);
+  const std::vector<std::vector<double>> at_once = block->predict({});
+  const auto held_back = BaseReplay(model, log).Predict({}, {}, Grip{0.35, 3000});
+  const Eigen::MatrixXd& columns = block->channels[0].nominal;  // on firm ground, and on loose
+  ASSERT_EQ(columns.cols(), 2);
+  ASSERT_EQ(static_cast<std::size_t>(columns.rows()), held_back.size());
+  double largest_mps = 0;
+  for (std::size_t k = 0; k < held_back.size(); ++k) {
+    const double change_mps = held_back[k].forward_mps - at_once[0][k];
+    EXPECT_NEAR(columns(static_cast<Eigen::Index>(k), 1), change_mps, 1e-9);
+    largest_mps = std::max(largest_mps, std::abs(change_mps));
+  }
+  EXPECT_GT(largest_mps, 0.2);
+  EXPECT_EQ(block->channels[1].nominal.cols(), 0);  // sideways
+  EXPECT_EQ(block->channels[2].nominal.cols(), 0);  // turning
+}
+
+TEST(BaseReplay, AReversalIsHeldBackByTheFrictionOfTheGround) {
+  // 1 m/s is lost at 0.2 g, over which it goes v^2 / 2 a further than its tracks.
+  const double further_m = FurtherThanItsTracks(0.5, 0.5, &PlanarTwist::forward_mps, {0.2, 3000});
+  EXPECT_NEAR(further_m, 1 / (2 * 0.2 * kStandardGravity_mps2), 0.025);  // of half a step
+}
+
+TEST(BaseReplay, ATurnIsHeldBackByFrictionAtHalfTheGaugeAndTheInertia) {
+  Drive drive = Meandering("soil: asphalt", "");
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  const double weight_n = model.TotalMass_kg() * kStandardGravity_mps2;
+  const double slowing_radps2 = 0.2 * weight_n * 0.5 * model.gauge_m / 5000;
+  const double change_radps = 2 * (0.3 + 0.3) / model.gauge_m;
+  const double further_rad = FurtherThanItsTracks(-0.3, 0.3, &PlanarTwist::yaw_radps, {0.2, 5000});
+  EXPECT_NEAR(further_rad, change_radps * change_radps / (2 * slowing_radps2),
+              0.025 * change_radps);
+}
+
 TEST(BaseLog, TellsHowFarOnAnArc) {
   // A quarter of a circle of 2 m radius in 4 s, in steps of 0.25 s.
   Drive drive = Meandering("soil: asphalt", "");

@@ -44,5 +44,17 @@ TEST(JointInertia, IsThatOfAllMassesBeyondAboutTheAxis) {
   EXPECT_NEAR(inertia_kgm2[2], 2, 1e-12);
 }
 
+TEST(YawInertia, IsAboutTheCentreOfMassOfTheMachineAsItStands) {
+  // Arm straight out along x: masses of 50, 10, 4 and 2 kg at 0, 0.5, 1.3 and 1.7 m.
+  const MachineModel model = MachineFromText(kTwoLinksAndASlider);
+  const double moment_kgm = 10 * 0.5 + 4 * 1.3 + 2 * 1.7;
+  const double about_root_kgm2 =
+      1 + 2.5 + 0.2 + 0.2 + 10 * 0.5 * 0.5 + 4 * 1.3 * 1.3 + 2 * 1.7 * 1.7;
+  EXPECT_NEAR(YawInertia_kgm2(model, {0, 0, 0}), about_root_kgm2 - moment_kgm * moment_kgm / 66,
+              1e-9);
+  // Upright, a link turns about its own x; nothing is far from the axis.
+  EXPECT_NEAR(YawInertia_kgm2(model, {90 * kDeg, 0, 0}), 1 + 1.5 + 0.6 + 0.2, 1e-9);
+}
+
 }  // namespace
 }  // namespace tera

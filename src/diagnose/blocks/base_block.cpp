@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/motion.h"
 #include "diagnose/blocks/measured_poses.h"
@@ -9,6 +10,7 @@
 #include "diagnose/blocks/suspect_list.h"
 #include "diagnose/replay/base_replay.h"
 #include "physics/ground_mechanisms.h"
+#include "physics/joint_inertia.h"
 
 namespace tera {
 namespace {
@@ -16,6 +18,9 @@ namespace {
 constexpr std::size_t kFewestIntervals = 100;
 constexpr int kLags = 4;
 constexpr double kLongestLag_s = 0.5;
+/// Of asphalt, gravel and dry earth (Wong, Theory of Ground Vehicles, 4th ed. 2008, ch. 1); half of
+/// it for loose or wet ground, an estimate.
+constexpr double kFrictionOfFirm = 0.7, kFrictionOfLoose = 0.35;
 constexpr double kDriven_mps =
     0.1;  ///< slower sides at their fastest: hardly driven, or not at all
 
@@ -112,6 +117,30 @@ std::vector<double> PartOf(const std::vector<PlanarTwist>& twists, double Planar
   return values;
 }
 
+/// What a motion changes by where the ground does not take the machine along at once, a column for
+/// each grip: all of it, of which a coefficient of one is then a standard deviation.
+Eigen::MatrixXd HeldBack(const MachineModel& model, const BaseLog& log, const SampleGrid& grid,
+                         double PlanarTwist::*part, const std::vector<Grip>& grips) {
+  const BaseReplay replay(model, log);
+  const auto with = [&](const std::optional<Grip>& grip) -> Eigen::VectorXd {
+    const std::vector<double> y =
+        grid.Spread(PartOf(replay.Predict(model.effects.base, {}, grip), part));
+    return Eigen::Map<const Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size()));
+  };
+  const Eigen::VectorXd at_once = with({});
+  Eigen::MatrixXd columns(at_once.size(), static_cast<Eigen::Index>(grips.size()));
+  for (std::size_t g = 0; g < grips.size(); ++g) {
+    columns.col(static_cast<Eigen::Index>(g)) = with(grips[g]) - at_once;
+  }
+  return columns;
+}
+
+double YawInertiaAtFirst_kgm2(const MachineModel& model) {
+  std::vector<double> q_rad;
+  for (const Joint& joint : model.joints) q_rad.push_back(joint.initial_rad);
+  return YawInertia_kgm2(model, q_rad);
+}
+
 }  // namespace
 
 std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLog& log,
@@ -129,18 +158,22 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
   ReplayBlock block;
   block.name = name;
   block.first_ns = t_ns.front();
-  const auto add = [&](const char* suffix, const char* unit, double PlanarTwist::*part) {
+  const double inertia_kgm2 = YawInertiaAtFirst_kgm2(model);
+  const Grip firm{kFrictionOfFirm, inertia_kgm2}, loose{kFrictionOfLoose, inertia_kgm2};
+  // Not of turning: with columns for it the stamps of a real recording's poses went unfound.
+  const auto add = [&](const char* suffix, const char* unit, double PlanarTwist::*part,
+                       const std::vector<Grip>& grips) {
     block.channels.push_back({name + suffix,
                               unit,
                               grid.SpreadSeries(PartOf(measured, part), all),
                               {.offset = 1e-3, .gain = 0.02, .delay_s = 0.5 * grid.period_s},
                               VariablesOf(course, grid),
                               FreeMember(course, grid),
-                              {}});
+                              HeldBack(model, log, grid, part, grips)});
   };
-  add("/forward_mps", "m/s", &PlanarTwist::forward_mps);
-  add("/left_mps", "m/s", &PlanarTwist::left_mps);
-  add("/yaw_radps", "rad/s", &PlanarTwist::yaw_radps);
+  add("/forward_mps", "m/s", &PlanarTwist::forward_mps, {firm, loose});
+  add("/left_mps", "m/s", &PlanarTwist::left_mps, {});
+  add("/yaw_radps", "rad/s", &PlanarTwist::yaw_radps, {});
   block.commands = {CommandOf(course.left_mps, grid), CommandOf(course.right_mps, grid)};
   block.suspects = SuspectsOf(model.effects.base);
   if (poses_were_measured) block.suspects.push_back(LatePoses());

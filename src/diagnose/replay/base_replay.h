@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/effects.h"
@@ -13,21 +14,32 @@ struct PoseStamps {
   double late_s = 0;        ///< all of them by as much
 };
 
+/// What the ground holds a machine with.
+struct Grip {
+  double friction;
+  double yaw_inertia_kgm2;  ///< of the machine; above 0
+};
+
 /// The ground slot alone, driven by the measured rates of the running gear and the base's measured
 /// attitude: how tracks with other effects would have moved the machine.
 ///
 /// Frames  B root link; twists as in BaseLog.
 /// Model   MoveOnTracks in every step, summed over the time between the measurements of an
-/// interval's
-///         poses; over the time between their stamps that is the mean twist.
-/// Omits   inertia, forces of the ground on tools.
+///         interval's poses; over the time between their stamps that is the mean twist.
+///         Where a grip is given, the machine gains and loses speed, forward and turning, no faster
+///         than friction under either side pushes its mass and turns its inertia; it begins as it
+///         was measured first.
+/// Omits   inertia sideways, gravity along a slope, limits of the motors, what friction does
+///         against turning, forces of the ground on tools.
 class BaseReplay {
  public:
   /// Both must outlive it.
   BaseReplay(const MachineModel& model, const BaseLog& log) : model_(model), log_(log) {}
 
-  /// Mean twists with `base` in place of the model's own effects, one for each interval.
-  std::vector<PlanarTwist> Predict(const Effects& base, const PoseStamps& stamps = {}) const;
+  /// Mean twists with `base` in place of the model's own effects, one for each interval. Without a
+  /// grip the machine follows its tracks at once.
+  std::vector<PlanarTwist> Predict(const Effects& base, const PoseStamps& stamps = {},
+                                   const std::optional<Grip>& grip = {}) const;
 
  private:
   const MachineModel& model_;
