@@ -300,8 +300,32 @@ TEST(AxisBlock, OfALibraryGetsMechanismsOfPumpsOnPumpsAndOfNothingElse) {
                drive.scenario.machines[0].placement.model, &blocks);
   for (const Suspect& suspect : blocks[0].suspects) {
     EXPECT_NE(suspect.mechanism->id, "bias") << suspect.target;
-    if (suspect.target == "pump_1") EXPECT_EQ(suspect.mechanism->slot, Slot::kFlow);
+    if (suspect.target != "pump_1") continue;
+    EXPECT_EQ(suspect.mechanism->slot, Slot::kFlow);
   }
+}
+
+const Suspect& SuspectOf(const std::vector<Suspect>& suspects, std::string_view id) {
+  return *std::find_if(suspects.begin(), suspects.end(),
+                       [&](const Suspect& suspect) { return suspect.mechanism->id == id; });
+}
+
+TEST(SuspectLibrary, KinksOfALimitedNumberStayAsFarApartAsTheyAre) {
+  Drive drive = Swaying("");
+  std::vector<ReplayBlock> blocks = {BlockOfBoom(drive, Record(&drive, 22))};
+  const auto kinks_s = [&] {
+    const FreeParameter& delay = SuspectOf(blocks[0].suspects, "command_delay").free[0];
+    return delay.kink * (delay.upper - delay.lower);
+  };
+  const double before_s = kinks_s();
+  EXPECT_GT(before_s, 0);
+  const ScratchDirectory scratch;
+  std::ofstream(scratch.path() / "library.yaml")
+      << "suspects: {command_delay: {delay_s: [0.05, 0.3]}}\n";
+  ApplyLibrary(ReadSuspectLibrary(scratch.path() / "library.yaml"),
+               drive.scenario.machines[0].placement.model, &blocks);
+  EXPECT_EQ(SuspectOf(blocks[0].suspects, "command_delay").free[0].upper, 0.3);
+  EXPECT_NEAR(kinks_s(), before_s, 1e-12);
 }
 
 TEST(AxisLog, AsksForAnEncoderOfTheMachine) {
@@ -339,6 +363,18 @@ TEST(AxisLog, SaysWhichLeversItNeeds) {
   }
 }
 
+TEST(SuspectsOfAxis, ARingSwingsBeforeItIsGone) {
+  Drive drive = Swaying("");
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  const Recorded recorded = Record(&drive, 12);
+  const AxisLog log = MakeAxisLog(model, recorded.commands, {recorded.encoders}, 0.002);
+  const auto arm = static_cast<std::size_t>(model.JointIndex("arm"));
+  const std::vector<Suspect> suspects = SuspectsOfAxis(model, log, arm, {});
+  const Suspect& ring = SuspectOf(suspects, "actuator_ring");
+  EXPECT_TRUE(ring.is_itself({20, 6, 0}));  // as the paper fits a boom
+  EXPECT_FALSE(ring.is_itself({6, 20, 0}));
+}
+
 TEST(SuspectsOfAxis, ADroopMayStallBelowTheLargestLoad) {
   Drive drive = Swaying("");
   const MachineModel& model = drive.scenario.machines[0].placement.model;
@@ -350,12 +386,9 @@ TEST(SuspectsOfAxis, ADroopMayStallBelowTheLargestLoad) {
     largest_nm = std::max(largest_nm, std::abs(log.motions_at(k)[arm].load_nm));
   }
   const std::vector<Suspect> suspects = SuspectsOfAxis(model, log, arm, {});
-  const auto droop = std::find_if(suspects.begin(), suspects.end(), [](const Suspect& suspect) {
-    return suspect.mechanism->id == "pressure_droop";
-  });
-  ASSERT_NE(droop, suspects.end());
-  EXPECT_LT(droop->free[0].lower, 0.8 * largest_nm);
-  EXPECT_GT(droop->free[0].upper, 8 * largest_nm);
+  const Suspect& droop = SuspectOf(suspects, "pressure_droop");
+  EXPECT_LT(droop.free[0].lower, 0.8 * largest_nm);
+  EXPECT_GT(droop.free[0].upper, 8 * largest_nm);
 }
 
 TEST(AxisLog, KeepsWhatCommandsSumToWhateverTheStep) {

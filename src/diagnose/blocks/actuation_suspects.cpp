@@ -16,7 +16,8 @@ namespace {
 /// is a motor's lag that steps of the lever show.
 constexpr double kShortestRise_s = 0.08;
 
-/// Of the range of a number that moves the instants at which a rate changes.
+/// How far apart kinks are, of the range, where a number moves the instants at which a rate
+/// changes.
 constexpr double kKinkOfInstants = 0.06;
 constexpr double kLongestDelay_s = 0.8;
 
@@ -95,6 +96,13 @@ void AddTimingAndMap(const std::vector<std::vector<double>>& holds, double step_
   out->Add("rate_gain", {{0, 0.3, 1.8}}, {{0.9}, {1.15}, {0.75}});
 }
 
+/// Whether a ring of these numbers is still there when it swings back: else it is a lag, or a start
+/// that overshoots.
+bool Swings(const std::vector<double>& ring) {
+  const double eta_radps = ring[0], beta_1ps = ring[1];
+  return beta_1ps < eta_radps;
+}
+
 /// A lag that is shorter than a step is none.
 void AddActuator(const Reach& reach, double step_s, SuspectList* out) {
   const double w = reach.full_rate_radps;
@@ -105,8 +113,9 @@ void AddActuator(const Reach& reach, double step_s, SuspectList* out) {
       "rate_limit",
       {{0, w / 5, w / kShortestRise_s, true}, {.index = 1, .upper = 2 * step_s, .refines = true}},
       {{w / 0.1, 0}, {w / 0.3, 0}, {w / 1, 0}});
-  out->Add("actuator_ring", {{0, 3, 60, true}, {1, 0.5, 30, true}, {2, -1.5, 1.5}},
-           {{20, 6, 0}, {12, 4, 0}, {28, 8, 0}, {8, 3, 0}});
+  Suspect& ring = out->Add("actuator_ring", {{0, 3, 60, true}, {1, 0.5, 30, true}, {2, -1.5, 1.5}},
+                           {{20, 6, 0}, {12, 4, 0}, {28, 8, 0}, {8, 3, 0}});
+  ring.is_itself = Swings;
   if (reach.has_stops) {
     out->Add("end_cushion", {{0, 0.02, 0.6, true}, {1, 0.02, 0.9}}, {{0.08, 0.3}, {0.2, 0.2}});
   }

@@ -57,8 +57,8 @@ Effects* EffectsOf(const std::string& target, MachineModel* model) {
 
 }  // namespace
 
-void SuspectList::Add(std::string_view id, std::vector<FreeParameter> free,
-                      std::vector<std::vector<double>> starts) {
+Suspect& SuspectList::Add(std::string_view id, std::vector<FreeParameter> free,
+                          std::vector<std::vector<double>> starts) {
   const auto mechanism = std::find_if(library_.begin(), library_.end(), [&](const Mechanism& m) {
     return m.id == id && m.ActsOn(kind_);
   });
@@ -75,7 +75,7 @@ void SuspectList::Add(std::string_view id, std::vector<FreeParameter> free,
       suspect.starts.insert(suspect.starts.begin(), near.begin(), near.end());
     }
   }
-  found_.push_back(std::move(suspect));
+  return found_.emplace_back(std::move(suspect));
 }
 
 Effects WithTerms(Effects present, const Structure& terms) {

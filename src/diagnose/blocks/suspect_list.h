@@ -23,8 +23,9 @@ class SuspectList {
       : target_(std::move(target)), kind_(kind), present_(present), library_(library) {}
 
   /// `id` must be in the library, for targets of that kind; `starts` are for a target without it.
-  void Add(std::string_view id, std::vector<FreeParameter> free,
-           std::vector<std::vector<double>> starts);
+  /// Returns the suspect, until the next one.
+  Suspect& Add(std::string_view id, std::vector<FreeParameter> free,
+               std::vector<std::vector<double>> starts);
   std::vector<Suspect> Take() { return std::move(found_); }
 
  private:

@@ -19,6 +19,7 @@ constexpr double kSurelyChosenP = 1e-5, kSurelyChosenSteadyP = 0.2;
 constexpr double kAll = 0.9;              ///< of the excess: next to nothing but noise is left
 constexpr std::size_t kLargestClass = 3;  ///< that names something, where error remains
 constexpr double kMost = 0.75;            ///< of the excess: enough to name several for
+constexpr double kLittle = 1.0 / 3;       ///< of the excess: too little to be what is wrong
 constexpr double kMuchLess = 0.5;         ///< RMS, that the free member leaves
 constexpr int kPasses = 3;                ///< of noise and search
 /// Of the variance of a channel's noise, and of the scale of its innovations: less by so much is
@@ -180,6 +181,11 @@ const Unexplained* UnexplainedIn(const BlockDiagnosis& out, std::size_t channel)
   return left != out.unexplained.end() ? &*left : nullptr;
 }
 
+/// Whether of an excess that FINAL shows a finding takes little.
+bool TakesLittle(const HeldOutError& error) {
+  return error.excess_removed != 0 && error.excess_removed < kLittle;  // 0: none shows
+}
+
 /// Whether what its channel leaves unexplained shows that a finding stands in for something else.
 bool Procedure::StandsIn(const BlockDiagnosis& out, std::size_t term) const {
   const Finding& finding = out.findings[term];
@@ -189,6 +195,7 @@ bool Procedure::StandsIn(const BlockDiagnosis& out, std::size_t term) const {
   if (finding.evidence.rivals.size() > kLargestClass && finding.held_out.excess_removed < kMost) {
     return true;
   }
+  if (judged_.block.channels.size() == 1 && TakesLittle(finding.held_out)) return true;
   if (finding.evidence.share > left->share) return false;
   Structure others = out.search.found.terms;
   others.erase(others.begin() + static_cast<std::ptrdiff_t>(term));
@@ -199,13 +206,15 @@ bool Procedure::StandsIn(const BlockDiagnosis& out, std::size_t term) const {
          kMuchLess * kMuchLess * MeanSquare(found, judged_.final_mask);
 }
 
-/// One after the other, the least first, as long as error without it is unexplained.
+/// One after the other, the least first; what leaves nothing unexplained when it is out, stays.
 void Procedure::PartStandIns(BlockDiagnosis* out) const {
+  std::vector<const Suspect*> stay;
   while (true) {
     std::optional<std::size_t> least;
     for (std::size_t t = 0; t < out->findings.size(); ++t) {
-      const bool is_less =
-          !least || out->findings[t].evidence.share < out->findings[*least].evidence.share;
+      const Finding& finding = out->findings[t];
+      if (std::find(stay.begin(), stay.end(), finding.term.suspect) != stay.end()) continue;
+      const bool is_less = !least || finding.evidence.share < out->findings[*least].evidence.share;
       if (is_less && StandsIn(*out, t)) least = t;
     }
     if (!least) return;
@@ -216,8 +225,11 @@ void Procedure::PartStandIns(BlockDiagnosis* out) const {
     TakeOut(is_out, &without.stand_ins, &without);
     Confirm(&without);
     FindUnexplained(&without);
-    if (UnexplainedIn(without, channel) == nullptr) return;
-    *out = std::move(without);
+    if (UnexplainedIn(without, channel) == nullptr) {
+      stay.push_back(out->findings[*least].term.suspect);
+    } else {
+      *out = std::move(without);
+    }
   }
 }
 

@@ -41,6 +41,9 @@ struct Suspect {
   std::vector<std::vector<double>> starts;
   /// The numbers that the model has of it already; none where it has not.
   std::vector<double> present;
+  /// Whether it is what it is called with these numbers, and no other mechanism in disguise; empty:
+  /// with all.
+  std::function<bool(const std::vector<double>& values)> is_itself = {};
 };
 
 /// A suspect with its numbers, all of the mechanism's parameters.
@@ -50,6 +53,7 @@ struct Term {
   /// Of its parameters, those that a fit leaves as they are though the suspect would free them.
   std::vector<std::size_t> held = {};
 
+  bool IsItself() const { return !suspect->is_itself || suspect->is_itself(values); }
   bool IsHeld(std::size_t index) const {
     return std::find(held.begin(), held.end(), index) != held.end();
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <utility>
 
 #include "core/in_parallel.h"
@@ -37,6 +39,9 @@ Scored ScoredFits::Score(const FittedStructure& fitted) const {
   for (const Term& term : fitted.terms)
     parameters += 1 + static_cast<double>(term.suspect->free.size());
   scored.criterion = fitted.log_likelihood - 0.5 * parameters * std::log(rows_);
+  if (!std::all_of(fitted.terms.begin(), fitted.terms.end(), std::mem_fn(&Term::IsItself))) {
+    scored.criterion = -std::numeric_limits<double>::infinity();
+  }
   for (const Segment& manoeuvre : select_) {
     scored.held_out.push_back(likelihood_.Sum(fitted.misfit, manoeuvre));
   }

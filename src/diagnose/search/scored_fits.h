@@ -14,8 +14,10 @@ namespace tera {
 /// A structure and how it stands, without the bulk of its innovations.
 struct Scored {
   Structure terms;
-  double log_likelihood = 0;     ///< on the samples that it was fitted to
-  double criterion = 0;          ///< Bayesian information criterion, as log-likelihood less penalty
+  double log_likelihood = 0;  ///< on the samples that it was fitted to
+  /// Bayesian information criterion, as log-likelihood less penalty; minus infinity where a term is
+  /// another mechanism in disguise (Suspect::is_itself).
+  double criterion = 0;
   std::vector<double> held_out;  ///< log-likelihood by manoeuvre of SELECT
 };
 

@@ -98,6 +98,7 @@ class Search {
   Scored Disentangle(Scored found);
   Needed Prune(Scored kept) const;
   FittedStructure Simplest(FittedStructure fitted) const;
+  FittedStructure FitToSeen();
   TermEvidence EvidenceOf(const Scored& with, const Scored& without, const Misfit& crossed_with,
                           const Misfit& crossed_without) const;
   bool IsNeeded(const TermEvidence& evidence) const;
@@ -327,7 +328,7 @@ Needed Search::Prune(Scored kept) const {
         [&](std::size_t t) { return EvidenceOf(kept, without[t], crossed_kept, crossed[t]); });
     std::size_t least = kept.terms.size();
     for (std::size_t t = 0; t < without.size(); ++t) {
-      if (IsNeeded(evidence[t])) continue;
+      if (IsNeeded(evidence[t]) && kept.terms[t].IsItself()) continue;
       if (least == kept.terms.size() || evidence[t].share < evidence[least].share) least = t;
     }
     if (least == kept.terms.size()) {
@@ -355,6 +356,21 @@ FittedStructure Search::Simplest(FittedStructure fitted) const {
     }
   }
   return fitted;
+}
+
+/// What is needed, with the numbers that TRAIN and SELECT give it together; without what these show
+/// to be another mechanism in disguise.
+FittedStructure Search::FitToSeen() {
+  while (!needed_.structure.terms.empty()) {
+    const Structure& found = needed_.structure.terms;
+    FittedStructure fitted = Simplest(on_seen_.Determine(on_seen_.FitFrom(found)));
+    const auto disguised = std::find_if(fitted.terms.begin(), fitted.terms.end(),
+                                        [](const Term& term) { return !term.IsItself(); });
+    if (disguised == fitted.terms.end()) return fitted;
+    const auto at = static_cast<std::size_t>(disguised - fitted.terms.begin());
+    needed_ = Prune(fits_.Score(fitter_.FitNear(Without(found, at))));
+  }
+  return on_seen_.AsGiven({});
 }
 
 /// What was told of a term in the beginning, if it was found there.
@@ -385,7 +401,7 @@ std::vector<Structure> Search::NearestRivals(const Scored& found, std::size_t te
   }
   std::vector<Structure> nearest;
   for (Scored& scored : fits_.LikeliestNear(swapped, kNearest)) {
-    nearest.push_back(std::move(scored.terms));
+    if (scored.terms.back().IsItself()) nearest.push_back(std::move(scored.terms));
   }
   return nearest;
 }
@@ -432,11 +448,9 @@ SearchResult Search::Find() {
   }
   Screen();
   needed_ = Prune(earlier_.of_beginning ? FindMore() : FindAfresh());
-  const Structure& found = needed_.structure.terms;
+  result.found = FitToSeen();
   result.evidence = needed_.evidence;
   result.nothing = on_seen_.AsGiven({});
-  result.found =
-      found.empty() ? result.nothing : Simplest(on_seen_.Determine(on_seen_.FitFrom(found)));
   for (std::size_t s = 0; s < singles_.size(); ++s) {
     result.singles.push_back({&block_.suspects[s], singles_[s].terms.front().values,
                               singles_[s].log_likelihood - nothing_.log_likelihood,

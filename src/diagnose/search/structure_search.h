@@ -79,7 +79,8 @@ struct EarlierSearch {
 ///         over all that the diagnosis tests), on SELECT at least `least_share` of what the whole
 ///         structure, or a free member if that is more, gains over nothing and at least
 ///         `least_of_rest` of what a free member gains over the structure without it, and its
-///         effect, beyond nuisances, at least `least_effect` of the channel. What
+///         effect, beyond nuisances, at least `least_effect` of the channel. It goes, too, with
+///         numbers by which it is another mechanism in disguise (Suspect::is_itself). What
 ///         refines a number is put to its default in the answer where that, one number after the
 ///         other, changes less than `least_effect`. TellApart: each term is swapped for each
 ///         screened suspect; of the five that a few steps make likeliest, where the same manoeuvres

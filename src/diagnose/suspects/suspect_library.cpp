@@ -97,18 +97,25 @@ bool Holds(const std::vector<std::string>& names, std::string_view id) {
   return std::find(names.begin(), names.end(), id) != names.end();
 }
 
+/// Of a range, in what it is moved by.
+double SpanOf(const FreeParameter& free) {
+  return free.logarithmic ? std::log(free.upper / free.lower) : free.upper - free.lower;
+}
+
 /// Limits one number of a suspect, which becomes free, or is held.
 void Limit(const NumberRange& range, Suspect* suspect) {
-  bool by_ratios = false;
+  FreeParameter limited = {.index = range.index, .lower = range.lower, .upper = range.upper};
   std::erase_if(suspect->free, [&](const FreeParameter& free) {
     if (free.index != range.index) return false;
-    by_ratios = free.logarithmic && range.lower > 0;
+    limited.logarithmic = free.logarithmic && range.lower > 0;
+    // Kinks stay as far apart as they are.
+    limited.kink = std::min(1.0, free.kink * SpanOf(free) / SpanOf(limited));
     return true;
   });
   if (range.lower < range.upper) {
     suspect->free.insert(suspect->free.begin() + static_cast<std::ptrdiff_t>(
                                                      std::min(range.index, suspect->free.size())),
-                         {range.index, range.lower, range.upper, by_ratios});
+                         limited);
   }
   std::vector<std::vector<double>> starts;
   for (std::vector<double> start : suspect->starts) {

@@ -11,8 +11,10 @@
 namespace tera {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::UnorderedElementsAre;
 
 constexpr std::size_t kSamples = 8000;
@@ -56,6 +58,16 @@ TEST(BlockDiagnosis, NamesTheOneThatActsWithItsSizeAndWhereItIsSeen) {
   ASSERT_FALSE(found.location.regimes.empty());
   EXPECT_EQ(found.location.regimes[0].variable, "lever");
   EXPECT_EQ(found.location.regimes[0].shape.parity, CurveParity::kEven);
+}
+
+TEST(BlockDiagnosis, DoesNotNameWhatHasTheNumbersOfAnother) {
+  Toy toy(12, 0.2, 0, 0);
+  toy.block.suspects[0].is_itself = [](const std::vector<double>& values) {
+    return values[0] < 0.1;
+  };
+  const BlockDiagnosis diagnosis = DiagnoseBlock(toy.block, {}, Stream(12, "diagnose"));
+  EXPECT_THAT(NamesOf(diagnosis.findings), Not(Contains("square")));
+  EXPECT_THAT(diagnosis.unexplained, Not(IsEmpty()));
 }
 
 TEST(BlockDiagnosis, NamesTwoThatActTogether) {
@@ -191,6 +203,31 @@ TEST(BlockDiagnosis, OfAClassOfFourThatLeavesMuchNoneIsAName) {
   ASSERT_EQ(most.findings.size(), 1u);
   EXPECT_GT(most.findings[0].held_out.excess_removed, 0.8);
   EXPECT_EQ(most.unexplained.size(), 1u);
+}
+
+TEST(BlockDiagnosis, WhatTakesLittleOfWhatIsWrongIsNoName) {
+  // A square, and in the manoeuvres kept back a ripple that no suspect and no free curve does.
+  const Stream stream(35, "diagnose");
+  const std::vector<double> lever = ToyLever(kSamples, 35);
+  ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, kNoise, 35), {0});
+  const Mask kept_back = MaskOf(ManoeuvresOf(block, stream), Part::kFinal, block.samples());
+  const auto diagnose = [&](double square) {
+    Series measured = ToyMeasured(ToyResponse(lever, square, 0, 0), kNoise, 35);
+    for (std::size_t k = 0; k < measured.size(); ++k) {
+      if (measured.valid[k] && kept_back[k]) measured.value[k] += 0.4 * std::sin(25 * lever[k]);
+    }
+    block.channels[0].measured = measured;
+    return DiagnoseBlock(block, {}, stream);
+  };
+  const BlockDiagnosis much = diagnose(0.8);
+  ASSERT_THAT(NamesOf(much.findings), ElementsAre("square"));
+  EXPECT_GT(much.findings[0].held_out.excess_removed, 1.0 / 3);
+  EXPECT_EQ(much.unexplained.size(), 1u);
+  const BlockDiagnosis little = diagnose(0.4);
+  EXPECT_THAT(NamesOf(little.findings), IsEmpty());
+  ASSERT_THAT(NamesOf(little.stand_ins), ElementsAre("square"));
+  EXPECT_LT(little.stand_ins[0].held_out.excess_removed, 1.0 / 3);
+  EXPECT_EQ(little.unexplained.size(), 1u);
 }
 
 TEST(BlockDiagnosis, KeepsANameBesideWhatIsUnexplained) {
