@@ -21,15 +21,17 @@ void AddDiagnoseCommand(CLI::App* app) {
   command
       ->add_option("--held-out", arguments->held_out,
                    "Further recording on which to judge what was found; may be repeated")
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);
   command->add_option("--library", arguments->library,
                       "File (YAML) that limits or extends the mechanisms that are suspected");
   command
       ->add_option("--time-limit", arguments->time_limit_s,
                    "Seconds after which the search stops and what is done is reported")
       ->check(PositiveNumber("seconds"));
-  command->add_flag("!--no-simulation", arguments->simulate,
-                    "Leave out the whole simulation that confirms what was found");
+  command->add_flag_callback(
+      "--no-simulation", [arguments] { arguments->simulate = false; },
+      "Leave out the whole simulation that confirms what was found");
   command->add_option("--threads", arguments->threads, "Fits at a time")
       ->check(WholeNumberBetween(1, 1024));
   command->add_flag("--profile", arguments->profile, "Print where the time went");

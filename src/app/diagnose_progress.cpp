@@ -11,6 +11,8 @@
 namespace tera {
 namespace {
 
+constexpr const char* kToEndOfLine = "\x1b[K";  ///< clears what stood there
+
 /// "dead_band, 1 unexplained".
 std::string Outcome(const BlockDiagnosis& diagnosis) {
   if (diagnosis.out_of_time) return "out of time";
@@ -48,15 +50,16 @@ void DiagnoseProgress::Show(const BlockProgress& progress) {
     if (block_starts_.empty())
       clock_->Add("search, blocks beside each other", since_s(search_start_));
   }
-  if (!terminal_) return;
   if (progress.done != nullptr) {
-    fmt::print(stderr, "\r{}: {} ({} of {}): {}, {:.0f} s so far\x1b[K\n", machine_, progress.block,
-               progress.number, progress.count, Outcome(*progress.done), since_s(start_));
+    fmt::print(stderr, "{}{}: {} ({} of {}): {}, {:.0f} s so far{}\n", terminal_ ? "\r" : "",
+               machine_, progress.block, progress.number, progress.count, Outcome(*progress.done),
+               since_s(start_), terminal_ ? kToEndOfLine : "");
   }
+  if (!terminal_) return;
   std::vector<std::string> under_way;
   for (const auto& [block, start] : block_starts_) under_way.push_back(block);
   if (!under_way.empty()) {
-    fmt::print(stderr, "\r{}: {} ..\x1b[K", machine_, fmt::join(under_way, " and "));
+    fmt::print(stderr, "\r{}: {} ..{}", machine_, fmt::join(under_way, " and "), kToEndOfLine);
   }
   std::fflush(stderr);
 }

@@ -9,9 +9,9 @@
 
 namespace tera {
 
-/// Follows a diagnosis: the search is a stage of the clock, each block a part. On a terminal a line
-/// for each block that says what came of it and when, under them what is being looked at; nothing
-/// where standard error is no terminal.
+/// Follows a diagnosis: the search is a stage of the clock, each block a part. On standard error a
+/// line for each block that says what came of it and when; on a terminal, under them, what is being
+/// looked at.
 class DiagnoseProgress {
  public:
   /// The clock must outlive it.

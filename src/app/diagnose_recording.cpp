@@ -20,6 +20,7 @@
 #include "diagnose/diagnosis.h"
 #include "diagnose/report/baselines_json.h"
 #include "diagnose/report/sentence.h"
+#include "diagnose/report/summary.h"
 #include "diagnose/report/write_report.h"
 #include "sim/lever_replay.h"
 
@@ -37,12 +38,8 @@ std::string NameInRecording(const std::string& name, std::size_t in_scenario,
                                recording.directory().string(), name, fmt::join(names, ", ")));
 }
 
-/// The levers that were recorded, else those that the scenario replays.
-TableRecording CommandsOf(const Recording& recording, const std::string& name,
-                          const ScenarioMachine& machine) {
-  if (const std::string file = name + "/commands.csv"; recording.Has(file)) {
-    return recording.LoadTable(file);
-  }
+/// The levers that the scenario replays; none where it replays none.
+TableRecording ReplayedCommands(const ScenarioMachine& machine) {
   TableRecording commands;
   const MachineModel& model = machine.placement.model;
   CommandTable table = ReplayedLevers(machine.driver.get(), model);
@@ -69,7 +66,15 @@ struct MachineCase {
     const ScenarioMachine& machine = scenario.machines[index];
     const std::string& name = machine.placement.name;
     const std::string recorded = NameInRecording(name, scenario.machines.size(), recording);
-    return {&model, recorded, name, CommandsOf(recording, recorded, machine), machine.sensors};
+    DiagnosisInput input{.model = &model, .machine = recorded, .scenario = name};
+    input.sensors = machine.sensors;
+    if (const std::string file = recorded + "/commands.csv"; recording.Has(file)) {
+      input.commands = recording.LoadTable(file);
+    } else {
+      input.commands = ReplayedCommands(machine);
+      input.commands_are_the_scenarios = !input.commands.columns.empty();
+    }
+    return input;
   }
 };
 
@@ -269,6 +274,9 @@ void DiagnoseRecording(const DiagnoseArguments& arguments) {
                                         recording, std::move(seen[m]), &clock));
   }
   for (const Diagnosis& diagnosis : diagnoses) {
+    if (const std::string summary = SummaryOf(diagnosis); !summary.empty()) {
+      fmt::print("{}\n", summary);
+    }
     for (const std::string& sentence : SentencesOf(diagnosis)) fmt::print("{}\n", sentence);
   }
   WriteReports(arguments, diagnoses, loaded.scenario.origin, &out);

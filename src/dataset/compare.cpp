@@ -17,6 +17,8 @@
 namespace tera {
 namespace {
 
+constexpr double kTellsHeading_m = 1;  ///< of path
+
 /// One column over time.
 struct Signal {
   std::string column;
@@ -181,6 +183,9 @@ void AppendTrajectory(std::string* text, const MachineComparison& m) {
                  e.ape.size(), e.path_length_a_m, e.path_length_b_m, e.final_drift_m,
                  e.path_length_a_m > 0 ? 100.0 * e.final_drift_m / e.path_length_a_m : 0.0,
                  e.final_drift_rad / kDeg);
+  if (std::min(e.path_length_a_m, e.path_length_b_m) < kTellsHeading_m) {
+    text->append("  a path of less than 1 m does not tell its heading: ignore aligned rotations\n");
+  }
 }
 
 Curve PathCurve(const std::string& title, const Trajectory& track, const Pose& X_WV) {
@@ -231,7 +236,8 @@ std::string ComparisonTable(const Comparison& comparison) {
                    machine.name_a == machine.name_b ? "" : " and " + machine.name_b);
     if (machine.HasTrajectories()) AppendTrajectory(&text, machine);
     if (machine.channels.empty()) continue;
-    fmt::format_to(out, "  {:<40}{:>12}{:>12}{:>9}\n", "channel", "rmse", "mean", "samples");
+    fmt::format_to(out, "  {:<40}{:>12}{:>12}{:>9}\n", "channel, in its own unit", "rmse", "mean",
+                   "samples");
     for (const ChannelDifference& d : machine.channels) {
       fmt::format_to(out, "  {:<40}{:>12.5g}{:>12.5g}{:>9}\n", d.channel + " " + d.column, d.rmse,
                      d.mean, d.count);

@@ -97,7 +97,8 @@ TimeNs CsvFile::Time(std::size_t row) const {
   if (row > 0) {
     TimeNs before_ns = 0;
     Parse(Field(row - 1, 0), &before_ns);
-    if (t_ns <= before_ns) Fail(row, 0, fmt::format("need more than {} before it", before_ns));
+    if (t_ns <= before_ns)
+      Fail(row, 0, fmt::format("need a later time than that of the row before, {}", before_ns));
   }
   return t_ns;
 }

@@ -22,7 +22,15 @@ namespace {
 /// How far a quaternion's norm may be from 1: the digits of single precision.
 constexpr double kQuaternionTolerance = 1e-5;
 
-CsvFile Open(const fs::path& path) { return CsvFile(path, CsvFile::LastLine::kMustEnd); }
+/// A file that dataset.yaml lists.
+CsvFile Open(const fs::path& path) {
+  if (!fs::exists(path)) {
+    throw InputError(fmt::format(
+        "{}: is not there, though dataset.yaml lists it; need the file, or its line taken out",
+        path.string()));
+  }
+  return CsvFile(path, CsvFile::LastLine::kMustEnd);
+}
 
 CsvFile OpenWithHeader(const fs::path& path, std::string_view header) {
   CsvFile csv = Open(path);

@@ -244,6 +244,7 @@ Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
                                : NotTakenOff(input, blocks);
   diagnosis.machine = input.machine;
   diagnosis.scenario = input.scenario;
+  diagnosis.levers_are_the_scenarios = input.commands_are_the_scenarios;
   diagnosis.blocks = DiagnoseInTurn(input, measured, std::move(blocks), options, progress,
                                     &diagnosis.not_compared);
   std::vector<std::vector<Proposal>> proposals = InParallel<std::vector<Proposal>>(

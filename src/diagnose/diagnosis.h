@@ -33,9 +33,10 @@ struct DiagnosedBlock {
 
 /// Why one machine's recording differs from its simulation.
 struct Diagnosis {
-  std::string machine;   ///< its name in the recording
-  std::string scenario;  ///< its name in the scenario, to which the overlay speaks
-  TimeNs start_ns = 0;   ///< in the recording, from which all times count
+  std::string machine;                    ///< its name in the recording
+  std::string scenario;                   ///< its name in the scenario, to which the overlay speaks
+  TimeNs start_ns = 0;                    ///< in the recording, from which all times count
+  bool levers_are_the_scenarios = false;  ///< for the recording has none
   std::vector<DiagnosedBlock> blocks;
   std::vector<std::string> not_compared;        ///< what was measured, and why nothing came of it
   std::vector<PerceptionDiagnosis> perception;  ///< of sensors that measure ranges

@@ -14,9 +14,10 @@ namespace tera {
 /// What is to be diagnosed.
 struct DiagnosisInput {
   const MachineModel* model = nullptr;
-  std::string machine;      ///< name in the recording
-  std::string scenario;     ///< name in the scenario
-  TableRecording commands;  ///< columns by the names of levers
+  std::string machine;                      ///< name in the recording
+  std::string scenario;                     ///< name in the scenario
+  TableRecording commands;                  ///< columns by the names of levers
+  bool commands_are_the_scenarios = false;  ///< for the recording has none
   /// As the scenario has them, by the names that they have in the recording.
   std::vector<SensorDescription> sensors;
 };

@@ -12,8 +12,10 @@ namespace tera {
 namespace {
 
 using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
+using testing::StartsWith;
 
 /// A boom with a dead band of 0.1 that its scenario lacks.
 class DiagnoseOptions : public testing::Test {
@@ -55,6 +57,14 @@ TEST_F(DiagnoseOptions, AFurtherRecordingIsJudgedWithWhatTheFirstOneShowed) {
   EXPECT_NEAR(other["rmse_before"].get<double>(), 0.003, 0.001);
   EXPECT_GT(other["rmse_after"].get<double>(), 3 * other["rmse_before"].get<double>());
   EXPECT_THAT(out_, HasSubstr("On same, which nothing was fitted to: RMSE of boom rate"));
+}
+
+TEST_F(DiagnoseOptions, AFurtherRecordingMayBeNamedBeforeTheScenario) {
+  WriteHandMade(scratch_.path() / "same", {.valve = DeadTo0_1, .seed = 2});
+  const Outcome outcome = RunTera({"diagnose", "--held-out", "same", "boom.yaml", "real",
+                                   "--time-limit", "0.001", "--out", "why"},
+                                  {scratch_.path()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
 }
 
 TEST_F(DiagnoseOptions, AFurtherRecordingThatIsNoneStopsBeforeAnythingIsSearched) {
@@ -151,6 +161,9 @@ TEST_F(DiagnoseOptions, OutOfTimeSaysSoAndReportsWhatIsDone) {
   EXPECT_EQ(json["verdict"][0], "untestable");
   EXPECT_THAT(out_, AllOf(HasSubstr("Nothing judged: the time was over"),
                           HasSubstr("Boom rate: not judged, for the time was over.")));
+  EXPECT_THAT(ReadWholeFile(scratch_.path() / "why" / "report.html"),
+              AllOf(HasSubstr("Not looked at, for the time was over: boom."),
+                    Not(HasSubstr("would not have been seen at any size"))));
 }
 
 TEST_F(DiagnoseOptions, ATimeThatIsNotReachedAndALookAtTheClockChangeNothing) {
@@ -166,6 +179,13 @@ TEST_F(DiagnoseOptions, OnATerminalEachBlockHasALineWithWhatCameOfIt) {
       {"diagnose", "boom.yaml", "real", "--no-simulation", "--out", "why"}, scratch_.path(), 100);
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("excavator1: boom .."),
                                  HasSubstr("excavator1: boom (1 of 1): dead_band")));
+}
+
+TEST_F(DiagnoseOptions, IntoAFileEachBlockHasALineAsWell) {
+  const Outcome outcome = RunTera(
+      {"diagnose", "boom.yaml", "real", "--no-simulation", "--out", "why"}, {scratch_.path()});
+  EXPECT_THAT(outcome.err,
+              AllOf(StartsWith("excavator1: boom (1 of 1): dead_band, "), EndsWith(" s so far\n")));
 }
 
 }  // namespace

@@ -163,6 +163,14 @@ TEST_F(RecordingTest, RejectsATruncatedCsv) {
                   AllOf(HasSubstr("data.csv:8:"), HasSubstr("found 3 fields, need 7"))));
 }
 
+TEST_F(RecordingTest, RejectsAListedFileThatIsNotThere) {
+  std::filesystem::remove(directory() / "digger/commands.csv");
+  EXPECT_THAT([&] { Open().LoadTable("digger/commands.csv"); },
+              ThrowsMessage<InputError>(AllOf(
+                  HasSubstr("commands.csv: is not there, though dataset.yaml lists it; need the"),
+                  HasSubstr("or its line taken out"))));
+}
+
 TEST_F(RecordingTest, RejectsNumbersThatAreNotFinite) {
   Edit("digger/imu/data.csv", "9.80665", "nan");
   EXPECT_THAT([&] { Open().LoadImu("digger/imu"); },
@@ -179,7 +187,9 @@ TEST_F(RecordingTest, RejectsAMissingColumn) {
 TEST_F(RecordingTest, RejectsTimesThatDoNotIncrease) {
   Edit("digger/commands.csv", "200000000,", "100000000,");
   EXPECT_THAT([&] { Open().LoadTable("digger/commands.csv"); },
-              ThrowsMessage<InputError>(HasSubstr("commands.csv:4: column 't_ns'")));
+              ThrowsMessage<InputError>(
+                  AllOf(HasSubstr("commands.csv:4: column 't_ns': found '100000000'"),
+                        HasSubstr("need a later time than that of the row before, 100000000"))));
 }
 
 TEST_F(RecordingTest, RejectsAnEmptyCsvAFixOutsideNmeaAndAQuaternionOfAnotherNorm) {

@@ -1,39 +1,52 @@
 #include "diagnose/report/by_weight.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tera {
 namespace {
 
-/// Shares are of what the free member of the own block gains.
-template <typename Entry, typename Share>
-void SortByWeight(std::vector<Entry>* entries, const Share& share) {
-  const auto weight = [&](const Entry& entry) {
-    return share(entry) * entry.diagnosed->diagnosis.search.free_gain;
-  };
-  std::stable_sort(entries->begin(), entries->end(),
-                   [&](const Entry& a, const Entry& b) { return weight(a) > weight(b); });
+/// What a finding takes from the mean square of its channel's error on FINAL, of what there was.
+double TakenBy(const DiagnosedBlock& diagnosed, const Finding& finding) {
+  const HeldOutError& error = finding.held_out;
+  double at_first = 0;
+  for (const HeldOutError& all : diagnosed.diagnosis.confirmed) {
+    if (all.channel == error.channel) at_first = all.rmse_before;
+  }
+  const double taken = std::pow(error.rmse_before, 2) - std::pow(error.rmse_after, 2);
+  return at_first > 0 ? taken / (at_first * at_first) : taken;
+}
+
+/// Of a block, by what its findings gain in log-likelihood, each over the structure without it.
+double WeightOf(const DiagnosedBlock& diagnosed) {
+  double share = 0;
+  for (const Finding& finding : diagnosed.diagnosis.findings) share += finding.evidence.share;
+  return share * diagnosed.diagnosis.search.free_gain;
 }
 
 }  // namespace
 
-std::vector<FindingInBlock> FindingsByWeight(const Diagnosis& diagnosis) {
-  std::vector<FindingInBlock> all;
-  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
-    for (const Finding& finding : diagnosed.diagnosis.findings) {
-      all.push_back({&diagnosed, &finding});
-    }
-  }
-  SortByWeight(&all, [](const FindingInBlock& entry) { return entry.finding->evidence.share; });
-  return all;
-}
-
 std::vector<const Finding*> FindingsByWeight(const DiagnosedBlock& diagnosed) {
   std::vector<const Finding*> all;
   for (const Finding& finding : diagnosed.diagnosis.findings) all.push_back(&finding);
-  std::stable_sort(all.begin(), all.end(), [](const Finding* a, const Finding* b) {
-    return a->evidence.share > b->evidence.share;
+  std::stable_sort(all.begin(), all.end(), [&](const Finding* a, const Finding* b) {
+    return TakenBy(diagnosed, *a) > TakenBy(diagnosed, *b);
   });
+  return all;
+}
+
+std::vector<FindingInBlock> FindingsByWeight(const Diagnosis& diagnosis) {
+  std::vector<const DiagnosedBlock*> blocks;
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) blocks.push_back(&diagnosed);
+  std::stable_sort(
+      blocks.begin(), blocks.end(),
+      [](const DiagnosedBlock* a, const DiagnosedBlock* b) { return WeightOf(*a) > WeightOf(*b); });
+  std::vector<FindingInBlock> all;
+  for (const DiagnosedBlock* diagnosed : blocks) {
+    for (const Finding* finding : FindingsByWeight(*diagnosed)) {
+      all.push_back({diagnosed, finding});
+    }
+  }
   return all;
 }
 
@@ -44,7 +57,13 @@ std::vector<UnexplainedInBlock> UnexplainedByWeight(const Diagnosis& diagnosis) 
       all.push_back({&diagnosed, &unexplained});
     }
   }
-  SortByWeight(&all, [](const UnexplainedInBlock& entry) { return entry.unexplained->share; });
+  const auto weight = [](const UnexplainedInBlock& entry) {
+    return entry.unexplained->share * entry.diagnosed->diagnosis.search.free_gain;
+  };
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const UnexplainedInBlock& a, const UnexplainedInBlock& b) {
+                     return weight(a) > weight(b);
+                   });
   return all;
 }
 

@@ -18,10 +18,14 @@ struct UnexplainedInBlock {
   const Unexplained* unexplained = nullptr;
 };
 
-/// All that a diagnosis found, by what each gained in log-likelihood on held-out samples, the most
-/// first; equals in the order of the blocks. The diagnosis must outlive it.
-std::vector<FindingInBlock> FindingsByWeight(const Diagnosis& diagnosis);
+/// What a block found, by how much of its channel's error each takes away on FINAL, the most first.
+/// A gain in log-likelihood would put what acts in each of many manoeuvres, faintly, before what is
+/// loud in a few. The diagnosis must outlive it.
 std::vector<const Finding*> FindingsByWeight(const DiagnosedBlock& diagnosed);
+/// The same, block by block, those first whose findings gain most log-likelihood on held-out
+/// samples.
+std::vector<FindingInBlock> FindingsByWeight(const Diagnosis& diagnosis);
+/// By the gain in log-likelihood of what a free curve could explain.
 std::vector<UnexplainedInBlock> UnexplainedByWeight(const Diagnosis& diagnosis);
 
 /// Whether anything is left unexplained in a channel of a block.

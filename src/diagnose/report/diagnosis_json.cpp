@@ -430,6 +430,7 @@ std::string DiagnosisJson(const Diagnosis& diagnosis) {
   json["not_judged"] = NotJudged(diagnosis);
   json["not_compared"] = diagnosis.not_compared;
   json["out_of_time"] = OutOfTime(diagnosis);
+  json["levers_of"] = diagnosis.levers_are_the_scenarios ? "scenario" : "recording";
   json["held_out_recordings"] = FurtherRecordings(diagnosis);
   json["taken_off"] = TakenOffOf(diagnosis);
   json["whole_simulation"] = Whole(diagnosis);

@@ -11,6 +11,7 @@
 #include "diagnose/report/page_style.h"
 #include "diagnose/report/perception_figures.h"
 #include "diagnose/report/sentence.h"
+#include "diagnose/report/summary.h"
 #include "diagnose/report/svg_plot.h"
 #include "diagnose/report/wording.h"
 
@@ -76,7 +77,11 @@ std::string Top(const Diagnosis& diagnosis, const std::string& recording) {
   for (const Verdict verdict : VerdictsOf(diagnosis)) {
     html += fmt::format("<span class='verdict {}'>{}</span>", NameOf(verdict), Explained(verdict));
   }
-  html += "</p>\n<ol class='findings'>\n";
+  html += "</p>\n";
+  if (const std::string summary = SummaryOf(diagnosis); !summary.empty()) {
+    html += fmt::format("<p>{}</p>\n", Escaped(summary));
+  }
+  html += "<ol class='findings'>\n";
   for (const std::string& sentence : SentencesOf(diagnosis)) {
     html += fmt::format("<li>{}</li>\n", Escaped(sentence));
   }
@@ -198,34 +203,55 @@ std::string SmallestCell(const Detectability& one) {
                      UnitCell(parameters[main].unit));
 }
 
-std::string UnseenSection(const Diagnosis& diagnosis) {
-  Table unseen({"On", "Mechanisms"}), seen({"On", "Mechanism", "Seen from about"});
+/// Of each block, mechanisms that would not have been seen at any size.
+std::string UnseenTable(const Diagnosis& diagnosis) {
+  Table unseen({"On", "Mechanisms"});
   bool any = false;
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    if (diagnosed.diagnosis.out_of_time) continue;
     std::string names;
     for (const Detectability& one : diagnosed.diagnosis.detectability) {
-      const std::string_view id = one.suspect->mechanism->id;
-      if (one.smallest) {
-        seen.Row({Escaped(one.suspect->target), Code(id), SmallestCell(one)});
-      } else {
-        names += (names.empty() ? "" : ", ") + Code(id);
-      }
+      if (one.smallest) continue;
+      names += (names.empty() ? "" : ", ") + Code(one.suspect->mechanism->id);
     }
-    if (names.empty() && diagnosed.diagnosis.is_testable) continue;
-    if (!diagnosed.diagnosis.is_testable) {
-      names = diagnosed.diagnosis.out_of_time ? "all: out of time" : "all: too few manoeuvres";
-    }
+    if (!diagnosed.diagnosis.is_testable) names = "all: too few manoeuvres";
+    if (names.empty()) continue;
     unseen.Row({Escaped(Capitalised(Spaced(diagnosed.block.name))), names});
     any = true;
   }
-  return "<section>\n<h2>What this recording cannot show</h2>\n" +
-         (any ? "<p class='soft'>These would not have been seen at any size looked for, were noise "
-                "the only trouble.</p>\n" +
-                    unseen.Take()
-              : std::string("<p>Every mechanism looked for would have been seen, were it strong "
-                            "enough.</p>\n")) +
-         "<details><summary>Smallest sizes that would have been seen</summary>\n" + seen.Take() +
-         "</details>\n</section>\n";
+  return any ? "<p class='soft'>These would not have been seen at any size looked for, were noise "
+               "the only trouble.</p>\n" +
+                   unseen.Take()
+             : "<p>Every mechanism looked for would have been seen, were it strong enough.</p>\n";
+}
+
+std::string SmallestSizes(const Diagnosis& diagnosis) {
+  Table seen({"On", "Mechanism", "Seen from about"});
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    for (const Detectability& one : diagnosed.diagnosis.detectability) {
+      if (!one.smallest) continue;
+      seen.Row({Escaped(one.suspect->target), Code(one.suspect->mechanism->id), SmallestCell(one)});
+    }
+  }
+  return "<details><summary>Smallest sizes that would have been seen</summary>\n" + seen.Take() +
+         "</details>\n";
+}
+
+std::string OutOfTimeText(const Diagnosis& diagnosis) {
+  std::vector<std::string> blocks;
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    if (diagnosed.diagnosis.out_of_time) blocks.push_back(Spaced(diagnosed.block.name));
+  }
+  if (blocks.empty()) return "";
+  return fmt::format("<p>Not looked at, for the time was over: {}.</p>\n", Escaped(Listed(blocks)));
+}
+
+std::string UnseenSection(const Diagnosis& diagnosis) {
+  const bool any_judged =
+      std::any_of(diagnosis.blocks.begin(), diagnosis.blocks.end(),
+                  [](const DiagnosedBlock& diagnosed) { return !diagnosed.diagnosis.out_of_time; });
+  return "<section>\n<h2>What this recording cannot show</h2>\n" + OutOfTimeText(diagnosis) +
+         (any_judged ? UnseenTable(diagnosis) + SmallestSizes(diagnosis) : "") + "</section>\n";
 }
 
 /// Further recordings and the whole simulation.

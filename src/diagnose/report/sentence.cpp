@@ -4,10 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "diagnose/report/by_weight.h"
 #include "diagnose/report/confirmation_text.h"
+#include "diagnose/report/finding_text.h"
 #include "diagnose/report/next_manoeuvre_text.h"
 #include "diagnose/report/perception_text.h"
 #include "diagnose/report/proposal_text.h"
@@ -18,9 +18,6 @@ namespace {
 
 constexpr double kSignificant = 0.05;
 constexpr std::size_t kRivalsTold = 2;
-constexpr int kPresentDigits = 4;
-constexpr std::size_t kAllTold = 3;  ///< numbers of a mechanism
-constexpr double kClear = 3;         ///< standard deviations
 
 std::string ChannelText(const DiagnosedBlock& diagnosed, std::size_t channel) {
   return Capitalised(QuantityOf(diagnosed.block.channels[channel].name));
@@ -103,72 +100,8 @@ std::string DependenceText(const DiagnosedBlock& diagnosed, const Location& loca
   if (!others.empty()) text += fmt::format(", and on {}", fmt::join(others, " and "));
   if (first.p <= kSignificant) return fmt::format("{} on {}", depends, text);
   const std::string surely =
-      first.p < 1 ? ProbabilityText(first.p) + ": not surely" : "which moves too slowly for a p";
+      first.p < 1 ? ProbabilityText(first.p) : "which moves too slowly for a p";
   return fmt::format("{} most on {} ({})", depends, text, surely);
-}
-
-/// The number that a mechanism cannot be without, where it is the first and only one, goes by the
-/// mechanism's name.
-bool GoesUnnamed(const Mechanism& mechanism, std::size_t index) {
-  const auto required = std::count_if(mechanism.parameters.begin(), mechanism.parameters.end(),
-                                      [](const EffectParameter& p) { return !p.otherwise; });
-  return index == 0 && required == 1 && !mechanism.parameters[0].otherwise;
-}
-
-/// " instead of 0.05", where the simulation has the mechanism already.
-std::string InsteadText(const Suspect& suspect, std::size_t index, const ReadableUnit& unit) {
-  if (suspect.present.empty()) return "";
-  return " instead of " +
-         WithUnit(Significant(suspect.present[index] * unit.factor, kPresentDigits), unit);
-}
-
-/// Whether a number is worth telling: of few all, of many those that are clearly not as they would
-/// be without the finding.
-bool IsTold(const Suspect& suspect, const FreeParameter& free, const ParameterEstimate& estimate) {
-  if (suspect.free.size() <= kAllTold || !estimate.sigma) return true;
-  const double without = suspect.present.empty()
-                             ? suspect.mechanism->parameters[free.index].otherwise.value_or(0)
-                             : suspect.present[free.index];
-  return std::abs(estimate.value - without) > kClear * *estimate.sigma;
-}
-
-/// "dead band 0.18 ± 0.02, asymmetry 0.1 ± 0.05".
-std::string MechanismText(const DiagnosedBlock& diagnosed, const Finding& finding) {
-  const Suspect& suspect = *finding.term.suspect;
-  std::string text = Spaced(suspect.mechanism->id);
-  const std::string& channel = diagnosed.block.channels[finding.location.channel].name;
-  if (suspect.target != "base" && channel.find(suspect.target) == std::string::npos) {
-    text += " of the " + Spaced(suspect.target);
-  }
-  std::vector<std::string> numbers;
-  for (const FreeParameter& free : suspect.free) {
-    const ParameterEstimate& estimate = finding.parameters[free.index];
-    if (finding.term.IsHeld(free.index) || !IsTold(suspect, free, estimate)) continue;
-    const ReadableUnit unit = ReadableUnitOf(estimate);
-    std::optional<double> sigma = estimate.sigma;
-    if (sigma) *sigma *= unit.factor;
-    const std::string number = WithUnit(WithSigma(estimate.value * unit.factor, sigma), unit) +
-                               InsteadText(suspect, free.index, unit);
-    numbers.push_back(GoesUnnamed(*suspect.mechanism, free.index)
-                          ? number
-                          : WithoutUnit(estimate.name) + " " + number);
-  }
-  return numbers.empty() ? text : fmt::format("{} {}", text, fmt::join(numbers, ", "));
-}
-
-/// "latency", "latency of the poses" where that is of another target.
-std::string RivalText(const Suspect& rival, const Suspect& found) {
-  const std::string text = Spaced(rival.mechanism->id);
-  return rival.target == found.target ? text : text + " of the " + Spaced(rival.target);
-}
-
-/// The others of a finding's class.
-std::vector<std::string> AlikeTexts(const Finding& finding) {
-  std::vector<std::string> alike;
-  for (const Suspect* rival : finding.evidence.rivals) {
-    if (rival != finding.term.suspect) alike.push_back(RivalText(*rival, *finding.term.suspect));
-  }
-  return alike;
 }
 
 std::string EvidenceClause(const Finding& finding) {
@@ -408,6 +341,9 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
     sentences.push_back(std::move(text));
   }
   if (diagnosis.whole) sentences.push_back(SentenceOf(*diagnosis.whole));
+  if (diagnosis.levers_are_the_scenarios) {
+    sentences.push_back("The recording has no levers: those that the scenario replays are taken.");
+  }
   if (diagnosis.machine != diagnosis.scenario) {
     sentences.push_back(fmt::format("The recording's {} is taken for the scenario's {}.",
                                     diagnosis.machine, diagnosis.scenario));

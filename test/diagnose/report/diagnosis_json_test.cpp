@@ -105,6 +105,7 @@ TEST(DiagnosisJson, HasItsStructureInFixedOrderAndDigits) {
   "not_judged": [],
   "not_compared": [],
   "out_of_time": [],
+  "levers_of": "recording",
   "held_out_recordings": [],
   "taken_off": [],
   "whole_simulation": null,

@@ -36,9 +36,8 @@ TEST(Sentence, OfAClassNamesAllThatAreAlike) {
   boom.diagnosis.unexplained = {GrowingBeyond12kNm()};
   EXPECT_EQ(
       SentenceOf(boom, finding),
-      "Boom rate, the whole recording; the error depends most on |lever| < 0.2, odd (p 0.3: not "
-      "surely): "
-      "dead band 0.181 (chosen with p 0.0002, confirmed with p 0.004; not told apart from: valve "
+      "Boom rate, the whole recording; the error depends most on |lever| < 0.2, odd (p 0.3): dead "
+      "band 0.181 (chosen with p 0.0002, confirmed with p 0.004; not told apart from: valve "
       "curve). Held-out RMSE 3.1 → 0.6 deg/s, 94 % of the excess variance removed.");
 }
 
@@ -164,6 +163,15 @@ TEST(Sentence, OfASensorsFindingComesBeforeWhatAgrees) {
   // Nor is anything said of nothing where no block could be judged.
   agreeing.blocks[0].diagnosis.is_testable = false;
   EXPECT_THAT(SentencesOf(agreeing), ElementsAre(HasSubstr("range bias"), HasSubstr("not judged")));
+}
+
+TEST(Sentence, OfARecordingWithoutLeversSaysWhoseAreTaken) {
+  Diagnosis diagnosis = Of(BoomWithDeadBand());
+  const char* of_the_scenario =
+      "The recording has no levers: those that the scenario replays are taken.";
+  EXPECT_THAT(SentencesOf(diagnosis), Not(Contains(of_the_scenario)));
+  diagnosis.levers_are_the_scenarios = true;
+  EXPECT_THAT(SentencesOf(diagnosis), Contains(of_the_scenario));
 }
 
 TEST(Sentence, OfAMachineUnderAnotherNameSaysForWhatItIsTaken) {

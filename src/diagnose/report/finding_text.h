@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnose/diagnosis.h"
+
+namespace tera {
+
+/// "dead band 0.18 ± 0.02, asymmetry 0.1 ± 0.05": the mechanism and those of its numbers that were
+/// fitted and are worth telling.
+std::string NameAndNumbers(const Finding& finding);
+
+/// The same, of what it acts on where the channel does not say so: "flow sharing of the main 0.8".
+std::string MechanismText(const DiagnosedBlock& diagnosed, const Finding& finding);
+
+/// "latency", and "latency of the poses" where that acts on something else than what was found.
+std::string RivalText(const Suspect& rival, const Suspect& found);
+
+/// What a finding was not told apart from.
+std::vector<std::string> AlikeTexts(const Finding& finding);
+
+}  // namespace tera
