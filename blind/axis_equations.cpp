@@ -106,7 +106,8 @@ void AxisEquations::Derive(const Surroundings& at, std::span<const double> x,
   if (form_.supply_nm > 0) {
     // Oil between valve and piston: what flows in and is not made room for presses.
     const double pressed = std::clamp(own[kPressure], -0.999, 0.999);
-    const double flow = wanted * std::sqrt(std::max(0.0, 1 - std::copysign(pressed, wanted)));
+    const double against = wanted < 0 ? -pressed : pressed;
+    const double flow = wanted * std::sqrt(1 - against);
     const double spring = form_.oil_radps * form_.oil_radps * I;
     const double damper = 2 * form_.oil_damping * form_.oil_radps * I;
     d[kPressure] = spring / form_.supply_nm * (flow - w);

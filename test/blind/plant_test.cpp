@@ -29,11 +29,11 @@ std::vector<double> Every10ms(double duration_s) {
 
 /// One joint under a lever over time, the others at rest.
 Motion Driven(std::size_t axis, const AxisForm& form, double duration_s,
-              const std::function<double(double)>& lever) {
+              const std::function<double(double)>& lever, const AxisValues& start_rad = Folded()) {
   Forms forms{};
   forms[axis] = form;
   return Move(
-      Tb235(), forms, {Folded(), duration_s, Every10ms(duration_s)},
+      Tb235(), forms, {start_rad, duration_s, Every10ms(duration_s)},
       [&](double t_s, const AxisValues&) {
         AxisValues levers{};
         levers[axis] = lever(t_s);
@@ -179,6 +179,23 @@ TEST(Plant, OilUnderLoadGoesSlowerUpThanDown) {
   // Orifice: sqrt(1 - 1/3) of the nominal rate up, sqrt(1 + 1/3) down, where nominal rates hold.
   EXPECT_NEAR(up / (0.3 * 25.8 * kDeg), std::sqrt(2.0 / 3), 0.03);
   EXPECT_NEAR(-down / (0.3 * 30.8 * kDeg), std::sqrt(4.0 / 3), 0.03);
+}
+
+TEST(Plant, OilUnderAnArmDrawnInGoesSlowerInThanOut) {
+  // The arm hangs on the machine's side of its pin: its weight pulls it out.
+  const AxisValues drawn_in = {0, 30 * kDeg, -140 * kDeg, -10 * kDeg};
+  const double load_nm = Tb235().Loads_nm(drawn_in)[kArm];
+  ASSERT_LT(load_nm, -500);
+  AxisForm form;
+  form.supply_nm = -3 * load_nm;
+  const double out = At(Driven(
+                            kArm, form, 0.5, [](double) { return 0.1; }, drawn_in),
+                        kArm, 0.4);
+  const double in = At(Driven(
+                           kArm, form, 0.5, [](double) { return -0.1; }, drawn_in),
+                       kArm, 0.4);
+  EXPECT_NEAR(out / (0.1 * 43.3 * kDeg), std::sqrt(4.0 / 3), 0.03);
+  EXPECT_NEAR(-in / (0.1 * 42.7 * kDeg), std::sqrt(2.0 / 3), 0.03);
 }
 
 TEST(Plant, GivesTheSameAgainUnderTheSameLevers) {
