@@ -117,14 +117,14 @@ std::vector<double> PartOf(const std::vector<PlanarTwist>& twists, double Planar
   return values;
 }
 
-/// What a motion changes by where the ground does not take the machine along at once, a column for
-/// each grip: all of it, of which a coefficient of one is then a standard deviation.
+/// What the forward speed changes by where the ground does not take the machine along at once, a
+/// column for each grip: all of it, of which a coefficient of one is then a standard deviation.
 Eigen::MatrixXd HeldBack(const MachineModel& model, const BaseLog& log, const SampleGrid& grid,
-                         double PlanarTwist::*part, const std::vector<Grip>& grips) {
+                         const std::vector<Grip>& grips) {
   const BaseReplay replay(model, log);
   const auto with = [&](const std::optional<Grip>& grip) -> Eigen::VectorXd {
-    const std::vector<double> y =
-        grid.Spread(PartOf(replay.Predict(model.effects.base, {}, grip), part));
+    const std::vector<double> y = grid.Spread(
+        PartOf(replay.Predict(model.effects.base, {}, grip), &PlanarTwist::forward_mps));
     return Eigen::Map<const Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size()));
   };
   const Eigen::VectorXd at_once = with({});
@@ -160,18 +160,18 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
   block.first_ns = t_ns.front();
   const double inertia_kgm2 = YawInertiaAtFirst_kgm2(model);
   const Grip firm{kFrictionOfFirm, inertia_kgm2}, loose{kFrictionOfLoose, inertia_kgm2};
-  // Not of turning: with columns for it the stamps of a real recording's poses went unfound.
   const auto add = [&](const char* suffix, const char* unit, double PlanarTwist::*part,
-                       const std::vector<Grip>& grips) {
+                       const Eigen::MatrixXd& nominal) {
     block.channels.push_back({name + suffix,
                               unit,
                               grid.SpreadSeries(PartOf(measured, part), all),
                               {.offset = 1e-3, .gain = 0.02, .delay_s = 0.5 * grid.period_s},
                               VariablesOf(course, grid),
                               FreeMember(course, grid),
-                              HeldBack(model, log, grid, part, grips)});
+                              nominal});
   };
-  add("/forward_mps", "m/s", &PlanarTwist::forward_mps, {firm, loose});
+  // Not of turning: with columns for it the stamps of a real recording's poses went unfound.
+  add("/forward_mps", "m/s", &PlanarTwist::forward_mps, HeldBack(model, log, grid, {firm, loose}));
   add("/left_mps", "m/s", &PlanarTwist::left_mps, {});
   add("/yaw_radps", "rad/s", &PlanarTwist::yaw_radps, {});
   block.commands = {CommandOf(course.left_mps, grid), CommandOf(course.right_mps, grid)};
