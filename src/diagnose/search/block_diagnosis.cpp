@@ -16,6 +16,7 @@ constexpr std::size_t kFewestFinal = 3;  ///< of FINAL; steady_gain.h needs them
 /// Of a term that was chosen so surely; together they are rarer than a choice at one per cent and a
 /// confirmation at five (Fisher's sum of logarithms).
 constexpr double kSurelyChosenP = 1e-5, kSurelyChosenSteadyP = 0.2;
+constexpr double kMuchFurther = 1.125;    ///< of FINAL's RMSE without the term
 constexpr double kAll = 0.9;              ///< of the excess: next to nothing but noise is left
 constexpr std::size_t kLargestClass = 3;  ///< that names something, where error remains
 constexpr double kMost = 0.75;            ///< of the excess: enough to name several for
@@ -65,6 +66,11 @@ class Procedure {
 };
 
 bool IsNearer(const HeldOutError& error) { return error.rmse_after < error.rmse_before; }
+
+/// A few manoeuvres may be of another kind, but what makes all of FINAL worse is no explanation.
+bool IsMuchFurther(const HeldOutError& error) {
+  return error.rmse_after > kMuchFurther * error.rmse_before;
+}
 
 /// At which a steady gain on FINAL confirms a finding.
 double SteadyLevelOf(const Finding& finding) {
@@ -128,7 +134,8 @@ Finding Procedure::Describe(const SearchResult& search, std::size_t term) const 
       IsNearer(finding.held_out) && finding.evidence.share >= judged_.options.least_share_of_bet;
   finding.held_out.p = bets ? GainP(gains) : SteadyGainP(gains);
   const bool may_stand =
-      IsNearer(finding.held_out) || finding.evidence.steady_p <= judged_.options.alpha;
+      IsNearer(finding.held_out) ||
+      (finding.evidence.steady_p <= judged_.options.alpha && !IsMuchFurther(finding.held_out));
   const double level = SteadyLevelOf(finding);
   finding.is_confirmed =
       may_stand && (bets ? AreConfirming(gains, level) : SteadyGainP(gains) <= level);

@@ -115,6 +115,29 @@ TEST(BlockDiagnosis, KeepsANameThoughOneManoeuvreHeldBackIsOfAnotherKind) {
   EXPECT_THAT(NamesOf(diagnosis.findings), ElementsAre("square"));
 }
 
+TEST(BlockDiagnosis, NamesNothingThatMakesWhatIsKeptBackMuchWorse) {
+  // A little nearer in many manoeuvres, and in one of larger levers far off.
+  std::vector<double> lever = ToyLever(kSamples, 12);
+  const auto block_of = [&](const std::vector<double>& response) {
+    return ToyBlock(lever, ToyMeasured(response, kNoise, 12), {0, 2, 3});
+  };
+  const Stream stream(12, "diagnose");
+  std::vector<double> response = ToyResponse(lever, 0.2, 0, 0);
+  for (const Manoeuvre& manoeuvre : ManoeuvresOf(block_of(response), stream)) {
+    if (manoeuvre.part != Part::kFinal || manoeuvre.axes == 0) continue;
+    for (std::size_t k = manoeuvre.samples.begin; k < manoeuvre.samples.end; ++k) {
+      response[k] = lever[k] *= 7;
+    }
+    break;
+  }
+  const ReplayBlock block = block_of(response);
+  const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, stream);
+  EXPECT_THAT(NamesOf(diagnosis.findings), IsEmpty());
+  ASSERT_THAT(NamesOf(diagnosis.unconfirmed), ElementsAre("square"));
+  const HeldOutError& error = diagnosis.unconfirmed[0].held_out;
+  EXPECT_GT(error.rmse_after, 1.5 * error.rmse_before);
+}
+
 TEST(BlockDiagnosis, AnswersWithAClassWhereTwoSuspectsDoTheSame) {
   const Toy toy(14, 0.3, 0, 0, {0, 1, 2, 3});
   ASSERT_EQ(toy.diagnosis.findings.size(), 1u);
