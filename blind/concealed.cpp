@@ -169,6 +169,8 @@ void DriveFriction(const Setting& s, Hidden* out) {
   out->concealed.form = "LuGre friction against a drive that gives way";
   // What they hold at rest depends on how fast the effort grows, and so is not asked for.
   out->concealed.truth = {{"lost_radps", lost_radps}, {"time_s", form.weak_s}};
+  // It sticks on the way out, and slides on the way back.
+  out->concealed.variables.push_back(std::string("lever_way/") + kJoints[s.axis]);
 }
 
 std::string ChannelOf(std::size_t axis) { return fmt::format("encoders/{}_radps", kJoints[axis]); }

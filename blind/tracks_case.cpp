@@ -182,14 +182,14 @@ Concealed HideInTracks(const std::string& name, Strength strength, const Stream&
     form->drag = size(0.33, 0.22, 0.12);
     concealed.form = "ground that shears under the thrust that rolling resistance needs";
     concealed.alike = {"track_scale", "rolling_resistance"};
-    concealed.variables = {"speed"};
+    concealed.variables = {"speed", "turning"};  // of the speed ahead, and of the rate of turn
   } else if (name == "track_scale") {
     const double worn = 1 - size(0.12, 0.06, 0.03);
     form->worn_left *= worn;
     form->worn_right *= worn;
     concealed.form = "sprockets and shoes of another radius";
     concealed.alike = {"track_slip"};
-    concealed.variables = {"speed"};
+    concealed.variables = {"speed", "turning"};
   } else {
     TERA_CHECK(name == "track_asymmetry", name);
     const double part = size(0.1, 0.05, 0.02) / 2;

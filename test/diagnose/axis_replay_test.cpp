@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <ostream>
 #include <string>
 
@@ -234,6 +235,20 @@ TEST(AxisBlock, KnowsWhichWayTheLeverWentLast) {
   EXPECT_EQ(at(2.5), -1) << "back towards neutral";
   EXPECT_EQ(at(3.5), -1) << "out to the other side";
   EXPECT_EQ(at(4.5), 0);
+}
+
+TEST(AxisBlock, AsksForTheWayOnlyWhereItIsNotTheSideOfTheLever) {
+  const auto has_way = [](const std::function<double(double)>& lever) {
+    Drive drive("tb235.yaml", kRaised, "soil: dirt", 0, 0);
+    drive.Operate([&](double t_s) { return NamedLevers{{"boom", lever(t_s)}}; });
+    const ReplayBlock block = BlockOfBoom(drive, Record(&drive, 8));
+    const auto& variables = block.channels[0].variables;
+    return std::any_of(variables.begin(), variables.end(), [](const RegimeVariable& variable) {
+      return variable.name == "lever_way/boom";
+    });
+  };
+  EXPECT_FALSE(has_way([](double t_s) { return std::fmod(t_s, 2) < 1 ? 1.0 : 0.0; }));
+  EXPECT_TRUE(has_way([](double t_s) { return std::sin(2 * t_s); }));
 }
 
 /// Without some of the samples, and none at its time to the millisecond.

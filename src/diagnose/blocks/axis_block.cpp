@@ -24,6 +24,7 @@ constexpr double kLongestLag_s = 0.8;
 constexpr double kSurelyThere = 0.5;     ///< of the effort that the model has
 constexpr double kMostLost = 0.4;        ///< of the samples that move
 constexpr double kTremble = 0.01;        ///< of a lever that is held, either way
+constexpr double kLeastBack = 0.1;       ///< of a lever's time out, on its way back
 constexpr std::size_t kOtherLevers = 4;  ///< variables of the axis itself come before them
 constexpr double kMoved = 0.05;          ///< of full lever
 /// Standard deviations, of which a nuisance has two at most (likelihood.h): of rates, for a data
@@ -225,6 +226,18 @@ std::vector<double> WaysOf(const AxisLog& log, std::size_t axis) {
   return ways;
 }
 
+/// Whether the lever comes back often enough for the way in which it went to be something else than
+/// the side on which it is: under full levers alone it is not.
+bool ComesBack(const AxisLog& log, std::size_t axis, const std::vector<double>& ways) {
+  std::size_t out = 0, back = 0;
+  for (std::size_t k = 0; k < log.steps; ++k) {
+    if (ways[k] == 0) continue;
+    ++out;
+    back += ways[k] * log.levers_at(k)[axis] < 0 ? 1 : 0;
+  }
+  return static_cast<double>(back) > kLeastBack * static_cast<double>(out);
+}
+
 /// Lever, position, load, time, and from kOtherLevers on the other levers.
 std::vector<RegimeVariable> VariablesOf(const MachineModel& model, const AxisLog& log,
                                         const MeasuredRate& measured, const SampleGrid& grid) {
@@ -272,9 +285,11 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   channel.variables = VariablesOf(model, log, measured, grid);
   channel.free_member = FreeMember(channel.variables);
   const std::vector<double> ways = WaysOf(log, axis);
-  channel.variables.push_back(
-      {"lever_way/" + NameOfAxis(model, axis),
-       Sampled(grid, log, measured, [&](std::size_t k) { return ways[k]; })});
+  if (ComesBack(log, axis, ways)) {
+    channel.variables.push_back(
+        {"lever_way/" + NameOfAxis(model, axis),
+         Sampled(grid, log, measured, [&](std::size_t k) { return ways[k]; })});
+  }
   ReplayBlock block;
   channel.nominal = NominalColumns(replay, grid);
   block.name = NameOfAxis(model, axis);
