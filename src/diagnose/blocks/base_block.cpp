@@ -21,6 +21,7 @@ constexpr double kLongestLag_s = 0.5;
 /// Of asphalt, gravel and dry earth (Wong, Theory of Ground Vehicles, 4th ed. 2008, ch. 1); half of
 /// it for loose or wet ground, an estimate.
 constexpr double kFrictionOfFirm = 0.7, kFrictionOfLoose = 0.35;
+constexpr double kMostHeldBack = 0.1;  ///< of the RMS of turning rates
 constexpr double kDriven_mps =
     0.1;  ///< slower sides at their fastest: hardly driven, or not at all
 
@@ -135,6 +136,25 @@ Eigen::MatrixXd HeldBack(const MachineModel& model, const BaseLog& log, const Sa
   return columns;
 }
 
+/// Which turning rates the ground could give at once, even loose ground; the others lag behind the
+/// tracks by the mass, and say nothing of what is asked.
+std::vector<bool> GivenAtOnce(const MachineModel& model, const BaseLog& log, const Grip& loose) {
+  const BaseReplay replay(model, log);
+  const std::vector<double> at_once =
+      PartOf(replay.Predict(model.effects.base), &PlanarTwist::yaw_radps);
+  const std::vector<double> late =
+      PartOf(replay.Predict(model.effects.base, {}, loose), &PlanarTwist::yaw_radps);
+  const Eigen::Map<const Eigen::VectorXd> rates(at_once.data(),
+                                                static_cast<Eigen::Index>(at_once.size()));
+  const double most_radps =
+      kMostHeldBack * rates.norm() / std::sqrt(static_cast<double>(at_once.size()));
+  std::vector<bool> given;
+  for (std::size_t i = 0; i < late.size(); ++i) {
+    given.push_back(std::abs(late[i] - at_once[i]) <= most_radps);
+  }
+  return given;
+}
+
 double YawInertiaAtFirst_kgm2(const MachineModel& model) {
   std::vector<double> q_rad;
   for (const Joint& joint : model.joints) q_rad.push_back(joint.initial_rad);
@@ -161,19 +181,20 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
   const double inertia_kgm2 = YawInertiaAtFirst_kgm2(model);
   const Grip firm{kFrictionOfFirm, inertia_kgm2}, loose{kFrictionOfLoose, inertia_kgm2};
   const auto add = [&](const char* suffix, const char* unit, double PlanarTwist::*part,
-                       const Eigen::MatrixXd& nominal) {
+                       const std::vector<bool>& valid, const Eigen::MatrixXd& nominal) {
     block.channels.push_back({name + suffix,
                               unit,
-                              grid.SpreadSeries(PartOf(measured, part), all),
+                              grid.SpreadSeries(PartOf(measured, part), valid),
                               {.offset = 1e-3, .gain = 0.02, .delay_s = 0.5 * grid.period_s},
                               VariablesOf(course, grid),
                               FreeMember(course, grid),
                               nominal});
   };
   // Not of turning: with columns for it the stamps of a real recording's poses went unfound.
-  add("/forward_mps", "m/s", &PlanarTwist::forward_mps, HeldBack(model, log, grid, {firm, loose}));
-  add("/left_mps", "m/s", &PlanarTwist::left_mps, {});
-  add("/yaw_radps", "rad/s", &PlanarTwist::yaw_radps, {});
+  add("/forward_mps", "m/s", &PlanarTwist::forward_mps, all,
+      HeldBack(model, log, grid, {firm, loose}));
+  add("/left_mps", "m/s", &PlanarTwist::left_mps, all, {});
+  add("/yaw_radps", "rad/s", &PlanarTwist::yaw_radps, GivenAtOnce(model, log, loose), {});
   block.commands = {CommandOf(course.left_mps, grid), CommandOf(course.right_mps, grid)};
   block.suspects = SuspectsOf(model.effects.base);
   if (poses_were_measured) block.suspects.push_back(LatePoses());
