@@ -166,6 +166,31 @@ TEST(BaseBlock, LetsPassWhatGroundThatHoldsLittleChanges) {
   EXPECT_EQ(block->channels[2].nominal.cols(), 0);  // turning
 }
 
+TEST(BaseBlock, JudgesNoTurningThatLooseGroundCannotGiveAtOnce) {
+  Drive drive = Meandering("soil: asphalt", "");
+  drive.Operate([](double t_s) {
+    const double lever = std::fmod(t_s, 4.0) < 2 ? 0.2 : -0.2;
+    return NamedLevers{{"left_track", -lever}, {"right_track", lever}};
+  });
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  const Recorded recorded = Record(&drive, 24);
+  const BaseLog log = MakeBaseLog(model, {recorded.encoders}, recorded.poses, 0.1);
+  const auto block = MakeBaseBlock(model, log, "m/base", false);
+  ASSERT_TRUE(block);
+  const Series& yaw = block->channels[2].measured;
+  std::size_t after_reversal = 0, later = 0;
+  for (std::size_t k = 0; k < yaw.size(); ++k) {
+    const double t_s = ToSeconds(block->first_ns) + static_cast<double>(k) * yaw.period_s;
+    if (t_s < 2) continue;
+    const double since_s = std::fmod(t_s, 2.0);
+    if (since_s > 0.15 && since_s < 0.35) after_reversal += yaw.valid[k] ? 1 : 0;
+    if (since_s > 1.2 && since_s < 1.9) later += yaw.valid[k] ? 0 : 1;
+    EXPECT_TRUE(block->channels[0].measured.valid[k]) << "forward speed";
+  }
+  EXPECT_EQ(after_reversal, 0u);
+  EXPECT_EQ(later, 0u);
+}
+
 TEST(BaseReplay, AReversalIsHeldBackByTheFrictionOfTheGround) {
   // 1 m/s is lost at 0.2 g, over which it goes v^2 / 2 a further than its tracks.
   const double further_m = FurtherThanItsTracks(0.5, 0.5, &PlanarTwist::forward_mps, {0.2, 3000});
