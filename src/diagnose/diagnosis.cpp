@@ -242,6 +242,7 @@ Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
   diagnosis.taken_off = course ? TakeOffAll(UnreplayedOf(input, measured, options.blocks, *course),
                                             options.seed, options.search.threads, &blocks)
                                : NotTakenOff(input, blocks);
+  for (ReplayBlock& block : blocks) LeaveOutLags(&block);
   diagnosis.machine = input.machine;
   diagnosis.scenario = input.scenario;
   diagnosis.levers_are_the_scenarios = input.commands_are_the_scenarios;

@@ -136,23 +136,24 @@ Eigen::MatrixXd HeldBack(const MachineModel& model, const BaseLog& log, const Sa
   return columns;
 }
 
-/// Which turning rates the ground could give at once, even loose ground; the others lag behind the
-/// tracks by the mass, and say nothing of what is asked.
-std::vector<bool> GivenAtOnce(const MachineModel& model, const BaseLog& log, const Grip& loose) {
+/// Which turning rates loose ground could not give at once, on the grid: they lag behind the tracks
+/// by the mass.
+std::vector<bool> LagsOfTurning(const MachineModel& model, const BaseLog& log,
+                                const SampleGrid& grid, const Grip& loose) {
   const BaseReplay replay(model, log);
   const std::vector<double> at_once =
-      PartOf(replay.Predict(model.effects.base), &PlanarTwist::yaw_radps);
+      grid.Spread(PartOf(replay.Predict(model.effects.base), &PlanarTwist::yaw_radps));
   const std::vector<double> late =
-      PartOf(replay.Predict(model.effects.base, {}, loose), &PlanarTwist::yaw_radps);
+      grid.Spread(PartOf(replay.Predict(model.effects.base, {}, loose), &PlanarTwist::yaw_radps));
   const Eigen::Map<const Eigen::VectorXd> rates(at_once.data(),
                                                 static_cast<Eigen::Index>(at_once.size()));
   const double most_radps =
       kMostHeldBack * rates.norm() / std::sqrt(static_cast<double>(at_once.size()));
-  std::vector<bool> given;
-  for (std::size_t i = 0; i < late.size(); ++i) {
-    given.push_back(std::abs(late[i] - at_once[i]) <= most_radps);
+  std::vector<bool> lags;
+  for (std::size_t k = 0; k < late.size(); ++k) {
+    lags.push_back(std::abs(late[k] - at_once[k]) > most_radps);
   }
-  return given;
+  return lags;
 }
 
 double YawInertiaAtFirst_kgm2(const MachineModel& model) {
@@ -181,20 +182,20 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
   const double inertia_kgm2 = YawInertiaAtFirst_kgm2(model);
   const Grip firm{kFrictionOfFirm, inertia_kgm2}, loose{kFrictionOfLoose, inertia_kgm2};
   const auto add = [&](const char* suffix, const char* unit, double PlanarTwist::*part,
-                       const std::vector<bool>& valid, const Eigen::MatrixXd& nominal) {
+                       const Eigen::MatrixXd& nominal) {
     block.channels.push_back({name + suffix,
                               unit,
-                              grid.SpreadSeries(PartOf(measured, part), valid),
+                              grid.SpreadSeries(PartOf(measured, part), all),
                               {.offset = 1e-3, .gain = 0.02, .delay_s = 0.5 * grid.period_s},
                               VariablesOf(course, grid),
                               FreeMember(course, grid),
                               nominal});
   };
-  // Not of turning: with columns for it the stamps of a real recording's poses went unfound.
-  add("/forward_mps", "m/s", &PlanarTwist::forward_mps, all,
-      HeldBack(model, log, grid, {firm, loose}));
-  add("/left_mps", "m/s", &PlanarTwist::left_mps, all, {});
-  add("/yaw_radps", "rad/s", &PlanarTwist::yaw_radps, GivenAtOnce(model, log, loose), {});
+  add("/forward_mps", "m/s", &PlanarTwist::forward_mps, HeldBack(model, log, grid, {firm, loose}));
+  add("/left_mps", "m/s", &PlanarTwist::left_mps, {});
+  // No columns: with them the stamps of a real recording's poses went unfound.
+  add("/yaw_radps", "rad/s", &PlanarTwist::yaw_radps, {});
+  block.channels.back().lags = LagsOfTurning(model, log, grid, loose);
   block.commands = {CommandOf(course.left_mps, grid), CommandOf(course.right_mps, grid)};
   block.suspects = SuspectsOf(model.effects.base);
   if (poses_were_measured) block.suspects.push_back(LatePoses());

@@ -90,6 +90,9 @@ struct Channel {
   /// What the prediction changes by where a nominal number is off by its standard deviation: one
   /// column a number, one row a sample. Nuisances beside the three; may be empty.
   Eigen::MatrixXd nominal;
+  /// At which samples it lags by masses that the replay does not have; may be empty. They count
+  /// until LeaveOutLags, which a search comes after.
+  std::vector<bool> lags = {};
 };
 
 using Replay =
@@ -131,5 +134,14 @@ struct ReplayBlock {
     return ToSeconds(first_ns) + static_cast<double>(place) * period_s();
   }
 };
+
+/// Parts the samples that lag from those that were measured.
+inline void LeaveOutLags(ReplayBlock* block) {
+  for (Channel& channel : block->channels) {
+    for (std::size_t k = 0; k < channel.lags.size(); ++k) {
+      if (channel.lags[k]) channel.measured.valid[k] = false;
+    }
+  }
+}
 
 }  // namespace tera
