@@ -35,6 +35,19 @@ TEST(ProveCommand, ConcealsAsksAndMarksCasesOfAFrozenSeed) {
   }
 }
 
+/// Of a bucket with play that pulls harder than it pushes, play alone tells nothing and the pull is
+/// steady only beside it.
+TEST(ProveCommand, NamesTwoOfWhichEachIsNeededOnlyBesideTheOther) {
+  const ScratchDirectory scratch;
+  const Outcome outcome =
+      RunTera({"prove", "--seed", "39", "--first", "83", "--cases", "1", "--out", "proof"},
+              {scratch.path()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("| bucket backlash; bucket asymmetric_gain | "
+                                     "bucket asymmetric_gain by lever/bucket; "
+                                     "bucket backlash by lever/bucket |"));
+}
+
 TEST(ProveCommand, RefusesAFolderThatIsThereAndRecordingsThatAreTooShort) {
   const ScratchDirectory scratch;
   std::filesystem::create_directory(scratch.path() / "proof");

@@ -5,9 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "core/in_parallel.h"
-#include "diagnose/search/cross_fit.h"
-#include "diagnose/search/free_member.h"
+#include "diagnose/search/pruning.h"
 #include "diagnose/search/scored_fits.h"
 #include "diagnose/search/steady_gain.h"
 
@@ -23,23 +21,10 @@ constexpr double kCalmer = 0.8;             ///< of the sum of effects
 constexpr double kRivalP = 0.05;
 constexpr double kRivalGain = 3;  ///< of log-likelihood: nothing to choose by
 
-/// A structure of which every term is needed.
-struct Needed {
-  Scored structure;
-  Misfit crossed;  ///< as fits leave it that have not seen what they are judged on
-  std::vector<TermEvidence> evidence;  ///< one for each term
-};
-
 double Total(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values) sum += value;
   return sum;
-}
-
-std::vector<double> Differences(const std::vector<double>& a, const std::vector<double>& b) {
-  std::vector<double> difference(a.size());
-  for (std::size_t k = 0; k < a.size(); ++k) difference[k] = a[k] - b[k];
-  return difference;
 }
 
 void SortByCriterion(std::vector<Scored>* scored) {
@@ -69,15 +54,13 @@ class Search {
          const SearchOptions& options, const EarlierSearch& earlier)
       : block_(block),
         on_seen_(on_seen),
-        manoeuvres_(manoeuvres),
         options_(options),
         earlier_(earlier),
-        select_(SegmentsOf(manoeuvres, Part::kSelect)),
-        seen_(PiecesOf(SeenSegmentsOf(manoeuvres), block.period_s())),
         likelihood_(block, noise, MaskOf(manoeuvres, Part::kTrain, block.samples())),
         fitter_(block, likelihood_, {}, options.threads),
-        fits_(fitter_, likelihood_, select_, options.threads),
-        crossed_(block, noise, manoeuvres) {}
+        fits_(fitter_, likelihood_, SegmentsOf(manoeuvres, Part::kSelect), options.threads),
+        pruning_(block, noise, manoeuvres, likelihood_, fitter_, fits_, options_,
+                 earlier.of_beginning) {}
 
   SearchResult Find();
   void TellApart(SearchResult* result);
@@ -96,32 +79,24 @@ class Search {
   Scored Swap(Scored best);
   double SumOfEffects(const Structure& terms) const;
   Scored Disentangle(Scored found);
-  Needed Prune(Scored kept) const;
   FittedStructure Simplest(FittedStructure fitted) const;
   FittedStructure FitToSeen();
-  TermEvidence EvidenceOf(const Scored& with, const Scored& without, const Misfit& crossed_with,
-                          const Misfit& crossed_without) const;
-  bool IsNeeded(const TermEvidence& evidence) const;
   std::vector<Structure> NearestRivals(const Scored& found, std::size_t term);
   void FindRivals(const Scored& found, const Misfit& crossed, std::size_t term,
                   TermEvidence* evidence);
-  double FreeGain(const Misfit& misfit) const;
 
   const ReplayBlock& block_;
   const StructureFitter& on_seen_;
-  const std::vector<Manoeuvre>& manoeuvres_;
   const SearchOptions& options_;
   const EarlierSearch earlier_;
-  const std::vector<Segment> select_, seen_;
   const Likelihood likelihood_;   ///< of TRAIN
   const StructureFitter fitter_;  ///< to TRAIN
   ScoredFits fits_;
-  const CrossFit crossed_;
+  const Pruning pruning_;
   Scored nothing_;
   std::vector<Scored> singles_;        ///< one a suspect
   std::vector<std::size_t> screened_;  ///< suspects
   Needed needed_;                      ///< what was found last
-  double free_gain_ = 0;
 };
 
 void Search::FitSingles() {
@@ -287,58 +262,6 @@ Scored Search::Disentangle(Scored found) {
   return found;
 }
 
-TermEvidence Search::EvidenceOf(const Scored& with, const Scored& without,
-                                const Misfit& crossed_with, const Misfit& crossed_without) const {
-  TermEvidence evidence;
-  const Misfit before = fitter_.AsGiven(without.terms).misfit;
-  const double gained = Total(Differences(with.held_out, without.held_out));
-  const double found = Total(with.held_out) - Total(nothing_.held_out);
-  evidence.share = gained / std::max({free_gain_, found, 1e-9});
-  const auto gains = GainsOf(likelihood_, crossed_without, crossed_with, seen_);
-  const auto tests =
-      static_cast<double>(std::max(options_.suspects_in_all, block_.suspects.size()));
-  evidence.p = evidence.steady_p = std::min(1.0, tests * SteadyGainP(gains));
-  if (evidence.share >= options_.least_share_of_bet) {
-    evidence.p = std::min(1.0, tests * GainP(gains));
-  }
-  evidence.of_rest = gained / std::max({FreeGain(before), gained, 1e-9});
-  evidence.effect = EffectOf(block_, fitter_.AsGiven(with.terms).misfit, before);
-  return evidence;
-}
-
-bool Search::IsNeeded(const TermEvidence& evidence) const {
-  return evidence.p <= options_.alpha && evidence.share >= options_.least_share &&
-         evidence.of_rest >= options_.least_of_rest && evidence.effect >= options_.least_effect;
-}
-
-/// Removes the term that is needed least until all are needed.
-Needed Search::Prune(Scored kept) const {
-  Misfit crossed_kept = crossed_.Judge({kept.terms}, options_.threads).front();
-  while (true) {
-    std::vector<Structure> smaller;
-    for (std::size_t t = 0; t < kept.terms.size(); ++t) smaller.push_back(Without(kept.terms, t));
-    const std::vector<Scored> without = fits_.All(smaller, [&](const Structure& terms) {
-      return earlier_.of_beginning ? fitter_.FitNear(terms) : fitter_.FitValues(terms);
-    });
-    std::vector<Structure> judged;
-    for (const Scored& scored : without) judged.push_back(scored.terms);
-    std::vector<Misfit> crossed = crossed_.Judge(judged, options_.threads);
-    std::vector<TermEvidence> evidence = InParallel<TermEvidence>(
-        without.size(), options_.threads,
-        [&](std::size_t t) { return EvidenceOf(kept, without[t], crossed_kept, crossed[t]); });
-    std::size_t least = kept.terms.size();
-    for (std::size_t t = 0; t < without.size(); ++t) {
-      if (IsNeeded(evidence[t]) && kept.terms[t].IsItself()) continue;
-      if (least == kept.terms.size() || evidence[t].share < evidence[least].share) least = t;
-    }
-    if (least == kept.terms.size()) {
-      return {std::move(kept), std::move(crossed_kept), std::move(evidence)};
-    }
-    kept = without[least];
-    crossed_kept = std::move(crossed[least]);
-  }
-}
-
 /// With each number that refines put to its default, if that changes less than a term would have
 /// to.
 FittedStructure Search::Simplest(FittedStructure fitted) const {
@@ -368,7 +291,7 @@ FittedStructure Search::FitToSeen() {
                                         [](const Term& term) { return !term.IsItself(); });
     if (disguised == fitted.terms.end()) return fitted;
     const auto at = static_cast<std::size_t>(disguised - fitted.terms.begin());
-    needed_ = Prune(fits_.Score(fitter_.FitNear(Without(found, at))));
+    needed_ = pruning_.Prune(fits_.Score(fitter_.FitNear(Without(found, at))));
   }
   return on_seen_.AsGiven({});
 }
@@ -413,9 +336,9 @@ void Search::FindRivals(const Scored& found, const Misfit& crossed, std::size_t 
   if (const TermEvidence* earlier = EarlierEvidenceOf(*found.terms[term].suspect)) {
     evidence->rejected = earlier->rejected;
   }
-  const std::vector<Misfit> left = crossed_.Judge(swapped, options_.threads);
+  const std::vector<Misfit> left = pruning_.Judge(swapped);
   for (std::size_t k = 0; k < swapped.size(); ++k) {
-    const auto gains = GainsOf(likelihood_, left[k], crossed, seen_);
+    const auto gains = pruning_.GainsOnSeen(left[k], crossed);
     Rival rival{swapped[k].back().suspect, SteadyGainP(gains), 0};
     for (const ManoeuvreGain& one : gains) rival.lead += one.gain;
     if (rival.p > kRivalP || rival.lead < kRivalGain) {
@@ -428,26 +351,17 @@ void Search::FindRivals(const Scored& found, const Misfit& crossed, std::size_t 
                    [](const Rival& a, const Rival& b) { return a.lead < b.lead; });
 }
 
-/// What the free member gains on SELECT over a misfit of TRAIN.
-double Search::FreeGain(const Misfit& misfit) const {
-  const Misfit free = LessFreeMember(block_, likelihood_, misfit, manoeuvres_);
-  double gain = 0;
-  for (const ManoeuvreGain& one : GainsOf(likelihood_, misfit, free, select_)) gain += one.gain;
-  return gain;
-}
-
 SearchResult Search::Find() {
   SearchResult result;
-  const FittedStructure nothing = fitter_.AsGiven({});
-  nothing_ = fits_.Score(nothing);
-  free_gain_ = result.free_gain = FreeGain(nothing.misfit);
+  nothing_ = fits_.Score(fitter_.AsGiven({}));
+  result.free_gain = pruning_.free_gain();
   if (earlier_.result != nullptr) {
     TakeSingles();
   } else {
     FitSingles();
   }
   Screen();
-  needed_ = Prune(earlier_.of_beginning ? FindMore() : FindAfresh());
+  needed_ = pruning_.Prune(earlier_.of_beginning ? FindMore() : FindAfresh());
   result.found = FitToSeen();
   result.evidence = needed_.evidence;
   result.nothing = on_seen_.AsGiven({});
