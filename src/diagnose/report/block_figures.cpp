@@ -67,19 +67,17 @@ Segment Worst(const Series& residual, const Segment& within, std::size_t length)
   return worst;
 }
 
-/// What the prediction is shown over: the longest interval with a little before and after.
+/// What the prediction is shown over: the worst interval with a little before and after.
 Segment WindowOf(const DiagnosedBlock& diagnosed, const Location& location) {
   const std::size_t samples = diagnosed.block.samples();
-  Segment longest{0, location.intervals.empty() ? samples : 0};
-  for (const Segment& interval : location.intervals) {
-    if (interval.size() > longest.size()) longest = interval;
-  }
-  const std::size_t margin = longest.size() / 10;
-  longest = {longest.begin - std::min(margin, longest.begin),
-             std::min(longest.end + margin, samples)};
-  const auto window = static_cast<std::size_t>(kLongestWindow_s / diagnosed.block.period_s());
-  return Worst(diagnosed.diagnosis.search.nothing.misfit.residual[location.channel], longest,
-               std::max<std::size_t>(window, 2));
+  const Segment worst =
+      location.intervals.empty() ? Segment{0, samples} : location.intervals[location.worst];
+  const std::size_t margin = worst.size() / 10;
+  const Segment window{worst.begin - std::min(margin, worst.begin),
+                       std::min(worst.end + margin, samples)};
+  const auto most = static_cast<std::size_t>(kLongestWindow_s / diagnosed.block.period_s());
+  return Worst(diagnosed.diagnosis.search.nothing.misfit.residual[location.channel], window,
+               std::max<std::size_t>(most, 2));
 }
 
 /// Range of the points; `outliers` of them may lie outside on each side.

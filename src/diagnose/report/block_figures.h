@@ -8,7 +8,7 @@
 
 namespace tera {
 
-/// Measured and predicted, with nothing and with all that was found, over the longest interval of a
+/// Measured and predicted, with nothing and with all that was found, over the worst interval of a
 /// location: of a longer one the 30 s with the largest error. Predictions are the measurements less
 /// the residuals, so that they have the fitted nuisances (likelihood.h) in them.
 std::string PredictionFigure(const DiagnosedBlock& diagnosed, const Location& location);

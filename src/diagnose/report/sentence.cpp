@@ -23,17 +23,15 @@ std::string ChannelText(const DiagnosedBlock& diagnosed, std::size_t channel) {
   return Capitalised(QuantityOf(diagnosed.block.channels[channel].name));
 }
 
-/// "41–63 s and 8 more intervals".
-std::string IntervalsText(const DiagnosedBlock& diagnosed, const std::vector<Segment>& intervals) {
-  if (intervals.empty()) return "the whole recording";
-  const Segment& longest =
-      *std::max_element(intervals.begin(), intervals.end(),
-                        [](const Segment& a, const Segment& b) { return a.size() < b.size(); });
-  const double from_s = diagnosed.block.time_s(longest.begin);
-  const double to_s = diagnosed.block.time_s(longest.end);
+/// "41–63 s and 8 more intervals", the one with the most error first.
+std::string IntervalsText(const DiagnosedBlock& diagnosed, const Location& location) {
+  if (location.intervals.empty()) return "the whole recording";
+  const Segment& worst = location.intervals[location.worst];
+  const double from_s = diagnosed.block.time_s(worst.begin);
+  const double to_s = diagnosed.block.time_s(worst.end);
   std::string text =
       fmt::format("{}–{} s", TimeText(from_s, to_s - from_s), TimeText(to_s, to_s - from_s));
-  const std::size_t more = intervals.size() - 1;
+  const std::size_t more = location.intervals.size() - 1;
   if (more > 0) text += fmt::format(" and {} more interval{}", more, more == 1 ? "" : "s");
   return text;
 }
@@ -187,7 +185,7 @@ std::string SentenceOf(const DiagnosedBlock& diagnosed, const Finding& finding) 
   const std::size_t channel = finding.location.channel;
   return fmt::format(
       "{}, {}; the error {}: {} ({}). {}{}", ChannelText(diagnosed, channel),
-      IntervalsText(diagnosed, finding.location.intervals),
+      IntervalsText(diagnosed, finding.location),
       DependenceText(diagnosed, finding.location), MechanismText(diagnosed, finding),
       EvidenceClause(finding),
       HeldOutText(finding.held_out, diagnosed.block.channels[finding.held_out.channel].unit),
@@ -200,7 +198,7 @@ std::string SentenceOf(const DiagnosedBlock& diagnosed, const Unexplained& unexp
       LeftText(unexplained.rmse, unexplained.noise, diagnosed.block.channels[channel].unit);
   return fmt::format(
       "{}, {}; the error {}: no known mechanism explains it ({}). Left: {}.",
-      ChannelText(diagnosed, channel), IntervalsText(diagnosed, unexplained.location.intervals),
+      ChannelText(diagnosed, channel), IntervalsText(diagnosed, unexplained.location),
       DependenceText(diagnosed, unexplained.location),
       unexplained.p ? fmt::format("{}; {} of what a free curve could explain",
                                   ProbabilityText(*unexplained.p), PercentText(unexplained.share))

@@ -12,8 +12,8 @@ namespace tera {
 /// 0.003)). Held-out RMSE 3.1 → 0.6 deg/s, 94 % of the excess variance removed. Left: 0.6 deg/s at
 /// a noise of 0.5 deg/s."
 ///
-/// Times are from the recording's start. The interval is the longest. "± " stands where the data
-/// hold the number; numbers that were not fitted are left out.
+/// Times are from the recording's start. The interval is that with the most error. "± " stands
+/// where the data hold the number; numbers that were not fitted are left out.
 std::string SentenceOf(const DiagnosedBlock& diagnosed, const Finding& finding);
 
 /// What no mechanism explains: where, and of what it is a function.

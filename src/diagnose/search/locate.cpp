@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "diagnose/statistics/change_points.h"
 #include "diagnose/statistics/partialling.h"
@@ -141,13 +142,31 @@ Eigen::MatrixXd KnownBefore(const Eigen::MatrixXd& known, const RegimeAxis& axis
   return axis.has_times() ? WithColumns(known, axis.times()) : known;
 }
 
+/// Of intervals, that in which the squares of a residual exceed those of noise the most.
+std::size_t WorstOf(const std::vector<Segment>& intervals, const Series& residual,
+                    double noise_variance) {
+  std::size_t worst = 0;
+  double most = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    double excess = 0;
+    for (std::size_t k = intervals[i].begin; k < intervals[i].end; ++k) {
+      if (residual.valid[k]) excess += std::pow(residual.value[k], 2) - noise_variance;
+    }
+    if (excess <= most) continue;
+    most = excess;
+    worst = i;
+  }
+  return worst;
+}
+
 }  // namespace
 
 Location Locate(const Channel& channel, std::size_t index, const Series& residual,
                 const NoiseModel& noise, const NoiseLevel& level, const Stream& stream,
                 int threads) {
-  Location location{index, {}, {}};
+  Location location{index, {}, 0, {}};
   location.intervals = Mismatch(residual, noise, level);
+  location.worst = WorstOf(location.intervals, residual, std::pow(level.rms(), 2));
   if (channel.variables.empty()) return location;
   const Beside beside = NoiseBeside(residual, noise, level);
   const std::vector<RegimeVariable> variables = VariablesAndShares(channel, residual);

@@ -27,6 +27,7 @@ struct Regime {
 struct Location {
   std::size_t channel = 0;
   std::vector<Segment> intervals;  ///< in samples
+  std::size_t worst = 0;           ///< of the intervals: that with the most error beyond noise
   std::vector<Regime> regimes;     ///< the most telling first; each given those before it
 };
 

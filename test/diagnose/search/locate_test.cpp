@@ -86,6 +86,17 @@ TEST_F(Locating, NoiseDependsOnNothing) {
   EXPECT_TRUE(Of([](double, double, double) { return 0.0; }).regimes.empty());
 }
 
+TEST_F(Locating, TheWorstIntervalIsTheLoudestInAllAndNotTheLongest) {
+  const Location location = Of([](double, double, double t_s) {
+    if (t_s > 10 && t_s < 13) return 0.5 * std::sin(5 * t_s);
+    return t_s > 20 && t_s < 40 ? 0.05 * std::sin(5 * t_s) : 0.0;
+  });
+  ASSERT_GE(location.intervals.size(), 2u);
+  const Segment& worst = location.intervals[location.worst];
+  EXPECT_NEAR(kPeriod_s * static_cast<double>(worst.begin), 10, 0.5);
+  EXPECT_NEAR(kPeriod_s * static_cast<double>(worst.end), 13, 0.5);
+}
+
 /// Share of the samples that lie in intervals, of noise alone.
 double FlaggedShare(const NoiseModel& noise, bool has_rest) {
   double flagged = 0;
