@@ -175,6 +175,14 @@ void AddUnreplayedMotion(const DiagnosisInput& input, const Measurements& measur
   if (!left.empty()) out->push_back({input.machine + "/base/forward_mps", std::move(left)});
 }
 
+/// Why a sensor makes no block that the recording has something of.
+std::string TooFewText(const DiagnosisInput& input, const SensorDescription& sensor) {
+  return fmt::format(
+      "{}/{}: how '{}' moved is known at too few of its times; need poses, and encoders of the "
+      "joints between the base and that link",
+      input.machine, sensor.name, sensor.link);
+}
+
 /// An inertial unit makes a block where its link's motion was measured.
 void AddImus(const DiagnosisInput& input, const Measurements& measured, const BlockOptions& options,
              Made* out) {
@@ -187,6 +195,8 @@ void AddImus(const DiagnosisInput& input, const Measurements& measured, const Bl
     if (auto block = MakeImuBlock(sensor, std::move(log), input.machine + "/" + sensor.name,
                                   measured.poses_were_measured)) {
       one->blocks.push_back(std::move(*block));
+    } else {
+      one->obstacles.push_back(TooFewText(input, sensor));
     }
   });
 }
@@ -227,7 +237,9 @@ void AddGnss(const DiagnosisInput& input, const Measurements& measured, Made* ou
   }
   for (const std::size_t s : which) {
     const std::string channel = input.machine + "/" + input.sensors[s].name;
-    Try(channel + ": ", &out->obstacles, [&] { add({s}); });
+    Try(channel + ": ", &out->obstacles, [&] {
+      if (!add({s})) out->obstacles.push_back(TooFewText(input, input.sensors[s]));
+    });
   }
 }
 

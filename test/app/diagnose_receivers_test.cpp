@@ -64,7 +64,7 @@ class ReceiverRecording : public testing::Test {
     channels_ += "  - {path: excavator1/" + name + ", type: gnss}\n";
     std::ostringstream sensor;
     sensor << "\n      - {name: " << name
-           << ", preset: tera:config/sensors/rtk_f9p.yaml, link: undercarriage, xyz_m: ["
+           << ", preset: tera:config/sensors/rtk_f9p.yaml, link: " << link_ << ", xyz_m: ["
            << documented_m.east_m << ", " << documented_m.north_m << ", " << documented_m.up_m
            << "]}";
     sensors_ += sensor.str();
@@ -109,6 +109,7 @@ machines:
   }
   const ScratchDirectory scratch_;
   mutable std::string out_;
+  std::string link_ = "undercarriage";
 
  private:
   struct PlanarPose {
@@ -135,6 +136,17 @@ TEST_F(ReceiverRecording, OfAnAntennaThatIsWhereItShouldBeIsAsTheScenario) {
   EXPECT_EQ(json["verdict"][0], "none") << out_;
   EXPECT_EQ(json["findings"].size(), 0u) << out_;
   EXPECT_THAT(out_, HasSubstr("gnss east position"));
+}
+
+TEST_F(ReceiverRecording, OnALinkWhoseJointHasNoEncoderIsToldNotToBeCompared) {
+  Write(kAsDocumented, AsItIs);
+  link_ = "upper";
+  Write("gnss_upper", {0, -0.9, 0, 1.2}, kAsDocumented, AsItIs);
+  const auto json = Diagnosed();
+  ASSERT_EQ(json["not_compared"].size(), 1u) << out_;
+  EXPECT_THAT(json["not_compared"][0].get<std::string>(),
+              AllOf(HasSubstr("excavator1/gnss_upper: "), HasSubstr("how 'upper' moved"),
+                    HasSubstr("encoders of the joints")));
 }
 
 TEST_F(ReceiverRecording, ShowsALeverArmAndTheOverlayThatHasIt) {
@@ -196,7 +208,8 @@ TEST_F(ReceiverRecording, WithoutPosesSaysWhatItNeeds) {
       file, Edited(ReadWholeFile(file), "  - {path: truth/excavator1/pose.csv, type: pose}\n", ""));
   std::filesystem::remove_all(scratch_.path() / "real" / "truth");
   ExpectRefusedWith(
-      AllOf(HasSubstr("nothing of excavator1 can be replayed"), HasSubstr("a receiver and poses")));
+      AllOf(HasSubstr("how 'undercarriage' moved is known at too few of its times"),
+            HasSubstr("need poses")));
 }
 
 TEST_F(ReceiverRecording, ThatComesInBurstsSaysWhichReceiverAndWhatItNeeds) {

@@ -13,6 +13,7 @@
 #include "core/check.h"
 #include "diagnose/blocks/measured_poses.h"
 #include "diagnose/report/by_weight.h"
+#include "diagnose/report/finding_text.h"
 #include "diagnose/report/perception_text.h"
 
 namespace tera {
@@ -49,7 +50,7 @@ std::string Value(double value, const EffectParameter& parameter) {
   return read < parameter.lower || read > parameter.upper ? fmt::format("{}", value) : rounded;
 }
 
-/// "dead_band: {width: 0.18}".
+/// "dead_band: {width: 0.18}", and in a comment what it was not told apart from.
 std::string MechanismLine(const Finding& finding) {
   const Suspect& suspect = *finding.term.suspect;
   std::vector<std::string> numbers;
@@ -63,7 +64,10 @@ std::string MechanismLine(const Finding& finding) {
     if ((!is_free || finding.term.IsHeld(i)) && has_already) continue;
     numbers.push_back(fmt::format("{}: {}", parameter.name, Value(value, parameter)));
   }
-  return fmt::format("{}: {{{}}}", suspect.mechanism->id, fmt::join(numbers, ", "));
+  const std::vector<std::string> alike = AlikeTexts(finding);
+  const std::string comment =
+      alike.empty() ? "" : fmt::format("  # or {}: not told apart", fmt::join(alike, ", "));
+  return fmt::format("{}: {{{}}}{}", suspect.mechanism->id, fmt::join(numbers, ", "), comment);
 }
 
 std::vector<TargetLines> LinesOf(const Diagnosis& diagnosis) {

@@ -88,4 +88,10 @@ std::vector<std::string> AlikeTexts(const Finding& finding) {
   return alike;
 }
 
+bool IsUnconfirmed(const DiagnosedBlock& diagnosed, std::size_t channel) {
+  const std::vector<Finding>& unconfirmed = diagnosed.diagnosis.unconfirmed;
+  return std::any_of(unconfirmed.begin(), unconfirmed.end(),
+                     [&](const Finding& finding) { return finding.location.channel == channel; });
+}
+
 }  // namespace tera

@@ -20,4 +20,7 @@ std::string RivalText(const Suspect& rival, const Suspect& found);
 /// What a finding was not told apart from.
 std::vector<std::string> AlikeTexts(const Finding& finding);
 
+/// Whether something was chosen for a channel that manoeuvres kept back did not confirm.
+bool IsUnconfirmed(const DiagnosedBlock& diagnosed, std::size_t channel);
+
 }  // namespace tera

@@ -7,6 +7,7 @@
 
 #include "diagnose/report/block_figures.h"
 #include "diagnose/report/by_weight.h"
+#include "diagnose/report/finding_text.h"
 #include "diagnose/report/next_manoeuvre_text.h"
 #include "diagnose/report/page_style.h"
 #include "diagnose/report/perception_figures.h"
@@ -180,6 +181,7 @@ std::string AgreeingSection(const Diagnosis& diagnosis) {
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     if (HasAnything(diagnosed)) continue;
     for (const Remainder& remainder : diagnosed.diagnosis.remainders) {
+      if (IsUnconfirmed(diagnosed, remainder.channel)) continue;
       const Channel& channel = diagnosed.block.channels[remainder.channel];
       const ReadableUnit unit = ReadableUnitOf(channel.unit);
       table.Row({Escaped(Capitalised(QuantityOf(channel.name))) + " " + Code(channel.name),

@@ -50,14 +50,6 @@ std::string NumberText(const PerceptionFinding& finding, std::size_t index) {
   return finding.parameters.size() == 1 ? text : WithoutUnit(estimate.name) + " " + text;
 }
 
-std::string MechanismText(const PerceptionFinding& finding) {
-  std::vector<std::string> numbers;
-  for (std::size_t i = 0; i < finding.parameters.size(); ++i) {
-    if (IsTold(finding, i)) numbers.push_back(NumberText(finding, i));
-  }
-  return fmt::format("{} {}", Spaced(finding.mechanism), fmt::join(numbers, ", "));
-}
-
 std::string TimesText(const PerceptionFinding& finding) {
   if (finding.intervals_s.empty()) return "";
   const auto longest = *std::max_element(
@@ -113,7 +105,7 @@ std::string SceneText(const PerceptionFinding& finding) {
 }
 
 std::string WhatText(const PerceptionFinding& finding) {
-  return finding.place ? SceneText(finding) : MechanismText(finding);
+  return finding.place ? SceneText(finding) : NameAndNumbers(finding);
 }
 
 std::string RivalsClause(const PerceptionFinding& finding) {
@@ -147,6 +139,15 @@ std::string SentenceOfNothing(const PerceptionDiagnosis& diagnosis) {
 }
 
 }  // namespace
+
+std::string NameAndNumbers(const PerceptionFinding& finding) {
+  std::vector<std::string> numbers;
+  for (std::size_t i = 0; !finding.place && i < finding.parameters.size(); ++i) {
+    if (IsTold(finding, i)) numbers.push_back(NumberText(finding, i));
+  }
+  const std::string name = Spaced(finding.mechanism);
+  return numbers.empty() ? name : fmt::format("{} {}", name, fmt::join(numbers, ", "));
+}
 
 std::string SentenceOf(const PerceptionDiagnosis& diagnosis, const PerceptionFinding& finding) {
   std::string text =

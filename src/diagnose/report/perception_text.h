@@ -17,6 +17,9 @@ std::string SentenceOf(const PerceptionDiagnosis& diagnosis, const PerceptionFin
 /// why it was not judged.
 std::vector<std::string> PerceptionSentences(const std::vector<PerceptionDiagnosis>& sensors);
 
+/// "range bias 0.050 ± 0.001 m"; of what is elsewhere on the site, "terrain height" alone.
+std::string NameAndNumbers(const PerceptionFinding& finding);
+
 /// "extrinsic: {pitch_deg: 1.5}".
 std::string EffectLine(const PerceptionFinding& finding);
 

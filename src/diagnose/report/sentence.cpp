@@ -11,6 +11,7 @@
 #include "diagnose/report/next_manoeuvre_text.h"
 #include "diagnose/report/perception_text.h"
 #include "diagnose/report/proposal_text.h"
+#include "diagnose/report/shared_delay.h"
 #include "diagnose/report/wording.h"
 
 namespace tera {
@@ -185,9 +186,8 @@ std::string SentenceOf(const DiagnosedBlock& diagnosed, const Finding& finding) 
   const std::size_t channel = finding.location.channel;
   return fmt::format(
       "{}, {}; the error {}: {} ({}). {}{}", ChannelText(diagnosed, channel),
-      IntervalsText(diagnosed, finding.location),
-      DependenceText(diagnosed, finding.location), MechanismText(diagnosed, finding),
-      EvidenceClause(finding),
+      IntervalsText(diagnosed, finding.location), DependenceText(diagnosed, finding.location),
+      MechanismText(diagnosed, finding), EvidenceClause(finding),
       HeldOutText(finding.held_out, diagnosed.block.channels[finding.held_out.channel].unit),
       RemainderText(diagnosed, channel));
 }
@@ -231,17 +231,23 @@ std::string SentenceOfUntestable(const DiagnosedBlock& diagnosed) {
   if (diagnosed.diagnosis.out_of_time) {
     return fmt::format("{}: not judged, for the time was over.", Capitalised(Listed(channels)));
   }
-  return fmt::format("{}: not judged, for {} moved in too few manoeuvres of the recording.",
-                     Capitalised(Listed(channels)), channels.size() == 1 ? "it is" : "they are");
+  const bool has_lever =
+      diagnosed.block.channels.front().name.find("/encoders/") != std::string::npos;
+  return fmt::format("{}: not judged, for {} in too few manoeuvres of the recording.",
+                     Capitalised(Listed(channels)),
+                     has_lever              ? "its lever moves"
+                     : channels.size() == 1 ? "it is moved"
+                                            : "they are moved");
 }
 
 std::string SentenceOfNothing(const Diagnosis& diagnosis) {
-  std::vector<std::string> channels, unknown, few;
+  std::vector<std::string> channels, open, unknown, few;
   std::size_t suspects = 0, unseen = 0;
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     if (!diagnosed.diagnosis.is_testable) continue;
-    for (const Channel& channel : diagnosed.block.channels) {
-      channels.push_back(QuantityOf(channel.name));
+    for (std::size_t c = 0; c < diagnosed.block.channels.size(); ++c) {
+      std::vector<std::string>& among = IsUnconfirmed(diagnosed, c) ? open : channels;
+      among.push_back(QuantityOf(diagnosed.block.channels[c].name));
     }
     for (const Remainder& remainder : diagnosed.diagnosis.remainders) {
       const std::string quantity = QuantityOf(diagnosed.block.channels[remainder.channel].name);
@@ -251,6 +257,9 @@ std::string SentenceOfNothing(const Diagnosis& diagnosis) {
     suspects += diagnosed.diagnosis.detectability.size();
     for (const Detectability& one : diagnosed.diagnosis.detectability)
       unseen += one.smallest ? 0 : 1;
+  }
+  if (channels.empty() && !open.empty()) {
+    return fmt::format("Nothing is named: what was chosen for {} is not confirmed.", Listed(open));
   }
   if (channels.empty()) {
     const bool is_over = std::any_of(
@@ -308,6 +317,9 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
       if (proposal.channel != unexplained->location.channel) continue;
       sentences.push_back(SentenceOf(diagnosed->block, proposal));
     }
+  }
+  if (std::string text = SentenceOfSharedDelay(diagnosis); !text.empty()) {
+    sentences.push_back(std::move(text));
   }
   const std::vector<std::string> seen = PerceptionSentences(diagnosis.perception);
   const bool is_seen =

@@ -9,6 +9,7 @@
 
 #include "diagnose/report/by_weight.h"
 #include "diagnose/report/finding_text.h"
+#include "diagnose/report/perception_text.h"
 #include "diagnose/report/wording.h"
 
 namespace tera {
@@ -40,6 +41,17 @@ std::vector<std::string> AlikeTexts(const PerceptionFinding& finding) {
   return alike;
 }
 
+/// Each once, "terrain height in 16 places" where it is there so often.
+std::vector<std::string> Counted(const std::vector<std::string>& names) {
+  std::vector<std::string> counted;
+  for (auto name = names.begin(); name != names.end(); ++name) {
+    if (std::find(names.begin(), name, *name) != name) continue;
+    const auto times = std::count(names.begin(), names.end(), *name);
+    counted.push_back(times > 1 ? fmt::format("{} in {} places", *name, times) : *name);
+  }
+  return counted;
+}
+
 std::string FoundText(const Diagnosis& diagnosis) {
   std::vector<OfTarget> all;
   for (const auto& [diagnosed, finding] : FindingsByWeight(diagnosis)) {
@@ -48,12 +60,12 @@ std::string FoundText(const Diagnosis& diagnosis) {
   }
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
     for (const PerceptionFinding& finding : sensor.findings) {
-      Add(finding.target, WithItsClass(Spaced(finding.mechanism), AlikeTexts(finding)), &all);
+      Add(finding.target, WithItsClass(NameAndNumbers(finding), AlikeTexts(finding)), &all);
     }
   }
   std::vector<std::string> parts;
   for (const OfTarget& one : all) {
-    parts.push_back(fmt::format("{}: {}", Spaced(one.target), Listed(one.names)));
+    parts.push_back(fmt::format("{}: {}", Spaced(one.target), Listed(Counted(one.names))));
   }
   return parts.empty() ? "" : fmt::format(" {}.", fmt::join(parts, "; "));
 }

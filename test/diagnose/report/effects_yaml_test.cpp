@@ -49,6 +49,13 @@ TEST(EffectsYaml, IsWhatGenerateReadsBack) {
   EXPECT_EQ((*effect)["asymmetry"], 0);
 }
 
+TEST(EffectsYaml, SaysOfAClassWhatElseItMayBe) {
+  DiagnosedBlock boom = BoomWithDeadBand();
+  boom.diagnosis.findings[0].evidence.rivals.push_back(&boom.block.suspects[1]);
+  EXPECT_THAT(EffectsYaml(Of(std::move(boom)), "run"),
+              HasSubstr("      dead_band: {width: 0.1812}  # or valve curve: not told apart\n"));
+}
+
 TEST(EffectsYaml, OfNothingIsAnOverlayThatChangesNothing) {
   const std::string text = EffectsYaml({"excavator1", "excavator1", {}}, "run");
   EXPECT_THAT(text, HasSubstr("effects: {}\n"));

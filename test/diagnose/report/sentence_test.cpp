@@ -101,10 +101,11 @@ TEST(Sentence, OfWhatWasNotConfirmedOrNotJudgedFollowsTheFindings) {
   diagnosis.blocks.push_back(std::move(arm));
   EXPECT_THAT(
       SentencesOf(diagnosis),
-      ElementsAre(HasSubstr("Nothing found: boom rate agrees"),
-                  "Boom rate: dead band 0.18 ± 0.02 was chosen (p 0.0002) and is not confirmed on "
-                  "manoeuvres kept back (p 0.3).",
-                  "Arm rate: not judged, for it is moved in too few manoeuvres of the recording."));
+      ElementsAre(
+          HasSubstr("Nothing is named: what was chosen for boom rate is not confirmed."),
+          "Boom rate: dead band 0.18 ± 0.02 was chosen (p 0.0002) and is not confirmed on "
+          "manoeuvres kept back (p 0.3).",
+          "Arm rate: not judged, for its lever moves in too few manoeuvres of the recording."));
   EXPECT_THAT(VerdictsOf(diagnosis), ElementsAre(Verdict::kNone, Verdict::kUntestable));
   diagnosis.blocks.erase(diagnosis.blocks.begin());
   EXPECT_THAT(VerdictsOf(diagnosis), ElementsAre(Verdict::kUntestable));
@@ -220,6 +221,29 @@ TEST(Sentence, OfTheNextManoeuvreCountsMechanismsWhereTheyAreMany) {
         SentenceOf(next),
         HasSubstr(next.separates.size() < 4 ? "sag" : "would show 4 mechanisms of the slew"));
   }
+}
+
+/// Of a joint that is late.
+DiagnosedBlock Late(const std::string& joint, double delay_s) {
+  DiagnosedBlock made = Block(joint, "excavator1/encoders/" + joint + "_radps", "rad/s");
+  made.block.suspects = {{&MechanismOf("command_delay"), joint, {{0, 0, 1}}, {{0.1}}}};
+  Finding finding;
+  finding.term = {&made.block.suspects[0], {delay_s}};
+  finding.parameters = {{"delay_s", "s", delay_s, 0.002}};
+  finding.evidence.rivals = {finding.term.suspect};
+  made.diagnosis.findings = {finding};
+  return made;
+}
+
+TEST(Sentence, OfTheSameDelayOnAllJointsSaysThatAClockDoesAsWell) {
+  Diagnosis diagnosis = Of(Late("boom", 0.08));
+  diagnosis.blocks.push_back(Late("arm", 0.085));
+  const auto same = HasSubstr("All 2 joints ask for a delay of about 0.08");
+  EXPECT_THAT(SentencesOf(diagnosis), Contains(same));
+  diagnosis.blocks.push_back(Late("bucket", 0.2));
+  EXPECT_THAT(SentencesOf(diagnosis), Not(Contains(same)));
+  diagnosis.blocks.back() = Block("bucket", "excavator1/encoders/bucket_radps", "rad/s");
+  EXPECT_THAT(SentencesOf(diagnosis), Not(Contains(same))) << "the bucket is not late";
 }
 
 }  // namespace

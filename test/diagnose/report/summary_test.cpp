@@ -18,10 +18,17 @@ TEST(Summary, NamesWhatWasFoundByWhatItActsOnWithItsNumbersFirst) {
   boom.diagnosis.unexplained = {GrowingBeyond12kNm()};
   Diagnosis diagnosis = Of(std::move(boom));
   diagnosis.perception = {{.channel = "excavator1/lidar_roof"}};
-  diagnosis.perception[0].findings = {{.mechanism = "range_bias", .target = "lidar_roof"}};
+  const PerceptionFinding heap{
+      .mechanism = "terrain_height", .target = "ground", .place = PerceptionFinding::Place{}};
+  diagnosis.perception[0].findings = {{.mechanism = "range_bias",
+                                       .target = "lidar_roof",
+                                       .parameters = {{"bias_m", "m", 0.05, 0.001}}},
+                                      heap,
+                                      heap};
   EXPECT_EQ(SummaryOf(diagnosis),
             "In short: boom: dead band 0.18 ± 0.02 and backlash 0.573 deg (or valve curve); "
-            "lidar roof: range bias. Unexplained: boom rate.");
+            "lidar roof: range bias 0.0500 ± 0.0010 m; ground: terrain height in 2 places. "
+            "Unexplained: boom rate.");
 }
 
 TEST(Summary, SaysThatNothingIsNamedWhereAllIsUnexplained) {

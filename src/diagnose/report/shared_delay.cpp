@@ -1,0 +1,56 @@
+#include "diagnose/report/shared_delay.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "diagnose/report/wording.h"
+
+namespace tera {
+namespace {
+
+constexpr double kSameShare = 0.2;
+constexpr double kSameDeviations = 3;
+
+bool IsOfEncoder(const DiagnosedBlock& diagnosed) {
+  return diagnosed.diagnosis.is_testable &&
+         diagnosed.block.channels.front().name.find("/encoders/") != std::string::npos;
+}
+
+std::optional<ParameterEstimate> DelayOf(const DiagnosedBlock& diagnosed) {
+  for (const Finding& finding : diagnosed.diagnosis.findings) {
+    if (finding.term.suspect->mechanism->id == "command_delay") return finding.parameters.front();
+  }
+  return std::nullopt;
+}
+
+bool AreTheSame(const ParameterEstimate& a, const ParameterEstimate& b) {
+  const double sigma = std::hypot(a.sigma.value_or(0), b.sigma.value_or(0));
+  return std::abs(a.value - b.value) <=
+         std::max(kSameShare * std::max(a.value, b.value), kSameDeviations * sigma);
+}
+
+}  // namespace
+
+std::string SentenceOfSharedDelay(const Diagnosis& diagnosis) {
+  std::vector<ParameterEstimate> delays;
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    if (!IsOfEncoder(diagnosed)) continue;
+    const std::optional<ParameterEstimate> delay = DelayOf(diagnosed);
+    if (!delay || (!delays.empty() && !AreTheSame(delays.front(), *delay))) return "";
+    delays.push_back(*delay);
+  }
+  if (delays.size() < 2) return "";
+  double mean_s = 0;
+  for (const ParameterEstimate& delay : delays) mean_s += delay.value / delays.size();
+  return fmt::format(
+      "All {} joints ask for a delay of about {} s: the clock of the encoders, or of the levers, "
+      "may be off by it instead, which is not told apart.",
+      delays.size(), Significant(mean_s, 2));
+}
+
+}  // namespace tera
