@@ -12,6 +12,7 @@ namespace tera {
 namespace {
 
 constexpr double kRounding_s = 0.05;  ///< of the length that a message gives
+constexpr double kNoPeriod_s = 1e-4;  ///< no encoder or inertial unit has samples so close
 
 /// The encoders of one machine.
 std::vector<NamedEncoders> EncodersOf(const Recording& recording, const std::string& machine) {
@@ -67,6 +68,16 @@ TimeNs EndOf(const Measurements& measured) {
   return end_ns;
 }
 
+/// Where samples follow each other faster than any sensor has them.
+std::string UnitOfTimeText(const Measurements& measured, double length_s) {
+  std::size_t most = 0;
+  for (const auto& named : measured.encoders) most = std::max(most, named.recording.samples.size());
+  for (const auto& samples : measured.imus) most = std::max(most, samples.size());
+  return most > 1 && length_s / static_cast<double>(most - 1) < kNoPeriod_s
+             ? "; t_ns counts nanoseconds: are these microseconds or milliseconds?"
+             : "";
+}
+
 /// That the part which is looked at is long enough.
 void RequireLongEnough(const Measurements& measured, const MeasurementOptions& options) {
   const double length_s = ToSeconds(EndOf(measured) - measured.start_ns);
@@ -74,10 +85,10 @@ void RequireLongEnough(const Measurements& measured, const MeasurementOptions& o
   if (left_s >= kShortestRecording_s - kRounding_s) return;
   const bool is_whole = options.from_s == 0 && options.to_s >= length_s;
   throw InputError(fmt::format(
-      "{}: {:.1f} s were measured{}; need {:g} s at least", measured.recording, length_s,
+      "{}: {:.1f} s were measured{}; need {:g} s at least{}", measured.recording, length_s,
       is_whole ? ""
                : fmt::format(", of which --from and --to leave {:.1f} s", std::max(0.0, left_s)),
-      kShortestRecording_s));
+      kShortestRecording_s, UnitOfTimeText(measured, length_s)));
 }
 
 void CheckMeasurements(const DiagnosisInput& input, const Recording& recording,
@@ -101,6 +112,7 @@ Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& record
   Measurements measured;
   measured.recording = recording.directory().string();
   measured.encoders = EncodersOf(recording, input.machine);
+  const std::size_t all = measured.encoders.size();
   std::erase_if(measured.encoders,
                 [](const NamedEncoders& named) { return named.recording.samples.empty(); });
   const std::string poses = "truth/" + input.machine + "/pose.csv";
@@ -119,10 +131,11 @@ Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& record
   }
   if (!any && !options.needs_any) return measured;
   if (!any) {
-    throw InputError(
-        fmt::format("{}: no encoder channel of {}, and no inertial unit or receiver that the "
-                    "scenario has; need something measured to compare",
-                    recording.directory().string(), input.machine));
+    throw InputError(fmt::format(
+        "{}: {} of {}, and no inertial unit or receiver that the scenario has; need "
+        "something measured to compare",
+        recording.directory().string(),
+        all > 0 ? "no sample in the encoder channels" : "no encoder channel", input.machine));
   }
   CheckMeasurements(input, recording, measured);
   measured.start_ns = StartOf(measured);

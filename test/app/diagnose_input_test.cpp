@@ -60,6 +60,28 @@ TEST_F(BadRecording, WithoutAnyCommonChannelSaysWhatIsNeeded) {
                           HasSubstr("need something measured to compare")));
 }
 
+TEST_F(BadRecording, WithEncodersThatHaveNoSampleOrNoJointSaysWhich) {
+  WriteHandMade(scratch_.path() / "real", {});
+  WriteWholeFile(File("encoders/data.csv"), "t_ns\n0\n25000000000\n");
+  ExpectRefusedWith(
+      AllOf(HasSubstr("encoders measure no joint or gear of the machine, but nothing"),
+            HasSubstr("need one of slew, ")));
+  WriteWholeFile(File("encoders/data.csv"), "t_ns,boom_rad,boom_radps\n");
+  ExpectRefusedWith(HasSubstr("no sample in the encoder channels of excavator1"));
+}
+
+TEST_F(BadRecording, WithTimesInMicrosecondsAsksWhatTheyAre) {
+  WriteHandMade(scratch_.path() / "real", {});
+  const auto in_microseconds = [](const std::string& row) {
+    const std::size_t comma = row.find(',');
+    return std::to_string(std::stoll(row) / 1000) + row.substr(comma);
+  };
+  EditRows("encoders/data.csv", in_microseconds);
+  EditRows("commands.csv", in_microseconds);
+  ExpectRefusedWith(AllOf(HasSubstr("0.0 s were measured"), HasSubstr("t_ns counts nanoseconds"),
+                          HasSubstr("microseconds")));
+}
+
 TEST_F(BadRecording, WithoutALeverOfTheMachineNamesThoseThatItHas) {
   WriteHandMade(scratch_.path() / "real", {});
   const std::string commands = Read("commands.csv");

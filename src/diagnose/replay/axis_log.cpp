@@ -199,6 +199,20 @@ void SetWeights(const MachineModel& model, AxisLog* log) {
   }
 }
 
+[[noreturn]] void ThrowNoAxis(const MachineModel& model,
+                              const std::vector<NamedEncoders>& encoders) {
+  std::vector<std::string> recorded, known;
+  for (const NamedEncoders& named : encoders) {
+    for (const EncoderAxis& axis : named.recording.axes) recorded.push_back(axis.name);
+  }
+  for (const Joint& joint : model.joints) known.push_back(joint.name);
+  for (const RunningGear& gear : model.ground_tools.gears) known.push_back(gear.name);
+  throw InputError(
+      fmt::format("encoders measure no joint or gear of the machine, but {}; need one of {}",
+                  recorded.empty() ? "nothing" : fmt::format("{}", fmt::join(recorded, ", ")),
+                  fmt::join(known, ", ")));
+}
+
 }  // namespace
 
 AxisLog MakeAxisLog(const MachineModel& model, const TableRecording& commands,
@@ -208,7 +222,7 @@ AxisLog MakeAxisLog(const MachineModel& model, const TableRecording& commands,
   log.axes = model.joints.size() + model.gear_drives.size();
   const std::vector<AxisSamples> samples = SamplesByAxis(model, encoders, &log);
   if (log.measured.empty()) {
-    throw InputError("no encoder measures a joint or gear of the machine; need one by its name");
+    ThrowNoAxis(model, encoders);
   }
   SetTimes(commands, &log);
   SetLevers(model, commands, &log);
