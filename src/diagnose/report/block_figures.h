@@ -20,7 +20,7 @@ std::string ResidualFigure(const DiagnosedBlock& diagnosed, const Location& loca
 std::string RegimeFigure(const DiagnosedBlock& diagnosed, const Location& location,
                          const Regime& regime, const std::string& error);
 
-/// What each mechanism alone gains on held-out samples.
+/// What each mechanism alone gains on held-out samples, and several that were found together.
 std::string EvidenceFigure(const DiagnosedBlock& diagnosed);
 
 /// The levers that move, over time.

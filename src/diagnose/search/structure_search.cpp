@@ -364,6 +364,7 @@ SearchResult Search::Find() {
   needed_ = pruning_.Prune(earlier_.of_beginning ? FindMore() : FindAfresh());
   result.found = FitToSeen();
   result.evidence = needed_.evidence;
+  result.found_gain = Total(needed_.structure.held_out) - Total(nothing_.held_out);
   result.nothing = on_seen_.AsGiven({});
   for (std::size_t s = 0; s < singles_.size(); ++s) {
     result.singles.push_back({&block_.suspects[s], singles_[s].terms.front().values,

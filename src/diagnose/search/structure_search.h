@@ -56,7 +56,8 @@ struct SearchResult {
   FittedStructure nothing, found;      ///< fitted to TRAIN and SELECT
   std::vector<TermEvidence> evidence;  ///< one for each term found
   std::vector<SingleEvidence> singles;
-  double free_gain = 0;  ///< held-out gain in log-likelihood of the free member over nothing
+  /// Held-out gains in log-likelihood over nothing: of the free member, and of all that was found.
+  double free_gain = 0, found_gain = 0;
 };
 
 /// A search of the same block that came before.

@@ -68,6 +68,14 @@ std::string PathOf(const std::string& html, const std::string& css_class) {
   return html.substr(at + head.size(), html.find('\'', at + head.size()) - at - head.size());
 }
 
+TEST(HtmlReport, ShowsBesideEachMechanismAloneWhatSeveralGainTogether) {
+  EXPECT_THAT(HtmlReport(Of(BoomWithDeadBand()), "run"), Not(HasSubstr("all found, together")));
+  DiagnosedBlock boom = BoomWithDeadBand();
+  boom.diagnosis.search.found.terms = {{&boom.block.suspects[0], {0.1}},
+                                       {&boom.block.suspects[1], {0.2}}};
+  EXPECT_THAT(HtmlReport(Of(std::move(boom)), "run"), HasSubstr("all found, together"));
+}
+
 TEST(HtmlReport, DrawsPredictionsAsMeasurementsLessResiduals) {
   const std::string html = HtmlReport(Of(BoomWithDeadBand()), "run");
   const std::string measured = PathOf(html, "line measured");

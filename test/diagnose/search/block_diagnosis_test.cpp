@@ -75,6 +75,9 @@ TEST(BlockDiagnosis, NamesTwoThatActTogether) {
   ASSERT_THAT(NamesOf(toy.diagnosis.findings), UnorderedElementsAre("square", "lag"));
   EXPECT_NEAR(FindingOf(toy.diagnosis, "lag").parameters[0].value, 0.12, 0.02);
   EXPECT_NEAR(FindingOf(toy.diagnosis, "square").parameters[0].value, 0.25, 0.03);
+  for (const SingleEvidence& single : toy.diagnosis.search.singles) {
+    EXPECT_GT(toy.diagnosis.search.found_gain, single.held_out_gain) << "alone it leaves the other";
+  }
 }
 
 TEST(BlockDiagnosis, FindsTheLesserOfTwoThoughTheGreaterPassedForNoiseAtFirst) {
