@@ -235,7 +235,7 @@ void RequireNewFolder(const std::filesystem::path& out) {
   RequireNoneStopped(out);
   if (!std::filesystem::exists(out)) return;
   throw InputError(
-      fmt::format("{}: exists already; need a folder that does not, for a report of "
+      fmt::format("{}: exists already; need the name of a new folder, for a report of "
                   "its own",
                   out.string()));
 }
