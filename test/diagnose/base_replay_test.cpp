@@ -174,7 +174,7 @@ TEST(BaseBlock, JudgesNoTurningThatLooseGroundCannotGiveAtOnce) {
   });
   const MachineModel& model = drive.scenario.machines[0].placement.model;
   const Recorded recorded = Record(&drive, 24);
-  const BaseLog log = MakeBaseLog(model, {recorded.encoders}, recorded.poses, 0.1);
+  BaseLog log = MakeBaseLog(model, {recorded.encoders}, recorded.poses, 0.1);
   auto block = MakeBaseBlock(model, log, "m/base", false);
   ASSERT_TRUE(block);
   LeaveOutLags(&*block);
@@ -190,6 +190,11 @@ TEST(BaseBlock, JudgesNoTurningThatLooseGroundCannotGiveAtOnce) {
   }
   EXPECT_EQ(after_reversal, 0u);
   EXPECT_EQ(later, 0u);
+  log.may_be_arrivals = true;
+  block = MakeBaseBlock(model, log, "m/base", true);
+  const Series all = block->channels[2].measured;
+  LeaveOutLags(&*block);
+  EXPECT_EQ(block->channels[2].measured.valid, all.valid) << "it tells when the poses were";
 }
 
 TEST(BaseReplay, AReversalIsHeldBackByTheFrictionOfTheGround) {

@@ -195,7 +195,8 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
   add("/left_mps", "m/s", &PlanarTwist::left_mps, {});
   // No columns: with them the stamps of a real recording's poses went unfound.
   add("/yaw_radps", "rad/s", &PlanarTwist::yaw_radps, {});
-  block.channels.back().lags = LagsOfTurning(model, log, grid, loose);
+  // Where stamps may be those of arrivals, such samples tell when the poses were, and stay.
+  if (!log.may_be_arrivals) block.channels.back().lags = LagsOfTurning(model, log, grid, loose);
   block.commands = {CommandOf(course.left_mps, grid), CommandOf(course.right_mps, grid)};
   block.suspects = SuspectsOf(model.effects.base);
   if (poses_were_measured) block.suspects.push_back(LatePoses());
