@@ -192,6 +192,15 @@ TEST(Sentence, OfFurtherRecordingsAndTheWholeSimulationComparesAndWarns) {
                              "simulation does not follow: slew rate."));
 }
 
+TEST(Sentence, OfAWholeSimulationInWhichNoLeverDrivesSaysSoAndBlamesNothing) {
+  Diagnosis diagnosis = Complete();
+  diagnosis.whole->channels = {{"warthog/base/yaw_radps", "rad/s", 0.001, 0.001}};
+  diagnosis.whole->path = {1.4, 0, 0};
+  EXPECT_THAT(SentencesOf(diagnosis),
+              Contains(::testing::EndsWith(
+                  "path 1.4 m recorded, 0 → 0 m simulated, for no lever drives it then.")));
+}
+
 TEST(Sentence, OfWhatReplaysLeaveOfTheSimulationNamesWhatIsJudgedAndWorthAWord) {
   Diagnosis diagnosis = Of(BoomWithDeadBand());
   for (const char* axis : {"arm", "bucket", "slew", "swing"}) {
