@@ -59,6 +59,12 @@ void Try(const std::string& place, std::vector<std::string>* obstacles,
 struct Made {
   std::vector<ReplayBlock> blocks;
   std::vector<std::string> obstacles;
+  std::vector<std::string> unmoved;  ///< sensors of which nothing tells how they moved
+
+  std::vector<std::string> NotCompared() && {
+    std::move(unmoved.begin(), unmoved.end(), std::back_inserter(obstacles));
+    return std::move(obstacles);
+  }
 };
 
 /// Several makers beside each other, what they make in their order.
@@ -72,6 +78,7 @@ Made MakeAll(std::size_t makers, int threads, const std::function<void(std::size
   for (Made& part : parts) {
     std::move(part.blocks.begin(), part.blocks.end(), std::back_inserter(all.blocks));
     std::move(part.obstacles.begin(), part.obstacles.end(), std::back_inserter(all.obstacles));
+    std::move(part.unmoved.begin(), part.unmoved.end(), std::back_inserter(all.unmoved));
   }
   return all;
 }
@@ -196,7 +203,7 @@ void AddImus(const DiagnosisInput& input, const Measurements& measured, const Bl
                                   measured.poses_were_measured)) {
       one->blocks.push_back(std::move(*block));
     } else {
-      one->obstacles.push_back(TooFewText(input, sensor));
+      one->unmoved.push_back(TooFewText(input, sensor));
     }
   });
 }
@@ -238,7 +245,7 @@ void AddGnss(const DiagnosisInput& input, const Measurements& measured, Made* ou
   for (const std::size_t s : which) {
     const std::string channel = input.machine + "/" + input.sensors[s].name;
     Try(channel + ": ", &out->obstacles, [&] {
-      if (!add({s})) out->obstacles.push_back(TooFewText(input, input.sensors[s]));
+      if (!add({s})) out->unmoved.push_back(TooFewText(input, input.sensors[s]));
     });
   }
 }
@@ -293,7 +300,7 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Measurement
     ThrowNothingToCompare(input, measured, made.obstacles);
   }
   CheckUnitsOf({measured.recording, input.machine}, made.blocks);
-  if (not_compared != nullptr) *not_compared = std::move(made.obstacles);
+  if (not_compared != nullptr) *not_compared = std::move(made).NotCompared();
   return std::move(made.blocks);
 }
 
@@ -321,7 +328,7 @@ std::vector<ReplayBlock> SensorBlocksByArrivals(const DiagnosisInput& input, Mea
   Made made = MakeAll(kinds.size(), options.threads,
                       [&](std::size_t kind, Made* out) { kinds[kind](out); });
   Settle(measured.start_ns, &made.blocks);
-  *not_compared = std::move(made.obstacles);
+  *not_compared = std::move(made).NotCompared();
   return std::move(made.blocks);
 }
 

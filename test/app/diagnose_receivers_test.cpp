@@ -208,8 +208,7 @@ TEST_F(ReceiverRecording, WithoutPosesSaysWhatItNeeds) {
       file, Edited(ReadWholeFile(file), "  - {path: truth/excavator1/pose.csv, type: pose}\n", ""));
   std::filesystem::remove_all(scratch_.path() / "real" / "truth");
   ExpectRefusedWith(
-      AllOf(HasSubstr("how 'undercarriage' moved is known at too few of its times"),
-            HasSubstr("need poses")));
+      AllOf(HasSubstr("nothing of excavator1 can be replayed"), HasSubstr("a receiver and poses")));
 }
 
 TEST_F(ReceiverRecording, ThatComesInBurstsSaysWhichReceiverAndWhatItNeeds) {
