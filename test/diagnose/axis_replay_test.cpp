@@ -266,6 +266,29 @@ Recorded Tattered(Recorded recorded) {
   return recorded;
 }
 
+// Which of the replay's steps a reader looks at is all or nothing: one further, and the rate is
+// another at each look.
+TEST(AxisBlock, BeginsAReaderThatLooksOnceAPeriodAtEveryStepThatItMayLookAt) {
+  Drive drive = Swaying("effects: {m: {boom: {input_hold: {period_s: 0.34}}}}");
+  const ReplayBlock block = BlockOfBoom(drive, Record(&drive, 22));
+  const auto hold =
+      std::find_if(block.suspects.begin(), block.suspects.end(),
+                   [](const Suspect& one) { return one.mechanism->id == "input_hold"; });
+  ASSERT_NE(hold, block.suspects.end());
+  const auto rms = [&](const std::vector<double>& values) {
+    const std::vector<double> predicted = block.predict({{&*hold, values}})[0];
+    double square = 0;
+    for (std::size_t k = 0; k < predicted.size(); ++k) {
+      if (!block.channels[0].measured.valid[k]) continue;
+      square += std::pow(predicted[k] - block.channels[0].measured.value[k], 2);
+    }
+    return std::sqrt(square);
+  };
+  double least = rms(hold->starts.front());
+  for (const std::vector<double>& start : hold->starts) least = std::min(least, rms(start));
+  EXPECT_LT(least, 1.2 * rms({0.34, 0}));
+}
+
 // A search looks at a beginning alone; terms with a memory must not notice.
 TEST(AxisBlock, ABeginningIsThatOfTheWhole) {
   Drive drive = Swaying("");

@@ -20,6 +20,7 @@ constexpr double kShortestRise_s = 0.08;
 /// changes.
 constexpr double kKinkOfInstants = 0.06;
 constexpr double kLongestDelay_s = 0.8;
+constexpr double kLateToMeasure_s = 0.03;
 
 constexpr double kLeastTogether_s = 2;
 constexpr double kMostBent_rad = 0.5;  ///< a flexible link, by the largest load
@@ -59,9 +60,18 @@ Reach ReachOf(const MachineModel& model, const AxisLog& log, std::size_t axis) {
   return reach;
 }
 
+/// By how much a rate may change later than its reader looked: step by step while it may be the
+/// measurement, and more where the drive lags.
+std::vector<double> Latenesses_s(double step_s) {
+  std::vector<double> late_s;
+  for (int steps = 0; steps * step_s <= kLateToMeasure_s; ++steps) late_s.push_back(steps * step_s);
+  late_s.insert(late_s.end(), {0.05, 0.08});
+  return late_s;
+}
+
 /// Where to begin looking for a reader that looks once a period: too sharp a thing to be met with
 /// by chance, so where the rate itself changes to a beat. What lags behind makes the phase seem
-/// later.
+/// later, and a step of the replay is all that a reader may be off by.
 std::vector<std::vector<double>> HoldStarts(const AxisLog& log, std::size_t axis) {
   std::vector<std::vector<double>> starts = {{0.05, 0.0}, {0.1, 0.0},  {0.1, 0.5},
                                              {0.2, 0.0},  {0.2, 0.33}, {0.2, 0.67}};
@@ -70,8 +80,8 @@ std::vector<std::vector<double>> HoldStarts(const AxisLog& log, std::size_t axis
     std::vector<double> t_s;
     for (const double step : measured.at_step) t_s.push_back(step * log.step_s);
     for (const Beat& beat : BeatsOf(t_s, measured.rate_radps, {})) {
-      for (const double late : {0.0, 0.05, 0.1, 0.2}) {
-        const double phase = beat.phase - late;
+      for (const double late_s : Latenesses_s(log.step_s)) {
+        const double phase = beat.phase - late_s / beat.period_s;
         starts.push_back({beat.period_s, phase - std::floor(phase)});
       }
     }
