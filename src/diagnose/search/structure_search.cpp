@@ -168,17 +168,17 @@ std::vector<Scored> Search::Pairs() {
   return fits_.Likeliest(fits_.All(pairs, few_steps), kLikeliestPairs);
 }
 
-/// From nothing, or what was found under other noise.
+/// From the best of single suspects, and from the best of pairs or of what was found under other
+/// noise: a pair may stand for another one, of which the best single is a part.
 Scored Search::FindAfresh() {
-  Scored start;
-  if (earlier_.result == nullptr) {
-    std::vector<Scored> candidates = Pairs();
-    candidates.insert(candidates.begin(), singles_.begin(), singles_.end());
-    start = BestOf(candidates);
-  } else {
-    start = fits_.Score(fitter_.FitNear(earlier_.result->found.terms));
-  }
-  return Disentangle(Grow(Swap(std::move(start))));
+  const Scored single = BestOf(singles_);
+  const Scored other =
+      earlier_.result == nullptr
+          ? BestOf(Pairs())
+          : BestOf({fits_.Score(fitter_.FitNear(earlier_.result->found.terms))});
+  std::vector<Scored> grown = {Grow(Swap(single))};
+  if (other.criterion > single.criterion) grown.push_back(Grow(Swap(other)));
+  return Disentangle(BestOf(grown));
 }
 
 /// What was found in the beginning and what more the whole tells of.

@@ -71,22 +71,22 @@ struct EarlierSearch {
 /// The search for the suspects that explain a block, together.
 ///
 /// Model   every suspect alone; pairs of the screened (the likeliest, and the likeliest of each
-///         slot), of which a few steps of each fit tell the eight that are fitted in full; then
-///         likewise, of four, one term more at a time, of at least `least_effect`, with swaps, as
-///         long as the Bayesian information criterion on TRAIN falls; of structures that
-///         are as likely, the one whose terms undo each other less. Backward (pruning.h): a term
-///         goes unless its gain over the structure fitted without it is steady over the manoeuvres
-///         of TRAIN and SELECT, each left out of the fits that it judges (cross_fit.h,
-///         steady_gain.h; Bonferroni over all that the diagnosis tests), on SELECT at least
-///         `least_share` of what the whole structure, or a free member if that is more, gains over
-///         nothing and at least `least_of_rest` of what a free member gains over the structure
-///         without it, and its effect, beyond nuisances, at least `least_effect` of the channel. It
-///         goes, too, with numbers by which it is another mechanism in disguise
-///         (Suspect::is_itself). What refines a number is put to its default in the answer where
-///         that, one number after the other, changes less than `least_effect`. TellApart: each term
-///         is swapped for each screened suspect; of the five that a few steps make likeliest, where
-///         the same manoeuvres do not gain from the term with p at most 0.05, or less than 3 of
-///         log-likelihood, they are alike.
+///         slot), of which a few steps of each fit tell the eight that are fitted in full; then,
+///         from the best single one and from the best pair if that is better, likewise, of four,
+///         one term more at a time, of at least `least_effect`, with swaps, as long as the Bayesian
+///         information criterion on TRAIN falls; of structures that are as likely, the one whose
+///         terms undo each other less. Backward (pruning.h): a term goes unless its gain over the
+///         structure fitted without it is steady over the manoeuvres of TRAIN and SELECT, each left
+///         out of the fits that it judges (cross_fit.h, steady_gain.h; Bonferroni over all that the
+///         diagnosis tests), on SELECT at least `least_share` of what the whole structure, or a
+///         free member if that is more, gains over nothing and at least `least_of_rest` of what a
+///         free member gains over the structure without it, and its effect, beyond nuisances, at
+///         least `least_effect` of the channel. It goes, too, with numbers by which it is another
+///         mechanism in disguise (Suspect::is_itself). What refines a number is put to its default
+///         in the answer where that, one number after the other, changes less than `least_effect`.
+///         TellApart: each term is swapped for each screened suspect; of the five that a few steps
+///         make likeliest, where the same manoeuvres do not gain from the term with p at most 0.05,
+///         or less than 3 of log-likelihood, they are alike.
 /// Omits   that the structures whose terms are tested were chosen on part of the same manoeuvres,
 ///         beyond the number of suspects; FINAL is for that.
 /// Source  Schwarz 1978.
