@@ -6,6 +6,7 @@
 
 #include "core/in_parallel.h"
 #include "diagnose/blocks/measured_poses.h"
+#include "diagnose/encoder_lead.h"
 
 namespace tera {
 namespace {
@@ -243,6 +244,7 @@ Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
                                             options.seed, options.search.threads, &blocks)
                                : NotTakenOff(input, blocks);
   for (ReplayBlock& block : blocks) LeaveOutLags(&block);
+  diagnosis.encoder_lead_s = EncoderLead_s(blocks);
   diagnosis.machine = input.machine;
   diagnosis.scenario = input.scenario;
   diagnosis.levers_are_the_scenarios = input.commands_are_the_scenarios;

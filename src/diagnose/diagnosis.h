@@ -38,6 +38,8 @@ struct Diagnosis {
   TimeNs start_ns = 0;                    ///< in the recording, from which all times count
   bool levers_are_the_scenarios = false;  ///< for the recording has none
   std::vector<DiagnosedBlock> blocks;
+  /// By how much encoders run ahead of levers; none where they do not.
+  std::optional<double> encoder_lead_s = {};
   std::vector<std::string> not_compared;        ///< what was measured, and why nothing came of it
   std::vector<PerceptionDiagnosis> perception;  ///< of sensors that measure ranges
   /// The levers that would tell what this recording leaves open; none where nothing is open, or no

@@ -431,6 +431,7 @@ std::string DiagnosisJson(const Diagnosis& diagnosis) {
   json["not_compared"] = diagnosis.not_compared;
   json["out_of_time"] = OutOfTime(diagnosis);
   json["levers_of"] = diagnosis.levers_are_the_scenarios ? "scenario" : "recording";
+  json["encoder_lead_s"] = diagnosis.encoder_lead_s ? Number(*diagnosis.encoder_lead_s) : Json();
   json["held_out_recordings"] = FurtherRecordings(diagnosis);
   json["taken_off"] = TakenOffOf(diagnosis);
   json["whole_simulation"] = Whole(diagnosis);

@@ -231,13 +231,11 @@ std::string SentenceOfUntestable(const DiagnosedBlock& diagnosed) {
   if (diagnosed.diagnosis.out_of_time) {
     return fmt::format("{}: not judged, for the time was over.", Capitalised(Listed(channels)));
   }
-  const bool has_lever =
-      diagnosed.block.channels.front().name.find("/encoders/") != std::string::npos;
   return fmt::format("{}: not judged, for {} in too few manoeuvres of the recording.",
                      Capitalised(Listed(channels)),
-                     has_lever              ? "its lever moves"
-                     : channels.size() == 1 ? "it is moved"
-                                            : "they are moved");
+                     HasLever(diagnosed.block) ? "its lever moves"
+                     : channels.size() == 1    ? "it is moved"
+                                               : "they are moved");
 }
 
 std::string SentenceOfNothing(const Diagnosis& diagnosis) {
@@ -359,6 +357,13 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
                                     diagnosis.machine, diagnosis.scenario));
   }
   if (diagnosis.next) sentences.push_back(SentenceOf(*diagnosis.next));
+  if (diagnosis.encoder_lead_s) {
+    sentences.insert(sentences.begin(),
+                     fmt::format("Encoders run ahead of the levers that move them, by about {} s: "
+                                 "their clocks differ. Mend "
+                                 "that first; what is named below may stand in for it.",
+                                 Significant(*diagnosis.encoder_lead_s, 2)));
+  }
   return sentences;
 }
 

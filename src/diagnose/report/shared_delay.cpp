@@ -16,11 +16,6 @@ namespace {
 constexpr double kSameShare = 0.2;
 constexpr double kSameDeviations = 3;
 
-bool IsOfEncoder(const DiagnosedBlock& diagnosed) {
-  return diagnosed.diagnosis.is_testable &&
-         diagnosed.block.channels.front().name.find("/encoders/") != std::string::npos;
-}
-
 std::optional<ParameterEstimate> DelayOf(const DiagnosedBlock& diagnosed) {
   for (const Finding& finding : diagnosed.diagnosis.findings) {
     if (finding.term.suspect->mechanism->id == "command_delay") return finding.parameters.front();
@@ -39,7 +34,7 @@ bool AreTheSame(const ParameterEstimate& a, const ParameterEstimate& b) {
 std::string SentenceOfSharedDelay(const Diagnosis& diagnosis) {
   std::vector<ParameterEstimate> delays;
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
-    if (!IsOfEncoder(diagnosed)) continue;
+    if (!diagnosed.diagnosis.is_testable || !HasLever(diagnosed.block)) continue;
     const std::optional<ParameterEstimate> delay = DelayOf(diagnosed);
     if (!delay || (!delays.empty() && !AreTheSame(delays.front(), *delay))) return "";
     delays.push_back(*delay);

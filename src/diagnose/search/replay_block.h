@@ -144,4 +144,11 @@ inline void LeaveOutLags(ReplayBlock* block) {
   }
 }
 
+/// Whether a lever drives what the block replays, which may then follow it late.
+inline bool HasLever(const ReplayBlock& block) {
+  return std::any_of(block.suspects.begin(), block.suspects.end(), [](const Suspect& suspect) {
+    return suspect.mechanism->slot == Slot::kCommandTiming;
+  });
+}
+
 }  // namespace tera

@@ -106,6 +106,7 @@ TEST(DiagnosisJson, HasItsStructureInFixedOrderAndDigits) {
   "not_compared": [],
   "out_of_time": [],
   "levers_of": "recording",
+  "encoder_lead_s": null,
   "held_out_recordings": [],
   "taken_off": [],
   "whole_simulation": null,
