@@ -218,14 +218,15 @@ std::string EvidenceFigure(const DiagnosedBlock& diagnosed) {
     bars.push_back({NameAmong(singles, *single.suspect), single.held_out_gain,
                     is_found ? "bar chosen" : "bar"});
   }
-  if (search.found.terms.size() > 1) {
-    bars.insert(bars.begin(), {"all found, together", search.found_gain, "bar chosen"});
+  if (search.found.terms.size() > 1 && search.found_gain) {
+    bars.insert(bars.begin(), {"all found, together", *search.found_gain, "bar chosen"});
   }
   bars.push_back({"free curve", search.free_gain, "bar free"});
-  return Figure(SvgBars("gain in log-likelihood of mechanisms", bars),
-                "Gain in log-likelihood on held-out manoeuvres, of each mechanism alone. Of several "
-                "that act, one alone may gain nothing. " +
-                    Key("chosen", "found") + Key("free", "what a free curve gains"));
+  return Figure(
+      SvgBars("gain in log-likelihood of mechanisms", bars),
+      "Gain in log-likelihood on held-out manoeuvres, of each mechanism alone. Of several "
+      "that act, one alone may gain nothing. " +
+          Key("chosen", "found") + Key("free", "what a free curve gains"));
 }
 
 std::string LeversFigure(const NextManoeuvre& next) {

@@ -27,19 +27,14 @@ std::vector<std::string> Quantities(const std::vector<std::string>& channels) {
   return names;
 }
 
-constexpr double kNoWay_m = 0.005;  ///< of a path: the base stands
+constexpr double kStands_m = 0.005;  ///< of a path: the base stands
 
 std::string LengthText(double length_m) {
-  return length_m < kNoWay_m ? "0" : Significant(length_m, 4);
+  return length_m < kStands_m ? "0" : Significant(length_m, 4);
 }
 
-/// Whether no lever drives the base in the time that is simulated, so that it can follow nothing.
-bool IsParked(const WholeSimulation& whole) {
-  return whole.path && std::max(whole.path->before_m, whole.path->after_m) < kNoWay_m;
-}
-
-bool IsOfBase(const SimulatedChannel& one) {
-  return one.channel.find("/base/") != one.channel.npos;
+bool GoesNowhere(const PathLengths& path) {
+  return std::max(path.before_m, path.after_m) < kStands_m;
 }
 
 }  // namespace
@@ -67,8 +62,7 @@ std::string SentenceOf(const WholeSimulation& whole) {
   std::vector<std::string> changes, not_followed;
   for (const SimulatedChannel& one : whole.channels) {
     changes.push_back(ChangeText(one.channel, one.unit, one.rmse_before, one.rmse_after));
-    if (!one.Follows() && !(IsParked(whole) && IsOfBase(one)))
-      not_followed.push_back(QuantityOf(one.channel));
+    if (!one.Follows()) not_followed.push_back(QuantityOf(one.channel));
   }
   std::string text = fmt::format(
       "The whole simulation as it was and with what was found, first {:.0f} s, manoeuvres kept "
@@ -79,7 +73,7 @@ std::string SentenceOf(const WholeSimulation& whole) {
     text +=
         fmt::format("; path {} m recorded, {} → {} m simulated", LengthText(whole.path->recorded_m),
                     LengthText(whole.path->before_m), LengthText(whole.path->after_m));
-    if (IsParked(whole)) text += ", for no lever drives it then";
+    if (GoesNowhere(*whole.path)) text += ": the simulated base goes nowhere";
   }
   text += ".";
   if (!not_followed.empty()) {

@@ -104,9 +104,13 @@ std::string DependenceText(const DiagnosedBlock& diagnosed, const Location& loca
 }
 
 std::string EvidenceClause(const Finding& finding) {
+  std::string chosen = ProbabilityText(finding.evidence.p);
+  if (finding.evidence.together_p) {
+    chosen += fmt::format(" alone, {} together with what it is beside",
+                          ProbabilityText(*finding.evidence.together_p));
+  }
   std::string text =
-      fmt::format("chosen with {}, confirmed with {}", ProbabilityText(finding.evidence.p),
-                  ProbabilityText(finding.held_out.p));
+      fmt::format("chosen with {}, confirmed with {}", chosen, ProbabilityText(finding.held_out.p));
   const std::vector<std::string> alike = AlikeTexts(finding);
   std::vector<std::string> rejected;
   for (const Rival& rival : finding.evidence.rejected) {

@@ -163,6 +163,7 @@ void Procedure::TakeOut(const std::vector<bool>& is_out, std::vector<Finding>* t
   }
   out->search.found = fitter_.Determine(fitter_.FitFrom(kept));
   out->search.evidence = std::move(evidence);
+  out->search.found_gain.reset();  // it was of them all
   DescribeAll(out);
 }
 

@@ -76,18 +76,15 @@ TermEvidence Pruning::EvidenceOf(const Scored& with, const Scored& without,
 }
 
 bool Pruning::IsNeeded(const TermEvidence& evidence) const {
-  return evidence.p <= options_.alpha && evidence.share >= options_.least_share &&
-         evidence.of_rest >= options_.least_of_rest && evidence.effect >= options_.least_effect;
+  return evidence.together_p.value_or(evidence.p) <= options_.alpha &&
+         evidence.share >= options_.least_share && evidence.of_rest >= options_.least_of_rest &&
+         evidence.effect >= options_.least_effect;
 }
 
-/// Whether a term, of that evidence alone, is with those that go without it.
-bool Pruning::AreNeededTogether(const Scored& kept, const Misfit& crossed_kept, const Needed& rest,
-                                TermEvidence* evidence) const {
-  if (rest.structure.terms.size() + 1 == kept.terms.size()) return false;
-  const TermEvidence together = EvidenceOf(kept, rest.structure, crossed_kept, rest.crossed);
-  evidence->p = together.p;
-  evidence->steady_p = together.steady_p;
-  return IsNeeded(*evidence);
+/// Of two terms together, by a steady gain.
+double Pruning::TogetherP(const Scored& kept, const Misfit& crossed_kept,
+                          const Needed& rest) const {
+  return EvidenceOf(kept, rest.structure, crossed_kept, rest.crossed).steady_p;
 }
 
 Needed Pruning::Prune(Scored kept) const {
@@ -116,8 +113,10 @@ Needed Pruning::Prune(Scored kept, Misfit crossed_kept) const {
       spare.begin(), spare.end(),
       [&](std::size_t a, std::size_t b) { return evidence[a].share < evidence[b].share; });
   Needed rest = Prune(std::move(without[least]), std::move(crossed[least]));
-  const bool is_alone = spare.size() == 1 && kept.terms[least].IsItself();
-  if (is_alone && AreNeededTogether(kept, crossed_kept, rest, &evidence[least])) {
+  const bool one_other_goes = rest.structure.terms.size() + 2 == kept.terms.size();
+  if (spare.size() > 1 || !one_other_goes || !kept.terms[least].IsItself()) return rest;
+  evidence[least].together_p = TogetherP(kept, crossed_kept, rest);
+  if (IsNeeded(evidence[least])) {
     return {std::move(kept), std::move(crossed_kept), std::move(evidence)};
   }
   return rest;

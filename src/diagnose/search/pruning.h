@@ -20,9 +20,12 @@ struct Needed {
 /// Takes from a structure what it does as well without.
 ///
 /// Model   the term that is needed least goes, until all are needed (StructureSearch says when one
-///         is). Where one is missed by its probability alone and, without it, another goes as well,
-///         they are tested together against what is then left, times the number of tests once for
-///         each: play in a joint that pulls harder than it pushes is needed only beside that.
+///         is). Where one alone is not needed, by its probability alone, and one other goes as well
+///         without it, the two are tested together against what is then left, times the number of
+///         tests once for each: play in a joint that pulls harder than it pushes is needed only
+///         beside that.
+/// Omits   that the pair was chosen by the same manoeuvres, beyond the number of tests; pairs of
+///         which neither is needed. FINAL asks for each of the two by itself.
 class Pruning {
  public:
   /// `likelihood`, `fitter` and `fits` are of TRAIN. All must outlive it. `of_beginning`: a fit
@@ -45,8 +48,7 @@ class Pruning {
   TermEvidence EvidenceOf(const Scored& with, const Scored& without, const Misfit& crossed_with,
                           const Misfit& crossed_without) const;
   bool IsNeeded(const TermEvidence& evidence) const;
-  bool AreNeededTogether(const Scored& kept, const Misfit& crossed_kept, const Needed& rest,
-                         TermEvidence* evidence) const;
+  double TogetherP(const Scored& kept, const Misfit& crossed_kept, const Needed& rest) const;
   double FreeGain(const Misfit& misfit) const;
 
   const ReplayBlock& block_;

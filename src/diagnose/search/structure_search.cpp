@@ -172,10 +172,9 @@ std::vector<Scored> Search::Pairs() {
 /// noise: a pair may stand for another one, of which the best single is a part.
 Scored Search::FindAfresh() {
   const Scored single = BestOf(singles_);
-  const Scored other =
-      earlier_.result == nullptr
-          ? BestOf(Pairs())
-          : BestOf({fits_.Score(fitter_.FitNear(earlier_.result->found.terms))});
+  const Scored other = earlier_.result == nullptr
+                           ? BestOf(Pairs())
+                           : BestOf({fits_.Score(fitter_.FitNear(earlier_.result->found.terms))});
   std::vector<Scored> grown = {Grow(Swap(single))};
   if (other.criterion > single.criterion) grown.push_back(Grow(Swap(other)));
   return Disentangle(BestOf(grown));

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "diagnose/search/structure_fit.h"
@@ -36,6 +37,8 @@ struct TermEvidence {
   double p =
       1;  ///< of such a gain by chance (cross_fit.h, steady_gain.h), times the number of tests
   double steady_p = 1;  ///< the same by SteadyGainP alone
+  /// Of it and another one, where both are needed beside each other only (pruning.h).
+  std::optional<double> together_p;
   double share = 0;  ///< of the gain in likelihood on SELECT that the free member has over nothing
   double of_rest = 0;  ///< of the gain that the free member has over the structure without the term
   double effect = 0;  ///< RMS of what it changes over the RMS of the channel, largest over channels
@@ -56,8 +59,8 @@ struct SearchResult {
   FittedStructure nothing, found;      ///< fitted to TRAIN and SELECT
   std::vector<TermEvidence> evidence;  ///< one for each term found
   std::vector<SingleEvidence> singles;
-  /// Held-out gains in log-likelihood over nothing: of the free member, and of all that was found.
-  double free_gain = 0, found_gain = 0;
+  double free_gain = 0;  ///< held-out gain in log-likelihood of the free member over nothing
+  std::optional<double> found_gain;  ///< of all that was found; none where some was taken out
 };
 
 /// A search of the same block that came before.
@@ -75,18 +78,19 @@ struct EarlierSearch {
 ///         from the best single one and from the best pair if that is better, likewise, of four,
 ///         one term more at a time, of at least `least_effect`, with swaps, as long as the Bayesian
 ///         information criterion on TRAIN falls; of structures that are as likely, the one whose
-///         terms undo each other less. Backward (pruning.h): a term goes unless its gain over the
-///         structure fitted without it is steady over the manoeuvres of TRAIN and SELECT, each left
-///         out of the fits that it judges (cross_fit.h, steady_gain.h; Bonferroni over all that the
-///         diagnosis tests), on SELECT at least `least_share` of what the whole structure, or a
-///         free member if that is more, gains over nothing and at least `least_of_rest` of what a
-///         free member gains over the structure without it, and its effect, beyond nuisances, at
-///         least `least_effect` of the channel. It goes, too, with numbers by which it is another
-///         mechanism in disguise (Suspect::is_itself). What refines a number is put to its default
-///         in the answer where that, one number after the other, changes less than `least_effect`.
-///         TellApart: each term is swapped for each screened suspect; of the five that a few steps
-///         make likeliest, where the same manoeuvres do not gain from the term with p at most 0.05,
-///         or less than 3 of log-likelihood, they are alike.
+///         terms undo each other less. Backward (but see pruning.h): a term goes unless its gain
+///         over the structure fitted without it is steady over the manoeuvres of TRAIN and SELECT,
+///         each left out of the fits that it judges (cross_fit.h, steady_gain.h; Bonferroni over
+///         all that the diagnosis tests), on SELECT at least `least_share` of what the whole
+///         structure, or a free member if that is more, gains over nothing and at least
+///         `least_of_rest` of what a free member gains over the structure without it, and its
+///         effect, beyond nuisances, at least `least_effect` of the channel. It goes, too, with
+///         numbers by which it is another mechanism in disguise (Suspect::is_itself). What refines
+///         a number is put to its default in the answer where that, one number after the other,
+///         changes less than `least_effect`. TellApart: each term is swapped for each screened
+///         suspect; of the five that a few steps make likeliest, where the same manoeuvres do not
+///         gain from the term with p at most 0.05, or less than 3 of log-likelihood, they are
+///         alike.
 /// Omits   that the structures whose terms are tested were chosen on part of the same manoeuvres,
 ///         beyond the number of suspects; FINAL is for that.
 /// Source  Schwarz 1978.

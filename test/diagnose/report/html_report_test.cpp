@@ -68,12 +68,19 @@ std::string PathOf(const std::string& html, const std::string& css_class) {
   return html.substr(at + head.size(), html.find('\'', at + head.size()) - at - head.size());
 }
 
-TEST(HtmlReport, ShowsBesideEachMechanismAloneWhatSeveralGainTogether) {
-  EXPECT_THAT(HtmlReport(Of(BoomWithDeadBand()), "run"), Not(HasSubstr("all found, together")));
+/// The report of a joint with two terms that gain `found_gain` together.
+std::string PageOfTwo(std::optional<double> found_gain) {
   DiagnosedBlock boom = BoomWithDeadBand();
   boom.diagnosis.search.found.terms = {{&boom.block.suspects[0], {0.1}},
                                        {&boom.block.suspects[1], {0.2}}};
-  EXPECT_THAT(HtmlReport(Of(std::move(boom)), "run"), HasSubstr("all found, together"));
+  boom.diagnosis.search.found_gain = found_gain;
+  return HtmlReport(Of(std::move(boom)), "run");
+}
+
+TEST(HtmlReport, ShowsBesideEachMechanismAloneWhatSeveralGainTogether) {
+  EXPECT_THAT(HtmlReport(Of(BoomWithDeadBand()), "run"), Not(HasSubstr("all found, together")));
+  EXPECT_THAT(PageOfTwo(900), HasSubstr("all found, together"));
+  EXPECT_THAT(PageOfTwo({}), Not(HasSubstr("all found, together")));  // one was taken out
 }
 
 TEST(HtmlReport, DrawsPredictionsAsMeasurementsLessResiduals) {

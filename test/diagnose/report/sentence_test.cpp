@@ -193,13 +193,15 @@ TEST(Sentence, OfFurtherRecordingsAndTheWholeSimulationComparesAndWarns) {
                              "simulation does not follow: slew rate."));
 }
 
-TEST(Sentence, OfAWholeSimulationInWhichNoLeverDrivesSaysSoAndBlamesNothing) {
+TEST(Sentence, OfAWholeSimulationInWhichTheBaseGoesNowhereSaysSo) {
   Diagnosis diagnosis = Complete();
   diagnosis.whole->channels = {{"warthog/base/yaw_radps", "rad/s", 0.001, 0.001}};
   diagnosis.whole->path = {1.4, 0, 0};
-  EXPECT_THAT(SentencesOf(diagnosis),
-              Contains(::testing::EndsWith(
-                  "path 1.4 m recorded, 0 → 0 m simulated, for no lever drives it then.")));
+  EXPECT_THAT(
+      SentencesOf(diagnosis),
+      Contains(::testing::EndsWith(
+          "path 1.4 m recorded, 0 → 0 m simulated: the simulated base goes nowhere. The whole "
+          "simulation does not follow: yaw rate.")));
 }
 
 TEST(Sentence, OfWhatReplaysLeaveOfTheSimulationNamesWhatIsJudgedAndWorthAWord) {

@@ -76,7 +76,8 @@ TEST(BlockDiagnosis, NamesTwoThatActTogether) {
   EXPECT_NEAR(FindingOf(toy.diagnosis, "lag").parameters[0].value, 0.12, 0.02);
   EXPECT_NEAR(FindingOf(toy.diagnosis, "square").parameters[0].value, 0.25, 0.03);
   for (const SingleEvidence& single : toy.diagnosis.search.singles) {
-    EXPECT_GT(toy.diagnosis.search.found_gain, single.held_out_gain) << "alone it leaves the other";
+    EXPECT_GT(toy.diagnosis.search.found_gain.value(), single.held_out_gain)
+        << "alone it leaves the other";
   }
 }
 
