@@ -116,7 +116,7 @@ std::vector<Further> FurtherRecordings(const DiagnoseArguments& arguments,
     if (const auto course = CourseOf(arguments, machine, input, measured)) {
       TakeOffAll(UnreplayedOf(input, measured, options, *course), seed, options.threads, &blocks);
     }
-    for (ReplayBlock& block : blocks) LeaveOutLags(&block);
+    LeaveOutLags(&blocks);
     further.push_back({input, std::move(measured), std::move(blocks)});
   }
   return further;
@@ -249,8 +249,9 @@ std::string BaselinesOfRecording(const DiagnoseArguments& arguments) {
   std::vector<BlockBaselines> blocks;
   const DiagnosisInput input = machine.InputOf(recording);
   const Measurements measured = MeasurementsOf(input, recording, options.measurements);
-  for (ReplayBlock& block : BlocksOf(input, measured, options.blocks)) {
-    LeaveOutLags(&block);
+  std::vector<ReplayBlock> replayed = BlocksOf(input, measured, options.blocks);
+  LeaveOutLags(&replayed);
+  for (const ReplayBlock& block : replayed) {
     const Stream stream = StreamOf(block, options.seed);
     BlockBaselines baselines{{}, RmseAsItIs(block, stream), {}};
     for (const Channel& channel : block.channels) baselines.channels.push_back(channel.name);

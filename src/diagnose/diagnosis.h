@@ -14,6 +14,7 @@
 #include "diagnose/proposal/proposal.h"
 #include "diagnose/recorded_blocks.h"
 #include "diagnose/search/block_diagnosis.h"
+#include "diagnose/search/left_out.h"
 #include "diagnose/suspects/suspect_library.h"
 #include "diagnose/unreplayed/take_off.h"
 
@@ -40,7 +41,8 @@ struct Diagnosis {
   std::vector<DiagnosedBlock> blocks;
   /// By how much encoders run ahead of levers; none where they do not.
   std::optional<double> encoder_lead_s = {};
-  std::vector<std::string> not_compared;        ///< what was measured, and why nothing came of it
+  std::vector<std::string> not_compared;  ///< what was measured, and why nothing came of it
+  std::vector<LeftOut> left_out;          ///< for the ground may let the base lag behind its tracks
   std::vector<PerceptionDiagnosis> perception;  ///< of sensors that measure ranges
   /// The levers that would tell what this recording leaves open; none where nothing is open, or no
   /// levers would.

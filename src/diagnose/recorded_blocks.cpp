@@ -59,10 +59,10 @@ void Try(const std::string& place, std::vector<std::string>* obstacles,
 struct Made {
   std::vector<ReplayBlock> blocks;
   std::vector<std::string> obstacles;
-  std::vector<std::string> unmoved;  ///< sensors of which nothing tells how they moved
+  std::vector<std::string> motion_unknown;  ///< sensors of which nothing tells how they moved
 
   std::vector<std::string> NotCompared() && {
-    std::move(unmoved.begin(), unmoved.end(), std::back_inserter(obstacles));
+    std::move(motion_unknown.begin(), motion_unknown.end(), std::back_inserter(obstacles));
     return std::move(obstacles);
   }
 };
@@ -78,7 +78,8 @@ Made MakeAll(std::size_t makers, int threads, const std::function<void(std::size
   for (Made& part : parts) {
     std::move(part.blocks.begin(), part.blocks.end(), std::back_inserter(all.blocks));
     std::move(part.obstacles.begin(), part.obstacles.end(), std::back_inserter(all.obstacles));
-    std::move(part.unmoved.begin(), part.unmoved.end(), std::back_inserter(all.unmoved));
+    std::move(part.motion_unknown.begin(), part.motion_unknown.end(),
+              std::back_inserter(all.motion_unknown));
   }
   return all;
 }
@@ -203,7 +204,7 @@ void AddImus(const DiagnosisInput& input, const Measurements& measured, const Bl
                                   measured.poses_were_measured)) {
       one->blocks.push_back(std::move(*block));
     } else {
-      one->unmoved.push_back(TooFewText(input, sensor));
+      one->motion_unknown.push_back(TooFewText(input, sensor));
     }
   });
 }
@@ -245,7 +246,7 @@ void AddGnss(const DiagnosisInput& input, const Measurements& measured, Made* ou
   for (const std::size_t s : which) {
     const std::string channel = input.machine + "/" + input.sensors[s].name;
     Try(channel + ": ", &out->obstacles, [&] {
-      if (!add({s})) out->unmoved.push_back(TooFewText(input, input.sensors[s]));
+      if (!add({s})) out->motion_unknown.push_back(TooFewText(input, input.sensors[s]));
     });
   }
 }

@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "diagnose/blocks/base_block.h"
 #include "diagnose/search/block_diagnosis.h"
+#include "diagnose/search/left_out.h"
 #include "sim/drive_fixture.h"
 
 namespace tera {
@@ -175,26 +176,47 @@ TEST(BaseBlock, JudgesNoTurningThatLooseGroundCannotGiveAtOnce) {
   const MachineModel& model = drive.scenario.machines[0].placement.model;
   const Recorded recorded = Record(&drive, 24);
   BaseLog log = MakeBaseLog(model, {recorded.encoders}, recorded.poses, 0.1);
-  auto block = MakeBaseBlock(model, log, "m/base", false);
-  ASSERT_TRUE(block);
-  LeaveOutLags(&*block);
-  const Series& yaw = block->channels[2].measured;
+  std::vector<ReplayBlock> blocks(1, MakeBaseBlock(model, log, "m/base", false).value());
+  const std::vector<LeftOut> left_out = LeaveOutLags(&blocks);
+  const ReplayBlock& block = blocks.front();
+  const Series& yaw = block.channels[2].measured;
   std::size_t after_reversal = 0, later = 0;
   for (std::size_t k = 0; k < yaw.size(); ++k) {
-    const double t_s = ToSeconds(block->first_ns) + static_cast<double>(k) * yaw.period_s;
+    const double t_s = ToSeconds(block.first_ns) + static_cast<double>(k) * yaw.period_s;
     if (t_s < 2) continue;
     const double since_s = std::fmod(t_s, 2.0);
     if (since_s > 0.15 && since_s < 0.35) after_reversal += yaw.valid[k] ? 1 : 0;
     if (since_s > 1.2 && since_s < 1.9) later += yaw.valid[k] ? 0 : 1;
-    EXPECT_TRUE(block->channels[0].measured.valid[k]) << "forward speed";
+    EXPECT_TRUE(block.channels[0].measured.valid[k]) << "forward speed";
   }
   EXPECT_EQ(after_reversal, 0u);
   EXPECT_EQ(later, 0u);
+  ASSERT_EQ(left_out.size(), 1u);
+  EXPECT_EQ(left_out[0].channel, "m/base/yaw_radps");
+  const auto judged = std::count(yaw.valid.begin(), yaw.valid.end(), true);
+  EXPECT_NEAR(left_out[0].share, 1 - static_cast<double>(judged) / log.intervals.size(), 1e-12);
   log.may_be_arrivals = true;
-  block = MakeBaseBlock(model, log, "m/base", true);
-  const Series all = block->channels[2].measured;
-  LeaveOutLags(&*block);
-  EXPECT_EQ(block->channels[2].measured.valid, all.valid) << "it tells when the poses were";
+  blocks = {MakeBaseBlock(model, log, "m/base", true).value()};
+  EXPECT_TRUE(LeaveOutLags(&blocks).empty()) << "it tells when the poses were";
+}
+
+TEST(BaseBlock, LeavesOutTheSameTurningHoweverLongTheMachineStandsAfterwards) {
+  const auto lags_within = [](double duration_s) {
+    Drive drive = Meandering("soil: asphalt", "");
+    drive.Operate([](double t_s) {
+      const double turned = std::fmod(t_s, 4.0) < 2 ? 0.2 : -0.2;
+      const double lever = t_s > 20 ? 0 : turned;
+      return NamedLevers{{"left_track", -lever}, {"right_track", lever}};
+    });
+    const Recorded recorded = Record(&drive, duration_s);
+    const MachineModel& model = drive.scenario.machines[0].placement.model;
+    const BaseLog log = MakeBaseLog(model, {recorded.encoders}, recorded.poses, 0.1);
+    return MakeBaseBlock(model, log, "m/base", false).value().channels[2].lags;
+  };
+  std::vector<bool> lags = lags_within(24), longer = lags_within(60);
+  ASSERT_GT(std::count(lags.begin(), lags.end(), true), 10);
+  longer.resize(lags.size());
+  EXPECT_EQ(lags, longer);
 }
 
 TEST(BaseReplay, AReversalIsHeldBackByTheFrictionOfTheGround) {

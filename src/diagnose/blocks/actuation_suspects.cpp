@@ -21,6 +21,8 @@ constexpr double kShortestRise_s = 0.08;
 constexpr double kKinkOfInstants = 0.06;
 constexpr double kLongestDelay_s = 0.8;
 constexpr double kLateToMeasure_s = 0.03;
+constexpr long kMostStepsToMeasure = 10;          ///< of a replay that goes in small steps
+constexpr double kLateByLags_s[] = {0.05, 0.08};  ///< behind a slow valve, and behind a slower one
 
 constexpr double kLeastTogether_s = 2;
 constexpr double kMostBent_rad = 0.5;  ///< a flexible link, by the largest load
@@ -63,9 +65,10 @@ Reach ReachOf(const MachineModel& model, const AxisLog& log, std::size_t axis) {
 /// By how much a rate may change later than its reader looked: step by step while it may be the
 /// measurement, and more where the drive lags.
 std::vector<double> Latenesses_s(double step_s) {
+  const long most = std::min(std::lround(kLateToMeasure_s / step_s), kMostStepsToMeasure);
   std::vector<double> late_s;
-  for (int steps = 0; steps * step_s <= kLateToMeasure_s; ++steps) late_s.push_back(steps * step_s);
-  late_s.insert(late_s.end(), {0.05, 0.08});
+  for (long steps = 0; steps <= most; ++steps) late_s.push_back(steps * step_s);
+  late_s.insert(late_s.end(), std::begin(kLateByLags_s), std::end(kLateByLags_s));
   return late_s;
 }
 

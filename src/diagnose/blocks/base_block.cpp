@@ -21,7 +21,8 @@ constexpr double kLongestLag_s = 0.5;
 /// Of asphalt, gravel and dry earth (Wong, Theory of Ground Vehicles, 4th ed. 2008, ch. 1); half of
 /// it for loose or wet ground, an estimate.
 constexpr double kFrictionOfFirm = 0.7, kFrictionOfLoose = 0.35;
-constexpr double kMostHeldBack = 0.1;  ///< of the RMS of turning rates
+constexpr double kMostHeldBack = 0.1;  ///< of the RMS of turning rates, while it turns
+constexpr double kTurns_radps = 0.02;  ///< slower: it stands or goes straight
 constexpr double kDriven_mps =
     0.1;  ///< slower sides at their fastest: hardly driven, or not at all
 
@@ -136,6 +137,17 @@ Eigen::MatrixXd HeldBack(const MachineModel& model, const BaseLog& log, const Sa
   return columns;
 }
 
+/// However long it stands besides; infinite where it never turns.
+double RmsWhileTurning_radps(const std::vector<double>& yaw_radps) {
+  double sum = 0, count = 0;
+  for (const double rate_radps : yaw_radps) {
+    if (std::abs(rate_radps) < kTurns_radps) continue;
+    sum += rate_radps * rate_radps;
+    ++count;
+  }
+  return count > 0 ? std::sqrt(sum / count) : INFINITY;
+}
+
 /// Which turning rates loose ground could not give at once, on the grid: they lag behind the tracks
 /// by the mass.
 std::vector<bool> LagsOfTurning(const MachineModel& model, const BaseLog& log,
@@ -145,10 +157,7 @@ std::vector<bool> LagsOfTurning(const MachineModel& model, const BaseLog& log,
       grid.Spread(PartOf(replay.Predict(model.effects.base), &PlanarTwist::yaw_radps));
   const std::vector<double> late =
       grid.Spread(PartOf(replay.Predict(model.effects.base, {}, loose), &PlanarTwist::yaw_radps));
-  const Eigen::Map<const Eigen::VectorXd> rates(at_once.data(),
-                                                static_cast<Eigen::Index>(at_once.size()));
-  const double most_radps =
-      kMostHeldBack * rates.norm() / std::sqrt(static_cast<double>(at_once.size()));
+  const double most_radps = kMostHeldBack * RmsWhileTurning_radps(at_once);
   std::vector<bool> lags;
   for (std::size_t k = 0; k < late.size(); ++k) {
     lags.push_back(std::abs(late[k] - at_once[k]) > most_radps);

@@ -358,6 +358,15 @@ Json TakenOffOf(const Diagnosis& diagnosis) {
   return list;
 }
 
+/// What loose ground may delay.
+Json LeftOutOf(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const LeftOut& one : diagnosis.left_out) {
+    list.push_back({{"channel", one.channel}, {"share", Number(one.share)}});
+  }
+  return list;
+}
+
 /// Blocks with too few manoeuvres, or without time.
 Json NotJudged(const Diagnosis& diagnosis) {
   Json list = Json::array();
@@ -429,6 +438,7 @@ std::string DiagnosisJson(const Diagnosis& diagnosis) {
   json["untestable"] = Untestable(diagnosis);
   json["not_judged"] = NotJudged(diagnosis);
   json["not_compared"] = diagnosis.not_compared;
+  json["left_out"] = LeftOutOf(diagnosis);
   json["out_of_time"] = OutOfTime(diagnosis);
   json["levers_of"] = diagnosis.levers_are_the_scenarios ? "scenario" : "recording";
   json["encoder_lead_s"] = diagnosis.encoder_lead_s ? Number(*diagnosis.encoder_lead_s) : Json();

@@ -345,6 +345,12 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
   for (const std::string& obstacle : diagnosis.not_compared) {
     sentences.push_back(fmt::format("Not compared: {}.", obstacle));
   }
+  for (const LeftOut& one : diagnosis.left_out) {
+    sentences.push_back(
+        fmt::format("Left out: {:.0f} % of {}, where loose ground may let the machine lag behind "
+                    "its tracks.",
+                    100 * one.share, QuantityOf(one.channel)));
+  }
   if (!is_seen) sentences.insert(sentences.end(), seen.begin(), seen.end());
   for (const HeldOutRecording& further : diagnosis.held_out) {
     sentences.push_back(SentenceOf(further));

@@ -16,7 +16,7 @@ constexpr std::size_t kFewestFinal = 3;  ///< of FINAL; steady_gain.h needs them
 /// Of a term that was chosen so surely; together they are rarer than a choice at one per cent and a
 /// confirmation at five (Fisher's sum of logarithms).
 constexpr double kSurelyChosenP = 1e-5, kSurelyChosenSteadyP = 0.2;
-constexpr double kMuchFurther = 1.125;    ///< of FINAL's RMSE without the term
+constexpr double kMuchFurther = 1.125;    ///< of FINAL's RMSE: one manoeuvre of eight may differ so
 constexpr double kAll = 0.9;              ///< of the excess: next to nothing but noise is left
 constexpr std::size_t kLargestClass = 3;  ///< that names something, where error remains
 constexpr double kMost = 0.75;            ///< of the excess: enough to name several for
@@ -115,9 +115,7 @@ std::size_t Procedure::MostImproved(const FittedStructure& before,
 
 Finding Procedure::Describe(const SearchResult& search, std::size_t term) const {
   const FittedStructure& found = search.found;
-  Structure others = found.terms;
-  others.erase(others.begin() + static_cast<std::ptrdiff_t>(term));
-  const FittedStructure without = fitter_.FitValues(others);
+  const FittedStructure without = fitter_.FitValues(Without(found.terms, term));
   Finding finding;
   finding.term = found.terms[term];
   finding.parameters = EstimatesOf(found, term, judged_.block.slides);
@@ -205,10 +203,9 @@ bool Procedure::StandsIn(const BlockDiagnosis& out, std::size_t term) const {
   }
   if (judged_.block.channels.size() == 1 && TakesLittle(finding.held_out)) return true;
   if (finding.evidence.share > left->share) return false;
-  Structure others = out.search.found.terms;
-  others.erase(others.begin() + static_cast<std::ptrdiff_t>(term));
-  const Misfit free = LessFreeMember(judged_.block, judged_.likelihood,
-                                     fitter_.FitValues(others).misfit, judged_.manoeuvres);
+  const FittedStructure without = fitter_.FitValues(Without(out.search.found.terms, term));
+  const Misfit free =
+      LessFreeMember(judged_.block, judged_.likelihood, without.misfit, judged_.manoeuvres);
   const Series& found = out.search.found.misfit.residual[channel];
   return MeanSquare(free.residual[channel], judged_.final_mask) <
          kMuchLess * kMuchLess * MeanSquare(found, judged_.final_mask);

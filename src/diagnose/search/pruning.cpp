@@ -2,26 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "core/in_parallel.h"
 #include "diagnose/search/free_member.h"
 
 namespace tera {
-namespace {
-
-double Total(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0);
-}
-
-Structure Without(Structure terms, std::size_t k) {
-  terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(k));
-  return terms;
-}
-
-}  // namespace
-
 Pruning::Pruning(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
                  const std::vector<Manoeuvre>& manoeuvres, const Likelihood& likelihood,
                  const StructureFitter& fitter, const ScoredFits& fits,
@@ -60,8 +46,8 @@ TermEvidence Pruning::EvidenceOf(const Scored& with, const Scored& without,
                                  const Misfit& crossed_with, const Misfit& crossed_without) const {
   TermEvidence evidence;
   const Misfit before = fitter_.AsGiven(without.terms).misfit;
-  const double gained = Total(with.held_out) - Total(without.held_out);
-  const double found = Total(with.held_out) - Total(nothing_.held_out);
+  const double gained = with.held_out_sum() - without.held_out_sum();
+  const double found = with.held_out_sum() - nothing_.held_out_sum();
   evidence.share = gained / std::max({free_gain_, found, 1e-9});
   const auto suspects = std::max(options_.suspects_in_all, block_.suspects.size());
   const double tests = std::pow(suspects, with.terms.size() - without.terms.size());

@@ -34,12 +34,16 @@ class Pruning {
           const std::vector<Manoeuvre>& manoeuvres, const Likelihood& likelihood,
           const StructureFitter& fitter, const ScoredFits& fits, const SearchOptions& options,
           bool of_beginning);
+  Pruning(const Pruning&) = delete;
+  Pruning& operator=(const Pruning&) = delete;
 
   Needed Prune(Scored kept) const;
   /// What structures leave of manoeuvres that they were not fitted to.
   std::vector<Misfit> Judge(const std::vector<Structure>& structures) const;
   /// What one misfit gains over another in pieces of TRAIN and SELECT.
   std::vector<ManoeuvreGain> GainsOnSeen(const Misfit& before, const Misfit& after) const;
+  /// The structure without terms.
+  const Scored& nothing() const { return nothing_; }
   /// What the free member gains over nothing on SELECT.
   double free_gain() const { return free_gain_; }
 

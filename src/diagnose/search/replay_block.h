@@ -68,6 +68,12 @@ struct Term {
 /// What is taken to act; each suspect once.
 using Structure = std::vector<Term>;
 
+/// All terms but one.
+inline Structure Without(Structure terms, std::size_t term) {
+  terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(term));
+  return terms;
+}
+
 /// How far a channel may be off for reasons that are no finding: standard deviations of an offset,
 /// of a factor on the prediction, of a shift in time.
 struct Nuisances {
@@ -91,7 +97,7 @@ struct Channel {
   /// column a number, one row a sample. Nuisances beside the three; may be empty.
   Eigen::MatrixXd nominal;
   /// At which samples it lags by masses that the replay does not have; may be empty. They count
-  /// until LeaveOutLags, which a search comes after.
+  /// until LeaveOutLags (left_out.h), which a search comes after.
   std::vector<bool> lags = {};
 };
 
@@ -134,15 +140,6 @@ struct ReplayBlock {
     return ToSeconds(first_ns) + static_cast<double>(place) * period_s();
   }
 };
-
-/// Parts the samples that lag from those that were measured.
-inline void LeaveOutLags(ReplayBlock* block) {
-  for (Channel& channel : block->channels) {
-    for (std::size_t k = 0; k < channel.lags.size(); ++k) {
-      if (channel.lags[k]) channel.measured.valid[k] = false;
-    }
-  }
-}
 
 /// Whether a lever drives what the block replays, which may then follow it late.
 inline bool HasLever(const ReplayBlock& block) {

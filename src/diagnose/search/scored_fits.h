@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <numeric>
 #include <tuple>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct Scored {
   /// another mechanism in disguise (Suspect::is_itself).
   double criterion = 0;
   std::vector<double> held_out;  ///< log-likelihood by manoeuvre of SELECT
+
+  double held_out_sum() const { return std::accumulate(held_out.begin(), held_out.end(), 0.0); }
 };
 
 /// Fits of many structures at a time, scored: full ones of those alone that are worth it.

@@ -21,12 +21,6 @@ constexpr double kCalmer = 0.8;             ///< of the sum of effects
 constexpr double kRivalP = 0.05;
 constexpr double kRivalGain = 3;  ///< of log-likelihood: nothing to choose by
 
-double Total(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  return sum;
-}
-
 void SortByCriterion(std::vector<Scored>* scored) {
   std::stable_sort(scored->begin(), scored->end(),
                    [](const Scored& a, const Scored& b) { return a.criterion > b.criterion; });
@@ -35,11 +29,6 @@ void SortByCriterion(std::vector<Scored>* scored) {
 bool Has(const Structure& terms, const Suspect* suspect) {
   return std::any_of(terms.begin(), terms.end(),
                      [&](const Term& term) { return term.suspect == suspect; });
-}
-
-Structure Without(Structure terms, std::size_t k) {
-  terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(k));
-  return terms;
 }
 
 Structure With(Structure terms, const Suspect& suspect, const std::vector<double>& values) {
@@ -60,7 +49,10 @@ class Search {
         fitter_(block, likelihood_, {}, options.threads),
         fits_(fitter_, likelihood_, SegmentsOf(manoeuvres, Part::kSelect), options.threads),
         pruning_(block, noise, manoeuvres, likelihood_, fitter_, fits_, options_,
-                 earlier.of_beginning) {}
+                 earlier.of_beginning),
+        nothing_(pruning_.nothing()) {}
+  Search(const Search&) = delete;
+  Search& operator=(const Search&) = delete;
 
   SearchResult Find();
   void TellApart(SearchResult* result);
@@ -93,7 +85,7 @@ class Search {
   const StructureFitter fitter_;  ///< to TRAIN
   ScoredFits fits_;
   const Pruning pruning_;
-  Scored nothing_;
+  const Scored nothing_;
   std::vector<Scored> singles_;        ///< one a suspect
   std::vector<std::size_t> screened_;  ///< suspects
   Needed needed_;                      ///< what was found last
@@ -352,7 +344,6 @@ void Search::FindRivals(const Scored& found, const Misfit& crossed, std::size_t 
 
 SearchResult Search::Find() {
   SearchResult result;
-  nothing_ = fits_.Score(fitter_.AsGiven({}));
   result.free_gain = pruning_.free_gain();
   if (earlier_.result != nullptr) {
     TakeSingles();
@@ -363,12 +354,12 @@ SearchResult Search::Find() {
   needed_ = pruning_.Prune(earlier_.of_beginning ? FindMore() : FindAfresh());
   result.found = FitToSeen();
   result.evidence = needed_.evidence;
-  result.found_gain = Total(needed_.structure.held_out) - Total(nothing_.held_out);
+  result.found_gain = needed_.structure.held_out_sum() - nothing_.held_out_sum();
   result.nothing = on_seen_.AsGiven({});
   for (std::size_t s = 0; s < singles_.size(); ++s) {
     result.singles.push_back({&block_.suspects[s], singles_[s].terms.front().values,
                               singles_[s].log_likelihood - nothing_.log_likelihood,
-                              Total(singles_[s].held_out) - Total(nothing_.held_out)});
+                              singles_[s].held_out_sum() - nothing_.held_out_sum()});
   }
   return result;
 }

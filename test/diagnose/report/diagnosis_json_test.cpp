@@ -104,6 +104,7 @@ TEST(DiagnosisJson, HasItsStructureInFixedOrderAndDigits) {
   ],
   "not_judged": [],
   "not_compared": [],
+  "left_out": [],
   "out_of_time": [],
   "levers_of": "recording",
   "encoder_lead_s": null,

@@ -225,6 +225,14 @@ TEST(Sentence, OfWhatReplaysLeaveOfTheSimulationNamesWhatIsJudgedAndWorthAWord) 
           "counts as a difference."));
 }
 
+TEST(Sentence, OfWhatIsLeftOutSaysHowMuchAndWhy) {
+  Diagnosis diagnosis = Of(BoomWithDeadBand());
+  diagnosis.left_out = {{"husky/base/yaw_radps", 0.234}};
+  EXPECT_THAT(SentencesOf(diagnosis),
+              Contains("Left out: 23 % of yaw rate, where loose ground may let the machine lag "
+                       "behind its tracks."));
+}
+
 TEST(Sentence, OfTheNextManoeuvreCountsMechanismsWhereTheyAreMany) {
   NextManoeuvre next;
   for (const char* mechanism : {"sag", "backlash", "dead_band", "rate_limit"}) {
@@ -258,12 +266,28 @@ DiagnosedBlock Late(const std::string& joint, double delay_s) {
 TEST(Sentence, OfTheSameDelayOnAllJointsSaysThatAClockDoesAsWell) {
   Diagnosis diagnosis = Of(Late("boom", 0.08));
   diagnosis.blocks.push_back(Late("arm", 0.085));
-  const auto same = HasSubstr("All 2 joints ask for a delay of about 0.08");
+  const auto same =
+      HasSubstr("All 2 joints and tracks that follow levers ask for a delay of about 0.08");
   EXPECT_THAT(SentencesOf(diagnosis), Contains(same));
   diagnosis.blocks.push_back(Late("bucket", 0.2));
   EXPECT_THAT(SentencesOf(diagnosis), Not(Contains(same)));
   diagnosis.blocks.back().diagnosis.findings.clear();
   EXPECT_THAT(SentencesOf(diagnosis), Not(Contains(same))) << "the bucket is not late";
+}
+
+TEST(Sentence, OfTheSameDelayHoldsTheShortestAgainstTheLongest) {
+  const auto same = HasSubstr("that follow levers ask for a delay");
+  Diagnosis apart = Of(Late("boom", 0.1));  // near to either, which are not near to each other
+  apart.blocks.push_back(Late("arm", 0.085));
+  EXPECT_THAT(SentencesOf(apart), Contains(same));
+  apart.blocks.push_back(Late("bucket", 0.118));
+  EXPECT_THAT(SentencesOf(apart), Not(Contains(same)));
+  Diagnosis uncertain = Of(Late("boom", 0.05));
+  uncertain.blocks.push_back(Late("arm", 0.2));
+  for (DiagnosedBlock& block : uncertain.blocks) {
+    block.diagnosis.findings[0].parameters[0].sigma = 0.1;
+  }
+  EXPECT_THAT(SentencesOf(uncertain), Not(Contains(same))) << "to know little is not to agree";
 }
 
 }  // namespace

@@ -11,17 +11,6 @@ namespace {
 
 constexpr std::size_t kManoeuvres = 12, kLength = 400;
 
-/// Equal manoeuvres, every fourth of them FINAL.
-std::vector<Manoeuvre> EqualManoeuvres() {
-  std::vector<Manoeuvre> manoeuvres;
-  for (std::size_t m = 0; m < kManoeuvres; ++m) {
-    Manoeuvre one{{m * kLength, (m + 1) * kLength}, 1};
-    one.part = m % 4 == 3 ? Part::kFinal : (m % 2 == 0 ? Part::kTrain : Part::kSelect);
-    manoeuvres.push_back(one);
-  }
-  return manoeuvres;
-}
-
 double MeanOf(const Series& residual, std::size_t manoeuvre) {
   double sum = 0;
   for (std::size_t k = 0; k < kLength; ++k) sum += residual.value[manoeuvre * kLength + k];
@@ -31,7 +20,7 @@ double MeanOf(const Series& residual, std::size_t manoeuvre) {
 // Nothing to predict, and an offset of its own in each manoeuvre: what a fit makes of the others is
 // the mean of those that it has seen.
 TEST(CrossFit, JudgesEveryManoeuvreByFitsThatHaveNotSeenIt) {
-  const std::vector<Manoeuvre> manoeuvres = EqualManoeuvres();
+  const std::vector<Manoeuvre> manoeuvres = EqualManoeuvres(kManoeuvres, kLength);
   std::vector<double> measured(kManoeuvres * kLength), offset(kManoeuvres);
   for (std::size_t m = 0; m < kManoeuvres; ++m) {
     offset[m] = 0.1 * Stream(8, "offset").Gaussian(m);
@@ -63,7 +52,7 @@ TEST(CrossFit, JudgesEveryManoeuvreByFitsThatHaveNotSeenIt) {
 TEST(CrossFit, AStructureThatFollowsNoiseGainsNothing) {
   const std::vector<double> lever = ToyLever(kManoeuvres * kLength, 4);
   const ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, 0.05, 4), {0});
-  const std::vector<Manoeuvre> manoeuvres = EqualManoeuvres();
+  const std::vector<Manoeuvre> manoeuvres = EqualManoeuvres(kManoeuvres, kLength);
   const std::vector<NoiseModel> noise = {{.scale = 0.05}};
   const CrossFit crossed(block, noise, manoeuvres);
   const Suspect& suspect = block.suspects[0];

@@ -105,6 +105,17 @@ inline Series ToyMeasured(const std::vector<double>& clean, double sigma, std::u
   return WithDropouts(MakeSeries(0.01, measured), 0.02, Stream(seed, "lost"));
 }
 
+/// Equal manoeuvres, every fourth of them FINAL.
+inline std::vector<Manoeuvre> EqualManoeuvres(std::size_t count, std::size_t length) {
+  std::vector<Manoeuvre> manoeuvres;
+  for (std::size_t m = 0; m < count; ++m) {
+    Manoeuvre one{{m * length, (m + 1) * length}, 1};
+    one.part = m % 4 == 3 ? Part::kFinal : (m % 2 == 0 ? Part::kTrain : Part::kSelect);
+    manoeuvres.push_back(one);
+  }
+  return manoeuvres;
+}
+
 inline std::vector<std::string> NamesOf(const std::vector<Finding>& findings) {
   std::vector<std::string> names;
   for (const Finding& finding : findings) names.emplace_back(finding.term.suspect->mechanism->id);
