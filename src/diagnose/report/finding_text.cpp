@@ -77,7 +77,8 @@ std::string MechanismText(const DiagnosedBlock& diagnosed, const Finding& findin
 
 std::string RivalText(const Suspect& rival, const Suspect& found) {
   const std::string text = Spaced(rival.mechanism->id);
-  return rival.target == found.target ? text : text + " of the " + Spaced(rival.target);
+  if (rival.target != found.target) return text + " of the " + Spaced(rival.target);
+  return rival.mechanism == found.mechanism ? text + " by its other numbers" : text;
 }
 
 std::vector<std::string> AlikeTexts(const Finding& finding) {

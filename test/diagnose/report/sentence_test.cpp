@@ -25,6 +25,13 @@ TEST(Sentence, TellsWhereOnWhatWhichHowSureAndHowMuchBetter) {
       "Left: 0.6 deg/s at a noise of 0.5 deg/s.");
 }
 
+TEST(Sentence, OfARivalThatIsTheSameMechanismSaysThatItsNumbersAreOthers) {
+  DiagnosedBlock boom = BoomWithDeadBand();
+  boom.block.suspects[1].mechanism = boom.block.suspects[0].mechanism;
+  EXPECT_THAT(SentenceOf(boom, boom.diagnosis.findings[0]),
+              HasSubstr("rivals rejected: dead band by its other numbers (p 0.003)"));
+}
+
 TEST(Sentence, OfAClassNamesAllThatAreAlike) {
   DiagnosedBlock boom = BoomWithDeadBand();
   Finding& finding = boom.diagnosis.findings[0];
