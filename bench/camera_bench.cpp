@@ -2,7 +2,7 @@
 
 #include "core/stopwatch.h"
 #include "dig_site.h"
-#include "render/rasterizer.h"
+#include "render/gl/rasterizer.h"
 #include "verdict.h"
 
 // Each camera of the quickstart rig during a cut, one rasterizer.

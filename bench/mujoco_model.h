@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "physics/machine.h"
+#include "physics/description/machine.h"
 
 namespace tera::bench {
 

@@ -8,7 +8,7 @@
 #include "core/units.h"
 #include "dig_site.h"
 #include "mujoco_model.h"
-#include "physics/physics_world.h"
+#include "physics/dynamics/physics_world.h"
 #include "verdict.h"
 
 // A machine without soil: levers, actuators, bodies. MuJoCo steps the same tree beside it.

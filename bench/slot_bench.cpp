@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/stopwatch.h"
-#include "physics/slots/actuation.h"
-#include "sim/scenario.h"
+#include "physics/actuation/actuation.h"
+#include "sim/scenario/scenario.h"
 #include "verdict.h"
 
 // The chain from levers to joints, as a replay drives it: levers, positions and loads given.

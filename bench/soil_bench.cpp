@@ -12,9 +12,9 @@
 #include "cpu_stopwatch.h"
 #include "dig_site.h"
 #include "recorded_motion.h"
-#include "soil/avalanche.h"
-#include "soil/grains.h"
-#include "soil/soil_type.h"
+#include "soil/columns/soil_type.h"
+#include "soil/flow/avalanche.h"
+#include "soil/flow/grains.h"
 #include "verdict.h"
 
 // The soil alone, under a machine that moves as it did in a whole simulation. All in processor time

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/statistics/change_points.h"
-#include "diagnose/statistics/cross_correlation.h"
-#include "diagnose/statistics/curve_shape.h"
-#include "diagnose/statistics/partialling.h"
-#include "diagnose/statistics/whitening.h"
+#include "diagnose/statistics/regime/curve_shape.h"
+#include "diagnose/statistics/regime/partialling.h"
+#include "diagnose/statistics/series/whitening.h"
+#include "diagnose/statistics/tests/change_points.h"
+#include "diagnose/statistics/tests/cross_correlation.h"
 
 // One channel of a recording of ten minutes at 100 Hz against twenty variables.
 

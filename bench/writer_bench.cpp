@@ -7,7 +7,7 @@
 
 #include "core/check.h"
 #include "core/stopwatch.h"
-#include "dataset/writer.h"
+#include "dataset/format/writer.h"
 #include "dig_site.h"
 #include "scratch_folder.h"
 #include "verdict.h"

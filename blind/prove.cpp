@@ -6,10 +6,10 @@
 #include <fstream>
 #include <iterator>
 
-#include "blind/answer.h"
-#include "blind/recording_files.h"
-#include "blind/seal.h"
-#include "blind/table.h"
+#include "blind/cases/recording_files.h"
+#include "blind/marking/answer.h"
+#include "blind/marking/seal.h"
+#include "blind/marking/table.h"
 #include "core/error.h"
 #include "core/stopwatch.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "blind/mark.h"
+#include "blind/marking/mark.h"
 
 namespace tera::blind {
 

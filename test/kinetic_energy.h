@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/motion.h"
-#include "physics/machine.h"
+#include "physics/description/machine.h"
 
 namespace tera {
 

@@ -9,7 +9,7 @@
 #include "app/commands.h"
 #include "app/scenario_options.h"
 #include "core/units.h"
-#include "physics/urdf_left_out.h"
+#include "physics/description/urdf_left_out.h"
 #include "sim/scene_assembly.h"
 
 namespace tera {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/commands.h"
-#include "dataset/compare.h"
+#include "dataset/compare/compare.h"
 
 namespace tera {
 

@@ -14,15 +14,15 @@
 #include "app/perception_run.h"
 #include "app/stage_clock.h"
 #include "core/error.h"
-#include "dataset/recording.h"
-#include "dataset/whole_folder.h"
+#include "dataset/files/whole_folder.h"
+#include "dataset/format/recording.h"
 #include "diagnose/blocks/measured_poses.h"
 #include "diagnose/diagnosis.h"
-#include "diagnose/report/baselines_json.h"
-#include "diagnose/report/sentence.h"
-#include "diagnose/report/summary.h"
-#include "diagnose/report/write_report.h"
-#include "sim/lever_replay.h"
+#include "diagnose/report/files/baselines_json.h"
+#include "diagnose/report/files/write_report.h"
+#include "diagnose/report/text/sentence.h"
+#include "diagnose/report/text/summary.h"
+#include "sim/operators/lever_replay.h"
 
 namespace tera {
 namespace {

@@ -24,8 +24,8 @@ struct DiagnoseArguments {
 /// A folder that is not there yet, so that nothing of an earlier run is mixed in.
 void RequireNewFolder(const std::filesystem::path& out);
 
-/// What four simpler methods make of it, as baselines.json has it (diagnose/search/baselines.h), of
-/// the scenario's first machine. Throws InputError.
+/// What four simpler methods make of it, as baselines.json has it
+/// (diagnose/search/structure/baselines.h), of the scenario's first machine. Throws InputError.
 std::string BaselinesOfRecording(const DiagnoseArguments& arguments);
 
 /// `tera diagnose`: writes the report and prints its sentences. Throws InputError.

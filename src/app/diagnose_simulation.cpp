@@ -12,7 +12,7 @@
 #include "diagnose/blocks/measured_poses.h"
 #include "diagnose/blocks/suspect_list.h"
 #include "diagnose/replay/base_log.h"
-#include "sim/lever_replay.h"
+#include "sim/operators/lever_replay.h"
 #include "sim/simulation.h"
 
 namespace tera {

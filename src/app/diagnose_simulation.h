@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "app/diagnose_recording.h"
-#include "dataset/recording.h"
+#include "dataset/format/recording.h"
 #include "diagnose/diagnosis.h"
 
 namespace tera {

@@ -9,8 +9,8 @@
 #include "app/commands.h"
 #include "app/followed_run.h"
 #include "app/scenario_options.h"
-#include "dataset/recorded_inputs.h"
-#include "dataset/writer.h"
+#include "dataset/format/recorded_inputs.h"
+#include "dataset/format/writer.h"
 
 namespace tera {
 namespace {

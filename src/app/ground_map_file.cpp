@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "soil/map_raster.h"
+#include "soil/site/map_raster.h"
 
 namespace tera {
 namespace {

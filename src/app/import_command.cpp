@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "app/commands.h"
-#include "dataset/import_csv.h"
+#include "dataset/import/import_csv.h"
 
 namespace tera {
 

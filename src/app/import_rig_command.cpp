@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/commands.h"
-#include "dataset/checked_file.h"
+#include "dataset/files/checked_file.h"
 #include "sensors/import_rig.h"
 
 namespace tera {

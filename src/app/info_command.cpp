@@ -6,9 +6,9 @@
 #include "app/argument_checks.h"
 #include "app/commands.h"
 #include "app/version.h"
-#include "core/config.h"
-#include "render/rasterizer.h"
-#include "render/ray_scene.h"
+#include "core/config/config.h"
+#include "render/gl/rasterizer.h"
+#include "render/rays/ray_scene.h"
 
 namespace tera {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/config.h"
-#include "sim/scenario.h"
+#include "core/config/config.h"
+#include "sim/scenario/scenario.h"
 
 namespace tera {
 

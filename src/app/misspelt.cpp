@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/spelling.h"
+#include "core/config/spelling.h"
 
 namespace tera {
 namespace {

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "app/commands.h"
-#include "dataset/overview.h"
+#include "dataset/overview/overview.h"
 
 namespace tera {
 

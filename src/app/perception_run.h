@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "dataset/recording.h"
+#include "dataset/format/recording.h"
 #include "diagnose/perception/perception_diagnosis.h"
-#include "sim/scenario.h"
+#include "sim/scenario/scenario.h"
 
 namespace tera {
 

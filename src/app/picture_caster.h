@@ -4,8 +4,8 @@
 
 #include "app/recorded_stage.h"
 #include "app/scan_caster.h"
-#include "diagnose/perception/picture_source.h"
-#include "render/rasterizer.h"
+#include "diagnose/perception/pictures/picture_source.h"
+#include "render/gl/rasterizer.h"
 #include "sensors/sensor.h"
 
 namespace tera {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "diagnose/perception/picture_diagnosis.h"
+#include "diagnose/perception/pictures/picture_diagnosis.h"
 #include "sensors/camera.h"
 
 namespace tera {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/picture_caster.h"
-#include "dataset/recording.h"
+#include "dataset/format/recording.h"
 #include "diagnose/perception/perception_diagnosis.h"
 
 namespace tera {

@@ -6,11 +6,11 @@
 
 #include "app/commands.h"
 #include "app/diagnose_recording.h"
+#include "blind/cases/recording_files.h"
+#include "blind/marking/table.h"
 #include "blind/prove.h"
-#include "blind/recording_files.h"
-#include "blind/table.h"
-#include "core/input_files.h"
-#include "dataset/checked_file.h"
+#include "core/config/input_files.h"
+#include "dataset/files/checked_file.h"
 
 namespace tera {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "dataset/recording.h"
-#include "physics/machine.h"
-#include "physics/machine_placement.h"
+#include "dataset/format/recording.h"
+#include "physics/description/machine.h"
+#include "physics/description/machine_placement.h"
 
 namespace tera {
 

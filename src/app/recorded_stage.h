@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/recorded_motion.h"
-#include "render/ray_scene.h"
+#include "render/rays/ray_scene.h"
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"
 

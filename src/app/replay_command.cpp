@@ -12,9 +12,9 @@
 #include "app/followed_run.h"
 #include "app/load_scenario.h"
 #include "core/error.h"
-#include "dataset/checked_file.h"
-#include "dataset/recorded_inputs.h"
-#include "dataset/writer.h"
+#include "dataset/files/checked_file.h"
+#include "dataset/format/recorded_inputs.h"
+#include "dataset/format/writer.h"
 #include "sim/replay.h"
 
 namespace tera {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/recorded_stage.h"
-#include "diagnose/perception/range_scan.h"
+#include "diagnose/perception/scans/range_scan.h"
 #include "sensors/sensor.h"
 
 namespace tera {

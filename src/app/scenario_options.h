@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/load_scenario.h"
-#include "render/rasterizer.h"
+#include "render/gl/rasterizer.h"
 
 namespace tera {
 

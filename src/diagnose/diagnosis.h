@@ -13,8 +13,8 @@
 #include "diagnose/perception/perception_diagnosis.h"
 #include "diagnose/proposal/proposal.h"
 #include "diagnose/recorded_blocks.h"
-#include "diagnose/search/block_diagnosis.h"
-#include "diagnose/search/left_out.h"
+#include "diagnose/search/block/block_diagnosis.h"
+#include "diagnose/search/fit/left_out.h"
 #include "diagnose/suspects/suspect_library.h"
 #include "diagnose/unreplayed/take_off.h"
 

@@ -12,7 +12,7 @@
 
 #include "core/error.h"
 #include "core/units.h"
-#include "diagnose/statistics/robust.h"
+#include "diagnose/statistics/series/robust.h"
 
 namespace tera {
 namespace {

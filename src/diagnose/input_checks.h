@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "core/measurement.h"
-#include "dataset/recording.h"
+#include "core/types/measurement.h"
+#include "dataset/format/recording.h"
 #include "diagnose/replay/axis_log.h"
-#include "diagnose/search/replay_block.h"
-#include "physics/machine.h"
+#include "diagnose/search/fit/replay_block.h"
+#include "physics/description/machine.h"
 
 /// What a recording must not be before anything is compared with it. Each check throws InputError
 /// that says where, what was found, what is needed, and which unit it may be in; nothing is ever

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "core/time.h"
-#include "dataset/recording.h"
+#include "dataset/format/recording.h"
 #include "diagnose/replay/axis_log.h"
-#include "physics/machine.h"
+#include "physics/description/machine.h"
 #include "sensors/sensor.h"
 
 namespace tera {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "diagnose/measurements.h"
-#include "diagnose/search/replay_block.h"
+#include "diagnose/search/fit/replay_block.h"
 #include "diagnose/unreplayed/simulated_course.h"
 #include "diagnose/unreplayed/take_off.h"
 

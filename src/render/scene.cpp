@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "core/config/spelling.h"
 #include "core/error.h"
-#include "core/spelling.h"
-#include "render/mesh_file.h"
+#include "render/meshes/mesh_file.h"
 
 namespace tera {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/labels.h"
 #include "core/motion.h"
-#include "core/terrain_surface.h"
+#include "core/types/labels.h"
+#include "core/types/terrain_surface.h"
 
 /// What can be seen: one description for the rasterizer and for the ray scene, so that camera and
 /// lidar look at the same world.

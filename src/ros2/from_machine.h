@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "physics/machine.h"
+#include "physics/description/machine.h"
 #include "ros2/messages.h"
-#include "sim/scenario.h"
+#include "sim/scenario/scenario.h"
 
 /// What a machine truly does, as ROS messages.
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/measurement.h"
+#include "core/types/measurement.h"
 #include "ros2/messages.h"
 #include "sensors/camera.h"
 #include "sensors/gnss.h"

@@ -8,8 +8,8 @@
 
 #include "ros2/messages.h"
 #include "ros2/participant.h"
-#include "sim/remote_operator.h"
-#include "sim/scenario.h"
+#include "sim/operators/remote_operator.h"
+#include "sim/scenario/scenario.h"
 
 namespace tera::ros {
 

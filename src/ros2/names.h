@@ -3,7 +3,7 @@
 #include <string>
 
 #include "sensors/sensor.h"
-#include "sim/scenario.h"
+#include "sim/scenario/scenario.h"
 
 /// What things are called in ROS: topics below the machine's name, frames likewise.
 

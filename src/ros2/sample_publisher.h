@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "dataset/measurement_sink.h"
+#include "dataset/format/measurement_sink.h"
 #include "ros2/messages.h"
 #include "ros2/participant.h"
-#include "sim/scenario.h"
+#include "sim/scenario/scenario.h"
 
 namespace tera::ros {
 

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <string>
 
-#include "core/config.h"
-#include "core/measurement.h"
+#include "core/config/config.h"
 #include "core/random.h"
-#include "render/rasterizer.h"
+#include "core/types/measurement.h"
+#include "render/gl/rasterizer.h"
 
 namespace tera {
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "core/config.h"
-#include "core/measurement.h"
+#include "core/config/config.h"
 #include "core/random.h"
+#include "core/types/measurement.h"
 
 namespace tera {
 

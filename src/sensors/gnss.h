@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "core/config.h"
-#include "core/measurement.h"
+#include "core/config/config.h"
 #include "core/random.h"
+#include "core/types/measurement.h"
 
 namespace tera {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/config.h"
+#include "core/config/config.h"
 #include "core/units.h"
 
 namespace tera {

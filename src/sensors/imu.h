@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "core/config.h"
-#include "core/measurement.h"
+#include "core/config/config.h"
 #include "core/motion.h"
 #include "core/random.h"
+#include "core/types/measurement.h"
 
 namespace tera {
 

@@ -6,7 +6,7 @@
 
 #include "core/check.h"
 #include "core/units.h"
-#include "render/threads.h"
+#include "render/rays/threads.h"
 
 namespace tera {
 namespace {

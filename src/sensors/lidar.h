@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "core/config.h"
-#include "core/measurement.h"
+#include "core/config/config.h"
 #include "core/random.h"
-#include "render/ray_scene.h"
+#include "core/types/measurement.h"
+#include "render/rays/ray_scene.h"
 
 namespace tera {
 

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "core/config_faults.h"
-#include "core/mounting.h"
-#include "core/plain_name.h"
+#include "core/config/config_faults.h"
+#include "core/config/plain_name.h"
+#include "core/types/mounting.h"
 #include "core/units.h"
 #include "sensors/slots/true_mount.h"
 

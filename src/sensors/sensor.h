@@ -5,10 +5,10 @@
 #include <variant>
 #include <vector>
 
-#include "core/config.h"
-#include "core/effects.h"
+#include "core/config/config.h"
 #include "core/motion.h"
 #include "core/time.h"
+#include "core/types/effects.h"
 #include "sensors/camera.h"
 #include "sensors/encoder.h"
 #include "sensors/gnss.h"

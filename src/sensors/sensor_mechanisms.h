@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "core/effects.h"
+#include "core/types/effects.h"
 
 namespace tera {
 

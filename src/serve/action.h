@@ -2,8 +2,8 @@
 
 #include <map>
 
-#include "sim/remote_operator.h"
-#include "sim/scenario.h"
+#include "sim/operators/remote_operator.h"
+#include "sim/scenario/scenario.h"
 #include "tera/v1/simulation.pb.h"
 
 namespace tera {

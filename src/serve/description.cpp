@@ -3,7 +3,7 @@
 #include <string>
 #include <variant>
 
-#include "core/labels.h"
+#include "core/types/labels.h"
 #include "serve/geometry_messages.h"
 #include "sim/rig.h"
 

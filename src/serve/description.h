@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/scenario.h"
+#include "sim/scenario/scenario.h"
 #include "tera/v1/simulation.pb.h"
 
 namespace tera {

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "dataset/checked_file.h"
+#include "dataset/files/checked_file.h"
 #include "serve/action.h"
 #include "serve/description.h"
 #include "serve/observation.h"

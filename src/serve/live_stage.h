@@ -9,7 +9,7 @@
 
 #include "serve/server.h"
 #include "sim/live_run.h"
-#include "sim/scenario.h"
+#include "sim/scenario/scenario.h"
 
 namespace tera {
 

@@ -9,7 +9,7 @@
 #include <variant>
 
 #include "core/error.h"
-#include "physics/linkage.h"
+#include "physics/actuation/linkage.h"
 #include "serve/geometry_messages.h"
 #include "serve/session.h"
 #include "sim/rig.h"

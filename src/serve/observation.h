@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/time.h"
-#include "sim/scenario.h"
+#include "sim/scenario/scenario.h"
 #include "sim/simulation.h"
 #include "tera/v1/simulation.pb.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "dataset/measurement_sink.h"
+#include "dataset/format/measurement_sink.h"
 #include "serve/observation.h"
 #include "tera/v1/simulation.pb.h"
 

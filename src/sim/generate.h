@@ -4,8 +4,8 @@
 #include <functional>
 #include <string>
 
-#include "render/rasterizer.h"
-#include "sim/scenario.h"
+#include "render/gl/rasterizer.h"
+#include "sim/scenario/scenario.h"
 
 namespace tera {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/units.h"
-#include "render/lattice_noise.h"
+#include "render/ground/lattice_noise.h"
 
 namespace tera {
 namespace {

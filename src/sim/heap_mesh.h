@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/ground_tools.h"
+#include "core/types/ground_tools.h"
 #include "render/scene.h"
 
 namespace tera {

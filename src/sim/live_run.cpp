@@ -7,8 +7,8 @@
 
 #include "core/check.h"
 #include "core/error.h"
-#include "dataset/sink_group.h"
-#include "dataset/writer.h"
+#include "dataset/format/sink_group.h"
+#include "dataset/format/writer.h"
 #include "sim/run.h"
 #include "sim/terrain_log.h"
 

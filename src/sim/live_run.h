@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "dataset/measurement_sink.h"
-#include "render/rasterizer.h"
-#include "sim/remote_operator.h"
-#include "sim/scenario.h"
+#include "dataset/format/measurement_sink.h"
+#include "render/gl/rasterizer.h"
+#include "sim/operators/remote_operator.h"
+#include "sim/scenario/scenario.h"
 #include "sim/simulation.h"
 
 namespace tera {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "sim/lever_replay.h"
+#include "sim/operators/lever_replay.h"
 
 namespace tera {
 namespace {

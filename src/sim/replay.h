@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "dataset/recording.h"
-#include "sim/scenario.h"
+#include "dataset/format/recording.h"
+#include "sim/scenario/scenario.h"
 
 namespace tera {
 

@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "dataset/measurement_sink.h"
-#include "physics/reflector.h"
+#include "dataset/format/measurement_sink.h"
+#include "physics/dynamics/reflector.h"
 #include "sensors/slots/sensor_slots.h"
-#include "sim/scenario.h"
+#include "sim/scenario/scenario.h"
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "dataset/recorded_inputs.h"
+#include "dataset/format/recorded_inputs.h"
 
 namespace tera {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "dataset/writer.h"
+#include "dataset/format/writer.h"
 #include "sim/rig.h"
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"

@@ -6,9 +6,9 @@
 #include "core/check.h"
 #include "core/error.h"
 #include "core/units.h"
-#include "physics/linkage.h"
-#include "render/painted_parts.h"
-#include "render/soil_colour.h"
+#include "physics/actuation/linkage.h"
+#include "render/ground/soil_colour.h"
+#include "render/meshes/painted_parts.h"
 #include "sim/heap_mesh.h"
 
 namespace tera {

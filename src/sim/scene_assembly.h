@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "render/scene.h"
-#include "sim/scenario.h"
+#include "sim/scenario/scenario.h"
 #include "sim/simulation.h"
 
 namespace tera {

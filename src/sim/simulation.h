@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/time.h"
-#include "physics/physics_world.h"
-#include "sim/scenario.h"
+#include "physics/dynamics/physics_world.h"
+#include "sim/scenario/scenario.h"
 
 namespace tera {
 

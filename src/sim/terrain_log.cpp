@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "soil/voxel_file.h"
+#include "soil/site/voxel_file.h"
 
 namespace tera {
 namespace {

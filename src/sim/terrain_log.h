@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "dataset/writer.h"
-#include "sim/scenario.h"
+#include "dataset/format/writer.h"
+#include "sim/scenario/scenario.h"
 
 namespace tera {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "dataset/measurement_sink.h"
+#include "dataset/format/measurement_sink.h"
 #include "sim/simulation.h"
 
 namespace tera {

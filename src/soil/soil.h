@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "core/config.h"
-#include "core/ground_tools.h"
-#include "core/rigid_obstacle.h"
-#include "core/terrain_surface.h"
+#include "core/config/config.h"
+#include "core/types/ground_tools.h"
+#include "core/types/rigid_obstacle.h"
+#include "core/types/terrain_surface.h"
 #include "soil/soil_view.h"
 
 namespace tera {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "accuracy/long_shift.h"
-#include "core/config.h"
+#include "core/config/config.h"
 #include "core/units.h"
 #include "kinetic_energy.h"
 #include "sim/simulation.h"

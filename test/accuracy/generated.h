@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "core/config.h"
+#include "core/config/config.h"
 #include "core/units.h"
-#include "dataset/recording.h"
+#include "dataset/format/recording.h"
 #include "own_folder.h"
-#include "physics/machine.h"
+#include "physics/description/machine.h"
 #include "sim/generate.h"
 
 // A dataset written and read back, and the truth in it: what a user of the files has, nothing more.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "physics/machine.h"
+#include "physics/description/machine.h"
 
 namespace tera {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "physics/machine.h"
+#include "physics/description/machine.h"
 
 namespace tera {
 

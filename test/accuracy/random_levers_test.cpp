@@ -14,7 +14,7 @@
 #include "accuracy/long_shift.h"
 #include "accuracy/machine_outline.h"
 #include "accuracy/unopened_ground.h"
-#include "core/config.h"
+#include "core/config/config.h"
 #include "core/units.h"
 #include "kinetic_energy.h"
 #include "sim/simulation.h"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/terrain_surface.h"
+#include "core/types/terrain_surface.h"
 #include "core/units.h"
 
 namespace tera {

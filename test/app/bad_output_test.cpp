@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/refused.h"
-#include "dataset/tiny_disk.h"
+#include "dataset/files/tiny_disk.h"
 
 // Where a dataset cannot go, and pictures without OpenGL.
 

@@ -8,8 +8,8 @@
 
 #include "app/program.h"
 #include "app/refused.h"
-#include "dataset/checked_file.h"
-#include "dataset/tiny_disk.h"
+#include "dataset/files/checked_file.h"
+#include "dataset/files/tiny_disk.h"
 
 namespace tera {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/program.h"
-#include "core/csv.h"
+#include "core/config/csv.h"
 
 // --effects: what lies over a scenario's own effects, and what comes of it.
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-#include "dataset/checked_file.h"
+#include "dataset/files/checked_file.h"
 
 /// A recording of a boom that nothing simulated: levers, and what an encoder would measure of a
 /// joint that follows them as told.

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "app/program.h"
-#include "dataset/recording.h"
+#include "dataset/format/recording.h"
 
 // What a dataset was made from besides its scenario, and what becomes of a replay and of a resumed
 // run where that has changed.

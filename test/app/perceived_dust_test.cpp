@@ -8,8 +8,8 @@
 #include "app/perceived_site.h"
 #include "core/random.h"
 #include "core/units.h"
-#include "dataset/pcd.h"
-#include "dataset/recording.h"
+#include "dataset/format/pcd.h"
+#include "dataset/format/recording.h"
 
 namespace tera {
 namespace {

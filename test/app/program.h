@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "dataset/sample_recording.h"
+#include "dataset/format/sample_recording.h"
 
 /// The `tera` program as its user meets it: arguments in, exit status and text out.
 

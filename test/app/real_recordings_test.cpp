@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/recorded_drive.h"
-#include "dataset/recording.h"
+#include "dataset/format/recording.h"
 
 // Recordings of real machines that are too large to ship. They lie in folders of TERA_RECORDINGS,
 // which CMake is told of: drive_warthog (the whole DRIVE recordings), emps, hydraulic_actuator.

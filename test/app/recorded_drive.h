@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/program.h"
-#include "dataset/compare.h"
+#include "dataset/compare/compare.h"
 
 /// A stretch of a recorded drive, imported, and beside it the simulated machine under the commands
 /// of that stretch.

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dataset/recording.h"
+#include "dataset/format/recording.h"
 
 // The shipped recording beside its simulation, by the commands that docs name.
 

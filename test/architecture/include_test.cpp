@@ -188,15 +188,17 @@ std::vector<Include> InternalHeadersOutOfTheirFolder(const std::vector<Include>&
   return faults;
 }
 
-/// A replay runs the slots without a multibody.
-std::vector<Include> WhatSlotsMayNotSee(const std::vector<Include>& includes) {
+/// A replay runs actuation and traction without a multibody.
+std::vector<Include> WhatActuationMayNotSee(const std::vector<Include>& includes) {
+  const auto is_of_the_chain = [](const std::string& name) {
+    return name.starts_with("physics/actuation/") || name.starts_with("physics/traction/");
+  };
   std::vector<Include> faults;
   for (const Include& include : includes) {
-    if (!include.file.starts_with("physics/slots/")) continue;
-    const bool allowed =
-        IsFree(include.header) || include.header.starts_with("core/") ||
-        include.header.starts_with("physics/slots/") || include.header == "physics/hydraulics.h" ||
-        include.header == "physics/linkage.h" || include.header == "physics/machine.h";
+    if (!is_of_the_chain(include.file)) continue;
+    const bool allowed = IsFree(include.header) || include.header.starts_with("core/") ||
+                         is_of_the_chain(include.header) ||
+                         include.header == "physics/description/machine.h";
     if (!allowed) faults.push_back(include);
   }
   return faults;
@@ -223,7 +225,8 @@ TEST(Includes, FollowTheArrowsBetweenFolders) {
   ASSERT_GT(includes.size(), 100u);
   ExpectNone(AgainstTheArrows(includes));
   EXPECT_EQ(AgainstTheArrows(IncludesOf("core/time.h", "sim/rig.h")).size(), 1u);
-  EXPECT_EQ(AgainstTheArrows(IncludesOf("soil/soil.cpp", "physics/machine.h")).size(), 1u);
+  EXPECT_EQ(AgainstTheArrows(IncludesOf("soil/soil.cpp", "physics/description/machine.h")).size(),
+            1u);
   EXPECT_EQ(AgainstTheArrows(IncludesOf("render/lens.cpp", "sensors/camera.h")).size(), 1u);
 }
 
@@ -243,10 +246,10 @@ TEST(Includes, KeepEachLibraryInItsFolder) {
 TEST(Includes, KeepThirdPartyLibrariesOutOfPublicHeaders) {
   ExpectNone(WhatPublicHeadersMayNotShow(AllIncludes()));
   const auto shows = [](const std::string& header) {
-    return !WhatPublicHeadersMayNotShow(IncludesOf("render/rasterizer.h", header)).empty();
+    return !WhatPublicHeadersMayNotShow(IncludesOf("render/gl/rasterizer.h", header)).empty();
   };
   for (const auto& [library, folder] : kFolderOfLibrary) EXPECT_TRUE(shows(library + "any.h"));
-  EXPECT_TRUE(shows("render/embree_objects.h"));
+  EXPECT_TRUE(shows("render/rays/embree_objects.h"));
   EXPECT_TRUE(shows("unistd.h"));
   EXPECT_FALSE(shows("render/scene.h"));
   EXPECT_FALSE(shows("Eigen/Geometry"));
@@ -259,27 +262,28 @@ TEST(Includes, KeepInternalHeadersInTheirFolder) {
     EXPECT_TRUE(fs::exists("src/" + header)) << header;
   }
   ExpectNone(InternalHeadersOutOfTheirFolder(AllIncludes()));
-  EXPECT_EQ(
-      InternalHeadersOutOfTheirFolder(IncludesOf("sim/rig.cpp", "render/ray_terrain.h")).size(),
-      1u);
+  EXPECT_EQ(InternalHeadersOutOfTheirFolder(IncludesOf("sim/rig.cpp", "render/rays/ray_terrain.h"))
+                .size(),
+            1u);
 }
 
-TEST(Includes, KeepTheSlotsFreeOfTheMultibody) {
-  ExpectNone(WhatSlotsMayNotSee(AllIncludes()));
+TEST(Includes, KeepActuationAndTractionFreeOfTheMultibody) {
+  ExpectNone(WhatActuationMayNotSee(AllIncludes()));
   const auto faults = [](const std::string& header) {
-    return WhatSlotsMayNotSee(IncludesOf("physics/slots/lever_map.cpp", header)).size();
+    return WhatActuationMayNotSee(IncludesOf("physics/actuation/lever_map.cpp", header)).size();
   };
   EXPECT_EQ(faults("BulletDynamics/Featherstone/btMultiBody.h"), 1u);
-  EXPECT_EQ(faults("physics/joint_drive.h"), 1u);
+  EXPECT_EQ(faults("physics/dynamics/joint_drive.h"), 1u);
   EXPECT_EQ(faults("core/random.h"), 0u);
 }
 
 TEST(Includes, KeepTheStatisticsFreeOfMachines) {
   ExpectNone(WhatStatisticsMayNotSee(AllIncludes()));
   const auto faults = [](const std::string& header) {
-    return WhatStatisticsMayNotSee(IncludesOf("diagnose/statistics/series.h", header)).size();
+    return WhatStatisticsMayNotSee(IncludesOf("diagnose/statistics/series/series.h", header))
+        .size();
   };
-  EXPECT_EQ(faults("physics/machine.h"), 1u);
+  EXPECT_EQ(faults("physics/description/machine.h"), 1u);
   EXPECT_EQ(faults("diagnose/replay/axis_log.h"), 1u);
   EXPECT_EQ(faults("core/random.h"), 0u);
 }

@@ -60,9 +60,9 @@ TEST(Independence, BlindIncludesNothingOfSimulatorAndDiagnosis) {
     }
   }
   EXPECT_GT(files, 20);
-  EXPECT_TRUE(IsForbidden("physics/slots/lever_map.h"));
+  EXPECT_TRUE(IsForbidden("physics/actuation/lever_map.h"));
   EXPECT_TRUE(IsForbidden("diagnose/diagnosis.h"));
-  EXPECT_TRUE(IsForbidden("core/effects.h"));
+  EXPECT_TRUE(IsForbidden("core/types/effects.h"));
   EXPECT_FALSE(IsForbidden("cvode/cvode.h"));
 }
 

@@ -6,8 +6,8 @@
 
 #include "core/error.h"
 #include "core/units.h"
-#include "physics/actuation_mechanisms.h"
-#include "physics/physics_world.h"
+#include "physics/actuation/actuation_mechanisms.h"
+#include "physics/dynamics/physics_world.h"
 
 /// Small machines for the physics tests, and a world that steps one of them.
 

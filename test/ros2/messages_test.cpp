@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/config.h"
+#include "core/config/config.h"
 #include "core/error.h"
 #include "core/units.h"
 #include "ros2/from_machine.h"

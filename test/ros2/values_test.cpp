@@ -8,8 +8,8 @@
 #include <set>
 
 #include "core/units.h"
-#include "dataset/recording.h"
-#include "dataset/sample_recording.h"
+#include "dataset/format/recording.h"
+#include "dataset/format/sample_recording.h"
 #include "ros2/live_run.h"
 
 // Every message of a driven machine beside what geometry or the files of the same run say.

@@ -6,7 +6,7 @@
 
 #include "core/units.h"
 #include "render/hand_made_scene.h"
-#include "render/ray_scene.h"
+#include "render/rays/ray_scene.h"
 #include "sensors/sensor.h"
 
 namespace tera {

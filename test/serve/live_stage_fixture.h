@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "core/config.h"
+#include "core/config/config.h"
 #include "core/error.h"
 #include "serve/live_stage.h"
 #include "serve/session.h"

@@ -10,7 +10,7 @@
 #include "core/random.h"
 #include "drive_fixture.h"
 #include "kinetic_energy.h"
-#include "sim/planar_arm.h"
+#include "sim/operators/planar_arm.h"
 
 /// A compact excavator that drives its bucket into the ground with all it has.
 

@@ -8,11 +8,11 @@
 #include <map>
 #include <sstream>
 
-#include "core/config.h"
-#include "core/csv.h"
+#include "core/config/config.h"
+#include "core/config/csv.h"
 #include "core/error.h"
 #include "own_folder.h"
-#include "physics/cylinder_fixture.h"
+#include "physics/actuation/cylinder_fixture.h"
 
 // Whole datasets, small ones: an excavator that digs, with every kind of sensor.
 

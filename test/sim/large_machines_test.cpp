@@ -5,7 +5,7 @@
 #include <functional>
 #include <map>
 
-#include "core/config.h"
+#include "core/config/config.h"
 #include "core/units.h"
 #include "sim/simulation.h"
 

@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-#include "core/config.h"
+#include "core/config/config.h"
 #include "core/error.h"
 #include "own_folder.h"
 #include "sim/generate.h"

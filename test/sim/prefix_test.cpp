@@ -6,7 +6,7 @@
 #include <map>
 #include <sstream>
 
-#include "core/config.h"
+#include "core/config/config.h"
 #include "own_folder.h"
 #include "sim/generate.h"
 

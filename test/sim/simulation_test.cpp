@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/config.h"
+#include "core/config/config.h"
 #include "core/units.h"
 
 namespace tera {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/config.h"
+#include "core/config/config.h"
 #include "core/units.h"
 #include "sim/simulation.h"
 

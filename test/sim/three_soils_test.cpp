@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/config.h"
+#include "core/config/config.h"
 #include "sim/simulation.h"
 
 /// The shipped drive over the shipped dirt, gravel and loose sand.

@@ -10,7 +10,7 @@
 #include "core/units.h"
 #include "drive_fixture.h"
 #include "own_folder.h"
-#include "physics/slots/track_kinematics.h"
+#include "physics/traction/track_kinematics.h"
 
 /// A scenario's choice of what moves a machine over the ground, and the effects of its base.
 

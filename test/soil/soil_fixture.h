@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "core/config.h"
-#include "core/ground_tools.h"
+#include "core/config/config.h"
+#include "core/types/ground_tools.h"
 #include "core/units.h"
-#include "soil/columns.h"
+#include "soil/columns/columns.h"
+#include "soil/columns/soil_type.h"
 #include "soil/soil.h"
-#include "soil/soil_type.h"
 
 /// Sites, tools and motions that the soil's tests share.
 

@@ -6,8 +6,8 @@
 
 #include "diagnose/blocks/beats.h"
 #include "diagnose/blocks/suspect_list.h"
-#include "physics/actuation_mechanisms.h"
-#include "physics/slots/actuation.h"
+#include "physics/actuation/actuation.h"
+#include "physics/actuation/actuation_mechanisms.h"
 
 namespace tera {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "diagnose/replay/axis_log.h"
 #include "diagnose/replay/pump_demand.h"
-#include "diagnose/search/replay_block.h"
+#include "diagnose/search/fit/replay_block.h"
 
 namespace tera {
 

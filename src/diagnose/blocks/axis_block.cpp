@@ -10,8 +10,8 @@
 #include "diagnose/blocks/sample_grid.h"
 #include "diagnose/blocks/suspect_list.h"
 #include "diagnose/replay/axis_replay.h"
-#include "diagnose/statistics/robust.h"
-#include "physics/slots/actuation.h"
+#include "diagnose/statistics/series/robust.h"
+#include "physics/actuation/actuation.h"
 
 namespace tera {
 namespace {

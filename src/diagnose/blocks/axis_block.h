@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "diagnose/replay/axis_log.h"
-#include "diagnose/search/replay_block.h"
+#include "diagnose/search/fit/replay_block.h"
 
 namespace tera {
 

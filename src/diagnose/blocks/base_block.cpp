@@ -9,8 +9,8 @@
 #include "diagnose/blocks/sample_grid.h"
 #include "diagnose/blocks/suspect_list.h"
 #include "diagnose/replay/base_replay.h"
-#include "physics/ground_mechanisms.h"
-#include "physics/joint_inertia.h"
+#include "physics/dynamics/joint_inertia.h"
+#include "physics/traction/ground_mechanisms.h"
 
 namespace tera {
 namespace {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "diagnose/replay/base_log.h"
-#include "diagnose/search/replay_block.h"
+#include "diagnose/search/fit/replay_block.h"
 
 namespace tera {
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "diagnose/statistics/robust.h"
+#include "diagnose/statistics/series/robust.h"
 
 namespace tera {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "diagnose/blocks/suspect_list.h"
 #include "diagnose/replay/effort_replay.h"
-#include "diagnose/statistics/robust.h"
-#include "physics/actuation_mechanisms.h"
+#include "diagnose/statistics/series/robust.h"
+#include "physics/actuation/actuation_mechanisms.h"
 
 namespace tera {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "diagnose/replay/gnss_replay.h"
-#include "diagnose/search/replay_block.h"
+#include "diagnose/search/fit/replay_block.h"
 
 namespace tera {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "core/motion.h"
-#include "diagnose/search/replay_block.h"
+#include "diagnose/search/fit/replay_block.h"
 
 namespace tera {
 

@@ -7,7 +7,7 @@
 
 #include "core/check.h"
 #include "core/error.h"
-#include "diagnose/statistics/robust.h"
+#include "diagnose/statistics/series/robust.h"
 
 namespace tera {
 namespace {

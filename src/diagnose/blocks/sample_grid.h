@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/time.h"
-#include "diagnose/statistics/series.h"
+#include "diagnose/statistics/series/series.h"
 
 namespace tera {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/check.h"
-#include "physics/track_drive.h"
+#include "physics/traction/track_drive.h"
 
 namespace tera {
 namespace {

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "diagnose/search/replay_block.h"
-#include "physics/machine.h"
+#include "diagnose/search/fit/replay_block.h"
+#include "physics/description/machine.h"
 
 namespace tera {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "diagnose/search/free_member.h"
-#include "diagnose/search/steady_gain.h"
+#include "diagnose/search/fit/free_member.h"
+#include "diagnose/search/fit/steady_gain.h"
 
 namespace tera {
 

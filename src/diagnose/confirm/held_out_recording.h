@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/random.h"
-#include "diagnose/search/block_diagnosis.h"
+#include "diagnose/search/block/block_diagnosis.h"
 
 namespace tera {
 

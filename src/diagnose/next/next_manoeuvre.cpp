@@ -13,7 +13,7 @@
 #include "diagnose/next/open_question.h"
 #include "diagnose/next/piece_choice.h"
 #include "diagnose/next/rehearsal.h"
-#include "diagnose/search/steady_gain.h"
+#include "diagnose/search/fit/steady_gain.h"
 
 namespace tera {
 namespace {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/random.h"
-#include "dataset/recording.h"
-#include "diagnose/search/block_diagnosis.h"
-#include "physics/machine.h"
+#include "dataset/format/recording.h"
+#include "diagnose/search/block/block_diagnosis.h"
+#include "physics/description/machine.h"
 
 namespace tera {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "diagnose/search/steady_gain.h"
+#include "diagnose/search/fit/steady_gain.h"
 
 namespace tera {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/search/block_diagnosis.h"
+#include "diagnose/search/block/block_diagnosis.h"
 
 namespace tera {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/search/structure_fit.h"
-#include "diagnose/statistics/whitening.h"
+#include "diagnose/search/fit/structure_fit.h"
+#include "diagnose/statistics/series/whitening.h"
 
 namespace tera {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "diagnose/next/open_question.h"
-#include "diagnose/search/replay_block.h"
+#include "diagnose/search/fit/replay_block.h"
 
 namespace tera {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "diagnose/blocks/axis_block.h"
-#include "physics/gravity_load.h"
-#include "physics/slots/actuation.h"
+#include "physics/actuation/actuation.h"
+#include "physics/dynamics/gravity_load.h"
 
 namespace tera {
 namespace {

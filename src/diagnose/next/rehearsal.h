@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "core/random.h"
-#include "dataset/recording.h"
+#include "dataset/format/recording.h"
 #include "diagnose/next/lever_piece.h"
 #include "diagnose/replay/axis_log.h"
-#include "diagnose/search/replay_block.h"
-#include "physics/machine.h"
+#include "diagnose/search/fit/replay_block.h"
+#include "physics/description/machine.h"
 
 namespace tera {
 

@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "diagnose/perception/range_residuals.h"
-#include "diagnose/perception/scan_split.h"
+#include "diagnose/perception/scans/range_residuals.h"
+#include "diagnose/perception/scans/scan_split.h"
 
 namespace tera {
 namespace {

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/perception/dust.h"
-#include "diagnose/perception/ground_map.h"
-#include "diagnose/perception/missing_objects.h"
-#include "diagnose/perception/range_scan.h"
-#include "diagnose/perception/sensor_search.h"
+#include "diagnose/perception/scans/dust.h"
+#include "diagnose/perception/scans/ground_map.h"
+#include "diagnose/perception/scans/missing_objects.h"
+#include "diagnose/perception/scans/range_scan.h"
+#include "diagnose/perception/scans/sensor_search.h"
 
 namespace tera {
 

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "diagnose/search/steady_gain.h"
-#include "diagnose/statistics/block_bootstrap.h"
-#include "diagnose/statistics/regime_axis.h"
-#include "diagnose/statistics/robust.h"
+#include "diagnose/search/fit/steady_gain.h"
+#include "diagnose/statistics/regime/regime_axis.h"
+#include "diagnose/statistics/series/robust.h"
+#include "diagnose/statistics/tests/block_bootstrap.h"
 
 namespace tera {
 namespace {

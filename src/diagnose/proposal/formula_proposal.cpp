@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/search/steady_gain.h"
-#include "diagnose/statistics/whitening.h"
+#include "diagnose/search/fit/steady_gain.h"
+#include "diagnose/statistics/series/whitening.h"
 
 namespace tera {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "core/random.h"
 #include "diagnose/proposal/term_library.h"
-#include "diagnose/search/block_diagnosis.h"
+#include "diagnose/search/block/block_diagnosis.h"
 
 namespace tera {
 

@@ -9,8 +9,8 @@
 
 #include "core/error.h"
 #include "diagnose/replay/between_samples.h"
-#include "physics/gravity_load.h"
-#include "physics/joint_inertia.h"
+#include "physics/dynamics/gravity_load.h"
+#include "physics/dynamics/joint_inertia.h"
 
 namespace tera {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "dataset/recording.h"
-#include "physics/machine.h"
-#include "physics/slots/actuation.h"
+#include "dataset/format/recording.h"
+#include "physics/actuation/actuation.h"
+#include "physics/description/machine.h"
 
 namespace tera {
 

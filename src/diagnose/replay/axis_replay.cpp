@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "physics/slots/actuation.h"
+#include "physics/actuation/actuation.h"
 
 namespace tera {
 namespace {

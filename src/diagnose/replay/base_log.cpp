@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "diagnose/replay/between_samples.h"
-#include "physics/track_drive.h"
+#include "physics/traction/track_drive.h"
 
 namespace tera {
 namespace {

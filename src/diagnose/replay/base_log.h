@@ -6,7 +6,7 @@
 
 #include "diagnose/replay/axis_log.h"
 #include "diagnose/replay/pose_times.h"
-#include "physics/slots/track_kinematics.h"
+#include "physics/traction/track_kinematics.h"
 
 namespace tera {
 

@@ -7,7 +7,7 @@
 
 #include "core/check.h"
 #include "core/units.h"
-#include "physics/track_drive.h"
+#include "physics/traction/track_drive.h"
 
 namespace tera {
 namespace {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/effects.h"
+#include "core/types/effects.h"
 #include "diagnose/replay/base_log.h"
 
 namespace tera {

@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "core/error.h"
-#include "diagnose/statistics/robust.h"
-#include "physics/gravity_load.h"
-#include "physics/inertial_effort.h"
+#include "diagnose/statistics/series/robust.h"
+#include "physics/dynamics/gravity_load.h"
+#include "physics/dynamics/inertial_effort.h"
 
 namespace tera {
 namespace {

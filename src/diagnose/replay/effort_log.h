@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "dataset/recording.h"
+#include "dataset/format/recording.h"
 #include "diagnose/replay/axis_log.h"
-#include "diagnose/statistics/series.h"
+#include "diagnose/statistics/series/series.h"
 
 namespace tera {
 

@@ -1,6 +1,6 @@
 #include "diagnose/replay/effort_replay.h"
 
-#include "physics/slots/load_friction.h"
+#include "physics/actuation/load_friction.h"
 
 namespace tera {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/effects.h"
+#include "core/types/effects.h"
 #include "diagnose/replay/effort_log.h"
 
 namespace tera {

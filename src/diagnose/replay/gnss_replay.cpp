@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "physics/reflector.h"
+#include "physics/dynamics/reflector.h"
 #include "sensors/slots/effect_numbers.h"
 #include "sensors/slots/gnss_errors.h"
 #include "sensors/slots/low_pass.h"

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/units.h"
-#include "diagnose/statistics/robust.h"
+#include "diagnose/statistics/series/robust.h"
 #include "sensors/slots/sensor_slots.h"
 #include "sensors/slots/true_mount.h"
 

@@ -5,7 +5,7 @@
 
 #include "core/check.h"
 #include "core/motion.h"
-#include "diagnose/statistics/robust.h"
+#include "diagnose/statistics/series/robust.h"
 
 namespace tera {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/time.h"
-#include "dataset/measurement_sink.h"
+#include "dataset/format/measurement_sink.h"
 
 namespace tera {
 

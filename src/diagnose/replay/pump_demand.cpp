@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "physics/slots/actuation.h"
+#include "physics/actuation/actuation.h"
 
 namespace tera {
 namespace {

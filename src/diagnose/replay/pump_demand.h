@@ -3,10 +3,10 @@
 #include <optional>
 #include <vector>
 
-#include "core/effects.h"
+#include "core/types/effects.h"
 #include "diagnose/replay/axis_log.h"
-#include "physics/machine.h"
-#include "physics/slots/pump_flow.h"
+#include "physics/actuation/pump_flow.h"
+#include "physics/description/machine.h"
 
 namespace tera {
 

@@ -7,13 +7,13 @@
 #include <cmath>
 #include <optional>
 
-#include "core/config.h"
+#include "core/config/config.h"
+#include "core/config/spelling.h"
 #include "core/error.h"
-#include "core/spelling.h"
 #include "diagnose/blocks/measured_poses.h"
-#include "diagnose/search/structure_fit.h"
-#include "physics/actuation_mechanisms.h"
-#include "physics/ground_mechanisms.h"
+#include "diagnose/search/fit/structure_fit.h"
+#include "physics/actuation/actuation_mechanisms.h"
+#include "physics/traction/ground_mechanisms.h"
 #include "sensors/sensor_mechanisms.h"
 
 namespace tera {

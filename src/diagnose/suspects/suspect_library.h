@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "diagnose/search/replay_block.h"
-#include "physics/machine.h"
+#include "diagnose/search/fit/replay_block.h"
+#include "physics/description/machine.h"
 
 namespace tera {
 

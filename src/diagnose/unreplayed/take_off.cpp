@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "core/check.h"
-#include "diagnose/search/block_diagnosis.h"
-#include "diagnose/search/free_member.h"
-#include "diagnose/search/likelihood.h"
+#include "diagnose/search/block/block_diagnosis.h"
+#include "diagnose/search/fit/free_member.h"
+#include "diagnose/search/fit/likelihood.h"
 
 namespace tera {
 namespace {

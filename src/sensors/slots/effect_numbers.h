@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "core/effects.h"
 #include "core/motion.h"
+#include "core/types/effects.h"
 
 /// Numbers of mechanisms, or those of the ideal where a target lacks the mechanism.
 

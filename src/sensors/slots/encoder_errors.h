@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "core/effects.h"
-#include "core/measurement.h"
+#include "core/types/effects.h"
+#include "core/types/measurement.h"
 #include "sensors/slots/static_errors.h"
 
 namespace tera {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "core/effects.h"
-#include "core/measurement.h"
+#include "core/types/effects.h"
+#include "core/types/measurement.h"
 #include "sensors/gnss.h"
 #include "sensors/slots/static_errors.h"
 

@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "core/effects.h"
 #include "core/time.h"
+#include "core/types/effects.h"
 
 namespace tera {
 

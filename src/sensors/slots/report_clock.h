@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "core/effects.h"
 #include "core/random.h"
 #include "core/time.h"
+#include "core/types/effects.h"
 
 namespace tera {
 

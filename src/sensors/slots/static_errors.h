@@ -3,9 +3,9 @@
 #include <cmath>
 #include <string>
 
-#include "core/effects.h"
 #include "core/random.h"
 #include "core/time.h"
+#include "core/types/effects.h"
 #include "sensors/slots/effect_numbers.h"
 
 /// Parts that the static errors of several sensors share. Each is exact where its mechanism is

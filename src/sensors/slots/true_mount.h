@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "core/effects.h"
 #include "core/motion.h"
+#include "core/types/effects.h"
 
 /// Slot `sensor_geometry`: where a sensor truly sits, while sensor.yaml says where it should.
 

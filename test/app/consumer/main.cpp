@@ -1,7 +1,7 @@
 #include <cstdio>
 
-#include "core/config.h"
-#include "sim/scenario.h"
+#include "core/config/config.h"
+#include "sim/scenario/scenario.h"
 #include "sim/simulation.h"
 
 // A rover that nobody drives stays where it stands.

@@ -10,7 +10,7 @@
 #include <cstdlib>
 
 #include "diagnose/null/null_recording.h"
-#include "diagnose/statistics/proportion.h"
+#include "diagnose/statistics/tests/proportion.h"
 
 int main(int argc, char** argv) {
   const auto number = [&](int k, double otherwise) {

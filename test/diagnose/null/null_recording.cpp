@@ -11,11 +11,11 @@
 #include "core/units.h"
 #include "diagnose/blocks/axis_block.h"
 #include "diagnose/diagnosis.h"
-#include "diagnose/statistics/noise_model.h"
-#include "physics/gravity_load.h"
-#include "physics/joint_inertia.h"
+#include "diagnose/statistics/series/noise_model.h"
+#include "physics/actuation/actuation.h"
+#include "physics/dynamics/gravity_load.h"
+#include "physics/dynamics/joint_inertia.h"
 #include "physics/machine_fixture.h"
-#include "physics/slots/actuation.h"
 
 namespace tera {
 namespace {

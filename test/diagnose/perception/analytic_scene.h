@@ -9,7 +9,7 @@
 
 #include "core/random.h"
 #include "core/units.h"
-#include "diagnose/perception/range_scan.h"
+#include "diagnose/perception/scans/range_scan.h"
 
 /// A site of one tilted plane and one box, in closed form, and a lidar that turns over it.
 

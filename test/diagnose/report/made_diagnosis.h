@@ -6,8 +6,8 @@
 
 #include "core/units.h"
 #include "diagnose/diagnosis.h"
-#include "physics/actuation_mechanisms.h"
-#include "physics/ground_mechanisms.h"
+#include "physics/actuation/actuation_mechanisms.h"
+#include "physics/traction/ground_mechanisms.h"
 
 /// Diagnoses made by hand, for the tests of what a report says of them.
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/effects.h"
-#include "diagnose/search/block_diagnosis.h"
-#include "diagnose/search/replay_block.h"
-#include "diagnose/statistics/simulated.h"
+#include "core/types/effects.h"
+#include "diagnose/search/block/block_diagnosis.h"
+#include "diagnose/search/fit/replay_block.h"
+#include "diagnose/statistics/series/simulated.h"
 
 /// A block without physics: one channel that repeats a lever, and suspects that add to it a square,
 /// a hysteresis or a delay of the lever.

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "diagnose/search/block_diagnosis.h"
+#include "diagnose/search/block/block_diagnosis.h"
 #include "diagnose/search/toy_block.h"
 
 namespace tera {

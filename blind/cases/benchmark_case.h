@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "blind/cases/injected_case.h"
+#include "blind/cases/joints_case.h"
+#include "blind/cases/tracks_case.h"
+#include "blind/plant/concealed.h"
+
+namespace tera::blind {
+
+enum class CaseKind { kNothing, kOne, kTwo, kOutside, kConfounded, kUntestable, kInjected };
+std::string_view NameOf(CaseKind kind);
+/// Whether what a case hides is drawn by strength.
+inline bool HasStrength(CaseKind kind) {
+  return kind == CaseKind::kOne || kind == CaseKind::kTwo || kind == CaseKind::kInjected;
+}
+
+/// The machine's numbers as the scenario has them.
+struct PlainMachine {
+  Excavator excavator;
+  PlainTracks tracks;
+  std::optional<RealDrive> real;  ///< into which some cases are injected; none: no such cases
+  /// Throws InputError.
+  static PlainMachine Read(const std::filesystem::path& machine_yaml) {
+    return {Excavator::Read(machine_yaml), PlainTracks::Read(machine_yaml), {}};
+  }
+};
+
+/// One concealed case: what is hidden in the joints, in the tracks, or in a real drive.
+struct BenchmarkCase {
+  int number = 0;
+  CaseKind kind = CaseKind::kNothing;
+  Strength strength = Strength::kMedium;
+  double duration_s = 45;
+  std::vector<Concealed> hidden;
+  std::optional<JointsCase> joints;
+  std::optional<TracksCase> tracks;
+  std::optional<InjectedCase> injected;
+};
+
+/// Case `number` (from 0) of a benchmark.
+///
+/// Model   kinds as 40 % nothing wrong, 26 one effect, 12 two, 8 outside the library, 6 confounded,
+///         4 untestable, 4 injected into a real recording, each spread evenly over the numbers;
+///         without a real drive the last are shared out among the others. Of the first three kinds
+///         a quarter is of tracks. The simulated machine's numbers are off by up to 3 %.
+BenchmarkCase DrawCase(std::uint64_t seed, int number, const PlainMachine& nominal,
+                       double duration_s);
+
+/// Drives and measures it. What is hidden in tracks gets its numbers by the drive.
+CaseRecording Record(BenchmarkCase* benchmark_case, std::uint64_t seed);
+
+}  // namespace tera::blind

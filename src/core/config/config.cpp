@@ -1,0 +1,111 @@
+#include "core/config/config.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/config/config_layers.h"
+#include "core/config/spelling.h"
+#include "core/error.h"
+
+namespace tera {
+namespace fs = std::filesystem;
+
+using internal::Layer;
+
+namespace {
+
+void NeedFile(const fs::path& file, const std::string& shown) {
+  if (internal::IsFile(file)) return;
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored)) {
+    throw InputError(fmt::format("{}: is a folder; need a YAML file", file.string()));
+  }
+  throw InputError(fmt::format("{}: no such file; need a YAML file", shown));
+}
+
+Layer OverlayLayer(const Config::Overlay& overlay) {
+  const std::string shown = internal::ShownName(overlay.file);
+  NeedFile(overlay.file, shown);
+  const Layer layer{internal::LoadYaml(overlay.file, shown), shown, overlay.file.parent_path(), ""};
+  if (!internal::ValueIn(layer.node, overlay.key) || layer.node.size() != 1) {
+    throw InputError(
+        fmt::format("{}:1:1: need one mapping, '{}:', and nothing else", shown, overlay.key));
+  }
+  return layer;
+}
+
+}  // namespace
+
+Config Config::FromFile(const fs::path& file, const std::vector<std::string>& overrides,
+                        const std::vector<Overlay>& overlays) {
+  const std::string shown = internal::ShownName(file);
+  NeedFile(file, shown);
+  auto document = std::make_shared<internal::ConfigDocument>();
+  const Layer layer{internal::LoadYaml(file, shown), shown, file.parent_path(), ""};
+  const std::vector<Layer> with_overrides = internal::LayersAbove(layer, overrides);
+  // Built from top to bottom: assigning a yaml-cpp node, as an insertion does, changes what all its
+  // handles refer to.
+  std::vector<Layer> layers(with_overrides.begin(), with_overrides.end() - 1);
+  for (auto overlay = overlays.rbegin(); overlay != overlays.rend(); ++overlay) {
+    layers.push_back(OverlayLayer(*overlay));
+  }
+  layers.push_back(with_overrides.back());
+  document->root = document->AddNode(std::move(layers));
+  return Config(document);
+}
+
+Config Config::FromText(const std::string& text, const std::string& name,
+                        const std::vector<std::string>& overrides) {
+  YAML::Node node;
+  try {
+    node = YAML::Load(text);
+  } catch (const YAML::Exception& e) {
+    throw InputError(fmt::format("{}:{}:{}: not valid YAML: {}", name, e.mark.line + 1,
+                                 e.mark.column + 1, e.msg));
+  }
+  if (!node.IsMap()) throw InputError(fmt::format("{}:1:1: need a mapping of keys", name));
+  auto document = std::make_shared<internal::ConfigDocument>();
+  document->root = document->AddNode(
+      internal::LayersAbove(Layer{node, name, fs::current_path(), ""}, overrides));
+  return Config(document);
+}
+
+void Config::Move(std::vector<MovedFiles> moved) { document_->moved = std::move(moved); }
+
+ConfigMap Config::root() const { return ConfigMap(document_->root); }
+
+void Config::Finish() const {
+  // A mistyped key first: what the lack of the right one leads to comes after it.
+  std::vector<std::string> faults;
+  std::set<std::string> seen_unknown;
+  for (const auto& node : document_->nodes) {
+    if (node->unread) continue;
+    for (const Layer& layer : node->layers) {
+      std::set<std::string> seen;
+      for (const auto& entry : layer.node) {
+        const std::string key = entry.first.Scalar();
+        const std::string head = fmt::format("{}: {}: ", internal::PlaceOf(entry.first, layer.file),
+                                             internal::Join(layer.path, key));
+        if (!seen.insert(key).second) {
+          faults.push_back(head + "repeated key; keep one");
+        } else if (!node->asked.contains(key)) {
+          const std::vector<std::string> known(node->asked.begin(), node->asked.end());
+          const std::string near = DidYouMean(key, known);
+          const std::string fault = fmt::format(
+              "{}unknown key{}", head,
+              near.empty() ? fmt::format("; known here: {}", fmt::join(known, ", ")) : near);
+          if (seen_unknown.insert(fault).second) faults.push_back(fault);
+        }
+      }
+    }
+  }
+  faults.insert(faults.end(), document_->faults.begin(), document_->faults.end());
+  if (!faults.empty()) throw InputError(fmt::format("{}", fmt::join(faults, "\n")));
+}
+
+std::string Config::ResolvedYaml() const {
+  YAML::Emitter emitter;
+  emitter << document_->root->resolved;
+  return std::string(emitter.c_str()) + "\n";
+}
+}  // namespace tera

@@ -1,0 +1,178 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "core/config/config_layers.h"
+#include "core/error.h"
+
+/// Files that a configuration names: where they are, presets, the data that TERA ships.
+
+namespace tera {
+namespace fs = std::filesystem;
+namespace internal {
+namespace {
+
+/// What paths of a layer are relative to, for messages.
+std::string BaseOf(const Layer& layer) {
+  return layer.file == kOverlayName ? "the working directory" : layer.file;
+}
+
+}  // namespace
+
+bool IsFile(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
+}
+
+fs::path ConfigDocument::PlaceOf(const std::string& name, const fs::path& named) const {
+  const bool is_moved = std::any_of(moved.begin(), moved.end(),
+                                    [&](const MovedFiles& files) { return Concerns(files, name); });
+  return is_moved ? PlaceOfInput(name, moved) : named;
+}
+
+fs::path Canonical(const fs::path& path) {
+  std::error_code error;
+  const fs::path canonical = fs::weakly_canonical(path, error);
+  return error ? path.lexically_normal() : canonical;
+}
+
+fs::path Resolve(const std::string& text, const fs::path& directory) {
+  if (text.starts_with("tera:")) return DataRoot() / text.substr(5);
+  const fs::path path(text);
+  return path.is_absolute() ? path : directory / path;
+}
+
+std::string ShownName(const fs::path& path) {
+  const fs::path relative = Canonical(path).lexically_relative(fs::current_path());
+  return !relative.empty() && *relative.begin() != ".." ? relative.generic_string()
+                                                        : path.lexically_normal().generic_string();
+}
+
+YAML::Node LoadYaml(const fs::path& file, const std::string& shown) {
+  std::ifstream stream(file);
+  if (!stream) {
+    throw InputError(fmt::format("{}: cannot be read; need a readable YAML file", shown));
+  }
+  std::stringstream text;
+  text << stream.rdbuf();
+  try {
+    YAML::Node node = YAML::Load(text.str());
+    if (!node.IsMap()) {
+      throw InputError(fmt::format("{}:1:1: need a mapping of keys at the top", shown));
+    }
+    return node;
+  } catch (const YAML::Exception& e) {
+    throw InputError(fmt::format("{}:{}:{}: not valid YAML: {}", shown, e.mark.line + 1,
+                                 e.mark.column + 1, e.msg));
+  }
+}
+
+std::optional<Layer> LoadLayer(ConfigNode& node, std::string_view key, const Found& found,
+                               const std::string& mapping_path) {
+  const fs::path path = Resolve(found.node.Scalar(), found.layer->directory);
+  if (!IsFile(path)) {
+    AddFault(node, key, found,
+             fmt::format("file '{}' does not exist; correct the path (relative to {}, or "
+                         "'tera:...' for a file that TERA ships)",
+                         found.node.Scalar(), BaseOf(*found.layer)));
+    return std::nullopt;
+  }
+  const std::string shown = ShownName(path);
+  try {
+    return Layer{LoadYaml(path, shown), shown, path.parent_path(), mapping_path};
+  } catch (const InputError& e) {
+    node.document->faults.push_back(e.what());
+    return std::nullopt;
+  }
+}
+
+}  // namespace internal
+
+using internal::AddFault;
+using internal::AddMissing;
+using internal::Find;
+using internal::Found;
+using internal::Record;
+using internal::Shown;
+
+void ConfigMap::ApplyPreset(std::string_view key) const {
+  std::set<fs::path> applied;
+  for (auto found = Find(*node_, key); found;) {
+    if (!found->node.IsScalar()) {
+      AddFault(*node_, key, *found,
+               fmt::format("{} found, need a file's path", Shown(found->node)));
+      return;
+    }
+    const fs::path file = internal::Resolve(found->node.Scalar(), found->layer->directory);
+    if (!applied.insert(internal::Canonical(file)).second) {
+      AddFault(*node_, key, *found,
+               fmt::format("'{}' is a preset of itself; leave the key out of one of the files",
+                           found->node.Scalar()));
+      return;
+    }
+    const auto layer = internal::LoadLayer(*node_, key, *found, found->layer->path);
+    if (!layer) {
+      node_->unread = true;
+      return;
+    }
+    node_->layers.push_back(*layer);
+    const auto next = internal::ValueIn(layer->node, key);
+    found = next ? std::optional(Found{*next, &node_->layers.back()}) : std::nullopt;
+  }
+}
+
+fs::path ConfigMap::File(std::string_view key) const {
+  const auto found = Find(*node_, key);
+  if (!found) {
+    AddMissing(*node_, key, "a file's path");
+    return {};
+  }
+  if (!found->node.IsScalar()) {
+    AddFault(*node_, key, *found, fmt::format("{} found, need a file's path", Shown(found->node)));
+    return {};
+  }
+  const fs::path named = internal::Resolve(found->node.Scalar(), found->layer->directory);
+  const std::string name = PortableName(named);
+  const fs::path path = node_->document->PlaceOf(name, named).lexically_normal();
+  if (!internal::IsFile(path)) {
+    AddFault(*node_, key, *found,
+             fmt::format("file '{}' does not exist; correct the path (relative to {}, or "
+                         "'tera:...' for a file that TERA ships)",
+                         found->node.Scalar(), internal::BaseOf(*found->layer)));
+    return {};
+  }
+  Record(*node_, key, name);
+  node_->document->inputs.emplace(name, path);
+  return path;
+}
+
+std::optional<fs::path> ConfigMap::OptionalFile(std::string_view key) const {
+  if (!Has(key)) return std::nullopt;
+  return File(key);
+}
+
+void ConfigMap::AlsoReads(const fs::path& file) const {
+  node_->document->inputs.emplace(PortableName(file), file);
+}
+
+std::vector<InputFile> ConfigMap::Inputs() const {
+  std::vector<InputFile> inputs;
+  for (const auto& [name, path] : node_->document->inputs) inputs.push_back({name, path});
+  return inputs;
+}
+
+fs::path DataRoot() {
+  if (const char* directory = std::getenv("TERA_DATA_DIR")) return directory;
+  // An installed program may have been moved with its data, whatever prefix it was built for.
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  const fs::path beside = (program.parent_path() / TERA_DATA_FROM_BIN_DIR).lexically_normal();
+  if (!program.empty() && fs::is_directory(beside / "shaders")) return beside;
+  if (fs::is_directory(TERA_SOURCE_DATA_DIR)) return TERA_SOURCE_DATA_DIR;
+  return TERA_INSTALL_DATA_DIR;
+}
+
+}  // namespace tera

@@ -1,0 +1,88 @@
+#include "core/config/config_layers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tera::internal {
+
+/// yaml-cpp's operator[] is avoided: on a const node it throws for absent keys, on a mutable one it
+/// may insert.
+std::optional<YAML::Node> ValueIn(const YAML::Node& map, std::string_view key) {
+  for (const auto& entry : map) {
+    if (entry.first.IsScalar() && entry.first.Scalar() == key) return entry.second;
+  }
+  return std::nullopt;
+}
+
+std::optional<Found> Find(ConfigNode& node, std::string_view key) {
+  node.asked.emplace(key);
+  for (const Layer& layer : node.layers) {
+    if (auto value = ValueIn(layer.node, key)) return Found{*value, &layer};
+  }
+  return std::nullopt;
+}
+
+std::vector<Found> FindAll(ConfigNode& node, std::string_view key) {
+  node.asked.emplace(key);
+  std::vector<Found> all;
+  for (const Layer& layer : node.layers) {
+    if (auto value = ValueIn(layer.node, key)) all.push_back({*value, &layer});
+  }
+  return all;
+}
+
+std::vector<std::string> NamesIn(const ConfigNode& node) {
+  std::vector<std::string> names;
+  for (auto layer = node.layers.rbegin(); layer != node.layers.rend(); ++layer) {
+    for (const auto& entry : layer->node) {
+      const std::string name = entry.first.Scalar();
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+  }
+  return names;
+}
+
+std::string PlaceOf(const YAML::Node& node, const std::string& file) {
+  const YAML::Mark mark = node.Mark();
+  if (mark.is_null() || file == kOverlayName) return file;
+  return fmt::format("{}:{}:{}", file, mark.line + 1, mark.column + 1);
+}
+
+std::string Join(const std::string& path, std::string_view key) {
+  if (path.empty()) return std::string(key);
+  return key.empty() ? path : fmt::format("{}.{}", path, key);
+}
+
+std::string Shown(const YAML::Node& node) {
+  if (node.IsScalar()) return fmt::format("'{}'", node.Scalar());
+  if (node.IsSequence()) return fmt::format("a list of {}", node.size());
+  if (node.IsMap()) return "a mapping";
+  return "nothing";
+}
+
+void AddFault(ConfigNode& node, std::string_view key, const Found& found,
+              const std::string& finding) {
+  const std::string place = PlaceOf(found.node, found.layer->file);
+  const std::string path = Join(found.layer->path, key);
+  node.document->faults.push_back(path.empty() ? fmt::format("{}: {}", place, finding)
+                                               : fmt::format("{}: {}: {}", place, path, finding));
+}
+
+const Layer& LowestWritten(const ConfigNode& node) {
+  const auto lowest = std::find_if(node.layers.rbegin(), node.layers.rend(),
+                                   [](const Layer& layer) { return !layer.beneath; });
+  return lowest == node.layers.rend() ? node.layers.back() : *lowest;
+}
+
+void AddMissing(ConfigNode& node, std::string_view key, const std::string& need) {
+  if (node.unread) return;
+  const Layer& layer = LowestWritten(node);
+  AddFault(node, key, Found{layer.node, &layer}, fmt::format("missing, need {}", need));
+}
+
+void Record(ConfigNode& node, std::string_view key, const std::string& scalar) {
+  node.resolved[std::string(key)] = scalar;
+}
+
+}  // namespace tera::internal

@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/config/config_layers.h"
+#include "core/error.h"
+
+/// `key.path=value` texts as layers above a file.
+
+namespace tera::internal {
+namespace fs = std::filesystem;
+namespace {
+
+/// The keys of `a.b[2].c`: a, b, 2 and c. Nothing where the path is not of that form.
+std::vector<std::string> KeysOf(std::string_view path) {
+  std::vector<std::string> keys;
+  for (std::size_t at = 0; at < path.size();) {
+    const bool index = path[at] == '[';
+    const std::size_t begin = index || (path[at] == '.' && at > 0) ? at + 1 : at;
+    const std::size_t end = std::min(path.find_first_of(index ? "]" : ".[", begin), path.size());
+    const std::string_view key = path.substr(begin, end - begin);
+    const bool needs_point = !index && at > 0 && path[at] != '.';
+    if (index ? !IsIndex(key) || end == path.size() || at == 0
+              : key.empty() || needs_point || key.find(']') != key.npos) {
+      return {};
+    }
+    keys.emplace_back(key);
+    at = index ? end + 1 : end;
+  }
+  return keys;
+}
+
+/// Parses `a.b[2].c=value` into nested mappings, list items as mappings keyed by index.
+Layer OverrideLayer(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const auto keys = KeysOf(std::string_view(text).substr(0, equals));
+  if (equals == std::string::npos || keys.empty()) {
+    throw InputError(
+        fmt::format("--set {}: need key.path=value, items of lists as key[0]=value", text));
+  }
+  YAML::Node value;
+  try {
+    value = YAML::Load(text.substr(equals + 1));
+  } catch (const YAML::Exception& e) {
+    throw InputError(fmt::format("--set {}: not a YAML value: {}", text, e.msg));
+  }
+  for (auto key = keys.rbegin(); key != keys.rend(); ++key) {
+    YAML::Node map(YAML::NodeType::Map);
+    map[*key] = value;
+    value.reset(map);
+  }
+  return {value, kOverlayName, fs::current_path(), ""};
+}
+
+}  // namespace
+
+bool IsIndex(std::string_view text) {
+  const bool digits = !text.empty() && std::all_of(text.begin(), text.end(),
+                                                   [](char c) { return c >= '0' && c <= '9'; });
+  return digits && (text == "0" || text.front() != '0');
+}
+
+std::vector<Layer> LayersAbove(const Layer& file, const std::vector<std::string>& overrides) {
+  std::vector<Layer> layers;
+  for (auto text = overrides.rbegin(); text != overrides.rend(); ++text) {
+    layers.push_back(OverrideLayer(*text));
+  }
+  layers.push_back(file);
+  return layers;
+}
+
+}  // namespace tera::internal

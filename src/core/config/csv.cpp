@@ -1,0 +1,99 @@
+#include "core/config/csv.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <string_view>
+
+#include "core/config/spelling.h"
+#include "core/error.h"
+
+namespace tera {
+namespace {
+
+std::vector<std::string_view> Split(std::string_view line) {
+  std::vector<std::string_view> fields;
+  for (std::size_t start = 0;;) {
+    const std::size_t comma = line.find(',', start);
+    fields.push_back(line.substr(start, comma - start));
+    if (comma == std::string_view::npos) return fields;
+    start = comma + 1;
+  }
+}
+
+void TrimCarriageReturn(std::string* line) {
+  if (!line->empty() && line->back() == '\r') line->pop_back();
+}
+
+std::ifstream Open(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  if (!stream) {
+    throw InputError(fmt::format("{}: cannot be read; need a CSV file", file.string()));
+  }
+  return stream;
+}
+
+std::vector<std::string> HeaderOf(std::istream& stream, const std::filesystem::path& file) {
+  std::string line;
+  if (!std::getline(stream, line)) {
+    throw InputError(fmt::format("{}:1: empty; need a line of column names", file.string()));
+  }
+  TrimCarriageReturn(&line);
+  std::vector<std::string> names;
+  for (const std::string_view field : Split(line)) names.emplace_back(field);
+  return names;
+}
+
+double ParseField(std::string_view text, const std::filesystem::path& file, std::size_t line,
+                  const std::string& column) {
+  double value = 0;
+  const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (status != std::errc() || stop != text.data() + text.size() || !std::isfinite(value)) {
+    throw InputError(
+        fmt::format("{}:{}: {}: '{}' is not a finite number; correct or remove the row",
+                    file.string(), line, column, text));
+  }
+  return value;
+}
+
+}  // namespace
+
+std::vector<std::string> ReadCsvHeader(const std::filesystem::path& file) {
+  std::ifstream stream = Open(file);
+  return HeaderOf(stream, file);
+}
+
+std::vector<std::vector<double>> ReadCsvColumns(const std::filesystem::path& file,
+                                                const std::vector<std::string>& names) {
+  std::ifstream stream = Open(file);
+  const std::vector<std::string> header = HeaderOf(stream, file);
+  std::vector<std::size_t> places;
+  for (const std::string& name : names) {
+    const auto found = std::find(header.begin(), header.end(), name);
+    if (found == header.end()) {
+      throw InputError(fmt::format("{}:1: no column '{}'{}; it has {}", file.string(), name,
+                                   DidYouMean(name, header), fmt::join(header, ", ")));
+    }
+    places.push_back(found - header.begin());
+  }
+  std::vector<std::vector<double>> columns(names.size());
+  std::string line;
+  for (std::size_t number = 2; std::getline(stream, line); ++number) {
+    TrimCarriageReturn(&line);
+    const auto fields = Split(line);
+    if (fields.size() != header.size()) {
+      throw InputError(fmt::format("{}:{}: {} fields, need {} as in the first line", file.string(),
+                                   number, fields.size(), header.size()));
+    }
+    for (std::size_t c = 0; c < names.size(); ++c) {
+      columns[c].push_back(ParseField(fields[places[c]], file, number, names[c]));
+    }
+  }
+  return columns;
+}
+
+}  // namespace tera

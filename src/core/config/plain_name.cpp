@@ -1,0 +1,37 @@
+#include "core/config/plain_name.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tera {
+namespace {
+
+bool IsPlain(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+         c == '-';
+}
+
+bool HasPlainLength(std::string_view name) { return !name.empty() && name.size() <= kLongestName; }
+
+}  // namespace
+
+bool IsPlainName(std::string_view name) {
+  return HasPlainLength(name) && std::all_of(name.begin(), name.end(), IsPlain);
+}
+
+bool IsPlainNameWithPoints(std::string_view name) {
+  return HasPlainLength(name) && name.front() != '.' &&
+         std::all_of(name.begin(), name.end(), [](char c) { return IsPlain(c) || c == '.'; });
+}
+
+bool RequirePlainName(const ConfigMap& config, std::string_view key, const std::string& name) {
+  if (IsPlainName(name)) return true;
+  if (name.empty() && !key.empty()) return false;  // Text has said so
+  config.Fault(key, fmt::format("name '{}' cannot name a folder or a column; need letters, digits, "
+                                "'_' and '-', at most {}",
+                                name, kLongestName));
+  return false;
+}
+
+}  // namespace tera

@@ -1,0 +1,125 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/motion.h"
+#include "core/time.h"
+#include "core/types/labels.h"
+
+/// What sensors produce and recordings hold: plain data, no behaviour. `t_ns` is the time at which
+/// a measurement was valid; `t_available_ns` the time at which a reader could have had it.
+
+namespace tera {
+
+/// Angular rate and specific force of the sensor, expressed in its own frame S (x forward, y left,
+/// z up): a sensor at rest and level reads +g on z.
+struct ImuSample {
+  TimeNs t_ns = 0;
+  TimeNs t_available_ns = 0;
+  Vec3 w_WS_S_radps = Vec3::Zero();
+  Vec3 f_S_mps2 = Vec3::Zero();
+};
+
+/// Quality of a fix as in the GGA sentence of NMEA 0183.
+enum class GnssFix : std::uint8_t {
+  kNone = 0,
+  kSingle = 1,
+  kDifferential = 2,
+  kRtkFixed = 4,
+  kRtkFloat = 5
+};
+
+/// Position of the antenna. Latitude and longitude on WGS 84, height above the ellipsoid; ENU about
+/// the site origin, axes of the tangent plane there. With fix kNone all of it is 0 and means
+/// nothing.
+struct GnssSample {
+  TimeNs t_ns = 0;
+  TimeNs t_available_ns = 0;
+  double lat_deg = 0;
+  double lon_deg = 0;
+  double alt_m = 0;
+  Vec3 enu_m = Vec3::Zero();
+  GnssFix fix = GnssFix::kNone;
+  Vec3 variance_enu_m2 = Vec3::Zero();
+};
+
+/// Joint angles (or, for prismatic joints, metres) and rates, in the order of the sensor's joints.
+struct EncoderSample {
+  TimeNs t_ns = 0;
+  TimeNs t_available_ns = 0;
+  std::vector<double> q_rad;
+  std::vector<double> qd_radps;
+};
+
+/// A row-major image of `channels` interleaved samples.
+template <typename T>
+struct Image {
+  int width_px = 0;
+  int height_px = 0;
+  int channels = 1;
+  std::vector<T> data;
+
+  Image() = default;
+  Image(int width, int height, int channel_count = 1)
+      : width_px(width),
+        height_px(height),
+        channels(channel_count),
+        data(static_cast<std::size_t>(width) * height * channel_count) {}
+  bool empty() const { return data.empty(); }
+  const T& at(int x_px, int y_px, int c = 0) const {
+    return data[(static_cast<std::size_t>(y_px) * width_px + x_px) * channels + c];
+  }
+  T& at(int x_px, int y_px, int c = 0) {
+    return data[(static_cast<std::size_t>(y_px) * width_px + x_px) * channels + c];
+  }
+};
+
+/// A labelled object in one image.
+///
+/// Frames  `X_CO` pose of the object's box frame O (centre of its box) in the camera optical frame
+///         C (x right, y down, z forward); `size_O_m` the box's edge lengths along O's axes.
+struct ObjectBox {
+  std::uint16_t instance = 0;
+  SemanticClass label = SemanticClass::kSky;
+  std::string name;
+  int x_min_px = 0, y_min_px = 0;  ///< visible pixels, inclusive
+  int x_max_px = -1, y_max_px = -1;
+  std::int64_t visible_px = 0;
+  /// Visible pixels over the pixels that the object alone would cover in this image, in [0, 1].
+  double visibility = 0;
+  Pose X_CO = Pose::Identity();
+  Vec3 size_O_m = Vec3::Zero();
+};
+
+/// One exposure. Images that the camera does not produce are empty. All share one pixel grid.
+struct CameraFrame {
+  TimeNs t_ns = 0;
+  TimeNs t_available_ns = 0;
+  Image<std::uint8_t> rgb;        ///< 3 channels, sRGB
+  Image<float> depth_m;           ///< planar depth (z in C); 0 where there is no measurement
+  Image<std::uint8_t> semantic;   ///< SemanticClass
+  Image<std::uint16_t> instance;  ///< 0: none; else index of the instance in dataset.yaml
+  std::vector<ObjectBox> boxes;
+};
+
+/// One lidar return, in the sensor frame at the time of its own ray.
+struct LidarPoint {
+  float x_m = 0, y_m = 0, z_m = 0;
+  float intensity = 0;               ///< reflectivity-like, in [0, 1]
+  std::uint32_t time_offset_ns = 0;  ///< since the scan's t_ns
+  std::uint16_t ring = 0;
+  std::uint16_t instance = 0;
+  std::uint8_t label = 0;  ///< SemanticClass
+};
+
+/// One revolution; t_ns is the time of its first ray. Rays without a return leave no point.
+struct LidarScan {
+  TimeNs t_ns = 0;
+  TimeNs t_available_ns = 0;
+  std::vector<LidarPoint> points;
+};
+
+}  // namespace tera

@@ -1,0 +1,52 @@
+#include "dataset/files/child_process.h"
+
+#include <fmt/format.h>
+
+#include <csignal>
+#include <utility>
+
+#include "core/check.h"
+#include "core/error.h"
+
+namespace tera {
+namespace {
+
+constexpr int kNotFoundStatus = 127;  // as a shell has it
+
+}  // namespace
+
+ChildProcess::ChildProcess(const std::string& program, const std::string& arguments,
+                           const std::string& remedy)
+    : program_(program), remedy_(remedy) {
+  // Else writing to a program that ended would end this one too.
+  old_handler_ = std::signal(SIGPIPE, SIG_IGN);
+  const std::string command = fmt::format("command -v {0} >/dev/null || exit {1}; exec {0} {2}",
+                                          program, kNotFoundStatus, arguments);
+  pipe_ = ::popen(command.c_str(), "w");
+  TERA_CHECK(pipe_ != nullptr, command);
+}
+
+ChildProcess::~ChildProcess() {
+  if (pipe_) ::pclose(pipe_);
+  std::signal(SIGPIPE, old_handler_);
+}
+
+void ChildProcess::Write(std::string_view bytes) {
+  std::fwrite(bytes.data(), 1, bytes.size(), pipe_);
+}
+
+void ChildProcess::Close() {
+  const int status = ::pclose(std::exchange(pipe_, nullptr));
+  if (status == 0) return;
+  const bool missing = WIFEXITED(status) && WEXITSTATUS(status) == kNotFoundStatus;
+  throw InputError(
+      fmt::format("{} {}; {}", program_, missing ? "is not installed" : "failed", remedy_));
+}
+
+std::string ShellWord(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+}  // namespace tera

@@ -1,0 +1,32 @@
+#include "dataset/files/folder_lock.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "core/error.h"
+
+namespace tera {
+
+FolderLock::FolderLock(const std::filesystem::path& folder)
+    : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (descriptor_ < 0) {
+    throw InputError(fmt::format("{}: cannot be opened: {}", folder.string(),
+                                 std::generic_category().message(errno)));
+  }
+  if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+  // Some network file systems have no locks: there the user must take care.
+  if (errno != EWOULDBLOCK) return;
+  close(descriptor_);
+  throw InputError(
+      fmt::format("{}: another run is writing it; wait until it ends, or choose another place",
+                  folder.string()));
+}
+
+FolderLock::~FolderLock() { close(descriptor_); }
+
+}  // namespace tera

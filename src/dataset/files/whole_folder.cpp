@@ -1,0 +1,52 @@
+#include "dataset/files/whole_folder.h"
+
+#include <fmt/format.h>
+
+#include <system_error>
+
+#include "core/error.h"
+#include "dataset/files/checked_file.h"
+#include "dataset/files/folder_lock.h"
+#include "dataset/format/writer.h"
+
+namespace tera {
+namespace fs = std::filesystem;
+
+WholeFolder::WholeFolder(const fs::path& folder)
+    : folder_(folder.has_filename() ? folder : folder.parent_path()),
+      temporary_(IncompleteOf(folder)) {
+  MakeFolder(temporary_);
+  lock_ = std::make_unique<FolderLock>(temporary_);
+  RequireNoneStopped(folder);
+}
+
+WholeFolder::~WholeFolder() {
+  std::error_code ignored;
+  if (!committed_) fs::remove_all(temporary_, ignored);
+}
+
+void WholeFolder::Commit() {
+  GiveName(temporary_, folder_);
+  committed_ = true;
+}
+
+void RequireNoneStopped(const fs::path& folder) {
+  if (!HoldsSomething(IncompleteOf(folder))) return;
+  throw InputError(fmt::format(
+      "{}: holds what a run that was stopped has left; choose another place or delete it",
+      IncompleteOf(folder).string()));
+}
+
+bool HoldsSomething(const fs::path& path) {
+  std::error_code error;
+  const bool empty = fs::is_directory(path, error) && fs::is_empty(path, error);
+  return fs::exists(path, error) && !empty;
+}
+
+void GiveName(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::rename(from, to, error);
+  if (error) FailFile(to, "cannot be given its name", error.value());
+}
+
+}  // namespace tera

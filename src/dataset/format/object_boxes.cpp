@@ -1,0 +1,83 @@
+#include "dataset/format/object_boxes.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "dataset/files/checked_file.h"
+
+namespace tera {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json ToJson(const ObjectBox& box) {
+  const Vec3& p = box.X_CO.translation();
+  Quat q(box.X_CO.linear());
+  if (q.w() < 0) q.coeffs() = -q.coeffs();
+  const Vec3& size = box.size_O_m;
+  return {{"instance", box.instance},
+          {"name", box.name},
+          {"class", std::string(NameOf(box.label))},
+          {"x_min_px", box.x_min_px},
+          {"y_min_px", box.y_min_px},
+          {"x_max_px", box.x_max_px},
+          {"y_max_px", box.y_max_px},
+          {"visible_px", box.visible_px},
+          {"visibility", box.visibility},
+          {"p_CO_m", {p.x(), p.y(), p.z()}},
+          {"q_CO_wxyz", {q.w(), q.x(), q.y(), q.z()}},
+          {"size_O_m", {size.x(), size.y(), size.z()}}};
+}
+
+Vec3 Vector3(const Json& list) {
+  return {list.at(0).get<double>(), list.at(1).get<double>(), list.at(2).get<double>()};
+}
+
+ObjectBox FromJson(const Json& json) {
+  ObjectBox box;
+  json.at("instance").get_to(box.instance);
+  json.at("name").get_to(box.name);
+  const auto label = SemanticClassFromName(json.at("class").get<std::string>());
+  if (!label) throw InputError(fmt::format("unknown class {}", json.at("class").dump()));
+  box.label = *label;
+  json.at("x_min_px").get_to(box.x_min_px);
+  json.at("y_min_px").get_to(box.y_min_px);
+  json.at("x_max_px").get_to(box.x_max_px);
+  json.at("y_max_px").get_to(box.y_max_px);
+  json.at("visible_px").get_to(box.visible_px);
+  json.at("visibility").get_to(box.visibility);
+  const Json& q = json.at("q_CO_wxyz");
+  const Quat rotation(q.at(0).get<double>(), q.at(1).get<double>(), q.at(2).get<double>(),
+                      q.at(3).get<double>());
+  box.X_CO = MakePose(Vector3(json.at("p_CO_m")), rotation.normalized().toRotationMatrix());
+  box.size_O_m = Vector3(json.at("size_O_m"));
+  return box;
+}
+
+}  // namespace
+
+std::string EncodeBoxes(TimeNs t_ns, const std::vector<ObjectBox>& boxes) {
+  Json list = Json::array();
+  for (const ObjectBox& box : boxes) list.push_back(ToJson(box));
+  return Json{{"t_ns", t_ns}, {"boxes", list}}.dump(1) + '\n';
+}
+
+std::vector<ObjectBox> ReadBoxes(const std::filesystem::path& file) {
+  const std::string text = ReadWholeFile(file);
+  try {
+    std::vector<ObjectBox> boxes;
+    const Json document = Json::parse(text);
+    for (const Json& box : document.at("boxes")) boxes.push_back(FromJson(box));
+    return boxes;
+  } catch (const nlohmann::json::exception& e) {
+    throw InputError(
+        fmt::format("{}: not a file of boxes: {}; write it again", file.string(), e.what()));
+  } catch (const InputError& e) {
+    throw InputError(
+        fmt::format("{}: {}; need a class of docs/dataset.md", file.string(), e.what()));
+  }
+}
+
+}  // namespace tera

@@ -1,0 +1,112 @@
+#include "dataset/format/recorded_inputs.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "core/error.h"
+#include "dataset/files/file_digest.h"
+#include "dataset/format/dataset_description.h"
+#include "dataset/format/recording.h"
+
+namespace tera {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t kDigits = 64;
+constexpr double kMostBytes = 9e15;  ///< below 2^53: every YAML reader keeps it exactly
+
+bool IsDigest(const std::string& text) {
+  return text.size() == kDigits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+/// As messages show it.
+std::string Shown(std::int64_t bytes, const std::string& sha256) {
+  constexpr std::size_t kShownDigits = 12;
+  return fmt::format("{} bytes with SHA-256 {}...", bytes, sha256.substr(0, kShownDigits));
+}
+
+bool IsFile(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
+}
+
+/// What is wrong with the file at `path`, or nothing.
+std::string FindingOf(const RecordedInput& input, const fs::path& path) {
+  if (!IsFile(path)) {
+    return fmt::format("is missing; need the file that was recorded, {}",
+                       Shown(input.bytes, input.sha256));
+  }
+  const FileDigest now = DigestOf(path);
+  if (now.bytes == input.bytes && now.sha256 == input.sha256) return "";
+  return fmt::format("is another file than was recorded: found {}, need {}",
+                     Shown(now.bytes, now.sha256), Shown(input.bytes, input.sha256));
+}
+
+}  // namespace
+
+std::vector<RecordedInput> DigestsOf(const std::vector<InputFile>& files) {
+  std::vector<RecordedInput> inputs;
+  for (const InputFile& file : files) {
+    const FileDigest digest = DigestOf(file.path);
+    inputs.push_back({file.name, digest.bytes, digest.sha256, ""});
+  }
+  return inputs;
+}
+
+std::string InputsYaml(const std::vector<RecordedInput>& inputs) {
+  std::string text = inputs.empty() ? "inputs: []\n" : "inputs:\n";
+  for (const RecordedInput& input : inputs) {
+    fmt::format_to(std::back_inserter(text), "  - {{file: {}, bytes: {}, sha256: {}}}\n",
+                   YamlQuoted(input.name), input.bytes, YamlQuoted(input.sha256));
+  }
+  return text;
+}
+
+std::vector<RecordedInput> ReadInputs(const ConfigMap& config) {
+  std::vector<RecordedInput> inputs;
+  for (const ConfigMap& item : config.List("inputs")) {
+    RecordedInput input{.name = item.Text("file"),
+                        .bytes = item.Integer("bytes", Between(0, kMostBytes, "")),
+                        .sha256 = item.Text("sha256"),
+                        .place = item.Place()};
+    if (!IsDigest(input.sha256)) {
+      item.Fault("sha256", fmt::format("'{}' is no digest, need {} digits of 0-9 and a-f",
+                                       input.sha256, kDigits));
+    }
+    inputs.push_back(std::move(input));
+  }
+  return inputs;
+}
+
+std::vector<RecordedInput> LoadInputs(const fs::path& directory) {
+  if (IsFile(directory / "dataset.yaml")) return Recording(directory).info().inputs;
+  if (!IsFile(directory / kInputsOfStoppedName)) return {};
+  const Config config = Config::FromFile(directory / kInputsOfStoppedName);
+  std::vector<RecordedInput> inputs = ReadInputs(config.root());
+  config.Finish();
+  return inputs;
+}
+
+std::vector<InputFile> RequireInputs(const std::vector<RecordedInput>& inputs,
+                                     const std::vector<MovedFiles>& moved,
+                                     const std::string& remedy) {
+  std::vector<InputFile> files;
+  std::vector<std::string> faults;
+  for (const RecordedInput& input : inputs) {
+    const fs::path path = PlaceOfInput(input.name, moved);
+    files.push_back({input.name, path});
+    const std::string finding = FindingOf(input, path);
+    if (finding.empty()) continue;
+    const bool elsewhere = path != PlaceOfInput(input.name, {});
+    faults.push_back(fmt::format("{}: {}{} {}; {}", input.place, input.name,
+                                 elsewhere ? fmt::format(" (now {})", path.string()) : "", finding,
+                                 remedy));
+  }
+  if (!faults.empty()) throw InputError(fmt::format("{}", fmt::join(faults, "\n")));
+  return files;
+}
+
+}  // namespace tera

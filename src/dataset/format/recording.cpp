@@ -1,0 +1,314 @@
+#include "dataset/format/recording.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "core/config/config.h"
+#include "core/error.h"
+#include "dataset/files/checked_file.h"
+#include "dataset/format/csv_rows.h"
+#include "dataset/format/object_boxes.h"
+#include "dataset/format/pcd.h"
+#include "dataset/format/png.h"
+#include "dataset/import/csv_file.h"
+
+namespace tera {
+namespace fs = std::filesystem;
+namespace {
+
+/// How far a quaternion's norm may be from 1: the digits of single precision.
+constexpr double kQuaternionTolerance = 1e-5;
+
+/// A file that dataset.yaml lists.
+CsvFile Open(const fs::path& path) {
+  if (!fs::exists(path)) {
+    throw InputError(fmt::format(
+        "{}: is not there, though dataset.yaml lists it; need the file, or its line taken out",
+        path.string()));
+  }
+  return CsvFile(path, CsvFile::LastLine::kMustEnd);
+}
+
+CsvFile OpenWithHeader(const fs::path& path, std::string_view header) {
+  CsvFile csv = Open(path);
+  const std::string found = fmt::format("{}", fmt::join(csv.columns(), ","));
+  if (found == header) return csv;
+  for (std::string_view rest = header; !rest.empty();) {
+    const std::size_t comma = rest.find(',');
+    csv.Column(std::string(rest.substr(0, comma)));  // names the first one that is missing
+    rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
+  }
+  throw InputError(
+      fmt::format("{}:1: found the columns '{}', need '{}'", path.string(), found, header));
+}
+
+Vec3 Vector3(const CsvFile& csv, std::size_t row, std::size_t first) {
+  return {csv.Number(row, first), csv.Number(row, first + 1), csv.Number(row, first + 2)};
+}
+
+GnssFix Fix(const CsvFile& csv, std::size_t row, std::size_t column) {
+  if (const auto fix = FixOfQuality(csv.Number(row, column))) return *fix;
+  csv.Fail(row, column, std::string(kNeedFix));
+}
+
+Mat3 Rotation(const CsvFile& csv, std::size_t row, std::size_t first) {
+  const Quat q(csv.Number(row, first), csv.Number(row, first + 1), csv.Number(row, first + 2),
+               csv.Number(row, first + 3));
+  if (std::abs(q.norm() - 1.0) > kQuaternionTolerance) {
+    csv.Fail(row, first, fmt::format("in a quaternion of norm {}; need norm 1", q.norm()));
+  }
+  return q.normalized().toRotationMatrix();
+}
+
+std::uint64_t Seed(const ConfigMap& map) {
+  const std::string text = map.Text("seed");
+  std::uint64_t seed = 0;
+  const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (status != std::errc() || stop != text.data() + text.size()) {
+    map.Fault("seed", fmt::format("'{}' is not a whole number from 0", text));
+  }
+  return seed;
+}
+
+void ReadOrigin(const ConfigMap& map, DatasetInfo* info) {
+  info->origin_lat_deg = map.Number("lat_deg", Between(-90, 90, "deg"));
+  info->origin_lon_deg = map.Number("lon_deg", Between(-180, 180, "deg"));
+  info->origin_height_m = map.Number("height_m", Any("m"));
+}
+
+DatasetInfo ReadInfo(const ConfigMap& root) {
+  DatasetInfo info;
+  if (root.Integer("format", AtLeast(1, "")) != kDatasetFormat) {
+    root.Fault("format", fmt::format("need format {}; read this recording with the TERA version "
+                                     "that wrote it",
+                                     kDatasetFormat));
+  }
+  root.Text("tera_version");
+  info.scenario_name = root.Text("name");
+  info.simulated = root.Boolean("simulated", true);
+  info.seed = Seed(root);
+  info.duration_s = root.Number("duration_s", AtLeast(0, "s"));
+  ReadOrigin(root.Map("origin"), &info);
+  for (const ConfigMap& item : root.List("classes")) {
+    const auto id = static_cast<std::size_t>(item.Integer("id", Between(0, 255, "")));
+    const std::string name = item.Text("name");
+    if (id < kSemanticClasses.size() && kSemanticClasses[id].name != name) {
+      item.Fault("name", fmt::format("'{}' is class {} here, need '{}'", name, id,
+                                     kSemanticClasses[id].name));
+    }
+  }
+  for (const ConfigMap& item : root.List("instances")) {
+    info.instances.push_back({static_cast<std::uint16_t>(item.Integer("id", Between(0, 65535, ""))),
+                              item.Text("name"), item.Text("class")});
+  }
+  info.inputs = ReadInputs(root);
+  return info;
+}
+
+ChannelType ReadType(const ConfigMap& map) {
+  const std::string name =
+      map.Choice("type", {"imu", "gnss", "encoder", "camera", "lidar", "table", "pose"}, "table");
+  for (const ChannelType type : {ChannelType::kImu, ChannelType::kGnss, ChannelType::kEncoder,
+                                 ChannelType::kCamera, ChannelType::kLidar, ChannelType::kPose}) {
+    if (NameOf(type) == name) return type;
+  }
+  return ChannelType::kTable;
+}
+
+TableRecording ReadTable(const CsvFile& csv) {
+  if (csv.Column("t_ns") != 0) {
+    throw InputError(fmt::format("{}:1: need t_ns as the first column", csv.path().string()));
+  }
+  TableRecording table;
+  table.columns.assign(csv.columns().begin() + 1, csv.columns().end());
+  for (std::size_t row = 0; row < csv.row_count(); ++row) {
+    table.t_ns.push_back(csv.Time(row));
+    std::vector<double> values;
+    for (std::size_t c = 1; c < csv.columns().size(); ++c) values.push_back(csv.Number(row, c));
+    table.rows.push_back(std::move(values));
+  }
+  return table;
+}
+
+}  // namespace
+
+bool WasStopped(const fs::path& directory) {
+  std::error_code ignored;
+  return !fs::is_regular_file(directory / "dataset.yaml", ignored) &&
+         fs::exists(directory / "INCOMPLETE.txt", ignored);
+}
+
+TableRecording LoadStoppedTable(const fs::path& directory, const std::string& file) {
+  fs::path path = directory / file;
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) path += kPartSuffix;
+  return ReadTable(CsvFile(path, CsvFile::LastLine::kIsLeftOutIfCut));
+}
+
+Recording::Recording(const fs::path& directory) : directory_(directory) {
+  std::error_code ignored;
+  if (!fs::is_directory(directory, ignored)) {
+    throw InputError(
+        fmt::format("{}: no such folder; name that of a recording", directory.string()));
+  }
+  if (!fs::is_regular_file(directory / "dataset.yaml", ignored)) {
+    const bool incomplete = WasStopped(directory);
+    throw InputError(fmt::format(
+        "{}: is not a complete recording ({}); {}", directory.string(),
+        incomplete ? "its run was stopped" : "it has no dataset.yaml",
+        incomplete ? "its INCOMPLETE.txt says what to do" : "name the folder that holds it"));
+  }
+  const Config config = Config::FromFile(directory / "dataset.yaml");
+  const ConfigMap root = config.root();
+  info_ = ReadInfo(root);
+  for (const ConfigMap& item : root.List("channels")) {
+    channels_.push_back({item.Text("path"), ReadType(item)});
+  }
+  config.Finish();
+  if (fs::exists(directory / "scenario.yaml", ignored)) {
+    info_.resolved_scenario_yaml = ReadWholeFile(directory / "scenario.yaml");
+  }
+}
+
+bool Recording::Has(const std::string& path) const {
+  return std::any_of(channels_.begin(), channels_.end(),
+                     [&](const ChannelDescription& c) { return c.path == path; });
+}
+
+std::vector<std::string> Recording::ChannelsOf(ChannelType type) const {
+  std::vector<std::string> paths;
+  for (const ChannelDescription& channel : channels_) {
+    if (channel.type == type) paths.push_back(channel.path);
+  }
+  return paths;
+}
+
+std::vector<std::string> Recording::Machines() const {
+  std::vector<std::string> names;
+  for (const ChannelDescription& channel : channels_) {
+    fs::path path(channel.path);
+    auto part = path.begin();
+    if (*part == "truth") ++part;
+    if (std::next(part) == path.end()) continue;
+    if (std::find(names.begin(), names.end(), *part) == names.end()) names.push_back(*part);
+  }
+  return names;
+}
+
+std::vector<ImuSample> Recording::LoadImu(const std::string& folder) const {
+  const CsvFile csv = OpenWithHeader(directory_ / folder / "data.csv", kImuHeader);
+  std::vector<ImuSample> samples(csv.row_count());
+  for (std::size_t row = 0; row < samples.size(); ++row) {
+    const TimeNs t_ns = csv.Time(row);
+    samples[row] = {t_ns, t_ns, Vector3(csv, row, 1), Vector3(csv, row, 4)};
+  }
+  return samples;
+}
+
+std::vector<GnssSample> Recording::LoadGnss(const std::string& folder) const {
+  const CsvFile csv = OpenWithHeader(directory_ / folder / "data.csv", kGnssHeader);
+  std::vector<GnssSample> samples(csv.row_count());
+  for (std::size_t row = 0; row < samples.size(); ++row) {
+    GnssSample& s = samples[row];
+    s.t_ns = s.t_available_ns = csv.Time(row);
+    s.lat_deg = csv.Number(row, 1);
+    s.lon_deg = csv.Number(row, 2);
+    s.alt_m = csv.Number(row, 3);
+    s.enu_m = Vector3(csv, row, 4);
+    s.fix = Fix(csv, row, 7);
+    s.variance_enu_m2 = Vector3(csv, row, 8);
+  }
+  return samples;
+}
+
+EncoderRecording Recording::LoadEncoder(const std::string& folder) const {
+  constexpr std::string_view kAngleEnding = "_rad", kTravelEnding = "_m";
+  const CsvFile csv = Open(directory_ / folder / "data.csv");
+  EncoderRecording encoder;
+  const std::size_t n = (csv.columns().size() - 1) / 2;  // positions, then rates
+  for (std::size_t c = 1; c <= n; ++c) {
+    const std::string& column = csv.columns()[c];
+    const bool linear = column.ends_with(kTravelEnding);
+    if (!linear && !column.ends_with(kAngleEnding)) {
+      throw InputError(
+          fmt::format("{}:1: column '{}' is neither an angle (_rad) nor a travel (_m); need "
+                      "positions of all joints, then their rates",
+                      csv.path().string(), column));
+    }
+    const std::size_t ending = linear ? kTravelEnding.size() : kAngleEnding.size();
+    encoder.axes.push_back({column.substr(0, column.size() - ending), linear});
+  }
+  OpenWithHeader(csv.path(), TableHeader(EncoderColumns(encoder.axes)));
+  for (std::size_t row = 0; row < csv.row_count(); ++row) {
+    EncoderSample sample;
+    sample.t_ns = sample.t_available_ns = csv.Time(row);
+    for (std::size_t j = 0; j < n; ++j) sample.q_rad.push_back(csv.Number(row, 1 + j));
+    for (std::size_t j = 0; j < n; ++j) sample.qd_radps.push_back(csv.Number(row, 1 + n + j));
+    encoder.samples.push_back(std::move(sample));
+  }
+  return encoder;
+}
+
+PoseRecording Recording::LoadPose(const std::string& file) const {
+  PoseRecording recording;
+  const std::size_t reference_columns = 8;
+  recording.has_velocity = Open(directory_ / file).columns().size() != reference_columns;
+  const CsvFile csv = OpenWithHeader(directory_ / file,
+                                     recording.has_velocity ? kPoseHeader : kReferencePoseHeader);
+  for (std::size_t row = 0; row < csv.row_count(); ++row) {
+    TruthPose pose;
+    pose.t_ns = csv.Time(row);
+    pose.X_WB = MakePose(Vector3(csv, row, 1), Rotation(csv, row, 4));
+    if (recording.has_velocity) {
+      pose.v_WB_mps = Vector3(csv, row, 8);
+      pose.w_WB_B_radps = Vector3(csv, row, 11);
+    }
+    recording.poses.push_back(pose);
+  }
+  return recording;
+}
+
+TableRecording Recording::LoadTable(const std::string& file) const {
+  return ReadTable(Open(directory_ / file));
+}
+
+std::vector<TimeNs> Recording::FrameTimes(const std::string& folder) const {
+  const CsvFile csv = OpenWithHeader(directory_ / folder / "data.csv", kFrameHeader);
+  std::vector<TimeNs> times;
+  for (std::size_t row = 0; row < csv.row_count(); ++row) times.push_back(csv.Time(row));
+  return times;
+}
+
+CameraFrame Recording::LoadFrame(const std::string& folder, TimeNs t_ns) const {
+  CameraFrame frame;
+  frame.t_ns = frame.t_available_ns = t_ns;
+  const auto file = [&](const char* kind, const char* ending) {
+    return directory_ / folder / kind / fmt::format("{}.{}", t_ns, ending);
+  };
+  bool any = false;
+  const auto has = [&](const fs::path& path) {
+    std::error_code ignored;
+    const bool there = fs::exists(path, ignored);
+    any = any || there;
+    return there;
+  };
+  if (has(file("rgb", "png"))) frame.rgb = ReadRgbPng(file("rgb", "png"));
+  if (has(file("depth", "png"))) frame.depth_m = DepthMetres(ReadGrey16Png(file("depth", "png")));
+  if (has(file("semantic", "png"))) frame.semantic = ReadGreyPng(file("semantic", "png"));
+  if (has(file("instance", "png"))) frame.instance = ReadGrey16Png(file("instance", "png"));
+  if (has(file("boxes", "json"))) frame.boxes = ReadBoxes(file("boxes", "json"));
+  if (!any) {
+    throw InputError(fmt::format("{}: there is no image of t_ns {}; data.csv names one",
+                                 (directory_ / folder).string(), t_ns));
+  }
+  return frame;
+}
+
+LidarScan Recording::LoadScan(const std::string& folder, TimeNs t_ns) const {
+  return {t_ns, t_ns, ReadPcd(directory_ / folder / "scans" / fmt::format("{}.pcd", t_ns))};
+}
+
+}  // namespace tera

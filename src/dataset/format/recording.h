@@ -1,0 +1,74 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/types/measurement.h"
+#include "dataset/format/dataset_description.h"
+
+namespace tera {
+
+/// Joint angles (or travels) and rates over time.
+struct EncoderRecording {
+  std::vector<EncoderAxis> axes;
+  std::vector<EncoderSample> samples;
+};
+
+/// Poses over time. The reference of a real recording may have no velocities.
+struct PoseRecording {
+  bool has_velocity = false;
+  std::vector<TruthPose> poses;
+};
+
+/// Any table with a leading t_ns.
+struct TableRecording {
+  std::vector<std::string> columns;  ///< without t_ns
+  std::vector<TimeNs> t_ns;
+  std::vector<std::vector<double>> rows;
+};
+
+/// Whether a run was stopped that wrote to this directory: it holds INCOMPLETE.txt and no
+/// dataset.yaml.
+bool WasStopped(const std::filesystem::path& directory);
+
+/// Of a recording whose run was stopped, the whole rows of a table that had come to the disk.
+/// Throws InputError where there is no such table.
+TableRecording LoadStoppedTable(const std::filesystem::path& directory, const std::string& file);
+
+/// A complete recording on disk, simulated or real, read channel by channel.
+///
+/// Everything that is not as docs/dataset.md says is an InputError with file and line: a missing or
+/// renamed column, a truncated or non-finite row, times that do not increase, an image or scan that
+/// is empty or cut off. Measurements come with t_available_ns = t_ns, as files hold no other time.
+class Recording {
+ public:
+  explicit Recording(const std::filesystem::path& directory);
+
+  const std::filesystem::path& directory() const { return directory_; }
+  const DatasetInfo& info() const { return info_; }
+  const std::vector<ChannelDescription>& channels() const { return channels_; }
+  bool Has(const std::string& path) const;
+  /// Paths of all channels of a type, in order of dataset.yaml.
+  std::vector<std::string> ChannelsOf(ChannelType type) const;
+  /// Names of machines: those with a pose under truth/, else folders that hold channels.
+  std::vector<std::string> Machines() const;
+
+  std::vector<ImuSample> LoadImu(const std::string& folder) const;
+  std::vector<GnssSample> LoadGnss(const std::string& folder) const;
+  EncoderRecording LoadEncoder(const std::string& folder) const;
+  PoseRecording LoadPose(const std::string& file) const;
+  TableRecording LoadTable(const std::string& file) const;
+  /// Times of a camera's or lidar's frames.
+  std::vector<TimeNs> FrameTimes(const std::string& folder) const;
+  /// Images that the camera did not record are empty.
+  CameraFrame LoadFrame(const std::string& folder, TimeNs t_ns) const;
+  LidarScan LoadScan(const std::string& folder, TimeNs t_ns) const;
+
+ private:
+  std::filesystem::path directory_;
+  DatasetInfo info_;
+  std::vector<ChannelDescription> channels_;
+};
+
+}  // namespace tera

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dataset/format/measurement_sink.h"
+#include "dataset/format/recorded_inputs.h"
+
+namespace tera {
+
+/// What dataset.yaml says about the whole recording.
+struct DatasetInfo {
+  std::string scenario_name;
+  bool simulated = true;
+  std::uint64_t seed = 0;
+  double duration_s = 0;
+  double origin_lat_deg = 0, origin_lon_deg = 0, origin_height_m = 0;
+  std::string resolved_scenario_yaml;  ///< goes to scenario.yaml
+  struct Instance {
+    std::uint16_t id;
+    std::string name;
+    std::string label;
+  };
+  std::vector<Instance> instances;
+  std::vector<RecordedInput> inputs;
+};
+
+struct WriterOptions {
+  int threads = 2;        ///< encoding threads
+  int queue_length = 64;  ///< frames waiting before Write blocks
+  bool resume = false;
+  std::string kind = "recording";  ///< what an incomplete one is; for its note and for messages
+  /// What to do with an incomplete recording; for the same.
+  std::string remedy = "go on with it by the same command and --resume, or delete it";
+};
+
+/// Where a recording is until it is finished, without a slash at the end.
+std::filesystem::path IncompleteOf(const std::filesystem::path& directory);
+
+/// Writes a recording. Frames are encoded on worker threads behind a bounded queue; rows are
+/// written in order by the caller's thread. Everything goes to `<directory>.incomplete` and is
+/// renamed to `<directory>` by Finish; every file appears under its name only when whole.
+///
+/// Throws InputError: directory not empty, not writable, disk full; on resume, a partial dataset of
+/// another scenario, seed, version or inputs.
+class DatasetWriter : public MeasurementSink {
+ public:
+  DatasetWriter(const std::filesystem::path& directory, const DatasetInfo& info,
+                const WriterOptions& options);
+  /// Without Finish, leaves the incomplete directory, its rows as far as the disk takes them.
+  ~DatasetWriter() override;
+
+  /// Gives a recording its name that an earlier run had finished but for that. False where there is
+  /// none. Throws InputError where it is of another scenario, seed, version or inputs.
+  static bool FinishWhole(const std::filesystem::path& directory, const DatasetInfo& info);
+
+  ChannelId AddImu(const std::string& folder, const std::string& sensor_yaml) override;
+  ChannelId AddGnss(const std::string& folder, const std::string& sensor_yaml) override;
+  ChannelId AddEncoder(const std::string& folder, const std::string& sensor_yaml,
+                       const std::vector<EncoderAxis>& axes) override;
+  ChannelId AddCamera(const std::string& folder, const std::string& sensor_yaml) override;
+  ChannelId AddLidar(const std::string& folder, const std::string& sensor_yaml) override;
+  ChannelId AddTable(const std::string& file, const std::vector<std::string>& columns) override;
+  ChannelId AddPose(const std::string& file, bool with_velocity = true) override;
+
+  void Write(ChannelId channel, const ImuSample& sample) override;
+  void Write(ChannelId channel, const GnssSample& sample) override;
+  void Write(ChannelId channel, const EncoderSample& sample) override;
+  void Write(ChannelId channel, CameraFrame frame) override;
+  void Write(ChannelId channel, LidarScan scan) override;
+  void Write(ChannelId channel, const TruthPose& pose) override;
+  void WriteRow(ChannelId channel, TimeNs t_ns, const std::vector<double>& values) override;
+
+  /// False when resuming and the files of this channel's frame at `t_ns` are whole already.
+  bool NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs next_ns) const override;
+  void MarkPresent(ChannelId channel, TimeNs t_ns) override;
+
+  /// Where to put a file of another kind (truth/terrain/*.tif); its folder exists.
+  std::filesystem::path PathFor(const std::string& relative);
+
+  /// Hands all rows so far to the system, so that a kill of the program does not lose them.
+  void Flush();
+
+  std::int64_t frames_written() const;
+  std::int64_t bytes_written() const;
+
+  /// Goes on with a recording that an earlier run began.
+  bool resumed() const;
+  /// Where everything is until Finish.
+  const std::filesystem::path& incomplete_directory() const;
+
+  /// What dataset.yaml says in place of the duration that was given at the start.
+  void SetDuration(double duration_s);
+  /// Waits for the queue, closes everything and renames the directory into place.
+  void Finish();
+  /// Gives up: removes the incomplete directory. Nothing may be called after it.
+  void Discard();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace tera

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/config/config.h"
+#include "dataset/import/csv_file.h"
+
+/// How columns of a foreign CSV file become numbers in SI units and rows become times.
+
+namespace tera {
+
+/// Physical dimension that a value must have; kAny for tables, whose columns may be anything.
+enum class Dimension {
+  kAny,
+  kTime,
+  kLength,
+  kAngle,
+  kSpeed,
+  kRate,
+  kAcceleration,
+  kVariance,
+  kForce,
+  kTorque,
+  kNone
+};
+
+/// value = field * factor + offset, or a constant.
+struct ColumnMapping {
+  std::string column;  ///< empty: the constant `offset`
+  double factor = 1.0, offset = 0.0;
+  Range allowed;  ///< of the value
+};
+
+/// Reads `{column:, unit:, scale:, offset:}` or `{constant:}`. The offset is in SI units. An
+/// unknown unit, or one of another dimension, is a fault; so is, when rows are read, a value that
+/// is not `allowed`.
+ColumnMapping ReadColumnMapping(const ConfigMap& config, Dimension dimension,
+                                const Range& allowed = {});
+
+/// A row counts when this holds.
+struct RowRule {
+  enum class Test { kAbove, kBelow, kEquals, kChanges };
+  std::string column;
+  Test test = Test::kAbove;
+  double value = 0;  ///< as in the file, before any unit
+};
+
+/// Which rows of which file, and when they were.
+struct RowSource {
+  std::filesystem::path file;
+  ColumnMapping time;  ///< gives seconds
+  /// Where rows have no time: from each to the next, left out ones too; `time` is the first one's.
+  std::optional<double> interval_s;
+  std::vector<RowRule> rules;
+};
+
+/// Reads `file:`, `time:` and `valid_if:` of a channel; file and time default to those of the
+/// mapping's top level. A time is a column or `{interval:, unit:, offset:}`.
+RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top);
+
+/// One valid row: its time and the values of the columns asked for.
+struct MappedRow {
+  TimeNs t_ns = 0;
+  int line = 0;  ///< in its file
+  std::vector<double> values;
+};
+
+/// All valid rows. Throws InputError for a missing column, a number that is none, or times that do
+/// not increase.
+std::vector<MappedRow> ReadRows(const RowSource& source, const std::vector<ColumnMapping>& columns);
+
+}  // namespace tera

@@ -1,0 +1,114 @@
+#include "dataset/overview/picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <opencv2/imgproc.hpp>
+
+#include "core/check.h"
+
+namespace tera {
+namespace {
+
+constexpr double kShownShare = 0.98;  ///< share of values that a colour scale covers
+constexpr double kFontScale = 0.5;
+
+cv::Mat View(Picture* picture) {
+  return cv::Mat(picture->height_px, picture->width_px, CV_8UC3, picture->data.data());
+}
+
+cv::Mat View(const Picture& picture) { return View(const_cast<Picture*>(&picture)); }
+
+/// Value below which `share` of the values lie.
+double Quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  const auto place =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+/// Colour of s in [0, 1] on OpenCV's turbo scale, blue to red, as RGB.
+cv::Vec3b Turbo(double s) {
+  static const cv::Mat table = [] {
+    cv::Mat ramp(1, 256, CV_8U), colours;
+    for (int i = 0; i < 256; ++i) ramp.at<std::uint8_t>(0, i) = static_cast<std::uint8_t>(i);
+    cv::applyColorMap(ramp, colours, cv::COLORMAP_TURBO);
+    cv::cvtColor(colours, colours, cv::COLOR_BGR2RGB);
+    return colours;
+  }();
+  return table.at<cv::Vec3b>(0, static_cast<int>(std::lround(255 * std::clamp(s, 0.0, 1.0))));
+}
+
+cv::Vec3b ClassColour(std::uint8_t label) {
+  if (label >= kSemanticClasses.size()) return {255, 255, 255};
+  const auto& rgb = kSemanticClasses[label].rgb;
+  return {rgb[0], rgb[1], rgb[2]};
+}
+
+/// Hues a golden-ratio turn apart, so that neighbouring numbers differ.
+cv::Vec3b InstanceColour(std::uint16_t instance) {
+  if (instance == 0) return {30, 30, 30};
+  const double turn = std::fmod(0.618034 * instance, 1.0);
+  cv::Mat colour(1, 1, CV_8UC3, cv::Scalar(180.0 * turn, 200, 255));
+  cv::cvtColor(colour, colour, cv::COLOR_HSV2RGB);
+  return colour.at<cv::Vec3b>(0, 0);
+}
+
+template <typename T, typename Colour>
+Picture Map(const Image<T>& image, const Colour& colour_of) {
+  Picture picture(image.width_px, image.height_px, 3);
+  for (std::size_t i = 0; i < image.data.size(); ++i) {
+    const cv::Vec3b colour = colour_of(image.data[i]);
+    for (int c = 0; c < 3; ++c) picture.data[3 * i + static_cast<std::size_t>(c)] = colour[c];
+  }
+  return picture;
+}
+
+}  // namespace
+
+Picture ColourDepth(const Image<float>& depth_m) {
+  std::vector<double> measured;
+  for (const float d : depth_m.data) {
+    if (d > 0) measured.push_back(static_cast<double>(d));
+  }
+  const double far_m = std::max(Quantile(std::move(measured), kShownShare), 1e-3);
+  return Map(depth_m, [&](float d) {
+    return d > 0 ? Turbo(1.0 - static_cast<double>(d) / far_m) : cv::Vec3b(0, 0, 0);
+  });
+}
+
+Picture ColourClasses(const Image<std::uint8_t>& semantic) { return Map(semantic, ClassColour); }
+
+Picture ColourInstances(const Image<std::uint16_t>& instance) {
+  return Map(instance, InstanceColour);
+}
+
+Picture FitTile(const Picture& picture, int width_px, int height_px, const std::string& caption) {
+  Picture tile(width_px, height_px, 3);
+  cv::Mat canvas = View(&tile);
+  const double scale = std::min(static_cast<double>(width_px) / picture.width_px,
+                                static_cast<double>(height_px) / picture.height_px);
+  const cv::Size size(
+      std::min(width_px, static_cast<int>(std::lround(scale * picture.width_px))),
+      std::min(height_px, static_cast<int>(std::lround(scale * picture.height_px))));
+  cv::Mat fitted;
+  cv::resize(View(picture), fitted, size, 0, 0, scale < 1 ? cv::INTER_AREA : cv::INTER_NEAREST);
+  fitted.copyTo(canvas(cv::Rect((width_px - size.width) / 2, (height_px - size.height) / 2,
+                                size.width, size.height)));
+  const cv::Point place(6, 16);
+  cv::putText(canvas, caption, place, cv::FONT_HERSHEY_SIMPLEX, kFontScale, cv::Scalar(0, 0, 0), 3,
+              cv::LINE_AA);
+  cv::putText(canvas, caption, place, cv::FONT_HERSHEY_SIMPLEX, kFontScale,
+              cv::Scalar(255, 255, 255), 1, cv::LINE_AA);
+  return tile;
+}
+
+void Paste(const Picture& tile, int x_px, int y_px, Picture* sheet) {
+  TERA_CHECK(x_px >= 0 && y_px >= 0 && x_px + tile.width_px <= sheet->width_px &&
+                 y_px + tile.height_px <= sheet->height_px,
+             x_px, y_px, tile.width_px, tile.height_px);
+  View(tile).copyTo(View(sheet)(cv::Rect(x_px, y_px, tile.width_px, tile.height_px)));
+}
+
+}  // namespace tera

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/types/measurement.h"
+
+/// Pictures for people to look at: sensor images in colour, fitted into tiles.
+
+namespace tera {
+
+using Picture = Image<std::uint8_t>;  ///< 3 channels, RGB
+
+/// Depth from near (red) to far (blue), black where there is none.
+Picture ColourDepth(const Image<float>& depth_m);
+/// Classes in the colours of kSemanticClasses.
+Picture ColourClasses(const Image<std::uint8_t>& semantic);
+/// Each instance in a colour of its own, none in dark grey.
+Picture ColourInstances(const Image<std::uint16_t>& instance);
+
+/// `picture` shrunk or enlarged to fit a tile, centred on black, with a caption.
+Picture FitTile(const Picture& picture, int width_px, int height_px, const std::string& caption);
+
+/// Copies `tile` into `sheet` with its corner at (x, y); it must fit.
+void Paste(const Picture& tile, int x_px, int y_px, Picture* sheet);
+
+}  // namespace tera

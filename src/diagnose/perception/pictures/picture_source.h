@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/motion.h"
+#include "core/types/measurement.h"
+#include "diagnose/perception/scans/range_scan.h"
+
+/// What a colour camera recorded, and what a simulation of it shows.
+
+namespace tera {
+
+/// A simulated picture, pixel by pixel.
+struct SimulatedPicture {
+  Image<float> grey;            ///< 0 to 1, as stored (sRGB)
+  Image<float> depth_m;         ///< along the optical axis; 0: nothing, as in the sky
+  Image<std::uint8_t> surface;  ///< a Surface: kMachine moves with the camera's link
+};
+
+/// One camera's pictures beside the simulation of them.
+///
+/// Frames  W; B the camera's link; S the sensor; C optical.
+struct PictureSource {
+  std::string channel;  ///< "excavator1/camera_mast"
+  std::string target;   ///< the camera's name in the scenario
+  Pose X_BS = Pose::Identity();
+  Pose X_SC = Pose::Identity();
+  SensorNumbers present;  ///< as the scenario has them
+  std::vector<TimeNs> t_ns;
+  std::vector<Image<float>> grey;  ///< measured, 0 to 1
+  /// The picture of a frame under numbers that the camera might have; nothing where it is not known
+  /// where the camera then was.
+  std::function<std::optional<SimulatedPicture>(std::size_t frame, const SensorNumbers& numbers)>
+      render;
+  /// Motion of the link at the frame's true time.
+  std::function<std::optional<BodyState>(std::size_t frame, const SensorNumbers& numbers)> link_at;
+  std::function<Vec2(const Vec3& p_C_m)> project;          ///< pixel of a point before it
+  std::function<std::optional<Vec3>(const Vec2& px)> ray;  ///< (x, y, 1) of a pixel
+};
+
+}  // namespace tera

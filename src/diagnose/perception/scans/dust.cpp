@@ -1,0 +1,285 @@
+#include "diagnose/perception/scans/dust.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "diagnose/perception/scans/ground_map.h"
+#include "diagnose/perception/scans/object_edges.h"
+#include "diagnose/perception/scans/shares_above.h"
+#include "diagnose/statistics/series/robust.h"
+
+namespace tera {
+namespace {
+
+constexpr double kBefore_m = 0.5, kOverGround_m = 0.3;
+constexpr double kCube_m = 0.5, kStep_m = 0.25;
+constexpr int kReach = 2;
+constexpr std::size_t kFewestReturns = 40;
+constexpr std::size_t kMostParts = 8;  ///< of a recording, looked at alone
+constexpr double kThing = 0.6, kThick_m = 0.1;
+/// More than one ray in 200, by blocks that agree within a tenth.
+constexpr SharesAbove kMoreThanRare{.limit = 0.005, .prior_blocks = 8, .prior_scatter = 0.1};
+constexpr double kChosen = 0.05, kConfirmed = 0.01;
+constexpr double kPresent = 0.25;  ///< of a cloud's densest tenth: less is clear air
+
+using Cube = std::array<int, 3>;
+
+Cube CubeAt(const Vec3& p_W_m) {
+  const Vec3 at = (p_W_m / kCube_m).array().floor();
+  return {static_cast<int>(at.x()), static_cast<int>(at.y()), static_cast<int>(at.z())};
+}
+
+struct Stray {
+  std::size_t scan, point;
+  Vec3 p_W_m;
+};
+
+/// Rays that came to a cloud in one block of time.
+struct Count {
+  double stopped = 0, passed = 0;
+  double share() const { return stopped / (stopped + passed); }
+};
+
+/// Every measured ray as it was.
+struct Path {
+  std::size_t scan;
+  Vec3 from_W_m, d_W;
+  double length_m;
+};
+
+void AddScan(const RangeSource& source, const SensorNumbers& numbers, std::size_t scan,
+             std::vector<Stray>* strays, std::vector<Path>* paths) {
+  const std::vector<RangePoint>& points = source.scans[scan].points;
+  const std::vector<SimulatedReturn> hits = source.cast(scan, numbers, BeamsOf(source.scans[scan]));
+  std::vector<std::size_t> near;
+  std::vector<Vec3> near_W_m;
+  const Vec3 p_BT_m = source.X_BS.translation() + numbers.shift_B_m();
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    if (hits[p].surface == Surface::kUnknown) continue;
+    const Vec3 from_W_m = hits[p].X_WB * p_BT_m;
+    const Vec3 p_W_m = PointInWorld(source, numbers, points[p], hits[p]);
+    const double length_m = (p_W_m - from_W_m).norm();
+    paths->push_back({scan, from_W_m, (p_W_m - from_W_m) / length_m, length_m});
+    if (hits[p].surface != Surface::kNothing && length_m > hits[p].range_m - kBefore_m) continue;
+    const auto ground_m = source.ground_m(scan, p_W_m.head<2>());
+    if (!ground_m || p_W_m.z() < *ground_m + kOverGround_m) continue;
+    near.push_back(p);
+    near_W_m.push_back(p_W_m);
+  }
+  const std::vector<bool> on_edge = OnEdges(source, numbers, scan, near);
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    if (!on_edge[i]) strays->push_back({scan, near[i], near_W_m[i]});
+  }
+}
+
+/// A number for each cube: its cloud.
+std::map<Cube, int> Clouds(const std::vector<Stray>& strays, int* count) {
+  std::map<Cube, int> cloud;
+  for (const Stray& stray : strays) cloud[CubeAt(stray.p_W_m)] = -1;
+  *count = 0;
+  for (auto& [start, number] : cloud) {
+    if (number >= 0) continue;
+    number = *count;
+    std::vector<Cube> open = {start};
+    while (!open.empty()) {
+      const Cube at = open.back();
+      open.pop_back();
+      for (int a = -kReach; a <= kReach; ++a) {
+        for (int b = -kReach; b <= kReach; ++b) {
+          for (int c = -kReach; c <= kReach; ++c) {
+            const auto next = cloud.find({at[0] + a, at[1] + b, at[2] + c});
+            if (next == cloud.end() || next->second >= 0) continue;
+            next->second = *count;
+            open.push_back(next->first);
+          }
+        }
+      }
+    }
+    ++*count;
+  }
+  return cloud;
+}
+
+struct Tally {
+  std::map<std::size_t, Count> blocks;
+  std::vector<const Stray*> strays;
+};
+
+/// Counts each ray once a cloud that it went through, unless it ended there.
+void CountPassing(const std::vector<Path>& paths, const ScanSplit& split,
+                  const std::map<Cube, int>& cloud, std::vector<Tally>* tallies) {
+  for (const Path& path : paths) {
+    std::vector<int> met;
+    for (double r = kStep_m; r < path.length_m - kCube_m; r += kStep_m) {
+      const auto at = cloud.find(CubeAt(path.from_W_m + r * path.d_W));
+      if (at == cloud.end() || std::find(met.begin(), met.end(), at->second) != met.end()) continue;
+      met.push_back(at->second);
+    }
+    const auto end = cloud.find(CubeAt(path.from_W_m + path.length_m * path.d_W));
+    for (const int number : met) {
+      if (end != cloud.end() && end->second == number) continue;
+      (*tallies)[static_cast<std::size_t>(number)].blocks[split.block[path.scan]].passed += 1;
+    }
+  }
+}
+
+/// Blocks from `first` to before `end`.
+struct Window {
+  std::size_t first = 0, end = 0;
+  double p = 1;
+  bool Has(std::size_t block) const { return block >= first && block < end; }
+};
+
+using Shares = std::map<std::size_t, double>;
+
+std::vector<double> SharesIn(const Shares& shares, const Window& window) {
+  std::vector<double> within;
+  for (const auto& [block, share] : shares) {
+    if (window.Has(block)) within.push_back(share);
+  }
+  return within;
+}
+
+/// Of the whole recording, its halves, quarters and eighths the one that shows a cloud best; p over
+/// all of them.
+Window ShownBestIn(const Shares& seen, std::size_t blocks) {
+  Window best{0, blocks, 1};
+  double windows = 0;
+  for (std::size_t parts = 1; parts <= kMostParts; parts *= 2) {
+    for (std::size_t k = 0; k < parts; ++k) {
+      Window window{k * blocks / parts, (k + 1) * blocks / parts, 1};
+      window.p = kMoreThanRare.P(SharesIn(seen, window));
+      if (window.p < best.p) best = window;
+      windows += 1;
+    }
+  }
+  best.p = std::min(1.0, windows * best.p);
+  return best;
+}
+
+/// From the first to the last block that shows the cloud.
+Window PresentIn(const Shares& seen, double least) {
+  Window present;
+  for (const auto& [block, share] : seen) {
+    if (share <= least) continue;
+    if (present.end == 0) present.first = block;
+    present.end = block + 1;
+  }
+  return present;
+}
+
+/// `least`: share of a block that shows the cloud.
+void AddIntervals(const RangeSource& source, const ScanSplit& split, const Tally& tally,
+                  double least, DustCloud* cloud) {
+  bool open = false, always = true;
+  for (std::size_t s = 0; s < source.scans.size(); ++s) {
+    const auto at = tally.blocks.find(split.block[s]);
+    if (at == tally.blocks.end()) continue;
+    const bool is_there = at->second.share() > least;
+    always = always && is_there;
+    const double t_s = ToSeconds(source.scans[s].t_ns - source.start_ns);
+    if (is_there && !open) cloud->intervals_s.emplace_back(t_s, t_s);
+    if (is_there) cloud->intervals_s.back().second = t_s;
+    open = is_there;
+  }
+  if (always) cloud->intervals_s.clear();
+}
+
+/// Median over returns of the least standard deviation of those in their cubic metre.
+double ThicknessOf(const std::vector<const Stray*>& strays) {
+  constexpr std::size_t kFewest = 6;
+  std::map<Cube, std::vector<Vec3>> cubes;
+  for (const Stray* stray : strays) cubes[CubeAt(0.5 * stray->p_W_m)].push_back(stray->p_W_m);
+  std::vector<double> thickness_m;
+  for (const auto& [cube, points] : cubes) {
+    if (points.size() < kFewest) continue;
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& p : points) mean += p / static_cast<double>(points.size());
+    Mat3 covariance = Mat3::Zero();
+    for (const Vec3& p : points) covariance += (p - mean) * (p - mean).transpose();
+    const Eigen::SelfAdjointEigenSolver<Mat3> solver(covariance /
+                                                     static_cast<double>(points.size() - 1));
+    thickness_m.insert(thickness_m.end(), points.size(),
+                       std::sqrt(std::max(0.0, solver.eigenvalues()[0])));
+  }
+  return thickness_m.empty() ? 0 : Median(thickness_m);
+}
+
+DustCloud CloudOf(const RangeSource& source, const ScanSplit& split, const Tally& tally) {
+  DustCloud cloud;
+  cloud.returns = tally.strays.size();
+  cloud.low_W_m = cloud.high_W_m = tally.strays.front()->p_W_m;
+  for (const Stray* stray : tally.strays) {
+    cloud.centre_W_m += stray->p_W_m / static_cast<double>(tally.strays.size());
+    cloud.low_W_m = cloud.low_W_m.cwiseMin(stray->p_W_m);
+    cloud.high_W_m = cloud.high_W_m.cwiseMax(stray->p_W_m);
+  }
+  cloud.thickness_m = ThicknessOf(tally.strays);
+  std::vector<bool> is_final(split.blocks);
+  for (std::size_t s = 0; s < source.scans.size(); ++s) {
+    is_final[split.block[s]] = split.part[s] == Part::kFinal;
+  }
+  Shares seen, held_out;
+  for (const auto& [block, count] : tally.blocks) {
+    (is_final[block] ? held_out : seen)[block] = count.share();
+  }
+  const Window best = ShownBestIn(seen, split.blocks);
+  cloud.p_chosen = best.p;
+  if (best.p >= 1) return cloud;
+  const double least = kPresent * Quantile(SharesIn(seen, best), 0.9);
+  const Window present = PresentIn(seen, least);
+  cloud.p_confirmed = kMoreThanRare.P(SharesIn(held_out, present));
+  Count while_there;
+  for (const auto& [block, count] : tally.blocks) {
+    if (!present.Has(block)) continue;
+    while_there.stopped += count.stopped;
+    while_there.passed += count.passed;
+  }
+  cloud.stopped = while_there.share();
+  AddIntervals(source, split, tally, least, &cloud);
+  return cloud;
+}
+
+}  // namespace
+
+Dust FindDust(const RangeSource& source, const ScanSplit& split, const SensorNumbers& numbers) {
+  Dust dust{{}, {}, NoPoints(source.scans)};
+  std::vector<Stray> strays;
+  std::vector<Path> paths;
+  for (std::size_t s = 0; s < source.scans.size(); ++s) {
+    AddScan(source, numbers, s, &strays, &paths);
+  }
+  if (strays.size() < kFewestReturns) return dust;
+  int count = 0;
+  std::map<Cube, int> cloud = Clouds(strays, &count);
+  std::vector<Tally> tallies(static_cast<std::size_t>(count));
+  for (const Stray& stray : strays) {
+    Tally& tally = tallies[static_cast<std::size_t>(cloud.at(CubeAt(stray.p_W_m)))];
+    tally.strays.push_back(&stray);
+    tally.blocks[split.block[stray.scan]].stopped += 1;
+  }
+  std::erase_if(cloud, [&](const auto& cube) {
+    return tallies[static_cast<std::size_t>(cube.second)].strays.size() < kFewestReturns;
+  });
+  if (cloud.empty()) return dust;
+  const auto large =
+      static_cast<double>(std::count_if(tallies.begin(), tallies.end(), [](const Tally& tally) {
+        return tally.strays.size() >= kFewestReturns;
+      }));
+  CountPassing(paths, split, cloud, &tallies);
+  for (const Tally& tally : tallies) {
+    if (tally.strays.size() < kFewestReturns) continue;
+    const DustCloud one = CloudOf(source, split, tally);
+    const bool is_chosen = one.p_chosen <= kChosen / large;
+    if (!is_chosen || one.stopped > kThing || one.thickness_m < kThick_m) continue;
+    const bool is_confirmed = one.p_confirmed <= kConfirmed / large;
+    (is_confirmed ? dust.clouds : dust.unconfirmed).push_back(one);
+    for (const Stray* stray : tally.strays) dust.explained[stray->scan][stray->point] = true;
+  }
+  return dust;
+}
+
+}  // namespace tera

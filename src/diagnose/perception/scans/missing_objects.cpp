@@ -1,0 +1,97 @@
+#include "diagnose/perception/scans/missing_objects.h"
+
+#include <cmath>
+#include <map>
+
+#include "diagnose/perception/scans/shares_above.h"
+
+namespace tera {
+namespace {
+
+constexpr double kBehind_m = 0.3, kOffSurface_m = 0.15;
+constexpr double kLevel = 0.01;
+constexpr std::size_t kFewestRays = 20;
+constexpr SharesAbove kMoreThanHalf{.limit = 0.5, .fewest_blocks = 3, .least_sigma = 0.03};
+
+/// Rays that should have met one object, in one block of time.
+struct Count {
+  double all = 0, through = 0;
+};
+
+struct Tally {
+  std::map<std::size_t, Count> seen, held_out;               ///< by block
+  std::vector<std::pair<std::size_t, std::size_t>> through;  ///< scan and point
+  Vec2 where_W_m = Vec2::Zero();
+  double square_m2 = 0, final_rays = 0;
+  std::size_t rays = 0;
+};
+
+/// Whether more than half went on.
+double ShareP(const std::map<std::size_t, Count>& blocks) {
+  std::vector<double> shares;
+  for (const auto& [block, count] : blocks) shares.push_back(count.through / count.all);
+  return kMoreThanHalf.P(shares);
+}
+
+void AddScan(const RangeSource& source, const ScanSplit& split, const SensorNumbers& numbers,
+             std::size_t scan, std::map<int, Tally>* tallies) {
+  const std::vector<RangePoint>& points = source.scans[scan].points;
+  std::vector<Beam> beams;
+  for (const RangePoint& point : points) beams.push_back(BeamOf(point));
+  const std::vector<SimulatedReturn> hits = source.cast(scan, numbers, beams);
+  const bool is_final = split.part[scan] == Part::kFinal;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    if (hits[p].surface != Surface::kObstacle) continue;
+    const double behind_m = TruePoint(source, numbers, points[p].p_S_m).norm() - hits[p].range_m;
+    const double off_m = BeyondSurface_m(source, numbers, points[p], hits[p]);
+    const bool went_on = behind_m > kBehind_m && off_m > kOffSurface_m;
+    // What ended before it tells of something else.
+    if (behind_m < -kBehind_m && off_m < -kOffSurface_m) continue;
+    Tally& tally = (*tallies)[hits[p].object];
+    Count& count = (is_final ? tally.held_out : tally.seen)[split.block[scan]];
+    count.all += 1;
+    ++tally.rays;
+    if (is_final) {
+      tally.final_rays += 1;
+      tally.square_m2 += off_m * off_m;
+    }
+    if (!went_on) continue;
+    count.through += 1;
+    tally.through.emplace_back(scan, p);
+    const Vec3 d_W = hits[p].X_WB.linear() *
+                     (source.X_BS.linear() * (numbers.R_ST() * points[p].p_S_m.normalized()));
+    const Vec3 met_W_m = PointInWorld(source, numbers, points[p], hits[p]) - behind_m * d_W;
+    tally.where_W_m += met_W_m.head<2>();
+  }
+}
+
+}  // namespace
+
+MissingObjects FindMissingObjects(const RangeSource& source, const ScanSplit& split,
+                                  const SensorNumbers& numbers) {
+  std::map<int, Tally> tallies;
+  for (std::size_t s = 0; s < source.scans.size(); ++s) {
+    AddScan(source, split, numbers, s, &tallies);
+  }
+  MissingObjects missing;
+  for (const RangeScan& scan : source.scans) missing.explained.emplace_back(scan.points.size());
+  const auto objects = static_cast<double>(tallies.size());
+  for (const auto& [object, tally] : tallies) {
+    if (tally.rays < kFewestRays) continue;
+    MissingObject one;
+    one.object = object;
+    one.rays = tally.rays;
+    const auto through = static_cast<double>(tally.through.size());
+    one.share = through / static_cast<double>(tally.rays);
+    one.p_chosen = ShareP(tally.seen);
+    one.p_confirmed = ShareP(tally.held_out);
+    if (one.p_chosen > kLevel / objects || one.p_confirmed > kLevel / objects) continue;
+    one.centre_W_m = tally.where_W_m / through;
+    one.rmse_before_m = std::sqrt(tally.square_m2 / tally.final_rays);
+    for (const auto& [scan, point] : tally.through) missing.explained[scan][point] = true;
+    missing.objects.push_back(one);
+  }
+  return missing;
+}
+
+}  // namespace tera

@@ -1,0 +1,452 @@
+#include "diagnose/report/files/diagnosis_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "diagnose/report/text/by_weight.h"
+#include "diagnose/report/text/next_manoeuvre_text.h"
+#include "diagnose/report/text/proposal_text.h"
+
+namespace tera {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kUnfollowed = 0.5;  ///< in place of a p, of error that no free member follows
+
+Json Number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
+}
+
+Json Number(const std::optional<double>& value) { return value ? Number(*value) : Json(nullptr); }
+
+Json Intervals(const Location& location, const ReplayBlock& block) {
+  Json list = Json::array();
+  for (const Segment& segment : location.intervals) {
+    list.push_back({Number(block.time_s(segment.begin)), Number(block.time_s(segment.end))});
+  }
+  return list;
+}
+
+std::string ShapeOf(const CurveShape& shape) {
+  std::string text;
+  if (shape.parity == CurveParity::kOdd || shape.parity == CurveParity::kEven) {
+    text = std::string(NameOf(shape.parity)) + " ";
+  }
+  text += NameOf(shape.form);
+  return shape.outside ? text + " outside" : text;
+}
+
+Json RegimeOf(const Location& location) {
+  if (location.regimes.empty()) return nullptr;
+  const Regime& regime = location.regimes.front();
+  const bool has_range = regime.shape.form != CurveForm::kNone;
+  return {{"variable", regime.variable},
+          {"error", regime.is_share ? "share of simulated" : "value"},
+          {"low", has_range ? Number(regime.shape.low) : Json(nullptr)},
+          {"high", has_range ? Number(regime.shape.high) : Json(nullptr)},
+          {"shape", ShapeOf(regime.shape)},
+          {"p", Number(regime.p)}};
+}
+
+Json ParametersOf(const Finding& finding) {
+  const std::vector<double>& present = finding.term.suspect->present;
+  Json map = Json::object();
+  for (std::size_t i = 0; i < finding.parameters.size(); ++i) {
+    const ParameterEstimate& estimate = finding.parameters[i];
+    Json& json = map[estimate.name];
+    json = {{"value", Number(estimate.value)},
+            {"sigma", Number(estimate.sigma)},
+            {"unit", estimate.unit}};
+    if (!present.empty()) json["instead_of"] = Number(present[i]);
+    if (finding.term.IsHeld(i)) json["determined"] = false;
+  }
+  return map;
+}
+
+Json HeldOut(double before, double after, const std::string& unit, double removed) {
+  return {{"rmse_before", Number(before)},
+          {"rmse_after", Number(after)},
+          {"unit", unit},
+          {"excess_variance_removed", Number(removed)}};
+}
+
+/// The part that named and unexplained findings share.
+Json Where(const DiagnosedBlock& diagnosed, const Location& location) {
+  return {{"channel", diagnosed.block.channels[location.channel].name},
+          {"intervals_s", Intervals(location, diagnosed.block)},
+          {"regime", RegimeOf(location)}};
+}
+
+/// What tells surer names from less sure ones: no probability, being calibrated on nothing.
+double ScoreOf(const Finding& finding) {
+  const auto alike = static_cast<double>(finding.evidence.rivals.size());
+  return (1 - finding.evidence.p) * (1 - finding.held_out.p) / alike;
+}
+
+Json Named(const DiagnosedBlock& diagnosed, const Finding& finding) {
+  Json json = Where(diagnosed, finding.location);
+  const Suspect& suspect = *finding.term.suspect;
+  json["mechanism"] = std::string(suspect.mechanism->id);
+  json["slot"] = std::string(NameOf(suspect.mechanism->slot));
+  json["target"] = suspect.target;
+  json["parameters"] = ParametersOf(finding);
+  json["class"] = Json::array();
+  for (const Suspect* rival : finding.evidence.rivals) {
+    json["class"].push_back(std::string(rival->mechanism->id));
+  }
+  json["rejected"] = Json::array();
+  for (const Rival& rival : finding.evidence.rejected) {
+    json["rejected"].push_back(
+        {{"mechanism", std::string(rival.suspect->mechanism->id)}, {"p", Number(rival.p)}});
+  }
+  json["evidence"] = {{"p_chosen", Number(finding.evidence.p)},
+                      {"p_confirmed", Number(finding.held_out.p)}};
+  json["confidence"] = Number(ScoreOf(finding));
+  const HeldOutError& error = finding.held_out;
+  json["held_out"] = HeldOut(error.rmse_before, error.rmse_after,
+                             diagnosed.block.channels[error.channel].unit, error.excess_removed);
+  return json;
+}
+
+Json CurveOf(const ProposedCurve& proposed) {
+  const auto list = [](const Eigen::VectorXd& values) {
+    Json numbers = Json::array();
+    for (const double value : values) numbers.push_back(Number(value));
+    return numbers;
+  };
+  return {{"variable", proposed.variable},
+          {"error", proposed.is_share ? "share of simulated" : "value"},
+          {"at", list(proposed.at)},
+          {"mean", list(proposed.mean)},
+          {"low", list(proposed.low)},
+          {"high", list(proposed.high)}};
+}
+
+/// The formula or curve for what is left of a channel, if there is one.
+Json ProposalOf(const DiagnosedBlock& diagnosed, std::size_t channel) {
+  for (const Proposal& proposal : diagnosed.proposals) {
+    if (proposal.channel != channel) continue;
+    Json terms = Json::array();
+    for (const ProposedTerm& term : proposal.terms) {
+      terms.push_back({{"term", TermText(diagnosed.block, term.factors)},
+                       {"coefficient", Number(term.coefficient)},
+                       {"sigma", Number(term.sigma)},
+                       {"unit", CoefficientUnit(diagnosed.block, channel, term.factors)},
+                       {"stability", Number(term.stability)}});
+    }
+    return {{"formula", FormulaText(diagnosed.block, proposal)},
+            {"terms", std::move(terms)},
+            {"curve", proposal.curve ? CurveOf(*proposal.curve) : Json(nullptr)},
+            {"rmse_before", Number(proposal.rmse_before)},
+            {"rmse_after", Number(proposal.rmse_after)},
+            {"unit", diagnosed.block.channels[channel].unit}};
+  }
+  return nullptr;
+}
+
+Json NotNamed(const DiagnosedBlock& diagnosed, const Unexplained& unexplained) {
+  Json json = Where(diagnosed, unexplained.location);
+  json["mechanism"] = "unexplained";
+  json["slot"] = nullptr;
+  json["target"] = nullptr;
+  json["parameters"] = Json::object();
+  json["class"] = Json::array();
+  json["rejected"] = Json::array();
+  json["evidence"] = {{"p_chosen", Number(unexplained.p)}, {"p_confirmed", nullptr}};
+  json["confidence"] = Number(1 - unexplained.p.value_or(kUnfollowed));
+  const std::string& unit = diagnosed.block.channels[unexplained.location.channel].unit;
+  json["held_out"] = HeldOut(unexplained.rmse, unexplained.rmse, unit, 0);
+  json["held_out"]["noise"] = Number(unexplained.noise);
+  json["proposal"] = ProposalOf(diagnosed, unexplained.location.channel);
+  return json;
+}
+
+/// What a sensor of ranges shows.
+Json Seen(const PerceptionDiagnosis& sensor, const PerceptionFinding& finding) {
+  Json parameters = Json::object();
+  for (std::size_t i = 0; i < finding.parameters.size(); ++i) {
+    const ParameterEstimate& estimate = finding.parameters[i];
+    parameters[estimate.name] = {{"value", Number(estimate.value)},
+                                 {"sigma", Number(estimate.sigma)},
+                                 {"unit", estimate.unit}};
+    if (!finding.present.empty()) {
+      parameters[estimate.name]["instead_of"] = Number(finding.present[i]);
+    }
+  }
+  Json intervals = Json::array(), place = nullptr;
+  for (const auto& [from_s, to_s] : finding.intervals_s) {
+    intervals.push_back({Number(from_s), Number(to_s)});
+  }
+  if (finding.place) {
+    const auto point = [](const Vec2& p) { return Json{Number(p.x()), Number(p.y())}; };
+    place = {{"centre_m", point(finding.place->centre_W_m)},
+             {"low_m", point(finding.place->low_W_m)},
+             {"high_m", point(finding.place->high_W_m)}};
+  }
+  const double before = finding.rmse_before, after = finding.rmse_after;
+  const double noise = sensor.sensor.noise_rmse;
+  const double excess = before * before - noise * noise;
+  const double removed = excess > 0 ? (before * before - after * after) / excess : 0;
+  return {{"channel", sensor.channel},
+          {"intervals_s", intervals},
+          {"place", place},
+          {"regime", nullptr},
+          {"mechanism", finding.mechanism},
+          {"slot", finding.slot},
+          {"target", finding.target},
+          {"parameters", parameters},
+          {"class", finding.rivals},
+          {"rejected", Json::array()},
+          {"evidence",
+           {{"p_chosen", Number(finding.p_chosen)}, {"p_confirmed", Number(finding.p_confirmed)}}},
+          {"confidence", Number((1 - finding.p_chosen) * (1 - finding.p_confirmed) /
+                                static_cast<double>(finding.rivals.size()))},
+          {"held_out", HeldOut(before, after, sensor.unit, std::clamp(removed, 0.0, 1.0))}};
+}
+
+/// What was chosen and is no finding.
+Json Chosen(const Finding& finding) {
+  Json names = Json::array();
+  for (const Suspect* rival : finding.evidence.rivals)
+    names.push_back(std::string(rival->mechanism->id));
+  return {
+      {"mechanism", std::string(finding.term.suspect->mechanism->id)},
+      {"target", finding.term.suspect->target},
+      {"class", std::move(names)},
+      {"evidence",
+       {{"p_chosen", Number(finding.evidence.p)}, {"p_confirmed", Number(finding.held_out.p)}}}};
+}
+
+/// What comes nearest to what is unexplained.
+Json StandIns(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    for (const Finding& finding : diagnosed.diagnosis.stand_ins) list.push_back(Chosen(finding));
+  }
+  return list;
+}
+
+/// What SELECT chose and FINAL did not confirm.
+Json Unconfirmed(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    for (const Finding& finding : diagnosed.diagnosis.unconfirmed) {
+      list.push_back(Chosen(finding));
+    }
+  }
+  for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
+    for (const PerceptionFinding& finding : sensor.unconfirmed) {
+      list.push_back({{"mechanism", finding.mechanism},
+                      {"target", finding.target},
+                      {"evidence",
+                       {{"p_chosen", Number(finding.p_chosen)},
+                        {"p_confirmed", Number(finding.p_confirmed)}}}});
+    }
+  }
+  return list;
+}
+
+/// Of every channel judged, with nothing and with all that was found.
+Json HeldOutOfAll(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    for (const HeldOutError& error : diagnosed.diagnosis.confirmed) {
+      const Channel& channel = diagnosed.block.channels[error.channel];
+      Json one = {{"channel", channel.name}};
+      one.update(HeldOut(error.rmse_before, error.rmse_after, channel.unit, error.excess_removed));
+      list.push_back(std::move(one));
+    }
+  }
+  return list;
+}
+
+/// Channels of blocks that the time was over for.
+Json OutOfTime(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    if (!diagnosed.diagnosis.out_of_time) continue;
+    for (const Channel& channel : diagnosed.block.channels) list.push_back(channel.name);
+  }
+  return list;
+}
+
+Json BeforeAndAfter(const std::string& channel, double before, double after,
+                    const std::string& unit) {
+  return {{"channel", channel},
+          {"rmse_before", Number(before)},
+          {"rmse_after", Number(after)},
+          {"unit", unit}};
+}
+
+Json FurtherRecordings(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const HeldOutRecording& further : diagnosis.held_out) {
+    Json channels = Json::array();
+    for (const HeldOutChannel& one : further.channels) {
+      channels.push_back(BeforeAndAfter(one.channel, one.rmse_before, one.rmse_after, one.unit));
+      channels.back()["p"] = Number(one.p);
+    }
+    list.push_back({{"recording", further.recording},
+                    {"channels", std::move(channels)},
+                    {"not_compared", further.missing}});
+  }
+  return list;
+}
+
+/// How far the scenario is from the recording as it stands, over all samples: nothing fitted, not
+/// even nuisances.
+Json Channels(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    const std::vector<std::vector<double>> predicted = diagnosed.block.predict({});
+    for (std::size_t c = 0; c < predicted.size(); ++c) {
+      const Channel& channel = diagnosed.block.channels[c];
+      double square = 0, error = 0, count = 0;
+      for (std::size_t k = 0; k < channel.measured.size(); ++k) {
+        if (!channel.measured.valid[k]) continue;
+        square += std::pow(channel.measured.value[k], 2);
+        error += std::pow(channel.measured.value[k] - predicted[c][k], 2);
+        ++count;
+      }
+      count = std::max(count, 1.0);
+      list.push_back({{"channel", channel.name},
+                      {"unit", channel.unit},
+                      {"rms", Number(std::sqrt(square / count))},
+                      {"rmse", Number(std::sqrt(error / count))}});
+    }
+  }
+  return list;
+}
+
+Json Whole(const Diagnosis& diagnosis) {
+  if (!diagnosis.whole) return nullptr;
+  const WholeSimulation& whole = *diagnosis.whole;
+  Json channels = Json::array();
+  for (const SimulatedChannel& one : whole.channels) {
+    channels.push_back(BeforeAndAfter(one.channel, one.rmse_before, one.rmse_after, one.unit));
+    channels.back()["follows"] = one.Follows();
+  }
+  Json path = nullptr;
+  if (whole.path) {
+    path = {{"recorded_m", Number(whole.path->recorded_m)},
+            {"before_m", Number(whole.path->before_m)},
+            {"after_m", Number(whole.path->after_m)}};
+  }
+  return {{"until_s", Number(whole.until_s)},
+          {"channels", std::move(channels)},
+          {"path", std::move(path)},
+          {"not_simulated", whole.left_out},
+          {"obstacle", whole.obstacle.empty() ? Json(nullptr) : Json(whole.obstacle)}};
+}
+
+/// What the replays leave of the simulation itself; null of channels that were not simulated.
+Json TakenOffOf(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const TakenOff& one : diagnosis.taken_off) {
+    list.push_back({{"channel", one.channel},
+                    {"rms", one.is_simulated ? Number(one.rms) : Json(nullptr)},
+                    {"unit", one.unit},
+                    {"log_likelihood_gain", one.is_simulated ? Number(one.gain) : Json(nullptr)},
+                    {"taken", one.is_taken()}});
+  }
+  return list;
+}
+
+/// What loose ground may delay.
+Json LeftOutOf(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const LeftOut& one : diagnosis.left_out) {
+    list.push_back({{"channel", one.channel}, {"share", Number(one.share)}});
+  }
+  return list;
+}
+
+/// Blocks with too few manoeuvres, or without time.
+Json NotJudged(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    if (diagnosed.diagnosis.is_testable) continue;
+    for (const Channel& channel : diagnosed.block.channels) list.push_back(channel.name);
+  }
+  for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
+    if (!sensor.is_judged()) list.push_back(sensor.channel);
+  }
+  return list;
+}
+
+Json Untestable(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    for (const Detectability& one : diagnosed.diagnosis.detectability) {
+      if (one.smallest) continue;
+      list.push_back({{"mechanism", std::string(one.suspect->mechanism->id)},
+                      {"target", one.suspect->target},
+                      {"smallest_detectable", nullptr}});
+    }
+  }
+  return list;
+}
+
+Json Matters(const std::vector<SeparatedMatter>& matters) {
+  Json list = Json::array();
+  for (const SeparatedMatter& matter : matters) {
+    list.push_back(
+        {{"target", matter.target}, {"members", matter.members}, {"power", Number(matter.power)}});
+  }
+  return list;
+}
+
+Json Next(const Diagnosis& diagnosis) {
+  if (!diagnosis.next) return nullptr;
+  const NextManoeuvre& next = *diagnosis.next;
+  Json separates = Json::array();
+  for (const SeparatedMatter& matter : next.separates) separates.push_back(matter.members);
+  return {{"description", next.description},       {"commands_csv", kNextManoeuvreFile},
+          {"duration_s", Number(next.duration_s)}, {"separates", separates},
+          {"power", Number(next.power)},           {"separated", Matters(next.separates)},
+          {"not_separated", Matters(next.leaves)}, {"left_for_later", next.left_for_later}};
+}
+
+}  // namespace
+
+std::string DiagnosisJson(const Diagnosis& diagnosis) {
+  Json json = {{"verdict", Json::array()}, {"findings", Json::array()}};
+  for (const Verdict verdict : VerdictsOf(diagnosis)) {
+    json["verdict"].push_back(std::string(NameOf(verdict)));
+  }
+  for (const auto& [diagnosed, finding] : FindingsByWeight(diagnosis)) {
+    json["findings"].push_back(Named(*diagnosed, *finding));
+  }
+  for (const auto& [diagnosed, unexplained] : UnexplainedByWeight(diagnosis)) {
+    json["findings"].push_back(NotNamed(*diagnosed, *unexplained));
+  }
+  for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
+    for (const PerceptionFinding& finding : sensor.findings) {
+      json["findings"].push_back(Seen(sensor, finding));
+    }
+  }
+  json["held_out"] = HeldOutOfAll(diagnosis);
+  json["channels"] = Channels(diagnosis);
+  json["unconfirmed"] = Unconfirmed(diagnosis);
+  json["stand_ins"] = StandIns(diagnosis);
+  json["untestable"] = Untestable(diagnosis);
+  json["not_judged"] = NotJudged(diagnosis);
+  json["not_compared"] = diagnosis.not_compared;
+  json["left_out"] = LeftOutOf(diagnosis);
+  json["out_of_time"] = OutOfTime(diagnosis);
+  json["levers_of"] = diagnosis.levers_are_the_scenarios ? "scenario" : "recording";
+  json["encoder_lead_s"] = diagnosis.encoder_lead_s ? Number(*diagnosis.encoder_lead_s) : Json();
+  json["held_out_recordings"] = FurtherRecordings(diagnosis);
+  json["taken_off"] = TakenOffOf(diagnosis);
+  json["whole_simulation"] = Whole(diagnosis);
+  json["next_manoeuvre"] = Next(diagnosis);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace tera

@@ -1,0 +1,328 @@
+#include "diagnose/report/page/html_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "diagnose/report/page/block_figures.h"
+#include "diagnose/report/page/page_style.h"
+#include "diagnose/report/page/perception_figures.h"
+#include "diagnose/report/page/svg_plot.h"
+#include "diagnose/report/text/by_weight.h"
+#include "diagnose/report/text/finding_text.h"
+#include "diagnose/report/text/next_manoeuvre_text.h"
+#include "diagnose/report/text/sentence.h"
+#include "diagnose/report/text/summary.h"
+#include "diagnose/report/text/wording.h"
+
+namespace tera {
+namespace {
+
+constexpr std::size_t kRegimesShown = 2;
+
+/// A table; columns whose heading begins with '>' are of numbers.
+class Table {
+ public:
+  explicit Table(const std::vector<std::string>& headings) {
+    html_ = "<div class='wide'><table><tr>";
+    for (const std::string& heading : headings) {
+      const bool is_number = heading.starts_with('>');
+      classes_.push_back(is_number ? " class='r'" : "");
+      html_ += fmt::format("<th{}>{}</th>", classes_.back(), heading.substr(is_number ? 1 : 0));
+    }
+    html_ += "</tr>\n";
+  }
+
+  /// Cells are HTML.
+  void Row(const std::vector<std::string>& cells) {
+    html_ += "<tr>";
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      html_ += fmt::format("<td{}>{}</td>", classes_[i], cells[i]);
+    }
+    html_ += "</tr>\n";
+  }
+
+  std::string Take() const { return html_ + "</table></div>\n"; }
+
+ private:
+  std::string html_;
+  std::vector<std::string> classes_;
+};
+
+std::string Code(std::string_view text) { return "<code>" + Escaped(text) + "</code>"; }
+
+std::string UnitCell(std::string_view unit) { return unit == "1" ? "" : Escaped(unit); }
+
+std::string_view Explained(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kNone:
+      return "nothing found";
+    case Verdict::kNamed:
+      return "cause named";
+    case Verdict::kClass:
+      return "several causes not told apart";
+    case Verdict::kUnexplained:
+      return "some of it unexplained";
+    case Verdict::kUntestable:
+      return "some causes not testable";
+  }
+  return "";
+}
+
+std::string Top(const Diagnosis& diagnosis, const std::string& recording) {
+  std::string html = fmt::format(
+      "<h1>Simulation against recording: {}</h1>\n<p class='soft'>Recording {}; times "
+      "from its start.</p>\n<p>",
+      Escaped(diagnosis.machine), Code(recording));
+  for (const Verdict verdict : VerdictsOf(diagnosis)) {
+    html += fmt::format("<span class='verdict {}'>{}</span>", NameOf(verdict), Explained(verdict));
+  }
+  html += "</p>\n";
+  if (const std::string summary = SummaryOf(diagnosis); !summary.empty()) {
+    html += fmt::format("<p>{}</p>\n", Escaped(summary));
+  }
+  html += "<ol class='findings'>\n";
+  for (const std::string& sentence : SentencesOf(diagnosis)) {
+    html += fmt::format("<li>{}</li>\n", Escaped(sentence));
+  }
+  return html + "</ol>\n";
+}
+
+std::string ParameterTable(const DiagnosedBlock& diagnosed) {
+  Table table({"Mechanism", "On", "Parameter", ">Value", ">±", "Unit", ">Chosen", ">Confirmed"});
+  for (const Finding* finding : FindingsByWeight(diagnosed)) {
+    const Suspect& suspect = *finding->term.suspect;
+    bool is_first = true;
+    for (const FreeParameter& free : suspect.free) {
+      const ParameterEstimate& estimate = finding->parameters[free.index];
+      std::string value = WithSigma(estimate.value, estimate.sigma), sigma = "unknown";
+      if (const auto at = value.find(" ± "); at != std::string::npos) {
+        sigma = value.substr(at + std::string_view(" ± ").size());
+        value.resize(at);
+      }
+      if (finding->term.IsHeld(free.index)) sigma = "not determined";
+      table.Row({is_first ? Code(suspect.mechanism->id) : "",
+                 is_first ? Escaped(suspect.target) : "", Code(estimate.name), value, sigma,
+                 UnitCell(estimate.unit),
+                 is_first ? Escaped(ProbabilityText(finding->evidence.p)) : "",
+                 is_first ? Escaped(ProbabilityText(finding->held_out.p)) : ""});
+      is_first = false;
+    }
+  }
+  return "<h3>Parameters</h3>\n" + table.Take();
+}
+
+void AddErrorRow(const DiagnosedBlock& diagnosed, const std::string& what,
+                 const HeldOutError& error, Table* table) {
+  const Channel& channel = diagnosed.block.channels[error.channel];
+  const ReadableUnit unit = ReadableUnitOf(channel.unit);
+  table->Row({Escaped(Capitalised(QuantityOf(channel.name))), what,
+              Significant(error.rmse_before * unit.factor, 3),
+              Significant(error.rmse_after * unit.factor, 3), unit.name,
+              PercentText(std::max(error.excess_removed, 0.0)), Escaped(ProbabilityText(error.p))});
+}
+
+std::string ErrorTable(const DiagnosedBlock& diagnosed) {
+  Table table({"Channel", "With against without", ">RMSE without", ">with", "Unit",
+               ">Excess variance removed", ">By chance"});
+  for (const HeldOutError& error : diagnosed.diagnosis.confirmed) {
+    AddErrorRow(diagnosed, "all that was found", error, &table);
+  }
+  if (diagnosed.diagnosis.findings.size() > 1) {
+    for (const Finding* finding : FindingsByWeight(diagnosed)) {
+      AddErrorRow(diagnosed, Code(finding->term.suspect->mechanism->id) + " alone left out",
+                  finding->held_out, &table);
+    }
+  }
+  return "<h3>Errors on manoeuvres that nothing was fitted to</h3>\n" + table.Take();
+}
+
+/// The figures of one location, under what it is the location of.
+std::string LocationFigures(const DiagnosedBlock& diagnosed, const std::string& heading,
+                            const std::string& error, const Location& location) {
+  std::string html =
+      fmt::format("<h3>{}: {} <span class='soft'>{}</span></h3>\n", Escaped(heading),
+                  Escaped(QuantityOf(diagnosed.block.channels[location.channel].name)),
+                  Code(diagnosed.block.channels[location.channel].name));
+  html += PredictionFigure(diagnosed, location) + ResidualFigure(diagnosed, location);
+  html += "<div class='pair'>";
+  for (std::size_t r = 0; r < std::min(location.regimes.size(), kRegimesShown); ++r) {
+    html += RegimeFigure(diagnosed, location, location.regimes[r], error);
+  }
+  return html + "</div>\n";
+}
+
+std::string BlockSection(const DiagnosedBlock& diagnosed) {
+  std::string html =
+      fmt::format("<section>\n<h2>{}</h2>\n", Escaped(Capitalised(Spaced(diagnosed.block.name))));
+  for (const Finding* finding : FindingsByWeight(diagnosed)) {
+    const std::string name = Spaced(finding->term.suspect->mechanism->id);
+    html += LocationFigures(diagnosed, Capitalised(name), "The error without " + name,
+                            finding->location);
+  }
+  for (const Unexplained& unexplained : diagnosed.diagnosis.unexplained) {
+    html +=
+        LocationFigures(diagnosed, "Unexplained", "The error that is left", unexplained.location);
+  }
+  if (!diagnosed.diagnosis.findings.empty()) html += ParameterTable(diagnosed);
+  html += ErrorTable(diagnosed);
+  html += "<h3>Evidence</h3>\n" + EvidenceFigure(diagnosed);
+  return html + "</section>\n";
+}
+
+bool HasAnything(const DiagnosedBlock& diagnosed) {
+  return !diagnosed.diagnosis.findings.empty() || !diagnosed.diagnosis.unexplained.empty();
+}
+
+std::string AgreeingSection(const Diagnosis& diagnosis) {
+  Table table({"Channel", ">RMSE", ">Noise", "Unit"});
+  bool any = false;
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    if (HasAnything(diagnosed)) continue;
+    for (const Remainder& remainder : diagnosed.diagnosis.remainders) {
+      if (IsUnconfirmed(diagnosed, remainder.channel)) continue;
+      const Channel& channel = diagnosed.block.channels[remainder.channel];
+      const ReadableUnit unit = ReadableUnitOf(channel.unit);
+      table.Row({Escaped(Capitalised(QuantityOf(channel.name))) + " " + Code(channel.name),
+                 Significant(remainder.rmse * unit.factor, 3),
+                 Significant(remainder.noise.rms() * unit.factor, 3), unit.name});
+      any = true;
+    }
+  }
+  return any ? "<section>\n<h2>Where they agree</h2>\n<p class='soft'>Error on manoeuvres kept "
+               "back, and noise as it shows at rest or from sample to sample.</p>\n" +
+                   table.Take() + "</section>\n"
+             : "";
+}
+
+/// The number that the smallest size is of.
+std::string SmallestCell(const Detectability& one) {
+  const auto& parameters = one.suspect->mechanism->parameters;
+  if (parameters.empty()) return "";
+  const std::size_t main = one.suspect->free.empty() ? 0 : one.suspect->free.front().index;
+  return fmt::format("{} {} {}", Code(parameters[main].name), Significant(*one.smallest, 3),
+                     UnitCell(parameters[main].unit));
+}
+
+/// Of each block, mechanisms that would not have been seen at any size.
+std::string UnseenTable(const Diagnosis& diagnosis) {
+  Table unseen({"On", "Mechanisms"});
+  bool any = false;
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    if (diagnosed.diagnosis.out_of_time) continue;
+    std::string names;
+    for (const Detectability& one : diagnosed.diagnosis.detectability) {
+      if (one.smallest) continue;
+      names += (names.empty() ? "" : ", ") + Code(one.suspect->mechanism->id);
+    }
+    if (!diagnosed.diagnosis.is_testable) names = "all: too few manoeuvres";
+    if (names.empty()) continue;
+    unseen.Row({Escaped(Capitalised(Spaced(diagnosed.block.name))), names});
+    any = true;
+  }
+  return any ? "<p class='soft'>These would not have been seen at any size looked for, were noise "
+               "the only trouble.</p>\n" +
+                   unseen.Take()
+             : "<p>Every mechanism looked for would have been seen, were it strong enough.</p>\n";
+}
+
+std::string SmallestSizes(const Diagnosis& diagnosis) {
+  Table seen({"On", "Mechanism", "Seen from about"});
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    for (const Detectability& one : diagnosed.diagnosis.detectability) {
+      if (!one.smallest) continue;
+      seen.Row({Escaped(one.suspect->target), Code(one.suspect->mechanism->id), SmallestCell(one)});
+    }
+  }
+  return "<details><summary>Smallest sizes that would have been seen</summary>\n" + seen.Take() +
+         "</details>\n";
+}
+
+std::string OutOfTimeText(const Diagnosis& diagnosis) {
+  std::vector<std::string> blocks;
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    if (diagnosed.diagnosis.out_of_time) blocks.push_back(Spaced(diagnosed.block.name));
+  }
+  if (blocks.empty()) return "";
+  return fmt::format("<p>Not looked at, for the time was over: {}.</p>\n", Escaped(Listed(blocks)));
+}
+
+std::string UnseenSection(const Diagnosis& diagnosis) {
+  const bool any_judged =
+      std::any_of(diagnosis.blocks.begin(), diagnosis.blocks.end(),
+                  [](const DiagnosedBlock& diagnosed) { return !diagnosed.diagnosis.out_of_time; });
+  return "<section>\n<h2>What this recording cannot show</h2>\n" + OutOfTimeText(diagnosis) +
+         (any_judged ? UnseenTable(diagnosis) + SmallestSizes(diagnosis) : "") + "</section>\n";
+}
+
+/// Further recordings and the whole simulation.
+std::string ConfirmationSection(const Diagnosis& diagnosis) {
+  Table table({"Against", "Channel", ">RMSE without", ">with", "Unit"});
+  bool any = false;
+  const auto row = [&](const std::string& against, const std::string& channel,
+                       const std::string& si_unit, double before, double after) {
+    const ReadableUnit unit = ReadableUnitOf(si_unit);
+    table.Row({against, Escaped(Capitalised(QuantityOf(channel))) + " " + Code(channel),
+               Significant(before * unit.factor, 3), Significant(after * unit.factor, 3),
+               unit.name});
+    any = true;
+  };
+  for (const HeldOutRecording& further : diagnosis.held_out) {
+    for (const HeldOutChannel& one : further.channels) {
+      row(Code(further.recording), one.channel, one.unit, one.rmse_before, one.rmse_after);
+    }
+  }
+  if (diagnosis.whole) {
+    for (const SimulatedChannel& one : diagnosis.whole->channels) {
+      row("the whole simulation", one.channel, one.unit, one.rmse_before, one.rmse_after);
+    }
+  }
+  return any ? "<section>\n<h2>Further confirmation</h2>\n" + table.Take() + "</section>\n" : "";
+}
+
+void AddMatterRows(const std::vector<SeparatedMatter>& matters, Table* table) {
+  for (const SeparatedMatter& matter : matters) {
+    std::string members;
+    for (const std::string& member : matter.members) {
+      members += (members.empty() ? "" : ", ") + (member == "nothing" ? member : Code(member));
+    }
+    table->Row({Escaped(matter.target), members, Significant(matter.power, 2)});
+  }
+}
+
+std::string NextSection(const Diagnosis& diagnosis) {
+  if (!diagnosis.next) return "";
+  const NextManoeuvre& next = *diagnosis.next;
+  std::string html = fmt::format(
+      "<section>\n<h2>What to record next</h2>\n<p>{}</p>\n<p class='soft'>Levers in {}, of {:.0f} "
+      "s, from the scenario's initial position. Power: how often a recording of it would tell, by "
+      "the noise of this one.</p>\n",
+      Escaped(next.description), Code(kNextManoeuvreFile), next.duration_s);
+  Table told({"On", "Told apart", ">Power"}), open({"On", "Still open", ">Power"});
+  AddMatterRows(next.separates, &told);
+  AddMatterRows(next.leaves, &open);
+  html += LeversFigure(next) + told.Take();
+  if (!next.leaves.empty()) html += open.Take();
+  return html + "</section>\n";
+}
+
+}  // namespace
+
+std::string HtmlReport(const Diagnosis& diagnosis, const std::string& recording) {
+  std::string html = fmt::format(
+      "<!DOCTYPE html>\n<html lang='en'>\n<head>\n<meta charset='utf-8'>\n<meta name='viewport' "
+      "content='width=device-width, initial-scale=1'>\n<title>Diagnosis of "
+      "{}</title>\n<style>{}</style>\n</head>\n<body><main>\n",
+      Escaped(diagnosis.machine), kPageStyle);
+  html += Top(diagnosis, recording);
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    if (HasAnything(diagnosed)) html += BlockSection(diagnosed);
+  }
+  html += ConfirmationSection(diagnosis) + PerceptionSections(diagnosis);
+  if (!diagnosis.blocks.empty()) html += AgreeingSection(diagnosis) + UnseenSection(diagnosis);
+  html += NextSection(diagnosis);
+  return html + "</main></body>\n</html>\n";
+}
+
+}  // namespace tera

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnose/statistics/series/series.h"
+
+/// Small figures as inline SVG. Colours and strokes are the page's: elements only carry classes.
+
+namespace tera {
+
+struct PlotPoint {
+  double x = 0, y = 0;
+};
+
+struct PlotAxis {
+  double low = 0, high = 1;
+  std::string label;  ///< with its unit
+};
+
+/// A range that is not empty, a twentieth wider than [low, high] on both sides.
+PlotAxis Widened(double low, double high, std::string label);
+
+/// Round values within an axis, 1, 2 or 5 times a power of ten apart, about `wanted` of them.
+std::vector<double> TicksOf(const PlotAxis& axis, int wanted);
+
+/// A figure with two axes. What lies beyond them is cut off.
+class SvgPlot {
+ public:
+  /// `what` is read to those who cannot see it.
+  SvgPlot(const std::string& what, PlotAxis x, PlotAxis y, double width = 900, double height = 260);
+
+  /// A stretch of x over the full height.
+  void Shade(double x_low, double x_high, std::string_view css_class);
+  void Horizontal(double y, std::string_view css_class);
+  /// A broken line; a point that is not finite breaks it.
+  void Line(const std::vector<PlotPoint>& points, std::string_view css_class);
+  /// The area between two curves over the same x.
+  void Band(const std::vector<PlotPoint>& low, const std::vector<PlotPoint>& high,
+            std::string_view css_class);
+  void Dots(const std::vector<PlotPoint>& points, std::string_view css_class);
+  /// How often each x was visited: bars along the lower edge, the longest a tenth of the height.
+  void Visits(const std::vector<PlotPoint>& counts, double width_x, std::string_view css_class);
+
+  std::string Take() const;
+
+ private:
+  double X(double x) const;
+  double Y(double y) const;
+  std::string Axes() const;
+
+  std::string what_;
+  PlotAxis x_, y_;
+  double width_, height_;
+  std::string inside_;
+};
+
+/// One bar of a chart, from 0 to the right.
+struct Bar {
+  std::string label;
+  double value = 0;
+  std::string_view css_class;
+};
+
+/// Horizontal bars under each other, each with its label and its value.
+std::string SvgBars(const std::string& what, const std::vector<Bar>& bars, double width = 900);
+
+/// Samples as a line of at most `most` points: of each bin of neighbours the lowest and the highest
+/// value in their order, gaps as points that are not finite. x in seconds, y times `factor`.
+std::vector<PlotPoint> EnvelopeOf(const Series& series, const Segment& samples, double factor,
+                                  std::size_t most);
+
+/// With what HTML and SVG give a meaning to written as entities.
+std::string Escaped(std::string_view text);
+
+}  // namespace tera

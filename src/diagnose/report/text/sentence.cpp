@@ -1,0 +1,380 @@
+#include "diagnose/report/text/sentence.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "diagnose/report/text/by_weight.h"
+#include "diagnose/report/text/confirmation_text.h"
+#include "diagnose/report/text/finding_text.h"
+#include "diagnose/report/text/next_manoeuvre_text.h"
+#include "diagnose/report/text/perception_text.h"
+#include "diagnose/report/text/proposal_text.h"
+#include "diagnose/report/text/shared_delay.h"
+#include "diagnose/report/text/wording.h"
+
+namespace tera {
+namespace {
+
+constexpr double kSignificant = 0.05;
+constexpr std::size_t kRivalsTold = 2;
+
+std::string ChannelText(const DiagnosedBlock& diagnosed, std::size_t channel) {
+  return Capitalised(QuantityOf(diagnosed.block.channels[channel].name));
+}
+
+/// "41–63 s and 8 more intervals", the one with the most error first.
+std::string IntervalsText(const DiagnosedBlock& diagnosed, const Location& location) {
+  if (location.intervals.empty()) return "the whole recording";
+  const Segment& worst = location.intervals[location.worst];
+  const double from_s = diagnosed.block.time_s(worst.begin);
+  const double to_s = diagnosed.block.time_s(worst.end);
+  std::string text =
+      fmt::format("{}–{} s", TimeText(from_s, to_s - from_s), TimeText(to_s, to_s - from_s));
+  const std::size_t more = location.intervals.size() - 1;
+  if (more > 0) text += fmt::format(" and {} more interval{}", more, more == 1 ? "" : "s");
+  return text;
+}
+
+/// What a curve looks like, as far as its range does not say it.
+std::string FormText(const CurveShape& shape, const ReadableUnit& unit) {
+  std::vector<std::string> words;
+  switch (shape.form) {
+    case CurveForm::kLinear:
+      words.push_back("in proportion");
+      break;
+    case CurveForm::kSmooth:
+      words.push_back("curved");
+      break;
+    case CurveForm::kSaturating:
+      words.push_back("constant beyond");
+      break;
+    case CurveForm::kThreshold:
+      words.push_back("growing");
+      break;
+    case CurveForm::kStep:
+      words.push_back("a step at " + WithUnit(Significant(shape.bend * unit.factor, 2), unit));
+      break;
+    case CurveForm::kPeriodic:
+      words.push_back(shape.bend == 1 ? "once a turn"
+                                      : fmt::format("{:.0f} times a turn", shape.bend));
+      break;
+    case CurveForm::kNone:
+      words.push_back("without a clear shape");
+      break;
+    case CurveForm::kLocal:
+    case CurveForm::kLevels:
+    case CurveForm::kFree:
+      break;
+  }
+  if (shape.parity == CurveParity::kOdd || shape.parity == CurveParity::kEven) {
+    words.push_back(std::string(NameOf(shape.parity)));
+  }
+  return words.empty() ? "" : fmt::format(", {}", fmt::join(words, ", "));
+}
+
+/// Whether a form lives in a part of what was visited only.
+bool HasRange(CurveForm form) {
+  return form == CurveForm::kSaturating || form == CurveForm::kThreshold ||
+         form == CurveForm::kLocal || form == CurveForm::kFree;
+}
+
+/// The first regime of a location, as the end of "the error ..".
+std::string DependenceText(const DiagnosedBlock& diagnosed, const Location& location) {
+  if (location.regimes.empty()) return "depends on nothing that was recorded";
+  const Regime& first = location.regimes.front();
+  const std::string depends =
+      first.is_share ? "is a share of the simulated value that depends" : "depends";
+  std::string text = RegimeText(first, diagnosed, location.channel);
+  std::vector<std::string> others;
+  for (std::size_t r = 1; r < location.regimes.size(); ++r) {
+    if (location.regimes[r].p > kSignificant) continue;
+    const std::string name = VariableText(location.regimes[r].variable, diagnosed.block);
+    if (name != VariableText(first.variable, diagnosed.block) &&
+        std::find(others.begin(), others.end(), name) == others.end()) {
+      others.push_back(name);
+    }
+  }
+  if (!others.empty()) text += fmt::format(", and on {}", fmt::join(others, " and "));
+  if (first.p <= kSignificant) return fmt::format("{} on {}", depends, text);
+  const std::string surely =
+      first.p < 1 ? ProbabilityText(first.p) : "which moves too slowly for a p";
+  return fmt::format("{} most on {} ({})", depends, text, surely);
+}
+
+std::string EvidenceClause(const Finding& finding) {
+  std::string chosen = ProbabilityText(finding.evidence.p);
+  if (finding.evidence.together_p) {
+    chosen += fmt::format(" alone, {} together with what it is beside",
+                          ProbabilityText(*finding.evidence.together_p));
+  }
+  std::string text =
+      fmt::format("chosen with {}, confirmed with {}", chosen, ProbabilityText(finding.held_out.p));
+  const std::vector<std::string> alike = AlikeTexts(finding);
+  std::vector<std::string> rejected;
+  for (const Rival& rival : finding.evidence.rejected) {
+    if (rejected.size() == kRivalsTold) break;
+    rejected.push_back(fmt::format("{} ({})", RivalText(*rival.suspect, *finding.term.suspect),
+                                   ProbabilityText(rival.p)));
+  }
+  if (!alike.empty()) text += fmt::format("; not told apart from: {}", fmt::join(alike, ", "));
+  if (!rejected.empty()) text += fmt::format("; rivals rejected: {}", fmt::join(rejected, ", "));
+  return text;
+}
+
+/// "0.6 deg/s at a noise of 0.2 deg/s".
+std::string LeftText(double rmse, double noise, const std::string& si_unit) {
+  const ReadableUnit unit = ReadableUnitOf(si_unit);
+  return fmt::format("{} at a noise of {}", WithUnit(Significant(rmse * unit.factor, 2), unit),
+                     WithUnit(Significant(noise * unit.factor, 2), unit));
+}
+
+/// What is left of a channel of which nothing is unexplained.
+std::string RemainderText(const DiagnosedBlock& diagnosed, std::size_t channel) {
+  if (IsLeft(diagnosed, channel)) return "";
+  for (const Remainder& remainder : diagnosed.diagnosis.remainders) {
+    if (remainder.channel != channel) continue;
+    std::string text = " Left: " + LeftText(remainder.rmse, remainder.noise.rms(),
+                                            diagnosed.block.channels[channel].unit);
+    if (remainder.kind == Remainder::Kind::kUnknown) {
+      text += ", of noise or error, which a recording without rest does not tell";
+    }
+    if (remainder.kind == Remainder::Kind::kOfFew) {
+      text +=
+          fmt::format(", most of it in {} of {} manoeuvres", remainder.loud, remainder.manoeuvres);
+    }
+    if (!remainder.free_member_tells) {
+      text += ", and no free curve that could tell whether there is more";
+    }
+    return text + ".";
+  }
+  return "";
+}
+
+std::string HeldOutText(const HeldOutError& error, const std::string& si_unit) {
+  const ReadableUnit unit = ReadableUnitOf(si_unit);
+  const std::string fall =
+      fmt::format("Held-out RMSE {} → {}", Significant(error.rmse_before * unit.factor, 2),
+                  WithUnit(Significant(error.rmse_after * unit.factor, 2), unit));
+  if (error.excess_removed > 0) {
+    return fmt::format("{}, {} of the excess variance removed.", fall,
+                       PercentText(error.excess_removed));
+  }
+  // No louder than what passed for noise: there is no excess to speak of.
+  if (error.rmse_after < error.rmse_before) return fall + ".";
+  // It was confirmed by how many manoeuvres are likelier with it.
+  return fmt::format("{}, none of the excess variance removed{}.", fall,
+                     error.p > kSignificant ? "" : ", for a few manoeuvres outweigh the rest");
+}
+
+}  // namespace
+
+std::string RegimeText(const Regime& regime, const DiagnosedBlock& diagnosed, std::size_t channel) {
+  const std::string name = VariableText(regime.variable, diagnosed.block);
+  const ReadableUnit unit =
+      ReadableUnitOf(UnitOfVariable(regime.variable, diagnosed.block.channels[channel].unit));
+  const CurveShape& shape = regime.shape;
+  const std::string form = FormText(shape, unit);
+  if (!HasRange(shape.form)) return name + form;
+  const std::string low = Significant(shape.low * unit.factor, 2);
+  const std::string high = Significant(shape.high * unit.factor, 2);
+  if (shape.low < 0 && shape.low == -shape.high) {
+    return fmt::format("|{}| {} {}{}", name, shape.outside ? '>' : '<', WithUnit(high, unit), form);
+  }
+  return fmt::format("{} {} {} {} {}{}", name, shape.outside ? "outside" : "from", low,
+                     shape.outside ? "and" : "to", WithUnit(high, unit), form);
+}
+
+std::string SentenceOf(const DiagnosedBlock& diagnosed, const Finding& finding) {
+  const std::size_t channel = finding.location.channel;
+  return fmt::format(
+      "{}, {}; the error {}: {} ({}). {}{}", ChannelText(diagnosed, channel),
+      IntervalsText(diagnosed, finding.location), DependenceText(diagnosed, finding.location),
+      MechanismText(diagnosed, finding), EvidenceClause(finding),
+      HeldOutText(finding.held_out, diagnosed.block.channels[finding.held_out.channel].unit),
+      RemainderText(diagnosed, channel));
+}
+
+std::string SentenceOf(const DiagnosedBlock& diagnosed, const Unexplained& unexplained) {
+  const std::size_t channel = unexplained.location.channel;
+  const std::string left =
+      LeftText(unexplained.rmse, unexplained.noise, diagnosed.block.channels[channel].unit);
+  return fmt::format(
+      "{}, {}; the error {}: no known mechanism explains it ({}). Left: {}.",
+      ChannelText(diagnosed, channel), IntervalsText(diagnosed, unexplained.location),
+      DependenceText(diagnosed, unexplained.location),
+      unexplained.p ? fmt::format("{}; {} of what a free curve could explain",
+                                  ProbabilityText(*unexplained.p), PercentText(unexplained.share))
+                    : std::string("nor does a free curve"),
+      left);
+}
+
+std::string SentenceOfUnconfirmed(const DiagnosedBlock& diagnosed, const Finding& finding) {
+  return fmt::format("{}: {} was chosen ({}) and is not confirmed on manoeuvres kept back ({}).",
+                     ChannelText(diagnosed, finding.location.channel),
+                     MechanismText(diagnosed, finding), ProbabilityText(finding.evidence.p),
+                     ProbabilityText(finding.held_out.p));
+}
+
+std::string SentenceOfStandIn(const DiagnosedBlock& diagnosed, const Finding& finding) {
+  const double removed = finding.held_out.excess_removed;
+  const std::string share =
+      removed > 0 ? fmt::format(" ({} of the excess variance removed)", PercentText(removed)) : "";
+  const std::vector<std::string> alike = AlikeTexts(finding);
+  const std::string others = alike.empty() ? "" : fmt::format(" or {}", fmt::join(alike, " or "));
+  return fmt::format("{}: {}{} comes nearest to what is unexplained and is no name for it{}.",
+                     ChannelText(diagnosed, finding.location.channel),
+                     MechanismText(diagnosed, finding), others, share);
+}
+
+std::string SentenceOfUntestable(const DiagnosedBlock& diagnosed) {
+  std::vector<std::string> channels;
+  for (const Channel& channel : diagnosed.block.channels)
+    channels.push_back(QuantityOf(channel.name));
+  if (diagnosed.diagnosis.out_of_time) {
+    return fmt::format("{}: not judged, for the time was over.", Capitalised(Listed(channels)));
+  }
+  return fmt::format("{}: not judged, for {} in too few manoeuvres of the recording.",
+                     Capitalised(Listed(channels)),
+                     HasLever(diagnosed.block) ? "its lever moves"
+                     : channels.size() == 1    ? "it is moved"
+                                               : "they are moved");
+}
+
+std::string SentenceOfNothing(const Diagnosis& diagnosis) {
+  std::vector<std::string> channels, open, unknown, few;
+  std::size_t suspects = 0, unseen = 0;
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    if (!diagnosed.diagnosis.is_testable) continue;
+    for (std::size_t c = 0; c < diagnosed.block.channels.size(); ++c) {
+      std::vector<std::string>& among = IsUnconfirmed(diagnosed, c) ? open : channels;
+      among.push_back(QuantityOf(diagnosed.block.channels[c].name));
+    }
+    for (const Remainder& remainder : diagnosed.diagnosis.remainders) {
+      const std::string quantity = QuantityOf(diagnosed.block.channels[remainder.channel].name);
+      if (remainder.kind == Remainder::Kind::kUnknown) unknown.push_back(quantity);
+      if (remainder.kind == Remainder::Kind::kOfFew) few.push_back(quantity);
+    }
+    suspects += diagnosed.diagnosis.detectability.size();
+    for (const Detectability& one : diagnosed.diagnosis.detectability)
+      unseen += one.smallest ? 0 : 1;
+  }
+  if (channels.empty() && !open.empty()) {
+    return fmt::format("Nothing is named: what was chosen for {} is not confirmed.", Listed(open));
+  }
+  if (channels.empty()) {
+    const bool is_over = std::any_of(
+        diagnosis.blocks.begin(), diagnosis.blocks.end(),
+        [](const DiagnosedBlock& diagnosed) { return diagnosed.diagnosis.out_of_time; });
+    return is_over ? "Nothing judged: the time was over before any channel was."
+                   : "Nothing compared: no channel of the recording can be judged.";
+  }
+  std::string text = fmt::format(
+      "Nothing found: {} agree{} with the simulation, but for noise and what nominal "
+      "numbers are off by.",
+      Listed(channels), channels.size() == 1 ? "s" : "");
+  if (!few.empty()) {
+    text += fmt::format(" Not so in a few manoeuvres of {}.", Listed(few));
+  }
+  if (!unknown.empty()) {
+    text += fmt::format(
+        " What is left of {} may be noise or error: a recording without rest does not tell.",
+        Listed(unknown));
+  }
+  if (unseen > 0) {
+    text += fmt::format(" Of {} mechanisms looked for, {} could not have been seen at any size.",
+                        suspects, unseen);
+  }
+  return text;
+}
+
+/// Of blocks that are judged: what is taken off others tells nothing.
+std::vector<TakenOff> TakenOffOfJudged(const Diagnosis& diagnosis) {
+  std::vector<TakenOff> judged;
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    for (const Channel& channel : diagnosed.block.channels) {
+      for (const TakenOff& one : diagnosis.taken_off) {
+        if (diagnosed.diagnosis.is_testable && one.channel == channel.name) judged.push_back(one);
+      }
+    }
+  }
+  return judged;
+}
+
+bool NoneIsJudged(const Diagnosis& diagnosis) {
+  return std::none_of(
+      diagnosis.blocks.begin(), diagnosis.blocks.end(),
+      [](const DiagnosedBlock& diagnosed) { return diagnosed.diagnosis.is_testable; });
+}
+
+std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
+  std::vector<std::string> sentences;
+  for (const auto& [diagnosed, finding] : FindingsByWeight(diagnosis)) {
+    sentences.push_back(SentenceOf(*diagnosed, *finding));
+  }
+  for (const auto& [diagnosed, unexplained] : UnexplainedByWeight(diagnosis)) {
+    sentences.push_back(SentenceOf(*diagnosed, *unexplained));
+    for (const Proposal& proposal : diagnosed->proposals) {
+      if (proposal.channel != unexplained->location.channel) continue;
+      sentences.push_back(SentenceOf(diagnosed->block, proposal));
+    }
+  }
+  if (std::string text = SentenceOfSharedDelay(diagnosis); !text.empty()) {
+    sentences.push_back(std::move(text));
+  }
+  const std::vector<std::string> seen = PerceptionSentences(diagnosis.perception);
+  const bool is_seen =
+      std::any_of(diagnosis.perception.begin(), diagnosis.perception.end(),
+                  [](const PerceptionDiagnosis& sensor) { return !sensor.findings.empty(); });
+  const bool has_blocks = !diagnosis.blocks.empty() || diagnosis.perception.empty();
+  const bool is_nothing = sentences.empty() && has_blocks;
+  if (is_seen) sentences.insert(sentences.end(), seen.begin(), seen.end());
+  if (is_nothing && !(is_seen && NoneIsJudged(diagnosis))) {
+    sentences.push_back(SentenceOfNothing(diagnosis));
+  }
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    for (const Finding& finding : diagnosed.diagnosis.stand_ins) {
+      sentences.push_back(SentenceOfStandIn(diagnosed, finding));
+    }
+    for (const Finding& finding : diagnosed.diagnosis.unconfirmed) {
+      sentences.push_back(SentenceOfUnconfirmed(diagnosed, finding));
+    }
+    if (!diagnosed.diagnosis.is_testable) sentences.push_back(SentenceOfUntestable(diagnosed));
+  }
+  for (const std::string& obstacle : diagnosis.not_compared) {
+    sentences.push_back(fmt::format("Not compared: {}.", obstacle));
+  }
+  for (const LeftOut& one : diagnosis.left_out) {
+    sentences.push_back(
+        fmt::format("Left out: {:.0f} % of {}, where loose ground may let the machine lag behind "
+                    "its tracks.",
+                    100 * one.share, QuantityOf(one.channel)));
+  }
+  if (!is_seen) sentences.insert(sentences.end(), seen.begin(), seen.end());
+  for (const HeldOutRecording& further : diagnosis.held_out) {
+    sentences.push_back(SentenceOf(further));
+  }
+  if (std::string text = SentenceOf(TakenOffOfJudged(diagnosis)); !text.empty()) {
+    sentences.push_back(std::move(text));
+  }
+  if (diagnosis.whole) sentences.push_back(SentenceOf(*diagnosis.whole));
+  if (diagnosis.levers_are_the_scenarios) {
+    sentences.push_back("The recording has no levers: those that the scenario replays are taken.");
+  }
+  if (diagnosis.machine != diagnosis.scenario) {
+    sentences.push_back(fmt::format("The recording's {} is taken for the scenario's {}.",
+                                    diagnosis.machine, diagnosis.scenario));
+  }
+  if (diagnosis.next) sentences.push_back(SentenceOf(*diagnosis.next));
+  if (diagnosis.encoder_lead_s) {
+    sentences.insert(sentences.begin(),
+                     fmt::format("Encoders run ahead of the levers that move them, by about {} s: "
+                                 "their clocks differ. Mend "
+                                 "that first; what is named below may stand in for it.",
+                                 Significant(*diagnosis.encoder_lead_s, 2)));
+  }
+  return sentences;
+}
+
+}  // namespace tera

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnose/search/block/block_diagnosis.h"
+
+/// Numbers and names as people read them. Data are in radians; text and figures are in degrees.
+
+namespace tera {
+
+/// A value in SI units times `factor` is in `name`.
+struct ReadableUnit {
+  double factor = 1;
+  std::string name;  ///< empty for a plain number
+};
+
+ReadableUnit ReadableUnitOf(std::string_view unit);
+/// The same, but angular frequencies stay in rad/s.
+ReadableUnit ReadableUnitOf(const ParameterEstimate& parameter);
+
+/// "3.1 deg/s", and without a unit "3.1".
+std::string WithUnit(const std::string& number, const ReadableUnit& unit);
+
+/// So many significant digits, without zeros at the end: 0.18, 52300, 1.2e-07.
+std::string Significant(double value, int digits);
+/// "0.18 ± 0.02": the deviation with one digit, two where it begins with 1, the value as far as
+/// that; without a deviation three digits.
+std::string WithSigma(double value, const std::optional<double>& sigma);
+/// "p 0.003", "p < 0.0001".
+std::string ProbabilityText(double p);
+/// Whole percents: "94 %".
+std::string PercentText(double share);
+/// A time as precise as a span of `span_s` asks for, without its unit.
+std::string TimeText(double time_s, double span_s);
+
+/// "dead band" of "dead_band".
+std::string Spaced(std::string_view identifier);
+/// "delay" of "delay_s".
+std::string WithoutUnit(std::string_view key);
+/// "boom rate" of "excavator1/encoders/boom_radps".
+std::string QuantityOf(const std::string& channel);
+/// "lever" of "lever/boom" in the block of the boom, "arm lever" of "lever/arm".
+std::string VariableText(const std::string& variable, const ReplayBlock& block);
+/// SI unit of a variable beside a channel in `channel_unit`.
+std::string UnitOfVariable(const std::string& variable, const std::string& channel_unit);
+std::string Capitalised(std::string text);
+/// "a, b and c".
+std::string Listed(const std::vector<std::string>& names);
+
+}  // namespace tera

@@ -1,0 +1,90 @@
+#include "diagnose/search/structure/beginning.h"
+
+#include <algorithm>
+
+#include "core/check.h"
+
+namespace tera {
+namespace {
+
+constexpr double kEnough_s = 60;
+constexpr double kWorthwhile = 2.0 / 3;  ///< of the whole, at most
+
+Series First(const Series& series, std::size_t samples) {
+  const auto end = static_cast<std::ptrdiff_t>(samples);
+  return {series.period_s,
+          {series.value.begin(), series.value.begin() + end},
+          {series.valid.begin(), series.valid.begin() + end}};
+}
+
+Channel First(const Channel& channel, std::size_t samples) {
+  const auto rows = [&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd {
+    return columns.topRows(std::min(columns.rows(), static_cast<Eigen::Index>(samples)));
+  };
+  std::vector<RegimeVariable> variables;
+  for (const RegimeVariable& variable : channel.variables) {
+    variables.push_back({variable.name, First(variable.series, samples)});
+  }
+  return {channel.name,         channel.unit,         First(channel.measured, samples),
+          channel.nuisances,    std::move(variables), rows(channel.free_member),
+          rows(channel.nominal)};
+}
+
+}  // namespace
+
+std::size_t EnoughSamples(const std::vector<Manoeuvre>& manoeuvres, double period_s) {
+  TERA_CHECK(!manoeuvres.empty());
+  const std::size_t all = manoeuvres.back().samples.end;
+  double moved_s = 0;
+  for (const Manoeuvre& manoeuvre : manoeuvres) {
+    if (manoeuvre.axes != 0) moved_s += static_cast<double>(manoeuvre.samples.size()) * period_s;
+    if (moved_s < kEnough_s) continue;
+    const std::size_t enough = manoeuvre.samples.end;
+    return static_cast<double>(enough) < kWorthwhile * static_cast<double>(all) ? enough : all;
+  }
+  return all;
+}
+
+ReplayBlock BeginningOf(const ReplayBlock& block, std::size_t samples) {
+  ReplayBlock beginning;
+  beginning.name = block.name;
+  beginning.first_ns = block.first_ns;
+  beginning.slides = block.slides;
+  beginning.suspects = block.suspects;
+  for (const Channel& channel : block.channels) {
+    beginning.channels.push_back(First(channel, samples));
+  }
+  for (const Series& command : block.commands)
+    beginning.commands.push_back(First(command, samples));
+  beginning.replay = [&block](const Structure& terms, std::size_t wanted) {
+    return block.replay(terms, wanted);
+  };
+  return beginning;
+}
+
+std::vector<Manoeuvre> Within(std::vector<Manoeuvre> manoeuvres, std::size_t samples) {
+  std::erase_if(manoeuvres,
+                [&](const Manoeuvre& manoeuvre) { return manoeuvre.samples.end > samples; });
+  return manoeuvres;
+}
+
+SearchResult OnWhole(SearchResult search, const ReplayBlock& beginning, const ReplayBlock& whole) {
+  const auto move = [&](const Suspect** suspect) {
+    *suspect = &whole.suspects[static_cast<std::size_t>(*suspect - beginning.suspects.data())];
+  };
+  for (Term& term : search.found.terms) {
+    move(&term.suspect);
+    for (const std::size_t held : term.held) {
+      term.values[held] = term.suspect->starts.front()[held];
+    }
+    term.held.clear();
+  }
+  for (TermEvidence& evidence : search.evidence) {
+    for (const Suspect*& rival : evidence.rivals) move(&rival);
+    for (Rival& rival : evidence.rejected) move(&rival.suspect);
+  }
+  for (SingleEvidence& single : search.singles) move(&single.suspect);
+  return search;
+}
+
+}  // namespace tera

@@ -1,0 +1,111 @@
+#include "diagnose/search/structure/pruning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/in_parallel.h"
+#include "diagnose/search/fit/free_member.h"
+
+namespace tera {
+Pruning::Pruning(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
+                 const std::vector<Manoeuvre>& manoeuvres, const Likelihood& likelihood,
+                 const StructureFitter& fitter, const ScoredFits& fits,
+                 const SearchOptions& options, bool of_beginning)
+    : block_(block),
+      manoeuvres_(manoeuvres),
+      likelihood_(likelihood),
+      fitter_(fitter),
+      fits_(fits),
+      options_(options),
+      of_beginning_(of_beginning),
+      select_(SegmentsOf(manoeuvres, Part::kSelect)),
+      seen_(PiecesOf(SeenSegmentsOf(manoeuvres), block.period_s())),
+      crossed_(block, noise, manoeuvres),
+      nothing_(fits.Score(fitter.AsGiven({}))),
+      free_gain_(FreeGain(fitter.AsGiven({}).misfit)) {}
+
+std::vector<Misfit> Pruning::Judge(const std::vector<Structure>& structures) const {
+  return crossed_.Judge(structures, options_.threads);
+}
+
+std::vector<ManoeuvreGain> Pruning::GainsOnSeen(const Misfit& before, const Misfit& after) const {
+  return GainsOf(likelihood_, before, after, seen_);
+}
+
+/// What the free member gains on SELECT over a misfit of TRAIN.
+double Pruning::FreeGain(const Misfit& misfit) const {
+  const Misfit free = LessFreeMember(block_, likelihood_, misfit, manoeuvres_);
+  double gain = 0;
+  for (const ManoeuvreGain& one : GainsOf(likelihood_, misfit, free, select_)) gain += one.gain;
+  return gain;
+}
+
+/// Of all terms together that one structure has and the other has not.
+TermEvidence Pruning::EvidenceOf(const Scored& with, const Scored& without,
+                                 const Misfit& crossed_with, const Misfit& crossed_without) const {
+  TermEvidence evidence;
+  const Misfit before = fitter_.AsGiven(without.terms).misfit;
+  const double gained = with.held_out_sum() - without.held_out_sum();
+  const double found = with.held_out_sum() - nothing_.held_out_sum();
+  evidence.share = gained / std::max({free_gain_, found, 1e-9});
+  const auto suspects = std::max(options_.suspects_in_all, block_.suspects.size());
+  const double tests = std::pow(suspects, with.terms.size() - without.terms.size());
+  const auto gains = GainsOnSeen(crossed_without, crossed_with);
+  evidence.p = evidence.steady_p = std::min(1.0, tests * SteadyGainP(gains));
+  if (evidence.share >= options_.least_share_of_bet) {
+    evidence.p = std::min(1.0, tests * GainP(gains));
+  }
+  evidence.of_rest = gained / std::max({FreeGain(before), gained, 1e-9});
+  evidence.effect = EffectOf(block_, fitter_.AsGiven(with.terms).misfit, before);
+  return evidence;
+}
+
+bool Pruning::IsNeeded(const TermEvidence& evidence) const {
+  return evidence.together_p.value_or(evidence.p) <= options_.alpha &&
+         evidence.share >= options_.least_share && evidence.of_rest >= options_.least_of_rest &&
+         evidence.effect >= options_.least_effect;
+}
+
+/// Of two terms together, by a steady gain.
+double Pruning::TogetherP(const Scored& kept, const Misfit& crossed_kept,
+                          const Needed& rest) const {
+  return EvidenceOf(kept, rest.structure, crossed_kept, rest.crossed).steady_p;
+}
+
+Needed Pruning::Prune(Scored kept) const {
+  Misfit crossed = Judge({kept.terms}).front();
+  return Prune(std::move(kept), std::move(crossed));
+}
+
+Needed Pruning::Prune(Scored kept, Misfit crossed_kept) const {
+  std::vector<Structure> smaller;
+  for (std::size_t t = 0; t < kept.terms.size(); ++t) smaller.push_back(Without(kept.terms, t));
+  std::vector<Scored> without = fits_.All(smaller, [&](const Structure& terms) {
+    return of_beginning_ ? fitter_.FitNear(terms) : fitter_.FitValues(terms);
+  });
+  std::vector<Structure> judged;
+  for (const Scored& scored : without) judged.push_back(scored.terms);
+  std::vector<Misfit> crossed = Judge(judged);
+  std::vector<TermEvidence> evidence = InParallel<TermEvidence>(
+      without.size(), options_.threads,
+      [&](std::size_t t) { return EvidenceOf(kept, without[t], crossed_kept, crossed[t]); });
+  std::vector<std::size_t> spare;
+  for (std::size_t t = 0; t < without.size(); ++t) {
+    if (!IsNeeded(evidence[t]) || !kept.terms[t].IsItself()) spare.push_back(t);
+  }
+  if (spare.empty()) return {std::move(kept), std::move(crossed_kept), std::move(evidence)};
+  const std::size_t least = *std::min_element(
+      spare.begin(), spare.end(),
+      [&](std::size_t a, std::size_t b) { return evidence[a].share < evidence[b].share; });
+  Needed rest = Prune(std::move(without[least]), std::move(crossed[least]));
+  const bool one_other_goes = rest.structure.terms.size() + 2 == kept.terms.size();
+  if (spare.size() > 1 || !one_other_goes || !kept.terms[least].IsItself()) return rest;
+  evidence[least].together_p = TogetherP(kept, crossed_kept, rest);
+  if (IsNeeded(evidence[least])) {
+    return {std::move(kept), std::move(crossed_kept), std::move(evidence)};
+  }
+  return rest;
+}
+
+}  // namespace tera

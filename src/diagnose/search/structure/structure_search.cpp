@@ -1,0 +1,407 @@
+#include "diagnose/search/structure/structure_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "diagnose/search/fit/scored_fits.h"
+#include "diagnose/search/fit/steady_gain.h"
+#include "diagnose/search/structure/pruning.h"
+
+namespace tera {
+namespace {
+
+constexpr double kScreenedGain = 6;         ///< of log-likelihood: it may mean something
+constexpr std::size_t kLikeliestPairs = 8;  ///< that are fitted in full
+constexpr std::size_t kLikeliest = 4;       ///< likewise, of exchanges and additions
+constexpr std::size_t kNearest = 5;         ///< rivals that a term is held against
+constexpr double kAsLikely = 0.5;           ///< of log-likelihood
+constexpr double kCalmer = 0.8;             ///< of the sum of effects
+constexpr double kRivalP = 0.05;
+constexpr double kRivalGain = 3;  ///< of log-likelihood: nothing to choose by
+
+void SortByCriterion(std::vector<Scored>* scored) {
+  std::stable_sort(scored->begin(), scored->end(),
+                   [](const Scored& a, const Scored& b) { return a.criterion > b.criterion; });
+}
+
+bool Has(const Structure& terms, const Suspect* suspect) {
+  return std::any_of(terms.begin(), terms.end(),
+                     [&](const Term& term) { return term.suspect == suspect; });
+}
+
+Structure With(Structure terms, const Suspect& suspect, const std::vector<double>& values) {
+  terms.push_back({&suspect, values});
+  return terms;
+}
+
+class Search {
+ public:
+  Search(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
+         const StructureFitter& on_seen, const std::vector<Manoeuvre>& manoeuvres,
+         const SearchOptions& options, const EarlierSearch& earlier)
+      : block_(block),
+        on_seen_(on_seen),
+        options_(options),
+        earlier_(earlier),
+        likelihood_(block, noise, MaskOf(manoeuvres, Part::kTrain, block.samples())),
+        fitter_(block, likelihood_, {}, options.threads),
+        fits_(fitter_, likelihood_, SegmentsOf(manoeuvres, Part::kSelect), options.threads),
+        pruning_(block, noise, manoeuvres, likelihood_, fitter_, fits_, options_,
+                 earlier.of_beginning),
+        nothing_(pruning_.nothing()) {}
+  Search(const Search&) = delete;
+  Search& operator=(const Search&) = delete;
+
+  SearchResult Find();
+  void TellApart(SearchResult* result);
+
+ private:
+  void FitSingles();
+  void TakeSingles();
+  void Screen();
+  bool ChangesEnough(const Structure& with, const Structure& without) const;
+  Scored BestOf(const std::vector<Scored>& structures) const;
+  std::vector<Scored> Pairs();
+  Scored FindMore();
+  Scored FindAfresh();
+  const TermEvidence* EarlierEvidenceOf(const Suspect& suspect) const;
+  Scored Grow(Scored best);
+  Scored Swap(Scored best);
+  double SumOfEffects(const Structure& terms) const;
+  Scored Disentangle(Scored found);
+  FittedStructure Simplest(FittedStructure fitted) const;
+  FittedStructure FitToSeen();
+  std::vector<Structure> NearestRivals(const Scored& found, std::size_t term);
+  void FindRivals(const Scored& found, const Misfit& crossed, std::size_t term,
+                  TermEvidence* evidence);
+
+  const ReplayBlock& block_;
+  const StructureFitter& on_seen_;
+  const SearchOptions& options_;
+  const EarlierSearch earlier_;
+  const Likelihood likelihood_;   ///< of TRAIN
+  const StructureFitter fitter_;  ///< to TRAIN
+  ScoredFits fits_;
+  const Pruning pruning_;
+  const Scored nothing_;
+  std::vector<Scored> singles_;        ///< one a suspect
+  std::vector<std::size_t> screened_;  ///< suspects
+  Needed needed_;                      ///< what was found last
+};
+
+void Search::FitSingles() {
+  std::vector<Structure> structures;
+  for (const Suspect& suspect : block_.suspects) {
+    structures.push_back(With({}, suspect, suspect.starts.front()));
+  }
+  singles_ = fits_.All(structures, [&](const Structure& one) { return fitter_.FitValues(one); });
+}
+
+/// As they were fitted earlier; the likeliest anew, where nothing was found and one of them may be
+/// all there is.
+void Search::TakeSingles() {
+  std::vector<Structure> structures;
+  for (const SingleEvidence& single : earlier_.result->singles) {
+    structures.push_back(With({}, *single.suspect, single.values));
+  }
+  singles_ = fits_.All(structures, [&](const Structure& one) { return fitter_.AsGiven(one); });
+  if (!earlier_.result->found.terms.empty()) return;
+  for (Scored& fitted : fits_.LikeliestNear(structures, kLikeliest)) {
+    for (Scored& single : singles_) {
+      const bool is_it = single.terms.front().suspect == fitted.terms.front().suspect;
+      if (is_it && fitted.log_likelihood > single.log_likelihood) single = fitted;
+    }
+  }
+}
+
+void Search::Screen() {
+  std::vector<std::size_t> order(block_.suspects.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return singles_[a].log_likelihood > singles_[b].log_likelihood;
+  });
+  std::set<Slot> slots;
+  for (std::size_t rank = 0; rank < order.size(); ++rank) {
+    const Slot slot = block_.suspects[order[rank]].mechanism->slot;
+    const double gain = singles_[order[rank]].log_likelihood - nothing_.log_likelihood;
+    const bool stands_for_slot = !slots.contains(slot) && gain > kScreenedGain;
+    slots.insert(slot);
+    if (rank < options_.screened || stands_for_slot) screened_.push_back(order[rank]);
+  }
+}
+
+/// The best of some structures, nothing among them.
+Scored Search::BestOf(const std::vector<Scored>& structures) const {
+  Scored best = nothing_;
+  for (const Scored& scored : structures) {
+    if (scored.criterion > best.criterion) best = scored;
+  }
+  return best;
+}
+
+/// The likeliest pairs of the screened; none where no suspect alone tells anything.
+std::vector<Scored> Search::Pairs() {
+  std::vector<Structure> pairs;
+  const bool any = std::any_of(singles_.begin(), singles_.end(), [&](const Scored& single) {
+    return single.log_likelihood - nothing_.log_likelihood > kScreenedGain;
+  });
+  for (std::size_t a = 0; any && a < screened_.size(); ++a) {
+    for (std::size_t b = a + 1; b < screened_.size(); ++b) {
+      const Scored& first = singles_[screened_[a]];
+      const Term& second = singles_[screened_[b]].terms.front();
+      pairs.push_back(With(first.terms, *second.suspect, second.values));
+    }
+  }
+  const auto few_steps = [&](const Structure& pair) {
+    return fitter_.FitValues(pair, Effort::kFewSteps);
+  };
+  return fits_.Likeliest(fits_.All(pairs, few_steps), kLikeliestPairs);
+}
+
+/// From the best of single suspects, and from the best of pairs or of what was found under other
+/// noise: a pair may stand for another one, of which the best single is a part.
+Scored Search::FindAfresh() {
+  const Scored single = BestOf(singles_);
+  const Scored other = earlier_.result == nullptr
+                           ? BestOf(Pairs())
+                           : BestOf({fits_.Score(fitter_.FitNear(earlier_.result->found.terms))});
+  std::vector<Scored> grown = {Grow(Swap(single))};
+  if (other.criterion > single.criterion) grown.push_back(Grow(Swap(other)));
+  return Disentangle(BestOf(grown));
+}
+
+/// What was found in the beginning and what more the whole tells of.
+Scored Search::FindMore() {
+  const Structure& found = earlier_.result->found.terms;
+  if (!found.empty()) return Grow(fits_.Score(fitter_.FitFrom(found)));
+  std::vector<Scored> singles = singles_;
+  SortByCriterion(&singles);
+  const auto first = std::find_if(singles.begin(), singles.end(), [&](const Scored& single) {
+    return single.criterion <= nothing_.criterion || ChangesEnough(single.terms, {});
+  });
+  const bool is_any = first != singles.end() && first->criterion > nothing_.criterion;
+  return is_any ? Grow(std::move(*first)) : nothing_;
+}
+
+/// Whether it is more than what Prune would take away again.
+bool Search::ChangesEnough(const Structure& with, const Structure& without) const {
+  const Misfit misfit = fitter_.AsGiven(with).misfit;
+  return EffectOf(block_, misfit, fitter_.AsGiven(without).misfit) >= options_.least_effect;
+}
+
+/// One term more as long as the criterion rises.
+Scored Search::Grow(Scored best) {
+  while (!best.terms.empty() && best.terms.size() < options_.deepest) {
+    std::vector<Structure> larger;
+    for (const Scored& single : singles_) {
+      const Term& term = single.terms.front();
+      if (!Has(best.terms, term.suspect)) {
+        larger.push_back(With(best.terms, *term.suspect, term.values));
+      }
+    }
+    std::vector<Scored> fitted = fits_.LikeliestNear(larger, kLikeliest);
+    SortByCriterion(&fitted);
+    const auto next = std::find_if(fitted.begin(), fitted.end(), [&](const Scored& scored) {
+      return scored.criterion <= best.criterion || ChangesEnough(scored.terms, best.terms);
+    });
+    if (next == fitted.end() || next->criterion <= best.criterion) break;
+    best = earlier_.of_beginning ? std::move(*next) : Swap(std::move(*next));
+  }
+  return best;
+}
+
+/// The best exchange of one term for a screened suspect, if any is better.
+Scored Search::Swap(Scored best) {
+  std::vector<Structure> swapped;
+  for (std::size_t t = 0; t < best.terms.size(); ++t) {
+    for (const std::size_t s : screened_) {
+      const Term& term = singles_[s].terms.front();
+      if (Has(best.terms, term.suspect)) continue;
+      swapped.push_back(With(Without(best.terms, t), *term.suspect, term.values));
+    }
+  }
+  for (Scored& scored : fits_.LikeliestNear(swapped, kLikeliest)) {
+    if (scored.criterion > best.criterion) best = std::move(scored);
+  }
+  return best;
+}
+
+/// Of what each term changes: large where terms undo each other.
+double Search::SumOfEffects(const Structure& terms) const {
+  const Misfit all = fitter_.AsGiven(terms).misfit;
+  double sum = 0;
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    sum += EffectOf(block_, all, fitter_.AsGiven(Without(terms, t)).misfit);
+  }
+  return sum;
+}
+
+/// Of structures that are as likely, the one whose terms undo each other less: an offset and
+/// friction in one direction do together what friction does.
+Scored Search::Disentangle(Scored found) {
+  for (std::size_t t = 0; found.terms.size() > 1 && t < found.terms.size(); ++t) {
+    for (const Structure& other : NearestRivals(found, t)) {
+      const Scored scored = fits_.Score(fitter_.AsGiven(other));
+      if (scored.criterion < found.criterion - kAsLikely) continue;
+      if (SumOfEffects(scored.terms) > kCalmer * SumOfEffects(found.terms)) continue;
+      found = scored;
+      break;
+    }
+  }
+  return found;
+}
+
+/// With each number that refines put to its default, if that changes less than a term would have
+/// to.
+FittedStructure Search::Simplest(FittedStructure fitted) const {
+  for (std::size_t t = 0; t < fitted.terms.size(); ++t) {
+    for (const FreeParameter& free : fitted.terms[t].Free()) {
+      const Suspect& suspect = *fitted.terms[t].suspect;
+      const std::optional<double> usual = DefaultOf(suspect, free.index);
+      if (!free.refines || !usual) continue;
+      Structure simpler = fitted.terms;
+      simpler[t].values[free.index] = *usual;
+      simpler[t].held.push_back(free.index);
+      FittedStructure refitted = on_seen_.Determine(on_seen_.FitFrom(simpler));
+      if (EffectOf(block_, refitted.misfit, fitted.misfit) >= options_.least_effect) continue;
+      fitted = std::move(refitted);
+    }
+  }
+  return fitted;
+}
+
+/// What is needed, with the numbers that TRAIN and SELECT give it together; without what these show
+/// to be another mechanism in disguise.
+FittedStructure Search::FitToSeen() {
+  while (!needed_.structure.terms.empty()) {
+    const Structure& found = needed_.structure.terms;
+    FittedStructure fitted = Simplest(on_seen_.Determine(on_seen_.FitFrom(found)));
+    const auto disguised = std::find_if(fitted.terms.begin(), fitted.terms.end(),
+                                        [](const Term& term) { return !term.IsItself(); });
+    if (disguised == fitted.terms.end()) return fitted;
+    const auto at = static_cast<std::size_t>(disguised - fitted.terms.begin());
+    needed_ = pruning_.Prune(fits_.Score(fitter_.FitNear(Without(found, at))));
+  }
+  return on_seen_.AsGiven({});
+}
+
+/// What was told of a term in the beginning, if it was found there.
+const TermEvidence* Search::EarlierEvidenceOf(const Suspect& suspect) const {
+  if (!earlier_.of_beginning) return nullptr;
+  const Structure& found = earlier_.result->found.terms;
+  for (std::size_t t = 0; t < found.size(); ++t) {
+    if (found[t].suspect == &suspect) return &earlier_.result->evidence[t];
+  }
+  return nullptr;
+}
+
+/// The likeliest exchanges of one term for a screened suspect, or for those that the beginning did
+/// not tell it from.
+std::vector<Structure> Search::NearestRivals(const Scored& found, std::size_t term) {
+  std::vector<std::size_t> others = screened_;
+  if (const TermEvidence* earlier = EarlierEvidenceOf(*found.terms[term].suspect)) {
+    others.clear();
+    for (const Suspect* rival : earlier->rivals) {
+      others.push_back(static_cast<std::size_t>(rival - block_.suspects.data()));
+    }
+  }
+  std::vector<Structure> swapped;
+  for (const std::size_t s : others) {
+    const Term& other = singles_[s].terms.front();
+    if (Has(found.terms, other.suspect)) continue;
+    swapped.push_back(With(Without(found.terms, term), *other.suspect, other.values));
+  }
+  std::vector<Structure> nearest;
+  for (Scored& scored : fits_.LikeliestNear(swapped, kNearest)) {
+    if (scored.terms.back().IsItself()) nearest.push_back(std::move(scored.terms));
+  }
+  return nearest;
+}
+
+void Search::FindRivals(const Scored& found, const Misfit& crossed, std::size_t term,
+                        TermEvidence* evidence) {
+  const std::vector<Structure> swapped = NearestRivals(found, term);
+  evidence->rivals = {found.terms[term].suspect};
+  if (const TermEvidence* earlier = EarlierEvidenceOf(*found.terms[term].suspect)) {
+    evidence->rejected = earlier->rejected;
+  }
+  const std::vector<Misfit> left = pruning_.Judge(swapped);
+  for (std::size_t k = 0; k < swapped.size(); ++k) {
+    const auto gains = pruning_.GainsOnSeen(left[k], crossed);
+    Rival rival{swapped[k].back().suspect, SteadyGainP(gains), 0};
+    for (const ManoeuvreGain& one : gains) rival.lead += one.gain;
+    if (rival.p > kRivalP || rival.lead < kRivalGain) {
+      evidence->rivals.push_back(rival.suspect);
+    } else {
+      evidence->rejected.push_back(rival);
+    }
+  }
+  std::stable_sort(evidence->rejected.begin(), evidence->rejected.end(),
+                   [](const Rival& a, const Rival& b) { return a.lead < b.lead; });
+}
+
+SearchResult Search::Find() {
+  SearchResult result;
+  result.free_gain = pruning_.free_gain();
+  if (earlier_.result != nullptr) {
+    TakeSingles();
+  } else {
+    FitSingles();
+  }
+  Screen();
+  needed_ = pruning_.Prune(earlier_.of_beginning ? FindMore() : FindAfresh());
+  result.found = FitToSeen();
+  result.evidence = needed_.evidence;
+  result.found_gain = needed_.structure.held_out_sum() - nothing_.held_out_sum();
+  result.nothing = on_seen_.AsGiven({});
+  for (std::size_t s = 0; s < singles_.size(); ++s) {
+    result.singles.push_back({&block_.suspects[s], singles_[s].terms.front().values,
+                              singles_[s].log_likelihood - nothing_.log_likelihood,
+                              singles_[s].held_out_sum() - nothing_.held_out_sum()});
+  }
+  return result;
+}
+
+void Search::TellApart(SearchResult* result) {
+  const Scored& found = needed_.structure;
+  for (std::size_t t = 0; t < found.terms.size(); ++t) {
+    FindRivals(found, needed_.crossed, t, &result->evidence[t]);
+  }
+}
+
+}  // namespace
+
+double EffectOf(const ReplayBlock& block, const Misfit& with, const Misfit& without) {
+  double largest = 0;
+  for (std::size_t c = 0; c < with.residual.size(); ++c) {
+    const Series& measured = block.channels[c].measured;
+    double changed = 0, energy = 0;
+    for (std::size_t k = 0; k < measured.size(); ++k) {
+      if (!measured.valid[k]) continue;
+      changed += std::pow(with.residual[c].value[k] - without.residual[c].value[k], 2);
+      energy += std::pow(measured.value[k], 2);
+    }
+    if (energy > 0) largest = std::max(largest, std::sqrt(changed / energy));
+  }
+  return largest;
+}
+
+struct StructureSearch::Work {
+  Search search;
+};
+
+StructureSearch::StructureSearch(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
+                                 const StructureFitter& on_seen,
+                                 const std::vector<Manoeuvre>& manoeuvres,
+                                 const SearchOptions& options, const EarlierSearch& earlier)
+    : work_(new Work{Search(block, noise, on_seen, manoeuvres, options, earlier)}) {}
+
+StructureSearch::~StructureSearch() = default;
+
+SearchResult StructureSearch::Find() { return work_->search.Find(); }
+
+void StructureSearch::TellApart(SearchResult* result) { work_->search.TellApart(result); }
+
+}  // namespace tera

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string_view>
+
+#include "diagnose/statistics/regime/regime_curve.h"
+
+namespace tera {
+
+/// What a regime curve looks like.
+enum class CurveForm {
+  kNone,        ///< nothing stands out
+  kLinear,      ///< proportional to the variable
+  kSmooth,      ///< proportional to |x|, x^2 or x |x|
+  kSaturating,  ///< grows up to a bend on both sides, constant beyond
+  kThreshold,   ///< constant up to a bend, grows beyond (dead zone)
+  kStep,        ///< jumps
+  kLocal,       ///< differs from a constant only within an interval about 0
+  kPeriodic,    ///< a sine of an angle, one to four times a turn
+  kLevels,      ///< of a variable with few values, none of the above
+  kFree,        ///< none of these
+};
+
+enum class CurveParity { kNotTested, kOdd, kEven, kNeither };
+
+/// Model   each form is a family of one to three coefficients, and a bend where it has
+///         one, tried over a ladder of bends; gain is the likelihood ratio 2 log(L /
+///         L_constant) under the curve's information; the form of the largest gain -
+///         (coefficients + bends) log(rows) wins. Parity by odd and even piecewise-linear
+///         functions of |x|, where both signs were visited. [low, high] is where the curve
+///         lives: between the bends (saturating, local), beyond them (threshold:
+///         `outside`), about the jump (step), where nine tenths of its energy lie (free),
+///         else all that was visited.
+/// Source  Schwarz 1978.
+struct CurveShape {
+  CurveForm form = CurveForm::kNone;
+  CurveParity parity = CurveParity::kNotTested;
+  double low = 0, high = 0;
+  bool outside = false;  ///< lives outside of [low, high]
+  double bend = 0;  ///< |x| at the bend, x of the jump or one-sided threshold, harmonic if periodic
+  double slope = 0;  ///< coefficient of the first column of the form
+  double gain = 0, free_gain = 0;
+};
+
+CurveShape ClassifyCurve(const RegimeCurve& curve);
+
+std::string_view NameOf(CurveForm form);
+std::string_view NameOf(CurveParity parity);
+
+}  // namespace tera

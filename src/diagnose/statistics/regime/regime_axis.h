@@ -1,0 +1,68 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "diagnose/statistics/series/series.h"
+
+namespace tera {
+
+/// A quantity that the error may depend on: a lever, a joint angle, a rate, a slope, time ..
+struct RegimeVariable {
+  std::string name;
+  Series series;
+  bool angle = false;  ///< radians, periodic with 2 pi
+  /// Sample by sample what a function of the variable is multiplied with, such as the simulated
+  /// value where the error may be a share of it; empty: the function itself is asked for.
+  std::vector<double> times = {};
+};
+
+/// A variable cut into bins, and smooth functions over them.
+///
+/// Model   64 equal bins from the 0.2 % to the 99.8 % quantile, what lies beyond in the
+///         outermost; from -pi to pi for an angle; one bin a value where there are at most 12
+///         values. Gaps are bridged. Functions: uniform cubic B-splines (cyclic for an angle; one
+///         column a value for discrete variables), roughness by squared second differences of
+///         coefficients.
+/// Source  Eilers and Marx 1996, "Flexible smoothing with B-splines and penalties".
+class RegimeAxis {
+ public:
+  explicit RegimeAxis(const RegimeVariable& variable);
+
+  std::size_t samples() const { return bin_.size(); }
+  Eigen::Index bins() const { return centre_.size(); }
+  /// Bin of each sample.
+  const std::vector<std::uint8_t>& bin() const { return bin_; }
+  const Eigen::VectorXd& centre() const { return centre_; }
+  /// Samples in each bin.
+  const Eigen::VectorXd& count() const { return count_; }
+  double width() const { return width_; }
+  bool angle() const { return angle_; }
+  bool discrete() const { return discrete_; }
+  /// What a function of the variable is multiplied with; ones where there is nothing.
+  const Eigen::VectorXd& times() const { return times_; }
+  bool has_times() const { return has_times_; }
+  /// Samples after which the variable has changed (robust.h); of it and of its distance from its
+  /// mean.
+  std::size_t correlation_length() const { return correlation_length_; }
+
+  /// bins() x columns; `wanted` columns unless discrete.
+  Eigen::MatrixXd Splines(Eigen::Index wanted) const;
+  /// columns x columns, for the columns of Splines(wanted).
+  Eigen::MatrixXd Roughness(Eigen::Index wanted) const;
+
+ private:
+  Eigen::VectorXd centre_, count_, times_;
+  std::vector<std::uint8_t> bin_;
+  double width_ = 0;
+  bool angle_ = false, discrete_ = false, has_times_ = false;
+  std::size_t correlation_length_ = 1;
+};
+
+/// sum of `value` times `times` in each bin: what each bin's column says of it.
+Eigen::VectorXd SumByBin(const RegimeAxis& axis, const Eigen::VectorXd& value);
+
+}  // namespace tera

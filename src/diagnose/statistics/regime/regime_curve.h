@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/random.h"
+#include "diagnose/statistics/regime/regime_design.h"
+
+namespace tera {
+
+struct RegimeCurveOptions {
+  std::size_t replicates = 300;
+  std::size_t block = 0;  ///< samples; 0: a sixtieth of the recording
+  double confidence = 0.9;
+};
+
+/// How a residual depends on a variable, E[residual | variable], with what is known held fixed.
+///
+/// Model   penalised cubic B-splines (20) by generalised least squares with Huber's
+/// function; the
+///         penalty by generalised cross-validation; centred so that its mean over the samples is 0.
+///         Band: blocks of the scores drawn with replacement, the estimate moved by its
+///         linearisation; `low` and `high` hold the whole curve over the occupied bins with the
+///         given confidence. Of a variable whose functions are multiplied, the curve is the factor.
+/// Omits   the bias of smoothing; the offset, which a coloured residual hardly determines.
+/// Source  Eilers and Marx 1996; Craven and Wahba 1979; Künsch 1989.
+struct RegimeCurve {
+  Eigen::VectorXd at, mean, sigma, low, high;  ///< one entry a bin
+  Eigen::VectorXd count;                       ///< samples in each bin
+  bool angle = false, discrete = false;
+  double effective_freedom = 0;
+  double explained_share = 0;  ///< of the residual's variance, 1 - var(y - f) / var(y)
+  /// For hypotheses about the curve: a function f of the bins has log-likelihood
+  /// pull' f - f' information f / 2.
+  Eigen::MatrixXd information;
+  Eigen::VectorXd pull;
+  double rows = 0;
+};
+
+RegimeCurve FitRegimeCurve(const Series& residual, const NoiseModel& noise,
+                           const Eigen::MatrixXd& known, const RegimeVariable& variable,
+                           const RegimeCurveOptions& options, const Stream& stream);
+
+}  // namespace tera

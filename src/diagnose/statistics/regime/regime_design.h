@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include "diagnose/statistics/regime/regime_axis.h"
+#include "diagnose/statistics/series/noise_model.h"
+#include "diagnose/statistics/series/whitening.h"
+
+namespace tera {
+
+/// A residual y regressed on what is already known (columns Z), ready to be asked for more.
+///
+/// Model   generalised least squares under the noise model with Huber's function: e
+///         = A (y - Z g), A the whitening filter, g such that (A Z)' psi(e) = 0,
+///         psi(e) = e clipped at `clip` robust scales, each at least the noise's; score = A'
+///         psi(e). For a function of a variable with bins B, B' score is what the residual still
+///         says for it, and B' A' A B (less what Z explains) how much was to be
+///         learnt.
+/// Source  Huber 1981, "Robust statistics", chapter 7 (modified residuals); Rao's score test.
+class RegimeDesign {
+ public:
+  /// `known` has one row a sample; a constant is always added. Gaps of `residual` are left out.
+  RegimeDesign(const Series& residual, const NoiseModel& noise, const Eigen::MatrixXd& known,
+               double clip = 3);
+
+  const WhiteningFilter& filter() const { return filter_; }
+  const Eigen::VectorXd& psi() const { return psi_; }
+  const Eigen::VectorXd& score() const { return score_; }
+  /// Mean of psi^2 over the rows, and the share of rows that were not clipped.
+  double psi_variance() const { return psi_variance_; }
+  double unclipped() const { return unclipped_; }
+  /// A Z.
+  const Eigen::MatrixXd& whitened_known() const { return whitened_known_; }
+
+  /// (A' A Z) summed by bin: bins x known.
+  Eigen::MatrixXd CrossByBin(const RegimeAxis& axis) const;
+  /// x with (A Z)' A Z x = right.
+  Eigen::MatrixXd SolveKnown(const Eigen::MatrixXd& right) const;
+  /// `gram` (of the axis, below) less what the known explains.
+  Eigen::MatrixXd Remaining(const RegimeAxis& axis, const Eigen::MatrixXd& gram) const;
+
+ private:
+  void Fit(const Eigen::VectorXd& whitened, double clip, double least_scale);
+
+  WhiteningFilter filter_;
+  Eigen::MatrixXd whitened_known_;
+  Eigen::LDLT<Eigen::MatrixXd> known_gram_;
+  Eigen::VectorXd psi_, score_;
+  double psi_variance_ = 0, unclipped_ = 1;
+};
+
+/// B' A' A B for the bins of an axis, B with what its functions are multiplied with.
+Eigen::MatrixXd WhitenedGram(const RegimeAxis& axis, const WhiteningFilter& filter);
+
+}  // namespace tera

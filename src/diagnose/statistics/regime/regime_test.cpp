@@ -1,0 +1,127 @@
+#include "diagnose/statistics/regime/regime_test.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+
+namespace tera {
+namespace {
+
+constexpr Eigen::Index kSplines = 10;
+constexpr double kEffectiveFreedom = 5;
+constexpr double kLeastInformation = 2e-3;  ///< of the best known direction
+constexpr double kRounding = 1e-9;          ///< of the information that the mean takes away
+constexpr double kLeastRemaining = 0.05;
+
+/// Weights 1 / (1 + lambda roughness) that sum to the effective freedom.
+Eigen::VectorXd ShrinkingWeights(const Eigen::VectorXd& roughness) {
+  const auto weights = [&](double lambda) -> Eigen::VectorXd {
+    return (1 + lambda * roughness.array().max(0)).inverse().matrix();
+  };
+  if (static_cast<double>(roughness.size()) <= kEffectiveFreedom) return weights(0);
+  double low = -40, high = 40;
+  for (int step = 0; step < 60; ++step) {
+    const double middle = (low + high) / 2;
+    (weights(std::exp(middle)).sum() > kEffectiveFreedom ? low : high) = middle;
+  }
+  return weights(std::exp(low));
+}
+
+/// What Q Q' or Q mu^-1/2 Q' does to scores.
+struct Remainder {
+  Eigen::MatrixXd project, normalise;
+  double directions = 0;
+};
+
+Remainder RemainderOf(const Eigen::MatrixXd& information) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(information);
+  Remainder out;
+  out.project = out.normalise = Eigen::MatrixXd::Zero(information.rows(), information.rows());
+  for (Eigen::Index k = 0; k < information.rows(); ++k) {
+    const double left = solver.eigenvalues()[k];
+    if (left < kLeastRemaining) continue;
+    const Eigen::VectorXd q = solver.eigenvectors().col(k);
+    out.project += q * q.transpose();
+    out.normalise += q * q.transpose() / std::sqrt(left);
+    ++out.directions;
+  }
+  return out;
+}
+
+Eigen::VectorXd ShiftedSumByBin(const RegimeAxis& axis, const Eigen::VectorXd& score,
+                                const CircularShifts& shifts, std::size_t k) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(axis.bins());
+  shifts.ForEachPiece(k, [&](std::size_t to, std::size_t from, std::size_t length) {
+    const std::uint8_t* bin = axis.bin().data() + from;
+    const double* value = score.data() + to;
+    for (std::size_t i = 0; i < length; ++i) sum[bin[i]] += value[i];
+  });
+  return sum;
+}
+
+}  // namespace
+
+RegimeProbe::RegimeProbe(const RegimeVariable& variable, const WhiteningFilter& filter)
+    : name_(variable.name), axis_(variable), gram_(WhitenedGram(axis_, filter)) {
+  const Eigen::VectorXd constant = filter.Apply(axis_.times());
+  const Eigen::VectorXd cross = SumByBin(axis_, filter.Transposed(constant));
+  const Eigen::MatrixXd centred =
+      gram_ - cross * cross.transpose() / std::max(constant.squaredNorm(), 1e-300);
+
+  const Eigen::MatrixXd splines = axis_.Splines(kSplines);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> information(splines.transpose() * centred *
+                                                                   splines);
+  const Eigen::VectorXd& known = information.eigenvalues();
+  const double least = std::max(kLeastInformation * known.maxCoeff(),
+                                kRounding * (splines.transpose() * gram_ * splines).trace());
+  const Eigen::Index kept = (known.array() > least).count();
+  directions_.resize(axis_.bins(), kept);
+  weights_.resize(kept);
+  if (kept == 0) return;  // a variable that does not move; Eigen has no spectrum of nothing
+  const Eigen::MatrixXd unit = information.eigenvectors().rightCols(kept) *
+                               known.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> rough(unit.transpose() *
+                                                             axis_.Roughness(kSplines) * unit);
+  directions_ = splines * unit * rough.eigenvectors();
+  weights_ = ShrinkingWeights(rough.eigenvalues());
+}
+
+RegimeTestResult TestRegime(const RegimeDesign& design, const RegimeProbe& probe,
+                            const RegimeTestOptions& options, const Stream& stream) {
+  RegimeTestResult out;
+  out.name = probe.name();
+  if (probe.directions().cols() == 0) return out;
+  const RegimeAxis& axis = probe.axis();
+  const Eigen::MatrixXd& directions = probe.directions();
+  const Remainder remainder =
+      RemainderOf(directions.transpose() * design.Remaining(axis, probe.gram()) * directions);
+  if (remainder.directions == 0) return out;
+
+  const double unit = 1 / std::sqrt(design.psi_variance());
+  const auto energy = [&](const Eigen::VectorXd& score) {
+    return probe.weights().dot(score.cwiseAbs2());
+  };
+  const Eigen::VectorXd observed =
+      unit * remainder.normalise * (directions.transpose() * SumByBin(axis, design.score()));
+  const auto rows = static_cast<double>(design.filter().row_count());
+  const double by_chance = remainder.directions * options.repeats;
+  out.share = std::max(0.0, (observed.squaredNorm() - by_chance) / rows);
+  const double price = std::max(by_chance, remainder.directions * std::log(rows));
+  out.criterion = (observed.squaredNorm() - price) / rows;
+  out.whole_criterion = out.criterion;
+
+  const std::size_t least = std::max(axis.correlation_length(), 2 * design.filter().taps().size());
+  const CircularShifts shifts(axis.samples(), least, options.shifts, options.block, stream);
+  const Eigen::VectorXd score = axis.times().cwiseProduct(design.score());
+  std::vector<double> shifted(shifts.count());
+  for (std::size_t k = 0; k < shifts.count(); ++k) {
+    const Eigen::VectorXd sum = ShiftedSumByBin(axis, score, shifts, k);
+    shifted[k] = energy(unit * remainder.project * (directions.transpose() * sum));
+  }
+  out.comparison = CompareWithShifts(energy(observed), std::move(shifted));
+  return out;
+}
+
+}  // namespace tera

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/random.h"
+#include "diagnose/statistics/series/series.h"
+
+namespace tera {
+
+enum class Part { kTrain, kSelect, kFinal };
+
+/// A run of one commanded activity.
+struct Manoeuvre {
+  Segment samples;
+  std::uint64_t axes = 0;      ///< bit k: command k was given; 0: rest
+  std::uint64_t backward = 0;  ///< bit k: command k was given, below 0
+  double amplitude = 0;        ///< largest |command| over the axes
+  Part part = Part::kTrain;
+};
+
+struct ManoeuvreOptions {
+  double rest_level = 0.02;  ///< |command| up to this is rest
+  double shortest_s = 0.5;   ///< shorter runs are joined to the one before
+  double longest_s = 3;  ///< longer runs, in which a machine does much, are cut into equal pieces
+  double tail_s = 1;     ///< of rest, that a manoeuvre keeps for its decay
+  double block_s = 5;    ///< length of the blocks where there are no manoeuvres
+  std::size_t fewest = 10;  ///< fewer manoeuvres: blocks
+};
+
+/// Cuts a recording by what was commanded and shares the pieces out: TRAIN 40, SELECT 30, FINAL 30
+/// %.
+///
+/// Model   a manoeuvre is a run over which the same set of commands exceeds rest_level, each in one
+///         direction, with `tail_s` of the rest after it; what remains of the rest is a piece of
+///         its own. With fewer than `fewest` such pieces: blocks of equal length. Pieces with the
+///         same axes and directions and the same half of amplitudes make a stratum; within each, in
+///         random order, the piece goes to the part that lacks most of its share of the stratum, or
+///         of all that moves (of all rest) where the stratum leaves it open. Shares are of
+///         number.
+/// Omits   what a manoeuvre owes to the one before it, beyond the tail.
+///
+/// Commands of equal length, at most 64, gaps bridged; at least one. The pieces cover every sample,
+/// in order.
+std::vector<Manoeuvre> SplitByManoeuvre(const std::vector<Series>& commands,
+                                        const ManoeuvreOptions& options, const Stream& stream);
+
+/// 1 for the samples that belong to `part`.
+Mask MaskOf(const std::vector<Manoeuvre>& manoeuvres, Part part, std::size_t size);
+
+}  // namespace tera

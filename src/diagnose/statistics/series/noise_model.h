@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/random.h"
+#include "diagnose/statistics/series/series.h"
+
+namespace tera {
+
+/// Coloured, heavy-tailed noise of one channel.
+///
+/// Model   x_t - mean = sum_i ar[i-1] (x_(t-i) - mean) + e_t, e_t / scale
+///         Student-t with `dof` degrees of freedom, independent;
+///         stationary.
+/// Omits   outliers added to the measurement rather than driving the process (they bias
+///         `ar` towards zero); lines narrower than the order resolves; change over
+///         time.
+struct NoiseModel {
+  double mean = 0;
+  std::vector<double> ar;
+  double scale = 1;
+  double dof = 200;
+
+  std::size_t order() const { return ar.size(); }
+};
+
+struct NoiseFitOptions {
+  std::optional<std::size_t> order;  ///< by BIC up to `highest_order` where not given
+  std::size_t highest_order = 20;
+  double least_dof = 0;       ///< tails at most so heavy; the scale then takes up the rest
+  bool estimate_mean = true;  ///< else 0: an offset then stays in the innovations
+};
+
+/// Fits the model to what is valid.
+///
+/// Model   conditional maximum likelihood by iteratively reweighted least squares, weights
+///         (dof + 1) / (dof + e^2 / scale^2); dof by profile likelihood; rows that reach over a gap
+///         are left out; the order by BIC on the rows that the highest order can use. Reflection
+///         coefficients are held within +-0.9999, so that the result is stationary.
+/// Source  Lange, Little and Taylor 1989, "Robust statistical modeling using the t distribution";
+///         Schwarz 1978.
+///
+/// Needs 16 valid samples; the order falls where segments are too short for it.
+NoiseModel FitNoise(const Series& series, const NoiseFitOptions& options = {});
+
+/// Best linear predictors of order 0 .. p of an AR(p) process, and by how much their error variance
+/// exceeds that of order p (Durbin–Levinson, run backwards).
+struct ShorterPredictors {
+  std::vector<std::vector<double>> ar;
+  std::vector<double> variance_ratio;
+};
+ShorterPredictors PredictorsOf(const std::vector<double>& ar);
+
+/// One-sided power spectral density (unit^2 / Hz) of a Gaussian process with the innovations' scale
+/// as its standard deviation, at `frequency_hz`.
+double SpectralDensity(const NoiseModel& noise, double period_s, double frequency_hz);
+
+/// Variance of a sample of the process, by its response to single innovations; that of the mean of
+/// many samples, times their number. `dof` over 2.
+double VarianceOf(const NoiseModel& noise);
+double LongRunVarianceOf(const NoiseModel& noise);
+
+/// `count` samples of the process, from `stream`; the start is left to decay first.
+std::vector<double> SimulateNoise(const NoiseModel& noise, std::size_t count, const Stream& stream);
+
+/// Log-density of the standard Student-t distribution.
+double StudentLogDensity(double x, double dof);
+
+}  // namespace tera

@@ -1,0 +1,47 @@
+#include "diagnose/statistics/series/robust.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+
+namespace tera {
+
+double Quantile(std::vector<double> values, double share) {
+  TERA_CHECK(!values.empty());
+  TERA_CHECK(share >= 0 && share <= 1, share);
+  const double place = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(below);
+  std::nth_element(values.begin(), nth, values.end());
+  if (below + 1 == values.size()) return *nth;
+  return std::lerp(*nth, *std::min_element(nth + 1, values.end()),
+                   place - static_cast<double>(below));
+}
+
+double Median(std::vector<double> values) { return Quantile(std::move(values), 0.5); }
+
+double RobustScale(const std::vector<double>& values) {
+  const double middle = Median(values);
+  std::vector<double> distance(values.size());
+  std::transform(values.begin(), values.end(), distance.begin(),
+                 [middle](double x) { return std::abs(x - middle); });
+  return 1.4826 * Median(std::move(distance));
+}
+
+std::size_t CorrelationLength(std::span<const double> values, double level) {
+  const std::size_t n = values.size();
+  double mean = 0, energy = 0;
+  for (const double x : values) mean += x / static_cast<double>(n);
+  for (const double x : values) energy += (x - mean) * (x - mean);
+  if (!(energy > 0)) return 1;
+  const std::size_t last = std::max<std::size_t>(n / 4, 1);
+  for (std::size_t lag = 1; lag < last; lag += 1 + lag / 8) {
+    double product = 0;
+    for (std::size_t k = lag; k < n; ++k) product += (values[k] - mean) * (values[k - lag] - mean);
+    if (product < level * energy) return lag;
+  }
+  return last;
+}
+
+}  // namespace tera

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include "diagnose/statistics/series/series.h"
+
+namespace tera {
+
+struct ChangePointOptions {
+  double cell_s = 0.2;       ///< samples are gathered in cells of this length
+  double alpha = 0.01;       ///< probability of any change, or any interval, where there is none
+  std::size_t shortest = 2;  ///< cells in a segment
+  /// Innovations may be somewhat correlated: scatter from cell to cell counts as noise.
+  bool guarded = true;
+};
+
+/// A stretch of constant behaviour.
+struct LevelSegment {
+  Segment samples;
+  double level = 0;         ///< mean of the location score; 0 as the noise model says
+  double excess = 0;        ///< mean of the scale score; 0 as the noise model says
+  double significance = 0;  ///< chi-square of two degrees of freedom, both scores against 0
+  bool mismatch = false;
+};
+
+struct ChangePoints {
+  std::vector<LevelSegment> segments;
+  std::vector<Segment> mismatch;  ///< flagged segments, neighbours joined; in samples
+};
+
+/// Where in time innovations are not what the noise model says, in level or in variance.
+///
+/// Model   with e Student-t of `dof`: location score (dof + 1) e / (dof + e^2) and scale score
+///         (dof + 1) e^2 / (dof + e^2) - 1, both bounded and of mean 0, each brought to unit
+///         variance in cells (by the larger of theory and, where guarded, the scatter from cell to
+///         cell); least sum of squares plus a penalty for each change, exactly, by pruned dynamic
+///         programming (PELT). The penalty, 2 log(cells / alpha), bounds the probability of a
+///         change in innovations that are as modelled (chi-square tail of two degrees of freedom,
+///         union over places). A segment with more energy, or another level, than the noise by the
+///         same bound is a mismatch.
+/// Omits   mismatch that is quieter than the noise.
+/// Source  Killick, Fearnhead and Eckley 2012, "Optimal detection of changepoints with a linear
+///         computational cost"; scores of the t distribution as in Harvey 2013, "Dynamic models for
+///         volatility and heavy tails".
+ChangePoints FindChangePoints(const Series& innovations, double dof,
+                              const ChangePointOptions& options = {});
+
+}  // namespace tera

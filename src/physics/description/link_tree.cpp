@@ -1,0 +1,186 @@
+#include "physics/description/link_tree.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <map>
+
+#include "core/config/config_faults.h"
+#include "core/config/spelling.h"
+#include "physics/description/fixed_links.h"
+
+namespace tera {
+namespace {
+
+/// Rounding of inertias written with a few digits may break the triangle inequality this much.
+constexpr double kInertiaTolerance = 1e-6;
+
+void CheckInertia(const LinkPart& part) {
+  const Vec3 moments =
+      Eigen::SelfAdjointEigenSolver<Mat3>(part.link.inertia_B_kgm2, Eigen::EigenvaluesOnly)
+          .eigenvalues();  // ascending
+  const std::string shown = fmt::format("principal moments {:.4g}, {:.4g}, {:.4g} kg m2",
+                                        moments[0], moments[1], moments[2]);
+  if (moments[0] <= 0) {
+    part.place.Fault("inertia_kgm2", shown + " are not all positive; no body has such an inertia");
+  } else if (moments[2] > (moments[0] + moments[1]) * (1 + kInertiaTolerance)) {
+    part.place.Fault("inertia_kgm2",
+                     shown +
+                         " break the triangle inequality (the largest may not exceed the sum "
+                         "of the others); no body has such an inertia");
+  }
+}
+
+/// Index of the joint that carries each link, -1 for roots; faults for bad names.
+std::vector<int> ParentJoints(const MachineParts& parts, const std::map<std::string, int>& index) {
+  std::vector<int> parent_joint(parts.links.size(), -1);
+  std::vector<std::string> known;
+  for (const LinkPart& part : parts.links) known.push_back(part.link.name);
+  const auto unknown = [&](const std::string& name) {
+    return fmt::format("there is no link '{}'{}", name, DidYouMean(name, known));
+  };
+  const auto check = [&](const JointPart& part, std::string_view key, const std::string& name) {
+    if (!index.contains(name) && !name.empty()) part.place.Fault(key, unknown(name));
+  };
+  for (std::size_t k = 0; k < parts.joints.size(); ++k) {
+    const JointPart& part = parts.joints[k];
+    check(part, "parent", part.parent);
+    check(part, "child", part.child);
+    if (!index.contains(part.child)) continue;
+    if (part.parent == part.child) {
+      part.place.Fault("child",
+                       fmt::format("link '{}' is the parent already; need two links", part.child));
+      continue;
+    }
+    int& joint = parent_joint[index.at(part.child)];
+    if (joint >= 0) {
+      part.place.Fault("child", fmt::format("link '{}' hangs on joint '{}' already; need one joint "
+                                            "for each link",
+                                            part.child, parts.joints[joint].joint.name));
+      continue;
+    }
+    joint = static_cast<int>(k);
+  }
+  return parent_joint;
+}
+
+/// The single root, or -1 after a fault.
+int FindRoot(const MachineParts& parts, const std::vector<int>& parent_joint,
+             const ConfigMap& config) {
+  std::vector<std::string> roots;
+  int root = -1;
+  for (std::size_t i = 0; i < parts.links.size(); ++i) {
+    if (parent_joint[i] >= 0) continue;
+    root = static_cast<int>(i);
+    roots.push_back(parts.links[i].link.name);
+  }
+  if (roots.size() == 1) return root;
+  config.Fault("joints",
+               roots.empty()
+                   ? std::string("every link hangs on a joint, so the joints form a loop; need one "
+                                 "link without a parent")
+                   : fmt::format("links {} have no parent; need joints that connect all links to "
+                                 "one root",
+                                 fmt::join(roots, ", ")));
+  return -1;
+}
+
+/// Mass and inertia as they are written; none is admissible here.
+void CheckMass(const LinkPart& part) {
+  if (part.link.mass_kg < 0) {
+    part.place.Fault("mass_kg", fmt::format("{} kg; need a positive mass", part.link.mass_kg));
+  } else if (part.link.mass_kg > 0) {
+    CheckInertia(part);
+  }
+}
+
+/// A root without mass that is called so is the ground to some programs and a frame to others.
+constexpr char kWorld[] = "world";
+
+/// Gathers the masses and reports links that move without any; `parts[i]` is the model's link i.
+void GiveMasses(const std::vector<const LinkPart*>& parts, const ConfigMap& config,
+                MachineModel* model) {
+  if (model->links[0].name == kWorld && model->links[0].mass_kg == 0 && !config.Has("fixed_base")) {
+    parts[0]->place.Fault("name",
+                          "a root without mass of that name may stand for the ground or for a "
+                          "frame of the machine; say which with `fixed_base: true`, bolted to it, "
+                          "or `fixed_base: false`, free");
+  }
+  GatherFixedMasses(model);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const bool moves = i == 0 ? !model->fixed_base : model->joints[i - 1].type != JointType::kFixed;
+    if (!moves || parts[i]->link.mass_kg < 0 || model->links[i].mass_kg > 0) continue;
+    parts[i]->place.Fault(
+        "mass_kg",
+        fmt::format(
+            "0 kg, and no link fixed to it has any; a link that moves needs a positive "
+            "mass: give one of them an <inertial>{}",
+            i == 0 ? ", or the machine `fixed_base: true` if it is bolted to the world" : ""));
+  }
+}
+
+}  // namespace
+
+void PartPlace::Fault(std::string_view key, const std::string& finding) const {
+  if (part.empty()) {
+    config.Fault(key, finding);
+  } else {
+    config.Fault("urdf", fmt::format("{}, {}: {}", part, key, finding));
+  }
+}
+
+bool OrderIntoTree(const MachineParts& parts, const ConfigMap& config, MachineModel* model) {
+  std::map<std::string, int> index;
+  for (std::size_t i = 0; i < parts.links.size(); ++i) {
+    index.emplace(parts.links[i].link.name, static_cast<int>(i));
+  }
+  if (parts.links.empty()) {
+    config.Fault("links", "there are no links; need at least one");
+    return false;
+  }
+  const std::size_t faults_before = FaultCount(config);
+  const std::vector<int> parent_joint = ParentJoints(parts, index);
+  if (FaultCount(config) > faults_before) return false;
+  const auto unnamed = [](const JointPart& p) { return p.parent.empty() || p.child.empty(); };
+  if (std::any_of(parts.joints.begin(), parts.joints.end(), unnamed)) return false;  // on record
+  const int root = FindRoot(parts, parent_joint, config);
+  if (root < 0) return false;
+
+  std::vector<int> place_of(parts.links.size(), -1);  // in model->links
+  std::vector<const LinkPart*> in_order = {&parts.links[root]};
+  place_of[root] = 0;
+  model->links = {parts.links[root].link};
+  // Joints in their written order as soon as their parent is there, so that a description with
+  // parents first keeps its order.
+  std::vector<bool> taken(parts.joints.size(), false);
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (std::size_t k = 0; k < parts.joints.size(); ++k) {
+      const JointPart& part = parts.joints[k];
+      if (taken[k] || !index.contains(part.parent) || !index.contains(part.child)) continue;
+      const int parent = place_of[index.at(part.parent)], child = index.at(part.child);
+      if (parent < 0 || parent_joint[child] != static_cast<int>(k)) continue;
+      taken[k] = grown = true;
+      place_of[child] = static_cast<int>(model->links.size());
+      Joint joint = part.joint;
+      joint.parent = parent;
+      joint.child = place_of[child];
+      model->joints.push_back(joint);
+      model->links.push_back(parts.links[child].link);
+      in_order.push_back(&parts.links[child]);
+      break;
+    }
+  }
+  for (const LinkPart* part : in_order) CheckMass(*part);
+  GiveMasses(in_order, config, model);
+  for (std::size_t i = 0; i < parts.links.size(); ++i) {
+    if (place_of[i] >= 0) continue;
+    parts.links[i].place.Fault("", fmt::format("link '{}' is not connected to the root '{}'",
+                                               parts.links[i].link.name, model->links[0].name));
+  }
+  return model->links.size() == parts.links.size();
+}
+
+}  // namespace tera

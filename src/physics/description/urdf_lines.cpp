@@ -1,0 +1,51 @@
+#include "physics/description/urdf_lines.h"
+
+#include <fmt/format.h>
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace tera {
+namespace {
+
+/// "mismatched element" of XML_ERROR_MISMATCHED_ELEMENT.
+std::string InWords(std::string_view name) {
+  for (const std::string_view prefix : {"XML_ERROR_", "XML_"}) {
+    if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
+  }
+  std::string words(name);
+  std::transform(words.begin(), words.end(), words.begin(), [](unsigned char c) {
+    return c == '_' ? ' ' : static_cast<char>(std::tolower(c));
+  });
+  return words;
+}
+
+}  // namespace
+
+std::string UrdfLines::PlaceOf(const std::string& kind, const std::string& name) const {
+  const auto line = lines_.find(kind + " " + name);
+  return fmt::format("{} '{}' of {}{}", kind, name, file_,
+                     line == lines_.end() ? "" : fmt::format(":{}", line->second));
+}
+
+std::optional<UrdfLines> ReadUrdfLines(const ConfigMap& config, const std::filesystem::path& file,
+                                       const std::string& xml) {
+  const std::string shown = file.filename().string();
+  tinyxml2::XMLDocument document;
+  if (document.Parse(xml.c_str(), xml.size()) != tinyxml2::XML_SUCCESS) {
+    config.Fault("urdf",
+                 fmt::format("{}:{} is not valid XML ({}); correct it", shown,
+                             std::max(1, document.ErrorLineNum()), InWords(document.ErrorName())));
+    return std::nullopt;
+  }
+  UrdfLines lines(shown);
+  const tinyxml2::XMLElement* robot = document.FirstChildElement("robot");
+  for (const auto* e = robot ? robot->FirstChildElement() : nullptr; e;
+       e = e->NextSiblingElement()) {
+    if (const char* name = e->Attribute("name")) lines.Add(e->Name(), name, e->GetLineNum());
+  }
+  return lines;
+}
+
+}  // namespace tera

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "core/config/config.h"
+
+namespace tera {
+
+/// Where the parts of a URDF stand, for messages.
+class UrdfLines {
+ public:
+  explicit UrdfLines(const std::string& file) : file_(file) {}
+  void Add(const std::string& kind, const std::string& name, int line) {
+    lines_.emplace(kind + " " + name, line);
+  }
+  /// "joint 'boom' of arm.urdf:12".
+  std::string PlaceOf(const std::string& kind, const std::string& name) const;
+
+ private:
+  std::string file_;
+  std::map<std::string, int> lines_;
+};
+
+/// The lines of links and joints in `xml`, the text of `file`; nothing, and a fault of `urdf`,
+/// where it is no XML.
+std::optional<UrdfLines> ReadUrdfLines(const ConfigMap& config, const std::filesystem::path& file,
+                                       const std::string& xml);
+
+}  // namespace tera

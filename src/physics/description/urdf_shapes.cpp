@@ -1,0 +1,121 @@
+#include "physics/description/urdf_shapes.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace tera {
+namespace {
+
+namespace fs = std::filesystem;
+
+Vec3 VectorOf(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
+
+/// Path of a mesh: relative to the URDF; `package://name/path` looks for `path` (with or without
+/// the package's name) in the folders above the URDF.
+std::optional<fs::path> FindMesh(const std::string& text, const fs::path& urdf) {
+  constexpr std::string_view kPackage = "package://", kFile = "file://";
+  const fs::path folder = urdf.parent_path();
+  if (text.starts_with(kFile)) return fs::path(text.substr(kFile.size()));
+  if (!text.starts_with(kPackage)) return folder / text;
+  const fs::path with_package = text.substr(kPackage.size());
+  const fs::path inside = with_package.lexically_relative(*with_package.begin());
+  for (fs::path up = fs::absolute(folder); up.has_relative_path(); up = up.parent_path()) {
+    for (const fs::path& tail : {with_package, inside}) {
+      if (fs::is_regular_file(up / tail)) return up / tail;
+    }
+  }
+  return std::nullopt;
+}
+
+/// The file that `mesh` names, or nothing after a fault of `part`, "visual" or "collision".
+std::optional<fs::path> MeshFile(const urdf::Mesh& mesh, const fs::path& urdf,
+                                 const PartPlace& place, std::string_view part) {
+  const auto path = FindMesh(mesh.filename, urdf);
+  if (!path || !fs::is_regular_file(*path)) {
+    place.Fault(part, fmt::format("mesh '{}' does not exist; correct the path (relative to the "
+                                  "URDF, or package:// below a folder above it)",
+                                  mesh.filename));
+    return std::nullopt;
+  }
+  place.config.AlsoReads(path->lexically_normal());
+  return path->lexically_normal();
+}
+
+/// A box, sphere or cylinder with a size, or nothing after a fault.
+std::optional<Solid> SolidOf(const urdf::Geometry& geometry, const PartPlace& place,
+                             std::string_view part) {
+  Solid solid;
+  if (const auto* box = dynamic_cast<const urdf::Box*>(&geometry)) {
+    solid = {SolidForm::kBox, VectorOf(box->dim)};
+  } else if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(&geometry)) {
+    solid = {SolidForm::kSphere, Vec3::Constant(2 * sphere->radius)};
+  } else if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(&geometry)) {
+    const double width_m = 2 * cylinder->radius;
+    solid = {SolidForm::kCylinder, Vec3(width_m, width_m, cylinder->length)};
+  }
+  if (solid.size_m.allFinite() && solid.size_m.minCoeff() > 0) return solid;
+  place.Fault(part, fmt::format("a solid of {} x {} x {} m; need sizes above 0", solid.size_m.x(),
+                                solid.size_m.y(), solid.size_m.z()));
+  return std::nullopt;
+}
+
+/// The colour that a visual names; none where it names none, or a texture alone.
+std::optional<Paint> PaintOf(const urdf::Visual& visual) {
+  if (!visual.material) return std::nullopt;
+  const urdf::Color& c = visual.material->color;
+  const Vec3 rgb(c.r, c.g, c.b);
+  if (!visual.material->texture_filename.empty() && rgb.isZero()) return std::nullopt;
+  return PaintFromSrgb(rgb, c.a);
+}
+
+void AddVisual(const urdf::Visual& in, const fs::path& file, const PartPlace& place, Link* link) {
+  Visual visual{.place = place.config.Place("urdf") + ": " + place.part,
+                .X_BG = PoseOf(in.origin),
+                .paint = PaintOf(in)};
+  if (const auto* mesh = dynamic_cast<const urdf::Mesh*>(in.geometry.get())) {
+    const auto path = MeshFile(*mesh, file, place, "visual");
+    if (!path) return;
+    const Vec3 scale = VectorOf(mesh->scale), size = scale.cwiseAbs();
+    if (size.x() != size.y() || size.x() != size.z() || !(size.x() > 0)) {
+      place.Fault("visual", fmt::format("mesh '{}' is scaled by {} {} {}; need one factor, which "
+                                        "may be negative along axes that are mirrored",
+                                        mesh->filename, scale.x(), scale.y(), scale.z()));
+      return;
+    }
+    visual.mesh = *path;
+    visual.scale = scale.prod() > 0 ? size.x() : -size.x();
+    visual.X_BG.linear() *= (scale / visual.scale).asDiagonal();  // half a turn, or none
+  } else {
+    visual.solid = SolidOf(*in.geometry, place, "visual");
+    if (!visual.solid) return;
+  }
+  link->visuals.push_back(std::move(visual));
+}
+
+void AddCollision(const urdf::Collision& in, const fs::path& file, const PartPlace& place,
+                  Link* link) {
+  const Pose X_BG = PoseOf(in.origin);
+  if (const auto* mesh = dynamic_cast<const urdf::Mesh*>(in.geometry.get())) {
+    const auto path = MeshFile(*mesh, file, place, "collision");
+    if (!path) return;
+    link->collision_meshes.push_back({*path, place.part, X_BG, VectorOf(mesh->scale)});
+  } else if (const auto solid = SolidOf(*in.geometry, place, "collision")) {
+    link->collision.push_back({X_BG, solid->size_m});
+  }
+}
+
+}  // namespace
+
+Pose PoseOf(const urdf::Pose& pose) {
+  const urdf::Rotation& q = pose.rotation;
+  return MakePose(VectorOf(pose.position),
+                  Quat(q.w, q.x, q.y, q.z).normalized().toRotationMatrix());
+}
+
+void AddUrdfShapes(const urdf::Link& in, const fs::path& file, const PartPlace& place, Link* link) {
+  for (const auto& visual : in.visual_array) AddVisual(*visual, file, place, link);
+  for (const auto& collision : in.collision_array) AddCollision(*collision, file, place, link);
+}
+
+}  // namespace tera

@@ -1,0 +1,28 @@
+#include "physics/traction/ground_faults.h"
+
+namespace tera {
+
+std::vector<EffectFault> FaultsOfBase(const MachineModel& model) {
+  std::vector<EffectFault> faults;
+  const GroundTools& tools = model.ground_tools;
+  bool driven = false;
+  for (std::size_t g = 0; g < tools.gears.size(); ++g) {
+    driven = driven || WhyGearUndriven(model, g).empty();
+  }
+  for (const Effect& effect : model.effects.base) {
+    const std::string_view id = effect.mechanism->id;
+    if (id == "soil_strength" || id == "terrain_height") continue;  // of the ground
+    if (id == "digging_force") {
+      if (tools.shovels.empty()) {
+        faults.push_back({id, "drags the base by its tools, of which it has none; need shovels"});
+      }
+    } else if (!driven) {
+      faults.push_back({id,
+                        "changes how tracks or wheels move the machine, but none is driven; "
+                        "need one with a lever, a speed and a torque"});
+    }
+  }
+  return faults;
+}
+
+}  // namespace tera

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <span>
+
+#include "core/types/effects.h"
+
+namespace tera {
+
+/// All mechanisms of running gear on the ground. docs/mechanisms.md has the equation and the source
+/// of each.
+std::span<const Mechanism> GroundMechanisms();
+
+}  // namespace tera

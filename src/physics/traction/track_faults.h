@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "physics/actuation/actuation_faults.h"
+
+namespace tera {
+
+/// Of the effects of `base` on a machine that the kinematics of tracks move: slips that together
+/// leave nothing of the tracks' speed on level ground.
+std::vector<EffectFault> FaultsOfSlips(const MachineModel& model);
+
+}  // namespace tera

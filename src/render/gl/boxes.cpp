@@ -1,0 +1,98 @@
+#include "render/gl/boxes.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+
+#include "core/check.h"
+
+namespace tera {
+
+void Silhouettes::Resize(int width_px, int height_px) {
+  if (width_px == width_px_ && height_px == height_px_) return;
+  width_px_ = width_px;
+  height_px_ = height_px;
+  stencil_ = MakeTexture(GL_DEPTH24_STENCIL8, width_px, height_px, Filter::kNearest, Wrap::kClamp);
+  framebuffer_ = MakeFramebuffer({}, stencil_.id(), true);
+}
+
+std::vector<std::int64_t> Silhouettes::Count(const View& view, const NodeRenderer& nodes,
+                                             const std::vector<std::uint16_t>& instances) {
+  constexpr int kMarks = 255;  // values of an 8-bit stencil besides 0
+  Resize(view.width_px, view.height_px);
+  while (queries_.size() < instances.size()) queries_.push_back(MakeQuery());
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  glViewport(0, 0, view.width_px, view.height_px);
+  glDisable(GL_DEPTH_TEST);
+  glEnable(GL_STENCIL_TEST);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  program_.Use();
+  program_.Set("u_clip_from_relative", view.ClipFromRelative());
+  for (std::size_t k = 0; k < instances.size(); ++k) {
+    if (k % kMarks == 0) {
+      const GLint blank = 0;
+      glClearBufferiv(GL_STENCIL, 0, &blank);
+    }
+    glStencilFunc(GL_NOTEQUAL, static_cast<GLint>(k % kMarks) + 1, 0xff);
+    glBeginQuery(GL_SAMPLES_PASSED, queries_[k].id());
+    nodes.DrawInstance(instances[k]);
+    glEndQuery(GL_SAMPLES_PASSED);
+  }
+  glDisable(GL_STENCIL_TEST);
+  std::vector<std::int64_t> counts(instances.size());
+  for (std::size_t k = 0; k < instances.size(); ++k) {
+    GLint64 count = 0;
+    glGetQueryObjecti64v(queries_[k].id(), GL_QUERY_RESULT, &count);
+    counts[k] = count;
+  }
+  return counts;
+}
+
+std::vector<std::int64_t> CountPixels(const Image<std::uint16_t>& instance, std::size_t instances) {
+  std::vector<std::int64_t> counts(instances, 0);
+  for (const std::uint16_t i : instance.data) {
+    TERA_CHECK(i < instances, i, instances);
+    ++counts[i];
+  }
+  return counts;
+}
+
+std::vector<ObjectBox> FindBoxes(const SceneModel& model, const SceneState& state, const Pose& X_WC,
+                                 const Image<std::uint16_t>& instance) {
+  std::vector<ObjectBox> all(model.instances.size());
+  for (ObjectBox& box : all) {
+    box.x_min_px = instance.width_px;
+    box.y_min_px = instance.height_px;
+  }
+  for (int y = 0; y < instance.height_px; ++y) {
+    for (int x = 0; x < instance.width_px; ++x) {
+      const std::uint16_t i = instance.at(x, y);
+      if (i == 0) continue;
+      ObjectBox& box = all[i];
+      box.x_min_px = std::min(box.x_min_px, x);
+      box.x_max_px = std::max(box.x_max_px, x);
+      box.y_min_px = std::min(box.y_min_px, y);
+      box.y_max_px = std::max(box.y_max_px, y);
+      ++box.visible_px;
+    }
+  }
+  std::vector<ObjectBox> visible;
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    if (all[i].visible_px == 0) continue;
+    const SceneInstance& object = model.instances[i];
+    ObjectBox box = all[i];
+    box.instance = static_cast<std::uint16_t>(i);
+    box.label = object.label;
+    box.name = object.name;
+    if (object.body >= 0) {
+      Pose X_BO = Pose::Identity();
+      X_BO.translation() = 0.5 * (object.box_min_B_m + object.box_max_B_m);
+      box.X_CO = X_WC.inverse() * state.X_WB[object.body] * X_BO;
+      box.size_O_m = object.box_max_B_m - object.box_min_B_m;
+    }
+    visible.push_back(std::move(box));
+  }
+  return visible;
+}
+
+}  // namespace tera

@@ -1,0 +1,76 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+#include "render/gl/rasterizer.h"
+
+namespace tera {
+namespace {
+
+struct DistortedPoint {
+  Vec2 value;
+  Eigen::Matrix2d jacobian;
+};
+
+/// x'(x) of the Brown-Conrady model and its derivative.
+DistortedPoint Distort(const CameraIntrinsics& c, const Vec2& p) {
+  const double x = p.x(), y = p.y(), r2 = p.squaredNorm();
+  const double radial = 1 + r2 * (c.k1 + r2 * (c.k2 + r2 * c.k3));
+  const double slope = c.k1 + r2 * (2 * c.k2 + r2 * 3 * c.k3);  // d radial / d r2
+  DistortedPoint d;
+  d.value = {x * radial + 2 * c.p1 * x * y + c.p2 * (r2 + 2 * x * x),
+             y * radial + c.p1 * (r2 + 2 * y * y) + 2 * c.p2 * x * y};
+  d.jacobian << radial + 2 * x * x * slope + 2 * c.p1 * y + 6 * c.p2 * x,
+      2 * x * y * slope + 2 * c.p1 * x + 2 * c.p2 * y,
+      2 * x * y * slope + 2 * c.p1 * x + 2 * c.p2 * y,
+      radial + 2 * y * y * slope + 6 * c.p1 * y + 2 * c.p2 * x;
+  return d;
+}
+
+}  // namespace
+
+Vec2 CameraIntrinsics::Project(const Vec3& p_C_m) const {
+  TERA_CHECK(p_C_m.z() > 0, p_C_m.z());
+  const Vec2 x = Distort(*this, p_C_m.head<2>() / p_C_m.z()).value;
+  return {fx_px * x.x() + cx_px, fy_px * x.y() + cy_px};
+}
+
+Vec3 CameraIntrinsics::Unproject(const Vec2& pixel_px) const {
+  const Vec2 target((pixel_px.x() - cx_px) / fx_px, (pixel_px.y() - cy_px) / fy_px);
+  constexpr int kMaxIterations = 50;
+  constexpr double kConverged = 1e-13;  // of the image plane at unit distance
+  Vec2 x = target;
+  for (int i = 0; i < kMaxIterations; ++i) {
+    const DistortedPoint d = Distort(*this, x);
+    const Vec2 step = d.jacobian.inverse() * (d.value - target);
+    if (!step.allFinite()) break;
+    x -= step;
+    if (step.norm() < kConverged) break;
+  }
+  return {x.x(), x.y(), 1.0};
+}
+
+std::optional<Vec3> CameraIntrinsics::RayOf(const Vec2& pixel_px) const {
+  constexpr double kRoundTrip_px = 1e-3;
+  const Vec3 ray = Unproject(pixel_px);
+  const bool usable = ray.allFinite() && ray.head<2>().norm() < kWidestTangent &&
+                      (Project(ray) - pixel_px).norm() < kRoundTrip_px;
+  return usable ? std::optional(ray) : std::nullopt;
+}
+
+std::optional<Vec2> CameraIntrinsics::PixelWithoutRay() const {
+  constexpr int kGrid = 64;  // lines of the grid along each side
+  const int last_u = width_px - 1, last_v = height_px - 1;
+  const int step_u = std::max(1, width_px / kGrid), step_v = std::max(1, height_px / kGrid);
+  for (int v = 0; v <= last_v; ++v) {
+    const bool whole_row = v == 0 || v == last_v;
+    for (int u = 0; u <= last_u; ++u) {
+      const bool border = whole_row || u == 0 || u == last_u;
+      if (!border && (u % step_u != 0 || v % step_v != 0)) continue;
+      if (!RayOf(Vec2(u, v))) return Vec2(u, v);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace tera

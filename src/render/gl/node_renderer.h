@@ -1,0 +1,71 @@
+#pragma once
+
+#include <functional>
+
+#include "render/gl/gl_objects.h"
+#include "render/gl/view.h"
+#include "render/scene.h"
+
+namespace tera {
+
+/// Draws the meshes of the scene's nodes.
+///
+/// Model   all meshes lie in one vertex and one index buffer; each node drawn is one entry of an
+///         instance buffer that holds its pose relative to the eye and its label.
+class NodeRenderer {
+ public:
+  explicit NodeRenderer(const SceneModel& model);
+
+  enum class Surface { kOpaque, kGlass };
+
+  /// Nodes as they stand in `state`, relative to `eye_W_m`; those that `view` (if any) cannot see
+  /// are left out. Opaque nodes are ordered from near to far, glass from far to near.
+  void Place(const SceneState& state, const Vec3& eye_W_m, const View* view);
+  /// Draws what Place found, with the program in use: attributes 0 position, 1 normal, 2 albedo
+  /// (square roots) and opacity, 3 roughness and metallic; 4 to 6 rows of the pose, 7 the label.
+  void Draw(Surface surface) const;
+  /// Draws the opaque nodes whose bounding sphere (centre in W, radius) `wanted` accepts.
+  void DrawOpaqueIf(
+      const std::function<bool(const Vec3& centre_W_m, double radius_m)>& wanted) const;
+  /// Draws the nodes of one instance only, glass and opaque.
+  void DrawInstance(std::uint16_t instance) const;
+
+  /// Whether anything of glass was placed.
+  bool has_glass() const { return !placed_glass_.empty(); }
+  /// Since construction.
+  std::int64_t triangles_drawn() const { return triangles_drawn_; }
+
+  /// The box of all nodes of the scene along the axes of `R_LW`, over all of `state`.
+  Eigen::AlignedBox3d BoundsAlong(const Mat3& R_LW, const SceneState& state) const;
+
+ private:
+  struct Range {
+    int first_index = 0, index_count = 0;
+  };
+  struct GpuMesh {
+    Range opaque, glass;
+    int first_vertex = 0;
+    Eigen::AlignedBox3d box_G_m;
+  };
+  struct Placed {
+    int node;
+    double distance_m;
+    Vec3 centre_W_m;
+    double radius_m;
+  };
+
+  void DrawNode(int node, const Range& range) const;
+
+  const SceneModel& model_;
+  std::vector<GpuMesh> meshes_;
+  GlObject vertices_, indices_, instances_, array_;
+  std::vector<Placed> placed_opaque_, placed_glass_;
+  mutable std::int64_t triangles_drawn_ = 0;
+};
+
+/// Label word of a pixel: class in the low 8 bits, instance in the next 16.
+constexpr std::uint32_t LabelWord(SemanticClass label, std::uint16_t instance) {
+  return static_cast<std::uint32_t>(label) | (static_cast<std::uint32_t>(instance) << 8);
+}
+
+}  // namespace tera

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "render/gl/gl_objects.h"
+
+namespace tera {
+
+/// Images on the GPU for one picture size.
+struct Pictures {
+  int width_px = 0, height_px = 0;
+  GlObject albedo, normal, label, depth;  ///< what is where
+  GlObject open, open_blurred;            ///< sky left over by what is near, half resolution
+  GlObject radiance;                      ///< linear, exposed
+  GlObject toned, colour;                 ///< sRGB before and after the edge filter
+  GlObject geometry_target, open_target, open_blurred_target, shade_target, sky_target,
+      glass_label_target, tone_target, colour_target;
+
+  Pictures() = default;
+  Pictures(int width, int height);
+};
+
+/// The camera's own picture behind a distorting lens.
+struct LensPictures {
+  int width_px = 0, height_px = 0;
+  GlObject colour, label, depth, target;
+
+  LensPictures() = default;
+  LensPictures(int width, int height);
+};
+
+}  // namespace tera

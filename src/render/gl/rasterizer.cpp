@@ -1,0 +1,399 @@
+#include "render/gl/rasterizer.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "core/check.h"
+#include "render/gl/boxes.h"
+#include "render/gl/daylight.h"
+#include "render/gl/egl_context.h"
+#include "render/gl/gl_objects.h"
+#include "render/gl/grain_renderer.h"
+#include "render/gl/lens.h"
+#include "render/gl/node_renderer.h"
+#include "render/gl/pictures.h"
+#include "render/gl/shadow_map.h"
+#include "render/gl/view.h"
+#include "render/ground/terrain_renderer.h"
+
+namespace tera {
+namespace {
+
+/// Uniforms that turn pixels and depths of a view back into positions.
+void SetView(const View& view, const Program& program) {
+  // Ray (x, y, 1) of window position p: (p - 1/2 - c) / f.
+  program.Set("u_pixel_to_ray", Eigen::Vector4f(Eigen::Vector4d(-(view.cx_px + 0.5) / view.fx_px,
+                                                                -(view.cy_px + 0.5) / view.fy_px,
+                                                                1 / view.fx_px, 1 / view.fy_px)
+                                                    .cast<float>()));
+  program.Set("u_R_WC", Eigen::Matrix3f(view.R_WC.cast<float>()));
+  program.Set("u_eye_W", Eigen::Vector3f(view.eye_W_m.cast<float>()));
+  program.Set("u_near_m", static_cast<float>(view.near_m));
+}
+
+bool SameLens(const CameraIntrinsics& a, const CameraIntrinsics& b) {
+  const auto key = [](const CameraIntrinsics& c) {
+    return std::array<double, 13>{static_cast<double>(c.width_px),
+                                  static_cast<double>(c.height_px),
+                                  c.fx_px,
+                                  c.fy_px,
+                                  c.cx_px,
+                                  c.cy_px,
+                                  c.k1,
+                                  c.k2,
+                                  c.p1,
+                                  c.p2,
+                                  c.k3,
+                                  c.near_m,
+                                  c.far_m};
+  };
+  return key(a) == key(b);
+}
+
+GlObject FarBelow() {
+  GlObject texture = MakeTexture(GL_R32F, 1, 1, Filter::kNearest, Wrap::kClamp);
+  const float height_m = -1e9f;
+  glTextureSubImage2D(texture.id(), 0, 0, 0, 1, 1, GL_RED, GL_FLOAT, &height_m);
+  return texture;
+}
+
+}  // namespace
+
+struct Rasterizer::Impl {
+  SceneModel model;
+  EglContext context;
+  EglContext::Current current;  // while the objects below are made, and again while they go
+  Daylight daylight;
+  NodeRenderer nodes;
+  TerrainRenderer terrain;
+  GrainRenderer grains;
+  ShadowMap shadow_map;
+  Silhouettes silhouettes;
+  Program node_program{"node.vert", "node.frag"};
+  Program occlusion_program{"fullscreen.vert", "occlusion.frag"};
+  Program blur_program{"fullscreen.vert", "blur.frag"};
+  Program shade_program{"fullscreen.vert", "shade.frag"};
+  Program sky_program{"fullscreen.vert", "sky.frag"};
+  Program glass_program{"node.vert", "glass.frag"};
+  Program glass_label_program{"node.vert", "label.frag"};
+  Program tone_program{"fullscreen.vert", "tone.frag"};
+  Program edge_program{"fullscreen.vert", "edges.frag"};
+  Program lens_program{"fullscreen.vert", "distort.frag"};
+  GlObject no_vertices = MakeVertexArray();
+  GlObject far_below = FarBelow();
+  bool has_ground = false;
+  std::vector<Pictures> pictures;  // one for each size met
+  std::vector<LensPictures> lens_pictures;
+  std::vector<Lens> lenses;
+
+  Impl(const SceneModel& scene, const EglOptions& options)
+      : model(scene),
+        context(options),
+        current(context),
+        daylight(model.environment),
+        nodes(model),
+        terrain(model, daylight.sky().to_sun_W()),
+        grains(model.soils),
+        shadow_map(daylight.sky().to_sun_W()) {}
+
+  Pictures& PicturesOf(int width_px, int height_px);
+  LensPictures& LensPicturesOf(int width_px, int height_px);
+  const Lens& LensOf(const CameraIntrinsics& camera);
+  void DrawPinhole(const View& view, const SceneState& state, const Pictures& p);
+  void DrawGeometry(const View& view, const Pictures& p);
+  void Occlude(const View& view, const Pictures& p);
+  void Shade(const View& view, const Pictures& p);
+  void DrawSky(const View& view, const Pictures& p);
+  void DrawGlass(const View& view, const Pictures& p);
+  void Develop(const Pictures& p);
+  void Distort(const Lens& lens, const Pictures& from, const LensPictures& to);
+  void FillScreen() const;
+  void Measure(const View& view, const Pictures& p, bool distorted, CameraFrame* frame);
+};
+
+Rasterizer::Rasterizer(const SceneModel& model, const EglOptions& options)
+    : impl_(std::make_unique<Impl>(model, options)) {
+  impl_->current.Release();
+}
+
+Rasterizer::~Rasterizer() { impl_->current.Take(); }
+
+const GlInfo& Rasterizer::info() const { return impl_->context.info(); }
+
+std::int64_t Rasterizer::uploaded_tiles() const { return impl_->terrain.uploaded_tiles(); }
+
+std::int64_t Rasterizer::triangles_drawn() const {
+  return impl_->nodes.triangles_drawn() + impl_->terrain.triangles_drawn() +
+         impl_->grains.triangles_drawn();
+}
+
+Pictures& Rasterizer::Impl::PicturesOf(int width_px, int height_px) {
+  for (Pictures& p : pictures) {
+    if (p.width_px == width_px && p.height_px == height_px) return p;
+  }
+  return pictures.emplace_back(width_px, height_px);
+}
+
+LensPictures& Rasterizer::Impl::LensPicturesOf(int width_px, int height_px) {
+  for (LensPictures& p : lens_pictures) {
+    if (p.width_px == width_px && p.height_px == height_px) return p;
+  }
+  return lens_pictures.emplace_back(width_px, height_px);
+}
+
+const Lens& Rasterizer::Impl::LensOf(const CameraIntrinsics& camera) {
+  for (const Lens& lens : lenses) {
+    if (SameLens(lens.camera(), camera)) return lens;
+  }
+  return lenses.emplace_back(camera);
+}
+
+void Rasterizer::Impl::FillScreen() const {
+  glBindVertexArray(no_vertices.id());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void Rasterizer::Impl::DrawGeometry(const View& view, const Pictures& p) {
+  glBindFramebuffer(GL_FRAMEBUFFER, p.geometry_target.id());
+  glViewport(0, 0, view.width_px, view.height_px);
+  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  const float blank[4] = {0, 0, 0, 0};
+  const std::uint32_t sky[4] = {0, 0, 0, 0};
+  glDepthMask(GL_TRUE);
+  glClearBufferfv(GL_COLOR, 0, blank);
+  glClearBufferfv(GL_COLOR, 1, blank);
+  glClearBufferuiv(GL_COLOR, 2, sky);
+  glClearBufferfv(GL_DEPTH, 0, blank);  // infinitely far
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GREATER);
+  node_program.Use();
+  node_program.Set("u_clip_from_relative", view.ClipFromRelative());
+  nodes.Draw(NodeRenderer::Surface::kOpaque);
+  if (has_ground) {
+    grains.Draw();
+    terrain.Draw(view);
+  }
+  glDisable(GL_DEPTH_TEST);
+}
+
+void Rasterizer::Impl::Occlude(const View& view, const Pictures& p) {
+  glViewport(0, 0, (view.width_px + 1) / 2, (view.height_px + 1) / 2);
+  glBindFramebuffer(GL_FRAMEBUFFER, p.open_target.id());
+  occlusion_program.Use();
+  glBindTextureUnit(0, p.depth.id());
+  glBindTextureUnit(1, p.normal.id());
+  occlusion_program.Set("u_depth", 0);
+  occlusion_program.Set("u_normal", 1);
+  occlusion_program.Set("u_focal_px", static_cast<float>(view.fx_px));
+  SetView(view, occlusion_program);
+  FillScreen();
+  glBindFramebuffer(GL_FRAMEBUFFER, p.open_blurred_target.id());
+  blur_program.Use();
+  glBindTextureUnit(0, p.open.id());
+  blur_program.Set("u_occlusion", 0);
+  FillScreen();
+  glViewport(0, 0, view.width_px, view.height_px);
+}
+
+void Rasterizer::Impl::Shade(const View& view, const Pictures& p) {
+  glBindFramebuffer(GL_FRAMEBUFFER, p.shade_target.id());
+  shade_program.Use();
+  constexpr unsigned kGround = 4, kShadow = 7;
+  glBindTextureUnit(0, p.albedo.id());
+  glBindTextureUnit(1, p.normal.id());
+  glBindTextureUnit(2, p.depth.id());
+  glBindTextureUnit(3, p.open_blurred.id());
+  shade_program.Set("u_albedo", 0);
+  shade_program.Set("u_normal", 1);
+  shade_program.Set("u_depth", 2);
+  shade_program.Set("u_occlusion", 3);
+  shade_program.Set("u_ground_shadow", static_cast<int>(kGround) + 2);
+  shade_program.Set("u_shadow", static_cast<int>(kShadow));
+  if (has_ground) {
+    terrain.textures().Bind(kGround, shade_program);
+  } else {
+    glBindTextureUnit(kGround + 2, far_below.id());
+  }
+  const double penumbra_m = has_ground ? terrain.textures().penumbra_m() : 1.0;
+  shade_program.Set("u_ground_penumbra_m", static_cast<float>(penumbra_m));
+  shadow_map.Bind(kShadow, view.eye_W_m, shade_program);
+  daylight.Light(shade_program);
+  SetView(view, shade_program);
+  FillScreen();
+}
+
+void Rasterizer::Impl::DrawSky(const View& view, const Pictures& p) {
+  glBindFramebuffer(GL_FRAMEBUFFER, p.sky_target.id());
+  glEnable(GL_DEPTH_TEST);
+  glDepthMask(GL_FALSE);
+  glDepthFunc(GL_EQUAL);  // only where nothing was drawn
+  sky_program.Use();
+  daylight.BindSky(0, sky_program);
+  daylight.Light(sky_program);
+  SetView(view, sky_program);
+  FillScreen();
+  glDepthMask(GL_TRUE);
+  glDisable(GL_DEPTH_TEST);
+}
+
+void Rasterizer::Impl::DrawGlass(const View& view, const Pictures& p) {
+  if (!nodes.has_glass()) return;
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GREATER);
+  glBindFramebuffer(GL_FRAMEBUFFER, p.sky_target.id());
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glass_program.Use();
+  glass_program.Set("u_clip_from_relative", view.ClipFromRelative());
+  daylight.Light(glass_program);
+  nodes.Draw(NodeRenderer::Surface::kGlass);
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+  glBindFramebuffer(GL_FRAMEBUFFER, p.glass_label_target.id());
+  glass_label_program.Use();
+  glass_label_program.Set("u_clip_from_relative", view.ClipFromRelative());
+  nodes.Draw(NodeRenderer::Surface::kGlass);
+  glDisable(GL_DEPTH_TEST);
+}
+
+/// From radiance to sRGB.
+void Rasterizer::Impl::Develop(const Pictures& p) {
+  glBindFramebuffer(GL_FRAMEBUFFER, p.tone_target.id());
+  tone_program.Use();
+  glBindTextureUnit(0, p.radiance.id());
+  tone_program.Set("u_radiance", 0);
+  FillScreen();
+  glBindFramebuffer(GL_FRAMEBUFFER, p.colour_target.id());
+  edge_program.Use();
+  glBindTextureUnit(0, p.toned.id());
+  edge_program.Set("u_colour", 0);
+  FillScreen();
+}
+
+void Rasterizer::Impl::DrawPinhole(const View& view, const SceneState& state, const Pictures& p) {
+  has_ground = state.terrain != nullptr;
+  if (has_ground) {
+    terrain.Update(*state.terrain);
+    grains.Place(*state.terrain, view.eye_W_m);
+  }
+  shadow_map.Update(state, view.eye_W_m, &nodes);
+  nodes.Place(state, view.eye_W_m, &view);
+  DrawGeometry(view, p);
+  Occlude(view, p);
+  Shade(view, p);
+  DrawSky(view, p);
+  DrawGlass(view, p);
+  Develop(p);
+}
+
+void Rasterizer::Impl::Distort(const Lens& lens, const Pictures& from, const LensPictures& to) {
+  glBindFramebuffer(GL_FRAMEBUFFER, to.target.id());
+  glViewport(0, 0, to.width_px, to.height_px);
+  lens_program.Use();
+  glBindTextureUnit(0, from.colour.id());
+  glBindTextureUnit(1, from.depth.id());
+  glBindTextureUnit(2, from.label.id());
+  glBindTextureUnit(3, lens.map().id());
+  lens_program.Set("u_colour", 0);
+  lens_program.Set("u_depth", 1);
+  lens_program.Set("u_label", 2);
+  lens_program.Set("u_map", 3);
+  FillScreen();
+}
+
+namespace {
+
+Image<std::uint16_t> ReadInstances(const GlObject& label, int width, int height,
+                                   Image<std::uint8_t>* semantic) {
+  Image<std::uint16_t> instance(width, height);
+  std::vector<std::uint32_t> words(instance.data.size());
+  glGetTextureImage(label.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                    static_cast<GLsizei>(words.size() * sizeof(std::uint32_t)), words.data());
+  for (std::size_t p = 0; p < words.size(); ++p) {
+    instance.data[p] = static_cast<std::uint16_t>(words[p] >> 8);
+    if (semantic != nullptr) semantic->data[p] = static_cast<std::uint8_t>(words[p]);
+  }
+  return instance;
+}
+
+Image<std::uint8_t> ReadColour(const GlObject& colour, int width, int height) {
+  Image<std::uint8_t> rgb(width, height, 3);
+  std::vector<std::uint8_t> rgba(static_cast<std::size_t>(width) * height * 4);
+  glGetTextureImage(colour.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(rgba.size()),
+                    rgba.data());
+  for (std::size_t p = 0; p < rgba.size() / 4; ++p) {
+    for (int k = 0; k < 3; ++k) rgb.data[p * 3 + k] = rgba[p * 4 + k];
+  }
+  return rgb;
+}
+
+/// Planar depth; 0 for the sky and beyond the far distance.
+Image<float> ReadDepth(const GlObject& depth, unsigned format, const CameraIntrinsics& camera) {
+  Image<float> z_m(camera.width_px, camera.height_px);
+  glGetTextureImage(depth.id(), 0, format, GL_FLOAT,
+                    static_cast<GLsizei>(z_m.data.size() * sizeof(float)), z_m.data.data());
+  const auto near_m = static_cast<float>(camera.near_m), far_m = static_cast<float>(camera.far_m);
+  for (float& d : z_m.data) {
+    const float z = d > 0 ? near_m / d : 0.0f;
+    d = z <= far_m ? z : 0.0f;
+  }
+  return z_m;
+}
+
+}  // namespace
+
+/// Share of each box's object that is seen. Behind a lens it is counted in the pinhole picture.
+void Rasterizer::Impl::Measure(const View& view, const Pictures& p, bool distorted,
+                               CameraFrame* frame) {
+  std::vector<std::uint16_t> visible;
+  for (const ObjectBox& box : frame->boxes) visible.push_back(box.instance);
+  const std::vector<std::int64_t> alone = silhouettes.Count(view, nodes, visible);
+  std::vector<std::int64_t> seen;
+  if (distorted) {
+    seen = CountPixels(ReadInstances(p.label, p.width_px, p.height_px, nullptr),
+                       model.instances.size());
+  }
+  for (std::size_t k = 0; k < visible.size(); ++k) {
+    ObjectBox& box = frame->boxes[k];
+    const std::int64_t seen_px = distorted ? seen[box.instance] : box.visible_px;
+    const auto alone_px = static_cast<double>(std::max<std::int64_t>(alone[k], 1));
+    box.visibility = std::min(1.0, static_cast<double>(seen_px) / alone_px);
+  }
+}
+
+CameraFrame Rasterizer::Render(const CameraIntrinsics& camera, const Pose& X_WC,
+                               const SceneState& state) {
+  TERA_CHECK(static_cast<int>(state.X_WB.size()) >= impl_->model.body_count, state.X_WB.size());
+  Impl& impl = *impl_;
+  const EglContext::Current current(impl.context);
+  const int width = camera.width_px, height = camera.height_px;
+  const bool distorted = camera.Distorted();
+  const CameraIntrinsics& pinhole = distorted ? impl.LensOf(camera).pinhole() : camera;
+  const Pictures& p = impl.PicturesOf(pinhole.width_px, pinhole.height_px);
+  const View view(pinhole, X_WC);
+  impl.DrawPinhole(view, state, p);
+  CameraFrame frame;
+  frame.t_ns = state.t_ns;
+  frame.t_available_ns = state.t_ns;
+  frame.semantic = Image<std::uint8_t>(width, height);
+  if (distorted) {
+    const LensPictures& q = impl.LensPicturesOf(width, height);
+    impl.Distort(impl.LensOf(camera), p, q);
+    frame.rgb = ReadColour(q.colour, width, height);
+    frame.instance = ReadInstances(q.label, width, height, &frame.semantic);
+    frame.depth_m = ReadDepth(q.depth, GL_RED, camera);
+  } else {
+    frame.rgb = ReadColour(p.colour, width, height);
+    frame.instance = ReadInstances(p.label, width, height, &frame.semantic);
+    frame.depth_m = ReadDepth(p.depth, GL_DEPTH_COMPONENT, camera);
+  }
+  frame.boxes = FindBoxes(impl.model, state, X_WC, frame.instance);
+  impl.Measure(view, p, distorted, &frame);
+  return frame;
+}
+
+}  // namespace tera

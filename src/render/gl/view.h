@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+
+#include "render/gl/rasterizer.h"
+
+namespace tera {
+
+/// A pinhole camera as the vertex shaders use it.
+///
+/// Frames  positions reach the GPU relative to the eye but along W's axes, so that floats keep
+///         their precision far from the site's origin.
+/// Model   clip.xyw = (2 (fx X + (cx + 1/2) Z) / width - Z, likewise y, Z), clip.z = near: depth
+///         near / Z falls from 1 at the near plane to 0 at infinity. Window row 0 is image row 0.
+struct View {
+  Vec3 eye_W_m;
+  Mat3 R_WC;
+  int width_px, height_px;
+  double fx_px, fy_px, cx_px, cy_px;
+  double near_m;
+
+  View(const CameraIntrinsics& pinhole, const Pose& X_WC);
+
+  Eigen::Matrix4f ClipFromRelative() const;
+  /// False only where the box, given in W, is wholly outside the picture.
+  bool Sees(const Vec3& box_min_W_m, const Vec3& box_max_W_m) const;
+  bool SeesSphere(const Vec3& centre_W_m, double radius_m) const;
+
+ private:
+  struct Plane {
+    Vec3 normal_W;
+    double offset_m;  ///< inside: normal . p + offset >= 0
+  };
+  std::array<Plane, 5> planes_;
+};
+
+}  // namespace tera

@@ -1,0 +1,152 @@
+#include "render/ground/ground_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tera {
+namespace {
+
+constexpr float kNoShadowDepth_m = 100.0f;  // below the ground at the site's sunny border
+constexpr int kLargestTexture = 4096;       // texels along a side
+
+}  // namespace
+
+void TexelWindow::Extend(int i, int j) {
+  const bool first = empty();
+  i0 = first ? i : std::min(i0, i);
+  j0 = first ? j : std::min(j0, j);
+  i1 = first ? i + 1 : std::max(i1, i + 1);
+  j1 = first ? j + 1 : std::max(j1, j + 1);
+}
+
+HeightTexels::HeightTexels(const TerrainGrid& grid)
+    : texel_cells_((std::max(grid.nx, grid.ny) - 1) / kLargestTexture + 1),
+      texel_m_(texel_cells_ * grid.cell_m) {
+  width_ = (grid.nx - 1) / texel_cells_ + 1;
+  height_ = (grid.ny - 1) / texel_cells_ + 1;
+  height_m_.resize(static_cast<std::size_t>(width_) * height_);
+}
+
+TexelWindow HeightTexels::Of(int a, int b) const {
+  constexpr int kCells = TerrainGrid::kTileCells;
+  const auto first = [&](int tile) { return (tile * kCells + texel_cells_ - 1) / texel_cells_; };
+  const auto end = [&](int tile) { return (tile + 1) * kCells / texel_cells_ + 1; };
+  return {first(a), first(b), std::min(end(a), width_), std::min(end(b), height_)};
+}
+
+void HeightTexels::Read(const TerrainSurface& terrain, const TexelWindow& window) {
+  for (int j = window.j0; j < window.j1; ++j) {
+    for (int i = window.i0; i < window.i1; ++i) {
+      height_m_[index(i, j)] = terrain.height_m(i * texel_cells_, j * texel_cells_);
+    }
+  }
+}
+
+SkyView::SkyView(double texel_m) {
+  constexpr std::array<std::array<int, 2>, 8> kDirections = {
+      {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+  constexpr std::array<double, 5> kReaches_m = {0.05, 0.15, 0.3, 0.6, kOcclusionReach_m};
+  for (std::size_t d = 0; d < kDirections.size(); ++d) {
+    const auto [x, y] = kDirections[d];
+    const double unit = x != 0 && y != 0 ? std::sqrt(0.5) : 1.0;
+    for (std::size_t r = 0; r < kReaches_m.size(); ++r) {
+      const int steps = std::max(1, static_cast<int>(std::lround(kReaches_m[r] * unit / texel_m)));
+      directions_[d][r] = {x * steps, y * steps, static_cast<float>(steps * texel_m / unit)};
+    }
+  }
+}
+
+float SkyView::Factor(const HeightTexels& heights, int i, int j) const {
+  const float h = heights.at(i, j);
+  float sum = 0;
+  for (const auto& samples : directions_) {
+    float steepest = 0;  // tangent of the horizon's height
+    for (const Sample& s : samples) {
+      const int a = std::clamp(i + s.di, 0, heights.width() - 1);
+      const int b = std::clamp(j + s.dj, 0, heights.height() - 1);
+      steepest = std::max(steepest, (heights.at(a, b) - h) / s.distance_m);
+    }
+    sum += 1.0f / (1.0f + steepest * steepest);
+  }
+  return sum / directions_.size();
+}
+
+/// Walks the grid so that the line that casts shadow on a line is done before it.
+struct GroundShadow::Sweep {
+  bool along_x;       ///< lines are columns (constant i), else rows (constant j)
+  int lines, across;  ///< number of lines, texels on each
+  int first, step;    ///< first line done and the way on
+  int whole;          ///< texels across, per line towards the sun, and the part beyond
+  float part;
+  float drop_m;  ///< of the shadow from one line to the next
+  std::size_t line_stride, across_stride;
+
+  Sweep(const HeightTexels& heights, const Vec3& to_sun_W) {
+    along_x = std::abs(to_sun_W.x()) >= std::abs(to_sun_W.y());
+    const double major = along_x ? to_sun_W.x() : to_sun_W.y();
+    const double minor = along_x ? to_sun_W.y() : to_sun_W.x();
+    lines = along_x ? heights.width() : heights.height();
+    across = along_x ? heights.height() : heights.width();
+    step = major > 0 ? -1 : 1;
+    first = major > 0 ? lines - 1 : 0;
+    const double drift = minor / std::abs(major);
+    whole = static_cast<int>(std::floor(drift));
+    part = static_cast<float>(drift - whole);
+    drop_m = static_cast<float>(heights.texel_m() * to_sun_W.z() / std::abs(major));
+    line_stride = along_x ? 1 : static_cast<std::size_t>(heights.width());
+    across_stride = along_x ? static_cast<std::size_t>(heights.width()) : 1;
+  }
+  std::size_t index(int line, int k) const { return line * line_stride + k * across_stride; }
+};
+
+TexelWindow GroundShadow::Update(const HeightTexels& heights, const TexelWindow& changed) {
+  TexelWindow shaded;
+  const bool restart = shadow_m_.empty();
+  const TexelWindow window =
+      restart ? TexelWindow{0, 0, heights.width(), heights.height()} : changed;
+  const auto free_m = [&](std::size_t k) { return heights.at(k) - kNoShadowDepth_m; };
+  const auto put = [&](int i, int j, float value) {
+    float& shadow_m = shadow_m_[heights.index(i, j)];
+    if (shadow_m == value) return false;
+    shadow_m = value;
+    shaded.Extend(i, j);
+    return true;
+  };
+  if (restart) shadow_m_.assign(heights.index(0, heights.height()), -kNoShadowDepth_m);
+  const bool zenith = to_sun_W_.head<2>().norm() < 1e-6 * std::abs(to_sun_W_.z());
+  const Sweep s(heights, zenith ? Vec3(Vec3::UnitX()) : to_sun_W_);
+  const int n0 = s.along_x ? window.i0 : window.j0, n1 = s.along_x ? window.i1 : window.j1;
+  const int k0 = s.along_x ? window.j0 : window.i0, k1 = s.along_x ? window.j1 : window.i1;
+  // Texels [from, to) of the line before have another height or shadow.
+  int from = 0, to = 0;
+  for (int line = s.step > 0 ? n0 : n1 - 1; line >= 0 && line < s.lines; line += s.step) {
+    const bool inside = line >= n0 && line < n1;
+    if (!inside && to <= from) break;
+    // A caster at k shades the texels between k - whole - 1 and k - whole.
+    int a = to > from ? std::max(0, from - s.whole - 1) : s.across,
+        b = std::min(s.across, to - s.whole);
+    if (to > from && from == 0) a = 0;
+    if (to > from && to == s.across) b = s.across;
+    if (to <= from) b = 0;
+    if (inside && (line == s.first || zenith)) a = std::min(a, k0), b = std::max(b, k1);
+    from = s.across, to = 0;
+    for (int k = a; k < b; ++k) {
+      const std::size_t here = s.index(line, k);
+      float value = free_m(here);
+      if (line != s.first && !zenith) {
+        const auto caster = [&](int m) {
+          const std::size_t q = s.index(line - s.step, std::clamp(m, 0, s.across - 1));
+          return std::max(heights.at(q), shadow_m_[q]);
+        };
+        const float near = caster(k + s.whole), far = caster(k + s.whole + 1);
+        value = near + s.part * (far - near) - s.drop_m;
+      }
+      const int i = s.along_x ? line : k, j = s.along_x ? k : line;
+      if (put(i, j, value)) from = std::min(from, k), to = std::max(to, k + 1);
+    }
+    if (inside) from = std::min(from, k0), to = std::max(to, k1);
+  }
+  return shaded;
+}
+
+}  // namespace tera

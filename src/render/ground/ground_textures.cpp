@@ -1,0 +1,192 @@
+#include "render/ground/ground_textures.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/ground/soil_colour.h"
+
+namespace tera {
+namespace {
+
+constexpr int kCells = TerrainGrid::kTileCells;
+constexpr double kRutDarker = 0.22;
+constexpr double kTypicalGrain_m = 0.01;
+constexpr float kUndisturbedDetail = 0.45f;  // of the relief of loose soil
+
+std::uint8_t Unorm8(double value) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255.0));
+}
+
+std::uint8_t Snorm8(double value) {
+  return static_cast<std::uint8_t>(
+      static_cast<std::int8_t>(std::lround(std::clamp(value, -1.0, 1.0) * 127.0)));
+}
+
+}  // namespace
+
+GroundTextures::Pyramid::Pyramid(int width, int height, bool holds_signed)
+    : is_signed(holds_signed) {
+  for (int w = width, h = height;; w = std::max(w / 2, 1), h = std::max(h / 2, 1)) {
+    levels.push_back({w, h, std::vector<std::uint8_t>(static_cast<std::size_t>(w) * h * 4)});
+    if (w == 1 && h == 1) break;
+  }
+  texture = MakeTexture(is_signed ? GL_RGBA8_SNORM : GL_RGBA8, width, height, Filter::kMipmapped,
+                        Wrap::kClamp, static_cast<int>(levels.size()));
+}
+
+void GroundTextures::Pyramid::Shrink(int level, const TexelWindow& window) {
+  const Level& fine = levels[level - 1];
+  Level& coarse = levels[level];
+  for (int j = window.j0; j < window.j1; ++j) {
+    for (int i = window.i0; i < window.i1; ++i) {
+      const int a0 = std::min(2 * i, fine.width - 1), a1 = std::min(2 * i + 1, fine.width - 1);
+      const int b0 = std::min(2 * j, fine.height - 1), b1 = std::min(2 * j + 1, fine.height - 1);
+      for (int k = 0; k < 4; ++k) {
+        int sum = 0;
+        for (const int b : {b0, b1}) {
+          for (const int a : {a0, a1}) {
+            const std::uint8_t t =
+                fine.texels[(static_cast<std::size_t>(b) * fine.width + a) * 4 + k];
+            sum += is_signed ? static_cast<std::int8_t>(t) : t;
+          }
+        }
+        const int mean = static_cast<int>(std::floor((sum + 2) / 4.0));
+        coarse.texels[(static_cast<std::size_t>(j) * coarse.width + i) * 4 + k] =
+            static_cast<std::uint8_t>(mean);
+      }
+    }
+  }
+}
+
+void GroundTextures::Pyramid::Upload(int level, const TexelWindow& w) const {
+  const Level& l = levels[level];
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, l.width);
+  glTextureSubImage2D(texture.id(), level, w.i0, w.j0, w.i1 - w.i0, w.j1 - w.j0, GL_RGBA,
+                      is_signed ? GL_BYTE : GL_UNSIGNED_BYTE,
+                      &l.texels[(static_cast<std::size_t>(w.j0) * l.width + w.i0) * 4]);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+}
+
+void GroundTextures::Pyramid::Send(TexelWindow w) {
+  Upload(0, w);
+  for (int level = 1; level < static_cast<int>(levels.size()); ++level) {
+    const Level& l = levels[level];
+    w.i0 = std::min(w.i0 / 2, l.width - 1);
+    w.j0 = std::min(w.j0 / 2, l.height - 1);
+    w.i1 = std::clamp((w.i1 + 1) / 2, w.i0 + 1, l.width);
+    w.j1 = std::clamp((w.j1 + 1) / 2, w.j0 + 1, l.height);
+    Shrink(level, w);
+    Upload(level, w);
+  }
+}
+
+GroundTextures::GroundTextures(const TerrainSurface& terrain,
+                               const std::vector<SoilAppearance>& soils, const Vec3& to_sun_W)
+    : soils_(soils),
+      to_sun_W_(to_sun_W),
+      origin_W_m_(terrain.origin_W_m),
+      heights_(terrain),
+      sky_view_(heights_.texel_m()),
+      shadow_(to_sun_W),
+      albedo_(heights_.width(), heights_.height(), false),
+      shape_(heights_.width(), heights_.height(), true) {
+  if (soils_.empty()) soils_.push_back(SoilAppearance{});
+  shadow_texture_ =
+      MakeTexture(GL_R32F, heights_.width(), heights_.height(), Filter::kLinear, Wrap::kClamp);
+}
+
+void GroundTextures::PaintTexel(const TerrainSurface& terrain, int i, int j) {
+  const TerrainSurface::Cover cover =
+      terrain.at(i * heights_.texel_cells(), j * heights_.texel_cells()).cover;
+  const SoilAppearance& soil = soils_[std::min<std::size_t>(cover.soil, soils_.size() - 1)];
+  const double saturation = cover.moisture / 255.0, loose = cover.looseness / 255.0;
+  const double rut = cover.rut / 255.0;
+  const double tone = SoilTone(saturation, loose) * (1 - kRutDarker * rut);
+  const std::size_t at = 4 * heights_.index(i, j);
+  std::uint8_t* albedo = &albedo_.levels[0].texels[at];
+  for (int k = 0; k < 3; ++k) albedo[k] = Unorm8(std::sqrt(std::max(soil.albedo[k] * tone, 0.0)));
+  albedo[3] = Unorm8(sky_view_.Factor(heights_, i, j));
+
+  const int il = std::max(i - 1, 0), ir = std::min(i + 1, heights_.width() - 1);
+  const int jl = std::max(j - 1, 0), jr = std::min(j + 1, heights_.height() - 1);
+  const double slope_x =
+      (heights_.at(ir, j) - heights_.at(il, j)) / ((ir - il) * heights_.texel_m());
+  const double slope_y =
+      (heights_.at(i, jr) - heights_.at(i, jl)) / ((jr - jl) * heights_.texel_m());
+  const Vec3 normal = Vec3(-slope_x, -slope_y, 1).normalized();
+  const double grain = std::sqrt(std::clamp(soil.grain_size_m / kTypicalGrain_m, 0.05, 4.0));
+  std::uint8_t* shape = &shape_.levels[0].texels[at];
+  shape[0] = Snorm8(normal.x());
+  shape[1] = Snorm8(normal.y());
+  shape[2] = Snorm8(loose);
+  shape[3] = Snorm8(0.5 * grain * (kUndisturbedDetail + (1 - kUndisturbedDetail) * loose) *
+                    (1 - 0.5 * rut));
+}
+
+void GroundTextures::Update(const TerrainSurface& terrain, const std::vector<TileIndex>& changed) {
+  if (changed.empty()) return;
+  // The sky factor of neighbouring tiles within reach changes too.
+  const int halo = static_cast<int>(std::ceil(kOcclusionReach_m / (kCells * terrain.cell_m)));
+  std::vector<bool> touched(terrain.tile_count(), false);
+  TexelWindow heights;
+  for (const TileIndex& t : changed) {
+    const TexelWindow window = heights_.Of(t.x, t.y);
+    heights_.Read(terrain, window);
+    if (!window.empty()) {
+      heights.Extend(window.i0, window.j0);
+      heights.Extend(window.i1 - 1, window.j1 - 1);
+    }
+    for (int b = std::max(t.y - halo, 0); b <= std::min(t.y + halo, terrain.tiles_y() - 1); ++b) {
+      for (int a = std::max(t.x - halo, 0); a <= std::min(t.x + halo, terrain.tiles_x() - 1); ++a) {
+        touched[terrain.tile_index(a, b)] = true;
+      }
+    }
+  }
+  std::vector<TexelWindow> windows;
+  for (int b = 0; b < terrain.tiles_y(); ++b) {
+    for (int a = 0; a < terrain.tiles_x(); ++a) {
+      if (!touched[terrain.tile_index(a, b)]) continue;
+      const TexelWindow window = heights_.Of(a, b);
+      if (!window.empty()) windows.push_back(window);
+      for (int j = window.j0; j < window.j1; ++j) {
+        for (int i = window.i0; i < window.i1; ++i) PaintTexel(terrain, i, j);
+      }
+    }
+  }
+  // Smaller levels straddle tiles, so that they are remade after all tiles are painted.
+  if (windows.size() == touched.size()) windows = {{0, 0, heights_.width(), heights_.height()}};
+  for (const TexelWindow& window : windows) {
+    albedo_.Send(window);
+    shape_.Send(window);
+  }
+  SendShadow(shadow_.Update(heights_, heights));
+}
+
+void GroundTextures::SendShadow(const TexelWindow& w) const {
+  if (w.empty()) return;
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, heights_.width());
+  glTextureSubImage2D(shadow_texture_.id(), 0, w.i0, w.j0, w.i1 - w.i0, w.j1 - w.j0, GL_RED,
+                      GL_FLOAT, &shadow_.shadow_m()[heights_.index(w.i0, w.j0)]);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+}
+
+double GroundTextures::penumbra_m() const {
+  constexpr double kLeast_m = 1e-3;
+  const double along = to_sun_W_.head<2>().cwiseAbs().maxCoeff();
+  return std::max(0.9 * heights_.texel_m() * to_sun_W_.z() / std::max(along, 1e-3), kLeast_m);
+}
+
+void GroundTextures::Bind(unsigned first, const Program& program) const {
+  glBindTextureUnit(first, albedo_.texture.id());
+  glBindTextureUnit(first + 1, shape_.texture.id());
+  glBindTextureUnit(first + 2, shadow_texture_.id());
+  const double texel_m = heights_.texel_m();
+  const Vec2 size_m = texel_m * Vec2(heights_.width(), heights_.height());
+  const Vec2 edge_m = origin_W_m_ - Vec2::Constant(0.5 * texel_m);  // of the first texel
+  program.Set("u_ground_scale", Eigen::Vector2f(size_m.cwiseInverse().cast<float>()));
+  program.Set("u_ground_origin", Eigen::Vector2f(edge_m.cast<float>()));
+}
+
+}  // namespace tera

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/types/terrain_surface.h"
+#include "render/gl/gl_objects.h"
+#include "render/ground/ground_light.h"
+#include "render/scene.h"
+
+namespace tera {
+
+/// A tile of the ground by its place in the grid of tiles.
+struct TileIndex {
+  int x = 0, y = 0;
+};
+
+/// Textures of the whole site, one texel for each vertex (of a site too large for one texture, for
+/// every second, third ...), that give the ground its looks: colour with sky factor, shape (slope
+/// of the normal, looseness, roughness of the detail), and the height of the ground's own shadow.
+///
+/// Model   albedo by soil; moisture darkens it as R = Rs + (Rd - Rs) exp(-c S), S the degree of
+///         saturation, with Rs a fixed share of the dry albedo; loose soil is a little lighter,
+///         pressed ruts darker. Smaller levels of each texture are means of four texels. Only what
+///         has changed, or lies in a changed shadow, is remade.
+/// Source  Lobell, Asner 2002, "Moisture effects on soil reflectance", eq. 1.
+class GroundTextures {
+ public:
+  GroundTextures() = default;
+  GroundTextures(const TerrainSurface& terrain, const std::vector<SoilAppearance>& soils,
+                 const Vec3& to_sun_W);
+
+  /// Takes over the changed tiles.
+  void Update(const TerrainSurface& terrain, const std::vector<TileIndex>& changed);
+  /// Colour, shape and shadow to texture units `first` to `first + 2`; tells `program` how to look
+  /// them up (u_ground_scale, u_ground_origin).
+  void Bind(unsigned first, const Program& program) const;
+  /// Height over which the ground's shadow fades: less than its own drop from vertex to vertex, so
+  /// that level ground does not shade itself.
+  double penumbra_m() const;
+
+ private:
+  /// A four-channel texture with a copy of its levels.
+  struct Pyramid {
+    struct Level {
+      int width = 0, height = 0;
+      std::vector<std::uint8_t> texels;
+    };
+    std::vector<Level> levels;
+    bool is_signed = false;
+    GlObject texture;
+
+    Pyramid() = default;
+    Pyramid(int width, int height, bool holds_signed);
+    /// Remakes smaller levels below the texels and sends them.
+    void Send(TexelWindow window);
+
+   private:
+    void Shrink(int level, const TexelWindow& window);
+    void Upload(int level, const TexelWindow& window) const;
+  };
+
+  void PaintTexel(const TerrainSurface& terrain, int i, int j);
+  void SendShadow(const TexelWindow& window) const;
+
+  std::vector<SoilAppearance> soils_;
+  Vec3 to_sun_W_ = Vec3::UnitZ();
+  Vec2 origin_W_m_ = Vec2::Zero();
+  HeightTexels heights_;
+  SkyView sky_view_;
+  GroundShadow shadow_;
+  Pyramid albedo_, shape_;
+  GlObject shadow_texture_;
+};
+
+}  // namespace tera

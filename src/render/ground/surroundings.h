@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/types/terrain_surface.h"
+#include "render/scene.h"
+
+namespace tera {
+
+/// The land around the site, so that the world does not end at its border: one mesh for pictures
+/// and rays.
+///
+/// Frames  W.
+/// Model   rings around the site that begin at the border's heights and pass into low seeded hills
+///         out to kReach_m; meadow and a belt of trees by colour.
+/// Omits   soil: nothing digs or drives there.
+class Surroundings {
+ public:
+  static constexpr double kReach_m = 1500.0;
+
+  struct Vertex {
+    Eigen::Vector3f position_W_m = Eigen::Vector3f::Zero();
+    Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();
+    Eigen::Vector3f albedo_root = Eigen::Vector3f::Zero();  ///< square roots of the albedo
+  };
+
+  Surroundings() = default;
+  /// Near the site the land is of the first of `soils`.
+  Surroundings(const TerrainSurface& terrain, const std::vector<SoilAppearance>& soils);
+  /// Takes over the border's heights.
+  void Update(const TerrainSurface& terrain);
+
+  const std::vector<Vertex>& vertices() const { return vertices_; }
+  /// Three for each triangle, constant.
+  const std::vector<std::uint16_t>& indices() const { return indices_; }
+
+ private:
+  void Place(const TerrainSurface& terrain);
+
+  Eigen::Vector3f soil_albedo_ = Eigen::Vector3f::Zero();
+  std::vector<Vertex> vertices_;
+  std::vector<std::uint16_t> indices_;
+};
+
+}  // namespace tera

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+
+#include "core/types/terrain_surface.h"
+#include "render/gl/gl_objects.h"
+#include "render/gl/view.h"
+#include "render/ground/apron.h"
+#include "render/ground/ground_textures.h"
+#include "render/ground/tile_pool.h"
+#include "render/scene.h"
+
+namespace tera {
+
+/// Draws the ground tile by tile.
+///
+/// Model   a tile is drawn with the largest stride between its vertices whose greatest height error
+///         is seen below kErrorPx and is below kErrorM. Heights, colours and normals of a tile are
+///         sent again only when its version has changed; undisturbed tiles have few vertices.
+class TerrainRenderer {
+ public:
+  TerrainRenderer(const SceneModel& model, const Vec3& to_sun_W);
+
+  /// Brings the GPU's copy up to date with `terrain`.
+  void Update(const TerrainSurface& terrain);
+  /// Draws the tiles that `view` sees, near to far, and the land around the site.
+  void Draw(const View& view) const;
+  const GroundTextures& textures() const { return textures_; }
+
+  /// Tiles sent to the GPU since construction.
+  std::int64_t uploaded_tiles() const { return uploaded_tiles_; }
+  /// Since construction.
+  std::int64_t triangles_drawn() const { return triangles_drawn_; }
+
+ private:
+  struct Tile {
+    std::uint32_t version = 0;
+    int pool = -1, place = 0;
+    Eigen::AlignedBox3d box_W_m;
+    std::array<float, kTileStrides.size()> error_m{};  ///< infinite where a stride does not fit
+
+    int StrideFor(double distance_m, double fy_px) const;
+  };
+
+  void Restart(const TerrainSurface& terrain);
+  void UploadTile(const TerrainSurface& terrain, int a, int b);
+  void DrawTiles(const View& view) const;
+  void DrawApron(const View& view) const;
+
+  const std::vector<SoilAppearance> soils_;
+  TerrainGrid grid_;
+  std::vector<Tile> tiles_;
+  std::vector<TilePool> pools_;  ///< of refined tiles, then of undisturbed ones
+  GlObject detail_;
+  GroundTextures textures_;
+  Apron apron_;
+  Vec3 to_sun_W_;
+  Program ground_program_{"terrain.vert", "terrain.frag"};
+  Program apron_program_{"apron.vert", "apron.frag"};
+  std::int64_t uploaded_tiles_ = 0;
+  mutable std::int64_t triangles_drawn_ = 0;
+};
+
+}  // namespace tera

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <vector>
+
+#include "core/types/terrain_surface.h"
+#include "render/gl/gl_objects.h"
+
+namespace tera {
+
+/// Squares between the vertices with which a tile of the ground may be drawn.
+inline constexpr std::array<int, 6> kTileStrides = {1, 2, 5, 10, 25, 50};
+
+/// The heights of one tile at every `step`-th vertex of the grid, as it is drawn.
+///
+/// Model   kTileCells / step + 1 vertices along each side, row-major; those beyond the last vertex
+///         of the site lie on it, so that their squares shrink to nothing.
+struct TileGrid {
+  int step_cells = 1;
+  std::vector<Eigen::Vector3f> vertices_W_m;
+
+  TileGrid(const TerrainSurface& terrain, int a, int b);
+  int side() const { return TerrainGrid::kTileCells / step_cells + 1; }
+  /// Greatest difference in height between this and its surface at a larger stride.
+  float StrideError_m(int stride_cells) const;
+};
+
+/// Tiles of one resolution on the GPU, with index lists for this and coarser strides and a skirt
+/// that hangs from each border and closes the cracks between strides.
+class TilePool {
+ public:
+  explicit TilePool(int step_cells);
+
+  /// A place for one more tile.
+  int Add();
+  void Send(int place, const TileGrid& tile);
+  /// Draws with a stride that is a multiple of the pool's step; returns the triangles drawn.
+  int Draw(int place, int stride_cells) const;
+  void Bind() const;
+
+ private:
+  struct IndexRange {
+    std::size_t offset_bytes = 0;
+    int count = 0;
+  };
+  int side() const { return TerrainGrid::kTileCells / step_cells_ + 1; }
+  int tile_vertices() const { return side() * side() + 4 * side(); }
+  int GridVertex(int i, int j) const { return j * side() + i; }
+  int BorderVertex(int border, int k) const;
+  int SkirtVertex(int border, int k) const { return (side() + border) * side() + k; }
+  void AppendIndices(int stride, std::vector<std::uint16_t>* indices) const;
+  void Grow();
+
+  int step_cells_;
+  int count_ = 0, capacity_ = 0;
+  std::array<IndexRange, kTileStrides.size()> ranges_;
+  GlObject vertices_, indices_, array_;
+};
+
+}  // namespace tera

@@ -1,0 +1,121 @@
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+
+#include "core/error.h"
+#include "render/meshes/mesh_file.h"
+
+namespace tera {
+namespace {
+
+[[noreturn]] void Refuse(const std::filesystem::path& file, const std::string& finding) {
+  throw InputError(fmt::format("{}: {}", file.string(), finding));
+}
+
+/// assimp's own reading, which also lists what was read.
+class NotingFiles : public Assimp::DefaultIOSystem {
+ public:
+  explicit NotingFiles(std::vector<std::filesystem::path>* read) : read_(*read) {}
+  Assimp::IOStream* Open(const char* path, const char* mode) override {
+    Assimp::IOStream* stream = DefaultIOSystem::Open(path, mode);
+    const bool again = std::find(read_.begin(), read_.end(), path) != read_.end();
+    if (stream != nullptr && !again) read_.emplace_back(path);
+    return stream;
+  }
+
+ private:
+  std::vector<std::filesystem::path>& read_;
+};
+
+const aiScene* ReadScene(const std::filesystem::path& file, Assimp::Importer* importer) {
+  // Points and lines are dropped, so that every face that is left is a triangle.
+  importer->SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                               aiPrimitiveType_LINE | aiPrimitiveType_POINT);
+  // The up axis that some formats name is ignored: numbers are taken as they are.
+  importer->SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  const aiScene* scene =
+      importer->ReadFile(file.string(), aiProcess_Triangulate | aiProcess_SortByPType |
+                                            aiProcess_JoinIdenticalVertices);
+  if (scene == nullptr || scene->mRootNode == nullptr) {
+    Refuse(file, fmt::format("not a readable mesh ({}); need glTF, OBJ, STL or DAE",
+                             importer->GetErrorString()));
+  }
+  return scene;
+}
+
+Material ReadMaterial(const aiMaterial& source) {
+  Material material;
+  aiColor3D colour;
+  if (source.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == aiReturn_SUCCESS) {
+    material.albedo = {colour.r, colour.g, colour.b};
+  }
+  float opacity = 1.0f;
+  if (source.Get(AI_MATKEY_OPACITY, opacity) == aiReturn_SUCCESS) material.opacity = opacity;
+  return material;
+}
+
+Eigen::Affine3f ToEigen(const aiMatrix4x4& m) {
+  Eigen::Affine3f X;
+  X.matrix() << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, m.d1, m.d2,
+      m.d3, m.d4;
+  return X;
+}
+
+void AddNode(const aiScene& scene, const aiNode& node, const Eigen::Affine3f& X_root_parent,
+             bool is_root, Mesh* mesh) {
+  const Eigen::Affine3f X = is_root ? X_root_parent : X_root_parent * ToEigen(node.mTransformation);
+  const Eigen::Matrix3f normal_map = X.linear().inverse().transpose();
+  for (unsigned m = 0; m < node.mNumMeshes; ++m) {
+    const aiMesh& source = *scene.mMeshes[node.mMeshes[m]];
+    MeshPart part;
+    part.material = ReadMaterial(*scene.mMaterials[source.mMaterialIndex]);
+    for (unsigned i = 0; i < source.mNumVertices; ++i) {
+      const aiVector3D& p = source.mVertices[i];
+      part.positions_m.push_back(X * Eigen::Vector3f(p.x, p.y, p.z));
+      if (!source.HasNormals()) continue;
+      const aiVector3D& n = source.mNormals[i];
+      part.normals.push_back(normal_map * Eigen::Vector3f(n.x, n.y, n.z));
+    }
+    for (unsigned f = 0; f < source.mNumFaces; ++f) {
+      const aiFace& face = source.mFaces[f];
+      if (face.mNumIndices != 3) continue;
+      part.indices.insert(part.indices.end(), face.mIndices, face.mIndices + 3);
+    }
+    mesh->parts.push_back(std::move(part));
+  }
+  for (unsigned c = 0; c < node.mNumChildren; ++c) {
+    AddNode(scene, *node.mChildren[c], X, false, mesh);
+  }
+}
+
+void CollectNames(const aiNode& node, std::vector<std::string>* names) {
+  names->push_back(node.mName.C_Str());
+  for (unsigned c = 0; c < node.mNumChildren; ++c) CollectNames(*node.mChildren[c], names);
+}
+
+}  // namespace
+
+Mesh LoadWithAssimp(const std::filesystem::path& file, const std::string& node) {
+  Mesh mesh;
+  Assimp::Importer importer;
+  importer.SetIOHandler(new NotingFiles(&mesh.files));  // the importer deletes it
+  const aiScene* scene = ReadScene(file, &importer);
+  const aiNode* start = scene->mRootNode;
+  if (!node.empty()) {
+    start = scene->mRootNode->FindNode(node.c_str());
+    if (start == nullptr) {
+      std::vector<std::string> names;
+      CollectNames(*scene->mRootNode, &names);
+      Refuse(file, fmt::format("has no node '{}'{}", node, NodeHint(node, names)));
+    }
+  }
+  AddNode(*scene, *start, Eigen::Affine3f::Identity(), !node.empty(), &mesh);
+  FinishMesh(file, &mesh);
+  return mesh;
+}
+
+}  // namespace tera

@@ -1,0 +1,391 @@
+#include "render/rays/ray_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "core/check.h"
+#include "core/error.h"
+#include "render/rays/embree_objects.h"
+#include "render/rays/ray_terrain.h"
+#include "render/rays/threads.h"
+
+namespace tera {
+namespace {
+
+/// Turn of a body between two motion keys above which keys are added: the chord between keys then
+/// stays within r * 0.01^2 / 8 of the arc, 0.05 mm at r = 4 m.
+constexpr double kKeyTurn_rad = 0.01;
+/// Rays that one thread takes at a time.
+constexpr std::size_t kRaysPerBlock = 1024;
+/// Rays that Embree follows together; divides kRaysPerBlock, so that packets are the same whatever
+/// the number of threads.
+constexpr std::size_t kPacket = 8;
+constexpr unsigned kAllGeometry = 0xffffffffu;
+
+/// The first error that Embree reports, from whatever thread. It is kept rather than thrown where
+/// it arises, below Embree's own frames.
+class EmbreeErrors {
+ public:
+  void Watch(RTCDevice device) { rtcSetDeviceErrorFunction(device, &EmbreeErrors::Keep, this); }
+  void Check() const {
+    const std::lock_guard lock(mutex_);
+    if (!first_.empty()) throw InternalError(first_);
+  }
+
+ private:
+  static void Keep(void* self, RTCError code, const char* text) {
+    auto& errors = *static_cast<EmbreeErrors*>(self);
+    const std::lock_guard lock(errors.mutex_);
+    if (!errors.first_.empty()) return;
+    errors.first_ = fmt::format("Embree error {}: {}", static_cast<int>(code), text);
+  }
+
+  mutable std::mutex mutex_;
+  std::string first_;
+};
+
+double ReflectanceOf(const Material& material) {
+  return material.lidar_reflectance >= 0 ? material.lidar_reflectance : material.albedo.mean();
+}
+
+/// The meshes of one body, or of several bodies that look alike.
+struct BodyShape {
+  std::vector<int> meshes;  ///< of each node, with X_BG and scale: what makes shapes alike
+  std::vector<Pose> X_BG;
+  std::vector<double> scale;
+  EmbreeScene scene;
+  struct Part {
+    int node;  ///< place in the body's list of nodes
+    float reflectance;
+  };
+  std::vector<Part> parts;  ///< by geometry id within `scene`
+
+  bool Alike(const BodyShape& o) const {
+    if (meshes != o.meshes || scale != o.scale) return false;
+    for (std::size_t i = 0; i < X_BG.size(); ++i) {
+      if (X_BG[i].matrix() != o.X_BG[i].matrix()) return false;
+    }
+    return true;
+  }
+};
+
+void AttachPart(RTCDevice device, const MeshPart& part, const Pose& X_BG, double scale,
+                RTCScene scene) {
+  const EmbreeGeometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
+  auto* vertices = static_cast<float*>(
+      rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                              3 * sizeof(float), part.positions_m.size()));
+  for (std::size_t i = 0; i < part.positions_m.size(); ++i) {
+    const Eigen::Vector3f p_B = (X_BG * (scale * part.positions_m[i].cast<double>())).cast<float>();
+    std::copy_n(p_B.data(), 3, vertices + 3 * i);
+  }
+  auto* indices = static_cast<std::uint32_t*>(
+      rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                              3 * sizeof(std::uint32_t), part.indices.size() / 3));
+  std::copy(part.indices.begin(), part.indices.end(), indices);
+  rtcCommitGeometry(geometry.get());
+  rtcAttachGeometry(scene, geometry.get());
+}
+
+RTCRayHit QueryFor(const Ray& ray) {
+  RTCRayHit query;
+  query.ray.org_x = ray.origin_W_m.x();
+  query.ray.org_y = ray.origin_W_m.y();
+  query.ray.org_z = ray.origin_W_m.z();
+  query.ray.dir_x = ray.direction_W.x();
+  query.ray.dir_y = ray.direction_W.y();
+  query.ray.dir_z = ray.direction_W.z();
+  query.ray.tnear = 0.0f;
+  query.ray.tfar = ray.max_range_m;
+  query.ray.time = ray.time;
+  query.ray.mask = kAllGeometry;
+  query.ray.id = 0;
+  query.ray.flags = 0;
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  return query;
+}
+
+/// Poses of one body over the interval, refined until neighbours are less than kKeyTurn_rad apart.
+std::vector<Pose> MotionKeys(const std::vector<std::vector<Pose>>& poses, std::size_t body) {
+  std::vector<Pose> keys;
+  double turn = 0;
+  bool moves = false;
+  for (const std::vector<Pose>& at : poses) {
+    if (!keys.empty()) {
+      moves = moves || keys.back().matrix() != at[body].matrix();
+      turn = std::max(turn, Quat(keys.back().linear()).angularDistance(Quat(at[body].linear())));
+    }
+    keys.push_back(at[body]);
+  }
+  if (!moves) return {keys.front()};
+  const int intervals = static_cast<int>(keys.size()) - 1;
+  const int most = (RTC_MAX_TIME_STEP_COUNT - 1) / intervals;
+  const int pieces = std::clamp(static_cast<int>(std::ceil(turn / kKeyTurn_rad)), 1, most);
+  std::vector<Pose> fine;
+  for (int i = 0; i < intervals; ++i) {
+    for (int k = 0; k < pieces; ++k) {
+      fine.push_back(Interpolate(keys[i], keys[i + 1], static_cast<double>(k) / pieces));
+    }
+  }
+  fine.push_back(keys.back());
+  return fine;
+}
+
+}  // namespace
+
+struct RayScene::Impl {
+  struct Body {
+    int shape = -1;
+    std::vector<int> nodes;  ///< of the model
+    EmbreeGeometry geometry;
+    std::vector<Pose> keys;
+    float scale = -1;
+  };
+  explicit Impl(const SceneModel& scene_model);
+  void UpdateBody(std::size_t index, std::vector<Pose> keys, float scale);
+  /// Rays that start and point alike, at most kPacket of them, traced together.
+  RTCRayHit8 Intersect(std::span<const Ray> rays, RTCIntersectContext* context) const;
+  void TracePacket(std::span<const Ray> rays, RTCIntersectContext* context, RayHit* hits) const;
+  void Describe(const Ray& ray, const RTCHit& found, RayHit* hit) const;
+
+  const SceneModel model;
+  EmbreeErrors errors;
+  EmbreeDevice device;
+  EmbreeScene scene;
+  std::vector<BodyShape> shapes;
+  std::vector<Body> bodies;
+  std::vector<int> body_of;  ///< by geometry id of the whole scene, for those that are instances
+  std::unique_ptr<RayTerrain> ground;
+};
+
+RayScene::Impl::Impl(const SceneModel& scene_model)
+    : model(scene_model), device(rtcNewDevice("threads=1")) {
+  TERA_CHECK(device.get() != nullptr);
+  errors.Watch(device.get());
+  scene = EmbreeScene(rtcNewScene(device.get()));
+  // Low quality is Embree's two-level build: a tree for each tile, kept while the tile does not
+  // change. Rays are as fast as in one tree over everything, and an update takes far less time.
+  rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_LOW);
+  rtcSetSceneFlags(scene.get(),
+                   static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_ROBUST));
+  bodies.resize(model.body_count);
+  for (std::size_t n = 0; n < model.nodes.size(); ++n) {
+    bodies.at(model.nodes[n].body).nodes.push_back(static_cast<int>(n));
+  }
+  for (Body& body : bodies) {
+    if (body.nodes.empty()) continue;
+    BodyShape shape;
+    for (const int n : body.nodes) {
+      shape.meshes.push_back(model.nodes[n].mesh);
+      shape.X_BG.push_back(model.nodes[n].X_BG);
+      shape.scale.push_back(model.nodes[n].scale);
+    }
+    const auto same = std::find_if(shapes.begin(), shapes.end(),
+                                   [&](const BodyShape& s) { return s.Alike(shape); });
+    body.shape = static_cast<int>(same - shapes.begin());
+    if (same != shapes.end()) continue;
+    shape.scene = EmbreeScene(rtcNewScene(device.get()));
+    rtcSetSceneFlags(shape.scene.get(), RTC_SCENE_FLAG_ROBUST);
+    for (std::size_t i = 0; i < shape.meshes.size(); ++i) {
+      for (const MeshPart& part : model.meshes.at(shape.meshes[i]).parts) {
+        if (part.material.opacity <= 0 || part.indices.empty()) continue;
+        AttachPart(device.get(), part, shape.X_BG[i], shape.scale[i], shape.scene.get());
+        shape.parts.push_back(
+            {static_cast<int>(i), static_cast<float>(ReflectanceOf(part.material))});
+      }
+    }
+    rtcCommitScene(shape.scene.get());
+    shapes.push_back(std::move(shape));
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    Body& body = bodies[b];
+    if (body.nodes.empty() || shapes[body.shape].parts.empty()) continue;
+    body.geometry = EmbreeGeometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+    rtcSetGeometryInstancedScene(body.geometry.get(), shapes[body.shape].scene.get());
+    rtcDisableGeometry(body.geometry.get());
+    rtcCommitGeometry(body.geometry.get());
+    const unsigned id = rtcAttachGeometry(scene.get(), body.geometry.get());
+    body_of.resize(std::max<std::size_t>(body_of.size(), id + 1), -1);
+    body_of[id] = static_cast<int>(b);
+  }
+  ground = std::make_unique<RayTerrain>(device.get(), scene.get(), model.soils);
+  rtcCommitScene(scene.get());
+  errors.Check();
+}
+
+void RayScene::Impl::UpdateBody(std::size_t index, std::vector<Pose> keys, float scale) {
+  Body& body = bodies[index];
+  if (body.geometry.get() == nullptr) return;
+  bool same = body.scale == scale && body.keys.size() == keys.size();
+  for (std::size_t k = 0; same && k < keys.size(); ++k) {
+    same = keys[k].matrix() == body.keys[k].matrix();
+  }
+  if (same) return;
+  body.keys = std::move(keys);
+  body.scale = scale;
+  RTCGeometry geometry = body.geometry.get();
+  if (scale <= 0) {
+    rtcDisableGeometry(geometry);
+    return;
+  }
+  rtcEnableGeometry(geometry);
+  rtcSetGeometryTimeStepCount(geometry, static_cast<unsigned>(body.keys.size()));
+  for (std::size_t k = 0; k < body.keys.size(); ++k) {
+    Eigen::Matrix<float, 3, 4> X_WB = body.keys[k].matrix().topRows<3>().cast<float>();
+    X_WB.leftCols<3>() *= scale;
+    rtcSetGeometryTransform(geometry, static_cast<unsigned>(k), RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                            X_WB.data());
+  }
+  rtcCommitGeometry(geometry);
+}
+
+RTCRayHit8 RayScene::Impl::Intersect(std::span<const Ray> rays,
+                                     RTCIntersectContext* context) const {
+  RTCRayHit8 packet;
+  alignas(32) int valid[kPacket];
+  for (std::size_t i = 0; i < kPacket; ++i) {
+    valid[i] = i < rays.size() ? -1 : 0;
+    const Ray& ray = rays[std::min(i, rays.size() - 1)];
+    packet.ray.org_x[i] = ray.origin_W_m.x();
+    packet.ray.org_y[i] = ray.origin_W_m.y();
+    packet.ray.org_z[i] = ray.origin_W_m.z();
+    packet.ray.dir_x[i] = ray.direction_W.x();
+    packet.ray.dir_y[i] = ray.direction_W.y();
+    packet.ray.dir_z[i] = ray.direction_W.z();
+    packet.ray.tnear[i] = 0.0f;
+    packet.ray.tfar[i] = ray.max_range_m;
+    packet.ray.time[i] = ray.time;
+    packet.ray.mask[i] = kAllGeometry;
+    packet.ray.id[i] = 0;
+    packet.ray.flags[i] = 0;
+    packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  rtcIntersect8(valid, scene.get(), context, &packet);
+  return packet;
+}
+
+void RayScene::Impl::TracePacket(std::span<const Ray> rays, RTCIntersectContext* context,
+                                 RayHit* hits) const {
+  RTCRayHit8 packet = Intersect(rays, context);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    hits[i] = RayHit();
+    if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+    hits[i].hit = true;
+    hits[i].range_m = packet.ray.tfar[i];
+    Describe(rays[i],
+             rtcGetHitFromHitN(reinterpret_cast<RTCHitN*>(&packet.hit), kPacket,
+                               static_cast<unsigned>(i)),
+             &hits[i]);
+  }
+}
+
+void RayScene::Impl::Describe(const Ray& ray, const RTCHit& found, RayHit* hit) const {
+  Eigen::Vector3f normal(found.Ng_x, found.Ng_y, found.Ng_z);
+  if (found.instID[0] == RTC_INVALID_GEOMETRY_ID) {
+    hit->reflectance = ground->ReflectanceAt(found.geomID, found.primID);
+    hit->label = SemanticClass::kTerrain;
+    hit->instance = 0;
+  } else {
+    const Body& body = bodies[body_of[found.instID[0]]];
+    const BodyShape::Part& part = shapes[body.shape].parts[found.geomID];
+    const SceneNode& node = model.nodes[body.nodes[part.node]];
+    Eigen::Matrix<float, 3, 4> X_WB;
+    rtcGetGeometryTransform(body.geometry.get(), ray.time, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                            X_WB.data());
+    normal = X_WB.leftCols<3>() * normal;
+    hit->reflectance = part.reflectance;
+    hit->label = node.label;
+    hit->instance = node.instance;
+  }
+  normal.normalize();
+  hit->normal_W = normal.dot(ray.direction_W) > 0 ? Eigen::Vector3f(-normal) : normal;
+}
+
+RayScene::RayScene(const SceneModel& model) : impl_(std::make_unique<Impl>(model)) {}
+RayScene::~RayScene() = default;
+
+void RayScene::Update(const std::vector<std::vector<Pose>>& poses, const TerrainSurface& terrain,
+                      const std::vector<float>& body_scale) {
+  TERA_CHECK(!poses.empty() && poses.size() <= kMaxPoses, poses.size());
+  for (const std::vector<Pose>& at : poses)
+    TERA_CHECK(at.size() == impl_->bodies.size(), at.size());
+  TERA_CHECK(body_scale.size() == impl_->bodies.size(), body_scale.size());
+  for (std::size_t b = 0; b < impl_->bodies.size(); ++b) {
+    impl_->UpdateBody(b, MotionKeys(poses, b), body_scale[b]);
+  }
+  impl_->ground->Update(terrain);
+  rtcCommitScene(impl_->scene.get());
+  impl_->errors.Check();
+}
+
+void RayScene::Trace(std::span<const Ray> rays, std::span<RayHit> hits, int threads) const {
+  TERA_CHECK(rays.size() == hits.size(), rays.size(), hits.size());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    for (;;) {
+      const std::size_t begin = next.fetch_add(kRaysPerBlock);
+      if (begin >= rays.size()) return;
+      const std::size_t end = std::min(begin + kRaysPerBlock, rays.size());
+      for (std::size_t i = begin; i < end; i += kPacket) {
+        const std::size_t count = std::min(kPacket, end - i);
+        impl_->TracePacket(rays.subspan(i, count), &context, &hits[i]);
+      }
+    }
+  };
+  const std::size_t blocks = (rays.size() + kRaysPerBlock - 1) / kRaysPerBlock;
+  RunOnThreads(static_cast<int>(std::min<std::size_t>(std::max(threads, 1), blocks)), work);
+  impl_->errors.Check();
+}
+
+void RayScene::TraceBareSingly(std::span<const Ray> rays, std::span<float> range_m) const {
+  TERA_CHECK(rays.size() == range_m.size(), rays.size(), range_m.size());
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    RTCRayHit query = QueryFor(rays[i]);
+    rtcIntersect1(impl_->scene.get(), &context, &query);
+    const bool hit = query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+    range_m[i] = hit ? query.ray.tfar : std::numeric_limits<float>::infinity();
+  }
+}
+
+void RayScene::TraceBareInPackets(std::span<const Ray> rays, std::span<float> range_m) const {
+  TERA_CHECK(rays.size() == range_m.size(), rays.size(), range_m.size());
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  for (std::size_t begin = 0; begin < rays.size(); begin += kPacket) {
+    const std::size_t count = std::min(kPacket, rays.size() - begin);
+    const RTCRayHit8 packet = impl_->Intersect(rays.subspan(begin, count), &context);
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool hit = packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
+      range_m[begin + i] = hit ? packet.ray.tfar[i] : std::numeric_limits<float>::infinity();
+    }
+  }
+}
+
+std::int64_t RayScene::tiles_rebuilt() const { return impl_->ground->tiles_rebuilt(); }
+
+std::string EmbreeVersion() {
+  RTCDevice device = rtcNewDevice(nullptr);
+  const auto part = [&](RTCDeviceProperty property) {
+    return rtcGetDeviceProperty(device, property);
+  };
+  const std::string version =
+      fmt::format("{}.{}.{}", part(RTC_DEVICE_PROPERTY_VERSION_MAJOR),
+                  part(RTC_DEVICE_PROPERTY_VERSION_MINOR), part(RTC_DEVICE_PROPERTY_VERSION_PATCH));
+  rtcReleaseDevice(device);
+  return version;
+}
+
+}  // namespace tera

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/ground/surroundings.h"
+#include "render/rays/embree_objects.h"
+
+namespace tera {
+
+/// The ground within an Embree scene: one geometry per tile of the terrain, of which only tiles
+/// with a new version are rebuilt, and one for the land around the site. Undisturbed tiles are of
+/// as few quads as describe them. Soil in the air is one geometry, made anew each time.
+class RayTerrain {
+ public:
+  /// Adds to and takes from `scene`, which its owner commits.
+  RayTerrain(RTCDevice device, RTCScene scene, std::vector<SoilAppearance> soils)
+      : device_(device), scene_(scene), soils_(std::move(soils)) {}
+
+  void Update(const TerrainSurface& terrain);
+
+  /// Diffuse reflectance of a primitive of one of the ground's geometries, 0..1.
+  float ReflectanceAt(unsigned geometry, unsigned primitive) const;
+
+  /// Since the start.
+  std::int64_t tiles_rebuilt() const { return tiles_rebuilt_; }
+
+ private:
+  struct Patch {
+    EmbreeGeometry geometry;
+    unsigned id = RTC_INVALID_GEOMETRY_ID;
+    std::uint32_t version = 0;
+    int step_cells = 0;              ///< of a tile: squares between its vertices
+    std::vector<float> reflectance;  ///< of each primitive
+  };
+  void Restart(const TerrainSurface& terrain);
+  void Attach(Patch* patch);
+  void NewTile(Patch* tile, int squares_x, int squares_y);
+  void RebuildTile(const TerrainSurface& terrain, int a, int b);
+  void RebuildLand(const TerrainSurface& terrain);
+  void RebuildGrains(const TerrainSurface& terrain);
+  void Detach(Patch* patch);
+  float Reflectance(std::uint8_t soil, std::uint8_t moisture) const;
+
+  RTCDevice device_;
+  RTCScene scene_;
+  std::vector<SoilAppearance> soils_;
+  std::vector<Patch> tiles_;
+  Surroundings surroundings_;
+  Patch land_, grains_;
+  std::vector<const Patch*> patch_of_;  ///< by geometry id; null where it is no ground
+  TerrainGrid grid_;
+  std::int64_t tiles_rebuilt_ = 0;
+};
+
+}  // namespace tera

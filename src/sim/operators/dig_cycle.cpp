@@ -1,0 +1,322 @@
+#include "sim/operators/dig_cycle.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.h"
+#include "sim/operators/joint_servo.h"
+
+namespace tera {
+namespace {
+
+constexpr double kLeverRate_1ps = 5.0;  // a hand goes from neutral to full lever in 0.2 s
+constexpr double kTipTolerance_m = 0.12;
+constexpr double kAngleTolerance_rad = 6 * kDeg;
+constexpr double kSlewAtRest_radps = 5 * kDeg;  // slower than this, it may lower or dump
+constexpr double kClearance = 0.58;      // lengths of the bucket above the ground before lowering
+constexpr double kCarryInside_m = 1.6;   // the load is carried this much nearer than dumped
+constexpr double kCarryAbove_m = 0.2;    // and this much higher
+constexpr double kSwingHeight = 0.6;     // of the dump height: from here on it may slew
+constexpr double kCutLag_m = 0.15;       // the target waits when the tip is this far behind
+constexpr double kStallLift_mps = 0.15;  // how fast a stalled cut comes up
+constexpr double kFullShare = 0.9;       // of the struck capacity: the bucket is full
+constexpr double kCutPatience = 1.6;     // times the undisturbed duration of the cut
+constexpr double kDumpedShare = 0.05;    // of the load at the start of the dump
+// Pitches of the tip direction.
+constexpr double kEntryPitch_rad = -75 * kDeg;
+constexpr double kCutEndPitch_rad = -112 * kDeg;
+constexpr double kCarryPitch_rad = -188 * kDeg;
+constexpr double kDumpPitch_rad = -60 * kDeg;
+// The cut goes down over its first part and comes up over its last.
+constexpr double kRampIn = 0.35, kRampOut = 0.2;
+constexpr double kRampEnd = 0.3;  // of the ramp out, where the cut ends: still in the ground
+constexpr int kGroundSamples = 24;
+// A target out of reach is drawn in by steps, so many at most.
+constexpr double kDrawIn_m = 0.05;
+constexpr int kDrawIns = 60;
+// Curling takes this long, and draws the tip in and up meanwhile, by so many lengths of the bucket:
+// its back would else turn down into the ground.
+constexpr double kCurl_s = 1.3;
+constexpr double kCurlDrag = 0.19, kCurlLift = 0.71;
+
+double Smooth(double s) {
+  s = std::clamp(s, 0.0, 1.0);
+  return s * s * (3 - 2 * s);
+}
+
+double Mix(double a, double b, double s) { return a + (b - a) * s; }
+
+/// The angle equal to `angle` that is nearest to `reference`.
+double Nearest(double angle_rad, double reference_rad) {
+  return angle_rad + 2 * kPi * std::round((reference_rad - angle_rad) / (2 * kPi));
+}
+
+double TipError_m(const PlanarArm::Tip& a, const PlanarArm::Tip& b) {
+  return std::hypot(a.r_m - b.r_m, a.z_m - b.z_m);
+}
+
+}  // namespace
+
+DigCycle::DigCycle(const MachineModel& model, const DigPlan& plan)
+    : plan_(plan),
+      arm_(model, plan.joints, plan.tip_frame),
+      dig_azimuth_rad_(plan.dig_azimuth_rad) {}
+
+std::vector<double> DigCycle::Levers(const OperatorView& view) {
+  std::vector<double> levers(view.model.levers.size(), 0.0);
+  if (!started_) {
+    started_ = true;
+    X_WJ_start_ = SlewFrame(view);
+    last_ns_ = view.t_ns;
+    Enter(Phase::kApproach, view);
+  }
+  Advance(view);
+  if (phase_ == Phase::kDone) return levers;
+
+  const Target target = TargetNow(view);
+  const PlanarArm::Angles angles = ReachableAngles(view.model, target.tip);
+  const double dt_s = ToSeconds(view.t_ns - last_ns_);
+  last_ns_ = view.t_ns;
+  const auto rate = [&](double now, double before) {
+    return phase_ == Phase::kCut && dt_s > 0 ? (now - before) / dt_s : 0.0;
+  };
+  const PlanarArm::Angles before = last_angles_.value_or(angles);
+  last_angles_ = angles;
+
+  levers_.resize(levers.size(), 0.0);
+  feel_.resize(levers.size());
+  for (std::size_t i = 0; i < levers.size(); ++i) {
+    const int joint = view.model.levers[i].joint;
+    if (joint < 0) continue;
+    const auto servo = [&](double q_rad, double qd_radps) {
+      levers[i] = ServoLever(view.model, view.state, joint, q_rad, qd_radps, plan_.servo_gain_1ps);
+    };
+    if (joint == plan_.joints.slew) levers[i] = SlewLever(view, target.slew_rad);
+    if (joint == plan_.joints.boom) servo(angles.boom_rad, rate(angles.boom_rad, before.boom_rad));
+    if (joint == plan_.joints.arm) servo(angles.arm_rad, rate(angles.arm_rad, before.arm_rad));
+    if (joint == plan_.joints.bucket) {
+      servo(angles.bucket_rad, rate(angles.bucket_rad, before.bucket_rad));
+    }
+    levers[i] = feel_[i].Lever(levers[i], ShareOfFullRate(view.model, view.state, joint), dt_s);
+    const double reach = kLeverRate_1ps * dt_s;
+    levers[i] = std::clamp(levers[i], levers_[i] - reach, levers_[i] + reach);
+  }
+  levers_ = levers;
+  return levers;
+}
+
+double DigCycle::SlewLever(const OperatorView& view, double target_rad) const {
+  const int joint = plan_.joints.slew;
+  const double q_rad = view.state.q_rad[joint];
+  const double nearest_rad = Nearest(target_rad, q_rad);
+  const double lever =
+      ServoLever(view.model, view.state, joint, nearest_rad, 0, plan_.servo_gain_1ps);
+  if (plan_.slew_braking_radps2 <= 0) return lever;
+  const double rate_radps =
+      std::sqrt(2 * plan_.slew_braking_radps2 * std::abs(nearest_rad - q_rad));
+  const Joint& slew = view.model.joints[joint];
+  return std::clamp(lever, -rate_radps / slew.max_rate_negative_radps,
+                    rate_radps / slew.max_rate_positive_radps);
+}
+
+void DigCycle::Enter(Phase phase, const OperatorView& view) {
+  phase_ = phase;
+  phase_start_ns_ = view.t_ns;
+  phase_tip_ = TipNow(view.state);
+  phase_load_kg_ = LoadOf(view).mass_kg;
+  last_angles_.reset();
+  if (phase == Phase::kCut) {
+    cut_s_m_ = 0;
+    cut_raised_m_ = 0;
+    cut_ground_m_.clear();
+    for (int k = 0; k <= kGroundSamples; ++k) {
+      const double r_m = plan_.reach_m - plan_.cut_length_m * k / kGroundSamples;
+      cut_ground_m_.push_back(GroundInPlane(view, DigPlace(view).slew_rad, r_m));
+    }
+  }
+}
+
+void DigCycle::Advance(const OperatorView& view) {
+  const Target target = TargetNow(view);
+  const PlanarArm::Tip tip = TipNow(view.state);
+  const double slew_rad = view.state.q_rad[plan_.joints.slew];
+  const bool slewed = std::abs(Nearest(target.slew_rad, slew_rad) - slew_rad) < kAngleTolerance_rad;
+  const bool stands =
+      slewed && std::abs(view.state.qd_radps[plan_.joints.slew]) < kSlewAtRest_radps;
+  const bool placed = ArmError_rad(view, target.tip) < kAngleTolerance_rad;
+  const double time_s = PhaseTime_s(view);
+  const bool late = time_s > plan_.patience_s;
+  const SoilReaction::Load load = LoadOf(view);
+
+  switch (phase_) {
+    case Phase::kApproach:
+      if ((stands && placed) || late) Enter(Phase::kLower, view);
+      break;
+    case Phase::kLower:
+      if (TipError_m(tip, target.tip) < kTipTolerance_m || late) Enter(Phase::kCut, view);
+      break;
+    case Phase::kCut:
+      AdvanceCut(view, TipError_m(tip, target.tip));
+      if (cut_s_m_ >= plan_.cut_length_m || load.volume_m3 > kFullShare * Capacity_m3(view) ||
+          time_s > kCutPatience * plan_.cut_length_m / plan_.cut_speed_mps) {
+        Enter(Phase::kCurl, view);
+      }
+      break;
+    case Phase::kCurl:
+      if (time_s > kCurl_s && (placed || late)) Enter(Phase::kLift, view);
+      break;
+    case Phase::kLift:
+      if (tip.z_m - GroundInPlane(view, slew_rad, tip.r_m) > kSwingHeight * plan_.dump_height_m ||
+          late) {
+        Enter(Phase::kSwing, view);
+      }
+      break;
+    case Phase::kSwing:
+      if (stands || late) Enter(Phase::kDump, view);
+      break;
+    case Phase::kDump:
+      if ((placed && load.mass_kg <= kDumpedShare * phase_load_kg_) || late) {
+        ++cycle_;
+        dig_azimuth_rad_ += plan_.azimuth_step_rad;
+        const bool done = plan_.cycles > 0 && cycle_ >= plan_.cycles;
+        const Phase back = plan_.clear_dump_rad > 0 ? Phase::kReturn : Phase::kApproach;
+        Enter(done ? Phase::kDone : back, view);
+      }
+      break;
+    case Phase::kReturn:
+      if (slewed || late ||
+          std::abs(Nearest(DumpPlace(view).slew_rad, slew_rad) - slew_rad) >=
+              plan_.clear_dump_rad) {
+        Enter(Phase::kApproach, view);
+      }
+      break;
+    case Phase::kDone:
+      break;
+  }
+}
+
+void DigCycle::AdvanceCut(const OperatorView& view, double lag_m) {
+  const double dt_s = ToSeconds(view.t_ns - last_ns_);
+  if (lag_m < kCutLag_m) {
+    cut_s_m_ += plan_.cut_speed_mps * dt_s;
+  } else {
+    cut_raised_m_ += kStallLift_mps * dt_s;
+  }
+}
+
+Pose DigCycle::SlewFrame(const OperatorView& view) const {
+  const Joint& slew = view.model.joints[plan_.joints.slew];
+  return view.state.links[slew.parent].X_WB * slew.X_PJ;
+}
+
+DigCycle::Place DigCycle::PlaceOf(const OperatorView& view, double azimuth_rad, double r_m) const {
+  const Vec3& axis = view.model.joints[plan_.joints.slew].axis_J;
+  const Vec3 p_W = X_WJ_start_ * (Eigen::AngleAxisd(azimuth_rad, axis) * Vec3(r_m, 0, 0));
+  const Vec3 p_J = SlewFrame(view).inverse() * p_W;
+  return {std::atan2(axis.dot(Vec3::UnitX().cross(p_J)), p_J.x()), p_J.head<2>().norm()};
+}
+
+DigCycle::Place DigCycle::DumpPlace(const OperatorView& view) const {
+  return PlaceOf(view, plan_.dump_azimuth_rad, plan_.dump_reach_m);
+}
+
+DigCycle::Place DigCycle::DigPlace(const OperatorView& view) const {
+  return {PlaceOf(view, dig_azimuth_rad_, plan_.reach_m).slew_rad, plan_.reach_m};
+}
+
+DigCycle::Target DigCycle::TargetNow(const OperatorView& view) const {
+  const Place dump = DumpPlace(view), dig = DigPlace(view);
+  const double dump_ground_m = GroundInPlane(view, dump.slew_rad, dump.r_m);
+  const PlanarArm::Tip carry = {dump.r_m - kCarryInside_m,
+                                dump_ground_m + plan_.dump_height_m + kCarryAbove_m,
+                                kCarryPitch_rad};
+  const double dig_ground_m = GroundInPlane(view, dig.slew_rad, dig.r_m);
+  switch (phase_) {
+    case Phase::kApproach:
+      return {{dig.r_m, dig_ground_m + kClearance * arm_.bucket_length_m(), kEntryPitch_rad},
+              dig.slew_rad};
+    case Phase::kLower:
+      return {{dig.r_m, dig_ground_m, kEntryPitch_rad}, dig.slew_rad};
+    case Phase::kCut:
+      return {CutPoint(cut_s_m_), dig.slew_rad};
+    case Phase::kCurl: {
+      const double s = Smooth(PhaseTime_s(view) / kCurl_s);
+      const double bucket_m = arm_.bucket_length_m() * s;
+      return {{phase_tip_.r_m - kCurlDrag * bucket_m, phase_tip_.z_m + kCurlLift * bucket_m,
+               Mix(phase_tip_.pitch_rad, kCarryPitch_rad, s)},
+              dig.slew_rad};
+    }
+    case Phase::kLift:
+      return {carry, dig.slew_rad};
+    case Phase::kSwing:
+      return {carry, dump.slew_rad};
+    case Phase::kDump:
+    case Phase::kDone:
+      return {{dump.r_m, dump_ground_m + plan_.dump_height_m, kDumpPitch_rad}, dump.slew_rad};
+    case Phase::kReturn:
+      return {{dump.r_m, carry.z_m, kDumpPitch_rad}, dig.slew_rad};
+  }
+  return {};
+}
+
+PlanarArm::Tip DigCycle::CutPoint(double s_m) const {
+  const double s = std::clamp(s_m / plan_.cut_length_m, 0.0, 1.0);
+  const double depth_m =
+      plan_.cut_depth_m * std::min(Smooth(s / kRampIn), Smooth((1.0 - s) / kRampOut + kRampEnd));
+  const double at = s * kGroundSamples;
+  const int k = std::min(static_cast<int>(at), kGroundSamples - 1);
+  const double ground_m = Mix(cut_ground_m_[k], cut_ground_m_[k + 1], at - k);
+  return {plan_.reach_m - s * plan_.cut_length_m, ground_m - depth_m + cut_raised_m_,
+          Mix(kEntryPitch_rad, kCutEndPitch_rad, s)};
+}
+
+double DigCycle::GroundInPlane(const OperatorView& view, double azimuth_rad, double r_m) const {
+  const Vec3& axis = view.model.joints[plan_.joints.slew].axis_J;
+  const Vec3 p_W = SlewFrame(view) * (Eigen::AngleAxisd(azimuth_rad, axis) * Vec3(r_m, 0, 0));
+  // The plane is nearly vertical: a height difference in W is one along the plane's z.
+  return view.ground.HeightAt(p_W.x(), p_W.y()) - p_W.z();
+}
+
+PlanarArm::Angles DigCycle::ReachableAngles(const MachineModel& model,
+                                            const PlanarArm::Tip& tip) const {
+  PlanarArm::Tip nearer = tip;  // draw a target that is out of reach in, until it is not
+  std::optional<PlanarArm::Angles> angles = arm_.Inverse(nearer);
+  for (int k = 0; !angles && k < kDrawIns; ++k) {
+    nearer.r_m -= kDrawIn_m;
+    angles = arm_.Inverse(nearer);
+  }
+  if (!angles) angles = PlanarArm::Angles{};
+  const auto clamp = [&](double q_rad, int joint) {
+    return std::clamp(q_rad, model.joints[joint].lower_rad, model.joints[joint].upper_rad);
+  };
+  return {clamp(angles->boom_rad, plan_.joints.boom), clamp(angles->arm_rad, plan_.joints.arm),
+          clamp(angles->bucket_rad, plan_.joints.bucket)};
+}
+
+PlanarArm::Tip DigCycle::TipNow(const MachineState& state) const {
+  return arm_.Forward({state.q_rad[plan_.joints.boom], state.q_rad[plan_.joints.arm],
+                       state.q_rad[plan_.joints.bucket]});
+}
+
+double DigCycle::ArmError_rad(const OperatorView& view, const PlanarArm::Tip& tip) const {
+  const PlanarArm::Angles angles = ReachableAngles(view.model, tip);
+  const std::vector<double>& q_rad = view.state.q_rad;
+  return std::max({std::abs(angles.boom_rad - q_rad[plan_.joints.boom]),
+                   std::abs(angles.arm_rad - q_rad[plan_.joints.arm]),
+                   std::abs(angles.bucket_rad - q_rad[plan_.joints.bucket])});
+}
+
+SoilReaction::Load DigCycle::LoadOf(const OperatorView& view) const {
+  const auto& loads = view.state.shovel_load;
+  return plan_.shovel < static_cast<int>(loads.size()) ? loads[plan_.shovel] : SoilReaction::Load{};
+}
+
+double DigCycle::Capacity_m3(const OperatorView& view) const {
+  return view.model.ground_tools.shovels[plan_.shovel].capacity_m3;
+}
+
+double DigCycle::PhaseTime_s(const OperatorView& view) const {
+  return ToSeconds(view.t_ns - phase_start_ns_);
+}
+
+}  // namespace tera

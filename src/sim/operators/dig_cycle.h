@@ -1,0 +1,104 @@
+#pragma once
+
+#include <optional>
+
+#include "sim/operators/lever_feel.h"
+#include "sim/operators/operator.h"
+#include "sim/operators/planar_arm.h"
+
+namespace tera {
+
+/// Where and how to dig. Radii from the slew axis, azimuths from the undercarriage's x axis at the
+/// start (positive to the left), heights above the ground at the place itself.
+struct DigPlan {
+  PlanarArm::Joints joints;
+  int tip_frame = -1;
+  int shovel = -1;  ///< the one that the bucket joint moves
+  double dig_azimuth_rad = 0;
+  double azimuth_step_rad = 0;  ///< added to the dig azimuth after each cycle
+  double dump_azimuth_rad = 0;
+  double reach_m = 4.2;  ///< radius at which the teeth enter
+  double cut_length_m = 1.6;
+  double cut_depth_m = 0.2;
+  double cut_speed_mps = 0.7;
+  double dump_reach_m = 3.8;
+  double dump_height_m = 1.3;      ///< of the tip above the ground while swinging and dumping
+  double clear_dump_rad = 0;       ///< slewed from the dump place before the tip comes down
+  double servo_gain_1ps = 4.0;     ///< of all joints, see ServoLever
+  double slew_braking_radps2 = 0;  ///< the slew comes to rest at this; 0: at once
+  double patience_s = 4.0;         ///< a phase never holds the cycle up longer
+  int cycles = 0;                  ///< 0: without end
+};
+
+/// Digs, lifts, slews, dumps and returns by joint targets from inverse kinematics on the ground as
+/// it is at the time.
+///
+/// Model   a sequence of phases, each with a target of the tip in the arm's plane and of the slew;
+///         joints follow by ServoLever. During the cut the target moves along the planned line;
+///         where the soil holds the tip back it waits and comes up, as an operator lifts a stalled
+///         bucket.
+///         Where a joint does not follow its lever, LeverFeel pushes it on.
+///         Places stay where they are in W when the tracks turn or slide: an operator sees the
+///         truck that he loads. The dump place does so wholly, the dig place by its azimuth. Levers
+///         move no faster than a hand does. The slew turns at most at sqrt(2 a e), from which
+///         braking at a stops it over the angle e that is left.
+/// Omits   force control; avoidance of obstacles; boom swing and travel stay neutral.
+class DigCycle : public Operator {
+ public:
+  DigCycle(const MachineModel& model, const DigPlan& plan);
+  std::vector<double> Levers(const OperatorView& view) override;
+
+ private:
+  enum class Phase { kApproach, kLower, kCut, kCurl, kLift, kSwing, kDump, kReturn, kDone };
+
+  struct Target {
+    PlanarArm::Tip tip;
+    double slew_rad = 0;
+  };
+
+  /// As the machine stands now.
+  struct Place {
+    double slew_rad, r_m;
+  };
+
+  Pose SlewFrame(const OperatorView& view) const;
+  Place PlaceOf(const OperatorView& view, double azimuth_rad, double r_m) const;
+  Place DumpPlace(const OperatorView& view) const;
+  Place DigPlace(const OperatorView& view) const;
+  void Enter(Phase phase, const OperatorView& view);
+  void Advance(const OperatorView& view);
+  Target TargetNow(const OperatorView& view) const;
+  PlanarArm::Tip CutPoint(double s_m) const;
+  double GroundInPlane(const OperatorView& view, double azimuth_rad, double r_m) const;
+  PlanarArm::Angles ReachableAngles(const MachineModel& model, const PlanarArm::Tip& tip) const;
+  PlanarArm::Tip TipNow(const MachineState& state) const;
+  double Capacity_m3(const OperatorView& view) const;
+  double SlewLever(const OperatorView& view, double target_rad) const;
+  void AdvanceCut(const OperatorView& view, double lag_m);
+  double ArmError_rad(const OperatorView& view, const PlanarArm::Tip& tip) const;
+  SoilReaction::Load LoadOf(const OperatorView& view) const;
+  double PhaseTime_s(const OperatorView& view) const;
+
+  DigPlan plan_;
+  PlanarArm arm_;
+  Phase phase_ = Phase::kApproach;
+  TimeNs phase_start_ns_ = 0, last_ns_ = 0;
+  int cycle_ = 0;
+  bool started_ = false;
+  Pose X_WJ_start_ = Pose::Identity();  ///< frame of the slew's axis when the first cycle began
+  double dig_azimuth_rad_;
+  double cut_s_m_ = 0;                ///< along the cut
+  double cut_raised_m_ = 0;           ///< above the planned line, to get through
+  std::vector<double> cut_ground_m_;  ///< heights in the plane when the cut was planned
+  std::vector<double> levers_;        ///< as last given
+  std::vector<LeverFeel> feel_;       ///< of each lever
+  double phase_load_kg_ = 0;          ///< carried when the phase began
+  PlanarArm::Tip phase_tip_;          ///< where the tip was when the phase began
+  std::optional<PlanarArm::Angles> last_angles_;
+};
+
+/// Reads the keys of `type: dig_cycle`. Nothing where the machine lacks such an arm, which is then
+/// reported to `config`.
+std::optional<DigPlan> ReadDigPlan(const ConfigMap& config, const MachineModel& model);
+
+}  // namespace tera

@@ -1,0 +1,151 @@
+#include "sim/operators/lever_replay.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/config/csv.h"
+#include "core/error.h"
+
+namespace tera {
+namespace {
+
+constexpr std::size_t kFirstRowLine = 2;  ///< of the file, below its header
+
+/// Columns of `file`; none where it cannot be read, which is then reported.
+std::vector<std::string> HeaderOf(const ConfigMap& config, const std::filesystem::path& file) {
+  if (file.empty()) return {};
+  try {
+    return ReadCsvHeader(file);
+  } catch (const InputError& e) {
+    config.Fault("csv", e.what());
+    return {};
+  }
+}
+
+/// Reads time (in seconds, or in nanoseconds for a column that ends in _ns) and `columns`; a file
+/// that cannot be used becomes a fault of `config` and an empty table.
+CommandTable ReadCommands(const ConfigMap& config, const std::filesystem::path& file,
+                          const std::string& time_column, std::vector<std::string> columns) {
+  CommandTable table;
+  if (file.empty()) return table;
+  columns.insert(columns.begin(), time_column);
+  try {
+    const auto values = ReadCsvColumns(file, columns);
+    const double ns_per_unit = time_column.ends_with("_ns") ? 1.0 : 1e9;
+    for (std::size_t r = 0; r < values[0].size(); ++r) {
+      table.t_ns.push_back(std::llround(values[0][r] * ns_per_unit));
+      std::vector<double> row;
+      for (std::size_t c = 1; c < columns.size(); ++c) row.push_back(values[c][r]);
+      table.rows.push_back(std::move(row));
+      if (r > 0 && table.t_ns[r] <= table.t_ns[r - 1]) {
+        config.Fault("csv", fmt::format("{}:{}: time does not grow from the row before",
+                                        file.string(), r + kFirstRowLine));
+        return table;
+      }
+    }
+  } catch (const InputError& e) {
+    config.Fault("csv", e.what());
+  }
+  return table;
+}
+
+/// Beyond full lever by no more than this is a rounding of whoever wrote the file.
+constexpr double kLeverRounding = 1e-9;
+
+/// Reports the first lever beyond its stops; takes roundings back to the stop.
+void CheckLevers(const ConfigMap& config, const std::filesystem::path& file,
+                 const std::vector<std::string>& columns, CommandTable* table) {
+  for (std::size_t r = 0; r < table->rows.size(); ++r) {
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      double& lever = table->rows[r][c];
+      if (std::abs(lever) > 1 + kLeverRounding) {
+        config.Fault("csv", fmt::format("{}:{}: column '{}' is {}, need -1 to 1 of full lever",
+                                        file.string(), r + kFirstRowLine, columns[c], lever));
+        return;
+      }
+      lever = std::clamp(lever, -1.0, 1.0);
+    }
+  }
+}
+
+}  // namespace
+
+int RowInForce(const CommandTable& table, TimeNs t_ns) {
+  const auto after = std::upper_bound(table.t_ns.begin(), table.t_ns.end(), t_ns);
+  return static_cast<int>(after - table.t_ns.begin()) - 1;
+}
+
+LeverReplay::LeverReplay(CommandTable table, std::vector<int> lever_of_column)
+    : table_(std::move(table)), lever_of_column_(std::move(lever_of_column)) {}
+
+std::vector<double> LeverReplay::Levers(const OperatorView& view) {
+  std::vector<double> levers(view.model.levers.size(), 0.0);
+  const int row = RowInForce(table_, view.t_ns);
+  if (row < 0) return levers;
+  for (std::size_t c = 0; c < lever_of_column_.size(); ++c) {
+    levers[lever_of_column_[c]] = table_.rows[row][c];
+  }
+  return levers;
+}
+
+TwistReplay::TwistReplay(CommandTable table, const SkidSteerLevers& levers)
+    : table_(std::move(table)), levers_(levers) {}
+
+std::vector<double> TwistReplay::Levers(const OperatorView& view) {
+  std::vector<double> levers(view.model.levers.size(), 0.0);
+  const int row = RowInForce(table_, view.t_ns);
+  if (row < 0) return levers;
+  SetSkidSteer(view.model, levers_, table_.rows[row][0], table_.rows[row][1], &levers);
+  return levers;
+}
+
+CommandTable ReplayedLevers(Operator* driver, const MachineModel& model) {
+  const CommandTable* table = nullptr;
+  if (const auto* levers = dynamic_cast<const LeverReplay*>(driver)) table = &levers->table();
+  if (const auto* twists = dynamic_cast<const TwistReplay*>(driver)) table = &twists->table();
+  CommandTable out;
+  if (table == nullptr) return out;
+  const MachineState unseen;
+  const TerrainSurface nowhere;
+  for (const TimeNs t_ns : table->t_ns) {
+    out.t_ns.push_back(t_ns);
+    out.rows.push_back(driver->Levers({t_ns, model, unseen, nowhere}));
+  }
+  return out;
+}
+
+std::unique_ptr<Operator> ReadLeverReplay(const ConfigMap& config, const MachineModel& model) {
+  const std::filesystem::path file = config.File("csv");
+  const std::string time_column = config.Text("time_column", "t_ns");
+  std::vector<std::string> columns;
+  std::vector<int> levers;
+  std::vector<std::string> header = HeaderOf(config, file);
+  // Without its time, which is told, nothing says what the other columns are.
+  if (std::find(header.begin(), header.end(), time_column) == header.end()) header.clear();
+  for (const std::string& name : header) {
+    if (name == time_column) continue;
+    const int lever = model.LeverIndex(name);
+    if (lever < 0) {
+      config.Fault("csv", "column '" + name + "' is no lever of machine '" + model.kind + "'");
+      continue;
+    }
+    columns.push_back(name);
+    levers.push_back(lever);
+  }
+  CommandTable table = ReadCommands(config, file, time_column, columns);
+  CheckLevers(config, file, columns, &table);
+  return std::make_unique<LeverReplay>(std::move(table), levers);
+}
+
+std::unique_ptr<Operator> ReadTwistReplay(const ConfigMap& config, const MachineModel& model) {
+  const std::filesystem::path file = config.File("csv");
+  const std::string time = config.Text("time_column", "t_s");
+  const std::string forward = config.Text("forward_column", "forward_mps");
+  const std::string yaw_rate = config.Text("yaw_rate_column", "yaw_rate_radps");
+  return std::make_unique<TwistReplay>(ReadCommands(config, file, time, {forward, yaw_rate}),
+                                       ReadSkidSteerLevers(config, model));
+}
+
+}  // namespace tera

@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+
+#include "core/units.h"
+#include "sim/operators/dig_cycle.h"
+
+namespace tera {
+namespace {
+
+constexpr double kMostCycles = 1e6;
+constexpr double kLeastArm_m = 1e-3;  ///< between pins, below which an arm has no direction
+
+/// Whether `link` hangs, through any number of joints, on `ancestor`.
+bool HangsOn(const MachineModel& model, int link, int ancestor) {
+  while (link > 0 && link != ancestor) link = model.joints[link - 1].parent;
+  return link == ancestor;
+}
+
+/// Reports joints that are no planar arm on a slewing post; true if there is nothing to report.
+bool CheckArm(const ConfigMap& config, const MachineModel& model, const DigPlan& plan) {
+  bool good = true;
+  const auto fault = [&](std::string_view key, const std::string& finding) {
+    config.Fault(key, finding);
+    good = false;
+  };
+  const auto at = [&](int joint) -> const Joint& { return model.joints[joint]; };
+  const auto check_turns = [&](std::string_view key, const Joint& joint) {
+    if (joint.type == JointType::kRevolute || joint.type == JointType::kContinuous) return;
+    fault(key, fmt::format("joint '{}' does not turn; need a revolute joint", joint.name));
+  };
+  const auto check_carries = [&](std::string_view key, const Joint& joint, const Joint& next) {
+    if (next.parent != joint.child) {
+      fault(key, fmt::format("joint '{}' does not carry joint '{}'; need boom, arm and bucket "
+                             "joints that hang on one another",
+                             joint.name, next.name));
+    } else if (next.X_PJ.translation().norm() < kLeastArm_m) {
+      fault(key, fmt::format("the pins of joints '{}' and '{}' coincide; need an arm between them",
+                             joint.name, next.name));
+    }
+  };
+  const Joint &slew = at(plan.joints.slew), &boom = at(plan.joints.boom);
+  const Joint &arm = at(plan.joints.arm), &bucket = at(plan.joints.bucket);
+  check_turns("slew", slew);
+  check_turns("boom", boom);
+  check_turns("arm", arm);
+  check_turns("bucket", bucket);
+  if (!HangsOn(model, boom.parent, slew.child)) {
+    fault("slew", fmt::format("joint '{}' does not turn the boom; need the joint of the upper "
+                              "structure",
+                              slew.name));
+  }
+  check_carries("boom", boom, arm);
+  check_carries("arm", arm, bucket);
+  const NamedFrame& tip = model.frames[plan.tip_frame];
+  if (tip.link != bucket.child) {
+    fault(config.Has("tip_frame") ? "tip_frame" : "bucket",
+          fmt::format(
+              "joint '{}' moves link '{}' but frame '{}' is fixed to link '{}'; need both on "
+              "one link",
+              bucket.name, model.links[bucket.child].name, tip.name, model.links[tip.link].name));
+  }
+  return good;
+}
+
+}  // namespace
+
+std::optional<DigPlan> ReadDigPlan(const ConfigMap& config, const MachineModel& model) {
+  DigPlan plan;
+  const auto joint = [&](std::string_view key) {
+    const std::string name = config.Text(key, key);
+    const int index = model.JointIndex(name);
+    if (index < 0) {
+      config.Fault(key, "machine '" + model.kind + "' has no joint '" + name +
+                            "'; a dig cycle needs slew, boom, arm and bucket joints");
+    }
+    return index;
+  };
+  plan.joints = {joint("slew"), joint("boom"), joint("arm"), joint("bucket")};
+  const std::string tip = config.Text("tip_frame", "bucket_tip");
+  for (std::size_t i = 0; i < model.frames.size(); ++i) {
+    if (model.frames[i].name == tip) plan.tip_frame = static_cast<int>(i);
+  }
+  if (plan.tip_frame < 0) config.Fault("tip_frame", "the machine has no frame '" + tip + "'");
+
+  const auto& shovels = model.ground_tools.shovels;
+  for (std::size_t s = 0; s < shovels.size() && plan.joints.bucket >= 0; ++s) {
+    if (shovels[s].link == model.joints[plan.joints.bucket].child)
+      plan.shovel = static_cast<int>(s);
+  }
+  if (plan.joints.bucket >= 0 && plan.shovel < 0) {
+    config.Fault("bucket", "the link that this joint moves carries no shovel");
+  }
+
+  const Range azimuth = Between(-360, 360, "deg");
+  plan.dig_azimuth_rad = config.Number("dig_azimuth_deg", azimuth, 0) * kDeg;
+  plan.azimuth_step_rad = config.Number("azimuth_step_deg", azimuth, 0) * kDeg;
+  plan.dump_azimuth_rad = config.Number("dump_azimuth_deg", azimuth, 80) * kDeg;
+  plan.reach_m = config.Number("reach_m", Positive("m"), plan.reach_m);
+  plan.cut_length_m = config.Number("cut_length_m", Positive("m"), plan.cut_length_m);
+  plan.cut_depth_m = config.Number("cut_depth_m", AtLeast(0, "m"), plan.cut_depth_m);
+  plan.cut_speed_mps = config.Number("cut_speed_mps", Positive("m/s"), plan.cut_speed_mps);
+  plan.dump_reach_m = config.Number("dump_reach_m", Positive("m"), plan.dump_reach_m);
+  plan.dump_height_m = config.Number("dump_height_m", Positive("m"), plan.dump_height_m);
+  plan.clear_dump_rad = config.Number("clear_dump_deg", Between(0, 180, "deg"), 0) * kDeg;
+  plan.slew_braking_radps2 =
+      config.Number("slew_braking_degps2", AtLeast(0, "deg/s2"), plan.slew_braking_radps2) * kDeg;
+  plan.servo_gain_1ps = config.Number("servo_gain_1ps", Positive("1/s"), plan.servo_gain_1ps);
+  plan.patience_s = config.Number("patience_s", Positive("s"), plan.patience_s);
+  plan.cycles = static_cast<int>(config.Integer("cycles", Between(0, kMostCycles, ""), 0));
+  if (plan.cut_length_m >= plan.reach_m) {
+    config.Fault("cut_length_m", "the cut would pass the slew axis, need less than reach_m");
+  }
+
+  const bool complete = plan.joints.slew >= 0 && plan.joints.boom >= 0 && plan.joints.arm >= 0 &&
+                        plan.joints.bucket >= 0 && plan.tip_frame >= 0 && plan.shovel >= 0;
+  if (!complete || !CheckArm(config, model, plan)) return std::nullopt;
+  return plan;
+}
+
+}  // namespace tera

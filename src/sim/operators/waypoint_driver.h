@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "sim/operators/operator.h"
+#include "sim/operators/skid_steer.h"
+
+namespace tera {
+
+/// Drives through waypoints with left and right tracks (or wheels).
+///
+/// Frames  waypoints in W.
+/// Model   pure pursuit: curvature 2 sin(alpha) / d towards the waypoint at bearing alpha and
+///         distance d; turns on the spot where the bearing is large; slows for the last waypoint
+///         and stops.
+///         Levers move no faster than a hand moves them.
+/// Source  Coulter 1992, CMU-RI-TR-92-01.
+class WaypointDriver : public Operator {
+ public:
+  WaypointDriver(std::vector<Vec2> waypoints_W_m, double speed_mps, double reached_m,
+                 const SkidSteerLevers& levers);
+  std::vector<double> Levers(const OperatorView& view) override;
+
+ private:
+  /// Levers for where the machine is now.
+  std::vector<double> Wanted(const OperatorView& view);
+
+  std::vector<Vec2> waypoints_W_m_;
+  double speed_mps_, reached_m_;
+  SkidSteerLevers levers_;
+  std::size_t next_ = 0;
+  std::vector<double> levers_now_;  ///< as last given
+  std::optional<TimeNs> last_ns_;   ///< when
+};
+
+/// Reads the keys of `type: waypoints`.
+std::unique_ptr<Operator> ReadWaypointDriver(const ConfigMap& config, const MachineModel& model);
+
+}  // namespace tera

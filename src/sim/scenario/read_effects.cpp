@@ -1,0 +1,142 @@
+#include "sim/scenario/read_effects.h"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <string>
+
+#include "core/types/effects.h"
+#include "physics/actuation/actuation_faults.h"
+#include "physics/actuation/actuation_mechanisms.h"
+#include "physics/traction/ground_faults.h"
+#include "physics/traction/ground_mechanisms.h"
+#include "sensors/sensor_mechanisms.h"
+#include "sim/rig.h"
+#include "sim/scenario/check_sensor_effects.h"
+
+namespace tera {
+namespace {
+
+constexpr std::string_view kBaseTarget = "base";
+
+/// Whether a mapping stands at `key`, if anything; a word or a number there is a fault.
+bool IsMappingOf(std::string_view need, const ConfigMap& config, std::string_view key) {
+  if (!config.IsText(key)) return true;
+  config.Fault(key, fmt::format("'{}' found, need {}", config.Text(key), need));
+  return false;
+}
+
+/// Reads target after target of one machine's effects; a name stands for one of them alone.
+class TargetReader {
+ public:
+  explicit TargetReader(const ConfigMap& config) : config_(config) {}
+
+  Effects Read(const std::string& name, EffectTarget target, std::span<const Mechanism> library) {
+    if (!IsMappingOf("mechanisms, {MECHANISM: {PARAMETER: VALUE}}, and none for one to take away",
+                     config_, name)) {
+      return {};
+    }
+    const auto map = config_.OptionalMap(name);
+    if (!map) return {};
+    if (!read_.insert(name).second) {
+      config_.Fault(name, "'" + name +
+                              "' names two things of this machine (joint, track, pump or sensor); "
+                              "rename one of them");
+    }
+    return ReadEffects(*map, target, library);
+  }
+
+ private:
+  ConfigMap config_;
+  std::set<std::string> read_;
+};
+
+EffectTarget TargetOf(const SensorDescription& sensor) {
+  if (std::holds_alternative<ImuModel>(sensor.model)) return EffectTarget::kImu;
+  if (std::holds_alternative<GnssModel>(sensor.model)) return EffectTarget::kGnss;
+  if (std::holds_alternative<CameraModel>(sensor.model)) return EffectTarget::kCamera;
+  if (std::holds_alternative<LidarModel>(sensor.model)) return EffectTarget::kLidar;
+  return EffectTarget::kEncoder;
+}
+
+void ReadSensorEffects(const MachineModel& model, TargetReader* reader, SensorDescription* sensor) {
+  sensor->effects = reader->Read(sensor->name, TargetOf(*sensor), SensorMechanisms());
+  const auto* encoder = std::get_if<EncoderModel>(&sensor->model);
+  if (!encoder) return;
+  for (const EncoderAxis& axis : NamesOf(AxesOf(*encoder, model), model)) {
+    Effects effects = reader->Read(sensor->name + "/" + axis.name, EffectTarget::kEncoderAxis,
+                                   SensorMechanisms());
+    if (!effects.empty()) sensor->axis_effects.emplace(axis.name, std::move(effects));
+  }
+}
+
+/// Reports what cannot act on the target `name`.
+void Report(const ConfigMap& effects, const std::string& name,
+            const std::vector<EffectFault>& faults) {
+  for (const EffectFault& fault : faults) {
+    effects.Map(name).Fault(fault.mechanism,
+                            fmt::format("'{}' {}", fault.mechanism, fault.finding));
+  }
+}
+
+/// Reports all effects that would change nothing on what they stand at.
+void CheckEffects(const ConfigMap& effects, const MachineModel& model,
+                  const std::vector<SensorDescription>& sensors) {
+  for (std::size_t j = 0; j < model.joints.size(); ++j) {
+    Report(effects, model.joints[j].name, FaultsOfJoint(model, j));
+  }
+  for (std::size_t g = 0; g < model.ground_tools.gears.size(); ++g) {
+    Report(effects, model.ground_tools.gears[g].name, FaultsOfGear(model, g));
+  }
+  for (std::size_t p = 0; p < model.pumps.size(); ++p) {
+    Report(effects, model.pumps[p].name, FaultsOfPump(model, p));
+  }
+  Report(effects, std::string(kBaseTarget), FaultsOfBase(model));
+  CheckSensorEffects(effects, model, sensors);
+}
+
+}  // namespace
+
+std::optional<ConfigMap> ReadScenarioEffects(const ConfigMap& scenario) {
+  constexpr std::string_view kNeed =
+      "machines by their names, {MACHINE: {TARGET: {MECHANISM: {PARAMETER: VALUE}}}}";
+  if (!IsMappingOf(kNeed, scenario, "effects")) return std::nullopt;
+  return scenario.OptionalMap("effects");
+}
+
+void ReadMachineEffects(const ConfigMap& machine, const std::optional<ConfigMap>& scenario_effects,
+                        const std::string& name, bool sound, MachineModel* model,
+                        std::vector<SensorDescription>* sensors) {
+  MachineEffects& effects = model->effects;
+  effects.joints.resize(model->joints.size());
+  effects.gears.resize(model->ground_tools.gears.size());
+  effects.pumps.resize(model->pumps.size());
+  constexpr std::string_view kNeed =
+      "what its effects act on, {TARGET: {MECHANISM: {PARAMETER: VALUE}}}; a target is a joint, a "
+      "track or wheel set, a pump, a sensor or base";
+  const bool overlaid = scenario_effects && IsMappingOf(kNeed, *scenario_effects, name);
+  const auto map = overlaid ? machine.OptionalMapUnder("effects", *scenario_effects, name)
+                            : machine.OptionalMap("effects");
+  if (!map) return;
+  TargetReader reader(*map);
+  for (std::size_t j = 0; j < model->joints.size(); ++j) {
+    if (model->joints[j].type == JointType::kFixed) continue;
+    effects.joints[j] =
+        reader.Read(model->joints[j].name, EffectTarget::kJoint, ActuationMechanisms());
+  }
+  for (std::size_t g = 0; g < model->ground_tools.gears.size(); ++g) {
+    effects.gears[g] =
+        reader.Read(model->ground_tools.gears[g].name, EffectTarget::kGear, ActuationMechanisms());
+  }
+  for (std::size_t p = 0; p < model->pumps.size(); ++p) {
+    effects.pumps[p] =
+        reader.Read(model->pumps[p].name, EffectTarget::kPump, ActuationMechanisms());
+  }
+  if (!model->ground_tools.gears.empty()) {
+    effects.base = reader.Read(std::string(kBaseTarget), EffectTarget::kBase, GroundMechanisms());
+  }
+  for (SensorDescription& sensor : *sensors) ReadSensorEffects(*model, &reader, &sensor);
+  if (sound) CheckEffects(*map, *model, *sensors);
+}
+
+}  // namespace tera

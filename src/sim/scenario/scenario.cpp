@@ -1,0 +1,329 @@
+#include "sim/scenario/scenario.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/config/config_faults.h"
+#include "core/config/plain_name.h"
+#include "core/config/spelling.h"
+#include "core/units.h"
+#include "sim/rig.h"
+#include "sim/scenario/collision_meshes.h"
+#include "sim/scenario/read_effects.h"
+#include "sim/scenario/read_ground.h"
+
+namespace tera {
+namespace {
+
+/// A month; a longer run is a mistyped one.
+constexpr double kLongest_s = 31 * 86400.0;
+constexpr double kMostSeed = 9e15;  ///< below 2^53: every YAML reader keeps it exactly
+constexpr double kSlowest_hz = 100, kFastest_hz = 5000;  ///< steps that machines and soil bear
+constexpr double kDefaultRate_hz = 500, kDefaultSettle_s = 1.5, kLongestSettle_s = 60;
+constexpr double kSunAzimuth_deg = 150, kSunElevation_deg = 42;  ///< a fair morning
+constexpr double kLeastBed_m = 0.3, kLargestBed_m = 30;
+constexpr SiteOrigin kDefaultOrigin = {47.3763, 8.5477, 460.0};
+
+/// Height and tilt of the ground under a rectangle of half extents `half_m` about `xy`.
+Pose RestingPose(const TerrainSurface& ground, const Vec2& xy_m, double yaw_rad,
+                 const Vec2& half_m) {
+  const Mat3 R_yaw = RotationFromRpy(0, 0, yaw_rad);
+  const auto height = [&](double x_m, double y_m) {
+    const Vec3 p = R_yaw * Vec3(x_m, y_m, 0);
+    return ground.HeightAt(xy_m.x() + p.x(), xy_m.y() + p.y());
+  };
+  const double front = 0.5 * (height(half_m.x(), half_m.y()) + height(half_m.x(), -half_m.y()));
+  const double rear = 0.5 * (height(-half_m.x(), half_m.y()) + height(-half_m.x(), -half_m.y()));
+  const double left = 0.5 * (height(half_m.x(), half_m.y()) + height(-half_m.x(), half_m.y()));
+  const double right = 0.5 * (height(half_m.x(), -half_m.y()) + height(-half_m.x(), -half_m.y()));
+  const double pitch = half_m.x() > 0 ? -std::atan2(front - rear, 2 * half_m.x()) : 0.0;
+  const double roll = half_m.y() > 0 ? std::atan2(left - right, 2 * half_m.y()) : 0.0;
+  return MakePose(Vec3(xy_m.x(), xy_m.y(), 0.5 * (front + rear)),
+                  RotationFromRpy(roll, pitch, yaw_rad));
+}
+
+/// Half extents of the ground contact in the root's frame.
+Vec2 FootprintHalf(const MachineModel& model) {
+  Vec2 half = Vec2::Zero();
+  for (const RunningGear& gear : model.ground_tools.gears) {
+    for (const ContactPatch& patch : gear.patches) {
+      half = half.cwiseMax(patch.p_B_m.head<2>().cwiseAbs());
+    }
+  }
+  return half;
+}
+
+void ReadStartAngles(const ConfigMap& start, const MachineModel& model,
+                     std::vector<double>* q_rad) {
+  for (const auto& [name, angle_deg] : start.NamedNumbers("joints_deg", Any("deg"))) {
+    const int joint = model.JointIndex(name);
+    if (joint < 0) {
+      std::vector<std::string> names;
+      for (const Joint& j : model.joints) names.push_back(j.name);
+      start.Fault("joints_deg", "machine '" + model.kind + "' has no joint '" + name + "'" +
+                                    DidYouMean(name, names));
+      continue;
+    }
+    const Joint& j = model.joints[joint];
+    (*q_rad)[joint] = angle_deg * kDeg;
+    const bool limited = j.type == JointType::kRevolute || j.type == JointType::kPrismatic;
+    if (limited && ((*q_rad)[joint] < j.lower_rad || (*q_rad)[joint] > j.upper_rad)) {
+      start.Fault("joints_deg",
+                  fmt::format("'{}' at {} deg is beyond its limits, need {} to {} deg", name,
+                              angle_deg, j.lower_rad / kDeg, j.upper_rad / kDeg));
+    }
+  }
+}
+
+/// Whether the types of all sensors are known; without those that are not.
+bool ReadSensors(const ConfigMap& config, const MachineModel& model,
+                 std::vector<SensorDescription>* sensors) {
+  const auto rig = config.Has("rig") ? std::optional(config.MapOrFile("rig")) : std::nullopt;
+  if (!rig) return true;
+  bool all_known = true;
+  std::set<std::string> names;
+  for (const ConfigMap& item : rig->List("sensors")) {
+    SensorDescription sensor = ReadSensor(item);
+    if (IsUnread(item)) {
+      all_known = false;
+      continue;
+    }
+    if (!names.insert(sensor.name).second) {
+      item.Fault("name", "'" + sensor.name +
+                             "' is taken by another sensor of this machine; "
+                             "give each its own name");
+    }
+    if (const auto* encoder = std::get_if<EncoderModel>(&sensor.model)) {
+      for (const std::string& name : AxesOf(*encoder, model).unknown) {
+        item.Fault("joints",
+                   "machine '" + model.kind + "' has no joint, track or wheel '" + name + "'");
+      }
+    } else if (model.LinkIndex(sensor.link) < 0) {
+      std::vector<std::string> links;
+      for (const Link& link : model.links) links.push_back(link.name);
+      item.Fault("link",
+                 fmt::format("machine '{}' has no link '{}'{}; its links are {}", model.kind,
+                             sensor.link, DidYouMean(sensor.link, links), fmt::join(links, ", ")));
+    }
+    sensors->push_back(std::move(sensor));
+  }
+  return all_known;
+}
+
+/// Lets the effects of a machine be that has a part of which nothing is known.
+void LeaveEffectsUnread(const ConfigMap& description, const std::optional<ConfigMap>& effects,
+                        const std::string& name) {
+  description.Has("effects");
+  if (effects) effects->Has(name);
+}
+
+/// Lets the keys be that are about a machine whose description was refused.
+void LeaveUnread(const ConfigMap& config, const ConfigMap& description,
+                 const std::optional<ConfigMap>& effects, const std::string& name) {
+  for (const char* key : {"start", "operator", "rig", "ground"}) config.Has(key);
+  LeaveEffectsUnread(description, effects, name);
+}
+
+/// A machine but for its height and tilt, which wait until all have shaped the ground.
+ScenarioMachine ReadMachineEntry(const ConfigMap& config, std::uint64_t seed,
+                                 const std::optional<ConfigMap>& effects) {
+  ScenarioMachine machine;
+  machine.placement.name = config.Text("name");
+  RequirePlainName(config, "name", machine.placement.name);
+  const std::size_t faults_before = FaultCount(config);
+  const ConfigMap description = config.MapOrFile("machine");
+  machine.placement.model = ReadMachine(description);
+  SetCollisionMeshes(description, &machine.placement.model);
+  const MachineModel& model = machine.placement.model;
+  if (model.links.empty()) {
+    LeaveUnread(config, description, effects, machine.placement.name);
+    return machine;
+  }
+  const bool sound = FaultCount(config) == faults_before;
+  for (const Joint& joint : model.joints) machine.placement.q_rad.push_back(joint.initial_rad);
+  Vec2 xy_m = Vec2::Zero();
+  double yaw_rad = 0;
+  if (const auto start = config.OptionalMap("start")) {
+    xy_m = start->Vector2("xy_m", Any("m"), Vec2::Zero());
+    yaw_rad = start->Number("yaw_deg", Between(-360, 360, "deg"), 0) * kDeg;
+    ReadStartAngles(*start, model, &machine.placement.q_rad);
+  }
+  machine.placement.X_WB = MakePose(Vec3(xy_m.x(), xy_m.y(), 0), RotationFromRpy(0, 0, yaw_rad));
+  machine.driver = ReadOperator(config.Map("operator"), model, {seed, machine.placement.name});
+  if (ReadSensors(config, model, &machine.sensors)) {
+    ReadMachineEffects(description, effects, machine.placement.name, sound,
+                       &machine.placement.model, &machine.sensors);
+  } else {
+    LeaveEffectsUnread(description, effects, machine.placement.name);
+  }
+  ReadGround(config, &machine.placement.model);
+  return machine;
+}
+
+void PlaceOnGround(Scenario* scenario) {
+  for (const ScenarioMachine& machine : scenario->machines) {
+    RaiseGround(machine.placement.model, scenario->soil.get());
+  }
+  for (ScenarioMachine& machine : scenario->machines) {
+    MachinePlacement& placement = machine.placement;
+    const Vec3 start_m = placement.X_WB.translation();
+    const double yaw_rad = RpyFromRotation(placement.X_WB.linear()).z();
+    placement.X_WB = RestingPose(scenario->soil->surface(), start_m.head<2>(), yaw_rad,
+                                 FootprintHalf(placement.model));
+  }
+}
+
+SoilBed ReadBed(const ConfigMap& config) {
+  const Range size = Between(kLeastBed_m, kLargestBed_m, "m");
+  SoilBed bed;
+  bed.floor_B_m = config.Vector3("xyz_m", Any("m"));
+  bed.size_m = config.Vector2("size_m", size);
+  bed.wall_m = config.Number("wall_m", Between(0, kLargestBed_m, "m"));
+  return bed;
+}
+
+ScenarioObstacle ReadObstacle(const ConfigMap& config) {
+  config.ApplyPreset("preset");
+  ScenarioObstacle obstacle;
+  obstacle.name = config.Text("name");
+  RequirePlainName(config, "name", obstacle.name);
+  const std::string label = config.Text("label");
+  if (const auto known = SemanticClassFromName(label)) {
+    obstacle.label = *known;
+  } else if (!label.empty()) {
+    std::vector<std::string> names;
+    for (const SemanticClassInfo& info : kSemanticClasses) names.emplace_back(info.name);
+    config.Fault("label", "'" + label + "' is no semantic class" + DidYouMean(label, names));
+  }
+  obstacle.visual.mesh = config.File("mesh");
+  obstacle.visual.node = config.Text("node", "body");
+  obstacle.visual.place = config.Place("mesh");
+  obstacle.visual.scale = config.Number("scale", Positive(""), 1.0);
+  for (const ConfigMap& box : config.List("collision")) {
+    obstacle.collision.push_back({box.PoseXyzRpy(), box.Vector3("size_m", Positive("m"))});
+  }
+  if (const auto bed = config.OptionalMap("bed")) obstacle.bed = ReadBed(*bed);
+  obstacle.xy_W_m = config.Vector2("xy_m", Any("m"));
+  obstacle.yaw_rad = config.Number("yaw_deg", Between(-360, 360, "deg"), 0) * kDeg;
+  obstacle.height_above_ground_m = config.Number("height_above_ground_m", Any("m"), 0);
+  for (const ConfigMap& point : config.List("path")) {
+    obstacle.path.push_back(
+        {point.Number("t_s", AtLeast(0, "s")), point.Vector2("xy_m", Any("m"))});
+    if (obstacle.path.size() > 1 &&
+        obstacle.path.back().t_s <= obstacle.path[obstacle.path.size() - 2].t_s) {
+      point.Fault("t_s", "times of a path must grow from point to point");
+    }
+  }
+  return obstacle;
+}
+
+Environment ReadEnvironment(const ConfigMap& config) {
+  Environment environment;
+  const double azimuth_rad =
+      config.Number("sun_azimuth_deg", Between(-360, 360, "deg"), kSunAzimuth_deg) *
+      kDeg;  // from north, east +
+  const double elevation_rad =
+      config.Number("sun_elevation_deg", Between(1, 90, "deg"), kSunElevation_deg) * kDeg;
+  environment.to_sun_W =
+      Vec3(std::sin(azimuth_rad) * std::cos(elevation_rad),
+           std::cos(azimuth_rad) * std::cos(elevation_rad), std::sin(elevation_rad));
+  environment.sun_illuminance_klx =
+      config.Number("sun_illuminance_klx", AtLeast(0, "klx"), environment.sun_illuminance_klx);
+  environment.turbidity = config.Number("turbidity", Between(1.5, 10, ""), environment.turbidity);
+  environment.fog_visibility_m =
+      config.Number("visibility_m", Positive("m"), environment.fog_visibility_m);
+  environment.exposure_ev100 =
+      config.Number("exposure_ev100", Between(-5, 25, "EV"), environment.exposure_ev100);
+  return environment;
+}
+
+/// The site's origin: written in the scenario, else that of the terrain's GeoTIFF, else a fixed
+/// place.
+SiteOrigin ReadOrigin(const ConfigMap& config, const Soil& soil) {
+  SiteOrigin origin = kDefaultOrigin;
+  if (const auto georeference = soil.georeference()) origin = *georeference;
+  if (const auto site = config.OptionalMap("site")) {
+    origin.lat_deg = site->Number("lat_deg", Between(-90, 90, "deg"), origin.lat_deg);
+    origin.lon_deg = site->Number("lon_deg", Between(-180, 180, "deg"), origin.lon_deg);
+    origin.height_m = site->Number("height_m", Between(-1000, 10000, "m"), origin.height_m);
+  }
+  return origin;
+}
+
+void RequireUniqueNames(const ConfigMap& config, const Scenario& scenario) {
+  std::set<std::string> names;
+  const auto require = [&](const std::string& name, std::string_view key) {
+    if (!name.empty() && !names.insert(name).second) {
+      config.Fault(key,
+                   "name '" + name + "' is used twice; give each machine and obstacle its own");
+    }
+    if (name == "truth") {
+      config.Fault(key, "name 'truth' is a folder that every dataset has; choose another");
+    }
+  };
+  for (const ScenarioMachine& m : scenario.machines) require(m.placement.name, "machines");
+  for (const ScenarioObstacle& o : scenario.obstacles) require(o.name, "obstacles");
+}
+
+}  // namespace
+
+Scenario ReadScenario(const ConfigMap& config) {
+  Scenario scenario;
+  scenario.name = config.Text("name");
+  scenario.seed = static_cast<std::uint64_t>(config.Integer("seed", Between(0, kMostSeed, ""), 1));
+  scenario.duration_s =
+      config.Number("duration_s", {.min = 0, .max = kLongest_s, .min_excluded = true, .unit = "s"});
+  scenario.physics_rate_hz =
+      config.Number("physics_rate_hz", Between(kSlowest_hz, kFastest_hz, "Hz"), kDefaultRate_hz);
+  scenario.settle_s =
+      config.Number("settle_s", Between(0, kLongestSettle_s, "s"), kDefaultSettle_s);
+  scenario.soil = Soil::Read(config.Map("terrain"), scenario.seed);
+  scenario.record = ReadTerrainRecord(config.OptionalMap("record"), scenario.soil->surface());
+  scenario.origin = ReadOrigin(config, *scenario.soil);
+  if (const auto environment = config.OptionalMap("environment")) {
+    scenario.environment = ReadEnvironment(*environment);
+  }
+  const std::optional<ConfigMap> effects = ReadScenarioEffects(config);
+  for (const ConfigMap& machine : config.List("machines")) {
+    scenario.machines.push_back(ReadMachineEntry(machine, scenario.seed, effects));
+    CheckRaisedGround(machine, scenario.machines.back().placement.model, scenario.soil->surface());
+  }
+  PlaceOnGround(&scenario);
+  for (const ConfigMap& obstacle : config.List("obstacles")) {
+    scenario.obstacles.push_back(ReadObstacle(obstacle));
+  }
+  if (scenario.machines.empty()) config.Fault("machines", "no machine given, need at least one");
+  RequireUniqueNames(config, scenario);
+  scenario.inputs = config.Inputs();
+  return scenario;
+}
+
+BodyState ObstacleAt(const ScenarioObstacle& obstacle, TimeNs t_ns, const TerrainSurface& ground) {
+  BodyState state;
+  Vec2 xy_m = obstacle.xy_W_m, velocity_mps = Vec2::Zero();
+  double yaw_rad = obstacle.yaw_rad;
+  const auto& path = obstacle.path;
+  if (!path.empty()) {
+    const double t_s = std::clamp(ToSeconds(t_ns), path.front().t_s, path.back().t_s);
+    std::size_t i = 0;
+    while (i + 2 < path.size() && path[i + 1].t_s <= t_s) ++i;
+    xy_m = path[i].xy_W_m;
+    if (i + 1 < path.size()) {
+      const Vec2 leg_m = path[i + 1].xy_W_m - path[i].xy_W_m;
+      const double leg_s = path[i + 1].t_s - path[i].t_s;
+      xy_m += leg_m * (t_s - path[i].t_s) / leg_s;
+      if (leg_m.norm() > 0) yaw_rad = std::atan2(leg_m.y(), leg_m.x());
+      if (t_s == ToSeconds(t_ns) && t_s < path.back().t_s) velocity_mps = leg_m / leg_s;
+    }
+  }
+  const double z_m = ground.HeightAt(xy_m.x(), xy_m.y()) + obstacle.height_above_ground_m;
+  state.X_WB = MakePose(Vec3(xy_m.x(), xy_m.y(), z_m), RotationFromRpy(0, 0, yaw_rad));
+  state.v_WB_mps = Vec3(velocity_mps.x(), velocity_mps.y(), 0);
+  return state;
+}
+
+}  // namespace tera

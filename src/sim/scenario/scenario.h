@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/config/config.h"
+#include "core/motion.h"
+#include "core/time.h"
+#include "physics/description/machine.h"
+#include "physics/dynamics/physics_world.h"
+#include "render/scene.h"
+#include "sensors/sensor.h"
+#include "sim/operators/operator.h"
+#include "sim/scenario/terrain_record.h"
+#include "soil/soil.h"
+
+namespace tera {
+
+/// A machine in a scenario: what it is, where it starts, who drives it, what it carries.
+struct ScenarioMachine {
+  MachinePlacement placement;  ///< on the ground, resting pose estimated from the terrain
+  std::unique_ptr<Operator> driver;
+  std::vector<SensorDescription> sensors;
+};
+
+/// A point of a moving obstacle's path.
+struct PathPoint {
+  double t_s = 0;
+  Vec2 xy_W_m = Vec2::Zero();
+};
+
+/// Something on the site that is not a machine: rock, barrier, cone, person, truck.
+struct ScenarioObstacle {
+  std::string name;
+  SemanticClass label = SemanticClass::kRock;
+  Visual visual;
+  std::vector<CollisionBox> collision;
+  std::optional<SoilBed> bed;  ///< soil may be dumped into it
+  Vec2 xy_W_m = Vec2::Zero();
+  double yaw_rad = 0;
+  double height_above_ground_m = 0;
+  std::vector<PathPoint> path;  ///< empty: stands still
+};
+
+/// A site, what stands and moves on it, and how it is measured: everything a run needs.
+struct Scenario {
+  std::string name;
+  std::uint64_t seed = 0;
+  double duration_s = 0;
+  double physics_rate_hz = 500;
+  double settle_s = 0;  ///< simulated before t = 0, levers neutral, so that machines rest
+  SiteOrigin origin;
+  Environment environment;
+  std::unique_ptr<Soil> soil;
+  std::vector<ScenarioMachine> machines;
+  std::vector<ScenarioObstacle> obstacles;
+  TerrainRecord record;
+  /// What it was read from besides YAML, but for files that meshes name.
+  std::vector<InputFile> inputs;
+};
+
+/// Reads a scenario and everything it names. Faults go to `config`; call Config::Finish before use.
+Scenario ReadScenario(const ConfigMap& config);
+
+/// Pose and velocity of an obstacle at `t_ns` on the given ground, upright.
+BodyState ObstacleAt(const ScenarioObstacle& obstacle, TimeNs t_ns, const TerrainSurface& ground);
+
+}  // namespace tera

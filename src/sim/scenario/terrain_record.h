@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/config/config.h"
+#include "core/time.h"
+#include "soil/soil.h"
+
+namespace tera {
+
+/// What a recording keeps of the ground, at the start, at the end, and from time to time.
+struct TerrainRecord {
+  struct Voxels {
+    std::string name;
+    VoxelBox box;
+  };
+  std::vector<GroundRaster> rasters;
+  int columns_per_pixel = 1;
+  std::optional<TimeNs> period_ns;  ///< also at its multiples
+  std::vector<Voxels> voxels;
+};
+
+/// Reads a scenario's `record:`, if there is one. Faults go to `config`.
+TerrainRecord ReadTerrainRecord(const std::optional<ConfigMap>& config, const TerrainGrid& site);
+
+}  // namespace tera

@@ -1,0 +1,113 @@
+#include "soil/columns/bed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "soil/flow/grains.h"
+
+namespace tera {
+namespace {
+
+constexpr double kCell_m = 0.08;
+constexpr double kUnderFloor_m = 0.1;    ///< so far below the floor a clod still lies on it
+constexpr double kOverRim_m = 0.02;      ///< soil at the border may stand this far above the rim
+constexpr double kBesideWall_m = 0.20;   ///< what overflows falls this far outside the inner box
+constexpr double kOverflow_mps = 0.3;    ///< and so fast outwards
+constexpr double kLeastShown_m = 0.004;  ///< thinner soil is not seen
+constexpr double kClodShown_cells = 0.8, kClodSunk = 0.55;  ///< radius; its part below the surface
+
+/// The floor as ground that nothing digs into.
+UndisturbedGround FloorOf(const SoilBed& shape) {
+  UndisturbedGround floor;
+  TerrainGrid& grid = floor.grid;
+  grid.nx = std::max(2, static_cast<int>(std::lround(shape.size_m.x() / kCell_m)));
+  grid.cell_m = shape.size_m.x() / grid.nx;
+  grid.ny = std::max(2, static_cast<int>(shape.size_m.y() / grid.cell_m));
+  grid.origin_W_m = -0.5 * grid.cell_m * Vec2(grid.nx - 1, grid.ny - 1);
+  floor.base_cells = TerrainGrid::kTileCells;
+  floor.base_height_m.assign(static_cast<std::size_t>(floor.base_nx()) * floor.base_ny(), 0.0);
+  floor.profiles.push_back(GroundProfile({{std::numeric_limits<double>::infinity(), 0, 0, 1.0}}));
+  return floor;
+}
+
+}  // namespace
+
+Bed::Bed(const SoilBed& shape, const std::vector<SoilType>& soils)
+    : shape_(shape),
+      half_m_(0.5 * shape.size_m),
+      columns_(FloorOf(shape), soils),
+      avalanche_(soils) {}
+
+void Bed::Move(const Pose& X_WB) { X_WF_ = X_WB * MakePose(shape_.floor_B_m); }
+
+bool Bed::Holds(const Vec3& p_W_m) const {
+  const Vec3 p_F = X_WF_.inverse() * p_W_m;
+  return std::abs(p_F.x()) < half_m_.x() && std::abs(p_F.y()) < half_m_.y() &&
+         p_F.z() > -kUnderFloor_m;
+}
+
+void Bed::KeepWithinWalls(Vec3* p_F_m, Vec3* v_F_mps) const {
+  if (p_F_m->z() > shape_.wall_m) return;
+  for (const int axis : {0, 1}) {
+    double& p_m = (*p_F_m)[axis];
+    if (std::abs(p_m) < half_m_[axis]) continue;
+    p_m = std::copysign(half_m_[axis] - 1e-6, p_m);
+    (*v_F_mps)[axis] = 0;
+  }
+}
+
+void Bed::Deposit(const Vec3& p_W_m, const Spoil& spoil) {
+  const Vec3 p_F = X_WF_.inverse() * p_W_m;
+  const int i = std::clamp(columns_.NearestI(p_F.x()), 0, columns_.nx() - 1);
+  const int j = std::clamp(columns_.NearestJ(p_F.y()), 0, columns_.ny() - 1);
+  columns_.Deposit(columns_.Touch(i, j), spoil);
+  load_.mass_kg += spoil.mass_kg;
+  load_.volume_m3 += spoil.volume_m3;
+}
+
+void Bed::Flow(double dt_s, Columns* ground, Grains* grains) {
+  if (load_.mass_kg <= 0) return;
+  avalanche_.Flow(dt_s, &columns_, grains);
+  const int last_i = columns_.nx() - 1, last_j = columns_.ny() - 1;
+  for (int j = 0; j <= last_j; ++j) {
+    for (int i = 0; i <= last_i; i += j == 0 || j == last_j ? 1 : last_i) {
+      if (columns_.TopAt(i, j) > shape_.wall_m + kOverRim_m) Overflow(i, j, ground, grains);
+    }
+  }
+}
+
+/// What stands above the rim at a border column falls off.
+void Bed::Overflow(int i, int j, Columns* ground, Grains* grains) {
+  const ColumnId k = columns_.Touch(i, j);
+  SpoilMix fallen;
+  columns_.TakeLoose(k, columns_.at(k).top_m - shape_.wall_m, &fallen);
+  load_.mass_kg -= fallen.mass_kg();
+  load_.volume_m3 -= fallen.volume_m3();
+  Vec3 out_F = Vec3::Zero();
+  if (i == 0 || i == columns_.nx() - 1) out_F.x() = i == 0 ? -1 : 1;
+  if (j == 0 || j == columns_.ny() - 1) out_F.y() = j == 0 ? -1 : 1;
+  Vec3 p_F(columns_.x_m(i), columns_.y_m(j), shape_.wall_m + kOverRim_m);
+  for (const int axis : {0, 1}) {
+    if (out_F[axis] != 0) p_F[axis] = out_F[axis] * (half_m_[axis] + kBesideWall_m);
+  }
+  const Vec3 p_W = X_WF_ * p_F;
+  grains->Pour(fallen, p_W, p_W, X_WF_.linear() * (kOverflow_mps * out_F), ground);
+}
+
+void Bed::Show(std::vector<TerrainSurface::Grain>* grains) const {
+  if (load_.mass_kg <= 0) return;
+  const double radius_m = kClodShown_cells * columns_.cell_m();
+  for (int j = 0; j < columns_.ny(); ++j) {
+    for (int i = 0; i < columns_.nx(); ++i) {
+      const TerrainSurface::Vertex vertex = columns_.surface().at(i, j);
+      if (vertex.height_m < kLeastShown_m) continue;
+      const Vec3 p_F(columns_.x_m(i), columns_.y_m(j), vertex.height_m - kClodSunk * radius_m);
+      grains->push_back({(X_WF_ * p_F).cast<float>(), static_cast<float>(radius_m),
+                         static_cast<std::uint16_t>(7 * i + 131 * j), vertex.cover.soil,
+                         vertex.cover.moisture});
+    }
+  }
+}
+
+}  // namespace tera

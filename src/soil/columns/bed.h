@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vector>
+
+#include "core/types/terrain_surface.h"
+#include "soil/columns/columns.h"
+#include "soil/flow/avalanche.h"
+#include "soil/soil.h"
+
+namespace tera {
+
+class Grains;
+
+/// A truck's bed and the soil that lies in it.
+///
+/// Frames  W; B of what carries the bed, which stands upright; F of the floor: axes of B, origin on
+///         the middle of the floor.
+/// Model   Columns of their own on the floor, F fixed, on which soil flows as on the ground; the
+///         walls are their border. What stands above the walls' rim at the border falls off beside
+///         the bed as clods. The soil is seen as clods at rest, one for each column.
+/// Omits   the carrier's tilt and acceleration, the walls' thickness and resistance to shovels.
+class Bed {
+ public:
+  Bed(const SoilBed& shape, const std::vector<SoilType>& soils);
+
+  void Move(const Pose& X_WB);
+  const Pose& X_WF() const { return X_WF_; }
+  /// Whether a point lies over the floor.
+  bool Holds(const Vec3& p_W_m) const;
+  /// The soil, and the floor where there is none, in F.
+  const Columns& columns() const { return columns_; }
+  /// Keeps a point in F within the walls, and takes the velocity into them.
+  void KeepWithinWalls(Vec3* p_F_m, Vec3* v_F_mps) const;
+  /// Lays soil down at a place in W.
+  void Deposit(const Vec3& p_W_m, const Spoil& spoil);
+  /// Lets the soil flow; what overflows is poured beside the bed.
+  void Flow(double dt_s, Columns* ground, Grains* grains);
+
+  BedLoad load() const { return load_; }
+  /// As the columns have it.
+  double mass_kg() const { return columns_.GroundGain().net_kg; }
+  /// The soil as it is seen.
+  void Show(std::vector<TerrainSurface::Grain>* grains) const;
+
+ private:
+  void Overflow(int i, int j, Columns* ground, Grains* grains);
+
+  SoilBed shape_;
+  Vec2 half_m_;  ///< of the inner box
+  Pose X_WF_ = Pose::Identity();
+  Columns columns_;
+  Avalanche avalanche_;
+  BedLoad load_;
+};
+
+}  // namespace tera

@@ -1,0 +1,188 @@
+#include "soil/columns/column.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "soil/columns/soil_type.h"
+
+namespace tera {
+namespace {
+
+constexpr double kThinnest_m = 1e-9;  ///< thinner layers are gone
+constexpr double kMostAtOnce = 0.5;   ///< of the layers' thickness is pressed in at once
+
+/// A share of a layer as soil on the move. The layer may be so little soil that it has mass but no
+/// thickness.
+Spoil Parcel(const SoilLayer& layer, double share, const SoilType& soil, double area_m2) {
+  const double kgpm2 = layer.kgpm2 * share;
+  const double volume_m = layer.loose ? layer.thickness_m * share
+                                      : kgpm2 / LooseDensity_kgpm3(soil);  // what stood swells
+  return {kgpm2 * area_m2, volume_m * area_m2, layer.soil, layer.moisture};
+}
+
+/// Two layers as one, of the heavier one's soil.
+SoilLayer Joined(const SoilLayer& a, const SoilLayer& b) {
+  SoilLayer joined = a.kgpm2 >= b.kgpm2 ? a : b;
+  joined.thickness_m = a.thickness_m + b.thickness_m;
+  joined.kgpm2 = a.kgpm2 + b.kgpm2;
+  if (joined.kgpm2 > 0) {
+    joined.moisture =
+        static_cast<float>((a.kgpm2 * a.moisture + b.kgpm2 * b.moisture) / joined.kgpm2);
+  }
+  return joined;
+}
+
+/// Makes room for one more layer: joins the two neighbours that are thinnest together.
+void JoinThinnest(Column* c) {
+  int best = 0;
+  double thinnest_m = std::numeric_limits<double>::infinity();
+  for (int n = 0; n + 1 < c->layer_count; ++n) {
+    const double together_m = c->layers[n].thickness_m + c->layers[n + 1].thickness_m;
+    if (together_m < thinnest_m) thinnest_m = together_m, best = n;
+  }
+  c->layers[best] = Joined(c->layers[best], c->layers[best + 1]);
+  std::move(c->layers.begin() + best + 2, c->layers.begin() + c->layer_count,
+            c->layers.begin() + best + 1);
+  --c->layer_count;
+}
+
+double Layers_m(const Column& c) {
+  double sum_m = 0;
+  for (int n = 0; n < c.layer_count; ++n) sum_m += c.layers[n].thickness_m;
+  return sum_m;
+}
+
+void AddLayer(const SoilLayer& layer, int at, Column* c) {
+  if (c->layer_count == Column::kMostLayers) {
+    JoinThinnest(c);
+    at = std::min(at, c->layer_count);
+  }
+  std::move_backward(c->layers.begin() + at, c->layers.begin() + c->layer_count,
+                     c->layers.begin() + c->layer_count + 1);
+  c->layers[at] = layer;
+  ++c->layer_count;
+}
+
+void CutBank(const ColumnMaterial& m, double z_m, Column* c, SpoilMix* cut) {
+  double top_m = c->ground_m - c->bank_m;  // depths
+  const double bottom_m = c->ground_m - z_m;
+  while (top_m < bottom_m) {
+    const Stratum& stratum = m.profile.Below(top_m);
+    const double thickness_m = std::min(bottom_m, stratum.bottom_m) - top_m;
+    const SoilLayer layer{thickness_m, thickness_m * stratum.density_kgpm3, stratum.moisture,
+                          stratum.soil, false};
+    cut->Add(Parcel(layer, 1, m.soils[stratum.soil], m.area_m2));
+    top_m = std::min(bottom_m, stratum.bottom_m);
+  }
+  c->bank_m = z_m;
+}
+
+/// Loose soil at the surface gives way until it is as dense as bank soil, and then stands like it.
+/// Returns what is left of `ds_m`.
+double SettleLoose(const ColumnMaterial& m, double ds_m, Column* c) {
+  for (int n = c->layer_count - 1; n >= 0 && c->layers[n].loose && ds_m > 0; --n) {
+    SoilLayer& layer = c->layers[n];
+    const double least_m = layer.kgpm2 / m.soils[layer.soil].bank_density_kgpm3;
+    const double take_m = std::min(ds_m, std::max(0.0, layer.thickness_m - least_m));
+    layer.thickness_m -= take_m;
+    ds_m -= take_m;
+    if (layer.thickness_m - least_m < kThinnest_m) layer.loose = false;
+  }
+  return ds_m;
+}
+
+/// Makes undisturbed soil part of the layers, so that these are `influence_m` thick.
+void ReachDown(const ColumnMaterial& m, double influence_m, Column* c) {
+  const double more_m = influence_m - Layers_m(*c);
+  if (more_m <= 0) return;
+  const double depth_m = c->ground_m - c->bank_m;
+  const Stratum& stratum = m.profile.Below(depth_m);
+  const SoilLayer layer{more_m, m.profile.Mass_kgpm2(depth_m, depth_m + more_m), stratum.moisture,
+                        stratum.soil, false};
+  c->bank_m -= more_m;
+  if (c->layer_count > 0 && !c->layers[0].loose && c->layers[0].soil == layer.soil) {
+    c->layers[0] = Joined(c->layers[0], layer);
+  } else {
+    AddLayer(layer, 0, c);
+  }
+}
+
+/// Makes the layers thinner, each by its share, and takes out what exceeds the greatest density.
+void Compact(const ColumnMaterial& m, double ds_m, Column* c, SpoilMix* beside) {
+  const double share = 1 - ds_m / Layers_m(*c);
+  for (int n = 0; n < c->layer_count; ++n) {
+    SoilLayer& layer = c->layers[n];
+    const SoilType& soil = m.soils[layer.soil];
+    layer.thickness_m *= share;
+    const double excess_kgpm2 = layer.kgpm2 - layer.thickness_m * soil.max_density_kgpm3;
+    if (excess_kgpm2 <= 0) continue;
+    layer.kgpm2 -= excess_kgpm2;
+    const double mass_kg = excess_kgpm2 * m.area_m2;
+    beside->Add({mass_kg, mass_kg / LooseDensity_kgpm3(soil), layer.soil, layer.moisture});
+  }
+}
+
+}  // namespace
+
+double Column::loose_m() const {
+  double sum_m = 0;
+  for (int n = layer_count - 1; n >= 0 && layers[n].loose; --n) sum_m += layers[n].thickness_m;
+  return sum_m;
+}
+
+double Column::Gain_kgpm2(const GroundProfile& profile) const {
+  double gain_kgpm2 = 0;
+  for (int n = 0; n < layer_count; ++n) gain_kgpm2 += layers[n].kgpm2;
+  if (bank_m < ground_m) gain_kgpm2 -= profile.Mass_kgpm2(0, ground_m - bank_m);
+  return gain_kgpm2;
+}
+
+void CutColumn(const ColumnMaterial& m, double z_m, Column* c, SpoilMix* cut) {
+  while (c->layer_count > 0 && c->top_m > z_m) {
+    SoilLayer& layer = c->layers[c->layer_count - 1];
+    if (!layer.loose) c->pressed_m = 0;
+    const bool whole = c->top_m - z_m > layer.thickness_m - kThinnest_m;
+    const double share = whole ? 1 : (c->top_m - z_m) / layer.thickness_m;
+    cut->Add(Parcel(layer, share, m.soils[layer.soil], m.area_m2));
+    c->top_m -= layer.thickness_m * share;
+    if (whole) {
+      --c->layer_count;
+    } else {
+      layer.kgpm2 *= 1 - share;
+      layer.thickness_m *= 1 - share;
+    }
+  }
+  if (c->layer_count == 0 && c->bank_m > z_m) {
+    CutBank(m, z_m, c, cut);
+    c->pressed_m = 0;
+  }
+  c->top_m = c->bank_m + Layers_m(*c);
+}
+
+void DepositOn(const ColumnMaterial& m, const Spoil& spoil, Column* c) {
+  const SoilLayer layer{spoil.volume_m3 / m.area_m2, spoil.mass_kg / m.area_m2, spoil.moisture,
+                        spoil.soil, true};
+  SoilLayer* top = c->layer_count > 0 ? &c->layers[c->layer_count - 1] : nullptr;
+  if (top != nullptr && top->loose && top->soil == layer.soil) {
+    *top = Joined(*top, layer);
+  } else {
+    AddLayer(layer, c->layer_count, c);
+  }
+  c->pressed_m = std::max(0.0, c->pressed_m - layer.thickness_m);
+  c->top_m = c->bank_m + Layers_m(*c);
+}
+
+void PressColumn(const ColumnMaterial& m, double ds_m, double influence_m, Column* c,
+                 SpoilMix* beside) {
+  c->pressed_m += ds_m;
+  double rest_m = SettleLoose(m, ds_m, c);
+  while (rest_m > 0) {
+    ReachDown(m, influence_m, c);
+    const double step_m = std::min(rest_m, kMostAtOnce * Layers_m(*c));
+    Compact(m, step_m, c, beside);
+    rest_m -= step_m;
+  }
+  c->top_m = c->bank_m + Layers_m(*c);
+}
+
+}  // namespace tera

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "core/config/config.h"
+#include "soil/soil.h"
+
+namespace tera {
+
+/// Reads the keys of one soil (see config/soils/dirt.yaml). Faults go to `config`.
+SoilType ReadSoilType(const ConfigMap& config);
+
+/// File of the soil that TERA ships under `name`, if there is one.
+std::optional<std::filesystem::path> ShippedSoilFile(const std::string& name);
+
+/// Names of all shipped soils, sorted, separated by commas.
+std::string ShippedSoilNames();
+
+/// The soil as a machine of that footing meets it.
+SoilType Met(const SoilType& soil, const Footing& footing);
+
+/// Density of the soil right after it was dug or dumped.
+inline double LooseDensity_kgpm3(const SoilType& soil) {
+  return soil.bank_density_kgpm3 / soil.swell;
+}
+
+/// Bearing factors of a strip footing for local shear (soil that compresses before it fails: two
+/// thirds of tan phi): Reissner's N_q, Prandtl's N_c and Vesic's N_gamma.
+/// Source: Terzaghi 1943; Das, Principles of Foundation Engineering, ch. 3.
+struct BearingFactors {
+  double n_c, n_q, n_gamma;
+  double friction_angle_rad;  ///< the reduced one
+};
+BearingFactors LocalShear(double friction_angle_rad);
+
+/// Terzaghi's bearing pressure of a strip `width_m` wide pressed in at `depth_m`, for local shear
+/// (soil that compresses before it fails: two thirds of cohesion and tan phi):
+/// c N_c + rho g depth N_q + rho g width N_gamma / 2, with Reissner's N_q, Prandtl's N_c and
+/// Vesic's N_gamma. Source: Terzaghi 1943; Das, Principles of Foundation Engineering, ch. 3.
+double BearingPressure_pa(const SoilType& soil, double width_m, double depth_m);
+
+}  // namespace tera

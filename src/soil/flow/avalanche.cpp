@@ -1,0 +1,241 @@
+#include "soil/flow/avalanche.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+constexpr double kStart_rad = 1.1 * kDeg;   ///< the start angle lies this far above repose
+constexpr double kSlow_rad = 0.9 * kDeg;    ///< friction of slow flow lies this far above it
+constexpr double kFast_rad = -12.5 * kDeg;  ///< friction of fast flow lies this far below it
+constexpr double kLeastAngle_rad = 1 * kDeg;
+constexpr double kSlowSpeed_mps = 0.25, kFastSpeed_mps = 0.55;  ///< friction falls in between
+constexpr double kThin_m = 0.04, kThick_m = 0.10;               ///< of thin flows and thick ones
+constexpr double kStrengthening_spm = 0.15;  ///< of the friction of thin flows, for each m/s
+constexpr double kCreep_mps = 0.005;         ///< slower flows come to rest where none would start
+constexpr double kTrickle_m2ps = 2e-5;       ///< so do flows of less volume for each metre of width
+constexpr double kStep_s = 0.008;           ///< flow is slow beside tools, which need shorter steps
+constexpr double kLongestStep_cells = 0.5;  ///< soil moves no farther in a step
+/// Share of the start angle's slope below which, along both axes, no column starts to flow.
+constexpr double kGentle = 0.65;
+constexpr double kLevel = 1e-9;           ///< a gradient that is none
+constexpr double kFilm_m = 1e-4;          ///< the thinnest layer that flows
+constexpr double kMobileOverExcess = 20;  ///< thickness that flows over what stands too steep
+
+/// Of numbers that neither overflow nor vanish: quicker than std::hypot.
+double Norm(double x, double y) { return std::sqrt(x * x + y * y); }
+
+/// From 0 at `low` to 1 at `high`.
+double Ramp(double x, double low, double high) {
+  return std::clamp((x - low) / (high - low), 0.0, 1.0);
+}
+
+}  // namespace
+
+Avalanche::Avalanche(const std::vector<SoilType>& soils) : walls_(soils) {
+  for (const SoilType& soil : soils) {
+    const double repose_rad = soil.repose_angle_rad;
+    friction_.push_back({std::tan(repose_rad + kStart_rad), std::tan(repose_rad + kSlow_rad),
+                         std::tan(std::max(kLeastAngle_rad, repose_rad + kFast_rad))});
+  }
+}
+
+/// Makes the column and its neighbours active.
+void Avalanche::Wake(ColumnId k, Columns* ground) {
+  if (ground->IsWithinTile(k)) return active_.AddWithNeighbours(k);
+  for (int dj = -1; dj <= 1; ++dj) {
+    for (int di = -1; di <= 1; ++di) {
+      ColumnId m = ground->BesideId(k, di, dj);
+      if (m == Columns::kNone) {
+        const auto [i, j] = ground->PlaceOf(k);
+        if (!ground->Contains(i + di, j + dj)) continue;
+        m = ground->Touch(i + di, j + dj);
+      }
+      active_.Add(m);
+    }
+  }
+}
+
+double Avalanche::VelocityOf(ColumnId k, int di, int dj, Axis axis, const Columns& ground) const {
+  const ColumnId m = ground.BesideId(k, di, dj);
+  return m == Columns::kNone || m >= motion_.size() ? 0.0 : motion_[m].face_mps[axis];
+}
+
+/// Whether soil crosses one of a column's faces.
+bool Avalanche::Flows(ColumnId k, const Columns& ground) const {
+  return motion_[k].face_mps[kX] != 0 || motion_[k].face_mps[kY] != 0 ||
+         VelocityOf(k, -1, 0, kX, ground) != 0 || VelocityOf(k, 0, -1, kY, ground) != 0;
+}
+
+/// Finds a column's slopes, and whether it neither flows nor is steep enough to start.
+void Avalanche::LookAround(ColumnId k, const Columns& ground) {
+  const Columns::Skin& c = ground.skin(k);
+  double steepest_m = 0;
+  std::uint8_t soil = c.soil;
+  /// By how much loose soil beside stands higher, or here.
+  const auto loose_rise_m = [&](int di, int dj) {
+    const Columns::Skin* beside = ground.Beside(k, di, dj);
+    if (beside == nullptr) return 0.0;
+    const double rise_m = beside->top_m - c.top_m;
+    if (rise_m > steepest_m && beside->is_loose) soil = beside->soil;
+    steepest_m = std::max(steepest_m, std::abs(rise_m));
+    return rise_m > 0 ? std::min(rise_m, beside->loose_m) : std::max(rise_m, -c.loose_m);
+  };
+  Motion& motion = motion_[k];
+  const double along_x_m = loose_rise_m(1, 0) - loose_rise_m(-1, 0);
+  const double along_y_m = loose_rise_m(0, 1) - loose_rise_m(0, -1);
+  motion.across_slope[kX] = 0.5 * along_y_m / ground.cell_m();
+  motion.across_slope[kY] = 0.5 * along_x_m / ground.cell_m();
+  motion.rests =
+      steepest_m <= kGentle * friction_[soil].tan_start * ground.cell_m() && !Flows(k, ground);
+}
+
+/// Velocity of the face between a column and the one beside, after the step.
+double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
+                               const Columns& ground, double* gradient) const {
+  const Columns::Skin &a = ground.skin(k), &b = ground.skin(to);
+  const bool downhill = a.top_m >= b.top_m;
+  const Columns::Skin &high = downhill ? a : b, &low = downhill ? b : a;
+  if (high.top_m > low.blocked_m || !high.is_loose) return 0;
+  const double cell_m = ground.cell_m();
+  const double before_mps = motion_[k].face_mps[axis];
+  const double slope = (b.top_m - a.top_m) / cell_m;
+  const Friction& friction = friction_[high.soil];
+
+  const int di = axis == kX ? 1 : 0, dj = 1 - di;  // along the axis; across it is (dj, di)
+  const Axis other = axis == kX ? kY : kX;
+  const double across_slope =
+      0.5 * (motion_[k].across_slope[axis] + motion_[to].across_slope[axis]);
+  const double across_mps =
+      0.25 * (motion_[k].face_mps[other] + motion_[to].face_mps[other] +
+              VelocityOf(k, -dj, -di, other, ground) + VelocityOf(to, -dj, -di, other, ground));
+  const bool rests = before_mps == 0 && across_mps == 0;
+  const bool is_steep =
+      slope * slope + across_slope * across_slope > friction.tan_start * friction.tan_start;
+  if (rests && !is_steep) return 0;
+  *gradient = Norm(slope, across_slope);
+
+  // Momentum that the flow itself brings, from upstream.
+  const auto upstream = [&](double speed_mps, int i, int j) {
+    if (speed_mps == 0) return 0.0;
+    const int sign = speed_mps > 0 ? -1 : 1;
+    return std::abs(speed_mps) * (before_mps - VelocityOf(k, sign * i, sign * j, axis, ground)) /
+           cell_m;
+  };
+  const double carried_mps2 = upstream(before_mps, di, dj) + upstream(across_mps, dj, di);
+  const double along_mps = before_mps - dt_s * (kStandardGravity_mps2 * slope + carried_mps2);
+  const double driven_across_mps = across_mps - dt_s * kStandardGravity_mps2 * across_slope;
+  const double speed_mps = Norm(along_mps, driven_across_mps);
+  const double mobile_m = std::max(motion_[k].mobile_m, motion_[to].mobile_m);
+  const double thick = Ramp(mobile_m, kThin_m, kThick_m);
+  const double fast = thick * Ramp(Norm(before_mps, across_mps), kSlowSpeed_mps, kFastSpeed_mps);
+  const double tan_friction = friction.tan_slow + fast * (friction.tan_fast - friction.tan_slow) +
+                              (1 - thick) * kStrengthening_spm * speed_mps;
+  const double braked_mps = tan_friction * kStandardGravity_mps2 * dt_s;
+  const double left_mps = speed_mps - braked_mps;
+  const bool creeps = left_mps < kCreep_mps || left_mps * mobile_m < kTrickle_m2ps;
+  if (speed_mps <= braked_mps || (creeps && !is_steep)) return 0;
+  const double most_mps = kLongestStep_cells * cell_m / dt_s;
+  return std::clamp(along_mps * (1 - braked_mps / speed_mps), -most_mps, most_mps);
+}
+
+void Avalanche::FindFluxes(double dt_s, const Columns& ground) {
+  fluxes_.clear();
+  for (const ColumnId k : visited_) {
+    for (const Axis axis : {kX, kY}) {
+      const ColumnId to = ground.BesideId(k, axis == kX ? 1 : 0, axis == kX ? 0 : 1);
+      if (to == Columns::kNone || !is_visited_.Contains(to)) continue;
+      if (motion_[k].rests && motion_[to].rests) continue;
+      double gradient = 0;
+      const double velocity_mps = FaceVelocity(k, to, axis, dt_s, ground, &gradient);
+      if (velocity_mps != 0 || motion_[k].face_mps[axis] != 0) {
+        fluxes_.push_back({k, to, axis, velocity_mps, gradient});
+      }
+    }
+  }
+}
+
+/// A flow takes with it the soil that stands above the slope that friction holds, each face its
+/// share of the full gradient.
+void Avalanche::Mobilise(const Flux& flux, const Columns& ground) {
+  Motion& source = motion_[flux.source()];
+  const Columns::Skin& c = ground.skin(flux.source());
+  const double drop_m = c.top_m - ground.skin(flux.target()).top_m;
+  const double excess_m =
+      drop_m * std::max(0.0, 1 - friction_[c.soil].tan_slow / std::max(flux.gradient, kLevel));
+  source.mobile_m =
+      std::min(c.loose_m, std::max({source.mobile_m, kFilm_m, kMobileOverExcess * excess_m}));
+}
+
+/// Thickness of the layer that a flux takes from its source in a step, if there is enough.
+double Avalanche::Wanted_m(const Flux& flux, double dt_s, const Columns& ground) {
+  const double loose_m = ground.skin(flux.source()).loose_m;
+  double& velocity_mps = motion_[flux.column].face_mps[flux.axis];
+  velocity_mps = loose_m > 0 ? flux.velocity_mps : 0;
+  if (velocity_mps == 0) return 0;
+  Mobilise(flux, ground);
+  if (loose_m >= kFilm_m) {
+    return std::abs(velocity_mps) * dt_s / ground.cell_m() * motion_[flux.source()].mobile_m;
+  }
+  velocity_mps = 0;  // a film leaves at once, and has no momentum to speak of
+  return loose_m;
+}
+
+/// Lets the new velocities carry loose soil, no column giving more than it has.
+void Avalanche::MoveSoil(double dt_s, Columns* ground) {
+  moved_.clear();
+  for (const Flux& flux : fluxes_) {
+    const double thickness_m = Wanted_m(flux, dt_s, *ground);
+    if (thickness_m <= 0) continue;
+    motion_[flux.source()].outflow_m += thickness_m;
+    moved_.push_back({flux.source(), flux.target(), thickness_m});
+  }
+  for (Columns::Transfer& moved : moved_) {
+    const Motion& source = motion_[moved.from];
+    if (source.outflow_m > source.mobile_m) moved.thickness_m *= source.mobile_m / source.outflow_m;
+  }
+  ground->Transport(moved_);
+  for (const Columns::Transfer& moved : moved_) {
+    motion_[moved.from].outflow_m = 0;
+    motion_[moved.from].mobile_m -= moved.thickness_m;
+    motion_[moved.to].mobile_m += moved.thickness_m;
+  }
+}
+
+/// Lets the banks that cannot stand fail, all judged by one state of the ground.
+void Avalanche::FailWalls(double dt_s, Columns* ground, Grains* grains) {
+  std::vector<StandingWalls::Failure> failures;
+  for (const ColumnId k : visited_) {
+    if (const auto failure = walls_.FailureAt(k, *ground)) failures.push_back(*failure);
+  }
+  for (const StandingWalls::Failure& failure : failures) {
+    if (!walls_.Fail(failure, dt_s, ground, grains)) active_.Add(failure.column);  // it waits
+  }
+}
+
+void Avalanche::Flow(double dt_s, Columns* ground, Grains* grains) {
+  pending_s_ += dt_s;
+  if (pending_s_ + 0.5 * dt_s < kStep_s) return;
+  Step(std::exchange(pending_s_, 0), ground, grains);
+}
+
+void Avalanche::Step(double dt_s, Columns* ground, Grains* grains) {
+  for (const ColumnId k : ground->TakeChanged()) Wake(k, ground);
+  motion_.resize(ground->id_end());
+  is_visited_.clear();
+  std::swap(active_, is_visited_);
+  is_visited_.ListTo(&visited_);
+  FailWalls(dt_s, ground, grains);
+  for (const ColumnId k : visited_) LookAround(k, *ground);
+  FindFluxes(dt_s, *ground);
+  for (const ColumnId k : visited_) {
+    if (!Flows(k, *ground)) motion_[k].mobile_m = 0;
+  }
+  MoveSoil(dt_s, ground);
+}
+
+}  // namespace tera

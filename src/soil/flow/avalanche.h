@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "soil/columns/column_set.h"
+#include "soil/columns/columns.h"
+#include "soil/flow/standing_wall.h"
+
+namespace tera {
+
+class Grains;
+
+/// Loose soil that flows down slopes, and banks that fail.
+///
+/// Model   Depth-averaged flow of the loose soil on top of each column, over what stands. The faces
+///         between columns have velocities: gravity drives them down the slope of the surface,
+///         momentum is carried along, and Coulomb friction acts against the flow's direction. The
+///         slope that counts is the surface's full gradient, so that piles are round. Ground at
+///         rest starts to flow where it is steeper than the start angle; friction of slow flow lies
+///         between that and the angle of repose. That of thin flows rises with their speed, that of
+///         thick and fast ones lies below, by as much as lets columns run out as far as Lube
+///         measured. What flows is several times the part of
+///         the loose soil that stands above the slope of slow friction, and what has come along;
+///         what lies deeper rests. All velocities of a step come from one state,
+///         and so do all masses: the order of columns does not matter. Banks fail as in
+///         StandingWalls. Only columns near a change are visited. Nothing flows into a column in
+///         which a tool stands lower than the surface beside.
+/// Omits   vertical acceleration, earth pressure other than hydrostatic, entrainment of bank soil,
+///         flow over the site's border.
+/// Source  Savage and Hutter 1989; runout of columns: Lube et al. 2004; start and stop angles:
+///         Pouliquen and Forterre 2002; friction that rises with speed: Jop et al. 2006.
+class Avalanche {
+ public:
+  explicit Avalanche(const std::vector<SoilType>& soils);
+  /// Lets time pass. Every few milliseconds of it, visits columns changed since the last visit and
+  /// those still flowing. Wedges that fail become grains.
+  void Flow(double dt_s, Columns* ground, Grains* grains);
+  /// Columns to be visited next, besides those that change until then.
+  std::size_t active_count() const { return active_.size(); }
+
+ private:
+  enum Axis { kX = 0, kY = 1 };
+  struct Motion {
+    double face_mps[2] = {0, 0};  ///< on the faces towards +x and +y
+    double mobile_m = 0;          ///< of the loose soil, from the surface down: the part that flows
+    double outflow_m = 0;         ///< of it wanted in this step
+    bool rests = true;            ///< of a visited one: it does not flow and is gentle
+    /// Of a visited one: slope of the loose soil across each axis. What stands firm, above it or
+    /// below, pushes nothing sideways.
+    double across_slope[2] = {0, 0};
+  };
+  struct Friction {
+    double tan_start, tan_slow, tan_fast;
+  };
+  struct Flux {
+    ColumnId column, beside;  ///< on both sides of a face
+    Axis axis;
+    double velocity_mps;
+    double gradient;  ///< of the surface there, along both axes
+
+    ColumnId source() const { return velocity_mps > 0 ? column : beside; }
+    ColumnId target() const { return velocity_mps > 0 ? beside : column; }
+  };
+  void Step(double dt_s, Columns* ground, Grains* grains);
+  void FailWalls(double dt_s, Columns* ground, Grains* grains);
+  void Wake(ColumnId k, Columns* ground);
+  double VelocityOf(ColumnId k, int di, int dj, Axis axis, const Columns& ground) const;
+  bool Flows(ColumnId k, const Columns& ground) const;
+  void LookAround(ColumnId k, const Columns& ground);
+  double FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s, const Columns& ground,
+                      double* gradient) const;
+  void FindFluxes(double dt_s, const Columns& ground);
+  void Mobilise(const Flux& flux, const Columns& ground);
+  double Wanted_m(const Flux& flux, double dt_s, const Columns& ground);
+  void MoveSoil(double dt_s, Columns* ground);
+
+  double pending_s_ = 0;  ///< passed since the last visit
+  StandingWalls walls_;
+  std::vector<Friction> friction_;  ///< one for each soil
+  ColumnSet active_;                ///< to be visited at the next step
+  ColumnSet is_visited_;            ///< in this step
+  std::vector<ColumnId> visited_;   ///< the same, in the order of their ids
+  std::vector<Motion> motion_;      ///< by id
+  std::vector<Flux> fluxes_;
+  std::vector<Columns::Transfer> moved_;  ///< by the fluxes
+};
+
+}  // namespace tera

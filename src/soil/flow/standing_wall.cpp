@@ -1,0 +1,179 @@
+#include "soil/flow/standing_wall.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/units.h"
+#include "soil/flow/grains.h"
+
+namespace tera {
+namespace {
+
+constexpr int kLookDown = 12;  ///< columns over which a bank's height is measured
+constexpr double kLeastOverhang_m = 2e-4;
+constexpr double kLeastWedge_m = 0.1;    ///< soil that stands no higher crumbles
+constexpr double kBreakSpeed_mps = 1.0;  ///< at which it does
+constexpr double kVeneer_m = 0.05;       ///< more loose soil than this covers what would crumble
+constexpr double kLongestWedge_m = 10;
+/// Sum of the directions in which ground falls away; if shorter, it does so on all sides alike.
+constexpr double kLeastLean = 0.1;
+constexpr double kSide = 1 + 1e-9;  ///< columns on the side of a strip belong to it
+
+struct Direction {
+  int di, dj;
+  double distance;  ///< in cells
+};
+const std::array<Direction, 8> kDirections = {{{1, 0, 1},
+                                               {-1, 0, 1},
+                                               {0, 1, 1},
+                                               {0, -1, 1},
+                                               {1, 1, std::sqrt(2.0)},
+                                               {-1, -1, std::sqrt(2.0)},
+                                               {1, -1, std::sqrt(2.0)},
+                                               {-1, 1, std::sqrt(2.0)}}};
+
+/// Soil of a column's bank at its top, and the height over which it reaches down.
+struct Bank {
+  std::uint8_t soil;
+  double top_m, thickness_m;
+};
+
+Bank BankAt(ColumnId k, const Columns& ground) {
+  const Column& c = ground.at(k);
+  const Stratum& stratum = ground.BankOf(k);
+  const double stratum_m = c.bank_m - (c.ground_m - stratum.bottom_m);
+  double top_m = c.top_m;
+  int n = c.layer_count;
+  for (; n > 0 && c.layers[n - 1].loose; --n) top_m -= c.layers[n - 1].thickness_m;
+  if (n == 0) return {stratum.soil, top_m, stratum_m};
+  Bank bank{c.layers[n - 1].soil, top_m, 0};
+  for (; n > 0 && c.layers[n - 1].soil == bank.soil; --n) {
+    bank.thickness_m += c.layers[n - 1].thickness_m;
+  }
+  if (n == 0 && stratum.soil == bank.soil) bank.thickness_m += stratum_m;
+  return bank;
+}
+
+/// Level direction, of length 1, in which the ground beside a column falls away to below `z_m`;
+/// zero where it does so on all sides alike.
+Vec2 Outward(const Columns::Place& place, double z_m, const Columns& ground) {
+  Vec2 sum = Vec2::Zero();
+  for (const auto& [di, dj, distance] : kDirections) {
+    if (!ground.Contains(place.i + di, place.j + dj)) continue;
+    if (ground.TopAt(place.i + di, place.j + dj) < z_m) sum += Vec2(di, dj) / distance;
+  }
+  return sum.norm() > kLeastLean ? Vec2(sum.normalized()) : Vec2(Vec2::Zero());
+}
+
+/// The wedge behind an edge becomes clods, in a strip as wide as the column at the edge.
+void SlideOff(const StandingWalls::Failure& failure, Columns* ground, Grains* grains) {
+  const auto [i0, j0] = ground->PlaceOf(failure.column);
+  const Vec2 edge(ground->x_m(i0), ground->y_m(j0)), out = failure.out;
+  const double friction_rad = ground->soils()[failure.soil].friction_angle_rad;
+  const double tan_plane =
+      std::tan(0.5 * (std::atan2(failure.drop_m, failure.run_m) + friction_rad));
+  const double toe_m = failure.top_m - failure.drop_m;
+  const double half_m = 0.5 * ground->cell_m() * (std::abs(out.x()) + std::abs(out.y()));
+  const double reach_m = std::min(kLongestWedge_m, failure.drop_m / tan_plane) + failure.run_m;
+  const int reach = static_cast<int>(std::ceil(reach_m / ground->cell_m()));
+  for (int j = j0 - reach; j <= j0 + reach; ++j) {
+    for (int i = i0 - reach; i <= i0 + reach; ++i) {
+      if (!ground->Contains(i, j)) continue;
+      const Vec2 at(ground->x_m(i), ground->y_m(j));
+      const double behind_m = (edge - at).dot(out);
+      const double aside_m =
+          out.isZero() ? (at - edge).norm() : (edge - at - behind_m * out).norm();
+      if (aside_m > half_m * kSide || behind_m < -failure.run_m * kSide) continue;
+      const double plane_m = toe_m + tan_plane * (failure.run_m + behind_m + half_m);
+      if (plane_m >= failure.top_m || plane_m >= ground->TopAt(i, j)) continue;
+      const ColumnId k = ground->Touch(i, j);
+      if (ground->IsBlocked(k)) continue;
+      const double top_m = ground->skin(k).top_m;
+      SpoilMix slid;
+      ground->Cut(k, plane_m, &slid);
+      grains->Pour(slid, Vec3(at.x(), at.y(), plane_m), Vec3(at.x(), at.y(), top_m), Vec3::Zero(),
+                   ground, Grains::Kind::kFirm);
+    }
+  }
+}
+
+}  // namespace
+
+double CulmannHeight_m(const SoilType& soil, double slope_rad) {
+  if (slope_rad <= soil.friction_angle_rad) return std::numeric_limits<double>::infinity();
+  if (soil.cohesion_pa == 0) return 0;
+  return 4 * soil.cohesion_pa / (soil.bank_density_kgpm3 * kStandardGravity_mps2) *
+         std::sin(slope_rad) * std::cos(soil.friction_angle_rad) /
+         (1 - std::cos(slope_rad - soil.friction_angle_rad));
+}
+
+StandingWalls::StandingWalls(const std::vector<SoilType>& soils) {
+  for (const SoilType& soil : soils) {
+    limits_.push_back({std::tan(std::max(soil.friction_angle_rad, soil.repose_angle_rad)),
+                       CulmannHeight_m(soil, kPi / 2)});
+    least_tan_stand_ = std::min(least_tan_stand_, limits_.back().tan_stand);
+  }
+}
+
+/// A quick look before a closer one.
+bool StandingWalls::IsEdge(ColumnId k, const Columns& ground) const {
+  const Columns::Skin& c = ground.skin(k);
+  const double straight_m = c.top_m - c.loose_m - least_tan_stand_ * ground.cell_m();
+  const double diagonal_m =
+      c.top_m - c.loose_m - std::sqrt(2.0) * least_tan_stand_ * ground.cell_m();
+  if (ground.IsWithinTile(k)) {
+    return std::any_of(kDirections.begin(), kDirections.end(), [&](const Direction& d) {
+      return (&c + Columns::Step(d.di, d.dj))->top_m < (d.distance > 1 ? diagonal_m : straight_m);
+    });
+  }
+  return std::any_of(kDirections.begin(), kDirections.end(), [&](const Direction& d) {
+    const Columns::Skin* beside = ground.Beside(k, d.di, d.dj);
+    return beside == nullptr || beside->top_m < (d.distance > 1 ? diagonal_m : straight_m);
+  });
+}
+
+std::optional<StandingWalls::Failure> StandingWalls::FailureAt(ColumnId k,
+                                                               const Columns& ground) const {
+  if (!IsEdge(k, ground) || ground.IsBlocked(k)) return std::nullopt;
+  const Bank bank = BankAt(k, ground);
+  const SoilType& soil = ground.soils()[bank.soil];
+  const Limit& limit = limits_[bank.soil];
+  const auto [i, j] = ground.PlaceOf(k);
+  std::optional<Failure> worst;
+  double edge_drop_m = 0;  // to the neighbour on that side
+  for (const auto& [di, dj, distance] : kDirections) {
+    const double step_m = distance * ground.cell_m();
+    for (int m = 1; m <= kLookDown && ground.Contains(i + m * di, j + m * dj); ++m) {
+      const ColumnId below = ground.IdAt(i + m * di, j + m * dj);
+      if (below != Columns::kNone && ground.IsBlocked(below)) break;  // a tool holds the bank up
+      const double fall_m = bank.top_m - ground.TopAt(i + m * di, j + m * dj);
+      if (m == 1 && fall_m <= limit.tan_stand * step_m) break;  // no edge on this side
+      const double drop_m = std::min(bank.thickness_m, fall_m);
+      const double run_m = (m - 1) * step_m;
+      const double stands_m = std::max(limit.upright_m, limit.tan_stand * m * step_m);
+      const double overhang_m = drop_m - stands_m;
+      if (overhang_m <= (worst ? worst->overhang_m : kLeastOverhang_m)) continue;
+      if (drop_m <= CulmannHeight_m(soil, std::atan2(drop_m, run_m))) continue;
+      worst = {k, bank.soil, bank.top_m, drop_m, run_m, overhang_m, Vec2::Zero()};
+      edge_drop_m = bank.top_m - ground.TopAt(i + di, j + dj);
+    }
+  }
+  if (worst) worst->out = Outward({i, j}, bank.top_m - 0.5 * edge_drop_m, ground);
+  return worst;
+}
+
+bool StandingWalls::Fail(const Failure& failure, double dt_s, Columns* ground,
+                         Grains* grains) const {
+  if (limits_[failure.soil].upright_m > kLeastWedge_m) {
+    if (grains->is_crowded()) return false;
+    SlideOff(failure, ground, grains);
+    return true;
+  }
+  const double loose_m = ground->skin(failure.column).loose_m;
+  if (loose_m > kVeneer_m) return true;  // visited again when it has slid off
+  ground->Break(failure.column, loose_m + std::min(failure.overhang_m, kBreakSpeed_mps * dt_s));
+  return true;
+}
+
+}  // namespace tera

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "soil/columns/columns.h"
+
+namespace tera {
+
+class Grains;
+
+/// Greatest height at which a bank of slope `slope_rad` stands (infinite below the friction angle).
+/// Source  Culmann's wedge: Das, Principles of Geotechnical Engineering, ch. 15; upright it is
+///         4 c / (rho g) tan(45 deg + phi / 2).
+double CulmannHeight_m(const SoilType& soil, double slope_rad);
+
+/// Banks, and the failing of those too high to stand.
+///
+/// Model   Columns are upright prisms: between neighbours of unequal height stands an upright wall.
+///         A bank stands up to Culmann's critical height for its slope from the wall at its edge to
+///         that at its toe, looking down over several columns in eight directions; loose soil on
+///         top does not count, loose soil at the toe supports, and so does a tool. A cohesive bank
+///         that is too high loses the wedge above the plane through its toe at half the sum of
+///         slope and friction angle: it becomes clods where it stood, which slide down the plane.
+///         One with no or little cohesion crumbles at the surface into loose soil, down to the
+///         slope of internal friction.
+/// Omits   surcharge behind the edge, water in cracks, undercut banks, banks held up by what lies
+///         under a weaker soil: each soil stands by its own strength.
+class StandingWalls {
+ public:
+  struct Failure {
+    ColumnId column;    ///< at the edge
+    std::uint8_t soil;  ///< that does not stand
+    double top_m;       ///< z of the bank, below what lies loose on it
+    double drop_m;      ///< from there to the toe
+    double run_m;       ///< from the wall at the edge to that at the toe
+    double overhang_m;  ///< of the drop, more than stands
+    Vec2 out;           ///< level direction, of length 1, in which it falls; zero on all sides
+  };
+
+  explicit StandingWalls(const std::vector<SoilType>& soils);
+  /// Whether the top of a column is the edge of a bank that cannot stand.
+  std::optional<Failure> FailureAt(ColumnId k, const Columns& ground) const;
+  /// Lets a bank fail for `dt_s`. A wedge waits, false, while too many clods are under way.
+  bool Fail(const Failure& failure, double dt_s, Columns* ground, Grains* grains) const;
+
+ private:
+  struct Limit {
+    double tan_stand;  ///< of the slope that stands at any height
+    double upright_m;  ///< critical height of an upright wall
+  };
+  bool IsEdge(ColumnId k, const Columns& ground) const;
+
+  std::vector<Limit> limits_;  ///< one for each soil
+  double least_tan_stand_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace tera

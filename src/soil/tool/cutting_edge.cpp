@@ -1,0 +1,183 @@
+#include "soil/tool/cutting_edge.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.h"
+#include "soil/tool/earthmoving.h"
+
+namespace tera {
+namespace {
+
+constexpr double kElasticTravel_m = 0.006;  ///< travel over which the force builds up
+constexpr double kLookAhead_m = 0.30;       ///< over which the ground's slope ahead is measured
+constexpr double kNearAhead_cells = 1.5;    ///< where the depth is measured: past the cut itself
+constexpr double kLeastLevelMouth = 0.1;    ///< a mouth that looks more up or down than this
+constexpr double kLeastLevel = 1e-6;        ///< no direction below it
+/// Of the surface ahead. What is steeper is a step, at whose top or foot the slope ends: the wedge,
+/// which comes out of a plane, would not.
+constexpr double kSteepestSlope_rad = 25 * kDeg;
+constexpr double kDeadLoad = 0.8;         ///< of the capacity: from here soil separates along it
+constexpr double kLeastSpeed_mps = 1e-4;  ///< slower edges keep their elastic travel
+
+/// Horizontal direction in which the edge cuts: along the ground in the plane of the cross-section,
+/// mouth first. Nothing where that plane lies level.
+std::optional<Vec3> CutDirection(const ShovelShape& shape, const Mat3& R_WB) {
+  const auto level = [](const Vec3& v) { return Vec3(v - v.z() * Vec3::UnitZ()); };
+  Vec3 travel_W = level(R_WB * shape.mouth_normal_B());
+  if (travel_W.norm() < kLeastLevelMouth) travel_W = level(R_WB * shape.edge_direction_B());
+  if (travel_W.norm() < kLeastLevel) return std::nullopt;
+  return travel_W.normalized();
+}
+
+}  // namespace
+
+/// A part of the edge's width, and the ground that it cuts.
+struct CuttingEdge::Strip {
+  Vec3 p_B, p_W;
+  double depth_m, slope_rad;
+  CutSoil soil;
+};
+
+/// Along what soil separates, and what rests on it.
+struct CuttingEdge::Plane {
+  Vec3 up_W;                    ///< from the edge up the plane
+  double on_soil = 0;           ///< share of it that is carried soil, not steel
+  double surcharge_npm = 0;     ///< carried weight for each metre of width
+  double surcharge_over_m = 1;  ///< length that this weight covers at least
+};
+
+CuttingEdge::CuttingEdge(const Shovel& shovel, const std::vector<SoilType>& soils)
+    : shovel_(shovel), piercing_(soils, shovel.edge_thickness_m) {}
+
+std::array<CuttingEdge::Strip, CuttingEdge::kStrips> CuttingEdge::Strips(
+    const ShovelShape& shape, const BodyState& body, const Vec3& travel_W,
+    const std::vector<SoilType>& soils, Columns* ground) const {
+  std::array<Strip, kStrips> strips;
+  const double near_m = kNearAhead_cells * ground->cell_m();
+  for (int s = 0; s < kStrips; ++s) {
+    Strip& strip = strips[s];
+    strip.p_B = shape.edge_B() + ((s + 0.5) / kStrips - 0.5) * shovel_.width_m * Vec3::UnitY();
+    strip.p_W = body.X_WB * strip.p_B;
+    const Vec2 near = (strip.p_W + near_m * travel_W).head<2>();
+    const Vec2 far = (strip.p_W + kLookAhead_m * travel_W).head<2>();
+    const double z_near = ground->HeightAt(near.x(), near.y());
+    strip.depth_m = 0;
+    if (z_near <= strip.p_W.z()) continue;
+    const double z_far = ground->HeightAt(far.x(), far.y());
+    strip.slope_rad = std::clamp(std::atan2(z_far - z_near, kLookAhead_m - near_m),
+                                 -kSteepestSlope_rad, kSteepestSlope_rad);
+    // The surface that was above the edge before it cut.
+    const double z_above = z_near - near_m * std::tan(strip.slope_rad);
+    strip.depth_m = std::clamp(z_above - strip.p_W.z(), 0.0, shape.radius_m());
+    if (strip.depth_m <= 0) continue;
+    const int i = std::clamp(ground->NearestI(near.x()), 0, ground->nx() - 1);
+    const int j = std::clamp(ground->NearestJ(near.y()), 0, ground->ny() - 1);
+    strip.soil = SoilAbove(ground->Touch(i, j), strip.p_W.z(), *ground, soils);
+  }
+  return strips;
+}
+
+CuttingEdge::Plane CuttingEdge::CutPlane(const ShovelShape& shape, const Mat3& R_WB,
+                                         const Carried& carried) const {
+  const Vec3 floor_W = -(R_WB * shape.edge_direction_B());
+  Plane plane{.up_W = floor_W};
+  if (shovel_.capacity_m3 <= 0 || carried.mass_kg <= 0) return plane;
+  const double fill = carried.volume_m3 / shovel_.capacity_m3;
+  plane.on_soil = std::clamp((fill - kDeadLoad) / (1 - kDeadLoad), 0.0, 1.0);
+  const Vec3 mouth_W = R_WB * (shape.top_edge_B() - shape.edge_B()).normalized();
+  plane.up_W = ((1 - plane.on_soil) * floor_W + plane.on_soil * mouth_W).normalized();
+  plane.surcharge_npm = carried.mass_kg * kStandardGravity_mps2 / shovel_.width_m;
+  plane.surcharge_over_m = shape.radius_m();
+  return plane;
+}
+
+/// Force of the ground that a strip cuts, when it has failed.
+Vec3 CuttingEdge::CuttingForceOn(const Strip& strip, const Vec3& travel_W, const Plane& plane,
+                                 double speed_mps) const {
+  CuttingInput in;
+  in.width_m = shovel_.width_m / kStrips;
+  in.depth_m = strip.depth_m;
+  in.slope_rad = strip.slope_rad;
+  in.rake_rad = std::max(0.0, std::atan2(plane.up_W.z(), -plane.up_W.dot(travel_W)));
+  in.density_kgpm3 = strip.soil.density_kgpm3;
+  in.friction_rad = strip.soil.friction_rad;
+  in.tool_friction_rad = strip.soil.tool_friction_rad +
+                         plane.on_soil * (strip.soil.friction_rad - strip.soil.tool_friction_rad);
+  in.cohesion_pa = strip.soil.cohesion_pa;
+  in.adhesion_pa = strip.soil.adhesion_pa;
+  in.speed_mps = std::max(0.0, speed_mps);
+  in.flank_share = 1.0 / kStrips;
+  CuttingForce cut = Cut(in);
+  if (plane.surcharge_npm > 0 && cut.wedge_length_m > 0) {
+    // Carried soil rests on the wedge with the share of its length that lies over it.
+    in.surcharge_pa = plane.surcharge_npm / std::max(cut.wedge_length_m, plane.surcharge_over_m);
+    cut = Cut(in);
+  }
+  return -(cut.draft_n * travel_W + cut.vertical_n * Vec3::UnitZ());
+}
+
+/// Resistance of a strip's ground to being pierced along the floor.
+double CuttingEdge::PiercingForceOn_n(const Strip& strip, double sine_down) const {
+  // The profile ends at the tips of the teeth, where there are any; the edge stands behind them.
+  const double edge_area_m2 = shovel_.width_m * shovel_.edge_thickness_m;
+  const double tooth_area_m2 = shovel_.teeth * shovel_.tooth_width_m * shovel_.tooth_thickness_m;
+  const double edge_behind_m =
+      shovel_.teeth > 0 ? shovel_.tooth_length_m * std::max(0.0, sine_down) : 0.0;
+  return (tooth_area_m2 * piercing_.Pressure_pa(strip.soil, strip.depth_m) +
+          edge_area_m2 * piercing_.Pressure_pa(strip.soil, strip.depth_m - edge_behind_m)) /
+         kStrips;
+}
+
+/// Friction of the carried soil on floor and side walls, when it is pushed up the floor.
+double CuttingEdge::DragInside_n(const ShovelShape& shape, const Mat3& R_WB, const Carried& carried,
+                                 const SoilType& soil) const {
+  if (carried.mass_kg <= 0) return 0;
+  const Vec3 edge_B = shape.edge_direction_B(), mouth_B = shape.mouth_normal_B();
+  const Vec3 inward_W = R_WB * (mouth_B - mouth_B.dot(edge_B) * edge_B);
+  const double normal_n =
+      carried.mass_kg * kStandardGravity_mps2 * std::max(0.0, inward_W.normalized().z());
+  const double length_m = (shape.top_edge_B() - shape.edge_B()).norm();
+  const double depth_m = carried.volume_m3 / (shovel_.width_m * length_m);
+  const double at_rest = 1 - std::sin(soil.friction_angle_rad);  // Jaky
+  return std::tan(soil.soil_tool_friction_rad) * normal_n *
+         (1 + at_rest * depth_m / shovel_.width_m);
+}
+
+Wrench CuttingEdge::Act(const ShovelShape& shape, const BodyState& body, const Carried& carried,
+                        double dt_s, const std::vector<SoilType>& soils, Columns* ground) {
+  Wrench wrench;
+  const Mat3& R_WB = body.X_WB.linear();
+  const std::optional<Vec3> travel_W = CutDirection(shape, R_WB);
+  if (!travel_W) return wrench;
+  const std::array<Strip, kStrips> strips = Strips(shape, body, *travel_W, soils, ground);
+  if (std::none_of(strips.begin(), strips.end(), [](const Strip& s) { return s.depth_m > 0; })) {
+    cut_travel_m_ = pierce_travel_m_ = 0;
+    return wrench;
+  }
+  const Vec3 v_W = PointVelocity(body, shape.edge_B());
+  const Vec3 cut_dir_W = R_WB * shape.edge_direction_B();
+  cut_travel_m_ = std::clamp(cut_travel_m_ + v_W.dot(*travel_W) * dt_s, 0.0, kElasticTravel_m);
+  pierce_travel_m_ =
+      std::clamp(pierce_travel_m_ + v_W.dot(cut_dir_W) * dt_s, 0.0, kElasticTravel_m);
+  const double cut_share = cut_travel_m_ / kElasticTravel_m;
+  const double pierce_share = pierce_travel_m_ / kElasticTravel_m;
+  const Plane plane = CutPlane(shape, R_WB, carried);
+  const double drag_n = DragInside_n(shape, R_WB, carried, soils[carried.soil]);
+  for (const Strip& strip : strips) {
+    if (strip.depth_m <= 0) continue;
+    const Vec3 v_strip_W = PointVelocity(body, strip.p_B);
+    const double pierce_n = PiercingForceOn_n(strip, -cut_dir_W.z()) + drag_n / kStrips;
+    Vec3 force_W_n = cut_share * CuttingForceOn(strip, *travel_W, plane, v_strip_W.dot(*travel_W)) -
+                     pierce_share * pierce_n * cut_dir_W;
+    // The ground never drives the edge on.
+    const double power_w = force_W_n.dot(v_strip_W), v2 = v_strip_W.squaredNorm();
+    if (power_w > 0 && v2 > kLeastSpeed_mps * kLeastSpeed_mps) {
+      force_W_n -= power_w / v2 * v_strip_W;
+    }
+    wrench.AddForceAt(force_W_n, strip.p_W, body.X_WB.translation());
+  }
+  return wrench;
+}
+
+}  // namespace tera

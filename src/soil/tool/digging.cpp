@@ -1,0 +1,383 @@
+#include "soil/tool/digging.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/units.h"
+#include "soil/columns/soil_type.h"
+
+namespace tera {
+namespace {
+
+// Shell on the ground.
+constexpr double kElasticDepth_m = 0.01;    ///< indentation at which the shell's bearing is reached
+constexpr double kShellWidth_m = 0.10;      ///< width of the loaded strip for the bearing pressure
+constexpr double kLeastDownward = 0.35;     ///< parts of the shell facing further up carry nothing
+constexpr double kShellDampingRatio = 0.2;  ///< of critical for the mass that the pressure carries
+constexpr double kSlideSpeed_mps = 0.10;    ///< shell friction is proportional to speed below it
+constexpr double kBeside_cells = 2;         ///< where the ground beside the shovel is looked at
+constexpr double kNear_m = 0.3;             ///< a shovel this close to the ground holds soil back
+constexpr double kLeastSpeed_mps = 1e-4;    ///< no direction below it
+// Soil pushed aside.
+constexpr int kWidestWedge = 60;        ///< columns
+constexpr double kFan_rad = 25 * kDeg;  ///< to both sides of the direction of motion
+constexpr double kParcel_m = 0.001;     ///< soil is spread in parcels at least this thick
+constexpr double kThickest_m = 0.02;    ///< and at most this
+constexpr int kLongestRoll = 60;        ///< columns
+// Carried soil.
+constexpr double kSpillTime_s = 0.25;   ///< time constant at which what cannot stay leaves
+constexpr double kStuckClod_m = 0.025;  ///< thickest layer that hangs on the shell: an estimate
+constexpr double kBeforeLip_cells = 2;  ///< where the ground before the mouth is looked at
+constexpr double kShut_m = 0.05;        ///< ground this far above the lip shuts the mouth
+constexpr double kMouthDown = -0.7;     ///< z of a mouth that looks down
+constexpr double kGravityTime_s = 0.2;  ///< over which apparent gravity is smoothed
+constexpr double kMostGravity_mps2 = 3 * kStandardGravity_mps2;  ///< more is a knock
+
+/// The n-th multiple of a ratio, without its whole part: with these two ratios, numbers that fill a
+/// square evenly, however many there are (Roberts 2018, the sequence R2).
+constexpr double kAcross = 0.7548776662466927, kAlong = 0.5698402909980532;
+double Turn(std::size_t n, double ratio) {
+  const double at = ratio * static_cast<double>(n);
+  return at - std::floor(at);
+}
+
+double Clamp01(double x) { return std::clamp(x, 0.0, 1.0); }
+
+/// A level unit vector below a direction.
+Vec2 Level(const Vec3& v_W) {
+  const Vec2 level = v_W.head<2>();
+  return level.norm() > kLeastSpeed_mps ? Vec2(level.normalized()) : Vec2(Vec2::UnitX());
+}
+
+}  // namespace
+
+Digging::Digging(const Shovel& shovel, std::vector<SoilType> soils)
+    : shovel_(shovel),
+      shape_(shovel),
+      edge_(shovel, soils),
+      walls_(shovel, soils),
+      soils_(std::move(soils)) {
+  for (SoilType soil : soils_) {
+    heaped_m3_ = std::max(heaped_m3_,
+                          shape_.HoldFor(shape_.LevelUp_B(), soil.repose_angle_rad, 0).volume_m3);
+    bearing_.push_back(BearingOf(soil));
+    soil.cohesion_pa = 0;
+    bearing_loose_.push_back(BearingOf(soil));
+  }
+}
+
+Digging::Bearing Digging::BearingOf(const SoilType& soil) const {
+  const double at_surface_pa = BearingPressure_pa(soil, kShellWidth_m, 0);
+  return {at_surface_pa, BearingPressure_pa(soil, kShellWidth_m, 1) - at_surface_pa};
+}
+
+bool Digging::InFootprint(int i, int j) const {
+  if (i < i0_ || i > i1_ || j < j0_ || j > j1_) return false;
+  return mask_[static_cast<std::size_t>(j - j0_) * (i1_ - i0_ + 1) + (i - i0_)] != 0;
+}
+
+/// Columns in which the shovel stands, and among them those whose soil it overlaps.
+void Digging::FindFootprint(const BodyState& body, Columns* ground) {
+  const std::vector<ColumnId> before = std::exchange(blocked_, {});
+  footprint_.clear();
+  i1_ = i0_ - 1;
+  const double half_m = 0.5 * shovel_.width_m;
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Vec2& p : shovel_.profile_B_m) {
+    for (const double y : {-half_m, half_m}) {
+      const Vec3 p_W = body.X_WB * Vec3(p.x(), y, p.y());
+      low = low.cwiseMin(p_W);
+      high = high.cwiseMax(p_W);
+    }
+  }
+  i0_ = std::max(0, ground->NearestI(low.x()));
+  j0_ = std::max(0, ground->NearestJ(low.y()));
+  i1_ = std::min(ground->nx() - 1, ground->NearestI(high.x()));
+  j1_ = std::min(ground->ny() - 1, ground->NearestJ(high.y()));
+  mask_.assign(static_cast<std::size_t>(std::max(0, i1_ - i0_ + 1)) * std::max(0, j1_ - j0_ + 1),
+               0);
+  for (int j = j0_; j <= j1_; ++j) {
+    for (int i = i0_; i <= i1_; ++i) {
+      const double top_m = ground->TopAt(i, j);
+      if (top_m + kNear_m <= low.z()) continue;
+      const auto crossing = shape_.VerticalCrossing(body.X_WB, ground->x_m(i), ground->y_m(j));
+      if (!crossing) continue;
+      mask_[static_cast<std::size_t>(j - j0_) * (i1_ - i0_ + 1) + (i - i0_)] = 1;
+      const ColumnId k = ground->Touch(i, j);
+      ground->Block(k, crossing->low_m);
+      blocked_.push_back(k);
+      if (top_m > crossing->low_m) footprint_.push_back({i, j, *crossing});
+    }
+  }
+  for (const ColumnId k : before) {
+    const auto [i, j] = ground->PlaceOf(k);
+    if (!InFootprint(i, j)) ground->Unblock(k);
+  }
+}
+
+/// Puts soil outside the footprint in `direction`, on the columns that rise when a body pushes a
+/// wedge of soil before it: those above a plane that rises from its lowest point at Rankine's
+/// passive angle. From there it rolls down what is steeper than repose.
+void Digging::PutOutside(const Swept& swept, const Vec2& way_out, SpoilMix* spoil,
+                         Columns* ground) {
+  constexpr double kStep = 0.7;  // in columns: skips none
+  // The wedge fans out, or all that one place of the shovel pushes would lie in one line.
+  const double fan_rad = kFan_rad * (2 * Turn(put_, kAcross) - 1);
+  const Vec2 direction(std::cos(fan_rad) * way_out.x() - std::sin(fan_rad) * way_out.y(),
+                       std::sin(fan_rad) * way_out.x() + std::cos(fan_rad) * way_out.y());
+  double x = swept.i, y = swept.j;
+  const auto at = [](double v) { return static_cast<int>(std::lround(v)); };
+  while (InFootprint(at(x), at(y))) {
+    x += kStep * direction.x();
+    y += kStep * direction.y();
+  }
+  const double friction_rad = soils_[spoil->main_soil()].friction_angle_rad;
+  const double repose_rad = soils_[spoil->main_soil()].repose_angle_rad;
+  const double rise_m = std::tan(kPi / 4 - friction_rad / 2) * ground->cell_m();
+  const auto rises = [&](int n) {
+    const int i = at(x + n * direction.x()), j = at(y + n * direction.y());
+    return ground->Contains(i, j) && !InFootprint(i, j) &&
+           swept.crossing.low_m + n * rise_m < ground->TopAt(i, j);
+  };
+  std::size_t wide = 1;
+  while (wide < kWidestWedge && rises(static_cast<int>(wide))) ++wide;
+  // In parcels that are worth the trouble, which take turns over the columns.
+  const double thickness_m = spoil->volume_m3() / ground->area_m2();
+  const std::size_t parcels =
+      std::clamp<std::size_t>(static_cast<std::size_t>(thickness_m / kParcel_m), 1,
+                              std::max(wide, static_cast<std::size_t>(thickness_m / kThickest_m)));
+  for (std::size_t p = 0; p < parcels; ++p) {
+    const auto n = static_cast<std::size_t>(Turn(++put_, kAlong) * static_cast<double>(wide));
+    Place rest{at(x + n * direction.x()), at(y + n * direction.y())};
+    for (int k = 0; k < kLongestRoll && RollsOn(repose_rad, *ground, &rest); ++k) continue;
+    ground->DepositAt(rest.i, rest.j, spoil->Take(1.0 / static_cast<double>(parcels - p)));
+  }
+}
+
+/// Whether soil put on a column rolls on, and to which of those around: the steepest way down that
+/// the shovel does not bar.
+bool Digging::RollsOn(double repose_rad, const Columns& ground, Place* at) const {
+  if (!ground.Contains(at->i, at->j)) return false;
+  const double top_m = ground.TopAt(at->i, at->j);
+  double steepest = std::tan(repose_rad) * ground.cell_m();
+  const Place from = *at;
+  for (int dj = -1; dj <= 1; ++dj) {
+    for (int di = -1; di <= 1; ++di) {
+      const Place to{from.i + di, from.j + dj};
+      if ((di == 0 && dj == 0) || !ground.Contains(to.i, to.j) || InFootprint(to.i, to.j)) continue;
+      const double fall = (top_m - ground.TopAt(to.i, to.j)) / std::hypot(di, dj);
+      if (fall > steepest) steepest = fall, *at = to;
+    }
+  }
+  return at->i != from.i || at->j != from.j;
+}
+
+/// The ground on the side of the shovel where it lies lowest, which is where it gives way.
+double Digging::LowestBeside_m(const BodyState& body, const Columns& ground) const {
+  constexpr std::array<double, 3> kAt = {-0.4, 0.0, 0.4};  // along a side, of its length
+  const Vec3 up_B = body.X_WB.linear().transpose() * Vec3::UnitZ();
+  const ShovelShape::LevelExtent extent = shape_.ExtentAcross(up_B);
+  const double off_m = kBeside_cells * ground.cell_m();
+  const double half_x = 0.5 * (extent.to_m - extent.from_m), half_y = 0.5 * shovel_.width_m;
+  const auto surface_m = [&](double x, double y) {  // from the shovel's middle
+    const Vec2 p = (extent.from_m + half_x + x) * extent.right;
+    const Vec3 p_W = body.X_WB * Vec3(p.x(), y, p.y());
+    return ground.HeightAt(p_W.x(), p_W.y());
+  };
+  double lowest_m = std::numeric_limits<double>::infinity();
+  for (const double side : {-1.0, 1.0}) {
+    double across_m = 0, along_m = 0;
+    for (const double at : kAt) {
+      across_m += surface_m(side * (half_x + off_m), at * 2 * half_y) / kAt.size();
+      along_m += surface_m(at * 2 * half_x, side * (half_y + off_m)) / kAt.size();
+    }
+    lowest_m = std::min({lowest_m, across_m, along_m});
+  }
+  return lowest_m;
+}
+
+/// Whether the shell bears on the ground in a column, which then keeps `keep_m` above the shell's
+/// lowest point.
+bool Digging::PressShell(const BodyState& body, const Swept& swept, double dt_s, bool may_enter,
+                         Columns* ground, double* keep_m, Wrench* wrench) const {
+  const Vec3 n_W = body.X_WB.linear() * swept.crossing.low_normal_B;
+  if (n_W.z() >= -kLeastDownward) return false;
+  const ColumnId k = ground->Touch(swept.i, swept.j);
+  const double overlap_m = ground->at(k).top_m - swept.crossing.low_m;
+  const Vec3 p_W(ground->x_m(swept.i), ground->y_m(swept.j), swept.crossing.low_m);
+  const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(p_W - body.X_WB.translation());
+  // The shell's own advance into the column, and what it may indent elastically.
+  const double v_in_mps = v_W.dot(n_W);
+  const double advance_m = std::max(0.0, v_in_mps) / -n_W.z() * dt_s;
+  if (may_enter && overlap_m > kElasticDepth_m + 2 * advance_m) return false;
+  *keep_m = std::min(overlap_m, kElasticDepth_m);
+  const std::uint8_t soil = ground->soil_at(k);
+  const double bearing_pa = (ground->at(k).is_loose() ? bearing_loose_ : bearing_)[soil].At_pa(
+      std::max(0.0, beside_m_ - swept.crossing.low_m));
+  const double elastic_pa = bearing_pa * *keep_m / kElasticDepth_m;
+  const double damping =
+      2 * kShellDampingRatio *
+      std::sqrt(bearing_pa / kElasticDepth_m * elastic_pa / kStandardGravity_mps2);
+  const double pressure_pa =
+      elastic_pa + std::clamp(damping * v_in_mps, -elastic_pa, 0.5 * elastic_pa);
+  const double normal_n = pressure_pa * ground->area_m2() / -n_W.z();
+  const Vec3 slide_W = v_W - v_in_mps * n_W;
+  const bool on_soil = swept.crossing.through_mouth && shovel_.capacity_m3 > 0;
+  const double friction_rad =
+      on_soil ? soils_[soil].friction_angle_rad : soils_[soil].soil_tool_friction_rad;
+  const Vec3 friction_W =
+      -std::tan(friction_rad) * normal_n * slide_W / std::max(slide_W.norm(), kSlideSpeed_mps);
+  wrench->AddForceAt(-normal_n * n_W + friction_W, p_W, body.X_WB.translation());
+  return true;
+}
+
+/// Where soil goes that a part of the shovel pushes: ahead of it, or, pressed down, to the nearer
+/// side.
+Vec2 Digging::WayOut(const BodyState& body, const Vec3& p_W, const Vec3& v_W) const {
+  const Vec2 ahead = v_W.head<2>();
+  if (ahead.norm() >= 0.5 * std::abs(v_W.z()) && ahead.norm() >= kLeastSpeed_mps) {
+    return ahead.normalized();
+  }
+  const Mat3& R_WB = body.X_WB.linear();
+  const double y_B = (R_WB.transpose() * (p_W - body.X_WB.translation())).y();
+  const Vec2 side = (y_B >= 0 ? 1.0 : -1.0) * R_WB.col(1).head<2>();
+  return Level({side.x(), side.y(), 0});
+}
+
+void Digging::CutFootprint(const BodyState& body, double dt_s, Columns* ground, Wrench* wrench) {
+  const Vec3 mouth_W = body.X_WB.linear() * shape_.mouth_normal_B();
+  const bool carries = shovel_.capacity_m3 > 0;
+  double room_m3 = heaped_m3_ - carried_.volume_m3();
+  if (!footprint_.empty()) beside_m_ = LowestBeside_m(body, *ground);
+  for (const Swept& swept : footprint_) {
+    const ColumnId k = ground->Touch(swept.i, swept.j);
+    const Vec3 p_W(ground->x_m(swept.i), ground->y_m(swept.j), swept.crossing.low_m);
+    const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(p_W - body.X_WB.translation());
+    const bool open = carries && swept.crossing.through_mouth;
+    const bool enters = carries && (open || v_W.dot(mouth_W) > 0);
+    double keep_m = 0;
+    const bool is_full = open && room_m3 <= 0;
+    const bool bears = (!open || is_full) &&
+                       PressShell(body, swept, dt_s, enters && !is_full, ground, &keep_m, wrench);
+    if (ground->at(k).top_m - swept.crossing.low_m <= keep_m) continue;
+    SpoilMix cut;
+    ground->Cut(k, swept.crossing.low_m + keep_m, &cut);
+    if (enters && !bears && room_m3 > 0) {
+      room_m3 -= cut.volume_m3();
+      carried_.Add(cut);
+    } else {
+      PutOutside(swept, WayOut(body, p_W, v_W), &cut, ground);
+    }
+  }
+}
+
+/// Apparent gravity: what soil in the shovel feels, without knocks.
+void Digging::FeelGravity(const BodyState& body, double dt_s) {
+  const Vec3 r_W = body.X_WB.linear() * shape_.edge_B();
+  const Vec3& w = body.w_WB_radps;
+  Vec3 up_W = body.a_WB_mps2 + body.alpha_WB_radps2.cross(r_W) + w.cross(w.cross(r_W)) +
+              kStandardGravity_mps2 * Vec3::UnitZ();
+  up_W *= std::min(1.0, kMostGravity_mps2 / std::max(up_W.norm(), kLeastSpeed_mps));
+  up_W_mps2_ += Clamp01(dt_s / kGravityTime_s) * (up_W - up_W_mps2_);
+}
+
+/// Whether ground stands before the mouth and keeps soil in. A mouth that looks down rests on it.
+bool Digging::IsShut(const BodyState& body, const Columns& ground) const {
+  const Vec3 mouth_W = body.X_WB.linear() * shape_.mouth_normal_B();
+  const Vec3 edge_W = body.X_WB * shape_.edge_B(), top_W = body.X_WB * shape_.top_edge_B();
+  if (mouth_W.z() < kMouthDown) {
+    const Vec3 middle_W = 0.5 * (edge_W + top_W);
+    return ground.HeightAt(middle_W.x(), middle_W.y()) > middle_W.z() - kShut_m;
+  }
+  const Vec3& lip_W = edge_W.z() < top_W.z() ? edge_W : top_W;
+  const Vec2 before_lip = lip_W.head<2>() + kBeforeLip_cells * ground.cell_m() * Level(mouth_W);
+  return ground.HeightAt(before_lip.x(), before_lip.y()) > lip_W.z() + kShut_m;
+}
+
+/// What stays in the shovel as it is.
+double Digging::Holds_m3(const Vec3& up_B) const {
+  const SoilType& soil = soils_[carried_.main_soil()];
+  const double carried_m3 = carried_.volume_m3();
+  const double heap_m3 = shape_.HoldFor(up_B, soil.repose_angle_rad, carried_m3).volume_m3;
+  const double weight_npm3 = kStandardGravity_mps2 * carried_.mass_kg() / carried_m3;
+  // Clods that have been dug no longer hold together: those alone hang that touch the shell.
+  const double layer_m =
+      std::min(std::min(soil.adhesion_pa, soil.cohesion_pa) / weight_npm3, kStuckClod_m);
+  const double touched = Clamp01(fullest_m3_ / shovel_.capacity_m3);
+  return std::max(heap_m3, std::min(layer_m * shape_.inside_m2() * touched, shovel_.capacity_m3));
+}
+
+/// Over the edge, the spaces between the teeth take turns; the outer teeth stand flush with the
+/// side walls.
+Digging::Gap Digging::NextGap(bool over_the_edge) {
+  const double half_m = 0.5 * shovel_.width_m;
+  if (!over_the_edge || shovel_.teeth < 2) return {-half_m, half_m};
+  const int gaps = shovel_.teeth - 1;
+  const double pitch_m = (shovel_.width_m - shovel_.tooth_width_m) / gaps;
+  const double tooth_m = -half_m + pitch_m * static_cast<double>(spilt_++ % gaps);
+  return {tooth_m + shovel_.tooth_width_m, tooth_m + pitch_m};
+}
+
+void Digging::Spill(const BodyState& body, double dt_s, Columns* ground, Grains* grains) {
+  const double carried_m3 = carried_.volume_m3();
+  fullest_m3_ = carried_.empty() ? 0 : std::max(fullest_m3_, carried_m3);
+  if (carried_.empty()) return;
+  const Mat3& R_WB = body.X_WB.linear();
+  const Vec3 up_B = R_WB.transpose() * up_W_mps2_;
+  const Vec3 lip_B = shape_.LowerLip_B(up_B);
+  const double holds_m3 = IsShut(body, *ground) ? carried_m3 : Holds_m3(up_B);
+  const double excess_m3 = carried_m3 - holds_m3;
+  if (excess_m3 <= 0) {
+    spilling_m3_ = 0;
+    return;
+  }
+  // In whole clods, and the last of it at once.
+  spilling_m3_ += excess_m3 * Clamp01(dt_s / kSpillTime_s);
+  const double clod_m3 = grains->clod_m3();
+  if (spilling_m3_ < clod_m3 && carried_m3 > clod_m3) return;
+  const bool last = carried_m3 - spilling_m3_ < clod_m3 && holds_m3 < clod_m3;
+  const double leaves_m3 = last ? carried_m3 : std::min(spilling_m3_, excess_m3);
+  spilling_m3_ = 0;
+  // Just beyond the lip.
+  const Vec2 out = Level(R_WB * shape_.mouth_normal_B());
+  const Vec3 out_W = ground->cell_m() * Vec3(out.x(), out.y(), 0);
+  const Gap gap = NextGap(shape_.IsOverEdge(up_B));
+  grains->Pour(carried_.Take(last ? 1.0 : leaves_m3 / carried_m3),
+               body.X_WB * Vec3(lip_B.x(), gap.from_m, lip_B.z()) + out_W,
+               body.X_WB * Vec3(lip_B.x(), gap.to_m, lip_B.z()) + out_W, PointVelocity(body, lip_B),
+               ground);
+}
+
+Digging::Result Digging::Act(const BodyState& body, double dt_s, Columns* ground, Grains* grains) {
+  Result result;
+  FeelGravity(body, dt_s);
+  FindFootprint(body, ground);
+  result.wrench =
+      edge_.Act(shape_, body, {carried_.mass_kg(), carried_.volume_m3(), carried_.main_soil()},
+                dt_s, soils_, ground);
+  if (footprint_.empty()) {
+    walls_.Release();
+  } else {
+    const Wrench walls = walls_.Act(shape_, body, dt_s, soils_, ground);
+    result.wrench.force_W_n += walls.force_W_n;
+    result.wrench.torque_W_nm += walls.torque_W_nm;
+  }
+  CutFootprint(body, dt_s, ground, &result.wrench);
+  Spill(body, dt_s, ground, grains);
+  result.load.soil_kg.resize(soils_.size());
+  if (!carried_.empty()) {
+    const Vec3 up_B = body.X_WB.linear().transpose() * up_W_mps2_;
+    const double repose_rad = soils_[carried_.main_soil()].repose_angle_rad;
+    const double volume_m3 = carried_.volume_m3();
+    result.load.mass_kg = carried_.mass_kg();
+    result.load.volume_m3 = volume_m3;
+    result.load.com_B_m = shape_.HoldFor(up_B, repose_rad, volume_m3).com_B_m;
+    for (const Spoil& part : carried_.parts()) result.load.soil_kg[part.soil] = part.mass_kg;
+  }
+  return result;
+}
+
+}  // namespace tera

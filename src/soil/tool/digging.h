@@ -1,0 +1,99 @@
+#pragma once
+
+#include <vector>
+
+#include "core/types/ground_tools.h"
+#include "core/units.h"
+#include "soil/columns/columns.h"
+#include "soil/columns/spoil.h"
+#include "soil/flow/grains.h"
+#include "soil/tool/cutting_edge.h"
+#include "soil/tool/shovel_shape.h"
+#include "soil/tool/shovel_walls.h"
+
+namespace tera {
+
+/// A shovel at work: cuts what it sweeps, carries it, spills and dumps it, and is resisted.
+///
+/// Frames  W; B frame of the shovel's link.
+/// Model   Geometry: no soil stays above the lowest point of the shovel's cross-section in any
+///         column. What comes in through the mouth is carried (a bucket) until it is heaped full;
+///         the rest, and what a blade, the back of a bucket or its shell meets, is put outside in
+///         the direction of motion, over the columns that a passive wedge lifts: up from the
+///         shovel's lowest point at 45 deg - phi/2, from where it rolls down to repose.
+///         Carried soil beyond what stands heaped at the angle of repose under the present apparent
+///         gravity leaves over the lower lip at a finite rate, as clods that fall, over the cutting
+///         edge between the teeth. A layer as thick as adhesion (or cohesion, if that is less)
+///         holds against its weight sticks to the shell, but no thicker than a clod: dug soil is
+///         loose, and what does not touch steel falls. Force: CuttingEdge, ShovelWalls, and the
+///         shell's underside, which rests on the ground: elastic up to the bearing pressure, then
+///         it presses the ground aside; Coulomb friction along it. What lies over the ground below
+///         the lowest of the surfaces on the shovel's four sides is its surcharge. So does the soil
+///         in a full bucket whose mouth looks down.
+/// Omits   flow inside the bucket, sticky soil that is shaken off, soil that slips through a blade
+///         thinner than a cell where it stands diagonally to the grid.
+/// Source  Rankine 1857 (passive wedge); Terzaghi 1943 (bearing).
+class Digging {
+ public:
+  /// `soils` are those of the ground, as the machine meets them.
+  Digging(const Shovel& shovel, std::vector<SoilType> soils);
+
+  struct Result {
+    Wrench wrench;  ///< about the link's origin, without the weight of the carried soil
+    SoilReaction::Load load;
+  };
+  Result Act(const BodyState& body, double dt_s, Columns* ground, Grains* grains);
+  int link() const { return shovel_.link; }
+  const SpoilMix& carried() const { return carried_; }
+
+ private:
+  struct Swept {
+    int i, j;
+    ShovelShape::Crossing crossing;
+  };
+  void FindFootprint(const BodyState& body, Columns* ground);
+  void CutFootprint(const BodyState& body, double dt_s, Columns* ground, Wrench* wrench);
+  bool PressShell(const BodyState& body, const Swept& swept, double dt_s, bool may_enter,
+                  Columns* ground, double* keep_m, Wrench* wrench) const;
+  double LowestBeside_m(const BodyState& body, const Columns& ground) const;
+  void PutOutside(const Swept& swept, const Vec2& way_out, SpoilMix* spoil, Columns* ground);
+  using Place = Columns::Place;
+  bool RollsOn(double repose_rad, const Columns& ground, Place* at) const;
+  Vec2 WayOut(const BodyState& body, const Vec3& p_W, const Vec3& v_W) const;
+  bool IsShut(const BodyState& body, const Columns& ground) const;
+  double Holds_m3(const Vec3& up_B) const;
+  void Spill(const BodyState& body, double dt_s, Columns* ground, Grains* grains);
+  /// Where a lip lets soil through, along B's y axis.
+  struct Gap {
+    double from_m, to_m;
+  };
+  Gap NextGap(bool over_the_edge);
+  void FeelGravity(const BodyState& body, double dt_s);
+  bool InFootprint(int i, int j) const;
+
+  Shovel shovel_;
+  ShovelShape shape_;
+  CuttingEdge edge_;
+  ShovelWalls walls_;
+  std::vector<SoilType> soils_;
+  struct Bearing {
+    double at_surface_pa, per_depth_papm;
+    double At_pa(double depth_m) const { return at_surface_pa + per_depth_papm * depth_m; }
+  };
+  Bearing BearingOf(const SoilType& soil) const;
+  std::vector<Bearing> bearing_, bearing_loose_;  ///< of each soil, under the shell
+  double beside_m_ = 0;                           ///< lowest surface on the shovel's four sides
+  double heaped_m3_ = 0;
+  SpoilMix carried_;
+  double spilling_m3_ = 0;  ///< of it that should have left, less than a clod
+  std::size_t spilt_ = 0;   ///< times that soil left over the edge
+  double fullest_m3_ = 0;   ///< most that it carried since it was last empty
+  Vec3 up_W_mps2_ = kStandardGravity_mps2 * Vec3::UnitZ();  ///< against apparent gravity, smoothed
+  std::size_t put_ = 0;                                     ///< parcels put outside so far
+  std::vector<Swept> footprint_;
+  int i0_ = 0, i1_ = -1, j0_ = 0, j1_ = -1;
+  std::vector<std::uint8_t> mask_;
+  std::vector<ColumnId> blocked_;  ///< columns of the ground that this shovel blocks
+};
+
+}  // namespace tera

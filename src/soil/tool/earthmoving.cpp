@@ -1,0 +1,122 @@
+#include "soil/tool/earthmoving.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+constexpr double kMargin_rad = 0.5 * kDeg;  ///< kept from the ends of the range of wedge angles
+constexpr double kLeastRake_rad = 5 * kDeg;
+constexpr double kSteepestRake_rad = 150 * kDeg;
+/// A wedge has at least this range of angles: tools that lean further forward push it as one that
+/// just leaves this much. Without room for a wedge its equilibrium has a pole.
+constexpr double kLeastRange_rad = 10 * kDeg;
+
+double Cot(double a) { return 1 / std::tan(a); }
+
+/// The equation for one tool in one soil, ready to be evaluated for many wedge angles, of which it
+/// takes the tangent: all functions of other angles are looked up once.
+class Wedges {
+ public:
+  explicit Wedges(const CuttingInput& in)
+      : in_(in),
+        weight_npm3_(in.density_kgpm3 * kStandardGravity_mps2),
+        cot_rake_(Cot(in.rake_rad)),
+        cos_contact_(std::cos(in.rake_rad + in.tool_friction_rad)),
+        sin_contact_(std::sin(in.rake_rad + in.tool_friction_rad)),
+        tan_friction_(std::tan(in.friction_rad)),
+        tan_slope_(std::tan(in.slope_rad)),
+        rise_(1 + tan_slope_ * cot_rake_),
+        at_rest_(1 - std::sin(in.friction_rad)) {}  // Jaky
+
+  CuttingFactors FactorsAt(double tan_wedge) const {
+    const double slip = (1 - tan_wedge * tan_friction_) / (tan_wedge + tan_friction_);  // cotangent
+    const double D = cos_contact_ + sin_contact_ * slip;
+    const double ahead = Ahead(tan_wedge);
+    CuttingFactors n;
+    n.n_q = (cot_rake_ / rise_ + ahead) / D;
+    n.n_gamma = 0.5 * n.n_q;
+    n.n_c = (tan_wedge + slip) * ahead / D;
+    n.n_a = (1 - cot_rake_ * slip) / rise_ / D;
+    n.inertia = (tan_wedge + slip) * rise_ / (1 + tan_wedge * cot_rake_) / D;
+    return n;
+  }
+
+  /// Of the level ahead of the edge, how much the wedge lifts: the slip plane comes out where it
+  /// meets a surface that rises by the slope.
+  double Ahead(double tan_wedge) const { return 1 / (tan_wedge - tan_slope_); }
+
+  /// P, cohesion of the flanks included.
+  double ForceAt_n(double wedge_rad) const {
+    const double tan_wedge = std::tan(wedge_rad);
+    const CuttingFactors n = FactorsAt(tan_wedge);
+    const double d = in_.depth_m;
+    double cohesive_npm = in_.cohesion_pa * d;
+    if (in_.flank_share > 0) {
+      const double ahead = Ahead(tan_wedge);
+      const double area_m2 = 0.5 * d * d * ahead;
+      const double shear_n = 2 * in_.flank_share * area_m2 *
+                             (in_.cohesion_pa + at_rest_ * weight_npm3_ * d / 3 * tan_friction_);
+      // N_c counts c over the slip plane, whose level part is `ahead` times the depth.
+      cohesive_npm += shear_n / (ahead * std::sqrt(1 + tan_wedge * tan_wedge)) / in_.width_m;
+    }
+    return in_.width_m * (weight_npm3_ * d * d * n.n_gamma + cohesive_npm * n.n_c +
+                          in_.adhesion_pa * d * n.n_a + in_.surcharge_pa * d * n.n_q +
+                          in_.density_kgpm3 * in_.speed_mps * in_.speed_mps * d * n.inertia);
+  }
+
+ private:
+  const CuttingInput& in_;
+  double weight_npm3_, cot_rake_, cos_contact_, sin_contact_, tan_friction_, tan_slope_;
+  double rise_;  ///< depth at the edge over the height of the blade up to the surface
+  double at_rest_;
+};
+
+}  // namespace
+
+CuttingFactors CuttingFactorsAt(const CuttingInput& in, double wedge_rad) {
+  CuttingFactors n = Wedges(in).FactorsAt(std::tan(wedge_rad));
+  n.wedge_rad = wedge_rad;
+  return n;
+}
+
+CuttingForce Cut(const CuttingInput& input) {
+  CuttingForce result;
+  if (input.depth_m <= 0) return result;
+  CuttingInput in = input;
+  double low = std::max(in.slope_rad, -in.friction_rad) + 4 * kMargin_rad;
+  const double leans_to = kPi - in.tool_friction_rad - in.friction_rad - kMargin_rad;
+  // A blade comes out of falling ground behind its edge where it is steeper than the ground.
+  const double least_rad = kLeastRake_rad + std::max(0.0, -in.slope_rad);
+  const double steepest =
+      std::max(least_rad, std::min(kSteepestRake_rad, leans_to - low - kLeastRange_rad));
+  in.rake_rad = std::clamp(in.rake_rad, least_rad, steepest);
+  double high =
+      std::max(low + kMargin_rad, std::min(kPi / 2 - kMargin_rad, leans_to - in.rake_rad));
+  const Wedges wedges(in);
+  constexpr double kGolden = 0.6180339887498949;
+  constexpr int kSections = 20;  // 90 deg * 0.618^20 is 0.006 deg
+  double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
+  double at_a = wedges.ForceAt_n(a), at_b = wedges.ForceAt_n(b);
+  for (int k = 0; k < kSections; ++k) {
+    if (at_a < at_b) {
+      high = b, b = a, at_b = at_a;
+      a = high - kGolden * (high - low), at_a = wedges.ForceAt_n(a);
+    } else {
+      low = a, a = b, at_a = at_b;
+      b = low + kGolden * (high - low), at_b = wedges.ForceAt_n(b);
+    }
+  }
+  result.wedge_rad = 0.5 * (low + high);
+  result.total_n = std::max(0.0, wedges.ForceAt_n(result.wedge_rad));
+  result.draft_n = result.total_n * std::sin(in.rake_rad + in.tool_friction_rad);
+  result.vertical_n = result.total_n * std::cos(in.rake_rad + in.tool_friction_rad);
+  result.wedge_length_m = in.depth_m * wedges.Ahead(std::tan(result.wedge_rad));
+  return result;
+}
+
+}  // namespace tera

@@ -1,0 +1,309 @@
+#include "soil/track/gear_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/check.h"
+#include "core/units.h"
+#include "soil/track/footprint.h"
+#include "soil/track/terramechanics.h"
+
+namespace tera {
+namespace {
+
+/// Of critical: what a footing as large and heavy as a machine's tracks radiates into the ground
+/// (0.3, Lysmer and Richart 1966), and as much for hysteresis of soil and shoes (estimate).
+constexpr double kDampingRatio = 0.6;
+constexpr double kLeastUpward = 0.05;       ///< patches facing further up touch no ground
+constexpr double kMostUpward = 0.5;         ///< no patch faces further up in the machine's frame
+constexpr double kShearDampingRatio = 0.7;  ///< of critical, only near rest
+constexpr double kRestSpeed_mps = 0.02;     ///< slip at which shear damping has faded to a half
+constexpr double kLargestShear = 8.0;       ///< |j| is kept below this many K: fully mobilised
+constexpr double kLeastShear_m = 1e-15;     ///< less is no slip, in any direction
+constexpr double kInletShare = 0.1;         ///< of the patch's length: where its inlet ends
+constexpr double kDragLength_m = 0.10;      ///< distance over which rut work is paid back
+constexpr double kDragSpeed_mps = 0.05;     ///< below it the drag fades, so that rest stays rest
+constexpr double kSlowestShoe_mps = 0.01;   ///< slower shoes have no slip ratio
+
+/// Neighbour of patch k whose centre is nearest to a patch length away along `direction` x travel.
+int Neighbour(const RunningGear& gear, std::size_t k, double direction) {
+  const ContactPatch& patch = gear.patches[k];
+  const Vec3 wanted = patch.p_B_m + direction * patch.length_m * patch.travel_B;
+  int best = -1;
+  double nearest_m = 0.6 * patch.length_m;  // farther is no neighbour
+  for (std::size_t m = 0; m < gear.patches.size(); ++m) {
+    const double d = (gear.patches[m].p_B_m - wanted).norm();
+    if (m != k && d < nearest_m) {
+      nearest_m = d;
+      best = static_cast<int>(m);
+    }
+  }
+  return best;
+}
+
+/// Stress vector per unit strength for shear displacement j.
+Vec2 Mobilised(const SoilType& soil, const Vec2& j_m) {
+  const double size = j_m.norm();
+  if (size < 1e-12) return Vec2::Zero();
+  return j_m * (ShearMobilisation(soil, size) / size);
+}
+
+/// Shears by `slip_m`. The stress t, a share of the strength along j, has a part along the slip,
+/// which loads further as Janosi says, or, pointing against it, unloads at the initial stiffness,
+/// so that what a shear has cost is not given back; and a part across, which yields to the slip
+/// within K where the strength is used up, so that sliding soil resists where it slides to.
+void ShearFurther(const SoilType& soil, const Vec2& slip_m, Vec2* j_m) {
+  const double size_m = slip_m.norm();
+  if (size_m < kLeastShear_m) return;
+  const double path = size_m / soil.shear_modulus_m;
+  const Vec2 direction = slip_m / size_m;
+  const Vec2 stress = Mobilised(soil, *j_m);
+  double along = stress.dot(direction);
+  const Vec2 across = (stress - along * direction) * std::exp(-stress.squaredNorm() * path);
+  const double unloading = std::min(path, std::max(0.0, -along));
+  along += unloading;
+  along = 1 - (1 - along) * std::exp(-(path - unloading));
+  const Vec2 after = along * direction + across;
+  const double size = after.norm();
+  if (size <= 0) {
+    j_m->setZero();
+    return;
+  }
+  const double most = ShearMobilisation(soil, kLargestShear * soil.shear_modulus_m);
+  *j_m = -soil.shear_modulus_m * std::log1p(-std::min(size, most)) / size * after;
+}
+
+/// Pressure of the ground on a point that is `pen_m` in it and goes further at `into_mps`.
+double DampedPressure_pa(const Plate& plate, double share, double pen_m, double sinkage_m,
+                         double into_mps) {
+  const double stiffness_papm = share * plate.rebound_papm();
+  double pressure_pa = stiffness_papm * pen_m;
+  if (!plate.Bears(pressure_pa, sinkage_m)) {
+    pressure_pa = BekkerPressure_pa(plate.soil(), plate.width_m(), sinkage_m);
+  }
+  const double damping =
+      2 * kDampingRatio * std::sqrt(stiffness_papm * pressure_pa / kStandardGravity_mps2);
+  return pressure_pa + std::clamp(damping * into_mps, -pressure_pa, pressure_pa);
+}
+
+/// Velocity of a patch over the soil at p_W, which gives way as a rolling shoe comes down on it:
+/// half-way between the patch's normal and the machine's down. So a raised nose that rolls shears
+/// nothing.
+Vec3 OverSoil_mps(const Footprint& foot, const BodyState& body, const Vec3& v_W) {
+  const Vec3 yield_W = foot.n_W - body.X_WB.linear().col(2);
+  return v_W - v_W.dot(foot.n_W) / yield_W.dot(foot.n_W) * yield_W;
+}
+
+/// The surface of an obstacle: asphalt's numbers, see config/soils/asphalt.yaml for their sources.
+SoilType HardSurface() {
+  SoilType hard;
+  hard.name = "obstacle";
+  hard.bank_density_kgpm3 = hard.max_density_kgpm3 = 2400;
+  hard.friction_angle_rad = hard.shear_friction_rad = 38.7 * kDeg;
+  hard.young_modulus_pa = 2.0e6;
+  hard.k_phi_npm_n2 = 1.0e9;
+  hard.shear_modulus_m = 0.004;
+  return hard;
+}
+
+/// The ground's soils and, last, what obstacles are made of.
+std::vector<SoilType> WithHardSurface(std::vector<SoilType> soils) {
+  soils.push_back(HardSurface());
+  return soils;
+}
+
+}  // namespace
+
+/// A step of the gear.
+struct GearContact::Step {
+  const BodyState& body;
+  double shoe_mps, dt_s;
+  double contact_m;                  ///< length of the ground under the gear before it
+  const std::vector<Patch>& before;  ///< the patches before it
+  Columns* ground;
+};
+
+/// What the patches do together.
+struct GearContact::Sum {
+  Result result;
+  double weight_n = 0;   ///< normal forces
+  double forward_w = 0;  ///< times the speed forwards at each
+};
+
+/// What the ground under one patch answers.
+struct GearContact::Pressed {
+  double normal_n = 0;
+  double area_m2 = 0;
+  double sinkage_m = 0;
+  Vec3 moment_W = Vec3::Zero();  ///< sum of normal force times place, for the centre of pressure
+  Vec3 moving_W = Vec3::Zero();  ///< sum of normal force times velocity of what it presses on
+  const SoilType* soil = nullptr;
+
+  double Strength_n() const {
+    return soil->shear_cohesion_pa * area_m2 + normal_n * std::tan(soil->shear_friction_rad);
+  }
+};
+
+GearContact::GearContact(const RunningGear& gear, bool shears, std::vector<SoilType> soils)
+    : gear_(gear),
+      shears_(shears),
+      soils_(WithHardSurface(std::move(soils))),
+      patches_(gear.patches.size()),
+      plates_(PlatesOf(gear_, soils_)),
+      rut_(gear_, soils_) {
+  for (std::size_t k = 0; k < patches_.size(); ++k) {
+    TERA_CHECK(gear_.patches[k].outward_B.z() < kMostUpward, gear_.name, k);
+    patches_[k].upstream = Neighbour(gear_, k, -1);
+    patches_[k].downstream = Neighbour(gear_, k, +1);
+  }
+}
+
+/// Pressure on a grid of points fixed to the patch, about a cell apart: as smooth as the ground.
+GearContact::Pressed GearContact::Bear(std::size_t patch_index, const BodyState& body,
+                                       const Columns& ground, const LowObstacles& obstacles) const {
+  const ContactPatch& patch = gear_.patches[patch_index];
+  Pressed result;
+  const Footprint foot(patch, body.X_WB);
+  const int n_along = std::max(1, static_cast<int>(std::ceil(patch.length_m / ground.cell_m())));
+  const int n_across = std::max(1, static_cast<int>(std::ceil(patch.width_m / ground.cell_m())));
+  const double area_m2 = patch.length_m * patch.width_m / (n_along * n_across);
+  // Velocity into the ground along the machine's vertical, which changes evenly over the patch.
+  const Vec3 up_W = body.X_WB.linear().col(2);
+  const Vec3 into_W = up_W.dot(foot.n_W) * up_W;
+  const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(foot.p_W_m - body.X_WB.translation());
+  const double into_mps = v_W.dot(into_W);
+  const double into_along_radps = body.w_WB_radps.cross(foot.along_W).dot(into_W);
+  const double into_across_radps = body.w_WB_radps.cross(foot.across_W).dot(into_W);
+  const double climb_m = ClimbHeight_m(gear_);
+  for (int a = 0; a < n_along; ++a) {
+    const double along_m = ((a + 0.5) / n_along - 0.5) * patch.length_m;
+    const double share = PressureShare(patch, along_m);
+    for (int b = 0; b < n_across; ++b) {
+      const double across_m = ((b + 0.5) / n_across - 0.5) * patch.width_m;
+      const Vec3 q_W = foot.p_W_m + along_m * foot.along_W + across_m * foot.across_W;
+      const Columns::Sample sample = ground.SampleAt(q_W.x(), q_W.y());
+      const auto obstacle = obstacles.TopAt(q_W.x(), q_W.y(), climb_m);
+      const bool hard = obstacle && obstacle->z_m > sample.top_m;
+      const double pen_m = ((hard ? obstacle->z_m : sample.top_m) - q_W.z()) * -foot.n_W.z();
+      if (pen_m <= 0) continue;
+      const std::size_t soil = hard ? soils_.size() - 1 : ground.SoilAt(sample.i, sample.j);
+      const Plate& plate = plates_[patch_index * soils_.size() + soil];
+      const double sinkage_m = pen_m + (hard ? 0 : sample.pressed_m);
+      const double v_mps = into_mps + along_m * into_along_radps + across_m * into_across_radps;
+      const double damped_pa = DampedPressure_pa(plate, share, pen_m, sinkage_m, v_mps);
+      result.normal_n += damped_pa * area_m2;
+      result.moment_W += damped_pa * area_m2 * q_W;
+      if (hard) result.moving_W += damped_pa * area_m2 * obstacle->v_W_mps;
+      result.area_m2 += area_m2;
+      result.soil = &plate.soil();
+      result.sinkage_m = std::max(result.sinkage_m, sinkage_m);
+    }
+  }
+  return result;
+}
+
+Vec2 GearContact::Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_mps,
+                        const Step& step) {
+  Patch& patch = patches_[k];
+  const SoilType& soil = *pressed.soil;
+  const int from = step.shoe_mps >= 0 ? patch.upstream : patch.downstream;
+  const Vec2 j_upstream_m =
+      from >= 0 && step.before[from].in_contact ? step.before[from].j_out_m : Vec2::Zero();
+  const double length_m = gear_.patches[k].length_m;
+  const auto advance = [&](Vec2* j_m, double over_m) {
+    const double renewed = std::min(1.0, std::abs(step.shoe_mps) * step.dt_s / over_m);
+    *j_m -= renewed * (*j_m - j_upstream_m);
+    ShearFurther(soil, slip_mps * step.dt_s, j_m);
+    const double limit_m = kLargestShear * soil.shear_modulus_m;
+    if (j_m->norm() > limit_m) *j_m *= limit_m / j_m->norm();
+  };
+  advance(&patch.j_in_m, kInletShare * length_m);
+  advance(&patch.j_out_m, length_m);
+  patch.in_contact = true;
+  const Vec2 j_m = 0.5 * (patch.j_in_m + patch.j_out_m);
+  // Mean over the patch between its inlet and its outlet, by Simpson's rule.
+  const Vec2 share =
+      (Mobilised(soil, patch.j_in_m) + 4 * Mobilised(soil, j_m) + Mobilised(soil, patch.j_out_m)) /
+      6;
+  const double strength_n = pressed.Strength_n();
+  const double mass_kg = pressed.normal_n / kStandardGravity_mps2;
+  const double speed = slip_mps.norm() / kRestSpeed_mps;
+  const double stiffness_npm =
+      strength_n / soil.shear_modulus_m * std::exp(-j_m.norm() / soil.shear_modulus_m);
+  const double damping =
+      2 * kShearDampingRatio * std::sqrt(stiffness_npm * mass_kg) / (1 + speed * speed);
+  Vec2 force_n = -strength_n * share - damping * slip_mps;
+  if (force_n.norm() > strength_n) force_n *= strength_n / force_n.norm();
+  return force_n;
+}
+
+GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, double dt_s,
+                                     const LowObstacles& obstacles, Columns* ground) {
+  const std::vector<Patch> before = patches_;
+  const Step step{body,   gear_.ShoeRadius_m() * rate_radps,
+                  dt_s,   std::exchange(contact_m_, 0.0),
+                  before, ground};
+  Sum sum;
+  rut_.Begin(step.shoe_mps * dt_s, ground);
+  for (std::size_t k = 0; k < patches_.size(); ++k) {
+    Pressed pressed;
+    if ((body.X_WB.linear() * gear_.patches[k].outward_B).z() < -kLeastUpward) {
+      rut_work_j_ += rut_.Press(k, body, dt_s, obstacles, ground);
+      pressed = Bear(k, body, *ground, obstacles);
+    }
+    if (pressed.normal_n > 0) {
+      Carry(k, pressed, step, &sum);
+    } else {
+      patches_[k].Lift();
+    }
+  }
+  rut_.End(body, ground);
+  if (sum.weight_n <= 0) rut_work_j_ = 0;
+  if (sum.weight_n > 0 && std::abs(step.shoe_mps) > kSlowestShoe_mps) {
+    sum.result.slip = std::clamp(1 - sum.forward_w / sum.weight_n / step.shoe_mps, -1.0, 1.0);
+  }
+  if (shears_) sum.result.wrench.force_W_n += PayBack(body.v_WB_mps, dt_s);
+  return sum.result;
+}
+
+/// One patch that bears: its forces, and the soil that its shoes carry away.
+void GearContact::Carry(std::size_t k, const Pressed& pressed, const Step& step, Sum* sum) {
+  const BodyState& body = step.body;
+  const ContactPatch& patch = gear_.patches[k];
+  const Footprint foot(patch, body.X_WB);
+  const Vec3 origin_W = body.X_WB.translation();
+  const Vec3 p_W = pressed.moment_W / pressed.normal_n;
+  const Vec3 v_W =
+      body.v_WB_mps + body.w_WB_radps.cross(p_W - origin_W) - pressed.moving_W / pressed.normal_n;
+  contact_m_ += patch.length_m;
+  Vec2 shear_n = Vec2::Zero();
+  if (shears_) {
+    const Vec3 over_soil_W = OverSoil_mps(foot, body, v_W);
+    const Vec2 slip_mps(over_soil_W.dot(foot.along_W) + step.shoe_mps,
+                        over_soil_W.dot(foot.across_W));
+    shear_n = Shear(k, pressed, slip_mps, step);
+    if (step.contact_m > 0) {
+      rut_.Slip(k, slip_mps.x() * step.dt_s, pressed.sinkage_m, step.contact_m, body, step.ground);
+    }
+  }
+  Result& result = sum->result;
+  result.grip_n += pressed.Strength_n();
+  result.wrench.AddForceAt(
+      -pressed.normal_n * foot.n_W + shear_n.x() * foot.along_W + shear_n.y() * foot.across_W, p_W,
+      origin_W);
+  result.traction_n -= shear_n.x();
+  result.sinkage_m = std::max(result.sinkage_m, pressed.sinkage_m);
+  sum->forward_w += pressed.normal_n * v_W.dot(body.X_WB.linear().col(0));
+  sum->weight_n += pressed.normal_n;
+}
+
+/// The drag by which a moving gear pays for its rut.
+Vec3 GearContact::PayBack(const Vec3& v_WB_mps, double dt_s) {
+  const Vec3 v_W(v_WB_mps.x(), v_WB_mps.y(), 0);
+  const Vec3 drag_W_n = -rut_work_j_ / kDragLength_m * v_W / (v_W.norm() + kDragSpeed_mps);
+  rut_work_j_ = std::max(0.0, rut_work_j_ + drag_W_n.dot(v_W) * dt_s);
+  return drag_W_n;
+}
+
+}  // namespace tera

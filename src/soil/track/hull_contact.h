@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/types/ground_tools.h"
+#include "soil/columns/columns.h"
+#include "soil/track/low_obstacles.h"
+
+namespace tera {
+
+/// Point of a machine's structure on the ground.
+///
+/// Frames  W.
+/// Model   A spring and damper along the shortest way out of the ground (GroundExit), so that the
+///         wall of a pit pushes sideways what slides into it, and another spring across it that
+///         yields where Coulomb friction is used up; the ground only pushes. The first spring is as
+///         long as the point has come into the ground by its own motion, at most as the way out:
+///         soil that is heaped over a point lifts nothing. Springs change by motion against their
+///         force, or they shorten; so the ground never gives more work than it took, however the
+///         way out turns. Of the ground and a low obstacle, the one it is deeper in bears it.
+///         Stiffness and damping are in proportion to the machine's mass: alike
+///         machines go in alike.
+/// Omits   any change of the ground, the weight of soil on the structure, the ground's strength.
+class HullContact {
+ public:
+  /// `mass_kg` is that of the whole machine; obstacles that rise no more than `climb_m` bear it.
+  HullContact(const GroundTools::HullPoint& point, double mass_kg, double climb_m = 0);
+  int link() const { return point_.link; }
+  Wrench Act(const BodyState& body, double dt_s, const Columns& ground,
+             const LowObstacles& obstacles);
+
+ private:
+  void Release();
+
+  GroundTools::HullPoint point_;
+  double climb_m_, stiffness_npm_, damping_nspm_;
+  double pressed_m_ = 0;             ///< length of the spring along the way out
+  Vec3 sheared_W_m_ = Vec3::Zero();  ///< of the spring across it
+};
+
+}  // namespace tera

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/types/rigid_obstacle.h"
+#include "soil/track/ground_exit.h"
+
+namespace tera {
+
+/// Rigid things on the ground, as what drives over them meets them.
+///
+/// Frames  W.
+/// Model   Seen from above, a height: that of the boxes' upper faces (a tilted box is a ramp),
+///         beside which it falls off at 45 deg down to the box's foot, as far out as a sprocket's
+///         round end comes over an edge before it touches it. Seen from within, the shortest way
+///         out of a box by any face but the lowest. Whoever asks says how high it climbs; obstacles
+///         that rise higher are not there.
+/// Omits   that they sink, tilt or slip under what drives over them.
+class LowObstacles {
+ public:
+  /// Adds an obstacle at W's origin; returns its handle.
+  int Add(const RigidObstacle& obstacle);
+  void Move(int handle, const BodyState& carrier);
+
+  /// Upper side of an obstacle.
+  struct Top {
+    double z_m;
+    Vec3 v_W_mps;  ///< of the obstacle there
+  };
+  /// The highest over (x, y) of obstacles that rise no more than `climb_m`.
+  std::optional<Top> TopAt(double x_m, double y_m, double climb_m) const;
+
+  struct Exit {
+    GroundExit way;
+    Vec3 v_W_mps;
+  };
+  /// The way out of the box that `p_W_m` is deepest in, if it is in one.
+  std::optional<Exit> ExitFrom(const Vec3& p_W_m, double climb_m) const;
+
+ private:
+  struct Placed {
+    RigidObstacle obstacle;
+    BodyState state;
+  };
+  std::vector<Placed> placed_;
+};
+
+}  // namespace tera

@@ -1,0 +1,63 @@
+#include "soil/track/plate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "soil/track/terramechanics.h"
+
+namespace tera {
+
+Plate::Plate(const SoilType& soil, const ContactPatch& patch)
+    : soil_(&soil),
+      width_m_(PlateWidth_m(patch)),
+      rebound_papm_(Rebound_papm(soil, width_m_)),
+      modulus_npm_n2_(static_cast<float>(BekkerPressure_pa(soil, width_m_, 1))),
+      exponent_(static_cast<float>(soil.sinkage_exponent)) {
+  const double one_npm = BulldozingResistance_n(soil, 1, 1);
+  const double two_npm = BulldozingResistance_n(soil, 1, 2);  // 2 a + 4 b, where one is a + b
+  pushed_npm3_ = 0.5 * two_npm - one_npm;
+  pushed_npm2_ = one_npm - pushed_npm3_;
+}
+
+bool Plate::Bears(double pressure_pa, double z_m) const {
+  constexpr double kSure = 1e-4;
+  if (z_m <= 0) return pressure_pa <= 0;
+  const double about_pa = modulus_npm_n2_ * std::pow(static_cast<float>(z_m), exponent_);
+  if (pressure_pa < (1 - kSure) * about_pa) return true;
+  if (pressure_pa > (1 + kSure) * about_pa) return false;
+  return pressure_pa <= BekkerPressure_pa(*soil_, width_m_, z_m);
+}
+
+double Plate::PlasticSinkage_m(double share, double pressed_m, double pen_m) const {
+  constexpr int kSteps = 12;
+  constexpr double kClose_m = 1e-7;
+  const double stiffness_papm = share * rebound_papm_;
+  if (Bears(stiffness_papm * pen_m, pressed_m)) return 0;
+  double low = 0, high = pen_m, ds = pen_m;
+  for (int step = 0; step < kSteps; ++step) {
+    const double z = pressed_m + ds;
+    const double p = BekkerPressure_pa(*soil_, width_m_, z);
+    const double residual = p - stiffness_papm * (pen_m - ds);
+    (residual > 0 ? high : low) = ds;
+    const double slope = stiffness_papm + soil_->sinkage_exponent * p / std::max(z, kClose_m);
+    double next = ds - residual / slope;
+    if (next <= low || next >= high) next = 0.5 * (low + high);
+    if (std::abs(next - ds) < kClose_m) break;
+    ds = next;
+  }
+  return ds;
+}
+
+double Plate::BulldozingWork_jpm2(double from_m, double to_m) const {
+  return pushed_npm2_ * (to_m - from_m) + pushed_npm3_ * (to_m * to_m - from_m * from_m);
+}
+
+std::vector<Plate> PlatesOf(const RunningGear& gear, const std::vector<SoilType>& soils) {
+  std::vector<Plate> plates;
+  for (const ContactPatch& patch : gear.patches) {
+    for (const SoilType& soil : soils) plates.emplace_back(soil, patch);
+  }
+  return plates;
+}
+
+}  // namespace tera

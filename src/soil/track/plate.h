@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "core/types/ground_tools.h"
+#include "soil/soil.h"
+
+namespace tera {
+
+/// A patch of running gear on one of the soils: what they do to each other, all that does not
+/// change looked up.
+///
+/// Source  as in terramechanics.h.
+class Plate {
+ public:
+  /// `soil` outlives it.
+  Plate(const SoilType& soil, const ContactPatch& patch);
+
+  const SoilType& soil() const { return *soil_; }
+  double width_m() const { return width_m_; }
+  double rebound_papm() const { return rebound_papm_; }
+  /// Whether Bekker's pressure at z_m is at least `pressure_pa`. Single precision tells in nearly
+  /// all cases.
+  bool Bears(double pressure_pa, double z_m) const;
+  /// Solves s k_e (pen - ds) = p_Bekker(pressed + ds) for ds by safeguarded Newton steps; 0 where
+  /// the ground bears the plate elastically. `share` is s.
+  double PlasticSinkage_m(double share, double pressed_m, double pen_m) const;
+  /// Work per unit area of pushing soil aside from sinkage `from_m` to `to_m`.
+  double BulldozingWork_jpm2(double from_m, double to_m) const;
+
+ private:
+  const SoilType* soil_;
+  double width_m_;
+  double rebound_papm_;  ///< k_e
+  float modulus_npm_n2_, exponent_;
+  double pushed_npm2_, pushed_npm3_;  ///< bulldozing resistance over width: its terms in z and z^2
+};
+
+/// For each patch of the gear, one for each soil.
+std::vector<Plate> PlatesOf(const RunningGear& gear, const std::vector<SoilType>& soils);
+
+}  // namespace tera

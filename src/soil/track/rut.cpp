@@ -1,0 +1,165 @@
+#include "soil/track/rut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "soil/track/terramechanics.h"
+
+namespace tera {
+namespace {
+
+constexpr double kInfluenceDepths = 1.0;  ///< crust thickness over patch width
+constexpr double kScraped_m = 5e-4;       ///< soil is carried away in layers this thick
+
+/// Calls visit(i, j, d_W) for each column under a patch, d_W from the patch's middle, on its plane.
+template <typename Visit>
+void ForColumnsUnder(const ContactPatch& patch, const Footprint& foot, const Columns& ground,
+                     Visit visit) {
+  const Vec3& p_W = foot.p_W_m;
+  const Vec3 reach =
+      0.5 * (patch.length_m * foot.along_W.cwiseAbs() + patch.width_m * foot.across_W.cwiseAbs());
+  const int i0 = std::max(0, ground.NearestI(p_W.x() - reach.x()));
+  const int i1 = std::min(ground.nx() - 1, ground.NearestI(p_W.x() + reach.x()));
+  const int j0 = std::max(0, ground.NearestJ(p_W.y() - reach.y()));
+  const int j1 = std::min(ground.ny() - 1, ground.NearestJ(p_W.y() + reach.y()));
+  for (int j = j0; j <= j1; ++j) {
+    for (int i = i0; i <= i1; ++i) {
+      const double dx = ground.x_m(i) - p_W.x(), dy = ground.y_m(j) - p_W.y();
+      const Vec3 d_W(dx, dy, -(foot.n_W.x() * dx + foot.n_W.y() * dy) / foot.n_W.z());
+      if (std::abs(d_W.dot(foot.along_W)) > 0.5 * patch.length_m) continue;
+      if (std::abs(d_W.dot(foot.across_W)) > 0.5 * patch.width_m) continue;
+      visit(i, j, d_W);
+    }
+  }
+}
+
+}  // namespace
+
+Rut::Rut(const RunningGear& gear, const std::vector<SoilType>& soils)
+    : gear_(gear),
+      soils_(soils),
+      plates_(PlatesOf(gear_, soils_)),
+      tread_(gear),
+      scrape_m_(gear.patches.size(), 0.0) {}
+
+void Rut::Begin(double shoe_m, Columns* ground) {
+  tread_.Roll(shoe_m);
+  for (const ColumnId k : covered_) ground->Release(k);
+  was_covered_ = std::exchange(covered_, {});
+  was_touching_ = std::exchange(touching_, {});
+}
+
+/// A column under a patch.
+struct Rut::Under {
+  ColumnId id;
+  std::size_t patch;
+  const Footprint& foot;
+  Vec3 d_W_m;  ///< from the middle of the patch, on its plane
+  double along_m() const { return d_W_m.dot(foot.along_W); }
+  double across_m() const { return d_W_m.dot(foot.across_W); }
+};
+
+double Rut::Press(std::size_t patch_index, const BodyState& body, double dt_s,
+                  const LowObstacles& obstacles, Columns* ground) {
+  pressed_.clear();
+  const Footprint foot(gear_.patches[patch_index], body.X_WB);
+  const double climb_m = ClimbHeight_m(gear_);
+  double work_j = 0;
+  ForColumnsUnder(gear_.patches[patch_index], foot, *ground, [&](int i, int j, const Vec3& d_W) {
+    ColumnId k = ground->IdAt(i, j);
+    const double top_m = k != Columns::kNone ? ground->skin(k).top_m : ground->TopAt(i, j);
+    const double patch_z_m = foot.p_W_m.z() + d_W.z();
+    const double pen_m = (top_m - patch_z_m) * -foot.n_W.z();
+    if (pen_m <= 0) return;
+    const auto obstacle = obstacles.TopAt(ground->x_m(i), ground->y_m(j), climb_m);
+    if (obstacle && obstacle->z_m > top_m) return;
+    if (k == Columns::kNone) k = ground->Touch(i, j);
+    ground->MarkRut(k);
+    ground->Block(k, patch_z_m);
+    pressed_.push_back(k);
+    work_j += Sink({k, patch_index, foot, d_W}, pen_m, body, dt_s, ground);
+  });
+  if (!pressed_.empty()) touching_.push_back(patch_index);
+  covered_.insert(covered_.end(), pressed_.begin(), pressed_.end());
+  return work_j;
+}
+
+/// Lets a column give way to a patch that has come `pen_m` into it. Returns the work that the
+/// patch's pressure does not do.
+double Rut::Sink(const Under& column, double pen_m, const BodyState& body, double dt_s,
+                 Columns* ground) {
+  const auto& [k, patch_index, foot, d_W] = column;
+  const ContactPatch& patch = gear_.patches[patch_index];
+  const Plate& plate = plates_[patch_index * soils_.size() + ground->soil_at(k)];
+  const double was_m = ground->skin(k).pressed_m;
+  const double plastic_m =
+      plate.PlasticSinkage_m(PressureShare(patch, column.along_m()), was_m, pen_m);
+  if (plastic_m <= 0) return 0;
+  const Vec3 v_W =
+      body.v_WB_mps + body.w_WB_radps.cross(foot.p_W_m + d_W - body.X_WB.translation());
+  // What sinks where it stands presses soil together; what comes along also pushes it aside.
+  const double moved_on = 1 - std::clamp(v_W.dot(foot.n_W) * dt_s / plastic_m, 0.0, 1.0);
+  const double came_along = 1 - std::clamp(v_W.z() * foot.n_W.z() * dt_s / plastic_m, 0.0, 1.0);
+  const double is_m = was_m + plastic_m;
+  const double bekker_jpm2 = BekkerWork_jpm2(plate.soil(), plate.width_m(), is_m) -
+                             BekkerWork_jpm2(plate.soil(), plate.width_m(), was_m);
+  SpoilMix beside;
+  ground->Press(k, plastic_m / -foot.n_W.z(), kInfluenceDepths * patch.width_m, &beside);
+  if (!beside.empty()) {
+    const double out_m = std::copysign(0.5 * patch.width_m + ground->cell_m(), column.across_m());
+    const Vec3 out_W = foot.p_W_m + d_W + (out_m - column.across_m()) * foot.across_W;
+    ground->DepositAt(ground->NearestI(out_W.x()), ground->NearestJ(out_W.y()), beside);
+  }
+  return ground->area_m2() *
+         (moved_on * bekker_jpm2 + came_along * plate.BulldozingWork_jpm2(was_m, is_m));
+}
+
+void Rut::Slip(std::size_t k, double slip_m, double sinkage_m, double contact_m,
+               const BodyState& body, Columns* ground) {
+  if (pressed_.empty()) return;
+  scrape_m_[k] += std::min(gear_.grouser_m, sinkage_m) * slip_m / contact_m;
+  if (std::abs(scrape_m_[k]) < kScraped_m) return;
+  const double scraped_m = std::exchange(scrape_m_[k], 0.0);
+  SpoilMix thrown;
+  for (const ColumnId column : pressed_) ground->Scrape(column, std::abs(scraped_m), &thrown);
+  ThrowOut(std::copysign(1.0, scraped_m), body, thrown, ground);
+}
+
+/// Puts soil behind the gear's last patch on the ground, in `direction` times travel.
+void Rut::ThrowOut(double direction, const BodyState& body, const SpoilMix& thrown,
+                   Columns* ground) {
+  std::size_t last = touching_.front();
+  const Vec3 backward_B = -direction * Vec3::UnitX();
+  for (const std::size_t k : was_touching_) {
+    if (gear_.patches[k].p_B_m.dot(backward_B) > gear_.patches[last].p_B_m.dot(backward_B)) {
+      last = k;
+    }
+  }
+  const ContactPatch& patch = gear_.patches[last];
+  const Footprint foot(patch, body.X_WB);
+  const Vec3 end_W =
+      foot.p_W_m + direction * (0.5 * patch.length_m + ground->cell_m()) * foot.along_W;
+  const int count = std::max(1, static_cast<int>(patch.width_m / ground->cell_m()));
+  SpoilMix rest = thrown;
+  for (int n = 0; n < count; ++n) {
+    const Vec3 p_W = end_W + ((n + 0.5) / count - 0.5) * patch.width_m * foot.across_W;
+    ground->DepositAt(ground->NearestI(p_W.x()), ground->NearestJ(p_W.y()),
+                      rest.Take(1.0 / (count - n)));
+  }
+}
+
+void Rut::End(const BodyState& body, Columns* ground) {
+  std::vector<ColumnId> free;
+  for (const ColumnId k : was_covered_) {
+    if (!ground->IsBlocked(k)) free.push_back(k);
+  }
+  std::sort(free.begin(), free.end());  // some lay under two patches
+  free.erase(std::unique(free.begin(), free.end()), free.end());
+  for (const ColumnId k : free) {
+    tread_.Print(k, body.X_WB, ground);
+    ground->Unblock(k);
+  }
+}
+
+}  // namespace tera

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <vector>
+
+#include "core/types/ground_tools.h"
+#include "soil/columns/columns.h"
+#include "soil/track/footprint.h"
+#include "soil/track/low_obstacles.h"
+#include "soil/track/plate.h"
+#include "soil/track/tread.h"
+
+namespace tera {
+
+/// What running gear does to the columns under it: it presses a rut and carries soil away.
+///
+/// Frames  W; patches in the frame B of the gear's link.
+/// Model   Columns under a patch give way plastically to where the patch's elastic pressure, with
+///         its peaks under road wheels, and Bekker's agree, and remember it for later passes.
+///         Height becomes density; what would exceed the greatest is put beside the gear. Soil
+///         between grousers goes with the shoes: where they slip over the ground, a layer as thick
+///         as they are high, and no thicker than they have sunk in, leaves at the end to which it
+///         is carried, and the gear sinks by as much, evenly over its contact: h i / (1 - i) in a
+///         pass at slip i. The ground keeps its memory of pressure thereby. What comes free gets
+///         the print of the grousers, see Tread.
+/// Omits   soil that grousers carry sideways.
+/// Source  Bekker 1969; memory and grid as in Krenn and Hirzinger 2009; slip sinkage: Reece 1965.
+class Rut {
+ public:
+  /// `soils` are those of the ground, as the machine meets them.
+  Rut(const RunningGear& gear, const std::vector<SoilType>& soils);
+  Rut(Rut&&) = default;  // a copy's plates would be on the original's soils
+
+  /// Before a step's patches, in which the shoes move on by `shoe_m`.
+  void Begin(double shoe_m, Columns* ground);
+  /// Presses the columns under patch `k` where they cannot bear it and no low obstacle lies on
+  /// them. Returns the work of it that the patch's pressure does not do, because the gear moves on
+  /// rather than down.
+  double Press(std::size_t k, const BodyState& body, double dt_s, const LowObstacles& obstacles,
+               Columns* ground);
+  /// Lets patch `k`, whose columns were just pressed, slip by `slip_m` over them, along travel;
+  /// `contact_m` is the length of ground under the whole gear.
+  /// Its shoes stand `sinkage_m` deep.
+  void Slip(std::size_t k, double slip_m, double sinkage_m, double contact_m, const BodyState& body,
+            Columns* ground);
+  /// After a step's patches: soil may slide again into columns that the gear has left.
+  void End(const BodyState& body, Columns* ground);
+
+ private:
+  struct Under;
+  double Sink(const Under& column, double pen_m, const BodyState& body, double dt_s,
+              Columns* ground);
+  void ThrowOut(double direction, const BodyState& body, const SpoilMix& thrown, Columns* ground);
+
+  RunningGear gear_;
+  std::vector<SoilType> soils_;
+  std::vector<Plate> plates_;
+  Tread tread_;
+  std::vector<double> scrape_m_;   ///< of each patch: still to be carried away, signed as its slip
+  std::vector<ColumnId> pressed_;  ///< columns under the patch just pressed
+  std::vector<std::size_t> touching_, was_touching_;  ///< patches on the ground
+  std::vector<ColumnId> covered_, was_covered_;       ///< columns under the gear
+};
+
+}  // namespace tera

@@ -1,0 +1,279 @@
+#include "core/config/config.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "core/config/config_beneath.h"
+#include "core/config/config_faults.h"
+#include "core/error.h"
+#include "own_folder.h"
+
+namespace tera {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+/// What Finish says, or nothing.
+std::string FaultsOf(const Config& config) {
+  try {
+    config.Finish();
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Config, UnknownKeyNamesPlaceAndNearestKey) {
+  const Config config = Config::FromText("lidar:\n  max_rang_m: 3\n", "a.yaml");
+  const ConfigMap lidar = config.root().Map("lidar");
+  lidar.Number("max_range_m", Positive("m"), 10.0);
+  EXPECT_EQ(FaultsOf(config),
+            "a.yaml:2:3: lidar.max_rang_m: unknown key (did you mean 'max_range_m'?)");
+}
+
+TEST(Config, NumbersLaidBeneathGiveWayToWhatIsWritten) {
+  const Config config = Config::FromText("file: x.urdf\na: {b: 1}\n", "a.yaml", {"a.c=2"});
+  config.root().Text("file");
+  LayBeneath(config.root(), "x.urdf",
+             {{{"a", "b"}, 5}, {{"a", "c"}, 6}, {{"a", "d"}, 7}, {{"extra", "f"}, -8}});
+  const ConfigMap a = config.root().Map("a");
+  EXPECT_EQ(a.Number("b", Any("m")), 1);
+  EXPECT_EQ(a.Number("c", Any("m")), 2);
+  EXPECT_EQ(a.Number("d", Any("m")), 7);
+  EXPECT_EQ(FaultsOf(config), "x.urdf: extra: unknown key; known here: a, file");
+  config.root().Map("extra").Number("f", Positive("m"));
+  config.root().Number("g", Any("m"));
+  EXPECT_THAT(FaultsOf(config), AllOf(HasSubstr("x.urdf: extra.f: -8 is out of range"),
+                                      HasSubstr("a.yaml:1:1: g: missing")));
+}
+
+TEST(Config, AChoiceOfKeysThatIsRefusedIsTheOnlyFaultOfItsMapping) {
+  const auto faults = [](const std::string& text) {
+    const Config config = Config::FromText(text, "a.yaml");
+    const ConfigMap map = config.root().Map("m");
+    if (ChoiceOfKeys(map, "type", {"ball", "box"}) == "ball") {
+      map.Number("radius_m", Positive("m"));
+    } else {
+      map.Number("edge_m", Positive("m"));
+    }
+    return FaultsOf(config);
+  };
+  EXPECT_EQ(faults("m: {type: box, edge_m: 2}"), "");
+  EXPECT_EQ(faults("m: {type: boxx, edge_m: 2}"),
+            "a.yaml:1:11: m.type: 'boxx' is not known, need one of ball, box (did you mean "
+            "'box'?)");
+  EXPECT_EQ(faults("m: {edge_m: 2}"), "a.yaml:1:4: m.type: missing, need one of ball, box");
+  EXPECT_THAT(faults("m: {type: box, radius_m: 2}"),
+              AllOf(HasSubstr("m.radius_m: unknown key"), HasSubstr("m.edge_m: missing")));
+}
+
+TEST(Config, OutOfRangeNumberNamesWhatIsNeeded) {
+  const Config config = Config::FromText("sensors:\n  - {range_sigma_m: -0.02}\n", "a.yaml");
+  for (const ConfigMap& sensor : config.root().List("sensors")) {
+    sensor.Number("range_sigma_m", Between(0, 1, "m"));
+  }
+  EXPECT_EQ(FaultsOf(config),
+            "a.yaml:2:21: sensors[0].range_sigma_m: -0.02 is out of range, need 0 to 1 m");
+}
+
+TEST(Config, EveryFaultIsReportedTogether) {
+  const Config config = Config::FromText("a: x\nb: .nan\nc: [1, 2]\na: 3\nd: 4\n", "f.yaml");
+  const ConfigMap root = config.root();
+  root.Number("a", Any("m"));
+  root.Number("b", Any("m"));
+  root.Vector3("c", Any("m"));
+  root.Number("e", Positive("s"));
+  EXPECT_THAT(FaultsOf(config),
+              AllOf(HasSubstr("a: 'x' is not a number"), HasSubstr("f.yaml:2:4: b: '.nan'"),
+                    HasSubstr("c: a list of 2 found, need a list of 3"),
+                    HasSubstr("f.yaml:4:1: a: repeated key"), HasSubstr("d: unknown key"),
+                    HasSubstr("e: missing, need more than 0 s")));
+}
+
+TEST(Config, OverridesReplaceValuesInsideLists) {
+  const Config config =
+      Config::FromText("s:\n  - {r: 1}\n  - {r: 2}\n", "a.yaml", {"s[1].r=5", "t=7"});
+  const auto list = config.root().List("s");
+  EXPECT_EQ(list[0].Number("r", Any("m")), 1);
+  EXPECT_EQ(list[1].Number("r", Any("m")), 5);
+  EXPECT_EQ(config.root().Number("t", Any("m")), 7);
+  EXPECT_EQ(FaultsOf(config), "");
+}
+
+TEST(Config, OverrideOfAnAbsentItemIsAFault) {
+  const Config config = Config::FromText("s: [{r: 1}]\n", "a.yaml", {"s[3].r=5"});
+  config.root().List("s")[0].Number("r", Any("m"));
+  EXPECT_THAT(FaultsOf(config), HasSubstr("no item [3], the list has 1"));
+}
+
+TEST(Config, OverridesReplaceNumbersAndTextsInsideLists) {
+  const Config config =
+      Config::FromText("v: [1, 2]\nr: [[1, 2], [3, 4], [5, 6]]\nt: [a, b]\n", "a.yaml",
+                       {"v[0]=30", "r[1][0]=7", "r[2]=[8, 9]", "t[1]=c"});
+  EXPECT_EQ(config.root().Vector2("v", Any("m")), Vec2(30, 2));
+  EXPECT_EQ(config.root().NumberRows("r", Any("m"), 2, 1),
+            (std::vector<std::vector<double>>{{1, 2}, {7, 4}, {8, 9}}));
+  EXPECT_EQ(config.root().Texts("t"), (std::vector<std::string>{"a", "c"}));
+  EXPECT_EQ(FaultsOf(config), "");
+}
+
+TEST(Config, OfTwoOverridesTheLaterHolds) {
+  const Config config = Config::FromText("v: [1, 2]\nm: {a: 1, b: 2}\n", "a.yaml",
+                                         {"v=[3, 4]", "v[1]=5", "m.a=6", "m.a=7", "m={b: 8}"});
+  EXPECT_EQ(config.root().Vector2("v", Any("m")), Vec2(3, 5));
+  EXPECT_EQ(config.root().Map("m").Number("a", Any("m")), 7);
+  EXPECT_EQ(config.root().Map("m").Number("b", Any("m")), 8);
+  EXPECT_EQ(FaultsOf(config), "");
+}
+
+TEST(Config, OverridesWithoutAPathAreRefused) {
+  for (const char* text : {"]=1", "=1", "a", ".=1", "a..b=1", "a.=1", ".a=1", "[0]=1", "a[=1",
+                           "a[]=1", "a[x]=1", "a[00].b=1", "a[-1]=1", "a[0]b=1", "a]=1"}) {
+    EXPECT_THAT([&] { Config::FromText("a: [1]\n", "a.yaml", {text}); },
+                ::testing::ThrowsMessage<InputError>(AllOf(HasSubstr(std::string("--set ") + text),
+                                                           HasSubstr("need key.path=value"))))
+        << text;
+  }
+}
+
+TEST(Config, AnOverrideOfAnItemByWhatItCannotBeIsAFault) {
+  const auto faults = [](const std::string& override) {
+    const Config config = Config::FromText("s: [{r: 1}]\nv: [1, 2]\n", "a.yaml", {override});
+    for (const ConfigMap& item : config.root().List("s")) item.Number("r", Any("m"));
+    for (const ConfigMap& item : config.root().List("absent")) item.Number("r", Any("m"));
+    config.root().Vector2("v", Any("m"));
+    return FaultsOf(config);
+  };
+  EXPECT_EQ(faults("s[0]=foo"), "--set: s[0]: 'foo' found, need a mapping of keys");
+  EXPECT_EQ(faults("s.00.r=1"), "--set: s: no item [00], the list has 1");
+  EXPECT_EQ(faults("v[2]=1"), "--set: v: no item [2], the list has 2");
+  EXPECT_EQ(faults("v[0].x=1"), "--set: v[0]: a mapping is not a number, need a number in m");
+  EXPECT_EQ(faults("absent[0].r=1"),
+            "--set: absent: an item of a list that is not there found, need a list of mappings");
+}
+
+TEST(Config, NamesKeepTheOrderOfTheFileWithOverridesAtTheEnd) {
+  const Config config = Config::FromText("n: {b: 1, a: 2}\nm: {b: {x: 1}, a: {x: 2}}\n", "a.yaml",
+                                         {"n.c=3", "n.a=4", "m.c.x=3", "m.a.x=4"});
+  std::vector<std::pair<std::string, double>> maps;
+  for (const auto& [name, map] : config.root().NamedMaps("m")) {
+    maps.emplace_back(name, map.Number("x", Any("m")));
+  }
+  EXPECT_THAT(maps,
+              ::testing::ElementsAre(std::pair("b", 1), std::pair("a", 4), std::pair("c", 3)));
+  EXPECT_EQ(config.root().NamedNumbers("n", Any("m")), maps);
+}
+
+/// Files of presets in a folder of the test's own.
+class Presets : public ::testing::Test {
+ protected:
+  void Write(const std::string& name, const std::string& text) const {
+    std::filesystem::create_directories((folder_ / name).parent_path());
+    std::ofstream(folder_ / name) << text;
+  }
+  Config Read(const std::string& name) const { return Config::FromFile(folder_ / name); }
+
+  const std::filesystem::path folder_ = OwnFolder();
+};
+
+TEST_F(Presets, OfAPresetAreAppliedBelowIt) {
+  Write("a.yaml", "preset: sub/b.yaml\nx: 1\n");
+  Write("sub/b.yaml", "preset: c.yaml\nx: 2\ny: 2\n");
+  Write("sub/c.yaml", "x: 3\ny: 3\nz: 3\n");
+  const Config config = Read("a.yaml");
+  config.root().ApplyPreset("preset");
+  std::vector<double> values;
+  for (const char* key : {"x", "y", "z"}) values.push_back(config.root().Number(key, Any("")));
+  EXPECT_EQ(values, (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(FaultsOf(config), "");
+}
+
+TEST_F(Presets, InACircleAreAFault) {
+  Write("a.yaml", "preset: b.yaml\n");
+  Write("b.yaml", "preset: ./b.yaml\n");
+  const Config config = Read("a.yaml");
+  config.root().ApplyPreset("preset");
+  EXPECT_THAT(FaultsOf(config), HasSubstr("'./b.yaml' is a preset of itself"));
+}
+
+TEST_F(Presets, WithNamesThatNoFileCanHaveAreNotThere) {
+  Write("a.yaml", "preset: " + std::string(300, 'x') + ".yaml\nfile: loop.yaml\n");
+  std::filesystem::create_symlink("loop.yaml", folder_ / "loop.yaml");
+  const Config config = Read("a.yaml");
+  config.root().ApplyPreset("preset");
+  config.root().File("file");
+  EXPECT_THAT(FaultsOf(config), AllOf(HasSubstr("xxx.yaml' does not exist"),
+                                      HasSubstr("'loop.yaml' does not exist")));
+  EXPECT_THROW(Read("loop.yaml"), InputError);
+  EXPECT_THROW(Read(std::string(300, 'y')), InputError);
+}
+
+TEST(Config, ResolvedDocumentHoldsDefaultsAndReadsBackTheSame) {
+  const Config config = Config::FromText("a: 1.5\nm: {list: [{x: 2}]}\n", "a.yaml", {"m.y=4"});
+  const auto read = [](const ConfigMap& root) {
+    return std::vector<double>{root.Number("a", Any("m")), root.Number("b", Any("m"), 0.1),
+                               root.Map("m").List("list")[0].Number("x", Any("m")),
+                               root.Map("m").Number("y", Any("m"))};
+  };
+  const auto first = read(config.root());
+  const Config again = Config::FromText(config.ResolvedYaml(), "resolved.yaml");
+  EXPECT_EQ(read(again.root()), first);
+  EXPECT_THAT(first, ::testing::ElementsAre(1.5, 0.1, 2, 4));
+  EXPECT_EQ(FaultsOf(again), "");
+}
+
+TEST(Config, MissingIncludedFileNamesTheKeyAndTheRemedy) {
+  const Config config = Config::FromText("machine: nowhere.yaml\n", "a.yaml");
+  config.root().MapOrFile("machine");
+  EXPECT_THAT(FaultsOf(config), AllOf(HasSubstr("a.yaml:1:10: machine: file 'nowhere.yaml'"),
+                                      HasSubstr("correct the path")));
+}
+
+TEST(Config, BrokenYamlNamesLineAndColumn) {
+  EXPECT_THROW(
+      {
+        try {
+          Config::FromText("a: [1, 2\nb: 3\n", "a.yaml");
+        } catch (const InputError& e) {
+          EXPECT_THAT(e.what(), HasSubstr("a.yaml:"));
+          EXPECT_THAT(e.what(), HasSubstr("not valid YAML"));
+          throw;
+        }
+      },
+      InputError);
+}
+
+TEST(Config, WhatAMappingLacksIsNoFaultWhereItIsNotThereItself) {
+  const Config config =
+      Config::FromText("file: nowhere.yaml\nlist: [1]\nhere: {depth_m: -2}\n", "a.yaml");
+  const ConfigMap root = config.root();
+  for (const ConfigMap& map :
+       {root.MapOrFile("file"), root.Map("list"), root.Map("gone").Map("below")}) {
+    EXPECT_EQ(map.Text("name"), "");
+    map.Number("width_m", Positive("m"));
+    map.Fault("links", "there are none; need one");
+  }
+  EXPECT_EQ(FaultCount(root), 3u);
+  root.Map("here").Number("depth_m", Positive("m"));
+  root.Map("here").Number("width_m", Positive("m"));
+  EXPECT_EQ(FaultCount(root), 5u);
+  const std::string faults = FaultsOf(config);
+  EXPECT_EQ(std::count(faults.begin(), faults.end(), '\n'), 4) << faults;
+  EXPECT_THAT(faults, AllOf(HasSubstr("'nowhere.yaml' does not exist"), HasSubstr("list: a list"),
+                            HasSubstr("gone: missing"), HasSubstr("here.depth_m: -2"),
+                            HasSubstr("here.width_m: missing")));
+}
+
+TEST(Config, AnUnknownKeyIsToldBeforeWhatIsMissingForIt) {
+  const Config config = Config::FromText("a: {wdth_m: 3}\n", "a.yaml");
+  config.root().Map("a").Number("width_m", Positive("m"));
+  EXPECT_THAT(FaultsOf(config), testing::StartsWith("a.yaml:1:5: a.wdth_m: unknown key (did you"));
+}
+
+}  // namespace
+}  // namespace tera

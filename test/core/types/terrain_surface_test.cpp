@@ -1,0 +1,104 @@
+#include "core/types/terrain_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tera {
+namespace {
+
+/// 3 x 2 vertices half a metre apart, lower left at (10, -1).
+TerrainSurface Small() {
+  return TerrainSurface(TerrainGrid{.origin_W_m = Vec2(10, -1), .cell_m = 0.5, .nx = 3, .ny = 2}, 1,
+                        {0, 1, 1,  //
+                         2, 4, 1},
+                        {{}});
+}
+
+TEST(TerrainSurface, HeightFollowsTheTwoTrianglesOfASquare) {
+  const TerrainSurface s = Small();
+  EXPECT_NEAR(s.HeightAt(10.25, -1.0), 0.5, 1e-6);     // on the lower edge
+  EXPECT_NEAR(s.HeightAt(10.25, -0.75), 2.0, 1e-6);    // on the diagonal from 0 to 4
+  EXPECT_NEAR(s.HeightAt(10.375, -0.875), 1.5, 1e-6);  // lower right: 0 + 0.75 * 1 + 0.25 * 3
+  EXPECT_NEAR(s.HeightAt(10.125, -0.625), 2.0, 1e-6);  // upper left: 0 + 0.75 * 2 + 0.25 * 2
+}
+
+TEST(TerrainSurface, HoldsItsBorderOutside) {
+  EXPECT_NEAR(Small().HeightAt(0, -50), 0.0, 1e-6);
+  EXPECT_NEAR(Small().HeightAt(99, 99), 1.0, 1e-6);
+}
+
+TEST(TerrainSurface, NormalStandsOnTheTriangle) {
+  // Lower right triangle of the first square: slope 1/0.5 along x, 3/0.5 along y.
+  const Vec3 n = Small().NormalAt(10.4, -0.95);
+  EXPECT_NEAR(n.x() / n.z(), -2.0, 1e-6);
+  EXPECT_NEAR(n.y() / n.z(), -6.0, 1e-6);
+  EXPECT_NEAR(n.norm(), 1.0, 1e-12);
+}
+
+TEST(TerrainGrid, CountsTilesByTheirSquares) {
+  const TerrainGrid grid{.nx = 101, .ny = 52};
+  EXPECT_EQ(grid.tiles_x(), 2);
+  EXPECT_EQ(grid.tiles_y(), 2);
+}
+
+/// 3 x 2 tiles, the last ones narrower, known at every tenth vertex: z = 3 sin x cos y.
+TerrainSurface Waves() {
+  const TerrainGrid grid{.origin_W_m = Vec2(-3, 2), .cell_m = 0.05, .nx = 133, .ny = 88};
+  std::vector<float> base;
+  for (int b = 0; b < BaseVertexCount(grid.ny, 10); ++b) {
+    for (int a = 0; a < BaseVertexCount(grid.nx, 10); ++a) {
+      const double x = grid.x_m(BaseVertex(a, grid.nx, 10)),
+                   y = grid.y_m(BaseVertex(b, grid.ny, 10));
+      base.push_back(static_cast<float>(3 * std::sin(x) * std::cos(y)));
+    }
+  }
+  return TerrainSurface(grid, 10, base, std::vector<TerrainSurface::Cover>(6, {.soil = 2}));
+}
+
+TEST(TerrainSurface, RefiningATileChangesNothingThatIsSeen) {
+  const TerrainSurface before = Waves();
+  TerrainSurface after = before;
+  for (int b = 0; b < 2; ++b) {
+    for (int a = 0; a < 3; ++a) after.Refine(a, b);
+  }
+  for (double y = 2.0; y < 6.4; y += 0.017) {
+    for (double x = -3.0; x < 3.7; x += 0.023) {
+      ASSERT_NEAR(after.HeightAt(x, y), before.HeightAt(x, y), 2e-6) << x << ' ' << y;
+      ASSERT_TRUE(after.NormalAt(x, y).isApprox(before.NormalAt(x, y), 1e-4)) << x << ' ' << y;
+    }
+  }
+  EXPECT_EQ(after.at(132, 87).cover.soil, 2);
+}
+
+TEST(TerrainSurface, UndisturbedGroundIsMadeOfPlanesBetweenItsBaseVertices) {
+  const TerrainSurface ground = Waves();
+  const auto base = [&](int i, int j) {
+    return 3 * std::sin(ground.x_m(i)) * std::cos(ground.y_m(j));
+  };
+  // Vertex (23, 36) in the base square from (20, 30) to (30, 40): above the diagonal.
+  const double h00 = base(20, 30), h01 = base(20, 40), h11 = base(30, 40);
+  EXPECT_NEAR(ground.height_m(23, 36), h00 + 0.6 * (h01 - h00) + 0.3 * (h11 - h01), 1e-6);
+  // The last base square along x is two cells wide: from 130 to 132.
+  EXPECT_NEAR(ground.height_m(131, 30), 0.5 * (base(130, 30) + base(132, 30)), 1e-6);
+}
+
+TEST(TerrainSurface, SettingAVertexRefinesAndAgesJustTheTilesThatMeetThere) {
+  TerrainSurface ground = Waves();
+  ground.Set(50, 20, {7, {.soil = 1}});  // on the border of tiles (0, 0) and (1, 0)
+  for (int b = 0; b < 2; ++b) {
+    for (int a = 0; a < 3; ++a) {
+      const bool meets = b == 0 && a < 2;
+      EXPECT_EQ(ground.IsRefined(a, b), meets) << a << ' ' << b;
+      EXPECT_EQ(ground.tile_version(a, b) > 1, meets) << a << ' ' << b;
+    }
+  }
+  EXPECT_EQ(ground.height_m(50, 20), 7);
+  EXPECT_EQ(ground.at(50, 20).cover.soil, 1);
+  const std::uint32_t version = ground.tile_version(0, 0);
+  ground.Set(50, 20, {7, {.soil = 1}});  // no change
+  EXPECT_EQ(ground.tile_version(0, 0), version);
+}
+
+}  // namespace
+}  // namespace tera

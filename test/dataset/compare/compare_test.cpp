@@ -1,0 +1,145 @@
+#include "dataset/compare/compare.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/error.h"
+#include "dataset/format/png.h"
+#include "dataset/format/sample_recording.h"
+#include "dataset/overview/overview.h"
+
+namespace tera {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+namespace fs = std::filesystem;
+
+/// A machine that drives a circle; `shift_m` and `gyro_offset_radps` set two recordings apart.
+void WriteCircle(const fs::path& directory, const std::string& machine, double shift_m,
+                 double gyro_offset_radps) {
+  DatasetInfo info = SampleInfo();
+  info.scenario_name = directory.filename();
+  DatasetWriter writer(directory, info, {});
+  const ChannelId imu = writer.AddImu(machine + "/imu", "");
+  const ChannelId joints = writer.AddEncoder(machine + "/joints", "", {{"boom"}});
+  const ChannelId pose = writer.AddPose("truth/" + machine + "/pose.csv");
+  for (int k = 0; k <= 60; ++k) {
+    const TimeNs t_ns = k * kSamplePeriod_ns;
+    const double a = 0.1 * k;
+    writer.Write(pose, TruthPose{t_ns, MakePose(Vec3(3 * std::cos(a), 3 * std::sin(a) + shift_m, 0),
+                                                0, 0, a)});
+    writer.Write(imu, ImuSample{t_ns, t_ns, Vec3(0, 0, 1 + gyro_offset_radps), Vec3(0, 3, 9.8)});
+    writer.Write(joints, EncoderSample{t_ns, t_ns, {0.2 + (k % 2 ? 1 : -1) * shift_m}, {0}});
+  }
+  writer.Finish();
+}
+
+ChannelDifference Find(const MachineComparison& machine, const std::string& column) {
+  const auto found = std::find_if(machine.channels.begin(), machine.channels.end(),
+                                  [&](const ChannelDifference& d) { return d.column == column; });
+  EXPECT_NE(found, machine.channels.end()) << column;
+  return found == machine.channels.end() ? ChannelDifference{} : *found;
+}
+
+TEST(Compare, FindsShiftsOffsetsAndAlternatingErrors) {
+  ScratchDirectory scratch;
+  WriteCircle(scratch.path() / "real", "husky", 0, 0);
+  WriteCircle(scratch.path() / "sim", "warthog", 0.5, 0.02);
+  const Comparison c = Compare(scratch.path() / "real", scratch.path() / "sim");
+  ASSERT_EQ(c.machines.size(), 1u);  // one machine each: those two
+  const MachineComparison& m = c.machines[0];
+  EXPECT_NEAR(m.unaligned.ape_translation_m.rmse, 0.5, 1e-9);
+  EXPECT_NEAR(m.aligned_se2.ape_translation_m.rmse, 0, 1e-9);
+  EXPECT_NEAR(m.aligned_se3.ape_translation_m.rmse, 0, 1e-9);
+  EXPECT_NEAR(Find(m, "wz_radps").mean, 0.02, 1e-12);
+  EXPECT_NEAR(Find(m, "wz_radps").rmse, 0.02, 1e-12);
+  // 30 rows +0.5, 31 rows -0.5 against itself without: rmse 0.5, mean -0.5 / 61.
+  EXPECT_NEAR(Find(m, "boom_rad").rmse, 0.5, 1e-12);
+  EXPECT_NEAR(Find(m, "boom_rad").mean, -0.5 / 61, 1e-12);
+  EXPECT_THAT(ComparisonTable(c), HasSubstr("husky and warthog"));
+  EXPECT_THAT(ComparisonTable(c), HasSubstr("imu wz_radps"));
+}
+
+TEST(Compare, NeedsAMachineInCommon) {
+  ScratchDirectory scratch;
+  WriteCircle(scratch.path() / "a", "one", 0, 0);
+  {
+    DatasetWriter writer(scratch.path() / "b", SampleInfo(), {});
+    writer.AddImu("two/imu", "");
+    writer.AddImu("three/imu", "");
+    writer.Finish();
+  }
+  EXPECT_THAT([&] { Compare(scratch.path() / "a", scratch.path() / "b"); },
+              ThrowsMessage<InputError>(HasSubstr("need one name in common")));
+}
+
+TEST(Compare, ComparesTheChannelsOfAMachineThatHasNoPoses) {
+  ScratchDirectory scratch;
+  WriteCircle(scratch.path() / "circle", "husky", 0, 0);
+  {
+    DatasetWriter writer(scratch.path() / "parked", SampleInfo(), {});
+    const ChannelId imu = writer.AddImu("husky/imu", "");
+    writer.AddPose("truth/husky/pose.csv", false);
+    for (const TimeNs t_ns : {0, 1'000'000'000}) {
+      writer.Write(imu, ImuSample{t_ns, t_ns, Vec3::Zero(), Vec3(0, 0, 9.8)});
+    }
+    writer.Finish();
+  }
+  const Comparison c = Compare(scratch.path() / "circle", scratch.path() / "parked");
+  EXPECT_FALSE(c.machines.at(0).HasTrajectories());
+  EXPECT_NEAR(Find(c.machines[0], "wz_radps").mean, -1, 1e-12);
+  EXPECT_THAT(ComparisonTable(c), testing::Not(HasSubstr("APE")));
+}
+
+TEST(PlotComparison, DrawsAPictureOfTheStatedSize) {
+  ScratchDirectory scratch;
+  WriteCircle(scratch.path() / "real", "husky", 0, 0);
+  WriteCircle(scratch.path() / "sim's", "husky", 0.5, 0.02);
+  const Comparison c = Compare(scratch.path() / "real", scratch.path() / "sim's");
+  PlotComparison(c, scratch.path() / "plot it's.png");
+  const auto plot = ReadRgbPng(scratch.path() / "plot it's.png");
+  EXPECT_EQ(plot.width_px, 1500);
+  const auto dark = std::count_if(plot.data.begin(), plot.data.end(), [](int v) { return v < 99; });
+  EXPECT_GT(dark, 1000);
+}
+
+TEST(PlotComparison, SaysWhichPackageIsMissing) {
+  ScratchDirectory scratch;
+  WriteCircle(scratch.path() / "real", "husky", 0, 0);
+  const Comparison c = Compare(scratch.path() / "real", scratch.path() / "real");
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", scratch.path().c_str(), 1);
+  EXPECT_THAT([&] { PlotComparison(c, scratch.path() / "plot.png"); },
+              ThrowsMessage<InputError>(HasSubstr("gnuplot-nox")));
+  setenv("PATH", path.c_str(), 1);
+}
+
+TEST(Overview, HasARowForTheCameraTheLidarAndTheCurvesAndAFilm) {
+  ScratchDirectory scratch;
+  WriteWholeSample(scratch.path() / "run", {});
+  WriteOverview(scratch.path() / "run", scratch.path() / "overview.png",
+                scratch.path() / "overview.mp4");
+  const auto sheet = ReadRgbPng(scratch.path() / "overview.png");
+  EXPECT_EQ(sheet.width_px, 1600);
+  EXPECT_EQ(sheet.height_px, 300 + 600 + 2 * 300);  // five charts take two rows
+  EXPECT_FALSE(fs::exists(scratch.path() / "overview.png.charts.png"));
+  const std::string film = ReadWholeFile(scratch.path() / "overview.mp4");
+  EXPECT_EQ(film.substr(4, 4), "ftyp");
+  EXPECT_THAT(film, HasSubstr("avc1"));
+}
+
+TEST(Overview, OfARecordingWithoutCamerasHasNoFilm) {
+  ScratchDirectory scratch;
+  WriteCircle(scratch.path() / "run", "husky", 0, 0);
+  WriteOverview(scratch.path() / "run", scratch.path() / "overview.png",
+                scratch.path() / "overview.mp4");
+  EXPECT_TRUE(fs::exists(scratch.path() / "overview.png"));
+  EXPECT_FALSE(fs::exists(scratch.path() / "overview.mp4"));
+}
+
+}  // namespace
+}  // namespace tera

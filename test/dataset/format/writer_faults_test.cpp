@@ -1,0 +1,121 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "core/error.h"
+#include "dataset/files/frame_queue.h"
+#include "dataset/files/tiny_disk.h"
+#include "dataset/format/sample_recording.h"
+
+namespace tera {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+namespace fs = std::filesystem;
+
+TEST(DatasetWriter, RefusesADirectoryThatIsNotEmpty) {
+  ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "diary.txt", "mine");
+  EXPECT_THAT([&] { DatasetWriter(scratch.path(), SampleInfo(), {}); },
+              ThrowsMessage<InputError>(HasSubstr("is not an empty directory; choose another")));
+  EXPECT_EQ(ReadWholeFile(scratch.path() / "diary.txt"), "mine");
+}
+
+TEST(DatasetWriter, FillsAnEmptyDirectoryEvenWithASlashAtTheEnd) {
+  ScratchDirectory scratch;
+  fs::create_directory(scratch.path() / "run");
+  WriteWholeSample((scratch.path() / "run").string() + "/", {});
+  EXPECT_TRUE(fs::exists(scratch.path() / "run/dataset.yaml"));
+}
+
+TEST(DatasetWriter, RefusesAnIncompleteRecordingUnlessToldToResume) {
+  ScratchDirectory scratch;
+  { const DatasetWriter writer(scratch.path() / "run", SampleInfo(), {}); }
+  EXPECT_THAT([&] { DatasetWriter(scratch.path() / "run", SampleInfo(), {}); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("--resume"), HasSubstr("delete it"))));
+}
+
+TEST(DatasetWriter, RefusesAPlaceWhereItCannotWrite) {
+  ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "file", "not a folder");
+  for (const fs::path& place :
+       {scratch.path() / "file" / "run", fs::path("/proc/tera_cannot_write_here")}) {
+    EXPECT_THAT([&] { DatasetWriter(place, SampleInfo(), {}); },
+                ThrowsMessage<InputError>(
+                    AllOf(HasSubstr(place.string()), HasSubstr("cannot be created"))));
+  }
+  EXPECT_EQ(AllFiles(scratch.path()).size(), 1u);
+}
+
+TEST(DatasetWriter, FullDiskStopsTheRunWithOneMessageFromTheWorkers) {
+  ScratchDirectory scratch;
+  const TinyDisk disk(scratch.path() / "disk", "256k");
+  ASSERT_TRUE(disk.mounted()) << "needs root, or the right to make user namespaces";
+  DatasetWriter writer(scratch.path() / "disk/run", SampleInfo(), {});
+  const ChannelId lidar = writer.AddLidar("m/lidar", "");
+  const auto fill = [&] {
+    for (int k = 0; k < 1000; ++k) writer.Write(lidar, SampleScan(k, 2000));
+    writer.Finish();
+  };
+  EXPECT_THAT(fill, ThrowsMessage<InputError>(AllOf(HasSubstr("No space left on device"),
+                                                    HasSubstr("free space on that disk"))));
+  EXPECT_FALSE(fs::exists(scratch.path() / "disk/run"));
+  EXPECT_TRUE(fs::exists(scratch.path() / "disk/run.incomplete/INCOMPLETE.txt"));
+}
+
+TEST(DatasetWriter, RefusesNamesThatNoFileCanHave) {
+  ScratchDirectory scratch;
+  fs::create_symlink("loop", scratch.path() / "loop");
+  EXPECT_THAT([&] { DatasetWriter(scratch.path() / std::string(300, 'x'), SampleInfo(), {}); },
+              ThrowsMessage<InputError>(HasSubstr("File name too long")));
+  EXPECT_THAT([&] { DatasetWriter(scratch.path() / "loop/run", SampleInfo(), {}); },
+              ThrowsMessage<InputError>(HasSubstr("symbolic links")));
+}
+
+TEST(CheckedFile, ReportsAFullDevice) {
+  // /dev/full takes no byte; the temporary name beside a link to it leads there.
+  ScratchDirectory scratch;
+  fs::create_symlink("/dev/full", scratch.path() / "data.csv.part");
+  CheckedFile file(scratch.path() / "data.csv");
+  file.Append("1,2,3\n");
+  EXPECT_THAT([&] { file.Commit(); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("data.csv: cannot be written"),
+                                              HasSubstr("free space on that disk"))));
+  EXPECT_FALSE(fs::exists(scratch.path() / "data.csv"));
+}
+
+TEST(FrameQueue, ThrowsAWorkersFaultOnTheCallersThread) {
+  FrameQueue queue(2, 4);
+  queue.Push([] { throw InputError("disk gone"); });
+  EXPECT_THAT([&] { queue.Drain(); }, ThrowsMessage<InputError>(HasSubstr("disk gone")));
+  EXPECT_THAT([&] { queue.Push([] {}); }, ThrowsMessage<InputError>(HasSubstr("disk gone")));
+}
+
+TEST(FrameQueue, HoldsTheCallerBackWhileItIsFull) {
+  std::atomic<int> started = 0;
+  std::atomic<bool> go = false;
+  FrameQueue queue(1, 2);
+  const auto job = [&] {
+    ++started;
+    while (!go) std::this_thread::yield();
+  };
+  std::atomic<int> pushed = 0;
+  std::thread caller([&] {
+    for (int i = 0; i < 6; ++i) {
+      queue.Push(job);
+      ++pushed;
+    }
+  });
+  while (started < 1 || pushed < 3) std::this_thread::yield();
+  EXPECT_LE(pushed, 3);  // one runs, two wait; the fourth is held back
+  go = true;
+  caller.join();
+  queue.Drain();
+  EXPECT_EQ(started, 6);
+}
+
+}  // namespace
+}  // namespace tera

@@ -1,0 +1,139 @@
+#include "diagnose/perception/scans/ground_map.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "diagnose/perception/analytic_scene.h"
+#include "diagnose/perception/perception_diagnosis.h"
+
+namespace tera {
+namespace {
+
+using testing::AnalyticScene;
+using testing::LidarOfTest;
+using testing::RecordedBy;
+
+/// A round heap with a flat top: 0.4 m high, 1.2 m in radius there, 1.8 m at its foot.
+double Heap_m(const Vec2& xy_m) {
+  const double r_m = (xy_m - Vec2(4, -3)).norm();
+  return 0.4 * std::clamp((1.8 - r_m) / 0.6, 0.0, 1.0);
+}
+/// Its volume: a frustum, pi h / 3 (R^2 + R r + r^2).
+constexpr double kHeap_m3 = kPi * 0.4 / 3 * (1.8 * 1.8 + 1.8 * 1.2 + 1.2 * 1.2);
+
+GroundMap MapOf(const AnalyticScene& real, const AnalyticScene& simulated,
+                const LidarOfTest& lidar = {}) {
+  const RangeSource source = RecordedBy(lidar, real, simulated);
+  return CompareGround(source, SplitScans(source.scans, Stream(1, "test/split")), lidar.numbers, 1,
+                       NoPoints(source.scans));
+}
+
+TEST(GroundMap, AHeapThatWasNotSimulatedIsOneRegionOfItsVolume) {
+  AnalyticScene heaped;
+  heaped.relief = Heap_m;
+  const GroundMap map = MapOf(heaped, {});
+  ASSERT_EQ(map.regions.size(), 1u);
+  const GroundRegion& region = map.regions[0];
+  EXPECT_NEAR(region.centre_W_m.x(), 4, 0.25);
+  EXPECT_NEAR(region.centre_W_m.y(), -3, 0.25);
+  // The far flank lies in the shade of the top now and then.
+  EXPECT_NEAR(region.volume_m3, kHeap_m3, 0.15 * kHeap_m3);
+  EXPECT_NEAR(region.area_m2, kPi * 1.7 * 1.7, 2);
+  EXPECT_NEAR(region.highest_m, 0.4, 0.03);
+  EXPECT_FALSE(region.upright);
+  EXPECT_LT(region.p_confirmed, 0.001);
+  EXPECT_TRUE(region.intervals_s.empty());
+  EXPECT_LT(region.rmse_after_m, 0.3 * region.rmse_before_m);
+}
+
+TEST(GroundMap, AHeapThatIsGoneIsSoilMissing) {
+  AnalyticScene heaped;
+  heaped.relief = Heap_m;
+  const GroundMap map = MapOf({}, heaped);
+  ASSERT_EQ(map.regions.size(), 1u);
+  EXPECT_NEAR(map.regions[0].volume_m3, -kHeap_m3, 0.15 * kHeap_m3);
+}
+
+TEST(GroundMap, TheSameGroundHasNoRegion) {
+  AnalyticScene heaped;
+  heaped.relief = Heap_m;
+  for (const std::uint64_t seed : {1u, 2u}) {
+    LidarOfTest lidar;
+    lidar.seed = seed;
+    const GroundMap map = MapOf(heaped, heaped, lidar);
+    EXPECT_TRUE(map.regions.empty());
+    EXPECT_TRUE(map.unconfirmed.empty());
+    EXPECT_GT(map.cells.size(), 500u);
+  }
+}
+
+TEST(GroundMap, AThingWithWallsIsUpright) {
+  AnalyticScene without;
+  without.has_box = false;
+  const GroundMap map = MapOf({}, without);
+  ASSERT_EQ(map.regions.size(), 1u);
+  EXPECT_TRUE(map.regions[0].upright);
+  EXPECT_NEAR(map.regions[0].centre_W_m.x(), 6, 1.0);
+  EXPECT_NEAR(map.regions[0].centre_W_m.y(), 3, 1.0);
+}
+
+TEST(GroundMap, APitIsNoThingHoweverSteepItsWalls) {
+  AnalyticScene dug;
+  dug.relief = [](const Vec2& xy_m) {
+    return std::abs(xy_m.x() - 5) < 1 && std::abs(xy_m.y() + 3) < 0.8 ? -0.8 : 0.0;
+  };
+  const GroundMap map = MapOf(dug, {});
+  ASSERT_EQ(map.regions.size(), 1u);
+  EXPECT_FALSE(map.regions[0].upright);
+  EXPECT_LT(map.regions[0].mean_m, -0.3);
+}
+
+TEST(PerceivedGround, AHeapIsNotTakenForAnotherMountOfTheSensor) {
+  AnalyticScene heaped;
+  heaped.relief = Heap_m;
+  const PerceptionDiagnosis diagnosis = DiagnosePerception(RecordedBy({}, heaped, {}), 3);
+  ASSERT_EQ(diagnosis.findings.size(), 1u);
+  EXPECT_EQ(diagnosis.findings[0].mechanism, "terrain_height");
+  EXPECT_EQ(diagnosis.findings[0].target, "ground");
+}
+
+TEST(PerceivedGround, AHeapAndAnotherMountAreToldApart) {
+  AnalyticScene heaped;
+  heaped.relief = Heap_m;
+  LidarOfTest lidar;
+  lidar.numbers.value[SensorNumbers::kPitch] = 1.5 * kDeg;
+  const PerceptionDiagnosis diagnosis = DiagnosePerception(RecordedBy(lidar, heaped, {}), 3);
+  ASSERT_EQ(diagnosis.findings.size(), 2u);
+  EXPECT_EQ(diagnosis.findings[0].mechanism, "extrinsic");
+  EXPECT_EQ(diagnosis.findings[1].mechanism, "terrain_height");
+  EXPECT_NEAR(diagnosis.findings[0].parameters[4].value, 1.5, 0.1);
+  ASSERT_EQ(diagnosis.ground.regions.size(), 1u);
+  EXPECT_NEAR(diagnosis.ground.regions[0].volume_m3, kHeap_m3, 0.2 * kHeap_m3);
+}
+
+TEST(PerceivedGround, AnObstacleThatIsNotThereIsNamed) {
+  AnalyticScene without;
+  without.has_box = false;
+  const PerceptionDiagnosis diagnosis = DiagnosePerception(RecordedBy({}, without, {}), 3);
+  ASSERT_EQ(diagnosis.findings.size(), 1u);
+  EXPECT_EQ(diagnosis.findings[0].mechanism, "object_missing");
+  EXPECT_EQ(diagnosis.findings[0].target, "box1");
+}
+
+TEST(PerceivedAir, DustInOneHalfOfTheTimeIsDustAndNeitherGroundNorSensor) {
+  AnalyticScene dusty;
+  dusty.has_dust = true;
+  dusty.dust_from_s = 12;
+  dusty.dust_to_s = 30;
+  const PerceptionDiagnosis diagnosis = DiagnosePerception(RecordedBy({}, dusty, {}), 3);
+  ASSERT_EQ(diagnosis.findings.size(), 1u);
+  const PerceptionFinding& finding = diagnosis.findings[0];
+  EXPECT_EQ(finding.mechanism, "dust");
+  EXPECT_NEAR((finding.place->centre_W_m - dusty.dust_W_m.head<2>()).norm(), 0, 0.4);
+  ASSERT_EQ(finding.intervals_s.size(), 1u);
+  EXPECT_NEAR(finding.intervals_s[0].first, 12, 1);
+  EXPECT_NEAR(finding.intervals_s[0].second, 30, 1);
+}
+
+}  // namespace
+}  // namespace tera

@@ -1,0 +1,79 @@
+#include "diagnose/report/files/effects_yaml.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dataset/files/checked_file.h"
+#include "diagnose/report/made_diagnosis.h"
+#include "diagnose/report/text/sentence.h"
+#include "own_folder.h"
+#include "sim/scenario/scenario.h"
+
+namespace tera {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+/// The scenario of one machine with an overlay over it.
+Scenario Overlaid(const std::string& overlay) {
+  const std::filesystem::path file = OwnFolder() / "effects.yaml";
+  WriteWholeFile(file, overlay);
+  const Config config =
+      Config::FromFile(DataRoot() / "config/scenarios/quickstart.yaml", {}, {{file, "effects"}});
+  Scenario scenario = ReadScenario(config.root());
+  config.Finish();
+  return scenario;
+}
+
+const Effects& BoomEffects(const Scenario& scenario) {
+  const MachineModel& model = scenario.machines[0].placement.model;
+  for (std::size_t j = 0; j < model.joints.size(); ++j) {
+    if (model.joints[j].name == "boom") return model.effects.joints[j];
+  }
+  throw std::runtime_error("no boom");
+}
+
+TEST(EffectsYaml, IsWhatGenerateReadsBack) {
+  const std::string text = EffectsYaml(Of(BoomWithDeadBand()), "site\n7/run");
+  EXPECT_EQ(text,
+            "# What the recording site?7/run shows of excavator1 beyond its simulation.\n"
+            "effects:\n"
+            "  excavator1:\n"
+            "    boom:\n"
+            "      dead_band: {width: 0.1812}\n");
+  const Scenario scenario = Overlaid(text);
+  const Effect* effect = FindEffect(BoomEffects(scenario), "dead_band");
+  ASSERT_NE(effect, nullptr);
+  EXPECT_EQ((*effect)["width"], 0.1812);
+  EXPECT_EQ((*effect)["asymmetry"], 0);
+}
+
+TEST(EffectsYaml, SaysOfAClassWhatElseItMayBe) {
+  DiagnosedBlock boom = BoomWithDeadBand();
+  boom.diagnosis.findings[0].evidence.rivals.push_back(&boom.block.suspects[1]);
+  EXPECT_THAT(EffectsYaml(Of(std::move(boom)), "run"),
+              HasSubstr("      dead_band: {width: 0.1812}  # or valve curve: not told apart\n"));
+}
+
+TEST(EffectsYaml, OfNothingIsAnOverlayThatChangesNothing) {
+  const std::string text = EffectsYaml({"excavator1", "excavator1", {}}, "run");
+  EXPECT_THAT(text, HasSubstr("effects: {}\n"));
+  EXPECT_EQ(FindEffect(BoomEffects(Overlaid(text)), "dead_band"), nullptr);
+}
+
+TEST(EffectsYaml, LeavesOutWhatIsOfThePosesWhichNoSimulationHas) {
+  Diagnosis diagnosis = Of(BoomWithDeadBand());
+  diagnosis.blocks[0].block.suspects[0].target = "poses";
+  EXPECT_THAT(EffectsYaml(diagnosis, "run"), HasSubstr("\neffects: {}\n"));
+  EXPECT_THAT(SentencesOf(diagnosis), Contains(HasSubstr("dead band of the poses")));
+}
+
+TEST(EffectsYaml, QuotesNamesThatYamlWouldReadAsSomethingElse) {
+  Diagnosis diagnosis = Of(BoomWithDeadBand());
+  diagnosis.scenario = "digger: no 7's";
+  EXPECT_THAT(EffectsYaml(diagnosis, "run"), HasSubstr("\n  'digger: no 7''s':\n"));
+}
+
+}  // namespace
+}  // namespace tera

@@ -1,0 +1,99 @@
+#include "diagnose/report/page/html_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "diagnose/report/made_diagnosis.h"
+#include "diagnose/report/page/svg_plot.h"
+#include "diagnose/report/text/sentence.h"
+
+namespace tera {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// Whether every tag is closed in its order.
+bool IsBalanced(const std::string& html) {
+  std::vector<std::string> open;
+  for (auto at = html.find('<'); at != html.npos; at = html.find('<', at + 1)) {
+    const std::string tag = html.substr(at + 1, html.find('>', at) - at - 1);
+    const std::string name = tag.substr(0, tag.find_first_of(" /", 1));
+    if (tag.starts_with("!") || tag.ends_with("/") || name == "meta") continue;
+    if (!tag.starts_with("/")) {
+      open.push_back(name);
+    } else {
+      if (open.empty() || open.back() != tag.substr(1)) return false;
+      open.pop_back();
+    }
+  }
+  return open.empty();
+}
+
+// A rule for all pictures would size those within a picture as well, and move curves off their
+// axes.
+TEST(HtmlReport, SizesWholePicturesAlone) {
+  const std::string page = HtmlReport(Complete(), "recording");
+  EXPECT_THAT(page, HasSubstr(":not(svg)>svg{display:block;width:100%"));
+  EXPECT_THAT(page, Not(HasSubstr("\nsvg{")));
+}
+
+TEST(HtmlReport, HoldsTheSentencesAndNeedsNothingElse) {
+  DiagnosedBlock boom = BoomWithDeadBand();
+  boom.diagnosis.unexplained = {GrowingBeyond12kNm()};
+  Diagnosis diagnosis = Of(std::move(boom));
+  diagnosis.blocks.push_back(Block("arm", "excavator1/encoders/arm_radps", "rad/s"));
+  const std::string html = HtmlReport(diagnosis, "a<b>&'c'");
+  EXPECT_TRUE(IsBalanced(html));
+  for (const std::string& sentence : SentencesOf(diagnosis)) {
+    EXPECT_THAT(html, HasSubstr(Escaped(sentence)));
+  }
+  EXPECT_TRUE(IsBalanced(HtmlReport(Complete(), "run")));
+  EXPECT_THAT(HtmlReport(Complete(), "run"), ::testing::AllOf(HasSubstr("What to record next"),
+                                                              HasSubstr("Further confirmation")));
+  EXPECT_THAT(html, HasSubstr("a&lt;b&gt;&amp;&#39;c&#39;"));
+  EXPECT_THAT(html, HasSubstr("Where they agree"));
+  EXPECT_THAT(html, HasSubstr("<code>backlash</code>"));
+  for (const char* outside : {"http", "src=", "url(", "<script", "<link", "@import"}) {
+    EXPECT_THAT(html, Not(HasSubstr(outside)));
+  }
+  for (const char* broken : {"nan", "inf'", "inf "}) EXPECT_THAT(html, Not(HasSubstr(broken)));
+}
+
+/// Drawn coordinates of the first path of a class.
+std::string PathOf(const std::string& html, const std::string& css_class) {
+  const std::string head = "<path class='" + css_class + "' d='";
+  const auto at = html.find(head);
+  if (at == html.npos) return "";
+  return html.substr(at + head.size(), html.find('\'', at + head.size()) - at - head.size());
+}
+
+/// The report of a joint with two terms that gain `found_gain` together.
+std::string PageOfTwo(std::optional<double> found_gain) {
+  DiagnosedBlock boom = BoomWithDeadBand();
+  boom.diagnosis.search.found.terms = {{&boom.block.suspects[0], {0.1}},
+                                       {&boom.block.suspects[1], {0.2}}};
+  boom.diagnosis.search.found_gain = found_gain;
+  return HtmlReport(Of(std::move(boom)), "run");
+}
+
+TEST(HtmlReport, ShowsBesideEachMechanismAloneWhatSeveralGainTogether) {
+  EXPECT_THAT(HtmlReport(Of(BoomWithDeadBand()), "run"), Not(HasSubstr("all found, together")));
+  EXPECT_THAT(PageOfTwo(900), HasSubstr("all found, together"));
+  EXPECT_THAT(PageOfTwo({}), Not(HasSubstr("all found, together")));  // one was taken out
+}
+
+TEST(HtmlReport, DrawsPredictionsAsMeasurementsLessResiduals) {
+  const std::string html = HtmlReport(Of(BoomWithDeadBand()), "run");
+  const std::string measured = PathOf(html, "line measured");
+  ASSERT_NE(measured, "");
+  EXPECT_EQ(measured, PathOf(html, "line after"));  // nothing is left
+  // 3 measured and 2 simulated, the axis a twentieth of 1 wider than from 2 to 3 of the 204 px
+  // between 10 and 214: measured lies 204 / 22 below the upper edge, simulated as far above the
+  // lower.
+  EXPECT_THAT(measured, HasSubstr(" 19.3"));
+  EXPECT_THAT(PathOf(html, "line before"), HasSubstr(" 204.7"));
+}
+
+}  // namespace
+}  // namespace tera

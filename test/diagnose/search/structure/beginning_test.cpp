@@ -1,0 +1,124 @@
+#include "diagnose/search/structure/beginning.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "diagnose/search/block/block_diagnosis.h"
+#include "diagnose/search/toy_block.h"
+
+namespace tera {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::UnorderedElementsAre;
+
+constexpr std::size_t kFourMinutes = 24000;
+constexpr double kNoise = 0.05;
+
+/// Manoeuvres of one length, of which every other one is at rest.
+std::vector<Manoeuvre> MovingHalfTheTime(std::size_t count, std::size_t length) {
+  std::vector<Manoeuvre> manoeuvres;
+  for (std::size_t m = 0; m < count; ++m) {
+    manoeuvres.push_back({{m * length, (m + 1) * length}, m % 2});
+  }
+  return manoeuvres;
+}
+
+TEST(Beginning, EndsWithTheManoeuvreThatCompletesAMinuteOfMotion) {
+  // 5 s each: the 12th that moves is the 24th of all.
+  EXPECT_EQ(EnoughSamples(MovingHalfTheTime(100, 500), 0.01), 24 * 500u);
+}
+
+TEST(Beginning, IsAllWhereItWouldSpareLittleOrTooLittleMoves) {
+  EXPECT_EQ(EnoughSamples(MovingHalfTheTime(34, 500), 0.01), 34 * 500u);
+  EXPECT_EQ(EnoughSamples(MovingHalfTheTime(100, 50), 0.01), 100 * 50u);
+}
+
+TEST(Beginning, IsTheSameBlockForAShorterTime) {
+  const std::vector<double> lever = ToyLever(3000, 5);
+  const ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, kNoise, 5), {0, 3});
+  const ReplayBlock beginning = BeginningOf(block, 1000);
+  EXPECT_EQ(beginning.samples(), 1000u);
+  EXPECT_EQ(beginning.commands[0].size(), 1000u);
+  EXPECT_EQ(beginning.channels[0].variables[1].series.size(), 1000u);
+  EXPECT_EQ(beginning.channels[0].free_member.rows(), 1000);
+  const Structure terms = {{&block.suspects[1], {0.3}}};
+  std::vector<double> whole = block.predict(terms)[0];
+  whole.resize(1000);
+  EXPECT_THAT(beginning.predict(terms), ElementsAre(whole));
+}
+
+// The square acts throughout, the step after two minutes of four.
+TEST(Beginning, DoesNotHideWhatActsLater) {
+  const std::vector<double> lever = ToyLever(kFourMinutes, 21);
+  std::vector<double> clean = ToyResponse(lever, 0.2, 0, 0);
+  const std::vector<double> later = ToyResponse(lever, 0.2, 0.15, 0);
+  for (std::size_t k = kFourMinutes / 2; k < kFourMinutes; ++k) clean[k] = later[k];
+  ReplayBlock block = ToyBlock(lever, ToyMeasured(clean, kNoise, 21), {0, 3});
+  // A suspect that acts from then on.
+  block.suspects.push_back({&ToyMechanisms()[2], "toy", {{0, -2, 2}}, {{0.1}, {-0.1}}});
+  const Replay always = block.replay;
+  block.replay = WholeReplay([always](const Structure& terms) {
+    std::vector<std::vector<double>> predicted = always(terms, kFourMinutes);
+    Structure before = terms;
+    std::erase_if(before, [](const Term& term) { return term.suspect->mechanism->id == "step"; });
+    const std::vector<double> early = always(before, kFourMinutes)[0];
+    std::copy_n(early.begin(), kFourMinutes / 2, predicted[0].begin());
+    return predicted;
+  });
+  ASSERT_LT(EnoughSamples(ManoeuvresOf(block, Stream(21, "diagnose")), 0.01), kFourMinutes / 2);
+  const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(21, "diagnose"));
+  EXPECT_THAT(NamesOf(diagnosis.findings), UnorderedElementsAre("square", "step"));
+  for (const Finding& finding : diagnosis.findings) {
+    const bool is_step = finding.term.suspect->mechanism->id == "step";
+    EXPECT_NEAR(finding.parameters[0].value, is_step ? 0.15 : 0.2, 0.02);
+  }
+}
+
+// Of a number that the beginning does not hold, the whole is asked again: `late` acts only through
+// the last two minutes.
+TEST(Beginning, NumbersThatItDoesNotDetermineAreFreeAgain) {
+  static const Mechanism kBoth{
+      "both", Slot::kLeverMap, {}, {{"size", "1", -2, 2, 0.0}, {"late", "1", -2, 2, 0.0}}};
+  const std::vector<double> lever = ToyLever(kFourMinutes, 23);
+  const auto response = [&](double size, double late) {
+    std::vector<double> y = ToyResponse(lever, size, 0, 0);
+    const std::vector<double> more = ToyResponse(lever, size, late, 0);
+    std::copy(more.begin() + kFourMinutes / 2, more.end(), y.begin() + kFourMinutes / 2);
+    return y;
+  };
+  ReplayBlock block = ToyBlock(lever, ToyMeasured(response(0.2, 0.1), kNoise, 23), {});
+  block.suspects = {{&kBoth, "toy", {{0, -2, 2}, {1, -2, 2}}, {{0.1, 0.01}, {-0.1, 0.01}}, {}}};
+  block.replay = WholeReplay([&](const Structure& terms) {
+    return std::vector<std::vector<double>>{
+        terms.empty() ? lever : response(terms[0].values[0], terms[0].values[1])};
+  });
+  const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(23, "diagnose"));
+  ASSERT_EQ(diagnosis.findings.size(), 1u);
+  EXPECT_THAT(diagnosis.findings[0].term.held, IsEmpty());
+  EXPECT_NEAR(diagnosis.findings[0].parameters[1].value, 0.1, 0.01);
+}
+
+// What the beginning tells apart, and what the whole is asked for the rest of it, are a suspect's
+// own: all pointers are into the block's list.
+TEST(Beginning, NamesTheBlocksOwnSuspects) {
+  const std::vector<double> lever = ToyLever(kFourMinutes, 22);
+  const ReplayBlock block =
+      ToyBlock(lever, ToyMeasured(ToyResponse(lever, 0.2, 0, 0), kNoise, 22), {0, 1, 2, 3});
+  const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(22, "diagnose"));
+  const auto is_own = [&](const Suspect* suspect) {
+    return suspect >= block.suspects.data() &&
+           suspect < block.suspects.data() + block.suspects.size();
+  };
+  ASSERT_EQ(diagnosis.findings.size(), 1u);
+  const TermEvidence& evidence = diagnosis.findings[0].evidence;
+  ASSERT_EQ(evidence.rivals.size(), 2u);  // `twin` does what `square` does
+  EXPECT_FALSE(evidence.rejected.empty());
+  for (const Suspect* rival : evidence.rivals) EXPECT_TRUE(is_own(rival));
+  for (const Rival& rival : evidence.rejected) EXPECT_TRUE(is_own(rival.suspect));
+  for (const SingleEvidence& single : diagnosis.search.singles) EXPECT_TRUE(is_own(single.suspect));
+}
+
+}  // namespace
+}  // namespace tera

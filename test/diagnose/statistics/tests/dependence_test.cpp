@@ -1,0 +1,303 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <string>
+
+#include "core/units.h"
+#include "diagnose/statistics/regime/partialling.h"
+#include "diagnose/statistics/series/simulated.h"
+#include "diagnose/statistics/series/whitening.h"
+#include "diagnose/statistics/tests/coherence.h"
+#include "diagnose/statistics/tests/cross_correlation.h"
+#include "diagnose/statistics/tests/ljung_box.h"
+#include "diagnose/statistics/tests/variance_ratio.h"
+
+namespace tera {
+namespace {
+
+constexpr std::size_t kSize = 4000;
+constexpr int kRuns = 400;
+
+/// Rejections at 5 % and 1 % by test.
+struct Rejections {
+  std::map<std::string, int> at_5, at_1;
+
+  void Count(const std::string& test, double p) {
+    at_5[test] += p <= 0.05;
+    at_1[test] += p <= 0.01;
+  }
+};
+
+/// One recording of nothing: noise with dropouts, a noise model fitted to it, inputs that have
+/// nothing to do with it.
+struct NullRecording {
+  explicit NullRecording(std::uint64_t seed)
+      : residual(WithDropouts(NoiseSeries(StubbornNoise(), kSize, Stream(seed, "noise")), 0.02,
+                              Stream(seed, "dropouts"))),
+        noise(FitNoise(residual, {.highest_order = 3})),
+        innovations(Whiten(noise, residual).Steady()),
+        lever(LeverSeries(kSize, Stream(seed, "lever"))),
+        drift(NoiseSeries(StubbornNoise(), kSize, Stream(seed, "drift"))) {}
+
+  Series residual;
+  NoiseModel noise;
+  Series innovations;
+  Series lever, drift;
+};
+
+const CrossCorrelationOptions kShortLags{.highest_lag = 10, .shifts = 100};
+
+void TestOne(std::uint64_t seed, Rejections* out) {
+  const NullRecording null(seed);
+  const Stream stream(seed, "shifts");
+  out->Count("Ljung-Box", LjungBox(Clipped(null.innovations, 4), 20, null.noise.order()).p);
+  Mask early(kSize, 0), late(kSize, 0);
+  std::fill(early.begin(), early.begin() + kSize / 2, 1);
+  std::fill(late.begin() + kSize / 2, late.end(), 1);
+  out->Count(
+      "variance ratio",
+      VarianceRatio(Restricted(null.innovations, early), Restricted(null.innovations, late)).p);
+  const CrossCorrelationTest whitened =
+      TestCrossCorrelation(null.innovations, null.lever, kShortLags, stream);
+  out->Count("cross-correlation, any form", whitened.p);
+  out->Count("cross-correlation", whitened.form[0].comparison.p);
+  out->Count("squared residual, squared input", whitened.form[3].comparison.p);
+  out->Count("cross-correlation, not whitened",
+             TestCrossCorrelation(null.residual, null.drift, kShortLags, stream).p);
+  out->Count("cross-correlation, shifts in blocks",
+             TestCrossCorrelation(null.innovations, null.lever,
+                                  {.highest_lag = 10, .shifts = 100, .block = 1000}, stream)
+                 .p);
+  out->Count("coherence",
+             TestCoherence(null.innovations, null.lever, {.window = 64}, stream).comparison.p);
+  const WhiteningFilter filter(null.noise, null.residual.valid);
+  const RegimeDesign design(null.residual, null.noise, Eigen::MatrixXd());
+  for (const auto& [name, series] : {std::pair{"lever", null.lever}, {"drift", null.drift}}) {
+    const RegimeTestResult test =
+        TestRegime(design, RegimeProbe({name, series}, filter), {}, stream);
+    out->Count("regime, " + test.name, test.comparison.p);
+    out->Count("regime, " + test.name + ", tail", test.comparison.p_tail);
+  }
+  const Series& simulated = null.lever;
+  Eigen::MatrixXd known(static_cast<Eigen::Index>(kSize), 1);
+  known.col(0) = Eigen::Map<const Eigen::VectorXd>(simulated.value.data(), known.rows());
+  const RegimeDesign beyond_gain(null.residual, null.noise, known);
+  const RegimeProbe share({.name = "drift, share", .series = null.drift, .times = simulated.value},
+                          filter);
+  const RegimeTestResult test = TestRegime(beyond_gain, share, {}, stream);
+  out->Count("regime, " + test.name, test.comparison.p);
+  out->Count("regime, " + test.name + ", tail", test.comparison.p_tail);
+}
+
+TEST(Dependence, TestsRejectNoMoreThanTheyPromiseUnderStubbornNoise) {
+  Rejections rejections;
+  for (std::uint64_t seed = 0; seed < kRuns; ++seed) TestOne(seed, &rejections);
+  for (const auto& [test, count] : rejections.at_5) {
+    std::printf("%-36s rejected at 5 %%: %4.1f %%, at 1 %%: %4.1f %%\n", test.c_str(),
+                100.0 * count / kRuns, 100.0 * rejections.at_1[test] / kRuns);
+    // 5 % and two standard errors of 400 runs (1.1 %); 1 % and four (0.5 %).
+    EXPECT_LE(count, 0.072 * kRuns) << test;
+    EXPECT_LE(rejections.at_1[test], 0.03 * kRuns) << test;
+  }
+}
+
+TEST(Dependence, SelectionAmongTenVariablesOfNothingSeldomTakesAny) {
+  int taken = 0;
+  const int runs = 150;
+  for (std::uint64_t seed = 0; seed < runs; ++seed) {
+    const NullRecording null(1000 + seed);
+    std::vector<RegimeVariable> variables;
+    for (int v = 0; v < 10; ++v) {
+      const Stream stream(seed, "variable" + std::to_string(v));
+      variables.push_back(
+          {"v", v % 2 ? LeverSeries(kSize, stream) : NoiseSeries(StubbornNoise(), kSize, stream)});
+    }
+    taken += !SelectRegimes(null.residual, null.noise, variables, {.alpha = 0.05},
+                            Stream(seed, "shifts"))
+                  .steps.empty();
+  }
+  std::printf("selection of any of 10 variables at 5 %%: %.1f %%\n", 100.0 * taken / runs);
+  // 5 % and three standard errors of 150 runs.
+  EXPECT_LE(taken, 0.103 * runs);
+}
+
+TEST(Dependence, CrossCorrelationFindsTheLagOfADelayedInput) {
+  const NullRecording null(1);
+  Series with = null.innovations;
+  for (std::size_t k = 12; k < kSize; ++k) {
+    if (with.valid[k]) with.value[k] += 1.0 * null.drift.value[k - 12] / 3.2;
+  }
+  const CrossCorrelationTest test =
+      TestCrossCorrelation(with, null.drift, kShortLags, Stream(1, "s"));
+  EXPECT_NEAR(test.form[0].lag, 12, 2);
+  EXPECT_GT(test.form[0].correlation, 0.3);
+  EXPECT_LE(test.p, 0.05);
+}
+
+TEST(Dependence, SquaredFormsFindWhatHasNoSign) {
+  const NullRecording null(2);
+  Series with = null.innovations;
+  for (std::size_t k = 0; k < kSize; ++k) {
+    with.value[k] *= 1 + 2 * std::abs(null.lever.value[k]);  // noise that grows with |lever|
+  }
+  const CrossCorrelationTest test =
+      TestCrossCorrelation(with, null.lever, kShortLags, Stream(2, "s"));
+  EXPECT_LT(std::abs(test.form[CrossCorrelationTest::kLinear].correlation),
+            0.5 * test.form[CrossCorrelationTest::kSquaredBoth].correlation);
+  EXPECT_LE(test.form[CrossCorrelationTest::kSquaredBoth].comparison.p, 0.05);
+  EXPECT_LE(test.p, 0.05);
+}
+
+TEST(Dependence, CoherencePeaksAtTheCommonFrequencyWithItsClosedForm) {
+  // A sine of amplitude a in both, over white noise of variance s2: in a Hann window of N samples
+  // the line has power (a N / 4)^2, the noise s2 * 3 N / 8; coherence (r / (1 + r))^2 with r their
+  // ratio.
+  const std::size_t n = 200000, window = 64;
+  const double a = 0.3, frequency_hz = 12.5;
+  Series x = NoiseSeries({.dof = 200}, n, Stream(3, "x")),
+         y = NoiseSeries({.dof = 200}, n, Stream(3, "y"));
+  for (std::size_t k = 0; k < n; ++k) {
+    x.value[k] += a * std::sin(2 * kPi * frequency_hz * 0.01 * static_cast<double>(k));
+    y.value[k] += a * std::cos(2 * kPi * frequency_hz * 0.01 * static_cast<double>(k));
+  }
+  const Coherence found = TestCoherence(x, y, {.window = window}, Stream(3, "s"));
+  const double r = std::pow(a * window / 4, 2) / (200.0 / 198 * 3 * window / 8);
+  EXPECT_DOUBLE_EQ(found.peak_hz, frequency_hz);
+  EXPECT_NEAR(found.coherence[7], std::pow(r / (1 + r), 2), 0.03);
+  EXPECT_LT(found.coherence[20], 0.01);
+}
+
+TEST(Dependence, CoherenceOfACommonBandIsFound) {
+  const NullRecording null(4);
+  Series with = null.innovations;
+  for (std::size_t k = 1; k < kSize; ++k) {
+    if (with.valid[k]) with.value[k] += 0.5 * (null.drift.value[k] - null.drift.value[k - 1]);
+  }
+  EXPECT_LE(TestCoherence(with, null.drift, {.window = 64}, Stream(4, "s")).comparison.p, 0.05);
+}
+
+TEST(Dependence, RegimeTestFindsADeadBandThatIsATenthOfTheNoise) {
+  int found = 0;
+  const int runs = 40;
+  for (std::uint64_t seed = 0; seed < runs; ++seed) {
+    NullRecording null(2000 + seed);
+    // Variance of the noise 2 / (1 - 0.95^2) = 20.5; that of the effect about 2.
+    for (std::size_t k = 0; k < kSize; ++k) {
+      if (!null.residual.valid[k]) continue;
+      null.residual.value[k] -= 10 * std::clamp(null.lever.value[k], -0.18, 0.18);
+    }
+    const NoiseModel noise = FitNoise(null.residual, {.highest_order = 3});
+    const RegimeDesign design(null.residual, noise, Eigen::MatrixXd());
+    const WhiteningFilter filter(noise, null.residual.valid);
+    found += TestRegime(design, RegimeProbe({"lever", null.lever}, filter), {}, Stream(seed, "s"))
+                 .comparison.p <= 0.05;
+  }
+  std::printf("dead band of a tenth of the noise's variance found: %d of %d\n", found, runs);
+  EXPECT_GE(found, 32);
+}
+
+/// What a machine does at 10 units a second of full lever, where something takes a share of it.
+class ShareOfTheSimulated : public testing::Test {
+ protected:
+  static constexpr std::size_t kOther = 0, kPlace = 1;
+
+  ShareOfTheSimulated() : null_(4711) {
+    const Series other = LeverSeries(kSize, Stream(1, "other"));
+    std::vector<double> place(kSize), simulated(kSize);
+    for (std::size_t k = 0; k < kSize; ++k) {
+      simulated[k] = 30 * null_.lever.value[k];
+      const double t = static_cast<double>(k);
+      place[k] = std::sin(0.013 * t) + 0.6 * std::sin(0.0071 * t + 1) + 0.3 * std::sin(0.031 * t);
+    }
+    for (const Series& series : {other, MakeSeries(0.01, place)}) {
+      variables_.push_back({.name = "plain", .series = series});
+    }
+    for (std::size_t v = 0; v < 2; ++v) {
+      variables_.push_back(variables_[v]);
+      variables_.back().name = "share";
+      variables_.back().times = simulated;
+    }
+  }
+
+  template <typename Share>
+  std::size_t FirstTold(const Share& share) {
+    Series residual = null_.residual;
+    for (std::size_t k = 0; k < kSize; ++k) {
+      if (!residual.valid[k]) continue;
+      residual.value[k] +=
+          30 * null_.lever.value[k] *
+          share(variables_[kOther].series.value[k], variables_[kPlace].series.value[k]);
+    }
+    const Partialling found = SelectRegimes(residual, FitNoise(residual, {.highest_order = 3}),
+                                            variables_, {}, Stream(5, "shifts"));
+    if (!found.steps.empty()) return found.steps.front().variable;
+    // A place goes round too seldom for enough shifts: the one that explains most, if any does.
+    const auto best =
+        std::max_element(found.left.begin(), found.left.end(),
+                         [](const auto& a, const auto& b) { return a.criterion < b.criterion; });
+    return best->criterion > 0.02 ? static_cast<std::size_t>(best - found.left.begin())
+                                  : variables_.size();
+  }
+
+  NullRecording null_;
+  std::vector<RegimeVariable> variables_;  ///< two plain, two as a share
+};
+
+TEST_F(ShareOfTheSimulated, ThatGoesWhileAnotherLeverIsOutIsToldByThatLever) {
+  EXPECT_EQ(FirstTold([](double other, double) { return std::abs(other) > 0.1 ? -0.5 : 0.0; }), 2u);
+}
+
+TEST_F(ShareOfTheSimulated, ThatChangesWithThePlaceIsToldByThePlace) {
+  EXPECT_EQ(FirstTold([](double, double place) { return 0.5 * place; }), 3u);
+}
+
+TEST_F(ShareOfTheSimulated, ThatIsTheSameEverywhereIsNoDependence) {
+  EXPECT_EQ(FirstTold([](double, double) { return 0.5; }), variables_.size());
+}
+
+TEST(Shifts, TurnEveryBlockWithinItself) {
+  const CircularShifts shifts(100, 5, 20, 50, Stream(1, "shifts"));
+  ASSERT_EQ(shifts.count(), 20u);
+  for (std::size_t k = 0; k < shifts.count(); ++k) {
+    std::vector<int> seen(100, -1);
+    shifts.ForEachPiece(k, [&](std::size_t to, std::size_t from, std::size_t length) {
+      for (std::size_t i = 0; i < length; ++i) seen[to + i] = static_cast<int>(from + i);
+    });
+    for (int t = 0; t < 100; ++t) {
+      EXPECT_EQ(seen[static_cast<std::size_t>(t)] / 50, t / 50);
+      const int away = std::abs(seen[static_cast<std::size_t>(t)] - t);
+      EXPECT_GE(std::min(away, 50 - away), 5);
+    }
+  }
+}
+
+TEST(Shifts, AreAtLeastSoFarApartAsAsked) {
+  const CircularShifts shifts(1000, 90, 200, 0, Stream(2, "shifts"));
+  EXPECT_EQ(shifts.count(), 9u);
+  EXPECT_GE(shifts.offset(0, 0), 90u);
+  EXPECT_LE(shifts.offset(8, 0), 910u);
+  EXPECT_EQ(CircularShifts(100, 40, 200, 0, Stream(2, "shifts")).count(), 0u);
+}
+
+TEST(Shifts, PCountsTheShiftsBeyond) {
+  std::vector<double> shifted;
+  for (int k = 1; k <= 99; ++k) shifted.push_back(k);
+  EXPECT_DOUBLE_EQ(CompareWithShifts(95, shifted).p, 0.06);
+  EXPECT_DOUBLE_EQ(CompareWithShifts(200, shifted).p, 0.01);
+  EXPECT_DOUBLE_EQ(CompareWithShifts(3, {}).p, 1);
+}
+
+TEST(Shifts, TailOfAnExponentialDistributionIsContinued) {
+  std::vector<double> shifted;
+  for (int k = 0; k < 199; ++k) shifted.push_back(-std::log(1 - (k + 0.5) / 199));
+  const ShiftComparison far = CompareWithShifts(std::log(1e6), shifted);
+  EXPECT_DOUBLE_EQ(far.p, 1.0 / 200);
+  // The mean excess of 39 values is known to 16 %; five of these, over 12 mean excesses.
+  EXPECT_NEAR(std::log10(far.p_tail), -6, 1.5);
+}
+
+}  // namespace
+}  // namespace tera

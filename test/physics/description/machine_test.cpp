@@ -1,0 +1,343 @@
+#include "physics/description/machine.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "physics/machine_fixture.h"
+
+namespace tera {
+namespace {
+
+TEST(Machine, CompactExcavatorWeighsItsOperatingWeight) {
+  EXPECT_NEAR(ShippedMachine("tb235").TotalMass_kg(), 3500, 1);
+}
+
+TEST(Machine, EveryShippedMachineStandsStillWithItsLeversAtRest) {
+  std::vector<std::string> names;
+  for (const auto& file : std::filesystem::directory_iterator(DataRoot() / "config/machines")) {
+    names.push_back(file.path().stem().string());
+  }
+  ASSERT_GE(names.size(), 3u);
+  for (const std::string& name : names) {
+    const MachineModel model = ShippedMachine(name);
+    MachineRun run(model, MakePose(Vec3(1, 2, 3), 0, 0, 1), 0.0);
+    run.StepFor(0.1);
+    for (const BodyState& link : run.state().links) EXPECT_LT(link.v_WB_mps.norm(), 1e-9) << name;
+  }
+}
+
+TEST(Machine, BucketTipStandsWhereTheHandDrawnPolygonPutsIt) {
+  const MachineModel model = ShippedMachine("tb235");
+  std::vector<double> q(model.joints.size(), 0.0);
+  q[model.JointIndex("boom")] = 50 * kDeg;
+  q[model.JointIndex("arm")] = -90 * kDeg;
+  q[model.JointIndex("bucket")] = -35 * kDeg;
+  // In the boom's plane, seen from the right: boom foot at (0.62 + 0.18, 0.56 + 0.10 + 0.20), then
+  // 2.5 m at 50 deg, 1.545 m at -40 deg, 0.78 m at 50 - 90 - 35 - 45 = -120 deg.
+  const double x = 0.80 + 2.5 * std::cos(50 * kDeg) + 1.545 * std::cos(-40 * kDeg) +
+                   0.78 * std::cos(-120 * kDeg);
+  const double z = 0.86 + 2.5 * std::sin(50 * kDeg) + 1.545 * std::sin(-40 * kDeg) +
+                   0.78 * std::sin(-120 * kDeg);
+  const NamedFrame& tip = model.frames.at(0);
+  ASSERT_EQ(tip.name, "bucket_tip");
+  const Pose X_WB = MakePose(Vec3(5, -2, 0.4), 0, 0, 90 * kDeg);  // looks along +y of W
+  const auto poses = ForwardKinematics(model, X_WB, q);
+  const Vec3 p = (poses[tip.link] * tip.X_BF).translation();
+  EXPECT_NEAR(p.x(), 5, 1e-12);
+  EXPECT_NEAR(p.y(), -2 + x, 1e-12);
+  EXPECT_NEAR(p.z(), 0.4 + z, 1e-12);
+}
+
+TEST(Machine, SlewToTheLeftBringsTheBoomToTheLeft) {
+  const MachineModel model = ShippedMachine("tb235");
+  std::vector<double> q(model.joints.size(), 0.0);
+  q[model.JointIndex("slew")] = 90 * kDeg;
+  const auto poses = ForwardKinematics(model, Pose::Identity(), q);
+  EXPECT_TRUE(poses[model.LinkIndex("boom")].translation().isApprox(Vec3(0, 0.80, 0.86), 1e-12));
+}
+
+TEST(Machine, LinksFollowTheirJointsWhateverTheWrittenOrder) {
+  const MachineModel model = MachineFromText(R"(
+kind: chain
+links:
+  tip: {mass_kg: 1, inertia_kgm2: [1, 1, 1]}
+  middle: {mass_kg: 2, inertia_kgm2: [1, 1, 1]}
+  root: {mass_kg: 3, inertia_kgm2: [1, 1, 1]}
+joints:
+  second: {type: fixed, parent: middle, child: tip}
+  first: {type: fixed, parent: root, child: middle}
+)");
+  EXPECT_EQ(model.links[0].name, "root");
+  EXPECT_EQ(model.joints[0].name, "first");
+  for (std::size_t k = 0; k < model.joints.size(); ++k) {
+    EXPECT_EQ(model.joints[k].child, static_cast<int>(k) + 1);
+    EXPECT_LT(model.joints[k].parent, model.joints[k].child);
+  }
+}
+
+TEST(Machine, EveryKeyOfAJointIsRead) {
+  const MachineModel base = MachineFromText(kLiftArm);
+  const auto with = [&](const std::string& text) {
+    return MachineFromText(kLiftArm, {text}).joints[0];
+  };
+  const Joint joint = base.joints[0];
+  EXPECT_DOUBLE_EQ(joint.max_rate_positive_radps, 30 * kDeg);
+  EXPECT_DOUBLE_EQ(joint.max_rate_negative_radps, 20 * kDeg);
+  EXPECT_DOUBLE_EQ(with("joints.lift.max_rate_degps=12").max_rate_negative_radps, 12 * kDeg);
+  EXPECT_DOUBLE_EQ(with("joints.lift.max_effort_nm=7").max_effort_nm, 7);
+  EXPECT_DOUBLE_EQ(with("joints.lift.initial_deg=-9").initial_rad, -9 * kDeg);
+  EXPECT_DOUBLE_EQ(with("joints.lift.limits_deg=[10, 20]").lower_rad, 10 * kDeg);
+  EXPECT_DOUBLE_EQ(with("joints.lift.limits_deg=[10, 20]").initial_rad, 10 * kDeg);
+  EXPECT_TRUE(with("joints.lift.axis=[0, 0, 2]").axis_J.isApprox(Vec3::UnitZ()));
+  EXPECT_TRUE(with("joints.lift.rpy_deg=[0, 0, 90]").X_PJ.linear().col(0).isApprox(Vec3::UnitY()));
+}
+
+TEST(Machine, EveryKeyOfALinkIsRead) {
+  const auto with = [](const std::string& text) {
+    return MachineFromText(kLiftArm, {text}).links[1];
+  };
+  EXPECT_EQ(with("links.arm.mass_kg=33").mass_kg, 33);
+  EXPECT_TRUE(with("links.arm.com_m=[1, 2, 3]").com_B_m.isApprox(Vec3(1, 2, 3)));
+  const Mat3 inertia = with("links.arm.inertia_kgm2=[5, 6, 7, 0.1, 0.2, 0.3]").inertia_B_kgm2;
+  EXPECT_EQ(inertia(1, 1), 6);
+  EXPECT_EQ(inertia(0, 1), 0.1);
+  EXPECT_EQ(inertia(2, 0), 0.2);
+  EXPECT_EQ(inertia(1, 2), 0.3);
+  EXPECT_EQ(with("links.arm.label=arm").label, SemanticClass::kArm);
+  const Link boxed = with("links.arm.collision=[{xyz_m: [1, 0, 0], size_m: [2, 3, 4]}]");
+  EXPECT_EQ(boxed.collision.at(0).X_BG.translation().x(), 1);
+  EXPECT_EQ(boxed.collision.at(0).size_m.z(), 4);
+  const Link seen = with(
+      "links.arm.visuals=[{mesh: 'tera:assets/tb235.glb', node: boom, scale: 2, xyz_m: [0, 1, 0], "
+      "rpy_deg: [0, 0, 90], label: track}]");
+  const Visual& visual = seen.visuals.at(0);
+  EXPECT_EQ(visual.mesh, DataRoot() / "assets/tb235.glb");
+  EXPECT_EQ(visual.node, "boom");
+  EXPECT_EQ(visual.scale, 2);
+  EXPECT_EQ(visual.label, SemanticClass::kTrack);
+  EXPECT_TRUE(visual.X_BG.isApprox(MakePose(Vec3(0, 1, 0), 0, 0, 90 * kDeg), 1e-12));
+}
+
+TEST(Machine, EveryKeyOfRunningGearIsRead) {
+  const std::string tracked = kLiftArm + R"(
+gauge_m: 1.3
+tracks:
+  left: {link: arm, center_m: [0, 1, 0.2], wheelbase_m: 1, radius_m: 0.2, width_m: 0.3,
+         max_speed_mps: 2, max_torque_nm: 500, inertia_kgm2: 3}
+wheels:
+  right: {link: arm, axles_m: [[0, -1, 0.4]], radius_m: 0.4, width_m: 0.2,
+          max_speed_mps: 2, max_torque_nm: 700, inertia_kgm2: 4}
+)";
+  const auto with = [&](const std::string& text) {
+    return MachineFromText(
+        tracked, text.empty() ? std::vector<std::string>{} : std::vector<std::string>{text});
+  };
+  const MachineModel model = with("");
+  const auto gear = [&](const std::string& text, int g) {
+    return with(text).ground_tools.gears.at(g);
+  };
+  EXPECT_EQ(model.gauge_m, 1.3);
+  EXPECT_EQ(model.ground_tools.gears[0].link, 1);
+  EXPECT_EQ(gear("tracks.left.link=post", 0).link, 0);
+  EXPECT_EQ(gear("tracks.left.center_m=[0, 2, 0]", 0).patches[0].p_B_m.y(), 2);
+  EXPECT_EQ(gear("tracks.left.radius_m=0.25", 0).drive_radius_m, 0.25);
+  EXPECT_EQ(gear("tracks.left.width_m=0.5", 0).patches[0].width_m, 0.5);
+  EXPECT_GT(gear("tracks.left.wheelbase_m=2", 0).patches.size(),
+            model.ground_tools.gears[0].patches.size());
+  EXPECT_EQ(gear("tracks.left.grouser_m=0.03", 0).grouser_m, 0.03);
+  const auto wheels = [&](const std::string& text) {
+    return gear("tracks.left.road_wheels={" + text + "}", 0).patches[5];
+  };
+  EXPECT_EQ(gear("", 0).patches[5].wheel_pitch_m, 0);
+  EXPECT_EQ(wheels("count: 4, pitch_m: 0.25").wheel_pitch_m, 0.25);
+  EXPECT_EQ(wheels("count: 3, pitch_m: 0.3").wheel_pitch_m, 0.3);
+  EXPECT_EQ(wheels("count: 1, pitch_m: 0.3").wheel_pitch_m, 0);  // the wheel is farther forward
+  EXPECT_EQ(gear("wheels.right.link=post", 1).link, 0);
+  EXPECT_EQ(gear("wheels.right.radius_m=0.5", 1).drive_radius_m, 0.5);
+  EXPECT_EQ(gear("wheels.right.width_m=0.5", 1).patches[0].width_m, 0.5);
+  EXPECT_EQ(gear("wheels.right.axles_m=[[0, -3, 0.4]]", 1).patches[0].p_B_m.y(), -3);
+  const auto drive = [&](const std::string& text, int g) { return with(text).gear_drives.at(g); };
+  EXPECT_EQ(drive("tracks.left.max_speed_mps=4", 0).max_rate_radps, 20);
+  EXPECT_EQ(drive("tracks.left.max_torque_nm=9", 0).max_torque_nm, 9);
+  EXPECT_EQ(drive("wheels.right.inertia_kgm2=9", 1).inertia_kgm2, 9);
+  EXPECT_EQ(with("levers=[right]").levers.at(0).gear, 1);
+  EXPECT_EQ(with("tracks.left.shoe={mesh: 'tera:assets/tb235.glb', node: shoe, count: 7}")
+                .track_visuals.at(0)
+                .shoe_count,
+            7);
+  // 2 x 1 m and a circle of 0.2 m around: 3.2566 m in 7 shoes.
+  EXPECT_NEAR(gear("tracks.left.shoe={mesh: 'tera:assets/tb235.glb', node: shoe, count: 7}", 0)
+                  .grouser_pitch_m,
+              0.46523, 1e-5);
+  EXPECT_EQ(model.ground_tools.gears[0].grouser_pitch_m, 0);
+  EXPECT_THAT(FaultsOf(tracked, {"tracks.left.shoe={mesh: 'tera:assets/tb235.glb', node: shoe, "
+                                 "count: 5000000000}"}),
+              testing::HasSubstr("count: 5000000000 is out of range"));
+  EXPECT_EQ(with("wheels.right.wheel={mesh: 'tera:assets/warthog.glb', node: wheel}")
+                .wheel_visuals.at(0)
+                .axle_B_m.y(),
+            -1);
+  EXPECT_THAT(
+      FaultsOf(tracked, {"wheels.left={link: arm, axles_m: [[0, 1, 0]], radius_m: 1, "
+                         "width_m: 1, max_speed_mps: 1, max_torque_nm: 1, inertia_kgm2: 1}"}),
+      testing::HasSubstr("a track is named 'left' already"));
+}
+
+TEST(Machine, FramesHullPointsAndShovelsAreRead) {
+  const MachineModel model = MachineFromText(
+      kLiftArm, {"frames={grip: {link: arm, xyz_m: [1, 2, 3], rpy_deg: [0, 90, 0]}}",
+                 "hull_points=[{link: arm, points_m: [[1, 2, 3], [4, 5, 6]]}]"});
+  EXPECT_EQ(model.frames.at(0).link, 1);
+  EXPECT_TRUE(model.frames[0].X_BF.isApprox(MakePose(Vec3(1, 2, 3), 0, 90 * kDeg, 0), 1e-12));
+  EXPECT_EQ(model.ground_tools.hull_points.at(1).p_B_m.z(), 6);
+  const Shovel& scoop = model.ground_tools.shovels.at(0);
+  EXPECT_EQ(scoop.link, 1);
+  EXPECT_EQ(scoop.width_m, 0.5);
+  EXPECT_EQ(scoop.profile_B_m.at(1).y(), -0.2);
+  EXPECT_EQ(scoop.capacity_m3, 0.05);
+}
+
+TEST(Machine, ExcavatorHasItsEquipment) {
+  const MachineModel model = ShippedMachine("tb235");
+  EXPECT_EQ(model.kind, "tb235");
+  EXPECT_FALSE(model.fixed_base);
+  EXPECT_DOUBLE_EQ(model.gauge_m, 1.148);
+  EXPECT_EQ(model.levers.size(), 8u);
+  EXPECT_EQ(model.levers[0].gear, 0);
+  EXPECT_EQ(model.levers[2].joint, model.JointIndex("slew"));
+  ASSERT_EQ(model.cylinders.size(), 5u);
+  EXPECT_EQ(model.cylinders[0].rod_link, model.LinkIndex("boom"));
+  EXPECT_TRUE(model.cylinders[0].rod_pin_m.isApprox(Vec3(1.22, 0, 0.20)));
+  EXPECT_EQ(model.cylinders[0].barrel->node, "boom_barrel");
+  ASSERT_EQ(model.track_visuals.size(), 2u);
+  EXPECT_EQ(model.track_visuals[1].shoe_count, 44);
+  EXPECT_EQ(model.track_visuals[1].shoe.label, SemanticClass::kTrack);
+  ASSERT_EQ(model.ground_tools.shovels.size(), 2u);
+  EXPECT_EQ(model.ground_tools.shovels[0].teeth, 6);
+  EXPECT_DOUBLE_EQ(model.ground_tools.shovels[0].tooth_length_m, 0.15);
+  EXPECT_DOUBLE_EQ(model.ground_tools.shovels[0].capacity_m3, 0.11);
+  EXPECT_EQ(model.ground_tools.hull_points.size(), 32u);
+  EXPECT_DOUBLE_EQ(model.gear_drives[0].max_rate_radps, 1.25 / 0.25);
+  EXPECT_EQ(model.links[model.LinkIndex("boom")].label, SemanticClass::kBoom);
+  EXPECT_EQ(model.links[model.LinkIndex("boom")].collision.size(), 2u);
+}
+
+TEST(Machine, SkidSteerTurnsTwoWheelsWithEachLever) {
+  const MachineModel model = ShippedMachine("warthog");
+  EXPECT_NEAR(model.TotalMass_kg(), 470, 1e-9);
+  EXPECT_NEAR(model.ground_tools.mass_kg, 470, 1e-9);
+  EXPECT_TRUE(model.joints.empty());
+  ASSERT_EQ(model.ground_tools.gears.size(), 2u);
+  EXPECT_EQ(model.wheel_visuals.size(), 4u);
+  EXPECT_EQ(model.levers[1].gear, 1);
+  EXPECT_DOUBLE_EQ(model.gear_drives[1].max_rate_radps, 5.0 / 0.30);
+}
+
+TEST(MachineFaults, EachNamesItsPlaceAndItsRemedy) {
+  using testing::HasSubstr;
+  const auto with = [](const std::string& text) { return FaultsOf(kLiftArm, {text}); };
+  EXPECT_EQ(FaultsOf(kLiftArm), "");
+  EXPECT_THAT(with("links.arm.mass_kg=-20"),
+              HasSubstr("links.arm.mass_kg: -20 is out of range, need more than 0 kg"));
+  EXPECT_THAT(with("links.arm.mas_kg=20"), HasSubstr("did you mean 'mass_kg'?"));
+  EXPECT_THAT(with("links.arm.inertia_kgm2=[1, 1, 3]"), HasSubstr("triangle inequality"));
+  EXPECT_THAT(with("links.arm.inertia_kgm2=[1, 1, 0]"), HasSubstr("not all positive"));
+  EXPECT_THAT(with("links.arm.inertia_kgm2=[1, 1, 1, 0]"), HasSubstr("need 3"));
+  EXPECT_THAT(with("links.arm.label=boomm"), HasSubstr("did you mean 'boom'?"));
+  EXPECT_THAT(with("joints.lift.parent=pots"), HasSubstr("there is no link 'pots'"));
+  EXPECT_THAT(with("joints.lift.child=hand"), HasSubstr("there is no link 'hand'"));
+  EXPECT_THAT(with("joints.lift.child=post"), HasSubstr("link 'post' is the parent already"));
+  EXPECT_THAT(with("joints.lift.limits_deg=[30, -30]"), HasSubstr("above upper limit"));
+  EXPECT_THAT(with("joints.lift.initial_deg=175"), HasSubstr("outside its limits"));
+  EXPECT_THAT(with("joints.lift.axis=[0, 0, 0]"), HasSubstr("no direction"));
+  EXPECT_THAT(with("joints.lift.type=hinge"), HasSubstr("'hinge' is not known"));
+  EXPECT_THAT(with("joints.lift.max_rate_degps=[1, 2, 3]"), HasSubstr("need a list of 2"));
+  EXPECT_THAT(with("links.spare={mass_kg: 1, inertia_kgm2: [1, 1, 1]}"),
+              HasSubstr("need joints that connect all links to one root"));
+  EXPECT_THAT(with("levers=[lift, lift]"), HasSubstr("named twice"));
+  EXPECT_THAT(with("levers=[left]"), HasSubstr("neither a joint nor a track"));
+  EXPECT_THAT(with("tracks={a/b: {}}"), HasSubstr("name 'a/b' cannot name a folder or a column"));
+  EXPECT_THAT(with("wheels={'a,b': {}}"), HasSubstr("name 'a,b' cannot name a folder or a column"));
+  EXPECT_THAT(with("tracks={lift: {}}"), HasSubstr("a joint is named 'lift' already"));
+  EXPECT_THAT(with("shovels={a b: {}}"), HasSubstr("name 'a b' cannot name a folder or a column"));
+  EXPECT_THAT(with("shovels.scoop.link=armm"), HasSubstr("did you mean 'arm'?"));
+  EXPECT_THAT(with("shovels.scoop.profile_m=[[0, 0], [1, 1]]"), HasSubstr("at least 3 rows"));
+  EXPECT_THAT(with("shovels.scoop.profile_m=[[0, 0], [1, 1], [2, 2]]"),
+              HasSubstr("shovels.scoop.profile_m: the points enclose no area"));
+  EXPECT_THAT(with("shovels.scoop.profile_m=[[0, 0], [1, 1], [1, 0], [0, 1]]"),
+              HasSubstr("profile_m: the lines from points 0 and 2 cross"));
+  EXPECT_THAT(with("shovels.scoop.width_m=0"), HasSubstr("width_m: 0 is out of range"));
+  EXPECT_THAT(with("shovels.scoop.profile_m=[[1, 0], [1, 0], [0, 1], [0, 0]]"),
+              HasSubstr("points 0 and 1 are the same"));
+  EXPECT_THAT(with("shovels.scoop.profile_m=[[0, 0], [1, 1], [1, 0], [0, 0.5]]"),
+              HasSubstr("cross; need the points in order"));
+  EXPECT_THAT(with("shovels.scoop.teeth=5000000000"), HasSubstr("teeth: 5000000000 is out of"));
+  EXPECT_THAT(with("shovels.scoop.tooth_length_m=3"), HasSubstr("tooth_length_m: 3 is out of"));
+  EXPECT_THAT(with("shovels.scoop.edge_thickness_m=0"), HasSubstr("edge_thickness_m: 0 is out of"));
+  EXPECT_THAT(with("shovels.scoop.teeth=90"), HasSubstr("need room between them"));
+  EXPECT_THAT(with("links.arm.visuals=[{mesh: nowhere.glb}]"),
+              HasSubstr("file 'nowhere.glb' does not exist"));
+  EXPECT_THAT(with("frames.tip={link: arm, xyz_m: [0, 0]}"), HasSubstr("3 numbers"));
+  EXPECT_THAT(with("urdf=nowhere.urdf"), HasSubstr("file 'nowhere.urdf' does not exist"));
+}
+
+TEST(MachineFaults, RoadWheelsFitUnderTheirTrack) {
+  using testing::HasSubstr;
+  const auto with = [](const std::string& keys) {
+    return FaultsOf(kLiftArm, {"tracks={left: {link: arm, center_m: [0, 1, 0.2], wheelbase_m: 1, "
+                               "radius_m: 0.2, width_m: 0.3, max_speed_mps: 2, max_torque_nm: 500, "
+                               "inertia_kgm2: 3, " +
+                               keys + "}}"});
+  };
+  EXPECT_EQ(with("road_wheels: {count: 5, pitch_m: 0.2}"), "");
+  EXPECT_THAT(
+      with("road_wheels: {count: 5, pitch_m: 0.21}"),
+      HasSubstr("tracks.left.road_wheels.pitch_m: 5 wheels at a pitch of 0.21 m take 1.05 m, "
+                "half a pitch at either end included; need at most wheelbase_m, 1 m"));
+  EXPECT_THAT(with("road_wheels: {count: 0, pitch_m: 0.2}"), HasSubstr("count: 0 is out of range"));
+  EXPECT_THAT(with("road_wheels: {count: 2, pitch_m: -0.2}"), HasSubstr("pitch_m: -0.2 is out of"));
+  EXPECT_THAT(with("road_wheels: {count: 2}"), HasSubstr("pitch_m"));
+  EXPECT_THAT(with("grouser_m: -0.01"), HasSubstr("grouser_m: -0.01 is out of range"));
+}
+
+TEST(MachineFaults, ALinkHangsOnOneJoint) {
+  EXPECT_THAT(FaultsOf(kLiftArm, {"joints.again={type: fixed, parent: post, child: arm}"}),
+              testing::HasSubstr("link 'arm' hangs on joint 'lift' already"));
+}
+
+TEST(MachineFaults, JointsInALoopAreReported) {
+  EXPECT_THAT(FaultsOf(kLiftArm, {"joints.back={type: fixed, parent: arm, child: post}"}),
+              testing::HasSubstr("the joints form a loop"));
+}
+
+TEST(MachineFaults, AMachineHasLinks) {
+  EXPECT_THAT(FaultsOf("kind: ghost\n"), testing::HasSubstr("there are no links"));
+}
+
+TEST(MachineFaults, WhatStandsOnLinksIsJudgedOnceTheyAreATree) {
+  using testing::HasSubstr;
+  const std::string cylinder =
+      "cylinders={ram: {barrel: {link: post, pin_m: [0, 0, 0]}, rod: {link: arm, pin_m: [1, 0, "
+      "0]}}}";
+  for (const auto& [change, told] : std::vector<std::pair<std::string, std::string>>{
+           {"joints.lift.child=hand", "there is no link 'hand'"},
+           {"joints.lift.parent=arm", "link 'arm' is the parent already"},
+           {"joints.back={type: fixed, parent: arm, child: post}", "the joints form a loop"},
+           {"links.spare={mass_kg: 1, inertia_kgm2: [1, 1, 1]}",
+            "links post, spare have no parent"},
+           {"joints=null", "joints"}}) {
+    const std::string faults = FaultsOf(kLiftArm, {change, cylinder});
+    EXPECT_THAT(faults, HasSubstr(told));
+    EXPECT_THAT(faults, testing::Not(testing::AnyOf(HasSubstr("ram"), HasSubstr("unknown key"))));
+  }
+  EXPECT_EQ(FaultsOf("kind: ghost\ncylinders: {ram: {}}\n").find("ram"), std::string::npos);
+}
+
+TEST(MachineFaults, AreReportedAllAtOnce) {
+  const std::string faults =
+      FaultsOf(kLiftArm, {"links.arm.mass_kg=-1", "joints.lift.limits_deg=[3, 1]", "levers=[x]"});
+  EXPECT_EQ(std::count(faults.begin(), faults.end(), '\n'), 2);
+}
+
+}  // namespace
+}  // namespace tera

@@ -1,0 +1,196 @@
+#include "render/gl/rasterizer.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.h"
+#include "core/units.h"
+#include "rasterizer_stage.h"
+
+namespace tera {
+namespace {
+
+TEST(Rasterizer, SendsOnlyChangedTiles) {
+  Stage stage;
+  stage.SetTerrain(Ground(200, 0.1, Waves));
+  Rasterizer rasterizer(stage.model, EglOptions{});
+  const Pose X_WC = LookAt(kEye, kTarget);
+  rasterizer.Render(Pinhole(), X_WC, stage.state);
+  EXPECT_EQ(rasterizer.uploaded_tiles(), 16);
+  rasterizer.Render(Pinhole(), X_WC, stage.state);
+  EXPECT_EQ(rasterizer.uploaded_tiles(), 16);
+  // A hill in the middle of tile (1, 1), which spans (-5, -5) to (0, 0).
+  stage.terrain.Set(75, 75, {stage.terrain.height_m(75, 75) + 0.5f, {}});
+  const CameraFrame after = rasterizer.Render(Pinhole(), X_WC, stage.state);
+  EXPECT_EQ(rasterizer.uploaded_tiles(), 17);
+  EXPECT_EQ(after.rgb.data, stage.Shoot(Pinhole(), X_WC).rgb.data)
+      << "a picture must not depend on which pictures came before";
+}
+
+TEST(Rasterizer, SoilInTheAirIsSeenWhereItIs) {
+  Stage stage;
+  stage.SetTerrain(Ground(200, 0.1, Level));
+  stage.terrain.SetGrains({{{0.0f, 0.0f, 1.0f}, 0.2f, 3, 0, 0}});
+  const CameraIntrinsics camera = Pinhole();
+  const Pose X_WC = LookAt(Vec3(0, -5, 1), Vec3(0, 0, 1));
+  const CameraFrame frame = stage.Shoot(camera, X_WC);
+  const Vec2 p = camera.Project(X_WC.inverse() * Vec3(0, 0, 1));
+  const int u = static_cast<int>(std::lround(p.x())), v = static_cast<int>(std::lround(p.y()));
+  EXPECT_NEAR(frame.depth_m.at(u, v), 5 - 0.2, 0.06);
+  EXPECT_EQ(frame.semantic.at(u, v), static_cast<int>(SemanticClass::kTerrain));
+  const int beside = static_cast<int>(0.4 / 5 * camera.fx_px);
+  EXPECT_GT(frame.depth_m.at(u + beside, v), 5.5);
+}
+
+TEST(Rasterizer, CoarserTilesStayWithinTheirHeightError) {
+  Stage stage;
+  stage.SetTerrain(Ground(400, 0.1, Waves));
+  const CameraIntrinsics camera = Pinhole();
+  const Pose X_WC = LookAt(Vec3(2, -18, 6), Vec3(0, 5, 0));
+  const CameraFrame frame = stage.Shoot(camera, X_WC);
+  int checked = 0;
+  for (int v = 20; v < 240; v += 6) {
+    for (int u = 10; u < 310; u += 6) {
+      const double z_m = frame.depth_m.at(u, v);
+      if (z_m <= 0) continue;
+      const Vec3 p_W = X_WC * Vec3(camera.Unproject(Vec2(u, v)) * z_m);
+      if (p_W.head<2>().cwiseAbs().maxCoeff() > 19) continue;
+      EXPECT_NEAR(p_W.z(), stage.terrain.HeightAt(p_W.x(), p_W.y()), 0.02 + 1e-3);
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 500);
+}
+
+TEST(Rasterizer, ABoxShadesTheGroundAwayFromTheSun) {
+  Stage stage;
+  stage.SetTerrain(Ground(200, 0.1, Level));
+  stage.model.environment.to_sun_W = Vec3(1, 0, 1).normalized();
+  stage.AddBox(MakePose(Vec3(0, 0, 1)), Vec3(0.5, 0.5, 1.0), SemanticClass::kRock);
+  const CameraIntrinsics camera = Pinhole();
+  const Pose X_WC = LookAt(Vec3(0.2, -8, 7), Vec3(0, 0, 0));
+  const auto grey = [&](const CameraFrame& f, double x, double y) {
+    const Vec2 p = camera.Project(X_WC.inverse() * Vec3(x, y, 0));
+    double sum = 0;
+    for (int v = -2; v <= 2; ++v) {
+      for (int u = -2; u <= 2; ++u) sum += Grey(f, std::lround(p.x()) + u, std::lround(p.y()) + v);
+    }
+    return sum / 25;
+  };
+  // Sun at 45 degrees from +x, box 2 m high: the shadow reaches from x = -0.5 to -2.5 m.
+  const CameraFrame frame = stage.Shoot(camera, X_WC);
+  EXPECT_LT(grey(frame, -1.5, 0), 0.75 * grey(frame, 1.8, 0));
+  EXPECT_LT(grey(frame, -2.2, 0), 0.75 * grey(frame, 1.8, 0));
+  EXPECT_NEAR(grey(frame, -3.2, 0), grey(frame, 2.4, 0), 0.15 * grey(frame, 2.4, 0));
+  // With the sun on the other side, the shadow changes sides.
+  stage.model.environment.to_sun_W = Vec3(-1, 0, 1).normalized();
+  const CameraFrame other = stage.Shoot(camera, X_WC);
+  EXPECT_LT(grey(other, 1.5, 0), 0.75 * grey(other, -1.8, 0));
+}
+
+TEST(Rasterizer, TheGroundShadesItself) {
+  Stage stage;
+  // A wall of earth 1 m high along y at x = 0; sun at 45 degrees from +x.
+  stage.SetTerrain(
+      Ground(200, 0.1, [](double x, double) { return std::abs(x) < 0.25 ? 1.0 : 0.0; }));
+  stage.model.environment.to_sun_W = Vec3(1, 0, 1).normalized();
+  const CameraIntrinsics camera = Pinhole();
+  const Pose X_WC = LookAt(Vec3(0.2, -6, 8), Vec3(0, 0, 0));
+  const CameraFrame frame = stage.Shoot(camera, X_WC);
+  const auto grey = [&](double x) {
+    double sum = 0;
+    for (int k = -10; k <= 10; ++k) {
+      const Vec2 p = camera.Project(X_WC.inverse() * Vec3(x, 0.1 * k, 0));
+      sum += Grey(frame, std::lround(p.x()), std::lround(p.y()));
+    }
+    return sum / 21;
+  };
+  EXPECT_LT(grey(-0.8), 0.8 * grey(1.5));
+  EXPECT_NEAR(grey(-2.0), grey(2.0), 0.12 * grey(2.0));
+}
+
+TEST(Rasterizer, BodyScaleShrinksAndHides) {
+  Stage stage;
+  stage.AddBox(MakePose(kTarget), Vec3(0.4, 0.4, 0.4), SemanticClass::kSoilInBucket);
+  Rasterizer rasterizer(stage.model, EglOptions{});
+  const Pose X_WC = LookAt(kEye, kTarget);
+  const auto pixels = [&](float scale) -> double {
+    stage.state.body_scale = {scale};
+    const CameraFrame frame = rasterizer.Render(Pinhole(), X_WC, stage.state);
+    return frame.boxes.empty() ? 0.0 : static_cast<double>(frame.boxes[0].visible_px);
+  };
+  const double whole = pixels(1.0f);
+  // Half the size is a quarter of the area, a little less as the near side recedes.
+  EXPECT_NEAR(pixels(0.5f) / whole, 0.25, 0.03);
+  EXPECT_EQ(pixels(0.0f), 0);
+}
+
+TEST(Rasterizer, NothingNearerThanNearOrDeeperThanFarIsMeasured) {
+  Stage stage;
+  stage.AddBox(MakePose(Vec3(0, 3, 1)), Vec3(5, 0.05, 5), SemanticClass::kStructure);
+  CameraIntrinsics camera = Pinhole();
+  const Pose X_WC = LookAt(Vec3(0, 0, 1), Vec3(0, 3, 1));
+  EXPECT_NEAR(stage.Shoot(camera, X_WC).depth_m.at(160, 120), 2.95, 1e-3);
+  camera.far_m = 2.5;
+  EXPECT_EQ(stage.Shoot(camera, X_WC).depth_m.at(160, 120), 0.0f);
+  camera = Pinhole();
+  camera.near_m = 4.0;
+  EXPECT_EQ(stage.Shoot(camera, X_WC).instance.at(160, 120), 0);
+}
+
+TEST(Rasterizer, TheSameSceneGivesTheSameBytes) {
+  Stage stage;
+  stage.SetTerrain(Ground(100, 0.1, Waves));
+  stage.AddBox(MakePose(kTarget, 0.1, 0.2, 0.3), Vec3(0.4, 0.5, 0.6), SemanticClass::kRock);
+  const Pose X_WC = LookAt(kEye, kTarget);
+  const CameraFrame a = stage.Shoot(WideLens(), X_WC), b = stage.Shoot(WideLens(), X_WC);
+  EXPECT_EQ(a.rgb.data, b.rgb.data);
+  EXPECT_EQ(a.depth_m.data, b.depth_m.data);
+  EXPECT_EQ(a.instance.data, b.instance.data);
+}
+
+TEST(Rasterizer, FogLeavesTwoPercentContrastAtTheVisibility) {
+  // A black and a white plate at range V: with fog, the difference of their radiances falls to 2 %
+  // of what it is in clear air. Exposure is chosen so that the tone curve does not saturate; what
+  // is compared is the sRGB difference, which for so small a contrast is below 6 % of full scale.
+  Stage stage;
+  const Vec3 half_m(20, 0.1, 20);
+  stage.AddBox(MakePose(Vec3(-25, 200, 25)), half_m, SemanticClass::kStructure, Vec3::Zero());
+  stage.AddBox(MakePose(Vec3(25, 200, 25)), half_m, SemanticClass::kStructure, Vec3(1, 1, 1));
+  stage.model.environment.to_sun_W = Vec3(0, -1, 1).normalized();
+  CameraIntrinsics camera = Pinhole();
+  const Pose X_WC = LookAt(Vec3(0, 0, 25), Vec3(0, 200, 25));
+  const auto contrast = [&](double visibility_m) {
+    stage.model.environment.fog_visibility_m = visibility_m;
+    const CameraFrame frame = stage.Shoot(camera, X_WC);
+    return Grey(frame, 163 + 32, 118) - Grey(frame, 163 - 32, 118);
+  };
+  EXPECT_GT(contrast(1e6), 100);
+  EXPECT_LT(contrast(200), 0.06 * 255);
+  EXPECT_GT(contrast(200), 0);
+  EXPECT_GT(contrast(2000), contrast(500));
+}
+
+TEST(Rasterizer, RefusesALensThatFoldsThePicture) {
+  Stage stage;
+  CameraIntrinsics camera = Pinhole();
+  camera.k1 = -2.0;
+  EXPECT_THROW(stage.Shoot(camera, LookAt(kEye, kTarget)), InputError);
+}
+
+TEST(Rasterizer, RefusesAnEglDeviceThatIsNotThere) {
+  Stage stage;
+  EglOptions options;
+  options.device = 31;
+  try {
+    Rasterizer rasterizer(stage.model, options);
+    FAIL() << "no InputError";
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), testing::HasSubstr("EGL device 31 asked for"));
+  }
+}
+
+}  // namespace
+}  // namespace tera

@@ -1,0 +1,229 @@
+#include "sim/operators/operator.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/config/config.h"
+#include "core/error.h"
+#include "core/units.h"
+#include "own_folder.h"
+
+namespace tera {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A machine with a left and a right wheel, 1 m apart, 2 m/s at full lever.
+struct Cart {
+  MachineModel model;
+  MachineState state;
+  TerrainSurface ground;
+
+  Cart() {
+    model.kind = "cart";
+    model.gauge_m = 1.0;
+    model.links.resize(1);
+    for (const char* name : {"left_track", "right_track"}) {
+      RunningGear gear;
+      gear.name = name;
+      gear.drive_radius_m = 0.25;
+      GearDrive drive;
+      drive.max_rate_radps = 8.0;
+      Lever lever;
+      lever.name = name;
+      lever.gear = static_cast<int>(model.ground_tools.gears.size());
+      model.ground_tools.gears.push_back(gear);
+      model.gear_drives.push_back(drive);
+      model.levers.push_back(lever);
+    }
+    state.links.resize(1);
+  }
+  std::vector<double> Levers(Operator* driver, double t_s) const {
+    return driver->Levers({FromSeconds(t_s), model, state, ground});
+  }
+};
+
+std::unique_ptr<Operator> Read(const std::string& yaml, const Cart& cart) {
+  const Config config = Config::FromText(yaml, "operator.yaml");
+  auto driver = ReadOperator(config.root(), cart.model, {.seed = 3, .machine = "cart1"});
+  config.Finish();
+  return driver;
+}
+
+std::string WriteFile(const std::string& name, const std::string& text) {
+  const std::string path = OwnFolder() / name;
+  std::ofstream(path) << text;
+  return path;
+}
+
+TEST(LeverReplay, HoldsEachCommandUntilTheNext) {
+  const Cart cart;
+  const std::string csv = WriteFile(
+      "levers.csv", "t_ns,right_track,left_track\n1000000000,0.5,-0.25\n2000000000,1,0\n");
+  const auto driver = Read("{type: lever_replay, csv: " + csv + "}", cart);
+  EXPECT_THAT(cart.Levers(driver.get(), 0.5), ::testing::ElementsAre(0, 0));
+  EXPECT_THAT(cart.Levers(driver.get(), 1.0), ::testing::ElementsAre(-0.25, 0.5));
+  EXPECT_THAT(cart.Levers(driver.get(), 1.999), ::testing::ElementsAre(-0.25, 0.5));
+  EXPECT_THAT(cart.Levers(driver.get(), 9.0), ::testing::ElementsAre(0, 1));
+}
+
+TEST(LeverReplay, RefusesColumnsThatAreNoLevers) {
+  const Cart cart;
+  const std::string csv = WriteFile("wrong.csv", "t_ns,boom\n0,1\n");
+  try {
+    Read("{type: lever_replay, csv: " + csv + "}", cart);
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("column 'boom' is no lever of machine 'cart'"));
+  }
+}
+
+TEST(LeverReplay, RefusesLeversBeyondTheirTravelWithTheLineThatHoldsThem) {
+  const Cart cart;
+  const std::string csv =
+      WriteFile("far.csv", "t_ns,left_track\n0,0.5\n1000000000,1.0000000001\n2000000000,-12\n");
+  try {
+    Read("{type: lever_replay, csv: " + csv + "}", cart);
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), ::testing::StartsWith("operator.yaml:1:"));
+    EXPECT_THAT(e.what(), HasSubstr("far.csv:4: column 'left_track' is -12, need -1 to 1"));
+  }
+}
+
+TEST(LeverReplay, TakesALeverThatIsARoundingErrorBeyondItsStop) {
+  const Cart cart;
+  const std::string csv = WriteFile("near.csv", "t_ns,left_track\n0,1.0000000001\n");
+  const auto driver = Read("{type: lever_replay, csv: " + csv + "}", cart);
+  EXPECT_EQ(cart.Levers(driver.get(), 1)[0], 1.0);
+}
+
+TEST(LeverReplay, RefusesTimesThatRunBackwards) {
+  const Cart cart;
+  const std::string csv = WriteFile("back.csv", "t_ns,left_track\n5,1\n4,0\n");
+  EXPECT_THROW(Read("{type: lever_replay, csv: " + csv + "}", cart), InputError);
+}
+
+TEST(TwistReplay, TurnsSpeedAndYawRateIntoLevers) {
+  const Cart cart;
+  // 1 m/s and 0.8 rad/s with 1 m gauge: 0.6 and 1.4 m/s, of 2 m/s at full lever.
+  const std::string csv = WriteFile("twist.csv", "t_s,v,w,x\n0,1,0.8,text\n");
+  const auto driver =
+      Read("{type: twist_replay, csv: " + csv + ", forward_column: v, yaw_rate_column: w}", cart);
+  const auto levers = cart.Levers(driver.get(), 3.0);
+  EXPECT_NEAR(levers[0], 0.3, 1e-12);
+  EXPECT_NEAR(levers[1], 0.7, 1e-12);
+}
+
+TEST(WaypointDriver, DrivesStraightAtAPointAheadAndStopsThere) {
+  Cart cart;
+  cart.state.links[0].X_WB = MakePose(Vec3(1, 2, 0), 0, 0, 90 * kDeg);
+  const auto driver =
+      Read("{type: waypoints, waypoints: [{xy_m: [1, 12]}], speed_mps: 1, reached_m: 0.3}", cart);
+  EXPECT_THAT(cart.Levers(driver.get(), 0), ::testing::ElementsAre(0, 0));
+  EXPECT_NEAR(cart.Levers(driver.get(), 0.1)[0], 0.15, 1e-9);  // 1.5 /s: as a hand moves it
+  const auto levers = cart.Levers(driver.get(), 2);
+  EXPECT_NEAR(levers[0], 0.5, 1e-9);
+  EXPECT_NEAR(levers[1], 0.5, 1e-9);
+  cart.state.links[0].X_WB.translation() = Vec3(1, 11.8, 0);
+  EXPECT_THAT(cart.Levers(driver.get(), 4), ::testing::ElementsAre(0, 0));
+}
+
+TEST(WaypointDriver, TurnsLeftOnTheSpotForAPointBehindItsLeft) {
+  Cart cart;
+  const auto driver = Read("{type: waypoints, waypoints: [{xy_m: [-5, 5]}]}", cart);
+  cart.Levers(driver.get(), 0);
+  const auto levers = cart.Levers(driver.get(), 2);
+  EXPECT_LT(levers[0], 0);
+  EXPECT_NEAR(levers[0], -levers[1], 1e-12);
+}
+
+TEST(RandomLevers, UndoEveryPieceOfADriveByItsOpposite) {
+  Cart cart;
+  const auto driver =
+      Read("{type: random_levers, shortest_s: 0.3, longest_s: 0.9, amplitude: 0.8}", cart);
+  const double dt_s = 0.001;
+  double way[2] = {0, 0}, farthest = 0, largest = 0, travelled = 0;
+  for (int step = 0; step < 60000; ++step) {
+    const auto levers = cart.Levers(driver.get(), step * dt_s);
+    for (int side = 0; side < 2; ++side) {
+      way[side] += levers[side] * dt_s;
+      travelled += std::abs(levers[side]) * dt_s;
+      farthest = std::max(farthest, std::abs(way[side]));
+      largest = std::max(largest, std::abs(levers[side]));
+    }
+  }
+  EXPECT_GT(travelled, 20);
+  EXPECT_LE(farthest, 0.9 * 0.8 + 0.01 * travelled);  // one piece, and the steps' rounding
+  EXPECT_LE(largest, 0.8);
+  EXPECT_GT(largest, 0.7);
+}
+
+TEST(RandomLevers, DependOnSeedAndMachineAlone) {
+  Cart cart;
+  const Config config = Config::FromText("{type: random_levers}", "operator.yaml");
+  const auto at_10_s = [&](std::uint64_t seed, const char* machine) {
+    const auto driver = ReadOperator(config.root(), cart.model, {seed, machine});
+    std::vector<double> all;
+    for (int step = 0; step < 100; ++step) {
+      for (const double u : cart.Levers(driver.get(), 0.1 * step)) all.push_back(u);
+    }
+    return all;
+  };
+  EXPECT_EQ(at_10_s(3, "cart1"), at_10_s(3, "cart1"));
+  EXPECT_NE(at_10_s(3, "cart1"), at_10_s(4, "cart1"));
+  EXPECT_NE(at_10_s(3, "cart1"), at_10_s(3, "cart2"));
+}
+
+TEST(RandomLevers, RefusePiecesWithoutAnOrder) {
+  const Cart cart;
+  EXPECT_THROW(Read("{type: random_levers, shortest_s: 2, longest_s: 1}", cart), InputError);
+}
+
+TEST(ReadOperator, NamesTheJointThatADigCycleLacks) {
+  const Cart cart;
+  try {
+    Read("{type: dig_cycle}", cart);
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("machine 'cart' has no joint 'slew'"));
+  }
+}
+
+/// What is wrong with a dig cycle of the excavator, or nothing.
+std::string DigFaults(const std::string& keys) {
+  const Config machine = Config::FromFile(DataRoot() / "config/machines/tb235.yaml");
+  const MachineModel model = ReadMachine(machine.root());
+  machine.Finish();
+  const Config config = Config::FromText("{type: dig_cycle, " + keys + "}", "operator.yaml");
+  try {
+    ReadOperator(config.root(), model, {.seed = 3, .machine = "excavator1"});
+    config.Finish();
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(ReadOperator, RefusesJointsThatAreNoArmOnASlewingPost) {
+  EXPECT_EQ(DigFaults("cycles: 2"), "");
+  EXPECT_THAT(DigFaults("boom: arm"),
+              HasSubstr("operator.yaml:1:25: boom: joint 'arm' does not carry joint 'arm'"));
+  EXPECT_THAT(DigFaults("arm: swing"), HasSubstr("arm: joint 'swing' does not carry"));
+  EXPECT_THAT(DigFaults("bucket: blade"),
+              HasSubstr("operator.yaml:1:27: bucket: joint 'blade' moves link 'blade'"));
+  EXPECT_THAT(DigFaults("slew: blade"), HasSubstr("slew: joint 'blade' does not turn the boom"));
+}
+
+TEST(ReadOperator, RefusesMoreDigCyclesThanAnyRunHolds) {
+  EXPECT_THAT(DigFaults("patience_s: 0"), HasSubstr("patience_s: 0 is out of range"));
+  EXPECT_THAT(DigFaults("servo_gain_1ps: 0"), HasSubstr("servo_gain_1ps: 0 is out of range"));
+  EXPECT_THAT(DigFaults("slew_braking_degps2: -1"), HasSubstr("slew_braking_degps2: -1 is out of"));
+  EXPECT_THAT(DigFaults("cycles: 5000000000"), HasSubstr("cycles: 5000000000 is out of range"));
+}
+
+}  // namespace
+}  // namespace tera

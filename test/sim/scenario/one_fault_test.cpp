@@ -1,0 +1,189 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "core/error.h"
+#include "own_folder.h"
+#include "sim/scenario/scenario.h"
+
+// One mistake gives one message: what follows from it is not told beside it.
+
+namespace tera {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string TextOf(const fs::path& file) {
+  std::ifstream in(file);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+void Replace(const std::string& passage, const std::string& by, std::string* text) {
+  const std::size_t at = text->find(passage);
+  ASSERT_NE(at, std::string::npos) << passage;
+  text->replace(at, passage.size(), by);
+}
+
+/// All messages about a scenario whose machine is described in `machine` and whose operator and
+/// sensors stand on that machine's levers, joints and links.
+std::string FaultsOf(const std::string& machine, const std::string& levers = "t_s,boom\n0,0.1\n",
+                     const std::vector<std::string>& overrides = {}) {
+  const fs::path file = OwnFolder() / "machine.yaml", csv = OwnFolder() / "levers.csv";
+  std::ofstream(file) << machine;
+  std::ofstream(csv) << levers;
+  const Config config = Config::FromText(R"(
+name: test
+duration_s: 1
+terrain: {size_m: [12, 12], cell_m: 0.2, soil: dirt}
+effects: {digger: {arm: {dead_band: {width: 0.1}}}}
+machines:
+  - name: digger
+    machine: )" + file.string() + R"(
+    start: {joints_deg: {boom: 40}}
+    operator: {type: lever_replay, csv: )" + csv.string() +
+                                             R"(, time_column: t_s}
+    rig: {sensors: [{name: imu, preset: 'tera:config/sensors/xsens_mti_670.yaml', link: boom}]}
+)",
+                                         "s.yaml", overrides);
+  try {
+    ReadScenario(config.root());
+    config.Finish();
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+/// The compact excavator with one passage of its file replaced.
+std::string Digger(const std::string& passage = "", const std::string& by = "") {
+  std::string text = TextOf(DataRoot() / "config/machines/tb235.yaml");
+  for (std::size_t at = 0; (at = text.find("../../", at)) != std::string::npos;) {
+    text.replace(at, 6, "tera:");
+  }
+  Replace(passage, by, &text);
+  return text;
+}
+
+testing::Matcher<std::string> OneLine(const testing::Matcher<std::string>& message) {
+  return AllOf(message, testing::Not(HasSubstr("\n")));
+}
+
+TEST(OneFault, TheScenarioItselfHasNone) { EXPECT_EQ(FaultsOf(Digger()), ""); }
+
+TEST(OneFault, AMachineFileThatIsNoYaml) {
+  EXPECT_THAT(FaultsOf(Digger("gauge_m: 1.148", "gauge_m: 1.148: 3")),
+              OneLine(HasSubstr("not valid YAML")));
+}
+
+TEST(OneFault, AMachineFileThatIsNotThere) {
+  const Config config = Config::FromText(R"(
+name: test
+duration_s: 1
+terrain: {size_m: [12, 12], cell_m: 0.2, soil: dirt}
+machines:
+  - {name: digger, machine: nowhere.yaml, start: {joints_deg: {boom: 40}}, operator: {type: idle}}
+)",
+                                         "s.yaml");
+  ReadScenario(config.root());
+  try {
+    config.Finish();
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), OneLine(HasSubstr("'nowhere.yaml' does not exist")));
+  }
+}
+
+TEST(OneFault, AMistypedLinkOfAJoint) {
+  EXPECT_THAT(FaultsOf(Digger("    child: boom\n", "    child: bom\n")),
+              OneLine(HasSubstr("boom.child: there is no link 'bom' (did you mean 'boom'?)")));
+}
+
+TEST(OneFault, AMistypedLinkOfACylinderOrALinkage) {
+  EXPECT_THAT(
+      FaultsOf(Digger("barrel: {link: upper, pin_m: [-0.10", "barrel: {link: uper, pin_m: [-0.10")),
+      OneLine(HasSubstr("swing_cylinder.barrel.link: there is no link 'uper' (did you mean "
+                        "'upper'?)")));
+  EXPECT_THAT(FaultsOf(Digger("rod: {link: blade,", "rod: {link: balde,")),
+              OneLine(HasSubstr("blade_cylinder.rod.link: there is no link 'balde'")));
+  EXPECT_THAT(FaultsOf(Digger("rocker: {link: arm,", "rocker: {link: arn,")),
+              OneLine(HasSubstr("bucket_linkage.rocker.link: there is no link 'arn'")));
+  EXPECT_THAT(FaultsOf(Digger("rod: {linkage: bucket_linkage,", "rod: {linkage: bucket_linkag,")),
+              OneLine(HasSubstr("rod.linkage: there is no linkage 'bucket_linkag' (did you mean "
+                                "'bucket_linkage'?)")));
+}
+
+TEST(OneFault, AMistypedOrMissingTypeOfAJoint) {
+  EXPECT_THAT(FaultsOf(Digger("type: revolute", "type: revolut")),
+              OneLine(HasSubstr(".type: 'revolut' is not known, need one of fixed, revolute, "
+                                "continuous, prismatic (did you mean 'revolute'?)")));
+  EXPECT_THAT(FaultsOf(Digger("type: revolute", "typ: revolute")),
+              OneLine(HasSubstr(".type: missing, need one of fixed, revolute")));
+}
+
+TEST(OneFault, BesideAMistypedTypeOtherMistakesAreTold) {
+  std::string machine = Digger("type: revolute", "type: revolut");
+  Replace("    child: boom\n", "    child: bom\n", &machine);
+  const std::string faults = FaultsOf(machine);
+  EXPECT_THAT(faults, AllOf(HasSubstr("'revolut' is not known"), HasSubstr("no link 'bom'")));
+  EXPECT_EQ(std::count(faults.begin(), faults.end(), '\n'), 1) << faults;
+}
+
+TEST(OneFault, AMistypedTypeOfAnOperatorOrASensor) {
+  EXPECT_THAT(FaultsOf(Digger(), "t_s,boom\n0,0.1\n", {"machines[0].operator.type=lever_repaly"}),
+              OneLine(HasSubstr("operator.type: 'lever_repaly' is not known, need one of idle, ")));
+  EXPECT_THAT(FaultsOf(Digger(), "t_s,boom\n0,0.1\n",
+                       {"machines[0].rig.sensors[0].type=camra",
+                        "effects.digger.imu={extrinsic: {x_m: 0.1}}"}),
+              OneLine(HasSubstr("sensors[0].type: 'camra' is not known, need one of imu, gnss, "
+                                "camera, lidar, encoder (did you mean 'camera'?)")));
+  EXPECT_THAT(FaultsOf(Digger(), "t_s,boom\n0,0.1\n",
+                       {"machines[0].rig.sensors={0: {type: camra, link: nowhere}}"}),
+              OneLine(HasSubstr("sensors[0].type: 'camra' is not known")));
+}
+
+TEST(OneFault, AJointWhoseChildIsLeftEmpty) {
+  EXPECT_THAT(FaultsOf(Digger("    child: boom\n", "    child:\n")),
+              OneLine(HasSubstr("boom.child: nothing is not a text")));
+}
+
+TEST(OneFault, AMistypedRateIsToldBeforeWhatItLeadsTo) {
+  const std::string faults =
+      FaultsOf(Digger("max_rate_degps: [25.8, 30.8]", "max_rate_radps: [0.45, 0.54]"));
+  EXPECT_THAT(faults.substr(0, faults.find('\n')),
+              HasSubstr("boom.max_rate_radps: unknown key (did you mean 'max_rate_degps'?)"));
+}
+
+TEST(OneFault, ACsvWithoutItsTimeColumn) {
+  EXPECT_THAT(FaultsOf(Digger(), "t,boom\n0,0.1\n"),
+              OneLine(HasSubstr("no column 't_s' (did you mean 't'?)")));
+}
+
+TEST(OneFault, AUrdfThatCannotBeReadUnderKeysThatStandOnIt) {
+  const std::string on_it = R"(
+kind: arm
+fixed_base: true
+actuators: {motor: {max_effort_nm: 4}}
+joints: {boom: {max_rate_degps: 10}}
+levers: [boom]
+cylinders:
+  lift: {barrel: {link: base, pin_m: [0, 0, 0]}, rod: {link: boom, pin_m: [1, 0, 0]}}
+effects: {boom: {dead_band: {width: 0.1}}}
+urdf: )";
+  EXPECT_THAT(FaultsOf(on_it + "gone.urdf\n"), OneLine(HasSubstr("'gone.urdf' does not exist")));
+  const fs::path broken = OwnFolder() / "broken.urdf";
+  std::ofstream(broken) << "<robot name=\"r\">\n<link name=\"a\">\n</robot>\n";
+  EXPECT_THAT(FaultsOf(on_it + broken.string() + "\n"),
+              OneLine(HasSubstr("urdf: broken.urdf:2 is not valid XML (mismatched element)")));
+}
+
+}  // namespace
+}  // namespace tera

@@ -1,0 +1,173 @@
+#include "sim/scenario/scenario.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/config/config.h"
+#include "core/error.h"
+#include "core/units.h"
+#include "sim/scenario/scenario_text.h"
+
+namespace tera {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+TEST(ReadScenario, AcceptsTheSmallestOne) {
+  EXPECT_EQ(FaultsOf(std::string(kSite) + kExcavator), "");
+}
+
+TEST(ReadScenario, RefusesAnUnknownKeyWithItsPlace) {
+  EXPECT_EQ(FaultsOf(std::string(kSite) + "phisics_rate_hz: 500\n" + kExcavator),
+            "s.yaml:5:1: phisics_rate_hz: unknown key (did you mean 'physics_rate_hz'?)");
+}
+
+TEST(ReadScenario, RefusesTwoSensorsWithOneName) {
+  const std::string imu = "{name: imu, preset: tera:config/sensors/xsens_mti_670.yaml, link: boom}";
+  EXPECT_THAT(FaultsOf(WithRig(imu + ", " + imu)),
+              AllOf(HasSubstr("s.yaml:10:"), HasSubstr("machines[0].rig.sensors[1].name: 'imu' is "
+                                                       "taken by another sensor")));
+}
+
+TEST(ReadScenario, RefusesASensorOnALinkThatIsNotThere) {
+  EXPECT_THAT(
+      FaultsOf(WithRig("{name: imu, preset: tera:config/sensors/xsens_mti_670.yaml, link: bom}")),
+      AllOf(HasSubstr("machines[0].rig.sensors[0].link"),
+            HasSubstr("has no link 'bom' (did you mean 'boom'?)")));
+}
+
+TEST(ReadScenario, RefusesASensorWithoutARate) {
+  EXPECT_THAT(FaultsOf(WithRig("{name: imu, preset: tera:config/sensors/xsens_mti_670.yaml, "
+                               "link: boom, rate_hz: 0}")),
+              HasSubstr("rate_hz: 0 is out of range, need more than 0"));
+}
+
+TEST(ReadScenario, RefusesAnEncoderOnAJointThatIsNotThere) {
+  EXPECT_THAT(
+      FaultsOf(WithRig("{name: e, preset: tera:config/sensors/encoder.yaml, joints: [elbow]}")),
+      HasSubstr("no joint, track or wheel 'elbow'"));
+}
+
+TEST(ReadScenario, RefusesAMachineFileThatIsNotThere) {
+  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator, {"machines[0].machine=nowhere.yaml"}),
+              HasSubstr("file 'nowhere.yaml' does not exist"));
+}
+
+TEST(ReadScenario, RefusesANegativeMassInTheMachineFile) {
+  EXPECT_THAT(
+      FaultsOf(std::string(kSite) + kExcavator, {"machines[0].machine.links.boom.mass_kg=-3"}),
+      HasSubstr("machines[0].machine.links.boom.mass_kg: -3 is out of range"));
+}
+
+TEST(ReadScenario, RefusesAMissingMesh) {
+  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator +
+                       "obstacles: [{name: r, label: rock, mesh: no.glb, xy_m: [1, 1]}]\n"),
+              AllOf(HasSubstr("obstacles[0].mesh"), HasSubstr("'no.glb' does not exist")));
+}
+
+TEST(ReadScenario, RefusesABedWithoutAFloorOrWithWallsThatGoDown) {
+  const auto faults = [](const std::string& bed) {
+    return FaultsOf(std::string(kSite) + kExcavator +
+                    "obstacles: [{name: bin, label: structure, mesh: tera:assets/container.glb, "
+                    "xy_m: [1, 1], bed: " +
+                    bed + "}]\n");
+  };
+  EXPECT_EQ(faults("{xyz_m: [0, 0, 1], size_m: [3, 2], wall_m: 0.5}"), "");
+  EXPECT_THAT(faults("{xyz_m: [0, 0, 1], size_m: [3, 0], wall_m: 0.5}"),
+              HasSubstr("obstacles[0].bed.size_m"));
+  EXPECT_THAT(faults("{xyz_m: [0, 0, 1], size_m: [3, 2], wall_m: -0.5}"),
+              HasSubstr("obstacles[0].bed.wall_m: -0.5 is out of range"));
+  EXPECT_THAT(faults("{size_m: [3, 2], wall_m: 0.5, walls_m: 1}"),
+              AllOf(HasSubstr("obstacles[0].bed.xyz_m"), HasSubstr("walls_m: unknown key")));
+}
+
+TEST(ReadScenario, RefusesAnUnreadableGeoTiff) {
+  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator, {"terrain.geotiff=LICENSE"}),
+              HasSubstr("terrain.geotiff"));
+}
+
+TEST(ReadScenario, RefusesNamesThatAreUsedTwiceOrAreNoFolders) {
+  const std::string cone = ", label: cone, mesh: tera:assets/cone.glb, xy_m: [1, 1]}";
+  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator + "obstacles: [{name: excavator1" + cone +
+                       ", {name: a/b" + cone + "]\n"),
+              AllOf(HasSubstr("name 'excavator1' is used twice"),
+                    HasSubstr("obstacles[1].name: name 'a/b' cannot name a folder")));
+}
+
+TEST(ReadScenario, RefusesMachineNamesThatLeaveTheDataset) {
+  for (const char* name : {"..", ".", "''", "a b", "a,b", "/tmp/a"}) {
+    EXPECT_THAT(
+        FaultsOf(std::string(kSite) + kExcavator, {std::string("machines[0].name=") + name}),
+        HasSubstr("--set: machines[0].name: "))
+        << name;
+  }
+  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator, {"machines[0].name=truth"}),
+              HasSubstr("name 'truth' is a folder that every dataset has"));
+}
+
+TEST(ReadScenario, RefusesStartAnglesBeyondTheLimits) {
+  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator,
+                       {"machines[0].start.joints_deg={boom: 100, elbow: 3}"}),
+              AllOf(HasSubstr("'boom' at 100 deg is beyond its limits"),
+                    HasSubstr("has no joint 'elbow'")));
+}
+
+TEST(ReadScenario, RefusesASiteWithoutMachines) {
+  EXPECT_THAT(FaultsOf(kSite), HasSubstr("no machine given"));
+}
+
+TEST(ReadScenario, SetsAMachineOnASlope) {
+  const Config config = Config::FromText(std::string(kSite) + kExcavator, "s.yaml",
+                                         {"terrain.relief={slope_deg: 10, slope_direction_deg: 0}",
+                                          "machines[0].start={yaw_deg: 90}"});
+  const Scenario scenario = ReadScenario(config.root());
+  config.Finish();
+  const TerrainSurface& ground = scenario.soil->surface();
+  const Pose& X_WB = scenario.machines[0].placement.X_WB;
+  EXPECT_NEAR(std::acos(X_WB.linear().col(2).dot(ground.NormalAt(0, 0))), 0.0, 0.5 * kDeg);
+  EXPECT_NEAR(std::acos(X_WB.linear()(2, 2)), 10 * kDeg, 0.5 * kDeg);
+}
+
+TEST(ReadScenario, ResolvedScenarioReadsTheSameAgain) {
+  const Config config =
+      Config::FromFile("config/scenarios/quickstart.yaml", {"terrain.cell_m=0.2"});
+  ReadScenario(config.root());
+  config.Finish();
+  const std::string resolved = config.ResolvedYaml();
+  const Config again = Config::FromText(resolved, "resolved.yaml");
+  const Scenario scenario = ReadScenario(again.root());
+  again.Finish();
+  EXPECT_EQ(again.ResolvedYaml(), resolved);
+  EXPECT_EQ(scenario.machines[0].sensors.size(), 11u);
+}
+
+TEST(Scenarios, AllThatAreShippedAreValid) {
+  for (const char* name : {"quickstart", "drive_three_soils", "load_truck", "trench",
+                           "two_machines", "warthog_asphalt"}) {
+    const Config config = Config::FromFile(std::string("config/scenarios/") + name + ".yaml",
+                                           {"terrain.cell_m=0.25"});
+    ReadScenario(config.root());
+    EXPECT_NO_THROW(config.Finish()) << name;
+  }
+}
+
+TEST(ObstacleAt, FollowsItsPathOverTheGround) {
+  // A plane that rises 0.1 m per metre along x.
+  const TerrainSurface ground(
+      TerrainGrid{.origin_W_m = Vec2(-10, -10), .cell_m = 20, .nx = 2, .ny = 2}, 1, {-1, 1, -1, 1},
+      {{}});
+  ScenarioObstacle walker;
+  walker.height_above_ground_m = 0.5;
+  walker.path = {{2, Vec2(0, 0)}, {4, Vec2(0, 3)}, {5, Vec2(4, 3)}};
+  const BodyState middle = ObstacleAt(walker, FromSeconds(3), ground);
+  EXPECT_TRUE(middle.X_WB.translation().isApprox(Vec3(0, 1.5, 0.5), 1e-6));
+  EXPECT_NEAR(middle.v_WB_mps.y(), 1.5, 1e-9);
+  EXPECT_NEAR(RpyFromRotation(middle.X_WB.linear()).z(), 90 * kDeg, 1e-9);
+  const BodyState after = ObstacleAt(walker, FromSeconds(60), ground);
+  EXPECT_TRUE(after.X_WB.translation().isApprox(Vec3(4, 3, 0.9), 1e-6));
+  EXPECT_EQ(after.v_WB_mps.norm(), 0.0);
+}
+
+}  // namespace
+}  // namespace tera

@@ -1,0 +1,191 @@
+#include "soil/site/geotiff.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <GeographicLib/LocalCartesian.hpp>
+#include <GeographicLib/UTMUPS.hpp>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "geotiff_fixture.h"
+#include "site_fixture.h"
+
+// Elevation files: what is written comes back, and lies where geodesy says it does.
+
+namespace tera {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using namespace testing_soil;
+
+class GeotiffTest : public FolderTest {};
+
+TEST_F(GeotiffTest, HeightsAndPlaceSurviveARoundTrip) {
+  const auto soil =
+      MakeSite("size_m: [12, 8]\ncell_m: 0.1\nrelief: {amplitude_m: 0.5, wavelength_m: 4}\n");
+  const SiteOrigin origin{46.81, -71.21, 87.5};
+  soil->WriteGeoTiff(File("site.tif"), GroundRaster::kHeight, origin, 1);
+  const auto again = MakeSite("cell_m: 0.1\ngeotiff: " + File("site.tif") + "\n");
+  ASSERT_TRUE(again->georeference());
+  EXPECT_NEAR(again->georeference()->lat_deg, origin.lat_deg, 1e-9);
+  EXPECT_NEAR(again->georeference()->lon_deg, origin.lon_deg, 1e-9);
+  const TerrainSurface &a = soil->surface(), &b = again->surface();
+  ASSERT_EQ(b.nx, a.nx);
+  ASSERT_EQ(b.ny, a.ny);
+  // The imported site's zero is the ground at its middle; float32 about 90 m resolves 8 um.
+  EXPECT_NEAR(again->georeference()->height_m, origin.height_m + a.HeightAt(0, 0), 1e-4);
+  for (const auto& [x, y] : {std::pair{-5.5, 3.1}, {0.25, -3.97}, {5.9, 0.04}}) {
+    EXPECT_NEAR(b.HeightAt(x, y), a.HeightAt(x, y) - a.HeightAt(0, 0), 1e-4);
+  }
+}
+
+TEST_F(GeotiffTest, FinerCellsInterpolateTheSameGround) {
+  MakeSite("size_m: [6, 6]\ncell_m: 0.5\nrelief: {slope_deg: 8, slope_direction_deg: 30}\n")
+      ->WriteGeoTiff(File("slope.tif"), GroundRaster::kHeight, {10, 20, 0}, 1);
+  const auto fine = MakeSite("cell_m: 0.05\ngeotiff: " + File("slope.tif") + "\n");
+  EXPECT_EQ(fine->surface().nx, 121);
+  const double rise = std::tan(8 * kDeg) * (1.23 * std::cos(30 * kDeg) + 2.1 * std::sin(30 * kDeg));
+  EXPECT_NEAR(fine->surface().HeightAt(1.23, 2.1), rise, 1e-4);
+}
+
+TEST_F(GeotiffTest, UnreadableFilesAreFaultsAtTheirKey) {
+  EXPECT_THAT(FaultsOf("geotiff: " + File("none.tif") + "\n"), HasSubstr("does not exist"));
+  std::ofstream(File("text.tif")) << "not a raster";
+  EXPECT_THAT(FaultsOf("geotiff: " + File("text.tif") + "\n"),
+              AllOf(HasSubstr("site.yaml:1:10: geotiff"), HasSubstr("not readable as a GeoTIFF")));
+  std::ofstream(File("empty.tif"));
+  EXPECT_THAT(FaultsOf("geotiff: " + File("empty.tif") + "\n"), HasSubstr("not readable"));
+  MakeSite("size_m: [6, 6]\nrelief: {amplitude_m: 1}\n")
+      ->WriteGeoTiff(File("cut.tif"), GroundRaster::kHeight, {1, 2, 0}, 1);
+  std::filesystem::resize_file(File("cut.tif"), std::filesystem::file_size(File("cut.tif")) / 2);
+  EXPECT_THAT(FaultsOf("geotiff: " + File("cut.tif") + "\n"), HasSubstr("cut.tif"));
+}
+
+/// The reference system of an ASCII grid, in a file beside it.
+void WriteUtmProjection(const std::string& file, int zone) {
+  std::ofstream(file)
+      << "PROJCS[\"UTM\",GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,"
+         "298.257223563]],PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]],"
+         "PROJECTION[\"Transverse_Mercator\"],PARAMETER[\"latitude_of_origin\",0],"
+         "PARAMETER[\"central_meridian\","
+      << 6 * zone - 183
+      << "],PARAMETER[\"scale_factor\",0.9996],PARAMETER[\"false_easting\",500000],"
+         "PARAMETER[\"false_northing\",0],UNIT[\"metre\",1]]";
+}
+
+/// A small float raster as an ASCII grid, which GDAL reads too: it has no projection of its own.
+void WriteAsciiGrid(const std::string& file, const std::string& rows) {
+  std::ofstream(file) << "ncols 3\nnrows 2\nxllcorner 500000\nyllcorner 4000000\ncellsize 1\n"
+                         "NODATA_value -9999\n"
+                      << rows;
+}
+
+TEST_F(GeotiffTest, NoProjectionIsAFault) {
+  WriteAsciiGrid(File("plain.asc"), "1 2 3\n4 5 6\n");
+  EXPECT_THAT(FaultsOf("geotiff: " + File("plain.asc") + "\n"), HasSubstr("has no projection"));
+}
+
+TEST_F(GeotiffTest, GapsAreAFault) {
+  WriteAsciiGrid(File("gaps.asc"), "1 2 -9999\n4 5 6\n");
+  WriteUtmProjection(File("gaps.prj"), 33);
+  EXPECT_THAT(FaultsOf("geotiff: " + File("gaps.asc") + "\n"),
+              HasSubstr("1 of 6 pixels have no height"));
+}
+
+TEST_F(GeotiffTest, FolderThatIsNotThereIsAnErrorAndSpoilsNoLaterFile) {
+  const auto soil = MakeSite("size_m: [2, 2]\n");
+  EXPECT_THROW(soil->WriteGeoTiff(File("no/such/folder.tif"), GroundRaster::kHeight, {0, 0, 0}, 1),
+               InputError);
+  EXPECT_NO_THROW(soil->WriteGeoTiff(File("good.tif"), GroundRaster::kHeight, {0, 0, 0}, 1));
+  EXPECT_TRUE(std::filesystem::exists(File("good.tif")));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);  // nothing beside
+}
+
+TEST_F(GeotiffTest, AFullDiskLeavesNoFileUnderTheFinalName) {
+  // /dev/full takes no byte: the part file is a link to it.
+  std::filesystem::create_symlink("/dev/full", File("full.tif.part"));
+  const auto soil = MakeSite("size_m: [2, 2]\n");
+  EXPECT_THROW(soil->WriteGeoTiff(File("full.tif"), GroundRaster::kHeight, {0, 0, 0}, 1),
+               InputError);
+  EXPECT_FALSE(std::filesystem::exists(File("full.tif")));
+}
+
+/// A plane through the middle of a UTM zone 19N raster (central meridian 69 W), given in the
+/// tangent plane there, as the file's heights above the ellipsoid. GeographicLib does the geodesy.
+class UtmPlane {
+ public:
+  static constexpr int kPixels = 61;
+  static constexpr double kHeight_m = 80;
+  UtmPlane(double lat_deg, double lon_deg, double cell_m, double slope_x, double slope_y)
+      : cell_m_(cell_m), slope_(slope_x, slope_y) {
+    int zone;
+    bool north;
+    GeographicLib::UTMUPS::Forward(lat_deg, lon_deg, zone, north, middle_.x(), middle_.y());
+    middle_ = middle_.array().round();
+    double lat, lon;
+    GeographicLib::UTMUPS::Reverse(kZone, true, middle_.x(), middle_.y(), lat, lon);
+    plane_.Reset(lat, lon, kHeight_m);
+  }
+  void Write(const std::string& stem) const {
+    WriteUtmProjection(stem + ".prj", kZone);
+    std::ofstream asc(stem + ".asc");
+    asc.precision(12);
+    const double corner_m = 0.5 * kPixels * cell_m_;
+    asc << "ncols " << kPixels << "\nnrows " << kPixels << "\nxllcorner " << middle_.x() - corner_m
+        << "\nyllcorner " << middle_.y() - corner_m << "\ncellsize " << cell_m_ << "\n";
+    for (int row = 0; row < kPixels; ++row) {
+      for (int i = 0; i < kPixels; ++i) asc << HeightOf(i, kPixels - 1 - row) << ' ';
+      asc << '\n';
+    }
+  }
+
+ private:
+  static constexpr int kZone = 19;
+  /// Height above the ellipsoid at which pixel (i, j)'s vertical meets the plane.
+  double HeightOf(int i, int j) const {
+    const int half = kPixels / 2;
+    double lat, lon;
+    GeographicLib::UTMUPS::Reverse(kZone, true, middle_.x() + (i - half) * cell_m_,
+                                   middle_.y() + (j - half) * cell_m_, lat, lon);
+    double height_m = kHeight_m;
+    for (int k = 0; k < 6; ++k) {
+      Vec3 p;
+      plane_.Forward(lat, lon, height_m, p.x(), p.y(), p.z());
+      height_m += slope_.dot(p.head<2>()) - p.z();
+    }
+    return height_m;
+  }
+
+  double cell_m_;
+  Vec2 slope_, middle_;
+  GeographicLib::LocalCartesian plane_;
+};
+
+TEST_F(GeotiffTest, NorthIsTrueNorthWellOffTheCentralMeridian) {
+  // Quebec, 2.27 degrees west of the meridian: the grid's north lies 1.65 degrees off, 0.6 m at 20
+  // m.
+  UtmPlane(46.78, -71.27, 1.0, 0.3, 0.2).Write(File("quebec"));
+  const auto soil = MakeSite("cell_m: 0.5\ngeotiff: " + File("quebec.asc") + "\n");
+  ASSERT_TRUE(soil->georeference());
+  EXPECT_NEAR(soil->georeference()->lat_deg, 46.78, 1e-5);
+  EXPECT_NEAR(soil->georeference()->lon_deg, -71.27, 1e-5);
+  EXPECT_NEAR(soil->georeference()->height_m, UtmPlane::kHeight_m, 1e-4);
+  for (const auto& [x, y] : {std::pair{20.0, 0.0}, {0.0, 20.0}, {-17.0, 11.0}, {25.0, -25.0}}) {
+    EXPECT_NEAR(soil->surface().HeightAt(x, y), 0.3 * x + 0.2 * y, 2e-4) << x << ' ' << y;
+  }
+}
+
+TEST_F(GeotiffTest, AWideSiteFallsAwayWithTheEllipsoid) {
+  // At 280 m the ellipsoid lies 6 mm below the tangent plane.
+  UtmPlane(46.78, -71.27, 10.0, 0.02, -0.01).Write(File("wide"));
+  const auto soil = MakeSite("cell_m: 1\ngeotiff: " + File("wide.asc") + "\n");
+  for (const auto& [x, y] : {std::pair{280.0, 0.0}, {0.0, -280.0}, {-200.0, 190.0}}) {
+    EXPECT_NEAR(soil->surface().HeightAt(x, y), 0.02 * x - 0.01 * y, 5e-4) << x << ' ' << y;
+  }
+}
+
+}  // namespace
+}  // namespace tera

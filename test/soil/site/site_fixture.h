@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+
+#include "core/error.h"
+#include "soil/site/site.h"
+#include "soil_fixture.h"
+
+/// Sites read from a scenario's terrain mapping, and what is wrong with one.
+
+namespace tera::testing_soil {
+
+/// What is wrong with a terrain mapping, or nothing.
+inline std::string FaultsOf(const std::string& terrain_yaml) {
+  try {
+    MakeSite(terrain_yaml);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+inline SitePlan Plan(const std::string& terrain_yaml, std::uint64_t seed = 1) {
+  const Config config = Config::FromText(terrain_yaml, "site.yaml");
+  SitePlan plan = ReadSite(config.root(), seed);
+  config.Finish();
+  return plan;
+}
+
+/// Name of the soil that lies at a depth of undisturbed ground.
+inline std::string SoilAt(const SitePlan& plan, double x_m, double y_m, double depth_m) {
+  const GroundProfile& profile = plan.ground.profiles[plan.ground.ProfileAt(Vec2(x_m, y_m))];
+  return plan.soils[profile.Below(depth_m).soil].name;
+}
+
+}  // namespace tera::testing_soil

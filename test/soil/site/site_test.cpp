@@ -1,0 +1,211 @@
+#include "soil/site/site.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "site_fixture.h"
+
+namespace tera {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using namespace testing_soil;
+
+TEST(Site, DefaultsAreFortyMetresOfDirtCentredOnTheOrigin) {
+  const auto soil = MakeSite("{}");
+  const TerrainSurface& ground = soil->surface();
+  EXPECT_EQ(ground.nx, 801);
+  EXPECT_EQ(ground.ny, 801);
+  EXPECT_EQ(ground.origin_W_m, Vec2(-20, -20));
+  ASSERT_EQ(soil->soils().size(), 1u);
+  EXPECT_EQ(soil->soils()[0].name, "dirt");
+  EXPECT_FALSE(soil->georeference());
+}
+
+TEST(Site, SizeAndCellSetTheGrid) {
+  const SitePlan plan = Plan("size_m: [12, 6]\ncell_m: 0.1\n");
+  EXPECT_EQ(plan.ground.grid.nx, 121);
+  EXPECT_EQ(plan.ground.grid.ny, 61);
+  EXPECT_EQ(plan.ground.grid.cell_m, 0.1);
+}
+
+TEST(Site, EveryShippedSoilIsReadable) {
+  for (const char* name :
+       {"dirt", "gravel", "sand", "loose_sand", "wet_sand", "loose", "clay", "asphalt"}) {
+    const SitePlan plan = Plan(std::string("size_m: [2, 2]\nsoil: ") + name + "\n");
+    EXPECT_EQ(plan.soils[0].name, name);
+  }
+}
+
+TEST(Site, StrengthUnderRunningGearIsItsOwnOrThatOfTheGround) {
+  const SoilType sand = Plan("size_m: [2, 2]\nsoil: sand\n").soils[0];
+  EXPECT_NEAR(sand.friction_angle_rad, 39 * kDeg, 1e-12);
+  EXPECT_NEAR(sand.shear_friction_rad, 28 * kDeg, 1e-12);
+  EXPECT_EQ(sand.cohesion_pa, 0);
+  EXPECT_EQ(sand.shear_cohesion_pa, 1040);
+  const SoilType clay = Plan("size_m: [2, 2]\nsoil: clay\n").soils[0];
+  EXPECT_NEAR(clay.shear_friction_rad, 13 * kDeg, 1e-12);
+  EXPECT_EQ(clay.shear_cohesion_pa, 4140);
+}
+
+TEST(Site, StripsSetTheSoilAlongTheirAxis) {
+  const auto soil = MakeSite(
+      "size_m: [12, 4]\nsoils: [dirt, gravel, sand]\n"
+      "strips:\n"
+      "  - {soil: gravel, axis: x, from_m: -2, to_m: 2}\n"
+      "  - {soil: sand, axis: y, from_m: 1, to_m: 3}\n");
+  const TerrainSurface& ground = soil->surface();
+  const auto at = [&](double x, double y) {
+    return soil
+        ->soils()[ground
+                      .at(static_cast<int>(std::lround((x + 6) / 0.05)),
+                          static_cast<int>(std::lround((y + 2) / 0.05)))
+                      .cover.soil]
+        .name;
+  };
+  EXPECT_EQ(at(-4, 0), "dirt");
+  EXPECT_EQ(at(0, 0), "gravel");
+  EXPECT_EQ(at(4, 0), "dirt");
+  EXPECT_EQ(at(4, 1.5), "sand");
+}
+
+TEST(Site, RegionsAndLayersSetWhatLiesWhere) {
+  const SitePlan plan = Plan(
+      "size_m: [12, 6]\nlayers:\n"
+      "  - {soil: dirt, from_m: 0, to_m: 0.3, moisture: 0.7}\n"
+      "  - {soil: gravel, from_m: 0.3, density_kgpm3: 1590}\n"
+      "regions:\n"
+      "  - {outline_m: [[-2, -1], [2, -1], [0, 2]], soil: sand}\n");
+  EXPECT_EQ(SoilAt(plan, -5, 0, 0), "dirt");
+  EXPECT_EQ(SoilAt(plan, -5, 0, 0.31), "gravel");
+  EXPECT_EQ(SoilAt(plan, 0, 0, 0), "sand");
+  EXPECT_EQ(SoilAt(plan, 0, 0, 4), "sand");
+  EXPECT_EQ(SoilAt(plan, 1.5, 1.5, 0), "dirt");  // in the triangle's box, outside its sides
+  const GroundProfile& layers = plan.ground.profiles[0];
+  EXPECT_NEAR(layers.Mass_kgpm2(0.1, 0.5), 0.2 * 1474 + 0.2 * 1590, 1e-9);
+  EXPECT_FLOAT_EQ(layers.Below(0).moisture, 0.7f);
+}
+
+TEST(Site, ARegionIsSeenWithItsExactOutline) {
+  const auto soil = MakeSite(
+      "size_m: [12, 6]\nsoils: [dirt, sand]\n"
+      "regions:\n  - {outline_m: [[-2, -1], [2, -1], [0, 2]], soil: sand}\n");
+  const TerrainSurface& ground = soil->surface();
+  double sand_m2 = 0;
+  for (int j = 0; j < ground.ny; ++j) {
+    for (int i = 0; i < ground.nx; ++i) {
+      if (soil->soils()[ground.at(i, j).cover.soil].name == "sand") sand_m2 += 0.05 * 0.05;
+    }
+  }
+  EXPECT_NEAR(sand_m2, 6.0, 0.1);  // 4 m x 3 m / 2
+}
+
+TEST(Site, AQuietSiteIsKnownByFewHeights) {
+  const SitePlan plan = Plan("size_m: [500, 500]\nrelief: {amplitude_m: 0.3, wavelength_m: 8}\n");
+  EXPECT_EQ(plan.ground.grid.nx, 10001);
+  EXPECT_LE(plan.ground.base_height_m.size(), 1100u * 1100u);  // of 10^8 columns
+}
+
+TEST(Site, SlopeRisesTowardsItsAzimuth) {
+  const SitePlan plan =
+      Plan("size_m: [10, 10]\nrelief: {slope_deg: 10, slope_direction_deg: 90}\n");
+  const auto height = [&](int i, int j) { return plan.ground.HeightAt(i, j); };
+  EXPECT_NEAR(height(50, 200) - height(50, 0), 10 * std::tan(10 * kDeg), 1e-9);
+  EXPECT_NEAR(height(150, 60), height(10, 60), 1e-9);
+}
+
+TEST(Site, ReliefIsSeededAndKeepsToItsAmplitudeAndWavelength) {
+  const std::string yaml = "size_m: [20, 20]\nrelief: {amplitude_m: 0.3, wavelength_m: 5}\n";
+  const SitePlan plan = Plan(yaml), again = Plan(yaml), other = Plan(yaml, 2);
+  EXPECT_EQ(plan.ground.base_height_m, again.ground.base_height_m);
+  EXPECT_NE(plan.ground.base_height_m, other.ground.base_height_m);
+  const std::vector<double>& heights = plan.ground.base_height_m;
+  const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+  EXPECT_GT(*high - *low, 0.1);
+  EXPECT_LE(*high, 0.3);
+  EXPECT_GE(*low, -0.3);
+  // Five times the wavelength: gentler slopes.
+  const SitePlan longer = Plan("size_m: [20, 20]\nrelief: {amplitude_m: 0.3, wavelength_m: 25}\n");
+  const auto steepest = [](const SitePlan& p) {
+    double s = 0;
+    for (int j = 0; j < p.ground.grid.ny; ++j) {
+      for (int i = 1; i < p.ground.grid.nx; ++i) {
+        s = std::max(s, std::abs(p.ground.HeightAt(i, j) - p.ground.HeightAt(i - 1, j)));
+      }
+    }
+    return s;
+  };
+  EXPECT_GT(steepest(plan), 3 * steepest(longer));
+}
+
+TEST(Site, PileIsAConeOfLooseSoilAtItsReposeAngleAndStaysSo) {
+  const auto soil = MakeSite(
+      "size_m: [10, 10]\nsoil: dirt\npiles: [{xy_m: [1, -2], height_m: 1.0, soil: gravel}]\n");
+  const TerrainSurface& ground = soil->surface();
+  EXPECT_NEAR(ground.HeightAt(1, -2), 1.0, 1e-6);
+  EXPECT_NEAR(ground.HeightAt(1 + 0.8, -2), 1.0 - 0.8 * std::tan(32 * kDeg), 1e-3);
+  EXPECT_EQ(soil->soils()[ground.at(120, 60).cover.soil].name, "gravel");
+  for (int k = 0; k < 500; ++k) soil->Flow(0.002);
+  EXPECT_NEAR(ground.HeightAt(1, -2), 1.0, 0.03);
+}
+
+TEST(Site, EveryFaultOfATerrainIsNamed) {
+  EXPECT_THAT(FaultsOf("soil: drt\n"),
+              AllOf(HasSubstr("site.yaml:1:7: soil: no soil named 'drt'"),
+                    HasSubstr("asphalt, clay, dirt, gravel, loose, loose_sand, sand, wet_sand")));
+  EXPECT_THAT(FaultsOf("sise_m: [1, 1]\n"), HasSubstr("did you mean 'size_m'"));
+  EXPECT_THAT(FaultsOf("cell_m: 0\n"), HasSubstr("out of range"));
+  EXPECT_THAT(FaultsOf("size_m: [2000, 2000]\ncell_m: 0.01\n"), HasSubstr("use a larger cell_m"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\nstrips: [{soil: sand, from_m: 2, to_m: 1}]\n"),
+              HasSubstr("1 is not beyond from_m 2"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\nstrips:\n  - {soil: sand, from_m: 0, to_m: 2}\n"
+                       "  - {soil: dirt, from_m: 1, to_m: 3}\n"),
+              HasSubstr("overlaps the one from 0 to 2 m"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\npiles: [{xy_m: [0, 0], height_m: -1, soil: sand}]\n"),
+              HasSubstr("piles[0].height_m: -1 is out of range"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\npiles: [{xy_m: [0, 2.1], height_m: 1, soil: sand}]\n"),
+              HasSubstr("piles[0].xy_m: lies beyond the site, x -2 to 2 m, y -2 to 2 m"));
+  EXPECT_THAT(
+      FaultsOf("size_m: [4, 4]\nlayers:\n  - {soil: dirt, from_m: 0, to_m: 0.4}\n"
+               "  - {soil: sand, from_m: 0.3}\n"),
+      HasSubstr("layers[1].from_m: this layer overlaps the one above it, which ends at 0.4"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\nlayers:\n  - {soil: dirt, from_m: 0, to_m: 0.4}\n"
+                       "  - {soil: sand, from_m: 0.5}\n"),
+              HasSubstr("no layer from 0.4 to 0.5 m"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\nsoil: dirt\nlayers: [{soil: dirt, from_m: 0}]\n"),
+              HasSubstr("soil and layers exclude each other"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\nlayers: [{soil: dirt, from_m: 0, to_m: 1}]\n"),
+              HasSubstr("the lowest layer goes on without end"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\nregions:\n"
+                       "  - {outline_m: [[0, 0], [1, 1], [1, 0], [0, 1]], soil: sand}\n"),
+              HasSubstr("its sides 1 and 3 cross"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\nregions:\n"
+                       "  - {outline_m: [[0, 0], [1, 1], [2, 2]], soil: sand}\n"),
+              HasSubstr("enclose no area"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\nregions:\n"
+                       "  - {outline_m: [[0, 0], [1, 1]], soil: sand}\n"),
+              HasSubstr("outline_m: 2 corners found, need at least 3"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\nlayers: [{soil: dirt, from_m: 0, density_kgpm3: 2500}]\n"),
+              HasSubstr("2500 is not a density of dirt, need 1340 (dug) to 2000 (compacted)"));
+  const std::string dirt =
+      "size_m: [4, 4]\nsoil: mine\ncustom_soils:\n  - {preset: "
+      "tera:config/soils/dirt.yaml, name: mine, ";
+  EXPECT_EQ(FaultsOf(dirt + "cohesion_pa: 10}\n"), "");
+  EXPECT_THAT(FaultsOf(dirt + "bank_density_kgpm3: -5}\n"), HasSubstr("-5 is out of range"));
+  EXPECT_THAT(FaultsOf(dirt + "friction_angle_deg: 90}\n"), HasSubstr("90 is out of range"));
+  EXPECT_THAT(FaultsOf(dirt + "shear_friction_deg: 90}\n"), HasSubstr("90 is out of range"));
+  EXPECT_THAT(FaultsOf(dirt + "shear_cohesion_pa: -1}\n"), HasSubstr("-1 is out of range"));
+  EXPECT_THAT(FaultsOf(dirt + "max_density_kgpm3: 1000}\n"),
+              HasSubstr("1000 is less than bank_density_kgpm3 1474"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\ncustom_soils:\n"
+                       "  - {preset: tera:config/soils/dirt.yaml}\n"
+                       "  - {preset: tera:config/soils/dirt.yaml}\n"),
+              HasSubstr("second soil named 'dirt'"));
+}
+
+}  // namespace
+}  // namespace tera

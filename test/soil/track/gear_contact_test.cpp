@@ -1,0 +1,331 @@
+#include "soil/track/gear_contact.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "block_fixture.h"
+#include "soil/track/terramechanics.h"
+
+namespace tera {
+namespace {
+
+using namespace testing_soil;
+
+/// Bekker's sinkage of the dry sand at that many times the block's mean pressure, by hand.
+double DrySandSinkage_m(double times) { return 0.0371 * std::pow(times, 1 / 1.1); }
+constexpr auto kNothing = [](const Vec3&) {};
+
+/// The block's depth at rest: Bekker's 37.1 mm, and what rebounds: a plate of width b on a half
+/// space settles by p b (1 - nu^2) I / E, nu = 0.3, I = 0.88.
+constexpr double kDepth_m = 0.0371 + 40875 * kWidth_m * (1 - 0.09) * 0.88 / 4.5e6;
+
+TEST(GearContact, BlockSinksToBekkersDepthAndIsCarriedInFull) {
+  Block block(kDrySand, Vec2(-2.013, 0.217), 0.3);
+  Vec3 force_n;
+  for (int k = 0; k < 4000; ++k) force_n = block.ActAndSinkGently();
+  EXPECT_NEAR(force_n.z() / (kMass_kg * kStandardGravity_mps2), 1, 1e-3);
+  // Ground that slopes down from the rut's rim within a cell bears some of the weight: 2 %.
+  EXPECT_NEAR(block.reaction.gear_sinkage_m[0] / kDepth_m, 1, 0.02);
+  EXPECT_NEAR(-block.links[0].X_WB.translation().z() / kDepth_m, 1, 0.02);
+  EXPECT_EQ(block.reaction.gear_slip[0], 0);
+}
+
+/// Both tracks, 39.24 kN, dry sand, K = 25 mm: closed form, see terramechanics_test.cpp.
+const std::vector<std::pair<double, double>> kThrustOverSlip = {
+    {0.05, 15310}, {0.10, 18450}, {0.20, 20150}, {0.40, 21010}};
+
+/// Mean over the second half of a drive.
+double Thrust_n(Block* block, double shoe_mps, double slip) {
+  block->motion.gear_rate_radps = {shoe_mps / 0.25, shoe_mps / 0.25};
+  double sum_n = 0;
+  const int steps = static_cast<int>(5.0 / shoe_mps / kStep_s);
+  for (int k = 0; k < steps; ++k) {
+    block->links[0].v_WB_mps.x() = (1 - slip) * shoe_mps;
+    block->ActAndSinkGently();
+    if (k < steps / 2) continue;
+    sum_n += block->reaction.gear_traction_n[0] + block->reaction.gear_traction_n[1];
+  }
+  EXPECT_NEAR(block->reaction.gear_slip[0], slip, 1e-6);
+  return sum_n / (steps - steps / 2);
+}
+
+TEST(GearContact, ThrustFollowsTheClosedFormOverSlip) {
+  // Damping of the shear near rest still adds 2 % at 5 cm/s of slip.
+  for (const auto& [slip, expected_n] : kThrustOverSlip) {
+    Block block(kDrySand, Vec2(-4.5, 0.1));
+    block.Stand(2000);
+    EXPECT_NEAR(Thrust_n(&block, 1.0, slip) / expected_n, 1, 0.03) << "slip " << slip;
+  }
+}
+
+TEST(GearContact, FineContactMeetsTheClosedFormsWithinOnePercent) {
+  // Cells of 2.5 cm, patches of 10 cm, and slip too fast for the damping near rest.
+  for (const auto& [slip, expected_n] : kThrustOverSlip) {
+    Block block(std::string(kDrySand) + "cell_m: 0.025\n", Vec2(-4.5, 0.1), 0, {.patches = 16});
+    block.Stand(3000);
+    EXPECT_NEAR(-block.links[0].X_WB.translation().z() / kDepth_m, 1, 0.01);
+    EXPECT_NEAR(Thrust_n(&block, 4.0, slip) / expected_n, 1, 0.01) << "slip " << slip;
+  }
+}
+
+TEST(GearContact, NothingOutrunsItsShoesOnLevelGround) {
+  // Resistance of the soil is met by thrust, which takes slip: of flat tracks and of raised noses,
+  // which sink up to 7 cm, forwards and backwards.
+  for (const char* soil : {"gravel", "dirt", "sand"}) {
+    for (const double nose_m : {0.0, 0.25}) {
+      for (const double shoe_mps : {1.0, -1.0}) {
+        Block block("size_m: [14, 4]\nsoil: " + std::string(soil) + "\n",
+                    Vec2(-4.1 * shoe_mps, 0.1), 0, {.nose_m = nose_m});
+        for (int k = 0; k < 500; ++k) block.Move();
+        block.motion.gear_rate_radps = {shoe_mps / 0.25, shoe_mps / 0.25};
+        block.links[0].v_WB_mps.x() = shoe_mps;
+        for (int k = 0; k < 2500; ++k) block.Move();
+        const double start_m = block.links[0].X_WB.translation().x();
+        double slip = 0;
+        const int count = 1000;
+        for (int k = 0; k < count; ++k) {
+          block.Move();
+          slip += block.reaction.gear_slip[0] / count;
+        }
+        const double moved_m = block.links[0].X_WB.translation().x() - start_m;
+        const double lost = 1 - moved_m / (shoe_mps * count * kStep_s);
+        const std::string what = fmt::format("{}, noses {} m, {} m/s", soil, nose_m, shoe_mps);
+        EXPECT_GT(lost, 0) << what;
+        EXPECT_LT(lost, 0.05) << what;
+        EXPECT_NEAR(slip, lost, 1e-5) << what;
+      }
+    }
+  }
+}
+
+TEST(GearContact, BlockOnASlopeHoldsStillWithoutCreep) {
+  // 10 deg, well below the friction angle; tracks locked. Free along the slope and in z.
+  Block block("size_m: [12, 4]\nsoil: dirt\nrelief: {slope_deg: 10}\n", Vec2(0, 0));
+  const double slope = 10 * kDeg;
+  block.links[0].X_WB = MakePose(Vec3(0, 0, 0.002), RotationFromRpy(0, -slope, 0));
+  double x_settled_m = 0;
+  for (int k = 0; k < 6000; ++k) {
+    block.Move();
+    if (k == 3000) x_settled_m = block.links[0].X_WB.translation().x();
+  }
+  EXPECT_NEAR(block.links[0].X_WB.translation().x(), x_settled_m, 1e-4);
+  EXPECT_LT(block.links[0].v_WB_mps.norm(), 1e-4);
+  EXPECT_NEAR(block.reaction.link_wrench[0].force_W_n.z(), kMass_kg * kStandardGravity_mps2,
+              0.01 * kMass_kg * kStandardGravity_mps2);
+}
+
+TEST(GearContact, FallingBlockComesToRestAndNothingPullsItDown) {
+  Block block("size_m: [12, 4]\nsoil: gravel\n", Vec2(0.3, -0.1), 1.0);
+  block.links[0].X_WB.translation().z() = 0.05;
+  double vz_mps = 0;
+  for (int k = 0; k < 4000; ++k) {
+    block.links[0].v_WB_mps.z() = vz_mps;
+    const Vec3 force_n = block.Act();
+    ASSERT_GE(force_n.z(), 0);
+    ASSERT_LT(force_n.z(), 30 * kMass_kg * kStandardGravity_mps2);
+    vz_mps += kStep_s * (force_n.z() / kMass_kg - kStandardGravity_mps2);
+    block.links[0].X_WB.translation().z() += kStep_s * vz_mps;
+  }
+  EXPECT_LT(std::abs(vz_mps), 1e-3);
+  EXPECT_LT(-block.links[0].X_WB.translation().z(), 0.05);
+}
+
+TEST(GearContact, DrivingLeavesTwoRutsAndLosesNoMass) {
+  Block block("size_m: [12, 4]\nsoil: sand\n", Vec2(-3, 0));
+  for (int k = 0; k < 1000; ++k) block.ActAndSinkGently();
+  block.motion.gear_rate_radps = {4.4, 4.4};
+  for (int k = 0; k < 2500; ++k) {
+    block.links[0].v_WB_mps.x() = 1.0;
+    block.ActAndSinkGently();
+  }
+  const TerrainSurface& ground = block.soil->surface();
+  EXPECT_LT(ground.HeightAt(0, kGauge_m / 2), -0.02);
+  EXPECT_LT(ground.HeightAt(0, -kGauge_m / 2), -0.02);
+  EXPECT_NEAR(ground.HeightAt(0, 0), 0, 1e-6);
+  EXPECT_GT(ground.at(ground.nx / 2, (ground.ny - 1) / 2 + 12).cover.rut, 200);
+  const MassLedger ledger = block.soil->ledger();
+  EXPECT_NEAR(ledger.total_kg(), 0, 1e-9);
+}
+
+TEST(GearContact, ShearingBackAndForthDissipates) {
+  // Locked tracks on sand, K = 18 mm, pushed on by 2 K: 1 - e^-2 = 0.865 of the strength. Unloading
+  // at the initial stiffness strength / K spends that within 0.865 K; as much further on, the soil
+  // resists the other way with 1 - e^-0.865 = 0.579 of the strength.
+  Block block("size_m: [12, 4]\nsoil: sand\n", Vec2(0.1, 0), 0);
+  for (int k = 0; k < 2000; ++k) block.ActAndSinkGently();
+  const double strength_n =
+      kMass_kg * kStandardGravity_mps2 * std::tan(28 * kDeg) + 2 * kWidth_m * kLength_m * 1040;
+  const auto push = [&](double distance_m) {
+    const double speed_mps = std::copysign(0.002, distance_m);
+    Vec3 force_n;
+    for (int k = 0; k < std::lround(distance_m / speed_mps / kStep_s); ++k) {
+      block.links[0].v_WB_mps.x() = speed_mps;
+      force_n = block.ActAndSinkGently();
+    }
+    return force_n.x() / strength_n;
+  };
+  EXPECT_NEAR(push(0.036), -0.865, 0.03);
+  EXPECT_NEAR(push(-0.865 * 0.018), 0, 0.03);
+  EXPECT_NEAR(push(-0.865 * 0.018), 0.579, 0.03);
+}
+
+TEST(GearContact, SandThatIsPressedAsideDoesNotComeBackUnderTheTrack) {
+  // A machine twice as heavy presses the sand beyond its greatest density, so that some of it goes
+  // aside. Driving on costs the work of the rut, once: Bekker's compaction resistance.
+  Block block("size_m: [12, 4]\nsoil: sand\n", Vec2(-3, 0.02));
+  block.mass_kg = 2 * kMass_kg;
+  for (int k = 0; k < 1000; ++k) block.ActAndSinkGently();
+  block.motion.gear_rate_radps = {4, 4};
+  double drag_n = 0;
+  const int settle = 1000, count = 1500;
+  for (int k = 0; k < settle + count; ++k) {
+    block.links[0].v_WB_mps.x() = 1.0;
+    const Vec3 force_n = block.ActAndSinkGently();
+    const SoilReaction& r = block.reaction;
+    if (k >= settle) drag_n += (r.gear_traction_n[0] + r.gear_traction_n[1] - force_n.x()) / count;
+  }
+  const SoilType& sand = block.soil->soils()[0];
+  const double pressure_pa = block.mass_kg * kStandardGravity_mps2 / (2 * kWidth_m * kLength_m);
+  const double z_m = BekkerSinkage_m(sand, kWidth_m, pressure_pa);
+  const double expected_n =
+      CompactionResistance_n(sand, kWidth_m, z_m) + BulldozingResistance_n(sand, kWidth_m, z_m);
+  EXPECT_NEAR(drag_n / (2 * expected_n), 1, 0.1);
+}
+
+TEST(GearContact, SecondPassSinksOnlyFromWhereTheFirstHasPressed) {
+  // Pressed ground is as stiff as on unloading, until the pressure that it knows: a second pass of
+  // the same machine leaves the rut as it was; one twice as heavy makes it 2^(1/n) times as deep.
+  Block block(kDrySand, Vec2(-2, 0));
+  block.Stand();
+  block.Drive(5, 1.0, 0, kNothing);
+  const double first_m = block.Rut_m(0);
+  block.Drive(5, -1.0, 0, kNothing);
+  const double second_m = block.Rut_m(0);
+  block.mass_kg *= 2;
+  block.Stand();
+  block.Drive(5, 1.0, 0, kNothing);
+  EXPECT_NEAR(first_m / DrySandSinkage_m(1), 1, 0.05);
+  EXPECT_NEAR(second_m / first_m, 1, 0.02);
+  EXPECT_NEAR(block.Rut_m(0) / DrySandSinkage_m(2), 1, 0.05);
+}
+
+TEST(GearContact, GroundReboundsWhenTheLoadIsGone) {
+  // A plate of width b on a half space: p b (1 - nu^2) I / E, nu = 0.3, I = 0.88.
+  Block block(kDrySand, Vec2(0.11, -0.07), 0.2);
+  block.Stand(3000);
+  const double rebound_m = 40875 * kWidth_m * (1 - 0.09) * 0.88 / 4.5e6;
+  const double x_m = 0.11 - 0.6 * std::sin(0.2), y_m = -0.07 + 0.6 * std::cos(0.2);
+  const double rut_m = -block.soil->surface().HeightAt(x_m, y_m);
+  EXPECT_NEAR(-block.links[0].X_WB.translation().z() - rut_m, rebound_m, 0.05 * rebound_m);
+}
+
+TEST(GearContact, RoadWheelsPressTheRutDeeperThanTheMeanPressureWould) {
+  // Where the track has driven, its pressure has peaks of twice the mean: the rut grows with the
+  // way towards 2^(1/n) of Bekker's depth. New ground under the front carries some of the load.
+  Block block(kDrySand, Vec2(-4, 0), 0, {.wheel_pitch_m = 0.4});
+  block.Stand();
+  double load_n = 0;
+  int count = 0;
+  block.Drive(8, 1.0, 0, [&](const Vec3& force_n) { load_n += force_n.z(), ++count; });
+  EXPECT_NEAR(load_n / count / (kMass_kg * kStandardGravity_mps2), 1, 0.01);
+  EXPECT_GT(block.Rut_m(2.5), 1.4 * DrySandSinkage_m(1));
+  EXPECT_LT(block.Rut_m(2.5), DrySandSinkage_m(2));
+}
+
+TEST(GearContact, StandingTrackSinksDeeperUnderItsRoadWheels) {
+  Block block("size_m: [12, 4]\nsoil: gravel\n", Vec2(0, 0), 0, {.wheel_pitch_m = 0.4});
+  block.Stand(2000);
+  double under_m = 0, between_m = 0;
+  for (const double x_m : {-0.6, -0.2, 0.2, 0.6}) under_m += block.Rut_m(x_m) / 4;
+  for (const double x_m : {-0.4, 0.0, 0.4}) between_m += block.Rut_m(x_m) / 3;
+  const SoilType& gravel = block.soil->soils()[0];
+  const double pressure_pa = kMass_kg * kStandardGravity_mps2 / (2 * kWidth_m * kLength_m);
+  EXPECT_GT(under_m, 1.2 * BekkerSinkage_m(gravel, kWidth_m, pressure_pa));
+  EXPECT_LT(under_m, 1.01 * BekkerSinkage_m(gravel, kWidth_m, 2 * pressure_pa));
+  EXPECT_LT(between_m, 0.3 * under_m);
+}
+
+TEST(GearContact, ThrustUnderRoadWheelsFollowsItsClosedForm) {
+  // Wong 2008, ch. 2: with p = W / (b l) (1 + cos(2 n pi x / l)), peaks at both ends, and x = i
+  // l/K, F = b l c (1 - (1 - e^-x) / x) + W tan phi (1 - (1 - e^-x) / x - (1 - e^-x) x / (x^2 + (2
+  // n pi)^2)). Here valleys are at both ends: the last term has the other sign. n = 4.
+  for (const auto& [slip, x] : std::vector<std::pair<double, double>>{
+           {0.05, 3.2}, {0.10, 6.4}, {0.20, 12.8}, {0.40, 25.6}}) {
+    const double e = 1 - std::exp(-x);
+    const double even = 1 - e / x, peaks = e * x / (x * x + std::pow(8 * kPi, 2));
+    const double expected_n =
+        2 * kWidth_m * kLength_m * 1040 * even +
+        kMass_kg * kStandardGravity_mps2 * std::tan(28 * kDeg) * (even + peaks);
+    Block block(kDrySand, Vec2(-4.5, 0.1), 0, {.wheel_pitch_m = 0.4});
+    block.Stand();
+    double sum_n = 0;
+    int count = 0, step = 0;
+    block.Drive(5, 1.0 - slip, slip, [&](const Vec3&) {
+      if (++step < 1500) return;
+      sum_n += block.reaction.gear_traction_n[0] + block.reaction.gear_traction_n[1];
+      ++count;
+    });
+    EXPECT_NEAR(sum_n / count / expected_n, 1, 0.05) << "slip " << slip;
+  }
+}
+
+TEST(GearContact, TurningOnTheSpotIsResistedByFrictionAcrossTheTracks) {
+  // Tracks roll as fast as they turn, so that the ground slides under them sideways alone:
+  // M = (W tan phi + A c) L / 4. Shear needs some way to build up and to turn round in the
+  // middle, so K is small here; the width adds some.
+  Block block(
+      "size_m: [8, 8]\nsoil: s\n"
+      "custom_soils: [{preset: tera:config/soils/sand.yaml, name: s, shear_modulus_m: 0.004}]\n",
+      Vec2(0.2, -0.1), 0.3);
+  block.Stand();
+  const double rate_radps = 0.4, shoe_mps = rate_radps * kGauge_m / 2;
+  block.motion.gear_rate_radps = {-shoe_mps / 0.25, shoe_mps / 0.25};  // the left one first
+  block.links[0].w_WB_radps.z() = rate_radps;
+  double moment_nm = 0;
+  int count = 0;
+  for (int k = 0; k < 2000; ++k) {
+    block.ActAndFall();
+    block.links[0].X_WB.translation().z() += kStep_s * block.links[0].v_WB_mps.z();
+    block.links[0].X_WB.linear() =
+        RotationFromRpy(0, 0, rate_radps * kStep_s) * block.links[0].X_WB.linear();
+    if (k < 1000) continue;
+    moment_nm += block.reaction.link_wrench[0].torque_W_nm.z();
+    ++count;
+  }
+  const double weight_n = kMass_kg * kStandardGravity_mps2;
+  const double strength_n = std::tan(28 * kDeg) * weight_n + 2 * kWidth_m * kLength_m * 1040;
+  EXPECT_NEAR(moment_nm / count / (-strength_n * kLength_m / 4), 1, 0.10);
+}
+
+TEST(GearContact, GrousersOfASpinningTrackDigIn) {
+  // Shoes that slip by s carry a layer as thick as the grousers are high, h s of soil for each
+  // metre of width, out of L: the block sinks by h s / L, and the soil lies behind.
+  Block block(kDrySand, Vec2(0, 0), 0, {.grouser_m = 0.03});
+  block.Stand(2000);
+  const double before_m = -block.links[0].X_WB.translation().z();
+  block.motion.gear_rate_radps = {2, 2};
+  for (int k = 0; k < 1000; ++k) block.ActAndSinkGently();  // 1 m of slip
+  EXPECT_NEAR(-block.links[0].X_WB.translation().z() - before_m, 0.03 / kLength_m, 0.002);
+  EXPECT_LT(block.Rut_m(-0.85), -0.05);  // a heap behind
+  EXPECT_NEAR(block.Rut_m(0.9), 0, 1e-6);
+  EXPECT_NEAR(block.soil->ledger().total_kg(), 0, 1e-9);
+}
+
+TEST(GearContact, SlipMakesAMovingTrackSinkDeeper) {
+  // At 50 % slip each place loses a layer of h i / (1 - i) = h from the front to the rear, half of
+  // it on average; the track comes to lie so.
+  const auto depth_m = [](double grouser_m) {
+    Block block(kDrySand, Vec2(-3, 0), 0, {.grouser_m = grouser_m});
+    block.links[0].X_WB.linear() = RotationFromRpy(0, -grouser_m / kLength_m, 0);  // nose up
+    block.Stand();
+    block.Drive(5, 1.0, 0.5, kNothing);
+    EXPECT_NEAR(block.soil->ledger().total_kg(), 0, 1e-9);
+    return -block.links[0].X_WB.translation().z();
+  };
+  EXPECT_NEAR((depth_m(0.01) - depth_m(0)) / 0.005, 1, 0.3);
+}
+
+}  // namespace
+}  // namespace tera
