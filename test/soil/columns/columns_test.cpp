@@ -6,7 +6,7 @@
 
 #include "core/random.h"
 #include "soil/columns/soil_type.h"
-#include "soil_fixture.h"
+#include "soil/soil_fixture.h"
 
 namespace tera {
 namespace {

@@ -9,8 +9,8 @@
 #include <numeric>
 
 #include "core/error.h"
-#include "geotiff_fixture.h"
-#include "site_fixture.h"
+#include "soil/site/geotiff_fixture.h"
+#include "soil/site/site_fixture.h"
 #include "soil/site/voxel_file.h"
 
 namespace tera {

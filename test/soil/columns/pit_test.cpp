@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/units.h"
-#include "site_fixture.h"
+#include "soil/site/site_fixture.h"
 
 namespace tera {
 namespace {

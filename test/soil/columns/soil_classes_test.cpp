@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "geotiff_fixture.h"
-#include "site_fixture.h"
+#include "soil/site/geotiff_fixture.h"
+#include "soil/site/site_fixture.h"
 
 // A raster that says which soil lies where (soil_classes).
 

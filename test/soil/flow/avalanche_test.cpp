@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "soil/flow/grains.h"
-#include "soil_fixture.h"
+#include "soil/soil_fixture.h"
 
 namespace tera {
 namespace {

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "soil_fixture.h"
+#include "soil/soil_fixture.h"
 
 /// What leaves a bucket: where it leaves it, and the pile that it makes.
 

@@ -9,7 +9,7 @@
 
 #include "soil/flow/avalanche.h"
 #include "soil/flow/grains.h"
-#include "soil_fixture.h"
+#include "soil/soil_fixture.h"
 
 namespace tera {
 namespace {

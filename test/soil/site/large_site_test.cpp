@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "soil_fixture.h"
+#include "soil/soil_fixture.h"
 
 // A site of 500 x 500 m at 5 cm: a hundred million columns, of which a machine touches few.
 

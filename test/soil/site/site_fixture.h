@@ -4,7 +4,7 @@
 
 #include "core/error.h"
 #include "soil/site/site.h"
-#include "soil_fixture.h"
+#include "soil/soil_fixture.h"
 
 /// Sites read from a scenario's terrain mapping, and what is wrong with one.
 

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "core/random.h"
-#include "shaped_ground.h"
-#include "soil_fixture.h"
+#include "soil/shaped_ground.h"
+#include "soil/soil_fixture.h"
 
 namespace tera {
 namespace {

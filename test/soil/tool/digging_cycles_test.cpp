@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "soil_fixture.h"
+#include "soil/soil_fixture.h"
 
 namespace tera {
 namespace {

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "core/random.h"
-#include "soil_fixture.h"
+#include "soil/soil_fixture.h"
 
 namespace tera {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "soil_fixture.h"
+#include "soil/soil_fixture.h"
 
 namespace tera {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/random.h"
-#include "soil_fixture.h"
+#include "soil/soil_fixture.h"
 
 namespace tera {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "block_fixture.h"
+#include "soil/block_fixture.h"
 #include "soil/track/terramechanics.h"
 
 namespace tera {

@@ -7,8 +7,8 @@
 
 #include "core/random.h"
 #include "core/units.h"
-#include "shaped_ground.h"
 #include "soil/columns/soil_type.h"
+#include "soil/shaped_ground.h"
 
 namespace tera {
 namespace {

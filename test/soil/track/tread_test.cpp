@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "block_fixture.h"
 #include "core/units.h"
+#include "soil/block_fixture.h"
 
 /// The print of grousers in a rut.
 
