@@ -14,8 +14,8 @@ function(tera_module NAME)
   endif()
 endfunction()
 
-# tera_test(FOLDER LABELS ... SOURCES ... LINK ...): one test program for a folder of test/; each
-# TEST in it becomes a ctest test with the given labels.
+# tera_test(NAME LABELS ... SOURCES ... LINK ...): a test program; each TEST in it becomes a ctest test
+# with its label, which says what a run costs and needs (test/CMakeLists.txt).
 function(tera_test NAME)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK;LABELS" ${ARGN})
   add_executable(${NAME} ${ARG_SOURCES})
@@ -25,4 +25,7 @@ function(tera_test NAME)
   gtest_discover_tests(${NAME} DISCOVERY_MODE PRE_TEST
     PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 600
     WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+  if(unit IN_LIST ARG_LABELS)
+    add_dependencies(unit_tests ${NAME})
+  endif()
 endfunction()

@@ -44,6 +44,12 @@ TEST_F(RecordingTest, KnowsWhatItHolds) {
   EXPECT_EQ(recording.channels().size(), 7u);
 }
 
+TEST_F(RecordingTest, NamesTheVersionOfTheProgramThatWroteIt) {
+  EXPECT_THAT(TERA_PROJECT_VERSION, testing::MatchesRegex("[0-9]+[.][0-9]+[.][0-9]+"));
+  EXPECT_THAT(ReadWholeFile(directory() / "dataset.yaml"),
+              HasSubstr("\ntera_version: \"" TERA_PROJECT_VERSION "\"\n"));
+}
+
 TEST_F(RecordingTest, ATableWithoutColumnsIsItsTimes) {
   // The joints of a machine that has none.
   const ScratchDirectory scratch;
