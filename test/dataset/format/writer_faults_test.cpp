@@ -1,10 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <thread>
-
 #include "core/error.h"
-#include "dataset/files/frame_queue.h"
 #include "dataset/files/tiny_disk.h"
 #include "dataset/format/sample_recording.h"
 
@@ -73,48 +70,6 @@ TEST(DatasetWriter, RefusesNamesThatNoFileCanHave) {
               ThrowsMessage<InputError>(HasSubstr("File name too long")));
   EXPECT_THAT([&] { DatasetWriter(scratch.path() / "loop/run", SampleInfo(), {}); },
               ThrowsMessage<InputError>(HasSubstr("symbolic links")));
-}
-
-TEST(CheckedFile, ReportsAFullDevice) {
-  // /dev/full takes no byte; the temporary name beside a link to it leads there.
-  ScratchDirectory scratch;
-  fs::create_symlink("/dev/full", scratch.path() / "data.csv.part");
-  CheckedFile file(scratch.path() / "data.csv");
-  file.Append("1,2,3\n");
-  EXPECT_THAT([&] { file.Commit(); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("data.csv: cannot be written"),
-                                              HasSubstr("free space on that disk"))));
-  EXPECT_FALSE(fs::exists(scratch.path() / "data.csv"));
-}
-
-TEST(FrameQueue, ThrowsAWorkersFaultOnTheCallersThread) {
-  FrameQueue queue(2, 4);
-  queue.Push([] { throw InputError("disk gone"); });
-  EXPECT_THAT([&] { queue.Drain(); }, ThrowsMessage<InputError>(HasSubstr("disk gone")));
-  EXPECT_THAT([&] { queue.Push([] {}); }, ThrowsMessage<InputError>(HasSubstr("disk gone")));
-}
-
-TEST(FrameQueue, HoldsTheCallerBackWhileItIsFull) {
-  std::atomic<int> started = 0;
-  std::atomic<bool> go = false;
-  FrameQueue queue(1, 2);
-  const auto job = [&] {
-    ++started;
-    while (!go) std::this_thread::yield();
-  };
-  std::atomic<int> pushed = 0;
-  std::thread caller([&] {
-    for (int i = 0; i < 6; ++i) {
-      queue.Push(job);
-      ++pushed;
-    }
-  });
-  while (started < 1 || pushed < 3) std::this_thread::yield();
-  EXPECT_LE(pushed, 3);  // one runs, two wait; the fourth is held back
-  go = true;
-  caller.join();
-  queue.Drain();
-  EXPECT_EQ(started, 6);
 }
 
 }  // namespace
