@@ -34,7 +34,8 @@ class Ground : public Soil {
   int AddMachine(const GroundTools& tools) override {
     Machine machine;
     std::vector<SoilType> soils;
-    for (const SoilType& soil : columns_.soils()) soils.push_back(Met(soil, tools.footing));
+    for (const SoilType& soil : columns_.soils())
+      soils.push_back(ScaledByFooting(soil, tools.footing));
     for (const Shovel& shovel : tools.shovels) machine.shovels.emplace_back(shovel, soils);
     for (const RunningGear& gear : tools.gears) {
       machine.gears.emplace_back(gear, tools.footing.shears, soils);

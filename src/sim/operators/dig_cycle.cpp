@@ -84,7 +84,7 @@ std::vector<double> DigCycle::Levers(const OperatorView& view) {
   last_angles_ = angles;
 
   levers_.resize(levers.size(), 0.0);
-  feel_.resize(levers.size());
+  dead_zones_.resize(levers.size());
   for (std::size_t i = 0; i < levers.size(); ++i) {
     const int joint = view.model.levers[i].joint;
     if (joint < 0) continue;
@@ -97,7 +97,8 @@ std::vector<double> DigCycle::Levers(const OperatorView& view) {
     if (joint == plan_.joints.bucket) {
       servo(angles.bucket_rad, rate(angles.bucket_rad, before.bucket_rad));
     }
-    levers[i] = feel_[i].Lever(levers[i], ShareOfFullRate(view.model, view.state, joint), dt_s);
+    levers[i] =
+        dead_zones_[i].Lever(levers[i], ShareOfFullRate(view.model, view.state, joint), dt_s);
     const double reach = kLeverRate_1ps * dt_s;
     levers[i] = std::clamp(levers[i], levers_[i] - reach, levers_[i] + reach);
   }

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "sim/operators/lever_feel.h"
+#include "sim/operators/dead_zone_compensation.h"
 #include "sim/operators/operator.h"
 #include "sim/operators/planar_arm.h"
 
@@ -37,7 +37,7 @@ struct DigPlan {
 ///         joints follow by ServoLever. During the cut the target moves along the planned line;
 ///         where the soil holds the tip back it waits and comes up, as an operator lifts a stalled
 ///         bucket.
-///         Where a joint does not follow its lever, LeverFeel pushes it on.
+///         The levers pass through DeadZoneCompensation.
 ///         Places stay where they are in W when the tracks turn or slide: an operator sees the
 ///         truck that he loads. The dump place does so wholly, the dig place by its azimuth. Levers
 ///         move no faster than a hand does. The slew turns at most at sqrt(2 a e), from which
@@ -87,13 +87,13 @@ class DigCycle : public Operator {
   bool started_ = false;
   Pose X_WJ_start_ = Pose::Identity();  ///< frame of the slew's axis when the first cycle began
   double dig_azimuth_rad_;
-  double cut_s_m_ = 0;                ///< along the cut
-  double cut_raised_m_ = 0;           ///< above the planned line, to get through
-  std::vector<double> cut_ground_m_;  ///< heights in the plane when the cut was planned
-  std::vector<double> levers_;        ///< as last given
-  std::vector<LeverFeel> feel_;       ///< of each lever
-  double phase_load_kg_ = 0;          ///< carried when the phase began
-  PlanarArm::Tip phase_tip_;          ///< where the tip was when the phase began
+  double cut_s_m_ = 0;                            ///< along the cut
+  double cut_raised_m_ = 0;                       ///< above the planned line, to get through
+  std::vector<double> cut_ground_m_;              ///< heights in the plane when the cut was planned
+  std::vector<double> levers_;                    ///< as last given
+  std::vector<DeadZoneCompensation> dead_zones_;  ///< of each lever
+  double phase_load_kg_ = 0;                      ///< carried when the phase began
+  PlanarArm::Tip phase_tip_;                      ///< where the tip was when the phase began
   std::optional<PlanarArm::Angles> last_angles_;
 };
 

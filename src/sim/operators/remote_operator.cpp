@@ -16,10 +16,14 @@ namespace {
 constexpr double kRateGain_1ps = 4.0, kPlaceGain_1ps = 1.8;
 /// How far a held angle may run ahead of a joint that cannot follow.
 constexpr double kLead_rad = 0.05;
-/// Of joints that are to come to rest at a place: within 0.012 of the fastest one's rate, 0.4
-/// degrees, and pushed only where they stand.
-constexpr Touch kGentle = {
-    .soft = 0.012, .slow = 0.15, .back = 0.15, .fast = 1.5, .wait_s = 0.6, .push_1ps = 0.3};
+/// Joints that are to come to rest at a place do so within 0.012 of the fastest one's rate, 0.4
+/// degrees; their dead zones are taken for wider only where they stand.
+constexpr DeadZoneAdaptation kPositioning = {.transition = 0.012,
+                                             .follow_ratio = 0.15,
+                                             .overshoot_ratio = 1.5,
+                                             .rebound_ratio = 0.15,
+                                             .wait_s = 0.6,
+                                             .rate_1ps = 0.3};
 /// Beyond full lever by no more than this is a rounding of the sender's.
 constexpr double kLeverRounding = 1e-6;
 
@@ -148,13 +152,15 @@ std::vector<double> RemoteOperator::HoldRates(const OperatorView& view,
   return levers;
 }
 
-std::vector<double> RemoteOperator::Feel(const OperatorView& view, std::vector<double> levers) {
+std::vector<double> RemoteOperator::CompensateDeadZones(const OperatorView& view,
+                                                        std::vector<double> levers) {
   const double dt_s = ToSeconds(view.t_ns - last_ns_);
-  feel_.resize(levers.size(), LeverFeel(kGentle));
+  dead_zones_.resize(levers.size(), DeadZoneCompensation(kPositioning));
   for (std::size_t i = 0; i < levers.size(); ++i) {
     const int joint = view.model.levers[i].joint;
     if (joint < 0) continue;
-    levers[i] = feel_[i].Lever(levers[i], ShareOfFullRate(view.model, view.state, joint), dt_s);
+    levers[i] =
+        dead_zones_[i].Lever(levers[i], ShareOfFullRate(view.model, view.state, joint), dt_s);
   }
   return levers;
 }
@@ -180,7 +186,7 @@ std::vector<double> RemoteOperator::LeversFor(const OperatorView& view) {
       levers[i] = ServoLever(model, view.state, model.levers[i].joint, positions->q_rad[i], 0.0,
                              kPlaceGain_1ps);
     }
-    return Feel(view, std::move(levers));
+    return CompensateDeadZones(view, std::move(levers));
   }
   const auto& pose = std::get<ControlMessage::ToolPose>(message_->command);
   const std::vector<double> rates_radps =
@@ -191,7 +197,7 @@ std::vector<double> RemoteOperator::LeversFor(const OperatorView& view) {
         rates_radps[k] > 0 ? joint.max_rate_positive_radps : joint.max_rate_negative_radps;
     if (full_radps > 0) levers[lever_of[k]] = std::clamp(rates_radps[k] / full_radps, -1.0, 1.0);
   }
-  return Feel(view, std::move(levers));
+  return CompensateDeadZones(view, std::move(levers));
 }
 
 std::vector<double> RemoteOperator::Levers(const OperatorView& view) {

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "sim/operators/lever_feel.h"
+#include "sim/operators/dead_zone_compensation.h"
 #include "sim/operators/operator.h"
 #include "sim/operators/tool_servo.h"
 
@@ -52,9 +52,8 @@ std::optional<std::string> FaultOf(const ControlMessage& message, const MachineM
 /// Model   A message holds until the next one, for at most kTimeout_s of simulated time; after that
 ///         all levers are neutral. Joint rates are held by the angle they lead to, so that a joint
 ///         under load does not fall behind; joint positions and tool poses by proportional feedback
-///         of the rate (ServoLever, ToolRates), whose levers LeverFeel pushes on where a joint does
-///         not follow them. All of them become levers, which is what a machine obeys, what is
-///         recorded, and what replays it.
+///         of the rate (ServoLever, ToolRates), through DeadZoneCompensation. All of them become
+///         levers, which is what a machine obeys, what is recorded, and what replays it.
 class RemoteOperator : public Operator {
  public:
   static constexpr double kTimeout_s = 1.0;
@@ -68,14 +67,14 @@ class RemoteOperator : public Operator {
  private:
   std::vector<double> LeversFor(const OperatorView& view);
   /// Levers for those that ideal joints would need.
-  std::vector<double> Feel(const OperatorView& view, std::vector<double> levers);
+  std::vector<double> CompensateDeadZones(const OperatorView& view, std::vector<double> levers);
   std::vector<double> HoldRates(const OperatorView& view, const std::vector<double>& rates_radps);
 
   std::unique_ptr<Operator> until_then_;
   std::optional<ControlMessage> message_;
   TimeNs received_ns_ = 0, last_ns_ = 0;
   std::vector<double> held_q_rad_;  ///< where joint rates have led to, one for each lever
-  std::vector<LeverFeel> feel_;     ///< of each lever, for positions and tool poses
+  std::vector<DeadZoneCompensation> dead_zones_;  ///< of each lever, for positions and tool poses
 };
 
 }  // namespace tera

@@ -70,18 +70,19 @@ std::string ShippedSoilNames() {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-SoilType Met(const SoilType& soil, const Footing& footing) {
-  SoilType met = soil;
-  met.cohesion_pa *= footing.strength;
-  met.adhesion_pa *= footing.strength;
-  met.friction_angle_rad = std::atan(footing.strength * std::tan(soil.friction_angle_rad));
-  met.shear_cohesion_pa *= footing.strength;
-  met.shear_friction_rad = std::atan(footing.strength * std::tan(soil.shear_friction_rad));
-  met.soil_tool_friction_rad = std::atan(footing.strength * std::tan(soil.soil_tool_friction_rad));
-  met.young_modulus_pa *= footing.stiffness;
-  met.k_c_npm_n1 *= footing.stiffness;
-  met.k_phi_npm_n2 *= footing.stiffness;
-  return met;
+SoilType ScaledByFooting(const SoilType& soil, const Footing& footing) {
+  SoilType scaled = soil;
+  scaled.cohesion_pa *= footing.strength;
+  scaled.adhesion_pa *= footing.strength;
+  scaled.friction_angle_rad = std::atan(footing.strength * std::tan(soil.friction_angle_rad));
+  scaled.shear_cohesion_pa *= footing.strength;
+  scaled.shear_friction_rad = std::atan(footing.strength * std::tan(soil.shear_friction_rad));
+  scaled.soil_tool_friction_rad =
+      std::atan(footing.strength * std::tan(soil.soil_tool_friction_rad));
+  scaled.young_modulus_pa *= footing.stiffness;
+  scaled.k_c_npm_n1 *= footing.stiffness;
+  scaled.k_phi_npm_n2 *= footing.stiffness;
+  return scaled;
 }
 
 BearingFactors LocalShear(double friction_angle_rad) {

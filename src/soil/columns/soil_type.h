@@ -18,8 +18,8 @@ std::optional<std::filesystem::path> ShippedSoilFile(const std::string& name);
 /// Names of all shipped soils, sorted, separated by commas.
 std::string ShippedSoilNames();
 
-/// The soil as a machine of that footing meets it.
-SoilType Met(const SoilType& soil, const Footing& footing);
+/// The soil with its strength and stiffness scaled as a machine of that footing acts on it.
+SoilType ScaledByFooting(const SoilType& soil, const Footing& footing);
 
 /// Density of the soil right after it was dug or dumped.
 inline double LooseDensity_kgpm3(const SoilType& soil) {

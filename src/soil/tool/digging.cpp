@@ -274,8 +274,8 @@ void Digging::CutFootprint(const BodyState& body, double dt_s, Columns* ground, 
   }
 }
 
-/// Apparent gravity: what soil in the shovel feels, without knocks.
-void Digging::FeelGravity(const BodyState& body, double dt_s) {
+/// Low-pass of apparent gravity at the edge, in which knocks do not show.
+void Digging::FilterApparentGravity(const BodyState& body, double dt_s) {
   const Vec3 r_W = body.X_WB.linear() * shape_.edge_B();
   const Vec3& w = body.w_WB_radps;
   Vec3 up_W = body.a_WB_mps2 + body.alpha_WB_radps2.cross(r_W) + w.cross(w.cross(r_W)) +
@@ -353,7 +353,7 @@ void Digging::Spill(const BodyState& body, double dt_s, Columns* ground, Grains*
 
 Digging::Result Digging::Act(const BodyState& body, double dt_s, Columns* ground, Grains* grains) {
   Result result;
-  FeelGravity(body, dt_s);
+  FilterApparentGravity(body, dt_s);
   FindFootprint(body, ground);
   result.wrench =
       edge_.Act(shape_, body, {carried_.mass_kg(), carried_.volume_m3(), carried_.main_soil()},

@@ -68,7 +68,7 @@ class Digging {
     double from_m, to_m;
   };
   Gap NextGap(bool over_the_edge);
-  void FeelGravity(const BodyState& body, double dt_s);
+  void FilterApparentGravity(const BodyState& body, double dt_s);
   bool InFootprint(int i, int j) const;
 
   Shovel shovel_;
