@@ -19,6 +19,17 @@ double Number(const Json& json) {
 
 std::string Text(const Json& json) { return json.is_string() ? json.get<std::string>() : ""; }
 
+/// Keys that are read here have the same names in all formats up to this one.
+constexpr int kLatestFormat = 2;
+
+/// Files of format 1 do not say which they are.
+void RequireKnownFormat(const Json& json, const std::string& file) {
+  const int format = json.value("format", 1);
+  if (format >= 1 && format <= kLatestFormat) return;
+  throw InputError(fmt::format("{}: format {}; need 1 to {}, as docs/diagnose.md describes them",
+                               file, format, kLatestFormat));
+}
+
 Finding FindingOf(const Json& json) {
   Finding finding;
   finding.channel = Text(json.at("channel"));
@@ -45,6 +56,7 @@ Answer ReadAnswer(const std::filesystem::path& diagnosis_json) {
   try {
     std::ifstream file(diagnosis_json);
     const Json json = Json::parse(file);
+    RequireKnownFormat(json, diagnosis_json.string());
     Answer answer;
     for (const Json& verdict : json.at("verdict")) answer.verdicts.push_back(Text(verdict));
     for (const Json& one : json.at("untestable")) {

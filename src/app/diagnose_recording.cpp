@@ -116,7 +116,7 @@ std::vector<Further> FurtherRecordings(const DiagnoseArguments& arguments,
     if (const auto course = CourseOf(arguments, machine, input, measured)) {
       TakeOffAll(UnreplayedOf(input, measured, options, *course), seed, options.threads, &blocks);
     }
-    LeaveOutLags(&blocks);
+    ExcludeLaggingSamples(&blocks);
     further.push_back({input, std::move(measured), std::move(blocks)});
   }
   return further;
@@ -250,7 +250,7 @@ std::string BaselinesOfRecording(const DiagnoseArguments& arguments) {
   const DiagnosisInput input = machine.InputOf(recording);
   const Measurements measured = MeasurementsOf(input, recording, options.measurements);
   std::vector<ReplayBlock> replayed = BlocksOf(input, measured, options.blocks);
-  LeaveOutLags(&replayed);
+  ExcludeLaggingSamples(&replayed);
   for (const ReplayBlock& block : replayed) {
     const Stream stream = StreamOf(block, options.seed);
     BlockBaselines baselines{{}, RmseAsItIs(block, stream), {}};

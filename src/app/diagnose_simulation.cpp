@@ -241,7 +241,7 @@ void Comparison::AddBlock(const DiagnosedBlock& diagnosed, const SimulatedCourse
     if (std::isfinite(rmse)) {
       out->channels.push_back({channel.name, channel.unit, rmse, RmseOnFinal(diagnosed, c, is[c])});
     } else {
-      out->left_out.push_back(channel.name);
+      out->not_simulated.push_back(channel.name);
     }
   }
 }

@@ -243,7 +243,7 @@ Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
   diagnosis.taken_off = course ? TakeOffAll(UnreplayedOf(input, measured, options.blocks, *course),
                                             options.seed, options.search.threads, &blocks)
                                : NotTakenOff(input, blocks);
-  diagnosis.left_out = LeaveOutLags(&blocks);
+  diagnosis.excluded_samples = ExcludeLaggingSamples(&blocks);
   diagnosis.encoder_lead_s = EncoderLead_s(blocks);
   diagnosis.machine = input.machine;
   diagnosis.scenario = input.scenario;

@@ -14,7 +14,7 @@
 #include "diagnose/proposal/proposal.h"
 #include "diagnose/recorded_blocks.h"
 #include "diagnose/search/block/block_diagnosis.h"
-#include "diagnose/search/fit/left_out.h"
+#include "diagnose/search/fit/excluded_samples.h"
 #include "diagnose/suspects/suspect_library.h"
 #include "diagnose/unreplayed/take_off.h"
 
@@ -42,7 +42,8 @@ struct Diagnosis {
   /// By how much encoders run ahead of levers; none where they do not.
   std::optional<double> encoder_lead_s = {};
   std::vector<std::string> not_compared;  ///< what was measured, and why nothing came of it
-  std::vector<LeftOut> left_out;          ///< for the ground may let the base lag behind its tracks
+  /// Those at which loose ground may let the base lag behind its tracks.
+  std::vector<ExcludedSamples> excluded_samples;
   std::vector<PerceptionDiagnosis> perception;  ///< of sensors that measure ranges
   /// The levers that would tell what this recording leaves open; none where nothing is open, or no
   /// levers would.

@@ -150,19 +150,19 @@ double RmsWhileTurning_radps(const std::vector<double>& yaw_radps) {
 
 /// Which turning rates loose ground could not give at once, on the grid: they lag behind the tracks
 /// by the mass.
-std::vector<bool> LagsOfTurning(const MachineModel& model, const BaseLog& log,
-                                const SampleGrid& grid, const Grip& loose) {
+std::vector<bool> LaggingTurns(const MachineModel& model, const BaseLog& log,
+                               const SampleGrid& grid, const Grip& loose) {
   const BaseReplay replay(model, log);
   const std::vector<double> at_once =
       grid.Spread(PartOf(replay.Predict(model.effects.base), &PlanarTwist::yaw_radps));
   const std::vector<double> late =
       grid.Spread(PartOf(replay.Predict(model.effects.base, {}, loose), &PlanarTwist::yaw_radps));
   const double most_radps = kMostHeldBack * RmsWhileTurning_radps(at_once);
-  std::vector<bool> lags;
+  std::vector<bool> is_lagging;
   for (std::size_t k = 0; k < late.size(); ++k) {
-    lags.push_back(std::abs(late[k] - at_once[k]) > most_radps);
+    is_lagging.push_back(std::abs(late[k] - at_once[k]) > most_radps);
   }
-  return lags;
+  return is_lagging;
 }
 
 double YawInertiaAtFirst_kgm2(const MachineModel& model) {
@@ -205,7 +205,8 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
   // No columns: with them the stamps of a real recording's poses went unfound.
   add("/yaw_radps", "rad/s", &PlanarTwist::yaw_radps, {});
   // Where stamps may be those of arrivals, such samples tell when the poses were, and stay.
-  if (!log.may_be_arrivals) block.channels.back().lags = LagsOfTurning(model, log, grid, loose);
+  if (!log.may_be_arrivals)
+    block.channels.back().is_lagging = LaggingTurns(model, log, grid, loose);
   block.commands = {CommandOf(course.left_mps, grid), CommandOf(course.right_mps, grid)};
   block.suspects = SuspectsOf(model.effects.base);
   if (poses_were_measured) block.suspects.push_back(LatePoses());

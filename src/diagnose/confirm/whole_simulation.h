@@ -26,8 +26,8 @@ struct WholeSimulation {
   double until_s = 0;                      ///< of the recording
   std::vector<SimulatedChannel> channels;  ///< of blocks with findings, on FINAL
   std::optional<PathLengths> path;         ///< where both sides have poses and the base moves
-  std::vector<std::string> left_out;  ///< channels with findings that no simulation was held to
-  std::string obstacle;               ///< why there is none at all; empty where there is one
+  std::vector<std::string> not_simulated;  ///< channels with findings that the simulation lacks
+  std::string obstacle;                    ///< why there is none at all; empty where there is one
 };
 
 }  // namespace tera

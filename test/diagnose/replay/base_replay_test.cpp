@@ -11,7 +11,7 @@
 #include "core/error.h"
 #include "diagnose/blocks/base_block.h"
 #include "diagnose/search/block/block_diagnosis.h"
-#include "diagnose/search/fit/left_out.h"
+#include "diagnose/search/fit/excluded_samples.h"
 #include "sim/drive_fixture.h"
 
 namespace tera {
@@ -177,7 +177,7 @@ TEST(BaseBlock, JudgesNoTurningThatLooseGroundCannotGiveAtOnce) {
   const Recorded recorded = Record(&drive, 24);
   BaseLog log = MakeBaseLog(model, {recorded.encoders}, recorded.poses, 0.1);
   std::vector<ReplayBlock> blocks(1, MakeBaseBlock(model, log, "m/base", false).value());
-  const std::vector<LeftOut> left_out = LeaveOutLags(&blocks);
+  const std::vector<ExcludedSamples> excluded = ExcludeLaggingSamples(&blocks);
   const ReplayBlock& block = blocks.front();
   const Series& yaw = block.channels[2].measured;
   std::size_t after_reversal = 0, later = 0;
@@ -191,16 +191,16 @@ TEST(BaseBlock, JudgesNoTurningThatLooseGroundCannotGiveAtOnce) {
   }
   EXPECT_EQ(after_reversal, 0u);
   EXPECT_EQ(later, 0u);
-  ASSERT_EQ(left_out.size(), 1u);
-  EXPECT_EQ(left_out[0].channel, "m/base/yaw_radps");
+  ASSERT_EQ(excluded.size(), 1u);
+  EXPECT_EQ(excluded[0].channel, "m/base/yaw_radps");
   const auto judged = std::count(yaw.valid.begin(), yaw.valid.end(), true);
-  EXPECT_NEAR(left_out[0].share, 1 - static_cast<double>(judged) / log.intervals.size(), 1e-12);
+  EXPECT_NEAR(excluded[0].share, 1 - static_cast<double>(judged) / log.intervals.size(), 1e-12);
   log.may_be_arrivals = true;
   blocks = {MakeBaseBlock(model, log, "m/base", true).value()};
-  EXPECT_TRUE(LeaveOutLags(&blocks).empty()) << "it tells when the poses were";
+  EXPECT_TRUE(ExcludeLaggingSamples(&blocks).empty()) << "it tells when the poses were";
 }
 
-TEST(BaseBlock, LeavesOutTheSameTurningHoweverLongTheMachineStandsAfterwards) {
+TEST(BaseBlock, ExcludesTheSameTurningHoweverLongTheMachineStandsAfterwards) {
   const auto lags_within = [](double duration_s) {
     Drive drive = Meandering("soil: asphalt", "");
     drive.Operate([](double t_s) {
@@ -211,7 +211,7 @@ TEST(BaseBlock, LeavesOutTheSameTurningHoweverLongTheMachineStandsAfterwards) {
     const Recorded recorded = Record(&drive, duration_s);
     const MachineModel& model = drive.scenario.machines[0].placement.model;
     const BaseLog log = MakeBaseLog(model, {recorded.encoders}, recorded.poses, 0.1);
-    return MakeBaseBlock(model, log, "m/base", false).value().channels[2].lags;
+    return MakeBaseBlock(model, log, "m/base", false).value().channels[2].is_lagging;
   };
   std::vector<bool> lags = lags_within(24), longer = lags_within(60);
   ASSERT_GT(std::count(lags.begin(), lags.end(), true), 10);

@@ -16,6 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Raised when a key changes its name or meaning. Files without it are of format 1.
+constexpr int kFormat = 2;
 constexpr double kUnfollowed = 0.5;  ///< in place of a p, of error that no free member follows
 
 Json Number(double value) {
@@ -341,7 +343,7 @@ Json Whole(const Diagnosis& diagnosis) {
   return {{"until_s", Number(whole.until_s)},
           {"channels", std::move(channels)},
           {"path", std::move(path)},
-          {"not_simulated", whole.left_out},
+          {"not_simulated", whole.not_simulated},
           {"obstacle", whole.obstacle.empty() ? Json(nullptr) : Json(whole.obstacle)}};
 }
 
@@ -358,10 +360,10 @@ Json TakenOffOf(const Diagnosis& diagnosis) {
   return list;
 }
 
-/// What loose ground may delay.
-Json LeftOutOf(const Diagnosis& diagnosis) {
+/// Samples at which loose ground may let the base lag behind its tracks.
+Json ExcludedSamplesOf(const Diagnosis& diagnosis) {
   Json list = Json::array();
-  for (const LeftOut& one : diagnosis.left_out) {
+  for (const ExcludedSamples& one : diagnosis.excluded_samples) {
     list.push_back({{"channel", one.channel}, {"share", Number(one.share)}});
   }
   return list;
@@ -416,7 +418,7 @@ Json Next(const Diagnosis& diagnosis) {
 }  // namespace
 
 std::string DiagnosisJson(const Diagnosis& diagnosis) {
-  Json json = {{"verdict", Json::array()}, {"findings", Json::array()}};
+  Json json = {{"format", kFormat}, {"verdict", Json::array()}, {"findings", Json::array()}};
   for (const Verdict verdict : VerdictsOf(diagnosis)) {
     json["verdict"].push_back(std::string(NameOf(verdict)));
   }
@@ -438,7 +440,7 @@ std::string DiagnosisJson(const Diagnosis& diagnosis) {
   json["untestable"] = Untestable(diagnosis);
   json["not_judged"] = NotJudged(diagnosis);
   json["not_compared"] = diagnosis.not_compared;
-  json["left_out"] = LeftOutOf(diagnosis);
+  json["excluded_samples"] = ExcludedSamplesOf(diagnosis);
   json["out_of_time"] = OutOfTime(diagnosis);
   json["levers_of"] = diagnosis.levers_are_the_scenarios ? "scenario" : "recording";
   json["encoder_lead_s"] = diagnosis.encoder_lead_s ? Number(*diagnosis.encoder_lead_s) : Json();

@@ -79,8 +79,8 @@ std::string SentenceOf(const WholeSimulation& whole) {
   if (!not_followed.empty()) {
     text += fmt::format(" The whole simulation does not follow: {}.", Listed(not_followed));
   }
-  if (!whole.left_out.empty()) {
-    text += fmt::format(" Not simulated: {}.", Listed(Quantities(whole.left_out)));
+  if (!whole.not_simulated.empty()) {
+    text += fmt::format(" Not simulated: {}.", Listed(Quantities(whole.not_simulated)));
   }
   return text;
 }

@@ -345,9 +345,9 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
   for (const std::string& obstacle : diagnosis.not_compared) {
     sentences.push_back(fmt::format("Not compared: {}.", obstacle));
   }
-  for (const LeftOut& one : diagnosis.left_out) {
+  for (const ExcludedSamples& one : diagnosis.excluded_samples) {
     sentences.push_back(
-        fmt::format("Left out: {:.0f} % of {}, where loose ground may let the machine lag behind "
+        fmt::format("Excluded: {:.0f} % of {}, where loose ground may let the machine lag behind "
                     "its tracks.",
                     100 * one.share, QuantityOf(one.channel)));
   }

@@ -96,9 +96,10 @@ struct Channel {
   /// What the prediction changes by where a nominal number is off by its standard deviation: one
   /// column a number, one row a sample. Nuisances beside the three; may be empty.
   Eigen::MatrixXd nominal;
-  /// At which samples it lags by masses that the replay does not have; may be empty. They count
-  /// until LeaveOutLags (left_out.h), which a search comes after.
-  std::vector<bool> lags = {};
+  /// Samples at which the measurement lags behind by masses that the replay does not have; may be
+  /// empty. ExcludeLaggingSamples (excluded_samples.h), which comes before a search, makes them
+  /// gaps.
+  std::vector<bool> is_lagging = {};
 };
 
 using Replay =

@@ -14,6 +14,7 @@ using ::testing::HasSubstr;
 
 TEST(DiagnosisJson, HasItsStructureInFixedOrderAndDigits) {
   EXPECT_EQ(DiagnosisJson(Of(BoomWithDeadBand())), R"({
+  "format": 2,
   "verdict": [
     "named",
     "untestable"
@@ -104,7 +105,7 @@ TEST(DiagnosisJson, HasItsStructureInFixedOrderAndDigits) {
   ],
   "not_judged": [],
   "not_compared": [],
-  "left_out": [],
+  "excluded_samples": [],
   "out_of_time": [],
   "levers_of": "recording",
   "encoder_lead_s": null,

@@ -234,9 +234,9 @@ TEST(Sentence, OfWhatReplaysLeaveOfTheSimulationNamesWhatIsJudgedAndWorthAWord) 
 
 TEST(Sentence, OfWhatIsLeftOutSaysHowMuchAndWhy) {
   Diagnosis diagnosis = Of(BoomWithDeadBand());
-  diagnosis.left_out = {{"husky/base/yaw_radps", 0.234}};
+  diagnosis.excluded_samples = {{"husky/base/yaw_radps", 0.234}};
   EXPECT_THAT(SentencesOf(diagnosis),
-              Contains("Left out: 23 % of yaw rate, where loose ground may let the machine lag "
+              Contains("Excluded: 23 % of yaw rate, where loose ground may let the machine lag "
                        "behind its tracks."));
 }
 
