@@ -114,7 +114,8 @@ std::vector<Further> FurtherRecordings(const DiagnoseArguments& arguments,
     Measurements measured = MeasurementsOf(input, recording);
     std::vector<ReplayBlock> blocks = BlocksOf(input, measured, options);
     if (const auto course = CourseOf(arguments, machine, input, measured)) {
-      TakeOffAll(UnreplayedOf(input, measured, options, *course), seed, options.threads, &blocks);
+      CorrectDiscrepancies(ReplayDiscrepanciesOf(input, measured, options, *course), seed,
+                           options.threads, &blocks);
     }
     ExcludeLaggingSamples(&blocks);
     further.push_back({input, std::move(measured), std::move(blocks)});

@@ -107,33 +107,35 @@ std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis) {
   return verdicts;
 }
 
-std::vector<TakenOff> TakeOffAll(const std::vector<Unreplayed>& unreplayed, std::uint64_t seed,
-                                 int threads, std::vector<ReplayBlock>* blocks) {
-  const auto parts = InParallel<std::vector<TakenOff>>(blocks->size(), threads, [&](std::size_t b) {
-    ReplayBlock& block = (*blocks)[b];
-    std::vector<TakenOff> taken;
-    for (const Unreplayed& one : unreplayed) {
-      if (one.first_channel != block.channels.front().name) continue;
-      const auto of_block = TakeOff(one, StreamOf(block, seed), &block);
-      taken.insert(taken.end(), of_block.begin(), of_block.end());
-    }
-    return taken;
-  });
-  std::vector<TakenOff> all;
-  for (const auto& taken : parts) all.insert(all.end(), taken.begin(), taken.end());
+std::vector<DiscrepancyCorrection> CorrectDiscrepancies(
+    const std::vector<ReplayDiscrepancy>& discrepancy, std::uint64_t seed, int threads,
+    std::vector<ReplayBlock>* blocks) {
+  const auto parts =
+      InParallel<std::vector<DiscrepancyCorrection>>(blocks->size(), threads, [&](std::size_t b) {
+        ReplayBlock& block = (*blocks)[b];
+        std::vector<DiscrepancyCorrection> corrections;
+        for (const ReplayDiscrepancy& one : discrepancy) {
+          if (one.first_channel != block.channels.front().name) continue;
+          const auto of_block = CorrectDiscrepancy(one, StreamOf(block, seed), &block);
+          corrections.insert(corrections.end(), of_block.begin(), of_block.end());
+        }
+        return corrections;
+      });
+  std::vector<DiscrepancyCorrection> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 
 /// The channels of joints, gears and the base, without a simulation.
-std::vector<TakenOff> NotTakenOff(const DiagnosisInput& input,
-                                  const std::vector<ReplayBlock>& blocks) {
+std::vector<DiscrepancyCorrection> UncorrectedChannels(const DiagnosisInput& input,
+                                                       const std::vector<ReplayBlock>& blocks) {
   const MachineModel& model = *input.model;
   const auto has_gear = [&](const std::string& name) {
     const auto& gears = model.ground_tools.gears;
     return std::any_of(gears.begin(), gears.end(),
                        [&](const RunningGear& gear) { return gear.name == name; });
   };
-  std::vector<TakenOff> none;
+  std::vector<DiscrepancyCorrection> none;
   for (const ReplayBlock& block : blocks) {
     const bool is_one = model.JointIndex(block.name) >= 0 || has_gear(block.name) ||
                         block.name == input.machine + "/base";
@@ -240,9 +242,10 @@ Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
     RequireSuspects(*options.library, blocks);
   }
   const std::optional<SimulatedCourse> course = simulate ? simulate(measured) : std::nullopt;
-  diagnosis.taken_off = course ? TakeOffAll(UnreplayedOf(input, measured, options.blocks, *course),
-                                            options.seed, options.search.threads, &blocks)
-                               : NotTakenOff(input, blocks);
+  diagnosis.discrepancy_corrections =
+      course ? CorrectDiscrepancies(ReplayDiscrepanciesOf(input, measured, options.blocks, *course),
+                                    options.seed, options.search.threads, &blocks)
+             : UncorrectedChannels(input, blocks);
   diagnosis.excluded_samples = ExcludeLaggingSamples(&blocks);
   diagnosis.encoder_lead_s = EncoderLead_s(blocks);
   diagnosis.machine = input.machine;

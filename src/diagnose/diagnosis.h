@@ -9,6 +9,7 @@
 #include "core/random.h"
 #include "diagnose/confirm/held_out_recording.h"
 #include "diagnose/confirm/whole_simulation.h"
+#include "diagnose/discrepancy/discrepancy_correction.h"
 #include "diagnose/next/next_manoeuvre.h"
 #include "diagnose/perception/perception_diagnosis.h"
 #include "diagnose/proposal/proposal.h"
@@ -16,7 +17,6 @@
 #include "diagnose/search/block/block_diagnosis.h"
 #include "diagnose/search/fit/excluded_samples.h"
 #include "diagnose/suspects/suspect_library.h"
-#include "diagnose/unreplayed/take_off.h"
 
 namespace tera {
 
@@ -49,8 +49,9 @@ struct Diagnosis {
   /// levers would.
   std::optional<NextManoeuvre> next;
   std::vector<HeldOutRecording> held_out;  ///< further recordings, as they were given
-  /// What replays leave of the simulation, of each channel of joints, tracks and the base.
-  std::vector<TakenOff> taken_off;
+  /// How predictions were corrected for what replays lack of the simulation, one for each channel
+  /// of joints, tracks and the base.
+  std::vector<DiscrepancyCorrection> discrepancy_corrections;
   std::optional<WholeSimulation> whole;  ///< none where nothing was found, or it was not asked for
 };
 
@@ -84,9 +85,10 @@ struct BlockProgress {
 };
 using FollowProgress = std::function<void(const BlockProgress&)>;
 
-/// Takes it off the blocks that it is of.
-std::vector<TakenOff> TakeOffAll(const std::vector<Unreplayed>& unreplayed, std::uint64_t seed,
-                                 int threads, std::vector<ReplayBlock>* blocks);
+/// Corrects the blocks that the discrepancies belong to.
+std::vector<DiscrepancyCorrection> CorrectDiscrepancies(
+    const std::vector<ReplayDiscrepancy>& discrepancy, std::uint64_t seed, int threads,
+    std::vector<ReplayBlock>* blocks);
 
 /// From which all that is random about a block's diagnosis comes.
 Stream StreamOf(const ReplayBlock& block, std::uint64_t seed);
@@ -110,7 +112,7 @@ bool TellsOfArrivals(const std::vector<DiagnosedBlock>& blocks);
 /// wanted.
 using SimulateMachine = std::function<std::optional<SimulatedCourse>(const Measurements&)>;
 
-/// Both, and the levers to drive next. Without a simulation nothing is taken off.
+/// Both, and the levers to drive next. Without a simulation nothing is corrected.
 Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
                    const DiagnosisOptions& options, const SimulateMachine& simulate,
                    const FollowProgress& progress);

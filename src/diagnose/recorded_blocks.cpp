@@ -157,29 +157,30 @@ void AddBase(const DiagnosisInput& input, const Measurements& measured, const Bl
 }
 
 /// What the replays of joints and gears leave of what they do in a simulation.
-void AddUnreplayedRates(const DiagnosisInput& input, const Measurements& measured,
-                        const std::vector<NamedEncoders>& simulated, const BlockOptions& options,
-                        std::vector<Unreplayed>* out) {
+void AddRateDiscrepancies(const DiagnosisInput& input, const Measurements& measured,
+                          const std::vector<NamedEncoders>& simulated, const BlockOptions& options,
+                          std::vector<ReplayDiscrepancy>* out) {
   if (input.commands.columns.empty() || measured.encoders.empty()) return;
   const double step_s = AxisStep_s(measured.encoders, options.step_s);
   const AxisLog log = MakeAxisLog(*input.model, input.commands, measured.encoders, step_s);
   const AxisLog course = MakeAxisLog(*input.model, input.commands, simulated, step_s);
   for (std::size_t axis = 0; axis < log.measured.size(); ++axis) {
-    std::vector<double> left = UnreplayedRate(*input.model, log, course, axis);
+    std::vector<double> left = RateDiscrepancy(*input.model, log, course, axis);
     if (!left.empty()) out->push_back({log.measured[axis].channel, {left}});
   }
 }
 
 /// What the replay of the base leaves of what it does in a simulation.
-void AddUnreplayedMotion(const DiagnosisInput& input, const Measurements& measured,
-                         const std::vector<NamedEncoders>& simulated, const SimulatedCourse& course,
-                         const BlockOptions& options, std::vector<Unreplayed>* out) {
+void AddMotionDiscrepancy(const DiagnosisInput& input, const Measurements& measured,
+                          const std::vector<NamedEncoders>& simulated,
+                          const SimulatedCourse& course, const BlockOptions& options,
+                          std::vector<ReplayDiscrepancy>* out) {
   if (!HasBase(input, measured)) return;
   const auto log_of = [&](const auto& encoders, const auto& poses) {
     return MakeBaseLog(*input.model, encoders, poses, options.base_interval_s);
   };
-  auto left = UnreplayedMotion(*input.model, log_of(measured.encoders, measured.poses),
-                               log_of(simulated, AsSimulated(course, measured.poses)));
+  auto left = MotionDiscrepancy(*input.model, log_of(measured.encoders, measured.poses),
+                                log_of(simulated, AsSimulated(course, measured.poses)));
   if (!left.empty()) out->push_back({input.machine + "/base/forward_mps", std::move(left)});
 }
 
@@ -333,19 +334,22 @@ std::vector<ReplayBlock> SensorBlocksByArrivals(const DiagnosisInput& input, Mea
   return std::move(made.blocks);
 }
 
-std::vector<Unreplayed> UnreplayedOf(const DiagnosisInput& input, const Measurements& measured,
-                                     const BlockOptions& options, const SimulatedCourse& course) {
+std::vector<ReplayDiscrepancy> ReplayDiscrepanciesOf(const DiagnosisInput& input,
+                                                     const Measurements& measured,
+                                                     const BlockOptions& options,
+                                                     const SimulatedCourse& course) {
   const std::vector<NamedEncoders> encoders = AsSimulated(*input.model, course, measured.encoders);
-  const auto parts = InParallel<std::vector<Unreplayed>>(2, options.threads, [&](std::size_t k) {
-    std::vector<Unreplayed> unreplayed;
-    std::vector<std::string> obstacles;  // told by BlocksOf
-    Try(measured.recording, &obstacles, [&] {
-      k == 0 ? AddUnreplayedRates(input, measured, encoders, options, &unreplayed)
-             : AddUnreplayedMotion(input, measured, encoders, course, options, &unreplayed);
-    });
-    return unreplayed;
-  });
-  std::vector<Unreplayed> all = parts[0];
+  const auto parts =
+      InParallel<std::vector<ReplayDiscrepancy>>(2, options.threads, [&](std::size_t k) {
+        std::vector<ReplayDiscrepancy> discrepancy;
+        std::vector<std::string> obstacles;  // told by BlocksOf
+        Try(measured.recording, &obstacles, [&] {
+          k == 0 ? AddRateDiscrepancies(input, measured, encoders, options, &discrepancy)
+                 : AddMotionDiscrepancy(input, measured, encoders, course, options, &discrepancy);
+        });
+        return discrepancy;
+      });
+  std::vector<ReplayDiscrepancy> all = parts[0];
   all.insert(all.end(), parts[1].begin(), parts[1].end());
   return all;
 }

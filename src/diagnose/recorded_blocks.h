@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/discrepancy/discrepancy_correction.h"
+#include "diagnose/discrepancy/simulated_course.h"
 #include "diagnose/measurements.h"
 #include "diagnose/search/fit/replay_block.h"
-#include "diagnose/unreplayed/simulated_course.h"
-#include "diagnose/unreplayed/take_off.h"
 
 namespace tera {
 
@@ -38,7 +38,9 @@ std::vector<ReplayBlock> SensorBlocksByArrivals(const DiagnosisInput& input, Mea
 
 /// What the replays of joints, gears and base leave of a simulation of the scenario under the
 /// recorded levers: for the blocks of BlocksOf.
-std::vector<Unreplayed> UnreplayedOf(const DiagnosisInput& input, const Measurements& measured,
-                                     const BlockOptions& options, const SimulatedCourse& course);
+std::vector<ReplayDiscrepancy> ReplayDiscrepanciesOf(const DiagnosisInput& input,
+                                                     const Measurements& measured,
+                                                     const BlockOptions& options,
+                                                     const SimulatedCourse& course);
 
 }  // namespace tera

@@ -308,8 +308,8 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   return block;
 }
 
-std::vector<double> UnreplayedRate(const MachineModel& model, const AxisLog& log,
-                                   const AxisLog& simulated, std::size_t measured_index) {
+std::vector<double> RateDiscrepancy(const MachineModel& model, const AxisLog& log,
+                                    const AxisLog& simulated, std::size_t measured_index) {
   const MeasuredRate fresh = Fresh(log.measured[measured_index], log);
   if (!HasLever(model, fresh.axis) || fresh.t_ns.size() < 2) return {};
   const MeasuredRate& rates = simulated.measured[measured_index];

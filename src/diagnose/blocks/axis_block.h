@@ -30,7 +30,7 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
 ///
 /// `simulated` is a log of the simulation under the same levers, with rates free of errors at the
 /// times of `log`; beyond its end nothing is left. Empty where there is no block.
-std::vector<double> UnreplayedRate(const MachineModel& model, const AxisLog& log,
-                                   const AxisLog& simulated, std::size_t measured);
+std::vector<double> RateDiscrepancy(const MachineModel& model, const AxisLog& log,
+                                    const AxisLog& simulated, std::size_t measured);
 
 }  // namespace tera

@@ -223,8 +223,8 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
   return block;
 }
 
-std::vector<std::vector<double>> UnreplayedMotion(const MachineModel& model, const BaseLog& log,
-                                                  const BaseLog& simulated) {
+std::vector<std::vector<double>> MotionDiscrepancy(const MachineModel& model, const BaseLog& log,
+                                                   const BaseLog& simulated) {
   if (log.intervals.size() < kFewestIntervals) return {};
   std::vector<TimeNs> t_ns;
   for (const BaseInterval& interval : log.intervals) t_ns.push_back(interval.to_ns);

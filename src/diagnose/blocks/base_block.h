@@ -24,7 +24,7 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
 ///
 /// `simulated` is a log of the simulation at the times of `log`; beyond its end nothing is left.
 /// Empty where there is no block.
-std::vector<std::vector<double>> UnreplayedMotion(const MachineModel& model, const BaseLog& log,
-                                                  const BaseLog& simulated);
+std::vector<std::vector<double>> MotionDiscrepancy(const MachineModel& model, const BaseLog& log,
+                                                   const BaseLog& simulated);
 
 }  // namespace tera

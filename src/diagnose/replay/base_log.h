@@ -32,9 +32,8 @@ struct BaseInterval {
 /// Model   Rates are straight between samples, attitudes those of the nearer pose; instant k is
 ///         that of the middle of step k. Poses that are far apart in time say nothing of what was
 ///         in between: they bound no interval.
-/// Omits   the ground's forces on bucket and blade. Attitudes, and what is taken off, stay where
-/// the
-///         stamps have them, whatever these are of.
+/// Omits   the ground's forces on bucket and blade. Attitudes, and corrections for a replay's
+///         discrepancy, stay where the stamps have them, whatever these are of.
 struct BaseLog {
   static constexpr TimeNs kStep_ns = 50'000'000;  ///< rates of gears change little in it
 

@@ -347,15 +347,15 @@ Json Whole(const Diagnosis& diagnosis) {
           {"obstacle", whole.obstacle.empty() ? Json(nullptr) : Json(whole.obstacle)}};
 }
 
-/// What the replays leave of the simulation itself; null of channels that were not simulated.
-Json TakenOffOf(const Diagnosis& diagnosis) {
+/// RMS and gain are null for channels that were not simulated.
+Json DiscrepancyCorrectionsOf(const Diagnosis& diagnosis) {
   Json list = Json::array();
-  for (const TakenOff& one : diagnosis.taken_off) {
+  for (const DiscrepancyCorrection& one : diagnosis.discrepancy_corrections) {
     list.push_back({{"channel", one.channel},
                     {"rms", one.is_simulated ? Number(one.rms) : Json(nullptr)},
                     {"unit", one.unit},
                     {"log_likelihood_gain", one.is_simulated ? Number(one.gain) : Json(nullptr)},
-                    {"taken", one.is_taken()}});
+                    {"applied", one.is_applied()}});
   }
   return list;
 }
@@ -445,7 +445,7 @@ std::string DiagnosisJson(const Diagnosis& diagnosis) {
   json["levers_of"] = diagnosis.levers_are_the_scenarios ? "scenario" : "recording";
   json["encoder_lead_s"] = diagnosis.encoder_lead_s ? Number(*diagnosis.encoder_lead_s) : Json();
   json["held_out_recordings"] = FurtherRecordings(diagnosis);
-  json["taken_off"] = TakenOffOf(diagnosis);
+  json["discrepancy_corrections"] = DiscrepancyCorrectionsOf(diagnosis);
   json["whole_simulation"] = Whole(diagnosis);
   json["next_manoeuvre"] = Next(diagnosis);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

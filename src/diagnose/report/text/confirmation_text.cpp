@@ -11,7 +11,8 @@
 namespace tera {
 namespace {
 
-constexpr double kTold = 10;  ///< of log-likelihood: a gain that is worth a word
+/// Gain in log-likelihood by which a recording shows a discrepancy, or shows that there is none.
+constexpr double kLeastShownGain = 10;
 
 /// "boom rate 3.1 → 0.6 deg/s".
 std::string ChangeText(const std::string& channel, const std::string& si_unit, double before,
@@ -85,26 +86,25 @@ std::string SentenceOf(const WholeSimulation& whole) {
   return text;
 }
 
-std::string SentenceOf(const std::vector<TakenOff>& taken_off) {
-  std::vector<std::string> taken, not_shown, not_simulated;
-  for (const TakenOff& one : taken_off) {
+std::string SentenceOf(const std::vector<DiscrepancyCorrection>& corrections) {
+  std::vector<std::string> applied, not_shown, not_simulated;
+  for (const DiscrepancyCorrection& one : corrections) {
     const ReadableUnit unit = ReadableUnitOf(one.unit);
     const std::string amount = fmt::format("{} {}", QuantityOf(one.channel),
                                            WithUnit(Significant(one.rms * unit.factor, 2), unit));
     if (!one.is_simulated) not_simulated.push_back(QuantityOf(one.channel));
-    if (one.is_simulated && one.gain > kTold) taken.push_back(amount);
-    if (one.is_simulated && one.gain < -kTold) not_shown.push_back(amount);
+    if (one.is_simulated && one.gain > kLeastShownGain) applied.push_back(amount);
+    if (one.is_simulated && one.gain < -kLeastShownGain) not_shown.push_back(amount);
   }
   std::vector<std::string> parts;
-  if (!taken.empty()) {
-    parts.push_back(
-        fmt::format("Taken off, since the replays leave it of the simulation itself: {} (RMS).",
-                    Listed(taken)));
+  if (!applied.empty()) {
+    parts.push_back(fmt::format("Corrected for what the replays lack of the simulation: {} (RMS).",
+                                Listed(applied)));
   }
   if (!not_shown.empty()) {
-    parts.push_back(fmt::format(
-        "Left by the replays of the simulation itself, but not seen in the recording: {} (RMS).",
-        Listed(not_shown)));
+    parts.push_back(
+        fmt::format("Lacking in the replays, but not seen in the recording either: {} (RMS).",
+                    Listed(not_shown)));
   }
   if (!not_simulated.empty()) {
     parts.push_back(

@@ -5,7 +5,7 @@
 
 #include "diagnose/confirm/held_out_recording.h"
 #include "diagnose/confirm/whole_simulation.h"
-#include "diagnose/unreplayed/take_off.h"
+#include "diagnose/discrepancy/discrepancy_correction.h"
 
 namespace tera {
 
@@ -16,8 +16,8 @@ std::string SentenceOf(const HeldOutRecording& further);
 /// recorded, 50.5 → 57.1 m simulated. It does not follow in: slew rate."
 std::string SentenceOf(const WholeSimulation& whole);
 
-/// "Taken off, since the replays leave it of the simulation itself: yaw rate 2.1 deg/s (RMS)." What
-/// the recording hardly tells is left out; empty where nothing is left to say.
-std::string SentenceOf(const std::vector<TakenOff>& taken_off);
+/// "Corrected for what the replays lack of the simulation: yaw rate 2.1 deg/s (RMS)." Corrections
+/// that the recording hardly shows are left out; empty where none is left.
+std::string SentenceOf(const std::vector<DiscrepancyCorrection>& corrections);
 
 }  // namespace tera

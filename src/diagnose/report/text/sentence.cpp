@@ -289,12 +289,12 @@ std::string SentenceOfNothing(const Diagnosis& diagnosis) {
   return text;
 }
 
-/// Of blocks that are judged: what is taken off others tells nothing.
-std::vector<TakenOff> TakenOffOfJudged(const Diagnosis& diagnosis) {
-  std::vector<TakenOff> judged;
+/// The corrections of blocks that are judged: those of others change no answer.
+std::vector<DiscrepancyCorrection> CorrectionsOfJudged(const Diagnosis& diagnosis) {
+  std::vector<DiscrepancyCorrection> judged;
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     for (const Channel& channel : diagnosed.block.channels) {
-      for (const TakenOff& one : diagnosis.taken_off) {
+      for (const DiscrepancyCorrection& one : diagnosis.discrepancy_corrections) {
         if (diagnosed.diagnosis.is_testable && one.channel == channel.name) judged.push_back(one);
       }
     }
@@ -355,7 +355,7 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
   for (const HeldOutRecording& further : diagnosis.held_out) {
     sentences.push_back(SentenceOf(further));
   }
-  if (std::string text = SentenceOf(TakenOffOfJudged(diagnosis)); !text.empty()) {
+  if (std::string text = SentenceOf(CorrectionsOfJudged(diagnosis)); !text.empty()) {
     sentences.push_back(std::move(text));
   }
   if (diagnosis.whole) sentences.push_back(SentenceOf(*diagnosis.whole));

@@ -110,7 +110,7 @@ TEST(DiagnosisJson, HasItsStructureInFixedOrderAndDigits) {
   "levers_of": "recording",
   "encoder_lead_s": null,
   "held_out_recordings": [],
-  "taken_off": [],
+  "discrepancy_corrections": [],
   "whole_simulation": null,
   "next_manoeuvre": null
 }
@@ -127,17 +127,17 @@ TEST(DiagnosisJson, HoldsFurtherRecordingsTheWholeSimulationAndTheNextManoeuvre)
   EXPECT_THAT(text, HasSubstr("\"power\": 0.9"));
 }
 
-TEST(DiagnosisJson, TellsWhatReplaysLeaveOfTheSimulationWhereThereIsOne) {
+TEST(DiagnosisJson, HoldsTheReplaysDiscrepancyWhereThereIsASimulation) {
   Diagnosis diagnosis = Of(BoomWithDeadBand());
-  diagnosis.taken_off = {{"excavator1/encoders/boom_radps", "rad/s", true, 0.125, 40},
-                         {"excavator1/base/yaw_radps", "rad/s"}};
-  const auto list = nlohmann::json::parse(DiagnosisJson(diagnosis))["taken_off"];
+  diagnosis.discrepancy_corrections = {{"excavator1/encoders/boom_radps", "rad/s", true, 0.125, 40},
+                                       {"excavator1/base/yaw_radps", "rad/s"}};
+  const auto list = nlohmann::json::parse(DiagnosisJson(diagnosis))["discrepancy_corrections"];
   ASSERT_EQ(list.size(), 2u);
   EXPECT_EQ(list[0]["rms"], 0.125);
   EXPECT_EQ(list[0]["log_likelihood_gain"], 40);
-  EXPECT_TRUE(list[0]["taken"].get<bool>());
+  EXPECT_TRUE(list[0]["applied"].get<bool>());
   EXPECT_TRUE(list[1]["rms"].is_null());
-  EXPECT_FALSE(list[1]["taken"].get<bool>());
+  EXPECT_FALSE(list[1]["applied"].get<bool>());
 }
 
 TEST(DiagnosisJson, PutsTheWeightiestFirstAndWhatIsUnexplainedLast) {

@@ -218,18 +218,19 @@ TEST(Sentence, OfWhatReplaysLeaveOfTheSimulationNamesWhatIsJudgedAndWorthAWord) 
     diagnosis.blocks.push_back(Block(axis, channel, "rad/s"));
   }
   diagnosis.blocks.back().diagnosis.is_testable = false;
-  diagnosis.taken_off = {{"excavator1/encoders/boom_radps", "rad/s", true, 2 * kDeg, 40},
-                         {"excavator1/encoders/arm_radps", "rad/s", true, 0.1 * kDeg, 2},
-                         {"excavator1/encoders/bucket_radps", "rad/s", true, 3 * kDeg, -40},
-                         {"excavator1/encoders/slew_radps", "rad/s"},
-                         {"excavator1/encoders/swing_radps", "rad/s", true, 9 * kDeg, 90}};
+  diagnosis.discrepancy_corrections = {
+      {"excavator1/encoders/boom_radps", "rad/s", true, 2 * kDeg, 40},
+      {"excavator1/encoders/arm_radps", "rad/s", true, 0.1 * kDeg, 2},
+      {"excavator1/encoders/bucket_radps", "rad/s", true, 3 * kDeg, -40},
+      {"excavator1/encoders/slew_radps", "rad/s"},
+      {"excavator1/encoders/swing_radps", "rad/s", true, 9 * kDeg, 90}};
   EXPECT_THAT(
       SentencesOf(diagnosis),
-      ::testing::Contains(
-          "Taken off, since the replays leave it of the simulation itself: boom rate 2 deg/s "
-          "(RMS). Left by the replays of the simulation itself, but not seen in the recording: "
-          "bucket rate 3 deg/s (RMS). Not simulated as a whole: slew rate; what a replay lacks "
-          "counts as a difference."));
+      ::testing::Contains("Corrected for what the replays lack of the simulation: boom rate 2 "
+                          "deg/s (RMS). Lacking in "
+                          "the replays, but not seen in the recording either: bucket rate 3 deg/s "
+                          "(RMS). Not simulated as a whole: slew rate; what a replay lacks "
+                          "counts as a difference."));
 }
 
 TEST(Sentence, OfWhatIsLeftOutSaysHowMuchAndWhy) {

@@ -1,4 +1,4 @@
-#include "diagnose/unreplayed/take_off.h"
+#include "diagnose/discrepancy/discrepancy_correction.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ constexpr double kNoise = 0.05;
 /// `amount` of it, and a `step` of which neither knows.
 struct Lacking {
   std::vector<double> lever = ToyLever(kSize, 7);
-  Unreplayed square{"toy/rate", {std::vector<double>(kSize)}};
+  ReplayDiscrepancy square{"toy/rate", {std::vector<double>(kSize)}};
   ReplayBlock block;
 
   explicit Lacking(double amount, double step = 0) {
@@ -23,7 +23,9 @@ struct Lacking {
     const auto clean = ToyResponse(lever, 0.3 * amount, step, 0);
     block = ToyBlock(lever, ToyMeasured(clean, kNoise, 11), {0, 2});
   }
-  TakenOff Take() { return TakeOff(square, Stream(1, "toy"), &block).at(0); }
+  DiscrepancyCorrection Correct() {
+    return CorrectDiscrepancy(square, Stream(1, "toy"), &block).at(0);
+  }
   std::vector<std::string> Found() const {
     const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(1, "toy"));
     std::vector<std::string> found;
@@ -39,35 +41,35 @@ struct Lacking {
 
 using Names = std::vector<std::string>;
 
-TEST(TakeOff, WhatTheSimulationHasAndTheReplayLacksIsNoFindingAnyMore) {
+TEST(CorrectDiscrepancy, WhatTheSimulationHasAndTheReplayLacksIsNoFindingAnyMore) {
   Lacking toy(1);
   EXPECT_EQ(toy.Found(), Names{"square"});
-  const TakenOff taken = toy.Take();
-  EXPECT_TRUE(taken.is_taken());
-  EXPECT_TRUE(taken.is_simulated);
-  EXPECT_EQ(taken.channel, "toy/rate");
-  EXPECT_GT(taken.rms, 0.03);
+  const DiscrepancyCorrection correction = toy.Correct();
+  EXPECT_TRUE(correction.is_applied());
+  EXPECT_TRUE(correction.is_simulated);
+  EXPECT_EQ(correction.channel, "toy/rate");
+  EXPECT_GT(correction.rms, 0.03);
   EXPECT_EQ(toy.Found(), Names{});
 }
 
-TEST(TakeOff, AThirdLessOfItIsNoFindingEither) {
+TEST(CorrectDiscrepancy, AThirdLessOfItIsNoFindingEither) {
   Lacking toy(0.67);
   EXPECT_EQ(toy.Found(), Names{"square"});
-  toy.Take();
+  toy.Correct();
   EXPECT_EQ(toy.Found(), Names{});
 }
 
-TEST(TakeOff, WhatNeitherHasIsFoundBesideIt) {
+TEST(CorrectDiscrepancy, WhatNeitherHasIsFoundBesideIt) {
   Lacking toy(1, 0.4);
-  toy.Take();
+  toy.Correct();
   EXPECT_EQ(toy.Found(), Names{"step"});
 }
 
-// A long recording is searched in its beginning first.
-TEST(TakeOff, IsOffABeginningToo) {
+// A long recording's prefix is searched first.
+TEST(CorrectDiscrepancy, IsInAPrefixToo) {
   Lacking toy(1);
   const auto before = toy.block.replay({}, 1000)[0];
-  ASSERT_TRUE(toy.Take().is_taken());
+  ASSERT_TRUE(toy.Correct().is_applied());
   const auto after = toy.block.replay({}, 1000)[0];
   ASSERT_EQ(after.size(), 1000u);
   for (std::size_t k = 0; k < 1000; ++k) {
@@ -75,10 +77,10 @@ TEST(TakeOff, IsOffABeginningToo) {
   }
 }
 
-TEST(TakeOff, WhatTheRecordingDoesNotShowStays) {
+TEST(CorrectDiscrepancy, WhatTheRecordingDoesNotShowStays) {
   Lacking toy(0);
   const auto before = toy.block.predict({});
-  EXPECT_FALSE(toy.Take().is_taken());
+  EXPECT_FALSE(toy.Correct().is_applied());
   EXPECT_EQ(toy.block.predict({}), before);
   EXPECT_EQ(toy.block.channels[0].nominal.cols(), 0);
   EXPECT_EQ(toy.Found(), Names{});

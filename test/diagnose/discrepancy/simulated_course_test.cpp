@@ -1,4 +1,4 @@
-#include "diagnose/unreplayed/simulated_course.h"
+#include "diagnose/discrepancy/simulated_course.h"
 
 #include <gtest/gtest.h>
 
@@ -76,10 +76,10 @@ struct Driven {
   }
 };
 
-TEST(UnreplayedMotion, OnSoilTracksTurnTheMachineLessThanTheirKinematicsSay) {
+TEST(MotionDiscrepancy, OnSoilTracksTurnTheMachineLessThanTheirKinematicsSay) {
   const Driven driven("terramechanics");
   const BaseLog log = driven.Log();
-  const auto left = UnreplayedMotion(driven.model(), log, driven.SimulatedLog());
+  const auto left = MotionDiscrepancy(driven.model(), log, driven.SimulatedLog());
   ASSERT_EQ(left.size(), 3u);
   const auto block = MakeBaseBlock(driven.model(), log, "m/base", false);
   ASSERT_TRUE(block);
@@ -96,22 +96,22 @@ TEST(UnreplayedMotion, OnSoilTracksTurnTheMachineLessThanTheirKinematicsSay) {
   EXPECT_LT(with, 1e-6 * without);
 }
 
-TEST(UnreplayedMotion, OfTracksThatNeitherSlipNorSkidHardlyAnythingIsLeft) {
+TEST(MotionDiscrepancy, OfTracksThatNeitherSlipNorSkidHardlyAnythingIsLeft) {
   const Driven driven("kinematic");
   for (const auto& channel :
-       UnreplayedMotion(driven.model(), driven.Log(), driven.SimulatedLog())) {
+       MotionDiscrepancy(driven.model(), driven.Log(), driven.SimulatedLog())) {
     double square = 0;
     for (const double x : channel) square += x * x;
     EXPECT_LT(std::sqrt(square / static_cast<double>(channel.size())), 0.01);
   }
 }
 
-TEST(UnreplayedMotion, BeyondTheEndOfTheSimulationNothingIsLeft) {
+TEST(MotionDiscrepancy, BeyondTheEndOfTheSimulationNothingIsLeft) {
   Driven driven("terramechanics");
   const TimeNs end_ns = driven.course.zero_ns + 12 * kNsPerSecond;
   driven.course.steps.resize(driven.course.steps.size() / 2);
   const BaseLog log = driven.Log();
-  const auto left = UnreplayedMotion(driven.model(), log, driven.SimulatedLog());
+  const auto left = MotionDiscrepancy(driven.model(), log, driven.SimulatedLog());
   double early = 0;
   for (std::size_t i = 0; i < log.intervals.size(); ++i) {
     if (log.intervals[i].to_ns > end_ns) {

@@ -49,12 +49,12 @@ machines:
 TEST_F(DiagnoseOnSoil, SaysNothingOfARecordingThatIsAsItsScenario) {
   Record("real");
   EXPECT_EQ(Diagnose("real", "why"), Names{});
-  bool yaw_is_taken_off = false;
+  bool yaw_is_corrected = false;
   const Json report = Report("why");
-  for (const Json& one : report["taken_off"]) {
-    if (one["channel"] == "excavator1/base/yaw_radps") yaw_is_taken_off = one["taken"];
+  for (const Json& one : report["discrepancy_corrections"]) {
+    if (one["channel"] == "excavator1/base/yaw_radps") yaw_is_corrected = one["applied"];
   }
-  EXPECT_TRUE(yaw_is_taken_off);
+  EXPECT_TRUE(yaw_is_corrected);
   // Soil holds tracks back in turns: without a simulation that looks like a wider gauge.
   const Names alone = Diagnose("real", "alone", {"--no-simulation"});
   ASSERT_FALSE(alone.empty());

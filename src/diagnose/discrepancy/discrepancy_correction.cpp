@@ -1,4 +1,4 @@
-#include "diagnose/unreplayed/take_off.h"
+#include "diagnose/discrepancy/discrepancy_correction.h"
 
 #include <cmath>
 #include <utility>
@@ -11,7 +11,9 @@
 namespace tera {
 namespace {
 
-constexpr double kOfAmount = 0.25;  ///< standard deviation of how much of it there is
+/// Standard deviation of the discrepancy's scale about 1: half to one and a half of it is no
+/// finding.
+constexpr double kScaleSigma = 0.25;
 
 double RmsOf(const std::vector<double>& values) {
   double sum = 0;
@@ -19,35 +21,35 @@ double RmsOf(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-void AddTo(const std::vector<std::vector<double>>& unreplayed,
+void AddTo(const std::vector<std::vector<double>>& discrepancy,
            std::vector<std::vector<double>>* predicted) {
-  for (std::size_t c = 0; c < unreplayed.size(); ++c) {
-    for (std::size_t k = 0; k < std::min(unreplayed[c].size(), (*predicted)[c].size()); ++k) {
-      (*predicted)[c][k] += unreplayed[c][k];
+  for (std::size_t c = 0; c < discrepancy.size(); ++c) {
+    for (std::size_t k = 0; k < std::min(discrepancy[c].size(), (*predicted)[c].size()); ++k) {
+      (*predicted)[c][k] += discrepancy[c][k];
     }
   }
 }
 
-/// With `unreplayed` in all that the block predicts, and its amount among the nuisances; an empty
-/// list leaves its channel as it is.
-void Extend(std::vector<std::vector<double>> unreplayed, ReplayBlock* block) {
-  for (std::size_t c = 0; c < unreplayed.size(); ++c) {
-    if (unreplayed[c].empty()) continue;
+/// Adds `discrepancy` to all that the block predicts, and its scale to the nuisances. An empty list
+/// leaves its channel as it is.
+void Extend(std::vector<std::vector<double>> discrepancy, ReplayBlock* block) {
+  for (std::size_t c = 0; c < discrepancy.size(); ++c) {
+    if (discrepancy[c].empty()) continue;
     Eigen::MatrixXd& nominal = block->channels[c].nominal;
-    const auto rows = static_cast<Eigen::Index>(unreplayed[c].size());
+    const auto rows = static_cast<Eigen::Index>(discrepancy[c].size());
     nominal.conservativeResize(rows, nominal.cols() + 1);
     nominal.rightCols(1) =
-        kOfAmount * Eigen::Map<const Eigen::VectorXd>(unreplayed[c].data(), rows);
+        kScaleSigma * Eigen::Map<const Eigen::VectorXd>(discrepancy[c].data(), rows);
   }
-  block->replay = [replay = block->replay, unreplayed = std::move(unreplayed)](
+  block->replay = [replay = block->replay, discrepancy = std::move(discrepancy)](
                       const Structure& terms, std::size_t samples) {
     std::vector<std::vector<double>> predicted = replay(terms, samples);
-    AddTo(unreplayed, &predicted);
+    AddTo(discrepancy, &predicted);
     return predicted;
   };
 }
 
-/// Log-likelihood of TRAIN and SELECT, a number for each channel, where nothing is wrong.
+/// Log-likelihood of TRAIN and SELECT without any term, a number for each channel.
 std::vector<double> LogLikelihoods(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
                                    const std::vector<Manoeuvre>& manoeuvres) {
   Mask seen = MaskOf(manoeuvres, Part::kTrain, block.samples());
@@ -68,24 +70,25 @@ std::vector<double> LogLikelihoods(const ReplayBlock& block, const std::vector<N
 
 }  // namespace
 
-std::vector<TakenOff> TakeOff(const Unreplayed& unreplayed, const Stream& stream,
-                              ReplayBlock* block) {
-  TERA_CHECK(unreplayed.channels.size() == block->channels.size(), unreplayed.channels.size());
+std::vector<DiscrepancyCorrection> CorrectDiscrepancy(const ReplayDiscrepancy& discrepancy,
+                                                      const Stream& stream, ReplayBlock* block) {
+  TERA_CHECK(discrepancy.channels.size() == block->channels.size(), discrepancy.channels.size());
   const std::vector<Manoeuvre> manoeuvres = ManoeuvresOf(*block, stream);
   const std::vector<NoiseModel> noise = NoiseOfBlock(*block, manoeuvres);
   const std::vector<double> without = LogLikelihoods(*block, noise, manoeuvres);
   ReplayBlock extended = *block;
-  Extend(unreplayed.channels, &extended);
+  Extend(discrepancy.channels, &extended);
   const std::vector<double> with = LogLikelihoods(extended, noise, manoeuvres);
-  std::vector<TakenOff> taken;
-  std::vector<std::vector<double>> kept = unreplayed.channels;
-  for (std::size_t c = 0; c < kept.size(); ++c) {
+  std::vector<DiscrepancyCorrection> corrections;
+  std::vector<std::vector<double>> applied = discrepancy.channels;
+  for (std::size_t c = 0; c < applied.size(); ++c) {
     const Channel& channel = block->channels[c];
-    taken.push_back({channel.name, channel.unit, true, RmsOf(kept[c]), with[c] - without[c]});
-    if (!taken.back().is_taken()) kept[c].clear();
+    corrections.push_back(
+        {channel.name, channel.unit, true, RmsOf(applied[c]), with[c] - without[c]});
+    if (!corrections.back().is_applied()) applied[c].clear();
   }
-  Extend(std::move(kept), block);
-  return taken;
+  Extend(std::move(applied), block);
+  return corrections;
 }
 
 }  // namespace tera

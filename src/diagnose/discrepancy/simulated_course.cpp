@@ -1,4 +1,4 @@
-#include "diagnose/unreplayed/simulated_course.h"
+#include "diagnose/discrepancy/simulated_course.h"
 
 #include <algorithm>
 #include <cmath>
