@@ -127,7 +127,7 @@ std::vector<Further> FurtherRecordings(const DiagnoseArguments& arguments,
 HeldOutRecording JudgeFurther(const Diagnosis& diagnosis, Further* further,
                               const std::filesystem::path& recording,
                               const DiagnosisOptions& options) {
-  if (TellsOfArrivals(diagnosis.blocks)) {
+  if (FindsArrivalStamps(diagnosis.blocks)) {
     std::vector<std::string> not_compared;  // as in the recording that is searched
     TakeSensorBlocks(further->input.machine, &further->blocks);
     for (ReplayBlock& block :

@@ -146,7 +146,7 @@ std::vector<DiscrepancyCorrection> UncorrectedChannels(const DiagnosisInput& inp
   return none;
 }
 
-bool TellsOfArrivals(const std::vector<DiagnosedBlock>& blocks) {
+bool FindsArrivalStamps(const std::vector<DiagnosedBlock>& blocks) {
   return std::any_of(blocks.begin(), blocks.end(), [](const DiagnosedBlock& diagnosed) {
     return HasArrivalStamps(diagnosed.diagnosis.search.found.terms);
   });
@@ -169,9 +169,9 @@ std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks,
                                            const SearchOptions& options, std::uint64_t seed,
                                            const FollowProgress& progress,
                                            const std::optional<Deadline>& deadline) {
-  std::mutex telling;
+  std::mutex progress_mutex;
   const auto tell = [&](const BlockProgress& told) {
-    const std::lock_guard lock(telling);
+    const std::lock_guard lock(progress_mutex);
     progress(told);
   };
   return InParallel<DiagnosedBlock>(blocks.size(), options.threads, [&](std::size_t b) {
@@ -212,7 +212,7 @@ std::vector<DiagnosedBlock> DiagnoseInTurn(const DiagnosisInput& input,
   };
   std::vector<DiagnosedBlock> diagnosed =
       DiagnoseBlocks(std::move(blocks), search, options.seed, tell(0), deadline);
-  if (TellsOfArrivals(diagnosed)) {
+  if (FindsArrivalStamps(diagnosed)) {
     std::vector<std::string> obstacles;
     carried = SensorBlocksByArrivals(input, measured, options.blocks, &obstacles);
     for (std::string& obstacle : obstacles) {  // most of them were told of the stamps already

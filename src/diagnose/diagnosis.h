@@ -106,7 +106,7 @@ std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks,
                                            const std::optional<Deadline>& deadline = {});
 
 /// Whether poses were found to be stamped as they arrive.
-bool TellsOfArrivals(const std::vector<DiagnosedBlock>& blocks);
+bool FindsArrivalStamps(const std::vector<DiagnosedBlock>& blocks);
 
 /// Simulates the scenario as it is under the recorded levers; none where that cannot be. Empty: not
 /// wanted.

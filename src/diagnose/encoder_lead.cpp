@@ -7,14 +7,18 @@
 namespace tera {
 namespace {
 
-constexpr double kLongest_s = 0.5;
-constexpr double kLeast_s = 0.03;
-constexpr double kTold = 0.5;    ///< share of the rate's energy that a prediction tells
-constexpr double kLeft = 0.5;    ///< of what it does not tell without a shift
-constexpr double kAgree = 0.25;  ///< of the largest lead
+constexpr double kLongestLead_s = 0.5;
+constexpr double kShortestLead_s = 0.03;  ///< above the jitter of stamps, below any reaction time
+/// Share of the rate's energy that the best shift must explain: with less, nothing can be said.
+constexpr double kLeastExplainedShare = 0.5;
+/// What the best shift leaves unexplained, over what no shift leaves: a lead must halve it.
+constexpr double kMostLeftOfUnshifted = 0.5;
+/// Difference of the leads of two encoders, over the largest: a clock gives all of them the same.
+constexpr double kMostSpread = 0.25;
 
-/// Share of a rate's energy that a prediction in proportion to it, `ahead` samples later, tells.
-double ToldShare(const Series& rate, const std::vector<double>& predicted, std::size_t ahead) {
+/// Share of a rate's energy that the prediction `ahead` samples later explains, in proportion to
+/// it.
+double ExplainedShare(const Series& rate, const std::vector<double>& predicted, std::size_t ahead) {
   double both = 0, measured = 0, expected = 0;
   for (std::size_t k = 0; k + ahead < predicted.size(); ++k) {
     if (!rate.valid[k]) continue;
@@ -25,23 +29,24 @@ double ToldShare(const Series& rate, const std::vector<double>& predicted, std::
   return both > 0 ? both * both / (measured * expected) : 0;
 }
 
-/// Nought where it is not ahead; none where the prediction does not move or tells too little.
+/// The lead of one block's encoder: 0 where it does not run ahead; none where the prediction does
+/// not move or explains too little to say.
 std::optional<double> LeadOf_s(const ReplayBlock& block) {
   const Series& rate = block.channels.front().measured;
   const std::vector<double> predicted = block.predict({}).front();
-  const auto longest = static_cast<std::size_t>(kLongest_s / block.period_s());
-  const double at_once = ToldShare(rate, predicted, 0);
+  const auto longest = static_cast<std::size_t>(kLongestLead_s / block.period_s());
+  const double at_once = ExplainedShare(rate, predicted, 0);
   double most = at_once;
   std::size_t lead = 0;
   for (std::size_t ahead = 1; ahead <= longest; ++ahead) {
-    const double told = ToldShare(rate, predicted, ahead);
-    if (told <= most) continue;
-    most = told;
+    const double explained = ExplainedShare(rate, predicted, ahead);
+    if (explained <= most) continue;
+    most = explained;
     lead = ahead;
   }
-  if (most < kTold) return std::nullopt;
+  if (most < kLeastExplainedShare) return std::nullopt;
   const double lead_s = static_cast<double>(lead) * block.period_s();
-  return lead_s >= kLeast_s && 1 - most <= kLeft * (1 - at_once) ? lead_s : 0;
+  return lead_s >= kShortestLead_s && 1 - most <= kMostLeftOfUnshifted * (1 - at_once) ? lead_s : 0;
 }
 
 }  // namespace
@@ -54,7 +59,7 @@ std::optional<double> EncoderLead_s(const std::vector<ReplayBlock>& blocks) {
   }
   if (leads_s.size() < 2) return std::nullopt;
   const auto [least, most] = std::minmax_element(leads_s.begin(), leads_s.end());
-  if (*least == 0 || *most - *least > kAgree * *most) return std::nullopt;
+  if (*least == 0 || *most - *least > kMostSpread * *most) return std::nullopt;
   return std::accumulate(leads_s.begin(), leads_s.end(), 0.0) / static_cast<double>(leads_s.size());
 }
 

@@ -299,7 +299,7 @@ std::string NextSection(const Diagnosis& diagnosis) {
       "s, from the scenario's initial position. Power: how often a recording of it would tell, by "
       "the noise of this one.</p>\n",
       Escaped(next.description), Code(kNextManoeuvreFile), next.duration_s);
-  Table told({"On", "Told apart", ">Power"}), open({"On", "Still open", ">Power"});
+  Table told({"On", "Discriminated", ">Power"}), open({"On", "Still open", ">Power"});
   AddMatterRows(next.separates, &told);
   AddMatterRows(next.leaves, &open);
   html += LeversFigure(next) + told.Take();

@@ -12,8 +12,10 @@ namespace tera {
 namespace {
 
 constexpr int kPresentDigits = 4;
-constexpr std::size_t kAllTold = 3;  ///< numbers of a mechanism
-constexpr double kClear = 3;         ///< standard deviations
+/// Free numbers of a mechanism up to which all are reported.
+constexpr std::size_t kFewNumbers = 3;
+/// Standard deviations by which a number of many must differ from its default to be reported.
+constexpr double kClearDeviations = 3;
 
 /// The number that a mechanism cannot be without, where it is the first and only one, goes by the
 /// mechanism's name.
@@ -30,14 +32,15 @@ std::string InsteadText(const Suspect& suspect, std::size_t index, const Readabl
          WithUnit(Significant(suspect.present[index] * unit.factor, kPresentDigits), unit);
 }
 
-/// Whether a number is worth telling: of few all, of many those that are clearly not as they would
-/// be without the finding.
-bool IsTold(const Suspect& suspect, const FreeParameter& free, const ParameterEstimate& estimate) {
-  if (suspect.free.size() <= kAllTold || !estimate.sigma) return true;
+/// Whether a number is reported: of few all are, of many those that clearly differ from what they
+/// are without the finding.
+bool IsReported(const Suspect& suspect, const FreeParameter& free,
+                const ParameterEstimate& estimate) {
+  if (suspect.free.size() <= kFewNumbers || !estimate.sigma) return true;
   const double without = suspect.present.empty()
                              ? suspect.mechanism->parameters[free.index].otherwise.value_or(0)
                              : suspect.present[free.index];
-  return std::abs(estimate.value - without) > kClear * *estimate.sigma;
+  return std::abs(estimate.value - without) > kClearDeviations * *estimate.sigma;
 }
 
 /// " 0.18 ± 0.02, asymmetry 0.1 ± 0.05", or nothing.
@@ -46,7 +49,7 @@ std::string NumbersText(const Finding& finding) {
   std::vector<std::string> numbers;
   for (const FreeParameter& free : suspect.free) {
     const ParameterEstimate& estimate = finding.parameters[free.index];
-    if (finding.term.IsHeld(free.index) || !IsTold(suspect, free, estimate)) continue;
+    if (finding.term.IsHeld(free.index) || !IsReported(suspect, free, estimate)) continue;
     const ReadableUnit unit = ReadableUnitOf(estimate);
     std::optional<double> sigma = estimate.sigma;
     if (sigma) *sigma *= unit.factor;

@@ -8,7 +8,7 @@
 namespace tera {
 
 /// "dead band 0.18 ± 0.02, asymmetry 0.1 ± 0.05": the mechanism and those of its numbers that were
-/// fitted and are worth telling.
+/// fitted and are reported.
 std::string NameAndNumbers(const Finding& finding);
 
 /// The same, of what it acts on where the channel does not say so: "flow sharing of the main 0.8".

@@ -31,8 +31,8 @@ std::string_view SurfacesText(const PerceptionDiagnosis& diagnosis) {
   return diagnosis.unit == "m" ? "surfaces" : "edges";
 }
 
-/// Whether a number is worth telling or writing: the scans hold it, and it is not as it was.
-bool IsTold(const PerceptionFinding& finding, std::size_t index) {
+/// Whether a number is reported: the scans determine it, and it is not as it was.
+bool IsReported(const PerceptionFinding& finding, std::size_t index) {
   const ParameterEstimate& estimate = finding.parameters[index];
   if (finding.parameters.size() == 1) return true;
   const double present = finding.present.empty() ? 0 : finding.present[index];
@@ -143,7 +143,7 @@ std::string SentenceOfNothing(const PerceptionDiagnosis& diagnosis) {
 std::string NameAndNumbers(const PerceptionFinding& finding) {
   std::vector<std::string> numbers;
   for (std::size_t i = 0; !finding.place && i < finding.parameters.size(); ++i) {
-    if (IsTold(finding, i)) numbers.push_back(NumberText(finding, i));
+    if (IsReported(finding, i)) numbers.push_back(NumberText(finding, i));
   }
   const std::string name = Spaced(finding.mechanism);
   return numbers.empty() ? name : fmt::format("{} {}", name, fmt::join(numbers, ", "));
@@ -190,7 +190,7 @@ std::vector<std::string> PerceptionSentences(const std::vector<PerceptionDiagnos
 std::string EffectLine(const PerceptionFinding& finding) {
   std::vector<std::string> numbers;
   for (std::size_t i = 0; i < finding.parameters.size(); ++i) {
-    if (!IsTold(finding, i)) continue;
+    if (!IsReported(finding, i)) continue;
     numbers.push_back(
         fmt::format("{}: {:.6g}", finding.parameters[i].name, finding.parameters[i].value));
   }

@@ -17,8 +17,8 @@
 namespace tera {
 namespace {
 
-constexpr double kSignificant = 0.05;
-constexpr std::size_t kRivalsTold = 2;
+constexpr double kSignificant = 0.05;  ///< p of a regime up to which it is stated without its p
+constexpr std::size_t kMostRivalsNamed = 2;
 
 std::string ChannelText(const DiagnosedBlock& diagnosed, std::size_t channel) {
   return Capitalised(QuantityOf(diagnosed.block.channels[channel].name));
@@ -114,7 +114,7 @@ std::string EvidenceClause(const Finding& finding) {
   const std::vector<std::string> alike = AlikeTexts(finding);
   std::vector<std::string> rejected;
   for (const Rival& rival : finding.evidence.rejected) {
-    if (rejected.size() == kRivalsTold) break;
+    if (rejected.size() == kMostRivalsNamed) break;
     rejected.push_back(fmt::format("{} ({})", RivalText(*rival.suspect, *finding.term.suspect),
                                    ProbabilityText(rival.p)));
   }

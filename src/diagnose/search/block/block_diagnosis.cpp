@@ -298,7 +298,7 @@ Searched SearchInTurn(const ReplayBlock& block, const SearchOptions& options, co
     last.search = search.Find();
     std::vector<NoiseModel> less = NoiseOfBlock(block, manoeuvres, last.search.found.terms);
     if (pass == kPasses || last.search.found.terms.empty() || !IsMuchQuieter(less, last.noise)) {
-      search.TellApart(&last.search);
+      search.DiscriminateRivals(&last.search);
       return last;
     }
     last.noise = std::move(less);
@@ -314,7 +314,7 @@ Searched SearchOn(const ReplayBlock& block, const SearchOptions& options, const 
   const Procedure procedure(block, options, stream, manoeuvres, noise);
   StructureSearch search = procedure.SearchAfter({&begun, true});
   SearchResult found = search.Find();
-  search.TellApart(&found);
+  search.DiscriminateRivals(&found);
   return {std::move(noise), std::move(found)};
 }
 

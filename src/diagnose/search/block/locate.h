@@ -13,12 +13,12 @@
 
 namespace tera {
 
-/// Of what a channel's error is a function, and of which shape.
+/// A variable that a channel's error is a function of, and the function's shape.
 struct Regime {
   std::string variable;
   bool is_share = false;  ///< the curve is of the error over the simulated value
   double p = 1;           ///< Holm over the variables; as it is where shifts are too few (Locate)
-  double share = 0;       ///< of the whitened residual's energy
+  double share = 0;       ///< of the whitened residual's energy that it explains
   CurveShape shape;
   RegimeCurve curve;
 };
@@ -28,7 +28,7 @@ struct Location {
   std::size_t channel = 0;
   std::vector<Segment> intervals;  ///< in samples
   std::size_t worst = 0;           ///< of the intervals: that with the most error beyond noise
-  std::vector<Regime> regimes;     ///< the most telling first; each given those before it
+  std::vector<Regime> regimes;     ///< the best regressor first; each given those before it
 };
 
 /// Locates the residual of a channel in time and among the channel's variables.
@@ -40,7 +40,7 @@ struct Location {
 ///         each as it is, and as what a share of the simulated value depends on,
 ///         beside the noise or, for a residual of three times the noise (ten times in a recording
 ///         without rest), beside white noise of the residual's size. A variable that explains 1.3
-///         times as much as the most telling significant one, or two per cent where none is
+///         times as much as the best significant one, or two per cent where none is
 ///         significant, comes first with its p as it is: time, and a place that is seldom come back
 ///         to, have too few shifts for a small one; of several that explain as much to a twentieth
 ///         it is the one of the smallest p.

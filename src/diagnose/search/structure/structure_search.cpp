@@ -55,7 +55,7 @@ class Search {
   Search& operator=(const Search&) = delete;
 
   SearchResult Find();
-  void TellApart(SearchResult* result);
+  void DiscriminateRivals(SearchResult* result);
 
  private:
   void FitSingles();
@@ -364,7 +364,7 @@ SearchResult Search::Find() {
   return result;
 }
 
-void Search::TellApart(SearchResult* result) {
+void Search::DiscriminateRivals(SearchResult* result) {
   const Scored& found = needed_.structure;
   for (std::size_t t = 0; t < found.terms.size(); ++t) {
     FindRivals(found, needed_.crossed, t, &result->evidence[t]);
@@ -402,6 +402,8 @@ StructureSearch::~StructureSearch() = default;
 
 SearchResult StructureSearch::Find() { return work_->search.Find(); }
 
-void StructureSearch::TellApart(SearchResult* result) { work_->search.TellApart(result); }
+void StructureSearch::DiscriminateRivals(SearchResult* result) {
+  work_->search.DiscriminateRivals(result);
+}
 
 }  // namespace tera

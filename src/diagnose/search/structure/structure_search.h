@@ -87,10 +87,10 @@ struct EarlierSearch {
 ///         effect, beyond nuisances, at least `least_effect` of the channel. It goes, too, with
 ///         numbers by which it is another mechanism in disguise (Suspect::is_itself). What refines
 ///         a number is put to its default in the answer where that, one number after the other,
-///         changes less than `least_effect`. TellApart: each term is swapped for each screened
-///         suspect; of the five that a few steps make likeliest, where the same manoeuvres do not
-///         gain from the term with p at most 0.05, or less than 3 of log-likelihood, they are
-///         alike.
+///         changes less than `least_effect`. DiscriminateRivals: each term is swapped for each
+///         screened suspect; of the five that a few steps make likeliest, where the same manoeuvres
+///         do not gain from the term with p at most 0.05, or less than 3 of log-likelihood, they
+///         are alike.
 /// Omits   that the structures whose terms are tested were chosen on part of the same manoeuvres,
 ///         beyond the number of suspects; FINAL is for that.
 /// Source  Schwarz 1978.
@@ -105,10 +105,10 @@ class StructureSearch {
                   const SearchOptions& options, const EarlierSearch& earlier = {});
   ~StructureSearch();
 
-  /// All but the rivals of the terms.
+  /// The search, without the rivals of the terms.
   SearchResult Find();
-  /// These, of what was found last.
-  void TellApart(SearchResult* result);
+  /// Fills in the rivals of each term of the structure that Find returned last.
+  void DiscriminateRivals(SearchResult* result);
 
  private:
   struct Work;
