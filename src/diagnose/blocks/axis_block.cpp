@@ -178,7 +178,7 @@ Eigen::MatrixXd NominalColumns(const LoneAxisReplay& replay, const SampleGrid& g
 }
 
 /// Of the variables below.
-Eigen::MatrixXd FreeMember(const std::vector<RegimeVariable>& variables) {
+Eigen::MatrixXd FlexibleRegressor(const std::vector<RegimeVariable>& variables) {
   const Series& lever = variables[0].series;
   std::vector<Series> others;
   for (std::size_t v = kOtherLevers; v < variables.size(); ++v)
@@ -283,7 +283,7 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   channel.measured = grid.SpreadSeries(measured.rate_radps, measured.is_free);
   channel.nuisances = {.offset = 1e-3, .gain = 0.005, .delay_s = 0.5 * grid.period_s};
   channel.variables = VariablesOf(model, log, measured, grid);
-  channel.free_member = FreeMember(channel.variables);
+  channel.flexible_regressor = FlexibleRegressor(channel.variables);
   const std::vector<double> ways = WaysOf(log, axis);
   if (ComesBack(log, axis, ways)) {
     channel.variables.push_back(

@@ -68,7 +68,7 @@ Course CourseOf(const MachineModel& model, const BaseLog& log) {
   return course;
 }
 
-Eigen::MatrixXd FreeMember(const Course& course, const SampleGrid& grid) {
+Eigen::MatrixXd FlexibleRegressor(const Course& course, const SampleGrid& grid) {
   const std::vector<double> left = grid.Spread(course.left_mps);
   const std::vector<double> right = grid.Spread(course.right_mps);
   const std::vector<double> roll = grid.Spread(course.roll_rad);
@@ -197,7 +197,7 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
                               grid.SpreadSeries(PartOf(measured, part), all),
                               {.offset = 1e-3, .gain = 0.02, .delay_s = 0.5 * grid.period_s},
                               VariablesOf(course, grid),
-                              FreeMember(course, grid),
+                              FlexibleRegressor(course, grid),
                               nominal});
   };
   add("/forward_mps", "m/s", &PlanarTwist::forward_mps, HeldBack(model, log, grid, {firm, loose}));

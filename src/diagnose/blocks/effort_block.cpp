@@ -55,7 +55,7 @@ std::vector<Suspect> SuspectsOf(const std::string& joint, const Effects& present
 }
 
 /// What friction of any form could be, by position, and what a wrong mass could.
-Eigen::MatrixXd FreeMember(const EffortLog& log) {
+Eigen::MatrixXd FlexibleRegressor(const EffortLog& log) {
   const double w = LargestOf(log.rate_radps), a = LargestOf(log.acceleration_radps2);
   const double middle = Median(log.position_rad);
   const double spread = std::max(RobustScale(log.position_rad), 1e-9);
@@ -135,7 +135,7 @@ std::optional<ReplayBlock> MakeEffortBlock(const MachineModel& model, EffortLog 
        log->measured,
        {.offset = 1e-4 * reach.effort_nm, .gain = 0.005, .delay_s = log->fine_s},
        VariablesOf(joint.name, *log),
-       FreeMember(*log),
+       FlexibleRegressor(*log),
        NominalColumns(*log)});
   block.commands = {CommandOf(*log, reach.rate_radps)};
   block.suspects = SuspectsOf(joint.name, present, reach);

@@ -11,7 +11,7 @@ namespace tera {
 ///
 /// Model   suspects are the friction of load_friction and its offset, sizes by the largest effort
 ///         and rate of the log. `asymmetric_friction` is looked for in one direction at a time, for
-///         more in both is no asymmetry. Free member: constant, sign and magnitude of the rate and
+///         more in both is no asymmetry. Flexible regressor: constant, sign and magnitude of the rate and
 ///         their powers, all by position, and the acceleration. Nominal: mass or inertia, and
 ///         weight, known to 3 %. Manoeuvres are told apart by the rate.
 /// Omits   friction that grows with the load; `payload`, which is a wrong mass.

@@ -23,7 +23,7 @@ constexpr double kLeastOffset_m = 1e-3;
 /// Slower, or turning slower, a machine is at rest.
 constexpr double kLeastSpeed_mps = 0.05, kLeastTurning_radps = 0.02;
 constexpr TimeNs kHalfSpan_ns = 250'000'000;  ///< over which velocities are means
-/// Of a clock, that the free member can follow: short ones, and that between GPS time and UTC.
+/// Of a clock, that the flexible regressor can follow: short ones, and that between GPS time and UTC.
 constexpr std::array<double, 8> kLate_s = {-18, -8, -3, -1, 1, 3, 8, 18};
 
 using Axes = std::array<std::vector<double>, 3>;
@@ -130,7 +130,7 @@ Course CourseOf(const SensorDescription& receiver, const ReceiverLog& log, const
 }
 
 /// Of east, north or up.
-Eigen::MatrixXd FreeMember(const Course& course, int axis) {
+Eigen::MatrixXd FlexibleRegressor(const Course& course, int axis) {
   std::vector<double> sine, cosine, swing_sine, swing_cosine, time, square;
   const double last_s = std::max(course.time_s.back(), 1e-9);
   for (std::size_t k = 0; k < course.time_s.size(); ++k) {
@@ -317,7 +317,7 @@ void AddChannels(const Held& held, std::size_t r, const Course& course, const Co
                                                        Every(grid.every[r], log.known)),
                                {.offset = std::max(slow_m, kLeastOffset_m), .gain = 1e-5},
                                VariablesOf(course, log.boom.has_value(), grid.period_s()),
-                               FreeMember(course, static_cast<int>(i)),
+                               FlexibleRegressor(course, static_cast<int>(i)),
                                Placed(course, i)});
   }
 }

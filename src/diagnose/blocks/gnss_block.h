@@ -19,7 +19,7 @@ namespace tera {
 /// Model   channels are less what they would be as documented, for a machine's way would make every
 ///         error look small. The slow part of a receiver's documented noise is a nuisance: an
 ///         offset of its size is no datum; so is a centimetre of the antenna's place on its link.
-///         Free member: heading, turning, velocity, attitude, the raised part, time, and where the
+///         Flexible regressor: heading, turning, velocity, attitude, the raised part, time, and where the
 ///         antenna was seconds before and after. Manoeuvres are told apart by how the first antenna
 ///         moves and turns.
 /// Omits   `float_jump`, which a receiver tells itself by its fix, `outliers`, `quantisation`,

@@ -18,7 +18,7 @@ constexpr double kLeastCorrelation = 0.3;
 constexpr double kTurns_radps = 0.02;  ///< of a link: less is rest
 constexpr std::array<const char*, kQuantities> kColumns = {"wx_radps", "wy_radps", "wz_radps",
                                                            "ax_mps2",  "ay_mps2",  "az_mps2"};
-constexpr std::array<std::size_t, 4> kLags = {0, 1, 2, 4};  ///< intervals, of the free member
+constexpr std::array<std::size_t, 4> kLags = {0, 1, 2, 4};  ///< intervals, of the flexible regressor
 
 using Quantities = std::array<std::vector<double>, kQuantities>;
 
@@ -160,7 +160,7 @@ Quantities Split(const std::vector<ImuSample>& samples, const Vec3& mean_f_S_mps
 }
 
 /// All predicted quantities through lags, squares of rates, changes of rates, time.
-Eigen::MatrixXd FreeMember(const Quantities& predicted) {
+Eigen::MatrixXd FlexibleRegressor(const Quantities& predicted) {
   const std::size_t rows = predicted[0].size();
   Eigen::MatrixXd columns(static_cast<Eigen::Index>(rows),
                           static_cast<Eigen::Index>(kQuantities * kLags.size() + 6 + 3 + 2));
@@ -184,7 +184,7 @@ Eigen::MatrixXd FreeMember(const Quantities& predicted) {
   return columns;
 }
 
-/// What a map that leans shows, to the free member.
+/// What a map that leans shows, to the flexible regressor.
 void AddHeading(const ImuLog& log, Eigen::MatrixXd* columns) {
   const Eigen::Index first = columns->cols();
   columns->conservativeResize(Eigen::NoChange, first + 2);
@@ -266,8 +266,8 @@ std::optional<ReplayBlock> MakeImuBlock(const SensorDescription& sensor, ImuLog 
   ReplayBlock block;
   block.name = channel;
   block.first_ns = log->clock.Due(1);
-  Eigen::MatrixXd free_member = FreeMember(predicted);
-  if (poses_were_measured) AddHeading(*log, &free_member);
+  Eigen::MatrixXd flexible_regressor = FlexibleRegressor(predicted);
+  if (poses_were_measured) AddHeading(*log, &flexible_regressor);
   const Mask valid(log->known.begin(), log->known.end());
   for (std::size_t i = 0; i < kQuantities; ++i) {
     const bool is_rate = i < 3;
@@ -276,7 +276,7 @@ std::optional<ReplayBlock> MakeImuBlock(const SensorDescription& sensor, ImuLog 
                               {period_s, std::move(measured[i]), valid},
                               {.offset = is_rate ? 1e-6 : 1e-5, .gain = 1e-5, .delay_s = 0.002},
                               VariablesOf(predicted, *log, period_s),
-                              free_member,
+                              flexible_regressor,
                               {}});
   }
   block.commands = CommandsOf(predicted, period_s);

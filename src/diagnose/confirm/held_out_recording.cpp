@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "diagnose/search/fit/free_member.h"
+#include "diagnose/search/fit/flexible_regressor.h"
 #include "diagnose/search/fit/steady_gain.h"
 
 namespace tera {

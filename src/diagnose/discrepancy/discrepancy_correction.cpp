@@ -5,7 +5,7 @@
 
 #include "core/check.h"
 #include "diagnose/search/block/block_diagnosis.h"
-#include "diagnose/search/fit/free_member.h"
+#include "diagnose/search/fit/flexible_regressor.h"
 #include "diagnose/search/fit/likelihood.h"
 
 namespace tera {

@@ -18,7 +18,8 @@ using Json = nlohmann::ordered_json;
 
 /// Raised when a key changes its name or meaning. Files without it are of format 1.
 constexpr int kFormat = 2;
-constexpr double kUnfollowed = 0.5;  ///< in place of a p, of error that no free member follows
+/// In place of the p of an error that no flexible regressor follows.
+constexpr double kPOfUnfollowed = 0.5;
 
 Json Number(double value) {
   if (!std::isfinite(value)) return nullptr;
@@ -161,7 +162,7 @@ Json NotNamed(const DiagnosedBlock& diagnosed, const Unexplained& unexplained) {
   json["class"] = Json::array();
   json["rejected"] = Json::array();
   json["evidence"] = {{"p_chosen", Number(unexplained.p)}, {"p_confirmed", nullptr}};
-  json["confidence"] = Number(1 - unexplained.p.value_or(kUnfollowed));
+  json["confidence"] = Number(1 - unexplained.p.value_or(kPOfUnfollowed));
   const std::string& unit = diagnosed.block.channels[unexplained.location.channel].unit;
   json["held_out"] = HeldOut(unexplained.rmse, unexplained.rmse, unit, 0);
   json["held_out"]["noise"] = Number(unexplained.noise);

@@ -221,12 +221,12 @@ std::string EvidenceFigure(const DiagnosedBlock& diagnosed) {
   if (search.found.terms.size() > 1 && search.found_gain) {
     bars.insert(bars.begin(), {"all found, together", *search.found_gain, "bar chosen"});
   }
-  bars.push_back({"free curve", search.free_gain, "bar free"});
+  bars.push_back({"flexible regressor", search.flexible_gain, "bar flexible"});
   return Figure(
       SvgBars("gain in log-likelihood of mechanisms", bars),
       "Gain in log-likelihood on held-out manoeuvres, of each mechanism alone. Of several "
       "that act, one alone may gain nothing. " +
-          Key("chosen", "found") + Key("free", "what a free curve gains"));
+          Key("chosen", "found") + Key("flexible", "what a flexible regressor gains"));
 }
 
 std::string LeversFigure(const NextManoeuvre& next) {

@@ -37,14 +37,14 @@ svg text.number{font-variant-numeric:tabular-nums}
 path.measured{stroke:var(--measured);stroke-opacity:.55}path.before{stroke:var(--before)}
 path.after{stroke:var(--after)}.shade{fill:var(--shade)}
 .band{fill:var(--before);fill-opacity:.2}.visits{fill:var(--visits)}.dot{fill:var(--before)}
-.bar{fill:var(--visits)}.bar.chosen{fill:var(--after)}.bar.free{fill:none;stroke:var(--soft)}
+.bar{fill:var(--visits)}.bar.chosen{fill:var(--after)}.bar.flexible{fill:none;stroke:var(--soft)}
 .key{display:inline-block;width:1.5em;height:.26em;margin:0 .45em .2em 0;vertical-align:middle}
 .entry{margin-right:1.1em;white-space:nowrap}.key.measured{background:var(--measured);opacity:.55}
 .key.before{background:var(--before)}.key.after{background:var(--after)}
-.key.shaded,.key.band,.key.visited,.key.chosen,.key.free{height:.75em;width:1.1em}
+.key.shaded,.key.band,.key.visited,.key.chosen,.key.flexible{height:.75em;width:1.1em}
 .key.shaded{background:var(--shade)}.key.band{background:var(--before);opacity:.3}
 .key.visited{background:var(--visits)}.key.chosen{background:var(--after)}
-.key.free{border:1px solid var(--soft)}
+.key.flexible{border:1px solid var(--soft)}
 .level{fill:var(--fill)}.higher{fill:var(--before)}.lower{fill:var(--after)}
 .key.higher{background:var(--before);height:.75em;width:1.1em}
 .key.lower{background:var(--after);height:.75em;width:1.1em}

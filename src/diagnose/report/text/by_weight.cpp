@@ -21,7 +21,7 @@ double TakenBy(const DiagnosedBlock& diagnosed, const Finding& finding) {
 double WeightOf(const DiagnosedBlock& diagnosed) {
   double share = 0;
   for (const Finding& finding : diagnosed.diagnosis.findings) share += finding.evidence.share;
-  return share * diagnosed.diagnosis.search.free_gain;
+  return share * diagnosed.diagnosis.search.flexible_gain;
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ std::vector<UnexplainedInBlock> UnexplainedByWeight(const Diagnosis& diagnosis) 
     }
   }
   const auto weight = [](const UnexplainedInBlock& entry) {
-    return entry.unexplained->share * entry.diagnosed->diagnosis.search.free_gain;
+    return entry.unexplained->share * entry.diagnosed->diagnosis.search.flexible_gain;
   };
   std::stable_sort(all.begin(), all.end(),
                    [&](const UnexplainedInBlock& a, const UnexplainedInBlock& b) {

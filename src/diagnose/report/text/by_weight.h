@@ -25,7 +25,7 @@ std::vector<const Finding*> FindingsByWeight(const DiagnosedBlock& diagnosed);
 /// The same, block by block, those first whose findings gain most log-likelihood on held-out
 /// samples.
 std::vector<FindingInBlock> FindingsByWeight(const Diagnosis& diagnosis);
-/// By the gain in log-likelihood of what a free curve could explain.
+/// By the gain in log-likelihood of what a flexible regressor could explain.
 std::vector<UnexplainedInBlock> UnexplainedByWeight(const Diagnosis& diagnosis);
 
 /// Whether anything is left unexplained in a channel of a block.

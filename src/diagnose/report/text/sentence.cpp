@@ -144,8 +144,8 @@ std::string RemainderText(const DiagnosedBlock& diagnosed, std::size_t channel) 
       text +=
           fmt::format(", most of it in {} of {} manoeuvres", remainder.loud, remainder.manoeuvres);
     }
-    if (!remainder.free_member_tells) {
-      text += ", and no free curve that could tell whether there is more";
+    if (!remainder.flexible_regressor_predicts) {
+      text += ", and no flexible regressor that could tell whether there is more";
     }
     return text + ".";
   }
@@ -204,9 +204,9 @@ std::string SentenceOf(const DiagnosedBlock& diagnosed, const Unexplained& unexp
       "{}, {}; the error {}: no known mechanism explains it ({}). Left: {}.",
       ChannelText(diagnosed, channel), IntervalsText(diagnosed, unexplained.location),
       DependenceText(diagnosed, unexplained.location),
-      unexplained.p ? fmt::format("{}; {} of what a free curve could explain",
+      unexplained.p ? fmt::format("{}; {} of what a flexible regressor could explain",
                                   ProbabilityText(*unexplained.p), PercentText(unexplained.share))
-                    : std::string("nor does a free curve"),
+                    : std::string("nor does a flexible regressor"),
       left);
 }
 

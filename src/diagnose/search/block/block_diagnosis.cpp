@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/in_parallel.h"
-#include "diagnose/search/fit/free_member.h"
+#include "diagnose/search/fit/flexible_regressor.h"
 #include "diagnose/search/fit/steady_gain.h"
 #include "diagnose/search/structure/beginning.h"
 
@@ -21,7 +21,7 @@ constexpr double kAll = 0.9;              ///< of the excess: next to nothing bu
 constexpr std::size_t kLargestClass = 3;  ///< that names something, where error remains
 constexpr double kMost = 0.75;            ///< of the excess: enough to name several for
 constexpr double kLittle = 1.0 / 3;       ///< of the excess: too little to be what is wrong
-constexpr double kMuchLess = 0.5;         ///< RMS, that the free member leaves
+constexpr double kMuchLess = 0.5;         ///< RMS, that the flexible regressor leaves
 constexpr int kPasses = 3;                ///< of noise and search
 /// Of the variance of a channel's noise, and of the scale of its innovations: less by so much is
 /// worth another search.
@@ -205,7 +205,7 @@ bool Procedure::StandsIn(const BlockDiagnosis& out, std::size_t term) const {
   if (finding.evidence.share > left->share) return false;
   const FittedStructure without = fitter_.FitValues(Without(out.search.found.terms, term));
   const Misfit free =
-      LessFreeMember(judged_.block, judged_.likelihood, without.misfit, judged_.manoeuvres);
+      ResidualBeyondFlexible(judged_.block, judged_.likelihood, without.misfit, judged_.manoeuvres);
   const Series& found = out.search.found.misfit.residual[channel];
   return MeanSquare(free.residual[channel], judged_.final_mask) <
          kMuchLess * kMuchLess * MeanSquare(found, judged_.final_mask);

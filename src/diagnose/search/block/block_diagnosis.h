@@ -68,12 +68,12 @@ std::vector<Manoeuvre> ManoeuvresOf(const ReplayBlock& block, const Stream& stre
 ///         channel that stays unexplained a finding stands in for something else where it is not
 ///         told from more than two others and removes less than three quarters of the excess, where
 ///         it removes less than a third and is its block's only channel, or where it explains less
-///         than the free member still does, and with that in its place FINAL's RMSE is less than
+///         than the flexible regressor still does, and with that in its place FINAL's RMSE is less than
 ///         half of what it is with the finding. It is taken out again, if error is then still
 ///         unexplained.
 /// Omits   that a lesser mechanism may be there beside something unknown and larger, and is then
 ///         taken out; that in a block of several channels a finding explains in all of them, and
-///         the free member is asked in one.
+///         the flexible regressor is asked in one.
 BlockDiagnosis DiagnoseBlock(const ReplayBlock& block, const SearchOptions& options,
                              const Stream& stream);
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "diagnose/search/fit/free_member.h"
+#include "diagnose/search/fit/flexible_regressor.h"
 #include "diagnose/search/fit/steady_gain.h"
 
 namespace tera {
@@ -59,7 +59,7 @@ void Judge(const JudgedBlock& judged, const SearchResult& search, Remainder* rem
                                                   : Remainder::Kind::kOfFew;
 }
 
-/// The probability, by chance, of the free member following a channel's residual so steadily; none
+/// The probability, by chance, of the flexible regressor following a channel's residual so steadily; none
 /// where it does not. `ask_all`: by fits to other manoeuvres, which all of them are asked about
 /// where what is left is loud and not told of yet: a second question, so that each counts twice.
 std::optional<double> FollowedP(const JudgedBlock& judged, const Misfit& misfit, const Misfit& free,
@@ -88,7 +88,8 @@ std::optional<double> FollowedP(const JudgedBlock& judged, const Misfit& misfit,
 
 std::vector<Remainder> RemaindersOf(const JudgedBlock& judged, const SearchResult& search) {
   const Misfit& nothing = search.nothing.misfit;
-  const Misfit free = LessFreeMember(judged.block, judged.likelihood, nothing, judged.manoeuvres);
+  const Misfit free =
+      ResidualBeyondFlexible(judged.block, judged.likelihood, nothing, judged.manoeuvres);
   std::vector<Remainder> remainders;
   for (std::size_t c = 0; c < judged.block.channels.size(); ++c) {
     const Series& residual = search.found.misfit.residual[c];
@@ -97,7 +98,8 @@ std::vector<Remainder> RemaindersOf(const JudgedBlock& judged, const SearchResul
     remainder.rmse = std::sqrt(MeanSquare(residual, judged.final_mask));
     remainder.noise = NoiseLevelOf(judged.block, c, residual, judged.seen_mask);
     for (const auto& one : GainsOf(judged.likelihood, nothing, free, judged.select, c)) {
-      remainder.free_member_tells = remainder.free_member_tells || one.possible > 0;
+      remainder.flexible_regressor_predicts =
+          remainder.flexible_regressor_predicts || one.possible > 0;
     }
     Judge(judged, search, &remainder);
     remainders.push_back(remainder);
@@ -108,11 +110,12 @@ std::vector<Remainder> RemaindersOf(const JudgedBlock& judged, const SearchResul
 std::vector<Unexplained> UnexplainedOf(const JudgedBlock& judged, const SearchResult& search,
                                        const std::vector<Remainder>& remainders) {
   const Misfit& misfit = search.found.misfit;
-  const Misfit free = LessFreeMember(judged.block, judged.likelihood, misfit, judged.manoeuvres);
+  const Misfit free =
+      ResidualBeyondFlexible(judged.block, judged.likelihood, misfit, judged.manoeuvres);
   std::optional<Misfit> crossed;
   const auto ask_all = [&]() -> const Misfit& {
     if (!crossed) {
-      crossed = LessUnseenFreeMember(judged.block, judged.likelihood, misfit, judged.manoeuvres);
+      crossed = CrossFittedResidual(judged.block, judged.likelihood, misfit, judged.manoeuvres);
     }
     return *crossed;
   };
@@ -124,7 +127,7 @@ std::vector<Unexplained> UnexplainedOf(const JudgedBlock& judged, const SearchRe
       total += one.gain;
     }
     Unexplained left{{}, {}, 0, remainder.rmse, remainder.noise.rms()};
-    left.share = std::max(0.0, total / std::max({search.free_gain, total, 1e-9}));
+    left.share = std::max(0.0, total / std::max({search.flexible_gain, total, 1e-9}));
     if (left.share >= kLeastUnexplained) {
       left.p = FollowedP(judged, misfit, free, ask_all, remainder);
     }

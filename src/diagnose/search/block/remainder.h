@@ -16,8 +16,8 @@ struct Remainder {
   std::size_t channel = 0;
   double rmse = 0;
   NoiseLevel noise;
-  /// The free member predicts manoeuvres of TRAIN that it has not seen: it could show what is left.
-  bool free_member_tells = false;
+  /// The flexible regressor predicts manoeuvres of TRAIN that it has not seen: it could show what is left.
+  bool flexible_regressor_predicts = false;
   std::size_t manoeuvres = 0, loud = 0;  ///< of FINAL that move, and those louder than noise
   /// Noise, or what nominal numbers are off by; error of most manoeuvres, or of several in the
   /// whole recording, or of a few; unknown where
@@ -28,8 +28,8 @@ struct Remainder {
 /// Error that no suspect takes away.
 struct Unexplained {
   Location location;
-  std::optional<double> p;  ///< of the free member gaining so steadily by chance, if it gains
-  double share = 0;         ///< of the gain in likelihood that the free member had over nothing
+  std::optional<double> p;  ///< of the flexible regressor gaining so steadily by chance, if it gains
+  double share = 0;         ///< of the gain in likelihood that the flexible regressor had over nothing
   double rmse = 0;          ///< on FINAL
   double noise = 0;         ///< RMS of the channel's noise
 };
@@ -44,9 +44,9 @@ struct Unexplained {
 ///         of AR(1), 0.995, is so much louder than its differences.
 std::vector<Remainder> RemaindersOf(const JudgedBlock& judged, const SearchResult& search);
 
-/// What no mechanism explains: what remains and is error, and what the free member still follows.
+/// What no mechanism explains: what remains and is error, and what the flexible regressor still follows.
 ///
-/// Model   the free member follows a channel steadily over SELECT (Bonferroni over the diagnosis's
+/// Model   the flexible regressor follows a channel steadily over SELECT (Bonferroni over the diagnosis's
 ///         channels) and FINAL, or, of what is loud in too few manoeuvres or may be noise, over all
 ///         of them, each by a fit to others, at half the level.
 std::vector<Unexplained> UnexplainedOf(const JudgedBlock& judged, const SearchResult& search,

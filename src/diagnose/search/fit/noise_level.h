@@ -8,7 +8,7 @@
 
 namespace tera {
 
-/// How loud a channel's noise is, told without the free member.
+/// How loud a channel's noise is, told without the flexible regressor.
 struct NoiseLevel {
   std::optional<double> at_rest;  ///< RMS of the residual where no command is given
   double differences = 0;         ///< standard deviation by third differences of the residual

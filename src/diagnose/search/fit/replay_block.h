@@ -90,9 +90,9 @@ struct Channel {
   Nuisances nuisances;
   /// What its error may depend on, each of the grid's length.
   std::vector<RegimeVariable> variables;
-  /// Columns, one row a sample, whose combinations come near to anything that the physics of the
-  /// block could do: the free member. May be empty.
-  Eigen::MatrixXd free_member;
+  /// The flexible regressor: columns, one row a sample, whose combinations come near to anything
+  /// that the physics of the block could do. May be empty.
+  Eigen::MatrixXd flexible_regressor;
   /// What the prediction changes by where a nominal number is off by its standard deviation: one
   /// column a number, one row a sample. Nuisances beside the three; may be empty.
   Eigen::MatrixXd nominal;

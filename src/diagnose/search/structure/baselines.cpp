@@ -7,7 +7,7 @@
 
 #include "core/in_parallel.h"
 #include "diagnose/search/block/block_diagnosis.h"
-#include "diagnose/search/fit/free_member.h"
+#include "diagnose/search/fit/flexible_regressor.h"
 #include "diagnose/search/fit/structure_fit.h"
 
 namespace tera {
@@ -235,7 +235,7 @@ std::vector<BaselineAnswer> BaselinesOf(const ReplayBlock& block, int threads,
   const auto predicted = block.predict({});
   const Likelihood likelihood(block, NoiseOfBlock(block, manoeuvres), seen);
   const Misfit flexible =
-      LessFreeMember(block, likelihood, likelihood.Judge(predicted), manoeuvres);
+      ResidualBeyondFlexible(block, likelihood, likelihood.Judge(predicted), manoeuvres);
   BaselineAnswer tuned{.method = "tuned parameters"};
   BaselineAnswer greedy{.method = "greedy BIC", .gives_findings = true, .gives_names = true};
   BaselineAnswer sparse{.method = "sparse regression", .gives_findings = true};

@@ -34,7 +34,7 @@ std::vector<double> RmseAsItIs(const ReplayBlock& block, const Stream& stream);
 ///         time, the one that lowers the Bayesian information criterion most, errors taken as
 ///         white and normal. "sparse regression": orthogonal matching pursuit of the residual on
 ///         the regime variables (but for time), their sizes, signs, squares and products, stopped
-///         by the same criterion. "black box": the residual less what the channel's free member
+///         by the same criterion. "black box": the residual less what the channel's flexible regressor
 ///         follows of it, its ridge by cross-validation.
 /// Omits   anything that takes errors for what they are: coloured and heavy-tailed.
 /// Source  Schwarz 1978; Brunton, Proctor and Kutz 2016, "Discovering governing equations from

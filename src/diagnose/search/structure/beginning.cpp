@@ -26,7 +26,7 @@ Channel First(const Channel& channel, std::size_t samples) {
     variables.push_back({variable.name, First(variable.series, samples)});
   }
   return {channel.name,         channel.unit,         First(channel.measured, samples),
-          channel.nuisances,    std::move(variables), rows(channel.free_member),
+          channel.nuisances,    std::move(variables), rows(channel.flexible_regressor),
           rows(channel.nominal)};
 }
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/in_parallel.h"
-#include "diagnose/search/fit/free_member.h"
+#include "diagnose/search/fit/flexible_regressor.h"
 
 namespace tera {
 Pruning::Pruning(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
@@ -23,7 +23,7 @@ Pruning::Pruning(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
       seen_(PiecesOf(SeenSegmentsOf(manoeuvres), block.period_s())),
       crossed_(block, noise, manoeuvres),
       nothing_(fits.Score(fitter.AsGiven({}))),
-      free_gain_(FreeGain(fitter.AsGiven({}).misfit)) {}
+      flexible_gain_(FlexibleGain(fitter.AsGiven({}).misfit)) {}
 
 std::vector<Misfit> Pruning::Judge(const std::vector<Structure>& structures) const {
   return crossed_.Judge(structures, options_.threads);
@@ -33,9 +33,9 @@ std::vector<ManoeuvreGain> Pruning::GainsOnSeen(const Misfit& before, const Misf
   return GainsOf(likelihood_, before, after, seen_);
 }
 
-/// What the free member gains on SELECT over a misfit of TRAIN.
-double Pruning::FreeGain(const Misfit& misfit) const {
-  const Misfit free = LessFreeMember(block_, likelihood_, misfit, manoeuvres_);
+/// What the flexible regressor gains on SELECT over a misfit of TRAIN.
+double Pruning::FlexibleGain(const Misfit& misfit) const {
+  const Misfit free = ResidualBeyondFlexible(block_, likelihood_, misfit, manoeuvres_);
   double gain = 0;
   for (const ManoeuvreGain& one : GainsOf(likelihood_, misfit, free, select_)) gain += one.gain;
   return gain;
@@ -48,7 +48,7 @@ TermEvidence Pruning::EvidenceOf(const Scored& with, const Scored& without,
   const Misfit before = fitter_.AsGiven(without.terms).misfit;
   const double gained = with.held_out_sum() - without.held_out_sum();
   const double found = with.held_out_sum() - nothing_.held_out_sum();
-  evidence.share = gained / std::max({free_gain_, found, 1e-9});
+  evidence.share = gained / std::max({flexible_gain_, found, 1e-9});
   const auto suspects = std::max(options_.suspects_in_all, block_.suspects.size());
   const double tests = std::pow(suspects, with.terms.size() - without.terms.size());
   const auto gains = GainsOnSeen(crossed_without, crossed_with);
@@ -56,7 +56,7 @@ TermEvidence Pruning::EvidenceOf(const Scored& with, const Scored& without,
   if (evidence.share >= options_.least_share_of_bet) {
     evidence.p = std::min(1.0, tests * GainP(gains));
   }
-  evidence.of_rest = gained / std::max({FreeGain(before), gained, 1e-9});
+  evidence.of_rest = gained / std::max({FlexibleGain(before), gained, 1e-9});
   evidence.effect = EffectOf(block_, fitter_.AsGiven(with.terms).misfit, before);
   return evidence;
 }

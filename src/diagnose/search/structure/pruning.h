@@ -44,8 +44,8 @@ class Pruning {
   std::vector<ManoeuvreGain> GainsOnSeen(const Misfit& before, const Misfit& after) const;
   /// The structure without terms.
   const Scored& nothing() const { return nothing_; }
-  /// What the free member gains over nothing on SELECT.
-  double free_gain() const { return free_gain_; }
+  /// What the flexible regressor gains over nothing on SELECT.
+  double flexible_gain() const { return flexible_gain_; }
 
  private:
   Needed Prune(Scored kept, Misfit crossed_kept) const;
@@ -53,7 +53,7 @@ class Pruning {
                           const Misfit& crossed_without) const;
   bool IsNeeded(const TermEvidence& evidence) const;
   double TogetherP(const Scored& kept, const Misfit& crossed_kept, const Needed& rest) const;
-  double FreeGain(const Misfit& misfit) const;
+  double FlexibleGain(const Misfit& misfit) const;
 
   const ReplayBlock& block_;
   const std::vector<Manoeuvre>& manoeuvres_;
@@ -65,7 +65,7 @@ class Pruning {
   const std::vector<Segment> select_, seen_;
   const CrossFit crossed_;
   const Scored nothing_;
-  const double free_gain_;
+  const double flexible_gain_;
 };
 
 }  // namespace tera

@@ -344,7 +344,7 @@ void Search::FindRivals(const Scored& found, const Misfit& crossed, std::size_t 
 
 SearchResult Search::Find() {
   SearchResult result;
-  result.free_gain = pruning_.free_gain();
+  result.flexible_gain = pruning_.flexible_gain();
   if (earlier_.result != nullptr) {
     TakeSingles();
   } else {

@@ -39,8 +39,8 @@ struct TermEvidence {
   double steady_p = 1;  ///< the same by SteadyGainP alone
   /// Of it and another one, where both are needed beside each other only (pruning.h).
   std::optional<double> together_p;
-  double share = 0;  ///< of the gain in likelihood on SELECT that the free member has over nothing
-  double of_rest = 0;  ///< of the gain that the free member has over the structure without the term
+  double share = 0;  ///< of the gain in likelihood on SELECT that the flexible regressor has over nothing
+  double of_rest = 0;  ///< of the gain that the flexible regressor has over the structure without the term
   double effect = 0;  ///< RMS of what it changes over the RMS of the channel, largest over channels
   /// Suspects in whose place the structure is not significantly worse, itself first.
   std::vector<const Suspect*> rivals;
@@ -59,7 +59,7 @@ struct SearchResult {
   FittedStructure nothing, found;      ///< fitted to TRAIN and SELECT
   std::vector<TermEvidence> evidence;  ///< one for each term found
   std::vector<SingleEvidence> singles;
-  double free_gain = 0;  ///< held-out gain in log-likelihood of the free member over nothing
+  double flexible_gain = 0;  ///< held-out gain in log-likelihood of the flexible regressor over nothing
   std::optional<double> found_gain;  ///< of all that was found; none where some was taken out
 };
 
@@ -82,8 +82,8 @@ struct EarlierSearch {
 ///         over the structure fitted without it is steady over the manoeuvres of TRAIN and SELECT,
 ///         each left out of the fits that it judges (cross_fit.h, steady_gain.h; Bonferroni over
 ///         all that the diagnosis tests), on SELECT at least `least_share` of what the whole
-///         structure, or a free member if that is more, gains over nothing and at least
-///         `least_of_rest` of what a free member gains over the structure without it, and its
+///         structure, or a flexible regressor if that is more, gains over nothing and at least
+///         `least_of_rest` of what a flexible regressor gains over the structure without it, and its
 ///         effect, beyond nuisances, at least `least_effect` of the channel. It goes, too, with
 ///         numbers by which it is another mechanism in disguise (Suspect::is_itself). What refines
 ///         a number is put to its default in the answer where that, one number after the other,

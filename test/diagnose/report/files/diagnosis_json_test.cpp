@@ -142,7 +142,7 @@ TEST(DiagnosisJson, HoldsTheReplaysDiscrepancyWhereThereIsASimulation) {
 
 TEST(DiagnosisJson, PutsTheWeightiestFirstAndWhatIsUnexplainedLast) {
   DiagnosedBlock light = BoomWithDeadBand(), heavy = BoomWithDeadBand();
-  light.diagnosis.search.free_gain = 10;
+  light.diagnosis.search.flexible_gain = 10;
   light.diagnosis.unexplained = {GrowingBeyond12kNm()};
   heavy.block.channels[0].name = "excavator1/encoders/arm_radps";
   heavy.block.suspects[0].target = "arm";

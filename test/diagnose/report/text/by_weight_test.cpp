@@ -45,7 +45,7 @@ TEST(ByWeight, OfBlocksTheOneWhoseFindingsAreLikeliestComesFirst) {
   diagnosis.blocks.push_back(BoomWithDeadBand());
   diagnosis.blocks.back().block.name = "arm";
   EXPECT_EQ(TargetsAndNames(diagnosis).front(), "boom backlash");
-  diagnosis.blocks.back().diagnosis.search.free_gain = 5000;
+  diagnosis.blocks.back().diagnosis.search.flexible_gain = 5000;
   EXPECT_EQ(TargetsAndNames(diagnosis).front(), "arm dead_band");
 }
 

@@ -65,7 +65,7 @@ TEST(Sentence, NamesNumbersWhereAMechanismHasSeveralAndWritesAnglesInDegrees) {
   finding.held_out = {0, 2 * kDeg, 2 * kDeg, -0.01, 0.5};
   finding.evidence.p = 1e-7;
   arm.diagnosis.remainders[0].kind = Remainder::Kind::kUnknown;
-  arm.diagnosis.remainders[0].free_member_tells = false;
+  arm.diagnosis.remainders[0].flexible_regressor_predicts = false;
   arm.block.first_ns = FromSeconds(45);
   EXPECT_EQ(
       SentenceOf(arm, finding),
@@ -73,7 +73,7 @@ TEST(Sentence, NamesNumbersWhereAMechanismHasSeveralAndWritesAnglesInDegrees) {
       "cushion 10.0 ± 0.5 deg, end ratio 0.250 ± 0.012 (chosen with p < 0.0001, confirmed with p "
       "0.5). Held-out RMSE 2 → 2 deg/s, none of the excess variance removed. Left: 0.6 deg/s at a "
       "noise of 0.5 deg/s, of noise or error, which a recording without rest does not tell, and no "
-      "free curve that could tell whether there is more.");
+      "flexible regressor that could tell whether there is more.");
 }
 
 TEST(Sentence, OfTheUnexplainedSaysOnWhatItDepends) {
@@ -81,12 +81,12 @@ TEST(Sentence, OfTheUnexplainedSaysOnWhatItDepends) {
   EXPECT_EQ(
       SentenceOf(boom, GrowingBeyond12kNm()),
       "Boom rate, 12.0–20.0 s; the error depends on |arm load| > 12000 N m, growing, even: no "
-      "known mechanism explains it (p 0.00041; 35 % of what a free curve could explain). Left: 0.9 "
+      "known mechanism explains it (p 0.00041; 35 % of what a flexible regressor could explain). Left: 0.9 "
       "deg/s at a noise of 0.2 deg/s.");
   Unexplained loud = GrowingBeyond12kNm();
   loud.p.reset();
   EXPECT_THAT(SentenceOf(boom, loud),
-              HasSubstr("no known mechanism explains it (nor does a free curve). Left: 0.9 deg/s"));
+              HasSubstr("no known mechanism explains it (nor does a flexible regressor). Left: 0.9 deg/s"));
 }
 
 TEST(Sentence, OfAnErrorThatIsAShareOfTheSimulatedValueSaysSo) {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "diagnose/search/fit/free_member.h"
+#include "diagnose/search/fit/flexible_regressor.h"
 #include "diagnose/search/toy_block.h"
 
 namespace tera {
@@ -82,7 +82,7 @@ TEST(BlockDiagnosis, NamesTwoThatActTogether) {
 }
 
 TEST(BlockDiagnosis, FindsTheLesserOfTwoThoughTheGreaterPassedForNoiseAtFirst) {
-  // A ripple too fine for the free member, which `step` stands for here.
+  // A ripple too fine for the flexible regressor, which `step` stands for here.
   const std::vector<double> lever = ToyLever(kSamples, 31);
   const auto response = [&](double square, double ripple) {
     std::vector<double> y;
@@ -186,15 +186,15 @@ ReplayBlock ToyOfSizes(const std::vector<double>& lever, const Series& measured,
 
 TEST(BlockDiagnosis, WhatOnlyComesNearestStandsInForWhatIsUnexplained) {
   // A multiple of |lever| that goes up and down with the temperature, of which the library has the
-  // mean, and a free curve all.
+  // mean, and a flexible regressor all.
   const std::vector<double> lever = ToyLever(kSamples, 36);
   ReplayBlock block = ToyOfSizes(lever, ToyMeasured(lever, kNoise, 36), {2});
   Channel& channel = block.channels[0];
   for (std::size_t k = 0; k < lever.size(); ++k) {
     const double size = std::abs(lever[k]), t = channel.variables[1].series.value[k];
     if (channel.measured.valid[k]) channel.measured.value[k] += size * 0.3 * (1 + 1.1 * t);
-    channel.free_member(static_cast<Eigen::Index>(k), 12) = size;
-    channel.free_member(static_cast<Eigen::Index>(k), 13) = size * t;
+    channel.flexible_regressor(static_cast<Eigen::Index>(k), 12) = size;
+    channel.flexible_regressor(static_cast<Eigen::Index>(k), 13) = size * t;
   }
   const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(36, "diagnose"));
   EXPECT_THAT(NamesOf(diagnosis.findings), IsEmpty());
@@ -204,7 +204,7 @@ TEST(BlockDiagnosis, WhatOnlyComesNearestStandsInForWhatIsUnexplained) {
 }
 
 TEST(BlockDiagnosis, OfAClassOfFourThatLeavesMuchNoneIsAName) {
-  // Several that do the same, a drift that none of them does, and a ripple that no free curve does.
+  // Several that do the same, a drift that none of them does, and a ripple that no flexible regressor does.
   const auto diagnose = [](std::uint64_t seed, const std::vector<std::size_t>& suspects) {
     const std::vector<double> lever = ToyLever(kSamples, seed);
     ReplayBlock block =
@@ -233,7 +233,7 @@ TEST(BlockDiagnosis, OfAClassOfFourThatLeavesMuchNoneIsAName) {
 }
 
 TEST(BlockDiagnosis, WhatTakesLittleOfWhatIsWrongIsNoName) {
-  // A square, and in the manoeuvres kept back a ripple that no suspect and no free curve does.
+  // A square, and in the manoeuvres kept back a ripple that no suspect and no flexible regressor does.
   const Stream stream(35, "diagnose");
   const std::vector<double> lever = ToyLever(kSamples, 35);
   ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, kNoise, 35), {0});
@@ -271,7 +271,7 @@ TEST(BlockDiagnosis, KeepsANameBesideWhatIsUnexplained) {
 }
 
 TEST(BlockDiagnosis, WhatIsLoudInManyButHardlyInThoseKeptBackIsUnexplained) {
-  // A ripple that no suspect and no free member follows, until it has died away.
+  // A ripple that no suspect and no flexible regressor follows, until it has died away.
   const std::vector<double> lever = ToyLever(kSamples, 33);
   ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, kNoise, 33), {0, 2, 3});
   const Stream stream(33, "diagnose");

@@ -42,7 +42,7 @@ TEST(Beginning, IsTheSameBlockForAShorterTime) {
   EXPECT_EQ(beginning.samples(), 1000u);
   EXPECT_EQ(beginning.commands[0].size(), 1000u);
   EXPECT_EQ(beginning.channels[0].variables[1].series.size(), 1000u);
-  EXPECT_EQ(beginning.channels[0].free_member.rows(), 1000);
+  EXPECT_EQ(beginning.channels[0].flexible_regressor.rows(), 1000);
   const Structure terms = {{&block.suspects[1], {0.3}}};
   std::vector<double> whole = block.predict(terms)[0];
   whole.resize(1000);

@@ -1,4 +1,4 @@
-#include "diagnose/search/fit/free_member.h"
+#include "diagnose/search/fit/flexible_regressor.h"
 
 #include <gtest/gtest.h>
 
@@ -20,10 +20,10 @@ std::vector<Manoeuvre> EqualManoeuvres() {
   return manoeuvres;
 }
 
-/// A lever and an error that the free member has a column of.
-class FreeMember : public ::testing::Test {
+/// A lever and an error that the flexible regressor has a column of.
+class FlexibleRegressor : public ::testing::Test {
  protected:
-  FreeMember() {
+  FlexibleRegressor() {
     measured_ = lever_;
     for (std::size_t k = 0; k < kSamples; ++k) measured_[k] += 0.3 * lever_[k] * lever_[k];
   }
@@ -34,7 +34,7 @@ class FreeMember : public ::testing::Test {
     for (std::size_t k = 0; k < kSamples; ++k) {  // nuisances are not what is asked about here
       nothing.residual[0].value[k] = measured_[k] - lever_[k];
     }
-    return LessUnseenFreeMember(block, likelihood, nothing, manoeuvres_);
+    return CrossFittedResidual(block, likelihood, nothing, manoeuvres_);
   }
 
   const std::vector<Manoeuvre> manoeuvres_ = EqualManoeuvres();
@@ -42,7 +42,7 @@ class FreeMember : public ::testing::Test {
   std::vector<double> measured_;
 };
 
-TEST_F(FreeMember, FollowsEveryManoeuvreOfWhateverPart) {
+TEST_F(FlexibleRegressor, FollowsEveryManoeuvreOfWhateverPart) {
   const Misfit left = Left();
   for (std::size_t k = 1; k < kSamples; ++k) {
     EXPECT_NEAR(left.residual[0].value[k], 0, 0.01) << k;
@@ -50,7 +50,7 @@ TEST_F(FreeMember, FollowsEveryManoeuvreOfWhateverPart) {
   }
 }
 
-TEST_F(FreeMember, HasNotSeenTheManoeuvreThatItIsJudgedBy) {
+TEST_F(FlexibleRegressor, HasNotSeenTheManoeuvreThatItIsJudgedBy) {
   const Misfit before = Left();
   const Segment& own = manoeuvres_[6].samples;
   for (std::size_t k = own.begin; k < own.end; ++k) measured_[k] += 1 + lever_[k];

@@ -1,4 +1,4 @@
-#include "diagnose/search/fit/free_member.h"
+#include "diagnose/search/fit/flexible_regressor.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -12,17 +12,22 @@
 namespace tera {
 namespace {
 
-constexpr double kClip = 3;
+constexpr double kClip =
+    3;  ///< robust scales: Huber's function keeps 99 % of normal errors as they are
+/// Ridge of the fit that noise is estimated beside: no more than what keeps it solvable.
 constexpr double kNoiseRidge = 1e-6;
+/// Ridges to choose from, in parts of each column's energy: from none to one that leaves nothing.
 constexpr std::array kRidges = {1e-4, 1e-2, 0.1, 1.0, 10.0, 100.0, 1000.0};
 constexpr std::size_t kFolds = 5;
-constexpr int kReweightings = 3;
-constexpr std::size_t kHighestOrder = 10;
-/// A machine that rests half the time leaves residuals of two scales; with heavier tails, that
-/// would pass for outliers, and being right at rest would be all that counts.
+constexpr int kReweightings = 3;           ///< of Huber's regression, which then hardly changes
+constexpr std::size_t kHighestOrder = 10;  ///< of the noise's autoregression
+/// Degrees of freedom of the innovations, at least. A machine that rests half the time leaves
+/// residuals of two scales; with heavier tails its motion would pass for outliers, and only rest
+/// would count.
 constexpr double kLeastDof = 4;
-constexpr double kFloor = 2e-3;       ///< of the channel's RMS: replays are no better
-constexpr double kLeastScale = 1e-6;  ///< rad/s or m/s: what measures less is rounding
+/// Scale of the innovations over the channel's RMS, at least: no replay is better.
+constexpr double kLeastScaleOfRms = 2e-3;
+constexpr double kLeastScale = 1e-6;  ///< of innovations, rad/s or m/s: less is rounding
 
 /// Weighted products of columns with themselves and with what is to be explained.
 struct Products {
@@ -53,7 +58,7 @@ Eigen::VectorXd Solve(Eigen::MatrixXd information, const Eigen::VectorXd& pull, 
   return information.ldlt().solve(pull);
 }
 
-/// What is to be explained, and by what, over the rows fitted to.
+/// A regression: the rows of x and y that it is fitted to.
 struct Problem {
   Eigen::MatrixXd x;
   Eigen::VectorXd y;
@@ -78,7 +83,8 @@ Eigen::VectorXd Regress(const Problem& problem, double ridge) {
   return beta;
 }
 
-/// The ridge that predicts best what it was not fitted to; none where nothing does.
+/// The ridge that predicts best the folds it was not fitted to; none where zero predicts them as
+/// well.
 std::optional<double> BestRidge(const Problem& problem) {
   const Eigen::VectorXd weight =
       HuberWeights(problem.y - problem.x * Regress(problem, kRidges.front()));
@@ -109,7 +115,7 @@ Eigen::MatrixXd WithConstant(const Eigen::MatrixXd& columns, Eigen::Index rows) 
   return out;
 }
 
-/// Every manoeuvre's number among those of its part; `kFolds` of them make the folds.
+/// The fold of each sample of TRAIN: its manoeuvres are dealt to the folds in turn.
 std::vector<std::size_t> FoldOfSamples(const std::vector<Manoeuvre>& manoeuvres,
                                        std::size_t samples) {
   std::vector<std::size_t> fold(samples, 0);
@@ -124,19 +130,19 @@ std::vector<std::size_t> FoldOfSamples(const std::vector<Manoeuvre>& manoeuvres,
   return fold;
 }
 
-/// A channel's free member with a constant, and what its noise model makes of both.
-class WhiteColumns {
+/// A channel's flexible regressor with a constant column, as it is and whitened by the noise model.
+class WhitenedColumns {
  public:
-  WhiteColumns(const Channel& channel, const WhiteningFilter& filter)
-      : columns_(
-            WithConstant(channel.free_member, static_cast<Eigen::Index>(channel.measured.size()))),
+  WhitenedColumns(const Channel& channel, const WhiteningFilter& filter)
+      : columns_(WithConstant(channel.flexible_regressor,
+                              static_cast<Eigen::Index>(channel.measured.size()))),
         white_(columns_.rows(), columns_.cols()),
         filter_(filter) {
     for (Eigen::Index c = 0; c < columns_.cols(); ++c)
       white_.col(c) = filter.Apply(columns_.col(c));
   }
 
-  /// None where there are too few rows.
+  /// The regression over the samples of `fit_on`; none where there are too few of them.
   std::optional<Problem> Over(const Mask& fit_on, const std::vector<std::size_t>& fold,
                               const Series& residual) const {
     std::vector<Eigen::Index> rows;
@@ -181,33 +187,33 @@ NoiseModel NoiseOf(const Channel& channel, const std::vector<double>& predicted,
     if (residual.valid[k]) residual.value[k] -= predicted[k];
   }
   const WhiteningFilter as_it_is({}, residual.valid);
-  const WhiteColumns columns(channel, as_it_is);
-  double taken = 0;
+  const WhitenedColumns columns(channel, as_it_is);
+  double freedom_share = 0;  // degrees of freedom that the columns take, of all rows
   if (const auto problem =
           columns.Over(fit_on, std::vector<std::size_t>(residual.size(), 0), residual)) {
     residual = columns.Less(Regress(*problem, kNoiseRidge), std::move(residual));
-    taken = static_cast<double>(columns.count()) / static_cast<double>(problem->y.size());
+    freedom_share = static_cast<double>(columns.count()) / static_cast<double>(problem->y.size());
   }
   NoiseModel noise =
       FitNoise(Restricted(residual, fit_on),
                {.highest_order = kHighestOrder, .least_dof = kLeastDof, .estimate_mean = false});
-  noise.scale /= std::sqrt(1 - taken);
-  noise.scale =
-      std::max({noise.scale, kFloor * Rms(Restricted(channel.measured, fit_on)), kLeastScale});
+  noise.scale /= std::sqrt(1 - freedom_share);
+  noise.scale = std::max(
+      {noise.scale, kLeastScaleOfRms * Rms(Restricted(channel.measured, fit_on)), kLeastScale});
   return noise;
 }
 
 }  // namespace
 
-Misfit LessFreeMember(const ReplayBlock& block, const Likelihood& likelihood, const Misfit& misfit,
-                      const std::vector<Manoeuvre>& manoeuvres) {
+Misfit ResidualBeyondFlexible(const ReplayBlock& block, const Likelihood& likelihood,
+                              const Misfit& misfit, const std::vector<Manoeuvre>& manoeuvres) {
   Misfit out = misfit;
   const Mask train = MaskOf(manoeuvres, Part::kTrain, block.samples());
   const std::vector<std::size_t> fold = FoldOfSamples(manoeuvres, block.samples());
   for (std::size_t c = 0; c < block.channels.size(); ++c) {
     const NoiseModel& noise = likelihood.noise()[c];
     const WhiteningFilter filter(noise, misfit.residual[c].valid);
-    const WhiteColumns columns(block.channels[c], filter);
+    const WhitenedColumns columns(block.channels[c], filter);
     const auto problem = columns.Over(train, fold, misfit.residual[c]);
     const auto ridge = problem ? BestRidge(*problem) : std::nullopt;
     if (!ridge) continue;
@@ -220,17 +226,17 @@ Misfit LessFreeMember(const ReplayBlock& block, const Likelihood& likelihood, co
   return out;
 }
 
-Misfit LessUnseenFreeMember(const ReplayBlock& block, const Likelihood& likelihood,
-                            const Misfit& misfit, const std::vector<Manoeuvre>& manoeuvres) {
+Misfit CrossFittedResidual(const ReplayBlock& block, const Likelihood& likelihood,
+                           const Misfit& misfit, const std::vector<Manoeuvre>& manoeuvres) {
   Misfit out = misfit;
   for (std::size_t f = 0; f < kFolds; ++f) {
     std::vector<Manoeuvre> parted = manoeuvres;
     for (std::size_t m = 0; m < parted.size(); ++m) {
       parted[m].part = m % kFolds == f ? Part::kFinal : Part::kTrain;
     }
-    const Misfit less = LessFreeMember(block, likelihood, misfit, parted);
+    const Misfit beyond = ResidualBeyondFlexible(block, likelihood, misfit, parted);
     for (const Manoeuvre& manoeuvre : parted) {
-      if (manoeuvre.part == Part::kFinal) TakeOver(less, manoeuvre.samples, &out);
+      if (manoeuvre.part == Part::kFinal) TakeOver(beyond, manoeuvre.samples, &out);
     }
   }
   return out;
