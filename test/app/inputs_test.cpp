@@ -124,10 +124,10 @@ class Inputs : public testing::Test {
     return AllFiles(path() / "whole");
   }
 
-  /// What a run leaves that is killed as soon as it has begun.
-  void Kill(const Arguments& arguments, const fs::path& begun) const {
+  /// What a run leaves that is killed as soon as it has prefix_result.
+  void Kill(const Arguments& arguments, const fs::path& prefix_result) const {
     TeraProcess run(arguments, {path()});
-    while (!fs::exists(path() / begun) && run.Running()) {
+    while (!fs::exists(path() / prefix_result) && run.Running()) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     EXPECT_TRUE(run.Running()) << "ended before it could be killed";

@@ -301,9 +301,9 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   block.suspects = SuspectsOfAxis(model, log, axis, replay.pump());
   block.replay = [replay, grid](const Structure& terms, std::size_t samples) {
     const AxisEffects effects = WithTerms(replay.effects(), terms);
-    const SampleGrid beginning = grid.First(samples);
+    const SampleGrid prefix = grid.First(samples);
     return std::vector<std::vector<double>>{
-        beginning.Spread(replay.Predict(effects, {}, beginning.place.size()))};
+        prefix.Spread(replay.Predict(effects, {}, prefix.place.size()))};
   };
   return block;
 }

@@ -289,7 +289,7 @@ TEST(AxisBlock, BeginsAReaderThatLooksOnceAPeriodAtEveryStepThatItMayLookAt) {
   EXPECT_LT(least, 1.2 * rms({0.34, 0}));
 }
 
-// A search looks at a beginning alone; terms with a memory must not notice.
+// A search looks at a prefix alone; terms with a memory must not notice.
 TEST(AxisBlock, ABeginningIsThatOfTheWhole) {
   Drive drive = Swaying("");
   const ReplayBlock block = BlockOfBoom(drive, Tattered(Record(&drive, 22)));
@@ -301,11 +301,11 @@ TEST(AxisBlock, ABeginningIsThatOfTheWhole) {
     const std::vector<double> whole = block.predict(terms)[0];
     for (const std::size_t samples :
          {std::size_t{1}, std::size_t{700}, std::size_t{915}, std::size_t{1500}, block.samples()}) {
-      const std::vector<double> beginning = block.replay(terms, samples)[0];
-      ASSERT_EQ(beginning.size(), samples);
+      const std::vector<double> prefix = block.replay(terms, samples)[0];
+      ASSERT_EQ(prefix.size(), samples);
       for (std::size_t k = 0; k < samples; ++k) {
         if (!block.channels[0].measured.valid[k]) continue;
-        ASSERT_EQ(beginning[k], whole[k]) << id << " " << samples << " " << k;
+        ASSERT_EQ(prefix[k], whole[k]) << id << " " << samples << " " << k;
       }
     }
   }

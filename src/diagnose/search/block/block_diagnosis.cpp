@@ -6,7 +6,7 @@
 #include "core/in_parallel.h"
 #include "diagnose/search/fit/flexible_regressor.h"
 #include "diagnose/search/fit/steady_gain.h"
-#include "diagnose/search/structure/beginning.h"
+#include "diagnose/search/structure/prefix.h"
 
 namespace tera {
 namespace {
@@ -307,12 +307,12 @@ Searched SearchInTurn(const ReplayBlock& block, const SearchOptions& options, co
   }
 }
 
-/// From what the block's beginning told, under the noise that there is beside it.
+/// From what the block's prefix told, under the noise that there is beside it.
 Searched SearchOn(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
-                  const std::vector<Manoeuvre>& manoeuvres, const SearchResult& begun) {
-  std::vector<NoiseModel> noise = NoiseOfBlock(block, manoeuvres, begun.found.terms);
+                  const std::vector<Manoeuvre>& manoeuvres, const SearchResult& prefix_result) {
+  std::vector<NoiseModel> noise = NoiseOfBlock(block, manoeuvres, prefix_result.found.terms);
   const Procedure procedure(block, options, stream, manoeuvres, noise);
-  StructureSearch search = procedure.SearchAfter({&begun, true});
+  StructureSearch search = procedure.SearchAfter({&prefix_result, true});
   SearchResult found = search.Find();
   search.DiscriminateRivals(&found);
   return {std::move(noise), std::move(found)};
@@ -320,14 +320,15 @@ Searched SearchOn(const ReplayBlock& block, const SearchOptions& options, const 
 
 Searched SearchFor(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
                    const std::vector<Manoeuvre>& manoeuvres) {
-  const std::size_t enough = EnoughSamples(manoeuvres, block.period_s());
+  const std::size_t enough = PrefixLength(manoeuvres, block.period_s());
   const std::vector<Manoeuvre> first = Within(manoeuvres, enough);
   if (enough == block.samples() || !IsTestable(first)) {
     return SearchInTurn(block, options, stream, manoeuvres);
   }
-  const ReplayBlock beginning = BeginningOf(block, enough);
-  SearchResult begun = SearchInTurn(beginning, options, stream, first).search;
-  return SearchOn(block, options, stream, manoeuvres, OnWhole(std::move(begun), beginning, block));
+  const ReplayBlock prefix = PrefixOf(block, enough);
+  SearchResult prefix_result = SearchInTurn(prefix, options, stream, first).search;
+  return SearchOn(block, options, stream, manoeuvres,
+                  CarryToWhole(std::move(prefix_result), prefix, block));
 }
 
 }  // namespace

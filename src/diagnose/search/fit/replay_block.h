@@ -125,7 +125,7 @@ struct ReplayBlock {
   std::vector<Series> commands;  ///< on the grid: what tells manoeuvres apart
   /// What each channel would have been, over the first `samples` of the grid, were these terms at
   /// work, each in place of what the model has of that mechanism, beside all else that it has.
-  /// Thread-safe, the same for the same terms in any order. Fewer samples are a beginning of more,
+  /// Thread-safe, the same for the same terms in any order. Fewer samples are a prefix of more,
   /// but that in a gap at their end there is nothing to go towards.
   Replay replay;
 

@@ -11,14 +11,14 @@ namespace tera {
 Pruning::Pruning(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
                  const std::vector<Manoeuvre>& manoeuvres, const Likelihood& likelihood,
                  const StructureFitter& fitter, const ScoredFits& fits,
-                 const SearchOptions& options, bool of_beginning)
+                 const SearchOptions& options, bool of_prefix)
     : block_(block),
       manoeuvres_(manoeuvres),
       likelihood_(likelihood),
       fitter_(fitter),
       fits_(fits),
       options_(options),
-      of_beginning_(of_beginning),
+      of_prefix_(of_prefix),
       select_(SegmentsOf(manoeuvres, Part::kSelect)),
       seen_(PiecesOf(SeenSegmentsOf(manoeuvres), block.period_s())),
       crossed_(block, noise, manoeuvres),
@@ -82,7 +82,7 @@ Needed Pruning::Prune(Scored kept, Misfit crossed_kept) const {
   std::vector<Structure> smaller;
   for (std::size_t t = 0; t < kept.terms.size(); ++t) smaller.push_back(Without(kept.terms, t));
   std::vector<Scored> without = fits_.All(smaller, [&](const Structure& terms) {
-    return of_beginning_ ? fitter_.FitNear(terms) : fitter_.FitValues(terms);
+    return of_prefix_ ? fitter_.FitNear(terms) : fitter_.FitValues(terms);
   });
   std::vector<Structure> judged;
   for (const Scored& scored : without) judged.push_back(scored.terms);

@@ -28,12 +28,12 @@ struct Needed {
 ///         which neither is needed. FINAL asks for each of the two by itself.
 class Pruning {
  public:
-  /// `likelihood`, `fitter` and `fits` are of TRAIN. All must outlive it. `of_beginning`: a fit
-  /// goes a few steps, as one of the beginning is not repeated.
+  /// `likelihood`, `fitter` and `fits` are of TRAIN. All must outlive it. `of_prefix`: a fit
+  /// goes a few steps, as one of the prefix is not repeated.
   Pruning(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
           const std::vector<Manoeuvre>& manoeuvres, const Likelihood& likelihood,
           const StructureFitter& fitter, const ScoredFits& fits, const SearchOptions& options,
-          bool of_beginning);
+          bool of_prefix);
   Pruning(const Pruning&) = delete;
   Pruning& operator=(const Pruning&) = delete;
 
@@ -61,7 +61,7 @@ class Pruning {
   const StructureFitter& fitter_;
   const ScoredFits& fits_;
   const SearchOptions& options_;
-  const bool of_beginning_;
+  const bool of_prefix_;
   const std::vector<Segment> select_, seen_;
   const CrossFit crossed_;
   const Scored nothing_;

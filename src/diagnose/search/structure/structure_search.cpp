@@ -49,7 +49,7 @@ class Search {
         fitter_(block, likelihood_, {}, options.threads),
         fits_(fitter_, likelihood_, SegmentsOf(manoeuvres, Part::kSelect), options.threads),
         pruning_(block, noise, manoeuvres, likelihood_, fitter_, fits_, options_,
-                 earlier.of_beginning),
+                 earlier.of_prefix),
         nothing_(pruning_.nothing()) {}
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
@@ -172,7 +172,7 @@ Scored Search::FindAfresh() {
   return Disentangle(BestOf(grown));
 }
 
-/// What was found in the beginning and what more the whole tells of.
+/// What was found in the prefix and what more the whole tells of.
 Scored Search::FindMore() {
   const Structure& found = earlier_.result->found.terms;
   if (!found.empty()) return Grow(fits_.Score(fitter_.FitFrom(found)));
@@ -207,7 +207,7 @@ Scored Search::Grow(Scored best) {
       return scored.criterion <= best.criterion || ChangesEnough(scored.terms, best.terms);
     });
     if (next == fitted.end() || next->criterion <= best.criterion) break;
-    best = earlier_.of_beginning ? std::move(*next) : Swap(std::move(*next));
+    best = earlier_.of_prefix ? std::move(*next) : Swap(std::move(*next));
   }
   return best;
 }
@@ -287,9 +287,9 @@ FittedStructure Search::FitToSeen() {
   return on_seen_.AsGiven({});
 }
 
-/// What was told of a term in the beginning, if it was found there.
+/// What was told of a term in the prefix, if it was found there.
 const TermEvidence* Search::EarlierEvidenceOf(const Suspect& suspect) const {
-  if (!earlier_.of_beginning) return nullptr;
+  if (!earlier_.of_prefix) return nullptr;
   const Structure& found = earlier_.result->found.terms;
   for (std::size_t t = 0; t < found.size(); ++t) {
     if (found[t].suspect == &suspect) return &earlier_.result->evidence[t];
@@ -297,7 +297,7 @@ const TermEvidence* Search::EarlierEvidenceOf(const Suspect& suspect) const {
   return nullptr;
 }
 
-/// The likeliest exchanges of one term for a screened suspect, or for those that the beginning did
+/// The likeliest exchanges of one term for a screened suspect, or for those that the prefix did
 /// not tell it from.
 std::vector<Structure> Search::NearestRivals(const Scored& found, std::size_t term) {
   std::vector<std::size_t> others = screened_;
@@ -351,7 +351,7 @@ SearchResult Search::Find() {
     FitSingles();
   }
   Screen();
-  needed_ = pruning_.Prune(earlier_.of_beginning ? FindMore() : FindAfresh());
+  needed_ = pruning_.Prune(earlier_.of_prefix ? FindMore() : FindAfresh());
   result.found = FitToSeen();
   result.evidence = needed_.evidence;
   result.found_gain = needed_.structure.held_out_sum() - nothing_.held_out_sum();

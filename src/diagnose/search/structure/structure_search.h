@@ -24,7 +24,7 @@ struct SearchOptions {
   int threads = 2;
 };
 
-/// What stands in a term's place no worse, or was tried there in vain; in the beginning of a block,
+/// What stands in a term's place no worse, or was tried there in vain; in the prefix of a block,
 /// by what that says.
 struct Rival {
   const Suspect* suspect = nullptr;
@@ -39,8 +39,10 @@ struct TermEvidence {
   double steady_p = 1;  ///< the same by SteadyGainP alone
   /// Of it and another one, where both are needed beside each other only (pruning.h).
   std::optional<double> together_p;
-  double share = 0;  ///< of the gain in likelihood on SELECT that the flexible regressor has over nothing
-  double of_rest = 0;  ///< of the gain that the flexible regressor has over the structure without the term
+  double share =
+      0;  ///< of the gain in likelihood on SELECT that the flexible regressor has over nothing
+  double of_rest =
+      0;  ///< of the gain that the flexible regressor has over the structure without the term
   double effect = 0;  ///< RMS of what it changes over the RMS of the channel, largest over channels
   /// Suspects in whose place the structure is not significantly worse, itself first.
   std::vector<const Suspect*> rivals;
@@ -59,16 +61,17 @@ struct SearchResult {
   FittedStructure nothing, found;      ///< fitted to TRAIN and SELECT
   std::vector<TermEvidence> evidence;  ///< one for each term found
   std::vector<SingleEvidence> singles;
-  double flexible_gain = 0;  ///< held-out gain in log-likelihood of the flexible regressor over nothing
+  double flexible_gain =
+      0;  ///< held-out gain in log-likelihood of the flexible regressor over nothing
   std::optional<double> found_gain;  ///< of all that was found; none where some was taken out
 };
 
 /// A search of the same block that came before.
 struct EarlierSearch {
   const SearchResult* result = nullptr;  ///< none: there was none
-  /// Of the block's beginning: what was exchanged and told apart there is not again, and what was
+  /// Of the block's prefix: what was exchanged and told apart there is not again, and what was
   /// found is only added to. Else of all of it, under other noise.
-  bool of_beginning = false;
+  bool of_prefix = false;
 };
 
 /// The search for the suspects that explain a block, together.
@@ -83,8 +86,8 @@ struct EarlierSearch {
 ///         each left out of the fits that it judges (cross_fit.h, steady_gain.h; Bonferroni over
 ///         all that the diagnosis tests), on SELECT at least `least_share` of what the whole
 ///         structure, or a flexible regressor if that is more, gains over nothing and at least
-///         `least_of_rest` of what a flexible regressor gains over the structure without it, and its
-///         effect, beyond nuisances, at least `least_effect` of the channel. It goes, too, with
+///         `least_of_rest` of what a flexible regressor gains over the structure without it, and
+///         its effect, beyond nuisances, at least `least_effect` of the channel. It goes, too, with
 ///         numbers by which it is another mechanism in disguise (Suspect::is_itself). What refines
 ///         a number is put to its default in the answer where that, one number after the other,
 ///         changes less than `least_effect`. DiscriminateRivals: each term is swapped for each

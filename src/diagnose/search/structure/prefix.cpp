@@ -1,4 +1,4 @@
-#include "diagnose/search/structure/beginning.h"
+#include "diagnose/search/structure/prefix.h"
 
 #include <algorithm>
 
@@ -32,7 +32,7 @@ Channel First(const Channel& channel, std::size_t samples) {
 
 }  // namespace
 
-std::size_t EnoughSamples(const std::vector<Manoeuvre>& manoeuvres, double period_s) {
+std::size_t PrefixLength(const std::vector<Manoeuvre>& manoeuvres, double period_s) {
   TERA_CHECK(!manoeuvres.empty());
   const std::size_t all = manoeuvres.back().samples.end;
   double moved_s = 0;
@@ -45,21 +45,20 @@ std::size_t EnoughSamples(const std::vector<Manoeuvre>& manoeuvres, double perio
   return all;
 }
 
-ReplayBlock BeginningOf(const ReplayBlock& block, std::size_t samples) {
-  ReplayBlock beginning;
-  beginning.name = block.name;
-  beginning.first_ns = block.first_ns;
-  beginning.slides = block.slides;
-  beginning.suspects = block.suspects;
+ReplayBlock PrefixOf(const ReplayBlock& block, std::size_t samples) {
+  ReplayBlock prefix;
+  prefix.name = block.name;
+  prefix.first_ns = block.first_ns;
+  prefix.slides = block.slides;
+  prefix.suspects = block.suspects;
   for (const Channel& channel : block.channels) {
-    beginning.channels.push_back(First(channel, samples));
+    prefix.channels.push_back(First(channel, samples));
   }
-  for (const Series& command : block.commands)
-    beginning.commands.push_back(First(command, samples));
-  beginning.replay = [&block](const Structure& terms, std::size_t wanted) {
+  for (const Series& command : block.commands) prefix.commands.push_back(First(command, samples));
+  prefix.replay = [&block](const Structure& terms, std::size_t wanted) {
     return block.replay(terms, wanted);
   };
-  return beginning;
+  return prefix;
 }
 
 std::vector<Manoeuvre> Within(std::vector<Manoeuvre> manoeuvres, std::size_t samples) {
@@ -68,9 +67,10 @@ std::vector<Manoeuvre> Within(std::vector<Manoeuvre> manoeuvres, std::size_t sam
   return manoeuvres;
 }
 
-SearchResult OnWhole(SearchResult search, const ReplayBlock& beginning, const ReplayBlock& whole) {
+SearchResult CarryToWhole(SearchResult search, const ReplayBlock& prefix,
+                          const ReplayBlock& whole) {
   const auto move = [&](const Suspect** suspect) {
-    *suspect = &whole.suspects[static_cast<std::size_t>(*suspect - beginning.suspects.data())];
+    *suspect = &whole.suspects[static_cast<std::size_t>(*suspect - prefix.suspects.data())];
   };
   for (Term& term : search.found.terms) {
     move(&term.suspect);

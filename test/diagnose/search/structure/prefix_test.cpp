@@ -1,4 +1,4 @@
-#include "diagnose/search/structure/beginning.h"
+#include "diagnose/search/structure/prefix.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,32 +25,32 @@ std::vector<Manoeuvre> MovingHalfTheTime(std::size_t count, std::size_t length) 
   return manoeuvres;
 }
 
-TEST(Beginning, EndsWithTheManoeuvreThatCompletesAMinuteOfMotion) {
+TEST(Prefix, EndsWithTheManoeuvreThatCompletesAMinuteOfMotion) {
   // 5 s each: the 12th that moves is the 24th of all.
-  EXPECT_EQ(EnoughSamples(MovingHalfTheTime(100, 500), 0.01), 24 * 500u);
+  EXPECT_EQ(PrefixLength(MovingHalfTheTime(100, 500), 0.01), 24 * 500u);
 }
 
-TEST(Beginning, IsAllWhereItWouldSpareLittleOrTooLittleMoves) {
-  EXPECT_EQ(EnoughSamples(MovingHalfTheTime(34, 500), 0.01), 34 * 500u);
-  EXPECT_EQ(EnoughSamples(MovingHalfTheTime(100, 50), 0.01), 100 * 50u);
+TEST(Prefix, IsAllWhereItWouldSpareLittleOrTooLittleMoves) {
+  EXPECT_EQ(PrefixLength(MovingHalfTheTime(34, 500), 0.01), 34 * 500u);
+  EXPECT_EQ(PrefixLength(MovingHalfTheTime(100, 50), 0.01), 100 * 50u);
 }
 
-TEST(Beginning, IsTheSameBlockForAShorterTime) {
+TEST(Prefix, IsTheSameBlockForAShorterTime) {
   const std::vector<double> lever = ToyLever(3000, 5);
   const ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, kNoise, 5), {0, 3});
-  const ReplayBlock beginning = BeginningOf(block, 1000);
-  EXPECT_EQ(beginning.samples(), 1000u);
-  EXPECT_EQ(beginning.commands[0].size(), 1000u);
-  EXPECT_EQ(beginning.channels[0].variables[1].series.size(), 1000u);
-  EXPECT_EQ(beginning.channels[0].flexible_regressor.rows(), 1000);
+  const ReplayBlock prefix = PrefixOf(block, 1000);
+  EXPECT_EQ(prefix.samples(), 1000u);
+  EXPECT_EQ(prefix.commands[0].size(), 1000u);
+  EXPECT_EQ(prefix.channels[0].variables[1].series.size(), 1000u);
+  EXPECT_EQ(prefix.channels[0].flexible_regressor.rows(), 1000);
   const Structure terms = {{&block.suspects[1], {0.3}}};
   std::vector<double> whole = block.predict(terms)[0];
   whole.resize(1000);
-  EXPECT_THAT(beginning.predict(terms), ElementsAre(whole));
+  EXPECT_THAT(prefix.predict(terms), ElementsAre(whole));
 }
 
 // The square acts throughout, the step after two minutes of four.
-TEST(Beginning, DoesNotHideWhatActsLater) {
+TEST(Prefix, DoesNotHideWhatActsLater) {
   const std::vector<double> lever = ToyLever(kFourMinutes, 21);
   std::vector<double> clean = ToyResponse(lever, 0.2, 0, 0);
   const std::vector<double> later = ToyResponse(lever, 0.2, 0.15, 0);
@@ -67,7 +67,7 @@ TEST(Beginning, DoesNotHideWhatActsLater) {
     std::copy_n(early.begin(), kFourMinutes / 2, predicted[0].begin());
     return predicted;
   });
-  ASSERT_LT(EnoughSamples(ManoeuvresOf(block, Stream(21, "diagnose")), 0.01), kFourMinutes / 2);
+  ASSERT_LT(PrefixLength(ManoeuvresOf(block, Stream(21, "diagnose")), 0.01), kFourMinutes / 2);
   const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(21, "diagnose"));
   EXPECT_THAT(NamesOf(diagnosis.findings), UnorderedElementsAre("square", "step"));
   for (const Finding& finding : diagnosis.findings) {
@@ -76,9 +76,9 @@ TEST(Beginning, DoesNotHideWhatActsLater) {
   }
 }
 
-// Of a number that the beginning does not hold, the whole is asked again: `late` acts only through
+// Of a number that the prefix does not hold, the whole is asked again: `late` acts only through
 // the last two minutes.
-TEST(Beginning, NumbersThatItDoesNotDetermineAreFreeAgain) {
+TEST(Prefix, NumbersThatItDoesNotDetermineAreFreeAgain) {
   static const Mechanism kBoth{
       "both", Slot::kLeverMap, {}, {{"size", "1", -2, 2, 0.0}, {"late", "1", -2, 2, 0.0}}};
   const std::vector<double> lever = ToyLever(kFourMinutes, 23);
@@ -100,9 +100,9 @@ TEST(Beginning, NumbersThatItDoesNotDetermineAreFreeAgain) {
   EXPECT_NEAR(diagnosis.findings[0].parameters[1].value, 0.1, 0.01);
 }
 
-// What the beginning tells apart, and what the whole is asked for the rest of it, are a suspect's
+// What the prefix tells apart, and what the whole is asked for the rest of it, are a suspect's
 // own: all pointers are into the block's list.
-TEST(Beginning, NamesTheBlocksOwnSuspects) {
+TEST(Prefix, NamesTheBlocksOwnSuspects) {
   const std::vector<double> lever = ToyLever(kFourMinutes, 22);
   const ReplayBlock block =
       ToyBlock(lever, ToyMeasured(ToyResponse(lever, 0.2, 0, 0), kNoise, 22), {0, 1, 2, 3});
