@@ -37,10 +37,10 @@ inline DiagnosedBlock Block(const std::string& name, const std::string& channel,
   search.found.misfit.residual = {MakeSeries(0.5, std::vector<double>(200, 0.0))};
   search.flexible_gain = 1000;
   made.diagnosis.confirmed = {{0, 0.05, 0.01, 0.9, 1e-5}};
-  made.diagnosis.remainders = {{.channel = 0,
-                                .rmse = 0.6 * kDeg,
-                                .noise = {.at_rest = 0.5 * kDeg, .differences = 0.2 * kDeg},
-                                .flexible_regressor_predicts = true}};
+  made.diagnosis.residual_verdicts = {{.channel = 0,
+                                       .rmse = 0.6 * kDeg,
+                                       .noise = {.at_rest = 0.5 * kDeg, .differences = 0.2 * kDeg},
+                                       .flexible_regressor_predicts = true}};
   return made;
 }
 

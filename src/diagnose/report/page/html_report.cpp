@@ -180,13 +180,13 @@ std::string AgreeingSection(const Diagnosis& diagnosis) {
   bool any = false;
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     if (HasAnything(diagnosed)) continue;
-    for (const Remainder& remainder : diagnosed.diagnosis.remainders) {
-      if (IsUnconfirmed(diagnosed, remainder.channel)) continue;
-      const Channel& channel = diagnosed.block.channels[remainder.channel];
+    for (const ResidualVerdict& verdict : diagnosed.diagnosis.residual_verdicts) {
+      if (IsUnconfirmed(diagnosed, verdict.channel)) continue;
+      const Channel& channel = diagnosed.block.channels[verdict.channel];
       const ReadableUnit unit = ReadableUnitOf(channel.unit);
       table.Row({Escaped(Capitalised(QuantityOf(channel.name))) + " " + Code(channel.name),
-                 Significant(remainder.rmse * unit.factor, 3),
-                 Significant(remainder.noise.rms() * unit.factor, 3), unit.name});
+                 Significant(verdict.rmse * unit.factor, 3),
+                 Significant(verdict.noise.rms() * unit.factor, 3), unit.name});
       any = true;
     }
   }

@@ -131,20 +131,19 @@ std::string LeftText(double rmse, double noise, const std::string& si_unit) {
 }
 
 /// What is left of a channel of which nothing is unexplained.
-std::string RemainderText(const DiagnosedBlock& diagnosed, std::size_t channel) {
+std::string ResidualText(const DiagnosedBlock& diagnosed, std::size_t channel) {
   if (IsLeft(diagnosed, channel)) return "";
-  for (const Remainder& remainder : diagnosed.diagnosis.remainders) {
-    if (remainder.channel != channel) continue;
-    std::string text = " Left: " + LeftText(remainder.rmse, remainder.noise.rms(),
+  for (const ResidualVerdict& verdict : diagnosed.diagnosis.residual_verdicts) {
+    if (verdict.channel != channel) continue;
+    std::string text = " Left: " + LeftText(verdict.rmse, verdict.noise.rms(),
                                             diagnosed.block.channels[channel].unit);
-    if (remainder.kind == Remainder::Kind::kUnknown) {
+    if (verdict.kind == ResidualVerdict::Kind::kUnknown) {
       text += ", of noise or error, which a recording without rest does not tell";
     }
-    if (remainder.kind == Remainder::Kind::kOfFew) {
-      text +=
-          fmt::format(", most of it in {} of {} manoeuvres", remainder.loud, remainder.manoeuvres);
+    if (verdict.kind == ResidualVerdict::Kind::kOfFew) {
+      text += fmt::format(", most of it in {} of {} manoeuvres", verdict.loud, verdict.manoeuvres);
     }
-    if (!remainder.flexible_regressor_predicts) {
+    if (!verdict.flexible_regressor_predicts) {
       text += ", and no flexible regressor that could tell whether there is more";
     }
     return text + ".";
@@ -193,7 +192,7 @@ std::string SentenceOf(const DiagnosedBlock& diagnosed, const Finding& finding) 
       IntervalsText(diagnosed, finding.location), DependenceText(diagnosed, finding.location),
       MechanismText(diagnosed, finding), EvidenceClause(finding),
       HeldOutText(finding.held_out, diagnosed.block.channels[finding.held_out.channel].unit),
-      RemainderText(diagnosed, channel));
+      ResidualText(diagnosed, channel));
 }
 
 std::string SentenceOf(const DiagnosedBlock& diagnosed, const Unexplained& unexplained) {
@@ -251,10 +250,10 @@ std::string SentenceOfNothing(const Diagnosis& diagnosis) {
       std::vector<std::string>& among = IsUnconfirmed(diagnosed, c) ? open : channels;
       among.push_back(QuantityOf(diagnosed.block.channels[c].name));
     }
-    for (const Remainder& remainder : diagnosed.diagnosis.remainders) {
-      const std::string quantity = QuantityOf(diagnosed.block.channels[remainder.channel].name);
-      if (remainder.kind == Remainder::Kind::kUnknown) unknown.push_back(quantity);
-      if (remainder.kind == Remainder::Kind::kOfFew) few.push_back(quantity);
+    for (const ResidualVerdict& verdict : diagnosed.diagnosis.residual_verdicts) {
+      const std::string quantity = QuantityOf(diagnosed.block.channels[verdict.channel].name);
+      if (verdict.kind == ResidualVerdict::Kind::kUnknown) unknown.push_back(quantity);
+      if (verdict.kind == ResidualVerdict::Kind::kOfFew) few.push_back(quantity);
     }
     suspects += diagnosed.diagnosis.detectability.size();
     for (const Detectability& one : diagnosed.diagnosis.detectability)

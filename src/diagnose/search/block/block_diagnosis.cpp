@@ -176,8 +176,8 @@ void Procedure::Confirm(BlockDiagnosis* out) const {
 }
 
 void Procedure::FindUnexplained(BlockDiagnosis* out) const {
-  out->remainders = RemaindersOf(judged_, out->search);
-  out->unexplained = UnexplainedOf(judged_, out->search, out->remainders);
+  out->residual_verdicts = ResidualVerdictsOf(judged_, out->search);
+  out->unexplained = UnexplainedOf(judged_, out->search, out->residual_verdicts);
 }
 
 const Unexplained* UnexplainedIn(const BlockDiagnosis& out, std::size_t channel) {

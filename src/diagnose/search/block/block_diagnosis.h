@@ -5,7 +5,7 @@
 #include "core/random.h"
 #include "diagnose/search/block/detectability.h"
 #include "diagnose/search/block/locate.h"
-#include "diagnose/search/block/remainder.h"
+#include "diagnose/search/block/residual_verdict.h"
 #include "diagnose/search/fit/parameter_estimate.h"
 #include "diagnose/search/structure/structure_search.h"
 
@@ -46,9 +46,9 @@ struct BlockDiagnosis {
   /// What comes nearest to what is unexplained and is no name for it.
   std::vector<Finding> stand_ins;
   std::vector<Unexplained> unexplained;
-  std::vector<Remainder> remainders;         ///< one a channel
-  std::vector<Detectability> detectability;  ///< one a suspect
-  std::vector<HeldOutError> confirmed;       ///< nothing against all findings, one a channel
+  std::vector<ResidualVerdict> residual_verdicts;  ///< one a channel
+  std::vector<Detectability> detectability;        ///< one a suspect
+  std::vector<HeldOutError> confirmed;             ///< nothing against all findings, one a channel
 };
 
 /// The block's manoeuvres, 3 s at most each, shared out among TRAIN, SELECT and FINAL.
@@ -64,13 +64,13 @@ std::vector<Manoeuvre> ManoeuvresOf(const ReplayBlock& block, const Stream& stre
 ///         was chosen with p of at most 1e-5, as steadily or so that nine tenths of FINAL's excess
 ///         are gone, and FINAL's RMSE falls; or by three clear gains (AreConfirming), if it is
 ///         worth a bet and FINAL's RMSE falls; what was chosen by a bet alone makes it fall in any
-///         case, and nothing makes it grow by more than an eighth. What remains: remainder.h. In a
-///         channel that stays unexplained a finding stands in for something else where it is not
-///         told from more than two others and removes less than three quarters of the excess, where
-///         it removes less than a third and is its block's only channel, or where it explains less
-///         than the flexible regressor still does, and with that in its place FINAL's RMSE is less than
-///         half of what it is with the finding. It is taken out again, if error is then still
-///         unexplained.
+///         case, and nothing makes it grow by more than an eighth. What remains:
+///         residual_verdict.h. In a channel that stays unexplained a finding stands in for
+///         something else where it is not told from more than two others and removes less than
+///         three quarters of the excess, where it removes less than a third and is its block's only
+///         channel, or where it explains less than the flexible regressor still does, and with that
+///         in its place FINAL's RMSE is less than half of what it is with the finding. It is taken
+///         out again, if error is then still unexplained.
 /// Omits   that a lesser mechanism may be there beside something unknown and larger, and is then
 ///         taken out; that in a block of several channels a finding explains in all of them, and
 ///         the flexible regressor is asked in one.

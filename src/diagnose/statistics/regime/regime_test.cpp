@@ -29,15 +29,17 @@ Eigen::VectorXd ShrinkingWeights(const Eigen::VectorXd& roughness) {
   return weights(std::exp(low));
 }
 
-/// What Q Q' or Q mu^-1/2 Q' does to scores.
-struct Remainder {
-  Eigen::MatrixXd project, normalise;
-  double directions = 0;
+/// The directions that are judged: eigenvectors Q of the information that the design leaves of a
+/// probe's directions, with eigenvalues mu.
+struct JudgedDirections {
+  Eigen::MatrixXd project;    ///< Q Q'
+  Eigen::MatrixXd normalise;  ///< Q mu^-1/2 Q', which gives scores unit variance
+  double count = 0;
 };
 
-Remainder RemainderOf(const Eigen::MatrixXd& information) {
+JudgedDirections JudgedDirectionsOf(const Eigen::MatrixXd& information) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(information);
-  Remainder out;
+  JudgedDirections out;
   out.project = out.normalise = Eigen::MatrixXd::Zero(information.rows(), information.rows());
   for (Eigen::Index k = 0; k < information.rows(); ++k) {
     const double left = solver.eigenvalues()[k];
@@ -45,7 +47,7 @@ Remainder RemainderOf(const Eigen::MatrixXd& information) {
     const Eigen::VectorXd q = solver.eigenvectors().col(k);
     out.project += q * q.transpose();
     out.normalise += q * q.transpose() / std::sqrt(left);
-    ++out.directions;
+    ++out.count;
   }
   return out;
 }
@@ -95,20 +97,20 @@ RegimeTestResult TestRegime(const RegimeDesign& design, const RegimeProbe& probe
   if (probe.directions().cols() == 0) return out;
   const RegimeAxis& axis = probe.axis();
   const Eigen::MatrixXd& directions = probe.directions();
-  const Remainder remainder =
-      RemainderOf(directions.transpose() * design.Remaining(axis, probe.gram()) * directions);
-  if (remainder.directions == 0) return out;
+  const JudgedDirections judged = JudgedDirectionsOf(
+      directions.transpose() * design.Remaining(axis, probe.gram()) * directions);
+  if (judged.count == 0) return out;
 
   const double unit = 1 / std::sqrt(design.psi_variance());
   const auto energy = [&](const Eigen::VectorXd& score) {
     return probe.weights().dot(score.cwiseAbs2());
   };
   const Eigen::VectorXd observed =
-      unit * remainder.normalise * (directions.transpose() * SumByBin(axis, design.score()));
+      unit * judged.normalise * (directions.transpose() * SumByBin(axis, design.score()));
   const auto rows = static_cast<double>(design.filter().row_count());
-  const double by_chance = remainder.directions * options.repeats;
+  const double by_chance = judged.count * options.repeats;
   out.share = std::max(0.0, (observed.squaredNorm() - by_chance) / rows);
-  const double price = std::max(by_chance, remainder.directions * std::log(rows));
+  const double price = std::max(by_chance, judged.count * std::log(rows));
   out.criterion = (observed.squaredNorm() - price) / rows;
   out.whole_criterion = out.criterion;
 
@@ -118,7 +120,7 @@ RegimeTestResult TestRegime(const RegimeDesign& design, const RegimeProbe& probe
   std::vector<double> shifted(shifts.count());
   for (std::size_t k = 0; k < shifts.count(); ++k) {
     const Eigen::VectorXd sum = ShiftedSumByBin(axis, score, shifts, k);
-    shifted[k] = energy(unit * remainder.project * (directions.transpose() * sum));
+    shifted[k] = energy(unit * judged.project * (directions.transpose() * sum));
   }
   out.comparison = CompareWithShifts(energy(observed), std::move(shifted));
   return out;

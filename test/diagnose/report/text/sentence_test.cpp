@@ -64,8 +64,8 @@ TEST(Sentence, NamesNumbersWhereAMechanismHasSeveralAndWritesAnglesInDegrees) {
                                                         .high = 75 * kDeg})};
   finding.held_out = {0, 2 * kDeg, 2 * kDeg, -0.01, 0.5};
   finding.evidence.p = 1e-7;
-  arm.diagnosis.remainders[0].kind = Remainder::Kind::kUnknown;
-  arm.diagnosis.remainders[0].flexible_regressor_predicts = false;
+  arm.diagnosis.residual_verdicts[0].kind = ResidualVerdict::Kind::kUnknown;
+  arm.diagnosis.residual_verdicts[0].flexible_regressor_predicts = false;
   arm.block.first_ns = FromSeconds(45);
   EXPECT_EQ(
       SentenceOf(arm, finding),
@@ -81,12 +81,14 @@ TEST(Sentence, OfTheUnexplainedSaysOnWhatItDepends) {
   EXPECT_EQ(
       SentenceOf(boom, GrowingBeyond12kNm()),
       "Boom rate, 12.0–20.0 s; the error depends on |arm load| > 12000 N m, growing, even: no "
-      "known mechanism explains it (p 0.00041; 35 % of what a flexible regressor could explain). Left: 0.9 "
+      "known mechanism explains it (p 0.00041; 35 % of what a flexible regressor could explain). "
+      "Left: 0.9 "
       "deg/s at a noise of 0.2 deg/s.");
   Unexplained loud = GrowingBeyond12kNm();
   loud.p.reset();
-  EXPECT_THAT(SentenceOf(boom, loud),
-              HasSubstr("no known mechanism explains it (nor does a flexible regressor). Left: 0.9 deg/s"));
+  EXPECT_THAT(
+      SentenceOf(boom, loud),
+      HasSubstr("no known mechanism explains it (nor does a flexible regressor). Left: 0.9 deg/s"));
 }
 
 TEST(Sentence, OfAnErrorThatIsAShareOfTheSimulatedValueSaysSo) {
@@ -146,7 +148,7 @@ TEST(Sentence, OfWhatAFewManoeuvresOutweighSaysThatTheErrorIsNoSmaller) {
 TEST(Sentence, OfNothingNamesTheChannelsAndWhatWasNotSeen) {
   DiagnosedBlock boom = BoomWithDeadBand();
   boom.diagnosis.findings.clear();
-  boom.diagnosis.remainders[0].kind = Remainder::Kind::kOfFew;
+  boom.diagnosis.residual_verdicts[0].kind = ResidualVerdict::Kind::kOfFew;
   Diagnosis diagnosis = Of(std::move(boom));
   diagnosis.blocks.push_back(Block("excavator1/base", "excavator1/base/left_mps", "m/s"));
   EXPECT_THAT(

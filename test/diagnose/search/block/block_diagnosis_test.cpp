@@ -204,7 +204,8 @@ TEST(BlockDiagnosis, WhatOnlyComesNearestStandsInForWhatIsUnexplained) {
 }
 
 TEST(BlockDiagnosis, OfAClassOfFourThatLeavesMuchNoneIsAName) {
-  // Several that do the same, a drift that none of them does, and a ripple that no flexible regressor does.
+  // Several that do the same, a drift that none of them does, and a ripple that no flexible
+  // regressor does.
   const auto diagnose = [](std::uint64_t seed, const std::vector<std::size_t>& suspects) {
     const std::vector<double> lever = ToyLever(kSamples, seed);
     ReplayBlock block =
@@ -233,7 +234,8 @@ TEST(BlockDiagnosis, OfAClassOfFourThatLeavesMuchNoneIsAName) {
 }
 
 TEST(BlockDiagnosis, WhatTakesLittleOfWhatIsWrongIsNoName) {
-  // A square, and in the manoeuvres kept back a ripple that no suspect and no flexible regressor does.
+  // A square, and in the manoeuvres kept back a ripple that no suspect and no flexible regressor
+  // does.
   const Stream stream(35, "diagnose");
   const std::vector<double> lever = ToyLever(kSamples, 35);
   ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, kNoise, 35), {0});
@@ -286,10 +288,10 @@ TEST(BlockDiagnosis, WhatIsLoudInManyButHardlyInThoseKeptBackIsUnexplained) {
     }
   }
   const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, stream);
-  ASSERT_EQ(diagnosis.remainders.size(), 1u);
-  EXPECT_LT(2 * diagnosis.remainders[0].loud, diagnosis.remainders[0].manoeuvres);
-  EXPECT_LT(diagnosis.remainders[0].loud, 3u);
-  EXPECT_EQ(diagnosis.remainders[0].kind, Remainder::Kind::kError);
+  ASSERT_EQ(diagnosis.residual_verdicts.size(), 1u);
+  EXPECT_LT(2 * diagnosis.residual_verdicts[0].loud, diagnosis.residual_verdicts[0].manoeuvres);
+  EXPECT_LT(diagnosis.residual_verdicts[0].loud, 3u);
+  EXPECT_EQ(diagnosis.residual_verdicts[0].kind, ResidualVerdict::Kind::kError);
   EXPECT_EQ(diagnosis.unexplained.size(), 1u);
 }
 
@@ -308,8 +310,8 @@ TEST(BlockDiagnosis, WhatActsNowAndThenIsToldFromSlowNoiseByAllManoeuvres) {
   }
   const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(15, "diagnose"));
   EXPECT_THAT(diagnosis.findings, IsEmpty());
-  ASSERT_EQ(diagnosis.remainders.size(), 1u);
-  EXPECT_EQ(diagnosis.remainders[0].kind, Remainder::Kind::kUnknown);
+  ASSERT_EQ(diagnosis.residual_verdicts.size(), 1u);
+  EXPECT_EQ(diagnosis.residual_verdicts[0].kind, ResidualVerdict::Kind::kUnknown);
   ASSERT_EQ(diagnosis.unexplained.size(), 1u);
   EXPECT_LT(diagnosis.unexplained[0].p.value_or(1), 0.01);
   ASSERT_FALSE(diagnosis.unexplained[0].location.regimes.empty());
@@ -330,8 +332,8 @@ TEST(BlockDiagnosis, SlowNoiseWithoutRestIsNoErrorOfAnything) {
     for (std::size_t k = 0; k < kSamples; ++k) measured[k] += slow[k];
     const ReplayBlock block = ToyBlock(lever, ToyMeasured(measured, kNoise, seed), {0, 2, 3});
     const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(seed, "diagnose"));
-    ASSERT_EQ(diagnosis.remainders.size(), 1u);
-    EXPECT_EQ(diagnosis.remainders[0].kind, Remainder::Kind::kUnknown) << seed;
+    ASSERT_EQ(diagnosis.residual_verdicts.size(), 1u);
+    EXPECT_EQ(diagnosis.residual_verdicts[0].kind, ResidualVerdict::Kind::kUnknown) << seed;
     EXPECT_THAT(diagnosis.unexplained, IsEmpty()) << seed;
     EXPECT_THAT(diagnosis.findings, IsEmpty()) << seed;
   }
@@ -409,8 +411,9 @@ TEST(BlockDiagnosis, LeavesFinalOutOfEverythingThatChooses) {
     EXPECT_NEAR(before.search.singles[s].values[0], after.search.singles[s].values[0], 3e-3);
     EXPECT_NEAR(before.search.singles[s].held_out_gain, after.search.singles[s].held_out_gain, 0.1);
   }
-  EXPECT_NEAR(before.remainders[0].noise.differences, after.remainders[0].noise.differences, 1e-6);
-  EXPECT_GT(after.remainders[0].rmse, 2 * before.remainders[0].rmse);
+  EXPECT_NEAR(before.residual_verdicts[0].noise.differences,
+              after.residual_verdicts[0].noise.differences, 1e-6);
+  EXPECT_GT(after.residual_verdicts[0].rmse, 2 * before.residual_verdicts[0].rmse);
 }
 
 TEST(BlockDiagnosis, IsTheSameWithOneThreadAndTwo) {

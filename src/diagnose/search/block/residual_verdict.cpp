@@ -1,4 +1,4 @@
-#include "diagnose/search/block/remainder.h"
+#include "diagnose/search/block/residual_verdict.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +20,10 @@ constexpr double kForm = 0.02;     ///< of an excess: its form in the library is
 
 /// What a mean square may be and still be noise, nominal numbers, and what the forms of mechanisms
 /// that were found differ by from what they stand for.
-double QuietOf(const JudgedBlock& judged, const SearchResult& search, const Remainder& remainder,
-               double loud) {
-  const std::size_t c = remainder.channel;
-  const double noise = remainder.noise.rms() * remainder.noise.rms();
+double QuietOf(const JudgedBlock& judged, const SearchResult& search,
+               const ResidualVerdict& verdict, double loud) {
+  const std::size_t c = verdict.channel;
+  const double noise = verdict.noise.rms() * verdict.noise.rms();
   double signal = 0;  // axes of one quantity: nominal directions are known no better either
   for (const Channel& channel : judged.block.channels) {
     if (channel.unit != judged.block.channels[c].unit) continue;
@@ -35,39 +35,40 @@ double QuietOf(const JudgedBlock& judged, const SearchResult& search, const Rema
 }
 
 /// Counts the manoeuvres that are louder than noise, and says what that makes of what is left.
-void Judge(const JudgedBlock& judged, const SearchResult& search, Remainder* remainder) {
-  const Series& residual = search.found.misfit.residual[remainder->channel];
-  const double quiet = QuietOf(judged, search, *remainder, kLoud);
+void Judge(const JudgedBlock& judged, const SearchResult& search, ResidualVerdict* verdict) {
+  const Series& residual = search.found.misfit.residual[verdict->channel];
+  const double quiet = QuietOf(judged, search, *verdict, kLoud);
   std::size_t loud_in_all = 0;
   for (const Manoeuvre& manoeuvre : judged.manoeuvres) {
     if (manoeuvre.axes == 0) continue;
     const std::size_t loud = MeanSquare(residual, manoeuvre.samples) > quiet ? 1 : 0;
     loud_in_all += loud;
     if (manoeuvre.part != Part::kFinal) continue;
-    ++remainder->manoeuvres;
-    remainder->loud += loud;
+    ++verdict->manoeuvres;
+    verdict->loud += loud;
   }
-  const double square = remainder->rmse * remainder->rmse;
+  const double square = verdict->rmse * verdict->rmse;
   if (square <= quiet) return;
   const bool is_told =
-      remainder->noise.at_rest || square > QuietOf(judged, search, *remainder, kLoudWithoutRest);
-  const bool is_of_most = 2 * remainder->loud >= remainder->manoeuvres;
-  const bool is_of_several = remainder->loud > 0 && loud_in_all >= kSeveral &&
-                             remainder->rmse > kMuchLouder * remainder->noise.rms();
-  remainder->kind = !is_told                      ? Remainder::Kind::kUnknown
-                    : is_of_most || is_of_several ? Remainder::Kind::kError
-                                                  : Remainder::Kind::kOfFew;
+      verdict->noise.at_rest || square > QuietOf(judged, search, *verdict, kLoudWithoutRest);
+  const bool is_of_most = 2 * verdict->loud >= verdict->manoeuvres;
+  const bool is_of_several = verdict->loud > 0 && loud_in_all >= kSeveral &&
+                             verdict->rmse > kMuchLouder * verdict->noise.rms();
+  verdict->kind = !is_told                      ? ResidualVerdict::Kind::kUnknown
+                  : is_of_most || is_of_several ? ResidualVerdict::Kind::kError
+                                                : ResidualVerdict::Kind::kOfFew;
 }
 
-/// The probability, by chance, of the flexible regressor following a channel's residual so steadily; none
-/// where it does not. `ask_all`: by fits to other manoeuvres, which all of them are asked about
-/// where what is left is loud and not told of yet: a second question, so that each counts twice.
+/// The probability, by chance, of the flexible regressor following a channel's residual so
+/// steadily; none where it does not. `ask_all`: by fits to other manoeuvres, which all of them are
+/// asked about where what is left is loud and not told of yet: a second question, so that each
+/// counts twice.
 std::optional<double> FollowedP(const JudgedBlock& judged, const Misfit& misfit, const Misfit& free,
                                 const std::function<const Misfit&()>& ask_all,
-                                const Remainder& remainder) {
+                                const ResidualVerdict& verdict) {
   if (EffectOf(judged.block, free, misfit) < judged.options.least_effect) return std::nullopt;
   const auto p_over = [&](const Misfit& less, const std::vector<Segment>& pieces) {
-    return SteadyGainP(GainsOf(judged.likelihood, misfit, less, pieces, remainder.channel));
+    return SteadyGainP(GainsOf(judged.likelihood, misfit, less, pieces, verdict.channel));
   };
   const auto tests =
       static_cast<double>(std::max(judged.options.channels_in_all, judged.block.channels.size()));
@@ -75,8 +76,8 @@ std::optional<double> FollowedP(const JudgedBlock& judged, const Misfit& misfit,
   if (chosen_p <= judged.options.alpha && p_over(free, judged.final) <= kConfirmedP) {
     return chosen_p;
   }
-  const bool is_open =
-      remainder.kind == Remainder::Kind::kUnknown || remainder.kind == Remainder::Kind::kOfFew;
+  const bool is_open = verdict.kind == ResidualVerdict::Kind::kUnknown ||
+                       verdict.kind == ResidualVerdict::Kind::kOfFew;
   if (!is_open) return std::nullopt;
   std::vector<Segment> all = judged.seen;
   all.insert(all.end(), judged.final.begin(), judged.final.end());
@@ -86,29 +87,29 @@ std::optional<double> FollowedP(const JudgedBlock& judged, const Misfit& misfit,
 
 }  // namespace
 
-std::vector<Remainder> RemaindersOf(const JudgedBlock& judged, const SearchResult& search) {
+std::vector<ResidualVerdict> ResidualVerdictsOf(const JudgedBlock& judged,
+                                                const SearchResult& search) {
   const Misfit& nothing = search.nothing.misfit;
   const Misfit free =
       ResidualBeyondFlexible(judged.block, judged.likelihood, nothing, judged.manoeuvres);
-  std::vector<Remainder> remainders;
+  std::vector<ResidualVerdict> residual_verdicts;
   for (std::size_t c = 0; c < judged.block.channels.size(); ++c) {
     const Series& residual = search.found.misfit.residual[c];
-    Remainder remainder;
-    remainder.channel = c;
-    remainder.rmse = std::sqrt(MeanSquare(residual, judged.final_mask));
-    remainder.noise = NoiseLevelOf(judged.block, c, residual, judged.seen_mask);
+    ResidualVerdict verdict;
+    verdict.channel = c;
+    verdict.rmse = std::sqrt(MeanSquare(residual, judged.final_mask));
+    verdict.noise = NoiseLevelOf(judged.block, c, residual, judged.seen_mask);
     for (const auto& one : GainsOf(judged.likelihood, nothing, free, judged.select, c)) {
-      remainder.flexible_regressor_predicts =
-          remainder.flexible_regressor_predicts || one.possible > 0;
+      verdict.flexible_regressor_predicts = verdict.flexible_regressor_predicts || one.possible > 0;
     }
-    Judge(judged, search, &remainder);
-    remainders.push_back(remainder);
+    Judge(judged, search, &verdict);
+    residual_verdicts.push_back(verdict);
   }
-  return remainders;
+  return residual_verdicts;
 }
 
 std::vector<Unexplained> UnexplainedOf(const JudgedBlock& judged, const SearchResult& search,
-                                       const std::vector<Remainder>& remainders) {
+                                       const std::vector<ResidualVerdict>& residual_verdicts) {
   const Misfit& misfit = search.found.misfit;
   const Misfit free =
       ResidualBeyondFlexible(judged.block, judged.likelihood, misfit, judged.manoeuvres);
@@ -120,21 +121,21 @@ std::vector<Unexplained> UnexplainedOf(const JudgedBlock& judged, const SearchRe
     return *crossed;
   };
   std::vector<Unexplained> unexplained;
-  for (const Remainder& remainder : remainders) {
-    const std::size_t c = remainder.channel;
+  for (const ResidualVerdict& verdict : residual_verdicts) {
+    const std::size_t c = verdict.channel;
     double total = 0;
     for (const auto& one : GainsOf(judged.likelihood, misfit, free, judged.select, c)) {
       total += one.gain;
     }
-    Unexplained left{{}, {}, 0, remainder.rmse, remainder.noise.rms()};
+    Unexplained left{{}, {}, 0, verdict.rmse, verdict.noise.rms()};
     left.share = std::max(0.0, total / std::max({search.flexible_gain, total, 1e-9}));
     if (left.share >= kLeastUnexplained) {
-      left.p = FollowedP(judged, misfit, free, ask_all, remainder);
+      left.p = FollowedP(judged, misfit, free, ask_all, verdict);
     }
-    if (!left.p && remainder.kind != Remainder::Kind::kError) continue;
+    if (!left.p && verdict.kind != ResidualVerdict::Kind::kError) continue;
     left.location =
         Locate(judged.block.channels[c], c, misfit.residual[c], judged.likelihood.noise()[c],
-               remainder.noise, judged.stream, judged.options.threads);
+               verdict.noise, judged.stream, judged.options.threads);
     unexplained.push_back(std::move(left));
   }
   return unexplained;
