@@ -227,10 +227,10 @@ Json Chosen(const Finding& finding) {
 }
 
 /// What comes nearest to what is unexplained.
-Json StandIns(const Diagnosis& diagnosis) {
+Json Proxies(const Diagnosis& diagnosis) {
   Json list = Json::array();
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
-    for (const Finding& finding : diagnosed.diagnosis.stand_ins) list.push_back(Chosen(finding));
+    for (const Finding& finding : diagnosed.diagnosis.proxies) list.push_back(Chosen(finding));
   }
   return list;
 }
@@ -437,7 +437,7 @@ std::string DiagnosisJson(const Diagnosis& diagnosis) {
   json["held_out"] = HeldOutOfAll(diagnosis);
   json["channels"] = Channels(diagnosis);
   json["unconfirmed"] = Unconfirmed(diagnosis);
-  json["stand_ins"] = StandIns(diagnosis);
+  json["proxies"] = Proxies(diagnosis);
   json["untestable"] = Untestable(diagnosis);
   json["not_judged"] = NotJudged(diagnosis);
   json["not_compared"] = diagnosis.not_compared;

@@ -216,7 +216,7 @@ std::string SentenceOfUnconfirmed(const DiagnosedBlock& diagnosed, const Finding
                      ProbabilityText(finding.held_out.p));
 }
 
-std::string SentenceOfStandIn(const DiagnosedBlock& diagnosed, const Finding& finding) {
+std::string SentenceOfProxy(const DiagnosedBlock& diagnosed, const Finding& finding) {
   const double removed = finding.held_out.excess_removed;
   const std::string share =
       removed > 0 ? fmt::format(" ({} of the excess variance removed)", PercentText(removed)) : "";
@@ -333,8 +333,8 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
     sentences.push_back(SentenceOfNothing(diagnosis));
   }
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
-    for (const Finding& finding : diagnosed.diagnosis.stand_ins) {
-      sentences.push_back(SentenceOfStandIn(diagnosed, finding));
+    for (const Finding& finding : diagnosed.diagnosis.proxies) {
+      sentences.push_back(SentenceOfProxy(diagnosed, finding));
     }
     for (const Finding& finding : diagnosed.diagnosis.unconfirmed) {
       sentences.push_back(SentenceOfUnconfirmed(diagnosed, finding));

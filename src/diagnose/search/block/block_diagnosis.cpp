@@ -55,8 +55,8 @@ class Procedure {
                BlockDiagnosis* out) const;
   void Confirm(BlockDiagnosis* out) const;
   void FindUnexplained(BlockDiagnosis* out) const;
-  bool StandsIn(const BlockDiagnosis& out, std::size_t term) const;
-  void PartStandIns(BlockDiagnosis* out) const;
+  bool IsProxy(const BlockDiagnosis& out, std::size_t term) const;
+  void MoveProxies(BlockDiagnosis* out) const;
   HeldOutError Compare(const FittedStructure& before, const FittedStructure& after,
                        std::size_t channel) const;
   std::size_t MostImproved(const FittedStructure& before, const FittedStructure& after) const;
@@ -192,8 +192,8 @@ bool TakesLittle(const HeldOutError& error) {
   return error.excess_removed != 0 && error.excess_removed < kLittle;  // 0: none shows
 }
 
-/// Whether what its channel leaves unexplained shows that a finding stands in for something else.
-bool Procedure::StandsIn(const BlockDiagnosis& out, std::size_t term) const {
+/// Whether what its channel leaves unexplained shows that a finding is a proxy for something else.
+bool Procedure::IsProxy(const BlockDiagnosis& out, std::size_t term) const {
   const Finding& finding = out.findings[term];
   const std::size_t channel = finding.held_out.channel;
   const Unexplained* left = UnexplainedIn(out, channel);
@@ -211,8 +211,9 @@ bool Procedure::StandsIn(const BlockDiagnosis& out, std::size_t term) const {
          kMuchLess * kMuchLess * MeanSquare(found, judged_.final_mask);
 }
 
-/// One after the other, the least first; what leaves nothing unexplained when it is out, stays.
-void Procedure::PartStandIns(BlockDiagnosis* out) const {
+/// Moves proxies out of the findings, one after the other, the one that explains least first. A
+/// finding without which nothing is unexplained any more is no proxy, and stays.
+void Procedure::MoveProxies(BlockDiagnosis* out) const {
   std::vector<const Suspect*> stay;
   while (true) {
     std::optional<std::size_t> least;
@@ -220,14 +221,14 @@ void Procedure::PartStandIns(BlockDiagnosis* out) const {
       const Finding& finding = out->findings[t];
       if (std::find(stay.begin(), stay.end(), finding.term.suspect) != stay.end()) continue;
       const bool is_less = !least || finding.evidence.share < out->findings[*least].evidence.share;
-      if (is_less && StandsIn(*out, t)) least = t;
+      if (is_less && IsProxy(*out, t)) least = t;
     }
     if (!least) return;
     const std::size_t channel = out->findings[*least].held_out.channel;
     std::vector<bool> is_out(out->findings.size(), false);
     is_out[*least] = true;
     BlockDiagnosis without = *out;
-    TakeOut(is_out, &without.stand_ins, &without);
+    TakeOut(is_out, &without.proxies, &without);
     Confirm(&without);
     FindUnexplained(&without);
     if (UnexplainedIn(without, channel) == nullptr) {
@@ -261,7 +262,7 @@ BlockDiagnosis Procedure::Explain(SearchResult search) const {
   DescribeAll(&out);
   Confirm(&out);
   FindUnexplained(&out);
-  PartStandIns(&out);
+  MoveProxies(&out);
   out.detectability = InParallel<Detectability>(
       judged_.block.suspects.size(), judged_.options.threads,
       [&](std::size_t s) { return DetectabilityOf(judged_, judged_.block.suspects[s]); });

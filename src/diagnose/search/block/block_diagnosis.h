@@ -43,8 +43,8 @@ struct BlockDiagnosis {
   std::vector<Finding> findings;
   /// What was found on TRAIN and SELECT and did not make FINAL any better.
   std::vector<Finding> unconfirmed;
-  /// What comes nearest to what is unexplained and is no name for it.
-  std::vector<Finding> stand_ins;
+  /// Mechanisms that come nearest to an error that stays unexplained, and are no name for it.
+  std::vector<Finding> proxies;
   std::vector<Unexplained> unexplained;
   std::vector<ResidualVerdict> residual_verdicts;  ///< one a channel
   std::vector<Detectability> detectability;        ///< one a suspect
@@ -65,7 +65,7 @@ std::vector<Manoeuvre> ManoeuvresOf(const ReplayBlock& block, const Stream& stre
 ///         are gone, and FINAL's RMSE falls; or by three clear gains (AreConfirming), if it is
 ///         worth a bet and FINAL's RMSE falls; what was chosen by a bet alone makes it fall in any
 ///         case, and nothing makes it grow by more than an eighth. What remains:
-///         residual_verdict.h. In a channel that stays unexplained a finding stands in for
+///         residual_verdict.h. In a channel that stays unexplained a finding is a proxy for
 ///         something else where it is not told from more than two others and removes less than
 ///         three quarters of the excess, where it removes less than a third and is its block's only
 ///         channel, or where it explains less than the flexible regressor still does, and with that

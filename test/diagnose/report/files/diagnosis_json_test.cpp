@@ -95,7 +95,7 @@ TEST(DiagnosisJson, HasItsStructureInFixedOrderAndDigits) {
     }
   ],
   "unconfirmed": [],
-  "stand_ins": [],
+  "proxies": [],
   "untestable": [
     {
       "mechanism": "backlash",

@@ -123,9 +123,9 @@ TEST(Sentence, OfWhatWasNotConfirmedOrNotJudgedFollowsTheFindings) {
 
 TEST(Sentence, OfWhatStandsInForTheUnexplainedIsNoName) {
   DiagnosedBlock boom = BoomWithDeadBand();
-  boom.diagnosis.stand_ins = std::move(boom.diagnosis.findings);
+  boom.diagnosis.proxies = std::move(boom.diagnosis.findings);
   boom.diagnosis.findings.clear();
-  boom.diagnosis.stand_ins[0].held_out.excess_removed = 0.56;
+  boom.diagnosis.proxies[0].held_out.excess_removed = 0.56;
   const Diagnosis diagnosis = Of(std::move(boom));
   EXPECT_THAT(
       SentencesOf(diagnosis),

@@ -198,7 +198,7 @@ TEST(BlockDiagnosis, WhatOnlyComesNearestStandsInForWhatIsUnexplained) {
   }
   const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(36, "diagnose"));
   EXPECT_THAT(NamesOf(diagnosis.findings), IsEmpty());
-  EXPECT_THAT(NamesOf(diagnosis.stand_ins), ElementsAre("step"));
+  EXPECT_THAT(NamesOf(diagnosis.proxies), ElementsAre("step"));
   EXPECT_EQ(diagnosis.unexplained.size(), 1u);
   EXPECT_THAT(diagnosis.search.found.terms, IsEmpty());
 }
@@ -223,8 +223,8 @@ TEST(BlockDiagnosis, OfAClassOfFourThatLeavesMuchNoneIsAName) {
   EXPECT_EQ(of_three.unexplained.size(), 1u);
   const BlockDiagnosis of_four = diagnose(35, {0, 1, 1, 1});
   EXPECT_THAT(of_four.findings, IsEmpty());
-  ASSERT_EQ(of_four.stand_ins.size(), 1u);
-  EXPECT_EQ(of_four.stand_ins[0].evidence.rivals.size(), 4u);
+  ASSERT_EQ(of_four.proxies.size(), 1u);
+  EXPECT_EQ(of_four.proxies[0].evidence.rivals.size(), 4u);
   EXPECT_EQ(of_four.unexplained.size(), 1u);
   // Where it takes most, all four are named.
   const BlockDiagnosis most = diagnose(34, {0, 1, 1, 1});
@@ -254,8 +254,8 @@ TEST(BlockDiagnosis, WhatTakesLittleOfWhatIsWrongIsNoName) {
   EXPECT_EQ(much.unexplained.size(), 1u);
   const BlockDiagnosis little = diagnose(0.4);
   EXPECT_THAT(NamesOf(little.findings), IsEmpty());
-  ASSERT_THAT(NamesOf(little.stand_ins), ElementsAre("square"));
-  EXPECT_LT(little.stand_ins[0].held_out.excess_removed, 1.0 / 3);
+  ASSERT_THAT(NamesOf(little.proxies), ElementsAre("square"));
+  EXPECT_LT(little.proxies[0].held_out.excess_removed, 1.0 / 3);
   EXPECT_EQ(little.unexplained.size(), 1u);
 }
 
