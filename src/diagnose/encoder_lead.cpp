@@ -8,7 +8,7 @@ namespace tera {
 namespace {
 
 constexpr double kLongestLead_s = 0.5;
-constexpr double kShortestLead_s = 0.03;  ///< above the jitter of stamps, below any reaction time
+constexpr double kShortestLead_s = 0.03;
 /// Share of the rate's energy that the best shift must explain: with less, nothing can be said.
 constexpr double kLeastExplainedShare = 0.5;
 /// What the best shift leaves unexplained, over what no shift leaves: a lead must halve it.

@@ -11,23 +11,35 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kFewestSeen = 6;   ///< manoeuvres of TRAIN and SELECT that move
-constexpr std::size_t kFewestFinal = 3;  ///< of FINAL; steady_gain.h needs them
-/// Of a term that was chosen so surely; together they are rarer than a choice at one per cent and a
-/// confirmation at five (Fisher's sum of logarithms).
-constexpr double kSurelyChosenP = 1e-5, kSurelyChosenSteadyP = 0.2;
-constexpr double kMuchFurther = 1.125;    ///< of FINAL's RMSE: one manoeuvre of eight may differ so
-constexpr double kAll = 0.9;              ///< of the excess: next to nothing but noise is left
-constexpr std::size_t kLargestClass = 3;  ///< that names something, where error remains
-constexpr double kMost = 0.75;            ///< of the excess: enough to name several for
-constexpr double kLittle = 1.0 / 3;       ///< of the excess: too little to be what is wrong
-constexpr double kMuchLess = 0.5;         ///< RMS, that the flexible regressor leaves
-constexpr int kPasses = 3;                ///< of noise and search
-/// Of the variance of a channel's noise, and of the scale of its innovations: less by so much is
-/// worth another search.
-constexpr double kQuieter = 0.5, kQuieterInnovations = 0.7;
+/// Commanded manoeuvres of TRAIN and SELECT, at least: twice those of FINAL, as their shares are.
+constexpr std::size_t kFewestSeen = 6;
+/// Commanded manoeuvres of FINAL, at least: Student's t over fewer confirms nothing
+/// (steady_gain.h).
+constexpr std::size_t kFewestFinal = 3;
+/// A term that was chosen with this p at most is confirmed by a steady gain at the laxer level
+/// below: together the two are rarer than a choice at one per cent and a confirmation at five
+/// (Fisher's sum of logarithms).
+constexpr double kSurelyChosenP = 1e-5, kConfirmedPOfSurelyChosen = 0.2;
+/// RMSE of FINAL with a finding over that without it, at most: one manoeuvre of eight may differ
+/// so.
+constexpr double kMostRmseRatio = 1.125;
+/// Share of FINAL's excess variance from which on next to nothing but noise is left.
+constexpr double kNearlyAllExcess = 0.9;
+/// Mechanisms of a class, at most, that names something in a channel where error remains.
+constexpr std::size_t kLargestNamingClass = 3;
+/// Share of the excess from which on a larger class names something too.
+constexpr double kExcessOfLargeClass = 0.75;
+/// Share of the excess below which a finding is too little to be what is wrong in its channel.
+constexpr double kLeastExcessOfCause = 1.0 / 3;
+/// RMS that the flexible regressor leaves in place of a finding over that with the finding, at
+/// most, for the finding to be a proxy.
+constexpr double kMostFlexibleRmsRatio = 0.5;
+constexpr int kMostPasses = 3;  ///< of noise and search in turn
+/// Variance of a channel's noise, and scale of its innovations, over what they were, at most, for
+/// another search to be worth its time.
+constexpr double kMuchQuieterVariance = 0.5, kMuchQuieterInnovations = 0.7;
 
-/// Enough of them in which something was commanded.
+/// Whether enough manoeuvres were commanded for findings to be chosen and confirmed.
 bool IsTestable(const std::vector<Manoeuvre>& manoeuvres) {
   std::size_t seen = 0, final = 0;
   for (const Manoeuvre& manoeuvre : manoeuvres) {
@@ -36,14 +48,15 @@ bool IsTestable(const std::vector<Manoeuvre>& manoeuvres) {
   return seen >= kFewestSeen && final >= kFewestFinal;
 }
 
-class Procedure {
+/// Diagnoses one block under given models of its noise.
+class BlockDiagnoser {
  public:
-  Procedure(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
-            const std::vector<Manoeuvre>& manoeuvres, const std::vector<NoiseModel>& noise)
-      : judged_(block, options, stream, manoeuvres, noise),
-        fitter_(block, judged_.likelihood, SeenSegmentsOf(manoeuvres), options.threads) {}
+  BlockDiagnoser(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
+                 const std::vector<Manoeuvre>& manoeuvres, const std::vector<NoiseModel>& noise)
+      : context_(block, options, stream, manoeuvres, noise),
+        fitter_(block, context_.likelihood, SeenSegmentsOf(manoeuvres), options.threads) {}
 
-  /// As it stands, without a search.
+  /// The answer for a block that has too few manoeuvres for a search.
   BlockDiagnosis Untested() const;
   StructureSearch SearchAfter(const EarlierSearch& earlier) const;
   BlockDiagnosis Explain(SearchResult search) const;
@@ -51,7 +64,7 @@ class Procedure {
  private:
   Finding Describe(const SearchResult& search, std::size_t term) const;
   void DescribeAll(BlockDiagnosis* out) const;
-  void TakeOut(const std::vector<bool>& is_out, std::vector<Finding>* taken,
+  void MoveOut(const std::vector<bool>& is_out, std::vector<Finding>* moved,
                BlockDiagnosis* out) const;
   void Confirm(BlockDiagnosis* out) const;
   void FindUnexplained(BlockDiagnosis* out) const;
@@ -61,51 +74,52 @@ class Procedure {
                        std::size_t channel) const;
   std::size_t MostImproved(const FittedStructure& before, const FittedStructure& after) const;
 
-  const JudgedBlock judged_;
+  const EvaluationContext context_;
   const StructureFitter fitter_;  ///< to TRAIN and SELECT
 };
 
 bool IsNearer(const HeldOutError& error) { return error.rmse_after < error.rmse_before; }
 
-/// A few manoeuvres may be of another kind, but what makes all of FINAL worse is no explanation.
+/// Whether a finding makes FINAL worse than a few manoeuvres of another kind could.
 bool IsMuchFurther(const HeldOutError& error) {
-  return error.rmse_after > kMuchFurther * error.rmse_before;
+  return error.rmse_after > kMostRmseRatio * error.rmse_before;
 }
 
-/// At which a steady gain on FINAL confirms a finding.
+/// The level of p at which a steady gain on FINAL confirms a finding.
 double SteadyLevelOf(const Finding& finding) {
   const HeldOutError& error = finding.held_out;
-  const bool is_sure = finding.evidence.steady_p <= kSurelyChosenP ||
-                       (finding.evidence.p <= kSurelyChosenP && error.excess_removed >= kAll);
-  return is_sure && IsNearer(error) ? kSurelyChosenSteadyP : kConfirmedP;
+  const bool is_surely_chosen =
+      finding.evidence.steady_p <= kSurelyChosenP ||
+      (finding.evidence.p <= kSurelyChosenP && error.excess_removed >= kNearlyAllExcess);
+  return is_surely_chosen && IsNearer(error) ? kConfirmedPOfSurelyChosen : kConfirmedP;
 }
 
-HeldOutError Procedure::Compare(const FittedStructure& before, const FittedStructure& after,
-                                std::size_t channel) const {
+HeldOutError BlockDiagnoser::Compare(const FittedStructure& before, const FittedStructure& after,
+                                     std::size_t channel) const {
   HeldOutError error{channel, 0, 0, 0, 1};
-  const double mse_before = MeanSquare(before.misfit.residual[channel], judged_.final_mask);
-  const double mse_after = MeanSquare(after.misfit.residual[channel], judged_.final_mask);
-  const double noise = VarianceOf(judged_.likelihood.noise()[channel]);
+  const double mse_before = MeanSquare(before.misfit.residual[channel], context_.final_mask);
+  const double mse_after = MeanSquare(after.misfit.residual[channel], context_.final_mask);
+  const double noise = VarianceOf(context_.likelihood.noise()[channel]);
   error.rmse_before = std::sqrt(mse_before);
   error.rmse_after = std::sqrt(mse_after);
   if (mse_before > noise) {
     error.excess_removed = std::clamp((mse_before - mse_after) / (mse_before - noise), -1.0, 1.0);
   }
-  error.p =
-      SteadyGainP(GainsOf(judged_.likelihood, before.misfit, after.misfit, judged_.final, channel));
+  error.p = SteadyGainP(
+      GainsOf(context_.likelihood, before.misfit, after.misfit, context_.final, channel));
   return error;
 }
 
-/// By how much of its noise's variance, and not by FINAL, which is not to choose what it is asked
-/// about.
-std::size_t Procedure::MostImproved(const FittedStructure& before,
-                                    const FittedStructure& after) const {
+/// The channel whose residual on TRAIN and SELECT falls most, over the variance of its noise. FINAL
+/// is not asked: it is not to choose the channel that it judges.
+std::size_t BlockDiagnoser::MostImproved(const FittedStructure& before,
+                                         const FittedStructure& after) const {
   std::size_t best = 0;
   double most = -INFINITY;
-  for (std::size_t c = 0; c < judged_.block.channels.size(); ++c) {
-    const double gain = (MeanSquare(before.misfit.residual[c], judged_.seen_mask) -
-                         MeanSquare(after.misfit.residual[c], judged_.seen_mask)) /
-                        VarianceOf(judged_.likelihood.noise()[c]);
+  for (std::size_t c = 0; c < context_.block.channels.size(); ++c) {
+    const double gain = (MeanSquare(before.misfit.residual[c], context_.seen_mask) -
+                         MeanSquare(after.misfit.residual[c], context_.seen_mask)) /
+                        VarianceOf(context_.likelihood.noise()[c]);
     if (gain <= most) continue;
     most = gain;
     best = c;
@@ -113,47 +127,47 @@ std::size_t Procedure::MostImproved(const FittedStructure& before,
   return best;
 }
 
-Finding Procedure::Describe(const SearchResult& search, std::size_t term) const {
+Finding BlockDiagnoser::Describe(const SearchResult& search, std::size_t term) const {
   const FittedStructure& found = search.found;
   const FittedStructure without = fitter_.FitValues(Without(found.terms, term));
   Finding finding;
   finding.term = found.terms[term];
-  finding.parameters = EstimatesOf(found, term, judged_.block.slides);
+  finding.parameters = EstimatesOf(found, term, context_.block.slides);
   finding.evidence = search.evidence[term];
   const std::size_t channel = MostImproved(without, found);
   const NoiseLevel noise =
-      NoiseLevelOf(judged_.block, channel, found.misfit.residual[channel], judged_.seen_mask);
-  finding.location =
-      Locate(judged_.block.channels[channel], channel, without.misfit.residual[channel],
-             judged_.likelihood.noise()[channel], noise, judged_.stream, judged_.options.threads);
+      NoiseLevelOf(context_.block, channel, found.misfit.residual[channel], context_.seen_mask);
+  finding.location = Locate(context_.block.channels[channel], channel,
+                            without.misfit.residual[channel], context_.likelihood.noise()[channel],
+                            noise, context_.stream, context_.options.threads);
   finding.held_out = Compare(without, found, channel);
-  const auto gains = GainsOf(judged_.likelihood, without.misfit, found.misfit, judged_.final);
+  const auto gains = GainsOf(context_.likelihood, without.misfit, found.misfit, context_.final);
   const bool bets =
-      IsNearer(finding.held_out) && finding.evidence.share >= judged_.options.least_share_of_bet;
+      IsNearer(finding.held_out) && finding.evidence.share >= context_.options.least_share_of_bet;
   finding.held_out.p = bets ? GainP(gains) : SteadyGainP(gains);
   const bool may_stand =
       IsNearer(finding.held_out) ||
-      (finding.evidence.steady_p <= judged_.options.alpha && !IsMuchFurther(finding.held_out));
+      (finding.evidence.steady_p <= context_.options.alpha && !IsMuchFurther(finding.held_out));
   const double level = SteadyLevelOf(finding);
   finding.is_confirmed =
       may_stand && (bets ? AreConfirming(gains, level) : SteadyGainP(gains) <= level);
   return finding;
 }
 
-void Procedure::DescribeAll(BlockDiagnosis* out) const {
-  out->findings = InParallel<Finding>(out->search.found.terms.size(), judged_.options.threads,
+void BlockDiagnoser::DescribeAll(BlockDiagnosis* out) const {
+  out->findings = InParallel<Finding>(out->search.found.terms.size(), context_.options.threads,
                                       [&](std::size_t t) { return Describe(out->search, t); });
 }
 
-/// Parts some findings from the others, which are fitted anew on their own.
-void Procedure::TakeOut(const std::vector<bool>& is_out, std::vector<Finding>* taken,
-                        BlockDiagnosis* out) const {
+/// Moves some findings to another list and fits the others anew.
+void BlockDiagnoser::MoveOut(const std::vector<bool>& is_out, std::vector<Finding>* moved,
+                             BlockDiagnosis* out) const {
   Structure kept;
   std::vector<TermEvidence> evidence;
   for (std::size_t t = 0; t < is_out.size(); ++t) {
     Finding& finding = out->findings[t];
     if (is_out[t]) {
-      taken->push_back(std::move(finding));
+      moved->push_back(std::move(finding));
     } else {
       kept.push_back(std::move(finding.term));
       evidence.push_back(std::move(finding.evidence));
@@ -165,19 +179,19 @@ void Procedure::TakeOut(const std::vector<bool>& is_out, std::vector<Finding>* t
   DescribeAll(out);
 }
 
-/// Parts what FINAL confirms from what it does not, until it confirms all that is left.
-void Procedure::Confirm(BlockDiagnosis* out) const {
+/// Moves out the findings that FINAL does not confirm, until it confirms all that are left.
+void BlockDiagnoser::Confirm(BlockDiagnosis* out) const {
   while (true) {
     std::vector<bool> is_out;
     for (const Finding& finding : out->findings) is_out.push_back(!finding.is_confirmed);
     if (std::find(is_out.begin(), is_out.end(), true) == is_out.end()) return;
-    TakeOut(is_out, &out->unconfirmed, out);
+    MoveOut(is_out, &out->unconfirmed, out);
   }
 }
 
-void Procedure::FindUnexplained(BlockDiagnosis* out) const {
-  out->residual_verdicts = ResidualVerdictsOf(judged_, out->search);
-  out->unexplained = UnexplainedOf(judged_, out->search, out->residual_verdicts);
+void BlockDiagnoser::FindUnexplained(BlockDiagnosis* out) const {
+  out->residual_verdicts = ResidualVerdictsOf(context_, out->search);
+  out->unexplained = UnexplainedOf(context_, out->search, out->residual_verdicts);
 }
 
 const Unexplained* UnexplainedIn(const BlockDiagnosis& out, std::size_t channel) {
@@ -187,33 +201,34 @@ const Unexplained* UnexplainedIn(const BlockDiagnosis& out, std::size_t channel)
   return left != out.unexplained.end() ? &*left : nullptr;
 }
 
-/// Whether of an excess that FINAL shows a finding takes little.
-bool TakesLittle(const HeldOutError& error) {
-  return error.excess_removed != 0 && error.excess_removed < kLittle;  // 0: none shows
+/// Whether a finding removes too little of an excess that FINAL shows to be its cause.
+bool RemovesLittle(const HeldOutError& error) {
+  return error.excess_removed != 0 && error.excess_removed < kLeastExcessOfCause;  // 0: none shows
 }
 
 /// Whether what its channel leaves unexplained shows that a finding is a proxy for something else.
-bool Procedure::IsProxy(const BlockDiagnosis& out, std::size_t term) const {
+bool BlockDiagnoser::IsProxy(const BlockDiagnosis& out, std::size_t term) const {
   const Finding& finding = out.findings[term];
   const std::size_t channel = finding.held_out.channel;
   const Unexplained* left = UnexplainedIn(out, channel);
   if (left == nullptr) return false;
-  if (finding.evidence.rivals.size() > kLargestClass && finding.held_out.excess_removed < kMost) {
+  if (finding.evidence.rivals.size() > kLargestNamingClass &&
+      finding.held_out.excess_removed < kExcessOfLargeClass) {
     return true;
   }
-  if (judged_.block.channels.size() == 1 && TakesLittle(finding.held_out)) return true;
+  if (context_.block.channels.size() == 1 && RemovesLittle(finding.held_out)) return true;
   if (finding.evidence.share > left->share) return false;
   const FittedStructure without = fitter_.FitValues(Without(out.search.found.terms, term));
-  const Misfit free =
-      ResidualBeyondFlexible(judged_.block, judged_.likelihood, without.misfit, judged_.manoeuvres);
+  const Misfit free = ResidualBeyondFlexible(context_.block, context_.likelihood, without.misfit,
+                                             context_.manoeuvres);
   const Series& found = out.search.found.misfit.residual[channel];
-  return MeanSquare(free.residual[channel], judged_.final_mask) <
-         kMuchLess * kMuchLess * MeanSquare(found, judged_.final_mask);
+  return MeanSquare(free.residual[channel], context_.final_mask) <
+         kMostFlexibleRmsRatio * kMostFlexibleRmsRatio * MeanSquare(found, context_.final_mask);
 }
 
 /// Moves proxies out of the findings, one after the other, the one that explains least first. A
 /// finding without which nothing is unexplained any more is no proxy, and stays.
-void Procedure::MoveProxies(BlockDiagnosis* out) const {
+void BlockDiagnoser::MoveProxies(BlockDiagnosis* out) const {
   std::vector<const Suspect*> stay;
   while (true) {
     std::optional<std::size_t> least;
@@ -228,7 +243,7 @@ void Procedure::MoveProxies(BlockDiagnosis* out) const {
     std::vector<bool> is_out(out->findings.size(), false);
     is_out[*least] = true;
     BlockDiagnosis without = *out;
-    TakeOut(is_out, &without.proxies, &without);
+    MoveOut(is_out, &without.proxies, &without);
     Confirm(&without);
     FindUnexplained(&without);
     if (UnexplainedIn(without, channel) == nullptr) {
@@ -239,66 +254,69 @@ void Procedure::MoveProxies(BlockDiagnosis* out) const {
   }
 }
 
-BlockDiagnosis Procedure::Untested() const {
+BlockDiagnosis BlockDiagnoser::Untested() const {
   BlockDiagnosis out;
   out.is_testable = false;
-  out.manoeuvres = judged_.manoeuvres;
-  out.noise = judged_.likelihood.noise();
+  out.manoeuvres = context_.manoeuvres;
+  out.noise = context_.likelihood.noise();
   out.search.nothing = out.search.found = fitter_.AsGiven({});
-  for (const Suspect& suspect : judged_.block.suspects) out.detectability.push_back({&suspect, {}});
+  for (const Suspect& suspect : context_.block.suspects)
+    out.detectability.push_back({&suspect, {}});
   return out;
 }
 
-StructureSearch Procedure::SearchAfter(const EarlierSearch& earlier) const {
-  return {judged_.block, judged_.likelihood.noise(), fitter_, judged_.manoeuvres, judged_.options,
-          earlier};
+StructureSearch BlockDiagnoser::SearchAfter(const EarlierSearch& earlier) const {
+  return {context_.block,   context_.likelihood.noise(),
+          fitter_,          context_.manoeuvres,
+          context_.options, earlier};
 }
 
-BlockDiagnosis Procedure::Explain(SearchResult search) const {
+BlockDiagnosis BlockDiagnoser::Explain(SearchResult search) const {
   BlockDiagnosis out;
-  out.manoeuvres = judged_.manoeuvres;
-  out.noise = judged_.likelihood.noise();
+  out.manoeuvres = context_.manoeuvres;
+  out.noise = context_.likelihood.noise();
   out.search = std::move(search);
   DescribeAll(&out);
   Confirm(&out);
   FindUnexplained(&out);
   MoveProxies(&out);
   out.detectability = InParallel<Detectability>(
-      judged_.block.suspects.size(), judged_.options.threads,
-      [&](std::size_t s) { return DetectabilityOf(judged_, judged_.block.suspects[s]); });
-  for (std::size_t c = 0; c < judged_.block.channels.size(); ++c) {
+      context_.block.suspects.size(), context_.options.threads,
+      [&](std::size_t s) { return DetectabilityOf(context_, context_.block.suspects[s]); });
+  for (std::size_t c = 0; c < context_.block.channels.size(); ++c) {
     out.confirmed.push_back(Compare(out.search.nothing, out.search.found, c));
   }
   return out;
 }
 
-/// Whether any channel's noise is much less than it was taken for.
+/// Whether any channel's noise is much less than it was estimated before.
 bool IsMuchQuieter(const std::vector<NoiseModel>& now, const std::vector<NoiseModel>& before) {
   for (std::size_t c = 0; c < now.size(); ++c) {
-    if (VarianceOf(now[c]) < kQuieter * VarianceOf(before[c])) return true;
-    if (now[c].scale < kQuieterInnovations * before[c].scale) return true;
+    if (VarianceOf(now[c]) < kMuchQuieterVariance * VarianceOf(before[c])) return true;
+    if (now[c].scale < kMuchQuieterInnovations * before[c].scale) return true;
   }
   return false;
 }
 
-/// What was found, under noise that was estimated beside it.
+/// A search and the noise that was estimated beside what it found.
 struct Searched {
   std::vector<NoiseModel> noise;
   SearchResult search;
 };
 
-/// Noise and search in turn.
+/// Estimates noise and searches, in turn: what is found may have passed for noise at first.
 Searched SearchInTurn(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
                       const std::vector<Manoeuvre>& manoeuvres) {
   EarlierSearch earlier;
   SearchResult before;
   Searched last{NoiseOfBlock(block, manoeuvres), {}};
   for (int pass = 1;; ++pass) {
-    const Procedure procedure(block, options, stream, manoeuvres, last.noise);
-    StructureSearch search = procedure.SearchAfter(earlier);
+    const BlockDiagnoser diagnoser(block, options, stream, manoeuvres, last.noise);
+    StructureSearch search = diagnoser.SearchAfter(earlier);
     last.search = search.Find();
     std::vector<NoiseModel> less = NoiseOfBlock(block, manoeuvres, last.search.found.terms);
-    if (pass == kPasses || last.search.found.terms.empty() || !IsMuchQuieter(less, last.noise)) {
+    if (pass == kMostPasses || last.search.found.terms.empty() ||
+        !IsMuchQuieter(less, last.noise)) {
       search.DiscriminateRivals(&last.search);
       return last;
     }
@@ -308,28 +326,29 @@ Searched SearchInTurn(const ReplayBlock& block, const SearchOptions& options, co
   }
 }
 
-/// From what the block's prefix told, under the noise that there is beside it.
-Searched SearchOn(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
-                  const std::vector<Manoeuvre>& manoeuvres, const SearchResult& prefix_result) {
+/// Searches the whole block from what was found in its prefix, under noise estimated beside that.
+Searched SearchWhole(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
+                     const std::vector<Manoeuvre>& manoeuvres, const SearchResult& prefix_result) {
   std::vector<NoiseModel> noise = NoiseOfBlock(block, manoeuvres, prefix_result.found.terms);
-  const Procedure procedure(block, options, stream, manoeuvres, noise);
-  StructureSearch search = procedure.SearchAfter({&prefix_result, true});
+  const BlockDiagnoser diagnoser(block, options, stream, manoeuvres, noise);
+  StructureSearch search = diagnoser.SearchAfter({&prefix_result, true});
   SearchResult found = search.Find();
   search.DiscriminateRivals(&found);
   return {std::move(noise), std::move(found)};
 }
 
+/// Searches a block, a long one by its prefix first.
 Searched SearchFor(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
                    const std::vector<Manoeuvre>& manoeuvres) {
-  const std::size_t enough = PrefixLength(manoeuvres, block.period_s());
-  const std::vector<Manoeuvre> first = Within(manoeuvres, enough);
-  if (enough == block.samples() || !IsTestable(first)) {
+  const std::size_t length = PrefixLength(manoeuvres, block.period_s());
+  const std::vector<Manoeuvre> first = Within(manoeuvres, length);
+  if (length == block.samples() || !IsTestable(first)) {
     return SearchInTurn(block, options, stream, manoeuvres);
   }
-  const ReplayBlock prefix = PrefixOf(block, enough);
+  const ReplayBlock prefix = PrefixOf(block, length);
   SearchResult prefix_result = SearchInTurn(prefix, options, stream, first).search;
-  return SearchOn(block, options, stream, manoeuvres,
-                  CarryToWhole(std::move(prefix_result), prefix, block));
+  return SearchWhole(block, options, stream, manoeuvres,
+                     CarryToWhole(std::move(prefix_result), prefix, block));
 }
 
 }  // namespace
@@ -342,11 +361,11 @@ BlockDiagnosis DiagnoseBlock(const ReplayBlock& block, const SearchOptions& opti
                              const Stream& stream) {
   const std::vector<Manoeuvre> manoeuvres = ManoeuvresOf(block, stream);
   if (!IsTestable(manoeuvres)) {
-    return Procedure(block, options, stream, manoeuvres, NoiseOfBlock(block, manoeuvres))
+    return BlockDiagnoser(block, options, stream, manoeuvres, NoiseOfBlock(block, manoeuvres))
         .Untested();
   }
   Searched searched = SearchFor(block, options, stream, manoeuvres);
-  return Procedure(block, options, stream, manoeuvres, searched.noise)
+  return BlockDiagnoser(block, options, stream, manoeuvres, searched.noise)
       .Explain(std::move(searched.search));
 }
 

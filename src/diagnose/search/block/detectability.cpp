@@ -9,22 +9,24 @@
 namespace tera {
 namespace {
 
-/// Gain in log-likelihood: what the criterion asks for on TRAIN, and as much of SELECT.
-constexpr double kSeen = 20;
-constexpr std::uint64_t kDraws = 20;  ///< of noise, of which three quarters are to show a suspect
+/// Noiseless gain in log-likelihood of what can be seen, at least: what the criterion asks for on
+/// TRAIN, and as much on SELECT.
+constexpr double kLeastGain = 20;
+constexpr std::uint64_t kDraws = 20;  ///< of noise, of which three quarters must show a candidate
 
-/// Whether a difference between two predictions would pass all that is seen and FINAL under most
-/// draws of the noise. A draw's gain of log-likelihood is normal, of mean `possible` and twice its
-/// variance.
-bool WouldBeSeen(const JudgedBlock& judged, const Misfit& difference) {
+/// Whether a difference between two predictions would pass the tests of TRAIN with SELECT and of
+/// FINAL under most draws of the noise. A draw's gain in log-likelihood is normal: its mean is the
+/// possible gain, its variance twice that.
+bool WouldBeSeen(const EvaluationContext& context, const Misfit& difference) {
   Misfit none = difference;
   for (Eigen::VectorXd& innovation : none.innovation) innovation.setZero();
-  const std::size_t tests = std::max(judged.options.suspects_in_all, judged.block.suspects.size());
-  const double alpha = judged.options.alpha / static_cast<double>(tests);
+  const std::size_t tests =
+      std::max(context.options.suspects_in_all, context.block.suspects.size());
+  const double alpha = context.options.alpha / static_cast<double>(tests);
   const auto drawn = [&](const std::vector<Segment>& part, std::uint64_t first) {
-    std::vector<ManoeuvreGain> gains = GainsOf(judged.likelihood, difference, none, part);
+    std::vector<ManoeuvreGain> gains = GainsOf(context.likelihood, difference, none, part);
     for (ManoeuvreGain& gain : gains) {
-      gain.gain = gain.possible + std::sqrt(2 * gain.possible) * judged.stream.Gaussian(first++);
+      gain.gain = gain.possible + std::sqrt(2 * gain.possible) * context.stream.Gaussian(first++);
     }
     return gains;
   };
@@ -32,8 +34,8 @@ bool WouldBeSeen(const JudgedBlock& judged, const Misfit& difference) {
   for (std::uint64_t draw = 0; draw < kDraws; ++draw) {
     const std::uint64_t first = (draw + 1) << 33;
     const std::uint64_t first_of_final = first + (std::uint64_t{1} << 32);
-    seen += GainP(drawn(judged.seen, first)) <= alpha &&
-                    AreConfirming(drawn(judged.final, first_of_final), kConfirmedP)
+    seen += GainP(drawn(context.seen, first)) <= alpha &&
+                    AreConfirming(drawn(context.final, first_of_final), kConfirmedP)
                 ? 1
                 : 0;
   }
@@ -42,19 +44,19 @@ bool WouldBeSeen(const JudgedBlock& judged, const Misfit& difference) {
 
 }  // namespace
 
-Detectability DetectabilityOf(const JudgedBlock& judged, const Suspect& suspect) {
-  const auto nothing = judged.block.predict({});
+Detectability DetectabilityOf(const EvaluationContext& context, const Suspect& suspect) {
+  const auto nothing = context.block.predict({});
   Detectability out{&suspect, {}};
   for (const std::vector<double>& start : suspect.starts) {
-    const auto truth = judged.block.predict({{&suspect, start}});
-    if (judged.likelihood.Discernible(nothing, truth) < kSeen) continue;
-    const Misfit difference = judged.likelihood.JudgeAgainst(truth, nothing);
+    const auto truth = context.block.predict({{&suspect, start}});
+    if (context.likelihood.Discernible(nothing, truth) < kLeastGain) continue;
+    const Misfit difference = context.likelihood.JudgeAgainst(truth, nothing);
     Misfit none = difference;
     for (Series& residual : none.residual) {
       std::fill(residual.value.begin(), residual.value.end(), 0.0);
     }
-    if (EffectOf(judged.block, difference, none) < judged.options.least_effect) continue;
-    if (!WouldBeSeen(judged, difference)) continue;
+    if (EffectOf(context.block, difference, none) < context.options.least_effect) continue;
+    if (!WouldBeSeen(context, difference)) continue;
     out.smallest = start.empty() ? 1 : start[suspect.free.empty() ? 0 : suspect.free.front().index];
     break;
   }

@@ -14,12 +14,13 @@ namespace {
 
 constexpr double kClip =
     3;  ///< robust scales: Huber's function keeps 99 % of normal errors as they are
-/// Ridge of the fit that noise is estimated beside: no more than what keeps it solvable.
+/// Ridge of the fit that noise is estimated beside: small, for that fit is not to predict.
 constexpr double kNoiseRidge = 1e-6;
-/// Ridges to choose from, in parts of each column's energy: from none to one that leaves nothing.
+/// Ridges to choose from, in parts of each column's energy: the last leaves hardly anything of a
+/// column.
 constexpr std::array kRidges = {1e-4, 1e-2, 0.1, 1.0, 10.0, 100.0, 1000.0};
 constexpr std::size_t kFolds = 5;
-constexpr int kReweightings = 3;           ///< of Huber's regression, which then hardly changes
+constexpr int kReweightings = 3;           ///< of Huber's regression
 constexpr std::size_t kHighestOrder = 10;  ///< of the noise's autoregression
 /// Degrees of freedom of the innovations, at least. A machine that rests half the time leaves
 /// residuals of two scales; with heavier tails its motion would pass for outliers, and only rest

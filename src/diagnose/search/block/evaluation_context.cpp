@@ -1,4 +1,4 @@
-#include "diagnose/search/block/judged_block.h"
+#include "diagnose/search/block/evaluation_context.h"
 
 #include "diagnose/search/fit/steady_gain.h"
 
@@ -12,9 +12,9 @@ Mask Not(Mask mask) {
 
 }  // namespace
 
-JudgedBlock::JudgedBlock(const ReplayBlock& block, const SearchOptions& options,
-                         const Stream& stream, const std::vector<Manoeuvre>& manoeuvres,
-                         const std::vector<NoiseModel>& noise)
+EvaluationContext::EvaluationContext(const ReplayBlock& block, const SearchOptions& options,
+                                     const Stream& stream, const std::vector<Manoeuvre>& manoeuvres,
+                                     const std::vector<NoiseModel>& noise)
     : block(block),
       options(options),
       stream(stream),
