@@ -10,7 +10,7 @@
 #include "diagnose/confirm/held_out_recording.h"
 #include "diagnose/confirm/whole_simulation.h"
 #include "diagnose/discrepancy/discrepancy_correction.h"
-#include "diagnose/next/next_manoeuvre.h"
+#include "diagnose/experiment_design/next_manoeuvre.h"
 #include "diagnose/perception/perception_diagnosis.h"
 #include "diagnose/proposal/proposal.h"
 #include "diagnose/recorded_blocks.h"

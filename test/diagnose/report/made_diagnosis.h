@@ -121,8 +121,8 @@ inline Diagnosis Complete() {
   next.description = "boom: steps of 0.15";
   next.commands = {{"boom"}, {0, 1000000000}, {{0}, {0.15}}};
   next.duration_s = 34;
-  next.separates = {{"boom", {"dead_band", "valve_curve"}, true, 0.9}};
-  next.leaves = {{"boom", {"backlash", "nothing"}, false, 0.1}};
+  next.discriminated = {{"boom", {"dead_band", "valve_curve"}, true, 0.9}};
+  next.not_discriminated = {{"boom", {"backlash", "nothing"}, false, 0.1}};
   next.power = 0.9;
   diagnosis.next = next;
   return diagnosis;

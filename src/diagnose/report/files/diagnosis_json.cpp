@@ -396,11 +396,11 @@ Json Untestable(const Diagnosis& diagnosis) {
   return list;
 }
 
-Json Matters(const std::vector<SeparatedMatter>& matters) {
+Json SetsOf(const std::vector<DiscriminatedSet>& sets) {
   Json list = Json::array();
-  for (const SeparatedMatter& matter : matters) {
+  for (const DiscriminatedSet& set : sets) {
     list.push_back(
-        {{"target", matter.target}, {"members", matter.members}, {"power", Number(matter.power)}});
+        {{"target", set.target}, {"members", set.members}, {"power", Number(set.power)}});
   }
   return list;
 }
@@ -408,12 +408,16 @@ Json Matters(const std::vector<SeparatedMatter>& matters) {
 Json Next(const Diagnosis& diagnosis) {
   if (!diagnosis.next) return nullptr;
   const NextManoeuvre& next = *diagnosis.next;
-  Json separates = Json::array();
-  for (const SeparatedMatter& matter : next.separates) separates.push_back(matter.members);
-  return {{"description", next.description},       {"commands_csv", kNextManoeuvreFile},
-          {"duration_s", Number(next.duration_s)}, {"separates", separates},
-          {"power", Number(next.power)},           {"separated", Matters(next.separates)},
-          {"not_separated", Matters(next.leaves)}, {"left_for_later", next.left_for_later}};
+  Json members = Json::array();
+  for (const DiscriminatedSet& set : next.discriminated) members.push_back(set.members);
+  return {{"description", next.description},
+          {"commands_csv", kNextManoeuvreFile},
+          {"duration_s", Number(next.duration_s)},
+          {"discriminates", members},
+          {"power", Number(next.power)},
+          {"discriminated", SetsOf(next.discriminated)},
+          {"not_discriminated", SetsOf(next.not_discriminated)},
+          {"deferred", next.deferred}};
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ namespace tera {
 ///         seen at any size. SI units and radians; times in seconds from the block's first sample;
 ///         six digits; null where something is not known. regime.shape is parity and form, "odd
 ///         threshold outside" where the error lives beyond [low, high]. whole_simulation,
-///         next_manoeuvre: null, or what the file of levers beside it tells apart ("nothing": from
-///         no effect), with its power.
+///         next_manoeuvre: null, or what the file of levers beside it discriminates ("nothing":
+///         from no effect), with its power.
 std::string DiagnosisJson(const Diagnosis& diagnosis);
 
 }  // namespace tera

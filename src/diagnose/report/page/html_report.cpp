@@ -281,13 +281,13 @@ std::string ConfirmationSection(const Diagnosis& diagnosis) {
   return any ? "<section>\n<h2>Further confirmation</h2>\n" + table.Take() + "</section>\n" : "";
 }
 
-void AddMatterRows(const std::vector<SeparatedMatter>& matters, Table* table) {
-  for (const SeparatedMatter& matter : matters) {
+void AddSetRows(const std::vector<DiscriminatedSet>& sets, Table* table) {
+  for (const DiscriminatedSet& set : sets) {
     std::string members;
-    for (const std::string& member : matter.members) {
+    for (const std::string& member : set.members) {
       members += (members.empty() ? "" : ", ") + (member == "nothing" ? member : Code(member));
     }
-    table->Row({Escaped(matter.target), members, Significant(matter.power, 2)});
+    table->Row({Escaped(set.target), members, Significant(set.power, 2)});
   }
 }
 
@@ -300,10 +300,10 @@ std::string NextSection(const Diagnosis& diagnosis) {
       "the noise of this one.</p>\n",
       Escaped(next.description), Code(kNextManoeuvreFile), next.duration_s);
   Table told({"On", "Discriminated", ">Power"}), open({"On", "Still open", ">Power"});
-  AddMatterRows(next.separates, &told);
-  AddMatterRows(next.leaves, &open);
+  AddSetRows(next.discriminated, &told);
+  AddSetRows(next.not_discriminated, &open);
   html += LeversFigure(next) + told.Take();
-  if (!next.leaves.empty()) html += open.Take();
+  if (!next.not_discriminated.empty()) html += open.Take();
   return html + "</section>\n";
 }
 

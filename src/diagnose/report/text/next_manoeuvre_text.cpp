@@ -21,14 +21,14 @@ constexpr std::size_t kNamed = 3;  ///< mechanisms of a target that are told one
 
 /// Mechanisms that could not be seen, by target: "backlash and sag of the boom", "12 mechanisms of
 /// the slew".
-std::vector<std::string> Shown(const std::vector<SeparatedMatter>& matters) {
+std::vector<std::string> Shown(const std::vector<DiscriminatedSet>& sets) {
   std::vector<std::pair<std::string, std::vector<std::string>>> by_target;
-  for (const SeparatedMatter& matter : matters) {
-    if (matter.is_class) continue;
-    if (by_target.empty() || by_target.back().first != matter.target) {
-      by_target.push_back({matter.target, {}});
+  for (const DiscriminatedSet& set : sets) {
+    if (set.is_class) continue;
+    if (by_target.empty() || by_target.back().first != set.target) {
+      by_target.push_back({set.target, {}});
     }
-    by_target.back().second.push_back(Spaced(matter.members.front()));
+    by_target.back().second.push_back(Spaced(set.members.front()));
   }
   std::vector<std::string> parts;
   for (const auto& [target, names] : by_target) {
@@ -43,24 +43,24 @@ std::vector<std::string> Shown(const std::vector<SeparatedMatter>& matters) {
 
 std::string SentenceOf(const NextManoeuvre& next) {
   std::vector<std::string> does;
-  for (const SeparatedMatter& matter : next.separates) {
-    if (!matter.is_class) continue;
-    does.push_back(fmt::format("tells {} of the {} apart", Listed(SpacedAll(matter.members)),
-                               Spaced(matter.target)));
+  for (const DiscriminatedSet& set : next.discriminated) {
+    if (!set.is_class) continue;
+    does.push_back(fmt::format("tells {} of the {} apart", Listed(SpacedAll(set.members)),
+                               Spaced(set.target)));
   }
-  if (const auto shown = Shown(next.separates); !shown.empty()) {
+  if (const auto shown = Shown(next.discriminated); !shown.empty()) {
     does.push_back("would show " + Listed(shown));
   }
   std::string text = fmt::format("Next manoeuvre ({}, {:.0f} s; {}): {}. Power {} at least.",
                                  kNextManoeuvreFile, next.duration_s, next.description,
                                  fmt::join(does, "; "), Significant(next.power, 2));
-  for (const SeparatedMatter& matter : next.leaves) {
-    if (!matter.is_class) continue;
-    text += fmt::format(" It does not tell {} of the {} apart.", Listed(SpacedAll(matter.members)),
-                        Spaced(matter.target));
+  for (const DiscriminatedSet& set : next.not_discriminated) {
+    if (!set.is_class) continue;
+    text += fmt::format(" It does not tell {} of the {} apart.", Listed(SpacedAll(set.members)),
+                        Spaced(set.target));
   }
-  if (!next.left_for_later.empty()) {
-    text += fmt::format(" Left for another: {}.", Listed(SpacedAll(next.left_for_later)));
+  if (!next.deferred.empty()) {
+    text += fmt::format(" Left for another: {}.", Listed(SpacedAll(next.deferred)));
   }
   return text;
 }

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "diagnose/next/next_manoeuvre.h"
+#include "diagnose/experiment_design/next_manoeuvre.h"
 
 namespace tera {
 

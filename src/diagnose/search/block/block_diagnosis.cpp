@@ -39,15 +39,6 @@ constexpr int kMostPasses = 3;  ///< of noise and search in turn
 /// another search to be worth its time.
 constexpr double kMuchQuieterVariance = 0.5, kMuchQuieterInnovations = 0.7;
 
-/// Whether enough manoeuvres were commanded for findings to be chosen and confirmed.
-bool IsTestable(const std::vector<Manoeuvre>& manoeuvres) {
-  std::size_t seen = 0, final = 0;
-  for (const Manoeuvre& manoeuvre : manoeuvres) {
-    if (manoeuvre.axes != 0) ++(manoeuvre.part == Part::kFinal ? final : seen);
-  }
-  return seen >= kFewestSeen && final >= kFewestFinal;
-}
-
 /// Diagnoses one block under given models of its noise.
 class BlockDiagnoser {
  public:
@@ -355,6 +346,14 @@ Searched SearchFor(const ReplayBlock& block, const SearchOptions& options, const
 
 std::vector<Manoeuvre> ManoeuvresOf(const ReplayBlock& block, const Stream& stream) {
   return SplitByManoeuvre(block.commands, {}, stream);
+}
+
+bool IsTestable(const std::vector<Manoeuvre>& manoeuvres) {
+  std::size_t seen = 0, final = 0;
+  for (const Manoeuvre& manoeuvre : manoeuvres) {
+    if (manoeuvre.axes != 0) ++(manoeuvre.part == Part::kFinal ? final : seen);
+  }
+  return seen >= kFewestSeen && final >= kFewestFinal;
 }
 
 BlockDiagnosis DiagnoseBlock(const ReplayBlock& block, const SearchOptions& options,

@@ -54,6 +54,10 @@ struct BlockDiagnosis {
 /// The block's manoeuvres, 3 s at most each, shared out among TRAIN, SELECT and FINAL.
 std::vector<Manoeuvre> ManoeuvresOf(const ReplayBlock& block, const Stream& stream);
 
+/// Whether enough manoeuvres were commanded for findings to be chosen and confirmed: six of TRAIN
+/// and SELECT, three of FINAL.
+bool IsTestable(const std::vector<Manoeuvre>& manoeuvres);
+
 /// Says why a block's measurements differ from its replay: noise, search, location, what remains,
 /// what could not have been seen, and the error on data that was not used.
 ///

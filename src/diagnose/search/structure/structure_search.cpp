@@ -18,8 +18,6 @@ constexpr std::size_t kLikeliest = 4;       ///< likewise, of exchanges and addi
 constexpr std::size_t kNearest = 5;         ///< rivals that a term is held against
 constexpr double kAsLikely = 0.5;           ///< of log-likelihood
 constexpr double kCalmer = 0.8;             ///< of the sum of effects
-constexpr double kRivalP = 0.05;
-constexpr double kRivalGain = 3;  ///< of log-likelihood: nothing to choose by
 
 void SortByCriterion(std::vector<Scored>* scored) {
   std::stable_sort(scored->begin(), scored->end(),

@@ -10,6 +10,10 @@
 
 namespace tera {
 
+/// A rival is rejected where the manoeuvres gain from the term in its place with p of at most
+/// kRivalP and by at least kRivalGain of log-likelihood, below which there is nothing to choose by.
+inline constexpr double kRivalP = 0.05, kRivalGain = 3;
+
 struct SearchOptions {
   std::size_t screened = 8;  ///< suspects that pairs are made of
   std::size_t deepest = 4;   ///< terms in a structure

@@ -246,10 +246,10 @@ TEST(Sentence, OfWhatIsLeftOutSaysHowMuchAndWhy) {
 TEST(Sentence, OfTheNextManoeuvreCountsMechanismsWhereTheyAreMany) {
   NextManoeuvre next;
   for (const char* mechanism : {"sag", "backlash", "dead_band", "rate_limit"}) {
-    next.separates.push_back({"slew", {mechanism, "nothing"}, false, 0.9});
+    next.discriminated.push_back({"slew", {mechanism, "nothing"}, false, 0.9});
     EXPECT_THAT(
         SentenceOf(next),
-        HasSubstr(next.separates.size() < 4 ? "sag" : "would show 4 mechanisms of the slew"));
+        HasSubstr(next.discriminated.size() < 4 ? "sag" : "would show 4 mechanisms of the slew"));
   }
 }
 

@@ -1,4 +1,4 @@
-#include "diagnose/next/rehearsal.h"
+#include "diagnose/experiment_design/predicted_run.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,9 @@
 namespace tera {
 namespace {
 
-constexpr double kLoadEvery_s = 0.05;
-/// Of a rate: an encoder that repeats itself to the bit is taken for one that hands on what it had.
+constexpr double kLoadPeriod_s = 0.05;  ///< in which the weight's load on joints hardly changes
+/// Amplitude of what keeps samples of a rate from being equal: an encoder that repeats itself to
+/// the bit is taken for one that passes on old values.
 constexpr double kTremor_radps = 1e-9;
 
 std::size_t AxesOf(const MachineModel& model) {
@@ -23,7 +24,7 @@ std::size_t AxisOf(const MachineModel& model, const Lever& lever) {
       lever.joint >= 0 ? lever.joint : static_cast<int>(model.joints.size()) + lever.gear);
 }
 
-/// The levers in force at a time, by axis.
+/// The levers of all axes as moves set them, read with rising time.
 class LeversOverTime {
  public:
   LeversOverTime(const MachineModel& model, const std::vector<LeverMove>& moves)
@@ -45,7 +46,7 @@ class LeversOverTime {
   std::size_t next_ = 0;
 };
 
-/// A row wherever a lever moves, neutral at the beginning and the end.
+/// Commands with a row wherever a lever moves, neutral at the beginning and the end.
 TableRecording CommandsOf(const MachineModel& model, const std::vector<LeverMove>& moves,
                           double length_s) {
   TableRecording table;
@@ -93,12 +94,13 @@ int AxisNamed(const MachineModel& model, const std::string& name) {
   return -1;
 }
 
-Rehearsal Rehearse(const MachineModel& model, const std::vector<LeverMove>& moves, double length_s,
-                   std::vector<double> start_rad, const RehearsalSteps& steps) {
-  Rehearsal out;
+PredictedRun PredictRun(const MachineModel& model, const std::vector<LeverMove>& moves,
+                        double length_s, std::vector<double> start_rad,
+                        const PredictionSteps& steps) {
+  PredictedRun out;
   out.length_s = length_s;
   out.commands = CommandsOf(model, moves, length_s);
-  out.encoders.channel = "rehearsal/encoders";
+  out.encoders.channel = "predicted_run/encoders";
   for (const Joint& joint : model.joints) {
     out.encoders.recording.axes.push_back({joint.name, joint.type == JointType::kPrismatic});
   }
@@ -112,7 +114,7 @@ Rehearsal Rehearse(const MachineModel& model, const std::vector<LeverMove>& move
   LeversOverTime levers(model, moves);
   const auto count = static_cast<std::size_t>(std::lround(length_s / steps.step_s));
   const auto load_stride =
-      static_cast<std::size_t>(std::max(1.0, std::round(kLoadEvery_s / steps.step_s)));
+      static_cast<std::size_t>(std::max(1.0, std::round(kLoadPeriod_s / steps.step_s)));
   double next_sample_s = 0;
   for (std::size_t k = 0; k <= count; ++k) {
     const double t_s = static_cast<double>(k) * steps.step_s;
@@ -141,9 +143,9 @@ Rehearsal Rehearse(const MachineModel& model, const std::vector<LeverMove>& move
   return out;
 }
 
-Rehearsal Joined(const std::vector<Rehearsal>& runs) {
-  Rehearsal out;
-  for (const Rehearsal& run : runs) {
+PredictedRun Concatenated(const std::vector<PredictedRun>& runs) {
+  PredictedRun out;
+  for (const PredictedRun& run : runs) {
     const TimeNs late_ns = FromSeconds(out.length_s);
     if (out.commands.columns.empty()) {
       out = run;
@@ -174,9 +176,9 @@ Rehearsal Joined(const std::vector<Rehearsal>& runs) {
   return out;
 }
 
-std::optional<ReplayBlock> BlockOf(const MachineModel& model, const Rehearsal& rehearsal,
+std::optional<ReplayBlock> BlockOf(const MachineModel& model, const PredictedRun& run,
                                    std::size_t axis, double step_s) {
-  const AxisLog log = MakeAxisLog(model, rehearsal.commands, {rehearsal.encoders}, step_s);
+  const AxisLog log = MakeAxisLog(model, run.commands, {run.encoders}, step_s);
   for (std::size_t m = 0; m < log.measured.size(); ++m) {
     if (log.measured[m].axis == axis) return MakeAxisBlock(model, log, m);
   }

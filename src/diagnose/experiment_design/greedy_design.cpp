@@ -1,4 +1,4 @@
-#include "diagnose/next/piece_choice.h"
+#include "diagnose/experiment_design/greedy_design.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -10,15 +10,16 @@
 namespace tera {
 namespace {
 
-constexpr double kStep = 0.02;   ///< of a number's range
-constexpr double kSpread = 0.3;  ///< likewise: how far it may have to move
+constexpr double kSecantStep = 0.02;  ///< of a number's range
+constexpr double kPriorSigma = 0.3;   ///< of a number about where it is, in parts of its range
 
 Eigen::VectorXd Predicted(const ReplayBlock& run, const Structure& terms) {
   const std::vector<double> y = run.predict(terms).front();
   return Eigen::Map<const Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size()));
 }
 
-/// What the false account can do about a difference: its numbers, then the nuisances.
+/// Changes of the wrong explanation's prediction by one standard deviation of each of its numbers,
+/// then of each nuisance.
 Eigen::MatrixXd ColumnsOf(const ReplayBlock& run, const Structure& terms,
                           const Eigen::VectorXd& predicted) {
   const Channel& channel = run.channels.front();
@@ -27,9 +28,9 @@ Eigen::MatrixXd ColumnsOf(const ReplayBlock& run, const Structure& terms,
     for (const FreeParameter& free : terms[t].suspect->free) {
       Structure moved = terms;
       const double place = PlaceOf(free, terms[t].values[free.index]);
-      const double step = place + kStep <= 1 ? kStep : -kStep;
+      const double step = place + kSecantStep <= 1 ? kSecantStep : -kSecantStep;
       moved[t].values[free.index] = ValueAt(free, place + step);
-      columns.push_back((Predicted(run, moved) - predicted) * (kSpread / step));
+      columns.push_back((Predicted(run, moved) - predicted) * (kPriorSigma / step));
     }
   }
   const Eigen::Index rows = predicted.size();
@@ -53,7 +54,7 @@ Eigen::MatrixXd ColumnsOf(const ReplayBlock& run, const Structure& terms,
 
 }  // namespace
 
-PieceEvidence& PieceEvidence::operator+=(const PieceEvidence& other) {
+PairInformation& PairInformation::operator+=(const PairInformation& other) {
   if (information.size() == 0) return *this = other;
   information += other.information;
   pull += other.pull;
@@ -61,45 +62,46 @@ PieceEvidence& PieceEvidence::operator+=(const PieceEvidence& other) {
   return *this;
 }
 
-double PieceEvidence::Lead() const {
+double PairInformation::Lead() const {
   if (information.size() == 0) return 0;
   Eigen::MatrixXd with_prior = information;
   with_prior.diagonal().array() += 1;
   return std::max(0.0, 0.5 * (energy - pull.dot(with_prior.ldlt().solve(pull))));
 }
 
-std::vector<std::vector<PieceEvidence>> EvidenceOf(const ReplayBlock& run, const NoiseModel& noise,
-                                                   const std::vector<OpenQuestion>& questions,
-                                                   const std::vector<Segment>& pieces) {
+std::vector<std::vector<PairInformation>> InformationOf(const ReplayBlock& run,
+                                                        const NoiseModel& noise,
+                                                        const std::vector<RivalPair>& pairs,
+                                                        const std::vector<Segment>& excitations) {
   const WhiteningFilter filter(noise, run.channels.front().measured.valid);
-  std::vector<std::vector<PieceEvidence>> evidence;
-  for (const OpenQuestion& question : questions) {
-    const Eigen::VectorXd instead = Predicted(run, question.instead);
+  std::vector<std::vector<PairInformation>> information;
+  for (const RivalPair& pair : pairs) {
+    const Eigen::VectorXd alternative = Predicted(run, pair.alternative);
     const Eigen::VectorXd difference =
-        filter.Apply(Predicted(run, question.truth) - instead) / noise.scale;
-    Eigen::MatrixXd columns = ColumnsOf(run, question.instead, instead);
+        filter.Apply(Predicted(run, pair.truth) - alternative) / noise.scale;
+    Eigen::MatrixXd columns = ColumnsOf(run, pair.alternative, alternative);
     for (Eigen::Index c = 0; c < columns.cols(); ++c) {
       columns.col(c) = filter.Apply(columns.col(c)) / noise.scale;
     }
-    std::vector<PieceEvidence> of_pieces;
-    for (const Segment& piece : pieces) {
-      const auto first = static_cast<Eigen::Index>(piece.begin);
-      const auto size = static_cast<Eigen::Index>(piece.size());
+    std::vector<PairInformation> of_pair;
+    for (const Segment& excitation : excitations) {
+      const auto first = static_cast<Eigen::Index>(excitation.begin);
+      const auto size = static_cast<Eigen::Index>(excitation.size());
       const auto rows = columns.middleRows(first, size);
       const auto d = difference.segment(first, size);
-      of_pieces.push_back({rows.transpose() * rows, rows.transpose() * d, d.squaredNorm()});
+      of_pair.push_back({rows.transpose() * rows, rows.transpose() * d, d.squaredNorm()});
     }
-    evidence.push_back(std::move(of_pieces));
+    information.push_back(std::move(of_pair));
   }
-  return evidence;
+  return information;
 }
 
-std::vector<std::size_t> ChoosePieces(const std::vector<std::vector<PieceEvidence>>& evidence,
-                                      const std::vector<double>& weight,
-                                      const std::vector<double>& length_s, double duration_s) {
+std::vector<std::size_t> ChooseExcitations(
+    const std::vector<std::vector<PairInformation>>& information, const std::vector<double>& weight,
+    const std::vector<double>& length_s, double duration_s) {
   std::vector<std::size_t> chosen;
-  std::vector<PieceEvidence> sum(evidence.size());
-  std::vector<double> score(evidence.size(), 0.0);
+  std::vector<PairInformation> sum(information.size());
+  std::vector<double> score(information.size(), 0.0);
   double left_s = duration_s;
   while (true) {
     std::size_t best = length_s.size();
@@ -107,9 +109,9 @@ std::vector<std::size_t> ChoosePieces(const std::vector<std::vector<PieceEvidenc
     for (std::size_t p = 0; p < length_s.size(); ++p) {
       if (length_s[p] > left_s) continue;
       double gain = 0;
-      for (std::size_t q = 0; q < evidence.size(); ++q) {
-        PieceEvidence with = sum[q];
-        with += evidence[q][p];
+      for (std::size_t q = 0; q < information.size(); ++q) {
+        PairInformation with = sum[q];
+        with += information[q][p];
         gain += weight[q] * (std::log1p(with.Lead()) - score[q]);
       }
       gain /= length_s[p];
@@ -120,8 +122,8 @@ std::vector<std::size_t> ChoosePieces(const std::vector<std::vector<PieceEvidenc
     if (best == length_s.size()) return chosen;
     chosen.push_back(best);
     left_s -= length_s[best];
-    for (std::size_t q = 0; q < evidence.size(); ++q) {
-      sum[q] += evidence[q][best];
+    for (std::size_t q = 0; q < information.size(); ++q) {
+      sum[q] += information[q][best];
       score[q] = std::log1p(sum[q].Lead());
     }
   }

@@ -1,4 +1,4 @@
-#include "diagnose/next/open_question.h"
+#include "diagnose/experiment_design/ambiguity_set.h"
 
 #include <algorithm>
 
@@ -19,31 +19,34 @@ Structure Without(Structure terms, const Suspect* suspect) {
   return terms;
 }
 
-/// A finding and its rivals, each fitted in its place.
-OpenMatter ClassOf(const Finding& finding, const Structure& found, const StructureFitter& fitter) {
-  OpenMatter matter;
-  matter.is_class = true;
+/// The class of a finding: itself and its rivals, each fitted in its place.
+AmbiguitySet ClassOf(const Finding& finding, const Structure& found,
+                     const StructureFitter& fitter) {
+  AmbiguitySet set;
+  set.is_class = true;
   const Structure others = Without(found, finding.term.suspect);
-  std::vector<Structure> accounts;
+  std::vector<Structure> explanations;
   for (const Suspect* rival : finding.evidence.rivals) {
-    matter.members.emplace_back(rival->mechanism->id);
-    Structure account = others;
-    account.push_back({rival, rival->starts.front()});
-    accounts.push_back(rival == finding.term.suspect ? found : fitter.FitValues(account).terms);
+    set.members.emplace_back(rival->mechanism->id);
+    Structure explanation = others;
+    explanation.push_back({rival, rival->starts.front()});
+    explanations.push_back(rival == finding.term.suspect ? found
+                                                         : fitter.FitValues(explanation).terms);
   }
-  for (const Structure& truth : accounts) {
-    for (const Structure& instead : accounts) {
-      if (&truth != &instead) matter.questions.push_back({truth, instead});
+  for (const Structure& truth : explanations) {
+    for (const Structure& alternative : explanations) {
+      if (&truth != &alternative) set.pairs.push_back({truth, alternative});
     }
-    matter.questions.push_back({truth, others});
+    set.pairs.push_back({truth, others});
   }
-  return matter;
+  return set;
 }
 
 }  // namespace
 
-std::vector<OpenMatter> OpenMattersOf(const ReplayBlock& block, const BlockDiagnosis& diagnosis) {
-  std::vector<OpenMatter> matters;
+std::vector<AmbiguitySet> AmbiguitySetsOf(const ReplayBlock& block,
+                                          const BlockDiagnosis& diagnosis) {
+  std::vector<AmbiguitySet> sets;
   const Structure& found = diagnosis.search.found.terms;
   const std::vector<Segment> seen = SeenSegmentsOf(diagnosis.manoeuvres);
   Mask mask(block.samples(), 0);
@@ -53,17 +56,16 @@ std::vector<OpenMatter> OpenMattersOf(const ReplayBlock& block, const BlockDiagn
   const Likelihood likelihood(block, diagnosis.noise, mask);
   const StructureFitter fitter(block, likelihood, seen);
   for (const Finding& finding : diagnosis.findings) {
-    if (finding.evidence.rivals.size() > 1) matters.push_back(ClassOf(finding, found, fitter));
+    if (finding.evidence.rivals.size() > 1) sets.push_back(ClassOf(finding, found, fitter));
   }
   for (const Detectability& one : diagnosis.detectability) {
     if (one.smallest || Has(found, one.suspect)) continue;
     const auto& starts = one.suspect->starts;
     Structure truth = found;
     truth.push_back({one.suspect, starts[starts.size() / 2]});
-    matters.push_back(
-        {{std::string(one.suspect->mechanism->id), kNothing}, false, {{truth, found}}});
+    sets.push_back({{std::string(one.suspect->mechanism->id), kNothing}, false, {{truth, found}}});
   }
-  return matters;
+  return sets;
 }
 
 }  // namespace tera

@@ -1,4 +1,4 @@
-#include "diagnose/next/next_manoeuvre.h"
+#include "diagnose/experiment_design/next_manoeuvre.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "core/units.h"
-#include "diagnose/next/piece_choice.h"
-#include "diagnose/next/rehearsal.h"
+#include "diagnose/experiment_design/greedy_design.h"
+#include "diagnose/experiment_design/predicted_run.h"
 #include "diagnose/report/text/next_manoeuvre_text.h"
 #include "sim/drive_fixture.h"
 
@@ -22,7 +22,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 constexpr double kNoise_radps = 0.2 * kDeg;
-constexpr RehearsalSteps kSteps = {.step_s = 0.01, .period_s = 0.02};
+constexpr PredictionSteps kSteps = {.step_s = 0.01, .period_s = 0.02};
 /// Some of the boom's, for speed.
 constexpr std::string_view kSuspects[] = {"dead_band",    "rate_gain",    "lever_saturation",
                                           "valve_curve",  "actuator_lag", "backlash",
@@ -51,8 +51,8 @@ class Boom : public ::testing::Test {
     for (std::size_t r = 0; r < commands.rows.size(); ++r) {
       moves.push_back({ToSeconds(commands.t_ns[r]), axis_, commands.rows[r].at(column)});
     }
-    const Rehearsal run =
-        Rehearse(model_, moves, ToSeconds(commands.t_ns.back()) + 2, start_rad_, kSteps);
+    const PredictedRun run =
+        PredictRun(model_, moves, ToSeconds(commands.t_ns.back()) + 2, start_rad_, kSteps);
     ReplayBlock block = BlockOf(model_, run, axis_, kSteps.step_s).value();
     std::erase_if(block.suspects, [](const Suspect& suspect) {
       return std::find(std::begin(kSuspects), std::end(kSuspects), suspect.mechanism->id) ==
@@ -82,7 +82,7 @@ class Boom : public ::testing::Test {
       moves.push_back({t_s + 2.3, axis_, 0});
       t_s += 3.2;
     }
-    return Rehearse(model_, moves, t_s + 1, start_rad_, kSteps).commands;
+    return PredictRun(model_, moves, t_s + 1, start_rad_, kSteps).commands;
   }
 
   BlockDiagnosis Diagnosed(const ReplayBlock& block) const {
@@ -109,7 +109,7 @@ std::vector<std::string> ClassOf(const BlockDiagnosis& diagnosis) {
   return names;
 }
 
-TEST_F(Boom, OfWhichFullStepsLeaveAClassIsToldByTheLeversThatAreProposed) {
+TEST_F(Boom, OfWhichFullStepsLeaveAClassIsDiscriminatedByTheLeversThatAreProposed) {
   const ReplayBlock first = Recorded(FullSteps(), "dead_band", 0.12);
   const BlockDiagnosis diagnosis = Diagnosed(first);
   const std::vector<std::string> alike = ClassOf(diagnosis);
@@ -118,12 +118,11 @@ TEST_F(Boom, OfWhichFullStepsLeaveAClassIsToldByTheLeversThatAreProposed) {
 
   const auto next = Next(first, diagnosis);
   ASSERT_TRUE(next.has_value());
-  const auto separated =
-      std::find_if(next->separates.begin(), next->separates.end(),
-                   [](const SeparatedMatter& matter) { return matter.is_class; });
-  ASSERT_NE(separated, next->separates.end());
-  EXPECT_THAT(separated->members, ::testing::UnorderedElementsAreArray(alike));
-  EXPECT_GE(separated->power, 0.5);
+  const auto discriminated = std::find_if(next->discriminated.begin(), next->discriminated.end(),
+                                          [](const DiscriminatedSet& set) { return set.is_class; });
+  ASSERT_NE(discriminated, next->discriminated.end());
+  EXPECT_THAT(discriminated->members, ::testing::UnorderedElementsAreArray(alike));
+  EXPECT_GE(discriminated->power, 0.5);
   EXPECT_LT(next->duration_s, 75);
 
   // Each of the class, concealed, is named alone in a recording of the levers proposed.
@@ -151,12 +150,12 @@ TEST_F(Boom, StaysWhereTheRecordingShowedThatItCanGo) {
 TEST_F(Boom, ThatHardlyMovedGetsLeversThatWouldShowWhatActs) {
   const std::vector<LeverMove> once = {{2, axis_, 0.5}, {2.6, axis_, 0}};
   const ReplayBlock first =
-      Recorded(Rehearse(model_, once, 30, start_rad_, kSteps).commands, "dead_band", 0.1);
+      Recorded(PredictRun(model_, once, 30, start_rad_, kSteps).commands, "dead_band", 0.1);
   const BlockDiagnosis diagnosis = Diagnosed(first);
   ASSERT_FALSE(diagnosis.is_testable);
   const auto next = Next(first, diagnosis);
   ASSERT_TRUE(next.has_value());
-  EXPECT_GE(next->separates.size(), 4u);
+  EXPECT_GE(next->discriminated.size(), 4u);
   const BlockDiagnosis again = Diagnosed(Recorded(next->commands, "dead_band", 0.1));
   EXPECT_TRUE(again.is_testable);
   EXPECT_THAT(ClassOf(again), Contains("dead_band"));
@@ -169,8 +168,8 @@ TEST_F(Boom, WritesItsLeversAsARecordingHasThem) {
   next.commands.columns = {"boom", "arm"};
   next.commands.t_ns = {0, 1500000000};
   next.commands.rows = {{0, 0}, {-0.25, 1}};
-  next.separates = {{"boom", {"dead_band", "rate_gain"}, true, 0.97},
-                    {"boom", {"backlash", "nothing"}, false, 0.8}};
+  next.discriminated = {{"boom", {"dead_band", "rate_gain"}, true, 0.97},
+                        {"boom", {"backlash", "nothing"}, false, 0.8}};
   next.power = 0.8;
   EXPECT_EQ(CsvOf(next), "t_ns,boom,arm\n0,0,0\n1500000000,-0.25,1\n");
   EXPECT_THAT(SentenceOf(next),
@@ -178,42 +177,43 @@ TEST_F(Boom, WritesItsLeversAsARecordingHasThem) {
                     HasSubstr("would show backlash of the boom"), HasSubstr("Power 0.8 at least")));
 }
 
-TEST(LeverPieces, StayWithinTheRoomAndEndInNeutral) {
-  const AxisRoom room{2, "boom", 0.5, -0.2, 0.6};
-  for (const LeverPiece& piece : LeverPiecesFor(room, {{3, "arm", 0.7, -1.0, 0.0}})) {
+TEST(Excitations, StayWithinTheRangeAndEndInNeutral) {
+  const AxisRange range{2, "boom", 0.5, -0.2, 0.6};
+  for (const Excitation& excitation : ExcitationsFor(range, {{3, "arm", 0.7, -1.0, 0.0}})) {
     std::vector<double> at_rad(4, 0.0), lever(4, 0.0);
     double t_s = 0;
-    for (const LeverMove& move : piece.moves) {
-      EXPECT_GE(move.t_s, t_s - 1e-9) << piece.what;
+    for (const LeverMove& move : excitation.moves) {
+      EXPECT_GE(move.t_s, t_s - 1e-9) << excitation.what;
       for (std::size_t a = 0; a < 4; ++a) {
         at_rad[a] += lever[a] * (a == 2 ? 0.5 : 0.7) * (move.t_s - t_s);
       }
-      EXPECT_LE(std::abs(at_rad[2]), 0.4 + 1e-9) << piece.what;
-      EXPECT_LE(std::abs(at_rad[3]), 0.5 + 1e-9) << piece.what;
+      EXPECT_LE(std::abs(at_rad[2]), 0.4 + 1e-9) << excitation.what;
+      EXPECT_LE(std::abs(at_rad[3]), 0.5 + 1e-9) << excitation.what;
       lever[move.axis] = move.lever;
       t_s = move.t_s;
     }
-    EXPECT_THAT(lever, ElementsAre(0, 0, 0, 0)) << piece.what;
-    EXPECT_NEAR(at_rad[2], 0, 1e-9) << piece.what;
-    EXPECT_GT(piece.length_s, t_s);
+    EXPECT_THAT(lever, ElementsAre(0, 0, 0, 0)) << excitation.what;
+    EXPECT_NEAR(at_rad[2], 0, 1e-9) << excitation.what;
+    EXPECT_GT(excitation.length_s, t_s);
   }
 }
 
-/// One number that explains a difference of two pieces where both have one sign, and not otherwise.
-PieceEvidence OneNumber(double column, double difference) {
+/// One number that explains a difference of two excitations where both have one sign, and not
+/// otherwise.
+PairInformation OneNumber(double column, double difference) {
   return {Eigen::MatrixXd::Constant(1, 1, 1e6 * column * column),
           Eigen::VectorXd::Constant(1, 1e6 * column * difference), 1e6 * difference * difference};
 }
 
-TEST(ChoosePieces, TakesTheTwoThatOneNumberCannotExplainTogether) {
+TEST(ChooseExcitations, TakesTheTwoThatOneNumberCannotExplainTogether) {
   // Alone each is explained away; the second and third ask for opposite numbers.
-  const std::vector<std::vector<PieceEvidence>> evidence = {
+  const std::vector<std::vector<PairInformation>> information = {
       {OneNumber(1, 1), OneNumber(1, 0.5), OneNumber(1, -0.5)}};
-  PieceEvidence opposite = evidence[0][1];
-  opposite += evidence[0][2];
-  EXPECT_NEAR(evidence[0][0].Lead(), 0.5, 0.01);  // what the number's own spread costs
+  PairInformation opposite = information[0][1];
+  opposite += information[0][2];
+  EXPECT_NEAR(information[0][0].Lead(), 0.5, 0.01);  // what the number's own spread costs
   EXPECT_NEAR(opposite.Lead(), 0.5 * 1e6 * 0.5, 10);
-  const auto chosen = ChoosePieces(evidence, {1}, {1, 1, 1}, 2);
+  const auto chosen = ChooseExcitations(information, {1}, {1, 1, 1}, 2);
   EXPECT_EQ(chosen.size(), 2u);
   EXPECT_GT(std::abs(static_cast<int>(chosen[0]) - static_cast<int>(chosen[1])), 0);
   EXPECT_THAT(chosen, Contains(2u));

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/random.h"
+#include "dataset/format/recording.h"
+#include "diagnose/experiment_design/excitation.h"
+#include "diagnose/replay/axis_log.h"
+#include "diagnose/search/fit/replay_block.h"
+#include "physics/description/machine.h"
+
+namespace tera {
+
+/// A run of levers that has not been driven yet, predicted as a recording would hold it.
+struct PredictedRun {
+  TableRecording commands;
+  NamedEncoders encoders;       ///< of all joints and gears
+  std::vector<double> end_rad;  ///< positions of the joints at its end
+  std::vector<double> lowest_rad, highest_rad;
+  double length_s = 0;
+};
+
+/// Time steps of a prediction.
+struct PredictionSteps {
+  double step_s = 0.01;    ///< of the replay
+  double period_s = 0.01;  ///< of the encoders
+};
+
+/// The axis of a joint or gear by its name, joints first; -1 where there is none.
+int AxisNamed(const MachineModel& model, const std::string& name);
+
+/// Predicts what a machine does under moves of its levers, from given positions of its joints.
+///
+/// Model   the chain of actuation with the model's effects; a joint moves as its drive asks.
+/// Encoders
+///         measure it without noise, but for what keeps two samples from being equal.
+/// Omits   inertia, end stops, the ground.
+PredictedRun PredictRun(const MachineModel& model, const std::vector<LeverMove>& moves,
+                        double length_s, std::vector<double> start_rad,
+                        const PredictionSteps& steps);
+
+/// One run after the other, each from its own positions.
+PredictedRun Concatenated(const std::vector<PredictedRun>& runs);
+
+/// The block of an axis over a predicted run; none where the run is too short for one.
+std::optional<ReplayBlock> BlockOf(const MachineModel& model, const PredictedRun& run,
+                                   std::size_t axis, double step_s);
+
+}  // namespace tera
