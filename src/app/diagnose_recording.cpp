@@ -145,7 +145,7 @@ HeldOutRecording JudgeFurther(const Diagnosis& diagnosis, Further* further,
 bool HasFindingsToSimulate(const Diagnosis& diagnosis) {
   return std::any_of(diagnosis.blocks.begin(), diagnosis.blocks.end(),
                      [](const DiagnosedBlock& diagnosed) {
-                       return !BesidesPoses(diagnosed.diagnosis.search.found.terms).empty();
+                       return !WithoutPoseTerms(diagnosed.diagnosis.search.found.terms).empty();
                      });
 }
 

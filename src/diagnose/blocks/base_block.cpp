@@ -209,13 +209,13 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
     block.channels.back().is_lagging = LaggingTurns(model, log, grid, loose);
   block.commands = {CommandOf(course.left_mps, grid), CommandOf(course.right_mps, grid)};
   block.suspects = SuspectsOf(model.effects.base);
-  if (poses_were_measured) block.suspects.push_back(LatePoses());
-  if (log.may_be_arrivals) block.suspects.push_back(ArrivalStamps());
+  if (poses_were_measured) block.suspects.push_back(PoseLatencyCandidate());
+  if (log.may_be_arrivals) block.suspects.push_back(ArrivalStampsCandidate());
   block.replay = WholeReplay([model, log, grid](const Structure& terms) {
     const std::vector<PlanarTwist> twists =
         BaseReplay(model, log)
-            .Predict(WithTerms(model.effects.base, BesidesPoses(terms)),
-                     {HasArrivalStamps(terms), LatenessOfPoses_s(terms)});
+            .Predict(WithTerms(model.effects.base, WithoutPoseTerms(terms)),
+                     {HasArrivalStamps(terms), PoseLatency_s(terms)});
     return std::vector<std::vector<double>>{grid.Spread(PartOf(twists, &PlanarTwist::forward_mps)),
                                             grid.Spread(PartOf(twists, &PlanarTwist::left_mps)),
                                             grid.Spread(PartOf(twists, &PlanarTwist::yaw_radps))};

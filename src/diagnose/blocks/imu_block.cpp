@@ -18,7 +18,8 @@ constexpr double kLeastCorrelation = 0.3;
 constexpr double kTurns_radps = 0.02;  ///< of a link: less is rest
 constexpr std::array<const char*, kQuantities> kColumns = {"wx_radps", "wy_radps", "wz_radps",
                                                            "ax_mps2",  "ay_mps2",  "az_mps2"};
-constexpr std::array<std::size_t, 4> kLags = {0, 1, 2, 4};  ///< intervals, of the flexible regressor
+/// Lags of the flexible regressor's columns, in intervals.
+constexpr std::array<std::size_t, 4> kLags = {0, 1, 2, 4};
 
 using Quantities = std::array<std::vector<double>, kQuantities>;
 
@@ -122,14 +123,14 @@ std::vector<Suspect> SuspectsOf(const SensorDescription& sensor, const Quantitie
   AddTiming(&out);
   std::vector<Suspect> suspects = out.Take();
   if (poses_were_measured) {
-    suspects.insert(suspects.begin(), LatePoses());
-    suspects.push_back(TiltedMap());
+    suspects.insert(suspects.begin(), PoseLatencyCandidate());
+    suspects.push_back(MapTiltCandidate());
   }
   return suspects;
 }
 
 /// A unit beside poses that are late: its clock is behind theirs.
-Effects WithLatePoses(Effects effects, double late_s) {
+Effects WithPoseLatency(Effects effects, double late_s) {
   if (late_s == 0) return effects;
   const auto own = std::find_if(effects.begin(), effects.end(), [](const Effect& effect) {
     return effect.mechanism->id == "clock_offset";
@@ -282,9 +283,9 @@ std::optional<ReplayBlock> MakeImuBlock(const SensorDescription& sensor, ImuLog 
   block.commands = CommandsOf(predicted, period_s);
   block.suspects = SuspectsOf(sensor, predicted, poses_were_measured);
   block.replay = WholeReplay([described, log, replay, mean_f_S_mps2](const Structure& terms) {
-    const Effects effects =
-        WithLatePoses(WithTerms(described->effects, BesidesPoses(terms)), LatenessOfPoses_s(terms));
-    Quantities split = Split(replay->Predict(effects, TiltOfMap(terms)), mean_f_S_mps2);
+    const Effects effects = WithPoseLatency(WithTerms(described->effects, WithoutPoseTerms(terms)),
+                                            PoseLatency_s(terms));
+    Quantities split = Split(replay->Predict(effects, MapTilt(terms)), mean_f_S_mps2);
     return std::vector<std::vector<double>>(std::make_move_iterator(split.begin()),
                                             std::make_move_iterator(split.end()));
   });

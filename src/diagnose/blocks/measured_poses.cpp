@@ -33,31 +33,35 @@ std::span<const Mechanism> PoseMechanisms() {
   return mechanisms;
 }
 
-Suspect LatePoses() { return OfPoses("latency", {{0, 0, 3}}, {{0.05, 0}, {0.15, 0}, {0.4, 0}}); }
+Suspect PoseLatencyCandidate() {
+  return OfPoses("latency", {{0, 0, 3}}, {{0.05, 0}, {0.15, 0}, {0.4, 0}});
+}
 
-Suspect ArrivalStamps() { return {&PoseMechanisms().front(), std::string(kPoses), {}, {{}}, {}}; }
+Suspect ArrivalStampsCandidate() {
+  return {&PoseMechanisms().front(), std::string(kPoses), {}, {{}}, {}};
+}
 
 bool HasArrivalStamps(const Structure& terms) {
   return FindTerm(terms, PoseMechanisms().front().id) != nullptr;
 }
 
-Suspect TiltedMap() {
+Suspect MapTiltCandidate() {
   return OfPoses("mount_rotation", {{0, -15, 15}, {1, -15, 15}},
                  {{0.5, 0, 0}, {0, 0.5, 0}, {2, 0, 0}, {-2, 0, 0}, {0, 2, 0}, {0, -2, 0}});
 }
 
-double LatenessOfPoses_s(const Structure& terms) {
+double PoseLatency_s(const Structure& terms) {
   const Term* late = FindTerm(terms, "latency");
   return late != nullptr ? late->values.front() : 0;
 }
 
-Mat3 TiltOfMap(const Structure& terms) {
+Mat3 MapTilt(const Structure& terms) {
   const Term* tilt = FindTerm(terms, "mount_rotation");
   if (tilt == nullptr) return Mat3::Identity();
   return RotationFromRpy(tilt->values[0] * kDeg, tilt->values[1] * kDeg, 0).transpose();
 }
 
-Structure BesidesPoses(Structure terms) {
+Structure WithoutPoseTerms(Structure terms) {
   std::erase_if(terms, [](const Term& term) { return term.suspect->target == kPoses; });
   return terms;
 }
