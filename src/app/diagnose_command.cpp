@@ -24,7 +24,7 @@ void AddDiagnoseCommand(CLI::App* app) {
       ->take_all()
       ->allow_extra_args(false);
   command->add_option("--library", arguments->library,
-                      "File (YAML) that limits or extends the mechanisms that are suspected");
+                      "File (YAML) that limits or extends the candidate mechanisms");
   command
       ->add_option("--time-limit", arguments->time_limit_s,
                    "Seconds after which the search stops and what is done is reported")

@@ -19,7 +19,7 @@ std::string Outcome(const BlockDiagnosis& diagnosis) {
   if (!diagnosis.is_testable) return "too few manoeuvres";
   std::vector<std::string> parts;
   for (const Finding& finding : diagnosis.findings) {
-    parts.emplace_back(finding.term.suspect->mechanism->id);
+    parts.emplace_back(finding.term.candidate->mechanism->id);
   }
   if (!diagnosis.unexplained.empty()) {
     parts.push_back(fmt::format("{} unexplained", diagnosis.unexplained.size()));

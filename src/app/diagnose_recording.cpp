@@ -83,7 +83,7 @@ DiagnosisOptions OptionsOf(const DiagnoseArguments& arguments, std::uint64_t see
   options.search.threads = options.blocks.threads = arguments.threads;
   if (arguments.from_s) options.measurements.from_s = *arguments.from_s;
   if (arguments.to_s) options.measurements.to_s = *arguments.to_s;
-  if (arguments.library) options.library = ReadSuspectLibrary(*arguments.library);
+  if (arguments.library) options.library = ReadCandidateLibrary(*arguments.library);
   options.time_limit_s = arguments.time_limit_s;
   return options;
 }

@@ -14,7 +14,7 @@ struct DiagnoseArguments {
   ScenarioOptions scenario;
   std::filesystem::path recording, out;
   std::vector<std::filesystem::path> held_out;   ///< further recordings, to be judged by
-  std::optional<std::filesystem::path> library;  ///< of suspects
+  std::optional<std::filesystem::path> library;  ///< of candidates
   std::optional<double> from_s, to_s, time_limit_s;
   bool simulate = true;  ///< the whole scenario, to confirm what was found
   int threads = HostOptions().threads;

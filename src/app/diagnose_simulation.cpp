@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "diagnose/blocks/candidate_list.h"
 #include "diagnose/blocks/measured_poses.h"
-#include "diagnose/blocks/suspect_list.h"
 #include "diagnose/replay/base_log.h"
 #include "sim/operators/lever_replay.h"
 #include "sim/simulation.h"
@@ -234,7 +234,7 @@ void Comparison::AddBlock(const DiagnosedBlock& diagnosed, const SimulatedCourse
     const bool is_named = std::any_of(
         diagnosed.diagnosis.findings.begin(), diagnosed.diagnosis.findings.end(),
         [&](const Finding& finding) {
-          return finding.location.channel == c && finding.term.suspect->target != kPoses;
+          return finding.location.channel == c && finding.term.candidate->target != kPoses;
         });
     if (!is_named) continue;
     const double rmse = was.empty() ? NAN : RmseOnFinal(diagnosed, c, was[c]);

@@ -54,7 +54,7 @@ std::optional<NextManoeuvre> NextManoeuvreOf(const MachineModel& model,
   std::vector<DiagnosedAxis> axes;
   for (const DiagnosedBlock& diagnosed : blocks) {
     axes.push_back({&diagnosed.block, &diagnosed.diagnosis});
-    next.suspects_in_all += diagnosed.block.suspects.size();
+    next.total_candidates += diagnosed.block.candidates.size();
   }
   return DesignNextManoeuvre(model, axes, next, Stream(options.seed, "diagnose/next_manoeuvre"));
 }
@@ -87,8 +87,8 @@ std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis) {
       (finding.evidence.rivals.size() > 1 ? several : named) = true;
     }
     unexplained = unexplained || !diagnosed.diagnosis.unexplained.empty();
-    for (const Detectability& suspect : diagnosed.diagnosis.detectability) {
-      untestable = untestable || !suspect.smallest;
+    for (const Detectability& candidate : diagnosed.diagnosis.detectability) {
+      untestable = untestable || !candidate.smallest;
     }
   }
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
@@ -157,10 +157,10 @@ Stream StreamOf(const ReplayBlock& block, std::uint64_t seed) {
 }
 
 SearchOptions OverAll(SearchOptions options, const std::vector<ReplayBlock>& blocks) {
-  options.suspects_in_all = options.channels_in_all = 0;
+  options.total_candidates = options.total_channels = 0;
   for (const ReplayBlock& block : blocks) {
-    options.suspects_in_all += block.suspects.size();
-    options.channels_in_all += block.channels.size();
+    options.total_candidates += block.candidates.size();
+    options.total_channels += block.channels.size();
   }
   return options;
 }
@@ -239,7 +239,7 @@ Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
       BlocksOf(input, measured, options.blocks, &diagnosis.not_compared);
   if (options.library) {
     ApplyLibrary(*options.library, *input.model, &blocks);
-    RequireSuspects(*options.library, blocks);
+    RequireCandidates(*options.library, blocks);
   }
   const std::optional<SimulatedCourse> course = simulate ? simulate(measured) : std::nullopt;
   diagnosis.discrepancy_corrections =

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/random.h"
+#include "diagnose/candidates/candidate_library.h"
 #include "diagnose/confirm/held_out_recording.h"
 #include "diagnose/confirm/whole_simulation.h"
 #include "diagnose/discrepancy/discrepancy_correction.h"
@@ -16,11 +17,10 @@
 #include "diagnose/recorded_blocks.h"
 #include "diagnose/search/block/block_diagnosis.h"
 #include "diagnose/search/fit/excluded_samples.h"
-#include "diagnose/suspects/suspect_library.h"
 
 namespace tera {
 
-/// A block and what came of it. The findings point into the block's suspects: it is moved, not
+/// A block and what came of it. The findings point into the block's candidates: it is moved, not
 /// copied.
 struct DiagnosedBlock {
   DiagnosedBlock() = default;
@@ -63,7 +63,7 @@ std::string_view NameOf(Verdict verdict);
 
 /// kNone where nothing was found and nothing is left of the blocks that could be judged; kNamed,
 /// kClass by the findings; kUnexplained where error is left; kUntestable where something could not
-/// be compared or judged, or some suspect would not have been seen at any size.
+/// be compared or judged, or some candidate would not have been seen at any size.
 std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis);
 
 struct DiagnosisOptions {
@@ -71,7 +71,7 @@ struct DiagnosisOptions {
   BlockOptions blocks;
   SearchOptions search;
   std::uint64_t seed = 1;
-  std::optional<SuspectLibrary> library;  ///< instead of what the blocks suspect by themselves
+  std::optional<CandidateLibrary> library;  ///< limits or extends the blocks' own
   /// Of the search; blocks that are not done by then are not judged, and what is left depends on
   /// the machine that it runs on. Without reaching it the answer is the same as with none.
   std::optional<double> time_limit_s;

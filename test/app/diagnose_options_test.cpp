@@ -81,7 +81,7 @@ TEST_F(DiagnoseOptions, AFolderThatCannotBeMadeStopsBeforeAnythingIsSearched) {
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("boom.yaml/why"), Not(HasSubstr("(1 of 1)"))));
 }
 
-TEST_F(DiagnoseOptions, ALibraryLimitsWhatIsSuspected) {
+TEST_F(DiagnoseOptions, ALibraryLimitsTheCandidates) {
   WriteWholeFile(scratch_.path() / "library.yaml", "without: [dead_band]\n");
   const auto json = Diagnosed({"--library", "library.yaml"});
   for (const auto& finding : json["findings"]) EXPECT_NE(finding["mechanism"], "dead_band");
@@ -89,8 +89,9 @@ TEST_F(DiagnoseOptions, ALibraryLimitsWhatIsSuspected) {
 }
 
 TEST_F(DiagnoseOptions, ALibraryLimitsTheRangeOfANumberOrHoldsIt) {
-  WriteWholeFile(scratch_.path() / "library.yaml",
-                 "only: [dead_band]\nsuspects: {dead_band: {width: [0.02, 0.08], asymmetry: 0}}\n");
+  WriteWholeFile(
+      scratch_.path() / "library.yaml",
+      "only: [dead_band]\ncandidates: {dead_band: {width: [0.02, 0.08], asymmetry: 0}}\n");
   const auto json = Diagnosed({"--library", "library.yaml"});
   ASSERT_EQ(json["findings"].size(), 2u) << out_;
   EXPECT_EQ(json["findings"][1]["mechanism"], "unexplained") << "what a wider one would explain";
@@ -100,9 +101,9 @@ TEST_F(DiagnoseOptions, ALibraryLimitsTheRangeOfANumberOrHoldsIt) {
   EXPECT_EQ(parameters["asymmetry"]["value"], 0);
 }
 
-TEST_F(DiagnoseOptions, ALibraryAddsAMechanismThatNothingSuspectsByItself) {
+TEST_F(DiagnoseOptions, ALibraryAddsAMechanismThatIsNoCandidateByItself) {
   WriteWholeFile(scratch_.path() / "library.yaml",
-                 "only: [command_drops, dead_band]\nsuspects: {command_drops: {period_s: 0.1, "
+                 "only: [command_drops, dead_band]\ncandidates: {command_drops: {period_s: 0.1, "
                  "probability: [0.02, 0.5]}}\n");
   const auto json = Diagnosed({"--library", "library.yaml"});
   ASSERT_EQ(json["findings"].size(), 1u) << out_;
@@ -116,7 +117,7 @@ TEST_F(DiagnoseOptions, ALibraryAddsAMechanismThatNothingSuspectsByItself) {
 
 TEST_F(DiagnoseOptions, ALibraryWithFaultsNamesThemAllWithTheirPlace) {
   WriteWholeFile(scratch_.path() / "library.yaml",
-                 "only: [dead_bend]\nsuspects:\n  dead_band: {width: [0.3, 0.1], wdth: 0}\n");
+                 "only: [dead_bend]\ncandidates:\n  dead_band: {width: [0.3, 0.1], wdth: 0}\n");
   const Outcome outcome =
       RunTera({"diagnose", "boom.yaml", "real", "--library", "library.yaml", "--out", "why"},
               {scratch_.path()});
@@ -129,11 +130,11 @@ TEST_F(DiagnoseOptions, ALibraryWithFaultsNamesThemAllWithTheirPlace) {
   EXPECT_FALSE(std::filesystem::exists(scratch_.path() / "why"));
 }
 
-TEST_F(DiagnoseOptions, ALibraryThatLeavesNoSuspectIsRefused) {
+TEST_F(DiagnoseOptions, ALibraryThatLeavesNoCandidateIsRefused) {
   WriteWholeFile(scratch_.path() / "library.yaml", "only: [track_slip]\n");
   ExpectRefused(scratch_,
                 {"diagnose", "boom.yaml", "real", "--library", "library.yaml", "--out", "why"},
-                HasSubstr("library.yaml: leaves no suspect"));
+                HasSubstr("library.yaml: leaves no candidate"));
 }
 
 TEST_F(DiagnoseOptions, WhatMakesNoSenseIsRefused) {

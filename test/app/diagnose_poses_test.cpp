@@ -85,7 +85,7 @@ TEST_F(DiagnoseMeasuredPoses, OfStampsOfArrivalNamesTheseAndNothingOfTheUnitThat
   EXPECT_GT(finding["held_out"]["excess_variance_removed"].get<double>(), 0.9);
 }
 
-TEST_F(DiagnoseMeasuredPoses, OfThatSuspectAloneComparesTheUnitWithoutAny) {
+TEST_F(DiagnoseMeasuredPoses, OfThatCandidateAloneComparesTheUnitWithoutAny) {
   RecordReal();
   Write("library.yaml", "only: [arrival_stamps]\n");
   EXPECT_EQ(Diagnose("real", "why"), Names{"arrival_stamps"});
@@ -117,7 +117,7 @@ TEST_F(DiagnoseMeasuredPoses, TellsOnceWhatCannotBeComparedByStampsNorByArrivals
   EXPECT_EQ(Report("why")["not_compared"].size(), 1u);
 }
 
-TEST_F(DiagnoseMeasuredPoses, WithoutThatSuspectExplainsNothingAndCannotJudgeTheUnit) {
+TEST_F(DiagnoseMeasuredPoses, WithoutThatCandidateExplainsNothingAndCannotJudgeTheUnit) {
   RecordReal();
   Write("library.yaml", "without: [arrival_stamps]\n");
   const Names names = Diagnose("real", "why", {"--no-simulation"});

@@ -33,7 +33,7 @@ inline std::string TrackLevers() {
   return csv.str();
 }
 
-/// A scenario, its recordings, and what is found in them by a few suspects.
+/// A scenario, its recordings, and what is found in them by a few candidates.
 class DiagnoseByScenario : public testing::Test {
  protected:
   void Write(const std::string& name, const std::string& text) const {

@@ -12,7 +12,8 @@ namespace {
 constexpr std::size_t kSamples = 4000;  // of 0.01 s
 
 /// A block whose rate is what its lever says `ahead` samples later, late by a lag of 50 ms, noisy.
-ReplayBlock Ahead(std::uint64_t seed, std::size_t ahead, std::vector<std::size_t> suspects = {3}) {
+ReplayBlock Ahead(std::uint64_t seed, std::size_t ahead,
+                  std::vector<std::size_t> candidates = {3}) {
   const std::vector<double> lever = ToyLever(kSamples + ahead, seed);
   const std::vector<double> response = ToyResponse(lever, 0, 0, 0.05);
   std::vector<double> heard, clean;
@@ -20,7 +21,7 @@ ReplayBlock Ahead(std::uint64_t seed, std::size_t ahead, std::vector<std::size_t
     heard.push_back(lever[k]);
     clean.push_back(response[k + ahead]);
   }
-  return ToyBlock(heard, ToyMeasured(clean, 0.05, seed), suspects);
+  return ToyBlock(heard, ToyMeasured(clean, 0.05, seed), candidates);
 }
 
 std::vector<ReplayBlock> Both(ReplayBlock a, ReplayBlock b) {

@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include "diagnose/blocks/actuation_suspects.h"
+#include "diagnose/blocks/actuation_candidates.h"
+#include "diagnose/blocks/candidate_list.h"
 #include "diagnose/blocks/sample_grid.h"
-#include "diagnose/blocks/suspect_list.h"
 #include "diagnose/replay/axis_replay.h"
 #include "diagnose/statistics/series/robust.h"
 #include "physics/actuation/actuation.h"
@@ -158,7 +158,7 @@ Eigen::MatrixXd ByLagAndPlace(const Series& lever, const Series& position, const
   return columns;
 }
 
-/// What the rate at full lever and the effort over the inertia change without any suspect, to the
+/// What the rate at full lever and the effort over the inertia change without any candidate, to the
 /// second order: where the rate is limited by the effort, a larger one is reached later.
 Eigen::MatrixXd NominalColumns(const LoneAxisReplay& replay, const SampleGrid& grid) {
   const auto predict = [&](double rate, double effort) -> Eigen::VectorXd {
@@ -194,7 +194,7 @@ Eigen::MatrixXd FlexibleRegressor(const std::vector<RegimeVariable>& variables) 
 AxisEffects WithTerms(const AxisEffects& present, const Structure& terms) {
   Structure of_axis, of_pump;
   for (const Term& term : terms) {
-    (term.suspect->mechanism->slot == Slot::kFlow ? of_pump : of_axis).push_back(term);
+    (term.candidate->mechanism->slot == Slot::kFlow ? of_pump : of_axis).push_back(term);
   }
   return {WithTerms(present.axis, of_axis), WithTerms(present.pump, of_pump)};
 }
@@ -298,7 +298,7 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   // Other levers move the axis through its position and load alone, which are measured.
   block.commands = {channel.variables[0].series};
   block.channels.push_back(std::move(channel));
-  block.suspects = SuspectsOfAxis(model, log, axis, replay.pump());
+  block.candidates = CandidatesOfAxis(model, log, axis, replay.pump());
   block.replay = [replay, grid](const Structure& terms, std::size_t samples) {
     const AxisEffects effects = WithTerms(replay.effects(), terms);
     const SampleGrid prefix = grid.First(samples);

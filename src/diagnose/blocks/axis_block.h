@@ -12,12 +12,11 @@ namespace tera {
 /// its lever at its measured positions and loads.
 ///
 /// Model   the grid has the median period of the samples; a sample stands at the nearest place, its
-///         prediction is for its own time. Samples at end stops are gaps, and so is a
-///         rate that has repeated itself for a second; where most samples are the one before, bit
-///         for bit, only the others count. Flexible regressor: the lever, its square with its sign, what
-///         is left of it beyond dead bands and its sign, each through a filter of twelve lags up to
-///         0.8 s; and the lever by position and by load. Nominal: full effort over inertia, known
-///         to 7 %.
+///         prediction is for its own time. Samples at end stops are gaps, and so is a rate that has
+///         repeated itself for a second; where most samples are the one before, bit for bit, only
+///         the others count. Flexible regressor: the lever, its square with its sign, what is left
+///         of it beyond dead bands and its sign, each through a filter of twelve lags up to 0.8 s;
+///         and the lever by position and by load. Nominal: full effort over inertia, known to 7 %.
 /// Omits   pumps that do not deliver what is asked of them.
 ///
 /// `measured` is an index into log.measured. Model and log are copied as far as they are needed. No

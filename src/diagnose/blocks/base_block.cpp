@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "core/motion.h"
+#include "diagnose/blocks/candidate_list.h"
 #include "diagnose/blocks/measured_poses.h"
 #include "diagnose/blocks/sample_grid.h"
-#include "diagnose/blocks/suspect_list.h"
 #include "diagnose/replay/base_replay.h"
 #include "physics/dynamics/joint_inertia.h"
 #include "physics/traction/ground_mechanisms.h"
@@ -26,8 +26,8 @@ constexpr double kTurns_radps = 0.02;  ///< slower: it stands or goes straight
 constexpr double kDriven_mps =
     0.1;  ///< slower sides at their fastest: hardly driven, or not at all
 
-std::vector<Suspect> SuspectsOf(const Effects& present) {
-  SuspectList out("base", EffectTarget::kBase, present, GroundMechanisms());
+std::vector<Candidate> CandidatesOf(const Effects& present) {
+  CandidateList out("base", EffectTarget::kBase, present, GroundMechanisms());
   out.Add("track_scale", {{0, 0.7, 1.3}}, {{0.97}, {1.03}, {0.9}, {1.1}});
   out.Add("track_asymmetry", {{0, -0.3, 0.3}}, {{0.02}, {-0.02}, {0.08}, {-0.08}});
   out.Add("track_slip", {{0, -0.2, 0.7}, {.index = 3, .upper = 1, .refines = true}},
@@ -208,9 +208,9 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
   if (!log.may_be_arrivals)
     block.channels.back().is_lagging = LaggingTurns(model, log, grid, loose);
   block.commands = {CommandOf(course.left_mps, grid), CommandOf(course.right_mps, grid)};
-  block.suspects = SuspectsOf(model.effects.base);
-  if (poses_were_measured) block.suspects.push_back(PoseLatencyCandidate());
-  if (log.may_be_arrivals) block.suspects.push_back(ArrivalStampsCandidate());
+  block.candidates = CandidatesOf(model.effects.base);
+  if (poses_were_measured) block.candidates.push_back(PoseLatencyCandidate());
+  if (log.may_be_arrivals) block.candidates.push_back(ArrivalStampsCandidate());
   block.replay = WholeReplay([model, log, grid](const Structure& terms) {
     const std::vector<PlanarTwist> twists =
         BaseReplay(model, log)

@@ -10,8 +10,8 @@ namespace tera {
 /// The motion of a machine's base over the ground: forward, to the left and in yaw, as poses tell
 /// it, against what the ground slot makes of the measured rates of its running gear.
 ///
-/// Model   the grid has the median length of the log's intervals. Flexible regressor: both sides' speeds,
-///         their magnitudes, and both by the slopes, now and up to half a second ago.
+/// Model   the grid has the median length of the log's intervals. Flexible regressor: both sides'
+///         speeds, their magnitudes, and both by the slopes, now and up to half a second ago.
 /// Omits   forces on tools; friction that depends on the place.
 ///
 /// `name` stands before the channels' names: "excavator1/base". Poses that were measured may come

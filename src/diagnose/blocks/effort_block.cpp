@@ -5,7 +5,7 @@
 #include <cmath>
 #include <memory>
 
-#include "diagnose/blocks/suspect_list.h"
+#include "diagnose/blocks/candidate_list.h"
 #include "diagnose/replay/effort_replay.h"
 #include "diagnose/statistics/series/robust.h"
 #include "physics/actuation/actuation_mechanisms.h"
@@ -24,7 +24,7 @@ double LargestOf(const std::vector<double>& x) {
   return largest;
 }
 
-/// Sizes that the numbers of suspects are looked for in.
+/// Sizes that the numbers of candidates are looked for in.
 struct Reach {
   double effort_nm = 0, rate_radps = 0;
   double viscous_nmsprad() const { return effort_nm / rate_radps; }
@@ -36,10 +36,10 @@ Reach ReachOf(const EffortLog& log) {
   return {Quantile(magnitude_nm, kMostOfEfforts), LargestOf(log.rate_radps)};
 }
 
-std::vector<Suspect> SuspectsOf(const std::string& joint, const Effects& present,
-                                const Reach& reach) {
+std::vector<Candidate> CandidatesOf(const std::string& joint, const Effects& present,
+                                    const Reach& reach) {
   const double f = reach.effort_nm, w = reach.rate_radps, c = reach.viscous_nmsprad();
-  SuspectList out(joint, EffectTarget::kJoint, present, ActuationMechanisms());
+  CandidateList out(joint, EffectTarget::kJoint, present, ActuationMechanisms());
   out.Add("coulomb_friction", {{0, 0, 2 * f}}, {{0.02 * f}, {0.07 * f}, {0.2 * f}, {0.6 * f}});
   out.Add("viscous_friction", {{0, 0, 5 * c}},
           {{0.02 * c, 40}, {0.07 * c, 40}, {0.2 * c, 40}, {0.6 * c, 40}});
@@ -138,7 +138,7 @@ std::optional<ReplayBlock> MakeEffortBlock(const MachineModel& model, EffortLog 
        FlexibleRegressor(*log),
        NominalColumns(*log)});
   block.commands = {CommandOf(*log, reach.rate_radps)};
-  block.suspects = SuspectsOf(joint.name, present, reach);
+  block.candidates = CandidatesOf(joint.name, present, reach);
   block.replay = WholeReplay([machine, log, present](const Structure& terms) {
     return std::vector<std::vector<double>>{
         EffortReplay(*machine, *log).Predict(WithTerms(present, terms))};

@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "core/units.h"
+#include "diagnose/blocks/candidate_list.h"
 #include "diagnose/blocks/sample_grid.h"
-#include "diagnose/blocks/suspect_list.h"
 #include "sensors/sensor_mechanisms.h"
 
 namespace tera {
@@ -23,7 +23,8 @@ constexpr double kLeastOffset_m = 1e-3;
 /// Slower, or turning slower, a machine is at rest.
 constexpr double kLeastSpeed_mps = 0.05, kLeastTurning_radps = 0.02;
 constexpr TimeNs kHalfSpan_ns = 250'000'000;  ///< over which velocities are means
-/// Of a clock, that the flexible regressor can follow: short ones, and that between GPS time and UTC.
+/// Of a clock, that the flexible regressor can follow: short ones, and that between GPS time and
+/// UTC.
 constexpr std::array<double, 8> kLate_s = {-18, -8, -3, -1, 1, 3, 8, 18};
 
 using Axes = std::array<std::vector<double>, 3>;
@@ -212,9 +213,9 @@ bool Has(const SensorDescription& receiver, std::string_view id) {
   return FindEffect(receiver.effects, id) != nullptr;
 }
 
-void AddSuspects(const SensorDescription& receiver, bool has_boom, bool is_pair, bool turns_as_one,
-                 std::vector<Suspect>* suspects) {
-  SuspectList out(receiver.name, EffectTarget::kGnss, receiver.effects, SensorMechanisms());
+void AddCandidates(const SensorDescription& receiver, bool has_boom, bool is_pair,
+                   bool turns_as_one, std::vector<Candidate>* candidates) {
+  CandidateList out(receiver.name, EffectTarget::kGnss, receiver.effects, SensorMechanisms());
   out.Add("gnss_lever_arm", {{0, -10, 10}, {1, -10, 10}, {2, -10, 10}},
           {{0.05, 0.05, 0.05}, {0.3, 0, 0}, {0, 0.3, 0}, {0, 0, 0.3}, {1, 0, 0}, {0, 1, 0}});
   out.Add("position_datum", {{0, -1000, 1000}, {1, -1000, 1000}},
@@ -233,25 +234,25 @@ void AddSuspects(const SensorDescription& receiver, bool has_boom, bool is_pair,
     out.Add("antenna_yaw", {{0, -kLargestYaw_deg, kLargestYaw_deg}},
             {{2}, {-2}, {8}, {-8}, {30}, {-30}, {90}, {-90}});
   }
-  std::vector<Suspect> found = out.Take();
-  std::move(found.begin(), found.end(), std::back_inserter(*suspects));
+  std::vector<Candidate> found = out.Take();
+  std::move(found.begin(), found.end(), std::back_inserter(*candidates));
 }
 
 /// What exchanges or turns a pair stands at one of the two: where the scenario has it, else at the
 /// first.
-std::vector<Suspect> SuspectsOf(const std::vector<SensorDescription>& receivers,
-                                const GnssLog& log) {
-  std::vector<Suspect> suspects;
+std::vector<Candidate> CandidatesOf(const std::vector<SensorDescription>& receivers,
+                                    const GnssLog& log) {
+  std::vector<Candidate> candidates;
   const bool is_pair = receivers.size() == 2;
   const bool on_one_link = is_pair && receivers[0].link == receivers[1].link;
   for (std::size_t r = 0; r < receivers.size(); ++r) {
     const auto is_here = [&](std::string_view id) {
       return is_pair && (r == 1) == Has(receivers[1], id);
     };
-    AddSuspects(receivers[r], log[r].boom.has_value(), is_here("antenna_swap"),
-                on_one_link && is_here("antenna_yaw"), &suspects);
+    AddCandidates(receivers[r], log[r].boom.has_value(), is_here("antenna_swap"),
+                  on_one_link && is_here("antenna_yaw"), &candidates);
   }
-  return suspects;
+  return candidates;
 }
 
 /// By axis, less `origin`.
@@ -267,8 +268,8 @@ Axes Split(const std::vector<Vec3>& p_m, const std::vector<Vec3>& origin_m) {
 /// Whether a term acts on a receiver: its own, or what exchanges or turns the pair.
 bool Concerns(const SensorDescription& receiver, const Structure& terms) {
   return std::any_of(terms.begin(), terms.end(), [&](const Term& term) {
-    const std::string_view id = term.suspect->mechanism->id;
-    return term.suspect->target == receiver.name || id == "antenna_swap" || id == "antenna_yaw";
+    const std::string_view id = term.candidate->mechanism->id;
+    return term.candidate->target == receiver.name || id == "antenna_swap" || id == "antenna_yaw";
   });
 }
 
@@ -282,7 +283,7 @@ struct Held {
     std::vector<Effects> effects;
     for (const SensorDescription& receiver : receivers) {
       Structure own = terms;
-      std::erase_if(own, [&](const Term& one) { return one.suspect->target != receiver.name; });
+      std::erase_if(own, [&](const Term& one) { return one.candidate->target != receiver.name; });
       effects.push_back(WithTerms(receiver.effects, own));
     }
     std::vector<std::vector<Vec3>> predicted_m;
@@ -343,7 +344,7 @@ std::optional<ReplayBlock> MakeGnssBlock(const std::vector<SensorDescription>& r
                       CommandOf(course.left_mps, kLeastSpeed_mps, grid.period_s()),
                       CommandOf(course.turning_radps, kLeastTurning_radps, grid.period_s())};
   }
-  block.suspects = SuspectsOf(receivers, held->log);
+  block.candidates = CandidatesOf(receivers, held->log);
   block.replay =
       WholeReplay([held = std::shared_ptr<const Held>(held), grid](const Structure& terms) {
         const auto predicted_m = held->Predict(terms);

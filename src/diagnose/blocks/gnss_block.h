@@ -13,15 +13,15 @@ namespace tera {
 /// east, north and up. One receiver, or both of a machine that has two: what exchanges or turns a
 /// pair shows in the two of them.
 ///
-/// Suspects are `gnss_lever_arm`, `position_datum`, `height_datum`, `multipath`, `clock_offset`,
+/// Candidates are `gnss_lever_arm`, `position_datum`, `height_datum`, `multipath`, `clock_offset`,
 /// `latency` and `filter_delay` of each, `antenna_swap` and, on one link, `antenna_yaw` of a pair.
 ///
 /// Model   channels are less what they would be as documented, for a machine's way would make every
 ///         error look small. The slow part of a receiver's documented noise is a nuisance: an
 ///         offset of its size is no datum; so is a centimetre of the antenna's place on its link.
-///         Flexible regressor: heading, turning, velocity, attitude, the raised part, time, and where the
-///         antenna was seconds before and after. Manoeuvres are told apart by how the first antenna
-///         moves and turns.
+///         Flexible regressor: heading, turning, velocity, attitude, the raised part, time, and
+///         where the antenna was seconds before and after. Manoeuvres are told apart by how the
+///         first antenna moves and turns.
 /// Omits   `float_jump`, which a receiver tells itself by its fix, `outliers`, `quantisation`,
 ///         `clock_drift`; noise that is slow and louder than documented, which passes for error.
 ///

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <memory>
 
+#include "diagnose/blocks/candidate_list.h"
 #include "diagnose/blocks/measured_poses.h"
-#include "diagnose/blocks/suspect_list.h"
 #include "sensors/sensor_mechanisms.h"
 
 namespace tera {
@@ -56,7 +56,7 @@ bool IsAtRest(const Quantities& predicted) {
   });
 }
 
-void AddScale(const Quantities& predicted, SuspectList* out) {
+void AddScale(const Quantities& predicted, CandidateList* out) {
   std::vector<FreeParameter> free = Axes(0, 0.7, 1.4, 0.7, 1.4);
   std::vector<std::vector<double>> starts = {Triads(1.005, 1.005), Triads(1.02, 1.02),
                                              Triads(0.97, 0.97), Triads(1.1, 1.1)};
@@ -68,7 +68,7 @@ void AddScale(const Quantities& predicted, SuspectList* out) {
   if (!free.empty()) out->Add("scale", std::move(free), std::move(starts));
 }
 
-void AddStatic(SuspectList* out) {
+void AddStatic(CandidateList* out) {
   out->Add("bias", Axes(0, -10, 10, -5, 5),
            {Triads(0.03, 0.02), Triads(0.1, 0.05), Triads(0.3, 0.2), Triads(1, 0.5)});
   auto drift = Axes(2, -0.1, 0.1, -0.02, 0.02);
@@ -84,7 +84,7 @@ void AddStatic(SuspectList* out) {
   out->Add("temperature_drift", std::move(drift), std::move(starts));
 }
 
-void AddDirections(SuspectList* out) {
+void AddDirections(CandidateList* out) {
   out->Add("mount_rotation", {{0, -180, 180}, {1, -90, 90}, {2, -180, 180}},
            {{0.5, 0.5, 0.5},
             {2, 0, 0},
@@ -101,32 +101,32 @@ void AddDirections(SuspectList* out) {
            {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}});
 }
 
-void AddPlace(SuspectList* out) {
+void AddPlace(CandidateList* out) {
   out->Add("imu_lever_arm", {{0, -4, 4}, {1, -4, 4}, {2, -4, 4}},
            {{0.05, 0.05, 0.05}, {0.3, 0, 0}, {0, 0.3, 0}, {0, 0, 0.3}, {1, 0, 0}, {-1, 0, 0}});
 }
 
-void AddTiming(SuspectList* out) {
+void AddTiming(CandidateList* out) {
   out->Add("clock_offset", {{0, -3, 3}}, {{0.02}, {-0.02}, {0.1}, {-0.1}, {0.5}, {-0.5}});
   out->Add("latency", {{0, 0, 3}}, {{0.02, 0}, {0.1, 0}, {0.5, 0}});
   out->Add("filter_delay", {{0, 0.002, 3, true}}, {{0.02}, {0.1}, {0.4}});
 }
 
-std::vector<Suspect> SuspectsOf(const SensorDescription& sensor, const Quantities& predicted,
-                                bool poses_were_measured) {
-  SuspectList out(sensor.name, EffectTarget::kImu, sensor.effects, SensorMechanisms());
+std::vector<Candidate> CandidatesOf(const SensorDescription& sensor, const Quantities& predicted,
+                                    bool poses_were_measured) {
+  CandidateList out(sensor.name, EffectTarget::kImu, sensor.effects, SensorMechanisms());
   AddStatic(&out);
   AddDirections(&out);
   if (IsAtRest(predicted)) return out.Take();
   AddScale(predicted, &out);
   AddPlace(&out);
   AddTiming(&out);
-  std::vector<Suspect> suspects = out.Take();
+  std::vector<Candidate> candidates = out.Take();
   if (poses_were_measured) {
-    suspects.insert(suspects.begin(), PoseLatencyCandidate());
-    suspects.push_back(MapTiltCandidate());
+    candidates.insert(candidates.begin(), PoseLatencyCandidate());
+    candidates.push_back(MapTiltCandidate());
   }
-  return suspects;
+  return candidates;
 }
 
 /// A unit beside poses that are late: its clock is behind theirs.
@@ -281,7 +281,7 @@ std::optional<ReplayBlock> MakeImuBlock(const SensorDescription& sensor, ImuLog 
                               {}});
   }
   block.commands = CommandsOf(predicted, period_s);
-  block.suspects = SuspectsOf(sensor, predicted, poses_were_measured);
+  block.candidates = CandidatesOf(sensor, predicted, poses_were_measured);
   block.replay = WholeReplay([described, log, replay, mean_f_S_mps2](const Structure& terms) {
     const Effects effects = WithPoseLatency(WithTerms(described->effects, WithoutPoseTerms(terms)),
                                             PoseLatency_s(terms));

@@ -5,22 +5,22 @@
 #include <vector>
 
 #include "core/units.h"
-#include "diagnose/blocks/suspect_list.h"
+#include "diagnose/blocks/candidate_list.h"
 #include "sensors/sensor_mechanisms.h"
 
 namespace tera {
 namespace {
 
-Suspect OfPoses(std::string_view id, std::vector<FreeParameter> free,
-                std::vector<std::vector<double>> starts) {
-  SuspectList out(std::string(kPoses), EffectTarget::kImu, {}, SensorMechanisms());
+Candidate OfPoses(std::string_view id, std::vector<FreeParameter> free,
+                  std::vector<std::vector<double>> starts) {
+  CandidateList out(std::string(kPoses), EffectTarget::kImu, {}, SensorMechanisms());
   out.Add(id, std::move(free), std::move(starts));
   return out.Take().front();
 }
 
 const Term* FindTerm(const Structure& terms, std::string_view id) {
   for (const Term& term : terms) {
-    if (term.suspect->target == kPoses && term.suspect->mechanism->id == id) return &term;
+    if (term.candidate->target == kPoses && term.candidate->mechanism->id == id) return &term;
   }
   return nullptr;
 }
@@ -33,11 +33,11 @@ std::span<const Mechanism> PoseMechanisms() {
   return mechanisms;
 }
 
-Suspect PoseLatencyCandidate() {
+Candidate PoseLatencyCandidate() {
   return OfPoses("latency", {{0, 0, 3}}, {{0.05, 0}, {0.15, 0}, {0.4, 0}});
 }
 
-Suspect ArrivalStampsCandidate() {
+Candidate ArrivalStampsCandidate() {
   return {&PoseMechanisms().front(), std::string(kPoses), {}, {{}}, {}};
 }
 
@@ -45,7 +45,7 @@ bool HasArrivalStamps(const Structure& terms) {
   return FindTerm(terms, PoseMechanisms().front().id) != nullptr;
 }
 
-Suspect MapTiltCandidate() {
+Candidate MapTiltCandidate() {
   return OfPoses("mount_rotation", {{0, -15, 15}, {1, -15, 15}},
                  {{0.5, 0, 0}, {0, 0.5, 0}, {2, 0, 0}, {-2, 0, 0}, {0, 2, 0}, {0, -2, 0}});
 }
@@ -62,7 +62,7 @@ Mat3 MapTilt(const Structure& terms) {
 }
 
 Structure WithoutPoseTerms(Structure terms) {
-  std::erase_if(terms, [](const Term& term) { return term.suspect->target == kPoses; });
+  std::erase_if(terms, [](const Term& term) { return term.candidate->target == kPoses; });
   return terms;
 }
 

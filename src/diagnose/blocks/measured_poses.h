@@ -13,8 +13,7 @@ namespace tera {
 /// stood, which need not be level, so that gravity seems to come from the side.
 ///
 /// Frames  M the map, in which the poses are; L level, with z up. They share their origin and, but
-/// for
-///         roll and pitch, their axes.
+///         for roll and pitch, their axes.
 /// Model   candidates of the target "poses". `latency`: poses are stamped so long after they were
 ///         measured; a sensor whose clock is behind by as much shows the same. `arrival_stamps`:
 ///         they are stamped as they arrive, which is not evenly, though they were measured once a
@@ -25,9 +24,9 @@ inline constexpr std::string_view kPoses = "poses";
 /// Mechanisms that act on measured poses alone, and on nothing that is simulated.
 std::span<const Mechanism> PoseMechanisms();
 
-Suspect PoseLatencyCandidate();
-Suspect ArrivalStampsCandidate();
-Suspect MapTiltCandidate();
+Candidate PoseLatencyCandidate();
+Candidate ArrivalStampsCandidate();
+Candidate MapTiltCandidate();
 
 /// The latency of poses under a structure; 0 where it has no such term.
 double PoseLatency_s(const Structure& terms);

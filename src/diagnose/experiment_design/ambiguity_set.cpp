@@ -9,13 +9,13 @@ namespace {
 
 const char* const kNothing = "nothing";
 
-bool Has(const Structure& terms, const Suspect* suspect) {
+bool Has(const Structure& terms, const Candidate* candidate) {
   return std::any_of(terms.begin(), terms.end(),
-                     [&](const Term& term) { return term.suspect == suspect; });
+                     [&](const Term& term) { return term.candidate == candidate; });
 }
 
-Structure Without(Structure terms, const Suspect* suspect) {
-  std::erase_if(terms, [&](const Term& term) { return term.suspect == suspect; });
+Structure Without(Structure terms, const Candidate* candidate) {
+  std::erase_if(terms, [&](const Term& term) { return term.candidate == candidate; });
   return terms;
 }
 
@@ -24,14 +24,14 @@ AmbiguitySet ClassOf(const Finding& finding, const Structure& found,
                      const StructureFitter& fitter) {
   AmbiguitySet set;
   set.is_class = true;
-  const Structure others = Without(found, finding.term.suspect);
+  const Structure others = Without(found, finding.term.candidate);
   std::vector<Structure> explanations;
-  for (const Suspect* rival : finding.evidence.rivals) {
+  for (const Candidate* rival : finding.evidence.rivals) {
     set.members.emplace_back(rival->mechanism->id);
     Structure explanation = others;
     explanation.push_back({rival, rival->starts.front()});
-    explanations.push_back(rival == finding.term.suspect ? found
-                                                         : fitter.FitValues(explanation).terms);
+    explanations.push_back(rival == finding.term.candidate ? found
+                                                           : fitter.FitValues(explanation).terms);
   }
   for (const Structure& truth : explanations) {
     for (const Structure& alternative : explanations) {
@@ -59,11 +59,12 @@ std::vector<AmbiguitySet> AmbiguitySetsOf(const ReplayBlock& block,
     if (finding.evidence.rivals.size() > 1) sets.push_back(ClassOf(finding, found, fitter));
   }
   for (const Detectability& one : diagnosis.detectability) {
-    if (one.smallest || Has(found, one.suspect)) continue;
-    const auto& starts = one.suspect->starts;
+    if (one.smallest || Has(found, one.candidate)) continue;
+    const auto& starts = one.candidate->starts;
     Structure truth = found;
-    truth.push_back({one.suspect, starts[starts.size() / 2]});
-    sets.push_back({{std::string(one.suspect->mechanism->id), kNothing}, false, {{truth, found}}});
+    truth.push_back({one.candidate, starts[starts.size() / 2]});
+    sets.push_back(
+        {{std::string(one.candidate->mechanism->id), kNothing}, false, {{truth, found}}});
   }
   return sets;
 }

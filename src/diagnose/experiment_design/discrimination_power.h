@@ -11,8 +11,7 @@ namespace tera {
 /// over the set's pairs. 0 where the run has too few manoeuvres to be diagnosed.
 ///
 /// Model   the true explanation's prediction stands for the measurements; the alternative is fitted
-/// to
-///         them over TRAIN and SELECT. The tests of rivals (structure_search.h) for a class, or
+///         to them over TRAIN and SELECT. The tests of rivals (structure_search.h) for a class, or
 ///         those of a mechanism against nothing at `level` (block_diagnosis.h), are asked under 100
 ///         draws of the noise. A draw's gain in log-likelihood is normal: its mean is the possible
 ///         gain, its variance twice that.

@@ -25,7 +25,7 @@ Eigen::MatrixXd ColumnsOf(const ReplayBlock& run, const Structure& terms,
   const Channel& channel = run.channels.front();
   std::vector<Eigen::VectorXd> columns;
   for (std::size_t t = 0; t < terms.size(); ++t) {
-    for (const FreeParameter& free : terms[t].suspect->free) {
+    for (const FreeParameter& free : terms[t].candidate->free) {
       Structure moved = terms;
       const double place = PlaceOf(free, terms[t].values[free.index]);
       const double step = place + kSecantStep <= 1 ? kSecantStep : -kSecantStep;

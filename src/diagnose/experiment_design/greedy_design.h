@@ -30,8 +30,7 @@ struct PairInformation {
 ///         likelihood.h. The noise is Gaussian, of the block's model.
 /// Omits   how predictions change where numbers move further away; the tails of the noise.
 /// Source  Atkinson and Fedorov 1975, "The design of experiments for discriminating between two
-/// rival
-///         models" (the lead is their T-criterion).
+///         rival models" (the lead is their T-criterion).
 std::vector<std::vector<PairInformation>> InformationOf(const ReplayBlock& run,
                                                         const NoiseModel& noise,
                                                         const std::vector<RivalPair>& pairs,

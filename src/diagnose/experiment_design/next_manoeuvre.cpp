@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "diagnose/blocks/suspect_list.h"
+#include "diagnose/blocks/candidate_list.h"
 #include "diagnose/experiment_design/ambiguity_set.h"
 #include "diagnose/experiment_design/discrimination_power.h"
 #include "diagnose/experiment_design/greedy_design.h"
@@ -298,7 +298,7 @@ void Designer::AddManoeuvres(const AmbiguousAxis& axis) {
 void Designer::Judge(const AmbiguousAxis& axis, NextManoeuvre* out) const {
   const auto run = RunSoFar(axis);
   const NoiseModel& noise = axis.diagnosed.diagnosis->noise.front();
-  const auto tests = static_cast<double>(std::max<std::size_t>(1, options_.suspects_in_all));
+  const auto tests = static_cast<double>(std::max<std::size_t>(1, options_.total_candidates));
   const double tests_level = options_.alpha / tests;
   for (const AmbiguitySet& set : axis.ambiguity_sets) {
     const double power = run ? DiscriminationPower(set, *run, noise, tests_level, stream_) : 0;

@@ -38,7 +38,7 @@ struct NextManoeuvreOptions {
   double rest_s = 4;          ///< of all levers at the end, which shows slow noise
   double step_s = 0.01;       ///< of the replay
   double alpha = 0.01;        ///< as in SearchOptions, all tests together
-  std::size_t suspects_in_all = 0;
+  std::size_t total_candidates = 0;
 };
 
 /// The block of a joint or gear and its diagnosis.

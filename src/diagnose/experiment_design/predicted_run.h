@@ -33,8 +33,7 @@ int AxisNamed(const MachineModel& model, const std::string& name);
 /// Predicts what a machine does under moves of its levers, from given positions of its joints.
 ///
 /// Model   the chain of actuation with the model's effects; a joint moves as its drive asks.
-/// Encoders
-///         measure it without noise, but for what keeps two samples from being equal.
+///         Encoders measure it without noise, but for what keeps two samples from being equal.
 /// Omits   inertia, end stops, the ground.
 PredictedRun PredictRun(const MachineModel& model, const std::vector<LeverMove>& moves,
                         double length_s, std::vector<double> start_rad,

@@ -11,8 +11,7 @@ namespace tera {
 /// the prediction, or multiplied with it and added.
 ///
 /// Model   penalised cubic B-splines (20) by least squares, of each of the channel's variables,
-/// both
-///         ways: the variable, the way and the penalty that, fitted to TRAIN, leave least of
+///         both ways: the variable, the way and the penalty that, fitted to TRAIN, leave least of
 ///         SELECT, fitted anew to both. Band: 5 to 95 % of fits to manoeuvres drawn with
 ///         replacement, at each place. Nothing where FINAL does not gain a twentieth.
 /// Omits   dependence on two variables, and terms with memory; the bias of smoothing.

@@ -26,9 +26,8 @@ struct ImuLog {
 /// Intervals over which forces can be told from poses that are themselves measured.
 ///
 /// Model   poses half an interval apart, of noise sigma along each axis, give accelerations of
-/// noise
-///         sqrt(6) sigma / (T/2)^2: the shortest T with at most 0.05 m/s^2. Sigma by the robust
-///         scale of the third differences of positions, over sqrt(20).
+///         noise sqrt(6) sigma / (T/2)^2: the shortest T with at most 0.05 m/s^2. Sigma by the
+///         robust scale of the third differences of positions, over sqrt(20).
 /// Omits   noise of poses that is slower than their steps. 0 s where there are hardly any poses.
 double ImuInterval_s(const std::vector<TruthPose>& poses);
 
@@ -41,11 +40,11 @@ ImuLog MakeImuLog(const MachineModel& model, const SensorDescription& sensor,
 ///
 /// Model   the simulator's own Imu without noise, its documented bias included, at its true mount,
 ///         then ImuSlots; what gets another time stamp is read between stamps. Its turn rates are
-///         those of the finer track. The Imu runs four
-///         times, when this is made: where the unit is documented, and a metre from there along
-///         each axis of its link. Its specific force is linear in its place and everything turns
-///         with it, so that these tell what it measures anywhere. Errors that are linear act on the
-///         means over intervals at once, the others on eight samples an interval.
+///         those of the finer track. The Imu runs four times, when this is made: where the unit is
+///         documented, and a metre from there along each axis of its link. Its specific force is
+///         linear in its place and everything turns with it, so that these tell what it measures
+///         anywhere. Errors that are linear act on the means over intervals at once, the others on
+///         eight samples an interval.
 /// Omits   motion faster than the intervals; the errors that draw random numbers (`outliers`,
 ///         jitter of `latency`) act, but as drawn here.
 class ImuReplay {

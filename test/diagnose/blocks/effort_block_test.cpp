@@ -26,14 +26,14 @@ struct DiagnosedSled : Sled {
 std::vector<std::string> NamesOf(const BlockDiagnosis& diagnosis) {
   std::vector<std::string> names;
   for (const Finding& finding : diagnosis.findings) {
-    names.emplace_back(finding.term.suspect->mechanism->id);
+    names.emplace_back(finding.term.candidate->mechanism->id);
   }
   return names;
 }
 
 const Finding& FindingOf(const BlockDiagnosis& diagnosis, std::string_view id) {
   for (const Finding& finding : diagnosis.findings) {
-    if (finding.term.suspect->mechanism->id == id) return finding;
+    if (finding.term.candidate->mechanism->id == id) return finding;
   }
   throw std::runtime_error("not found: " + std::string(id));
 }
@@ -41,8 +41,8 @@ const Finding& FindingOf(const BlockDiagnosis& diagnosis, std::string_view id) {
 /// Whether a mechanism is a finding, or not told apart from one.
 bool IsNamedOrAlike(const BlockDiagnosis& diagnosis, std::string_view id) {
   for (const Finding& finding : diagnosis.findings) {
-    for (const Suspect* suspect : finding.evidence.rivals) {
-      if (suspect->mechanism->id == id) return true;
+    for (const Candidate* candidate : finding.evidence.rivals) {
+      if (candidate->mechanism->id == id) return true;
     }
   }
   return false;

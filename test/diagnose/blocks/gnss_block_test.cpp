@@ -27,8 +27,8 @@ struct DiagnosedReceivers : BlockDiagnosis {
 std::vector<std::string> NamesOf(const BlockDiagnosis& diagnosis) {
   std::vector<std::string> names;
   for (const Finding& finding : diagnosis.findings) {
-    names.push_back(finding.term.suspect->target + " " +
-                    std::string(finding.term.suspect->mechanism->id));
+    names.push_back(finding.term.candidate->target + " " +
+                    std::string(finding.term.candidate->mechanism->id));
   }
   return names;
 }
@@ -90,8 +90,8 @@ TEST(GnssBlock, NamesAClockThatIsLate) {
   const DiagnosedReceivers diagnosis(receivers);
   ASSERT_EQ(diagnosis.findings.size(), 1u);
   const Finding& late = diagnosis.findings[0];
-  EXPECT_EQ(late.term.suspect->target, "right");
-  EXPECT_THAT(late.term.suspect->mechanism->id, ::testing::AnyOf("clock_offset", "latency"));
+  EXPECT_EQ(late.term.candidate->target, "right");
+  EXPECT_THAT(late.term.candidate->mechanism->id, ::testing::AnyOf("clock_offset", "latency"));
   EXPECT_NEAR(late.parameters[0].value, 0.35, 0.03);
 }
 

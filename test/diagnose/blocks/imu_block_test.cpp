@@ -79,8 +79,8 @@ struct Recorded {
 std::vector<std::string> NamesOf(const BlockDiagnosis& diagnosis) {
   std::vector<std::string> names;
   for (const Finding& finding : diagnosis.findings) {
-    for (const Suspect* suspect : finding.evidence.rivals) {
-      names.push_back(suspect->target + " " + std::string(suspect->mechanism->id));
+    for (const Candidate* candidate : finding.evidence.rivals) {
+      names.push_back(candidate->target + " " + std::string(candidate->mechanism->id));
     }
   }
   return names;

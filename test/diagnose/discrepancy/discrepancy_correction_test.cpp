@@ -30,7 +30,7 @@ struct Lacking {
     const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(1, "toy"));
     std::vector<std::string> found;
     for (const Finding& finding : diagnosis.findings) {
-      found.emplace_back(finding.term.suspect->mechanism->id);
+      found.emplace_back(finding.term.candidate->mechanism->id);
     }
     for (const Unexplained& left : diagnosis.unexplained) {
       found.push_back("unexplained in " + block.channels[left.location.channel].name);

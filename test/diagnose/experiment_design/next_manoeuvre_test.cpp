@@ -24,9 +24,9 @@ using ::testing::HasSubstr;
 constexpr double kNoise_radps = 0.2 * kDeg;
 constexpr PredictionSteps kSteps = {.step_s = 0.01, .period_s = 0.02};
 /// Some of the boom's, for speed.
-constexpr std::string_view kSuspects[] = {"dead_band",    "rate_gain",    "lever_saturation",
-                                          "valve_curve",  "actuator_lag", "backlash",
-                                          "command_delay"};
+constexpr std::string_view kCandidates[] = {"dead_band",    "rate_gain",    "lever_saturation",
+                                            "valve_curve",  "actuator_lag", "backlash",
+                                            "command_delay"};
 
 /// The boom of a compact excavator, in the air, that follows its lever at once.
 class Boom : public ::testing::Test {
@@ -54,15 +54,16 @@ class Boom : public ::testing::Test {
     const PredictedRun run =
         PredictRun(model_, moves, ToSeconds(commands.t_ns.back()) + 2, start_rad_, kSteps);
     ReplayBlock block = BlockOf(model_, run, axis_, kSteps.step_s).value();
-    std::erase_if(block.suspects, [](const Suspect& suspect) {
-      return std::find(std::begin(kSuspects), std::end(kSuspects), suspect.mechanism->id) ==
-             std::end(kSuspects);
+    std::erase_if(block.candidates, [](const Candidate& candidate) {
+      return std::find(std::begin(kCandidates), std::end(kCandidates), candidate.mechanism->id) ==
+             std::end(kCandidates);
     });
-    const auto suspect = std::find_if(block.suspects.begin(), block.suspects.end(),
-                                      [&](const Suspect& one) { return one.mechanism->id == id; });
-    std::vector<double> values = suspect->starts.front();
+    const auto candidate =
+        std::find_if(block.candidates.begin(), block.candidates.end(),
+                     [&](const Candidate& one) { return one.mechanism->id == id; });
+    std::vector<double> values = candidate->starts.front();
     values[0] = size;
-    const std::vector<double> truth = block.predict({{&*suspect, values}}).front();
+    const std::vector<double> truth = block.predict({{&*candidate, values}}).front();
     const Stream noise(5, "test/rate_noise");
     for (std::size_t k = 0; k < block.samples(); ++k) {
       if (!block.channels[0].measured.valid[k]) continue;
@@ -91,7 +92,7 @@ class Boom : public ::testing::Test {
   std::optional<NextManoeuvre> Next(const ReplayBlock& block,
                                     const BlockDiagnosis& diagnosis) const {
     return DesignNextManoeuvre(model_, {{&block, &diagnosis}},
-                               {.suspects_in_all = block.suspects.size()},
+                               {.total_candidates = block.candidates.size()},
                                Stream(3, "diagnose/next_manoeuvre"));
   }
 
@@ -104,7 +105,7 @@ class Boom : public ::testing::Test {
 std::vector<std::string> ClassOf(const BlockDiagnosis& diagnosis) {
   std::vector<std::string> names;
   for (const Finding& finding : diagnosis.findings) {
-    for (const Suspect* rival : finding.evidence.rivals) names.emplace_back(rival->mechanism->id);
+    for (const Candidate* rival : finding.evidence.rivals) names.emplace_back(rival->mechanism->id);
   }
   return names;
 }

@@ -245,7 +245,7 @@ NullOutcome DiagnoseNull(const MachineModel& model, double duration_s, std::uint
     outcome.judged += diagnosis.is_testable ? 1 : 0;
     for (const Finding& finding : diagnosis.findings) {
       outcome.alarms.push_back(fmt::format("{} {} {:.4g} (p {:.2g}, {:.2g})", diagnosed.block.name,
-                                           finding.term.suspect->mechanism->id,
+                                           finding.term.candidate->mechanism->id,
                                            finding.term.values.front(), finding.evidence.p,
                                            finding.held_out.p));
     }
@@ -256,7 +256,7 @@ NullOutcome DiagnoseNull(const MachineModel& model, double duration_s, std::uint
     }
     for (const Finding& finding : diagnosis.unconfirmed) {
       outcome.unconfirmed.push_back(
-          fmt::format("{} {}", diagnosed.block.name, finding.term.suspect->mechanism->id));
+          fmt::format("{} {}", diagnosed.block.name, finding.term.candidate->mechanism->id));
     }
   }
   return outcome;

@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 constexpr std::size_t kSamples = 8000;
 constexpr double kNoise = 0.05;
 
-/// The toy's rate, with something added that none of its suspects does.
+/// The toy's rate, with something added that none of its candidates does.
 struct Odd {
   Odd(std::uint64_t seed, const std::function<double(double lever, double temperature)>& added)
       : lever(ToyLever(kSamples, seed)),

@@ -12,10 +12,10 @@
 
 #include "core/error.h"
 #include "dataset/format/sample_recording.h"
-#include "diagnose/blocks/actuation_suspects.h"
+#include "diagnose/blocks/actuation_candidates.h"
 #include "diagnose/blocks/axis_block.h"
-#include "diagnose/blocks/suspect_list.h"
-#include "diagnose/suspects/suspect_library.h"
+#include "diagnose/blocks/candidate_list.h"
+#include "diagnose/candidates/candidate_library.h"
 #include "sim/drive_fixture.h"
 
 namespace tera {
@@ -272,9 +272,9 @@ TEST(AxisBlock, BeginsAReaderThatLooksOnceAPeriodAtEveryStepThatItMayLookAt) {
   Drive drive = Swaying("effects: {m: {boom: {input_hold: {period_s: 0.34}}}}");
   const ReplayBlock block = BlockOfBoom(drive, Record(&drive, 22));
   const auto hold =
-      std::find_if(block.suspects.begin(), block.suspects.end(),
-                   [](const Suspect& one) { return one.mechanism->id == "input_hold"; });
-  ASSERT_NE(hold, block.suspects.end());
+      std::find_if(block.candidates.begin(), block.candidates.end(),
+                   [](const Candidate& one) { return one.mechanism->id == "input_hold"; });
+  ASSERT_NE(hold, block.candidates.end());
   const auto rms = [&](const std::vector<double>& values) {
     const std::vector<double> predicted = block.predict({{&*hold, values}})[0];
     double square = 0;
@@ -294,10 +294,11 @@ TEST(AxisBlock, ABeginningIsThatOfTheWhole) {
   Drive drive = Swaying("");
   const ReplayBlock block = BlockOfBoom(drive, Tattered(Record(&drive, 22)));
   for (const char* id : {"command_delay", "actuator_lag", "backlash", "input_hold"}) {
-    const auto suspect = std::find_if(block.suspects.begin(), block.suspects.end(),
-                                      [&](const Suspect& one) { return one.mechanism->id == id; });
-    ASSERT_NE(suspect, block.suspects.end()) << id;
-    const Structure terms = {{&*suspect, suspect->starts.back()}};
+    const auto candidate =
+        std::find_if(block.candidates.begin(), block.candidates.end(),
+                     [&](const Candidate& one) { return one.mechanism->id == id; });
+    ASSERT_NE(candidate, block.candidates.end()) << id;
+    const Structure terms = {{&*candidate, candidate->starts.back()}};
     const std::vector<double> whole = block.predict(terms)[0];
     for (const std::size_t samples :
          {std::size_t{1}, std::size_t{700}, std::size_t{915}, std::size_t{1500}, block.samples()}) {
@@ -311,13 +312,13 @@ TEST(AxisBlock, ABeginningIsThatOfTheWhole) {
   }
 }
 
-TEST(AxisBlock, SuspectsThePumpThatTheAxisSharesAndPutsItsTermsOnThePump) {
+TEST(AxisBlock, CandidatesThePumpThatTheAxisSharesAndPutsItsTermsOnThePump) {
   Drive drive = Swaying("");
   const ReplayBlock block = BlockOfBoom(drive, Record(&drive, 22));
   const auto sharing =
-      std::find_if(block.suspects.begin(), block.suspects.end(),
-                   [](const Suspect& one) { return one.mechanism->id == "flow_sharing"; });
-  ASSERT_NE(sharing, block.suspects.end());
+      std::find_if(block.candidates.begin(), block.candidates.end(),
+                   [](const Candidate& one) { return one.mechanism->id == "flow_sharing"; });
+  ASSERT_NE(sharing, block.candidates.end());
   EXPECT_EQ(sharing->target, "pump_1");
   const Structure terms = {{&*sharing, {0.3}}};
   EXPECT_NE(block.predict(terms), block.predict({}));
@@ -333,36 +334,44 @@ TEST(AxisBlock, OfALibraryGetsMechanismsOfPumpsOnPumpsAndOfNothingElse) {
   Drive drive = Swaying("");
   std::vector<ReplayBlock> blocks = {BlockOfBoom(drive, Record(&drive, 22))};
   const ScratchDirectory scratch;
-  std::ofstream(scratch.path() / "library.yaml") << "suspects: {bias: {}, flow_sharing: {}}\n";
-  ApplyLibrary(ReadSuspectLibrary(scratch.path() / "library.yaml"),
+  std::ofstream(scratch.path() / "library.yaml") << "candidates: {bias: {}, flow_sharing: {}}\n";
+  ApplyLibrary(ReadCandidateLibrary(scratch.path() / "library.yaml"),
                drive.scenario.machines[0].placement.model, &blocks);
-  for (const Suspect& suspect : blocks[0].suspects) {
-    EXPECT_NE(suspect.mechanism->id, "bias") << suspect.target;
-    if (suspect.target != "pump_1") continue;
-    EXPECT_EQ(suspect.mechanism->slot, Slot::kFlow);
+  for (const Candidate& candidate : blocks[0].candidates) {
+    EXPECT_NE(candidate.mechanism->id, "bias") << candidate.target;
+    if (candidate.target != "pump_1") continue;
+    EXPECT_EQ(candidate.mechanism->slot, Slot::kFlow);
   }
 }
 
-const Suspect& SuspectOf(const std::vector<Suspect>& suspects, std::string_view id) {
-  return *std::find_if(suspects.begin(), suspects.end(),
-                       [&](const Suspect& suspect) { return suspect.mechanism->id == id; });
+const Candidate& CandidateOf(const std::vector<Candidate>& candidates, std::string_view id) {
+  return *std::find_if(candidates.begin(), candidates.end(),
+                       [&](const Candidate& candidate) { return candidate.mechanism->id == id; });
 }
 
-TEST(SuspectLibrary, KinksOfALimitedNumberStayAsFarApartAsTheyAre) {
+TEST(CandidateLibrary, ReadsTheFormerNameOfItsCandidates) {
+  const ScratchDirectory scratch;
+  std::ofstream(scratch.path() / "library.yaml") << "suspects: {backlash: {gap_rad: 0.01}}\n";
+  const CandidateLibrary library = ReadCandidateLibrary(scratch.path() / "library.yaml");
+  ASSERT_FALSE(library.ranges.empty());
+  EXPECT_EQ(library.ranges.front().first->id, "backlash");
+}
+
+TEST(CandidateLibrary, KinksOfALimitedNumberStayAsFarApartAsTheyAre) {
   Drive drive = Swaying("");
   std::vector<ReplayBlock> blocks = {BlockOfBoom(drive, Record(&drive, 22))};
   const auto kinks_s = [&] {
-    const FreeParameter& delay = SuspectOf(blocks[0].suspects, "command_delay").free[0];
+    const FreeParameter& delay = CandidateOf(blocks[0].candidates, "command_delay").free[0];
     return delay.kink * (delay.upper - delay.lower);
   };
   const double before_s = kinks_s();
   EXPECT_GT(before_s, 0);
   const ScratchDirectory scratch;
   std::ofstream(scratch.path() / "library.yaml")
-      << "suspects: {command_delay: {delay_s: [0.05, 0.3]}}\n";
-  ApplyLibrary(ReadSuspectLibrary(scratch.path() / "library.yaml"),
+      << "candidates: {command_delay: {delay_s: [0.05, 0.3]}}\n";
+  ApplyLibrary(ReadCandidateLibrary(scratch.path() / "library.yaml"),
                drive.scenario.machines[0].placement.model, &blocks);
-  EXPECT_EQ(SuspectOf(blocks[0].suspects, "command_delay").free[0].upper, 0.3);
+  EXPECT_EQ(CandidateOf(blocks[0].candidates, "command_delay").free[0].upper, 0.3);
   EXPECT_NEAR(kinks_s(), before_s, 1e-12);
 }
 
@@ -401,19 +410,19 @@ TEST(AxisLog, SaysWhichLeversItNeeds) {
   }
 }
 
-TEST(SuspectsOfAxis, ARingSwingsBeforeItIsGone) {
+TEST(CandidatesOfAxis, ARingSwingsBeforeItIsGone) {
   Drive drive = Swaying("");
   const MachineModel& model = drive.scenario.machines[0].placement.model;
   const Recorded recorded = Record(&drive, 12);
   const AxisLog log = MakeAxisLog(model, recorded.commands, {recorded.encoders}, 0.002);
   const auto arm = static_cast<std::size_t>(model.JointIndex("arm"));
-  const std::vector<Suspect> suspects = SuspectsOfAxis(model, log, arm, {});
-  const Suspect& ring = SuspectOf(suspects, "actuator_ring");
+  const std::vector<Candidate> candidates = CandidatesOfAxis(model, log, arm, {});
+  const Candidate& ring = CandidateOf(candidates, "actuator_ring");
   EXPECT_TRUE(ring.is_itself({20, 6, 0}));  // as the paper fits a boom
   EXPECT_FALSE(ring.is_itself({6, 20, 0}));
 }
 
-TEST(SuspectsOfAxis, ADroopMayStallBelowTheLargestLoad) {
+TEST(CandidatesOfAxis, ADroopMayStallBelowTheLargestLoad) {
   Drive drive = Swaying("");
   const MachineModel& model = drive.scenario.machines[0].placement.model;
   const Recorded recorded = Record(&drive, 12);
@@ -423,8 +432,8 @@ TEST(SuspectsOfAxis, ADroopMayStallBelowTheLargestLoad) {
   for (std::size_t k = 0; k < log.steps; ++k) {
     largest_nm = std::max(largest_nm, std::abs(log.motions_at(k)[arm].load_nm));
   }
-  const std::vector<Suspect> suspects = SuspectsOfAxis(model, log, arm, {});
-  const Suspect& droop = SuspectOf(suspects, "pressure_droop");
+  const std::vector<Candidate> candidates = CandidatesOfAxis(model, log, arm, {});
+  const Candidate& droop = CandidateOf(candidates, "pressure_droop");
   EXPECT_LT(droop.free[0].lower, 0.8 * largest_nm);
   EXPECT_GT(droop.free[0].upper, 8 * largest_nm);
 }

@@ -293,13 +293,13 @@ TEST(BaseBlock, BesideLatePosesWouldHaveMovedAsMuchLater) {
   Drive drive = Meandering("soil: asphalt", "");
   const MachineModel& model = drive.scenario.machines[0].placement.model;
   const ReplayBlock block = SprocketsAlone(model, true);
-  const Suspect& late = block.suspects.back();
+  const Candidate& late = block.candidates.back();
   ASSERT_EQ(late.target, "poses");
   const auto now = block.predict({})[0], then = block.predict({{&late, {0.4, 0}}})[0];
   ASSERT_GT(now.size(), 190u);
   for (std::size_t k = 2; k < now.size(); ++k) EXPECT_NEAR(then[k], now[k - 2], 1e-9) << k;
-  for (const Suspect& suspect : SprocketsAlone(model, false).suspects) {
-    EXPECT_EQ(suspect.target, "base");
+  for (const Candidate& candidate : SprocketsAlone(model, false).candidates) {
+    EXPECT_EQ(candidate.target, "base");
   }
 }
 
@@ -340,7 +340,7 @@ TEST(BaseBlock, FollowsPosesThatWaitedByWhenTheyWereMeasured) {
   const Waited waited;
   const auto block = waited.Block();
   ASSERT_TRUE(block);
-  const Suspect& arrivals = block->suspects.back();
+  const Candidate& arrivals = block->candidates.back();
   ASSERT_EQ(arrivals.mechanism->id, "arrival_stamps");
   const auto as_stamped = block->predict({}), known = block->predict({{&arrivals, {}}});
   for (const std::size_t c : {0u, 2u}) {
@@ -356,7 +356,7 @@ TEST(BaseBlock, NamesStampsOfArrival) {
   ASSERT_TRUE(block);
   const BlockDiagnosis diagnosis = DiagnoseBlock(*block, {}, Stream(1, "arrivals"));
   ASSERT_FALSE(diagnosis.findings.empty());
-  EXPECT_EQ(diagnosis.findings.front().term.suspect->mechanism->id, "arrival_stamps");
+  EXPECT_EQ(diagnosis.findings.front().term.candidate->mechanism->id, "arrival_stamps");
   EXPECT_LT(diagnosis.findings.front().evidence.rivals.size(), 2u);
 }
 

@@ -57,10 +57,10 @@ inline Regime RegimeOf(const std::string& variable, CurveShape shape) {
 /// The boom's dead band of 0.18, between 41 and 63 s and between 70 and 75 s.
 inline DiagnosedBlock BoomWithDeadBand() {
   DiagnosedBlock made = Block("boom", "excavator1/encoders/boom_radps", "rad/s");
-  made.block.suspects = {{&MechanismOf("dead_band"), "boom", {{0, 0, 0.5}}, {{0.1, 0}}},
-                         {&MechanismOf("valve_curve"), "boom", {{0, 0.4, 3}}, {{1.5}}},
-                         {&MechanismOf("backlash"), "boom", {{0, 0, 0.1}}, {{0.01}}}};
-  const Suspect& dead_band = made.block.suspects[0];
+  made.block.candidates = {{&MechanismOf("dead_band"), "boom", {{0, 0, 0.5}}, {{0.1, 0}}},
+                           {&MechanismOf("valve_curve"), "boom", {{0, 0.4, 3}}, {{1.5}}},
+                           {&MechanismOf("backlash"), "boom", {{0, 0, 0.1}}, {{0.01}}}};
+  const Candidate& dead_band = made.block.candidates[0];
   Finding finding;
   finding.term = {&dead_band, {0.1812, 0}};
   finding.parameters = {{"width", "1", 0.1812, 0.0213}, {"asymmetry", "1", 0, {}}};
@@ -72,13 +72,13 @@ inline DiagnosedBlock BoomWithDeadBand() {
                {.form = CurveForm::kLocal, .parity = CurveParity::kOdd, .low = -0.2, .high = 0.2})};
   finding.held_out = {0, 3.1 * kDeg, 0.6 * kDeg, 0.94, 0.004};
   finding.evidence.p = 0.0002;
-  finding.evidence.rejected = {{&made.block.suspects[1], 0.003, 40}};
+  finding.evidence.rejected = {{&made.block.candidates[1], 0.003, 40}};
   made.diagnosis.search.found.terms = {finding.term};
   made.diagnosis.search.singles = {{&dead_band, {0.18, 0}, 950, 700},
-                                   {&made.block.suspects[1], {1.4}, 400, 300},
-                                   {&made.block.suspects[2], {0.001}, 2, -1}};
+                                   {&made.block.candidates[1], {1.4}, 400, 300},
+                                   {&made.block.candidates[2], {0.001}, 2, -1}};
   made.diagnosis.detectability = {
-      {&dead_band, 0.03}, {&made.block.suspects[1], 1.2}, {&made.block.suspects[2], {}}};
+      {&dead_band, 0.03}, {&made.block.candidates[1], 1.2}, {&made.block.candidates[2], {}}};
   made.diagnosis.findings = {finding};
   return made;
 }

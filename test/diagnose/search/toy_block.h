@@ -10,8 +10,8 @@
 #include "diagnose/search/fit/replay_block.h"
 #include "diagnose/statistics/series/simulated.h"
 
-/// A block without physics: one channel that repeats a lever, and suspects that add to it a square,
-/// a hysteresis or a delay of the lever.
+/// A block without physics: one channel that repeats a lever, and candidates that add to it a
+/// square, a hysteresis or a delay of the lever.
 
 namespace tera {
 
@@ -25,7 +25,7 @@ inline const std::vector<Mechanism>& ToyMechanisms() {
   return mechanisms;
 }
 
-/// What the toy's suspects make of a lever, each in turn.
+/// What the toy's candidates make of a lever, each in turn.
 inline std::vector<double> ToyResponse(const std::vector<double>& lever, double square, double step,
                                        double lag_s) {
   std::vector<double> y(lever.size());
@@ -43,9 +43,9 @@ inline std::vector<double> ToyLever(std::size_t size, std::uint64_t seed) {
   return LeverSeries(size, Stream(seed, "lever")).value;
 }
 
-/// A block that measures `measured` under that lever; suspects by their places in ToyMechanisms.
+/// A block that measures `measured` under that lever; candidates by their places in ToyMechanisms.
 inline ReplayBlock ToyBlock(const std::vector<double>& lever, const Series& measured,
-                            const std::vector<std::size_t>& suspects) {
+                            const std::vector<std::size_t>& candidates) {
   ReplayBlock block;
   block.name = "toy";
   const Series command = MakeSeries(measured.period_s, lever);
@@ -74,18 +74,18 @@ inline ReplayBlock ToyBlock(const std::vector<double>& lever, const Series& meas
                             free,
                             {}});
   block.commands = {command};
-  for (const std::size_t s : suspects) {
+  for (const std::size_t s : candidates) {
     const bool is_lag = s == 3;
-    block.suspects.push_back({&ToyMechanisms()[s],
-                              "toy",
-                              {{0, is_lag ? 0.0 : -2.0, is_lag ? 1.0 : 2.0}},
-                              is_lag ? std::vector<std::vector<double>>{{0.05}, {0.3}}
-                                     : std::vector<std::vector<double>>{{0.1}, {-0.1}, {0.5}}});
+    block.candidates.push_back({&ToyMechanisms()[s],
+                                "toy",
+                                {{0, is_lag ? 0.0 : -2.0, is_lag ? 1.0 : 2.0}},
+                                is_lag ? std::vector<std::vector<double>>{{0.05}, {0.3}}
+                                       : std::vector<std::vector<double>>{{0.1}, {-0.1}, {0.5}}});
   }
   block.replay = WholeReplay([lever](const Structure& terms) {
     double square = 0, step = 0, lag_s = 0;
     for (const Term& term : terms) {
-      const std::string_view id = term.suspect->mechanism->id;
+      const std::string_view id = term.candidate->mechanism->id;
       if (id == "square" || id == "twin") square += term.values[0];
       if (id == "step") step += term.values[0];
       if (id == "lag") lag_s += term.values[0];
@@ -118,7 +118,7 @@ inline std::vector<Manoeuvre> EqualManoeuvres(std::size_t count, std::size_t len
 
 inline std::vector<std::string> NamesOf(const std::vector<Finding>& findings) {
   std::vector<std::string> names;
-  for (const Finding& finding : findings) names.emplace_back(finding.term.suspect->mechanism->id);
+  for (const Finding& finding : findings) names.emplace_back(finding.term.candidate->mechanism->id);
   return names;
 }
 

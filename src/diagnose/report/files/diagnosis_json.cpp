@@ -58,7 +58,7 @@ Json RegimeOf(const Location& location) {
 }
 
 Json ParametersOf(const Finding& finding) {
-  const std::vector<double>& present = finding.term.suspect->present;
+  const std::vector<double>& present = finding.term.candidate->present;
   Json map = Json::object();
   for (std::size_t i = 0; i < finding.parameters.size(); ++i) {
     const ParameterEstimate& estimate = finding.parameters[i];
@@ -94,19 +94,19 @@ double ScoreOf(const Finding& finding) {
 
 Json Named(const DiagnosedBlock& diagnosed, const Finding& finding) {
   Json json = Where(diagnosed, finding.location);
-  const Suspect& suspect = *finding.term.suspect;
-  json["mechanism"] = std::string(suspect.mechanism->id);
-  json["slot"] = std::string(NameOf(suspect.mechanism->slot));
-  json["target"] = suspect.target;
+  const Candidate& candidate = *finding.term.candidate;
+  json["mechanism"] = std::string(candidate.mechanism->id);
+  json["slot"] = std::string(NameOf(candidate.mechanism->slot));
+  json["target"] = candidate.target;
   json["parameters"] = ParametersOf(finding);
   json["class"] = Json::array();
-  for (const Suspect* rival : finding.evidence.rivals) {
+  for (const Candidate* rival : finding.evidence.rivals) {
     json["class"].push_back(std::string(rival->mechanism->id));
   }
   json["rejected"] = Json::array();
   for (const Rival& rival : finding.evidence.rejected) {
     json["rejected"].push_back(
-        {{"mechanism", std::string(rival.suspect->mechanism->id)}, {"p", Number(rival.p)}});
+        {{"mechanism", std::string(rival.candidate->mechanism->id)}, {"p", Number(rival.p)}});
   }
   json["evidence"] = {{"p_chosen", Number(finding.evidence.p)},
                       {"p_confirmed", Number(finding.held_out.p)}};
@@ -216,11 +216,11 @@ Json Seen(const PerceptionDiagnosis& sensor, const PerceptionFinding& finding) {
 /// What was chosen and is no finding.
 Json Chosen(const Finding& finding) {
   Json names = Json::array();
-  for (const Suspect* rival : finding.evidence.rivals)
+  for (const Candidate* rival : finding.evidence.rivals)
     names.push_back(std::string(rival->mechanism->id));
   return {
-      {"mechanism", std::string(finding.term.suspect->mechanism->id)},
-      {"target", finding.term.suspect->target},
+      {"mechanism", std::string(finding.term.candidate->mechanism->id)},
+      {"target", finding.term.candidate->target},
       {"class", std::move(names)},
       {"evidence",
        {{"p_chosen", Number(finding.evidence.p)}, {"p_confirmed", Number(finding.held_out.p)}}}};
@@ -388,8 +388,8 @@ Json Untestable(const Diagnosis& diagnosis) {
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     for (const Detectability& one : diagnosed.diagnosis.detectability) {
       if (one.smallest) continue;
-      list.push_back({{"mechanism", std::string(one.suspect->mechanism->id)},
-                      {"target", one.suspect->target},
+      list.push_back({{"mechanism", std::string(one.candidate->mechanism->id)},
+                      {"target", one.candidate->target},
                       {"smallest_detectable", nullptr}});
     }
   }

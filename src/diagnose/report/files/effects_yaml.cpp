@@ -52,34 +52,34 @@ std::string Value(double value, const EffectParameter& parameter) {
 
 /// "dead_band: {width: 0.18}", and in a comment what it was not told apart from.
 std::string MechanismLine(const Finding& finding) {
-  const Suspect& suspect = *finding.term.suspect;
+  const Candidate& candidate = *finding.term.candidate;
   std::vector<std::string> numbers;
-  for (std::size_t i = 0; i < suspect.mechanism->parameters.size(); ++i) {
-    const EffectParameter& parameter = suspect.mechanism->parameters[i];
+  for (std::size_t i = 0; i < candidate.mechanism->parameters.size(); ++i) {
+    const EffectParameter& parameter = candidate.mechanism->parameters[i];
     const double value = finding.term.values[i];
-    const bool is_free = std::any_of(suspect.free.begin(), suspect.free.end(),
+    const bool is_free = std::any_of(candidate.free.begin(), candidate.free.end(),
                                      [&](const FreeParameter& free) { return free.index == i; });
     const bool has_already =
-        suspect.present.empty() ? parameter.otherwise == value : suspect.present[i] == value;
+        candidate.present.empty() ? parameter.otherwise == value : candidate.present[i] == value;
     if ((!is_free || finding.term.IsHeld(i)) && has_already) continue;
     numbers.push_back(fmt::format("{}: {}", parameter.name, Value(value, parameter)));
   }
   const std::vector<std::string> alike = AlikeTexts(finding);
   const std::string comment =
       alike.empty() ? "" : fmt::format("  # or {}: not told apart", fmt::join(alike, ", "));
-  return fmt::format("{}: {{{}}}{}", suspect.mechanism->id, fmt::join(numbers, ", "), comment);
+  return fmt::format("{}: {{{}}}{}", candidate.mechanism->id, fmt::join(numbers, ", "), comment);
 }
 
 std::vector<TargetLines> LinesOf(const Diagnosis& diagnosis) {
   std::vector<TargetLines> targets;
   for (const auto& [diagnosed, finding] : FindingsByWeight(diagnosis)) {
-    const Suspect& suspect = *finding->term.suspect;
-    if (suspect.target == kPoses) continue;  // no part of a simulation
+    const Candidate& candidate = *finding->term.candidate;
+    if (candidate.target == kPoses) continue;  // no part of a simulation
     auto at = std::find_if(targets.begin(), targets.end(), [&](const TargetLines& lines) {
-      return lines.target == suspect.target;
+      return lines.target == candidate.target;
     });
-    if (at == targets.end()) at = targets.insert(targets.end(), {suspect.target, {}, {}});
-    const std::string_view id = suspect.mechanism->id;
+    if (at == targets.end()) at = targets.insert(targets.end(), {candidate.target, {}, {}});
+    const std::string_view id = candidate.mechanism->id;
     if (std::find(at->mechanisms.begin(), at->mechanisms.end(), id) != at->mechanisms.end())
       continue;
     at->mechanisms.push_back(id);

@@ -196,12 +196,12 @@ std::string RegimeFigure(const DiagnosedBlock& diagnosed, const Location& locati
 }
 
 /// With its target where another one has the same name.
-std::string NameAmong(const std::vector<SingleEvidence>& singles, const Suspect& suspect) {
+std::string NameAmong(const std::vector<SingleEvidence>& singles, const Candidate& candidate) {
   const auto same = std::count_if(singles.begin(), singles.end(), [&](const SingleEvidence& one) {
-    return one.suspect->mechanism == suspect.mechanism;
+    return one.candidate->mechanism == candidate.mechanism;
   });
-  const std::string name = Spaced(suspect.mechanism->id);
-  return same == 1 ? name : name + ", " + Spaced(suspect.target);
+  const std::string name = Spaced(candidate.mechanism->id);
+  return same == 1 ? name : name + ", " + Spaced(candidate.target);
 }
 
 std::string EvidenceFigure(const DiagnosedBlock& diagnosed) {
@@ -214,8 +214,8 @@ std::string EvidenceFigure(const DiagnosedBlock& diagnosed) {
   for (const SingleEvidence& single : singles) {
     const bool is_found =
         std::any_of(search.found.terms.begin(), search.found.terms.end(),
-                    [&](const Term& term) { return term.suspect == single.suspect; });
-    bars.push_back({NameAmong(singles, *single.suspect), single.held_out_gain,
+                    [&](const Term& term) { return term.candidate == single.candidate; });
+    bars.push_back({NameAmong(singles, *single.candidate), single.held_out_gain,
                     is_found ? "bar chosen" : "bar"});
   }
   if (search.found.terms.size() > 1 && search.found_gain) {

@@ -92,9 +92,9 @@ std::string Top(const Diagnosis& diagnosis, const std::string& recording) {
 std::string ParameterTable(const DiagnosedBlock& diagnosed) {
   Table table({"Mechanism", "On", "Parameter", ">Value", ">±", "Unit", ">Chosen", ">Confirmed"});
   for (const Finding* finding : FindingsByWeight(diagnosed)) {
-    const Suspect& suspect = *finding->term.suspect;
+    const Candidate& candidate = *finding->term.candidate;
     bool is_first = true;
-    for (const FreeParameter& free : suspect.free) {
+    for (const FreeParameter& free : candidate.free) {
       const ParameterEstimate& estimate = finding->parameters[free.index];
       std::string value = WithSigma(estimate.value, estimate.sigma), sigma = "unknown";
       if (const auto at = value.find(" ± "); at != std::string::npos) {
@@ -102,8 +102,8 @@ std::string ParameterTable(const DiagnosedBlock& diagnosed) {
         value.resize(at);
       }
       if (finding->term.IsHeld(free.index)) sigma = "not determined";
-      table.Row({is_first ? Code(suspect.mechanism->id) : "",
-                 is_first ? Escaped(suspect.target) : "", Code(estimate.name), value, sigma,
+      table.Row({is_first ? Code(candidate.mechanism->id) : "",
+                 is_first ? Escaped(candidate.target) : "", Code(estimate.name), value, sigma,
                  UnitCell(estimate.unit),
                  is_first ? Escaped(ProbabilityText(finding->evidence.p)) : "",
                  is_first ? Escaped(ProbabilityText(finding->held_out.p)) : ""});
@@ -131,7 +131,7 @@ std::string ErrorTable(const DiagnosedBlock& diagnosed) {
   }
   if (diagnosed.diagnosis.findings.size() > 1) {
     for (const Finding* finding : FindingsByWeight(diagnosed)) {
-      AddErrorRow(diagnosed, Code(finding->term.suspect->mechanism->id) + " alone left out",
+      AddErrorRow(diagnosed, Code(finding->term.candidate->mechanism->id) + " alone left out",
                   finding->held_out, &table);
     }
   }
@@ -157,7 +157,7 @@ std::string BlockSection(const DiagnosedBlock& diagnosed) {
   std::string html =
       fmt::format("<section>\n<h2>{}</h2>\n", Escaped(Capitalised(Spaced(diagnosed.block.name))));
   for (const Finding* finding : FindingsByWeight(diagnosed)) {
-    const std::string name = Spaced(finding->term.suspect->mechanism->id);
+    const std::string name = Spaced(finding->term.candidate->mechanism->id);
     html += LocationFigures(diagnosed, Capitalised(name), "The error without " + name,
                             finding->location);
   }
@@ -198,9 +198,9 @@ std::string AgreeingSection(const Diagnosis& diagnosis) {
 
 /// The number that the smallest size is of.
 std::string SmallestCell(const Detectability& one) {
-  const auto& parameters = one.suspect->mechanism->parameters;
+  const auto& parameters = one.candidate->mechanism->parameters;
   if (parameters.empty()) return "";
-  const std::size_t main = one.suspect->free.empty() ? 0 : one.suspect->free.front().index;
+  const std::size_t main = one.candidate->free.empty() ? 0 : one.candidate->free.front().index;
   return fmt::format("{} {} {}", Code(parameters[main].name), Significant(*one.smallest, 3),
                      UnitCell(parameters[main].unit));
 }
@@ -214,7 +214,7 @@ std::string UnseenTable(const Diagnosis& diagnosis) {
     std::string names;
     for (const Detectability& one : diagnosed.diagnosis.detectability) {
       if (one.smallest) continue;
-      names += (names.empty() ? "" : ", ") + Code(one.suspect->mechanism->id);
+      names += (names.empty() ? "" : ", ") + Code(one.candidate->mechanism->id);
     }
     if (!diagnosed.diagnosis.is_testable) names = "all: too few manoeuvres";
     if (names.empty()) continue;
@@ -232,7 +232,8 @@ std::string SmallestSizes(const Diagnosis& diagnosis) {
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     for (const Detectability& one : diagnosed.diagnosis.detectability) {
       if (!one.smallest) continue;
-      seen.Row({Escaped(one.suspect->target), Code(one.suspect->mechanism->id), SmallestCell(one)});
+      seen.Row(
+          {Escaped(one.candidate->target), Code(one.candidate->mechanism->id), SmallestCell(one)});
     }
   }
   return "<details><summary>Smallest sizes that would have been seen</summary>\n" + seen.Take() +

@@ -26,36 +26,36 @@ bool GoesUnnamed(const Mechanism& mechanism, std::size_t index) {
 }
 
 /// " instead of 0.05", where the simulation has the mechanism already.
-std::string InsteadText(const Suspect& suspect, std::size_t index, const ReadableUnit& unit) {
-  if (suspect.present.empty()) return "";
+std::string InsteadText(const Candidate& candidate, std::size_t index, const ReadableUnit& unit) {
+  if (candidate.present.empty()) return "";
   return " instead of " +
-         WithUnit(Significant(suspect.present[index] * unit.factor, kPresentDigits), unit);
+         WithUnit(Significant(candidate.present[index] * unit.factor, kPresentDigits), unit);
 }
 
 /// Whether a number is reported: of few all are, of many those that clearly differ from what they
 /// are without the finding.
-bool IsReported(const Suspect& suspect, const FreeParameter& free,
+bool IsReported(const Candidate& candidate, const FreeParameter& free,
                 const ParameterEstimate& estimate) {
-  if (suspect.free.size() <= kFewNumbers || !estimate.sigma) return true;
-  const double without = suspect.present.empty()
-                             ? suspect.mechanism->parameters[free.index].otherwise.value_or(0)
-                             : suspect.present[free.index];
+  if (candidate.free.size() <= kFewNumbers || !estimate.sigma) return true;
+  const double without = candidate.present.empty()
+                             ? candidate.mechanism->parameters[free.index].otherwise.value_or(0)
+                             : candidate.present[free.index];
   return std::abs(estimate.value - without) > kClearDeviations * *estimate.sigma;
 }
 
 /// " 0.18 ± 0.02, asymmetry 0.1 ± 0.05", or nothing.
 std::string NumbersText(const Finding& finding) {
-  const Suspect& suspect = *finding.term.suspect;
+  const Candidate& candidate = *finding.term.candidate;
   std::vector<std::string> numbers;
-  for (const FreeParameter& free : suspect.free) {
+  for (const FreeParameter& free : candidate.free) {
     const ParameterEstimate& estimate = finding.parameters[free.index];
-    if (finding.term.IsHeld(free.index) || !IsReported(suspect, free, estimate)) continue;
+    if (finding.term.IsHeld(free.index) || !IsReported(candidate, free, estimate)) continue;
     const ReadableUnit unit = ReadableUnitOf(estimate);
     std::optional<double> sigma = estimate.sigma;
     if (sigma) *sigma *= unit.factor;
     const std::string number = WithUnit(WithSigma(estimate.value * unit.factor, sigma), unit) +
-                               InsteadText(suspect, free.index, unit);
-    numbers.push_back(GoesUnnamed(*suspect.mechanism, free.index)
+                               InsteadText(candidate, free.index, unit);
+    numbers.push_back(GoesUnnamed(*candidate.mechanism, free.index)
                           ? number
                           : WithoutUnit(estimate.name) + " " + number);
   }
@@ -65,20 +65,20 @@ std::string NumbersText(const Finding& finding) {
 }  // namespace
 
 std::string NameAndNumbers(const Finding& finding) {
-  return Spaced(finding.term.suspect->mechanism->id) + NumbersText(finding);
+  return Spaced(finding.term.candidate->mechanism->id) + NumbersText(finding);
 }
 
 std::string MechanismText(const DiagnosedBlock& diagnosed, const Finding& finding) {
-  const Suspect& suspect = *finding.term.suspect;
+  const Candidate& candidate = *finding.term.candidate;
   const std::string& channel = diagnosed.block.channels[finding.location.channel].name;
-  if (suspect.target == "base" || channel.find(suspect.target) != std::string::npos) {
+  if (candidate.target == "base" || channel.find(candidate.target) != std::string::npos) {
     return NameAndNumbers(finding);
   }
-  return fmt::format("{} of the {}{}", Spaced(suspect.mechanism->id), Spaced(suspect.target),
+  return fmt::format("{} of the {}{}", Spaced(candidate.mechanism->id), Spaced(candidate.target),
                      NumbersText(finding));
 }
 
-std::string RivalText(const Suspect& rival, const Suspect& found) {
+std::string RivalText(const Candidate& rival, const Candidate& found) {
   const std::string text = Spaced(rival.mechanism->id);
   if (rival.target != found.target) return text + " of the " + Spaced(rival.target);
   return rival.mechanism == found.mechanism ? text + " by its other numbers" : text;
@@ -86,8 +86,9 @@ std::string RivalText(const Suspect& rival, const Suspect& found) {
 
 std::vector<std::string> AlikeTexts(const Finding& finding) {
   std::vector<std::string> alike;
-  for (const Suspect* rival : finding.evidence.rivals) {
-    if (rival != finding.term.suspect) alike.push_back(RivalText(*rival, *finding.term.suspect));
+  for (const Candidate* rival : finding.evidence.rivals) {
+    if (rival != finding.term.candidate)
+      alike.push_back(RivalText(*rival, *finding.term.candidate));
   }
   return alike;
 }

@@ -15,7 +15,7 @@ std::string NameAndNumbers(const Finding& finding);
 std::string MechanismText(const DiagnosedBlock& diagnosed, const Finding& finding);
 
 /// "latency", and "latency of the poses" where that acts on something else than what was found.
-std::string RivalText(const Suspect& rival, const Suspect& found);
+std::string RivalText(const Candidate& rival, const Candidate& found);
 
 /// What a finding was not told apart from.
 std::vector<std::string> AlikeTexts(const Finding& finding);

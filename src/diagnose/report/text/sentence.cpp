@@ -115,7 +115,7 @@ std::string EvidenceClause(const Finding& finding) {
   std::vector<std::string> rejected;
   for (const Rival& rival : finding.evidence.rejected) {
     if (rejected.size() == kMostRivalsNamed) break;
-    rejected.push_back(fmt::format("{} ({})", RivalText(*rival.suspect, *finding.term.suspect),
+    rejected.push_back(fmt::format("{} ({})", RivalText(*rival.candidate, *finding.term.candidate),
                                    ProbabilityText(rival.p)));
   }
   if (!alike.empty()) text += fmt::format("; not told apart from: {}", fmt::join(alike, ", "));
@@ -243,7 +243,7 @@ std::string SentenceOfUntestable(const DiagnosedBlock& diagnosed) {
 
 std::string SentenceOfNothing(const Diagnosis& diagnosis) {
   std::vector<std::string> channels, open, unknown, few;
-  std::size_t suspects = 0, unseen = 0;
+  std::size_t candidates = 0, unseen = 0;
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     if (!diagnosed.diagnosis.is_testable) continue;
     for (std::size_t c = 0; c < diagnosed.block.channels.size(); ++c) {
@@ -255,7 +255,7 @@ std::string SentenceOfNothing(const Diagnosis& diagnosis) {
       if (verdict.kind == ResidualVerdict::Kind::kUnknown) unknown.push_back(quantity);
       if (verdict.kind == ResidualVerdict::Kind::kOfFew) few.push_back(quantity);
     }
-    suspects += diagnosed.diagnosis.detectability.size();
+    candidates += diagnosed.diagnosis.detectability.size();
     for (const Detectability& one : diagnosed.diagnosis.detectability)
       unseen += one.smallest ? 0 : 1;
   }
@@ -283,7 +283,7 @@ std::string SentenceOfNothing(const Diagnosis& diagnosis) {
   }
   if (unseen > 0) {
     text += fmt::format(" Of {} mechanisms looked for, {} could not have been seen at any size.",
-                        suspects, unseen);
+                        candidates, unseen);
   }
   return text;
 }

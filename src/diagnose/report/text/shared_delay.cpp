@@ -19,7 +19,7 @@ constexpr double kMostApart = 0.5;  ///< of the longer one, however uncertain th
 
 std::optional<ParameterEstimate> DelayOf(const DiagnosedBlock& diagnosed) {
   for (const Finding& finding : diagnosed.diagnosis.findings) {
-    if (finding.term.suspect->mechanism->id == "command_delay") return finding.parameters.front();
+    if (finding.term.candidate->mechanism->id == "command_delay") return finding.parameters.front();
   }
   return std::nullopt;
 }

@@ -55,8 +55,8 @@ std::vector<std::string> Counted(const std::vector<std::string>& names) {
 std::string FoundText(const Diagnosis& diagnosis) {
   std::vector<OfTarget> all;
   for (const auto& [diagnosed, finding] : FindingsByWeight(diagnosis)) {
-    Add(finding->term.suspect->target, WithItsClass(NameAndNumbers(*finding), AlikeTexts(*finding)),
-        &all);
+    Add(finding->term.candidate->target,
+        WithItsClass(NameAndNumbers(*finding), AlikeTexts(*finding)), &all);
   }
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
     for (const PerceptionFinding& finding : sensor.findings) {

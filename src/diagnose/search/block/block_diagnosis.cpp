@@ -220,12 +220,12 @@ bool BlockDiagnoser::IsProxy(const BlockDiagnosis& out, std::size_t term) const 
 /// Moves proxies out of the findings, one after the other, the one that explains least first. A
 /// finding without which nothing is unexplained any more is no proxy, and stays.
 void BlockDiagnoser::MoveProxies(BlockDiagnosis* out) const {
-  std::vector<const Suspect*> stay;
+  std::vector<const Candidate*> stay;
   while (true) {
     std::optional<std::size_t> least;
     for (std::size_t t = 0; t < out->findings.size(); ++t) {
       const Finding& finding = out->findings[t];
-      if (std::find(stay.begin(), stay.end(), finding.term.suspect) != stay.end()) continue;
+      if (std::find(stay.begin(), stay.end(), finding.term.candidate) != stay.end()) continue;
       const bool is_less = !least || finding.evidence.share < out->findings[*least].evidence.share;
       if (is_less && IsProxy(*out, t)) least = t;
     }
@@ -238,7 +238,7 @@ void BlockDiagnoser::MoveProxies(BlockDiagnosis* out) const {
     Confirm(&without);
     FindUnexplained(&without);
     if (UnexplainedIn(without, channel) == nullptr) {
-      stay.push_back(out->findings[*least].term.suspect);
+      stay.push_back(out->findings[*least].term.candidate);
     } else {
       *out = std::move(without);
     }
@@ -251,8 +251,8 @@ BlockDiagnosis BlockDiagnoser::Untested() const {
   out.manoeuvres = context_.manoeuvres;
   out.noise = context_.likelihood.noise();
   out.search.nothing = out.search.found = fitter_.AsGiven({});
-  for (const Suspect& suspect : context_.block.suspects)
-    out.detectability.push_back({&suspect, {}});
+  for (const Candidate& candidate : context_.block.candidates)
+    out.detectability.push_back({&candidate, {}});
   return out;
 }
 
@@ -272,8 +272,8 @@ BlockDiagnosis BlockDiagnoser::Explain(SearchResult search) const {
   FindUnexplained(&out);
   MoveProxies(&out);
   out.detectability = InParallel<Detectability>(
-      context_.block.suspects.size(), context_.options.threads,
-      [&](std::size_t s) { return DetectabilityOf(context_, context_.block.suspects[s]); });
+      context_.block.candidates.size(), context_.options.threads,
+      [&](std::size_t s) { return DetectabilityOf(context_, context_.block.candidates[s]); });
   for (std::size_t c = 0; c < context_.block.channels.size(); ++c) {
     out.confirmed.push_back(Compare(out.search.nothing, out.search.found, c));
   }

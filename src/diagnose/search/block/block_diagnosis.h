@@ -47,7 +47,7 @@ struct BlockDiagnosis {
   std::vector<Finding> proxies;
   std::vector<Unexplained> unexplained;
   std::vector<ResidualVerdict> residual_verdicts;  ///< one a channel
-  std::vector<Detectability> detectability;        ///< one a suspect
+  std::vector<Detectability> detectability;        ///< one a candidate
   std::vector<HeldOutError> confirmed;             ///< nothing against all findings, one a channel
 };
 

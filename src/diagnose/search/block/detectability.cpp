@@ -21,7 +21,7 @@ bool WouldBeSeen(const EvaluationContext& context, const Misfit& difference) {
   Misfit none = difference;
   for (Eigen::VectorXd& innovation : none.innovation) innovation.setZero();
   const std::size_t tests =
-      std::max(context.options.suspects_in_all, context.block.suspects.size());
+      std::max(context.options.total_candidates, context.block.candidates.size());
   const double alpha = context.options.alpha / static_cast<double>(tests);
   const auto drawn = [&](const std::vector<Segment>& part, std::uint64_t first) {
     std::vector<ManoeuvreGain> gains = GainsOf(context.likelihood, difference, none, part);
@@ -44,11 +44,11 @@ bool WouldBeSeen(const EvaluationContext& context, const Misfit& difference) {
 
 }  // namespace
 
-Detectability DetectabilityOf(const EvaluationContext& context, const Suspect& suspect) {
+Detectability DetectabilityOf(const EvaluationContext& context, const Candidate& candidate) {
   const auto nothing = context.block.predict({});
-  Detectability out{&suspect, {}};
-  for (const std::vector<double>& start : suspect.starts) {
-    const auto truth = context.block.predict({{&suspect, start}});
+  Detectability out{&candidate, {}};
+  for (const std::vector<double>& start : candidate.starts) {
+    const auto truth = context.block.predict({{&candidate, start}});
     if (context.likelihood.Discernible(nothing, truth) < kLeastGain) continue;
     const Misfit difference = context.likelihood.JudgeAgainst(truth, nothing);
     Misfit none = difference;
@@ -57,7 +57,8 @@ Detectability DetectabilityOf(const EvaluationContext& context, const Suspect& s
     }
     if (EffectOf(context.block, difference, none) < context.options.least_effect) continue;
     if (!WouldBeSeen(context, difference)) continue;
-    out.smallest = start.empty() ? 1 : start[suspect.free.empty() ? 0 : suspect.free.front().index];
+    out.smallest =
+        start.empty() ? 1 : start[candidate.free.empty() ? 0 : candidate.free.front().index];
     break;
   }
   return out;

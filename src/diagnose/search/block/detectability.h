@@ -9,13 +9,13 @@ namespace tera {
 
 /// The smallest size at which a candidate would have been found, were noise the only trouble.
 struct Detectability {
-  const Suspect* suspect = nullptr;
+  const Candidate* candidate = nullptr;
   std::optional<double> smallest;  ///< of its main number; none where no start would be found
 };
 
 /// Takes the candidate's starts, from faint to strong, and returns the first that would pass the
 /// tests of TRAIN with SELECT and of FINAL under three quarters of twenty draws of the noise, its
 /// numbers being known.
-Detectability DetectabilityOf(const EvaluationContext& context, const Suspect& suspect);
+Detectability DetectabilityOf(const EvaluationContext& context, const Candidate& candidate);
 
 }  // namespace tera

@@ -81,7 +81,7 @@ std::optional<double> FollowedP(const EvaluationContext& context, const Misfit& 
     return SteadyGainP(GainsOf(context.likelihood, misfit, less, pieces, verdict.channel));
   };
   const auto tests =
-      static_cast<double>(std::max(context.options.channels_in_all, context.block.channels.size()));
+      static_cast<double>(std::max(context.options.total_channels, context.block.channels.size()));
   const double chosen_p = std::min(1.0, tests * p_over(beyond, context.select));
   if (chosen_p <= context.options.alpha && p_over(beyond, context.final) <= kConfirmedP) {
     return chosen_p;

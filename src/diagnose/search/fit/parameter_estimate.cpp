@@ -91,7 +91,7 @@ std::vector<ParameterEstimate> EstimatesOf(const FittedStructure& found, std::si
   for (std::size_t t = 0; t < wanted; ++t) first += found.terms[t].Free().size();
   const Term& term = found.terms[wanted];
   std::vector<ParameterEstimate> estimates;
-  const auto& parameters = term.suspect->mechanism->parameters;
+  const auto& parameters = term.candidate->mechanism->parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const std::string_view unit = parameters[i].unit;
     estimates.push_back({std::string(parameters[i].name),
@@ -105,7 +105,7 @@ std::vector<ParameterEstimate> EstimatesOf(const FittedStructure& found, std::si
     if (sigmas[first + f].value_or(1e300) > free.upper - free.lower) continue;
     if (IsAtBound(free, term.values[free.index])) continue;
     estimates[free.index].sigma = std::hypot(
-        *sigmas[first + f], FormDeviation(*term.suspect->mechanism, term.values[free.index]));
+        *sigmas[first + f], FormDeviation(*term.candidate->mechanism, term.values[free.index]));
   }
   return estimates;
 }

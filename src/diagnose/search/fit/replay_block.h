@@ -32,7 +32,7 @@ struct FreeParameter {
 };
 
 /// A mechanism that may act on a target, and where to begin looking for its numbers.
-struct Suspect {
+struct Candidate {
   const Mechanism* mechanism = nullptr;
   std::string target;  ///< as in YAML: "boom", "base", "encoders/boom"
   std::vector<FreeParameter> free;
@@ -46,26 +46,26 @@ struct Suspect {
   std::function<bool(const std::vector<double>& values)> is_itself = {};
 };
 
-/// A suspect with its numbers, all of the mechanism's parameters.
+/// A candidate with its numbers, all of the mechanism's parameters.
 struct Term {
-  const Suspect* suspect = nullptr;
+  const Candidate* candidate = nullptr;
   std::vector<double> values;
-  /// Of its parameters, those that a fit leaves as they are though the suspect would free them.
+  /// Of its parameters, those that a fit leaves as they are though the candidate would free them.
   std::vector<std::size_t> held = {};
 
-  bool IsItself() const { return !suspect->is_itself || suspect->is_itself(values); }
+  bool IsItself() const { return !candidate->is_itself || candidate->is_itself(values); }
   bool IsHeld(std::size_t index) const {
     return std::find(held.begin(), held.end(), index) != held.end();
   }
   /// What a fit moves.
   std::vector<FreeParameter> Free() const {
-    std::vector<FreeParameter> free = suspect->free;
+    std::vector<FreeParameter> free = candidate->free;
     std::erase_if(free, [&](const FreeParameter& one) { return IsHeld(one.index); });
     return free;
   }
 };
 
-/// What is taken to act; each suspect once.
+/// What is taken to act; each candidate once.
 using Structure = std::vector<Term>;
 
 /// All terms but one.
@@ -121,7 +121,7 @@ struct ReplayBlock {
   TimeNs first_ns = 0;            ///< of the grid's first place; from the recording's first sample
   std::vector<Channel> channels;  ///< at least one, all on one grid
   bool slides = false;  ///< of a joint whose radians and newton metres are metres and newtons
-  std::vector<Suspect> suspects;
+  std::vector<Candidate> candidates;
   std::vector<Series> commands;  ///< on the grid: what tells manoeuvres apart
   /// What each channel would have been, over the first `samples` of the grid, were these terms at
   /// work, each in place of what the model has of that mechanism, beside all else that it has.
@@ -144,9 +144,9 @@ struct ReplayBlock {
 
 /// Whether a lever drives what the block replays, which may then follow it late.
 inline bool HasLever(const ReplayBlock& block) {
-  return std::any_of(block.suspects.begin(), block.suspects.end(), [](const Suspect& suspect) {
-    return suspect.mechanism->slot == Slot::kCommandTiming;
-  });
+  return std::any_of(
+      block.candidates.begin(), block.candidates.end(),
+      [](const Candidate& candidate) { return candidate.mechanism->slot == Slot::kCommandTiming; });
 }
 
 }  // namespace tera

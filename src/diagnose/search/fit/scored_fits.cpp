@@ -29,7 +29,7 @@ ScoredFits::ScoredFits(const StructureFitter& fitter, const Likelihood& likeliho
 
 ScoredFits::Key ScoredFits::KeyOf(const Structure& terms) {
   Key key;
-  for (const Term& term : terms) key.emplace_back(term.suspect, term.values, term.held);
+  for (const Term& term : terms) key.emplace_back(term.candidate, term.values, term.held);
   return key;
 }
 
@@ -37,7 +37,7 @@ Scored ScoredFits::Score(const FittedStructure& fitted) const {
   Scored scored{fitted.terms, fitted.log_likelihood, 0, {}};
   double parameters = 0;
   for (const Term& term : fitted.terms)
-    parameters += 1 + static_cast<double>(term.suspect->free.size());
+    parameters += 1 + static_cast<double>(term.candidate->free.size());
   scored.criterion = fitted.log_likelihood - 0.5 * parameters * std::log(rows_);
   if (!std::all_of(fitted.terms.begin(), fitted.terms.end(), std::mem_fn(&Term::IsItself))) {
     scored.criterion = -std::numeric_limits<double>::infinity();

@@ -17,7 +17,7 @@ struct Scored {
   Structure terms;
   double log_likelihood = 0;  ///< on the samples that it was fitted to
   /// Bayesian information criterion, as log-likelihood less penalty; minus infinity where a term is
-  /// another mechanism in disguise (Suspect::is_itself).
+  /// another mechanism in disguise (Candidate::is_itself).
   double criterion = 0;
   std::vector<double> held_out;  ///< log-likelihood by manoeuvre of SELECT
 
@@ -44,7 +44,7 @@ class ScoredFits {
  private:
   /// What a fit begins at.
   using Key =
-      std::vector<std::tuple<const Suspect*, std::vector<double>, std::vector<std::size_t>>>;
+      std::vector<std::tuple<const Candidate*, std::vector<double>, std::vector<std::size_t>>>;
 
   static Key KeyOf(const Structure& terms);
   std::vector<Scored> Once(const std::vector<Structure>& structures, std::map<Key, Scored>* known,

@@ -165,12 +165,12 @@ bool HoldUndetermined(const Eigen::MatrixXd& information, Structure* terms) {
   double part = kLeastPart;
   for (std::size_t i = 0; i < freedoms.size(); ++i) {
     const double own = std::abs(direction[static_cast<Eigen::Index>(i)]);
-    if (own <= part || !DefaultOf(*freedoms[i].term->suspect, freedoms[i].index)) continue;
+    if (own <= part || !DefaultOf(*freedoms[i].term->candidate, freedoms[i].index)) continue;
     part = own;
     most = &freedoms[i];
   }
   if (most == nullptr) return false;
-  most->term->values[most->index] = *DefaultOf(*most->term->suspect, most->index);
+  most->term->values[most->index] = *DefaultOf(*most->term->candidate, most->index);
   most->term->held.push_back(most->index);
   return true;
 }
@@ -200,9 +200,9 @@ std::optional<Likelihood> CoarseLikelihood(const ReplayBlock& block, const Likel
 
 }  // namespace
 
-std::optional<double> DefaultOf(const Suspect& suspect, std::size_t index) {
-  if (!suspect.present.empty()) return suspect.present[index];
-  return suspect.mechanism->parameters[index].otherwise;
+std::optional<double> DefaultOf(const Candidate& candidate, std::size_t index) {
+  if (!candidate.present.empty()) return candidate.present[index];
+  return candidate.mechanism->parameters[index].otherwise;
 }
 
 double PlaceOf(const FreeParameter& free, double value) {
@@ -234,7 +234,7 @@ FittedStructure StructureFitter::AsGiven(Structure terms) const {
 }
 
 std::vector<StructureFitter::Start> StructureFitter::StartsOf(const Structure& terms) const {
-  std::vector<std::vector<double>> values = terms.back().suspect->starts;
+  std::vector<std::vector<double>> values = terms.back().candidate->starts;
   if (std::find(values.begin(), values.end(), terms.back().values) == values.end()) {
     values.insert(values.begin(), terms.back().values);
   }

@@ -20,7 +20,7 @@ struct FittedStructure {
 
 /// The number that a parameter has where its mechanism is not looked for; none where it must be
 /// given.
-std::optional<double> DefaultOf(const Suspect& suspect, std::size_t index);
+std::optional<double> DefaultOf(const Candidate& candidate, std::size_t index);
 /// A free parameter as a place in its range, 0 to 1.
 double PlaceOf(const FreeParameter& free, double value);
 /// The free parameter at a place in its range.
@@ -37,7 +37,7 @@ enum class Effort { kFull, kFewSteps };
 ///         range, or of half the distance of its likelihood's kinks; numbers that have kinks are
 ///         then moved by themselves, by that distance and steps that are halved; nuisances are
 ///         fitted anew in every evaluation. Starts: the values of `terms` as given, and with the
-///         last term's replaced by each of its suspect's; the most likely one is refined. Where
+///         last term's replaced by each of its candidate's; the most likely one is refined. Where
 ///         nothing at all fits badly (innovations of more than twice the noise's variance),
 ///         likewise under white noise of the size of what nothing leaves, whose likelihood is
 ///         smooth far from the truth, and from there under the noise itself; the likelier of both

@@ -142,7 +142,7 @@ Eigen::VectorXd Pursued(const Channel& channel, const Eigen::VectorXd& error, co
   return left;
 }
 
-/// One suspect more at a time.
+/// One candidate more at a time.
 class GreedySearch {
  public:
   GreedySearch(const ReplayBlock& block, const std::vector<Parts>& parts, const Mask& seen,
@@ -156,8 +156,8 @@ class GreedySearch {
       const Likelihood likelihood(block_, WhiteNoiseOf(found), seen_);
       const StructureFitter fitter(block_, likelihood, {});
       const auto grown = InParallel<Structure>(
-          block_.suspects.size(), threads_,
-          [&](std::size_t s) { return Grown(found, block_.suspects[s], fitter); });
+          block_.candidates.size(), threads_,
+          [&](std::size_t s) { return Grown(found, block_.candidates[s], fitter); });
       std::optional<std::size_t> best;
       for (std::size_t s = 0; s < grown.size(); ++s) {
         if (grown[s].size() == found.size()) continue;  // it is there already
@@ -180,11 +180,12 @@ class GreedySearch {
   }
 
  private:
-  static Structure Grown(Structure terms, const Suspect& suspect, const StructureFitter& fitter) {
+  static Structure Grown(Structure terms, const Candidate& candidate,
+                         const StructureFitter& fitter) {
     const bool has = std::any_of(terms.begin(), terms.end(),
-                                 [&](const Term& term) { return term.suspect == &suspect; });
+                                 [&](const Term& term) { return term.candidate == &candidate; });
     if (has) return terms;
-    terms.push_back({&suspect, suspect.starts.front()});
+    terms.push_back({&candidate, candidate.starts.front()});
     return fitter.FitValues(std::move(terms)).terms;
   }
 
@@ -198,7 +199,7 @@ class GreedySearch {
 
   double CriterionOf(const Structure& terms) const {
     std::size_t parameters = 0;
-    for (const Term& term : terms) parameters += 1 + term.suspect->free.size();
+    for (const Term& term : terms) parameters += 1 + term.candidate->free.size();
     const std::vector<double> rmse = RmseOf(terms, &Parts::seen);
     double sum = 0;
     for (std::size_t c = 0; c < rmse.size(); ++c) {
@@ -255,7 +256,7 @@ std::vector<BaselineAnswer> BaselinesOf(const ReplayBlock& block, int threads,
   const GreedySearch search(block, parts, seen, threads);
   const Structure found = search.Run();
   for (const Term& term : found) {
-    greedy.names.push_back({std::string(term.suspect->mechanism->id), term.suspect->target});
+    greedy.names.push_back({std::string(term.candidate->mechanism->id), term.candidate->target});
   }
   greedy.found = !found.empty();
   greedy.rmse_final = search.RmseOf(found, &Parts::final);

@@ -50,7 +50,7 @@ ReplayBlock PrefixOf(const ReplayBlock& block, std::size_t samples) {
   prefix.name = block.name;
   prefix.first_ns = block.first_ns;
   prefix.slides = block.slides;
-  prefix.suspects = block.suspects;
+  prefix.candidates = block.candidates;
   for (const Channel& channel : block.channels) {
     prefix.channels.push_back(First(channel, samples));
   }
@@ -69,21 +69,21 @@ std::vector<Manoeuvre> Within(std::vector<Manoeuvre> manoeuvres, std::size_t sam
 
 SearchResult CarryToWhole(SearchResult search, const ReplayBlock& prefix,
                           const ReplayBlock& whole) {
-  const auto move = [&](const Suspect** suspect) {
-    *suspect = &whole.suspects[static_cast<std::size_t>(*suspect - prefix.suspects.data())];
+  const auto move = [&](const Candidate** candidate) {
+    *candidate = &whole.candidates[static_cast<std::size_t>(*candidate - prefix.candidates.data())];
   };
   for (Term& term : search.found.terms) {
-    move(&term.suspect);
+    move(&term.candidate);
     for (const std::size_t held : term.held) {
-      term.values[held] = term.suspect->starts.front()[held];
+      term.values[held] = term.candidate->starts.front()[held];
     }
     term.held.clear();
   }
   for (TermEvidence& evidence : search.evidence) {
-    for (const Suspect*& rival : evidence.rivals) move(&rival);
-    for (Rival& rival : evidence.rejected) move(&rival.suspect);
+    for (const Candidate*& rival : evidence.rivals) move(&rival);
+    for (Rival& rival : evidence.rejected) move(&rival.candidate);
   }
-  for (SingleEvidence& single : search.singles) move(&single.suspect);
+  for (SingleEvidence& single : search.singles) move(&single.candidate);
   return search;
 }
 

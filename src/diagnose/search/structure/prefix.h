@@ -23,7 +23,7 @@ ReplayBlock PrefixOf(const ReplayBlock& block, std::size_t samples);
 /// Those that lie within the first samples.
 std::vector<Manoeuvre> Within(std::vector<Manoeuvre> manoeuvres, std::size_t samples);
 
-/// A search of a block's prefix with the block's own suspects in place of the prefix's, which
+/// A search of a block's prefix with the block's own candidates in place of the prefix's, which
 /// are the same in the same order. Numbers that the prefix does not determine are free again and
 /// stand where a search would begin; fits of the prefix keep their length.
 SearchResult CarryToWhole(SearchResult search, const ReplayBlock& prefix, const ReplayBlock& whole);

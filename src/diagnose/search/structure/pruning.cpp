@@ -49,8 +49,8 @@ TermEvidence Pruning::EvidenceOf(const Scored& with, const Scored& without,
   const double gained = with.held_out_sum() - without.held_out_sum();
   const double found = with.held_out_sum() - nothing_.held_out_sum();
   evidence.share = gained / std::max({flexible_gain_, found, 1e-9});
-  const auto suspects = std::max(options_.suspects_in_all, block_.suspects.size());
-  const double tests = std::pow(suspects, with.terms.size() - without.terms.size());
+  const auto candidates = std::max(options_.total_candidates, block_.candidates.size());
+  const double tests = std::pow(candidates, with.terms.size() - without.terms.size());
   const auto gains = GainsOnSeen(crossed_without, crossed_with);
   evidence.p = evidence.steady_p = std::min(1.0, tests * SteadyGainP(gains));
   if (evidence.share >= options_.least_share_of_bet) {

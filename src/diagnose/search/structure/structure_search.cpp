@@ -24,13 +24,13 @@ void SortByCriterion(std::vector<Scored>* scored) {
                    [](const Scored& a, const Scored& b) { return a.criterion > b.criterion; });
 }
 
-bool Has(const Structure& terms, const Suspect* suspect) {
+bool Has(const Structure& terms, const Candidate* candidate) {
   return std::any_of(terms.begin(), terms.end(),
-                     [&](const Term& term) { return term.suspect == suspect; });
+                     [&](const Term& term) { return term.candidate == candidate; });
 }
 
-Structure With(Structure terms, const Suspect& suspect, const std::vector<double>& values) {
-  terms.push_back({&suspect, values});
+Structure With(Structure terms, const Candidate& candidate, const std::vector<double>& values) {
+  terms.push_back({&candidate, values});
   return terms;
 }
 
@@ -64,7 +64,7 @@ class Search {
   std::vector<Scored> Pairs();
   Scored FindMore();
   Scored FindAfresh();
-  const TermEvidence* EarlierEvidenceOf(const Suspect& suspect) const;
+  const TermEvidence* EarlierEvidenceOf(const Candidate& candidate) const;
   Scored Grow(Scored best);
   Scored Swap(Scored best);
   double SumOfEffects(const Structure& terms) const;
@@ -84,15 +84,15 @@ class Search {
   ScoredFits fits_;
   const Pruning pruning_;
   const Scored nothing_;
-  std::vector<Scored> singles_;        ///< one a suspect
-  std::vector<std::size_t> screened_;  ///< suspects
+  std::vector<Scored> singles_;        ///< one a candidate
+  std::vector<std::size_t> screened_;  ///< candidates
   Needed needed_;                      ///< what was found last
 };
 
 void Search::FitSingles() {
   std::vector<Structure> structures;
-  for (const Suspect& suspect : block_.suspects) {
-    structures.push_back(With({}, suspect, suspect.starts.front()));
+  for (const Candidate& candidate : block_.candidates) {
+    structures.push_back(With({}, candidate, candidate.starts.front()));
   }
   singles_ = fits_.All(structures, [&](const Structure& one) { return fitter_.FitValues(one); });
 }
@@ -102,27 +102,27 @@ void Search::FitSingles() {
 void Search::TakeSingles() {
   std::vector<Structure> structures;
   for (const SingleEvidence& single : earlier_.result->singles) {
-    structures.push_back(With({}, *single.suspect, single.values));
+    structures.push_back(With({}, *single.candidate, single.values));
   }
   singles_ = fits_.All(structures, [&](const Structure& one) { return fitter_.AsGiven(one); });
   if (!earlier_.result->found.terms.empty()) return;
   for (Scored& fitted : fits_.LikeliestNear(structures, kLikeliest)) {
     for (Scored& single : singles_) {
-      const bool is_it = single.terms.front().suspect == fitted.terms.front().suspect;
+      const bool is_it = single.terms.front().candidate == fitted.terms.front().candidate;
       if (is_it && fitted.log_likelihood > single.log_likelihood) single = fitted;
     }
   }
 }
 
 void Search::Screen() {
-  std::vector<std::size_t> order(block_.suspects.size());
+  std::vector<std::size_t> order(block_.candidates.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return singles_[a].log_likelihood > singles_[b].log_likelihood;
   });
   std::set<Slot> slots;
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
-    const Slot slot = block_.suspects[order[rank]].mechanism->slot;
+    const Slot slot = block_.candidates[order[rank]].mechanism->slot;
     const double gain = singles_[order[rank]].log_likelihood - nothing_.log_likelihood;
     const bool stands_for_slot = !slots.contains(slot) && gain > kScreenedGain;
     slots.insert(slot);
@@ -139,7 +139,7 @@ Scored Search::BestOf(const std::vector<Scored>& structures) const {
   return best;
 }
 
-/// The likeliest pairs of the screened; none where no suspect alone tells anything.
+/// The likeliest pairs of the screened; none where no candidate alone tells anything.
 std::vector<Scored> Search::Pairs() {
   std::vector<Structure> pairs;
   const bool any = std::any_of(singles_.begin(), singles_.end(), [&](const Scored& single) {
@@ -149,7 +149,7 @@ std::vector<Scored> Search::Pairs() {
     for (std::size_t b = a + 1; b < screened_.size(); ++b) {
       const Scored& first = singles_[screened_[a]];
       const Term& second = singles_[screened_[b]].terms.front();
-      pairs.push_back(With(first.terms, *second.suspect, second.values));
+      pairs.push_back(With(first.terms, *second.candidate, second.values));
     }
   }
   const auto few_steps = [&](const Structure& pair) {
@@ -158,7 +158,7 @@ std::vector<Scored> Search::Pairs() {
   return fits_.Likeliest(fits_.All(pairs, few_steps), kLikeliestPairs);
 }
 
-/// From the best of single suspects, and from the best of pairs or of what was found under other
+/// From the best of single candidates, and from the best of pairs or of what was found under other
 /// noise: a pair may stand for another one, of which the best single is a part.
 Scored Search::FindAfresh() {
   const Scored single = BestOf(singles_);
@@ -195,8 +195,8 @@ Scored Search::Grow(Scored best) {
     std::vector<Structure> larger;
     for (const Scored& single : singles_) {
       const Term& term = single.terms.front();
-      if (!Has(best.terms, term.suspect)) {
-        larger.push_back(With(best.terms, *term.suspect, term.values));
+      if (!Has(best.terms, term.candidate)) {
+        larger.push_back(With(best.terms, *term.candidate, term.values));
       }
     }
     std::vector<Scored> fitted = fits_.LikeliestNear(larger, kLikeliest);
@@ -210,14 +210,14 @@ Scored Search::Grow(Scored best) {
   return best;
 }
 
-/// The best exchange of one term for a screened suspect, if any is better.
+/// The best exchange of one term for a screened candidate, if any is better.
 Scored Search::Swap(Scored best) {
   std::vector<Structure> swapped;
   for (std::size_t t = 0; t < best.terms.size(); ++t) {
     for (const std::size_t s : screened_) {
       const Term& term = singles_[s].terms.front();
-      if (Has(best.terms, term.suspect)) continue;
-      swapped.push_back(With(Without(best.terms, t), *term.suspect, term.values));
+      if (Has(best.terms, term.candidate)) continue;
+      swapped.push_back(With(Without(best.terms, t), *term.candidate, term.values));
     }
   }
   for (Scored& scored : fits_.LikeliestNear(swapped, kLikeliest)) {
@@ -256,8 +256,8 @@ Scored Search::Disentangle(Scored found) {
 FittedStructure Search::Simplest(FittedStructure fitted) const {
   for (std::size_t t = 0; t < fitted.terms.size(); ++t) {
     for (const FreeParameter& free : fitted.terms[t].Free()) {
-      const Suspect& suspect = *fitted.terms[t].suspect;
-      const std::optional<double> usual = DefaultOf(suspect, free.index);
+      const Candidate& candidate = *fitted.terms[t].candidate;
+      const std::optional<double> usual = DefaultOf(candidate, free.index);
       if (!free.refines || !usual) continue;
       Structure simpler = fitted.terms;
       simpler[t].values[free.index] = *usual;
@@ -286,30 +286,30 @@ FittedStructure Search::FitToSeen() {
 }
 
 /// What was told of a term in the prefix, if it was found there.
-const TermEvidence* Search::EarlierEvidenceOf(const Suspect& suspect) const {
+const TermEvidence* Search::EarlierEvidenceOf(const Candidate& candidate) const {
   if (!earlier_.of_prefix) return nullptr;
   const Structure& found = earlier_.result->found.terms;
   for (std::size_t t = 0; t < found.size(); ++t) {
-    if (found[t].suspect == &suspect) return &earlier_.result->evidence[t];
+    if (found[t].candidate == &candidate) return &earlier_.result->evidence[t];
   }
   return nullptr;
 }
 
-/// The likeliest exchanges of one term for a screened suspect, or for those that the prefix did
+/// The likeliest exchanges of one term for a screened candidate, or for those that the prefix did
 /// not tell it from.
 std::vector<Structure> Search::NearestRivals(const Scored& found, std::size_t term) {
   std::vector<std::size_t> others = screened_;
-  if (const TermEvidence* earlier = EarlierEvidenceOf(*found.terms[term].suspect)) {
+  if (const TermEvidence* earlier = EarlierEvidenceOf(*found.terms[term].candidate)) {
     others.clear();
-    for (const Suspect* rival : earlier->rivals) {
-      others.push_back(static_cast<std::size_t>(rival - block_.suspects.data()));
+    for (const Candidate* rival : earlier->rivals) {
+      others.push_back(static_cast<std::size_t>(rival - block_.candidates.data()));
     }
   }
   std::vector<Structure> swapped;
   for (const std::size_t s : others) {
     const Term& other = singles_[s].terms.front();
-    if (Has(found.terms, other.suspect)) continue;
-    swapped.push_back(With(Without(found.terms, term), *other.suspect, other.values));
+    if (Has(found.terms, other.candidate)) continue;
+    swapped.push_back(With(Without(found.terms, term), *other.candidate, other.values));
   }
   std::vector<Structure> nearest;
   for (Scored& scored : fits_.LikeliestNear(swapped, kNearest)) {
@@ -321,17 +321,17 @@ std::vector<Structure> Search::NearestRivals(const Scored& found, std::size_t te
 void Search::FindRivals(const Scored& found, const Misfit& crossed, std::size_t term,
                         TermEvidence* evidence) {
   const std::vector<Structure> swapped = NearestRivals(found, term);
-  evidence->rivals = {found.terms[term].suspect};
-  if (const TermEvidence* earlier = EarlierEvidenceOf(*found.terms[term].suspect)) {
+  evidence->rivals = {found.terms[term].candidate};
+  if (const TermEvidence* earlier = EarlierEvidenceOf(*found.terms[term].candidate)) {
     evidence->rejected = earlier->rejected;
   }
   const std::vector<Misfit> left = pruning_.Judge(swapped);
   for (std::size_t k = 0; k < swapped.size(); ++k) {
     const auto gains = pruning_.GainsOnSeen(left[k], crossed);
-    Rival rival{swapped[k].back().suspect, SteadyGainP(gains), 0};
+    Rival rival{swapped[k].back().candidate, SteadyGainP(gains), 0};
     for (const ManoeuvreGain& one : gains) rival.lead += one.gain;
     if (rival.p > kRivalP || rival.lead < kRivalGain) {
-      evidence->rivals.push_back(rival.suspect);
+      evidence->rivals.push_back(rival.candidate);
     } else {
       evidence->rejected.push_back(rival);
     }
@@ -355,7 +355,7 @@ SearchResult Search::Find() {
   result.found_gain = needed_.structure.held_out_sum() - nothing_.held_out_sum();
   result.nothing = on_seen_.AsGiven({});
   for (std::size_t s = 0; s < singles_.size(); ++s) {
-    result.singles.push_back({&block_.suspects[s], singles_[s].terms.front().values,
+    result.singles.push_back({&block_.candidates[s], singles_[s].terms.front().values,
                               singles_[s].log_likelihood - nothing_.log_likelihood,
                               singles_[s].held_out_sum() - nothing_.held_out_sum()});
   }

@@ -15,12 +15,12 @@ namespace tera {
 inline constexpr double kRivalP = 0.05, kRivalGain = 3;
 
 struct SearchOptions {
-  std::size_t screened = 8;  ///< suspects that pairs are made of
+  std::size_t screened = 8;  ///< candidates that pairs are made of
   std::size_t deepest = 4;   ///< terms in a structure
   double alpha = 0.01;       ///< probability of a term where there is none, all tests together
-  /// Mechanisms that the whole diagnosis tests, and channels of which it asks what is left; 0:
-  /// those of the block alone.
-  std::size_t suspects_in_all = 0, channels_in_all = 0;
+  /// Candidates that the whole diagnosis tests, and channels whose residuals it judges: what
+  /// p-values are corrected for. 0: those of the block alone.
+  std::size_t total_candidates = 0, total_channels = 0;
   double least_share = 0.02;        ///< of all that was found on SELECT, that a term must explain
   double least_share_of_bet = 0.1;  ///< likewise, by a gain that is clear and not steady
   double least_of_rest = 0.1;       ///< of what the others leave, that a term must explain
@@ -31,7 +31,7 @@ struct SearchOptions {
 /// What stands in a term's place no worse, or was tried there in vain; in the prefix of a block,
 /// by what that says.
 struct Rival {
-  const Suspect* suspect = nullptr;
+  const Candidate* candidate = nullptr;
   double p = 1;     ///< of a gain so steady by chance from the term in the rival's place
   double lead = 0;  ///< of the term's structure in log-likelihood, over the same manoeuvres
 };
@@ -48,14 +48,14 @@ struct TermEvidence {
   double of_rest =
       0;  ///< of the gain that the flexible regressor has over the structure without the term
   double effect = 0;  ///< RMS of what it changes over the RMS of the channel, largest over channels
-  /// Suspects in whose place the structure is not significantly worse, itself first.
-  std::vector<const Suspect*> rivals;
+  /// Candidates in whose place the structure is not significantly worse, itself first.
+  std::vector<const Candidate*> rivals;
   std::vector<Rival> rejected;  ///< the others that were tried, the nearest first
 };
 
-/// A suspect alone.
+/// A candidate alone.
 struct SingleEvidence {
-  const Suspect* suspect = nullptr;
+  const Candidate* candidate = nullptr;
   std::vector<double> values;
   double gain = 0;           ///< of log-likelihood on TRAIN
   double held_out_gain = 0;  ///< on SELECT
@@ -78,9 +78,9 @@ struct EarlierSearch {
   bool of_prefix = false;
 };
 
-/// The search for the suspects that explain a block, together.
+/// The search for the candidates that explain a block, together.
 ///
-/// Model   every suspect alone; pairs of the screened (the likeliest, and the likeliest of each
+/// Model   every candidate alone; pairs of the screened (the likeliest, and the likeliest of each
 ///         slot), of which a few steps of each fit tell the eight that are fitted in full; then,
 ///         from the best single one and from the best pair if that is better, likewise, of four,
 ///         one term more at a time, of at least `least_effect`, with swaps, as long as the Bayesian
@@ -92,19 +92,19 @@ struct EarlierSearch {
 ///         structure, or a flexible regressor if that is more, gains over nothing and at least
 ///         `least_of_rest` of what a flexible regressor gains over the structure without it, and
 ///         its effect, beyond nuisances, at least `least_effect` of the channel. It goes, too, with
-///         numbers by which it is another mechanism in disguise (Suspect::is_itself). What refines
-///         a number is put to its default in the answer where that, one number after the other,
-///         changes less than `least_effect`. DiscriminateRivals: each term is swapped for each
-///         screened suspect; of the five that a few steps make likeliest, where the same manoeuvres
-///         do not gain from the term with p at most 0.05, or less than 3 of log-likelihood, they
-///         are alike.
+///         numbers by which it is another mechanism in disguise (Candidate::is_itself). What
+///         refines a number is put to its default in the answer where that, one number after the
+///         other, changes less than `least_effect`. DiscriminateRivals: each term is swapped for
+///         each screened candidate; of the five that a few steps make likeliest, where the same
+///         manoeuvres do not gain from the term with p at most 0.05, or less than 3 of
+///         log-likelihood, they are alike.
 /// Omits   that the structures whose terms are tested were chosen on part of the same manoeuvres,
-///         beyond the number of suspects; FINAL is for that.
+///         beyond the number of candidates; FINAL is for that.
 /// Source  Schwarz 1978.
 class StructureSearch {
  public:
   /// `noise` of each channel; `on_seen` fits to TRAIN and SELECT. A search after an earlier one
-  /// begins where that ended: single suspects with the numbers that they had there, the likeliest
+  /// begins where that ended: single candidates with the numbers that they had there, the likeliest
   /// four fitted anew where nothing was found, and what was found instead of pairs. All but the
   /// noise must outlive it and stay as they are.
   StructureSearch(const ReplayBlock& block, const std::vector<NoiseModel>& noise,

@@ -16,8 +16,7 @@ struct RegimeCurveOptions {
 
 /// How a residual depends on a variable, E[residual | variable], with what is known held fixed.
 ///
-/// Model   penalised cubic B-splines (20) by generalised least squares with Huber's
-/// function; the
+/// Model   penalised cubic B-splines (20) by generalised least squares with Huber's function; the
 ///         penalty by generalised cross-validation; centred so that its mean over the samples is 0.
 ///         Band: blocks of the scores drawn with replacement, the estimate moved by its
 ///         linearisation; `low` and `high` hold the whole curve over the occupied bins with the

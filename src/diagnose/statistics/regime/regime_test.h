@@ -56,7 +56,7 @@ struct RegimeTestResult {
 ///         residual that remains. Directions of which the known leaves less than 5 % of the
 ///         information are not judged.
 /// Source  Freedman and Lane 1983, "A nonstochastic interpretation of reported significance
-/// levels".
+///         levels".
 RegimeTestResult TestRegime(const RegimeDesign& design, const RegimeProbe& probe,
                             const RegimeTestOptions& options, const Stream& stream);
 

@@ -11,9 +11,8 @@ namespace tera {
 
 /// Coloured, heavy-tailed noise of one channel.
 ///
-/// Model   x_t - mean = sum_i ar[i-1] (x_(t-i) - mean) + e_t, e_t / scale
-///         Student-t with `dof` degrees of freedom, independent;
-///         stationary.
+/// Model   x_t - mean = sum_i ar[i-1] (x_(t-i) - mean) + e_t, e_t / scale Student-t with `dof`
+///         degrees of freedom, independent; stationary.
 /// Omits   outliers added to the measurement rather than driving the process (they bias
 ///         `ar` towards zero); lines narrower than the order resolves; change over
 ///         time.

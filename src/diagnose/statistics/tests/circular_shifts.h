@@ -16,11 +16,9 @@ namespace tera {
 ///         shift at all. With blocks, each block is turned within itself by its own random amount,
 ///         which keeps what varies slowly in place (a machine that works in one half of the
 ///         recording).
-/// Omits   the seam at which end meets beginning. One of
-///         the two series should be stationary (within
-///         blocks).
-/// Source  Harris 2020, "A shift test for independence in generic
-///         time series".
+/// Omits   the seam at which end meets beginning. One of the two series should be stationary
+///         (within blocks).
+/// Source  Harris 2020, "A shift test for independence in generic time series".
 class CircularShifts {
  public:
   /// Shifts of `size` samples, by at least `least`, at most `most`; `block` 0 for one block. Fewer,

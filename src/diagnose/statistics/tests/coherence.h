@@ -23,9 +23,8 @@ struct CoherenceOptions {
 ///         the same with one series' windows turned circularly (shifts by whole
 ///         half-windows).
 /// Omits   correction of the bias 1 / windows.
-/// Source  Welch 1967; Carter, Knapp and Nuttall 1973, "Estimation of the
-///         magnitude-squared coherence function via overlapped FFT
-///         processing".
+/// Source  Welch 1967; Carter, Knapp and Nuttall 1973, "Estimation of the magnitude-squared
+///         coherence function via overlapped FFT processing".
 struct Coherence {
   std::vector<double> frequency_hz, coherence;
   double peak_hz = 0;

@@ -145,7 +145,7 @@ TEST(DiagnosisJson, PutsTheWeightiestFirstAndWhatIsUnexplainedLast) {
   light.diagnosis.search.flexible_gain = 10;
   light.diagnosis.unexplained = {GrowingBeyond12kNm()};
   heavy.block.channels[0].name = "excavator1/encoders/arm_radps";
-  heavy.block.suspects[0].target = "arm";
+  heavy.block.candidates[0].target = "arm";
   Diagnosis diagnosis = Of(std::move(light));
   diagnosis.blocks.push_back(std::move(heavy));
   const std::string text = DiagnosisJson(diagnosis);

@@ -51,7 +51,7 @@ TEST(EffectsYaml, IsWhatGenerateReadsBack) {
 
 TEST(EffectsYaml, SaysOfAClassWhatElseItMayBe) {
   DiagnosedBlock boom = BoomWithDeadBand();
-  boom.diagnosis.findings[0].evidence.rivals.push_back(&boom.block.suspects[1]);
+  boom.diagnosis.findings[0].evidence.rivals.push_back(&boom.block.candidates[1]);
   EXPECT_THAT(EffectsYaml(Of(std::move(boom)), "run"),
               HasSubstr("      dead_band: {width: 0.1812}  # or valve curve: not told apart\n"));
 }
@@ -64,7 +64,7 @@ TEST(EffectsYaml, OfNothingIsAnOverlayThatChangesNothing) {
 
 TEST(EffectsYaml, LeavesOutWhatIsOfThePosesWhichNoSimulationHas) {
   Diagnosis diagnosis = Of(BoomWithDeadBand());
-  diagnosis.blocks[0].block.suspects[0].target = "poses";
+  diagnosis.blocks[0].block.candidates[0].target = "poses";
   EXPECT_THAT(EffectsYaml(diagnosis, "run"), HasSubstr("\neffects: {}\n"));
   EXPECT_THAT(SentencesOf(diagnosis), Contains(HasSubstr("dead band of the poses")));
 }

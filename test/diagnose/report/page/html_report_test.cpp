@@ -71,8 +71,8 @@ std::string PathOf(const std::string& html, const std::string& css_class) {
 /// The report of a joint with two terms that gain `found_gain` together.
 std::string PageOfTwo(std::optional<double> found_gain) {
   DiagnosedBlock boom = BoomWithDeadBand();
-  boom.diagnosis.search.found.terms = {{&boom.block.suspects[0], {0.1}},
-                                       {&boom.block.suspects[1], {0.2}}};
+  boom.diagnosis.search.found.terms = {{&boom.block.candidates[0], {0.1}},
+                                       {&boom.block.candidates[1], {0.2}}};
   boom.diagnosis.search.found_gain = found_gain;
   return HtmlReport(Of(std::move(boom)), "run");
 }

@@ -20,7 +20,7 @@ DiagnosedBlock LoudInFewAndFaintInMany() {
   faint.evidence.share = 0.7;
   faint.held_out = {0, 0.6 * kDeg, 0.5 * kDeg, 0.01, 1e-6};
   Finding& play = boom.diagnosis.findings[1];
-  play.term = {&boom.block.suspects[2], {0.01}};
+  play.term = {&boom.block.candidates[2], {0.01}};
   play.evidence.share = 0.3;
   play.held_out = {0, 2.9 * kDeg, 0.5 * kDeg, 0.97, 1e-4};
   return boom;
@@ -30,7 +30,7 @@ std::vector<std::string> TargetsAndNames(const Diagnosis& diagnosis) {
   std::vector<std::string> names;
   for (const auto& [diagnosed, finding] : FindingsByWeight(diagnosis)) {
     names.push_back(diagnosed->block.name + " " +
-                    std::string(finding->term.suspect->mechanism->id));
+                    std::string(finding->term.candidate->mechanism->id));
   }
   return names;
 }

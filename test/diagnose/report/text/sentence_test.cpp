@@ -27,7 +27,7 @@ TEST(Sentence, TellsWhereOnWhatWhichHowSureAndHowMuchBetter) {
 
 TEST(Sentence, OfARivalThatIsTheSameMechanismSaysThatItsNumbersAreOthers) {
   DiagnosedBlock boom = BoomWithDeadBand();
-  boom.block.suspects[1].mechanism = boom.block.suspects[0].mechanism;
+  boom.block.candidates[1].mechanism = boom.block.candidates[0].mechanism;
   EXPECT_THAT(SentenceOf(boom, boom.diagnosis.findings[0]),
               HasSubstr("rivals rejected: dead band by its other numbers (p 0.003)"));
 }
@@ -35,7 +35,7 @@ TEST(Sentence, OfARivalThatIsTheSameMechanismSaysThatItsNumbersAreOthers) {
 TEST(Sentence, OfAClassNamesAllThatAreAlike) {
   DiagnosedBlock boom = BoomWithDeadBand();
   Finding& finding = boom.diagnosis.findings[0];
-  finding.evidence.rivals.push_back(&boom.block.suspects[1]);
+  finding.evidence.rivals.push_back(&boom.block.candidates[1]);
   finding.evidence.rejected.clear();
   finding.parameters[0].sigma.reset();
   finding.location.regimes[0].p = 0.3;
@@ -50,13 +50,13 @@ TEST(Sentence, OfAClassNamesAllThatAreAlike) {
 
 TEST(Sentence, NamesNumbersWhereAMechanismHasSeveralAndWritesAnglesInDegrees) {
   DiagnosedBlock arm = Block("arm", "excavator1/encoders/arm_radps", "rad/s");
-  arm.block.suspects = {
+  arm.block.candidates = {
       {&MechanismOf("end_cushion"), "arm", {{0, 0.02, 0.6}, {1, 0.02, 0.9}}, {{0.1, 0.2}}}};
   Finding finding;
-  finding.term = {&arm.block.suspects[0], {10 * kDeg, 0.25}};
+  finding.term = {&arm.block.candidates[0], {10 * kDeg, 0.25}};
   finding.parameters = {{"zone_rad", "rad", 10 * kDeg, 0.5 * kDeg},
                         {"end_ratio", "1", 0.25, 0.012}};
-  finding.evidence.rivals = {finding.term.suspect};
+  finding.evidence.rivals = {finding.term.candidate};
   finding.location = {0, {{2, 3}}, {}};
   finding.location.regimes = {RegimeOf("position/arm", {.form = CurveForm::kThreshold,
                                                         .parity = CurveParity::kNotTested,
@@ -107,7 +107,7 @@ TEST(Sentence, OfWhatWasNotConfirmedOrNotJudgedFollowsTheFindings) {
   Diagnosis diagnosis = Of(std::move(boom));
   DiagnosedBlock arm = Block("arm", "excavator1/encoders/arm_radps", "rad/s");
   arm.diagnosis.is_testable = false;
-  arm.block.suspects = {{&MechanismOf("command_delay"), "arm", {{0, 0, 1}}, {{0.1}}}};
+  arm.block.candidates = {{&MechanismOf("command_delay"), "arm", {{0, 0, 1}}, {{0.1}}}};
   diagnosis.blocks.push_back(std::move(arm));
   EXPECT_THAT(
       SentencesOf(diagnosis),
@@ -264,11 +264,11 @@ TEST(Sentence, OfEncodersThatRunAheadComesFirst) {
 /// Of a joint that is late.
 DiagnosedBlock Late(const std::string& joint, double delay_s) {
   DiagnosedBlock made = Block(joint, "excavator1/encoders/" + joint + "_radps", "rad/s");
-  made.block.suspects = {{&MechanismOf("command_delay"), joint, {{0, 0, 1}}, {{0.1}}}};
+  made.block.candidates = {{&MechanismOf("command_delay"), joint, {{0, 0, 1}}, {{0.1}}}};
   Finding finding;
-  finding.term = {&made.block.suspects[0], {delay_s}};
+  finding.term = {&made.block.candidates[0], {delay_s}};
   finding.parameters = {{"delay_s", "s", delay_s, 0.002}};
-  finding.evidence.rivals = {finding.term.suspect};
+  finding.evidence.rivals = {finding.term.candidate};
   made.diagnosis.findings = {finding};
   return made;
 }

@@ -11,9 +11,9 @@ TEST(Summary, NamesWhatWasFoundByWhatItActsOnWithItsNumbersFirst) {
   DiagnosedBlock boom = BoomWithDeadBand();
   boom.diagnosis.findings.push_back(boom.diagnosis.findings[0]);
   Finding& play = boom.diagnosis.findings[1];
-  play.term = {&boom.block.suspects[2], {0.01}};
+  play.term = {&boom.block.candidates[2], {0.01}};
   play.parameters = {{"gap_rad", "rad", 0.01, {}}};
-  play.evidence.rivals = {&boom.block.suspects[2], &boom.block.suspects[1]};
+  play.evidence.rivals = {&boom.block.candidates[2], &boom.block.candidates[1]};
   play.held_out.rmse_before = 1 * kDeg;
   boom.diagnosis.unexplained = {GrowingBeyond12kNm()};
   Diagnosis diagnosis = Of(std::move(boom));

@@ -22,17 +22,17 @@ constexpr double kNoise = 0.05;
 
 const Finding& FindingOf(const BlockDiagnosis& diagnosis, std::string_view id) {
   for (const Finding& finding : diagnosis.findings) {
-    if (finding.term.suspect->mechanism->id == id) return finding;
+    if (finding.term.candidate->mechanism->id == id) return finding;
   }
   throw std::runtime_error("not found: " + std::string(id));
 }
 
 struct Toy {
   Toy(std::uint64_t seed, double square, double step, double lag_s,
-      std::vector<std::size_t> suspects = {0, 2, 3})
+      std::vector<std::size_t> candidates = {0, 2, 3})
       : lever(ToyLever(kSamples, seed)),
         block(ToyBlock(lever, ToyMeasured(ToyResponse(lever, square, step, lag_s), kNoise, seed),
-                       suspects)),
+                       candidates)),
         diagnosis(DiagnoseBlock(block, {}, Stream(seed, "diagnose"))) {}
 
   std::vector<double> lever;
@@ -62,7 +62,7 @@ TEST(BlockDiagnosis, NamesTheOneThatActsWithItsSizeAndWhereItIsSeen) {
 
 TEST(BlockDiagnosis, DoesNotNameWhatHasTheNumbersOfAnother) {
   Toy toy(12, 0.2, 0, 0);
-  toy.block.suspects[0].is_itself = [](const std::vector<double>& values) {
+  toy.block.candidates[0].is_itself = [](const std::vector<double>& values) {
     return values[0] < 0.1;
   };
   const BlockDiagnosis diagnosis = DiagnoseBlock(toy.block, {}, Stream(12, "diagnose"));
@@ -93,7 +93,7 @@ TEST(BlockDiagnosis, FindsTheLesserOfTwoThoughTheGreaterPassedForNoiseAtFirst) {
   block.replay = WholeReplay([&](const Structure& terms) {
     double square = 0, ripple = 0;
     for (const Term& term : terms) {
-      (term.suspect->mechanism->id == "square" ? square : ripple) += term.values[0];
+      (term.candidate->mechanism->id == "square" ? square : ripple) += term.values[0];
     }
     return std::vector<std::vector<double>>{response(square, ripple)};
   });
@@ -142,11 +142,11 @@ TEST(BlockDiagnosis, NamesNothingThatMakesWhatIsKeptBackMuchWorse) {
   EXPECT_GT(error.rmse_after, 1.5 * error.rmse_before);
 }
 
-TEST(BlockDiagnosis, AnswersWithAClassWhereTwoSuspectsDoTheSame) {
+TEST(BlockDiagnosis, AnswersWithAClassWhereTwoCandidatesDoTheSame) {
   const Toy toy(14, 0.3, 0, 0, {0, 1, 2, 3});
   ASSERT_EQ(toy.diagnosis.findings.size(), 1u);
   std::vector<std::string> alike;
-  for (const Suspect* rival : toy.diagnosis.findings[0].evidence.rivals) {
+  for (const Candidate* rival : toy.diagnosis.findings[0].evidence.rivals) {
     alike.emplace_back(rival->mechanism->id);
   }
   EXPECT_THAT(alike, UnorderedElementsAre("square", "twin"));
@@ -169,12 +169,12 @@ TEST(BlockDiagnosis, SaysThatSomethingIsLeftAndOfWhatItIsAFunction) {
 
 /// A toy in which `step` adds a multiple of |lever|.
 ReplayBlock ToyOfSizes(const std::vector<double>& lever, const Series& measured,
-                       const std::vector<std::size_t>& suspects) {
-  ReplayBlock block = ToyBlock(lever, measured, suspects);
+                       const std::vector<std::size_t>& candidates) {
+  ReplayBlock block = ToyBlock(lever, measured, candidates);
   block.replay = WholeReplay([lever](const Structure& terms) {
     std::vector<double> y = lever;
     for (const Term& term : terms) {
-      const bool is_size = term.suspect->mechanism->id == "step";
+      const bool is_size = term.candidate->mechanism->id == "step";
       for (std::size_t k = 0; k < y.size(); ++k) {
         y[k] += term.values[0] * (is_size ? std::abs(lever[k]) : lever[k] * lever[k]);
       }
@@ -206,10 +206,10 @@ TEST(BlockDiagnosis, WhatOnlyComesNearestStandsInForWhatIsUnexplained) {
 TEST(BlockDiagnosis, OfAClassOfFourThatLeavesMuchNoneIsAName) {
   // Several that do the same, a drift that none of them does, and a ripple that no flexible
   // regressor does.
-  const auto diagnose = [](std::uint64_t seed, const std::vector<std::size_t>& suspects) {
+  const auto diagnose = [](std::uint64_t seed, const std::vector<std::size_t>& candidates) {
     const std::vector<double> lever = ToyLever(kSamples, seed);
     ReplayBlock block =
-        ToyBlock(lever, ToyMeasured(ToyResponse(lever, 0.4, 0, 0), kNoise, seed), suspects);
+        ToyBlock(lever, ToyMeasured(ToyResponse(lever, 0.4, 0, 0), kNoise, seed), candidates);
     const Series& temperature = block.channels[0].variables[1].series;
     Series& measured = block.channels[0].measured;
     for (std::size_t k = 0; k < measured.size(); ++k) {
@@ -234,7 +234,7 @@ TEST(BlockDiagnosis, OfAClassOfFourThatLeavesMuchNoneIsAName) {
 }
 
 TEST(BlockDiagnosis, WhatTakesLittleOfWhatIsWrongIsNoName) {
-  // A square, and in the manoeuvres kept back a ripple that no suspect and no flexible regressor
+  // A square, and in the manoeuvres kept back a ripple that no candidate and no flexible regressor
   // does.
   const Stream stream(35, "diagnose");
   const std::vector<double> lever = ToyLever(kSamples, 35);
@@ -273,7 +273,7 @@ TEST(BlockDiagnosis, KeepsANameBesideWhatIsUnexplained) {
 }
 
 TEST(BlockDiagnosis, WhatIsLoudInManyButHardlyInThoseKeptBackIsUnexplained) {
-  // A ripple that no suspect and no flexible regressor follows, until it has died away.
+  // A ripple that no candidate and no flexible regressor follows, until it has died away.
   const std::vector<double> lever = ToyLever(kSamples, 33);
   ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, kNoise, 33), {0, 2, 3});
   const Stream stream(33, "diagnose");
@@ -344,8 +344,8 @@ TEST(BlockDiagnosis, SaysWhatALeverAtRestCannotShow) {
   const ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, kNoise, 16), {0, 2, 3});
   const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(16, "diagnose"));
   EXPECT_FALSE(diagnosis.is_testable);
-  for (const Detectability& suspect : diagnosis.detectability) {
-    EXPECT_FALSE(suspect.smallest.has_value()) << suspect.suspect->mechanism->id;
+  for (const Detectability& candidate : diagnosis.detectability) {
+    EXPECT_FALSE(candidate.smallest.has_value()) << candidate.candidate->mechanism->id;
   }
   EXPECT_THAT(diagnosis.findings, IsEmpty());
 }

@@ -55,8 +55,8 @@ TEST(CrossFit, AStructureThatFollowsNoiseGainsNothing) {
   const std::vector<Manoeuvre> manoeuvres = EqualManoeuvres(kManoeuvres, kLength);
   const std::vector<NoiseModel> noise = {{.scale = 0.05}};
   const CrossFit crossed(block, noise, manoeuvres);
-  const Suspect& suspect = block.suspects[0];
-  const std::vector<Misfit> judged = crossed.Judge({{{&suspect, suspect.starts[0]}}, {}}, 2);
+  const Candidate& candidate = block.candidates[0];
+  const std::vector<Misfit> judged = crossed.Judge({{{&candidate, candidate.starts[0]}}, {}}, 2);
   const Misfit &with = judged[0], &without = judged[1];
   const Likelihood likelihood(block, noise, Mask(lever.size(), 1));
   double gain = 0;

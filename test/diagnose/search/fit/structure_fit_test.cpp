@@ -28,11 +28,11 @@ struct Fixture {
         block(ToyBlock(lever, ToyMeasured(Response(size, 0.1), 0.05, 3), {})),
         likelihood(block, {{.scale = 0.05, .dof = 4}}, Mask(kSamples, 1)),
         fitter(block, likelihood, {{0, kSamples}}) {
-    suspect = {&kSquare,
-               "toy",
-               {{0, -2, 2}, {1, -1, 1}, {2, -180, 180}},
-               {{0.1, 0, 40}, {0.3, 0, -170}},
-               {}};
+    candidate = {&kSquare,
+                 "toy",
+                 {{0, -2, 2}, {1, -1, 1}, {2, -180, 180}},
+                 {{0.1, 0, 40}, {0.3, 0, -170}},
+                 {}};
     block.replay = WholeReplay([this](const Structure& terms) {
       return std::vector<std::vector<double>>{
           terms.empty() ? lever : Response(terms[0].values[0], terms[0].values[1])};
@@ -46,14 +46,14 @@ struct Fixture {
 
   std::vector<double> lever;
   ReplayBlock block;
-  Suspect suspect;
+  Candidate candidate;
   Likelihood likelihood;
   StructureFitter fitter;
 };
 
 TEST(StructureFit, ANumberThatTheMeasurementsSayNothingOfStandsAtItsDefault) {
   const Fixture toy(0.4);
-  const FittedStructure fitted = toy.fitter.Fit({{&toy.suspect, {0.1, 0, 40}}});
+  const FittedStructure fitted = toy.fitter.Fit({{&toy.candidate, {0.1, 0, 40}}});
   EXPECT_NEAR(fitted.terms[0].values[0], 0.4, 0.03);
   EXPECT_NEAR(fitted.terms[0].values[1], 0.1, 0.03);
   EXPECT_EQ(fitted.terms[0].values[2], 5);
@@ -63,31 +63,31 @@ TEST(StructureFit, ANumberThatTheMeasurementsSayNothingOfStandsAtItsDefault) {
 
 TEST(StructureFit, OrWhereTheModelHasIt) {
   Fixture toy(0.4);
-  toy.suspect.present = {0.2, 0, 33};
-  const FittedStructure fitted = toy.fitter.Fit({{&toy.suspect, {0.1, 0, 40}}});
+  toy.candidate.present = {0.2, 0, 33};
+  const FittedStructure fitted = toy.fitter.Fit({{&toy.candidate, {0.1, 0, 40}}});
   EXPECT_EQ(fitted.terms[0].values[2], 33);
 }
 
 TEST(StructureFit, NumbersThatAreDeterminedAreFree) {
   Fixture toy(0.4);
-  toy.suspect.free.pop_back();
-  const FittedStructure fitted = toy.fitter.Fit({{&toy.suspect, {0.1, 0, 40}}});
+  toy.candidate.free.pop_back();
+  const FittedStructure fitted = toy.fitter.Fit({{&toy.candidate, {0.1, 0, 40}}});
   EXPECT_THAT(fitted.terms[0].held, IsEmpty());
   EXPECT_EQ(fitted.information.rows(), 2);
 }
 
 TEST(StructureFit, ANumberThatActsInStairsIsFreeIfItIsSaidToHaveKinks) {
   Fixture toy(0.4);
-  toy.suspect.free.pop_back();
+  toy.candidate.free.pop_back();
   toy.block.replay = WholeReplay([&toy](const Structure& terms) {
     if (terms.empty()) return std::vector<std::vector<double>>{toy.lever};
     const double stair = 0.04 * std::round(terms[0].values[1] / 0.04);
     return std::vector<std::vector<double>>{toy.Response(terms[0].values[0], stair)};
   });
-  const FittedStructure stuck = toy.fitter.Fit({{&toy.suspect, {0.1, 0, 40}}});
+  const FittedStructure stuck = toy.fitter.Fit({{&toy.candidate, {0.1, 0, 40}}});
   EXPECT_THAT(stuck.terms[0].held, ElementsAre(1));
-  toy.suspect.free[1].kink = 0.06;
-  const FittedStructure free = toy.fitter.Fit({{&toy.suspect, {0.1, 0, 40}}});
+  toy.candidate.free[1].kink = 0.06;
+  const FittedStructure free = toy.fitter.Fit({{&toy.candidate, {0.1, 0, 40}}});
   EXPECT_THAT(free.terms[0].held, IsEmpty());
   EXPECT_NEAR(free.terms[0].values[1], 0.1, 0.04);
 }
@@ -109,11 +109,11 @@ TEST(StructureFit, ANumberThatMovesInstantsIsFoundFromAfar) {
   });
   const Likelihood likelihood(toy.block, {{.scale = 0.05, .dof = 4}}, Mask(kSamples, 1));
   const StructureFitter fitter(toy.block, likelihood, {{0, kSamples}});
-  toy.suspect.free = {{1, -1, 1}};
-  toy.suspect.starts = {{0.1, -0.2, 40}};
-  EXPECT_LT(fitter.FitFrom({{&toy.suspect, {0.1, -0.2, 40}}}).terms[0].values[1], 0);
-  toy.suspect.free[0].kink = 0.06;
-  EXPECT_NEAR(fitter.FitFrom({{&toy.suspect, {0.1, -0.2, 40}}}).terms[0].values[1], 0.3, 0.02);
+  toy.candidate.free = {{1, -1, 1}};
+  toy.candidate.starts = {{0.1, -0.2, 40}};
+  EXPECT_LT(fitter.FitFrom({{&toy.candidate, {0.1, -0.2, 40}}}).terms[0].values[1], 0);
+  toy.candidate.free[0].kink = 0.06;
+  EXPECT_NEAR(fitter.FitFrom({{&toy.candidate, {0.1, -0.2, 40}}}).terms[0].values[1], 0.3, 0.02);
 }
 
 TEST(StructureFit, AnInstantBetweenTwoStepsOfAReplayIsNoPlaceToEnd) {
@@ -131,10 +131,10 @@ TEST(StructureFit, AnInstantBetweenTwoStepsOfAReplayIsNoPlaceToEnd) {
   });
   const Likelihood likelihood(toy.block, {{.scale = 0.05, .dof = 4}}, Mask(kSamples, 1));
   const StructureFitter fitter(toy.block, likelihood, {{0, kSamples}});
-  toy.suspect.free = {{1, -1, 1}};
-  const Structure start = {{&toy.suspect, {0.1, 0.252, 40}}};
+  toy.candidate.free = {{1, -1, 1}};
+  const Structure start = {{&toy.candidate, {0.1, 0.252, 40}}};
   EXPECT_LT(fitter.FitFrom(start).terms[0].values[1], 0.27);
-  toy.suspect.free[0].kink = 0.025;
+  toy.candidate.free[0].kink = 0.025;
   EXPECT_NEAR(fitter.FitFrom(start).terms[0].values[1], 0.3, 0.01);
 }
 

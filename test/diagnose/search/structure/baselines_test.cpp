@@ -52,7 +52,7 @@ TEST(Baselines, TakeAwayWhatTheirKindOfModelHolds) {
   EXPECT_TRUE(squared.Of("sparse regression").found);
 }
 
-TEST(Baselines, TuningFollowsAGainThatNoSuspectHas) {
+TEST(Baselines, TuningFollowsAGainThatNoCandidateHas) {
   const Simpler louder(0, 0.3);
   EXPECT_NEAR(louder.Of("tuned parameters").rmse_final[0], kNoise, 0.2 * kNoise);
   EXPECT_GT(louder.Of("greedy BIC").rmse_final[0], 1.2 * kNoise);

@@ -43,7 +43,7 @@ TEST(Prefix, IsTheSameBlockForAShorterTime) {
   EXPECT_EQ(prefix.commands[0].size(), 1000u);
   EXPECT_EQ(prefix.channels[0].variables[1].series.size(), 1000u);
   EXPECT_EQ(prefix.channels[0].flexible_regressor.rows(), 1000);
-  const Structure terms = {{&block.suspects[1], {0.3}}};
+  const Structure terms = {{&block.candidates[1], {0.3}}};
   std::vector<double> whole = block.predict(terms)[0];
   whole.resize(1000);
   EXPECT_THAT(prefix.predict(terms), ElementsAre(whole));
@@ -56,13 +56,13 @@ TEST(Prefix, DoesNotHideWhatActsLater) {
   const std::vector<double> later = ToyResponse(lever, 0.2, 0.15, 0);
   for (std::size_t k = kFourMinutes / 2; k < kFourMinutes; ++k) clean[k] = later[k];
   ReplayBlock block = ToyBlock(lever, ToyMeasured(clean, kNoise, 21), {0, 3});
-  // A suspect that acts from then on.
-  block.suspects.push_back({&ToyMechanisms()[2], "toy", {{0, -2, 2}}, {{0.1}, {-0.1}}});
+  // A candidate that acts from then on.
+  block.candidates.push_back({&ToyMechanisms()[2], "toy", {{0, -2, 2}}, {{0.1}, {-0.1}}});
   const Replay always = block.replay;
   block.replay = WholeReplay([always](const Structure& terms) {
     std::vector<std::vector<double>> predicted = always(terms, kFourMinutes);
     Structure before = terms;
-    std::erase_if(before, [](const Term& term) { return term.suspect->mechanism->id == "step"; });
+    std::erase_if(before, [](const Term& term) { return term.candidate->mechanism->id == "step"; });
     const std::vector<double> early = always(before, kFourMinutes)[0];
     std::copy_n(early.begin(), kFourMinutes / 2, predicted[0].begin());
     return predicted;
@@ -71,7 +71,7 @@ TEST(Prefix, DoesNotHideWhatActsLater) {
   const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(21, "diagnose"));
   EXPECT_THAT(NamesOf(diagnosis.findings), UnorderedElementsAre("square", "step"));
   for (const Finding& finding : diagnosis.findings) {
-    const bool is_step = finding.term.suspect->mechanism->id == "step";
+    const bool is_step = finding.term.candidate->mechanism->id == "step";
     EXPECT_NEAR(finding.parameters[0].value, is_step ? 0.15 : 0.2, 0.02);
   }
 }
@@ -89,7 +89,7 @@ TEST(Prefix, NumbersThatItDoesNotDetermineAreFreeAgain) {
     return y;
   };
   ReplayBlock block = ToyBlock(lever, ToyMeasured(response(0.2, 0.1), kNoise, 23), {});
-  block.suspects = {{&kBoth, "toy", {{0, -2, 2}, {1, -2, 2}}, {{0.1, 0.01}, {-0.1, 0.01}}, {}}};
+  block.candidates = {{&kBoth, "toy", {{0, -2, 2}, {1, -2, 2}}, {{0.1, 0.01}, {-0.1, 0.01}}, {}}};
   block.replay = WholeReplay([&](const Structure& terms) {
     return std::vector<std::vector<double>>{
         terms.empty() ? lever : response(terms[0].values[0], terms[0].values[1])};
@@ -100,24 +100,25 @@ TEST(Prefix, NumbersThatItDoesNotDetermineAreFreeAgain) {
   EXPECT_NEAR(diagnosis.findings[0].parameters[1].value, 0.1, 0.01);
 }
 
-// What the prefix tells apart, and what the whole is asked for the rest of it, are a suspect's
+// What the prefix tells apart, and what the whole is asked for the rest of it, are a candidate's
 // own: all pointers are into the block's list.
-TEST(Prefix, NamesTheBlocksOwnSuspects) {
+TEST(Prefix, NamesTheBlocksOwnCandidates) {
   const std::vector<double> lever = ToyLever(kFourMinutes, 22);
   const ReplayBlock block =
       ToyBlock(lever, ToyMeasured(ToyResponse(lever, 0.2, 0, 0), kNoise, 22), {0, 1, 2, 3});
   const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(22, "diagnose"));
-  const auto is_own = [&](const Suspect* suspect) {
-    return suspect >= block.suspects.data() &&
-           suspect < block.suspects.data() + block.suspects.size();
+  const auto is_own = [&](const Candidate* candidate) {
+    return candidate >= block.candidates.data() &&
+           candidate < block.candidates.data() + block.candidates.size();
   };
   ASSERT_EQ(diagnosis.findings.size(), 1u);
   const TermEvidence& evidence = diagnosis.findings[0].evidence;
   ASSERT_EQ(evidence.rivals.size(), 2u);  // `twin` does what `square` does
   EXPECT_FALSE(evidence.rejected.empty());
-  for (const Suspect* rival : evidence.rivals) EXPECT_TRUE(is_own(rival));
-  for (const Rival& rival : evidence.rejected) EXPECT_TRUE(is_own(rival.suspect));
-  for (const SingleEvidence& single : diagnosis.search.singles) EXPECT_TRUE(is_own(single.suspect));
+  for (const Candidate* rival : evidence.rivals) EXPECT_TRUE(is_own(rival));
+  for (const Rival& rival : evidence.rejected) EXPECT_TRUE(is_own(rival.candidate));
+  for (const SingleEvidence& single : diagnosis.search.singles)
+    EXPECT_TRUE(is_own(single.candidate));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kManoeuvres = 12, kLength = 200;
 constexpr double kSigma = 0.05;
-constexpr std::size_t kSquare = 0, kStep = 1;  ///< the block's suspects
+constexpr std::size_t kSquare = 0, kStep = 1;  ///< the block's candidates
 
 /// The toy with a square and a step of the lever in what was measured.
 ReplayBlock BlockWith(double square, double step, std::uint64_t seed) {
@@ -31,14 +31,14 @@ Needed Pruned(const ReplayBlock& block, double alpha = 0.01) {
   const StructureFitter fitter(block, likelihood, {}, 1);
   const ScoredFits fits(fitter, likelihood, SegmentsOf(manoeuvres, Part::kSelect), 1);
   const Pruning pruning(block, noise, manoeuvres, likelihood, fitter, fits, options, false);
-  const Suspect &square = block.suspects[kSquare], &step = block.suspects[kStep];
+  const Candidate &square = block.candidates[kSquare], &step = block.candidates[kStep];
   return pruning.Prune(
       fits.Score(fitter.FitValues({{&square, square.starts[0]}, {&step, step.starts[0]}})));
 }
 
 std::vector<std::string> NamesIn(const Structure& terms) {
   std::vector<std::string> names;
-  for (const Term& term : terms) names.emplace_back(term.suspect->mechanism->id);
+  for (const Term& term : terms) names.emplace_back(term.candidate->mechanism->id);
   return names;
 }
 
@@ -56,7 +56,7 @@ TEST(Pruning, KeepsWhatShowsAndLosesWhatDoesNot) {
 
 TEST(Pruning, LosesWhatIsAnotherMechanismInDisguiseHoweverMuchItExplains) {
   ReplayBlock block = BlockWith(0.3, 0.2, 3);
-  block.suspects[kSquare].is_itself = [](const std::vector<double>&) { return false; };
+  block.candidates[kSquare].is_itself = [](const std::vector<double>&) { return false; };
   EXPECT_EQ(NamesIn(Pruned(block).structure.terms), std::vector<std::string>{"step"});
 }
 

@@ -1,4 +1,4 @@
-#include "diagnose/suspects/suspect_library.h"
+#include "diagnose/candidates/candidate_library.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,7 +19,10 @@
 namespace tera {
 namespace {
 
-constexpr double kLadder[] = {0.1, 0.3, 0.6, 0.9};  ///< of a new range: sizes to begin with
+/// Places in a new range at which a search for its number starts, from faint to strong.
+constexpr double kLadder[] = {0.1, 0.3, 0.6, 0.9};
+
+constexpr const char* kFormerKey = "suspects";  ///< of "candidates"
 
 std::vector<const Mechanism*> AllMechanisms() {
   std::vector<const Mechanism*> all;
@@ -30,7 +33,7 @@ std::vector<const Mechanism*> AllMechanisms() {
   return all;
 }
 
-/// Every identifier once.
+/// The identifiers of all mechanisms, each once.
 std::vector<std::string> Identifiers() {
   std::vector<std::string> names;
   for (const Mechanism* mechanism : AllMechanisms()) names.emplace_back(mechanism->id);
@@ -80,7 +83,7 @@ std::optional<NumberRange> ReadRange(const ConfigMap& config, const EffectParame
 }
 
 /// Mechanisms of one name may differ by what they act on; each gets the ranges of its numbers.
-void ReadRanges(const ConfigMap& config, const std::string& id, SuspectLibrary* library) {
+void ReadRanges(const ConfigMap& config, const std::string& id, CandidateLibrary* library) {
   for (const Mechanism* mechanism : AllMechanisms()) {
     if (mechanism->id != id) continue;
     std::vector<NumberRange> ranges;
@@ -97,40 +100,40 @@ bool Holds(const std::vector<std::string>& names, std::string_view id) {
   return std::find(names.begin(), names.end(), id) != names.end();
 }
 
-/// Of a range, in what it is moved by.
+/// The length of a range, as differences or as the logarithm of ratios, by which the number moves.
 double SpanOf(const FreeParameter& free) {
   return free.logarithmic ? std::log(free.upper / free.lower) : free.upper - free.lower;
 }
 
-/// Limits one number of a suspect, which becomes free, or is held.
-void Limit(const NumberRange& range, Suspect* suspect) {
+/// Limits one number of a candidate to a range, in which it is free, or holds it.
+void Limit(const NumberRange& range, Candidate* candidate) {
   FreeParameter limited = {.index = range.index, .lower = range.lower, .upper = range.upper};
-  std::erase_if(suspect->free, [&](const FreeParameter& free) {
+  std::erase_if(candidate->free, [&](const FreeParameter& free) {
     if (free.index != range.index) return false;
     limited.logarithmic = free.logarithmic && range.lower > 0;
-    // Kinks stay as far apart as they are.
+    // The kinks of the likelihood stay as far apart as they are.
     limited.kink = std::min(1.0, free.kink * SpanOf(free) / SpanOf(limited));
     return true;
   });
   if (range.lower < range.upper) {
-    suspect->free.insert(suspect->free.begin() + static_cast<std::ptrdiff_t>(
-                                                     std::min(range.index, suspect->free.size())),
-                         limited);
+    candidate->free.insert(candidate->free.begin() + static_cast<std::ptrdiff_t>(std::min(
+                                                         range.index, candidate->free.size())),
+                           limited);
   }
   std::vector<std::vector<double>> starts;
-  for (std::vector<double> start : suspect->starts) {
+  for (std::vector<double> start : candidate->starts) {
     start[range.index] = std::clamp(start[range.index], range.lower, range.upper);
     if (std::find(starts.begin(), starts.end(), start) == starts.end()) starts.push_back(start);
   }
-  suspect->starts = std::move(starts);
+  candidate->starts = std::move(starts);
 }
 
-/// A suspect that the block has not by itself; its sizes are spread over the first range.
-Suspect NewSuspect(const Mechanism& mechanism, const std::vector<NumberRange>& ranges,
-                   const std::string& target, const std::string& file) {
+/// A candidate that the block has not by itself. Its starts are spread over the first range.
+Candidate NewCandidate(const Mechanism& mechanism, const std::vector<NumberRange>& ranges,
+                       const std::string& target, const std::string& file) {
   std::vector<std::optional<NumberRange>> by_number(mechanism.parameters.size());
   for (const NumberRange& range : ranges) by_number[range.index] = range;
-  Suspect suspect{&mechanism, target, {}, {}, {}};
+  Candidate candidate{&mechanism, target, {}, {}, {}};
   for (const double place : kLadder) {
     std::vector<double> start;
     bool is_first = true;
@@ -138,7 +141,7 @@ Suspect NewSuspect(const Mechanism& mechanism, const std::vector<NumberRange>& r
       const EffectParameter& parameter = mechanism.parameters[i];
       if (!by_number[i] && !parameter.otherwise) {
         throw InputError(
-            fmt::format("{}: suspects.{}: needs a range for {}, which has no default "
+            fmt::format("{}: candidates.{}: needs a range for {}, which has no default "
                         "and no range of its own on {}",
                         file, mechanism.id, parameter.name, target));
       }
@@ -151,23 +154,25 @@ Suspect NewSuspect(const Mechanism& mechanism, const std::vector<NumberRange>& r
           std::lerp(by_number[i]->lower, by_number[i]->upper, is_free && is_first ? place : 0.5));
       is_first = is_first && !is_free;
     }
-    if (suspect.starts.empty() || suspect.starts.back() != start) suspect.starts.push_back(start);
+    if (candidate.starts.empty() || candidate.starts.back() != start)
+      candidate.starts.push_back(start);
   }
   for (const NumberRange& range : ranges) {
-    if (range.lower < range.upper) suspect.free.push_back({range.index, range.lower, range.upper});
+    if (range.lower < range.upper)
+      candidate.free.push_back({range.index, range.lower, range.upper});
   }
-  return suspect;
+  return candidate;
 }
 
-/// Whether all that a block suspects acts on receivers.
+/// Whether all candidates of a block act on receivers.
 bool IsOfReceivers(const ReplayBlock& block) {
-  if (block.suspects.empty()) return false;
-  return std::all_of(block.suspects.begin(), block.suspects.end(), [](const Suspect& suspect) {
-    return suspect.mechanism->ActsOn(EffectTarget::kGnss);
-  });
+  if (block.candidates.empty()) return false;
+  return std::all_of(
+      block.candidates.begin(), block.candidates.end(),
+      [](const Candidate& candidate) { return candidate.mechanism->ActsOn(EffectTarget::kGnss); });
 }
 
-/// What kind of thing a target is; none of measured poses, which have suspects of their own alone.
+/// The kind of a target; none for measured poses, which have candidates of their own alone.
 std::optional<EffectTarget> KindOf(const MachineModel& model, const ReplayBlock& block,
                                    const std::string& target) {
   if (target == kPoses) return std::nullopt;
@@ -182,61 +187,63 @@ std::optional<EffectTarget> KindOf(const MachineModel& model, const ReplayBlock&
   return IsOfReceivers(block) ? EffectTarget::kGnss : EffectTarget::kImu;
 }
 
-/// What the suspects of a block act on; the block itself where it has none.
+/// The targets that the candidates of a block act on; the block itself where it has none.
 std::vector<std::string> TargetsOf(const ReplayBlock& block) {
-  if (block.suspects.empty()) return {block.name};
+  if (block.candidates.empty()) return {block.name};
   std::vector<std::string> targets;
-  for (const Suspect& suspect : block.suspects) {
-    if (!Holds(targets, suspect.target)) targets.push_back(suspect.target);
+  for (const Candidate& candidate : block.candidates) {
+    if (!Holds(targets, candidate.target)) targets.push_back(candidate.target);
   }
   return targets;
 }
 
 }  // namespace
 
-SuspectLibrary ReadSuspectLibrary(const std::filesystem::path& file) {
+CandidateLibrary ReadCandidateLibrary(const std::filesystem::path& file) {
   const Config config = Config::FromFile(file);
   const ConfigMap root = config.root();
-  SuspectLibrary library{
+  CandidateLibrary library{
       file.string(), ReadIdentifiers(root, "only"), ReadIdentifiers(root, "without"), {}};
-  for (const auto& [id, map] : root.NamedMaps("suspects")) {
-    if (!IsMechanism(root.Map("suspects"), id, id)) continue;
+  const bool has_former_key = root.Has(kFormerKey) && !root.Has("candidates");
+  const char* const key = has_former_key ? kFormerKey : "candidates";
+  for (const auto& [id, map] : root.NamedMaps(key)) {
+    if (!IsMechanism(root.Map(key), id, id)) continue;
     ReadRanges(map, id, &library);
   }
   config.Finish();
   return library;
 }
 
-void ApplyLibrary(const SuspectLibrary& library, const MachineModel& model,
+void ApplyLibrary(const CandidateLibrary& library, const MachineModel& model,
                   std::vector<ReplayBlock>* blocks) {
   for (ReplayBlock& block : *blocks) {
     const std::vector<std::string> targets = TargetsOf(block);
     for (const auto& [mechanism, ranges] : library.ranges) {
       bool is_own = false;
-      for (Suspect& suspect : block.suspects) {
-        if (suspect.mechanism != mechanism) continue;
-        for (const NumberRange& range : ranges) Limit(range, &suspect);
+      for (Candidate& candidate : block.candidates) {
+        if (candidate.mechanism != mechanism) continue;
+        for (const NumberRange& range : ranges) Limit(range, &candidate);
         is_own = true;
       }
       for (const std::string& target : targets) {
         const auto kind = KindOf(model, block, target);
         if (is_own || !kind || !mechanism->ActsOn(*kind)) continue;
-        block.suspects.push_back(NewSuspect(*mechanism, ranges, target, library.file));
+        block.candidates.push_back(NewCandidate(*mechanism, ranges, target, library.file));
       }
     }
-    std::erase_if(block.suspects, [&](const Suspect& suspect) {
-      const std::string_view id = suspect.mechanism->id;
+    std::erase_if(block.candidates, [&](const Candidate& candidate) {
+      const std::string_view id = candidate.mechanism->id;
       return Holds(library.without, id) || (!library.only.empty() && !Holds(library.only, id));
     });
   }
 }
 
-void RequireSuspects(const SuspectLibrary& library, const std::vector<ReplayBlock>& blocks) {
+void RequireCandidates(const CandidateLibrary& library, const std::vector<ReplayBlock>& blocks) {
   const bool any = std::any_of(blocks.begin(), blocks.end(),
-                               [](const ReplayBlock& block) { return !block.suspects.empty(); });
+                               [](const ReplayBlock& block) { return !block.candidates.empty(); });
   if (any) return;
   throw InputError(fmt::format(
-      "{}: leaves no suspect for what this recording has ({} blocks); need an identifier of a "
+      "{}: leaves no candidate for what this recording has ({} blocks); need an identifier of a "
       "mechanism that can act there",
       library.file, blocks.size()));
 }

@@ -10,30 +10,30 @@
 
 namespace tera {
 
-/// Collects what may act on one target.
+/// Collects the mechanisms that are candidates for one target.
 ///
-/// Model   a mechanism that the target has already is a suspect of wrong numbers: it is looked for
-///         from its present numbers, faint changes first, and from the ladder for a target without
-///         it; its bounds hold the present numbers.
-class SuspectList {
+/// Model   a mechanism that the target has already is a candidate of wrong numbers: it is looked
+///         for from its present numbers, faint changes first, and from the ladder for a target
+///         without it; its bounds hold the present numbers.
+class CandidateList {
  public:
-  /// The library must outlive the suspects.
-  SuspectList(std::string target, EffectTarget kind, const Effects& present,
-              std::span<const Mechanism> library)
+  /// The library must outlive the candidates.
+  CandidateList(std::string target, EffectTarget kind, const Effects& present,
+                std::span<const Mechanism> library)
       : target_(std::move(target)), kind_(kind), present_(present), library_(library) {}
 
   /// `id` must be in the library, for targets of that kind; `starts` are for a target without it.
-  /// Returns the suspect, until the next one.
-  Suspect& Add(std::string_view id, std::vector<FreeParameter> free,
-               std::vector<std::vector<double>> starts);
-  std::vector<Suspect> Take() { return std::move(found_); }
+  /// Returns the candidate, until the next one.
+  Candidate& Add(std::string_view id, std::vector<FreeParameter> free,
+                 std::vector<std::vector<double>> starts);
+  std::vector<Candidate> Take() { return std::move(found_); }
 
  private:
   std::string target_;
   EffectTarget kind_;
   Effects present_;
   std::span<const Mechanism> library_;
-  std::vector<Suspect> found_;
+  std::vector<Candidate> found_;
 };
 
 /// The effects of a target with those of `terms`, each in place of what it has of that mechanism.

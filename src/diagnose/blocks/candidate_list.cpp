@@ -1,4 +1,4 @@
-#include "diagnose/blocks/suspect_list.h"
+#include "diagnose/blocks/candidate_list.h"
 
 #include <algorithm>
 #include <utility>
@@ -57,30 +57,30 @@ Effects* EffectsOf(const std::string& target, MachineModel* model) {
 
 }  // namespace
 
-Suspect& SuspectList::Add(std::string_view id, std::vector<FreeParameter> free,
-                          std::vector<std::vector<double>> starts) {
+Candidate& CandidateList::Add(std::string_view id, std::vector<FreeParameter> free,
+                              std::vector<std::vector<double>> starts) {
   const auto mechanism = std::find_if(library_.begin(), library_.end(), [&](const Mechanism& m) {
     return m.id == id && m.ActsOn(kind_);
   });
   TERA_CHECK(mechanism != library_.end(), id);
   for (const auto& start : starts) TERA_CHECK(start.size() == mechanism->parameters.size(), id);
-  Suspect suspect{&*mechanism, target_, std::move(free), std::move(starts), {}};
+  Candidate candidate{&*mechanism, target_, std::move(free), std::move(starts), {}};
   if (const Effect* effect = FindEffect(present_, id)) {
-    suspect.present = effect->values;
-    for (FreeParameter& one : suspect.free) one = Around(one, suspect.present[one.index]);
-    if (suspect.free.empty()) {
-      suspect.starts.push_back(WithoutEffect(*mechanism));
+    candidate.present = effect->values;
+    for (FreeParameter& one : candidate.free) one = Around(one, candidate.present[one.index]);
+    if (candidate.free.empty()) {
+      candidate.starts.push_back(WithoutEffect(*mechanism));
     } else {
-      auto near = StartsFrom(suspect.present, suspect.free.front());
-      suspect.starts.insert(suspect.starts.begin(), near.begin(), near.end());
+      auto near = StartsFrom(candidate.present, candidate.free.front());
+      candidate.starts.insert(candidate.starts.begin(), near.begin(), near.end());
     }
   }
-  return found_.emplace_back(std::move(suspect));
+  return found_.emplace_back(std::move(candidate));
 }
 
 Effects WithTerms(Effects present, const Structure& terms) {
   for (const Term& term : terms) {
-    const Effect effect{term.suspect->mechanism, term.values};
+    const Effect effect{term.candidate->mechanism, term.values};
     const auto same = std::find_if(present.begin(), present.end(), [&](const Effect& one) {
       return one.mechanism->id == effect.mechanism->id;
     });
@@ -98,7 +98,7 @@ MachineModel WithTerms(MachineModel model, const Structure& terms) {
   model.effects.gears.resize(model.ground_tools.gears.size());
   model.effects.pumps.resize(model.pumps.size());
   for (const Term& term : terms) {
-    Effects* effects = EffectsOf(term.suspect->target, &model);
+    Effects* effects = EffectsOf(term.candidate->target, &model);
     if (effects != nullptr) *effects = WithTerms(*effects, {term});
   }
   SetShoeRatios(&model);

@@ -1,11 +1,11 @@
-#include "diagnose/blocks/actuation_suspects.h"
+#include "diagnose/blocks/actuation_candidates.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "diagnose/blocks/beats.h"
-#include "diagnose/blocks/suspect_list.h"
+#include "diagnose/blocks/candidate_list.h"
 #include "physics/actuation/actuation.h"
 #include "physics/actuation/actuation_mechanisms.h"
 
@@ -93,7 +93,7 @@ std::vector<std::vector<double>> HoldStarts(const AxisLog& log, std::size_t axis
 }
 
 void AddTimingAndMap(const std::vector<std::vector<double>>& holds, double step_s,
-                     SuspectList* out) {
+                     CandidateList* out) {
   // A command between two steps is shared out to both, which a delay of whole steps is not. From a
   // spread of nought no small step changes anything.
   out->Add("command_delay",
@@ -117,7 +117,7 @@ bool Swings(const std::vector<double>& ring) {
 }
 
 /// A lag that is shorter than a step is none.
-void AddActuator(const Reach& reach, double step_s, SuspectList* out) {
+void AddActuator(const Reach& reach, double step_s, CandidateList* out) {
   const double w = reach.full_rate_radps;
   out->Add("actuator_lag", {{0, step_s, 1.5}, {.index = 1, .refines = true}},
            {{0.05, 0}, {0.12, 0}, {0.25, 0}, {0.5, 0}});
@@ -126,15 +126,16 @@ void AddActuator(const Reach& reach, double step_s, SuspectList* out) {
       "rate_limit",
       {{0, w / 5, w / kShortestRise_s, true}, {.index = 1, .upper = 2 * step_s, .refines = true}},
       {{w / 0.1, 0}, {w / 0.3, 0}, {w / 1, 0}});
-  Suspect& ring = out->Add("actuator_ring", {{0, 3, 60, true}, {1, 0.5, 30, true}, {2, -1.5, 1.5}},
-                           {{20, 6, 0}, {12, 4, 0}, {28, 8, 0}, {8, 3, 0}});
+  Candidate& ring =
+      out->Add("actuator_ring", {{0, 3, 60, true}, {1, 0.5, 30, true}, {2, -1.5, 1.5}},
+               {{20, 6, 0}, {12, 4, 0}, {28, 8, 0}, {8, 3, 0}});
   ring.is_itself = Swings;
   if (reach.has_stops) {
     out->Add("end_cushion", {{0, 0.02, 0.6, true}, {1, 0.02, 0.9}}, {{0.08, 0.3}, {0.2, 0.2}});
   }
 }
 
-void AddGainAndLoad(const Reach& reach, SuspectList* out) {
+void AddGainAndLoad(const Reach& reach, CandidateList* out) {
   const double low = reach.lowest_rad, high = reach.highest_rad;
   if (reach.has_cylinder && low < high) {
     out->Add("cylinder_lever", {{3, low, high}},
@@ -170,11 +171,11 @@ void AddGainAndLoad(const Reach& reach, SuspectList* out) {
 }
 
 /// The pump's, where more was asked of it than the axis alone could ask.
-std::vector<Suspect> SuspectsOfPump(const MachineModel& model, const PumpDemand& demand) {
+std::vector<Candidate> CandidatesOfPump(const MachineModel& model, const PumpDemand& demand) {
   if (demand.together_s < kLeastTogether_s) return {};
   const Pump& pump = model.pumps[demand.pump];
-  SuspectList out(pump.name, EffectTarget::kPump, EffectsAt(model.effects.pumps, demand.pump),
-                  ActuationMechanisms());
+  CandidateList out(pump.name, EffectTarget::kPump, EffectsAt(model.effects.pumps, demand.pump),
+                    ActuationMechanisms());
   const double most = std::min(5.0, demand.most_m3ps / pump.max_flow_m3ps);
   if (most > 0.2) {
     out.Add("flow_sharing", {{0, 0.05, most}},
@@ -189,11 +190,11 @@ std::vector<Suspect> SuspectsOfPump(const MachineModel& model, const PumpDemand&
 
 }  // namespace
 
-std::vector<Suspect> SuspectsOfAxis(const MachineModel& model, const AxisLog& log, std::size_t axis,
-                                    const std::optional<PumpDemand>& pump) {
+std::vector<Candidate> CandidatesOfAxis(const MachineModel& model, const AxisLog& log,
+                                        std::size_t axis, const std::optional<PumpDemand>& pump) {
   const std::size_t joints = model.joints.size();
   const Reach reach = ReachOf(model, log, axis);
-  SuspectList out(
+  CandidateList out(
       reach.is_joint ? model.joints[axis].name : model.ground_tools.gears[axis - joints].name,
       reach.is_joint ? EffectTarget::kJoint : EffectTarget::kGear,
       reach.is_joint ? EffectsAt(model.effects.joints, axis)
@@ -202,11 +203,12 @@ std::vector<Suspect> SuspectsOfAxis(const MachineModel& model, const AxisLog& lo
   AddTimingAndMap(HoldStarts(log, axis), log.step_s, &out);
   AddActuator(reach, log.step_s, &out);
   AddGainAndLoad(reach, &out);
-  std::vector<Suspect> suspects = out.Take();
+  std::vector<Candidate> candidates = out.Take();
   if (pump) {
-    for (Suspect& suspect : SuspectsOfPump(model, *pump)) suspects.push_back(std::move(suspect));
+    for (Candidate& candidate : CandidatesOfPump(model, *pump))
+      candidates.push_back(std::move(candidate));
   }
-  return suspects;
+  return candidates;
 }
 
 }  // namespace tera
