@@ -138,7 +138,7 @@ HeldOutRecording JudgeFurther(const Diagnosis& diagnosis, Further* further,
       further->blocks.push_back(std::move(block));
     }
   }
-  return JudgeHeldOut(diagnosis.blocks, further->blocks, recording.string(), options.seed);
+  return ValidateHeldOut(diagnosis.blocks, further->blocks, recording.string(), options.seed);
 }
 
 /// Any that a simulation can have: poses are not simulated late.

@@ -156,7 +156,7 @@ Stream StreamOf(const ReplayBlock& block, std::uint64_t seed) {
   return Stream(seed, "diagnose/" + block.name);
 }
 
-SearchOptions OverAll(SearchOptions options, const std::vector<ReplayBlock>& blocks) {
+SearchOptions WithTotalsOf(SearchOptions options, const std::vector<ReplayBlock>& blocks) {
   options.total_candidates = options.total_channels = 0;
   for (const ReplayBlock& block : blocks) {
     options.total_candidates += block.candidates.size();
@@ -194,7 +194,7 @@ std::vector<DiagnosedBlock> DiagnoseInTurn(const DiagnosisInput& input,
                                            const DiagnosisOptions& options,
                                            const FollowProgress& progress,
                                            std::vector<std::string>* not_compared) {
-  const SearchOptions search = OverAll(options.search, blocks);
+  const SearchOptions search = WithTotalsOf(options.search, blocks);
   const std::size_t in_all = blocks.size();
   std::optional<Deadline> deadline;
   if (options.time_limit_s) {
@@ -263,9 +263,9 @@ Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
   return diagnosis;
 }
 
-HeldOutRecording JudgeHeldOut(const std::vector<DiagnosedBlock>& diagnosed,
-                              const std::vector<ReplayBlock>& further, const std::string& recording,
-                              std::uint64_t seed) {
+HeldOutRecording ValidateHeldOut(const std::vector<DiagnosedBlock>& diagnosed,
+                                 const std::vector<ReplayBlock>& further,
+                                 const std::string& recording, std::uint64_t seed) {
   HeldOutRecording out{recording, {}, {}};
   for (const DiagnosedBlock& one : diagnosed) {
     const auto same = std::find_if(further.begin(), further.end(), [&](const ReplayBlock& block) {
@@ -275,8 +275,8 @@ HeldOutRecording JudgeHeldOut(const std::vector<DiagnosedBlock>& diagnosed,
       if (!one.diagnosis.findings.empty()) out.missing.push_back(one.block.name);
       continue;
     }
-    const auto channels = JudgeOnBlock(*same, one.diagnosis.search.found.terms,
-                                       Stream(seed, "diagnose/held_out/" + same->name));
+    const auto channels = ValidateOnBlock(*same, one.diagnosis.search.found.terms,
+                                          Stream(seed, "diagnose/held_out/" + same->name));
     out.channels.insert(out.channels.end(), channels.begin(), channels.end());
   }
   return out;

@@ -94,7 +94,7 @@ std::vector<DiscrepancyCorrection> CorrectDiscrepancies(
 Stream StreamOf(const ReplayBlock& block, std::uint64_t seed);
 
 /// With the tests of all these blocks counted together.
-SearchOptions OverAll(SearchOptions options, const std::vector<ReplayBlock>& blocks);
+SearchOptions WithTotalsOf(SearchOptions options, const std::vector<ReplayBlock>& blocks);
 
 using Deadline = std::chrono::steady_clock::time_point;
 
@@ -118,8 +118,8 @@ Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
                    const FollowProgress& progress);
 
 /// What the blocks of a further recording, which it is named by, say of a diagnosis.
-HeldOutRecording JudgeHeldOut(const std::vector<DiagnosedBlock>& diagnosed,
-                              const std::vector<ReplayBlock>& further, const std::string& recording,
-                              std::uint64_t seed);
+HeldOutRecording ValidateHeldOut(const std::vector<DiagnosedBlock>& diagnosed,
+                                 const std::vector<ReplayBlock>& further,
+                                 const std::string& recording, std::uint64_t seed);
 
 }  // namespace tera

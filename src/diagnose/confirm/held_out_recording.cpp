@@ -7,8 +7,8 @@
 
 namespace tera {
 
-std::vector<HeldOutChannel> JudgeOnBlock(const ReplayBlock& further, const Structure& found,
-                                         const Stream& stream) {
+std::vector<HeldOutChannel> ValidateOnBlock(const ReplayBlock& further, const Structure& found,
+                                            const Stream& stream) {
   const auto manoeuvres = ManoeuvresOf(further, stream);
   const Likelihood likelihood(further, NoiseOfBlock(further, manoeuvres),
                               Mask(further.samples(), 1));

@@ -28,7 +28,7 @@ struct HeldOutRecording {
 /// Model   nuisances (likelihood.h) are fitted to the further recording on both sides, so that what
 ///         they could do counts for neither; the noise is what the flexible regressor leaves of it.
 ///         RMSE over all of its samples.
-std::vector<HeldOutChannel> JudgeOnBlock(const ReplayBlock& further, const Structure& found,
-                                         const Stream& stream);
+std::vector<HeldOutChannel> ValidateOnBlock(const ReplayBlock& further, const Structure& found,
+                                            const Stream& stream);
 
 }  // namespace tera

@@ -237,7 +237,7 @@ NullOutcome DiagnoseNull(const MachineModel& model, double duration_s, std::uint
     if (auto block = MakeAxisBlock(model, log, m)) blocks.push_back(std::move(*block));
   }
   NullOutcome outcome;
-  const SearchOptions options = OverAll({}, blocks);
+  const SearchOptions options = WithTotalsOf({}, blocks);
   for (const DiagnosedBlock& diagnosed :
        DiagnoseBlocks(std::move(blocks), options, seed, [](const BlockProgress&) {})) {
     const BlockDiagnosis& diagnosis = diagnosed.diagnosis;

@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "diagnose/report/text/by_weight.h"
 #include "diagnose/report/text/next_manoeuvre_text.h"
 #include "diagnose/report/text/proposal_text.h"
+#include "diagnose/report/text/ranking.h"
 
 namespace tera {
 namespace {
@@ -427,10 +427,10 @@ std::string DiagnosisJson(const Diagnosis& diagnosis) {
   for (const Verdict verdict : VerdictsOf(diagnosis)) {
     json["verdict"].push_back(std::string(NameOf(verdict)));
   }
-  for (const auto& [diagnosed, finding] : FindingsByWeight(diagnosis)) {
+  for (const auto& [diagnosed, finding] : RankedFindings(diagnosis)) {
     json["findings"].push_back(Named(*diagnosed, *finding));
   }
-  for (const auto& [diagnosed, unexplained] : UnexplainedByWeight(diagnosis)) {
+  for (const auto& [diagnosed, unexplained] : RankedUnexplained(diagnosis)) {
     json["findings"].push_back(NotNamed(*diagnosed, *unexplained));
   }
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {

@@ -12,9 +12,9 @@
 
 #include "core/check.h"
 #include "diagnose/blocks/measured_poses.h"
-#include "diagnose/report/text/by_weight.h"
 #include "diagnose/report/text/finding_text.h"
 #include "diagnose/report/text/perception_text.h"
+#include "diagnose/report/text/ranking.h"
 
 namespace tera {
 namespace {
@@ -72,7 +72,7 @@ std::string MechanismLine(const Finding& finding) {
 
 std::vector<TargetLines> LinesOf(const Diagnosis& diagnosis) {
   std::vector<TargetLines> targets;
-  for (const auto& [diagnosed, finding] : FindingsByWeight(diagnosis)) {
+  for (const auto& [diagnosed, finding] : RankedFindings(diagnosis)) {
     const Candidate& candidate = *finding->term.candidate;
     if (candidate.target == kPoses) continue;  // no part of a simulation
     auto at = std::find_if(targets.begin(), targets.end(), [&](const TargetLines& lines) {

@@ -9,9 +9,9 @@
 #include "diagnose/report/page/page_style.h"
 #include "diagnose/report/page/perception_figures.h"
 #include "diagnose/report/page/svg_plot.h"
-#include "diagnose/report/text/by_weight.h"
 #include "diagnose/report/text/finding_text.h"
 #include "diagnose/report/text/next_manoeuvre_text.h"
+#include "diagnose/report/text/ranking.h"
 #include "diagnose/report/text/sentence.h"
 #include "diagnose/report/text/summary.h"
 #include "diagnose/report/text/wording.h"
@@ -91,7 +91,7 @@ std::string Top(const Diagnosis& diagnosis, const std::string& recording) {
 
 std::string ParameterTable(const DiagnosedBlock& diagnosed) {
   Table table({"Mechanism", "On", "Parameter", ">Value", ">±", "Unit", ">Chosen", ">Confirmed"});
-  for (const Finding* finding : FindingsByWeight(diagnosed)) {
+  for (const Finding* finding : RankedFindings(diagnosed)) {
     const Candidate& candidate = *finding->term.candidate;
     bool is_first = true;
     for (const FreeParameter& free : candidate.free) {
@@ -130,7 +130,7 @@ std::string ErrorTable(const DiagnosedBlock& diagnosed) {
     AddErrorRow(diagnosed, "all that was found", error, &table);
   }
   if (diagnosed.diagnosis.findings.size() > 1) {
-    for (const Finding* finding : FindingsByWeight(diagnosed)) {
+    for (const Finding* finding : RankedFindings(diagnosed)) {
       AddErrorRow(diagnosed, Code(finding->term.candidate->mechanism->id) + " alone left out",
                   finding->held_out, &table);
     }
@@ -156,7 +156,7 @@ std::string LocationFigures(const DiagnosedBlock& diagnosed, const std::string& 
 std::string BlockSection(const DiagnosedBlock& diagnosed) {
   std::string html =
       fmt::format("<section>\n<h2>{}</h2>\n", Escaped(Capitalised(Spaced(diagnosed.block.name))));
-  for (const Finding* finding : FindingsByWeight(diagnosed)) {
+  for (const Finding* finding : RankedFindings(diagnosed)) {
     const std::string name = Spaced(finding->term.candidate->mechanism->id);
     html += LocationFigures(diagnosed, Capitalised(name), "The error without " + name,
                             finding->location);

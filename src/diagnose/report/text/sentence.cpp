@@ -5,12 +5,12 @@
 
 #include <algorithm>
 
-#include "diagnose/report/text/by_weight.h"
 #include "diagnose/report/text/confirmation_text.h"
 #include "diagnose/report/text/finding_text.h"
 #include "diagnose/report/text/next_manoeuvre_text.h"
 #include "diagnose/report/text/perception_text.h"
 #include "diagnose/report/text/proposal_text.h"
+#include "diagnose/report/text/ranking.h"
 #include "diagnose/report/text/shared_delay.h"
 #include "diagnose/report/text/wording.h"
 
@@ -309,10 +309,10 @@ bool NoneIsJudged(const Diagnosis& diagnosis) {
 
 std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
   std::vector<std::string> sentences;
-  for (const auto& [diagnosed, finding] : FindingsByWeight(diagnosis)) {
+  for (const auto& [diagnosed, finding] : RankedFindings(diagnosis)) {
     sentences.push_back(SentenceOf(*diagnosed, *finding));
   }
-  for (const auto& [diagnosed, unexplained] : UnexplainedByWeight(diagnosis)) {
+  for (const auto& [diagnosed, unexplained] : RankedUnexplained(diagnosis)) {
     sentences.push_back(SentenceOf(*diagnosed, *unexplained));
     for (const Proposal& proposal : diagnosed->proposals) {
       if (proposal.channel != unexplained->location.channel) continue;

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "diagnose/report/text/by_weight.h"
 #include "diagnose/report/text/finding_text.h"
 #include "diagnose/report/text/perception_text.h"
+#include "diagnose/report/text/ranking.h"
 #include "diagnose/report/text/wording.h"
 
 namespace tera {
@@ -54,7 +54,7 @@ std::vector<std::string> Counted(const std::vector<std::string>& names) {
 
 std::string FoundText(const Diagnosis& diagnosis) {
   std::vector<OfTarget> all;
-  for (const auto& [diagnosed, finding] : FindingsByWeight(diagnosis)) {
+  for (const auto& [diagnosed, finding] : RankedFindings(diagnosis)) {
     Add(finding->term.candidate->target,
         WithItsClass(NameAndNumbers(*finding), AlikeTexts(*finding)), &all);
   }
@@ -72,7 +72,7 @@ std::string FoundText(const Diagnosis& diagnosis) {
 
 std::string UnexplainedText(const Diagnosis& diagnosis) {
   std::vector<std::string> quantities;
-  for (const auto& [diagnosed, unexplained] : UnexplainedByWeight(diagnosis)) {
+  for (const auto& [diagnosed, unexplained] : RankedUnexplained(diagnosis)) {
     quantities.push_back(QuantityOf(diagnosed->block.channels[unexplained->location.channel].name));
   }
   return quantities.empty() ? "" : fmt::format(" Unexplained: {}.", Listed(quantities));

@@ -1,4 +1,4 @@
-#include "diagnose/report/text/by_weight.h"
+#include "diagnose/report/text/ranking.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using ::testing::ElementsAre;
 
-/// A play that takes nearly all of the error, in few manoeuvres, and a dead band that gains a
+/// A play that removes nearly all of the error, in few manoeuvres, and a dead band that gains a
 /// little in each of very many.
 DiagnosedBlock LoudInFewAndFaintInMany() {
   DiagnosedBlock boom = BoomWithDeadBand();
@@ -28,19 +28,19 @@ DiagnosedBlock LoudInFewAndFaintInMany() {
 
 std::vector<std::string> TargetsAndNames(const Diagnosis& diagnosis) {
   std::vector<std::string> names;
-  for (const auto& [diagnosed, finding] : FindingsByWeight(diagnosis)) {
+  for (const auto& [diagnosed, finding] : RankedFindings(diagnosis)) {
     names.push_back(diagnosed->block.name + " " +
                     std::string(finding->term.candidate->mechanism->id));
   }
   return names;
 }
 
-TEST(ByWeight, WhatTakesMostOfTheErrorComesFirstThoughItsLikelihoodGainsLess) {
+TEST(Ranking, WhatRemovesMostOfTheErrorComesFirstThoughItsLikelihoodGainsLess) {
   const Diagnosis diagnosis = Of(LoudInFewAndFaintInMany());
   EXPECT_THAT(TargetsAndNames(diagnosis), ElementsAre("boom backlash", "boom dead_band"));
 }
 
-TEST(ByWeight, OfBlocksTheOneWhoseFindingsAreLikeliestComesFirst) {
+TEST(Ranking, OfBlocksTheOneWhoseFindingsAreLikeliestComesFirst) {
   Diagnosis diagnosis = Of(LoudInFewAndFaintInMany());
   diagnosis.blocks.push_back(BoomWithDeadBand());
   diagnosis.blocks.back().block.name = "arm";
