@@ -12,8 +12,8 @@ std::vector<HeldOutChannel> ValidateOnBlock(const ReplayBlock& further, const St
   const auto manoeuvres = ManoeuvresOf(further, stream);
   const Likelihood likelihood(further, NoiseOfBlock(further, manoeuvres),
                               Mask(further.samples(), 1));
-  const Misfit before = likelihood.Judge(further.predict({}));
-  const Misfit after = found.empty() ? before : likelihood.Judge(further.predict(found));
+  const Misfit before = likelihood.Evaluate(further.predict({}));
+  const Misfit after = found.empty() ? before : likelihood.Evaluate(further.predict(found));
   std::vector<Segment> all;
   for (const Manoeuvre& manoeuvre : manoeuvres) all.push_back(manoeuvre.samples);
   std::vector<HeldOutChannel> channels;

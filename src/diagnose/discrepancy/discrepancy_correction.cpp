@@ -56,7 +56,7 @@ std::vector<double> LogLikelihoods(const ReplayBlock& block, const std::vector<N
   const Mask select = MaskOf(manoeuvres, Part::kSelect, block.samples());
   for (std::size_t k = 0; k < seen.size(); ++k) seen[k] = seen[k] || select[k];
   const Likelihood likelihood(block, noise, seen);
-  const Misfit misfit = likelihood.Judge(block.predict({}));
+  const Misfit misfit = likelihood.Evaluate(block.predict({}));
   std::vector<double> sums;
   for (std::size_t c = 0; c < block.channels.size(); ++c) {
     double sum = -0.5 * misfit.nuisances[c].squaredNorm();

@@ -105,9 +105,9 @@ std::string DependenceText(const DiagnosedBlock& diagnosed, const Location& loca
 
 std::string EvidenceClause(const Finding& finding) {
   std::string chosen = ProbabilityText(finding.evidence.p);
-  if (finding.evidence.together_p) {
+  if (finding.evidence.joint_p) {
     chosen += fmt::format(" alone, {} together with what it is beside",
-                          ProbabilityText(*finding.evidence.together_p));
+                          ProbabilityText(*finding.evidence.joint_p));
   }
   std::string text =
       fmt::format("chosen with {}, confirmed with {}", chosen, ProbabilityText(finding.held_out.p));

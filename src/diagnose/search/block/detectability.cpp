@@ -49,8 +49,8 @@ Detectability DetectabilityOf(const EvaluationContext& context, const Candidate&
   Detectability out{&candidate, {}};
   for (const std::vector<double>& start : candidate.starts) {
     const auto truth = context.block.predict({{&candidate, start}});
-    if (context.likelihood.Discernible(nothing, truth) < kLeastGain) continue;
-    const Misfit difference = context.likelihood.JudgeAgainst(truth, nothing);
+    if (context.likelihood.NoiselessGain(nothing, truth) < kLeastGain) continue;
+    const Misfit difference = context.likelihood.EvaluateAgainst(truth, nothing);
     Misfit none = difference;
     for (Series& residual : none.residual) {
       std::fill(residual.value.begin(), residual.value.end(), 0.0);

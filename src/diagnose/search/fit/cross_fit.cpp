@@ -33,7 +33,8 @@ CrossFit::CrossFit(const ReplayBlock& block, const std::vector<NoiseModel>& nois
   }
 }
 
-std::vector<Misfit> CrossFit::Judge(const std::vector<Structure>& structures, int threads) const {
+std::vector<Misfit> CrossFit::Evaluate(const std::vector<Structure>& structures,
+                                       int threads) const {
   const std::vector<Misfit> left =
       InParallel<Misfit>(structures.size() * folds_.size(), threads, [&](std::size_t k) {
         const StructureFitter& fitter = *folds_[k % folds_.size()].fitter;
@@ -44,7 +45,7 @@ std::vector<Misfit> CrossFit::Judge(const std::vector<Structure>& structures, in
     out.push_back(left[s * folds_.size()]);
     for (std::size_t f = 1; f < folds_.size(); ++f) {
       for (const Segment& samples : folds_[f].unseen) {
-        TakeOver(left[s * folds_.size() + f], samples, &out.back());
+        CopySamples(left[s * folds_.size() + f], samples, &out.back());
       }
     }
   }

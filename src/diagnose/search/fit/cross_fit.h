@@ -10,24 +10,25 @@
 
 namespace tera {
 
-/// What structures leave of manoeuvres that they were not fitted to, of TRAIN and SELECT.
+/// Cross-fitted misfits: what structures leave of the manoeuvres of TRAIN and SELECT by fits that
+/// have not seen them.
 ///
-/// Model   the moving manoeuvres, in order, are dealt to five folds, those at rest likewise. A
-///         structure is fitted five times, each time to all folds but one, and judged on that one:
-///         every manoeuvre speaks of it, where a single part held out has too few to tell steady
-///         from lucky.
-/// Omits   that the fits share most of their manoeuvres; that each begins at numbers which may have
-///         seen all of them, and goes three steps: what has kinks hardly moves.
+/// Model   the moving manoeuvres are dealt to five folds in order, and so are those at rest. A
+///         structure is fitted five times, each time to all folds but one, and evaluated on that
+///         one. So every manoeuvre counts; a single held-out part has too few to distinguish a
+///         steady gain from luck.
+/// Omits   that the fits share most of their manoeuvres; that each starts from numbers which may
+///         have seen all of them and goes three steps, in which parameters with kinks hardly move.
 /// Source  Stone 1974, "Cross-validatory choice and assessment of statistical predictions".
 class CrossFit {
  public:
-  /// All must outlive it.
+  /// All arguments must outlive it.
   CrossFit(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
            const std::vector<Manoeuvre>& manoeuvres);
 
-  /// The samples of TRAIN and SELECT as left by the fits that have not seen them; others as left by
-  /// the first fit. Fits begin at the structures' values and go a few steps.
-  std::vector<Misfit> Judge(const std::vector<Structure>& structures, int threads) const;
+  /// The misfits of structures: samples of TRAIN and SELECT by the fits that have not seen them,
+  /// others by the first fit. Fits start from the structures' values and go a few steps.
+  std::vector<Misfit> Evaluate(const std::vector<Structure>& structures, int threads) const;
 
  private:
   struct Fold {

@@ -237,7 +237,7 @@ Misfit CrossFittedResidual(const ReplayBlock& block, const Likelihood& likelihoo
     }
     const Misfit beyond = ResidualBeyondFlexible(block, likelihood, misfit, parted);
     for (const Manoeuvre& manoeuvre : parted) {
-      if (manoeuvre.part == Part::kFinal) TakeOver(beyond, manoeuvre.samples, &out);
+      if (manoeuvre.part == Part::kFinal) CopySamples(beyond, manoeuvre.samples, &out);
     }
   }
   return out;

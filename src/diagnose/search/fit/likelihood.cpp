@@ -9,10 +9,11 @@
 namespace tera {
 namespace {
 
-constexpr int kReweightings = 2;
-constexpr double kBound = 2;  ///< standard deviations that a nuisance may be off by
+constexpr int kReweightings = 2;  ///< of the Student-t regression of nuisances
+/// Standard deviations by which a nuisance may be off, at most.
+constexpr double kMostDeviations = 2;
 
-/// Central difference; ends as their neighbours.
+/// Central differences; the ends have those of their neighbours.
 std::vector<double> Slope(const std::vector<double>& y, double period_s) {
   std::vector<double> slope(y.size(), 0.0);
   for (std::size_t k = 1; k + 1 < y.size(); ++k) slope[k] = (y[k + 1] - y[k - 1]) / (2 * period_s);
@@ -27,7 +28,7 @@ Eigen::Map<const Eigen::VectorXd> AsVector(const std::vector<double>& x) {
   return {x.data(), static_cast<Eigen::Index>(x.size())};
 }
 
-/// Nuisances as columns, each times its standard deviation.
+/// The columns of the nuisances, each times its standard deviation.
 Eigen::MatrixXd ColumnsOf(const Channel& channel, const std::vector<double>& predicted) {
   const Nuisances& sigma = channel.nuisances;
   Eigen::MatrixXd columns(static_cast<Eigen::Index>(predicted.size()), 3 + channel.nominal.cols());
@@ -38,8 +39,8 @@ Eigen::MatrixXd ColumnsOf(const Channel& channel, const std::vector<double>& pre
   return columns;
 }
 
-/// Minimum of beta' information beta / 2 - pull' beta with no coefficient beyond the bound: the one
-/// that is furthest beyond is held there, in turn.
+/// Minimum of beta' information beta / 2 - pull' beta within the bound on each coefficient: as long
+/// as one is beyond, the one that is furthest beyond is held at the bound.
 Eigen::VectorXd SolveBounded(const Eigen::MatrixXd& information, Eigen::VectorXd pull) {
   Eigen::VectorXd beta = Eigen::VectorXd::Zero(pull.size());
   std::vector<Eigen::Index> open;
@@ -48,35 +49,36 @@ Eigen::VectorXd SolveBounded(const Eigen::MatrixXd& information, Eigen::VectorXd
     const Eigen::VectorXd solved =
         Eigen::MatrixXd(information(open, open)).ldlt().solve(Eigen::VectorXd(pull(open)));
     Eigen::Index furthest = 0;
-    if (solved.cwiseAbs().maxCoeff(&furthest) <= kBound) {
+    if (solved.cwiseAbs().maxCoeff(&furthest) <= kMostDeviations) {
       beta(open) = solved;
       return beta;
     }
     const Eigen::Index held = open[static_cast<std::size_t>(furthest)];
-    beta[held] = std::copysign(kBound, solved[furthest]);
+    beta[held] = std::copysign(kMostDeviations, solved[furthest]);
     pull -= beta[held] * information.col(held);
     open.erase(open.begin() + furthest);
   }
   return beta;
 }
 
-/// Rows that stay in the processor's nearest memory while products of columns are summed.
-constexpr Eigen::Index kNearRows = 256;
+/// Rows that stay in the processor's first cache while products of columns are summed.
+constexpr Eigen::Index kCachedRows = 256;
 
 /// Normal equations of a regression with weights.
 struct NormalEquations {
-  Eigen::MatrixXd information;  ///< its lower half
+  Eigen::MatrixXd information;  ///< lower half
   Eigen::VectorXd pull;
 };
 
-/// Those of Student-t errors about beta, and a unit normal prior on the coefficients.
+/// The normal equations of Student-t errors about beta with a unit normal prior on the
+/// coefficients.
 NormalEquations EquationsAbout(const Eigen::VectorXd& beta, const Eigen::VectorXd& y,
                                const Eigen::MatrixXd& columns, double dof) {
   const Eigen::Index count = columns.cols();
   NormalEquations sum{Eigen::MatrixXd::Identity(count, count), Eigen::VectorXd::Zero(count)};
-  Eigen::MatrixXd weighted(kNearRows, count);
-  for (Eigen::Index first = 0; first < y.size(); first += kNearRows) {
-    const Eigen::Index rows = std::min(kNearRows, y.size() - first);
+  Eigen::MatrixXd weighted(kCachedRows, count);
+  for (Eigen::Index first = 0; first < y.size(); first += kCachedRows) {
+    const Eigen::Index rows = std::min(kCachedRows, y.size() - first);
     const auto near = columns.middleRows(first, rows);
     const auto aim = y.segment(first, rows);
     const Eigen::ArrayXd error = aim - near * beta;
@@ -90,7 +92,7 @@ NormalEquations EquationsAbout(const Eigen::VectorXd& beta, const Eigen::VectorX
   return sum;
 }
 
-/// Student-t regression of y on the columns, coefficients cut at the bound.
+/// Student-t regression of y on the columns, with coefficients within the bound.
 Eigen::VectorXd Regress(const Eigen::VectorXd& y, const Eigen::MatrixXd& columns, double dof) {
   Eigen::VectorXd beta = Eigen::VectorXd::Zero(columns.cols());
   for (int pass = 0; pass < kReweightings; ++pass) {
@@ -140,8 +142,8 @@ Eigen::VectorXd Likelihood::Gathered(std::size_t channel,
   return out / noise_[channel].scale;
 }
 
-Likelihood::Weighed Likelihood::Weigh(std::size_t channel, const Eigen::VectorXd& measured,
-                                      const std::vector<double>& predicted) const {
+Likelihood::ChannelFit Likelihood::FitChannel(std::size_t channel, const Eigen::VectorXd& measured,
+                                              const std::vector<double>& predicted) const {
   const Series& series = block_.channels[channel].measured;
   const Nuisances& sigma = block_.channels[channel].nuisances;
   TERA_CHECK(predicted.size() == series.size(), predicted.size());
@@ -162,19 +164,19 @@ Likelihood::Weighed Likelihood::Weigh(std::size_t channel, const Eigen::VectorXd
   return {y - columns * beta, beta};
 }
 
-Misfit Likelihood::Judge(const std::vector<std::vector<double>>& predicted) const {
+Misfit Likelihood::Evaluate(const std::vector<std::vector<double>>& predicted) const {
   std::vector<std::vector<double>> measured;
   for (const Channel& channel : block_.channels) measured.push_back(channel.measured.value);
-  return JudgeAgainst(measured, predicted);
+  return EvaluateAgainst(measured, predicted);
 }
 
-Misfit Likelihood::JudgeAgainst(const std::vector<std::vector<double>>& measured,
-                                const std::vector<std::vector<double>>& predicted) const {
+Misfit Likelihood::EvaluateAgainst(const std::vector<std::vector<double>>& measured,
+                                   const std::vector<std::vector<double>>& predicted) const {
   Misfit out;
   for (std::size_t c = 0; c < noise_.size(); ++c) {
     const Channel& channel = block_.channels[c];
     const auto y = AsVector(measured[c]);
-    const Eigen::VectorXd beta = Weigh(c, Gathered(c, y), predicted[c]).nuisances;
+    const Eigen::VectorXd beta = FitChannel(c, Gathered(c, y), predicted[c]).nuisances;
     const Eigen::VectorXd left =
         y - AsVector(predicted[c]) - ColumnsOf(channel, predicted[c]) * beta;
     out.nuisances.push_back(beta);
@@ -192,7 +194,7 @@ std::vector<double> Likelihood::Deviances(const std::vector<std::vector<double>>
   std::vector<double> rows;
   for (std::size_t c = 0; c < noise_.size(); ++c) {
     const double dof = noise_[c].dof;
-    const Weighed weighed = Weigh(c, parts_[c].measured, predicted[c]);
+    const ChannelFit weighed = FitChannel(c, parts_[c].measured, predicted[c]);
     for (const double e : weighed.innovation) {
       rows.push_back(std::copysign(std::sqrt(-2 * LogDensityOf(e, dof)), e));
     }
@@ -204,7 +206,7 @@ std::vector<double> Likelihood::Deviances(const std::vector<std::vector<double>>
 double Likelihood::LogLikelihood(const std::vector<std::vector<double>>& predicted) const {
   double sum = 0;
   for (std::size_t c = 0; c < noise_.size(); ++c) {
-    const Weighed weighed = Weigh(c, parts_[c].measured, predicted[c]);
+    const ChannelFit weighed = FitChannel(c, parts_[c].measured, predicted[c]);
     sum -= 0.5 * weighed.nuisances.squaredNorm();
     for (const double e : weighed.innovation) sum += LogDensityOf(e, noise_[c].dof);
   }
@@ -222,11 +224,11 @@ double Likelihood::LogLikelihood(const Misfit& judged) const {
   return sum;
 }
 
-double Likelihood::Discernible(const std::vector<std::vector<double>>& predicted,
-                               const std::vector<std::vector<double>>& truth) const {
+double Likelihood::NoiselessGain(const std::vector<std::vector<double>>& predicted,
+                                 const std::vector<std::vector<double>>& truth) const {
   double sum = 0;
   for (std::size_t c = 0; c < noise_.size(); ++c) {
-    const Weighed weighed = Weigh(c, Gathered(c, AsVector(truth[c])), predicted[c]);
+    const ChannelFit weighed = FitChannel(c, Gathered(c, AsVector(truth[c])), predicted[c]);
     sum += 0.5 * weighed.nuisances.squaredNorm();
     for (const double e : weighed.innovation) sum -= LogDensityOf(e, noise_[c].dof);
   }
@@ -246,7 +248,7 @@ double Likelihood::Sum(const Misfit& misfit, const Segment& samples,
   return sum;
 }
 
-void TakeOver(const Misfit& from, const Segment& samples, Misfit* out) {
+void CopySamples(const Misfit& from, const Segment& samples, Misfit* out) {
   const auto begin = static_cast<std::ptrdiff_t>(samples.begin);
   const auto end = static_cast<std::ptrdiff_t>(samples.end);
   for (std::size_t c = 0; c < out->innovation.size(); ++c) {

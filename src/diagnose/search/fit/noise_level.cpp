@@ -8,19 +8,19 @@
 namespace tera {
 namespace {
 
-constexpr double kRest = 0.02;    ///< |command| up to this is rest
-constexpr double kDecay_s = 1.5;  ///< after a command, before a machine is at rest
-constexpr double kLeastRest_s = 2;
+constexpr double kMostRestCommand = 0.02;  ///< |command| up to this is rest
+constexpr double kDecay_s = 1.5;           ///< after a command, before a machine is at rest
+constexpr double kLeastRest_s = 2;         ///< less rest says nothing of the noise
 
-/// Samples at rest for so long that what was commanded has died away.
+/// Samples at rest since longer than motion takes to die away.
 Mask AtRest(const ReplayBlock& block) {
   Mask mask(block.samples(), 0);
   const auto decay = static_cast<std::size_t>(std::lround(kDecay_s / block.period_s()));
   std::size_t still = 0;
   for (std::size_t k = 0; k < mask.size(); ++k) {
-    const bool rests =
-        std::all_of(block.commands.begin(), block.commands.end(),
-                    [&](const Series& command) { return std::abs(command.value[k]) <= kRest; });
+    const bool rests = std::all_of(
+        block.commands.begin(), block.commands.end(),
+        [&](const Series& command) { return std::abs(command.value[k]) <= kMostRestCommand; });
     still = rests ? still + 1 : 0;
     mask[k] = still > decay;
   }

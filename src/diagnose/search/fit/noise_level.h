@@ -8,7 +8,7 @@
 
 namespace tera {
 
-/// How loud a channel's noise is, told without the flexible regressor.
+/// The level of a channel's noise, estimated without a fit.
 struct NoiseLevel {
   std::optional<double> at_rest;  ///< RMS of the residual where no command is given
   double differences = 0;         ///< standard deviation by third differences of the residual
@@ -21,7 +21,7 @@ struct NoiseLevel {
 ///         Differences: the robust scale of third differences, which have 20 times the variance of
 ///         white noise. It leaves tails out: noise of Student's t with 3 degrees of freedom has an
 ///         RMS 1.5 times as large.
-/// Omits   noise that motion alone makes and that is slow: neither shows it, and it counts as
+/// Omits   slow noise that motion alone makes: neither estimate shows it, so that it counts as
 ///         error.
 NoiseLevel NoiseLevelOf(const ReplayBlock& block, std::size_t channel, const Series& residual,
                         const Mask& mask);

@@ -7,11 +7,14 @@
 namespace tera {
 namespace {
 
-constexpr double kUndetermined = 1e-10;  ///< of the largest eigenvalue of the information
-constexpr double kAtBound = 1e-3;        ///< of a parameter's range
-/// Standard deviation of a mechanism's number, of itself, for the form that it has in the library
-/// instead of its own, and for nominal numbers.
-constexpr double kFormOfNumber = 0.05;
+/// Eigenvalue of the information over the largest, at least: below, a direction is undetermined.
+constexpr double kLeastEigenvalueRatio = 1e-10;
+/// Distance from an end of a parameter's range, over the range, within which a number is at its
+/// bound.
+constexpr double kBoundDistance = 1e-3;
+/// Standard deviation of a mechanism's number over the number, for nominal numbers that are off and
+/// for a form in the library that is not quite the true one.
+constexpr double kFormSigma = 0.05;
 
 /// Inverse of an information matrix where it has one, and which parameters it determines.
 struct Covariance {
@@ -26,7 +29,7 @@ Covariance CovarianceOf(const Eigen::MatrixXd& information) {
   const Eigen::MatrixXd scaled =
       unit.cwiseInverse().asDiagonal() * information * unit.cwiseInverse().asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled);
-  const double least = kUndetermined * solver.eigenvalues().maxCoeff();
+  const double least = kLeastEigenvalueRatio * solver.eigenvalues().maxCoeff();
   Covariance out{Eigen::MatrixXd::Zero(size, size), {}};
   for (Eigen::Index i = 0; i < size; ++i) out.is_determined.push_back(information(i, i) > 0);
   for (Eigen::Index e = 0; e < size; ++e) {
@@ -44,9 +47,10 @@ Covariance CovarianceOf(const Eigen::MatrixXd& information) {
   return out;
 }
 
-/// Standard deviations; none for what lies in the null space of the information. The larger of what
-/// independent samples give and of what the scatter of scores over manoeuvres gives.
-/// Source  Huber 1967, White 1982 (the latter).
+/// Standard deviations of the free parameters: the larger of what independent samples give and of
+/// what the scatter of scores over manoeuvres gives. None for a parameter in the null space of the
+/// information.
+/// Source  Huber 1967, White 1982 (scores).
 std::vector<std::optional<double>> SigmasOf(const FittedStructure& fitted) {
   const Covariance covariance = CovarianceOf(fitted.information);
   const auto manoeuvres = static_cast<double>(fitted.scores.cols());
@@ -64,15 +68,16 @@ std::vector<std::optional<double>> SigmasOf(const FittedStructure& fitted) {
 
 bool IsAtBound(const FreeParameter& free, double value) {
   const double place = PlaceOf(free, value);
-  return place < kAtBound || place > 1 - kAtBound;
+  return place < kBoundDistance || place > 1 - kBoundDistance;
 }
 
-/// Sensors have the forms of the library; machines and ground do not.
+/// The deviation by the form of a mechanism: none for sensors, which have the library's forms.
 double FormDeviation(const Mechanism& mechanism, double value) {
-  return mechanism.slot < Slot::kSensorGeometry ? kFormOfNumber * std::abs(value) : 0;
+  return mechanism.slot < Slot::kSensorGeometry ? kFormSigma * std::abs(value) : 0;
 }
 
-/// A parameter's unit where radians are metres and newton metres newtons.
+/// The unit of a parameter of a sliding joint, whose radians are metres and whose newton metres are
+/// newtons.
 std::string UnitOfSliding(std::string_view unit) {
   if (unit == "rad") return "m";
   if (unit == "rad/s") return "m/s";

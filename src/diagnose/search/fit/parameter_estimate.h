@@ -16,12 +16,14 @@ struct ParameterEstimate {
   std::optional<double> sigma;  ///< none where it was not fitted, or the data do not hold it
 };
 
-/// The numbers of one term of a fit; no standard deviation where it is wider than the parameter's
-/// range, or the number stands at an end of it. `slides`: of a joint whose radians are metres.
+/// The numbers of one term of a fit. A number has no standard deviation where that would be wider
+/// than the parameter's range, or where the number is at an end of its range. `slides`: the term is
+/// of a joint whose radians are metres.
 ///
-/// Model   the larger of what independent samples give and of what the scatter of scores over
-///         manoeuvres gives; and with machines and ground five per cent of the number, by which the
-///         form that a mechanism has in the library, and nominal numbers, are off.
+/// Model   standard deviations are the larger of what independent samples give and of what the
+///         scatter of scores over manoeuvres gives. For machines and ground five per cent of the
+///         number are added in quadrature, by which the form that a mechanism has in the library,
+///         and nominal numbers, are off.
 /// Source  Huber 1967, White 1982 (scores).
 std::vector<ParameterEstimate> EstimatesOf(const FittedStructure& found, std::size_t term,
                                            bool slides);

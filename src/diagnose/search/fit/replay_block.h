@@ -13,9 +13,9 @@
 #include "diagnose/statistics/regime/regime_axis.h"
 #include "diagnose/statistics/series/series.h"
 
-/// What a search for left-out physics works on: channels that were measured, mechanisms that may
-/// act on them, and a replay that says what the channels would have been. The search knows no
-/// machine.
+/// The problem that a search for missing physics solves: measured channels, candidate mechanisms
+/// that may act on them, and a replay that predicts the channels under any of these. The search
+/// knows no machine.
 
 namespace tera {
 
@@ -23,41 +23,42 @@ namespace tera {
 struct FreeParameter {
   std::size_t index = 0;  ///< among the mechanism's parameters
   double lower = 0, upper = 1;
-  bool logarithmic = false;  ///< moved by ratios, not differences
-  /// How far apart the likelihood has stairs and kinks, of the range, as where the number moves
-  /// instants between which samples say nothing; 0: it is smooth.
+  bool logarithmic = false;  ///< a fit moves it by ratios, not differences
+  /// Distance of the kinks and steps that the likelihood has along this number, over its range;
+  /// they arise where the number moves instants between samples. 0 where the likelihood is smooth.
   double kink = 0;
-  /// It refines another number: in an answer it stands at its default unless it shows.
+  /// It refines another number: an answer has its default, unless it changes the channel enough.
   bool refines = false;
 };
 
-/// A mechanism that may act on a target, and where to begin looking for its numbers.
+/// A mechanism that may act on a target, with the ranges of its numbers and starts for their
+/// search.
 struct Candidate {
   const Mechanism* mechanism = nullptr;
   std::string target;  ///< as in YAML: "boom", "base", "encoders/boom"
   std::vector<FreeParameter> free;
-  /// All of the mechanism's numbers, each list within the bounds of `free`; at least one. From
-  /// faint to strong, so that they serve as a ladder of sizes as well.
+  /// Starts of a fit, at least one: each holds all of the mechanism's numbers, within the bounds of
+  /// `free`. They go from faint to strong, so that they serve as a ladder of sizes as well.
   std::vector<std::vector<double>> starts;
-  /// The numbers that the model has of it already; none where it has not.
+  /// The numbers that the model has of the mechanism already; none where it lacks it.
   std::vector<double> present;
-  /// Whether it is what it is called with these numbers, and no other mechanism in disguise; empty:
-  /// with all.
+  /// Whether with these numbers it is the mechanism of its name, and no other one in disguise.
+  /// Empty where it always is.
   std::function<bool(const std::vector<double>& values)> is_itself = {};
 };
 
-/// A candidate with its numbers, all of the mechanism's parameters.
+/// A candidate with values for all of its mechanism's parameters.
 struct Term {
   const Candidate* candidate = nullptr;
   std::vector<double> values;
-  /// Of its parameters, those that a fit leaves as they are though the candidate would free them.
+  /// Indices of free parameters that a fit nevertheless leaves as they are.
   std::vector<std::size_t> held = {};
 
   bool IsItself() const { return !candidate->is_itself || candidate->is_itself(values); }
   bool IsHeld(std::size_t index) const {
     return std::find(held.begin(), held.end(), index) != held.end();
   }
-  /// What a fit moves.
+  /// The parameters that a fit moves.
   std::vector<FreeParameter> Free() const {
     std::vector<FreeParameter> free = candidate->free;
     std::erase_if(free, [&](const FreeParameter& one) { return IsHeld(one.index); });
@@ -65,17 +66,17 @@ struct Term {
   }
 };
 
-/// What is taken to act; each candidate once.
+/// The terms that a prediction assumes to act, each candidate at most once.
 using Structure = std::vector<Term>;
 
-/// All terms but one.
+/// The structure without one of its terms.
 inline Structure Without(Structure terms, std::size_t term) {
   terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(term));
   return terms;
 }
 
-/// How far a channel may be off for reasons that are no finding: standard deviations of an offset,
-/// of a factor on the prediction, of a shift in time.
+/// Standard deviations of what a channel may be off by without a finding: an offset, a factor on
+/// the prediction, and a shift in time.
 struct Nuisances {
   double offset = 0;
   double gain = 0.03;
@@ -88,13 +89,13 @@ struct Channel {
   std::string unit;  ///< "rad/s"
   Series measured;
   Nuisances nuisances;
-  /// What its error may depend on, each of the grid's length.
+  /// Variables that its error may depend on, each of the grid's length.
   std::vector<RegimeVariable> variables;
   /// The flexible regressor: columns, one row a sample, whose combinations come near to anything
   /// that the physics of the block could do. May be empty.
   Eigen::MatrixXd flexible_regressor;
-  /// What the prediction changes by where a nominal number is off by its standard deviation: one
-  /// column a number, one row a sample. Nuisances beside the three; may be empty.
+  /// Change of the prediction by one standard deviation of each nominal number: one column a
+  /// number, one row a sample. They are nuisances beside the three above; may be empty.
   Eigen::MatrixXd nominal;
   /// Samples at which the measurement lags behind by masses that the replay does not have; may be
   /// empty. ExcludeLaggingSamples (excluded_samples.h), which comes before a search, makes them
@@ -105,7 +106,7 @@ struct Channel {
 using Replay =
     std::function<std::vector<std::vector<double>>(const Structure&, std::size_t samples)>;
 
-/// A replay that goes over everything, however little is asked for.
+/// A replay that predicts all samples, however few are asked for.
 inline Replay WholeReplay(
     std::function<std::vector<std::vector<double>>(const Structure&)> predict) {
   return [predict = std::move(predict)](const Structure& terms, std::size_t samples) {
@@ -115,21 +116,21 @@ inline Replay WholeReplay(
   };
 }
 
-/// One part of the chain, replayed alone over its measured neighbours.
+/// One part of a machine, replayed alone over the measured motion of its neighbours.
 struct ReplayBlock {
   std::string name;
-  TimeNs first_ns = 0;            ///< of the grid's first place; from the recording's first sample
+  TimeNs first_ns = 0;  ///< of the grid's first place, from the recording's first sample on
   std::vector<Channel> channels;  ///< at least one, all on one grid
-  bool slides = false;  ///< of a joint whose radians and newton metres are metres and newtons
+  bool slides = false;  ///< of a joint whose radians are metres and whose newton metres are newtons
   std::vector<Candidate> candidates;
-  std::vector<Series> commands;  ///< on the grid: what tells manoeuvres apart
-  /// What each channel would have been, over the first `samples` of the grid, were these terms at
-  /// work, each in place of what the model has of that mechanism, beside all else that it has.
-  /// Thread-safe, the same for the same terms in any order. Fewer samples are a prefix of more,
-  /// but that in a gap at their end there is nothing to go towards.
+  std::vector<Series> commands;  ///< on the grid; manoeuvres are cut by them
+  /// Predicts each channel over the first `samples` of the grid with these terms at work. Each term
+  /// takes the place of what the model has of its mechanism; all else that the model has stays.
+  /// Thread-safe; the same for the same terms in any order. A shorter prediction is a prefix of a
+  /// longer one, except in a gap at its end, across which it has no later sample to interpolate to.
   Replay replay;
 
-  /// Over all of the grid.
+  /// The prediction over the whole grid.
   std::vector<std::vector<double>> predict(const Structure& terms) const {
     return replay(terms, samples());
   }
@@ -142,7 +143,8 @@ struct ReplayBlock {
   }
 };
 
-/// Whether a lever drives what the block replays, which may then follow it late.
+/// Whether a lever drives what the block replays, so that the block has mechanisms of command
+/// timing.
 inline bool HasLever(const ReplayBlock& block) {
   return std::any_of(
       block.candidates.begin(), block.candidates.end(),

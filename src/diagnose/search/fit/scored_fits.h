@@ -12,7 +12,7 @@
 
 namespace tera {
 
-/// A structure and how it stands, without the bulk of its innovations.
+/// A structure with the scores of its fit, without the innovations, which would be much to keep.
 struct Scored {
   Structure terms;
   double log_likelihood = 0;  ///< on the samples that it was fitted to
@@ -24,25 +24,27 @@ struct Scored {
   double held_out_sum() const { return std::accumulate(held_out.begin(), held_out.end(), 0.0); }
 };
 
-/// Fits of many structures at a time, scored: full ones of those alone that are worth it.
+/// Fits and scores many structures at a time; only the likeliest after a few steps are fitted in
+/// full.
 class ScoredFits {
  public:
   using Fit = std::function<FittedStructure(const Structure&)>;
 
-  /// Fitter and likelihood are of the same samples and must outlive it; `select`: on what fits are
-  /// held out.
+  /// Fitter and likelihood are of the same samples and must outlive it. `select` are the manoeuvres
+  /// of the held-out scores.
   ScoredFits(const StructureFitter& fitter, const Likelihood& likelihood,
              std::vector<Segment> select, int threads);
 
   Scored Score(const FittedStructure& fitted) const;
   std::vector<Scored> All(const std::vector<Structure>& structures, const Fit& fit) const;
-  /// The likeliest of many by a few steps, fitted in full, the likeliest of them first.
+  /// Of structures that were fitted by a few steps, the likeliest ones, fitted in full and sorted
+  /// by likelihood.
   std::vector<Scored> Likeliest(std::vector<Scored> by_few_steps, std::size_t most);
-  /// The same where all terms but the last are fitted already.
+  /// As Likeliest, of structures in which all terms but the last are fitted already.
   std::vector<Scored> LikeliestNear(const std::vector<Structure>& structures, std::size_t most);
 
  private:
-  /// What a fit begins at.
+  /// The start of a fit, by which its result is remembered.
   using Key =
       std::vector<std::tuple<const Candidate*, std::vector<double>, std::vector<std::size_t>>>;
 
@@ -54,8 +56,8 @@ class ScoredFits {
   const Likelihood& likelihood_;
   std::vector<Segment> select_;
   int threads_;
-  double rows_ = 0;                      ///< fitted to
-  std::map<Key, Scored> near_, fitted_;  ///< what fits made of structures: a few steps, in full
+  double rows_ = 0;                      ///< samples fitted to
+  std::map<Key, Scored> near_, fitted_;  ///< results of few steps, and in full
 };
 
 }  // namespace tera

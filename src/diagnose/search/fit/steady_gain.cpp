@@ -7,13 +7,15 @@
 namespace tera {
 namespace {
 
-constexpr double kLeastPossible = 2;
-constexpr double kClear = 20;  ///< log-likelihood, far above the scatter of noise
-constexpr std::size_t kFewest = 3;
-constexpr double kMostOfOne = 2.25;    ///< of a gain, in a bet
-constexpr double kConfirmingP = 0.01;  ///< of a bet: three clear gains
-constexpr double kPiece_s = 1;
-constexpr std::size_t kPieceSamples = 5;
+constexpr double kLeastPossible = 2;  ///< gain in log-likelihood below which a piece says nothing
+/// Possible gain in log-likelihood far above which the scatter of noise does not count.
+constexpr double kNoiseGain = 20;
+constexpr std::size_t kFewest = 3;       ///< pieces that say something, for a t statistic
+constexpr double kMostGainOfBet = 2.25;  ///< in log-likelihood, that one piece adds to a bet
+/// Level of p at which a bet confirms: three clear gains, 2 exp(-3 * 2.25), are less.
+constexpr double kConfirmingBetP = 0.01;
+constexpr double kShortestPiece_s = 1;
+constexpr std::size_t kFewestPieceSamples = 5;
 
 }  // namespace
 
@@ -40,8 +42,8 @@ std::vector<ManoeuvreGain> GainsOf(const Likelihood& likelihood, const Misfit& b
 }
 
 std::vector<Segment> PiecesOf(const std::vector<Segment>& manoeuvres, double period_s) {
-  const auto shortest =
-      std::max(kPieceSamples, static_cast<std::size_t>(std::lround(kPiece_s / period_s)));
+  const auto shortest = std::max(
+      kFewestPieceSamples, static_cast<std::size_t>(std::lround(kShortestPiece_s / period_s)));
   std::vector<Segment> pieces;
   for (const Segment& whole : manoeuvres) {
     const std::size_t count = std::max<std::size_t>(1, whole.size() / shortest);
@@ -58,7 +60,7 @@ double SteadyGainP(const std::vector<ManoeuvreGain>& gains) {
   double mean = 0;
   for (const auto& [gain, possible] : gains) {
     if (possible < kLeastPossible) continue;
-    share.push_back(gain / std::sqrt(possible * (possible + kClear)));
+    share.push_back(gain / std::sqrt(possible * (possible + kNoiseGain)));
     mean += share.back();
   }
   const auto count = static_cast<double>(share.size());
@@ -73,15 +75,15 @@ double SteadyGainP(const std::vector<ManoeuvreGain>& gains) {
 }
 
 double GainP(const std::vector<ManoeuvreGain>& gains) {
-  double log_worth = 0;
+  double log_wealth = 0;
   for (const auto& [gain, possible] : gains) {
-    if (possible >= kLeastPossible) log_worth += std::min(gain, kMostOfOne);
+    if (possible >= kLeastPossible) log_wealth += std::min(gain, kMostGainOfBet);
   }
-  return std::min(SteadyGainP(gains), 2 * std::exp(-log_worth));
+  return std::min(SteadyGainP(gains), 2 * std::exp(-log_wealth));
 }
 
 bool AreConfirming(const std::vector<ManoeuvreGain>& gains, double steady_level) {
-  return SteadyGainP(gains) <= steady_level || GainP(gains) <= kConfirmingP;
+  return SteadyGainP(gains) <= steady_level || GainP(gains) <= kConfirmingBetP;
 }
 
 std::vector<Segment> SegmentsOf(const std::vector<Manoeuvre>& manoeuvres, Part part) {

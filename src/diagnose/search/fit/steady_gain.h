@@ -9,39 +9,39 @@
 
 namespace tera {
 
-/// What one manoeuvre, or a piece of one, says of two predictions.
+/// The gain of one prediction over another in one manoeuvre, or a piece of one.
 struct ManoeuvreGain {
-  double gain = 0;      ///< of log-likelihood, of the second over the first
-  double possible = 0;  ///< the same were the second true and there no noise
+  double gain = 0;      ///< in log-likelihood, of the second prediction over the first
+  double possible = 0;  ///< the gain if the second were true and measured without noise
 };
 
-/// One channel's, or that of all together.
+/// The gains of `after` over `before` in each manoeuvre, of one channel or of all together.
 std::vector<ManoeuvreGain> GainsOf(const Likelihood& likelihood, const Misfit& before,
                                    const Misfit& after, const std::vector<Segment>& manoeuvres,
                                    std::optional<std::size_t> channel = {});
 
-/// Manoeuvres in equal pieces of a second or more, five samples at least: what lasts longer than
-/// noise and shorter than a manoeuvre counts once a piece.
+/// Cuts manoeuvres into equal pieces of a second or more, five samples at least. An error that
+/// lasts longer than noise and shorter than a manoeuvre then counts once a piece.
 std::vector<Segment> PiecesOf(const std::vector<Segment>& manoeuvres, double period_s);
 
-/// Probability, by chance, of gains as steady over manoeuvres, or pieces of them, as these.
+/// The p-value of gains being as steady over manoeuvres, or pieces of them, by chance.
 ///
 /// Model   one number a manoeuvre: its gain over sqrt(possible (possible + 20)), which is 1 where a
-///         large difference is all gained, and of one variance where it drowns in noise.
-///         Manoeuvres of which less than 2 is possible say nothing; fewer than three that do leave
-///         p at 1. Student's t, one-sided: errors that last as long as a manoeuvre count once, and
-///         manoeuvres may differ in how sure they are: for p below 0.08 the test is then
-///         conservative.
+///         large difference is gained wholly, and has one variance where it drowns in noise.
+///         Manoeuvres with a possible gain below 2 say nothing; with fewer than three others p is
+///         1. One-sided Student's t: errors that last as long as a manoeuvre count once, and
+///         manoeuvres may differ in their variance, for which the test is conservative at p below
+///         0.08.
 /// Omits   errors that outlast a manoeuvre, or a piece.
 /// Source  Ibragimov and Mueller 2010, "t-statistic based correlation and heterogeneity robust
 ///         inference"; Bakirov and Szekely 2006.
 double SteadyGainP(const std::vector<ManoeuvreGain>& gains);
 
-/// Probability, by chance, of gains as steady as these, or as large in as many manoeuvres.
+/// The p-value of gains being as steady, or as large in as many manoeuvres, by chance.
 ///
-/// Model   the smaller of SteadyGainP and of 2 / w, w the worth of a bet: with each manoeuvre all
-///         that there is is put on the second prediction and multiplied by the ratio of
-///         likelihoods, nine and a half (exp 2.25) at most. Were the first prediction true, noise
+/// Model   the smaller of SteadyGainP and of 2 / w, w the wealth of a bet: at each manoeuvre all of
+///         it is put on the second prediction and multiplied by the ratio of likelihoods, nine and
+///         a half (exp 2.25) at most. Were the first prediction true, noise
 ///         known and neither fitted to these manoeuvres, each ratio would be expected to be 1 at
 ///         most, and so w, which is then seldom large (Markov's inequality); with SteadyGainP
 ///         beside it, p is at most one and a half times too small. What acts in five of thirty
@@ -55,11 +55,12 @@ double SteadyGainP(const std::vector<ManoeuvreGain>& gains);
 /// Source  Shafer 2021, "Testing by betting"; Vovk and Wang 2021, "E-values".
 double GainP(const std::vector<ManoeuvreGain>& gains);
 
-/// Of what is steady on manoeuvres that nothing was fitted to or chosen by.
+/// Level of p at which a steady gain on manoeuvres that nothing was fitted to or chosen by
+/// confirms.
 inline constexpr double kConfirmedP = 0.05;
 
-/// Whether such manoeuvres confirm a gain: steady at this level, or three clear ones (GainP at
-/// 0.01).
+/// Whether such manoeuvres confirm a gain: it is steady at `steady_level`, or clear in three of
+/// them (GainP of 0.01).
 bool AreConfirming(const std::vector<ManoeuvreGain>& gains, double steady_level);
 
 /// The samples of the manoeuvres of a part.

@@ -13,14 +13,18 @@
 namespace tera {
 namespace {
 
-constexpr double kStep = 0.002;      ///< of a parameter's range, for difference quotients
-constexpr double kPartOfKink = 0.5;  ///< likewise, of the distance of the likelihood's kinks
-constexpr double kFinestStep = 0.002;
-constexpr int kMostMoves = 30;
-constexpr int kMostIterations = 12, kFewIterations = 3;
-constexpr double kBadFit = 2;         ///< mean squared innovation
-constexpr double kLeastPart = 0.3;    ///< of a direction of length 1, that a parameter may have
-constexpr double kConverged = 0.005;  ///< log-likelihood that a step still gains
+constexpr double kStep = 0.002;  ///< of difference quotients, over a parameter's range
+/// Step of difference quotients over the distance of the likelihood's kinks, at least.
+constexpr double kStepOfKink = 0.5;
+constexpr double kFinestStep = 0.002;  ///< of the search over kinks, over a parameter's range
+constexpr int kMostMoves = 30;         ///< of one parameter in the search over kinks
+constexpr int kMostIterations = 12;    ///< of Levenberg-Marquardt, for a full fit
+constexpr int kFewIterations = 3;      ///< of Levenberg-Marquardt, for a fit of a few steps
+/// Mean squared innovation of the empty structure above which fits start under a smooth likelihood.
+constexpr double kBadFit = 2;
+/// Component of an undetermined unit direction that makes a parameter be held, at least.
+constexpr double kLeastComponent = 0.3;
+constexpr double kConvergedGain = 0.005;  ///< in log-likelihood, of the last step
 
 std::vector<double> PlacesOf(const Structure& terms) {
   std::vector<double> places;
@@ -32,12 +36,12 @@ std::vector<double> PlacesOf(const Structure& terms) {
   return places;
 }
 
-/// By how much each place is moved for its difference quotient.
+/// The step of each parameter's difference quotient, over its range.
 std::vector<double> StepsOf(const Structure& terms) {
   std::vector<double> steps;
   for (const Term& term : terms) {
     for (const FreeParameter& free : term.Free()) {
-      steps.push_back(free.kink > 0 ? kPartOfKink * free.kink : kStep);
+      steps.push_back(free.kink > 0 ? kStepOfKink * free.kink : kStep);
     }
   }
   return steps;
@@ -52,7 +56,7 @@ Structure AtPlaces(Structure terms, const double* places) {
   return terms;
 }
 
-/// What least squares is to make small, asked by one thread.
+/// The deviances of a likelihood as a cost function of the free parameters' places, for one thread.
 class Deviance final : public ceres::CostFunction {
  public:
   Deviance(const ReplayBlock& block, const Likelihood& likelihood, const Structure& terms,
@@ -69,13 +73,13 @@ class Deviance final : public ceres::CostFunction {
     mutable_parameter_block_sizes()->push_back(static_cast<int>(last_places_.size()));
   }
 
-  /// Half the sum of squares at the terms given.
+  /// Half the sum of squares at the starting terms.
   double cost_at_start() const { return cost_at_start_; }
 
   bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override {
     const std::vector<double> at(parameters[0], parameters[0] + last_places_.size());
-    if (at != last_places_) {  // a step that is accepted is asked for twice
+    if (at != last_places_) {  // the solver evaluates an accepted step twice
       last_rows_ = RowsAt(at);
       last_places_ = at;
     }
@@ -96,7 +100,7 @@ class Deviance final : public ceres::CostFunction {
     return true;
   }
 
-  /// Inwards at the upper end.
+  /// The step from a place; inwards where it would leave the range at the upper end.
   double StepFrom(const std::vector<double>& at, std::size_t p) const {
     return at[p] + steps_[p] <= 1 ? steps_[p] : -steps_[p];
   }
@@ -111,11 +115,11 @@ class Deviance final : public ceres::CostFunction {
   const Structure& terms_;
   const int threads_;
   const std::vector<double> steps_;
-  mutable std::vector<double> last_places_, last_rows_;  ///< of the evaluation before
+  mutable std::vector<double> last_places_, last_rows_;  ///< of the last evaluation
   double cost_at_start_ = 0;
 };
 
-/// By how much each free parameter changes from one end of its range to the other, as a tangent.
+/// The derivative of each free parameter by its place in its range.
 Eigen::VectorXd RangesAt(const Structure& terms) {
   std::vector<double> ranges;
   for (const Term& term : terms) {
@@ -128,7 +132,7 @@ Eigen::VectorXd RangesAt(const Structure& terms) {
   return Eigen::Map<const Eigen::VectorXd>(ranges.data(), static_cast<Eigen::Index>(ranges.size()));
 }
 
-/// A free parameter of a structure.
+/// A free parameter of a structure, by its term.
 struct Freedom {
   Term* term = nullptr;
   std::size_t index = 0;
@@ -147,9 +151,9 @@ std::vector<Freedom> FreedomsOf(Structure* terms) {
   return freedoms;
 }
 
-/// Puts the parameter that has most part in the direction that the information says least of to its
-/// default and holds it there, if that direction is not known to within the parameters' ranges.
-/// Whether there was one.
+/// Takes the direction that the information determines least. If it is not known to within the
+/// parameters' ranges, holds the parameter with the largest component in it at its default. Returns
+/// whether there was one.
 bool HoldUndetermined(const Eigen::MatrixXd& information, Structure* terms) {
   const std::vector<Freedom> freedoms = FreedomsOf(terms);
   if (freedoms.empty()) return false;
@@ -162,7 +166,7 @@ bool HoldUndetermined(const Eigen::MatrixXd& information, Structure* terms) {
   if (!(solver.eigenvalues()[0] < 1)) return false;
   const Eigen::VectorXd direction = solver.eigenvectors().col(0);
   const Freedom* most = nullptr;
-  double part = kLeastPart;
+  double part = kLeastComponent;
   for (std::size_t i = 0; i < freedoms.size(); ++i) {
     const double own = std::abs(direction[static_cast<Eigen::Index>(i)]);
     if (own <= part || !DefaultOf(*freedoms[i].term->candidate, freedoms[i].index)) continue;
@@ -175,10 +179,10 @@ bool HoldUndetermined(const Eigen::MatrixXd& information, Structure* terms) {
   return true;
 }
 
-/// White noise of the size of what is left of each channel's samples fitted to, if that is much
-/// more than the noise.
-std::optional<Likelihood> CoarseLikelihood(const ReplayBlock& block, const Likelihood& likelihood) {
-  const Misfit misfit = likelihood.Judge(block.predict({}));
+/// The likelihood under white noise of the size of the empty structure's misfit; none where that
+/// fits well.
+std::optional<Likelihood> SmoothLikelihood(const ReplayBlock& block, const Likelihood& likelihood) {
+  const Misfit misfit = likelihood.Evaluate(block.predict({}));
   std::vector<NoiseModel> noise;
   Mask fitted(block.samples(), 0);
   bool bad = false;
@@ -223,11 +227,11 @@ StructureFitter::StructureFitter(const ReplayBlock& block, const Likelihood& lik
       likelihood_(likelihood),
       manoeuvres_(std::move(manoeuvres)),
       threads_(threads),
-      coarse_(CoarseLikelihood(block, likelihood)) {}
+      smooth_(SmoothLikelihood(block, likelihood)) {}
 
 FittedStructure StructureFitter::AsGiven(Structure terms) const {
   FittedStructure out;
-  out.misfit = likelihood_.Judge(block_.predict(terms));
+  out.misfit = likelihood_.Evaluate(block_.predict(terms));
   out.log_likelihood = likelihood_.LogLikelihood(out.misfit);
   out.terms = std::move(terms);
   return out;
@@ -269,10 +273,11 @@ Structure StructureFitter::RefineSmooth(const Structure& terms, const Likelihood
     problem.SetParameterUpperBound(places.data(), p, 1);
   }
   ceres::Solver::Options options;
-  options.num_threads = 1;  // Deviance has its own
+  options.num_threads = 1;  // Deviance evaluates in parallel itself
   options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   options.max_num_iterations = most_iterations;
-  options.function_tolerance = std::min(1e-4, kConverged / std::max(deviance.cost_at_start(), 1.0));
+  options.function_tolerance =
+      std::min(1e-4, kConvergedGain / std::max(deviance.cost_at_start(), 1.0));
   options.parameter_tolerance = 1e-5;
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
@@ -280,9 +285,9 @@ Structure StructureFitter::RefineSmooth(const Structure& terms, const Likelihood
   return AtPlaces(terms, places.data());
 }
 
-/// Each number whose likelihood has kinks, by itself: moved by a step while that is likelier,
-/// either way, then by half of it.
-Structure StructureFitter::Settle(Structure terms, const Likelihood& likelihood) const {
+/// Coordinate search over the parameters whose likelihood has kinks: each is moved by a step,
+/// either way, while that is likelier, then by half of the step.
+Structure StructureFitter::SearchKinks(Structure terms, const Likelihood& likelihood) const {
   double most = likelihood.LogLikelihood(block_.predict(terms));
   for (std::size_t t = 0; t < terms.size(); ++t) {
     for (const FreeParameter& free : terms[t].Free()) {
@@ -313,15 +318,15 @@ Structure StructureFitter::Refine(const Structure& terms, const Likelihood& like
     return std::any_of(free.begin(), free.end(), [](const FreeParameter& f) { return f.kink > 0; });
   });
   if (!has_kinks) return smooth;
-  return RefineSmooth(Settle(smooth, likelihood), likelihood, kMostIterations);
+  return RefineSmooth(SearchKinks(smooth, likelihood), likelihood, kMostIterations);
 }
 
 FittedStructure StructureFitter::FitValues(const Structure& terms, Effort effort) const {
   if (terms.empty()) return AsGiven(terms);
   const std::vector<Start> starts = StartsOf(terms);
   FittedStructure out = AsGiven(Refine(BestOf(starts, likelihood_), likelihood_, effort));
-  if (coarse_) {
-    const Structure rough = Refine(BestOf(starts, *coarse_), *coarse_, effort);
+  if (smooth_) {
+    const Structure rough = Refine(BestOf(starts, *smooth_), *smooth_, effort);
     FittedStructure other = AsGiven(Refine(rough, likelihood_, effort));
     if (other.log_likelihood > out.log_likelihood) out = std::move(other);
   }
@@ -350,7 +355,8 @@ FittedStructure StructureFitter::Determine(FittedStructure fitted) const {
   return fitted;
 }
 
-/// J' J in the parameters' own units, and J' times the rows of each manoeuvre.
+/// Adds the information, J' J in the parameters' own units, and the scores, J' times the rows of
+/// each manoeuvre.
 void StructureFitter::AddInformation(FittedStructure* fitted) const {
   std::vector<double> places = PlacesOf(fitted->terms);
   const auto count = static_cast<Eigen::Index>(places.size());
@@ -375,7 +381,8 @@ void StructureFitter::AddInformation(FittedStructure* fitted) const {
           rows[row] * jacobian.row(static_cast<Eigen::Index>(row)).transpose();
       ++row;
     }
-    row += static_cast<std::size_t>(3 + block_.channels[c].nominal.cols());  // the nuisances
+    row += static_cast<std::size_t>(
+        3 + block_.channels[c].nominal.cols());  // those of the nuisances follow
   }
 }
 

@@ -18,16 +18,16 @@ struct FittedStructure {
   Eigen::MatrixXd scores;       ///< of the same by the manoeuvres fitted to, one column each
 };
 
-/// The number that a parameter has where its mechanism is not looked for; none where it must be
-/// given.
+/// The default of a parameter: the model's present number, or the mechanism's own; none where it
+/// must be given.
 std::optional<double> DefaultOf(const Candidate& candidate, std::size_t index);
 /// A free parameter as a place in its range, 0 to 1.
 double PlaceOf(const FreeParameter& free, double value);
 /// The free parameter at a place in its range.
 double ValueAt(const FreeParameter& free, double place);
 
-/// How far a fit goes: to the end, or a few steps, to tell which of many are worth more, or where
-/// the numbers are nearly right.
+/// How far a fit goes: to convergence, or a few steps, which tell which of many structures are
+/// worth more and are enough where the numbers are nearly right.
 enum class Effort { kFull, kFewSteps };
 
 /// Fits the free parameters of a structure.
@@ -37,11 +37,11 @@ enum class Effort { kFull, kFewSteps };
 ///         range, or of half the distance of its likelihood's kinks; numbers that have kinks are
 ///         then moved by themselves, by that distance and steps that are halved; nuisances are
 ///         fitted anew in every evaluation. Starts: the values of `terms` as given, and with the
-///         last term's replaced by each of its candidate's; the most likely one is refined. Where
-///         nothing at all fits badly (innovations of more than twice the noise's variance),
-///         likewise under white noise of the size of what nothing leaves, whose likelihood is
-///         smooth far from the truth, and from there under the noise itself; the likelier of both
-///         ends counts.
+///         last term's replaced by each start of its candidate; the most likely one is refined.
+///         Where the empty structure fits badly (innovations of more than twice the noise's
+///         variance), a second fit first goes under white noise of the size of that misfit, whose
+///         likelihood is smooth far from the truth, and from there under the noise itself; the
+///         likelier of both fits counts.
 /// Source  Ceres Solver (trust region with bounds); Golub and Pereyra 1973 (variable projection).
 class StructureFitter {
  public:
@@ -50,22 +50,23 @@ class StructureFitter {
   StructureFitter(const ReplayBlock& block, const Likelihood& likelihood,
                   std::vector<Segment> manoeuvres, int threads = 1);
 
-  /// Numbers that the measurements do not determine, a direction of the information that is not
-  /// known to within the parameters' ranges, stand at their defaults and are held there.
+  /// The fit of a structure. Numbers that the measurements do not determine (a direction of the
+  /// information that is not known to within the parameters' ranges) are held at their defaults.
   FittedStructure Fit(const Structure& terms) const;
-  /// The same of a structure whose values are fitted already.
+  /// As Fit, for a structure whose values are fitted already.
   FittedStructure Determine(FittedStructure fitted) const;
-  /// Without information, scores and such numbers.
+  /// The fitted values alone, without information, scores and held numbers.
   FittedStructure FitValues(const Structure& terms, Effort effort = Effort::kFull) const;
-  /// The same without the smooth likelihood: where the other terms are fitted already.
+  /// As FitValues without the smooth likelihood: for structures whose other terms are fitted
+  /// already.
   FittedStructure FitNear(const Structure& terms, Effort effort = Effort::kFull) const;
-  /// The same from the values given alone.
+  /// As FitValues from the given values alone.
   FittedStructure FitFrom(const Structure& terms, Effort effort = Effort::kFull) const;
-  /// Judged as it stands.
+  /// The structure with the values given, evaluated without a fit.
   FittedStructure AsGiven(Structure terms) const;
 
  private:
-  /// Where a fit may begin, and what is predicted there.
+  /// A start of a fit, and the prediction there.
   struct Start {
     Structure terms;
     std::vector<std::vector<double>> predicted;
@@ -76,14 +77,14 @@ class StructureFitter {
   Structure Refine(const Structure& terms, const Likelihood& likelihood, Effort effort) const;
   Structure RefineSmooth(const Structure& terms, const Likelihood& likelihood,
                          int most_iterations) const;
-  Structure Settle(Structure terms, const Likelihood& likelihood) const;
+  Structure SearchKinks(Structure terms, const Likelihood& likelihood) const;
   void AddInformation(FittedStructure* fitted) const;
 
   const ReplayBlock& block_;
   const Likelihood& likelihood_;
   std::vector<Segment> manoeuvres_;
   int threads_;
-  std::optional<Likelihood> coarse_;
+  std::optional<Likelihood> smooth_;
 };
 
 }  // namespace tera

@@ -13,12 +13,13 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kMostTerms = 4;
-constexpr double kNormalDof = 1e6;  ///< Student's t, to six digits the normal distribution
+constexpr std::size_t kMostTerms = 4;  ///< as in SearchOptions::deepest
+/// Degrees of freedom at which Student's t is the normal distribution to six digits.
+constexpr double kNormalDof = 1e6;
 
 using Rows = std::vector<Eigen::Index>;
 
-/// The samples of a channel that are fitted to, and those that are not.
+/// A channel's samples that are fitted to, and those of FINAL.
 struct Parts {
   Rows seen, final;
 };
@@ -45,7 +46,7 @@ Eigen::VectorXd ResidualOf(const Channel& channel, const std::vector<double>& pr
   return VectorOf(channel.measured.value) - VectorOf(predicted);
 }
 
-/// What least squares on some rows of the columns leaves of all rows.
+/// Residual of all rows of a least-squares fit to some of them.
 Eigen::VectorXd LessColumns(const Eigen::VectorXd& y, const Eigen::MatrixXd& columns,
                             const Rows& rows) {
   if (rows.empty()) return y;
@@ -72,7 +73,7 @@ Eigen::VectorXd Tuned(const Channel& channel, const std::vector<double>& predict
   return LessColumns(ResidualOf(channel, predicted), columns, parts.seen);
 }
 
-/// Functions of the regime variables, each column of unit deviation; constants left out.
+/// Functions of the regime variables as columns of unit standard deviation, without constants.
 Eigen::MatrixXd LibraryOf(const Channel& channel) {
   std::vector<Eigen::VectorXd> columns, plain;
   for (const RegimeVariable& variable : channel.variables) {
@@ -106,7 +107,7 @@ double Criterion(double rms, std::size_t rows, std::size_t terms) {
   return n * 2 * std::log(std::max(rms, 1e-300)) + static_cast<double>(terms) * std::log(n);
 }
 
-/// Column that goes along with the residual most.
+/// The column of the library that correlates most with the residual.
 std::optional<Eigen::Index> NextColumn(const Eigen::MatrixXd& library, const Eigen::VectorXd& left,
                                        const Rows& rows, const std::vector<Eigen::Index>& taken) {
   std::optional<Eigen::Index> best;
@@ -119,7 +120,7 @@ std::optional<Eigen::Index> NextColumn(const Eigen::MatrixXd& library, const Eig
   return best;
 }
 
-/// What is left after the pursuit; `terms`: how many columns it took.
+/// Residual of the matching pursuit; `terms` is set to the number of columns that it chose.
 Eigen::VectorXd Pursued(const Channel& channel, const Eigen::VectorXd& error, const Parts& parts,
                         std::size_t* terms) {
   const Eigen::VectorXd residual =
@@ -142,7 +143,7 @@ Eigen::VectorXd Pursued(const Channel& channel, const Eigen::VectorXd& error, co
   return left;
 }
 
-/// One candidate more at a time.
+/// Adds one candidate at a time, as long as the criterion falls.
 class GreedySearch {
  public:
   GreedySearch(const ReplayBlock& block, const std::vector<Parts>& parts, const Mask& seen,
@@ -160,7 +161,7 @@ class GreedySearch {
           [&](std::size_t s) { return Grown(found, block_.candidates[s], fitter); });
       std::optional<std::size_t> best;
       for (std::size_t s = 0; s < grown.size(); ++s) {
-        if (grown[s].size() == found.size()) continue;  // it is there already
+        if (grown[s].size() == found.size()) continue;  // it is in the structure already
         const double lower = CriterionOf(grown[s]);
         if (lower < criterion) criterion = lower, best = s;
       }
@@ -236,7 +237,7 @@ std::vector<BaselineAnswer> BaselinesOf(const ReplayBlock& block, int threads,
   const auto predicted = block.predict({});
   const Likelihood likelihood(block, NoiseOfBlock(block, manoeuvres), seen);
   const Misfit flexible =
-      ResidualBeyondFlexible(block, likelihood, likelihood.Judge(predicted), manoeuvres);
+      ResidualBeyondFlexible(block, likelihood, likelihood.Evaluate(predicted), manoeuvres);
   BaselineAnswer tuned{.method = "tuned parameters"};
   BaselineAnswer greedy{.method = "greedy BIC", .gives_findings = true, .gives_names = true};
   BaselineAnswer sparse{.method = "sparse regression", .gives_findings = true};

@@ -13,17 +13,17 @@ struct NamedMechanism {
   std::string mechanism, target;
 };
 
-/// What a simpler method makes of a block, to hold the diagnosis against.
+/// The answer of a simpler method for a block, with which the diagnosis is compared.
 struct BaselineAnswer {
   std::string method;
-  bool gives_findings = false;        ///< it can say that something is wrong
-  bool gives_names = false;           ///< and by which mechanism
-  bool found = false;                 ///< something is, as it says
-  std::vector<NamedMechanism> names;  ///< of a method that names, the first taken first
-  std::vector<double> rmse_final;     ///< one a channel: what it leaves of FINAL
+  bool gives_findings = false;        ///< the method can say that something is wrong
+  bool gives_names = false;           ///< the method can say which mechanism it is
+  bool found = false;                 ///< the method says that something is wrong
+  std::vector<NamedMechanism> names;  ///< in the order in which the method chose them
+  std::vector<double> rmse_final;     ///< on FINAL, one a channel
 };
 
-/// RMSE of FINAL that the replay without any candidate leaves, nothing fitted; one a channel.
+/// RMSE on FINAL of the replay without any candidate and without a fit, one a channel.
 std::vector<double> RmseAsItIs(const ReplayBlock& block, const Stream& stream);
 
 /// Answers of four simpler methods, fitted to TRAIN and SELECT of the manoeuvres that the
@@ -36,7 +36,7 @@ std::vector<double> RmseAsItIs(const ReplayBlock& block, const Stream& stream);
 ///         the regime variables (but for time), their sizes, signs, squares and products, stopped
 ///         by the same criterion. "black box": the residual less what the channel's flexible
 ///         regressor follows of it, its ridge by cross-validation.
-/// Omits   anything that takes errors for what they are: coloured and heavy-tailed.
+/// Omits   that errors are coloured and heavy-tailed.
 /// Source  Schwarz 1978; Brunton, Proctor and Kutz 2016, "Discovering governing equations from
 ///         data by sparse identification of nonlinear dynamical systems" (the third's library);
 ///         Pati, Rezaiifar and Krishnaprasad 1993 (its pursuit).

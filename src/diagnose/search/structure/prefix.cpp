@@ -7,8 +7,9 @@
 namespace tera {
 namespace {
 
-constexpr double kEnough_s = 60;
-constexpr double kWorthwhile = 2.0 / 3;  ///< of the whole, at most
+constexpr double kCommanded_s = 60;  ///< of commanded manoeuvres in a prefix
+/// Length of a prefix over that of the whole, at most: a longer one would spare too little.
+constexpr double kMostPrefixShare = 2.0 / 3;
 
 Series First(const Series& series, std::size_t samples) {
   const auto end = static_cast<std::ptrdiff_t>(samples);
@@ -38,9 +39,9 @@ std::size_t PrefixLength(const std::vector<Manoeuvre>& manoeuvres, double period
   double moved_s = 0;
   for (const Manoeuvre& manoeuvre : manoeuvres) {
     if (manoeuvre.axes != 0) moved_s += static_cast<double>(manoeuvre.samples.size()) * period_s;
-    if (moved_s < kEnough_s) continue;
-    const std::size_t enough = manoeuvre.samples.end;
-    return static_cast<double>(enough) < kWorthwhile * static_cast<double>(all) ? enough : all;
+    if (moved_s < kCommanded_s) continue;
+    const std::size_t length = manoeuvre.samples.end;
+    return static_cast<double>(length) < kMostPrefixShare * static_cast<double>(all) ? length : all;
   }
   return all;
 }

@@ -8,6 +8,7 @@
 #include "diagnose/search/fit/flexible_regressor.h"
 
 namespace tera {
+
 Pruning::Pruning(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
                  const std::vector<Manoeuvre>& manoeuvres, const Likelihood& likelihood,
                  const StructureFitter& fitter, const ScoredFits& fits,
@@ -25,15 +26,15 @@ Pruning::Pruning(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
       nothing_(fits.Score(fitter.AsGiven({}))),
       flexible_gain_(FlexibleGain(fitter.AsGiven({}).misfit)) {}
 
-std::vector<Misfit> Pruning::Judge(const std::vector<Structure>& structures) const {
-  return crossed_.Judge(structures, options_.threads);
+std::vector<Misfit> Pruning::Evaluate(const std::vector<Structure>& structures) const {
+  return crossed_.Evaluate(structures, options_.threads);
 }
 
 std::vector<ManoeuvreGain> Pruning::GainsOnSeen(const Misfit& before, const Misfit& after) const {
   return GainsOf(likelihood_, before, after, seen_);
 }
 
-/// What the flexible regressor gains on SELECT over a misfit of TRAIN.
+/// Gain of the flexible regressor, fitted to TRAIN, over a misfit on SELECT.
 double Pruning::FlexibleGain(const Misfit& misfit) const {
   const Misfit free = ResidualBeyondFlexible(block_, likelihood_, misfit, manoeuvres_);
   double gain = 0;
@@ -41,7 +42,7 @@ double Pruning::FlexibleGain(const Misfit& misfit) const {
   return gain;
 }
 
-/// Of all terms together that one structure has and the other has not.
+/// Evidence for the terms, taken together, that one structure has and the other lacks.
 TermEvidence Pruning::EvidenceOf(const Scored& with, const Scored& without,
                                  const Misfit& crossed_with, const Misfit& crossed_without) const {
   TermEvidence evidence;
@@ -56,29 +57,30 @@ TermEvidence Pruning::EvidenceOf(const Scored& with, const Scored& without,
   if (evidence.share >= options_.least_share_of_bet) {
     evidence.p = std::min(1.0, tests * GainP(gains));
   }
-  evidence.of_rest = gained / std::max({FlexibleGain(before), gained, 1e-9});
+  evidence.share_of_rest = gained / std::max({FlexibleGain(before), gained, 1e-9});
   evidence.effect = EffectOf(block_, fitter_.AsGiven(with.terms).misfit, before);
   return evidence;
 }
 
 bool Pruning::IsNeeded(const TermEvidence& evidence) const {
-  return evidence.together_p.value_or(evidence.p) <= options_.alpha &&
-         evidence.share >= options_.least_share && evidence.of_rest >= options_.least_of_rest &&
+  return evidence.joint_p.value_or(evidence.p) <= options_.alpha &&
+         evidence.share >= options_.least_share &&
+         evidence.share_of_rest >= options_.least_share_of_rest &&
          evidence.effect >= options_.least_effect;
 }
 
-/// Of two terms together, by a steady gain.
-double Pruning::TogetherP(const Scored& kept, const Misfit& crossed_kept,
-                          const Needed& rest) const {
+/// The p-value of the two terms together that `rest` lacks, by their steady gain.
+double Pruning::JointP(const Scored& kept, const Misfit& crossed_kept,
+                       const PrunedStructure& rest) const {
   return EvidenceOf(kept, rest.structure, crossed_kept, rest.crossed).steady_p;
 }
 
-Needed Pruning::Prune(Scored kept) const {
-  Misfit crossed = Judge({kept.terms}).front();
+PrunedStructure Pruning::Prune(Scored kept) const {
+  Misfit crossed = Evaluate({kept.terms}).front();
   return Prune(std::move(kept), std::move(crossed));
 }
 
-Needed Pruning::Prune(Scored kept, Misfit crossed_kept) const {
+PrunedStructure Pruning::Prune(Scored kept, Misfit crossed_kept) const {
   std::vector<Structure> smaller;
   for (std::size_t t = 0; t < kept.terms.size(); ++t) smaller.push_back(Without(kept.terms, t));
   std::vector<Scored> without = fits_.All(smaller, [&](const Structure& terms) {
@@ -86,7 +88,7 @@ Needed Pruning::Prune(Scored kept, Misfit crossed_kept) const {
   });
   std::vector<Structure> judged;
   for (const Scored& scored : without) judged.push_back(scored.terms);
-  std::vector<Misfit> crossed = Judge(judged);
+  std::vector<Misfit> crossed = Evaluate(judged);
   std::vector<TermEvidence> evidence = InParallel<TermEvidence>(
       without.size(), options_.threads,
       [&](std::size_t t) { return EvidenceOf(kept, without[t], crossed_kept, crossed[t]); });
@@ -98,10 +100,10 @@ Needed Pruning::Prune(Scored kept, Misfit crossed_kept) const {
   const std::size_t least = *std::min_element(
       spare.begin(), spare.end(),
       [&](std::size_t a, std::size_t b) { return evidence[a].share < evidence[b].share; });
-  Needed rest = Prune(std::move(without[least]), std::move(crossed[least]));
+  PrunedStructure rest = Prune(std::move(without[least]), std::move(crossed[least]));
   const bool one_other_goes = rest.structure.terms.size() + 2 == kept.terms.size();
   if (spare.size() > 1 || !one_other_goes || !kept.terms[least].IsItself()) return rest;
-  evidence[least].together_p = TogetherP(kept, crossed_kept, rest);
+  evidence[least].joint_p = JointP(kept, crossed_kept, rest);
   if (IsNeeded(evidence[least])) {
     return {std::move(kept), std::move(crossed_kept), std::move(evidence)};
   }

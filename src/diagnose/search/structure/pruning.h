@@ -10,26 +10,27 @@
 
 namespace tera {
 
-/// A structure of which every term is needed.
-struct Needed {
+/// A structure every term of which is needed.
+struct PrunedStructure {
   Scored structure;
-  Misfit crossed;  ///< as fits leave it that have not seen what they are judged on
+  Misfit crossed;                      ///< cross-fitted (cross_fit.h)
   std::vector<TermEvidence> evidence;  ///< one for each term, without rivals
 };
 
-/// Takes from a structure what it does as well without.
+/// Removes the terms of a structure that it does as well without.
 ///
-/// Model   the term that is needed least goes, until all are needed (StructureSearch says when one
-///         is). Where one alone is not needed, by its probability alone, and one other goes as well
-///         without it, the two are tested together against what is then left, times the number of
+/// Model   backward elimination: the least needed term goes, until all are needed (StructureSearch
+///         says when one is). Where exactly one term would go, and one other goes too once it is
+///         out, the two are tested together against the rest, with p corrected for the number of
 ///         tests once for each: play in a joint that pulls harder than it pushes is needed only
-///         beside that.
+///         beside the asymmetry.
 /// Omits   that the pair was chosen by the same manoeuvres, beyond the number of tests; pairs of
-///         which neither is needed. FINAL asks for each of the two by itself.
+///         which neither term is needed by itself. FINAL is asked for each of the two by itself.
 class Pruning {
  public:
-  /// `likelihood`, `fitter` and `fits` are of TRAIN. All must outlive it. `of_prefix`: a fit
-  /// goes a few steps, as one of the prefix is not repeated.
+  /// `likelihood`, `fitter` and `fits` are of TRAIN. All must outlive it. `of_prefix`: the
+  /// structure was found in a prefix of the block; fits of smaller ones start from its values
+  /// alone.
   Pruning(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
           const std::vector<Manoeuvre>& manoeuvres, const Likelihood& likelihood,
           const StructureFitter& fitter, const ScoredFits& fits, const SearchOptions& options,
@@ -37,22 +38,23 @@ class Pruning {
   Pruning(const Pruning&) = delete;
   Pruning& operator=(const Pruning&) = delete;
 
-  Needed Prune(Scored kept) const;
-  /// What structures leave of manoeuvres that they were not fitted to.
-  std::vector<Misfit> Judge(const std::vector<Structure>& structures) const;
-  /// What one misfit gains over another in pieces of TRAIN and SELECT.
+  /// The structure without the terms that are not needed.
+  PrunedStructure Prune(Scored kept) const;
+  /// Cross-fitted misfits of structures.
+  std::vector<Misfit> Evaluate(const std::vector<Structure>& structures) const;
+  /// Gains of one misfit over another in pieces of TRAIN and SELECT.
   std::vector<ManoeuvreGain> GainsOnSeen(const Misfit& before, const Misfit& after) const;
   /// The structure without terms.
   const Scored& nothing() const { return nothing_; }
-  /// What the flexible regressor gains over nothing on SELECT.
+  /// Gain of the flexible regressor over nothing on SELECT.
   double flexible_gain() const { return flexible_gain_; }
 
  private:
-  Needed Prune(Scored kept, Misfit crossed_kept) const;
+  PrunedStructure Prune(Scored kept, Misfit crossed_kept) const;
   TermEvidence EvidenceOf(const Scored& with, const Scored& without, const Misfit& crossed_with,
                           const Misfit& crossed_without) const;
   bool IsNeeded(const TermEvidence& evidence) const;
-  double TogetherP(const Scored& kept, const Misfit& crossed_kept, const Needed& rest) const;
+  double JointP(const Scored& kept, const Misfit& crossed_kept, const PrunedStructure& rest) const;
   double FlexibleGain(const Misfit& misfit) const;
 
   const ReplayBlock& block_;

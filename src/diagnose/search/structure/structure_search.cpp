@@ -12,12 +12,15 @@
 namespace tera {
 namespace {
 
-constexpr double kScreenedGain = 6;         ///< of log-likelihood: it may mean something
-constexpr std::size_t kLikeliestPairs = 8;  ///< that are fitted in full
-constexpr std::size_t kLikeliest = 4;       ///< likewise, of exchanges and additions
-constexpr std::size_t kNearest = 5;         ///< rivals that a term is held against
-constexpr double kAsLikely = 0.5;           ///< of log-likelihood
-constexpr double kCalmer = 0.8;             ///< of the sum of effects
+/// Gain in log-likelihood from which on a single candidate may mean something.
+constexpr double kScreenedGain = 6;
+constexpr std::size_t kFullyFittedPairs = 8;
+constexpr std::size_t kFullyFittedSteps = 4;  ///< swaps and additions that are fitted in full
+constexpr std::size_t kFullyFittedRivals = 5;
+/// Difference of the criterion, in log-likelihood, up to which structures are as likely.
+constexpr double kEquallyLikely = 0.5;
+/// Sum of effects over that of another structure, at most, to be preferred for less cancellation.
+constexpr double kLessCancellation = 0.8;
 
 void SortByCriterion(std::vector<Scored>* scored) {
   std::stable_sort(scored->begin(), scored->end(),
@@ -57,18 +60,18 @@ class Search {
 
  private:
   void FitSingles();
-  void TakeSingles();
+  void ReuseSingles();
   void Screen();
   bool ChangesEnough(const Structure& with, const Structure& without) const;
   Scored BestOf(const std::vector<Scored>& structures) const;
   std::vector<Scored> Pairs();
-  Scored FindMore();
-  Scored FindAfresh();
+  Scored ExtendEarlier();
+  Scored SearchFromScratch();
   const TermEvidence* EarlierEvidenceOf(const Candidate& candidate) const;
   Scored Grow(Scored best);
   Scored Swap(Scored best);
   double SumOfEffects(const Structure& terms) const;
-  Scored Disentangle(Scored found);
+  Scored ReduceCancellation(Scored found);
   FittedStructure Simplest(FittedStructure fitted) const;
   FittedStructure FitToSeen();
   std::vector<Structure> NearestRivals(const Scored& found, std::size_t term);
@@ -84,9 +87,9 @@ class Search {
   ScoredFits fits_;
   const Pruning pruning_;
   const Scored nothing_;
-  std::vector<Scored> singles_;        ///< one a candidate
-  std::vector<std::size_t> screened_;  ///< candidates
-  Needed needed_;                      ///< what was found last
+  std::vector<Scored> singles_;        ///< one a candidate, alone
+  std::vector<std::size_t> screened_;  ///< indices of candidates
+  PrunedStructure pruned_;             ///< the structure that Find found last
 };
 
 void Search::FitSingles() {
@@ -97,16 +100,16 @@ void Search::FitSingles() {
   singles_ = fits_.All(structures, [&](const Structure& one) { return fitter_.FitValues(one); });
 }
 
-/// As they were fitted earlier; the likeliest anew, where nothing was found and one of them may be
-/// all there is.
-void Search::TakeSingles() {
+/// Takes single candidates as they were fitted earlier. Where nothing was found, the likeliest are
+/// fitted anew, since one of them may be all there is.
+void Search::ReuseSingles() {
   std::vector<Structure> structures;
   for (const SingleEvidence& single : earlier_.result->singles) {
     structures.push_back(With({}, *single.candidate, single.values));
   }
   singles_ = fits_.All(structures, [&](const Structure& one) { return fitter_.AsGiven(one); });
   if (!earlier_.result->found.terms.empty()) return;
-  for (Scored& fitted : fits_.LikeliestNear(structures, kLikeliest)) {
+  for (Scored& fitted : fits_.LikeliestNear(structures, kFullyFittedSteps)) {
     for (Scored& single : singles_) {
       const bool is_it = single.terms.front().candidate == fitted.terms.front().candidate;
       if (is_it && fitted.log_likelihood > single.log_likelihood) single = fitted;
@@ -130,7 +133,7 @@ void Search::Screen() {
   }
 }
 
-/// The best of some structures, nothing among them.
+/// The best of some structures and of the empty one.
 Scored Search::BestOf(const std::vector<Scored>& structures) const {
   Scored best = nothing_;
   for (const Scored& scored : structures) {
@@ -139,7 +142,7 @@ Scored Search::BestOf(const std::vector<Scored>& structures) const {
   return best;
 }
 
-/// The likeliest pairs of the screened; none where no candidate alone tells anything.
+/// The likeliest pairs of screened candidates; none where no candidate alone gains anything.
 std::vector<Scored> Search::Pairs() {
   std::vector<Structure> pairs;
   const bool any = std::any_of(singles_.begin(), singles_.end(), [&](const Scored& single) {
@@ -155,23 +158,23 @@ std::vector<Scored> Search::Pairs() {
   const auto few_steps = [&](const Structure& pair) {
     return fitter_.FitValues(pair, Effort::kFewSteps);
   };
-  return fits_.Likeliest(fits_.All(pairs, few_steps), kLikeliestPairs);
+  return fits_.Likeliest(fits_.All(pairs, few_steps), kFullyFittedPairs);
 }
 
-/// From the best of single candidates, and from the best of pairs or of what was found under other
-/// noise: a pair may stand for another one, of which the best single is a part.
-Scored Search::FindAfresh() {
+/// Searches from the best single candidate, and from the best pair or what was found under other
+/// noise: a pair may imitate another pair of which the best single candidate is a part.
+Scored Search::SearchFromScratch() {
   const Scored single = BestOf(singles_);
   const Scored other = earlier_.result == nullptr
                            ? BestOf(Pairs())
                            : BestOf({fits_.Score(fitter_.FitNear(earlier_.result->found.terms))});
   std::vector<Scored> grown = {Grow(Swap(single))};
   if (other.criterion > single.criterion) grown.push_back(Grow(Swap(other)));
-  return Disentangle(BestOf(grown));
+  return ReduceCancellation(BestOf(grown));
 }
 
-/// What was found in the prefix and what more the whole tells of.
-Scored Search::FindMore() {
+/// The structure that was found in the prefix, extended by what the whole block shows beyond it.
+Scored Search::ExtendEarlier() {
   const Structure& found = earlier_.result->found.terms;
   if (!found.empty()) return Grow(fits_.Score(fitter_.FitFrom(found)));
   std::vector<Scored> singles = singles_;
@@ -183,13 +186,13 @@ Scored Search::FindMore() {
   return is_any ? Grow(std::move(*first)) : nothing_;
 }
 
-/// Whether it is more than what Prune would take away again.
+/// Whether a change is so large that Prune would keep it.
 bool Search::ChangesEnough(const Structure& with, const Structure& without) const {
   const Misfit misfit = fitter_.AsGiven(with).misfit;
   return EffectOf(block_, misfit, fitter_.AsGiven(without).misfit) >= options_.least_effect;
 }
 
-/// One term more as long as the criterion rises.
+/// Adds one term at a time as long as the criterion rises.
 Scored Search::Grow(Scored best) {
   while (!best.terms.empty() && best.terms.size() < options_.deepest) {
     std::vector<Structure> larger;
@@ -199,7 +202,7 @@ Scored Search::Grow(Scored best) {
         larger.push_back(With(best.terms, *term.candidate, term.values));
       }
     }
-    std::vector<Scored> fitted = fits_.LikeliestNear(larger, kLikeliest);
+    std::vector<Scored> fitted = fits_.LikeliestNear(larger, kFullyFittedSteps);
     SortByCriterion(&fitted);
     const auto next = std::find_if(fitted.begin(), fitted.end(), [&](const Scored& scored) {
       return scored.criterion <= best.criterion || ChangesEnough(scored.terms, best.terms);
@@ -210,7 +213,7 @@ Scored Search::Grow(Scored best) {
   return best;
 }
 
-/// The best exchange of one term for a screened candidate, if any is better.
+/// The best structure with one term swapped for a screened candidate, if any is better.
 Scored Search::Swap(Scored best) {
   std::vector<Structure> swapped;
   for (std::size_t t = 0; t < best.terms.size(); ++t) {
@@ -220,13 +223,13 @@ Scored Search::Swap(Scored best) {
       swapped.push_back(With(Without(best.terms, t), *term.candidate, term.values));
     }
   }
-  for (Scored& scored : fits_.LikeliestNear(swapped, kLikeliest)) {
+  for (Scored& scored : fits_.LikeliestNear(swapped, kFullyFittedSteps)) {
     if (scored.criterion > best.criterion) best = std::move(scored);
   }
   return best;
 }
 
-/// Of what each term changes: large where terms undo each other.
+/// The sum of the effects of all terms: large where terms cancel each other.
 double Search::SumOfEffects(const Structure& terms) const {
   const Misfit all = fitter_.AsGiven(terms).misfit;
   double sum = 0;
@@ -236,14 +239,14 @@ double Search::SumOfEffects(const Structure& terms) const {
   return sum;
 }
 
-/// Of structures that are as likely, the one whose terms undo each other less: an offset and
-/// friction in one direction do together what friction does.
-Scored Search::Disentangle(Scored found) {
+/// Prefers, of structures that are as likely, the one whose terms cancel each other less: an offset
+/// and friction in one direction do together what friction does.
+Scored Search::ReduceCancellation(Scored found) {
   for (std::size_t t = 0; found.terms.size() > 1 && t < found.terms.size(); ++t) {
     for (const Structure& other : NearestRivals(found, t)) {
       const Scored scored = fits_.Score(fitter_.AsGiven(other));
-      if (scored.criterion < found.criterion - kAsLikely) continue;
-      if (SumOfEffects(scored.terms) > kCalmer * SumOfEffects(found.terms)) continue;
+      if (scored.criterion < found.criterion - kEquallyLikely) continue;
+      if (SumOfEffects(scored.terms) > kLessCancellation * SumOfEffects(found.terms)) continue;
       found = scored;
       break;
     }
@@ -251,8 +254,8 @@ Scored Search::Disentangle(Scored found) {
   return found;
 }
 
-/// With each number that refines put to its default, if that changes less than a term would have
-/// to.
+/// The structure with each refining number held at its default, if that changes less than a term
+/// must.
 FittedStructure Search::Simplest(FittedStructure fitted) const {
   for (std::size_t t = 0; t < fitted.terms.size(); ++t) {
     for (const FreeParameter& free : fitted.terms[t].Free()) {
@@ -270,22 +273,22 @@ FittedStructure Search::Simplest(FittedStructure fitted) const {
   return fitted;
 }
 
-/// What is needed, with the numbers that TRAIN and SELECT give it together; without what these show
-/// to be another mechanism in disguise.
+/// The pruned structure fitted to TRAIN and SELECT together, without terms that this fit shows to
+/// be another mechanism in disguise.
 FittedStructure Search::FitToSeen() {
-  while (!needed_.structure.terms.empty()) {
-    const Structure& found = needed_.structure.terms;
+  while (!pruned_.structure.terms.empty()) {
+    const Structure& found = pruned_.structure.terms;
     FittedStructure fitted = Simplest(on_seen_.Determine(on_seen_.FitFrom(found)));
     const auto disguised = std::find_if(fitted.terms.begin(), fitted.terms.end(),
                                         [](const Term& term) { return !term.IsItself(); });
     if (disguised == fitted.terms.end()) return fitted;
     const auto at = static_cast<std::size_t>(disguised - fitted.terms.begin());
-    needed_ = pruning_.Prune(fits_.Score(fitter_.FitNear(Without(found, at))));
+    pruned_ = pruning_.Prune(fits_.Score(fitter_.FitNear(Without(found, at))));
   }
   return on_seen_.AsGiven({});
 }
 
-/// What was told of a term in the prefix, if it was found there.
+/// The evidence for a term in the prefix, if it was found there.
 const TermEvidence* Search::EarlierEvidenceOf(const Candidate& candidate) const {
   if (!earlier_.of_prefix) return nullptr;
   const Structure& found = earlier_.result->found.terms;
@@ -295,8 +298,8 @@ const TermEvidence* Search::EarlierEvidenceOf(const Candidate& candidate) const 
   return nullptr;
 }
 
-/// The likeliest exchanges of one term for a screened candidate, or for those that the prefix did
-/// not tell it from.
+/// The likeliest structures with one term swapped: for screened candidates, or for the rivals that
+/// the term had in the prefix.
 std::vector<Structure> Search::NearestRivals(const Scored& found, std::size_t term) {
   std::vector<std::size_t> others = screened_;
   if (const TermEvidence* earlier = EarlierEvidenceOf(*found.terms[term].candidate)) {
@@ -312,7 +315,7 @@ std::vector<Structure> Search::NearestRivals(const Scored& found, std::size_t te
     swapped.push_back(With(Without(found.terms, term), *other.candidate, other.values));
   }
   std::vector<Structure> nearest;
-  for (Scored& scored : fits_.LikeliestNear(swapped, kNearest)) {
+  for (Scored& scored : fits_.LikeliestNear(swapped, kFullyFittedRivals)) {
     if (scored.terms.back().IsItself()) nearest.push_back(std::move(scored.terms));
   }
   return nearest;
@@ -325,7 +328,7 @@ void Search::FindRivals(const Scored& found, const Misfit& crossed, std::size_t 
   if (const TermEvidence* earlier = EarlierEvidenceOf(*found.terms[term].candidate)) {
     evidence->rejected = earlier->rejected;
   }
-  const std::vector<Misfit> left = pruning_.Judge(swapped);
+  const std::vector<Misfit> left = pruning_.Evaluate(swapped);
   for (std::size_t k = 0; k < swapped.size(); ++k) {
     const auto gains = pruning_.GainsOnSeen(left[k], crossed);
     Rival rival{swapped[k].back().candidate, SteadyGainP(gains), 0};
@@ -344,15 +347,15 @@ SearchResult Search::Find() {
   SearchResult result;
   result.flexible_gain = pruning_.flexible_gain();
   if (earlier_.result != nullptr) {
-    TakeSingles();
+    ReuseSingles();
   } else {
     FitSingles();
   }
   Screen();
-  needed_ = pruning_.Prune(earlier_.of_prefix ? FindMore() : FindAfresh());
+  pruned_ = pruning_.Prune(earlier_.of_prefix ? ExtendEarlier() : SearchFromScratch());
   result.found = FitToSeen();
-  result.evidence = needed_.evidence;
-  result.found_gain = needed_.structure.held_out_sum() - nothing_.held_out_sum();
+  result.evidence = pruned_.evidence;
+  result.found_gain = pruned_.structure.held_out_sum() - nothing_.held_out_sum();
   result.nothing = on_seen_.AsGiven({});
   for (std::size_t s = 0; s < singles_.size(); ++s) {
     result.singles.push_back({&block_.candidates[s], singles_[s].terms.front().values,
@@ -363,9 +366,9 @@ SearchResult Search::Find() {
 }
 
 void Search::DiscriminateRivals(SearchResult* result) {
-  const Scored& found = needed_.structure;
+  const Scored& found = pruned_.structure;
   for (std::size_t t = 0; t < found.terms.size(); ++t) {
-    FindRivals(found, needed_.crossed, t, &result->evidence[t]);
+    FindRivals(found, pruned_.crossed, t, &result->evidence[t]);
   }
 }
 

@@ -31,7 +31,7 @@ TEST(CrossFit, JudgesEveryManoeuvreByFitsThatHaveNotSeenIt) {
   block.channels[0].nuisances = {.offset = 1e3, .gain = 0.02};
   // Tails so light that the fit is a mean.
   const Misfit misfit =
-      CrossFit(block, {{.scale = 1, .dof = 1e9}}, manoeuvres).Judge({Structure()}, 1).front();
+      CrossFit(block, {{.scale = 1, .dof = 1e9}}, manoeuvres).Evaluate({Structure()}, 1).front();
 
   std::vector<std::size_t> seen;
   for (std::size_t m = 0; m < kManoeuvres; ++m) {
@@ -56,7 +56,7 @@ TEST(CrossFit, AStructureThatFollowsNoiseGainsNothing) {
   const std::vector<NoiseModel> noise = {{.scale = 0.05}};
   const CrossFit crossed(block, noise, manoeuvres);
   const Candidate& candidate = block.candidates[0];
-  const std::vector<Misfit> judged = crossed.Judge({{{&candidate, candidate.starts[0]}}, {}}, 2);
+  const std::vector<Misfit> judged = crossed.Evaluate({{{&candidate, candidate.starts[0]}}, {}}, 2);
   const Misfit &with = judged[0], &without = judged[1];
   const Likelihood likelihood(block, noise, Mask(lever.size(), 1));
   double gain = 0;

@@ -30,7 +30,7 @@ class FlexibleRegressor : public ::testing::Test {
   Misfit Left() const {
     const ReplayBlock block = ToyBlock(lever_, MakeSeries(0.01, measured_), {});
     const Likelihood likelihood(block, {{.ar = {0.7}, .scale = 0.05}}, Mask(kSamples, 1));
-    Misfit nothing = likelihood.Judge(block.predict({}));
+    Misfit nothing = likelihood.Evaluate(block.predict({}));
     for (std::size_t k = 0; k < kSamples; ++k) {  // nuisances are not what is asked about here
       nothing.residual[0].value[k] = measured_[k] - lever_[k];
     }

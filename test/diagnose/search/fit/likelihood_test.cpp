@@ -22,7 +22,7 @@ TEST(Likelihood, TakesOffsetGainAndDelayForWhatTheyMayBe) {
   ReplayBlock block = ToyBlock(predicted, MakeSeries(0.01, measured), {});
   block.channels[0].nuisances = {.offset = 0.01, .gain = 0.02, .delay_s = 0.01};
   const Likelihood likelihood(block, {{.scale = 1e-3}}, Mask(kSize, 1));
-  const Misfit misfit = likelihood.Judge({predicted});
+  const Misfit misfit = likelihood.Evaluate({predicted});
   EXPECT_NEAR(misfit.nuisances[0][0] * 0.01, 0.004, 2e-4);
   EXPECT_NEAR(misfit.nuisances[0][1] * 0.02, 0.01, 2e-4);
   EXPECT_NEAR(misfit.nuisances[0][2] * 0.01, 0.0033, 2e-4);
@@ -39,8 +39,8 @@ TEST(Likelihood, DiscernsWhatIsBeyondNuisancesAlone) {
   for (double& x : squared) x += 0.02 * x * x;
   const ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, 0.02, 5), {});
   const Likelihood likelihood(block, {{.scale = 0.02}}, Mask(lever.size(), 1));
-  EXPECT_LT(likelihood.Discernible({lever}, {larger}), 1.0);
-  EXPECT_GT(likelihood.Discernible({lever}, {squared}), 10.0);
+  EXPECT_LT(likelihood.NoiselessGain({lever}, {larger}), 1.0);
+  EXPECT_GT(likelihood.NoiselessGain({lever}, {squared}), 10.0);
 }
 
 TEST(Likelihood, TakesANominalNumberForWhatItMayBe) {
@@ -52,7 +52,7 @@ TEST(Likelihood, TakesANominalNumberForWhatItMayBe) {
   Mask first(lever.size(), 0);
   std::fill_n(first.begin(), 2000, 1);
   const auto left = [&] {
-    const Misfit misfit = Likelihood(block, {{.scale = 1e-3}}, first).Judge({nominal});
+    const Misfit misfit = Likelihood(block, {{.scale = 1e-3}}, first).Evaluate({nominal});
     double square = 0;
     for (std::size_t k = 2100; k < 3900; ++k) square += std::pow(misfit.residual[0].value[k], 2);
     return std::sqrt(square / 1800);
@@ -63,7 +63,7 @@ TEST(Likelihood, TakesANominalNumberForWhatItMayBe) {
     const auto at = static_cast<std::size_t>(k);
     block.channels[0].nominal(k, 0) = slower[at] - nominal[at];
   }
-  const Misfit misfit = Likelihood(block, {{.scale = 1e-3}}, first).Judge({nominal});
+  const Misfit misfit = Likelihood(block, {{.scale = 1e-3}}, first).Evaluate({nominal});
   EXPECT_NEAR(misfit.nuisances[0][3], 1.5, 0.15);  // 0.03 s over 0.02 s, but for curvature
   EXPECT_GT(without, 0.01);
   EXPECT_LT(left(), 0.2 * without);
@@ -77,7 +77,7 @@ TEST(Likelihood, NoNuisanceIsMoreThanTwoStandardDeviations) {
   ReplayBlock block = ToyBlock(lever, ToyMeasured(larger, 1e-3, 7), {});
   block.channels[0].nuisances = {.offset = 1e-6, .gain = 0.02};
   const Misfit misfit =
-      Likelihood(block, {{.scale = 1e-2, .dof = 1e9}}, Mask(lever.size(), 1)).Judge({lever});
+      Likelihood(block, {{.scale = 1e-2, .dof = 1e9}}, Mask(lever.size(), 1)).Evaluate({lever});
   EXPECT_DOUBLE_EQ(misfit.nuisances[0][1], 2);
   double of_lever = 0, square = 0;
   for (std::size_t k = 0; k < lever.size(); ++k) {
@@ -100,7 +100,7 @@ TEST(Likelihood, FitsToTheMaskWhatItThenJudgesEverywhere) {
   ReplayBlock block = ToyBlock(predicted, MakeSeries(0.01, measured), {});
   block.channels[0].nuisances = {.offset = 1, .gain = 0.02};
   const Likelihood likelihood(block, {{.scale = 1e-3}}, first);
-  const Misfit misfit = likelihood.Judge({predicted});
+  const Misfit misfit = likelihood.Evaluate({predicted});
   EXPECT_NEAR(misfit.residual[0].value[100], 0, 1e-6);
   EXPECT_NEAR(misfit.residual[0].value[1900], 0.1, 1e-6);
   EXPECT_EQ(likelihood.fitted_samples(0).size(), kSize / 2);

@@ -20,7 +20,7 @@ ReplayBlock BlockWith(double square, double step, std::uint64_t seed) {
 }
 
 /// What is left of square and step, both fitted, under the noise that there is.
-Needed Pruned(const ReplayBlock& block, double alpha = 0.01) {
+PrunedStructure Pruned(const ReplayBlock& block, double alpha = 0.01) {
   const std::vector<Manoeuvre> manoeuvres = EqualManoeuvres(kManoeuvres, kLength);
   const std::vector<NoiseModel> noise = {
       {.ar = {0.7}, .scale = kSigma * std::sqrt(1 - 0.7 * 0.7) / std::sqrt(2.0), .dof = 4}};
@@ -44,13 +44,13 @@ std::vector<std::string> NamesIn(const Structure& terms) {
 
 TEST(Pruning, KeepsWhatShowsAndLosesWhatDoesNot) {
   const ReplayBlock both = BlockWith(0.3, 0.2, 1), one = BlockWith(0.3, 0, 2);
-  const Needed of_both = Pruned(both), of_one = Pruned(one);
+  const PrunedStructure of_both = Pruned(both), of_one = Pruned(one);
   EXPECT_EQ(NamesIn(of_both.structure.terms), (std::vector<std::string>{"square", "step"}));
   ASSERT_EQ(NamesIn(of_one.structure.terms), (std::vector<std::string>{"square"}));
   EXPECT_EQ(of_both.evidence.size(), 2u);
   ASSERT_EQ(of_one.evidence.size(), 1u);
   EXPECT_LT(of_one.evidence[0].p, 1e-4);
-  EXPECT_FALSE(of_one.evidence[0].together_p) << "it is needed by itself";
+  EXPECT_FALSE(of_one.evidence[0].joint_p) << "it is needed by itself";
   EXPECT_NEAR(of_one.structure.terms[0].values[0], 0.3, 0.05);
 }
 
@@ -77,10 +77,10 @@ TEST(Pruning, KeepsTwoThatAreNeededOnlyBesideEachOtherByTheProbabilityOfBoth) {
   constexpr double kAlpha = 0.01;
   int pairs = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    const Needed needed = Pruned(BlockWith(0.03, 0.03, 200 + seed), kAlpha);
+    const PrunedStructure needed = Pruned(BlockWith(0.03, 0.03, 200 + seed), kAlpha);
     for (const TermEvidence& evidence : needed.evidence) {
-      EXPECT_LE(evidence.together_p.value_or(evidence.p), kAlpha);
-      if (!evidence.together_p) continue;
+      EXPECT_LE(evidence.joint_p.value_or(evidence.p), kAlpha);
+      if (!evidence.joint_p) continue;
       ++pairs;
       EXPECT_EQ(needed.structure.terms.size(), 2u);
       EXPECT_GT(evidence.p, kAlpha);
