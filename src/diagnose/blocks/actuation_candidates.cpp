@@ -12,24 +12,25 @@
 namespace tera {
 namespace {
 
-/// In which full rate is reached under the mildest rate limit that is looked for: what is quicker
-/// is a motor's lag that steps of the lever show.
+/// Time to full rate under the mildest rate limit that is looked for. What rises faster is a
+/// motor's lag, which steps of the lever show.
 constexpr double kShortestRise_s = 0.08;
 
-/// How far apart kinks are, of the range, where a number moves the instants at which a rate
-/// changes.
+/// Distance of the likelihood's kinks, over the range, along a number that moves the instants at
+/// which a rate changes.
 constexpr double kKinkOfInstants = 0.06;
 constexpr double kLongestDelay_s = 0.8;
-constexpr double kLateToMeasure_s = 0.03;
-constexpr long kMostStepsToMeasure = 10;          ///< of a replay that goes in small steps
+constexpr double kLateToMeasure_s = 0.03;         ///< by which a rate may be measured late, at most
+constexpr long kMostStepsToMeasure = 10;          ///< of a replay in small steps, for that
 constexpr double kLateByLags_s[] = {0.05, 0.08};  ///< behind a slow valve, and behind a slower one
 
+/// Time for which an axis and other functions of its pump must be driven together.
 constexpr double kLeastTogether_s = 2;
-constexpr double kMostBent_rad = 0.5;  ///< a flexible link, by the largest load
+constexpr double kMostBent_rad = 0.5;  ///< by which the largest load bends a flexible link
 
-/// What an axis did in the log.
+/// The rates and loads of an axis in the log, by which sizes of candidates are bounded.
 struct Reach {
-  double full_rate_radps = 0, slower_rate_radps = 0;  ///< the slower of the ways that it moves
+  double full_rate_radps = 0, slower_rate_radps = 0;  ///< the slower direction's
   double largest_load_nm = 0;
   double lowest_rad = 0, highest_rad = 0;
   bool is_joint = false, has_stops = false, has_cylinder = false;
@@ -62,8 +63,8 @@ Reach ReachOf(const MachineModel& model, const AxisLog& log, std::size_t axis) {
   return reach;
 }
 
-/// By how much a rate may change later than its reader looked: step by step while it may be the
-/// measurement, and more where the drive lags.
+/// Delays by which a rate may change after its reader looked: step by step as far as the
+/// measurement may delay it, then longer ones, for drives that lag.
 std::vector<double> Latenesses_s(double step_s) {
   const long most = std::min(std::lround(kLateToMeasure_s / step_s), kMostStepsToMeasure);
   std::vector<double> late_s;
@@ -72,9 +73,9 @@ std::vector<double> Latenesses_s(double step_s) {
   return late_s;
 }
 
-/// Where to begin looking for a reader that looks once a period: too sharp a thing to be met with
-/// by chance, so where the rate itself changes to a beat. What lags behind makes the phase seem
-/// later, and a step of the replay is all that a reader may be off by.
+/// Starts for a reader that samples the lever once a period. Its likelihood is too sharp for a
+/// search to find by chance, so the starts are the periods at which the rate itself changes. A lag
+/// makes the phase seem later; the phase must be right to a step of the replay.
 std::vector<std::vector<double>> HoldStarts(const AxisLog& log, std::size_t axis) {
   std::vector<std::vector<double>> starts = {{0.05, 0.0}, {0.1, 0.0},  {0.1, 0.5},
                                              {0.2, 0.0},  {0.2, 0.33}, {0.2, 0.67}};
@@ -94,8 +95,8 @@ std::vector<std::vector<double>> HoldStarts(const AxisLog& log, std::size_t axis
 
 void AddTimingAndMap(const std::vector<std::vector<double>>& holds, double step_s,
                      CandidateList* out) {
-  // A command between two steps is shared out to both, which a delay of whole steps is not. From a
-  // spread of nought no small step changes anything.
+  // A command between two steps is shared out to both, unlike a delay of whole steps. From a spread
+  // of zero no small step changes anything.
   out->Add("command_delay",
            {{.index = 0, .upper = kLongestDelay_s, .kink = step_s / kLongestDelay_s},
             {.index = 1, .upper = 0.2, .refines = true}},
@@ -109,19 +110,19 @@ void AddTimingAndMap(const std::vector<std::vector<double>>& holds, double step_
   out->Add("rate_gain", {{0, 0.3, 1.8}}, {{0.9}, {1.15}, {0.75}});
 }
 
-/// Whether a ring of these numbers is still there when it swings back: else it is a lag, or a start
-/// that overshoots.
+/// Whether an oscillation with these numbers still shows when it swings back; else it is a lag, or
+/// an overshoot at the start.
 bool Swings(const std::vector<double>& ring) {
   const double eta_radps = ring[0], beta_1ps = ring[1];
   return beta_1ps < eta_radps;
 }
 
-/// A lag that is shorter than a step is none.
+/// Adds the candidates of the actuator's slot. A lag that is shorter than a step cannot be seen.
 void AddActuator(const Reach& reach, double step_s, CandidateList* out) {
   const double w = reach.full_rate_radps;
   out->Add("actuator_lag", {{0, step_s, 1.5}, {.index = 1, .refines = true}},
            {{0.05, 0}, {0.12, 0}, {0.25, 0}, {0.5, 0}});
-  // A wider band, or a limit that hardly ever acts, would be a lag by another name.
+  // A wider band, or a limit that hardly ever acts, would be a lag under another name.
   out->Add(
       "rate_limit",
       {{0, w / 5, w / kShortestRise_s, true}, {.index = 1, .upper = 2 * step_s, .refines = true}},
@@ -143,7 +144,8 @@ void AddGainAndLoad(const Reach& reach, CandidateList* out) {
               {0, 0, 0, 0.8 * low + 0.2 * high},
               {0, 0, 0, 0.2 * low + 0.8 * high}});
   }
-  // Without some friction it would be a lag by another name; with more, full levers would not move.
+  // Without some friction it would be a lag under another name; with more, full levers would not
+  // move the axis.
   const double w = reach.slower_rate_radps;
   out->Add("drive_friction",
            {{0, 0.01 * w, 0.25 * w, true},
@@ -156,12 +158,12 @@ void AddGainAndLoad(const Reach& reach, CandidateList* out) {
   out->Add("backlash", {{0, 5e-4, 0.15, true, kKinkOfInstants}}, {{0.004}, {0.015}, {0.04}});
   const double load = reach.largest_load_nm;
   if (load <= 0) return;
-  // It may stall below the largest load: it then cannot raise that, and droops where there is less.
+  // The stall load may be below the largest load, which the axis then cannot raise.
   out->Add("pressure_droop", {{0, 0.5 * load, 30 * load, true}, {1, 0, 0.5}},
            {{8 * load, 0.05}, {3 * load, 0.05}, {1.5 * load, 0.05}});
   out->Add("sag", {{0, 2e-4, 0.15, true}}, {{0.003, 40}, {0.01, 40}, {0.04, 40}});
   if (reach.is_joint) {
-    // Steel and oil swing; what is damped more is a lag by another name.
+    // Steel and oil oscillate; what is damped more is a lag under another name.
     out->Add("structural_flex",
              {{0, 2, 80, true},
               {1, 0.01, 0.5},
@@ -170,7 +172,7 @@ void AddGainAndLoad(const Reach& reach, CandidateList* out) {
   }
 }
 
-/// The pump's, where more was asked of it than the axis alone could ask.
+/// Candidates of the pump, where more was asked of it than the axis alone could ask.
 std::vector<Candidate> CandidatesOfPump(const MachineModel& model, const PumpDemand& demand) {
   if (demand.together_s < kLeastTogether_s) return {};
   const Pump& pump = model.pumps[demand.pump];

@@ -17,23 +17,28 @@ namespace tera {
 namespace {
 
 constexpr std::ptrdiff_t kFewestSamples = 200;
-constexpr double kStill_s =
-    1;  ///< a rate that repeats itself for longer without a lever says nothing
-constexpr int kLags = 12;
+/// Time after which a rate that repeats itself without a lever says nothing.
+constexpr double kLongestRepeat_s = 1;
+constexpr int kLags = 12;  ///< of the lever, in the flexible regressor
 constexpr double kLongestLag_s = 0.8;
-constexpr double kSurelyThere = 0.5;     ///< of the effort that the model has
-constexpr double kMostLost = 0.4;        ///< of the samples that move
-constexpr double kTremble = 0.01;        ///< of a lever that is held, either way
-constexpr double kLeastBack = 0.1;       ///< of a lever's time out, on its way back
-constexpr std::size_t kOtherLevers = 4;  ///< variables of the axis itself come before them
-constexpr double kMoved = 0.05;          ///< of full lever
-/// Standard deviations, of which a nuisance has two at most (likelihood.h): of rates, for a data
-/// sheet is right to 3 %, and of full effort over inertia, where effort, masses and their places
-/// are off by about 3 % each and inertia has the square of a place.
+/// Share of the model's effort that a drive surely has: samples that need more are left out.
+constexpr double kSureEffortShare = 0.5;
+/// Share of the moving samples that may be left out for that; with more, all of them stay.
+constexpr double kMostLeftOutShare = 0.4;
+constexpr double kLeverTremor = 0.01;  ///< by which a held lever may change
+/// Share of a lever's time out of neutral in which it must come back, for its direction to be a
+/// variable of its own.
+constexpr double kLeastReturnShare = 0.1;
+constexpr std::size_t kOtherLevers =
+    4;                                ///< index of the first variable that is another axis's lever
+constexpr double kMovedLever = 0.05;  ///< from which on another lever counts as moved
+/// Standard deviations of nominal numbers; a nuisance may be off by two of them (likelihood.h).
+/// Rates: a data sheet is right to 3 %. Full effort over inertia: effort, masses and their places
+/// are off by about 3 % each, and inertia goes with the square of a place.
 constexpr double kNominalRate = 0.015, kNominalEffort = 0.07;
 
-/// Whether most samples of a moving axis are the one before, bit for bit: a slower measurement that
-/// is handed on again and again.
+/// Whether most samples of a moving axis repeat the one before bit for bit: a slower measurement
+/// that is passed on again and again.
 bool IsHeld(const std::vector<double>& rate_radps) {
   std::size_t moving = 0, repeated = 0;
   for (std::size_t i = 1; i < rate_radps.size(); ++i) {
@@ -44,8 +49,8 @@ bool IsHeld(const std::vector<double>& rate_radps) {
   return 2 * repeated > moving;
 }
 
-/// The samples that are measurements of their own: of a held rate those that differ from the one
-/// before, of any rate none of a number that has stood for long without a lever.
+/// The samples that are new measurements. Of a held rate these differ from the one before; a number
+/// that has repeated itself for long without a lever is none in any case.
 MeasuredRate Fresh(const MeasuredRate& measured, const AxisLog& log) {
   const bool held = IsHeld(measured.rate_radps);
   MeasuredRate fresh = measured;
@@ -60,7 +65,7 @@ MeasuredRate Fresh(const MeasuredRate& measured, const AxisLog& log) {
     const double stood_s = ToSeconds(measured.t_ns[i] - measured.t_ns[first]);
     const auto step = static_cast<std::size_t>(std::max(0.0, measured.at_step[i]));
     const bool pushed = log.levers_at(std::min(step, log.steps - 1))[measured.axis] != 0;
-    if ((held && repeats) || (stood_s > kStill_s && !pushed)) continue;
+    if ((held && repeats) || (stood_s > kLongestRepeat_s && !pushed)) continue;
     fresh.t_ns.push_back(measured.t_ns[i]);
     fresh.at_step.push_back(measured.at_step[i]);
     fresh.rate_radps.push_back(measured.rate_radps[i]);
@@ -69,26 +74,26 @@ MeasuredRate Fresh(const MeasuredRate& measured, const AxisLog& log) {
   return fresh;
 }
 
-/// Without the samples of moments in which the drive gives all it has: how fast it then is depends
-/// on other joints, which give way, and on where its cylinder stands, of which the replay of one
-/// axis knows nothing. All of them stay where it gives all it has most of the time.
+/// Leaves out samples at which the drive's effort is exhausted: how fast the axis then is depends
+/// on other joints, which yield, and on the position of its cylinder, of which the replay of one
+/// axis knows nothing. All samples stay where the effort is exhausted most of the time.
 MeasuredRate WithinItsEffort(const LoneAxisReplay& replay, MeasuredRate measured) {
   const std::vector<bool> falls_short =
-      replay.FallsShort(replay.effects(), {.effort = kSurelyThere});
+      replay.FallsShort(replay.effects(), {.effort = kSureEffortShare});
   double moves = 0, lost = 0;
   for (std::size_t i = 0; i < falls_short.size(); ++i) {
     if (!measured.is_free[i] || measured.rate_radps[i] == 0) continue;
     ++moves;
     lost += falls_short[i] ? 1 : 0;
   }
-  if (lost > kMostLost * moves) return measured;
+  if (lost > kMostLeftOutShare * moves) return measured;
   for (std::size_t i = 0; i < falls_short.size(); ++i) {
     if (falls_short[i]) measured.is_free[i] = false;
   }
   return measured;
 }
 
-/// A quantity of the log's steps at the places of the grid.
+/// A quantity of the log's steps, interpolated to the places of the grid.
 template <typename Value>
 Series Sampled(const SampleGrid& grid, const AxisLog& log, const MeasuredRate& measured,
                const Value& value_at_step) {
@@ -101,7 +106,7 @@ Series Sampled(const SampleGrid& grid, const AxisLog& log, const MeasuredRate& m
   return series;
 }
 
-/// Shapes of a lever that a valve may make of it.
+/// Functions of a lever by which a valve may respond.
 std::array<double, 5> ShapesOf(double u) {
   const auto beyond = [&](double dead) {
     return std::copysign(std::max(0.0, std::abs(u) - dead), u);
@@ -109,7 +114,7 @@ std::array<double, 5> ShapesOf(double u) {
   return {u, u * std::abs(u), beyond(0.1), beyond(0.25), u > 0 ? 1.0 : (u < 0 ? -1.0 : 0.0)};
 }
 
-/// The lever by time and by what the other levers do.
+/// Columns of the lever times time and times the other levers.
 Eigen::MatrixXd ByTimeAndOthers(const Series& lever, const std::vector<Series>& others) {
   const auto rows = static_cast<Eigen::Index>(lever.size());
   Eigen::MatrixXd columns(rows, static_cast<Eigen::Index>(2 + 2 * others.size()));
@@ -120,13 +125,13 @@ Eigen::MatrixXd ByTimeAndOthers(const Series& lever, const std::vector<Series>& 
     for (const double x : {u * t, u * t * t}) columns(k, c++) = x;
     for (const Series& other : others) {
       const double v = std::abs(other.value[at]);
-      for (const double x : {u * v, v > kMoved ? u : 0.0}) columns(k, c++) = x;
+      for (const double x : {u * v, v > kMovedLever ? u : 0.0}) columns(k, c++) = x;
     }
   }
   return columns;
 }
 
-/// The lever's shapes through lags, and the lever by position and load.
+/// Columns of the lever's functions at several lags, and of the lever times position and load.
 Eigen::MatrixXd ByLagAndPlace(const Series& lever, const Series& position, const Series& load) {
   const auto rows = static_cast<Eigen::Index>(lever.size());
   const double spread = std::max(RobustScale(position.value), 1e-9);
@@ -158,8 +163,8 @@ Eigen::MatrixXd ByLagAndPlace(const Series& lever, const Series& position, const
   return columns;
 }
 
-/// What the rate at full lever and the effort over the inertia change without any candidate, to the
-/// second order: where the rate is limited by the effort, a larger one is reached later.
+/// Changes of the prediction without candidates by the rate at full lever and by the effort over
+/// the inertia, to second order: where effort limits the rate, a larger rate is reached later.
 Eigen::MatrixXd NominalColumns(const LoneAxisReplay& replay, const SampleGrid& grid) {
   const auto predict = [&](double rate, double effort) -> Eigen::VectorXd {
     const std::vector<double> y =
@@ -171,13 +176,13 @@ Eigen::MatrixXd NominalColumns(const LoneAxisReplay& replay, const SampleGrid& g
   const Eigen::VectorXd faster = predict(1, 0) - nominal, slower = predict(-1, 0) - nominal;
   const Eigen::VectorXd stronger = predict(0, 1) - nominal, weaker = predict(0, -1) - nominal;
   Eigen::MatrixXd columns(nominal.size(), 5);
-  // The second order is that of two standard deviations for a coefficient of two.
+  // The second-order columns are those of two standard deviations at a coefficient of two.
   columns << (faster - slower) / 2, faster + slower, (stronger - weaker) / 2, stronger + weaker,
       2 * (predict(1, 1) - nominal - faster - stronger);
   return columns;
 }
 
-/// Of the variables below.
+/// The flexible regressor, from the variables that VariablesOf returns.
 Eigen::MatrixXd FlexibleRegressor(const std::vector<RegimeVariable>& variables) {
   const Series& lever = variables[0].series;
   std::vector<Series> others;
@@ -190,7 +195,8 @@ Eigen::MatrixXd FlexibleRegressor(const std::vector<RegimeVariable>& variables) 
   return columns;
 }
 
-/// Terms of slot flow act on the pump, all others on the axis.
+/// The effects with a structure's terms: those of slot flow act on the pump, all others on the
+/// axis.
 AxisEffects WithTerms(const AxisEffects& present, const Structure& terms) {
   Structure of_axis, of_pump;
   for (const Term& term : terms) {
@@ -211,34 +217,36 @@ bool HasLever(const MachineModel& model, std::size_t axis) {
   });
 }
 
-/// Which way an axis's lever went last, -1 or 1 by more than what it trembles by; 0 at neutral.
-std::vector<double> WaysOf(const AxisLog& log, std::size_t axis) {
+/// The direction, -1 or 1, in which an axis's lever moved last by more than its tremor; 0 at
+/// neutral.
+std::vector<double> DirectionsOf(const AxisLog& log, std::size_t axis) {
   std::vector<double> ways;
   double followed = 0, way = 0;
   for (std::size_t k = 0; k < log.steps; ++k) {
     const double lever = log.levers_at(k)[axis];
-    if (std::abs(lever - followed) > kTremble) {
+    if (std::abs(lever - followed) > kLeverTremor) {
       way = lever > followed ? 1 : -1;
-      followed = lever - way * kTremble;
+      followed = lever - way * kLeverTremor;
     }
-    ways.push_back(std::abs(lever) <= kTremble ? 0 : way);
+    ways.push_back(std::abs(lever) <= kLeverTremor ? 0 : way);
   }
   return ways;
 }
 
-/// Whether the lever comes back often enough for the way in which it went to be something else than
-/// the side on which it is: under full levers alone it is not.
-bool ComesBack(const AxisLog& log, std::size_t axis, const std::vector<double>& ways) {
+/// Whether the lever comes back for long enough that its direction differs from its sign; under
+/// full levers alone it does not.
+bool ReturnsOften(const AxisLog& log, std::size_t axis, const std::vector<double>& ways) {
   std::size_t out = 0, back = 0;
   for (std::size_t k = 0; k < log.steps; ++k) {
     if (ways[k] == 0) continue;
     ++out;
     back += ways[k] * log.levers_at(k)[axis] < 0 ? 1 : 0;
   }
-  return static_cast<double>(back) > kLeastBack * static_cast<double>(out);
+  return static_cast<double>(back) > kLeastReturnShare * static_cast<double>(out);
 }
 
-/// Lever, position, load, time, and from kOtherLevers on the other levers.
+/// The variables of an axis: lever, position, load, time, and from index kOtherLevers on the other
+/// levers.
 std::vector<RegimeVariable> VariablesOf(const MachineModel& model, const AxisLog& log,
                                         const MeasuredRate& measured, const SampleGrid& grid) {
   const std::size_t own = measured.axis;
@@ -284,8 +292,8 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   channel.nuisances = {.offset = 1e-3, .gain = 0.005, .delay_s = 0.5 * grid.period_s};
   channel.variables = VariablesOf(model, log, measured, grid);
   channel.flexible_regressor = FlexibleRegressor(channel.variables);
-  const std::vector<double> ways = WaysOf(log, axis);
-  if (ComesBack(log, axis, ways)) {
+  const std::vector<double> ways = DirectionsOf(log, axis);
+  if (ReturnsOften(log, axis, ways)) {
     channel.variables.push_back(
         {"lever_way/" + NameOfAxis(model, axis),
          Sampled(grid, log, measured, [&](std::size_t k) { return ways[k]; })});
@@ -295,7 +303,7 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   block.name = NameOfAxis(model, axis);
   block.slides = channel.unit == "m/s";
   block.first_ns = measured.t_ns.front();
-  // Other levers move the axis through its position and load alone, which are measured.
+  // Other levers act on the axis through its position and load alone, which are measured.
   block.commands = {channel.variables[0].series};
   block.channels.push_back(std::move(channel));
   block.candidates = CandidatesOfAxis(model, log, axis, replay.pump());

@@ -16,15 +16,17 @@ namespace tera {
 namespace {
 
 constexpr std::size_t kFewestIntervals = 100;
-constexpr int kLags = 4;
+constexpr int kLags = 4;  ///< of the sides' speeds, in the flexible regressor
 constexpr double kLongestLag_s = 0.5;
-/// Of asphalt, gravel and dry earth (Wong, Theory of Ground Vehicles, 4th ed. 2008, ch. 1); half of
-/// it for loose or wet ground, an estimate.
+/// Friction of asphalt, gravel and dry earth (Wong, Theory of Ground Vehicles, 4th ed. 2008, ch.
+/// 1), and half of it for loose or wet ground, an estimate.
 constexpr double kFrictionOfFirm = 0.7, kFrictionOfLoose = 0.35;
-constexpr double kMostHeldBack = 0.1;  ///< of the RMS of turning rates, while it turns
-constexpr double kTurns_radps = 0.02;  ///< slower: it stands or goes straight
-constexpr double kDriven_mps =
-    0.1;  ///< slower sides at their fastest: hardly driven, or not at all
+/// Turning rate that loose ground may hold back, over the RMS of turning rates while it turns;
+/// samples with more are excluded.
+constexpr double kMostHeldBackShare = 0.1;
+constexpr double kLeastTurning_radps = 0.02;  ///< a slower machine stands or goes straight
+/// Largest speed of a side from which on a machine counts as driven.
+constexpr double kLeastDriven_mps = 0.1;
 
 std::vector<Candidate> CandidatesOf(const Effects& present) {
   CandidateList out("base", EffectTarget::kBase, present, GroundMechanisms());
@@ -39,7 +41,8 @@ std::vector<Candidate> CandidatesOf(const Effects& present) {
   return out.Take();
 }
 
-/// The base over the intervals: speeds of the sides by their gears, and slopes.
+/// The motion that the base's replay knows of each interval: the speeds of both sides by their
+/// gears, and slopes.
 struct Course {
   std::vector<double> left_mps, right_mps, roll_rad, pitch_rad, time_s;
 };
@@ -104,9 +107,10 @@ std::vector<RegimeVariable> VariablesOf(const Course& course, const SampleGrid& 
           {"time", grid.SpreadSeries(course.time_s, all)}};
 }
 
-/// A side's speed over the fastest one. Noise of the encoders of a machine that stands is none.
+/// A side's speed over its largest, as a command; a machine that only stands has none, for then it
+/// would be noise of the encoders.
 Series CommandOf(const std::vector<double>& speed_mps, const SampleGrid& grid) {
-  double fastest = kDriven_mps;
+  double fastest = kLeastDriven_mps;
   for (const double v : speed_mps) fastest = std::max(fastest, std::abs(v));
   std::vector<double> share;
   for (const double v : speed_mps) share.push_back(v / fastest);
@@ -119,8 +123,8 @@ std::vector<double> PartOf(const std::vector<PlanarTwist>& twists, double Planar
   return values;
 }
 
-/// What the forward speed changes by where the ground does not take the machine along at once, a
-/// column for each grip: all of it, of which a coefficient of one is then a standard deviation.
+/// Changes of the forward speed where the ground cannot accelerate the machine at once, a column
+/// for each grip. A coefficient of one standard deviation is the whole change.
 Eigen::MatrixXd HeldBack(const MachineModel& model, const BaseLog& log, const SampleGrid& grid,
                          const std::vector<Grip>& grips) {
   const BaseReplay replay(model, log);
@@ -137,19 +141,20 @@ Eigen::MatrixXd HeldBack(const MachineModel& model, const BaseLog& log, const Sa
   return columns;
 }
 
-/// However long it stands besides; infinite where it never turns.
+/// RMS of the turning rate while the machine turns, however long it stands besides; infinite where
+/// it never turns.
 double RmsWhileTurning_radps(const std::vector<double>& yaw_radps) {
   double sum = 0, count = 0;
   for (const double rate_radps : yaw_radps) {
-    if (std::abs(rate_radps) < kTurns_radps) continue;
+    if (std::abs(rate_radps) < kLeastTurning_radps) continue;
     sum += rate_radps * rate_radps;
     ++count;
   }
   return count > 0 ? std::sqrt(sum / count) : INFINITY;
 }
 
-/// Which turning rates loose ground could not give at once, on the grid: they lag behind the tracks
-/// by the mass.
+/// The places of the grid whose turning rate loose ground could not give at once, so that it lags
+/// behind the tracks by the machine's inertia.
 std::vector<bool> LaggingTurns(const MachineModel& model, const BaseLog& log,
                                const SampleGrid& grid, const Grip& loose) {
   const BaseReplay replay(model, log);
@@ -157,7 +162,7 @@ std::vector<bool> LaggingTurns(const MachineModel& model, const BaseLog& log,
       grid.Spread(PartOf(replay.Predict(model.effects.base), &PlanarTwist::yaw_radps));
   const std::vector<double> late =
       grid.Spread(PartOf(replay.Predict(model.effects.base, {}, loose), &PlanarTwist::yaw_radps));
-  const double most_radps = kMostHeldBack * RmsWhileTurning_radps(at_once);
+  const double most_radps = kMostHeldBackShare * RmsWhileTurning_radps(at_once);
   std::vector<bool> is_lagging;
   for (std::size_t k = 0; k < late.size(); ++k) {
     is_lagging.push_back(std::abs(late[k] - at_once[k]) > most_radps);
@@ -202,9 +207,10 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
   };
   add("/forward_mps", "m/s", &PlanarTwist::forward_mps, HeldBack(model, log, grid, {firm, loose}));
   add("/left_mps", "m/s", &PlanarTwist::left_mps, {});
-  // No columns: with them the stamps of a real recording's poses went unfound.
+  // Turning has no such columns: with them the arrival stamps of a real recording were not found.
   add("/yaw_radps", "rad/s", &PlanarTwist::yaw_radps, {});
-  // Where stamps may be those of arrivals, such samples tell when the poses were, and stay.
+  // Where stamps may be those of arrivals, such samples show when the poses were measured, and
+  // stay.
   if (!log.may_be_arrivals)
     block.channels.back().is_lagging = LaggingTurns(model, log, grid, loose);
   block.commands = {CommandOf(course.left_mps, grid), CommandOf(course.right_mps, grid)};

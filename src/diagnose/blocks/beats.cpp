@@ -12,13 +12,14 @@
 namespace tera {
 namespace {
 
-constexpr double kWindow_s = 60;
-/// Frequencies tried in one over the length: to find a peak, and to say where it is.
+constexpr double kWindow_s = 60;  ///< in which peaks are found
+/// Frequencies tried per 1 / length: to find a peak, and to refine it.
 constexpr double kCoarse = 4, kFine = 64;
 
-constexpr double kBin_s = 0.01;  ///< within which changes are one
+constexpr double kBin_s = 0.01;  ///< within which changes count as one
 
-/// Sizes of changes and the middles of the times between which they happened.
+/// Changes of a quantity: their sizes, and the middles of the sample intervals in which they
+/// happened.
 struct Changes {
   std::vector<double> t_s, size;
 
@@ -50,7 +51,7 @@ Changes ChangesOf(const std::vector<double>& t_s, const std::vector<double>& val
   return changes;
 }
 
-/// The minute with most change.
+/// The changes of the minute with most change.
 Changes Liveliest(const Changes& all) {
   std::size_t from = 0, best_from = 0, best_to = 0;
   double energy = 0, most = -1;
@@ -81,8 +82,8 @@ struct Peak {
   double frequency_hz = 0, height = 0;
 };
 
-/// Heights of the sum at evenly spaced frequencies: every change's phase turns by the same angle
-/// from one to the next.
+/// The periodogram at evenly spaced frequencies: each change's phase turns by the same angle from
+/// one frequency to the next.
 std::vector<double> HeightsOf(const Changes& changes, double lowest_hz, double step_hz,
                               std::size_t count) {
   const auto size = static_cast<Eigen::Index>(changes.t_s.size());
@@ -101,7 +102,7 @@ std::vector<double> HeightsOf(const Changes& changes, double lowest_hz, double s
   return height;
 }
 
-/// Local maxima, the highest first.
+/// The local maxima of the periodogram, the highest first.
 std::vector<Peak> PeaksOf(const Changes& changes, double lowest_hz, double highest_hz,
                           double steps_of_resolution) {
   const double step_hz = 1 / (steps_of_resolution * changes.length_s());
@@ -117,7 +118,7 @@ std::vector<Peak> PeaksOf(const Changes& changes, double lowest_hz, double highe
   return peaks;
 }
 
-/// The highest peak around a frequency; that itself where there is none.
+/// The frequency of the highest value around a frequency.
 double Highest(const Changes& changes, double frequency_hz, double around_hz,
                double steps_of_resolution) {
   const std::vector<Peak> peaks =

@@ -22,8 +22,8 @@ class CandidateList {
                 std::span<const Mechanism> library)
       : target_(std::move(target)), kind_(kind), present_(present), library_(library) {}
 
-  /// `id` must be in the library, for targets of that kind; `starts` are for a target without it.
-  /// Returns the candidate, until the next one.
+  /// Adds a mechanism; `id` must be in the library for targets of that kind, `starts` are for a
+  /// target without it. The reference is valid until the next call.
   Candidate& Add(std::string_view id, std::vector<FreeParameter> free,
                  std::vector<std::vector<double>> starts);
   std::vector<Candidate> Take() { return std::move(found_); }
@@ -36,11 +36,11 @@ class CandidateList {
   std::vector<Candidate> found_;
 };
 
-/// The effects of a target with those of `terms`, each in place of what it has of that mechanism.
+/// The effects of a target with `terms`, each in place of what the target has of its mechanism.
 Effects WithTerms(Effects present, const Structure& terms);
 
-/// The machine with `terms` on the base, joints, gears and pumps that they act on; terms of sensors
-/// and of other things that are no part of it are left out.
+/// The machine with `terms` on the base, joints, gears and pumps that they act on. Terms of sensors
+/// and of anything else that is no part of the machine are ignored.
 MachineModel WithTerms(MachineModel model, const Structure& terms);
 
 }  // namespace tera

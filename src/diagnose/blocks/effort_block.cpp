@@ -14,9 +14,12 @@ namespace tera {
 namespace {
 
 constexpr std::size_t kFewestSamples = 200;
-constexpr double kNominalMass = 0.03;  ///< standard deviation, of mass, inertia and weight
-constexpr double kMostOfEfforts = 0.99;
-constexpr double kSoftSign = 0.02;  ///< of the largest rate, over which a free sign turns
+constexpr double kNominalMass =
+    0.03;  ///< standard deviation of mass, inertia and weight, as shares
+/// Quantile of the efforts' magnitudes that bounds the sizes of candidates.
+constexpr double kLargestQuantile = 0.99;
+/// Width of the flexible regressor's smoothed sign, over the largest rate.
+constexpr double kSignWidth = 0.02;
 
 double LargestOf(const std::vector<double>& x) {
   double largest = 0;
@@ -24,7 +27,7 @@ double LargestOf(const std::vector<double>& x) {
   return largest;
 }
 
-/// Sizes that the numbers of candidates are looked for in.
+/// The largest effort and rate of the log, by which sizes of candidates are bounded.
 struct Reach {
   double effort_nm = 0, rate_radps = 0;
   double viscous_nmsprad() const { return effort_nm / rate_radps; }
@@ -33,7 +36,7 @@ struct Reach {
 Reach ReachOf(const EffortLog& log) {
   std::vector<double> magnitude_nm = ValidValues(log.measured);
   for (double& e : magnitude_nm) e = std::abs(e);
-  return {Quantile(magnitude_nm, kMostOfEfforts), LargestOf(log.rate_radps)};
+  return {Quantile(magnitude_nm, kLargestQuantile), LargestOf(log.rate_radps)};
 }
 
 std::vector<Candidate> CandidatesOf(const std::string& joint, const Effects& present,
@@ -54,7 +57,7 @@ std::vector<Candidate> CandidatesOf(const std::string& joint, const Effects& pre
   return out.Take();
 }
 
-/// What friction of any form could be, by position, and what a wrong mass could.
+/// The flexible regressor: friction of any form, by position, and the effort of a wrong mass.
 Eigen::MatrixXd FlexibleRegressor(const EffortLog& log) {
   const double w = LargestOf(log.rate_radps), a = LargestOf(log.acceleration_radps2);
   const double middle = Median(log.position_rad);
@@ -62,7 +65,7 @@ Eigen::MatrixXd FlexibleRegressor(const EffortLog& log) {
   Eigen::MatrixXd columns(static_cast<Eigen::Index>(log.rate_radps.size()), 20);
   for (std::size_t k = 0; k < log.rate_radps.size(); ++k) {
     const double v = log.rate_radps[k] / w, b = log.acceleration_radps2[k] / std::max(a, 1e-9);
-    const double sign = std::tanh(v / kSoftSign), slow = std::exp(-std::pow(v / 0.1, 2));
+    const double sign = std::tanh(v / kSignWidth), slow = std::exp(-std::pow(v / 0.1, 2));
     const double q = std::clamp((log.position_rad[k] - middle) / (2 * spread), -2.0, 2.0);
     const std::array<double, 20> row = {
         1.0,      sign,         v,     std::abs(v), v * std::abs(v),
@@ -106,7 +109,7 @@ std::vector<RegimeVariable> VariablesOf(const std::string& joint, const EffortLo
   return variables;
 }
 
-/// The rate over its largest.
+/// The rate over its largest value, as a command by which manoeuvres are cut.
 Series CommandOf(const EffortLog& log, double largest_radps) {
   Series command{log.measured.period_s, log.rate_radps, Mask(log.rate_radps.size(), 1)};
   for (double& share : command.value) share /= largest_radps;
@@ -119,7 +122,7 @@ std::optional<ReplayBlock> MakeEffortBlock(const MachineModel& model, EffortLog 
   if (CountValid(given.measured.valid) < kFewestSamples) return std::nullopt;
   const Reach reach = ReachOf(given);
   if (reach.rate_radps <= 0 || reach.effort_nm <= 0) return std::nullopt;
-  // What predicts holds both for as long as the block lives.
+  // The block's replay keeps both alive.
   const auto log = std::make_shared<const EffortLog>(std::move(given));
   const auto machine = std::make_shared<const MachineModel>(model);
   const Joint& joint = machine->joints[log->joint];

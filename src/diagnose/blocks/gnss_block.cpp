@@ -17,22 +17,21 @@ namespace {
 constexpr std::ptrdiff_t kFewestPositions = 100;
 constexpr std::array<const char*, 3> kColumns = {"/east_m", "/north_m", "/up_m"};
 constexpr std::size_t kMostPositions = 1200;  ///< of a receiver, that are compared
-constexpr double kLargestYaw_deg = 135;       ///< of a pair: a half turn is an exchange
-constexpr double kPlaced_m = 0.01;            ///< to which an antenna's place on its link is known
-constexpr double kLeastOffset_m = 1e-3;
-/// Slower, or turning slower, a machine is at rest.
+constexpr double kLargestYaw_deg = 135;       ///< of a pair: half a turn is an exchange
+constexpr double kPlacement_m = 0.01;    ///< standard deviation of an antenna's place on its link
+constexpr double kLeastOffset_m = 1e-3;  ///< standard deviation of a channel's offset, at least
+/// A machine that moves and turns slower is at rest.
 constexpr double kLeastSpeed_mps = 0.05, kLeastTurning_radps = 0.02;
 constexpr TimeNs kHalfSpan_ns = 250'000'000;  ///< over which velocities are means
-/// Of a clock, that the flexible regressor can follow: short ones, and that between GPS time and
-/// UTC.
+/// Delays that the flexible regressor can follow: short ones, and those between GPS time and UTC.
 constexpr std::array<double, 8> kLate_s = {-18, -8, -3, -1, 1, 3, 8, 18};
 
 using Axes = std::array<std::vector<double>, 3>;
 
-/// Times that all receivers of a block stand on.
+/// The time grid of all receivers of a block.
 struct CommonGrid {
-  std::vector<SampleGrid> of;      ///< by receiver, under every so many-th of its samples
-  std::vector<std::size_t> every;  ///< by receiver
+  std::vector<SampleGrid> of;      ///< by receiver, under its compared samples
+  std::vector<std::size_t> every;  ///< by receiver: each so many-th sample is compared
   TimeNs first_ns = 0;
 
   std::size_t size() const { return of.front().size; }
@@ -49,7 +48,8 @@ std::vector<Value> Every(std::size_t step, const std::vector<Value>& values) {
   return out;
 }
 
-/// By receiver: of its positions every so many-th is compared. What has fewer keeps more of them.
+/// The n of each receiver of whose positions every n-th is compared; a receiver with fewer
+/// positions keeps more of them.
 std::vector<std::size_t> ThinningOf(const GnssLog& log) {
   std::size_t most = 1;
   for (const ReceiverLog& one : log) most = std::max(most, one.t_ns.size());
@@ -80,7 +80,7 @@ CommonGrid GridOf(const GnssLog& log) {
   return grid;
 }
 
-/// How an antenna, where it is documented, was carried: at the places of a grid.
+/// The motion of an antenna at its documented mount, at the places of a grid.
 struct Course {
   std::vector<double> east_mps, north_mps, up_mps;
   std::vector<double> forward_mps, left_mps, turning_radps;
@@ -130,7 +130,7 @@ Course CourseOf(const SensorDescription& receiver, const ReceiverLog& log, const
   return course;
 }
 
-/// Of east, north or up.
+/// The flexible regressor of east, north or up.
 Eigen::MatrixXd FlexibleRegressor(const Course& course, int axis) {
   std::vector<double> sine, cosine, swing_sine, swing_cosine, time, square;
   const double last_s = std::max(course.time_s.back(), 1e-9);
@@ -172,15 +172,16 @@ Eigen::MatrixXd FlexibleRegressor(const Course& course, int axis) {
   return columns;
 }
 
-/// What east, north or up change by where the antenna sits a little ahead, and to the left.
-Eigen::MatrixXd Placed(const Course& course, std::size_t axis) {
+/// Changes of east, north or up where the antenna is mounted a little further ahead, and to the
+/// left.
+Eigen::MatrixXd PlacementColumns(const Course& course, std::size_t axis) {
   const auto size = static_cast<Eigen::Index>(course.yaw_rad.size());
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(size, axis < 2 ? 2 : 0);
   for (Eigen::Index k = 0; axis < 2 && k < size; ++k) {
     const double yaw_rad = course.yaw_rad[static_cast<std::size_t>(k)];
     const Vec3 ahead(std::cos(yaw_rad), std::sin(yaw_rad), 0);
-    columns(k, 0) = kPlaced_m * ahead[static_cast<Eigen::Index>(axis)];
-    columns(k, 1) = kPlaced_m * Vec3::UnitZ().cross(ahead)[static_cast<Eigen::Index>(axis)];
+    columns(k, 0) = kPlacement_m * ahead[static_cast<Eigen::Index>(axis)];
+    columns(k, 1) = kPlacement_m * Vec3::UnitZ().cross(ahead)[static_cast<Eigen::Index>(axis)];
   }
   return columns;
 }
@@ -201,7 +202,7 @@ std::vector<RegimeVariable> VariablesOf(const Course& course, bool has_boom, dou
   return variables;
 }
 
-/// Over the largest; nothing where it is no motion.
+/// Values over their largest, as a command; zero where even the largest is no motion.
 Series CommandOf(std::vector<double> values, double least, double period_s) {
   double largest = least;
   for (const double x : values) largest = std::max(largest, std::abs(x));
@@ -238,8 +239,8 @@ void AddCandidates(const SensorDescription& receiver, bool has_boom, bool is_pai
   std::move(found.begin(), found.end(), std::back_inserter(*candidates));
 }
 
-/// What exchanges or turns a pair stands at one of the two: where the scenario has it, else at the
-/// first.
+/// The candidates of a block. An effect that exchanges or turns a pair is a candidate of one of the
+/// two: of the one where the scenario has it, else of the first.
 std::vector<Candidate> CandidatesOf(const std::vector<SensorDescription>& receivers,
                                     const GnssLog& log) {
   std::vector<Candidate> candidates;
@@ -255,7 +256,7 @@ std::vector<Candidate> CandidatesOf(const std::vector<SensorDescription>& receiv
   return candidates;
 }
 
-/// By axis, less `origin`.
+/// Positions relative to `origin_m`, by axis.
 Axes Split(const std::vector<Vec3>& p_m, const std::vector<Vec3>& origin_m) {
   Axes split;
   for (std::size_t k = 0; k < p_m.size(); ++k) {
@@ -265,7 +266,7 @@ Axes Split(const std::vector<Vec3>& p_m, const std::vector<Vec3>& origin_m) {
   return split;
 }
 
-/// Whether a term acts on a receiver: its own, or what exchanges or turns the pair.
+/// Whether a term acts on a receiver: it is the receiver's own, or exchanges or turns the pair.
 bool Concerns(const SensorDescription& receiver, const Structure& terms) {
   return std::any_of(terms.begin(), terms.end(), [&](const Term& term) {
     const std::string_view id = term.candidate->mechanism->id;
@@ -273,8 +274,8 @@ bool Concerns(const SensorDescription& receiver, const Structure& terms) {
   });
 }
 
-/// What a block that lives on predicts with.
-struct Held {
+/// The data that a block's replay keeps alive.
+struct ReplayData {
   std::vector<SensorDescription> receivers;
   GnssLog log;
   std::vector<std::vector<Vec3>> documented_m;  ///< by receiver
@@ -305,8 +306,8 @@ std::string NameOf(const std::vector<SensorDescription>& receivers, const std::s
   return name;
 }
 
-void AddChannels(const Held& held, std::size_t r, const Course& course, const CommonGrid& grid,
-                 const std::string& channel, ReplayBlock* block) {
+void AddChannels(const ReplayData& held, std::size_t r, const Course& course,
+                 const CommonGrid& grid, const std::string& channel, ReplayBlock* block) {
   const ReceiverLog& log = held.log[r];
   const Axes measured = Split(log.p_WS_m, held.documented_m[r]);
   const auto& noise = std::get<GnssModel>(held.receivers[r].model);
@@ -319,7 +320,7 @@ void AddChannels(const Held& held, std::size_t r, const Course& course, const Co
                                {.offset = std::max(slow_m, kLeastOffset_m), .gain = 1e-5},
                                VariablesOf(course, log.boom.has_value(), grid.period_s()),
                                FlexibleRegressor(course, static_cast<int>(i)),
-                               Placed(course, i)});
+                               PlacementColumns(course, i)});
   }
 }
 
@@ -330,7 +331,7 @@ std::optional<ReplayBlock> MakeGnssBlock(const std::vector<SensorDescription>& r
   for (const ReceiverLog& one : log) {
     if (std::count(one.known.begin(), one.known.end(), true) < kFewestPositions) return {};
   }
-  const auto held = std::make_shared<Held>(Held{receivers, std::move(log), {}});
+  const auto held = std::make_shared<ReplayData>(ReplayData{receivers, std::move(log), {}});
   held->documented_m = held->Predict({});
   const CommonGrid grid = GridOf(held->log);
   ReplayBlock block;
@@ -346,7 +347,7 @@ std::optional<ReplayBlock> MakeGnssBlock(const std::vector<SensorDescription>& r
   }
   block.candidates = CandidatesOf(receivers, held->log);
   block.replay =
-      WholeReplay([held = std::shared_ptr<const Held>(held), grid](const Structure& terms) {
+      WholeReplay([held = std::shared_ptr<const ReplayData>(held), grid](const Structure& terms) {
         const auto predicted_m = held->Predict(terms);
         std::vector<std::vector<double>> channels;
         for (std::size_t r = 0; r < predicted_m.size(); ++r) {

@@ -14,8 +14,10 @@ namespace {
 
 constexpr std::ptrdiff_t kFewestIntervals = 100;
 constexpr std::size_t kQuantities = 6;
+/// Correlation of a predicted quantity from one interval to the next, at least, for it to be
+/// motion.
 constexpr double kLeastCorrelation = 0.3;
-constexpr double kTurns_radps = 0.02;  ///< of a link: less is rest
+constexpr double kLeastTurning_radps = 0.02;  ///< of a link: less is rest
 constexpr std::array<const char*, kQuantities> kColumns = {"wx_radps", "wy_radps", "wz_radps",
                                                            "ax_mps2",  "ay_mps2",  "az_mps2"};
 /// Lags of the flexible regressor's columns, in intervals.
@@ -23,7 +25,7 @@ constexpr std::array<std::size_t, 4> kLags = {0, 1, 2, 4};
 
 using Quantities = std::array<std::vector<double>, kQuantities>;
 
-/// A number for each of three axes at once.
+/// One number for the three rates and one for the three forces.
 std::vector<double> Triads(double gyro, double accel) {
   return {gyro, gyro, gyro, accel, accel, accel};
 }
@@ -36,9 +38,9 @@ std::vector<FreeParameter> Axes(std::size_t first, double gyro_lower, double gyr
   return free;
 }
 
-/// Whether a predicted quantity follows a motion: that lasts from one interval to the next, while
-/// what is differentiated noise of encoders turns about. Against such noise any factor below 1
-/// would look better than 1.
+/// Whether a predicted quantity shows motion, which lasts from one interval to the next;
+/// differentiated noise of encoders changes its sign. Against such noise any factor below 1 would
+/// look better than 1.
 bool IsExcited(const std::vector<double>& predicted) {
   double mean = 0, square = 0, next = 0;
   for (const double x : predicted) mean += x / static_cast<double>(predicted.size());
@@ -52,7 +54,8 @@ bool IsExcited(const std::vector<double>& predicted) {
 /// Whether the link never turned.
 bool IsAtRest(const Quantities& predicted) {
   return std::all_of(predicted.begin(), predicted.begin() + 3, [](const std::vector<double>& w) {
-    return std::all_of(w.begin(), w.end(), [](double one) { return std::abs(one) < kTurns_radps; });
+    return std::all_of(w.begin(), w.end(),
+                       [](double one) { return std::abs(one) < kLeastTurning_radps; });
   });
 }
 
@@ -129,7 +132,7 @@ std::vector<Candidate> CandidatesOf(const SensorDescription& sensor, const Quant
   return candidates;
 }
 
-/// A unit beside poses that are late: its clock is behind theirs.
+/// The effects of a unit beside poses with a latency: relative to theirs its clock is early.
 Effects WithPoseLatency(Effects effects, double late_s) {
   if (late_s == 0) return effects;
   const auto own = std::find_if(effects.begin(), effects.end(), [](const Effect& effect) {
@@ -147,7 +150,7 @@ Effects WithPoseLatency(Effects effects, double late_s) {
   return effects;
 }
 
-/// By quantity, each less its mean in `reference`.
+/// The quantities of samples, forces relative to a mean.
 Quantities Split(const std::vector<ImuSample>& samples, const Vec3& mean_f_S_mps2) {
   Quantities split;
   for (const ImuSample& sample : samples) {
@@ -160,7 +163,8 @@ Quantities Split(const std::vector<ImuSample>& samples, const Vec3& mean_f_S_mps
   return split;
 }
 
-/// All predicted quantities through lags, squares of rates, changes of rates, time.
+/// The flexible regressor: all predicted quantities at several lags, squares and changes of rates,
+/// and time.
 Eigen::MatrixXd FlexibleRegressor(const Quantities& predicted) {
   const std::size_t rows = predicted[0].size();
   Eigen::MatrixXd columns(static_cast<Eigen::Index>(rows),
@@ -185,7 +189,7 @@ Eigen::MatrixXd FlexibleRegressor(const Quantities& predicted) {
   return columns;
 }
 
-/// What a map that leans shows, to the flexible regressor.
+/// Adds the columns by which the flexible regressor follows a tilted map.
 void AddHeading(const ImuLog& log, Eigen::MatrixXd* columns) {
   const Eigen::Index first = columns->cols();
   columns->conservativeResize(Eigen::NoChange, first + 2);
@@ -222,8 +226,8 @@ std::vector<RegimeVariable> VariablesOf(const Quantities& predicted, const ImuLo
   return variables;
 }
 
-/// The rates about the three axes, each over its largest: what tells manoeuvres apart. At rest all
-/// of the recording is one command.
+/// The rates about the three axes, each over its largest, as commands by which manoeuvres are cut.
+/// At rest all of the recording is one command.
 std::vector<Series> CommandsOf(const Quantities& predicted, double period_s) {
   if (IsAtRest(predicted)) {
     const std::size_t size = predicted[0].size();
@@ -231,7 +235,7 @@ std::vector<Series> CommandsOf(const Quantities& predicted, double period_s) {
   }
   std::vector<Series> commands;
   for (std::size_t a = 0; a < 3; ++a) {
-    double largest = kTurns_radps;
+    double largest = kLeastTurning_radps;
     for (const double w : predicted[a]) largest = std::max(largest, std::abs(w));
     std::vector<double> share;
     for (const double w : predicted[a]) share.push_back(w / largest);
@@ -246,7 +250,7 @@ std::vector<Series> CommandsOf(const Quantities& predicted, double period_s) {
 std::optional<ReplayBlock> MakeImuBlock(const SensorDescription& sensor, ImuLog given,
                                         const std::string& channel, bool poses_were_measured) {
   if (std::count(given.known.begin(), given.known.end(), true) < kFewestIntervals) return {};
-  // What predicts holds all three for as long as the block lives.
+  // The block's replay keeps all three alive.
   const auto log = std::make_shared<const ImuLog>(std::move(given));
   const auto described = std::make_shared<const SensorDescription>(sensor);
   const auto replay = std::make_shared<const ImuReplay>(*described, *log);

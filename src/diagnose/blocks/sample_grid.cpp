@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-constexpr double kEmptiest = 50;  ///< places of the grid for each sample
+constexpr double kMostPlacesPerSample = 50;  ///< of a grid that is not mostly empty
 
 }  // namespace
 
@@ -22,7 +22,7 @@ SampleGrid SampleGrid::Under(const std::vector<TimeNs>& t_ns) {
   for (std::size_t i = 1; i < t_ns.size(); ++i) step_s.push_back(ToSeconds(t_ns[i] - t_ns[i - 1]));
   const double period_s = Median(step_s);
   const double length_s = ToSeconds(t_ns.back() - t_ns.front());
-  if (length_s > kEmptiest * period_s * static_cast<double>(t_ns.size())) {
+  if (length_s > kMostPlacesPerSample * period_s * static_cast<double>(t_ns.size())) {
     throw InputError(
         fmt::format("{} samples, {:.6f} s apart at the median, reach over {:.0f} s: they come in "
                     "bursts or leave a long gap; need samples that come about evenly (--from and "

@@ -6,7 +6,7 @@
 namespace tera {
 namespace {
 
-/// Between which steps a time is, and how far from the first to the second.
+/// A time as a step and the share of the way to the next one.
 struct Place {
   std::size_t a = 0, b = 0;
   double s = 0;

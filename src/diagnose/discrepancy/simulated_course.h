@@ -9,10 +9,10 @@
 
 namespace tera {
 
-/// How one machine moved in the simulation of its whole scenario, at even times.
+/// The motion of one machine in the simulation of its whole scenario, at even times.
 ///
 /// Frames  W of the scenario; B root link. Axes are joints, then gears, in the model's order.
-/// Model   motion is straight between steps.
+/// Model   motion is linear between steps.
 struct SimulatedCourse {
   struct Step {
     std::vector<double> position_rad, rate_radps;  ///< one for each axis
@@ -30,8 +30,9 @@ struct SimulatedCourse {
   Pose PoseAt(TimeNs t_ns) const;
 };
 
-/// What encoders, free of errors, would have measured in the simulation: the same axes at the same
-/// times, as far as it goes. Axes that the machine lacks stay as they were measured.
+/// What encoders without errors would have measured in the simulation: the axes and times of
+/// `measured`, as far as the simulation goes. Axes that the machine lacks stay as they were
+/// measured.
 std::vector<NamedEncoders> AsSimulated(const MachineModel& model, const SimulatedCourse& course,
                                        std::vector<NamedEncoders> measured);
 

@@ -14,7 +14,7 @@ namespace tera {
 namespace {
 
 constexpr Eigen::Index kSplines = 20;
-constexpr std::uint64_t kReplicates = 200;
+constexpr std::uint64_t kReplicates = 200;  ///< of the band
 
 /// Normal equations of a curve's coefficients.
 struct Normal {
@@ -27,7 +27,7 @@ struct Normal {
   }
 };
 
-/// A residual as a function of one variable, or as that share of the prediction.
+/// A residual as a function of one variable, or as the prediction times such a function.
 class CurveOver {
  public:
   CurveOver(const RegimeVariable& variable, const Series& residual)
@@ -50,7 +50,7 @@ class CurveOver {
     return {splines_.transpose() * weight.asDiagonal() * splines_, splines_.transpose() * pull};
   }
 
-  /// The curve, for a penalty that counts from the trace of the information.
+  /// The curve's coefficients. The penalty is in parts of the information's trace.
   Eigen::VectorXd Solve(const Normal& normal, double penalty) const {
     Eigen::MatrixXd left = normal.information;
     const double trace = left.trace();
@@ -132,7 +132,7 @@ CurveProposer::Choice CurveProposer::Choose() const {
   return best;
 }
 
-/// One for each manoeuvre of TRAIN and SELECT.
+/// The normal equations of each manoeuvre of TRAIN and SELECT.
 std::vector<Normal> CurveProposer::Normals(const CurveOver& over) const {
   std::vector<Normal> normals;
   for (const Segment& samples : SeenSegmentsOf(manoeuvres_)) normals.push_back(over.Over(samples));

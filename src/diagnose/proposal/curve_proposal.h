@@ -7,13 +7,14 @@
 
 namespace tera {
 
-/// The curve over one variable for what is left of a channel, if one is found that holds: added to
-/// the prediction, or multiplied with it and added.
+/// A curve over one variable that explains what is left of a channel, if one is found that holds.
+/// It is added to the prediction, or multiplied with the prediction and added.
 ///
-/// Model   penalised cubic B-splines (20) by least squares, of each of the channel's variables,
-///         both ways: the variable, the way and the penalty that, fitted to TRAIN, leave least of
-///         SELECT, fitted anew to both. Band: 5 to 95 % of fits to manoeuvres drawn with
-///         replacement, at each place. Nothing where FINAL does not gain a twentieth.
+/// Model   penalised cubic B-splines (20) by least squares, for each of the channel's variables,
+///         added and multiplied. The variable, the way and the penalty are those that, fitted to
+///         TRAIN, leave least of SELECT; they are then fitted to both. Band: 5 to 95 % of fits to
+///         manoeuvres drawn with replacement, at each place. None where FINAL gains less than a
+///         twentieth.
 /// Omits   dependence on two variables, and terms with memory; the bias of smoothing.
 /// Source  Eilers and Marx 1996.
 std::optional<Proposal> ProposeCurve(const ReplayBlock& block, const BlockDiagnosis& diagnosis,

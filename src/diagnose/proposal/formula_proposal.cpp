@@ -11,11 +11,12 @@ namespace tera {
 namespace {
 
 constexpr std::size_t kMostTerms = 3;
-constexpr std::uint64_t kHalves = 60;
-constexpr double kStable = 0.7, kAlike = 0.95;
-constexpr double kClip = 4;  ///< innovations beyond count as that
+constexpr std::uint64_t kHalves = 60;       ///< random halves of the manoeuvres
+constexpr double kLeastStability = 0.7;     ///< share of the halves that choose a term
+constexpr double kAlikeCorrelation = 0.95;  ///< of columns that count as the same term
+constexpr double kClip = 4;                 ///< robust scales: larger innovations count as this
 
-/// Normal equations over one manoeuvre: nuisances first, then terms.
+/// Normal equations of one manoeuvre: nuisances first, then terms.
 struct Products {
   Eigen::MatrixXd information;
   Eigen::VectorXd pull;
@@ -33,7 +34,7 @@ struct Products {
   }
 };
 
-/// Coefficients of some columns, and what they leave.
+/// The coefficients of some columns, and the sum of squares that they leave.
 struct Solved {
   Eigen::VectorXd beta;
   double left = 0;
@@ -68,7 +69,7 @@ class FormulaProposer {
   std::vector<LibraryTerm> library_;
   Eigen::Index nuisances_ = 0;
   Eigen::MatrixXd columns_;  ///< nuisances, then terms, each over its RMS
-  Eigen::VectorXd scale_;    ///< these
+  Eigen::VectorXd scale_;    ///< the columns' RMS
   std::vector<Products> of_manoeuvre_;
   Products all_, train_;
 };
@@ -125,7 +126,7 @@ std::vector<Eigen::Index> FormulaProposer::Columns(const std::vector<std::size_t
   return columns;
 }
 
-/// The terms that the criterion takes, in the order of what each adds.
+/// The terms that the criterion accepts, in the order in which the pursuit finds them.
 std::vector<std::size_t> FormulaProposer::Pursue(const Products& products) const {
   std::vector<std::size_t> chosen;
   double left = Solve(products, Columns(chosen)).left;
@@ -180,7 +181,7 @@ double FormulaProposer::StabilityOf(std::size_t term,
     count += std::any_of(terms.begin(), terms.end(),
                          [&](std::size_t t) {
                            if (alike[t] < 0)
-                             alike[t] = std::abs(own.dot(centred(t))) >= kAlike ? 1 : 0;
+                             alike[t] = std::abs(own.dot(centred(t))) >= kAlikeCorrelation ? 1 : 0;
                            return alike[t] == 1;
                          })
                  ? 1
@@ -189,7 +190,7 @@ double FormulaProposer::StabilityOf(std::size_t term,
   return count / static_cast<double>(chosen.size());
 }
 
-/// The residual less what some columns explain.
+/// The residual beyond what some columns explain.
 Series FormulaProposer::Left(const std::vector<Eigen::Index>& columns, const Solved& solved) const {
   const Eigen::VectorXd explained = columns_(Eigen::all, columns) * solved.beta;
   Series left = residual_;
@@ -208,7 +209,7 @@ std::optional<Proposal> FormulaProposer::Run(const Stream& stream) const {
   std::vector<std::size_t> stable;
   for (const std::size_t term : terms) {
     const double share = StabilityOf(term, halves);
-    if (share < kStable) continue;
+    if (share < kLeastStability) continue;
     stable.push_back(term);
     stability.push_back(share);
   }

@@ -9,8 +9,10 @@
 namespace tera {
 namespace {
 
-constexpr double kLeastGain = 0.05;  ///< of RMSE on FINAL
-constexpr double kMuchLess = 0.9;    ///< of RMSE on SELECT
+/// Share of FINAL's RMSE that a proposal must remove.
+constexpr double kLeastGain = 0.05;
+/// RMSE of a curve on SELECT over that of a formula, at most, for the curve to be proposed.
+constexpr double kMostCurveRatio = 0.9;
 
 }  // namespace
 
@@ -33,7 +35,7 @@ std::optional<Proposal> Propose(const ReplayBlock& block, const BlockDiagnosis& 
   std::optional<Proposal> formula = ProposeFormula(block, diagnosis, channel, stream);
   std::optional<Proposal> curve = ProposeCurve(block, diagnosis, channel, stream);
   const bool takes_curve =
-      curve && (!formula || curve->rmse_select < kMuchLess * formula->rmse_select);
+      curve && (!formula || curve->rmse_select < kMostCurveRatio * formula->rmse_select);
   return takes_curve ? std::move(curve) : std::move(formula);
 }
 

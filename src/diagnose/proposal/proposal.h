@@ -16,35 +16,37 @@ namespace tera {
 struct ProposedTerm {
   std::vector<Factor> factors;
   double coefficient = 0, sigma = 0;
-  double stability = 0;  ///< share of subsamples of the manoeuvres that choose it, or one alike
+  double stability = 0;  ///< share of random halves of the manoeuvres that choose it, or one alike
 };
 
-/// A curve over one of the channel's variables, at places of it.
+/// A curve over one of the channel's variables, tabulated.
 struct ProposedCurve {
   std::string variable;
-  bool is_share = false;  ///< of the predicted value, not in the channel's unit
+  bool is_share =
+      false;  ///< the curve is a share of the predicted value, not in the channel's unit
   Eigen::VectorXd at, mean, low, high;
 };
 
-/// What should be added to the prediction where no mechanism explains the error: a formula or a
-/// curve. A proposal, no name: it says of what the error is made, not why.
+/// A formula or curve that should be added to the prediction where no mechanism explains the error.
+/// It is a proposal and no name: it describes the error, not its cause.
 struct Proposal {
   std::size_t channel = 0;
   std::vector<ProposedTerm> terms;  ///< of a formula, the weightiest first
   std::optional<ProposedCurve> curve;
-  /// Of a formula beside offset, gain, delay and nominal numbers fitted anew, of a curve alone.
-  double rmse_select = 0;                  ///< on SELECT, of its numbers as TRAIN has them
-  double rmse_before = 0, rmse_after = 0;  ///< on FINAL, of which nothing was used
+  // RMSE of a formula are beside offset, gain, delay and nominal numbers, fitted anew; those of a
+  // curve are without.
+  double rmse_select = 0;                  ///< on SELECT, fitted to TRAIN alone
+  double rmse_before = 0, rmse_after = 0;  ///< on FINAL, to which nothing was fitted
 };
 
-/// RMS of what is valid in a mask.
+/// RMS of the valid samples of a mask.
 double RmsOver(const Series& series, const Mask& mask);
 
-/// Whether FINAL gains a twentieth of its RMSE.
+/// Whether a proposal removes a twentieth of FINAL's RMSE.
 bool Holds(const Proposal& proposal);
 
-/// What is proposed for what is left of a channel, if anything holds: a formula, unless a curve
-/// leaves less than nine tenths as much of SELECT.
+/// The proposal for what is left of a channel, if one holds: a formula, unless a curve leaves less
+/// than nine tenths of the formula's RMSE on SELECT.
 std::optional<Proposal> Propose(const ReplayBlock& block, const BlockDiagnosis& diagnosis,
                                 std::size_t channel, const Stream& stream);
 

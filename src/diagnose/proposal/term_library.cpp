@@ -6,8 +6,8 @@
 namespace tera {
 namespace {
 
-constexpr double kConstant = 1e-9;  ///< standard deviation over RMS
-constexpr double kAlike = 0.999;    ///< correlation
+constexpr double kConstantRatio = 1e-9;      ///< standard deviation over RMS of a constant column
+constexpr double kAlikeCorrelation = 0.999;  ///< of columns of which one is left out
 
 bool IsAngle(const RegimeVariable& variable, const std::string& channel_unit) {
   const std::string kind = variable.name.substr(0, variable.name.find('/'));
@@ -40,7 +40,7 @@ struct Source {
   std::string name;
   const std::vector<double>* value = nullptr;
   bool angle = false;
-  bool has_sign = false;  ///< a lever or rate, of which the sign says something
+  bool has_sign = false;  ///< a lever or rate, whose sign is a factor too
 };
 
 class Library {
@@ -57,9 +57,9 @@ class Library {
   void Add(std::vector<Factor> factors, Eigen::VectorXd column) {
     const Eigen::VectorXd centred = column.array() - column.mean();
     const double size = centred.norm();
-    if (!(size > kConstant * (column.norm() + 1e-300))) return;
+    if (!(size > kConstantRatio * (column.norm() + 1e-300))) return;
     for (const Eigen::VectorXd& earlier : centred_) {
-      if (std::abs(centred.dot(earlier)) > kAlike * size) return;
+      if (std::abs(centred.dot(earlier)) > kAlikeCorrelation * size) return;
     }
     centred_.push_back(centred / size);
     terms_.push_back({std::move(factors), std::move(column)});

@@ -8,24 +8,24 @@
 
 namespace tera {
 
-/// What a formula makes of one variable.
+/// Functions of one variable in a formula.
 enum class FactorForm { kValue, kMagnitude, kSign, kSquare, kSignedSquare, kSine, kCosine };
 
-/// One variable of a term. `variable` is a name of the channel's variables, or "rate": what the
-/// model predicts of the channel itself.
+/// A function of one variable in a term. `variable` names one of the channel's variables, or is
+/// "rate": what the model predicts of the channel itself.
 struct Factor {
   std::string variable;
   FactorForm form = FactorForm::kValue;
   bool operator==(const Factor&) const = default;
 };
 
-/// A product of one or two factors and what it was, a row a sample.
+/// A product of one or two factors, and its values, a row a sample.
 struct LibraryTerm {
   std::vector<Factor> factors;
   Eigen::VectorXd column;
 };
 
-/// Products that a channel's error may be made of.
+/// The terms that a formula for a channel's error may have.
 ///
 /// Model   every variable but time, and the rate: its value, magnitude, sign (of levers and rates),
 ///         square and signed square; of angles value, sine and cosine instead. Products: the rate
