@@ -15,9 +15,9 @@
 namespace tera {
 namespace {
 
-constexpr double kLoadEvery_s = 0.02;  ///< poses, and so loads, change little in between
-constexpr double kLongest_s = 86400;   ///< a recording of a day is none of one machine at work
-constexpr double kAtStop_rad = 0.01;   ///< nearer to an end stop, a joint may be held up by it
+constexpr double kLoadPeriod_s = 0.02;  ///< in which poses, and so loads, change little
+constexpr double kLongest_s = 86400;    ///< of a recording: one machine does not work for a day
+constexpr double kAtStop_rad = 0.01;    ///< distance from an end stop at which it may hold a joint
 
 /// Position and rate of one axis over time.
 struct AxisSamples {
@@ -108,7 +108,7 @@ void SetTimes(const TableRecording& commands, AxisLog* log) {
   }
 }
 
-/// Adds a command that holds between two times to the means of the steps.
+/// Adds a command that holds between two times to the steps' mean levers.
 void Hold(double lever, double from_step, double to_step, std::size_t axis, AxisLog* log) {
   to_step = std::min(to_step, static_cast<double>(log->steps));
   for (double at = std::max(0.0, from_step); at < to_step;) {
@@ -168,7 +168,7 @@ void SetMotion(const MachineModel& model, const std::vector<AxisSamples>& sample
   }
 }
 
-/// Loads and inertias at one step.
+/// The loads and inertias of all joints at one step.
 struct Weights {
   std::vector<double> load_nm, inertia_kgm2;
 };
@@ -182,7 +182,7 @@ Weights WeightsAt(const MachineModel& model, const AxisLog& log, std::size_t ste
 void SetWeights(const MachineModel& model, AxisLog* log) {
   log->inertia_kgm2.assign(log->steps * log->axes, 0.0);
   const auto stride =
-      static_cast<std::size_t>(std::max(1.0, std::round(kLoadEvery_s / log->step_s)));
+      static_cast<std::size_t>(std::max(1.0, std::round(kLoadPeriod_s / log->step_s)));
   Weights from = WeightsAt(model, *log, 0);
   for (std::size_t first = 0; first < log->steps; first += stride) {
     const std::size_t last = std::min(first + stride, log->steps - 1);

@@ -16,27 +16,27 @@ struct MeasuredRate {
   std::string channel;  ///< "excavator1/encoders/boom_radps"
   std::size_t axis = 0;
   std::vector<TimeNs> t_ns;
-  std::vector<double> at_step;  ///< when, in steps of the log
+  std::vector<double> at_step;  ///< times in steps of the log
   std::vector<double> rate_radps;
-  std::vector<bool> is_free;  ///< the joint was not at an end stop
+  std::vector<bool> is_free;  ///< whether the joint was clear of its end stops
 };
 
-/// Levers of one machine and the measured motion of its axes on even steps: what the chain of
-/// actuation is replayed over. Axes are joints, then gears, in the model's order.
+/// Levers of one machine and the measured motion of its axes on even steps, over which the chain of
+/// actuation is replayed. Axes are joints, then gears, in the model's order.
 ///
-/// Model   Levers are the means over each step of commands that hold until the next one, neutral
-///         before the first; positions and rates are straight between samples; the load is what
-///         bears the links' weight at the measured positions, on a machine that stands level, as is
-///         the inertia.
-///         An axis without encoder stays at its initial position and has no rate.
-/// Omits   the ground's load on tools and tracks; a base that leans.
+/// Model   levers are the means over each step of commands that hold until the next one, neutral
+///         before the first. Positions and rates are linear between samples. The load bears the
+///         links' weight at the measured positions of a machine that stands level; the inertia is
+///         that of these positions. An axis without encoder stays at its initial position and has
+///         no rate.
+/// Omits   the ground's load on tools and tracks; a base that is not level.
 struct AxisLog {
   TimeNs start_ns = 0;
   double step_s = 0;
   std::size_t steps = 0, axes = 0;
   std::vector<double> lever;       ///< steps x axes
   std::vector<AxisMotion> motion;  ///< steps x axes, at the start of each step
-  /// steps x axes: mass or inertia of the links beyond a joint; 0 for gears and fixed joints.
+  /// Mass or inertia of the links beyond a joint, steps x axes; 0 for gears and fixed joints.
   std::vector<double> inertia_kgm2;
   std::vector<MeasuredRate> measured;
 
@@ -58,7 +58,7 @@ struct NamedEncoders {
 };
 
 /// The log of a machine from its commands (columns by the names of levers) and encoders (axes by
-/// the names of joints and gears; others are left out). Throws InputError where commands and
+/// the names of joints and gears; others are ignored). Throws InputError where commands and
 /// encoders have no time in common or no column belongs to the machine.
 AxisLog MakeAxisLog(const MachineModel& model, const TableRecording& commands,
                     const std::vector<NamedEncoders>& encoders, double step_s);

@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-/// Takes the rates at the ends of steps to the times of the samples, straight in between.
+/// Interpolates the rates at the ends of steps linearly to the times of the samples.
 class SampledRate {
  public:
   SampledRate(const std::vector<double>& at_step, std::size_t count)
@@ -32,18 +32,17 @@ class SampledRate {
   double before_radps_ = 0;
 };
 
-/// Effort of an axis's motor; none known for gears, which move the whole machine.
+/// Full effort of an axis's motor; not known for gears, which move the whole machine.
 double FullEffort_nm(const MachineModel& model, std::size_t axis) {
   return axis < model.joints.size() ? model.joints[axis].max_effort_nm : 0;
 }
 
-/// What a newton metre makes of a rate in one step; 0 where no inertia is known.
+/// The change of a rate in one step by one newton metre; 0 where no inertia is known.
 double ChangePerEffort_radpspnm(double inertia_kgm2, double dt_s) {
   return inertia_kgm2 > 0 ? dt_s / inertia_kgm2 : 0;
 }
 
-/// The rate at the end of a step for which the motor has its full effort to take the masses from
-/// one rate to the next.
+/// The rate at the end of a step in which the motor has its full effort to accelerate the masses.
 double Accelerated(double from_radps, double asked_radps, double full_nm, double load_nm,
                    double change_radpspnm) {
   if (change_radpspnm <= 0 || full_nm <= 0) return asked_radps;
@@ -94,7 +93,7 @@ LoneAxisReplay::LoneAxisReplay(const MachineModel& model, const AxisLog& log,
     motion_.push_back(log.motions_at(k)[axis_]);
     change_radpspnm_.push_back(ChangePerEffort_radpspnm(log.inertias_at(k)[axis_], log.step_s));
   }
-  // Not needed without pumps and contact, and much to copy for every prediction.
+  // Without pumps and contact these are not needed, and copying them for every prediction is slow.
   for (Cylinder& cylinder : model_.cylinders) cylinder.bore_m = 0;
   for (Link& link : model_.links) link = {};
   model_.levers.clear();
@@ -147,7 +146,7 @@ std::vector<double> LoneAxisReplay::Predict(const AxisEffects& effects, const No
   return sampled.Take();
 }
 
-/// Steps up to the end of the one in which the last of some samples lies.
+/// The number of steps up to the end of the one in which the last of some samples lies.
 std::size_t LoneAxisReplay::StepsTo(std::size_t samples) const {
   if (samples == at_step_.size()) return lever_.size();
   const double last = samples == 0 ? 0 : at_step_[samples - 1];

@@ -10,16 +10,16 @@
 
 namespace tera {
 
-/// The chain of actuation alone, driven by recorded levers at measured positions and loads: what
-/// the joints and gears of a machine with other effects would have done in the same place. Errors
-/// stay where they arise and do not drift.
+/// The chain of actuation alone, driven by recorded levers at measured positions and loads: the
+/// rates that the joints and gears of a machine with other effects would have had in the same
+/// place. Errors stay where they arise and do not drift.
 ///
-/// Model   Actuation over the steps of the log; a joint runs as its drive asks, as fast as its full
-///         effort less its load accelerates what is beyond it.
+/// Model   Actuation over the steps of the log. A joint moves as its drive asks, as fast as its
+///         full effort less its load accelerates the links beyond it.
 /// Omits   joints that the ground or their end stops hold up; the inertia of other joints that move
-///         or give way and of the gears; limits of effort by position and direction; `payload`,
-///         whose weight is not in the log's loads; which messages `command_drops` lost, for it
-///         draws its own.
+///         or yield and of the gears; limits of effort by position and direction; `payload`, whose
+///         weight is not in the log's loads; the messages that `command_drops` lost, for it draws
+///         its own.
 class AxisReplay {
  public:
   /// Both must outlive it.
@@ -34,48 +34,48 @@ class AxisReplay {
   const AxisLog& log_;
 };
 
-/// Of an axis, and of the pump that feeds it.
+/// The effects of an axis, and of the pump that feeds it.
 struct AxisEffects {
   Effects axis, pump;
 };
 
-/// The chain of one axis: what a search evaluates thousands of times. What the pump's other
-/// functions ask of it is taken as it is (pump_demand.h); an axis that several pumps feed gets all
-/// that it asks for.
+/// The chain of one axis, which a search evaluates thousands of times. The demand of the pump's
+/// other functions is fixed (pump_demand.h); an axis that several pumps feed gets all that it asks
+/// for.
 class LoneAxisReplay {
  public:
-  /// Of the axis of one of the log's measured rates, or of some of its samples. All are copied as
-  /// far as they are needed.
+  /// The chain of the axis of one of the log's measured rates, or of some of its samples. All
+  /// arguments are copied as far as they are needed.
   LoneAxisReplay(const MachineModel& model, const AxisLog& log, const MeasuredRate& measured);
 
-  /// Nominal numbers of the axis, as factors of what its model has.
+  /// Nominal numbers of the axis, as factors on those of its model.
   struct Nominal {
     double rate = 1, effort = 1;
   };
 
   /// Rates at the measured rate's times, or the first `most` of them, with `effects` in place of
-  /// those that the model has.
+  /// the model's.
   std::vector<double> Predict(const AxisEffects& effects, const Nominal& nominal,
                               std::size_t most = std::numeric_limits<std::size_t>::max()) const;
   std::vector<double> Predict(const AxisEffects& effects) const {
     return Predict(effects, Nominal());
   }
 
-  /// For each of the measured rate's times, whether the rate is not what the drive asks for then,
-  /// or at some time since the one before, because its full effort does not accelerate the masses
-  /// so fast.
+  /// For each of the measured rate's times, whether the rate falls short of what the drive asks
+  /// for, then or since the time before, because full effort does not accelerate the masses so
+  /// fast.
   std::vector<bool> FallsShort(const AxisEffects& effects, const Nominal& nominal) const;
 
-  /// What the model has.
+  /// The model's effects.
   AxisEffects effects() const;
   const std::optional<PumpDemand>& pump() const { return pump_; }
 
  private:
-  /// Rates at the ends of all steps: what the drive asks for, and what comes of it.
+  /// The rate that the drive asks for at the end of a step, and the rate that results.
   struct Rates {
     double asked_radps = 0, rate_radps = 0;
   };
-  /// Of the first `steps`; `take` gets each step's number and rates.
+  /// Replays the first `steps`; `take` gets each step's number and rates.
   template <typename Take>
   void Run(const AxisEffects& effects, const Nominal& nominal, std::size_t steps,
            const Take& take) const;

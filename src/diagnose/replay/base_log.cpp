@@ -13,9 +13,9 @@
 namespace tera {
 namespace {
 
-constexpr double kLongestInterval_s = 1;  ///< beyond it the path between two poses is unknown
+constexpr double kLongestInterval_s = 1;  ///< between poses whose path is known
 
-/// Rate of one gear over time.
+/// The rate of one gear over time.
 struct GearSamples {
   std::vector<TimeNs> t_ns;
   std::vector<double> rate_radps;
@@ -51,13 +51,13 @@ PlanarTwist MeanTwist(const Pose& X_WA, const Pose& X_WB, const Vec3& contact_B_
       Vec3(std::cos(heading_rad), std::sin(heading_rad), forward_W.z() / forward_W.head<2>().norm())
           .normalized();
   const Vec3 left_W(-std::sin(heading_rad), std::cos(heading_rad), 0);
-  // Half a turn's arc is longer than its chord.
+  // The arc of a turn is longer than its chord.
   const double arc = turned_rad == 0 ? 1 : 0.5 * turned_rad / std::sin(0.5 * turned_rad);
   return {arc * moved_W_m.dot(along_W) / dt_s, arc * moved_W_m.dot(left_W) / dt_s,
           turned_rad / dt_s};
 }
 
-/// Rates of the gears and attitudes from `first_ns` to `last_ns`.
+/// Adds the gears' rates and the attitudes from `first_ns` to `last_ns`.
 void AddInstants(const std::vector<GearSamples>& gears, const std::vector<TruthPose>& poses,
                  TimeNs first_ns, TimeNs last_ns, BaseLog* log) {
   log->start_ns = first_ns;
@@ -75,7 +75,7 @@ void AddInstants(const std::vector<GearSamples>& gears, const std::vector<TruthP
   }
 }
 
-/// From pose `a` to pose `b`.
+/// The interval from pose `a` to pose `b`.
 BaseInterval IntervalOf(const std::vector<TruthPose>& poses, std::size_t a, std::size_t b,
                         const std::optional<PoseTimes>& arrivals, const Vec3& contact_B_m,
                         const BaseLog& log) {

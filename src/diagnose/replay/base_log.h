@@ -10,28 +10,28 @@
 
 namespace tera {
 
-/// What tracks or wheels did in one step of time, and how the base stood.
+/// Rates of tracks or wheels in one step of time, and the attitude of the base.
 struct BaseInstant {
   std::vector<double> gear_rate_radps;  ///< one for each gear
   Mat3 R_WB = Mat3::Identity();
 };
 
-/// How far the base went between two of its measured poses.
+/// The motion of the base between two of its measured poses.
 struct BaseInterval {
   TimeNs from_ns = 0, to_ns = 0;  ///< stamps of the poses
   TimeNs measured_from_ns = 0,
-         measured_to_ns = 0;         ///< when they were measured, were these arrivals
-  PlanarTwist twist;                 ///< mean, as the poses and their stamps tell it
+         measured_to_ns = 0;         ///< when they were measured, if the stamps are arrivals
+  PlanarTwist twist;                 ///< mean, by the poses and their stamps
   std::size_t first = 0, count = 0;  ///< instants in it; one at least
 };
 
-/// Running gear and base of one machine over time: what the ground is replayed over.
+/// The motion of one machine's running gear and base over time, over which the ground is replayed.
 ///
 /// Frames  B root link. The twist is that of the middle of the contact with the ground, forward and
 ///         left of the heading half-way, and about B's z axis.
-/// Model   Rates are straight between samples, attitudes those of the nearer pose; instant k is
-///         that of the middle of step k. Poses that are far apart in time say nothing of what was
-///         in between: they bound no interval.
+/// Model   rates are linear between samples, attitudes those of the nearer pose; instant k is
+///         that of the middle of step k. Poses that are far apart in time say nothing of the path
+///         in between and bound no interval.
 /// Omits   the ground's forces on bucket and blade. Attitudes, and corrections for a replay's
 ///         discrepancy, stay where the stamps have them, whatever these are of.
 struct BaseLog {
@@ -40,7 +40,7 @@ struct BaseLog {
   TimeNs start_ns = 0;
   std::vector<BaseInstant> instants;
   std::vector<BaseInterval> intervals;
-  bool may_be_arrivals = false;  ///< stamps of poses
+  bool may_be_arrivals = false;  ///< the stamps of poses
 };
 
 /// Throws InputError where gears and poses have no time in common, or the encoders lack a gear.

@@ -14,7 +14,7 @@ namespace {
 
 using Way = Eigen::Vector3d;  ///< forward, left, turn
 
-/// A mass that friction under its two sides takes along.
+/// A mass that friction under its two sides accelerates.
 class MassOnTracks {
  public:
   MassOnTracks(const TrackGeometry& geometry, const Grip& grip, const PlanarTwist& at_first)
@@ -26,7 +26,7 @@ class MassOnTracks {
     TERA_CHECK(inertia_kgm2_ > 0 && gauge_m_ > 0, inertia_kgm2_, gauge_m_);
   }
 
-  /// Its speeds a step after it had the last ones, where its tracks would have it at `target`.
+  /// Its speeds after another step in which its tracks run at `target`.
   PlanarTwist Follow(const PlanarTwist& target, double dt_s) {
     const double forward_n = mass_kg_ * (target.forward_mps - twist_.forward_mps) / dt_s;
     const double yaw_nm = inertia_kgm2_ * (target.yaw_radps - twist_.yaw_radps) / dt_s;
@@ -46,7 +46,7 @@ class MassOnTracks {
   PlanarTwist twist_;
 };
 
-/// How far the base has come by the begin of each step, and by the end of the last one.
+/// The way of the base up to the start of each step, and up to the end of the last one.
 std::vector<Way> WaysOf(const TrackDrive& tracks, const BaseLog& log, MachineState state,
                         const std::optional<Grip>& grip) {
   const double dt_s = ToSeconds(BaseLog::kStep_ns);
@@ -63,7 +63,7 @@ std::vector<Way> WaysOf(const TrackDrive& tracks, const BaseLog& log, MachineSta
   return ways;
 }
 
-/// Beyond the first step and the last one it goes on as in these.
+/// The way at a time in steps; beyond the first and the last step it goes on as in these.
 Way WayAt(const std::vector<Way>& ways, double steps) {
   const double k = std::clamp(std::floor(steps), 0.0, static_cast<double>(ways.size() - 2));
   const auto step = static_cast<std::size_t>(k);

@@ -8,24 +8,24 @@
 
 namespace tera {
 
-/// What the stamps of poses are.
+/// The meaning of the stamps of poses.
 struct PoseStamps {
-  bool of_arrival = false;  ///< else of their measurement
-  double late_s = 0;        ///< all of them by as much
+  bool of_arrival = false;  ///< the stamps are of arrival, else of measurement
+  double late_s = 0;        ///< by which all stamps are late
 };
 
-/// What the ground holds a machine with.
+/// Limits of the ground on a machine's acceleration.
 struct Grip {
   double friction;
   double yaw_inertia_kgm2;  ///< of the machine; above 0
 };
 
 /// The ground slot alone, driven by the measured rates of the running gear and the base's measured
-/// attitude: how tracks with other effects would have moved the machine.
+/// attitude: the motion of the base that tracks with other effects would have caused.
 ///
 /// Frames  B root link; twists as in BaseLog.
 /// Model   MoveOnTracks in every step, summed over the time between the measurements of an
-///         interval's poses; over the time between their stamps that is the mean twist.
+///         interval's poses, and divided by the time between their stamps for the mean twist.
 ///         Where a grip is given, the machine gains and loses speed, forward and turning, no faster
 ///         than friction under either side pushes its mass and turns its inertia; it begins as it
 ///         was measured first.
@@ -36,8 +36,8 @@ class BaseReplay {
   /// Both must outlive it.
   BaseReplay(const MachineModel& model, const BaseLog& log) : model_(model), log_(log) {}
 
-  /// Mean twists with `base` in place of the model's own effects, one for each interval. Without a
-  /// grip the machine follows its tracks at once.
+  /// Mean twists with `base` in place of the model's own effects, one an interval. Without a grip
+  /// the machine follows its tracks at once.
   std::vector<PlanarTwist> Predict(const Effects& base, const PoseStamps& stamps = {},
                                    const std::optional<Grip>& grip = {}) const;
 

@@ -7,13 +7,13 @@
 
 namespace tera {
 
-/// The two samples about a time, and how far between them it is. Values are straight in between,
-/// and beyond the first and the last as these: a is b there.
+/// Linear interpolation at a time: the two samples around it and the share of the way between them.
+/// Before the first and after the last sample that sample's value holds (a is b there).
 struct BetweenSamples {
   std::size_t a = 0, b = 0;
   double s = 0;
 
-  /// Times rise; one at least.
+  /// The times must rise; there must be at least one.
   BetweenSamples(const std::vector<TimeNs>& t_ns, TimeNs at_ns);
   double Of(const std::vector<double>& values) const;
 };

@@ -14,17 +14,19 @@
 namespace tera {
 namespace {
 
-constexpr double kWidestBand_hz = 20;  ///< machines do little beyond, encoders' noise much
-constexpr double kBandOfRate = 0.2;    ///< of the slower side's sample rate, at most
-/// Of the band: at half their rate, twice the band, the Gaussian lets a quarter through.
-constexpr double kSamplesAPeriod = 4;
-constexpr double kReach = 4;          ///< standard deviations of the Gaussian
-constexpr double kRest = 0.01;        ///< of the largest rate: slower all along is at rest
-constexpr double kGap = 5;            ///< sample steps without a sample
-constexpr std::size_t kFewest = 100;  ///< samples of either side
-constexpr std::size_t kMostSteps = 10'000'000;
+constexpr double kWidestBand_hz = 20;  ///< beyond, machines do little and encoders' noise is large
+/// Band over the sample rate of the slower of effort and encoder, at most.
+constexpr double kMostBandOfRate = 0.2;
+/// Samples of the comparison per period of the band: at half their rate, twice the band, the
+/// Gaussian passes a quarter.
+constexpr double kSamplesPerPeriod = 4;
+constexpr double kReachInSigma = 4;      ///< of the truncated Gaussian
+constexpr double kMostRestShare = 0.01;  ///< of the largest rate, up to which a joint is at rest
+constexpr double kLongestGapSteps = 5;   ///< sample periods without a sample that are no gap
+constexpr std::size_t kFewestSamples = 100;  ///< of effort and of the encoder
+constexpr std::size_t kMostFineSteps = 10'000'000;
 
-/// One quantity over time.
+/// The samples of one quantity over time.
 struct Samples {
   std::vector<TimeNs> t_ns;
   std::vector<double> value;
@@ -42,7 +44,7 @@ std::optional<Samples> PositionOf(const std::string& joint,
                                   const std::vector<NamedEncoders>& encoders) {
   for (const auto& [channel, recording] : encoders) {
     for (std::size_t i = 0; i < recording.axes.size(); ++i) {
-      if (recording.axes[i].name != joint || recording.samples.size() < kFewest) continue;
+      if (recording.axes[i].name != joint || recording.samples.size() < kFewestSamples) continue;
       Samples samples;
       for (const EncoderSample& sample : recording.samples) {
         samples.t_ns.push_back(sample.t_ns);
@@ -54,7 +56,7 @@ std::optional<Samples> PositionOf(const std::string& joint,
   return std::nullopt;
 }
 
-/// Even times at which something is looked at.
+/// Even times.
 struct Grid {
   TimeNs start_ns = 0;
   double step_s = 0;
@@ -67,10 +69,10 @@ struct Grid {
 
 struct Spread {
   std::vector<double> value;
-  std::vector<bool> known;  ///< samples are near on both sides
+  std::vector<bool> known;  ///< whether samples are near on both sides
 };
 
-/// Straight between samples.
+/// Samples interpolated linearly to a grid.
 Spread Over(const Grid& grid, const Samples& samples, double step_s) {
   Spread spread{std::vector<double>(grid.size), std::vector<bool>(grid.size)};
   std::size_t next = 0;
@@ -82,7 +84,7 @@ Spread Over(const Grid& grid, const Samples& samples, double step_s) {
     const double s =
         gap_s > 0 ? std::clamp(ToSeconds(t_ns - samples.t_ns[a]) / gap_s, 0.0, 1.0) : 0.0;
     spread.value[k] = std::lerp(samples.value[a], samples.value[b], s);
-    spread.known[k] = gap_s <= kGap * step_s;
+    spread.known[k] = gap_s <= kLongestGapSteps * step_s;
   }
   return spread;
 }
@@ -92,13 +94,13 @@ struct Kernels {
   std::vector<double> smooth, slope, curvature;
 
   Kernels(double sigma_s, double step_s) {
-    const auto reach = static_cast<int>(std::ceil(kReach * sigma_s / step_s));
+    const auto reach = static_cast<int>(std::ceil(kReachInSigma * sigma_s / step_s));
     double sum = 0;
     for (int i = -reach; i <= reach; ++i) {
       smooth.push_back(std::exp(-0.5 * std::pow(i * step_s / sigma_s, 2)));
       sum += smooth.back();
     }
-    // Corrected so that a straight line has its slope and no curvature, and a parabola its own.
+    // Corrected so that a line has its slope and no curvature, and a parabola its curvature.
     double second = 0, fourth = 0;
     for (int i = -reach; i <= reach; ++i) {
       double& g = smooth[static_cast<std::size_t>(i + reach)];
@@ -122,12 +124,12 @@ double Convolved(const std::vector<double>& kernel, const std::vector<double>& x
   return sum;
 }
 
-/// Position, rate and acceleration of every joint.
+/// The positions, rates and accelerations of all joints.
 struct JointMotion {
   std::vector<double> q_rad, qd_radps, qdd_radps2;
 };
 
-/// Efforts that accelerate and bear the links of a machine whose root stands still and level.
+/// The efforts that accelerate and bear the links of a machine whose root stands still and level.
 ///
 /// Model   accelerations of the links by second differences of their poses over a millisecond.
 class Dynamics {
@@ -172,13 +174,13 @@ class Dynamics {
   InertialEfforts inertial_;
 };
 
-/// All that one log is made of.
+/// The measurements that one log is made of.
 struct Sides {
   Samples effort;
-  std::vector<std::optional<Samples>> position;  ///< one a joint
+  std::vector<std::optional<Samples>> position;  ///< one for each joint
 };
 
-/// Fine grid over the time that both sides of the joint share.
+/// The fine grid over the time in which both effort and position of the joint were measured.
 Grid GridOf(const Sides& sides, std::size_t joint) {
   const Samples& position = *sides.position[joint];
   const TimeNs from_ns = std::max(position.t_ns.front(), sides.effort.t_ns.front());
@@ -186,11 +188,11 @@ Grid GridOf(const Sides& sides, std::size_t joint) {
   Grid grid{from_ns, position.Step_s(), 0};
   if (to_ns <= from_ns || grid.step_s <= 0) return grid;
   const double steps = ToSeconds(to_ns - from_ns) / grid.step_s;
-  if (steps > kMostSteps) {
+  if (steps > kMostFineSteps) {
     throw InputError(fmt::format(
         "efforts and positions reach over {:.0f} steps of {:.6f} s; need {} at most (--from and "
         "--to look at a part)",
-        steps, grid.step_s, kMostSteps));
+        steps, grid.step_s, kMostFineSteps));
   }
   grid.size = static_cast<std::size_t>(steps) + 1;
   return grid;
@@ -222,7 +224,7 @@ void SetFineRate(const Spread& position, const Kernels& kernels, EffortLog* log)
   }
 }
 
-/// Whether all of a window of fine steps may be used.
+/// Whether a whole window of fine steps may be used.
 bool IsUsable(const EffortLog& log, const Spread& effort,
               const std::vector<std::optional<Spread>>& positions, double rest_radps,
               std::size_t at) {
@@ -252,7 +254,7 @@ std::optional<EffortLog> MakeLog(const MachineModel& model, const std::string& c
   log.joint = joint;
   log.fine_s = grid.step_s;
   const double effort_step_s = sides.effort.Step_s();
-  log.band_hz = std::min(kWidestBand_hz, kBandOfRate / std::max(grid.step_s, effort_step_s));
+  log.band_hz = std::min(kWidestBand_hz, kMostBandOfRate / std::max(grid.step_s, effort_step_s));
   const double sigma_s = std::sqrt(std::numbers::ln2) / (2 * std::numbers::pi * log.band_hz);
   const Kernels kernels(sigma_s, grid.step_s);
   if (grid.size <= 4 * kernels.smooth.size()) return std::nullopt;
@@ -264,11 +266,11 @@ std::optional<EffortLog> MakeLog(const MachineModel& model, const std::string& c
                                  : std::nullopt);
   }
   SetFineRate(*positions[joint], kernels, &log);
-  const double rest_radps = kRest * LargestOf(log.fine_rate_radps);
+  const double rest_radps = kMostRestShare * LargestOf(log.fine_rate_radps);
   const auto stride =
-      static_cast<std::size_t>(std::lround(1 / (kSamplesAPeriod * log.band_hz * grid.step_s)));
+      static_cast<std::size_t>(std::lround(1 / (kSamplesPerPeriod * log.band_hz * grid.step_s)));
   log.measured.period_s = static_cast<double>(stride) * grid.step_s;
-  // The rate has one window of the position, what is made of it another one.
+  // The rate takes one window of the position, and the smoothing of what is made of it another.
   const std::size_t margin = kernels.smooth.size();
   log.first_ns = grid.t_ns(margin);
   Dynamics dynamics(model);
@@ -287,7 +289,7 @@ std::optional<EffortLog> MakeLog(const MachineModel& model, const std::string& c
   return log;
 }
 
-/// The joint that a column is of, -1 where it is none's.
+/// The joint that a column belongs to; -1 where it belongs to none.
 int JointOf(const MachineModel& model, const std::string& column) {
   const bool is_torque = column.ends_with("_nm");
   if (!is_torque && !column.ends_with("_n")) return -1;
@@ -308,7 +310,7 @@ std::vector<EffortLog> MakeEffortLogs(const MachineModel& model, const std::stri
                                       const TableRecording& efforts,
                                       const std::vector<NamedEncoders>& encoders) {
   std::vector<EffortLog> logs;
-  if (efforts.t_ns.size() < kFewest) return logs;
+  if (efforts.t_ns.size() < kFewestSamples) return logs;
   Sides sides;
   for (const Joint& joint : model.joints)
     sides.position.push_back(PositionOf(joint.name, encoders));

@@ -7,17 +7,17 @@
 
 namespace tera {
 
-/// The effort that a joint's drive would have needed for the motion that was measured.
+/// The effort that a joint's drive would have needed for the measured motion.
 ///
 /// Model   effort = inertial + weight + friction(rate) + offset, with friction and offset those of
 ///         the simulator's slot load_friction, through the log's Gaussian.
-/// Omits   what friction takes at rest: the log has gaps there.
+/// Omits   friction at rest, where the log has gaps.
 class EffortReplay {
  public:
   /// Both must outlive it.
   EffortReplay(const MachineModel& model, const EffortLog& log) : model_(model), log_(log) {}
 
-  /// With `effects` in place of the joint's own, one a sample of the log's grid.
+  /// Efforts with `effects` in place of the joint's own, one for each sample of the log's grid.
   std::vector<double> Predict(const Effects& effects) const;
 
  private:

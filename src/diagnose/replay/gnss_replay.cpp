@@ -16,7 +16,7 @@ namespace {
 
 constexpr TimeNs kStep_ns = 50'000'000;
 
-/// The better the larger.
+/// The rank of a fix, larger for a better one.
 int RankOf(GnssFix fix) {
   switch (fix) {
     case GnssFix::kNone:
@@ -33,7 +33,7 @@ int RankOf(GnssFix fix) {
   return 0;
 }
 
-/// When a sample was measured that got the stamp `t_ns`: what ReportClock does, undone.
+/// The time at which a sample with the stamp `t_ns` was measured: the inverse of ReportClock.
 TimeNs MeasuredAt(const Effects& effects, TimeNs t_ns) {
   const double late_s =
       NumberOf(effects, "clock_offset", "offset_s", 0) + NumberOf(effects, "latency", "delay_s", 0);
@@ -41,7 +41,7 @@ TimeNs MeasuredAt(const Effects& effects, TimeNs t_ns) {
   return std::llround(static_cast<double>(t_ns - FromSeconds(late_s)) / (1 + drift));
 }
 
-/// Without what is drawn at random.
+/// The effects without those that are drawn at random.
 Effects Certain(Effects effects) {
   std::erase_if(effects, [](const Effect& effect) {
     return effect.mechanism->id == "float_jump" || effect.mechanism->id == "outliers";

@@ -12,14 +12,15 @@
 namespace tera {
 namespace {
 
-constexpr int kStepsAnInterval = 2;
-constexpr int kSamplesAnInterval = 8;      ///< so that a clock may be off by less than an interval
-constexpr double kForceNoise_mps2 = 0.05;  ///< of poses, that forces told from them may have
-constexpr double kLeastShare = 0.5;        ///< of the samples that an interval usually has
+constexpr int kStepsPerInterval = 2;
+constexpr int kSamplesPerInterval = 8;  ///< several, as a clock may be off by less than an interval
+constexpr double kForceNoise_mps2 = 0.05;  ///< of forces that are derived from poses, at most
+/// Samples in an interval over the usual number, at least, for its mean to count.
+constexpr double kLeastSampleShare = 0.5;
 
-/// What the replay of an ideal unit makes of the force that a unit turned by `R_LS` in its link
-/// measured: that is seen through velocities that are means over the track's steps. Of a step it
-/// shows the force in W averaged over its own length and over the two around its middle.
+/// Smooths the force that a unit mounted with `R_LS` measured as the replay of an ideal unit does,
+/// which derives forces from velocities that are means over the track's steps. For a step that is
+/// the force in W averaged over the step's length and over the two half steps around its middle.
 class ForcesOfSteps {
  public:
   ForcesOfSteps(const LinkTrack& track, const Mat3& R_LS, TimeNs sample_ns)
@@ -43,14 +44,15 @@ class ForcesOfSteps {
     }
   }
 
-  /// Nothing where a step of it saw less than half of what it might.
+  /// None where one of its steps has less than half of its samples.
   std::optional<Vec3> MeanOver_S_mps2(std::size_t interval) const {
-    const double least = kLeastShare * *std::max_element(weights_.begin(), weights_.end());
+    const double least = kLeastSampleShare * *std::max_element(weights_.begin(), weights_.end());
     Vec3 mean_mps2 = Vec3::Zero();
-    for (std::size_t k = interval * kStepsAnInterval; k < (interval + 1) * kStepsAnInterval; ++k) {
+    for (std::size_t k = interval * kStepsPerInterval; k < (interval + 1) * kStepsPerInterval;
+         ++k) {
       if (weights_[k] == 0 || weights_[k] < least) return std::nullopt;
       const Mat3 R_WS = track_.At(track_.t_ns(k) + track_.step_ns / 2).linear() * R_LS_;
-      mean_mps2 += R_WS.transpose() * sums_W_mps2_[k] / (weights_[k] * kStepsAnInterval);
+      mean_mps2 += R_WS.transpose() * sums_W_mps2_[k] / (weights_[k] * kStepsPerInterval);
     }
     return mean_mps2;
   }
@@ -71,9 +73,9 @@ TimeNs UsualPeriod(const std::vector<ImuSample>& samples) {
   return periods_s.empty() ? 0 : FromSeconds(Median(periods_s));
 }
 
-/// Turn rates are means of the samples in each interval.
+/// Sets the measured turn rates, means of the samples in each interval.
 void SetMeasured(const std::vector<ImuSample>& samples, const Mat3& R_LS, ImuLog* log) {
-  const std::size_t intervals = (log->track.X_WL.size() - 1) / kStepsAnInterval;
+  const std::size_t intervals = (log->track.X_WL.size() - 1) / kStepsPerInterval;
   log->w_S_radps.assign(intervals, Vec3::Zero());
   log->f_S_mps2.assign(intervals, Vec3::Zero());
   std::vector<double> count(intervals, 0.0);
@@ -89,11 +91,11 @@ void SetMeasured(const std::vector<ImuSample>& samples, const Mat3& R_LS, ImuLog
   }
   const double usual = intervals == 0 ? 0 : *std::max_element(count.begin(), count.end());
   for (std::size_t k = 0; k < intervals; ++k) {
-    const auto step = static_cast<std::ptrdiff_t>(k * kStepsAnInterval);
+    const auto step = static_cast<std::ptrdiff_t>(k * kStepsPerInterval);
     const auto known = log->track.known.begin() + step;
     log->known.push_back(
-        count[k] > 0 && count[k] >= kLeastShare * usual &&
-        std::all_of(known, known + kStepsAnInterval + 1, [](bool b) { return b; }));
+        count[k] > 0 && count[k] >= kLeastSampleShare * usual &&
+        std::all_of(known, known + kStepsPerInterval + 1, [](bool b) { return b; }));
     if (count[k] == 0) continue;
     log->w_S_radps[k] /= count[k];
     const std::optional<Vec3> force_mps2 = forces.MeanOver_S_mps2(k);
@@ -102,8 +104,7 @@ void SetMeasured(const std::vector<ImuSample>& samples, const Mat3& R_LS, ImuLog
   }
 }
 
-/// Reads samples at times that grow: between the stamps of two; beyond the first and the last,
-/// those.
+/// Interpolates samples at rising times; before the first and after the last that sample holds.
 class ReadBetween {
  public:
   explicit ReadBetween(const std::vector<ImuSample>& samples) : samples_(samples) {}
@@ -124,7 +125,7 @@ class ReadBetween {
   std::size_t next_ = 0;
 };
 
-/// Of interval `k`, counted from 0, that ends with its last sample.
+/// The mean of interval `k`, counted from 0, which ends with its last sample.
 ImuSample MeanOver(std::int64_t k, std::int64_t an_interval, const SampleClock& clock,
                    ReadBetween* samples) {
   ImuSample mean;
@@ -143,7 +144,7 @@ SampleClock ClockOf(const ImuLog& log, std::int64_t an_interval) {
   return {static_cast<double>(an_interval) * log.clock.rate_hz, log.clock.start_ns};
 }
 
-/// Whether what effects make of a mean is the mean of what they make.
+/// Whether effects are linear, so that they may act on means.
 bool AreLinear(const Effects& effects) {
   return std::all_of(effects.begin(), effects.end(), [](const Effect& effect) {
     const std::string_view id = effect.mechanism->id;
@@ -152,7 +153,7 @@ bool AreLinear(const Effects& effects) {
   });
 }
 
-/// How fast a unit turned by `R_LS` in its link turned in the step before each sample.
+/// Sets each sample's turn rate to that in the step before it, of a unit mounted with `R_LS`.
 void SetTurns(const LinkTrack& turns, const Mat3& R_LS, std::vector<ImuSample>* samples) {
   for (ImuSample& sample : *samples) {
     const Mat3 R_WA = turns.At(sample.t_ns - turns.step_ns).linear();
@@ -162,9 +163,9 @@ void SetTurns(const LinkTrack& turns, const Mat3& R_LS, std::vector<ImuSample>* 
   }
 }
 
-/// What an ideal unit at `X_BS` measures.
+/// The samples that an ideal unit mounted at `X_BS` measures.
 std::vector<ImuSample> Ideal(const ImuLog& log, const Pose& X_BS) {
-  Imu imu({}, X_BS, ClockOf(log, kSamplesAnInterval), 0, 0, "");
+  Imu imu({}, X_BS, ClockOf(log, kSamplesPerInterval), 0, 0, "");
   const Vec3 gravity_W_mps2(0, 0, -kStandardGravity_mps2);
   std::vector<ImuSample> samples;
   BodyState begin, end;
@@ -203,17 +204,17 @@ ImuLog MakeImuLog(const MachineModel& model, const SensorDescription& sensor,
       poses.empty() ? samples.front().t_ns : std::max(samples.front().t_ns, poses.front().t_ns);
   const TimeNs to_ns =
       poses.empty() ? samples.back().t_ns : std::min(samples.back().t_ns, poses.back().t_ns);
-  const TimeNs sample_ns = FromSeconds(interval_s / kSamplesAnInterval);
-  const TimeNs step_ns = kSamplesAnInterval / kStepsAnInterval * sample_ns;
-  log.clock = {1e9 / static_cast<double>(kStepsAnInterval * step_ns), from_ns};
+  const TimeNs sample_ns = FromSeconds(interval_s / kSamplesPerInterval);
+  const TimeNs step_ns = kSamplesPerInterval / kStepsPerInterval * sample_ns;
+  log.clock = {1e9 / static_cast<double>(kStepsPerInterval * step_ns), from_ns};
   log.track = TrackOfLink(model, encoders, poses, link, from_ns, to_ns, step_ns);
   log.turns = TrackOfLink(model, encoders, poses, link, from_ns, to_ns, sample_ns);
-  if (log.track.X_WL.size() > kStepsAnInterval) SetMeasured(samples, sensor.X_BS.linear(), &log);
+  if (log.track.X_WL.size() > kStepsPerInterval) SetMeasured(samples, sensor.X_BS.linear(), &log);
   return log;
 }
 
 ImuReplay::ImuReplay(const SensorDescription& sensor, const ImuLog& log)
-    : sensor_(sensor), log_(log), fine_{kSamplesAnInterval, Ideal(log, sensor.X_BS), {}, {}} {
+    : sensor_(sensor), log_(log), fine_{kSamplesPerInterval, Ideal(log, sensor.X_BS), {}, {}} {
   const Mat3 R_LS = sensor.X_BS.linear();
   SetTurns(log.turns, R_LS, &fine_.samples);
   for (const ImuSample& sample : fine_.samples) {
@@ -229,17 +230,17 @@ ImuReplay::ImuReplay(const SensorDescription& sensor, const ImuLog& log)
     }
   }
   ReadBetween between(fine_.samples);
-  const SampleClock clock = ClockOf(log, kSamplesAnInterval);
+  const SampleClock clock = ClockOf(log, kSamplesPerInterval);
   for (std::size_t k = 0; k < log.known.size(); ++k) {
     means_.samples.push_back(
-        MeanOver(static_cast<std::int64_t>(k), kSamplesAnInterval, clock, &between));
+        MeanOver(static_cast<std::int64_t>(k), kSamplesPerInterval, clock, &between));
     Mat3 f_by_place_1ps2 = Mat3::Zero();
-    for (std::size_t i = 0; i < kSamplesAnInterval; ++i) {
-      const std::size_t at = std::min(k * kSamplesAnInterval + i, fine_.samples.size() - 1);
-      f_by_place_1ps2 += fine_.f_by_place_1ps2[at] / kSamplesAnInterval;
+    for (std::size_t i = 0; i < kSamplesPerInterval; ++i) {
+      const std::size_t at = std::min(k * kSamplesPerInterval + i, fine_.samples.size() - 1);
+      f_by_place_1ps2 += fine_.f_by_place_1ps2[at] / kSamplesPerInterval;
     }
     means_.f_by_place_1ps2.push_back(f_by_place_1ps2);
-    means_.R_WS.push_back(log.track.X_WL[kStepsAnInterval * k + 1].linear() * R_LS);
+    means_.R_WS.push_back(log.track.X_WL[kStepsPerInterval * k + 1].linear() * R_LS);
   }
 }
 

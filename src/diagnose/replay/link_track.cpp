@@ -9,10 +9,10 @@
 namespace tera {
 namespace {
 
-constexpr double kTurns_radps = 1e-3;  ///< of a wheel: less is none
-constexpr TimeNs kNear_ns = 300'000'000;
+constexpr double kLeastTurning_radps = 1e-3;  ///< of a wheel: less is rest
+constexpr TimeNs kNear_ns = 300'000'000;  ///< distance to a measurement at which motion is known
 
-/// Position of one joint, or of the base, over time.
+/// The position of one joint, or of the base, over time.
 template <typename Value>
 struct Measured {
   std::vector<TimeNs> t_ns;
@@ -47,7 +47,7 @@ bool HasLever(const MachineModel& model, int joint) {
                      [&](const Lever& lever) { return lever.joint == joint; });
 }
 
-/// Joints from the base to a link.
+/// The joints between the base and a link.
 std::vector<std::size_t> WayTo(const MachineModel& model, int link) {
   std::vector<std::size_t> way;
   for (std::size_t j = model.joints.size(); j-- > 0;) {
@@ -58,7 +58,7 @@ std::vector<std::size_t> WayTo(const MachineModel& model, int link) {
   return way;
 }
 
-/// The positions of the joints on the way, by joint; nothing where one that moves is not measured.
+/// The positions of the joints on the way, by joint; none where a moving one was not measured.
 std::optional<std::vector<std::optional<Measured<double>>>> JointsTo(
     const MachineModel& model, const std::vector<NamedEncoders>& encoders, int link) {
   std::vector<std::optional<Measured<double>>> joints(model.joints.size());
@@ -83,7 +83,7 @@ bool StoodStill(const MachineModel& model, const std::vector<NamedEncoders>& enc
       if (!is_gear) continue;
       ++measured;
       for (const EncoderSample& sample : recording.samples) {
-        if (std::abs(sample.qd_radps[i]) > kTurns_radps) return false;
+        if (std::abs(sample.qd_radps[i]) > kLeastTurning_radps) return false;
       }
     }
   }

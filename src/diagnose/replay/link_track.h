@@ -7,29 +7,30 @@
 
 namespace tera {
 
-/// How a link moved, at even times.
+/// The motion of a link at even times.
 ///
 /// Frames  W of the poses, L link.
 struct LinkTrack {
   TimeNs start_ns = 0, step_ns = 0;
   std::vector<Pose> X_WL;
-  std::vector<bool> known;  ///< of each time, whether measurements are near enough to tell
+  std::vector<bool> known;  ///< at each time, whether measurements are near enough
 
   TimeNs t_ns(std::size_t k) const { return start_ns + static_cast<TimeNs>(k) * step_ns; }
-  /// Between two times; beyond the first and the last, as it was then. Of a track that has times.
+  /// The pose at a time, interpolated; before the first and after the last time, the pose then. The
+  /// track must have times.
   Pose At(TimeNs at_ns) const;
-  /// Where a point of the link is then, on a straight line between two times.
+  /// The position of a point of the link at a time, on a straight line between two times.
   Vec3 PointAt(TimeNs at_ns, const Vec3& p_L_m) const;
 };
 
-/// From the poses of the base and the encoders of the joints between base and link, over
-/// [`from_ns`, `to_ns`].
+/// The track of a link over [`from_ns`, `to_ns`], from the poses of the base and the encoders of
+/// the joints between base and link.
 ///
-/// Model   poses and angles are straight between measurements. Without poses, a machine whose
+/// Model   poses and angles are linear between measurements. Without poses, a machine whose
 ///         tracks or wheels were measured and never turned stands still and level.
-/// Omits   how a standing machine leans.
+/// Omits   the attitude of a machine that stands.
 ///
-/// Empty where a moving joint on the way has no encoder, or nothing tells where the base was.
+/// Empty where a moving joint on the way has no encoder, or the base's pose is not known.
 LinkTrack TrackOfLink(const MachineModel& model, const std::vector<NamedEncoders>& encoders,
                       const std::vector<TruthPose>& poses, int link, TimeNs from_ns, TimeNs to_ns,
                       TimeNs step_ns);

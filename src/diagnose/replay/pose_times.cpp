@@ -10,17 +10,18 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kNeighbours = 7;  ///< on either side
-constexpr double kSteady = 0.25;        ///< by which they may differ from one side to the other
-constexpr double kWhole = 0.3;          ///< from a whole number of times
-constexpr double kMoves_m = 0.02;       ///< less is rest, or noise
-constexpr double kPerRad_m = 1;         ///< about what a machine's outline moves by
-constexpr double kUsual = 0.25;    ///< of the median, that usual distances of stamps are off by
-constexpr double kUnknown = 0.01;  ///< of the period
-constexpr TimeNs kLeastWait = 2;   ///< periods, of the longest
-constexpr std::size_t kLongestQueue = 50;
+constexpr std::size_t kNeighbours = 7;        ///< steps on either side that one is compared with
+constexpr double kMostSideDifference = 0.25;  ///< of the steps on both sides, over their mean
+constexpr double kMostFromWhole = 0.3;        ///< of a ratio of steps, for it to be a whole number
+constexpr double kLeastStep_m = 0.02;         ///< a shorter step is rest, or noise
+constexpr double kPerRad_m = 1;               ///< about the radius of a machine's outline
+/// Deviation of usual distances of stamps from their median, over the median, at most.
+constexpr double kUsualDeviation = 0.25;
+constexpr double kPeriodUncertainty = 0.01;  ///< over the period
+constexpr TimeNs kLeastWait = 2;             ///< in periods, of the pose that waits longest
+constexpr std::size_t kLongestQueue = 50;    ///< of poses that wait
 
-/// How far each pose is from the one before it.
+/// The distance of each pose from the one before it.
 std::vector<double> StepsOf_m(const std::vector<TruthPose>& poses) {
   std::vector<double> steps_m;
   for (std::size_t k = 1; k < poses.size(); ++k) {
@@ -31,8 +32,7 @@ std::vector<double> StepsOf_m(const std::vector<TruthPose>& poses) {
   return steps_m;
 }
 
-/// How many times as far each step went as those around it: a whole number; 1 where that is not
-/// told.
+/// The ratio of each step to those around it as a whole number; 1 where it is none.
 std::vector<TimeNs> TimesAsFar(const std::vector<double>& steps_m) {
   std::vector<TimeNs> times(steps_m.size(), 1);
   for (std::size_t k = kNeighbours; k + kNeighbours < steps_m.size(); ++k) {
@@ -40,10 +40,10 @@ std::vector<TimeNs> TimesAsFar(const std::vector<double>& steps_m) {
     const auto neighbours = static_cast<std::ptrdiff_t>(kNeighbours);
     const double before_m = Median({at - neighbours, at});
     const double after_m = Median({at + 1, at + 1 + neighbours});
-    if (std::min(before_m, after_m) < kMoves_m) continue;
-    if (std::abs(before_m - after_m) > kSteady * std::max(before_m, after_m)) continue;
+    if (std::min(before_m, after_m) < kLeastStep_m) continue;
+    if (std::abs(before_m - after_m) > kMostSideDifference * std::max(before_m, after_m)) continue;
     const double far = 2 * *at / (before_m + after_m);
-    if (far > 1.5 && std::abs(far - std::round(far)) < kWhole) times[k] = std::llround(far);
+    if (far > 1.5 && std::abs(far - std::round(far)) < kMostFromWhole) times[k] = std::llround(far);
   }
   return times;
 }
@@ -56,15 +56,15 @@ TimeNs PeriodOf(const std::vector<TruthPose>& poses) {
   const double median_s = Median(apart_s);
   double sum_s = 0, count = 0;
   for (const double one_s : apart_s) {
-    if (std::abs(one_s - median_s) > kUsual * median_s) continue;
+    if (std::abs(one_s - median_s) > kUsualDeviation * median_s) continue;
     sum_s += one_s;
     ++count;
   }
-  return FromSeconds((1 - kUnknown) * sum_s / count);
+  return FromSeconds((1 - kPeriodUncertainty) * sum_s / count);
 }
 
-/// Whether a pose that waits for so long has poses before it that came late enough to have waited
-/// before it: else it is no wait that makes it late.
+/// Whether the poses before one that waits so long arrived late enough to have waited before it;
+/// else it is late for another reason.
 bool HasRoom(const std::vector<TruthPose>& poses, std::size_t pose, TimeNs waits_ns,
              TimeNs period_ns) {
   for (std::size_t k = pose; k > 0 && pose - k < kLongestQueue; --k) {

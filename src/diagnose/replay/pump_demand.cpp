@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-/// All that a pump feeds: joints, then gears behind them.
+/// The axes that a pump feeds: joints, then gears.
 std::vector<std::size_t> AxesOf(const MachineModel& model, const Pump& pump) {
   std::vector<std::size_t> axes(pump.joints.begin(), pump.joints.end());
   for (const int gear : pump.gears) axes.push_back(model.joints.size() + gear);
@@ -25,7 +25,7 @@ std::optional<std::size_t> OnlyPumpOf(const MachineModel& model, std::size_t axi
   return only;
 }
 
-/// How many pumps an axis draws from; it asks each for the same part.
+/// The number of pumps that an axis draws from, from each the same part.
 double PumpsOf(const MachineModel& model, std::size_t axis) {
   return static_cast<double>(
       std::count_if(model.pumps.begin(), model.pumps.end(), [&](const Pump& pump) {

@@ -10,20 +10,20 @@
 
 namespace tera {
 
-/// What is asked of the pump that feeds one axis, step by step of a log.
+/// The demand on the pump that feeds one axis, at each step of a log.
 ///
 /// Model   each of the pump's other functions asks what its own chain makes of its recorded lever,
 ///         as the model has it; the axis takes oil by its displacement at the measured position.
-/// Omits   axes that several pumps feed; what an axis's own `cylinder_lever` makes of oil and
+/// Omits   axes that several pumps feed; the effect of an axis's own `cylinder_lever` on oil and
 ///         power.
-/// Source  as of flow_sharing (docs/mechanisms.md): Djurovic and Helduser 2004, "New control
+/// Source  that of flow_sharing (docs/mechanisms.md): Djurovic and Helduser 2004, "New control
 ///         strategies for electrohydraulic load-sensing".
 struct PumpDemand {
   std::size_t pump = 0;
   std::vector<double> others_m3ps, others_w;
-  /// Of the axis by its rate's sign: oil a radian.
+  /// Oil that the axis takes for a radian, by the sign of its rate.
   std::vector<double> positive_m3prad, negative_m3prad;
-  /// How long the axis and others ask together, and what all of them ask at most.
+  /// Time for which the axis and others ask together, and the largest demand of all of them.
   double together_s = 0, most_m3ps = 0, most_w = 0;
 
   double Own_m3ps(std::size_t step, double rate_radps) const {
@@ -32,7 +32,7 @@ struct PumpDemand {
   }
 };
 
-/// None for an axis that no pump feeds, or more than one.
+/// The demand on an axis's pump; none for an axis that no pump or more than one feeds.
 std::optional<PumpDemand> PumpDemandOf(const MachineModel& model, const AxisLog& log,
                                        std::size_t axis);
 
