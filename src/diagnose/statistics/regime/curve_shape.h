@@ -6,7 +6,7 @@
 
 namespace tera {
 
-/// What a regime curve looks like.
+/// The form of a regime curve.
 enum class CurveForm {
   kNone,        ///< nothing stands out
   kLinear,      ///< proportional to the variable
@@ -22,12 +22,14 @@ enum class CurveForm {
 
 enum class CurveParity { kNotTested, kOdd, kEven, kNeither };
 
+/// The form and parity of a regime curve.
+///
 /// Model   each form is a family of one to three coefficients, and a bend where it has
 ///         one, tried over a ladder of bends; gain is the likelihood ratio 2 log(L /
 ///         L_constant) under the curve's information; the form of the largest gain -
 ///         (coefficients + bends) log(rows) wins. Parity by odd and even piecewise-linear
 ///         functions of |x|, where both signs were visited. [low, high] is where the curve
-///         lives: between the bends (saturating, local), beyond them (threshold:
+///         differs from a constant: between the bends (saturating, local), beyond them (threshold:
 ///         `outside`), about the jump (step), where nine tenths of its energy lie (free),
 ///         else all that was visited.
 /// Source  Schwarz 1978.
@@ -35,7 +37,7 @@ struct CurveShape {
   CurveForm form = CurveForm::kNone;
   CurveParity parity = CurveParity::kNotTested;
   double low = 0, high = 0;
-  bool outside = false;  ///< lives outside of [low, high]
+  bool outside = false;  ///< the curve differs from a constant outside of [low, high]
   double bend = 0;  ///< |x| at the bend, x of the jump or one-sided threshold, harmonic if periodic
   double slope = 0;  ///< coefficient of the first column of the form
   double gain = 0, free_gain = 0;

@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-/// Asks variables for what they say beyond what is known.
+/// Tests variables given known columns.
 class Tester {
  public:
   Tester(const Series& residual, const NoiseModel& noise, const Eigen::MatrixXd& known,
@@ -36,7 +36,7 @@ class Tester {
   }
 
  private:
-  /// The design that knows what an axis is multiplied with too.
+  /// The design that also knows an axis's factor.
   const RegimeDesign* WithTimes(const RegimeAxis& axis) const {
     for (const auto& [times, design] : with_times_) {
       if (times == axis.times()) return &design;
@@ -49,21 +49,21 @@ class Tester {
 };
 
 std::vector<RegimeTestResult> TestAll(const Tester& tester, const std::vector<RegimeProbe>& probes,
-                                      const std::vector<bool>& taken,
+                                      const std::vector<bool>& selected,
                                       const PartiallingOptions& options, const Stream& stream) {
   return InParallel<RegimeTestResult>(probes.size(), options.threads, [&](std::size_t v) {
-    if (taken[v]) return RegimeTestResult{probes[v].name(), {}, 0};
+    if (selected[v]) return RegimeTestResult{probes[v].name(), {}, 0};
     return tester.Test(probes[v], options.test, stream);
   });
 }
 
-/// The significant one of the best criterion.
+/// The significant variable with the best criterion.
 std::optional<PartiallingStep> Best(const std::vector<RegimeTestResult>& tests,
-                                    const std::vector<bool>& taken, double alpha) {
+                                    const std::vector<bool>& selected, double alpha) {
   std::vector<std::size_t> open;
   std::vector<double> p;
   for (std::size_t v = 0; v < tests.size(); ++v) {
-    if (taken[v]) continue;
+    if (selected[v]) continue;
     open.push_back(v);
     p.push_back(tests[v].comparison.p_tail);
   }
@@ -103,18 +103,18 @@ Partialling SelectRegimes(const Series& residual, const NoiseModel& noise,
   const WhiteningFilter filter(noise, residual.valid);
   std::vector<RegimeProbe> probes;
   for (const RegimeVariable& variable : variables) probes.emplace_back(variable, filter);
-  std::vector<bool> taken(variables.size(), false);
+  std::vector<bool> selected(variables.size(), false);
   Eigen::MatrixXd known(static_cast<Eigen::Index>(residual.size()), 0);
   Partialling out;
   while (true) {
     std::vector<RegimeTestResult> tests =
-        TestAll(Tester(residual, noise, known, probes), probes, taken, options, stream);
-    const std::optional<PartiallingStep> best = Best(tests, taken, options.alpha);
+        TestAll(Tester(residual, noise, known, probes), probes, selected, options, stream);
+    const std::optional<PartiallingStep> best = Best(tests, selected, options.alpha);
     if (!best || out.steps.size() == options.most) {
       out.left = std::move(tests);
       return out;
     }
-    taken[best->variable] = true;
+    selected[best->variable] = true;
     known = WithColumns(known, KnownColumns(probes[best->variable].axis()));
     out.steps.push_back(*best);
   }

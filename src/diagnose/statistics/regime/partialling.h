@@ -15,7 +15,7 @@ struct PartiallingOptions {
   int threads = 2;
 };
 
-/// One step: the variable that was taken in, and how all of them stood before it was.
+/// One step: the variable that was selected, and the tests of all variables before that.
 struct PartiallingStep {
   std::size_t variable = 0;
   double p_adjusted = 1;
@@ -25,16 +25,16 @@ struct PartiallingStep {
 
 struct Partialling {
   std::vector<PartiallingStep> steps;
-  std::vector<RegimeTestResult> left;  ///< all variables with everything taken in
+  std::vector<RegimeTestResult> left;  ///< of all variables, given all that were selected
 };
 
-/// Which of several variables explain a residual when the others are already in.
+/// Selects the variables that explain a residual, each given the ones selected before it.
 ///
-/// Model   forward selection: each step tests every variable not in yet given those that are
-///         (regime_test.h), adjusts p_tail by Holm over them, and of those at or below alpha takes
-///         in the one of the best criterion, the largest share of whitened energy for its size,
-///         with twenty splines. Variables whose functions are multiplied are tested
-///         given what they are multiplied with: a constant share is no dependence on them.
+/// Model   forward selection: each step tests every variable that is not selected given those that
+///         are (regime_test.h), adjusts p_tail by Holm over them, and of those at or below alpha
+///         selects the one with the best criterion, the largest share of whitened energy for its
+///         size, with twenty splines. Variables with a factor are tested given that factor: a
+///         constant share is no dependence on the variable.
 /// Omits   products of variables; removal of a variable that a later one makes superfluous.
 ///
 /// All series have the residual's length.
@@ -42,7 +42,7 @@ Partialling SelectRegimes(const Series& residual, const NoiseModel& noise,
                           const std::vector<RegimeVariable>& variables,
                           const PartiallingOptions& options, const Stream& stream);
 
-/// Splines of the variable, sample by sample: what a design takes as known.
+/// Splines of a variable, sample by sample, as known columns of a design.
 Eigen::MatrixXd KnownColumns(const RegimeAxis& axis);
 
 /// Columns side by side; `known` may have none.

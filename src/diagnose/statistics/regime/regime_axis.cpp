@@ -12,9 +12,9 @@ namespace tera {
 namespace {
 
 constexpr Eigen::Index kBins = 64;
-constexpr std::size_t kMostLevels = 12;
+constexpr std::size_t kMostLevels = 12;  ///< of a discrete variable
 
-/// The distinct values, or none if they are too many.
+/// The distinct values; none where they are too many.
 std::vector<double> LevelsOf(const Series& series) {
   std::set<double> levels;
   for (std::size_t k = 0; k < series.size(); ++k) {
@@ -72,7 +72,7 @@ RegimeAxis::RegimeAxis(const RegimeVariable& variable)
   for (std::size_t k = 0; k < value.size(); ++k) {
     Eigen::Index bin = 0;
     if (discrete_) {
-      // The nearest level: a bridged gap may lie between two.
+      // The nearest level: an interpolated gap may lie between two.
       (centre_.array() - value[k]).abs().minCoeff(&bin);
     } else {
       const double place = std::floor((value[k] - low) / width_);

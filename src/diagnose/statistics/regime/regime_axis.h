@@ -10,22 +10,23 @@
 
 namespace tera {
 
-/// A quantity that the error may depend on: a lever, a joint angle, a rate, a slope, time ..
+/// A quantity that the error may depend on, such as a lever, a joint angle, a rate, a slope or
+/// time.
 struct RegimeVariable {
   std::string name;
   Series series;
   bool angle = false;  ///< radians, periodic with 2 pi
-  /// Sample by sample what a function of the variable is multiplied with, such as the simulated
-  /// value where the error may be a share of it; empty: the function itself is asked for.
+  /// Factor on a function of the variable, sample by sample, such as the simulated value where the
+  /// error may be a share of it. Empty: there is no factor.
   std::vector<double> times = {};
 };
 
 /// A variable cut into bins, and smooth functions over them.
 ///
-/// Model   64 equal bins from the 0.2 % to the 99.8 % quantile, what lies beyond in the
-///         outermost; from -pi to pi for an angle; one bin a value where there are at most 12
-///         values. Gaps are bridged. Functions: uniform cubic B-splines (cyclic for an angle; one
-///         column a value for discrete variables), roughness by squared second differences of
+/// Model   64 equal bins from the 0.2 % to the 99.8 % quantile, with values beyond in the outermost
+///         bins; from -pi to pi for an angle; one bin for each value where there are at most 12
+///         values. Gaps are interpolated. Functions: uniform cubic B-splines (cyclic for an angle;
+///         one column a value for discrete variables), roughness by squared second differences of
 ///         coefficients.
 /// Source  Eilers and Marx 1996, "Flexible smoothing with B-splines and penalties".
 class RegimeAxis {
@@ -42,10 +43,10 @@ class RegimeAxis {
   double width() const { return width_; }
   bool angle() const { return angle_; }
   bool discrete() const { return discrete_; }
-  /// What a function of the variable is multiplied with; ones where there is nothing.
+  /// The factor on functions of the variable; 1 where there is none.
   const Eigen::VectorXd& times() const { return times_; }
   bool has_times() const { return has_times_; }
-  /// Samples after which the variable has changed (robust.h); of it and of its distance from its
+  /// The longer of the correlation lengths (robust.h) of the variable and of its distance from its
   /// mean.
   std::size_t correlation_length() const { return correlation_length_; }
 
@@ -62,7 +63,7 @@ class RegimeAxis {
   std::size_t correlation_length_ = 1;
 };
 
-/// sum of `value` times `times` in each bin: what each bin's column says of it.
+/// Sum of `value` times the axis's factor in each bin, the product with the bin's column.
 Eigen::VectorXd SumByBin(const RegimeAxis& axis, const Eigen::VectorXd& value);
 
 }  // namespace tera

@@ -11,7 +11,7 @@ namespace tera {
 namespace {
 
 constexpr Eigen::Index kSplines = 20;
-constexpr int kSteps = 6;
+constexpr int kNewtonSteps = 6;  ///< of Huber's regression
 
 Series Less(const Series& residual, const RegimeAxis& axis, const Eigen::VectorXd& curve) {
   Series out = residual;
@@ -43,7 +43,8 @@ struct Smoother {
   double Freedom() const { return Solver(1).solve(information).trace(); }
 };
 
-/// Least (energy left) / (rows - freedom)^2 over a ladder of penalties.
+/// Chooses the penalty of a ladder by generalised cross-validation: least (energy left) /
+/// (rows - freedom)^2.
 void ChoosePenalty(const Eigen::VectorXd& score, double energy, double rows, Smoother* smoother) {
   const double unit = smoother->information.trace() / std::max(smoother->roughness.trace(), 1e-300);
   double least = INFINITY, best = unit;
@@ -60,7 +61,7 @@ void ChoosePenalty(const Eigen::VectorXd& score, double energy, double rows, Smo
   smoother->penalty = best;
 }
 
-/// Scores of the splines gathered in blocks of rows: columns x blocks.
+/// Scores of the splines summed over blocks of rows: columns x blocks.
 Eigen::MatrixXd BlockScores(const RegimeDesign& design, const RegimeAxis& axis,
                             const Eigen::MatrixXd& splines, const std::vector<Segment>& blocks) {
   const std::vector<double>& taps = design.filter().taps();
@@ -85,7 +86,7 @@ Eigen::MatrixXd BlockScores(const RegimeDesign& design, const RegimeAxis& axis,
   return out;
 }
 
-/// Rows that take the mean over the samples off a curve.
+/// The matrix that subtracts from a curve its mean over the samples.
 Eigen::MatrixXd Centring(const Eigen::VectorXd& count) {
   Eigen::MatrixXd out = Eigen::MatrixXd::Identity(count.size(), count.size());
   out.rowwise() -= (count / count.sum()).transpose();
@@ -117,7 +118,8 @@ RegimeCurve FitRegimeCurve(const Series& residual, const NoiseModel& noise,
   const RegimeAxis axis(variable);
   TERA_CHECK(axis.samples() == residual.size(), axis.samples(), residual.size());
   RegimeDesign design(residual, noise, known, 1e9);
-  const Eigen::MatrixXd remaining = design.Remaining(axis, WhitenedGram(axis, design.filter()));
+  const Eigen::MatrixXd remaining =
+      design.InformationBeyondKnown(axis, WhitenedGram(axis, design.filter()));
   Smoother smoother;
   smoother.splines = axis.Splines(kSplines);
   smoother.information = smoother.splines.transpose() * remaining * smoother.splines;
@@ -125,7 +127,7 @@ RegimeCurve FitRegimeCurve(const Series& residual, const NoiseModel& noise,
   const auto rows = static_cast<double>(design.filter().row_count());
 
   Eigen::VectorXd b = Eigen::VectorXd::Zero(smoother.splines.cols());
-  for (int step = 0; step < kSteps; ++step) {
+  for (int step = 0; step < kNewtonSteps; ++step) {
     if (step > 0) design = RegimeDesign(Less(residual, axis, smoother.splines * b), noise, known);
     const Eigen::VectorXd score = smoother.splines.transpose() * SumByBin(axis, design.score());
     if (step == 0) ChoosePenalty(score, design.psi_variance() * rows, rows, &smoother);

@@ -14,7 +14,8 @@ struct RegimeCurveOptions {
   double confidence = 0.9;
 };
 
-/// How a residual depends on a variable, E[residual | variable], with what is known held fixed.
+/// The dependence of a residual on a variable, E[residual | variable], with known columns held
+/// fixed.
 ///
 /// Model   penalised cubic B-splines (20) by generalised least squares with Huber's function; the
 ///         penalty by generalised cross-validation; centred so that its mean over the samples is 0.

@@ -68,7 +68,8 @@ Eigen::MatrixXd RegimeDesign::SolveKnown(const Eigen::MatrixXd& right) const {
   return known_gram_.solve(right);
 }
 
-Eigen::MatrixXd RegimeDesign::Remaining(const RegimeAxis& axis, const Eigen::MatrixXd& gram) const {
+Eigen::MatrixXd RegimeDesign::InformationBeyondKnown(const RegimeAxis& axis,
+                                                     const Eigen::MatrixXd& gram) const {
   const Eigen::MatrixXd cross = CrossByBin(axis);
   return gram - cross * SolveKnown(cross.transpose());
 }

@@ -9,36 +9,37 @@
 
 namespace tera {
 
-/// A residual y regressed on what is already known (columns Z), ready to be asked for more.
+/// The regression of a residual y on known columns Z, prepared for score tests of more columns.
 ///
 /// Model   generalised least squares under the noise model with Huber's function: e
 ///         = A (y - Z g), A the whitening filter, g such that (A Z)' psi(e) = 0,
 ///         psi(e) = e clipped at `clip` robust scales, each at least the noise's; score = A'
-///         psi(e). For a function of a variable with bins B, B' score is what the residual still
-///         says for it, and B' A' A B (less what Z explains) how much was to be
-///         learnt.
+///         psi(e). For a function of a variable with bins B, B' score is its score
+///         vector and B' A' A B, less what Z explains, its information.
 /// Source  Huber 1981, "Robust statistics", chapter 7 (modified residuals); Rao's score test.
 class RegimeDesign {
  public:
-  /// `known` has one row a sample; a constant is always added. Gaps of `residual` are left out.
+  /// `known` has one row for each sample; a constant is always added. Gaps of `residual` are
+  /// ignored.
   RegimeDesign(const Series& residual, const NoiseModel& noise, const Eigen::MatrixXd& known,
                double clip = 3);
 
   const WhiteningFilter& filter() const { return filter_; }
   const Eigen::VectorXd& psi() const { return psi_; }
   const Eigen::VectorXd& score() const { return score_; }
-  /// Mean of psi^2 over the rows, and the share of rows that were not clipped.
+  /// Mean of psi^2 over the rows, and the share of rows that are not clipped.
   double psi_variance() const { return psi_variance_; }
   double unclipped() const { return unclipped_; }
   /// A Z.
   const Eigen::MatrixXd& whitened_known() const { return whitened_known_; }
 
-  /// (A' A Z) summed by bin: bins x known.
+  /// A' A Z summed by bin: bins x known.
   Eigen::MatrixXd CrossByBin(const RegimeAxis& axis) const;
-  /// x with (A Z)' A Z x = right.
+  /// The x that solves (A Z)' A Z x = right.
   Eigen::MatrixXd SolveKnown(const Eigen::MatrixXd& right) const;
-  /// `gram` (of the axis, below) less what the known explains.
-  Eigen::MatrixXd Remaining(const RegimeAxis& axis, const Eigen::MatrixXd& gram) const;
+  /// The information of an axis beyond the known columns: the Schur complement of `gram`
+  /// (WhitenedGram).
+  Eigen::MatrixXd InformationBeyondKnown(const RegimeAxis& axis, const Eigen::MatrixXd& gram) const;
 
  private:
   void Fit(const Eigen::VectorXd& whitened, double clip, double least_scale);
@@ -50,7 +51,7 @@ class RegimeDesign {
   double psi_variance_ = 0, unclipped_ = 1;
 };
 
-/// B' A' A B for the bins of an axis, B with what its functions are multiplied with.
+/// B' A' A B for the bins B of an axis, times the axis's factor.
 Eigen::MatrixXd WhitenedGram(const RegimeAxis& axis, const WhiteningFilter& filter);
 
 }  // namespace tera

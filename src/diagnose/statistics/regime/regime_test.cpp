@@ -11,11 +11,13 @@ namespace {
 
 constexpr Eigen::Index kSplines = 10;
 constexpr double kEffectiveFreedom = 5;
-constexpr double kLeastInformation = 2e-3;  ///< of the best known direction
-constexpr double kRounding = 1e-9;          ///< of the information that the mean takes away
-constexpr double kLeastRemaining = 0.05;
+/// Information of a direction over that of the best known one, at least.
+constexpr double kLeastInformation = 2e-3;
+constexpr double kRounding = 1e-9;  ///< over the information that the mean takes away
+/// Share of a direction's information that the known columns must leave.
+constexpr double kLeastShareBeyondKnown = 0.05;
 
-/// Weights 1 / (1 + lambda roughness) that sum to the effective freedom.
+/// Weights 1 / (1 + lambda roughness) whose sum is kEffectiveFreedom.
 Eigen::VectorXd ShrinkingWeights(const Eigen::VectorXd& roughness) {
   const auto weights = [&](double lambda) -> Eigen::VectorXd {
     return (1 + lambda * roughness.array().max(0)).inverse().matrix();
@@ -43,7 +45,7 @@ JudgedDirections JudgedDirectionsOf(const Eigen::MatrixXd& information) {
   out.project = out.normalise = Eigen::MatrixXd::Zero(information.rows(), information.rows());
   for (Eigen::Index k = 0; k < information.rows(); ++k) {
     const double left = solver.eigenvalues()[k];
-    if (left < kLeastRemaining) continue;
+    if (left < kLeastShareBeyondKnown) continue;
     const Eigen::VectorXd q = solver.eigenvectors().col(k);
     out.project += q * q.transpose();
     out.normalise += q * q.transpose() / std::sqrt(left);
@@ -81,7 +83,7 @@ RegimeProbe::RegimeProbe(const RegimeVariable& variable, const WhiteningFilter& 
   const Eigen::Index kept = (known.array() > least).count();
   directions_.resize(axis_.bins(), kept);
   weights_.resize(kept);
-  if (kept == 0) return;  // a variable that does not move; Eigen has no spectrum of nothing
+  if (kept == 0) return;  // the variable does not move; Eigen decomposes no empty matrix
   const Eigen::MatrixXd unit = information.eigenvectors().rightCols(kept) *
                                known.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> rough(unit.transpose() *
@@ -98,7 +100,7 @@ RegimeTestResult TestRegime(const RegimeDesign& design, const RegimeProbe& probe
   const RegimeAxis& axis = probe.axis();
   const Eigen::MatrixXd& directions = probe.directions();
   const JudgedDirections judged = JudgedDirectionsOf(
-      directions.transpose() * design.Remaining(axis, probe.gram()) * directions);
+      directions.transpose() * design.InformationBeyondKnown(axis, probe.gram()) * directions);
   if (judged.count == 0) return out;
 
   const double unit = 1 / std::sqrt(design.psi_variance());

@@ -13,14 +13,14 @@ namespace tera {
 struct RegimeTestOptions {
   std::size_t shifts = 200;
   std::size_t block = 0;  ///< samples; shifts within blocks of this length, 0 for one block
-  double repeats = 1;     ///< samples after which the residual says something new
+  double repeats = 1;     ///< correlation length of the residual beyond the noise model, in samples
 };
 
-/// A variable made ready to be tested again and again under one noise model.
+/// A variable, prepared to be tested repeatedly under one noise model.
 ///
 /// Model   ten B-splines in the basis in which both their information under the noise and their
 ///         roughness are diagonal (Demmler and Reinsch), weighted to five effective degrees of
-///         freedom. A constant, times what the functions are multiplied with, is taken out.
+///         freedom. A constant, times the axis's factor, is projected out.
 class RegimeProbe {
  public:
   RegimeProbe(const RegimeVariable& variable, const WhiteningFilter& filter);
@@ -41,20 +41,21 @@ class RegimeProbe {
 
 struct RegimeTestResult {
   std::string name;
-  ShiftComparison comparison;  ///< statistic: weighted score, mean 5 if the variable says nothing
-  double share =
-      0;  ///< of the whitened residual's energy that the variable explains, beyond chance
-  double criterion = 0;  ///< the same, but at least log(rows) for each direction (Schwarz 1978)
-  /// With what a constant times what the functions are multiplied with explains as well.
+  ShiftComparison comparison;  ///< statistic: weighted score, of mean 5 for an unrelated variable
+  /// Share of the whitened residual's energy that the variable explains beyond chance.
+  double share = 0;
+  /// As share, with at least log(rows) off for each direction (Schwarz 1978).
+  double criterion = 0;
+  /// The criterion of the variable together with a constant times the axis's factor.
   double whole_criterion = 0;
 };
 
-/// Whether E[residual | variable], given what the design knows, is other than constant. Of a
-/// variable whose functions are multiplied the design must know what they are multiplied with.
+/// Tests whether E[residual | variable], given the design's known columns, is not constant. Of a
+/// variable with a factor the design must know that factor.
 ///
-/// Model   score statistic; reference: the same with the variable turned circularly against the
-///         residual that remains. Directions of which the known leaves less than 5 % of the
-///         information are not judged.
+/// Model   score statistic; the reference is the statistic with the variable shifted circularly
+///         against the residual. Directions of which the known columns leave less than 5 % of the
+///         information are not tested.
 /// Source  Freedman and Lane 1983, "A nonstochastic interpretation of reported significance
 ///         levels".
 RegimeTestResult TestRegime(const RegimeDesign& design, const RegimeProbe& probe,

@@ -16,9 +16,9 @@ namespace {
 
 using Commands = std::vector<std::vector<double>>;
 
-constexpr std::array<double, 3> kShare = {0.4, 0.3, 0.3};
+constexpr std::array<double, 3> kShareOfPart = {0.4, 0.3, 0.3};  ///< TRAIN, SELECT, FINAL
 
-/// Which commands are given, and which of them below 0.
+/// The commands that are given, and those of them that are negative.
 struct Activity {
   std::uint64_t axes = 0, backward = 0;
   bool operator==(const Activity&) const = default;
@@ -34,7 +34,7 @@ Activity ActivityAt(const Commands& commands, std::size_t k, double rest_level) 
   return activity;
 }
 
-/// Runs of one activity; those that are too short belong to the one before.
+/// Runs of one activity; runs that are too short belong to the one before.
 std::vector<Manoeuvre> RunsOfActivity(const Commands& commands, double rest_level,
                                       std::size_t shortest) {
   std::vector<Manoeuvre> runs;
@@ -129,16 +129,16 @@ std::vector<std::vector<std::size_t>> Strata(const std::vector<Manoeuvre>& manoe
   return strata;
 }
 
-/// Manoeuvres that each part has.
+/// The number of manoeuvres of each part.
 using Filling = std::array<double, 3>;
 
-/// By how much a part would be short of its share were there one more.
+/// The manoeuvres by which a part would be short of its share if there were one more.
 double Lack(const Filling& filled, std::size_t part) {
   const double total = filled[0] + filled[1] + filled[2] + 1;
-  return kShare[part] * total - filled[part];
+  return kShareOfPart[part] * total - filled[part];
 }
 
-/// By number, for that is what tests count.
+/// Assigns manoeuvres to parts by number, since tests count manoeuvres.
 void ShareOut(std::vector<Manoeuvre>* manoeuvres, const Stream& stream) {
   Filling resting{}, moving{};
   for (std::vector<std::size_t>& stratum : Strata(*manoeuvres)) {
@@ -150,7 +150,7 @@ void ShareOut(std::vector<Manoeuvre>* manoeuvres, const Stream& stream) {
     for (const std::size_t m : stratum) {
       std::size_t best = 0;
       double most = -INFINITY;
-      for (std::size_t part = 0; part < kShare.size(); ++part) {
+      for (std::size_t part = 0; part < kShareOfPart.size(); ++part) {
         const double lack = Lack(here, part) + Lack(overall, part);
         if (lack <= most) continue;
         most = lack;

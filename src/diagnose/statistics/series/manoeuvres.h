@@ -10,7 +10,7 @@ namespace tera {
 
 enum class Part { kTrain, kSelect, kFinal };
 
-/// A run of one commanded activity.
+/// A run of samples with one set of commands.
 struct Manoeuvre {
   Segment samples;
   std::uint64_t axes = 0;      ///< bit k: command k was given; 0: rest
@@ -22,23 +22,22 @@ struct Manoeuvre {
 struct ManoeuvreOptions {
   double rest_level = 0.02;  ///< |command| up to this is rest
   double shortest_s = 0.5;   ///< shorter runs are joined to the one before
-  double longest_s = 3;  ///< longer runs, in which a machine does much, are cut into equal pieces
-  double tail_s = 1;     ///< of rest, that a manoeuvre keeps for its decay
-  double block_s = 5;    ///< length of the blocks where there are no manoeuvres
-  std::size_t fewest = 10;  ///< fewer manoeuvres: blocks
+  double longest_s = 3;      ///< longer runs are cut into equal pieces
+  double tail_s = 1;         ///< of the rest after a manoeuvre, which belongs to it
+  double block_s = 5;        ///< length of blocks, where there are too few manoeuvres
+  std::size_t fewest = 10;   ///< with fewer manoeuvres the recording is cut into blocks
 };
 
-/// Cuts a recording by what was commanded and shares the pieces out: TRAIN 40, SELECT 30, FINAL 30
-/// %.
+/// Cuts a recording by its commands into manoeuvres and assigns them to parts: TRAIN 40, SELECT 30
+/// and FINAL 30 %.
 ///
 /// Model   a manoeuvre is a run over which the same set of commands exceeds rest_level, each in one
 ///         direction, with `tail_s` of the rest after it; what remains of the rest is a piece of
 ///         its own. With fewer than `fewest` such pieces: blocks of equal length. Pieces with the
 ///         same axes and directions and the same half of amplitudes make a stratum; within each, in
-///         random order, the piece goes to the part that lacks most of its share of the stratum, or
-///         of all that moves (of all rest) where the stratum leaves it open. Shares are of
-///         number.
-/// Omits   what a manoeuvre owes to the one before it, beyond the tail.
+///         random order, a piece goes to the part that lacks most of its share of the stratum;
+///         where several lack as much, of all moving pieces, or of all rest. Shares are of number.
+/// Omits   effects of a manoeuvre on the next one beyond the tail.
 ///
 /// Commands of equal length, at most 64, gaps bridged; at least one. The pieces cover every sample,
 /// in order.

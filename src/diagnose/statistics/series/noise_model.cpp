@@ -12,11 +12,11 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kLongestResponse = 2000;  ///< samples that an innovation is followed
+constexpr std::size_t kLongestResponse = 2000;  ///< of an impulse, in samples
 
 constexpr double kLowestDof = 1.5, kHighestDof = 200;
 
-/// Samples that have `order` valid ones right before them.
+/// The samples that have `order` valid ones right before them.
 std::vector<std::size_t> RowsWithMemory(const Mask& valid, std::size_t order) {
   std::vector<std::size_t> rows;
   for (const Segment& segment : SegmentsOf(valid, order + 1)) {
@@ -73,7 +73,7 @@ std::vector<double> Errors(const std::vector<double>& x, const std::vector<std::
   return error;
 }
 
-/// Scale that maximises the likelihood at a given dof, by a few steps of EM from `scale`.
+/// The scale that maximises the likelihood at a given dof, by a few EM steps from `scale`.
 double ScaleAt(const std::vector<double>& error, double dof, double scale) {
   for (int step = 0; step < 12; ++step) {
     double sum = 0;
@@ -83,8 +83,8 @@ double ScaleAt(const std::vector<double>& error, double dof, double scale) {
   return scale;
 }
 
-/// The dof of the highest profile likelihood, on at most 4000 of the errors, golden section in
-/// 1 / dof.
+/// The dof that maximises the profile likelihood of at most 4000 of the errors, by golden-section
+/// search in 1 / dof.
 double DofOf(const std::vector<double>& error, double scale) {
   std::vector<double> some;
   const std::size_t stride = error.size() / 4000 + 1;
@@ -141,7 +141,7 @@ std::size_t UsableOrder(const Mask& valid, std::size_t wanted) {
   return wanted;
 }
 
-/// Student's t by a generalisation of Box–Muller.
+/// A draw from Student's t by a generalisation of Box–Muller.
 /// Source  Bailey 1994, "Polar generation of random variates with the t-distribution".
 double StudentDraw(const Stream& stream, std::size_t index, double dof) {
   const double u = stream.Uniform(index, 0), v = stream.Uniform(index, 1);

@@ -28,15 +28,15 @@ struct NoiseModel {
 struct NoiseFitOptions {
   std::optional<std::size_t> order;  ///< by BIC up to `highest_order` where not given
   std::size_t highest_order = 20;
-  double least_dof = 0;       ///< tails at most so heavy; the scale then takes up the rest
-  bool estimate_mean = true;  ///< else 0: an offset then stays in the innovations
+  double least_dof = 0;       ///< bounds how heavy tails may be; the scale takes up the rest
+  bool estimate_mean = true;  ///< else the mean is 0 and an offset stays in the innovations
 };
 
-/// Fits the model to what is valid.
+/// Fits the model to the valid samples.
 ///
 /// Model   conditional maximum likelihood by iteratively reweighted least squares, weights
 ///         (dof + 1) / (dof + e^2 / scale^2); dof by profile likelihood; rows that reach over a gap
-///         are left out; the order by BIC on the rows that the highest order can use. Reflection
+///         are excluded; the order by BIC on the rows that the highest order can use. Reflection
 ///         coefficients are held within +-0.9999, so that the result is stationary.
 /// Source  Lange, Little and Taylor 1989, "Robust statistical modeling using the t distribution";
 ///         Schwarz 1978.
@@ -44,8 +44,8 @@ struct NoiseFitOptions {
 /// Needs 16 valid samples; the order falls where segments are too short for it.
 NoiseModel FitNoise(const Series& series, const NoiseFitOptions& options = {});
 
-/// Best linear predictors of order 0 .. p of an AR(p) process, and by how much their error variance
-/// exceeds that of order p (Durbin–Levinson, run backwards).
+/// Best linear predictors of order 0 .. p of an AR(p) process, and the ratio of their error
+/// variance to that of order p (Durbin–Levinson recursion, run backwards).
 struct ShorterPredictors {
   std::vector<std::vector<double>> ar;
   std::vector<double> variance_ratio;
@@ -56,12 +56,12 @@ ShorterPredictors PredictorsOf(const std::vector<double>& ar);
 /// as its standard deviation, at `frequency_hz`.
 double SpectralDensity(const NoiseModel& noise, double period_s, double frequency_hz);
 
-/// Variance of a sample of the process, by its response to single innovations; that of the mean of
-/// many samples, times their number. `dof` over 2.
+/// Variance of a sample of the process, by its impulse response. `dof` must exceed 2.
 double VarianceOf(const NoiseModel& noise);
+/// Long-run variance: that of the mean of many samples, times their number. `dof` must exceed 2.
 double LongRunVarianceOf(const NoiseModel& noise);
 
-/// `count` samples of the process, from `stream`; the start is left to decay first.
+/// `count` samples of the process, drawn from `stream` after its start has decayed.
 std::vector<double> SimulateNoise(const NoiseModel& noise, std::size_t count, const Stream& stream);
 
 /// Log-density of the standard Student-t distribution.

@@ -6,12 +6,13 @@
 
 namespace tera {
 
-/// Value below which a share `share` of the values lies, between samples linear. Not empty.
+/// The value below which a share `share` of the values lies, interpolated linearly between samples.
+/// There must be a value.
 double Quantile(std::vector<double> values, double share);
 
 double Median(std::vector<double> values);
 
-/// Standard deviation as the median absolute deviation gives it for a normal distribution:
+/// Standard deviation of a normal distribution by its median absolute deviation:
 /// 1.4826 median |x - median x|.
 double RobustScale(const std::vector<double>& values);
 

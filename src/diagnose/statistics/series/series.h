@@ -6,7 +6,7 @@
 
 namespace tera {
 
-/// One entry a sample: 1 where the sample can be used.
+/// One entry for each sample: 1 where the sample can be used.
 using Mask = std::vector<std::uint8_t>;
 
 /// Uniformly sampled quantity with gaps.
@@ -20,7 +20,7 @@ struct Series {
   std::size_t size() const { return value.size(); }
 };
 
-/// Not-finite values become gaps.
+/// A series of values, in which those that are not finite are gaps.
 Series MakeSeries(double period_s, std::vector<double> value);
 
 /// Samples [begin, end).
@@ -35,28 +35,28 @@ std::vector<Segment> SegmentsOf(const Mask& valid, std::size_t shortest = 1);
 
 std::size_t CountValid(const Mask& valid);
 
-/// Valid where both are.
+/// The mask that is valid where both are.
 Mask Both(const Mask& a, const Mask& b);
 
 /// The series with everything outside `kept` made a gap.
 Series Restricted(const Series& series, const Mask& kept);
 
-/// The samples that are there, in order.
+/// The values of the valid samples, in order.
 std::vector<double> ValidValues(const Series& series);
 
-/// Root mean square of the samples that are there; 0 of none.
+/// Root mean square of the valid samples; 0 where there are none.
 double Rms(const Series& series);
 
-/// Mean square of the samples that are there and in the mask; 0 of none.
+/// Mean square of the valid samples in a mask; 0 where there are none.
 double MeanSquare(const Series& series, const Mask& mask);
-/// The same of a segment.
+/// Mean square of the valid samples of a segment; 0 where there are none.
 double MeanSquare(const Series& series, const Segment& samples);
 
-/// Values with gaps bridged linearly and the ends held: for an input whose gaps are short. All zero
-/// if there is no valid sample.
+/// Values with gaps interpolated linearly and the ends held, for an input whose gaps are short. All
+/// 0 where there is no valid sample.
 std::vector<double> BridgedValues(const Series& series);
 
-/// Values beyond +-limit brought to +-limit: an independent series stays independent, and its
+/// The series with values clipped to +-limit: an independent series stays independent, and its
 /// fourth moment becomes finite.
 Series Clipped(const Series& series, double limit);
 

@@ -14,10 +14,12 @@ struct Innovations {
   double log_likelihood = 0;
   std::size_t count = 0;
 
-  /// Without those flagged as restarted.
+  /// The innovations without those flagged as restarted.
   Series Steady() const;
 };
 
+/// The innovations of a series under a noise model.
+///
 /// Model   each valid sample is predicted from the valid samples right before it, at
 ///         most order() of them: after a gap by the shorter predictor, whose larger
 ///         error is scaled down likewise, so that a segment of Gaussian noise is
@@ -42,7 +44,7 @@ class WhiteningFilter {
   const std::vector<Segment>& runs() const { return runs_; }
 
   Eigen::VectorXd Apply(const Eigen::Ref<const Eigen::VectorXd>& x) const;
-  /// (A x) of the samples of a segment that lies within a run.
+  /// A x at the samples of a segment that lies within a run.
   void ApplyOver(const Segment& samples, const Eigen::Ref<const Eigen::VectorXd>& x,
                  Eigen::Ref<Eigen::VectorXd> out) const;
   Eigen::VectorXd Transposed(const Eigen::VectorXd& e) const;

@@ -9,14 +9,14 @@
 
 namespace tera {
 
-/// [0, size) in pieces of `length`, the last one up to half longer or shorter.
+/// [0, size) cut into blocks of `length`; the last one is up to half longer or shorter.
 std::vector<Segment> CutIntoBlocks(std::size_t size, std::size_t length);
 
-/// How often each of `blocks` blocks is drawn in replicate `replicate`: with replacement, as many
+/// The number of times each of `blocks` blocks is drawn in a replicate: with replacement, as many
 /// draws as blocks.
 std::vector<int> DrawBlocks(std::size_t blocks, std::size_t replicate, const Stream& stream);
 
-/// Interval of sum(numerator) / sum(denominator) by drawing blocks (percentiles).
+/// Percentile interval of sum(numerator) / sum(denominator) under resampling of blocks.
 ///
 /// Omits   dependence between blocks: they must be longer than the correlation.
 /// Source  Künsch 1989, "The jackknife and the bootstrap for general stationary observations".

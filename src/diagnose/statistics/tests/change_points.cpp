@@ -32,8 +32,8 @@ std::vector<Cell> GatherCells(const Series& innovations, double dof, std::size_t
   return cells;
 }
 
-/// Standard deviation of a score a sample as neighbouring cells scatter, at least 1: innovations
-/// that a model left somewhat correlated must not look like changes.
+/// Standard deviation of a score per sample by the scatter of neighbouring cells, at least 1:
+/// innovations that a model left somewhat correlated must not look like changes.
 double Inflation(const std::vector<Cell>& cells, double Cell::*score) {
   std::vector<double> difference;
   const Cell* before = nullptr;
@@ -48,7 +48,7 @@ double Inflation(const std::vector<Cell>& cells, double Cell::*score) {
   return difference.size() < 10 ? 1 : std::max(1.0, RobustScale(difference));
 }
 
-/// Running sums, from which the cost of any stretch of cells follows.
+/// Cumulative sums, from which the cost of any segment of cells follows.
 class Costs {
  public:
   explicit Costs(const std::vector<Cell>& cells) : sum_(cells.size() + 1) {
@@ -62,7 +62,7 @@ class Costs {
     return {sum_[end].count - sum_[begin].count, sum_[end].location - sum_[begin].location,
             sum_[end].scale - sum_[begin].scale};
   }
-  /// Squares left about the stretch's means, but for what no segmentation changes.
+  /// Sum of squares about the segment's means, up to a constant that no segmentation changes.
   double Of(std::size_t begin, std::size_t end) const {
     const Cell sum = Sum(begin, end);
     if (sum.count == 0) return 0;
@@ -73,7 +73,7 @@ class Costs {
   std::vector<Cell> sum_;
 };
 
-/// Ends of the segments of least cost, the last of them `count`.
+/// The ends of the segments with the least cost; the last one is `count`.
 std::vector<std::size_t> BestSegmentation(const Costs& costs, std::size_t count, double penalty,
                                           std::size_t shortest) {
   std::vector<double> least(count + 1, INFINITY);

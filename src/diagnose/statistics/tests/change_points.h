@@ -7,14 +7,14 @@
 namespace tera {
 
 struct ChangePointOptions {
-  double cell_s = 0.2;       ///< samples are gathered in cells of this length
+  double cell_s = 0.2;       ///< length of the cells over which samples are averaged
   double alpha = 0.01;       ///< probability of any change, or any interval, where there is none
   std::size_t shortest = 2;  ///< cells in a segment
   /// Innovations may be somewhat correlated: scatter from cell to cell counts as noise.
   bool guarded = true;
 };
 
-/// A stretch of constant behaviour.
+/// A segment of constant level and variance.
 struct LevelSegment {
   Segment samples;
   double level = 0;         ///< mean of the location score; 0 as the noise model says
@@ -28,7 +28,7 @@ struct ChangePoints {
   std::vector<Segment> mismatch;  ///< flagged segments, neighbours joined; in samples
 };
 
-/// Where in time innovations are not what the noise model says, in level or in variance.
+/// Finds where in time innovations differ from the noise model, in level or in variance.
 ///
 /// Model   with e Student-t of `dof`: location score (dof + 1) e / (dof + e^2) and scale score
 ///         (dof + 1) e^2 / (dof + e^2) - 1, both bounded and of mean 0, each brought to unit

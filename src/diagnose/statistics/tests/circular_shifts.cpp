@@ -36,7 +36,7 @@ CircularShifts::CircularShifts(std::size_t size, std::size_t least, std::size_t 
     }
     return;
   }
-  // No more than there are nearly independent ones: room / least in each block.
+  // No more shifts than are nearly independent: room / least in each block.
   double independent = 1;
   for (const Segment& block : blocks_) {
     independent *= static_cast<double>(block.size() - 2 * least) / static_cast<double>(least);

@@ -8,8 +8,8 @@
 
 namespace tera {
 
-/// Ways to turn a series against another one, which keep the autocorrelation of both and destroy
-/// what ties one to the other: the reference distribution of every dependence test here.
+/// Circular shifts of a series against another one. They keep the autocorrelation of both and
+/// destroy the dependence between them: the reference distribution of every dependence test here.
 ///
 /// Model   with one block, shift k turns the whole series by least + (k + u) * stride samples, the
 ///         stride at least `least`, so that shifts are nearly independent of each other and of no
@@ -28,8 +28,8 @@ class CircularShifts {
 
   std::size_t count() const { return offset_.size(); }
   const std::vector<Segment>& blocks() const { return blocks_; }
-  /// By how much block `b` is turned in shift `k`: sample t is taken from t - offset, within the
-  /// block.
+  /// The offset by which block `b` is turned in shift `k`: sample t comes from t - offset, within
+  /// the block.
   std::size_t offset(std::size_t k, std::size_t b) const { return offset_[k][b]; }
 
   /// Calls use(to, from, length) for the contiguous pieces of shift `k`.
@@ -48,7 +48,7 @@ class CircularShifts {
   std::vector<std::vector<std::size_t>> offset_;
 };
 
-/// Where an observed statistic lies among those under shifts.
+/// The place of an observed statistic among those under shifts.
 ///
 /// Model   p = (1 + #{shifted >= observed}) / (1 + shifts). p_tail, for ranking what lies beyond
 ///         all shifts: p where ten shifts or more exceed, else an exponential tail through the

@@ -15,7 +15,7 @@ namespace {
 
 using Window = std::optional<Eigen::ArrayXcd>;
 
-/// Spectrum of the Hann-weighted samples from `begin`; none if too much is missing.
+/// The spectrum of the Hann-weighted samples from `begin`; empty where too many are missing.
 Window WindowSpectrum(const Series& series, std::size_t begin, const CoherenceOptions& options) {
   const std::size_t length = options.window;
   double mean = 0, count = 0;

@@ -12,7 +12,7 @@ namespace tera {
 struct CoherenceOptions {
   std::size_t window = 256;  ///< samples, a power of two
   std::size_t shifts = 200;
-  double most_missing = 0.2;  ///< windows with a larger share of gaps are left out
+  double most_missing = 0.2;  ///< share of gaps above which a window is ignored
 };
 
 /// Linear dependence of two series by frequency.

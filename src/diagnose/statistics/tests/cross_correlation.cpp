@@ -34,7 +34,7 @@ Values CircularProducts(const double* a, const double* b, std::size_t size) {
   return out;
 }
 
-/// Products of two series over all circular lags, block by block.
+/// The products of two series at all circular lags, block by block.
 class LagTable {
  public:
   LagTable(const Values& a, const Values& b, const std::vector<Segment>& blocks) {
@@ -43,7 +43,7 @@ class LagTable {
     }
   }
 
-  /// At `lag`, each block of b turned by its own further offset.
+  /// The product at `lag`, with each block of b turned by its own further offset.
   template <typename Offset>
   double At(std::ptrdiff_t lag, const Offset& offset) const {
     double sum = 0;
@@ -59,7 +59,7 @@ class LagTable {
   std::vector<Values> products_;
 };
 
-/// Brings the valid values to mean 0 and variance 1, the others to 0.
+/// The valid values standardised to mean 0 and variance 1; the others are 0.
 Values Standardised(const Values& value, const Mask& valid) {
   const auto n = static_cast<double>(std::max<std::size_t>(CountValid(valid), 1));
   double mean = 0, variance = 0;
@@ -111,7 +111,7 @@ FormStatistics Judge(const Values& a, const Values& b, double pairs, const Circu
   return out;
 }
 
-/// p of the largest of several statistics, each in units of its median under shifts.
+/// The p-value of the largest of several statistics, each over its median under shifts.
 double JointP(const std::array<FormStatistics, 4>& forms) {
   const std::size_t count = forms[0].shifted.size();
   double observed = 0;
@@ -146,7 +146,8 @@ CrossCorrelationTest TestCrossCorrelation(const Series& residual, const Series& 
   const std::size_t correlated = std::max(CorrelationLength(u1), CorrelationLength(u2));
   const CircularShifts shifts(u.size(), 2 * options.highest_lag + correlated, options.shifts,
                               options.block, stream);
-  const auto pairs = static_cast<double>(known.size());  // the input is bridged, so at every lag
+  const auto pairs =
+      static_cast<double>(known.size());  // at every lag, for gaps of the input are interpolated
   const std::array<FormStatistics, 4> forms = {Judge(r1, u1, pairs, shifts, options.highest_lag),
                                                Judge(r1, u2, pairs, shifts, options.highest_lag),
                                                Judge(r2, u1, pairs, shifts, options.highest_lag),

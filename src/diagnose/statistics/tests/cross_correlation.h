@@ -16,14 +16,14 @@ struct CrossCorrelationOptions {
   double clip = 4;        ///< of the residual, in robust scales
 };
 
-/// Strongest correlation over the lags. A positive lag: the residual follows the input.
+/// The strongest correlation over the lags. At a positive lag the residual follows the input.
 struct LaggedCorrelation {
   std::ptrdiff_t lag = 0;
   double correlation = 0;
   ShiftComparison comparison;  ///< statistic: largest squared correlation times pairs
 };
 
-/// Whether a residual depends on an input, at any lag, directly or by way of squares.
+/// Tests whether a residual depends on an input at any lag, directly or by squares.
 ///
 /// Model   forms residual–input, residual–input^2, residual^2–input, residual^2–input^2
 ///         (each centred). Statistic of a form: max over lags of n_l r_l^2, so that its

@@ -12,7 +12,7 @@ struct LjungBoxResult {
   double p = 1;
 };
 
-/// Whether innovations are still correlated with themselves.
+/// Tests whether innovations are autocorrelated.
 ///
 /// Model   Q = (n + 2) / n sum_k n_k r_k^2 over lags 1 .. `lags`, r_k the mean product over the n_k
 ///         pairs that gaps leave, divided by the variance; without gaps this is Ljung and Box's

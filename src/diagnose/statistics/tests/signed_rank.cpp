@@ -7,9 +7,9 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kLargestExact = 50;
+constexpr std::size_t kLargestExact = 50;  ///< differences of which the distribution is enumerated
 
-/// Twice the mean rank of each |value|, thus whole; values sorted by |.|.
+/// Twice the mean rank of each |value|, which is whole; values are sorted by |.|.
 std::vector<std::size_t> DoubledRanks(const std::vector<double>& sorted) {
   std::vector<std::size_t> ranks(sorted.size());
   for (std::size_t begin = 0; begin < sorted.size();) {
@@ -21,7 +21,7 @@ std::vector<std::size_t> DoubledRanks(const std::vector<double>& sorted) {
   return ranks;
 }
 
-/// probability[s]: that random signs give the doubled sum s.
+/// The probability of each doubled rank sum s under random signs, at index s.
 std::vector<double> SumDistribution(const std::vector<std::size_t>& doubled_ranks) {
   std::vector<double> probability{1.0};
   for (const std::size_t rank : doubled_ranks) {

@@ -8,7 +8,7 @@ namespace tera {
 struct SignedRank {
   double positive_sum = 0;  ///< of the ranks of positive differences
   std::size_t count = 0;    ///< differences that are not 0
-  double p_greater = 1;     ///< of a sum this large or larger where signs are random
+  double p_greater = 1;     ///< of a sum at least so large, with random signs
   double p_less = 1;
   double p_two_sided = 1;
   bool exact = true;

@@ -7,7 +7,7 @@
 namespace tera {
 
 struct VarianceRatioOptions {
-  double clip = 4;  ///< in robust scales of the reference; what lies beyond counts as this much
+  double clip = 4;        ///< in robust scales of the reference; larger values count as this
   std::size_t block = 0;  ///< samples; 0: a thirtieth of the shorter series, 20 at least
 };
 
@@ -16,7 +16,7 @@ struct VarianceRatioResult {
   double p = 1;      ///< of a ratio this large or larger where the two are alike
 };
 
-/// Whether a series carries more energy than the noise that was measured at rest.
+/// Tests whether a series has more energy than the noise that was measured at rest.
 ///
 /// Model   energies min(|x|, clip)^2 about zero, means over blocks of each series; log of
 ///         the ratio over its standard error from the scatter of the block means (which
