@@ -17,6 +17,7 @@
 #include "diagnose/blocks/gnss_block.h"
 #include "diagnose/blocks/imu_block.h"
 #include "diagnose/input_checks.h"
+#include "diagnose/unreplayed/as_simulated.h"
 
 namespace tera {
 namespace {

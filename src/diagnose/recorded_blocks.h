@@ -5,8 +5,8 @@
 
 #include "diagnose/measurements.h"
 #include "diagnose/search/fit/replay_block.h"
-#include "diagnose/unreplayed/simulated_course.h"
 #include "diagnose/unreplayed/take_off.h"
+#include "resimulate/simulated_course.h"
 
 namespace tera {
 

@@ -1,10 +1,9 @@
-#include "diagnose/unreplayed/simulated_course.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "diagnose/blocks/base_block.h"
+#include "diagnose/unreplayed/as_simulated.h"
 #include "sim/drive_fixture.h"
 
 namespace tera {
