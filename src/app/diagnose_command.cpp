@@ -2,7 +2,7 @@
 
 #include "app/argument_checks.h"
 #include "app/commands.h"
-#include "app/diagnose_recording.h"
+#include "app/diagnosed_report.h"
 
 namespace tera {
 
@@ -14,28 +14,29 @@ void AddDiagnoseCommand(CLI::App* app) {
   command->add_option("RECORDING", arguments->recording, "Dataset, simulated or imported")
       ->required();
   command->add_option("--out", arguments->out, "Folder to write, which must not exist")->required();
-  command->add_option("--from", arguments->from_s, "Seconds of the recording to leave out first")
+  command
+      ->add_option("--from", arguments->task.from_s, "Seconds of the recording to leave out first")
       ->check(CLI::Range(0.0, 1e6));
-  command->add_option("--to", arguments->to_s, "Seconds of the recording at which to stop")
+  command->add_option("--to", arguments->task.to_s, "Seconds of the recording at which to stop")
       ->check(CLI::Range(0.0, 1e6));
   command
-      ->add_option("--held-out", arguments->held_out,
+      ->add_option("--held-out", arguments->task.held_out,
                    "Further recording on which to judge what was found; may be repeated")
       ->take_all()
       ->allow_extra_args(false);
   command->add_option("--library", arguments->library,
                       "File (YAML) that limits or extends the candidate mechanisms");
   command
-      ->add_option("--time-limit", arguments->time_limit_s,
+      ->add_option("--time-limit", arguments->task.time_limit_s,
                    "Seconds after which the search stops and what is done is reported")
       ->check(PositiveNumber("seconds"));
   command->add_flag_callback(
-      "--no-simulation", [arguments] { arguments->simulate = false; },
+      "--no-simulation", [arguments] { arguments->task.simulate = false; },
       "Leave out the whole simulation that confirms what was found");
-  command->add_option("--threads", arguments->threads, "Fits at a time")
+  command->add_option("--threads", arguments->task.threads, "Fits at a time")
       ->check(WholeNumberBetween(1, 1024));
   command->add_flag("--profile", arguments->profile, "Print where the time went");
-  command->callback([arguments] { DiagnoseRecording(*arguments); });
+  command->callback([arguments] { ReportDiagnosis(*arguments); });
 }
 
 }  // namespace tera

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <utility>
 #include <vector>
 
 namespace tera {
@@ -29,9 +28,8 @@ std::string Outcome(const BlockDiagnosis& diagnosis) {
 
 }  // namespace
 
-DiagnoseProgress::DiagnoseProgress(std::string machine, StageClock* clock)
-    : machine_(std::move(machine)),
-      terminal_(isatty(STDERR_FILENO) == 1),
+DiagnoseProgress::DiagnoseProgress(StageClock* clock)
+    : terminal_(isatty(STDERR_FILENO) == 1),
       clock_(clock),
       start_(Clock::now()),
       search_start_(start_) {}
@@ -52,14 +50,15 @@ void DiagnoseProgress::Show(const BlockProgress& progress) {
   }
   if (progress.done != nullptr) {
     fmt::print(stderr, "{}{}: {} ({} of {}): {}, {:.0f} s so far{}\n", terminal_ ? "\r" : "",
-               machine_, progress.block, progress.number, progress.count, Outcome(*progress.done),
-               since_s(start_), terminal_ ? kToEndOfLine : "");
+               progress.machine, progress.block, progress.number, progress.count,
+               Outcome(*progress.done), since_s(start_), terminal_ ? kToEndOfLine : "");
   }
   if (!terminal_) return;
   std::vector<std::string> under_way;
   for (const auto& [block, start] : block_starts_) under_way.push_back(block);
   if (!under_way.empty()) {
-    fmt::print(stderr, "\r{}: {} ..{}", machine_, fmt::join(under_way, " and "), kToEndOfLine);
+    fmt::print(stderr, "\r{}: {} ..{}", progress.machine, fmt::join(under_way, " and "),
+               kToEndOfLine);
   }
   std::fflush(stderr);
 }

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "app/stage_clock.h"
+#include "core/stage_clock.h"
 #include "diagnose/diagnosis.h"
 
 namespace tera {
@@ -15,13 +15,12 @@ namespace tera {
 class DiagnoseProgress {
  public:
   /// The clock must outlive it.
-  DiagnoseProgress(std::string machine, StageClock* clock);
+  explicit DiagnoseProgress(StageClock* clock);
   void Show(const BlockProgress& progress);
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  std::string machine_;
   bool terminal_;
   StageClock* clock_;
   Clock::time_point start_, search_start_;

@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
-#include "app/load_scenario.h"
 #include "app/scenario_options.h"
+#include "sim/scenario/load_scenario.h"
 
 namespace tera {
 

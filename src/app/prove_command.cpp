@@ -5,12 +5,13 @@
 #include <memory>
 
 #include "app/commands.h"
-#include "app/diagnose_recording.h"
+#include "app/diagnosed_report.h"
 #include "blind/cases/recording_files.h"
 #include "blind/marking/table.h"
 #include "blind/prove.h"
 #include "core/config/input_files.h"
 #include "dataset/files/checked_file.h"
+#include "diagnose/report/files/write_report.h"
 
 namespace tera {
 namespace {
@@ -27,19 +28,17 @@ void RunProve(Arguments* arguments) {
   const auto diagnose = [&](const std::filesystem::path& scenario,
                             const std::filesystem::path& recording,
                             const std::filesystem::path& out) {
-    DiagnoseRecording({.scenario = {.scenario = scenario.string()},
-                       .recording = recording,
-                       .out = out,
-                       .simulate = false,
-                       .threads = arguments->threads});
+    ReportDiagnosis({.scenario = {.scenario = scenario.string()},
+                     .recording = recording,
+                     .out = out,
+                     .task = {.simulate = false, .threads = arguments->threads}});
   };
   const auto baselines = [&](const std::filesystem::path& scenario,
                              const std::filesystem::path& recording,
                              const std::filesystem::path& out) {
+    const Scenario read = Load({.scenario = scenario.string()}).scenario;
     WriteWholeFile(out / "baselines.json",
-                   BaselinesOfRecording({.scenario = {.scenario = scenario.string()},
-                                         .recording = recording,
-                                         .threads = arguments->threads}));
+                   BaselinesOfRecording(read, Recording(recording), arguments->threads));
   };
   const auto marks =
       blind::Prove(arguments->prove, {diagnose, baselines}, [](const blind::Mark& mark) {

@@ -10,12 +10,12 @@
 
 #include "app/commands.h"
 #include "app/followed_run.h"
-#include "app/load_scenario.h"
 #include "core/error.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/format/recorded_inputs.h"
 #include "dataset/format/writer.h"
 #include "sim/replay.h"
+#include "sim/scenario/load_scenario.h"
 
 namespace tera {
 namespace {

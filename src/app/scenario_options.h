@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/load_scenario.h"
 #include "render/gl/rasterizer.h"
+#include "sim/scenario/load_scenario.h"
 
 namespace tera {
 

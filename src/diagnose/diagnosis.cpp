@@ -177,9 +177,9 @@ std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks,
   return InParallel<DiagnosedBlock>(blocks.size(), options.threads, [&](std::size_t b) {
     DiagnosedBlock one;
     one.block = std::move(blocks[b]);
-    tell({one.block.name, b + 1, blocks.size(), nullptr});
+    tell({"", one.block.name, b + 1, blocks.size(), nullptr});
     one.diagnosis = DiagnoseInTime(&one.block, options, StreamOf(one.block, seed), deadline);
-    tell({one.block.name, b + 1, blocks.size(), &one.diagnosis});
+    tell({"", one.block.name, b + 1, blocks.size(), &one.diagnosis});
     return one;
   });
 }
@@ -205,6 +205,7 @@ std::vector<DiagnosedBlock> DiagnoseInTurn(const DiagnosisInput& input,
   std::vector<ReplayBlock> carried = TakeSensorBlocks(input.machine, &blocks);
   const auto tell = [&](std::size_t before) {
     return [&, before](BlockProgress told) {
+      told.machine = input.machine;
       told.number += before;
       told.count = in_all;
       progress(told);
@@ -227,30 +228,105 @@ std::vector<DiagnosedBlock> DiagnoseInTurn(const DiagnosisInput& input,
   return diagnosed;
 }
 
+/// What a further recording holds of the machine.
+struct Further {
+  const HeldOutCase& given;
+  Measurements measured;
+  std::vector<ReplayBlock> blocks;
+};
+
+/// The further recordings, before anything is searched: what cannot be read is told at once.
+std::vector<Further> FurtherRecordings(const DiagnosisCase& asked,
+                                       const DiagnosisOptions& options) {
+  std::vector<Further> further;
+  const BlockOptions as_given{.threads = options.blocks.threads};
+  for (const HeldOutCase& one : asked.held_out) {
+    Measurements measured = MeasurementsOf(one.input, *one.recording);
+    std::vector<ReplayBlock> blocks = BlocksOf(one.input, measured, as_given);
+    if (const auto course = SimulateAsItIs(one.input, measured, asked.simulate)) {
+      CorrectDiscrepancies(ReplayDiscrepanciesOf(one.input, measured, as_given, *course),
+                           options.seed, as_given.threads, &blocks);
+    }
+    ExcludeLaggingSamples(&blocks);
+    further.push_back({one, std::move(measured), std::move(blocks)});
+  }
+  return further;
+}
+
+/// What was found, over a further recording, whose sensors are compared as those of the first were.
+HeldOutRecording JudgeFurther(const std::vector<DiagnosedBlock>& diagnosed,
+                              const DiagnosisOptions& options, Further* further) {
+  const DiagnosisInput& input = further->given.input;
+  if (FindsArrivalStamps(diagnosed)) {
+    std::vector<std::string> not_compared;  // as in the recording that is searched
+    TakeSensorBlocks(input.machine, &further->blocks);
+    for (ReplayBlock& block :
+         SensorBlocksByArrivals(input, further->measured, options.blocks, &not_compared)) {
+      // Without a block of the base they were not told from the machine's own.
+      std::erase_if(further->blocks,
+                    [&](const ReplayBlock& stamped) { return stamped.name == block.name; });
+      further->blocks.push_back(std::move(block));
+    }
+  }
+  return ValidateHeldOut(diagnosed, further->blocks, further->given.recording->directory().string(),
+                         options.seed);
+}
+
+/// Any that a simulation can have: poses are not simulated late.
+bool HasFindingsToSimulate(const std::vector<DiagnosedBlock>& blocks) {
+  return std::any_of(blocks.begin(), blocks.end(), [](const DiagnosedBlock& diagnosed) {
+    return !WithoutPoseTerms(diagnosed.diagnosis.search.found.terms).empty();
+  });
+}
+
+bool IsOutOfTime(const std::vector<DiagnosedBlock>& blocks) {
+  return std::any_of(blocks.begin(), blocks.end(), [](const DiagnosedBlock& diagnosed) {
+    return diagnosed.diagnosis.out_of_time;
+  });
+}
+
+/// The whole scenario with what was found, where that is wanted and something was.
+std::optional<WholeSimulation> WholeOf(const DiagnosisCase& asked, const DiagnosisOptions& options,
+                                       TimeNs start_ns, const std::vector<DiagnosedBlock>& blocks,
+                                       const std::optional<SimulatedCourse>& as_it_is,
+                                       StageClock* clock) {
+  if (!asked.simulate || !HasFindingsToSimulate(blocks)) return std::nullopt;
+  if (IsOutOfTime(blocks)) return WholeSimulation{.obstacle = "the time was over"};
+  return clock->Time("whole simulation", [&] {
+    return SimulateWhole(asked.input, *asked.recording, start_ns, options.blocks.base_interval_s,
+                         blocks, as_it_is, asked.simulate);
+  });
+}
+
 }  // namespace
 
-Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
-                   const DiagnosisOptions& options, const SimulateMachine& simulate,
-                   const FollowProgress& progress) {
+Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowProgress& progress,
+                   StageClock* clock) {
+  options.measurements.needs_any = options.blocks.needs_any = asked.perception.empty();
+  std::vector<Further> further =
+      clock->Time("further recordings", [&] { return FurtherRecordings(asked, options); });
+  const DiagnosisInput& input = asked.input;
+  const Measurements measured = MeasurementsOf(input, *asked.recording, options.measurements);
   Diagnosis diagnosis;
-  const Measurements measured = MeasurementsOf(input, recording, options.measurements);
+  diagnosis.machine = input.machine;
+  diagnosis.scenario = input.scenario;
+  diagnosis.origin = asked.origin;
   diagnosis.start_ns = measured.start_ns;
+  diagnosis.levers_are_the_scenarios = input.commands_are_the_scenarios;
   std::vector<ReplayBlock> blocks =
       BlocksOf(input, measured, options.blocks, &diagnosis.not_compared);
   if (options.library) {
     ApplyLibrary(*options.library, *input.model, &blocks);
     RequireCandidates(*options.library, blocks);
   }
-  const std::optional<SimulatedCourse> course = simulate ? simulate(measured) : std::nullopt;
+  const std::optional<SimulatedCourse> course = clock->Time(
+      "simulation as it is", [&] { return SimulateAsItIs(input, measured, asked.simulate); });
   diagnosis.discrepancy_corrections =
       course ? CorrectDiscrepancies(ReplayDiscrepanciesOf(input, measured, options.blocks, *course),
                                     options.seed, options.search.threads, &blocks)
              : UncorrectedChannels(input, blocks);
   diagnosis.excluded_samples = ExcludeLaggingSamples(&blocks);
   diagnosis.encoder_lead_s = EncoderLead_s(blocks);
-  diagnosis.machine = input.machine;
-  diagnosis.scenario = input.scenario;
-  diagnosis.levers_are_the_scenarios = input.commands_are_the_scenarios;
   diagnosis.blocks = DiagnoseInTurn(input, measured, std::move(blocks), options, progress,
                                     &diagnosis.not_compared);
   std::vector<std::vector<Proposal>> proposals = InParallel<std::vector<Proposal>>(
@@ -260,6 +336,11 @@ Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
     diagnosis.blocks[b].proposals = std::move(proposals[b]);
   }
   diagnosis.next = NextManoeuvreOf(*input.model, diagnosis.blocks, options);
+  for (Further& one : further) {
+    diagnosis.held_out.push_back(JudgeFurther(diagnosis.blocks, options, &one));
+  }
+  diagnosis.whole = WholeOf(asked, options, measured.start_ns, diagnosis.blocks, course, clock);
+  diagnosis.perception = std::move(asked.perception);
   return diagnosis;
 }
 

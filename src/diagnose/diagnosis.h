@@ -2,14 +2,18 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/random.h"
+#include "core/stage_clock.h"
 #include "diagnose/candidates/candidate_library.h"
 #include "diagnose/confirm/held_out_recording.h"
+#include "diagnose/confirm/simulate_whole.h"
 #include "diagnose/confirm/whole_simulation.h"
+#include "diagnose/diagnosed_block.h"
 #include "diagnose/discrepancy/discrepancy_correction.h"
 #include "diagnose/experiment_design/next_manoeuvre.h"
 #include "diagnose/perception/perception_diagnosis.h"
@@ -17,20 +21,9 @@
 #include "diagnose/recorded_blocks.h"
 #include "diagnose/search/block/block_diagnosis.h"
 #include "diagnose/search/fit/excluded_samples.h"
+#include "soil/soil.h"
 
 namespace tera {
-
-/// A block and what came of it. The findings point into the block's candidates: it is moved, not
-/// copied.
-struct DiagnosedBlock {
-  DiagnosedBlock() = default;
-  DiagnosedBlock(DiagnosedBlock&&) = default;
-  DiagnosedBlock& operator=(DiagnosedBlock&&) = default;
-
-  ReplayBlock block;
-  BlockDiagnosis diagnosis;
-  std::vector<Proposal> proposals;  ///< of channels of which something is unexplained
-};
 
 /// Why one machine's recording differs from its simulation.
 struct Diagnosis {
@@ -53,6 +46,7 @@ struct Diagnosis {
   /// of joints, tracks and the base.
   std::vector<DiscrepancyCorrection> discrepancy_corrections;
   std::optional<WholeSimulation> whole;  ///< none where nothing was found, or it was not asked for
+  SiteOrigin origin;                     ///< of the scenario's W on the earth, for maps
 };
 
 /// What a diagnosis can say; several may hold.
@@ -77,8 +71,25 @@ struct DiagnosisOptions {
   std::optional<double> time_limit_s;
 };
 
+/// A further recording, which nothing is fitted to, and what is to be made of it.
+struct HeldOutCase {
+  DiagnosisInput input;
+  std::shared_ptr<const Recording> recording;
+};
+
+/// One machine of a scenario, what was recorded of it, and all that a diagnosis of it needs beside.
+struct DiagnosisCase {
+  DiagnosisInput input;
+  const Recording* recording = nullptr;
+  std::vector<HeldOutCase> held_out;
+  SimulateMachine simulate;  ///< empty: the scenario is not to be simulated as a whole
+  std::vector<PerceptionDiagnosis> perception;  ///< of its sensors that see
+  SiteOrigin origin;
+};
+
 /// How far a diagnosis is: before a block, and after it with what came of it. Blocks may overlap.
 struct BlockProgress {
+  std::string machine;
   std::string block;
   std::size_t number = 1, count = 1;
   const BlockDiagnosis* done = nullptr;
@@ -108,14 +119,11 @@ std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks,
 /// Whether poses were found to be stamped as they arrive.
 bool FindsArrivalStamps(const std::vector<DiagnosedBlock>& blocks);
 
-/// Simulates the scenario as it is under the recorded levers; none where that cannot be. Empty: not
-/// wanted.
-using SimulateMachine = std::function<std::optional<SimulatedCourse>(const Measurements&)>;
-
-/// Both, and the levers to drive next. Without a simulation nothing is corrected.
-Diagnosis Diagnose(const DiagnosisInput& input, const Recording& recording,
-                   const DiagnosisOptions& options, const SimulateMachine& simulate,
-                   const FollowProgress& progress);
+/// Why the recording of one machine differs from its simulation: blocks, further recordings, the
+/// whole simulation and the levers to drive next. Without a simulation nothing is corrected. The
+/// stages are timed by `clock`. Throws InputError where a recording cannot be compared.
+Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowProgress& progress,
+                   StageClock* clock);
 
 /// What the blocks of a further recording, which it is named by, say of a diagnosis.
 HeldOutRecording ValidateHeldOut(const std::vector<DiagnosedBlock>& diagnosed,

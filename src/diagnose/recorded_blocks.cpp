@@ -16,6 +16,7 @@
 #include "diagnose/blocks/effort_block.h"
 #include "diagnose/blocks/gnss_block.h"
 #include "diagnose/blocks/imu_block.h"
+#include "diagnose/discrepancy/as_simulated.h"
 #include "diagnose/input_checks.h"
 
 namespace tera {

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "diagnose/discrepancy/discrepancy_correction.h"
-#include "diagnose/discrepancy/simulated_course.h"
 #include "diagnose/measurements.h"
 #include "diagnose/search/fit/replay_block.h"
+#include "resimulate/simulated_course.h"
 
 namespace tera {
 

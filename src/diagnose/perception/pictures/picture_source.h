@@ -8,18 +8,12 @@
 
 #include "core/motion.h"
 #include "core/types/measurement.h"
-#include "diagnose/perception/scans/range_scan.h"
+#include "resimulate/sensor_numbers.h"
+#include "resimulate/simulated_picture.h"
 
 /// What a colour camera recorded, and what a simulation of it shows.
 
 namespace tera {
-
-/// A simulated picture, pixel by pixel.
-struct SimulatedPicture {
-  Image<float> grey;            ///< 0 to 1, as stored (sRGB)
-  Image<float> depth_m;         ///< along the optical axis; 0: nothing, as in the sky
-  Image<std::uint8_t> surface;  ///< a Surface: kMachine moves with the camera's link
-};
 
 /// One camera's pictures beside the simulation of them.
 ///

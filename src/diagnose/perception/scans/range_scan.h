@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -9,62 +8,13 @@
 
 #include "core/motion.h"
 #include "core/time.h"
+#include "resimulate/range_scan.h"
+#include "resimulate/sensor_numbers.h"
+#include "resimulate/simulated_return.h"
 
 /// What a lidar or a depth camera measured, and what a simulation of the same rays says of it.
 
 namespace tera {
-
-/// One measured return, in the sensor's frame S at its own time.
-struct RangePoint {
-  Vec3 p_S_m = Vec3::Zero();
-  TimeNs since_ns = 0;  ///< after the scan's t_ns
-  double sigma_m = 0;   ///< of its noise along the ray, as the sensor's model has it
-};
-
-struct RangeScan {
-  TimeNs t_ns = 0;  ///< as written on it
-  std::vector<RangePoint> points;
-};
-
-/// Numbers of the mechanisms that act on a whole sensor, named as in effects.yaml, in radians.
-///
-/// Frames  B link, S sensor as documented, T as it is: p_BT = p_BS + shift_B, R_BT = R_BS R(rpy).
-/// Model   reported range (of a depth camera: depth) = factor * true + range_m; reported time =
-///         true + offset_s.
-struct SensorNumbers {
-  static constexpr int kCount = 9;
-  enum Index { kX, kY, kZ, kRoll, kPitch, kYaw, kRange, kFactor, kOffset };
-  std::array<double, kCount> value = {0, 0, 0, 0, 0, 0, 0, 1, 0};
-
-  Vec3 shift_B_m() const { return {value[kX], value[kY], value[kZ]}; }
-  Mat3 R_ST() const { return RotationFromRpy(value[kRoll], value[kPitch], value[kYaw]); }
-};
-
-enum class Surface {
-  kUnknown,  ///< not to be compared: nothing tells where the sensor was, or what is hit
-  kNothing,
-  kGround,
-  kObstacle,
-  kMachine
-};
-
-/// What a ray meets in the simulation.
-///
-/// Frames  W; B the sensor's link at the ray's own time.
-struct SimulatedReturn {
-  Surface surface = Surface::kUnknown;
-  int object = 0;  ///< tells obstacles and parts of machines apart
-  double range_m = 0;
-  Vec3 normal_W = Vec3::Zero();  ///< unit, towards the sensor
-  Pose X_WB = Pose::Identity();
-  Vec3 v_WB_mps = Vec3::Zero(), w_WB_radps = Vec3::Zero();
-};
-
-/// A ray of a scan: along unit `d_S` from the sensor, `since_ns` after the scan's t_ns.
-struct Beam {
-  Vec3 d_S = Vec3::UnitX();
-  TimeNs since_ns = 0;
-};
 
 /// One sensor's scans beside the simulation of them.
 struct RangeSource {

@@ -1,8 +1,12 @@
 #include "diagnose/report/files/write_report.h"
 
+#include <fmt/format.h>
+
+#include "core/error.h"
 #include "dataset/files/checked_file.h"
 #include "diagnose/report/files/diagnosis_json.h"
 #include "diagnose/report/files/effects_yaml.h"
+#include "diagnose/report/files/ground_map_file.h"
 #include "diagnose/report/page/html_report.h"
 #include "diagnose/report/page/perception_figures.h"
 #include "diagnose/report/text/next_manoeuvre_text.h"
@@ -20,6 +24,28 @@ void WriteReport(const std::filesystem::path& directory, const Diagnosis& diagno
     if (sensor.ground.cells.empty()) continue;
     WriteWholeFile(directory / ("ground_" + sensor.target + ".csv"), GroundCsv(sensor.ground));
   }
+  WriteGroundMaps(directory, diagnosis);
+}
+
+void RequireNewFolder(const std::filesystem::path& out) {
+  RequireNoneStopped(out);
+  if (!std::filesystem::exists(out)) return;
+  throw InputError(
+      fmt::format("{}: exists already; need the name of a new folder, for a report of "
+                  "its own",
+                  out.string()));
+}
+
+std::vector<std::filesystem::path> ReportFolder::Write(const std::vector<Diagnosis>& diagnoses,
+                                                       const Recording& recording) {
+  std::vector<std::filesystem::path> pages;
+  for (const Diagnosis& diagnosis : diagnoses) {
+    const std::filesystem::path part = diagnoses.size() == 1 ? "" : diagnosis.machine;
+    WriteReport(whole_.temporary() / part, diagnosis, recording.directory().string());
+    pages.push_back(out_ / part / "report.html");
+  }
+  whole_.Commit();
+  return pages;
 }
 
 }  // namespace tera

@@ -2,16 +2,39 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "dataset/files/whole_folder.h"
+#include "dataset/format/recording.h"
 #include "diagnose/diagnosis.h"
 
 namespace tera {
 
 /// Writes diagnosis.json, effects.yaml, report.html and, where there is one, next_manoeuvre.csv
 /// into a folder, which is made where it is not there (a WholeFolder's, that all of it appears at
-/// once); of each sensor with a map of the ground that too. Throws InputError. `recording` is how
-/// the files name it.
+/// once); of each sensor with a map of the ground that too, as CSV and as GeoTIFF. Throws
+/// InputError. `recording` is how the files name it.
 void WriteReport(const std::filesystem::path& directory, const Diagnosis& diagnosis,
                  const std::string& recording);
+
+/// Throws InputError where a folder is there already, so that nothing of an earlier run is mixed
+/// into a report.
+void RequireNewFolder(const std::filesystem::path& out);
+
+/// The reports of all machines of a recording, in a folder of each where there are several. It
+/// appears when it is complete.
+class ReportFolder {
+ public:
+  /// Throws InputError where it cannot be written.
+  explicit ReportFolder(const std::filesystem::path& out) : out_(out), whole_(out) {}
+
+  /// Returns the page of each machine.
+  std::vector<std::filesystem::path> Write(const std::vector<Diagnosis>& diagnoses,
+                                           const Recording& recording);
+
+ private:
+  std::filesystem::path out_;
+  WholeFolder whole_;
+};
 
 }  // namespace tera

@@ -1,4 +1,4 @@
-#include "app/ground_map_file.h"
+#include "diagnose/report/files/ground_map_file.h"
 
 #include <algorithm>
 #include <limits>
@@ -35,12 +35,11 @@ SiteMap AsSiteMap(const GroundMap& ground) {
 
 }  // namespace
 
-void WriteGroundMaps(const std::filesystem::path& directory, const Diagnosis& diagnosis,
-                     const SiteOrigin& origin) {
+void WriteGroundMaps(const std::filesystem::path& directory, const Diagnosis& diagnosis) {
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
     if (sensor.ground.cells.empty()) continue;
     WriteSiteMap(directory / ("ground_" + sensor.target + ".tif"), AsSiteMap(sensor.ground),
-                 origin);
+                 diagnosis.origin);
   }
 }
 

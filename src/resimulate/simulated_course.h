@@ -5,7 +5,6 @@
 
 #include "core/motion.h"
 #include "core/time.h"
-#include "diagnose/replay/axis_log.h"
 
 namespace tera {
 
@@ -29,15 +28,5 @@ struct SimulatedCourse {
   double PositionAt(TimeNs t_ns, std::size_t axis) const;
   Pose PoseAt(TimeNs t_ns) const;
 };
-
-/// What encoders without errors would have measured in the simulation: the axes and times of
-/// `measured`, as far as the simulation goes. Axes that the machine lacks stay as they were
-/// measured.
-std::vector<NamedEncoders> AsSimulated(const MachineModel& model, const SimulatedCourse& course,
-                                       std::vector<NamedEncoders> measured);
-
-/// The simulated poses at the times of the measured ones, as far as the simulation goes.
-std::vector<TruthPose> AsSimulated(const SimulatedCourse& course,
-                                   const std::vector<TruthPose>& measured);
 
 }  // namespace tera

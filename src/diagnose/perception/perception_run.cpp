@@ -1,4 +1,4 @@
-#include "app/perception_run.h"
+#include "diagnose/perception/perception_run.h"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,12 @@
 #include <limits>
 #include <memory>
 
-#include "app/picture_run.h"
-#include "app/scan_caster.h"
 #include "core/check.h"
 #include "core/error.h"
 #include "core/units.h"
+#include "diagnose/perception/pictures/picture_run.h"
+#include "resimulate/picture_caster.h"
+#include "resimulate/scan_caster.h"
 #include "sensors/slots/effect_numbers.h"
 
 namespace tera {

@@ -1,4 +1,4 @@
-#include "app/recorded_stage.h"
+#include "resimulate/recorded_stage.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "app/diagnose_simulation.h"
+#include "diagnose/confirm/simulate_whole.h"
 
 #include <fmt/format.h>
 
@@ -11,9 +11,8 @@
 
 #include "diagnose/blocks/candidate_list.h"
 #include "diagnose/blocks/measured_poses.h"
+#include "diagnose/discrepancy/as_simulated.h"
 #include "diagnose/replay/base_log.h"
-#include "sim/operators/lever_replay.h"
-#include "sim/simulation.h"
 
 namespace tera {
 namespace {
@@ -23,56 +22,6 @@ constexpr double kCompared_s = 120;  ///< with what was found
 constexpr double kEarly_s = 1;
 constexpr double kPathStep_s = 0.5;
 constexpr double kMoved_m = 0.5;  ///< a path that is shorter is none
-
-std::unique_ptr<Operator> DriverOf(const DiagnosisInput& input, TimeNs zero_ns) {
-  CommandTable table;
-  std::vector<int> lever_of_column;
-  std::vector<std::size_t> columns;
-  for (std::size_t c = 0; c < input.commands.columns.size(); ++c) {
-    const int lever = input.model->LeverIndex(input.commands.columns[c]);
-    if (lever < 0) continue;
-    columns.push_back(c);
-    lever_of_column.push_back(lever);
-  }
-  for (std::size_t r = 0; r < input.commands.rows.size(); ++r) {
-    table.t_ns.push_back(input.commands.t_ns[r] - zero_ns);
-    std::vector<double> row;
-    for (const std::size_t c : columns) {
-      row.push_back(std::clamp(input.commands.rows[r][c], -1.0, 1.0));
-    }
-    table.rows.push_back(std::move(row));
-  }
-  return std::make_unique<LeverReplay>(std::move(table), std::move(lever_of_column));
-}
-
-SimulatedCourse::Step StepOf(const MachineState& state) {
-  SimulatedCourse::Step step{state.q_rad, state.qd_radps, state.links.front().X_WB};
-  const auto append = [](const std::vector<double>& more, std::vector<double>* list) {
-    list->insert(list->end(), more.begin(), more.end());
-  };
-  append(state.gear_angle_rad, &step.position_rad);
-  append(state.gear_rate_radps, &step.rate_radps);
-  return step;
-}
-
-SimulatedCourse Simulated(Scenario scenario, std::size_t machine, TimeNs zero_ns, double until_s) {
-  SimulatedCourse course{.zero_ns = zero_ns, .step_s = 1 / scenario.physics_rate_hz, .steps = {}};
-  Simulation simulation(&scenario);
-  course.steps.push_back(StepOf(simulation.state().machines[machine]));
-  const auto steps = static_cast<std::int64_t>(std::ceil(until_s * scenario.physics_rate_hz));
-  for (std::int64_t k = 0; k < steps; ++k) {
-    simulation.Step();
-    course.steps.push_back(StepOf(simulation.state().machines[machine]));
-  }
-  return course;
-}
-
-Scenario UnderLevers(const ScenarioOptions& options, std::size_t machine,
-                     const DiagnosisInput& input, TimeNs zero_ns) {
-  Scenario scenario = Load(options).scenario;
-  scenario.machines[machine].driver = DriverOf(input, zero_ns);
-  return scenario;
-}
 
 /// When the simulation starts, in the recording.
 TimeNs ZeroOf(TimeNs start_ns) { return ToSeconds(start_ns) > kEarly_s ? start_ns : 0; }
@@ -103,21 +52,23 @@ double PathLength_m(const std::vector<TruthPose>& poses) {
 
 class Comparison {
  public:
-  Comparison(const DiagnosisInput& input, const Recording& recording,
-             const DiagnosisOptions& options, const Diagnosis& diagnosis)
-      : input_(input), recording_(recording), options_(options), diagnosis_(diagnosis) {
-    start_ns_ = diagnosis.start_ns;
-    zero_ns_ = ZeroOf(start_ns_);
+  Comparison(const DiagnosisInput& input, const Recording& recording, TimeNs start_ns,
+             double base_interval_s, const std::vector<DiagnosedBlock>& blocks)
+      : input_(input),
+        recording_(recording),
+        base_interval_s_(base_interval_s),
+        blocks_(blocks),
+        start_ns_(start_ns),
+        zero_ns_(ZeroOf(start_ns)) {
     const std::string poses = "truth/" + input.machine + "/pose.csv";
     if (recording.Has(poses)) poses_ = recording.LoadPose(poses).poses;
   }
 
-  WholeSimulation Run(const ScenarioOptions& scenario, std::size_t machine,
-                      const std::optional<SimulatedCourse>& before);
+  WholeSimulation Run(const std::optional<SimulatedCourse>& as_it_is,
+                      const SimulateMachine& simulate) const;
 
  private:
   double Until_s() const;
-  Scenario WithFindings(const ScenarioOptions& scenario, std::size_t machine) const;
   void AddBlock(const DiagnosedBlock& diagnosed, const SimulatedCourse& before,
                 const SimulatedCourse& after, WholeSimulation* out) const;
   std::vector<std::vector<double>> Simulated(const DiagnosedBlock& diagnosed,
@@ -132,27 +83,18 @@ class Comparison {
 
   const DiagnosisInput& input_;
   const Recording& recording_;
-  const DiagnosisOptions& options_;
-  const Diagnosis& diagnosis_;
+  double base_interval_s_;
+  const std::vector<DiagnosedBlock>& blocks_;
+  TimeNs start_ns_, zero_ns_;
   std::vector<TruthPose> poses_;
-  TimeNs start_ns_ = 0, zero_ns_ = 0;
 };
 
 double Comparison::Until_s() const {
   double until_s = 0;
-  for (const DiagnosedBlock& diagnosed : diagnosis_.blocks) {
+  for (const DiagnosedBlock& diagnosed : blocks_) {
     until_s = std::max(until_s, TimeOf_s(diagnosed.block, diagnosed.block.samples() - 1));
   }
   return std::min(until_s, kCompared_s);
-}
-
-Scenario Comparison::WithFindings(const ScenarioOptions& options, std::size_t machine) const {
-  Scenario scenario = UnderLevers(options, machine, input_, zero_ns_);
-  MachineModel& model = scenario.machines[machine].placement.model;
-  for (const DiagnosedBlock& diagnosed : diagnosis_.blocks) {
-    model = WithTerms(std::move(model), diagnosed.diagnosis.search.found.terms);
-  }
-  return scenario;
 }
 
 /// Poses of the simulation at the times of the recorded ones.
@@ -173,8 +115,8 @@ std::vector<std::vector<double>> Comparison::OfBase(const DiagnosedBlock& diagno
       encoders.push_back({channel, recording_.LoadEncoder(channel)});
     }
   }
-  const BaseLog log = MakeBaseLog(*input_.model, encoders, PosesOf(course, Until_s()),
-                                  options_.blocks.base_interval_s);
+  const BaseLog log =
+      MakeBaseLog(*input_.model, encoders, PosesOf(course, Until_s()), base_interval_s_);
   std::vector<std::vector<double>> values(3, std::vector<double>(block.samples(), NAN));
   for (const BaseInterval& interval : log.intervals) {
     const double place =
@@ -246,21 +188,23 @@ void Comparison::AddBlock(const DiagnosedBlock& diagnosed, const SimulatedCourse
   }
 }
 
-WholeSimulation Comparison::Run(const ScenarioOptions& scenario, std::size_t machine,
-                                const std::optional<SimulatedCourse>& as_it_is) {
+WholeSimulation Comparison::Run(const std::optional<SimulatedCourse>& as_it_is,
+                                const SimulateMachine& simulate) const {
   WholeSimulation out;
   out.until_s = Until_s();
   if (input_.commands.rows.empty()) {
     out.obstacle = "the recording has no levers to drive it by";
     return out;
   }
-  const SimulatedCourse before =
-      as_it_is ? *as_it_is
-               : tera::Simulated(UnderLevers(scenario, machine, input_, zero_ns_), machine,
-                                 zero_ns_, out.until_s);
-  const SimulatedCourse after =
-      tera::Simulated(WithFindings(scenario, machine), machine, zero_ns_, out.until_s);
-  for (const DiagnosedBlock& diagnosed : diagnosis_.blocks) {
+  Structure found;
+  for (const DiagnosedBlock& diagnosed : blocks_) {
+    const Structure& terms = diagnosed.diagnosis.search.found.terms;
+    found.insert(found.end(), terms.begin(), terms.end());
+  }
+  const CourseSpan span{zero_ns_, out.until_s};
+  const SimulatedCourse before = as_it_is ? *as_it_is : simulate({}, input_.commands, span);
+  const SimulatedCourse after = simulate(found, input_.commands, span);
+  for (const DiagnosedBlock& diagnosed : blocks_) {
     AddBlock(diagnosed, before, after, &out);
   }
   std::vector<TruthPose> recorded;
@@ -276,21 +220,22 @@ WholeSimulation Comparison::Run(const ScenarioOptions& scenario, std::size_t mac
 
 }  // namespace
 
-std::optional<SimulatedCourse> SimulateAsItIs(const ScenarioOptions& scenario, std::size_t machine,
-                                              const DiagnosisInput& input,
-                                              const Measurements& measured) {
+std::optional<SimulatedCourse> SimulateAsItIs(const DiagnosisInput& input,
+                                              const Measurements& measured,
+                                              const SimulateMachine& simulate) {
   const std::optional<TimeNs> last_ns = LastOf(measured);
-  if (input.commands.rows.empty() || !last_ns) return std::nullopt;
+  if (!simulate || input.commands.rows.empty() || !last_ns) return std::nullopt;
   const TimeNs zero_ns = ZeroOf(measured.start_ns);
-  return Simulated(UnderLevers(scenario, machine, input, zero_ns), machine, zero_ns,
-                   std::min(ToSeconds(*last_ns - zero_ns), kLongest_s));
+  return simulate({}, input.commands,
+                  {zero_ns, std::min(ToSeconds(*last_ns - zero_ns), kLongest_s)});
 }
 
-WholeSimulation SimulateWhole(const ScenarioOptions& scenario, std::size_t machine,
-                              const DiagnosisInput& input, const Recording& recording,
-                              const DiagnosisOptions& options, const Diagnosis& diagnosis,
-                              const std::optional<SimulatedCourse>& before) {
-  return Comparison(input, recording, options, diagnosis).Run(scenario, machine, before);
+WholeSimulation SimulateWhole(const DiagnosisInput& input, const Recording& recording,
+                              TimeNs start_ns, double base_interval_s,
+                              const std::vector<DiagnosedBlock>& blocks,
+                              const std::optional<SimulatedCourse>& before,
+                              const SimulateMachine& simulate) {
+  return Comparison(input, recording, start_ns, base_interval_s, blocks).Run(before, simulate);
 }
 
 }  // namespace tera

@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "app/recorded_stage.h"
-#include "app/scan_caster.h"
-#include "diagnose/perception/pictures/picture_source.h"
 #include "render/gl/rasterizer.h"
+#include "resimulate/recorded_stage.h"
+#include "resimulate/scan_caster.h"
+#include "resimulate/simulated_picture.h"
 #include "sensors/sensor.h"
 
 namespace tera {

@@ -1,4 +1,4 @@
-#include "diagnose/discrepancy/simulated_course.h"
+#include "diagnose/discrepancy/as_simulated.h"
 
 #include <gtest/gtest.h>
 

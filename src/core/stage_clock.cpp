@@ -1,4 +1,4 @@
-#include "app/stage_clock.h"
+#include "core/stage_clock.h"
 
 #include <fmt/format.h>
 

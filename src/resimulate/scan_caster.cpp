@@ -1,4 +1,4 @@
-#include "app/scan_caster.h"
+#include "resimulate/scan_caster.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "app/recorded_stage.h"
-#include "diagnose/perception/scans/range_scan.h"
+#include "resimulate/recorded_stage.h"
+#include "resimulate/sensor_numbers.h"
+#include "resimulate/simulated_return.h"
 #include "sensors/sensor.h"
 
 namespace tera {

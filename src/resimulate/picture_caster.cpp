@@ -1,4 +1,4 @@
-#include "app/picture_caster.h"
+#include "resimulate/picture_caster.h"
 
 #include "sensors/camera.h"
 

@@ -1,4 +1,4 @@
-#include "app/picture_run.h"
+#include "diagnose/perception/pictures/picture_run.h"
 
 #include <fmt/format.h>
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "app/picture_caster.h"
 #include "dataset/format/recording.h"
 #include "diagnose/perception/perception_diagnosis.h"
+#include "resimulate/picture_caster.h"
 
 namespace tera {
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "app/recorded_motion.h"
 #include "render/rays/ray_scene.h"
+#include "resimulate/recorded_motion.h"
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"
 

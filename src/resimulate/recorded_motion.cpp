@@ -1,4 +1,4 @@
-#include "app/recorded_motion.h"
+#include "resimulate/recorded_motion.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "dataset/format/recording.h"
+#include "diagnose/confirm/whole_simulation.h"
+#include "diagnose/diagnosed_block.h"
+#include "diagnose/measurements.h"
+#include "resimulate/simulate_under_levers.h"
+
+namespace tera {
+
+/// Simulates the scenario under recorded levers with what was found in its machine; an empty list:
+/// the scenario as it is.
+using SimulateMachine = std::function<SimulatedCourse(
+    const Structure& found, const TableRecording& levers, const CourseSpan& span)>;
+
+/// Simulates the scenario as it is as long as the recording lasts and ten minutes at most. None
+/// where `simulate` is empty, or the recording has no levers or nothing of a joint, a track or the
+/// base. Times count from the recording's own zero, or from its first sample where that is later
+/// than a second.
+std::optional<SimulatedCourse> SimulateAsItIs(const DiagnosisInput& input,
+                                              const Measurements& measured,
+                                              const SimulateMachine& simulate);
+
+/// Simulates the scenario with what was found of joints, tracks and the base, and holds both
+/// against the recording on the manoeuvres that the diagnosis kept back.
+///
+/// Model   no sensors: rates and poses are those of the simulation at the times of the
+///         measurements, base motion over the same intervals as the block's. The first 120 s at
+///         most. Path: along poses half a second apart.
+/// Omits   inertial units, whose findings nothing here shows.
+///
+/// `start_ns` is the time from which the blocks count; `before`, if there is one, is the scenario
+/// as it is.
+WholeSimulation SimulateWhole(const DiagnosisInput& input, const Recording& recording,
+                              TimeNs start_ns, double base_interval_s,
+                              const std::vector<DiagnosedBlock>& blocks,
+                              const std::optional<SimulatedCourse>& before,
+                              const SimulateMachine& simulate);
+
+}  // namespace tera

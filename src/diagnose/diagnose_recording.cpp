@@ -1,0 +1,147 @@
+#include "diagnose/diagnose_recording.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "core/error.h"
+#include "diagnose/blocks/candidate_list.h"
+#include "diagnose/perception/perception_run.h"
+#include "diagnose/report/files/baselines_json.h"
+#include "sim/operators/lever_replay.h"
+
+namespace tera {
+namespace {
+
+/// The machine of the recording that a machine of the scenario is meant to be: of the same name, or
+/// the only one where each side has one.
+std::string NameInRecording(const std::string& name, std::size_t in_scenario,
+                            const Recording& recording) {
+  const std::vector<std::string> names = recording.Machines();
+  if (std::find(names.begin(), names.end(), name) != names.end()) return name;
+  if (in_scenario == 1 && names.size() == 1) return names.front();
+  throw InputError(fmt::format("{}: has no machine '{}', but {}; need the names of the scenario",
+                               recording.directory().string(), name, fmt::join(names, ", ")));
+}
+
+/// The levers that the scenario replays; none where it replays none.
+TableRecording ReplayedCommands(const ScenarioMachine& machine) {
+  TableRecording commands;
+  const MachineModel& model = machine.placement.model;
+  CommandTable table = ReplayedLevers(machine.driver.get(), model);
+  if (table.t_ns.empty()) return commands;
+  for (const Lever& lever : model.levers) commands.columns.push_back(lever.name);
+  commands.t_ns = std::move(table.t_ns);
+  commands.rows = std::move(table.rows);
+  return commands;
+}
+
+/// One machine of the scenario and what the diagnosis is to know of it.
+struct MachineCase {
+  const Scenario& scenario;
+  std::size_t index = 0;
+  MachineModel model;  ///< joints that nothing measures stay where the scenario has them
+
+  MachineCase(const Scenario& of, std::size_t machine)
+      : scenario(of), index(machine), model(of.machines[machine].placement.model) {
+    for (std::size_t j = 0; j < model.joints.size(); ++j) {
+      model.joints[j].initial_rad = of.machines[machine].placement.q_rad[j];
+    }
+  }
+  DiagnosisInput InputOf(const Recording& recording) const {
+    const ScenarioMachine& machine = scenario.machines[index];
+    const std::string& name = machine.placement.name;
+    const std::string recorded = NameInRecording(name, scenario.machines.size(), recording);
+    DiagnosisInput input{.model = &model, .machine = recorded, .scenario = name};
+    input.sensors = machine.sensors;
+    if (const std::string file = recorded + "/commands.csv"; recording.Has(file)) {
+      input.commands = recording.LoadTable(file);
+    } else {
+      input.commands = ReplayedCommands(machine);
+      input.commands_are_the_scenarios = !input.commands.columns.empty();
+    }
+    return input;
+  }
+};
+
+DiagnosisOptions OptionsOf(const DiagnosisTask& task, std::uint64_t seed) {
+  DiagnosisOptions options{.seed = seed};
+  options.search.threads = options.blocks.threads = task.threads;
+  if (task.from_s) options.measurements.from_s = *task.from_s;
+  if (task.to_s) options.measurements.to_s = *task.to_s;
+  options.library = task.library;
+  options.time_limit_s = task.time_limit_s;
+  return options;
+}
+
+SimulateMachine SimulatorOf(const ReadAgain& again, std::size_t machine) {
+  return [&again, machine](const Structure& found, const TableRecording& levers,
+                           const CourseSpan& span) {
+    Scenario scenario = again();
+    MachineModel& model = scenario.machines[machine].placement.model;
+    if (!found.empty()) model = WithTerms(std::move(model), found);
+    return SimulateUnderLevers(std::move(scenario), machine, levers, span);
+  };
+}
+
+std::vector<std::vector<PerceptionDiagnosis>> DiagnoseSensors(Scenario* scenario,
+                                                              const Recording& recording,
+                                                              const DiagnosisTask& task) {
+  std::vector<std::string> names;
+  for (const ScenarioMachine& machine : scenario->machines) {
+    names.push_back(NameInRecording(machine.placement.name, scenario->machines.size(), recording));
+  }
+  PerceptionOptions options;
+  options.threads = task.threads;
+  options.from_s = task.from_s.value_or(options.from_s);
+  options.to_s = task.to_s.value_or(options.to_s);
+  return RunPerception(scenario, names, recording, options);
+}
+
+}  // namespace
+
+std::vector<Diagnosis> DiagnoseRecording(Scenario scenario, const ReadAgain& again,
+                                         const Recording& recording, const DiagnosisTask& task,
+                                         const FollowProgress& progress, StageClock* clock) {
+  const DiagnosisOptions options = OptionsOf(task, scenario.seed);
+  auto seen = clock->Time("lidars and cameras",
+                          [&] { return DiagnoseSensors(&scenario, recording, task); });
+  std::vector<Diagnosis> diagnoses;
+  for (std::size_t m = 0; m < scenario.machines.size(); ++m) {
+    const MachineCase machine(scenario, m);
+    DiagnosisCase asked{.input = machine.InputOf(recording), .recording = &recording};
+    asked.origin = scenario.origin;
+    asked.perception = std::move(seen[m]);
+    if (task.simulate) asked.simulate = SimulatorOf(again, m);
+    for (const std::filesystem::path& path : task.held_out) {
+      auto further = std::make_shared<const Recording>(path);
+      asked.held_out.push_back({machine.InputOf(*further), further});
+    }
+    diagnoses.push_back(Diagnose(std::move(asked), options, progress, clock));
+  }
+  return diagnoses;
+}
+
+std::string BaselinesOfRecording(const Scenario& scenario, const Recording& recording,
+                                 int threads) {
+  const MachineCase machine(scenario, 0);
+  const DiagnosisInput input = machine.InputOf(recording);
+  const BlockOptions options{.threads = threads};
+  std::vector<ReplayBlock> replayed = BlocksOf(input, MeasurementsOf(input, recording), options);
+  ExcludeLaggingSamples(&replayed);
+  std::vector<BlockBaselines> blocks;
+  for (const ReplayBlock& block : replayed) {
+    const Stream stream = StreamOf(block, scenario.seed);
+    BlockBaselines baselines{{}, RmseAsItIs(block, stream), {}};
+    for (const Channel& channel : block.channels) baselines.channels.push_back(channel.name);
+    baselines.answers = BaselinesOf(block, threads, stream);
+    blocks.push_back(std::move(baselines));
+  }
+  return BaselinesJson(blocks);
+}
+
+}  // namespace tera

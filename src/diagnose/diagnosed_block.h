@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "diagnose/proposal/proposal.h"
+#include "diagnose/search/block/block_diagnosis.h"
+
+namespace tera {
+
+/// A block and what came of it. The findings point into the block's candidates: it is moved, not
+/// copied.
+struct DiagnosedBlock {
+  DiagnosedBlock() = default;
+  DiagnosedBlock(DiagnosedBlock&&) = default;
+  DiagnosedBlock& operator=(DiagnosedBlock&&) = default;
+
+  ReplayBlock block;
+  BlockDiagnosis diagnosis;
+  std::vector<Proposal> proposals;  ///< of channels of which something is unexplained
+};
+
+}  // namespace tera
