@@ -7,7 +7,7 @@
 
 namespace tera {
 
-/// A block and what came of it. The findings point into the block's candidates: it is moved, not
+/// A block and its diagnosis. The findings point into the block's candidates: it is moved, not
 /// copied.
 struct DiagnosedBlock {
   DiagnosedBlock() = default;
@@ -16,7 +16,7 @@ struct DiagnosedBlock {
 
   ReplayBlock block;
   BlockDiagnosis diagnosis;
-  std::vector<Proposal> proposals;  ///< of channels of which something is unexplained
+  std::vector<Proposal> proposals;  ///< of channels with unexplained errors
 };
 
 }  // namespace tera

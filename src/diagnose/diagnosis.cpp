@@ -11,10 +11,11 @@
 namespace tera {
 namespace {
 
-/// Thrown out of a search whose time is over.
+/// Ends a search whose time is over.
 struct OutOfTime {};
 
-/// Every prediction looks at the clock: nothing that a search does goes without one for long.
+/// Diagnoses a block until a deadline. Every prediction checks it, since no part of a search goes
+/// without predictions for long.
 BlockDiagnosis DiagnoseInTime(ReplayBlock* block, const SearchOptions& options,
                               const Stream& stream, const std::optional<Deadline>& deadline) {
   if (!deadline) return DiagnoseBlock(*block, options, stream);
@@ -126,7 +127,7 @@ std::vector<DiscrepancyCorrection> CorrectDiscrepancies(
   return all;
 }
 
-/// The channels of joints, gears and the base, without a simulation.
+/// The channels of joints, gears and the base, marked as not corrected.
 std::vector<DiscrepancyCorrection> UncorrectedChannels(const DiagnosisInput& input,
                                                        const std::vector<ReplayBlock>& blocks) {
   const MachineModel& model = *input.model;
@@ -140,7 +141,7 @@ std::vector<DiscrepancyCorrection> UncorrectedChannels(const DiagnosisInput& inp
     const bool is_one = model.JointIndex(block.name) >= 0 || has_gear(block.name) ||
                         block.name == input.machine + "/base";
     const std::string& unit = block.channels.front().unit;
-    if (!is_one || (unit != "m/s" && unit != "rad/s")) continue;  // else effort
+    if (!is_one || (unit != "m/s" && unit != "rad/s")) continue;  // others are efforts
     for (const Channel& channel : block.channels) none.push_back({channel.name, channel.unit});
   }
   return none;
@@ -186,8 +187,8 @@ std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks,
 
 namespace {
 
-/// The machine's own blocks, then those of what it carries, of which the base tells when poses were
-/// measured.
+/// Diagnoses the machine's own blocks, then those of its sensors. The block of the base shows
+/// whether poses were stamped as they arrive, which the sensors' blocks depend on.
 std::vector<DiagnosedBlock> DiagnoseInTurn(const DiagnosisInput& input,
                                            const Measurements& measured,
                                            std::vector<ReplayBlock> blocks,
@@ -216,7 +217,7 @@ std::vector<DiagnosedBlock> DiagnoseInTurn(const DiagnosisInput& input,
   if (FindsArrivalStamps(diagnosed)) {
     std::vector<std::string> obstacles;
     carried = SensorBlocksByArrivals(input, measured, options.blocks, &obstacles);
-    for (std::string& obstacle : obstacles) {  // most of them were told of the stamps already
+    for (std::string& obstacle : obstacles) {  // most of them were noted with the stamps already
       const auto same = std::find(not_compared->begin(), not_compared->end(), obstacle);
       if (same == not_compared->end()) not_compared->push_back(std::move(obstacle));
     }
@@ -228,14 +229,14 @@ std::vector<DiagnosedBlock> DiagnoseInTurn(const DiagnosisInput& input,
   return diagnosed;
 }
 
-/// What a further recording holds of the machine.
+/// A further recording's measurements and blocks of the machine.
 struct Further {
   const HeldOutCase& given;
   Measurements measured;
   std::vector<ReplayBlock> blocks;
 };
 
-/// The further recordings, before anything is searched: what cannot be read is told at once.
+/// Reads the further recordings before the search, so that faults in them stop it at once.
 std::vector<Further> FurtherRecordings(const DiagnosisCase& asked,
                                        const DiagnosisOptions& options) {
   std::vector<Further> further;
@@ -253,7 +254,8 @@ std::vector<Further> FurtherRecordings(const DiagnosisCase& asked,
   return further;
 }
 
-/// What was found, over a further recording, whose sensors are compared as those of the first were.
+/// Validates a diagnosis on a further recording, whose sensors are compared as those of the first
+/// were.
 HeldOutRecording JudgeFurther(const std::vector<DiagnosedBlock>& diagnosed,
                               const DiagnosisOptions& options, Further* further) {
   const DiagnosisInput& input = further->given.input;
@@ -272,7 +274,7 @@ HeldOutRecording JudgeFurther(const std::vector<DiagnosedBlock>& diagnosed,
                          options.seed);
 }
 
-/// Any that a simulation can have: poses are not simulated late.
+/// Whether there are findings that a simulation can have; it has no pose terms.
 bool HasFindingsToSimulate(const std::vector<DiagnosedBlock>& blocks) {
   return std::any_of(blocks.begin(), blocks.end(), [](const DiagnosedBlock& diagnosed) {
     return !WithoutPoseTerms(diagnosed.diagnosis.search.found.terms).empty();
@@ -285,7 +287,7 @@ bool IsOutOfTime(const std::vector<DiagnosedBlock>& blocks) {
   });
 }
 
-/// The whole scenario with what was found, where that is wanted and something was.
+/// The whole simulation with what was found, where it is wanted and something was found.
 std::optional<WholeSimulation> WholeOf(const DiagnosisCase& asked, const DiagnosisOptions& options,
                                        TimeNs start_ns, const std::vector<DiagnosedBlock>& blocks,
                                        const std::optional<SimulatedCourse>& as_it_is,

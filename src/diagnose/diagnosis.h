@@ -29,17 +29,17 @@ namespace tera {
 struct Diagnosis {
   std::string machine;                    ///< its name in the recording
   std::string scenario;                   ///< its name in the scenario, to which the overlay speaks
-  TimeNs start_ns = 0;                    ///< in the recording, from which all times count
-  bool levers_are_the_scenarios = false;  ///< for the recording has none
+  TimeNs start_ns = 0;                    ///< time in the recording from which all times count
+  bool levers_are_the_scenarios = false;  ///< since the recording has none
   std::vector<DiagnosedBlock> blocks;
-  /// By how much encoders run ahead of levers; none where they do not.
+  /// Time by which encoders run ahead of levers; none where they do not.
   std::optional<double> encoder_lead_s = {};
-  std::vector<std::string> not_compared;  ///< what was measured, and why nothing came of it
-  /// Those at which loose ground may let the base lag behind its tracks.
+  std::vector<std::string> not_compared;  ///< measurements that were not compared, and why
+  /// Samples at which loose ground may let the base lag behind its tracks.
   std::vector<ExcludedSamples> excluded_samples;
   std::vector<PerceptionDiagnosis> perception;  ///< of sensors that measure ranges
-  /// The levers that would tell what this recording leaves open; none where nothing is open, or no
-  /// levers would.
+  /// The levers that would resolve what this recording leaves ambiguous; none where nothing is, or
+  /// no levers would.
   std::optional<NextManoeuvre> next;
   std::vector<HeldOutRecording> held_out;  ///< further recordings, as they were given
   /// How predictions were corrected for what replays lack of the simulation, one for each channel
@@ -52,12 +52,13 @@ struct Diagnosis {
 /// What a diagnosis can say; several may hold.
 enum class Verdict { kNone, kNamed, kClass, kUnexplained, kUntestable };
 
-/// As in diagnosis.json: "named".
+/// The verdict's name as in diagnosis.json: "named".
 std::string_view NameOf(Verdict verdict);
 
-/// kNone where nothing was found and nothing is left of the blocks that could be judged; kNamed,
-/// kClass by the findings; kUnexplained where error is left; kUntestable where something could not
-/// be compared or judged, or some candidate would not have been seen at any size.
+/// The verdicts of a diagnosis: kNone where nothing was found and nothing is left of the blocks
+/// that could be judged; kNamed and kClass by the findings; kUnexplained where error is left;
+/// kUntestable where something could not be compared or judged, or a candidate would not have been
+/// seen at any size.
 std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis);
 
 struct DiagnosisOptions {
@@ -66,8 +67,8 @@ struct DiagnosisOptions {
   SearchOptions search;
   std::uint64_t seed = 1;
   std::optional<CandidateLibrary> library;  ///< limits or extends the blocks' own
-  /// Of the search; blocks that are not done by then are not judged, and what is left depends on
-  /// the machine that it runs on. Without reaching it the answer is the same as with none.
+  /// Limit of the search. Blocks that are not done by then are not judged, so that the answer
+  /// depends on the computer; where the limit is not reached the answer is the same as without one.
   std::optional<double> time_limit_s;
 };
 
@@ -87,7 +88,8 @@ struct DiagnosisCase {
   SiteOrigin origin;
 };
 
-/// How far a diagnosis is: before a block, and after it with what came of it. Blocks may overlap.
+/// The progress of a diagnosis: before a block, and after it with its diagnosis. Blocks may
+/// overlap.
 struct BlockProgress {
   std::string machine;
   std::string block;
@@ -101,22 +103,22 @@ std::vector<DiscrepancyCorrection> CorrectDiscrepancies(
     const std::vector<ReplayDiscrepancy>& discrepancy, std::uint64_t seed, int threads,
     std::vector<ReplayBlock>* blocks);
 
-/// From which all that is random about a block's diagnosis comes.
+/// The random stream of a block's diagnosis.
 Stream StreamOf(const ReplayBlock& block, std::uint64_t seed);
 
-/// With the tests of all these blocks counted together.
+/// Search options that correct p-values for the tests of all these blocks together.
 SearchOptions WithTotalsOf(SearchOptions options, const std::vector<ReplayBlock>& blocks);
 
 using Deadline = std::chrono::steady_clock::time_point;
 
-/// Diagnoses blocks, as many at a time as there are threads, until a time that may be set. One at a
-/// time is told of its progress.
+/// Diagnoses blocks, as many at a time as there are threads, until a deadline that may be set.
+/// Calls of `progress` do not overlap.
 std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks,
                                            const SearchOptions& options, std::uint64_t seed,
                                            const FollowProgress& progress,
                                            const std::optional<Deadline>& deadline = {});
 
-/// Whether poses were found to be stamped as they arrive.
+/// Whether some block was found to have poses that are stamped as they arrive.
 bool FindsArrivalStamps(const std::vector<DiagnosedBlock>& blocks);
 
 /// Why the recording of one machine differs from its simulation: blocks, further recordings, the
@@ -125,7 +127,7 @@ bool FindsArrivalStamps(const std::vector<DiagnosedBlock>& blocks);
 Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowProgress& progress,
                    StageClock* clock);
 
-/// What the blocks of a further recording, which it is named by, say of a diagnosis.
+/// Validates a diagnosis on the blocks of a held-out recording of this name.
 HeldOutRecording ValidateHeldOut(const std::vector<DiagnosedBlock>& diagnosed,
                                  const std::vector<ReplayBlock>& further,
                                  const std::string& recording, std::uint64_t seed);

@@ -7,13 +7,14 @@
 
 namespace tera {
 
-/// By how much encoders run ahead of the levers that move their joints, in seconds: nothing moves
-/// before it is commanded to, so that the clocks differ.
+/// The time by which encoders run ahead of the levers that move their joints. Nothing moves before
+/// it is commanded to, so that a lead shows that the clocks differ.
 ///
-/// Model   of each joint or track that a lever drives: the shift of its rate, up to 0.5 s, at which
-///         it is most in proportion to the rate that the scenario predicts, if that is 0.03 s or
-///         more and leaves at most half of what the unshifted prediction leaves unexplained. Given
-///         where two are moved at least and all of them agree to a quarter; their mean.
+/// Model   for each joint or track that a lever drives, the shift of its rate, up to 0.5 s, at
+///         which the rate that the scenario predicts explains most of it. It is a lead if it is
+///         0.03 s or more and leaves at most half of what the unshifted prediction leaves
+///         unexplained. The result is the mean, where at least two encoders move and all of them
+///         agree to a quarter.
 /// Omits   clocks that drift; a lead that single joints have.
 std::optional<double> EncoderLead_s(const std::vector<ReplayBlock>& blocks);
 

@@ -18,15 +18,16 @@ namespace tera {
 namespace {
 
 constexpr double kDegrees = 1 / kDeg;
-constexpr double kNear = 1.3;        ///< a factor of units is met up to this ratio
-constexpr double kAlike = 0.7;       ///< correlation
-constexpr double kLeverMoves = 0.2;  ///< between its ends
-constexpr double kMoves_rad = 0.05;  ///< likewise of a position
-constexpr double kDrives_m = 2;      ///< between the ends of a way
-constexpr double kLimit_rad = 0.2;   ///< beyond a joint's limits
-constexpr double kPair_s = 0.1;      ///< between two positions whose difference is held to a rate
-constexpr double kLatest_s = 0.9;    ///< that a rate may follow its lever
-constexpr double kBefore_s = 10;  ///< commands that end so long before all else are of another time
+constexpr double kMostUnitRatio = 1.3;     ///< of a factor to one of units that it counts as
+constexpr double kLeastCorrelation = 0.7;  ///< of columns that are proportional
+constexpr double kLeastLeverRange = 0.2;   ///< of a lever that moves
+constexpr double kLeastRange_rad = 0.05;   ///< of a position that moves
+constexpr double kLeastWay_m = 2;          ///< between the ends of the way of a base that drives
+constexpr double kBeyondLimit_rad = 0.2;   ///< by which a position may exceed a joint's limits
+constexpr double kPair_s = 0.1;  ///< between two positions whose difference is compared with a rate
+constexpr double kLongestDelay_s = 0.9;  ///< of a rate behind its lever
+/// Time by which commands may end before all else; with more they are of another time.
+constexpr double kMostEarlyEnd_s = 10;
 constexpr const char* kNotConverted = "nothing is converted: give its unit in the import";
 
 struct Ends {
@@ -40,11 +41,11 @@ struct Ends {
 };
 
 bool IsNear(double found, double factor) {
-  return found > 0 && std::abs(std::log(found / factor)) < std::log(kNear);
+  return found > 0 && std::abs(std::log(found / factor)) < std::log(kMostUnitRatio);
 }
 
-/// The unit in place of an SI unit that makes numbers so many times too large; empty where none is
-/// known to.
+/// A hint at the unit that, in place of an SI unit, makes numbers too large by a factor; empty
+/// where no such unit is known.
 std::string UnitBehind(double factor, const std::string& si_unit) {
   const bool is_angle = si_unit.starts_with("rad");
   const std::string rest = si_unit.substr(is_angle ? 3 : std::min<std::size_t>(1, si_unit.size()));
@@ -59,7 +60,7 @@ std::string FileOf(const RecordedPlace& place, const std::string& channel) {
   return fmt::format("{}/{}/data.csv", place.directory, channel);
 }
 
-/// Slope of y over x through their means, and their correlation.
+/// The slope of y over x about their means, and their correlation.
 struct Proportion {
   double factor = 0, correlation = 0;
 };
@@ -94,7 +95,7 @@ bool LeverMoves(const TableRecording& commands, const MachineModel& model,
     if (name != axis) continue;
     Ends ends;
     for (const auto& row : commands.rows) ends.Add(row[c]);
-    return ends.Span() > kLeverMoves;
+    return ends.Span() > kLeastLeverRange;
   }
   return false;
 }
@@ -129,13 +130,13 @@ Ends EndsOf(const std::vector<double>& values) {
 
 void RequireMoving(const AxisColumns& axis, bool lever_moves) {
   const double q_span = EndsOf(axis.q).Span(), qd_span = EndsOf(axis.qd).Span();
-  const bool moves = q_span > kMoves_rad || lever_moves;
+  const bool moves = q_span > kLeastRange_rad || lever_moves;
   if (qd_span == 0 && moves) {
     throw InputError(fmt::format(
         "{}: column '{}' is {} in all {} samples while {}; need the rate that was measured, or a "
         "recording without this joint",
         axis.file, axis.rate, axis.qd.front(), axis.qd.size(),
-        q_span > kMoves_rad ? fmt::format("'{}' changes", axis.position) : "its lever moves"));
+        q_span > kLeastRange_rad ? fmt::format("'{}' changes", axis.position) : "its lever moves"));
   }
   if (q_span == 0 && qd_span > 0 && lever_moves) {
     throw InputError(fmt::format(
@@ -145,7 +146,8 @@ void RequireMoving(const AxisColumns& axis, bool lever_moves) {
   }
 }
 
-/// Rates over what positions change by between samples that are `kPair_s` apart.
+/// Throws where rates are a multiple, by a factor of units, of the changes of positions between
+/// samples that are `kPair_s` apart.
 void RequireRatesOfPositions(const AxisColumns& axis) {
   std::vector<double> change, rate;
   std::size_t from = 0;
@@ -161,7 +163,7 @@ void RequireRatesOfPositions(const AxisColumns& axis) {
   }
   if (change.size() < 20) return;
   const Proportion found = ProportionOf(rate, change);
-  if (found.correlation < kAlike) return;
+  if (found.correlation < kLeastCorrelation) return;
   const std::string unit = UnitBehind(found.factor, axis.rate_unit);
   if (unit.empty()) return;
   throw InputError(fmt::format(
@@ -171,14 +173,17 @@ void RequireRatesOfPositions(const AxisColumns& axis) {
       kNotConverted));
 }
 
-/// Positions that are beyond the joint's limits, and within them in another unit.
+/// Throws where positions exceed the joint's limits and would be within them in another unit.
 void RequireWithinLimits(const AxisColumns& axis, const Joint& joint) {
   if (joint.type == JointType::kContinuous || joint.lower_rad >= joint.upper_rad) return;
   const auto beyond = [&](double factor) {
     std::size_t count = 0;
     for (const double q : axis.q) {
       const double real = q / factor;
-      count += real < joint.lower_rad - kLimit_rad || real > joint.upper_rad + kLimit_rad ? 1 : 0;
+      count +=
+          real < joint.lower_rad - kBeyondLimit_rad || real > joint.upper_rad + kBeyondLimit_rad
+              ? 1
+              : 0;
     }
     return static_cast<double>(count) / static_cast<double>(axis.q.size());
   };
@@ -194,7 +199,7 @@ void RequireWithinLimits(const AxisColumns& axis, const Joint& joint) {
   }
 }
 
-/// When a channel begins and ends.
+/// The times of a channel's first and last sample.
 struct TimeSpan {
   std::string what;
   TimeNs first_ns = 0, last_ns = 0;
@@ -206,7 +211,7 @@ void AddSpan(const std::string& what, const std::vector<Sample>& samples,
   if (!samples.empty()) spans->push_back({what, samples.front().t_ns, samples.back().t_ns});
 }
 
-/// Where a receiver and the machine's poses were, east or north, at the receiver's times.
+/// The positions of a receiver and of the machine's poses, east or north, at the receiver's times.
 struct Ways {
   std::vector<double> receiver_m, machine_m;
 };
@@ -223,9 +228,9 @@ Ways WaysOf(const std::vector<GnssSample>& samples, const std::vector<TruthPose>
   return ways;
 }
 
-/// Whether a measured rate follows the expected one, if later.
+/// Whether a measured rate follows the expected one with a delay.
 bool FollowsLate(const Series& measured, const std::vector<double>& expected) {
-  const auto steps = static_cast<std::size_t>(kLatest_s / measured.period_s);
+  const auto steps = static_cast<std::size_t>(kLongestDelay_s / measured.period_s);
   const std::size_t stride = std::max<std::size_t>(1, steps / 16);
   for (std::size_t lag = stride; lag <= steps; lag += stride) {
     std::vector<double> now, before;
@@ -234,7 +239,7 @@ bool FollowsLate(const Series& measured, const std::vector<double>& expected) {
       now.push_back(measured.value[k]);
       before.push_back(expected[k - lag]);
     }
-    if (ProportionOf(now, before).correlation > kAlike) return true;
+    if (ProportionOf(now, before).correlation > kLeastCorrelation) return true;
   }
   return false;
 }
@@ -271,10 +276,10 @@ void CheckClocks(const RecordedPlace& place, const TableRecording& commands,
   for (const auto& samples : gnss) AddSpan("a receiver", samples, &spans);
   AddSpan("poses", poses, &spans);
   if (!commands.t_ns.empty() && !spans.empty()) {
-    // What is commanded holds until the next command.
+    // A command holds until the next one.
     const TimeNs last_ns = commands.t_ns.size() == 1
                                ? std::numeric_limits<TimeNs>::max()
-                               : commands.t_ns.back() + FromSeconds(kBefore_s);
+                               : commands.t_ns.back() + FromSeconds(kMostEarlyEnd_s);
     spans.push_back({"commands", commands.t_ns.front(), last_ns});
   }
   for (std::size_t k = 1; k < spans.size(); ++k) {
@@ -344,7 +349,7 @@ void CheckGnss(const RecordedPlace& place, const std::string& channel,
   constexpr std::array<const char*, 2> kColumns = {"east_m", "north_m"};
   for (int axis = 0; axis < 2; ++axis) {
     const Ways ways = WaysOf(samples, poses, axis);
-    if (ways.receiver_m.empty() || EndsOf(ways.machine_m).Span() < kDrives_m) continue;
+    if (ways.receiver_m.empty() || EndsOf(ways.machine_m).Span() < kLeastWay_m) continue;
     const char* column = kColumns[static_cast<std::size_t>(axis)];
     if (EndsOf(ways.receiver_m).Span() == 0) {
       throw InputError(
@@ -356,7 +361,7 @@ void CheckGnss(const RecordedPlace& place, const std::string& channel,
     }
     const Proportion found = ProportionOf(ways.receiver_m, ways.machine_m);
     const std::string unit = UnitBehind(found.factor, "m");
-    if (found.correlation < kAlike || unit.empty()) continue;
+    if (found.correlation < kLeastCorrelation || unit.empty()) continue;
     throw InputError(
         fmt::format("{}: column '{}' changes by {:.3g} times what the machine's poses do; need m. "
                     "Is it in {}? {}",
@@ -378,14 +383,14 @@ void CheckUnitsOf(const RecordedPlace& place, const std::vector<ReplayBlock>& bl
       if (measured.empty()) continue;
       const Proportion found = ProportionOf(measured, expected);
       const bool is_of_axis = block.channels.size() == 1 && channel.unit.ends_with("/s");
-      if (is_of_axis && found.correlation < -kAlike) {
+      if (is_of_axis && found.correlation < -kLeastCorrelation) {
         if (FollowsLate(channel.measured, predicted[c])) continue;
         throw InputError(
             fmt::format("{}: {} goes against its lever (correlation {:.2f}); need the signs of the "
                         "scenario's machine, in levers and encoders",
                         place.directory, channel.name, found.correlation));
       }
-      if (found.correlation < kAlike) continue;
+      if (found.correlation < kLeastCorrelation) continue;
       const std::string unit = UnitBehind(found.factor, channel.unit);
       if (unit.empty()) continue;
       throw InputError(

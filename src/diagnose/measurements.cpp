@@ -11,8 +11,8 @@
 namespace tera {
 namespace {
 
-constexpr double kRounding_s = 0.05;  ///< of the length that a message gives
-constexpr double kNoPeriod_s = 1e-4;  ///< no encoder or inertial unit has samples so close
+constexpr double kRounding_s = 0.05;        ///< of the length that a message states
+constexpr double kShortestPeriod_s = 1e-4;  ///< of any encoder or inertial unit
 
 /// The encoders of one machine.
 std::vector<NamedEncoders> EncodersOf(const Recording& recording, const std::string& machine) {
@@ -25,7 +25,7 @@ std::vector<NamedEncoders> EncodersOf(const Recording& recording, const std::str
   return encoders;
 }
 
-/// What lies between two times.
+/// The samples between two times.
 template <typename Sample>
 void Trim(TimeNs from_ns, TimeNs to_ns, std::vector<Sample>* samples) {
   std::erase_if(*samples, [&](const Sample& s) { return s.t_ns < from_ns || s.t_ns > to_ns; });
@@ -55,7 +55,7 @@ TimeNs StartOf(const Measurements& measured) {
   return start_ns;
 }
 
-/// The last that was measured; by receivers where nothing else was, as StartOf.
+/// The time of the last measurement; of receivers only where there is nothing else, as in StartOf.
 TimeNs EndOf(const Measurements& measured) {
   TimeNs end_ns = measured.start_ns;
   const auto last = [&](const auto& samples) {
@@ -68,17 +68,17 @@ TimeNs EndOf(const Measurements& measured) {
   return end_ns;
 }
 
-/// Where samples follow each other faster than any sensor has them.
+/// A hint at a wrong unit of time, where samples follow each other faster than any sensor's.
 std::string UnitOfTimeText(const Measurements& measured, double length_s) {
   std::size_t most = 0;
   for (const auto& named : measured.encoders) most = std::max(most, named.recording.samples.size());
   for (const auto& samples : measured.imus) most = std::max(most, samples.size());
-  return most > 1 && length_s / static_cast<double>(most - 1) < kNoPeriod_s
+  return most > 1 && length_s / static_cast<double>(most - 1) < kShortestPeriod_s
              ? "; t_ns counts nanoseconds: are these microseconds or milliseconds?"
              : "";
 }
 
-/// That the part which is looked at is long enough.
+/// Throws where the part that is diagnosed is too short.
 void RequireLongEnough(const Measurements& measured, const MeasurementOptions& options) {
   const double length_s = ToSeconds(EndOf(measured) - measured.start_ns);
   const double left_s = std::min(options.to_s, length_s) - options.from_s;

@@ -22,7 +22,7 @@
 namespace tera {
 namespace {
 
-constexpr double kStepOfPeriod = 0.2;  ///< of an encoder's, that a replay steps over at most
+constexpr double kMostStepOfPeriod = 0.2;  ///< step of a replay over an encoder's period
 
 bool Measures(const std::vector<NamedEncoders>& encoders, const std::string& axis) {
   for (const NamedEncoders& named : encoders) {
@@ -33,7 +33,7 @@ bool Measures(const std::vector<NamedEncoders>& encoders, const std::string& axi
   return false;
 }
 
-/// Fine enough for the encoder that samples fastest, and no finer than wanted.
+/// The step of the axes' replay: fine enough for the fastest encoder, and no finer than wanted.
 double AxisStep_s(const std::vector<NamedEncoders>& encoders, double wanted_s) {
   double shortest_s = std::numeric_limits<double>::max();
   for (const NamedEncoders& named : encoders) {
@@ -43,10 +43,11 @@ double AxisStep_s(const std::vector<NamedEncoders>& encoders, double wanted_s) {
     shortest_s = std::min(shortest_s, length_s / static_cast<double>(samples.size() - 1));
   }
   const bool any = shortest_s < std::numeric_limits<double>::max();
-  return any ? std::max(wanted_s, kStepOfPeriod * shortest_s) : wanted_s;
+  return any ? std::max(wanted_s, kMostStepOfPeriod * shortest_s) : wanted_s;
 }
 
-/// What cannot be compared leaves the rest, and is told with its place.
+/// Makes something; where it cannot be compared, the obstacle is noted with its place and the rest
+/// goes on.
 void Try(const std::string& place, std::vector<std::string>* obstacles,
          const std::function<void()>& add) {
   try {
@@ -56,11 +57,11 @@ void Try(const std::string& place, std::vector<std::string>* obstacles,
   }
 }
 
-/// Blocks of some kind, and what there is none of.
+/// Blocks of some kind, and what made none.
 struct Made {
   std::vector<ReplayBlock> blocks;
   std::vector<std::string> obstacles;
-  std::vector<std::string> motion_unknown;  ///< sensors of which nothing tells how they moved
+  std::vector<std::string> motion_unknown;  ///< sensors whose motion was not measured
 
   std::vector<std::string> NotCompared() && {
     std::move(motion_unknown.begin(), motion_unknown.end(), std::back_inserter(obstacles));
@@ -68,7 +69,7 @@ struct Made {
   }
 };
 
-/// Several makers beside each other, what they make in their order.
+/// Runs several makers in parallel; what they make is in their order.
 Made MakeAll(std::size_t makers, int threads, const std::function<void(std::size_t, Made*)>& make) {
   std::vector<Made> parts = InParallel<Made>(makers, threads, [&](std::size_t k) {
     Made part;
@@ -95,7 +96,7 @@ std::optional<std::string> LeverOf(const MachineModel& model, std::size_t axis) 
   return std::nullopt;
 }
 
-/// That the recording has the lever of what it measured.
+/// Throws where the recording lacks the lever of an axis that it measured.
 void RequireLever(const DiagnosisInput& input, std::size_t axis) {
   const std::optional<std::string> lever = LeverOf(*input.model, axis);
   const std::vector<std::string>& columns = input.commands.columns;
@@ -104,7 +105,7 @@ void RequireLever(const DiagnosisInput& input, std::size_t axis) {
                                fmt::join(columns, ", ")));
 }
 
-/// Encoders may have a block for each joint and gear with a lever.
+/// Adds a block for each joint and gear with an encoder and a lever.
 void AddAxes(const DiagnosisInput& input, const Measurements& measured, const BlockOptions& options,
              Made* out) {
   if (input.commands.columns.empty() || measured.encoders.empty()) return;
@@ -119,7 +120,7 @@ void AddAxes(const DiagnosisInput& input, const Measurements& measured, const Bl
   });
 }
 
-/// A joint whose drive's effort was measured, and its position, makes a block.
+/// Adds a block for each joint whose drive's effort and position were measured.
 void AddEfforts(const DiagnosisInput& input, const Measurements& measured,
                 std::vector<ReplayBlock>* blocks) {
   for (EffortLog& log : MakeEffortLogs(*input.model, input.machine + "/efforts", measured.efforts,
@@ -138,17 +139,17 @@ bool HasBase(const DiagnosisInput& input, const Measurements& measured) {
   return !gears.empty() && all && !measured.poses.empty();
 }
 
-/// When poses that were measured were, where their stamps are those of their arrival.
+/// The times at which poses were measured, where they are stamped as they arrive.
 std::optional<PoseTimes> ArrivalsOf(const Measurements& measured) {
   if (!measured.poses_were_measured) return std::nullopt;
   return TimesOfArrivals(measured.poses);
 }
 
-/// Every gear's encoder and poses make a block of the base.
+/// Adds the block of the base, where all gears have encoders and there are poses.
 void AddBase(const DiagnosisInput& input, const Measurements& measured, const BlockOptions& options,
              std::vector<ReplayBlock>* blocks) {
   if (!HasBase(input, measured)) return;
-  // Gears bound the time.
+  // The gears' encoders bound the time.
   const BaseLog log = MakeBaseLog(*input.model, measured.encoders, measured.poses,
                                   options.base_interval_s, ArrivalsOf(measured));
   if (auto block =
@@ -157,7 +158,7 @@ void AddBase(const DiagnosisInput& input, const Measurements& measured, const Bl
   }
 }
 
-/// What the replays of joints and gears leave of what they do in a simulation.
+/// Adds the discrepancies of the replays of joints and gears.
 void AddRateDiscrepancies(const DiagnosisInput& input, const Measurements& measured,
                           const std::vector<NamedEncoders>& simulated, const BlockOptions& options,
                           std::vector<ReplayDiscrepancy>* out) {
@@ -171,7 +172,7 @@ void AddRateDiscrepancies(const DiagnosisInput& input, const Measurements& measu
   }
 }
 
-/// What the replay of the base leaves of what it does in a simulation.
+/// Adds the discrepancy of the base's replay.
 void AddMotionDiscrepancy(const DiagnosisInput& input, const Measurements& measured,
                           const std::vector<NamedEncoders>& simulated,
                           const SimulatedCourse& course, const BlockOptions& options,
@@ -185,7 +186,7 @@ void AddMotionDiscrepancy(const DiagnosisInput& input, const Measurements& measu
   if (!left.empty()) out->push_back({input.machine + "/base/forward_mps", std::move(left)});
 }
 
-/// Why a sensor makes no block that the recording has something of.
+/// The reason for which a recorded sensor makes no block.
 std::string TooFewText(const DiagnosisInput& input, const SensorDescription& sensor) {
   return fmt::format(
       "{}/{}: how '{}' moved is known at too few of its times; need poses, and encoders of the "
@@ -193,7 +194,7 @@ std::string TooFewText(const DiagnosisInput& input, const SensorDescription& sen
       input.machine, sensor.name, sensor.link);
 }
 
-/// An inertial unit makes a block where its link's motion was measured.
+/// Adds a block for each inertial unit whose link's motion was measured.
 void AddImus(const DiagnosisInput& input, const Measurements& measured, const BlockOptions& options,
              Made* out) {
   const double interval_s = std::max(options.base_interval_s, ImuInterval_s(measured.poses));
@@ -211,8 +212,8 @@ void AddImus(const DiagnosisInput& input, const Measurements& measured, const Bl
   });
 }
 
-/// Some of the scenario's receivers, by their numbers among its sensors, make a block where poses
-/// and joints tell how their antennas moved.
+/// The block of some of the scenario's receivers, by their indices among its sensors; none where
+/// the motion of an antenna was not measured.
 std::optional<ReplayBlock> GnssBlockOf(const DiagnosisInput& input, const Measurements& measured,
                                        const std::vector<std::size_t>& which) {
   std::vector<SensorDescription> receivers;
@@ -225,8 +226,8 @@ std::optional<ReplayBlock> GnssBlockOf(const DiagnosisInput& input, const Measur
   return MakeGnssBlock(receivers, std::move(log), input.machine);
 }
 
-/// Two receivers make one block where both have enough to say; else, and where one of them cannot
-/// be compared, each has its own.
+/// Adds the blocks of receivers. Two have one block together where both have enough positions;
+/// else, and where one of them cannot be compared, each has its own.
 void AddGnss(const DiagnosisInput& input, const Measurements& measured, Made* out) {
   std::vector<std::size_t> which;
   std::size_t in_all = 0;
@@ -241,7 +242,7 @@ void AddGnss(const DiagnosisInput& input, const Measurements& measured, Made* ou
   };
   if (which.size() == 2 && in_all == 2) {
     bool is_made = false;
-    std::vector<std::string> of_one;  // whose own block will tell it again
+    std::vector<std::string> of_one;  // the receiver's own block reports it again
     Try("", &of_one, [&] { is_made = add(which); });
     if (is_made) return;
   }
@@ -277,8 +278,8 @@ void CountTimeFrom(TimeNs start_ns, ReplayBlock* block) {
   }
 }
 
-/// What all blocks are in the end.
-void Settle(TimeNs start_ns, std::vector<ReplayBlock>* blocks) {
+/// Removes blocks that are too short and makes times relative to the recording's start.
+void Complete(TimeNs start_ns, std::vector<ReplayBlock>* blocks) {
   std::erase_if(*blocks, [](const ReplayBlock& block) {
     return static_cast<double>(block.samples()) * block.period_s() < kShortestRecording_s;
   });
@@ -298,7 +299,7 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Measurement
       [&](Made* out) { AddGnss(input, measured, out); }};
   Made made = MakeAll(kinds.size(), options.threads,
                       [&](std::size_t kind, Made* out) { kinds[kind](out); });
-  Settle(measured.start_ns, &made.blocks);
+  Complete(measured.start_ns, &made.blocks);
   if (made.blocks.empty() && options.needs_any) {
     ThrowNothingToCompare(input, measured, made.obstacles);
   }
@@ -330,7 +331,7 @@ std::vector<ReplayBlock> SensorBlocksByArrivals(const DiagnosisInput& input, Mea
       [&](Made* out) { AddGnss(input, measured, out); }};
   Made made = MakeAll(kinds.size(), options.threads,
                       [&](std::size_t kind, Made* out) { kinds[kind](out); });
-  Settle(measured.start_ns, &made.blocks);
+  Complete(measured.start_ns, &made.blocks);
   *not_compared = std::move(made).NotCompared();
   return std::move(made.blocks);
 }
@@ -343,7 +344,7 @@ std::vector<ReplayDiscrepancy> ReplayDiscrepanciesOf(const DiagnosisInput& input
   const auto parts =
       InParallel<std::vector<ReplayDiscrepancy>>(2, options.threads, [&](std::size_t k) {
         std::vector<ReplayDiscrepancy> discrepancy;
-        std::vector<std::string> obstacles;  // told by BlocksOf
+        std::vector<std::string> obstacles;  // BlocksOf reports them
         Try(measured.recording, &obstacles, [&] {
           k == 0 ? AddRateDiscrepancies(input, measured, encoders, options, &discrepancy)
                  : AddMotionDiscrepancy(input, measured, encoders, course, options, &discrepancy);

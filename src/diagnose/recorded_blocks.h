@@ -11,33 +11,34 @@
 namespace tera {
 
 struct BlockOptions {
-  bool needs_any = true;         ///< that nothing can be replayed is an error
+  bool needs_any = true;         ///< it is an error if nothing can be replayed
   double step_s = 0.01;          ///< of the replay of axes, where encoders sample often enough
   double base_interval_s = 0.2;  ///< over which the motion of base and inertial units is compared
-  int threads = 2;               ///< which the blocks do not depend on
+  int threads = 2;               ///< the blocks do not depend on it
 };
 
-/// Every block that the recording has channels for: joints and gears with encoders and levers,
-/// drives with efforts and encoders, the base with gears and poses, inertial units
-/// and receivers whose link's motion was measured, over 20 s at least. Throws InputError where
-/// there is none at all, unless `needs_any` is false. `not_compared` is given what was measured
-/// in a way that makes no block, and why.
+/// All blocks for which the recording has channels: joints and gears with encoders and levers,
+/// drives with efforts and encoders, the base with gears and poses, inertial units and receivers
+/// whose link's motion was measured, over 20 s at least. Throws InputError where there is none at
+/// all, unless `needs_any` is false. `not_compared` receives what was measured and makes no block,
+/// with the reason.
 std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Measurements& measured,
                                   const BlockOptions& options,
                                   std::vector<std::string>* not_compared = nullptr);
 
-/// Takes those of inertial units and receivers, which come after the machine's own.
+/// Removes and returns the blocks of inertial units and receivers, which come after the machine's
+/// own.
 std::vector<ReplayBlock> TakeSensorBlocks(const std::string& machine,
                                           std::vector<ReplayBlock>* blocks);
 
 /// The blocks of inertial units and receivers over poses that are stamped as they arrive, at the
-/// times at which they were measured. `not_compared` is replaced by what of them makes no block.
+/// times at which they were measured. `not_compared` is replaced by the sensors that make no block.
 std::vector<ReplayBlock> SensorBlocksByArrivals(const DiagnosisInput& input, Measurements measured,
                                                 const BlockOptions& options,
                                                 std::vector<std::string>* not_compared);
 
-/// What the replays of joints, gears and base leave of a simulation of the scenario under the
-/// recorded levers: for the blocks of BlocksOf.
+/// The discrepancies of the replays of joints, gears and base from a simulation of the scenario
+/// under the recorded levers, for the blocks of BlocksOf.
 std::vector<ReplayDiscrepancy> ReplayDiscrepanciesOf(const DiagnosisInput& input,
                                                      const Measurements& measured,
                                                      const BlockOptions& options,

@@ -79,14 +79,14 @@ Json HeldOut(double before, double after, const std::string& unit, double remove
           {"excess_variance_removed", Number(removed)}};
 }
 
-/// The part that named and unexplained findings share.
+/// The location, which named and unexplained findings both have.
 Json Where(const DiagnosedBlock& diagnosed, const Location& location) {
   return {{"channel", diagnosed.block.channels[location.channel].name},
           {"intervals_s", Intervals(location, diagnosed.block)},
           {"regime", RegimeOf(location)}};
 }
 
-/// What tells surer names from less sure ones: no probability, being calibrated on nothing.
+/// A score that ranks findings by how sure they are. It is not calibrated, and no probability.
 double ScoreOf(const Finding& finding) {
   const auto alike = static_cast<double>(finding.evidence.rivals.size());
   return (1 - finding.evidence.p) * (1 - finding.held_out.p) / alike;
@@ -170,7 +170,7 @@ Json NotNamed(const DiagnosedBlock& diagnosed, const Unexplained& unexplained) {
   return json;
 }
 
-/// What a sensor of ranges shows.
+/// A finding of a lidar or camera.
 Json Seen(const PerceptionDiagnosis& sensor, const PerceptionFinding& finding) {
   Json parameters = Json::object();
   for (std::size_t i = 0; i < finding.parameters.size(); ++i) {
@@ -213,7 +213,7 @@ Json Seen(const PerceptionDiagnosis& sensor, const PerceptionFinding& finding) {
           {"held_out", HeldOut(before, after, sensor.unit, std::clamp(removed, 0.0, 1.0))}};
 }
 
-/// What was chosen and is no finding.
+/// A mechanism that was chosen and is no finding.
 Json Chosen(const Finding& finding) {
   Json names = Json::array();
   for (const Candidate* rival : finding.evidence.rivals)
@@ -226,7 +226,7 @@ Json Chosen(const Finding& finding) {
        {{"p_chosen", Number(finding.evidence.p)}, {"p_confirmed", Number(finding.held_out.p)}}}};
 }
 
-/// What comes nearest to what is unexplained.
+/// Mechanisms that come nearest to errors that stay unexplained.
 Json Proxies(const Diagnosis& diagnosis) {
   Json list = Json::array();
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
@@ -235,7 +235,7 @@ Json Proxies(const Diagnosis& diagnosis) {
   return list;
 }
 
-/// What SELECT chose and FINAL did not confirm.
+/// Mechanisms that were chosen on SELECT and that FINAL did not confirm.
 Json Unconfirmed(const Diagnosis& diagnosis) {
   Json list = Json::array();
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
@@ -255,7 +255,7 @@ Json Unconfirmed(const Diagnosis& diagnosis) {
   return list;
 }
 
-/// Of every channel judged, with nothing and with all that was found.
+/// Held-out errors of every judged channel, with nothing and with all that was found.
 Json HeldOutOfAll(const Diagnosis& diagnosis) {
   Json list = Json::array();
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
@@ -269,7 +269,7 @@ Json HeldOutOfAll(const Diagnosis& diagnosis) {
   return list;
 }
 
-/// Channels of blocks that the time was over for.
+/// Channels of blocks for which there was no time.
 Json OutOfTime(const Diagnosis& diagnosis) {
   Json list = Json::array();
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
@@ -302,8 +302,7 @@ Json FurtherRecordings(const Diagnosis& diagnosis) {
   return list;
 }
 
-/// How far the scenario is from the recording as it stands, over all samples: nothing fitted, not
-/// even nuisances.
+/// Errors of the scenario as it stands over all samples, without any fit, even of nuisances.
 Json Channels(const Diagnosis& diagnosis) {
   Json list = Json::array();
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
@@ -370,7 +369,7 @@ Json ExcludedSamplesOf(const Diagnosis& diagnosis) {
   return list;
 }
 
-/// Blocks with too few manoeuvres, or without time.
+/// Channels of blocks with too few manoeuvres, or for which there was no time.
 Json NotJudged(const Diagnosis& diagnosis) {
   Json list = Json::array();
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {

@@ -19,7 +19,7 @@
 namespace tera {
 namespace {
 
-/// What one target gets, in order of weight.
+/// The lines of one target, in the order of the findings' ranks.
 struct TargetLines {
   std::string target;
   std::vector<std::string_view> mechanisms;
@@ -41,7 +41,7 @@ std::string Key(const std::string& name) {
   return quoted + "'";
 }
 
-/// Within its range after rounding as before.
+/// A number as text, within its range after rounding as well as before.
 std::string Value(double value, const EffectParameter& parameter) {
   TERA_CHECK(std::isfinite(value), parameter.name);
   if (parameter.whole) return fmt::format("{:.0f}", value);
@@ -50,7 +50,7 @@ std::string Value(double value, const EffectParameter& parameter) {
   return read < parameter.lower || read > parameter.upper ? fmt::format("{}", value) : rounded;
 }
 
-/// "dead_band: {width: 0.18}", and in a comment what it was not told apart from.
+/// "dead_band: {width: 0.18}", with its rivals in a comment.
 std::string MechanismLine(const Finding& finding) {
   const Candidate& candidate = *finding.term.candidate;
   std::vector<std::string> numbers;

@@ -12,9 +12,9 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kMostPoints = 1500;
-constexpr double kLongestWindow_s = 30;
-constexpr std::size_t kMostBars = 12;
+constexpr std::size_t kMostPoints = 1500;  ///< of a line
+constexpr double kLongestWindow_s = 30;    ///< of a figure over time
+constexpr std::size_t kMostBars = 12;      ///< of a figure of evidence
 
 std::string Figure(const std::string& picture, const std::string& caption) {
   return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", picture, caption);
@@ -40,7 +40,7 @@ Series Predicted(const Series& measured, const Series& residual) {
   return predicted;
 }
 
-/// EnvelopeOf at the times of the recording.
+/// The envelope (EnvelopeOf) of a series at the times of the recording.
 std::vector<PlotPoint> LineOf(const ReplayBlock& block, const Series& series,
                               const Segment& samples, double factor) {
   std::vector<PlotPoint> line = EnvelopeOf(series, samples, factor, kMostPoints);
@@ -48,7 +48,7 @@ std::vector<PlotPoint> LineOf(const ReplayBlock& block, const Series& series,
   return line;
 }
 
-/// The `length` samples of `within` with the largest sum of squares.
+/// The window of `length` samples within a segment that has the largest sum of squares.
 Segment Worst(const Series& residual, const Segment& within, std::size_t length) {
   if (within.size() <= length) return within;
   const auto square = [&](std::size_t k) {
@@ -67,7 +67,7 @@ Segment Worst(const Series& residual, const Segment& within, std::size_t length)
   return worst;
 }
 
-/// What the prediction is shown over: the worst interval with a little before and after.
+/// The window of the prediction's figure: the worst interval with a little before and after.
 Segment WindowOf(const DiagnosedBlock& diagnosed, const Location& location) {
   const std::size_t samples = diagnosed.block.samples();
   const Segment worst =
@@ -80,7 +80,7 @@ Segment WindowOf(const DiagnosedBlock& diagnosed, const Location& location) {
                std::max<std::size_t>(most, 2));
 }
 
-/// Range of the points; `outliers` of them may lie outside on each side.
+/// The axis over the points, of which a share `outliers` may lie outside on each side.
 PlotAxis RangeOf(const std::vector<std::vector<PlotPoint>>& lines, double outliers,
                  std::string label) {
   std::vector<double> all;
@@ -195,7 +195,7 @@ std::string RegimeFigure(const DiagnosedBlock& diagnosed, const Location& locati
                                  Key("band", "90 % band") + Key("visited", "how often visited"));
 }
 
-/// With its target where another one has the same name.
+/// A candidate's name, with its target where another candidate has the same name.
 std::string NameAmong(const std::vector<SingleEvidence>& singles, const Candidate& candidate) {
   const auto same = std::count_if(singles.begin(), singles.end(), [&](const SingleEvidence& one) {
     return one.candidate->mechanism == candidate.mechanism;

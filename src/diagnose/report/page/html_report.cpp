@@ -19,9 +19,9 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kRegimesShown = 2;
+constexpr std::size_t kMostRegimesShown = 2;
 
-/// A table; columns whose heading begins with '>' are of numbers.
+/// An HTML table. Columns whose heading starts with '>' hold numbers.
 class Table {
  public:
   explicit Table(const std::vector<std::string>& headings) {
@@ -61,7 +61,7 @@ std::string_view Explained(Verdict verdict) {
     case Verdict::kNamed:
       return "cause named";
     case Verdict::kClass:
-      return "several causes not told apart";
+      return "several causes not resolved apart";
     case Verdict::kUnexplained:
       return "some of it unexplained";
     case Verdict::kUntestable:
@@ -138,7 +138,7 @@ std::string ErrorTable(const DiagnosedBlock& diagnosed) {
   return "<h3>Errors on manoeuvres that nothing was fitted to</h3>\n" + table.Take();
 }
 
-/// The figures of one location, under what it is the location of.
+/// The figures of one location under a heading.
 std::string LocationFigures(const DiagnosedBlock& diagnosed, const std::string& heading,
                             const std::string& error, const Location& location) {
   std::string html =
@@ -147,7 +147,7 @@ std::string LocationFigures(const DiagnosedBlock& diagnosed, const std::string& 
                   Code(diagnosed.block.channels[location.channel].name));
   html += PredictionFigure(diagnosed, location) + ResidualFigure(diagnosed, location);
   html += "<div class='pair'>";
-  for (std::size_t r = 0; r < std::min(location.regimes.size(), kRegimesShown); ++r) {
+  for (std::size_t r = 0; r < std::min(location.regimes.size(), kMostRegimesShown); ++r) {
     html += RegimeFigure(diagnosed, location, location.regimes[r], error);
   }
   return html + "</div>\n";
@@ -196,7 +196,7 @@ std::string AgreeingSection(const Diagnosis& diagnosis) {
              : "";
 }
 
-/// The number that the smallest size is of.
+/// The smallest detectable size of a candidate with the name of its number.
 std::string SmallestCell(const Detectability& one) {
   const auto& parameters = one.candidate->mechanism->parameters;
   if (parameters.empty()) return "";
@@ -205,7 +205,7 @@ std::string SmallestCell(const Detectability& one) {
                      UnitCell(parameters[main].unit));
 }
 
-/// Of each block, mechanisms that would not have been seen at any size.
+/// The mechanisms of each block that would not have been seen at any size.
 std::string UnseenTable(const Diagnosis& diagnosis) {
   Table unseen({"On", "Mechanisms"});
   bool any = false;
@@ -257,7 +257,7 @@ std::string UnseenSection(const Diagnosis& diagnosis) {
          (any_judged ? UnseenTable(diagnosis) + SmallestSizes(diagnosis) : "") + "</section>\n";
 }
 
-/// Further recordings and the whole simulation.
+/// The section of held-out recordings and of the whole simulation.
 std::string ConfirmationSection(const Diagnosis& diagnosis) {
   Table table({"Against", "Channel", ">RMSE without", ">with", "Unit"});
   bool any = false;
@@ -300,10 +300,10 @@ std::string NextSection(const Diagnosis& diagnosis) {
       "s, from the scenario's initial position. Power: how often a recording of it would tell, by "
       "the noise of this one.</p>\n",
       Escaped(next.description), Code(kNextManoeuvreFile), next.duration_s);
-  Table told({"On", "Discriminated", ">Power"}), open({"On", "Still open", ">Power"});
-  AddSetRows(next.discriminated, &told);
+  Table resolved({"On", "Discriminated", ">Power"}), open({"On", "Still open", ">Power"});
+  AddSetRows(next.discriminated, &resolved);
   AddSetRows(next.not_discriminated, &open);
-  html += LeversFigure(next) + told.Take();
+  html += LeversFigure(next) + resolved.Take();
   if (!next.not_discriminated.empty()) html += open.Take();
   return html + "</section>\n";
 }

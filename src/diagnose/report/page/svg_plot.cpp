@@ -12,7 +12,7 @@ namespace {
 constexpr double kLeft = 64, kRight = 12, kTop = 10, kBottom = 46;
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
-/// Step of ticks: 1, 2 or 5 times a power of ten.
+/// The step between ticks: 1, 2 or 5 times a power of ten.
 double TickStep(double span, int wanted) {
   const double rough = span / wanted;
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
@@ -22,7 +22,7 @@ double TickStep(double span, int wanted) {
   return 10 * power;
 }
 
-/// As many decimals as tell one tick from the next.
+/// A tick's label with as many decimals as distinguish it from the next.
 std::string TickText(double value, double step) {
   if (std::abs(value) >= 1e6 || step < 1e-5) return fmt::format("{:.3g}", value);
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
@@ -48,7 +48,7 @@ PlotAxis Widened(double low, double high, std::string label) {
   if (!(low <= high) || !std::isfinite(low) || !std::isfinite(high)) low = high = 0;
   double margin = 0.05 * (high - low);
   if (margin <= 0) margin = low == 0 ? 1 : 0.05 * std::abs(low);
-  // Ticks are counted; beyond 2^53 of them a count would stand still.
+  // Ticks are counted in doubles, which beyond 2^53 no longer increase by 1.
   margin = std::max(margin, 1e-9 * std::max(std::abs(low), std::abs(high)));
   return {low - margin, high + margin, std::move(label)};
 }
@@ -156,7 +156,7 @@ std::string SvgPlot::Axes() const {
 
 std::string SvgPlot::Take() const {
   const double width = width_ - kLeft - kRight, height = height_ - kTop - kBottom;
-  // A nested picture cuts off what is beyond its edges.
+  // A nested SVG clips what is beyond its edges.
   return Head(what_, width_, height_) + Axes() +
          fmt::format("<svg x='{0}' y='{1}' width='{2}' height='{3}' viewBox='{0} {1} {2} {3}'>",
                      kLeft, kTop, width, height) +

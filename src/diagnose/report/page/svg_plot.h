@@ -28,19 +28,20 @@ std::vector<double> TicksOf(const PlotAxis& axis, int wanted);
 /// A figure with two axes. What lies beyond them is cut off.
 class SvgPlot {
  public:
-  /// `what` is read to those who cannot see it.
+  /// `what` is the figure's label for screen readers.
   SvgPlot(const std::string& what, PlotAxis x, PlotAxis y, double width = 900, double height = 260);
 
-  /// A stretch of x over the full height.
+  /// Shades an interval of x over the full height.
   void Shade(double x_low, double x_high, std::string_view css_class);
   void Horizontal(double y, std::string_view css_class);
-  /// A broken line; a point that is not finite breaks it.
+  /// A polyline, interrupted at points that are not finite.
   void Line(const std::vector<PlotPoint>& points, std::string_view css_class);
   /// The area between two curves over the same x.
   void Band(const std::vector<PlotPoint>& low, const std::vector<PlotPoint>& high,
             std::string_view css_class);
   void Dots(const std::vector<PlotPoint>& points, std::string_view css_class);
-  /// How often each x was visited: bars along the lower edge, the longest a tenth of the height.
+  /// Bars along the lower edge for how often each x was visited; the longest is a tenth of the
+  /// height.
   void Visits(const std::vector<PlotPoint>& counts, double width_x, std::string_view css_class);
 
   std::string Take() const;
@@ -66,12 +67,13 @@ struct Bar {
 /// Horizontal bars under each other, each with its label and its value.
 std::string SvgBars(const std::string& what, const std::vector<Bar>& bars, double width = 900);
 
-/// Samples as a line of at most `most` points: of each bin of neighbours the lowest and the highest
-/// value in their order, gaps as points that are not finite. x in seconds, y times `factor`.
+/// Samples as a line of at most `most` points: the lowest and the highest value of each bin of
+/// neighbours in their order, and gaps as points that are not finite. x is in seconds, y is times
+/// `factor`.
 std::vector<PlotPoint> EnvelopeOf(const Series& series, const Segment& samples, double factor,
                                   std::size_t most);
 
-/// With what HTML and SVG give a meaning to written as entities.
+/// The text with the characters that HTML and SVG reserve as entities.
 std::string Escaped(std::string_view text);
 
 }  // namespace tera

@@ -28,14 +28,14 @@ std::vector<std::string> Quantities(const std::vector<std::string>& channels) {
   return names;
 }
 
-constexpr double kStands_m = 0.005;  ///< of a path: the base stands
+constexpr double kLeastPath_m = 0.005;  ///< of a base that moves
 
 std::string LengthText(double length_m) {
-  return length_m < kStands_m ? "0" : Significant(length_m, 4);
+  return length_m < kLeastPath_m ? "0" : Significant(length_m, 4);
 }
 
 bool GoesNowhere(const PathLengths& path) {
-  return std::max(path.before_m, path.after_m) < kStands_m;
+  return std::max(path.before_m, path.after_m) < kLeastPath_m;
 }
 
 }  // namespace

@@ -11,14 +11,14 @@
 namespace tera {
 namespace {
 
-constexpr int kPresentDigits = 4;
+constexpr int kPresentDigits = 4;  ///< of a number that the simulation has already
 /// Free numbers of a mechanism up to which all are reported.
 constexpr std::size_t kFewNumbers = 3;
 /// Standard deviations by which a number of many must differ from its default to be reported.
 constexpr double kClearDeviations = 3;
 
-/// The number that a mechanism cannot be without, where it is the first and only one, goes by the
-/// mechanism's name.
+/// Whether a number is written without its name: it is the first and only one that a mechanism
+/// requires, so that the mechanism's name is enough.
 bool GoesUnnamed(const Mechanism& mechanism, std::size_t index) {
   const auto required = std::count_if(mechanism.parameters.begin(), mechanism.parameters.end(),
                                       [](const EffectParameter& p) { return !p.otherwise; });
@@ -43,7 +43,7 @@ bool IsReported(const Candidate& candidate, const FreeParameter& free,
   return std::abs(estimate.value - without) > kClearDeviations * *estimate.sigma;
 }
 
-/// " 0.18 ± 0.02, asymmetry 0.1 ± 0.05", or nothing.
+/// " 0.18 ± 0.02, asymmetry 0.1 ± 0.05"; empty where no number is reported.
 std::string NumbersText(const Finding& finding) {
   const Candidate& candidate = *finding.term.candidate;
   std::vector<std::string> numbers;

@@ -11,16 +11,17 @@ namespace tera {
 /// fitted and are reported.
 std::string NameAndNumbers(const Finding& finding);
 
-/// The same, of what it acts on where the channel does not say so: "flow sharing of the main 0.8".
+/// NameAndNumbers with the target, where the channel does not name it: "flow sharing of the main
+/// 0.8".
 std::string MechanismText(const DiagnosedBlock& diagnosed, const Finding& finding);
 
-/// "latency", and "latency of the poses" where that acts on something else than what was found.
+/// "latency", and "latency of the poses" where the rival acts on another target than the finding.
 std::string RivalText(const Candidate& rival, const Candidate& found);
 
-/// What a finding was not told apart from.
+/// The rivals of a finding, as texts.
 std::vector<std::string> AlikeTexts(const Finding& finding);
 
-/// Whether something was chosen for a channel that manoeuvres kept back did not confirm.
+/// Whether a mechanism was chosen for a channel and not confirmed on FINAL.
 bool IsUnconfirmed(const DiagnosedBlock& diagnosed, std::size_t channel);
 
 }  // namespace tera

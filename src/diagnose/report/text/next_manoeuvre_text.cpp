@@ -17,7 +17,7 @@ std::vector<std::string> SpacedAll(const std::vector<std::string>& identifiers) 
   return names;
 }
 
-constexpr std::size_t kNamed = 3;  ///< mechanisms of a target that are told one by one
+constexpr std::size_t kMostNamed = 3;  ///< mechanisms of a target that are named one by one
 
 /// Mechanisms that could not be seen, by target: "backlash and sag of the boom", "12 mechanisms of
 /// the slew".
@@ -33,7 +33,7 @@ std::vector<std::string> Shown(const std::vector<DiscriminatedSet>& sets) {
   std::vector<std::string> parts;
   for (const auto& [target, names] : by_target) {
     const std::string what =
-        names.size() > kNamed ? fmt::format("{} mechanisms", names.size()) : Listed(names);
+        names.size() > kMostNamed ? fmt::format("{} mechanisms", names.size()) : Listed(names);
     parts.push_back(fmt::format("{} of the {}", what, Spaced(target)));
   }
   return parts;

@@ -32,7 +32,7 @@ std::string FactorText(const ReplayBlock& block, const Factor& factor) {
   return name;
 }
 
-/// To which power a factor has its variable's unit.
+/// The power of its variable's unit that a factor has.
 int PowerOf(FactorForm form) {
   switch (form) {
     case FactorForm::kValue:
@@ -102,7 +102,7 @@ std::string FormulaText(const ReplayBlock& block, const Proposal& proposal) {
 
 namespace {
 
-/// From where to where a curve goes.
+/// The range of a curve as text.
 std::string CurveText(const ReplayBlock& block, const Proposal& proposal) {
   const ProposedCurve& curve = *proposal.curve;
   const std::string& own = block.channels[proposal.channel].unit;

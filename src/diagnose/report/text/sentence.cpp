@@ -18,7 +18,7 @@ namespace tera {
 namespace {
 
 constexpr double kSignificant = 0.05;  ///< p of a regime up to which it is stated without its p
-constexpr std::size_t kMostRivalsNamed = 2;
+constexpr std::size_t kMostRivalsNamed = 2;  ///< of those that were rejected
 
 std::string ChannelText(const DiagnosedBlock& diagnosed, std::size_t channel) {
   return Capitalised(QuantityOf(diagnosed.block.channels[channel].name));
@@ -37,7 +37,7 @@ std::string IntervalsText(const DiagnosedBlock& diagnosed, const Location& locat
   return text;
 }
 
-/// What a curve looks like, as far as its range does not say it.
+/// The form of a curve in words, as far as its range does not say it.
 std::string FormText(const CurveShape& shape, const ReadableUnit& unit) {
   std::vector<std::string> words;
   switch (shape.form) {
@@ -74,7 +74,7 @@ std::string FormText(const CurveShape& shape, const ReadableUnit& unit) {
   return words.empty() ? "" : fmt::format(", {}", fmt::join(words, ", "));
 }
 
-/// Whether a form lives in a part of what was visited only.
+/// Whether a curve of this form differs from a constant only in a range of the variable.
 bool HasRange(CurveForm form) {
   return form == CurveForm::kSaturating || form == CurveForm::kThreshold ||
          form == CurveForm::kLocal || form == CurveForm::kFree;
@@ -130,7 +130,7 @@ std::string LeftText(double rmse, double noise, const std::string& si_unit) {
                      WithUnit(Significant(noise * unit.factor, 2), unit));
 }
 
-/// What is left of a channel of which nothing is unexplained.
+/// The residual of a channel of which nothing is unexplained, in words.
 std::string ResidualText(const DiagnosedBlock& diagnosed, std::size_t channel) {
   if (IsLeft(diagnosed, channel)) return "";
   for (const ResidualVerdict& verdict : diagnosed.diagnosis.residual_verdicts) {
@@ -160,9 +160,9 @@ std::string HeldOutText(const HeldOutError& error, const std::string& si_unit) {
     return fmt::format("{}, {} of the excess variance removed.", fall,
                        PercentText(error.excess_removed));
   }
-  // No louder than what passed for noise: there is no excess to speak of.
+  // The error is no louder than the noise, so that there is no excess.
   if (error.rmse_after < error.rmse_before) return fall + ".";
-  // It was confirmed by how many manoeuvres are likelier with it.
+  // The finding was confirmed by the number of manoeuvres that are likelier with it.
   return fmt::format("{}, none of the excess variance removed{}.", fall,
                      error.p > kSignificant ? "" : ", for a few manoeuvres outweigh the rest");
 }

@@ -16,19 +16,19 @@ namespace tera {
 /// where the data hold the number; numbers that were not fitted are left out.
 std::string SentenceOf(const DiagnosedBlock& diagnosed, const Finding& finding);
 
-/// What no mechanism explains: where, and of what it is a function.
+/// The sentence of an unexplained error: where it is, and of what it is a function.
 std::string SentenceOf(const DiagnosedBlock& diagnosed, const Unexplained& unexplained);
 
-/// What SELECT chose and FINAL did not confirm.
+/// The sentence of a mechanism that was chosen and not confirmed on FINAL.
 std::string SentenceOfUnconfirmed(const DiagnosedBlock& diagnosed, const Finding& finding);
 
-/// A block with too few manoeuvres, or that there was no time for.
+/// The sentence of a block with too few manoeuvres, or for which there was no time.
 std::string SentenceOfUntestable(const DiagnosedBlock& diagnosed);
 
-/// Which channels agree, and how much could not have been seen.
+/// The sentence where nothing was found: which channels agree, and what could not have been seen.
 std::string SentenceOfNothing(const Diagnosis& diagnosis);
 
-/// All of them, the weightiest first.
+/// All sentences of a diagnosis, the weightiest first.
 std::vector<std::string> SentencesOf(const Diagnosis& diagnosis);
 
 /// "|lever| < 0.2, odd", in readable units.

@@ -13,9 +13,9 @@
 namespace tera {
 namespace {
 
-constexpr double kSameShare = 0.2;
-constexpr double kSameDeviations = 3;
-constexpr double kMostApart = 0.5;  ///< of the longer one, however uncertain they are
+/// Delays count as the same where they differ by less than this share of the longer one, or by less
+/// than so many standard deviations, but never by more than kMostDifference of the longer one.
+constexpr double kSameShare = 0.2, kSameDeviations = 3, kMostDifference = 0.5;
 
 std::optional<ParameterEstimate> DelayOf(const DiagnosedBlock& diagnosed) {
   for (const Finding& finding : diagnosed.diagnosis.findings) {
@@ -26,7 +26,7 @@ std::optional<ParameterEstimate> DelayOf(const DiagnosedBlock& diagnosed) {
 
 bool AreTheSame(const ParameterEstimate& shortest, const ParameterEstimate& longest) {
   const double sigma = std::hypot(shortest.sigma.value_or(0), longest.sigma.value_or(0));
-  const double uncertain = std::min(kSameDeviations * sigma, kMostApart * longest.value);
+  const double uncertain = std::min(kSameDeviations * sigma, kMostDifference * longest.value);
   return longest.value - shortest.value <= std::max(kSameShare * longest.value, uncertain);
 }
 

@@ -6,9 +6,9 @@
 
 namespace tera {
 
-/// "All 4 joints ask for a delay of 0.08 s: ..", or nothing. Where every joint that was judged by
-/// its encoder, two at least, is found to have the same delay, to a fifth or to what its numbers
-/// are uncertain by, clocks do as well.
+/// "All 4 joints ask for a delay of 0.08 s: ..", or empty. Where every joint that was judged by its
+/// encoder, two at least, has the same delay, within a fifth or within the delays' uncertainty, the
+/// clock of the encoders may be late instead.
 std::string SentenceOfSharedDelay(const Diagnosis& diagnosis);
 
 }  // namespace tera

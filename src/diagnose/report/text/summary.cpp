@@ -15,7 +15,7 @@
 namespace tera {
 namespace {
 
-/// What acts on one joint, pump, sensor or the base.
+/// The findings on one joint, pump, sensor or the base, as texts.
 struct OfTarget {
   std::string target;
   std::vector<std::string> names;
@@ -32,7 +32,7 @@ std::string WithItsClass(const std::string& name, const std::vector<std::string>
   return alike.empty() ? name : fmt::format("{} (or {})", name, fmt::join(alike, " or "));
 }
 
-/// What a sensor's finding was not told apart from.
+/// The rivals of a sensor's finding, as texts.
 std::vector<std::string> AlikeTexts(const PerceptionFinding& finding) {
   std::vector<std::string> alike;
   for (const std::string& rival : finding.rivals) {
@@ -41,7 +41,7 @@ std::vector<std::string> AlikeTexts(const PerceptionFinding& finding) {
   return alike;
 }
 
-/// Each once, "terrain height in 16 places" where it is there so often.
+/// Each name once, with its count where there are several: "terrain height in 16 places".
 std::vector<std::string> Counted(const std::vector<std::string>& names) {
   std::vector<std::string> counted;
   for (auto name = names.begin(); name != names.end(); ++name) {

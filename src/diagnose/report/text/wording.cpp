@@ -12,10 +12,10 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-/// Of a value that is not 0: 2 for 523, -1 for 0.18.
+/// The decimal exponent of a value that is not 0: 2 for 523, -1 for 0.18.
 int ExponentOf(double value) { return static_cast<int>(std::floor(std::log10(std::abs(value)))); }
 
-/// Rounded to a power of ten and written without an exponent.
+/// A value rounded to a power of ten and written without an exponent.
 std::string Fixed(double value, int lowest_power) {
   if (lowest_power <= 0) return fmt::format("{:.{}f}", value, -lowest_power);
   const double unit = std::pow(10.0, lowest_power);
@@ -28,7 +28,7 @@ void DropZerosAtTheEnd(std::string* number) {
   if (number->ends_with('.')) number->pop_back();
 }
 
-/// Endings of names of columns and parameters, the longer first.
+/// Quantities by the endings of names of columns and parameters, the longer endings first.
 constexpr std::pair<std::string_view, std::string_view> kQuantityOfEnding[] = {
     {"_radps2", "angular acceleration"},
     {"_mps2", "acceleration"},
@@ -41,14 +41,14 @@ constexpr std::pair<std::string_view, std::string_view> kQuantityOfEnding[] = {
     {"_n", "force"},
     {"_m", "position"}};
 
-/// Of what a parameter is counted in.
+/// Endings of names that are units.
 constexpr std::string_view kUnitEndings[] = {
     "_nmsprad", "_radpnm", "_radps2", "_radps", "_degps", "_degpk", "_mps2", "_degc",
     "_1ps",     "_mps",    "_mpk",    "_rad",   "_deg",   "_ppm",   "_nm",   "_kg",
     "_hz",      "_pa",     "_s",      "_m",     "_n",     "_w"};
 
-/// "rate about x" of "wx_radps", "specific force along z" of "az_mps2", as inertial units have
-/// them, "east position" of "east_m", as receivers have it; else nothing.
+/// The quantity of a column of an inertial unit or a receiver, "rate about x" of "wx_radps",
+/// "specific force along z" of "az_mps2", "east position" of "east_m"; empty for other columns.
 std::string TriadQuantityOf(std::string_view column) {
   if (column == "east_m" || column == "north_m" || column == "up_m") {
     return std::string(column.substr(0, column.size() - 2)) + " position";

@@ -18,13 +18,13 @@ struct ReadableUnit {
 };
 
 ReadableUnit ReadableUnitOf(std::string_view unit);
-/// The same, but angular frequencies stay in rad/s.
+/// The readable unit of a parameter, for which angular frequencies stay in rad/s.
 ReadableUnit ReadableUnitOf(const ParameterEstimate& parameter);
 
 /// "3.1 deg/s", and without a unit "3.1".
 std::string WithUnit(const std::string& number, const ReadableUnit& unit);
 
-/// So many significant digits, without zeros at the end: 0.18, 52300, 1.2e-07.
+/// A number with so many significant digits and without trailing zeros: 0.18, 52300, 1.2e-07.
 std::string Significant(double value, int digits);
 /// "0.18 ± 0.02": the deviation with one digit, two where it begins with 1, the value as far as
 /// that; without a deviation three digits.
@@ -33,7 +33,7 @@ std::string WithSigma(double value, const std::optional<double>& sigma);
 std::string ProbabilityText(double p);
 /// Whole percents: "94 %".
 std::string PercentText(double share);
-/// A time as precise as a span of `span_s` asks for, without its unit.
+/// A time with the precision that a span of `span_s` asks for, without its unit.
 std::string TimeText(double time_s, double span_s);
 
 /// "dead band" of "dead_band".
