@@ -17,8 +17,8 @@
 namespace tera {
 namespace {
 
-/// The machine of the recording that a machine of the scenario is meant to be: of the same name, or
-/// the only one where each side has one.
+/// The recording's name of a machine of the scenario: the same name, or the only one where scenario
+/// and recording have one machine each.
 std::string NameInRecording(const std::string& name, std::size_t in_scenario,
                             const Recording& recording) {
   const std::vector<std::string> names = recording.Machines();
@@ -40,11 +40,11 @@ TableRecording ReplayedCommands(const ScenarioMachine& machine) {
   return commands;
 }
 
-/// One machine of the scenario and what the diagnosis is to know of it.
+/// One machine of the scenario with the model that its diagnosis uses.
 struct MachineCase {
   const Scenario& scenario;
   std::size_t index = 0;
-  MachineModel model;  ///< joints that nothing measures stay where the scenario has them
+  MachineModel model;  ///< its joints start where the scenario has them
 
   MachineCase(const Scenario& of, std::size_t machine)
       : scenario(of), index(machine), model(of.machines[machine].placement.model) {

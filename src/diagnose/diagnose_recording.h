@@ -13,27 +13,27 @@
 
 namespace tera {
 
-/// What of a recording is diagnosed, by what, and how thoroughly.
+/// The part of a recording to be diagnosed, and the options of its diagnosis.
 struct DiagnosisTask {
-  std::vector<std::filesystem::path> held_out;  ///< further recordings, to be judged by
-  std::optional<CandidateLibrary> library;      ///< instead of what the blocks candidate themselves
+  std::vector<std::filesystem::path> held_out;  ///< further recordings, for validation
+  std::optional<CandidateLibrary> library;      ///< limits or extends the blocks' own
   std::optional<double> from_s, to_s, time_limit_s;
-  bool simulate = true;  ///< the whole scenario, to confirm what was found
+  bool simulate = true;  ///< whether the whole scenario is simulated as well
   int threads = 1;
 };
 
-/// Reads the scenario that is diagnosed, each time anew.
+/// Reads the scenario that is diagnosed anew.
 using ReadAgain = std::function<Scenario()>;
 
-/// Why a recording differs from a scenario: one diagnosis for each machine of the scenario, of its
-/// joints, tracks and base, and of what its sensors show. `progress` is told of the blocks, `clock`
-/// of the stages. Throws InputError where the recording is not what can be compared.
+/// Diagnoses why a recording differs from a scenario: one diagnosis for each machine of the
+/// scenario, of its joints, tracks and base, and of its sensors. `progress` follows the blocks,
+/// `clock` times the stages. Throws InputError where the recording cannot be compared.
 std::vector<Diagnosis> DiagnoseRecording(Scenario scenario, const ReadAgain& again,
                                          const Recording& recording, const DiagnosisTask& task,
                                          const FollowProgress& progress, StageClock* clock);
 
-/// What four simpler methods make of it, as baselines.json has it
-/// (diagnose/search/structure/baselines.h), of the scenario's first machine. Throws InputError.
+/// The answers of four simpler methods (diagnose/search/structure/baselines.h) for the scenario's
+/// first machine, as the text of baselines.json. Throws InputError.
 std::string BaselinesOfRecording(const Scenario& scenario, const Recording& recording, int threads);
 
 }  // namespace tera

@@ -42,14 +42,14 @@ struct Diagnosis {
   /// no levers would.
   std::optional<NextManoeuvre> next;
   std::vector<HeldOutRecording> held_out;  ///< further recordings, as they were given
-  /// How predictions were corrected for what replays lack of the simulation, one for each channel
-  /// of joints, tracks and the base.
+  /// Corrections of predictions for what replays lack of the simulation, one for each channel of
+  /// joints, tracks and the base.
   std::vector<DiscrepancyCorrection> discrepancy_corrections;
   std::optional<WholeSimulation> whole;  ///< none where nothing was found, or it was not asked for
   SiteOrigin origin;                     ///< of the scenario's W on the earth, for maps
 };
 
-/// What a diagnosis can say; several may hold.
+/// The answers of a diagnosis, of which several may hold.
 enum class Verdict { kNone, kNamed, kClass, kUnexplained, kUntestable };
 
 /// The verdict's name as in diagnosis.json: "named".
@@ -78,7 +78,7 @@ struct HeldOutCase {
   std::shared_ptr<const Recording> recording;
 };
 
-/// One machine of a scenario, what was recorded of it, and all that a diagnosis of it needs beside.
+/// One machine of a scenario, its recording, and all else that its diagnosis needs.
 struct DiagnosisCase {
   DiagnosisInput input;
   const Recording* recording = nullptr;

@@ -17,16 +17,17 @@
 namespace tera {
 namespace {
 
-constexpr double kLongest_s = 600;   ///< of the scenario as it is
-constexpr double kCompared_s = 120;  ///< with what was found
-constexpr double kEarly_s = 1;
+constexpr double kLongest_s = 600;   ///< of the simulation of the scenario as it is
+constexpr double kCompared_s = 120;  ///< of the simulation with what was found
+/// First sample of a recording up to which the simulation starts at the recording's own zero.
+constexpr double kMostLateStart_s = 1;
 constexpr double kPathStep_s = 0.5;
-constexpr double kMoved_m = 0.5;  ///< a path that is shorter is none
+constexpr double kLeastPath_m = 0.5;  ///< of a base that moves
 
-/// When the simulation starts, in the recording.
-TimeNs ZeroOf(TimeNs start_ns) { return ToSeconds(start_ns) > kEarly_s ? start_ns : 0; }
+/// The time in the recording at which the simulation starts.
+TimeNs ZeroOf(TimeNs start_ns) { return ToSeconds(start_ns) > kMostLateStart_s ? start_ns : 0; }
 
-/// The last that encoders measured of the machine; none where there are none.
+/// The time of the last sample of the machine's encoders; none where there is none.
 std::optional<TimeNs> LastOf(const Measurements& measured) {
   std::optional<TimeNs> last_ns;
   for (const NamedEncoders& named : measured.encoders) {
@@ -36,7 +37,7 @@ std::optional<TimeNs> LastOf(const Measurements& measured) {
   return last_ns;
 }
 
-/// Sum of the ground's steps between poses that lie `kPathStep_s` apart.
+/// Length of the path along poses that are `kPathStep_s` apart.
 double PathLength_m(const std::vector<TruthPose>& poses) {
   double length_m = 0;
   const TruthPose* last = nullptr;
@@ -76,7 +77,7 @@ class Comparison {
   std::vector<std::vector<double>> OfBase(const DiagnosedBlock& diagnosed,
                                           const SimulatedCourse& course) const;
   std::vector<TruthPose> PosesOf(const SimulatedCourse& course, double until_s) const;
-  /// Of a place of a block's grid, in the simulation.
+  /// The simulation's time at a place of a block's grid.
   double TimeOf_s(const ReplayBlock& block, std::size_t place) const {
     return block.time_s(place) + ToSeconds(start_ns_ - zero_ns_);
   }
@@ -97,7 +98,7 @@ double Comparison::Until_s() const {
   return std::min(until_s, kCompared_s);
 }
 
-/// Poses of the simulation at the times of the recorded ones.
+/// The simulation's poses at the times of the recorded ones.
 std::vector<TruthPose> Comparison::PosesOf(const SimulatedCourse& course, double until_s) const {
   std::vector<TruthPose> poses = AsSimulated(course, poses_);
   std::erase_if(poses,
@@ -105,7 +106,8 @@ std::vector<TruthPose> Comparison::PosesOf(const SimulatedCourse& course, double
   return poses;
 }
 
-/// The base's channels over the intervals of the recorded poses; nothing where there are none.
+/// The base's channels in the simulation over the intervals of the recorded poses; empty where
+/// there are none.
 std::vector<std::vector<double>> Comparison::OfBase(const DiagnosedBlock& diagnosed,
                                                     const SimulatedCourse& course) const {
   const ReplayBlock& block = diagnosed.block;
@@ -131,8 +133,8 @@ std::vector<std::vector<double>> Comparison::OfBase(const DiagnosedBlock& diagno
   return values;
 }
 
-/// What the simulation did in a block's channels, not a number beyond its end; empty where it does
-/// not have them.
+/// A block's channels in the simulation, not a number beyond its end; empty where the simulation
+/// lacks them.
 std::vector<std::vector<double>> Comparison::Simulated(const DiagnosedBlock& diagnosed,
                                                        const SimulatedCourse& course) const {
   const ReplayBlock& block = diagnosed.block;
@@ -154,7 +156,7 @@ std::vector<std::vector<double>> Comparison::Simulated(const DiagnosedBlock& dia
   return {values};
 }
 
-/// RMSE over what FINAL has of a channel and the simulation knows; not a number where it has none.
+/// RMSE over the samples of FINAL that the simulation covers; not a number where there are none.
 double RmseOnFinal(const DiagnosedBlock& diagnosed, std::size_t channel,
                    const std::vector<double>& simulated) {
   const Series& measured = diagnosed.block.channels[channel].measured;
@@ -214,7 +216,7 @@ WholeSimulation Comparison::Run(const std::optional<SimulatedCourse>& as_it_is,
   }
   const PathLengths path{PathLength_m(recorded), PathLength_m(PosesOf(before, out.until_s)),
                          PathLength_m(PosesOf(after, out.until_s))};
-  if (path.recorded_m > kMoved_m) out.path = path;
+  if (path.recorded_m > kLeastPath_m) out.path = path;
   return out;
 }
 

@@ -7,8 +7,9 @@
 
 namespace tera {
 
-/// What encoders, free of errors, would have measured in the simulation: the same axes at the same
-/// times, as far as it goes. Axes that the machine lacks stay as they were measured.
+/// The samples that encoders without errors would have measured in the simulation, for the axes and
+/// times of `measured`, as far as the simulation goes. Axes that the machine lacks stay as
+/// measured.
 std::vector<NamedEncoders> AsSimulated(const MachineModel& model, const SimulatedCourse& course,
                                        std::vector<NamedEncoders> measured);
 

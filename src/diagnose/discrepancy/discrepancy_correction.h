@@ -8,14 +8,15 @@
 
 namespace tera {
 
-/// What the simulation of the whole scenario does in a block's channels and the block's replay, run
-/// over that simulation, does not: soil, other joints and inertia that a replay of one block lacks.
+/// The difference between a block's channels in a simulation of the whole scenario and the block's
+/// replay over that simulation: effects of soil, other joints and inertia that a replay of one
+/// block lacks.
 struct ReplayDiscrepancy {
   std::string first_channel;                  ///< the block's, by which it is recognised
   std::vector<std::vector<double>> channels;  ///< simulated less replayed, on the block's grid
 };
 
-/// How one channel's prediction was corrected for the replay's discrepancy.
+/// The correction of one channel's prediction for the replay's discrepancy.
 struct DiscrepancyCorrection {
   std::string channel, unit;
   bool is_simulated = false;  ///< else the discrepancy is not known

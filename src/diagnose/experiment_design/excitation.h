@@ -22,7 +22,7 @@ struct Excitation {
   double length_s = 0;  ///< with the rest at its end
 };
 
-/// How far and how fast an axis may be moved. Radians, or metres where it slides.
+/// The range and the full rate of an axis, in radians, or in metres where it slides.
 struct AxisRange {
   std::size_t axis = 0;
   std::string name;

@@ -9,8 +9,8 @@
 
 namespace tera {
 
-/// What one excitation says of a rival pair: the normal equations of the wrong explanation's
-/// numbers and nuisances for the difference between both predictions.
+/// The information of one excitation about a rival pair: the normal equations of the wrong
+/// explanation's numbers and nuisances for the difference between both predictions.
 struct PairInformation {
   Eigen::MatrixXd information;
   Eigen::VectorXd pull;

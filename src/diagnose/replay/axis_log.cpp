@@ -37,7 +37,7 @@ int AxisOf(const MachineModel& model, const Lever& lever) {
   return lever.joint >= 0 ? lever.joint : static_cast<int>(model.joints.size()) + lever.gear;
 }
 
-/// Which samples of an axis are between its end stops.
+/// Whether each sample of an axis is clear of its end stops.
 std::vector<bool> BetweenStops(const MachineModel& model, std::size_t axis,
                                const std::vector<double>& position_rad) {
   std::vector<bool> is_free;

@@ -7,10 +7,10 @@
 
 namespace tera {
 
-/// Simpler methods' answers to one block, and what the replay as it is leaves of FINAL.
+/// Simpler methods' answers for one block, and the RMSE of the replay as it is on FINAL.
 struct BlockBaselines {
   std::vector<std::string> channels;
-  std::vector<double> rmse_as_it_is;  ///< one a channel
+  std::vector<double> rmse_as_it_is;  ///< one for each channel
   std::vector<BaselineAnswer> answers;
 };
 

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 /// Raised when a key changes its name or meaning. Files without it are of format 1.
 constexpr int kFormat = 2;
-/// In place of the p of an error that no flexible regressor follows.
+/// Stands for the p of an error that no flexible regressor follows.
 constexpr double kPOfUnfollowed = 0.5;
 
 Json Number(double value) {

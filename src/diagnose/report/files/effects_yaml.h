@@ -9,8 +9,9 @@ namespace tera {
 /// The overlay with which `tera generate --effects` simulates what was found: {effects: {MACHINE:
 /// {TARGET: {MECHANISM: {PARAMETER: VALUE}}}}}, six digits, a first line that names `recording`.
 ///
-/// Model   parameters that were not fitted and have their default are left out. Of two findings of
-///         one mechanism on one target the weightier stands. An empty mapping where there are none.
+/// Model   parameters that were not fitted and have their default are omitted. Of two findings of
+///         one mechanism on one target the one that ranks first stands. Without findings the
+///         mapping is empty.
 std::string EffectsYaml(const Diagnosis& diagnosis, const std::string& recording);
 
 }  // namespace tera

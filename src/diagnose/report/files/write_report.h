@@ -11,14 +11,13 @@
 namespace tera {
 
 /// Writes diagnosis.json, effects.yaml, report.html and, where there is one, next_manoeuvre.csv
-/// into a folder, which is made where it is not there (a WholeFolder's, that all of it appears at
-/// once); of each sensor with a map of the ground that too, as CSV and as GeoTIFF. Throws
-/// InputError. `recording` is how the files name it.
+/// into a folder, and the ground map of each sensor that has one, as CSV and as GeoTIFF. The folder
+/// is made where it is missing; as that of a WholeFolder it appears complete. `recording` is the
+/// recording's name in the files. Throws InputError.
 void WriteReport(const std::filesystem::path& directory, const Diagnosis& diagnosis,
                  const std::string& recording);
 
-/// Throws InputError where a folder is there already, so that nothing of an earlier run is mixed
-/// into a report.
+/// Throws InputError where the folder exists, so that a report has nothing of an earlier run.
 void RequireNewFolder(const std::filesystem::path& out);
 
 /// The reports of all machines of a recording, in a folder of each where there are several. It

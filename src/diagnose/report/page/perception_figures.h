@@ -4,7 +4,7 @@
 
 #include "diagnose/diagnosis.h"
 
-/// What lidars and depth cameras show, as a part of the report.
+// Findings of lidars and depth cameras, as a part of the report.
 
 namespace tera {
 

@@ -20,7 +20,7 @@ struct EvaluationContext {
   const SearchOptions& options;
   const Stream& stream;
   const std::vector<Manoeuvre>& manoeuvres;
-  /// In pieces (PiecesOf); `seen` is TRAIN and SELECT.
+  /// The samples of each part, in pieces (PiecesOf); `seen` is TRAIN and SELECT.
   const std::vector<Segment> select, seen, final;
   const Mask final_mask, seen_mask;
   const Likelihood likelihood;  ///< of TRAIN and SELECT

@@ -10,10 +10,10 @@
 
 namespace tera {
 
-/// What a prediction leaves of the measured channels.
+/// The misfit of a prediction to the measured channels.
 struct Misfit {
-  /// One list a channel, one entry a sample: innovation over the noise's scale; 0 where there is
-  /// none.
+  /// One list for each channel, one entry for each sample: the innovation over the noise's scale; 0
+  /// where there is none.
   std::vector<Eigen::VectorXd> innovation;
   /// Offset, gain - 1, delay (s) and nominal numbers of each channel, over their standard
   /// deviations.
@@ -21,7 +21,7 @@ struct Misfit {
   std::vector<Series> residual;  ///< measured less predicted, nuisances included
 };
 
-/// How likely the measurements of a block are, given predictions of its channels.
+/// The likelihood of a block's measurements given predictions of its channels.
 ///
 /// Model   measured = (1 + g) predicted + b - d d(predicted)/dt + N n + noise, the noise of each
 ///         channel autoregressive with Student-t innovations (noise_model.h); b, g and d normal
@@ -32,8 +32,8 @@ struct Misfit {
 /// Omits   noise common to several channels.
 class Likelihood {
  public:
-  /// One noise model a channel; `fit_on`: samples that nuisances are fitted to. The block must
-  /// outlive it.
+  /// `noise` has one model for each channel; `fit_on` are the samples that nuisances are fitted to.
+  /// The block must outlive it.
   Likelihood(const ReplayBlock& block, std::vector<NoiseModel> noise, const Mask& fit_on);
 
   const std::vector<NoiseModel>& noise() const { return noise_; }

@@ -37,7 +37,7 @@ class ScoredFits {
 
   Scored Score(const FittedStructure& fitted) const;
   std::vector<Scored> All(const std::vector<Structure>& structures, const Fit& fit) const;
-  /// Of structures that were fitted by a few steps, the likeliest ones, fitted in full and sorted
+  /// The likeliest of structures that were fitted by a few steps, fitted in full and sorted
   /// by likelihood.
   std::vector<Scored> Likeliest(std::vector<Scored> by_few_steps, std::size_t most);
   /// As Likeliest, of structures in which all terms but the last are fitted already.

@@ -70,8 +70,8 @@ struct SearchResult {
   std::vector<SingleEvidence> singles;
   double flexible_gain =
       0;  ///< in log-likelihood on SELECT, of the flexible regressor over nothing
-  /// In log-likelihood on SELECT, of all that was found over nothing; none once a term was moved
-  /// out.
+  /// Gain in log-likelihood on SELECT of all that was found over nothing; none once a term was
+  /// moved out.
   std::optional<double> found_gain;
 };
 

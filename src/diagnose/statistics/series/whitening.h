@@ -7,7 +7,8 @@
 
 namespace tera {
 
-/// What a noise model leaves of a series: independent, of unit scale, if the model is true.
+/// The innovations of a series under a noise model: independent and of unit scale if the model is
+/// true.
 struct Innovations {
   Series scaled;   ///< e_t / scale
   Mask restarted;  ///< predicted from fewer than order() samples since the last gap
