@@ -312,7 +312,7 @@ TEST(AxisBlock, ABeginningIsThatOfTheWhole) {
   }
 }
 
-TEST(AxisBlock, CandidatesThePumpThatTheAxisSharesAndPutsItsTermsOnThePump) {
+TEST(AxisBlock, HasTermsOfThePumpThatTheAxisSharesAndPutsThemOnThePump) {
   Drive drive = Swaying("");
   const ReplayBlock block = BlockOfBoom(drive, Record(&drive, 22));
   const auto sharing =

@@ -61,7 +61,7 @@ std::string_view Explained(Verdict verdict) {
     case Verdict::kNamed:
       return "cause named";
     case Verdict::kClass:
-      return "several causes not resolved apart";
+      return "several causes not told apart";
     case Verdict::kUnexplained:
       return "some of it unexplained";
     case Verdict::kUntestable:
