@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "core/config/config.h"
 #include "sim/operators/lever_feel.h"
 #include "sim/operators/operator.h"
 #include "sim/operators/planar_arm.h"
