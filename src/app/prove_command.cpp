@@ -9,7 +9,7 @@
 #include "blind/cases/recording_files.h"
 #include "blind/marking/table.h"
 #include "blind/prove.h"
-#include "core/config/input_files.h"
+#include "core/config/portable_name.h"
 #include "dataset/files/checked_file.h"
 #include "diagnose/report/files/write_report.h"
 

@@ -10,6 +10,7 @@
 
 #include "app/commands.h"
 #include "app/followed_run.h"
+#include "core/config/portable_name.h"
 #include "core/error.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/format/recorded_inputs.h"

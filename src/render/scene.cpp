@@ -1,84 +1,10 @@
 #include "render/scene.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 
-#include "core/config/spelling.h"
-#include "core/error.h"
-#include "render/meshes/mesh_file.h"
+#include "render/meshes/load_mesh.h"
 
 namespace tera {
-namespace {
-
-bool IsGltf(const std::filesystem::path& file) {
-  return file.extension() == ".glb" || file.extension() == ".gltf";
-}
-
-void RequireFile(const std::filesystem::path& file) {
-  std::error_code error;
-  if (std::filesystem::is_regular_file(file, error)) return;
-  throw InputError(
-      fmt::format("{}: no such mesh file; need a glTF, OBJ, STL or DAE file", file.string()));
-}
-
-std::string MeshName(const std::filesystem::path& file, const std::string& node) {
-  return node.empty() ? file.string() : file.string() + "#" + node;
-}
-
-}  // namespace
-
-void ComputeNormals(MeshPart* part) {
-  part->normals.assign(part->positions_m.size(), Eigen::Vector3f::Zero());
-  for (std::size_t t = 0; t + 2 < part->indices.size(); t += 3) {
-    const std::uint32_t* i = &part->indices[t];
-    const Eigen::Vector3f a = part->positions_m[i[0]];
-    const Eigen::Vector3f normal = (part->positions_m[i[1]] - a).cross(part->positions_m[i[2]] - a);
-    for (int k = 0; k < 3; ++k) part->normals[i[k]] += normal;
-  }
-}
-
-void FinishMesh(const std::filesystem::path& file, Mesh* mesh) {
-  std::erase_if(mesh->parts, [](const MeshPart& part) { return part.indices.empty(); });
-  if (mesh->parts.empty()) {
-    throw InputError(fmt::format("{}: holds no triangles; need at least one", file.string()));
-  }
-  for (MeshPart& part : mesh->parts) {
-    const std::uint32_t last = *std::max_element(part.indices.begin(), part.indices.end());
-    if (last >= part.positions_m.size() || part.indices.size() % 3 != 0) {
-      throw InputError(fmt::format("{}: a triangle names vertex {} of {}; export it again",
-                                   file.string(), last, part.positions_m.size()));
-    }
-    for (const Eigen::Vector3f& p : part.positions_m) {
-      if (!p.allFinite()) {
-        throw InputError(
-            fmt::format("{}: a vertex is not a finite number; export it again", file.string()));
-      }
-    }
-    if (part.normals.size() != part.positions_m.size()) ComputeNormals(&part);
-    for (Eigen::Vector3f& n : part.normals) {
-      const float length = n.norm();
-      n = length > 0 && std::isfinite(length) ? Eigen::Vector3f(n / length)
-                                              : Eigen::Vector3f::UnitZ();
-    }
-  }
-}
-
-std::string NodeHint(const std::string& wanted, const std::vector<std::string>& names) {
-  std::vector<std::string> listed;
-  for (const std::string& name : names) {
-    if (!name.empty()) listed.push_back(name);
-  }
-  return fmt::format("{}; it has: {}", DidYouMean(wanted, listed), fmt::join(listed, ", "));
-}
-
-Mesh LoadMesh(const std::filesystem::path& file, const std::string& node) {
-  RequireFile(file);
-  Mesh mesh = IsGltf(file) ? LoadGltf(file, node) : LoadWithAssimp(file, node);
-  mesh.name = MeshName(file, node);
-  return mesh;
-}
 
 int SceneModel::AddMesh(const std::filesystem::path& file, const std::string& node) {
   const std::string name = MeshName(file, node);

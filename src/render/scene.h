@@ -2,42 +2,18 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/motion.h"
 #include "core/types/labels.h"
 #include "core/types/terrain_surface.h"
+#include "render/meshes/mesh.h"
 
 /// What can be seen: one description for the rasterizer and for the ray scene, so that camera and
 /// lidar look at the same world.
 
 namespace tera {
-
-/// Metallic-roughness material, linear colours.
-struct Material {
-  Vec3 albedo = Vec3(0.5, 0.5, 0.5);
-  double roughness = 0.7;
-  double metallic = 0.0;
-  double opacity = 1.0;             ///< below 1: glass, seen by the rasterizer as blended
-  double lidar_reflectance = -1.0;  ///< at 905 nm; negative: mean of the albedo
-};
-
-/// Triangles of one material in a body frame.
-struct MeshPart {
-  std::vector<Eigen::Vector3f> positions_m;
-  std::vector<Eigen::Vector3f> normals;  ///< one for each position
-  std::vector<std::uint32_t> indices;    ///< three for each triangle
-  Material material;
-};
-
-struct Mesh {
-  std::string name;
-  std::vector<MeshPart> parts;
-  /// All that it was read from: its file, and those that the file names.
-  std::vector<std::filesystem::path> files;
-};
 
 /// A mesh shown at a body slot. Several nodes may share a body and an instance.
 struct SceneNode {
@@ -103,9 +79,5 @@ struct SceneState {
   /// heap mesh that grows.
   std::vector<float> body_scale;
 };
-
-/// Loads glTF (tinygltf), OBJ, STL or DAE (assimp). Throws InputError for a file or node that
-/// cannot be read.
-Mesh LoadMesh(const std::filesystem::path& file, const std::string& node);
 
 }  // namespace tera

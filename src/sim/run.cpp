@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/config/portable_name.h"
 #include "dataset/format/recorded_inputs.h"
 
 namespace tera {

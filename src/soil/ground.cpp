@@ -9,6 +9,7 @@
 #include "soil/columns/ground_view.h"
 #include "soil/columns/soil_type.h"
 #include "soil/flow/avalanche.h"
+#include "soil/flow/bed_flow.h"
 #include "soil/flow/grains.h"
 #include "soil/site/ground_raster.h"
 #include "soil/site/site.h"
@@ -51,12 +52,15 @@ class Ground : public Soil {
   void Raise(const RaisedGround& raised) override { columns_.Raise(raised); }
   SoilReaction Act(int handle, const GroundToolsMotion& motion, double dt_s) override;
   void Flow(double dt_s) override {
-    for (Bed& bed : grains_.beds()) bed.Flow(dt_s, &columns_, &grains_);
+    for (std::size_t b = 0; b < bed_flows_.size(); ++b) {
+      bed_flows_[b].Flow(dt_s, &grains_.beds()[b], &columns_, &grains_);
+    }
     grains_.Step(dt_s, &columns_);
     avalanche_.Flow(dt_s, &columns_, &grains_);
   }
   int AddBed(const SoilBed& bed) override {
     grains_.beds().emplace_back(bed, columns_.soils());
+    bed_flows_.emplace_back(columns_.soils());
     return static_cast<int>(grains_.beds().size()) - 1;
   }
   void MoveBed(int handle, const Pose& X_WB) override { grains_.beds().at(handle).Move(X_WB); }
@@ -89,6 +93,7 @@ class Ground : public Soil {
   Columns columns_;
   Avalanche avalanche_;
   Grains grains_;
+  std::vector<BedFlow> bed_flows_;  ///< one for each bed of the grains
   LowObstacles obstacles_;
   std::optional<SiteOrigin> georeference_;
   double piles_kg_;  ///< put on the site before the start

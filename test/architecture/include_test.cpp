@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
+
+#include "architecture/source_includes.h"
 
 // Reads every #include line under src/ and holds it against the architecture: which folder may see
 // which, which folder alone may see a third-party library, and what a public header may show.
@@ -17,40 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Include {
-  std::string file, folder, header;
-  std::string Text() const { return file + " includes " + header; }
-};
-
-/// The includes of one file, named from src/: "render/lens.cpp".
-std::vector<Include> IncludesIn(const std::string& file, std::istream& text) {
-  std::vector<Include> includes;
-  const std::regex line_form(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
-  std::smatch match;
-  for (std::string line; std::getline(text, line);) {
-    if (std::regex_search(line, match, line_form)) {
-      includes.push_back({file, file.substr(0, file.find('/')), match[1]});
-    }
-  }
-  return includes;
-}
-
-std::vector<Include> AllIncludes() {
-  std::vector<Include> includes;
-  for (const auto& entry : fs::recursive_directory_iterator("src")) {
-    const std::string extension = entry.path().extension().string();
-    if (extension != ".h" && extension != ".cpp") continue;
-    std::ifstream stream(entry.path());
-    const auto some = IncludesIn(entry.path().lexically_relative("src").generic_string(), stream);
-    includes.insert(includes.end(), some.begin(), some.end());
-  }
-  return includes;
-}
-
-std::vector<Include> IncludesOf(const std::string& file, const std::string& header) {
-  std::istringstream text("#include <" + header + ">\n");
-  return IncludesIn(file, text);
-}
+using testing_architecture::AllIncludes;
+using testing_architecture::Include;
+using testing_architecture::IncludesOf;
 
 const std::map<std::string, std::set<std::string>> kMaySee = {
     {"core", {}},

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/config/config.h"
+#include "core/config/config_map.h"
 
 namespace tera {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/config/config.h"
+#include "core/config/config_map.h"
 
 namespace tera {
 

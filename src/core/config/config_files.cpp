@@ -5,7 +5,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/config/config.h"
 #include "core/config/config_layers.h"
+#include "core/config/portable_name.h"
 #include "core/error.h"
 
 /// Files that a configuration names: where they are, presets, the data that TERA ships.

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/config/config.h"
+#include "core/config/config_map.h"
 
 /// Names that stand in paths and in headers of CSV files.
 

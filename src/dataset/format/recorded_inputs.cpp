@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/config/portable_name.h"
 #include "core/error.h"
 #include "dataset/files/file_digest.h"
 #include "dataset/format/dataset_description.h"

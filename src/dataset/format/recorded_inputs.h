@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/config/config.h"
-#include "core/config/input_files.h"
+#include "core/config/input_file.h"
 
 namespace tera {
 

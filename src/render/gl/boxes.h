@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/types/measurement.h"
 #include "render/gl/gl_objects.h"
 #include "render/gl/node_renderer.h"
 #include "render/gl/view.h"

@@ -1,8 +1,9 @@
+#include "render/gl/camera_intrinsics.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "core/check.h"
-#include "render/gl/rasterizer.h"
 
 namespace tera {
 namespace {

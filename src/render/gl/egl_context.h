@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/gl/rasterizer.h"
+#include "render/gl/egl_options.h"
 
 namespace tera {
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "render/gl/camera_intrinsics.h"
 #include "render/gl/gl_objects.h"
-#include "render/gl/rasterizer.h"
 
 namespace tera {
 

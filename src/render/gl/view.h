@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "render/gl/rasterizer.h"
+#include "render/gl/camera_intrinsics.h"
 
 namespace tera {
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
-#include "render/scene.h"
+#include "render/meshes/mesh.h"
 
 namespace tera {
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "render/meshes/load_mesh.h"
 #include "render/meshes/solid_mesh.h"
 
 namespace tera {

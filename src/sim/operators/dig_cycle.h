@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "core/config/config.h"
 #include "sim/operators/dead_zone_compensation.h"
 #include "sim/operators/operator.h"
 #include "sim/operators/planar_arm.h"

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <memory>
+#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "core/config/config.h"
 #include "core/time.h"
 #include "core/types/terrain_surface.h"
 #include "physics/description/machine.h"
@@ -33,11 +32,5 @@ struct OperatorStream {
   std::uint64_t seed = 0;
   std::string machine;
 };
-
-/// Reads a machine's `operator:` mapping. `type` is one of idle, lever_replay, twist_replay,
-/// waypoints, dig_cycle, random_levers. Faults (a joint or lever the machine lacks, an unreadable
-/// file) go to `config`.
-std::unique_ptr<Operator> ReadOperator(const ConfigMap& config, const MachineModel& model,
-                                       const OperatorStream& stream);
 
 }  // namespace tera

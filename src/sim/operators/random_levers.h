@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/config/config.h"
 #include "core/random.h"
 #include "sim/operators/operator.h"
 

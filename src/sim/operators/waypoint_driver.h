@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/config/config.h"
 #include "sim/operators/operator.h"
 #include "sim/operators/skid_steer.h"
 

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "core/error.h"
-#include "render/scene.h"
+#include "render/meshes/load_mesh.h"
 
 namespace tera {
 namespace {

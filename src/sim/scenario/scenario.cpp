@@ -12,6 +12,7 @@
 #include "core/config/spelling.h"
 #include "core/units.h"
 #include "sim/rig.h"
+#include "sim/operators/read_operator.h"
 #include "sim/scenario/collision_meshes.h"
 #include "sim/scenario/read_effects.h"
 #include "sim/scenario/read_ground.h"

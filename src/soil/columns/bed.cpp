@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "soil/flow/grains.h"
-
 namespace tera {
 namespace {
 
@@ -36,8 +34,7 @@ UndisturbedGround FloorOf(const SoilBed& shape) {
 Bed::Bed(const SoilBed& shape, const std::vector<SoilType>& soils)
     : shape_(shape),
       half_m_(0.5 * shape.size_m),
-      columns_(FloorOf(shape), soils),
-      avalanche_(soils) {}
+      columns_(FloorOf(shape), soils) {}
 
 void Bed::Move(const Pose& X_WB) { X_WF_ = X_WB * MakePose(shape_.floor_B_m); }
 
@@ -66,24 +63,23 @@ void Bed::Deposit(const Vec3& p_W_m, const Spoil& spoil) {
   load_.volume_m3 += spoil.volume_m3;
 }
 
-void Bed::Flow(double dt_s, Columns* ground, Grains* grains) {
-  if (load_.mass_kg <= 0) return;
-  avalanche_.Flow(dt_s, &columns_, grains);
+std::vector<Bed::Overflow> Bed::TakeOverflow() {
+  std::vector<Overflow> all;
   const int last_i = columns_.nx() - 1, last_j = columns_.ny() - 1;
   for (int j = 0; j <= last_j; ++j) {
     for (int i = 0; i <= last_i; i += j == 0 || j == last_j ? 1 : last_i) {
-      if (columns_.TopAt(i, j) > shape_.wall_m + kOverRim_m) Overflow(i, j, ground, grains);
+      if (columns_.TopAt(i, j) > shape_.wall_m + kOverRim_m) all.push_back(TakeOverflowAt(i, j));
     }
   }
+  return all;
 }
 
-/// What stands above the rim at a border column falls off.
-void Bed::Overflow(int i, int j, Columns* ground, Grains* grains) {
+Bed::Overflow Bed::TakeOverflowAt(int i, int j) {
   const ColumnId k = columns_.Touch(i, j);
-  SpoilMix fallen;
-  columns_.TakeLoose(k, columns_.at(k).top_m - shape_.wall_m, &fallen);
-  load_.mass_kg -= fallen.mass_kg();
-  load_.volume_m3 -= fallen.volume_m3();
+  Overflow fallen;
+  columns_.TakeLoose(k, columns_.at(k).top_m - shape_.wall_m, &fallen.soil);
+  load_.mass_kg -= fallen.soil.mass_kg();
+  load_.volume_m3 -= fallen.soil.volume_m3();
   Vec3 out_F = Vec3::Zero();
   if (i == 0 || i == columns_.nx() - 1) out_F.x() = i == 0 ? -1 : 1;
   if (j == 0 || j == columns_.ny() - 1) out_F.y() = j == 0 ? -1 : 1;
@@ -91,8 +87,9 @@ void Bed::Overflow(int i, int j, Columns* ground, Grains* grains) {
   for (const int axis : {0, 1}) {
     if (out_F[axis] != 0) p_F[axis] = out_F[axis] * (half_m_[axis] + kBesideWall_m);
   }
-  const Vec3 p_W = X_WF_ * p_F;
-  grains->Pour(fallen, p_W, p_W, X_WF_.linear() * (kOverflow_mps * out_F), ground);
+  fallen.p_W_m = X_WF_ * p_F;
+  fallen.v_W_mps = X_WF_.linear() * (kOverflow_mps * out_F);
+  return fallen;
 }
 
 void Bed::Show(std::vector<TerrainSurface::Grain>* grains) const {

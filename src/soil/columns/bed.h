@@ -4,20 +4,17 @@
 
 #include "core/types/terrain_surface.h"
 #include "soil/columns/columns.h"
-#include "soil/flow/avalanche.h"
+#include "soil/columns/spoil.h"
 #include "soil/soil.h"
 
 namespace tera {
-
-class Grains;
 
 /// A truck's bed and the soil that lies in it.
 ///
 /// Frames  W; B of what carries the bed, which stands upright; F of the floor: axes of B, origin on
 ///         the middle of the floor.
-/// Model   Columns of their own on the floor, F fixed, on which soil flows as on the ground; the
-///         walls are their border. What stands above the walls' rim at the border falls off beside
-///         the bed as clods. The soil is seen as clods at rest, one for each column.
+/// Model   Columns of their own on the floor, F fixed; the walls are their border. The soil is seen
+///         as clods at rest, one for each column. How it flows there: BedFlow.
 /// Omits   the carrier's tilt and acceleration, the walls' thickness and resistance to shovels.
 class Bed {
  public:
@@ -29,12 +26,18 @@ class Bed {
   bool Holds(const Vec3& p_W_m) const;
   /// The soil, and the floor where there is none, in F.
   const Columns& columns() const { return columns_; }
+  Columns& columns() { return columns_; }
   /// Keeps a point in F within the walls, and takes the velocity into them.
   void KeepWithinWalls(Vec3* p_F_m, Vec3* v_F_mps) const;
   /// Lays soil down at a place in W.
   void Deposit(const Vec3& p_W_m, const Spoil& spoil);
-  /// Lets the soil flow; what overflows is poured beside the bed.
-  void Flow(double dt_s, Columns* ground, Grains* grains);
+  /// Soil that falls off over the rim, and the place and velocity in W with which it leaves.
+  struct Overflow {
+    SpoilMix soil;
+    Vec3 p_W_m, v_W_mps;
+  };
+  /// Takes what stands above the walls' rim at the border, each column's by itself.
+  std::vector<Overflow> TakeOverflow();
 
   BedLoad load() const { return load_; }
   /// As the columns have it.
@@ -43,13 +46,12 @@ class Bed {
   void Show(std::vector<TerrainSurface::Grain>* grains) const;
 
  private:
-  void Overflow(int i, int j, Columns* ground, Grains* grains);
+  Overflow TakeOverflowAt(int i, int j);
 
   SoilBed shape_;
   Vec2 half_m_;  ///< of the inner box
   Pose X_WF_ = Pose::Identity();
   Columns columns_;
-  Avalanche avalanche_;
   BedLoad load_;
 };
 

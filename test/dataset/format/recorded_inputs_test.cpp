@@ -1,3 +1,4 @@
+#include "core/config/portable_name.h"
 #include "dataset/format/recorded_inputs.h"
 
 #include <gmock/gmock.h>

@@ -6,6 +6,7 @@
 
 #include "core/config/config.h"
 #include "core/error.h"
+#include "render/meshes/load_mesh.h"
 #include "render/scene.h"
 
 namespace tera {

@@ -1,4 +1,4 @@
-#include "sim/operators/operator.h"
+#include "sim/operators/read_operator.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -4,19 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "core/config/input_file.h"
+
 namespace tera {
-
-/// A file besides the YAML ones that something is read from, as what a configuration names.
-struct InputFile {
-  std::string name;            ///< as resolved documents and recordings name it: PortableName
-  std::filesystem::path path;  ///< where it is read
-};
-
-/// Files named `from`, or below it, that are read at `to` instead, or below that.
-struct MovedFiles {
-  std::string from;  ///< as in a portable name
-  std::filesystem::path to;
-};
 
 /// "tera:..." for a file that TERA ships, which has that name on every machine; else its absolute
 /// path, without links to folders. A link that is the file itself keeps its name, since files that

@@ -1,4 +1,4 @@
-#include "sim/operators/operator.h"
+#include "sim/operators/read_operator.h"
 
 #include "core/config/config_faults.h"
 #include "sim/operators/dig_cycle.h"

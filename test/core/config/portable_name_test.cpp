@@ -1,4 +1,4 @@
-#include "core/config/input_files.h"
+#include "core/config/portable_name.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,11 +1,10 @@
-#include "soil/columns/bed.h"
+#include "soil/flow/bed_flow.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "soil/flow/grains.h"
 #include "soil/soil_fixture.h"
 
 namespace tera {
@@ -50,7 +49,7 @@ struct Yard {
   }
   void Wait(double time_s) {
     for (int k = 0; k < std::lround(time_s / kStep_s); ++k) {
-      for (Bed& b : grains.beds()) b.Flow(kStep_s, &ground, &grains);
+      bed_flow.Flow(kStep_s, &bed(), &ground, &grains);
       grains.Step(kStep_s, &ground);
       avalanche.Flow(kStep_s, &ground, &grains);
     }
@@ -61,6 +60,7 @@ struct Yard {
   const Pose X_WB = MakePose(Vec3(2, -1, 0.3), RotationFromRpy(0, 0, 35 * kDeg));
   Columns ground;
   Avalanche avalanche;
+  BedFlow bed_flow{{Sand()}};
   Grains grains;
   double poured_kg = 0;
 };

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "render/meshes/mesh.h"
+
+namespace tera {
+
+/// Loads glTF (tinygltf), OBJ, STL or DAE (assimp). Throws InputError for a file or node that
+/// cannot be read.
+Mesh LoadMesh(const std::filesystem::path& file, const std::string& node);
+
+/// The name that LoadMesh gives to a node of a file.
+std::string MeshName(const std::filesystem::path& file, const std::string& node);
+
+}  // namespace tera
