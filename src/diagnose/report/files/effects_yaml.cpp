@@ -14,7 +14,6 @@
 #include "diagnose/blocks/measured_poses.h"
 #include "diagnose/report/text/by_weight.h"
 #include "diagnose/report/text/finding_text.h"
-#include "diagnose/report/text/perception_text.h"
 
 namespace tera {
 namespace {
@@ -50,18 +49,26 @@ std::string Value(double value, const EffectParameter& parameter) {
   return read < parameter.lower || read > parameter.upper ? fmt::format("{}", value) : rounded;
 }
 
-/// "dead_band: {width: 0.18}", and in a comment what it was not told apart from.
+/// The free parameter of that index, or nullptr.
+const FreeParameter* FreeParameterOf(const Suspect& suspect, std::size_t index) {
+  const auto at = std::find_if(suspect.free.begin(), suspect.free.end(),
+                               [&](const FreeParameter& free) { return free.index == index; });
+  return at != suspect.free.end() ? &*at : nullptr;
+}
+
+/// "dead_band: {width: 0.18}", and in a comment what it was not told apart from. A parameter that a
+/// prior kept near what the simulation has is left out.
 std::string MechanismLine(const Finding& finding) {
   const Suspect& suspect = *finding.term.suspect;
   std::vector<std::string> numbers;
   for (std::size_t i = 0; i < suspect.mechanism->parameters.size(); ++i) {
     const EffectParameter& parameter = suspect.mechanism->parameters[i];
     const double value = finding.term.values[i];
-    const bool is_free = std::any_of(suspect.free.begin(), suspect.free.end(),
-                                     [&](const FreeParameter& free) { return free.index == i; });
+    const FreeParameter* free = FreeParameterOf(suspect, i);
     const bool has_already =
         suspect.present.empty() ? parameter.otherwise == value : suspect.present[i] == value;
-    if ((!is_free || finding.term.IsHeld(i)) && has_already) continue;
+    if ((free == nullptr || finding.term.IsHeld(i)) && has_already) continue;
+    if (free != nullptr && free->prior_sigma > 0 && !IsTold(finding, *free)) continue;
     numbers.push_back(fmt::format("{}: {}", parameter.name, Value(value, parameter)));
   }
   const std::vector<std::string> alike = AlikeTexts(finding);
@@ -70,11 +77,25 @@ std::string MechanismLine(const Finding& finding) {
   return fmt::format("{}: {{{}}}{}", suspect.mechanism->id, fmt::join(numbers, ", "), comment);
 }
 
+/// All that was found and that a simulation can have, in order of weight.
+std::vector<const Finding*> EffectsFound(const Diagnosis& diagnosis) {
+  std::vector<const Finding*> effects;
+  for (const auto& [diagnosed, finding] : FindingsByWeight(diagnosis)) {
+    if (finding->term.suspect->target != kPoses) effects.push_back(finding);
+  }
+  for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
+    for (const PerceptionFinding& found : sensor.findings) {
+      // What differs in the scene is no effect.
+      if (!found.place) effects.push_back(&found.finding);
+    }
+  }
+  return effects;
+}
+
 std::vector<TargetLines> LinesOf(const Diagnosis& diagnosis) {
   std::vector<TargetLines> targets;
-  for (const auto& [diagnosed, finding] : FindingsByWeight(diagnosis)) {
+  for (const Finding* finding : EffectsFound(diagnosis)) {
     const Suspect& suspect = *finding->term.suspect;
-    if (suspect.target == kPoses) continue;  // no part of a simulation
     auto at = std::find_if(targets.begin(), targets.end(), [&](const TargetLines& lines) {
       return lines.target == suspect.target;
     });
@@ -84,13 +105,6 @@ std::vector<TargetLines> LinesOf(const Diagnosis& diagnosis) {
       continue;
     at->mechanisms.push_back(id);
     at->lines.push_back(MechanismLine(*finding));
-  }
-  for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
-    TargetLines lines{sensor.target, {}, {}};
-    for (const PerceptionFinding& finding : sensor.findings) {
-      if (finding.is_effect) lines.lines.push_back(EffectLine(finding));
-    }
-    if (!lines.lines.empty()) targets.push_back(std::move(lines));
   }
   return targets;
 }

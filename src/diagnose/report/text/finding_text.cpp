@@ -14,6 +14,7 @@ namespace {
 constexpr int kPresentDigits = 4;
 constexpr std::size_t kAllTold = 3;  ///< numbers of a mechanism
 constexpr double kClear = 3;         ///< standard deviations
+constexpr std::size_t kRivalsTold = 2;
 
 /// The number that a mechanism cannot be without, where it is the first and only one, goes by the
 /// mechanism's name.
@@ -30,23 +31,13 @@ std::string InsteadText(const Suspect& suspect, std::size_t index, const Readabl
          WithUnit(Significant(suspect.present[index] * unit.factor, kPresentDigits), unit);
 }
 
-/// Whether a number is worth telling: of few all, of many those that are clearly not as they would
-/// be without the finding.
-bool IsTold(const Suspect& suspect, const FreeParameter& free, const ParameterEstimate& estimate) {
-  if (suspect.free.size() <= kAllTold || !estimate.sigma) return true;
-  const double without = suspect.present.empty()
-                             ? suspect.mechanism->parameters[free.index].otherwise.value_or(0)
-                             : suspect.present[free.index];
-  return std::abs(estimate.value - without) > kClear * *estimate.sigma;
-}
-
 /// " 0.18 ± 0.02, asymmetry 0.1 ± 0.05", or nothing.
 std::string NumbersText(const Finding& finding) {
   const Suspect& suspect = *finding.term.suspect;
   std::vector<std::string> numbers;
   for (const FreeParameter& free : suspect.free) {
     const ParameterEstimate& estimate = finding.parameters[free.index];
-    if (finding.term.IsHeld(free.index) || !IsTold(suspect, free, estimate)) continue;
+    if (finding.term.IsHeld(free.index) || !IsTold(finding, free)) continue;
     const ReadableUnit unit = ReadableUnitOf(estimate);
     std::optional<double> sigma = estimate.sigma;
     if (sigma) *sigma *= unit.factor;
@@ -87,6 +78,36 @@ std::vector<std::string> AlikeTexts(const Finding& finding) {
     if (rival != finding.term.suspect) alike.push_back(RivalText(*rival, *finding.term.suspect));
   }
   return alike;
+}
+
+std::string EvidenceClause(const Finding& finding) {
+  std::string chosen = ProbabilityText(finding.evidence.p);
+  if (finding.evidence.together_p) {
+    chosen += fmt::format(" alone, {} together with what it is beside",
+                          ProbabilityText(*finding.evidence.together_p));
+  }
+  std::string text =
+      fmt::format("chosen with {}, confirmed with {}", chosen, ProbabilityText(finding.held_out.p));
+  const std::vector<std::string> alike = AlikeTexts(finding);
+  std::vector<std::string> rejected;
+  for (const Rival& rival : finding.evidence.rejected) {
+    if (rejected.size() == kRivalsTold) break;
+    rejected.push_back(fmt::format("{} ({})", RivalText(*rival.suspect, *finding.term.suspect),
+                                   ProbabilityText(rival.p)));
+  }
+  if (!alike.empty()) text += fmt::format("; not told apart from: {}", fmt::join(alike, ", "));
+  if (!rejected.empty()) text += fmt::format("; rivals rejected: {}", fmt::join(rejected, ", "));
+  return text;
+}
+
+bool IsTold(const Finding& finding, const FreeParameter& free) {
+  const Suspect& suspect = *finding.term.suspect;
+  const ParameterEstimate& estimate = finding.parameters[free.index];
+  if (suspect.free.size() <= kAllTold || !estimate.sigma) return true;
+  const double without = suspect.present.empty()
+                             ? suspect.mechanism->parameters[free.index].otherwise.value_or(0)
+                             : suspect.present[free.index];
+  return std::abs(estimate.value - without) > kClear * *estimate.sigma;
 }
 
 bool IsUnconfirmed(const DiagnosedBlock& diagnosed, std::size_t channel) {

@@ -20,6 +20,13 @@ std::string RivalText(const Suspect& rival, const Suspect& found);
 /// What a finding was not told apart from.
 std::vector<std::string> AlikeTexts(const Finding& finding);
 
+/// "chosen with p 0.0002, confirmed with p 0.001; rivals rejected: valve curve (p 0.003)".
+std::string EvidenceClause(const Finding& finding);
+
+/// Whether a free parameter is worth telling: of few all, of many those that are clearly not as
+/// they would be without the finding.
+bool IsTold(const Finding& finding, const FreeParameter& free);
+
 /// Whether something was chosen for a channel that manoeuvres kept back did not confirm.
 bool IsUnconfirmed(const DiagnosedBlock& diagnosed, std::size_t channel);
 

@@ -29,6 +29,9 @@ struct FreeParameter {
   double kink = 0;
   /// It refines another number: in an answer it stands at its default unless it shows.
   bool refines = false;
+  /// Of a sensor that is registered (perception/registration): standard deviation of a normal prior
+  /// about where a fit begins, which holds what the scans do not tell; 0: none.
+  double prior_sigma = 0;
 };
 
 /// A mechanism that may act on a target, and where to begin looking for its numbers.

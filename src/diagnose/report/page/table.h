@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnose/search/block/block_diagnosis.h"
+
+/// Tables of report.html.
+
+namespace tera {
+
+/// A table; columns whose heading begins with '>' are of numbers.
+class Table {
+ public:
+  explicit Table(const std::vector<std::string>& headings);
+  /// Cells are HTML.
+  void Row(const std::vector<std::string>& cells);
+  std::string Take() const { return html_ + "</table></div>\n"; }
+
+ private:
+  std::string html_;
+  std::vector<std::string> classes_;
+};
+
+std::string Code(std::string_view text);
+/// Empty where the unit is that of a plain number.
+std::string UnitCell(std::string_view unit);
+
+/// The free parameters of what was found, or the measures of what has none, under a heading.
+std::string ParameterTable(const std::vector<const Finding*>& findings);
+
+}  // namespace tera
