@@ -95,8 +95,8 @@ std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis) {
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
     judged = judged || sensor.is_judged();
     untestable = untestable || !sensor.is_judged();
-    for (const PerceptionFinding& finding : sensor.findings) {
-      (finding.rivals.size() > 1 ? several : named) = true;
+    for (const PerceptionFinding& found : sensor.findings) {
+      (found.finding.evidence.rivals.size() > 1 ? several : named) = true;
     }
   }
   std::vector<Verdict> verdicts;

@@ -16,8 +16,8 @@ PictureCaster::PictureCaster(const Scenario& scenario, const SceneAssembly& asse
 
 std::optional<BodyState> PictureCaster::LinkAt(std::size_t machine, const SensorDescription& sensor,
                                                const ScanCaster::Scan& picture,
-                                               const SensorNumbers& numbers) const {
-  const TimeNs t_ns = picture.t_ns - FromSeconds(numbers.value[SensorNumbers::kOffset]);
+                                               const SensorCalibration& calibration) const {
+  const TimeNs t_ns = picture.t_ns - FromSeconds(calibration.clock_offset_s);
   if (!machines_[machine].IsKnownAt(t_ns)) return std::nullopt;
   const int link = scenario_.machines[machine].placement.model.LinkIndex(sensor.link);
   return machines_[machine].At(t_ns).links[static_cast<std::size_t>(link)];
@@ -26,20 +26,20 @@ std::optional<BodyState> PictureCaster::LinkAt(std::size_t machine, const Sensor
 std::optional<SimulatedPicture> PictureCaster::Render(std::size_t machine,
                                                       const SensorDescription& sensor,
                                                       const ScanCaster::Scan& picture,
-                                                      const SensorNumbers& numbers, int reduced) {
-  const auto link = LinkAt(machine, sensor, picture, numbers);
+                                                      const SensorCalibration& calibration,
+                                                      int reduced) {
+  const auto link = LinkAt(machine, sensor, picture, calibration);
   if (!link) return std::nullopt;
-  const TimeNs t_ns = picture.t_ns - FromSeconds(numbers.value[SensorNumbers::kOffset]);
+  const TimeNs t_ns = picture.t_ns - FromSeconds(calibration.clock_offset_s);
   const WorldState state = stage_.StateAt(t_ns, picture.moment);
   SceneState scene;
   scene.t_ns = t_ns;
   scene.X_WB = assembly_.BodyPoses(state);
   scene.body_scale = assembly_.BodyScales(state);
   scene.terrain = picture.moment.ground.get();
-  const Pose X_BT = MakePose(sensor.X_BS.translation() + numbers.shift_B_m(),
-                             sensor.X_BS.linear() * numbers.R_ST());
   const CameraIntrinsics lens = Reduced(std::get<CameraModel>(sensor.model).intrinsics, reduced);
-  CameraFrame frame = rasterizer_.Render(lens, link->X_WB * X_BT * OpticalInSensor(), scene);
+  CameraFrame frame =
+      rasterizer_.Render(lens, link->X_WB * calibration.X_BT * OpticalInSensor(), scene);
   SimulatedPicture simulated;
   simulated.grey = ReducedGrey(frame.rgb, 1);
   simulated.depth_m = std::move(frame.depth_m);

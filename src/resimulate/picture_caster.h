@@ -12,8 +12,8 @@ namespace tera {
 
 /// Renders what a camera would have seen from the recorded trajectory.
 ///
-/// Frames  W of the recorded poses; B the camera's link; S the sensor, at X_BS with the numbers'
-///         shift and turn; C optical.
+/// Frames  W of the recorded poses; B the camera's link; T the camera as a calibration has it;
+///         C optical.
 /// Model   bodies, link and ground at one instant, that of the picture; the simulator's own camera
 ///         without noise, `reduced` times smaller in both directions.
 /// Omits   what the simulator's camera omits (sensors/camera.h); what tracks and shovels look like,
@@ -27,10 +27,10 @@ class PictureCaster {
   /// Motion of the camera's link at the true time of a picture; nothing where it is not known.
   std::optional<BodyState> LinkAt(std::size_t machine, const SensorDescription& sensor,
                                   const ScanCaster::Scan& picture,
-                                  const SensorNumbers& numbers) const;
+                                  const SensorCalibration& calibration) const;
   std::optional<SimulatedPicture> Render(std::size_t machine, const SensorDescription& sensor,
                                          const ScanCaster::Scan& picture,
-                                         const SensorNumbers& numbers, int reduced);
+                                         const SensorCalibration& calibration, int reduced);
 
  private:
   const Scenario& scenario_;

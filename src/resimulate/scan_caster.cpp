@@ -77,16 +77,16 @@ void ScanCaster::ShowScene(std::size_t machine, int link, const Scan& scan, Time
 }
 
 std::vector<SimulatedReturn> ScanCaster::Cast(std::size_t machine, const SensorDescription& sensor,
-                                              const Scan& scan, const SensorNumbers& numbers,
+                                              const Scan& scan,
+                                              const SensorCalibration& calibration,
                                               const std::vector<Beam>& beams) {
   std::vector<SimulatedReturn> returns(beams.size());
-  const TimeNs start_ns = scan.t_ns - FromSeconds(numbers.value[SensorNumbers::kOffset]);
+  const TimeNs start_ns = scan.t_ns - FromSeconds(calibration.clock_offset_s);
   const RecordedMotion& motion = machines_[machine];
   if (!motion.IsKnownAt(start_ns) || !motion.IsKnownAt(start_ns + scan.span_ns)) return returns;
   const int link = scenario_.machines[machine].placement.model.LinkIndex(sensor.link);
   ShowScene(machine, link, scan, start_ns);
-  const Vec3 p_BT_m = sensor.X_BS.translation() + numbers.shift_B_m();
-  const Mat3 R_BT = sensor.X_BS.linear() * numbers.R_ST();
+  const Pose& X_BT = calibration.X_BT;
   const auto last = static_cast<double>(link_.size() - 1);
   std::vector<Ray> rays;
   for (std::size_t i = 0; i < beams.size(); ++i) {
@@ -102,10 +102,11 @@ std::vector<SimulatedReturn> ScanCaster::Cast(std::size_t machine, const SensorD
     returns[i].X_WB = body.X_WB;
     returns[i].v_WB_mps = body.v_WB_mps;
     returns[i].w_WB_radps = body.w_WB_radps;
-    rays.push_back({.origin_W_m = (body.X_WB * p_BT_m).cast<float>(),
-                    .direction_W = (body.X_WB.linear() * (R_BT * beams[i].d_S)).cast<float>(),
-                    .max_range_m = static_cast<float>(kBeyond * ReachOf(sensor)),
-                    .time = static_cast<float>(part)});
+    rays.push_back(
+        {.origin_W_m = (body.X_WB * Vec3(X_BT.translation())).cast<float>(),
+         .direction_W = (body.X_WB.linear() * (X_BT.linear() * beams[i].d_S)).cast<float>(),
+         .max_range_m = static_cast<float>(kBeyond * ReachOf(sensor)),
+         .time = static_cast<float>(part)});
   }
   std::vector<RayHit> hits(rays.size());
   scene_.Trace(rays, hits, threads_);

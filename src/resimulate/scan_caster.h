@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "resimulate/recorded_stage.h"
-#include "resimulate/sensor_numbers.h"
+#include "resimulate/sensor_calibration.h"
 #include "resimulate/simulated_return.h"
 #include "sensors/sensor.h"
 
@@ -34,7 +34,7 @@ class ScanCaster {
     RecordedStage::Moment moment;
   };
   std::vector<SimulatedReturn> Cast(std::size_t machine, const SensorDescription& sensor,
-                                    const Scan& scan, const SensorNumbers& numbers,
+                                    const Scan& scan, const SensorCalibration& calibration,
                                     const std::vector<Beam>& beams);
   std::string NameOf(int object) const;
 

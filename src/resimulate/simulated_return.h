@@ -5,16 +5,22 @@
 
 namespace tera {
 
-/// To what a ray or a pixel belongs, for a comparison.
+/// What a ray or a pixel meets in the simulation.
 enum class Surface {
-  kUnknown,  ///< not to be compared: nothing tells where the sensor was, or what is hit
+  kUnknown,  ///< not comparable: nothing tells where the sensor was, or what shape is met
   kNothing,
   kGround,
   kObstacle,
   kMachine
 };
 
-/// What a ray meets in the simulation.
+/// Whether a measurement of it can be compared.
+inline bool IsComparable(Surface surface) {
+  return surface == Surface::kGround || surface == Surface::kObstacle ||
+         surface == Surface::kMachine;
+}
+
+/// What a ray meets in the simulation, and where.
 ///
 /// Frames  W; B the sensor's link at the ray's own time.
 struct SimulatedReturn {

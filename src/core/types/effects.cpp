@@ -74,6 +74,8 @@ std::string_view NameOf(Slot slot) {
       return "load_friction";
     case Slot::kGround:
       return "ground";
+    case Slot::kScene:
+      return "scene";
     case Slot::kSensorGeometry:
       return "sensor_geometry";
     case Slot::kSensorStatic:

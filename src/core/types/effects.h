@@ -22,6 +22,7 @@ enum class Slot {
   kKinematicGain,
   kLoadFriction,
   kGround,
+  kScene,
   kSensorGeometry,
   kSensorStatic,
   kSensorTiming

@@ -1,30 +1,23 @@
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
+#include <deque>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "diagnose/perception/scans/dust.h"
-#include "diagnose/perception/scans/ground_map.h"
-#include "diagnose/perception/scans/missing_objects.h"
-#include "diagnose/perception/scans/range_scan.h"
-#include "diagnose/perception/scans/sensor_search.h"
+#include "diagnose/perception/registration/registration_search.h"
+#include "diagnose/perception/scene/ground_map.h"
 
 namespace tera {
 
-/// What makes scans differ, as the report tells it.
+/// A finding of a sensor that measures ranges or takes pictures: of the sensor itself, everywhere
+/// and all the time, or of the scene.
 struct PerceptionFinding {
-  std::string mechanism;                      ///< "extrinsic", "terrain_height"
-  std::string slot;                           ///< as of Mechanism
-  std::string target;                         ///< a sensor, an obstacle, or "ground"
-  bool is_effect = false;                     ///< effects.yaml knows it on this target
-  std::vector<ParameterEstimate> parameters;  ///< in the units of effects.yaml
-  std::vector<double> present;                ///< of each, as the scenario has it; may be empty
-  std::vector<std::string> rivals;            ///< that do as well, itself first
-  double p_chosen = 1, p_confirmed = 1;
-  /// Of distances to the simulated surfaces or edges, on FINAL: without it, with it.
-  double rmse_before = 0, rmse_after = 0;
-  /// Where on the site, if it is a place.
+  /// Its errors are distances to the simulated surfaces or edges, on FINAL.
+  Finding finding;
+  /// Where on the site, of what is of the scene.
   struct Place {
     Vec2 centre_W_m = Vec2::Zero(), low_W_m = Vec2::Zero(), high_W_m = Vec2::Zero();
   };
@@ -33,15 +26,23 @@ struct PerceptionFinding {
 };
 
 /// Why the scans of one lidar, or the pictures of one camera, differ from the simulation of the
-/// same on the recorded trajectory.
+/// same on the recorded trajectory. The findings point into its candidates: it is moved, not
+/// copied.
 struct PerceptionDiagnosis {
+  PerceptionDiagnosis() = default;
+  PerceptionDiagnosis(PerceptionDiagnosis&&) = default;
+  PerceptionDiagnosis& operator=(PerceptionDiagnosis&&) = default;
+
   std::string channel;     ///< "excavator1/lidar_roof"
   std::string target;      ///< the sensor's name in the scenario
   std::string not_judged;  ///< why; empty where it is judged
-  std::string unit = "m";  ///< of what `sensor` and the findings differ by; of pictures "px"
+  std::string unit = "m";  ///< of distances to what is simulated; of pictures "px"
   std::size_t scans = 0;   ///< or pictures
-  SensorSearch sensor;
-  GroundMap ground;  ///< under the numbers that were found; none of pictures
+  std::vector<Candidate> sensor_candidates;
+  std::deque<Candidate> scene_candidates;  ///< those that were found
+  double noise_rmse = 0;  ///< of the distances that a fit of all candidates of the sensor leaves
+  std::vector<ParameterDetectability> detectability;  ///< of the sensor's candidates
+  GroundMap ground;  ///< under the calibration that was found; none of pictures
   std::vector<PerceptionFinding> findings, unconfirmed;
 
   bool is_judged() const { return not_judged.empty(); }
@@ -52,10 +53,7 @@ struct PerceptionDiagnosis {
 PerceptionDiagnosis NotJudged(const std::string& channel, const std::string& target,
                               const std::string& why);
 
-/// As the report tells it.
-PerceptionFinding AsFinding(const SensorFinding& found, const std::string& target);
-
-/// Numbers of the sensor first, then places (docs/perception.md).
-PerceptionDiagnosis DiagnosePerception(const RangeSource& source, std::uint64_t seed);
+/// Enters what was found of the sensor.
+void TakeOver(RegistrationSearch search, PerceptionDiagnosis* diagnosis);
 
 }  // namespace tera

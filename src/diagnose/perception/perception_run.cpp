@@ -11,9 +11,9 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "diagnose/perception/pictures/picture_run.h"
+#include "diagnose/perception/scans/scan_diagnosis.h"
 #include "resimulate/picture_caster.h"
 #include "resimulate/scan_caster.h"
-#include "sensors/slots/effect_numbers.h"
 
 namespace tera {
 namespace {
@@ -69,24 +69,6 @@ std::vector<Sensor> SensorsOf(const Scenario& scenario, const std::vector<std::s
     }
   }
   return sensors;
-}
-
-/// The numbers that the scenario's effects give.
-SensorNumbers PresentOf(const SensorDescription& sensor) {
-  using enum SensorNumbers::Index;
-  const Effects& effects = sensor.effects;
-  SensorNumbers numbers;
-  const Vec3 shift_m = VectorOf(effects, "extrinsic", "x_m", "y_m", "z_m");
-  const Vec3 rpy_deg = VectorOf(effects, "extrinsic", "roll_deg", "pitch_deg", "yaw_deg");
-  for (std::size_t a = 0; a < 3; ++a) {
-    numbers.value[kX + a] = shift_m[static_cast<Eigen::Index>(a)];
-    numbers.value[kRoll + a] = rpy_deg[static_cast<Eigen::Index>(a)] * kDeg;
-  }
-  const bool lidar = std::holds_alternative<LidarModel>(sensor.model);
-  numbers.value[kRange] = NumberOf(effects, "range_bias", lidar ? "range_m" : "depth_m", 0);
-  numbers.value[kFactor] = NumberOf(effects, "scale", lidar ? "range_factor" : "depth_factor", 1);
-  numbers.value[kOffset] = NumberOf(effects, "clock_offset", "offset_s", 0);
-  return numbers;
 }
 
 RangeScan ScanOf(const Recording& recording, const std::string& channel, const LidarModel& model,
@@ -183,15 +165,16 @@ PerceptionDiagnosis DiagnoseRanges(const Scenario& scenario, const Recording& re
   source.target = sensor->description->name;
   source.planar_depth = std::holds_alternative<CameraModel>(sensor->description->model);
   source.X_BS = sensor->description->X_BS;
-  source.present = PresentOf(*sensor->description);
+  source.present = sensor->description->effects;
   source.scans = LoadScans(recording, sensor);
   if (!sensor->not_judged.empty()) {
     return NotJudged(source.channel, source.target, sensor->not_judged);
   }
   source.start_ns = source.scans.empty() ? 0 : source.scans.front().t_ns;
-  source.cast = [&](std::size_t scan, const SensorNumbers& numbers,
+  source.cast = [&](std::size_t scan, const SensorCalibration& calibration,
                     const std::vector<Beam>& beams) {
-    return caster->Cast(sensor->machine, *sensor->description, sensor->scans[scan], numbers, beams);
+    return caster->Cast(sensor->machine, *sensor->description, sensor->scans[scan], calibration,
+                        beams);
   };
   source.ground_m = [&](std::size_t scan, const Vec2& xy_W_m) -> std::optional<double> {
     const TerrainSurface& ground = *sensor->scans[scan].moment.ground;
@@ -203,7 +186,7 @@ PerceptionDiagnosis DiagnoseRanges(const Scenario& scenario, const Recording& re
     return ground.HeightAt(xy_W_m.x(), xy_W_m.y());
   };
   source.name_of = [&](int object) { return caster->NameOf(object); };
-  return DiagnosePerception(source, scenario.seed);
+  return DiagnoseScans(source, scenario.seed);
 }
 
 /// What renders pictures, where some sensor takes them. Without OpenGL these are not judged.
@@ -256,8 +239,8 @@ std::vector<std::vector<PerceptionDiagnosis>> RunPerception(Scenario* scenario,
     if (!sensor.not_judged.empty()) {
       diagnosis = NotJudged(sensor.channel, sensor.description->name, sensor.not_judged);
     } else if (TakesPictures(*sensor.description)) {
-      const RecordedCamera camera{sensor.machine, sensor.description, sensor.channel, &sensor.scans,
-                                  PresentOf(*sensor.description)};
+      const RecordedCamera camera{sensor.machine, sensor.description, sensor.channel,
+                                  &sensor.scans};
       diagnosis = DiagnoseCamera(camera, recording, scenario->seed, painter.get());
     } else {
       diagnosis = DiagnoseRanges(*scenario, recording, &sensor, &caster);

@@ -22,12 +22,16 @@ double Either(const Effects& effects, std::string_view id, std::string_view lida
 
 }  // namespace
 
+RangeScaling RangeScalingOf(const Effects& effects) {
+  return {Either(effects, "scale", "range_factor", "depth_factor", 1),
+          Either(effects, "range_bias", "range_m", "depth_m", 0)};
+}
+
 RangeErrors::RangeErrors(const Effects& effects, std::uint64_t seed, const std::string& stream_name)
     : present_(
           std::any_of(effects.begin(), effects.end(),
                       [](const Effect& e) { return e.mechanism->slot == Slot::kSensorStatic; })),
-      factor_(Either(effects, "scale", "range_factor", "depth_factor", 1)),
-      bias_m_(Either(effects, "range_bias", "range_m", "depth_m", 0)),
+      scaling_(RangeScalingOf(effects)),
       drift_mpk_(NumberOf(effects, "temperature_drift", "range_mpk", 0)),
       outlier_m_(Either(effects, "outliers", "range_m", "depth_m", 0)),
       step_m_(Either(effects, "quantisation", "range_step_m", "depth_step_m", 0)),
@@ -35,7 +39,7 @@ RangeErrors::RangeErrors(const Effects& effects, std::uint64_t seed, const std::
       outliers_(effects, seed, stream_name) {}
 
 double RangeErrors::Report(double r_m, double warmer_k, std::uint64_t index) const {
-  double reported_m = factor_ * r_m + bias_m_ + warmer_k * drift_mpk_;
+  double reported_m = scaling_.factor * r_m + scaling_.bias_m + warmer_k * drift_mpk_;
   if (outliers_.At(index)) reported_m += outlier_m_ * outliers_.Gaussian(index);
   return std::max(0.0, Quantised(reported_m, step_m_));
 }

@@ -8,6 +8,14 @@
 
 namespace tera {
 
+/// What `scale` and `range_bias` of a lidar or a depth camera make of a true distance r:
+/// factor r + bias_m.
+struct RangeScaling {
+  double factor = 1;
+  double bias_m = 0;
+};
+RangeScaling RangeScalingOf(const Effects& effects);
+
 /// Slot `sensor_static` of what measures distances: a lidar's ranges, a camera's depths.
 ///
 /// Model   m r + b + c dT(t) + o, rounded to a multiple of the step. m: `scale`; b: `range_bias`;
@@ -26,7 +34,8 @@ class RangeErrors {
   double Report(double r_m, double warmer_k, std::uint64_t index) const;
 
   bool present_;
-  double factor_, bias_m_, drift_mpk_, outlier_m_, step_m_;
+  RangeScaling scaling_;
+  double drift_mpk_, outlier_m_, step_m_;
   WarmUp warm_up_;
   OutlierDraw outliers_;
 };

@@ -7,8 +7,12 @@
 
 namespace tera {
 
+double ClockOffset_s(const Effects& effects) {
+  return NumberOf(effects, "clock_offset", "offset_s", 0);
+}
+
 ReportClock::ReportClock(const Effects& effects, std::uint64_t seed, const std::string& stream_name)
-    : offset_ns_(FromSeconds(NumberOf(effects, "clock_offset", "offset_s", 0))),
+    : offset_ns_(FromSeconds(ClockOffset_s(effects))),
       delay_ns_(FromSeconds(NumberOf(effects, "latency", "delay_s", 0))),
       drift_(NumberOf(effects, "clock_drift", "drift_ppm", 0) * 1e-6),
       jitter_s_(NumberOf(effects, "latency", "jitter_s", 0)),

@@ -9,6 +9,9 @@
 
 namespace tera {
 
+/// By how much `clock_offset` puts the times that a sensor writes ahead of the true ones.
+double ClockOffset_s(const Effects& effects);
+
 /// Slot `sensor_timing`: what time a sensor writes on a measurement.
 ///
 /// Model   t + offset + ppm 1e-6 t + d: `clock_offset`, `clock_drift` (t since the start), and

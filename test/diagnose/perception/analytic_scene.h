@@ -10,6 +10,7 @@
 #include "core/random.h"
 #include "core/units.h"
 #include "diagnose/perception/scans/range_scan.h"
+#include "diagnose/perception/true_sensor.h"
 
 /// A site of one tilted plane and one box, in closed form, and a lidar that turns over it.
 
@@ -103,7 +104,7 @@ inline double DustStop_m(const AnalyticScene& scene, const Vec3& p_W_m, const Ve
 }
 
 struct LidarOfTest {
-  SensorNumbers numbers;  ///< as it truly is
+  TrueSensor is;
   double noise_m = 0.01;
   double duration_s = 40, period_s = 0.5;
   bool moves = true;
@@ -121,9 +122,10 @@ inline RangeSource RecordedBy(const LidarOfTest& lidar, const AnalyticScene& rea
   const Stream noise(lidar.seed, "test/range"), dust(lidar.seed, "test/dust");
   const double turn_s = 0.1, reach_m = 25;
   std::uint64_t draw = 0;
+  const Pose X_BT = lidar.is.Calibration(source.X_BS).X_BT;
   for (double t_s = 0; t_s < lidar.duration_s; t_s += lidar.period_s) {
     RangeScan scan;
-    scan.t_ns = FromSeconds(t_s + lidar.numbers.value[SensorNumbers::kOffset]);
+    scan.t_ns = FromSeconds(t_s + lidar.is.clock_offset_s);
     for (int column = 0; column < 120; ++column) {
       for (int ring = 0; ring < 12; ++ring) {
         const double azimuth_rad = 2 * kPi * column / 120, rise_rad = (-32 + 3 * ring) * kDeg;
@@ -131,16 +133,15 @@ inline RangeSource RecordedBy(const LidarOfTest& lidar, const AnalyticScene& rea
                        std::cos(rise_rad) * std::sin(azimuth_rad), std::sin(rise_rad));
         const double since_s = turn_s * column / 120;
         const Pose X_WB = link_at(t_s + since_s);
-        const Vec3 p_BT_m = source.X_BS.translation() + lidar.numbers.shift_B_m();
-        const Vec3 d_W = X_WB.linear() * (source.X_BS.linear() * (lidar.numbers.R_ST() * d_T));
-        AnalyticHit hit = CastInto(real, X_WB * p_BT_m, d_W, reach_m);
+        const Vec3 p_W_m = X_WB * Vec3(X_BT.translation());
+        const Vec3 d_W = X_WB.linear() * (X_BT.linear() * d_T);
+        AnalyticHit hit = CastInto(real, p_W_m, d_W, reach_m);
         if (real.has_dust && t_s >= real.dust_from_s && t_s <= real.dust_to_s) {
-          const double stop_m = DustStop_m(real, X_WB * p_BT_m, d_W, dust.Uniform(draw));
+          const double stop_m = DustStop_m(real, p_W_m, d_W, dust.Uniform(draw));
           if (stop_m > 0 && stop_m < hit.range_m) hit = {Surface::kObstacle, stop_m, -d_W};
         }
         if (hit.surface == Surface::kNothing) continue;
-        const double r_m = lidar.numbers.value[SensorNumbers::kFactor] * hit.range_m +
-                           lidar.numbers.value[SensorNumbers::kRange] +
+        const double r_m = lidar.is.range_factor * hit.range_m + lidar.is.range_bias_m +
                            lidar.noise_m * noise.Gaussian(draw++);
         scan.points.push_back({r_m * d_T, FromSeconds(since_s), lidar.noise_m});
       }
@@ -151,12 +152,11 @@ inline RangeSource RecordedBy(const LidarOfTest& lidar, const AnalyticScene& rea
   const std::vector<RangeScan>& scans = source.scans;
   std::vector<TimeNs> times;
   for (const RangeScan& scan : scans) times.push_back(scan.t_ns);
-  source.cast = [=, X_BS = source.X_BS](std::size_t scan, const SensorNumbers& numbers,
-                                        const std::vector<Beam>& beams) {
+  source.cast = [=](std::size_t scan, const SensorCalibration& calibration,
+                    const std::vector<Beam>& beams) {
     std::vector<SimulatedReturn> returns;
     for (const Beam& beam : beams) {
-      const double t_s =
-          ToSeconds(times[scan] + beam.since_ns) - numbers.value[SensorNumbers::kOffset];
+      const double t_s = ToSeconds(times[scan] + beam.since_ns) - calibration.clock_offset_s;
       SimulatedReturn one;
       one.X_WB = link_at(t_s);
       const double dt_s = 1e-4;
@@ -164,8 +164,8 @@ inline RangeSource RecordedBy(const LidarOfTest& lidar, const AnalyticScene& rea
       one.v_WB_mps = (after.translation() - before.translation()) / (2 * dt_s);
       const Eigen::AngleAxisd turn(after.linear() * before.linear().transpose());
       one.w_WB_radps = turn.axis() * turn.angle() / (2 * dt_s);
-      const Vec3 p_W_m = one.X_WB * Vec3(X_BS.translation() + numbers.shift_B_m());
-      const Vec3 d_W = one.X_WB.linear() * (X_BS.linear() * (numbers.R_ST() * beam.d_S));
+      const Vec3 p_W_m = one.X_WB * Vec3(calibration.X_BT.translation());
+      const Vec3 d_W = one.X_WB.linear() * (calibration.X_BT.linear() * beam.d_S);
       const AnalyticHit hit = CastInto(simulated, p_W_m, d_W, 1.5 * reach_m);
       one.surface = hit.surface;
       one.range_m = hit.range_m;

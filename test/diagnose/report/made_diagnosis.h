@@ -6,6 +6,8 @@
 
 #include "core/units.h"
 #include "diagnose/diagnosis.h"
+#include "diagnose/perception/registration/sensor_candidates.h"
+#include "diagnose/perception/scene/scene_mechanisms.h"
 #include "physics/actuation/actuation_mechanisms.h"
 #include "physics/traction/ground_mechanisms.h"
 
@@ -126,6 +128,44 @@ inline Diagnosis Complete() {
   next.power = 0.9;
   diagnosis.next = next;
   return diagnosis;
+}
+
+/// A lidar on the roof whose ranges are 5 cm too long.
+inline PerceptionDiagnosis LidarWithRangeBias() {
+  PerceptionDiagnosis made;
+  made.channel = "excavator1/lidar_roof";
+  made.target = "lidar_roof";
+  made.scans = 60;
+  made.noise_rmse = 0.004;
+  made.sensor_candidates = CandidatesOf(MeasuredBy::kLidar, "lidar_roof", {});
+  Finding finding;
+  finding.term = {&made.sensor_candidates[1], {0.05}};
+  finding.parameters = {{"range_m", "m", 0.05, 0.001}};
+  finding.evidence.p = 1e-6;
+  finding.evidence.rivals = {finding.term.candidate};
+  finding.held_out = {0, 0.024, 0.004, 0.99, 1e-6};
+  made.findings.push_back({finding, {}, {}});
+  return made;
+}
+
+/// A region of the ground that lies half a metre lower, from the 2nd second to the 9th.
+inline void AddRegion(PerceptionDiagnosis* sensor) {
+  const std::vector<double> values = {4, -1.6, -0.4, -0.5, -0.1};
+  const Mechanism& height = SceneMechanism("terrain_height");
+  sensor->scene_candidates.push_back({&height, "ground", {}, {values}, {}});
+  Finding finding;
+  finding.term = {&sensor->scene_candidates.back(), values};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const EffectParameter& parameter = height.parameters[i];
+    finding.parameters.push_back(
+        {std::string(parameter.name), std::string(parameter.unit), values[i], {}});
+  }
+  finding.evidence.p = 1e-6;
+  finding.evidence.rivals = {finding.term.candidate};
+  finding.held_out = {0, 0.42, 0.16, 0, 1e-6};
+  PerceptionFinding found{finding, {}, {{2, 9}}};
+  found.place = {{7, -2}, {6, -3}, {8, -1}};
+  sensor->findings.push_back(std::move(found));
 }
 
 }  // namespace tera

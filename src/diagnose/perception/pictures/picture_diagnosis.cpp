@@ -7,16 +7,17 @@
 #include <memory>
 
 #include "diagnose/perception/pictures/picture_registration.h"
+#include "diagnose/perception/registration/sensor_candidates.h"
 #include "diagnose/statistics/series/robust.h"
 
 namespace tera {
 namespace {
 
-constexpr double kLeastContrast = 0.012;  ///< of the range of values, three of 255
-constexpr double kFewestLandmarks = 40;   ///< of a picture
-constexpr double kLike = 0.5;
-constexpr double kFurthest_px = 1;  ///< of edges, with the best numbers
-constexpr int kRounds = 2;          ///< of rendering again
+constexpr double kLeastContrast = 0.012;   ///< of the range of values: three of 255
+constexpr double kFewestLandmarks = 40;    ///< of a picture
+constexpr double kLeastCorrelation = 0.5;  ///< of brightness at the edges
+constexpr double kFurthest_px = 1;         ///< of edges, under the best calibration
+constexpr int kRounds = 2;                 ///< of rendering again
 
 /// Standard deviation of a picture's values.
 double ContrastOf(const Image<float>& grey) {
@@ -50,20 +51,37 @@ std::string ObstacleTo(const PictureSource& source, const ScanSplit& split) {
   return "";
 }
 
-SearchedPoints LandmarksToSearch(const PictureRegistration& pictures, const ScanSplit& split) {
-  return PointsToSearch(
+SplitPoints LandmarksToRegister(const PictureRegistration& pictures, const ScanSplit& split) {
+  return PointsOfParts(
       split, [&](const std::vector<Part>& parts) { return pictures.PointsOf(split, parts); });
 }
 
-SensorSearch SearchPictures(const PictureSource& source, const PictureRegistration& pictures,
-                            const SearchedPoints& points, const SensorNumbers& start) {
-  SensorComparison comparison;
-  comparison.present = source.present;
-  comparison.start = start;
-  comparison.coarsest = PictureLevels::kCount - 1;
-  comparison.residuals = [&](const std::vector<ScanPoints>& some, const SensorNumbers& numbers,
-                             int coarse) { return pictures.Compare(some, numbers, coarse); };
-  return SearchSensor(comparison, {OfMount(), OfClock()}, points);
+/// The camera with what may act on it, by the pictures that a registration holds at present.
+RegistrationBlock BlockOf(const PictureSource& source,
+                          const std::unique_ptr<PictureRegistration>& pictures) {
+  return {source.X_BS, source.present,
+          CandidatesOf(MeasuredBy::kColourCamera, source.target, source.present),
+          [&pictures](const std::vector<ScanPoints>& some, const SensorCalibration& calibration,
+                      int level) { return pictures->ResidualsOf(some, calibration, level); },
+          PictureLevels::kCount - 1};
+}
+
+/// Why pictures that were registered tell nothing; empty where they do.
+std::string ObstacleTo(const PictureRegistration& pictures, const SplitPoints& points,
+                       const RegistrationSearch& search) {
+  const double correlation = pictures.Correlation(points.seen, search.calibration);
+  if (correlation < kLeastCorrelation) {
+    return fmt::format(
+        "its pictures are not like the simulated ones: a correlation of {:.2f} at their edges; "
+        "need {:.1f}",
+        correlation, kLeastCorrelation);
+  }
+  if (search.noise_rmse > kFurthest_px) {
+    return fmt::format(
+        "at best its edges lie within {:.1f} pixels of the simulated ones; need {:.0f}",
+        search.noise_rmse, kFurthest_px);
+  }
+  return "";
 }
 
 }  // namespace
@@ -75,46 +93,28 @@ PerceptionDiagnosis DiagnosePictures(const PictureSource& source, std::uint64_t 
   diagnosis.unit = "px";
   diagnosis.scans = source.t_ns.size();
   const ScanSplit split =
-      SplitTimes(source.t_ns, Stream(seed, "diagnose/" + source.channel + "/split"));
+      SplitScans(source.t_ns, Stream(seed, "diagnose/" + source.channel + "/split"));
   diagnosis.not_judged = ObstacleTo(source, split);
   if (!diagnosis.is_judged()) return diagnosis;
-  auto pictures = std::make_unique<PictureRegistration>(source, source.present);
-  if (const double count = pictures->LandmarksOfFrame(); count < kFewestLandmarks) {
+  auto pictures = std::make_unique<PictureRegistration>(source, source.calibration());
+  if (const double count = pictures->MeanLandmarks(); count < kFewestLandmarks) {
     diagnosis.not_judged = fmt::format(
         "the simulated pictures show {:.0f} edges each that could be compared; need {:.0f}", count,
         kFewestLandmarks);
     return diagnosis;
   }
-  SearchedPoints points = LandmarksToSearch(*pictures, split);
-  diagnosis.sensor = SearchPictures(source, *pictures, points, source.present);
-  for (int round = 0; round < kRounds && !diagnosis.sensor.findings.empty(); ++round) {
-    const SensorNumbers found = diagnosis.sensor.numbers;
-    pictures = std::make_unique<PictureRegistration>(source, found);
-    points = LandmarksToSearch(*pictures, split);
-    diagnosis.sensor = SearchPictures(source, *pictures, points, found);
+  RegistrationBlock block = BlockOf(source, pictures);
+  SplitPoints points = LandmarksToRegister(*pictures, split);
+  RegistrationSearch search = SearchRegistration(block, points);
+  for (int round = 0; round < kRounds && !search.findings.empty(); ++round) {
+    pictures = std::make_unique<PictureRegistration>(source, search.calibration);
+    points = LandmarksToRegister(*pictures, split);
+    search = SearchRegistration(block, points, search.found);
   }
-  const double like = pictures->Likeness(points.seen, diagnosis.sensor.numbers);
-  if (like < kLike) {
-    diagnosis.sensor = {};
-    diagnosis.not_judged = fmt::format(
-        "its pictures are not like the simulated ones: a correlation of {:.2f} at their edges; "
-        "need {:.1f}",
-        like, kLike);
-    return diagnosis;
-  }
-  if (diagnosis.sensor.noise_rmse > kFurthest_px) {
-    diagnosis.not_judged =
-        fmt::format("at best its edges lie within {:.1f} pixels of the simulated ones; need {:.0f}",
-                    diagnosis.sensor.noise_rmse, kFurthest_px);
-    diagnosis.sensor = {};
-    return diagnosis;
-  }
-  for (const SensorFinding& found : diagnosis.sensor.findings) {
-    diagnosis.findings.push_back(AsFinding(found, source.target));
-  }
-  for (const SensorFinding& found : diagnosis.sensor.unconfirmed) {
-    diagnosis.unconfirmed.push_back(AsFinding(found, source.target));
-  }
+  diagnosis.not_judged = ObstacleTo(*pictures, points, search);
+  if (!diagnosis.is_judged()) return diagnosis;
+  TakeOver(std::move(search), &diagnosis);
+  diagnosis.sensor_candidates = std::move(block.candidates);
   return diagnosis;
 }
 

@@ -8,10 +8,11 @@
 namespace tera {
 namespace {
 
-constexpr double kFlat = 0.05;    ///< of the range of values: less is no contrast
-constexpr double kWindow = 0.05;  ///< of the width
+constexpr double kLeastSpread = 0.05;  ///< of the range of values: less is no contrast
+constexpr double kWindowShare = 0.05;  ///< of the width: the window of mean and spread
 
-/// Means of 2 `reach` + 1 values about each of `count`, `stride` apart.
+/// Of `count` values that are `stride` apart, the mean of each and its `reach` neighbours to either
+/// side, the first and last value repeated beyond the ends.
 void SlideMean(const float* from, float* to, int count, int stride, int reach) {
   const auto at = [&](int i) { return from[std::clamp(i, 0, count - 1) * stride]; };
   double sum = 0;
@@ -22,8 +23,9 @@ void SlideMean(const float* from, float* to, int count, int stride, int reach) {
   }
 }
 
+/// Less the mean and over the spread of brightness about each pixel.
 Image<float> WithoutExposure(const Image<float>& grey) {
-  const double window_px = kWindow * grey.width_px;
+  const double window_px = kWindowShare * grey.width_px;
   const Image<float> mean = Blurred(grey, window_px);
   Image<float> square(grey.width_px, grey.height_px);
   for (std::size_t i = 0; i < grey.data.size(); ++i) {
@@ -33,7 +35,7 @@ Image<float> WithoutExposure(const Image<float>& grey) {
   const Image<float> variance = Blurred(square, window_px);
   Image<float> plain(grey.width_px, grey.height_px);
   for (std::size_t i = 0; i < grey.data.size(); ++i) {
-    const double spread = std::sqrt(variance.data[i] + kFlat * kFlat);
+    const double spread = std::sqrt(variance.data[i] + kLeastSpread * kLeastSpread);
     plain.data[i] = static_cast<float>((grey.data[i] - mean.data[i]) / spread);
   }
   return plain;

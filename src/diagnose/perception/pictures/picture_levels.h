@@ -16,12 +16,12 @@ class PictureLevels {
  public:
   static constexpr int kCount = 4;
   static constexpr int kSmallest_px = 32;  ///< either side: four of the widest blur's
-  /// Of a picture that is not smaller.
+  /// `grey` is not smaller either way.
   explicit PictureLevels(const Image<float>& grey);
 
-  /// Straight between pixels; beyond the border the border's.
+  /// Interpolated between pixels; beyond the border as at the border.
   float At(int level, const Vec2& px) const;
-  /// Of At, by central differences of a pixel.
+  /// Of the interpolated picture, by central differences of a pixel.
   Vec2 GradientAt(int level, const Vec2& px) const;
   /// Whether At and GradientAt are of what the picture shows there, not of its border repeated.
   bool Holds(const Vec2& px) const;
@@ -30,7 +30,8 @@ class PictureLevels {
   std::array<Image<float>, kCount> levels_;
 };
 
-/// About a normal distribution of `sigma_px`: three means of a sliding window, the border repeated.
+/// Blurred by about a normal distribution of `sigma_px`: three means of a sliding window, the
+/// border repeated.
 Image<float> Blurred(const Image<float>& picture, double sigma_px);
 
 }  // namespace tera

@@ -6,13 +6,17 @@
 namespace tera {
 namespace {
 
-constexpr double kSquare = 1.0 / 30;  ///< of the width
-constexpr double kLeastSlope = 0.08;  ///< of brightness over its spread, a pixel
-constexpr double kBorder = 0.02;      ///< of the width, without landmarks
-constexpr double kBrightness = 0.1, kPlace_px = 0.2;
-constexpr double kShift_m[PictureLevels::kCount] = {0, 0.02, 0.05, 0.1};
-constexpr double kTurn_rad = 1e-6, kMove_m = 1e-5;
-constexpr double kBefore_m = 0.05;  ///< the camera
+constexpr double kSquareShare = 1.0 / 30;  ///< of the width: the side of a square
+constexpr double kBorderShare = 0.02;      ///< of the width: a margin without landmarks
+constexpr double kLeastGradient = 0.08;    ///< a pixel, of brightness over its spread
+constexpr double kLeastEdge = 1e-3;        ///< a pixel: what a residual is divided by at least
+/// Standard deviations of brightness over its spread, of an edge's place, and of a shift of the
+/// camera at each level.
+constexpr double kBrightnessSigma = 0.1, kPlaceSigma_px = 0.2;
+constexpr double kShiftSigma_m[PictureLevels::kCount] = {0, 0.02, 0.05, 0.1};
+constexpr double kDifference_m = 1e-5;  ///< of a difference quotient of the lens
+constexpr double kNearest_m = 0.05;     ///< depth of what the camera can see
+constexpr double kSideOfEdge_px = 1.5;  ///< from its middle, which is grey in every picture
 
 /// The nearest depth of a pixel and its neighbours; 0 where there is none.
 double ForegroundDepth_m(const Image<float>& depth_m, int x, int y) {
@@ -26,7 +30,8 @@ double ForegroundDepth_m(const Image<float>& depth_m, int x, int y) {
   return nearest_m;
 }
 
-/// What is seen there, nothing where some of it is not to be compared.
+/// The surface of a pixel, a machine or an obstacle before the ground among its neighbours; nothing
+/// where one of these is not comparable.
 std::optional<Surface> SurfaceAt(const SimulatedPicture& picture, int x, int y) {
   Surface found = Surface::kGround;
   for (int b = y - 1; b <= y + 1; ++b) {
@@ -39,16 +44,16 @@ std::optional<Surface> SurfaceAt(const SimulatedPicture& picture, int x, int y) 
   return found;
 }
 
-/// The pixel of a square where brightness changes most; nothing where it hardly does.
+/// The pixel of a square where brightness changes most; nothing where it hardly changes.
 std::optional<Vec2> SteepestIn(const PictureLevels& levels, int level, int left, int top,
                                int size) {
   std::optional<Vec2> px;
-  double steepest = kLeastSlope * std::pow(0.5, level);
+  double steepest = kLeastGradient * std::pow(0.5, level);
   for (int y = top; y < top + size; ++y) {
     for (int x = left; x < left + size; ++x) {
-      const double slope = levels.GradientAt(level, Vec2(x, y)).norm();
-      if (slope <= steepest) continue;
-      steepest = slope;
+      const double gradient = levels.GradientAt(level, Vec2(x, y)).norm();
+      if (gradient <= steepest) continue;
+      steepest = gradient;
       px = Vec2(x, y);
     }
   }
@@ -57,18 +62,19 @@ std::optional<Vec2> SteepestIn(const PictureLevels& levels, int level, int left,
 
 }  // namespace
 
-PictureRegistration::PictureRegistration(const PictureSource& source, const SensorNumbers& numbers)
+PictureRegistration::PictureRegistration(const PictureSource& source,
+                                         const SensorCalibration& calibration)
     : source_(source), squares_(source.t_ns.size()) {
   for (std::size_t f = 0; f < source.t_ns.size(); ++f) {
     measured_.emplace_back(source.grey[f]);
-    const auto simulated = source.render(f, numbers);
-    const auto link = source.link_at(f, numbers);
-    if (simulated && link) AddLandmarks(f, *simulated, *link, numbers);
+    const auto simulated = source.render(f, calibration);
+    const auto link = source.link_at(f, calibration);
+    if (simulated && link) AddLandmarks(f, *simulated, *link, calibration);
   }
 }
 
 std::optional<PictureRegistration::Landmark> PictureRegistration::LandmarkAt(
-    const SimulatedPicture& simulated, const BodyState& link, const SensorNumbers& numbers,
+    const SimulatedPicture& simulated, const BodyState& link, const SensorCalibration& calibration,
     const Vec2& px) const {
   const int x = static_cast<int>(px.x()), y = static_cast<int>(px.y());
   const double depth_m = ForegroundDepth_m(simulated.depth_m, x, y);
@@ -77,19 +83,19 @@ std::optional<PictureRegistration::Landmark> PictureRegistration::LandmarkAt(
   if (!(depth_m > 0) || !surface || !ray) return std::nullopt;
   Landmark landmark;
   landmark.surface = *surface;
-  const Vec3 p_S_m = source_.X_SC * Vec3(depth_m * *ray);
-  landmark.p_m = source_.X_BS.translation() + numbers.shift_B_m() +
-                 source_.X_BS.linear() * (numbers.R_ST() * p_S_m);
+  const Vec3 p_T_m = source_.X_SC * Vec3(depth_m * *ray);
+  landmark.p_m = calibration.X_BT * p_T_m;
   if (*surface != Surface::kMachine) landmark.p_m = link.X_WB * landmark.p_m;
   return landmark;
 }
 
 void PictureRegistration::AddLandmarks(std::size_t frame, const SimulatedPicture& simulated,
-                                       const BodyState& link, const SensorNumbers& numbers) {
+                                       const BodyState& link,
+                                       const SensorCalibration& calibration) {
   const PictureLevels levels(simulated.grey);
   const int width = simulated.grey.width_px, height = simulated.grey.height_px;
-  const int size = std::max(4, static_cast<int>(kSquare * width));
-  const int border = std::max(2, static_cast<int>(kBorder * width));
+  const int size = std::max(4, static_cast<int>(kSquareShare * width));
+  const int border = std::max(2, static_cast<int>(kBorderShare * width));
   for (int top = border; top + size <= height - border; top += size) {
     for (int left = border; left + size <= width - border; left += size) {
       Square square;
@@ -97,10 +103,10 @@ void PictureRegistration::AddLandmarks(std::size_t frame, const SimulatedPicture
         const auto px = SteepestIn(levels, k, left, top, size);
         if (!px) continue;
         auto& landmark = square[static_cast<std::size_t>(k)];
-        landmark = LandmarkAt(simulated, link, numbers, *px);
+        landmark = LandmarkAt(simulated, link, calibration, *px);
         if (!landmark) continue;
         landmark->value = levels.At(k, *px);
-        landmark->slope = levels.GradientAt(k, *px);
+        landmark->gradient = levels.GradientAt(k, *px);
       }
       if (square[0]) squares_[frame].push_back(square);
     }
@@ -119,63 +125,61 @@ std::vector<ScanPoints> PictureRegistration::PointsOf(const ScanSplit& split,
   return chosen;
 }
 
-std::optional<PictureRegistration::Seen> PictureRegistration::SeenAt(
-    const Landmark& landmark, const BodyState& link, const SensorNumbers& numbers) const {
+std::optional<PictureRegistration::Projection> PictureRegistration::Project(
+    const Landmark& landmark, const BodyState& link, const SensorCalibration& calibration) const {
   const bool moves_along = landmark.surface == Surface::kMachine;
   const Vec3 p_B_m = moves_along ? landmark.p_m : Vec3(link.X_WB.inverse() * landmark.p_m);
-  const Mat3 R_SB = source_.X_BS.linear().transpose();
-  const Mat3 R_TS = numbers.R_ST().transpose();
-  const Vec3 p_S_m = R_SB * (p_B_m - source_.X_BS.translation() - numbers.shift_B_m());
+  const Vec3 r_B_m = p_B_m - calibration.X_BT.translation();
+  const Mat3 R_TB = calibration.X_BT.linear().transpose();
   const Pose X_CT = source_.X_SC.inverse();
-  const Vec3 p_C_m = X_CT * Vec3(R_TS * p_S_m);
-  if (p_C_m.z() < kBefore_m) return std::nullopt;
-  Seen seen;
-  seen.px = source_.project(p_C_m);
-  Eigen::Matrix<double, 2, 3> lens;
+  const Vec3 p_C_m = X_CT * Vec3(R_TB * r_B_m);
+  if (p_C_m.z() < kNearest_m) return std::nullopt;
+  Projection projection;
+  projection.px = source_.project(p_C_m);
+  Eigen::Matrix<double, 2, 3> by_C;
   for (int a = 0; a < 3; ++a) {
-    lens.col(a) = (source_.project(p_C_m + kMove_m * Vec3::Unit(a)) - seen.px) / kMove_m;
+    const Vec2 moved_px = source_.project(p_C_m + kDifference_m * Vec3::Unit(a));
+    by_C.col(a) = (moved_px - projection.px) / kDifference_m;
   }
-  const Eigen::Matrix<double, 2, 3> by_T = lens * X_CT.linear();
-  const Eigen::Matrix<double, 2, 3> by_B = by_T * R_TS * R_SB;
-  seen.slope.leftCols<3>() = -by_B;
+  const Eigen::Matrix<double, 2, 3> by_B = by_C * X_CT.linear() * R_TB;
+  projection.by_calibration.middleCols<3>(kShiftOfMount) = -by_B;
   for (int a = 0; a < 3; ++a) {
-    SensorNumbers turned = numbers;
-    turned.value[static_cast<std::size_t>(SensorNumbers::kRoll + a)] += kTurn_rad;
-    seen.slope.col(SensorNumbers::kRoll + a) =
-        by_T * ((turned.R_ST().transpose() - R_TS) * p_S_m) / kTurn_rad;
+    // A camera that turns one way sees the point turn the other way.
+    projection.by_calibration.col(kTurnOfMount + a) = by_B * r_B_m.cross(Vec3::Unit(a));
   }
   if (!moves_along) {
-    // Later by the clock is earlier in truth.
+    // A clock that is ahead writes the time of a picture that was taken earlier.
     const Vec3 v_W_mps =
         link.v_WB_mps + link.w_WB_radps.cross(landmark.p_m - link.X_WB.translation());
-    seen.slope.col(SensorNumbers::kOffset) = by_B * (link.X_WB.linear().transpose() * v_W_mps);
+    projection.by_calibration.col(kClockOffset) = by_B * (link.X_WB.linear().transpose() * v_W_mps);
   }
-  return seen;
+  return projection;
 }
 
-std::vector<PointResidual> PictureRegistration::Compare(const std::vector<ScanPoints>& points,
-                                                        const SensorNumbers& numbers,
-                                                        int level) const {
+std::vector<PointResidual> PictureRegistration::ResidualsOf(const std::vector<ScanPoints>& points,
+                                                            const SensorCalibration& calibration,
+                                                            int level) const {
   const auto k = static_cast<std::size_t>(level);
   std::vector<PointResidual> residuals;
   for (const ScanPoints& of_frame : points) {
-    const auto link = source_.link_at(of_frame.scan, numbers);
+    const auto link = source_.link_at(of_frame.scan, calibration);
     for (const std::size_t p : of_frame.points) {
       const std::optional<Landmark>& landmark = squares_[of_frame.scan][p][k];
       PointResidual residual;
       residual.scan = of_frame.scan;
-      const auto seen = link && landmark ? SeenAt(*landmark, *link, numbers) : std::nullopt;
+      const auto seen = link && landmark ? Project(*landmark, *link, calibration) : std::nullopt;
       const PictureLevels& measured = measured_[of_frame.scan];
       residual.out_of_picture = seen && !measured.Holds(seen->px);
       if (seen && !residual.out_of_picture) {
-        const double steep = std::max(1e-3, landmark->slope.norm());
-        const Vec2 slope = 0.5 * (landmark->slope + measured.GradientAt(level, seen->px));
+        const double steep = std::max(kLeastEdge, landmark->gradient.norm());
+        const Vec2 gradient = 0.5 * (landmark->gradient + measured.GradientAt(level, seen->px));
         residual.surface = landmark->surface;
-        residual.beyond = (measured.At(level, seen->px) - landmark->value) / steep;
-        const double parallax_pxpm = seen->slope.leftCols<3>().norm() / std::sqrt(2.0);
-        residual.sigma =
-            std::hypot(kBrightness / steep, kPlace_px, kShift_m[level] * parallax_pxpm);
-        residual.slope = (slope.transpose() * seen->slope).transpose() / steep;
+        residual.distance = (measured.At(level, seen->px) - landmark->value) / steep;
+        const double parallax_pxpm =
+            seen->by_calibration.middleCols<3>(kShiftOfMount).norm() / std::sqrt(2.0);
+        residual.sigma = std::hypot(kBrightnessSigma / steep, kPlaceSigma_px,
+                                    kShiftSigma_m[level] * parallax_pxpm);
+        residual.by_calibration = seen->by_calibration.transpose() * gradient / steep;
       }
       residuals.push_back(residual);
     }
@@ -183,22 +187,21 @@ std::vector<PointResidual> PictureRegistration::Compare(const std::vector<ScanPo
   return residuals;
 }
 
-double PictureRegistration::Likeness(const std::vector<ScanPoints>& points,
-                                     const SensorNumbers& numbers) const {
+double PictureRegistration::Correlation(const std::vector<ScanPoints>& points,
+                                        const SensorCalibration& calibration) const {
   double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
   for (const ScanPoints& of_frame : points) {
-    const auto link = source_.link_at(of_frame.scan, numbers);
+    const auto link = source_.link_at(of_frame.scan, calibration);
     if (!link) continue;
     for (const std::size_t p : of_frame.points) {
       const Landmark& landmark = *squares_[of_frame.scan][p][0];
-      const auto seen = SeenAt(landmark, *link, numbers);
+      const auto seen = Project(landmark, *link, calibration);
       if (!seen) continue;
       const PictureLevels& measured = measured_[of_frame.scan];
-      // Both sides of the edge: the middle alone is grey in every picture.
       for (const double side : {-1.0, 1.0}) {
-        const Vec2 aside = 1.5 * side * landmark.slope.normalized();
+        const Vec2 aside = kSideOfEdge_px * side * landmark.gradient.normalized();
         if (!measured.Holds(seen->px + aside)) continue;
-        const double x = landmark.value + landmark.slope.dot(aside);
+        const double x = landmark.value + landmark.gradient.dot(aside);
         const double y = measured.At(0, seen->px + aside);
         n += 1;
         a += x;
@@ -213,7 +216,7 @@ double PictureRegistration::Likeness(const std::vector<ScanPoints>& points,
   return spread > 0 ? (n * ab - a * b) / spread : 0;
 }
 
-double PictureRegistration::LandmarksOfFrame() const {
+double PictureRegistration::MeanLandmarks() const {
   double count = 0;
   for (const auto& of_frame : squares_) count += static_cast<double>(of_frame.size());
   return squares_.empty() ? 0 : count / static_cast<double>(squares_.size());

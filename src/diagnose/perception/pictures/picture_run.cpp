@@ -47,12 +47,12 @@ PerceptionDiagnosis DiagnoseCamera(const RecordedCamera& camera, const Recording
   source.target = sensor.name;
   source.X_BS = sensor.X_BS;
   source.X_SC = OpticalInSensor();
-  source.present = camera.present;
-  source.render = [&](std::size_t frame, const SensorNumbers& numbers) {
-    return caster->Render(camera.machine, sensor, (*camera.pictures)[frame], numbers, reduced);
+  source.present = sensor.effects;
+  source.render = [&](std::size_t frame, const SensorCalibration& calibration) {
+    return caster->Render(camera.machine, sensor, (*camera.pictures)[frame], calibration, reduced);
   };
-  source.link_at = [&](std::size_t frame, const SensorNumbers& numbers) {
-    return caster->LinkAt(camera.machine, sensor, (*camera.pictures)[frame], numbers);
+  source.link_at = [&](std::size_t frame, const SensorCalibration& calibration) {
+    return caster->LinkAt(camera.machine, sensor, (*camera.pictures)[frame], calibration);
   };
   source.project = [small](const Vec3& p_C_m) { return small.Project(p_C_m); };
   source.ray = [small](const Vec2& px) { return small.RayOf(px); };

@@ -15,7 +15,6 @@ struct RecordedCamera {
   const SensorDescription* description = nullptr;
   std::string channel;
   const std::vector<ScanCaster::Scan>* pictures = nullptr;
-  SensorNumbers present;
 };
 
 /// Whether what a sensor records is compared as pictures: colour without depth.

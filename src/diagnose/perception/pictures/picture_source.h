@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "core/motion.h"
+#include "core/time.h"
+#include "core/types/effects.h"
 #include "core/types/measurement.h"
-#include "resimulate/sensor_numbers.h"
+#include "resimulate/sensor_calibration.h"
 #include "resimulate/simulated_picture.h"
 
 /// What a colour camera recorded, and what a simulation of it shows.
@@ -17,23 +19,28 @@ namespace tera {
 
 /// One camera's pictures beside the simulation of them.
 ///
-/// Frames  W; B the camera's link; S the sensor; C optical.
+/// Frames  W; B the camera's link; S the sensor as documented; C optical.
 struct PictureSource {
   std::string channel;  ///< "excavator1/camera_mast"
   std::string target;   ///< the camera's name in the scenario
   Pose X_BS = Pose::Identity();
   Pose X_SC = Pose::Identity();
-  SensorNumbers present;  ///< as the scenario has them
+  Effects present;  ///< of the camera, as the scenario has them
   std::vector<TimeNs> t_ns;
   std::vector<Image<float>> grey;  ///< measured, 0 to 1
-  /// The picture of a frame under numbers that the camera might have; nothing where it is not known
-  /// where the camera then was.
-  std::function<std::optional<SimulatedPicture>(std::size_t frame, const SensorNumbers& numbers)>
+  /// The picture of a frame under a calibration that the camera might have; nothing where it is not
+  /// known where the camera then was.
+  std::function<std::optional<SimulatedPicture>(std::size_t frame,
+                                                const SensorCalibration& calibration)>
       render;
   /// Motion of the link at the frame's true time.
-  std::function<std::optional<BodyState>(std::size_t frame, const SensorNumbers& numbers)> link_at;
+  std::function<std::optional<BodyState>(std::size_t frame, const SensorCalibration& calibration)>
+      link_at;
   std::function<Vec2(const Vec3& p_C_m)> project;          ///< pixel of a point before it
   std::function<std::optional<Vec3>(const Vec2& px)> ray;  ///< (x, y, 1) of a pixel
+
+  /// As the scenario has it.
+  SensorCalibration calibration() const { return CalibrationUnder(X_BS, present); }
 };
 
 }  // namespace tera

@@ -2,21 +2,33 @@
 
 #include <vector>
 
-#include "diagnose/perception/scans/sensor_fit.h"
+#include "diagnose/perception/registration/registration_search.h"
+#include "diagnose/perception/scans/range_scan.h"
 
 namespace tera {
 
-/// Casts the rays of `points` under `numbers` and compares: how far each lies behind the simulated
-/// surface.
+/// Casts the rays of `points` under a calibration and compares: how far each lies behind the
+/// simulated surface that it meets.
 ///
 /// Model   noise along the normal: that of the range times the cosine of incidence, an angle of
 ///         0.02 deg times the range (encoders and poses), and 2 mm of the surface.
 /// Source  Chen and Medioni 1992 (distance to planes).
 std::vector<PointResidual> ResidualsOf(const RangeSource& source,
                                        const std::vector<ScanPoints>& points,
-                                       const SensorNumbers& numbers);
+                                       const SensorCalibration& calibration);
 
-/// The same, to be searched. Keeps a reference.
-SensorComparison ComparisonOf(const RangeSource& source);
+/// The scans with what may act on their sensor. Keeps a reference.
+RegistrationBlock BlockOf(const RangeSource& source);
+
+/// Up to `most` points of each scan, evenly spread, of scans of the given parts, without those that
+/// are `excluded`.
+std::vector<ScanPoints> PointsOf(const std::vector<RangeScan>& scans, const ScanSplit& split,
+                                 const std::vector<Part>& parts, std::size_t most,
+                                 const PointFlags& excluded);
+
+/// Up to 400 points of each scan to register the sensor by, without those that are `excluded`
+/// because something of the scene explains them.
+SplitPoints PointsToRegister(const RangeSource& source, const ScanSplit& split,
+                             const PointFlags& excluded);
 
 }  // namespace tera

@@ -8,8 +8,9 @@
 
 #include "core/motion.h"
 #include "core/time.h"
+#include "core/types/effects.h"
 #include "resimulate/range_scan.h"
-#include "resimulate/sensor_numbers.h"
+#include "resimulate/sensor_calibration.h"
 #include "resimulate/simulated_return.h"
 
 /// What a lidar or a depth camera measured, and what a simulation of the same rays says of it.
@@ -17,36 +18,57 @@
 namespace tera {
 
 /// One sensor's scans beside the simulation of them.
+///
+/// Frames  W; B the sensor's link; S the sensor as documented; T the sensor as a calibration has
+/// it,
+///         in which its points and rays are then meant.
 struct RangeSource {
   std::string channel;        ///< "excavator1/lidar_roof"
   std::string target;         ///< the sensor's name in the scenario
   bool planar_depth = false;  ///< a camera's: depth is along x of S
   Pose X_BS = Pose::Identity();
-  SensorNumbers present;  ///< as the scenario has them
-  TimeNs start_ns = 0;    ///< of the recording
+  Effects present;      ///< of the sensor, as the scenario has them
+  TimeNs start_ns = 0;  ///< of the recording
   std::vector<RangeScan> scans;
-  /// Casts rays of a scan under numbers that the sensor might have.
-  std::function<std::vector<SimulatedReturn>(std::size_t scan, const SensorNumbers& numbers,
+  /// Casts rays of a scan under a calibration that the sensor might have.
+  std::function<std::vector<SimulatedReturn>(std::size_t scan, const SensorCalibration& calibration,
                                              const std::vector<Beam>& beams)>
       cast;
   /// Height of the simulated ground at the time of a scan; nothing beyond the site.
   std::function<std::optional<double>(std::size_t scan, const Vec2& xy_W_m)> ground_m;
   /// Name of an object.
   std::function<std::string(int object)> name_of;
+
+  /// As the scenario has it.
+  SensorCalibration calibration() const { return CalibrationUnder(X_BS, present); }
 };
 
-/// The point as it truly was in the frame T, were `numbers` the sensor's.
-Vec3 TruePoint(const RangeSource& source, const SensorNumbers& numbers, const Vec3& p_S_m);
+/// What the sensor reports of a point as a number: its range, or its depth.
+double ReportedRange_m(const RangeSource& source, const Vec3& p_S_m);
 
-/// The same in W, `hit` being of its ray.
-Vec3 PointInWorld(const RangeSource& source, const SensorNumbers& numbers, const RangePoint& point,
-                  const SimulatedReturn& hit);
+/// The point as it truly was in the frame T, were `calibration` the sensor's.
+Vec3 TruePoint(const RangeSource& source, const SensorCalibration& calibration, const Vec3& p_S_m);
+
+/// The true point in W; `hit` is of its ray.
+Vec3 PointInWorld(const RangeSource& source, const SensorCalibration& calibration,
+                  const RangePoint& point, const SimulatedReturn& hit);
+
+/// The direction of a point's ray in W; `hit` is of that ray.
+Vec3 RayDirection_W(const SensorCalibration& calibration, const RangePoint& point,
+                    const SimulatedReturn& hit);
 
 /// How far the point lies behind the simulated surface that its ray meets, along the normal.
-double BeyondSurface_m(const RangeSource& source, const SensorNumbers& numbers,
-                       const RangePoint& point, const SimulatedReturn& hit);
+double PointToPlane_m(const RangeSource& source, const SensorCalibration& calibration,
+                      const RangePoint& point, const SimulatedReturn& hit);
 
-/// The ray of a point.
+/// Of each scan a flag a point; without any scan no point is flagged.
+using PointFlags = std::vector<std::vector<bool>>;
+
+/// Of all points of these scans, none flagged.
+PointFlags NoPoints(const std::vector<RangeScan>& scans);
+
+/// The ray of a point, and those of all points of a scan.
 Beam BeamOf(const RangePoint& point);
+std::vector<Beam> BeamsOf(const RangeScan& scan);
 
 }  // namespace tera

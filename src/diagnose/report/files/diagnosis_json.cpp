@@ -86,14 +86,32 @@ Json Where(const DiagnosedBlock& diagnosed, const Location& location) {
           {"regime", RegimeOf(location)}};
 }
 
+/// The location of a sensor's finding, with its place on the site if it has one.
+Json Where(const PerceptionDiagnosis& sensor, const PerceptionFinding& found) {
+  Json intervals = Json::array(), place = nullptr;
+  for (const auto& [from_s, to_s] : found.intervals_s) {
+    intervals.push_back({Number(from_s), Number(to_s)});
+  }
+  if (found.place) {
+    const auto point = [](const Vec2& p) { return Json{Number(p.x()), Number(p.y())}; };
+    place = {{"centre_m", point(found.place->centre_W_m)},
+             {"low_m", point(found.place->low_W_m)},
+             {"high_m", point(found.place->high_W_m)}};
+  }
+  return {{"channel", sensor.channel},
+          {"intervals_s", std::move(intervals)},
+          {"place", std::move(place)},
+          {"regime", nullptr}};
+}
+
 /// A score that ranks findings by how sure they are. It is not calibrated, and no probability.
 double ScoreOf(const Finding& finding) {
   const auto alike = static_cast<double>(finding.evidence.rivals.size());
   return (1 - finding.evidence.p) * (1 - finding.held_out.p) / alike;
 }
 
-Json Named(const DiagnosedBlock& diagnosed, const Finding& finding) {
-  Json json = Where(diagnosed, finding.location);
+/// Adds a finding to its location; `unit` is that of its error.
+Json Named(Json json, const Finding& finding, const std::string& unit) {
   const Candidate& candidate = *finding.term.candidate;
   json["mechanism"] = std::string(candidate.mechanism->id);
   json["slot"] = std::string(NameOf(candidate.mechanism->slot));
@@ -112,8 +130,7 @@ Json Named(const DiagnosedBlock& diagnosed, const Finding& finding) {
                       {"p_confirmed", Number(finding.held_out.p)}};
   json["confidence"] = Number(ScoreOf(finding));
   const HeldOutError& error = finding.held_out;
-  json["held_out"] = HeldOut(error.rmse_before, error.rmse_after,
-                             diagnosed.block.channels[error.channel].unit, error.excess_removed);
+  json["held_out"] = HeldOut(error.rmse_before, error.rmse_after, unit, error.excess_removed);
   return json;
 }
 
@@ -170,49 +187,6 @@ Json NotNamed(const DiagnosedBlock& diagnosed, const Unexplained& unexplained) {
   return json;
 }
 
-/// A finding of a lidar or camera.
-Json Seen(const PerceptionDiagnosis& sensor, const PerceptionFinding& finding) {
-  Json parameters = Json::object();
-  for (std::size_t i = 0; i < finding.parameters.size(); ++i) {
-    const ParameterEstimate& estimate = finding.parameters[i];
-    parameters[estimate.name] = {{"value", Number(estimate.value)},
-                                 {"sigma", Number(estimate.sigma)},
-                                 {"unit", estimate.unit}};
-    if (!finding.present.empty()) {
-      parameters[estimate.name]["instead_of"] = Number(finding.present[i]);
-    }
-  }
-  Json intervals = Json::array(), place = nullptr;
-  for (const auto& [from_s, to_s] : finding.intervals_s) {
-    intervals.push_back({Number(from_s), Number(to_s)});
-  }
-  if (finding.place) {
-    const auto point = [](const Vec2& p) { return Json{Number(p.x()), Number(p.y())}; };
-    place = {{"centre_m", point(finding.place->centre_W_m)},
-             {"low_m", point(finding.place->low_W_m)},
-             {"high_m", point(finding.place->high_W_m)}};
-  }
-  const double before = finding.rmse_before, after = finding.rmse_after;
-  const double noise = sensor.sensor.noise_rmse;
-  const double excess = before * before - noise * noise;
-  const double removed = excess > 0 ? (before * before - after * after) / excess : 0;
-  return {{"channel", sensor.channel},
-          {"intervals_s", intervals},
-          {"place", place},
-          {"regime", nullptr},
-          {"mechanism", finding.mechanism},
-          {"slot", finding.slot},
-          {"target", finding.target},
-          {"parameters", parameters},
-          {"class", finding.rivals},
-          {"rejected", Json::array()},
-          {"evidence",
-           {{"p_chosen", Number(finding.p_chosen)}, {"p_confirmed", Number(finding.p_confirmed)}}},
-          {"confidence", Number((1 - finding.p_chosen) * (1 - finding.p_confirmed) /
-                                static_cast<double>(finding.rivals.size()))},
-          {"held_out", HeldOut(before, after, sensor.unit, std::clamp(removed, 0.0, 1.0))}};
-}
-
 /// A mechanism that was chosen and is no finding.
 Json Chosen(const Finding& finding) {
   Json names = Json::array();
@@ -244,13 +218,7 @@ Json Unconfirmed(const Diagnosis& diagnosis) {
     }
   }
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
-    for (const PerceptionFinding& finding : sensor.unconfirmed) {
-      list.push_back({{"mechanism", finding.mechanism},
-                      {"target", finding.target},
-                      {"evidence",
-                       {{"p_chosen", Number(finding.p_chosen)},
-                        {"p_confirmed", Number(finding.p_confirmed)}}}});
-    }
+    for (const PerceptionFinding& found : sensor.unconfirmed) list.push_back(Chosen(found.finding));
   }
   return list;
 }
@@ -427,14 +395,15 @@ std::string DiagnosisJson(const Diagnosis& diagnosis) {
     json["verdict"].push_back(std::string(NameOf(verdict)));
   }
   for (const auto& [diagnosed, finding] : RankedFindings(diagnosis)) {
-    json["findings"].push_back(Named(*diagnosed, *finding));
+    json["findings"].push_back(Named(Where(*diagnosed, finding->location), *finding,
+                                     diagnosed->block.channels[finding->held_out.channel].unit));
   }
   for (const auto& [diagnosed, unexplained] : RankedUnexplained(diagnosis)) {
     json["findings"].push_back(NotNamed(*diagnosed, *unexplained));
   }
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
-    for (const PerceptionFinding& finding : sensor.findings) {
-      json["findings"].push_back(Seen(sensor, finding));
+    for (const PerceptionFinding& found : sensor.findings) {
+      json["findings"].push_back(Named(Where(sensor, found), found.finding, sensor.unit));
     }
   }
   json["held_out"] = HeldOutOfAll(diagnosis);

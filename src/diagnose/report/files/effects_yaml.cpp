@@ -13,8 +13,6 @@
 #include "core/check.h"
 #include "diagnose/blocks/measured_poses.h"
 #include "diagnose/report/text/finding_text.h"
-#include "diagnose/report/text/perception_text.h"
-#include "diagnose/report/text/ranking.h"
 
 namespace tera {
 namespace {
@@ -50,18 +48,26 @@ std::string Value(double value, const EffectParameter& parameter) {
   return read < parameter.lower || read > parameter.upper ? fmt::format("{}", value) : rounded;
 }
 
-/// "dead_band: {width: 0.18}", with its rivals in a comment.
+/// The free parameter of an index, or nullptr.
+const FreeParameter* FreeParameterOf(const Candidate& candidate, std::size_t index) {
+  const auto at = std::find_if(candidate.free.begin(), candidate.free.end(),
+                               [&](const FreeParameter& free) { return free.index == index; });
+  return at != candidate.free.end() ? &*at : nullptr;
+}
+
+/// "dead_band: {width: 0.18}", with its rivals in a comment. A parameter that a prior kept near the
+/// simulation's number is omitted.
 std::string MechanismLine(const Finding& finding) {
   const Candidate& candidate = *finding.term.candidate;
   std::vector<std::string> numbers;
   for (std::size_t i = 0; i < candidate.mechanism->parameters.size(); ++i) {
     const EffectParameter& parameter = candidate.mechanism->parameters[i];
     const double value = finding.term.values[i];
-    const bool is_free = std::any_of(candidate.free.begin(), candidate.free.end(),
-                                     [&](const FreeParameter& free) { return free.index == i; });
+    const FreeParameter* free = FreeParameterOf(candidate, i);
     const bool has_already =
         candidate.present.empty() ? parameter.otherwise == value : candidate.present[i] == value;
-    if ((!is_free || finding.term.IsHeld(i)) && has_already) continue;
+    if ((free == nullptr || finding.term.IsHeld(i)) && has_already) continue;
+    if (free != nullptr && free->prior_sigma > 0 && !IsReported(finding, *free)) continue;
     numbers.push_back(fmt::format("{}: {}", parameter.name, Value(value, parameter)));
   }
   const std::vector<std::string> alike = AlikeTexts(finding);
@@ -70,11 +76,25 @@ std::string MechanismLine(const Finding& finding) {
   return fmt::format("{}: {{{}}}{}", candidate.mechanism->id, fmt::join(numbers, ", "), comment);
 }
 
+/// The findings that a simulation can have, in the order of their ranks.
+std::vector<const Finding*> EffectsFound(const Diagnosis& diagnosis) {
+  std::vector<const Finding*> effects;
+  for (const auto& [diagnosed, finding] : RankedFindings(diagnosis)) {
+    if (finding->term.candidate->target != kPoses) effects.push_back(finding);
+  }
+  for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
+    for (const PerceptionFinding& found : sensor.findings) {
+      // What differs in the scene is no effect.
+      if (!found.place) effects.push_back(&found.finding);
+    }
+  }
+  return effects;
+}
+
 std::vector<TargetLines> LinesOf(const Diagnosis& diagnosis) {
   std::vector<TargetLines> targets;
-  for (const auto& [diagnosed, finding] : RankedFindings(diagnosis)) {
+  for (const Finding* finding : EffectsFound(diagnosis)) {
     const Candidate& candidate = *finding->term.candidate;
-    if (candidate.target == kPoses) continue;  // no part of a simulation
     auto at = std::find_if(targets.begin(), targets.end(), [&](const TargetLines& lines) {
       return lines.target == candidate.target;
     });
@@ -84,13 +104,6 @@ std::vector<TargetLines> LinesOf(const Diagnosis& diagnosis) {
       continue;
     at->mechanisms.push_back(id);
     at->lines.push_back(MechanismLine(*finding));
-  }
-  for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
-    TargetLines lines{sensor.target, {}, {}};
-    for (const PerceptionFinding& finding : sensor.findings) {
-      if (finding.is_effect) lines.lines.push_back(EffectLine(finding));
-    }
-    if (!lines.lines.empty()) targets.push_back(std::move(lines));
   }
   return targets;
 }

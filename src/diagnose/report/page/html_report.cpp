@@ -9,6 +9,7 @@
 #include "diagnose/report/page/page_style.h"
 #include "diagnose/report/page/perception_figures.h"
 #include "diagnose/report/page/svg_plot.h"
+#include "diagnose/report/page/table.h"
 #include "diagnose/report/text/finding_text.h"
 #include "diagnose/report/text/next_manoeuvre_text.h"
 #include "diagnose/report/text/ranking.h"
@@ -20,39 +21,6 @@ namespace tera {
 namespace {
 
 constexpr std::size_t kMostRegimesShown = 2;
-
-/// An HTML table. Columns whose heading starts with '>' hold numbers.
-class Table {
- public:
-  explicit Table(const std::vector<std::string>& headings) {
-    html_ = "<div class='wide'><table><tr>";
-    for (const std::string& heading : headings) {
-      const bool is_number = heading.starts_with('>');
-      classes_.push_back(is_number ? " class='r'" : "");
-      html_ += fmt::format("<th{}>{}</th>", classes_.back(), heading.substr(is_number ? 1 : 0));
-    }
-    html_ += "</tr>\n";
-  }
-
-  /// Cells are HTML.
-  void Row(const std::vector<std::string>& cells) {
-    html_ += "<tr>";
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      html_ += fmt::format("<td{}>{}</td>", classes_[i], cells[i]);
-    }
-    html_ += "</tr>\n";
-  }
-
-  std::string Take() const { return html_ + "</table></div>\n"; }
-
- private:
-  std::string html_;
-  std::vector<std::string> classes_;
-};
-
-std::string Code(std::string_view text) { return "<code>" + Escaped(text) + "</code>"; }
-
-std::string UnitCell(std::string_view unit) { return unit == "1" ? "" : Escaped(unit); }
 
 std::string_view Explained(Verdict verdict) {
   switch (verdict) {
@@ -87,30 +55,6 @@ std::string Top(const Diagnosis& diagnosis, const std::string& recording) {
     html += fmt::format("<li>{}</li>\n", Escaped(sentence));
   }
   return html + "</ol>\n";
-}
-
-std::string ParameterTable(const DiagnosedBlock& diagnosed) {
-  Table table({"Mechanism", "On", "Parameter", ">Value", ">±", "Unit", ">Chosen", ">Confirmed"});
-  for (const Finding* finding : RankedFindings(diagnosed)) {
-    const Candidate& candidate = *finding->term.candidate;
-    bool is_first = true;
-    for (const FreeParameter& free : candidate.free) {
-      const ParameterEstimate& estimate = finding->parameters[free.index];
-      std::string value = WithSigma(estimate.value, estimate.sigma), sigma = "unknown";
-      if (const auto at = value.find(" ± "); at != std::string::npos) {
-        sigma = value.substr(at + std::string_view(" ± ").size());
-        value.resize(at);
-      }
-      if (finding->term.IsHeld(free.index)) sigma = "not determined";
-      table.Row({is_first ? Code(candidate.mechanism->id) : "",
-                 is_first ? Escaped(candidate.target) : "", Code(estimate.name), value, sigma,
-                 UnitCell(estimate.unit),
-                 is_first ? Escaped(ProbabilityText(finding->evidence.p)) : "",
-                 is_first ? Escaped(ProbabilityText(finding->held_out.p)) : ""});
-      is_first = false;
-    }
-  }
-  return "<h3>Parameters</h3>\n" + table.Take();
 }
 
 void AddErrorRow(const DiagnosedBlock& diagnosed, const std::string& what,
@@ -165,7 +109,9 @@ std::string BlockSection(const DiagnosedBlock& diagnosed) {
     html +=
         LocationFigures(diagnosed, "Unexplained", "The error that is left", unexplained.location);
   }
-  if (!diagnosed.diagnosis.findings.empty()) html += ParameterTable(diagnosed);
+  if (!diagnosed.diagnosis.findings.empty()) {
+    html += ParameterTable(RankedFindings(diagnosed));
+  }
   html += ErrorTable(diagnosed);
   html += "<h3>Evidence</h3>\n" + EvidenceFigure(diagnosed);
   return html + "</section>\n";

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "diagnose/report/page/svg_plot.h"
+#include "diagnose/report/page/table.h"
 #include "diagnose/report/text/wording.h"
 
 namespace tera {
@@ -127,38 +128,23 @@ std::string MapFigure(const PerceptionDiagnosis& sensor) {
       Axes(map, extent, width, height), map.cell_m, Significant(extent.greatest_m, 2));
 }
 
-std::string NumbersTable(const PerceptionDiagnosis& sensor) {
-  std::string rows;
-  for (const PerceptionFinding& finding : sensor.findings) {
-    for (const ParameterEstimate& estimate : finding.parameters) {
-      rows += fmt::format(
-          "<tr><td><code>{}</code></td><td>{}</td><td><code>{}</code></td><td "
-          "class='r'>{}</td><td>{}</td></tr>\n",
-          Escaped(finding.mechanism), Escaped(finding.target), Escaped(estimate.name),
-          Escaped(estimate.sigma || !finding.is_effect ? WithSigma(estimate.value, estimate.sigma)
-                                                       : "not told by the scans"),
-          estimate.unit == "1" ? "" : Escaped(estimate.unit));
-    }
-  }
-  if (rows.empty()) return "";
-  return "<div class='wide'><table><tr><th>Mechanism</th><th>On</th><th>Number</th><th "
-         "class='r'>Value</th><th>Unit</th></tr>\n" +
-         rows + "</table></div>\n";
+std::string FindingsTable(const PerceptionDiagnosis& sensor) {
+  std::vector<const Finding*> findings;
+  for (const PerceptionFinding& found : sensor.findings) findings.push_back(&found.finding);
+  return findings.empty() ? "" : ParameterTable(findings);
 }
 
 std::string DetectabilityTable(const PerceptionDiagnosis& sensor) {
-  std::string rows;
-  for (const SensorDetectability& one : sensor.sensor.detectability) {
-    rows += fmt::format(
-        "<tr><td><code>{}</code></td><td><code>{}</code></td><td class='r'>{}</td></tr>\n",
-        Escaped(one.mechanism), Escaped(one.parameter),
-        one.smallest ? Escaped(Significant(*one.smallest, 2) + " " +
-                               (one.unit == "1" ? "" : std::string(one.unit)))
-                     : "not at any size");
+  Table table({"Mechanism", "Parameter", ">Seen from about"});
+  for (const ParameterDetectability& one : sensor.detectability) {
+    const Mechanism& mechanism = *one.candidate->mechanism;
+    const EffectParameter& parameter = mechanism.parameters[one.parameter];
+    table.Row({Code(mechanism.id), Code(parameter.name),
+               one.smallest ? Significant(*one.smallest, 2) + " " + UnitCell(parameter.unit)
+                            : "not at any size"});
   }
-  return "<details><summary>Smallest sizes that would have been seen</summary>\n<table>"
-         "<tr><th>Mechanism</th><th>Number</th><th class='r'>Seen from about</th></tr>\n" +
-         rows + "</table></details>\n";
+  return "<details><summary>Smallest sizes that would have been seen</summary>\n" + table.Take() +
+         "</details>\n";
 }
 
 }  // namespace
@@ -168,7 +154,7 @@ std::string PerceptionSections(const Diagnosis& diagnosis) {
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
     if (!sensor.is_judged()) continue;
     const std::string title = Escaped(Capitalised(Spaced(sensor.target)));
-    const double noise = sensor.sensor.noise_rmse;
+    const double noise = sensor.noise_rmse;
     html += fmt::format("<section>\n<h2>{}</h2>\n<p class='soft'>{} ", title, sensor.scans);
     html += sensor.unit == "m"
                 ? fmt::format(
@@ -180,7 +166,7 @@ std::string PerceptionSections(const Diagnosis& diagnosis) {
                       "trajectory. Noise: {} pixels from the edges, in pictures of at most 400 "
                       "pixels' width.</p>\n",
                       Escaped(sensor.channel), Significant(noise, 2));
-    html += MapFigure(sensor) + NumbersTable(sensor) + DetectabilityTable(sensor) + "</section>\n";
+    html += MapFigure(sensor) + FindingsTable(sensor) + DetectabilityTable(sensor) + "</section>\n";
   }
   return html;
 }

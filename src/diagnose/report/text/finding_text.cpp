@@ -16,6 +16,7 @@ constexpr int kPresentDigits = 4;  ///< of a number that the simulation has alre
 constexpr std::size_t kFewNumbers = 3;
 /// Standard deviations by which a number of many must differ from its default to be reported.
 constexpr double kClearDeviations = 3;
+constexpr std::size_t kMostRivalsNamed = 2;  ///< of those that were rejected
 
 /// Whether a number is written without its name: it is the first and only one that a mechanism
 /// requires, so that the mechanism's name is enough.
@@ -32,24 +33,13 @@ std::string InsteadText(const Candidate& candidate, std::size_t index, const Rea
          WithUnit(Significant(candidate.present[index] * unit.factor, kPresentDigits), unit);
 }
 
-/// Whether a number is reported: of few all are, of many those that clearly differ from what they
-/// are without the finding.
-bool IsReported(const Candidate& candidate, const FreeParameter& free,
-                const ParameterEstimate& estimate) {
-  if (candidate.free.size() <= kFewNumbers || !estimate.sigma) return true;
-  const double without = candidate.present.empty()
-                             ? candidate.mechanism->parameters[free.index].otherwise.value_or(0)
-                             : candidate.present[free.index];
-  return std::abs(estimate.value - without) > kClearDeviations * *estimate.sigma;
-}
-
 /// " 0.18 ± 0.02, asymmetry 0.1 ± 0.05"; empty where no number is reported.
 std::string NumbersText(const Finding& finding) {
   const Candidate& candidate = *finding.term.candidate;
   std::vector<std::string> numbers;
   for (const FreeParameter& free : candidate.free) {
     const ParameterEstimate& estimate = finding.parameters[free.index];
-    if (finding.term.IsHeld(free.index) || !IsReported(candidate, free, estimate)) continue;
+    if (finding.term.IsHeld(free.index) || !IsReported(finding, free)) continue;
     const ReadableUnit unit = ReadableUnitOf(estimate);
     std::optional<double> sigma = estimate.sigma;
     if (sigma) *sigma *= unit.factor;
@@ -91,6 +81,36 @@ std::vector<std::string> AlikeTexts(const Finding& finding) {
       alike.push_back(RivalText(*rival, *finding.term.candidate));
   }
   return alike;
+}
+
+std::string EvidenceClause(const Finding& finding) {
+  std::string chosen = ProbabilityText(finding.evidence.p);
+  if (finding.evidence.joint_p) {
+    chosen += fmt::format(" alone, {} together with what it is beside",
+                          ProbabilityText(*finding.evidence.joint_p));
+  }
+  std::string text =
+      fmt::format("chosen with {}, confirmed with {}", chosen, ProbabilityText(finding.held_out.p));
+  const std::vector<std::string> alike = AlikeTexts(finding);
+  std::vector<std::string> rejected;
+  for (const Rival& rival : finding.evidence.rejected) {
+    if (rejected.size() == kMostRivalsNamed) break;
+    rejected.push_back(fmt::format("{} ({})", RivalText(*rival.candidate, *finding.term.candidate),
+                                   ProbabilityText(rival.p)));
+  }
+  if (!alike.empty()) text += fmt::format("; not told apart from: {}", fmt::join(alike, ", "));
+  if (!rejected.empty()) text += fmt::format("; rivals rejected: {}", fmt::join(rejected, ", "));
+  return text;
+}
+
+bool IsReported(const Finding& finding, const FreeParameter& free) {
+  const Candidate& candidate = *finding.term.candidate;
+  const ParameterEstimate& estimate = finding.parameters[free.index];
+  if (candidate.free.size() <= kFewNumbers || !estimate.sigma) return true;
+  const double without = candidate.present.empty()
+                             ? candidate.mechanism->parameters[free.index].otherwise.value_or(0)
+                             : candidate.present[free.index];
+  return std::abs(estimate.value - without) > kClearDeviations * *estimate.sigma;
 }
 
 bool IsUnconfirmed(const DiagnosedBlock& diagnosed, std::size_t channel) {

@@ -21,6 +21,13 @@ std::string RivalText(const Candidate& rival, const Candidate& found);
 /// The rivals of a finding, as texts.
 std::vector<std::string> AlikeTexts(const Finding& finding);
 
+/// "chosen with p 0.0002, confirmed with p 0.001; rivals rejected: valve curve (p 0.003)".
+std::string EvidenceClause(const Finding& finding);
+
+/// Whether a free parameter is reported: of few all are, of many those that clearly differ from
+/// what they are without the finding.
+bool IsReported(const Finding& finding, const FreeParameter& free);
+
 /// Whether a mechanism was chosen for a channel and not confirmed on FINAL.
 bool IsUnconfirmed(const DiagnosedBlock& diagnosed, std::size_t channel);
 

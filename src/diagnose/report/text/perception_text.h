@@ -11,16 +11,10 @@ namespace tera {
 
 /// "Lidar roof: range bias 0.050 ± 0.001 m (chosen with p < 0.0001, confirmed with p 0.001).
 /// Held-out distance to the simulated surfaces 4.8 → 1.1 cm."
-std::string SentenceOf(const PerceptionDiagnosis& diagnosis, const PerceptionFinding& finding);
+std::string SentenceOf(const PerceptionDiagnosis& diagnosis, const PerceptionFinding& found);
 
 /// One for each finding; then, for each sensor, what was not confirmed, that nothing was found, or
 /// why it was not judged.
 std::vector<std::string> PerceptionSentences(const std::vector<PerceptionDiagnosis>& sensors);
-
-/// "range bias 0.050 ± 0.001 m"; of what is elsewhere on the site, "terrain height" alone.
-std::string NameAndNumbers(const PerceptionFinding& finding);
-
-/// "extrinsic: {pitch_deg: 1.5}".
-std::string EffectLine(const PerceptionFinding& finding);
 
 }  // namespace tera

@@ -18,23 +18,18 @@ namespace tera {
 namespace {
 
 constexpr double kSignificant = 0.05;  ///< p of a regime up to which it is stated without its p
-constexpr std::size_t kMostRivalsNamed = 2;  ///< of those that were rejected
 
 std::string ChannelText(const DiagnosedBlock& diagnosed, std::size_t channel) {
   return Capitalised(QuantityOf(diagnosed.block.channels[channel].name));
 }
 
 /// "41–63 s and 8 more intervals", the one with the most error first.
-std::string IntervalsText(const DiagnosedBlock& diagnosed, const Location& location) {
+std::string WhenText(const DiagnosedBlock& diagnosed, const Location& location) {
   if (location.intervals.empty()) return "the whole recording";
   const Segment& worst = location.intervals[location.worst];
   const double from_s = diagnosed.block.time_s(worst.begin);
   const double to_s = diagnosed.block.time_s(worst.end);
-  std::string text =
-      fmt::format("{}–{} s", TimeText(from_s, to_s - from_s), TimeText(to_s, to_s - from_s));
-  const std::size_t more = location.intervals.size() - 1;
-  if (more > 0) text += fmt::format(" and {} more interval{}", more, more == 1 ? "" : "s");
-  return text;
+  return IntervalsText(from_s, to_s, location.intervals.size() - 1);
 }
 
 /// The form of a curve in words, as far as its range does not say it.
@@ -103,26 +98,6 @@ std::string DependenceText(const DiagnosedBlock& diagnosed, const Location& loca
   return fmt::format("{} most on {} ({})", depends, text, surely);
 }
 
-std::string EvidenceClause(const Finding& finding) {
-  std::string chosen = ProbabilityText(finding.evidence.p);
-  if (finding.evidence.joint_p) {
-    chosen += fmt::format(" alone, {} together with what it is beside",
-                          ProbabilityText(*finding.evidence.joint_p));
-  }
-  std::string text =
-      fmt::format("chosen with {}, confirmed with {}", chosen, ProbabilityText(finding.held_out.p));
-  const std::vector<std::string> alike = AlikeTexts(finding);
-  std::vector<std::string> rejected;
-  for (const Rival& rival : finding.evidence.rejected) {
-    if (rejected.size() == kMostRivalsNamed) break;
-    rejected.push_back(fmt::format("{} ({})", RivalText(*rival.candidate, *finding.term.candidate),
-                                   ProbabilityText(rival.p)));
-  }
-  if (!alike.empty()) text += fmt::format("; not told apart from: {}", fmt::join(alike, ", "));
-  if (!rejected.empty()) text += fmt::format("; rivals rejected: {}", fmt::join(rejected, ", "));
-  return text;
-}
-
 /// "0.6 deg/s at a noise of 0.2 deg/s".
 std::string LeftText(double rmse, double noise, const std::string& si_unit) {
   const ReadableUnit unit = ReadableUnitOf(si_unit);
@@ -189,7 +164,7 @@ std::string SentenceOf(const DiagnosedBlock& diagnosed, const Finding& finding) 
   const std::size_t channel = finding.location.channel;
   return fmt::format(
       "{}, {}; the error {}: {} ({}). {}{}", ChannelText(diagnosed, channel),
-      IntervalsText(diagnosed, finding.location), DependenceText(diagnosed, finding.location),
+      WhenText(diagnosed, finding.location), DependenceText(diagnosed, finding.location),
       MechanismText(diagnosed, finding), EvidenceClause(finding),
       HeldOutText(finding.held_out, diagnosed.block.channels[finding.held_out.channel].unit),
       ResidualText(diagnosed, channel));
@@ -201,7 +176,7 @@ std::string SentenceOf(const DiagnosedBlock& diagnosed, const Unexplained& unexp
       LeftText(unexplained.rmse, unexplained.noise, diagnosed.block.channels[channel].unit);
   return fmt::format(
       "{}, {}; the error {}: no known mechanism explains it ({}). Left: {}.",
-      ChannelText(diagnosed, channel), IntervalsText(diagnosed, unexplained.location),
+      ChannelText(diagnosed, channel), WhenText(diagnosed, unexplained.location),
       DependenceText(diagnosed, unexplained.location),
       unexplained.p ? fmt::format("{}; {} of what a flexible regressor could explain",
                                   ProbabilityText(*unexplained.p), PercentText(unexplained.share))

@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "diagnose/report/text/finding_text.h"
-#include "diagnose/report/text/perception_text.h"
-#include "diagnose/report/text/ranking.h"
 #include "diagnose/report/text/wording.h"
 
 namespace tera {
@@ -32,15 +30,6 @@ std::string WithItsClass(const std::string& name, const std::vector<std::string>
   return alike.empty() ? name : fmt::format("{} (or {})", name, fmt::join(alike, " or "));
 }
 
-/// The rivals of a sensor's finding, as texts.
-std::vector<std::string> AlikeTexts(const PerceptionFinding& finding) {
-  std::vector<std::string> alike;
-  for (const std::string& rival : finding.rivals) {
-    if (rival != finding.mechanism) alike.push_back(Spaced(rival));
-  }
-  return alike;
-}
-
 /// Each name once, with its count where there are several: "terrain height in 16 places".
 std::vector<std::string> Counted(const std::vector<std::string>& names) {
   std::vector<std::string> counted;
@@ -54,14 +43,13 @@ std::vector<std::string> Counted(const std::vector<std::string>& names) {
 
 std::string FoundText(const Diagnosis& diagnosis) {
   std::vector<OfTarget> all;
-  for (const auto& [diagnosed, finding] : RankedFindings(diagnosis)) {
-    Add(finding->term.candidate->target,
-        WithItsClass(NameAndNumbers(*finding), AlikeTexts(*finding)), &all);
-  }
+  const auto add = [&](const Finding& finding) {
+    Add(finding.term.candidate->target, WithItsClass(NameAndNumbers(finding), AlikeTexts(finding)),
+        &all);
+  };
+  for (const auto& [diagnosed, finding] : RankedFindings(diagnosis)) add(*finding);
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
-    for (const PerceptionFinding& finding : sensor.findings) {
-      Add(finding.target, WithItsClass(NameAndNumbers(finding), AlikeTexts(finding)), &all);
-    }
+    for (const PerceptionFinding& found : sensor.findings) add(found.finding);
   }
   std::vector<std::string> parts;
   for (const OfTarget& one : all) {

@@ -105,6 +105,13 @@ std::string TimeText(double time_s, double span_s) {
   return fmt::format("{:.{}f}", time_s, span_s >= 10 ? 0 : span_s >= 1 ? 1 : 2);
 }
 
+std::string IntervalsText(double from_s, double to_s, std::size_t more) {
+  const double span_s = to_s - from_s;
+  const std::string text = fmt::format("{}–{} s", TimeText(from_s, span_s), TimeText(to_s, span_s));
+  if (more == 0) return text;
+  return fmt::format("{} and {} more interval{}", text, more, more == 1 ? "" : "s");
+}
+
 std::string Spaced(std::string_view identifier) {
   std::string text(identifier);
   std::replace(text.begin(), text.end(), '_', ' ');

@@ -35,6 +35,8 @@ std::string ProbabilityText(double p);
 std::string PercentText(double share);
 /// A time with the precision that a span of `span_s` asks for, without its unit.
 std::string TimeText(double time_s, double span_s);
+/// "41–63 s and 8 more intervals".
+std::string IntervalsText(double from_s, double to_s, std::size_t more);
 
 /// "dead band" of "dead_band".
 std::string Spaced(std::string_view identifier);

@@ -29,6 +29,9 @@ struct FreeParameter {
   double kink = 0;
   /// It refines another number: an answer has its default, unless it changes the channel enough.
   bool refines = false;
+  /// Of a sensor that is registered (perception/registration): standard deviation of a normal prior
+  /// about where a fit begins, which holds what the scans do not tell; 0: none.
+  double prior_sigma = 0;
 };
 
 /// A mechanism that may act on a target, with the ranges of its numbers and starts for their

@@ -6,19 +6,20 @@
 
 #include "core/units.h"
 #include "diagnose/perception/paint.h"
+#include "diagnose/perception/true_sensor.h"
 
 namespace tera {
 namespace {
 
 using ::testing::HasSubstr;
-using enum SensorNumbers::Index;
-
+using testing::IdOf;
+using testing::NumberOf;
 /// A camera above a painted plane, z = 0, beside a painted wall, x = 9.
 ///
 /// Frames  W; B the link, that turns to and fro and creeps; S; C optical.
 struct PaintedYard {
-  SensorNumbers numbers;  ///< of the camera as it truly is
-  double noise = 0.006;   ///< of a value from 0 to 1
+  testing::TrueSensor is;
+  double noise = 0.006;  ///< of a value from 0 to 1
   double gain = 1, offset = 0;
   double duration_s = 24;
   bool moves = true, painted = true;
@@ -84,18 +85,17 @@ PictureSource PicturesOf(const PaintedYard& yard) {
   R_SC << 0, 0, 1, -1, 0, 0, 0, -1, 0;
   source.X_SC.linear() = R_SC;
   const double first_s = 10;
-  const auto picture_at = [=, X_BS = source.X_BS, X_SC = source.X_SC](
-                              double t_s, const SensorNumbers& numbers, const PaintedYard& of) {
-    const Pose X_BT =
-        MakePose(X_BS.translation() + numbers.shift_B_m(), X_BS.linear() * numbers.R_ST());
+  const auto picture_at = [=, X_SC = source.X_SC](double t_s, const Pose& X_BT,
+                                                  const PaintedYard& of) {
     const Pose X_BC = X_BT * X_SC;
     return PictureFrom(LinkAt(t_s, of.moves).X_WB * X_BC, X_BC, of);
   };
+  const Pose X_BT = yard.is.Calibration(source.X_BS).X_BT;
   const Stream noise(yard.seed, "test/grey");
   std::uint64_t draw = 0;
   for (double t_s = first_s; t_s < first_s + yard.duration_s; t_s += 0.8) {
-    source.t_ns.push_back(FromSeconds(t_s + yard.numbers.value[kOffset]));
-    Image<float> grey = picture_at(t_s, yard.numbers, yard).grey;
+    source.t_ns.push_back(FromSeconds(t_s + yard.is.clock_offset_s));
+    Image<float> grey = picture_at(t_s, X_BT, yard).grey;
     for (float& value : grey.data) {
       const double seen = yard.gain * value + yard.offset + yard.noise * noise.Gaussian(draw++);
       value = static_cast<float>(std::clamp(seen, 0.0, 1.0));
@@ -104,16 +104,16 @@ PictureSource PicturesOf(const PaintedYard& yard) {
   }
   const std::vector<TimeNs> t_ns = source.t_ns;
   source.render = [=](std::size_t frame,
-                      const SensorNumbers& numbers) -> std::optional<SimulatedPicture> {
-    const double t_s = ToSeconds(t_ns[frame]) - numbers.value[kOffset];
+                      const SensorCalibration& calibration) -> std::optional<SimulatedPicture> {
+    const double t_s = ToSeconds(t_ns[frame]) - calibration.clock_offset_s;
     PaintedYard painted = yard;
     painted.painted = true;
-    return picture_at(t_s, numbers, painted);
+    return picture_at(t_s, calibration.X_BT, painted);
   };
   source.link_at = [=, moves = yard.moves](
                        std::size_t frame,
-                       const SensorNumbers& numbers) -> std::optional<BodyState> {
-    return LinkAt(ToSeconds(t_ns[frame]) - numbers.value[kOffset], moves);
+                       const SensorCalibration& calibration) -> std::optional<BodyState> {
+    return LinkAt(ToSeconds(t_ns[frame]) - calibration.clock_offset_s, moves);
   };
   source.project = [](const Vec3& p_C_m) {
     return Vec2(79.5 + kFocal_px * p_C_m.x() / p_C_m.z(), 59.5 + kFocal_px * p_C_m.y() / p_C_m.z());
@@ -128,67 +128,59 @@ PerceptionDiagnosis DiagnosisOf(const PaintedYard& yard) {
   return DiagnosePictures(PicturesOf(yard), 3);
 }
 
-double NumberOf(const PerceptionFinding& finding, const std::string& name) {
-  for (const ParameterEstimate& estimate : finding.parameters) {
-    if (estimate.name == name) return estimate.value;
-  }
-  ADD_FAILURE() << "no parameter " << name;
-  return 0;
-}
-
 TEST(PicturedSensor, ThatSitsAskewIsFoundWithItsAnglesAndPlace) {
   PaintedYard yard;
-  yard.numbers.value[kRoll] = 0.8 * kDeg;
-  yard.numbers.value[kPitch] = -1 * kDeg;
-  yard.numbers.value[kYaw] = 1.5 * kDeg;
-  yard.numbers.value[kX] = 0.05;
-  yard.numbers.value[kZ] = -0.04;
+  yard.is.rpy_deg.x() = 0.8;
+  yard.is.rpy_deg.y() = -1;
+  yard.is.rpy_deg.z() = 1.5;
+  yard.is.shift_B_m.x() = 0.05;
+  yard.is.shift_B_m.z() = -0.04;
   const PerceptionDiagnosis diagnosis = DiagnosisOf(yard);
   ASSERT_EQ(diagnosis.findings.size(), 1u) << diagnosis.not_judged;
-  const PerceptionFinding& finding = diagnosis.findings[0];
-  EXPECT_EQ(finding.mechanism, "extrinsic");
-  EXPECT_NEAR(NumberOf(finding, "roll_deg"), 0.8, 0.05);
-  EXPECT_NEAR(NumberOf(finding, "pitch_deg"), -1, 0.05);
-  EXPECT_NEAR(NumberOf(finding, "yaw_deg"), 1.5, 0.05);
-  EXPECT_NEAR(NumberOf(finding, "x_m"), 0.05, 0.01);
-  EXPECT_NEAR(NumberOf(finding, "y_m"), 0, 0.01);
-  EXPECT_NEAR(NumberOf(finding, "z_m"), -0.04, 0.01);
-  EXPECT_LT(finding.rmse_after, 0.3 * finding.rmse_before);
+  const PerceptionFinding& found = diagnosis.findings[0];
+  EXPECT_EQ(IdOf(found), "extrinsic");
+  EXPECT_NEAR(NumberOf(found, "roll_deg"), 0.8, 0.05);
+  EXPECT_NEAR(NumberOf(found, "pitch_deg"), -1, 0.05);
+  EXPECT_NEAR(NumberOf(found, "yaw_deg"), 1.5, 0.05);
+  EXPECT_NEAR(NumberOf(found, "x_m"), 0.05, 0.01);
+  EXPECT_NEAR(NumberOf(found, "y_m"), 0, 0.01);
+  EXPECT_NEAR(NumberOf(found, "z_m"), -0.04, 0.01);
+  EXPECT_LT(found.finding.held_out.rmse_after, 0.3 * found.finding.held_out.rmse_before);
 }
 
 TEST(PicturedSensor, ThatSitsElsewhereIsFoundBehindThePartsOfItsMachineNearBy) {
   PaintedYard yard;
   yard.has_bonnet = true;
-  yard.numbers.value[kPitch] = -0.7 * kDeg;
-  yard.numbers.value[kYaw] = 1 * kDeg;
+  yard.is.rpy_deg.y() = -0.7;
+  yard.is.rpy_deg.z() = 1;
   // 6 px of the bonnet, 1 px of the wall.
-  yard.numbers.value[kZ] = 0.05;
+  yard.is.shift_B_m.z() = 0.05;
   const PerceptionDiagnosis diagnosis = DiagnosisOf(yard);
   ASSERT_EQ(diagnosis.findings.size(), 1u) << diagnosis.not_judged;
-  const PerceptionFinding& finding = diagnosis.findings[0];
-  EXPECT_EQ(finding.mechanism, "extrinsic");
-  EXPECT_NEAR(NumberOf(finding, "pitch_deg"), -0.7, 0.05);
-  EXPECT_NEAR(NumberOf(finding, "yaw_deg"), 1, 0.05);
-  EXPECT_NEAR(NumberOf(finding, "z_m"), 0.05, 0.005);
+  const PerceptionFinding& found = diagnosis.findings[0];
+  EXPECT_EQ(IdOf(found), "extrinsic");
+  EXPECT_NEAR(NumberOf(found, "pitch_deg"), -0.7, 0.05);
+  EXPECT_NEAR(NumberOf(found, "yaw_deg"), 1, 0.05);
+  EXPECT_NEAR(NumberOf(found, "z_m"), 0.05, 0.005);
 }
 
 TEST(PicturedSensor, WithAnotherClockIsFoundWhileItTurns) {
   PaintedYard yard;
-  yard.numbers.value[kOffset] = 0.12;
+  yard.is.clock_offset_s = 0.12;
   const PerceptionDiagnosis diagnosis = DiagnosisOf(yard);
   ASSERT_EQ(diagnosis.findings.size(), 1u) << diagnosis.not_judged;
-  EXPECT_EQ(diagnosis.findings[0].mechanism, "clock_offset");
+  EXPECT_EQ(IdOf(diagnosis.findings[0]), "clock_offset");
   EXPECT_NEAR(NumberOf(diagnosis.findings[0], "offset_s"), 0.12, 0.005);
 }
 
 TEST(PicturedSensor, AtRestTellsNothingOfItsClock) {
   PaintedYard yard;
   yard.moves = false;
-  yard.numbers.value[kOffset] = 0.12;
+  yard.is.clock_offset_s = 0.12;
   const PerceptionDiagnosis diagnosis = DiagnosisOf(yard);
   EXPECT_TRUE(diagnosis.findings.empty());
-  for (const SensorDetectability& one : diagnosis.sensor.detectability) {
-    if (one.mechanism == "clock_offset") {
+  for (const ParameterDetectability& one : diagnosis.detectability) {
+    if (one.candidate->mechanism->id == "clock_offset") {
       EXPECT_FALSE(one.smallest);
     }
   }
@@ -204,7 +196,7 @@ TEST(PicturedSensor, AsDescribedGivesNoFindingWhateverItsExposure) {
     EXPECT_TRUE(diagnosis.is_judged()) << diagnosis.not_judged;
     EXPECT_TRUE(diagnosis.findings.empty()) << seed;
     EXPECT_TRUE(diagnosis.unconfirmed.empty()) << seed;
-    EXPECT_LT(diagnosis.sensor.noise_rmse, 0.5);
+    EXPECT_LT(diagnosis.noise_rmse, 0.5);
   }
 }
 
@@ -225,7 +217,7 @@ TEST(PicturedSensor, OfPicturesTooSmallToBlurIsNotJudged) {
 
 TEST(PicturedSensor, ThatLooksAtSomethingElseIsNotJudged) {
   PaintedYard yard;
-  yard.numbers.value[kY] = 17;
+  yard.is.shift_B_m.y() = 17;
   EXPECT_THAT(DiagnosisOf(yard).not_judged, HasSubstr("not like the simulated ones"));
 }
 

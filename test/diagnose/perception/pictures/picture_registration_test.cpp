@@ -6,11 +6,10 @@
 
 #include "core/units.h"
 #include "diagnose/perception/paint.h"
+#include "diagnose/perception/true_sensor.h"
 
 namespace tera {
 namespace {
-
-using enum SensorNumbers::Index;
 
 constexpr int kWidth = 160, kHeight = 120;
 constexpr double kFocal_px = 140;
@@ -36,8 +35,8 @@ PictureSource Wall(double away_m) {
     }
   }
   source.grey = {picture.grey};
-  source.render = [picture](std::size_t, const SensorNumbers&) { return picture; };
-  source.link_at = [](std::size_t, const SensorNumbers&) {
+  source.render = [picture](std::size_t, const SensorCalibration&) { return picture; };
+  source.link_at = [](std::size_t, const SensorCalibration&) {
     BodyState link;
     link.X_WB = MakePose({3, 0.3, 1.6}, 0.01, -0.02, 0.7);
     return link;
@@ -52,11 +51,12 @@ PictureSource Wall(double away_m) {
 }
 
 /// Of all landmarks of the wall.
-std::vector<PointResidual> ResidualsOf(const PictureSource& source, const SensorNumbers& numbers,
-                                       int level) {
-  const PictureRegistration pictures(source, {});
+std::vector<PointResidual> ResidualsOf(const PictureSource& source,
+                                       const testing::TrueSensor& sensor, int level) {
+  const PictureRegistration pictures(source, source.calibration());
   const ScanSplit split{{0}, {Part::kTrain}, 1};
-  return pictures.Compare(pictures.PointsOf(split, {Part::kTrain}), numbers, level);
+  return pictures.ResidualsOf(pictures.PointsOf(split, {Part::kTrain}),
+                              sensor.Calibration(source.X_BS), level);
 }
 
 double ShareJudged(const std::vector<PointResidual>& residuals) {
@@ -71,12 +71,36 @@ TEST(PictureRegistration, JudgesNoLandmarkBeyondTheBorderOfThePicture) {
   EXPECT_EQ(ShareJudged(ResidualsOf(source, {}, 0)), 1);
   // Turned by half of its field of view, half of what it saw is beside it, and some of the rest,
   // being nearer to the edge then, above and below.
-  SensorNumbers turned;
-  turned.value[kYaw] = std::atan(0.5 * kWidth / kFocal_px);
+  testing::TrueSensor turned;
+  turned.rpy_deg.z() = std::atan(0.5 * kWidth / kFocal_px) / kDeg;
   for (const PointResidual& r : ResidualsOf(source, turned, 0)) {
     EXPECT_EQ(r.out_of_picture, !r.is_judged());
   }
   EXPECT_NEAR(ShareJudged(ResidualsOf(source, turned, 0)), 0.45, 0.07);
+}
+
+TEST(PictureRegistration, MovesALandmarkAcrossThePictureAsTheCameraIsShiftedAndTurned) {
+  // Of a point near the axis, 6 m away: a camera that moves right by 1 cm sees it 1 cm times the
+  // focal length over the distance further left, one that turns left by 1 deg sees it further right
+  // by the focal length times the angle.
+  const PictureSource source = Wall(6);
+  const auto at = ResidualsOf(source, {}, 0);
+  const auto derivative = [&](std::size_t i, const Vec3& axis_S, int element) {
+    const Vec3 axis_B = source.X_BS.linear() * axis_S;
+    return at[i].by_calibration.segment<3>(element).dot(axis_B);
+  };
+  std::size_t steep = 0;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    // An edge along the picture's rows says nothing of either.
+    const double per_m = derivative(i, -Vec3::UnitY(), kShiftOfMount);
+    if (std::abs(per_m) < 0.9 * kFocal_px / 6) continue;
+    ++steep;
+    const double per_rad = derivative(i, Vec3::UnitZ(), kTurnOfMount);
+    // A turn moves what is aside further, by the square of the tangent, at most a third here.
+    EXPECT_LT(per_rad / per_m, -6 * 0.99);
+    EXPECT_GT(per_rad / per_m, -6 * 1.35);
+  }
+  EXPECT_GT(steep, 20u);
 }
 
 TEST(PictureRegistration, TrustsWhatIsNearInBlurredPicturesByWhatAShiftOfTheCameraWouldMoveIt) {

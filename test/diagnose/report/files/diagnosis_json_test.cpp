@@ -161,5 +161,26 @@ TEST(DiagnosisJson, PutsTheWeightiestFirstAndWhatIsUnexplainedLast) {
   EXPECT_THAT(text, HasSubstr("\"shape\": \"even threshold outside\""));
 }
 
+TEST(DiagnosisJson, TellsWhatASensorShowsAsItTellsOtherFindingsAndWhere) {
+  Diagnosis diagnosis{"excavator1", "excavator1", {}};
+  diagnosis.perception.push_back(LidarWithRangeBias());
+  AddRegion(&diagnosis.perception[0]);
+  const auto json = nlohmann::json::parse(DiagnosisJson(diagnosis));
+  const auto& bias = json["findings"][0];
+  EXPECT_EQ(bias["channel"], "excavator1/lidar_roof");
+  EXPECT_EQ(bias["mechanism"], "range_bias");
+  EXPECT_EQ(bias["slot"], "sensor_static");
+  EXPECT_EQ(bias["target"], "lidar_roof");
+  EXPECT_EQ(bias["class"], nlohmann::json({"range_bias"}));
+  EXPECT_EQ(bias["parameters"]["range_m"]["sigma"], 0.001);
+  EXPECT_EQ(bias["held_out"]["excess_variance_removed"], 0.99);
+  EXPECT_TRUE(bias["place"].is_null());
+  const auto& lower = json["findings"][1];
+  EXPECT_EQ(lower["slot"], "ground");
+  EXPECT_EQ(lower["parameters"]["volume_m3"]["value"], -1.6);
+  EXPECT_EQ(lower["place"]["low_m"], nlohmann::json({6, -3}));
+  EXPECT_EQ(lower["intervals_s"], nlohmann::json({{2, 9}}));
+}
+
 }  // namespace
 }  // namespace tera

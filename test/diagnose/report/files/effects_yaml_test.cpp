@@ -62,6 +62,30 @@ TEST(EffectsYaml, OfNothingIsAnOverlayThatChangesNothing) {
   EXPECT_EQ(FindEffect(BoomEffects(Overlaid(text)), "dead_band"), nullptr);
 }
 
+TEST(EffectsYaml, OfARegisteredSensorHasWhatItsScansMovedClearOfThePriorAndNothingOfTheScene) {
+  Diagnosis diagnosis{"excavator1", "excavator1", {}};
+  diagnosis.perception.push_back(LidarWithRangeBias());
+  PerceptionDiagnosis& lidar = diagnosis.perception[0];
+  AddRegion(&lidar);
+  Finding& mount = lidar.findings[0].finding;
+  // Yaw was held, x and roll are within two standard deviations of nothing.
+  mount.term = {&lidar.sensor_candidates[0], {0.002, 0.05, -0.04, 0.1, -0.8, 0}, {5}};
+  mount.parameters = {{"x_m", "m", 0.002, 0.001},      {"y_m", "m", 0.05, 0.001},
+                      {"z_m", "m", -0.04, 0.001},      {"roll_deg", "deg", 0.1, 0.05},
+                      {"pitch_deg", "deg", -0.8, 0.1}, {"yaw_deg", "deg", 0, {}}};
+  mount.evidence.rivals = {mount.term.candidate};
+  EXPECT_THAT(EffectsYaml(diagnosis, "run"),
+              HasSubstr("effects:\n"
+                        "  excavator1:\n"
+                        "    lidar_roof:\n"
+                        "      extrinsic: {y_m: 0.05, z_m: -0.04, pitch_deg: -0.8}\n"));
+  EXPECT_THAT(SentencesOf(diagnosis),
+              Contains(HasSubstr("Lidar roof: extrinsic y 0.0500 ± 0.0010 m, z -0.0400 ± 0.0010 m, "
+                                 "pitch -0.80 ± 0.10 deg (chosen with p < 0.0001, confirmed with p "
+                                 "< 0.0001). Held-out distance to the simulated surfaces 2.4 → "
+                                 "0.4 cm.")));
+}
+
 TEST(EffectsYaml, LeavesOutWhatIsOfThePosesWhichNoSimulationHas) {
   Diagnosis diagnosis = Of(BoomWithDeadBand());
   diagnosis.blocks[0].block.candidates[0].target = "poses";

@@ -163,12 +163,9 @@ TEST(Sentence, OfNothingNamesTheChannelsAndWhatWasNotSeen) {
 }
 
 TEST(Sentence, OfASensorsFindingComesBeforeWhatAgrees) {
-  PerceptionDiagnosis lidar;
-  lidar.channel = "excavator1/lidar_roof";
-  lidar.findings = {{.mechanism = "range_bias", .target = "lidar_roof", .rivals = {"range_bias"}}};
   Diagnosis agreeing{"excavator1", "excavator1", {}};
   agreeing.blocks.push_back(Block("boom", "excavator1/encoders/boom_radps", "rad/s"));
-  agreeing.perception = {lidar};
+  agreeing.perception.push_back(LidarWithRangeBias());
   EXPECT_THAT(SentencesOf(agreeing),
               ElementsAre(HasSubstr("range bias"), HasSubstr("Nothing found: boom rate agrees")));
   // Nor is anything said of nothing where no block could be judged.

@@ -17,14 +17,8 @@ TEST(Summary, NamesWhatWasFoundByWhatItActsOnWithItsNumbersFirst) {
   play.held_out.rmse_before = 1 * kDeg;
   boom.diagnosis.unexplained = {GrowingBeyond12kNm()};
   Diagnosis diagnosis = Of(std::move(boom));
-  diagnosis.perception = {{.channel = "excavator1/lidar_roof"}};
-  const PerceptionFinding heap{
-      .mechanism = "terrain_height", .target = "ground", .place = PerceptionFinding::Place{}};
-  diagnosis.perception[0].findings = {{.mechanism = "range_bias",
-                                       .target = "lidar_roof",
-                                       .parameters = {{"bias_m", "m", 0.05, 0.001}}},
-                                      heap,
-                                      heap};
+  diagnosis.perception.push_back(LidarWithRangeBias());
+  for (int k = 0; k < 2; ++k) AddRegion(&diagnosis.perception[0]);
   EXPECT_EQ(SummaryOf(diagnosis),
             "In short: boom: dead band 0.18 ± 0.02 and backlash 0.573 deg (or valve curve); "
             "lidar roof: range bias 0.0500 ± 0.0010 m; ground: terrain height in 2 places. "

@@ -6,17 +6,18 @@
 #include <utility>
 #include <vector>
 
-#include "diagnose/perception/scans/scan_split.h"
+#include "diagnose/perception/registration/scan_split.h"
+#include "diagnose/perception/scans/range_scan.h"
 
 namespace tera {
 
-/// Measured ground over simulated ground in one square of the site.
+/// Height of the measured ground over the simulated one in one square of the site.
 struct GroundCell {
   double above_m = 0;  ///< median over blocks of time of the median of points
-  double sigma_m = 0;  ///< of that
+  double sigma_m = 0;  ///< standard deviation of above_m
   std::size_t blocks = 0;
-  int region = -1;   ///< to which it belongs
-  bool seen = true;  ///< false: taken from the nearest that is
+  int region = -1;   ///< index of the region to which it belongs; -1: none
+  bool seen = true;  ///< false: taken over from the nearest that is
 };
 
 /// A place where the measured ground lies elsewhere than the simulated one.
@@ -25,21 +26,21 @@ struct GroundRegion {
   double volume_m3 = 0;  ///< measured less simulated: below 0 where soil is missing
   double mean_m = 0, lowest_m = 0, highest_m = 0;
   Vec2 centre_W_m = Vec2::Zero(), low_W_m = Vec2::Zero(), high_W_m = Vec2::Zero();
-  bool upright = false;  ///< higher, and too steep for soil: a thing
+  bool upright = false;  ///< higher, and too steep for soil: an object
   double p_chosen = 1, p_confirmed = 1;
   /// Distance of the measured ground to the simulated one on FINAL: as it is, and with the map.
   double rmse_before_m = 0, rmse_after_m = 0;
   std::vector<std::pair<double, double>> intervals_s;  ///< when; empty: all the time
 };
 
-/// Squares of the site by their place, (i, j) at cell_m * (i, j).
+/// Squares of the site by index; the lower corner of (i, j) is at cell_m * (i, j).
 struct GroundMap {
   double cell_m = 0.25;
   std::map<std::pair<int, int>, GroundCell> cells;
   std::vector<GroundRegion> regions;
   std::vector<GroundRegion> unconfirmed;
-  /// Of each scan, the points that a region explains.
-  std::vector<std::vector<bool>> explained;
+  /// Points that a region explains.
+  PointFlags explained;
 
   std::pair<int, int> CellAt(const Vec2& xy_W_m) const;
 };
@@ -60,12 +61,9 @@ struct GroundMap {
 /// Omits   what no ray met; ground that moves and moves back.
 /// Source  Benjamini and Hochberg 1995; moderated t: Smyth 2004.
 ///
-/// `left_out`: of each scan, the points that something else explains.
+/// `scale`: of the sensor's noise over its model. `excluded`: points that something else explains.
 GroundMap CompareGround(const RangeSource& source, const ScanSplit& split,
-                        const SensorNumbers& numbers, double scale,
-                        const std::vector<std::vector<bool>>& left_out);
-
-/// No point of any scan.
-std::vector<std::vector<bool>> NoPoints(const std::vector<RangeScan>& scans);
+                        const SensorCalibration& calibration, double scale,
+                        const PointFlags& excluded);
 
 }  // namespace tera

@@ -1,17 +1,20 @@
-#include "diagnose/perception/scans/ground_map.h"
+#include "diagnose/perception/scene/ground_map.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "diagnose/perception/analytic_scene.h"
-#include "diagnose/perception/perception_diagnosis.h"
+#include "diagnose/perception/scans/scan_diagnosis.h"
 
 namespace tera {
 namespace {
 
 using testing::AnalyticScene;
+using testing::IdOf;
 using testing::LidarOfTest;
+using testing::NumberOf;
 using testing::RecordedBy;
+using testing::TargetOf;
 
 /// A round heap with a flat top: 0.4 m high, 1.2 m in radius there, 1.8 m at its foot.
 double Heap_m(const Vec2& xy_m) {
@@ -24,8 +27,10 @@ constexpr double kHeap_m3 = kPi * 0.4 / 3 * (1.8 * 1.8 + 1.8 * 1.2 + 1.2 * 1.2);
 GroundMap MapOf(const AnalyticScene& real, const AnalyticScene& simulated,
                 const LidarOfTest& lidar = {}) {
   const RangeSource source = RecordedBy(lidar, real, simulated);
-  return CompareGround(source, SplitScans(source.scans, Stream(1, "test/split")), lidar.numbers, 1,
-                       NoPoints(source.scans));
+  std::vector<TimeNs> t_ns;
+  for (const RangeScan& scan : source.scans) t_ns.push_back(scan.t_ns);
+  return CompareGround(source, SplitScans(t_ns, Stream(1, "test/split")),
+                       lidar.is.Calibration(source.X_BS), 1, NoPoints(source.scans));
 }
 
 TEST(GroundMap, AHeapThatWasNotSimulatedIsOneRegionOfItsVolume) {
@@ -67,7 +72,7 @@ TEST(GroundMap, TheSameGroundHasNoRegion) {
   }
 }
 
-TEST(GroundMap, AThingWithWallsIsUpright) {
+TEST(GroundMap, AnObjectWithWallsIsUpright) {
   AnalyticScene without;
   without.has_box = false;
   const GroundMap map = MapOf({}, without);
@@ -77,7 +82,7 @@ TEST(GroundMap, AThingWithWallsIsUpright) {
   EXPECT_NEAR(map.regions[0].centre_W_m.y(), 3, 1.0);
 }
 
-TEST(GroundMap, APitIsNoThingHoweverSteepItsWalls) {
+TEST(GroundMap, APitIsNoObjectHoweverSteepItsWalls) {
   AnalyticScene dug;
   dug.relief = [](const Vec2& xy_m) {
     return std::abs(xy_m.x() - 5) < 1 && std::abs(xy_m.y() + 3) < 0.8 ? -0.8 : 0.0;
@@ -91,22 +96,27 @@ TEST(GroundMap, APitIsNoThingHoweverSteepItsWalls) {
 TEST(PerceivedGround, AHeapIsNotTakenForAnotherMountOfTheSensor) {
   AnalyticScene heaped;
   heaped.relief = Heap_m;
-  const PerceptionDiagnosis diagnosis = DiagnosePerception(RecordedBy({}, heaped, {}), 3);
+  const PerceptionDiagnosis diagnosis = DiagnoseScans(RecordedBy({}, heaped, {}), 3);
   ASSERT_EQ(diagnosis.findings.size(), 1u);
-  EXPECT_EQ(diagnosis.findings[0].mechanism, "terrain_height");
-  EXPECT_EQ(diagnosis.findings[0].target, "ground");
+  const PerceptionFinding& found = diagnosis.findings[0];
+  EXPECT_EQ(IdOf(found), "terrain_height");
+  EXPECT_EQ(found.finding.term.candidate->mechanism->slot, Slot::kGround);
+  EXPECT_EQ(TargetOf(found), "ground");
+  EXPECT_NEAR(NumberOf(found, "volume_m3"), kHeap_m3, 0.15 * kHeap_m3);
+  EXPECT_NEAR(NumberOf(found, "highest_m"), 0.4, 0.03);
+  EXPECT_TRUE(found.finding.is_confirmed);
 }
 
 TEST(PerceivedGround, AHeapAndAnotherMountAreToldApart) {
   AnalyticScene heaped;
   heaped.relief = Heap_m;
   LidarOfTest lidar;
-  lidar.numbers.value[SensorNumbers::kPitch] = 1.5 * kDeg;
-  const PerceptionDiagnosis diagnosis = DiagnosePerception(RecordedBy(lidar, heaped, {}), 3);
+  lidar.is.rpy_deg.y() = 1.5;
+  const PerceptionDiagnosis diagnosis = DiagnoseScans(RecordedBy(lidar, heaped, {}), 3);
   ASSERT_EQ(diagnosis.findings.size(), 2u);
-  EXPECT_EQ(diagnosis.findings[0].mechanism, "extrinsic");
-  EXPECT_EQ(diagnosis.findings[1].mechanism, "terrain_height");
-  EXPECT_NEAR(diagnosis.findings[0].parameters[4].value, 1.5, 0.1);
+  EXPECT_EQ(IdOf(diagnosis.findings[0]), "extrinsic");
+  EXPECT_EQ(IdOf(diagnosis.findings[1]), "terrain_height");
+  EXPECT_NEAR(NumberOf(diagnosis.findings[0], "pitch_deg"), 1.5, 0.1);
   ASSERT_EQ(diagnosis.ground.regions.size(), 1u);
   EXPECT_NEAR(diagnosis.ground.regions[0].volume_m3, kHeap_m3, 0.2 * kHeap_m3);
 }
@@ -114,10 +124,12 @@ TEST(PerceivedGround, AHeapAndAnotherMountAreToldApart) {
 TEST(PerceivedGround, AnObstacleThatIsNotThereIsNamed) {
   AnalyticScene without;
   without.has_box = false;
-  const PerceptionDiagnosis diagnosis = DiagnosePerception(RecordedBy({}, without, {}), 3);
+  const PerceptionDiagnosis diagnosis = DiagnoseScans(RecordedBy({}, without, {}), 3);
   ASSERT_EQ(diagnosis.findings.size(), 1u);
-  EXPECT_EQ(diagnosis.findings[0].mechanism, "object_missing");
-  EXPECT_EQ(diagnosis.findings[0].target, "box1");
+  EXPECT_EQ(IdOf(diagnosis.findings[0]), "object_missing");
+  EXPECT_EQ(diagnosis.findings[0].finding.term.candidate->mechanism->slot, Slot::kScene);
+  EXPECT_EQ(TargetOf(diagnosis.findings[0]), "box1");
+  EXPECT_GT(NumberOf(diagnosis.findings[0], "share"), 0.9);
 }
 
 TEST(PerceivedAir, DustInOneHalfOfTheTimeIsDustAndNeitherGroundNorSensor) {
@@ -125,14 +137,14 @@ TEST(PerceivedAir, DustInOneHalfOfTheTimeIsDustAndNeitherGroundNorSensor) {
   dusty.has_dust = true;
   dusty.dust_from_s = 12;
   dusty.dust_to_s = 30;
-  const PerceptionDiagnosis diagnosis = DiagnosePerception(RecordedBy({}, dusty, {}), 3);
+  const PerceptionDiagnosis diagnosis = DiagnoseScans(RecordedBy({}, dusty, {}), 3);
   ASSERT_EQ(diagnosis.findings.size(), 1u);
-  const PerceptionFinding& finding = diagnosis.findings[0];
-  EXPECT_EQ(finding.mechanism, "dust");
-  EXPECT_NEAR((finding.place->centre_W_m - dusty.dust_W_m.head<2>()).norm(), 0, 0.4);
-  ASSERT_EQ(finding.intervals_s.size(), 1u);
-  EXPECT_NEAR(finding.intervals_s[0].first, 12, 1);
-  EXPECT_NEAR(finding.intervals_s[0].second, 30, 1);
+  const PerceptionFinding& found = diagnosis.findings[0];
+  EXPECT_EQ(IdOf(found), "dust");
+  EXPECT_NEAR((found.place->centre_W_m - dusty.dust_W_m.head<2>()).norm(), 0, 0.4);
+  ASSERT_EQ(found.intervals_s.size(), 1u);
+  EXPECT_NEAR(found.intervals_s[0].first, 12, 1);
+  EXPECT_NEAR(found.intervals_s[0].second, 30, 1);
 }
 
 }  // namespace

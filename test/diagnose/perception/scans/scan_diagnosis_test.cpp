@@ -1,4 +1,4 @@
-#include "diagnose/perception/scans/sensor_search.h"
+#include "diagnose/perception/scans/scan_diagnosis.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,68 +10,61 @@ namespace tera {
 namespace {
 
 using testing::AnalyticScene;
+using testing::IdOf;
 using testing::LidarOfTest;
+using testing::NumberOf;
 using testing::RecordedBy;
-using enum SensorNumbers::Index;
-
 PerceptionDiagnosis DiagnosisOf(const LidarOfTest& lidar, const AnalyticScene& scene = {}) {
-  return DiagnosePerception(RecordedBy(lidar, scene, scene), 3);
-}
-
-const ParameterEstimate& NumberOf(const PerceptionFinding& finding, const std::string& name) {
-  for (const ParameterEstimate& estimate : finding.parameters) {
-    if (estimate.name == name) return estimate;
-  }
-  ADD_FAILURE() << "no parameter " << name;
-  return finding.parameters.front();
+  return DiagnoseScans(RecordedBy(lidar, scene, scene), 3);
 }
 
 TEST(PerceivedSensor, OfAnotherRangeIsFoundToTheMillimetre) {
   LidarOfTest lidar;
-  lidar.numbers.value[kRange] = 0.04;
+  lidar.is.range_bias_m = 0.04;
   const PerceptionDiagnosis diagnosis = DiagnosisOf(lidar);
   ASSERT_EQ(diagnosis.findings.size(), 1u);
-  const PerceptionFinding& finding = diagnosis.findings[0];
-  EXPECT_EQ(finding.mechanism, "range_bias");
-  EXPECT_EQ(finding.rivals, std::vector<std::string>{"range_bias"});
-  EXPECT_NEAR(NumberOf(finding, "range_m").value, 0.04, 0.001);
-  EXPECT_LT(finding.p_confirmed, 0.01);
+  const PerceptionFinding& found = diagnosis.findings[0];
+  EXPECT_EQ(IdOf(found), "range_bias");
+  EXPECT_EQ(found.finding.evidence.rivals,
+            std::vector<const Candidate*>{found.finding.term.candidate});
+  EXPECT_NEAR(NumberOf(found, "range_m"), 0.04, 0.001);
+  EXPECT_LT(found.finding.held_out.p, 0.01);
 }
 
 TEST(PerceivedSensor, ThatSitsAskewIsFoundWithItsAnglesAndPlace) {
   LidarOfTest lidar;
-  lidar.numbers.value[kRoll] = 1.2 * kDeg;
-  lidar.numbers.value[kPitch] = -0.8 * kDeg;
-  lidar.numbers.value[kYaw] = 2.5 * kDeg;
-  lidar.numbers.value[kZ] = 0.06;
+  lidar.is.rpy_deg.x() = 1.2;
+  lidar.is.rpy_deg.y() = -0.8;
+  lidar.is.rpy_deg.z() = 2.5;
+  lidar.is.shift_B_m.z() = 0.06;
   const PerceptionDiagnosis diagnosis = DiagnosisOf(lidar);
   ASSERT_EQ(diagnosis.findings.size(), 1u);
-  const PerceptionFinding& finding = diagnosis.findings[0];
-  EXPECT_EQ(finding.mechanism, "extrinsic");
-  EXPECT_NEAR(NumberOf(finding, "roll_deg").value, 1.2, 0.05);
-  EXPECT_NEAR(NumberOf(finding, "pitch_deg").value, -0.8, 0.05);
-  EXPECT_NEAR(NumberOf(finding, "yaw_deg").value, 2.5, 0.05);
-  EXPECT_NEAR(NumberOf(finding, "z_m").value, 0.06, 0.01);
+  const PerceptionFinding& found = diagnosis.findings[0];
+  EXPECT_EQ(IdOf(found), "extrinsic");
+  EXPECT_NEAR(NumberOf(found, "roll_deg"), 1.2, 0.05);
+  EXPECT_NEAR(NumberOf(found, "pitch_deg"), -0.8, 0.05);
+  EXPECT_NEAR(NumberOf(found, "yaw_deg"), 2.5, 0.05);
+  EXPECT_NEAR(NumberOf(found, "z_m"), 0.06, 0.01);
 }
 
 TEST(PerceivedSensor, WithAnotherClockIsFoundWhileItTurns) {
   LidarOfTest lidar;
-  lidar.numbers.value[kOffset] = 0.15;
+  lidar.is.clock_offset_s = 0.15;
   const PerceptionDiagnosis diagnosis = DiagnosisOf(lidar);
   ASSERT_EQ(diagnosis.findings.size(), 1u);
-  EXPECT_EQ(diagnosis.findings[0].mechanism, "clock_offset");
-  EXPECT_NEAR(NumberOf(diagnosis.findings[0], "offset_s").value, 0.15, 0.005);
+  EXPECT_EQ(IdOf(diagnosis.findings[0]), "clock_offset");
+  EXPECT_NEAR(NumberOf(diagnosis.findings[0], "offset_s"), 0.15, 0.005);
 }
 
 TEST(PerceivedSensor, AtRestTellsNothingOfItsClock) {
   LidarOfTest lidar;
   lidar.moves = false;
-  lidar.numbers.value[kOffset] = 0.15;
+  lidar.is.clock_offset_s = 0.15;
   const PerceptionDiagnosis diagnosis = DiagnosisOf(lidar);
   EXPECT_TRUE(diagnosis.findings.empty());
   bool told = false;
-  for (const SensorDetectability& one : diagnosis.sensor.detectability) {
-    if (one.mechanism == "clock_offset") told = one.smallest.has_value();
+  for (const ParameterDetectability& one : diagnosis.detectability) {
+    if (one.candidate->mechanism->id == "clock_offset") told = one.smallest.has_value();
   }
   EXPECT_FALSE(told);
 }
@@ -84,7 +77,7 @@ TEST(PerceivedSensor, AsDescribedGivesNoFinding) {
     EXPECT_TRUE(diagnosis.findings.empty()) << seed;
     EXPECT_TRUE(diagnosis.unconfirmed.empty()) << seed;
     // 1 cm of range, met at an angle.
-    EXPECT_LT(diagnosis.sensor.noise_rmse, 0.012);
+    EXPECT_LT(diagnosis.noise_rmse, 0.012);
   }
 }
 

@@ -3,16 +3,17 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/perception/scans/scan_split.h"
+#include "diagnose/perception/registration/scan_split.h"
+#include "diagnose/perception/scans/range_scan.h"
 
 namespace tera {
 
-/// An object of the simulation through which the measured rays went.
+/// An object of the simulation behind which the measured rays went on.
 struct MissingObject {
   int object = 0;
-  std::size_t rays = 0;            ///< that should have met it
+  std::size_t rays = 0;            ///< that meet it in the simulation
   double share = 0;                ///< of these that went on
-  Vec2 centre_W_m = Vec2::Zero();  ///< of where they should have met it
+  Vec2 centre_W_m = Vec2::Zero();  ///< of where they meet it
   double p_chosen = 1, p_confirmed = 1;
   double rmse_before_m = 0;  ///< of the distances behind it, on FINAL
 };
@@ -28,10 +29,10 @@ struct MissingObject {
 /// Omits   rays that met nothing at all, of which a scan holds no point.
 struct MissingObjects {
   std::vector<MissingObject> objects;
-  std::vector<std::vector<bool>> explained;  ///< of each scan, the points that went through one
+  PointFlags explained;  ///< points that were measured behind one
 };
 
 MissingObjects FindMissingObjects(const RangeSource& source, const ScanSplit& split,
-                                  const SensorNumbers& numbers);
+                                  const SensorCalibration& calibration);
 
 }  // namespace tera

@@ -1,4 +1,4 @@
-#include "diagnose/perception/scans/dust.h"
+#include "diagnose/perception/scene/dust.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -6,86 +6,92 @@
 #include <cmath>
 #include <map>
 
-#include "diagnose/perception/scans/ground_map.h"
-#include "diagnose/perception/scans/object_edges.h"
-#include "diagnose/perception/scans/shares_above.h"
+#include "diagnose/perception/scene/ground_map.h"
+#include "diagnose/perception/scene/moderated_t_test.h"
+#include "diagnose/perception/scene/occlusion_edges.h"
 #include "diagnose/statistics/series/robust.h"
 
 namespace tera {
 namespace {
 
-constexpr double kBefore_m = 0.5, kOverGround_m = 0.3;
-constexpr double kCube_m = 0.5, kStep_m = 0.25;
-constexpr int kReach = 2;
-constexpr std::size_t kFewestReturns = 40;
-constexpr std::size_t kMostParts = 8;  ///< of a recording, looked at alone
-constexpr double kThing = 0.6, kThick_m = 0.1;
+/// Where a return is from the air: so far before the simulated surface and over the ground.
+constexpr double kLeastBeforeSurface_m = 0.5, kLeastOverGround_m = 0.3;
+constexpr double kVoxel_m = 0.5;
+constexpr double kStep_m = 0.5 * kVoxel_m;      ///< along a ray that is followed through voxels
+constexpr int kReach = 2;                       ///< voxels between members of a cloud
+constexpr std::size_t kFewestReturns = 40;      ///< of a cloud
+constexpr std::size_t kFewestOfCubicMetre = 6;  ///< returns whose scatter is known
+constexpr std::size_t kMostParts = 8;           ///< of a recording, looked at alone
+constexpr double kMostStopped = 0.6;       ///< share of rays: what stops more is a solid object
+constexpr double kLeastThickness_m = 0.1;  ///< less is a surface
 /// More than one ray in 200, by blocks that agree within a tenth.
-constexpr SharesAbove kMoreThanRare{.limit = 0.005, .prior_blocks = 8, .prior_scatter = 0.1};
-constexpr double kChosen = 0.05, kConfirmed = 0.01;
-constexpr double kPresent = 0.25;  ///< of a cloud's densest tenth: less is clear air
+constexpr ModeratedTTest kMoreThanRare{.limit = 0.005, .prior_blocks = 8, .prior_scatter = 0.1};
+constexpr double kChosenP = 0.05, kConfirmedP = 0.01;  ///< over all clouds
+constexpr double kLeastPresent = 0.25;  ///< of a cloud's densest tenth: less is clear air
 
-using Cube = std::array<int, 3>;
+using Voxel = std::array<int, 3>;
 
-Cube CubeAt(const Vec3& p_W_m) {
-  const Vec3 at = (p_W_m / kCube_m).array().floor();
+Voxel VoxelAt(const Vec3& p_W_m) {
+  const Vec3 at = (p_W_m / kVoxel_m).array().floor();
   return {static_cast<int>(at.x()), static_cast<int>(at.y()), static_cast<int>(at.z())};
 }
 
-struct Stray {
+/// A return from the air.
+struct AirReturn {
   std::size_t scan, point;
   Vec3 p_W_m;
 };
 
 /// Rays that came to a cloud in one block of time.
-struct Count {
+struct RayCount {
   double stopped = 0, passed = 0;
   double share() const { return stopped / (stopped + passed); }
 };
 
-/// Every measured ray as it was.
-struct Path {
+/// A measured ray, from the sensor to its return.
+struct MeasuredRay {
   std::size_t scan;
   Vec3 from_W_m, d_W;
   double length_m;
 };
 
-void AddScan(const RangeSource& source, const SensorNumbers& numbers, std::size_t scan,
-             std::vector<Stray>* strays, std::vector<Path>* paths) {
+void AddScan(const RangeSource& source, const SensorCalibration& calibration, std::size_t scan,
+             std::vector<AirReturn>* air_returns, std::vector<MeasuredRay>* rays) {
   const std::vector<RangePoint>& points = source.scans[scan].points;
-  const std::vector<SimulatedReturn> hits = source.cast(scan, numbers, BeamsOf(source.scans[scan]));
+  const std::vector<SimulatedReturn> hits =
+      source.cast(scan, calibration, BeamsOf(source.scans[scan]));
   std::vector<std::size_t> near;
   std::vector<Vec3> near_W_m;
-  const Vec3 p_BT_m = source.X_BS.translation() + numbers.shift_B_m();
   for (std::size_t p = 0; p < points.size(); ++p) {
     if (hits[p].surface == Surface::kUnknown) continue;
-    const Vec3 from_W_m = hits[p].X_WB * p_BT_m;
-    const Vec3 p_W_m = PointInWorld(source, numbers, points[p], hits[p]);
+    const Vec3 from_W_m = hits[p].X_WB * Vec3(calibration.X_BT.translation());
+    const Vec3 p_W_m = PointInWorld(source, calibration, points[p], hits[p]);
     const double length_m = (p_W_m - from_W_m).norm();
-    paths->push_back({scan, from_W_m, (p_W_m - from_W_m) / length_m, length_m});
-    if (hits[p].surface != Surface::kNothing && length_m > hits[p].range_m - kBefore_m) continue;
+    rays->push_back({scan, from_W_m, (p_W_m - from_W_m) / length_m, length_m});
+    if (hits[p].surface != Surface::kNothing && length_m > hits[p].range_m - kLeastBeforeSurface_m)
+      continue;
     const auto ground_m = source.ground_m(scan, p_W_m.head<2>());
-    if (!ground_m || p_W_m.z() < *ground_m + kOverGround_m) continue;
+    if (!ground_m || p_W_m.z() < *ground_m + kLeastOverGround_m) continue;
     near.push_back(p);
     near_W_m.push_back(p_W_m);
   }
-  const std::vector<bool> on_edge = OnEdges(source, numbers, scan, near);
+  const std::vector<bool> on_edge = OnOcclusionEdges(source, calibration, scan, near);
   for (std::size_t i = 0; i < near.size(); ++i) {
-    if (!on_edge[i]) strays->push_back({scan, near[i], near_W_m[i]});
+    if (!on_edge[i]) air_returns->push_back({scan, near[i], near_W_m[i]});
   }
 }
 
-/// A number for each cube: its cloud.
-std::map<Cube, int> Clouds(const std::vector<Stray>& strays, int* count) {
-  std::map<Cube, int> cloud;
-  for (const Stray& stray : strays) cloud[CubeAt(stray.p_W_m)] = -1;
+/// Connected voxels that hold returns: the index of each one's cloud.
+std::map<Voxel, int> Clouds(const std::vector<AirReturn>& air_returns, int* count) {
+  std::map<Voxel, int> cloud;
+  for (const AirReturn& air_return : air_returns) cloud[VoxelAt(air_return.p_W_m)] = -1;
   *count = 0;
   for (auto& [start, number] : cloud) {
     if (number >= 0) continue;
     number = *count;
-    std::vector<Cube> open = {start};
+    std::vector<Voxel> open = {start};
     while (!open.empty()) {
-      const Cube at = open.back();
+      const Voxel at = open.back();
       open.pop_back();
       for (int a = -kReach; a <= kReach; ++a) {
         for (int b = -kReach; b <= kReach; ++b) {
@@ -103,25 +109,26 @@ std::map<Cube, int> Clouds(const std::vector<Stray>& strays, int* count) {
   return cloud;
 }
 
+/// What is known of one cloud.
 struct Tally {
-  std::map<std::size_t, Count> blocks;
-  std::vector<const Stray*> strays;
+  std::map<std::size_t, RayCount> blocks;
+  std::vector<const AirReturn*> air_returns;
 };
 
-/// Counts each ray once a cloud that it went through, unless it ended there.
-void CountPassing(const std::vector<Path>& paths, const ScanSplit& split,
-                  const std::map<Cube, int>& cloud, std::vector<Tally>* tallies) {
-  for (const Path& path : paths) {
+/// Counts a ray once for each cloud that it went through and did not end in.
+void CountPassingRays(const std::vector<MeasuredRay>& rays, const ScanSplit& split,
+                      const std::map<Voxel, int>& cloud, std::vector<Tally>* tallies) {
+  for (const MeasuredRay& ray : rays) {
     std::vector<int> met;
-    for (double r = kStep_m; r < path.length_m - kCube_m; r += kStep_m) {
-      const auto at = cloud.find(CubeAt(path.from_W_m + r * path.d_W));
+    for (double r = kStep_m; r < ray.length_m - kVoxel_m; r += kStep_m) {
+      const auto at = cloud.find(VoxelAt(ray.from_W_m + r * ray.d_W));
       if (at == cloud.end() || std::find(met.begin(), met.end(), at->second) != met.end()) continue;
       met.push_back(at->second);
     }
-    const auto end = cloud.find(CubeAt(path.from_W_m + path.length_m * path.d_W));
+    const auto end = cloud.find(VoxelAt(ray.from_W_m + ray.length_m * ray.d_W));
     for (const int number : met) {
       if (end != cloud.end() && end->second == number) continue;
-      (*tallies)[static_cast<std::size_t>(number)].blocks[split.block[path.scan]].passed += 1;
+      (*tallies)[static_cast<std::size_t>(number)].blocks[split.block[ray.scan]].passed += 1;
     }
   }
 }
@@ -160,7 +167,7 @@ Window ShownBestIn(const Shares& seen, std::size_t blocks) {
   return best;
 }
 
-/// From the first to the last block that shows the cloud.
+/// From the first to the last block of which more than `least` of the rays ended in the cloud.
 Window PresentIn(const Shares& seen, double least) {
   Window present;
   for (const auto& [block, share] : seen) {
@@ -171,7 +178,7 @@ Window PresentIn(const Shares& seen, double least) {
   return present;
 }
 
-/// `least`: share of a block that shows the cloud.
+/// Times at which more than `least` of a block's rays ended in the cloud; none if that is always.
 void AddIntervals(const RangeSource& source, const ScanSplit& split, const Tally& tally,
                   double least, DustCloud* cloud) {
   bool open = false, always = true;
@@ -189,13 +196,13 @@ void AddIntervals(const RangeSource& source, const ScanSplit& split, const Tally
 }
 
 /// Median over returns of the least standard deviation of those in their cubic metre.
-double ThicknessOf(const std::vector<const Stray*>& strays) {
-  constexpr std::size_t kFewest = 6;
-  std::map<Cube, std::vector<Vec3>> cubes;
-  for (const Stray* stray : strays) cubes[CubeAt(0.5 * stray->p_W_m)].push_back(stray->p_W_m);
+double ThicknessOf(const std::vector<const AirReturn*>& air_returns) {
+  std::map<Voxel, std::vector<Vec3>> voxels;
+  for (const AirReturn* air_return : air_returns)
+    voxels[VoxelAt(0.5 * air_return->p_W_m)].push_back(air_return->p_W_m);
   std::vector<double> thickness_m;
-  for (const auto& [cube, points] : cubes) {
-    if (points.size() < kFewest) continue;
+  for (const auto& [voxel, points] : voxels) {
+    if (points.size() < kFewestOfCubicMetre) continue;
     Vec3 mean = Vec3::Zero();
     for (const Vec3& p : points) mean += p / static_cast<double>(points.size());
     Mat3 covariance = Mat3::Zero();
@@ -210,14 +217,14 @@ double ThicknessOf(const std::vector<const Stray*>& strays) {
 
 DustCloud CloudOf(const RangeSource& source, const ScanSplit& split, const Tally& tally) {
   DustCloud cloud;
-  cloud.returns = tally.strays.size();
-  cloud.low_W_m = cloud.high_W_m = tally.strays.front()->p_W_m;
-  for (const Stray* stray : tally.strays) {
-    cloud.centre_W_m += stray->p_W_m / static_cast<double>(tally.strays.size());
-    cloud.low_W_m = cloud.low_W_m.cwiseMin(stray->p_W_m);
-    cloud.high_W_m = cloud.high_W_m.cwiseMax(stray->p_W_m);
+  cloud.returns = tally.air_returns.size();
+  cloud.low_W_m = cloud.high_W_m = tally.air_returns.front()->p_W_m;
+  for (const AirReturn* air_return : tally.air_returns) {
+    cloud.centre_W_m += air_return->p_W_m / static_cast<double>(tally.air_returns.size());
+    cloud.low_W_m = cloud.low_W_m.cwiseMin(air_return->p_W_m);
+    cloud.high_W_m = cloud.high_W_m.cwiseMax(air_return->p_W_m);
   }
-  cloud.thickness_m = ThicknessOf(tally.strays);
+  cloud.thickness_m = ThicknessOf(tally.air_returns);
   std::vector<bool> is_final(split.blocks);
   for (std::size_t s = 0; s < source.scans.size(); ++s) {
     is_final[split.block[s]] = split.part[s] == Part::kFinal;
@@ -229,10 +236,10 @@ DustCloud CloudOf(const RangeSource& source, const ScanSplit& split, const Tally
   const Window best = ShownBestIn(seen, split.blocks);
   cloud.p_chosen = best.p;
   if (best.p >= 1) return cloud;
-  const double least = kPresent * Quantile(SharesIn(seen, best), 0.9);
+  const double least = kLeastPresent * Quantile(SharesIn(seen, best), 0.9);
   const Window present = PresentIn(seen, least);
   cloud.p_confirmed = kMoreThanRare.P(SharesIn(held_out, present));
-  Count while_there;
+  RayCount while_there;
   for (const auto& [block, count] : tally.blocks) {
     if (!present.Has(block)) continue;
     while_there.stopped += count.stopped;
@@ -245,39 +252,41 @@ DustCloud CloudOf(const RangeSource& source, const ScanSplit& split, const Tally
 
 }  // namespace
 
-Dust FindDust(const RangeSource& source, const ScanSplit& split, const SensorNumbers& numbers) {
+Dust FindDust(const RangeSource& source, const ScanSplit& split,
+              const SensorCalibration& calibration) {
   Dust dust{{}, {}, NoPoints(source.scans)};
-  std::vector<Stray> strays;
-  std::vector<Path> paths;
+  std::vector<AirReturn> air_returns;
+  std::vector<MeasuredRay> rays;
   for (std::size_t s = 0; s < source.scans.size(); ++s) {
-    AddScan(source, numbers, s, &strays, &paths);
+    AddScan(source, calibration, s, &air_returns, &rays);
   }
-  if (strays.size() < kFewestReturns) return dust;
+  if (air_returns.size() < kFewestReturns) return dust;
   int count = 0;
-  std::map<Cube, int> cloud = Clouds(strays, &count);
+  std::map<Voxel, int> cloud = Clouds(air_returns, &count);
   std::vector<Tally> tallies(static_cast<std::size_t>(count));
-  for (const Stray& stray : strays) {
-    Tally& tally = tallies[static_cast<std::size_t>(cloud.at(CubeAt(stray.p_W_m)))];
-    tally.strays.push_back(&stray);
-    tally.blocks[split.block[stray.scan]].stopped += 1;
+  for (const AirReturn& air_return : air_returns) {
+    Tally& tally = tallies[static_cast<std::size_t>(cloud.at(VoxelAt(air_return.p_W_m)))];
+    tally.air_returns.push_back(&air_return);
+    tally.blocks[split.block[air_return.scan]].stopped += 1;
   }
-  std::erase_if(cloud, [&](const auto& cube) {
-    return tallies[static_cast<std::size_t>(cube.second)].strays.size() < kFewestReturns;
+  std::erase_if(cloud, [&](const auto& voxel) {
+    return tallies[static_cast<std::size_t>(voxel.second)].air_returns.size() < kFewestReturns;
   });
   if (cloud.empty()) return dust;
   const auto large =
       static_cast<double>(std::count_if(tallies.begin(), tallies.end(), [](const Tally& tally) {
-        return tally.strays.size() >= kFewestReturns;
+        return tally.air_returns.size() >= kFewestReturns;
       }));
-  CountPassing(paths, split, cloud, &tallies);
+  CountPassingRays(rays, split, cloud, &tallies);
   for (const Tally& tally : tallies) {
-    if (tally.strays.size() < kFewestReturns) continue;
+    if (tally.air_returns.size() < kFewestReturns) continue;
     const DustCloud one = CloudOf(source, split, tally);
-    const bool is_chosen = one.p_chosen <= kChosen / large;
-    if (!is_chosen || one.stopped > kThing || one.thickness_m < kThick_m) continue;
-    const bool is_confirmed = one.p_confirmed <= kConfirmed / large;
+    const bool is_chosen = one.p_chosen <= kChosenP / large;
+    if (!is_chosen || one.stopped > kMostStopped || one.thickness_m < kLeastThickness_m) continue;
+    const bool is_confirmed = one.p_confirmed <= kConfirmedP / large;
     (is_confirmed ? dust.clouds : dust.unconfirmed).push_back(one);
-    for (const Stray* stray : tally.strays) dust.explained[stray->scan][stray->point] = true;
+    for (const AirReturn* air_return : tally.air_returns)
+      dust.explained[air_return->scan][air_return->point] = true;
   }
   return dust;
 }

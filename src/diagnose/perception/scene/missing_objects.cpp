@@ -1,54 +1,57 @@
-#include "diagnose/perception/scans/missing_objects.h"
+#include "diagnose/perception/scene/missing_objects.h"
 
 #include <cmath>
 #include <map>
 
-#include "diagnose/perception/scans/shares_above.h"
+#include "diagnose/perception/scene/moderated_t_test.h"
 
 namespace tera {
 namespace {
 
-constexpr double kBehind_m = 0.3, kOffSurface_m = 0.15;
-constexpr double kLevel = 0.01;
+/// Where a ray ended behind, or before, a surface: so far along the ray and along the normal.
+constexpr double kLeastAlongRay_m = 0.3, kLeastAlongNormal_m = 0.15;
+constexpr double kLevel = 0.01;  ///< of both tests, over all objects
 constexpr std::size_t kFewestRays = 20;
-constexpr SharesAbove kMoreThanHalf{.limit = 0.5, .fewest_blocks = 3, .least_sigma = 0.03};
+constexpr ModeratedTTest kMoreThanHalf{.limit = 0.5, .fewest_blocks = 3, .least_sigma = 0.03};
 
-/// Rays that should have met one object, in one block of time.
-struct Count {
+/// Rays that meet one object in the simulation, in one block of time.
+struct RayCount {
   double all = 0, through = 0;
 };
 
+/// What rays say of one object.
 struct Tally {
-  std::map<std::size_t, Count> seen, held_out;               ///< by block
+  std::map<std::size_t, RayCount> seen, held_out;            ///< by block
   std::vector<std::pair<std::size_t, std::size_t>> through;  ///< scan and point
   Vec2 where_W_m = Vec2::Zero();
   double square_m2 = 0, final_rays = 0;
   std::size_t rays = 0;
 };
 
-/// Whether more than half went on.
-double ShareP(const std::map<std::size_t, Count>& blocks) {
+/// Probability, by chance, of so many blocks of which more than half of the rays went on.
+double ShareP(const std::map<std::size_t, RayCount>& blocks) {
   std::vector<double> shares;
   for (const auto& [block, count] : blocks) shares.push_back(count.through / count.all);
   return kMoreThanHalf.P(shares);
 }
 
-void AddScan(const RangeSource& source, const ScanSplit& split, const SensorNumbers& numbers,
-             std::size_t scan, std::map<int, Tally>* tallies) {
+void AddScan(const RangeSource& source, const ScanSplit& split,
+             const SensorCalibration& calibration, std::size_t scan,
+             std::map<int, Tally>* tallies) {
   const std::vector<RangePoint>& points = source.scans[scan].points;
-  std::vector<Beam> beams;
-  for (const RangePoint& point : points) beams.push_back(BeamOf(point));
-  const std::vector<SimulatedReturn> hits = source.cast(scan, numbers, beams);
+  const std::vector<SimulatedReturn> hits =
+      source.cast(scan, calibration, BeamsOf(source.scans[scan]));
   const bool is_final = split.part[scan] == Part::kFinal;
   for (std::size_t p = 0; p < points.size(); ++p) {
     if (hits[p].surface != Surface::kObstacle) continue;
-    const double behind_m = TruePoint(source, numbers, points[p].p_S_m).norm() - hits[p].range_m;
-    const double off_m = BeyondSurface_m(source, numbers, points[p], hits[p]);
-    const bool went_on = behind_m > kBehind_m && off_m > kOffSurface_m;
-    // What ended before it tells of something else.
-    if (behind_m < -kBehind_m && off_m < -kOffSurface_m) continue;
+    const double behind_m =
+        TruePoint(source, calibration, points[p].p_S_m).norm() - hits[p].range_m;
+    const double off_m = PointToPlane_m(source, calibration, points[p], hits[p]);
+    const bool went_on = behind_m > kLeastAlongRay_m && off_m > kLeastAlongNormal_m;
+    // A ray that ended before the object was stopped by something else.
+    if (behind_m < -kLeastAlongRay_m && off_m < -kLeastAlongNormal_m) continue;
     Tally& tally = (*tallies)[hits[p].object];
-    Count& count = (is_final ? tally.held_out : tally.seen)[split.block[scan]];
+    RayCount& count = (is_final ? tally.held_out : tally.seen)[split.block[scan]];
     count.all += 1;
     ++tally.rays;
     if (is_final) {
@@ -58,9 +61,8 @@ void AddScan(const RangeSource& source, const ScanSplit& split, const SensorNumb
     if (!went_on) continue;
     count.through += 1;
     tally.through.emplace_back(scan, p);
-    const Vec3 d_W = hits[p].X_WB.linear() *
-                     (source.X_BS.linear() * (numbers.R_ST() * points[p].p_S_m.normalized()));
-    const Vec3 met_W_m = PointInWorld(source, numbers, points[p], hits[p]) - behind_m * d_W;
+    const Vec3 d_W = RayDirection_W(calibration, points[p], hits[p]);
+    const Vec3 met_W_m = PointInWorld(source, calibration, points[p], hits[p]) - behind_m * d_W;
     tally.where_W_m += met_W_m.head<2>();
   }
 }
@@ -68,13 +70,13 @@ void AddScan(const RangeSource& source, const ScanSplit& split, const SensorNumb
 }  // namespace
 
 MissingObjects FindMissingObjects(const RangeSource& source, const ScanSplit& split,
-                                  const SensorNumbers& numbers) {
+                                  const SensorCalibration& calibration) {
   std::map<int, Tally> tallies;
   for (std::size_t s = 0; s < source.scans.size(); ++s) {
-    AddScan(source, split, numbers, s, &tallies);
+    AddScan(source, split, calibration, s, &tallies);
   }
   MissingObjects missing;
-  for (const RangeScan& scan : source.scans) missing.explained.emplace_back(scan.points.size());
+  missing.explained = NoPoints(source.scans);
   const auto objects = static_cast<double>(tallies.size());
   for (const auto& [object, tally] : tallies) {
     if (tally.rays < kFewestRays) continue;

@@ -1,0 +1,407 @@
+#include "diagnose/perception/scene/ground_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "core/units.h"
+#include "diagnose/perception/scene/moderated_t_test.h"
+#include "diagnose/perception/scene/occlusion_edges.h"
+#include "diagnose/statistics/series/robust.h"
+
+namespace tera {
+namespace {
+
+/// A cell by its indices, as GroundMap has them.
+using CellIndex = std::pair<int, int>;
+
+/// A point lies on an object so near to its surface, or within so many standard deviations.
+constexpr double kOnObject_m = 0.15, kOnObjectSigmas = 6;
+constexpr double kUnremarkable_m =
+    0.04;                               ///< higher or lower, a point may lie on an edge or a cliff
+constexpr double kCliffReach_m = 0.08;  ///< by how much poses may displace a point
+constexpr double kGreatestHeight_m = 10;  ///< over or below the ground, of points that tell of it
+constexpr double kLeastSigma_m = 0.01;    ///< of a cell's height, however many scans see it
+constexpr double kLeastDifference_m = 0.05;  ///< of a cell that belongs to a region
+constexpr double kFalseShare = 0.01;         ///< of the cells that differ, by chance
+constexpr double kConfirmedP = 0.01;         ///< over all regions
+constexpr double kLeastAgain = 0.5;  ///< of a region's height, on FINAL and while it differs
+constexpr std::size_t kFewestBlocksOfCell = 3, kFewestPoints = 6;  ///< of which a cell is judged
+constexpr std::size_t kFewestCells = 4;                            ///< of a region
+constexpr int kReach = 2;              ///< cells between members of a region
+constexpr double kWall_m = 0.3;        ///< of heights within one cell
+constexpr double kWallShare = 0.35;    ///< of the cells of an object that stands there
+constexpr double kSteepestCone = 1.7;  ///< of soil: 60 deg
+constexpr double kWindows = 3;         ///< the recording and its two halves
+
+/// The variance shrunk to that of blocks which agree within 2 cm, as if there were eight more of
+/// these: where few blocks see a place, their own scatter says little.
+constexpr ModeratedTTest kHeightTest{
+    .prior_blocks = 8, .prior_scatter = 0.02, .least_sigma = kLeastSigma_m};
+
+/// Height of one point over the simulated ground.
+struct HeightDifference {
+  std::size_t scan, point, block;
+  CellIndex cell;
+  double above_m;
+  CellIndex simulated;  ///< cell of what the ray meets in the simulation
+};
+
+bool LiesOnObject(const RangeSource& source, const SensorCalibration& calibration,
+                  const RangePoint& point, const SimulatedReturn& hit, double scale) {
+  if (hit.surface != Surface::kObstacle && hit.surface != Surface::kMachine) return false;
+  const double near_m = std::max(kOnObject_m, kOnObjectSigmas * scale * point.sigma_m);
+  return std::abs(PointToPlane_m(source, calibration, point, hit)) < near_m;
+}
+
+/// Whether the simulated ground falls or rises across the point's height within a few centimetres
+/// of it: the point may then lie on that cliff.
+bool IsOnCliff(const RangeSource& source, std::size_t scan, const Vec3& p_W_m) {
+  double low_m = std::numeric_limits<double>::infinity(), high_m = -low_m;
+  for (int a = -1; a <= 1; ++a) {
+    for (int b = -1; b <= 1; ++b) {
+      const auto h = source.ground_m(scan, p_W_m.head<2>() + kCliffReach_m * Vec2(a, b));
+      if (!h) continue;
+      low_m = std::min(low_m, *h);
+      high_m = std::max(high_m, *h);
+    }
+  }
+  return p_W_m.z() > low_m - kLeastSigma_m && p_W_m.z() < high_m + kLeastSigma_m &&
+         high_m - low_m > kLeastDifference_m;
+}
+
+/// Height differences of the points of one scan that lie on the ground.
+void CompareHeights(const RangeSource& source, const ScanSplit& split,
+                    const SensorCalibration& calibration, double scale, std::size_t scan,
+                    const std::vector<bool>& excluded, const GroundMap& map,
+                    std::vector<HeightDifference>* differences) {
+  const std::vector<RangePoint>& points = source.scans[scan].points;
+  const std::vector<SimulatedReturn> hits =
+      source.cast(scan, calibration, BeamsOf(source.scans[scan]));
+  std::vector<HeightDifference> remarkable;
+  std::vector<std::size_t> remarkable_points;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    if (excluded[p] || hits[p].surface == Surface::kUnknown) continue;
+    if (LiesOnObject(source, calibration, points[p], hits[p], scale)) continue;
+    const Vec3 p_W_m = PointInWorld(source, calibration, points[p], hits[p]);
+    const auto ground_m = source.ground_m(scan, p_W_m.head<2>());
+    if (!ground_m || std::abs(p_W_m.z() - *ground_m) > kGreatestHeight_m) continue;
+    HeightDifference one{
+        scan, p, split.block[scan], map.CellAt(p_W_m.head<2>()), p_W_m.z() - *ground_m, {}};
+    one.simulated = one.cell;
+    if (hits[p].surface != Surface::kNothing) {
+      const Vec3 d_W = RayDirection_W(calibration, points[p], hits[p]);
+      const double short_m =
+          TruePoint(source, calibration, points[p].p_S_m).norm() - hits[p].range_m;
+      one.simulated = map.CellAt((p_W_m - short_m * d_W).head<2>());
+    }
+    if (std::abs(one.above_m) < kUnremarkable_m) {
+      differences->push_back(one);
+    } else if (!IsOnCliff(source, scan, p_W_m)) {
+      remarkable.push_back(one);
+      remarkable_points.push_back(p);
+    }
+  }
+  const std::vector<bool> on_edge = OnOcclusionEdges(source, calibration, scan, remarkable_points);
+  for (std::size_t i = 0; i < remarkable_points.size(); ++i) {
+    if (!on_edge[i]) differences->push_back(remarkable[i]);
+  }
+}
+
+/// Height differences by block of time.
+using Blocks = std::map<std::size_t, std::vector<double>>;
+using Cells = std::map<CellIndex, Blocks>;
+
+/// Probability of a mean so far on one side of 0 by chance.
+double OneSidedP(ModeratedTTest::Mean of) {
+  of.mean = std::abs(of.mean);
+  return kHeightTest.P(of);
+}
+
+/// By how much a cell differs.
+struct CellDifference {
+  double median_m, sigma_m;
+  double p;  ///< of such a difference, either way, by chance
+  std::size_t blocks;
+};
+
+/// Of the blocks from `first` to before `last`; nothing where these are too few.
+std::optional<CellDifference> DifferenceOf(const Blocks& blocks, double first, double last) {
+  std::vector<double> medians;
+  std::size_t points = 0;
+  for (const auto& [block, values] : blocks) {
+    if (static_cast<double>(block) < first || static_cast<double>(block) >= last) continue;
+    medians.push_back(Median(values));
+    points += values.size();
+  }
+  if (medians.size() < kFewestBlocksOfCell || points < kFewestPoints) return std::nullopt;
+  const ModeratedTTest::Mean of = kHeightTest.MeanOf(medians);
+  return CellDifference{Median(medians), of.sigma, 2 * OneSidedP(of), medians.size()};
+}
+
+/// Whether at least half of the blocks show a wall in a cell.
+bool HasWall(const Blocks& blocks) {
+  std::size_t steep = 0, known = 0;
+  for (const auto& [block, values] : blocks) {
+    if (values.size() < 2) continue;
+    ++known;
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    steep += *high - *low > kWall_m ? 1 : 0;
+  }
+  return known > 0 && 2 * steep >= known;
+}
+
+/// Cells that differ in the blocks from `first` to before `last` (Benjamini and Hochberg).
+std::map<CellIndex, CellDifference> Differing(const Cells& cells, double first, double last) {
+  std::vector<std::pair<double, CellIndex>> by_p;
+  std::map<CellIndex, CellDifference> judged;
+  for (const auto& [place, blocks] : cells) {
+    const auto one = DifferenceOf(blocks, first, last);
+    if (!one) continue;
+    judged[place] = *one;
+    by_p.emplace_back(one->p, place);
+  }
+  std::sort(by_p.begin(), by_p.end());
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < by_p.size(); ++k) {
+    const double level =
+        kFalseShare / kWindows * static_cast<double>(k + 1) / static_cast<double>(by_p.size());
+    if (by_p[k].first <= level) kept = k + 1;
+  }
+  std::map<CellIndex, CellDifference> differing;
+  for (std::size_t k = 0; k < kept; ++k) {
+    const CellDifference& one = judged[by_p[k].second];
+    if (std::abs(one.median_m) >= kLeastDifference_m) differing[by_p[k].second] = one;
+  }
+  return differing;
+}
+
+/// Connected cells of one sign.
+std::vector<std::vector<CellIndex>> Clusters(const std::map<CellIndex, CellDifference>& cells) {
+  std::vector<std::vector<CellIndex>> clusters;
+  std::set<CellIndex> taken;
+  for (const auto& [start, first] : cells) {
+    if (taken.contains(start)) continue;
+    std::vector<CellIndex> cluster = {start};
+    taken.insert(start);
+    for (std::size_t next = 0; next < cluster.size(); ++next) {
+      for (int a = -kReach; a <= kReach; ++a) {
+        for (int b = -kReach; b <= kReach; ++b) {
+          const CellIndex near = {cluster[next].first + a, cluster[next].second + b};
+          const auto at = cells.find(near);
+          if (at == cells.end() || taken.contains(near)) continue;
+          if ((at->second.median_m > 0) != (first.median_m > 0)) continue;
+          taken.insert(near);
+          cluster.push_back(near);
+        }
+      }
+    }
+    if (cluster.size() >= kFewestCells) clusters.push_back(std::move(cluster));
+  }
+  return clusters;
+}
+
+/// Cells that no ray met take over what the nearest one within reach shows, if that is of a region.
+void FillGaps(GroundMap* map) {
+  std::map<CellIndex, GroundCell> filled;
+  for (const auto& [place, cell] : map->cells) {
+    if (cell.region < 0) continue;
+    for (int a = -kReach; a <= kReach; ++a) {
+      for (int b = -kReach; b <= kReach; ++b) {
+        const CellIndex near = {place.first + a, place.second + b};
+        if (map->cells.contains(near) || filled.contains(near)) continue;
+        const GroundCell* nearest = nullptr;
+        int distance = std::numeric_limits<int>::max();
+        for (int c = -kReach; c <= kReach; ++c) {
+          for (int d = -kReach; d <= kReach; ++d) {
+            const auto at = map->cells.find({near.first + c, near.second + d});
+            if (at == map->cells.end() || c * c + d * d >= distance) continue;
+            distance = c * c + d * d;
+            nearest = &at->second;
+          }
+        }
+        if (nearest == nullptr || nearest->region < 0) continue;
+        filled[near] = *nearest;
+        filled[near].seen = false;
+      }
+    }
+  }
+  map->cells.insert(filled.begin(), filled.end());
+}
+
+/// Extent, volume and heights of region `index`.
+void Measure(const GroundMap& map, int index, GroundRegion* region) {
+  const double square_m2 = map.cell_m * map.cell_m;
+  region->low_W_m.setConstant(std::numeric_limits<double>::infinity());
+  region->high_W_m = -region->low_W_m;
+  region->lowest_m = std::numeric_limits<double>::infinity();
+  region->highest_m = -region->lowest_m;
+  for (const auto& [place, cell] : map.cells) {
+    if (cell.region != index) continue;
+    const Vec2 corner_m = map.cell_m * Vec2(place.first, place.second);
+    region->area_m2 += square_m2;
+    region->volume_m3 += square_m2 * cell.above_m;
+    region->centre_W_m += square_m2 * (corner_m + Vec2::Constant(0.5 * map.cell_m));
+    region->low_W_m = region->low_W_m.cwiseMin(corner_m);
+    region->high_W_m = region->high_W_m.cwiseMax(corner_m + Vec2::Constant(map.cell_m));
+    region->lowest_m = std::min(region->lowest_m, cell.above_m);
+    region->highest_m = std::max(region->highest_m, cell.above_m);
+  }
+  region->centre_W_m /= region->area_m2;
+  region->mean_m = region->volume_m3 / region->area_m2;
+}
+
+/// Whether soil cannot stand so: what is higher than simulated has walls, or is higher than the
+/// steepest cone of soil on its area.
+bool IsObject(const GroundRegion& region) {
+  if (region.mean_m < 0) return false;
+  return region.upright || region.highest_m > kSteepestCone * std::sqrt(region.area_m2 / kPi);
+}
+
+bool IsNearRegion(const GroundMap& map, const CellIndex& place) {
+  for (int a = -1; a <= 1; ++a) {
+    for (int b = -1; b <= 1; ++b) {
+      const auto at = map.cells.find({place.first + a, place.second + b});
+      if (at != map.cells.end() && at->second.region >= 0) return true;
+    }
+  }
+  return false;
+}
+
+/// Height differences within a region.
+Blocks BlocksOf(const std::vector<HeightDifference>& differences, const GroundMap& map, int index) {
+  Blocks blocks;
+  for (const HeightDifference& s : differences) {
+    const auto at = map.cells.find(s.cell);
+    if (at != map.cells.end() && at->second.region == index) blocks[s.block].push_back(s.above_m);
+  }
+  return blocks;
+}
+
+/// Times at which a region differs; none if that is always.
+void AddIntervals(const RangeSource& source, const ScanSplit& split, const Blocks& blocks,
+                  GroundRegion* region) {
+  std::vector<double> means;
+  for (const auto& [block, values] : blocks) means.push_back(Median(values));
+  const double full_m = region->mean_m > 0 ? Quantile(means, 0.9) : Quantile(means, 0.1);
+  std::map<std::size_t, std::pair<TimeNs, TimeNs>> times;
+  for (std::size_t s = 0; s < source.scans.size(); ++s) {
+    auto& time =
+        times.try_emplace(split.block[s], source.scans[s].t_ns, source.scans[s].t_ns).first->second;
+    time.second = source.scans[s].t_ns;
+  }
+  bool open = false, always = true;
+  for (const auto& [block, values] : blocks) {
+    const bool differs = Median(values) / full_m > kLeastAgain;
+    always = always && differs;
+    const double from_s = ToSeconds(times[block].first - source.start_ns);
+    const double to_s = ToSeconds(times[block].second - source.start_ns);
+    if (differs && !open) region->intervals_s.emplace_back(from_s, to_s);
+    if (differs) region->intervals_s.back().second = to_s;
+    open = differs;
+  }
+  if (always) region->intervals_s.clear();
+}
+
+/// What FINAL says of a region: its errors, and a p where it is at least half as high again.
+void Confirm(const std::vector<HeightDifference>& final_differences, const GroundMap& map,
+             int index, GroundRegion* region) {
+  std::vector<double> medians;
+  double before = 0, after = 0, count = 0;
+  for (const auto& [block, values] : BlocksOf(final_differences, map, index)) {
+    medians.push_back(Median(values));
+  }
+  for (const HeightDifference& s : final_differences) {
+    const auto at = map.cells.find(s.cell);
+    if (at == map.cells.end() || at->second.region != index) continue;
+    before += s.above_m * s.above_m;
+    after += std::pow(s.above_m - at->second.above_m, 2);
+    count += 1;
+  }
+  if (count > 0) {
+    region->rmse_before_m = std::sqrt(before / count);
+    region->rmse_after_m = std::sqrt(after / count);
+  }
+  if (medians.size() < kFewestBlocksOfCell) return;
+  const ModeratedTTest::Mean of = kHeightTest.MeanOf(medians);
+  if (of.mean / region->mean_m < kLeastAgain) return;
+  region->p_confirmed = OneSidedP(of);
+}
+
+/// Clusters of cells that differ in the whole recording or in one half of it, which enter the map.
+/// Of the regions only p_chosen and whether they have walls are set.
+std::vector<GroundRegion> FindRegions(const Cells& cells, const ScanSplit& split, GroundMap* map) {
+  const auto blocks = static_cast<double>(split.blocks);
+  std::map<CellIndex, CellDifference> differing = Differing(cells, 0, blocks);
+  for (const auto& part : {Differing(cells, 0, blocks / 2), Differing(cells, blocks / 2, blocks)}) {
+    differing.insert(part.begin(), part.end());
+  }
+  for (const auto& [place, values] : cells) {
+    const auto own = differing.find(place);
+    const auto judged =
+        own != differing.end() ? std::optional(own->second) : DifferenceOf(values, 0, blocks);
+    if (judged) map->cells[place] = {judged->median_m, judged->sigma_m, judged->blocks, -1, true};
+  }
+  std::vector<GroundRegion> found;
+  for (const std::vector<CellIndex>& cluster : Clusters(differing)) {
+    GroundRegion region;
+    std::size_t steep = 0;
+    for (const CellIndex& place : cluster) {
+      map->cells[place].region = static_cast<int>(found.size());
+      region.p_chosen = std::min(region.p_chosen, differing[place].p);
+      steep += HasWall(cells.at(place)) ? 1 : 0;
+    }
+    region.p_chosen = std::min(1.0, kWindows * static_cast<double>(cells.size()) * region.p_chosen);
+    region.upright = static_cast<double>(steep) > kWallShare * static_cast<double>(cluster.size());
+    found.push_back(region);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::pair<int, int> GroundMap::CellAt(const Vec2& xy_W_m) const {
+  return {static_cast<int>(std::floor(xy_W_m.x() / cell_m)),
+          static_cast<int>(std::floor(xy_W_m.y() / cell_m))};
+}
+
+GroundMap CompareGround(const RangeSource& source, const ScanSplit& split,
+                        const SensorCalibration& calibration, double scale,
+                        const PointFlags& excluded) {
+  GroundMap map;
+  std::vector<HeightDifference> seen, held_out;
+  for (std::size_t s = 0; s < source.scans.size(); ++s) {
+    CompareHeights(source, split, calibration, scale, s, excluded[s], map,
+                   split.part[s] == Part::kFinal ? &held_out : &seen);
+  }
+  Cells cells;
+  for (const HeightDifference& s : seen) cells[s.cell][s.block].push_back(s.above_m);
+  std::vector<GroundRegion> found = FindRegions(cells, split, &map);
+  FillGaps(&map);
+  std::vector<int> kept_as(found.size(), -1);
+  std::vector<HeightDifference> all = seen;
+  all.insert(all.end(), held_out.begin(), held_out.end());
+  for (std::size_t r = 0; r < found.size(); ++r) {
+    const int index = static_cast<int>(r);
+    Measure(map, index, &found[r]);
+    found[r].upright = IsObject(found[r]);
+    Confirm(held_out, map, index, &found[r]);
+    AddIntervals(source, split, BlocksOf(all, map, index), &found[r]);
+    const bool holds = found[r].p_confirmed <= kConfirmedP / static_cast<double>(found.size());
+    if (holds) kept_as[r] = static_cast<int>(map.regions.size());
+    (holds ? map.regions : map.unconfirmed).push_back(found[r]);
+  }
+  for (auto& [place, cell] : map.cells) {
+    if (cell.region >= 0) cell.region = kept_as[static_cast<std::size_t>(cell.region)];
+  }
+  map.explained = NoPoints(source.scans);
+  for (const HeightDifference& s : all) {
+    if (IsNearRegion(map, s.cell) || IsNearRegion(map, s.simulated)) {
+      map.explained[s.scan][s.point] = true;
+    }
+  }
+  return map;
+}
+
+}  // namespace tera
