@@ -14,18 +14,29 @@ function(tera_module NAME)
   endif()
 endfunction()
 
-# tera_test(NAME LABELS ... SOURCES ... LINK ...): a test program; each TEST in it becomes a ctest test
-# with its label, which says what a run costs and needs (test/CMakeLists.txt).
+# tera_test(NAME LABELS ... [SLOW ...] SOURCES ... LINK ...): a test program; each TEST in it becomes a ctest
+# test with its label, which says what a run costs and needs (test/CMakeLists.txt). SLOW are those of
+# its tests, as GoogleTest's filters name them, that are labelled slow instead.
 function(tera_test NAME)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;LABELS;SLOW" ${ARGN})
   add_executable(${NAME} ${ARG_SOURCES})
   target_link_libraries(${NAME} PRIVATE ${ARG_LINK} GTest::gmock GTest::gtest_main)
   target_include_directories(${NAME} PRIVATE ${CMAKE_SOURCE_DIR}/test)
   target_precompile_headers(${NAME} PRIVATE <Eigen/Geometry> <gmock/gmock.h> <gtest/gtest.h>)
-  gtest_discover_tests(${NAME} DISCOVERY_MODE PRE_TEST
-    PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 600
-    WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+  if(ARG_SLOW)
+    list(JOIN ARG_SLOW ":" slow)
+    tera_discover_tests(${NAME} "-${slow}" "${ARG_LABELS}")
+    tera_discover_tests(${NAME} "${slow}" slow)
+  else()
+    tera_discover_tests(${NAME} "*" "${ARG_LABELS}")
+  endif()
   if(unit IN_LIST ARG_LABELS)
     add_dependencies(unit_tests ${NAME})
   endif()
+endfunction()
+
+function(tera_discover_tests NAME FILTER LABEL)
+  gtest_discover_tests(${NAME} DISCOVERY_MODE PRE_TEST TEST_FILTER "${FILTER}"
+    PROPERTIES LABELS "${LABEL}" TIMEOUT 600
+    WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
 endfunction()
