@@ -16,7 +16,7 @@ constexpr double kStep_s = 0.002;
 struct Valve {
   double zone = 0;
   double q_rad = 0, rate_radps = 0;
-  DeadZoneCompensation compensation;
+  DeadZoneCompensation compensation = DeadZoneCompensation();
 
   /// Time until the target is within `near_rad`, or 60 s.
   double Reach(double target_rad, double near_rad) {

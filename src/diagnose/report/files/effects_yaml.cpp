@@ -13,6 +13,7 @@
 #include "core/check.h"
 #include "diagnose/blocks/measured_poses.h"
 #include "diagnose/report/text/finding_text.h"
+#include "diagnose/report/text/ranking.h"
 
 namespace tera {
 namespace {

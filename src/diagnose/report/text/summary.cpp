@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "diagnose/report/text/finding_text.h"
+#include "diagnose/report/text/ranking.h"
 #include "diagnose/report/text/wording.h"
 
 namespace tera {
