@@ -22,7 +22,7 @@ double Mix(double a, double b, double s) { return a + (b - a) * s; }
 
 /// Where the part beside an antenna points between two states.
 RaisedBoom BoomAt(const MachineState& a, const MachineState& b,
-                  const std::optional<Reflector>& reflector, double s) {
+                  const std::optional<GnssReflector>& reflector, double s) {
   if (!reflector) return {};
   const Pose X_WB = Interpolate(a.links[reflector->link].X_WB, b.links[reflector->link].X_WB, s);
   return {X_WB.linear() * reflector->direction_B};
@@ -91,7 +91,7 @@ void Rig::Add(const Scenario& scenario, std::size_t machine, const SensorDescrip
   } else if (const auto* gnss = std::get_if<GnssModel>(&sensor.model)) {
     gnss_.push_back({Gnss(*gnss, sensor.clock, sensor.latency_ns, seed_, folder),
                      GnssSlots(sensor.effects, seed_, folder), sensor.clock, machine, link,
-                     mount.X_BT, ReflectorOf(model, link), sink_->AddGnss(folder, yaml)});
+                     mount.X_BT, GnssReflectorOf(model, link), sink_->AddGnss(folder, yaml)});
   } else if (const auto* camera = std::get_if<CameraModel>(&sensor.model)) {
     cameras_.push_back({Camera(*camera, sensor.clock, sensor.latency_ns, seed_, folder),
                         FrameSlots(sensor.effects, seed_, folder), sensor.clock, machine, link,

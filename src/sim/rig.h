@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dataset/format/measurement_sink.h"
-#include "physics/dynamics/reflector.h"
+#include "sim/gnss_reflector.h"
 #include "sensors/slots/sensor_slots.h"
 #include "sim/scenario/scenario.h"
 #include "sim/scene_assembly.h"
@@ -68,7 +68,7 @@ class Rig {
     std::size_t machine;
     int link;
     Pose X_BT;                           ///< where it truly sits
-    std::optional<Reflector> reflector;  ///< beside it
+    std::optional<GnssReflector> reflector;  ///< beside it
     ChannelId channel;
     std::int64_t next = 0;
   };

@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "physics/dynamics/reflector.h"
+#include "sim/gnss_reflector.h"
 #include "sensors/slots/effect_numbers.h"
 #include "sensors/slots/gnss_errors.h"
 #include "sensors/slots/low_pass.h"
@@ -61,7 +61,7 @@ Antenna AntennaOf(const SensorDescription& receiver, const Effects& effects) {
 
 void AddBoom(const MachineModel& model, int link,
              const std::function<LinkTrack(int link)>& track_of, ReceiverLog* log) {
-  const auto reflector = ReflectorOf(model, link);
+  const auto reflector = GnssReflectorOf(model, link);
   if (!reflector) return;
   LinkTrack track = track_of(reflector->link);
   if (track.X_WL.size() != log->track.X_WL.size()) return;

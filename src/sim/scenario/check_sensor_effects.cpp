@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "physics/dynamics/reflector.h"
+#include "sim/gnss_reflector.h"
 #include "sensors/slots/encoder_errors.h"
 #include "sim/rig.h"
 
@@ -37,7 +37,7 @@ void CheckGnss(const ConfigMap& config, const MachineModel& model, const SensorD
                const std::vector<SensorDescription>& sensors) {
   CheckPair(config, gnss, sensors);
   const int link = model.LinkIndex(gnss.link);
-  if (FindEffect(gnss.effects, "multipath") && link >= 0 && !ReflectorOf(model, link)) {
+  if (FindEffect(gnss.effects, "multipath") && link >= 0 && !GnssReflectorOf(model, link)) {
     config.Fault(
         "multipath",
         fmt::format("comes from a part that a joint raises, a boom or a lift arm, but none "

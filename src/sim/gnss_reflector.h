@@ -7,7 +7,7 @@
 namespace tera {
 
 /// The part of a machine that rises beside an antenna: a boom, a lift arm.
-struct Reflector {
+struct GnssReflector {
   int link = 0;
   Vec3 direction_B = Vec3::UnitX();  ///< from its foot to its tip in its link's frame B, length 1
 };
@@ -19,6 +19,6 @@ struct Reflector {
 ///         than to the vertical in the machine's initial pose). Its foot is that joint, its tip the
 ///         next joint that moves, or its centre of mass.
 /// Omits   all other parts, and how large and how near they are.
-std::optional<Reflector> ReflectorOf(const MachineModel& model, int antenna_link);
+std::optional<GnssReflector> GnssReflectorOf(const MachineModel& model, int antenna_link);
 
 }  // namespace tera

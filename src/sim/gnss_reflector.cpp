@@ -1,4 +1,4 @@
-#include "physics/dynamics/reflector.h"
+#include "sim/gnss_reflector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ bool Tilts(const Joint& joint, const std::vector<Pose>& X_BL) {
 }
 
 /// The part that joint `chain[k]` moves, along the chain.
-std::optional<Reflector> PartOf(const MachineModel& model, const std::vector<int>& chain,
+std::optional<GnssReflector> PartOf(const MachineModel& model, const std::vector<int>& chain,
                                 std::size_t k) {
   const int link = model.joints[chain[k]].child;
   Vec3 tip_B_m = model.links[link].com_B_m;
@@ -37,17 +37,17 @@ std::optional<Reflector> PartOf(const MachineModel& model, const std::vector<int
     break;
   }
   if (tip_B_m.norm() == 0) return std::nullopt;
-  return Reflector{link, tip_B_m.normalized()};
+  return GnssReflector{link, tip_B_m.normalized()};
 }
 
 }  // namespace
 
-std::optional<Reflector> ReflectorOf(const MachineModel& model, int antenna_link) {
+std::optional<GnssReflector> GnssReflectorOf(const MachineModel& model, int antenna_link) {
   std::vector<double> q_rad;
   for (const Joint& joint : model.joints) q_rad.push_back(joint.initial_rad);
   const std::vector<Pose> X_BL = ForwardKinematics(model, Pose::Identity(), q_rad);
   const std::vector<int> own = JointsTo(model, antenna_link);
-  std::optional<Reflector> reflector;
+  std::optional<GnssReflector> reflector;
   std::ptrdiff_t most = 0;
   for (int link = 1; link < static_cast<int>(model.links.size()); ++link) {
     const std::vector<int> chain = JointsTo(model, link);
