@@ -6,7 +6,7 @@
 #include "core/in_parallel.h"
 #include "diagnose/search/fit/flexible_regressor.h"
 #include "diagnose/search/fit/steady_gain.h"
-#include "diagnose/search/structure/prefix.h"
+#include "diagnose/search/structure/prefix_search.h"
 
 namespace tera {
 namespace {

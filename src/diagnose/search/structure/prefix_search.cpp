@@ -1,4 +1,4 @@
-#include "diagnose/search/structure/prefix.h"
+#include "diagnose/search/structure/prefix_search.h"
 
 #include <algorithm>
 
