@@ -345,7 +345,7 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
     sentences.insert(sentences.begin(),
                      fmt::format("Encoders run ahead of the levers that move them, by about {} s: "
                                  "their clocks differ. Mend "
-                                 "that first; what is named below may stand in for it.",
+                                 "that first; what is named below may be a proxy for it.",
                                  Significant(*diagnosis.encoder_lead_s, 2)));
   }
   return sentences;

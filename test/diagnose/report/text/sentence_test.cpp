@@ -232,7 +232,7 @@ TEST(Sentence, OfWhatReplaysLeaveOfTheSimulationNamesWhatIsJudgedAndWorthAWord) 
                           "counts as a difference."));
 }
 
-TEST(Sentence, OfWhatIsLeftOutSaysHowMuchAndWhy) {
+TEST(Sentence, OfExcludedSamplesSaysHowManyAndWhy) {
   Diagnosis diagnosis = Of(BoomWithDeadBand());
   diagnosis.excluded_samples = {{"husky/base/yaw_radps", 0.234}};
   EXPECT_THAT(SentencesOf(diagnosis),
