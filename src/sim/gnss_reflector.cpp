@@ -26,7 +26,7 @@ bool Tilts(const Joint& joint, const std::vector<Pose>& X_BL) {
 
 /// The part that joint `chain[k]` moves, along the chain.
 std::optional<GnssReflector> PartOf(const MachineModel& model, const std::vector<int>& chain,
-                                std::size_t k) {
+                                    std::size_t k) {
   const int link = model.joints[chain[k]].child;
   Vec3 tip_B_m = model.links[link].com_B_m;
   Pose X_BP = Pose::Identity();  // of the parent of the next joint, fixed ones passed

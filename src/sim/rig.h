@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "dataset/format/measurement_sink.h"
-#include "sim/gnss_reflector.h"
 #include "sensors/slots/sensor_slots.h"
+#include "sim/gnss_reflector.h"
 #include "sim/scenario/scenario.h"
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"
@@ -67,7 +67,7 @@ class Rig {
     SampleClock clock;
     std::size_t machine;
     int link;
-    Pose X_BT;                           ///< where it truly sits
+    Pose X_BT;                               ///< where it truly sits
     std::optional<GnssReflector> reflector;  ///< beside it
     ChannelId channel;
     std::int64_t next = 0;

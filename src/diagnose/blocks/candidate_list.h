@@ -12,9 +12,9 @@ namespace tera {
 
 /// Collects the mechanisms that are candidates for one target.
 ///
-/// Model   a mechanism that the target has already is a candidate of wrong numbers: it is looked
-///         for from its present numbers, faint changes first, and from the ladder for a target
-///         without it; its bounds hold the present numbers.
+/// Model   a mechanism that the target has already may have wrong numbers: its starts are its
+///         present numbers, changed faintly first, and then those for a target without it; its
+///         bounds include the present numbers.
 class CandidateList {
  public:
   /// The library must outlive the candidates.

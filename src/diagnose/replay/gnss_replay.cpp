@@ -5,11 +5,11 @@
 #include <functional>
 #include <utility>
 
-#include "sim/gnss_reflector.h"
 #include "sensors/slots/effect_numbers.h"
 #include "sensors/slots/gnss_errors.h"
 #include "sensors/slots/low_pass.h"
 #include "sensors/slots/true_mount.h"
+#include "sim/gnss_reflector.h"
 
 namespace tera {
 namespace {

@@ -5,8 +5,8 @@
 #include <span>
 #include <string_view>
 
-#include "sim/gnss_reflector.h"
 #include "sensors/slots/encoder_errors.h"
+#include "sim/gnss_reflector.h"
 #include "sim/rig.h"
 
 namespace tera {
