@@ -41,6 +41,10 @@ struct RegistrationSearch {
   std::vector<ParameterDetectability> detectability;
 };
 
+/// Of the mean square that an error has without a finding above that of the noise, what it takes
+/// away; 0 where there is no such excess.
+double ExcessRemoved(const HeldOutError& error, double noise_rmse);
+
 /// Which of a block's candidates act on its sensor, beginning at the values of `start`.
 ///
 /// Model   noise from what a fit of all candidates leaves of TRAIN. Forward from nothing, each
