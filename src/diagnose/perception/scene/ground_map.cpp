@@ -116,7 +116,7 @@ using Cells = std::map<CellIndex, Blocks>;
 /// Probability of a mean so far on one side of 0 by chance.
 double OneSidedP(ModeratedTTest::Mean of) {
   of.mean = std::abs(of.mean);
-  return kHeightTest.P(of);
+  return kHeightTest.PFrom(of);
 }
 
 /// By how much a cell differs.
