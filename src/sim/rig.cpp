@@ -5,6 +5,7 @@
 
 #include "core/check.h"
 #include "core/stopwatch.h"
+#include "core/types/sample_rows.h"
 #include "core/units.h"
 
 namespace tera {
@@ -87,15 +88,16 @@ void Rig::Add(const Scenario& scenario, std::size_t machine, const SensorDescrip
   if (const auto* imu = std::get_if<ImuModel>(&sensor.model)) {
     imus_.push_back({Imu(*imu, mount.X_BT, sensor.clock, sensor.latency_ns, seed_, folder),
                      ImuSlots(sensor.effects, seed_, folder), machine, link,
-                     sink_->AddImu(folder, yaml)});
+                     sink_->AddChannel(ImuChannel(folder, yaml))});
   } else if (const auto* gnss = std::get_if<GnssModel>(&sensor.model)) {
     gnss_.push_back({Gnss(*gnss, sensor.clock, sensor.latency_ns, seed_, folder),
                      GnssSlots(sensor.effects, seed_, folder), sensor.clock, machine, link,
-                     mount.X_BT, GnssReflectorOf(model, link), sink_->AddGnss(folder, yaml)});
+                     mount.X_BT, GnssReflectorOf(model, link),
+                     sink_->AddChannel(GnssChannel(folder, yaml))});
   } else if (const auto* camera = std::get_if<CameraModel>(&sensor.model)) {
     cameras_.push_back({Camera(*camera, sensor.clock, sensor.latency_ns, seed_, folder),
                         FrameSlots(sensor.effects, seed_, folder), sensor.clock, machine, link,
-                        mount.X_BT, sink_->AddCamera(folder, yaml)});
+                        mount.X_BT, sink_->AddChannel(CameraChannel(folder, yaml))});
   } else if (const auto* lidar = std::get_if<LidarModel>(&sensor.model)) {
     lidars_.push_back({Lidar(*lidar, sensor.clock, sensor.latency_ns, seed_, folder),
                        FrameSlots(sensor.effects, seed_, folder),
@@ -103,7 +105,7 @@ void Rig::Add(const Scenario& scenario, std::size_t machine, const SensorDescrip
                        machine,
                        link,
                        mount.X_BT,
-                       sink_->AddLidar(folder, yaml),
+                       sink_->AddChannel(LidarChannel(folder, yaml)),
                        {}});
   } else {
     AddEncoder(model, machine, sensor, folder);
@@ -127,7 +129,7 @@ void Rig::AddEncoder(const MachineModel& model, std::size_t machine,
   encoders_.push_back({Encoder(encoder, sensor.clock, sensor.latency_ns, seed_, folder, linear),
                        EncoderSlots(sensor.effects, axis_effects, linear, names, seed_, folder),
                        sensor.clock, machine, axes.joints, axes.gears,
-                       sink_->AddEncoder(folder, SensorYaml(sensor), written)});
+                       sink_->AddChannel(EncoderChannel(folder, SensorYaml(sensor), written))});
 }
 
 void Rig::SampleStart(const Simulation& simulation) {
@@ -165,7 +167,7 @@ void Rig::Finish(const Simulation& simulation) {
 void Rig::Report(ImuUnit* unit, std::vector<ImuSample>* samples) {
   for (ImuSample& sample : *samples) {
     unit->slots.Apply(&sample);
-    sink_->Write(unit->channel, sample);
+    sink_->Write(unit->channel, RowOf(sample));
   }
 }
 
@@ -177,7 +179,7 @@ void Rig::SampleGnss(const WorldState& before, const WorldState& after) {
       const Pose X_WB = Interpolate(a.links[unit.link].X_WB, b.links[unit.link].X_WB, s);
       GnssSample sample = unit.gnss.Measure(unit.next, X_WB * unit.X_BT.translation(), site_);
       unit.slots.Apply(BoomAt(a, b, unit.reflector, s), site_, &sample);
-      sink_->Write(unit.channel, sample);
+      sink_->Write(unit.channel, RowOf(sample));
     }
   }
 }
@@ -198,7 +200,7 @@ void Rig::SampleEncoders(const WorldState& before, const WorldState& after) {
       }
       EncoderSample sample = unit.encoder.Measure(unit.next, q_rad, qd_radps);
       unit.slots.Apply(&sample);
-      sink_->Write(unit.channel, sample);
+      sink_->Write(unit.channel, RowOf(sample));
     }
   }
 }
