@@ -5,9 +5,9 @@
 
 #include "core/types/measurement.h"
 #include "ros2/messages.h"
-#include "sensors/camera.h"
-#include "sensors/gnss.h"
-#include "sensors/imu.h"
+#include "sensors/camera/camera.h"
+#include "sensors/gnss/gnss.h"
+#include "sensors/imu/imu.h"
 
 /// What sensors measured, as ROS messages. `frame_id` is the sensor's frame, for pictures its
 /// optical frame. The stamp is the time at which a measurement was valid.

@@ -12,7 +12,6 @@
 #include "dataset/files/folder_lock.h"
 #include "dataset/files/frame_log.h"
 #include "dataset/files/frame_queue.h"
-#include "dataset/files/whole_folder.h"
 #include "dataset/format/csv_rows.h"
 #include "dataset/format/dataset_description.h"
 #include "dataset/format/object_boxes.h"
@@ -277,12 +276,6 @@ void DatasetWriter::Impl::WriteScan(const std::string& folder, const LidarScan& 
   const std::string name = fmt::format("{}/scans/{}.pcd", folder, scan.t_ns);
   frame_log->Append(folder, scan.t_ns, {WriteFile(name, EncodePcd(scan.points))});
   ++frames_written;
-}
-
-fs::path IncompleteOf(const fs::path& directory) {
-  fs::path root = directory.has_filename() ? directory : directory.parent_path();
-  root += ".incomplete";
-  return root;
 }
 
 DatasetWriter::DatasetWriter(const fs::path& directory, const DatasetInfo& info,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "dataset/files/whole_folder.h"
 #include "dataset/format/dataset_info.h"
 #include "dataset/format/measurement_sink.h"
 
@@ -19,9 +20,6 @@ struct WriterOptions {
   /// What to do with an incomplete recording; for the same.
   std::string remedy = "go on with it by the same command and --resume, or delete it";
 };
-
-/// Where a recording is until it is finished, without a slash at the end.
-std::filesystem::path IncompleteOf(const std::filesystem::path& directory);
 
 /// Writes a recording. Frames are encoded on worker threads behind a bounded queue; rows are
 /// written in order by the caller's thread. Everything goes to `<directory>.incomplete` and is
