@@ -7,6 +7,7 @@
 #include "sensors/encoder/encoder.h"
 #include "sensors/gnss/gnss.h"
 #include "sensors/imu/imu.h"
+#include "sensors/inclinometer/inclinometer.h"
 #include "sensors/lidar/lidar.h"
 #include "sensors/sensor_kind.h"
 
@@ -16,11 +17,13 @@
 
 namespace tera {
 
-using SensorModel = std::variant<ImuModel, GnssModel, CameraModel, LidarModel, EncoderModel>;
+using SensorModel =
+    std::variant<ImuModel, GnssModel, CameraModel, LidarModel, EncoderModel, InclinometerModel>;
 
-extern const SensorKind kImuKind, kGnssKind, kCameraKind, kLidarKind, kEncoderKind;
+extern const SensorKind kImuKind, kGnssKind, kCameraKind, kLidarKind, kEncoderKind,
+    kInclinometerKind;
 
 inline constexpr std::array<const SensorKind*, std::variant_size_v<SensorModel>> kSensorKinds = {
-    &kImuKind, &kGnssKind, &kCameraKind, &kLidarKind, &kEncoderKind};
+    &kImuKind, &kGnssKind, &kCameraKind, &kLidarKind, &kEncoderKind, &kInclinometerKind};
 
 }  // namespace tera
