@@ -287,38 +287,12 @@ std::set<std::string> PairsInCircles(const std::vector<Include>& includes) {
   return in_circles;
 }
 
-/// What one pair cannot do without the other: the parts of one reader, one relaxation of the soil,
-/// an interface beside the table of what implements it.
+/// What one pair cannot do without the other: a search and its pruning, a proposal and what it is
+/// made of.
 const std::set<std::string> kBelongTogether = {
-    "core/config/config",
-    "core/config/config_beneath",
-    "core/config/config_layers",
-    "core/config/input_files",
-    "soil/columns/bed",
-    "soil/flow/avalanche",
-    "soil/flow/grains",
-    "soil/flow/standing_wall",
-    "sim/operators/dig_cycle",
-    "sim/operators/lever_replay",
-    "sim/operators/operator",
-    "sim/operators/random_levers",
-    "sim/operators/waypoint_driver",
-    "render/meshes/mesh_file",
-    "render/scene",
-    "render/gl/boxes",
-    "render/gl/egl_context",
-    "render/gl/lens",
-    "render/gl/node_renderer",
-    "render/gl/rasterizer",
-    "render/gl/shadow_map",
-    "render/gl/view",
-    "render/ground/terrain_renderer",
-    "diagnose/search/structure/pruning",
-    "diagnose/search/structure/structure_search",
-    "diagnose/proposal/curve_proposal",
-    "diagnose/proposal/formula_proposal",
-    "diagnose/proposal/proposal",
-};
+    "diagnose/search/structure/pruning", "diagnose/search/structure/structure_search",
+    "diagnose/proposal/curve_proposal", "diagnose/proposal/formula_proposal",
+    "diagnose/proposal/proposal"};
 
 TEST(Includes, MakeNoCircleOfPairs) {
   for (const std::string& pair : PairsInCircles(AllIncludes())) {
