@@ -55,8 +55,8 @@ double ExcessRemoved(const HeldOutError& error, double noise_rmse);
 ///         is preferred where it is not steadily worse, and what does as well in a term's place is
 ///         its rival. On FINAL, which nothing was fitted to, each must gain steadily again
 ///         (kConfirmedP).
-/// Omits   cross-fitting, pairs of candidates that show beside each other alone, and a free
-///         regressor, as SearchStructure has them for channels: four candidates at most act on a
+/// Omits   cross-fitting, pairs of candidates that show beside each other alone, and a flexible
+///         regressor, as StructureSearch has them for channels: four candidates at most act on a
 ///         sensor, which thousands of points tell apart.
 RegistrationSearch SearchRegistration(const RegistrationBlock& block, const SplitPoints& points,
                                       const Structure& start = {});
