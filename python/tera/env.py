@@ -43,7 +43,8 @@ class Env(EnvBase):
     frame; cylinder_stroke_m and cylinder_pressure_pa (head and rod side) where it has cylinders;
     terrain_m (n x n, second index forward, relative to the patch's centre); and of each sensor the latest measurement:
     "<camera>/rgb", "<camera>/depth_m", "<camera>/semantic", "<camera>/instance", "<imu>" (angular rate, specific
-    force), "<gnss>" (east, north, up, fix), "<encoder>" (positions, rates). Until a sensor has measured something its
+    force), "<gnss>" (east, north, up, fix), "<encoder>" (positions, rates), any other
+    sensor of rows (the numbers of Sensor.columns). Until a sensor has measured something its
     arrays are 0. Lidars, whose scans differ in length, are in info["samples"] alone.
 
     info has time_s; seed, of the episode; age_s, of each sensor the age of its latest measurement, or None before the first; samples, of each
@@ -308,7 +309,11 @@ def _lidar(scan):
     return arrays
 
 
-_DECODERS = {"imu": _imu, "gnss": _gnss, "encoder": _encoder, "camera": _camera, "lidar": _lidar}
+def _row(sample):
+    return {"value": np.array(sample.value)}
+
+
+_DECODERS = {"imu": _imu, "gnss": _gnss, "encoder": _encoder, "camera": _camera, "lidar": _lidar, "row": _row}
 
 
 def decode(samples):
@@ -335,6 +340,8 @@ def _sensor_spaces(sensor):
             spaces[f"{name}/instance"] = Box(0, 65535, shape, np.uint16)
         return spaces
     shapes = {"imu": (6,), "gnss": (4,), "encoder": (2, len(sensor.encoder_axes))}
+    if sensor.columns:
+        shapes[sensor.type] = (len(sensor.columns),)
     return {name: Box(-np.inf, np.inf, shapes[sensor.type], np.float64)} if sensor.type in shapes else {}
 
 
@@ -351,4 +358,6 @@ def _latest_arrays(sensor, latest):
         return {sensor.name: np.append(latest["enu_m"], latest["fix"])}
     if sensor.type == "encoder":
         return {sensor.name: np.stack([latest["position"], latest["rate"]])}
+    if sensor.columns:
+        return {sensor.name: latest["value"]}
     return {}

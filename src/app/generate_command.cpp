@@ -10,6 +10,7 @@
 #include "app/followed_run.h"
 #include "app/scenario_options.h"
 #include "dataset/format/recorded_inputs.h"
+#include "dataset/format/recording.h"
 #include "dataset/format/writer.h"
 
 namespace tera {

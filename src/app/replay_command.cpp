@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/format/recorded_inputs.h"
+#include "dataset/format/recording.h"
 #include "dataset/format/writer.h"
 #include "sim/replay.h"
 #include "sim/scenario/load_scenario.h"

@@ -17,7 +17,7 @@ constexpr double kShortestPeriod_s = 1e-4;  ///< of any encoder or inertial unit
 /// The encoders of one machine.
 std::vector<NamedEncoders> EncodersOf(const Recording& recording, const std::string& machine) {
   std::vector<NamedEncoders> encoders;
-  for (const std::string& channel : recording.ChannelsOf(ChannelType::kEncoder)) {
+  for (const std::string& channel : recording.ChannelsOf(kEncoderChannel)) {
     if (channel.starts_with(machine + "/")) {
       encoders.push_back({channel, recording.LoadEncoder(channel)});
     }

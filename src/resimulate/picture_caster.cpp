@@ -1,6 +1,6 @@
 #include "resimulate/picture_caster.h"
 
-#include "sensors/camera.h"
+#include "sensors/camera/camera.h"
 
 namespace tera {
 

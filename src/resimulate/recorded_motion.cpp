@@ -58,7 +58,7 @@ double RecordedMotion::Axis::At(TimeNs t) const {
 std::optional<RecordedMotion::Axis> RecordedMotion::AxisNamed(const std::string& axis,
                                                               const std::string& machine,
                                                               const Recording& recording) {
-  for (const std::string& channel : recording.ChannelsOf(ChannelType::kEncoder)) {
+  for (const std::string& channel : recording.ChannelsOf(kEncoderChannel)) {
     if (!channel.starts_with(machine + "/")) continue;
     const EncoderRecording encoder = recording.LoadEncoder(channel);
     for (std::size_t a = 0; a < encoder.axes.size(); ++a) {

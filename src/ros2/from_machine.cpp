@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "ros2/names.h"
-#include "sensors/camera.h"
+#include "sensors/camera/camera.h"
 
 namespace tera::ros {
 namespace {
@@ -100,7 +100,7 @@ std::vector<TransformStamped> StaticTransforms(TimeNs t_ns, const ScenarioMachin
     if (sensor.link.empty()) continue;
     const std::string frame = FrameOf(name, sensor.name);
     transforms.push_back({{t_ns, FrameOf(name, sensor.link)}, frame, sensor.X_BS});
-    if (std::holds_alternative<CameraModel>(sensor.model)) {
+    if (KindOf(sensor).form == ChannelForm::kPictures) {
       transforms.push_back({{t_ns, frame}, OpticalFrameOf(name, sensor.name), OpticalInSensor()});
     }
   }

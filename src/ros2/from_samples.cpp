@@ -1,8 +1,10 @@
 #include "ros2/from_samples.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <limits>
+#include <string_view>
 
 #include "core/time.h"
 
@@ -51,6 +53,25 @@ void Put(std::uint8_t* point, std::uint32_t offset, T value) {
   std::memcpy(point + offset, &value, sizeof value);
 }
 
+/// What a column of a row says of which joint.
+struct QuantityOfJoint {
+  std::string joint;
+  bool is_rate = false;
+};
+
+QuantityOfJoint QuantityOf(const std::string& column) {
+  struct Ending {
+    std::string_view text;
+    bool is_rate;
+  };
+  for (const Ending& ending :
+       {Ending{"_rad", false}, Ending{"_m", false}, Ending{"_radps", true}, Ending{"_mps", true}}) {
+    if (!column.ends_with(ending.text)) continue;
+    return {column.substr(0, column.size() - ending.text.size()), ending.is_rate};
+  }
+  return {column};
+}
+
 }  // namespace
 
 Imu ImuMessage(const ImuSample& sample, const std::string& frame_id, const ImuModel& model,
@@ -80,9 +101,23 @@ NavSatFix NavSatFixMessage(const GnssSample& sample, const std::string& frame_id
   return message;
 }
 
-JointState JointStateMessage(const EncoderSample& sample, const std::string& frame_id,
-                             const std::vector<std::string>& axes) {
-  return {{sample.t_ns, frame_id}, axes, sample.q_rad, sample.qd_radps, {}};
+JointState JointStateOfRow(const RowSample& row, const std::string& frame_id,
+                           const std::vector<std::string>& columns) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  JointState message;
+  message.header = {row.t_ns, frame_id};
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    const QuantityOfJoint column = QuantityOf(columns[c]);
+    const auto found = std::find(message.name.begin(), message.name.end(), column.joint);
+    const auto joint = static_cast<std::size_t>(found - message.name.begin());
+    if (found == message.name.end()) {
+      message.name.push_back(column.joint);
+      message.position.push_back(kNone);
+      message.velocity.push_back(kNone);
+    }
+    (column.is_rate ? message.velocity : message.position)[joint] = row.values[c];
+  }
+  return message;
 }
 
 CameraInfo CameraInfoMessage(const Header& header, const CameraIntrinsics& c) {

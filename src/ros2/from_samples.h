@@ -5,9 +5,9 @@
 
 #include "core/types/measurement.h"
 #include "ros2/messages.h"
-#include "sensors/camera.h"
-#include "sensors/gnss.h"
-#include "sensors/imu.h"
+#include "sensors/camera/camera.h"
+#include "sensors/gnss/gnss.h"
+#include "sensors/imu/imu.h"
 
 /// What sensors measured, as ROS messages. `frame_id` is the sensor's frame, for pictures its
 /// optical frame. The stamp is the time at which a measurement was valid.
@@ -22,9 +22,12 @@ Imu ImuMessage(const ImuSample& sample, const std::string& frame_id, const ImuMo
 /// RTK ground-augmented. Covariance is the variance that the receiver reports.
 NavSatFix NavSatFixMessage(const GnssSample& sample, const std::string& frame_id);
 
-/// Measured joints: no efforts.
-JointState JointStateMessage(const EncoderSample& sample, const std::string& frame_id,
-                             const std::vector<std::string>& axes);
+/// A row of numbers by the names of its columns. A column that ends in `_rad` or `_m` is the
+/// position of a joint of the name before that ending, one that ends in `_radps` or `_mps` its
+/// velocity; any other column is a joint of its whole name, its number the position. What a joint
+/// has no column for is NaN. No efforts.
+JointState JointStateOfRow(const RowSample& row, const std::string& frame_id,
+                           const std::vector<std::string>& columns);
 
 /// Distortion `plumb_bob`: k1, k2, p1, p2, k3, whose pixel (0, 0) has its centre at (0, 0) like
 /// ours.

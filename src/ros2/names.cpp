@@ -51,7 +51,7 @@ void RequireDistinct(const ScenarioMachine& machine) {
                                   "ee_pose", "bucket_mass",  "delta_can"};
   for (const Link& link : machine.placement.model.links) frames.insert(link.name);
   for (const SensorDescription& sensor : machine.sensors) {
-    const bool camera = std::holds_alternative<CameraModel>(sensor.model);
+    const bool camera = KindOf(sensor).form == ChannelForm::kPictures;
     if ((!sensor.link.empty() && !frames.insert(sensor.name).second) ||
         (camera && !frames.insert(sensor.name + kOptical).second)) {
       throw InputError(
@@ -86,7 +86,7 @@ std::string OpticalFrameOf(const std::string& machine, const std::string& camera
 
 std::string TopicOf(const SensorDescription& sensor) {
   const std::string gnss = "gnss";
-  if (!std::holds_alternative<GnssModel>(sensor.model) || !sensor.name.starts_with(gnss)) {
+  if (TypeOf(sensor) != kGnssChannel || !sensor.name.starts_with(gnss)) {
     return sensor.name;
   }
   return "gps" + sensor.name.substr(gnss.size());

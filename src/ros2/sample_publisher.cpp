@@ -1,9 +1,11 @@
 #include "ros2/sample_publisher.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "core/check.h"
+#include "core/types/sample_rows.h"
 #include "ros2/from_samples.h"
 #include "ros2/names.h"
 
@@ -39,72 +41,81 @@ void SamplePublisher::PublishDue(TimeNs now_ns) {
   }
 }
 
-SamplePublisher::Channel SamplePublisher::ChannelOf(const std::string& folder) const {
-  const SensorDescription& sensor = sensors_.at(folder);
-  return {sensor, FrameOf(MachineOf(folder), sensor.name), {}, {}};
-}
-
-template <typename M>
-void SamplePublisher::AddTopic(const std::string& folder, const std::string& below,
-                               Delivery delivery, Channel* channel) {
-  std::string topic = TopicOf(MachineOf(folder), TopicOf(channel->sensor));
-  if (!below.empty()) topic += "/" + below;
-  channel->topics[below] = participant_->Advertise<M>(topic, delivery);
-}
-
-ChannelId SamplePublisher::Add(Channel channel) {
+ChannelId SamplePublisher::AddChannel(const ChannelInfo& info) {
+  using Add = void (SamplePublisher::*)(const ChannelInfo&, Channel*);
+  static const std::map<std::string_view, Add> own = {{kImuChannel, &SamplePublisher::AddImu},
+                                                      {kGnssChannel, &SamplePublisher::AddGnss},
+                                                      {kCameraChannel, &SamplePublisher::AddCamera},
+                                                      {kLidarChannel, &SamplePublisher::AddLidar}};
+  Channel channel;
+  if (info.sensor_yaml) {
+    channel.sensor = sensors_.at(info.path);
+    channel.machine = MachineOf(info.path);
+    channel.frame_id = FrameOf(channel.machine, channel.sensor.name);
+    const auto found = own.find(info.type);
+    (this->*(found == own.end() ? &SamplePublisher::AddRows : found->second))(info, &channel);
+  }
   channels_.push_back(std::move(channel));
   return static_cast<ChannelId>(channels_.size()) - 1;
 }
 
-ChannelId SamplePublisher::AddImu(const std::string& folder, const std::string&) {
-  Channel channel = ChannelOf(folder);
-  AddTopic<Imu>(folder, kOwn, Delivery::kSensorData, &channel);
-  return Add(std::move(channel));
+template <typename M>
+void SamplePublisher::AddTopic(const std::string& below, Delivery delivery, Channel* channel) {
+  std::string topic = TopicOf(channel->machine, TopicOf(channel->sensor));
+  if (!below.empty()) topic += "/" + below;
+  channel->topics[below] = participant_->Advertise<M>(topic, delivery);
 }
 
-ChannelId SamplePublisher::AddGnss(const std::string& folder, const std::string&) {
-  Channel channel = ChannelOf(folder);
-  AddTopic<NavSatFix>(folder, kFix, Delivery::kSensorData, &channel);
-  return Add(std::move(channel));
+template <typename M, typename MessageOf>
+void SamplePublisher::AddRowTopic(const std::string& below, const MessageOf& message_of,
+                                  Channel* channel) {
+  AddTopic<M>(below, Delivery::kSensorData, channel);
+  channel->row_topic = below;
+  channel->row_message = message_of;
 }
 
-ChannelId SamplePublisher::AddEncoder(const std::string& folder, const std::string&,
-                                      const std::vector<EncoderAxis>& axes) {
-  Channel channel = ChannelOf(folder);
-  for (const EncoderAxis& axis : axes) channel.axes.push_back(axis.name);
-  AddTopic<JointState>(folder, kOwn, Delivery::kSensorData, &channel);
-  return Add(std::move(channel));
+void SamplePublisher::AddImu(const ChannelInfo&, Channel* channel) {
+  const auto message_of = [frame_id = channel->frame_id,
+                           model = std::get<ImuModel>(channel->sensor.model),
+                           period_s = 1 / channel->sensor.clock.rate_hz](const RowSample& row) {
+    return ImuMessage(ImuSampleOf(row), frame_id, model, period_s);
+  };
+  AddRowTopic<Imu>(kOwn, message_of, channel);
 }
 
-ChannelId SamplePublisher::AddCamera(const std::string& folder, const std::string&) {
-  Channel channel = ChannelOf(folder);
-  const CameraModel& camera = std::get<CameraModel>(channel.sensor.model);
-  channel.frame_id = OpticalFrameOf(MachineOf(folder), channel.sensor.name);
-  AddTopic<CameraInfo>(folder, kCameraInfo, Delivery::kLarge, &channel);
-  if (camera.rgb) AddTopic<Image>(folder, kColour, Delivery::kLarge, &channel);
+void SamplePublisher::AddGnss(const ChannelInfo&, Channel* channel) {
+  const auto message_of = [frame_id = channel->frame_id](const RowSample& row) {
+    return NavSatFixMessage(GnssSampleOf(row), frame_id);
+  };
+  AddRowTopic<NavSatFix>(kFix, message_of, channel);
+}
+
+void SamplePublisher::AddRows(const ChannelInfo& info, Channel* channel) {
+  const auto message_of = [frame_id = channel->frame_id,
+                           columns = info.columns](const RowSample& row) {
+    return JointStateOfRow(row, frame_id, columns);
+  };
+  AddRowTopic<JointState>(kOwn, message_of, channel);
+}
+
+void SamplePublisher::AddCamera(const ChannelInfo&, Channel* channel) {
+  const CameraModel& camera = std::get<CameraModel>(channel->sensor.model);
+  channel->frame_id = OpticalFrameOf(channel->machine, channel->sensor.name);
+  AddTopic<CameraInfo>(kCameraInfo, Delivery::kLarge, channel);
+  if (camera.rgb) AddTopic<Image>(kColour, Delivery::kLarge, channel);
   if (camera.depth) {
-    AddTopic<Image>(folder, kDepth, Delivery::kLarge, &channel);
-    AddTopic<CameraInfo>(folder, kDepthInfo, Delivery::kLarge, &channel);
+    AddTopic<Image>(kDepth, Delivery::kLarge, channel);
+    AddTopic<CameraInfo>(kDepthInfo, Delivery::kLarge, channel);
   }
   if (camera.labels) {
-    AddTopic<Image>(folder, kSemantic, Delivery::kLarge, &channel);
-    AddTopic<Image>(folder, kInstance, Delivery::kLarge, &channel);
+    AddTopic<Image>(kSemantic, Delivery::kLarge, channel);
+    AddTopic<Image>(kInstance, Delivery::kLarge, channel);
   }
-  return Add(std::move(channel));
 }
 
-ChannelId SamplePublisher::AddLidar(const std::string& folder, const std::string&) {
-  Channel channel = ChannelOf(folder);
-  AddTopic<PointCloud2>(folder, kPoints, Delivery::kLarge, &channel);
-  return Add(std::move(channel));
+void SamplePublisher::AddLidar(const ChannelInfo&, Channel* channel) {
+  AddTopic<PointCloud2>(kPoints, Delivery::kLarge, channel);
 }
-
-ChannelId SamplePublisher::AddTable(const std::string&, const std::vector<std::string>&) {
-  return Add({});
-}
-
-ChannelId SamplePublisher::AddPose(const std::string&, bool) { return Add({}); }
 
 template <typename Make>
 void SamplePublisher::Send(const Channel& channel, const std::string& topic, TimeNs at_ns,
@@ -114,28 +125,16 @@ void SamplePublisher::Send(const Channel& channel, const std::string& topic, Tim
   outgoing_.emplace(at_ns, Outgoing{writer->second, make()});
 }
 
-void SamplePublisher::Write(ChannelId id, const ImuSample& sample) {
+void SamplePublisher::Write(ChannelId id, Measurement measurement) {
   const Channel& channel = channels_.at(id);
-  const double period_s = 1 / channel.sensor.clock.rate_hz;
-  Send(channel, kOwn, sample.t_available_ns, [&] {
-    return ImuMessage(sample, channel.frame_id, std::get<ImuModel>(channel.sensor.model), period_s);
-  });
+  std::visit([&](const auto& measured) { Write(channel, measured); }, measurement);
 }
 
-void SamplePublisher::Write(ChannelId id, const GnssSample& sample) {
-  const Channel& channel = channels_.at(id);
-  Send(channel, kFix, sample.t_available_ns,
-       [&] { return NavSatFixMessage(sample, channel.frame_id); });
+void SamplePublisher::Write(const Channel& channel, const RowSample& row) {
+  Send(channel, channel.row_topic, row.t_available_ns, [&] { return channel.row_message(row); });
 }
 
-void SamplePublisher::Write(ChannelId id, const EncoderSample& sample) {
-  const Channel& channel = channels_.at(id);
-  Send(channel, kOwn, sample.t_available_ns,
-       [&] { return JointStateMessage(sample, channel.frame_id, channel.axes); });
-}
-
-void SamplePublisher::Write(ChannelId id, CameraFrame frame) {
-  const Channel& channel = channels_.at(id);
+void SamplePublisher::Write(const Channel& channel, const CameraFrame& frame) {
   const auto send = [&](const std::string& topic, const auto& make) {
     Send(channel, topic, frame.t_available_ns, make);
   };
@@ -151,15 +150,10 @@ void SamplePublisher::Write(ChannelId id, CameraFrame frame) {
   send(kInstance, [&] { return InstanceMessage(frame, channel.frame_id); });
 }
 
-void SamplePublisher::Write(ChannelId id, LidarScan scan) {
-  const Channel& channel = channels_.at(id);
+void SamplePublisher::Write(const Channel& channel, const LidarScan& scan) {
   Send(channel, kPoints, scan.t_available_ns,
        [&] { return PointCloudMessage(scan, channel.frame_id); });
 }
-
-void SamplePublisher::Write(ChannelId, const TruthPose&) {}
-
-void SamplePublisher::WriteRow(ChannelId, TimeNs, const std::vector<double>&) {}
 
 bool SamplePublisher::NeedsFrame(ChannelId id, TimeNs, TimeNs) const {
   const auto& topics = channels_.at(id).topics;

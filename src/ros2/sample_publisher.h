@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -16,6 +17,8 @@ namespace tera::ros {
 /// Model   a message goes out in the step in which its measurement becomes available (t_available);
 ///         its stamp is the time at which it was valid. Pictures and scans that nobody has asked
 ///         for are neither measured nor sent.
+///         A sensor whose samples are rows, of a kind without a message of its own, is a
+///         JointState of its columns (JointStateOfRow).
 /// Omits   tables and poses of the truth: StatePublisher has what ROS knows of them.
 class SamplePublisher : public MeasurementSink {
  public:
@@ -26,22 +29,8 @@ class SamplePublisher : public MeasurementSink {
   /// Sends what has become available by `now_ns`.
   void PublishDue(TimeNs now_ns);
 
-  ChannelId AddImu(const std::string& folder, const std::string& sensor_yaml) override;
-  ChannelId AddGnss(const std::string& folder, const std::string& sensor_yaml) override;
-  ChannelId AddEncoder(const std::string& folder, const std::string& sensor_yaml,
-                       const std::vector<EncoderAxis>& axes) override;
-  ChannelId AddCamera(const std::string& folder, const std::string& sensor_yaml) override;
-  ChannelId AddLidar(const std::string& folder, const std::string& sensor_yaml) override;
-  ChannelId AddTable(const std::string& file, const std::vector<std::string>& columns) override;
-  ChannelId AddPose(const std::string& file, bool with_velocity) override;
-
-  void Write(ChannelId channel, const ImuSample& sample) override;
-  void Write(ChannelId channel, const GnssSample& sample) override;
-  void Write(ChannelId channel, const EncoderSample& sample) override;
-  void Write(ChannelId channel, CameraFrame frame) override;
-  void Write(ChannelId channel, LidarScan scan) override;
-  void Write(ChannelId channel, const TruthPose& pose) override;
-  void WriteRow(ChannelId channel, TimeNs t_ns, const std::vector<double>& values) override;
+  ChannelId AddChannel(const ChannelInfo& info) override;
+  void Write(ChannelId channel, Measurement measurement) override;
 
   bool NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs next_ns) const override;
   void MarkPresent(ChannelId channel, TimeNs t_ns) override;
@@ -50,23 +39,34 @@ class SamplePublisher : public MeasurementSink {
   /// Topics of one sensor, by what they carry ("image", "camera_info"); none for a table.
   struct Channel {
     SensorDescription sensor;
-    std::string frame_id;
-    std::vector<std::string> axes;  ///< of an encoder
+    std::string machine, frame_id;
     std::map<std::string, Participant::WriterId> topics;
+    /// Of a sensor whose samples are rows: the topic and the message of a row.
+    std::string row_topic;
+    std::function<Message(const RowSample&)> row_message;
   };
   struct Outgoing {
     Participant::WriterId writer;
     Message message;
   };
 
-  Channel ChannelOf(const std::string& folder) const;
   template <typename M>
-  void AddTopic(const std::string& folder, const std::string& below, Delivery delivery,
-                Channel* channel);
-  ChannelId Add(Channel channel);
+  void AddTopic(const std::string& below, Delivery delivery, Channel* channel);
+  template <typename M, typename MessageOf>
+  void AddRowTopic(const std::string& below, const MessageOf& message_of, Channel* channel);
+  // How the topics of one type of channel are added; those of any other type of rows are the last.
+  void AddImu(const ChannelInfo& info, Channel* channel);
+  void AddGnss(const ChannelInfo& info, Channel* channel);
+  void AddCamera(const ChannelInfo& info, Channel* channel);
+  void AddLidar(const ChannelInfo& info, Channel* channel);
+  void AddRows(const ChannelInfo& info, Channel* channel);
+
   /// Sends `make()` at `at_ns` where somebody listens to the channel's topic.
   template <typename Make>
   void Send(const Channel& channel, const std::string& topic, TimeNs at_ns, const Make& make);
+  void Write(const Channel& channel, const RowSample& row);
+  void Write(const Channel& channel, const CameraFrame& frame);
+  void Write(const Channel& channel, const LidarScan& scan);
 
   Participant* participant_;
   std::map<std::string, SensorDescription> sensors_;  ///< by folder

@@ -2,18 +2,14 @@
 
 #include <map>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "core/config/config.h"
 #include "core/motion.h"
 #include "core/time.h"
 #include "core/types/effects.h"
-#include "sensors/camera.h"
-#include "sensors/encoder.h"
-#include "sensors/gnss.h"
-#include "sensors/imu.h"
-#include "sensors/lidar.h"
+#include "sensors/sensor_kind.h"
+#include "sensors/sensor_kinds.h"
 
 /// One sensor as the rig describes it: what it is, where it sits, when it samples.
 
@@ -25,29 +21,24 @@ struct SensorDescription {
   Pose X_BS = Pose::Identity();
   SampleClock clock;
   TimeNs latency_ns = 0;  ///< t_available - t
-  std::variant<ImuModel, GnssModel, CameraModel, LidarModel, EncoderModel> model;
+  SensorModel model;
   Effects effects;  ///< of the machine or the scenario; without them, as the model says
   /// Of single axes of an encoder, by their names, over `effects`.
   std::map<std::string, Effects> axis_effects;
 };
 
-/// Where a sensor truly sits, slot `sensor_geometry`.
-struct Mounting {
-  std::string link;
-  Pose X_BT = Pose::Identity();
-};
+/// The entry of its kind in the table.
+inline const SensorKind& KindOf(const SensorDescription& sensor) {
+  return *kSensorKinds[sensor.model.index()];
+}
+
+/// "imu", "gnss", "camera", "lidar", "encoder" or another name in the table of kinds.
+std::string TypeOf(const SensorDescription& sensor);
 
 /// The true mounting of `sensor`, one of the `sensors` of a machine: its place as documented where
 /// it has no such effect. An antenna may be exchanged with the only other of its machine.
 Mounting TrueMounting(const SensorDescription& sensor,
                       const std::vector<SensorDescription>& sensors);
-
-/// The other antenna of a machine that has two, for antenna_swap and antenna_yaw; else nullptr.
-const SensorDescription* OtherAntenna(const SensorDescription& sensor,
-                                      const std::vector<SensorDescription>& sensors);
-
-/// "imu", "gnss", "camera", "lidar" or "encoder".
-std::string TypeOf(const SensorDescription& sensor);
 
 /// Reads one item of a machine's `sensors:` list: name, link, xyz_m, rpy_deg, and the model's keys,
 /// most of which a `preset:` file supplies. Faults go to `config`.
@@ -56,5 +47,8 @@ SensorDescription ReadSensor(const ConfigMap& config);
 /// The sensor as YAML for its folder's sensor.yaml: type, parent link, X_parent_sensor (row-major
 /// 4x4 and xyz + quaternion), rate, model parameters.
 std::string SensorYaml(const SensorDescription& sensor);
+
+/// The columns of its samples where they are rows, else none.
+std::vector<std::string> ColumnsOf(const SensorDescription& sensor, const MachineModel& machine);
 
 }  // namespace tera

@@ -3,9 +3,9 @@
 #include <string>
 #include <variant>
 
+#include "core/overloaded.h"
 #include "core/types/labels.h"
 #include "serve/geometry_messages.h"
-#include "sim/rig.h"
 
 namespace tera {
 namespace {
@@ -124,16 +124,25 @@ void PutSensor(const SensorDescription& sensor, const MachineModel& machine, v1:
   message->set_link(sensor.link);
   Put(sensor.X_BS, message->mutable_x_bs());
   message->set_rate_hz(sensor.clock.rate_hz);
-  if (const auto* camera = std::get_if<CameraModel>(&sensor.model)) {
-    PutCamera(*camera, message->mutable_camera());
-  } else if (const auto* lidar = std::get_if<LidarModel>(&sensor.model)) {
-    message->mutable_lidar()->set_rings(static_cast<std::uint32_t>(lidar->elevation_rad.size()));
-    message->mutable_lidar()->set_columns(lidar->columns);
-  } else if (const auto* encoder = std::get_if<EncoderModel>(&sensor.model)) {
-    const EncodedAxes axes = AxesOf(*encoder, machine);
-    for (const int j : axes.joints) message->add_encoder_axes(machine.joints[j].name);
-    for (const int g : axes.gears) message->add_encoder_axes(machine.ground_tools.gears[g].name);
-  }
+  std::visit(
+      Overloaded{[&](const CameraModel& camera) { PutCamera(camera, message->mutable_camera()); },
+                 [&](const LidarModel& lidar) {
+                   message->mutable_lidar()->set_rings(
+                       static_cast<std::uint32_t>(lidar.elevation_rad.size()));
+                   message->mutable_lidar()->set_columns(lidar.columns);
+                 },
+                 [&](const EncoderModel&) {
+                   for (const EncoderAxis& axis : KindOf(sensor).axes(sensor, machine)) {
+                     message->add_encoder_axes(axis.name);
+                   }
+                 },
+                 [](const ImuModel&) {}, [](const GnssModel&) {},
+                 [&](const auto&) {
+                   for (const std::string& column : ColumnsOf(sensor, machine)) {
+                     message->add_columns(column);
+                   }
+                 }},
+      sensor.model);
 }
 
 }  // namespace

@@ -9,10 +9,10 @@
 #include <variant>
 
 #include "core/error.h"
+#include "core/overloaded.h"
 #include "physics/actuation/linkage.h"
 #include "serve/geometry_messages.h"
 #include "serve/session.h"
-#include "sim/rig.h"
 
 namespace tera {
 namespace {
@@ -63,30 +63,24 @@ PatchPlan PlanPatch(const v1::PatchSelection& patch, const Scenario& scenario) {
 
 /// An upper bound of what one sample of the sensor takes in a message.
 double SampleBytes(const SensorDescription& sensor, const MachineModel& machine) {
-  constexpr double kSmall_bytes = 200;  // time stamps, up to ten numbers, tags
-  if (const auto* camera = std::get_if<CameraModel>(&sensor.model)) {
-    const double pixels = static_cast<double>(camera->intrinsics.width_px) *
-                          static_cast<double>(camera->intrinsics.height_px);
-    const double each = (camera->rgb ? 3 : 0) + (camera->depth ? 4 : 0) + (camera->labels ? 3 : 0);
-    return kSmall_bytes + pixels * each;
-  }
-  if (const auto* lidar = std::get_if<LidarModel>(&sensor.model)) {
+  constexpr double kSmall_bytes = 200;  // time stamps, tags
+  const auto of_camera = [](const CameraModel& camera) {
+    const double pixels = static_cast<double>(camera.intrinsics.width_px) *
+                          static_cast<double>(camera.intrinsics.height_px);
+    return pixels * ((camera.rgb ? 3 : 0) + (camera.depth ? 4 : 0) + (camera.labels ? 3 : 0));
+  };
+  const auto of_lidar = [](const LidarModel& lidar) {
     constexpr double kPoint_bytes = 3 * 4 + 4 + 4 + 2 + 1 + 2;
-    return kSmall_bytes + kPoint_bytes * static_cast<double>(lidar->elevation_rad.size()) *
-                              static_cast<double>(lidar->columns);
-  }
-  if (const auto* encoder = std::get_if<EncoderModel>(&sensor.model)) {
-    const EncodedAxes axes = AxesOf(*encoder, machine);
-    constexpr double kAxis_bytes = 2 * sizeof(double);
-    return kSmall_bytes + kAxis_bytes * static_cast<double>(axes.joints.size() + axes.gears.size());
-  }
-  return kSmall_bytes;
+    return kPoint_bytes * static_cast<double>(lidar.elevation_rad.size()) *
+           static_cast<double>(lidar.columns);
+  };
+  const auto of_rows = [&](const auto&) {
+    return static_cast<double>(sizeof(double) * ColumnsOf(sensor, machine).size());
+  };
+  return kSmall_bytes + std::visit(Overloaded{of_camera, of_lidar, of_rows}, sensor.model);
 }
 
-bool IsFrame(const SensorDescription& sensor) {
-  return std::holds_alternative<CameraModel>(sensor.model) ||
-         std::holds_alternative<LidarModel>(sensor.model);
-}
+bool IsFrame(const SensorDescription& sensor) { return KindOf(sensor).form != ChannelForm::kRows; }
 
 void CheckSize(double bytes, double duration_s) {
   if (bytes <= static_cast<double>(kLargestSamples_bytes)) return;

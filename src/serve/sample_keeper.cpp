@@ -1,7 +1,12 @@
 #include "serve/sample_keeper.h"
 
 #include <bit>
+#include <map>
+#include <string_view>
+#include <utility>
 
+#include "core/overloaded.h"
+#include "core/types/sample_rows.h"
 #include "serve/geometry_messages.h"
 
 namespace tera {
@@ -23,6 +28,82 @@ void PutBytes(const std::vector<T>& values, std::string* bytes) {
 template <typename T>
 void Append(const T& value, std::string* bytes) {
   bytes->append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+void PutImu(const RowSample& row, v1::SensorSamples* samples) {
+  const ImuSample sample = ImuSampleOf(row);
+  v1::ImuSample& message = *samples->add_imu();
+  PutTimes(sample, &message);
+  Put(sample.w_WS_S_radps, message.mutable_angular_rate_s_radps());
+  Put(sample.f_S_mps2, message.mutable_specific_force_s_mps2());
+}
+
+void PutGnss(const RowSample& row, v1::SensorSamples* samples) {
+  const GnssSample sample = GnssSampleOf(row);
+  v1::GnssSample& message = *samples->add_gnss();
+  PutTimes(sample, &message);
+  message.set_fix(static_cast<std::uint32_t>(sample.fix));
+  message.set_lat_deg(sample.lat_deg);
+  message.set_lon_deg(sample.lon_deg);
+  message.set_height_m(sample.alt_m);
+  Put(sample.enu_m, message.mutable_enu_m());
+  Put(sample.variance_enu_m2, message.mutable_variance_enu_m2());
+}
+
+void PutEncoder(const RowSample& row, v1::SensorSamples* samples) {
+  const EncoderSample sample = EncoderSampleOf(row);
+  v1::EncoderSample& message = *samples->add_encoder();
+  PutTimes(sample, &message);
+  message.mutable_position()->Add(sample.q_rad.begin(), sample.q_rad.end());
+  message.mutable_rate()->Add(sample.qd_radps.begin(), sample.qd_radps.end());
+}
+
+void PutRow(const RowSample& row, v1::SensorSamples* samples) {
+  v1::RowSample& message = *samples->add_row();
+  PutTimes(row, &message);
+  message.mutable_value()->Add(row.values.begin(), row.values.end());
+}
+
+/// Rows of the kinds that have a message of their own; all others go as rows.
+using PutSample = void (*)(const RowSample&, v1::SensorSamples*);
+PutSample PutOf(const std::string& type) {
+  static const std::map<std::string_view, PutSample> own = {
+      {kImuChannel, PutImu}, {kGnssChannel, PutGnss}, {kEncoderChannel, PutEncoder}};
+  const auto found = own.find(type);
+  return found == own.end() ? PutRow : found->second;
+}
+
+void PutFrame(const CameraFrame& frame, v1::SensorSamples* samples) {
+  v1::CameraFrame& message = *samples->add_camera();
+  PutTimes(frame, &message);
+  for (const auto& [width_px, height_px] :
+       {std::pair(frame.rgb.width_px, frame.rgb.height_px),
+        std::pair(frame.depth_m.width_px, frame.depth_m.height_px),
+        std::pair(frame.semantic.width_px, frame.semantic.height_px)}) {
+    if (width_px == 0) continue;
+    message.set_width_px(width_px);
+    message.set_height_px(height_px);
+  }
+  PutBytes(frame.rgb.data, message.mutable_rgb());
+  PutBytes(frame.depth_m.data, message.mutable_depth_m());
+  PutBytes(frame.semantic.data, message.mutable_semantic());
+  PutBytes(frame.instance.data, message.mutable_instance());
+}
+
+void PutScan(const LidarScan& scan, v1::SensorSamples* samples) {
+  v1::LidarScan& message = *samples->add_lidar();
+  PutTimes(scan, &message);
+  message.set_points(static_cast<std::uint32_t>(scan.points.size()));
+  for (const LidarPoint& point : scan.points) {
+    for (const float coordinate_m : {point.x_m, point.y_m, point.z_m}) {
+      Append(coordinate_m, message.mutable_xyz_s_m());
+    }
+    Append(point.intensity, message.mutable_intensity());
+    Append(point.time_offset_ns, message.mutable_time_offset_ns());
+    Append(point.ring, message.mutable_ring());
+    Append(point.label, message.mutable_semantic());
+    Append(point.instance, message.mutable_instance());
+  }
 }
 
 }  // namespace
@@ -50,35 +131,9 @@ int SampleKeeper::PlanOf(const std::string& folder) const {
   return kNotKept;
 }
 
-ChannelId SampleKeeper::Add(const std::string& folder) {
-  channels_.push_back({folder, PlanOf(folder)});
+ChannelId SampleKeeper::AddChannel(const ChannelInfo& info) {
+  channels_.push_back({info.path, info.type, PlanOf(info.path)});
   return static_cast<ChannelId>(channels_.size() - 1);
-}
-
-ChannelId SampleKeeper::AddImu(const std::string& folder, const std::string&) {
-  return Add(folder);
-}
-ChannelId SampleKeeper::AddGnss(const std::string& folder, const std::string&) {
-  return Add(folder);
-}
-ChannelId SampleKeeper::AddEncoder(const std::string& folder, const std::string&,
-                                   const std::vector<EncoderAxis>&) {
-  return Add(folder);
-}
-ChannelId SampleKeeper::AddCamera(const std::string& folder, const std::string&) {
-  return Add(folder);
-}
-ChannelId SampleKeeper::AddLidar(const std::string& folder, const std::string&) {
-  return Add(folder);
-}
-ChannelId SampleKeeper::AddTable(const std::string& file, const std::vector<std::string>&) {
-  return Add(file);
-}
-ChannelId SampleKeeper::AddPose(const std::string& file, bool) { return Add(file); }
-
-v1::SensorSamples* SampleKeeper::Kept(ChannelId channel) {
-  const int kept = channels_[channel].kept;
-  return kept == kNotKept ? nullptr : &samples_[kept];
 }
 
 bool SampleKeeper::NeedsFrame(ChannelId channel, TimeNs, TimeNs next_ns) const {
@@ -86,74 +141,18 @@ bool SampleKeeper::NeedsFrame(ChannelId channel, TimeNs, TimeNs next_ns) const {
   return kept != kNotKept && (!plans_[kept].latest_only || next_ns > end_ns_);
 }
 
-void SampleKeeper::Write(ChannelId channel, const ImuSample& sample) {
-  v1::SensorSamples* samples = Kept(channel);
-  if (samples == nullptr) return;
-  v1::ImuSample& message = *samples->add_imu();
-  PutTimes(sample, &message);
-  Put(sample.w_WS_S_radps, message.mutable_angular_rate_s_radps());
-  Put(sample.f_S_mps2, message.mutable_specific_force_s_mps2());
-}
-
-void SampleKeeper::Write(ChannelId channel, const GnssSample& sample) {
-  v1::SensorSamples* samples = Kept(channel);
-  if (samples == nullptr) return;
-  v1::GnssSample& message = *samples->add_gnss();
-  PutTimes(sample, &message);
-  message.set_fix(static_cast<std::uint32_t>(sample.fix));
-  message.set_lat_deg(sample.lat_deg);
-  message.set_lon_deg(sample.lon_deg);
-  message.set_height_m(sample.alt_m);
-  Put(sample.enu_m, message.mutable_enu_m());
-  Put(sample.variance_enu_m2, message.mutable_variance_enu_m2());
-}
-
-void SampleKeeper::Write(ChannelId channel, const EncoderSample& sample) {
-  v1::SensorSamples* samples = Kept(channel);
-  if (samples == nullptr) return;
-  v1::EncoderSample& message = *samples->add_encoder();
-  PutTimes(sample, &message);
-  message.mutable_position()->Add(sample.q_rad.begin(), sample.q_rad.end());
-  message.mutable_rate()->Add(sample.qd_radps.begin(), sample.qd_radps.end());
-}
-
-void SampleKeeper::Write(ChannelId channel, CameraFrame frame) {
-  v1::SensorSamples* samples = Kept(channel);
-  if (samples == nullptr) return;
-  if (plans_[channels_[channel].kept].latest_only) samples->clear_camera();
-  v1::CameraFrame& message = *samples->add_camera();
-  PutTimes(frame, &message);
-  for (const auto& [width_px, height_px] :
-       {std::pair(frame.rgb.width_px, frame.rgb.height_px),
-        std::pair(frame.depth_m.width_px, frame.depth_m.height_px),
-        std::pair(frame.semantic.width_px, frame.semantic.height_px)}) {
-    if (width_px == 0) continue;
-    message.set_width_px(width_px);
-    message.set_height_px(height_px);
+void SampleKeeper::Write(ChannelId id, Measurement measurement) {
+  const Channel& channel = channels_[id];
+  if (channel.kept == kNotKept) return;
+  v1::SensorSamples* samples = &samples_[channel.kept];
+  if (plans_[channel.kept].latest_only) {
+    samples->clear_camera();
+    samples->clear_lidar();
   }
-  PutBytes(frame.rgb.data, message.mutable_rgb());
-  PutBytes(frame.depth_m.data, message.mutable_depth_m());
-  PutBytes(frame.semantic.data, message.mutable_semantic());
-  PutBytes(frame.instance.data, message.mutable_instance());
-}
-
-void SampleKeeper::Write(ChannelId channel, LidarScan scan) {
-  v1::SensorSamples* samples = Kept(channel);
-  if (samples == nullptr) return;
-  if (plans_[channels_[channel].kept].latest_only) samples->clear_lidar();
-  v1::LidarScan& message = *samples->add_lidar();
-  PutTimes(scan, &message);
-  message.set_points(static_cast<std::uint32_t>(scan.points.size()));
-  for (const LidarPoint& point : scan.points) {
-    for (const float coordinate_m : {point.x_m, point.y_m, point.z_m}) {
-      Append(coordinate_m, message.mutable_xyz_s_m());
-    }
-    Append(point.intensity, message.mutable_intensity());
-    Append(point.time_offset_ns, message.mutable_time_offset_ns());
-    Append(point.ring, message.mutable_ring());
-    Append(point.label, message.mutable_semantic());
-    Append(point.instance, message.mutable_instance());
-  }
+  std::visit(Overloaded{[&](const RowSample& row) { PutOf(channel.type)(row, samples); },
+                        [&](const CameraFrame& frame) { PutFrame(frame, samples); },
+                        [&](const LidarScan& scan) { PutScan(scan, samples); }},
+             measurement);
 }
 
 }  // namespace tera

@@ -17,37 +17,20 @@ class SampleKeeper : public MeasurementSink {
   /// Hands over what was kept, in the order of `sensors`.
   void Take(v1::Observation* observation);
 
-  ChannelId AddImu(const std::string& folder, const std::string& sensor_yaml) override;
-  ChannelId AddGnss(const std::string& folder, const std::string& sensor_yaml) override;
-  ChannelId AddEncoder(const std::string& folder, const std::string& sensor_yaml,
-                       const std::vector<EncoderAxis>& axes) override;
-  ChannelId AddCamera(const std::string& folder, const std::string& sensor_yaml) override;
-  ChannelId AddLidar(const std::string& folder, const std::string& sensor_yaml) override;
-  ChannelId AddTable(const std::string& file, const std::vector<std::string>& columns) override;
-  ChannelId AddPose(const std::string& file, bool with_velocity) override;
-
-  void Write(ChannelId channel, const ImuSample& sample) override;
-  void Write(ChannelId channel, const GnssSample& sample) override;
-  void Write(ChannelId channel, const EncoderSample& sample) override;
-  void Write(ChannelId channel, CameraFrame frame) override;
-  void Write(ChannelId channel, LidarScan scan) override;
-  void Write(ChannelId, const TruthPose&) override {}
-  void WriteRow(ChannelId, TimeNs, const std::vector<double>&) override {}
+  ChannelId AddChannel(const ChannelInfo& info) override;
+  void Write(ChannelId channel, Measurement measurement) override;
 
   bool NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs next_ns) const override;
   void MarkPresent(ChannelId, TimeNs) override {}
 
  private:
   struct Channel {
-    std::string folder;
+    std::string folder, type;
     int kept = kNotKept;  ///< index into plans_ and samples_
   };
   static constexpr int kNotKept = -1;
 
-  ChannelId Add(const std::string& folder);
   int PlanOf(const std::string& folder) const;
-  /// Where the channel's samples go, or null.
-  v1::SensorSamples* Kept(ChannelId channel);
 
   std::vector<Channel> channels_;
   std::vector<SensorPlan> plans_;

@@ -1,32 +1,22 @@
 #pragma once
 
-#include <deque>
+#include <array>
 #include <memory>
-#include <optional>
+#include <string>
 #include <vector>
 
 #include "dataset/format/measurement_sink.h"
-#include "sensors/slots/sensor_slots.h"
-#include "sim/gnss_reflector.h"
+#include "sensors/gnss/site_frame.h"
+#include "sensors/sampling.h"
+#include "sim/rig_scene.h"
 #include "sim/scenario/scenario.h"
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"
 
 namespace tera {
 
-/// Axes that an encoder reads, joints before gears, as indices into the machine's lists.
-struct EncodedAxes {
-  std::vector<int> joints, gears;
-  std::vector<std::string> unknown;  ///< names that the machine lacks
-};
-
-/// The axes that `encoder` names, or all that move where it names none.
-EncodedAxes AxesOf(const EncoderModel& encoder, const MachineModel& machine);
-
-/// Their names and kinds, in that order.
-std::vector<EncoderAxis> NamesOf(const EncodedAxes& axes, const MachineModel& machine);
-
-/// All sensors of a scenario, sampled as they fall due and written.
+/// All sensors of a scenario, sampled as they fall due and written. What each kind does stands with
+/// the kind (src/sensors).
 ///
 /// Frames  W; each sensor's S at X_BS on its link, or where its effects put it.
 /// Model   what a sensor's own model measures passes through the slots that its effects make.
@@ -40,7 +30,6 @@ class Rig {
   /// a sensor needs them.
   Rig(const Scenario& scenario, const SceneAssembly& assembly, const EglOptions& egl, int threads,
       MeasurementSink* sink);
-  ~Rig();
 
   /// Samples what is due at the start, t = 0.
   void SampleStart(const Simulation& simulation);
@@ -50,91 +39,29 @@ class Rig {
   /// which nothing else is sampled.
   void Finish(const Simulation& simulation);
 
-  double camera_wall_s() const { return camera_wall_s_; }
-  double lidar_wall_s() const { return lidar_wall_s_; }
+  double camera_wall_s() const { return WallOf(ChannelForm::kPictures); }
+  double lidar_wall_s() const { return WallOf(ChannelForm::kScans); }
 
  private:
-  struct ImuUnit {
-    Imu imu;
-    ImuSlots slots;
+  struct Unit {
     std::size_t machine;
-    int link;
-    ChannelId channel;
-  };
-  struct GnssUnit {
-    Gnss gnss;
-    GnssSlots slots;
-    SampleClock clock;
-    std::size_t machine;
-    int link;
-    Pose X_BT;                               ///< where it truly sits
-    std::optional<GnssReflector> reflector;  ///< beside it
-    ChannelId channel;
-    std::int64_t next = 0;
-  };
-  struct EncoderUnit {
-    Encoder encoder;
-    EncoderSlots slots;
-    SampleClock clock;
-    std::size_t machine;
-    std::vector<int> joints, gears;  ///< read in this order
-    ChannelId channel;
-    std::int64_t next = 0;
-  };
-  struct CameraUnit {
-    Camera camera;
-    FrameSlots slots;
-    SampleClock clock;
-    std::size_t machine;
-    int link;
-    Pose X_BT;  ///< where it truly sits
-    ChannelId channel;
-    std::int64_t next = 0;
-  };
-  struct LidarUnit {
-    Lidar lidar;
-    FrameSlots slots;
-    SampleClock clock;
-    std::size_t machine;
-    int link;
-    Pose X_BT;  ///< where it truly sits
-    ChannelId channel;
-    PoseTrack X_WS;
-    std::int64_t next = 0;
-  };
-  /// Poses of all scene bodies at a step, kept as long as a revolution may need them.
-  struct SceneMoment {
-    TimeNs t_ns;
-    std::vector<Pose> X_WB;
+    ChannelForm form;
+    std::unique_ptr<SensorSampler> sampler;
   };
 
-  void Add(const Scenario& scenario, std::size_t machine, const SensorDescription& sensor);
-  void AddEncoder(const MachineModel& model, std::size_t machine, const SensorDescription& sensor,
-                  const std::string& folder);
-  void SampleImus(const WorldState& before, const WorldState& after);
-  void Report(ImuUnit* unit, std::vector<ImuSample>* samples);
-  void SampleGnss(const WorldState& before, const WorldState& after);
-  void SampleEncoders(const WorldState& before, const WorldState& after);
-  void SampleCameras(const WorldState& before, const WorldState& after,
-                     const TerrainSurface& ground);
-  void SampleLidars(const WorldState& now, const TerrainSurface& ground);
-  void RememberScene(const WorldState& state);
-  std::vector<Pose> BodiesAt(TimeNs t_ns) const;
+  bool Has(ChannelForm form) const;
+  double* WallOf(ChannelForm form) { return &wall_s_[static_cast<std::size_t>(form)]; }
+  double WallOf(ChannelForm form) const { return wall_s_[static_cast<std::size_t>(form)]; }
+  /// Lets every unit do `what` with the step from `before` to `after`.
+  using SamplerStep = void (SensorSampler::*)(const SensedStep&);
+  void ForEach(SamplerStep what, const WorldState& before, const WorldState& after);
+  void SampleWithScene(SamplerStep what, const WorldState& before, const WorldState& after,
+                       const TerrainSurface& ground);
 
-  std::uint64_t seed_;
-  int threads_;
-  MeasurementSink* sink_;
   SiteFrame site_;
-  const SceneAssembly& assembly_;
-  std::unique_ptr<Rasterizer> rasterizer_;
-  std::unique_ptr<RayScene> ray_scene_;
-  std::vector<ImuUnit> imus_;
-  std::vector<GnssUnit> gnss_;
-  std::vector<EncoderUnit> encoders_;
-  std::vector<CameraUnit> cameras_;
-  std::vector<LidarUnit> lidars_;
-  std::deque<SceneMoment> history_;
-  double camera_wall_s_ = 0, lidar_wall_s_ = 0;
+  std::vector<Unit> units_;
+  RigScene scene_;
+  std::array<double, 3> wall_s_ = {};  ///< by form
 };
 
 }  // namespace tera

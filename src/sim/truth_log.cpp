@@ -1,5 +1,7 @@
 #include "sim/truth_log.h"
 
+#include "core/types/sample_rows.h"
+
 namespace tera {
 namespace {
 
@@ -80,20 +82,25 @@ TruthLog::TruthLog(const Scenario& scenario, MeasurementSink* sink)
     const std::string& name = machine.placement.name;
     std::vector<std::string> levers;
     for (const Lever& lever : model.levers) levers.push_back(lever.name);
-    channels_.push_back(
-        {sink->AddTable(name + "/commands.csv", levers),
-         sink->AddPose("truth/" + name + "/pose.csv"),
-         sink->AddTable("truth/" + name + "/joints.csv", Columns(model, scenario.soil->soils())),
-         std::nullopt});
+    channels_.push_back({sink->AddChannel(TableChannel(name + "/commands.csv", levers)),
+                         sink->AddChannel(PoseChannel("truth/" + name + "/pose.csv")),
+                         sink->AddChannel(TableChannel("truth/" + name + "/joints.csv",
+                                                       Columns(model, scenario.soil->soils()))),
+                         std::nullopt});
     if (model.cylinders.empty()) continue;
-    channels_.back().hydraulics =
-        sink->AddTable("truth/" + name + "/hydraulics.csv", HydraulicColumns(model));
+    channels_.back().hydraulics = sink->AddChannel(
+        TableChannel("truth/" + name + "/hydraulics.csv", HydraulicColumns(model)));
   }
   for (const ScenarioObstacle& obstacle : scenario.obstacles) {
     beds_.emplace_back();
     if (!obstacle.bed) continue;
-    beds_.back() = sink->AddTable("truth/" + obstacle.name + "/bed.csv", {"soil_kg", "soil_m3"});
+    beds_.back() = sink->AddChannel(
+        TableChannel("truth/" + obstacle.name + "/bed.csv", {"soil_kg", "soil_m3"}));
   }
+}
+
+void TruthLog::WriteRow(ChannelId channel, TimeNs t_ns, const std::vector<double>& values) {
+  sink_->Write(channel, RowSample{t_ns, t_ns, values});
 }
 
 void TruthLog::WriteStates(const WorldState& now, const WorldState& next) {
@@ -101,23 +108,21 @@ void TruthLog::WriteStates(const WorldState& now, const WorldState& next) {
     const BodyState &root = now.machines[m].links[0], &later = next.machines[m].links[0];
     const Vec3 v_W_mps = 0.5 * (root.v_WB_mps + later.v_WB_mps);
     const Vec3 w_W_radps = 0.5 * (root.w_WB_radps + later.w_WB_radps);
-    sink_->Write(channels_[m].pose, TruthPose{now.t_ns, root.X_WB, v_W_mps,
-                                              root.X_WB.linear().transpose() * w_W_radps});
-    sink_->WriteRow(channels_[m].joints, now.t_ns,
-                    JointRow(now.machines[m], next.machines[m], soils_));
+    sink_->Write(channels_[m].pose, RowOf(TruthPose{now.t_ns, root.X_WB, v_W_mps,
+                                                    root.X_WB.linear().transpose() * w_W_radps}));
+    WriteRow(channels_[m].joints, now.t_ns, JointRow(now.machines[m], next.machines[m], soils_));
     if (!channels_[m].hydraulics) continue;
-    sink_->WriteRow(*channels_[m].hydraulics, now.t_ns,
-                    HydraulicRow(now.machines[m], next.machines[m]));
+    WriteRow(*channels_[m].hydraulics, now.t_ns, HydraulicRow(now.machines[m], next.machines[m]));
   }
   for (std::size_t o = 0; o < beds_.size(); ++o) {
     if (!beds_[o]) continue;
-    sink_->WriteRow(*beds_[o], now.t_ns, {now.beds[o].mass_kg, now.beds[o].volume_m3});
+    WriteRow(*beds_[o], now.t_ns, {now.beds[o].mass_kg, now.beds[o].volume_m3});
   }
 }
 
 void TruthLog::Write(const WorldState& before, const WorldState& after) {
   for (std::size_t m = 0; m < channels_.size(); ++m) {
-    sink_->WriteRow(channels_[m].commands, before.t_ns, after.machines[m].levers);
+    WriteRow(channels_[m].commands, before.t_ns, after.machines[m].levers);
   }
   WriteStates(before, after);
 }

@@ -26,6 +26,7 @@ class TruthLog {
     ChannelId commands, pose, joints;
     std::optional<ChannelId> hydraulics;
   };
+  void WriteRow(ChannelId channel, TimeNs t_ns, const std::vector<double>& values);
   void WriteStates(const WorldState& now, const WorldState& next);
 
   MeasurementSink* sink_;

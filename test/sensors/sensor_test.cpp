@@ -219,11 +219,7 @@ TEST(SensorYaml, ItsModelReadsBackToTheSameModel) {
     const Config config = Config::FromText(text, "sensor.yaml");
     const ConfigMap model = config.root().Map("model");
     SensorDescription again = sensor;
-    if (TypeOf(sensor) == "imu") again.model = ReadImuModel(model);
-    if (TypeOf(sensor) == "gnss") again.model = ReadGnssModel(model);
-    if (TypeOf(sensor) == "camera") again.model = ReadCameraModel(model);
-    if (TypeOf(sensor) == "lidar") again.model = ReadLidarModel(model);
-    if (TypeOf(sensor) == "encoder") again.model = ReadEncoderModel(model);
+    KindOf(sensor).read(model, &again);
     EXPECT_EQ(SensorYaml(again), text);
   }
 }

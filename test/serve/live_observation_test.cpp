@@ -98,9 +98,9 @@ TEST(LiveStage, TheLatestFrameOfASensorComesWhateverItsClockSays) {
 /// Counts the scans that were measured for it.
 class CountingKeeper : public SampleKeeper {
  public:
-  void Write(ChannelId channel, LidarScan scan) override {
-    ++scans;
-    SampleKeeper::Write(channel, std::move(scan));
+  void Write(ChannelId channel, Measurement measurement) override {
+    scans += std::holds_alternative<LidarScan>(measurement) ? 1 : 0;
+    SampleKeeper::Write(channel, std::move(measurement));
   }
   int scans = 0;
 };

@@ -82,41 +82,17 @@ std::map<std::string, std::string> ReadAll(const fs::path& root) {
 /// Counts what arrives at each channel.
 class CountingSink : public MeasurementSink {
  public:
-  ChannelId AddImu(const std::string& folder, const std::string&) override { return Add(folder); }
-  ChannelId AddGnss(const std::string& folder, const std::string&) override { return Add(folder); }
-  ChannelId AddEncoder(const std::string& folder, const std::string&,
-                       const std::vector<EncoderAxis>&) override {
-    return Add(folder);
+  ChannelId AddChannel(const ChannelInfo& info) override {
+    names.push_back(info.path);
+    return static_cast<ChannelId>(names.size()) - 1;
   }
-  ChannelId AddCamera(const std::string& folder, const std::string&) override {
-    return Add(folder);
-  }
-  ChannelId AddLidar(const std::string& folder, const std::string&) override { return Add(folder); }
-  ChannelId AddTable(const std::string& file, const std::vector<std::string>&) override {
-    return Add(file);
-  }
-  ChannelId AddPose(const std::string& file, bool) override { return Add(file); }
-  void Write(ChannelId channel, const ImuSample&) override { ++count[names[channel]]; }
-  void Write(ChannelId channel, const GnssSample&) override { ++count[names[channel]]; }
-  void Write(ChannelId channel, const EncoderSample&) override { ++count[names[channel]]; }
-  void Write(ChannelId channel, CameraFrame) override { ++count[names[channel]]; }
-  void Write(ChannelId channel, LidarScan) override { ++count[names[channel]]; }
-  void Write(ChannelId channel, const TruthPose&) override { ++count[names[channel]]; }
-  void WriteRow(ChannelId channel, TimeNs, const std::vector<double>&) override {
-    ++count[names[channel]];
-  }
+  void Write(ChannelId channel, Measurement) override { ++count[names[channel]]; }
   bool NeedsFrame(ChannelId, TimeNs, TimeNs) const override { return wants_frames; }
   void MarkPresent(ChannelId channel, TimeNs) override { ++skipped[names[channel]]; }
 
   bool wants_frames = true;
   std::vector<std::string> names;
   std::map<std::string, int> count, skipped;
-
- private:
-  ChannelId Add(const std::string& name) {
-    names.push_back(name);
-    return static_cast<ChannelId>(names.size()) - 1;
-  }
 };
 
 TEST(LiveRun, ObeysLeversUntilTheyAreASecondOldAndThenStands) {

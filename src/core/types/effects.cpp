@@ -52,7 +52,7 @@ void ReportMisplaced(const ConfigMap& config, EffectTarget target,
     if (among(fitting) || among(reported) || !config.Has(m.id)) continue;
     reported.push_back(m.id);
     config.Fault(m.id, fmt::format("'{}' does not act on this target, {}; those that do: {}", m.id,
-                                   NameOf(target), fmt::join(fitting, ", ")));
+                                   target.name, fmt::join(fitting, ", ")));
   }
 }
 
@@ -84,33 +84,6 @@ std::string_view NameOf(Slot slot) {
       return "sensor_timing";
   }
   TERA_CHECK(false, static_cast<int>(slot));
-  return {};
-}
-
-std::string_view NameOf(EffectTarget target) {
-  switch (target) {
-    case EffectTarget::kJoint:
-      return "a joint";
-    case EffectTarget::kGear:
-      return "a track or wheel set";
-    case EffectTarget::kPump:
-      return "a pump";
-    case EffectTarget::kBase:
-      return "the motion of the machine";
-    case EffectTarget::kImu:
-      return "an imu";
-    case EffectTarget::kGnss:
-      return "a gnss";
-    case EffectTarget::kCamera:
-      return "a camera";
-    case EffectTarget::kLidar:
-      return "a lidar";
-    case EffectTarget::kEncoder:
-      return "a set of encoders";
-    case EffectTarget::kEncoderAxis:
-      return "one axis of a set of encoders";
-  }
-  TERA_CHECK(false, static_cast<int>(target));
   return {};
 }
 

@@ -33,21 +33,26 @@ std::string_view NameOf(Slot slot);
 
 /// What a mechanism can act on. In YAML a joint, gear, pump or sensor goes by its name, the motion
 /// of the whole machine by `base`, one axis of a set of encoders by both names, `encoders/boom`.
-enum class EffectTarget {
-  kJoint,
-  kGear,
-  kPump,
-  kBase,
-  kImu,
-  kGnss,
-  kCamera,
-  kLidar,
-  kEncoder,
-  kEncoderAxis
+/// A kind of sensor that none of these names brings its own.
+struct EffectTarget {
+  std::string_view name;  ///< as messages have it: "an imu", "a track or wheel set"
+
+  bool operator==(const EffectTarget&) const = default;
+
+  static const EffectTarget kJoint, kGear, kPump, kBase;
+  static const EffectTarget kImu, kGnss, kCamera, kLidar, kEncoder, kEncoderAxis;
 };
 
-/// As messages name it: "an imu", "a track or wheel set".
-std::string_view NameOf(EffectTarget target);
+inline constexpr EffectTarget EffectTarget::kJoint{"a joint"};
+inline constexpr EffectTarget EffectTarget::kGear{"a track or wheel set"};
+inline constexpr EffectTarget EffectTarget::kPump{"a pump"};
+inline constexpr EffectTarget EffectTarget::kBase{"the motion of the machine"};
+inline constexpr EffectTarget EffectTarget::kImu{"an imu"};
+inline constexpr EffectTarget EffectTarget::kGnss{"a gnss"};
+inline constexpr EffectTarget EffectTarget::kCamera{"a camera"};
+inline constexpr EffectTarget EffectTarget::kLidar{"a lidar"};
+inline constexpr EffectTarget EffectTarget::kEncoder{"a set of encoders"};
+inline constexpr EffectTarget EffectTarget::kEncoderAxis{"one axis of a set of encoders"};
 
 /// One number of a mechanism.
 struct EffectParameter {

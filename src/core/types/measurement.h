@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/motion.h"
@@ -44,6 +45,14 @@ struct GnssSample {
   Vec3 enu_m = Vec3::Zero();
   GnssFix fix = GnssFix::kNone;
   Vec3 variance_enu_m2 = Vec3::Zero();
+};
+
+/// What an encoder reads: an angle, or the travel of a prismatic joint.
+struct EncoderAxis {
+  std::string name;
+  bool linear = false;
+
+  bool operator==(const EncoderAxis&) const = default;
 };
 
 /// Joint angles (or, for prismatic joints, metres) and rates, in the order of the sensor's joints.
@@ -121,5 +130,25 @@ struct LidarScan {
   TimeNs t_available_ns = 0;
   std::vector<LidarPoint> points;
 };
+
+/// Pose (and velocity) truth of a machine's root link.
+struct TruthPose {
+  TimeNs t_ns = 0;
+  Pose X_WB = Pose::Identity();
+  Vec3 v_WB_mps = Vec3::Zero();
+  Vec3 w_WB_B_radps = Vec3::Zero();
+};
+
+/// Numbers of one instant. The channel that they belong to names them, one column each. A sensor
+/// that measures a few numbers at a time gives its samples in this form (sample_rows.h); so do
+/// tables of the truth.
+struct RowSample {
+  TimeNs t_ns = 0;
+  TimeNs t_available_ns = 0;
+  std::vector<double> values;
+};
+
+/// What a channel carries from a sensor to whoever listens.
+using Measurement = std::variant<RowSample, CameraFrame, LidarScan>;
 
 }  // namespace tera

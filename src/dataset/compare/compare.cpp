@@ -10,7 +10,6 @@
 
 #include "core/error.h"
 #include "core/units.h"
-#include "dataset/format/csv_rows.h"
 #include "dataset/format/recording.h"
 #include "dataset/overview/gnuplot.h"
 
@@ -36,33 +35,13 @@ Trajectory LoadTrajectory(const Recording& recording, const std::string& machine
   return track;
 }
 
-std::vector<Signal> ImuSignals(const Recording& recording, const std::string& folder) {
+std::vector<Signal> SignalsOf(const Recording& recording, const std::string& folder) {
+  const TableRecording table = recording.LoadRows(folder);
   std::vector<Signal> signals;
-  for (const char* name : {"wx_radps", "wy_radps", "wz_radps", "ax_mps2", "ay_mps2", "az_mps2"}) {
-    signals.push_back({name, {}, {}});
-  }
-  for (const ImuSample& sample : recording.LoadImu(folder)) {
-    for (int i = 0; i < 6; ++i) {
-      Signal& signal = signals[static_cast<std::size_t>(i)];
-      signal.t_ns.push_back(sample.t_ns);
-      signal.value.push_back(i < 3 ? sample.w_WS_S_radps[i] : sample.f_S_mps2[i - 3]);
-    }
-  }
-  return signals;
-}
-
-std::vector<Signal> EncoderSignals(const Recording& recording, const std::string& folder) {
-  const EncoderRecording encoder = recording.LoadEncoder(folder);
-  std::vector<Signal> signals;
-  for (const std::string& column : EncoderColumns(encoder.axes)) {
-    signals.push_back({column, {}, {}});
-  }
-  const std::size_t n = encoder.axes.size();
-  for (const EncoderSample& sample : encoder.samples) {
-    for (std::size_t i = 0; i < 2 * n; ++i) {
-      signals[i].t_ns.push_back(sample.t_ns);
-      signals[i].value.push_back(i < n ? sample.q_rad[i] : sample.qd_radps[i - n]);
-    }
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    Signal signal{table.columns[c], table.t_ns, {}};
+    for (const std::vector<double>& row : table.rows) signal.value.push_back(row[c]);
+    signals.push_back(std::move(signal));
   }
   return signals;
 }
@@ -92,10 +71,8 @@ ChannelDifference Difference(const std::string& channel, const Signal& a, const 
   return d;
 }
 
-using Load = std::vector<Signal> (*)(const Recording&, const std::string&);
-
 /// Appends the differences of the channels of `type` that both machines have.
-void CompareChannels(const Recording& a, const Recording& b, ChannelType type, Load load,
+void CompareChannels(const Recording& a, const Recording& b, std::string_view type,
                      MachineComparison* machine) {
   const std::string prefix = machine->name_a + "/";
   for (const std::string& folder : a.ChannelsOf(type)) {
@@ -104,8 +81,8 @@ void CompareChannels(const Recording& a, const Recording& b, ChannelType type, L
     const std::string other = machine->name_b + "/" + channel;
     const auto folders_b = b.ChannelsOf(type);
     if (std::find(folders_b.begin(), folders_b.end(), other) == folders_b.end()) continue;
-    const auto signals_b = load(b, other);
-    for (const Signal& signal : load(a, folder)) {
+    const auto signals_b = SignalsOf(b, other);
+    for (const Signal& signal : SignalsOf(a, folder)) {
       const auto match = std::find_if(signals_b.begin(), signals_b.end(),
                                       [&](const Signal& s) { return s.column == signal.column; });
       if (match == signals_b.end()) continue;
@@ -132,8 +109,8 @@ MachineComparison CompareMachine(const Recording& a, const Recording& b, const s
     options.alignment = Alignment::kSe3;
     machine.aligned_se3 = EvaluateTrajectory(machine.a, machine.b, options);
   }
-  CompareChannels(a, b, ChannelType::kImu, ImuSignals, &machine);
-  CompareChannels(a, b, ChannelType::kEncoder, EncoderSignals, &machine);
+  CompareChannels(a, b, kImuChannel, &machine);
+  CompareChannels(a, b, kEncoderChannel, &machine);
   return machine;
 }
 

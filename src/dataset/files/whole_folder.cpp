@@ -7,10 +7,15 @@
 #include "core/error.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/files/folder_lock.h"
-#include "dataset/format/writer.h"
 
 namespace tera {
 namespace fs = std::filesystem;
+
+fs::path IncompleteOf(const fs::path& directory) {
+  fs::path root = directory.has_filename() ? directory : directory.parent_path();
+  root += ".incomplete";
+  return root;
+}
 
 WholeFolder::WholeFolder(const fs::path& folder)
     : folder_(folder.has_filename() ? folder : folder.parent_path()),

@@ -7,9 +7,12 @@ namespace tera {
 
 class FolderLock;
 
+/// Where a recording or another folder is until it is finished, without a slash at the end.
+std::filesystem::path IncompleteOf(const std::filesystem::path& directory);
+
 /// A folder that is written beside its place and appears there when it is whole.
 ///
-/// It goes to `<folder>.incomplete`, as recordings do (writer.h); what cannot be gone on with, such
+/// It goes to `<folder>.incomplete`, as recordings do; what cannot be gone on with, such
 /// as a report, is gone again where it is not completed.
 class WholeFolder {
  public:

@@ -6,26 +6,6 @@
 
 namespace tera {
 
-std::string_view NameOf(ChannelType type) {
-  switch (type) {
-    case ChannelType::kImu:
-      return "imu";
-    case ChannelType::kGnss:
-      return "gnss";
-    case ChannelType::kEncoder:
-      return "encoder";
-    case ChannelType::kCamera:
-      return "camera";
-    case ChannelType::kLidar:
-      return "lidar";
-    case ChannelType::kTable:
-      return "table";
-    case ChannelType::kPose:
-      return "pose";
-  }
-  return "";
-}
-
 std::string_view TeraVersion() { return TERA_VERSION; }
 
 std::string YamlQuoted(const std::string& text) {
@@ -43,6 +23,15 @@ std::string YamlQuoted(const std::string& text) {
   return quoted + '"';
 }
 
+std::string InputsYaml(const std::vector<RecordedInput>& inputs) {
+  std::string text = inputs.empty() ? "inputs: []\n" : "inputs:\n";
+  for (const RecordedInput& input : inputs) {
+    fmt::format_to(std::back_inserter(text), "  - {{file: {}, bytes: {}, sha256: {}}}\n",
+                   YamlQuoted(input.name), input.bytes, YamlQuoted(input.sha256));
+  }
+  return text;
+}
+
 std::string DatasetYaml(const DatasetInfo& info, const std::vector<ChannelDescription>& channels) {
   std::string text;
   const auto out = std::back_inserter(text);
@@ -53,8 +42,7 @@ std::string DatasetYaml(const DatasetInfo& info, const std::vector<ChannelDescri
                  info.origin_lon_deg, info.origin_height_m);
   fmt::format_to(out, "channels:{}\n", channels.empty() ? " []" : "");
   for (const ChannelDescription& channel : channels) {
-    fmt::format_to(out, "  - {{path: {}, type: {}}}\n", YamlQuoted(channel.path),
-                   NameOf(channel.type));
+    fmt::format_to(out, "  - {{path: {}, type: {}}}\n", YamlQuoted(channel.path), channel.type);
   }
   fmt::format_to(out, "classes:\n");
   for (const SemanticClassInfo& info : kSemanticClasses) {

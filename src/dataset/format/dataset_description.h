@@ -3,24 +3,26 @@
 #include <string>
 #include <vector>
 
-#include "dataset/format/writer.h"
+#include "dataset/format/channel.h"
+#include "dataset/format/dataset_info.h"
 
 namespace tera {
 
-/// What a channel holds, as dataset.yaml names it.
-enum class ChannelType { kImu, kGnss, kEncoder, kCamera, kLidar, kTable, kPose };
-
-std::string_view NameOf(ChannelType type);
-
 struct ChannelDescription {
   std::string path;  ///< folder, or file for tables and poses, relative to the dataset
-  ChannelType type = ChannelType::kTable;
+  std::string type = std::string(kTableChannel);
 };
 
 inline constexpr int kDatasetFormat = 1;
 
+/// Where a recording has its inputs until its dataset.yaml is written.
+inline constexpr char kInputsOfStoppedName[] = "INCOMPLETE.inputs";
+
 /// The text of dataset.yaml.
 std::string DatasetYaml(const DatasetInfo& info, const std::vector<ChannelDescription>& channels);
+
+/// The key `inputs` and its list, as dataset.yaml has them.
+std::string InputsYaml(const std::vector<RecordedInput>& inputs);
 
 /// `text` as a double-quoted YAML scalar.
 std::string YamlQuoted(const std::string& text);

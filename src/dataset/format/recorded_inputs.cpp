@@ -4,13 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "core/config/portable_name.h"
 #include "core/error.h"
 #include "dataset/files/file_digest.h"
-#include "dataset/format/dataset_description.h"
-#include "dataset/format/recording.h"
 
 namespace tera {
 namespace fs = std::filesystem;
@@ -57,15 +54,6 @@ std::vector<RecordedInput> DigestsOf(const std::vector<InputFile>& files) {
   return inputs;
 }
 
-std::string InputsYaml(const std::vector<RecordedInput>& inputs) {
-  std::string text = inputs.empty() ? "inputs: []\n" : "inputs:\n";
-  for (const RecordedInput& input : inputs) {
-    fmt::format_to(std::back_inserter(text), "  - {{file: {}, bytes: {}, sha256: {}}}\n",
-                   YamlQuoted(input.name), input.bytes, YamlQuoted(input.sha256));
-  }
-  return text;
-}
-
 std::vector<RecordedInput> ReadInputs(const ConfigMap& config) {
   std::vector<RecordedInput> inputs;
   for (const ConfigMap& item : config.List("inputs")) {
@@ -79,15 +67,6 @@ std::vector<RecordedInput> ReadInputs(const ConfigMap& config) {
     }
     inputs.push_back(std::move(input));
   }
-  return inputs;
-}
-
-std::vector<RecordedInput> LoadInputs(const fs::path& directory) {
-  if (IsFile(directory / "dataset.yaml")) return Recording(directory).info().inputs;
-  if (!IsFile(directory / kInputsOfStoppedName)) return {};
-  const Config config = Config::FromFile(directory / kInputsOfStoppedName);
-  std::vector<RecordedInput> inputs = ReadInputs(config.root());
-  config.Finish();
   return inputs;
 }
 

@@ -8,11 +8,13 @@
 
 #include "core/config/config.h"
 #include "core/error.h"
+#include "core/types/sample_rows.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/format/csv_rows.h"
 #include "dataset/format/object_boxes.h"
 #include "dataset/format/pcd.h"
 #include "dataset/format/png.h"
+#include "dataset/format/recorded_inputs.h"
 #include "dataset/import/csv_file.h"
 
 namespace tera {
@@ -49,9 +51,12 @@ Vec3 Vector3(const CsvFile& csv, std::size_t row, std::size_t first) {
   return {csv.Number(row, first), csv.Number(row, first + 1), csv.Number(row, first + 2)};
 }
 
-GnssFix Fix(const CsvFile& csv, std::size_t row, std::size_t column) {
-  if (const auto fix = FixOfQuality(csv.Number(row, column))) return *fix;
-  csv.Fail(row, column, std::string(kNeedFix));
+RowSample RowAt(const CsvFile& csv, std::size_t row) {
+  RowSample sample{csv.Time(row), csv.Time(row), {}};
+  for (std::size_t c = 1; c < csv.columns().size(); ++c) {
+    sample.values.push_back(csv.Number(row, c));
+  }
+  return sample;
 }
 
 Mat3 Rotation(const CsvFile& csv, std::size_t row, std::size_t first) {
@@ -108,14 +113,23 @@ DatasetInfo ReadInfo(const ConfigMap& root) {
   return info;
 }
 
-ChannelType ReadType(const ConfigMap& map) {
-  const std::string name =
-      map.Choice("type", {"imu", "gnss", "encoder", "camera", "lidar", "table", "pose"}, "table");
-  for (const ChannelType type : {ChannelType::kImu, ChannelType::kGnss, ChannelType::kEncoder,
-                                 ChannelType::kCamera, ChannelType::kLidar, ChannelType::kPose}) {
-    if (NameOf(type) == name) return type;
-  }
-  return ChannelType::kTable;
+/// The kind that a sensor's own sensor.yaml gives; empty where it has none.
+std::string KindOfSensor(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(folder / "sensor.yaml", ignored)) return "";
+  return Config::FromFile(folder / "sensor.yaml").root().Text("type", "");
+}
+
+/// One of the types that this folder reads itself, or the kind of a sensor of rows, which its own
+/// sensor.yaml must name too.
+std::string ReadType(const ConfigMap& map, const fs::path& channel) {
+  static constexpr std::initializer_list<std::string_view> kKnown = {
+      kImuChannel,   kGnssChannel,  kEncoderChannel, kCameraChannel,
+      kLidarChannel, kTableChannel, kPoseChannel};
+  const std::string type = map.Text("type", kTableChannel);
+  const bool known = std::find(kKnown.begin(), kKnown.end(), type) != kKnown.end();
+  if (!known && !type.empty() && KindOfSensor(channel) == type) return type;
+  return map.Choice("type", kKnown, kTableChannel);
 }
 
 TableRecording ReadTable(const CsvFile& csv) {
@@ -125,10 +139,9 @@ TableRecording ReadTable(const CsvFile& csv) {
   TableRecording table;
   table.columns.assign(csv.columns().begin() + 1, csv.columns().end());
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
-    table.t_ns.push_back(csv.Time(row));
-    std::vector<double> values;
-    for (std::size_t c = 1; c < csv.columns().size(); ++c) values.push_back(csv.Number(row, c));
-    table.rows.push_back(std::move(values));
+    RowSample sample = RowAt(csv, row);
+    table.t_ns.push_back(sample.t_ns);
+    table.rows.push_back(std::move(sample.values));
   }
   return table;
 }
@@ -148,6 +161,17 @@ TableRecording LoadStoppedTable(const fs::path& directory, const std::string& fi
   return ReadTable(CsvFile(path, CsvFile::LastLine::kIsLeftOutIfCut));
 }
 
+std::vector<RecordedInput> LoadInputs(const fs::path& directory) {
+  std::error_code ignored;
+  if (fs::is_regular_file(directory / "dataset.yaml", ignored))
+    return Recording(directory).info().inputs;
+  if (!fs::is_regular_file(directory / kInputsOfStoppedName, ignored)) return {};
+  const Config config = Config::FromFile(directory / kInputsOfStoppedName);
+  std::vector<RecordedInput> inputs = ReadInputs(config.root());
+  config.Finish();
+  return inputs;
+}
+
 Recording::Recording(const fs::path& directory) : directory_(directory) {
   std::error_code ignored;
   if (!fs::is_directory(directory, ignored)) {
@@ -165,7 +189,8 @@ Recording::Recording(const fs::path& directory) : directory_(directory) {
   const ConfigMap root = config.root();
   info_ = ReadInfo(root);
   for (const ConfigMap& item : root.List("channels")) {
-    channels_.push_back({item.Text("path"), ReadType(item)});
+    const std::string path = item.Text("path");
+    channels_.push_back({path, ReadType(item, directory / path)});
   }
   config.Finish();
   if (fs::exists(directory / "scenario.yaml", ignored)) {
@@ -178,7 +203,7 @@ bool Recording::Has(const std::string& path) const {
                      [&](const ChannelDescription& c) { return c.path == path; });
 }
 
-std::vector<std::string> Recording::ChannelsOf(ChannelType type) const {
+std::vector<std::string> Recording::ChannelsOf(std::string_view type) const {
   std::vector<std::string> paths;
   for (const ChannelDescription& channel : channels_) {
     if (channel.type == type) paths.push_back(channel.path);
@@ -199,27 +224,21 @@ std::vector<std::string> Recording::Machines() const {
 }
 
 std::vector<ImuSample> Recording::LoadImu(const std::string& folder) const {
-  const CsvFile csv = OpenWithHeader(directory_ / folder / "data.csv", kImuHeader);
-  std::vector<ImuSample> samples(csv.row_count());
-  for (std::size_t row = 0; row < samples.size(); ++row) {
-    const TimeNs t_ns = csv.Time(row);
-    samples[row] = {t_ns, t_ns, Vector3(csv, row, 1), Vector3(csv, row, 4)};
+  const CsvFile csv = OpenWithHeader(directory_ / folder / "data.csv", TableHeader(ImuColumns()));
+  std::vector<ImuSample> samples;
+  for (std::size_t row = 0; row < csv.row_count(); ++row) {
+    samples.push_back(ImuSampleOf(RowAt(csv, row)));
   }
   return samples;
 }
 
 std::vector<GnssSample> Recording::LoadGnss(const std::string& folder) const {
-  const CsvFile csv = OpenWithHeader(directory_ / folder / "data.csv", kGnssHeader);
-  std::vector<GnssSample> samples(csv.row_count());
-  for (std::size_t row = 0; row < samples.size(); ++row) {
-    GnssSample& s = samples[row];
-    s.t_ns = s.t_available_ns = csv.Time(row);
-    s.lat_deg = csv.Number(row, 1);
-    s.lon_deg = csv.Number(row, 2);
-    s.alt_m = csv.Number(row, 3);
-    s.enu_m = Vector3(csv, row, 4);
-    s.fix = Fix(csv, row, 7);
-    s.variance_enu_m2 = Vector3(csv, row, 8);
+  const CsvFile csv = OpenWithHeader(directory_ / folder / "data.csv", TableHeader(GnssColumns()));
+  const std::size_t fix = csv.Column("fix");
+  std::vector<GnssSample> samples;
+  for (std::size_t row = 0; row < csv.row_count(); ++row) {
+    if (!FixOfQuality(csv.Number(row, fix))) csv.Fail(row, fix, std::string(kNeedFix));
+    samples.push_back(GnssSampleOf(RowAt(csv, row)));
   }
   return samples;
 }
@@ -243,21 +262,21 @@ EncoderRecording Recording::LoadEncoder(const std::string& folder) const {
   }
   OpenWithHeader(csv.path(), TableHeader(EncoderColumns(encoder.axes)));
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
-    EncoderSample sample;
-    sample.t_ns = sample.t_available_ns = csv.Time(row);
-    for (std::size_t j = 0; j < n; ++j) sample.q_rad.push_back(csv.Number(row, 1 + j));
-    for (std::size_t j = 0; j < n; ++j) sample.qd_radps.push_back(csv.Number(row, 1 + n + j));
-    encoder.samples.push_back(std::move(sample));
+    encoder.samples.push_back(EncoderSampleOf(RowAt(csv, row)));
   }
   return encoder;
+}
+
+TableRecording Recording::LoadRows(const std::string& folder) const {
+  return ReadTable(Open(directory_ / folder / "data.csv"));
 }
 
 PoseRecording Recording::LoadPose(const std::string& file) const {
   PoseRecording recording;
   const std::size_t reference_columns = 8;
   recording.has_velocity = Open(directory_ / file).columns().size() != reference_columns;
-  const CsvFile csv = OpenWithHeader(directory_ / file,
-                                     recording.has_velocity ? kPoseHeader : kReferencePoseHeader);
+  const CsvFile csv =
+      OpenWithHeader(directory_ / file, TableHeader(PoseColumns(recording.has_velocity)));
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     TruthPose pose;
     pose.t_ns = csv.Time(row);

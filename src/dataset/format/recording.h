@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/types/measurement.h"
@@ -36,6 +37,9 @@ bool WasStopped(const std::filesystem::path& directory);
 /// Throws InputError where there is no such table.
 TableRecording LoadStoppedTable(const std::filesystem::path& directory, const std::string& file);
 
+/// The inputs of a recording, whole or stopped; empty where it does not name them.
+std::vector<RecordedInput> LoadInputs(const std::filesystem::path& directory);
+
 /// A complete recording on disk, simulated or real, read channel by channel.
 ///
 /// Everything that is not as docs/dataset.md says is an InputError with file and line: a missing or
@@ -50,13 +54,15 @@ class Recording {
   const std::vector<ChannelDescription>& channels() const { return channels_; }
   bool Has(const std::string& path) const;
   /// Paths of all channels of a type, in order of dataset.yaml.
-  std::vector<std::string> ChannelsOf(ChannelType type) const;
+  std::vector<std::string> ChannelsOf(std::string_view type) const;
   /// Names of machines: those with a pose under truth/, else folders that hold channels.
   std::vector<std::string> Machines() const;
 
   std::vector<ImuSample> LoadImu(const std::string& folder) const;
   std::vector<GnssSample> LoadGnss(const std::string& folder) const;
   EncoderRecording LoadEncoder(const std::string& folder) const;
+  /// Samples of any sensor whose samples are rows, whatever its kind.
+  TableRecording LoadRows(const std::string& folder) const;
   PoseRecording LoadPose(const std::string& file) const;
   TableRecording LoadTable(const std::string& file) const;
   /// Times of a camera's or lidar's frames.

@@ -12,7 +12,6 @@
 #include "dataset/files/folder_lock.h"
 #include "dataset/files/frame_log.h"
 #include "dataset/files/frame_queue.h"
-#include "dataset/files/whole_folder.h"
 #include "dataset/format/csv_rows.h"
 #include "dataset/format/dataset_description.h"
 #include "dataset/format/object_boxes.h"
@@ -95,12 +94,29 @@ void RemoveParts(const fs::path& root) {
 
 struct Channel {
   ChannelDescription description;
+  ChannelForm form = ChannelForm::kRows;
+  std::size_t columns = 0;  ///< of rows, without t_ns
   std::unique_ptr<CheckedFile> csv;
-  std::size_t value_count = 0;  ///< numbers in a row after t_ns; 0 where the type fixes it
-  bool with_velocity = true;
   TimeNs last_ns = 0;
   bool any_rows = false;
 };
+
+/// What the files of one form are called.
+struct FrameFiles {
+  std::string_view ending;  ///< of the name that stands in data.csv
+  std::vector<std::string_view> folders;
+};
+
+const FrameFiles& FilesOf(ChannelForm form) {
+  static const FrameFiles rows, scans{"pcd", {"scans"}},
+      pictures{"png", {"rgb", "depth", "semantic", "instance", "boxes"}};
+  if (form == ChannelForm::kRows) return rows;
+  return form == ChannelForm::kScans ? scans : pictures;
+}
+
+std::string FrameName(TimeNs t_ns, ChannelForm form) {
+  return fmt::format("{}.{}", t_ns, FilesOf(form).ending);
+}
 
 }  // namespace
 
@@ -119,11 +135,11 @@ struct DatasetWriter::Impl {
 
   void Begin(const WriterOptions& options);
   void WriteNotes();
-  ChannelId Add(ChannelType type, const std::string& path, const std::string& csv,
-                std::string_view header);
-  ChannelId AddSensor(ChannelType type, const std::string& folder, const std::string& sensor_yaml,
-                      std::string_view header, const std::vector<std::string>& subfolders);
-  Channel& Find(ChannelId id, ChannelType type);
+  ChannelId Add(const ChannelInfo& info);
+  Channel& Find(ChannelId id);
+  void Write(Channel* channel, const RowSample& row);
+  void Write(Channel* channel, CameraFrame frame);
+  void Write(Channel* channel, LidarScan scan);
   void AddRow(Channel* channel, TimeNs t_ns, const std::string& row);
   FrameLog::File WriteFile(const std::string& name, const std::string& bytes);
   void WriteCamera(const std::string& folder, const CameraFrame& frame);
@@ -172,33 +188,51 @@ void DatasetWriter::Impl::WriteNotes() {
   }
 }
 
-ChannelId DatasetWriter::Impl::Add(ChannelType type, const std::string& path,
-                                   const std::string& csv, std::string_view header) {
-  TERA_CHECK(paths.insert(path).second, path);
+ChannelId DatasetWriter::Impl::Add(const ChannelInfo& info) {
+  TERA_CHECK(paths.insert(info.path).second, info.path);
+  const std::string csv = info.sensor_yaml ? info.path + "/data.csv" : info.path;
   MakeFolder((root / csv).parent_path());
   Channel channel;
-  channel.description = {path, type};
+  channel.description = {info.path, info.type};
+  channel.form = info.form;
+  channel.columns = info.columns.size();
   channel.csv = std::make_unique<CheckedFile>(root / csv);
-  channel.csv->Append(header);
+  channel.csv->Append(info.form == ChannelForm::kRows ? TableHeader(info.columns)
+                                                      : std::string(kFrameHeader));
   channel.csv->Append("\n");
+  if (info.sensor_yaml) WriteWholeFile(root / info.path / "sensor.yaml", *info.sensor_yaml);
+  for (const std::string_view folder : FilesOf(info.form).folders) {
+    MakeFolder(root / info.path / folder);
+  }
   channels.push_back(std::move(channel));
   return static_cast<ChannelId>(channels.size()) - 1;
 }
 
-ChannelId DatasetWriter::Impl::AddSensor(ChannelType type, const std::string& folder,
-                                         const std::string& sensor_yaml, std::string_view header,
-                                         const std::vector<std::string>& subfolders) {
-  const ChannelId id = Add(type, folder, folder + "/data.csv", header);
-  WriteWholeFile(root / folder / "sensor.yaml", sensor_yaml);
-  for (const std::string& subfolder : subfolders) MakeFolder(root / folder / subfolder);
-  return id;
+Channel& DatasetWriter::Impl::Find(ChannelId id) {
+  TERA_CHECK(id >= 0 && id < static_cast<ChannelId>(channels.size()), id);
+  return channels[static_cast<std::size_t>(id)];
 }
 
-Channel& DatasetWriter::Impl::Find(ChannelId id, ChannelType type) {
-  TERA_CHECK(id >= 0 && id < static_cast<ChannelId>(channels.size()), id);
-  Channel& channel = channels[static_cast<std::size_t>(id)];
-  TERA_CHECK(channel.description.type == type, channel.description.path, NameOf(type));
-  return channel;
+void DatasetWriter::Impl::Write(Channel* channel, const RowSample& row) {
+  TERA_CHECK(channel->form == ChannelForm::kRows, channel->description.path);
+  TERA_CHECK(row.values.size() == channel->columns, channel->description.path, row.values.size());
+  AddRow(channel, row.t_ns, RowText(row));
+}
+
+void DatasetWriter::Impl::Write(Channel* channel, CameraFrame frame) {
+  TERA_CHECK(channel->form == ChannelForm::kPictures, channel->description.path);
+  AddRow(channel, frame.t_ns, FrameRow(frame.t_ns, FrameName(frame.t_ns, channel->form)));
+  queue->Push([this, folder = channel->description.path, frame = std::move(frame)] {
+    WriteCamera(folder, frame);
+  });
+}
+
+void DatasetWriter::Impl::Write(Channel* channel, LidarScan scan) {
+  TERA_CHECK(channel->form == ChannelForm::kScans, channel->description.path);
+  AddRow(channel, scan.t_ns, FrameRow(scan.t_ns, FrameName(scan.t_ns, channel->form)));
+  queue->Push([this, folder = channel->description.path, scan = std::move(scan)] {
+    WriteScan(folder, scan);
+  });
 }
 
 void DatasetWriter::Impl::AddRow(Channel* channel, TimeNs t_ns, const std::string& row) {
@@ -244,12 +278,6 @@ void DatasetWriter::Impl::WriteScan(const std::string& folder, const LidarScan& 
   ++frames_written;
 }
 
-fs::path IncompleteOf(const fs::path& directory) {
-  fs::path root = directory.has_filename() ? directory : directory.parent_path();
-  root += ".incomplete";
-  return root;
-}
-
 DatasetWriter::DatasetWriter(const fs::path& directory, const DatasetInfo& info,
                              const WriterOptions& options)
     : impl_(std::make_unique<Impl>()) {
@@ -282,98 +310,22 @@ bool DatasetWriter::FinishWhole(const fs::path& directory, const DatasetInfo& in
   return true;
 }
 
-ChannelId DatasetWriter::AddImu(const std::string& folder, const std::string& sensor_yaml) {
-  return impl_->AddSensor(ChannelType::kImu, folder, sensor_yaml, kImuHeader, {});
-}
+ChannelId DatasetWriter::AddChannel(const ChannelInfo& info) { return impl_->Add(info); }
 
-ChannelId DatasetWriter::AddGnss(const std::string& folder, const std::string& sensor_yaml) {
-  return impl_->AddSensor(ChannelType::kGnss, folder, sensor_yaml, kGnssHeader, {});
-}
-
-ChannelId DatasetWriter::AddEncoder(const std::string& folder, const std::string& sensor_yaml,
-                                    const std::vector<EncoderAxis>& axes) {
-  const std::string header = TableHeader(EncoderColumns(axes));
-  const ChannelId id = impl_->AddSensor(ChannelType::kEncoder, folder, sensor_yaml, header, {});
-  impl_->Find(id, ChannelType::kEncoder).value_count = axes.size();
-  return id;
-}
-
-ChannelId DatasetWriter::AddCamera(const std::string& folder, const std::string& sensor_yaml) {
-  return impl_->AddSensor(ChannelType::kCamera, folder, sensor_yaml, kFrameHeader,
-                          {"rgb", "depth", "semantic", "instance", "boxes"});
-}
-
-ChannelId DatasetWriter::AddLidar(const std::string& folder, const std::string& sensor_yaml) {
-  return impl_->AddSensor(ChannelType::kLidar, folder, sensor_yaml, kFrameHeader, {"scans"});
-}
-
-ChannelId DatasetWriter::AddTable(const std::string& file,
-                                  const std::vector<std::string>& columns) {
-  const std::string header = TableHeader(columns);
-  const ChannelId id = impl_->Add(ChannelType::kTable, file, file, header);
-  impl_->Find(id, ChannelType::kTable).value_count = columns.size();
-  return id;
-}
-
-ChannelId DatasetWriter::AddPose(const std::string& file, bool with_velocity) {
-  const ChannelId id = impl_->Add(ChannelType::kPose, file, file,
-                                  with_velocity ? kPoseHeader : kReferencePoseHeader);
-  impl_->Find(id, ChannelType::kPose).with_velocity = with_velocity;
-  return id;
-}
-
-void DatasetWriter::Write(ChannelId channel, const ImuSample& sample) {
-  impl_->AddRow(&impl_->Find(channel, ChannelType::kImu), sample.t_ns, ImuRow(sample));
-}
-
-void DatasetWriter::Write(ChannelId channel, const GnssSample& sample) {
-  impl_->AddRow(&impl_->Find(channel, ChannelType::kGnss), sample.t_ns, GnssRow(sample));
-}
-
-void DatasetWriter::Write(ChannelId channel, const EncoderSample& sample) {
-  Channel& encoder = impl_->Find(channel, ChannelType::kEncoder);
-  TERA_CHECK(sample.q_rad.size() == encoder.value_count, sample.q_rad.size());
-  TERA_CHECK(sample.qd_radps.size() == encoder.value_count, sample.qd_radps.size());
-  impl_->AddRow(&encoder, sample.t_ns, EncoderRow(sample));
-}
-
-void DatasetWriter::Write(ChannelId channel, CameraFrame frame) {
-  Channel& camera = impl_->Find(channel, ChannelType::kCamera);
-  impl_->AddRow(&camera, frame.t_ns, FrameRow(frame.t_ns, fmt::format("{}.png", frame.t_ns)));
-  impl_->queue->Push([impl = impl_.get(), folder = camera.description.path,
-                      frame = std::move(frame)] { impl->WriteCamera(folder, frame); });
-}
-
-void DatasetWriter::Write(ChannelId channel, LidarScan scan) {
-  Channel& lidar = impl_->Find(channel, ChannelType::kLidar);
-  impl_->AddRow(&lidar, scan.t_ns, FrameRow(scan.t_ns, fmt::format("{}.pcd", scan.t_ns)));
-  impl_->queue->Push([impl = impl_.get(), folder = lidar.description.path, scan = std::move(scan)] {
-    impl->WriteScan(folder, scan);
-  });
-}
-
-void DatasetWriter::Write(ChannelId channel, const TruthPose& pose) {
-  Channel& poses = impl_->Find(channel, ChannelType::kPose);
-  impl_->AddRow(&poses, pose.t_ns, PoseRow(pose, poses.with_velocity));
-}
-
-void DatasetWriter::WriteRow(ChannelId channel, TimeNs t_ns, const std::vector<double>& values) {
-  Channel& table = impl_->Find(channel, ChannelType::kTable);
-  TERA_CHECK(values.size() == table.value_count, values.size(), table.value_count);
-  impl_->AddRow(&table, t_ns, TableRow(t_ns, values));
+void DatasetWriter::Write(ChannelId channel, Measurement measurement) {
+  Channel* found = &impl_->Find(channel);
+  std::visit([&](auto&& measured) { impl_->Write(found, std::move(measured)); },
+             std::move(measurement));
 }
 
 bool DatasetWriter::NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs) const {
-  TERA_CHECK(channel >= 0 && channel < static_cast<ChannelId>(impl_->channels.size()), channel);
-  const std::string& folder = impl_->channels[static_cast<std::size_t>(channel)].description.path;
-  return !impl_->frame_log->WasWhole(folder, t_ns);
+  return !impl_->frame_log->WasWhole(impl_->Find(channel).description.path, t_ns);
 }
 
 void DatasetWriter::MarkPresent(ChannelId channel, TimeNs t_ns) {
   TERA_CHECK(!NeedsFrame(channel, t_ns, t_ns), channel, t_ns);
-  Channel& frames = impl_->channels[static_cast<std::size_t>(channel)];
-  const char* ending = frames.description.type == ChannelType::kLidar ? "pcd" : "png";
-  impl_->AddRow(&frames, t_ns, FrameRow(t_ns, fmt::format("{}.{}", t_ns, ending)));
+  Channel& frames = impl_->Find(channel);
+  impl_->AddRow(&frames, t_ns, FrameRow(t_ns, FrameName(t_ns, frames.form)));
 }
 
 fs::path DatasetWriter::PathFor(const std::string& relative) {

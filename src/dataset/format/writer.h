@@ -6,27 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "dataset/files/whole_folder.h"
+#include "dataset/format/dataset_info.h"
 #include "dataset/format/measurement_sink.h"
-#include "dataset/format/recorded_inputs.h"
 
 namespace tera {
-
-/// What dataset.yaml says about the whole recording.
-struct DatasetInfo {
-  std::string scenario_name;
-  bool simulated = true;
-  std::uint64_t seed = 0;
-  double duration_s = 0;
-  double origin_lat_deg = 0, origin_lon_deg = 0, origin_height_m = 0;
-  std::string resolved_scenario_yaml;  ///< goes to scenario.yaml
-  struct Instance {
-    std::uint16_t id;
-    std::string name;
-    std::string label;
-  };
-  std::vector<Instance> instances;
-  std::vector<RecordedInput> inputs;
-};
 
 struct WriterOptions {
   int threads = 2;        ///< encoding threads
@@ -36,9 +20,6 @@ struct WriterOptions {
   /// What to do with an incomplete recording; for the same.
   std::string remedy = "go on with it by the same command and --resume, or delete it";
 };
-
-/// Where a recording is until it is finished, without a slash at the end.
-std::filesystem::path IncompleteOf(const std::filesystem::path& directory);
 
 /// Writes a recording. Frames are encoded on worker threads behind a bounded queue; rows are
 /// written in order by the caller's thread. Everything goes to `<directory>.incomplete` and is
@@ -57,23 +38,8 @@ class DatasetWriter : public MeasurementSink {
   /// none. Throws InputError where it is of another scenario, seed, version or inputs.
   static bool FinishWhole(const std::filesystem::path& directory, const DatasetInfo& info);
 
-  ChannelId AddImu(const std::string& folder, const std::string& sensor_yaml) override;
-  ChannelId AddGnss(const std::string& folder, const std::string& sensor_yaml) override;
-  ChannelId AddEncoder(const std::string& folder, const std::string& sensor_yaml,
-                       const std::vector<EncoderAxis>& axes) override;
-  ChannelId AddCamera(const std::string& folder, const std::string& sensor_yaml) override;
-  ChannelId AddLidar(const std::string& folder, const std::string& sensor_yaml) override;
-  ChannelId AddTable(const std::string& file, const std::vector<std::string>& columns) override;
-  ChannelId AddPose(const std::string& file, bool with_velocity = true) override;
-
-  void Write(ChannelId channel, const ImuSample& sample) override;
-  void Write(ChannelId channel, const GnssSample& sample) override;
-  void Write(ChannelId channel, const EncoderSample& sample) override;
-  void Write(ChannelId channel, CameraFrame frame) override;
-  void Write(ChannelId channel, LidarScan scan) override;
-  void Write(ChannelId channel, const TruthPose& pose) override;
-  void WriteRow(ChannelId channel, TimeNs t_ns, const std::vector<double>& values) override;
-
+  ChannelId AddChannel(const ChannelInfo& info) override;
+  void Write(ChannelId channel, Measurement measurement) override;
   /// False when resuming and the files of this channel's frame at `t_ns` are whole already.
   bool NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs next_ns) const override;
   void MarkPresent(ChannelId channel, TimeNs t_ns) override;

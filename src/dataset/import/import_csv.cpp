@@ -11,9 +11,11 @@
 #include "core/config/plain_name.h"
 #include "core/error.h"
 #include "core/types/mounting.h"
+#include "core/types/sample_rows.h"
 #include "core/units.h"
-#include "dataset/format/csv_rows.h"
+#include "dataset/format/channel.h"
 #include "dataset/format/dataset_description.h"
+#include "dataset/format/recorded_inputs.h"
 #include "dataset/format/writer.h"
 #include "dataset/import/csv_mapping.h"
 #include "dataset/import/wgs84.h"
@@ -128,11 +130,11 @@ ImportJob ReadImu(const ConfigMap& config, const ConfigMap& top, Mapping* mappin
   return [=](DatasetWriter* writer, TimeSpan* span) {
     const std::vector<MappedRow> rows = ReadRows(source, columns);
     span->Cover(rows);
-    const ChannelId imu = writer->AddImu(folder, SensorText(sensor, source, rows));
+    const ChannelId imu = writer->AddChannel(ImuChannel(folder, SensorText(sensor, source, rows)));
     for (const MappedRow& row : rows) {
       const std::vector<double>& v = row.values;
-      writer->Write(imu, ImuSample{row.t_ns, row.t_ns, R_SF * Vec3(v[0], v[1], v[2]),
-                                   R_SF * Vec3(v[3], v[4], v[5])});
+      writer->Write(imu, RowOf(ImuSample{row.t_ns, row.t_ns, R_SF * Vec3(v[0], v[1], v[2]),
+                                         R_SF * Vec3(v[3], v[4], v[5])}));
     }
   };
 }
@@ -181,8 +183,9 @@ ImportJob ReadGnss(const ConfigMap& config, const ConfigMap& top, Mapping* mappi
   return [=](DatasetWriter* writer, TimeSpan* span) {
     const std::vector<MappedRow> rows = ReadRows(source, columns);
     span->Cover(rows);
-    const ChannelId gnss = writer->AddGnss(folder, SensorText(sensor, source, rows));
-    for (const MappedRow& row : rows) writer->Write(gnss, GnssOf(row, source, origin));
+    const ChannelId gnss =
+        writer->AddChannel(GnssChannel(folder, SensorText(sensor, source, rows)));
+    for (const MappedRow& row : rows) writer->Write(gnss, RowOf(GnssOf(row, source, origin)));
   };
 }
 
@@ -271,9 +274,10 @@ ImportJob ReadEncoder(const ConfigMap& config, const ConfigMap& top, Mapping* ma
   return [=](DatasetWriter* writer, TimeSpan* span) {
     const std::vector<MappedRow> rows = ReadRows(source, columns);
     span->Cover(rows);
-    const ChannelId encoder = writer->AddEncoder(folder, SensorText(sensor, source, rows), axes);
+    const ChannelId encoder =
+        writer->AddChannel(EncoderChannel(folder, SensorText(sensor, source, rows), axes));
     for (const EncoderSample& sample : EncoderSamples(joints, rows)) {
-      writer->Write(encoder, sample);
+      writer->Write(encoder, RowOf(sample));
     }
   };
 }
@@ -288,24 +292,24 @@ ImportJob ReadPose(const ConfigMap& config, const ConfigMap& top, const Mapping&
   const ConfigMap keys = config.Map("columns");
   auto columns = ReadColumns(keys, {"x", "y", "z"}, Dimension::kLength);
   Append(ReadColumns(keys, {"qw", "qx", "qy", "qz"}, Dimension::kNone), &columns);
-  return
-      [=, file = "truth/" + mapping.machine + "/pose.csv"](DatasetWriter* writer, TimeSpan* span) {
-        const std::vector<MappedRow> rows = ReadRows(source, columns);
-        span->Cover(rows);
-        const ChannelId pose = writer->AddPose(file, false);
-        for (const MappedRow& row : rows) {
-          const std::vector<double>& v = row.values;
-          const Quat q(v[3], v[4], v[5], v[6]);
-          if (q.norm() < kMinQuaternionNorm || q.norm() > kMaxQuaternionNorm) {
-            throw InputError(
-                fmt::format("{}:{}: the quaternion has norm {}, need 1; leave such rows out by "
-                            "valid_if",
-                            source.file.string(), row.line, q.norm()));
-          }
-          const Pose X_RF = MakePose(Vec3(v[0], v[1], v[2]), q.normalized().toRotationMatrix());
-          writer->Write(pose, TruthPose{row.t_ns, X_WR * X_RF * X_FB});
-        }
-      };
+  return [=, file = "truth/" + mapping.machine + "/pose.csv"](DatasetWriter* writer,
+                                                              TimeSpan* span) {
+    const std::vector<MappedRow> rows = ReadRows(source, columns);
+    span->Cover(rows);
+    const ChannelId pose = writer->AddChannel(PoseChannel(file, /*with_velocity=*/false));
+    for (const MappedRow& row : rows) {
+      const std::vector<double>& v = row.values;
+      const Quat q(v[3], v[4], v[5], v[6]);
+      if (q.norm() < kMinQuaternionNorm || q.norm() > kMaxQuaternionNorm) {
+        throw InputError(
+            fmt::format("{}:{}: the quaternion has norm {}, need 1; leave such rows out by "
+                        "valid_if",
+                        source.file.string(), row.line, q.norm()));
+      }
+      const Pose X_RF = MakePose(Vec3(v[0], v[1], v[2]), q.normalized().toRotationMatrix());
+      writer->Write(pose, RowOf(TruthPose{row.t_ns, X_WR * X_RF * X_FB}, /*with_velocity=*/false));
+    }
+  };
 }
 
 ImportJob ReadTable(const ConfigMap& config, const ConfigMap& top, Mapping* mapping) {
@@ -323,8 +327,9 @@ ImportJob ReadTable(const ConfigMap& config, const ConfigMap& top, Mapping* mapp
   return [=](DatasetWriter* writer, TimeSpan* span) {
     const std::vector<MappedRow> rows = ReadRows(source, columns);
     span->Cover(rows);
-    const ChannelId table = writer->AddTable(file, names);
-    for (const MappedRow& row : rows) writer->WriteRow(table, row.t_ns, row.values);
+    const ChannelId table = writer->AddChannel(TableChannel(file, names));
+    for (const MappedRow& row : rows)
+      writer->Write(table, RowSample{row.t_ns, row.t_ns, row.values});
   };
 }
 

@@ -21,7 +21,7 @@ struct CameraTrack {
 
 std::vector<CameraTrack> Cameras(const Recording& recording) {
   std::vector<CameraTrack> cameras;
-  for (const std::string& folder : recording.ChannelsOf(ChannelType::kCamera)) {
+  for (const std::string& folder : recording.ChannelsOf(kCameraChannel)) {
     auto times = recording.FrameTimes(folder);
     if (!times.empty()) cameras.push_back({folder, std::move(times)});
   }

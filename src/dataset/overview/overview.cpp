@@ -77,11 +77,11 @@ Chart TrajectoryChart(const Recording& recording) {
     }
     if (Extent(curve.x) + Extent(curve.y) > kStill_m) chart.curves.push_back(std::move(curve));
   };
-  for (const std::string& file : recording.ChannelsOf(ChannelType::kPose)) {
+  for (const std::string& file : recording.ChannelsOf(kPoseChannel)) {
     add(std::filesystem::path(file).parent_path().filename(), recording.LoadPose(file).poses,
         [](const TruthPose& pose) -> Vec3 { return pose.X_WB.translation(); });
   }
-  for (const std::string& folder : recording.ChannelsOf(ChannelType::kGnss)) {
+  for (const std::string& folder : recording.ChannelsOf(kGnssChannel)) {
     std::vector<GnssSample> fixes = recording.LoadGnss(folder);
     std::erase_if(fixes, [](const GnssSample& s) { return s.fix == GnssFix::kNone; });
     add(folder, fixes, [](const GnssSample& s) { return s.enu_m; });
@@ -110,7 +110,7 @@ std::vector<Chart> AllCharts(const Recording& recording) {
   const auto time_chart = [&](const std::string& title, const char* y, std::vector<Curve> curves) {
     charts.push_back({title, "time in s", y, false, std::move(curves)});
   };
-  for (const std::string& folder : recording.ChannelsOf(ChannelType::kImu)) {
+  for (const std::string& folder : recording.ChannelsOf(kImuChannel)) {
     const auto samples = recording.LoadImu(folder);
     const auto axis = [](std::size_t i) { return static_cast<Eigen::Index>(i); };
     time_chart(folder, "rad/s", Curves(samples, {"wx", "wy", "wz"}, [&](const auto& s, auto i) {
@@ -120,7 +120,7 @@ std::vector<Chart> AllCharts(const Recording& recording) {
                  return s.f_S_mps2[axis(i)];
                }));
   }
-  for (const std::string& folder : recording.ChannelsOf(ChannelType::kEncoder)) {
+  for (const std::string& folder : recording.ChannelsOf(kEncoderChannel)) {
     const EncoderRecording encoder = recording.LoadEncoder(folder);
     for (const bool linear : {false, true}) {
       std::vector<std::string> names;
@@ -172,10 +172,10 @@ void WriteOverview(const std::filesystem::path& dataset, const std::filesystem::
                    const std::filesystem::path& mp4) {
   const Recording recording(dataset);
   std::vector<Picture> rows;
-  for (const std::string& folder : recording.ChannelsOf(ChannelType::kCamera)) {
+  for (const std::string& folder : recording.ChannelsOf(kCameraChannel)) {
     rows.push_back(CameraRow(recording, folder));
   }
-  for (const std::string& folder : recording.ChannelsOf(ChannelType::kLidar)) {
+  for (const std::string& folder : recording.ChannelsOf(kLidarChannel)) {
     rows.push_back(LidarRow(recording, folder));
   }
   rows.push_back(ChartRows(recording, png));

@@ -112,7 +112,7 @@ std::vector<std::vector<double>> Comparison::OfBase(const DiagnosedBlock& diagno
                                                     const SimulatedCourse& course) const {
   const ReplayBlock& block = diagnosed.block;
   std::vector<NamedEncoders> encoders;
-  for (const std::string& channel : recording_.ChannelsOf(ChannelType::kEncoder)) {
+  for (const std::string& channel : recording_.ChannelsOf(kEncoderChannel)) {
     if (channel.starts_with(input_.machine + "/")) {
       encoders.push_back({channel, recording_.LoadEncoder(channel)});
     }

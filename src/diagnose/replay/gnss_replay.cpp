@@ -5,11 +5,12 @@
 #include <functional>
 #include <utility>
 
+#include "sensors/gnss/antenna_pair.h"
+#include "sensors/gnss/gnss_errors.h"
+#include "sensors/gnss/gnss_reflector.h"
 #include "sensors/slots/effect_numbers.h"
-#include "sensors/slots/gnss_errors.h"
 #include "sensors/slots/low_pass.h"
 #include "sensors/slots/true_mount.h"
-#include "sim/gnss_reflector.h"
 
 namespace tera {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "core/units.h"
 #include "diagnose/statistics/series/robust.h"
-#include "sensors/slots/sensor_slots.h"
+#include "sensors/imu/imu_slots.h"
 #include "sensors/slots/true_mount.h"
 
 namespace tera {

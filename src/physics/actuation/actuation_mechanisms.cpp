@@ -7,13 +7,13 @@
 namespace tera {
 namespace {
 
-using enum EffectTarget;
 using enum Slot;
 
 /// Ranges reach past what machines are known to have (docs/mechanisms.md), so that a search for the
 /// cause of a mismatch does not end at a border.
 std::vector<Mechanism> Table() {
-  const std::vector<EffectTarget> drives = {kJoint, kGear}, joint = {kJoint}, pump = {kPump};
+  const std::vector<EffectTarget> drives = {EffectTarget::kJoint, EffectTarget::kGear},
+                                  joint = {EffectTarget::kJoint}, pump = {EffectTarget::kPump};
   return {
       {"command_delay",
        kCommandTiming,

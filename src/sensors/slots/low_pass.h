@@ -16,6 +16,8 @@ namespace tera {
 /// Omits   filters of higher order.
 class LowPass {
  public:
+  /// 0: none, what comes in goes out.
+  explicit LowPass(double time_constant_s) : time_constant_s_(time_constant_s) {}
   explicit LowPass(const Effects& effects);
   bool present() const { return time_constant_s_ > 0; }
   /// What comes out for input `x` at `t_ns`; sizes stay, times grow.

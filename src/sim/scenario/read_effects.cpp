@@ -11,8 +11,6 @@
 #include "physics/traction/ground_faults.h"
 #include "physics/traction/ground_mechanisms.h"
 #include "sensors/sensor_mechanisms.h"
-#include "sim/rig.h"
-#include "sim/scenario/check_sensor_effects.h"
 
 namespace tera {
 namespace {
@@ -51,21 +49,13 @@ class TargetReader {
   std::set<std::string> read_;
 };
 
-EffectTarget TargetOf(const SensorDescription& sensor) {
-  if (std::holds_alternative<ImuModel>(sensor.model)) return EffectTarget::kImu;
-  if (std::holds_alternative<GnssModel>(sensor.model)) return EffectTarget::kGnss;
-  if (std::holds_alternative<CameraModel>(sensor.model)) return EffectTarget::kCamera;
-  if (std::holds_alternative<LidarModel>(sensor.model)) return EffectTarget::kLidar;
-  return EffectTarget::kEncoder;
-}
-
 void ReadSensorEffects(const MachineModel& model, TargetReader* reader, SensorDescription* sensor) {
-  sensor->effects = reader->Read(sensor->name, TargetOf(*sensor), SensorMechanisms());
-  const auto* encoder = std::get_if<EncoderModel>(&sensor->model);
-  if (!encoder) return;
-  for (const EncoderAxis& axis : NamesOf(AxesOf(*encoder, model), model)) {
-    Effects effects = reader->Read(sensor->name + "/" + axis.name, EffectTarget::kEncoderAxis,
-                                   SensorMechanisms());
+  const SensorKind& kind = KindOf(*sensor);
+  sensor->effects = reader->Read(sensor->name, kind.target, SensorMechanisms());
+  if (!kind.axes) return;
+  for (const EncoderAxis& axis : kind.axes(*sensor, model)) {
+    Effects effects =
+        reader->Read(sensor->name + "/" + axis.name, kind.axis_target, SensorMechanisms());
     if (!effects.empty()) sensor->axis_effects.emplace(axis.name, std::move(effects));
   }
 }
@@ -92,7 +82,10 @@ void CheckEffects(const ConfigMap& effects, const MachineModel& model,
     Report(effects, model.pumps[p].name, FaultsOfPump(model, p));
   }
   Report(effects, std::string(kBaseTarget), FaultsOfBase(model));
-  CheckSensorEffects(effects, model, sensors);
+  for (const SensorDescription& sensor : sensors) {
+    const SensorKind& kind = KindOf(sensor);
+    if (kind.check_effects) kind.check_effects(effects, model, sensor, sensors);
+  }
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 #include "core/config/plain_name.h"
 #include "core/config/spelling.h"
 #include "core/units.h"
-#include "sim/rig.h"
 #include "sim/operators/read_operator.h"
 #include "sim/scenario/collision_meshes.h"
 #include "sim/scenario/read_effects.h"
@@ -98,12 +97,9 @@ bool ReadSensors(const ConfigMap& config, const MachineModel& model,
                              "' is taken by another sensor of this machine; "
                              "give each its own name");
     }
-    if (const auto* encoder = std::get_if<EncoderModel>(&sensor.model)) {
-      for (const std::string& name : AxesOf(*encoder, model).unknown) {
-        item.Fault("joints",
-                   "machine '" + model.kind + "' has no joint, track or wheel '" + name + "'");
-      }
-    } else if (model.LinkIndex(sensor.link) < 0) {
+    const SensorKind& kind = KindOf(sensor);
+    if (kind.check_names) kind.check_names(item, sensor, model);
+    if (kind.on_link && model.LinkIndex(sensor.link) < 0) {
       std::vector<std::string> links;
       for (const Link& link : model.links) links.push_back(link.name);
       item.Fault("link",

@@ -24,16 +24,18 @@ void WriteCircle(const fs::path& directory, const std::string& machine, double s
   DatasetInfo info = SampleInfo();
   info.scenario_name = directory.filename();
   DatasetWriter writer(directory, info, {});
-  const ChannelId imu = writer.AddImu(machine + "/imu", "");
-  const ChannelId joints = writer.AddEncoder(machine + "/joints", "", {{"boom"}});
-  const ChannelId pose = writer.AddPose("truth/" + machine + "/pose.csv");
+  const ChannelId imu = writer.AddChannel(ImuChannel(machine + "/imu", ""));
+  const ChannelId joints = writer.AddChannel(EncoderChannel(machine + "/joints", "", {{"boom"}}));
+  const ChannelId pose = writer.AddChannel(PoseChannel("truth/" + machine + "/pose.csv"));
   for (int k = 0; k <= 60; ++k) {
     const TimeNs t_ns = k * kSamplePeriod_ns;
     const double a = 0.1 * k;
-    writer.Write(pose, TruthPose{t_ns, MakePose(Vec3(3 * std::cos(a), 3 * std::sin(a) + shift_m, 0),
-                                                0, 0, a)});
-    writer.Write(imu, ImuSample{t_ns, t_ns, Vec3(0, 0, 1 + gyro_offset_radps), Vec3(0, 3, 9.8)});
-    writer.Write(joints, EncoderSample{t_ns, t_ns, {0.2 + (k % 2 ? 1 : -1) * shift_m}, {0}});
+    writer.Write(
+        pose, RowOf(TruthPose{
+                  t_ns, MakePose(Vec3(3 * std::cos(a), 3 * std::sin(a) + shift_m, 0), 0, 0, a)}));
+    writer.Write(imu,
+                 RowOf(ImuSample{t_ns, t_ns, Vec3(0, 0, 1 + gyro_offset_radps), Vec3(0, 3, 9.8)}));
+    writer.Write(joints, RowOf(EncoderSample{t_ns, t_ns, {0.2 + (k % 2 ? 1 : -1) * shift_m}, {0}}));
   }
   writer.Finish();
 }
@@ -69,8 +71,8 @@ TEST(Compare, NeedsAMachineInCommon) {
   WriteCircle(scratch.path() / "a", "one", 0, 0);
   {
     DatasetWriter writer(scratch.path() / "b", SampleInfo(), {});
-    writer.AddImu("two/imu", "");
-    writer.AddImu("three/imu", "");
+    writer.AddChannel(ImuChannel("two/imu", ""));
+    writer.AddChannel(ImuChannel("three/imu", ""));
     writer.Finish();
   }
   EXPECT_THAT([&] { Compare(scratch.path() / "a", scratch.path() / "b"); },
@@ -82,10 +84,10 @@ TEST(Compare, ComparesTheChannelsOfAMachineThatHasNoPoses) {
   WriteCircle(scratch.path() / "circle", "husky", 0, 0);
   {
     DatasetWriter writer(scratch.path() / "parked", SampleInfo(), {});
-    const ChannelId imu = writer.AddImu("husky/imu", "");
-    writer.AddPose("truth/husky/pose.csv", false);
+    const ChannelId imu = writer.AddChannel(ImuChannel("husky/imu", ""));
+    writer.AddChannel(PoseChannel("truth/husky/pose.csv", false));
     for (const TimeNs t_ns : {0, 1'000'000'000}) {
-      writer.Write(imu, ImuSample{t_ns, t_ns, Vec3::Zero(), Vec3(0, 0, 9.8)});
+      writer.Write(imu, RowOf(ImuSample{t_ns, t_ns, Vec3::Zero(), Vec3(0, 0, 9.8)}));
     }
     writer.Finish();
   }

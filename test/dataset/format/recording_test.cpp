@@ -40,7 +40,7 @@ TEST_F(RecordingTest, KnowsWhatItHolds) {
   ASSERT_EQ(recording.info().instances.size(), 2u);
   EXPECT_EQ(recording.info().instances[1].name, "person");
   EXPECT_THAT(recording.Machines(), testing::ElementsAre("digger"));
-  EXPECT_THAT(recording.ChannelsOf(ChannelType::kCamera), testing::ElementsAre("digger/front"));
+  EXPECT_THAT(recording.ChannelsOf(kCameraChannel), testing::ElementsAre("digger/front"));
   EXPECT_EQ(recording.channels().size(), 7u);
 }
 
@@ -56,8 +56,8 @@ TEST_F(RecordingTest, ATableWithoutColumnsIsItsTimes) {
   DatasetInfo info;
   info.scenario_name = "mast";
   DatasetWriter writer(scratch.path() / "mast", info, {});
-  const ChannelId joints = writer.AddTable("truth/mast/joints.csv", {});
-  for (const TimeNs t_ns : {0, 10}) writer.WriteRow(joints, t_ns, {});
+  const ChannelId joints = writer.AddChannel(TableChannel("truth/mast/joints.csv", {}));
+  for (const TimeNs t_ns : {0, 10}) writer.Write(joints, RowSample{t_ns, t_ns, {}});
   writer.Finish();
   const auto table = Recording(scratch.path() / "mast").LoadTable("truth/mast/joints.csv");
   EXPECT_TRUE(table.columns.empty());
@@ -261,7 +261,7 @@ TEST(Pcd, HasTheHeaderThatPclReads) {
   ScratchDirectory scratch;
   WriterOptions options;
   DatasetWriter writer(scratch.path() / "run", SampleInfo(), options);
-  const ChannelId lidar = writer.AddLidar("m/lidar", "");
+  const ChannelId lidar = writer.AddChannel(LidarChannel("m/lidar", ""));
   writer.Write(lidar, SampleScan(0, 2));
   writer.Finish();
   const std::string bytes = ReadWholeFile(scratch.path() / "run/m/lidar/scans/0.pcd");
@@ -285,7 +285,7 @@ TEST(Pcd, HasTheHeaderThatPclReads) {
 TEST(Pcd, ScanWithoutReturnsIsAnEmptyCloud) {
   ScratchDirectory scratch;
   DatasetWriter writer(scratch.path() / "run", SampleInfo(), {});
-  const ChannelId lidar = writer.AddLidar("m/lidar", "");
+  const ChannelId lidar = writer.AddChannel(LidarChannel("m/lidar", ""));
   writer.Write(lidar, SampleScan(0, 0));
   writer.Finish();
   EXPECT_TRUE(Recording(scratch.path() / "run").LoadScan("m/lidar", 0).points.empty());
@@ -294,7 +294,7 @@ TEST(Pcd, ScanWithoutReturnsIsAnEmptyCloud) {
 TEST(Depth, IsRoundedToMillimetresAndAbsentBeyondSixteenBits) {
   ScratchDirectory scratch;
   DatasetWriter writer(scratch.path() / "run", SampleInfo(), {});
-  const ChannelId camera = writer.AddCamera("m/front", "");
+  const ChannelId camera = writer.AddChannel(CameraChannel("m/front", ""));
   CameraFrame frame;
   frame.depth_m = Image<float>(4, 1);
   frame.depth_m.data = {0.0f, 1.2344f, 1.2346f, 70.0f};
@@ -310,8 +310,8 @@ TEST(ReferencePose, MayLackVelocities) {
   DatasetInfo info = SampleInfo();
   info.simulated = false;
   DatasetWriter writer(scratch.path() / "run", info, {});
-  const ChannelId pose = writer.AddPose("truth/digger/pose.csv", false);
-  writer.Write(pose, SamplePose(4));
+  const ChannelId pose = writer.AddChannel(PoseChannel("truth/digger/pose.csv", false));
+  writer.Write(pose, RowOf(SamplePose(4), /*with_velocity=*/false));
   writer.Finish();
   const Recording recording(scratch.path() / "run");
   EXPECT_FALSE(recording.info().simulated);

@@ -112,7 +112,7 @@ TEST(DatasetWriter, ResumeKeepsWholeFramesAndWritesDamagedOnesAgain) {
   }
   WriteWholeFile(scratch.path() / "run.incomplete/digger/front/depth/100000000.png", "");
   DatasetWriter writer(scratch.path() / "run", SampleInfo(), Resume());
-  const ChannelId camera = writer.AddCamera("digger/front", "");
+  const ChannelId camera = writer.AddChannel(CameraChannel("digger/front", ""));
   EXPECT_FALSE(writer.NeedsFrame(camera, 0, 0));
   EXPECT_TRUE(writer.NeedsFrame(camera, 100'000'000, 100'000'000));
   EXPECT_FALSE(writer.NeedsFrame(camera, 200'000'000, 200'000'000));
@@ -129,7 +129,7 @@ TEST(DatasetWriter, IgnoresALogLineThatTheKilledRunDidNotEnd) {
   std::ofstream(scratch.path() / "run.incomplete/INCOMPLETE.frames", std::ios::app)
       << "digger/front\t100000000\t12";
   DatasetWriter writer(scratch.path() / "run", SampleInfo(), Resume());
-  const ChannelId camera = writer.AddCamera("digger/front", "");
+  const ChannelId camera = writer.AddChannel(CameraChannel("digger/front", ""));
   EXPECT_FALSE(writer.NeedsFrame(camera, 0, 0));
   EXPECT_TRUE(writer.NeedsFrame(camera, 100'000'000, 100'000'000));
 }

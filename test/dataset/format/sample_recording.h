@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 
+#include "core/types/sample_rows.h"
 #include "core/units.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/format/writer.h"
@@ -128,19 +129,20 @@ inline TruthPose SamplePose(int k) {
 
 /// Writes the frames from 0 up to, not including, `end`; all channels, in order of time.
 inline void WriteSample(DatasetWriter* writer, int end) {
-  const ChannelId imu = writer->AddImu("digger/imu", "type: imu\n");
-  const ChannelId gnss = writer->AddGnss("digger/gnss", "type: gnss\n");
-  const ChannelId joints =
-      writer->AddEncoder("digger/joints", "type: encoder\n", {{"boom"}, {"stick", true}});
-  const ChannelId camera = writer->AddCamera("digger/front", "type: camera\n");
-  const ChannelId lidar = writer->AddLidar("digger/lidar", "type: lidar\n");
-  const ChannelId commands = writer->AddTable("digger/commands.csv", {"boom", "arm"});
-  const ChannelId pose = writer->AddPose("truth/digger/pose.csv");
+  const ChannelId imu = writer->AddChannel(ImuChannel("digger/imu", "type: imu\n"));
+  const ChannelId gnss = writer->AddChannel(GnssChannel("digger/gnss", "type: gnss\n"));
+  const ChannelId joints = writer->AddChannel(
+      EncoderChannel("digger/joints", "type: encoder\n", {{"boom"}, {"stick", true}}));
+  const ChannelId camera = writer->AddChannel(CameraChannel("digger/front", "type: camera\n"));
+  const ChannelId lidar = writer->AddChannel(LidarChannel("digger/lidar", "type: lidar\n"));
+  const ChannelId commands =
+      writer->AddChannel(TableChannel("digger/commands.csv", {"boom", "arm"}));
+  const ChannelId pose = writer->AddChannel(PoseChannel("truth/digger/pose.csv"));
   WriteWholeFile(writer->PathFor("truth/terrain/start.tif"), "heights");
   for (int k = 0; k < end; ++k) {
-    writer->Write(imu, SampleImu(k));
-    writer->Write(gnss, SampleGnss(k));
-    writer->Write(joints, SampleEncoder(k));
+    writer->Write(imu, RowOf(SampleImu(k)));
+    writer->Write(gnss, RowOf(SampleGnss(k)));
+    writer->Write(joints, RowOf(SampleEncoder(k)));
     const TimeNs t_ns = k * kSamplePeriod_ns;
     if (writer->NeedsFrame(camera, t_ns, t_ns)) {
       writer->Write(camera, SampleFrame(k));
@@ -152,8 +154,8 @@ inline void WriteSample(DatasetWriter* writer, int end) {
     } else {
       writer->MarkPresent(lidar, t_ns);
     }
-    writer->WriteRow(commands, t_ns, {0.5, -1.0});
-    writer->Write(pose, SamplePose(k));
+    writer->Write(commands, RowSample{t_ns, t_ns, {0.5, -1.0}});
+    writer->Write(pose, RowOf(SamplePose(k)));
   }
 }
 

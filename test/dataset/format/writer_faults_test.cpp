@@ -52,7 +52,7 @@ TEST(DatasetWriter, FullDiskStopsTheRunWithOneMessageFromTheWorkers) {
   const TinyDisk disk(scratch.path() / "disk", "256k");
   ASSERT_TRUE(disk.mounted()) << "needs root, or the right to make user namespaces";
   DatasetWriter writer(scratch.path() / "disk/run", SampleInfo(), {});
-  const ChannelId lidar = writer.AddLidar("m/lidar", "");
+  const ChannelId lidar = writer.AddChannel(LidarChannel("m/lidar", ""));
   const auto fill = [&] {
     for (int k = 0; k < 1000; ++k) writer.Write(lidar, SampleScan(k, 2000));
     writer.Finish();

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "sensors/imu/imu_slots.h"
 #include "sensors/sensor_mechanisms.h"
-#include "sensors/slots/sensor_slots.h"
 #include "sensors/slots/true_mount.h"
 #include "sim/drive_fixture.h"
 

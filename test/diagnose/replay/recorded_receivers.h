@@ -9,8 +9,8 @@
 
 #include "core/units.h"
 #include "diagnose/blocks/gnss_block.h"
+#include "sensors/gnss/gnss_slots.h"
 #include "sensors/sensor_mechanisms.h"
-#include "sensors/slots/sensor_slots.h"
 #include "sim/drive_fixture.h"
 
 namespace tera {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/units.h"
+#include "sensors/slots/frame_slots.h"
 #include "sensors/slots/given_effects.h"
-#include "sensors/slots/sensor_slots.h"
 
 namespace tera {
 namespace {

@@ -6,10 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "sensors/imu.h"
+#include "sensors/driven_sensor.h"
+#include "sensors/encoder/encoder_slots.h"
+#include "sensors/gnss/antenna_pair.h"
+#include "sensors/gnss/gnss_slots.h"
+#include "sensors/imu/imu.h"
+#include "sensors/imu/imu_slots.h"
 #include "sensors/sensor_mechanisms.h"
+#include "sensors/slots/frame_slots.h"
 #include "sensors/slots/given_effects.h"
-#include "sensors/slots/sensor_slots.h"
 #include "sensors/slots/true_mount.h"
 
 // That every parameter of every mechanism changes what its sensor reports, and that a sensor
@@ -18,7 +23,6 @@
 namespace tera {
 namespace {
 
-using enum EffectTarget;
 using testing::Given;
 
 using Output = std::vector<double>;
@@ -120,19 +124,38 @@ Output OfCamera(const Effects& effects) {
   });
 }
 
-Output OutputOf(EffectTarget target, const Effects& effects) {
-  switch (target) {
-    case kImu:
-      return OfImu(effects);
-    case kGnss:
-      return OfGnss(effects);
-    case kLidar:
-      return OfLidar(effects);
-    case kCamera:
-      return OfCamera(effects);
-    default:
-      return OfEncoders(effects, target == kEncoder);
+/// Of a kind of rows that this test knows nothing of, on a link that drives a circle and rocks.
+Output OfAnyKind(const EffectTarget& target, const Effects& effects) {
+  const auto kind = std::find_if(kSensorKinds.begin(), kSensorKinds.end(),
+                                 [&](const SensorKind* k) { return k->target == target; });
+  SensorDescription sensor = testing::SensorOf("type: " + std::string((*kind)->name) +
+                                               ", link: upper, xyz_m: [0.2, 0.1, 0.3], "
+                                               "rpy_deg: [5, 10, 20], rate_hz: 50");
+  sensor.effects = effects;
+  const auto motion = [](double t_s) {
+    BodyState body;
+    const double a_rad = 2 * t_s + 3 * t_s * t_s;
+    body.X_WB = MakePose({3 * std::cos(a_rad), 3 * std::sin(a_rad), 1}, 0.1 * a_rad,
+                         0.2 * std::sin(5 * t_s), a_rad);
+    return body;
+  };
+  Output out;
+  for (const RowSample& row : testing::RowsOf(sensor, motion, 1)) {
+    out.push_back(static_cast<double>(row.t_ns));
+    out.insert(out.end(), row.values.begin(), row.values.end());
   }
+  return out;
+}
+
+Output OutputOf(EffectTarget target, const Effects& effects) {
+  if (target == EffectTarget::kImu) return OfImu(effects);
+  if (target == EffectTarget::kGnss) return OfGnss(effects);
+  if (target == EffectTarget::kLidar) return OfLidar(effects);
+  if (target == EffectTarget::kCamera) return OfCamera(effects);
+  if (target == EffectTarget::kEncoder || target == EffectTarget::kEncoderAxis) {
+    return OfEncoders(effects, target == EffectTarget::kEncoder);
+  }
+  return OfAnyKind(target, effects);
 }
 
 /// Two values of every parameter that must not give the same.
@@ -190,7 +213,7 @@ TEST(SensorMechanisms, EveryOneActsOnEverySensorThatItIsFor) {
     for (const EffectTarget target : mechanism.targets) {
       const auto values = Chosen(mechanism);
       EXPECT_NE(OutputOf(target, With(mechanism, values, values.size())), OutputOf(target, {}))
-          << mechanism.id << " of " << NameOf(target);
+          << mechanism.id << " of " << target.name;
     }
   }
 }
@@ -201,11 +224,11 @@ TEST(SensorMechanisms, EveryParameterChangesWhatTheSensorReports) {
     for (const EffectTarget target : mechanism.targets) {
       const auto values = Chosen(mechanism);
       const Output plain = OutputOf(target, With(mechanism, values, values.size()));
-      EXPECT_TRUE(AllFinite(plain)) << mechanism.id << " of " << NameOf(target);
+      EXPECT_TRUE(AllFinite(plain)) << mechanism.id << " of " << target.name;
       for (std::size_t i = 0; i < values.size(); ++i, ++parameters) {
         const Output other = OutputOf(target, With(mechanism, values, i));
         const std::string what =
-            fmt::format("{}.{} of {}", mechanism.id, values[i].parameter, NameOf(target));
+            fmt::format("{}.{} of {}", mechanism.id, values[i].parameter, target.name);
         EXPECT_NE(other, plain) << what;
         EXPECT_TRUE(AllFinite(other)) << what;
       }
@@ -226,7 +249,7 @@ TEST(SensorMechanisms, AtTheCornersOfTheirRangesMeasurementsStayFinite) {
       for (const auto& corner : {up, down}) {
         for (std::size_t i = 0; i <= corner.size(); ++i) {
           EXPECT_TRUE(AllFinite(OutputOf(target, With(mechanism, corner, i))))
-              << mechanism.id << " of " << NameOf(target) << ", parameter " << i;
+              << mechanism.id << " of " << target.name << ", parameter " << i;
         }
       }
     }
@@ -234,7 +257,9 @@ TEST(SensorMechanisms, AtTheCornersOfTheirRangesMeasurementsStayFinite) {
 }
 
 TEST(SensorMechanisms, DefaultsLieInTheirRangesAndIdsAreReadOnceForEachTarget) {
-  for (const EffectTarget target : {kImu, kGnss, kCamera, kLidar, kEncoder, kEncoderAxis}) {
+  std::vector<EffectTarget> targets = {EffectTarget::kEncoderAxis};
+  for (const SensorKind* kind : kSensorKinds) targets.push_back(kind->target);
+  for (const EffectTarget target : targets) {
     std::vector<std::string_view> ids;
     for (const Mechanism& mechanism : SensorMechanisms()) {
       if (!mechanism.ActsOn(target)) continue;
@@ -247,7 +272,7 @@ TEST(SensorMechanisms, DefaultsLieInTheirRangesAndIdsAreReadOnceForEachTarget) {
         EXPECT_LE(*p.otherwise, p.upper) << mechanism.id << "." << p.name;
       }
     }
-    EXPECT_GT(ids.size(), 4u);
+    EXPECT_GT(ids.size(), 2u);
   }
 }
 

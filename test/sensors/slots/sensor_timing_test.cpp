@@ -4,8 +4,11 @@
 #include <vector>
 
 #include "core/units.h"
+#include "sensors/encoder/encoder_slots.h"
+#include "sensors/gnss/gnss_slots.h"
+#include "sensors/imu/imu_slots.h"
+#include "sensors/slots/frame_slots.h"
 #include "sensors/slots/given_effects.h"
-#include "sensors/slots/sensor_slots.h"
 
 namespace tera {
 namespace {

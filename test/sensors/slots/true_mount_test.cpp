@@ -7,10 +7,12 @@
 
 #include "core/units.h"
 #include "render/hand_made_scene.h"
-#include "sensors/imu.h"
-#include "sensors/lidar.h"
+#include "sensors/encoder/encoder_slots.h"
+#include "sensors/gnss/antenna_pair.h"
+#include "sensors/imu/imu.h"
+#include "sensors/imu/imu_slots.h"
+#include "sensors/lidar/lidar.h"
 #include "sensors/slots/given_effects.h"
-#include "sensors/slots/sensor_slots.h"
 
 namespace tera {
 namespace {

@@ -11,6 +11,7 @@
 
 #include "physics/actuation/actuation_mechanisms.h"
 #include "physics/traction/ground_mechanisms.h"
+#include "sensors/sensor_kinds.h"
 #include "sensors/sensor_mechanisms.h"
 
 // docs/mechanisms.md says of every mechanism of the three libraries what the program takes, and
@@ -33,11 +34,9 @@ std::string Row(std::string_view slot, std::string_view id, std::string_view tar
 std::string TargetsOf(const Mechanism& mechanism) {
   std::vector<std::string_view> names;
   for (const EffectTarget target : mechanism.targets) {
-    if (target == EffectTarget::kImu) names.push_back("imu");
-    if (target == EffectTarget::kGnss) names.push_back("gnss");
-    if (target == EffectTarget::kCamera) names.push_back("camera");
-    if (target == EffectTarget::kLidar) names.push_back("lidar");
-    if (target == EffectTarget::kEncoder) names.push_back("encoder");
+    for (const SensorKind* kind : kSensorKinds) {
+      if (target == kind->target) names.push_back(kind->name);
+    }
     if (target == EffectTarget::kEncoderAxis) names.push_back("axis");
   }
   return fmt::format("{}", fmt::join(names, ", "));

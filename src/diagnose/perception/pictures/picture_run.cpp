@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "diagnose/perception/pictures/picture_diagnosis.h"
-#include "sensors/camera.h"
+#include "sensors/camera/camera.h"
 
 namespace tera {
 namespace {

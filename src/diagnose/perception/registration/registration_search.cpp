@@ -267,14 +267,6 @@ class Search {
     return estimates;
   }
 
-  /// Of the error on FINAL without a term, above that of the noise.
-  double ExcessRemoved(const HeldOutError& error) const {
-    const double before = error.rmse_before * error.rmse_before;
-    const double excess = before - noise_rmse_ * noise_rmse_;
-    if (excess <= 0) return 0;
-    return std::clamp((before - error.rmse_after * error.rmse_after) / excess, 0.0, 1.0);
-  }
-
   void Confirm(const Subset& chosen, RegistrationSearch* result) {
     if (chosen.empty()) return;
     const RegistrationFit fit = FitToSeen(chosen);
@@ -293,7 +285,7 @@ class Search {
       finding.held_out.p = GainP(before, with);
       finding.held_out.rmse_before = TrimmedRmse(before);
       finding.held_out.rmse_after = TrimmedRmse(with);
-      finding.held_out.excess_removed = ExcessRemoved(finding.held_out);
+      finding.held_out.excess_removed = ExcessRemoved(finding.held_out, noise_rmse_);
       finding.is_confirmed = finding.held_out.p <= kConfirmedP;
       if (finding.is_confirmed) confirmed.push_back(fit.terms[t]);
       (finding.is_confirmed ? result->findings : result->unconfirmed).push_back(std::move(finding));
@@ -314,6 +306,13 @@ class Search {
 };
 
 }  // namespace
+
+double ExcessRemoved(const HeldOutError& error, double noise_rmse) {
+  const double before = error.rmse_before * error.rmse_before;
+  const double excess = before - noise_rmse * noise_rmse;
+  if (excess <= 0) return 0;
+  return std::clamp((before - error.rmse_after * error.rmse_after) / excess, 0.0, 1.0);
+}
 
 SplitPoints PointsOfParts(
     const ScanSplit& split,

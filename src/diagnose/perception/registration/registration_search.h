@@ -41,6 +41,10 @@ struct RegistrationSearch {
   std::vector<ParameterDetectability> detectability;
 };
 
+/// Of the mean square that an error has without a finding above that of the noise, what it takes
+/// away; 0 where there is no such excess.
+double ExcessRemoved(const HeldOutError& error, double noise_rmse);
+
 /// Which of a block's candidates act on its sensor, beginning at the values of `start`.
 ///
 /// Model   noise from what a fit of all candidates leaves of TRAIN. Forward from nothing, each
@@ -51,8 +55,8 @@ struct RegistrationSearch {
 ///         is preferred where it is not steadily worse, and what does as well in a term's place is
 ///         its rival. On FINAL, which nothing was fitted to, each must gain steadily again
 ///         (kConfirmedP).
-/// Omits   cross-fitting, pairs of candidates that show beside each other alone, and a free
-///         regressor, as SearchStructure has them for channels: four candidates at most act on a
+/// Omits   cross-fitting, pairs of candidates that show beside each other alone, and a flexible
+///         regressor, as StructureSearch has them for channels: four candidates at most act on a
 ///         sensor, which thousands of points tell apart.
 RegistrationSearch SearchRegistration(const RegistrationBlock& block, const SplitPoints& points,
                                       const Structure& start = {});

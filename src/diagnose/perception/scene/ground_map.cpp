@@ -6,23 +6,14 @@
 #include <set>
 
 #include "core/units.h"
+#include "diagnose/perception/scene/height_differences.h"
 #include "diagnose/perception/scene/moderated_t_test.h"
-#include "diagnose/perception/scene/occlusion_edges.h"
 #include "diagnose/statistics/series/robust.h"
 
 namespace tera {
 namespace {
 
-/// A cell by its indices, as GroundMap has them.
-using CellIndex = std::pair<int, int>;
-
-/// A point lies on an object so near to its surface, or within so many standard deviations.
-constexpr double kOnObject_m = 0.15, kOnObjectSigmas = 6;
-constexpr double kUnremarkable_m =
-    0.04;                               ///< higher or lower, a point may lie on an edge or a cliff
-constexpr double kCliffReach_m = 0.08;  ///< by how much poses may displace a point
-constexpr double kGreatestHeight_m = 10;  ///< over or below the ground, of points that tell of it
-constexpr double kLeastSigma_m = 0.01;    ///< of a cell's height, however many scans see it
+constexpr double kLeastSigma_m = 0.01;       ///< of a cell's height, however many scans see it
 constexpr double kLeastDifference_m = 0.05;  ///< of a cell that belongs to a region
 constexpr double kFalseShare = 0.01;         ///< of the cells that differ, by chance
 constexpr double kConfirmedP = 0.01;         ///< over all regions
@@ -40,75 +31,6 @@ constexpr double kWindows = 3;         ///< the recording and its two halves
 constexpr ModeratedTTest kHeightTest{
     .prior_blocks = 8, .prior_scatter = 0.02, .least_sigma = kLeastSigma_m};
 
-/// Height of one point over the simulated ground.
-struct HeightDifference {
-  std::size_t scan, point, block;
-  CellIndex cell;
-  double above_m;
-  CellIndex simulated;  ///< cell of what the ray meets in the simulation
-};
-
-bool LiesOnObject(const RangeSource& source, const SensorCalibration& calibration,
-                  const RangePoint& point, const SimulatedReturn& hit, double scale) {
-  if (hit.surface != Surface::kObstacle && hit.surface != Surface::kMachine) return false;
-  const double near_m = std::max(kOnObject_m, kOnObjectSigmas * scale * point.sigma_m);
-  return std::abs(PointToPlane_m(source, calibration, point, hit)) < near_m;
-}
-
-/// Whether the simulated ground falls or rises across the point's height within a few centimetres
-/// of it: the point may then lie on that cliff.
-bool IsOnCliff(const RangeSource& source, std::size_t scan, const Vec3& p_W_m) {
-  double low_m = std::numeric_limits<double>::infinity(), high_m = -low_m;
-  for (int a = -1; a <= 1; ++a) {
-    for (int b = -1; b <= 1; ++b) {
-      const auto h = source.ground_m(scan, p_W_m.head<2>() + kCliffReach_m * Vec2(a, b));
-      if (!h) continue;
-      low_m = std::min(low_m, *h);
-      high_m = std::max(high_m, *h);
-    }
-  }
-  return p_W_m.z() > low_m - kLeastSigma_m && p_W_m.z() < high_m + kLeastSigma_m &&
-         high_m - low_m > kLeastDifference_m;
-}
-
-/// Height differences of the points of one scan that lie on the ground.
-void CompareHeights(const RangeSource& source, const ScanSplit& split,
-                    const SensorCalibration& calibration, double scale, std::size_t scan,
-                    const std::vector<bool>& excluded, const GroundMap& map,
-                    std::vector<HeightDifference>* differences) {
-  const std::vector<RangePoint>& points = source.scans[scan].points;
-  const std::vector<SimulatedReturn> hits =
-      source.cast(scan, calibration, BeamsOf(source.scans[scan]));
-  std::vector<HeightDifference> remarkable;
-  std::vector<std::size_t> remarkable_points;
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    if (excluded[p] || hits[p].surface == Surface::kUnknown) continue;
-    if (LiesOnObject(source, calibration, points[p], hits[p], scale)) continue;
-    const Vec3 p_W_m = PointInWorld(source, calibration, points[p], hits[p]);
-    const auto ground_m = source.ground_m(scan, p_W_m.head<2>());
-    if (!ground_m || std::abs(p_W_m.z() - *ground_m) > kGreatestHeight_m) continue;
-    HeightDifference one{
-        scan, p, split.block[scan], map.CellAt(p_W_m.head<2>()), p_W_m.z() - *ground_m, {}};
-    one.simulated = one.cell;
-    if (hits[p].surface != Surface::kNothing) {
-      const Vec3 d_W = RayDirection_W(calibration, points[p], hits[p]);
-      const double short_m =
-          TruePoint(source, calibration, points[p].p_S_m).norm() - hits[p].range_m;
-      one.simulated = map.CellAt((p_W_m - short_m * d_W).head<2>());
-    }
-    if (std::abs(one.above_m) < kUnremarkable_m) {
-      differences->push_back(one);
-    } else if (!IsOnCliff(source, scan, p_W_m)) {
-      remarkable.push_back(one);
-      remarkable_points.push_back(p);
-    }
-  }
-  const std::vector<bool> on_edge = OnOcclusionEdges(source, calibration, scan, remarkable_points);
-  for (std::size_t i = 0; i < remarkable_points.size(); ++i) {
-    if (!on_edge[i]) differences->push_back(remarkable[i]);
-  }
-}
-
 /// Height differences by block of time.
 using Blocks = std::map<std::size_t, std::vector<double>>;
 using Cells = std::map<CellIndex, Blocks>;
@@ -116,7 +38,7 @@ using Cells = std::map<CellIndex, Blocks>;
 /// Probability of a mean so far on one side of 0 by chance.
 double OneSidedP(ModeratedTTest::Mean of) {
   of.mean = std::abs(of.mean);
-  return kHeightTest.P(of);
+  return kHeightTest.PFrom(of);
 }
 
 /// By how much a cell differs.
@@ -270,11 +192,13 @@ bool IsNearRegion(const GroundMap& map, const CellIndex& place) {
 }
 
 /// Height differences within a region.
-Blocks BlocksOf(const std::vector<HeightDifference>& differences, const GroundMap& map, int index) {
+Blocks BlocksOf(const std::vector<HeightDifference>& differences, const ScanSplit& split,
+                const GroundMap& map, int index) {
   Blocks blocks;
   for (const HeightDifference& s : differences) {
     const auto at = map.cells.find(s.cell);
-    if (at != map.cells.end() && at->second.region == index) blocks[s.block].push_back(s.above_m);
+    if (at == map.cells.end() || at->second.region != index) continue;
+    blocks[split.block[s.scan]].push_back(s.above_m);
   }
   return blocks;
 }
@@ -305,11 +229,11 @@ void AddIntervals(const RangeSource& source, const ScanSplit& split, const Block
 }
 
 /// What FINAL says of a region: its errors, and a p where it is at least half as high again.
-void Confirm(const std::vector<HeightDifference>& final_differences, const GroundMap& map,
-             int index, GroundRegion* region) {
+void Confirm(const std::vector<HeightDifference>& final_differences, const ScanSplit& split,
+             const GroundMap& map, int index, GroundRegion* region) {
   std::vector<double> medians;
   double before = 0, after = 0, count = 0;
-  for (const auto& [block, values] : BlocksOf(final_differences, map, index)) {
+  for (const auto& [block, values] : BlocksOf(final_differences, split, map, index)) {
     medians.push_back(Median(values));
   }
   for (const HeightDifference& s : final_differences) {
@@ -361,22 +285,17 @@ std::vector<GroundRegion> FindRegions(const Cells& cells, const ScanSplit& split
 
 }  // namespace
 
-std::pair<int, int> GroundMap::CellAt(const Vec2& xy_W_m) const {
-  return {static_cast<int>(std::floor(xy_W_m.x() / cell_m)),
-          static_cast<int>(std::floor(xy_W_m.y() / cell_m))};
-}
-
 GroundMap CompareGround(const RangeSource& source, const ScanSplit& split,
                         const SensorCalibration& calibration, double scale,
                         const PointFlags& excluded) {
   GroundMap map;
   std::vector<HeightDifference> seen, held_out;
   for (std::size_t s = 0; s < source.scans.size(); ++s) {
-    CompareHeights(source, split, calibration, scale, s, excluded[s], map,
-                   split.part[s] == Part::kFinal ? &held_out : &seen);
+    AddHeightDifferences(source, calibration, scale, s, excluded[s], map.cell_m,
+                         split.part[s] == Part::kFinal ? &held_out : &seen);
   }
   Cells cells;
-  for (const HeightDifference& s : seen) cells[s.cell][s.block].push_back(s.above_m);
+  for (const HeightDifference& s : seen) cells[s.cell][split.block[s.scan]].push_back(s.above_m);
   std::vector<GroundRegion> found = FindRegions(cells, split, &map);
   FillGaps(&map);
   std::vector<int> kept_as(found.size(), -1);
@@ -386,8 +305,8 @@ GroundMap CompareGround(const RangeSource& source, const ScanSplit& split,
     const int index = static_cast<int>(r);
     Measure(map, index, &found[r]);
     found[r].upright = IsObject(found[r]);
-    Confirm(held_out, map, index, &found[r]);
-    AddIntervals(source, split, BlocksOf(all, map, index), &found[r]);
+    Confirm(held_out, split, map, index, &found[r]);
+    AddIntervals(source, split, BlocksOf(all, split, map, index), &found[r]);
     const bool holds = found[r].p_confirmed <= kConfirmedP / static_cast<double>(found.size());
     if (holds) kept_as[r] = static_cast<int>(map.regions.size());
     (holds ? map.regions : map.unconfirmed).push_back(found[r]);

@@ -41,8 +41,6 @@ struct GroundMap {
   std::vector<GroundRegion> unconfirmed;
   /// Points that a region explains.
   PointFlags explained;
-
-  std::pair<int, int> CellAt(const Vec2& xy_W_m) const;
 };
 
 /// Compares measured with simulated ground, place by place.

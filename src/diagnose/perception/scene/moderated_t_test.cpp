@@ -15,13 +15,13 @@ ModeratedTTest::Mean ModeratedTTest::MeanOf(const std::vector<double>& values) c
   return {mean, std::sqrt(square / dof / n + least_sigma * least_sigma), dof};
 }
 
-double ModeratedTTest::P(const Mean& of) const {
+double ModeratedTTest::PFrom(const Mean& of) const {
   return boost::math::cdf(
       boost::math::complement(boost::math::students_t(of.dof), (of.mean - limit) / of.sigma));
 }
 
 double ModeratedTTest::P(const std::vector<double>& values) const {
-  return values.size() < fewest_blocks ? 1 : P(MeanOf(values));
+  return values.size() < fewest_blocks ? 1 : PFrom(MeanOf(values));
 }
 
 }  // namespace tera

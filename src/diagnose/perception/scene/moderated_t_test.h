@@ -26,7 +26,7 @@ struct ModeratedTTest {
   /// At least one value.
   Mean MeanOf(const std::vector<double>& values) const;
   /// Probability of a mean so far above the limit by chance.
-  double P(const Mean& of) const;
+  double PFrom(const Mean& of) const;
   double P(const std::vector<double>& values) const;
 };
 

@@ -97,7 +97,12 @@ void TakeOver(const RangeSource& source, SceneComparison scene, PerceptionDiagno
   for (const DustCloud& cloud : scene.dust.unconfirmed) {
     diagnosis->unconfirmed.push_back(FindingOf(cloud, candidates));
   }
-  for (PerceptionFinding& found : diagnosis->findings) found.finding.is_confirmed = true;
+  for (PerceptionFinding& found : diagnosis->findings) {
+    if (!found.place) continue;
+    HeldOutError& error = found.finding.held_out;
+    error.excess_removed = ExcessRemoved(error, diagnosis->noise_rmse);
+    found.finding.is_confirmed = true;
+  }
   diagnosis->ground = std::move(scene.ground);
 }
 

@@ -20,7 +20,8 @@ struct SceneComparison {
 SceneComparison CompareScene(const RangeSource& source, const ScanSplit& split,
                              const SensorCalibration& calibration, double scale);
 
-/// Enters what of the scene is confirmed and what is not, and the map of the ground.
+/// Enters what of the scene is confirmed and what is not, and the map of the ground; after what was
+/// found of the sensor, whose noise the errors are held against.
 void TakeOver(const RangeSource& source, SceneComparison scene, PerceptionDiagnosis* diagnosis);
 
 }  // namespace tera

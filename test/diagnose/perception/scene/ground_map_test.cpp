@@ -105,6 +105,7 @@ TEST(PerceivedGround, AHeapIsNotTakenForAnotherMountOfTheSensor) {
   EXPECT_NEAR(NumberOf(found, "volume_m3"), kHeap_m3, 0.15 * kHeap_m3);
   EXPECT_NEAR(NumberOf(found, "highest_m"), 0.4, 0.03);
   EXPECT_TRUE(found.finding.is_confirmed);
+  EXPECT_GT(found.finding.held_out.excess_removed, 0.9);
 }
 
 TEST(PerceivedGround, AHeapAndAnotherMountAreToldApart) {

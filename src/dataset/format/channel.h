@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/types/measurement.h"
+
+namespace tera {
+
+// What channels hold, as dataset.yaml names it. Kinds of sensors whose samples are rows may bring
+// names of their own.
+inline constexpr std::string_view kImuChannel = "imu", kGnssChannel = "gnss",
+                                  kEncoderChannel = "encoder", kCameraChannel = "camera",
+                                  kLidarChannel = "lidar", kTableChannel = "table",
+                                  kPoseChannel = "pose";
+
+/// Which alternative of Measurement a channel carries.
+enum class ChannelForm { kRows, kPictures, kScans };
+
+/// A channel before its first measurement.
+struct ChannelInfo {
+  std::string path;  ///< folder of a sensor, "excavator1/imu_boom"; file of a table
+  std::string type;  ///< as dataset.yaml names it
+  ChannelForm form = ChannelForm::kRows;
+  std::optional<std::string> sensor_yaml;  ///< SensorYaml's text; tables have none
+  std::vector<std::string> columns;        ///< of rows, without t_ns
+};
+
+// Channels of sensors.
+ChannelInfo ImuChannel(const std::string& folder, const std::string& sensor_yaml);
+ChannelInfo GnssChannel(const std::string& folder, const std::string& sensor_yaml);
+ChannelInfo EncoderChannel(const std::string& folder, const std::string& sensor_yaml,
+                           const std::vector<EncoderAxis>& axes);
+ChannelInfo CameraChannel(const std::string& folder, const std::string& sensor_yaml);
+ChannelInfo LidarChannel(const std::string& folder, const std::string& sensor_yaml);
+
+/// Any table with a leading t_ns: commands.csv, truth/<machine>/joints.csv.
+ChannelInfo TableChannel(const std::string& file, const std::vector<std::string>& columns);
+/// truth/<machine>/pose.csv. A real reference without velocities leaves their columns out.
+ChannelInfo PoseChannel(const std::string& file, bool with_velocity = true);
+
+}  // namespace tera

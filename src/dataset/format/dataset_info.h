@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tera {
+
+/// A file that a recording was made from besides its scenario.yaml, and what was in it.
+struct RecordedInput {
+  std::string name;  ///< PortableName
+  std::int64_t bytes = 0;
+  std::string sha256;  ///< 64 hexadecimal digits
+  std::string place;   ///< where it stands, "run/dataset.yaml:9:5: inputs[0]"; empty of a new one
+};
+
+/// What dataset.yaml says about the whole recording.
+struct DatasetInfo {
+  std::string scenario_name;
+  bool simulated = true;
+  std::uint64_t seed = 0;
+  double duration_s = 0;
+  double origin_lat_deg = 0, origin_lon_deg = 0, origin_height_m = 0;
+  std::string resolved_scenario_yaml;  ///< goes to scenario.yaml
+  struct Instance {
+    std::uint16_t id;
+    std::string name;
+    std::string label;
+  };
+  std::vector<Instance> instances;
+  std::vector<RecordedInput> inputs;
+};
+
+}  // namespace tera

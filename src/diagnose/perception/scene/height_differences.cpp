@@ -1,0 +1,86 @@
+#include "diagnose/perception/scene/height_differences.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "diagnose/perception/scene/occlusion_edges.h"
+
+namespace tera {
+namespace {
+
+/// A point lies on an object so near to its surface, or within so many standard deviations.
+constexpr double kOnObject_m = 0.15, kOnObjectSigmas = 6;
+/// A point that is further above or below the ground may lie on an edge or a cliff.
+constexpr double kUnremarkable_m = 0.04;
+constexpr double kCliffReach_m = 0.08;  ///< by how much poses may displace a point
+constexpr double kLeastCliff_m = 0.05, kHeightNoise_m = 0.01;
+constexpr double kGreatestHeight_m = 10;  ///< over or below the ground, of points that tell of it
+
+/// Whether a point was measured on the simulated object that its ray meets.
+bool LiesOnObject(const RangeSource& source, const SensorCalibration& calibration,
+                  const RangePoint& point, const SimulatedReturn& hit, double scale) {
+  if (hit.surface != Surface::kObstacle && hit.surface != Surface::kMachine) return false;
+  const double near_m = std::max(kOnObject_m, kOnObjectSigmas * scale * point.sigma_m);
+  return std::abs(PointToPlane_m(source, calibration, point, hit)) < near_m;
+}
+
+/// Whether the simulated ground falls or rises across the point's height within a few centimetres
+/// of it: the point may then lie on that cliff.
+bool IsOnCliff(const RangeSource& source, std::size_t scan, const Vec3& p_W_m) {
+  double low_m = std::numeric_limits<double>::infinity(), high_m = -low_m;
+  for (int a = -1; a <= 1; ++a) {
+    for (int b = -1; b <= 1; ++b) {
+      const auto h = source.ground_m(scan, p_W_m.head<2>() + kCliffReach_m * Vec2(a, b));
+      if (!h) continue;
+      low_m = std::min(low_m, *h);
+      high_m = std::max(high_m, *h);
+    }
+  }
+  return p_W_m.z() > low_m - kHeightNoise_m && p_W_m.z() < high_m + kHeightNoise_m &&
+         high_m - low_m > kLeastCliff_m;
+}
+
+}  // namespace
+
+CellIndex CellAt(const Vec2& xy_W_m, double cell_m) {
+  return {static_cast<int>(std::floor(xy_W_m.x() / cell_m)),
+          static_cast<int>(std::floor(xy_W_m.y() / cell_m))};
+}
+
+void AddHeightDifferences(const RangeSource& source, const SensorCalibration& calibration,
+                          double scale, std::size_t scan, const std::vector<bool>& excluded,
+                          double cell_m, std::vector<HeightDifference>* differences) {
+  const std::vector<RangePoint>& points = source.scans[scan].points;
+  const std::vector<SimulatedReturn> hits =
+      source.cast(scan, calibration, BeamsOf(source.scans[scan]));
+  std::vector<HeightDifference> remarkable;
+  std::vector<std::size_t> remarkable_points;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    if (excluded[p] || hits[p].surface == Surface::kUnknown) continue;
+    if (LiesOnObject(source, calibration, points[p], hits[p], scale)) continue;
+    const Vec3 p_W_m = PointInWorld(source, calibration, points[p], hits[p]);
+    const auto ground_m = source.ground_m(scan, p_W_m.head<2>());
+    if (!ground_m || std::abs(p_W_m.z() - *ground_m) > kGreatestHeight_m) continue;
+    HeightDifference one{scan, p, CellAt(p_W_m.head<2>(), cell_m), p_W_m.z() - *ground_m, {}};
+    one.simulated = one.cell;
+    if (hits[p].surface != Surface::kNothing) {
+      const Vec3 d_W = RayDirection_W(calibration, points[p], hits[p]);
+      const double short_m =
+          TruePoint(source, calibration, points[p].p_S_m).norm() - hits[p].range_m;
+      one.simulated = CellAt((p_W_m - short_m * d_W).head<2>(), cell_m);
+    }
+    if (std::abs(one.above_m) < kUnremarkable_m) {
+      differences->push_back(one);
+    } else if (!IsOnCliff(source, scan, p_W_m)) {
+      remarkable.push_back(one);
+      remarkable_points.push_back(p);
+    }
+  }
+  const std::vector<bool> on_edge = OnOcclusionEdges(source, calibration, scan, remarkable_points);
+  for (std::size_t i = 0; i < remarkable_points.size(); ++i) {
+    if (!on_edge[i]) differences->push_back(remarkable[i]);
+  }
+}
+
+}  // namespace tera

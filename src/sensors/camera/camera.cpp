@@ -1,0 +1,206 @@
+#include "sensors/camera/camera.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/check.h"
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+constexpr double kMaxSide_px = 16384;
+constexpr float kMaxValue = 255.0f;
+
+void CheckDistortion(const ConfigMap& config, const CameraIntrinsics& camera) {
+  if (!camera.Distorted() || !(camera.fx_px > 0 && camera.fy_px > 0)) return;
+  const auto pixel = camera.PixelWithoutRay();
+  if (!pixel) return;
+  std::string_view key;  // of the first coefficient given
+  for (const std::string_view k : {"k3", "p2", "p1", "k2", "k1"}) {
+    if (config.Has(k)) key = k;
+  }
+  config.Fault(key, fmt::format("under this distortion pixel ({}, {}) has no ray of its own; need "
+                                "coefficients under which every pixel of the {} x {} picture sees "
+                                "its own direction",
+                                pixel->x(), pixel->y(), camera.width_px, camera.height_px));
+}
+
+CameraIntrinsics ReadIntrinsics(const ConfigMap& config) {
+  CameraIntrinsics c;
+  c.width_px = static_cast<int>(config.Integer("width_px", Between(1, kMaxSide_px, "px")));
+  c.height_px = static_cast<int>(config.Integer("height_px", Between(1, kMaxSide_px, "px")));
+  const Range open_angle = {.min = 0, .max = 179, .min_excluded = true, .unit = "deg"};
+  if (const auto fov_deg = config.OptionalNumber("horizontal_fov_deg", open_angle)) {
+    if (config.Has("fx_px") || config.Has("fy_px")) {
+      config.Fault("horizontal_fov_deg", "given beside fx_px or fy_px; keep one of the two");
+    }
+    c.fx_px = 0.5 * c.width_px / std::tan(0.5 * *fov_deg * kDeg);
+    c.fy_px = c.fx_px;
+  } else {
+    c.fx_px = config.Number("fx_px", Positive("px"));
+    c.fy_px = config.Number("fy_px", Positive("px"), c.fx_px);
+  }
+  c.cx_px = config.Number("cx_px", Any("px"), 0.5 * (c.width_px - 1));
+  c.cy_px = config.Number("cy_px", Any("px"), 0.5 * (c.height_px - 1));
+  c.k1 = config.Number("k1", Any("1"), 0);
+  c.k2 = config.Number("k2", Any("1"), 0);
+  c.p1 = config.Number("p1", Any("1"), 0);
+  c.p2 = config.Number("p2", Any("1"), 0);
+  c.k3 = config.Number("k3", Any("1"), 0);
+  c.near_m = config.Number("near_m", Positive("m"), c.near_m);
+  c.far_m = config.Number("far_m", Positive("m"), c.far_m);
+  if (c.far_m <= c.near_m) config.Fault("far_m", "not beyond near_m; need near_m < far_m");
+  CheckDistortion(config, c);
+  return c;
+}
+
+void LimitDepth(const CameraModel& model, Image<float>* depth_m) {
+  for (float& z_m : depth_m->data) {
+    if (!(z_m >= model.depth_min_m && z_m <= model.depth_max_m)) z_m = 0;
+  }
+}
+
+/// Standard normal quantiles of the middles of 2^bits equal parts of (0, 1), scaled to unit
+/// variance: a look-up instead of logarithm and cosine for each pixel.
+template <int bits>
+class NormalQuantiles {
+ public:
+  static constexpr int kBits = bits;
+
+  NormalQuantiles() {
+    double squares = 0;
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      values_[i] = static_cast<float>(Quantile((i + 0.5) / values_.size()));
+      squares += values_[i] * values_[i] / values_.size();
+    }
+    for (float& v : values_) v /= static_cast<float>(std::sqrt(squares));
+  }
+  float operator[](std::uint64_t part) const { return values_[part & (values_.size() - 1)]; }
+
+ private:
+  /// By bisection of the normal distribution function.
+  static double Quantile(double p) {
+    double low = -8, high = 8;
+    while (high - low > 1e-9) {
+      const double middle = 0.5 * (low + high);
+      (0.5 * std::erfc(-middle / std::sqrt(2.0)) < p ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+  }
+
+  std::array<float, 1u << bits> values_;
+};
+
+/// 2^16 quantiles reach to 4.3 sigma; their steps stay below the millimetre that depth is stored in
+/// wherever noise is drawn often.
+void AddDepthNoise(const CameraModel& model, const Stream& noise, std::uint64_t first,
+                   Image<float>* depth_m) {
+  static const NormalQuantiles<16> normal;
+  constexpr double kDrawBits = 0x1.0p16;
+  const double scale_1pm = model.disparity_noise_px / (model.intrinsics.fx_px * model.baseline_m);
+  for (std::size_t i = 0; i < depth_m->data.size(); ++i) {
+    float& z_m = depth_m->data[i];
+    if (z_m <= 0) continue;
+    const auto draw = static_cast<std::uint64_t>(noise.Uniform(first + i) * kDrawBits);
+    z_m += static_cast<float>(scale_1pm * z_m * z_m) * normal[draw];
+  }
+}
+
+/// Beside the rounding to 255 levels the steps of 2^12 quantiles do not show, and three values of a
+/// pixel come from one draw.
+void AddRgbNoise(double sigma, const Stream& noise, std::uint64_t first, Image<std::uint8_t>* rgb) {
+  static const NormalQuantiles<12> normal;
+  constexpr double kDrawBits = 0x1.0p48;
+  const auto gain = static_cast<float>(sigma);
+  for (std::size_t pixel = 0; 3 * pixel < rgb->data.size(); ++pixel) {
+    auto draw = static_cast<std::uint64_t>(noise.Uniform(first + pixel) * kDrawBits);
+    for (std::size_t c = 0; c < 3; ++c, draw >>= normal.kBits) {
+      std::uint8_t& value = rgb->data[3 * pixel + c];
+      const float noisy = static_cast<float>(value) + gain * normal[draw];
+      value = static_cast<std::uint8_t>(std::clamp(noisy, 0.0f, kMaxValue) + 0.5f);
+    }
+  }
+}
+
+}  // namespace
+
+CameraModel ReadCameraModel(const ConfigMap& config) {
+  CameraModel m;
+  m.intrinsics = ReadIntrinsics(config);
+  m.rgb = config.Boolean("rgb", m.rgb);
+  m.depth = config.Boolean("depth", m.depth);
+  m.labels = config.Boolean("labels", m.labels);
+  if (!m.rgb && !m.depth && !m.labels) {
+    config.Fault("rgb", "rgb, depth and labels are all off; switch one on");
+  }
+  m.depth_min_m = config.Number("depth_min_m", AtLeast(0, "m"), m.depth_min_m);
+  m.depth_max_m = config.Number("depth_max_m", Positive("m"), m.depth_max_m);
+  if (m.depth_max_m <= m.depth_min_m) {
+    config.Fault("depth_max_m", "not beyond depth_min_m; need depth_min_m < depth_max_m");
+  }
+  m.disparity_noise_px = config.Number("disparity_noise_px", AtLeast(0, "px"), 0);
+  m.baseline_m = config.Number("baseline_m", Positive("m"), m.baseline_m);
+  m.rgb_noise = config.Number("rgb_noise", Between(0, kMaxValue, "of 255"), 0);
+  return m;
+}
+
+std::string CameraModelYaml(const CameraModel& m) {
+  const CameraIntrinsics& c = m.intrinsics;
+  return fmt::format(
+      "  width_px: {}\n  height_px: {}\n  fx_px: {}\n  fy_px: {}\n  cx_px: {}\n  cy_px: {}\n"
+      "  k1: {}\n  k2: {}\n  p1: {}\n  p2: {}\n  k3: {}\n  near_m: {}\n  far_m: {}\n"
+      "  rgb: {}\n  depth: {}\n  labels: {}\n  depth_min_m: {}\n  depth_max_m: {}\n"
+      "  disparity_noise_px: {}\n  baseline_m: {}\n  rgb_noise: {}\n",
+      c.width_px, c.height_px, c.fx_px, c.fy_px, c.cx_px, c.cy_px, c.k1, c.k2, c.p1, c.p2, c.k3,
+      c.near_m, c.far_m, m.rgb, m.depth, m.labels, m.depth_min_m, m.depth_max_m,
+      m.disparity_noise_px, m.baseline_m, m.rgb_noise);
+}
+
+Pose OpticalInSensor() {
+  Mat3 R_SC;
+  R_SC.col(0) = -Vec3::UnitY();
+  R_SC.col(1) = -Vec3::UnitZ();
+  R_SC.col(2) = Vec3::UnitX();
+  return MakePose(Vec3::Zero(), R_SC);
+}
+
+Camera::Camera(const CameraModel& model, const SampleClock& clock, TimeNs latency_ns,
+               std::uint64_t seed, const std::string& stream_name)
+    : model_(model),
+      clock_(clock),
+      latency_ns_(latency_ns),
+      depth_noise_(seed, stream_name + "/depth"),
+      rgb_noise_(seed, stream_name + "/rgb") {}
+
+CameraFrame Camera::Measure(std::int64_t k, const Pose& X_WS, const SceneState& scene,
+                            Rasterizer* rasterizer) const {
+  CameraFrame frame = rasterizer->Render(model_.intrinsics, X_WS * OpticalInSensor(), scene);
+  frame.t_ns = clock_.Due(k);
+  frame.t_available_ns = frame.t_ns + latency_ns_;
+  const auto exposure = static_cast<std::uint64_t>(k);
+  if (!model_.rgb) {
+    frame.rgb = {};
+  } else if (model_.rgb_noise > 0) {
+    AddRgbNoise(model_.rgb_noise, rgb_noise_, exposure * frame.rgb.data.size() / 3, &frame.rgb);
+  }
+  if (!model_.depth) {
+    frame.depth_m = {};
+  } else {
+    if (model_.disparity_noise_px > 0) {
+      AddDepthNoise(model_, depth_noise_, exposure * frame.depth_m.data.size(), &frame.depth_m);
+    }
+    LimitDepth(model_, &frame.depth_m);
+  }
+  if (!model_.labels) {
+    frame.semantic = {};
+    frame.instance = {};
+    frame.boxes.clear();
+  }
+  return frame;
+}
+
+}  // namespace tera

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/config/config.h"
+#include "core/random.h"
+#include "core/types/measurement.h"
+#include "render/gl/rasterizer.h"
+
+namespace tera {
+
+/// What a camera is: its optics, its outputs and their noise.
+struct CameraModel {
+  CameraIntrinsics intrinsics;
+  bool rgb = true;
+  bool depth = false;
+  bool labels = true;  ///< semantic, instance, boxes
+  double depth_min_m = 0.1, depth_max_m = 20.0;
+  double disparity_noise_px = 0;  ///< sigma_d of the depth, 1 sigma; 0 switches it off
+  double baseline_m = 0.05;       ///< b, between the two eyes of a depth camera
+  double rgb_noise = 0;           ///< 1 sigma of the sRGB value in 0..255
+};
+
+CameraModel ReadCameraModel(const ConfigMap& config);
+/// As sensor.yaml has it, two blanks before each key.
+std::string CameraModelYaml(const CameraModel& model);
+
+/// Pose of the optical frame C in the sensor frame S: z of C is x of S, x of C is -y of S.
+Pose OpticalInSensor();
+
+/// Camera for colour, planar depth and labels on one pixel grid.
+///
+/// Frames  W world; S sensor, x forward, y left, z up; C optical, x right, y down, z forward, at
+///         X_SC = OpticalInSensor(). Pixel (0, 0) has its centre at the image point (0, 0).
+/// Model   the whole picture at one instant, that of its time stamp. Depth is z in C with the noise
+///         of a stereo pair, sigma_z = z^2 sigma_d / (f b), and 0 outside its limits; colour is
+///         sRGB at the scene's exposure plus N(0, sigma^2), clipped. Noise is drawn for each pixel
+///         alone.
+/// Omits   rolling shutter and motion blur; control of exposure and gain; noise that grows with the
+///         light; vignetting, glare, dirt; the holes and the smoothing of a real stereo matcher.
+/// Source  lens: Brown 1971, "Close-range camera calibration"; sigma_z: Khoshelham and Elberink
+///         2012, "Accuracy and resolution of Kinect depth data for indoor mapping applications".
+class Camera {
+ public:
+  Camera(const CameraModel& model, const SampleClock& clock, TimeNs latency_ns, std::uint64_t seed,
+         const std::string& stream_name);
+  /// Exposure k of the scene with the sensor at X_WS.
+  CameraFrame Measure(std::int64_t k, const Pose& X_WS, const SceneState& scene,
+                      Rasterizer* rasterizer) const;
+  const CameraModel& model() const { return model_; }
+
+ private:
+  CameraModel model_;
+  SampleClock clock_;
+  TimeNs latency_ns_;
+  Stream depth_noise_, rgb_noise_;
+};
+
+}  // namespace tera

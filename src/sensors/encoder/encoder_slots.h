@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/types/effects.h"
+#include "core/types/measurement.h"
+#include "sensors/encoder/encoder_errors.h"
+#include "sensors/slots/low_pass.h"
+#include "sensors/slots/report_clock.h"
+
+namespace tera {
+
+/// What lies between the measurement of a set of encoders' own model and the one it reports
+/// (src/sensors/README.md).
+class EncoderSlots {
+ public:
+  /// `axis_effects` has the own effects of each axis or is empty; `linear` says of each whether it
+  /// is in metres.
+  EncoderSlots(const Effects& effects, const std::vector<Effects>& axis_effects,
+               const std::vector<bool>& linear, const std::vector<std::string>& axes,
+               std::uint64_t seed, const std::string& stream_name);
+  void Apply(EncoderSample* sample);
+
+ private:
+  bool ideal_;
+  std::vector<AxisErrors> axes_;
+  LowPass filter_;
+  ReportClock clock_;
+  std::int64_t next_ = 0;
+};
+
+}  // namespace tera

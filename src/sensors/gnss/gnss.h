@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/config/config.h"
+#include "core/random.h"
+#include "core/types/measurement.h"
+#include "sensors/gnss/site_frame.h"
+
+namespace tera {
+
+/// Error of a receiver along the axes of W: first-order Gauss-Markov plus white, vertical apart.
+struct GnssModel {
+  double white_horizontal_m = 0, white_vertical_m = 0;            ///< 1 sigma
+  double correlated_horizontal_m = 0, correlated_vertical_m = 0;  ///< 1 sigma, stationary
+  double correlation_time_s = 60;
+  Vec3 bias_enu_m = Vec3::Zero();  ///< constant, not in the reported variance
+  GnssFix fix = GnssFix::kRtkFixed;
+};
+
+/// As written in YAML: "none", "single", "rtk_fixed", "rtk_float".
+std::string_view NameOf(GnssFix fix);
+
+GnssModel ReadGnssModel(const ConfigMap& config);
+/// As sensor.yaml has it, two blanks before each key.
+std::string GnssModelYaml(const GnssModel& model);
+
+/// One antenna and its receiver.
+///
+/// Frames  W world (local east-north-up), S the antenna; `enu_m` of a sample is p_WS as measured.
+/// Model   p = p_WS + b + c_k + n_k; c_k = e^(-T/tau) c_(k-1) + sqrt(1 - e^(-2T/tau)) sigma_c w_k.
+///         The variance reported is sigma_c^2 + sigma_n^2, without the bias.
+/// Omits   satellites, masking. (Multipath and lost ambiguities, in their simplest forms:
+///         GnssErrors.)
+/// Source  first-order Gauss-Markov process: Gelb 1974, "Applied optimal estimation", ch. 3.
+class Gnss {
+ public:
+  Gnss(const GnssModel& model, const SampleClock& clock, TimeNs latency_ns, std::uint64_t seed,
+       const std::string& stream_name);
+  /// Sample k (called for k = 0, 1, 2, ... in order) with the antenna at `p_WS_m`.
+  GnssSample Measure(std::int64_t k, const Vec3& p_WS_m, const SiteFrame& site);
+
+ private:
+  GnssModel model_;
+  SampleClock clock_;
+  TimeNs latency_ns_;
+  Stream white_, correlated_;
+  Vec3 correlated_enu_m_ = Vec3::Zero();
+  std::int64_t next_ = 0;
+};
+
+}  // namespace tera

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/config/config.h"
+#include "core/random.h"
+#include "core/types/measurement.h"
+#include "render/rays/ray_scene.h"
+
+namespace tera {
+
+/// Spinning multi-beam lidar as its data sheet has it.
+struct LidarModel {
+  std::vector<double> elevation_rad;       ///< one for each beam (ring), top to bottom
+  std::vector<double> azimuth_offset_rad;  ///< one for each beam, counterclockwise from above
+  std::vector<double> firing_offset_s;     ///< one for each beam, less than a column's duration
+  int columns = 1024;                      ///< firings per revolution
+  bool clockwise = true;                   ///< seen from above
+  double min_range_m = 0.3, max_range_m = 120;
+  double range_noise_m = 0;          ///< 1 sigma at strong return
+  double range_at_10_percent_m = 0;  ///< data sheet's range on a 10 % target; 0: no power limit
+};
+
+LidarModel ReadLidarModel(const ConfigMap& config);
+/// As sensor.yaml has it, two blanks before each key.
+std::string LidarModelYaml(const LidarModel& model);
+
+/// Spinning multi-beam lidar.
+///
+/// Frames  W world; S sensor, x forward, y left, z up. Ray k leaves p_WS(t_k) along R_WS(t_k)
+///         d_S,k; a revolution starts looking along -x, so that its seam lies behind.
+/// Model   every ray at its own time and pose; relative power rho cos(theta) / r^2, a return when
+///         it exceeds that of a 10 % target at `range_at_10_percent_m`; range r + N(0, sigma^2),
+///         noise of ray i of revolution k drawn at index k * rays + i; intensity rho cos(theta).
+/// Omits   beam divergence, multiple returns, noise growing with weak power, crosstalk, rain and
+///         dust; rays without a return, which leave no point.
+/// Source  the radar equation for a target that fills the beam and scatters diffusely, as in Wagner
+///         et al. 2006, "Gaussian decomposition and calibration of a novel small-footprint
+///         full-waveform digitising airborne laser scanner"; each preset names its data sheet.
+class Lidar {
+ public:
+  /// Slowest that the offsets of a revolution's rays fit LidarPoint::time_offset_ns: 2^32 ns are
+  /// 4.29 s.
+  static constexpr double kSlowest_hz = 0.25;
+  /// Instants of a revolution at which the bodies of its scene should be posed; in between, the ray
+  /// scene interpolates.
+  static constexpr int kScenePoses = 11;
+
+  Lidar(const LidarModel& model, const SampleClock& clock, TimeNs latency_ns, std::uint64_t seed,
+        const std::string& stream_name);
+  /// Revolution k, from clock.Due(k) to clock.Due(k + 1). `scene` must have been updated over just
+  /// that interval; `X_WS` must cover it. A scan is available when its revolution is complete and
+  /// `latency_ns` has passed. Uses up to `threads` threads; the result does not depend on them.
+  LidarScan Measure(std::int64_t k, const PoseTrack& X_WS, const RayScene& scene,
+                    int threads) const;
+
+ private:
+  struct Block;
+  void Aim(std::int64_t k, int begin, int end, const PoseTrack& X_WS, Block* block) const;
+  void Detect(std::int64_t k, int begin, const Block& block, std::vector<LidarPoint>* points) const;
+
+  /// A beam in the frame H of the head at the start of its column.
+  struct Beam {
+    Vec3 d_H;
+    TimeNs offset_ns;
+  };
+
+  LidarModel model_;
+  SampleClock clock_;
+  TimeNs latency_ns_;
+  Stream range_noise_;
+  std::vector<Beam> beams_;
+};
+
+}  // namespace tera

@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "sensors/sensor.h"
+#include "sensors/slots/frame_slots.h"
+#include "sensors/slots/mechanism_rows.h"
+
+// A lidar on the shelf.
+
+namespace tera {
+namespace {
+
+/// A revolution is traced when it is complete, over the ground of its end.
+class LidarSampler : public SensorSampler {
+ public:
+  explicit LidarSampler(const SensorPlace& place)
+      : lidar_(std::get<LidarModel>(place.sensor.model), place.sensor.clock,
+               place.sensor.latency_ns, place.seed, place.folder),
+        slots_(place.sensor.effects, place.seed, place.folder),
+        clock_(place.sensor.clock),
+        output_(place.output) {
+    const Mounting mount = TrueMounting(place.sensor, place.rig);
+    link_ = place.machine.LinkIndex(mount.link);
+    X_BT_ = mount.X_BT;
+  }
+
+  void Sample(const SensedStep& step) override {
+    X_WS_.Append(step.t1_ns, step.after.links[link_].X_WB * X_BT_);
+    for (; clock_.Due(next_ + 1) <= step.t1_ns; ++next_) Revolve(step.scene);
+    X_WS_.DropBefore(clock_.Due(next_));
+  }
+
+  TimeNs SceneNeededSince(TimeNs) const override { return clock_.Due(next_); }
+
+ private:
+  void Revolve(const SensedScene& scene) {
+    const TimeNs start_ns = clock_.Due(next_), end_ns = clock_.Due(next_ + 1);
+    const ReportClock::Times times = slots_.Stamp(next_, start_ns);
+    if (!output_.sink->NeedsFrame(output_.channel, times.t_ns, clock_.Due(next_ + 2))) {
+      output_.sink->MarkPresent(output_.channel, times.t_ns);
+      return;
+    }
+    std::vector<std::vector<Pose>> poses;
+    for (int k = 0; k < Lidar::kScenePoses; ++k) {
+      poses.push_back(
+          scene.BodiesAt(start_ns + (end_ns - start_ns) * k / (Lidar::kScenePoses - 1)));
+    }
+    scene.ray_scene()->Update(poses, scene.ground(), scene.BodyScales());
+    LidarScan scan = lidar_.Measure(next_, X_WS_, *scene.ray_scene(), scene.threads());
+    slots_.Apply(next_, times, &scan);
+    output_.sink->Write(output_.channel, std::move(scan));
+  }
+
+  Lidar lidar_;
+  FrameSlots slots_;
+  SampleClock clock_;
+  int link_ = 0;
+  Pose X_BT_;  ///< where it truly sits
+  SensorOutput output_;
+  PoseTrack X_WS_;
+  std::int64_t next_ = 0;
+};
+
+std::vector<Mechanism> LidarMechanisms() {
+  using enum Slot;
+  const std::vector<EffectTarget> lidar = {EffectTarget::kLidar};
+  return {
+      {"range_bias", kSensorStatic, lidar, {{"range_m", "m", -5, 5, {}}}},
+      {"scale", kSensorStatic, lidar, {{"range_factor", "1", 0.5, 2, {}}}},
+      {"quantisation", kSensorStatic, lidar, {{"range_step_m", "m", 0, 1, 0.004}}},
+      {"outliers", kSensorStatic, lidar,
+       Joined({ProbabilityParameter(), {{"range_m", "m", 0, 100, 5}}})},
+      {"temperature_drift", kSensorStatic, lidar,
+       Joined({WarmUpParameters(), {{"range_mpk", "m/K", -0.01, 0.01, {}}}})},
+  };
+}
+
+void CheckFirings(const ConfigMap& config, const LidarModel& lidar, const SampleClock& clock) {
+  const double column_s = 1.0 / (clock.rate_hz * lidar.columns);
+  const double last_s =
+      *std::max_element(lidar.firing_offset_s.begin(), lidar.firing_offset_s.end());
+  if (last_s < column_s) return;
+  config.Fault("firing_offset_us",
+               fmt::format("last firing at {} us but a column at rate_hz {} with {} columns lasts "
+                           "{} us; need a shorter offset, fewer columns or a lower rate",
+                           last_s * 1e6, clock.rate_hz, lidar.columns, column_s * 1e6));
+}
+
+void ReadLidar(const ConfigMap& config, SensorDescription* sensor) {
+  const LidarModel model = ReadLidarModel(config);
+  CheckFirings(config, model, sensor->clock);
+  sensor->model = model;
+}
+
+}  // namespace
+
+constinit const SensorKind kLidarKind = {
+    .name = kLidarChannel,
+    .target = EffectTarget::kLidar,
+    .form = ChannelForm::kScans,
+    .slowest_hz = Lidar::kSlowest_hz,
+    .read = ReadLidar,
+    .model_yaml =
+        [](const SensorDescription& s) { return LidarModelYaml(std::get<LidarModel>(s.model)); },
+    .sampler = [](const SensorPlace& place) -> std::unique_ptr<SensorSampler> {
+      return std::make_unique<LidarSampler>(place);
+    },
+    .mechanisms = LidarMechanisms,
+};
+
+}  // namespace tera

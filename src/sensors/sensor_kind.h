@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/config/config.h"
+#include "core/motion.h"
+#include "core/types/effects.h"
+#include "core/types/measurement.h"
+#include "dataset/format/channel.h"
+#include "physics/description/machine.h"
+#include "sensors/sampling.h"
+
+namespace tera {
+
+struct SensorDescription;
+
+/// Where a sensor truly sits, slot `sensor_geometry`.
+struct Mounting {
+  std::string link;
+  Pose X_BT = Pose::Identity();
+};
+
+/// All sensors of one machine.
+using SensorList = std::vector<SensorDescription>;
+
+/// Everything that TERA knows about one kind of sensor. The rig, the reading of scenarios and of
+/// effects, `tera serve` and `tera ros2` walk the table of kinds (sensor_kinds.h) and know of none.
+///
+/// Pointers that may be null say so; without them the kind has nothing of that sort.
+struct SensorKind {
+  std::string_view name;  ///< `type:` in YAML, and of its channel: "imu"
+  EffectTarget target;    ///< of its effects
+  ChannelForm form = ChannelForm::kRows;
+  bool on_link = true;    ///< sits on a link at X_BS
+  double slowest_hz = 0;  ///< least `rate_hz`; 0: any above it
+
+  /// Reads the model's keys into a description whose place and clock are read.
+  void (*read)(const ConfigMap& config, SensorDescription* sensor);
+  /// The model's keys as YAML, two blanks before each.
+  std::string (*model_yaml)(const SensorDescription& sensor);
+  /// Of a kind whose samples are rows: its columns, units at their ends. May be null.
+  std::vector<std::string> (*columns)(const SensorDescription& sensor,
+                                      const MachineModel& machine) = nullptr;
+  std::unique_ptr<SensorSampler> (*sampler)(const SensorPlace& place);
+
+  /// Mechanisms beside those of every kind (sensor_mechanisms.h). May be null.
+  std::vector<Mechanism> (*mechanisms)() = nullptr;
+  /// Reports effects that would change nothing of what the sensor measures. `effects` is the
+  /// machine's mapping of targets. May be null.
+  void (*check_effects)(const ConfigMap& effects, const MachineModel& machine,
+                        const SensorDescription& sensor, const SensorList& rig) = nullptr;
+  /// Where it sits by its effects, if TrueMount does not say it all. May be null.
+  Mounting (*true_mounting)(const SensorDescription& sensor, const SensorList& rig) = nullptr;
+
+  /// Axes that have effects of their own beside the sensor's, as `axis_target`. May be null.
+  std::vector<EncoderAxis> (*axes)(const SensorDescription& sensor,
+                                   const MachineModel& machine) = nullptr;
+  EffectTarget axis_target;
+  /// Reports names in the sensor's keys that the machine does not have. May be null.
+  void (*check_names)(const ConfigMap& config, const SensorDescription& sensor,
+                      const MachineModel& machine) = nullptr;
+};
+
+}  // namespace tera

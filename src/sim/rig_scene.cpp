@@ -1,0 +1,61 @@
+#include "sim/rig_scene.h"
+
+#include <algorithm>
+
+#include "core/check.h"
+
+namespace tera {
+namespace {
+
+std::vector<Pose> Between(const std::vector<Pose>& from, const std::vector<Pose>& to, double s) {
+  std::vector<Pose> poses;
+  poses.reserve(to.size());
+  for (std::size_t b = 0; b < to.size(); ++b) poses.push_back(Interpolate(from[b], to[b], s));
+  return poses;
+}
+
+}  // namespace
+
+RigScene::RigScene(const SceneAssembly& assembly, int threads)
+    : assembly_(assembly), threads_(threads) {}
+
+RigScene::~RigScene() = default;
+
+void RigScene::MakeRasterizer(const EglOptions& egl) {
+  rasterizer_ = std::make_unique<Rasterizer>(assembly_.model(), egl);
+}
+
+void RigScene::MakeRayScene() { ray_scene_ = std::make_unique<RayScene>(assembly_.model()); }
+
+void RigScene::Advance(const WorldState& before, const WorldState& after,
+                       const TerrainSurface& ground) {
+  before_ = &before;
+  after_ = &after;
+  ground_ = &ground;
+  if (!ray_scene_) return;
+  TERA_CHECK(history_.empty() || after.t_ns > history_.back().t_ns, after.t_ns);
+  history_.push_back({after.t_ns, assembly_.BodyPoses(after)});
+}
+
+void RigScene::ForgetBefore(TimeNs t_ns) {
+  while (history_.size() > 1 && history_[1].t_ns <= t_ns) history_.pop_front();
+}
+
+std::vector<float> RigScene::BodyScales() const { return assembly_.BodyScales(*after_); }
+
+std::vector<Pose> RigScene::BodiesBetween(double s) const {
+  return Between(assembly_.BodyPoses(*before_), assembly_.BodyPoses(*after_), s);
+}
+
+std::vector<Pose> RigScene::BodiesAt(TimeNs t_ns) const {
+  const auto after = std::lower_bound(history_.begin(), history_.end(), t_ns,
+                                      [](const Moment& m, TimeNs t) { return m.t_ns < t; });
+  if (after == history_.end()) return history_.back().X_WB;
+  if (after == history_.begin() || after->t_ns == t_ns) return after->X_WB;
+  const auto before = after - 1;
+  const double s =
+      static_cast<double>(t_ns - before->t_ns) / static_cast<double>(after->t_ns - before->t_ns);
+  return Between(before->X_WB, after->X_WB, s);
+}
+
+}  // namespace tera

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include "render/gl/rasterizer.h"
+#include "render/rays/ray_scene.h"
+#include "sensors/sampling.h"
+#include "sim/scene_assembly.h"
+#include "sim/simulation.h"
+
+namespace tera {
+
+/// The scene of a running simulation as its sensors see it, with the poses of the past that rays
+/// still need.
+class RigScene : public SensedScene {
+ public:
+  /// Keeps a reference to `assembly`.
+  RigScene(const SceneAssembly& assembly, int threads);
+  ~RigScene() override;
+
+  /// For sensors that take pictures. Throws InputError where there is no way to draw.
+  void MakeRasterizer(const EglOptions& egl);
+  /// For sensors that cast rays; from then on past poses are kept.
+  void MakeRayScene();
+
+  /// Goes on to the step between these states, which must stay where they are until the next call.
+  void Advance(const WorldState& before, const WorldState& after, const TerrainSurface& ground);
+  void ForgetBefore(TimeNs t_ns);
+
+  const TerrainSurface& ground() const override { return *ground_; }
+  std::vector<float> BodyScales() const override;
+  std::vector<Pose> BodiesBetween(double s) const override;
+  std::vector<Pose> BodiesAt(TimeNs t_ns) const override;
+  Rasterizer* rasterizer() const override { return rasterizer_.get(); }
+  RayScene* ray_scene() const override { return ray_scene_.get(); }
+  int threads() const override { return threads_; }
+
+ private:
+  /// Poses of all scene bodies at a step.
+  struct Moment {
+    TimeNs t_ns;
+    std::vector<Pose> X_WB;
+  };
+
+  const SceneAssembly& assembly_;
+  int threads_;
+  std::unique_ptr<Rasterizer> rasterizer_;
+  std::unique_ptr<RayScene> ray_scene_;
+  const WorldState *before_ = nullptr, *after_ = nullptr;
+  const TerrainSurface* ground_ = nullptr;
+  std::deque<Moment> history_;
+};
+
+}  // namespace tera
