@@ -19,15 +19,19 @@ std::vector<EffectTarget> TargetsOf(const std::vector<ChannelForm>& forms) {
   return targets;
 }
 
-/// What several kinds have alike: a sensor writes one time on each of its measurements, and rows
-/// can pass a filter.
-std::vector<Mechanism> Shared() {
+/// What all that sees has alike.
+Mechanism Extrinsic() {
+  return {"extrinsic", Slot::kSensorGeometry,
+          TargetsOf({ChannelForm::kPictures, ChannelForm::kScans}),
+          Joined({ShiftParameters(), TurnParameters()})};
+}
+
+/// A sensor writes one time on each of its measurements, and rows can pass a filter.
+std::vector<Mechanism> Timing() {
   using enum ChannelForm;
   using enum Slot;
   const std::vector<EffectTarget> all = TargetsOf({kRows, kPictures, kScans});
   return {
-      {"extrinsic", kSensorGeometry, TargetsOf({kPictures, kScans}),
-       Joined({ShiftParameters(), TurnParameters()})},
       {"clock_offset", kSensorTiming, all, {{"offset_s", "s", -40, 40, {}}}},
       {"clock_drift", kSensorTiming, all, {{"drift_ppm", "ppm", -1e3, 1e3, {}}}},
       {"latency", kSensorTiming, all, {{"delay_s", "s", 0, 5, {}}, {"jitter_s", "s", 0, 1, 0}}},
@@ -36,12 +40,12 @@ std::vector<Mechanism> Shared() {
 }
 
 std::vector<Mechanism> All() {
-  std::vector<Mechanism> all;
+  std::vector<Mechanism> all = {Extrinsic()};
   for (const SensorKind* kind : kSensorKinds) {
     if (!kind->mechanisms) continue;
     for (Mechanism& mechanism : kind->mechanisms()) all.push_back(std::move(mechanism));
   }
-  for (Mechanism& mechanism : Shared()) all.push_back(std::move(mechanism));
+  for (Mechanism& mechanism : Timing()) all.push_back(std::move(mechanism));
   return all;
 }
 

@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "physics/actuation/actuation_mechanisms.h"
 #include "physics/traction/ground_mechanisms.h"
+#include "sensors/sensor_kinds.h"
 #include "sensors/sensor_mechanisms.h"
 #include "sim/scenario/scenario.h"
 #include "sim/scenario/scenario_text.h"
@@ -80,6 +81,35 @@ const std::vector<Place> kOfGantry = {
     {"slides", EffectTarget::kEncoder, false, true},
     {"turns", EffectTarget::kEncoder, true, false},
 };
+
+/// Kinds of sensors that none of these places is of, each of them on the excavator by its own name.
+std::vector<const SensorKind*> OtherKinds() {
+  std::vector<const SensorKind*> others;
+  for (const SensorKind* kind : kSensorKinds) {
+    if (std::none_of(kOfExcavator.begin(), kOfExcavator.end(),
+                     [&](const Place& place) { return place.target == kind->target; })) {
+      others.push_back(kind);
+    }
+  }
+  return others;
+}
+
+std::string ExcavatorWithAllKinds() {
+  std::string machine = kOneExcavator;
+  for (const SensorKind* kind : OtherKinds()) {
+    machine +=
+        fmt::format("        - {{name: {0}, type: {0}, link: upper, rate_hz: 50}}\n", kind->name);
+  }
+  return machine;
+}
+
+std::vector<Place> PlacesOfAllKinds() {
+  std::vector<Place> places = kOfExcavator;
+  for (const SensorKind* kind : OtherKinds()) {
+    places.push_back({std::string(kind->name), kind->target});
+  }
+  return places;
+}
 
 /// A site with one machine that has these effects, "boom: {dead_band: {width: 0.1}}".
 std::string ScenarioWith(std::string machine, std::string_view ground, const std::string& effects) {
@@ -240,7 +270,8 @@ TEST(EffectRoundTrip, EveryMechanismOfTheGroundReadsAgainOnEveryKindOfGround) {
 
 TEST(EffectRoundTrip, EveryMechanismOfASensorReadsAgainOnAxesThatTurnAndThatSlide) {
   const auto library = SensorMechanisms();
-  EXPECT_EQ(ReadAllTwice(kOneExcavator, "kinematic", kOfExcavator, library), library.size());
+  EXPECT_EQ(ReadAllTwice(ExcavatorWithAllKinds(), "kinematic", PlacesOfAllKinds(), library),
+            library.size());
   EXPECT_GT(ReadAllTwice(OfGantry(), "terramechanics", kOfGantry, library), 10u);
 }
 
