@@ -182,6 +182,20 @@ TEST(SampleMessages, ImuHasTheVarianceOfOneSample) {
               ElementsAre(accel, 0, 0, 0, accel, 0, 0, 0, accel));
 }
 
+TEST(SampleMessages, ARowIsJointsByTheNamesAndUnitsOfItsColumns) {
+  const RowSample row{5, 6, {0.25, 1.5, -2, 0.75, 300}};
+  const ros::JointState message = ros::JointStateOfRow(
+      row, "digger/s", {"tilt_rad", "rod_m", "tilt_radps", "rod_mps", "temperature_k"});
+  EXPECT_EQ(message.header.t_ns, 5);
+  EXPECT_EQ(message.header.frame_id, "digger/s");
+  EXPECT_THAT(message.name, ElementsAre("tilt", "rod", "temperature_k"));
+  EXPECT_THAT(message.position, ElementsAre(0.25, 1.5, 300));
+  EXPECT_EQ(message.velocity.at(0), -2);
+  EXPECT_EQ(message.velocity.at(1), 0.75);
+  EXPECT_TRUE(std::isnan(message.velocity.at(2)));
+  EXPECT_TRUE(message.effort.empty());
+}
+
 TEST(SampleMessages, FixHasStatusPlaceAndVariance) {
   GnssSample sample;
   sample.lat_deg = 47;

@@ -132,6 +132,38 @@ TEST(SampleKeeper, OfTheLatestFrameAloneNoOtherIsMeasured) {
   }
 }
 
+TEST(LiveStage, ASensorWithoutAMessageOfItsOwnSendsRowsOfItsColumns) {
+  const auto with_tilt = [](std::optional<std::uint64_t>) {
+    std::string text = kStageScenario;
+    const std::string before = "rig: {sensors: [\n";
+    text.insert(text.find(before) + before.size(),
+                "      {name: tilt, type: inclinometer, link: boom, rate_hz: 50},\n");
+    const Config config = Config::FromText(text, "stage.yaml");
+    SeededScenario seeded{.scenario = ReadScenario(config.root()), .resolved_yaml = {}};
+    config.Finish();
+    return seeded;
+  };
+  const std::unique_ptr<Stage> stage = LiveStages(with_tilt(std::nullopt).scenario, with_tilt, {},
+                                                  [](const std::string&) {})([] { return false; });
+  const v1::Sensor sensor = stage->Describe().machines(0).sensors(0);
+  EXPECT_EQ(sensor.type(), "inclinometer");
+  ASSERT_EQ(sensor.columns_size(), 2);
+  EXPECT_EQ(sensor.columns(0), "tilt_rad");
+  stage->Reset(v1::Reset());
+  v1::Step step = StepOf(200);  // 0.4 s
+  v1::SensorSelection& tilt = *step.mutable_observe()->add_sensors();
+  tilt.set_machine("digger");
+  tilt.set_sensor("tilt");
+  const v1::Observation observation = stage->Step(step).value();
+  // The 20th is known a physics step later.
+  ASSERT_EQ(observation.samples(0).row_size(), 19);
+  const v1::RowSample& row = observation.samples(0).row(18);
+  EXPECT_EQ(row.time_ns(), 380'000'000);
+  ASSERT_EQ(row.value_size(), 2);
+  // The boom stands 40 deg up, on ground that is level within some degrees.
+  EXPECT_NEAR(row.value(0), -40 * M_PI / 180, 6 * M_PI / 180);
+}
+
 TEST_F(LiveStageTest, ATerrainPatchIsTheGroundAroundTheMachine) {
   v1::Reset reset;
   v1::PatchSelection& around = *reset.mutable_observe()->add_patches();

@@ -6,6 +6,9 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "dataset/format/recording.h"
+#include "dataset/format/writer.h"
+#include "own_folder.h"
 #include "sensors/driven_sensor.h"
 #include "sensors/sensor_mechanisms.h"
 #include "sensors/slots/given_effects.h"
@@ -181,6 +184,26 @@ TEST(Inclinometer, ThePresetIsWholeAndItsModelReadsBackToTheSame) {
   SensorDescription again = sensor;
   KindOf(sensor).read(config.root().Map("model"), &again);
   EXPECT_EQ(SensorYaml(again), text);
+}
+
+TEST(Inclinometer, ItsRowsAreReadBackFromADataset) {
+  const SensorDescription sensor = SensorOf(kKeys + ", noise_deg: 0.1");
+  const auto rows = RowsOf(
+      sensor, [](double) { return Leaning(kLean_deg); }, 0.1);
+  DatasetWriter writer(OwnFolder() / "run", {}, {});
+  const ChannelId channel = writer.AddChannel(
+      {"m/tilt", TypeOf(sensor), KindOf(sensor).form, SensorYaml(sensor), ColumnsOf(sensor, {})});
+  for (const RowSample& row : rows) writer.Write(channel, row);
+  writer.Finish();
+  const Recording recording(OwnFolder() / "run");
+  ASSERT_THAT(recording.ChannelsOf("inclinometer"), ::testing::ElementsAre("m/tilt"));
+  const TableRecording read = recording.LoadRows("m/tilt");
+  EXPECT_THAT(read.columns, ::testing::ElementsAre("tilt_rad", "tilt_radps"));
+  ASSERT_EQ(read.rows.size(), rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(read.t_ns[i], rows[i].t_ns);
+    EXPECT_EQ(read.rows[i], rows[i].values);
+  }
 }
 
 TEST(Inclinometer, EachKeyChangesItsRows) {
