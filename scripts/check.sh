@@ -63,7 +63,9 @@ tsan() {
   for name in $threaded; do
     program=$(find build/tsan/test -name "$name" -type f)
     echo "tsan: $name"
-    TSAN_OPTIONS=suppressions=$PWD/scripts/suppressions/tsan.txt:halt_on_error=1:second_deadlock_stack=1 "$program" --gtest_brief=1
+    # A test kills a process that it forks: the child may start threads of its own.
+    TSAN_OPTIONS=suppressions=$PWD/scripts/suppressions/tsan.txt:halt_on_error=1:second_deadlock_stack=1:die_after_fork=0 \
+      "$program" --gtest_brief=1
   done
 }
 

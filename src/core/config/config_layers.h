@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/config/config_map.h"
 #include "core/config/config_beneath.h"
+#include "core/config/config_map.h"
 
 /// The layers that a configuration's mappings are made of, for the files of config_*.cpp.
 

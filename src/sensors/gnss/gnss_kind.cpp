@@ -4,8 +4,8 @@
 
 #include "core/types/sample_rows.h"
 #include "sensors/gnss/antenna_pair.h"
-#include "sensors/gnss/gnss_slots.h"
 #include "sensors/gnss/gnss_reflector.h"
+#include "sensors/gnss/gnss_slots.h"
 #include "sensors/sensor.h"
 #include "sensors/slots/mechanism_rows.h"
 #include "sensors/slots/true_mount.h"

@@ -32,9 +32,7 @@ UndisturbedGround FloorOf(const SoilBed& shape) {
 }  // namespace
 
 Bed::Bed(const SoilBed& shape, const std::vector<SoilType>& soils)
-    : shape_(shape),
-      half_m_(0.5 * shape.size_m),
-      columns_(FloorOf(shape), soils) {}
+    : shape_(shape), half_m_(0.5 * shape.size_m), columns_(FloorOf(shape), soils) {}
 
 void Bed::Move(const Pose& X_WB) { X_WF_ = X_WB * MakePose(shape_.floor_B_m); }
 

@@ -1,9 +1,9 @@
-#include "core/config/portable_name.h"
 #include "dataset/format/recorded_inputs.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/config/portable_name.h"
 #include "core/error.h"
 #include "dataset/format/recording.h"
 #include "dataset/format/sample_recording.h"

@@ -1,3 +1,5 @@
+#include "physics/actuation/actuation_mechanisms.h"
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +8,6 @@
 #include <string>
 
 #include "core/types/effects.h"
-#include "physics/actuation/actuation_mechanisms.h"
 #include "physics/description/payload.h"
 #include "physics/machine_fixture.h"
 

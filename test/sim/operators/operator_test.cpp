@@ -1,5 +1,3 @@
-#include "sim/operators/read_operator.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,6 +8,7 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "own_folder.h"
+#include "sim/operators/read_operator.h"
 
 namespace tera {
 namespace {
