@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 namespace tera {
 namespace {
 
-constexpr TimeNs kNear_ns = 300'000'000;    ///< a gap in a measurement that is bridged
+constexpr TimeNs kNear_ns = 300'000'000;    ///< from a sample, within which it still tells
+constexpr TimeNs kPeriodsOfGap = 3;         ///< of mean length; what is longer is a gap
 constexpr TimeNs kSmooth_ns = 25'000'000;   ///< half the window of an encoder
 constexpr TimeNs kRateStep_ns = 5'000'000;  ///< for rates, by differences
 
@@ -23,9 +25,20 @@ Vec3 RateOf(const Mat3& before, const Mat3& after, double dt_s) {
   return turn.axis() * (turn.angle() / dt_s);
 }
 
+/// Whether samples at these times, in order, tell of `t_ns`: within a moment of one of them, or
+/// between two that follow each other as samples of a slow sensor do.
 template <typename Time>
 bool Covers(std::size_t count, const Time& time_of, TimeNs t_ns) {
-  return count > 0 && t_ns >= time_of(0) - kNear_ns && t_ns <= time_of(count - 1) + kNear_ns;
+  if (count == 0) return false;
+  const auto places = std::views::iota(std::size_t{0}, count);
+  const std::size_t next = static_cast<std::size_t>(
+      std::ranges::lower_bound(places, t_ns, {}, time_of) - places.begin());
+  if (next == 0) return t_ns >= time_of(0) - kNear_ns;
+  if (next == count) return t_ns <= time_of(count - 1) + kNear_ns;
+  const TimeNs before_ns = time_of(next - 1), after_ns = time_of(next);
+  const auto period_ns = (time_of(count - 1) - time_of(0)) / static_cast<TimeNs>(count - 1);
+  return std::min(t_ns - before_ns, after_ns - t_ns) <= kNear_ns ||
+         after_ns - before_ns <= kPeriodsOfGap * period_ns;
 }
 
 }  // namespace

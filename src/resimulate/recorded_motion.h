@@ -28,7 +28,8 @@ class RecordedMotion {
   const std::string& obstacle() const { return obstacle_; }
   /// Of the first measurement.
   std::optional<TimeNs> first_ns() const;
-  /// Whether poses and encoders cover the time, within 0.3 s.
+  /// Whether poses and encoders cover the time: within 0.3 s of one of their samples, or between
+  /// two that are at most three mean periods apart.
   bool IsKnownAt(TimeNs t_ns) const;
   /// Whether every joint that moves by a lever has an encoder: the machine looks as it did.
   bool shows_whole() const { return shows_whole_; }

@@ -18,19 +18,9 @@ struct LoadedScenario {
 /// Reads a scenario with `key.path=value` overrides; below them, over the scenario's own, the
 /// mapping `effects:` of each file of `effects`, the later above the earlier. Throws InputError
 /// with every fault. Files that it names may have `moved`.
-inline LoadedScenario LoadScenario(const std::filesystem::path& file,
-                                   const std::vector<std::string>& overrides,
-                                   const std::vector<std::string>& effects = {},
-                                   const std::vector<MovedFiles>& moved = {}) {
-  std::vector<Config::Overlay> overlays;
-  for (const std::string& overlay : effects) overlays.push_back({overlay, "effects"});
-  Config config = Config::FromFile(file, overrides, overlays);
-  config.Move(moved);
-  LoadedScenario loaded;
-  loaded.scenario = ReadScenario(config.root());
-  config.Finish();
-  loaded.resolved_yaml = config.ResolvedYaml();
-  return loaded;
-}
+LoadedScenario LoadScenario(const std::filesystem::path& file,
+                            const std::vector<std::string>& overrides,
+                            const std::vector<std::string>& effects = {},
+                            const std::vector<MovedFiles>& moved = {});
 
 }  // namespace tera

@@ -10,26 +10,6 @@
 namespace tera {
 namespace {
 
-/// Two seconds, in steps of half a second, of a wheel that turns ever faster, from 1 s of the
-/// recording on.
-SimulatedCourse Spinning() {
-  SimulatedCourse course{.zero_ns = kNsPerSecond, .step_s = 0.5, .steps = {}};
-  for (int k = 0; k <= 4; ++k) {
-    course.steps.push_back({{0.5 * k * k}, {1.0 * k}, MakePose(Vec3(2 * k, 0, 0))});
-  }
-  return course;
-}
-
-TEST(SimulatedCourse, IsStraightBetweenItsStepsAndStandsBeyondThem) {
-  const SimulatedCourse course = Spinning();
-  EXPECT_EQ(course.end_ns(), 3 * kNsPerSecond);
-  EXPECT_DOUBLE_EQ(course.RateAt(FromSeconds(1.75), 0), 1.5);
-  EXPECT_DOUBLE_EQ(course.PositionAt(FromSeconds(1.75), 0), 1.25);
-  EXPECT_DOUBLE_EQ(course.PoseAt(FromSeconds(1.75)).translation().x(), 3);
-  EXPECT_DOUBLE_EQ(course.RateAt(0, 0), 0);
-  EXPECT_DOUBLE_EQ(course.RateAt(9 * kNsPerSecond, 0), 4);
-}
-
 /// Tracks that turn one way, then the other, for 24 s.
 NamedLevers ToAndFro(double t_s) {
   const double turn = 0.5 * std::sin(0.8 * t_s);
