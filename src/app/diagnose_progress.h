@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/stage_clock.h"
-#include "diagnose/diagnosis.h"
+#include "diagnose/diagnose_blocks.h"
 
 namespace tera {
 

@@ -8,7 +8,7 @@
 
 #include "core/stage_clock.h"
 #include "dataset/format/recording.h"
-#include "diagnose/diagnosis.h"
+#include "diagnose/diagnose_machine.h"
 #include "sim/scenario/scenario.h"
 
 namespace tera {

@@ -10,7 +10,7 @@
 #include "core/random.h"
 #include "core/units.h"
 #include "diagnose/blocks/axis_block.h"
-#include "diagnose/diagnosis.h"
+#include "diagnose/diagnose_blocks.h"
 #include "diagnose/statistics/series/noise_model.h"
 #include "physics/actuation/actuation.h"
 #include "physics/dynamics/gravity_load.h"

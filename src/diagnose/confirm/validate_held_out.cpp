@@ -1,0 +1,64 @@
+#include "diagnose/confirm/validate_held_out.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "diagnose/diagnose_blocks.h"
+#include "diagnose/search/fit/excluded_samples.h"
+
+namespace tera {
+namespace {
+
+/// Puts the blocks of sensors over poses at the times at which they were measured in the place of
+/// those over poses at the times at which they arrived.
+void ReplaceSensorBlocks(const BlockOptions& options, HeldOutBlocks* held_out) {
+  const DiagnosisInput& input = held_out->given.input;
+  std::vector<std::string> not_compared;  // as in the recording that is searched
+  TakeSensorBlocks(input.machine, &held_out->blocks);
+  for (ReplayBlock& block :
+       SensorBlocksByArrivals(input, held_out->measured, options, &not_compared)) {
+    // Without a block of the base they were not told from the machine's own.
+    std::erase_if(held_out->blocks,
+                  [&](const ReplayBlock& stamped) { return stamped.name == block.name; });
+    held_out->blocks.push_back(std::move(block));
+  }
+}
+
+}  // namespace
+
+HeldOutBlocks ReadHeldOut(const HeldOutCase& given, const SimulateMachine& simulate, int threads,
+                          std::uint64_t seed) {
+  const BlockOptions options{.threads = threads};
+  HeldOutBlocks held_out{given, MeasurementsOf(given.input, *given.recording), {}};
+  held_out.blocks = BlocksOf(given.input, held_out.measured, options);
+  if (const auto course = SimulateAsItIs(given.input, held_out.measured, simulate)) {
+    CorrectDiscrepancies(ReplayDiscrepanciesOf(given.input, held_out.measured, options, *course),
+                         seed, threads, &held_out.blocks);
+  }
+  ExcludeLaggingSamples(&held_out.blocks);
+  return held_out;
+}
+
+HeldOutRecording ValidateHeldOut(const std::vector<DiagnosedBlock>& diagnosed,
+                                 const BlockOptions& options, std::uint64_t seed,
+                                 HeldOutBlocks* held_out) {
+  if (FindsArrivalStamps(diagnosed)) ReplaceSensorBlocks(options, held_out);
+  const std::vector<ReplayBlock>& further = held_out->blocks;
+  HeldOutRecording out{held_out->given.recording->directory().string(), {}, {}};
+  for (const DiagnosedBlock& one : diagnosed) {
+    const auto same = std::find_if(further.begin(), further.end(), [&](const ReplayBlock& block) {
+      return block.name == one.block.name;
+    });
+    if (same == further.end()) {
+      if (!one.diagnosis.findings.empty()) out.missing.push_back(one.block.name);
+      continue;
+    }
+    const auto channels = ValidateOnBlock(*same, one.diagnosis.search.found.terms,
+                                          Stream(seed, "diagnose/held_out/" + same->name));
+    out.channels.insert(out.channels.end(), channels.begin(), channels.end());
+  }
+  return out;
+}
+
+}  // namespace tera

@@ -1,0 +1,184 @@
+#include "diagnose/diagnose_machine.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <utility>
+
+#include "core/in_parallel.h"
+#include "diagnose/blocks/measured_poses.h"
+#include "diagnose/encoder_lead.h"
+#include "diagnose/search/fit/excluded_samples.h"
+
+namespace tera {
+namespace {
+
+std::vector<Proposal> ProposalsFor(const DiagnosedBlock& diagnosed, std::uint64_t seed) {
+  std::vector<Proposal> proposals;
+  for (const Unexplained& left : diagnosed.diagnosis.unexplained) {
+    const std::size_t channel = left.location.channel;
+    const Stream stream(seed, "diagnose/proposal/" + diagnosed.block.channels[channel].name);
+    if (auto proposal = Propose(diagnosed.block, diagnosed.diagnosis, channel, stream)) {
+      proposals.push_back(std::move(*proposal));
+    }
+  }
+  return proposals;
+}
+
+std::optional<NextManoeuvre> NextManoeuvreOf(const MachineModel& model,
+                                             const std::vector<DiagnosedBlock>& blocks,
+                                             const DiagnosisOptions& options) {
+  NextManoeuvreOptions next{.step_s = options.blocks.step_s, .alpha = options.search.alpha};
+  std::vector<DiagnosedAxis> axes;
+  for (const DiagnosedBlock& diagnosed : blocks) {
+    axes.push_back({&diagnosed.block, &diagnosed.diagnosis});
+    next.total_candidates += diagnosed.block.candidates.size();
+  }
+  return DesignNextManoeuvre(model, axes, next, Stream(options.seed, "diagnose/next_manoeuvre"));
+}
+
+/// The channels of joints, gears and the base, marked as not corrected.
+std::vector<DiscrepancyCorrection> UncorrectedChannels(const DiagnosisInput& input,
+                                                       const std::vector<ReplayBlock>& blocks) {
+  const MachineModel& model = *input.model;
+  const auto has_gear = [&](const std::string& name) {
+    const auto& gears = model.ground_tools.gears;
+    return std::any_of(gears.begin(), gears.end(),
+                       [&](const RunningGear& gear) { return gear.name == name; });
+  };
+  std::vector<DiscrepancyCorrection> none;
+  for (const ReplayBlock& block : blocks) {
+    const bool is_one = model.JointIndex(block.name) >= 0 || has_gear(block.name) ||
+                        block.name == input.machine + "/base";
+    const std::string& unit = block.channels.front().unit;
+    if (!is_one || (unit != "m/s" && unit != "rad/s")) continue;  // others are efforts
+    for (const Channel& channel : block.channels) none.push_back({channel.name, channel.unit});
+  }
+  return none;
+}
+
+/// Diagnoses the machine's own blocks, then those of its sensors. The block of the base shows
+/// whether poses were stamped as they arrive, which the sensors' blocks depend on.
+std::vector<DiagnosedBlock> DiagnoseInTurn(const DiagnosisInput& input,
+                                           const Measurements& measured,
+                                           std::vector<ReplayBlock> blocks,
+                                           const DiagnosisOptions& options,
+                                           const FollowProgress& progress,
+                                           std::vector<std::string>* not_compared) {
+  const SearchOptions search = WithTotalsOf(options.search, blocks);
+  const std::size_t in_all = blocks.size();
+  std::optional<Deadline> deadline;
+  if (options.time_limit_s) {
+    deadline = std::chrono::steady_clock::now() +
+               std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                   std::chrono::duration<double>(*options.time_limit_s));
+  }
+  std::vector<ReplayBlock> carried = TakeSensorBlocks(input.machine, &blocks);
+  const auto tell = [&](std::size_t before) {
+    return [&, before](BlockProgress told) {
+      told.machine = input.machine;
+      told.number += before;
+      told.count = in_all;
+      progress(told);
+    };
+  };
+  std::vector<DiagnosedBlock> diagnosed =
+      DiagnoseBlocks(std::move(blocks), search, options.seed, tell(0), deadline);
+  if (FindsArrivalStamps(diagnosed)) {
+    std::vector<std::string> obstacles;
+    carried = SensorBlocksByArrivals(input, measured, options.blocks, &obstacles);
+    for (std::string& obstacle : obstacles) {  // most of them were noted with the stamps already
+      const auto same = std::find(not_compared->begin(), not_compared->end(), obstacle);
+      if (same == not_compared->end()) not_compared->push_back(std::move(obstacle));
+    }
+    if (options.library) ApplyLibrary(*options.library, *input.model, &carried);
+  }
+  std::vector<DiagnosedBlock> of_carried =
+      DiagnoseBlocks(std::move(carried), search, options.seed, tell(diagnosed.size()), deadline);
+  std::move(of_carried.begin(), of_carried.end(), std::back_inserter(diagnosed));
+  return diagnosed;
+}
+
+/// Reads the further recordings before the search, so that faults in them stop it at once.
+std::vector<HeldOutBlocks> ReadAll(const DiagnosisCase& asked, const DiagnosisOptions& options) {
+  std::vector<HeldOutBlocks> held_out;
+  for (const HeldOutCase& one : asked.held_out) {
+    held_out.push_back(ReadHeldOut(one, asked.simulate, options.blocks.threads, options.seed));
+  }
+  return held_out;
+}
+
+/// Whether there are findings that a simulation can have; it has no pose terms.
+bool HasFindingsToSimulate(const std::vector<DiagnosedBlock>& blocks) {
+  return std::any_of(blocks.begin(), blocks.end(), [](const DiagnosedBlock& diagnosed) {
+    return !WithoutPoseTerms(diagnosed.diagnosis.search.found.terms).empty();
+  });
+}
+
+bool IsOutOfTime(const std::vector<DiagnosedBlock>& blocks) {
+  return std::any_of(blocks.begin(), blocks.end(), [](const DiagnosedBlock& diagnosed) {
+    return diagnosed.diagnosis.out_of_time;
+  });
+}
+
+/// The whole simulation with what was found, where it is wanted and something was found.
+std::optional<WholeSimulation> WholeOf(const DiagnosisCase& asked, const DiagnosisOptions& options,
+                                       TimeNs start_ns, const std::vector<DiagnosedBlock>& blocks,
+                                       const std::optional<SimulatedCourse>& as_it_is,
+                                       StageClock* clock) {
+  if (!asked.simulate || !HasFindingsToSimulate(blocks)) return std::nullopt;
+  if (IsOutOfTime(blocks)) return WholeSimulation{.obstacle = "the time was over"};
+  return clock->Time("whole simulation", [&] {
+    return SimulateWhole(asked.input, *asked.recording, start_ns, options.blocks.base_interval_s,
+                         blocks, as_it_is, asked.simulate);
+  });
+}
+
+}  // namespace
+
+Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowProgress& progress,
+                   StageClock* clock) {
+  options.measurements.needs_any = options.blocks.needs_any = asked.perception.empty();
+  std::vector<HeldOutBlocks> held_out =
+      clock->Time("further recordings", [&] { return ReadAll(asked, options); });
+  const DiagnosisInput& input = asked.input;
+  const Measurements measured = MeasurementsOf(input, *asked.recording, options.measurements);
+  Diagnosis diagnosis;
+  diagnosis.machine = input.machine;
+  diagnosis.scenario = input.scenario;
+  diagnosis.origin = asked.origin;
+  diagnosis.start_ns = measured.start_ns;
+  diagnosis.levers_are_the_scenarios = input.commands_are_the_scenarios;
+  std::vector<ReplayBlock> blocks =
+      BlocksOf(input, measured, options.blocks, &diagnosis.not_compared);
+  if (options.library) {
+    ApplyLibrary(*options.library, *input.model, &blocks);
+    RequireCandidates(*options.library, blocks);
+  }
+  const std::optional<SimulatedCourse> course = clock->Time(
+      "simulation as it is", [&] { return SimulateAsItIs(input, measured, asked.simulate); });
+  diagnosis.discrepancy_corrections =
+      course ? CorrectDiscrepancies(ReplayDiscrepanciesOf(input, measured, options.blocks, *course),
+                                    options.seed, options.search.threads, &blocks)
+             : UncorrectedChannels(input, blocks);
+  diagnosis.excluded_samples = ExcludeLaggingSamples(&blocks);
+  diagnosis.encoder_lead_s = EncoderLead_s(blocks);
+  diagnosis.blocks = DiagnoseInTurn(input, measured, std::move(blocks), options, progress,
+                                    &diagnosis.not_compared);
+  std::vector<std::vector<Proposal>> proposals = InParallel<std::vector<Proposal>>(
+      diagnosis.blocks.size(), options.search.threads,
+      [&](std::size_t b) { return ProposalsFor(diagnosis.blocks[b], options.seed); });
+  for (std::size_t b = 0; b < proposals.size(); ++b) {
+    diagnosis.blocks[b].proposals = std::move(proposals[b]);
+  }
+  diagnosis.next = NextManoeuvreOf(*input.model, diagnosis.blocks, options);
+  for (HeldOutBlocks& one : held_out) {
+    diagnosis.held_out.push_back(
+        ValidateHeldOut(diagnosis.blocks, options.blocks, options.seed, &one));
+  }
+  diagnosis.whole = WholeOf(asked, options, measured.start_ns, diagnosis.blocks, course, clock);
+  diagnosis.perception = std::move(asked.perception);
+  return diagnosis;
+}
+
+}  // namespace tera
