@@ -6,7 +6,7 @@
 
 #include "dataset/format/sample_recording.h"
 #include "resimulate/recorded_cart.h"
-#include "sensors/camera.h"
+#include "sensors/camera/camera.h"
 
 namespace tera {
 namespace {
