@@ -40,7 +40,7 @@ DigSite::DigSite() : scenario_(Load("quickstart").scenario), assembly_(scenario_
       machine_of_sensor_.push_back(m);
     }
   }
-  Simulation simulation(&scenario_);
+  Simulation simulation(scenario_);
   instants_.reserve(kInstants);  // each scene points at the ground beside it
   while (static_cast<int>(instants_.size()) < kInstants) {
     simulation.Step();

@@ -7,7 +7,7 @@ namespace tera::bench {
 
 RecordedMotion Record(const std::string& scenario, int steps) {
   ShippedScenario loaded = Load(scenario);
-  Simulation simulation(&loaded.scenario);
+  Simulation simulation(loaded.scenario);
   RecordedMotion motion;
   motion.dt_s = 1.0 / loaded.scenario.physics_rate_hz;
   for (int step = 0; step < steps; ++step) {

@@ -23,7 +23,7 @@ GenerateReport RunShipped(const std::string& scenario, const Keep& keep) {
   ShippedScenario loaded = Load(scenario, keep);
   GenerateOptions options;
   options.out = folder.path() / "out";
-  return Generate(std::move(loaded.scenario), loaded.resolved_yaml, options);
+  return Generate(loaded.scenario, loaded.resolved_yaml, options);
 }
 
 GenerateReport RunQuickstart(const Keep& keep) { return RunShipped("quickstart", keep); }

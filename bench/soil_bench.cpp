@@ -39,21 +39,22 @@ class Replay {
  public:
   Replay(const std::string& scenario, const std::vector<std::string>& overrides,
          const RecordedMotion& motion)
-      : motion_(motion), loaded_(LoadWith(scenario, overrides)) {
-    machine_ = soil().AddMachine(loaded_.scenario.machines.front().placement.model.ground_tools);
+      : motion_(motion),
+        scenario_(LoadWith(scenario, overrides).scenario),
+        soil_(MakeSoil(*scenario_.site, scenario_.seed)) {
+    machine_ = soil_->AddMachine(scenario_.machines.front().placement.model.ground_tools);
   }
-  Soil& soil() { return *loaded_.scenario.soil; }
   void Step() {
     const RecordedMotion::Moment& moment = motion_.moments[next_++ % motion_.moments.size()];
     double act_s = 0, flow_s = 0;
     {
       const CpuStopwatch watch(&act_s);
       benchmark::DoNotOptimize(
-          soil().Act(machine_, {&moment.links, moment.gear_rate_radps}, motion_.dt_s));
+          soil_->Act(machine_, {&moment.links, moment.gear_rate_radps}, motion_.dt_s));
     }
     {
       const CpuStopwatch watch(&flow_s);
-      soil().Flow(motion_.dt_s);
+      soil_->Flow(motion_.dt_s);
     }
     act_.Add(act_s);
     flow_.Add(flow_s);
@@ -67,7 +68,8 @@ class Replay {
 
  private:
   const RecordedMotion& motion_;
-  ShippedScenario loaded_;
+  const Scenario scenario_;
+  std::unique_ptr<Soil> soil_;
   int machine_ = 0;
   std::size_t next_ = 0;
   StepTimes act_, flow_, both_;

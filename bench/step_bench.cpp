@@ -13,7 +13,7 @@ namespace {
 /// Steps `name` from its start; iterations are steps.
 void Step(benchmark::State& state, const std::string& name, double limit_us) {
   ShippedScenario loaded = Load(name);
-  Simulation simulation(&loaded.scenario);
+  Simulation simulation(loaded.scenario);
   const double physics_before_s = simulation.physics_wall_s();
   const double soil_before_s = simulation.soil_wall_s();
   StepTimes whole, soil;

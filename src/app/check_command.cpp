@@ -56,13 +56,13 @@ void RunCheck(const ScenarioOptions& options) {
   const LoadedScenario loaded = Load(options);
   const Scenario& scenario = loaded.scenario;
   const SceneAssembly every_mesh_loads(scenario);
-  const TerrainSurface& ground = scenario.soil->surface();
+  const TerrainSurface& ground = scenario.site->surface();
   fmt::print("{}: {} s at {} Hz, seed {}\n", scenario.name, scenario.duration_s,
              scenario.physics_rate_hz, scenario.seed);
   fmt::print("site: {:.1f} x {:.1f} m at {} m, origin {:.7f} {:.7f} deg, {:.2f} m; {} soils\n",
              (ground.nx - 1) * ground.cell_m, (ground.ny - 1) * ground.cell_m, ground.cell_m,
              scenario.origin.lat_deg, scenario.origin.lon_deg, scenario.origin.height_m,
-             scenario.soil->soils().size());
+             scenario.site->soils().size());
   for (const ScenarioMachine& machine : scenario.machines) PrintMachine(machine);
   for (const ScenarioObstacle& obstacle : scenario.obstacles) {
     fmt::print("{} {} at ({:.2f}, {:.2f}) m{}\n", NameOf(obstacle.label), obstacle.name,

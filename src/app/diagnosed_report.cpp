@@ -38,14 +38,13 @@ void ReportDiagnosis(DiagnoseArguments arguments) {
   StageClock clock;
   RequireNewFolder(arguments.out);
   RequireOthers(arguments);
-  const auto scenario = [&] { return Load(arguments.scenario).scenario; };
-  Scenario read = scenario();
+  const Scenario scenario = Load(arguments.scenario).scenario;
   const Recording recording(arguments.recording);
   if (arguments.library) arguments.task.library = ReadCandidateLibrary(*arguments.library);
   ReportFolder report(arguments.out);  // one that cannot be written is not worth a search
   DiagnoseProgress bar(&clock);
   const std::vector<Diagnosis> diagnoses = DiagnoseRecording(
-      std::move(read), scenario, recording, arguments.task,
+      scenario, recording, arguments.task,
       [&](const BlockProgress& progress) { bar.Show(progress); }, &clock);
   for (const Diagnosis& diagnosis : diagnoses) Print(diagnosis);
   for (const std::filesystem::path& page : report.Write(diagnoses, recording)) {

@@ -34,11 +34,11 @@ void PrintReport(const GenerateReport& report, const std::string& out) {
 }
 
 /// The run; the line of its progress has ended when this returns.
-GenerateReport RunWithProgress(LoadedScenario loaded, const RunOptions& options) {
+GenerateReport RunWithProgress(const LoadedScenario& loaded, const RunOptions& options) {
   ProgressBar bar;
   const StopMessage on_stop(
       fmt::format("\nstopped; the same command with --resume finishes {}\n", options.out.string()));
-  return Generate(std::move(loaded.scenario), loaded.resolved_yaml,
+  return Generate(loaded.scenario, loaded.resolved_yaml,
                   {.out = options.out,
                    .threads = options.host.threads,
                    .resume = options.resume,
@@ -54,8 +54,8 @@ void AddRunOptions(CLI::App* command, RunOptions* options) {
   command->add_flag("--resume", options->resume, "Finish a run that was stopped");
 }
 
-void FollowRun(LoadedScenario loaded, const RunOptions& options) {
-  PrintReport(RunWithProgress(std::move(loaded), options), options.out.string());
+void FollowRun(const LoadedScenario& loaded, const RunOptions& options) {
+  PrintReport(RunWithProgress(loaded, options), options.out.string());
 }
 
 }  // namespace tera

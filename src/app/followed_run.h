@@ -20,6 +20,6 @@ void AddRunOptions(CLI::App* command, RunOptions* options);
 
 /// Generates `loaded`, its progress on standard error where that is a terminal, and prints at its
 /// end what it cost.
-void FollowRun(LoadedScenario loaded, const RunOptions& options);
+void FollowRun(const LoadedScenario& loaded, const RunOptions& options);
 
 }  // namespace tera

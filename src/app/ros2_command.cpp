@@ -104,7 +104,8 @@ void RunRos2(const Arguments& arguments) {
   };
 
   const StopRequest stop;
-  PrintReport(ros::RunForRos(std::move(loaded.scenario), loaded.resolved_yaml, options));
+  PrintReport(ros::RunForRos(std::make_shared<const Scenario>(std::move(loaded.scenario)),
+                             loaded.resolved_yaml, options));
 }
 
 /// How simulated time and that of the wall go together.

@@ -14,6 +14,7 @@
 #include "app/scenario_options.h"
 #include "app/version.h"
 #include "serve/live_stage.h"
+#include "serve/scenario_source.h"
 #include "serve/server.h"
 
 namespace tera {
@@ -55,32 +56,17 @@ class StopSignals {
   sigset_t signals_;
 };
 
-/// The scenario as it is now, whatever becomes of its file while the server runs.
-ScenarioSource SourceOf(const std::string& resolved_yaml, const std::string& name) {
-  return [=](std::optional<std::uint64_t> seed) {
-    std::vector<std::string> overrides;
-    if (seed) overrides.push_back(fmt::format("seed={}", *seed));
-    const Config config = Config::FromText(resolved_yaml, name, overrides);
-    SeededScenario seeded{.scenario = ReadScenario(config.root()), .resolved_yaml = {}};
-    config.Finish();
-    seeded.resolved_yaml = config.ResolvedYaml();
-    return seeded;
-  };
-}
-
 void RunServe(const Arguments& arguments) {
-  const LoadedScenario loaded = Load(arguments.scenario);
+  const ScenarioSource source =
+      SourceOf(Load(arguments.scenario).resolved_yaml, arguments.scenario.scenario);
+  const std::shared_ptr<const Scenario> scenario = source(std::nullopt).scenario;
   StageOptions options{
       .threads = arguments.host.threads, .egl = arguments.host.egl, .record = std::nullopt};
   if (arguments.record) options.record = *arguments.record;
   const Server::Log log = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
   const StopSignals stop;
-  const Server server(
-      arguments.server,
-      LiveStages(loaded.scenario, SourceOf(loaded.resolved_yaml, arguments.scenario.scenario),
-                 options, log),
-      log);
-  fmt::print("serving {} on {}\n", loaded.scenario.name, server.address());
+  const Server server(arguments.server, LiveStages(*scenario, source, options, log), log);
+  fmt::print("serving {} on {}\n", scenario->name, server.address());
   std::fflush(stdout);
   stop.Wait(arguments.stop_with_stdin);
 }

@@ -32,7 +32,7 @@ std::string NameInRecording(const std::string& name, std::size_t in_scenario,
 TableRecording ReplayedCommands(const ScenarioMachine& machine) {
   TableRecording commands;
   const MachineModel& model = machine.placement.model;
-  CommandTable table = ReplayedLevers(machine.driver.get(), model);
+  CommandTable table = ReplayedLevers(machine.driver, model);
   if (table.t_ns.empty()) return commands;
   for (const Lever& lever : model.levers) commands.columns.push_back(lever.name);
   commands.t_ns = std::move(table.t_ns);
@@ -78,22 +78,23 @@ DiagnosisOptions OptionsOf(const DiagnosisTask& task, std::uint64_t seed) {
   return options;
 }
 
-SimulateMachine SimulatorOf(const ReadAgain& again, std::size_t machine) {
-  return [&again, machine](const Structure& found, const TableRecording& levers,
-                           const CourseSpan& span) {
-    Scenario scenario = again();
-    MachineModel& model = scenario.machines[machine].placement.model;
-    if (!found.empty()) model = WithTerms(std::move(model), found);
-    return SimulateUnderLevers(std::move(scenario), machine, levers, span);
+SimulateMachine SimulatorOf(const Scenario& scenario, std::size_t machine) {
+  return [&scenario, machine](const Structure& found, const TableRecording& levers,
+                              const CourseSpan& span) {
+    if (found.empty()) return SimulateUnderLevers(scenario, machine, levers, span);
+    Scenario changed = scenario;
+    MachineModel& model = changed.machines[machine].placement.model;
+    model = WithTerms(std::move(model), found);
+    return SimulateUnderLevers(changed, machine, levers, span);
   };
 }
 
-std::vector<std::vector<PerceptionDiagnosis>> DiagnoseSensors(Scenario* scenario,
+std::vector<std::vector<PerceptionDiagnosis>> DiagnoseSensors(const Scenario& scenario,
                                                               const Recording& recording,
                                                               const DiagnosisTask& task) {
   std::vector<std::string> names;
-  for (const ScenarioMachine& machine : scenario->machines) {
-    names.push_back(NameInRecording(machine.placement.name, scenario->machines.size(), recording));
+  for (const ScenarioMachine& machine : scenario.machines) {
+    names.push_back(NameInRecording(machine.placement.name, scenario.machines.size(), recording));
   }
   PerceptionOptions options;
   options.threads = task.threads;
@@ -104,19 +105,19 @@ std::vector<std::vector<PerceptionDiagnosis>> DiagnoseSensors(Scenario* scenario
 
 }  // namespace
 
-std::vector<Diagnosis> DiagnoseRecording(Scenario scenario, const ReadAgain& again,
-                                         const Recording& recording, const DiagnosisTask& task,
-                                         const FollowProgress& progress, StageClock* clock) {
+std::vector<Diagnosis> DiagnoseRecording(const Scenario& scenario, const Recording& recording,
+                                         const DiagnosisTask& task, const FollowProgress& progress,
+                                         StageClock* clock) {
   const DiagnosisOptions options = OptionsOf(task, scenario.seed);
-  auto seen = clock->Time("lidars and cameras",
-                          [&] { return DiagnoseSensors(&scenario, recording, task); });
+  auto seen =
+      clock->Time("lidars and cameras", [&] { return DiagnoseSensors(scenario, recording, task); });
   std::vector<Diagnosis> diagnoses;
   for (std::size_t m = 0; m < scenario.machines.size(); ++m) {
     const MachineCase machine(scenario, m);
     DiagnosisCase asked{.input = machine.InputOf(recording), .recording = &recording};
     asked.origin = scenario.origin;
     asked.perception = std::move(seen[m]);
-    if (task.simulate) asked.simulate = SimulatorOf(again, m);
+    if (task.simulate) asked.simulate = SimulatorOf(scenario, m);
     for (const std::filesystem::path& path : task.held_out) {
       auto further = std::make_shared<const Recording>(path);
       asked.held_out.push_back({machine.InputOf(*further), further});

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,15 +21,12 @@ struct DiagnosisTask {
   int threads = 1;
 };
 
-/// Reads the scenario that is diagnosed anew.
-using ReadAgain = std::function<Scenario()>;
-
 /// Diagnoses why a recording differs from a scenario: one diagnosis for each machine of the
 /// scenario, of its joints, tracks and base, and of its sensors. `progress` follows the blocks,
 /// `clock` times the stages. Throws InputError where the recording cannot be compared.
-std::vector<Diagnosis> DiagnoseRecording(Scenario scenario, const ReadAgain& again,
-                                         const Recording& recording, const DiagnosisTask& task,
-                                         const FollowProgress& progress, StageClock* clock);
+std::vector<Diagnosis> DiagnoseRecording(const Scenario& scenario, const Recording& recording,
+                                         const DiagnosisTask& task, const FollowProgress& progress,
+                                         StageClock* clock);
 
 /// The answers of four simpler methods (diagnose/search/structure/baselines.h) for the scenario's
 /// first machine, as the text of baselines.json. Throws InputError.

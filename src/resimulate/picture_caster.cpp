@@ -31,7 +31,7 @@ std::optional<SimulatedPicture> PictureCaster::Render(std::size_t machine,
   const auto link = LinkAt(machine, sensor, picture, calibration);
   if (!link) return std::nullopt;
   const TimeNs t_ns = picture.t_ns - FromSeconds(calibration.clock_offset_s);
-  const WorldState state = stage_.StateAt(t_ns, picture.moment);
+  const Instant state = stage_.StateAt(t_ns, picture.moment);
   SceneState scene;
   scene.t_ns = t_ns;
   scene.X_WB = assembly_.BodyPoses(state);

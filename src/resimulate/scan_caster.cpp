@@ -63,7 +63,7 @@ void ScanCaster::ShowScene(std::size_t machine, int link, const Scan& scan, Time
   link_.clear();
   for (int k = 0; k < keys; ++k) {
     const TimeNs t_ns = start_ns + (keys > 1 ? scan.span_ns * k / (keys - 1) : 0);
-    const WorldState state = stage_.StateAt(t_ns, scan.moment);
+    const Instant state = stage_.StateAt(t_ns, scan.moment);
     poses.push_back(assembly_.BodyPoses(state));
     scales = assembly_.BodyScales(state);
     link_.push_back(state.machines[machine].links[static_cast<std::size_t>(link)]);

@@ -29,7 +29,8 @@ std::unique_ptr<Operator> DriverOf(const MachineModel& model, const TableRecordi
     for (const std::size_t c : columns) row.push_back(std::clamp(levers.rows[r][c], -1.0, 1.0));
     table.rows.push_back(std::move(row));
   }
-  return std::make_unique<LeverReplay>(std::move(table), std::move(lever_of_column));
+  return std::make_unique<LeverReplay>(LeverReplayPlan{
+      std::make_shared<const CommandTable>(std::move(table)), std::move(lever_of_column)});
 }
 
 SimulatedCourse::Step StepOf(const MachineState& state) {
@@ -44,13 +45,13 @@ SimulatedCourse::Step StepOf(const MachineState& state) {
 
 }  // namespace
 
-SimulatedCourse SimulateUnderLevers(Scenario scenario, std::size_t machine,
+SimulatedCourse SimulateUnderLevers(const Scenario& scenario, std::size_t machine,
                                     const TableRecording& levers, const CourseSpan& span) {
-  ScenarioMachine& driven = scenario.machines[machine];
-  driven.driver = DriverOf(driven.placement.model, levers, span.zero_ns);
+  Operators operators = OperatorsOf(scenario);
+  operators[machine] = DriverOf(scenario.machines[machine].placement.model, levers, span.zero_ns);
   SimulatedCourse course{
       .zero_ns = span.zero_ns, .step_s = 1 / scenario.physics_rate_hz, .steps = {}};
-  Simulation simulation(&scenario);
+  Simulation simulation(scenario, std::move(operators));
   course.steps.push_back(StepOf(simulation.state().machines[machine]));
   const auto steps = static_cast<std::int64_t>(std::ceil(span.until_s * scenario.physics_rate_hz));
   for (std::int64_t k = 0; k < steps; ++k) {

@@ -19,7 +19,7 @@ struct CourseSpan {
 /// Model   Simulation. `levers` has a column for each lever, by its name; columns that the machine
 ///         has no lever for are left out, and values beyond full lever are full lever. Each row
 ///         holds until the next. Other machines obey the operators that the scenario gives them.
-SimulatedCourse SimulateUnderLevers(Scenario scenario, std::size_t machine,
+SimulatedCourse SimulateUnderLevers(const Scenario& scenario, std::size_t machine,
                                     const TableRecording& levers, const CourseSpan& span);
 
 }  // namespace tera

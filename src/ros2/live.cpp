@@ -32,10 +32,11 @@ TimeNs EndOf(double duration_s) {
 /// A run, and what of it is heard and said.
 class Session {
  public:
-  Session(Scenario scenario, const std::string& resolved_yaml, const LiveRosOptions& options)
+  Session(std::shared_ptr<const Scenario> scenario, const std::string& resolved_yaml,
+          const LiveRosOptions& options)
       : options_(options),
         participant_(options.dds),
-        samples_(scenario, &participant_),
+        samples_(*scenario, &participant_),
         run_(std::move(scenario), resolved_yaml, options.live, {&samples_}),
         states_(run_.scenario(), now(), &participant_),
         levers_(run_.scenario(), &participant_,
@@ -109,10 +110,10 @@ class Session {
 
 }  // namespace
 
-LiveRosReport RunForRos(Scenario scenario, const std::string& resolved_yaml,
+LiveRosReport RunForRos(std::shared_ptr<const Scenario> scenario, const std::string& resolved_yaml,
                         const LiveRosOptions& options) {
-  RequireRosNames(scenario);
-  RequireRate(options.rate_hz, scenario.physics_rate_hz);
+  RequireRosNames(*scenario);
+  RequireRate(options.rate_hz, scenario->physics_rate_hz);
   return Session(std::move(scenario), resolved_yaml, options).Run();
 }
 

@@ -34,7 +34,7 @@ struct LiveRosReport {
 
 /// Runs a scenario for ROS 2 until its duration or `stop`. Throws InputError where names are none
 /// of ROS's, the rate is beyond that of the physics, or DDS cannot start.
-LiveRosReport RunForRos(Scenario scenario, const std::string& resolved_yaml,
+LiveRosReport RunForRos(std::shared_ptr<const Scenario> scenario, const std::string& resolved_yaml,
                         const LiveRosOptions& options);
 
 }  // namespace tera::ros

@@ -25,7 +25,7 @@ v1::Joint::Type TypeOf(JointType type) {
 }
 
 void PutSite(const Scenario& scenario, v1::Site* site) {
-  const TerrainSurface& ground = scenario.soil->surface();
+  const TerrainSurface& ground = scenario.site->surface();
   site->set_lat_deg(scenario.origin.lat_deg);
   site->set_lon_deg(scenario.origin.lon_deg);
   site->set_height_m(scenario.origin.height_m);

@@ -81,7 +81,7 @@ class LiveStage : public Stage {
   std::optional<v1::Observation> Reset(const v1::Reset& request) override {
     SeededScenario seeded =
         source_(request.has_seed() ? std::optional(request.seed()) : std::nullopt);
-    const ObservationPlan plan = PlanObservation(request.observe(), seeded.scenario, 0);
+    const ObservationPlan plan = PlanObservation(request.observe(), *seeded.scenario, 0);
     FinishEpisode();
     LiveOptions options{.threads = options_.threads, .egl = options_.egl, .record = std::nullopt};
     if (options_.record) options.record = NextEpisode(*options_.record);
@@ -144,7 +144,7 @@ class LiveStage : public Stage {
   v1::Observation Observe(const ObservationPlan& plan) {
     v1::Observation observation;
     const Simulation& simulation = run_->simulation();
-    PutState(simulation.state(), simulation.ground(), run_->scenario(), plan.patches, &observation);
+    PutState(simulation.state(), run_->scenario(), plan.patches, &observation);
     keeper_->Take(&observation);
     return observation;
   }

@@ -1,26 +1,15 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 
+#include "serve/scenario_source.h"
 #include "serve/server.h"
 #include "sim/live_run.h"
 #include "sim/scenario/scenario.h"
 
 namespace tera {
-
-/// A scenario and the text that gives it again.
-struct SeededScenario {
-  Scenario scenario;
-  std::string resolved_yaml;
-};
-
-/// The scenario afresh, with that seed or, without one, its own.
-using ScenarioSource = std::function<SeededScenario(std::optional<std::uint64_t> seed)>;
 
 struct StageOptions {
   int threads = 2;  ///< for rays and for encoding

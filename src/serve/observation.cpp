@@ -205,7 +205,7 @@ ObservationPlan PlanObservation(const v1::Observe& observe, const Scenario& scen
   return plan;
 }
 
-void PutState(const WorldState& state, const TerrainSurface& ground, const Scenario& scenario,
+void PutState(const WorldState& state, const Scenario& scenario,
               const std::vector<PatchPlan>& patches, v1::Observation* observation) {
   observation->set_time_ns(state.t_ns);
   for (std::size_t m = 0; m < state.machines.size(); ++m) {
@@ -213,7 +213,7 @@ void PutState(const WorldState& state, const TerrainSurface& ground, const Scena
   }
   for (const PatchPlan& patch : patches) {
     PutPatch(patch, scenario.machines[patch.machine].placement.model, state.machines[patch.machine],
-             ground, observation->add_patches());
+             state.ground().surface(), observation->add_patches());
   }
 }
 

@@ -38,7 +38,7 @@ ObservationPlan PlanObservation(const v1::Observe& observe, const Scenario& scen
                                 double duration_s);
 
 /// Time, machines and terrain patches.
-void PutState(const WorldState& state, const TerrainSurface& ground, const Scenario& scenario,
+void PutState(const WorldState& state, const Scenario& scenario,
               const std::vector<PatchPlan>& patches, v1::Observation* observation);
 
 /// Index of the machine of that name. Throws InputError where there is none.

@@ -12,27 +12,28 @@ namespace {
 
 /// Steps the scenario to its end into `writer`. `step` counts the steps done, for a caller that
 /// must know how far a run came which bad input stopped.
-void RunToEnd(Scenario* scenario, const SceneAssembly& assembly, const GenerateOptions& options,
-              DatasetWriter* writer, std::int64_t* step, GenerateReport* report) {
-  const std::int64_t steps = std::llround(scenario->duration_s * scenario->physics_rate_hz);
+void RunToEnd(const Scenario& scenario, const SceneAssembly& assembly,
+              const GenerateOptions& options, DatasetWriter* writer, std::int64_t* step,
+              GenerateReport* report) {
+  const std::int64_t steps = std::llround(scenario.duration_s * scenario.physics_rate_hz);
   // A fifth of a second between progress reports, in steps of simulated time.
   const std::int64_t steps_per_report =
-      std::max<std::int64_t>(1, std::llround(scenario->physics_rate_hz / 5));
-  Run run(scenario, assembly, options.egl, options.threads, writer);
-  TerrainLog terrain(*scenario, writer);
+      std::max<std::int64_t>(1, std::llround(scenario.physics_rate_hz / 5));
+  Run run(scenario, OperatorsOf(scenario), assembly, options.egl, options.threads, writer);
+  TerrainLog terrain(scenario, run.simulation().state().ground(), writer);
   while (*step < steps) {
     ++*step;
     run.Step();
     terrain.Write(run.simulation().state().t_ns);
     if (options.progress && *step % steps_per_report == 0) {
-      options.progress({ToSeconds(run.simulation().state().t_ns), scenario->duration_s,
+      options.progress({ToSeconds(run.simulation().state().t_ns), scenario.duration_s,
                         writer->frames_written()});
     }
   }
   terrain.Finish();
   run.Finish();
   writer->Finish();
-  report->simulated_s = scenario->duration_s;
+  report->simulated_s = scenario.duration_s;
   report->physics_s = run.simulation().physics_wall_s();
   report->soil_s = run.simulation().soil_wall_s();
   report->camera_s = run.rig().camera_wall_s();
@@ -43,7 +44,7 @@ void RunToEnd(Scenario* scenario, const SceneAssembly& assembly, const GenerateO
 
 }  // namespace
 
-GenerateReport Generate(Scenario scenario, const std::string& resolved_yaml,
+GenerateReport Generate(const Scenario& scenario, const std::string& resolved_yaml,
                         const GenerateOptions& options) {
   GenerateReport report;
   {
@@ -54,7 +55,7 @@ GenerateReport Generate(Scenario scenario, const std::string& resolved_yaml,
     DatasetWriter writer(options.out, info, {.threads = options.threads, .resume = options.resume});
     std::int64_t step = 0;
     try {
-      RunToEnd(&scenario, assembly, options, &writer, &step, &report);
+      RunToEnd(scenario, assembly, options, &writer, &step, &report);
     } catch (const InputError& error) {
       if (step == 0 && !writer.resumed()) {
         writer.Discard();

@@ -32,7 +32,7 @@ struct GenerateReport {
 /// Runs `scenario` and writes its dataset to `options.out`. `resolved_yaml` is the scenario as
 /// Config::ResolvedYaml gives it. Throws InputError as DatasetWriter and Rasterizer do; nothing is
 /// left behind then before the first step, and after it a directory that can be resumed.
-GenerateReport Generate(Scenario scenario, const std::string& resolved_yaml,
+GenerateReport Generate(const Scenario& scenario, const std::string& resolved_yaml,
                         const GenerateOptions& options);
 
 }  // namespace tera

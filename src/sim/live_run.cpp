@@ -15,13 +15,12 @@
 namespace tera {
 namespace {
 
-/// Puts a remote operator before each machine's own.
-std::vector<RemoteOperator*> TakeOver(Scenario* scenario) {
-  std::vector<RemoteOperator*> operators;
-  for (ScenarioMachine& machine : scenario->machines) {
-    auto remote = std::make_unique<RemoteOperator>(std::move(machine.driver));
-    operators.push_back(remote.get());
-    machine.driver = std::move(remote);
+/// Puts a remote operator before each machine's own; `remote` gets the remote ones.
+Operators TakeOver(Operators operators, std::vector<RemoteOperator*>* remote) {
+  for (std::unique_ptr<Operator>& own : operators) {
+    auto before = std::make_unique<RemoteOperator>(std::move(own));
+    remote->push_back(before.get());
+    own = std::move(before);
   }
   return operators;
 }
@@ -44,16 +43,19 @@ std::unique_ptr<DatasetWriter> RecorderOf(const Scenario& scenario,
 }  // namespace
 
 struct LiveRun::Impl {
-  Impl(Scenario given, const std::string& resolved_yaml, const LiveOptions& options,
-       std::vector<MeasurementSink*> sinks)
+  Impl(std::shared_ptr<const Scenario> given, const std::string& resolved_yaml,
+       const LiveOptions& options, std::vector<MeasurementSink*> sinks)
       : scenario(std::move(given)),
-        operators(TakeOver(&scenario)),
-        assembly(scenario),
-        recorder(RecorderOf(scenario, resolved_yaml, assembly.model(), options)),
+        assembly(*scenario),
+        recorder(RecorderOf(*scenario, resolved_yaml, assembly.model(), options)),
         group(AllSinks(std::move(sinks))) {
     try {
-      run = std::make_unique<Run>(&scenario, assembly, options.egl, options.threads, &group);
-      if (recorder) terrain = std::make_unique<TerrainLog>(scenario, recorder.get());
+      run = std::make_unique<Run>(*scenario, TakeOver(OperatorsOf(*scenario), &operators), assembly,
+                                  options.egl, options.threads, &group);
+      if (recorder) {
+        terrain = std::make_unique<TerrainLog>(*scenario, run->simulation().state().ground(),
+                                               recorder.get());
+      }
     } catch (const InputError&) {
       if (recorder) recorder->Discard();
       throw;
@@ -71,7 +73,7 @@ struct LiveRun::Impl {
     run->Step();
     if (terrain) terrain->Write(run->simulation().state().t_ns);
     const auto steps_per_flush =
-        static_cast<std::int64_t>(std::ceil(kFlush_s * scenario.physics_rate_hz));
+        static_cast<std::int64_t>(std::ceil(kFlush_s * scenario->physics_rate_hz));
     if (recorder && ++steps % steps_per_flush == 1) recorder->Flush();
   }
 
@@ -96,8 +98,8 @@ struct LiveRun::Impl {
     }
   }
 
-  Scenario scenario;
-  std::vector<RemoteOperator*> operators;
+  std::shared_ptr<const Scenario> scenario;
+  std::vector<RemoteOperator*> operators;  ///< of the run's machines
   SceneAssembly assembly;
   std::unique_ptr<DatasetWriter> recorder;
   SinkGroup group;
@@ -106,8 +108,8 @@ struct LiveRun::Impl {
   std::int64_t steps = 0;
 };
 
-LiveRun::LiveRun(Scenario scenario, const std::string& resolved_yaml, const LiveOptions& options,
-                 std::vector<MeasurementSink*> sinks)
+LiveRun::LiveRun(std::shared_ptr<const Scenario> scenario, const std::string& resolved_yaml,
+                 const LiveOptions& options, std::vector<MeasurementSink*> sinks)
     : impl_(std::make_unique<Impl>(std::move(scenario), resolved_yaml, options, std::move(sinks))) {
 }
 
@@ -115,7 +117,7 @@ LiveRun::~LiveRun() = default;
 
 void LiveRun::Command(std::size_t machine, const ControlMessage& message) {
   TERA_CHECK(machine < impl_->operators.size(), machine);
-  const auto fault = FaultOf(message, impl_->scenario.machines[machine].placement.model);
+  const auto fault = FaultOf(message, impl_->scenario->machines[machine].placement.model);
   TERA_CHECK(!fault, fault.value_or(""));
   impl_->operators[machine]->Receive(simulation().state().t_ns, message);
 }
@@ -128,7 +130,7 @@ void LiveRun::Finish() {
   impl_->Recording([this] { impl_->Finish(); });
 }
 
-const Scenario& LiveRun::scenario() const { return impl_->scenario; }
+const Scenario& LiveRun::scenario() const { return *impl_->scenario; }
 
 const Simulation& LiveRun::simulation() const { return impl_->run->simulation(); }
 

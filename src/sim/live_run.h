@@ -32,8 +32,8 @@ class LiveRun {
  public:
   /// Settles the machines and measures what is due at t = 0. The sinks must outlive the run. Throws
   /// InputError as Generate does.
-  LiveRun(Scenario scenario, const std::string& resolved_yaml, const LiveOptions& options,
-          std::vector<MeasurementSink*> sinks);
+  LiveRun(std::shared_ptr<const Scenario> scenario, const std::string& resolved_yaml,
+          const LiveOptions& options, std::vector<MeasurementSink*> sinks);
   /// Without Finish, leaves an incomplete recording.
   ~LiveRun();
 

@@ -16,8 +16,8 @@ namespace {
 std::string CommandsOf(const MachinePlacement& machine) { return machine.name + "/commands.csv"; }
 
 /// `shown` is the table's file, for messages.
-std::unique_ptr<Operator> Replayed(TableRecording table, const MachinePlacement& machine,
-                                   const std::string& shown) {
+LeverReplayPlan Replayed(TableRecording table, const MachinePlacement& machine,
+                         const std::string& shown) {
   std::vector<std::string> names;
   for (const Lever& lever : machine.model.levers) names.push_back(lever.name);
   if (table.columns != names) {
@@ -36,10 +36,10 @@ std::unique_ptr<Operator> Replayed(TableRecording table, const MachinePlacement&
                                    commands.t_ns[r]));
     }
   }
-  return std::make_unique<LeverReplay>(std::move(commands), std::move(lever_of_column));
+  return {std::make_shared<const CommandTable>(std::move(commands)), std::move(lever_of_column)};
 }
 
-std::unique_ptr<Operator> AsRecorded(const Recording& recording, const MachinePlacement& machine) {
+LeverReplayPlan AsRecorded(const Recording& recording, const MachinePlacement& machine) {
   const std::string file = CommandsOf(machine);
   const std::string shown = (recording.directory() / file).string();
   if (!recording.Has(file)) {

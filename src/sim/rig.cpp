@@ -35,7 +35,7 @@ bool Rig::Has(ChannelForm form) const {
 }
 
 void Rig::SampleStart(const Simulation& simulation) {
-  const WorldState& now = simulation.state();
+  const Instant& now = simulation.state();
   SampleWithScene(&SensorSampler::SampleStart, now, now, simulation.ground());
 }
 
@@ -48,7 +48,7 @@ void Rig::Finish(const Simulation& simulation) {
   ForEach(&SensorSampler::Finish, simulation.previous(), simulation.state());
 }
 
-void Rig::SampleWithScene(SamplerStep what, const WorldState& before, const WorldState& after,
+void Rig::SampleWithScene(SamplerStep what, const Instant& before, const Instant& after,
                           const TerrainSurface& ground) {
   {
     const Stopwatch watch(WallOf(ChannelForm::kScans));
@@ -62,7 +62,7 @@ void Rig::SampleWithScene(SamplerStep what, const WorldState& before, const Worl
   scene_.ForgetBefore(oldest_ns);
 }
 
-void Rig::ForEach(SamplerStep what, const WorldState& before, const WorldState& after) {
+void Rig::ForEach(SamplerStep what, const Instant& before, const Instant& after) {
   for (Unit& unit : units_) {
     const Stopwatch watch(WallOf(unit.form));
     const SensedStep step{

@@ -54,8 +54,8 @@ class Rig {
   double WallOf(ChannelForm form) const { return wall_s_[static_cast<std::size_t>(form)]; }
   /// Lets every unit do `what` with the step from `before` to `after`.
   using SamplerStep = void (SensorSampler::*)(const SensedStep&);
-  void ForEach(SamplerStep what, const WorldState& before, const WorldState& after);
-  void SampleWithScene(SamplerStep what, const WorldState& before, const WorldState& after,
+  void ForEach(SamplerStep what, const Instant& before, const Instant& after);
+  void SampleWithScene(SamplerStep what, const Instant& before, const Instant& after,
                        const TerrainSurface& ground);
 
   SiteFrame site_;

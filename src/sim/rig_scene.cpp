@@ -27,8 +27,7 @@ void RigScene::MakeRasterizer(const EglOptions& egl) {
 
 void RigScene::MakeRayScene() { ray_scene_ = std::make_unique<RayScene>(assembly_.model()); }
 
-void RigScene::Advance(const WorldState& before, const WorldState& after,
-                       const TerrainSurface& ground) {
+void RigScene::Advance(const Instant& before, const Instant& after, const TerrainSurface& ground) {
   before_ = &before;
   after_ = &after;
   ground_ = &ground;

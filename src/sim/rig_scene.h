@@ -26,7 +26,7 @@ class RigScene : public SensedScene {
   void MakeRayScene();
 
   /// Goes on to the step between these states, which must stay where they are until the next call.
-  void Advance(const WorldState& before, const WorldState& after, const TerrainSurface& ground);
+  void Advance(const Instant& before, const Instant& after, const TerrainSurface& ground);
   void ForgetBefore(TimeNs t_ns);
 
   const TerrainSurface& ground() const override { return *ground_; }
@@ -48,7 +48,7 @@ class RigScene : public SensedScene {
   int threads_;
   std::unique_ptr<Rasterizer> rasterizer_;
   std::unique_ptr<RayScene> ray_scene_;
-  const WorldState *before_ = nullptr, *after_ = nullptr;
+  const Instant *before_ = nullptr, *after_ = nullptr;
   const TerrainSurface* ground_ = nullptr;
   std::deque<Moment> history_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "core/config/portable_name.h"
 #include "dataset/format/recorded_inputs.h"
@@ -46,11 +47,11 @@ DatasetInfo InfoOf(const Scenario& scenario, const std::string& resolved_yaml,
   return info;
 }
 
-Run::Run(Scenario* scenario, const SceneAssembly& assembly, const EglOptions& egl, int threads,
-         MeasurementSink* sink)
-    : simulation_(scenario),
-      truth_(*scenario, sink),
-      rig_(*scenario, assembly, egl, threads, sink) {
+Run::Run(const Scenario& scenario, Operators operators, const SceneAssembly& assembly,
+         const EglOptions& egl, int threads, MeasurementSink* sink)
+    : simulation_(scenario, std::move(operators)),
+      truth_(scenario, sink),
+      rig_(scenario, assembly, egl, threads, sink) {
   rig_.SampleStart(simulation_);
 }
 

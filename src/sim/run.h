@@ -3,6 +3,7 @@
 #include <string>
 
 #include "dataset/format/writer.h"
+#include "sim/physics_motion.h"
 #include "sim/rig.h"
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"
@@ -20,8 +21,8 @@ DatasetInfo InfoOf(const Scenario& scenario, const std::string& resolved_yaml,
 class Run {
  public:
   /// Settles the machines and samples what is due at the start. Keeps references to all but `egl`.
-  Run(Scenario* scenario, const SceneAssembly& assembly, const EglOptions& egl, int threads,
-      MeasurementSink* sink);
+  Run(const Scenario& scenario, Operators operators, const SceneAssembly& assembly,
+      const EglOptions& egl, int threads, MeasurementSink* sink);
 
   void Step();
   /// Takes one step more, and of it writes only what belongs to its start: the state at the end,

@@ -83,7 +83,7 @@ int AddLooksOf(const Visual& visual, SceneModel* scene) {
 SceneAssembly::SceneAssembly(const Scenario& scenario) : scenario_(scenario) {
   model_.instances.push_back({.name = "none"});
   model_.environment = scenario.environment;
-  for (const SoilType& soil : scenario.soil->soils()) {
+  for (const SoilType& soil : scenario.site->soils()) {
     model_.soils.push_back({soil.albedo, soil.grain_size_m});
   }
   for (std::size_t m = 0; m < scenario.machines.size(); ++m) AddMachine(scenario, m);
@@ -120,7 +120,7 @@ void SceneAssembly::AddMachine(const Scenario& scenario, std::size_t m) {
       add_part(cylinder.rod, cylinder.rod_link);
     }
   }
-  AddHeaps(placement, m, scenario.soil->soils().front());
+  AddHeaps(placement, m, scenario.site->soils().front());
 }
 
 void SceneAssembly::AddRunningGear(const MachinePlacement& placement, std::size_t m,
@@ -214,7 +214,7 @@ void SceneAssembly::GrowBox(const SceneNode& node) {
   }
 }
 
-std::vector<Pose> SceneAssembly::BodyPoses(const WorldState& state) const {
+std::vector<Pose> SceneAssembly::BodyPoses(const Instant& state) const {
   std::vector<Pose> poses;
   poses.reserve(model_.body_count);
   for (std::size_t m = 0; m < state.machines.size(); ++m) AppendMachinePoses(state, m, &poses);
@@ -223,7 +223,7 @@ std::vector<Pose> SceneAssembly::BodyPoses(const WorldState& state) const {
   return poses;
 }
 
-void SceneAssembly::AppendMachinePoses(const WorldState& state, std::size_t m,
+void SceneAssembly::AppendMachinePoses(const Instant& state, std::size_t m,
                                        std::vector<Pose>* poses) const {
   const MachineModel& machine = scenario_.machines[m].placement.model;
   const MachineState& now = state.machines[m];
@@ -252,7 +252,7 @@ void SceneAssembly::AppendMachinePoses(const WorldState& state, std::size_t m,
   }
 }
 
-std::vector<float> SceneAssembly::BodyScales(const WorldState& state) const {
+std::vector<float> SceneAssembly::BodyScales(const Instant& state) const {
   std::vector<float> scales(model_.body_count, 1.0f);
   for (const Heap& heap : heaps_) {
     const auto& loads = state.machines[heap.machine].shovel_load;

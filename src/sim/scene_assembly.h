@@ -22,9 +22,9 @@ class SceneAssembly {
 
   const SceneModel& model() const { return model_; }
   /// Poses of all bodies, in the order of their index.
-  std::vector<Pose> BodyPoses(const WorldState& state) const;
+  std::vector<Pose> BodyPoses(const Instant& state) const;
   /// Scale of each body: heaps by their fill, everything else 1.
-  std::vector<float> BodyScales(const WorldState& state) const;
+  std::vector<float> BodyScales(const Instant& state) const;
 
  private:
   struct TrackPath {
@@ -44,7 +44,7 @@ class SceneAssembly {
   void AddNode(const Visual& visual, int body, SemanticClass label, std::uint16_t instance);
   /// Widens the box of the node's instance to hold its mesh, if both move with one body.
   void GrowBox(const SceneNode& node);
-  void AppendMachinePoses(const WorldState& state, std::size_t m, std::vector<Pose>* poses) const;
+  void AppendMachinePoses(const Instant& state, std::size_t m, std::vector<Pose>* poses) const;
   int AddBody() { return model_.body_count++; }
 
   const Scenario& scenario_;

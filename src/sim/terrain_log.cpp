@@ -15,9 +15,8 @@ bool IsChange(GroundRaster raster) {
 
 }  // namespace
 
-TerrainLog::TerrainLog(const Scenario& scenario, DatasetWriter* writer)
-    : scenario_(scenario), writer_(writer) {
-  scenario_.soil->MarkStart();
+TerrainLog::TerrainLog(const Scenario& scenario, const Soil& ground, DatasetWriter* writer)
+    : scenario_(scenario), ground_(ground), writer_(writer) {
   WriteAll(kStart);
 }
 
@@ -34,14 +33,13 @@ void TerrainLog::WriteAll(const std::string& when) {
   const auto path = [&](std::string_view name, const char* ending) {
     return writer_->PathFor(fmt::format("truth/terrain/{}_{}.{}", name, when, ending));
   };
-  const Soil& soil = *scenario_.soil;
   for (const GroundRaster raster : scenario_.record.rasters) {
     if (when == kStart && IsChange(raster)) continue;  // nothing yet
-    soil.WriteGeoTiff(path(NameOf(raster), "tif"), raster, scenario_.origin,
-                      scenario_.record.columns_per_pixel);
+    ground_.WriteGeoTiff(path(NameOf(raster), "tif"), raster, scenario_.origin,
+                         scenario_.record.columns_per_pixel);
   }
   for (const TerrainRecord::Voxels& voxels : scenario_.record.voxels) {
-    WriteVoxels(path(voxels.name, "vti"), soil.Voxels(voxels.box), soil.soils());
+    WriteVoxels(path(voxels.name, "vti"), ground_.Voxels(voxels.box), ground_.soils());
   }
 }
 

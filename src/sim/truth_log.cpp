@@ -5,7 +5,8 @@
 namespace tera {
 namespace {
 
-std::vector<std::string> Columns(const MachineModel& model, const std::vector<SoilType>& soils) {
+std::vector<std::string> JointColumns(const MachineModel& model,
+                                      const std::vector<SoilType>& soils) {
   std::vector<std::string> columns;
   for (const Joint& joint : model.joints) {
     const bool prismatic = joint.type == JointType::kPrismatic;
@@ -76,17 +77,18 @@ std::vector<double> HydraulicRow(const MachineState& now, const MachineState& ne
 }  // namespace
 
 TruthLog::TruthLog(const Scenario& scenario, MeasurementSink* sink)
-    : sink_(sink), soils_(scenario.soil->soils().size()) {
+    : sink_(sink), soils_(scenario.site->soils().size()) {
   for (const ScenarioMachine& machine : scenario.machines) {
     const MachineModel& model = machine.placement.model;
     const std::string& name = machine.placement.name;
     std::vector<std::string> levers;
     for (const Lever& lever : model.levers) levers.push_back(lever.name);
-    channels_.push_back({sink->AddChannel(TableChannel(name + "/commands.csv", levers)),
-                         sink->AddChannel(PoseChannel("truth/" + name + "/pose.csv")),
-                         sink->AddChannel(TableChannel("truth/" + name + "/joints.csv",
-                                                       Columns(model, scenario.soil->soils()))),
-                         std::nullopt});
+    channels_.push_back(
+        {sink->AddChannel(TableChannel(name + "/commands.csv", levers)),
+         sink->AddChannel(PoseChannel("truth/" + name + "/pose.csv")),
+         sink->AddChannel(TableChannel("truth/" + name + "/joints.csv",
+                                       JointColumns(model, scenario.site->soils()))),
+         std::nullopt});
     if (model.cylinders.empty()) continue;
     channels_.back().hydraulics = sink->AddChannel(
         TableChannel("truth/" + name + "/hydraulics.csv", HydraulicColumns(model)));
@@ -103,7 +105,7 @@ void TruthLog::WriteRow(ChannelId channel, TimeNs t_ns, const std::vector<double
   sink_->Write(channel, RowSample{t_ns, t_ns, values});
 }
 
-void TruthLog::WriteStates(const WorldState& now, const WorldState& next) {
+void TruthLog::WriteStates(const Instant& now, const Instant& next) {
   for (std::size_t m = 0; m < channels_.size(); ++m) {
     const BodyState &root = now.machines[m].links[0], &later = next.machines[m].links[0];
     const Vec3 v_W_mps = 0.5 * (root.v_WB_mps + later.v_WB_mps);
@@ -120,7 +122,7 @@ void TruthLog::WriteStates(const WorldState& now, const WorldState& next) {
   }
 }
 
-void TruthLog::Write(const WorldState& before, const WorldState& after) {
+void TruthLog::Write(const Instant& before, const Instant& after) {
   for (std::size_t m = 0; m < channels_.size(); ++m) {
     WriteRow(channels_[m].commands, before.t_ns, after.machines[m].levers);
   }

@@ -19,7 +19,7 @@ class TruthLog {
   TruthLog(const Scenario& scenario, MeasurementSink* sink);
 
   /// The state `before` a step that led to `after`, and the levers in force in between.
-  void Write(const WorldState& before, const WorldState& after);
+  void Write(const Instant& before, const Instant& after);
 
  private:
   struct Channels {
@@ -27,7 +27,7 @@ class TruthLog {
     std::optional<ChannelId> hydraulics;
   };
   void WriteRow(ChannelId channel, TimeNs t_ns, const std::vector<double>& values);
-  void WriteStates(const WorldState& now, const WorldState& next);
+  void WriteStates(const Instant& now, const Instant& next);
 
   MeasurementSink* sink_;
   std::size_t soils_;  ///< how many soils the site has

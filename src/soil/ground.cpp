@@ -25,11 +25,10 @@ namespace {
 /// Columns, the machines' tools on them, and the slides they set off.
 class Ground : public Soil {
  public:
-  Ground(const SitePlan& plan, std::uint64_t seed)
-      : columns_(BuildColumns(plan)),
+  Ground(const Site& site, std::uint64_t seed)
+      : columns_(site.columns()),
         avalanche_(columns_.soils()),
         grains_(columns_.soils(), seed),
-        georeference_(plan.georeference),
         piles_kg_(columns_.GroundGain().net_kg) {}
 
   int AddMachine(const GroundTools& tools) override {
@@ -49,7 +48,6 @@ class Ground : public Soil {
     return static_cast<int>(machines_.size()) - 1;
   }
 
-  void Raise(const RaisedGround& raised) override { columns_.Raise(raised); }
   SoilReaction Act(int handle, const GroundToolsMotion& motion, double dt_s) override;
   void Flow(double dt_s) override {
     for (std::size_t b = 0; b < bed_flows_.size(); ++b) {
@@ -71,7 +69,6 @@ class Ground : public Soil {
   const TerrainSurface& surface() const override { return columns_.surface(); }
   const std::vector<SoilType>& soils() const override { return columns_.soils(); }
   MassLedger ledger() const override;
-  std::optional<SiteOrigin> georeference() const override { return georeference_; }
   void MarkStart() override { columns_.MarkStart(); }
   std::optional<SoilSample> SampleBelow(double x_m, double y_m, double depth_m) const override {
     return tera::SampleBelow(columns_, x_m, y_m, depth_m);
@@ -95,7 +92,6 @@ class Ground : public Soil {
   Grains grains_;
   std::vector<BedFlow> bed_flows_;  ///< one for each bed of the grains
   LowObstacles obstacles_;
-  std::optional<SiteOrigin> georeference_;
   double piles_kg_;  ///< put on the site before the start
   std::vector<Machine> machines_;
 };
@@ -152,8 +148,8 @@ MassLedger Ground::ledger() const {
 
 }  // namespace
 
-std::unique_ptr<Soil> Soil::Read(const ConfigMap& config, std::uint64_t seed) {
-  return std::make_unique<Ground>(ReadSite(config, seed), seed);
+std::unique_ptr<Soil> MakeSoil(const Site& site, std::uint64_t seed) {
+  return std::make_unique<Ground>(site, seed);
 }
 
 }  // namespace tera

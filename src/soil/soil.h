@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "core/config/config.h"
 #include "core/types/ground_tools.h"
 #include "core/types/rigid_obstacle.h"
 #include "core/types/terrain_surface.h"
@@ -82,7 +81,9 @@ struct SiteOrigin {
   double lat_deg = 0, lon_deg = 0, height_m = 0;
 };
 
-/// The ground as columns and everything that moves it.
+class Site;
+
+/// The ground of one run as columns, and everything that moves it.
 ///
 /// Frames  W; tools in the frames of their links, as in GroundTools.
 /// Model   columns of strata and layers of soil that keep mass; tools cut, carry, push
@@ -92,13 +93,8 @@ struct SiteOrigin {
 /// Source  Reece 1964; McKyes 1985; Bekker 1969; Janosi and Hanamoto 1961; Culmann's wall.
 class Soil {
  public:
-  /// Reads the scenario's `terrain:` mapping: size, cell, soils, relief or GeoTIFF, strips, piles.
-  /// Faults go to `config`. `seed` feeds the relief's streams.
-  static std::unique_ptr<Soil> Read(const ConfigMap& config, std::uint64_t seed);
   virtual ~Soil() = default;
 
-  /// Raises undisturbed ground, before machines are placed on it.
-  virtual void Raise(const RaisedGround& raised) = 0;
   /// Registers a machine's tools; returns its handle for Act. Call before the first Act.
   virtual int AddMachine(const GroundTools& tools) = 0;
 
@@ -121,7 +117,6 @@ class Soil {
   virtual const TerrainSurface& surface() const = 0;
   virtual const std::vector<SoilType>& soils() const = 0;
   virtual MassLedger ledger() const = 0;
-  virtual std::optional<SiteOrigin> georeference() const = 0;
 
   /// Change is counted from the present ground on; at first, from the site as it was read.
   virtual void MarkStart() = 0;
@@ -135,5 +130,8 @@ class Soil {
   virtual void WriteGeoTiff(const std::filesystem::path& file, GroundRaster raster,
                             const SiteOrigin& origin, int columns_per_pixel) const = 0;
 };
+
+/// The ground of a run that starts on `site`, which is copied. `seed` scatters poured clods.
+std::unique_ptr<Soil> MakeSoil(const Site& site, std::uint64_t seed);
 
 }  // namespace tera

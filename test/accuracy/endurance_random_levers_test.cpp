@@ -110,11 +110,12 @@ class Shake {
  private:
   /// False if something became infinite.
   bool Turn(int soil) {
-    Scenario scenario = ReadTurn(seed_, hydraulic(), soil);
-    if (!levers_) levers_ = std::move(scenario.machines[0].driver);
+    const Scenario scenario = ReadTurn(seed_, hydraulic(), soil);
+    if (!levers_) levers_ = std::move(OperatorsOf(scenario)[0]);
     const double before_s = shaken_.until_s;
-    scenario.machines[0].driver = std::make_unique<Onward>(levers_.get(), FromSeconds(before_s));
-    Simulation simulation(&scenario);
+    Operators operators;
+    operators.push_back(std::make_unique<Onward>(levers_.get(), FromSeconds(before_s)));
+    Simulation simulation(scenario, std::move(operators));
     const MachineModel& model = scenario.machines[0].placement.model;
     const std::vector<PartOutline> outlines = OutlinesOf(model);
     UnopenedGround unopened(simulation.ground());
@@ -139,7 +140,7 @@ class Shake {
       if (tilt_rad < kUpright_rad) Stand(kStepsPerLook * step_s, model, machine, unopened);
       Look(outlines, machine, unopened);
     }
-    const MassLedger ledger = scenario.soil->ledger();
+    const MassLedger ledger = simulation.state().ground().ledger();
     shaken_.shifted_kg += ledger.shifted_kg;
     if (ledger.shifted_kg > 0) {
       shaken_.lost = std::max(shaken_.lost, std::abs(ledger.total_kg() / ledger.shifted_kg));

@@ -57,7 +57,7 @@ TEST(Endurance, DiggingGoesOnUprightFiniteAndWithAllItsSoil) {
   const Config config = Config::FromFile(DataRoot() / "config/scenarios/quickstart.yaml",
                                          {"machines[0].rig={sensors: []}"});
   Scenario scenario = ReadScenario(config.root());
-  Simulation simulation(&scenario);
+  Simulation simulation(scenario);
   const MachineModel& model = scenario.machines[0].placement.model;
   const Vec3 start_m = simulation.state().machines[0].links[0].X_WB.translation();
   const TerrainSurface before = simulation.ground();
@@ -80,13 +80,13 @@ TEST(Endurance, DiggingGoesOnUprightFiniteAndWithAllItsSoil) {
     }
     constexpr int kStepsPerWeighing = 50;  // the ledger sums up all columns
     if (step % kStepsPerWeighing != 0) continue;
-    heaviest_load_kg = std::max(heaviest_load_kg, scenario.soil->ledger().carried_kg);
+    heaviest_load_kg = std::max(heaviest_load_kg, simulation.state().ground().ledger().carried_kg);
     undermined_m =
         std::max(undermined_m, Undermined_m(model, machine, before, simulation.ground()));
     const Vec3 moved_m = machine.links[0].X_WB.translation() - start_m;
     furthest_m = std::max(furthest_m, moved_m.head<2>().norm());
   }
-  const MassLedger ledger = scenario.soil->ledger();
+  const MassLedger ledger = simulation.state().ground().ledger();
   fmt::print(
       "{:.0f} s: kinetic energy up to {:.0f} J, load up to {:.0f} kg\n"
       "tilt up to {:.1f} deg, at {:.1f} s, on a bucket {:.2f} m deep in what was ground; beyond "

@@ -21,11 +21,11 @@ inline Recording Generated(const std::string& name, const std::string& scenario_
   const auto out = OwnFolder() / name;
   std::filesystem::remove_all(out);
   const Config config = Config::FromText(scenario_yaml, name + ".yaml");
-  Scenario scenario = ReadScenario(config.root());
+  const Scenario scenario = ReadScenario(config.root());
   config.Finish();
   GenerateOptions options;
   options.out = out;
-  Generate(std::move(scenario), config.ResolvedYaml(), options);
+  Generate(scenario, config.ResolvedYaml(), options);
   return Recording(out);
 }
 

@@ -59,7 +59,7 @@ std::vector<std::string> BackgroundRun::log() {
 
 void BackgroundRun::Run() {
   const Config config = Config::FromText(kTwoMachines, "two.yaml");
-  Scenario scenario = ReadScenario(config.root());
+  auto scenario = std::make_shared<const Scenario>(ReadScenario(config.root()));
   config.Finish();
   report_ = ros::RunForRos(std::move(scenario), config.ResolvedYaml(), options_);
 }

@@ -77,12 +77,12 @@ TEST(LiveStage, TheLatestFrameOfASensorComesWhateverItsClockSays) {
           "effects: {digger: {lidar: {clock_offset: {offset_s: " + std::to_string(offset_s) +
           "}}}}\n";
       const Config config = Config::FromText(std::string(kStageScenario) + effects, "stage.yaml");
-      SeededScenario seeded{.scenario = ReadScenario(config.root()), .resolved_yaml = {}};
+      auto scenario = std::make_shared<const Scenario>(ReadScenario(config.root()));
       config.Finish();
-      return seeded;
+      return SeededScenario{std::move(scenario), {}};
     };
     const std::unique_ptr<Stage> stage = LiveStages(
-        late(std::nullopt).scenario, late, {}, [](const std::string&) {})([] { return false; });
+        *late(std::nullopt).scenario, late, {}, [](const std::string&) {})([] { return false; });
     stage->Reset(v1::Reset());
     v1::Step step = StepOf(200);  // 0.4 s: revolutions begin at 0, 0.1, 0.2 and 0.3 s
     v1::SensorSelection& lidar = *step.mutable_observe()->add_sensors();
@@ -112,7 +112,7 @@ TEST(SampleKeeper, OfTheLatestFrameAloneNoOtherIsMeasured) {
     text.replace(text.find(rate), rate.size() + 2, rate + std::to_string(rate_hz));
     const Config config = Config::FromText(text, "stage.yaml");
     CountingKeeper keeper;
-    LiveRun run(ReadScenario(config.root()), "", {}, {&keeper});
+    LiveRun run(std::make_shared<const Scenario>(ReadScenario(config.root())), "", {}, {&keeper});
     const SampleClock clock{.rate_hz = static_cast<double>(rate_hz)};
     TimeNs end_ns = 0;
     // Steps that end as a revolution does, and one between two.
@@ -183,11 +183,11 @@ TEST_F(LiveStageTest, ATerrainPatchIsTheGroundAroundTheMachine) {
   ASSERT_EQ(patch.height_m().size(), 81 * sizeof(float));
   std::memcpy(height_m.data(), patch.height_m().data(), patch.height_m().size());
   // Vertex (7, 2): 1.5 m ahead and 1 m to the right of the machine.
-  const Scenario scenario = Source(std::nullopt).scenario;
+  const std::shared_ptr<const Scenario> scenario = Source(std::nullopt).scenario;
   const Vec2 p_W_m = Vec2(patch.centre_w_m().x(), patch.centre_w_m().y()) +
                      Eigen::Rotation2Dd(patch.yaw_rad()) * Vec2(1.5, -1.0);
   EXPECT_NEAR(height_m[2 * 9 + 7] + patch.centre_w_m().z(),
-              scenario.soil->surface().HeightAt(p_W_m.x(), p_W_m.y()), 0.01);
+              scenario->site->surface().HeightAt(p_W_m.x(), p_W_m.y()), 0.01);
   // The bucket hangs ahead of the machine, above the ground.
   const v1::Vector3& edge = start.patches(1).centre_w_m();
   EXPECT_GT(std::hypot(edge.x() - 1, edge.y() + 2), 1.5);

@@ -41,7 +41,7 @@ TEST(LiveStages, RecordsEveryEpisodeAsADataset) {
 }
 
 Server::MakeStage StagesThatRecordIn(const fs::path& folder) {
-  return LiveStages(Source(std::nullopt).scenario, Source, {.record = folder},
+  return LiveStages(*Source(std::nullopt).scenario, Source, {.record = folder},
                     [](const std::string&) {});
 }
 

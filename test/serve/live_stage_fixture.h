@@ -40,18 +40,13 @@ machines:
 )";
 
 inline SeededScenario Source(std::optional<std::uint64_t> seed) {
-  std::vector<std::string> overrides;
-  if (seed) overrides.push_back("seed=" + std::to_string(*seed));
-  const Config config = Config::FromText(kStageScenario, "stage.yaml", overrides);
-  SeededScenario seeded{.scenario = ReadScenario(config.root()), .resolved_yaml = {}};
-  config.Finish();
-  seeded.resolved_yaml = config.ResolvedYaml();
-  return seeded;
+  static const ScenarioSource source = SourceOf(kStageScenario, "stage.yaml");
+  return source(seed);
 }
 
 inline std::unique_ptr<Stage> NewStage(
     const StageOptions& options = {}, std::function<bool()> ended = [] { return false; }) {
-  return LiveStages(Source(std::nullopt).scenario, Source, options,
+  return LiveStages(*Source(std::nullopt).scenario, Source, options,
                     [](const std::string&) {})(std::move(ended));
 }
 

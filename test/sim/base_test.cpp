@@ -170,7 +170,7 @@ TEST(Base, TracksPushTheBucketIntoAPile) {
     EXPECT_GT(tip().x(), 3.4) << ground;
     EXPECT_GT(raised_m, 0.05) << ground;  // what it pushes ahead
     EXPECT_GT(most_n, free_n / n + 2000) << ground;
-    const MassLedger ledger = drive.scenario.soil->ledger();
+    const MassLedger ledger = drive.simulation->state().ground().ledger();
     EXPECT_NEAR(ledger.total_kg() / ledger.shifted_kg, 0, 1e-9) << ground;
   }
 }

@@ -71,7 +71,7 @@ TEST(Climb, TracksDriveOnAPlateOfSixCentimetresAndLeaveTheGroundBelowAlone) {
         EXPECT_EQ(drive.simulation->ground().HeightAt(x_m, y_m), before.HeightAt(x_m, y_m));
       }
     }
-    const MassLedger ledger = drive.scenario.soil->ledger();
+    const MassLedger ledger = drive.simulation->state().ground().ledger();
     EXPECT_NEAR(ledger.total_kg(), 0, 1e-9 * std::max(1.0, ledger.shifted_kg));
   }
 }

@@ -19,19 +19,22 @@ namespace tera {
 using NamedLevers = std::vector<std::pair<std::string, double>>;
 
 /// Levers as a function of time, in seconds.
+using LeverScript = std::function<NamedLevers(double)>;
+
+/// Obeys a script, which may be exchanged meanwhile.
 class ScriptedLevers : public Operator {
  public:
-  explicit ScriptedLevers(std::function<NamedLevers(double)> script) : script_(std::move(script)) {}
+  explicit ScriptedLevers(std::shared_ptr<const LeverScript> script) : script_(std::move(script)) {}
   std::vector<double> Levers(const OperatorView& view) override {
     std::vector<double> levers(view.model.levers.size(), 0.0);
-    for (const auto& [name, position] : script_(ToSeconds(view.t_ns))) {
+    for (const auto& [name, position] : (*script_)(ToSeconds(view.t_ns))) {
       levers.at(view.model.LeverIndex(name)) = position;
     }
     return levers;
   }
 
  private:
-  std::function<NamedLevers(double)> script_;
+  std::shared_ptr<const LeverScript> script_;
 };
 
 /// One machine on a site of 30 m x 20 m; `terrain` and `more` are YAML. `machine` is a shipped
@@ -41,12 +44,13 @@ struct Drive {
         double left, double right, const std::string& more = "")
       : scenario(Read(machine, start, terrain, more)) {
     Operate([=](double) { return NamedLevers{{"left_track", left}, {"right_track", right}}; });
-    simulation = std::make_unique<Simulation>(&scenario);
+    Operators operators;
+    operators.push_back(std::make_unique<ScriptedLevers>(script));
+    simulation = std::make_unique<Simulation>(scenario, std::move(operators));
   }
 
-  void Operate(std::function<NamedLevers(double)> script) {
-    scenario.machines[0].driver = std::make_unique<ScriptedLevers>(std::move(script));
-  }
+  /// From now on.
+  void Operate(LeverScript levers) { *script = std::move(levers); }
 
   static Scenario Read(const std::string& machine, const std::string& start,
                        const std::string& terrain, const std::string& more) {
@@ -100,7 +104,8 @@ struct Drive {
     return sum / model.TotalMass_kg();
   }
 
-  Scenario scenario;
+  const Scenario scenario;
+  const std::shared_ptr<LeverScript> script = std::make_shared<LeverScript>();
   std::unique_ptr<Simulation> simulation;
 };
 

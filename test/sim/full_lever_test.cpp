@@ -143,7 +143,7 @@ Outcome DriveIntoTheGround(const MachineModel& model, const std::string& soil, i
           -state.qd_radps[boom] / model.joints[boom].max_rate_negative_radps * dt_s / kEnd_s;
     }
   });
-  const MassLedger ledger = drive.scenario.soil->ledger();
+  const MassLedger ledger = drive.simulation->state().ground().ledger();
   outcome.lost_share = std::abs(ledger.total_kg()) / std::max(1.0, ledger.shifted_kg);
   return outcome;
 }

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <string>
+#include <thread>
 
 #include "core/config/config.h"
 #include "core/config/csv.h"
@@ -76,10 +78,10 @@ fs::path Fresh(const std::string& name) {
 
 void Simulate(const fs::path& out, const std::string& scenario_text, GenerateOptions options = {}) {
   const Config config = Config::FromText(scenario_text, "small.yaml");
-  Scenario scenario = ReadScenario(config.root());
+  const Scenario scenario = ReadScenario(config.root());
   config.Finish();
   options.out = out;
-  Generate(std::move(scenario), config.ResolvedYaml(), options);
+  Generate(scenario, config.ResolvedYaml(), options);
 }
 
 GenerateOptions Resume() {
@@ -114,6 +116,21 @@ TEST(Generate, SameSeedGivesTheSameBytesWithAnyNumberOfThreads) {
   const Files one = Generated("one", ScenarioText(), 1), two = Generated("two", ScenarioText(), 2);
   EXPECT_GT(one.size(), 40u);
   ExpectSame(one, two);
+}
+
+TEST(Generate, OneScenarioGivesTheSameBytesAgainAndOnTwoThreadsAtOnce) {
+  const Config config = Config::FromText(ScenarioText(), "small.yaml");
+  const Scenario scenario = ReadScenario(config.root());
+  config.Finish();
+  const std::string yaml = config.ResolvedYaml();
+  const auto generate = [&](const fs::path& out) { Generate(scenario, yaml, {.out = out}); };
+  const fs::path alone = Fresh("alone"), left = Fresh("left"), right = Fresh("right");
+  generate(alone);
+  std::thread on_left([&] { generate(left); }), on_right([&] { generate(right); });
+  on_left.join();
+  on_right.join();
+  ExpectSame(ReadAll(alone), ReadAll(left));
+  ExpectSame(ReadAll(alone), ReadAll(right));
 }
 
 TEST(Generate, AnotherSeedChangesTheNoiseButNotTheTruth) {
@@ -365,11 +382,11 @@ TEST(Generate, ResolvedScenarioInTheDatasetGeneratesItAgain) {
   const Files first = Generated("first");
   const fs::path out = Fresh("second");
   const Config config = Config::FromText(first.at("scenario.yaml"), "scenario.yaml");
-  Scenario scenario = ReadScenario(config.root());
+  const Scenario scenario = ReadScenario(config.root());
   config.Finish();
   GenerateOptions options;
   options.out = out;
-  Generate(std::move(scenario), config.ResolvedYaml(), options);
+  Generate(scenario, config.ResolvedYaml(), options);
   ExpectSame(first, ReadAll(out));
 }
 

@@ -33,16 +33,20 @@ class Programme : public Operator {
 };
 
 /// One machine on level dirt, started away from the origin and turned.
-struct Site {
-  Site(const std::string& machine, const std::string& start, const std::string& operator_yaml,
-       const std::string& effects = "")
-      : scenario(Read(machine, start, operator_yaml, effects)), simulation(&scenario) {}
-  Site(const std::string& machine, const std::string& start,
-       std::function<Positions(double)> levers, const std::string& effects = "")
-      : scenario(Read(machine, start, "{type: idle}", effects)), simulation([&] {
-          scenario.machines[0].driver = std::make_unique<Programme>(std::move(levers));
-          return &scenario;
-        }()) {}
+struct WorkSite {
+  WorkSite(const std::string& machine, const std::string& start, const std::string& operator_yaml,
+           const std::string& effects = "")
+      : scenario(Read(machine, start, operator_yaml, effects)), simulation(scenario) {}
+  WorkSite(const std::string& machine, const std::string& start,
+           std::function<Positions(double)> levers, const std::string& effects = "")
+      : scenario(Read(machine, start, "{type: idle}", effects)),
+        simulation(scenario, ByProgramme(std::move(levers))) {}
+
+  static Operators ByProgramme(std::function<Positions(double)> levers) {
+    Operators operators;
+    operators.push_back(std::make_unique<Programme>(std::move(levers)));
+    return operators;
+  }
 
   static Scenario Read(const std::string& machine, const std::string& start,
                        const std::string& operator_yaml, const std::string& effects = "") {
@@ -81,7 +85,7 @@ struct Site {
     return fastest_mps;
   }
 
-  Scenario scenario;
+  const Scenario scenario;
   Simulation simulation;
 };
 
@@ -89,8 +93,9 @@ const std::string kReach =
     "{xy_m: [-3, 2], yaw_deg: 25, joints_deg: {boom: 45, arm: -100, bucket: -60}}";
 
 TEST(LargeMachines, WeighWhatTheirClassesDo) {
-  EXPECT_NEAR(Site("excavator20t", kReach, "{type: idle}").model().TotalMass_kg(), 19900, 1e-6);
-  EXPECT_NEAR(Site("dozer", "{xy_m: [2, 1]}", "{type: idle}").model().TotalMass_kg(), 12710, 1e-6);
+  EXPECT_NEAR(WorkSite("excavator20t", kReach, "{type: idle}").model().TotalMass_kg(), 19900, 1e-6);
+  EXPECT_NEAR(WorkSite("dozer", "{xy_m: [2, 1]}", "{type: idle}").model().TotalMass_kg(), 12710,
+              1e-6);
 }
 
 TEST(LargeMachines, StandLevelInRutsOfTheirGroundPressure) {
@@ -101,9 +106,9 @@ TEST(LargeMachines, StandLevelInRutsOfTheirGroundPressure) {
     return std::pow(pressure_pa / (5270 / width_m + 1515040), 1 / 0.7) +
            0.88 * 0.91 * pressure_pa * width_m / 6.5e6;
   };
-  Site excavator("excavator20t", kReach, "{type: idle}");
-  Site dozer("dozer", "{xy_m: [2, 1], yaw_deg: 130}", "{type: idle}");
-  for (Site* site : {&excavator, &dozer}) {
+  WorkSite excavator("excavator20t", kReach, "{type: idle}");
+  WorkSite dozer("dozer", "{xy_m: [2, 1], yaw_deg: 130}", "{type: idle}");
+  for (WorkSite* site : {&excavator, &dozer}) {
     const Vec3 start = site->X_WB().translation();
     site->Run(2.0);
     EXPECT_LT(site->Tilt_rad(), 0.6 * kDeg);
@@ -119,7 +124,7 @@ TEST(LargeMachines, DriveAtTheSpeedOfTheirDataSheets) {
   // 5.5 km/h and 9.0 km/h.
   const std::map<std::string, double> speed_mps = {{"excavator20t", 5.5 / 3.6}, {"dozer", 2.5}};
   for (const auto& [machine, expected_mps] : speed_mps) {
-    Site site(machine, "{xy_m: [-14, -4], yaw_deg: 20}", [](double) {
+    WorkSite site(machine, "{xy_m: [-14, -4], yaw_deg: 20}", [](double) {
       return Positions{{"left_track", 1}, {"right_track", 1}};
     });
     site.Run(3.0);
@@ -142,7 +147,7 @@ TEST(LargeMachines, TracksAndBoomShareTheFlowOfThePump) {
     const auto levers = [boom](double t_s) {
       return Positions{{"left_track", 1}, {"right_track", 1}, {"boom", t_s > 2.5 ? boom : 0.0}};
     };
-    Site site("excavator20t", start, levers, effects);
+    WorkSite site("excavator20t", start, levers, effects);
     site.Run(3.2);
     const Vec3 from = site.X_WB().translation();
     site.Run(0.8);
@@ -159,7 +164,7 @@ const std::string kDig =
     "servo_gain_1ps: 2";
 
 TEST(LargeMachines, TheExcavatorDigsLiftsAndDumps) {
-  Site site("excavator20t", kReach, kDig + ", slew_braking_degps2: 25}");
+  WorkSite site("excavator20t", kReach, kDig + ", slew_braking_degps2: 25}");
   double most_kg = 0, highest_m = 0, most_tilt_rad = 0;
   site.Run(25, [&] {
     const SoilReaction::Load& load = site.machine().shovel_load[0];
@@ -176,7 +181,7 @@ TEST(LargeMachines, TheExcavatorDigsLiftsAndDumps) {
   EXPECT_GT(highest_m, 2.5);
   EXPECT_LT(site.machine().shovel_load[0].mass_kg, 0.2 * most_kg);
   EXPECT_LT(most_tilt_rad, 8 * kDeg);
-  const MassLedger ledger = site.scenario.soil->ledger();
+  const MassLedger ledger = site.simulation.state().ground().ledger();
   EXPECT_NEAR(ledger.total_kg() / ledger.shifted_kg, 0, 1e-9);
 }
 
@@ -184,7 +189,7 @@ TEST(LargeMachines, TheExcavatorLoadsATruck) {
   const Config config = Config::FromFile("config/scenarios/load_truck.yaml", {});
   Scenario scenario = ReadScenario(config.root());
   config.Finish();
-  Simulation simulation(&scenario);
+  Simulation simulation(scenario);
   const int slew = scenario.machines[0].placement.model.JointIndex("slew");
   // What it holds over the bed, and what lies there after each of two dumps.
   double over_bed_kg = 0, sum_kg = 0;
@@ -204,7 +209,7 @@ TEST(LargeMachines, TheExcavatorLoadsATruck) {
   }
   EXPECT_EQ(dumps, 2);
   EXPECT_GT(sum_kg, 1200);
-  const MassLedger ledger = scenario.soil->ledger();
+  const MassLedger ledger = simulation.state().ground().ledger();
   EXPECT_NEAR(ledger.total_kg() / ledger.shifted_kg, 0, 1e-9);
   EXPECT_NEAR(ledger.beds_kg / simulation.state().beds[0].mass_kg, 1, 1e-9);
 }
@@ -215,7 +220,7 @@ TEST(LargeMachines, TheExcavatorDigsThroughDeadBandsOfItsLevers) {
     for (const char* joint : {"slew", "boom", "arm", "bucket"}) {
       effects += std::string("    ") + joint + ": {dead_band: {width: " + width + "}}\n";
     }
-    Site site("excavator20t", kReach, kDig + ", slew_braking_degps2: 20}", effects);
+    WorkSite site("excavator20t", kReach, kDig + ", slew_braking_degps2: 20}", effects);
     double most_kg = 0;
     site.Run(25, [&] { most_kg = std::max(most_kg, site.machine().shovel_load[0].mass_kg); });
     EXPECT_LT(site.machine().shovel_load[0].mass_kg, 0.2 * most_kg) << width;
@@ -228,7 +233,7 @@ TEST(LargeMachines, TheExcavatorDigsThroughDeadBandsOfItsLevers) {
 
 /// How far the slew swings past 80 deg, where the load is dumped.
 double Overshoot_deg(const std::string& more) {
-  Site site("excavator20t", kReach, kDig + more + "}");
+  WorkSite site("excavator20t", kReach, kDig + more + "}");
   double most_rad = 0;
   site.Run(18, [&] { most_rad = std::max(most_rad, site.Joint_rad("slew")); });
   return most_rad / kDeg - 80;
@@ -244,11 +249,11 @@ TEST(LargeMachines, AnOperatorWhoBrakesInTimeDoesNotSwingPastTheDump) {
 
 TEST(LargeMachines, TheDozerLiftsAndTiltsItsBladeOverTheRangesOfItsClass) {
   // 0.97 m above the ground and 0.6 m below it; 0.38 m between the ends of 3.045 m.
-  const auto ends_m = [](const Site& site) {
+  const auto ends_m = [](const WorkSite& site) {
     const Pose& X_WL = site.machine().links[site.model().LinkIndex("blade")].X_WB;
     return Vec2((X_WL * Vec3(0.42, 1.5225, -0.42)).z(), (X_WL * Vec3(0.42, -1.5225, -0.42)).z());
   };
-  Site site("dozer", "{xy_m: [2, 1], yaw_deg: 40}", [](double t_s) {
+  WorkSite site("dozer", "{xy_m: [2, 1], yaw_deg: 40}", [](double t_s) {
     return Positions{{"lift", 1}, {"tilt", t_s < 5 ? 1 : -1}};
   });
   site.Run(5);
@@ -264,7 +269,7 @@ TEST(LargeMachines, TheDozerLiftsAndTiltsItsBladeOverTheRangesOfItsClass) {
 }
 
 /// Height of the blade's edge above the dozer's undisturbed ground.
-double Edge_m(const Site& site) {
+double Edge_m(const WorkSite& site) {
   const NamedFrame& edge = site.model().frames[0];
   return (site.machine().links[edge.link].X_WB * edge.X_BF).translation().z();
 }
@@ -272,8 +277,8 @@ double Edge_m(const Site& site) {
 TEST(LargeMachines, TheDozerPushesAWindrowBeforeItsBlade) {
   // The blade goes down to 5 cm and is held there by hand: lift where it sinks, lower where it
   // rises.
-  Site* dozer = nullptr;
-  Site site("dozer", "{xy_m: [-10, 2], yaw_deg: 15}", [&](double t_s) {
+  WorkSite* dozer = nullptr;
+  WorkSite site("dozer", "{xy_m: [-10, 2], yaw_deg: 15}", [&](double t_s) {
     const double lift = std::clamp(8 * (-0.05 - Edge_m(*dozer)), -0.5, 0.5);
     const double drive = t_s < 3 ? 0.0 : 0.3;
     return Positions{{"lift", lift}, {"left_track", drive}, {"right_track", drive}};
@@ -298,12 +303,12 @@ TEST(LargeMachines, TheDozerPushesAWindrowBeforeItsBlade) {
   }
   EXPECT_GT(heaped_m3 * 1474 / 1.1, 300);  // kg
   EXPECT_GT(cut_m3, 0.5 * heaped_m3);
-  const MassLedger ledger = site.scenario.soil->ledger();
+  const MassLedger ledger = site.simulation.state().ground().ledger();
   EXPECT_NEAR(ledger.total_kg() / ledger.shifted_kg, 0, 1e-9);
 }
 
 TEST(LargeMachines, ABladeDrivenTooDeepStallsTheDozer) {
-  Site site("dozer", "{xy_m: [-10, 2], yaw_deg: 15}", [](double t_s) {
+  WorkSite site("dozer", "{xy_m: [-10, 2], yaw_deg: 15}", [](double t_s) {
     return Positions{
         {"lift", -1}, {"left_track", t_s < 1 ? 0 : 0.6}, {"right_track", t_s < 1 ? 0 : 0.6}};
   });

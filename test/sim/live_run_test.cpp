@@ -47,15 +47,18 @@ machines:
 )";
 
 struct Loaded {
-  Scenario scenario;
+  std::shared_ptr<const Scenario> scenario;
   std::string yaml;
 };
 
-Loaded Load() {
-  const Config config = Config::FromText(kScenario, "live.yaml");
-  Loaded loaded{ReadScenario(config.root()), ""};
-  config.Finish();
-  loaded.yaml = config.ResolvedYaml();
+/// Read once, for all runs here.
+const Loaded& Load() {
+  static const Loaded loaded = [] {
+    const Config config = Config::FromText(kScenario, "live.yaml");
+    auto scenario = std::make_shared<const Scenario>(ReadScenario(config.root()));
+    config.Finish();
+    return Loaded{std::move(scenario), config.ResolvedYaml()};
+  }();
   return loaded;
 }
 
@@ -152,9 +155,9 @@ TEST(LiveRun, TakesNoPictureThatNobodyWants) {
 
 TEST(LiveRun, IsReplayedFromItsCommandsToTheSameBytes) {
   const fs::path live = OwnFolder() / "live", again = OwnFolder() / "again";
-  Loaded loaded = Load();
+  const Loaded& loaded = Load();
   {
-    LiveRun run(std::move(loaded.scenario), loaded.yaml, {.record = live}, {});
+    LiveRun run(loaded.scenario, loaded.yaml, {.record = live}, {});
     const MachineModel& model = run.scenario().machines[0].placement.model;
     for (int i = 0; i < 600; ++i) {
       if (i == 37) run.Command(0, Levers({{"boom", -0.7}, {"left_track", 1.0 / 3}}, model));
@@ -165,9 +168,9 @@ TEST(LiveRun, IsReplayedFromItsCommandsToTheSameBytes) {
     }
     run.Finish();
   }
-  loaded = Load();
-  CommandAsRecorded(Recording(live), &loaded.scenario);
-  Generate(std::move(loaded.scenario), loaded.yaml, {.out = again});
+  Scenario replayed = *loaded.scenario;
+  CommandAsRecorded(Recording(live), &replayed);
+  Generate(replayed, loaded.yaml, {.out = again});
   const auto first = ReadAll(live), second = ReadAll(again);
   ASSERT_EQ(first.size(), second.size());
   EXPECT_TRUE(first.contains("excavator1/camera/rgb/1000000000.png"));
@@ -179,8 +182,8 @@ TEST(LiveRun, IsReplayedFromItsCommandsToTheSameBytes) {
 
 /// `steps` steps with one lever of the first machine, into `folder`; whole only if `finish`.
 void Record(const fs::path& folder, int steps, bool finish) {
-  Loaded loaded = Load();
-  LiveRun run(std::move(loaded.scenario), loaded.yaml, {.record = folder}, {});
+  const Loaded& loaded = Load();
+  LiveRun run(loaded.scenario, loaded.yaml, {.record = folder}, {});
   const MachineModel& model = run.scenario().machines[0].placement.model;
   for (int i = 0; i < steps; ++i) {
     if (i % 200 == 37) run.Command(0, Levers({{"boom", -0.7 + i * 1e-3}}, model));
@@ -196,10 +199,9 @@ TEST(LiveRun, ThatWasStoppedIsReplayedAsFarAsItsCommandsCame) {
   ASSERT_TRUE(WasStopped(stopped));
   EXPECT_THAT(ReadAll(stopped)["INCOMPLETE.txt"],
               AllOf(HasSubstr("tera replay"), Not(HasSubstr("--resume"))));
-  Loaded resumed = Load();
+  const Loaded& loaded = Load();
   try {
-    Generate(std::move(resumed.scenario), resumed.yaml,
-             {.out = folder / "stopped", .resume = true});
+    Generate(*loaded.scenario, loaded.yaml, {.out = folder / "stopped", .resume = true});
     ADD_FAILURE() << "resumed";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), AllOf(HasSubstr("holds an incomplete live recording, which --resume"),
@@ -209,11 +211,11 @@ TEST(LiveRun, ThatWasStoppedIsReplayedAsFarAsItsCommandsCame) {
   const fs::path commands = stopped / "excavator1/commands.csv.part";
   fs::resize_file(commands, fs::file_size(commands) - 3);
 
-  Loaded loaded = Load();
-  CommandAsFarAsRecorded(stopped, &loaded.scenario);
+  Scenario as_commanded = *loaded.scenario;
+  CommandAsFarAsRecorded(stopped, &as_commanded);
   // 640 rows, of which one is cut and the last is of the levers in force at the end.
-  EXPECT_DOUBLE_EQ(loaded.scenario.duration_s, 638 / loaded.scenario.physics_rate_hz);
-  Generate(std::move(loaded.scenario), loaded.yaml, {.out = folder / "replayed"});
+  EXPECT_DOUBLE_EQ(as_commanded.duration_s, 638 / as_commanded.physics_rate_hz);
+  Generate(as_commanded, loaded.yaml, {.out = folder / "replayed"});
   Record(folder / "whole", 638, true);
   const auto replayed = ReadAll(folder / "replayed"), recorded = ReadAll(stopped);
   EXPECT_TRUE(ReadAll(folder / "whole") == replayed);
@@ -225,28 +227,26 @@ TEST(LiveRun, ThatWasStoppedIsReplayedAsFarAsItsCommandsCame) {
 }
 
 TEST(LiveRun, ThatIsKilledHasItsCommandsOnTheDiskUpToASecond) {
-  Loaded loaded = Load();
-  const double rate_hz = loaded.scenario.physics_rate_hz;
-  LiveRun run(std::move(loaded.scenario), loaded.yaml, {.record = OwnFolder() / "of_killed"}, {});
+  const Loaded& loaded = Load();
+  const double rate_hz = loaded.scenario->physics_rate_hz;
+  LiveRun run(loaded.scenario, loaded.yaml, {.record = OwnFolder() / "of_killed"}, {});
   for (int i = 0; i < 2.6 * rate_hz; ++i) run.Step();
-  loaded = Load();
-  CommandAsFarAsRecorded(OwnFolder() / "of_killed.incomplete", &loaded.scenario);
-  EXPECT_GE(loaded.scenario.duration_s, 2);
+  Scenario replayed = *loaded.scenario;
+  CommandAsFarAsRecorded(OwnFolder() / "of_killed.incomplete", &replayed);
+  EXPECT_GE(replayed.duration_s, 2);
 }
 
 TEST(LiveRun, ThatStoppedBeforeAnyCommandCannotBeReplayed) {
-  Loaded loaded = Load();
-  const LiveRun run(std::move(loaded.scenario), loaded.yaml, {.record = OwnFolder() / "of_early"},
-                    {});
-  loaded = Load();
-  EXPECT_THROW(CommandAsFarAsRecorded(OwnFolder() / "of_early.incomplete", &loaded.scenario),
-               InputError);
+  const Loaded& loaded = Load();
+  const LiveRun run(loaded.scenario, loaded.yaml, {.record = OwnFolder() / "of_early"}, {});
+  Scenario replayed = *loaded.scenario;
+  EXPECT_THROW(CommandAsFarAsRecorded(OwnFolder() / "of_early.incomplete", &replayed), InputError);
 }
 
 TEST(LiveRun, WhoseRecordingFailsSaysWhatIsKept) {
   const fs::path folder = OwnFolder() / "faulty";
-  Loaded loaded = Load();
-  LiveRun run(std::move(loaded.scenario), loaded.yaml, {.record = folder}, {});
+  const Loaded& loaded = Load();
+  LiveRun run(loaded.scenario, loaded.yaml, {.record = folder}, {});
   fs::remove_all(folder.string() + ".incomplete/excavator1/camera");
   try {
     for (int i = 0; i < 1000; ++i) run.Step();
@@ -258,28 +258,28 @@ TEST(LiveRun, WhoseRecordingFailsSaysWhatIsKept) {
 }
 
 TEST(LiveRun, ThatCannotBeginLeavesNoRecordingBehind) {
-  Loaded loaded = Load();
+  const Loaded& loaded = Load();
   LiveOptions options{.record = OwnFolder() / "none"};
   options.egl.device = 99;  // there are not so many
-  EXPECT_THROW(LiveRun(std::move(loaded.scenario), loaded.yaml, options, {}), InputError);
+  EXPECT_THROW(LiveRun(loaded.scenario, loaded.yaml, options, {}), InputError);
   EXPECT_FALSE(fs::exists(OwnFolder() / "none"));
   EXPECT_FALSE(fs::exists(OwnFolder() / "none.incomplete"));
 }
 
 TEST(Replay, RefusesARecordingOfOtherMachines) {
   const fs::path live = OwnFolder() / "of_two";
-  Loaded loaded = Load();
+  const Loaded& loaded = Load();
   {
-    LiveRun run(std::move(loaded.scenario), loaded.yaml, {.record = live}, {});
+    LiveRun run(loaded.scenario, loaded.yaml, {.record = live}, {});
     run.Step();
     run.Finish();
   }
-  loaded = Load();
-  loaded.scenario.machines[1].placement.name = "excavator3";
-  EXPECT_THROW(CommandAsRecorded(Recording(live), &loaded.scenario), InputError);
-  loaded = Load();
-  loaded.scenario.machines[1].placement.model.levers.pop_back();
-  EXPECT_THROW(CommandAsRecorded(Recording(live), &loaded.scenario), InputError);
+  Scenario other = *loaded.scenario;
+  other.machines[1].placement.name = "excavator3";
+  EXPECT_THROW(CommandAsRecorded(Recording(live), &other), InputError);
+  other = *loaded.scenario;
+  other.machines[1].placement.model.levers.pop_back();
+  EXPECT_THROW(CommandAsRecorded(Recording(live), &other), InputError);
 }
 
 }  // namespace

@@ -45,10 +45,10 @@ machines:
       {name: encoders, preset: tera:config/sensors/encoder.yaml}]}
 )",
       "prefix.yaml", {"duration_s=" + std::to_string(duration_s)});
-  Scenario scenario = ReadScenario(config.root());
+  const Scenario scenario = ReadScenario(config.root());
   config.Finish();
   const fs::path out = OwnFolder() / ("for_" + std::to_string(duration_s));
-  Generate(std::move(scenario), config.ResolvedYaml(), {.out = out});
+  Generate(scenario, config.ResolvedYaml(), {.out = out});
   std::map<std::string, std::string> tables;
   for (const auto& entry : fs::recursive_directory_iterator(out)) {
     if (entry.path().extension() != ".csv") continue;

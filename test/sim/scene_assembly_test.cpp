@@ -40,7 +40,7 @@ TEST(SceneAssembly, EveryInstanceHasAFiniteBoxThatHoldsSomething) {
 
 TEST(SceneAssembly, CylindersReachFromPinToPin) {
   Scenario scenario = Read();
-  Simulation simulation(&scenario);
+  Simulation simulation(scenario);
   const SceneAssembly assembly(scenario);
   const std::vector<Pose> poses = assembly.BodyPoses(simulation.state());
   const MachineModel& machine = scenario.machines[0].placement.model;
@@ -68,14 +68,14 @@ TEST(SceneAssembly, CylindersReachFromPinToPin) {
 
 TEST(SceneAssembly, PinsOfTheBucketsFourBarStayTogetherOverItsTravel) {
   Scenario scenario = Read();
-  Simulation simulation(&scenario);
+  Simulation simulation(scenario);
   const SceneAssembly assembly(scenario);
   const MachineModel& machine = scenario.machines[0].placement.model;
   const std::size_t rocker = machine.links.size() + machine.track_visuals[0].shoe_count +
                              machine.track_visuals[1].shoe_count;
   const std::size_t bucket_rod = rocker + 2 + 2 * 2 + 1;
   const int arm = machine.LinkIndex("arm"), bucket = machine.LinkIndex("bucket");
-  WorldState state = simulation.state();
+  Instant state = simulation.state();
   MachineState& now = state.machines[0];
   // The bucket's range, lower and upper end included.
   for (int i = 0; i <= 100; ++i) {
@@ -95,9 +95,9 @@ TEST(SceneAssembly, PinsOfTheBucketsFourBarStayTogetherOverItsTravel) {
 
 TEST(SceneAssembly, ShoesAdvanceBackwardsAlongTheGroundWhenDrivingForward) {
   Scenario scenario = Read();
-  Simulation simulation(&scenario);
+  Simulation simulation(scenario);
   const SceneAssembly assembly(scenario);
-  WorldState state = simulation.state();
+  Instant state = simulation.state();
   const std::vector<Pose> before = assembly.BodyPoses(state);
   const MachineModel& machine = scenario.machines[0].placement.model;
   state.machines[0].gear_angle_rad[0] += 0.1;
@@ -117,9 +117,9 @@ TEST(SceneAssembly, ShoesAdvanceBackwardsAlongTheGroundWhenDrivingForward) {
 
 TEST(SceneAssembly, HeapOfAnEmptyBucketIsHidden) {
   Scenario scenario = Read();
-  Simulation simulation(&scenario);
+  Simulation simulation(scenario);
   const SceneAssembly assembly(scenario);
-  WorldState state = simulation.state();
+  Instant state = simulation.state();
   const auto hidden = assembly.BodyScales(state);
   EXPECT_EQ(std::count(hidden.begin(), hidden.end(), 0.0f), 1);
   const Shovel& bucket = scenario.machines[0].placement.model.ground_tools.shovels[0];

@@ -33,7 +33,7 @@ void StepUntil(Simulation* simulation, double t_s) {
 
 TEST(Simulation, ParkedMachineStaysWhereItStands) {
   Scenario scenario = Read("{type: idle}");
-  Simulation simulation(&scenario);
+  Simulation simulation(scenario);
   const Pose start = simulation.state().machines[0].links[0].X_WB;
   StepUntil(&simulation, 5.0);
   const Pose end = simulation.state().machines[0].links[0].X_WB;
@@ -43,7 +43,7 @@ TEST(Simulation, ParkedMachineStaysWhereItStands) {
 
 TEST(Simulation, TimeIsTheStepCountOverTheRate) {
   Scenario scenario = Read("{type: idle}", {"physics_rate_hz=300"});
-  Simulation simulation(&scenario);
+  Simulation simulation(scenario);
   EXPECT_EQ(simulation.state().t_ns, 0);
   for (int k = 0; k < 100; ++k) simulation.Step();
   EXPECT_EQ(simulation.state().t_ns, 333333333);
@@ -52,7 +52,7 @@ TEST(Simulation, TimeIsTheStepCountOverTheRate) {
 
 TEST(Simulation, WaypointsAreReached) {
   Scenario scenario = Read("{type: waypoints, waypoints: [{xy_m: [4, 2]}], reached_m: 0.4}");
-  Simulation simulation(&scenario);
+  Simulation simulation(scenario);
   StepUntil(&simulation, 20.0);
   const Vec3 p = simulation.state().machines[0].links[0].X_WB.translation();
   EXPECT_LT((p.head<2>() - Vec2(4, 2)).norm(), 0.6);
@@ -60,7 +60,7 @@ TEST(Simulation, WaypointsAreReached) {
 
 TEST(Simulation, DigCycleMovesSoilToTheDumpAndLosesNone) {
   Scenario scenario = Read("{type: dig_cycle, dump_azimuth_deg: 90, cycles: 1}");
-  Simulation simulation(&scenario);
+  Simulation simulation(scenario);
   const TerrainSurface start = simulation.ground();
   double most_kg = 0;
   while (simulation.state().t_ns < FromSeconds(14)) {
@@ -69,7 +69,7 @@ TEST(Simulation, DigCycleMovesSoilToTheDumpAndLosesNone) {
   }
   EXPECT_GT(most_kg, 30.0);  // a bucket of 0.11 m^3 holds about 150 kg
   EXPECT_LT(simulation.state().machines[0].shovel_load[0].mass_kg, 0.2 * most_kg);
-  const MassLedger after = scenario.soil->ledger();
+  const MassLedger after = simulation.state().ground().ledger();
   EXPECT_NEAR(after.total_kg() / after.shifted_kg, 0, 1e-9);
   // What was taken ahead of the machine lies to its left. Volumes of change, from the surface.
   double ahead_m3 = 0, left_m3 = 0;
@@ -89,11 +89,12 @@ TEST(Simulation, DigCycleMovesSoilToTheDumpAndLosesNone) {
 
 TEST(Simulation, DigCycleAimsAtItsPlacesWhenTheTracksHaveTurnedUnderIt) {
   Scenario scenario = Read("{type: dig_cycle, dump_azimuth_deg: 90}");
-  Simulation simulation(&scenario);
+  Simulation simulation(scenario);
   const MachineModel& model = scenario.machines[0].placement.model;
   MachineState state = simulation.state().machines[0];
   const Pose X_WB = state.links[0].X_WB;
-  Operator& driver = *scenario.machines[0].driver;
+  const Operators operators = OperatorsOf(scenario);
+  Operator& driver = *operators[0];
   const int slew = model.LeverIndex("slew");
   TimeNs t_ns = 0;
   const auto lever_when_turned = [&](double yaw_rad) {
@@ -112,7 +113,7 @@ TEST(Simulation, DigCycleAimsAtItsPlacesWhenTheTracksHaveTurnedUnderIt) {
 TEST(Simulation, DigCycleLowersItsBucketAndDumpsItWhenTheSlewStands) {
   Scenario scenario =
       Read("{type: dig_cycle, dump_azimuth_deg: 90, slew_braking_degps2: 30, cycles: 2}");
-  Simulation simulation(&scenario);
+  Simulation simulation(scenario);
   const int slew = scenario.machines[0].placement.model.JointIndex("slew");
   double before_kg = 0, fullest_kg = 0;
   int digs = 0, dumps = 0;
@@ -143,7 +144,7 @@ TEST(Simulation, ThreeDigsLeaveATrenchAndAHeapButNoNeedles) {
         Config::FromFile("config/scenarios/trench.yaml", {"terrain.soil=" + soil});
     Scenario scenario = ReadScenario(config.root());
     config.Finish();
-    Simulation simulation(&scenario);
+    Simulation simulation(scenario);
     const int slew = scenario.machines[0].placement.model.JointIndex("slew");
     double dumped_m3 = 0, swung_rad = 0;  // what swings out, less what comes back
     while (simulation.state().t_ns < FromSeconds(44)) {
@@ -180,7 +181,7 @@ TEST(Simulation, ThreeDigsLeaveATrenchAndAHeapButNoNeedles) {
     EXPECT_LT(heap_m3, 3 * 0.11 * 1.5);
     EXPECT_LT(lowest_m, -0.25);
     EXPECT_LT(needle_m, 0.06);
-    const MassLedger ledger = scenario.soil->ledger();
+    const MassLedger ledger = simulation.state().ground().ledger();
     EXPECT_NEAR(ledger.total_kg() / ledger.shifted_kg, 0, 1e-9);
   }
 }
@@ -193,7 +194,7 @@ TEST(Simulation, DigCycleFillsItsBucketThroughDeadBandsAndDelay) {
                         "{delay_s: 0.12}}");
   }
   Scenario scenario = Read("{type: dig_cycle, dump_azimuth_deg: 90, cycles: 1}", overrides);
-  Simulation simulation(&scenario);
+  Simulation simulation(scenario);
   double most_kg = 0;
   while (simulation.state().t_ns < FromSeconds(16)) {
     simulation.Step();
@@ -211,7 +212,7 @@ TEST(Simulation, DigCycleFeelsItsWayThroughDeadBands) {
       overrides.push_back(std::string("effects.excavator1.") + joint + ".dead_band.width=" + width);
     }
     Scenario scenario = Read("{type: dig_cycle, dump_azimuth_deg: 90, cycles: 1}", overrides);
-    Simulation simulation(&scenario);
+    Simulation simulation(scenario);
     double most_kg = 0;
     while (simulation.state().t_ns < FromSeconds(18)) {
       simulation.Step();
@@ -237,7 +238,7 @@ machines:
                                          "two.yaml");
   Scenario scenario = ReadScenario(config.root());
   config.Finish();
-  Simulation simulation(&scenario);
+  Simulation simulation(scenario);
   const int boom = scenario.machines[0].placement.model.JointIndex("boom");
   const double start_rad = simulation.state().machines[0].q_rad[boom];
   StepUntil(&simulation, 2.0);

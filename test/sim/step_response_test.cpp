@@ -19,7 +19,7 @@ TEST(StepResponse, OfTheShippedExcavatorIsThePapersToOnePercent) {
                                          {"machines[0].rig={sensors: []}"});
   Scenario scenario = ReadScenario(config.root());
   config.Finish();
-  Simulation simulation(&scenario);
+  Simulation simulation(scenario);
   const MachineModel& model = scenario.machines[0].placement.model;
   struct Step {
     std::string joint;

@@ -48,7 +48,7 @@ struct ThreeSoils : testing::Test {
     const Config config = Config::FromFile("config/scenarios/drive_three_soils.yaml", keys);
     scenario = ReadScenario(config.root());
     config.Finish();
-    simulation = std::make_unique<Simulation>(&scenario);
+    simulation = std::make_unique<Simulation>(scenario);
     double x_m = 0;
     do {
       simulation->Step();

@@ -38,7 +38,7 @@ struct Block {
   Block(const std::string& site, const Vec2& start_m, double yaw_rad = 0)
       : Block(site, start_m, yaw_rad, Tracks{}) {}
   Block(const std::string& site, const Vec2& start_m, double yaw_rad, const Tracks& tracks)
-      : soil(MakeSite(site)) {
+      : soil(MakeGround(site)) {
     GroundTools tools;
     for (const double y_m : {kGauge_m / 2, -kGauge_m / 2}) {
       RunningGear gear = tracks.nose_m > 0

@@ -11,6 +11,7 @@
 #include "core/units.h"
 #include "soil/columns/columns.h"
 #include "soil/columns/soil_type.h"
+#include "soil/site/site.h"
 #include "soil/soil.h"
 
 /// Sites, tools and motions that the soil's tests share.
@@ -49,11 +50,15 @@ inline Columns LevelColumns(const SoilType& soil, double cell_m, int n, double z
   return Columns(std::move(ground), {soil});
 }
 
-inline std::unique_ptr<Soil> MakeSite(const std::string& terrain_yaml, std::uint64_t seed = 7) {
+inline Site SiteOf(const std::string& terrain_yaml, std::uint64_t seed = 7) {
   const Config config = Config::FromText(terrain_yaml, "site.yaml");
-  auto soil = Soil::Read(config.root(), seed);
+  Site site = Site::Read(config.root(), seed);
   config.Finish();
-  return soil;
+  return site;
+}
+
+inline std::unique_ptr<Soil> MakeGround(const std::string& terrain_yaml, std::uint64_t seed = 7) {
+  return MakeSoil(SiteOf(terrain_yaml, seed), seed);
 }
 
 /// The bucket of config/machines/tb235.yaml.

@@ -206,33 +206,33 @@ std::unique_ptr<PictureCaster> PainterFor(
 
 }  // namespace
 
-std::vector<std::vector<PerceptionDiagnosis>> RunPerception(Scenario* scenario,
+std::vector<std::vector<PerceptionDiagnosis>> RunPerception(const Scenario& scenario,
                                                             const std::vector<std::string>& names,
                                                             const Recording& recording,
                                                             const PerceptionOptions& options) {
-  TERA_CHECK(names.size() == scenario->machines.size(), names.size());
+  TERA_CHECK(names.size() == scenario.machines.size(), names.size());
   std::vector<std::vector<PerceptionDiagnosis>> diagnoses(names.size());
-  std::vector<Sensor> sensors = SensorsOf(*scenario, names, recording, options);
+  std::vector<Sensor> sensors = SensorsOf(scenario, names, recording, options);
   if (sensors.empty()) return diagnoses;
   std::vector<RecordedMotion> machines;
   for (std::size_t m = 0; m < names.size(); ++m) {
-    machines.emplace_back(scenario->machines[m].placement, names[m], recording);
+    machines.emplace_back(scenario.machines[m].placement, names[m], recording);
   }
   TimeNs start_ns = std::numeric_limits<TimeNs>::max();
   for (Sensor& sensor : sensors) {
-    const MachineModel& model = scenario->machines[sensor.machine].placement.model;
+    const MachineModel& model = scenario.machines[sensor.machine].placement.model;
     sensor.not_judged = ObstacleTo(sensor, machines[sensor.machine], model);
     for (const ScanCaster::Scan& scan : sensor.scans) start_ns = std::min(start_ns, scan.t_ns);
   }
   for (const RecordedMotion& machine : machines) {
     start_ns = std::min(start_ns, machine.first_ns().value_or(start_ns));
   }
-  const SceneAssembly assembly(*scenario);
+  const SceneAssembly assembly(scenario);
   RecordedStage stage(scenario, machines, start_ns);
   WorkGround(&stage, &sensors);
-  ScanCaster caster(*scenario, assembly, stage, machines, options.threads);
+  ScanCaster caster(scenario, assembly, stage, machines, options.threads);
   const auto painter = PainterFor(&sensors, [&] {
-    return std::make_unique<PictureCaster>(*scenario, assembly, stage, machines);
+    return std::make_unique<PictureCaster>(scenario, assembly, stage, machines);
   });
   for (Sensor& sensor : sensors) {
     PerceptionDiagnosis diagnosis;
@@ -241,9 +241,9 @@ std::vector<std::vector<PerceptionDiagnosis>> RunPerception(Scenario* scenario,
     } else if (TakesPictures(*sensor.description)) {
       const RecordedCamera camera{sensor.machine, sensor.description, sensor.channel,
                                   &sensor.scans};
-      diagnosis = DiagnoseCamera(camera, recording, scenario->seed, painter.get());
+      diagnosis = DiagnoseCamera(camera, recording, scenario.seed, painter.get());
     } else {
-      diagnosis = DiagnoseRanges(*scenario, recording, &sensor, &caster);
+      diagnosis = DiagnoseRanges(scenario, recording, &sensor, &caster);
     }
     diagnoses[sensor.machine].push_back(std::move(diagnosis));
   }

@@ -17,10 +17,10 @@ struct PerceptionOptions {
 
 /// Compares what the lidars and cameras of a scenario recorded with what they would see on
 /// the recorded trajectory: one list a machine, one entry for each of its sensors that the
-/// recording has. Works the scenario's soil. `names`: of the machines, in the recording.
+/// recording has. `names`: of the machines, in the recording.
 ///
 /// Throws InputError where a recorded file is not as it must be.
-std::vector<std::vector<PerceptionDiagnosis>> RunPerception(Scenario* scenario,
+std::vector<std::vector<PerceptionDiagnosis>> RunPerception(const Scenario& scenario,
                                                             const std::vector<std::string>& names,
                                                             const Recording& recording,
                                                             const PerceptionOptions& options);

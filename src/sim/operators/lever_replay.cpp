@@ -77,46 +77,26 @@ int RowInForce(const CommandTable& table, TimeNs t_ns) {
   return static_cast<int>(after - table.t_ns.begin()) - 1;
 }
 
-LeverReplay::LeverReplay(CommandTable table, std::vector<int> lever_of_column)
-    : table_(std::move(table)), lever_of_column_(std::move(lever_of_column)) {}
-
 std::vector<double> LeverReplay::Levers(const OperatorView& view) {
   std::vector<double> levers(view.model.levers.size(), 0.0);
-  const int row = RowInForce(table_, view.t_ns);
+  const int row = RowInForce(*plan_.table, view.t_ns);
   if (row < 0) return levers;
-  for (std::size_t c = 0; c < lever_of_column_.size(); ++c) {
-    levers[lever_of_column_[c]] = table_.rows[row][c];
+  for (std::size_t c = 0; c < plan_.lever_of_column.size(); ++c) {
+    levers[plan_.lever_of_column[c]] = plan_.table->rows[row][c];
   }
   return levers;
 }
-
-TwistReplay::TwistReplay(CommandTable table, const SkidSteerLevers& levers)
-    : table_(std::move(table)), levers_(levers) {}
 
 std::vector<double> TwistReplay::Levers(const OperatorView& view) {
   std::vector<double> levers(view.model.levers.size(), 0.0);
-  const int row = RowInForce(table_, view.t_ns);
+  const int row = RowInForce(*plan_.table, view.t_ns);
   if (row < 0) return levers;
-  SetSkidSteer(view.model, levers_, table_.rows[row][0], table_.rows[row][1], &levers);
+  const std::vector<double>& twist = plan_.table->rows[row];
+  SetSkidSteer(view.model, plan_.levers, twist[0], twist[1], &levers);
   return levers;
 }
 
-CommandTable ReplayedLevers(Operator* driver, const MachineModel& model) {
-  const CommandTable* table = nullptr;
-  if (const auto* levers = dynamic_cast<const LeverReplay*>(driver)) table = &levers->table();
-  if (const auto* twists = dynamic_cast<const TwistReplay*>(driver)) table = &twists->table();
-  CommandTable out;
-  if (table == nullptr) return out;
-  const MachineState unseen;
-  const TerrainSurface nowhere;
-  for (const TimeNs t_ns : table->t_ns) {
-    out.t_ns.push_back(t_ns);
-    out.rows.push_back(driver->Levers({t_ns, model, unseen, nowhere}));
-  }
-  return out;
-}
-
-std::unique_ptr<Operator> ReadLeverReplay(const ConfigMap& config, const MachineModel& model) {
+LeverReplayPlan ReadLeverReplay(const ConfigMap& config, const MachineModel& model) {
   const std::filesystem::path file = config.File("csv");
   const std::string time_column = config.Text("time_column", "t_ns");
   std::vector<std::string> columns;
@@ -136,16 +116,17 @@ std::unique_ptr<Operator> ReadLeverReplay(const ConfigMap& config, const Machine
   }
   CommandTable table = ReadCommands(config, file, time_column, columns);
   CheckLevers(config, file, columns, &table);
-  return std::make_unique<LeverReplay>(std::move(table), levers);
+  return {std::make_shared<const CommandTable>(std::move(table)), levers};
 }
 
-std::unique_ptr<Operator> ReadTwistReplay(const ConfigMap& config, const MachineModel& model) {
+TwistReplayPlan ReadTwistReplay(const ConfigMap& config, const MachineModel& model) {
   const std::filesystem::path file = config.File("csv");
   const std::string time = config.Text("time_column", "t_s");
   const std::string forward = config.Text("forward_column", "forward_mps");
   const std::string yaw_rate = config.Text("yaw_rate_column", "yaw_rate_radps");
-  return std::make_unique<TwistReplay>(ReadCommands(config, file, time, {forward, yaw_rate}),
-                                       ReadSkidSteerLevers(config, model));
+  auto table =
+      std::make_shared<const CommandTable>(ReadCommands(config, file, time, {forward, yaw_rate}));
+  return {std::move(table), ReadSkidSteerLevers(config, model)};
 }
 
 }  // namespace tera

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <string>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/config/config.h"
@@ -19,40 +20,42 @@ struct CommandTable {
 /// Index of the row in force at `t_ns`, or -1.
 int RowInForce(const CommandTable& table, TimeNs t_ns);
 
+/// Lever positions to be replayed.
+struct LeverReplayPlan {
+  std::shared_ptr<const CommandTable> table;
+  std::vector<int> lever_of_column;  ///< the lever that each column moves
+};
+
 /// Replays recorded lever positions.
 class LeverReplay : public Operator {
  public:
-  /// `lever_of_column[c]` is the lever that column c moves.
-  LeverReplay(CommandTable table, std::vector<int> lever_of_column);
+  explicit LeverReplay(LeverReplayPlan plan) : plan_(std::move(plan)) {}
   std::vector<double> Levers(const OperatorView& view) override;
-  const CommandTable& table() const { return table_; }
 
  private:
-  CommandTable table_;
-  std::vector<int> lever_of_column_;
+  LeverReplayPlan plan_;
 };
 
-/// Replays recorded body velocity commands (forward speed in m/s, yaw rate in rad/s) on a machine
-/// that steers by skidding.
+/// Body velocity commands to be replayed: columns forward speed in m/s, yaw rate in rad/s.
+struct TwistReplayPlan {
+  std::shared_ptr<const CommandTable> table;
+  SkidSteerLevers levers;
+};
+
+/// Replays recorded body velocity commands on a machine that steers by skidding.
 ///
 /// Model   SetSkidSteer with the machine's nominal gauge.
 class TwistReplay : public Operator {
  public:
-  TwistReplay(CommandTable table, const SkidSteerLevers& levers);
+  explicit TwistReplay(TwistReplayPlan plan) : plan_(std::move(plan)) {}
   std::vector<double> Levers(const OperatorView& view) override;
-  const CommandTable& table() const { return table_; }
 
  private:
-  CommandTable table_;
-  SkidSteerLevers levers_;
+  TwistReplayPlan plan_;
 };
 
-/// The levers that a replaying operator gives, a row wherever they may change, a column for each
-/// lever of the model. No rows for operators that look at the machine before they act.
-CommandTable ReplayedLevers(Operator* driver, const MachineModel& model);
-
 /// Reads the keys of `type: lever_replay` and `type: twist_replay`.
-std::unique_ptr<Operator> ReadLeverReplay(const ConfigMap& config, const MachineModel& model);
-std::unique_ptr<Operator> ReadTwistReplay(const ConfigMap& config, const MachineModel& model);
+LeverReplayPlan ReadLeverReplay(const ConfigMap& config, const MachineModel& model);
+TwistReplayPlan ReadTwistReplay(const ConfigMap& config, const MachineModel& model);
 
 }  // namespace tera

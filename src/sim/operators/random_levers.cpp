@@ -10,7 +10,7 @@ enum Which : std::uint32_t { kDuration, kChoice, kPosition, kWhichCount };
 
 }  // namespace
 
-RandomLevers::RandomLevers(const Plan& plan, const MachineModel& model,
+RandomLevers::RandomLevers(const RandomLeversPlan& plan, const MachineModel& model,
                            const OperatorStream& stream)
     : plan_(plan),
       stream_(stream.seed, stream.machine + "/operator/random_levers"),
@@ -49,10 +49,9 @@ std::vector<double> RandomLevers::Levers(const OperatorView& view) {
   return levers_;
 }
 
-std::unique_ptr<Operator> ReadRandomLevers(const ConfigMap& config, const MachineModel& model,
-                                           const OperatorStream& stream) {
+RandomLeversPlan ReadRandomLevers(const ConfigMap& config) {
   constexpr double kShortest_s = 0.01, kLongest_s = 3600;
-  RandomLevers::Plan plan;
+  RandomLeversPlan plan;
   plan.shortest_s =
       config.Number("shortest_s", Between(kShortest_s, kLongest_s, "s"), plan.shortest_s);
   plan.longest_s =
@@ -62,7 +61,7 @@ std::unique_ptr<Operator> ReadRandomLevers(const ConfigMap& config, const Machin
     config.Fault("longest_s", fmt::format("{} s is shorter than shortest_s, {} s", plan.longest_s,
                                           plan.shortest_s));
   }
-  return std::make_unique<RandomLevers>(plan, model, stream);
+  return plan;
 }
 
 }  // namespace tera

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "core/config/config.h"
@@ -9,6 +8,12 @@
 #include "sim/operators/operator.h"
 
 namespace tera {
+
+/// How fast and how far levers are moved at random.
+struct RandomLeversPlan {
+  double shortest_s = 0.5, longest_s = 3;  ///< for which a lever stays where it is
+  double amplitude = 1;
+};
 
 /// Moves every lever at random, to excite all that a machine can do.
 ///
@@ -18,12 +23,8 @@ namespace tera {
 ///         machine comes back about as far as it went.
 class RandomLevers : public Operator {
  public:
-  struct Plan {
-    double shortest_s = 0.5, longest_s = 3;
-    double amplitude = 1;
-  };
-
-  RandomLevers(const Plan& plan, const MachineModel& model, const OperatorStream& stream);
+  RandomLevers(const RandomLeversPlan& plan, const MachineModel& model,
+               const OperatorStream& stream);
   std::vector<double> Levers(const OperatorView& view) override;
 
  private:
@@ -38,7 +39,7 @@ class RandomLevers : public Operator {
   /// Begins the next piece if the present one is over. True where it did.
   bool Advance(TimeNs t_ns, std::size_t lever, bool and_back, Piece* piece) const;
 
-  Plan plan_;
+  RandomLeversPlan plan_;
   Stream stream_;
   std::vector<Piece> pieces_;  ///< one for each lever
   Piece gears_;
@@ -46,7 +47,6 @@ class RandomLevers : public Operator {
 };
 
 /// Reads the keys of `type: random_levers`.
-std::unique_ptr<Operator> ReadRandomLevers(const ConfigMap& config, const MachineModel& model,
-                                           const OperatorStream& stream);
+RandomLeversPlan ReadRandomLevers(const ConfigMap& config);
 
 }  // namespace tera

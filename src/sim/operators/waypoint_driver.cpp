@@ -16,13 +16,6 @@ constexpr double kLeverRate_1ps = 1.5;       // a careful hand: neutral to full 
 
 }  // namespace
 
-WaypointDriver::WaypointDriver(std::vector<Vec2> waypoints_W_m, double speed_mps, double reached_m,
-                               const SkidSteerLevers& levers)
-    : waypoints_W_m_(std::move(waypoints_W_m)),
-      speed_mps_(speed_mps),
-      reached_m_(reached_m),
-      levers_(levers) {}
-
 std::vector<double> WaypointDriver::Levers(const OperatorView& view) {
   std::vector<double> levers = Wanted(view);
   levers_now_.resize(levers.size(), 0.0);
@@ -39,39 +32,43 @@ std::vector<double> WaypointDriver::Wanted(const OperatorView& view) {
   std::vector<double> levers(view.model.levers.size(), 0.0);
   const Pose& X_WB = view.state.links[0].X_WB;
   const Vec2 here = X_WB.translation().head<2>();
-  while (next_ < waypoints_W_m_.size() && (waypoints_W_m_[next_] - here).norm() < reached_m_) {
+  while (next_ < plan_.waypoints_W_m.size() &&
+         (plan_.waypoints_W_m[next_] - here).norm() < plan_.reached_m) {
     ++next_;
   }
-  if (next_ == waypoints_W_m_.size()) return levers;
+  if (next_ == plan_.waypoints_W_m.size()) return levers;
 
-  const Vec2 to_goal_W = waypoints_W_m_[next_] - here;
+  const Vec2 to_goal_W = plan_.waypoints_W_m[next_] - here;
   const double yaw_rad = std::atan2(X_WB.linear()(1, 0), X_WB.linear()(0, 0));
   const double bearing_rad =
       std::remainder(std::atan2(to_goal_W.y(), to_goal_W.x()) - yaw_rad, 2 * kPi);
   const double distance_m = to_goal_W.norm();
   if (std::abs(bearing_rad) > kTurnOnSpot_rad) {
-    SetSkidSteer(view.model, levers_, 0.0, std::copysign(kTurnRate_radps, bearing_rad), &levers);
+    SetSkidSteer(view.model, plan_.levers, 0.0, std::copysign(kTurnRate_radps, bearing_rad),
+                 &levers);
     return levers;
   }
-  const bool last = next_ + 1 == waypoints_W_m_.size();
+  const bool last = next_ + 1 == plan_.waypoints_W_m.size();
   const double ease =
       last ? std::clamp(distance_m / kSlowDownDistance_m, kMinApproachSpeed, 1.0) : 1.0;
-  const double forward_mps = speed_mps_ * ease;
+  const double forward_mps = plan_.speed_mps * ease;
   const double curvature_1pm = 2.0 * std::sin(bearing_rad) / distance_m;
-  SetSkidSteer(view.model, levers_, forward_mps, forward_mps * curvature_1pm, &levers);
+  SetSkidSteer(view.model, plan_.levers, forward_mps, forward_mps * curvature_1pm, &levers);
   return levers;
 }
 
-std::unique_ptr<Operator> ReadWaypointDriver(const ConfigMap& config, const MachineModel& model) {
-  std::vector<Vec2> waypoints;
+WaypointPlan ReadWaypointPlan(const ConfigMap& config, const MachineModel& model) {
+  WaypointPlan plan;
   for (const ConfigMap& point : config.List("waypoints")) {
-    waypoints.push_back(point.Vector2("xy_m", Any("m")));
+    plan.waypoints_W_m.push_back(point.Vector2("xy_m", Any("m")));
   }
-  if (waypoints.empty()) config.Fault("waypoints", "no waypoint given, need at least one {xy_m}");
-  const double speed_mps = config.Number("speed_mps", Positive("m/s"), 0.8);
-  const double reached_m = config.Number("reached_m", Positive("m"), 0.5);
-  return std::make_unique<WaypointDriver>(std::move(waypoints), speed_mps, reached_m,
-                                          ReadSkidSteerLevers(config, model));
+  if (plan.waypoints_W_m.empty()) {
+    config.Fault("waypoints", "no waypoint given, need at least one {xy_m}");
+  }
+  plan.speed_mps = config.Number("speed_mps", Positive("m/s"), plan.speed_mps);
+  plan.reached_m = config.Number("reached_m", Positive("m"), plan.reached_m);
+  plan.levers = ReadSkidSteerLevers(config, model);
+  return plan;
 }
 
 }  // namespace tera

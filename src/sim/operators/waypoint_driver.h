@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/config/config.h"
@@ -8,6 +9,16 @@
 #include "sim/operators/skid_steer.h"
 
 namespace tera {
+
+/// Where to drive.
+///
+/// Frames  waypoints in W.
+struct WaypointPlan {
+  std::vector<Vec2> waypoints_W_m;
+  double speed_mps = 0.8;
+  double reached_m = 0.5;  ///< so near a waypoint counts as reached
+  SkidSteerLevers levers;
+};
 
 /// Drives through waypoints with left and right tracks (or wheels).
 ///
@@ -19,23 +30,20 @@ namespace tera {
 /// Source  Coulter 1992, CMU-RI-TR-92-01.
 class WaypointDriver : public Operator {
  public:
-  WaypointDriver(std::vector<Vec2> waypoints_W_m, double speed_mps, double reached_m,
-                 const SkidSteerLevers& levers);
+  explicit WaypointDriver(WaypointPlan plan) : plan_(std::move(plan)) {}
   std::vector<double> Levers(const OperatorView& view) override;
 
  private:
   /// Levers for where the machine is now.
   std::vector<double> Wanted(const OperatorView& view);
 
-  std::vector<Vec2> waypoints_W_m_;
-  double speed_mps_, reached_m_;
-  SkidSteerLevers levers_;
+  WaypointPlan plan_;
   std::size_t next_ = 0;
   std::vector<double> levers_now_;  ///< as last given
   std::optional<TimeNs> last_ns_;   ///< when
 };
 
 /// Reads the keys of `type: waypoints`.
-std::unique_ptr<Operator> ReadWaypointDriver(const ConfigMap& config, const MachineModel& model);
+WaypointPlan ReadWaypointPlan(const ConfigMap& config, const MachineModel& model);
 
 }  // namespace tera

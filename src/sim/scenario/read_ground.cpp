@@ -103,10 +103,10 @@ void CheckRaisedGround(const ConfigMap& config, const MachineModel& model,
                           reach_m, low_m.x(), high_m.x(), low_m.y(), high_m.y()));
 }
 
-void RaiseGround(const MachineModel& model, Soil* soil) {
+void RaiseGround(const MachineModel& model, Site* site) {
   const Effect* effect = FindEffect(model.effects.base, "terrain_height");
   if (!effect) return;
-  soil->Raise({.centre_W_m = Vec2((*effect)["x_m"], (*effect)["y_m"]),
+  site->Raise({.centre_W_m = Vec2((*effect)["x_m"], (*effect)["y_m"]),
                .radius_m = (*effect)["radius_m"],
                .edge_m = (*effect)["edge_m"],
                .height_m = (*effect)["height_m"]});

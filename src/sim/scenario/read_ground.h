@@ -2,7 +2,7 @@
 
 #include "core/config/config.h"
 #include "physics/description/machine.h"
-#include "soil/soil.h"
+#include "soil/site/site.h"
 
 namespace tera {
 
@@ -17,6 +17,6 @@ void CheckRaisedGround(const ConfigMap& config, const MachineModel& model,
                        const TerrainSurface& site);
 
 /// Raises the ground as terrain_height among the effects of `model` says.
-void RaiseGround(const MachineModel& model, Soil* soil);
+void RaiseGround(const MachineModel& model, Site* site);
 
 }  // namespace tera

@@ -5,13 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
+#include <utility>
 
 #include "core/config/config_faults.h"
 #include "core/config/plain_name.h"
 #include "core/config/spelling.h"
 #include "core/units.h"
-#include "sim/operators/read_operator.h"
 #include "sim/scenario/collision_meshes.h"
 #include "sim/scenario/read_effects.h"
 #include "sim/scenario/read_ground.h"
@@ -126,8 +127,7 @@ void LeaveUnread(const ConfigMap& config, const ConfigMap& description,
 }
 
 /// A machine but for its height and tilt, which wait until all have shaped the ground.
-ScenarioMachine ReadMachineEntry(const ConfigMap& config, std::uint64_t seed,
-                                 const std::optional<ConfigMap>& effects) {
+ScenarioMachine ReadMachineEntry(const ConfigMap& config, const std::optional<ConfigMap>& effects) {
   ScenarioMachine machine;
   machine.placement.name = config.Text("name");
   RequirePlainName(config, "name", machine.placement.name);
@@ -150,7 +150,7 @@ ScenarioMachine ReadMachineEntry(const ConfigMap& config, std::uint64_t seed,
     ReadStartAngles(*start, model, &machine.placement.q_rad);
   }
   machine.placement.X_WB = MakePose(Vec3(xy_m.x(), xy_m.y(), 0), RotationFromRpy(0, 0, yaw_rad));
-  machine.driver = ReadOperator(config.Map("operator"), model, {seed, machine.placement.name});
+  machine.driver = ReadOperatorPlan(config.Map("operator"), model);
   if (ReadSensors(config, model, &machine.sensors)) {
     ReadMachineEffects(description, effects, machine.placement.name, sound,
                        &machine.placement.model, &machine.sensors);
@@ -161,16 +161,15 @@ ScenarioMachine ReadMachineEntry(const ConfigMap& config, std::uint64_t seed,
   return machine;
 }
 
-void PlaceOnGround(Scenario* scenario) {
-  for (const ScenarioMachine& machine : scenario->machines) {
-    RaiseGround(machine.placement.model, scenario->soil.get());
-  }
-  for (ScenarioMachine& machine : scenario->machines) {
+/// Raises the ground as effects say, and sets the machines on it.
+void PlaceOnGround(Site* site, std::vector<ScenarioMachine>* machines) {
+  for (const ScenarioMachine& machine : *machines) RaiseGround(machine.placement.model, site);
+  for (ScenarioMachine& machine : *machines) {
     MachinePlacement& placement = machine.placement;
     const Vec3 start_m = placement.X_WB.translation();
     const double yaw_rad = RpyFromRotation(placement.X_WB.linear()).z();
-    placement.X_WB = RestingPose(scenario->soil->surface(), start_m.head<2>(), yaw_rad,
-                                 FootprintHalf(placement.model));
+    placement.X_WB =
+        RestingPose(site->surface(), start_m.head<2>(), yaw_rad, FootprintHalf(placement.model));
   }
 }
 
@@ -240,9 +239,9 @@ Environment ReadEnvironment(const ConfigMap& config) {
 
 /// The site's origin: written in the scenario, else that of the terrain's GeoTIFF, else a fixed
 /// place.
-SiteOrigin ReadOrigin(const ConfigMap& config, const Soil& soil) {
+SiteOrigin ReadOrigin(const ConfigMap& config, const Site& terrain) {
   SiteOrigin origin = kDefaultOrigin;
-  if (const auto georeference = soil.georeference()) origin = *georeference;
+  if (terrain.georeference()) origin = *terrain.georeference();
   if (const auto site = config.OptionalMap("site")) {
     origin.lat_deg = site->Number("lat_deg", Between(-90, 90, "deg"), origin.lat_deg);
     origin.lon_deg = site->Number("lon_deg", Between(-180, 180, "deg"), origin.lon_deg);
@@ -278,18 +277,19 @@ Scenario ReadScenario(const ConfigMap& config) {
       config.Number("physics_rate_hz", Between(kSlowest_hz, kFastest_hz, "Hz"), kDefaultRate_hz);
   scenario.settle_s =
       config.Number("settle_s", Between(0, kLongestSettle_s, "s"), kDefaultSettle_s);
-  scenario.soil = Soil::Read(config.Map("terrain"), scenario.seed);
-  scenario.record = ReadTerrainRecord(config.OptionalMap("record"), scenario.soil->surface());
-  scenario.origin = ReadOrigin(config, *scenario.soil);
+  Site site = Site::Read(config.Map("terrain"), scenario.seed);
+  scenario.record = ReadTerrainRecord(config.OptionalMap("record"), site.surface());
+  scenario.origin = ReadOrigin(config, site);
   if (const auto environment = config.OptionalMap("environment")) {
     scenario.environment = ReadEnvironment(*environment);
   }
   const std::optional<ConfigMap> effects = ReadScenarioEffects(config);
   for (const ConfigMap& machine : config.List("machines")) {
-    scenario.machines.push_back(ReadMachineEntry(machine, scenario.seed, effects));
-    CheckRaisedGround(machine, scenario.machines.back().placement.model, scenario.soil->surface());
+    scenario.machines.push_back(ReadMachineEntry(machine, effects));
+    CheckRaisedGround(machine, scenario.machines.back().placement.model, site.surface());
   }
-  PlaceOnGround(&scenario);
+  PlaceOnGround(&site, &scenario.machines);
+  scenario.site = std::make_shared<const Site>(std::move(site));
   for (const ConfigMap& obstacle : config.List("obstacles")) {
     scenario.obstacles.push_back(ReadObstacle(obstacle));
   }
@@ -297,6 +297,19 @@ Scenario ReadScenario(const ConfigMap& config) {
   RequireUniqueNames(config, scenario);
   scenario.inputs = config.Inputs();
   return scenario;
+}
+
+RigidObstacle RigidPartOf(const ScenarioObstacle& obstacle) {
+  RigidObstacle rigid;
+  double highest_m = -std::numeric_limits<double>::infinity();
+  for (const CollisionBox& box : obstacle.collision) {
+    rigid.boxes.push_back({box.X_BG, box.size_m});
+    const Vec3 up_G = box.X_BG.linear().row(2);
+    highest_m =
+        std::max(highest_m, box.X_BG.translation().z() + 0.5 * up_G.cwiseAbs().dot(box.size_m));
+  }
+  rigid.rise_m = obstacle.height_above_ground_m + highest_m;
+  return rigid;
 }
 
 BodyState ObstacleAt(const ScenarioObstacle& obstacle, TimeNs t_ns, const TerrainSurface& ground) {

@@ -10,20 +10,19 @@
 #include "core/config/config.h"
 #include "core/motion.h"
 #include "core/time.h"
-#include "physics/description/machine.h"
-#include "physics/dynamics/physics_world.h"
+#include "physics/description/machine_placement.h"
 #include "render/scene.h"
 #include "sensors/sensor.h"
-#include "sim/operators/operator.h"
+#include "sim/operators/operator_plan.h"
 #include "sim/scenario/terrain_record.h"
-#include "soil/soil.h"
+#include "soil/site/site.h"
 
 namespace tera {
 
 /// A machine in a scenario: what it is, where it starts, who drives it, what it carries.
 struct ScenarioMachine {
   MachinePlacement placement;  ///< on the ground, resting pose estimated from the terrain
-  std::unique_ptr<Operator> driver;
+  OperatorPlan driver;
   std::vector<SensorDescription> sensors;
 };
 
@@ -46,7 +45,8 @@ struct ScenarioObstacle {
   std::vector<PathPoint> path;  ///< empty: stands still
 };
 
-/// A site, what stands and moves on it, and how it is measured: everything a run needs.
+/// A site, what stands and moves on it, and how it is measured: everything a run needs, and nothing
+/// that a run changes. Runs share it; copies share the site.
 struct Scenario {
   std::string name;
   std::uint64_t seed = 0;
@@ -55,7 +55,7 @@ struct Scenario {
   double settle_s = 0;  ///< simulated before t = 0, levers neutral, so that machines rest
   SiteOrigin origin;
   Environment environment;
-  std::unique_ptr<Soil> soil;
+  std::shared_ptr<const Site> site;  ///< raised by the effects of the machines
   std::vector<ScenarioMachine> machines;
   std::vector<ScenarioObstacle> obstacles;
   TerrainRecord record;
@@ -65,6 +65,9 @@ struct Scenario {
 
 /// Reads a scenario and everything it names. Faults go to `config`; call Config::Finish before use.
 Scenario ReadScenario(const ConfigMap& config);
+
+/// An obstacle's boxes as machines drive over them or against them.
+RigidObstacle RigidPartOf(const ScenarioObstacle& obstacle);
 
 /// Pose and velocity of an obstacle at `t_ns` on the given ground, upright.
 BodyState ObstacleAt(const ScenarioObstacle& obstacle, TimeNs t_ns, const TerrainSurface& ground);

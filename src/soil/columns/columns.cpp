@@ -24,8 +24,8 @@ std::uint8_t Byte(double share) {
 }  // namespace
 
 Columns::Columns(UndisturbedGround ground, std::vector<SoilType> soils)
-    : ground_(std::move(ground)),
-      surface_(SurfaceOf(ground_)),
+    : ground_(std::make_shared<const UndisturbedGround>(std::move(ground))),
+      surface_(SurfaceOf(*ground_)),
       soils_(std::move(soils)),
       chunk_of_tile_(surface_.tile_count(), -1),
       cells_per_m_(1 / surface_.cell_m),
@@ -43,8 +43,8 @@ Column Columns::ColumnAt(int i, int j) const {
   const ColumnId k = IdAt(i, j);
   if (k != kNone) return at(k);
   Column quiet;
-  quiet.ground_m = quiet.bank_m = quiet.top_m = ground_.HeightAt(i, j);
-  quiet.profile = ground_.ProfileAt(Vec2(x_m(i), y_m(j)));
+  quiet.ground_m = quiet.bank_m = quiet.top_m = ground_->HeightAt(i, j);
+  quiet.profile = ground_->ProfileAt(Vec2(x_m(i), y_m(j)));
   return quiet;
 }
 
@@ -53,7 +53,7 @@ void Columns::MarkStart() {
   for (const Chunk& chunk : chunks_) {
     start_.emplace_back();
     for (const Column& c : chunk.columns) {
-      start_.back().push_back({c.top_m - c.ground_m, c.Gain_kgpm2(ground_.profiles[c.profile])});
+      start_.back().push_back({c.top_m - c.ground_m, c.Gain_kgpm2(ground_->profiles[c.profile])});
     }
   }
 }
@@ -62,7 +62,7 @@ Columns::Change Columns::ChangeAt(int i, int j) const {
   const ColumnId k = IdAt(i, j);
   if (k == kNone) return {};
   const Column& c = at(k);
-  Change change{c.top_m - c.ground_m, c.Gain_kgpm2(ground_.profiles[c.profile])};
+  Change change{c.top_m - c.ground_m, c.Gain_kgpm2(ground_->profiles[c.profile])};
   const std::size_t chunk = k >> kTileBits;
   if (chunk < start_.size()) {
     const Change& before = start_[chunk][k & kLocalMask];
@@ -95,15 +95,15 @@ void Columns::Unfold(int a, int b) {
                      .skins = std::vector<Skin>(kColumns),
                      .is_changed = std::vector<std::uint8_t>(kColumns)});
   chunk_of_tile_[surface_.tile_index(a, b)] = static_cast<std::int32_t>(n);
-  const bool uniform = ground_.IsUniform(a, b);
-  const std::uint8_t profile = ground_.ProfileAt(Vec2(x_m(a * kCells), y_m(b * kCells)));
+  const bool uniform = ground_->IsUniform(a, b);
+  const std::uint8_t profile = ground_->ProfileAt(Vec2(x_m(a * kCells), y_m(b * kCells)));
   for (int j = 0; j < ny_here; ++j) {
     for (int i = 0; i < nx_here; ++i) {
       const int ci = a * kCells + i, cj = b * kCells + j;
       const ColumnId k = n << kTileBits | static_cast<ColumnId>(j << kRowBits | i);
       Column& c = Get(k);
-      c.ground_m = c.bank_m = c.top_m = ground_.HeightAt(ci, cj);
-      c.profile = uniform ? profile : ground_.ProfileAt(Vec2(x_m(ci), y_m(cj)));
+      c.ground_m = c.bank_m = c.top_m = ground_->HeightAt(ci, cj);
+      c.profile = uniform ? profile : ground_->ProfileAt(Vec2(x_m(ci), y_m(cj)));
       RefreshSkin(k);
     }
   }
@@ -129,13 +129,13 @@ Columns::Place Columns::PlaceOf(ColumnId k) const {
 
 double Columns::TopAt(int i, int j) const {
   const ColumnId k = IdAt(i, j);
-  return k != kNone ? skin(k).top_m : ground_.HeightAt(i, j);
+  return k != kNone ? skin(k).top_m : ground_->HeightAt(i, j);
 }
 
 std::uint8_t Columns::SoilAt(int i, int j) const {
   const ColumnId k = IdAt(i, j);
   if (k != kNone) return skin(k).soil;
-  return ground_.profiles[ground_.ProfileAt(Vec2(x_m(i), y_m(j)))].strata().front().soil;
+  return ground_->profiles[ground_->ProfileAt(Vec2(x_m(i), y_m(j)))].strata().front().soil;
 }
 
 Columns::Sample Columns::SampleAt(double x, double y) const {
@@ -163,7 +163,7 @@ Columns::Sample Columns::SampleAt(double x, double y) const {
   }
   const auto add_at = [&](int ci, int cj, double share) {
     const ColumnId m = IdAt(ci, cj);
-    m != kNone ? add(skin(m), share) : add({.top_m = ground_.HeightAt(ci, cj)}, share);
+    m != kNone ? add(skin(m), share) : add({.top_m = ground_->HeightAt(ci, cj)}, share);
   };
   add_at(i, j, (1 - u) * (1 - v));
   add_at(i + 1, j, u * (1 - v));
@@ -201,7 +201,7 @@ Vec3 Columns::NormalAt(double x, double y) const {
 
 const Stratum& Columns::BankOf(ColumnId k) const {
   const Column& c = at(k);
-  return ground_.profiles[c.profile].Below(c.ground_m - c.bank_m);
+  return ground_->profiles[c.profile].Below(c.ground_m - c.bank_m);
 }
 
 void Columns::Raise(const RaisedGround& raised) {
@@ -334,7 +334,7 @@ Columns::Gain Columns::GroundGain() const {
   for (const Chunk& chunk : chunks_) {
     Gain of_chunk;  // apart, to keep the sums small
     for (const Column& c : chunk.columns) {
-      const double gain_kg = c.Gain_kgpm2(ground_.profiles[c.profile]) * area_m2_;
+      const double gain_kg = c.Gain_kgpm2(ground_->profiles[c.profile]) * area_m2_;
       of_chunk.net_kg += gain_kg;
       of_chunk.gained_kg += std::max(0.0, gain_kg);
     }

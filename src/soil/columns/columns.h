@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "core/types/terrain_surface.h"
@@ -20,8 +21,8 @@ using ColumnId = std::uint32_t;
 ///
 /// Frames  W. Column (i, j) stands under vertex (i, j) of the surface and is cell x cell wide.
 /// Model   Only tiles in which something has happened have columns of their own; elsewhere the
-///         ground is what UndisturbedGround says. Every operation moves mass: from one column to
-///         another, to a tool, or over the border of the site (outside_kg).
+///         ground is what UndisturbedGround says, which copies share. Every operation moves mass:
+///         from one column to another, to a tool, or over the border of the site (outside_kg).
 /// Omits   moisture that moves.
 class Columns {
  public:
@@ -125,12 +126,12 @@ class Columns {
   /// Ids lie below this.
   std::size_t id_end() const { return chunks_.size() << kTileBits; }
 
-  const UndisturbedGround& undisturbed() const { return ground_; }
+  const UndisturbedGround& undisturbed() const { return *ground_; }
   const TerrainSurface& surface() const { return surface_; }
   const std::vector<SoilType>& soils() const { return soils_; }
   std::uint8_t soil_at(ColumnId k) const { return skin(k).soil; }
   /// Strata of a column's undisturbed soil.
-  const GroundProfile& ProfileOf(ColumnId k) const { return ground_.profiles[at(k).profile]; }
+  const GroundProfile& ProfileOf(ColumnId k) const { return ground_->profiles[at(k).profile]; }
   /// Stratum of the undisturbed soil at the top of a column's bank.
   const Stratum& BankOf(ColumnId k) const;
 
@@ -216,14 +217,14 @@ class Columns {
   void Unfold(int a, int b);
   void RefreshSkin(ColumnId k);
   ColumnMaterial MaterialOf(const Column& c) const {
-    return {ground_.profiles[c.profile], soils_, area_m2_};
+    return {ground_->profiles[c.profile], soils_, area_m2_};
   }
   void Changed(ColumnId k);
   void ChangesLater(ColumnId k);
   void Fetch(ColumnId k) const;
   void ShowRut(ColumnId k, double rut);
 
-  UndisturbedGround ground_;
+  std::shared_ptr<const UndisturbedGround> ground_;
   TerrainSurface surface_;
   std::vector<SoilType> soils_;
   std::vector<Chunk> chunks_;

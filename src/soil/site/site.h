@@ -2,35 +2,41 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/config/config.h"
 #include "soil/columns/columns.h"
-#include "soil/columns/pit.h"
+#include "soil/soil.h"
 
 namespace tera {
 
-/// A cone of loose soil.
-struct PilePlan {
-  Vec2 xy_W_m = Vec2::Zero();
-  double height_m = 0;
-  std::uint8_t soil = 0;
+/// A site before anything has moved on it: what the scenario's `terrain:` mapping says. It stays as
+/// it is, so that any number of runs may start on it, also at the same time; each works a Soil of
+/// its own (MakeSoil).
+///
+/// Frames  W.
+class Site {
+ public:
+  /// Reads the mapping: size, cell, soils, relief or GeoTIFF, strips, piles, pits. Faults go to
+  /// `config`. `seed` feeds the relief's streams.
+  static Site Read(const ConfigMap& config, std::uint64_t seed);
+
+  /// Raises undisturbed ground, before machines are placed on it.
+  void Raise(const RaisedGround& raised) { columns_.Raise(raised); }
+
+  const Columns& columns() const { return columns_; }
+  const TerrainSurface& surface() const { return columns_.surface(); }
+  const std::vector<SoilType>& soils() const { return columns_.soils(); }
+  /// Of W's origin, where a GeoTIFF says it.
+  const std::optional<SiteOrigin>& georeference() const { return georeference_; }
+
+ private:
+  Site(Columns columns, std::optional<SiteOrigin> georeference)
+      : columns_(std::move(columns)), georeference_(std::move(georeference)) {}
+
+  Columns columns_;
+  std::optional<SiteOrigin> georeference_;
 };
-
-/// The ground at the start: what the scenario's `terrain:` mapping says.
-struct SitePlan {
-  UndisturbedGround ground;
-  std::vector<SoilType> soils;
-  std::vector<PilePlan> piles;
-  std::vector<PitPlan> pits;
-  std::optional<SiteOrigin> georeference;
-};
-
-/// Reads `size_m cell_m soil soils layers soil_classes custom_soils strips regions relief geotiff
-/// piles pits`. Faults go to `config`; a GeoTIFF that cannot be used is one of them.
-SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed);
-
-/// The columns of a site, its pits dug and its piles in place at their angle of repose.
-Columns BuildColumns(const SitePlan& plan);
 
 }  // namespace tera

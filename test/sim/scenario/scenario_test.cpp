@@ -123,7 +123,7 @@ TEST(ReadScenario, SetsAMachineOnASlope) {
                                           "machines[0].start={yaw_deg: 90}"});
   const Scenario scenario = ReadScenario(config.root());
   config.Finish();
-  const TerrainSurface& ground = scenario.soil->surface();
+  const TerrainSurface& ground = scenario.site->surface();
   const Pose& X_WB = scenario.machines[0].placement.X_WB;
   EXPECT_NEAR(std::acos(X_WB.linear().col(2).dot(ground.NormalAt(0, 0))), 0.0, 0.5 * kDeg);
   EXPECT_NEAR(std::acos(X_WB.linear()(2, 2)), 10 * kDeg, 0.5 * kDeg);

@@ -136,8 +136,9 @@ class Constant : public Operator {
 
 TEST(UrdfMachine, MovesByItsLeversWithinItsLimits) {
   Scenario scenario = Read();
-  scenario.machines[0].driver = std::make_unique<Constant>(0.5);
-  Simulation simulation(&scenario);
+  Operators operators;
+  operators.push_back(std::make_unique<Constant>(0.5));
+  Simulation simulation(scenario, std::move(operators));
   const MachineModel& model = ModelOf(scenario);
   const std::vector<double> before_rad = simulation.state().machines[0].q_rad;
   for (int i = 0; i < 500; ++i) {

@@ -15,7 +15,7 @@ using testing::HasSubstr;
 using namespace testing_soil;
 
 TEST(Pit, IsAsDeepAsItSaysWithinItsOutlineAndNowhereElse) {
-  const auto soil = MakeSite(
+  const auto soil = MakeGround(
       "size_m: [10, 10]\nsoil: clay\nrelief: {slope_deg: 5, slope_direction_deg: 90}\n"
       "pits: [{outline_m: [[1, -2], [4, -2], [4, 3]], depth_m: 0.8}]\n");
   const TerrainSurface& ground = soil->surface();
@@ -31,7 +31,7 @@ TEST(Pit, WallsOfClayStandAtOneMetreAndFailAtOnePointFourAndSandSlumps) {
       "size_m: [10, 10]\ncell_m: 0.1\npits:\n"
       "  - {outline_m: [[-3.95, -3], [-1.95, -3], [-1.95, 3], [-3.95, 3]], depth_m: 1.0}\n"
       "  - {outline_m: [[1.95, -3], [3.95, -3], [3.95, 3], [1.95, 3]], depth_m: 1.4}\n";
-  const auto clay = MakeSite("soil: clay\n" + pits), sand = MakeSite("soil: sand\n" + pits);
+  const auto clay = MakeGround("soil: clay\n" + pits), sand = MakeGround("soil: sand\n" + pits);
   for (int k = 0; k < 1500; ++k) {
     clay->Flow(0.002);
     sand->Flow(0.002);

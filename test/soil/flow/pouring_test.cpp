@@ -24,7 +24,7 @@ TEST(Pouring, WhatSpillsOverTheCuttingEdgeLeavesBetweenTheTeeth) {
   tools.shovels = {CompactBucket()};
   tools.shovels[0].teeth = 3;
   tools.shovels[0].tooth_width_m = 0.12;
-  auto soil = MakeSite("soil: dirt\n");
+  auto soil = MakeGround("soil: dirt\n");
   const int machine = soil->AddMachine(tools);
   std::map<int, int> clods;  // left and right
   std::vector<bool> seen(1 << 16, false);
@@ -92,7 +92,7 @@ class PileOfABucket : public testing::TestWithParam<std::tuple<std::string, doub
 TEST_P(PileOfABucket, StandsAtReposeAlongAxesAndDiagonals) {
   const auto [name, cell_m] = GetParam();
   const double repose_deg = name == "sand" ? 33 : 37;  // config/soils
-  auto soil = MakeSite("size_m: [14, 12]\nsoil: " + name + "\ncell_m: " + std::to_string(cell_m));
+  auto soil = MakeGround("size_m: [14, 12]\nsoil: " + name + "\ncell_m: " + std::to_string(cell_m));
   GroundTools tools;
   tools.shovels = {CompactBucket()};
   const int machine = soil->AddMachine(tools);

@@ -25,27 +25,27 @@ class GeotiffTest : public FolderTest {};
 
 TEST_F(GeotiffTest, HeightsAndPlaceSurviveARoundTrip) {
   const auto soil =
-      MakeSite("size_m: [12, 8]\ncell_m: 0.1\nrelief: {amplitude_m: 0.5, wavelength_m: 4}\n");
+      MakeGround("size_m: [12, 8]\ncell_m: 0.1\nrelief: {amplitude_m: 0.5, wavelength_m: 4}\n");
   const SiteOrigin origin{46.81, -71.21, 87.5};
   soil->WriteGeoTiff(File("site.tif"), GroundRaster::kHeight, origin, 1);
-  const auto again = MakeSite("cell_m: 0.1\ngeotiff: " + File("site.tif") + "\n");
-  ASSERT_TRUE(again->georeference());
-  EXPECT_NEAR(again->georeference()->lat_deg, origin.lat_deg, 1e-9);
-  EXPECT_NEAR(again->georeference()->lon_deg, origin.lon_deg, 1e-9);
-  const TerrainSurface &a = soil->surface(), &b = again->surface();
+  const Site again = SiteOf("cell_m: 0.1\ngeotiff: " + File("site.tif") + "\n");
+  ASSERT_TRUE(again.georeference());
+  EXPECT_NEAR(again.georeference()->lat_deg, origin.lat_deg, 1e-9);
+  EXPECT_NEAR(again.georeference()->lon_deg, origin.lon_deg, 1e-9);
+  const TerrainSurface &a = soil->surface(), &b = again.surface();
   ASSERT_EQ(b.nx, a.nx);
   ASSERT_EQ(b.ny, a.ny);
   // The imported site's zero is the ground at its middle; float32 about 90 m resolves 8 um.
-  EXPECT_NEAR(again->georeference()->height_m, origin.height_m + a.HeightAt(0, 0), 1e-4);
+  EXPECT_NEAR(again.georeference()->height_m, origin.height_m + a.HeightAt(0, 0), 1e-4);
   for (const auto& [x, y] : {std::pair{-5.5, 3.1}, {0.25, -3.97}, {5.9, 0.04}}) {
     EXPECT_NEAR(b.HeightAt(x, y), a.HeightAt(x, y) - a.HeightAt(0, 0), 1e-4);
   }
 }
 
 TEST_F(GeotiffTest, FinerCellsInterpolateTheSameGround) {
-  MakeSite("size_m: [6, 6]\ncell_m: 0.5\nrelief: {slope_deg: 8, slope_direction_deg: 30}\n")
+  MakeGround("size_m: [6, 6]\ncell_m: 0.5\nrelief: {slope_deg: 8, slope_direction_deg: 30}\n")
       ->WriteGeoTiff(File("slope.tif"), GroundRaster::kHeight, {10, 20, 0}, 1);
-  const auto fine = MakeSite("cell_m: 0.05\ngeotiff: " + File("slope.tif") + "\n");
+  const auto fine = MakeGround("cell_m: 0.05\ngeotiff: " + File("slope.tif") + "\n");
   EXPECT_EQ(fine->surface().nx, 121);
   const double rise = std::tan(8 * kDeg) * (1.23 * std::cos(30 * kDeg) + 2.1 * std::sin(30 * kDeg));
   EXPECT_NEAR(fine->surface().HeightAt(1.23, 2.1), rise, 1e-4);
@@ -58,7 +58,7 @@ TEST_F(GeotiffTest, UnreadableFilesAreFaultsAtTheirKey) {
               AllOf(HasSubstr("site.yaml:1:10: geotiff"), HasSubstr("not readable as a GeoTIFF")));
   std::ofstream(File("empty.tif"));
   EXPECT_THAT(FaultsOf("geotiff: " + File("empty.tif") + "\n"), HasSubstr("not readable"));
-  MakeSite("size_m: [6, 6]\nrelief: {amplitude_m: 1}\n")
+  MakeGround("size_m: [6, 6]\nrelief: {amplitude_m: 1}\n")
       ->WriteGeoTiff(File("cut.tif"), GroundRaster::kHeight, {1, 2, 0}, 1);
   std::filesystem::resize_file(File("cut.tif"), std::filesystem::file_size(File("cut.tif")) / 2);
   EXPECT_THAT(FaultsOf("geotiff: " + File("cut.tif") + "\n"), HasSubstr("cut.tif"));
@@ -96,7 +96,7 @@ TEST_F(GeotiffTest, GapsAreAFault) {
 }
 
 TEST_F(GeotiffTest, FolderThatIsNotThereIsAnErrorAndSpoilsNoLaterFile) {
-  const auto soil = MakeSite("size_m: [2, 2]\n");
+  const auto soil = MakeGround("size_m: [2, 2]\n");
   EXPECT_THROW(soil->WriteGeoTiff(File("no/such/folder.tif"), GroundRaster::kHeight, {0, 0, 0}, 1),
                InputError);
   EXPECT_NO_THROW(soil->WriteGeoTiff(File("good.tif"), GroundRaster::kHeight, {0, 0, 0}, 1));
@@ -107,7 +107,7 @@ TEST_F(GeotiffTest, FolderThatIsNotThereIsAnErrorAndSpoilsNoLaterFile) {
 TEST_F(GeotiffTest, AFullDiskLeavesNoFileUnderTheFinalName) {
   // /dev/full takes no byte: the part file is a link to it.
   std::filesystem::create_symlink("/dev/full", File("full.tif.part"));
-  const auto soil = MakeSite("size_m: [2, 2]\n");
+  const auto soil = MakeGround("size_m: [2, 2]\n");
   EXPECT_THROW(soil->WriteGeoTiff(File("full.tif"), GroundRaster::kHeight, {0, 0, 0}, 1),
                InputError);
   EXPECT_FALSE(std::filesystem::exists(File("full.tif")));
@@ -168,20 +168,20 @@ TEST_F(GeotiffTest, NorthIsTrueNorthWellOffTheCentralMeridian) {
   // Quebec, 2.27 degrees west of the meridian: the grid's north lies 1.65 degrees off, 0.6 m at 20
   // m.
   UtmPlane(46.78, -71.27, 1.0, 0.3, 0.2).Write(File("quebec"));
-  const auto soil = MakeSite("cell_m: 0.5\ngeotiff: " + File("quebec.asc") + "\n");
-  ASSERT_TRUE(soil->georeference());
-  EXPECT_NEAR(soil->georeference()->lat_deg, 46.78, 1e-5);
-  EXPECT_NEAR(soil->georeference()->lon_deg, -71.27, 1e-5);
-  EXPECT_NEAR(soil->georeference()->height_m, UtmPlane::kHeight_m, 1e-4);
+  const Site site = SiteOf("cell_m: 0.5\ngeotiff: " + File("quebec.asc") + "\n");
+  ASSERT_TRUE(site.georeference());
+  EXPECT_NEAR(site.georeference()->lat_deg, 46.78, 1e-5);
+  EXPECT_NEAR(site.georeference()->lon_deg, -71.27, 1e-5);
+  EXPECT_NEAR(site.georeference()->height_m, UtmPlane::kHeight_m, 1e-4);
   for (const auto& [x, y] : {std::pair{20.0, 0.0}, {0.0, 20.0}, {-17.0, 11.0}, {25.0, -25.0}}) {
-    EXPECT_NEAR(soil->surface().HeightAt(x, y), 0.3 * x + 0.2 * y, 2e-4) << x << ' ' << y;
+    EXPECT_NEAR(site.surface().HeightAt(x, y), 0.3 * x + 0.2 * y, 2e-4) << x << ' ' << y;
   }
 }
 
 TEST_F(GeotiffTest, AWideSiteFallsAwayWithTheEllipsoid) {
   // At 280 m the ellipsoid lies 6 mm below the tangent plane.
   UtmPlane(46.78, -71.27, 10.0, 0.02, -0.01).Write(File("wide"));
-  const auto soil = MakeSite("cell_m: 1\ngeotiff: " + File("wide.asc") + "\n");
+  const auto soil = MakeGround("cell_m: 1\ngeotiff: " + File("wide.asc") + "\n");
   for (const auto& [x, y] : {std::pair{280.0, 0.0}, {0.0, -280.0}, {-200.0, 190.0}}) {
     EXPECT_NEAR(soil->surface().HeightAt(x, y), 0.02 * x - 0.01 * y, 5e-4) << x << ' ' << y;
   }

@@ -155,7 +155,7 @@ TEST_F(GroundRasterTest, CoarsePixelsAreMeansAndLoseNothing) {
 }
 
 TEST_F(GroundRasterTest, ChangeCountsFromTheMarkedStart) {
-  const auto soil = testing_soil::MakeSite(
+  const auto soil = testing_soil::MakeGround(
       "size_m: [6, 6]\ncell_m: 0.1\nsoil: sand\npiles: [{xy_m: [1, 1], height_m: 0.6, soil: "
       "sand}]\n");
   const int bucket = [&] {

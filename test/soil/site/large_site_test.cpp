@@ -54,7 +54,7 @@ void Drive(Soil* soil, int machine) {
 }
 
 TEST(LargeSite, OnlyTilesThatAMachineReachedHaveColumns) {
-  const auto soil = MakeSite(kLargeSite);
+  const auto soil = MakeGround(kLargeSite);
   const TerrainSurface& ground = soil->surface();
   ASSERT_EQ(ground.nx, 10001);
   ASSERT_EQ(ground.tile_count(), 200 * 200);
@@ -95,7 +95,7 @@ TEST(LargeSite, OnlyTilesThatAMachineReachedHaveColumns) {
 
 /// Sand that the compact bucket has dug along a path, on a site of its own.
 std::unique_ptr<Soil> Dug(const std::string& size_m, const BucketPath& path) {
-  auto soil = MakeSite("size_m: " + size_m + "\nsoil: sand\n");
+  auto soil = MakeGround("size_m: " + size_m + "\nsoil: sand\n");
   GroundTools tools;
   tools.shovels = {CompactBucket()};
   const int machine = soil->AddMachine(tools);

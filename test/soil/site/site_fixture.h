@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/error.h"
-#include "soil/site/site.h"
+#include "soil/site/site_plan.h"
 #include "soil/soil_fixture.h"
 
 /// Sites read from a scenario's terrain mapping, and what is wrong with one.
@@ -13,7 +13,7 @@ namespace tera::testing_soil {
 /// What is wrong with a terrain mapping, or nothing.
 inline std::string FaultsOf(const std::string& terrain_yaml) {
   try {
-    MakeSite(terrain_yaml);
+    MakeGround(terrain_yaml);
   } catch (const InputError& e) {
     return e.what();
   }

@@ -16,14 +16,14 @@ using ::testing::HasSubstr;
 using namespace testing_soil;
 
 TEST(Site, DefaultsAreFortyMetresOfDirtCentredOnTheOrigin) {
-  const auto soil = MakeSite("{}");
-  const TerrainSurface& ground = soil->surface();
+  const Site site = SiteOf("{}");
+  const TerrainSurface& ground = site.surface();
   EXPECT_EQ(ground.nx, 801);
   EXPECT_EQ(ground.ny, 801);
   EXPECT_EQ(ground.origin_W_m, Vec2(-20, -20));
-  ASSERT_EQ(soil->soils().size(), 1u);
-  EXPECT_EQ(soil->soils()[0].name, "dirt");
-  EXPECT_FALSE(soil->georeference());
+  ASSERT_EQ(site.soils().size(), 1u);
+  EXPECT_EQ(site.soils()[0].name, "dirt");
+  EXPECT_FALSE(site.georeference());
 }
 
 TEST(Site, SizeAndCellSetTheGrid) {
@@ -53,7 +53,7 @@ TEST(Site, StrengthUnderRunningGearIsItsOwnOrThatOfTheGround) {
 }
 
 TEST(Site, StripsSetTheSoilAlongTheirAxis) {
-  const auto soil = MakeSite(
+  const auto soil = MakeGround(
       "size_m: [12, 4]\nsoils: [dirt, gravel, sand]\n"
       "strips:\n"
       "  - {soil: gravel, axis: x, from_m: -2, to_m: 2}\n"
@@ -91,7 +91,7 @@ TEST(Site, RegionsAndLayersSetWhatLiesWhere) {
 }
 
 TEST(Site, ARegionIsSeenWithItsExactOutline) {
-  const auto soil = MakeSite(
+  const auto soil = MakeGround(
       "size_m: [12, 6]\nsoils: [dirt, sand]\n"
       "regions:\n  - {outline_m: [[-2, -1], [2, -1], [0, 2]], soil: sand}\n");
   const TerrainSurface& ground = soil->surface();
@@ -143,7 +143,7 @@ TEST(Site, ReliefIsSeededAndKeepsToItsAmplitudeAndWavelength) {
 }
 
 TEST(Site, PileIsAConeOfLooseSoilAtItsReposeAngleAndStaysSo) {
-  const auto soil = MakeSite(
+  const auto soil = MakeGround(
       "size_m: [10, 10]\nsoil: dirt\npiles: [{xy_m: [1, -2], height_m: 1.0, soil: gravel}]\n");
   const TerrainSurface& ground = soil->surface();
   EXPECT_NEAR(ground.HeightAt(1, -2), 1.0, 1e-6);

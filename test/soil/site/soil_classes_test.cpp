@@ -67,7 +67,7 @@ TEST_F(SoilClassesTest, OnlyTilesWithABorderAreSeenVertexByVertex) {
   for (auto& row : rows) std::fill(row.begin() + 13, row.end(), 2);  // the border: x = -7 m
   WriteUtmRaster(File("soil.tif"), rows, 1.0);
   const auto soil =
-      MakeSite(ClassesYaml(File("soil.tif"), "{value: 1, soil: sand}, {value: 2, soil: dirt}"));
+      MakeGround(ClassesYaml(File("soil.tif"), "{value: 1, soil: sand}, {value: 2, soil: dirt}"));
   const TerrainSurface& ground = soil->surface();
   int refined = 0;
   double sand_m2 = 0;
@@ -117,13 +117,13 @@ TEST_F(SoilClassesTest, EveryFaultIsNamed) {
 }
 
 TEST_F(SoilClassesTest, WhatWasExportedComesBack) {
-  const auto soil = MakeSite(
+  const auto soil = MakeGround(
       "size_m: [8, 6]\ncell_m: 0.1\nsoils: [dirt, sand]\n"
       "regions:\n  - {outline_m: [[-2, -1], [2, -1], [0, 2]], soil: sand}\n");
   soil->WriteGeoTiff(File("soil.tif"), GroundRaster::kSoilClass, {46.8, -71.2, 80}, 1);
   const auto again =
-      MakeSite("cell_m: 0.1\n" +
-               ClassesYaml(File("soil.tif"), "{value: 0, soil: dirt}, {value: 1, soil: sand}"));
+      MakeGround("cell_m: 0.1\n" +
+                 ClassesYaml(File("soil.tif"), "{value: 0, soil: dirt}, {value: 1, soil: sand}"));
   const TerrainSurface &a = soil->surface(), &b = again->surface();
   ASSERT_EQ(a.nx, b.nx);
   ASSERT_EQ(a.ny, b.ny);

@@ -34,7 +34,7 @@ Pose TruckPose(double t_s, int cycle, double yaw_rad) {
 }
 
 TEST(DiggingCycles, AHundredDigsDumpsIntoATruckAndBesideItPushesAndDrivesLoseNoMass) {
-  auto soil = MakeSite(
+  auto soil = MakeGround(
       "size_m: [16, 16]\ncell_m: 0.1\nsoils: [dirt, wet_sand, gravel]\n"
       "relief: {amplitude_m: 0.03}\n"
       "layers:\n  - {soil: dirt, from_m: 0, to_m: 0.15}\n"

@@ -21,7 +21,7 @@ int AddBucket(Soil* soil) {
 }
 
 TEST(Digging, CycleDigsCarriesDumpsAndLosesNothing) {
-  auto soil = MakeSite("soil: dirt\nrelief: {amplitude_m: 0.02}\n");
+  auto soil = MakeGround("soil: dirt\nrelief: {amplitude_m: 0.02}\n");
   const int machine = AddBucket(soil.get());
   double carried_kg = 0, left_kg = 0;
   for (int cycle = 0; cycle < 3; ++cycle) {
@@ -47,7 +47,7 @@ TEST(Digging, CycleDigsCarriesDumpsAndLosesNothing) {
 }
 
 TEST(Digging, NothingWhenLifted) {
-  auto soil = MakeSite("soil: dirt\n");
+  auto soil = MakeGround("soil: dirt\n");
   const int machine = AddBucket(soil.get());
   const BucketPath path({{0, {0, 0, 1.0}, 1.5}, {1, {1, 0.5, 1.5}, 2.5}});
   RunBucket(soil.get(), machine, path, [](double, const BodyState&, const SoilReaction& reaction) {
@@ -60,7 +60,7 @@ TEST(Digging, NothingWhenLifted) {
 /// Mean backward force while an edge is dragged towards -x (turned by yaw) at a depth.
 double DragForce_n(double depth_m, double yaw_rad) {
   constexpr double pitch_rad = 100 * kDeg;
-  auto soil = MakeSite("soil: dirt\nsize_m: [10, 10]\n");
+  auto soil = MakeGround("soil: dirt\nsize_m: [10, 10]\n");
   const int machine = AddBucket(soil.get());
   const double z = 0.78 * std::sin(pitch_rad) - depth_m;
   const BucketPath path({{0, {0.5, 0, z}, pitch_rad}, {1, {-0.1, 0, z}, pitch_rad}}, yaw_rad);
@@ -91,7 +91,7 @@ TEST(Digging, ForceGrowsWithDepthWhicheverWayTheMachineFaces) {
 TEST(Digging, ForceOpposesMotionInEveryDirection) {
   const Stream random(3, "test/directions");
   for (int trial = 0; trial < 100; ++trial) {
-    auto soil = MakeSite("soil: dirt\nsize_m: [6, 6]\n");
+    auto soil = MakeGround("soil: dirt\nsize_m: [6, 6]\n");
     const int machine = AddBucket(soil.get());
     const auto uniform = [&](int lane, double low, double high) {
       return low + (high - low) * random.Uniform(trial, lane);
@@ -113,7 +113,7 @@ TEST(Digging, ForceOpposesMotionInEveryDirection) {
 }
 
 TEST(Digging, BladePushesAWindrowAheadAndCarriesNothing) {
-  auto soil = MakeSite("soil: dirt\nsize_m: [12, 8]\n");
+  auto soil = MakeGround("soil: dirt\nsize_m: [12, 8]\n");
   GroundTools tools;
   tools.shovels = {CompactBlade()};
   const int machine = soil->AddMachine(tools);
@@ -134,7 +134,7 @@ TEST(Digging, BladePushesAWindrowAheadAndCarriesNothing) {
 
 TEST(Digging, BucketPressedOnTheGroundBearsAMachineAndHolds) {
   // Lying on the bottom of its shell (mouth up) under 15 kN, free to move vertically.
-  auto soil = MakeSite("soil: dirt\nsize_m: [6, 6]\n");
+  auto soil = MakeGround("soil: dirt\nsize_m: [6, 6]\n");
   const int machine = AddBucket(soil.get());
   constexpr double kMass_kg = 1500;
   std::vector<BodyState> links(1);
@@ -155,7 +155,7 @@ TEST(Digging, BucketPressedOnTheGroundBearsAMachineAndHolds) {
 }
 
 TEST(Digging, TwoBucketsOfOneMachineCarryTheirOwnSoils) {
-  auto soil = MakeSite(
+  auto soil = MakeGround(
       "soils: [dirt, gravel]\nstrips:\n  - {soil: gravel, axis: y, from_m: 1, to_m: 20}\n");
   GroundTools tools;
   tools.shovels = {CompactBucket(), CompactBucket()};
@@ -190,7 +190,7 @@ TEST(Digging, TwoBucketsOfOneMachineCarryTheirOwnSoils) {
 }
 
 TEST(Digging, ATrenchThroughALayerBringsUpBothSoilsByTheirThickness) {
-  auto soil = MakeSite(
+  auto soil = MakeGround(
       "soils: [sand, gravel]\nlayers:\n  - {soil: sand, from_m: 0, to_m: 0.1}\n"
       "  - {soil: gravel, from_m: 0.1}\n");
   const int machine = AddBucket(soil.get());
@@ -207,7 +207,7 @@ TEST(Digging, ATrenchThroughALayerBringsUpBothSoilsByTheirThickness) {
 
 /// What is left in the bucket after a dig and a dump.
 double LeftAfterDump_kg(const std::string& soil_name) {
-  auto soil = MakeSite("soil: " + soil_name + "\n");
+  auto soil = MakeGround("soil: " + soil_name + "\n");
   const int machine = AddBucket(soil.get());
   double left_kg = 0;
   RunBucket(soil.get(), machine, DigCycle(0.25),
@@ -235,7 +235,7 @@ TEST(Digging, ClayFallsOutOfABucketWhoseMouthLooksDownButForAFewCentimetres) {
 
 TEST(Digging, AHeapedBucketSpillsWhenItIsSlewedHard) {
   const auto carried_kg = [](double sideways_mps2) {
-    auto soil = MakeSite("soil: dirt\n");
+    auto soil = MakeGround("soil: dirt\n");
     const int machine = AddBucket(soil.get());
     const BucketPath path = DigCycle(0.25);
     double carried_kg = 0;
@@ -264,7 +264,7 @@ TEST(Digging, ABucketDeepInTheGroundThrowsUpNoNeedles) {
   const Stream random(11, "test/needles");
   double highest_m = 0;
   for (int trial = 0; trial < 10; ++trial) {
-    auto soil = MakeSite("soil: dirt\nsize_m: [6, 6]\n");
+    auto soil = MakeGround("soil: dirt\nsize_m: [6, 6]\n");
     const int machine = AddBucket(soil.get());
     std::vector<BucketPlace> places = {{0, {0, 0, 0.9}, 90 * kDeg}};
     for (int n = 1; n <= 4; ++n) {
@@ -295,7 +295,7 @@ TEST(Digging, ABucketDeepInTheGroundThrowsUpNoNeedles) {
 
 TEST(Digging, TheWindrowBeforeABladeResistsByTheFrictionOfItsWeight) {
   // In sand without cohesion: the edge 4 cm deep over 4 m.
-  auto soil = MakeSite("soil: sand\nsize_m: [14, 8]\n");
+  auto soil = MakeGround("soil: sand\nsize_m: [14, 8]\n");
   GroundTools tools;
   tools.shovels = {CompactBlade()};
   const int machine = soil->AddMachine(tools);
@@ -329,7 +329,7 @@ TEST(Digging, TheWindrowBeforeABladeResistsByTheFrictionOfItsWeight) {
 
 TEST(Digging, SameSeedSameMotionSameBytes) {
   const auto run = [] {
-    auto soil = MakeSite("soil: dirt\nrelief: {amplitude_m: 0.1}\n");
+    auto soil = MakeGround("soil: dirt\nrelief: {amplitude_m: 0.1}\n");
     const int machine = AddBucket(soil.get());
     RunBucket(soil.get(), machine, DigCycle(0.2), [](double, const BodyState&, const auto&) {});
     std::vector<float> heights;
@@ -350,7 +350,7 @@ TEST(Digging, SameSeedSameMotionSameBytes) {
 }
 
 TEST(Digging, QuietTilesKeepTheirVersion) {
-  auto soil = MakeSite("soil: dirt\n");
+  auto soil = MakeGround("soil: dirt\n");
   const int machine = AddBucket(soil.get());
   RunBucket(soil.get(), machine, DigCycle(), [](double, const BodyState&, const auto&) {});
   const TerrainSurface& ground = soil->surface();

@@ -1,3 +1,5 @@
+#include "sim/operators/operator_plan.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -47,9 +49,9 @@ struct Cart {
 
 std::unique_ptr<Operator> Read(const std::string& yaml, const Cart& cart) {
   const Config config = Config::FromText(yaml, "operator.yaml");
-  auto driver = ReadOperator(config.root(), cart.model, {.seed = 3, .machine = "cart1"});
+  const OperatorPlan plan = ReadOperatorPlan(config.root(), cart.model);
   config.Finish();
-  return driver;
+  return MakeOperator(plan, cart.model, {.seed = 3, .machine = "cart1"});
 }
 
 std::string WriteFile(const std::string& name, const std::string& text) {
@@ -164,8 +166,9 @@ TEST(RandomLevers, UndoEveryPieceOfADriveByItsOpposite) {
 TEST(RandomLevers, DependOnSeedAndMachineAlone) {
   Cart cart;
   const Config config = Config::FromText("{type: random_levers}", "operator.yaml");
+  const OperatorPlan plan = ReadOperatorPlan(config.root(), cart.model);
   const auto at_10_s = [&](std::uint64_t seed, const char* machine) {
-    const auto driver = ReadOperator(config.root(), cart.model, {seed, machine});
+    const auto driver = MakeOperator(plan, cart.model, {seed, machine});
     std::vector<double> all;
     for (int step = 0; step < 100; ++step) {
       for (const double u : cart.Levers(driver.get(), 0.1 * step)) all.push_back(u);
@@ -182,7 +185,7 @@ TEST(RandomLevers, RefusePiecesWithoutAnOrder) {
   EXPECT_THROW(Read("{type: random_levers, shortest_s: 2, longest_s: 1}", cart), InputError);
 }
 
-TEST(ReadOperator, NamesTheJointThatADigCycleLacks) {
+TEST(ReadOperatorPlan, NamesTheJointThatADigCycleLacks) {
   const Cart cart;
   try {
     Read("{type: dig_cycle}", cart);
@@ -199,7 +202,7 @@ std::string DigFaults(const std::string& keys) {
   machine.Finish();
   const Config config = Config::FromText("{type: dig_cycle, " + keys + "}", "operator.yaml");
   try {
-    ReadOperator(config.root(), model, {.seed = 3, .machine = "excavator1"});
+    ReadOperatorPlan(config.root(), model);
     config.Finish();
   } catch (const InputError& e) {
     return e.what();
@@ -207,7 +210,7 @@ std::string DigFaults(const std::string& keys) {
   return "";
 }
 
-TEST(ReadOperator, RefusesJointsThatAreNoArmOnASlewingPost) {
+TEST(ReadOperatorPlan, RefusesJointsThatAreNoArmOnASlewingPost) {
   EXPECT_EQ(DigFaults("cycles: 2"), "");
   EXPECT_THAT(DigFaults("boom: arm"),
               HasSubstr("operator.yaml:1:25: boom: joint 'arm' does not carry joint 'arm'"));
@@ -217,7 +220,7 @@ TEST(ReadOperator, RefusesJointsThatAreNoArmOnASlewingPost) {
   EXPECT_THAT(DigFaults("slew: blade"), HasSubstr("slew: joint 'blade' does not turn the boom"));
 }
 
-TEST(ReadOperator, RefusesMoreDigCyclesThanAnyRunHolds) {
+TEST(ReadOperatorPlan, RefusesMoreDigCyclesThanAnyRunHolds) {
   EXPECT_THAT(DigFaults("patience_s: 0"), HasSubstr("patience_s: 0 is out of range"));
   EXPECT_THAT(DigFaults("servo_gain_1ps: 0"), HasSubstr("servo_gain_1ps: 0 is out of range"));
   EXPECT_THAT(DigFaults("slew_braking_degps2: -1"), HasSubstr("slew_braking_degps2: -1 is out of"));

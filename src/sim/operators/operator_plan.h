@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <variant>
+
+#include "core/config/config.h"
+#include "sim/operators/dig_cycle.h"
+#include "sim/operators/lever_replay.h"
+#include "sim/operators/operator.h"
+#include "sim/operators/random_levers.h"
+#include "sim/operators/waypoint_driver.h"
+
+namespace tera {
+
+/// Leaves every lever neutral.
+struct IdlePlan {};
+
+/// Who drives a machine, and what for, as a scenario says it. It stays as it is; MakeOperator gives
+/// each run an operator of its own. A new kind has its entry here and its name in ReadOperatorPlan.
+using OperatorPlan = std::variant<IdlePlan, LeverReplayPlan, TwistReplayPlan, WaypointPlan, DigPlan,
+                                  RandomLeversPlan>;
+
+/// Reads a machine's `operator:` mapping. `type` is one of idle, lever_replay, twist_replay,
+/// waypoints, dig_cycle, random_levers. Faults (a joint or lever the machine lacks, an unreadable
+/// file) go to `config`.
+OperatorPlan ReadOperatorPlan(const ConfigMap& config, const MachineModel& model);
+
+/// An operator at the beginning of its work.
+std::unique_ptr<Operator> MakeOperator(const OperatorPlan& plan, const MachineModel& model,
+                                       const OperatorStream& stream);
+
+/// The levers that a plan replays, a row wherever they may change, a column for each lever of the
+/// model. No rows for operators that look at the machine before they act.
+CommandTable ReplayedLevers(const OperatorPlan& plan, const MachineModel& model);
+
+}  // namespace tera

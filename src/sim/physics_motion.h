@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "physics/dynamics/physics_world.h"
+#include "sim/motion_source.h"
+#include "sim/operators/operator.h"
+#include "sim/scenario/scenario.h"
+
+namespace tera {
+
+/// One operator for each machine.
+using Operators = std::vector<std::unique_ptr<Operator>>;
+
+/// The operators that a scenario gives its machines, at the beginning of their work.
+Operators OperatorsOf(const Scenario& scenario);
+
+/// Machines that obey operators and move by physics.
+///
+/// Model   operators give levers from the machines and the ground at a step's start; while the
+///         machines settle all levers are neutral. Then PhysicsWorld.
+class PhysicsMotion : public MotionSource {
+ public:
+  /// Keeps a reference to `scenario`.
+  PhysicsMotion(const Scenario& scenario, Operators operators);
+
+  void Start(const Begin& begin, WorldState* world) override;
+  void Move(const Step& step, WorldState* world) override;
+  bool IsKnown(std::size_t) const override { return true; }
+
+ private:
+  std::vector<double> LeversOf(std::size_t machine, const WorldState& world);
+
+  const Scenario& scenario_;
+  Operators operators_;
+  TimeNs start_ns_ = 0;
+  std::unique_ptr<PhysicsWorld> physics_;
+};
+
+}  // namespace tera

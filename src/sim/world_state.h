@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "core/motion.h"
+#include "core/time.h"
+#include "physics/description/machine.h"
+#include "soil/soil.h"
+
+namespace tera {
+
+/// Everything that moves, at one instant, but for the ground: cheap to copy.
+struct Instant {
+  TimeNs t_ns = 0;
+  std::vector<MachineState> machines;
+  std::vector<BodyState> obstacles;
+  std::vector<BedLoad> beds;  ///< one for each obstacle; nothing where it has no bed
+};
+
+/// The world as it is now: what moves, and the ground, which exists once and is never copied.
+class WorldState : public Instant {
+ public:
+  explicit WorldState(std::unique_ptr<Soil> ground) : ground_(std::move(ground)) {}
+
+  const Soil& ground() const { return *ground_; }
+  Soil& ground() { return *ground_; }
+
+ private:
+  std::unique_ptr<Soil> ground_;
+};
+
+}  // namespace tera
