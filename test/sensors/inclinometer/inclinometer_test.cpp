@@ -144,9 +144,9 @@ TEST(Inclinometer, NoiseHasTheStatedDeviationsAboutTheBias) {
 TEST(Inclinometer, VibrationShakesTheTiltLessBehindItsFilterAndShiftsItByItsSquare) {
   // Level. Noise of rms a along x is a / g of tilt; behind a first-order filter over samples T
   // apart it is sqrt(c / (2 - c)) of that, c = 1 - e^(-T / tau). The shift is k a^2 / g.
-  const double n = 4000, rms_mps2 = 0.5, k_s2pm = 0.02, tau_s = 0.05;
+  const double n = 4000, rms_mps2 = 0.5, k_s2pm = 0.5, tau_s = 0.05;
   const auto samples = Samples(
-      ", vibration_rms_mps2: 0.5, vibration_rectification_s2pm: 0.02, time_constant_s: 0.05",
+      ", vibration_rms_mps2: 0.5, vibration_rectification_s2pm: 0.5, time_constant_s: 0.05",
       [](double) { return Leaning(0); }, n / 100);
   double sum = 0, squares = 0;
   const std::size_t settled = 100;  // 20 time constants
@@ -190,7 +190,9 @@ TEST(Inclinometer, ItsRowsAreReadBackFromADataset) {
   const SensorDescription sensor = SensorOf(kKeys + ", noise_deg: 0.1");
   const auto rows = RowsOf(
       sensor, [](double) { return Leaning(kLean_deg); }, 0.1);
-  DatasetWriter writer(OwnFolder() / "run", {}, {});
+  DatasetInfo info;
+  info.scenario_name = "tilt";
+  DatasetWriter writer(OwnFolder() / "run", info, {});
   const ChannelId channel = writer.AddChannel(
       {"m/tilt", TypeOf(sensor), KindOf(sensor).form, SensorYaml(sensor), ColumnsOf(sensor, {})});
   for (const RowSample& row : rows) writer.Write(channel, row);
