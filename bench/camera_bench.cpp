@@ -59,14 +59,16 @@ void CameraStillScene(benchmark::State& state, const std::string& name) {
 /// Colour alone: neither depth nor labels.
 void CameraColourOnly(benchmark::State& state, const std::string& name) {
   CameraModel model = ModelOf(name);
-  model.depth = model.labels = false;
+  model.depth = false;
+  model.labels.reset();
   Expose(state, name, model, Scene::kMoving);
 }
 
 /// Colour, depth, classes, instances, boxes.
 void CameraAllOutputs(benchmark::State& state, const std::string& name) {
   CameraModel model = ModelOf(name);
-  model.depth = model.labels = true;
+  model.depth = true;
+  model.labels = UsualLabels();
   Expose(state, name, model, Scene::kMoving);
 }
 

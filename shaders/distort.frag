@@ -1,15 +1,17 @@
 // From the pinhole picture to the camera's own, which its lens distorts. Colour is blended; labels
-// are those of the nearest pixel; depth is blended as 1 / Z, which is exact on planes, where the
+// and normals are those of the nearest pixel; depth is blended as 1 / Z, which is exact on planes, where the
 // four pixels around belong to one smooth surface, else it is the nearest pixel's.
 
 uniform sampler2D u_colour;
 uniform sampler2D u_depth;
 uniform usampler2D u_label;
+uniform sampler2D u_normal;
 uniform sampler2D u_map;  // source position in pixels, centre of the first at (0, 0)
 
 layout(location = 0) out vec4 o_colour;
 layout(location = 1) out uint o_label;
 layout(location = 2) out float o_depth;
+layout(location = 3) out vec4 o_normal;
 
 void main() {
   vec2 at = texelFetch(u_map, ivec2(gl_FragCoord.xy), 0).xy;
@@ -19,6 +21,7 @@ void main() {
   vec2 f = clamp(at - vec2(corner), 0.0, 1.0);
   o_colour = texture(u_colour, (at + 0.5) / vec2(last + 1));
   o_label = texelFetch(u_label, nearest, 0).x;
+  o_normal = texelFetch(u_normal, nearest, 0);
   float d00 = texelFetch(u_depth, corner, 0).x;
   float d10 = texelFetch(u_depth, corner + ivec2(1, 0), 0).x;
   float d01 = texelFetch(u_depth, corner + ivec2(0, 1), 0).x;

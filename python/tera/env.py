@@ -293,6 +293,14 @@ def _encoder(sample):
     return {"position": np.array(sample.position), "rate": np.array(sample.rate)}
 
 
+_LABEL_FORMS = {1: (np.uint8, ()), 2: (np.uint16, ()), 3: (np.uint8, (3,)), 6: (np.uint16, (3,))}  # by bytes of a pixel
+
+
+def _label_picture(data, height_px, width_px):
+    dtype, components = _LABEL_FORMS[len(data) // (height_px * width_px)]
+    return np.frombuffer(data, np.dtype(dtype).newbyteorder("<")).reshape((height_px, width_px) + components)
+
+
 def _camera(frame):
     arrays = {}
     for name, dtype in _PICTURES.items():
@@ -300,6 +308,8 @@ def _camera(frame):
         if data:
             shape = (frame.height_px, frame.width_px) + ((3,) if name == "rgb" else ())
             arrays[name] = np.frombuffer(data, dtype).reshape(shape)
+    for name, data in frame.labels.items():
+        arrays[name] = _label_picture(data, frame.height_px, frame.width_px)
     return arrays
 
 
@@ -335,9 +345,9 @@ def _sensor_spaces(sensor):
             spaces[f"{name}/rgb"] = Box(0, 255, shape + (3,), np.uint8)
         if camera.depth:
             spaces[f"{name}/depth_m"] = Box(0.0, np.inf, shape, np.float32)
-        if camera.labels:
-            spaces[f"{name}/semantic"] = Box(0, 255, shape, np.uint8)
-            spaces[f"{name}/instance"] = Box(0, 65535, shape, np.uint16)
+        for channel in camera.label_channels:
+            dtype, components = _LABEL_FORMS[channel.components * channel.component_bytes]
+            spaces[f"{name}/{channel.name}"] = Box(0, np.iinfo(dtype).max, shape + components, dtype)
         return spaces
     shapes = {"imu": (6,), "gnss": (4,), "encoder": (2, len(sensor.encoder_axes))}
     if sensor.columns:

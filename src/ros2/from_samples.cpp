@@ -143,12 +143,15 @@ Image DepthMessage(const CameraFrame& frame, const std::string& frame_id) {
   return ImageMessage({frame.t_ns, frame_id}, "32FC1", depth_m);
 }
 
-Image SemanticMessage(const CameraFrame& frame, const std::string& frame_id) {
-  return ImageMessage({frame.t_ns, frame_id}, "mono8", frame.semantic);
-}
-
-Image InstanceMessage(const CameraFrame& frame, const std::string& frame_id) {
-  return ImageMessage({frame.t_ns, frame_id}, "mono16", frame.instance);
+Image LabelMessage(const LabelChannel& channel, const CameraFrame& frame,
+                   const std::string& frame_id) {
+  const std::string bits = std::to_string(8 * ComponentBytes(channel));
+  const std::string encoding = (channel.components == 3 ? "rgb" : "mono") + bits;
+  return std::visit(
+      [&](const auto picture) {
+        return ImageMessage({frame.t_ns, frame_id}, encoding, frame.*picture);
+      },
+      channel.picture);
 }
 
 PointCloud2 PointCloudMessage(const LidarScan& scan, const std::string& frame_id) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/types/label_channels.h"
 #include "core/types/measurement.h"
 #include "ros2/messages.h"
 #include "sensors/camera/camera.h"
@@ -37,10 +38,9 @@ CameraInfo CameraInfoMessage(const Header& header, const CameraIntrinsics& intri
 Image ColourMessage(const CameraFrame& frame, const std::string& frame_id);
 /// `32FC1`, metres; NaN, as REP 118 asks, where there is no measurement.
 Image DepthMessage(const CameraFrame& frame, const std::string& frame_id);
-/// `mono8`, the number of the class as in dataset.yaml.
-Image SemanticMessage(const CameraFrame& frame, const std::string& frame_id);
-/// `mono16`, the number of the instance as in dataset.yaml; 0: none.
-Image InstanceMessage(const CameraFrame& frame, const std::string& frame_id);
+/// `mono8`, `mono16` or `rgb16`: the numbers of the dataset's files.
+Image LabelMessage(const LabelChannel& channel, const CameraFrame& frame,
+                   const std::string& frame_id);
 
 /// Fields x, y, z, intensity (float32), ring (uint16), label (uint8), time (float32, seconds since
 /// the stamp, which is the scan's first ray), instance (uint16); 28 bytes a point.

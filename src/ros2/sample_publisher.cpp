@@ -18,7 +18,10 @@ const std::string kFix = "fix";
 const std::string kPoints = "points";
 const std::string kColour = "image_raw", kCameraInfo = "camera_info";
 const std::string kDepth = "depth/image_raw", kDepthInfo = "depth/camera_info";
-const std::string kSemantic = "semantic/image_raw", kInstance = "instance/image_raw";
+
+std::string LabelTopic(const LabelChannel& channel) {
+  return std::string(channel.name) + "/image_raw";
+}
 
 std::string MachineOf(const std::string& folder) { return folder.substr(0, folder.find('/')); }
 
@@ -107,9 +110,9 @@ void SamplePublisher::AddCamera(const ChannelInfo&, Channel* channel) {
     AddTopic<Image>(kDepth, Delivery::kLarge, channel);
     AddTopic<CameraInfo>(kDepthInfo, Delivery::kLarge, channel);
   }
-  if (camera.labels) {
-    AddTopic<Image>(kSemantic, Delivery::kLarge, channel);
-    AddTopic<Image>(kInstance, Delivery::kLarge, channel);
+  for (const LabelChannel& label : kLabelChannels) {
+    if (camera.labels[IndexOf(label)])
+      AddTopic<Image>(LabelTopic(label), Delivery::kLarge, channel);
   }
 }
 
@@ -146,8 +149,9 @@ void SamplePublisher::Write(const Channel& channel, const CameraFrame& frame) {
   send(kCameraInfo, info);
   send(kDepth, [&] { return DepthMessage(frame, channel.frame_id); });
   send(kDepthInfo, info);
-  send(kSemantic, [&] { return SemanticMessage(frame, channel.frame_id); });
-  send(kInstance, [&] { return InstanceMessage(frame, channel.frame_id); });
+  for (const LabelChannel& label : kLabelChannels) {
+    send(LabelTopic(label), [&] { return LabelMessage(label, frame, channel.frame_id); });
+  }
 }
 
 void SamplePublisher::Write(const Channel& channel, const LidarScan& scan) {

@@ -113,7 +113,14 @@ void PutCamera(const CameraModel& model, v1::CameraDescription* message) {
   message->set_k3(lens.k3);
   message->set_rgb(model.rgb);
   message->set_depth(model.depth);
-  message->set_labels(model.labels);
+  message->set_labels(model.labels[kSemanticChannel] && model.labels[kInstanceChannel]);
+  for (const LabelChannel& channel : kLabelChannels) {
+    if (!model.labels[IndexOf(channel)]) continue;
+    v1::LabelChannel& label = *message->add_label_channels();
+    label.set_name(std::string(channel.name));
+    label.set_components(channel.components);
+    label.set_component_bytes(ComponentBytes(channel));
+  }
   message->set_depth_min_m(model.depth_min_m);
   message->set_depth_max_m(model.depth_max_m);
 }

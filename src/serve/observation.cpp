@@ -67,7 +67,12 @@ double SampleBytes(const SensorDescription& sensor, const MachineModel& machine)
   const auto of_camera = [](const CameraModel& camera) {
     const double pixels = static_cast<double>(camera.intrinsics.width_px) *
                           static_cast<double>(camera.intrinsics.height_px);
-    return pixels * ((camera.rgb ? 3 : 0) + (camera.depth ? 4 : 0) + (camera.labels ? 3 : 0));
+    double each = (camera.rgb ? 3 : 0) + (camera.depth ? 4 : 0);
+    for (const LabelChannel& channel : kLabelChannels) {
+      if (!camera.labels[IndexOf(channel)]) continue;
+      each += channel.components * static_cast<double>(ComponentBytes(channel));
+    }
+    return pixels * each;
   };
   const auto of_lidar = [](const LidarModel& lidar) {
     constexpr double kPoint_bytes = 3 * 4 + 4 + 4 + 2 + 1 + 2;

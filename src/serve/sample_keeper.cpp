@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/overloaded.h"
+#include "core/types/label_channels.h"
 #include "core/types/sample_rows.h"
 #include "serve/geometry_messages.h"
 
@@ -73,21 +74,26 @@ PutSample PutOf(const std::string& type) {
   return found == own.end() ? PutRow : found->second;
 }
 
+/// All pictures of a frame have one size.
+template <typename T>
+void PutPicture(const Image<T>& picture, std::string* bytes, v1::CameraFrame* message) {
+  if (picture.empty()) return;
+  message->set_width_px(picture.width_px);
+  message->set_height_px(picture.height_px);
+  PutBytes(picture.data, bytes);
+}
+
 void PutFrame(const CameraFrame& frame, v1::SensorSamples* samples) {
   v1::CameraFrame& message = *samples->add_camera();
   PutTimes(frame, &message);
-  for (const auto& [width_px, height_px] :
-       {std::pair(frame.rgb.width_px, frame.rgb.height_px),
-        std::pair(frame.depth_m.width_px, frame.depth_m.height_px),
-        std::pair(frame.semantic.width_px, frame.semantic.height_px)}) {
-    if (width_px == 0) continue;
-    message.set_width_px(width_px);
-    message.set_height_px(height_px);
-  }
-  PutBytes(frame.rgb.data, message.mutable_rgb());
-  PutBytes(frame.depth_m.data, message.mutable_depth_m());
-  PutBytes(frame.semantic.data, message.mutable_semantic());
-  PutBytes(frame.instance.data, message.mutable_instance());
+  PutPicture(frame.rgb, message.mutable_rgb(), &message);
+  PutPicture(frame.depth_m, message.mutable_depth_m(), &message);
+  PutPicture(frame.semantic, message.mutable_semantic(), &message);
+  PutPicture(frame.instance, message.mutable_instance(), &message);
+  ForEachLabel(frame, [&](const LabelChannel& channel, const auto& picture) {
+    if (channel.is_usual || picture.empty()) return;
+    PutPicture(picture, &(*message.mutable_labels())[std::string(channel.name)], &message);
+  });
 }
 
 void PutScan(const LidarScan& scan, v1::SensorSamples* samples) {

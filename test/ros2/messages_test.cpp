@@ -241,10 +241,16 @@ TEST(SampleMessages, PicturesKeepTheirRowsAndDepthHasNanWhereNothingWasMeasured)
   std::memcpy(z_m, depth.data.data(), sizeof z_m);
   EXPECT_EQ(z_m[0], 2.5f);
   EXPECT_TRUE(std::isnan(z_m[1]));
-  const ros::Image instance = ros::InstanceMessage(frame, "eye");
+  const ros::Image instance = ros::LabelMessage(kLabelChannels[kInstanceChannel], frame, "eye");
   EXPECT_EQ(instance.encoding, "mono16");
   EXPECT_EQ(instance.step_bytes, 2u);
   EXPECT_THAT(instance.data, ElementsAre(1, 0, 2, 1));
+  frame.normal = Image<std::uint16_t>(1, 1, 3);
+  frame.normal.data = {1, 258, 65534};
+  const ros::Image normal = ros::LabelMessage(kLabelChannels[kNormalChannel], frame, "eye");
+  EXPECT_EQ(normal.encoding, "rgb16");
+  EXPECT_EQ(normal.step_bytes, 6u);
+  EXPECT_THAT(normal.data, ElementsAre(1, 0, 2, 1, 254, 255));
 }
 
 TEST(SampleMessages, PointsAreWhereTheirFieldsSay) {

@@ -118,9 +118,22 @@ TEST(ReadSensor, CameraKeysReachTheModel) {
   EXPECT_EQ(Vec2(c.near_m, c.far_m), Vec2(0.2, 50));
   EXPECT_FALSE(m.rgb);
   EXPECT_TRUE(m.depth);
-  EXPECT_FALSE(m.labels);
+  EXPECT_TRUE(m.labels.none());
   EXPECT_EQ(Vec2(m.depth_min_m, m.depth_max_m), Vec2(0.3, 9));
   EXPECT_EQ(Vec3(m.disparity_noise_px, m.baseline_m, m.rgb_noise), Vec3(0.1, 0.07, 3));
+}
+
+TEST(ReadSensor, LabelsAreTheUsualOnesNoneOrThoseOfAList) {
+  const auto labels = [](const std::string& keys) {
+    return LabelsYaml(
+        ModelOf<CameraModel>("type: camera, width_px: 8, height_px: 6, fx_px: 9" + keys).labels);
+  };
+  EXPECT_EQ(labels(""), "true");
+  EXPECT_EQ(labels(", labels: true"), "true");
+  EXPECT_EQ(labels(", labels: false"), "false");
+  EXPECT_EQ(labels(", labels: [instance, semantic]"), "true");
+  EXPECT_EQ(labels(", labels: [normal]"), "[normal]");
+  EXPECT_EQ(labels(", labels: [normal, semantic, instance]"), "[semantic, instance, normal]");
 }
 
 TEST(ReadSensor, AFieldOfViewSpansTheImageFromEdgeToEdge) {
@@ -188,6 +201,9 @@ TEST(ReadSensor, ModelsThatContradictThemselvesAreRefused) {
   EXPECT_THAT(FaultOf(camera + ", fx_px: 3, depth_min_m: 5, depth_max_m: 4"),
               HasSubstr("depth_min_m < depth_max_m"));
   EXPECT_THAT(FaultOf(camera + ", fx_px: 3, rgb: false, labels: false"), HasSubstr("all off"));
+  EXPECT_THAT(FaultOf(camera + ", fx_px: 3, labels: [semantic, norml]"),
+              AllOf(HasSubstr("labels: 'norml' is no label channel"), HasSubstr("'normal'"),
+                    HasSubstr("need some of semantic, instance, normal")));
   const std::string lidar = "name: l, type: lidar, link: b, rate_hz: 10, elevation_deg: [1, 2]";
   EXPECT_THAT(FaultOf(lidar + ", columns: 10, azimuth_offset_deg: [1]"),
               HasSubstr("need a list of 2 numbers"));

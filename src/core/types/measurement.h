@@ -66,6 +66,8 @@ struct EncoderSample {
 /// A row-major image of `channels` interleaved samples.
 template <typename T>
 struct Image {
+  using Pixel = T;  ///< of one channel
+
   int width_px = 0;
   int height_px = 0;
   int channels = 1;
@@ -111,6 +113,7 @@ struct CameraFrame {
   Image<float> depth_m;           ///< planar depth (z in C); 0 where there is no measurement
   Image<std::uint8_t> semantic;   ///< SemanticClass
   Image<std::uint16_t> instance;  ///< 0: none; else index of the instance in dataset.yaml
+  Image<std::uint16_t> normal;    ///< 3 channels: surface_normal.h
   std::vector<ObjectBox> boxes;
 };
 

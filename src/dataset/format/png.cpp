@@ -67,25 +67,48 @@ Image<T> FromMat(const cv::Mat& mat) {
   return image;
 }
 
+constexpr char kRgb[] = "8-bit RGB", kGrey[] = "8-bit grey", kRgb16[] = "16-bit RGB",
+               kGrey16[] = "16-bit grey";
+
+/// PNG has the components of a pixel in the order RGB, OpenCV wants BGR.
+template <typename T>
+std::string EncodeAny(const Image<T>& image, int depth) {
+  TERA_CHECK(image.channels == 1 || image.channels == 3, image.channels);
+  const cv::Mat view = View(image, CV_MAKETYPE(depth, image.channels));
+  if (image.channels == 1) return Encode(view);
+  cv::Mat bgr;
+  cv::cvtColor(view, bgr, cv::COLOR_RGB2BGR);
+  return Encode(bgr);
+}
+
+template <typename T>
+Image<T> ReadAny(const std::filesystem::path& file, int depth, int components, const char* need) {
+  cv::Mat image = Decode(file, CV_MAKETYPE(depth, components), need);
+  if (components == 3) cv::cvtColor(image, image, cv::COLOR_BGR2RGB);
+  return FromMat<T>(image);
+}
+
 }  // namespace
 
 void PreparePng() { TERA_CHECK(cv::haveImageWriter(".png"), "OpenCV"); }
 
+std::string EncodePng(const Image<std::uint8_t>& image) { return EncodeAny(image, CV_8U); }
+
+std::string EncodePng(const Image<std::uint16_t>& image) { return EncodeAny(image, CV_16U); }
+
 std::string EncodeRgbPng(const Image<std::uint8_t>& rgb) {
   TERA_CHECK(rgb.channels == 3, rgb.channels);
-  cv::Mat bgr;
-  cv::cvtColor(View(rgb, CV_8UC3), bgr, cv::COLOR_RGB2BGR);
-  return Encode(bgr);
+  return EncodePng(rgb);
 }
 
 std::string EncodeGreyPng(const Image<std::uint8_t>& grey) {
   TERA_CHECK(grey.channels == 1, grey.channels);
-  return Encode(View(grey, CV_8UC1));
+  return EncodePng(grey);
 }
 
 std::string EncodeGrey16Png(const Image<std::uint16_t>& grey) {
   TERA_CHECK(grey.channels == 1, grey.channels);
-  return Encode(View(grey, CV_16UC1));
+  return EncodePng(grey);
 }
 
 Image<std::uint16_t> DepthMillimetres(const Image<float>& depth_m) {
@@ -107,18 +130,24 @@ Image<float> DepthMetres(const Image<std::uint16_t>& depth_mm) {
   return depth_m;
 }
 
+void ReadPng(const std::filesystem::path& file, int components, Image<std::uint8_t>* image) {
+  *image = ReadAny<std::uint8_t>(file, CV_8U, components, components == 3 ? kRgb : kGrey);
+}
+
+void ReadPng(const std::filesystem::path& file, int components, Image<std::uint16_t>* image) {
+  *image = ReadAny<std::uint16_t>(file, CV_16U, components, components == 3 ? kRgb16 : kGrey16);
+}
+
 Image<std::uint8_t> ReadRgbPng(const std::filesystem::path& file) {
-  cv::Mat rgb;
-  cv::cvtColor(Decode(file, CV_8UC3, "8-bit RGB"), rgb, cv::COLOR_BGR2RGB);
-  return FromMat<std::uint8_t>(rgb);
+  return ReadAny<std::uint8_t>(file, CV_8U, 3, kRgb);
 }
 
 Image<std::uint8_t> ReadGreyPng(const std::filesystem::path& file) {
-  return FromMat<std::uint8_t>(Decode(file, CV_8UC1, "8-bit grey"));
+  return ReadAny<std::uint8_t>(file, CV_8U, 1, kGrey);
 }
 
 Image<std::uint16_t> ReadGrey16Png(const std::filesystem::path& file) {
-  return FromMat<std::uint16_t>(Decode(file, CV_16UC1, "16-bit grey"));
+  return ReadAny<std::uint16_t>(file, CV_16U, 1, kGrey16);
 }
 
 }  // namespace tera

@@ -8,6 +8,7 @@
 
 #include "core/config/config.h"
 #include "core/error.h"
+#include "core/types/label_channels.h"
 #include "core/types/sample_rows.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/format/csv_rows.h"
@@ -304,7 +305,7 @@ std::vector<TimeNs> Recording::FrameTimes(const std::string& folder) const {
 CameraFrame Recording::LoadFrame(const std::string& folder, TimeNs t_ns) const {
   CameraFrame frame;
   frame.t_ns = frame.t_available_ns = t_ns;
-  const auto file = [&](const char* kind, const char* ending) {
+  const auto file = [&](std::string_view kind, const char* ending) {
     return directory_ / folder / kind / fmt::format("{}.{}", t_ns, ending);
   };
   bool any = false;
@@ -316,8 +317,10 @@ CameraFrame Recording::LoadFrame(const std::string& folder, TimeNs t_ns) const {
   };
   if (has(file("rgb", "png"))) frame.rgb = ReadRgbPng(file("rgb", "png"));
   if (has(file("depth", "png"))) frame.depth_m = DepthMetres(ReadGrey16Png(file("depth", "png")));
-  if (has(file("semantic", "png"))) frame.semantic = ReadGreyPng(file("semantic", "png"));
-  if (has(file("instance", "png"))) frame.instance = ReadGrey16Png(file("instance", "png"));
+  ForEachLabel(frame, [&](const LabelChannel& channel, auto& picture) {
+    const fs::path png = file(channel.name, "png");
+    if (has(png)) ReadPng(png, channel.components, &picture);
+  });
   if (has(file("boxes", "json"))) frame.boxes = ReadBoxes(file("boxes", "json"));
   if (!any) {
     throw InputError(fmt::format("{}: there is no image of t_ns {}; data.csv names one",

@@ -8,6 +8,7 @@
 
 #include "core/check.h"
 #include "core/error.h"
+#include "core/types/label_channels.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/files/folder_lock.h"
 #include "dataset/files/frame_log.h"
@@ -252,7 +253,7 @@ FrameLog::File DatasetWriter::Impl::WriteFile(const std::string& name, const std
 
 void DatasetWriter::Impl::WriteCamera(const std::string& folder, const CameraFrame& frame) {
   std::vector<FrameLog::File> files;
-  const auto name = [&](const char* kind, const char* ending) {
+  const auto name = [&](std::string_view kind, const char* ending) {
     return fmt::format("{}/{}/{}.{}", folder, kind, frame.t_ns, ending);
   };
   if (!frame.rgb.empty()) files.push_back(WriteFile(name("rgb", "png"), EncodeRgbPng(frame.rgb)));
@@ -260,12 +261,13 @@ void DatasetWriter::Impl::WriteCamera(const std::string& folder, const CameraFra
     files.push_back(
         WriteFile(name("depth", "png"), EncodeGrey16Png(DepthMillimetres(frame.depth_m))));
   }
-  if (!frame.semantic.empty()) {
-    files.push_back(WriteFile(name("semantic", "png"), EncodeGreyPng(frame.semantic)));
-    files.push_back(WriteFile(name("boxes", "json"), EncodeBoxes(frame.t_ns, frame.boxes)));
-  }
+  ForEachLabel(frame, [&](const LabelChannel& channel, const auto& picture) {
+    if (picture.empty()) return;
+    if (!channel.is_usual) MakeFolder(root / folder / channel.name);
+    files.push_back(WriteFile(name(channel.name, "png"), EncodePng(picture)));
+  });
   if (!frame.instance.empty()) {
-    files.push_back(WriteFile(name("instance", "png"), EncodeGrey16Png(frame.instance)));
+    files.push_back(WriteFile(name("boxes", "json"), EncodeBoxes(frame.t_ns, frame.boxes)));
   }
   TERA_CHECK(!files.empty(), folder, frame.t_ns);
   frame_log->Append(folder, frame.t_ns, files);

@@ -50,7 +50,7 @@ Picture FilmFrame(const Recording& recording, const std::vector<CameraTrack>& ca
       Paste(FitTile(frame.rgb, kTileWidth_px, kTileHeight_px, caption), x_px, 0, &sheet);
     }
     if (!frame.semantic.empty()) {
-      const Picture classes = ColourClasses(frame.semantic);
+      const Picture classes = ColourLabels(LabelColours::kClasses, frame.semantic);
       Paste(FitTile(classes, kTileWidth_px, kTileHeight_px, "classes"), x_px, kTileHeight_px,
             &sheet);
     }

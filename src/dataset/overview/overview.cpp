@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/types/label_channels.h"
 #include "core/units.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/format/png.h"
@@ -25,22 +26,27 @@ constexpr int kScanWidth_px = kSheetWidth_px / 2, kScanHeight_px = 600;
 /// The frame in the middle of a recording, where work is going on.
 TimeNs Middle(const std::vector<TimeNs>& times) { return times[times.size() / 2]; }
 
-/// RGB, depth, classes and instances of one camera side by side.
+/// Colour, depth and labels of one camera side by side, in as many lines as they need.
 Picture CameraRow(const Recording& recording, const std::string& folder) {
-  Picture row(kSheetWidth_px, kTileHeight_px, 3);
   const auto times = recording.FrameTimes(folder);
-  if (times.empty()) return row;
+  if (times.empty()) return Picture(kSheetWidth_px, kTileHeight_px, 3);
   const CameraFrame frame = recording.LoadFrame(folder, Middle(times));
-  int x_px = 0;
-  const auto add = [&](const Picture& picture, const std::string& caption) {
-    Paste(FitTile(picture, kTileWidth_px, kTileHeight_px, caption), x_px, 0, &row);
-    x_px += kTileWidth_px;
+  std::vector<Picture> tiles;
+  const auto add = [&](const Picture& picture, std::string_view caption) {
+    tiles.push_back(FitTile(picture, kTileWidth_px, kTileHeight_px, std::string(caption)));
   };
   const std::string caption = fmt::format("{} {:.1f} s", folder, ToSeconds(frame.t_ns));
   if (!frame.rgb.empty()) add(frame.rgb, caption);
   if (!frame.depth_m.empty()) add(ColourDepth(frame.depth_m), "depth");
-  if (!frame.semantic.empty()) add(ColourClasses(frame.semantic), "classes");
-  if (!frame.instance.empty()) add(ColourInstances(frame.instance), "instances");
+  ForEachLabel(frame, [&](const LabelChannel& channel, const auto& picture) {
+    if (!picture.empty()) add(ColourLabels(channel.colours, picture), channel.caption);
+  });
+  const int lines = std::max(1, (static_cast<int>(tiles.size()) + kColumns - 1) / kColumns);
+  Picture row(kSheetWidth_px, lines * kTileHeight_px, 3);
+  for (int k = 0; k < static_cast<int>(tiles.size()); ++k) {
+    Paste(tiles[static_cast<std::size_t>(k)], k % kColumns * kTileWidth_px,
+          k / kColumns * kTileHeight_px, &row);
+  }
   return row;
 }
 

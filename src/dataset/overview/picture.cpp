@@ -40,7 +40,7 @@ cv::Vec3b Turbo(double s) {
   return table.at<cv::Vec3b>(0, static_cast<int>(std::lround(255 * std::clamp(s, 0.0, 1.0))));
 }
 
-cv::Vec3b ClassColour(std::uint8_t label) {
+cv::Vec3b ClassColour(std::size_t label) {
   if (label >= kSemanticClasses.size()) return {255, 255, 255};
   const auto& rgb = kSemanticClasses[label].rgb;
   return {rgb[0], rgb[1], rgb[2]};
@@ -55,14 +55,40 @@ cv::Vec3b InstanceColour(std::uint16_t instance) {
   return colour.at<cv::Vec3b>(0, 0);
 }
 
+/// Each pixel by the colour of its first component.
 template <typename T, typename Colour>
 Picture Map(const Image<T>& image, const Colour& colour_of) {
   Picture picture(image.width_px, image.height_px, 3);
-  for (std::size_t i = 0; i < image.data.size(); ++i) {
-    const cv::Vec3b colour = colour_of(image.data[i]);
-    for (int c = 0; c < 3; ++c) picture.data[3 * i + static_cast<std::size_t>(c)] = colour[c];
+  const auto step = static_cast<std::size_t>(image.channels);
+  for (std::size_t p = 0; step * p < image.data.size(); ++p) {
+    const cv::Vec3b colour = colour_of(image.data[step * p]);
+    for (int c = 0; c < 3; ++c) picture.data[3 * p + static_cast<std::size_t>(c)] = colour[c];
   }
   return picture;
+}
+
+/// The upper eight bits of each component.
+template <typename T>
+Picture Directions(const Image<T>& image) {
+  TERA_CHECK(image.channels == 3, image.channels);
+  Picture picture(image.width_px, image.height_px, 3);
+  for (std::size_t i = 0; i < image.data.size(); ++i) {
+    picture.data[i] = static_cast<std::uint8_t>(image.data[i] >> (8 * (sizeof(T) - 1)));
+  }
+  return picture;
+}
+
+template <typename T>
+Picture ColourAny(LabelColours colours, const Image<T>& picture) {
+  switch (colours) {
+    case LabelColours::kClasses:
+      return Map(picture, [](T label) { return ClassColour(label); });
+    case LabelColours::kNumbers:
+      return Map(picture, [](T number) { return InstanceColour(number); });
+    case LabelColours::kDirections:
+      return Directions(picture);
+  }
+  return Picture();
 }
 
 }  // namespace
@@ -78,10 +104,12 @@ Picture ColourDepth(const Image<float>& depth_m) {
   });
 }
 
-Picture ColourClasses(const Image<std::uint8_t>& semantic) { return Map(semantic, ClassColour); }
+Picture ColourLabels(LabelColours colours, const Image<std::uint8_t>& picture) {
+  return ColourAny(colours, picture);
+}
 
-Picture ColourInstances(const Image<std::uint16_t>& instance) {
-  return Map(instance, InstanceColour);
+Picture ColourLabels(LabelColours colours, const Image<std::uint16_t>& picture) {
+  return ColourAny(colours, picture);
 }
 
 Picture FitTile(const Picture& picture, int width_px, int height_px, const std::string& caption) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/types/label_channels.h"
 #include "core/types/measurement.h"
 
 /// Pictures for people to look at: sensor images in colour, fitted into tiles.
@@ -14,10 +15,11 @@ using Picture = Image<std::uint8_t>;  ///< 3 channels, RGB
 
 /// Depth from near (red) to far (blue), black where there is none.
 Picture ColourDepth(const Image<float>& depth_m);
-/// Classes in the colours of kSemanticClasses.
-Picture ColourClasses(const Image<std::uint8_t>& semantic);
-/// Each instance in a colour of its own, none in dark grey.
-Picture ColourInstances(const Image<std::uint16_t>& instance);
+/// Labels in the colours of their channel: classes in those of kSemanticClasses; each number in one
+/// of its own, 0 in dark grey; a direction's x, y, z as red, green, blue, -1 dark and 1 bright,
+/// black where there is none.
+Picture ColourLabels(LabelColours colours, const Image<std::uint8_t>& picture);
+Picture ColourLabels(LabelColours colours, const Image<std::uint16_t>& picture);
 
 /// `picture` shrunk or enlarged to fit a tile, centred on black, with a caption.
 Picture FitTile(const Picture& picture, int width_px, int height_px, const std::string& caption);

@@ -25,7 +25,7 @@ Pictures::Pictures(int width, int height) : width_px(width), height_px(height) {
   open_blurred_target = MakeFramebuffer({open_blurred.id()}, 0);
   shade_target = MakeFramebuffer({radiance.id()}, 0);
   sky_target = MakeFramebuffer({radiance.id()}, depth.id());
-  glass_label_target = MakeFramebuffer({label.id()}, depth.id());
+  glass_label_target = MakeFramebuffer({label.id(), normal.id()}, depth.id());
   tone_target = MakeFramebuffer({toned.id()}, 0);
   colour_target = MakeFramebuffer({colour.id()}, 0);
 }
@@ -37,7 +37,8 @@ LensPictures::LensPictures(int width, int height) : width_px(width), height_px(h
   colour = texture(GL_RGBA8);
   label = texture(GL_R32UI);
   depth = texture(GL_R32F);
-  target = MakeFramebuffer({colour.id(), label.id(), depth.id()}, 0);
+  normal = texture(GL_RGBA16);
+  target = MakeFramebuffer({colour.id(), label.id(), depth.id(), normal.id()}, 0);
 }
 
 }  // namespace tera

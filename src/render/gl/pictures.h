@@ -21,7 +21,7 @@ struct Pictures {
 /// The camera's own picture behind a distorting lens.
 struct LensPictures {
   int width_px = 0, height_px = 0;
-  GlObject colour, label, depth, target;
+  GlObject colour, label, depth, normal, target;
 
   LensPictures() = default;
   LensPictures(int width, int height);

@@ -15,6 +15,7 @@
 #include "render/gl/lens.h"
 #include "render/gl/node_renderer.h"
 #include "render/gl/pictures.h"
+#include "render/gl/read_labels.h"
 #include "render/gl/shadow_map.h"
 #include "render/gl/view.h"
 #include "render/ground/terrain_renderer.h"
@@ -298,27 +299,16 @@ void Rasterizer::Impl::Distort(const Lens& lens, const Pictures& from, const Len
   glBindTextureUnit(1, from.depth.id());
   glBindTextureUnit(2, from.label.id());
   glBindTextureUnit(3, lens.map().id());
+  glBindTextureUnit(4, from.normal.id());
   lens_program.Set("u_colour", 0);
   lens_program.Set("u_depth", 1);
   lens_program.Set("u_label", 2);
   lens_program.Set("u_map", 3);
+  lens_program.Set("u_normal", 4);
   FillScreen();
 }
 
 namespace {
-
-Image<std::uint16_t> ReadInstances(const GlObject& label, int width, int height,
-                                   Image<std::uint8_t>* semantic) {
-  Image<std::uint16_t> instance(width, height);
-  std::vector<std::uint32_t> words(instance.data.size());
-  glGetTextureImage(label.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
-                    static_cast<GLsizei>(words.size() * sizeof(std::uint32_t)), words.data());
-  for (std::size_t p = 0; p < words.size(); ++p) {
-    instance.data[p] = static_cast<std::uint16_t>(words[p] >> 8);
-    if (semantic != nullptr) semantic->data[p] = static_cast<std::uint8_t>(words[p]);
-  }
-  return instance;
-}
 
 Image<std::uint8_t> ReadColour(const GlObject& colour, int width, int height) {
   Image<std::uint8_t> rgb(width, height, 3);
@@ -354,8 +344,7 @@ void Rasterizer::Impl::Measure(const View& view, const Pictures& p, bool distort
   const std::vector<std::int64_t> alone = silhouettes.Count(view, nodes, visible);
   std::vector<std::int64_t> seen;
   if (distorted) {
-    seen = CountPixels(ReadInstances(p.label, p.width_px, p.height_px, nullptr),
-                       model.instances.size());
+    seen = CountPixels(ReadInstances(p.label, p.width_px, p.height_px), model.instances.size());
   }
   for (std::size_t k = 0; k < visible.size(); ++k) {
     ObjectBox& box = frame->boxes[k];
@@ -366,7 +355,7 @@ void Rasterizer::Impl::Measure(const View& view, const Pictures& p, bool distort
 }
 
 CameraFrame Rasterizer::Render(const CameraIntrinsics& camera, const Pose& X_WC,
-                               const SceneState& state) {
+                               const SceneState& state, LabelSet labels) {
   TERA_CHECK(static_cast<int>(state.X_WB.size()) >= impl_->model.body_count, state.X_WB.size());
   Impl& impl = *impl_;
   const EglContext::Current current(impl.context);
@@ -379,16 +368,16 @@ CameraFrame Rasterizer::Render(const CameraIntrinsics& camera, const Pose& X_WC,
   CameraFrame frame;
   frame.t_ns = state.t_ns;
   frame.t_available_ns = state.t_ns;
-  frame.semantic = Image<std::uint8_t>(width, height);
+  labels |= UsualLabels();  // boxes need the instances
   if (distorted) {
     const LensPictures& q = impl.LensPicturesOf(width, height);
     impl.Distort(impl.LensOf(camera), p, q);
     frame.rgb = ReadColour(q.colour, width, height);
-    frame.instance = ReadInstances(q.label, width, height, &frame.semantic);
+    ReadLabels({q.label, q.normal}, width, height, view.R_WC, labels, &frame);
     frame.depth_m = ReadDepth(q.depth, GL_RED, camera);
   } else {
     frame.rgb = ReadColour(p.colour, width, height);
-    frame.instance = ReadInstances(p.label, width, height, &frame.semantic);
+    ReadLabels({p.label, p.normal}, width, height, view.R_WC, labels, &frame);
     frame.depth_m = ReadDepth(p.depth, GL_DEPTH_COMPONENT, camera);
   }
   frame.boxes = FindBoxes(impl.model, state, X_WC, frame.instance);

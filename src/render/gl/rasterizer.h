@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "core/types/label_channels.h"
 #include "core/types/measurement.h"
 #include "render/gl/camera_intrinsics.h"
 #include "render/gl/egl_options.h"
@@ -16,8 +17,10 @@ namespace tera {
 ///         with shadow map, sky light with occlusion, Koschmieder fog, filmic tone curve. A lens
 ///         that distorts is a finer pinhole picture, resampled. Around the site lies a backdrop of
 ///         land, labelled terrain.
+///         Surface normals are those that colour is shaded with, towards the eye: a mesh's own,
+///         smooth where it is shaded so, and on the ground with the relief of its grain.
 /// Omits   depth beyond far_m is 0, while colour and labels go on to the horizon. Glass is blended
-///         in colour; label and depth are those of the glass.
+///         in colour; labels, normals and depth are those of the glass.
 /// Throws InputError if no EGL platform with OpenGL 4.5 core can be had. May be used from any
 /// thread, one at a time.
 class Rasterizer {
@@ -31,9 +34,10 @@ class Rasterizer {
   /// Triangles sent to the GPU since construction, those of shadows and of boxes' silhouettes too.
   std::int64_t triangles_drawn() const;
 
-  /// What a camera at X_WC sees. Fills rgb, depth_m, semantic, instance and boxes of the frame;
-  /// t_ns is state.t_ns.
-  CameraFrame Render(const CameraIntrinsics& camera, const Pose& X_WC, const SceneState& state);
+  /// What a camera at X_WC sees. Fills rgb, depth_m, boxes and the usual labels of the frame, and
+  /// what `labels` names beside them; t_ns is state.t_ns.
+  CameraFrame Render(const CameraIntrinsics& camera, const Pose& X_WC, const SceneState& state,
+                     LabelSet labels = {});
 
  private:
   struct Impl;

@@ -1,12 +1,15 @@
 #include "sensors/camera/camera.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "core/check.h"
+#include "core/config/spelling.h"
 #include "core/units.h"
 
 namespace tera {
@@ -56,6 +59,26 @@ CameraIntrinsics ReadIntrinsics(const ConfigMap& config) {
   if (c.far_m <= c.near_m) config.Fault("far_m", "not beyond near_m; need near_m < far_m");
   CheckDistortion(config, c);
   return c;
+}
+
+LabelSet ReadLabelSet(const ConfigMap& config) {
+  if (!config.IsList("labels")) {
+    return config.Boolean("labels", true) ? UsualLabels() : LabelSet();
+  }
+  std::vector<std::string> known;
+  for (const LabelChannel& channel : kLabelChannels) known.emplace_back(channel.name);
+  LabelSet labels;
+  for (const std::string& name : config.Texts("labels")) {
+    const auto found = std::find(known.begin(), known.end(), name);
+    if (found == known.end()) {
+      config.Fault("labels", fmt::format("'{}' is no label channel{}; need some of {}, or true or "
+                                         "false",
+                                         name, DidYouMean(name, known), fmt::join(known, ", ")));
+    } else {
+      labels.set(static_cast<std::size_t>(found - known.begin()));
+    }
+  }
+  return labels;
 }
 
 void LimitDepth(const CameraModel& model, Image<float>* depth_m) {
@@ -128,13 +151,22 @@ void AddRgbNoise(double sigma, const Stream& noise, std::uint64_t first, Image<s
 
 }  // namespace
 
+std::string LabelsYaml(LabelSet labels) {
+  if (labels == UsualLabels() || labels.none()) return labels.any() ? "true" : "false";
+  std::vector<std::string_view> names;
+  for (const LabelChannel& channel : kLabelChannels) {
+    if (labels[IndexOf(channel)]) names.push_back(channel.name);
+  }
+  return fmt::format("[{}]", fmt::join(names, ", "));
+}
+
 CameraModel ReadCameraModel(const ConfigMap& config) {
   CameraModel m;
   m.intrinsics = ReadIntrinsics(config);
   m.rgb = config.Boolean("rgb", m.rgb);
   m.depth = config.Boolean("depth", m.depth);
-  m.labels = config.Boolean("labels", m.labels);
-  if (!m.rgb && !m.depth && !m.labels) {
+  m.labels = ReadLabelSet(config);
+  if (!m.rgb && !m.depth && m.labels.none()) {
     config.Fault("rgb", "rgb, depth and labels are all off; switch one on");
   }
   m.depth_min_m = config.Number("depth_min_m", AtLeast(0, "m"), m.depth_min_m);
@@ -156,7 +188,7 @@ std::string CameraModelYaml(const CameraModel& m) {
       "  rgb: {}\n  depth: {}\n  labels: {}\n  depth_min_m: {}\n  depth_max_m: {}\n"
       "  disparity_noise_px: {}\n  baseline_m: {}\n  rgb_noise: {}\n",
       c.width_px, c.height_px, c.fx_px, c.fy_px, c.cx_px, c.cy_px, c.k1, c.k2, c.p1, c.p2, c.k3,
-      c.near_m, c.far_m, m.rgb, m.depth, m.labels, m.depth_min_m, m.depth_max_m,
+      c.near_m, c.far_m, m.rgb, m.depth, LabelsYaml(m.labels), m.depth_min_m, m.depth_max_m,
       m.disparity_noise_px, m.baseline_m, m.rgb_noise);
 }
 
@@ -178,7 +210,8 @@ Camera::Camera(const CameraModel& model, const SampleClock& clock, TimeNs latenc
 
 CameraFrame Camera::Measure(std::int64_t k, const Pose& X_WS, const SceneState& scene,
                             Rasterizer* rasterizer) const {
-  CameraFrame frame = rasterizer->Render(model_.intrinsics, X_WS * OpticalInSensor(), scene);
+  CameraFrame frame =
+      rasterizer->Render(model_.intrinsics, X_WS * OpticalInSensor(), scene, model_.labels);
   frame.t_ns = clock_.Due(k);
   frame.t_available_ns = frame.t_ns + latency_ns_;
   const auto exposure = static_cast<std::uint64_t>(k);
@@ -195,11 +228,10 @@ CameraFrame Camera::Measure(std::int64_t k, const Pose& X_WS, const SceneState& 
     }
     LimitDepth(model_, &frame.depth_m);
   }
-  if (!model_.labels) {
-    frame.semantic = {};
-    frame.instance = {};
-    frame.boxes.clear();
-  }
+  ForEachLabel(frame, [&](const LabelChannel& channel, auto& picture) {
+    if (!model_.labels[IndexOf(channel)]) picture = {};
+  });
+  if (!model_.labels[kInstanceChannel]) frame.boxes.clear();
   return frame;
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/config/config.h"
 #include "core/random.h"
+#include "core/types/label_channels.h"
 #include "core/types/measurement.h"
 #include "render/gl/rasterizer.h"
 
@@ -15,7 +16,7 @@ struct CameraModel {
   CameraIntrinsics intrinsics;
   bool rgb = true;
   bool depth = false;
-  bool labels = true;  ///< semantic, instance, boxes
+  LabelSet labels = UsualLabels();  ///< with boxes where instance is among them
   double depth_min_m = 0.1, depth_max_m = 20.0;
   double disparity_noise_px = 0;  ///< sigma_d of the depth, 1 sigma; 0 switches it off
   double baseline_m = 0.05;       ///< b, between the two eyes of a depth camera
@@ -25,6 +26,9 @@ struct CameraModel {
 CameraModel ReadCameraModel(const ConfigMap& config);
 /// As sensor.yaml has it, two blanks before each key.
 std::string CameraModelYaml(const CameraModel& model);
+
+/// The value of the key `labels`: true for the usual ones, false for none, else their names.
+std::string LabelsYaml(LabelSet labels);
 
 /// Pose of the optical frame C in the sensor frame S: z of C is x of S, x of C is -y of S.
 Pose OpticalInSensor();

@@ -113,6 +113,27 @@ TEST_F(RecordingTest, GivesBackImagesPixelByPixelAndDepthToTheMillimetre) {
   }
 }
 
+TEST_F(RecordingTest, GivesBackNormalsAloneAndNoOtherLabel) {
+  ScratchDirectory scratch;
+  DatasetWriter writer(scratch.path() / "run", SampleInfo(), {});
+  CameraFrame frame = SampleFrame(1);
+  const auto camera = writer.AddChannel(CameraChannel("digger/front", "type: camera\n"));
+  frame.semantic = {};
+  frame.instance = {};
+  frame.normal = Image<std::uint16_t>(33, 17, 3);
+  for (std::size_t i = 0; i < frame.normal.data.size(); ++i) {
+    frame.normal.data[i] = static_cast<std::uint16_t>(977 * i);
+  }
+  writer.Write(camera, frame);
+  writer.Finish();
+  const CameraFrame read = Recording(scratch.path() / "run").LoadFrame("digger/front", frame.t_ns);
+  EXPECT_EQ(read.normal.channels, 3);
+  EXPECT_EQ(read.normal.data, frame.normal.data);
+  EXPECT_TRUE(read.semantic.empty());
+  EXPECT_TRUE(read.instance.empty());
+  EXPECT_TRUE(read.boxes.empty());
+}
+
 TEST_F(RecordingTest, GivesBackObjectBoxes) {
   const auto boxes = Open().LoadFrame("digger/front", kSamplePeriod_ns).boxes;
   const ObjectBox expected = SampleFrame(1).boxes[0];

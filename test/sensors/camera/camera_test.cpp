@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/types/surface_normal.h"
 #include "core/units.h"
 #include "render/hand_made_scene.h"
 #include "render/rays/ray_scene.h"
@@ -104,15 +105,17 @@ TEST_F(CameraBeforeAWall, EveryKeyChangesThePicture) {
   };
   const auto alike = [](const CameraFrame& a, const CameraFrame& b) {
     return a.rgb.data == b.rgb.data && a.depth_m.data == b.depth_m.data &&
-           a.semantic.data == b.semantic.data && a.instance.data == b.instance.data;
+           a.semantic.data == b.semantic.data && a.instance.data == b.instance.data &&
+           a.normal.data == b.normal.data;
   };
   const std::string size = "rate_hz: 10, width_px: 80, height_px: 60, depth: true";
   const CameraFrame plain = measure(size + ", fx_px: 75");
   ASSERT_TRUE(alike(plain, measure(size + ", fx_px: 75")));
   for (const std::string change :
        {"fy_px: 70", "cx_px: 30", "cy_px: 20", "k1: 0.05", "k2: 0.05", "p1: 0.02", "p2: 0.02",
-        "k3: 0.05", "near_m: 6.5", "far_m: 7", "rgb: false", "labels: false", "depth_min_m: 6.5",
-        "depth_max_m: 5.5", "disparity_noise_px: 0.1", "rgb_noise: 2"}) {
+        "k3: 0.05", "near_m: 6.5", "far_m: 7", "rgb: false", "labels: false",
+        "labels: [semantic, instance, normal]", "depth_min_m: 6.5", "depth_max_m: 5.5",
+        "disparity_noise_px: 0.1", "rgb_noise: 2"}) {
     EXPECT_FALSE(alike(plain, measure(size + ", fx_px: 75, " + change))) << change;
   }
   EXPECT_FALSE(alike(plain, measure(size + ", fx_px: 80")));
@@ -130,7 +133,7 @@ TEST_F(CameraBeforeAWall, EveryKeyChangesThePicture) {
 
 TEST_F(CameraBeforeAWall, OutputsThatAreOffAreEmpty) {
   camera_.rgb = false;
-  camera_.labels = false;
+  camera_.labels.reset();
   CameraFrame frame = Measure(camera_);
   EXPECT_TRUE(frame.rgb.empty());
   EXPECT_FALSE(frame.depth_m.empty());
@@ -142,6 +145,20 @@ TEST_F(CameraBeforeAWall, OutputsThatAreOffAreEmpty) {
   frame = Measure(camera_);
   EXPECT_FALSE(frame.rgb.empty());
   EXPECT_TRUE(frame.depth_m.empty());
+}
+
+TEST_F(CameraBeforeAWall, NormalsAreTakenWhereTheyAreAskedFor) {
+  EXPECT_TRUE(Measure(camera_).normal.empty());
+  camera_.labels.reset();
+  camera_.labels.set(kNormalChannel);
+  const CameraFrame frame = Measure(camera_);
+  EXPECT_TRUE(frame.semantic.empty());
+  EXPECT_TRUE(frame.boxes.empty());
+  ASSERT_FALSE(frame.normal.empty());
+  // The wall stands across the line of sight: its normal points back along z of C.
+  const auto n_C = NormalAt(frame.normal, 80, 60);
+  ASSERT_TRUE(n_C);
+  EXPECT_LT((*n_C + Vec3::UnitZ()).norm(), 1e-4);
 }
 
 TEST_F(CameraBeforeAWall, DepthOutsideItsLimitsIsNotMeasured) {

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "core/types/measurement.h"
+
+/// The pictures of truth that a camera may take beside colour and depth: one entry each in one
+/// table, which cameras, the rasterizer, datasets, overviews and the live interfaces walk.
+
+namespace tera {
+
+/// What a shader writes of each pixel, for the channels that are read from it.
+enum class ShaderOutput {
+  kLabelWord,     ///< 32 bits, of which each channel has some
+  kSurfaceNormal  ///< RGBA16, n / 2 + 1/2 in W; all 0 where no surface is
+};
+
+/// How a channel is coloured for people to look at.
+enum class LabelColours { kClasses, kNumbers, kDirections };
+
+/// Where a frame has the picture: its pixel type, which is that of the PNG file too.
+using LabelPicture =
+    std::variant<Image<std::uint8_t> CameraFrame::*, Image<std::uint16_t> CameraFrame::*>;
+
+struct LabelChannel {
+  std::string_view name;  ///< of the camera's key `labels`, the dataset's folder, the ROS topic
+  LabelPicture picture;
+  int components;  ///< 1: grey; 3: RGB
+  bool is_usual;   ///< of a camera with `labels: true`
+  ShaderOutput output;
+  int first_bit;  ///< of kLabelWord
+  LabelColours colours;
+  std::string_view caption;  ///< of the overview
+};
+
+inline constexpr std::array<LabelChannel, 3> kLabelChannels = {{
+    {"semantic", &CameraFrame::semantic, 1, true, ShaderOutput::kLabelWord, 0,
+     LabelColours::kClasses, "classes"},
+    {"instance", &CameraFrame::instance, 1, true, ShaderOutput::kLabelWord, 8,
+     LabelColours::kNumbers, "instances"},
+    {"normal", &CameraFrame::normal, 3, false, ShaderOutput::kSurfaceNormal, 0,
+     LabelColours::kDirections, "normals"},
+}};
+
+/// Channels by their place in the table.
+using LabelSet = std::bitset<kLabelChannels.size()>;
+
+inline constexpr std::size_t kSemanticChannel = 0, kInstanceChannel = 1, kNormalChannel = 2;
+
+inline LabelSet UsualLabels() {
+  LabelSet usual;
+  for (std::size_t k = 0; k < usual.size(); ++k) usual[k] = kLabelChannels[k].is_usual;
+  return usual;
+}
+
+/// The place of an entry of the table.
+inline std::size_t IndexOf(const LabelChannel& channel) {
+  return static_cast<std::size_t>(&channel - kLabelChannels.data());
+}
+
+/// Calls `visit(channel, picture)` for each channel, empty pictures too.
+template <typename Frame, typename Visit>
+void ForEachLabel(Frame& frame, const Visit& visit) {
+  for (const LabelChannel& channel : kLabelChannels) {
+    std::visit([&](const auto picture) { visit(channel, frame.*picture); }, channel.picture);
+  }
+}
+
+/// Bytes of one component of a pixel.
+inline std::size_t ComponentBytes(const LabelChannel& channel) {
+  return std::visit(
+      [](const auto picture) {
+        return sizeof(typename std::remove_reference_t<decltype(std::declval<CameraFrame>().*
+                                                                picture)>::Pixel);
+      },
+      channel.picture);
+}
+
+}  // namespace tera
