@@ -98,8 +98,8 @@ std::vector<std::vector<PerceptionDiagnosis>> DiagnoseSensors(const Scenario& sc
   }
   PerceptionOptions options;
   options.threads = task.threads;
-  options.from_s = task.from_s.value_or(options.from_s);
-  options.to_s = task.to_s.value_or(options.to_s);
+  options.part.from_s = task.from_s.value_or(options.part.from_s);
+  options.part.to_s = task.to_s.value_or(options.part.to_s);
   return RunPerception(scenario, names, recording, options);
 }
 

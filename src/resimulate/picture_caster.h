@@ -16,7 +16,8 @@ namespace tera {
 ///         C optical.
 /// Model   bodies, link and ground at one instant, that of the picture; the simulator's own camera
 ///         without noise, `reduced` times smaller in both directions.
-/// Omits   what the simulator's camera omits (sensors/camera/camera.h); what tracks and shovels look like,
+/// Omits   what the simulator's camera omits (sensors/camera/camera.h); what tracks and shovels
+/// look like,
 ///         whose pixels are marked as not to be compared.
 class PictureCaster {
  public:

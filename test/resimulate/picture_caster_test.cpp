@@ -59,7 +59,7 @@ double Turned(double t_s) { return 0.2 * t_s; }
 
 TEST(PictureCaster, DepthIsAlongTheOpticalAxisToTheGroundFromWhereTheCameraWas) {
   const ScratchDirectory scratch;
-  Scenario scenario = CartScenario(scratch.path());
+  const Scenario scenario = CartScenario(scratch.path());
   const RecordedCart cart{.pose_t_ns = EvenTimes(0, 3, 0.01),
                           .turn_t_ns = EvenTimes(0, 3, 0.01),
                           .X_WB = Driven,
@@ -68,7 +68,7 @@ TEST(PictureCaster, DepthIsAlongTheOpticalAxisToTheGroundFromWhereTheCameraWas) 
   machines.emplace_back(scenario.machines[0].placement, cart.machine,
                         WriteCart(scratch.path() / "r", cart));
   const SceneAssembly assembly(scenario);
-  RecordedStage stage(&scenario, machines, 0);
+  RecordedStage stage(scenario, machines, 0);
   PictureCaster caster(scenario, assembly, stage, machines);
   SensorDescription sensor;
   sensor.link = "mast";

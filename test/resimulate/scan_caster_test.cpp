@@ -62,7 +62,7 @@ class CastFromTheCart : public testing::Test {
                             .turn_rad = Turned};
     machines_.emplace_back(scenario_.machines[0].placement, cart.machine,
                            WriteCart(scratch_.path() / "r", cart));
-    stage_ = std::make_unique<RecordedStage>(&scenario_, machines_, 0);
+    stage_ = std::make_unique<RecordedStage>(scenario_, machines_, 0);
     caster_ = std::make_unique<ScanCaster>(scenario_, assembly_, *stage_, machines_, 1);
   }
   std::string Wall() const {
@@ -77,7 +77,7 @@ class CastFromTheCart : public testing::Test {
   }
 
   const ScratchDirectory scratch_;
-  Scenario scenario_;
+  const Scenario scenario_;
   const SceneAssembly assembly_;
   std::vector<RecordedMotion> machines_;
   std::unique_ptr<RecordedStage> stage_;

@@ -5,13 +5,14 @@
 
 #include "dataset/format/recording.h"
 #include "diagnose/perception/perception_diagnosis.h"
+#include "resimulate/recorded_sensors.h"
 #include "sim/scenario/scenario.h"
 
 namespace tera {
 
 /// What of a recording is looked at, and by how much of this computer.
 struct PerceptionOptions {
-  double from_s = 0, to_s = 1e9;  ///< from the recording's first scan on
+  RecordedPart part;
   int threads = 1;
 };
 

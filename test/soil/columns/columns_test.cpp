@@ -132,7 +132,8 @@ TEST(Columns, NormalsAreThoseOfTheSurfaceWithinTilesAndOverTheirBorders) {
     }
   }
   for (int k = 0; k < 2000; ++k) {
-    const Vec2 p(6.2 * random.Uniform(++n) - 3.1, 6.2 * random.Uniform(++n) - 3.1);
+    const Vec2 p(6.2 * random.Uniform(n + 1) - 3.1, 6.2 * random.Uniform(n + 2) - 3.1);
+    n += 2;
     const auto z_m = [&](double dx, double dy) { return ground.HeightAt(p.x() + dx, p.y() + dy); };
     const Vec3 across_x(0.1, 0, z_m(0.05, 0) - z_m(-0.05, 0));
     const Vec3 across_y(0, 0.1, z_m(0, 0.05) - z_m(0, -0.05));

@@ -63,7 +63,7 @@ TEST(GearContact, ThrustFollowsTheClosedFormOverSlip) {
 TEST(GearContact, FineContactMeetsTheClosedFormsWithinOnePercent) {
   // Cells of 2.5 cm, patches of 10 cm, and slip too fast for the damping near rest.
   for (const auto& [slip, expected_n] : kThrustOverSlip) {
-    Block block(std::string(kDrySand) + "cell_m: 0.025\n", Vec2(-4.5, 0.1), 0, {.patches = 16});
+    Block block(fmt::format("{}cell_m: 0.025\n", kDrySand), Vec2(-4.5, 0.1), 0, {.patches = 16});
     block.Stand(3000);
     EXPECT_NEAR(-block.links[0].X_WB.translation().z() / kDepth_m, 1, 0.01);
     EXPECT_NEAR(Thrust_n(&block, 4.0, slip) / expected_n, 1, 0.01) << "slip " << slip;
