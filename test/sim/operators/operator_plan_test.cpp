@@ -10,7 +10,6 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "own_folder.h"
-#include "sim/operators/read_operator.h"
 
 namespace tera {
 namespace {
