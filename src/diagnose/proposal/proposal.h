@@ -45,9 +45,4 @@ double RmsOver(const Series& series, const Mask& mask);
 /// Whether a proposal removes a twentieth of FINAL's RMSE.
 bool Holds(const Proposal& proposal);
 
-/// The proposal for what is left of a channel, if one holds: a formula, unless a curve leaves less
-/// than nine tenths of the formula's RMSE on SELECT.
-std::optional<Proposal> Propose(const ReplayBlock& block, const BlockDiagnosis& diagnosis,
-                                std::size_t channel, const Stream& stream);
-
 }  // namespace tera

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "diagnose/search/fit/steady_gain.h"
+#include "diagnose/search/structure/effect_size.h"
 
 namespace tera {
 namespace {

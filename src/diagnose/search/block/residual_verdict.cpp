@@ -6,6 +6,7 @@
 
 #include "diagnose/search/fit/flexible_regressor.h"
 #include "diagnose/search/fit/steady_gain.h"
+#include "diagnose/search/structure/effect_size.h"
 
 namespace tera {
 namespace {

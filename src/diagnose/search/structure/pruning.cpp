@@ -6,6 +6,7 @@
 
 #include "core/in_parallel.h"
 #include "diagnose/search/fit/flexible_regressor.h"
+#include "diagnose/search/structure/effect_size.h"
 
 namespace tera {
 

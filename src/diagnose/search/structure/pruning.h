@@ -6,7 +6,8 @@
 #include "diagnose/search/fit/cross_fit.h"
 #include "diagnose/search/fit/scored_fits.h"
 #include "diagnose/search/fit/steady_gain.h"
-#include "diagnose/search/structure/structure_search.h"
+#include "diagnose/search/structure/search_result.h"
+#include "diagnose/statistics/series/manoeuvres.h"
 
 namespace tera {
 

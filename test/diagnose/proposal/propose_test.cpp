@@ -1,4 +1,4 @@
-#include "diagnose/proposal/proposal.h"
+#include "diagnose/proposal/propose.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

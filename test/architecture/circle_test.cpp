@@ -1,0 +1,101 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "architecture/source_includes.h"
+
+// A header and the source of the same name are one part. Parts include each other in one direction:
+// whoever changes one knows which others that can touch, and what two of them share stands in a
+// header of its own.
+
+namespace {
+
+using testing_architecture::AllIncludes;
+using testing_architecture::Include;
+using testing_architecture::IncludesOf;
+
+using Parts = std::map<std::string, std::set<std::string>>;  ///< what each part includes
+
+std::string PartOf(const std::string& file) { return file.substr(0, file.rfind('.')); }
+
+Parts PartsOf(const std::vector<Include>& includes) {
+  Parts parts;
+  for (const Include& include : includes) parts[PartOf(include.file)];
+  for (const Include& include : includes) {
+    const std::string part = PartOf(include.file), other = PartOf(include.header);
+    if (part != other && parts.contains(other)) parts[part].insert(other);
+  }
+  return parts;
+}
+
+/// Walks from part to part; a part met again on the way is a circle.
+class Walk {
+ public:
+  explicit Walk(const Parts& parts) : parts_(parts) {
+    for (const auto& [part, _] : parts) From(part);
+  }
+  /// One for each way back, "a > b > a".
+  const std::vector<std::string>& circles() const { return circles_; }
+
+ private:
+  void From(const std::string& part) {
+    const auto met = std::find(way_.begin(), way_.end(), part);
+    if (met != way_.end()) {
+      std::string circle;
+      for (auto step = met; step != way_.end(); ++step) circle += *step + " > ";
+      circles_.push_back(circle + part);
+      return;
+    }
+    if (!walked_.insert(part).second) return;
+    way_.push_back(part);
+    for (const std::string& other : parts_.at(part)) From(other);
+    way_.pop_back();
+  }
+
+  const Parts& parts_;
+  std::vector<std::string> way_, circles_;
+  std::set<std::string> walked_;
+};
+
+std::vector<std::string> Circles(const std::vector<Include>& includes) {
+  const Parts parts = PartsOf(includes);
+  return Walk(parts).circles();
+}
+
+/// The includes of several files, each of one header.
+std::vector<Include> Sources(const std::vector<std::pair<std::string, std::string>>& lines) {
+  std::vector<Include> includes;
+  for (const auto& [file, header] : lines) {
+    const auto some = IncludesOf(file, header);
+    includes.insert(includes.end(), some.begin(), some.end());
+  }
+  return includes;
+}
+
+TEST(Circles, AreNotAmongThePartsOfTheSources) {
+  const std::vector<Include> includes = AllIncludes();
+  ASSERT_GT(PartsOf(includes).size(), 100u);
+  for (const std::string& circle : Circles(includes)) ADD_FAILURE() << circle;
+}
+
+TEST(Circles, AreFoundThroughASourceAndAnotherHeader) {
+  EXPECT_EQ(Circles(Sources({{"soil/bed.h", "soil/flow.h"},
+                             {"soil/flow.cpp", "soil/grain.h"},
+                             {"soil/grain.h", "soil/bed.h"}})),
+            std::vector<std::string>{"soil/bed > soil/flow > soil/grain > soil/bed"});
+}
+
+TEST(Circles, AreNotSeenWhereTwoPartsShareALeaf) {
+  EXPECT_TRUE(Circles(Sources({{"soil/bed.h", "soil/grain.h"},
+                               {"soil/bed.cpp", "soil/bed.h"},
+                               {"soil/flow.cpp", "soil/bed.h"},
+                               {"soil/flow.h", "soil/grain.h"},
+                               {"soil/grain.h", "vector"}}))
+                  .empty());
+}
+
+}  // namespace
