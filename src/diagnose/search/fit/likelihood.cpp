@@ -35,7 +35,7 @@ Eigen::MatrixXd ColumnsOf(const Channel& channel, const std::vector<double>& pre
   columns.col(0).setConstant(sigma.offset);
   columns.col(1) = sigma.gain * AsVector(predicted);
   columns.col(2) = -sigma.delay_s * AsVector(Slope(predicted, channel.measured.period_s));
-  columns.rightCols(channel.nominal.cols()) = channel.nominal;
+  if (channel.nominal.cols() > 0) columns.rightCols(channel.nominal.cols()) = channel.nominal;
   return columns;
 }
 
@@ -158,7 +158,7 @@ Likelihood::ChannelFit Likelihood::FitChannel(std::size_t channel, const Eigen::
   } else {
     columns.col(2).setZero();
   }
-  columns.rightCols(nominal.cols()) = nominal;
+  if (nominal.cols() > 0) columns.rightCols(nominal.cols()) = nominal;
   const Eigen::VectorXd y = measured - white;
   const Eigen::VectorXd beta = Regress(y, columns, noise_[channel].dof);
   return {y - columns * beta, beta};

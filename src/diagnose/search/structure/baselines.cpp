@@ -69,7 +69,7 @@ Eigen::VectorXd Tuned(const Channel& channel, const std::vector<double>& predict
   columns.col(0).setOnes();
   columns.col(1) = y;
   columns.col(2) = SlopeOf(y, channel.measured.period_s);
-  columns.rightCols(channel.nominal.cols()) = channel.nominal;
+  if (channel.nominal.cols() > 0) columns.rightCols(channel.nominal.cols()) = channel.nominal;
   return LessColumns(ResidualOf(channel, predicted), columns, parts.seen);
 }
 

@@ -93,7 +93,7 @@ Eigen::MatrixXd KnownColumns(const RegimeAxis& axis) {
 Eigen::MatrixXd WithColumns(const Eigen::MatrixXd& known, const Eigen::MatrixXd& columns) {
   Eigen::MatrixXd out(columns.rows(), known.cols() + columns.cols());
   if (known.cols() > 0) out.leftCols(known.cols()) = known;
-  out.rightCols(columns.cols()) = columns;
+  if (columns.cols() > 0) out.rightCols(columns.cols()) = columns;
   return out;
 }
 
