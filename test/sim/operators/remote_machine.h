@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,7 +44,7 @@ inline Scenario RemoteScenario(const std::vector<std::string>& overlays = {}) {
 class RemoteMachineTest : public testing::Test {
  protected:
   explicit RemoteMachineTest(const std::vector<std::string>& overlays = {})
-      : run_(RemoteScenario(overlays), "", {}, {}) {}
+      : run_(std::make_shared<const Scenario>(RemoteScenario(overlays)), "", {}, {}) {}
 
   const MachineModel& model() const { return run_.scenario().machines[0].placement.model; }
   const MachineState& state() const { return run_.simulation().state().machines[0]; }
