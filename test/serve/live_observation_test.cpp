@@ -139,11 +139,12 @@ TEST(LiveStage, ASensorWithoutAMessageOfItsOwnSendsRowsOfItsColumns) {
     text.insert(text.find(before) + before.size(),
                 "      {name: tilt, type: inclinometer, link: boom, rate_hz: 50},\n");
     const Config config = Config::FromText(text, "stage.yaml");
-    SeededScenario seeded{.scenario = ReadScenario(config.root()), .resolved_yaml = {}};
+    SeededScenario seeded{.scenario = std::make_shared<const Scenario>(ReadScenario(config.root())),
+                          .resolved_yaml = {}};
     config.Finish();
     return seeded;
   };
-  const std::unique_ptr<Stage> stage = LiveStages(with_tilt(std::nullopt).scenario, with_tilt, {},
+  const std::unique_ptr<Stage> stage = LiveStages(*with_tilt(std::nullopt).scenario, with_tilt, {},
                                                   [](const std::string&) {})([] { return false; });
   const v1::Sensor sensor = stage->Describe().machines(0).sensors(0);
   EXPECT_EQ(sensor.type(), "inclinometer");
