@@ -105,7 +105,7 @@ class PlaneRoom {
         PointResidual one;
         one.scan = of_scan.scan;
         one.surface = Surface::kGround;
-        // Noise lies along the ray, a distance across the plane.
+        // Noise along the ray, met at an angle.
         one.sigma = kNoise_m * std::abs(point.n_B.dot(r_B_m)) / range_m;
         one.distance =
             point.at_m - point.n_B.dot(p_B_m) - calibration.clock_offset_s * point.speed_mps;
@@ -191,11 +191,10 @@ TEST(RegistrationSearch, OfASensorAsDescribedFindsNothingAndTellsWhatItWouldHave
     EXPECT_EQ(one.smallest.has_value(), !is_clock)
         << one.candidate->mechanism->id;  // nothing moves
   }
-  // A bias of b along a ray that meets its plane at an angle theta adds b cos theta to the distance
-  // from it, and noise along the ray as much less: at every angle b over the noise. Of the noise's
-  // mean square 2 * 2 % is enough.
-  const double smallest_m = search.scale * kNoise_m * std::sqrt(2 * 0.02);
-  EXPECT_NEAR(*search.detectability[6].smallest / smallest_m, 1, 1e-3);
+  // A bias of b adds (b cos theta)^2 to the square of a distance whose noise is that of the range
+  // times cos theta: of the mean square, (b / noise)^2, of which 2 * 2 % are enough.
+  const double smallest_m = *search.detectability[6].smallest;
+  EXPECT_NEAR(smallest_m, search.scale * kNoise_m * std::sqrt(2 * 0.02), 0.01 * smallest_m);
 }
 
 TEST(RegistrationSearch, BeginsAtWhatWasFoundBefore) {
