@@ -91,7 +91,9 @@ void PutFrame(const CameraFrame& frame, v1::SensorSamples* samples) {
   PutPicture(frame.semantic, message.mutable_semantic(), &message);
   PutPicture(frame.instance, message.mutable_instance(), &message);
   ForEachLabel(frame, [&](const LabelChannel& channel, const auto& picture) {
-    if (channel.is_usual || picture.empty()) return;
+    const bool has_a_field =
+        IndexOf(channel) == kSemanticChannel || IndexOf(channel) == kInstanceChannel;
+    if (has_a_field || picture.empty()) return;
     PutPicture(picture, &(*message.mutable_labels())[std::string(channel.name)], &message);
   });
 }

@@ -30,8 +30,10 @@ class Simulation {
   explicit Simulation(Scenario&&) = delete;  ///< it would be gone
   /// Machines driven by other operators than the scenario's own.
   Simulation(const Scenario& scenario, Operators operators);
+  Simulation(Scenario&&, Operators) = delete;
   /// Machines that `motion` moves, from `start_ns` on.
   Simulation(const Scenario& scenario, std::unique_ptr<MotionSource> motion, TimeNs start_ns = 0);
+  Simulation(Scenario&&, std::unique_ptr<MotionSource>, TimeNs = 0) = delete;
 
   void Step();
 

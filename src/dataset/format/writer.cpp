@@ -108,9 +108,18 @@ struct FrameFiles {
   std::vector<std::string_view> folders;
 };
 
+/// Folders of a camera that asks for nothing unusual.
+std::vector<std::string_view> PictureFolders() {
+  std::vector<std::string_view> folders = {"rgb", "depth"};
+  for (const LabelChannel& channel : kLabelChannels) {
+    if (channel.is_usual) folders.push_back(channel.name);
+  }
+  folders.push_back("boxes");
+  return folders;
+}
+
 const FrameFiles& FilesOf(ChannelForm form) {
-  static const FrameFiles rows, scans{"pcd", {"scans"}},
-      pictures{"png", {"rgb", "depth", "semantic", "instance", "boxes"}};
+  static const FrameFiles rows, scans{"pcd", {"scans"}}, pictures{"png", PictureFolders()};
   if (form == ChannelForm::kRows) return rows;
   return form == ChannelForm::kScans ? scans : pictures;
 }

@@ -16,7 +16,7 @@ namespace tera {
 struct InclinometerSample {
   TimeNs t_ns = 0;
   TimeNs t_available_ns = 0;
-  double tilt_rad = 0;  ///< in (-pi, pi]
+  double tilt_rad = 0;  ///< in (-pi, pi], but for bias and noise
   double tilt_radps = 0;
 };
 
