@@ -193,15 +193,15 @@ void GrainsInFlight(benchmark::State& state) {
   std::uint64_t poured = 0;
   const auto pour = [&] {
     const double x_m = 6 * place.Uniform(poured, 1) - 3, y_m = 6 * place.Uniform(poured, 2) - 3;
-    const double z_m = kFall_m * (poured < Grains::kMost ? place.Uniform(poured, 3) : 1.0);
+    const double z_m = kFall_m * (poured < Grains::kMostClods ? place.Uniform(poured, 3) : 1.0);
     const Vec3 p_W(x_m, y_m, ground.HeightAt(x_m, y_m) + z_m);
     grains.Pour(clod, p_W, p_W, Vec3::Zero(), &ground);
     ++poured;
   };
   StepTimes clods, flow, both;
-  BareFall bare(Grains::kMost);
+  BareFall bare(Grains::kMostClods);
   for (auto _ : state) {
-    while (grains.count() < Grains::kMost) pour();
+    while (grains.count() < Grains::kMostClods) pour();
     double clods_s = 0, flow_s = 0;
     {
       const CpuStopwatch watch(&clods_s);

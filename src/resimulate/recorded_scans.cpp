@@ -8,12 +8,12 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kPointsOfScan = 4000;
+constexpr std::size_t kMostPointsOfScan = 4000;  ///< that are kept of a scan or depth picture
 
 LoadedScan LoadOf(const Recording& recording, const std::string& channel, const LidarModel& model,
                   TimeNs t_ns) {
   const LidarScan recorded = recording.LoadScan(channel, t_ns);
-  const std::size_t stride = recorded.points.size() / kPointsOfScan + 1;
+  const std::size_t stride = recorded.points.size() / kMostPointsOfScan + 1;
   LoadedScan loaded{{t_ns, {}}, ""};
   // An odd stride, so that with an even number of beams all of them come.
   for (std::size_t i = 0; i < recorded.points.size(); i += stride | 1) {
@@ -47,7 +47,7 @@ LoadedScan LoadOf(const Recording& recording, const std::string& channel, const 
   const std::size_t pixels = depth_m.data.size();
   const Mat3 R_SC = OpticalInSensor().linear();
   const double noise_1pm = model.disparity_noise_px / (lens.fx_px * model.baseline_m);
-  for (std::size_t i = 0; i < pixels; i += (pixels / kPointsOfScan + 1) | 1) {
+  for (std::size_t i = 0; i < pixels; i += (pixels / kMostPointsOfScan + 1) | 1) {
     const double z_m = depth_m.data[i];
     if (!(z_m > 0)) continue;
     const auto width = static_cast<std::size_t>(lens.width_px);

@@ -29,7 +29,8 @@ class SensedScene {
   virtual std::vector<float> BodyScales() const = 0;
   /// Poses X_WB of all bodies at the fraction `s` of the way through the step.
   virtual std::vector<Pose> BodiesBetween(double s) const = 0;
-  /// The same at a time since the oldest that a sampler needs (SensorSampler::SceneNeededSince).
+  /// Poses X_WB of all bodies at a time, which may be as early as the oldest that a sampler needs
+  /// (SensorSampler::SceneNeededSince).
   virtual std::vector<Pose> BodiesAt(TimeNs t_ns) const = 0;
   virtual Rasterizer* rasterizer() const = 0;
   virtual RayScene* ray_scene() const = 0;

@@ -19,10 +19,10 @@ struct SeededScenario {
 /// The scenario with that seed or, without one, its own.
 using ScenarioSource = std::function<SeededScenario(std::optional<std::uint64_t> seed)>;
 
-/// Of a scenario as its text `resolved_yaml` has it now, whatever becomes of its file; messages
-/// call it `name`. Episodes of its own seed share one scenario. Another seed makes another one,
-/// which is read from the text: its ground may have another relief. Throws InputError where the
-/// text is at fault.
+/// The source of a scenario as its text `resolved_yaml` has it now, whatever becomes of its file;
+/// messages call it `name`. Episodes of its own seed share one scenario. Another seed makes another
+/// one, which is read from the text: its ground may have another relief. Throws InputError where
+/// the text is at fault.
 ScenarioSource SourceOf(const std::string& resolved_yaml, const std::string& name);
 
 }  // namespace tera

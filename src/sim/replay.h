@@ -15,8 +15,9 @@ void RequireSimulated(const Recording& recording);
 /// InputError where the commands do not fit the machines.
 void CommandAsRecorded(const Recording& recording, Scenario* scenario);
 
-/// The same of a run that was stopped (WasStopped): as far as the commands of every machine had
-/// come to the disk. Throws InputError where they do not fit, or where there are none yet.
+/// Gives `scenario` the commands of a run that was stopped (WasStopped), as far as those of every
+/// machine had come to the disk: the run ends there. Throws InputError where they do not fit, or
+/// where there are none yet.
 void CommandAsFarAsRecorded(const std::filesystem::path& directory, Scenario* scenario);
 
 }  // namespace tera

@@ -7,7 +7,9 @@
 #include <vector>
 
 // test/ mirrors src/, so that whoever reads a source finds its test: test/soil/track/tread_test.cpp
-// is of src/soil/track/tread.cpp.
+// is of src/soil/track/tread.cpp. Two things are held here: a test lies in a folder that src/ has
+// too, and one that bears the name of a source lies in that source's folder. It is not held that
+// every source has a test, nor that every test bears the name of a source.
 
 namespace {
 

@@ -55,8 +55,9 @@ Pose FitSe3(const std::vector<Pair>& pairs) {
   return X_WV;
 }
 
-/// The same in the horizontal plane, in closed form: the yaw whose tangent is the sum of cross
-/// products over the sum of dot products of the centred positions. Heights stay.
+/// Least-squares motion of b's positions onto a's in the horizontal plane, in closed form: the yaw
+/// whose tangent is the sum of cross products over the sum of dot products of the centred
+/// positions. Heights stay.
 Pose FitSe2(const std::vector<Pair>& pairs) {
   const auto n = static_cast<double>(pairs.size());
   Vec2 centre_a = Vec2::Zero(), centre_b = Vec2::Zero();

@@ -52,8 +52,8 @@ std::string ReadWholeFile(const std::filesystem::path& path);
 /// Creates a folder with its parents. Throws InputError.
 void MakeFolder(const std::filesystem::path& path);
 
-/// The same, where it is not there, and tries whether files can be created in it. Throws
-/// InputError.
+/// Creates a folder with its parents where it is not there, and tries whether files can be created
+/// in it. Throws InputError.
 void MakeWritableFolder(const std::filesystem::path& path);
 
 /// The InputError for a system call on `path` that failed with `error_number`.

@@ -21,10 +21,10 @@ constexpr std::ptrdiff_t kFewestSamples = 200;
 constexpr double kLongestRepeat_s = 1;
 constexpr int kLags = 12;  ///< of the lever, in the flexible regressor
 constexpr double kLongestLag_s = 0.8;
-/// Share of the model's effort that a drive surely has: samples that need more are left out.
+/// Share of the model's effort that a drive surely has: samples that need more are excluded.
 constexpr double kSureEffortShare = 0.5;
-/// Share of the moving samples that may be left out for that; with more, all of them stay.
-constexpr double kMostLeftOutShare = 0.4;
+/// Share of the moving samples that may be excluded for that; with more, all of them stay.
+constexpr double kMostExcludedShare = 0.4;
 constexpr double kLeverTremor = 0.01;  ///< by which a held lever may change
 /// Share of a lever's time out of neutral in which it must come back, for its direction to be a
 /// variable of its own.
@@ -86,7 +86,7 @@ MeasuredRate WithinItsEffort(const LoneAxisReplay& replay, MeasuredRate measured
     ++moves;
     lost += falls_short[i] ? 1 : 0;
   }
-  if (lost > kMostLeftOutShare * moves) return measured;
+  if (lost > kMostExcludedShare * moves) return measured;
   for (std::size_t i = 0; i < falls_short.size(); ++i) {
     if (falls_short[i]) measured.is_free[i] = false;
   }

@@ -21,12 +21,6 @@ constexpr double kLargestQuantile = 0.99;
 /// Width of the flexible regressor's smoothed sign, over the largest rate.
 constexpr double kSignWidth = 0.02;
 
-double LargestOf(const std::vector<double>& x) {
-  double largest = 0;
-  for (const double one : x) largest = std::max(largest, std::abs(one));
-  return largest;
-}
-
 /// The largest effort and rate of the log, by which sizes of candidates are bounded.
 struct Reach {
   double effort_nm = 0, rate_radps = 0;
@@ -36,7 +30,7 @@ struct Reach {
 Reach ReachOf(const EffortLog& log) {
   std::vector<double> magnitude_nm = ValidValues(log.measured);
   for (double& e : magnitude_nm) e = std::abs(e);
-  return {Quantile(magnitude_nm, kLargestQuantile), LargestOf(log.rate_radps)};
+  return {Quantile(magnitude_nm, kLargestQuantile), LargestMagnitude(log.rate_radps)};
 }
 
 std::vector<Candidate> CandidatesOf(const std::string& joint, const Effects& present,
@@ -59,7 +53,7 @@ std::vector<Candidate> CandidatesOf(const std::string& joint, const Effects& pre
 
 /// The flexible regressor: friction of any form, by position, and the effort of a wrong mass.
 Eigen::MatrixXd FlexibleRegressor(const EffortLog& log) {
-  const double w = LargestOf(log.rate_radps), a = LargestOf(log.acceleration_radps2);
+  const double w = LargestMagnitude(log.rate_radps), a = LargestMagnitude(log.acceleration_radps2);
   const double middle = Median(log.position_rad);
   const double spread = std::max(RobustScale(log.position_rad), 1e-9);
   Eigen::MatrixXd columns(static_cast<Eigen::Index>(log.rate_radps.size()), 20);
@@ -81,7 +75,7 @@ Eigen::MatrixXd FlexibleRegressor(const EffortLog& log) {
 
 Eigen::MatrixXd NominalColumns(const EffortLog& log) {
   const auto size = static_cast<Eigen::Index>(log.inertial_nm.size());
-  const bool heavy = LargestOf(log.weight_nm) > 0;
+  const bool heavy = LargestMagnitude(log.weight_nm) > 0;
   Eigen::MatrixXd columns(size, heavy ? 2 : 1);
   columns.col(0) = kNominalMass * Eigen::Map<const Eigen::VectorXd>(log.inertial_nm.data(), size);
   if (heavy) {
@@ -100,7 +94,7 @@ std::vector<RegimeVariable> VariablesOf(const std::string& joint, const EffortLo
   add("rate/" + joint, log.rate_radps);
   add("position/" + joint, log.position_rad);
   add("acceleration/" + joint, log.acceleration_radps2);
-  if (LargestOf(log.weight_nm) > 0) add("load/" + joint, log.weight_nm);
+  if (LargestMagnitude(log.weight_nm) > 0) add("load/" + joint, log.weight_nm);
   std::vector<double> time_s;
   for (std::size_t k = 0; k < log.rate_radps.size(); ++k) {
     time_s.push_back(static_cast<double>(k) * period_s);

@@ -17,7 +17,7 @@ constexpr double kPause_s = 0.4;  ///< between the moves of an excitation
 constexpr double kRest_s = 1.2;   ///< at the end of an excitation
 constexpr double kRow_s = 0.02;   ///< between the moves of a curve
 constexpr double kLongestSweep_s = 6;
-constexpr std::size_t kMostOthers = 2;  ///< axes that are held elsewhere in turn
+constexpr std::size_t kMostHeldAxes = 2;  ///< axes that are held elsewhere in turn
 
 /// Moves of one axis, one after another.
 class Course {
@@ -144,7 +144,7 @@ void AddCoordinated(const AxisRange& own, const std::vector<AxisRange>& others,
                     std::vector<Excitation>* excitations) {
   std::size_t added = 0;
   for (const AxisRange& other : others) {
-    if (added == kMostOthers) break;
+    if (added == kMostHeldAxes) break;
     const auto away_s = HoldTime_s(other, 0.6), hold_s = HoldTime_s(own, 0.5);
     if (!away_s || !hold_s) continue;
     ++added;

@@ -17,7 +17,7 @@ namespace tera {
 struct PerceptionFinding {
   /// Its errors are distances to the simulated surfaces or edges, on FINAL.
   Finding finding;
-  /// Where on the site, of what is of the scene.
+  /// Where on the site a finding of the scene lies.
   struct Place {
     Vec2 centre_W_m = Vec2::Zero(), low_W_m = Vec2::Zero(), high_W_m = Vec2::Zero();
   };
@@ -49,11 +49,11 @@ struct PerceptionDiagnosis {
   bool found_nothing() const { return findings.empty(); }
 };
 
-/// Of a sensor of which nothing can be said.
+/// The diagnosis of a sensor of which nothing can be said, for the reason `why`.
 PerceptionDiagnosis NotJudged(const std::string& channel, const std::string& target,
                               const std::string& why);
 
-/// Enters what was found of the sensor.
+/// Moves a registration's noise, detectability and findings into the diagnosis of its sensor.
 void TakeOver(RegistrationSearch search, PerceptionDiagnosis* diagnosis);
 
 }  // namespace tera

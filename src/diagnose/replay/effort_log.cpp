@@ -240,12 +240,6 @@ bool IsUsable(const EffortLog& log, const Spread& effort,
   return moves;
 }
 
-double LargestOf(const std::vector<double>& x) {
-  double largest = 0;
-  for (const double one : x) largest = std::max(largest, std::abs(one));
-  return largest;
-}
-
 std::optional<EffortLog> MakeLog(const MachineModel& model, const std::string& channel,
                                  std::size_t joint, const Sides& sides) {
   const Grid grid = GridOf(sides, joint);
@@ -266,7 +260,7 @@ std::optional<EffortLog> MakeLog(const MachineModel& model, const std::string& c
                                  : std::nullopt);
   }
   SetFineRate(*positions[joint], kernels, &log);
-  const double rest_radps = kMostRestShare * LargestOf(log.fine_rate_radps);
+  const double rest_radps = kMostRestShare * LargestMagnitude(log.fine_rate_radps);
   const auto stride =
       static_cast<std::size_t>(std::lround(1 / (kSamplesPerPeriod * log.band_hz * grid.step_s)));
   log.measured.period_s = static_cast<double>(stride) * grid.step_s;

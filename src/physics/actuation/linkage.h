@@ -21,7 +21,7 @@ struct FourBarPose {
 std::optional<FourBarPose> SolveFourBar(const MachineModel& model, const FourBar& linkage,
                                         double q_rad);
 
-/// The same, of a linkage known to close at `q_rad`.
+/// The pose of a linkage that is known to close at `q_rad`.
 FourBarPose PoseOf(const MachineModel& model, const FourBar& linkage, double q_rad);
 
 /// A cylinder's pins in the frame P of its joint's parent link, at the middle of those side by

@@ -13,7 +13,7 @@ struct ActuatorEffort {
   /// At mid-travel, the mean of both directions.
   double rated_nm = 0;
 
-  /// The same everywhere.
+  /// An actuator with the same effort in both directions, all over its travel.
   static ActuatorEffort Constant(double effort_nm);
 };
 

@@ -94,7 +94,7 @@ Grains::Grains(const std::vector<SoilType>& soils, std::uint64_t seed)
 }
 
 double Grains::clod_m3() const {
-  return kClod_m3 * (1 + (kLargestClods - 1) * static_cast<double>(count()) / kMost);
+  return kClod_m3 * (1 + (kLargestClods - 1) * static_cast<double>(count()) / kMostClods);
 }
 
 void Grains::Pour(const SpoilMix& spoil, const Vec3& from_W, const Vec3& to_W, const Vec3& v_W,
@@ -105,7 +105,7 @@ void Grains::Pour(const SpoilMix& spoil, const Vec3& from_W, const Vec3& to_W, c
       const Spoil clod = rest.Take(1.0 / n);
       const std::uint64_t k = poured_++;
       const Vec3 p_W = from_W + scatter_.Uniform(k, 1) * (to_W - from_W);
-      if (count() < kMost) {
+      if (count() < kMostClods) {
         grains_.push_back({p_W, v_W + kScatter_mps * scatter_.Gaussian3(k, 2), clod,
                            static_cast<std::uint16_t>(k),
                            static_cast<float>(std::cbrt(3 * clod.volume_m3 / (4 * kPi))), kind});

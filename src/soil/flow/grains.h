@@ -20,14 +20,14 @@ namespace tera {
 ///         Loose soil takes in what was poured where it meets it: what lies too steep then flows as
 ///         Avalanche says; pieces of a bank slide on over it. Otherwise, at rest, or when it has
 ///         slid for kLongestSlide_s, it becomes loose soil of the columns around, or of the bed
-///         over which it is. There are never more than kMost: clods are larger while many are under
-///         way, and what more is poured lies in the column below at once. Clods neither touch each
-///         other nor machines: they exert no force.
+///         over which it is. There are never more than kMostClods: clods are larger while many are
+///         under way, and what more is poured lies in the column below at once. Clods neither touch
+///         each other nor machines: they exert no force.
 /// Omits   collisions between clods, bouncing, drag of the air, the push that a clod gives the soil
 ///         that takes it in.
 class Grains {
  public:
-  static constexpr std::size_t kMost = 20000;
+  static constexpr std::size_t kMostClods = 20000;
 
   enum class Kind : std::uint8_t {
     kLoose,  ///< poured
@@ -49,7 +49,7 @@ class Grains {
 
   std::size_t count() const { return grains_.size(); }
   /// Whether what can wait should not be poured now.
-  bool is_crowded() const { return count() > kMost / 10 * 9; }
+  bool is_crowded() const { return count() > kMostClods / 10 * 9; }
   double mass_kg() const;
 
  private:

@@ -106,9 +106,9 @@ TEST(Grains, ThereAreNeverMoreThanTheMostAndNoMassIsLost) {
     poured_kg += 1300;
     grains.Pour(spoil, Vec3(-2, 0, 3), Vec3(2, 0, 3), Vec3::Zero(), &ground);
     if (k % 10 == 0) grains.Step(kStep_s, &ground);
-    ASSERT_LE(grains.count(), Grains::kMost);
+    ASSERT_LE(grains.count(), Grains::kMostClods);
   }
-  EXPECT_EQ(grains.count(), Grains::kMost);
+  EXPECT_EQ(grains.count(), Grains::kMostClods);
   EXPECT_NEAR((ground.GroundGain().net_kg + grains.mass_kg()) / poured_kg, 1, 1e-12);
   while (grains.count() > 0) grains.Step(kStep_s, &ground);
   EXPECT_NEAR((ground.GroundGain().net_kg + ground.outside_kg()) / poured_kg, 1, 1e-12);

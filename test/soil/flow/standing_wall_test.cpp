@@ -179,7 +179,7 @@ TEST(StandingWall, WhatFallsOfClayIsClodsForAWhileAndLosesNoMass) {
     ASSERT_NEAR(pit.Balance_kg() / scale_kg, 0, 1e-12);
   }
   EXPECT_GT(pit.most_grains, 200u);
-  EXPECT_LE(pit.most_grains, Grains::kMost);
+  EXPECT_LE(pit.most_grains, Grains::kMostClods);
   pit.Wait(6);
   EXPECT_EQ(pit.grains.count(), 0u);
   EXPECT_NEAR(pit.Balance_kg() / scale_kg, 0, 1e-12);

@@ -19,9 +19,9 @@ class PictureLevels {
   /// `grey` is not smaller either way.
   explicit PictureLevels(const Image<float>& grey);
 
-  /// Interpolated between pixels; beyond the border as at the border.
+  /// Brightness at a place, interpolated between pixels; beyond the border as at the border.
   float At(int level, const Vec2& px) const;
-  /// Of the interpolated picture, by central differences of a pixel.
+  /// Gradient of the interpolated picture, by central differences over a pixel.
   Vec2 GradientAt(int level, const Vec2& px) const;
   /// Whether At and GradientAt are of what the picture shows there, not of its border repeated.
   bool Holds(const Vec2& px) const;

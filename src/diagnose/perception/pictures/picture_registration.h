@@ -36,7 +36,7 @@ class PictureRegistration {
   /// Residuals under another calibration, at a level of PictureLevels.
   std::vector<PointResidual> ResidualsOf(const std::vector<ScanPoints>& points,
                                          const SensorCalibration& calibration, int level) const;
-  /// Of measured with simulated brightness at the landmarks.
+  /// Coefficient of correlation of measured with simulated brightness at the landmarks.
   double Correlation(const std::vector<ScanPoints>& points,
                      const SensorCalibration& calibration) const;
   double MeanLandmarks() const;  ///< of a frame

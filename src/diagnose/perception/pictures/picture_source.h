@@ -39,7 +39,7 @@ struct PictureSource {
   std::function<Vec2(const Vec3& p_C_m)> project;          ///< pixel of a point before it
   std::function<std::optional<Vec3>(const Vec2& px)> ray;  ///< (x, y, 1) of a pixel
 
-  /// As the scenario has it.
+  /// The calibration that the scenario has.
   SensorCalibration calibration() const { return CalibrationUnder(X_BS, present); }
 };
 

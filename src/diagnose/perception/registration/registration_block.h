@@ -26,7 +26,7 @@ struct RegistrationBlock {
       residuals;
   int coarsest = 0;
 
-  /// With each term in place of what the scenario has of its mechanism.
+  /// The calibration in which each term takes the place of what the scenario has of its mechanism.
   SensorCalibration Under(const Structure& terms) const {
     return CalibrationUnder(X_BS, WithTerms(present, terms));
   }

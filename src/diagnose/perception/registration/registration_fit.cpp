@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kRounds = 9, kCoarseRounds = 4;
 constexpr int kTurnsAlone = 3;           ///< from this level on, the mount's place and ranges stay
-constexpr double kWide = 2;              ///< scale to begin with, over the robust one
+constexpr double kFirstScaleRatio = 2;   ///< of the scale to begin with to the robust one
 constexpr double kNarrowing = 0.4;       ///< of the scale, from one round to the next
 constexpr double kConverged = 1e-3;      ///< of the prior's deviation: so short a step is the last
 constexpr double kLargestStep = 1;       ///< likewise
@@ -148,7 +148,7 @@ RegistrationFit FitAllFree(const RegistrationBlock& block, const std::vector<Sca
   for (int level = block.coarsest; level > 0; --level) {
     for (int round = 0; round < kCoarseRounds; ++round) {
       const auto residuals = block.residuals(points, block.Under(fit.terms), level);
-      const double wide = std::max(scale, kWide * ScaleOf(residuals));
+      const double wide = std::max(scale, kFirstScaleRatio * ScaleOf(residuals));
       Step(EquationsOf(residuals, wide), jacobian(), level >= kTurnsAlone, start, &fit.terms);
     }
   }
@@ -157,7 +157,7 @@ RegistrationFit FitAllFree(const RegistrationBlock& block, const std::vector<Sca
   CalibrationJacobian derivatives;
   for (int round = 0; round < kRounds; ++round) {
     const auto residuals = block.residuals(points, block.Under(fit.terms), 0);
-    if (round == 0) wide = std::max(scale, kWide * ScaleOf(residuals));
+    if (round == 0) wide = std::max(scale, kFirstScaleRatio * ScaleOf(residuals));
     const double now = std::max(scale, wide * std::pow(kNarrowing, round));
     equations = EquationsOf(residuals, now);
     derivatives = jacobian();

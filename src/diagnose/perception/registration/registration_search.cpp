@@ -119,8 +119,8 @@ class Search {
     AddDetectability(left, fit, result);
   }
 
-  /// By how much a parameter may be off until the mean square of distances over their noise has
-  /// grown by as much as a term must take from it.
+  /// Adds by how much each parameter may be off until the mean square of distances over their noise
+  /// has grown by as much as a term must take from it.
   void AddDetectability(const std::vector<PointResidual>& left, const RegistrationFit& all,
                         RegistrationSearch* result) const {
     CalibrationMatrix information = CalibrationMatrix::Zero();
@@ -181,7 +181,8 @@ class Search {
     return SteadyGainP(GainsOf(before, after));
   }
 
-  /// Of a gain on SELECT by chance, times the number of candidates that are tested.
+  /// p-value of the gain of `more` over `less` on SELECT, times the number of candidates that are
+  /// tested (Bonferroni).
   double ChosenP(const Subset& less, const Subset& more) {
     const double p = GainP(OnSelect(less).residuals, OnSelect(more).residuals);
     return std::min(1.0, p * static_cast<double>(block_.candidates.size()));

@@ -35,14 +35,15 @@ struct RegistrationSearch {
   SensorCalibration calibration;  ///< under what was found
   double scale = 1;               ///< of the noise over its model
   double noise_rmse = 0;          ///< of the distances that a fit of all candidates leaves
-  /// With their evidence and their error on FINAL, each without it and with it; everywhere and all
-  /// the time, so that nothing is located. They point into the block's candidates.
+  /// Each finding has its evidence, and its error on FINAL without it and with it. It acts
+  /// everywhere and all the time, so that nothing is located. Findings point into the block's
+  /// candidates.
   std::vector<Finding> findings, unconfirmed;
   std::vector<ParameterDetectability> detectability;
 };
 
-/// Of the mean square that an error has without a finding above that of the noise, what it takes
-/// away; 0 where there is no such excess.
+/// Share that a finding removes of the excess: the mean square error without it, less that of the
+/// noise. 0 where there is no such excess.
 double ExcessRemoved(const HeldOutError& error, double noise_rmse);
 
 /// Which of a block's candidates act on its sensor, beginning at the values of `start`.

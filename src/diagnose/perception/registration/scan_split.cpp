@@ -9,15 +9,16 @@ namespace {
 
 constexpr TimeNs kShortestBlock_ns = 1'000'000'000;
 constexpr TimeNs kMostBlocks = 40;  ///< of a recording that is longer than so many shortest ones
-constexpr std::size_t kRound = 10;  ///< blocks among which the shares of the parts are exact
+/// Blocks of a round, among which the shares of the parts are exact.
+constexpr std::size_t kBlocksOfRound = 10;
 
 /// Parts of ten blocks in a row, in an order of their own.
-std::array<Part, kRound> PartsOfRound(const Stream& stream, std::size_t round) {
+std::array<Part, kBlocksOfRound> PartsOfRound(const Stream& stream, std::size_t round) {
   using enum Part;
-  std::array<Part, kRound> parts = {kTrain,  kTrain,  kTrain, kTrain, kSelect,
-                                    kSelect, kSelect, kFinal, kFinal, kFinal};
-  for (std::size_t i = kRound - 1; i > 0; --i) {
-    const double draw = stream.Uniform(round * kRound + i);
+  std::array<Part, kBlocksOfRound> parts = {kTrain,  kTrain,  kTrain, kTrain, kSelect,
+                                            kSelect, kSelect, kFinal, kFinal, kFinal};
+  for (std::size_t i = kBlocksOfRound - 1; i > 0; --i) {
+    const double draw = stream.Uniform(round * kBlocksOfRound + i);
     std::swap(parts[i], parts[static_cast<std::size_t>(draw * static_cast<double>(i + 1))]);
   }
   return parts;
@@ -38,7 +39,7 @@ ScanSplit SplitScans(const std::vector<TimeNs>& t_ns, const Stream& stream) {
     last = at;
     const std::size_t block = split.blocks - 1;
     split.block.push_back(block);
-    split.part.push_back(PartsOfRound(stream, block / kRound)[block % kRound]);
+    split.part.push_back(PartsOfRound(stream, block / kBlocksOfRound)[block % kBlocksOfRound]);
   }
   return split;
 }

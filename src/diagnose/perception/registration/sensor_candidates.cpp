@@ -27,7 +27,7 @@ class Candidates {
   Candidates(const std::string& sensor, EffectTarget kind, const Effects& present)
       : kind_(kind), list_(sensor, kind, present, SensorMechanisms()) {}
 
-  /// With all parameters free in the ranges of the table.
+  /// Adds a mechanism with all parameters free in the ranges of the table.
   void Add(std::string_view id, const std::vector<std::vector<double>>& starts) {
     const auto mechanism =
         std::find_if(SensorMechanisms().begin(), SensorMechanisms().end(),

@@ -39,7 +39,7 @@ struct RangeSource {
   /// Name of an object.
   std::function<std::string(int object)> name_of;
 
-  /// As the scenario has it.
+  /// The calibration that the scenario has.
   SensorCalibration calibration() const { return CalibrationUnder(X_BS, present); }
 };
 
@@ -61,10 +61,10 @@ Vec3 RayDirection_W(const SensorCalibration& calibration, const RangePoint& poin
 double PointToPlane_m(const RangeSource& source, const SensorCalibration& calibration,
                       const RangePoint& point, const SimulatedReturn& hit);
 
-/// Of each scan a flag a point; without any scan no point is flagged.
+/// One flag for each point of each scan. An empty list flags no point.
 using PointFlags = std::vector<std::vector<bool>>;
 
-/// Of all points of these scans, none flagged.
+/// Flags for all points of these scans, none of them set.
 PointFlags NoPoints(const std::vector<RangeScan>& scans);
 
 /// The ray of a point, and those of all points of a scan.

@@ -10,8 +10,9 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kPointsOfScan = 100;  ///< that tell whether anything can be compared
-constexpr double kLeastComparable = 0.05;   ///< of these points
+/// Points of a scan that tell whether anything can be compared.
+constexpr std::size_t kPointsForComparability = 100;
+constexpr double kLeastComparable = 0.05;  ///< share of these points
 /// Share of points that the scene may explain and still be believed before the sensor.
 constexpr double kMostExplained = 0.5;
 constexpr int kRounds = 2;  ///< of sensor and scene in turn
@@ -22,7 +23,7 @@ std::string ObstacleTo(const RangeSource& source, const ScanSplit& split) {
     return fmt::format("its {} scans are spread over {} blocks of a second; need {}",
                        source.scans.size(), split.blocks, kFewestBlocks);
   }
-  const auto points = PointsOf(source.scans, split, {Part::kTrain}, kPointsOfScan, {});
+  const auto points = PointsOf(source.scans, split, {Part::kTrain}, kPointsForComparability, {});
   std::size_t judged = 0, all = 0;
   for (const PointResidual& r : ResidualsOf(source, points, source.calibration())) {
     ++all;

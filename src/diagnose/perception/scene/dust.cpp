@@ -150,8 +150,8 @@ std::vector<double> SharesIn(const Shares& shares, const Window& window) {
   return within;
 }
 
-/// Of the whole recording, its halves, quarters and eighths the one that shows a cloud best; p over
-/// all of them.
+/// The window that shows a cloud best, among the whole recording, its halves, quarters and eighths;
+/// its p is corrected for the choice among all of them.
 Window ShownBestIn(const Shares& seen, std::size_t blocks) {
   Window best{0, blocks, 1};
   double windows = 0;
@@ -167,7 +167,8 @@ Window ShownBestIn(const Shares& seen, std::size_t blocks) {
   return best;
 }
 
-/// From the first to the last block of which more than `least` of the rays ended in the cloud.
+/// The window from the first to the last block of which more than `least` of the rays ended in the
+/// cloud.
 Window PresentIn(const Shares& seen, double least) {
   Window present;
   for (const auto& [block, share] : seen) {

@@ -41,14 +41,15 @@ double OneSidedP(ModeratedTTest::Mean of) {
   return kHeightTest.PFrom(of);
 }
 
-/// By how much a cell differs.
+/// The height by which a cell of the measured ground differs from the simulated one.
 struct CellDifference {
   double median_m, sigma_m;
   double p;  ///< of such a difference, either way, by chance
   std::size_t blocks;
 };
 
-/// Of the blocks from `first` to before `last`; nothing where these are too few.
+/// The difference of a cell in the blocks from `first` to before `last`; nothing where these or
+/// their points are too few.
 std::optional<CellDifference> DifferenceOf(const Blocks& blocks, double first, double last) {
   std::vector<double> medians;
   std::size_t points = 0;
@@ -254,7 +255,7 @@ void Confirm(const std::vector<HeightDifference>& final_differences, const ScanS
 }
 
 /// Clusters of cells that differ in the whole recording or in one half of it, which enter the map.
-/// Of the regions only p_chosen and whether they have walls are set.
+/// Only p_chosen of the regions and whether they have walls are set.
 std::vector<GroundRegion> FindRegions(const Cells& cells, const ScanSplit& split, GroundMap* map) {
   const auto blocks = static_cast<double>(split.blocks);
   std::map<CellIndex, CellDifference> differing = Differing(cells, 0, blocks);

@@ -10,7 +10,7 @@ namespace {
 
 /// Where a ray ended behind, or before, a surface: so far along the ray and along the normal.
 constexpr double kLeastAlongRay_m = 0.3, kLeastAlongNormal_m = 0.15;
-constexpr double kLevel = 0.01;  ///< of both tests, over all objects
+constexpr double kAlpha = 0.01;  ///< of both tests, over all objects
 constexpr std::size_t kFewestRays = 20;
 constexpr ModeratedTTest kMoreThanHalf{.limit = 0.5, .fewest_blocks = 3, .least_sigma = 0.03};
 
@@ -87,7 +87,7 @@ MissingObjects FindMissingObjects(const RangeSource& source, const ScanSplit& sp
     one.share = through / static_cast<double>(tally.rays);
     one.p_chosen = ShareP(tally.seen);
     one.p_confirmed = ShareP(tally.held_out);
-    if (one.p_chosen > kLevel / objects || one.p_confirmed > kLevel / objects) continue;
+    if (one.p_chosen > kAlpha / objects || one.p_confirmed > kAlpha / objects) continue;
     one.centre_W_m = tally.where_W_m / through;
     one.rmse_before_m = std::sqrt(tally.square_m2 / tally.final_rays);
     for (const auto& [scan, point] : tally.through) missing.explained[scan][point] = true;

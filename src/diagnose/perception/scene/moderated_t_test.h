@@ -13,7 +13,7 @@ namespace tera {
 ///         that is added to it.
 /// Source  Smyth 2004, "Linear models and empirical Bayes methods" (moderated t).
 struct ModeratedTTest {
-  /// Of values, with the standard deviation of the mean and its degrees of freedom.
+  /// The mean of values, with its standard deviation and the degrees of freedom of that.
   struct Mean {
     double mean = 0, sigma = 0, dof = 0;
   };

@@ -10,7 +10,7 @@ namespace tera {
 namespace {
 
 constexpr double kLeft = 64, kRight = 12, kTop = 10, kBottom = 46;
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kLineBreak = std::numeric_limits<double>::quiet_NaN();
 
 /// The step between ticks: 1, 2 or 5 times a power of ten.
 double TickStep(double span, int wanted) {
@@ -201,7 +201,7 @@ std::vector<PlotPoint> EnvelopeOf(const Series& series, const Segment& samples, 
       if (highest == end || series.value[k] > series.value[highest]) highest = k;
     }
     if (lowest == end) {
-      if (!line.empty() && std::isfinite(line.back().y)) line.push_back({kNothing, kNothing});
+      if (!line.empty() && std::isfinite(line.back().y)) line.push_back({kLineBreak, kLineBreak});
       continue;
     }
     line.push_back(point(std::min(lowest, highest)));

@@ -17,19 +17,19 @@ constexpr double kLeastExplainedShare = 0.02;
 constexpr double kAlpha = 0.01;  ///< of any interval being found where there is noise alone
 constexpr double kLeastDeviation = 1e-6;  ///< of a residual, where there is no noise at all
 /// RMS of a residual over that of the noise above which regimes are judged beside white noise.
-constexpr double kLoud = 3;
-/// As kLoud, for a recording without rest, where slow noise is not known.
-constexpr double kLoudWithoutRest = 10;
+constexpr double kLeastRatioToNoise = 3;
+/// As kLeastRatioToNoise, for a recording without rest, where slow noise is not known.
+constexpr double kLeastRatioToNoiseWithoutRest = 10;
 /// Deviation of long means over the noise's RMS at rest, at most: that of AR(1) with 0.8.
 constexpr double kMostLongRunRatio = 3;
 /// As kMostLongRunRatio, over what third differences say of the noise, for a recording without
 /// rest.
 constexpr double kMostLongRunRatioWithoutRest = 10;
 /// Explained share over the largest above which a variable counts as explaining as much.
-constexpr double kNearlyAsMuch = 0.95;
+constexpr double kLeastShareOfLargest = 0.95;
 /// Criterion over that of the best significant variable above which a variable that is not
 /// significant comes first.
-constexpr double kMuchMore = 1.3;
+constexpr double kLeastCriterionRatio = 1.3;
 
 /// A variable that explains part of a residual.
 struct Regressor {
@@ -49,7 +49,7 @@ Regressor BestRegressor(const std::vector<RegimeTestResult>& tests, double least
   }
   Regressor best{tests.size(), 1, 0};
   for (std::size_t v = 0; v < tests.size(); ++v) {
-    if (!explains(tests[v]) || tests[v].whole_criterion < kNearlyAsMuch * most) continue;
+    if (!explains(tests[v]) || tests[v].whole_criterion < kLeastShareOfLargest * most) continue;
     const double p = tests[v].comparison.p;
     const bool is_better =
         best.variable == tests.size() || p < best.p ||
@@ -67,7 +67,7 @@ std::vector<Regressor> RankedRegressors(const Partialling& found) {
   double least = kLeastExplainedShare;
   if (!found.steps.empty()) {
     const PartiallingStep& first = found.steps.front();
-    least = std::max(least, kMuchMore * first.tests[first.variable].criterion);
+    least = std::max(least, kLeastCriterionRatio * first.tests[first.variable].criterion);
   }
   const auto& tests = found.steps.empty() ? found.left : found.steps.front().tests;
   const Regressor slow = BestRegressor(tests, least);
@@ -133,7 +133,8 @@ struct RegimeNoise {
 RegimeNoise NoiseForRegimes(const Series& residual, const NoiseModel& noise,
                             const NoiseLevel& level) {
   const double rms = Rms(residual);
-  if (rms <= (level.at_rest ? kLoud : kLoudWithoutRest) * level.rms()) return {noise};
+  const double ratio = level.at_rest ? kLeastRatioToNoise : kLeastRatioToNoiseWithoutRest;
+  if (rms <= ratio * level.rms()) return {noise};
   return {{.scale = rms, .dof = 10}, static_cast<double>(CorrelationLength(ValidValues(residual)))};
 }
 

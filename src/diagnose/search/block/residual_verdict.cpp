@@ -14,9 +14,10 @@ namespace {
 /// Share of the flexible regressor's first gain that it must still have for the error to be asked
 /// about.
 constexpr double kLeastUnexplainedShare = 0.05;
-constexpr double kLoud = 2;  ///< RMS of a residual over that of the noise from which it is no noise
-/// As kLoud, for a recording without rest, where slow noise is not known.
-constexpr double kLoudWithoutRest = 10;
+/// RMS of a residual over that of the noise up to which it passes for noise.
+constexpr double kLargestNoiseRatio = 2;
+/// As kLargestNoiseRatio, for a recording without rest, where slow noise is not known.
+constexpr double kLargestNoiseRatioWithoutRest = 10;
 /// RMSE over the noise from which a few loud manoeuvres of the whole recording are error.
 constexpr double kMuchLouder = 5;
 constexpr std::size_t kFewestLoud = 3;  ///< loud manoeuvres of the whole recording, for that
@@ -47,7 +48,7 @@ double QuietMeanSquare(const EvaluationContext& context, const SearchResult& sea
 void Decide(const EvaluationContext& context, const SearchResult& search,
             ResidualVerdict* verdict) {
   const Series& residual = search.found.misfit.residual[verdict->channel];
-  const double quiet = QuietMeanSquare(context, search, *verdict, kLoud);
+  const double quiet = QuietMeanSquare(context, search, *verdict, kLargestNoiseRatio);
   std::size_t loud_in_all = 0;
   for (const Manoeuvre& manoeuvre : context.manoeuvres) {
     if (manoeuvre.axes == 0) continue;
@@ -59,8 +60,9 @@ void Decide(const EvaluationContext& context, const SearchResult& search,
   }
   const double square = verdict->rmse * verdict->rmse;
   if (square <= quiet) return;
-  const bool is_known = verdict->noise.at_rest ||
-                        square > QuietMeanSquare(context, search, *verdict, kLoudWithoutRest);
+  const bool is_known =
+      verdict->noise.at_rest ||
+      square > QuietMeanSquare(context, search, *verdict, kLargestNoiseRatioWithoutRest);
   const bool is_of_most = 2 * verdict->loud >= verdict->manoeuvres;
   const bool is_of_several = verdict->loud > 0 && loud_in_all >= kFewestLoud &&
                              verdict->rmse > kMuchLouder * verdict->noise.rms();

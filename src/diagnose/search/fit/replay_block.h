@@ -29,8 +29,8 @@ struct FreeParameter {
   double kink = 0;
   /// It refines another number: an answer has its default, unless it changes the channel enough.
   bool refines = false;
-  /// Of a sensor that is registered (perception/registration): standard deviation of a normal prior
-  /// about where a fit begins, which holds what the scans do not tell; 0: none.
+  /// Standard deviation of a normal prior about where a fit begins, which holds what the scans of a
+  /// registered sensor (perception/registration) do not tell. 0: there is no prior.
   double prior_sigma = 0;
 };
 

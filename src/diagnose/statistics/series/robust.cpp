@@ -21,6 +21,12 @@ double Quantile(std::vector<double> values, double share) {
 
 double Median(std::vector<double> values) { return Quantile(std::move(values), 0.5); }
 
+double LargestMagnitude(std::span<const double> values) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
 double RobustScale(const std::vector<double>& values) {
   const double middle = Median(values);
   std::vector<double> distance(values.size());

@@ -12,6 +12,9 @@ double Quantile(std::vector<double> values, double share);
 
 double Median(std::vector<double> values);
 
+/// The largest magnitude of the values; 0 where there are none.
+double LargestMagnitude(std::span<const double> values);
+
 /// Standard deviation of a normal distribution by its median absolute deviation:
 /// 1.4826 median |x - median x|.
 double RobustScale(const std::vector<double>& values);
