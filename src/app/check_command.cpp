@@ -29,13 +29,13 @@ void PrintMachine(const ScenarioMachine& machine) {
   std::vector<std::string> levers;
   for (const Lever& lever : model.levers) levers.push_back(lever.name);
   if (!levers.empty()) fmt::print("  levers: {}\n", fmt::join(levers, ", "));
-  fmt::print("  {:<18} {:<8} {:<14} {:>22} {:>22} {:>9}\n", "sensor", "type", "link", "xyz m",
+  fmt::print("  {:<18} {:<12} {:<14} {:>22} {:>22} {:>9}\n", "sensor", "type", "link", "xyz m",
              "rpy deg", "rate Hz");
   for (const SensorDescription& sensor : machine.sensors) {
     const Vec3 xyz = sensor.X_BS.translation();
     const Vec3 rpy = RpyFromRotation(sensor.X_BS.linear()) / kDeg;
     fmt::print(
-        "  {:<18} {:<8} {:<14} {:>22} {:>22} {:>9g}\n", sensor.name, TypeOf(sensor),
+        "  {:<18} {:<12} {:<14} {:>22} {:>22} {:>9g}\n", sensor.name, TypeOf(sensor),
         sensor.link.empty() ? "-" : sensor.link,
         fmt::format("{:.3f} {:.3f} {:.3f}", xyz.x(), xyz.y(), xyz.z()),
         fmt::format("{:.1f} {:.1f} {:.1f}", Tenths(rpy.x()), Tenths(rpy.y()), Tenths(rpy.z())),
