@@ -224,7 +224,7 @@ TEST_F(Inputs, MovedTheyAreNamedByTheirNewPlace) {
 
 TEST_F(Inputs, MovedFromWhereNoneWasIsRefused) {
   Whole();
-  for (const std::string& moved : {path() / "sit=elsewhere", path() / "site2=elsewhere"}) {
+  for (const std::string moved : {path() / "sit=elsewhere", path() / "site2=elsewhere"}) {
     ExpectRefused({"replay", "whole", "--out", "again", "--moved", moved},
                   AllOf(StartsWith("--moved " + moved), HasSubstr("no input of the recording")));
   }

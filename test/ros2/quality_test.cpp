@@ -106,7 +106,12 @@ TEST_F(Quality, ReliableReaderThatHangsHoldsNeitherTheWriterNorOtherReaders) {
   const FastPeer::Wish wish{
       .topic = "rt/picture", .type = "sensor_msgs::msg::dds_::Image_", .reliable = true};
   peer_.Subscribe(wish);
-  ros::Image image{{0, "optical"}, 480, 640, "rgb8", 1920, {}};
+  ros::Image image;
+  image.header.frame_id = "optical";
+  image.height_px = 480;
+  image.width_px = 640;
+  image.encoding = "rgb8";
+  image.step_bytes = 1920;
   image.data.resize(480 * 1920);
   PeerProcess reader(HungReader({wish}));
   std::int64_t written = 0;
