@@ -2,7 +2,7 @@
 
 #include "dig_site.h"
 #include "scratch_folder.h"
-#include "sim/generate.h"
+#include "sim/run/generate.h"
 #include "verdict.h"
 
 // Shipped scenarios from start to finished dataset, with all their sensors or some. Figures are

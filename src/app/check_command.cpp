@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "app/arguments/scenario_options.h"
 #include "app/commands.h"
-#include "app/scenario_options.h"
 #include "core/units.h"
 #include "physics/description/urdf_left_out.h"
 #include "sim/scene_assembly.h"

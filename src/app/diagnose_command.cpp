@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "app/argument_checks.h"
+#include "app/arguments/argument_checks.h"
 #include "app/commands.h"
 #include "app/diagnosed_report.h"
 

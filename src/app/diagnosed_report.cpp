@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/diagnose_progress.h"
+#include "app/progress/diagnose_progress.h"
 #include "core/error.h"
 #include "diagnose/report/files/write_report.h"
 #include "diagnose/report/text/sentence.h"

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/scenario_options.h"
+#include "app/arguments/scenario_options.h"
 #include "diagnose/diagnose_recording.h"
 
 namespace tera {

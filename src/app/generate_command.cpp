@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "app/argument_checks.h"
+#include "app/arguments/argument_checks.h"
+#include "app/arguments/scenario_options.h"
 #include "app/commands.h"
-#include "app/followed_run.h"
-#include "app/scenario_options.h"
+#include "app/progress/followed_run.h"
 #include "dataset/format/recorded_inputs.h"
 #include "dataset/format/recording.h"
 #include "dataset/format/writer.h"

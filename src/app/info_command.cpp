@@ -3,7 +3,7 @@
 #include <memory>
 #include <thread>
 
-#include "app/argument_checks.h"
+#include "app/arguments/argument_checks.h"
 #include "app/commands.h"
 #include "app/version.h"
 #include "core/config/config.h"

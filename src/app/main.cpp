@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "app/arguments/misspelt.h"
 #include "app/commands.h"
-#include "app/misspelt.h"
 #include "app/version.h"
 #include "core/error.h"
 

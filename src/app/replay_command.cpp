@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "app/commands.h"
-#include "app/followed_run.h"
-#include "sim/recorded_run.h"
+#include "app/progress/followed_run.h"
+#include "sim/run/recorded_run.h"
 
 namespace tera {
 namespace {

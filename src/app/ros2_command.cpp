@@ -10,9 +10,9 @@
 #include <string_view>
 #include <utility>
 
-#include "app/argument_checks.h"
+#include "app/arguments/argument_checks.h"
+#include "app/arguments/scenario_options.h"
 #include "app/commands.h"
-#include "app/scenario_options.h"
 #include "core/error.h"
 #include "ros2/live.h"
 

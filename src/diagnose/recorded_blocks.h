@@ -6,7 +6,7 @@
 #include "diagnose/discrepancy/discrepancy_correction.h"
 #include "diagnose/measurements.h"
 #include "diagnose/search/fit/replay_block.h"
-#include "resimulate/simulated_course.h"
+#include "resimulate/motion/simulated_course.h"
 
 namespace tera {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "dataset/format/recording.h"
-#include "resimulate/recorded_motion.h"
+#include "resimulate/motion/recorded_motion.h"
 #include "resimulate/recorded_stage.h"
 #include "resimulate/scan_caster.h"
 #include "sensors/sensor.h"

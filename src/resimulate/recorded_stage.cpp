@@ -1,6 +1,6 @@
 #include "resimulate/recorded_stage.h"
 
-#include "resimulate/recorded_machines.h"
+#include "resimulate/motion/recorded_machines.h"
 
 namespace tera {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/rays/ray_scene.h"
-#include "resimulate/recorded_motion.h"
+#include "resimulate/motion/recorded_motion.h"
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"
 

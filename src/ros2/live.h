@@ -6,7 +6,7 @@
 
 #include "ros2/pace.h"
 #include "ros2/participant.h"
-#include "sim/live_run.h"
+#include "sim/run/live_run.h"
 
 namespace tera::ros {
 

@@ -6,7 +6,7 @@
 
 #include "serve/scenario_source.h"
 #include "serve/server.h"
-#include "sim/live_run.h"
+#include "sim/run/live_run.h"
 #include "sim/scenario/scenario.h"
 
 namespace tera {

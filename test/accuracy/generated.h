@@ -11,7 +11,7 @@
 #include "dataset/format/recording.h"
 #include "own_folder.h"
 #include "physics/description/machine.h"
-#include "sim/generate.h"
+#include "sim/run/generate.h"
 
 // A dataset written and read back, and the truth in it: what a user of the files has, nothing more.
 

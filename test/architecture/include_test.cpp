@@ -299,10 +299,11 @@ TEST(Includes, MakeNoCircleOfPairs) {
     EXPECT_TRUE(kBelongTogether.contains(pair))
         << pair << " includes what includes it; move the data that both need to a leaf header";
   }
-  const std::vector<Include> circle = {{"render/gl/lens.cpp", "render", "render/gl/view.h"},
-                                       {"render/gl/view.h", "render", "render/scene.h"},
-                                       {"render/scene.cpp", "render", "render/gl/lens.h"},
-                                       {"render/gl/sky.cpp", "render", "render/gl/lens.h"}};
+  const std::vector<Include> circle = {
+      {"render/gl/passes/lens.cpp", "render", "render/gl/view.h"},
+      {"render/gl/view.h", "render", "render/scene.h"},
+      {"render/scene.cpp", "render", "render/gl/passes/lens.h"},
+      {"render/gl/passes/sky.cpp", "render", "render/gl/passes/lens.h"}};
   EXPECT_EQ(PairsInCircles(circle).size(), 3u);
 }
 

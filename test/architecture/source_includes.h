@@ -13,7 +13,7 @@
 namespace testing_architecture {
 
 struct Include {
-  std::string file;    ///< named from src/: "render/gl/lens.cpp"
+  std::string file;    ///< named from src/: "render/gl/passes/lens.cpp"
   std::string folder;  ///< the first of its path
   std::string header;
   std::string Text() const { return file + " includes " + header; }

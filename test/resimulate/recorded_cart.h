@@ -11,7 +11,7 @@
 #include "core/units.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/format/recording.h"
-#include "resimulate/recorded_motion.h"
+#include "resimulate/motion/recorded_motion.h"
 #include "sim/scenario/scenario.h"
 
 /// A cart with a mast that turns, and recordings of it that nothing simulated.

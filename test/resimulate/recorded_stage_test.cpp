@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "own_folder.h"
-#include "sim/generate.h"
+#include "sim/run/generate.h"
 #include "sim/work_fixture.h"
 
 namespace tera {

@@ -4,7 +4,7 @@
 
 #include "serve/live_stage_fixture.h"
 #include "serve/sample_keeper.h"
-#include "sim/live_run.h"
+#include "sim/run/live_run.h"
 
 // What is told of a simulation: description, state, samples, patches of ground.
 

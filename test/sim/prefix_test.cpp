@@ -8,7 +8,7 @@
 
 #include "core/config/config.h"
 #include "own_folder.h"
-#include "sim/generate.h"
+#include "sim/run/generate.h"
 
 // What is written of a moment does not depend on how long the run goes on after it.
 

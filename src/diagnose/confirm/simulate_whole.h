@@ -8,7 +8,7 @@
 #include "diagnose/confirm/whole_simulation.h"
 #include "diagnose/diagnosed_block.h"
 #include "diagnose/measurements.h"
-#include "resimulate/simulate_under_levers.h"
+#include "resimulate/motion/simulate_under_levers.h"
 
 namespace tera {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "diagnose/replay/axis_log.h"
-#include "resimulate/simulated_course.h"
+#include "resimulate/motion/simulated_course.h"
 
 namespace tera {
 

@@ -2,7 +2,7 @@
 
 #include "core/types/measurement.h"
 #include "render/gl/gl_objects.h"
-#include "render/gl/node_renderer.h"
+#include "render/gl/passes/node_renderer.h"
 #include "render/gl/view.h"
 #include "render/scene.h"
 

@@ -11,7 +11,7 @@
 
 #include "core/config/config.h"
 #include "own_folder.h"
-#include "sim/live_run.h"
+#include "sim/run/live_run.h"
 
 /// A compact excavator driven from outside. It stands on asphalt, turned and off the origin.
 

@@ -1,0 +1,55 @@
+#include "app/arguments/argument_checks.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+namespace tera {
+namespace {
+
+/// What `text` says, if all of it is a finite number.
+template <typename T>
+std::optional<T> NumberIn(const std::string& text) {
+  T number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || rest != end || !std::isfinite(static_cast<double>(number))) {
+    return std::nullopt;
+  }
+  return number;
+}
+
+template <typename T>
+CLI::Validator Need(const std::string& need, std::function<bool(T)> holds) {
+  const auto check = [=](std::string& text) -> std::string {
+    const std::optional<T> number = NumberIn<T>(text);
+    return number && holds(*number) ? "" : fmt::format("'{}'; need a {}", text, need);
+  };
+  return CLI::Validator(check, need);
+}
+
+}  // namespace
+
+CLI::Validator PositiveNumber(const std::string& unit) {
+  return Need<double>(fmt::format("number > 0, in {}", unit), [](double x) { return x > 0; });
+}
+
+CLI::Validator NumberBetween(double least, double most, const std::string& unit) {
+  return Need<double>(fmt::format("number from {:g} to {:g}, in {}", least, most, unit),
+                      [=](double x) { return x >= least && x <= most; });
+}
+
+CLI::Validator WholeNumberFrom0() {
+  return Need<std::int64_t>("whole number >= 0", [](std::int64_t n) { return n >= 0; });
+}
+
+CLI::Validator WholeNumberBetween(int least, int most) {
+  return Need<std::int64_t>(fmt::format("whole number from {} to {}", least, most),
+                            [=](std::int64_t n) { return n >= least && n <= most; });
+}
+
+}  // namespace tera

@@ -1,0 +1,61 @@
+#include "app/progress/followed_run.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+#include "app/progress/progress_bar.h"
+#include "app/progress/stop_message.h"
+#include "sim/run/generate.h"
+
+namespace tera {
+namespace {
+
+constexpr double kShown_s = 0.005;  ///< less is 0.00 in the table: a stage that the run has not
+
+void PrintReport(const GenerateReport& report, const std::string& out) {
+  const auto factor = [&](double wall_s) {
+    return wall_s >= kShown_s ? fmt::format("{:8.1f} x", report.simulated_s / wall_s) : "       -";
+  };
+  fmt::print("{}: {:.1f} s simulated in {:.1f} s, {} frames, {:.1f} MB\n", out, report.simulated_s,
+             report.wall_s, report.frames, 1e-6 * static_cast<double>(report.bytes));
+  const double measured_s = report.physics_s + report.soil_s + report.camera_s + report.lidar_s;
+  fmt::print("  stage          wall s   real time\n");
+  const std::pair<const char*, double> stages[] = {{"physics", report.physics_s},
+                                                   {"soil", report.soil_s},
+                                                   {"cameras", report.camera_s},
+                                                   {"lidars", report.lidar_s},
+                                                   {"everything else", report.wall_s - measured_s},
+                                                   {"whole run", report.wall_s}};
+  for (const auto& [name, wall_s] : stages) {
+    fmt::print("  {:<14} {:7.2f}  {}\n", name, wall_s, factor(wall_s));
+  }
+}
+
+/// The run; the line of its progress has ended when this returns.
+GenerateReport RunWithProgress(const LoadedScenario& loaded, const RunOptions& options) {
+  ProgressBar bar;
+  const StopMessage on_stop(
+      fmt::format("\nstopped; the same command with --resume finishes {}\n", options.out.string()));
+  return Generate(loaded.scenario, loaded.resolved_yaml,
+                  {.out = options.out,
+                   .threads = options.host.threads,
+                   .resume = options.resume,
+                   .egl = options.host.egl,
+                   .progress = [&](const GenerateProgress& progress) { bar.Show(progress); }});
+}
+
+}  // namespace
+
+void AddRunOptions(CLI::App* command, RunOptions* options) {
+  command->add_option("--out", options->out, "Directory of the dataset; new or empty")->required();
+  AddHostOptions(command, &options->host);
+  command->add_flag("--resume", options->resume, "Finish a run that was stopped");
+}
+
+void FollowRun(const LoadedScenario& loaded, const RunOptions& options) {
+  PrintReport(RunWithProgress(loaded, options), options.out.string());
+}
+
+}  // namespace tera

@@ -1,0 +1,63 @@
+#include "app/progress/progress_bar.h"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace tera {
+namespace {
+
+constexpr int kWidestBar = 24;
+constexpr int kUsualColumns = 80;
+
+/// Columns of the terminal, which a line must not fill: it would wrap, and \r begin another one.
+int TerminalColumns() {
+  winsize size = {};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : kUsualColumns;
+}
+
+std::string Clock(double seconds) {
+  const auto whole_s = static_cast<std::int64_t>(std::ceil(seconds));
+  return fmt::format("{}:{:02}", whole_s / 60, whole_s % 60);
+}
+
+/// `text` behind a bar as wide as the line has room for, or cut to the line.
+std::string Line(double done, const std::string& text, int columns) {
+  const int room = std::min(kWidestBar, columns - 4 - static_cast<int>(text.size()));
+  if (room < 1) return text.substr(0, static_cast<std::size_t>(columns - 1));
+  const int filled = static_cast<int>(done * room);
+  return fmt::format("[{}{}] {}", std::string(filled, '#'), std::string(room - filled, '.'), text);
+}
+
+}  // namespace
+
+ProgressBar::ProgressBar()
+    : terminal_(isatty(STDERR_FILENO) == 1), start_(std::chrono::steady_clock::now()) {}
+
+ProgressBar::~ProgressBar() {
+  if (shown_) fmt::print(stderr, "\n");
+}
+
+void ProgressBar::Show(const GenerateProgress& progress) {
+  if (!terminal_) return;
+  const double wall_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  const double done = std::clamp(progress.simulated_s / progress.duration_s, 0.0, 1.0);
+  const double factor = wall_s > 0 ? progress.simulated_s / wall_s : 0.0;
+  const double left_s = done > 0 ? wall_s * (1 - done) / done : 0.0;
+  const std::string text =
+      fmt::format("{:.1f} / {:.1f} s  {:.2f} x real time  {} frames  {} left", progress.simulated_s,
+                  progress.duration_s, factor, progress.frames, Clock(left_s));
+  // What an earlier, longer line left on the right goes away with ESC [ K.
+  fmt::print(stderr, "\r{}\x1b[K", Line(done, text, TerminalColumns()));
+  std::fflush(stderr);
+  shown_ = true;
+}
+
+}  // namespace tera

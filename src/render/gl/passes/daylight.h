@@ -1,0 +1,30 @@
+#pragma once
+
+#include "render/gl/gl_objects.h"
+#include "render/gl/passes/sky.h"
+
+namespace tera {
+
+/// The sky on the GPU, with the picture's exposure.
+///
+/// Model   exposure = 1 / (1.2 2^EV100): the luminance that saturates an ISO 100 sensor maps to 1.
+///         Extinction of the fog = -ln(0.02) / visibility (Koschmieder).
+/// Source  Lagarde, de Rousiers 2014, "Moving Frostbite to physically based rendering", section
+///         5.1; ISO 12232 for saturation-based speed.
+class Daylight {
+ public:
+  explicit Daylight(const Environment& environment);
+
+  const Sky& sky() const { return sky_; }
+  /// Uniforms of light.glsl.
+  void Light(const Program& program) const;
+  /// Sky texture to `unit`, with its exposure.
+  void BindSky(unsigned unit, const Program& program) const;
+
+ private:
+  Sky sky_;
+  float exposure_, extinction_1pm_;
+  GlObject texture_;
+};
+
+}  // namespace tera

@@ -1,0 +1,142 @@
+#include "render/gl/passes/shadow_map.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tera {
+namespace {
+
+constexpr int kNearSide_px = 1536, kFarSide_px = 1024;
+constexpr double kNearRadius_m = 9.0;
+constexpr double kSnap_m = 4.0;  // of the near picture's centre, so that it seldom moves
+constexpr double kMargin_m = 0.5;
+
+Mat3 SunFrame(const Vec3& to_sun_W) {
+  const Vec3 z = to_sun_W.normalized();
+  const Vec3 x = (std::abs(z.z()) > 0.999 ? Vec3::UnitX() : Vec3(-z.y(), z.x(), 0)).normalized();
+  const Vec3 y = z.cross(x).normalized();
+  Mat3 R;
+  R.row(0) = y.cross(z).transpose();
+  R.row(1) = y.transpose();
+  R.row(2) = z.transpose();
+  return R;
+}
+
+bool SamePoses(const std::vector<Pose>& a, const std::vector<Pose>& b) {
+  return a.size() == b.size() &&
+         std::equal(a.begin(), a.end(), b.begin(),
+                    [](const Pose& p, const Pose& q) { return p.matrix() == q.matrix(); });
+}
+
+}  // namespace
+
+ShadowMap::ShadowMap(const Vec3& to_sun_W)
+    : R_LW_(SunFrame(to_sun_W)),
+      texture_(MakeTexture(GL_DEPTH_COMPONENT16, kNearSide_px + kFarSide_px,
+                           std::max(kNearSide_px, kFarSide_px), Filter::kShadow, Wrap::kClamp)),
+      framebuffer_(MakeFramebuffer({}, texture_.id())),
+      near_{0, kNearSide_px, {}},
+      far_{kNearSide_px, kFarSide_px, {}} {}
+
+void ShadowMap::Update(const SceneState& state, const Vec3& eye_W_m, NodeRenderer* nodes) {
+  Vec3 centre_W_m;
+  for (int k = 0; k < 3; ++k) centre_W_m[k] = std::round(eye_W_m[k] / kSnap_m) * kSnap_m;
+  if (drawn_ && centre_W_m == drawn_centre_W_m_ && SamePoses(state.X_WB, drawn_poses_) &&
+      state.body_scale == drawn_scales_) {
+    return;
+  }
+  Eigen::AlignedBox3d all = nodes->BoundsAlong(R_LW_, state);
+  if (all.isEmpty()) all.extend(Vec3::Zero());
+  far_.box_L_m = {all.min() - Vec3::Constant(kMargin_m), all.max() + Vec3::Constant(kMargin_m)};
+  const Vec3 centre_L_m = R_LW_ * centre_W_m;
+  near_.box_L_m = far_.box_L_m;  // along the light: everything that may cast
+  for (int k = 0; k < 2; ++k) {
+    near_.box_L_m.min()[k] = std::max(centre_L_m[k] - kNearRadius_m, far_.box_L_m.min()[k]);
+    near_.box_L_m.max()[k] = std::min(centre_L_m[k] + kNearRadius_m, far_.box_L_m.max()[k]);
+    if (near_.box_L_m.min()[k] >= near_.box_L_m.max()[k]) {  // no node is near
+      near_.box_L_m.min()[k] = centre_L_m[k] - kNearRadius_m;
+      near_.box_L_m.max()[k] = centre_L_m[k] + kNearRadius_m;
+    }
+  }
+  nodes->Place(state, Vec3::Zero(), nullptr);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  glDepthMask(GL_TRUE);
+  const float farthest = 1;
+  glClearBufferfv(GL_DEPTH, 0, &farthest);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(1.5f, 2.0f);
+  program_.Use();
+  // Seen from the sun, a shadow lies where its node is: what the fine picture holds whole, the
+  // coarse one does not need, and what lies outside the fine one cannot shade within it.
+  const auto gap_m = [&](const Vec3& centre_W_m) {  // from the fine picture's border, inwards
+    const Vec2 p_L = (R_LW_ * centre_W_m).head<2>();
+    const Vec2 low = p_L - near_.box_L_m.min().head<2>(),
+               high = near_.box_L_m.max().head<2>() - p_L;
+    return std::min(low.minCoeff(), high.minCoeff());
+  };
+  AimAt(near_);
+  nodes->DrawOpaqueIf([&](const Vec3& c, double r) { return gap_m(c) > -r; });
+  AimAt(far_);
+  nodes->DrawOpaqueIf([&](const Vec3& c, double r) { return gap_m(c) < r + kMargin_m; });
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  drawn_ = true;
+  drawn_centre_W_m_ = centre_W_m;
+  drawn_poses_ = state.X_WB;
+  drawn_scales_ = state.body_scale;
+}
+
+void ShadowMap::AimAt(const Picture& picture) const {
+  glViewport(picture.left_px, 0, picture.side_px, picture.side_px);
+  const Vec3 size = picture.box_L_m.sizes(), low = picture.box_L_m.min();
+  Eigen::Matrix4d clip_L = Eigen::Matrix4d::Identity();
+  for (int k = 0; k < 2; ++k) {
+    clip_L(k, k) = 2 / size[k];
+    clip_L(k, 3) = -1 - 2 * low[k] / size[k];
+  }
+  clip_L(2, 2) = -1 / size.z();  // nearest to the sun: 0
+  clip_L(2, 3) = 1 + low.z() / size.z();
+  Eigen::Matrix4d X_LW = Eigen::Matrix4d::Identity();
+  X_LW.topLeftCorner<3, 3>() = R_LW_;
+  program_.Set("u_clip_from_W", Eigen::Matrix4f((clip_L * X_LW).cast<float>()));
+}
+
+void ShadowMap::Bind(unsigned unit, const Vec3& eye_W_m, const Program& program) const {
+  glBindTextureUnit(unit, texture_.id());
+  const double width_px = kNearSide_px + kFarSide_px,
+               height_px = std::max(kNearSide_px, kFarSide_px);
+  const auto matrix = [&](const Picture& picture) {
+    const Vec3 size = picture.box_L_m.sizes(), low = picture.box_L_m.min();
+    Eigen::Matrix4d unit_L = Eigen::Matrix4d::Identity();  // the picture's box to [0, 1]
+    for (int k = 0; k < 3; ++k) {
+      unit_L(k, k) = 1 / size[k];
+      unit_L(k, 3) = -low[k] / size[k];
+    }
+    unit_L.row(2) = Eigen::RowVector4d::Unit(3) - unit_L.row(2);
+    Eigen::Matrix4d X_LR = Eigen::Matrix4d::Identity();
+    X_LR.topLeftCorner<3, 3>() = R_LW_;
+    X_LR.topRightCorner<3, 1>() = R_LW_ * eye_W_m;
+    return Eigen::Matrix4f((unit_L * X_LR).cast<float>());
+  };
+  const auto square = [&](const Picture& picture) {  // scale and offset in the texture
+    return Eigen::Vector4f(static_cast<float>(picture.side_px / width_px),
+                           static_cast<float>(picture.side_px / height_px),
+                           static_cast<float>(picture.left_px / width_px), 0.0f);
+  };
+  program.Set("u_shadow_near", matrix(near_));
+  program.Set("u_shadow_far", matrix(far_));
+  program.Set("u_shadow_near_square", square(near_));
+  program.Set("u_shadow_far_square", square(far_));
+  const Vec2 near_texel = near_.box_L_m.sizes().head<2>() / near_.side_px;
+  const Vec2 far_texel = far_.box_L_m.sizes().head<2>() / far_.side_px;
+  program.Set("u_shadow_texel_m", Eigen::Vector2f(static_cast<float>(near_texel.maxCoeff()),
+                                                  static_cast<float>(far_texel.maxCoeff())));
+  program.Set("u_shadow_texel",
+              Eigen::Vector2f(static_cast<float>(1 / width_px), static_cast<float>(1 / height_px)));
+}
+
+}  // namespace tera

@@ -1,0 +1,73 @@
+#include "sim/run/generate.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/stopwatch.h"
+#include "sim/run/run.h"
+#include "sim/run/terrain_log.h"
+
+namespace tera {
+namespace {
+
+/// Steps the scenario to its end into `writer`. `step` counts the steps done, for a caller that
+/// must know how far a run came which bad input stopped.
+void RunToEnd(const Scenario& scenario, const SceneAssembly& assembly,
+              const GenerateOptions& options, DatasetWriter* writer, std::int64_t* step,
+              GenerateReport* report) {
+  const std::int64_t steps = std::llround(scenario.duration_s * scenario.physics_rate_hz);
+  // A fifth of a second between progress reports, in steps of simulated time.
+  const std::int64_t steps_per_report =
+      std::max<std::int64_t>(1, std::llround(scenario.physics_rate_hz / 5));
+  Run run(scenario, OperatorsOf(scenario), assembly, options.egl, options.threads, writer);
+  TerrainLog terrain(scenario, run.simulation().state().ground(), writer);
+  while (*step < steps) {
+    ++*step;
+    run.Step();
+    terrain.Write(run.simulation().state().t_ns);
+    if (options.progress && *step % steps_per_report == 0) {
+      options.progress({ToSeconds(run.simulation().state().t_ns), scenario.duration_s,
+                        writer->frames_written()});
+    }
+  }
+  terrain.Finish();
+  run.Finish();
+  writer->Finish();
+  report->simulated_s = scenario.duration_s;
+  report->physics_s = run.simulation().physics_wall_s();
+  report->soil_s = run.simulation().soil_wall_s();
+  report->camera_s = run.rig().camera_wall_s();
+  report->lidar_s = run.rig().lidar_wall_s();
+  report->frames = writer->frames_written();
+  report->bytes = writer->bytes_written();
+}
+
+}  // namespace
+
+GenerateReport Generate(const Scenario& scenario, const std::string& resolved_yaml,
+                        const GenerateOptions& options) {
+  GenerateReport report;
+  {
+    const Stopwatch watch(&report.wall_s);
+    const SceneAssembly assembly(scenario);
+    const DatasetInfo info = InfoOf(scenario, resolved_yaml, assembly.model());
+    if (options.resume && DatasetWriter::FinishWhole(options.out, info)) return {};
+    DatasetWriter writer(options.out, info, {.threads = options.threads, .resume = options.resume});
+    std::int64_t step = 0;
+    try {
+      RunToEnd(scenario, assembly, options, &writer, &step, &report);
+    } catch (const InputError& error) {
+      if (step == 0 && !writer.resumed()) {
+        writer.Discard();
+        throw;
+      }
+      throw InputError(
+          fmt::format("{}\nwhat was written is kept in {}: finish it by the same command with "
+                      "--resume, or delete it",
+                      error.what(), writer.incomplete_directory().string()));
+    }
+  }
+  return report;
+}
+
+}  // namespace tera

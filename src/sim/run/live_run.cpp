@@ -1,0 +1,137 @@
+#include "sim/run/live_run.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "core/check.h"
+#include "core/error.h"
+#include "dataset/format/sink_group.h"
+#include "dataset/format/writer.h"
+#include "sim/run/run.h"
+#include "sim/run/terrain_log.h"
+
+namespace tera {
+namespace {
+
+/// Puts a remote operator before each machine's own; `remote` gets the remote ones.
+Operators TakeOver(Operators operators, std::vector<RemoteOperator*>* remote) {
+  for (std::unique_ptr<Operator>& own : operators) {
+    auto before = std::make_unique<RemoteOperator>(std::move(own));
+    remote->push_back(before.get());
+    own = std::move(before);
+  }
+  return operators;
+}
+
+/// Of simulated time, between two times that rows are brought to the disk.
+constexpr double kFlush_s = 1.0;
+
+constexpr char kRemedy[] =
+    "simulate again what was commanded until then (tera replay DIRECTORY --out NEW), or delete it";
+
+std::unique_ptr<DatasetWriter> RecorderOf(const Scenario& scenario,
+                                          const std::string& resolved_yaml, const SceneModel& scene,
+                                          const LiveOptions& options) {
+  if (!options.record) return nullptr;
+  return std::make_unique<DatasetWriter>(
+      *options.record, InfoOf(scenario, resolved_yaml, scene),
+      WriterOptions{.threads = options.threads, .kind = "live recording", .remedy = kRemedy});
+}
+
+}  // namespace
+
+struct LiveRun::Impl {
+  Impl(std::shared_ptr<const Scenario> given, const std::string& resolved_yaml,
+       const LiveOptions& options, std::vector<MeasurementSink*> sinks)
+      : scenario(std::move(given)),
+        assembly(*scenario),
+        recorder(RecorderOf(*scenario, resolved_yaml, assembly.model(), options)),
+        group(AllSinks(std::move(sinks))) {
+    try {
+      run = std::make_unique<Run>(*scenario, TakeOver(OperatorsOf(*scenario), &operators), assembly,
+                                  options.egl, options.threads, &group);
+      if (recorder) {
+        terrain = std::make_unique<TerrainLog>(*scenario, run->simulation().state().ground(),
+                                               recorder.get());
+      }
+    } catch (const InputError&) {
+      if (recorder) recorder->Discard();
+      throw;
+    }
+  }
+
+  std::vector<MeasurementSink*> AllSinks(std::vector<MeasurementSink*> sinks) {
+    if (recorder) sinks.push_back(recorder.get());
+    return sinks;
+  }
+
+  /// Steps, and each second brings what was recorded to the disk, with the first levers of the
+  /// next: a killed run goes as far.
+  void Step() {
+    run->Step();
+    if (terrain) terrain->Write(run->simulation().state().t_ns);
+    const auto steps_per_flush =
+        static_cast<std::int64_t>(std::ceil(kFlush_s * scenario->physics_rate_hz));
+    if (recorder && ++steps % steps_per_flush == 1) recorder->Flush();
+  }
+
+  void Finish() {
+    const double duration_s = ToSeconds(run->simulation().state().t_ns);
+    if (terrain) terrain->Finish();
+    run->Finish();
+    if (!recorder) return;
+    recorder->SetDuration(duration_s);
+    recorder->Finish();
+  }
+
+  /// `act`; where it fails, what is kept of the recording is said too.
+  template <typename Act>
+  void Recording(const Act& act) {
+    try {
+      act();
+    } catch (const InputError& error) {
+      if (!recorder) throw;
+      throw InputError(fmt::format("{}\nwhat was recorded is kept in {}: {}", error.what(),
+                                   recorder->incomplete_directory().string(), kRemedy));
+    }
+  }
+
+  std::shared_ptr<const Scenario> scenario;
+  std::vector<RemoteOperator*> operators;  ///< of the run's machines
+  SceneAssembly assembly;
+  std::unique_ptr<DatasetWriter> recorder;
+  SinkGroup group;
+  std::unique_ptr<Run> run;
+  std::unique_ptr<TerrainLog> terrain;  ///< only where there is a recorder
+  std::int64_t steps = 0;
+};
+
+LiveRun::LiveRun(std::shared_ptr<const Scenario> scenario, const std::string& resolved_yaml,
+                 const LiveOptions& options, std::vector<MeasurementSink*> sinks)
+    : impl_(std::make_unique<Impl>(std::move(scenario), resolved_yaml, options, std::move(sinks))) {
+}
+
+LiveRun::~LiveRun() = default;
+
+void LiveRun::Command(std::size_t machine, const ControlMessage& message) {
+  TERA_CHECK(machine < impl_->operators.size(), machine);
+  const auto fault = FaultOf(message, impl_->scenario->machines[machine].placement.model);
+  TERA_CHECK(!fault, fault.value_or(""));
+  impl_->operators[machine]->Receive(simulation().state().t_ns, message);
+}
+
+void LiveRun::Step() {
+  impl_->Recording([this] { impl_->Step(); });
+}
+
+void LiveRun::Finish() {
+  impl_->Recording([this] { impl_->Finish(); });
+}
+
+const Scenario& LiveRun::scenario() const { return *impl_->scenario; }
+
+const Simulation& LiveRun::simulation() const { return impl_->run->simulation(); }
+
+}  // namespace tera

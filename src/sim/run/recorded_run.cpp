@@ -1,0 +1,120 @@
+#include "sim/run/recorded_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "core/config/portable_name.h"
+#include "core/error.h"
+#include "dataset/files/checked_file.h"
+#include "dataset/format/recorded_inputs.h"
+#include "dataset/format/recording.h"
+#include "dataset/format/writer.h"
+#include "sim/run/replay.h"
+
+namespace tera {
+namespace {
+
+MovedFiles Moved(const std::string& text, const std::vector<RecordedInput>& inputs) {
+  const std::size_t equals = text.find('=');
+  if (equals == 0 || equals == std::string::npos || equals + 1 == text.size()) {
+    throw InputError(fmt::format("--moved {}: need OLD=NEW, each a file or a folder", text));
+  }
+  MovedFiles moved{text.substr(0, equals), text.substr(equals + 1)};
+  if (std::none_of(inputs.begin(), inputs.end(),
+                   [&](const RecordedInput& input) { return Concerns(moved, input.name); })) {
+    throw InputError(
+        fmt::format("--moved {}: no input of the recording is '{}' or below it; need a name that "
+                    "its dataset.yaml lists, or a folder that such a name begins with",
+                    text, moved.from));
+  }
+  return moved;
+}
+
+/// `read` must be among the files that were checked. Which mesh a URDF finds depends on the folders
+/// about it too.
+void RequireAmong(const std::vector<InputFile>& checked, const std::vector<InputFile>& read,
+                  const std::filesystem::path& scenario_file) {
+  std::set<std::string> known;
+  for (const InputFile& input : checked) known.insert(PortableName(input.path));
+  for (const InputFile& file : read) {
+    const std::string name = PortableName(file.path);
+    if (known.contains(name)) continue;
+    throw InputError(
+        fmt::format("{}: now reads {}, which the recorded run did not; move it away, or say where "
+                    "the files are that dataset.yaml lists by --moved OLD=NEW",
+                    scenario_file.string(), name));
+  }
+}
+
+/// Its scenario from files that are what they were. What it reads has the names that the recording
+/// gave, wherever it is now.
+LoadedScenario ScenarioOf(const std::filesystem::path& recording,
+                          const std::vector<std::string>& moved_texts) {
+  const std::filesystem::path scenario_file = recording / "scenario.yaml";
+  const std::vector<RecordedInput> recorded = LoadInputs(recording);
+  std::vector<MovedFiles> moved;
+  for (const std::string& text : moved_texts) moved.push_back(Moved(text, recorded));
+  std::vector<InputFile> inputs =
+      RequireInputs(recorded, moved, "put that file back, or say where it is by --moved OLD=NEW");
+  LoadedScenario loaded = LoadScenario(scenario_file, {}, {}, moved);
+  loaded.resolved_yaml = ReadWholeFile(scenario_file);
+  if (!recorded.empty()) {
+    RequireAmong(inputs, loaded.scenario.inputs, scenario_file);
+    loaded.scenario.inputs = std::move(inputs);
+  }
+  return loaded;
+}
+
+bool IsAt(const std::filesystem::path& folder, const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::equivalent(folder, path, ignored);
+}
+
+/// Whatever links and `..` the path goes by, and whether it is there yet.
+bool IsInside(const std::filesystem::path& folder, const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::path above = std::filesystem::weakly_canonical(path, error);
+  while (!error && above.has_relative_path()) {
+    above = above.parent_path();
+    if (IsAt(folder, above)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+LoadedScenario LoadRecordedRun(const std::filesystem::path& directory,
+                               const std::vector<std::string>& moved) {
+  if (WasStopped(directory)) {
+    LoadedScenario loaded = ScenarioOf(directory, moved);
+    CommandAsFarAsRecorded(directory, &loaded.scenario);
+    return loaded;
+  }
+  const Recording recording(directory);
+  RequireSimulated(recording);
+  LoadedScenario loaded = ScenarioOf(directory, moved);
+  CommandAsRecorded(recording, &loaded.scenario);
+  return loaded;
+}
+
+void RequireAnotherPlace(const std::filesystem::path& recording, const std::filesystem::path& out) {
+  for (const std::filesystem::path& written : {out, IncompleteOf(out)}) {
+    if (IsAt(recording, written)) {
+      throw InputError(
+          fmt::format("--out {}: would be written to {}, which is the recording to be replayed; "
+                      "give it another name",
+                      out.string(), written.string()));
+    }
+    if (IsInside(recording, written)) {
+      throw InputError(fmt::format(
+          "--out {}: lies inside {}, which is the recording to be replayed; choose a folder "
+          "outside it",
+          out.string(), recording.string()));
+    }
+  }
+}
+
+}  // namespace tera

@@ -1,0 +1,70 @@
+#include "sim/run/run.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "core/config/portable_name.h"
+#include "dataset/format/recorded_inputs.h"
+
+namespace tera {
+namespace {
+
+/// The scenario's files and those that its meshes name, in order of their names.
+std::vector<InputFile> InputsOf(const Scenario& scenario, const SceneModel& scene) {
+  std::vector<InputFile> inputs = scenario.inputs;
+  std::set<std::string> places;
+  for (const InputFile& input : inputs) places.insert(PortableName(input.path));
+  for (const Mesh& mesh : scene.meshes) {
+    for (const std::filesystem::path& file : mesh.files) {
+      const std::string name = PortableName(file);
+      if (places.insert(name).second) inputs.push_back({name, file});
+    }
+  }
+  std::sort(inputs.begin(), inputs.end(),
+            [](const InputFile& a, const InputFile& b) { return a.name < b.name; });
+  return inputs;
+}
+
+}  // namespace
+
+DatasetInfo InfoOf(const Scenario& scenario, const std::string& resolved_yaml,
+                   const SceneModel& scene) {
+  DatasetInfo info;
+  info.scenario_name = scenario.name;
+  info.simulated = true;
+  info.seed = scenario.seed;
+  info.duration_s = scenario.duration_s;
+  info.origin_lat_deg = scenario.origin.lat_deg;
+  info.origin_lon_deg = scenario.origin.lon_deg;
+  info.origin_height_m = scenario.origin.height_m;
+  info.resolved_scenario_yaml = resolved_yaml;
+  info.inputs = DigestsOf(InputsOf(scenario, scene));
+  for (std::size_t i = 1; i < scene.instances.size(); ++i) {
+    info.instances.push_back({static_cast<std::uint16_t>(i), scene.instances[i].name,
+                              std::string(NameOf(scene.instances[i].label))});
+  }
+  return info;
+}
+
+Run::Run(const Scenario& scenario, Operators operators, const SceneAssembly& assembly,
+         const EglOptions& egl, int threads, MeasurementSink* sink)
+    : simulation_(scenario, std::move(operators)),
+      truth_(scenario, sink),
+      rig_(scenario, assembly, egl, threads, sink) {
+  rig_.SampleStart(simulation_);
+}
+
+void Run::Step() {
+  simulation_.Step();
+  truth_.Write(simulation_.previous(), simulation_.state());
+  rig_.Sample(simulation_);
+}
+
+void Run::Finish() {
+  simulation_.Step();
+  truth_.Write(simulation_.previous(), simulation_.state());
+  rig_.Finish(simulation_);
+}
+
+}  // namespace tera
