@@ -56,7 +56,7 @@ std::string_view Environment(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// As ROS 2 has it: ROS_DOMAIN_ID, else 0.
+/// The domain that ROS 2 would choose: ROS_DOMAIN_ID, else 0.
 int DomainOfEnvironment() {
   const std::string_view text = Environment("ROS_DOMAIN_ID");
   if (text.empty()) return 0;

@@ -42,7 +42,7 @@ class PictureCaster {
   Rasterizer rasterizer_;
 };
 
-/// Of a picture so many times smaller in both directions, each pixel the mean of what it covers.
+/// The lens of a picture so many times smaller both ways, each pixel the mean of what it covers.
 CameraIntrinsics Reduced(const CameraIntrinsics& lens, int times);
 /// The brightness of a picture (Rec. 601) from 0 to 1, so many times smaller.
 Image<float> ReducedGrey(const Image<std::uint8_t>& rgb, int times);

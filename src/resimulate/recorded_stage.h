@@ -28,6 +28,7 @@ class RecordedStage {
   /// begins.
   RecordedStage(const Scenario& scenario, const std::vector<RecordedMotion>& machines,
                 TimeNs start_ns);
+  RecordedStage(Scenario&&, const std::vector<RecordedMotion>&, TimeNs) = delete;
 
   /// At `t_ns`, which must not lie before the last.
   Moment AdvanceTo(TimeNs t_ns);

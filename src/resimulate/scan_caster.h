@@ -11,7 +11,7 @@
 
 namespace tera {
 
-/// Of each instance of the scene, what it is to a comparison. Tracks and what a shovel carries are
+/// What each instance of the scene is to a comparison. Tracks and what a shovel carries are
 /// not to be compared: nothing measured their shape. Nor are parts of machines of which a joint was
 /// not measured. The ground is instance 0.
 std::vector<Surface> SurfacesOf(const Scenario& scenario, const SceneAssembly& assembly,

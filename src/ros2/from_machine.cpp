@@ -21,7 +21,7 @@ TransformStamped RootInWorld(TimeNs t_ns, const ScenarioMachine& machine,
   return {{t_ns, kWorldFrame}, LinkFrame(machine, 0), state.links[0].X_WB};
 }
 
-/// Of the joints that are fixed, or of those that are not.
+/// Appends the joints that are fixed, or those that are not.
 void AppendJoints(TimeNs t_ns, const ScenarioMachine& machine, const MachineState& state,
                   bool fixed, std::vector<TransformStamped>* transforms) {
   for (const Joint& joint : machine.placement.model.joints) {

@@ -18,10 +18,11 @@ std::string TopicOf(const std::string& machine, const std::string& topic);
 /// The name that the DDS topic behind a ROS topic has: "rt/excavator1/odom".
 std::string DdsTopicOf(const std::string& ros_topic);
 
-/// Of a link or a sensor, "excavator1/boom".
+/// The frame of a link or a sensor, "excavator1/boom".
 std::string FrameOf(const std::string& machine, const std::string& part);
 
-/// Of a camera's optical frame, x right, y down, z forward: "excavator1/camera_front_optical".
+/// The name of a camera's optical frame, x right, y down, z forward:
+/// "excavator1/camera_front_optical".
 std::string OpticalFrameOf(const std::string& machine, const std::string& camera);
 
 /// Where a sensor's topics stand below its machine: its own name, but that `gnss` at its beginning

@@ -90,7 +90,7 @@ class Lockstep {
   double timeout_s_;
   Ways ways_;
   bool met_ = false;  ///< somebody has been there, or the first wait is over
-  /// Of each machine that is not waited for: the time to which no answer came.
+  /// For each machine that is not waited for, the time to which no answer came.
   std::vector<std::optional<TimeNs>> given_up_ns_;
   RealTime real_time_;
   std::int64_t timeouts_ = 0;

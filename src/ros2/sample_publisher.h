@@ -41,7 +41,7 @@ class SamplePublisher : public MeasurementSink {
     SensorDescription sensor;
     std::string machine, frame_id;
     std::map<std::string, Participant::WriterId> topics;
-    /// Of a sensor whose samples are rows: the topic and the message of a row.
+    /// For a sensor whose samples are rows, the topic and the message of a row.
     std::string row_topic;
     std::function<Message(const RowSample&)> row_message;
   };

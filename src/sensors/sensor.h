@@ -23,7 +23,7 @@ struct SensorDescription {
   TimeNs latency_ns = 0;  ///< t_available - t
   SensorModel model;
   Effects effects;  ///< of the machine or the scenario; without them, as the model says
-  /// Of single axes of an encoder, by their names, over `effects`.
+  /// Effects of single axes of an encoder, by their names, over `effects`.
   std::map<std::string, Effects> axis_effects;
 };
 

@@ -41,7 +41,7 @@ struct SensorKind {
   void (*read)(const ConfigMap& config, SensorDescription* sensor);
   /// The model's keys as YAML, two blanks before each.
   std::string (*model_yaml)(const SensorDescription& sensor);
-  /// Of a kind whose samples are rows: its columns, units at their ends. May be null.
+  /// Columns of a kind whose samples are rows, units at their ends. May be null.
   std::vector<std::string> (*columns)(const SensorDescription& sensor,
                                       const MachineModel& machine) = nullptr;
   std::unique_ptr<SensorSampler> (*sampler)(const SensorPlace& place);

@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-/// Of the kinds with one of these forms.
+/// Targets: the kinds with one of these forms.
 std::vector<EffectTarget> TargetsOf(const std::vector<ChannelForm>& forms) {
   std::vector<EffectTarget> targets;
   for (const SensorKind* kind : kSensorKinds) {

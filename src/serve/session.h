@@ -47,7 +47,7 @@ class Session {
   Answer Handle(std::string_view request_bytes);
 
   bool greeted() const { return greeted_; }
-  /// As the client's Hello names it; printable.
+  /// The client's name, from its Hello; printable.
   const std::string& client() const { return client_; }
 
  private:

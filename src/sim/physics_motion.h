@@ -24,6 +24,7 @@ class PhysicsMotion : public MotionSource {
  public:
   /// Keeps a reference to `scenario`.
   PhysicsMotion(const Scenario& scenario, Operators operators);
+  PhysicsMotion(Scenario&&, Operators) = delete;
 
   void Start(const Begin& begin, WorldState* world) override;
   void Move(const Step& step, WorldState* world) override;

@@ -21,7 +21,7 @@ enum class GroundRaster {
 
 inline constexpr double kDensityDepth_m = 0.1;
 
-/// As in file names and scenarios: height, change, mass_change, density, soil_class.
+/// Names as in files and scenarios: height, change, mass_change, density, soil_class.
 std::string_view NameOf(GroundRaster raster);
 
 /// The ground at one place and depth.

@@ -204,6 +204,7 @@ TEST(ReadSensor, ModelsThatContradictThemselvesAreRefused) {
   EXPECT_THAT(FaultOf(camera + ", fx_px: 3, labels: [semantic, norml]"),
               AllOf(HasSubstr("labels: 'norml' is no label channel"), HasSubstr("'normal'"),
                     HasSubstr("need some of semantic, instance, normal")));
+  EXPECT_THAT(FaultOf(camera + ", fx_px: 3, labels: normal"), HasSubstr("need a list, [normal]"));
   const std::string lidar = "name: l, type: lidar, link: b, rate_hz: 10, elevation_deg: [1, 2]";
   EXPECT_THAT(FaultOf(lidar + ", columns: 10, azimuth_offset_deg: [1]"),
               HasSubstr("need a list of 2 numbers"));

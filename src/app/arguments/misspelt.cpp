@@ -10,7 +10,8 @@
 namespace tera {
 namespace {
 
-/// As DidYouMean, but a candidate that is the word's beginning, or the reverse, is nearest of all.
+/// Does as DidYouMean, but a candidate that is the word's beginning, or the reverse, is nearest of
+/// all.
 std::string Resembling(const std::string& word, const std::vector<std::string>& candidates) {
   const auto begins = std::find_if(candidates.begin(), candidates.end(), [&](const auto& known) {
     return word.starts_with(known) || known.starts_with(word);

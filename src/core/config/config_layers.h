@@ -59,7 +59,7 @@ struct ConfigDocument {
     return node;
   }
 
-  /// Of the document that `config` is part of.
+  /// Layers of the document that `config` is part of.
   static std::size_t FaultsWith(const ConfigMap& config) {
     return config.node_->document->faults.size();
   }

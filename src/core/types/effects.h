@@ -28,7 +28,7 @@ enum class Slot {
   kSensorTiming
 };
 
-/// As written in reports: "command_timing".
+/// A slot as it is written in reports: "command_timing".
 std::string_view NameOf(Slot slot);
 
 /// What a mechanism can act on. In YAML a joint, gear, pump or sensor goes by its name, the motion

@@ -20,7 +20,7 @@ struct RigidObstacle {
     Vec3 size_m = Vec3::Zero();    ///< edge lengths
   };
   std::vector<Box> boxes;
-  /// Of its highest corner over the ground where it stands.
+  /// Height of its highest corner over the ground where it stands.
   double rise_m = std::numeric_limits<double>::infinity();
 };
 

@@ -17,7 +17,7 @@ void PreparePng();
 std::string EncodeRgbPng(const Image<std::uint8_t>& rgb);
 std::string EncodeGreyPng(const Image<std::uint8_t>& grey);
 std::string EncodeGrey16Png(const Image<std::uint16_t>& grey);
-/// Of one or three components, 8 or 16 bits.
+/// A picture of one or three components, of 8 or 16 bits.
 std::string EncodePng(const Image<std::uint8_t>& image);
 std::string EncodePng(const Image<std::uint16_t>& image);
 
@@ -32,7 +32,7 @@ inline constexpr double kMaxDepth_m = 65.535;
 Image<std::uint8_t> ReadRgbPng(const std::filesystem::path& file);
 Image<std::uint8_t> ReadGreyPng(const std::filesystem::path& file);
 Image<std::uint16_t> ReadGrey16Png(const std::filesystem::path& file);
-/// With `components` as EncodePng wrote it.
+/// The picture with `components` as EncodePng wrote it.
 void ReadPng(const std::filesystem::path& file, int components, Image<std::uint8_t>* image);
 void ReadPng(const std::filesystem::path& file, int components, Image<std::uint16_t>* image);
 

@@ -20,7 +20,7 @@ bool IsDigest(const std::string& text) {
   return text.size() == kDigits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-/// As messages show it.
+/// The text as messages show it.
 std::string Shown(std::int64_t bytes, const std::string& sha256) {
   constexpr std::size_t kShownDigits = 12;
   return fmt::format("{} bytes with SHA-256 {}...", bytes, sha256.substr(0, kShownDigits));

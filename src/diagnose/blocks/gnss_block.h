@@ -25,8 +25,8 @@ namespace tera {
 /// Omits   `float_jump`, which a receiver reports itself by its fix, `outliers`, `quantisation`,
 ///         `clock_drift`; noise that is slow and louder than documented, which passes for error.
 ///
-/// Of a long recording every n-th position is compared, 1200 of a receiver at most; filters act at
-/// the receiver's own rate.
+/// A long recording is thinned: every n-th position is compared, 1200 of a receiver at most;
+/// filters act at the receiver's own rate.
 ///
 /// Channels are in the receivers' folders, "excavator1/gnss_left/east_m". None where one of the
 /// receivers has fewer than 100 positions. Throws InputError where those of one come so unevenly

@@ -81,7 +81,7 @@ struct ActuationStart {
   std::int64_t step = 0;  ///< time is this many steps at the first one
 };
 
-/// Of the k-th of several; none where a model without effects has no lists.
+/// Effects of the k-th of several; none where a model without effects has no lists.
 const Effects& EffectsAt(const std::vector<Effects>& effects, std::size_t k);
 
 /// The kinematic gain of a joint by its effects, with the arms of the machine's own cylinder where

@@ -109,8 +109,8 @@ std::string FaultOfDriveFriction(const Effects& effects, const Axis& axis) {
   return "";
 }
 
-/// Of a joint or gear: what nothing drives, a leak without the pressure that drives it, and numbers
-/// with which a full lever does not move it.
+/// Faults of a joint or gear: what nothing drives, a leak without the pressure that drives it, and
+/// numbers with which a full lever does not move it.
 std::vector<EffectFault> FaultsOfAxis(const Effects& effects, const Axis& axis) {
   std::vector<EffectFault> faults;
   for (const Effect& effect : effects) {

@@ -18,7 +18,7 @@ struct EffectFault {
   std::string finding;  ///< what was found and what is needed
 };
 
-/// Of the effects in `model.effects`, those that cannot act, for one target each.
+/// Those of the effects in `model.effects` that cannot act, for one target each.
 std::vector<EffectFault> FaultsOfJoint(const MachineModel& model, std::size_t joint);
 std::vector<EffectFault> FaultsOfGear(const MachineModel& model, std::size_t gear);
 std::vector<EffectFault> FaultsOfPump(const MachineModel& model, std::size_t pump);

@@ -34,7 +34,7 @@ class Hydraulics {
   /// Joints have moved to `q_rad`.
   void Update(const std::vector<double>& q_rad);
 
-  /// Of each joint where it stands: what relief lets its cylinders do, or its own max_effort_nm
+  /// Each joint's limits where it stands: what relief lets its cylinders do, or its max_effort_nm
   /// where it has none with a bore. A joint whose max_effort_nm is 0 swings freely in any case.
   const std::vector<EffortLimits>& limits() const { return limits_; }
 

@@ -93,7 +93,7 @@ class LoadFriction {
 
   /// The constant effort that the joint needs besides.
   double Offset_nm() const { return parameters_.offset_nm; }
-  /// Of a joint that moves at `rate_radps`; at rest, the viscous one is that of both directions.
+  /// Friction of a joint that moves at `rate_radps`; at rest, the viscous one of both directions.
   AxisFriction Friction(double rate_radps) const;
 
  private:

@@ -16,7 +16,7 @@ struct ObstacleBody {
   std::string name;
   std::vector<CollisionBox> collision;
   BodyState state;
-  /// Of its highest corner over the ground: running gear drives over what it can climb
+  /// Height of its highest corner over the ground: running gear drives over what it can climb
   /// (ClimbHeight_m), and collides with what it cannot.
   double rise_m = std::numeric_limits<double>::infinity();
 };

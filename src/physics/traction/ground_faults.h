@@ -6,7 +6,7 @@
 
 namespace tera {
 
-/// Of the effects of `base`, those that cannot act, whatever `ground` moves the machine.
+/// Those of the effects of `base` that cannot act, whatever `ground` moves the machine.
 std::vector<EffectFault> FaultsOfBase(const MachineModel& model);
 
 }  // namespace tera

@@ -6,8 +6,8 @@
 
 namespace tera {
 
-/// Of the effects of `base` on a machine that the kinematics of tracks move: slips that together
-/// leave nothing of the tracks' speed on level ground.
+/// Faults in the effects of `base` on a machine that the kinematics of tracks move: slips that
+/// together leave nothing of the tracks' speed on level ground.
 std::vector<EffectFault> FaultsOfSlips(const MachineModel& model);
 
 }  // namespace tera

@@ -25,7 +25,7 @@ struct CameraIntrinsics {
   Vec2 Project(const Vec3& p_C_m) const;
   /// Direction (x, y, 1) in C of a pixel, by Newton's method on the distortion.
   Vec3 Unproject(const Vec2& pixel_px) const;
-  /// As Unproject, but nothing where the distortion folds the picture over or turns the ray beyond
+  /// Unproject, but nothing where the distortion folds the picture over or turns the ray beyond
   /// kWidestTangent from the axis.
   std::optional<Vec3> RayOf(const Vec2& pixel_px) const;
   /// A pixel on the border, or of a grid over the picture, for which RayOf has nothing.

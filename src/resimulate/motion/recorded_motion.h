@@ -26,7 +26,7 @@ class RecordedMotion {
 
   /// Why it is not known where the machine was; empty where it is.
   const std::string& obstacle() const { return obstacle_; }
-  /// Of the first measurement.
+  /// Time of the first measurement.
   std::optional<TimeNs> first_ns() const;
   /// Whether poses and encoders cover the time: within 0.3 s of one of their samples, or between
   /// two that are at most three mean periods apart.

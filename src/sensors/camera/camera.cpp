@@ -62,12 +62,16 @@ CameraIntrinsics ReadIntrinsics(const ConfigMap& config) {
 }
 
 LabelSet ReadLabelSet(const ConfigMap& config) {
-  if (!config.IsList("labels")) {
-    return config.Boolean("labels", true) ? UsualLabels() : LabelSet();
-  }
   std::vector<std::string> known;
   for (const LabelChannel& channel : kLabelChannels) known.emplace_back(channel.name);
   LabelSet labels;
+  if (config.IsText("labels") && std::ranges::count(known, config.Text("labels")) > 0) {
+    config.Fault("labels", fmt::format("is a channel's name alone; need a list, [{}], or true or "
+                                       "false",
+                                       config.Text("labels")));
+    return labels;
+  }
+  if (!config.IsList("labels")) return config.Boolean("labels", true) ? UsualLabels() : labels;
   for (const std::string& name : config.Texts("labels")) {
     const auto found = std::find(known.begin(), known.end(), name);
     if (found == known.end()) {

@@ -24,7 +24,7 @@ struct CameraModel {
 };
 
 CameraModel ReadCameraModel(const ConfigMap& config);
-/// As sensor.yaml has it, two blanks before each key.
+/// The model as sensor.yaml has it, two blanks before each key.
 std::string CameraModelYaml(const CameraModel& model);
 
 /// The value of the key `labels`: true for the usual ones, false for none, else their names.

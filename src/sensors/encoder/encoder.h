@@ -19,7 +19,7 @@ struct EncoderModel {
 };
 
 EncoderModel ReadEncoderModel(const ConfigMap& config);
-/// As sensor.yaml has it, two blanks before each key.
+/// The model as sensor.yaml has it, two blanks before each key.
 std::string EncoderModelYaml(const EncoderModel& model);
 
 /// Angle and rate sensors of several joints (or tracks, or wheels) read together.

@@ -19,11 +19,11 @@ struct GnssModel {
   GnssFix fix = GnssFix::kRtkFixed;
 };
 
-/// As written in YAML: "none", "single", "rtk_fixed", "rtk_float".
+/// A fix as it is written in YAML: "none", "single", "rtk_fixed", "rtk_float".
 std::string_view NameOf(GnssFix fix);
 
 GnssModel ReadGnssModel(const ConfigMap& config);
-/// As sensor.yaml has it, two blanks before each key.
+/// The model as sensor.yaml has it, two blanks before each key.
 std::string GnssModelYaml(const GnssModel& model);
 
 /// One antenna and its receiver.

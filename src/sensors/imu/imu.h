@@ -24,7 +24,7 @@ struct ImuModel {
 };
 
 ImuModel ReadImuModel(const ConfigMap& config);
-/// As sensor.yaml has it, two blanks before each key.
+/// The model as sensor.yaml has it, two blanks before each key.
 std::string ImuModelYaml(const ImuModel& model);
 
 /// Three gyroscopes and three accelerometers fixed to a body.

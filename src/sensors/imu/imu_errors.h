@@ -47,7 +47,7 @@ class ImuErrors {
   void ReadOut(std::int64_t k, ImuSample* sample) const;
 
  private:
-  /// Of three axes alike.
+  /// The same for three axes alike.
   struct Triad {
     Vec3 factor, bias, drift_per_k;
     double outlier = 0, limit = 0, step = 0;  ///< limit 0: none

@@ -36,7 +36,7 @@ struct InclinometerModel {
 };
 
 InclinometerModel ReadInclinometerModel(const ConfigMap& config);
-/// As sensor.yaml has it, two blanks before each key.
+/// The model as sensor.yaml has it, two blanks before each key.
 std::string InclinometerModelYaml(const InclinometerModel& model);
 
 /// What its effects act on.

@@ -23,7 +23,7 @@ struct LidarModel {
 };
 
 LidarModel ReadLidarModel(const ConfigMap& config);
-/// As sensor.yaml has it, two blanks before each key.
+/// The model as sensor.yaml has it, two blanks before each key.
 std::string LidarModelYaml(const LidarModel& model);
 
 /// Spinning multi-beam lidar.

@@ -8,7 +8,7 @@
 
 namespace tera {
 
-/// Of one quantity, the parameters of its quantisation and its saturation.
+/// The parameters of one quantity's quantisation and saturation.
 struct StepAndLimit {
   std::string_view step, limit;
 };

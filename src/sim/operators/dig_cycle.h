@@ -57,7 +57,7 @@ class DigCycle : public Operator {
     double slew_rad = 0;
   };
 
-  /// As the machine stands now.
+  /// The cycle for the machine as it stands now.
   struct Place {
     double slew_rad, r_m;
   };

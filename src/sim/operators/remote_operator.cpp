@@ -11,8 +11,8 @@
 namespace tera {
 namespace {
 
-/// Of the angle error of a joint, closed in this time: of one that is moved at a rate, and of one
-/// that is taken to a place, which a joint of much inertia behind a delay must not swing about.
+/// What of a joint's angle error is closed in a second: when it is moved at a rate, and when it is
+/// taken to a place, about which a joint of much inertia behind a delay must not swing.
 constexpr double kRateGain_1ps = 4.0, kPlaceGain_1ps = 1.8;
 /// How far a held angle may run ahead of a joint that cannot follow.
 constexpr double kLead_rad = 0.05;

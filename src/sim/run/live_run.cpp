@@ -25,7 +25,7 @@ Operators TakeOver(Operators operators, std::vector<RemoteOperator*>* remote) {
   return operators;
 }
 
-/// Of simulated time, between two times that rows are brought to the disk.
+/// Simulated time between two times that rows are brought to the disk.
 constexpr double kFlush_s = 1.0;
 
 constexpr char kRemedy[] =

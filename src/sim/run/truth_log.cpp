@@ -62,7 +62,7 @@ std::vector<std::string> HydraulicColumns(const MachineModel& model) {
   return columns;
 }
 
-/// As JointRow.
+/// A row, made as JointRow makes its own.
 std::vector<double> HydraulicRow(const MachineState& now, const MachineState& next) {
   std::vector<double> row;
   for (std::size_t c = 0; c < now.cylinders.size(); ++c) {

@@ -40,7 +40,7 @@ class Bed {
   std::vector<Overflow> TakeOverflow();
 
   BedLoad load() const { return load_; }
-  /// As the columns have it.
+  /// The height that the columns have.
   double mass_kg() const { return columns_.GroundGain().net_kg; }
   /// The soil as it is seen.
   void Show(std::vector<TerrainSurface::Grain>* grains) const;

@@ -26,7 +26,7 @@ constexpr double kLevel = 1e-9;           ///< a gradient that is none
 constexpr double kFilm_m = 1e-4;          ///< the thinnest layer that flows
 constexpr double kMobileOverExcess = 20;  ///< thickness that flows over what stands too steep
 
-/// Of numbers that neither overflow nor vanish: quicker than std::hypot.
+/// Length where numbers neither overflow nor vanish: quicker than std::hypot.
 double Norm(double x, double y) { return std::sqrt(x * x + y * y); }
 
 /// From 0 at `low` to 1 at `high`.

@@ -158,7 +158,7 @@ bool Grains::Move(double dt_s, const Columns& ground, Grain* grain) const {
   return (holds && v_W.norm() < kRestSpeed_mps) || grain->slid_s > kLongestSlide_s;
 }
 
-/// As Move, in the frame of a bed's floor.
+/// Does as Move, in the frame of a bed's floor.
 bool Grains::MoveInBed(double dt_s, const Bed& bed, Grain* grain) const {
   const Pose& X_WF = bed.X_WF();
   Grain in_F = *grain;

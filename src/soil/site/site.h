@@ -28,7 +28,7 @@ class Site {
   const Columns& columns() const { return columns_; }
   const TerrainSurface& surface() const { return columns_.surface(); }
   const std::vector<SoilType>& soils() const { return columns_.soils(); }
-  /// Of W's origin, where a GeoTIFF says it.
+  /// Place of W's origin, where a GeoTIFF says it.
   const std::optional<SiteOrigin>& georeference() const { return georeference_; }
 
  private:

@@ -14,8 +14,8 @@ constexpr double kLookAhead_m = 0.30;       ///< over which the ground's slope a
 constexpr double kNearAhead_cells = 1.5;    ///< where the depth is measured: past the cut itself
 constexpr double kLeastLevelMouth = 0.1;    ///< a mouth that looks more up or down than this
 constexpr double kLeastLevel = 1e-6;        ///< no direction below it
-/// Of the surface ahead. What is steeper is a step, at whose top or foot the slope ends: the wedge,
-/// which comes out of a plane, would not.
+/// Slope of the surface ahead. What is steeper is a step, at whose top or foot the slope ends: the
+/// wedge, which comes out of a plane, would not.
 constexpr double kSteepestSlope_rad = 25 * kDeg;
 constexpr double kDeadLoad = 0.8;         ///< of the capacity: from here soil separates along it
 constexpr double kLeastSpeed_mps = 1e-4;  ///< slower edges keep their elastic travel

@@ -46,7 +46,7 @@ class Wedges {
     return n;
   }
 
-  /// Of the level ahead of the edge, how much the wedge lifts: the slip plane comes out where it
+  /// How much the wedge lifts of the level ahead of the edge: the slip plane comes out where it
   /// meets a surface that rises by the slope.
   double Ahead(double tan_wedge) const { return 1 / (tan_wedge - tan_slope_); }
 

@@ -12,8 +12,9 @@
 namespace tera {
 namespace {
 
-/// Of critical: what a footing as large and heavy as a machine's tracks radiates into the ground
-/// (0.3, Lysmer and Richart 1966), and as much for hysteresis of soil and shoes (estimate).
+/// Share of critical damping: what a footing as large and heavy as a machine's tracks radiates into
+/// the ground (0.3, Lysmer and Richart 1966), and as much for hysteresis of soil and shoes
+/// (estimate).
 constexpr double kDampingRatio = 0.6;
 constexpr double kLeastUpward = 0.05;       ///< patches facing further up touch no ground
 constexpr double kMostUpward = 0.5;         ///< no patch faces further up in the machine's frame

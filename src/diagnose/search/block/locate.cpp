@@ -18,12 +18,12 @@ constexpr double kAlpha = 0.01;  ///< of any interval being found where there is
 constexpr double kLeastDeviation = 1e-6;  ///< of a residual, where there is no noise at all
 /// RMS of a residual over that of the noise above which regimes are judged beside white noise.
 constexpr double kLeastRatioToNoise = 3;
-/// As kLeastRatioToNoise, for a recording without rest, where slow noise is not known.
+/// The bound kLeastRatioToNoise, for a recording without rest, where slow noise is not known.
 constexpr double kLeastRatioToNoiseWithoutRest = 10;
 /// Deviation of long means over the noise's RMS at rest, at most: that of AR(1) with 0.8.
 constexpr double kMostLongRunRatio = 3;
-/// As kMostLongRunRatio, over what third differences say of the noise, for a recording without
-/// rest.
+/// The bound kMostLongRunRatio, over what third differences say of the noise, for a recording
+/// without rest.
 constexpr double kMostLongRunRatioWithoutRest = 10;
 /// Explained share over the largest above which a variable counts as explaining as much.
 constexpr double kLeastShareOfLargest = 0.95;

@@ -16,7 +16,7 @@ namespace {
 constexpr double kLeastUnexplainedShare = 0.05;
 /// RMS of a residual over that of the noise up to which it passes for noise.
 constexpr double kLargestNoiseRatio = 2;
-/// As kLargestNoiseRatio, for a recording without rest, where slow noise is not known.
+/// The bound kLargestNoiseRatio, for a recording without rest, where slow noise is not known.
 constexpr double kLargestNoiseRatioWithoutRest = 10;
 /// RMSE over the noise from which a few loud manoeuvres of the whole recording are error.
 constexpr double kMuchLouder = 5;

@@ -21,7 +21,7 @@ namespace tera {
 Misfit ResidualBeyondFlexible(const ReplayBlock& block, const Likelihood& likelihood,
                               const Misfit& misfit, const std::vector<Manoeuvre>& manoeuvres);
 
-/// As ResidualBeyondFlexible, cross-fitted: each manoeuvre, of whatever part, is judged by a fit to
+/// ResidualBeyondFlexible, cross-fitted: each manoeuvre, of whatever part, is judged by a fit to
 /// the other four fifths of the manoeuvres.
 ///
 /// Omits   that what outlasts a manoeuvre is seen in its neighbours.

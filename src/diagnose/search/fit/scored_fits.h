@@ -40,7 +40,7 @@ class ScoredFits {
   /// The likeliest of structures that were fitted by a few steps, fitted in full and sorted
   /// by likelihood.
   std::vector<Scored> Likeliest(std::vector<Scored> by_few_steps, std::size_t most);
-  /// As Likeliest, of structures in which all terms but the last are fitted already.
+  /// Likeliest for structures in which all terms but the last are fitted already.
   std::vector<Scored> LikeliestNear(const std::vector<Structure>& structures, std::size_t most);
 
  private:

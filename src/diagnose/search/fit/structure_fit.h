@@ -53,14 +53,14 @@ class StructureFitter {
   /// The fit of a structure. Numbers that the measurements do not determine (a direction of the
   /// information that is not known to within the parameters' ranges) are held at their defaults.
   FittedStructure Fit(const Structure& terms) const;
-  /// As Fit, for a structure whose values are fitted already.
+  /// Does the rest of Fit for a structure whose values are fitted already.
   FittedStructure Determine(FittedStructure fitted) const;
   /// The fitted values alone, without information, scores and held numbers.
   FittedStructure FitValues(const Structure& terms, Effort effort = Effort::kFull) const;
-  /// As FitValues without the smooth likelihood: for structures whose other terms are fitted
+  /// FitValues without the smooth likelihood: for structures whose other terms are fitted
   /// already.
   FittedStructure FitNear(const Structure& terms, Effort effort = Effort::kFull) const;
-  /// As FitValues from the given values alone.
+  /// FitValues from the given values alone.
   FittedStructure FitFrom(const Structure& terms, Effort effort = Effort::kFull) const;
   /// The structure with the values given, evaluated without a fit.
   FittedStructure AsGiven(Structure terms) const;

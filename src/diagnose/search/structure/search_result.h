@@ -42,7 +42,7 @@ struct TermEvidence {
   /// Probability of such a gain by chance (cross_fit.h, steady_gain.h), times the number of tests.
   double p = 1;
   double steady_p = 1;  ///< as p, by SteadyGainP alone
-  /// As p, of this term and another one together, where each is needed beside the other only
+  /// The p of this term and another one together, where each is needed beside the other only
   /// (pruning.h).
   std::optional<double> joint_p;
   /// Gain of the term on SELECT over that of the whole structure, or of the flexible regressor if

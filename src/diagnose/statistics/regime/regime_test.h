@@ -44,7 +44,7 @@ struct RegimeTestResult {
   ShiftComparison comparison;  ///< statistic: weighted score, of mean 5 for an unrelated variable
   /// Share of the whitened residual's energy that the variable explains beyond chance.
   double share = 0;
-  /// As share, with at least log(rows) off for each direction (Schwarz 1978).
+  /// The share with at least log(rows) off for each direction (Schwarz 1978).
   double criterion = 0;
   /// The criterion of the variable together with a constant times the axis's factor.
   double whole_criterion = 0;
