@@ -78,7 +78,13 @@ if [ $# -eq 0 ]; then
 fi
 step=$1
 shift
+usage() { sed -n '2,9s/^# \{0,1\}//p' scripts/check.sh; }
 case $step in
   format | tidy | asan | tsan) "$step" "$@" ;;
-  *) sed -n '2,9s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+  -h | --help) usage ;;
+  *)
+    echo "check.sh: no step is called $step" >&2
+    usage >&2
+    exit 2
+    ;;
 esac
