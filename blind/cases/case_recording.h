@@ -6,6 +6,9 @@
 
 namespace tera::blind {
 
+/// The machine's in scenario and recording.
+inline constexpr const char* kName = "digger";
+
 /// Columns over time, as a CSV file of the recording has them.
 struct Table {
   std::vector<std::string> columns;  ///< without t_ns

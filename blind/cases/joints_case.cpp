@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "blind/cases/recording_files.h"
-
 namespace tera::blind {
 namespace {
 

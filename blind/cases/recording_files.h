@@ -12,11 +12,9 @@ inline constexpr const char* kMachine = "tera:config/machines/tb235.yaml";
 inline constexpr const char* kVehicle = "tera:config/machines/warthog.yaml";
 inline constexpr const char* kRealDrive =
     "tera:examples/recordings/drive_warthog/asphalt_2024-09-20.csv";
-inline constexpr const char* kName = "digger";
 
 /// Writes `folder`/scenario.yaml, which knows of nothing that is hidden, and `folder`/recording, in
-/// the project's format: levers, encoders and, of tracks,
-/// poses.
+/// the project's format: levers, encoders and, of tracks, poses.
 void WriteCase(const BenchmarkCase& benchmark_case, const CaseRecording& recording,
                const std::filesystem::path& folder);
 

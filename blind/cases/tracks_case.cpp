@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "blind/cases/recording_files.h"
 #include "core/check.h"
 
 namespace tera::blind {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "blind/cases/recording_files.h"
+#include "blind/cases/case_recording.h"
 
 namespace tera::blind {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "blind/cases/recording_files.h"
+#include "blind/cases/case_recording.h"
 
 namespace tera::blind {
 namespace {
