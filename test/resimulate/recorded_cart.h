@@ -77,6 +77,12 @@ struct RecordedCart {
   std::function<Pose(double t_s)> X_WB;        ///< empty: no poses
   std::function<double(double t_s)> turn_rad;  ///< empty: no encoder
   std::string machine = "real_cart";
+  /// When a camera or lidar has pictures or scans; the files themselves are not written.
+  struct Frames {
+    std::string sensor, type;
+    std::vector<TimeNs> t_ns;
+  };
+  std::vector<Frames> frames = {};
 };
 
 inline std::vector<TimeNs> EvenTimes(double from_s, double to_s, double period_s) {
@@ -110,6 +116,14 @@ inline Recording WriteCart(const std::filesystem::path& folder, const RecordedCa
     for (const TimeNs t_ns : cart.turn_t_ns) {
       rows += fmt::format("{},{:.12f},0\n", t_ns, cart.turn_rad(ToSeconds(t_ns)));
     }
+    MakeWritableFolder(folder / channel);
+    WriteWholeFile(folder / channel / "data.csv", rows);
+  }
+  for (const RecordedCart::Frames& frames : cart.frames) {
+    const std::string channel = cart.machine + "/" + frames.sensor;
+    channels += "  - {path: " + channel + ", type: " + frames.type + "}\n";
+    std::string rows = "t_ns,filename\n";
+    for (const TimeNs t_ns : frames.t_ns) rows += fmt::format("{},{}.png\n", t_ns, t_ns);
     MakeWritableFolder(folder / channel);
     WriteWholeFile(folder / channel / "data.csv", rows);
   }
