@@ -51,25 +51,78 @@ double Moved_m3(const std::vector<float>& from_m, const std::vector<float>& to_m
   return 0.5 * sum_m * cell_m * cell_m;
 }
 
+/// The largest distance between a link and where a recording has it.
+double FarthestLink_m(const MachineState& own, const MachineState& recorded) {
+  double farthest_m = 0;
+  for (std::size_t l = 0; l < own.links.size(); ++l) {
+    const Vec3 off_m = recorded.links[l].X_WB.translation() - own.links[l].X_WB.translation();
+    farthest_m = std::max(farthest_m, off_m.norm());
+  }
+  return farthest_m;
+}
+
+/// Cells whose height another ground has otherwise, and those next to them where `ring`.
+std::vector<bool> Worked(const std::vector<float>& site_m, const std::vector<float>& ground_m,
+                         int nx, bool ring) {
+  std::vector<bool> worked(site_m.size());
+  for (std::size_t k = 0; k < site_m.size(); ++k) {
+    if (std::abs(ground_m[k] - site_m[k]) < 1e-6) continue;
+    const int reach = ring ? 1 : 0, i = static_cast<int>(k) % nx, j = static_cast<int>(k) / nx;
+    const int ny = static_cast<int>(site_m.size()) / nx;
+    for (int b = std::max(0, j - reach); b <= std::min(ny - 1, j + reach); ++b) {
+      for (int a = std::max(0, i - reach); a <= std::min(nx - 1, i + reach); ++a) {
+        worked[static_cast<std::size_t>(b * nx + a)] = true;
+      }
+    }
+  }
+  return worked;
+}
+
 // A motion that is stepped again to the last bit gives its ground to the last bit
-// (test/sim/motion_source_test.cpp). A recording has poses and angles, not rates, which are taken
-// from differences over 10 ms, and nothing from before t = 0, when the machines came to rest: a
-// small share of what was moved lies elsewhere.
+// (test/sim/motion_source_test.cpp). A recording has poses and angles alone. Angles are means over
+// 50 ms, so that links are up to 8 mm off where the machine accelerates; rates are differences over
+// 10 ms, without the shocks of single steps; and of the time before t = 0, when the machines came
+// to rest, it has nothing. Of the 0.36 m3 that are moved, 0.3 % lie elsewhere for that rest alone,
+// 3.8 % with true links and recorded rates, 4.0 % with recorded links and true rates, 4.1 % with
+// both recorded: soil that has come loose ends elsewhere whatever small difference there is.
+// How much may lie elsewhere follows from how far off the links are, d: what stands off by d leaves
+// the area A that it works off by no more than d on average, up in one place for down in another,
+// which is d A / 2. Where it may lie follows too: d is less than a cell, so that the same cells are
+// worked, and those next to them.
 TEST_F(RecordedWork, GivesTheGroundOfTheSimulationThatRecordedIt) {
   Simulation simulation(*scenario_);
-  while (simulation.state().t_ns < FromSeconds(8)) simulation.Step();
+  double off_m = 0;
+  for (int k = 1; simulation.state().t_ns < FromSeconds(8); ++k) {
+    simulation.Step();
+    if (k % 5 != 0) continue;
+    for (std::size_t m = 0; m < motions_.size(); ++m) {
+      off_m = std::max(off_m, FarthestLink_m(simulation.state().machines[m],
+                                             motions_[m].At(simulation.state().t_ns)));
+    }
+  }
+  EXPECT_LT(off_m, 0.01);
   RecordedStage stage(*scenario_, motions_, 0);
   const RecordedStage::Moment end = stage.AdvanceTo(FromSeconds(8));
-  const std::vector<float> site_m = HeightsOf(scenario_->site->surface());
-  const std::vector<float> own_m = HeightsOf(simulation.ground());
-  const std::vector<float> again_m = HeightsOf(*end.ground);
-  const double cell_m = scenario_->site->surface().cell_m;
-  const double moved_m3 = Moved_m3(site_m, own_m, cell_m);
-  const double elsewhere_m3 = Moved_m3(own_m, again_m, cell_m);
+  const TerrainSurface& site = scenario_->site->surface();
+  const std::vector<float> site_m = HeightsOf(site), own_m = HeightsOf(simulation.ground()),
+                           again_m = HeightsOf(*end.ground);
+  const double moved_m3 = Moved_m3(site_m, own_m, site.cell_m);
+  const double elsewhere_m3 = Moved_m3(own_m, again_m, site.cell_m);
+  EXPECT_GT(moved_m3, 0.05);
+  const std::vector<bool> worked = Worked(site_m, own_m, site.nx, false);
+  const double worked_m2 = static_cast<double>(std::count(worked.begin(), worked.end(), true)) *
+                           site.cell_m * site.cell_m;
+  EXPECT_LT(elsewhere_m3, 0.5 * off_m * worked_m2);
+  const std::vector<bool> near = Worked(site_m, own_m, site.nx, true);
+  std::vector<float> far_m = own_m;
+  for (std::size_t k = 0; k < far_m.size(); ++k) {
+    if (!near[k]) far_m[k] = again_m[k];
+  }
+  EXPECT_LT(Moved_m3(own_m, far_m, site.cell_m), 1e-3 * moved_m3);  // crumbs that rolled on
+  RecordProperty("off_m", std::to_string(off_m));
+  RecordProperty("worked_m2", std::to_string(worked_m2));
   RecordProperty("moved_m3", std::to_string(moved_m3));
   RecordProperty("elsewhere_m3", std::to_string(elsewhere_m3));
-  EXPECT_GT(moved_m3, 0.05);
-  EXPECT_LT(elsewhere_m3, 0.1 * moved_m3);
 }
 
 TEST_F(RecordedWork, PressesNoGroundUnderAPlankThatTracksClimb) {
@@ -106,10 +159,7 @@ TEST_F(RecordedWork, StandsWhereTheRecordingHasItAndCarriesWhatWasDug) {
     const Instant state = stage.StateAt(FromSeconds(t_s), moment);
     for (std::size_t m = 0; m < motions_.size(); ++m) {
       const MachineState &own = simulation.state().machines[m], &again = state.machines[m];
-      for (std::size_t l = 0; l < own.links.size(); ++l) {
-        const Vec3 off_m = again.links[l].X_WB.translation() - own.links[l].X_WB.translation();
-        EXPECT_LT(off_m.norm(), 0.01) << t_s << ' ' << m << ' ' << l;
-      }
+      EXPECT_LT(FarthestLink_m(own, again), 0.01) << t_s << ' ' << m;
       const double own_kg = own.shovel_load[0].mass_kg;
       EXPECT_NEAR(again.shovel_load[0].mass_kg, own_kg, 5 + 0.1 * own_kg) << t_s << ' ' << m;
     }
