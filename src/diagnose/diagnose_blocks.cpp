@@ -6,6 +6,7 @@
 
 #include "core/in_parallel.h"
 #include "diagnose/blocks/measured_poses.h"
+#include "diagnose/tolerances/within_tolerance.h"
 
 namespace tera {
 namespace {
@@ -89,6 +90,7 @@ std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks,
     one.block = std::move(blocks[b]);
     tell({"", one.block.name, b + 1, blocks.size(), nullptr});
     one.diagnosis = DiagnoseInTime(&one.block, options, StreamOf(one.block, seed), deadline);
+    MoveWithinTolerance(&one.diagnosis);
     tell({"", one.block.name, b + 1, blocks.size(), &one.diagnosis});
     return one;
   });

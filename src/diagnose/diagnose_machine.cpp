@@ -10,6 +10,7 @@
 #include "diagnose/encoder_lead.h"
 #include "diagnose/proposal/propose.h"
 #include "diagnose/search/fit/excluded_samples.h"
+#include "diagnose/tolerances/within_tolerance.h"
 
 namespace tera {
 namespace {
@@ -93,6 +94,7 @@ std::vector<DiagnosedBlock> DiagnoseInTurn(const DiagnosisInput& input,
       if (same == not_compared->end()) not_compared->push_back(std::move(obstacle));
     }
     if (options.library) ApplyLibrary(*options.library, *input.model, &carried);
+    StateTolerances(input.tolerances, &carried);
   }
   std::vector<DiagnosedBlock> of_carried =
       DiagnoseBlocks(std::move(carried), search, options.seed, tell(diagnosed.size()), deadline);
@@ -156,6 +158,7 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
     ApplyLibrary(*options.library, *input.model, &blocks);
     RequireCandidates(*options.library, blocks);
   }
+  StateTolerances(input.tolerances, &blocks);
   const std::optional<SimulatedCourse> course = clock->Time(
       "simulation as it is", [&] { return SimulateAsItIs(input, measured, asked.simulate); });
   diagnosis.discrepancy_corrections =

@@ -58,6 +58,7 @@ struct MachineCase {
     const std::string recorded = NameInRecording(name, scenario.machines.size(), recording);
     DiagnosisInput input{.model = &model, .machine = recorded, .scenario = name};
     input.sensors = machine.sensors;
+    input.tolerances = machine.tolerances;
     if (const std::string file = recorded + "/commands.csv"; recording.Has(file)) {
       input.commands = recording.LoadTable(file);
     } else {

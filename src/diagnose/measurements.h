@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/time.h"
+#include "core/types/tolerance.h"
 #include "dataset/format/recording.h"
 #include "diagnose/replay/axis_log.h"
 #include "physics/description/machine.h"
@@ -20,6 +21,7 @@ struct DiagnosisInput {
   bool commands_are_the_scenarios = false;  ///< since the recording has none
   /// The scenario's sensors by their names in the recording.
   std::vector<SensorDescription> sensors;
+  Tolerances tolerances;  ///< what the owner takes as expected
 };
 
 /// The measurements of one machine within the part of a recording that is diagnosed.

@@ -11,11 +11,10 @@
 #include "physics/traction/ground_faults.h"
 #include "physics/traction/ground_mechanisms.h"
 #include "sensors/sensor_mechanisms.h"
+#include "sim/scenario/effect_targets.h"
 
 namespace tera {
 namespace {
-
-constexpr std::string_view kBaseTarget = "base";
 
 /// Whether a mapping stands at `key`, if anything; a word or a number there is a fault.
 bool IsMappingOf(std::string_view need, const ConfigMap& config, std::string_view key) {

@@ -16,6 +16,7 @@
 #include "sim/scenario/collision_meshes.h"
 #include "sim/scenario/read_effects.h"
 #include "sim/scenario/read_ground.h"
+#include "sim/scenario/read_tolerances.h"
 
 namespace tera {
 namespace {
@@ -112,22 +113,29 @@ bool ReadSensors(const ConfigMap& config, const MachineModel& model,
   return all_known;
 }
 
-/// Lets the effects of a machine be that has a part of which nothing is known.
-void LeaveEffectsUnread(const ConfigMap& description, const std::optional<ConfigMap>& effects,
+/// What a scenario says of all its machines by their names.
+struct OfAllMachines {
+  std::optional<ConfigMap> effects, tolerances;
+};
+
+/// Lets what acts on the parts of a machine be where nothing is known of one of them.
+void LeaveTargetsUnread(const ConfigMap& description, const OfAllMachines& all,
                         const std::string& name) {
-  description.Has("effects");
-  if (effects) effects->Has(name);
+  for (const char* key : {"effects", "tolerances"}) description.Has(key);
+  for (const auto* map : {&all.effects, &all.tolerances}) {
+    if (*map) (*map)->Has(name);
+  }
 }
 
 /// Lets the keys be that are about a machine whose description was refused.
-void LeaveUnread(const ConfigMap& config, const ConfigMap& description,
-                 const std::optional<ConfigMap>& effects, const std::string& name) {
+void LeaveUnread(const ConfigMap& config, const ConfigMap& description, const OfAllMachines& all,
+                 const std::string& name) {
   for (const char* key : {"start", "operator", "rig", "ground"}) config.Has(key);
-  LeaveEffectsUnread(description, effects, name);
+  LeaveTargetsUnread(description, all, name);
 }
 
 /// A machine but for its height and tilt, which wait until all have shaped the ground.
-ScenarioMachine ReadMachineEntry(const ConfigMap& config, const std::optional<ConfigMap>& effects) {
+ScenarioMachine ReadMachineEntry(const ConfigMap& config, const OfAllMachines& all) {
   ScenarioMachine machine;
   machine.placement.name = config.Text("name");
   RequirePlainName(config, "name", machine.placement.name);
@@ -137,7 +145,7 @@ ScenarioMachine ReadMachineEntry(const ConfigMap& config, const std::optional<Co
   SetCollisionMeshes(description, &machine.placement.model);
   const MachineModel& model = machine.placement.model;
   if (model.links.empty()) {
-    LeaveUnread(config, description, effects, machine.placement.name);
+    LeaveUnread(config, description, all, machine.placement.name);
     return machine;
   }
   const bool sound = FaultCount(config) == faults_before;
@@ -152,10 +160,12 @@ ScenarioMachine ReadMachineEntry(const ConfigMap& config, const std::optional<Co
   machine.placement.X_WB = MakePose(Vec3(xy_m.x(), xy_m.y(), 0), RotationFromRpy(0, 0, yaw_rad));
   machine.driver = ReadOperatorPlan(config.Map("operator"), model);
   if (ReadSensors(config, model, &machine.sensors)) {
-    ReadMachineEffects(description, effects, machine.placement.name, sound,
+    machine.tolerances = ReadMachineTolerances(description, all.tolerances, machine.placement.name,
+                                               model, machine.sensors);
+    ReadMachineEffects(description, all.effects, machine.placement.name, sound,
                        &machine.placement.model, &machine.sensors);
   } else {
-    LeaveEffectsUnread(description, effects, machine.placement.name);
+    LeaveTargetsUnread(description, all, machine.placement.name);
   }
   ReadGround(config, &machine.placement.model);
   return machine;
@@ -283,9 +293,9 @@ Scenario ReadScenario(const ConfigMap& config) {
   if (const auto environment = config.OptionalMap("environment")) {
     scenario.environment = ReadEnvironment(*environment);
   }
-  const std::optional<ConfigMap> effects = ReadScenarioEffects(config);
+  const OfAllMachines all{ReadScenarioEffects(config), ReadScenarioTolerances(config)};
   for (const ConfigMap& machine : config.List("machines")) {
-    scenario.machines.push_back(ReadMachineEntry(machine, effects));
+    scenario.machines.push_back(ReadMachineEntry(machine, all));
     CheckRaisedGround(machine, scenario.machines.back().placement.model, site.surface());
   }
   PlaceOnGround(&site, &scenario.machines);

@@ -10,6 +10,7 @@
 #include "core/config/config.h"
 #include "core/motion.h"
 #include "core/time.h"
+#include "core/types/tolerance.h"
 #include "physics/description/machine_placement.h"
 #include "render/scene.h"
 #include "sensors/sensor.h"
@@ -24,6 +25,7 @@ struct ScenarioMachine {
   MachinePlacement placement;  ///< on the ground, resting pose estimated from the terrain
   OperatorPlan driver;
   std::vector<SensorDescription> sensors;
+  Tolerances tolerances;  ///< what its owner takes as expected, beside what is always
 };
 
 /// A point of a moving obstacle's path.

@@ -209,6 +209,18 @@ Json Proxies(const Diagnosis& diagnosis) {
   return list;
 }
 
+/// Mechanisms that were found and whose numbers are as expected.
+Json WithinTolerance(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    for (const Finding& finding : diagnosed.diagnosis.within_tolerance) {
+      list.push_back(Chosen(finding));
+      list.back()["parameters"] = ParametersOf(finding);
+    }
+  }
+  return list;
+}
+
 /// Mechanisms that were chosen on SELECT and that FINAL did not confirm.
 Json Unconfirmed(const Diagnosis& diagnosis) {
   Json list = Json::array();
@@ -409,6 +421,7 @@ std::string DiagnosisJson(const Diagnosis& diagnosis) {
   json["held_out"] = HeldOutOfAll(diagnosis);
   json["channels"] = Channels(diagnosis);
   json["unconfirmed"] = Unconfirmed(diagnosis);
+  json["within_tolerance"] = WithinTolerance(diagnosis);
   json["proxies"] = Proxies(diagnosis);
   json["untestable"] = Untestable(diagnosis);
   json["not_judged"] = NotJudged(diagnosis);

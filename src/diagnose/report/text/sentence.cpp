@@ -126,11 +126,15 @@ std::string ResidualText(const DiagnosedBlock& diagnosed, std::size_t channel) {
   return "";
 }
 
-std::string HeldOutText(const HeldOutError& error, const std::string& si_unit) {
+/// "1.6 → 0.20 deg/s"
+std::string RmseText(const HeldOutError& error, const std::string& si_unit) {
   const ReadableUnit unit = ReadableUnitOf(si_unit);
-  const std::string fall =
-      fmt::format("Held-out RMSE {} → {}", Significant(error.rmse_before * unit.factor, 2),
-                  WithUnit(Significant(error.rmse_after * unit.factor, 2), unit));
+  return fmt::format("{} → {}", Significant(error.rmse_before * unit.factor, 2),
+                     WithUnit(Significant(error.rmse_after * unit.factor, 2), unit));
+}
+
+std::string HeldOutText(const HeldOutError& error, const std::string& si_unit) {
+  const std::string fall = "Held-out RMSE " + RmseText(error, si_unit);
   if (error.excess_removed > 0) {
     return fmt::format("{}, {} of the excess variance removed.", fall,
                        PercentText(error.excess_removed));
@@ -185,10 +189,21 @@ std::string SentenceOf(const DiagnosedBlock& diagnosed, const Unexplained& unexp
 }
 
 std::string SentenceOfUnconfirmed(const DiagnosedBlock& diagnosed, const Finding& finding) {
+  const HeldOutError& error = finding.held_out;
+  const std::string why =
+      error.rmse_after < error.rmse_before
+          ? ProbabilityText(error.p)
+          : "its error there is " +
+                RmseText(error, diagnosed.block.channels[finding.held_out.channel].unit);
   return fmt::format("{}: {} was chosen ({}) and is not confirmed on manoeuvres kept back ({}).",
                      ChannelText(diagnosed, finding.location.channel),
-                     MechanismText(diagnosed, finding), ProbabilityText(finding.evidence.p),
-                     ProbabilityText(finding.held_out.p));
+                     MechanismText(diagnosed, finding), ProbabilityText(finding.evidence.p), why);
+}
+
+std::string SentenceOfExpected(const DiagnosedBlock& diagnosed, const Finding& finding) {
+  return fmt::format("{}: {}, which is within tolerance.",
+                     ChannelText(diagnosed, finding.location.channel),
+                     MechanismText(diagnosed, finding));
 }
 
 std::string SentenceOfProxy(const DiagnosedBlock& diagnosed, const Finding& finding) {
@@ -313,6 +328,9 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
     }
     for (const Finding& finding : diagnosed.diagnosis.unconfirmed) {
       sentences.push_back(SentenceOfUnconfirmed(diagnosed, finding));
+    }
+    for (const Finding& finding : diagnosed.diagnosis.within_tolerance) {
+      sentences.push_back(SentenceOfExpected(diagnosed, finding));
     }
     if (!diagnosed.diagnosis.is_testable) sentences.push_back(SentenceOfUntestable(diagnosed));
   }

@@ -44,6 +44,8 @@ struct BlockDiagnosis {
   std::vector<NoiseModel> noise;
   SearchResult search;
   std::vector<Finding> findings;
+  /// Mechanisms that were found and are as expected: their numbers are within tolerance.
+  std::vector<Finding> within_tolerance;
   /// Mechanisms that were found on TRAIN and SELECT and that FINAL does not confirm.
   std::vector<Finding> unconfirmed;
   /// Mechanisms that come nearest to an error that stays unexplained, and are no name for it.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,11 @@
 
 namespace tera {
 
+/// What is as expected of a number: 95 % of it lies within `half_width` of `value`.
+struct Expected {
+  double value = 0, half_width = 0;
+};
+
 /// One number of a mechanism that a fit may move.
 struct FreeParameter {
   std::size_t index = 0;  ///< among the mechanism's parameters
@@ -32,6 +38,7 @@ struct FreeParameter {
   /// Standard deviation of a normal prior about where a fit begins, which holds what the scans of a
   /// registered sensor (perception/registration) do not tell. 0: there is no prior.
   double prior_sigma = 0;
+  std::optional<Expected> expected = {};  ///< none: nothing is stated
 };
 
 /// A mechanism that may act on a target, with the ranges of its numbers and starts for their

@@ -95,6 +95,7 @@ TEST(DiagnosisJson, HasItsStructureInFixedOrderAndDigits) {
     }
   ],
   "unconfirmed": [],
+  "within_tolerance": [],
   "proxies": [],
   "untestable": [
     {

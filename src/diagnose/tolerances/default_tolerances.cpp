@@ -1,0 +1,88 @@
+#include "diagnose/tolerances/default_tolerances.h"
+
+namespace tera {
+namespace {
+
+constexpr double kStampedLate_s = 0.04;  ///< all delays from a lever to a stamp together
+constexpr double kRate = 0.06;           ///< a joint's rate at full lever, either way, at any angle
+constexpr double kBand = 0.02;           ///< dead band and dry friction, of full lever
+constexpr double kExponent = 0.085;      ///< changes the rate at half lever by kRate
+constexpr double kDryFriction_radps = 0.01;  ///< kBand of a joint that turns at 0.5 rad/s
+constexpr double kTravel = 0.02, kTracksDiffer = 0.005, kGauge = 0.05;
+constexpr double kCentreOfMass_m = 0.05;  ///< estimate: where the mass of a machine's links is
+constexpr double kPerSlope = 0.05;        ///< estimate: half a degree of slope is not known better
+constexpr double kEncoderZero_deg = 0.17, kEncoderZero_rad = 0.003;
+constexpr double kEncoderScale = 0.01;  ///< estimate: linkages between a sensor and its joint
+constexpr double kGyroBias_degps = 0.115, kAccelBias_mps2 = 0.04;
+constexpr double kGyroScale = 0.02, kAccelScale = 0.01;  ///< estimates: without calibration
+constexpr double kWarming_k = 30;  ///< spreads a bias over the usual rise of temperature
+constexpr double kMount_deg = 0.46, kUnitPlace_m = 0.05, kAntennaPlace_m = 0.025;
+constexpr double kHeading_deg = 2.9, kDatum_m = 0.04;
+constexpr double kClockDrift_ppm = 100;  ///< estimate: a quartz without compensation
+
+constexpr DefaultTolerance kTable[] = {
+    {"command_delay", "delay_s", 0, kStampedLate_s},
+    {"input_hold", "period_s", 0, 2 * kStampedLate_s},  // late by half a period in the mean
+    {"actuator_lag", "time_s", 0, kStampedLate_s},
+    {"dead_band", "width", 0, kBand},
+    {"lever_saturation", "limit", 1, kRate},
+    {"valve_curve", "exponent", 1, kExponent},
+    {"asymmetric_gain", "ratio", 1, kRate},
+    {"rate_gain", "gain", 1, kRate},
+    {"flow_sharing", "capacity", 1, kRate},
+    {"backlash", "gap_rad", 0, kEncoderZero_rad},
+    {"drive_friction", "lost_radps", 0, kDryFriction_radps},
+    {"track_scale", "scale", 1, kTravel},
+    {"track_asymmetry", "difference", 0, kTracksDiffer},
+    {"track_slip", "slip", 0, kTravel},
+    {"slope_slip", "slip", 0, kTravel},
+    {"slope_slip", "slip_per_slope", 0, kPerSlope},
+    {"side_slip", "drift_per_slope", 0, kPerSlope},
+    {"effective_gauge", "ratio", 1, kGauge},
+    {"icr_shift", "forward_m", 0, kCentreOfMass_m},
+    {"icr_shift", "left_m", 0, kCentreOfMass_m},
+    {"mount_rotation", "roll_deg", 0, kMount_deg},
+    {"mount_rotation", "pitch_deg", 0, kMount_deg},
+    {"mount_rotation", "yaw_deg", 0, kMount_deg},
+    {"imu_lever_arm", "x_m", 0, kUnitPlace_m},
+    {"imu_lever_arm", "y_m", 0, kUnitPlace_m},
+    {"imu_lever_arm", "z_m", 0, kUnitPlace_m},
+    {"gnss_lever_arm", "x_m", 0, kAntennaPlace_m},
+    {"gnss_lever_arm", "y_m", 0, kAntennaPlace_m},
+    {"gnss_lever_arm", "z_m", 0, kAntennaPlace_m},
+    {"antenna_yaw", "yaw_deg", 0, kHeading_deg},
+    {"bias", "gyro_x_degps", 0, kGyroBias_degps},
+    {"bias", "gyro_y_degps", 0, kGyroBias_degps},
+    {"bias", "gyro_z_degps", 0, kGyroBias_degps},
+    {"bias", "accel_x_mps2", 0, kAccelBias_mps2},
+    {"bias", "accel_y_mps2", 0, kAccelBias_mps2},
+    {"bias", "accel_z_mps2", 0, kAccelBias_mps2},
+    {"bias", "angle_deg", 0, kEncoderZero_deg},
+    {"temperature_drift", "gyro_x_degpspk", 0, kGyroBias_degps / kWarming_k},
+    {"temperature_drift", "gyro_y_degpspk", 0, kGyroBias_degps / kWarming_k},
+    {"temperature_drift", "gyro_z_degpspk", 0, kGyroBias_degps / kWarming_k},
+    {"temperature_drift", "accel_x_mps2pk", 0, kAccelBias_mps2 / kWarming_k},
+    {"temperature_drift", "accel_y_mps2pk", 0, kAccelBias_mps2 / kWarming_k},
+    {"temperature_drift", "accel_z_mps2pk", 0, kAccelBias_mps2 / kWarming_k},
+    {"scale", "gyro_x_factor", 1, kGyroScale},
+    {"scale", "gyro_y_factor", 1, kGyroScale},
+    {"scale", "gyro_z_factor", 1, kGyroScale},
+    {"scale", "accel_x_factor", 1, kAccelScale},
+    {"scale", "accel_y_factor", 1, kAccelScale},
+    {"scale", "accel_z_factor", 1, kAccelScale},
+    {"scale", "position_factor", 1, kEncoderScale},
+    {"scale", "rate_factor", 1, kEncoderScale},
+    {"height_datum", "offset_m", 0, kDatum_m},
+    {"position_datum", "east_m", 0, kDatum_m},
+    {"position_datum", "north_m", 0, kDatum_m},
+    {"clock_offset", "offset_s", 0, kStampedLate_s},
+    {"clock_drift", "drift_ppm", 0, kClockDrift_ppm},
+    {"latency", "delay_s", 0, kStampedLate_s},
+    {"filter_delay", "time_constant_s", 0, kStampedLate_s},
+};
+
+}  // namespace
+
+std::span<const DefaultTolerance> DefaultTolerances() { return kTable; }
+
+}  // namespace tera

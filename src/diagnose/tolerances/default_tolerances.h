@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace tera {
+
+/// What is as expected of one number of a mechanism where an owner says nothing else.
+struct DefaultTolerance {
+  std::string_view mechanism, parameter;
+  double neutral = 0;     ///< the number with which the mechanism has no effect
+  double half_width = 0;  ///< 95 % of what is as expected lies so near; in the parameter's unit
+};
+
+/// The defaults, by kind of sensor and slot. A number that is not among them is expected nowhere
+/// but where the scenario has it.
+///
+/// Source  Rates, bands, delays, tracks and places: what the owner of a 4 t excavator would call
+///         as expected, within which eleven recordings of nothing wrong were drawn. Others are
+///         estimates, each beside its number.
+std::span<const DefaultTolerance> DefaultTolerances();
+
+}  // namespace tera

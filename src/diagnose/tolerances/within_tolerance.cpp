@@ -1,0 +1,68 @@
+#include "diagnose/tolerances/within_tolerance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "diagnose/tolerances/default_tolerances.h"
+
+namespace tera {
+namespace {
+
+/// Standard deviations that leave 5 % of a normal distribution on one side.
+constexpr double kOneSided95 = 1.645;
+
+/// What is as expected of a candidate's parameter; none where nothing is stated.
+std::optional<Expected> ExpectedOf(const Tolerances& stated, const Candidate& candidate,
+                                   std::size_t parameter) {
+  const std::string_view id = candidate.mechanism->id;
+  const std::string_view name = candidate.mechanism->parameters[parameter].name;
+  std::optional<Expected> expected;
+  for (const DefaultTolerance& one : DefaultTolerances()) {
+    if (one.mechanism == id && one.parameter == name) expected = {one.neutral, one.half_width};
+  }
+  for (const Tolerance& one : stated) {
+    const bool is_this = one.target == candidate.target && one.mechanism->id == id &&
+                         one.mechanism->parameters[one.parameter].name == name;
+    if (!is_this) continue;
+    if (!expected) expected = {candidate.mechanism->parameters[parameter].otherwise.value_or(0), 0};
+    expected->half_width = one.half_width;
+  }
+  if (expected && !candidate.present.empty()) expected->value = candidate.present[parameter];
+  return expected;
+}
+
+}  // namespace
+
+void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks) {
+  for (ReplayBlock& block : *blocks) {
+    for (Candidate& candidate : block.candidates) {
+      for (FreeParameter& free : candidate.free) {
+        free.expected = ExpectedOf(stated, candidate, free.index);
+      }
+    }
+  }
+}
+
+bool IsBeyondTolerance(const Finding& finding) {
+  bool is_stated = false;
+  for (const FreeParameter& free : finding.term.candidate->free) {
+    if (!free.expected) continue;
+    is_stated = true;
+    const ParameterEstimate& estimate = finding.parameters[free.index];
+    if (!estimate.sigma || finding.term.IsHeld(free.index)) continue;
+    const double off = std::abs(estimate.value - free.expected->value);
+    if (off - kOneSided95 * *estimate.sigma > free.expected->half_width) return true;
+  }
+  return !is_stated;
+}
+
+void MoveWithinTolerance(BlockDiagnosis* diagnosis) {
+  std::vector<Finding>& findings = diagnosis->findings;
+  const auto within = std::stable_partition(findings.begin(), findings.end(), IsBeyondTolerance);
+  std::move(within, findings.end(), std::back_inserter(diagnosis->within_tolerance));
+  findings.erase(within, findings.end());
+}
+
+}  // namespace tera

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "core/types/tolerance.h"
+#include "diagnose/search/block/block_diagnosis.h"
+
+namespace tera {
+
+/// Tells the candidates of blocks what is as expected of their numbers: what the owner `stated` of
+/// a target, and else the defaults.
+void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks);
+
+/// Whether one of a finding's numbers lies beyond what is as expected, and which that is was
+/// determined.
+///
+/// Model   a number is beyond its tolerance where 95 % of its posterior, normal about its estimate,
+///         lies beyond the nearer end of the tolerance about what the scenario has. A number
+///         without a posterior, at a bound of its range or not determined, is beyond nothing. A
+///         mechanism of whose free numbers nothing is stated is beyond what is expected if it acts
+///         at all.
+bool IsBeyondTolerance(const Finding& finding);
+
+/// Moves the findings that are within tolerance to their list. The structure that was found keeps
+/// them: what they explain is not left.
+void MoveWithinTolerance(BlockDiagnosis* diagnosis);
+
+}  // namespace tera

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/types/effects.h"
+#include "physics/description/machine.h"
+#include "sensors/sensor.h"
+
+namespace tera {
+
+/// Something of a machine that mechanisms act on, by its name in YAML.
+struct NamedTarget {
+  std::string name;  ///< of a joint, running gear, pump, sensor or axis, "encoders/boom"; "base"
+  EffectTarget kind;
+  std::span<const Mechanism> library;  ///< in which its mechanisms are
+};
+
+/// The target of the whole machine's motion.
+inline constexpr std::string_view kBaseTarget = "base";
+
+/// All targets of a machine: moving joints, running gears, pumps, the base, sensors and their axes.
+std::vector<NamedTarget> TargetsOf(const MachineModel& model,
+                                   const std::vector<SensorDescription>& sensors);
+
+}  // namespace tera

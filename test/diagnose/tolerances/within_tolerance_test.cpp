@@ -1,0 +1,127 @@
+#include "diagnose/tolerances/within_tolerance.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "diagnose/tolerances/default_tolerances.h"
+#include "physics/actuation/actuation_mechanisms.h"
+#include "physics/traction/ground_mechanisms.h"
+#include "sensors/sensor_mechanisms.h"
+
+namespace tera {
+namespace {
+
+const Mechanism& MechanismOf(std::string_view id, EffectTarget target) {
+  for (const auto library : {ActuationMechanisms(), GroundMechanisms(), SensorMechanisms()}) {
+    for (const Mechanism& mechanism : library) {
+      if (mechanism.id == id && mechanism.ActsOn(target)) return mechanism;
+    }
+  }
+  throw std::runtime_error(std::string(id));
+}
+
+/// A block whose one candidate is that mechanism, with all of its numbers free.
+std::vector<ReplayBlock> BlockOf(const Mechanism& mechanism, const std::string& target) {
+  Candidate candidate{.mechanism = &mechanism, .target = target};
+  for (std::size_t i = 0; i < mechanism.parameters.size(); ++i) candidate.free.push_back({i});
+  std::vector<ReplayBlock> blocks(1);
+  blocks[0].candidates = {candidate};
+  return blocks;
+}
+
+Finding FindingOf(const ReplayBlock& block, std::vector<double> values,
+                  const std::vector<std::optional<double>>& sigmas) {
+  Finding finding;
+  finding.term = {&block.candidates[0], values};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    finding.parameters.push_back({"", "", values[i], sigmas[i]});
+  }
+  return finding;
+}
+
+// A dead band is expected within 0.02: 95 % of a posterior of sigma 0.01 are beyond that from
+// 0.02 + 1.645 * 0.01 = 0.0364 on.
+TEST(Tolerance, IsExceededWhereNineteenOfTwentyPartsOfThePosteriorLieBeyond) {
+  auto blocks = BlockOf(MechanismOf("dead_band", EffectTarget::kJoint), "boom");
+  StateTolerances({}, &blocks);
+  EXPECT_FALSE(IsBeyondTolerance(FindingOf(blocks[0], {0.036, 0}, {0.01, std::nullopt})));
+  EXPECT_TRUE(IsBeyondTolerance(FindingOf(blocks[0], {0.037, 0}, {0.01, std::nullopt})));
+}
+
+TEST(Tolerance, LiesOnBothSidesOfTheNumberWithoutEffect) {
+  auto blocks = BlockOf(MechanismOf("rate_gain", EffectTarget::kJoint), "boom");
+  StateTolerances({}, &blocks);
+  EXPECT_TRUE(IsBeyondTolerance(FindingOf(blocks[0], {0.9}, {0.01})));
+  EXPECT_TRUE(IsBeyondTolerance(FindingOf(blocks[0], {1.1}, {0.01})));
+  EXPECT_FALSE(IsBeyondTolerance(FindingOf(blocks[0], {0.95}, {0.001})));
+}
+
+TEST(Tolerance, LiesAboutTheNumberThatTheScenarioHas) {
+  auto blocks = BlockOf(MechanismOf("dead_band", EffectTarget::kJoint), "boom");
+  blocks[0].candidates[0].present = {0.15, 0};
+  StateTolerances({}, &blocks);
+  EXPECT_FALSE(IsBeyondTolerance(FindingOf(blocks[0], {0.14, 0}, {0.001, std::nullopt})));
+  EXPECT_TRUE(IsBeyondTolerance(FindingOf(blocks[0], {0.05, 0}, {0.001, std::nullopt})));
+}
+
+TEST(Tolerance, OfTheOwnerStandsOverTheDefaultForItsTargetAlone) {
+  const Mechanism& mount = MechanismOf("mount_rotation", EffectTarget::kImu);
+  const Tolerances stated = {{"imu_boom", &mount, 0, 3.0}};
+  auto blocks = BlockOf(mount, "imu_boom"), others = BlockOf(mount, "imu_arm");
+  StateTolerances(stated, &blocks);
+  StateTolerances(stated, &others);
+  const std::vector<std::optional<double>> sigmas(3, 0.1);
+  EXPECT_FALSE(IsBeyondTolerance(FindingOf(blocks[0], {2, 0, 0}, sigmas)));
+  EXPECT_TRUE(IsBeyondTolerance(FindingOf(blocks[0], {0, 2, 0}, sigmas)));
+  EXPECT_TRUE(IsBeyondTolerance(FindingOf(others[0], {2, 0, 0}, sigmas)));
+}
+
+// A number at an end of its range, or one that the data do not hold, has no standard deviation.
+TEST(Tolerance, IsNotExceededByANumberThatIsNotDetermined) {
+  auto blocks = BlockOf(MechanismOf("latency", EffectTarget::kImu), "imu_boom");
+  StateTolerances({}, &blocks);
+  EXPECT_FALSE(IsBeyondTolerance(FindingOf(blocks[0], {3, 0}, {std::nullopt, std::nullopt})));
+  Finding held = FindingOf(blocks[0], {3, 0}, {0.001, std::nullopt});
+  EXPECT_TRUE(IsBeyondTolerance(held));
+  held.term.held = {0};
+  EXPECT_FALSE(IsBeyondTolerance(held));
+}
+
+TEST(Tolerance, IsExceededByAnyActOfWhatNothingIsStatedOf) {
+  auto blocks = BlockOf(MechanismOf("axis_flip", EffectTarget::kImu), "imu_boom");
+  StateTolerances({}, &blocks);
+  EXPECT_TRUE(IsBeyondTolerance(FindingOf(blocks[0], {1, 0, 0}, {{}, {}, {}})));
+}
+
+TEST(Tolerance, WhatIsWithinLeavesTheFindingsAndKeepsItsNumbers) {
+  auto blocks = BlockOf(MechanismOf("rate_gain", EffectTarget::kJoint), "boom");
+  StateTolerances({}, &blocks);
+  BlockDiagnosis diagnosis;
+  diagnosis.findings = {FindingOf(blocks[0], {0.97}, {0.002}), FindingOf(blocks[0], {0.8}, {0.01})};
+  MoveWithinTolerance(&diagnosis);
+  ASSERT_EQ(diagnosis.findings.size(), 1u);
+  EXPECT_EQ(diagnosis.findings[0].term.values[0], 0.8);
+  ASSERT_EQ(diagnosis.within_tolerance.size(), 1u);
+  EXPECT_EQ(diagnosis.within_tolerance[0].term.values[0], 0.97);
+}
+
+TEST(DefaultTolerances, AreOfParametersThatTheLibraryHas) {
+  std::set<std::pair<std::string_view, std::string_view>> known;
+  for (const auto library : {ActuationMechanisms(), GroundMechanisms(), SensorMechanisms()}) {
+    for (const Mechanism& mechanism : library) {
+      for (const EffectParameter& parameter : mechanism.parameters) {
+        known.insert({mechanism.id, parameter.name});
+      }
+    }
+  }
+  std::set<std::pair<std::string_view, std::string_view>> seen;
+  for (const DefaultTolerance& one : DefaultTolerances()) {
+    EXPECT_TRUE(known.contains({one.mechanism, one.parameter})) << one.mechanism << one.parameter;
+    EXPECT_TRUE(seen.insert({one.mechanism, one.parameter}).second) << "twice: " << one.mechanism;
+    EXPECT_GT(one.half_width, 0) << one.mechanism;
+  }
+}
+
+}  // namespace
+}  // namespace tera
