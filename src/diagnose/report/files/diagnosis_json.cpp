@@ -1,210 +1,25 @@
 #include "diagnose/report/files/diagnosis_json.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <nlohmann/json.hpp>
 
+#include "diagnose/report/files/finding_json.h"
 #include "diagnose/report/text/next_manoeuvre_text.h"
-#include "diagnose/report/text/proposal_text.h"
 #include "diagnose/report/text/ranking.h"
 
 namespace tera {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = OrderedJson;
 
 /// Raised when a key changes its name or meaning. Files without it are of format 1.
 constexpr int kFormat = 2;
-/// Stands for the p of an error that no flexible regressor follows.
-constexpr double kPOfUnfollowed = 0.5;
-
-Json Number(double value) {
-  if (!std::isfinite(value)) return nullptr;
-  return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
-}
-
-Json Number(const std::optional<double>& value) { return value ? Number(*value) : Json(nullptr); }
-
-Json Intervals(const Location& location, const ReplayBlock& block) {
-  Json list = Json::array();
-  for (const Segment& segment : location.intervals) {
-    list.push_back({Number(block.time_s(segment.begin)), Number(block.time_s(segment.end))});
-  }
-  return list;
-}
-
-std::string ShapeOf(const CurveShape& shape) {
-  std::string text;
-  if (shape.parity == CurveParity::kOdd || shape.parity == CurveParity::kEven) {
-    text = std::string(NameOf(shape.parity)) + " ";
-  }
-  text += NameOf(shape.form);
-  return shape.outside ? text + " outside" : text;
-}
-
-Json RegimeOf(const Location& location) {
-  if (location.regimes.empty()) return nullptr;
-  const Regime& regime = location.regimes.front();
-  const bool has_range = regime.shape.form != CurveForm::kNone;
-  return {{"variable", regime.variable},
-          {"error", regime.is_share ? "share of simulated" : "value"},
-          {"low", has_range ? Number(regime.shape.low) : Json(nullptr)},
-          {"high", has_range ? Number(regime.shape.high) : Json(nullptr)},
-          {"shape", ShapeOf(regime.shape)},
-          {"p", Number(regime.p)}};
-}
-
-Json ParametersOf(const Finding& finding) {
-  const std::vector<double>& present = finding.term.candidate->present;
-  Json map = Json::object();
-  for (std::size_t i = 0; i < finding.parameters.size(); ++i) {
-    const ParameterEstimate& estimate = finding.parameters[i];
-    Json& json = map[estimate.name];
-    json = {{"value", Number(estimate.value)},
-            {"sigma", Number(estimate.sigma)},
-            {"unit", estimate.unit}};
-    if (!present.empty()) json["instead_of"] = Number(present[i]);
-    if (finding.term.IsHeld(i)) json["determined"] = false;
-  }
-  return map;
-}
-
-Json HeldOut(double before, double after, const std::string& unit, double removed) {
-  return {{"rmse_before", Number(before)},
-          {"rmse_after", Number(after)},
-          {"unit", unit},
-          {"excess_variance_removed", Number(removed)}};
-}
-
-/// The location, which named and unexplained findings both have.
-Json Where(const DiagnosedBlock& diagnosed, const Location& location) {
-  return {{"channel", diagnosed.block.channels[location.channel].name},
-          {"intervals_s", Intervals(location, diagnosed.block)},
-          {"regime", RegimeOf(location)}};
-}
-
-/// The location of a sensor's finding, with its place on the site if it has one.
-Json Where(const PerceptionDiagnosis& sensor, const PerceptionFinding& found) {
-  Json intervals = Json::array(), place = nullptr;
-  for (const auto& [from_s, to_s] : found.intervals_s) {
-    intervals.push_back({Number(from_s), Number(to_s)});
-  }
-  if (found.place) {
-    const auto point = [](const Vec2& p) { return Json{Number(p.x()), Number(p.y())}; };
-    place = {{"centre_m", point(found.place->centre_W_m)},
-             {"low_m", point(found.place->low_W_m)},
-             {"high_m", point(found.place->high_W_m)}};
-  }
-  return {{"channel", sensor.channel},
-          {"intervals_s", std::move(intervals)},
-          {"place", std::move(place)},
-          {"regime", nullptr}};
-}
-
-/// A score that ranks findings by how sure they are. It is not calibrated, and no probability.
-double ScoreOf(const Finding& finding) {
-  const auto alike = static_cast<double>(finding.evidence.rivals.size());
-  return (1 - finding.evidence.p) * (1 - finding.held_out.p) / alike;
-}
-
-/// Adds a finding to its location; `unit` is that of its error.
-Json Named(Json json, const Finding& finding, const std::string& unit) {
-  const Candidate& candidate = *finding.term.candidate;
-  json["mechanism"] = std::string(candidate.mechanism->id);
-  json["slot"] = std::string(NameOf(candidate.mechanism->slot));
-  json["target"] = candidate.target;
-  json["parameters"] = ParametersOf(finding);
-  json["class"] = Json::array();
-  for (const Candidate* rival : finding.evidence.rivals) {
-    json["class"].push_back(std::string(rival->mechanism->id));
-  }
-  json["rejected"] = Json::array();
-  for (const Rival& rival : finding.evidence.rejected) {
-    json["rejected"].push_back(
-        {{"mechanism", std::string(rival.candidate->mechanism->id)}, {"p", Number(rival.p)}});
-  }
-  json["evidence"] = {{"p_chosen", Number(finding.evidence.p)},
-                      {"p_confirmed", Number(finding.held_out.p)}};
-  json["confidence"] = Number(ScoreOf(finding));
-  const HeldOutError& error = finding.held_out;
-  json["held_out"] = HeldOut(error.rmse_before, error.rmse_after, unit, error.excess_removed);
-  return json;
-}
-
-Json CurveOf(const ProposedCurve& proposed) {
-  const auto list = [](const Eigen::VectorXd& values) {
-    Json numbers = Json::array();
-    for (const double value : values) numbers.push_back(Number(value));
-    return numbers;
-  };
-  return {{"variable", proposed.variable},
-          {"error", proposed.is_share ? "share of simulated" : "value"},
-          {"at", list(proposed.at)},
-          {"mean", list(proposed.mean)},
-          {"low", list(proposed.low)},
-          {"high", list(proposed.high)}};
-}
-
-/// The formula or curve for what is left of a channel, if there is one.
-Json ProposalOf(const DiagnosedBlock& diagnosed, std::size_t channel) {
-  for (const Proposal& proposal : diagnosed.proposals) {
-    if (proposal.channel != channel) continue;
-    Json terms = Json::array();
-    for (const ProposedTerm& term : proposal.terms) {
-      terms.push_back({{"term", TermText(diagnosed.block, term.factors)},
-                       {"coefficient", Number(term.coefficient)},
-                       {"sigma", Number(term.sigma)},
-                       {"unit", CoefficientUnit(diagnosed.block, channel, term.factors)},
-                       {"stability", Number(term.stability)}});
-    }
-    return {{"formula", FormulaText(diagnosed.block, proposal)},
-            {"terms", std::move(terms)},
-            {"curve", proposal.curve ? CurveOf(*proposal.curve) : Json(nullptr)},
-            {"rmse_before", Number(proposal.rmse_before)},
-            {"rmse_after", Number(proposal.rmse_after)},
-            {"unit", diagnosed.block.channels[channel].unit}};
-  }
-  return nullptr;
-}
-
-Json NotNamed(const DiagnosedBlock& diagnosed, const Unexplained& unexplained) {
-  Json json = Where(diagnosed, unexplained.location);
-  json["mechanism"] = "unexplained";
-  json["slot"] = nullptr;
-  json["target"] = nullptr;
-  json["parameters"] = Json::object();
-  json["class"] = Json::array();
-  json["rejected"] = Json::array();
-  json["evidence"] = {{"p_chosen", Number(unexplained.p)}, {"p_confirmed", nullptr}};
-  json["confidence"] = Number(1 - unexplained.p.value_or(kPOfUnfollowed));
-  const std::string& unit = diagnosed.block.channels[unexplained.location.channel].unit;
-  json["held_out"] = HeldOut(unexplained.rmse, unexplained.rmse, unit, 0);
-  json["held_out"]["noise"] = Number(unexplained.noise);
-  json["proposal"] = ProposalOf(diagnosed, unexplained.location.channel);
-  return json;
-}
-
-/// A mechanism that was chosen and is no finding.
-Json Chosen(const Finding& finding) {
-  Json names = Json::array();
-  for (const Candidate* rival : finding.evidence.rivals)
-    names.push_back(std::string(rival->mechanism->id));
-  return {
-      {"mechanism", std::string(finding.term.candidate->mechanism->id)},
-      {"target", finding.term.candidate->target},
-      {"class", std::move(names)},
-      {"evidence",
-       {{"p_chosen", Number(finding.evidence.p)}, {"p_confirmed", Number(finding.held_out.p)}}}};
-}
 
 /// Mechanisms that come nearest to errors that stay unexplained.
 Json Proxies(const Diagnosis& diagnosis) {
   Json list = Json::array();
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
-    for (const Finding& finding : diagnosed.diagnosis.proxies) list.push_back(Chosen(finding));
+    for (const Finding& finding : diagnosed.diagnosis.proxies) list.push_back(ChosenJson(finding));
   }
   return list;
 }
@@ -214,8 +29,8 @@ Json WithinTolerance(const Diagnosis& diagnosis) {
   Json list = Json::array();
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     for (const Finding& finding : diagnosed.diagnosis.within_tolerance) {
-      list.push_back(Chosen(finding));
-      list.back()["parameters"] = ParametersOf(finding);
+      list.push_back(ChosenJson(finding));
+      list.back()["parameters"] = ParametersJson(finding);
     }
   }
   return list;
@@ -226,11 +41,12 @@ Json Unconfirmed(const Diagnosis& diagnosis) {
   Json list = Json::array();
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     for (const Finding& finding : diagnosed.diagnosis.unconfirmed) {
-      list.push_back(Chosen(finding));
+      list.push_back(ChosenJson(finding));
     }
   }
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
-    for (const PerceptionFinding& found : sensor.unconfirmed) list.push_back(Chosen(found.finding));
+    for (const PerceptionFinding& found : sensor.unconfirmed)
+      list.push_back(ChosenJson(found.finding));
   }
   return list;
 }
@@ -242,7 +58,8 @@ Json HeldOutOfAll(const Diagnosis& diagnosis) {
     for (const HeldOutError& error : diagnosed.diagnosis.confirmed) {
       const Channel& channel = diagnosed.block.channels[error.channel];
       Json one = {{"channel", channel.name}};
-      one.update(HeldOut(error.rmse_before, error.rmse_after, channel.unit, error.excess_removed));
+      one.update(
+          HeldOutJson(error.rmse_before, error.rmse_after, channel.unit, error.excess_removed));
       list.push_back(std::move(one));
     }
   }
@@ -262,8 +79,8 @@ Json OutOfTime(const Diagnosis& diagnosis) {
 Json BeforeAndAfter(const std::string& channel, double before, double after,
                     const std::string& unit) {
   return {{"channel", channel},
-          {"rmse_before", Number(before)},
-          {"rmse_after", Number(after)},
+          {"rmse_before", JsonNumber(before)},
+          {"rmse_after", JsonNumber(after)},
           {"unit", unit}};
 }
 
@@ -273,7 +90,7 @@ Json FurtherRecordings(const Diagnosis& diagnosis) {
     Json channels = Json::array();
     for (const HeldOutChannel& one : further.channels) {
       channels.push_back(BeforeAndAfter(one.channel, one.rmse_before, one.rmse_after, one.unit));
-      channels.back()["p"] = Number(one.p);
+      channels.back()["p"] = JsonNumber(one.p);
     }
     list.push_back({{"recording", further.recording},
                     {"channels", std::move(channels)},
@@ -299,8 +116,8 @@ Json Channels(const Diagnosis& diagnosis) {
       count = std::max(count, 1.0);
       list.push_back({{"channel", channel.name},
                       {"unit", channel.unit},
-                      {"rms", Number(std::sqrt(square / count))},
-                      {"rmse", Number(std::sqrt(error / count))}});
+                      {"rms", JsonNumber(std::sqrt(square / count))},
+                      {"rmse", JsonNumber(std::sqrt(error / count))}});
     }
   }
   return list;
@@ -316,11 +133,11 @@ Json Whole(const Diagnosis& diagnosis) {
   }
   Json path = nullptr;
   if (whole.path) {
-    path = {{"recorded_m", Number(whole.path->recorded_m)},
-            {"before_m", Number(whole.path->before_m)},
-            {"after_m", Number(whole.path->after_m)}};
+    path = {{"recorded_m", JsonNumber(whole.path->recorded_m)},
+            {"before_m", JsonNumber(whole.path->before_m)},
+            {"after_m", JsonNumber(whole.path->after_m)}};
   }
-  return {{"until_s", Number(whole.until_s)},
+  return {{"until_s", JsonNumber(whole.until_s)},
           {"channels", std::move(channels)},
           {"path", std::move(path)},
           {"not_simulated", whole.not_simulated},
@@ -331,11 +148,12 @@ Json Whole(const Diagnosis& diagnosis) {
 Json DiscrepancyCorrectionsOf(const Diagnosis& diagnosis) {
   Json list = Json::array();
   for (const DiscrepancyCorrection& one : diagnosis.discrepancy_corrections) {
-    list.push_back({{"channel", one.channel},
-                    {"rms", one.is_simulated ? Number(one.rms) : Json(nullptr)},
-                    {"unit", one.unit},
-                    {"log_likelihood_gain", one.is_simulated ? Number(one.gain) : Json(nullptr)},
-                    {"applied", one.is_applied()}});
+    list.push_back(
+        {{"channel", one.channel},
+         {"rms", one.is_simulated ? JsonNumber(one.rms) : Json(nullptr)},
+         {"unit", one.unit},
+         {"log_likelihood_gain", one.is_simulated ? JsonNumber(one.gain) : Json(nullptr)},
+         {"applied", one.is_applied()}});
   }
   return list;
 }
@@ -344,7 +162,7 @@ Json DiscrepancyCorrectionsOf(const Diagnosis& diagnosis) {
 Json ExcludedSamplesOf(const Diagnosis& diagnosis) {
   Json list = Json::array();
   for (const ExcludedSamples& one : diagnosis.excluded_samples) {
-    list.push_back({{"channel", one.channel}, {"share", Number(one.share)}});
+    list.push_back({{"channel", one.channel}, {"share", JsonNumber(one.share)}});
   }
   return list;
 }
@@ -379,7 +197,7 @@ Json SetsOf(const std::vector<DiscriminatedSet>& sets) {
   Json list = Json::array();
   for (const DiscriminatedSet& set : sets) {
     list.push_back(
-        {{"target", set.target}, {"members", set.members}, {"power", Number(set.power)}});
+        {{"target", set.target}, {"members", set.members}, {"power", JsonNumber(set.power)}});
   }
   return list;
 }
@@ -391,9 +209,9 @@ Json Next(const Diagnosis& diagnosis) {
   for (const DiscriminatedSet& set : next.discriminated) members.push_back(set.members);
   return {{"description", next.description},
           {"commands_csv", kNextManoeuvreFile},
-          {"duration_s", Number(next.duration_s)},
+          {"duration_s", JsonNumber(next.duration_s)},
           {"discriminates", members},
-          {"power", Number(next.power)},
+          {"power", JsonNumber(next.power)},
           {"discriminated", SetsOf(next.discriminated)},
           {"not_discriminated", SetsOf(next.not_discriminated)},
           {"deferred", next.deferred}};
@@ -407,15 +225,14 @@ std::string DiagnosisJson(const Diagnosis& diagnosis) {
     json["verdict"].push_back(std::string(NameOf(verdict)));
   }
   for (const auto& [diagnosed, finding] : RankedFindings(diagnosis)) {
-    json["findings"].push_back(Named(Where(*diagnosed, finding->location), *finding,
-                                     diagnosed->block.channels[finding->held_out.channel].unit));
+    json["findings"].push_back(FindingJson(*diagnosed, *finding));
   }
   for (const auto& [diagnosed, unexplained] : RankedUnexplained(diagnosis)) {
-    json["findings"].push_back(NotNamed(*diagnosed, *unexplained));
+    json["findings"].push_back(UnexplainedJson(*diagnosed, *unexplained));
   }
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
     for (const PerceptionFinding& found : sensor.findings) {
-      json["findings"].push_back(Named(Where(sensor, found), found.finding, sensor.unit));
+      json["findings"].push_back(FindingJson(sensor, found));
     }
   }
   json["held_out"] = HeldOutOfAll(diagnosis);
@@ -429,7 +246,8 @@ std::string DiagnosisJson(const Diagnosis& diagnosis) {
   json["excluded_samples"] = ExcludedSamplesOf(diagnosis);
   json["out_of_time"] = OutOfTime(diagnosis);
   json["levers_of"] = diagnosis.levers_are_the_scenarios ? "scenario" : "recording";
-  json["encoder_lead_s"] = diagnosis.encoder_lead_s ? Number(*diagnosis.encoder_lead_s) : Json();
+  json["encoder_lead_s"] =
+      diagnosis.encoder_lead_s ? JsonNumber(*diagnosis.encoder_lead_s) : Json();
   json["held_out_recordings"] = FurtherRecordings(diagnosis);
   json["discrepancy_corrections"] = DiscrepancyCorrectionsOf(diagnosis);
   json["whole_simulation"] = Whole(diagnosis);

@@ -1,0 +1,210 @@
+#include "diagnose/report/files/finding_json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "diagnose/report/text/proposal_text.h"
+
+namespace tera {
+namespace {
+
+using Json = OrderedJson;
+
+/// Stands for the p of an error that no flexible regressor follows.
+constexpr double kPOfUnfollowed = 0.5;
+
+Json Intervals(const Location& location, const ReplayBlock& block) {
+  Json list = Json::array();
+  for (const Segment& segment : location.intervals) {
+    list.push_back(
+        {JsonNumber(block.time_s(segment.begin)), JsonNumber(block.time_s(segment.end))});
+  }
+  return list;
+}
+
+std::string ShapeOf(const CurveShape& shape) {
+  std::string text;
+  if (shape.parity == CurveParity::kOdd || shape.parity == CurveParity::kEven) {
+    text = std::string(NameOf(shape.parity)) + " ";
+  }
+  text += NameOf(shape.form);
+  return shape.outside ? text + " outside" : text;
+}
+
+Json RegimeOf(const Location& location) {
+  if (location.regimes.empty()) return nullptr;
+  const Regime& regime = location.regimes.front();
+  const bool has_range = regime.shape.form != CurveForm::kNone;
+  return {{"variable", regime.variable},
+          {"error", regime.is_share ? "share of simulated" : "value"},
+          {"low", has_range ? JsonNumber(regime.shape.low) : Json(nullptr)},
+          {"high", has_range ? JsonNumber(regime.shape.high) : Json(nullptr)},
+          {"shape", ShapeOf(regime.shape)},
+          {"p", JsonNumber(regime.p)}};
+}
+
+/// The location, which named and unexplained findings both have.
+Json Where(const DiagnosedBlock& diagnosed, const Location& location) {
+  return {{"channel", diagnosed.block.channels[location.channel].name},
+          {"intervals_s", Intervals(location, diagnosed.block)},
+          {"regime", RegimeOf(location)}};
+}
+
+/// The location of a sensor's finding, with its place on the site if it has one.
+Json Where(const PerceptionDiagnosis& sensor, const PerceptionFinding& found) {
+  Json intervals = Json::array(), place = nullptr;
+  for (const auto& [from_s, to_s] : found.intervals_s) {
+    intervals.push_back({JsonNumber(from_s), JsonNumber(to_s)});
+  }
+  if (found.place) {
+    const auto point = [](const Vec2& p) { return Json{JsonNumber(p.x()), JsonNumber(p.y())}; };
+    place = {{"centre_m", point(found.place->centre_W_m)},
+             {"low_m", point(found.place->low_W_m)},
+             {"high_m", point(found.place->high_W_m)}};
+  }
+  return {{"channel", sensor.channel},
+          {"intervals_s", std::move(intervals)},
+          {"place", std::move(place)},
+          {"regime", nullptr}};
+}
+
+/// A score that ranks findings by how sure they are. It is not calibrated, and no probability.
+double ScoreOf(const Finding& finding) {
+  const auto alike = static_cast<double>(finding.evidence.rivals.size());
+  return (1 - finding.evidence.p) * (1 - finding.held_out.p) / alike;
+}
+
+/// Adds a finding to its location; `unit` is that of its error.
+Json Named(Json json, const Finding& finding, const std::string& unit) {
+  const Candidate& candidate = *finding.term.candidate;
+  json["mechanism"] = std::string(candidate.mechanism->id);
+  json["slot"] = std::string(NameOf(candidate.mechanism->slot));
+  json["target"] = candidate.target;
+  json["parameters"] = ParametersJson(finding);
+  json["class"] = Json::array();
+  for (const Candidate* rival : finding.evidence.rivals) {
+    json["class"].push_back(std::string(rival->mechanism->id));
+  }
+  json["rejected"] = Json::array();
+  for (const Rival& rival : finding.evidence.rejected) {
+    json["rejected"].push_back(
+        {{"mechanism", std::string(rival.candidate->mechanism->id)}, {"p", JsonNumber(rival.p)}});
+  }
+  json["evidence"] = {{"p_chosen", JsonNumber(finding.evidence.p)},
+                      {"p_confirmed", JsonNumber(finding.held_out.p)}};
+  json["confidence"] = JsonNumber(ScoreOf(finding));
+  const HeldOutError& error = finding.held_out;
+  json["held_out"] = HeldOutJson(error.rmse_before, error.rmse_after, unit, error.excess_removed);
+  return json;
+}
+
+Json CurveOf(const ProposedCurve& proposed) {
+  const auto list = [](const Eigen::VectorXd& values) {
+    Json numbers = Json::array();
+    for (const double value : values) numbers.push_back(JsonNumber(value));
+    return numbers;
+  };
+  return {{"variable", proposed.variable},
+          {"error", proposed.is_share ? "share of simulated" : "value"},
+          {"at", list(proposed.at)},
+          {"mean", list(proposed.mean)},
+          {"low", list(proposed.low)},
+          {"high", list(proposed.high)}};
+}
+
+/// The formula or curve for what is left of a channel, if there is one.
+Json ProposalOf(const DiagnosedBlock& diagnosed, std::size_t channel) {
+  for (const Proposal& proposal : diagnosed.proposals) {
+    if (proposal.channel != channel) continue;
+    Json terms = Json::array();
+    for (const ProposedTerm& term : proposal.terms) {
+      terms.push_back({{"term", TermText(diagnosed.block, term.factors)},
+                       {"coefficient", JsonNumber(term.coefficient)},
+                       {"sigma", JsonNumber(term.sigma)},
+                       {"unit", CoefficientUnit(diagnosed.block, channel, term.factors)},
+                       {"stability", JsonNumber(term.stability)}});
+    }
+    return {{"formula", FormulaText(diagnosed.block, proposal)},
+            {"terms", std::move(terms)},
+            {"curve", proposal.curve ? CurveOf(*proposal.curve) : Json(nullptr)},
+            {"rmse_before", JsonNumber(proposal.rmse_before)},
+            {"rmse_after", JsonNumber(proposal.rmse_after)},
+            {"unit", diagnosed.block.channels[channel].unit}};
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+Json JsonNumber(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
+}
+
+Json JsonNumber(const std::optional<double>& value) {
+  return value ? JsonNumber(*value) : Json(nullptr);
+}
+
+Json ParametersJson(const Finding& finding) {
+  const std::vector<double>& present = finding.term.candidate->present;
+  Json map = Json::object();
+  for (std::size_t i = 0; i < finding.parameters.size(); ++i) {
+    const ParameterEstimate& estimate = finding.parameters[i];
+    Json& json = map[estimate.name];
+    json = {{"value", JsonNumber(estimate.value)},
+            {"sigma", JsonNumber(estimate.sigma)},
+            {"unit", estimate.unit}};
+    if (!present.empty()) json["instead_of"] = JsonNumber(present[i]);
+    if (finding.term.IsHeld(i)) json["determined"] = false;
+  }
+  return map;
+}
+
+Json HeldOutJson(double before, double after, const std::string& unit, double removed) {
+  return {{"rmse_before", JsonNumber(before)},
+          {"rmse_after", JsonNumber(after)},
+          {"unit", unit},
+          {"excess_variance_removed", JsonNumber(removed)}};
+}
+
+Json FindingJson(const DiagnosedBlock& diagnosed, const Finding& finding) {
+  return Named(Where(diagnosed, finding.location), finding,
+               diagnosed.block.channels[finding.held_out.channel].unit);
+}
+
+Json FindingJson(const PerceptionDiagnosis& sensor, const PerceptionFinding& found) {
+  return Named(Where(sensor, found), found.finding, sensor.unit);
+}
+
+Json UnexplainedJson(const DiagnosedBlock& diagnosed, const Unexplained& unexplained) {
+  Json json = Where(diagnosed, unexplained.location);
+  json["mechanism"] = "unexplained";
+  json["slot"] = nullptr;
+  json["target"] = nullptr;
+  json["parameters"] = Json::object();
+  json["class"] = Json::array();
+  json["rejected"] = Json::array();
+  json["evidence"] = {{"p_chosen", JsonNumber(unexplained.p)}, {"p_confirmed", nullptr}};
+  json["confidence"] = JsonNumber(1 - unexplained.p.value_or(kPOfUnfollowed));
+  const std::string& unit = diagnosed.block.channels[unexplained.location.channel].unit;
+  json["held_out"] = HeldOutJson(unexplained.rmse, unexplained.rmse, unit, 0);
+  json["held_out"]["noise"] = JsonNumber(unexplained.noise);
+  json["proposal"] = ProposalOf(diagnosed, unexplained.location.channel);
+  return json;
+}
+
+Json ChosenJson(const Finding& finding) {
+  Json names = Json::array();
+  for (const Candidate* rival : finding.evidence.rivals)
+    names.push_back(std::string(rival->mechanism->id));
+  return {{"mechanism", std::string(finding.term.candidate->mechanism->id)},
+          {"target", finding.term.candidate->target},
+          {"class", std::move(names)},
+          {"evidence",
+           {{"p_chosen", JsonNumber(finding.evidence.p)},
+            {"p_confirmed", JsonNumber(finding.held_out.p)}}}};
+}
+
+}  // namespace tera
