@@ -42,7 +42,7 @@ class Env(EnvBase):
     of `tool_frame`, where the machine has frames, tool_position_B_m and tool_rotation_B (w, x, y, z) in the root link's
     frame; cylinder_stroke_m and cylinder_pressure_pa (head and rod side) where it has cylinders;
     terrain_m (n x n, second index forward, relative to the patch's centre); and of each sensor the latest measurement:
-    "<camera>/rgb", "<camera>/depth_m", "<camera>/semantic", "<camera>/instance", "<imu>" (angular rate, specific
+    "<camera>/rgb", "<camera>/depth_m", "<camera>/<label channel>", "<imu>" (angular rate, specific
     force), "<gnss>" (east, north, up, fix), "<encoder>" (positions, rates), any other
     sensor of rows (the numbers of Sensor.columns). Until a sensor has measured something its
     arrays are 0. Lidars, whose scans differ in length, are in info["samples"] alone.
@@ -266,7 +266,9 @@ def make(scenario, options=(), **env_options):
 
 # ---- Samples as arrays
 
-_PICTURES = {"rgb": np.dtype("u1"), "depth_m": np.dtype("<f4"), "semantic": np.dtype("u1"), "instance": np.dtype("<u2")}
+_PICTURES = {"rgb": np.dtype("u1"), "depth_m": np.dtype("<f4")}
+_LABEL_FIELDS = [field.name for field in messages.CameraFrame.DESCRIPTOR.fields
+                 if field.type == field.TYPE_BYTES and field.name not in _PICTURES]
 _COLUMNS = {"xyz_S_m": np.dtype("<f4"), "intensity": np.dtype("<f4"), "time_offset_ns": np.dtype("<u4"),
             "ring": np.dtype("<u2"), "semantic": np.dtype("u1"), "instance": np.dtype("<u2")}
 
@@ -308,7 +310,10 @@ def _camera(frame):
         if data:
             shape = (frame.height_px, frame.width_px) + ((3,) if name == "rgb" else ())
             arrays[name] = np.frombuffer(data, dtype).reshape(shape)
-    for name, data in frame.labels.items():
+    with_fields = {name: getattr(frame, name) for name in _LABEL_FIELDS}
+    for name, data in {**with_fields, **frame.labels}.items():
+        if not data:
+            continue
         arrays[name] = _label_picture(data, frame.height_px, frame.width_px)
     return arrays
 
@@ -337,7 +342,7 @@ def decode(samples):
 
 def _sensor_spaces(sensor):
     name = sensor.name
-    if sensor.type == "camera":
+    if sensor.HasField("camera"):
         camera = sensor.camera
         shape = (camera.height_px, camera.width_px)
         spaces = {}
@@ -360,7 +365,7 @@ def _latest_arrays(sensor, latest):
     spaces = _sensor_spaces(sensor)
     if latest is None:
         return {name: np.zeros(space.shape, space.dtype) for name, space in spaces.items()}
-    if sensor.type == "camera":
+    if sensor.HasField("camera"):
         return {name: latest[name.rpartition("/")[2]] for name in spaces}
     if sensor.type == "imu":
         return {sensor.name: np.concatenate([latest["angular_rate_S_radps"], latest["specific_force_S_mps2"]])}

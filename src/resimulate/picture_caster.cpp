@@ -37,7 +37,7 @@ std::optional<SimulatedPicture> PictureCaster::Render(std::size_t machine,
   scene.X_WB = assembly_.BodyPoses(state);
   scene.body_scale = assembly_.BodyScales(state);
   scene.terrain = picture.moment.ground.get();
-  const CameraIntrinsics lens = Reduced(std::get<CameraModel>(sensor.model).intrinsics, reduced);
+  const CameraIntrinsics lens = Reduced(PicturesOf(sensor)->intrinsics, reduced);
   CameraFrame frame =
       rasterizer_.Render(lens, link->X_WB * calibration.X_BT * OpticalInSensor(), scene);
   SimulatedPicture simulated;

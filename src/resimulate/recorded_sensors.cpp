@@ -23,14 +23,11 @@ std::vector<TimeNs> Thinned(std::vector<TimeNs> times, TimeNs from_ns, TimeNs to
 
 }  // namespace
 
-bool MeasuresRanges(const SensorDescription& sensor) {
-  const auto* camera = std::get_if<CameraModel>(&sensor.model);
-  return std::holds_alternative<LidarModel>(sensor.model) || (camera && camera->depth);
-}
+bool MeasuresRanges(const SensorDescription& sensor) { return RangingOf(sensor).has_value(); }
 
 bool TakesPictures(const SensorDescription& sensor) {
-  const auto* camera = std::get_if<CameraModel>(&sensor.model);
-  return camera && camera->rgb && !camera->depth;
+  const PictureContent* pictures = PicturesOf(sensor);
+  return pictures && pictures->rgb && !MeasuresRanges(sensor);
 }
 
 std::vector<RecordedSensor> SeeingSensors(const Scenario& scenario,
@@ -46,8 +43,8 @@ std::vector<RecordedSensor> SeeingSensors(const Scenario& scenario,
       if (times.empty()) continue;
       const TimeNs first_ns = times.front();
       RecordedSensor sensor{m, &description, channel, {}, ""};
-      const bool turns = std::holds_alternative<LidarModel>(description.model);
-      const TimeNs span_ns = turns ? description.clock.Period() : 0;
+      const std::optional<Ranging> ranging = RangingOf(description);
+      const TimeNs span_ns = ranging ? ranging->span_ns : 0;
       const TimeNs to_ns =
           part.to_s < 1e9 ? first_ns + FromSeconds(part.to_s) : std::numeric_limits<TimeNs>::max();
       const TimeNs from_ns = first_ns + FromSeconds(part.from_s);

@@ -12,10 +12,11 @@
 
 namespace tera {
 
-/// Whether a sensor measures ranges: a lidar, or a camera with depth.
+/// Whether a sensor measures ranges, as lidars and cameras with depth do.
 bool MeasuresRanges(const SensorDescription& sensor);
 
-/// Whether a sensor's pictures are what it is compared by: a camera of colour without depth.
+/// Whether a sensor's pictures are what it is compared by: they are of colour, and it measures no
+/// ranges.
 bool TakesPictures(const SensorDescription& sensor);
 
 /// A sensor of a scenario's machine that sees, and some of its scans or pictures in a recording.

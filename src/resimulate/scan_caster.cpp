@@ -2,21 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "core/check.h"
 
 namespace tera {
 namespace {
 
 constexpr double kBeyond = 1.5;  ///< of the sensor's reach, so that what it cannot see is known
-
-double ReachOf(const SensorDescription& sensor) {
-  if (const auto* lidar = std::get_if<LidarModel>(&sensor.model)) return lidar->max_range_m;
-  return std::get<CameraModel>(sensor.model).depth_max_m;
-}
-
-double LeastRangeOf(const SensorDescription& sensor) {
-  if (const auto* lidar = std::get_if<LidarModel>(&sensor.model)) return lidar->min_range_m;
-  return std::get<CameraModel>(sensor.model).depth_min_m;
-}
 
 }  // namespace
 
@@ -52,12 +45,13 @@ std::string ScanCaster::NameOf(int object) const {
   return assembly_.model().instances[static_cast<std::size_t>(object)].name;
 }
 
-void ScanCaster::ShowScene(std::size_t machine, int link, const Scan& scan, TimeNs start_ns) {
+void ScanCaster::ShowScene(std::size_t machine, int link, const Scan& scan, TimeNs start_ns,
+                           int poses_of_span) {
   if (posed_start_ns_ == start_ns && posed_span_ns_ == scan.span_ns && posed_link_ == link &&
       posed_machine_ == machine && posed_ground_ == scan.moment.ground.get()) {
     return;
   }
-  const int keys = scan.span_ns > 0 ? Lidar::kScenePoses : 1;
+  const int keys = scan.span_ns > 0 ? poses_of_span : 1;
   std::vector<std::vector<Pose>> poses;
   std::vector<float> scales;
   link_.clear();
@@ -80,12 +74,14 @@ std::vector<SimulatedReturn> ScanCaster::Cast(std::size_t machine, const SensorD
                                               const Scan& scan,
                                               const SensorCalibration& calibration,
                                               const std::vector<Beam>& beams) {
+  const std::optional<Ranging> ranging = RangingOf(sensor);
+  TERA_CHECK(ranging, sensor.name);
   std::vector<SimulatedReturn> returns(beams.size());
   const TimeNs start_ns = scan.t_ns - FromSeconds(calibration.clock_offset_s);
   const RecordedMotion& motion = machines_[machine];
   if (!motion.IsKnownAt(start_ns) || !motion.IsKnownAt(start_ns + scan.span_ns)) return returns;
   const int link = scenario_.machines[machine].placement.model.LinkIndex(sensor.link);
-  ShowScene(machine, link, scan, start_ns);
+  ShowScene(machine, link, scan, start_ns, ranging->scene_poses);
   const Pose& X_BT = calibration.X_BT;
   const auto last = static_cast<double>(link_.size() - 1);
   std::vector<Ray> rays;
@@ -105,12 +101,11 @@ std::vector<SimulatedReturn> ScanCaster::Cast(std::size_t machine, const SensorD
     rays.push_back(
         {.origin_W_m = (body.X_WB * Vec3(X_BT.translation())).cast<float>(),
          .direction_W = (body.X_WB.linear() * (X_BT.linear() * beams[i].d_S)).cast<float>(),
-         .max_range_m = static_cast<float>(kBeyond * ReachOf(sensor)),
+         .max_range_m = static_cast<float>(kBeyond * ranging->max_range_m),
          .time = static_cast<float>(part)});
   }
   std::vector<RayHit> hits(rays.size());
   scene_.Trace(rays, hits, threads_);
-  const double least_m = LeastRangeOf(sensor);
   for (std::size_t i = 0; i < hits.size(); ++i) {
     if (!hits[i].hit) {
       returns[i].surface = Surface::kNothing;
@@ -120,7 +115,7 @@ std::vector<SimulatedReturn> ScanCaster::Cast(std::size_t machine, const SensorD
     returns[i].normal_W = hits[i].normal_W.cast<double>();
     returns[i].object = hits[i].instance;
     returns[i].surface = surface_[hits[i].instance];
-    if (hits[i].range_m < least_m) returns[i].surface = Surface::kUnknown;
+    if (hits[i].range_m < ranging->min_range_m) returns[i].surface = Surface::kUnknown;
   }
   return returns;
 }

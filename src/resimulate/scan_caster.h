@@ -19,8 +19,8 @@ std::vector<Surface> SurfacesOf(const Scenario& scenario, const SceneAssembly& a
 
 /// Casts rays of recorded scans in the simulated scene, as seen from the recorded trajectory.
 ///
-/// Model   bodies and link are posed at eleven instants of a revolution, at one of a picture; the
-///         ground is that of a revolution's end.
+/// Model   bodies and link are posed at as many instants of a scan as its kind of sensor says, at
+///         one of a picture; the ground is that of a scan's end.
 class ScanCaster {
  public:
   /// Keeps references to all.
@@ -30,7 +30,7 @@ class ScanCaster {
   /// One scan of a sensor of machine `machine`.
   struct Scan {
     TimeNs t_ns = 0;     ///< as written on it
-    TimeNs span_ns = 0;  ///< a revolution; 0: a picture
+    TimeNs span_ns = 0;  ///< of its rays, a revolution; 0: a picture
     RecordedStage::Moment moment;
   };
   std::vector<SimulatedReturn> Cast(std::size_t machine, const SensorDescription& sensor,
@@ -39,7 +39,8 @@ class ScanCaster {
   std::string NameOf(int object) const;
 
  private:
-  void ShowScene(std::size_t machine, int link, const Scan& scan, TimeNs start_ns);
+  void ShowScene(std::size_t machine, int link, const Scan& scan, TimeNs start_ns,
+                 int poses_of_span);
 
   const Scenario& scenario_;
   const SceneAssembly& assembly_;

@@ -47,16 +47,17 @@ void SamplePublisher::PublishDue(TimeNs now_ns) {
 ChannelId SamplePublisher::AddChannel(const ChannelInfo& info) {
   using Add = void (SamplePublisher::*)(const ChannelInfo&, Channel*);
   static const std::map<std::string_view, Add> own = {{kImuChannel, &SamplePublisher::AddImu},
-                                                      {kGnssChannel, &SamplePublisher::AddGnss},
-                                                      {kCameraChannel, &SamplePublisher::AddCamera},
-                                                      {kLidarChannel, &SamplePublisher::AddLidar}};
+                                                      {kGnssChannel, &SamplePublisher::AddGnss}};
   Channel channel;
   if (info.sensor_yaml) {
     channel.sensor = sensors_.at(info.path);
     channel.machine = MachineOf(info.path);
     channel.frame_id = FrameOf(channel.machine, channel.sensor.name);
-    const auto found = own.find(info.type);
-    (this->*(found == own.end() ? &SamplePublisher::AddRows : found->second))(info, &channel);
+    Add add = &SamplePublisher::AddRows;
+    if (const auto found = own.find(info.type); found != own.end()) add = found->second;
+    if (info.form == ChannelForm::kPictures) add = &SamplePublisher::AddCamera;
+    if (info.form == ChannelForm::kScans) add = &SamplePublisher::AddLidar;
+    (this->*add)(info, &channel);
   }
   channels_.push_back(std::move(channel));
   return static_cast<ChannelId>(channels_.size()) - 1;
@@ -102,7 +103,7 @@ void SamplePublisher::AddRows(const ChannelInfo& info, Channel* channel) {
 }
 
 void SamplePublisher::AddCamera(const ChannelInfo&, Channel* channel) {
-  const CameraModel& camera = std::get<CameraModel>(channel->sensor.model);
+  const PictureContent& camera = *PicturesOf(channel->sensor);
   channel->frame_id = OpticalFrameOf(channel->machine, channel->sensor.name);
   AddTopic<CameraInfo>(kCameraInfo, Delivery::kLarge, channel);
   if (camera.rgb) AddTopic<Image>(kColour, Delivery::kLarge, channel);
@@ -143,7 +144,7 @@ void SamplePublisher::Write(const Channel& channel, const CameraFrame& frame) {
   };
   const auto info = [&] {
     return CameraInfoMessage({frame.t_ns, channel.frame_id},
-                             std::get<CameraModel>(channel.sensor.model).intrinsics);
+                             PicturesOf(channel.sensor)->intrinsics);
   };
   send(kColour, [&] { return ColourMessage(frame, channel.frame_id); });
   send(kCameraInfo, info);

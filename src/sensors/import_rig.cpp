@@ -1,6 +1,7 @@
 #include "sensors/import_rig.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -9,24 +10,74 @@
 #include <vector>
 
 #include "core/config/config.h"
+#include "core/config/spelling.h"
 #include "core/units.h"
+#include "sensors/sensor_kinds.h"
 
 namespace tera {
 namespace {
 
-/// Rates for what the form leaves open: those of the paper's set-up where it names one.
+/// A type of the form; rates are for what the form leaves open: those of the paper's set-up where
+/// it names one.
 struct ForeignType {
-  std::string_view name;
-  std::string_view preset;
-  double rate_hz;
+  std::string name;
+  std::string head;    ///< of the sensor's item: its preset or type
+  double rate_hz = 0;  ///< 0: as the preset has it
+  bool has_mean = false;
+  std::string (*noise)(double mean, double std) = nullptr;  ///< null: as the preset has it
 };
-constexpr std::array<ForeignType, 5> kTypes = {{
-    {"IMU", "", 100},
-    {"GPS", "", 10},
-    {"LIDAR", "tera:config/sensors/vlp16.yaml", 10},
-    {"RGB_CAMERA", "tera:config/sensors/rgb_640.yaml", 10},
-    {"RGBD_CAMERA", "tera:config/sensors/realsense_d435i.yaml", 10},
-}};
+
+std::string Thrice(double value) { return fmt::format("[{0}, {0}, {0}]", value); }
+
+std::string ImuNoise(double mean, double std) {
+  return fmt::format(
+      "    gyro_bias_degps: [{0:.12g}, {0:.12g}, {0:.12g}]\n    gyro_sample_noise_degps: "
+      "{1:.12g}\n    accel_bias_mps2: {2}\n    accel_sample_noise_mps2: {3}\n",
+      mean / kDeg, std / kDeg, Thrice(mean), std);
+}
+
+std::string GpsNoise(double mean, double std) {
+  return fmt::format(
+      "    bias_enu_m: {0}\n    white_horizontal_m: {1}\n    white_vertical_m: {1}\n"
+      "    fix: single\n",
+      Thrice(mean), std);
+}
+
+std::string RangeNoise(double, double std) { return fmt::format("    range_noise_m: {}\n", std); }
+
+std::string ColourNoise(double, double std) { return fmt::format("    rgb_noise: {}\n", std); }
+
+std::string Capitals(std::string_view name) {
+  std::string capitals(name);
+  for (char& c : capitals) {
+    c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  return capitals;
+}
+
+/// The types of the paper, and every other kind of sensor on a link whose samples are rows, by its
+/// own name, as its preset of that name has it.
+std::vector<ForeignType> ForeignTypes() {
+  const std::string presets = "preset: tera:config/sensors/";
+  std::vector<ForeignType> types = {
+      {"IMU", "type: imu", 100, true, ImuNoise},
+      {"GPS", "type: gnss", 10, true, GpsNoise},
+      {"LIDAR", presets + "vlp16.yaml", 10, false, RangeNoise},
+      {"RGB_CAMERA", presets + "rgb_640.yaml", 10, false, ColourNoise},
+      {"RGBD_CAMERA", presets + "realsense_d435i.yaml", 10, false, ColourNoise}};
+  for (const SensorKind* kind : kSensorKinds) {
+    const bool is_of_the_paper = kind == &kImuKind || kind == &kGnssKind;
+    if (!kind->on_link || kind->form != ChannelForm::kRows || is_of_the_paper) continue;
+    types.push_back(
+        {.name = Capitals(kind->name), .head = fmt::format("{}{}.yaml", presets, kind->name)});
+  }
+  return types;
+}
+
+const std::vector<ForeignType>& Types() {
+  static const std::vector<ForeignType> types = ForeignTypes();
+  return types;
+}
 
 struct Location {
   std::string_view name, link;
@@ -71,14 +122,26 @@ std::string NameFrom(const std::string& topic) {
   return name;
 }
 
+/// The IMU where the type is not known, which is a fault.
+const ForeignType* ReadType(const ConfigMap& config) {
+  std::vector<std::string> names;
+  const std::string type = config.Text("type");
+  for (const ForeignType& known : Types()) {
+    if (known.name == type) return &known;
+    names.push_back(known.name);
+  }
+  if (!type.empty()) {
+    config.Fault("type", fmt::format("'{}' is not known, need one of {}{}", type,
+                                     fmt::join(names, ", "), DidYouMean(type, names)));
+  }
+  return &Types().front();
+}
+
 ForeignSensor ReadForeignSensor(const ConfigMap& config) {
   ForeignSensor s;
   const std::string id = config.Text("id");
   s.name = NameFrom(config.Text("topic", id));
-  const std::string type =
-      config.Choice("type", {"IMU", "GPS", "LIDAR", "RGB_CAMERA", "RGBD_CAMERA"});
-  s.type = std::find_if(kTypes.begin(), kTypes.end(),
-                        [&](const ForeignType& t) { return t.name == type; });
+  s.type = ReadType(config);
   const std::string place =
       config.Choice("location", {"CHASSIS", "CHASIS", "BOOM", "ARM", "BUCKET"});
   for (const Location& l : kLocations) {
@@ -89,9 +152,13 @@ ForeignSensor ReadForeignSensor(const ConfigMap& config) {
     s.mean = noise[0];
     s.std = noise[1];
     if (s.std < 0) config.Fault("noise", "negative std; need [mean, std] with std at least 0");
-    if (s.mean != 0 && type != "IMU" && type != "GPS") {
+    if (s.mean != 0 && !s.type->has_mean) {
       config.Fault("noise", fmt::format("mean {} on a {}; need 0, only IMU and GPS have a bias",
-                                        s.mean, type));
+                                        s.mean, s.type->name));
+    }
+    if (s.std > 0 && !s.type->noise) {
+      config.Fault("noise", fmt::format("std {} on a {}; need none, its preset has its noise",
+                                        s.std, s.type->name));
     }
   }
   s.X_BS = MakePose(FromUnity(config.Vector3("offset", Any("m"), Vec3::Zero())),
@@ -99,39 +166,16 @@ ForeignSensor ReadForeignSensor(const ConfigMap& config) {
   return s;
 }
 
-std::string NoiseYaml(const ForeignSensor& s) {
-  const std::string same = fmt::format("[{0}, {0}, {0}]", s.mean);
-  if (s.type->name == "IMU") {
-    const double mean_degps = s.mean / kDeg;
-    return fmt::format(
-        "    gyro_bias_degps: [{0:.12g}, {0:.12g}, {0:.12g}]\n    gyro_sample_noise_degps: "
-        "{1:.12g}\n    accel_bias_mps2: {2}\n    accel_sample_noise_mps2: {3}\n",
-        mean_degps, s.std / kDeg, same, s.std);
-  }
-  if (s.type->name == "GPS") {
-    return fmt::format(
-        "    bias_enu_m: {0}\n    white_horizontal_m: {1}\n    white_vertical_m: {1}\n"
-        "    fix: single\n",
-        same, s.std);
-  }
-  if (s.type->name == "LIDAR") return fmt::format("    range_noise_m: {}\n", s.std);
-  return fmt::format("    rgb_noise: {}\n", s.std);
-}
-
 std::string SensorItem(const ForeignSensor& s) {
   const Vec3 p = s.X_BS.translation();
   const Vec3 rpy_deg = RpyFromRotation(s.X_BS.linear()) / kDeg;
-  std::string text = fmt::format("  - name: {}\n", s.name);
-  if (s.type->preset.empty()) {
-    text += fmt::format("    type: {}\n", s.type->name == "IMU" ? "imu" : "gnss");
-  } else {
-    text += fmt::format("    preset: {}\n", s.type->preset);
-  }
-  text += fmt::format(
-      "    link: {}\n    xyz_m: [{:.12g}, {:.12g}, {:.12g}]\n    rpy_deg: [{:.12g}, {:.12g}, "
-      "{:.12g}]\n    rate_hz: {}\n",
-      s.link, p.x(), p.y(), p.z(), rpy_deg.x(), rpy_deg.y(), rpy_deg.z(), s.type->rate_hz);
-  return text + NoiseYaml(s);
+  std::string text = fmt::format(
+      "  - name: {}\n    {}\n    link: {}\n    xyz_m: [{:.12g}, {:.12g}, {:.12g}]\n    rpy_deg: "
+      "[{:.12g}, {:.12g}, {:.12g}]\n",
+      s.name, s.type->head, s.link, p.x(), p.y(), p.z(), rpy_deg.x(), rpy_deg.y(), rpy_deg.z());
+  if (s.type->rate_hz > 0) text += fmt::format("    rate_hz: {}\n", s.type->rate_hz);
+  if (s.type->noise) text += s.type->noise(s.mean, s.std);
+  return text;
 }
 
 struct ForeignMachine {

@@ -21,6 +21,9 @@ namespace tera {
 ///         axis of every sample, in the unit of each output: rad/s and m/s^2 for an IMU, metres for
 ///         GPS, metres along the ray for a LIDAR (std only), levels of 255 for an RGB camera (std
 ///         only); the depth of an RGBD_CAMERA has the noise of its preset.
+///         Beside the types of the paper, every other kind of sensor on a link whose samples are
+///         rows is known by its name in capitals (INCLINOMETER), without noise: it is as the preset
+///         of its name has it.
 /// Omits   the machine's own offset and rotation, which belong to the scenario; rates and optics,
 ///         which the form does not state: they come from the presets named in the output.
 ///

@@ -63,6 +63,16 @@ std::string SensorYaml(const SensorDescription& sensor) {
   return text + KindOf(sensor).model_yaml(sensor);
 }
 
+const PictureContent* PicturesOf(const SensorDescription& sensor) {
+  const SensorKind& kind = KindOf(sensor);
+  return kind.pictures ? kind.pictures(sensor) : nullptr;
+}
+
+std::optional<Ranging> RangingOf(const SensorDescription& sensor) {
+  const SensorKind& kind = KindOf(sensor);
+  return kind.ranging ? kind.ranging(sensor) : std::nullopt;
+}
+
 std::vector<std::string> ColumnsOf(const SensorDescription& sensor, const MachineModel& machine) {
   const SensorKind& kind = KindOf(sensor);
   return kind.columns ? kind.columns(sensor, machine) : std::vector<std::string>{};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,12 @@ SensorDescription ReadSensor(const ConfigMap& config);
 /// The sensor as YAML for its folder's sensor.yaml: type, parent link, X_parent_sensor (row-major
 /// 4x4 and xyz + quaternion), rate, model parameters.
 std::string SensorYaml(const SensorDescription& sensor);
+
+/// What its pictures hold; null where it takes none.
+const PictureContent* PicturesOf(const SensorDescription& sensor);
+
+/// How it measures ranges; nothing where it does not.
+std::optional<Ranging> RangingOf(const SensorDescription& sensor);
 
 /// The columns of its samples where they are rows, else none.
 std::vector<std::string> ColumnsOf(const SensorDescription& sensor, const MachineModel& machine);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,8 @@
 #include "core/types/measurement.h"
 #include "dataset/format/channel.h"
 #include "physics/description/machine.h"
+#include "sensors/frame_content.h"
+#include "sensors/ranging.h"
 #include "sensors/sampling.h"
 
 namespace tera {
@@ -27,7 +30,8 @@ struct Mounting {
 using SensorList = std::vector<SensorDescription>;
 
 /// Everything that TERA knows about one kind of sensor. The rig, the reading of scenarios and of
-/// effects, `tera serve` and `tera ros2` walk the table of kinds (sensor_kinds.h) and know of none.
+/// effects, re-simulation, `tera serve` and `tera ros2` walk the table of kinds (sensor_kinds.h)
+/// and know of none.
 ///
 /// Pointers that may be null say so; without them the kind has nothing of that sort.
 struct SensorKind {
@@ -44,6 +48,12 @@ struct SensorKind {
   /// Columns of a kind whose samples are rows, units at their ends. May be null.
   std::vector<std::string> (*columns)(const SensorDescription& sensor,
                                       const MachineModel& machine) = nullptr;
+  /// Of a kind that takes pictures: what they hold. May be null.
+  const PictureContent* (*pictures)(const SensorDescription& sensor) = nullptr;
+  /// Of a kind that scans: what a scan holds. May be null.
+  ScanContent (*scans)(const SensorDescription& sensor) = nullptr;
+  /// Of a kind that may measure ranges: how, or nothing where this sensor does not. May be null.
+  std::optional<Ranging> (*ranging)(const SensorDescription& sensor) = nullptr;
   std::unique_ptr<SensorSampler> (*sampler)(const SensorPlace& place);
 
   /// Mechanisms beside those of every kind (sensor_mechanisms.h). May be null.

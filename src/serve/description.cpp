@@ -1,11 +1,10 @@
 #include "serve/description.h"
 
 #include <string>
-#include <variant>
 
-#include "core/overloaded.h"
 #include "core/types/labels.h"
 #include "serve/geometry_messages.h"
+#include "serve/sample_keeper.h"
 
 namespace tera {
 namespace {
@@ -98,7 +97,7 @@ void PutCylinders(const MachineModel& model, v1::Machine* machine) {
   }
 }
 
-void PutCamera(const CameraModel& model, v1::CameraDescription* message) {
+void PutPictures(const PictureContent& model, v1::CameraDescription* message) {
   const CameraIntrinsics& lens = model.intrinsics;
   message->set_width_px(lens.width_px);
   message->set_height_px(lens.height_px);
@@ -131,25 +130,20 @@ void PutSensor(const SensorDescription& sensor, const MachineModel& machine, v1:
   message->set_link(sensor.link);
   Put(sensor.X_BS, message->mutable_x_bs());
   message->set_rate_hz(sensor.clock.rate_hz);
-  std::visit(
-      Overloaded{[&](const CameraModel& camera) { PutCamera(camera, message->mutable_camera()); },
-                 [&](const LidarModel& lidar) {
-                   message->mutable_lidar()->set_rings(
-                       static_cast<std::uint32_t>(lidar.elevation_rad.size()));
-                   message->mutable_lidar()->set_columns(lidar.columns);
-                 },
-                 [&](const EncoderModel&) {
-                   for (const EncoderAxis& axis : KindOf(sensor).axes(sensor, machine)) {
-                     message->add_encoder_axes(axis.name);
-                   }
-                 },
-                 [](const ImuModel&) {}, [](const GnssModel&) {},
-                 [&](const auto&) {
-                   for (const std::string& column : ColumnsOf(sensor, machine)) {
-                     message->add_columns(column);
-                   }
-                 }},
-      sensor.model);
+  const SensorKind& kind = KindOf(sensor);
+  if (const PictureContent* pictures = PicturesOf(sensor)) {
+    PutPictures(*pictures, message->mutable_camera());
+  }
+  if (kind.scans) {
+    const ScanContent scan = kind.scans(sensor);
+    message->mutable_lidar()->set_rings(static_cast<std::uint32_t>(scan.rings));
+    message->mutable_lidar()->set_columns(static_cast<std::uint32_t>(scan.columns));
+  }
+  if (kind.axes) {
+    for (const EncoderAxis& axis : kind.axes(sensor, machine)) message->add_encoder_axes(axis.name);
+  }
+  if (HasOwnMessage(kind.name)) return;
+  for (const std::string& column : ColumnsOf(sensor, machine)) message->add_columns(column);
 }
 
 }  // namespace

@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <variant>
 
 #include "core/error.h"
-#include "core/overloaded.h"
 #include "physics/actuation/linkage.h"
 #include "serve/geometry_messages.h"
 #include "serve/session.h"
@@ -64,25 +62,20 @@ PatchPlan PlanPatch(const v1::PatchSelection& patch, const Scenario& scenario) {
 /// An upper bound of what one sample of the sensor takes in a message.
 double SampleBytes(const SensorDescription& sensor, const MachineModel& machine) {
   constexpr double kSmall_bytes = 200;  // time stamps, tags
-  const auto of_camera = [](const CameraModel& camera) {
-    const double pixels = static_cast<double>(camera.intrinsics.width_px) *
-                          static_cast<double>(camera.intrinsics.height_px);
-    double each = (camera.rgb ? 3 : 0) + (camera.depth ? 4 : 0);
+  constexpr double kPoint_bytes = 3 * 4 + 4 + 4 + 2 + 1 + 2;
+  const SensorKind& kind = KindOf(sensor);
+  double bytes =
+      kSmall_bytes + static_cast<double>(sizeof(double) * ColumnsOf(sensor, machine).size());
+  if (const PictureContent* pictures = PicturesOf(sensor)) {
+    double of_pixel = (pictures->rgb ? 3 : 0) + (pictures->depth ? 4 : 0);
     for (const LabelChannel& channel : kLabelChannels) {
-      if (!camera.labels[IndexOf(channel)]) continue;
-      each += channel.components * static_cast<double>(ComponentBytes(channel));
+      if (!pictures->labels[IndexOf(channel)]) continue;
+      of_pixel += channel.components * static_cast<double>(ComponentBytes(channel));
     }
-    return pixels * each;
-  };
-  const auto of_lidar = [](const LidarModel& lidar) {
-    constexpr double kPoint_bytes = 3 * 4 + 4 + 4 + 2 + 1 + 2;
-    return kPoint_bytes * static_cast<double>(lidar.elevation_rad.size()) *
-           static_cast<double>(lidar.columns);
-  };
-  const auto of_rows = [&](const auto&) {
-    return static_cast<double>(sizeof(double) * ColumnsOf(sensor, machine).size());
-  };
-  return kSmall_bytes + std::visit(Overloaded{of_camera, of_lidar, of_rows}, sensor.model);
+    bytes += of_pixel * pictures->intrinsics.width_px * pictures->intrinsics.height_px;
+  }
+  if (kind.scans) bytes += kPoint_bytes * kind.scans(sensor).rings * kind.scans(sensor).columns;
+  return bytes;
 }
 
 bool IsFrame(const SensorDescription& sensor) { return KindOf(sensor).form != ChannelForm::kRows; }

@@ -1,7 +1,6 @@
 #include "serve/sample_keeper.h"
 
 #include <bit>
-#include <map>
 #include <string_view>
 #include <utility>
 
@@ -67,11 +66,14 @@ void PutRow(const RowSample& row, v1::SensorSamples* samples) {
 
 /// Rows of the kinds that have a message of their own; all others go as rows.
 using PutSample = void (*)(const RowSample&, v1::SensorSamples*);
-PutSample PutOf(const std::string& type) {
-  static const std::map<std::string_view, PutSample> own = {
-      {kImuChannel, PutImu}, {kGnssChannel, PutGnss}, {kEncoderChannel, PutEncoder}};
-  const auto found = own.find(type);
-  return found == own.end() ? PutRow : found->second;
+constexpr std::pair<std::string_view, PutSample> kOwnMessages[] = {
+    {kImuChannel, PutImu}, {kGnssChannel, PutGnss}, {kEncoderChannel, PutEncoder}};
+
+PutSample PutOf(std::string_view type) {
+  for (const auto& [kind, put] : kOwnMessages) {
+    if (kind == type) return put;
+  }
+  return PutRow;
 }
 
 /// All pictures of a frame have one size.
@@ -115,6 +117,8 @@ void PutScan(const LidarScan& scan, v1::SensorSamples* samples) {
 }
 
 }  // namespace
+
+bool HasOwnMessage(std::string_view kind) { return PutOf(kind) != PutRow; }
 
 void SampleKeeper::Keep(const std::vector<SensorPlan>& sensors, TimeNs end_ns) {
   plans_ = sensors;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dataset/format/measurement_sink.h"
@@ -8,6 +9,9 @@
 #include "tera/v1/simulation.pb.h"
 
 namespace tera {
+
+/// Whether samples of a kind of rows have a message of their own; all others go as RowSample.
+bool HasOwnMessage(std::string_view kind);
 
 /// Keeps the samples of the sensors that a client asked for, as messages, until they are taken.
 class SampleKeeper : public MeasurementSink {

@@ -26,6 +26,7 @@ class ScansOfASample : public testing::Test {
   }
   static SensorDescription Camera(int width_px, int height_px) {
     CameraModel camera;
+    camera.depth = true;
     camera.intrinsics.width_px = width_px;
     camera.intrinsics.height_px = height_px;
     camera.intrinsics.fx_px = 20;

@@ -141,6 +141,21 @@ TEST(ImportRig, TheNoiseIsApplied) {
   }
 }
 
+TEST(ImportRig, AnInclinometerIsKnownByItsNameAndIsAsItsPresetHasIt) {
+  const auto with = [](const std::string& noise) {
+    return "Excavator:\n  - {id: 1, sensors: [{id: tilt, type: INCLINOMETER, location: ARM, "
+           "offset: [0, 0.2, 0]" +
+           noise + "}]}\n";
+  };
+  const SensorDescription tilt = Imported(with("")).at(0);
+  EXPECT_EQ(TypeOf(tilt), "inclinometer");
+  EXPECT_EQ(tilt.link, "arm");
+  EXPECT_DOUBLE_EQ(tilt.X_BS.translation().z(), 0.2);  // up
+  EXPECT_DOUBLE_EQ(tilt.clock.rate_hz, 100);
+  EXPECT_DOUBLE_EQ(std::get<InclinometerModel>(tilt.model).time_constant_s, 0.032);
+  EXPECT_THAT(FaultOf(with(", noise: [0, 0.1]")), HasSubstr("its preset has its noise"));
+}
+
 TEST(ImportRig, OneOfSeveralMachinesIsChosenById) {
   const std::string two =
       "Excavator:\n"

@@ -71,16 +71,14 @@ ChannelDifference Difference(const std::string& channel, const Signal& a, const 
   return d;
 }
 
-/// Appends the differences of the channels of `type` that both machines have.
-void CompareChannels(const Recording& a, const Recording& b, std::string_view type,
-                     MachineComparison* machine) {
+/// Appends the differences of the series of numbers that both machines have.
+void CompareSeries(const Recording& a, const Recording& b, MachineComparison* machine) {
   const std::string prefix = machine->name_a + "/";
-  for (const std::string& folder : a.ChannelsOf(type)) {
+  for (const std::string& folder : a.SeriesChannels()) {
     if (!folder.starts_with(prefix)) continue;
     const std::string channel = folder.substr(prefix.size());
     const std::string other = machine->name_b + "/" + channel;
-    const auto folders_b = b.ChannelsOf(type);
-    if (std::find(folders_b.begin(), folders_b.end(), other) == folders_b.end()) continue;
+    if (!b.Has(other) || b.TypeOf(other) != a.TypeOf(folder)) continue;
     const auto signals_b = SignalsOf(b, other);
     for (const Signal& signal : SignalsOf(a, folder)) {
       const auto match = std::find_if(signals_b.begin(), signals_b.end(),
@@ -109,8 +107,7 @@ MachineComparison CompareMachine(const Recording& a, const Recording& b, const s
     options.alignment = Alignment::kSe3;
     machine.aligned_se3 = EvaluateTrajectory(machine.a, machine.b, options);
   }
-  CompareChannels(a, b, kImuChannel, &machine);
-  CompareChannels(a, b, kEncoderChannel, &machine);
+  CompareSeries(a, b, &machine);
   return machine;
 }
 

@@ -37,9 +37,10 @@ struct Comparison {
 };
 
 /// Compares two recordings, simulated or real. Machines are matched by name; where each side has
-/// just one, those two. Channels are matched by folder name, joints by column name; samples of `b`
-/// are interpolated to the times of `a`. Times are compared as they stand: both recordings must
-/// count them from the same event (an imported one by its mapping's `time`).
+/// just one, those two. Channels of sensors whose rows are numbers over time (not
+/// of receivers) are matched by folder name, their numbers by column name; samples of `b` are
+/// interpolated to the times of `a`. Times are compared as they stand: both recordings must count
+/// them from the same event (an imported one by its mapping's `time`).
 /// Throws InputError if either cannot be read or they share no machine.
 Comparison Compare(const std::filesystem::path& a, const std::filesystem::path& b);
 

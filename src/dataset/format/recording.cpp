@@ -5,12 +5,16 @@
 
 #include <algorithm>
 #include <charconv>
+#include <fstream>
+#include <utility>
 
+#include "core/check.h"
 #include "core/config/config.h"
 #include "core/error.h"
 #include "core/types/label_channels.h"
 #include "core/types/sample_rows.h"
 #include "dataset/files/checked_file.h"
+#include "dataset/format/channel_types.h"
 #include "dataset/format/csv_rows.h"
 #include "dataset/format/object_boxes.h"
 #include "dataset/format/pcd.h"
@@ -121,16 +125,34 @@ std::string KindOfSensor(const fs::path& folder) {
   return Config::FromFile(folder / "sensor.yaml").root().Text("type", "");
 }
 
-/// One of the types that this folder reads itself, or the kind of a sensor of rows, which its own
-/// sensor.yaml must name too.
+/// The place of a type in kChannelTypes; its size for a type that a kind of sensor brought.
+std::size_t PlaceOf(std::string_view type) {
+  const auto found = std::find_if(kChannelTypes.begin(), kChannelTypes.end(),
+                                  [&](const ChannelType& known) { return known.name == type; });
+  return static_cast<std::size_t>(found - kChannelTypes.begin());
+}
+
+template <std::size_t... places>
+std::string ChooseType(const ConfigMap& map, std::index_sequence<places...>) {
+  return map.Choice("type", {kChannelTypes[places].name...}, kTableChannel);
+}
+
+/// One of kChannelTypes, or another kind of sensor, which its own sensor.yaml must name too.
 std::string ReadType(const ConfigMap& map, const fs::path& channel) {
-  static constexpr std::initializer_list<std::string_view> kKnown = {
-      kImuChannel,   kGnssChannel,  kEncoderChannel, kCameraChannel,
-      kLidarChannel, kTableChannel, kPoseChannel};
   const std::string type = map.Text("type", kTableChannel);
-  const bool known = std::find(kKnown.begin(), kKnown.end(), type) != kKnown.end();
+  const bool known = PlaceOf(type) < kChannelTypes.size();
   if (!known && !type.empty() && KindOfSensor(channel) == type) return type;
-  return map.Choice("type", kKnown, kTableChannel);
+  return ChooseType(map, std::make_index_sequence<kChannelTypes.size()>());
+}
+
+/// The form of a channel of a type that a kind of sensor brought, by its files: frames are listed
+/// in data.csv, and those of scans lie in a folder of that name.
+ChannelForm FormOfFiles(const fs::path& folder) {
+  std::ifstream csv(folder / "data.csv");
+  std::string header;
+  std::getline(csv, header);
+  if (header != kFrameHeader) return ChannelForm::kRows;
+  return fs::is_directory(folder / "scans") ? ChannelForm::kScans : ChannelForm::kPictures;
 }
 
 TableRecording ReadTable(const CsvFile& csv) {
@@ -210,6 +232,34 @@ std::vector<std::string> Recording::ChannelsOf(std::string_view type) const {
     if (channel.type == type) paths.push_back(channel.path);
   }
   return paths;
+}
+
+std::vector<std::string> Recording::SensorsOf(ChannelForm form) const {
+  std::vector<std::string> paths;
+  for (std::size_t place = 0; place <= kChannelTypes.size(); ++place) {
+    for (const ChannelDescription& channel : channels_) {
+      if (PlaceOf(channel.type) != place) continue;
+      const bool known = place < kChannelTypes.size();
+      if (known && !kChannelTypes[place].is_sensor) continue;
+      if (form == (known ? kChannelTypes[place].form : FormOfFiles(directory_ / channel.path))) {
+        paths.push_back(channel.path);
+      }
+    }
+  }
+  return paths;
+}
+
+std::vector<std::string> Recording::SeriesChannels() const {
+  std::vector<std::string> paths = SensorsOf(ChannelForm::kRows);
+  std::erase_if(paths, [&](const std::string& path) { return TypeOf(path) == kGnssChannel; });
+  return paths;
+}
+
+std::string_view Recording::TypeOf(const std::string& path) const {
+  const auto found = std::find_if(channels_.begin(), channels_.end(),
+                                  [&](const ChannelDescription& c) { return c.path == path; });
+  TERA_CHECK(found != channels_.end(), path);
+  return found->type;
 }
 
 std::vector<std::string> Recording::Machines() const {

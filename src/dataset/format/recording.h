@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/types/measurement.h"
+#include "dataset/format/channel.h"
 #include "dataset/format/dataset_description.h"
 
 namespace tera {
@@ -55,6 +56,14 @@ class Recording {
   bool Has(const std::string& path) const;
   /// Paths of all channels of a type, in order of dataset.yaml.
   std::vector<std::string> ChannelsOf(std::string_view type) const;
+  /// Paths of all sensors' channels of a form, one type after the other: first those of
+  /// channel_types.h in their order, then others in order of dataset.yaml.
+  std::vector<std::string> SensorsOf(ChannelForm form) const;
+  /// Of SensorsOf(kRows), those whose columns are numbers over time. Receivers' are not: without a
+  /// fix they mean nothing.
+  std::vector<std::string> SeriesChannels() const;
+  /// The type of a channel that is there.
+  std::string_view TypeOf(const std::string& path) const;
   /// Names of machines: those with a pose under truth/, else folders that hold channels.
   std::vector<std::string> Machines() const;
 

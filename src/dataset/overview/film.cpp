@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "dataset/files/checked_file.h"
 #include "dataset/files/child_process.h"
@@ -21,7 +22,7 @@ struct CameraTrack {
 
 std::vector<CameraTrack> Cameras(const Recording& recording) {
   std::vector<CameraTrack> cameras;
-  for (const std::string& folder : recording.ChannelsOf(kCameraChannel)) {
+  for (const std::string& folder : recording.SensorsOf(ChannelForm::kPictures)) {
     auto times = recording.FrameTimes(folder);
     if (!times.empty()) cameras.push_back({folder, std::move(times)});
   }
@@ -49,11 +50,13 @@ Picture FilmFrame(const Recording& recording, const std::vector<CameraTrack>& ca
     if (!frame.rgb.empty()) {
       Paste(FitTile(frame.rgb, kTileWidth_px, kTileHeight_px, caption), x_px, 0, &sheet);
     }
-    if (!frame.semantic.empty()) {
-      const Picture classes = ColourLabels(LabelColours::kClasses, frame.semantic);
-      Paste(FitTile(classes, kTileWidth_px, kTileHeight_px, "classes"), x_px, kTileHeight_px,
-            &sheet);
-    }
+    bool has_labels = false;
+    ForEachLabel(frame, [&](const LabelChannel& channel, const auto& picture) {
+      if (picture.empty() || std::exchange(has_labels, true)) return;
+      Paste(FitTile(ColourLabels(channel.colours, picture), kTileWidth_px, kTileHeight_px,
+                    std::string(channel.caption)),
+            x_px, kTileHeight_px, &sheet);
+    });
     x_px += kTileWidth_px;
   }
   return sheet;

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <iterator>
+#include <string_view>
+#include <utility>
 
 #include "core/types/label_channels.h"
 #include "core/units.h"
@@ -95,56 +98,69 @@ Chart TrajectoryChart(const Recording& recording) {
   return chart;
 }
 
-/// One curve for each of `count` values of the samples.
-template <typename Samples, typename ValueOf>
-std::vector<Curve> Curves(const Samples& samples, const std::vector<std::string>& titles,
-                          const ValueOf& value_of) {
-  std::vector<Curve> curves;
-  for (std::size_t i = 0; i < titles.size(); ++i) {
-    Curve curve{titles[i], {}, {}};
-    for (const auto& sample : samples) {
-      curve.x.push_back(ToSeconds(sample.t_ns));
-      curve.y.push_back(value_of(sample, i));
-    }
-    curves.push_back(std::move(curve));
+/// A unit of columns, by the ending of their names, and how charts show it.
+struct ShownUnit {
+  std::string_view ending;
+  std::string_view shown;
+  double unit;
+};
+constexpr std::array<ShownUnit, 5> kShownUnits = {{
+    {"rad", "deg", kDeg},
+    {"radps", "rad/s", 1},
+    {"m", "m", 1},
+    {"mps", "m/s", 1},
+    {"mps2", "m/s2", 1},
+}};
+
+/// What stands before the last underscore of a column, and behind it.
+std::pair<std::string, std::string> NameAndUnit(const std::string& column) {
+  const std::size_t at = column.rfind('_');
+  if (at == std::string::npos) return {column, ""};
+  return {column.substr(0, at), column.substr(at + 1)};
+}
+
+/// The units of these columns: those of kShownUnits in their order, then others as they come.
+std::vector<ShownUnit> UnitsOf(const std::vector<std::string>& columns) {
+  std::vector<ShownUnit> units;
+  const auto any = [&](std::string_view ending) {
+    return std::any_of(columns.begin(), columns.end(),
+                       [&](const std::string& c) { return NameAndUnit(c).second == ending; });
+  };
+  std::copy_if(kShownUnits.begin(), kShownUnits.end(), std::back_inserter(units),
+               [&](const ShownUnit& unit) { return any(unit.ending); });
+  for (const std::string& column : columns) {
+    const std::string_view ending =
+        std::string_view(column).substr(column.size() - NameAndUnit(column).second.size());
+    const bool is_there = std::any_of(units.begin(), units.end(),
+                                      [&](const ShownUnit& unit) { return unit.ending == ending; });
+    if (!is_there) units.push_back({ending, ending, 1});
   }
-  return curves;
+  return units;
+}
+
+/// Charts of a sensor's numbers over time, one for each of their units.
+void AddSeries(const std::string& folder, const TableRecording& series,
+               std::vector<Chart>* charts) {
+  for (const ShownUnit& unit : UnitsOf(series.columns)) {
+    Chart chart{folder, "time in s", std::string(unit.shown), false, {}};
+    for (std::size_t c = 0; c < series.columns.size(); ++c) {
+      const auto [name, ending] = NameAndUnit(series.columns[c]);
+      if (ending != unit.ending) continue;
+      Curve curve{name, {}, {}};
+      for (std::size_t row = 0; row < series.rows.size(); ++row) {
+        curve.x.push_back(ToSeconds(series.t_ns[row]));
+        curve.y.push_back(series.rows[row][c] / unit.unit);
+      }
+      chart.curves.push_back(std::move(curve));
+    }
+    charts->push_back(std::move(chart));
+  }
 }
 
 std::vector<Chart> AllCharts(const Recording& recording) {
   std::vector<Chart> charts = {TrajectoryChart(recording)};
-  const auto time_chart = [&](const std::string& title, const char* y, std::vector<Curve> curves) {
-    charts.push_back({title, "time in s", y, false, std::move(curves)});
-  };
-  for (const std::string& folder : recording.ChannelsOf(kImuChannel)) {
-    const auto samples = recording.LoadImu(folder);
-    const auto axis = [](std::size_t i) { return static_cast<Eigen::Index>(i); };
-    time_chart(folder, "rad/s", Curves(samples, {"wx", "wy", "wz"}, [&](const auto& s, auto i) {
-                 return s.w_WS_S_radps[axis(i)];
-               }));
-    time_chart(folder, "m/s2", Curves(samples, {"ax", "ay", "az"}, [&](const auto& s, auto i) {
-                 return s.f_S_mps2[axis(i)];
-               }));
-  }
-  for (const std::string& folder : recording.ChannelsOf(kEncoderChannel)) {
-    const EncoderRecording encoder = recording.LoadEncoder(folder);
-    for (const bool linear : {false, true}) {
-      std::vector<std::string> names;
-      std::vector<std::size_t> places;
-      for (std::size_t i = 0; i < encoder.axes.size(); ++i) {
-        if (encoder.axes[i].linear != linear) continue;
-        names.push_back(encoder.axes[i].name);
-        places.push_back(i);
-      }
-      if (names.empty()) continue;
-      const double unit = linear ? 1.0 : kDeg;
-      time_chart(folder, linear ? "m" : "deg",
-                 Curves(encoder.samples, names,
-                        [&](const auto& s, std::size_t i) { return s.q_rad[places[i]] / unit; }));
-      time_chart(folder, linear ? "m/s" : "rad/s",
-                 Curves(encoder.samples, names,
-                        [&](const auto& s, std::size_t i) { return s.qd_radps[places[i]]; }));
-    }
+  for (const std::string& folder : recording.SeriesChannels()) {
+    AddSeries(folder, recording.LoadRows(folder), &charts);
   }
   return charts;
 }
@@ -178,10 +194,10 @@ void WriteOverview(const std::filesystem::path& dataset, const std::filesystem::
                    const std::filesystem::path& mp4) {
   const Recording recording(dataset);
   std::vector<Picture> rows;
-  for (const std::string& folder : recording.ChannelsOf(kCameraChannel)) {
+  for (const std::string& folder : recording.SensorsOf(ChannelForm::kPictures)) {
     rows.push_back(CameraRow(recording, folder));
   }
-  for (const std::string& folder : recording.ChannelsOf(kLidarChannel)) {
+  for (const std::string& folder : recording.SensorsOf(ChannelForm::kScans)) {
     rows.push_back(LidarRow(recording, folder));
   }
   rows.push_back(ChartRows(recording, png));

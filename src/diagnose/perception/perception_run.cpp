@@ -33,7 +33,8 @@ PerceptionDiagnosis DiagnoseRanges(const Scenario& scenario, const Recording& re
   RangeSource source;
   source.channel = sensor->channel;
   source.target = sensor->description->name;
-  source.planar_depth = std::holds_alternative<CameraModel>(sensor->description->model);
+  source.kind = KindOf(*sensor->description).target;
+  source.planar_depth = RangingOf(*sensor->description)->is_planar;
   source.X_BS = sensor->description->X_BS;
   source.present = sensor->description->effects;
   source.scans = LoadScans(recording, sensor);

@@ -5,19 +5,14 @@
 
 #include "core/config/config.h"
 #include "core/random.h"
-#include "core/types/label_channels.h"
 #include "core/types/measurement.h"
 #include "render/gl/rasterizer.h"
+#include "sensors/frame_content.h"
 
 namespace tera {
 
 /// What a camera is: its optics, its outputs and their noise.
-struct CameraModel {
-  CameraIntrinsics intrinsics;
-  bool rgb = true;
-  bool depth = false;
-  LabelSet labels = UsualLabels();  ///< with boxes where instance is among them
-  double depth_min_m = 0.1, depth_max_m = 20.0;
+struct CameraModel : PictureContent {
   double disparity_noise_px = 0;  ///< sigma_d of the depth, 1 sigma; 0 switches it off
   double baseline_m = 0.05;       ///< b, between the two eyes of a depth camera
   double rgb_noise = 0;           ///< 1 sigma of the sRGB value in 0..255

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "sensors/sensor.h"
@@ -71,6 +73,46 @@ void CheckCameraEffects(const ConfigMap& effects, const MachineModel&,
   }
 }
 
+/// Points where the pixels of the recorded depth picture look. An odd number of pixels from one
+/// that is taken to the next, so that all columns come.
+LoadedScan DepthPoints(const SensorDescription& sensor, const Measurement& recorded,
+                       std::size_t most) {
+  const auto& model = std::get<CameraModel>(sensor.model);
+  const auto& frame = std::get<CameraFrame>(recorded);
+  const Image<float>& depth_m = frame.depth_m;
+  const CameraIntrinsics& lens = model.intrinsics;
+  LoadedScan loaded{{frame.t_ns, {}}, ""};
+  if (depth_m.width_px != lens.width_px || depth_m.height_px != lens.height_px) {
+    loaded.obstacle = fmt::format(
+        "its depth picture {} is of {} x {} pixels, but the scenario's camera "
+        "has {} x {}; need the camera that was recorded",
+        frame.t_ns, depth_m.width_px, depth_m.height_px, lens.width_px, lens.height_px);
+    return loaded;
+  }
+  const std::size_t pixels = depth_m.data.size();
+  const Mat3 R_SC = OpticalInSensor().linear();
+  const double noise_1pm = model.disparity_noise_px / (lens.fx_px * model.baseline_m);
+  for (std::size_t i = 0; i < pixels; i += (pixels / most + 1) | 1) {
+    const double z_m = depth_m.data[i];
+    if (!(z_m > 0)) continue;
+    const auto width = static_cast<std::size_t>(lens.width_px);
+    const auto ray = lens.RayOf({static_cast<double>(i % width), static_cast<double>(i / width)});
+    if (!ray) continue;
+    const Vec3 p_S_m = R_SC * (z_m * *ray);
+    loaded.scan.points.push_back({p_S_m, 0, noise_1pm * z_m * p_S_m.norm()});
+  }
+  return loaded;
+}
+
+std::optional<Ranging> DepthRanging(const SensorDescription& sensor) {
+  const auto& camera = std::get<CameraModel>(sensor.model);
+  if (!camera.depth) return std::nullopt;
+  return Ranging{.min_range_m = camera.depth_min_m,
+                 .max_range_m = camera.depth_max_m,
+                 .is_planar = true,
+                 .points = DepthPoints};
+}
+
 }  // namespace
 
 constinit const SensorKind kCameraKind = {
@@ -81,6 +123,10 @@ constinit const SensorKind kCameraKind = {
                SensorDescription* s) { s->model = ReadCameraModel(config); },
     .model_yaml =
         [](const SensorDescription& s) { return CameraModelYaml(std::get<CameraModel>(s.model)); },
+    .pictures = [](const SensorDescription& s) -> const PictureContent* {
+      return &std::get<CameraModel>(s.model);
+    },
+    .ranging = DepthRanging,
     .sampler = [](const SensorPlace& place) -> std::unique_ptr<SensorSampler> {
       return std::make_unique<CameraSampler>(place);
     },

@@ -94,6 +94,44 @@ void ReadLidar(const ConfigMap& config, SensorDescription* sensor) {
   sensor->model = model;
 }
 
+/// Points of the scan, but those nearer than the lidar sees. An odd number of points from one that
+/// is taken to the next, so that with an even number of beams all of them come.
+LoadedScan ScanPointsOf(const SensorDescription& sensor, const Measurement& recorded,
+                        std::size_t most) {
+  const auto& model = std::get<LidarModel>(sensor.model);
+  const auto& scan = std::get<LidarScan>(recorded);
+  const std::size_t stride = scan.points.size() / most + 1;
+  LoadedScan loaded{{scan.t_ns, {}}, ""};
+  for (std::size_t i = 0; i < scan.points.size(); i += stride | 1) {
+    const LidarPoint& point = scan.points[i];
+    if (point.ring >= model.elevation_rad.size()) {
+      loaded.obstacle = fmt::format(
+          "a point of its scan {} is of ring {}, but the scenario's lidar has "
+          "{} beams; need the lidar that was recorded",
+          scan.t_ns, point.ring, model.elevation_rad.size());
+    }
+    const Vec3 p_S_m(point.x_m, point.y_m, point.z_m);
+    if (p_S_m.norm() < model.min_range_m) continue;
+    loaded.scan.points.push_back(
+        {p_S_m, static_cast<TimeNs>(point.time_offset_ns), model.range_noise_m});
+  }
+  return loaded;
+}
+
+std::optional<Ranging> LidarRanging(const SensorDescription& sensor) {
+  const auto& lidar = std::get<LidarModel>(sensor.model);
+  return Ranging{.min_range_m = lidar.min_range_m,
+                 .max_range_m = lidar.max_range_m,
+                 .span_ns = sensor.clock.Period(),
+                 .scene_poses = Lidar::kScenePoses,
+                 .points = ScanPointsOf};
+}
+
+ScanContent LidarScans(const SensorDescription& sensor) {
+  const auto& lidar = std::get<LidarModel>(sensor.model);
+  return {static_cast<int>(lidar.elevation_rad.size()), lidar.columns};
+}
+
 }  // namespace
 
 constinit const SensorKind kLidarKind = {
@@ -104,6 +142,8 @@ constinit const SensorKind kLidarKind = {
     .read = ReadLidar,
     .model_yaml =
         [](const SensorDescription& s) { return LidarModelYaml(std::get<LidarModel>(s.model)); },
+    .scans = LidarScans,
+    .ranging = LidarRanging,
     .sampler = [](const SensorPlace& place) -> std::unique_ptr<SensorSampler> {
       return std::make_unique<LidarSampler>(place);
     },

@@ -11,13 +11,16 @@ constexpr int kIndexBits = 32;
 
 std::uint64_t FirstIndex(std::int64_t k) { return static_cast<std::uint64_t>(k) << kIndexBits; }
 
-/// The number of `id` that goes by one name for lidars and by another for cameras.
-double Either(const Effects& effects, std::string_view id, std::string_view lidar,
-              std::string_view camera, double ideal) {
+/// The number of `id`, whose name is `depth` for kinds that measure along an axis, as cameras do,
+/// and else `range`.
+double Either(const Effects& effects, std::string_view id, std::string_view range,
+              std::string_view depth, double ideal) {
   const Effect* effect = FindEffect(effects, id);
   if (!effect) return ideal;
-  const bool of_lidar = effect->mechanism->ActsOn(EffectTarget::kLidar);
-  return (*effect)[of_lidar ? lidar : camera];
+  const std::vector<EffectParameter>& parameters = effect->mechanism->parameters;
+  const bool is_depth = std::any_of(parameters.begin(), parameters.end(),
+                                    [&](const EffectParameter& p) { return p.name == depth; });
+  return (*effect)[is_depth ? depth : range];
 }
 
 }  // namespace

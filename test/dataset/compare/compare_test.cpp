@@ -40,6 +40,24 @@ void WriteCircle(const fs::path& directory, const std::string& machine, double s
   writer.Finish();
 }
 
+/// A link that leans, on which two sensors of a kind that only their own sensor.yaml names measure
+/// it; `offset_rad` sets two recordings apart.
+void WriteLeaning(const fs::path& directory, double offset_rad) {
+  DatasetWriter writer(directory, SampleInfo(), {});
+  for (const char* folder : {"husky/tilt_boom", "husky/tilt_arm"}) {
+    const ChannelId tilt = writer.AddChannel({folder,
+                                              "inclinometer",
+                                              ChannelForm::kRows,
+                                              "type: inclinometer\n",
+                                              {"tilt_rad", "tilt_radps"}});
+    for (int k = 0; k <= 20; ++k) {
+      const TimeNs t_ns = k * kSamplePeriod_ns;
+      writer.Write(tilt, RowSample{t_ns, t_ns, {0.1 * k + offset_rad, 1}});
+    }
+  }
+  writer.Finish();
+}
+
 ChannelDifference Find(const MachineComparison& machine, const std::string& column) {
   const auto found = std::find_if(machine.channels.begin(), machine.channels.end(),
                                   [&](const ChannelDifference& d) { return d.column == column; });
@@ -64,6 +82,17 @@ TEST(Compare, FindsShiftsOffsetsAndAlternatingErrors) {
   EXPECT_NEAR(Find(m, "boom_rad").mean, -0.5 / 61, 1e-12);
   EXPECT_THAT(ComparisonTable(c), HasSubstr("husky and warthog"));
   EXPECT_THAT(ComparisonTable(c), HasSubstr("imu wz_radps"));
+}
+
+TEST(Compare, ComparesTheNumbersOfAnyKindOfSensor) {
+  ScratchDirectory scratch;
+  WriteLeaning(scratch.path() / "real", 0);
+  WriteLeaning(scratch.path() / "sim", 0.03);
+  const Comparison c = Compare(scratch.path() / "real", scratch.path() / "sim");
+  ASSERT_EQ(c.machines.at(0).channels.size(), 4u);
+  EXPECT_NEAR(Find(c.machines[0], "tilt_rad").mean, 0.03, 1e-12);
+  EXPECT_NEAR(Find(c.machines[0], "tilt_radps").rmse, 0, 1e-12);
+  EXPECT_THAT(ComparisonTable(c), HasSubstr("tilt_arm tilt_rad"));
 }
 
 TEST(Compare, NeedsAMachineInCommon) {
@@ -132,6 +161,15 @@ TEST(Overview, HasARowForTheCameraTheLidarAndTheCurvesAndAFilm) {
   const std::string film = ReadWholeFile(scratch.path() / "overview.mp4");
   EXPECT_EQ(film.substr(4, 4), "ftyp");
   EXPECT_THAT(film, HasSubstr("avc1"));
+}
+
+TEST(Overview, DrawsTheNumbersOfAnyKindOfSensorUnitByUnit) {
+  ScratchDirectory scratch;
+  WriteLeaning(scratch.path() / "run", 0);
+  WriteOverview(scratch.path() / "run", scratch.path() / "overview.png",
+                scratch.path() / "overview.mp4");
+  // Trajectories, and two units of two sensors: the fifth chart begins a second row.
+  EXPECT_EQ(ReadRgbPng(scratch.path() / "overview.png").height_px, 2 * 300);
 }
 
 TEST(Overview, OfARecordingWithoutCamerasHasNoFilm) {

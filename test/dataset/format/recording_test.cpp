@@ -341,5 +341,29 @@ TEST(ReferencePose, MayLackVelocities) {
   EXPECT_TRUE(read.poses.at(0).X_WB.isApprox(SamplePose(4).X_WB, 1e-14));
 }
 
+TEST(Recording, SensorsOfAFormAreThoseOfKindsThatOnlyTheirOwnFilesNameToo) {
+  ScratchDirectory scratch;
+  DatasetWriter writer(scratch.path() / "run", SampleInfo(), {});
+  const ChannelInfo radar = {"m/radar", "radar", ChannelForm::kScans, "type: radar\n", {}};
+  const ChannelInfo time_of_flight = {"m/tof", "tof", ChannelForm::kPictures, "type: tof\n", {}};
+  const ChannelInfo tilt = {"m/tilt", "tilt", ChannelForm::kRows, "type: tilt\n", {"tilt_rad"}};
+  const ChannelId scans = writer.AddChannel(radar), pictures = writer.AddChannel(time_of_flight);
+  writer.AddChannel(tilt);
+  writer.AddChannel(LidarChannel("m/lidar", "type: lidar\n"));
+  writer.AddChannel(GnssChannel("m/gnss", "type: gnss\n"));
+  writer.AddChannel(ImuChannel("m/imu", "type: imu\n"));
+  writer.AddChannel(TableChannel("m/commands.csv", {"boom"}));
+  writer.Write(scans, SampleScan(0));
+  writer.Write(pictures, SampleFrame(0));
+  writer.Finish();
+  const Recording recording(scratch.path() / "run");
+  using testing::ElementsAre;
+  EXPECT_THAT(recording.SensorsOf(ChannelForm::kScans), ElementsAre("m/lidar", "m/radar"));
+  EXPECT_THAT(recording.SensorsOf(ChannelForm::kPictures), ElementsAre("m/tof"));
+  EXPECT_THAT(recording.SensorsOf(ChannelForm::kRows), ElementsAre("m/imu", "m/gnss", "m/tilt"));
+  EXPECT_THAT(recording.SeriesChannels(), ElementsAre("m/imu", "m/tilt"));
+  EXPECT_EQ(recording.TypeOf("m/radar"), "radar");
+}
+
 }  // namespace
 }  // namespace tera

@@ -9,7 +9,7 @@
 
 #include "core/random.h"
 #include "core/units.h"
-#include "diagnose/perception/scans/range_scan.h"
+#include "diagnose/perception/scans/range_source.h"
 #include "diagnose/perception/true_sensor.h"
 
 /// A site of one tilted plane and one box, in closed form, and a lidar that turns over it.

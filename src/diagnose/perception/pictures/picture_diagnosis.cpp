@@ -60,7 +60,7 @@ SplitPoints LandmarksToRegister(const PictureRegistration& pictures, const ScanS
 RegistrationBlock BlockOf(const PictureSource& source,
                           const std::unique_ptr<PictureRegistration>& pictures) {
   return {source.X_BS, source.present,
-          CandidatesOf(MeasuredBy::kColourCamera, source.target, source.present),
+          CandidatesOf(source.kind, ComparedBy::kPictures, source.target, source.present),
           [&pictures](const std::vector<ScanPoints>& some, const SensorCalibration& calibration,
                       int level) { return pictures->ResidualsOf(some, calibration, level); },
           PictureLevels::kCount - 1};

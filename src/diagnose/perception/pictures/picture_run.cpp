@@ -16,12 +16,13 @@ constexpr int kWidest_px = 400;
 PerceptionDiagnosis DiagnoseCamera(const RecordedSensor& camera, const Recording& recording,
                                    std::uint64_t seed, PictureCaster* caster) {
   const SensorDescription& sensor = *camera.description;
-  const CameraIntrinsics& lens = std::get<CameraModel>(sensor.model).intrinsics;
+  const CameraIntrinsics& lens = PicturesOf(sensor)->intrinsics;
   const int reduced = (lens.width_px + kWidest_px - 1) / kWidest_px;
   const CameraIntrinsics small = Reduced(lens, reduced);
   PictureSource source;
   source.channel = camera.channel;
   source.target = sensor.name;
+  source.kind = KindOf(sensor).target;
   source.X_BS = sensor.X_BS;
   source.X_SC = OpticalInSensor();
   source.present = sensor.effects;

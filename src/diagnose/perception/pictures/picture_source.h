@@ -23,6 +23,7 @@ namespace tera {
 struct PictureSource {
   std::string channel;  ///< "excavator1/camera_mast"
   std::string target;   ///< the camera's name in the scenario
+  EffectTarget kind = EffectTarget::kCamera;
   Pose X_BS = Pose::Identity();
   Pose X_SC = Pose::Identity();
   Effects present;  ///< of the camera, as the scenario has them

@@ -27,12 +27,12 @@ class Candidates {
   Candidates(const std::string& sensor, EffectTarget kind, const Effects& present)
       : kind_(kind), list_(sensor, kind, present, SensorMechanisms()) {}
 
-  /// Adds a mechanism with all parameters free in the ranges of the table.
+  /// Adds a mechanism, if the kind has it, with all parameters free in the ranges of the table.
   void Add(std::string_view id, const std::vector<std::vector<double>>& starts) {
     const auto mechanism =
         std::find_if(SensorMechanisms().begin(), SensorMechanisms().end(),
                      [&](const Mechanism& one) { return one.id == id && one.ActsOn(kind_); });
-    TERA_CHECK(mechanism != SensorMechanisms().end(), id);
+    if (mechanism == SensorMechanisms().end()) return;
     std::vector<FreeParameter> free;
     for (std::size_t i = 0; i < mechanism->parameters.size(); ++i) {
       const EffectParameter& parameter = mechanism->parameters[i];
@@ -53,12 +53,11 @@ class Candidates {
 
 }  // namespace
 
-std::vector<Candidate> CandidatesOf(MeasuredBy kind, const std::string& sensor,
-                                    const Effects& present) {
-  const bool is_lidar = kind == MeasuredBy::kLidar;
-  Candidates candidates(sensor, is_lidar ? EffectTarget::kLidar : EffectTarget::kCamera, present);
+std::vector<Candidate> CandidatesOf(EffectTarget kind, ComparedBy compared,
+                                    const std::string& sensor, const Effects& present) {
+  Candidates candidates(sensor, kind, present);
   candidates.Add("extrinsic", {{0, 0, 0, 0, 0, 0}});
-  if (kind != MeasuredBy::kColourCamera) {
+  if (compared == ComparedBy::kRanges) {
     candidates.Add("range_bias", {{0}});
     candidates.Add("scale", {{1}});
   }

@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kPointsOfScan = 400;  ///< that register a sensor
+constexpr std::size_t kMostPointsOfScan = 400;  ///< that register a sensor
 /// Standard deviations of what encoders and poses, and the surface's mesh, add to a range's noise.
 constexpr double kDirectionSigma_rad = 0.02 * kDeg, kSurfaceSigma_m = 0.002;
 
@@ -74,8 +74,8 @@ std::vector<PointResidual> ResidualsOf(const RangeSource& source,
 }
 
 RegistrationBlock BlockOf(const RangeSource& source) {
-  const MeasuredBy kind = source.planar_depth ? MeasuredBy::kDepthCamera : MeasuredBy::kLidar;
-  return {source.X_BS, source.present, CandidatesOf(kind, source.target, source.present),
+  return {source.X_BS, source.present,
+          CandidatesOf(source.kind, ComparedBy::kRanges, source.target, source.present),
           [&source](const std::vector<ScanPoints>& points, const SensorCalibration& calibration,
                     int) { return ResidualsOf(source, points, calibration); }};
 }
@@ -101,7 +101,7 @@ std::vector<ScanPoints> PointsOf(const std::vector<RangeScan>& scans, const Scan
 SplitPoints PointsToRegister(const RangeSource& source, const ScanSplit& split,
                              const PointFlags& excluded) {
   return PointsOfParts(split, [&](const std::vector<Part>& parts) {
-    return PointsOf(source.scans, split, parts, kPointsOfScan, excluded);
+    return PointsOf(source.scans, split, parts, kMostPointsOfScan, excluded);
   });
 }
 

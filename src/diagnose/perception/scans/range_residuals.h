@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "diagnose/perception/registration/registration_search.h"
-#include "diagnose/perception/scans/range_scan.h"
+#include "diagnose/perception/scans/range_source.h"
 
 namespace tera {
 

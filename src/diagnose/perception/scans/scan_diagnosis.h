@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "diagnose/perception/perception_diagnosis.h"
-#include "diagnose/perception/scans/range_scan.h"
+#include "diagnose/perception/scans/range_source.h"
 
 namespace tera {
 

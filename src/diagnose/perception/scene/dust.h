@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "diagnose/perception/registration/scan_split.h"
-#include "diagnose/perception/scans/range_scan.h"
+#include "diagnose/perception/scans/range_source.h"
 
 namespace tera {
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "diagnose/perception/scans/range_scan.h"
+#include "diagnose/perception/scans/range_source.h"
 
 namespace tera {
 

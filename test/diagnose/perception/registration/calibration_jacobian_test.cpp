@@ -21,7 +21,7 @@ Term TermOf(const std::vector<Candidate>& candidates, std::string_view id,
 }
 
 TEST(CalibrationJacobian, OfAMountIsItsShiftsAndTheAxesThatItIsTurnedAbout) {
-  const auto candidates = CandidatesOf(MeasuredBy::kLidar, "lidar", {});
+  const auto candidates = CandidatesOf(EffectTarget::kLidar, ComparedBy::kRanges, "lidar", {});
   const Structure mount = {TermOf(candidates, "extrinsic", {0.1, -0.2, 0.05, 20, -30, 40})};
   const CalibrationJacobian jacobian = JacobianOf(kX_BS, {}, mount);
   ASSERT_EQ(jacobian.cols(), 6);
@@ -44,7 +44,7 @@ TEST(CalibrationJacobian, OfAMountIsItsShiftsAndTheAxesThatItIsTurnedAbout) {
 }
 
 TEST(CalibrationJacobian, HasAColumnForEachFreeParameterOfAllTermsInTheirOrder) {
-  const auto candidates = CandidatesOf(MeasuredBy::kDepthCamera, "camera", {});
+  const auto candidates = CandidatesOf(EffectTarget::kCamera, ComparedBy::kRanges, "camera", {});
   Structure terms = {TermOf(candidates, "clock_offset", {0.3}),
                      TermOf(candidates, "extrinsic", {0, 0, 0, 0, 0, 0}),
                      TermOf(candidates, "range_bias", {0.1}), TermOf(candidates, "scale", {1.02})};

@@ -33,7 +33,7 @@ class PlaneRoom {
  public:
   PlaneRoom(const TrueSensor& sensor, bool has_walls, double speed_mps = 0) {
     block_.X_BS = MakePose({0.3, 0.2, 0.7}, 0.02, 0.2, -0.4);
-    block_.candidates = CandidatesOf(MeasuredBy::kLidar, "lidar", {});
+    block_.candidates = CandidatesOf(EffectTarget::kLidar, ComparedBy::kRanges, "lidar", {});
     const SensorCalibration truth = sensor.Calibration(block_.X_BS);
     const Stream noise(3, "test/planes");
     std::uint64_t draw = 0;

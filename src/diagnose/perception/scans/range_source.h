@@ -9,11 +9,11 @@
 #include "core/motion.h"
 #include "core/time.h"
 #include "core/types/effects.h"
-#include "resimulate/range_scan.h"
 #include "resimulate/sensor_calibration.h"
 #include "resimulate/simulated_return.h"
+#include "sensors/ranging.h"
 
-/// What a lidar or a depth camera measured, and what a simulation of the same rays says of it.
+/// What a sensor that measures ranges measured, and what a simulation of the same rays says of it.
 
 namespace tera {
 
@@ -23,9 +23,10 @@ namespace tera {
 /// it,
 ///         in which its points and rays are then meant.
 struct RangeSource {
-  std::string channel;        ///< "excavator1/lidar_roof"
-  std::string target;         ///< the sensor's name in the scenario
-  bool planar_depth = false;  ///< a camera's: depth is along x of S
+  std::string channel;  ///< "excavator1/lidar_roof"
+  std::string target;   ///< the sensor's name in the scenario
+  EffectTarget kind = EffectTarget::kLidar;
+  bool planar_depth = false;  ///< what it reports is x of a point in S, not its distance
   Pose X_BS = Pose::Identity();
   Effects present;      ///< of the sensor, as the scenario has them
   TimeNs start_ns = 0;  ///< of the recording

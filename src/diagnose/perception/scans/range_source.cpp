@@ -1,4 +1,4 @@
-#include "diagnose/perception/scans/range_scan.h"
+#include "diagnose/perception/scans/range_source.h"
 
 namespace tera {
 
