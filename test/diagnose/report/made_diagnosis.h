@@ -137,7 +137,8 @@ inline PerceptionDiagnosis LidarWithRangeBias() {
   made.target = "lidar_roof";
   made.scans = 60;
   made.noise_rmse = 0.004;
-  made.sensor_candidates = CandidatesOf(MeasuredBy::kLidar, "lidar_roof", {});
+  made.sensor_candidates =
+      CandidatesOf(EffectTarget::kLidar, ComparedBy::kRanges, "lidar_roof", {});
   Finding finding;
   finding.term = {&made.sensor_candidates[1], {0.05}};
   finding.parameters = {{"range_m", "m", 0.05, 0.001}};

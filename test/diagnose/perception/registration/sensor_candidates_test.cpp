@@ -24,9 +24,9 @@ const Mechanism& Known(std::string_view id, EffectTarget target) {
 }
 
 TEST(SensorCandidates, AreTheMechanismsOfTheSensorsTableThatActOnItsKind) {
-  const auto of_lidar = CandidatesOf(MeasuredBy::kLidar, "roof", {});
-  const auto of_depth = CandidatesOf(MeasuredBy::kDepthCamera, "front", {});
-  const auto of_colour = CandidatesOf(MeasuredBy::kColourCamera, "side", {});
+  const auto of_lidar = CandidatesOf(EffectTarget::kLidar, ComparedBy::kRanges, "roof", {});
+  const auto of_depth = CandidatesOf(EffectTarget::kCamera, ComparedBy::kRanges, "front", {});
+  const auto of_colour = CandidatesOf(EffectTarget::kCamera, ComparedBy::kPictures, "side", {});
   EXPECT_THAT(IdsOf(of_lidar), ElementsAre("extrinsic", "range_bias", "scale", "clock_offset"));
   EXPECT_THAT(IdsOf(of_depth), ElementsAre("extrinsic", "range_bias", "scale", "clock_offset"));
   EXPECT_THAT(IdsOf(of_colour), ElementsAre("extrinsic", "clock_offset"));
@@ -39,7 +39,7 @@ TEST(SensorCandidates, AreTheMechanismsOfTheSensorsTableThatActOnItsKind) {
 }
 
 TEST(SensorCandidates, FreeAllParametersInTheRangesOfTheTableWithAPrior) {
-  for (const Candidate& one : CandidatesOf(MeasuredBy::kLidar, "roof", {})) {
+  for (const Candidate& one : CandidatesOf(EffectTarget::kLidar, ComparedBy::kRanges, "roof", {})) {
     const auto& parameters = one.mechanism->parameters;
     ASSERT_EQ(one.free.size(), parameters.size()) << one.mechanism->id;
     for (const FreeParameter& free : one.free) {
@@ -52,7 +52,7 @@ TEST(SensorCandidates, FreeAllParametersInTheRangesOfTheTableWithAPrior) {
 }
 
 TEST(SensorCandidates, BeginWhereTheMechanismDoesNothing) {
-  for (const Candidate& one : CandidatesOf(MeasuredBy::kLidar, "roof", {})) {
+  for (const Candidate& one : CandidatesOf(EffectTarget::kLidar, ComparedBy::kRanges, "roof", {})) {
     const double ideal = one.mechanism->id == "scale" ? 1 : 0;
     for (const double value : one.starts.front()) EXPECT_EQ(value, ideal) << one.mechanism->id;
   }
@@ -60,7 +60,7 @@ TEST(SensorCandidates, BeginWhereTheMechanismDoesNothing) {
 
 TEST(SensorCandidates, ThatTheScenarioHasAlreadyKnowTheirPresentNumbers) {
   const Effects present = {{&Known("range_bias", EffectTarget::kLidar), {0.2}}};
-  const auto candidates = CandidatesOf(MeasuredBy::kLidar, "roof", present);
+  const auto candidates = CandidatesOf(EffectTarget::kLidar, ComparedBy::kRanges, "roof", present);
   EXPECT_THAT(candidates[1].present, ElementsAre(0.2));
   EXPECT_TRUE(candidates[0].present.empty());
 }
