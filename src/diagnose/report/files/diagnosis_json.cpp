@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "diagnose/report/files/finding_json.h"
+#include "diagnose/report/text/channel_lines.h"
 #include "diagnose/report/text/next_manoeuvre_text.h"
 #include "diagnose/report/text/ranking.h"
 
@@ -99,26 +100,21 @@ Json FurtherRecordings(const Diagnosis& diagnosis) {
   return list;
 }
 
-/// Errors of the scenario as it stands over all samples, without any fit, even of nuisances.
+/// A line for every channel. `rmse` is the error of the scenario as it stands, without any fit,
+/// even of nuisances, which the errors before and after have.
 Json Channels(const Diagnosis& diagnosis) {
   Json list = Json::array();
-  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
-    const std::vector<std::vector<double>> predicted = diagnosed.block.predict({});
-    for (std::size_t c = 0; c < predicted.size(); ++c) {
-      const Channel& channel = diagnosed.block.channels[c];
-      double square = 0, error = 0, count = 0;
-      for (std::size_t k = 0; k < channel.measured.size(); ++k) {
-        if (!channel.measured.valid[k]) continue;
-        square += std::pow(channel.measured.value[k], 2);
-        error += std::pow(channel.measured.value[k] - predicted[c][k], 2);
-        ++count;
-      }
-      count = std::max(count, 1.0);
-      list.push_back({{"channel", channel.name},
-                      {"unit", channel.unit},
-                      {"rms", JsonNumber(std::sqrt(square / count))},
-                      {"rmse", JsonNumber(std::sqrt(error / count))}});
-    }
+  for (const ChannelLine& line : ChannelLines(diagnosis)) {
+    list.push_back({{"channel", line.channel},
+                    {"unit", line.unit},
+                    {"rms", JsonNumber(line.rms)},
+                    {"rmse", JsonNumber(line.rmse)},
+                    {"motion", JsonNumber(line.motion)},
+                    {"noise", JsonNumber(line.noise)},
+                    {"before", JsonNumber(line.before)},
+                    {"after", JsonNumber(line.after)},
+                    {"explained_by", line.explained_by},
+                    {"left", line.left}});
   }
   return list;
 }

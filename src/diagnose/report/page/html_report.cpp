@@ -10,7 +10,7 @@
 #include "diagnose/report/page/perception_figures.h"
 #include "diagnose/report/page/svg_plot.h"
 #include "diagnose/report/page/table.h"
-#include "diagnose/report/text/finding_text.h"
+#include "diagnose/report/text/channel_lines.h"
 #include "diagnose/report/text/next_manoeuvre_text.h"
 #include "diagnose/report/text/ranking.h"
 #include "diagnose/report/text/sentence.h"
@@ -121,25 +121,29 @@ bool HasAnything(const DiagnosedBlock& diagnosed) {
   return !diagnosed.diagnosis.findings.empty() || !diagnosed.diagnosis.unexplained.empty();
 }
 
-std::string AgreeingSection(const Diagnosis& diagnosis) {
-  Table table({"Channel", ">RMSE", ">Noise", "Unit"});
-  bool any = false;
-  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
-    if (HasAnything(diagnosed)) continue;
-    for (const ResidualVerdict& verdict : diagnosed.diagnosis.residual_verdicts) {
-      if (IsUnconfirmed(diagnosed, verdict.channel)) continue;
-      const Channel& channel = diagnosed.block.channels[verdict.channel];
-      const ReadableUnit unit = ReadableUnitOf(channel.unit);
-      table.Row({Escaped(Capitalised(QuantityOf(channel.name))) + " " + Code(channel.name),
-                 Significant(verdict.rmse * unit.factor, 3),
-                 Significant(verdict.noise.rms() * unit.factor, 3), unit.name});
-      any = true;
+/// A line for every compared channel, and the measurements that were not compared.
+std::string ChannelsSection(const Diagnosis& diagnosis) {
+  Table table({"Channel", ">Motion", ">Noise", ">Error before", ">after", "Unit", "Explained by",
+               "What is left"});
+  for (const ChannelLine& line : ChannelLines(diagnosis)) {
+    const ReadableUnit unit = ReadableUnitOf(line.unit);
+    const auto number = [&](double value) { return Significant(value * unit.factor, 3); };
+    std::string causes;
+    for (const std::string& id : line.explained_by) {
+      causes += (causes.empty() ? "" : ", ") + Code(id);
     }
+    table.Row({Escaped(Capitalised(QuantityOf(line.channel))) + " " + Code(line.channel),
+               number(line.motion), line.noise ? number(*line.noise) : "", number(line.before),
+               number(line.after), unit.name, causes, Escaped(line.left)});
   }
-  return any ? "<section>\n<h2>Where they agree</h2>\n<p class='soft'>Error on manoeuvres kept "
-               "back, and noise as it shows at rest or from sample to sample.</p>\n" +
-                   table.Take() + "</section>\n"
-             : "";
+  std::string html =
+      "<section>\n<h2>Every channel</h2>\n<p class='soft'>RMS over the whole recording; errors of "
+      "the simulation as it was, and with all that was found.</p>\n" +
+      table.Take();
+  for (const std::string& obstacle : diagnosis.not_compared) {
+    html += fmt::format("<p>Not compared: {}.</p>\n", Escaped(obstacle));
+  }
+  return html + "</section>\n";
 }
 
 /// The smallest detectable size of a candidate with the name of its number.
@@ -263,11 +267,12 @@ std::string HtmlReport(const Diagnosis& diagnosis, const std::string& recording)
       "{}</title>\n<style>{}</style>\n</head>\n<body><main>\n",
       Escaped(diagnosis.machine), kPageStyle);
   html += Top(diagnosis, recording);
+  if (!diagnosis.blocks.empty()) html += ChannelsSection(diagnosis);
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     if (HasAnything(diagnosed)) html += BlockSection(diagnosed);
   }
   html += ConfirmationSection(diagnosis) + PerceptionSections(diagnosis);
-  if (!diagnosis.blocks.empty()) html += AgreeingSection(diagnosis) + UnseenSection(diagnosis);
+  if (!diagnosis.blocks.empty()) html += UnseenSection(diagnosis);
   html += NextSection(diagnosis);
   return html + "</main></body>\n</html>\n";
 }

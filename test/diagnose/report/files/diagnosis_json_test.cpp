@@ -91,7 +91,15 @@ TEST(DiagnosisJson, HasItsStructureInFixedOrderAndDigits) {
       "channel": "excavator1/encoders/boom_radps",
       "unit": "rad/s",
       "rms": 3.0,
-      "rmse": 1.0
+      "rmse": 1.0,
+      "motion": 0.0,
+      "noise": null,
+      "before": 1.0,
+      "after": 0.0,
+      "explained_by": [
+        "dead_band"
+      ],
+      "left": "noise"
     }
   ],
   "unconfirmed": [],

@@ -52,7 +52,7 @@ TEST(HtmlReport, HoldsTheSentencesAndNeedsNothingElse) {
   EXPECT_THAT(HtmlReport(Complete(), "run"), ::testing::AllOf(HasSubstr("What to record next"),
                                                               HasSubstr("Further confirmation")));
   EXPECT_THAT(html, HasSubstr("a&lt;b&gt;&amp;&#39;c&#39;"));
-  EXPECT_THAT(html, HasSubstr("Where they agree"));
+  EXPECT_THAT(html, HasSubstr("Every channel"));
   EXPECT_THAT(html, HasSubstr("<code>backlash</code>"));
   for (const char* outside : {"http", "src=", "url(", "<script", "<link", "@import"}) {
     EXPECT_THAT(html, Not(HasSubstr(outside)));

@@ -1,0 +1,91 @@
+#include "diagnose/report/text/channel_lines.h"
+
+#include <cmath>
+
+#include "diagnose/report/text/finding_text.h"
+#include "diagnose/report/text/ranking.h"
+
+namespace tera {
+namespace {
+
+/// RMS of the valid samples, about `mean`.
+double RmsAbout(double mean, const Series& series) {
+  double square = 0, count = 0;
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    if (!series.valid[k]) continue;
+    square += std::pow(series.value[k] - mean, 2);
+    ++count;
+  }
+  return count > 0 ? std::sqrt(square / count) : 0;
+}
+
+double MeanOf(const Series& series) {
+  double sum = 0, count = 0;
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    if (!series.valid[k]) continue;
+    sum += series.value[k];
+    ++count;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+std::string LeftOf(const DiagnosedBlock& diagnosed, std::size_t channel) {
+  const BlockDiagnosis& diagnosis = diagnosed.diagnosis;
+  if (diagnosis.out_of_time) return "not judged: the time was over";
+  if (!diagnosis.is_testable) return "not judged: too few manoeuvres";
+  if (IsLeft(diagnosed, channel)) return "unexplained error";
+  if (IsUnconfirmed(diagnosed, channel)) return "a mechanism that was chosen and not confirmed";
+  for (const ResidualVerdict& verdict : diagnosis.residual_verdicts) {
+    if (verdict.channel != channel) continue;
+    switch (verdict.kind) {
+      case ResidualVerdict::Kind::kNoise:
+        return "noise";
+      case ResidualVerdict::Kind::kUnknown:
+        return "noise or error: a recording without rest does not tell";
+      case ResidualVerdict::Kind::kOfFew:
+        return "error of a few manoeuvres";
+      case ResidualVerdict::Kind::kError:
+        return "error that no regressor follows";
+    }
+  }
+  return "noise";
+}
+
+ChannelLine LineOf(const DiagnosedBlock& diagnosed, std::size_t c,
+                   const std::vector<double>& simulated) {
+  const Channel& channel = diagnosed.block.channels[c];
+  const BlockDiagnosis& diagnosis = diagnosed.diagnosis;
+  ChannelLine line{.channel = channel.name, .unit = channel.unit};
+  Series error_as_it_is = channel.measured;
+  for (std::size_t k = 0; k < simulated.size(); ++k) error_as_it_is.value[k] -= simulated[k];
+  line.rmse = RmsAbout(0, error_as_it_is);
+  line.rms = RmsAbout(0, channel.measured);
+  line.motion = RmsAbout(MeanOf(channel.measured), channel.measured);
+  const auto error = [&](const FittedStructure& fitted) {
+    return c < fitted.misfit.residual.size() ? RmsAbout(0, fitted.misfit.residual[c]) : 0.0;
+  };
+  line.before = error(diagnosis.search.nothing);
+  line.after = error(diagnosis.search.found);
+  if (c < diagnosis.noise.size()) line.noise = std::sqrt(VarianceOf(diagnosis.noise[c]));
+  for (const Finding* finding : RankedFindings(diagnosed)) {
+    if (finding->held_out.channel != c && finding->location.channel != c) continue;
+    line.explained_by.emplace_back(finding->term.candidate->mechanism->id);
+  }
+  line.left = LeftOf(diagnosed, c);
+  return line;
+}
+
+}  // namespace
+
+std::vector<ChannelLine> ChannelLines(const Diagnosis& diagnosis) {
+  std::vector<ChannelLine> lines;
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    const std::vector<std::vector<double>> simulated = diagnosed.block.predict({});
+    for (std::size_t c = 0; c < simulated.size(); ++c) {
+      lines.push_back(LineOf(diagnosed, c, simulated[c]));
+    }
+  }
+  return lines;
+}
+
+}  // namespace tera
