@@ -1,5 +1,6 @@
 #include "sim/scenario/read_tolerances.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
