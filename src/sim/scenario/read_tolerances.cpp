@@ -13,12 +13,17 @@ constexpr std::string_view kNeedOfMachine =
     "{TARGET: {MECHANISM: {PARAMETER: HALF_WIDTH}}}; a target is a joint, a track or wheel set, a "
     "pump, a sensor or base";
 
-/// The mapping at `key`, if anything stands there; a word or a number there is a fault.
+/// Whether no word or number stands at `key`, which is a fault.
+bool IsMapping(std::string_view need, const ConfigMap& config, std::string_view key) {
+  if (!config.IsText(key)) return true;
+  config.Fault(key, fmt::format("'{}' found, need {}", config.Text(key), need));
+  return false;
+}
+
+/// The mapping at `key`, if anything stands there.
 std::optional<ConfigMap> MappingOf(std::string_view need, const ConfigMap& config,
                                    std::string_view key) {
-  if (!config.IsText(key)) return config.OptionalMap(key);
-  config.Fault(key, fmt::format("'{}' found, need {}", config.Text(key), need));
-  return std::nullopt;
+  return IsMapping(need, config, key) ? config.OptionalMap(key) : std::nullopt;
 }
 
 void ReadMechanism(const ConfigMap& config, const std::string& target, const Mechanism& mechanism,
@@ -43,7 +48,7 @@ Tolerances ReadMachineTolerances(const ConfigMap& machine,
                                  const std::vector<SensorDescription>& sensors) {
   Tolerances tolerances;
   const bool overlaid =
-      scenario_tolerances && MappingOf(kNeedOfMachine, *scenario_tolerances, name);
+      scenario_tolerances && IsMapping(kNeedOfMachine, *scenario_tolerances, name);
   const auto map = overlaid ? machine.OptionalMapUnder("tolerances", *scenario_tolerances, name)
                             : MappingOf(kNeedOfMachine, machine, "tolerances");
   if (!map) return tolerances;
