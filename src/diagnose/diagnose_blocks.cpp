@@ -90,7 +90,7 @@ std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks,
     one.block = std::move(blocks[b]);
     tell({"", one.block.name, b + 1, blocks.size(), nullptr});
     one.diagnosis = DiagnoseInTime(&one.block, options, StreamOf(one.block, seed), deadline);
-    MoveWithinTolerance(&one.diagnosis);
+    MoveExpected(&one.diagnosis);
     tell({"", one.block.name, b + 1, blocks.size(), &one.diagnosis});
     return one;
   });

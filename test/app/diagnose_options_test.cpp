@@ -93,12 +93,13 @@ TEST_F(DiagnoseOptions, ALibraryLimitsTheRangeOfANumberOrHoldsIt) {
       scratch_.path() / "library.yaml",
       "only: [dead_band]\ncandidates: {dead_band: {width: [0.02, 0.08], asymmetry: 0}}\n");
   const auto json = Diagnosed({"--library", "library.yaml"});
-  ASSERT_EQ(json["findings"].size(), 2u) << out_;
-  EXPECT_EQ(json["findings"][1]["mechanism"], "unexplained") << "what a wider one would explain";
-  const auto& parameters = json["findings"][0]["parameters"];
-  EXPECT_NEAR(parameters["width"]["value"].get<double>(), 0.08, 1e-3);  // the range's end
-  EXPECT_TRUE(parameters["width"]["sigma"].is_null());
-  EXPECT_EQ(parameters["asymmetry"]["value"], 0);
+  ASSERT_EQ(json["findings"].size(), 1u) << out_;
+  EXPECT_EQ(json["findings"][0]["mechanism"], "unexplained") << "what a wider one would explain";
+  // A number at the range's end is confirmed by nothing.
+  ASSERT_EQ(json["unconfirmed"].size(), 1u);
+  EXPECT_EQ(json["unconfirmed"][0]["mechanism"], "dead_band");
+  EXPECT_THAT(out_, HasSubstr("dead band 0.08 was chosen"));
+  EXPECT_THAT(out_, HasSubstr("the number is at the end of its range"));
 }
 
 TEST_F(DiagnoseOptions, ALibraryAddsAMechanismThatIsNoCandidateByItself) {

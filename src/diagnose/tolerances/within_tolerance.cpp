@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "diagnose/tolerances/default_tolerances.h"
@@ -58,11 +57,25 @@ bool IsBeyondTolerance(const Finding& finding) {
   return !is_stated;
 }
 
-void MoveWithinTolerance(BlockDiagnosis* diagnosis) {
+bool IsWithinTolerance(const Finding& finding) {
+  const auto& free = finding.term.candidate->free;
+  return !IsBeyondTolerance(finding) &&
+         std::all_of(free.begin(), free.end(), [&](const FreeParameter& one) {
+           const ParameterEstimate& estimate = finding.parameters[one.index];
+           const bool is_known = estimate.sigma && !finding.term.IsHeld(one.index);
+           return !one.expected || is_known ||
+                  std::abs(estimate.value - one.expected->value) <= one.expected->half_width;
+         });
+}
+
+void MoveExpected(BlockDiagnosis* diagnosis) {
   std::vector<Finding>& findings = diagnosis->findings;
-  const auto within = std::stable_partition(findings.begin(), findings.end(), IsBeyondTolerance);
-  std::move(within, findings.end(), std::back_inserter(diagnosis->within_tolerance));
-  findings.erase(within, findings.end());
+  const auto other = std::stable_partition(findings.begin(), findings.end(), IsBeyondTolerance);
+  for (auto finding = other; finding != findings.end(); ++finding) {
+    (IsWithinTolerance(*finding) ? diagnosis->within_tolerance : diagnosis->unconfirmed)
+        .push_back(std::move(*finding));
+  }
+  findings.erase(other, findings.end());
 }
 
 }  // namespace tera

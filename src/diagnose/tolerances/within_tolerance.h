@@ -21,8 +21,13 @@ void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks)
 ///         at all.
 bool IsBeyondTolerance(const Finding& finding);
 
-/// Moves the findings that are within tolerance to their list. The structure that was found keeps
-/// them: what they explain is not left.
-void MoveWithinTolerance(BlockDiagnosis* diagnosis);
+/// Whether a finding is not beyond tolerance, and its numbers as they are known bear that out: none
+/// that is not determined lies beyond.
+bool IsWithinTolerance(const Finding& finding);
+
+/// Moves the findings that are within tolerance to their list, and to the unconfirmed ones those of
+/// which the recording does not tell. The structure that was found keeps them all: what they
+/// explain is not left.
+void MoveExpected(BlockDiagnosis* diagnosis);
 
 }  // namespace tera

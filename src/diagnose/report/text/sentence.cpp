@@ -190,6 +190,14 @@ std::string SentenceOf(const DiagnosedBlock& diagnosed, const Unexplained& unexp
 
 std::string SentenceOfUnconfirmed(const DiagnosedBlock& diagnosed, const Finding& finding) {
   const HeldOutError& error = finding.held_out;
+  if (finding.is_confirmed) {
+    return fmt::format(
+        "{}: {} was chosen ({}) and is not confirmed: the number is at the end of its range, or "
+        "the "
+        "recording does not determine it.",
+        ChannelText(diagnosed, finding.location.channel), MechanismText(diagnosed, finding),
+        ProbabilityText(finding.evidence.p));
+  }
   const std::string why =
       error.rmse_after < error.rmse_before
           ? ProbabilityText(error.p)
