@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+
+#include "diagnose/motion/motion_problem.h"
+
+namespace tera {
+
+/// An observation's residual (measured less predicted) about a motion and parameters.
+///
+/// Rows are its numbers; columns of `by_state` the numbers of the motion, then their first, then
+/// their second derivatives.
+struct LinearisedObservation {
+  static constexpr int kMostParameters = 24;
+
+  int rows = 0;
+  Eigen::Matrix<double, 6, 1> residual, sigma;
+  int noise = kNoParameter;  ///< the first noise channel; without one `sigma` holds
+  Eigen::Matrix<double, 6, Eigen::Dynamic> by_state;
+  int parameters = 0;
+  std::array<int, kMostParameters> parameter;
+  Eigen::Matrix<double, 6, kMostParameters> by_parameter;
+  SplineWeights weights;
+};
+
+/// Fills `out`; false where the motion does not cover the time of the observation.
+///
+/// Model   an inertial unit: rates and forces of its true frame, averaged over the observation as
+///         the splines are (UniformSpline::MeanOver), signs, scale, bias. A receiver: its antenna's
+///         place. All are as late as their parameter says.
+/// Omits   products of motions that change within an observation; filters, which count as delays.
+bool Linearise(const MotionProblem& problem, const UniformSpline& spline,
+               const Eigen::MatrixXd& coefficients, const Eigen::VectorXd& parameters,
+               const Observation& observation, LinearisedObservation* out);
+
+}  // namespace tera

@@ -1,0 +1,215 @@
+#include "diagnose/motion/motion_estimate.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "core/in_parallel.h"
+#include "diagnose/motion/bounded_quadratic.h"
+
+namespace tera {
+namespace {
+
+constexpr double kJerk_mps3 = 40, kJerk_radps3 = 60;  ///< of the base and of joints, 1 sigma
+/// How far from where it begins the motion may be, 1 sigma of each coefficient.
+constexpr double kPlace_m = 50, kLean_rad = 0.5, kYaw_rad = 5, kJoint = 2;
+constexpr int kUnweightedIterations = 2;  ///< of a first estimate
+constexpr double kSettled = 0.02;         ///< change of parameters over their prior's sigma
+
+/// One segment linearised about a motion.
+struct LinearisedSegment {
+  ParameterQuadratic quadratic;  ///< over changes of the segment's own parameters
+  MotionStep step;
+  std::vector<std::vector<double>> residuals;  ///< by noise channel
+};
+
+struct RowWeights {
+  bool robust = true;
+
+  Eigen::Matrix<double, 6, 1> Of(const LinearisedObservation& rows,
+                                 const std::vector<NoiseChannel>& noise) const {
+    Eigen::Matrix<double, 6, 1> weight = rows.sigma.cwiseProduct(rows.sigma).cwiseInverse();
+    for (int i = 0; rows.noise >= 0 && i < rows.rows; ++i) {
+      const NoiseChannel& channel = noise[static_cast<std::size_t>(rows.noise + i)];
+      const double sigma = robust ? channel.sigma : channel.at_first;
+      weight[i] =
+          (robust ? ErrorWeight(rows.residual[i], sigma) / channel.inflation : 1) / (sigma * sigma);
+    }
+    return weight;
+  }
+};
+
+void AddMotionPriors(const MotionSegment& segment, const Eigen::MatrixXd& now,
+                     NormalEquations* equations) {
+  const double h = segment.spline.step_s, cube = h * h * h;
+  for (int number = 0; number < now.cols(); ++number) {
+    const double jerk = number < 3 ? kJerk_mps3 : kJerk_radps3;
+    const double away = number < 3              ? kPlace_m
+                        : number == kYaw        ? kYaw_rad
+                        : number < kBaseNumbers ? kLean_rad
+                                                : kJoint;
+    for (int i = 0; i < now.rows(); ++i) {
+      equations->AddPrior(i, number, {1.0}, segment.start(i, number) - now(i, number),
+                          1 / (away * away));
+      if (i + 4 > now.rows()) continue;
+      const double third =
+          now(i + 3, number) - 3 * now(i + 2, number) + 3 * now(i + 1, number) - now(i, number);
+      equations->AddPrior(i, number, {-1, 3, -3, 1}, -third, 1 / std::pow(jerk * cube, 2));
+    }
+  }
+}
+
+LinearisedSegment LineariseSegment(const MotionProblem& problem, std::size_t s,
+                                   const MotionEstimate& at, const RowWeights& weights) {
+  const MotionSegment& segment = problem.segments[s];
+  const Eigen::MatrixXd& coefficients = at.motion[s].coefficients;
+  const Eigen::VectorXd parameters = at.parameters + at.motion[s].wandered;
+  NormalEquations equations(segment.spline.coefficients, problem.numbers(), problem.parameters);
+  AddMotionPriors(segment, coefficients, &equations);
+  LinearisedSegment linear;
+  linear.residuals.resize(problem.noise.size());
+  LinearisedObservation rows;
+  for (const Observation& observation : segment.observations) {
+    if (!Linearise(problem, segment.spline, coefficients, parameters, observation, &rows)) continue;
+    equations.Add(rows, weights.Of(rows, at.noise));
+    for (int i = 0; rows.noise >= 0 && i < rows.rows; ++i) {
+      linear.residuals[static_cast<std::size_t>(rows.noise + i)].push_back(rows.residual[i]);
+    }
+  }
+  linear.quadratic = equations.Reduce(&linear.step);
+  return linear;
+}
+
+/// Parameters that wander between segments, of a segment's quadratic.
+class Wandering {
+ public:
+  explicit Wandering(const Eigen::VectorXd& sigma) {
+    for (Eigen::Index i = 0; i < sigma.size(); ++i) {
+      if (sigma[i] > 0) which_.push_back(i), precision_.push_back(1 / (sigma[i] * sigma[i]));
+    }
+  }
+  /// The best wandering where the parameters of all are `p`.
+  Eigen::VectorXd Best(const ParameterQuadratic& q, const Eigen::VectorXd& p) const {
+    const Eigen::VectorXd pull = q.score - q.information * p;
+    Eigen::VectorXd wandered = Eigen::VectorXd::Zero(p.size());
+    const Eigen::VectorXd own = pull(which_);
+    const Eigen::VectorXd best = Stiffness(q).llt().solve(own);
+    wandered(which_) = best;
+    return wandered;
+  }
+  /// The quadratic of the parameters of all.
+  ParameterQuadratic IntegrateOut(const ParameterQuadratic& q) const {
+    if (which_.empty()) return q;
+    const auto stiffness = Stiffness(q).llt();
+    const Eigen::MatrixXd across = q.information(which_, Eigen::all);
+    ParameterQuadratic left;
+    left.information = q.information - across.transpose() * stiffness.solve(across);
+    const Eigen::VectorXd own = q.score(which_);
+    left.score = q.score - across.transpose() * stiffness.solve(own);
+    return left;
+  }
+
+ private:
+  Eigen::MatrixXd Stiffness(const ParameterQuadratic& q) const {
+    Eigen::MatrixXd stiffness = q.information(which_, which_);
+    for (std::size_t i = 0; i < which_.size(); ++i) {
+      stiffness(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) += precision_[i];
+    }
+    return stiffness;
+  }
+  std::vector<Eigen::Index> which_;
+  std::vector<double> precision_;
+};
+
+/// The quadratics over parameters themselves, of those over changes of a segment's own.
+std::vector<ParameterQuadratic> Absolute(const std::vector<LinearisedSegment>& linear,
+                                         const MotionEstimate& at) {
+  std::vector<ParameterQuadratic> quadratics;
+  for (std::size_t s = 0; s < linear.size(); ++s) {
+    ParameterQuadratic q = linear[s].quadratic;
+    q.score += q.information * (at.parameters + at.motion[s].wandered);
+    quadratics.push_back(std::move(q));
+  }
+  return quadratics;
+}
+
+void GatherResiduals(const std::vector<LinearisedSegment>& linear, MotionEstimate* estimate) {
+  estimate->residuals.assign(estimate->noise.size(), {});
+  for (const LinearisedSegment& segment : linear) {
+    for (std::size_t c = 0; c < segment.residuals.size(); ++c) {
+      estimate->residuals[c].by_segment.push_back(segment.residuals[c]);
+    }
+  }
+}
+
+/// Moves to the least of the linearised problem; returns the largest change of a parameter.
+double Move(const std::vector<LinearisedSegment>& linear, const Wandering& wandering,
+            const ParameterPrior& prior, MotionEstimate* estimate) {
+  const std::vector<ParameterQuadratic> own = Absolute(linear, *estimate);
+  ParameterQuadratic sum = QuadraticOf(prior);
+  estimate->quadratics.clear();
+  for (const ParameterQuadratic& q : own) {
+    estimate->quadratics.push_back(wandering.IntegrateOut(q));
+    sum.information += estimate->quadratics.back().information;
+    sum.score += estimate->quadratics.back().score;
+  }
+  const Eigen::VectorXd before = estimate->parameters;
+  estimate->parameters = SmallestWithin(sum.information, sum.score, prior.lower, prior.upper);
+  for (std::size_t s = 0; s < linear.size(); ++s) {
+    SegmentMotion& motion = estimate->motion[s];
+    const Eigen::VectorXd wandered = wandering.Best(own[s], estimate->parameters);
+    const Eigen::VectorXd change = estimate->parameters + wandered - before - motion.wandered;
+    const Eigen::VectorXd step = linear[s].step.without - linear[s].step.by_parameter * change;
+    const Eigen::Index numbers = motion.coefficients.cols();
+    for (Eigen::Index i = 0; i < motion.coefficients.rows(); ++i) {
+      motion.coefficients.row(i) += step.segment(i * numbers, numbers).transpose();
+    }
+    motion.wandered = wandered;
+  }
+  return before.size() == 0
+             ? 0
+             : (estimate->parameters - before).cwiseQuotient(prior.sigma).cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+ParameterQuadratic QuadraticOf(const ParameterPrior& prior) {
+  const Eigen::VectorXd precision = prior.sigma.cwiseProduct(prior.sigma).cwiseInverse();
+  return {precision.asDiagonal(), precision.cwiseProduct(prior.documented)};
+}
+
+MotionEstimate StartingEstimate(const MotionProblem& problem, const ParameterPrior& prior) {
+  MotionEstimate start;
+  start.parameters = prior.documented;
+  start.noise = problem.noise;
+  for (const MotionSegment& segment : problem.segments) {
+    start.motion.push_back({segment.start, Eigen::VectorXd::Zero(problem.parameters)});
+  }
+  return start;
+}
+
+MotionEstimate EstimateMotion(const MotionProblem& problem, const ParameterPrior& prior,
+                              MotionEstimate start, const EstimateOptions& options) {
+  MotionEstimate estimate = std::move(start);
+  const Wandering wandering(problem.wander);
+  const int unweighted =
+      options.estimates_noise && estimate.iterations == 0 ? kUnweightedIterations : 0;
+  estimate.converged = false;
+  for (int i = 0; i <= options.most_iterations; ++i) {
+    const auto linear =
+        InParallel<LinearisedSegment>(problem.segments.size(), options.threads, [&](std::size_t s) {
+          return LineariseSegment(problem, s, estimate, {i > unweighted || unweighted == 0});
+        });
+    GatherResiduals(linear, &estimate);
+    if (options.estimates_noise && i >= unweighted) {
+      EstimateNoise(estimate.residuals, &estimate.noise);
+    }
+    const double change = Move(linear, wandering, prior, &estimate);
+    ++estimate.iterations;
+    estimate.converged = i > unweighted + 1 && change < kSettled;
+    if (estimate.converged) break;
+  }
+  return estimate;
+}
+
+}  // namespace tera

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "diagnose/motion/motion_problem.h"
+#include "diagnose/motion/normal_equations.h"
+#include "diagnose/motion/residual_noise.h"
+
+namespace tera {
+
+/// What is known about parameters beforehand: normal about `documented`, within bounds.
+struct ParameterPrior {
+  Eigen::VectorXd documented, sigma, lower, upper;  ///< bounds may be infinite
+};
+
+/// The motion of one segment and the parameters as they are in it.
+struct SegmentMotion {
+  Eigen::MatrixXd coefficients;  ///< one row each, one column for each number
+  Eigen::VectorXd wandered;      ///< the parameters of the segment less those of all
+};
+
+struct MotionEstimate {
+  std::vector<SegmentMotion> motion;
+  Eigen::VectorXd parameters;
+  std::vector<NoiseChannel> noise;
+  /// Of each segment over the parameters of all, its own wandering integrated out.
+  std::vector<ParameterQuadratic> quadratics;
+  std::vector<ChannelResiduals> residuals;  ///< one for each noise channel
+  int iterations = 0;
+  bool converged = false;
+};
+
+struct EstimateOptions {
+  int most_iterations = 12;
+  bool estimates_noise = true;
+  int threads = 1;
+};
+
+/// The estimate with which a problem begins.
+MotionEstimate StartingEstimate(const MotionProblem& problem, const ParameterPrior& prior);
+
+/// Motion and parameters together, from `start` on.
+///
+/// Model   Gauss-Newton; rows are weighted as Student's t has it, from the third iteration of a
+///         first estimate on, and by their channel's inflation. Each segment's motion is eliminated
+///         (NormalEquations), its own wandering of the parameters integrated out, and the sum of
+///         what is left with the prior is least within the bounds. A weak prior on the third
+///         derivatives of the motion carries it over lost rows, another on its place holds what
+///         nothing measures.
+MotionEstimate EstimateMotion(const MotionProblem& problem, const ParameterPrior& prior,
+                              MotionEstimate start, const EstimateOptions& options = {});
+
+/// The parameters' quadratic of a prior.
+ParameterQuadratic QuadraticOf(const ParameterPrior& prior);
+
+}  // namespace tera

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "diagnose/motion/kinematic_chain.h"
+#include "diagnose/motion/uniform_spline.h"
+
+/// What the estimate of a machine's motion is made from: channels with the places of their
+/// parameters, and observations cut into segments.
+
+namespace tera {
+
+/// Numbers of which splines describe the motion: the base's place in W, its roll, pitch and yaw,
+/// then the joints of which the motion is estimated.
+inline constexpr int kBaseNumbers = 6;
+inline constexpr int kRoll = 3, kYaw = 5;
+
+/// The place of parameters that a channel does not have.
+inline constexpr int kNoParameter = -1;
+
+struct UnitChannel {
+  KinematicChain chain;
+  Pose X_LS = Pose::Identity();
+  Vec3 signs = Vec3::Ones();                       ///< of its axes, as documented
+  int bias = kNoParameter, scale = kNoParameter;   ///< the first of six each: rates, then forces
+  int mount = kNoParameter, place = kNoParameter;  ///< of three each
+  int late = kNoParameter;
+  int noise = 0;  ///< the first of its noise channels
+};
+
+/// An antenna; the two of a pair may be turned about the vertical through the middle between them.
+struct ReceiverChannel {
+  KinematicChain chain;
+  Vec3 p_LS_m = Vec3::Zero(), middle_L_m = Vec3::Zero();
+  int place = kNoParameter, datum = kNoParameter, pair_yaw = kNoParameter, late = kNoParameter;
+  int noise = 0;
+};
+
+/// An encoder of one joint: reads scale q + bias.
+struct AxisChannel {
+  int number = kBaseNumbers;  ///< which of the splines it reads
+  int bias = kNoParameter, scale = kNoParameter, late = kNoParameter;
+  int noise = 0;
+};
+
+/// Recorded poses of the base: in a map that is shifted, and turned about a pivot.
+///
+/// Model   p_MB = pivot + R_ML (p_LB - pivot) + shift, R_MB = R_ML R_LB, R_ML the transpose of the
+///         rotation by the three angles `turn`.
+struct MapChannel {
+  Vec3 pivot_m = Vec3::Zero();
+  int shift = kNoParameter, turn = kNoParameter, late = kNoParameter;
+  int noise = 0;
+};
+
+enum class ObservationKind { kImu, kReceiver, kAxis, kPose, kTravel, kStill, kGround };
+
+/// Numbers that were measured over a time, in seconds of their segment's spline.
+///
+/// An inertial unit's are rates and forces; a receiver's a place; an encoder's one angle; a pose's
+/// place and roll, pitch, yaw. Travel is forward and yaw rate of running gear; ground the height,
+/// roll and pitch that a base has on it.
+struct Observation {
+  ObservationKind kind = ObservationKind::kAxis;
+  int channel = 0;
+  double from_s = 0, to_s = 0;
+  Eigen::Matrix<double, 6, 1> value = Eigen::Matrix<double, 6, 1>::Zero();
+};
+
+/// Observations of a part of the recording, whose motion is estimated by itself.
+struct MotionSegment {
+  TimeNs start_ns = 0;  ///< of its spline
+  UniformSpline spline;
+  std::vector<Observation> observations;
+  /// Coefficients, one row each, one column for each number, near enough to the motion to begin
+  /// with.
+  Eigen::MatrixXd start;
+};
+
+/// The noise of one measured number.
+struct NoiseChannel {
+  std::string name, unit;
+  double least = 0;      ///< by the data sheet
+  double at_first = 1;   ///< of residuals of a motion that is roughly known
+  double sigma = 1;      ///< scale of Student's t
+  double inflation = 1;  ///< variance of a mean over that of independent errors
+};
+
+struct MotionProblem {
+  std::vector<std::string> joints;  ///< of which the motion is estimated
+  std::vector<UnitChannel> imus;
+  std::vector<ReceiverChannel> receivers;
+  std::vector<AxisChannel> axes;
+  std::vector<MapChannel> poses;
+  std::vector<NoiseChannel> noise;
+  std::vector<MotionSegment> segments;
+  int parameters = 0;
+  Eigen::VectorXd wander;  ///< by how much each parameter differs from segment to segment, 1 sigma
+
+  int numbers() const { return kBaseNumbers + static_cast<int>(joints.size()); }
+};
+
+}  // namespace tera

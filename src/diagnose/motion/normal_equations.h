@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "diagnose/motion/linearise.h"
+
+namespace tera {
+
+/// A quadratic over the parameters, 1/2 p' `information` p - `score`' p, that a segment's
+/// observations leave where its motion follows the parameters as well as it can.
+struct ParameterQuadratic {
+  Eigen::MatrixXd information;
+  Eigen::VectorXd score;
+
+  double At(const Eigen::VectorXd& p) const { return p.dot(0.5 * (information * p) - score); }
+};
+
+/// The motion's best changes: `without` where the parameters stay, less `by_parameter` times
+/// theirs.
+struct MotionStep {
+  Eigen::VectorXd without;
+  Eigen::MatrixXd by_parameter;
+};
+
+/// Normal equations of the coefficients of one segment's motion and the parameters.
+///
+/// Model   unknowns are ordered by time, so that they form a block-tridiagonal matrix, four
+///         coefficients of all numbers a block; it is solved by blockwise Cholesky.
+class NormalEquations {
+ public:
+  /// As many coefficients as a multiple of four.
+  NormalEquations(int coefficients, int numbers, int parameters);
+
+  /// Adds rows with weights (inverse variances), one for each of the observation's.
+  void Add(const LinearisedObservation& rows, const Eigen::Matrix<double, 6, 1>& weight);
+  /// Adds (sum_i pattern_i c_(first + i), number - target)^2 weight / 2.
+  void AddPrior(int first, int number, const std::vector<double>& pattern, double residual,
+                double weight);
+
+  /// What is left for the parameters, as changes from where the rows were linearised.
+  ParameterQuadratic Reduce(MotionStep* step) const;
+
+ private:
+  int block_, blocks_, numbers_, parameters_;
+  std::vector<Eigen::MatrixXd> pair_;  ///< of a block and the next one
+  Eigen::MatrixXd right_;              ///< coupling to the parameters, then the gradient
+  Eigen::MatrixXd information_;
+  Eigen::VectorXd score_;
+};
+
+}  // namespace tera

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/types/measurement.h"
+#include "diagnose/motion/starting_motion.h"
+
+namespace tera {
+
+/// The mean of consecutive samples of an inertial unit over their true time.
+struct ImuWindow {
+  TimeNs from_ns = 0, to_ns = 0;
+  Vec3 w_S_radps = Vec3::Zero(), f_S_mps2 = Vec3::Zero();
+};
+
+/// The usual time from sample to sample, 0 for fewer than two.
+TimeNs UsualPeriod_ns(const std::vector<TimeNs>& t_ns);
+
+/// Samples, each a mean over the usual period before its stamp, as windows of at most `longest_s`;
+/// a lost row, and a time at which `is_cut` differs, ends a window.
+std::vector<ImuWindow> WindowsOf(const std::vector<ImuSample>& samples, double longest_s,
+                                 const std::function<int(TimeNs)>& segment_of);
+
+/// One running gear's angle over time, and how far it moves the machine for one radian.
+struct GearTrack {
+  TimeSeries angle_rad;
+  double radius_m = 0, left_m = 0;  ///< how far left of the base's middle it runs
+};
+
+/// Travel over times of 0.1 s at least. Gear is still where no angle moves by more than its noise
+/// and quantisation within 0.3 s before and after.
+std::vector<TravelWindow> TravelOf(const std::vector<GearTrack>& gears);
+
+}  // namespace tera

@@ -1,0 +1,290 @@
+#include "diagnose/sensors/judge_groups.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "diagnose/motion/bounded_quadratic.h"
+#include "diagnose/search/fit/steady_gain.h"
+
+namespace tera {
+namespace {
+
+constexpr double kRangeEnd = 0.99;   ///< share of a range beyond which a value is at its end
+constexpr double kRivalP = 0.05;     ///< of a better fit, above which a rival is as good
+constexpr double kRivalShare = 0.5;  ///< of a gain, without which a group is no rival
+constexpr double kCancels = 0.98;    ///< correlation of two numbers whose effects cancel
+constexpr double kWithinSigmas = 3;  ///< from the documented value, to be listed
+constexpr std::size_t kFewestSegments = 3;
+
+using Set = std::vector<int>;
+
+Set With(Set set, int group) {
+  set.push_back(group);
+  return set;
+}
+
+Set Without(Set set, int group) {
+  std::erase(set, group);
+  return set;
+}
+
+bool Has(const Set& set, int group) {
+  return std::find(set.begin(), set.end(), group) != set.end();
+}
+
+class Judge {
+ public:
+  Judge(const ParameterTable& table, const std::vector<ParameterQuadratic>& segments,
+        const JudgeOptions& options)
+      : table_(table), segments_(segments), options_(options) {
+    const auto count = static_cast<Eigen::Index>(table.parameters.size());
+    sum_ = {Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count)};
+    for (const ParameterQuadratic& q : segments) {
+      sum_.information += q.information;
+      sum_.score += q.score;
+    }
+  }
+
+  GroupJudgement Run();
+
+ private:
+  int groups() const { return static_cast<int>(table_.groups.size()); }
+  const ParameterGroup& group(int g) const { return table_.groups[static_cast<std::size_t>(g)]; }
+
+  /// The best parameters with a set free, on all segments but `without`.
+  Eigen::VectorXd Fit(const Set& free, int without = -1) const {
+    const ParameterPrior prior = table_.PriorWith(free);
+    ParameterQuadratic q = QuadraticOf(prior);
+    q.information += sum_.information;
+    q.score += sum_.score;
+    if (without >= 0) {
+      q.information -= segments_[static_cast<std::size_t>(without)].information;
+      q.score -= segments_[static_cast<std::size_t>(without)].score;
+    }
+    return SmallestWithin(q.information, q.score, prior.lower, prior.upper);
+  }
+  std::vector<Eigen::VectorXd> CrossFits(const Set& free) const {
+    std::vector<Eigen::VectorXd> fits;
+    for (std::size_t s = 0; s < segments_.size(); ++s) {
+      fits.push_back(Fit(free, static_cast<int>(s)));
+    }
+    return fits;
+  }
+  /// The gains of one set of cross-fits over another, by segment.
+  std::vector<ManoeuvreGain> Gains(const std::vector<Eigen::VectorXd>& before,
+                                   const std::vector<Eigen::VectorXd>& after) const {
+    std::vector<ManoeuvreGain> gains;
+    for (std::size_t s = 0; s < segments_.size(); ++s) {
+      const Eigen::VectorXd apart = after[s] - before[s];
+      gains.push_back({segments_[s].At(before[s]) - segments_[s].At(after[s]),
+                       0.5 * apart.dot(segments_[s].information * apart)});
+    }
+    return gains;
+  }
+  static double Total(const std::vector<ManoeuvreGain>& gains) {
+    double total = 0;
+    for (const ManoeuvreGain& one : gains) total += one.gain;
+    return total;
+  }
+  double FitOf(const Eigen::VectorXd& parameters) const { return -sum_.At(parameters); }
+
+  std::vector<JudgedParameter> Posterior(const Set& free, int g) const;
+  bool IsAdmissible(const NamedGroup& tried) const;
+  std::vector<int> MostPromising(const Set& named, const Set& candidates, int most) const;
+  bool Grow(Set* set, GroupJudgement* judgement) const;
+  void DropInadmissible(Set* set, GroupJudgement* judgement) const;
+  std::vector<int> RivalsOf(const Set& set, int g) const;
+  void SetAsideCancelling(Set* set, GroupJudgement* judgement) const;
+
+  const ParameterTable& table_;
+  const std::vector<ParameterQuadratic>& segments_;
+  const JudgeOptions& options_;
+  ParameterQuadratic sum_;
+};
+
+std::vector<JudgedParameter> Judge::Posterior(const Set& free, int g) const {
+  const Eigen::VectorXd best = Fit(free);
+  const Eigen::MatrixXd precision = QuadraticOf(table_.PriorWith(free)).information;
+  const auto factor = Eigen::MatrixXd(sum_.information + precision).llt();
+  const int first = group(g).first, count = group(g).count;
+  Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(best.size(), count);
+  for (int i = 0; i < count; ++i) unit(first + i, i) = 1;
+  const Eigen::MatrixXd columns = factor.solve(unit);
+  Eigen::VectorXd scatter = Eigen::VectorXd::Zero(count);
+  for (const ParameterQuadratic& q : segments_) {
+    const Eigen::VectorXd score = q.score - q.information * best;
+    scatter += (columns.transpose() * score).cwiseAbs2();
+  }
+  std::vector<JudgedParameter> judged;
+  for (int i = 0; i < count; ++i) {
+    const SensorParameter& one = table_.parameters[static_cast<std::size_t>(first + i)];
+    JudgedParameter parameter{best[first + i],
+                              std::sqrt(std::max(columns(first + i, i), scatter[i]))};
+    const double off = std::abs(parameter.value - one.documented);
+    parameter.is_beyond = off - options_.confidence_z * parameter.sigma > one.tolerance;
+    judged.push_back(parameter);
+  }
+  return judged;
+}
+
+bool Judge::IsAdmissible(const NamedGroup& tried) const {
+  if (tried.gain <= 0 || tried.p > options_.alpha / groups()) return false;
+  bool is_beyond = false;
+  for (std::size_t i = 0; i < tried.parameters.size(); ++i) {
+    const SensorParameter& one =
+        table_.parameters[static_cast<std::size_t>(group(tried.group).first) + i];
+    const double off = std::abs(tried.parameters[i].value - one.documented);
+    if (off > kRangeEnd * (one.upper - one.documented)) return false;
+    is_beyond = is_beyond || tried.parameters[i].is_beyond;
+  }
+  return is_beyond;
+}
+
+/// The candidates that gain most on all segments, in that order.
+std::vector<int> Judge::MostPromising(const Set& named, const Set& candidates, int most) const {
+  const double before = FitOf(Fit(named));
+  std::vector<std::pair<double, int>> gains;
+  for (const int g : candidates) {
+    gains.emplace_back(FitOf(Fit(With(named, g))) - before, g);
+  }
+  std::stable_sort(gains.begin(), gains.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<int> promising;
+  for (const auto& [gain, g] : gains) {
+    if (static_cast<int>(promising.size()) < most && gain > 1) promising.push_back(g);
+  }
+  return promising;
+}
+
+/// Adds the admissible group with the largest held-out gain; false if there is none.
+bool Judge::Grow(Set* set, GroupJudgement* judgement) const {
+  Set candidates;
+  for (int g = 0; g < groups(); ++g) {
+    if (!Has(*set, g)) candidates.push_back(g);
+  }
+  const auto before = CrossFits(*set);
+  std::optional<NamedGroup> best;
+  for (const int g : MostPromising(*set, candidates, options_.most_tried)) {
+    const auto gains = Gains(before, CrossFits(With(*set, g)));
+    NamedGroup tried{g, Posterior(With(*set, g), g), Total(gains), GainP(gains), {}};
+    if (set->empty()) judgement->p_by_group[static_cast<std::size_t>(g)] = tried.p;
+    if (IsAdmissible(tried) && (!best || tried.gain > best->gain)) best = std::move(tried);
+  }
+  if (!best) return false;
+  set->push_back(best->group);
+  return true;
+}
+
+/// Judges each member beside all others; those that are not needed leave, one at a time.
+void Judge::DropInadmissible(Set* set, GroupJudgement* judgement) const {
+  for (bool dropped = true; dropped;) {
+    dropped = false;
+    judgement->named.clear();
+    const auto after = CrossFits(*set);
+    for (const int g : *set) {
+      const auto gains = Gains(CrossFits(Without(*set, g)), after);
+      judgement->named.push_back({g, Posterior(*set, g), Total(gains), GainP(gains), {}});
+    }
+    for (const NamedGroup& one : judgement->named) {
+      if (IsAdmissible(one)) continue;
+      set->erase(std::find(set->begin(), set->end(), one.group));
+      dropped = true;
+      break;
+    }
+  }
+}
+
+std::vector<int> Judge::RivalsOf(const Set& set, int g) const {
+  const Set others = Without(set, g);
+  const auto base = CrossFits(others), best = CrossFits(set);
+  const double gain = Total(Gains(base, best));
+  Set candidates;
+  for (int h = 0; h < groups(); ++h) {
+    if (!Has(set, h)) candidates.push_back(h);
+  }
+  std::vector<int> rivals;
+  for (const int h : MostPromising(others, candidates, options_.most_tried)) {
+    const auto rival = CrossFits(With(others, h));
+    if (Total(Gains(base, rival)) < kRivalShare * gain) continue;
+    if (GainP(Gains(rival, best)) > kRivalP) rivals.push_back(h);
+  }
+  return rivals;
+}
+
+/// Two named numbers whose effects nearly cancel, and whose sum is within tolerance, prove neither.
+void Judge::SetAsideCancelling(Set* set, GroupJudgement* judgement) const {
+  const Eigen::VectorXd best = Fit(*set);
+  const Eigen::MatrixXd precision = QuadraticOf(table_.PriorWith(*set)).information;
+  const Eigen::MatrixXd covariance =
+      Eigen::MatrixXd(sum_.information + precision)
+          .llt()
+          .solve(Eigen::MatrixXd::Identity(best.size(), best.size()));
+  for (std::size_t a = 0; a < set->size(); ++a) {
+    for (std::size_t b = a + 1; b < set->size(); ++b) {
+      const ParameterGroup &first = group((*set)[a]), &second = group((*set)[b]);
+      if (first.count != second.count) continue;
+      bool cancels = true;
+      for (int i = 0; i < first.count; ++i) {
+        const int j = first.first + i, k = second.first + i;
+        const double correlation =
+            covariance(j, k) / std::sqrt(covariance(j, j) * covariance(k, k));
+        const SensorParameter &one = table_.parameters[static_cast<std::size_t>(j)],
+                              &other = table_.parameters[static_cast<std::size_t>(k)];
+        const double sign = correlation > 0 ? -1 : 1;
+        const double together = best[j] - one.documented + sign * (best[k] - other.documented);
+        cancels = cancels && std::abs(correlation) > kCancels &&
+                  std::abs(together) < one.tolerance + other.tolerance;
+      }
+      if (!cancels) continue;
+      judgement->not_told_apart.push_back({(*set)[a], (*set)[b]});
+    }
+  }
+  for (const auto& pair : judgement->not_told_apart) {
+    for (const int g : pair) {
+      std::erase(*set, g);
+      std::erase_if(judgement->named, [&](const NamedGroup& one) { return one.group == g; });
+    }
+  }
+}
+
+GroupJudgement Judge::Run() {
+  GroupJudgement judgement;
+  judgement.p_by_group.assign(table_.groups.size(), 1);
+  Set set;
+  if (segments_.size() >= kFewestSegments) {
+    while (static_cast<int>(set.size()) < options_.most_named && Grow(&set, &judgement)) {
+    }
+  }
+  DropInadmissible(&set, &judgement);
+  SetAsideCancelling(&set, &judgement);
+  for (NamedGroup& one : judgement.named) one.rivals = RivalsOf(set, one.group);
+  for (int g = 0; g < groups(); ++g) {
+    judgement.by_group.push_back(Posterior(Has(set, g) ? set : With(set, g), g));
+    if (Has(set, g)) continue;
+    bool is_testable = false, is_off = false, is_beyond = false;
+    for (int i = 0; i < group(g).count; ++i) {
+      const SensorParameter& one = table_.parameters[static_cast<std::size_t>(group(g).first + i)];
+      const JudgedParameter& judged = judgement.by_group.back()[static_cast<std::size_t>(i)];
+      const double off = std::abs(judged.value - one.documented);
+      is_testable = is_testable || judged.sigma < one.tolerance;
+      is_off = is_off || off > kWithinSigmas * judged.sigma;
+      is_beyond = is_beyond || judged.is_beyond;
+    }
+    if (!is_testable) judgement.untestable.push_back(g);
+    if (is_testable && is_off && !is_beyond) judgement.within.push_back(g);
+  }
+  judgement.parameters = Fit(set);
+  return judgement;
+}
+
+}  // namespace
+
+GroupJudgement JudgeGroups(const ParameterTable& table,
+                           const std::vector<ParameterQuadratic>& segments,
+                           const JudgeOptions& options) {
+  return Judge(table, segments, options).Run();
+}
+
+}  // namespace tera

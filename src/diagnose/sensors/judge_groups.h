@@ -1,0 +1,62 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnose/sensors/sensor_parameters.h"
+
+namespace tera {
+
+struct JudgeOptions {
+  double alpha = 0.01;  ///< for all groups together
+  int most_named = 4;
+  double confidence_z = 1.645;  ///< of 95 % on one side
+  int most_tried = 8;           ///< groups that are judged on held-out segments at each step
+};
+
+/// A number with what the data say of it where its group is free.
+struct JudgedParameter {
+  double value = 0, sigma = 0;  ///< in SI units
+  bool is_beyond = false;       ///< its tolerance, with 95 %
+};
+
+/// A group that is named: nothing within the tolerances of all others explains the recording as
+/// well.
+struct NamedGroup {
+  int group = 0;
+  std::vector<JudgedParameter> parameters;
+  double gain = 0;          ///< of log-likelihood on segments that it was not fitted to
+  double p = 1;             ///< of as steady a gain by chance
+  std::vector<int> rivals;  ///< groups in whose place it is not significantly better
+};
+
+struct GroupJudgement {
+  std::vector<NamedGroup> named;
+  std::vector<std::vector<int>>
+      not_told_apart;           ///< groups whose effects cancel, none of them named
+  std::vector<int> within;      ///< differ from the documented, within tolerance
+  std::vector<int> untestable;  ///< their error exceeds their tolerance
+  std::vector<std::vector<JudgedParameter>> by_group;  ///< each where it alone is free
+  std::vector<double> p_by_group;                      ///< of those tried at the first step, else 1
+  Eigen::VectorXd parameters;                          ///< best with the named free
+};
+
+/// Which groups lie beyond their tolerance.
+///
+/// Model   each segment is a quadratic over the parameters. A group is tried by the gain, on each
+///         segment, of parameters that all other segments fit best with the group free over those
+///         with it and all others within tolerance (SmallestWithin); GainP over segments judges how
+///         steady it is. A tolerance is a bound: a prior alone would give way to the data, and
+///         what is far off would then gain nothing from being free. A group is admissible where p
+///         is small enough for as many groups, one of its numbers lies beyond its tolerance with
+///         95 %, and none is at the end of its range. That with the largest gain enters; named ones
+///         that are no longer admissible leave. Errors are the larger of the posterior's and of
+///         those by the scatter of the segments' scores.
+/// Omits   what is not quadratic: linearise again where much was named.
+/// Source  Ibragimov and Mueller 2010; White 1982, "Maximum likelihood estimation of misspecified
+///         models", on the scatter of scores.
+GroupJudgement JudgeGroups(const ParameterTable& table,
+                           const std::vector<ParameterQuadratic>& segments,
+                           const JudgeOptions& options = {});
+
+}  // namespace tera

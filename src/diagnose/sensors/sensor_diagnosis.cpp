@@ -1,0 +1,147 @@
+#include "diagnose/sensors/sensor_diagnosis.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tera {
+namespace {
+
+constexpr int kRounds = 2;  ///< of linearising with what was named free
+
+std::string NameOf(const ParameterGroup& group) { return group.target + "/" + group.mechanism; }
+
+SensorFinding FindingOf(const ParameterTable& table, int g,
+                        const std::vector<JudgedParameter>& judged) {
+  const ParameterGroup& group = table.groups[static_cast<std::size_t>(g)];
+  SensorFinding finding{group.target, group.mechanism, {}, 0, 1, {}};
+  for (std::size_t i = 0; i < judged.size(); ++i) {
+    const SensorParameter& one = table.parameters[static_cast<std::size_t>(group.first) + i];
+    finding.numbers.push_back({one.name, one.unit, judged[i].value / one.si_per_unit,
+                               judged[i].sigma / one.si_per_unit, one.documented / one.si_per_unit,
+                               one.tolerance / one.si_per_unit, judged[i].is_beyond});
+  }
+  return finding;
+}
+
+std::vector<int> NamedOf(const GroupJudgement& judgement) {
+  std::vector<int> named;
+  for (const NamedGroup& one : judgement.named) named.push_back(one.group);
+  return named;
+}
+
+double RmsOf(const ChannelResiduals& residuals) {
+  double square = 0, count = 0;
+  for (const auto& segment : residuals.by_segment) {
+    for (const double r : segment) square += r * r, ++count;
+  }
+  return count > 0 ? std::sqrt(square / count) : 0;
+}
+
+std::vector<EstimatedMotion> MotionOf(const MotionProblem& problem,
+                                      const MotionEstimate& estimate) {
+  std::vector<EstimatedMotion> motion;
+  for (std::size_t s = 0; s < problem.segments.size(); ++s) {
+    const MotionSegment& segment = problem.segments[s];
+    EstimatedMotion one;
+    one.spline_start_ns = one.start_ns = segment.start_ns;
+    one.end_ns = segment.start_ns + FromSeconds(segment.spline.end_s());
+    one.spline = segment.spline;
+    one.coefficients = estimate.motion[s].coefficients;
+    motion.push_back(std::move(one));
+  }
+  for (std::size_t s = 1; s < motion.size(); ++s) {
+    const TimeNs between_ns = (motion[s - 1].end_ns + motion[s].start_ns) / 2;
+    motion[s - 1].end_ns = motion[s].start_ns = between_ns;
+  }
+  return motion;
+}
+
+void Report(const SensorProblem& problem, const GroupJudgement& judgement,
+            SensorDiagnosis* diagnosis) {
+  const ParameterTable& table = problem.table;
+  const auto name = [&](int g) { return NameOf(table.groups[static_cast<std::size_t>(g)]); };
+  for (const NamedGroup& one : judgement.named) {
+    SensorFinding finding = FindingOf(table, one.group, one.parameters);
+    finding.gain = one.gain;
+    finding.p = one.p;
+    for (const int g : one.rivals) finding.rivals.push_back(name(g));
+    diagnosis->findings.push_back(std::move(finding));
+  }
+  std::stable_sort(diagnosis->findings.begin(), diagnosis->findings.end(),
+                   [](const auto& a, const auto& b) { return a.gain > b.gain; });
+  const auto list = [&](const std::vector<int>& groups, std::vector<SensorFinding>* out) {
+    for (const int g : groups) {
+      out->push_back(FindingOf(table, g, judgement.by_group[static_cast<std::size_t>(g)]));
+    }
+  };
+  list(judgement.within, &diagnosis->within_tolerance);
+  list(judgement.untestable, &diagnosis->untestable);
+  for (const auto& groups : judgement.not_told_apart) {
+    diagnosis->not_told_apart.emplace_back();
+    for (const int g : groups) diagnosis->not_told_apart.back().push_back(name(g));
+  }
+}
+
+}  // namespace
+
+Pose EstimatedMotion::BaseAt(TimeNs t_ns) const {
+  const SplineWeights weights = spline.At(ToSeconds(t_ns - spline_start_ns));
+  const Eigen::VectorXd at = coefficients.middleRows(weights.first, 4).transpose() *
+                             weights.by_derivative.row(0).head(4).transpose();
+  return MakePose(at.head<3>(), at[kRoll], at[kRoll + 1], at[kYaw]);
+}
+
+double EstimatedMotion::JointAt(TimeNs t_ns, std::size_t joint) const {
+  const SplineWeights weights = spline.At(ToSeconds(t_ns - spline_start_ns));
+  return weights.by_derivative.row(0).head(4).dot(
+      coefficients.col(kBaseNumbers + static_cast<Eigen::Index>(joint)).segment(weights.first, 4));
+}
+
+SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements& measured,
+                                const SensorDiagnosisOptions& options, StageClock* clock) {
+  const SensorProblem problem = clock->Time("sensors: problem", [&] {
+    return MakeSensorProblem(input, measured, options.place, options.tolerances);
+  });
+  SensorDiagnosis diagnosis;
+  diagnosis.joints = problem.motion.joints;
+  diagnosis.not_compared = problem.not_compared;
+  if (problem.motion.imus.empty() && problem.motion.receivers.empty()) return diagnosis;
+  EstimateOptions estimate_options{.threads = options.threads};
+  const ParameterPrior wide = problem.table.FlexiblePrior();
+  const MotionEstimate flexible = clock->Time("sensors: motion", [&] {
+    return EstimateMotion(problem.motion, wide, StartingEstimate(problem.motion, wide),
+                          estimate_options);
+  });
+  diagnosis.iterations = flexible.iterations;
+  GroupJudgement judgement = clock->Time("sensors: judging", [&] {
+    return JudgeGroups(problem.table, flexible.quadratics, options.judge);
+  });
+  estimate_options.estimates_noise = false;
+  estimate_options.most_iterations = 4;
+  const auto with_free = [&](const std::vector<int>& free) {
+    return clock->Time("sensors: motion again", [&] {
+      const ParameterPrior prior = problem.table.PriorWith(free);
+      return EstimateMotion(problem.motion, prior, flexible, estimate_options);
+    });
+  };
+  const MotionEstimate before = with_free({});
+  MotionEstimate after = before;
+  for (int round = 0; round < kRounds && !judgement.named.empty(); ++round) {
+    const std::vector<int> named = NamedOf(judgement);
+    after = with_free(named);
+    judgement = clock->Time("sensors: judging", [&] {
+      return JudgeGroups(problem.table, after.quadratics, options.judge);
+    });
+    if (NamedOf(judgement) == named) break;
+  }
+  for (std::size_t c = 0; c < flexible.noise.size(); ++c) {
+    const NoiseChannel& channel = flexible.noise[c];
+    diagnosis.channels.push_back({channel.name, channel.unit, channel.sigma, channel.inflation,
+                                  RmsOf(before.residuals[c]), RmsOf(after.residuals[c])});
+  }
+  diagnosis.motion = MotionOf(problem.motion, after);
+  Report(problem, judgement, &diagnosis);
+  return diagnosis;
+}
+
+}  // namespace tera

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/stage_clock.h"
+#include "diagnose/sensors/judge_groups.h"
+#include "diagnose/sensors/sensor_problem.h"
+
+namespace tera {
+
+struct SensorDiagnosisOptions {
+  SensorTolerances tolerances;
+  KnownPlace place;
+  JudgeOptions judge;
+  int threads = 1;
+};
+
+/// A number of a mechanism in the mechanism's own unit.
+struct FoundNumber {
+  std::string name, unit;
+  double value = 0, sigma = 0, documented = 0, tolerance = 0;
+  bool is_beyond = false;
+};
+
+/// One mechanism of one target with its numbers.
+struct SensorFinding {
+  std::string target, mechanism;
+  std::vector<FoundNumber> numbers;
+  double gain = 0, p = 1;
+  /// "target/mechanism" of what is not told apart from it.
+  std::vector<std::string> rivals;
+};
+
+/// One measured number over the whole recording.
+struct ChannelError {
+  std::string name, unit;
+  double noise = 0, inflation = 1;
+  double rms_before = 0, rms_after = 0;  ///< with nothing free, with what was named free
+};
+
+/// The motion of a part of the recording.
+struct EstimatedMotion {
+  TimeNs start_ns = 0, end_ns = 0;  ///< of what was observed
+  TimeNs spline_start_ns = 0;
+  UniformSpline spline;
+  Eigen::MatrixXd coefficients;
+
+  Pose BaseAt(TimeNs t_ns) const;
+  /// The position of one of SensorDiagnosis::joints.
+  double JointAt(TimeNs t_ns, std::size_t joint) const;
+};
+
+/// What the sensors of a machine, compared with each other and with the motion that they all imply,
+/// say about themselves.
+struct SensorDiagnosis {
+  std::vector<SensorFinding> findings;
+  std::vector<SensorFinding> within_tolerance, untestable;
+  std::vector<std::vector<std::string>> not_told_apart;  ///< "target/mechanism"
+  std::vector<ChannelError> channels;
+  std::vector<std::string> joints;
+  std::vector<EstimatedMotion> motion;  ///< in the order of time
+  std::vector<std::string> not_compared;
+  int iterations = 0;
+};
+
+/// Estimates motion and parameters of all sensors together, and judges which of them lie beyond
+/// their tolerances.
+///
+/// Model   first everything is fitted under a wide prior: that gives the noise, which is thereby of
+///         no narrower model than any judged, and a point about which all is linearised. Groups are
+///         judged there (JudgeGroups), everything is linearised again with the named ones free, and
+///         judged once more.
+SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements& measured,
+                                const SensorDiagnosisOptions& options, StageClock* clock);
+
+}  // namespace tera

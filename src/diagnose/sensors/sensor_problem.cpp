@@ -1,0 +1,403 @@
+#include "diagnose/sensors/sensor_problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "diagnose/blocks/measured_poses.h"
+#include "diagnose/motion/reduce_samples.h"
+#include "sensors/encoder/encoder_errors.h"
+#include "sensors/slots/effect_numbers.h"
+
+namespace tera {
+namespace {
+
+constexpr double kStep_s = 0.1;    ///< of the splines
+constexpr double kMargin_s = 0.5;  ///< of a segment's spline, for what is late or early
+constexpr double kSegment_s = 10, kShortestSegment_s = 4;
+constexpr double kFewestSegments = 8;
+constexpr double kImuWindow_s = 0.05;
+constexpr double kGroundEvery_s = 0.5;
+
+double RoundingSigma(double step) { return step / std::sqrt(12.0); }
+
+/// Puts channels, parameters and observations together.
+class Builder {
+ public:
+  Builder(const DiagnosisInput& input, const Measurements& measured, const KnownPlace& place,
+          const SensorTolerances& tolerances)
+      : input_(input), measured_(measured), place_(place), tolerances_(tolerances) {}
+
+  SensorProblem Build() {
+    ChooseJoints();
+    CutSegments();
+    AddEncoders();
+    AddUnits();
+    AddReceivers();
+    AddPoses();
+    AddGears();
+    SetStart();
+    problem_.motion.parameters = static_cast<int>(problem_.table.parameters.size());
+    problem_.motion.wander = problem_.table.Wander();
+    return std::move(problem_);
+  }
+
+ private:
+  void ChooseJoints();
+  void CutSegments();
+  void AddEncoders();
+  void AddAxis(const NamedEncoders& named, const SensorDescription* sensor, std::size_t axis,
+               std::size_t joint, int late);
+  void AddUnits();
+  void AddReceivers();
+  void AddReceiver(std::size_t sensor, const KinematicChain& chain);
+  void SharePairYaw();
+  void AddPoses();
+  void AddGears();
+  void AddTravel();
+  void SetStart();
+
+  const MachineModel& model() const { return *input_.model; }
+  MotionProblem& motion() { return problem_.motion; }
+  double Seconds(TimeNs t_ns) const { return ToSeconds(t_ns - problem_.start_ns); }
+  int SegmentOf(TimeNs t_ns) const {
+    const double at = std::floor(Seconds(t_ns) / segment_s_);
+    return at < 0 || at >= static_cast<double>(problem_.motion.segments.size())
+               ? -1
+               : static_cast<int>(at);
+  }
+  /// Adds an observation to the segment of its end.
+  void Observe(ObservationKind kind, std::size_t channel, TimeNs from_ns, TimeNs to_ns,
+               const Eigen::Matrix<double, 6, 1>& value);
+  int AddNoise(const std::string& name, const std::string& unit, double least, double at_first) {
+    motion().noise.push_back({name, unit, least, at_first, at_first});
+    return static_cast<int>(motion().noise.size()) - 1;
+  }
+  const SensorDescription* SensorOf(const NamedEncoders& named) const;
+
+  const DiagnosisInput& input_;
+  const Measurements& measured_;
+  const KnownPlace& place_;
+  const SensorTolerances& tolerances_;
+  SensorProblem problem_;
+  double segment_s_ = kSegment_s;
+  std::vector<int> places_;  ///< of the model's joints among the estimated ones
+  std::vector<std::size_t> joints_;
+  RoughSources rough_;
+};
+
+void Builder::Observe(ObservationKind kind, std::size_t channel, TimeNs from_ns, TimeNs to_ns,
+                      const Eigen::Matrix<double, 6, 1>& value) {
+  const int s = SegmentOf(to_ns);
+  if (s < 0) return;
+  MotionSegment& segment = motion().segments[static_cast<std::size_t>(s)];
+  segment.observations.push_back({kind, static_cast<int>(channel),
+                                  ToSeconds(from_ns - segment.start_ns),
+                                  ToSeconds(to_ns - segment.start_ns), value});
+}
+
+const SensorDescription* Builder::SensorOf(const NamedEncoders& named) const {
+  for (const SensorDescription& sensor : input_.sensors) {
+    if (named.channel == input_.machine + "/" + sensor.name) return &sensor;
+  }
+  return nullptr;
+}
+
+void Builder::ChooseJoints() {
+  std::vector<bool> is_on_way(model().joints.size(), false);
+  for (std::size_t s = 0; s < input_.sensors.size(); ++s) {
+    if (measured_.imus[s].empty() && measured_.gnss[s].empty()) continue;
+    for (int link = model().LinkIndex(input_.sensors[s].link); link > 0;
+         link = model().joints[static_cast<std::size_t>(link) - 1].parent) {
+      is_on_way[static_cast<std::size_t>(link) - 1] = true;
+    }
+  }
+  const auto can_move = [&](std::size_t j) {
+    const auto has_lever = [&](const Lever& lever) { return lever.joint == static_cast<int>(j); };
+    if (std::any_of(model().levers.begin(), model().levers.end(), has_lever)) return true;
+    return std::any_of(measured_.encoders.begin(), measured_.encoders.end(), [&](const auto& one) {
+      const auto& axes = one.recording.axes;
+      return std::any_of(axes.begin(), axes.end(), [&](const EncoderAxis& axis) {
+        return axis.name == model().joints[j].name;
+      });
+    });
+  };
+  places_.assign(model().joints.size(), -1);
+  for (std::size_t j = 0; j < model().joints.size(); ++j) {
+    if (!is_on_way[j] || model().joints[j].type == JointType::kFixed || !can_move(j)) continue;
+    places_[j] = static_cast<int>(joints_.size());
+    joints_.push_back(j);
+    motion().joints.push_back(model().joints[j].name);
+  }
+  rough_.joints.resize(joints_.size());
+}
+
+void Builder::CutSegments() {
+  TimeNs start_ns = std::numeric_limits<TimeNs>::max(), end_ns = 0;
+  const auto widen = [&](const auto& samples) {
+    if (samples.empty()) return;
+    start_ns = std::min(start_ns, samples.front().t_ns);
+    end_ns = std::max(end_ns, samples.back().t_ns);
+  };
+  for (const NamedEncoders& named : measured_.encoders) widen(named.recording.samples);
+  for (const auto& samples : measured_.imus) widen(samples);
+  if (end_ns == 0) {
+    for (const auto& samples : measured_.gnss) widen(samples);
+  }
+  if (end_ns <= start_ns) return;
+  problem_.start_ns = start_ns;
+  const double length_s = ToSeconds(end_ns - start_ns) + 1e-6;
+  const double wanted_s = std::clamp(length_s / kFewestSegments, kShortestSegment_s, kSegment_s);
+  const auto count = std::max(1.0, std::round(length_s / wanted_s));
+  segment_s_ = length_s / count;
+  const int needed = static_cast<int>(std::ceil((segment_s_ + 2 * kMargin_s) / kStep_s)) + 3;
+  for (int s = 0; s < static_cast<int>(count); ++s) {
+    MotionSegment segment;
+    segment.start_ns = start_ns + FromSeconds(s * segment_s_ - kMargin_s);
+    segment.spline = {kStep_s, (needed + 3) / 4 * 4};
+    motion().segments.push_back(std::move(segment));
+  }
+}
+
+void Builder::AddEncoders() {
+  for (const NamedEncoders& named : measured_.encoders) {
+    const SensorDescription* sensor = SensorOf(named);
+    const auto& axes = named.recording.axes;
+    int late = kNoParameter;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      const int j = model().JointIndex(axes[i].name);
+      if (j < 0 || places_[static_cast<std::size_t>(j)] < 0) continue;
+      const std::string target = sensor ? sensor->name : named.channel;
+      if (late < 0) {
+        late = AddEncoderDelay(target, sensor ? sensor->effects : Effects{}, tolerances_,
+                               &problem_.table);
+      }
+      AddAxis(named, sensor, i, static_cast<std::size_t>(j), late);
+    }
+  }
+}
+
+void Builder::AddAxis(const NamedEncoders& named, const SensorDescription* sensor, std::size_t axis,
+                      std::size_t joint, int late) {
+  const std::string& name = named.recording.axes[axis].name;
+  const bool slides = model().joints[joint].type == JointType::kPrismatic;
+  AxisChannel channel;
+  channel.number = kBaseNumbers + places_[joint];
+  channel.late = late;
+  Effects effects;
+  double least = 1e-5;
+  if (sensor) {
+    const auto own = sensor->axis_effects.find(name);
+    effects =
+        EffectsOfAxis(sensor->effects, own == sensor->axis_effects.end() ? Effects{} : own->second);
+    const auto& encoder = std::get<EncoderModel>(sensor->model);
+    least = slides ? std::hypot(encoder.noise_m, RoundingSigma(encoder.resolution_m))
+                   : std::hypot(encoder.noise_rad, RoundingSigma(encoder.resolution_rad));
+    least = std::max(least, 1e-5);
+  }
+  AddAxisParameters((sensor ? sensor->name : named.channel) + "/" + name, effects, slides,
+                    tolerances_, &problem_.table, &channel);
+  channel.noise = AddNoise(named.channel + "/" + name + (slides ? "_m" : "_rad"),
+                           slides ? "m" : "rad", least, 0.01);
+  motion().axes.push_back(channel);
+  TimeSeries& rough = rough_.joints[static_cast<std::size_t>(places_[joint])];
+  const bool is_first = rough.empty();
+  for (const EncoderSample& sample : named.recording.samples) {
+    Eigen::Matrix<double, 6, 1> value = Eigen::Matrix<double, 6, 1>::Zero();
+    value[0] = sample.q_rad[axis];
+    Observe(ObservationKind::kAxis, motion().axes.size() - 1, sample.t_ns, sample.t_ns, value);
+    if (!is_first) continue;
+    rough.t_s.push_back(Seconds(sample.t_ns));
+    rough.value.push_back(sample.q_rad[axis]);
+  }
+}
+
+void Builder::AddUnits() {
+  for (std::size_t s = 0; s < input_.sensors.size(); ++s) {
+    const SensorDescription& sensor = input_.sensors[s];
+    const std::vector<ImuSample>& samples = measured_.imus[s];
+    const int link = model().LinkIndex(sensor.link);
+    if (samples.size() < 2 || link < 0) continue;
+    const auto chain = ChainTo(model(), link, places_);
+    if (!chain) {
+      problem_.not_compared.push_back(sensor.name + ": too many joints between it and the base");
+      continue;
+    }
+    UnitChannel channel{*chain, sensor.X_BS};
+    AddImuParameters(sensor, tolerances_, &problem_.table, &channel);
+    const auto& imu = std::get<ImuModel>(sensor.model);
+    const double root_s = std::sqrt(kImuWindow_s);
+    const std::string name = input_.machine + "/" + sensor.name + "/";
+    for (int i = 0; i < 6; ++i) {
+      const bool is_rate = i < 3;
+      const double density =
+          is_rate ? imu.gyro_noise_density_radpsrthz : imu.accel_noise_density_mps2rthz;
+      const int noise = AddNoise(
+          name + (is_rate ? "w" : "a") + std::string(1, "xyz"[i % 3]), is_rate ? "rad/s" : "m/s^2",
+          std::max(density / root_s, is_rate ? 1e-5 : 1e-4), is_rate ? 0.05 : 0.5);
+      if (i == 0) channel.noise = noise;
+    }
+    motion().imus.push_back(channel);
+    for (const ImuWindow& window :
+         WindowsOf(samples, kImuWindow_s, [&](TimeNs t_ns) { return SegmentOf(t_ns); })) {
+      Eigen::Matrix<double, 6, 1> value;
+      value << window.w_S_radps, window.f_S_mps2;
+      Observe(ObservationKind::kImu, motion().imus.size() - 1, window.from_ns, window.to_ns, value);
+    }
+  }
+}
+
+/// Whether a fix is as good as documented.
+bool IsGood(GnssFix fix, GnssFix documented) {
+  const auto rank = [](GnssFix one) {
+    return one == GnssFix::kRtkFixed ? 4 : one == GnssFix::kRtkFloat ? 3 : static_cast<int>(one);
+  };
+  return fix != GnssFix::kNone && rank(fix) >= rank(documented);
+}
+
+void Builder::AddReceivers() {
+  for (std::size_t s = 0; s < input_.sensors.size(); ++s) {
+    const int link = model().LinkIndex(input_.sensors[s].link);
+    if (measured_.gnss[s].size() < 2 || link < 0) continue;
+    const auto chain = ChainTo(model(), link, places_);
+    if (chain) AddReceiver(s, *chain);
+  }
+  SharePairYaw();
+}
+
+void Builder::AddReceiver(std::size_t sensor, const KinematicChain& chain) {
+  const SensorDescription& receiver = input_.sensors[sensor];
+  const auto& model = std::get<GnssModel>(receiver.model);
+  ReceiverChannel channel{chain, receiver.X_BS.translation(), receiver.X_BS.translation()};
+  AddReceiverParameters(receiver, tolerances_, &problem_.table, &channel);
+  const std::string name = input_.machine + "/" + receiver.name + "/";
+  channel.noise = AddNoise(name + "east_m", "m", std::max(model.white_horizontal_m, 1e-3), 0.1);
+  AddNoise(name + "north_m", "m", std::max(model.white_horizontal_m, 1e-3), 0.1);
+  AddNoise(name + "up_m", "m", std::max(model.white_vertical_m, 1e-3), 0.2);
+  motion().receivers.push_back(channel);
+  AntennaTrack track{chain, receiver.X_BS.translation(), {}, {}};
+  for (const GnssSample& sample : measured_.gnss[sensor]) {
+    if (!IsGood(sample.fix, model.fix)) continue;
+    Eigen::Matrix<double, 6, 1> value = Eigen::Matrix<double, 6, 1>::Zero();
+    value.head<3>() = sample.enu_m;
+    Observe(ObservationKind::kReceiver, motion().receivers.size() - 1, sample.t_ns, sample.t_ns,
+            value);
+    track.t_s.push_back(Seconds(sample.t_ns));
+    track.p_W_m.push_back(sample.enu_m);
+  }
+  if (!track.t_s.empty()) rough_.antennas.push_back(std::move(track));
+}
+
+void Builder::SharePairYaw() {
+  std::vector<const SensorDescription*> pair;
+  for (std::size_t s = 0; s < input_.sensors.size(); ++s) {
+    if (measured_.gnss[s].size() >= 2) pair.push_back(&input_.sensors[s]);
+  }
+  if (pair.size() != 2 || motion().receivers.size() != 2 || pair[0]->link != pair[1]->link) return;
+  const int yaw = AddPairYaw(*pair[0], tolerances_, &problem_.table);
+  for (ReceiverChannel& channel : motion().receivers) {
+    channel.pair_yaw = yaw;
+    channel.middle_L_m = (pair[0]->X_BS.translation() + pair[1]->X_BS.translation()) / 2;
+  }
+}
+
+void Builder::AddPoses() {
+  if (measured_.poses.empty()) return;
+  MapChannel channel;
+  channel.pivot_m = measured_.poses.front().X_WB.translation();
+  AddPoseParameters(tolerances_, &problem_.table, &channel);
+  const std::string name = input_.machine + "/" + std::string(kPoses) + "/";
+  for (int i = 0; i < 6; ++i) {
+    const bool is_place = i < 3;
+    const int noise =
+        AddNoise(name + (is_place ? std::string(1, "xyz"[i]) : "r" + std::string(1, "xyz"[i % 3])),
+                 is_place ? "m" : "rad", is_place ? 1e-3 : 1e-4, is_place ? 0.1 : 0.05);
+    if (i == 0) channel.noise = noise;
+  }
+  motion().poses.push_back(channel);
+  for (const TruthPose& pose : measured_.poses) {
+    Eigen::Matrix<double, 6, 1> value;
+    value << pose.X_WB.translation(), RpyFromRotation(pose.X_WB.linear());
+    Observe(ObservationKind::kPose, 0, pose.t_ns, pose.t_ns, value);
+    rough_.poses_t_s.push_back(Seconds(pose.t_ns));
+    rough_.poses.push_back(pose.X_WB);
+  }
+}
+
+void Builder::AddGears() {
+  const auto& gears = model().ground_tools.gears;
+  std::vector<GearTrack> tracks;
+  for (const NamedEncoders& named : measured_.encoders) {
+    for (std::size_t i = 0; i < named.recording.axes.size(); ++i) {
+      for (std::size_t g = 0; g < gears.size(); ++g) {
+        if (gears[g].name != named.recording.axes[i].name) continue;
+        GearTrack track{{}, gears[g].ShoeRadius_m(), LeftOfRoot_m(model(), g)};
+        for (const EncoderSample& sample : named.recording.samples) {
+          track.angle_rad.t_s.push_back(Seconds(sample.t_ns));
+          track.angle_rad.value.push_back(sample.q_rad[i]);
+        }
+        tracks.push_back(std::move(track));
+      }
+    }
+  }
+  if (!gears.empty() && tracks.size() == gears.size()) rough_.travel = TravelOf(tracks);
+  AddTravel();
+}
+
+void Builder::AddTravel() {
+  const auto at_ns = [&](double t_s) { return problem_.start_ns + FromSeconds(t_s); };
+  Eigen::Matrix<double, 6, 1> value = Eigen::Matrix<double, 6, 1>::Zero();
+  for (const TravelWindow& window : rough_.travel) {
+    value[0] = window.forward_mps;
+    value[1] = window.turning_radps;
+    Observe(window.is_still ? ObservationKind::kStill : ObservationKind::kTravel, 0,
+            at_ns(window.from_s), at_ns(window.to_s), value);
+  }
+  if (!model().fixed_base) return;
+  value.setZero();
+  for (std::size_t s = 0; s < motion().segments.size(); ++s) {
+    for (double t_s = 0; t_s < segment_s_; t_s += kStep_s) {
+      const TimeNs t_ns = at_ns(static_cast<double>(s) * segment_s_ + t_s);
+      Observe(ObservationKind::kStill, 0, t_ns, t_ns, value);
+    }
+  }
+}
+
+void Builder::SetStart() {
+  rough_.start = place_.start;
+  rough_.ground = place_.ground;
+  const auto base = RoughBase(rough_);
+  for (std::size_t s = 0; s < motion().segments.size(); ++s) {
+    MotionSegment& segment = motion().segments[s];
+    segment.start.resize(segment.spline.coefficients, motion().numbers());
+    const double start_s = Seconds(segment.start_ns);
+    for (int i = 0; i < segment.spline.coefficients; ++i) {
+      const double t_s = start_s + (i - 1) * kStep_s;
+      for (std::size_t n = 0; n < base.size(); ++n) {
+        segment.start(i, static_cast<Eigen::Index>(n)) = base[n].At(t_s);
+      }
+      for (std::size_t j = 0; j < joints_.size(); ++j) {
+        segment.start(i, kBaseNumbers + static_cast<Eigen::Index>(j)) =
+            rough_.joints[j].empty() ? model().joints[joints_[j]].initial_rad
+                                     : rough_.joints[j].At(t_s);
+      }
+    }
+    if (!place_.ground) continue;
+    for (double t_s = kMargin_s; t_s < kMargin_s + segment_s_; t_s += kGroundEvery_s) {
+      const double at_s = start_s + t_s;
+      Eigen::Matrix<double, 6, 1> value = Eigen::Matrix<double, 6, 1>::Zero();
+      value.head<3>() =
+          OnGround(place_.ground, base[0].At(at_s), base[1].At(at_s), base[kYaw].At(at_s));
+      segment.observations.push_back({ObservationKind::kGround, 0, t_s, t_s, value});
+    }
+  }
+}
+
+}  // namespace
+
+SensorProblem MakeSensorProblem(const DiagnosisInput& input, const Measurements& measured,
+                                const KnownPlace& place, const SensorTolerances& tolerances) {
+  return Builder(input, measured, place, tolerances).Build();
+}
+
+}  // namespace tera
