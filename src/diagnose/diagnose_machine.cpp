@@ -124,6 +124,15 @@ bool IsOutOfTime(const std::vector<DiagnosedBlock>& blocks) {
   });
 }
 
+SensorDiagnosisOptions SensorOptionsOf(const DiagnosisCase& asked,
+                                       const DiagnosisOptions& options) {
+  SensorDiagnosisOptions of_sensors;
+  of_sensors.place = asked.place;
+  of_sensors.judge.alpha = options.search.alpha;
+  of_sensors.threads = options.search.threads;
+  return of_sensors;
+}
+
 /// The whole simulation with what was found, where it is wanted and something was found.
 std::optional<WholeSimulation> WholeOf(const DiagnosisCase& asked, const DiagnosisOptions& options,
                                        TimeNs start_ns, const std::vector<DiagnosedBlock>& blocks,
@@ -152,8 +161,14 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
   diagnosis.origin = asked.origin;
   diagnosis.start_ns = measured.start_ns;
   diagnosis.levers_are_the_scenarios = input.commands_are_the_scenarios;
-  std::vector<ReplayBlock> blocks =
-      BlocksOf(input, measured, options.blocks, &diagnosis.not_compared);
+  if (options.sensors_together) {
+    diagnosis.sensors = DiagnosedOf(
+        DiagnoseSensors(input, measured, SensorOptionsOf(asked, options), clock), input.machine);
+  }
+  options.blocks.needs_any =
+      options.blocks.needs_any && diagnosis.sensors.estimate.channels.empty();
+  const Measurements left = WithoutExplained(input, diagnosis.sensors.estimate, measured);
+  std::vector<ReplayBlock> blocks = BlocksOf(input, left, options.blocks, &diagnosis.not_compared);
   if (options.library) {
     ApplyLibrary(*options.library, *input.model, &blocks);
     RequireCandidates(*options.library, blocks);
@@ -167,8 +182,8 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
              : UncorrectedChannels(input, blocks);
   diagnosis.excluded_samples = ExcludeLaggingSamples(&blocks);
   diagnosis.encoder_lead_s = EncoderLead_s(blocks);
-  diagnosis.blocks = DiagnoseInTurn(input, measured, std::move(blocks), options, progress,
-                                    &diagnosis.not_compared);
+  diagnosis.blocks =
+      DiagnoseInTurn(input, left, std::move(blocks), options, progress, &diagnosis.not_compared);
   std::vector<std::vector<Proposal>> proposals = InParallel<std::vector<Proposal>>(
       diagnosis.blocks.size(), options.search.threads,
       [&](std::size_t b) { return ProposalsFor(diagnosis.blocks[b], options.seed); });

@@ -75,8 +75,26 @@ DiagnosisOptions OptionsOf(const DiagnosisTask& task, std::uint64_t seed) {
   if (task.from_s) options.measurements.from_s = *task.from_s;
   if (task.to_s) options.measurements.to_s = *task.to_s;
   options.library = task.library;
+  options.sensors_together = task.sensors_together;
   options.time_limit_s = task.time_limit_s;
   return options;
+}
+
+/// Where the scenario has the machine at first, and its ground. Level ground is no measurement: a
+/// scenario without heights has it.
+KnownPlace KnownPlaceOf(const Scenario& scenario, std::size_t machine) {
+  const std::shared_ptr<const Site> site = scenario.site;
+  KnownPlace place{scenario.machines[machine].placement.X_WB, {}};
+  const TerrainSurface& surface = site->surface();
+  bool is_level = true;
+  for (int i = 0; is_level && i < surface.nx; ++i) {
+    for (int j = 0; is_level && j < surface.ny; ++j) {
+      is_level = surface.HeightAt(surface.x_m(i), surface.y_m(j)) == surface.HeightAt(0, 0);
+    }
+  }
+  if (is_level) return place;
+  place.ground = [site](double x_m, double y_m) { return site->surface().HeightAt(x_m, y_m); };
+  return place;
 }
 
 SimulateMachine SimulatorOf(const Scenario& scenario, std::size_t machine) {
@@ -117,6 +135,7 @@ std::vector<Diagnosis> DiagnoseRecording(const Scenario& scenario, const Recordi
     const MachineCase machine(scenario, m);
     DiagnosisCase asked{.input = machine.InputOf(recording), .recording = &recording};
     asked.origin = scenario.origin;
+    asked.place = KnownPlaceOf(scenario, m);
     asked.perception = std::move(seen[m]);
     if (task.simulate) asked.simulate = SimulatorOf(scenario, m);
     for (const std::filesystem::path& path : task.held_out) {

@@ -32,6 +32,11 @@ std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis) {
       untestable = untestable || !candidate.smallest;
     }
   }
+  judged = judged || !diagnosis.sensors.estimate.channels.empty();
+  untestable = untestable || !diagnosis.sensors.estimate.untestable.empty();
+  for (const SensorFound& found : diagnosis.sensors.findings) {
+    (found.finding.evidence.rivals.size() > 1 ? several : named) = true;
+  }
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
     judged = judged || sensor.is_judged();
     untestable = untestable || !sensor.is_judged();

@@ -13,6 +13,7 @@
 #include "diagnose/experiment_design/next_manoeuvre.h"
 #include "diagnose/perception/perception_diagnosis.h"
 #include "diagnose/search/fit/excluded_samples.h"
+#include "diagnose/sensors/diagnosed_sensors.h"
 #include "soil/soil.h"
 
 namespace tera {
@@ -24,6 +25,7 @@ struct Diagnosis {
   TimeNs start_ns = 0;                    ///< time in the recording from which all times count
   bool levers_are_the_scenarios = false;  ///< since the recording has none
   std::vector<DiagnosedBlock> blocks;
+  DiagnosedSensors sensors;  ///< units, receivers, encoders and poses beside each other
   /// Time by which encoders run ahead of levers; none where they do not.
   std::optional<double> encoder_lead_s = {};
   std::vector<std::string> not_compared;  ///< measurements that were not compared, and why

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/statistics/series/robust.h"
+
 namespace tera {
 namespace {
 
@@ -35,6 +37,18 @@ double RmsOf(const ChannelResiduals& residuals) {
     for (const double r : segment) square += r * r, ++count;
   }
   return count > 0 ? std::sqrt(square / count) : 0;
+}
+
+/// The standard deviation of white noise with the third differences of the residuals.
+double DifferencesOf(const ChannelResiduals& residuals) {
+  std::vector<double> differences;
+  for (const auto& segment : residuals.by_segment) {
+    for (std::size_t k = 3; k < segment.size(); ++k) {
+      const double* r = &segment[k];
+      differences.push_back(r[0] - 3 * r[-1] + 3 * r[-2] - r[-3]);
+    }
+  }
+  return differences.empty() ? 0 : RobustScale(differences) / std::sqrt(20.0);
 }
 
 std::vector<EstimatedMotion> MotionOf(const MotionProblem& problem,
@@ -137,6 +151,7 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
   for (std::size_t c = 0; c < flexible.noise.size(); ++c) {
     const NoiseChannel& channel = flexible.noise[c];
     diagnosis.channels.push_back({channel.name, channel.unit, channel.sigma, channel.inflation,
+                                  std::max(channel.least, DifferencesOf(after.residuals[c])),
                                   RmsOf(before.residuals[c]), RmsOf(after.residuals[c])});
   }
   diagnosis.motion = MotionOf(problem.motion, after);

@@ -36,6 +36,7 @@ struct SensorFinding {
 struct ChannelError {
   std::string name, unit;
   double noise = 0, inflation = 1;
+  double differences = 0;  ///< what residuals differ by from one to the next, as white noise would
   double rms_before = 0, rms_after = 0;  ///< with nothing free, with what was named free
 };
 

@@ -232,9 +232,11 @@ void Builder::AddUnits() {
       const bool is_rate = i < 3;
       const double density =
           is_rate ? imu.gyro_noise_density_radpsrthz : imu.accel_noise_density_mps2rthz;
-      const int noise = AddNoise(
-          name + (is_rate ? "w" : "a") + std::string(1, "xyz"[i % 3]), is_rate ? "rad/s" : "m/s^2",
-          std::max(density / root_s, is_rate ? 1e-5 : 1e-4), is_rate ? 0.05 : 0.5);
+      const int noise =
+          AddNoise(name + (is_rate ? "w" : "a") + std::string(1, "xyz"[i % 3]) +
+                       (is_rate ? "_radps" : "_mps2"),
+                   is_rate ? "rad/s" : "m/s^2", std::max(density / root_s, is_rate ? 1e-5 : 1e-4),
+                   is_rate ? 0.05 : 0.5);
       if (i == 0) channel.noise = noise;
     }
     motion().imus.push_back(channel);

@@ -34,6 +34,10 @@ Json WithinTolerance(const Diagnosis& diagnosis) {
       list.back()["parameters"] = ParametersJson(finding);
     }
   }
+  for (const SensorFound& found : diagnosis.sensors.within_tolerance) {
+    list.push_back(ChosenJson(found.finding));
+    list.back()["parameters"] = ParametersJson(found.finding);
+  }
   return list;
 }
 
@@ -44,6 +48,9 @@ Json Unconfirmed(const Diagnosis& diagnosis) {
     for (const Finding& finding : diagnosed.diagnosis.unconfirmed) {
       list.push_back(ChosenJson(finding));
     }
+  }
+  for (const SensorFound& found : diagnosis.sensors.unconfirmed) {
+    list.push_back(ChosenJson(found.finding));
   }
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
     for (const PerceptionFinding& found : sensor.unconfirmed)
@@ -186,6 +193,17 @@ Json Untestable(const Diagnosis& diagnosis) {
                       {"smallest_detectable", nullptr}});
     }
   }
+  for (const SensorFinding& one : diagnosis.sensors.estimate.untestable) {
+    list.push_back(
+        {{"mechanism", one.mechanism}, {"target", one.target}, {"smallest_detectable", nullptr}});
+  }
+  return list;
+}
+
+/// Mechanisms of sensors whose effects cancel, so that none of them is named.
+Json NotToldApart(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const auto& names : diagnosis.sensors.estimate.not_told_apart) list.push_back(names);
   return list;
 }
 
@@ -223,6 +241,9 @@ std::string DiagnosisJson(const Diagnosis& diagnosis) {
   for (const auto& [diagnosed, finding] : RankedFindings(diagnosis)) {
     json["findings"].push_back(FindingJson(*diagnosed, *finding));
   }
+  for (const SensorFound& found : diagnosis.sensors.findings) {
+    json["findings"].push_back(FindingJson(found));
+  }
   for (const auto& [diagnosed, unexplained] : RankedUnexplained(diagnosis)) {
     json["findings"].push_back(UnexplainedJson(*diagnosed, *unexplained));
   }
@@ -236,6 +257,7 @@ std::string DiagnosisJson(const Diagnosis& diagnosis) {
   json["unconfirmed"] = Unconfirmed(diagnosis);
   json["within_tolerance"] = WithinTolerance(diagnosis);
   json["proxies"] = Proxies(diagnosis);
+  json["not_told_apart"] = NotToldApart(diagnosis);
   json["untestable"] = Untestable(diagnosis);
   json["not_judged"] = NotJudged(diagnosis);
   json["not_compared"] = diagnosis.not_compared;

@@ -83,6 +83,9 @@ std::vector<const Finding*> EffectsFound(const Diagnosis& diagnosis) {
   for (const auto& [diagnosed, finding] : RankedFindings(diagnosis)) {
     if (finding->term.candidate->target != kPoses) effects.push_back(finding);
   }
+  for (const SensorFound& found : diagnosis.sensors.findings) {
+    if (found.finding.term.candidate->target != kPoses) effects.push_back(&found.finding);
+  }
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
     for (const PerceptionFinding& found : sensor.findings) {
       // What differs in the scene is no effect.

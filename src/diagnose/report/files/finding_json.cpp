@@ -174,6 +174,11 @@ Json FindingJson(const DiagnosedBlock& diagnosed, const Finding& finding) {
                diagnosed.block.channels[finding.held_out.channel].unit);
 }
 
+Json FindingJson(const SensorFound& found) {
+  return Named({{"channel", found.channel}, {"intervals_s", Json::array()}, {"regime", nullptr}},
+               found.finding, found.unit);
+}
+
 Json FindingJson(const PerceptionDiagnosis& sensor, const PerceptionFinding& found) {
   return Named(Where(sensor, found), found.finding, sensor.unit);
 }

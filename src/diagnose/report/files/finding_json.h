@@ -25,6 +25,7 @@ OrderedJson ParametersJson(const Finding& finding);
 /// evidence and held-out errors.
 OrderedJson FindingJson(const DiagnosedBlock& diagnosed, const Finding& finding);
 OrderedJson FindingJson(const PerceptionDiagnosis& sensor, const PerceptionFinding& found);
+OrderedJson FindingJson(const SensorFound& found);
 
 /// An error that no mechanism explains, in the form of a finding.
 OrderedJson UnexplainedJson(const DiagnosedBlock& diagnosed, const Unexplained& unexplained);

@@ -127,14 +127,16 @@ std::string ChannelsSection(const Diagnosis& diagnosis) {
                "What is left"});
   for (const ChannelLine& line : ChannelLines(diagnosis)) {
     const ReadableUnit unit = ReadableUnitOf(line.unit);
-    const auto number = [&](double value) { return Significant(value * unit.factor, 3); };
+    const auto number = [&](const std::optional<double>& value) {
+      return value ? Significant(*value * unit.factor, 3) : "";
+    };
     std::string causes;
     for (const std::string& id : line.explained_by) {
       causes += (causes.empty() ? "" : ", ") + Code(id);
     }
     table.Row({Escaped(Capitalised(QuantityOf(line.channel))) + " " + Code(line.channel),
-               number(line.motion), line.noise ? number(*line.noise) : "", number(line.before),
-               number(line.after), unit.name, causes, Escaped(line.left)});
+               number(line.motion), number(line.noise), number(line.before), number(line.after),
+               unit.name, causes, Escaped(line.left)});
   }
   std::string html =
       "<section>\n<h2>Every channel</h2>\n<p class='soft'>RMS over the whole recording; errors of "
@@ -267,7 +269,7 @@ std::string HtmlReport(const Diagnosis& diagnosis, const std::string& recording)
       "{}</title>\n<style>{}</style>\n</head>\n<body><main>\n",
       Escaped(diagnosis.machine), kPageStyle);
   html += Top(diagnosis, recording);
-  if (!diagnosis.blocks.empty()) html += ChannelsSection(diagnosis);
+  if (!ChannelLines(diagnosis).empty()) html += ChannelsSection(diagnosis);
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     if (HasAnything(diagnosed)) html += BlockSection(diagnosed);
   }

@@ -75,6 +75,19 @@ ChannelLine LineOf(const DiagnosedBlock& diagnosed, std::size_t c,
   return line;
 }
 
+/// Of a sensor beside the others, whose motion nothing simulated.
+ChannelLine LineOf(const DiagnosedSensors& sensors, const ChannelError& error) {
+  ChannelLine line{.channel = error.name, .unit = error.unit, .noise = error.noise};
+  line.before = error.rms_before;
+  line.after = error.rms_after;
+  for (const SensorFound& found : sensors.findings) {
+    if (found.channel != error.name) continue;
+    line.explained_by.emplace_back(found.finding.term.candidate->mechanism->id);
+  }
+  line.left = IsExplained(error) ? "noise" : "error that no parameter of a sensor explains";
+  return line;
+}
+
 }  // namespace
 
 std::vector<ChannelLine> ChannelLines(const Diagnosis& diagnosis) {
@@ -84,6 +97,9 @@ std::vector<ChannelLine> ChannelLines(const Diagnosis& diagnosis) {
     for (std::size_t c = 0; c < simulated.size(); ++c) {
       lines.push_back(LineOf(diagnosed, c, simulated[c]));
     }
+  }
+  for (const ChannelError& error : diagnosis.sensors.estimate.channels) {
+    lines.push_back(LineOf(diagnosis.sensors, error));
   }
   return lines;
 }

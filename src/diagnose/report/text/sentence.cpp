@@ -11,6 +11,7 @@
 #include "diagnose/report/text/perception_text.h"
 #include "diagnose/report/text/proposal_text.h"
 #include "diagnose/report/text/ranking.h"
+#include "diagnose/report/text/sensor_text.h"
 #include "diagnose/report/text/shared_delay.h"
 #include "diagnose/report/text/wording.h"
 
@@ -320,6 +321,7 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
   if (std::string text = SentenceOfSharedDelay(diagnosis); !text.empty()) {
     sentences.push_back(std::move(text));
   }
+  for (std::string& text : SensorSentences(diagnosis.sensors)) sentences.push_back(std::move(text));
   const std::vector<std::string> seen = PerceptionSentences(diagnosis.perception);
   const bool is_seen =
       std::any_of(diagnosis.perception.begin(), diagnosis.perception.end(),
@@ -341,6 +343,9 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
       sentences.push_back(SentenceOfExpected(diagnosed, finding));
     }
     if (!diagnosed.diagnosis.is_testable) sentences.push_back(SentenceOfUntestable(diagnosed));
+  }
+  for (std::string& text : OtherSensorSentences(diagnosis.sensors)) {
+    sentences.push_back(std::move(text));
   }
   for (const std::string& obstacle : diagnosis.not_compared) {
     sentences.push_back(fmt::format("Not compared: {}.", obstacle));

@@ -49,6 +49,7 @@ std::string FoundText(const Diagnosis& diagnosis) {
         &all);
   };
   for (const auto& [diagnosed, finding] : RankedFindings(diagnosis)) add(*finding);
+  for (const SensorFound& found : diagnosis.sensors.findings) add(found.finding);
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
     for (const PerceptionFinding& found : sensor.findings) add(found.finding);
   }

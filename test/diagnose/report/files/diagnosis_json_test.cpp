@@ -105,6 +105,7 @@ TEST(DiagnosisJson, HasItsStructureInFixedOrderAndDigits) {
   "unconfirmed": [],
   "within_tolerance": [],
   "proxies": [],
+  "not_told_apart": [],
   "untestable": [
     {
       "mechanism": "backlash",

@@ -37,9 +37,9 @@ TEST(ChannelLines, CountWhatWasMeasuredAlone) {
     return std::vector<std::vector<double>>{std::vector<double>(5, 1.0)};
   });
   const ChannelLine line = ChannelLines(diagnosis)[0];
-  EXPECT_NEAR(line.rms, std::sqrt(7.5), 1e-12);
-  EXPECT_NEAR(line.motion, std::sqrt(1.25), 1e-12);
-  EXPECT_NEAR(line.rmse, std::sqrt(3.5), 1e-12);
+  EXPECT_NEAR(line.rms.value(), std::sqrt(7.5), 1e-12);
+  EXPECT_NEAR(line.motion.value(), std::sqrt(1.25), 1e-12);
+  EXPECT_NEAR(line.rmse.value(), std::sqrt(3.5), 1e-12);
 }
 
 TEST(ChannelLines, SayWhyAChannelWasNotJudged) {

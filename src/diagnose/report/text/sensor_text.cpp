@@ -1,0 +1,60 @@
+#include "diagnose/report/text/sensor_text.h"
+
+#include <fmt/format.h>
+
+#include "diagnose/report/text/finding_text.h"
+#include "diagnose/report/text/wording.h"
+
+namespace tera {
+namespace {
+
+std::string TextOf(const SensorFound& found) {
+  return fmt::format("{} of the {}", NameAndNumbers(found.finding),
+                     Spaced(found.finding.term.candidate->target));
+}
+
+std::string ErrorText(const SensorFound& found) {
+  if (found.unit.empty()) return "";
+  const ReadableUnit unit = ReadableUnitOf(found.unit);
+  const HeldOutError& error = found.finding.held_out;
+  return fmt::format(" {}: RMSE {} → {}.", Capitalised(QuantityOf(found.channel)),
+                     Significant(error.rmse_before * unit.factor, 2),
+                     WithUnit(Significant(error.rmse_after * unit.factor, 2), unit));
+}
+
+}  // namespace
+
+std::vector<std::string> SensorSentences(const DiagnosedSensors& sensors) {
+  std::vector<std::string> sentences;
+  for (const SensorFound& found : sensors.findings) {
+    const std::vector<std::string> alike = AlikeTexts(found.finding);
+    sentences.push_back(fmt::format(
+        "{}, beyond tolerance ({} on parts of the recording that it was not fitted to{}).{}",
+        Capitalised(TextOf(found)), ProbabilityText(found.finding.evidence.p),
+        alike.empty() ? "" : "; not told apart from: " + Listed(alike), ErrorText(found)));
+  }
+  return sentences;
+}
+
+std::vector<std::string> OtherSensorSentences(const DiagnosedSensors& sensors) {
+  std::vector<std::string> sentences, within;
+  for (const SensorFound& found : sensors.within_tolerance) within.push_back(TextOf(found));
+  if (!within.empty()) {
+    sentences.push_back(fmt::format("Within tolerance: {}.", Listed(within)));
+  }
+  for (const SensorFound& found : sensors.unconfirmed) {
+    sentences.push_back(
+        fmt::format("{} was chosen ({}) and is not confirmed: it removes too little of the error.",
+                    Capitalised(TextOf(found)), ProbabilityText(found.finding.evidence.p)));
+  }
+  for (const std::vector<std::string>& names : sensors.estimate.not_told_apart) {
+    sentences.push_back(fmt::format(
+        "Not told apart, for their effects cancel: {}. None of them is named.", Listed(names)));
+  }
+  for (const std::string& obstacle : sensors.estimate.not_compared) {
+    sentences.push_back(fmt::format("Not compared: {}.", obstacle));
+  }
+  return sentences;
+}
+
+}  // namespace tera

@@ -1,0 +1,165 @@
+#include "diagnose/sensors/diagnosed_sensors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/check.h"
+#include "sensors/sensor_mechanisms.h"
+
+namespace tera {
+namespace {
+
+/// RMS over what successive residuals differ by, from which on error is left.
+constexpr double kMostOfDifferences = 2;
+/// Share of the excess of some channel that what is named removes, at least: as of blocks, less is
+/// too little to be what is wrong.
+constexpr double kLeastExcessOfCause = 1.0 / 3;
+
+/// The index of a parameter of a mechanism; none where it has no such number.
+std::optional<std::size_t> IndexOf(const Mechanism& mechanism, const std::string& name) {
+  for (std::size_t i = 0; i < mechanism.parameters.size(); ++i) {
+    if (mechanism.parameters[i].name == name) return i;
+  }
+  return std::nullopt;
+}
+
+/// The mechanism of that id that has such numbers: several kinds of sensors have a "bias".
+const Mechanism& MechanismOf(const std::string& id, const std::vector<FoundNumber>& numbers) {
+  for (const Mechanism& mechanism : SensorMechanisms()) {
+    const bool has_all = std::all_of(numbers.begin(), numbers.end(), [&](const FoundNumber& one) {
+      return IndexOf(mechanism, one.name).has_value();
+    });
+    if (mechanism.id == id && has_all) return mechanism;
+  }
+  TERA_CHECK(false, id);
+  return SensorMechanisms().front();
+}
+
+/// The channel of `target` whose error the findings lessen most, over its noise; none where the
+/// target has no channel of its own.
+const ChannelError* MostLessened(const SensorDiagnosis& estimate, const std::string& folder) {
+  const ChannelError* most = nullptr;
+  const auto lessened = [](const ChannelError& one) {
+    return (one.rms_before - one.rms_after) / one.noise;
+  };
+  for (const ChannelError& one : estimate.channels) {
+    if (!one.name.starts_with(folder)) continue;
+    if (most == nullptr || lessened(one) > lessened(*most)) most = &one;
+  }
+  return most;
+}
+
+/// Share of the mean square beyond noise that the findings remove of a channel.
+double ExcessRemoved(const ChannelError& channel) {
+  const double excess = std::pow(channel.rms_before, 2) - std::pow(channel.noise, 2);
+  const double removed = std::pow(channel.rms_before, 2) - std::pow(channel.rms_after, 2);
+  return excess > 0 ? std::clamp(removed / excess, -1.0, 1.0) : 0;
+}
+
+class Teller {
+ public:
+  Teller(const std::string& machine, DiagnosedSensors* out) : machine_(machine), out_(out) {}
+
+  SensorFound Tell(const SensorFinding& found) {
+    SensorFound told;
+    const Mechanism& mechanism = MechanismOf(found.mechanism, found.numbers);
+    Finding& finding = told.finding;
+    finding.term.candidate = &CandidateOf(mechanism, found.target);
+    for (const EffectParameter& parameter : mechanism.parameters) {
+      finding.term.values.push_back(parameter.otherwise.value_or(0));
+      finding.parameters.push_back({std::string(parameter.name), std::string(parameter.unit),
+                                    finding.term.values.back(), std::nullopt});
+    }
+    auto& free = out_->candidates.back().free;
+    for (const FoundNumber& number : found.numbers) {
+      const std::size_t i = *IndexOf(mechanism, number.name);
+      finding.term.values[i] = finding.parameters[i].value =
+          std::clamp(number.value, mechanism.parameters[i].lower, mechanism.parameters[i].upper);
+      finding.parameters[i].sigma = number.sigma;
+      free.push_back({i, mechanism.parameters[i].lower, mechanism.parameters[i].upper});
+      free.back().expected = Expected{number.documented, number.tolerance};
+    }
+    out_->candidates.back().starts = {finding.term.values};
+    SetEvidence(found, &told);
+    return told;
+  }
+
+ private:
+  Candidate& CandidateOf(const Mechanism& mechanism, const std::string& target) {
+    out_->candidates.push_back({&mechanism, target, {}, {}, {}});
+    return out_->candidates.back();
+  }
+
+  void SetEvidence(const SensorFinding& found, SensorFound* told) {
+    Finding& finding = told->finding;
+    finding.evidence.p = finding.evidence.steady_p = finding.held_out.p = found.p;
+    finding.evidence.share = 1;
+    finding.is_confirmed = true;
+    finding.evidence.rivals = {finding.term.candidate};
+    for (const std::string& rival : found.rivals) {
+      const auto slash = rival.rfind('/');
+      const Mechanism& mechanism = MechanismOf(rival.substr(slash + 1), {});
+      finding.evidence.rivals.push_back(&CandidateOf(mechanism, rival.substr(0, slash)));
+    }
+    told->channel = machine_ + "/" + found.target;
+    const ChannelError* channel = MostLessened(out_->estimate, told->channel);
+    if (channel == nullptr) return;
+    told->channel = channel->name;
+    told->unit = channel->unit;
+    HeldOutError& error = finding.held_out;
+    error.rmse_before = channel->rms_before;
+    error.rmse_after = channel->rms_after;
+    error.excess_removed = ExcessRemoved(*channel);
+  }
+
+  const std::string& machine_;
+  DiagnosedSensors* out_;
+};
+
+}  // namespace
+
+DiagnosedSensors DiagnosedOf(SensorDiagnosis estimate, const std::string& machine) {
+  DiagnosedSensors out;
+  out.estimate = std::move(estimate);
+  Teller teller(machine, &out);
+  const auto& channels = out.estimate.channels;
+  const bool is_cause = std::any_of(channels.begin(), channels.end(), [](const ChannelError& one) {
+    return ExcessRemoved(one) >= kLeastExcessOfCause;
+  });
+  for (const SensorFinding& found : out.estimate.findings) {
+    (is_cause ? out.findings : out.unconfirmed).push_back(teller.Tell(found));
+  }
+  for (const SensorFinding& found : out.estimate.within_tolerance) {
+    out.within_tolerance.push_back(teller.Tell(found));
+  }
+  return out;
+}
+
+bool IsExplained(const ChannelError& channel) {
+  return channel.rms_after <= kMostOfDifferences * channel.differences;
+}
+
+Measurements WithoutExplained(const DiagnosisInput& input, const SensorDiagnosis& estimate,
+                              Measurements measured) {
+  for (std::size_t s = 0; s < input.sensors.size(); ++s) {
+    const std::string folder = input.machine + "/" + input.sensors[s].name + "/";
+    const auto& findings = estimate.findings;
+    const bool is_named = std::any_of(
+        findings.begin(), findings.end(),
+        [&](const SensorFinding& found) { return found.target == input.sensors[s].name; });
+    std::size_t channels = 0;
+    bool is_loud = false;
+    for (const ChannelError& one : estimate.channels) {
+      if (!one.name.starts_with(folder)) continue;
+      ++channels;
+      is_loud = is_loud || !IsExplained(one);
+    }
+    if (!is_named && (channels == 0 || is_loud)) continue;
+    measured.imus[s].clear();
+    measured.gnss[s].clear();
+  }
+  return measured;
+}
+
+}  // namespace tera

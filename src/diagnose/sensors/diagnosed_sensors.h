@@ -1,0 +1,44 @@
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "diagnose/search/block/block_diagnosis.h"
+#include "diagnose/sensors/sensor_diagnosis.h"
+
+namespace tera {
+
+/// A finding of a sensor, and the channel in which it shows most.
+struct SensorFound {
+  Finding finding;
+  std::string channel, unit;
+};
+
+/// The diagnosis of a machine's units, receivers, encoders and poses, with its findings in the form
+/// of all others. They point into its candidates: it is moved, not copied.
+struct DiagnosedSensors {
+  DiagnosedSensors() = default;
+  DiagnosedSensors(DiagnosedSensors&&) = default;
+  DiagnosedSensors& operator=(DiagnosedSensors&&) = default;
+
+  SensorDiagnosis estimate;
+  std::deque<Candidate> candidates;  ///< of the findings and of their rivals
+  std::vector<SensorFound> findings, within_tolerance;
+  /// Mechanisms that were chosen and remove too little of the error to be its cause.
+  std::vector<SensorFound> unconfirmed;
+};
+
+/// The findings of a diagnosis of sensors of the machine `machine` of the recording.
+DiagnosedSensors DiagnosedOf(SensorDiagnosis estimate, const std::string& machine);
+
+/// Whether what is left of a channel is no louder than twice what its residuals differ by from one
+/// to the next: error that lasts would be. Error that changes as fast as noise does is not seen.
+bool IsExplained(const ChannelError& channel);
+
+/// The measurements without those of units and receivers that the estimate explains, or of which it
+/// names what is wrong.
+Measurements WithoutExplained(const DiagnosisInput& input, const SensorDiagnosis& estimate,
+                              Measurements measured);
+
+}  // namespace tera

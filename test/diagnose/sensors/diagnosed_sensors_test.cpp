@@ -1,0 +1,89 @@
+#include "diagnose/sensors/diagnosed_sensors.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "diagnose/report/text/sensor_text.h"
+
+namespace tera {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+/// A unit turned by 2 deg, known to 0.1 deg, not told apart from an encoder's zero.
+SensorDiagnosis TurnedUnit() {
+  SensorDiagnosis made;
+  SensorFinding turned{"imu_boom", "mount_rotation", {}, 120, 1e-6, {"encoders/boom/bias"}};
+  turned.numbers = {{"roll_deg", "deg", 2, 0.1, 0, 0.46, true},
+                    {"pitch_deg", "deg", 0.01, 0.1, 0, 0.46, false},
+                    {"yaw_deg", "deg", 0, 0.1, 0, 0.46, false}};
+  made.findings = {turned};
+  made.channels = {{.name = "m/imu_boom/wx_radps",
+                    .unit = "rad/s",
+                    .noise = 0.01,
+                    .differences = 0.01,
+                    .rms_before = 0.012,
+                    .rms_after = 0.011},
+                   {.name = "m/imu_boom/ay_mps2",
+                    .unit = "m/s^2",
+                    .noise = 0.1,
+                    .differences = 0.1,
+                    .rms_before = 0.5,
+                    .rms_after = 0.1},
+                   {.name = "m/imu_arm/wx_radps",
+                    .unit = "rad/s",
+                    .noise = 0.01,
+                    .differences = 0.01,
+                    .rms_before = 0.03,
+                    .rms_after = 0.03}};
+  return made;
+}
+
+TEST(DiagnosedSensors, HaveTheNumbersOfTheMechanismAndTheChannelInWhichTheyShowMost) {
+  const DiagnosedSensors told = DiagnosedOf(TurnedUnit(), "m");
+  ASSERT_THAT(told.findings, SizeIs(1));
+  const Finding& finding = told.findings[0].finding;
+  EXPECT_EQ(finding.term.candidate->mechanism->id, "mount_rotation");
+  EXPECT_EQ(finding.term.candidate->target, "imu_boom");
+  EXPECT_THAT(finding.term.values, ElementsAre(2, 0.01, 0));
+  EXPECT_EQ(finding.parameters[0].sigma, 0.1);
+  EXPECT_EQ(told.findings[0].channel, "m/imu_boom/ay_mps2");
+  EXPECT_EQ(told.findings[0].unit, "m/s^2");
+  // Of the mean square beyond noise, 0.25 - 0.01, all is gone.
+  EXPECT_NEAR(finding.held_out.excess_removed, 1, 1e-9);
+  ASSERT_THAT(finding.evidence.rivals, SizeIs(2));
+  EXPECT_EQ(finding.evidence.rivals[1]->target, "encoders/boom");
+  EXPECT_EQ(finding.evidence.rivals[1]->mechanism->id, "bias");
+}
+
+TEST(DiagnosedSensors, AreToldInASentenceWithNumbersRivalsAndErrors) {
+  const DiagnosedSensors told = DiagnosedOf(TurnedUnit(), "m");
+  const std::vector<std::string> sentences = SensorSentences(told);
+  ASSERT_THAT(sentences, SizeIs(1));
+  EXPECT_THAT(sentences[0], HasSubstr("Mount rotation roll 2.00 ± 0.10 deg"));
+  EXPECT_THAT(sentences[0], HasSubstr("of the imu boom, beyond tolerance"));
+  EXPECT_THAT(sentences[0], HasSubstr("bias of the encoders"));
+  EXPECT_THAT(sentences[0], HasSubstr("Imu boom specific force along y: RMSE 0.5 → 0.1 m/s²"));
+}
+
+// 0.03 rad/s of the arm's unit are three times what its residuals differ by: other blocks still
+// have to look at it. That of the boom is explained.
+TEST(DiagnosedSensors, LeaveToOthersTheSensorsWhoseErrorLasts) {
+  SensorDescription boom, arm;
+  boom.name = "imu_boom";
+  arm.name = "imu_arm";
+  DiagnosisInput input;
+  input.machine = "m";
+  input.sensors = {boom, arm};
+  Measurements measured;
+  measured.imus = {{ImuSample{}}, {ImuSample{}}};
+  measured.gnss = {{}, {}};
+  const Measurements left = WithoutExplained(input, TurnedUnit(), measured);
+  EXPECT_THAT(left.imus[0], SizeIs(0));
+  EXPECT_THAT(left.imus[1], SizeIs(1));
+}
+
+}  // namespace
+}  // namespace tera
