@@ -51,7 +51,7 @@ void DrawSensors(Draws* draws, SensorsForm* out) {
   }
   out->joint_clock = clock();
   out->track_clock = clock();
-  const Vec3 datum_m = draws->Vector(kShare * kTolerances.datum_m);
+  const Vec3 datum_m = draws->Vector(0.5 * kTolerances.datum_m);
   for (ReceiverForm& receiver : out->receivers) {
     receiver.datum_m = datum_m;
     receiver.clock = clock();

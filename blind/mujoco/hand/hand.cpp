@@ -11,7 +11,8 @@ constexpr double kTau = 2 * std::numbers::pi;
 constexpr double kHome_m = 9;       ///< beyond which the next way leads back
 constexpr double kReacts_s = 0.45;  ///< within which a joint may go on towards its stop
 constexpr double kOffStop_rad = 0.1;
-constexpr double kStep = 0.004;  ///< of what a lever reports
+constexpr double kSlewChange = 0.06;  ///< of a lever, from message to message
+constexpr double kStep = 0.004;       ///< of what a lever reports
 
 /// Rises within `ramp_s`, falls as fast before `length_s`.
 double Trapezoid(double since_s, double length_s, double ramp_s) {
@@ -76,6 +77,8 @@ PerAxis<double> Hand::operator()(double t_s, const Instant& seen) {
     piece_ = Next(seen);
   }
   Levers levers = OffStops(piece_.levers(t_s - began_s_, seen), seen);
+  slew_ = std::clamp(levers[kSlew], slew_ - kSlewChange, slew_ + kSlewChange);
+  levers[kSlew] = slew_;
   for (double& lever : levers) {
     lever = std::round(std::clamp(lever, -habit_.largest, habit_.largest) / kStep) * kStep;
   }
@@ -237,7 +240,7 @@ Hand::Piece Hand::OfTracks(Manoeuvre kind, const Instant& seen) {
     length_s =
         is_across ? 2.2 / (2 * std::abs(outer) * 1.25 / numbers_.gauge_m) * 0.7 : Between(2, 5);
     return {length_s, [=](double since_s, const Instant&) {
-              const double share = Trapezoid(since_s, length_s, 0.4);
+              const double share = Trapezoid(since_s, length_s, 0.9);
               return Levers{inner * share, outer * share};
             }};
   }

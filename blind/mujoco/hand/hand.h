@@ -38,7 +38,8 @@ struct Habit {
 };
 
 /// Someone who looks at angles and at the place: keeps joints off their stops and the machine
-/// within some 20 m of the origin, and rests between manoeuvres.
+/// within some 20 m of the origin, rests between manoeuvres, and eases the slew in and out, since
+/// the whole machine would turn on its tracks.
 ///
 /// Frames  positive levers turn joints by their axes and drive tracks ahead.
 class Hand {
@@ -77,6 +78,7 @@ class Hand {
   bool rests_ = true;
   double began_s_ = 0;
   Piece piece_;
+  double slew_ = 0;  ///< lever
 };
 
 }  // namespace tera::blind::mujoco

@@ -14,6 +14,7 @@ namespace {
 constexpr double kGravity_mps2 = 9.8071;
 constexpr double kSprocketInertia_kgm2 = 25;
 constexpr double kDamping = 0.5;     ///< of the oil's spring, of critical
+constexpr double kPin_radps2 = 4;    ///< at which a pin's friction stops a link behind a gap
 constexpr double kMotorShare = 0.2;  ///< of a joint's inertia that is the motor's, before a gap
 
 std::string Text(const Vec3& v) {
@@ -247,9 +248,11 @@ void SetStiffness(const PlantForm& form, const PerAxis<double>& inertia_kgm2, Mo
     if (drive.gap_rad <= 0) continue;
     const int dof = m->jnt_dofadr[out->joint[i]];
     m->dof_armature[dof] = kMotorShare * inertia_kgm2[i];
-    // Stops what it holds at 8 rad/s2, well before a gap of hundredths is crossed.
-    m->tendon_frictionloss[mj_name2id(
-        m, mjOBJ_TENDON, fmt::format("{}_pin", kAxisNames[i]).c_str())] = 8 * inertia_kgm2[i];
+    // Stops what it holds faster than an operator eases the slew out, so that the gap stays closed
+    // until the way is reversed.
+    m->tendon_frictionloss[mj_name2id(m, mjOBJ_TENDON,
+                                      fmt::format("{}_pin", kAxisNames[i]).c_str())] =
+        kPin_radps2 * inertia_kgm2[i];
   }
 }
 
@@ -288,6 +291,7 @@ Model BuildModel(const MachineNumbers& numbers, const PlantForm& form, const Sta
   PlaceAt(out, start, data.get());
   mj_forward(out.model.get(), data.get());
   SetStiffness(form, Inertias_kgm2(numbers, out, data.get()), &out);
+  mj_setConst(out.model.get(), data.get());  // stops and friction are as stiff as inertias allow
   return out;
 }
 

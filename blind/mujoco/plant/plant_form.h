@@ -44,7 +44,7 @@ struct DriveForm {
 
 /// Ground under tracks: shoes that hold by bristles until they slide.
 struct ShoeForm {
-  double grip_along = 0.8, grip_across = 0.4;  ///< greatest force over load
+  double grip_along = 1, grip_across = 0.4;  ///< greatest force over load
   double relaxation_m = 0.05;  ///< of ground passed under a track until bristles are new
   double rolling = 0;          ///< resistance over load
   double gauge = 1;            ///< of the middle of contact, over the nominal

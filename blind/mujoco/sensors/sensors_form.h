@@ -34,7 +34,7 @@ struct ReceiverForm {
 /// What is random in measurements.
 struct NoiseForm {
   double gyro_radps = 0.012, accelerometer_mps2 = 0.25;  ///< white
-  double gyro_slow_radps = 0.0008, accelerometer_slow_mps2 = 0.01;
+  double gyro_slow_radps = 0.0003, accelerometer_slow_mps2 = 0.006;
   double engine_hz = 35, engine_mps2 = 0.15, engine_radps = 0.006;  ///< line, and its double
   double angle_rad = 0.0009, rate_radps = 0.022, track_radps = 0.08;
   double white_m = 0.007, white_up_m = 0.012, slow_m = 0.006, slow_up_m = 0.011;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "blind/mujoco/plant/model.h"
@@ -122,10 +123,11 @@ TEST(MujocoCourse, TracksGoAsFarAsTheirSprocketsTurn) {
 TEST(MujocoCourse, ATurnOnTheSpotIsThatOfTheGauge) {
   const Operator turn = [](double t_s, const Instant&) {
     PerAxis<double> levers{};
-    if (t_s < 2) levers[kLeftTrack] = -0.3, levers[kRightTrack] = 0.3;
+    const double level = 0.3 * std::clamp(std::min(t_s, 4 - t_s), 0.0, 1.0);
+    levers[kLeftTrack] = -level, levers[kRightTrack] = level;
     return levers;
   };
-  const Instant last = DriveBy(turn, 3).At(3);
+  const Instant last = DriveBy(turn, 5).At(5);
   const Vec3 ahead = last.q_WB * Vec3::UnitX();
   const double turned = std::atan2(ahead.y(), ahead.x()) - 0.7;
   const double ideal = 0.225 * (last.angle_rad[kRightTrack] - last.angle_rad[kLeftTrack]) / 1.148;
@@ -146,7 +148,7 @@ TEST(MujocoCourse, AGapIsCrossedBeforeALinkFollows) {
   form.drives[kSlew].gap_rad = 0.03;
   const Operator back_and_forth = [](double t_s, const Instant&) {
     PerAxis<double> levers{};
-    levers[kSlew] = t_s < 1.5 ? 0.3 : t_s < 3 ? -0.3 : 0;
+    if (t_s < 3.2) levers[kSlew] = 0.3 * std::sin(2 * M_PI * t_s / 3.2);
     return levers;
   };
   const double with = DriveBy(back_and_forth, 4, form).At(4).angle_rad[kSlew];

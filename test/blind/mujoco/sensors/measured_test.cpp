@@ -39,7 +39,9 @@ TEST(MujocoMeasured, RowsAreLostAndStampsJitterAndRise) {
     const double off_s = 1e-9 * static_cast<double>(rows[k].t_ns) - rows[k].true_s;
     late_s += off_s;
     squared_s2 += (off_s - 0.2) * (off_s - 0.2);
-    if (k > 0) EXPECT_GT(rows[k].t_ns, rows[k - 1].t_ns);
+    if (k > 0) {
+      EXPECT_GT(rows[k].t_ns, rows[k - 1].t_ns);
+    }
   }
   const double n = static_cast<double>(rows.size());
   EXPECT_NEAR(late_s / n, 0.2, 5 * 0.0006 / std::sqrt(n) + 1e-6);
