@@ -40,9 +40,8 @@ void MarkImprovement(const BenchmarkCase& c, const CaseRecording& recording, con
 }
 
 /// A tool that gives up has given an answer too: none.
-Mark ProveCase(BenchmarkCase c, std::uint64_t seed, const Tools& tools, const fs::path& folder) {
-  const CaseRecording recording = Record(&c, seed);
-  WriteCase(c, recording, folder);
+Mark ProveCase(const Maker& maker, int number, const Tools& tools, const fs::path& folder) {
+  const auto [c, recording] = maker(number, folder);
   const std::string truth = TruthJson(c, recording);
   SealTruth(truth, folder);
   const fs::path report = folder / "report";
@@ -78,13 +77,11 @@ void WriteTables(const std::vector<Mark>& marks, std::uint64_t seed, const fs::p
 
 std::vector<Mark> Prove(const ProveOptions& options, const Tools& tools,
                         const std::function<void(const Mark&)>& progress) {
-  PlainMachine nominal = PlainMachine::Read(options.machine_yaml);
-  if (!options.real_csv.empty()) nominal.real = RealDrive::Read(options.real_csv);
+  const Maker maker = MakerFor(options);
   std::vector<Mark> marks;
   for (int number = options.first - 1; number < options.first - 1 + options.cases; ++number) {
     const fs::path folder = options.out / fmt::format("case_{:04}", number + 1);
-    marks.push_back(ProveCase(DrawCase(options.seed, number, nominal, options.duration_s),
-                              options.seed, tools, folder));
+    marks.push_back(ProveCase(maker, number, tools, folder));
     progress(marks.back());
     WriteTables(marks, options.seed, options.out);
   }

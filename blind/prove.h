@@ -3,9 +3,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "blind/maker.h"
 #include "blind/marking/mark.h"
 
 namespace tera::blind {
@@ -14,8 +16,11 @@ struct ProveOptions {
   int cases = 50;
   int first = 1;  ///< number of the first case, to run a part of a benchmark again
   std::uint64_t seed = 1;
-  double duration_s = 45;              ///< of each recording
+  MakerKind maker = MakerKind::kOwn;
+  bool reserve = false;                ///< what the second maker keeps for the end
+  std::optional<double> duration_s;    ///< of each recording; none: the maker's own
   std::filesystem::path machine_yaml;  ///< that the scenarios take
+  std::filesystem::path rig_yaml;      ///< and the rig, of the second maker
   std::filesystem::path real_csv;      ///< a RealDrive (injected_case.h); empty: none
   std::filesystem::path out;           ///< must not exist
 };

@@ -240,6 +240,12 @@ std::string_view NameOf(CaseKind kind) {
   return "";
 }
 
+/// Golden-section places: any run of numbers has each kind in nearly its share.
+CaseKind KindOfCase(std::uint64_t seed, int number, bool has_real) {
+  const double start = Stream(seed, "blind/kinds").Uniform(0);
+  return KindAt(Fraction(start + 0.6180339887498949 * number), has_real);
+}
+
 BenchmarkCase DrawCase(std::uint64_t seed, int number, const PlainMachine& nominal,
                        double duration_s) {
   const std::string name = fmt::format("blind/{}", number);
@@ -247,9 +253,7 @@ BenchmarkCase DrawCase(std::uint64_t seed, int number, const PlainMachine& nomin
   BenchmarkCase out;
   out.number = number;
   out.duration_s = duration_s;
-  // Golden-section places: any run of numbers has each kind in nearly its share.
-  const double start = Stream(seed, "blind/kinds").Uniform(0);
-  out.kind = KindAt(Fraction(start + 0.6180339887498949 * number), nominal.real.has_value());
+  out.kind = KindOfCase(seed, number, nominal.real.has_value());
   out.strength = StrengthOf(out.kind, &draws);
   if (out.kind == CaseKind::kInjected) {
     DrawInjected(&draws, seed, name, *nominal.real, &out);

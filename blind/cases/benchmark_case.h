@@ -43,6 +43,9 @@ struct BenchmarkCase {
   std::optional<InjectedCase> injected;
 };
 
+/// Kind of case `number` (from 0): spread evenly over the numbers, in the shares of DrawCase.
+CaseKind KindOfCase(std::uint64_t seed, int number, bool has_real);
+
 /// Case `number` (from 0) of a benchmark.
 ///
 /// Model   kinds as 40 % nothing wrong, 26 one effect, 12 two, 8 outside the library, 6 confounded,

@@ -20,12 +20,12 @@ bool Contains(const std::vector<std::string>& list, const std::string& text) {
   return std::find(list.begin(), list.end(), text) != list.end();
 }
 
-/// Whether a finding is of a channel that shows it.
+/// Whether a finding is of a channel that shows it, or of one within that, as an axis of a unit is.
 bool IsOf(const Concealed& hidden, const Finding& finding) {
-  return std::any_of(hidden.channels.begin(), hidden.channels.end(),
-                     [&](const std::string& channel) {
-                       return finding.channel == fmt::format("{}/{}", kName, channel);
-                     });
+  return std::any_of(hidden.channels.begin(), hidden.channels.end(), [&](const std::string& part) {
+    const std::string channel = fmt::format("{}/{}", kName, part);
+    return finding.channel == channel || finding.channel.starts_with(channel + "/");
+  });
 }
 
 bool HoldsNameOf(const Concealed& hidden, const Finding& finding) {

@@ -2,7 +2,9 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <string>
 
 #include "app/commands.h"
 #include "app/diagnosed_report.h"
@@ -23,8 +25,16 @@ struct Arguments {
 
 void RunProve(Arguments* arguments) {
   RequireNewFolder(arguments->prove.out);
-  arguments->prove.machine_yaml = PlaceOfInput(blind::kMachine, {});
-  arguments->prove.real_csv = PlaceOfInput(blind::kRealDrive, {});
+  blind::ProveOptions& prove = arguments->prove;
+  if (prove.maker == blind::MakerKind::kOwn) {
+    prove.machine_yaml = PlaceOfInput(blind::kMachine, {});
+    prove.real_csv = PlaceOfInput(blind::kRealDrive, {});
+  } else {
+    const char* size = prove.reserve ? "7t" : "4t";
+    prove.machine_yaml =
+        PlaceOfInput(fmt::format("tera:examples/prove/excavator{}.yaml", size), {});
+    prove.rig_yaml = PlaceOfInput(fmt::format("tera:examples/prove/rig{}.yaml", size), {});
+  }
   const auto diagnose = [&](const std::filesystem::path& scenario,
                             const std::filesystem::path& recording,
                             const std::filesystem::path& out) {
@@ -61,6 +71,14 @@ void AddProveCommand(CLI::App* app) {
   command->add_option("--seed", arguments->prove.seed, "Of what is concealed");
   command->add_option("--out", arguments->prove.out, "Folder to write, which must not exist")
       ->required();
+  const std::map<std::string, blind::MakerKind> makers = {{"own", blind::MakerKind::kOwn},
+                                                          {"mujoco", blind::MakerKind::kMujoco}};
+  command
+      ->add_option("--maker", arguments->prove.maker,
+                   "own: joints or tracks alone; mujoco: a whole machine with all its sensors")
+      ->transform(CLI::CheckedTransformer(makers, CLI::ignore_case));
+  command->add_flag("--reserve", arguments->prove.reserve,
+                    "Of mujoco: forms, manoeuvres and a machine that no other run uses");
   command->add_option("--duration", arguments->prove.duration_s, "Seconds of each recording")
       ->check(CLI::Range(26.0, 3600.0));
   command->add_option("--threads", arguments->threads, "Fits at a time")

@@ -54,6 +54,17 @@ TEST(Mark, OfTheRightAnswer) {
   EXPECT_TRUE(mark.parameters[0].Covered());
 }
 
+TEST(Mark, OfAUnitIsOfAnyOfItsAxes) {
+  HiddenDeadBand late;
+  late.c.hidden[0] = {.target = "imu_arm", .name = "clock_offset", .channels = {"imu_arm"}};
+  Finding finding = DeadBandOfBoom();
+  finding.mechanism = "clock_offset", finding.names = {"clock_offset"};
+  finding.target = "imu_arm", finding.channel = "digger/imu_arm/wy_radps";
+  EXPECT_TRUE(late.Of(finding).right_channel);
+  finding.channel = "digger/imu_arm_2/wy_radps";
+  EXPECT_FALSE(late.Of(finding).right_channel);
+}
+
 TEST(Mark, OfOneNameForTwoThatDoTheSameAsksForNoNumber) {
   HiddenDeadBand two;
   two.c.kind = CaseKind::kTwo;

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <functional>
+#include <set>
+
+#include "blind/mujoco/plant/course.h"
+
+namespace tera::blind::mujoco {
+
+/// What an operator does in one go.
+enum class Manoeuvre {
+  kLadder,     ///< one joint, levels that rise, each there and back
+  kSines,      ///< several joints at once
+  kSteps,      ///< one or two joints, any level for any time
+  kCycle,      ///< reach, curl, lift, slew, dump and return, in the air
+  kChirp,      ///< a wave that gets faster
+  kReversals,  ///< one level, back and forth with sharp edges
+  kStraight,
+  kArc,
+  kSpot,   ///< a turn on the spot
+  kEight,  ///< a circle to the left, one to the right
+  kSlalom,
+  kRest
+};
+
+/// Kinds that are for `--reserve` alone.
+bool IsReserved(Manoeuvre kind);
+bool IsOfTracks(Manoeuvre kind);
+/// All that a person does with joints, or with tracks.
+std::vector<Manoeuvre> ManoeuvresOf(bool tracks, bool reserve);
+
+/// How someone works.
+struct Habit {
+  std::vector<Manoeuvre> kinds;     ///< in turn, then again
+  std::vector<std::size_t> joints;  ///< axes that are used
+  double largest = 1;               ///< lever
+  bool full_steps_only = false;     ///< nothing but full levers
+};
+
+/// Someone who looks at angles and at the place: keeps joints off their stops and the machine
+/// within some 20 m of the origin, rests between manoeuvres, and eases the slew in and out, since
+/// the whole machine would turn on its tracks.
+///
+/// Frames  positive levers turn joints by their axes and drive tracks ahead.
+class Hand {
+ public:
+  Hand(const MachineNumbers& numbers, const Habit& habit, const Stream& stream);
+  PerAxis<double> operator()(double t_s, const Instant& seen);
+
+ private:
+  using Levers = PerAxis<double>;
+  /// Levers by the time since it began.
+  struct Piece {
+    double length_s = 1;
+    std::function<Levers(double since_s, const Instant& seen)> levers;
+  };
+
+  double Between(double low, double high);
+  std::size_t AnyJoint();
+  /// Towards the middle of its travel.
+  double InwardSign(std::size_t axis, const Instant& seen);
+  double TravelSign(const Instant& seen);
+  Piece Next(const Instant& seen);
+  Piece OfJoints(Manoeuvre kind, const Instant& seen);
+  Piece OfTracks(Manoeuvre kind, const Instant& seen);
+  Piece Ladder(const Instant& seen);
+  Piece Waves(double from_hz, double to_hz, std::size_t most, const Instant& seen);
+  Piece Steps(const Instant& seen);
+  Piece Cycle(const Instant& seen);
+  Piece Reversals(const Instant& seen);
+  Levers OffStops(Levers levers, const Instant& seen) const;
+
+  const MachineNumbers& numbers_;
+  Habit habit_;
+  Stream stream_;
+  std::uint64_t draw_ = 0;
+  std::size_t turn_ = 0;
+  bool rests_ = true;
+  double began_s_ = 0;
+  Piece piece_;
+  double slew_ = 0;  ///< lever
+};
+
+}  // namespace tera::blind::mujoco
