@@ -22,6 +22,7 @@ struct At {
   const Eigen::VectorXd& parameters;
   const Observation& observation;
   const Numbers& numbers;
+  const Numbers& resting;  ///< the same, 0 where they are no more than noise
   LinearisedObservation* out;
 
   int columns() const { return static_cast<int>(numbers.rows()); }
@@ -42,7 +43,7 @@ struct At {
     const int column = AddParameter(place);
     for (int k = 0; k < 3; ++k) {
       out->by_parameter.col(column) -=
-          out->by_state.middleCols(k * columns(), columns()) * numbers.col(k + 1);
+          out->by_state.middleCols(k * columns(), columns()) * resting.col(k + 1);
     }
   }
   void Begin(int rows, int noise) const {
@@ -55,31 +56,40 @@ struct At {
   }
 };
 
-// Derivatives of an inertial unit: angles, rates and accelerations of angles (9), acceleration (3),
-// joints (3 each), mount (3), place (3).
-constexpr int kImuJoints = 12, kImuMount = kImuJoints + 3 * kMostJointsOfChain,
-              kImuPlace = kImuMount + 3, kImuDerivatives = kImuPlace + 3;
+// Derivatives of an inertial unit by the motion: angles with their rates and accelerations (9),
+// acceleration (3), joints (3 each).
+constexpr int kImuJoints = 12, kImuMotion = kImuJoints + 3 * kMostJointsOfChain;
 
-using ImuJet = ceres::Jet<double, kImuDerivatives>;
+template <typename T>
+T Variable(double value, int derivative) {
+  return derivative < 0 ? T(value) : T(value, derivative);
+}
 
-Eigen::Matrix<ImuJet, 6, 1> IdealImu(const UnitChannel& unit, const At& at) {
-  using T = ImuJet;
+/// What an ideal unit measures, of these numbers; derivatives by the motion begin with
+/// `first_motion`, those by mount and place with `first_own`, if they are not negative.
+template <typename T>
+Eigen::Matrix<T, 6, 1> IdealImu(const UnitChannel& unit, const At& at, const Numbers& numbers,
+                                int first_motion, int first_own) {
+  const auto motion = [&](int i) { return first_motion < 0 ? -1 : first_motion + i; };
   std::array<Vector3<T>, 3> rpy;
   for (int k = 0; k < 3; ++k) {
-    for (int i = 0; i < 3; ++i) rpy[k][i] = T(at.numbers(kRoll + i, k), 3 * k + i);
+    for (int i = 0; i < 3; ++i) {
+      rpy[static_cast<std::size_t>(k)][i] = Variable<T>(numbers(kRoll + i, k), motion(3 * k + i));
+    }
   }
   Vector3<T> a_W, turn, place;
   const Vec3 turned = at.Three(unit.mount), shifted = at.Three(unit.place);
   for (int i = 0; i < 3; ++i) {
-    a_W[i] = T(at.numbers(i, 2), 9 + i);
-    turn[i] = T(turned[i], kImuMount + i);
-    place[i] = T(unit.X_LS.translation()[i] + shifted[i], kImuPlace + i);
+    a_W[i] = Variable<T>(numbers(i, 2), motion(9 + i));
+    turn[i] = Variable<T>(turned[i], first_own < 0 ? -1 : first_own + i);
+    place[i] = Variable<T>(unit.X_LS.translation()[i] + shifted[i],
+                           first_own < 0 ? -1 : first_own + 3 + i);
   }
   std::array<std::array<T, kMostJointsOfChain>, 3> q;
   for (std::size_t s = 0; s < unit.chain.steps.size(); ++s) {
     for (std::size_t k = 0; k < 3; ++k) {
-      q[k][s] = T(at.numbers(kBaseNumbers + unit.chain.steps[s].place, static_cast<int>(k)),
-                  kImuJoints + static_cast<int>(3 * s + k));
+      q[k][s] = Variable<T>(numbers(kBaseNumbers + unit.chain.steps[s].place, static_cast<int>(k)),
+                            motion(kImuJoints + static_cast<int>(3 * s + k)));
     }
   }
   const Inertial<T> link =
@@ -95,7 +105,8 @@ Eigen::Matrix<ImuJet, 6, 1> IdealImu(const UnitChannel& unit, const At& at) {
 void LineariseImu(const UnitChannel& unit, const At& at) {
   at.Begin(6, unit.noise);
   LinearisedObservation& out = *at.out;
-  const auto ideal = IdealImu(unit, at);
+  const auto ideal = IdealImu<ceres::Jet<double, kImuMotion>>(unit, at, at.numbers, 0, -1);
+  const auto at_rest = IdealImu<ceres::Jet<double, 6>>(unit, at, at.resting, -1, 0);
   const int mount = unit.mount < 0 ? -1 : out.parameters;
   for (int i = 0; mount >= 0 && i < 3; ++i) at.AddParameter(unit.mount + i);
   const int place = unit.place < 0 ? -1 : out.parameters;
@@ -109,8 +120,8 @@ void LineariseImu(const UnitChannel& unit, const At& at) {
     for (int i = 0; i < 3; ++i) {
       for (int k = 0; k < 3; ++k) out.by_state(row, at.Column(kRoll + i, k)) = v[3 * k + i];
       out.by_state(row, at.Column(i, 2)) = v[9 + i];
-      if (mount >= 0) out.by_parameter(row, mount + i) = v[kImuMount + i];
-      if (place >= 0) out.by_parameter(row, place + i) = v[kImuPlace + i];
+      if (mount >= 0) out.by_parameter(row, mount + i) = factor * at_rest[row].v[i];
+      if (place >= 0) out.by_parameter(row, place + i) = factor * at_rest[row].v[3 + i];
     }
     for (std::size_t s = 0; s < unit.chain.steps.size(); ++s) {
       for (int k = 0; k < 3; ++k) {
@@ -119,7 +130,8 @@ void LineariseImu(const UnitChannel& unit, const At& at) {
       }
     }
     if (unit.scale >= 0) {
-      out.by_parameter(row, at.AddParameter(unit.scale + row)) = unit.signs[row % 3] * ideal[row].a;
+      out.by_parameter(row, at.AddParameter(unit.scale + row)) =
+          unit.signs[row % 3] * at_rest[row].a;
     }
     if (unit.bias >= 0) out.by_parameter(row, at.AddParameter(unit.bias + row)) = 1;
   }
@@ -276,7 +288,8 @@ double DelayOf(const MotionProblem& problem, const Eigen::VectorXd& parameters,
 
 bool Linearise(const MotionProblem& problem, const UniformSpline& spline,
                const Eigen::MatrixXd& coefficients, const Eigen::VectorXd& parameters,
-               const Observation& observation, LinearisedObservation* out) {
+               const MovingNumbers& moving, const Observation& observation,
+               LinearisedObservation* out) {
   const double late_s = DelayOf(problem, parameters, observation);
   const double from_s = observation.from_s - late_s, to_s = observation.to_s - late_s;
   if (!spline.Covers(from_s, to_s)) return false;
@@ -284,7 +297,12 @@ bool Linearise(const MotionProblem& problem, const UniformSpline& spline,
   const int count = std::min<int>(5, spline.coefficients - out->weights.first);
   const Numbers numbers = coefficients.middleRows(out->weights.first, count).transpose() *
                           out->weights.by_derivative.leftCols(count).transpose();
-  const At at{problem, parameters, observation, numbers, out};
+  Numbers resting = numbers;
+  const auto block = std::min<Eigen::Index>((out->weights.first + 1) / 4, moving.rows() - 1);
+  for (Eigen::Index n = 0; n < numbers.rows(); ++n) {
+    for (int k = 0; k < 3; ++k) resting(n, k + 1) *= moving(block, 3 * n + k);
+  }
+  const At at{problem, parameters, observation, numbers, resting, out};
   const auto channel = static_cast<std::size_t>(observation.channel);
   switch (observation.kind) {
     case ObservationKind::kImu:

@@ -23,14 +23,22 @@ struct LinearisedObservation {
   SplineWeights weights;
 };
 
+/// Which derivatives of the motion stand out of their noise: rows are blocks of four coefficients,
+/// columns the first, second and third derivative of each number; 1 where they do, else 0.
+using MovingNumbers = Eigen::ArrayXXd;
+
 /// Fills `out`; false where the motion does not cover the time of the observation.
 ///
 /// Model   an inertial unit: rates and forces of its true frame, averaged over the observation as
 ///         the splines are (UniformSpline::MeanOver), signs, scale, bias. A receiver: its antenna's
 ///         place. All are as late as their parameter says.
+///         Derivatives by parameters are those of a motion that rests where it does not stand out
+///         of its noise: a motion that follows the noise of a sensor would else seem to excite its
+///         scale, place and delay, which then give way to the noise (errors in variables).
 /// Omits   products of motions that change within an observation; filters, which count as delays.
 bool Linearise(const MotionProblem& problem, const UniformSpline& spline,
                const Eigen::MatrixXd& coefficients, const Eigen::VectorXd& parameters,
-               const Observation& observation, LinearisedObservation* out);
+               const MovingNumbers& moving, const Observation& observation,
+               LinearisedObservation* out);
 
 }  // namespace tera

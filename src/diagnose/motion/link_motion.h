@@ -35,8 +35,10 @@ Matrix3<T> RotationAbout(const Vec3& axis, const T& angle) {
   Matrix3<T> R;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) R(i, j) = v * (axis[i] * axis[j]);
-    R(i, i) += c;
+  }
+  for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
+    R(i, i) += c;
     R(k, j) += s * axis[i];
     R(j, k) -= s * axis[i];
   }

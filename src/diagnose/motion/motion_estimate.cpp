@@ -14,7 +14,9 @@ constexpr double kJerk_mps3 = 40, kJerk_radps3 = 60;  ///< of the base and of jo
 /// How far from where it begins the motion may be, 1 sigma of each coefficient.
 constexpr double kPlace_m = 50, kLean_rad = 0.5, kYaw_rad = 5, kJoint = 2;
 constexpr int kUnweightedIterations = 2;  ///< of a first estimate
-constexpr double kSettled = 0.02;         ///< change of parameters over their prior's sigma
+/// Power of a rate over that of its error, from which on it stands out.
+constexpr double kStandsOut = 30;
+constexpr double kSettled = 0.02;  ///< change of parameters over their prior's sigma
 
 /// One segment linearised about a motion.
 struct LinearisedSegment {
@@ -70,7 +72,9 @@ LinearisedSegment LineariseSegment(const MotionProblem& problem, std::size_t s,
   linear.residuals.resize(problem.noise.size());
   LinearisedObservation rows;
   for (const Observation& observation : segment.observations) {
-    if (!Linearise(problem, segment.spline, coefficients, parameters, observation, &rows)) continue;
+    if (!Linearise(problem, segment.spline, coefficients, parameters, at.motion[s].moving,
+                   observation, &rows))
+      continue;
     equations.Add(rows, weights.Of(rows, at.noise));
     for (int i = 0; rows.noise >= 0 && i < rows.rows; ++i) {
       linear.residuals[static_cast<std::size_t>(rows.noise + i)].push_back(rows.residual[i]);
@@ -78,6 +82,44 @@ LinearisedSegment LineariseSegment(const MotionProblem& problem, std::size_t s,
   }
   linear.quadratic = equations.Reduce(&linear.step);
   return linear;
+}
+
+/// Which numbers move, by the power of their rates over three blocks; all their derivatives count
+/// there, as half of them would make no direction of descent.
+MovingNumbers MovingOf(const UniformSpline& spline, const Eigen::MatrixXd& coefficients,
+                       const std::vector<Eigen::MatrixXd>& covariance) {
+  const auto blocks = static_cast<Eigen::Index>(covariance.size());
+  const Eigen::Index numbers = coefficients.cols();
+  const Eigen::Matrix<double, 4, 4> weights =
+      spline.At(0.5 * spline.step_s).by_derivative.leftCols<4>();
+  Eigen::ArrayXXd power(blocks, 3 * numbers), error(blocks, 3 * numbers);
+  for (Eigen::Index b = 0; b < blocks; ++b) {
+    for (Eigen::Index n = 0; n < numbers; ++n) {
+      const Eigen::Vector4d own = coefficients.block<4, 1>(4 * b, n);
+      Eigen::Matrix4d spread;
+      for (Eigen::Index i = 0; i < 4; ++i) {
+        for (Eigen::Index j = 0; j < 4; ++j) {
+          spread(i, j) = covariance[static_cast<std::size_t>(b)](i * numbers + n, j * numbers + n);
+        }
+      }
+      for (Eigen::Index k = 0; k < 3; ++k) {
+        const Eigen::RowVector4d w = weights.row(k + 1);
+        power(b, 3 * n + k) = std::pow(w.dot(own), 2);
+        error(b, 3 * n + k) = w * spread * w.transpose();
+      }
+    }
+  }
+  MovingNumbers moving(blocks, 3 * numbers);
+  for (Eigen::Index b = 0; b < blocks; ++b) {
+    const Eigen::Index first = std::max<Eigen::Index>(0, b - 1),
+                       count = std::min(blocks, b + 2) - first;
+    const Eigen::ArrayXXd mean = power.middleRows(first, count).colwise().mean();
+    for (Eigen::Index n = 0; n < numbers; ++n) {
+      const bool moves = mean(3 * n) > kStandsOut * error(b, 3 * n);
+      moving.block(b, 3 * n, 1, 3).setConstant(moves ? 1 : 0);
+    }
+  }
+  return moving;
 }
 
 /// Parameters that wander between segments, of a segment's quadratic.
@@ -143,8 +185,9 @@ void GatherResiduals(const std::vector<LinearisedSegment>& linear, MotionEstimat
 }
 
 /// Moves to the least of the linearised problem; returns the largest change of a parameter.
-double Move(const std::vector<LinearisedSegment>& linear, const Wandering& wandering,
-            const ParameterPrior& prior, MotionEstimate* estimate) {
+double Move(const MotionProblem& problem, const std::vector<LinearisedSegment>& linear,
+            const Wandering& wandering, const ParameterPrior& prior, bool gates,
+            MotionEstimate* estimate) {
   const std::vector<ParameterQuadratic> own = Absolute(linear, *estimate);
   ParameterQuadratic sum = QuadraticOf(prior);
   estimate->quadratics.clear();
@@ -165,6 +208,10 @@ double Move(const std::vector<LinearisedSegment>& linear, const Wandering& wande
       motion.coefficients.row(i) += step.segment(i * numbers, numbers).transpose();
     }
     motion.wandered = wandered;
+    if (gates) {
+      motion.moving =
+          MovingOf(problem.segments[s].spline, motion.coefficients, linear[s].step.covariance);
+    }
   }
   return before.size() == 0
              ? 0
@@ -183,7 +230,9 @@ MotionEstimate StartingEstimate(const MotionProblem& problem, const ParameterPri
   start.parameters = prior.documented;
   start.noise = problem.noise;
   for (const MotionSegment& segment : problem.segments) {
-    start.motion.push_back({segment.start, Eigen::VectorXd::Zero(problem.parameters)});
+    start.motion.push_back(
+        {segment.start, MovingNumbers::Ones(segment.spline.coefficients / 4, 3 * problem.numbers()),
+         Eigen::VectorXd::Zero(problem.parameters)});
   }
   return start;
 }
@@ -204,7 +253,8 @@ MotionEstimate EstimateMotion(const MotionProblem& problem, const ParameterPrior
     if (options.estimates_noise && i >= unweighted) {
       EstimateNoise(estimate.residuals, &estimate.noise);
     }
-    const double change = Move(linear, wandering, prior, &estimate);
+    const double change = Move(problem, linear, wandering, prior,
+                               i >= unweighted && options.estimates_noise, &estimate);
     ++estimate.iterations;
     estimate.converged = i > unweighted + 1 && change < kSettled;
     if (estimate.converged) break;

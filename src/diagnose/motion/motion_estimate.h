@@ -17,7 +17,8 @@ struct ParameterPrior {
 /// The motion of one segment and the parameters as they are in it.
 struct SegmentMotion {
   Eigen::MatrixXd coefficients;  ///< one row each, one column for each number
-  Eigen::VectorXd wandered;      ///< the parameters of the segment less those of all
+  MovingNumbers moving;
+  Eigen::VectorXd wandered;  ///< the parameters of the segment less those of all
 };
 
 struct MotionEstimate {
@@ -32,7 +33,7 @@ struct MotionEstimate {
 };
 
 struct EstimateOptions {
-  int most_iterations = 12;
+  int most_iterations = 7;
   bool estimates_noise = true;
   int threads = 1;
 };

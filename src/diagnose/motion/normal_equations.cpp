@@ -78,12 +78,18 @@ ParameterQuadratic NormalEquations::Reduce(MotionStep* step) const {
     }
     factors[b].compute(square);
   }
+  step->covariance.resize(static_cast<std::size_t>(blocks_));
   for (int k = blocks_ - 1; k >= 0; --k) {
     const auto b = static_cast<std::size_t>(k);
     if (k + 1 < blocks_) {
       rows(k).noalias() -= pair_[b].bottomLeftCorner(block_, block_).transpose() * rows(k + 1);
     }
     factors[b].solveInPlace(rows(k));
+    Eigen::MatrixXd& covariance = step->covariance[b];
+    covariance = factors[b].solve(Eigen::MatrixXd::Identity(block_, block_));
+    if (k + 1 == blocks_) continue;
+    const Eigen::MatrixXd gain = pair_[b].bottomLeftCorner(block_, block_) * covariance;
+    covariance += gain.transpose() * step->covariance[b + 1] * gain;
   }
   const auto coupling = right_.leftCols(parameters_);
   ParameterQuadratic reduced;

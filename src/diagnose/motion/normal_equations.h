@@ -21,6 +21,8 @@ struct ParameterQuadratic {
 struct MotionStep {
   Eigen::VectorXd without;
   Eigen::MatrixXd by_parameter;
+  /// The covariance of the coefficients of each block, without that of the parameters.
+  std::vector<Eigen::MatrixXd> covariance;
 };
 
 /// Normal equations of the coefficients of one segment's motion and the parameters.

@@ -13,7 +13,7 @@ namespace tera {
 namespace {
 
 constexpr double kPriorShare = 0.5;   ///< sigma of a prior over the tolerance
-constexpr double kFlexibleShare = 4;  ///< of the flexible prior
+constexpr double kFlexibleShare = 1;  ///< of the flexible prior
 constexpr double kFreeShare = 100;    ///< of a group that is free
 /// What differs from segment to segment over the tolerance: of biases, and of all else, which
 /// stands for what the models leave out.
