@@ -33,7 +33,7 @@ struct MotionEstimate {
 };
 
 struct EstimateOptions {
-  int most_iterations = 12;
+  int most_iterations = 7;
   bool estimates_noise = true;
   int threads = 1;
 };

@@ -131,7 +131,7 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
     return JudgeGroups(problem.table, flexible.quadratics, options.judge);
   });
   estimate_options.estimates_noise = false;
-  estimate_options.most_iterations = 4;
+  estimate_options.most_iterations = 3;
   const auto with_free = [&](const std::vector<int>& free) {
     return clock->Time("sensors: motion again", [&] {
       const ParameterPrior prior = problem.table.PriorWith(free);
