@@ -2,7 +2,6 @@
 
 #include "blind/cases/recording_files.h"
 #include "blind/mujoco/cases/whole_case.h"
-#include "blind/prove.h"
 
 namespace tera::blind {
 namespace {

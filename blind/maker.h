@@ -1,21 +1,12 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <optional>
 
 #include "blind/cases/benchmark_case.h"
+#include "blind/prove_options.h"
 
 namespace tera::blind {
-
-struct ProveOptions;
-
-/// Whose recordings.
-enum class MakerKind {
-  kOwn,    ///< equations of joints and tracks by this project: cases/, plant/
-  kMujoco  ///< a whole machine with all its sensors by MuJoCo: mujoco/
-};
 
 /// What is to be marked of a case: what is hidden, and what that changes.
 struct MadeCase {

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "blind/cases/recording_files.h"
+#include "blind/maker.h"
 #include "blind/marking/answer.h"
 #include "blind/marking/seal.h"
 #include "blind/marking/table.h"

@@ -69,6 +69,7 @@ const std::multimap<std::string, std::string> kFolderOfLibrary = {
     {"openssl/", "dataset"},
     {"CLI/", "app"},
     {"cvode/", "blind"},
+    {"mujoco/", "blind"},
     {"nvector/", "blind"},
     {"sunlinsol/", "blind"},
     {"sunmatrix/", "blind"},
