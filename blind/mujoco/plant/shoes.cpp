@@ -41,9 +41,10 @@ void Shoes::PushShoe(const Mat3& R_WB, const Vec3& p_WB_m, const Vec3& v_mps, co
   const double passing_1ps = std::abs(side->speed_mps) / form_.relaxation_m;
   const auto hold = [&](double slide_mps, double grip, double* bristle_m) {
     const double most_n = grip * load_n;
-    *bristle_m += kStep_s * (slide_mps - passing_1ps * *bristle_m);
+    const double bends_mps = slide_mps - passing_1ps * *bristle_m;
+    *bristle_m += kStep_s * bends_mps;
     *bristle_m = std::clamp(*bristle_m, -most_n / bristle_npm_, most_n / bristle_npm_);
-    return -std::clamp(bristle_npm_ * *bristle_m + bristle_nspm_ * slide_mps, -most_n, most_n);
+    return -std::clamp(bristle_npm_ * *bristle_m + bristle_nspm_ * bends_mps, -most_n, most_n);
   };
   Bristle& bristle = side->bristles[k];
   const double travel_mps = own_mps.dot(ahead);

@@ -8,7 +8,7 @@ namespace tera::blind::mujoco {
 ///
 /// Model   A shoe is carried by a spring and damper along the ground's normal. Along and across the
 ///         track it hangs on a bristle z: z' = v - z |V| / l, v being what it slides, V the track's
-///         speed and l a length of ground; its force k z + c v is at most the grip times the load.
+///         speed and l a length of ground; its force k z + c z' is at most the grip times the load.
 ///         So tracks stand on slopes without creeping, a thrust costs slip in proportion, and turns
 ///         slide the shoes sideways. Rolling resistance pulls at the machine against its travel.
 /// Omits   sinkage; that a shoe that slides one way holds less the other way.
