@@ -135,7 +135,7 @@ std::vector<Diagnosis> DiagnoseRecording(const Scenario& scenario, const Recordi
     const MachineCase machine(scenario, m);
     DiagnosisCase asked{.input = machine.InputOf(recording), .recording = &recording};
     asked.origin = scenario.origin;
-    asked.place = KnownPlaceOf(scenario, m);
+    if (task.sensors_together) asked.place = KnownPlaceOf(scenario, m);
     asked.perception = std::move(seen[m]);
     if (task.simulate) asked.simulate = SimulatorOf(scenario, m);
     for (const std::filesystem::path& path : task.held_out) {
