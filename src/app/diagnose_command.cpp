@@ -33,9 +33,6 @@ void AddDiagnoseCommand(CLI::App* app) {
   command->add_flag_callback(
       "--no-simulation", [arguments] { arguments->task.simulate = false; },
       "Leave out the whole simulation that confirms what was found");
-  command->add_flag("--sensors-together", arguments->task.sensors_together,
-                    "Compare units, receivers, encoders and poses with each other first, and by "
-                    "themselves only where that leaves error");
   command->add_option("--threads", arguments->task.threads, "Fits at a time")
       ->check(WholeNumberBetween(1, 1024));
   command->add_flag("--profile", arguments->profile, "Print where the time went");

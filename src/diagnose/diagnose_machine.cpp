@@ -129,6 +129,7 @@ SensorDiagnosisOptions SensorOptionsOf(const DiagnosisCase& asked,
   SensorDiagnosisOptions of_sensors;
   of_sensors.place = asked.place;
   of_sensors.judge.alpha = options.search.alpha;
+  of_sensors.library = options.library;
   of_sensors.threads = options.search.threads;
   return of_sensors;
 }
@@ -161,10 +162,8 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
   diagnosis.origin = asked.origin;
   diagnosis.start_ns = measured.start_ns;
   diagnosis.levers_are_the_scenarios = input.commands_are_the_scenarios;
-  if (options.sensors_together) {
-    diagnosis.sensors = DiagnosedOf(
-        DiagnoseSensors(input, measured, SensorOptionsOf(asked, options), clock), input.machine);
-  }
+  diagnosis.sensors = DiagnosedOf(
+      DiagnoseSensors(input, measured, SensorOptionsOf(asked, options), clock), input.machine);
   options.blocks.needs_any =
       options.blocks.needs_any && diagnosis.sensors.estimate.channels.empty();
   const Measurements left = WithoutExplained(input, diagnosis.sensors.estimate, measured);

@@ -20,9 +20,6 @@ struct DiagnosisOptions {
   BlockOptions blocks;
   SearchOptions search;
   std::uint64_t seed = 1;
-  /// Whether units, receivers, encoders and poses are first compared with each other, and have
-  /// blocks of their own only where that leaves error.
-  bool sensors_together = false;
   std::optional<CandidateLibrary> library;  ///< limits or extends the blocks' own
   /// Limit of the search. Blocks that are not done by then are not judged, so that the answer
   /// depends on the computer; where the limit is not reached the answer is the same as without one.

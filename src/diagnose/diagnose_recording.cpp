@@ -75,7 +75,6 @@ DiagnosisOptions OptionsOf(const DiagnosisTask& task, std::uint64_t seed) {
   if (task.from_s) options.measurements.from_s = *task.from_s;
   if (task.to_s) options.measurements.to_s = *task.to_s;
   options.library = task.library;
-  options.sensors_together = task.sensors_together;
   options.time_limit_s = task.time_limit_s;
   return options;
 }
@@ -135,7 +134,7 @@ std::vector<Diagnosis> DiagnoseRecording(const Scenario& scenario, const Recordi
     const MachineCase machine(scenario, m);
     DiagnosisCase asked{.input = machine.InputOf(recording), .recording = &recording};
     asked.origin = scenario.origin;
-    if (task.sensors_together) asked.place = KnownPlaceOf(scenario, m);
+    asked.place = KnownPlaceOf(scenario, m);
     asked.perception = std::move(seen[m]);
     if (task.simulate) asked.simulate = SimulatorOf(scenario, m);
     for (const std::filesystem::path& path : task.held_out) {

@@ -17,8 +17,7 @@ struct DiagnosisTask {
   std::vector<std::filesystem::path> held_out;  ///< further recordings, for validation
   std::optional<CandidateLibrary> library;      ///< limits or extends the blocks' own
   std::optional<double> from_s, to_s, time_limit_s;
-  bool simulate = true;           ///< whether the whole scenario is simulated as well
-  bool sensors_together = false;  ///< DiagnosisOptions
+  bool simulate = true;  ///< whether the whole scenario is simulated as well
   int threads = 1;
 };
 

@@ -214,6 +214,11 @@ CandidateLibrary ReadCandidateLibrary(const std::filesystem::path& file) {
   return library;
 }
 
+bool Admits(const CandidateLibrary& library, std::string_view mechanism) {
+  return !Holds(library.without, mechanism) &&
+         (library.only.empty() || Holds(library.only, mechanism));
+}
+
 void ApplyLibrary(const CandidateLibrary& library, const MachineModel& model,
                   std::vector<ReplayBlock>* blocks) {
   for (ReplayBlock& block : *blocks) {
@@ -232,8 +237,7 @@ void ApplyLibrary(const CandidateLibrary& library, const MachineModel& model,
       }
     }
     std::erase_if(block.candidates, [&](const Candidate& candidate) {
-      const std::string_view id = candidate.mechanism->id;
-      return Holds(library.without, id) || (!library.only.empty() && !Holds(library.only, id));
+      return !Admits(library, candidate.mechanism->id);
     });
   }
 }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,9 @@ struct CandidateLibrary {
 /// `suspects`, the former name of `candidates`, is read as well. Throws InputError with every
 /// fault: an unknown identifier or number, a range that is empty or beyond the mechanism's own.
 CandidateLibrary ReadCandidateLibrary(const std::filesystem::path& file);
+
+/// Whether a library leaves a mechanism among the candidates.
+bool Admits(const CandidateLibrary& library, std::string_view mechanism);
 
 /// Gives blocks the candidates of a library. The starts of a candidate are brought within the
 /// ranges. Throws InputError where a mechanism that is no candidate of a block by itself lacks a

@@ -12,8 +12,8 @@ namespace {
 
 /// RMS over what successive residuals differ by, from which on error is left.
 constexpr double kMostOfDifferences = 2;
-/// Share of the excess of some channel that what is named removes, at least: as of blocks, less is
-/// too little to be what is wrong.
+/// What is named gains at least this share of its own gain and of all that could still be gained:
+/// as of blocks, less is too little to be what is wrong.
 constexpr double kLeastExcessOfCause = 1.0 / 3;
 
 /// The index of a parameter of a mechanism; none where it has no such number.
@@ -123,11 +123,9 @@ DiagnosedSensors DiagnosedOf(SensorDiagnosis estimate, const std::string& machin
   DiagnosedSensors out;
   out.estimate = std::move(estimate);
   Teller teller(machine, &out);
-  const auto& channels = out.estimate.channels;
-  const bool is_cause = std::any_of(channels.begin(), channels.end(), [](const ChannelError& one) {
-    return ExcessRemoved(one) >= kLeastExcessOfCause;
-  });
+  const double left = out.estimate.left_to_gain;
   for (const SensorFinding& found : out.estimate.findings) {
+    const bool is_cause = found.gain >= kLeastExcessOfCause * (found.gain + left);
     (is_cause ? out.findings : out.unconfirmed).push_back(teller.Tell(found));
   }
   for (const SensorFinding& found : out.estimate.within_tolerance) {

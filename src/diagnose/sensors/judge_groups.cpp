@@ -17,6 +17,7 @@ constexpr double kRivalShare = 0.5;  ///< of a gain, without which a group is no
 constexpr double kCancels = 0.98;    ///< correlation of two numbers whose effects cancel
 constexpr double kWithinSigmas = 3;  ///< from the documented value, to be listed
 constexpr std::size_t kFewestSegments = 3;
+constexpr std::size_t kMostParts = 12;  ///< of a recording, that are judged apart
 
 using Set = std::vector<int>;
 
@@ -34,11 +35,28 @@ bool Has(const Set& set, int group) {
   return std::find(set.begin(), set.end(), group) != set.end();
 }
 
+/// Sums of consecutive segments, in as many parts as may be: errors that outlast a segment, as the
+/// slow ones of receivers do, would else make segments confirm each other.
+std::vector<ParameterQuadratic> PartsOf(const std::vector<ParameterQuadratic>& segments) {
+  const std::size_t count = std::min(segments.size(), kMostParts);
+  std::vector<ParameterQuadratic> parts;
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    const std::size_t part = s * count / segments.size();
+    if (part == parts.size()) {
+      parts.push_back(segments[s]);
+    } else {
+      parts.back().information += segments[s].information;
+      parts.back().score += segments[s].score;
+    }
+  }
+  return parts;
+}
+
 class Judge {
  public:
   Judge(const ParameterTable& table, const std::vector<ParameterQuadratic>& segments,
         const JudgeOptions& options)
-      : table_(table), segments_(segments), options_(options) {
+      : table_(table), segments_(PartsOf(segments)), options_(options) {
     const auto count = static_cast<Eigen::Index>(table.parameters.size());
     sum_ = {Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count)};
     for (const ParameterQuadratic& q : segments) {
@@ -64,6 +82,12 @@ class Judge {
       q.score -= segments_[static_cast<std::size_t>(without)].score;
     }
     return SmallestWithin(q.information, q.score, prior.lower, prior.upper);
+  }
+  Eigen::VectorXd FlexibleFit() const {
+    const ParameterPrior prior = table_.FlexiblePrior();
+    const ParameterQuadratic q = QuadraticOf(prior);
+    return SmallestWithin(q.information + sum_.information, q.score + sum_.score, prior.lower,
+                          prior.upper);
   }
   std::vector<Eigen::VectorXd> CrossFits(const Set& free) const {
     std::vector<Eigen::VectorXd> fits;
@@ -93,13 +117,13 @@ class Judge {
   std::vector<JudgedParameter> Posterior(const Set& free, int g) const;
   bool IsAdmissible(const NamedGroup& tried) const;
   std::vector<int> MostPromising(const Set& named, const Set& candidates, int most) const;
-  bool Grow(Set* set, GroupJudgement* judgement) const;
+  bool Grow(Set* set) const;
   void DropInadmissible(Set* set, GroupJudgement* judgement) const;
   std::vector<int> RivalsOf(const Set& set, int g) const;
   void SetAsideCancelling(Set* set, GroupJudgement* judgement) const;
 
   const ParameterTable& table_;
-  const std::vector<ParameterQuadratic>& segments_;
+  const std::vector<ParameterQuadratic> segments_;
   const JudgeOptions& options_;
   ParameterQuadratic sum_;
 };
@@ -159,17 +183,16 @@ std::vector<int> Judge::MostPromising(const Set& named, const Set& candidates, i
 }
 
 /// Adds the admissible group with the largest held-out gain; false if there is none.
-bool Judge::Grow(Set* set, GroupJudgement* judgement) const {
+bool Judge::Grow(Set* set) const {
   Set candidates;
   for (int g = 0; g < groups(); ++g) {
-    if (!Has(*set, g)) candidates.push_back(g);
+    if (group(g).may_be_named && !Has(*set, g)) candidates.push_back(g);
   }
   const auto before = CrossFits(*set);
   std::optional<NamedGroup> best;
   for (const int g : MostPromising(*set, candidates, options_.most_tried)) {
     const auto gains = Gains(before, CrossFits(With(*set, g)));
-    NamedGroup tried{g, Posterior(With(*set, g), g), Total(gains), GainP(gains), {}};
-    if (set->empty()) judgement->p_by_group[static_cast<std::size_t>(g)] = tried.p;
+    NamedGroup tried{g, Posterior(With(*set, g), g), Total(gains), SteadyGainP(gains), {}};
     if (IsAdmissible(tried) && (!best || tried.gain > best->gain)) best = std::move(tried);
   }
   if (!best) return false;
@@ -185,7 +208,7 @@ void Judge::DropInadmissible(Set* set, GroupJudgement* judgement) const {
     const auto after = CrossFits(*set);
     for (const int g : *set) {
       const auto gains = Gains(CrossFits(Without(*set, g)), after);
-      judgement->named.push_back({g, Posterior(*set, g), Total(gains), GainP(gains), {}});
+      judgement->named.push_back({g, Posterior(*set, g), Total(gains), SteadyGainP(gains), {}});
     }
     for (const NamedGroup& one : judgement->named) {
       if (IsAdmissible(one)) continue;
@@ -202,13 +225,13 @@ std::vector<int> Judge::RivalsOf(const Set& set, int g) const {
   const double gain = Total(Gains(base, best));
   Set candidates;
   for (int h = 0; h < groups(); ++h) {
-    if (!Has(set, h)) candidates.push_back(h);
+    if (group(h).may_be_named && !Has(set, h)) candidates.push_back(h);
   }
   std::vector<int> rivals;
   for (const int h : MostPromising(others, candidates, options_.most_tried)) {
     const auto rival = CrossFits(With(others, h));
     if (Total(Gains(base, rival)) < kRivalShare * gain) continue;
-    if (GainP(Gains(rival, best)) > kRivalP) rivals.push_back(h);
+    if (SteadyGainP(Gains(rival, best)) > kRivalP) rivals.push_back(h);
   }
   return rivals;
 }
@@ -251,10 +274,9 @@ void Judge::SetAsideCancelling(Set* set, GroupJudgement* judgement) const {
 
 GroupJudgement Judge::Run() {
   GroupJudgement judgement;
-  judgement.p_by_group.assign(table_.groups.size(), 1);
   Set set;
   if (segments_.size() >= kFewestSegments) {
-    while (static_cast<int>(set.size()) < options_.most_named && Grow(&set, &judgement)) {
+    while (static_cast<int>(set.size()) < options_.most_named && Grow(&set)) {
     }
   }
   DropInadmissible(&set, &judgement);
@@ -276,6 +298,7 @@ GroupJudgement Judge::Run() {
     if (is_testable && is_off && !is_beyond) judgement.within.push_back(g);
   }
   judgement.parameters = Fit(set);
+  judgement.left_to_gain = FitOf(FlexibleFit()) - FitOf(judgement.parameters);
   return judgement;
 }
 

@@ -37,8 +37,8 @@ struct GroupJudgement {
   std::vector<int> within;      ///< differ from the documented, within tolerance
   std::vector<int> untestable;  ///< their error exceeds their tolerance
   std::vector<std::vector<JudgedParameter>> by_group;  ///< each where it alone is free
-  std::vector<double> p_by_group;                      ///< of those tried at the first step, else 1
   Eigen::VectorXd parameters;                          ///< best with the named free
+  double left_to_gain = 0;  ///< of log-likelihood, if all else were free as well
 };
 
 /// Which groups lie beyond their tolerance.

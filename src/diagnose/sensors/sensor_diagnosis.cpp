@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "diagnose/statistics/series/robust.h"
 
@@ -31,12 +32,18 @@ std::vector<int> NamedOf(const GroupJudgement& judgement) {
   return named;
 }
 
+/// Without the largest hundredth: a blow on a stop leaves a few that are a hundred times as large.
 double RmsOf(const ChannelResiduals& residuals) {
-  double square = 0, count = 0;
+  std::vector<double> squares;
   for (const auto& segment : residuals.by_segment) {
-    for (const double r : segment) square += r * r, ++count;
+    for (const double r : segment) squares.push_back(r * r);
   }
-  return count > 0 ? std::sqrt(square / count) : 0;
+  if (squares.empty()) return 0;
+  const auto most = squares.end() - static_cast<std::ptrdiff_t>(squares.size() / 100);
+  std::nth_element(squares.begin(), most == squares.end() ? squares.end() - 1 : most,
+                   squares.end());
+  return std::sqrt(std::accumulate(squares.begin(), most, 0.0) /
+                   static_cast<double>(most - squares.begin()));
 }
 
 /// The standard deviation of white noise with the third differences of the residuals.
@@ -72,6 +79,7 @@ std::vector<EstimatedMotion> MotionOf(const MotionProblem& problem,
 
 void Report(const SensorProblem& problem, const GroupJudgement& judgement,
             SensorDiagnosis* diagnosis) {
+  diagnosis->left_to_gain = judgement.left_to_gain;
   const ParameterTable& table = problem.table;
   const auto name = [&](int g) { return NameOf(table.groups[static_cast<std::size_t>(g)]); };
   for (const NamedGroup& one : judgement.named) {
@@ -113,9 +121,9 @@ double EstimatedMotion::JointAt(TimeNs t_ns, std::size_t joint) const {
 
 SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements& measured,
                                 const SensorDiagnosisOptions& options, StageClock* clock) {
-  const SensorProblem problem = clock->Time("sensors: problem", [&] {
-    return MakeSensorProblem(input, measured, options.place, options.tolerances);
-  });
+  SensorProblem problem = clock->Time(
+      "sensors: problem", [&] { return MakeSensorProblem(input, measured, options.place); });
+  if (options.library) problem.table.LimitTo(*options.library);
   SensorDiagnosis diagnosis;
   diagnosis.joints = problem.motion.joints;
   diagnosis.not_compared = problem.not_compared;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,8 @@
 namespace tera {
 
 struct SensorDiagnosisOptions {
-  SensorTolerances tolerances;
   KnownPlace place;
+  std::optional<CandidateLibrary> library;  ///< limits what is named
   JudgeOptions judge;
   int threads = 1;
 };
@@ -58,6 +59,7 @@ struct SensorDiagnosis {
   std::vector<SensorFinding> findings;
   std::vector<SensorFinding> within_tolerance, untestable;
   std::vector<std::vector<std::string>> not_told_apart;  ///< "target/mechanism"
+  double left_to_gain = 0;                               ///< GroupJudgement
   std::vector<ChannelError> channels;
   std::vector<std::string> joints;
   std::vector<EstimatedMotion> motion;  ///< in the order of time

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
+#include "core/check.h"
 #include "core/units.h"
 #include "diagnose/blocks/measured_poses.h"
+#include "diagnose/tolerances/default_tolerances.h"
 #include "sensors/imu/imu_slots.h"
 #include "sensors/slots/effect_numbers.h"
 
@@ -14,26 +17,41 @@ namespace {
 
 constexpr double kPriorShare = 0.5;   ///< sigma of a prior over the tolerance
 constexpr double kFlexibleShare = 1;  ///< of the flexible prior
-constexpr double kFreeShare = 100;    ///< of a group that is free
+constexpr double kFreeShare = 100;    ///< of a group that is free, over the default tolerance
+constexpr double kLeastShare = 0.01;  ///< of the default: what is stated as exact is known so well
 /// What differs from segment to segment over the tolerance: of biases, and of all else, which
 /// stands for what the models leave out.
 constexpr double kBiasWander = 0.25, kWander = 0.06;
 constexpr double kMostDelay_s = 3;
 
-/// Adds one group's numbers.
+double UsualHalfWidth(const std::string& target, const std::string& mechanism,
+                      const std::string& parameter) {
+  const DefaultTolerance* usual = DefaultToleranceOf(target, mechanism, parameter);
+  TERA_CHECK(usual != nullptr, target, mechanism, parameter);
+  return usual->half_width;
+}
+
+/// Adds one group's numbers, with the tolerance that is stated of each.
 class GroupOf {
  public:
   GroupOf(ParameterTable* table, const std::string& target, const std::string& mechanism)
       : table_(table) {
     const int first = static_cast<int>(table->parameters.size());
-    table->groups.push_back({target, mechanism, first, 0});
+    table->groups.push_back({target, mechanism, first});
   }
-  /// `range` is to both sides of the documented value, in SI units.
+  /// `documented_si` is in SI units, of which one of the unit has `si_per_unit`; a number is looked
+  /// for within `range` to both sides of it, in its own unit.
   GroupOf& Number(const std::string& name, const std::string& unit, double si_per_unit,
-                  double documented, double tolerance, double range, double wander_share) {
-    table_->parameters.push_back({name, unit, si_per_unit, documented, tolerance,
-                                  wander_share * tolerance, documented - range,
-                                  documented + range});
+                  double documented_si, double range, double wander_share) {
+    const ParameterGroup& group = table_->groups.back();
+    const double usual = si_per_unit * UsualHalfWidth(group.target, group.mechanism, name);
+    const double tolerance =
+        std::max(si_per_unit * table_->HalfWidthOf(group.target, group.mechanism, name),
+                 kLeastShare * usual);
+    table_->parameters.push_back({name, unit, si_per_unit, documented_si, tolerance,
+                                  kFreeShare * usual, wander_share * tolerance,
+                                  documented_si - si_per_unit * range,
+                                  documented_si + si_per_unit * range});
     ++table_->groups.back().count;
     return *this;
   }
@@ -51,25 +69,34 @@ double DocumentedDelay_s(const Effects& effects) {
          NumberOf(effects, "filter_delay", "time_constant_s", 0);
 }
 
-int AddDelay(const std::string& target, const Effects& effects, double tolerance_s,
-             ParameterTable* table) {
+int AddDelay(const std::string& target, const Effects& effects, ParameterTable* table) {
   return GroupOf(table, target, "clock_offset")
-      .Number("offset_s", "s", 1, DocumentedDelay_s(effects), tolerance_s, kMostDelay_s, kWander)
+      .Number("offset_s", "s", 1, DocumentedDelay_s(effects), kMostDelay_s, kWander)
       .first();
 }
 
 int AddShift(const std::string& target, const std::string& mechanism, const Effects& effects,
-             double tolerance_m, double range_m, ParameterTable* table) {
+             double range_m, ParameterTable* table) {
   const Vec3 documented_m = VectorOf(effects, mechanism, "x_m", "y_m", "z_m");
   GroupOf group(table, target, mechanism);
   for (std::size_t i = 0; i < 3; ++i) {
-    group.Number(std::string(kAxes[i]) + "_m", "m", 1, documented_m[static_cast<int>(i)],
-                 tolerance_m, range_m, kWander);
+    group.Number(std::string(kAxes[i]) + "_m", "m", 1, documented_m[static_cast<int>(i)], range_m,
+                 kWander);
   }
   return group.first();
 }
 
 }  // namespace
+
+double ParameterTable::HalfWidthOf(const std::string& target, const std::string& mechanism,
+                                   const std::string& parameter) const {
+  for (const Tolerance& one : stated) {
+    const bool is_this = one.target == target && one.mechanism->id == mechanism &&
+                         one.mechanism->parameters[one.parameter].name == parameter;
+    if (is_this) return one.half_width;
+  }
+  return UsualHalfWidth(target, mechanism, parameter);
+}
 
 ParameterPrior ParameterTable::PriorWith(const std::vector<int>& free_groups) const {
   const auto count = static_cast<Eigen::Index>(parameters.size());
@@ -84,7 +111,7 @@ ParameterPrior ParameterTable::PriorWith(const std::vector<int>& free_groups) co
     for (int i = groups[g].first; i < groups[g].first + groups[g].count; ++i) {
       const SensorParameter& one = parameters[static_cast<std::size_t>(i)];
       prior.documented[i] = one.documented;
-      prior.sigma[i] = (is_free ? kFreeShare : kPriorShare) * one.tolerance;
+      prior.sigma[i] = is_free ? one.free_sigma : kPriorShare * one.tolerance;
       prior.lower[i] = is_free ? one.lower : one.documented - one.tolerance;
       prior.upper[i] = is_free ? one.upper : one.documented + one.tolerance;
     }
@@ -108,8 +135,24 @@ Eigen::VectorXd ParameterTable::Wander() const {
   return wander;
 }
 
-void AddImuParameters(const SensorDescription& unit, const SensorTolerances& tolerances,
-                      ParameterTable* table, UnitChannel* channel) {
+void ParameterTable::LimitTo(const CandidateLibrary& library) {
+  for (ParameterGroup& group : groups) {
+    group.may_be_named = Admits(library, group.mechanism);
+    for (const auto& [mechanism, ranges] : library.ranges) {
+      if (mechanism->id != group.mechanism) continue;
+      for (const NumberRange& range : ranges) {
+        for (int i = group.first; i < group.first + group.count; ++i) {
+          SensorParameter& one = parameters[static_cast<std::size_t>(i)];
+          if (mechanism->parameters[range.index].name != one.name) continue;
+          one.lower = one.si_per_unit * range.lower;
+          one.upper = one.si_per_unit * range.upper;
+        }
+      }
+    }
+  }
+}
+
+void AddImuParameters(const SensorDescription& unit, ParameterTable* table, UnitChannel* channel) {
   const auto& model = std::get<ImuModel>(unit.model);
   const Effects& effects = unit.effects;
   channel->signs = AxisSigns(effects);
@@ -119,106 +162,101 @@ void AddImuParameters(const SensorDescription& unit, const SensorTolerances& tol
     const std::string name = std::string("gyro_") + kAxes[i] + "_degps";
     bias.Number(
         name, "deg/s", kDeg,
-        model.gyro_bias_radps[static_cast<int>(i)] + NumberOf(effects, "bias", name, 0) * kDeg,
-        tolerances.gyro_bias_radps, 1, kBiasWander);
+        model.gyro_bias_radps[static_cast<int>(i)] + NumberOf(effects, "bias", name, 0) * kDeg, 57,
+        kBiasWander);
   }
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string name = std::string("accel_") + kAxes[i] + "_mps2";
     bias.Number(name, "m/s^2", 1,
-                model.accel_bias_mps2[static_cast<int>(i)] + NumberOf(effects, "bias", name, 0),
-                tolerances.accel_bias_mps2, 5, kBiasWander);
+                model.accel_bias_mps2[static_cast<int>(i)] + NumberOf(effects, "bias", name, 0), 5,
+                kBiasWander);
   }
   GroupOf scale(table, unit.name, "scale");
   channel->scale = scale.first();
   for (std::size_t i = 0; i < 6; ++i) {
     const std::string name = std::string(i < 3 ? "gyro_" : "accel_") + kAxes[i % 3] + "_factor";
-    scale.Number(name, "1", 1, NumberOf(effects, "scale", name, 1),
-                 i < 3 ? tolerances.gyro_scale : tolerances.accel_scale, 0.4, kWander);
+    scale.Number(name, "1", 1, NumberOf(effects, "scale", name, 1), 0.4, kWander);
   }
   const Vec3 mount_deg = VectorOf(effects, "mount_rotation", "roll_deg", "pitch_deg", "yaw_deg");
   GroupOf mount(table, unit.name, "mount_rotation");
   channel->mount = mount.first();
   for (int i = 0; i < 3; ++i) {
     const std::array<const char*, 3> names = {"roll_deg", "pitch_deg", "yaw_deg"};
-    mount.Number(names[static_cast<std::size_t>(i)], "deg", kDeg, mount_deg[i] * kDeg,
-                 tolerances.unit_mount_rad, 1, kWander);
+    mount.Number(names[static_cast<std::size_t>(i)], "deg", kDeg, mount_deg[i] * kDeg, 57, kWander);
   }
-  channel->place = AddShift(unit.name, "imu_lever_arm", effects, tolerances.unit_place_m, 4, table);
-  channel->late = AddDelay(unit.name, effects, tolerances.stamps_s, table);
+  channel->place = AddShift(unit.name, "imu_lever_arm", effects, 4, table);
+  channel->late = AddDelay(unit.name, effects, table);
 }
 
-void AddReceiverParameters(const SensorDescription& receiver, const SensorTolerances& tolerances,
+void AddReceiverParameters(const SensorDescription& receiver, double segment_s,
                            ParameterTable* table, ReceiverChannel* channel) {
   const auto& model = std::get<GnssModel>(receiver.model);
   const Effects& effects = receiver.effects;
-  channel->place =
-      AddShift(receiver.name, "gnss_lever_arm", effects, tolerances.antenna_place_m, 10, table);
-  // Slow errors of a fix are another datum in each segment.
-  const double horizontal = std::max(model.correlated_horizontal_m / tolerances.datum_m, kWander);
-  const double vertical = std::max(model.correlated_vertical_m / tolerances.datum_m, kWander);
+  channel->place = AddShift(receiver.name, "gnss_lever_arm", effects, 10, table);
+  // Slow errors of a fix are another datum in each segment, which does not differ from the one
+  // before by all that it errs: as independent ones they count for more, so that their mean errs by
+  // as much as that of a first-order Gauss-Markov process.
+  const double rho = std::exp(-segment_s / model.correlation_time_s);
+  const double slowness = std::sqrt((1 + rho) / (1 - rho));
+  const double east_m = table->HalfWidthOf(receiver.name, "position_datum", "east_m");
+  const double up_m = table->HalfWidthOf(receiver.name, "height_datum", "offset_m");
+  const double horizontal = std::max(slowness * model.correlated_horizontal_m / east_m, kWander);
+  const double vertical = std::max(slowness * model.correlated_vertical_m / up_m, kWander);
   channel->datum =
       GroupOf(table, receiver.name, "position_datum")
           .Number("east_m", "m", 1,
-                  model.bias_enu_m.x() + NumberOf(effects, "position_datum", "east_m", 0),
-                  tolerances.datum_m, 1000, horizontal)
+                  model.bias_enu_m.x() + NumberOf(effects, "position_datum", "east_m", 0), 1000,
+                  horizontal)
           .Number("north_m", "m", 1,
-                  model.bias_enu_m.y() + NumberOf(effects, "position_datum", "north_m", 0),
-                  tolerances.datum_m, 1000, horizontal)
+                  model.bias_enu_m.y() + NumberOf(effects, "position_datum", "north_m", 0), 1000,
+                  horizontal)
           .first();
   GroupOf(table, receiver.name, "height_datum")
       .Number("offset_m", "m", 1,
-              model.bias_enu_m.z() + NumberOf(effects, "height_datum", "offset_m", 0),
-              tolerances.datum_m, 120, vertical);
-  channel->late = AddDelay(receiver.name, effects, tolerances.stamps_s, table);
+              model.bias_enu_m.z() + NumberOf(effects, "height_datum", "offset_m", 0), 120,
+              vertical);
+  channel->late = AddDelay(receiver.name, effects, table);
 }
 
-int AddPairYaw(const SensorDescription& receiver, const SensorTolerances& tolerances,
-               ParameterTable* table) {
+int AddPairYaw(const SensorDescription& receiver, ParameterTable* table) {
   return GroupOf(table, receiver.name, "antenna_yaw")
       .Number("yaw_deg", "deg", kDeg,
-              NumberOf(receiver.effects, "antenna_yaw", "yaw_deg", 0) * kDeg,
-              tolerances.pair_heading_rad, 2.4, kWander)
+              NumberOf(receiver.effects, "antenna_yaw", "yaw_deg", 0) * kDeg, 137, kWander)
       .first();
 }
 
 void AddAxisParameters(const std::string& target, const Effects& effects, bool slides,
-                       const SensorTolerances& tolerances, ParameterTable* table,
-                       AxisChannel* channel) {
+                       ParameterTable* table, AxisChannel* channel) {
   const std::string zero = slides ? "travel_m" : "angle_deg";
   const double si_per_unit = slides ? 1 : kDeg;
-  channel->bias = GroupOf(table, target, "bias")
-                      .Number(zero, slides ? "m" : "deg", si_per_unit,
-                              NumberOf(effects, "bias", zero, 0) * si_per_unit,
-                              tolerances.encoder_zero_rad, 1, kWander)
-                      .first();
-  channel->scale =
-      GroupOf(table, target, "scale")
-          .Number("position_factor", "1", 1, NumberOf(effects, "scale", "position_factor", 1),
-                  tolerances.encoder_scale, 0.5, kWander)
+  channel->bias =
+      GroupOf(table, target, "bias")
+          .Number(zero, slides ? "m" : "deg", si_per_unit,
+                  NumberOf(effects, "bias", zero, 0) * si_per_unit, slides ? 1 : 57, kWander)
           .first();
-}
-
-int AddEncoderDelay(const std::string& target, const Effects& effects,
-                    const SensorTolerances& tolerances, ParameterTable* table) {
-  return AddDelay(target, effects, tolerances.reference_stamps_s, table);
-}
-
-void AddPoseParameters(const SensorTolerances& tolerances, ParameterTable* table,
-                       MapChannel* channel) {
-  const std::string target(kPoses);
-  const double place_m = tolerances.pose_place_m;
-  channel->shift = GroupOf(table, target, "position_datum")
-                       .Number("east_m", "m", 1, 0, place_m, 1000, kBiasWander)
-                       .Number("north_m", "m", 1, 0, place_m, 1000, kBiasWander)
+  channel->scale = GroupOf(table, target, "scale")
+                       .Number("position_factor", "1", 1,
+                               NumberOf(effects, "scale", "position_factor", 1), 0.5, kWander)
                        .first();
-  GroupOf(table, target, "height_datum").Number("offset_m", "m", 1, 0, place_m, 120, kBiasWander);
-  channel->turn =
-      GroupOf(table, target, "mount_rotation")
-          .Number("roll_deg", "deg", kDeg, 0, tolerances.pose_tilt_rad, 0.5, kBiasWander)
-          .Number("pitch_deg", "deg", kDeg, 0, tolerances.pose_tilt_rad, 0.5, kBiasWander)
-          .Number("yaw_deg", "deg", kDeg, 0, tolerances.pose_heading_rad, 1, kBiasWander)
-          .first();
-  channel->late = AddDelay(target, {}, tolerances.stamps_s, table);
+}
+
+int AddEncoderDelay(const std::string& target, const Effects& effects, ParameterTable* table) {
+  return AddDelay(target, effects, table);
+}
+
+void AddPoseParameters(ParameterTable* table, MapChannel* channel) {
+  const std::string target(kPoses);
+  channel->shift = GroupOf(table, target, "position_datum")
+                       .Number("east_m", "m", 1, 0, 1000, kBiasWander)
+                       .Number("north_m", "m", 1, 0, 1000, kBiasWander)
+                       .first();
+  GroupOf(table, target, "height_datum").Number("offset_m", "m", 1, 0, 120, kBiasWander);
+  channel->turn = GroupOf(table, target, "mount_rotation")
+                      .Number("roll_deg", "deg", kDeg, 0, 28, kBiasWander)
+                      .Number("pitch_deg", "deg", kDeg, 0, 28, kBiasWander)
+                      .Number("yaw_deg", "deg", kDeg, 0, 57, kBiasWander)
+                      .first();
+  channel->late = AddDelay(target, {}, table);
 }
 
 }  // namespace tera

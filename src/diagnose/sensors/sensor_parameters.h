@@ -3,8 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "core/types/tolerance.h"
+#include "diagnose/candidates/candidate_library.h"
 #include "diagnose/motion/motion_estimate.h"
-#include "diagnose/tolerances/sensor_tolerances.h"
 #include "sensors/sensor.h"
 
 namespace tera {
@@ -14,7 +15,8 @@ struct SensorParameter {
   std::string name, unit;  ///< as the mechanism has them, "yaw_deg", "deg"
   double si_per_unit = 1;
   double documented = 0, tolerance = 0;
-  double wander = 0;  ///< 1 sigma of what differs from segment to segment
+  double free_sigma = 0;  ///< of its prior where it is free
+  double wander = 0;      ///< 1 sigma of what differs from segment to segment
   double lower = 0, upper = 0;
 };
 
@@ -22,38 +24,39 @@ struct SensorParameter {
 struct ParameterGroup {
   std::string target, mechanism;
   int first = 0, count = 0;  ///< its parameters
+  bool may_be_named = true;
 };
 
 /// The numbers of all sensors that mechanisms can change.
 struct ParameterTable {
+  Tolerances stated;  ///< by the owner; of other numbers the defaults hold
   std::vector<SensorParameter> parameters;
   std::vector<ParameterGroup> groups;
 
+  /// The tolerance of a number, in its own unit.
+  double HalfWidthOf(const std::string& target, const std::string& mechanism,
+                     const std::string& parameter) const;
   /// The parameters' prior where some groups are free within the range of their mechanism. Others
   /// are normal with half their tolerance as sigma, and within it.
   ParameterPrior PriorWith(const std::vector<int>& free_groups) const;
   /// A wide prior without bounds, under which nearly all that can be fitted is.
   ParameterPrior FlexiblePrior() const;
   Eigen::VectorXd Wander() const;
+  /// Lets only mechanisms of a library be named, with numbers in its ranges.
+  void LimitTo(const CandidateLibrary& library);
 };
 
 /// Adds the parameters of one sensor and sets their places in its channel.
-void AddImuParameters(const SensorDescription& unit, const SensorTolerances& tolerances,
-                      ParameterTable* table, UnitChannel* channel);
-void AddReceiverParameters(const SensorDescription& receiver, const SensorTolerances& tolerances,
+void AddImuParameters(const SensorDescription& unit, ParameterTable* table, UnitChannel* channel);
+void AddReceiverParameters(const SensorDescription& receiver, double segment_s,
                            ParameterTable* table, ReceiverChannel* channel);
 /// The yaw of two antennas of one link, which belongs to the first of them.
-int AddPairYaw(const SensorDescription& receiver, const SensorTolerances& tolerances,
-               ParameterTable* table);
-/// `effects` are those of the axis, `target` its name: "encoders/boom". Of an axis that
-/// slides the tolerance in radians counts in metres.
+int AddPairYaw(const SensorDescription& receiver, ParameterTable* table);
+/// `effects` are those of the axis, `target` its name: "encoders/boom".
 void AddAxisParameters(const std::string& target, const Effects& effects, bool slides,
-                       const SensorTolerances& tolerances, ParameterTable* table,
-                       AxisChannel* channel);
+                       ParameterTable* table, AxisChannel* channel);
 /// The delay of a set of encoders, for all its axes.
-int AddEncoderDelay(const std::string& target, const Effects& effects,
-                    const SensorTolerances& tolerances, ParameterTable* table);
-void AddPoseParameters(const SensorTolerances& tolerances, ParameterTable* table,
-                       MapChannel* channel);
+int AddEncoderDelay(const std::string& target, const Effects& effects, ParameterTable* table);
+void AddPoseParameters(ParameterTable* table, MapChannel* channel);
 
 }  // namespace tera

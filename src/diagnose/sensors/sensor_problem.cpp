@@ -12,11 +12,11 @@
 namespace tera {
 namespace {
 
-constexpr double kStep_s = 0.1;    ///< of the splines
+constexpr double kStep_s = 0.05;   ///< of the splines
 constexpr double kMargin_s = 0.5;  ///< of a segment's spline, for what is late or early
 constexpr double kSegment_s = 10, kShortestSegment_s = 4;
 constexpr double kFewestSegments = 8;
-constexpr double kImuWindow_s = 0.05;
+constexpr double kImuWindow_s = 0.1;
 constexpr double kGroundEvery_s = 0.5;
 
 double RoundingSigma(double step) { return step / std::sqrt(12.0); }
@@ -24,9 +24,10 @@ double RoundingSigma(double step) { return step / std::sqrt(12.0); }
 /// Puts channels, parameters and observations together.
 class Builder {
  public:
-  Builder(const DiagnosisInput& input, const Measurements& measured, const KnownPlace& place,
-          const SensorTolerances& tolerances)
-      : input_(input), measured_(measured), place_(place), tolerances_(tolerances) {}
+  Builder(const DiagnosisInput& input, const Measurements& measured, const KnownPlace& place)
+      : input_(input), measured_(measured), place_(place) {
+    problem_.table.stated = input.tolerances;
+  }
 
   SensorProblem Build() {
     ChooseJoints();
@@ -78,7 +79,6 @@ class Builder {
   const DiagnosisInput& input_;
   const Measurements& measured_;
   const KnownPlace& place_;
-  const SensorTolerances& tolerances_;
   SensorProblem problem_;
   double segment_s_ = kSegment_s;
   std::vector<int> places_;  ///< of the model's joints among the estimated ones
@@ -169,8 +169,7 @@ void Builder::AddEncoders() {
       if (j < 0 || places_[static_cast<std::size_t>(j)] < 0) continue;
       const std::string target = sensor ? sensor->name : named.channel;
       if (late < 0) {
-        late = AddEncoderDelay(target, sensor ? sensor->effects : Effects{}, tolerances_,
-                               &problem_.table);
+        late = AddEncoderDelay(target, sensor ? sensor->effects : Effects{}, &problem_.table);
       }
       AddAxis(named, sensor, i, static_cast<std::size_t>(j), late);
     }
@@ -196,7 +195,7 @@ void Builder::AddAxis(const NamedEncoders& named, const SensorDescription* senso
     least = std::max(least, 1e-5);
   }
   AddAxisParameters((sensor ? sensor->name : named.channel) + "/" + name, effects, slides,
-                    tolerances_, &problem_.table, &channel);
+                    &problem_.table, &channel);
   channel.noise = AddNoise(named.channel + "/" + name + (slides ? "_m" : "_rad"),
                            slides ? "m" : "rad", least, 0.01);
   motion().axes.push_back(channel);
@@ -224,7 +223,7 @@ void Builder::AddUnits() {
       continue;
     }
     UnitChannel channel{*chain, sensor.X_BS};
-    AddImuParameters(sensor, tolerances_, &problem_.table, &channel);
+    AddImuParameters(sensor, &problem_.table, &channel);
     const auto& imu = std::get<ImuModel>(sensor.model);
     const double root_s = std::sqrt(kImuWindow_s);
     const std::string name = input_.machine + "/" + sensor.name + "/";
@@ -271,7 +270,7 @@ void Builder::AddReceiver(std::size_t sensor, const KinematicChain& chain) {
   const SensorDescription& receiver = input_.sensors[sensor];
   const auto& model = std::get<GnssModel>(receiver.model);
   ReceiverChannel channel{chain, receiver.X_BS.translation(), receiver.X_BS.translation()};
-  AddReceiverParameters(receiver, tolerances_, &problem_.table, &channel);
+  AddReceiverParameters(receiver, segment_s_, &problem_.table, &channel);
   const std::string name = input_.machine + "/" + receiver.name + "/";
   channel.noise = AddNoise(name + "east_m", "m", std::max(model.white_horizontal_m, 1e-3), 0.1);
   AddNoise(name + "north_m", "m", std::max(model.white_horizontal_m, 1e-3), 0.1);
@@ -296,7 +295,7 @@ void Builder::SharePairYaw() {
     if (measured_.gnss[s].size() >= 2) pair.push_back(&input_.sensors[s]);
   }
   if (pair.size() != 2 || motion().receivers.size() != 2 || pair[0]->link != pair[1]->link) return;
-  const int yaw = AddPairYaw(*pair[0], tolerances_, &problem_.table);
+  const int yaw = AddPairYaw(*pair[0], &problem_.table);
   for (ReceiverChannel& channel : motion().receivers) {
     channel.pair_yaw = yaw;
     channel.middle_L_m = (pair[0]->X_BS.translation() + pair[1]->X_BS.translation()) / 2;
@@ -307,7 +306,7 @@ void Builder::AddPoses() {
   if (measured_.poses.empty()) return;
   MapChannel channel;
   channel.pivot_m = measured_.poses.front().X_WB.translation();
-  AddPoseParameters(tolerances_, &problem_.table, &channel);
+  AddPoseParameters(&problem_.table, &channel);
   const std::string name = input_.machine + "/" + std::string(kPoses) + "/";
   for (int i = 0; i < 6; ++i) {
     const bool is_place = i < 3;
@@ -398,8 +397,8 @@ void Builder::SetStart() {
 }  // namespace
 
 SensorProblem MakeSensorProblem(const DiagnosisInput& input, const Measurements& measured,
-                                const KnownPlace& place, const SensorTolerances& tolerances) {
-  return Builder(input, measured, place, tolerances).Build();
+                                const KnownPlace& place) {
+  return Builder(input, measured, place).Build();
 }
 
 }  // namespace tera

@@ -31,6 +31,6 @@ struct SensorProblem {
 ///         about ten seconds, at least eight where the recording is long enough.
 /// Omits   rates of encoders; fixes worse than documented; joints beyond all units and antennas.
 SensorProblem MakeSensorProblem(const DiagnosisInput& input, const Measurements& measured,
-                                const KnownPlace& place, const SensorTolerances& tolerances);
+                                const KnownPlace& place);
 
 }  // namespace tera

@@ -18,6 +18,7 @@ constexpr double kGyroScale = 0.02, kAccelScale = 0.01;  ///< estimates: without
 constexpr double kWarming_k = 30;  ///< spreads a bias over the usual rise of temperature
 constexpr double kMount_deg = 0.46, kUnitPlace_m = 0.05, kAntennaPlace_m = 0.025;
 constexpr double kHeading_deg = 2.9, kDatum_m = 0.04;
+constexpr double kPoseTilt_deg = 1.15;   ///< estimate: of a map that was levelled by registration
 constexpr double kClockDrift_ppm = 100;  ///< estimate: a quartz without compensation
 
 constexpr DefaultTolerance kTable[] = {
@@ -44,6 +45,9 @@ constexpr DefaultTolerance kTable[] = {
     {"mount_rotation", "roll_deg", 0, kMount_deg},
     {"mount_rotation", "pitch_deg", 0, kMount_deg},
     {"mount_rotation", "yaw_deg", 0, kMount_deg},
+    {"mount_rotation", "roll_deg", 0, kPoseTilt_deg, "poses"},
+    {"mount_rotation", "pitch_deg", 0, kPoseTilt_deg, "poses"},
+    {"mount_rotation", "yaw_deg", 0, kHeading_deg, "poses"},
     {"imu_lever_arm", "x_m", 0, kUnitPlace_m},
     {"imu_lever_arm", "y_m", 0, kUnitPlace_m},
     {"imu_lever_arm", "z_m", 0, kUnitPlace_m},
@@ -58,6 +62,7 @@ constexpr DefaultTolerance kTable[] = {
     {"bias", "accel_y_mps2", 0, kAccelBias_mps2},
     {"bias", "accel_z_mps2", 0, kAccelBias_mps2},
     {"bias", "angle_deg", 0, kEncoderZero_deg},
+    {"bias", "travel_m", 0, kEncoderZero_rad},  // of one metre of lever
     {"temperature_drift", "gyro_x_degpspk", 0, kGyroBias_degps / kWarming_k},
     {"temperature_drift", "gyro_y_degpspk", 0, kGyroBias_degps / kWarming_k},
     {"temperature_drift", "gyro_z_degpspk", 0, kGyroBias_degps / kWarming_k},
@@ -84,5 +89,16 @@ constexpr DefaultTolerance kTable[] = {
 }  // namespace
 
 std::span<const DefaultTolerance> DefaultTolerances() { return kTable; }
+
+const DefaultTolerance* DefaultToleranceOf(std::string_view target, std::string_view mechanism,
+                                           std::string_view parameter) {
+  const DefaultTolerance* found = nullptr;
+  for (const DefaultTolerance& one : kTable) {
+    if (one.mechanism != mechanism || one.parameter != parameter) continue;
+    if (one.target == target) return &one;
+    if (one.target.empty()) found = &one;
+  }
+  return found;
+}
 
 }  // namespace tera

@@ -18,8 +18,8 @@ std::optional<Expected> ExpectedOf(const Tolerances& stated, const Candidate& ca
   const std::string_view id = candidate.mechanism->id;
   const std::string_view name = candidate.mechanism->parameters[parameter].name;
   std::optional<Expected> expected;
-  for (const DefaultTolerance& one : DefaultTolerances()) {
-    if (one.mechanism == id && one.parameter == name) expected = {one.neutral, one.half_width};
+  if (const DefaultTolerance* known = DefaultToleranceOf(candidate.target, id, name)) {
+    expected = {known->neutral, known->half_width};
   }
   for (const Tolerance& one : stated) {
     const bool is_this = one.target == candidate.target && one.mechanism->id == id &&

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 
 #include "diagnose/tolerances/default_tolerances.h"
@@ -129,10 +130,10 @@ TEST(DefaultTolerances, AreOfParametersThatTheLibraryHas) {
       }
     }
   }
-  std::set<std::pair<std::string_view, std::string_view>> seen;
+  std::set<std::array<std::string_view, 3>> seen;
   for (const DefaultTolerance& one : DefaultTolerances()) {
     EXPECT_TRUE(known.contains({one.mechanism, one.parameter})) << one.mechanism << one.parameter;
-    EXPECT_TRUE(seen.insert({one.mechanism, one.parameter}).second) << "twice: " << one.mechanism;
+    EXPECT_TRUE(seen.insert({one.mechanism, one.parameter, one.target}).second) << one.mechanism;
     EXPECT_GT(one.half_width, 0) << one.mechanism;
   }
 }
