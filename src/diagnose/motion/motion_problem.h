@@ -86,6 +86,7 @@ struct NoiseChannel {
   double at_first = 1;   ///< of residuals of a motion that is roughly known
   double sigma = 1;      ///< scale of Student's t
   double inflation = 1;  ///< variance of a mean over that of independent errors
+  double motion = 0;     ///< standard deviation of what was measured
 };
 
 struct MotionProblem {

@@ -80,6 +80,33 @@ std::vector<ImuWindow> WindowsOf(const std::vector<ImuSample>& samples, double l
   return windows;
 }
 
+void SetMotionOfUnits(MotionProblem* problem) {
+  using Row = Eigen::Array<double, 6, 1>;
+  struct Sums {
+    double count = 0;
+    Row value = Row::Zero(), square = Row::Zero();
+  };
+  std::vector<Sums> sums(problem->imus.size());
+  for (const MotionSegment& segment : problem->segments) {
+    for (const Observation& one : segment.observations) {
+      if (one.kind != ObservationKind::kImu) continue;
+      Sums& sum = sums[static_cast<std::size_t>(one.channel)];
+      ++sum.count;
+      sum.value += one.value.array();
+      sum.square += one.value.array().square();
+    }
+  }
+  for (std::size_t u = 0; u < sums.size(); ++u) {
+    if (sums[u].count == 0) continue;
+    const Row mean = sums[u].value / sums[u].count;
+    const Row variance = sums[u].square / sums[u].count - mean.square();
+    for (int i = 0; i < 6; ++i) {
+      problem->noise[static_cast<std::size_t>(problem->imus[u].noise + i)].motion =
+          std::sqrt(std::max(0.0, variance[i]));
+    }
+  }
+}
+
 std::vector<TravelWindow> TravelOf(const std::vector<GearTrack>& gears) {
   std::vector<TravelWindow> windows;
   if (gears.empty() || gears.front().angle_rad.t_s.size() < 2) return windows;

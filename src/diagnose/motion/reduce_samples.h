@@ -22,6 +22,9 @@ TimeNs UsualPeriod_ns(const std::vector<TimeNs>& t_ns);
 std::vector<ImuWindow> WindowsOf(const std::vector<ImuSample>& samples, double longest_s,
                                  const std::function<int(TimeNs)>& segment_of);
 
+/// Sets the motion of the noise channels of inertial units.
+void SetMotionOfUnits(MotionProblem* problem);
+
 /// One running gear's angle over time, and how far it moves the machine for one radian.
 struct GearTrack {
   TimeSeries angle_rad;

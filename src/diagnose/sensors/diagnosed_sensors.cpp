@@ -12,6 +12,9 @@ namespace {
 
 /// RMS over what successive residuals differ by, from which on error is left.
 constexpr double kMostOfDifferences = 2;
+/// RMS over the motion of a unit below which no axis of it is exchanged or reversed, which errs by
+/// as much as it moves; error that the splines are too smooth for is less.
+constexpr double kMostOfMotion = 0.2;
 /// What is named gains at least this share of its own gain and of all that could still be gained:
 /// as of blocks, less is too little to be what is wrong.
 constexpr double kLeastExcessOfCause = 1.0 / 3;
@@ -135,7 +138,8 @@ DiagnosedSensors DiagnosedOf(SensorDiagnosis estimate, const std::string& machin
 }
 
 bool IsExplained(const ChannelError& channel) {
-  return channel.rms_after <= kMostOfDifferences * channel.differences;
+  return channel.rms_after <=
+         std::max(kMostOfDifferences * channel.differences, kMostOfMotion * channel.motion);
 }
 
 Measurements WithoutExplained(const DiagnosisInput& input, const SensorDiagnosis& estimate,

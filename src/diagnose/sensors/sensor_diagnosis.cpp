@@ -160,7 +160,8 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
     const NoiseChannel& channel = flexible.noise[c];
     diagnosis.channels.push_back({channel.name, channel.unit, channel.sigma, channel.inflation,
                                   std::max(channel.least, DifferencesOf(after.residuals[c])),
-                                  RmsOf(before.residuals[c]), RmsOf(after.residuals[c])});
+                                  channel.motion, RmsOf(before.residuals[c]),
+                                  RmsOf(after.residuals[c])});
   }
   diagnosis.motion = MotionOf(problem.motion, after);
   Report(problem, judgement, &diagnosis);

@@ -37,6 +37,7 @@ class Builder {
     AddReceivers();
     AddPoses();
     AddGears();
+    SetMotionOfUnits(&problem_.motion);
     SetStart();
     problem_.motion.parameters = static_cast<int>(problem_.table.parameters.size());
     problem_.motion.wander = problem_.table.Wander();
