@@ -168,6 +168,11 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
       options.blocks.needs_any && diagnosis.sensors.estimate.channels.empty();
   const Measurements left = WithoutExplained(input, diagnosis.sensors.estimate, measured);
   std::vector<ReplayBlock> blocks = BlocksOf(input, left, options.blocks, &diagnosis.not_compared);
+  diagnosis.missing_input = MissingInputOf(input, left, options.blocks);
+  std::erase_if(blocks, [&](const ReplayBlock& block) {
+    return std::any_of(diagnosis.missing_input.begin(), diagnosis.missing_input.end(),
+                       [&](const MissingInput& one) { return one.axis == block.name; });
+  });
   if (options.library) {
     ApplyLibrary(*options.library, *input.model, &blocks);
     RequireCandidates(*options.library, blocks);

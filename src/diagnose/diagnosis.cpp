@@ -20,7 +20,7 @@ std::string_view NameOf(Verdict verdict) {
 
 std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis) {
   bool named = false, several = false, unexplained = false, judged = false;
-  bool untestable = !diagnosis.not_compared.empty();
+  bool untestable = !diagnosis.not_compared.empty() || !diagnosis.missing_input.empty();
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     judged = judged || diagnosed.diagnosis.is_testable;
     untestable = untestable || !diagnosed.diagnosis.is_testable;

@@ -11,6 +11,7 @@
 #include "diagnose/diagnosed_block.h"
 #include "diagnose/discrepancy/discrepancy_correction.h"
 #include "diagnose/experiment_design/next_manoeuvre.h"
+#include "diagnose/missing_input.h"
 #include "diagnose/perception/perception_diagnosis.h"
 #include "diagnose/search/fit/excluded_samples.h"
 #include "diagnose/sensors/diagnosed_sensors.h"
@@ -26,6 +27,7 @@ struct Diagnosis {
   bool levers_are_the_scenarios = false;  ///< since the recording has none
   std::vector<DiagnosedBlock> blocks;
   DiagnosedSensors sensors;  ///< units, receivers, encoders and poses beside each other
+  std::vector<MissingInput> missing_input;  ///< axes whose levers explain nothing, not searched
   /// Time by which encoders run ahead of levers; none where they do not.
   std::optional<double> encoder_lead_s = {};
   std::vector<std::string> not_compared;  ///< measurements that were not compared, and why

@@ -308,6 +308,13 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Measurement
   return std::move(made.blocks);
 }
 
+std::vector<MissingInput> MissingInputOf(const DiagnosisInput& input, const Measurements& measured,
+                                         const BlockOptions& options) {
+  if (input.commands.columns.empty() || measured.encoders.empty()) return {};
+  return FindMissingInput(*input.model, MakeAxisLog(*input.model, input.commands, measured.encoders,
+                                                    AxisStep_s(measured.encoders, options.step_s)));
+}
+
 std::vector<ReplayBlock> TakeSensorBlocks(const std::string& machine,
                                           std::vector<ReplayBlock>* blocks) {
   const auto base = std::find_if(blocks->begin(), blocks->end(), [&](const ReplayBlock& block) {

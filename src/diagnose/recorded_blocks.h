@@ -5,6 +5,7 @@
 
 #include "diagnose/discrepancy/discrepancy_correction.h"
 #include "diagnose/measurements.h"
+#include "diagnose/missing_input.h"
 #include "diagnose/search/fit/replay_block.h"
 #include "resimulate/motion/simulated_course.h"
 
@@ -25,6 +26,10 @@ struct BlockOptions {
 std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Measurements& measured,
                                   const BlockOptions& options,
                                   std::vector<std::string>* not_compared = nullptr);
+
+/// The joints and gears of which the recording lacks input.
+std::vector<MissingInput> MissingInputOf(const DiagnosisInput& input, const Measurements& measured,
+                                         const BlockOptions& options);
 
 /// Removes and returns the blocks of inertial units and receivers, which come after the machine's
 /// own.

@@ -17,7 +17,7 @@ constexpr double kMargin_s = 0.5;  ///< of a segment's spline, for what is late 
 constexpr double kSegment_s = 10, kShortestSegment_s = 4;
 constexpr double kFewestSegments = 8;
 constexpr double kImuWindow_s = 0.1;
-constexpr double kGroundEvery_s = 0.5;
+constexpr double kGroundEvery_m = 0.5;  ///< on the way; elsewhere the ground errs otherwise
 
 double RoundingSigma(double step) { return step / std::sqrt(12.0); }
 
@@ -58,6 +58,7 @@ class Builder {
   void AddGears();
   void AddTravel();
   void SetStart();
+  void AddGround(const std::array<TimeSeries, kBaseNumbers>& base);
 
   const MachineModel& model() const { return *input_.model; }
   MotionProblem& motion() { return problem_.motion; }
@@ -384,12 +385,22 @@ void Builder::SetStart() {
                                      : rough_.joints[j].At(t_s);
       }
     }
-    if (!place_.ground) continue;
-    for (double t_s = kMargin_s; t_s < kMargin_s + segment_s_; t_s += kGroundEvery_s) {
+  }
+  if (place_.ground) AddGround(base);
+}
+
+/// Of a place the ground is known once: a machine that stands does not measure it again.
+void Builder::AddGround(const std::array<TimeSeries, kBaseNumbers>& base) {
+  std::optional<Vec2> last_m;
+  for (MotionSegment& segment : motion().segments) {
+    const double start_s = Seconds(segment.start_ns);
+    for (double t_s = kMargin_s; t_s < kMargin_s + segment_s_; t_s += kStep_s) {
       const double at_s = start_s + t_s;
+      const Vec2 place_m(base[0].At(at_s), base[1].At(at_s));
+      if (last_m && (place_m - *last_m).norm() < kGroundEvery_m) continue;
+      last_m = place_m;
       Eigen::Matrix<double, 6, 1> value = Eigen::Matrix<double, 6, 1>::Zero();
-      value.head<3>() =
-          OnGround(place_.ground, base[0].At(at_s), base[1].At(at_s), base[kYaw].At(at_s));
+      value.head<3>() = OnGround(place_.ground, place_m.x(), place_m.y(), base[kYaw].At(at_s));
       segment.observations.push_back({ObservationKind::kGround, 0, t_s, t_s, value});
     }
   }

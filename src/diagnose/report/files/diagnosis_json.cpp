@@ -75,6 +75,17 @@ Json HeldOutOfAll(const Diagnosis& diagnosis) {
 }
 
 /// Channels of blocks for which there was no time.
+Json MissingInputJson(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const MissingInput& one : diagnosis.missing_input) {
+    list.push_back({{"channel", one.channel},
+                    {"axis", one.axis},
+                    {"share_of_motion", JsonNumber(one.share)},
+                    {"one_sided", one.is_one_sided}});
+  }
+  return list;
+}
+
 Json OutOfTime(const Diagnosis& diagnosis) {
   Json list = Json::array();
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
@@ -261,6 +272,7 @@ std::string DiagnosisJson(const Diagnosis& diagnosis) {
   json["untestable"] = Untestable(diagnosis);
   json["not_judged"] = NotJudged(diagnosis);
   json["not_compared"] = diagnosis.not_compared;
+  json["missing_input"] = MissingInputJson(diagnosis);
   json["excluded_samples"] = ExcludedSamplesOf(diagnosis);
   json["out_of_time"] = OutOfTime(diagnosis);
   json["levers_of"] = diagnosis.levers_are_the_scenarios ? "scenario" : "recording";

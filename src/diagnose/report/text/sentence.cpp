@@ -306,6 +306,16 @@ bool NoneIsJudged(const Diagnosis& diagnosis) {
       [](const DiagnosedBlock& diagnosed) { return diagnosed.diagnosis.is_testable; });
 }
 
+std::string SentenceOf(const MissingInput& missing) {
+  const char* const how = missing.is_one_sided
+                              ? "against its lever, which the recording has to one side alone"
+                              : "while its lever rests";
+  return fmt::format(
+      "{:.0f} % of the motion of the {} is {}: input is missing. Mend that first; of its lever, "
+      "valve and drive nothing was searched for.",
+      100 * missing.share, Spaced(missing.axis), how);
+}
+
 std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
   std::vector<std::string> sentences;
   for (const auto& [diagnosed, finding] : RankedFindings(diagnosis)) {
@@ -378,6 +388,9 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
                                  "their clocks differ. Mend "
                                  "that first; what is named below may be a proxy for it.",
                                  Significant(*diagnosis.encoder_lead_s, 2)));
+  }
+  for (const MissingInput& missing : diagnosis.missing_input) {
+    sentences.insert(sentences.begin(), SentenceOf(missing));
   }
   return sentences;
 }

@@ -25,6 +25,9 @@ std::string SentenceOfUnconfirmed(const DiagnosedBlock& diagnosed, const Finding
 /// The sentence of a block with too few manoeuvres, or for which there was no time.
 std::string SentenceOfUntestable(const DiagnosedBlock& diagnosed);
 
+/// The sentence of an axis that moves without its lever.
+std::string SentenceOf(const MissingInput& missing);
+
 /// The sentence where nothing was found: which channels agree, and what could not have been seen.
 std::string SentenceOfNothing(const Diagnosis& diagnosis);
 

@@ -1,0 +1,116 @@
+#include "diagnose/missing_input.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "diagnose/statistics/series/robust.h"
+
+namespace tera {
+namespace {
+
+constexpr double kNeutral = 0.02;       ///< lever that rests: what a dead band is expected to be
+constexpr double kLongestEffect_s = 2;  ///< of a lever on the rate, after it came to rest
+constexpr double kMovingShare = 0.2;    ///< of the larger rates, from which on an axis moves
+constexpr double kLargerRates = 0.95;   ///< quantile that stands for the larger rates
+constexpr double kNoiseSigmas = 6;
+constexpr double kMostShare = 0.2, kLeast_s = 2;
+constexpr double kLongestPeriod_s = 1;  ///< that counts for one sample after lost ones
+
+/// The rate from which on an axis moves.
+double MovingRate(const std::vector<double>& rate) {
+  std::vector<double> size, third;
+  for (std::size_t k = 0; k < rate.size(); ++k) {
+    size.push_back(std::abs(rate[k]));
+    if (k >= 3) third.push_back(rate[k] - 3 * rate[k - 1] + 3 * rate[k - 2] - rate[k - 3]);
+  }
+  const auto larger = size.begin() + static_cast<std::ptrdiff_t>(
+                                         kLargerRates * static_cast<double>(size.size() - 1));
+  std::nth_element(size.begin(), larger, size.end());
+  const double noise = third.empty() ? 0 : RobustScale(third) / std::sqrt(20.0);
+  return std::max(kMovingShare * *larger, kNoiseSigmas * noise);
+}
+
+/// A lever over the steps of a log.
+struct LeverSteps {
+  std::vector<std::size_t> rests_for;  ///< steps since it was last away from neutral
+  double low = 0, high = 0;
+};
+
+LeverSteps StepsOf(const AxisLog& log, std::size_t axis) {
+  LeverSteps steps;
+  std::size_t rests = static_cast<std::size_t>(kLongestEffect_s / log.step_s);
+  for (std::size_t k = 0; k < log.steps; ++k) {
+    const double lever = log.levers_at(k)[axis];
+    steps.low = std::min(steps.low, lever);
+    steps.high = std::max(steps.high, lever);
+    rests = std::abs(lever) > kNeutral ? 0 : rests + 1;
+    steps.rests_for.push_back(rests);
+  }
+  return steps;
+}
+
+/// How long an axis moves, in all, while its lever rests, and to either side.
+struct MovingTime {
+  double all_s = 0, resting_s = 0, forwards_s = 0, backwards_s = 0;
+  double rate_by_lever = 0;  ///< sum of their products, positive where the axis follows its lever
+};
+
+MovingTime MovingTimeOf(const AxisLog& log, const MeasuredRate& measured, const LeverSteps& lever) {
+  const double moving_rate = MovingRate(measured.rate_radps);
+  const auto long_rest = static_cast<std::size_t>(kLongestEffect_s / log.step_s);
+  MovingTime time;
+  for (std::size_t k = 1; k < measured.rate_radps.size(); ++k) {
+    const double rate = measured.rate_radps[k], at = measured.at_step[k];
+    if (std::abs(rate) <= moving_rate || at < 0 || at >= static_cast<double>(log.steps)) continue;
+    const auto step = static_cast<std::size_t>(at);
+    const double period_s = std::min((at - measured.at_step[k - 1]) * log.step_s, kLongestPeriod_s);
+    time.all_s += period_s;
+    if (lever.rests_for[step] >= long_rest) time.resting_s += period_s;
+    (rate > 0 ? time.forwards_s : time.backwards_s) += period_s;
+    time.rate_by_lever += rate * log.levers_at(step)[measured.axis];
+  }
+  return time;
+}
+
+std::optional<MissingInput> MissingOf(const AxisLog& log, const MeasuredRate& measured) {
+  if (measured.rate_radps.size() < 4 || log.steps == 0) return std::nullopt;
+  const LeverSteps lever = StepsOf(log, measured.axis);
+  const MovingTime time = MovingTimeOf(log, measured, lever);
+  const double least_s = std::max(kLeast_s, kMostShare * time.all_s);
+  const bool to_one_side = (lever.low >= -kNeutral) != (lever.high <= kNeutral);
+  const bool follows_forwards = (time.rate_by_lever > 0) == (lever.high > kNeutral);
+  const double against_s = follows_forwards ? time.backwards_s : time.forwards_s;
+  if (to_one_side && against_s > least_s) {
+    return MissingInput{measured.channel, {}, against_s / time.all_s, true};
+  }
+  if (time.resting_s <= least_s) return std::nullopt;
+  return MissingInput{measured.channel, {}, time.resting_s / time.all_s, false};
+}
+
+/// Whether the axis has a lever at all.
+bool HasLever(const MachineModel& model, std::size_t axis) {
+  const std::size_t joints = model.joints.size();
+  return std::any_of(model.levers.begin(), model.levers.end(), [&](const Lever& lever) {
+    return lever.joint >= 0 ? static_cast<std::size_t>(lever.joint) == axis
+                            : joints + static_cast<std::size_t>(lever.gear) == axis;
+  });
+}
+
+}  // namespace
+
+std::vector<MissingInput> FindMissingInput(const MachineModel& model, const AxisLog& log) {
+  std::vector<MissingInput> all;
+  for (const MeasuredRate& measured : log.measured) {
+    if (!HasLever(model, measured.axis)) continue;
+    auto missing = MissingOf(log, measured);
+    if (!missing) continue;
+    const std::size_t joints = model.joints.size();
+    missing->axis = measured.axis < joints ? model.joints[measured.axis].name
+                                           : model.ground_tools.gears[measured.axis - joints].name;
+    all.push_back(std::move(*missing));
+  }
+  return all;
+}
+
+}  // namespace tera

@@ -1,0 +1,127 @@
+#include "diagnose/missing_input.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+constexpr double kStep_s = 0.02;
+constexpr std::size_t kSteps = 3000;  // one minute
+
+/// One joint with a lever; each ten seconds the lever is 0.6 for three seconds, then -0.6 for
+/// three, then neutral.
+struct Drive {
+  MachineModel model;
+  AxisLog log;
+
+  Drive() {
+    Joint boom;
+    boom.name = "boom";
+    model.joints = {boom};
+    Lever lever;
+    lever.name = "boom";
+    lever.joint = 0;
+    lever.gear = -1;
+    model.levers = {lever};
+    log.step_s = kStep_s;
+    log.steps = kSteps;
+    log.axes = 1;
+    MeasuredRate measured;
+    measured.channel = "m/encoders/boom_radps";
+    std::mt19937 random(7);
+    std::normal_distribution<double> noise(0, 0.002);
+    for (std::size_t k = 0; k < kSteps; ++k) {
+      const double lever_now = LeverAt(static_cast<double>(k) * kStep_s);
+      log.lever.push_back(lever_now);
+      measured.at_step.push_back(static_cast<double>(k));
+      measured.t_ns.push_back(FromSeconds(static_cast<double>(k) * kStep_s));
+      measured.rate_radps.push_back(0.5 * LeverAt(static_cast<double>(k) * kStep_s - 0.3) +
+                                    noise(random));
+      measured.is_free.push_back(true);
+    }
+    log.measured = {measured};
+  }
+  static double LeverAt(double t_s) {
+    if (t_s < 0) return 0;
+    const double in_cycle_s = std::fmod(t_s, 10);
+    return in_cycle_s < 3 ? 0.6 : in_cycle_s < 6 ? -0.6 : 0;
+  }
+  std::vector<double>& rate() { return log.measured[0].rate_radps; }
+  std::vector<MissingInput> Found() const { return FindMissingInput(model, log); }
+};
+
+TEST(MissingInput, IsNoneWhereTheRateFollowsTheLeverLate) {
+  EXPECT_THAT(Drive().Found(), IsEmpty());
+}
+
+TEST(MissingInput, IsAllOfItWhereTheLeverWasNotRecorded) {
+  Drive drive;
+  std::fill(drive.log.lever.begin(), drive.log.lever.end(), 0);
+  const auto found = drive.Found();
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_EQ(found[0].axis, "boom");
+  EXPECT_NEAR(found[0].share, 1, 1e-9);
+  EXPECT_FALSE(found[0].is_one_sided);
+}
+
+TEST(MissingInput, IsOneSidedWhereOnlyPositiveLeversWereRecorded) {
+  Drive drive;
+  for (double& lever : drive.log.lever) lever = std::max(lever, 0.0);
+  const auto found = drive.Found();
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_TRUE(found[0].is_one_sided);
+  EXPECT_NEAR(found[0].share, 0.5, 0.02);
+}
+
+TEST(MissingInput, IsNotALeverThatIsOnlyEverPushedToOneSideAndFollowed) {
+  Drive drive;
+  for (std::size_t k = 0; k < kSteps; ++k) {
+    drive.log.lever[k] = std::max(drive.log.lever[k], 0.0);
+    drive.rate()[k] = std::max(drive.rate()[k], 0.0);
+  }
+  EXPECT_THAT(drive.Found(), IsEmpty());
+}
+
+// A joint that sinks by a tenth of its rates while the lever rests leaks; its input is there.
+TEST(MissingInput, IsNotWhatCreeps) {
+  Drive drive;
+  for (std::size_t k = 0; k < kSteps; ++k) {
+    if (drive.log.lever[k] == 0) drive.rate()[k] -= 0.03;
+  }
+  EXPECT_THAT(drive.Found(), IsEmpty());
+}
+
+TEST(MissingInput, IsNotNoiseOfAnAxisThatStands) {
+  Drive drive;
+  std::fill(drive.log.lever.begin(), drive.log.lever.end(), 0);
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(0, 0.02);
+  for (double& rate : drive.rate()) rate = noise(random);
+  EXPECT_THAT(drive.Found(), IsEmpty());
+}
+
+TEST(MissingInput, IsNotSoughtOfAnAxisWithoutLever) {
+  Drive drive;
+  std::fill(drive.log.lever.begin(), drive.log.lever.end(), 0);
+  drive.model.levers.clear();
+  EXPECT_THAT(drive.Found(), IsEmpty());
+}
+
+// Five seconds by hand, once in a minute of work, are less than a fifth of it.
+TEST(MissingInput, IsNotASinglePush) {
+  Drive drive;
+  for (std::size_t k = 2900; k < kSteps; ++k) drive.rate()[k] = 0.3;
+  EXPECT_THAT(drive.Found(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace tera
