@@ -159,7 +159,7 @@ TEST_F(DiagnoseCommand, AsksForEncoders) {
   Write("boom.yaml",
         Edited(Read("boom.yaml"),
                "{name: encoders, preset: tera:config/sensors/encoder.yaml, joints: [boom]}",
-               "{name: imu, preset: tera:config/sensors/xsens_mti_670.yaml, link: upper}"));
+               "{name: tilt, preset: tera:config/sensors/inclinometer.yaml, link: upper}"));
   Record("real", {"--duration", "21"});
   const Outcome outcome = Run({"diagnose", "boom.yaml", "real", "--out", "why"});
   EXPECT_EQ(outcome.status, 2);
