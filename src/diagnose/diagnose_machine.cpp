@@ -175,7 +175,7 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
   });
   if (options.library) {
     ApplyLibrary(*options.library, *input.model, &blocks);
-    RequireCandidates(*options.library, blocks);
+    if (diagnosis.sensors.estimate.candidates == 0) RequireCandidates(*options.library, blocks);
   }
   StateTolerances(input.tolerances, &blocks);
   const std::optional<SimulatedCourse> course = clock->Time(

@@ -128,6 +128,9 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
   diagnosis.joints = problem.motion.joints;
   diagnosis.not_compared = problem.not_compared;
   if (problem.motion.imus.empty() && problem.motion.receivers.empty()) return diagnosis;
+  diagnosis.candidates = static_cast<std::size_t>(
+      std::count_if(problem.table.groups.begin(), problem.table.groups.end(),
+                    [](const ParameterGroup& group) { return group.may_be_named; }));
   EstimateOptions estimate_options{.threads = options.threads};
   const ParameterPrior wide = problem.table.FlexiblePrior();
   const MotionEstimate flexible = clock->Time("sensors: motion", [&] {

@@ -58,6 +58,10 @@ TEST(DiagnosedSensors, HaveTheNumbersOfTheMechanismAndTheChannelInWhichTheyShowM
   EXPECT_EQ(finding.evidence.rivals[1]->mechanism->id, "bias");
 }
 
+TEST(DiagnosedSensors, AreListedOnceEach) {
+  EXPECT_THAT(ComparedSensors(DiagnosedOf(TurnedUnit(), "m")), ElementsAre("imu boom", "imu arm"));
+}
+
 TEST(DiagnosedSensors, AreToldInASentenceWithNumbersRivalsAndErrors) {
   const DiagnosedSensors told = DiagnosedOf(TurnedUnit(), "m");
   const std::vector<std::string> sentences = SensorSentences(told);

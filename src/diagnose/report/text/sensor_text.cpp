@@ -24,6 +24,16 @@ std::string ErrorText(const SensorFound& found) {
 
 }  // namespace
 
+std::vector<std::string> ComparedSensors(const DiagnosedSensors& sensors) {
+  std::vector<std::string> names;
+  for (const ChannelError& channel : sensors.estimate.channels) {
+    const std::size_t first = channel.name.find('/') + 1;
+    const std::string name = Spaced(channel.name.substr(first, channel.name.rfind('/') - first));
+    if (names.empty() || names.back() != name) names.push_back(name);
+  }
+  return names;
+}
+
 std::vector<std::string> SensorSentences(const DiagnosedSensors& sensors) {
   std::vector<std::string> sentences;
   for (const SensorFound& found : sensors.findings) {

@@ -7,6 +7,9 @@
 
 namespace tera {
 
+/// The sensors that were compared with each other, once each: "imu boom".
+std::vector<std::string> ComparedSensors(const DiagnosedSensors& sensors);
+
 /// Sentences on what is wrong with units, receivers, encoders and poses.
 std::vector<std::string> SensorSentences(const DiagnosedSensors& sensors);
 

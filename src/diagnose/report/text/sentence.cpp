@@ -261,6 +261,10 @@ std::string SentenceOfNothing(const Diagnosis& diagnosis) {
   if (channels.empty() && !open.empty()) {
     return fmt::format("Nothing is named: what was chosen for {} is not confirmed.", Listed(open));
   }
+  const std::vector<std::string> sensors = ComparedSensors(diagnosis.sensors);
+  const std::string together =
+      sensors.size() < 2 ? "" : fmt::format("{} agree with each other.", Listed(sensors));
+  if (channels.empty() && !together.empty()) return "Nothing found: " + together;
   if (channels.empty()) {
     const bool is_over = std::any_of(
         diagnosis.blocks.begin(), diagnosis.blocks.end(),
@@ -272,6 +276,7 @@ std::string SentenceOfNothing(const Diagnosis& diagnosis) {
       "Nothing found: {} agree{} with the simulation, but for noise and what nominal "
       "numbers are off by.",
       Listed(channels), channels.size() == 1 ? "s" : "");
+  if (!together.empty()) text += " " + Capitalised(together);
   if (!few.empty()) {
     text += fmt::format(" Not so in a few manoeuvres of {}.", Listed(few));
   }

@@ -115,6 +115,7 @@ TEST(DiagnosisJson, HasItsStructureInFixedOrderAndDigits) {
   ],
   "not_judged": [],
   "not_compared": [],
+  "missing_input": [],
   "excluded_samples": [],
   "out_of_time": [],
   "levers_of": "recording",

@@ -14,6 +14,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 TEST(Sentence, TellsWhereOnWhatWhichHowSureAndHowMuchBetter) {
   const DiagnosedBlock boom = BoomWithDeadBand();
@@ -268,6 +269,19 @@ DiagnosedBlock Late(const std::string& joint, double delay_s) {
   finding.evidence.rivals = {finding.term.candidate};
   made.diagnosis.findings = {finding};
   return made;
+}
+
+TEST(Sentence, OfMissingInputComesFirst) {
+  Diagnosis diagnosis = Of(BoomWithDeadBand());
+  diagnosis.missing_input = {{"excavator1/encoders/arm_radps", "arm", 0.61, false}};
+  EXPECT_THAT(
+      SentencesOf(diagnosis).front(),
+      StartsWith("61 % of the motion of the arm is while its lever rests: input is missing"));
+  diagnosis.missing_input.front().is_one_sided = true;
+  EXPECT_THAT(SentencesOf(diagnosis).front(),
+              StartsWith("61 % of the motion of the arm is against its lever, which the recording "
+                         "has to one side alone: input is missing"));
+  EXPECT_EQ(VerdictsOf(diagnosis).back(), Verdict::kUntestable);
 }
 
 TEST(Sentence, OfTheSameDelayOnAllJointsSaysThatAClockDoesAsWell) {
