@@ -38,6 +38,6 @@ while read -r name set; do
   "$tera" generate $scenario --out "$out/$name" "${options[@]}" > "$out/$name.log" < /dev/null
   "$tera" diagnose $scenario "$out/$name" --library "$out/receivers_only.yaml" --no-simulation \
     --out "$out/$name.why" > "$out/$name.txt" < /dev/null
-  grep -iE '^(Gnss|Nothing|Not compared)' "$out/$name.txt" | cut -c1-400 || true
+  grep -iE '^(Gnss|Nothing|Not compared)|beyond tolerance' "$out/$name.txt" | cut -c1-400 || true
   rm -r "${out:?}/$name"
 done <<< "$cases"

@@ -163,7 +163,7 @@ TEST_F(DiagnoseCommand, AsksForEncoders) {
   Record("real", {"--duration", "21"});
   const Outcome outcome = Run({"diagnose", "boom.yaml", "real", "--out", "why"});
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("nothing of excavator1 can be replayed")));
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("no encoder channel of excavator1")));
   EXPECT_FALSE(std::filesystem::exists(scratch_.path() / "why"));
 }
 
