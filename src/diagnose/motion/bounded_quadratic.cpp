@@ -8,8 +8,10 @@ namespace tera {
 namespace {
 
 constexpr int kMostIterations = 60;
-constexpr double kPrecision = 1e-9;   ///< of the duality gap over the objective's own scale
+constexpr double kPrecision = 1e-12;  ///< of the duality gap over the objective's own scale
+constexpr double kGradient = 1e-6;    ///< over the root of its own curvature
 constexpr double kStepShare = 0.995;  ///< of the way to the nearest bound
+constexpr double kLeastSlack = 1e-9;  ///< where bounds leave no room, over the number's own unit
 
 /// The longest step, 1 at most, along which `x` stays positive.
 double LongestStep(const Eigen::VectorXd& x, const Eigen::VectorXd& dx) {
@@ -26,13 +28,15 @@ Eigen::VectorXd SmallestWithin(const Eigen::MatrixXd& A, const Eigen::VectorXd& 
                                const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
   const Eigen::VectorXd free = A.llt().solve(b);
   if ((free.array() >= lower.array()).all() && (free.array() <= upper.array()).all()) return free;
+  // A number's own unit is that over which the objective changes by one half.
+  const Eigen::VectorXd unit = A.diagonal().cwiseSqrt().cwiseInverse();
   // Each finite bound is a slack s = sign x - bound > 0 with a multiplier z > 0.
   std::vector<Eigen::Index> index;
   std::vector<double> sign, bound;
   Eigen::VectorXd x = free;
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     const double width = upper[i] - lower[i];
-    const double inset = std::isfinite(width) ? 0.05 * width : 0;
+    const double inset = std::isfinite(width) ? 0.05 * width : unit[i];
     x[i] = std::clamp(x[i], lower[i] + inset, upper[i] - inset);
     if (std::isfinite(lower[i])) index.push_back(i), sign.push_back(1), bound.push_back(lower[i]);
     if (std::isfinite(upper[i])) index.push_back(i), sign.push_back(-1), bound.push_back(-upper[i]);
@@ -40,20 +44,21 @@ Eigen::VectorXd SmallestWithin(const Eigen::MatrixXd& A, const Eigen::VectorXd& 
   const auto count = static_cast<Eigen::Index>(index.size());
   Eigen::VectorXd s(count), z(count), ds(count), dz(count);
   const double start = std::max(
-      1e-6, (A * x - b).cwiseAbs().cwiseProduct((upper - lower).cwiseMin(1).cwiseAbs()).mean());
+      1e-6, (A * x - b).cwiseAbs().cwiseProduct((upper - lower).cwiseMin(unit).cwiseAbs()).mean());
   const auto at = [&](Eigen::Index k) { return index[static_cast<std::size_t>(k)]; };
   const auto way = [&](Eigen::Index k) { return sign[static_cast<std::size_t>(k)]; };
   for (Eigen::Index k = 0; k < count; ++k) {
-    s[k] = way(k) * x[at(k)] - bound[static_cast<std::size_t>(k)];
+    s[k] =
+        std::max(way(k) * x[at(k)] - bound[static_cast<std::size_t>(k)], kLeastSlack * unit[at(k)]);
     z[k] = start / s[k];
   }
-  const double scale = 1 + std::abs(x.dot(0.5 * (A * x) - b));
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
     const double gap = s.dot(z) / static_cast<double>(count);
     Eigen::VectorXd gradient = A * x - b;
+    const double scale = 1 + 0.5 * std::abs(x.dot(gradient - b));
     for (Eigen::Index k = 0; k < count; ++k) gradient[at(k)] -= way(k) * z[k];
     if (gap * static_cast<double>(count) < kPrecision * scale &&
-        gradient.cwiseAbs().maxCoeff() < 1e-6 * (1 + b.cwiseAbs().maxCoeff())) {
+        gradient.cwiseProduct(unit).cwiseAbs().maxCoeff() < kGradient) {
       break;
     }
     const double target = 0.1 * gap;
@@ -73,7 +78,7 @@ Eigen::VectorXd SmallestWithin(const Eigen::MatrixXd& A, const Eigen::VectorXd& 
     s += step * ds;
     z += step * dz;
   }
-  return x;
+  return x.cwiseMax(lower).cwiseMin(upper);
 }
 
 }  // namespace tera
