@@ -109,7 +109,8 @@ void SetMotionOfUnits(MotionProblem* problem) {
 
 std::vector<TravelWindow> TravelOf(const std::vector<GearTrack>& gears) {
   std::vector<TravelWindow> windows;
-  if (gears.empty() || gears.front().angle_rad.t_s.size() < 2) return windows;
+  const auto is_unread = [](const GearTrack& gear) { return gear.angle_rad.empty(); };
+  if (gears.empty() || std::any_of(gears.begin(), gears.end(), is_unread)) return windows;
   std::vector<double> resting_rad;
   Eigen::MatrixXd design(static_cast<Eigen::Index>(gears.size()), 2);
   bool can_turn = false;
