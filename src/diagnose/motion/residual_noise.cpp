@@ -18,7 +18,7 @@ double ScaleOf(const ChannelResiduals& residuals, double least, double start) {
     for (const auto& segment : residuals.by_segment) {
       for (const double r : segment) square += ErrorWeight(r, sigma) * r * r, ++count;
     }
-    if (count < kFewestResiduals) break;
+    if (count < kFewestResiduals || (square <= 0 && least <= 0)) break;
     sigma = std::max(std::sqrt(square / count), least);
   }
   return sigma;
