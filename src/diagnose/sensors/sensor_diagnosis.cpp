@@ -10,6 +10,8 @@ namespace tera {
 namespace {
 
 constexpr int kRounds = 2;  ///< of linearising with what was named free
+/// Motions no further apart than splines reach beyond their segments meet in the middle.
+constexpr double kJoined_s = 0.5;
 
 std::string NameOf(const ParameterGroup& group) { return group.target + "/" + group.mechanism; }
 
@@ -77,14 +79,23 @@ std::vector<EstimatedMotion> MotionOf(const MotionProblem& problem,
   std::vector<EstimatedMotion> motion;
   for (std::size_t s = 0; s < problem.segments.size(); ++s) {
     const MotionSegment& segment = problem.segments[s];
+    if (segment.observations.empty()) continue;
+    double from_s = segment.spline.end_s(), to_s = 0;
+    for (const Observation& observation : segment.observations) {
+      from_s = std::min(from_s, std::max(0.0, observation.from_s));
+      to_s = std::max(to_s, std::min(segment.spline.end_s(), observation.to_s));
+    }
     EstimatedMotion one;
-    one.spline_start_ns = one.start_ns = segment.start_ns;
-    one.end_ns = segment.start_ns + FromSeconds(segment.spline.end_s());
+    one.spline_start_ns = segment.start_ns;
+    one.start_ns = segment.start_ns + FromSeconds(from_s);
+    one.end_ns = segment.start_ns + FromSeconds(to_s);
     one.spline = segment.spline;
     one.coefficients = estimate.motion[s].coefficients;
     motion.push_back(std::move(one));
   }
   for (std::size_t s = 1; s < motion.size(); ++s) {
+    const double apart_s = ToSeconds(motion[s].start_ns - motion[s - 1].end_ns);
+    if (std::abs(apart_s) > kJoined_s) continue;
     const TimeNs between_ns = (motion[s - 1].end_ns + motion[s].start_ns) / 2;
     motion[s - 1].end_ns = motion[s].start_ns = between_ns;
   }
