@@ -1,0 +1,175 @@
+#include "diagnose/sensors/sensor_diagnosis.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "diagnose/sensors/made_recording.h"
+#include "sensors/sensor_mechanisms.h"
+
+namespace tera {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+const SensorTolerances kTolerances;
+
+SensorDiagnosis Diagnosed(MadeRecording* made) {
+  StageClock clock;
+  return DiagnoseSensors(made->Input(), made->measured, {}, &clock);
+}
+
+std::vector<std::string> NamesOf(const std::vector<SensorFinding>& findings) {
+  std::vector<std::string> names;
+  for (const SensorFinding& finding : findings) {
+    names.push_back(finding.target + "/" + finding.mechanism);
+  }
+  return names;
+}
+
+/// One thing that is wrong, and how it is told.
+struct Case {
+  Wrong wrong;
+  std::string name, number;
+  double value = 0;  ///< in the mechanism's unit
+};
+
+/// Four times as much as is tolerated.
+std::vector<Case> Cases() {
+  const SensorTolerances& of = kTolerances;
+  std::vector<Case> cases(7);
+  cases[0] = {{}, "imu_boom/bias", "gyro_y_degps", 4 * of.gyro_bias_radps / kDeg};
+  cases[0].wrong.gyro_bias_radps.y() = 4 * of.gyro_bias_radps;
+  cases[1] = {{}, "imu_boom/bias", "accel_y_mps2", -4 * of.accel_bias_mps2};
+  cases[1].wrong.accel_bias_mps2.y() = -4 * of.accel_bias_mps2;
+  cases[2] = {{}, "imu_boom/mount_rotation", "roll_deg", 4 * of.unit_mount_rad / kDeg};
+  cases[2].wrong.mount_rad.x() = 4 * of.unit_mount_rad;
+  cases[3] = {{}, "imu_boom/clock_offset", "offset_s", 4 * of.stamps_s};
+  cases[3].wrong.unit_late_s = 4 * of.stamps_s;
+  cases[4] = {{}, "imu_boom/imu_lever_arm", "y_m", 8 * of.unit_place_m};
+  cases[4].wrong.place_m.y() = 8 * of.unit_place_m;
+  cases[5] = {{}, "left/gnss_lever_arm", "y_m", -4 * of.antenna_place_m};
+  cases[5].wrong.antenna_place_m.y() = -4 * of.antenna_place_m;
+  cases[6] = {{}, "left/gnss_lever_arm", "x_m", 4 * of.antenna_place_m};
+  cases[6].wrong.antenna_place_m.x() = 4 * of.antenna_place_m;
+  return cases;
+}
+
+/// Each finding with its numbers, for messages.
+std::string Told(const SensorDiagnosis& diagnosis) {
+  std::string text;
+  for (const SensorFinding& finding : diagnosis.findings) {
+    text += fmt::format("\n{}/{}, gain {:.1f}, p {:.2g}:", finding.target, finding.mechanism,
+                        finding.gain, finding.p);
+    for (const FoundNumber& number : finding.numbers) {
+      text += fmt::format(" {} {:.4g} +- {:.2g}", number.name, number.value, number.sigma);
+    }
+    for (const std::string& rival : finding.rivals) text += ", or " + rival;
+  }
+  return text;
+}
+
+void ExpectNamed(const Case& wrong, const SensorDiagnosis& told) {
+  ASSERT_THAT(NamesOf(told.findings), ElementsAre(wrong.name)) << wrong.number << Told(told);
+  bool is_there = false;
+  for (const FoundNumber& number : told.findings[0].numbers) {
+    const bool is_wrong = number.name == wrong.number;
+    is_there |= is_wrong;
+    if (is_wrong) {
+      EXPECT_NEAR(number.value, wrong.value, 3 * number.sigma) << number.name;
+      EXPECT_TRUE(number.is_beyond) << number.name;
+      EXPECT_LT(number.sigma, 0.5 * std::abs(wrong.value)) << number.name;
+    } else {
+      EXPECT_NEAR(number.value, number.documented, 4 * number.sigma) << number.name;
+      EXPECT_FALSE(number.is_beyond) << number.name;
+    }
+  }
+  EXPECT_TRUE(is_there) << wrong.number;
+}
+
+class OneWrong : public ::testing::TestWithParam<int> {};
+
+TEST_P(OneWrong, IsNamedWithItsNumber) {
+  const Case wrong = Cases()[GetParam()];
+  MadeRecording made({.wrong = wrong.wrong});
+  ExpectNamed(wrong, Diagnosed(&made));
+}
+
+TEST_P(OneWrong, IsNamedThoughRowsAreLostAndStampsJitter) {
+  const Case wrong = Cases()[GetParam()];
+  MadeRecording made({.wrong = wrong.wrong, .seed = 2, .lost = 0.1, .jitter_s = 0.003});
+  ExpectNamed(wrong, Diagnosed(&made));
+}
+
+INSTANTIATE_TEST_SUITE_P(SensorDiagnosis, OneWrong, ::testing::Range(0, 7), [](const auto& info) {
+  std::string name = Cases()[info.param].name + "_" + Cases()[info.param].number;
+  for (char& c : name) c = std::isalnum(c) ? c : '_';
+  return name;
+});
+
+TEST(SensorDiagnosis, OfNothingWrongNamesNothing) {
+  for (const std::uint64_t seed : {11, 12, 13, 14}) {
+    MadeRecording made({.seed = seed});
+    const SensorDiagnosis told = Diagnosed(&made);
+    EXPECT_THAT(NamesOf(told.findings), IsEmpty()) << seed;
+    EXPECT_FALSE(told.motion.empty());
+  }
+}
+
+Effect OfUnit(std::string_view id, std::vector<double> values) {
+  for (const Mechanism& mechanism : SensorMechanisms()) {
+    if (mechanism.id == id && mechanism.ActsOn(EffectTarget::kImu)) return {&mechanism, values};
+  }
+  ADD_FAILURE() << id;
+  return {};
+}
+
+// Everything is far beyond its tolerance and as the scenario says.
+TEST(SensorDiagnosis, OfErrorsThatAreDocumentedNamesNothing) {
+  MadeRecording made({.wrong = {.gyro_bias_radps = {0.01, -0.02, 0.03},
+                                .accel_bias_mps2 = {0.3, -0.2, 0.4},
+                                .mount_rad = {0.2, -0.3, 0.4},
+                                .place_m = {0.5, 0.6, -0.4},
+                                .unit_late_s = 0.12},
+                      .seed = 15});
+  made.input.sensors[1].effects = {
+      OfUnit("bias", {0.01 / kDeg, -0.02 / kDeg, 0.03 / kDeg, 0.3, -0.2, 0.4}),
+      OfUnit("mount_rotation", {0.2 / kDeg, -0.3 / kDeg, 0.4 / kDeg}),
+      OfUnit("imu_lever_arm", {0.5, 0.6, -0.4}), OfUnit("clock_offset", {0.12})};
+  EXPECT_THAT(NamesOf(Diagnosed(&made).findings), IsEmpty());
+  // Without its documents all of it is wrong.
+  made.input.sensors[1].effects.clear();
+  EXPECT_FALSE(Diagnosed(&made).findings.empty());
+}
+
+TEST(SensorDiagnosis, OfNothingWrongButLostRowsAndJitterNamesNothing) {
+  for (const std::uint64_t seed : {21, 22}) {
+    MadeRecording made({.seed = seed, .lost = 0.2, .jitter_s = 0.004});
+    EXPECT_THAT(NamesOf(Diagnosed(&made).findings), IsEmpty()) << seed;
+  }
+}
+
+TEST(SensorDiagnosis, FindsTheMotionThatWas) {
+  MadeRecording made({.seed = 31});
+  const SensorDiagnosis told = Diagnosed(&made);
+  ASSERT_THAT(told.joints, ElementsAre("swing", "boom"));
+  int looked_at = 0;
+  for (const EstimatedMotion& motion : told.motion) {
+    EXPECT_GE(motion.start_ns, 0) << "all was observed from then on";
+    EXPECT_LE(motion.end_ns, 40 * kNsPerSecond) << "all was observed until then";
+    for (TimeNs t_ns = motion.start_ns; t_ns <= motion.end_ns; t_ns += 370'000'000) {
+      const Pose X_WB = made.Base(ToSeconds(t_ns)), found = motion.BaseAt(t_ns);
+      // Within the tolerance of places, 0.04 m, and of clocks, 0.04 s at 1.5 m/s.
+      EXPECT_LT((found.translation() - X_WB.translation()).norm(), 0.1) << t_ns;
+      EXPECT_LT(Eigen::AngleAxisd(found.linear().transpose() * X_WB.linear()).angle(), 0.06);
+      const std::vector<double> q = made.Joints(ToSeconds(t_ns));
+      for (std::size_t j = 0; j < 2; ++j) EXPECT_NEAR(motion.JointAt(t_ns, j), q[j], 0.02) << j;
+      ++looked_at;
+    }
+  }
+  EXPECT_GT(looked_at, 90) << "of 40 s";
+}
+
+}  // namespace
+}  // namespace tera
