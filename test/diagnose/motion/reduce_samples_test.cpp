@@ -233,6 +233,19 @@ TEST(TravelOfGears, OfStandingGearIsStillWhateverItsNoise) {
   EXPECT_GE(still, 0.95 * all);
 }
 
+// The last step of an angle, 0.01 rad, comes and goes by its noise in one of five samples.
+TEST(TravelOfGears, OfStandingGearIsStillWhateverItsQuantisation) {
+  const Stream draw(3, "encoder");
+  int drawn = 0, still = 0;
+  const auto quantised = [&](double) {
+    return 0.01 * std::round(120 + 0.4 * draw.Gaussian(++drawn));
+  };
+  const std::vector<TravelWindow> travel =
+      TravelOf({Gear(0.3, 0.8, quantised), Gear(0.3, -0.8, quantised)});
+  for (const TravelWindow& window : travel) still += window.is_still;
+  EXPECT_GE(still, 0.95 * static_cast<double>(travel.size()));
+}
+
 // From 4 to 6 s it drives, first slowly: the gear is still as long as none of its angles moves
 // within 0.3 s.
 TEST(TravelOfGears, IsNotStillWithinThreeTenthsOfASecondOfAMotion) {

@@ -38,7 +38,7 @@ struct Case {
 /// Four times as much as is tolerated, of the place of the unit eight times.
 std::vector<Case> Cases() {
   const SensorTolerances& of = kTolerances;
-  std::vector<Case> cases(6);
+  std::vector<Case> cases(7);
   cases[0] = {{}, "imu_boom/bias", "gyro_y_degps", 4 * of.gyro_bias_radps / kDeg};
   cases[0].wrong.gyro_bias_radps.y() = 4 * of.gyro_bias_radps;
   cases[1] = {{}, "imu_boom/bias", "accel_y_mps2", -4 * of.accel_bias_mps2};
@@ -51,6 +51,8 @@ std::vector<Case> Cases() {
   cases[4].wrong.antenna_place_m.y() = -4 * of.antenna_place_m;
   cases[5] = {{}, "left/gnss_lever_arm", "x_m", 4 * of.antenna_place_m};
   cases[5].wrong.antenna_place_m.x() = 4 * of.antenna_place_m;
+  cases[6] = {{}, "imu_boom/clock_offset", "offset_s", 4 * of.stamps_s};
+  cases[6].wrong.unit_late_s = 4 * of.stamps_s;
   return cases;
 }
 
@@ -100,7 +102,7 @@ TEST_P(OneWrong, IsNamedThoughRowsAreLostAndStampsJitter) {
   ExpectNamed(wrong, Diagnosed(&made));
 }
 
-INSTANTIATE_TEST_SUITE_P(SensorDiagnosis, OneWrong, ::testing::Range(0, 6), [](const auto& info) {
+INSTANTIATE_TEST_SUITE_P(SensorDiagnosis, OneWrong, ::testing::Range(0, 7), [](const auto& info) {
   std::string name = Cases()[info.param].name + "_" + Cases()[info.param].number;
   for (char& c : name) c = std::isalnum(c) ? c : '_';
   return name;
