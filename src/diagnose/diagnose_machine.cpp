@@ -61,12 +61,10 @@ std::vector<DiscrepancyCorrection> UncorrectedChannels(const DiagnosisInput& inp
 
 /// Diagnoses the machine's own blocks, then those of its sensors. The block of the base shows
 /// whether poses were stamped as they arrive, which the sensors' blocks depend on.
-std::vector<DiagnosedBlock> DiagnoseInTurn(const DiagnosisInput& input,
-                                           const Measurements& measured,
-                                           std::vector<ReplayBlock> blocks,
-                                           const DiagnosisOptions& options,
-                                           const FollowProgress& progress,
-                                           std::vector<std::string>* not_compared) {
+std::vector<DiagnosedBlock> DiagnoseInTurn(
+    const DiagnosisInput& input, const SensorDiagnosis& estimate, const Measurements& measured,
+    std::vector<ReplayBlock> blocks, const DiagnosisOptions& options,
+    const FollowProgress& progress, std::vector<std::string>* not_compared) {
   const SearchOptions search = WithTotalsOf(options.search, blocks);
   const std::size_t in_all = blocks.size();
   std::optional<Deadline> deadline;
@@ -93,6 +91,7 @@ std::vector<DiagnosedBlock> DiagnoseInTurn(const DiagnosisInput& input,
       const auto same = std::find(not_compared->begin(), not_compared->end(), obstacle);
       if (same == not_compared->end()) not_compared->push_back(std::move(obstacle));
     }
+    RemoveEstimated(input, estimate, &carried);
     if (options.library) ApplyLibrary(*options.library, *input.model, &carried);
     StateTolerances(input.tolerances, &carried);
   }
@@ -168,6 +167,7 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
       options.blocks.needs_any && diagnosis.sensors.estimate.channels.empty();
   const Measurements left = WithoutExplained(input, diagnosis.sensors.estimate, measured);
   std::vector<ReplayBlock> blocks = BlocksOf(input, left, options.blocks, &diagnosis.not_compared);
+  RemoveEstimated(input, diagnosis.sensors.estimate, &blocks);
   diagnosis.missing_input = MissingInputOf(input, left, options.blocks);
   std::erase_if(blocks, [&](const ReplayBlock& block) {
     return std::any_of(diagnosis.missing_input.begin(), diagnosis.missing_input.end(),
@@ -186,8 +186,8 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
              : UncorrectedChannels(input, blocks);
   diagnosis.excluded_samples = ExcludeLaggingSamples(&blocks);
   diagnosis.encoder_lead_s = EncoderLead_s(blocks);
-  diagnosis.blocks =
-      DiagnoseInTurn(input, left, std::move(blocks), options, progress, &diagnosis.not_compared);
+  diagnosis.blocks = DiagnoseInTurn(input, diagnosis.sensors.estimate, left, std::move(blocks),
+                                    options, progress, &diagnosis.not_compared);
   std::vector<std::vector<Proposal>> proposals = InParallel<std::vector<Proposal>>(
       diagnosis.blocks.size(), options.search.threads,
       [&](std::size_t b) { return ProposalsFor(diagnosis.blocks[b], options.seed); });

@@ -11,7 +11,8 @@ namespace {
 
 // Travel by running gear only keeps the motion determined where nothing else measures it.
 constexpr double kTravelShare = 0.3, kTravel_mps = 0.1, kTravel_radps = 0.1;
-constexpr double kStill_mps = 0.01, kStill_radps = 0.01;
+// A machine that stands rocks as its arm moves, and turns less.
+constexpr double kRocks_mps = 0.03, kRocks_radps = 0.05, kTurns_radps = 0.01;
 constexpr double kGround_m = 0.05, kGround_rad = 0.035;
 
 /// The motion at the time of an observation: numbers by derivative, one column each.
@@ -257,7 +258,7 @@ void LineariseStill(const At& at) {
   LinearisedObservation& out = *at.out;
   for (int i = 0; i < 6; ++i) {
     out.residual[i] = -at.numbers(i, 1);
-    out.sigma[i] = i < 3 ? kStill_mps : kStill_radps;
+    out.sigma[i] = i < 3 ? kRocks_mps : i == kYaw ? kTurns_radps : kRocks_radps;
     out.by_state(i, at.Column(i, 1)) = 1;
   }
 }
@@ -270,6 +271,10 @@ void LineariseGround(const At& at) {
     out.sigma[i] = i == 0 ? kGround_m : kGround_rad;
     out.by_state(i, at.Column(2 + i, 0)) = 1;
   }
+  if (at.problem.ground_height < 0) return;
+  const int datum = at.AddParameter(at.problem.ground_height);
+  out.residual[0] -= at.Parameter(at.problem.ground_height);
+  out.by_parameter(0, datum) = 1;
 }
 
 /// How late the channel of an observation is.

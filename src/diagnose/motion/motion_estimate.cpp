@@ -16,7 +16,7 @@ constexpr double kPlace_m = 50, kLean_rad = 0.5, kYaw_rad = 5, kJoint = 2;
 constexpr int kUnweightedIterations = 2;  ///< of a first estimate
 /// Power of a rate over that of its error, from which on it stands out.
 constexpr double kStandsOut = 30;
-constexpr double kSettled = 0.02;  ///< change of parameters over their prior's sigma
+constexpr double kSettled = 0.02;  ///< change of parameters over what is small
 
 /// One segment linearised about a motion.
 struct LinearisedSegment {
@@ -61,6 +61,18 @@ void AddMotionPriors(const MotionSegment& segment, const Eigen::MatrixXd& now,
   }
 }
 
+/// A quadratic that does not know whether all channels are late alike: the motion is late as well
+/// then. Linearised about a motion that follows noise it would seem to know.
+ParameterQuadratic WithoutCommonDelay(ParameterQuadratic q, const std::vector<int>& delays) {
+  if (delays.empty()) return q;
+  Eigen::VectorXd common = Eigen::VectorXd::Zero(q.score.size());
+  common(delays).setConstant(1 / std::sqrt(static_cast<double>(delays.size())));
+  q.score -= common * common.dot(q.score);
+  q.information -= common * (common.transpose() * q.information);
+  q.information -= (q.information * common) * common.transpose();
+  return q;
+}
+
 LinearisedSegment LineariseSegment(const MotionProblem& problem, std::size_t s,
                                    const MotionEstimate& at, const RowWeights& weights) {
   const MotionSegment& segment = problem.segments[s];
@@ -80,7 +92,7 @@ LinearisedSegment LineariseSegment(const MotionProblem& problem, std::size_t s,
       linear.residuals[static_cast<std::size_t>(rows.noise + i)].push_back(rows.residual[i]);
     }
   }
-  linear.quadratic = equations.Reduce(&linear.step);
+  linear.quadratic = WithoutCommonDelay(equations.Reduce(&linear.step), problem.delays);
   return linear;
 }
 
@@ -215,7 +227,7 @@ double Move(const MotionProblem& problem, const std::vector<LinearisedSegment>& 
   }
   return before.size() == 0
              ? 0
-             : (estimate->parameters - before).cwiseQuotient(prior.sigma).cwiseAbs().maxCoeff();
+             : (estimate->parameters - before).cwiseQuotient(prior.small).cwiseAbs().maxCoeff();
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace tera {
 /// What is known about parameters beforehand: normal about `documented`, within bounds.
 struct ParameterPrior {
   Eigen::VectorXd documented, sigma, lower, upper;  ///< bounds may be infinite
+  Eigen::VectorXd small = sigma;                    ///< changes far below are none
 };
 
 /// The motion of one segment and the parameters as they are in it.
@@ -46,9 +47,9 @@ MotionEstimate StartingEstimate(const MotionProblem& problem, const ParameterPri
 /// Model   Gauss-Newton; rows are weighted as Student's t has it, from the third iteration of a
 ///         first estimate on, and by their channel's inflation. Each segment's motion is eliminated
 ///         (NormalEquations), its own wandering of the parameters integrated out, and the sum of
-///         what is left with the prior is least within the bounds. A weak prior on the third
-///         derivatives of the motion carries it over lost rows, another on its place holds what
-///         nothing measures.
+///         what is left with the prior is least within the bounds. That all channels are late
+///         alike, nothing tells but the prior. A weak prior on the third derivatives of the motion
+///         carries it over lost rows, another on its place holds what nothing measures.
 MotionEstimate EstimateMotion(const MotionProblem& problem, const ParameterPrior& prior,
                               MotionEstimate start, const EstimateOptions& options = {});
 

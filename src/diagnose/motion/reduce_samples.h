@@ -18,7 +18,7 @@ struct ImuWindow {
 TimeNs UsualPeriod_ns(const std::vector<TimeNs>& t_ns);
 
 /// Samples, each a mean over the usual period before its stamp, as windows of at most `longest_s`;
-/// a lost row, and a time at which `is_cut` differs, ends a window.
+/// a lost row, and a time at which `segment_of` differs, ends a window.
 std::vector<ImuWindow> WindowsOf(const std::vector<ImuSample>& samples, double longest_s,
                                  const std::function<int(TimeNs)>& segment_of);
 
@@ -28,6 +28,7 @@ void SetMotionOfUnits(MotionProblem* problem);
 /// One running gear's angle over time, and how far it moves the machine for one radian.
 struct GearTrack {
   TimeSeries angle_rad;
+  double resolution_rad = 0;        ///< of the encoder
   double radius_m = 0, left_m = 0;  ///< how far left of the base's middle it runs
 };
 

@@ -22,7 +22,7 @@ double ErrorWeight(double residual, double sigma);
 ///
 /// Model   the scale by maximum likelihood under Student's t with `kErrorDof`, at least the data
 ///         sheet's; inflation 1 + 2 sum rho_k of weighted residuals, up to the first lag at which
-///         the autocorrelation is below 0.05, within two seconds.
+///         the autocorrelation is below 0.05, of a hundred at most.
 /// Omits   what the motion itself took up of the errors.
 /// Source  Lange, Little and Taylor 1989; Sokal 1989, "Monte Carlo methods in statistical
 ///         mechanics", on summing autocorrelations.

@@ -142,6 +142,26 @@ bool IsExplained(const ChannelError& channel) {
          std::max(kMostOfDifferences * channel.differences, kMostOfMotion * channel.motion);
 }
 
+void RemoveEstimated(const DiagnosisInput& input, const SensorDiagnosis& estimate,
+                     std::vector<ReplayBlock>* blocks) {
+  const auto has = [&](const std::string& target, std::string_view mechanism) {
+    const std::string name = target + "/" + std::string(mechanism);
+    return std::find(estimate.estimated.begin(), estimate.estimated.end(), name) !=
+           estimate.estimated.end();
+  };
+  for (const SensorDescription& sensor : input.sensors) {
+    if (!has(sensor.name, "imu_lever_arm")) continue;
+    for (ReplayBlock& block : *blocks) {
+      if (block.name != input.machine + "/" + sensor.name) continue;
+      std::erase_if(block.candidates, [&](const Candidate& candidate) {
+        const std::string_view id = candidate.mechanism->id;
+        const bool is_delay = id == "latency" || id == "filter_delay";
+        return has(candidate.target, is_delay ? "clock_offset" : id);
+      });
+    }
+  }
+}
+
 Measurements WithoutExplained(const DiagnosisInput& input, const SensorDiagnosis& estimate,
                               Measurements measured) {
   for (std::size_t s = 0; s < input.sensors.size(); ++s) {

@@ -33,12 +33,19 @@ struct DiagnosedSensors {
 DiagnosedSensors DiagnosedOf(SensorDiagnosis estimate, const std::string& machine);
 
 /// Whether what is left of a channel is no louder than twice what its residuals differ by from one
-/// to the next: error that lasts would be. Error that changes as fast as noise does is not seen.
+/// to the next, or than a fifth of a unit's motion: error that lasts would be. Error that changes
+/// as fast as noise does is not seen.
 bool IsExplained(const ChannelError& channel);
 
 /// The measurements without those of units and receivers that the estimate explains, or of which it
 /// names what is wrong.
 Measurements WithoutExplained(const DiagnosisInput& input, const SensorDiagnosis& estimate,
                               Measurements measured);
+
+/// Leaves the blocks of inertial units the mechanisms that the estimate does not have. The others
+/// were judged beside all sensors at once; a unit over poses and encoders as they were measured
+/// would take the noise of these for a filter or a delay of its own.
+void RemoveEstimated(const DiagnosisInput& input, const SensorDiagnosis& estimate,
+                     std::vector<ReplayBlock>* blocks);
 
 }  // namespace tera

@@ -9,7 +9,8 @@
 namespace tera {
 namespace {
 
-constexpr int kRounds = 2;  ///< of linearising with what was named free
+constexpr int kIterationsAgain = 8;
+constexpr int kRounds = 3;  ///< of linearising with what was named free
 /// Motions no further apart than splines reach beyond their segments meet in the middle.
 constexpr double kJoined_s = 0.5;
 
@@ -58,20 +59,6 @@ double DifferencesOf(const ChannelResiduals& residuals) {
     }
   }
   return differences.empty() ? 0 : RobustScale(differences) / std::sqrt(20.0);
-}
-
-/// Parameters to linearise about with some groups free: of the others the documented ones. All
-/// clocks may be as late together, and whatever point that begins at, it stays near.
-Eigen::VectorXd StartOf(const ParameterTable& table, const std::vector<int>& free,
-                        Eigen::VectorXd fitted) {
-  for (std::size_t g = 0; g < table.groups.size(); ++g) {
-    if (std::find(free.begin(), free.end(), static_cast<int>(g)) != free.end()) continue;
-    const ParameterGroup& group = table.groups[g];
-    for (int i = group.first; i < group.first + group.count; ++i) {
-      fitted[i] = table.parameters[static_cast<std::size_t>(i)].documented;
-    }
-  }
-  return fitted;
 }
 
 std::vector<EstimatedMotion> MotionOf(const MotionProblem& problem,
@@ -153,6 +140,9 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
   diagnosis.joints = problem.motion.joints;
   diagnosis.not_compared = problem.not_compared;
   if (problem.motion.imus.empty() && problem.motion.receivers.empty()) return diagnosis;
+  for (const ParameterGroup& group : problem.table.groups) {
+    diagnosis.estimated.push_back(NameOf(group));
+  }
   diagnosis.candidates = static_cast<std::size_t>(
       std::count_if(problem.table.groups.begin(), problem.table.groups.end(),
                     [](const ParameterGroup& group) { return group.may_be_named; }));
@@ -167,13 +157,11 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
     return JudgeGroups(problem.table, flexible.quadratics, options.judge);
   });
   estimate_options.estimates_noise = false;
-  estimate_options.most_iterations = 3;
+  estimate_options.most_iterations = kIterationsAgain;
   const auto with_free = [&](const std::vector<int>& free) {
     return clock->Time("sensors: motion again", [&] {
       const ParameterPrior prior = problem.table.PriorWith(free);
-      MotionEstimate start = flexible;
-      start.parameters = StartOf(problem.table, free, flexible.parameters);
-      return EstimateMotion(problem.motion, prior, start, estimate_options);
+      return EstimateMotion(problem.motion, prior, flexible, estimate_options);
     });
   };
   const MotionEstimate before = with_free({});

@@ -61,7 +61,8 @@ struct SensorDiagnosis {
   std::vector<SensorFinding> within_tolerance, untestable;
   std::vector<std::vector<std::string>> not_told_apart;  ///< "target/mechanism"
   double left_to_gain = 0;                               ///< GroupJudgement
-  std::size_t candidates = 0;  ///< mechanisms of targets that might have been named
+  std::vector<std::string> estimated;  ///< "target/mechanism" of all that was free somewhere
+  std::size_t candidates = 0;          ///< mechanisms of targets that might have been named
   std::vector<ChannelError> channels;
   std::vector<std::string> joints;
   std::vector<EstimatedMotion> motion;  ///< in the order of time

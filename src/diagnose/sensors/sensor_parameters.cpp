@@ -23,6 +23,7 @@ constexpr double kLeastShare = 0.01;  ///< of the default: what is stated as exa
 /// stands for what the models leave out.
 constexpr double kBiasWander = 0.25, kWander = 0.06;
 constexpr double kMostDelay_s = 3;
+constexpr const char* kDelay = "clock_offset";  ///< stands for latency and filter as well
 
 double UsualHalfWidth(const std::string& target, const std::string& mechanism,
                       const std::string& parameter) {
@@ -70,7 +71,7 @@ double DocumentedDelay_s(const Effects& effects) {
 }
 
 int AddDelay(const std::string& target, const Effects& effects, ParameterTable* table) {
-  return GroupOf(table, target, "clock_offset")
+  return GroupOf(table, target, kDelay)
       .Number("offset_s", "s", 1, DocumentedDelay_s(effects), kMostDelay_s, kWander)
       .first();
 }
@@ -105,6 +106,7 @@ ParameterPrior ParameterTable::PriorWith(const std::vector<int>& free_groups) co
   prior.sigma.resize(count);
   prior.lower.resize(count);
   prior.upper.resize(count);
+  prior.small.resize(count);
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const bool is_free =
         std::find(free_groups.begin(), free_groups.end(), static_cast<int>(g)) != free_groups.end();
@@ -112,6 +114,7 @@ ParameterPrior ParameterTable::PriorWith(const std::vector<int>& free_groups) co
       const SensorParameter& one = parameters[static_cast<std::size_t>(i)];
       prior.documented[i] = one.documented;
       prior.sigma[i] = is_free ? one.free_sigma : kPriorShare * one.tolerance;
+      prior.small[i] = one.tolerance;
       prior.lower[i] = is_free ? one.lower : one.documented - one.tolerance;
       prior.upper[i] = is_free ? one.upper : one.documented + one.tolerance;
     }
@@ -135,9 +138,17 @@ Eigen::VectorXd ParameterTable::Wander() const {
   return wander;
 }
 
+std::vector<int> ParameterTable::Delays() const {
+  std::vector<int> delays;
+  for (const ParameterGroup& group : groups) {
+    if (group.mechanism == kDelay) delays.push_back(group.first);
+  }
+  return delays;
+}
+
 void ParameterTable::LimitTo(const CandidateLibrary& library) {
   for (ParameterGroup& group : groups) {
-    group.may_be_named = Admits(library, group.mechanism);
+    group.may_be_named = group.may_be_named && Admits(library, group.mechanism);
     for (const auto& [mechanism, ranges] : library.ranges) {
       if (mechanism->id != group.mechanism) continue;
       for (const NumberRange& range : ranges) {
@@ -242,6 +253,13 @@ void AddAxisParameters(const std::string& target, const Effects& effects, bool s
 
 int AddEncoderDelay(const std::string& target, const Effects& effects, ParameterTable* table) {
   return AddDelay(target, effects, table);
+}
+
+int AddGroundHeight(ParameterTable* table) {
+  const int place =
+      GroupOf(table, "ground", "height_datum").Number("offset_m", "m", 1, 0, 120, kWander).first();
+  table->groups.back().may_be_named = false;
+  return place;
 }
 
 void AddPoseParameters(ParameterTable* table, MapChannel* channel) {

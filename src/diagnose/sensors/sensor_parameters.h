@@ -42,6 +42,8 @@ struct ParameterTable {
   /// A wide prior without bounds, under which nearly all that can be fitted is.
   ParameterPrior FlexiblePrior() const;
   Eigen::VectorXd Wander() const;
+  /// The places of all delays.
+  std::vector<int> Delays() const;
   /// Lets only mechanisms of a library be named, with numbers in its ranges.
   void LimitTo(const CandidateLibrary& library);
 };
@@ -57,6 +59,8 @@ void AddAxisParameters(const std::string& target, const Effects& effects, bool s
                        ParameterTable* table, AxisChannel* channel);
 /// The delay of a set of encoders, for all its axes.
 int AddEncoderDelay(const std::string& target, const Effects& effects, ParameterTable* table);
+/// By how much the known ground is too high, which is never named; returns its place.
+int AddGroundHeight(ParameterTable* table);
 void AddPoseParameters(ParameterTable* table, MapChannel* channel);
 
 }  // namespace tera

@@ -41,6 +41,7 @@ class Builder {
     SetStart();
     problem_.motion.parameters = static_cast<int>(problem_.table.parameters.size());
     problem_.motion.wander = problem_.table.Wander();
+    problem_.motion.delays = problem_.table.Delays();
     return std::move(problem_);
   }
 
@@ -334,7 +335,10 @@ void Builder::AddGears() {
     for (std::size_t i = 0; i < named.recording.axes.size(); ++i) {
       for (std::size_t g = 0; g < gears.size(); ++g) {
         if (gears[g].name != named.recording.axes[i].name) continue;
-        GearTrack track{{}, gears[g].ShoeRadius_m(), LeftOfRoot_m(model(), g)};
+        GearTrack track{.radius_m = gears[g].ShoeRadius_m(), .left_m = LeftOfRoot_m(model(), g)};
+        if (const SensorDescription* sensor = SensorOf(named)) {
+          track.resolution_rad = std::get<EncoderModel>(sensor->model).resolution_rad;
+        }
         for (const EncoderSample& sample : named.recording.samples) {
           track.angle_rad.t_s.push_back(Seconds(sample.t_ns));
           track.angle_rad.value.push_back(sample.q_rad[i]);
@@ -391,6 +395,7 @@ void Builder::SetStart() {
 
 /// Of a place the ground is known once: a machine that stands does not measure it again.
 void Builder::AddGround(const std::array<TimeSeries, kBaseNumbers>& base) {
+  motion().ground_height = AddGroundHeight(&problem_.table);
   std::optional<Vec2> last_m;
   for (MotionSegment& segment : motion().segments) {
     const double start_s = Seconds(segment.start_ns);

@@ -240,8 +240,9 @@ TEST(TravelOfGears, OfStandingGearIsStillWhateverItsQuantisation) {
   const auto quantised = [&](double) {
     return 0.01 * std::round(120 + 0.4 * draw.Gaussian(++drawn));
   };
-  const std::vector<TravelWindow> travel =
-      TravelOf({Gear(0.3, 0.8, quantised), Gear(0.3, -0.8, quantised)});
+  std::vector<GearTrack> gears = {Gear(0.3, 0.8, quantised), Gear(0.3, -0.8, quantised)};
+  for (GearTrack& gear : gears) gear.resolution_rad = 0.01;
+  const std::vector<TravelWindow> travel = TravelOf(gears);
   for (const TravelWindow& window : travel) still += window.is_still;
   EXPECT_GE(still, 0.95 * static_cast<double>(travel.size()));
 }

@@ -32,6 +32,7 @@ ParameterTable Table(int groups) {
       SensorParameter parameter;
       parameter.name = "number" + std::to_string(k);
       parameter.tolerance = kTolerance;
+      parameter.free_sigma = 100 * kTolerance;
       parameter.lower = -100 * kTolerance;
       parameter.upper = 100 * kTolerance;
       table.parameters.push_back(parameter);
@@ -309,6 +310,7 @@ TEST(JudgeGroups, IsTheSameInAnotherUnit) {
     }
     for (int p = 0; p < 8; ++p) {
       table.parameters[p].tolerance /= scale[p];
+      table.parameters[p].free_sigma /= scale[p];
       table.parameters[p].lower /= scale[p];
       table.parameters[p].upper /= scale[p];
     }

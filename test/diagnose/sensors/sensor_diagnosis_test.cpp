@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "diagnose/sensors/made_recording.h"
+#include "diagnose/sensors/usual_tolerances.h"
 #include "sensors/sensor_mechanisms.h"
 
 namespace tera {
@@ -13,7 +14,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-const SensorTolerances kTolerances;
+const UsualTolerances kTolerances;
 
 SensorDiagnosis Diagnosed(MadeRecording* made) {
   StageClock clock;
@@ -37,7 +38,7 @@ struct Case {
 
 /// Four times as much as is tolerated, of the place of the unit eight times.
 std::vector<Case> Cases() {
-  const SensorTolerances& of = kTolerances;
+  const UsualTolerances& of = kTolerances;
   std::vector<Case> cases(7);
   cases[0] = {{}, "imu_boom/bias", "gyro_y_degps", 4 * of.gyro_bias_radps / kDeg};
   cases[0].wrong.gyro_bias_radps.y() = 4 * of.gyro_bias_radps;
@@ -59,7 +60,9 @@ std::vector<Case> Cases() {
 /// Each finding with its numbers, for messages.
 std::string Told(const SensorDiagnosis& diagnosis) {
   std::string text;
-  for (const SensorFinding& finding : diagnosis.findings) {
+  std::vector<SensorFinding> all = diagnosis.findings;
+  all.insert(all.end(), diagnosis.within_tolerance.begin(), diagnosis.within_tolerance.end());
+  for (const SensorFinding& finding : all) {
     text += fmt::format("\n{}/{}, gain {:.1f}, p {:.2g}:", finding.target, finding.mechanism,
                         finding.gain, finding.p);
     for (const FoundNumber& number : finding.numbers) {
@@ -72,6 +75,7 @@ std::string Told(const SensorDiagnosis& diagnosis) {
 
 void ExpectNamed(const Case& wrong, const SensorDiagnosis& told) {
   ASSERT_THAT(NamesOf(told.findings), ElementsAre(wrong.name)) << wrong.number << Told(told);
+  SCOPED_TRACE(Told(told));
   bool is_there = false;
   for (const FoundNumber& number : told.findings[0].numbers) {
     const bool is_wrong = number.name == wrong.number;

@@ -6,12 +6,13 @@
 #include <string>
 
 #include "core/units.h"
+#include "diagnose/sensors/usual_tolerances.h"
 #include "sensors/sensor_mechanisms.h"
 
 namespace tera {
 namespace {
 
-const SensorTolerances kTolerances;
+const UsualTolerances kTolerances;
 
 Effect Named(EffectTarget target, std::string_view id, std::vector<double> values) {
   for (const Mechanism& mechanism : SensorMechanisms()) {
@@ -38,13 +39,13 @@ struct All {
     gnss.name = "gnss";
     gnss.model = GnssModel{};
     gnss.effects = of_receiver;
-    AddImuParameters(imu, kTolerances, &table, &unit);
-    AddReceiverParameters(gnss, kTolerances, &table, &receiver);
-    receiver.pair_yaw = AddPairYaw(gnss, kTolerances, &table);
-    AddAxisParameters("encoders/boom", of_axis, false, kTolerances, &table, &turns);
-    AddAxisParameters("encoders/stick", {}, true, kTolerances, &table, &slides);
-    turns.late = slides.late = AddEncoderDelay("encoders", {}, kTolerances, &table);
-    AddPoseParameters(kTolerances, &table, &map);
+    AddImuParameters(imu, &table, &unit);
+    AddReceiverParameters(gnss, 10, &table, &receiver);
+    receiver.pair_yaw = AddPairYaw(gnss, &table);
+    AddAxisParameters("encoders/boom", of_axis, false, &table, &turns);
+    AddAxisParameters("encoders/stick", {}, true, &table, &slides);
+    turns.late = slides.late = AddEncoderDelay("encoders", {}, &table);
+    AddPoseParameters(&table, &map);
   }
   const SensorParameter& At(int place) const {
     return table.parameters[static_cast<std::size_t>(place)];

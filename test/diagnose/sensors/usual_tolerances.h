@@ -1,0 +1,18 @@
+#pragma once
+
+namespace tera {
+
+/// What the owner of the recordings in which nothing is wrong takes as expected, in SI units; of
+/// scales and of a unit's place what docs/diagnose.md says.
+struct UsualTolerances {
+  double gyro_bias_radps = 0.002, accel_bias_mps2 = 0.04;
+  double gyro_scale = 0.02, accel_scale = 0.01;
+  double unit_mount_rad = 0.008, unit_place_m = 0.05;
+  double antenna_place_m = 0.025, pair_heading_rad = 0.05;
+  double stamps_s = 0.04;
+  double encoder_zero_rad = 0.003, encoder_scale = 0.01;
+  double datum_m = 0.04;
+  double pose_tilt_rad = 0.02, pose_heading_rad = 0.05;
+};
+
+}  // namespace tera
