@@ -63,14 +63,21 @@ void AddMotionPriors(const MotionSegment& segment, const Eigen::MatrixXd& now,
 
 /// A quadratic that does not know whether all channels are late alike: the motion is late as well
 /// then. Linearised about a motion that follows noise it would seem to know.
-ParameterQuadratic WithoutCommonDelay(ParameterQuadratic q, const std::vector<int>& delays) {
-  if (delays.empty()) return q;
-  Eigen::VectorXd common = Eigen::VectorXd::Zero(q.score.size());
-  common(delays).setConstant(1 / std::sqrt(static_cast<double>(delays.size())));
-  q.score -= common * common.dot(q.score);
-  q.information -= common * (common.transpose() * q.information);
-  q.information -= (q.information * common) * common.transpose();
-  return q;
+///
+/// Model   of p the quadratic is that of p - u w'p, u 1 for each delay and w the share of each in
+///         what the segment tells of delays, so that one of which it tells nothing stays so.
+ParameterQuadratic WithoutCommonDelay(const ParameterQuadratic& q, const std::vector<int>& delays) {
+  const auto count = q.score.size();
+  Eigen::VectorXd common = Eigen::VectorXd::Zero(count), share = common;
+  for (const int i : delays) {
+    common[i] = 1;
+    share[i] = q.information(i, i);
+  }
+  const double all = share.sum();
+  if (all <= 0) return q;
+  const Eigen::MatrixXd apart =
+      Eigen::MatrixXd::Identity(count, count) - common * (share / all).transpose();
+  return {apart.transpose() * q.information * apart, apart.transpose() * q.score};
 }
 
 LinearisedSegment LineariseSegment(const MotionProblem& problem, std::size_t s,

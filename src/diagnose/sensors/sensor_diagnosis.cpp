@@ -61,6 +61,19 @@ double DifferencesOf(const ChannelResiduals& residuals) {
   return differences.empty() ? 0 : RobustScale(differences) / std::sqrt(20.0);
 }
 
+/// Parameters to linearise about with some groups free: of the others the documented ones.
+Eigen::VectorXd StartOf(const ParameterTable& table, const std::vector<int>& free,
+                        Eigen::VectorXd fitted) {
+  for (std::size_t g = 0; g < table.groups.size(); ++g) {
+    if (std::find(free.begin(), free.end(), static_cast<int>(g)) != free.end()) continue;
+    const ParameterGroup& group = table.groups[g];
+    for (int i = group.first; i < group.first + group.count; ++i) {
+      fitted[i] = table.parameters[static_cast<std::size_t>(i)].documented;
+    }
+  }
+  return fitted;
+}
+
 std::vector<EstimatedMotion> MotionOf(const MotionProblem& problem,
                                       const MotionEstimate& estimate) {
   std::vector<EstimatedMotion> motion;
@@ -161,7 +174,9 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
   const auto with_free = [&](const std::vector<int>& free) {
     return clock->Time("sensors: motion again", [&] {
       const ParameterPrior prior = problem.table.PriorWith(free);
-      return EstimateMotion(problem.motion, prior, flexible, estimate_options);
+      MotionEstimate start = flexible;
+      start.parameters = StartOf(problem.table, free, flexible.parameters);
+      return EstimateMotion(problem.motion, prior, start, estimate_options);
     });
   };
   const MotionEstimate before = with_free({});

@@ -17,6 +17,8 @@ namespace {
 
 constexpr double kPriorShare = 0.5;   ///< sigma of a prior over the tolerance
 constexpr double kFlexibleShare = 1;  ///< of the flexible prior
+/// Of delays ten times as much: far from the true ones their effect is not linear.
+constexpr double kFlexibleDelays = 10;
 constexpr double kFreeShare = 100;    ///< of a group that is free, over the default tolerance
 constexpr double kLeastShare = 0.01;  ///< of the default: what is stated as exact is known so well
 /// What differs from segment to segment over the tolerance: of biases, and of all else, which
@@ -125,6 +127,7 @@ ParameterPrior ParameterTable::PriorWith(const std::vector<int>& free_groups) co
 ParameterPrior ParameterTable::FlexiblePrior() const {
   ParameterPrior prior = PriorWith({});
   prior.sigma *= kFlexibleShare / kPriorShare;
+  for (const int delay : Delays()) prior.sigma[delay] *= kFlexibleDelays;
   prior.lower.setConstant(-std::numeric_limits<double>::infinity());
   prior.upper.setConstant(std::numeric_limits<double>::infinity());
   return prior;
