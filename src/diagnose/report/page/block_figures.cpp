@@ -13,8 +13,9 @@ namespace tera {
 namespace {
 
 constexpr std::size_t kMostPoints = 1500;  ///< of a line
-constexpr double kLongestWindow_s = 30;    ///< of a figure over time
-constexpr std::size_t kMostBars = 12;      ///< of a figure of evidence
+/// The longest window of a figure over time, and of a small one.
+constexpr double kLongestWindow_s = 30, kSmallWindow_s = 10;
+constexpr std::size_t kMostBars = 12;  ///< of a figure of evidence
 
 std::string Figure(const std::string& picture, const std::string& caption) {
   return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", picture, caption);
@@ -68,14 +69,14 @@ Segment Worst(const Series& residual, const Segment& within, std::size_t length)
 }
 
 /// The window of the prediction's figure: the worst interval with a little before and after.
-Segment WindowOf(const DiagnosedBlock& diagnosed, const Location& location) {
+Segment WindowOf(const DiagnosedBlock& diagnosed, const Location& location, double longest_s) {
   const std::size_t samples = diagnosed.block.samples();
   const Segment worst =
       location.intervals.empty() ? Segment{0, samples} : location.intervals[location.worst];
   const std::size_t margin = worst.size() / 10;
   const Segment window{worst.begin - std::min(margin, worst.begin),
                        std::min(worst.end + margin, samples)};
-  const auto most = static_cast<std::size_t>(kLongestWindow_s / diagnosed.block.period_s());
+  const auto most = static_cast<std::size_t>(longest_s / diagnosed.block.period_s());
   return Worst(diagnosed.diagnosis.search.nothing.misfit.residual[location.channel], window,
                std::max<std::size_t>(most, 2));
 }
@@ -95,33 +96,59 @@ PlotAxis RangeOf(const std::vector<std::vector<PlotPoint>>& lines, double outlie
   return Widened(all[cut], all[all.size() - 1 - cut], std::move(label));
 }
 
-}  // namespace
-
-std::string PredictionFigure(const DiagnosedBlock& diagnosed, const Location& location) {
+/// Measured and predicted values over a window.
+std::string PredictionPicture(const std::string& what, const DiagnosedBlock& diagnosed,
+                              const Location& location, const Segment& window, double width) {
   const Channel& channel = diagnosed.block.channels[location.channel];
   const SearchResult& search = diagnosed.diagnosis.search;
   const ReadableUnit unit = ReadableUnitOf(channel.unit);
-  const Segment window = WindowOf(diagnosed, location);
   const auto line = [&](const Series& series) {
     return LineOf(diagnosed.block, series, window, unit.factor);
   };
-  const auto measured = line(channel.measured);
-  const auto before =
-      line(Predicted(channel.measured, search.nothing.misfit.residual[location.channel]));
-  const auto after =
-      line(Predicted(channel.measured, search.found.misfit.residual[location.channel]));
+  const auto predicted = [&](const FittedStructure& structure) {
+    return line(Predicted(channel.measured, structure.misfit.residual[location.channel]));
+  };
+  const auto measured = line(channel.measured), before = predicted(search.nothing),
+             after = predicted(search.found);
   const ReplayBlock& block = diagnosed.block;
-  SvgPlot plot(
-      "measured and predicted over time",
-      {block.time_s(window.begin), block.time_s(window.end), "Time, s"},
-      RangeOf({measured, before, after}, 0, LabelWithUnit(QuantityOf(channel.name), unit)));
+  SvgPlot plot(what, {block.time_s(window.begin), block.time_s(window.end), "Time, s"},
+               RangeOf({measured, before, after}, 0, LabelWithUnit(QuantityOf(channel.name), unit)),
+               width);
   plot.Horizontal(0, "zero");
   plot.Line(measured, "line measured");
   plot.Line(before, "line before");
   if (!search.found.terms.empty()) plot.Line(after, "line after");
-  return Figure(plot.Take(), Key("measured", "measured") +
-                                 Key("before", "simulated as it was, nominal numbers fitted") +
-                                 KeyOfFound(search));
+  return plot.Take();
+}
+
+}  // namespace
+
+std::string PredictionFigure(const DiagnosedBlock& diagnosed, const Location& location) {
+  const Segment window = WindowOf(diagnosed, location, kLongestWindow_s);
+  return Figure(
+      PredictionPicture("measured and predicted over time", diagnosed, location, window, 900),
+      Key("measured", "measured") + Key("before", "simulated as it was, nominal numbers fitted") +
+          KeyOfFound(diagnosed.diagnosis.search));
+}
+
+std::string SmallPredictionFigure(const DiagnosedBlock& diagnosed, const Location& location) {
+  const Segment window = WindowOf(diagnosed, location, kSmallWindow_s);
+  return Figure(PredictionPicture("measured, and simulated before and after", diagnosed, location,
+                                  window, 480),
+                Key("measured", "measured") + Key("before", "simulated before") +
+                    KeyOfFound(diagnosed.diagnosis.search));
+}
+
+std::string ErrorBars(const std::string& quantity, const HeldOutError& error,
+                      const ReadableUnit& unit) {
+  const auto bar = [&](const char* label, double value, std::string_view css_class) {
+    return Bar{label, value, css_class, WithUnit(Significant(value * unit.factor, 2), unit)};
+  };
+  return Figure(SvgBars("error before and after",
+                        {bar("before", error.rmse_before, "bar first"),
+                         bar("after", error.rmse_after, "bar chosen")},
+                        480),
+                fmt::format("Error (RMS): {}", Escaped(quantity)));
 }
 
 std::string ResidualFigure(const DiagnosedBlock& diagnosed, const Location& location) {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "diagnose/diagnosis.h"
+#include "diagnose/report/text/wording.h"
 
 // The figures of a report, each as HTML: <figure> with inline SVG and a caption.
 
@@ -12,6 +13,13 @@ namespace tera {
 /// of a location, or the 30 s of it with the largest error. Predictions are the measurements less
 /// the residuals, and so include the fitted nuisances (likelihood.h).
 std::string PredictionFigure(const DiagnosedBlock& diagnosed, const Location& location);
+
+/// The same in half the width, over the 10 s with the largest error.
+std::string SmallPredictionFigure(const DiagnosedBlock& diagnosed, const Location& location);
+
+/// Bars of an error before and after, `quantity` being what errs.
+std::string ErrorBars(const std::string& quantity, const HeldOutError& error,
+                      const ReadableUnit& unit);
 
 /// The residual with nothing and with all that was found, over the whole recording.
 std::string ResidualFigure(const DiagnosedBlock& diagnosed, const Location& location);

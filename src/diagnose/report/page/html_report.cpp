@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "diagnose/report/page/block_figures.h"
+#include "diagnose/report/page/cause_sections.h"
+#include "diagnose/report/page/chain_figure.h"
 #include "diagnose/report/page/page_style.h"
 #include "diagnose/report/page/perception_figures.h"
 #include "diagnose/report/page/svg_plot.h"
@@ -22,31 +24,9 @@ namespace {
 
 constexpr std::size_t kMostRegimesShown = 2;
 
-std::string_view Explained(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kNone:
-      return "nothing found";
-    case Verdict::kNamed:
-      return "cause named";
-    case Verdict::kClass:
-      return "several causes not told apart";
-    case Verdict::kUnexplained:
-      return "some of it unexplained";
-    case Verdict::kUntestable:
-      return "some causes not testable";
-  }
-  return "";
-}
-
-std::string Top(const Diagnosis& diagnosis, const std::string& recording) {
-  std::string html = fmt::format(
-      "<h1>Simulation against recording: {}</h1>\n<p class='soft'>Recording {}; times "
-      "from its start.</p>\n<p>",
-      Escaped(diagnosis.machine), Code(recording));
-  for (const Verdict verdict : VerdictsOf(diagnosis)) {
-    html += fmt::format("<span class='verdict {}'>{}</span>", NameOf(verdict), Explained(verdict));
-  }
-  html += "</p>\n";
+/// What the command prints: the summary and all sentences.
+std::string EverySentence(const Diagnosis& diagnosis) {
+  std::string html;
   if (const std::string summary = SummaryOf(diagnosis); !summary.empty()) {
     html += fmt::format("<p>{}</p>\n", Escaped(summary));
   }
@@ -55,6 +35,12 @@ std::string Top(const Diagnosis& diagnosis, const std::string& recording) {
     html += fmt::format("<li>{}</li>\n", Escaped(sentence));
   }
   return html + "</ol>\n";
+}
+
+/// A part of the page that is folded.
+std::string Folded(const std::string& title, const std::string& html) {
+  if (html.empty()) return "";
+  return fmt::format("<details class='part'><summary>{}</summary>\n{}</details>\n", title, html);
 }
 
 void AddErrorRow(const DiagnosedBlock& diagnosed, const std::string& what,
@@ -98,8 +84,7 @@ std::string LocationFigures(const DiagnosedBlock& diagnosed, const std::string& 
 }
 
 std::string BlockSection(const DiagnosedBlock& diagnosed) {
-  std::string html =
-      fmt::format("<section>\n<h2>{}</h2>\n", Escaped(Capitalised(Spaced(diagnosed.block.name))));
+  std::string html;
   for (const Finding* finding : RankedFindings(diagnosed)) {
     const std::string name = Spaced(finding->term.candidate->mechanism->id);
     html += LocationFigures(diagnosed, Capitalised(name), "The error without " + name,
@@ -113,8 +98,7 @@ std::string BlockSection(const DiagnosedBlock& diagnosed) {
     html += ParameterTable(RankedFindings(diagnosed));
   }
   html += ErrorTable(diagnosed);
-  html += "<h3>Evidence</h3>\n" + EvidenceFigure(diagnosed);
-  return html + "</section>\n";
+  return html + "<h3>Evidence</h3>\n" + EvidenceFigure(diagnosed);
 }
 
 bool HasAnything(const DiagnosedBlock& diagnosed) {
@@ -205,8 +189,8 @@ std::string UnseenSection(const Diagnosis& diagnosis) {
   const bool any_judged =
       std::any_of(diagnosis.blocks.begin(), diagnosis.blocks.end(),
                   [](const DiagnosedBlock& diagnosed) { return !diagnosed.diagnosis.out_of_time; });
-  return "<section>\n<h2>What this recording cannot show</h2>\n" + OutOfTimeText(diagnosis) +
-         (any_judged ? UnseenTable(diagnosis) + SmallestSizes(diagnosis) : "") + "</section>\n";
+  return OutOfTimeText(diagnosis) +
+         (any_judged ? UnseenTable(diagnosis) + SmallestSizes(diagnosis) : "");
 }
 
 /// The section of held-out recordings and of the whole simulation.
@@ -231,7 +215,7 @@ std::string ConfirmationSection(const Diagnosis& diagnosis) {
       row("the whole simulation", one.channel, one.unit, one.rmse_before, one.rmse_after);
     }
   }
-  return any ? "<section>\n<h2>Further confirmation</h2>\n" + table.Take() + "</section>\n" : "";
+  return any ? table.Take() : "";
 }
 
 void AddSetRows(const std::vector<DiscriminatedSet>& sets, Table* table) {
@@ -248,8 +232,8 @@ std::string NextSection(const Diagnosis& diagnosis) {
   if (!diagnosis.next) return "";
   const NextManoeuvre& next = *diagnosis.next;
   std::string html = fmt::format(
-      "<section>\n<h2>What to record next</h2>\n<p>{}</p>\n<p class='soft'>Levers in {}, of {:.0f} "
-      "s, from the scenario's initial position. Power: how often a recording of it would tell, by "
+      "<p>{}</p>\n<p class='soft'>Levers in {}, of {:.0f} s, from the scenario's initial position. "
+      "Power: how often a recording of it would tell, by "
       "the noise of this one.</p>\n",
       Escaped(next.description), Code(kNextManoeuvreFile), next.duration_s);
   Table resolved({"On", "Discriminated", ">Power"}), open({"On", "Still open", ">Power"});
@@ -257,6 +241,25 @@ std::string NextSection(const Diagnosis& diagnosis) {
   AddSetRows(next.not_discriminated, &open);
   html += LeversFigure(next) + resolved.Take();
   if (!next.not_discriminated.empty()) html += open.Take();
+  return html;
+}
+
+/// All that stands below the first screen and the table of channels.
+std::string Details(const Diagnosis& diagnosis) {
+  std::string html = "<section>\n<h2>Details</h2>\n";
+  html += Folded("Every sentence, with p-values, classes and rivals", EverySentence(diagnosis));
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    if (!HasAnything(diagnosed)) continue;
+    html += Folded(
+        Escaped(Capitalised(Spaced(diagnosed.block.name))) + ": figures, parameters, evidence",
+        BlockSection(diagnosed));
+  }
+  html += Folded("Further confirmation", ConfirmationSection(diagnosis));
+  html += Folded("Lidars and cameras", PerceptionSections(diagnosis));
+  if (!diagnosis.blocks.empty()) {
+    html += Folded("What this recording cannot show", UnseenSection(diagnosis));
+  }
+  html += Folded("What to record next", NextSection(diagnosis));
   return html + "</section>\n";
 }
 
@@ -268,14 +271,13 @@ std::string HtmlReport(const Diagnosis& diagnosis, const std::string& recording)
       "content='width=device-width, initial-scale=1'>\n<title>Diagnosis of "
       "{}</title>\n<style>{}</style>\n</head>\n<body><main>\n",
       Escaped(diagnosis.machine), kPageStyle);
-  html += Top(diagnosis, recording);
+  html += fmt::format(
+      "<h1>Simulation against recording: {}</h1>\n<p class='soft'>Recording {}; times from its "
+      "start.</p>\n<p class='answer'>{}</p>\n",
+      Escaped(diagnosis.machine), Code(recording), AnswerText(diagnosis));
+  html += FirstThings(diagnosis) + ChainFigure(diagnosis) + CauseSections(diagnosis);
   if (!ChannelLines(diagnosis).empty()) html += ChannelsSection(diagnosis);
-  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
-    if (HasAnything(diagnosed)) html += BlockSection(diagnosed);
-  }
-  html += ConfirmationSection(diagnosis) + PerceptionSections(diagnosis);
-  if (!diagnosis.blocks.empty()) html += UnseenSection(diagnosis);
-  html += NextSection(diagnosis);
+  html += Details(diagnosis);
   return html + "</main></body>\n</html>\n";
 }
 

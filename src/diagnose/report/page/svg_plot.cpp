@@ -166,19 +166,22 @@ std::string SvgPlot::Take() const {
 }
 
 std::string SvgBars(const std::string& what, const std::vector<Bar>& bars, double width) {
-  constexpr double kRow = 24, kLabels = 170, kNumbers = 64;
+  constexpr double kRow = 24;
+  const double labels = width > 600 ? 170 : 80, numbers = width > 600 ? 64 : 120;
   double most = 0;
   for (const Bar& bar : bars) most = std::max(most, bar.value);
   std::string text = Head(what, width, kRow * static_cast<double>(bars.size()) + 4);
   double y = 2;
   for (const Bar& bar : bars) {
     const double share = most > 0 ? std::max(bar.value, 0.0) / most : 0;
-    const double length = (width - kLabels - kNumbers) * share;
-    text += Text(kLabels - 8, y + 16, "end", "axis", bar.label);
+    const double length = (width - labels - numbers) * share;
+    text += Text(labels - 8, y + 16, "end", "axis", bar.label);
     text += fmt::format("<rect class='{}' x='{:.1f}' y='{:.1f}' width='{:.1f}' height='{:.1f}'/>",
-                        bar.css_class, kLabels, y + 4, std::max(length, 1.0), kRow - 8);
-    text += Text(kLabels + length + 6, y + 16, "start", "number",
-                 fmt::format("{:.{}f}", bar.value, std::abs(bar.value) < 10 ? 1 : 0));
+                        bar.css_class, labels, y + 4, std::max(length, 1.0), kRow - 8);
+    const std::string number =
+        bar.number.empty() ? fmt::format("{:.{}f}", bar.value, std::abs(bar.value) < 10 ? 1 : 0)
+                           : bar.number;
+    text += Text(labels + length + 6, y + 16, "start", "number", number);
     y += kRow;
   }
   return text + "</svg>";

@@ -62,6 +62,7 @@ struct Bar {
   std::string label;
   double value = 0;
   std::string_view css_class;
+  std::string number = {};  ///< as it is written; empty: the value
 };
 
 /// Horizontal bars under each other, each with its label and its value.

@@ -120,6 +120,16 @@ std::string SentenceOf(const PerceptionDiagnosis& diagnosis, const PerceptionFin
                             DistanceText(diagnosis, error.rmse_after), UnitText(diagnosis));
 }
 
+std::string PlainSceneText(const PerceptionFinding& found) {
+  if (found.finding.term.candidate->mechanism->id != "terrain_height") {
+    return Capitalised(SceneText(found)) + ".";
+  }
+  const double mean_m = ValueOf(found, "mean_m");
+  return fmt::format("The ground {} lies {} m {} on average than in the scenario.",
+                     PlaceText(found), Significant(std::abs(mean_m), 2),
+                     mean_m < 0 ? "lower" : "higher");
+}
+
 std::vector<std::string> PerceptionSentences(const std::vector<PerceptionDiagnosis>& sensors) {
   std::vector<std::string> sentences;
   for (const PerceptionDiagnosis& diagnosis : sensors) {

@@ -13,6 +13,10 @@ namespace tera {
 /// Held-out distance to the simulated surfaces 4.8 → 1.1 cm."
 std::string SentenceOf(const PerceptionDiagnosis& diagnosis, const PerceptionFinding& found);
 
+/// "The ground at (7.0, -2.0) m, 2.0 x 2.0 m, 2.0–9.0 s lies 0.4 m lower on average than in the
+/// scenario.": what a finding of the scene, which has a place, says.
+std::string PlainSceneText(const PerceptionFinding& found);
+
 /// One for each finding; then, for each sensor, what was not confirmed, that nothing was found, or
 /// why it was not judged.
 std::vector<std::string> PerceptionSentences(const std::vector<PerceptionDiagnosis>& sensors);

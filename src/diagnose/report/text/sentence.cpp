@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "diagnose/report/text/clock_text.h"
 #include "diagnose/report/text/confirmation_text.h"
 #include "diagnose/report/text/finding_text.h"
 #include "diagnose/report/text/next_manoeuvre_text.h"
@@ -12,7 +13,6 @@
 #include "diagnose/report/text/proposal_text.h"
 #include "diagnose/report/text/ranking.h"
 #include "diagnose/report/text/sensor_text.h"
-#include "diagnose/report/text/shared_delay.h"
 #include "diagnose/report/text/wording.h"
 
 namespace tera {
@@ -387,12 +387,8 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
                                     diagnosis.machine, diagnosis.scenario));
   }
   if (diagnosis.next) sentences.push_back(SentenceOf(*diagnosis.next));
-  if (diagnosis.encoder_lead_s) {
-    sentences.insert(sentences.begin(),
-                     fmt::format("Encoders run ahead of the levers that move them, by about {} s: "
-                                 "their clocks differ. Mend "
-                                 "that first; what is named below may be a proxy for it.",
-                                 Significant(*diagnosis.encoder_lead_s, 2)));
+  if (std::string text = SentenceOfEncoderLead(diagnosis); !text.empty()) {
+    sentences.insert(sentences.begin(), std::move(text));
   }
   for (const MissingInput& missing : diagnosis.missing_input) {
     sentences.insert(sentences.begin(), SentenceOf(missing));

@@ -60,6 +60,62 @@ TEST(HtmlReport, HoldsTheSentencesAndNeedsNothingElse) {
   for (const char* broken : {"nan", "inf'", "inf "}) EXPECT_THAT(html, Not(HasSubstr(broken)));
 }
 
+/// Where a text stands on a page; it fails where it does not.
+std::size_t PlaceOf(const std::string& page, const std::string& text) {
+  const auto at = page.find(text);
+  EXPECT_NE(at, page.npos) << text;
+  return at;
+}
+
+TEST(HtmlReport, AnswersFirstAndFoldsTheDetails) {
+  DiagnosedBlock boom = BoomWithDeadBand();
+  boom.diagnosis.unexplained = {GrowingBeyond12kNm()};
+  Diagnosis diagnosis = Of(std::move(boom));
+  diagnosis.missing_input = {{"excavator1/encoders/arm_radps", "arm", 0.6, false}};
+  const std::string page = HtmlReport(diagnosis, "run");
+  std::size_t last = 0;
+  for (const char* next :
+       {"1 cause found. In 1 quantity error is left that nothing explains.", "input is missing",
+        "<svg class='chain'", "1. Boom: dead band",
+        "The boom does not move while its lever is within 18 % of neutral. With this dead band the "
+        "error on driving it had not seen falls from 3.1 to 0.6 deg/s.",
+        "measured, and simulated before and after", "How sure", "What else it could be",
+        "What to drive to find out", "Boom rate: unexplained", "Every channel", "<details",
+        "chosen with p 0.0002", "Errors on manoeuvres that nothing was fitted to"}) {
+    const std::size_t at = PlaceOf(page, next);
+    EXPECT_GT(at, last) << next;
+    last = at;
+  }
+}
+
+TEST(HtmlReport, WhereNothingIsWrongSaysSoWithWhatCouldNotHaveBeenSeen) {
+  DiagnosedBlock boom = BoomWithDeadBand();
+  boom.diagnosis.findings.clear();
+  const std::string page = HtmlReport(Of(std::move(boom)), "run");
+  EXPECT_THAT(page, HasSubstr("Nothing is wrong that this recording could show."));
+  EXPECT_THAT(page, HasSubstr("What could not have been seen"));
+  EXPECT_THAT(page, HasSubstr("<li>Boom: backlash.</li>"));
+  EXPECT_THAT(page, Not(HasSubstr("How sure")));
+}
+
+TEST(HtmlReport, WhereNothingWasJudgedDoesNotSayThatNothingIsWrong) {
+  DiagnosedBlock boom = BoomWithDeadBand();
+  boom.diagnosis = {};
+  boom.diagnosis.is_testable = false;
+  const std::string page = HtmlReport(Of(std::move(boom)), "run");
+  EXPECT_THAT(page, HasSubstr("Nothing could be judged by this recording."));
+  EXPECT_THAT(page, HasSubstr("Boom: anything at all, for it was hardly driven."));
+}
+
+TEST(HtmlReport, ShowsTheErrorOfASensorAsBars) {
+  Diagnosis diagnosis = Of(Block("boom", "excavator1/encoders/boom_radps", "rad/s"));
+  diagnosis.perception.push_back(LidarWithRangeBias());
+  const std::string page = HtmlReport(diagnosis, "run");
+  EXPECT_THAT(page, HasSubstr("1. Sensor lidar roof: constant range error"));
+  EXPECT_THAT(page, HasSubstr(">2.4 cm</text>"));
+  EXPECT_THAT(page, HasSubstr(">0.4 cm</text>"));
+}
+
 /// Drawn coordinates of the first path of a class.
 std::string PathOf(const std::string& html, const std::string& css_class) {
   const std::string head = "<path class='" + css_class + "' d='";

@@ -1,4 +1,4 @@
-#include "diagnose/report/text/shared_delay.h"
+#include "diagnose/report/text/clock_text.h"
 
 #include <fmt/format.h>
 
@@ -52,6 +52,14 @@ std::string SentenceOfSharedDelay(const Diagnosis& diagnosis) {
       "encoders, or of the levers, "
       "may be off by it instead, which is not told apart.",
       delays.size(), Significant(mean_s, 2));
+}
+
+std::string SentenceOfEncoderLead(const Diagnosis& diagnosis) {
+  if (!diagnosis.encoder_lead_s) return "";
+  return fmt::format(
+      "Encoders run ahead of the levers that move them, by about {} s: their clocks differ. Mend "
+      "that first; what is named below may be a proxy for it.",
+      Significant(*diagnosis.encoder_lead_s, 2));
 }
 
 }  // namespace tera

@@ -11,4 +11,7 @@ namespace tera {
 /// clock of the encoders may be late instead.
 std::string SentenceOfSharedDelay(const Diagnosis& diagnosis);
 
+/// "Encoders run ahead of the levers that move them, by about 0.1 s: ..", or empty.
+std::string SentenceOfEncoderLead(const Diagnosis& diagnosis);
+
 }  // namespace tera

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "diagnose/report/text/cause.h"
+
+namespace tera {
+
+/// "the boom", "the encoder of the boom", "the receiver gnss left", "the machine": what a candidate
+/// acts on.
+std::string TargetText(const Candidate& candidate);
+
+/// Fills the places in braces of MechanismWords::meaning with what was found, and adds numbers that
+/// have no place there and what the scenario has of the mechanism already.
+std::string FilledIn(std::string_view meaning, const Finding& finding);
+
+/// "The boom does not move while its lever is within 12 % of neutral."
+std::string MeaningText(const Cause& cause);
+
+/// "With this dead band the error on driving it had not seen falls from 1.6 to 0.2 deg/s."
+std::string FallText(const Cause& cause);
+
+/// "Boom: dead band", a heading.
+std::string HeadingOf(const Cause& cause);
+
+}  // namespace tera

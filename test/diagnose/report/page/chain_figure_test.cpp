@@ -1,0 +1,101 @@
+#include "diagnose/report/page/chain_figure.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "diagnose/report/made_diagnosis.h"
+
+namespace tera {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using Entry = ChainStage::Entry;
+using Mark = ChainStage::Mark;
+
+enum { kLever, kValve, kPump, kJoint, kGround, kSensor };
+
+TEST(ChainFigure, ACauseStandsWhereItsMechanismActs) {
+  Diagnosis diagnosis = Of(BoomWithDeadBand());
+  diagnosis.perception.push_back(LidarWithRangeBias());
+  AddRegion(&diagnosis.perception[0]);
+  const auto chain = ChainOf(diagnosis);
+  EXPECT_THAT(chain[kValve].entries, ElementsAre(Entry{Mark::kCause, "boom: dead band"}));
+  EXPECT_THAT(chain[kGround].entries,
+              ElementsAre(Entry{Mark::kCause, "ground: height of the ground"}));
+  EXPECT_THAT(chain[kSensor].entries,
+              ElementsAre(Entry{Mark::kCause, "lidar roof: constant range error"}));
+  EXPECT_THAT(chain[kLever].entries, IsEmpty());
+}
+
+// The candidates of the made boom are a dead band, a valve curve and play.
+TEST(ChainFigure, WhatHasNoCandidateOfAJudgedBlockWasNotCompared) {
+  Diagnosis diagnosis = Of(BoomWithDeadBand());
+  auto chain = ChainOf(diagnosis);
+  EXPECT_THAT(chain[kValve].compared, ElementsAre("boom"));
+  EXPECT_THAT(chain[kJoint].compared, ElementsAre("boom"));
+  for (const int stage : {kLever, kPump, kGround, kSensor}) {
+    EXPECT_THAT(chain[stage].compared, IsEmpty());
+  }
+  diagnosis.blocks[0].diagnosis.is_testable = false;
+  EXPECT_THAT(ChainOf(diagnosis)[kValve].compared, IsEmpty());
+}
+
+TEST(ChainFigure, UnexplainedErrorStandsWhereItWasMeasured) {
+  DiagnosedBlock boom = BoomWithDeadBand();
+  boom.diagnosis.unexplained = {GrowingBeyond12kNm()};
+  Diagnosis diagnosis = Of(std::move(boom));
+  EXPECT_THAT(ChainOf(diagnosis)[kJoint].entries,
+              ElementsAre(Entry{Mark::kUnexplained, "boom rate: unexplained"}));
+  diagnosis.blocks[0].block.candidates = {{&MechanismOf("track_scale"), "base", {}, {}}};
+  diagnosis.blocks[0].diagnosis.findings.clear();
+  EXPECT_THAT(ChainOf(diagnosis)[kGround].entries,
+              ElementsAre(Entry{Mark::kUnexplained, "boom rate: unexplained"}));
+}
+
+TEST(ChainFigure, MissingInputStandsAtTheLeverAndAClockAtTheSensor) {
+  Diagnosis diagnosis = Of(BoomWithDeadBand());
+  diagnosis.missing_input = {{"excavator1/encoders/left_arm_radps", "left_arm", 0.6, false}};
+  diagnosis.encoder_lead_s = 0.104;
+  const auto chain = ChainOf(diagnosis);
+  EXPECT_THAT(chain[kLever].entries,
+              ElementsAre(Entry{Mark::kMissingInput, "left arm: input missing"}));
+  EXPECT_THAT(chain[kSensor].entries,
+              ElementsAre(Entry{Mark::kCause, "encoders: clock 0.1 s ahead"}));
+}
+
+TEST(ChainFigure, SaysByFrameAndSignWhatABoxIs) {
+  DiagnosedBlock boom = BoomWithDeadBand();
+  boom.diagnosis.unexplained = {GrowingBeyond12kNm()};
+  const std::string figure = ChainFigure(Of(std::move(boom)));
+  EXPECT_THAT(figure,
+              HasSubstr("<g class='s1' transform='translate(166 0)'><rect class='box wrong'"));
+  EXPECT_THAT(figure,
+              HasSubstr("<g class='s3' transform='translate(498 0)'><rect class='box open'"));
+  EXPECT_THAT(figure,
+              HasSubstr("<g class='s4' transform='translate(664 0)'><rect class='box idle'"));
+  EXPECT_THAT(figure, HasSubstr(">!</text>"));
+  EXPECT_THAT(figure, HasSubstr(">?</text>"));
+}
+
+TEST(ChainFigure, HoldsItsTextAsTextAndInWordsForThoseWhoDoNotSeeIt) {
+  const std::string figure = ChainFigure(Of(BoomWithDeadBand()));
+  EXPECT_THAT(figure, HasSubstr(">boom: dead band</text>"));
+  EXPECT_THAT(figure, HasSubstr("Lever: not compared. Valve: boom: dead band. Pump: not compared. "
+                                "Drive, joint: nothing found in boom."));
+  EXPECT_THAT(figure, Not(HasSubstr("viewBox")));  // text keeps its size on a small screen
+}
+
+TEST(ChainFigure, CutsALongListShort) {
+  Diagnosis diagnosis = Of(BoomWithDeadBand());
+  for (int k = 0; k < 20; ++k) {
+    diagnosis.missing_input.push_back({"", "axis_" + std::to_string(k), 0.5, false});
+  }
+  // Seven lines, of which each entry takes two: three entries.
+  EXPECT_THAT(ChainFigure(diagnosis), HasSubstr(">and 17 more</text>"));
+}
+
+}  // namespace
+}  // namespace tera
