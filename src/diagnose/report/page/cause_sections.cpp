@@ -55,12 +55,14 @@ std::string SectionOf(const Cause& cause, std::size_t number, const Diagnosis& d
       else_text = shared;
     }
   }
-  const std::string fall = FallText(cause);
-  return Section("named", fmt::format("{}. {}", number, HeadingOf(cause)),
-                 MeaningText(cause) + (fall.empty() ? "" : " " + fall), PictureOf(cause),
-                 Answer("How sure", HowSureText(cause)) +
-                     Answer("What else it could be", else_text) +
-                     Answer("What to drive to find out", WhatToDriveText(cause, diagnosis)));
+  std::string sentences = MeaningText(cause);
+  for (const std::string& next : {ClassText(cause), FallText(cause)}) {
+    if (!next.empty()) sentences += " " + next;
+  }
+  return Section(
+      "named", fmt::format("{}. {}", number, HeadingOf(cause)), sentences, PictureOf(cause),
+      Answer("How sure", HowSureText(cause)) + Answer("What else it could be", else_text) +
+          Answer("What to drive to find out", WhatToDriveText(cause, diagnosis)));
 }
 
 /// The mechanisms that come nearest to what is left of a channel.
@@ -101,6 +103,21 @@ std::string SectionOf(const UnexplainedInBlock& entry) {
                  Answer("How sure", sure) +
                      Answer("What else it could be", ProxiesText(*diagnosed, at.channel)) +
                      Answer("What to drive to find out", drive));
+}
+
+/// Of sensors that do not agree with each other, for no reason that is known.
+std::string SectionOf(const std::vector<const ChannelError*>& left) {
+  std::vector<std::string> errors;
+  for (const ChannelError* channel : left) {
+    const ReadableUnit unit = ReadableUnitOf(channel->unit);
+    errors.push_back(fmt::format("{} {} (noise {})", QuantityOf(channel->name),
+                                 WithUnit(Significant(channel->rms_after * unit.factor, 2), unit),
+                                 WithUnit(Significant(channel->noise * unit.factor, 2), unit)));
+  }
+  return Section(
+      "unexplained", "Sensors that do not agree",
+      fmt::format("Error is left that no number of a sensor explains: {}.", Listed(errors)), "",
+      "");
 }
 
 /// Of each block, the mechanisms that this recording could not have shown.
@@ -156,10 +173,18 @@ bool IsAnythingJudged(const Diagnosis& diagnosis) {
 }  // namespace
 
 std::string AnswerText(const Diagnosis& diagnosis) {
-  const std::size_t causes = CausesOf(diagnosis).size();
-  const std::size_t left = RankedUnexplained(diagnosis).size();
+  const std::vector<Cause> all = CausesOf(diagnosis);
+  const std::size_t causes = all.size();
+  const auto open = std::count_if(
+      all.begin(), all.end(), [](const Cause& cause) { return !RivalsOf(*cause.finding).empty(); });
+  const std::size_t left =
+      RankedUnexplained(diagnosis).size() + UnexplainedOfSensors(diagnosis).size();
   std::string text;
   if (causes > 0) text = fmt::format("{} cause{} found.", causes, causes == 1 ? "" : "s");
+  if (open > 0) {
+    text += causes == 1 ? " This recording leaves several explanations of it."
+                        : fmt::format(" Of {} this recording leaves several explanations.", open);
+  }
   if (left > 0) {
     text += fmt::format("{}In {} quantit{} error is left that nothing explains.",
                         text.empty() ? "" : " ", left, left == 1 ? "y" : "ies");
@@ -193,6 +218,8 @@ std::string CauseSections(const Diagnosis& diagnosis) {
                         causes.size() - kMostCauses);
   }
   for (const UnexplainedInBlock& entry : RankedUnexplained(diagnosis)) html += SectionOf(entry);
+  const std::vector<const ChannelError*> left = UnexplainedOfSensors(diagnosis);
+  if (!left.empty()) html += SectionOf(left);
   return html.empty() ? NothingSection(diagnosis) : html;
 }
 

@@ -9,6 +9,7 @@
 #include "diagnose/report/text/mechanism_words.h"
 #include "diagnose/report/text/plain_sentence.h"
 #include "diagnose/report/text/ranking.h"
+#include "diagnose/report/text/sensor_text.h"
 #include "diagnose/report/text/wording.h"
 
 namespace tera {
@@ -74,8 +75,8 @@ void AddCompared(const Diagnosis& diagnosis, Chain* chain) {
               &(*chain)[stage].compared);
     }
   }
-  for (const ChannelError& channel : diagnosis.sensors.estimate.channels) {
-    AddOnce(SensorOfChannel(channel.name), &(*chain)[kSensor].compared);
+  for (std::string& name : ComparedSensors(diagnosis.sensors)) {
+    AddOnce(std::move(name), &(*chain)[kSensor].compared);
   }
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
     if (!sensor.is_judged()) continue;
@@ -90,6 +91,25 @@ void AddEntry(Stage stage, Mark mark, std::string text, Chain* chain) {
   if (std::find(entries.begin(), entries.end(), entry) == entries.end()) entries.push_back(entry);
 }
 
+std::string TextOf(const Candidate& candidate) {
+  return fmt::format("{}: {}", Spaced(candidate.target),
+                     WordsOf(candidate.mechanism->id, candidate.target)->label);
+}
+
+/// A cause, and in other stages what is not told apart from it.
+void AddCause(const Cause& cause, Chain* chain) {
+  const Stage stage = StageOf(cause.mechanism().slot);
+  std::string text = TextOf(*cause.finding->term.candidate);
+  std::size_t beside = 0;
+  for (const Candidate* rival : RivalsOf(*cause.finding)) {
+    const Stage of_rival = StageOf(rival->mechanism->slot);
+    if (of_rival == stage) ++beside;
+    if (of_rival != stage) AddEntry(of_rival, Mark::kPossibleCause, TextOf(*rival), chain);
+  }
+  if (beside > 0) text += fmt::format(" or {} other{}", beside, beside == 1 ? "" : "s");
+  AddEntry(stage, Mark::kCause, std::move(text), chain);
+}
+
 void AddEntries(const Diagnosis& diagnosis, Chain* chain) {
   for (const MissingInput& missing : diagnosis.missing_input) {
     AddEntry(kLever, Mark::kMissingInput, Spaced(missing.axis) + ": input missing", chain);
@@ -99,20 +119,14 @@ void AddEntries(const Diagnosis& diagnosis, Chain* chain) {
              fmt::format("encoders: clock {} s ahead", Significant(*diagnosis.encoder_lead_s, 2)),
              chain);
   }
-  for (const Cause& cause : CausesOf(diagnosis)) {
-    AddEntry(StageOf(cause.mechanism().slot), Mark::kCause,
-             fmt::format("{}: {}", Spaced(cause.target()),
-                         WordsOf(cause.mechanism().id, cause.target())->label),
-             chain);
-  }
+  for (const Cause& cause : CausesOf(diagnosis)) AddCause(cause, chain);
   for (const auto& [diagnosed, left] : RankedUnexplained(diagnosis)) {
     AddEntry(StageOf(diagnosed->block), Mark::kUnexplained,
              QuantityOf(diagnosed->block.channels[left->location.channel].name) + ": unexplained",
              chain);
   }
-  for (const ChannelError& channel : diagnosis.sensors.estimate.channels) {
-    if (IsExplained(channel)) continue;
-    AddEntry(kSensor, Mark::kUnexplained, SensorOfChannel(channel.name) + ": unexplained", chain);
+  for (const ChannelError* channel : UnexplainedOfSensors(diagnosis)) {
+    AddEntry(kSensor, Mark::kUnexplained, SensorOfChannel(channel->name) + ": unexplained", chain);
   }
 }
 
@@ -172,7 +186,8 @@ std::vector<BoxLine> LinesOf(const ChainStage& stage) {
 }
 
 std::string_view ClassOf(const ChainStage& stage) {
-  const bool is_open = stage.Has(Mark::kUnexplained) || stage.Has(Mark::kMissingInput);
+  const bool is_open = stage.Has(Mark::kUnexplained) || stage.Has(Mark::kMissingInput) ||
+                       stage.Has(Mark::kPossibleCause);
   if (stage.Has(Mark::kCause)) return is_open ? "box wrong open" : "box wrong";
   if (is_open) return "box open";
   return stage.compared.empty() ? "box idle" : "box fine";
@@ -221,7 +236,10 @@ std::string Description(const Chain& chain) {
   std::string text;
   for (const ChainStage& stage : chain) {
     std::vector<std::string> parts;
-    for (const ChainStage::Entry& entry : stage.entries) parts.push_back(entry.text);
+    for (const ChainStage::Entry& entry : stage.entries) {
+      const bool is_possible = entry.mark == Mark::kPossibleCause;
+      parts.push_back((is_possible ? "perhaps " : "") + entry.text);
+    }
     if (parts.empty()) {
       parts.push_back(stage.compared.empty() ? "not compared"
                                              : "nothing found in " + Listed(stage.compared));
@@ -233,7 +251,7 @@ std::string Description(const Chain& chain) {
 
 constexpr std::string_view kKey =
     "<p class='chainkey'><span><b class='sign wrong'>!</b> a cause is named</span> <span><b "
-    "class='sign open'>?</b> error is unexplained, or input is missing</span> <span><b "
+    "class='sign open'>?</b> a possible cause, unexplained error or missing input</span> <span><b "
     "class='sign fine'>&#10003;</b> compared, nothing found</span> <span><b class='sign "
     "idle'>&#8211;</b> not compared</span></p>\n";
 

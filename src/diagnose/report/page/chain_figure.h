@@ -11,7 +11,7 @@ namespace tera {
 
 /// A stage of the chain from a lever to a measurement, and what a diagnosis says of it.
 struct ChainStage {
-  enum class Mark { kCause, kUnexplained, kMissingInput };
+  enum class Mark { kCause, kPossibleCause, kUnexplained, kMissingInput };
   /// "boom: dead band".
   struct Entry {
     Mark mark = Mark::kCause;
@@ -29,7 +29,8 @@ struct ChainStage {
 
 /// Lever, valve, pump, joint, ground, sensor, each with what is wrong in it.
 ///
-/// Model   a cause is where its mechanism's slot is. Error that nothing explains is where it was
+/// Model   a cause is where its mechanism's slot is, and what is not told apart from it is possible
+///         where that one's is. Error that nothing explains is where it was
 ///         measured: no one knows where it arises. A stage was compared where a block that was
 ///         judged has candidates in it, or sensors were held against each other.
 std::array<ChainStage, 6> ChainOf(const Diagnosis& diagnosis);

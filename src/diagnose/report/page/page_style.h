@@ -47,6 +47,7 @@ path.fine{stroke:var(--after);stroke-width:2.4;fill:none}path.idle{stroke:var(--
 .cause{margin:1.6rem 0 0}.cause h2{margin:0 0 .3rem}.plain{font-size:1.1rem;margin:.2rem 0 .5rem}
 .told{display:grid;grid-template-columns:minmax(0,1fr) minmax(0,1fr);gap:1.6rem;align-items:start}
 .told dl:only-child{grid-column:1/-1}.told figure{margin:.3rem 0}
+.told path.measured{stroke-width:5;stroke-opacity:.3}
 dl{margin:0}dt{font-weight:600;font-size:.9rem;color:var(--soft)}dd{margin:0 0 .7rem;overflow-wrap:anywhere}
 @media(max-width:46rem){.told{grid-template-columns:minmax(0,1fr);gap:.4rem}.told svg text{font-size:16px}}
 .part>summary{font-size:1.05rem;font-weight:600;color:var(--ink);padding:.35rem 0}

@@ -1,6 +1,7 @@
 #include "diagnose/report/text/cause.h"
 
 #include <algorithm>
+#include <set>
 
 #include "diagnose/report/text/ranking.h"
 #include "diagnose/report/text/wording.h"
@@ -40,6 +41,19 @@ std::vector<Cause> CausesOf(const Diagnosis& diagnosis) {
   std::stable_sort(causes.begin(), causes.end(),
                    [](const Cause& a, const Cause& b) { return a.ErrorRatio() > b.ErrorRatio(); });
   return causes;
+}
+
+std::vector<const ChannelError*> UnexplainedOfSensors(const Diagnosis& diagnosis) {
+  std::set<std::string> judged;
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    if (!diagnosed.diagnosis.is_testable) continue;
+    for (const Channel& channel : diagnosed.block.channels) judged.insert(channel.name);
+  }
+  std::vector<const ChannelError*> left;
+  for (const ChannelError& channel : diagnosis.sensors.estimate.channels) {
+    if (!IsExplained(channel) && !judged.contains(channel.name)) left.push_back(&channel);
+  }
+  return left;
 }
 
 std::vector<const Candidate*> RivalsOf(const Finding& finding) {

@@ -29,6 +29,10 @@ struct Cause {
 /// The diagnosis must outlive the result.
 std::vector<Cause> CausesOf(const Diagnosis& diagnosis);
 
+/// The channels of sensors beside each other in which error is left that no number of a sensor
+/// explains, and which no block was judged by after that.
+std::vector<const ChannelError*> UnexplainedOfSensors(const Diagnosis& diagnosis);
+
 /// The other candidates that do as well as what was found.
 std::vector<const Candidate*> RivalsOf(const Finding& finding);
 

@@ -86,7 +86,7 @@ std::string ChanceText(const Cause& cause) {
 }  // namespace
 
 std::string OddsText(double p) {
-  if (p < kLeastP) return "fewer than 1 of 10 000";
+  if (p < kLeastP) return "fewer than 1 of 10 000";
   if (p > kOftenByChance) return "more than 1 of 2";
   return "1 of " + Significant(1 / p, 2);
 }

@@ -21,7 +21,7 @@ constexpr MechanismWords kWords[] = {
     {"valve_curve", "valve curve", "a valve that does not open in proportion to the lever",
      "At small levers {the} moves {exponent?slower?faster} than in proportion to the lever: its "
      "speed goes with the lever to the power of {exponent}."},
-    {"asymmetric_gain", "gain by direction", "a speed that differs by the side of the lever",
+    {"asymmetric_gain", "asymmetric gain", "a speed that differs by the side of the lever",
      "Under negative levers {the} moves {ratio~faster~slower} than under positive ones of the same "
      "size."},
     {"rate_gain", "rate gain", "a speed that is off in the same ratio at every lever",

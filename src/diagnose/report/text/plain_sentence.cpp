@@ -1,6 +1,7 @@
 #include "diagnose/report/text/plain_sentence.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -134,6 +135,16 @@ std::string PresentText(const Finding& finding) {
   return numbers.empty() ? "" : fmt::format(" The scenario has {} here.", Listed(numbers));
 }
 
+/// What is not told apart from a cause, "valve curve", "delay of the stamps of the sensor imu".
+std::vector<std::string> RivalLabels(const Cause& cause) {
+  std::vector<std::string> labels;
+  for (const Candidate* rival : RivalsOf(*cause.finding)) {
+    labels.emplace_back(WordsOf(rival->mechanism->id, rival->target)->label);
+    if (rival->target != cause.target()) labels.back() += " of " + TargetText(*rival);
+  }
+  return labels;
+}
+
 /// The kind of a sensor in front of its name, as far as the mechanism tells it.
 std::string SensorKindOf(const Mechanism& mechanism) {
   if (mechanism.targets == std::vector{EffectTarget::kImu}) return "inertial unit";
@@ -215,10 +226,17 @@ std::string FallText(const Cause& cause) {
                      with, before, after);
 }
 
+std::string ClassText(const Cause& cause) {
+  const std::vector<std::string> rivals = RivalLabels(cause);
+  if (rivals.empty()) return "";
+  return fmt::format("Or it is {}: this recording does not tell.", fmt::join(rivals, " or "));
+}
+
 std::string HeadingOf(const Cause& cause) {
   std::string target = TargetText(*cause.finding->term.candidate).substr(4);
-  const std::string_view label = WordsOf(cause.mechanism().id, cause.target())->label;
-  return fmt::format("{}: {}", Capitalised(std::move(target)), label);
+  std::vector<std::string> labels = RivalLabels(cause);
+  labels.insert(labels.begin(), std::string(WordsOf(cause.mechanism().id, cause.target())->label));
+  return fmt::format("{}: {}", Capitalised(std::move(target)), fmt::join(labels, " or "));
 }
 
 }  // namespace tera

@@ -21,7 +21,10 @@ std::string MeaningText(const Cause& cause);
 /// "With this dead band the error on driving it had not seen falls from 1.6 to 0.2 deg/s."
 std::string FallText(const Cause& cause);
 
-/// "Boom: dead band", a heading.
+/// "Or it is a valve curve: this recording does not tell." Empty where nothing else would do.
+std::string ClassText(const Cause& cause);
+
+/// "Boom: dead band or valve curve", a heading.
 std::string HeadingOf(const Cause& cause);
 
 }  // namespace tera

@@ -30,6 +30,18 @@ TEST(ChainFigure, ACauseStandsWhereItsMechanismActs) {
   EXPECT_THAT(chain[kLever].entries, IsEmpty());
 }
 
+// Dead band and valve curve are of the valve, play of the joint.
+TEST(ChainFigure, WhatIsNotToldApartStandsWhereItWouldAct) {
+  Diagnosis diagnosis = Of(BoomWithDeadBand());
+  DiagnosedBlock& boom = diagnosis.blocks[0];
+  std::vector<const Candidate*>& rivals = boom.diagnosis.findings[0].evidence.rivals;
+  for (const int other : {1, 2}) rivals.push_back(&boom.block.candidates[other]);
+  const auto chain = ChainOf(diagnosis);
+  EXPECT_THAT(chain[kValve].entries,
+              ElementsAre(Entry{Mark::kCause, "boom: dead band or 1 other"}));
+  EXPECT_THAT(chain[kJoint].entries, ElementsAre(Entry{Mark::kPossibleCause, "boom: backlash"}));
+}
+
 // The candidates of the made boom are a dead band, a valve curve and play.
 TEST(ChainFigure, WhatHasNoCandidateOfAJudgedBlockWasNotCompared) {
   Diagnosis diagnosis = Of(BoomWithDeadBand());

@@ -107,6 +107,26 @@ TEST(HtmlReport, WhereNothingWasJudgedDoesNotSayThatNothingIsWrong) {
   EXPECT_THAT(page, HasSubstr("Boom: anything at all, for it was hardly driven."));
 }
 
+// 0.5 m/s2 are left, and residuals differ by 0.1 from one to the next, of which noise alone would
+// make about as much.
+TEST(HtmlReport, DoesNotSayThatNothingIsWrongWhereSensorsDisagree) {
+  Diagnosis diagnosis;
+  diagnosis.machine = "excavator1";
+  diagnosis.sensors.estimate.channels = {{.name = "excavator1/imu/az_mps2",
+                                          .unit = "m/s2",
+                                          .noise = 0.1,
+                                          .differences = 0.1,
+                                          .motion = 1,
+                                          .rms_before = 0.5,
+                                          .rms_after = 0.5}};
+  const std::string page = HtmlReport(diagnosis, "run");
+  EXPECT_THAT(page, HasSubstr("In 1 quantity error is left that nothing explains."));
+  EXPECT_THAT(page, HasSubstr(">imu: unexplained</text>"));
+  EXPECT_THAT(page, HasSubstr("imu specific force along z 0.5 m/s² (noise 0.1 m/s²)"));
+  diagnosis.sensors.estimate.channels[0].rms_after = 0.1;
+  EXPECT_THAT(HtmlReport(diagnosis, "run"), HasSubstr("Nothing is wrong that"));
+}
+
 TEST(HtmlReport, ShowsTheErrorOfASensorAsBars) {
   Diagnosis diagnosis = Of(Block("boom", "excavator1/encoders/boom_radps", "rad/s"));
   diagnosis.perception.push_back(LidarWithRangeBias());

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "diagnose/report/made_diagnosis.h"
+#include "diagnose/report/text/plain_sentence.h"
 
 namespace tera {
 namespace {
@@ -22,7 +23,7 @@ Diagnosis NotToldApart() {
 TEST(CauseAnswers, OddsAreThoseOfChance) {
   EXPECT_EQ(OddsText(0.004), "1 of 250");
   EXPECT_EQ(OddsText(0.003), "1 of 330");
-  EXPECT_EQ(OddsText(1e-7), "fewer than 1 of 10 000");
+  EXPECT_EQ(OddsText(1e-7), "fewer than 1 of 10 000");
   EXPECT_EQ(OddsText(0.9), "more than 1 of 2");
 }
 
@@ -43,6 +44,8 @@ TEST(CauseAnswers, AClassIsSureOfSomethingAndNotOfWhich) {
   const Cause cause = CausesOf(diagnosis)[0];
   EXPECT_THAT(HowSureText(cause),
               StartsWith("Sure that something is wrong here, not which of 2 causes it is."));
+  EXPECT_EQ(HeadingOf(cause), "Boom: dead band or valve curve");
+  EXPECT_EQ(ClassText(cause), "Or it is valve curve: this recording does not tell.");
   EXPECT_EQ(WhatElseText(cause),
             "This recording cannot tell it from: valve curve (a valve that does not open in "
             "proportion to the lever).");
