@@ -75,6 +75,15 @@ std::string ProxiesText(const DiagnosedBlock& diagnosed, std::size_t channel) {
                       : fmt::format("Nearest comes {}, which is no name for it.", Listed(near));
 }
 
+/// What to record of an error that nothing explains.
+std::string DriveText(const DiagnosedBlock& diagnosed, const Location& at) {
+  if (at.regimes.empty() || at.regimes.front().variable == "time") {
+    return "Record more of the driving in which the error is.";
+  }
+  return fmt::format("Drive so that the {} takes all its values, again and again.",
+                     VariableText(at.regimes.front().variable, diagnosed.block));
+}
+
 std::string SectionOf(const UnexplainedInBlock& entry) {
   const auto& [diagnosed, left] = entry;
   const Location& at = left->location;
@@ -86,12 +95,9 @@ std::string SectionOf(const UnexplainedInBlock& entry) {
       "where noise makes {}.",
       quantity, WithUnit(Significant(left->rmse * unit.factor, 2), unit),
       WithUnit(Significant(left->noise * unit.factor, 2), unit));
-  std::string drive = "Record more of the driving in which the error is.";
   if (!at.regimes.empty()) {
-    const Regime& regime = at.regimes.front();
-    text += fmt::format(" It goes with the {}.", RegimeText(regime, *diagnosed, at.channel));
-    drive = fmt::format("Drive so that the {} takes all its values, again and again.",
-                        VariableText(regime.variable, diagnosed->block));
+    text +=
+        fmt::format(" It depends on {}.", RegimeText(at.regimes.front(), *diagnosed, at.channel));
   }
   const std::string sure = left->p ? fmt::format(
                                          "Sure that it is there: chance alone would do as "
@@ -102,7 +108,7 @@ std::string SectionOf(const UnexplainedInBlock& entry) {
                  SmallPredictionFigure(*diagnosed, at),
                  Answer("How sure", sure) +
                      Answer("What else it could be", ProxiesText(*diagnosed, at.channel)) +
-                     Answer("What to drive to find out", drive));
+                     Answer("What to drive to find out", DriveText(*diagnosed, at)));
 }
 
 /// Of sensors that do not agree with each other, for no reason that is known.
