@@ -117,13 +117,13 @@ TEST_F(DiagnoseMeasuredPoses, TellsOnceWhatCannotBeComparedByStampsNorByArrivals
   EXPECT_EQ(Report("why")["not_compared"].size(), 1u);
 }
 
-TEST_F(DiagnoseMeasuredPoses, WithoutThatCandidateExplainsNothingAndCannotJudgeTheUnit) {
+TEST_F(DiagnoseMeasuredPoses, WithoutThatCandidateExplainsNothingAndTheUnitAgreesWithAllElse) {
   RecordReal();
   Write("library.yaml", "without: [arrival_stamps]\n");
   const Names names = Diagnose("real", "why", {"--no-simulation"});
   EXPECT_EQ(std::set<std::string>(names.begin(), names.end()),
             std::set<std::string>{"unexplained"});
-  EXPECT_EQ(Report("why")["not_judged"].size(), 6u);  // three rates, three forces
+  EXPECT_TRUE(Report("why")["not_judged"].empty());
 }
 
 }  // namespace
