@@ -48,19 +48,14 @@ TEST(ProveCommand, NamesTwoOfWhichEachIsNeededOnlyBesideTheOther) {
                                      "bucket backlash by lever/bucket |"));
 }
 
-/// A reader of the bus beside friction, for which the likeliest pair passes at first, and the
-/// reader alone, of which the beat is seen a step late.
+/// A reader of the bus, of which the beat is seen a step late.
 TEST(ProveCommand, NamesAReaderThatLooksOnceAPeriod) {
   const ScratchDirectory scratch;
-  const auto answered = [&](const std::string& number, const std::string& answer) {
-    const Outcome outcome = RunTera(
-        {"prove", "--seed", "41", "--first", number, "--cases", "1", "--out", "proof" + number},
-        {scratch.path()});
-    ASSERT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, HasSubstr(answer));
-  };
-  answered("22", "| arm drive_friction by lever/arm; arm input_hold by lever/arm |");
-  answered("33", "| bucket input_hold by lever_way/bucket |");
+  const Outcome outcome =
+      RunTera({"prove", "--seed", "41", "--first", "33", "--cases", "1", "--out", "proof"},
+              {scratch.path()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("| bucket input_hold by lever_way/bucket |"));
 }
 
 TEST(ProveCommand, RefusesAFolderThatIsThereAndRecordingsThatAreTooShort) {
