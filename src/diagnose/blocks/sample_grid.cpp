@@ -14,15 +14,24 @@ namespace {
 
 constexpr double kMostPlacesPerSample = 50;  ///< of a grid that is not mostly empty
 
+double MedianStep_s(const std::vector<TimeNs>& t_ns) {
+  std::vector<double> step_s;
+  for (std::size_t i = 1; i < t_ns.size(); ++i) step_s.push_back(ToSeconds(t_ns[i] - t_ns[i - 1]));
+  return Median(step_s);
+}
+
 }  // namespace
+
+bool ComeEvenly(const std::vector<TimeNs>& t_ns) {
+  return ToSeconds(t_ns.back() - t_ns.front()) <=
+         kMostPlacesPerSample * MedianStep_s(t_ns) * static_cast<double>(t_ns.size());
+}
 
 SampleGrid SampleGrid::Under(const std::vector<TimeNs>& t_ns) {
   TERA_CHECK(t_ns.size() >= 2, t_ns.size());
-  std::vector<double> step_s;
-  for (std::size_t i = 1; i < t_ns.size(); ++i) step_s.push_back(ToSeconds(t_ns[i] - t_ns[i - 1]));
-  const double period_s = Median(step_s);
+  const double period_s = MedianStep_s(t_ns);
   const double length_s = ToSeconds(t_ns.back() - t_ns.front());
-  if (length_s > kMostPlacesPerSample * period_s * static_cast<double>(t_ns.size())) {
+  if (!ComeEvenly(t_ns)) {
     throw InputError(
         fmt::format("{} samples, {:.6f} s apart at the median, reach over {:.0f} s: they come in "
                     "bursts or leave a long gap; need samples that come about evenly (--from and "

@@ -8,6 +8,10 @@
 
 namespace tera {
 
+/// Whether samples, two at least, come about evenly: not in bursts, and without a gap far longer
+/// than all that was measured.
+bool ComeEvenly(const std::vector<TimeNs>& t_ns);
+
 /// A uniform grid of time under samples that come almost evenly.
 ///
 /// Model   its period is the median step of the samples. A sample stands at the place nearest to

@@ -152,7 +152,10 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
   SensorDiagnosis diagnosis;
   diagnosis.joints = problem.motion.joints;
   diagnosis.not_compared = problem.not_compared;
-  if (problem.motion.imus.empty() && problem.motion.receivers.empty()) return diagnosis;
+  const MotionProblem& motion = problem.motion;
+  const std::size_t places = motion.receivers.size() + motion.poses.size();
+  const bool is_alone = motion.imus.empty() && motion.axes.empty() && places < 2;
+  if ((motion.imus.empty() && motion.receivers.empty()) || is_alone) return diagnosis;
   for (const ParameterGroup& group : problem.table.groups) {
     diagnosis.estimated.push_back(NameOf(group));
   }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "diagnose/blocks/measured_poses.h"
+#include "diagnose/blocks/sample_grid.h"
 #include "diagnose/motion/reduce_samples.h"
 #include "sensors/encoder/encoder_errors.h"
 #include "sensors/slots/effect_numbers.h"
@@ -20,6 +21,15 @@ constexpr double kImuWindow_s = 0.1;
 constexpr double kGroundEvery_m = 0.5;  ///< on the way; elsewhere the ground errs otherwise
 
 double RoundingSigma(double step) { return step / std::sqrt(12.0); }
+
+/// Whether samples are stamped when they were measured: not in bursts, of which the blocks say
+/// more.
+template <typename Sample>
+bool AreUsable(const std::vector<Sample>& samples) {
+  std::vector<TimeNs> t_ns;
+  for (const Sample& sample : samples) t_ns.push_back(sample.t_ns);
+  return t_ns.size() >= 2 && ComeEvenly(t_ns);
+}
 
 /// Puts channels, parameters and observations together.
 class Builder {
@@ -219,7 +229,7 @@ void Builder::AddUnits() {
     const SensorDescription& sensor = input_.sensors[s];
     const std::vector<ImuSample>& samples = measured_.imus[s];
     const int link = model().LinkIndex(sensor.link);
-    if (samples.size() < 2 || link < 0) continue;
+    if (link < 0 || !AreUsable(samples)) continue;
     const auto chain = ChainTo(model(), link, places_);
     if (!chain) {
       problem_.not_compared.push_back(sensor.name + ": too many joints between it and the base");
@@ -262,7 +272,7 @@ bool IsGood(GnssFix fix, GnssFix documented) {
 void Builder::AddReceivers() {
   for (std::size_t s = 0; s < input_.sensors.size(); ++s) {
     const int link = model().LinkIndex(input_.sensors[s].link);
-    if (measured_.gnss[s].size() < 2 || link < 0) continue;
+    if (link < 0 || !AreUsable(measured_.gnss[s])) continue;
     const auto chain = ChainTo(model(), link, places_);
     if (chain) AddReceiver(s, *chain);
   }
