@@ -87,6 +87,7 @@ struct NoiseChannel {
   double sigma = 1;      ///< scale of Student's t
   double inflation = 1;  ///< variance of a mean over that of independent errors
   double motion = 0;     ///< standard deviation of what was measured
+  double tolerance = 0;  ///< of an error that stays as it is
 };
 
 struct MotionProblem {

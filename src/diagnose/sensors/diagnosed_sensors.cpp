@@ -137,9 +137,13 @@ DiagnosedSensors DiagnosedOf(SensorDiagnosis estimate, const std::string& machin
   return out;
 }
 
+bool IsNoise(const ChannelError& channel) {
+  return channel.rms_after <= kMostOfDifferences * channel.differences;
+}
+
 bool IsExplained(const ChannelError& channel) {
-  return channel.rms_after <=
-         std::max(kMostOfDifferences * channel.differences, kMostOfMotion * channel.motion);
+  return IsNoise(channel) ||
+         channel.rms_after <= std::max(channel.tolerance, kMostOfMotion * channel.motion);
 }
 
 void RemoveEstimated(const DiagnosisInput& input, const SensorDiagnosis& estimate,

@@ -33,8 +33,11 @@ struct DiagnosedSensors {
 DiagnosedSensors DiagnosedOf(SensorDiagnosis estimate, const std::string& machine);
 
 /// Whether what is left of a channel is no louder than twice what its residuals differ by from one
-/// to the next, or than a fifth of a unit's motion: error that lasts would be. Error that changes
-/// as fast as noise does is not seen.
+/// to the next: error that lasts would be. Error that changes as fast as noise does is not seen.
+bool IsNoise(const ChannelError& channel);
+
+/// Whether what is left of a channel is noise, within the tolerance of a constant error, or below a
+/// fifth of a unit's motion: no sensor is wrong for it.
 bool IsExplained(const ChannelError& channel);
 
 /// The measurements without those of units and receivers that the estimate explains, or of which it

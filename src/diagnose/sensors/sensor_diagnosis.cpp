@@ -196,7 +196,7 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
     const NoiseChannel& channel = flexible.noise[c];
     diagnosis.channels.push_back({channel.name, channel.unit, channel.sigma, channel.inflation,
                                   std::max(channel.least, DifferencesOf(after.residuals[c])),
-                                  channel.motion, RmsOf(before.residuals[c]),
+                                  channel.motion, channel.tolerance, RmsOf(before.residuals[c]),
                                   RmsOf(after.residuals[c])});
   }
   diagnosis.motion = MotionOf(problem.motion, after);

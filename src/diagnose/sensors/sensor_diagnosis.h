@@ -39,6 +39,7 @@ struct ChannelError {
   double noise = 0, inflation = 1;
   double differences = 0;  ///< what residuals differ by from one to the next, as white noise would
   double motion = 0;       ///< of an inertial unit: standard deviation of what it measured
+  double tolerance = 0;    ///< of an error that stays as it is
   double rms_before = 0, rms_after = 0;  ///< with nothing free, with what was named free
 };
 

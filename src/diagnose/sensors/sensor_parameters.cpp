@@ -265,8 +265,10 @@ int AddGroundHeight(ParameterTable* table) {
   return place;
 }
 
-void AddPoseParameters(ParameterTable* table, MapChannel* channel) {
+void AddPoseParameters(bool were_measured, ParameterTable* table, MapChannel* channel) {
   const std::string target(kPoses);
+  channel->late = AddDelay(target, {}, table);
+  if (!were_measured) return;
   channel->shift = GroupOf(table, target, "position_datum")
                        .Number("east_m", "m", 1, 0, 1000, kBiasWander)
                        .Number("north_m", "m", 1, 0, 1000, kBiasWander)
@@ -277,7 +279,6 @@ void AddPoseParameters(ParameterTable* table, MapChannel* channel) {
                       .Number("pitch_deg", "deg", kDeg, 0, 28, kBiasWander)
                       .Number("yaw_deg", "deg", kDeg, 0, 57, kBiasWander)
                       .first();
-  channel->late = AddDelay(target, {}, table);
 }
 
 }  // namespace tera

@@ -61,6 +61,7 @@ void AddAxisParameters(const std::string& target, const Effects& effects, bool s
 int AddEncoderDelay(const std::string& target, const Effects& effects, ParameterTable* table);
 /// By how much the known ground is too high, which is never named; returns its place.
 int AddGroundHeight(ParameterTable* table);
-void AddPoseParameters(ParameterTable* table, MapChannel* channel);
+/// Of recorded poses. Those of a simulation are true: no more than late.
+void AddPoseParameters(bool were_measured, ParameterTable* table, MapChannel* channel);
 
 }  // namespace tera

@@ -87,6 +87,13 @@ class Builder {
     motion().noise.push_back({name, unit, least, at_first, at_first});
     return static_cast<int>(motion().noise.size()) - 1;
   }
+  /// Gives noise channels from `noise` on the tolerances of parameters from `first` on.
+  void SetTolerances(int noise, int first, int count) {
+    for (int i = 0; first >= 0 && i < count; ++i) {
+      motion().noise[static_cast<std::size_t>(noise + i)].tolerance =
+          problem_.table.parameters[static_cast<std::size_t>(first + i)].tolerance;
+    }
+  }
   const SensorDescription* SensorOf(const NamedEncoders& named) const;
 
   const DiagnosisInput& input_;
@@ -211,6 +218,7 @@ void Builder::AddAxis(const NamedEncoders& named, const SensorDescription* senso
                     &problem_.table, &channel);
   channel.noise = AddNoise(named.channel + "/" + name + (slides ? "_m" : "_rad"),
                            slides ? "m" : "rad", least, 0.01);
+  SetTolerances(channel.noise, channel.bias, 1);
   motion().axes.push_back(channel);
   TimeSeries& rough = rough_.joints[static_cast<std::size_t>(places_[joint])];
   const bool is_first = rough.empty();
@@ -251,6 +259,7 @@ void Builder::AddUnits() {
                    is_rate ? 0.05 : 0.5);
       if (i == 0) channel.noise = noise;
     }
+    SetTolerances(channel.noise, channel.bias, 6);
     motion().imus.push_back(channel);
     for (const ImuWindow& window :
          WindowsOf(samples, kImuWindow_s, [&](TimeNs t_ns) { return SegmentOf(t_ns); })) {
@@ -288,6 +297,7 @@ void Builder::AddReceiver(std::size_t sensor, const KinematicChain& chain) {
   channel.noise = AddNoise(name + "east_m", "m", std::max(model.white_horizontal_m, 1e-3), 0.1);
   AddNoise(name + "north_m", "m", std::max(model.white_horizontal_m, 1e-3), 0.1);
   AddNoise(name + "up_m", "m", std::max(model.white_vertical_m, 1e-3), 0.2);
+  SetTolerances(channel.noise, channel.datum, 3);
   motion().receivers.push_back(channel);
   AntennaTrack track{chain, receiver.X_BS.translation(), {}, {}};
   for (const GnssSample& sample : measured_.gnss[sensor]) {
@@ -319,7 +329,7 @@ void Builder::AddPoses() {
   if (measured_.poses.empty()) return;
   MapChannel channel;
   channel.pivot_m = measured_.poses.front().X_WB.translation();
-  AddPoseParameters(&problem_.table, &channel);
+  AddPoseParameters(measured_.poses_were_measured, &problem_.table, &channel);
   const std::string name = input_.machine + "/" + std::string(kPoses) + "/";
   for (int i = 0; i < 6; ++i) {
     const bool is_place = i < 3;
@@ -328,6 +338,8 @@ void Builder::AddPoses() {
                  is_place ? "m" : "rad", is_place ? 1e-3 : 1e-4, is_place ? 0.1 : 0.05);
     if (i == 0) channel.noise = noise;
   }
+  SetTolerances(channel.noise, channel.shift, 3);
+  SetTolerances(channel.noise + 3, channel.turn, 3);
   motion().poses.push_back(channel);
   for (const TruthPose& pose : measured_.poses) {
     Eigen::Matrix<double, 6, 1> value;

@@ -72,6 +72,21 @@ TEST(DiagnosedSensors, AreToldInASentenceWithNumbersRivalsAndErrors) {
   EXPECT_THAT(sentences[0], HasSubstr("Imu boom specific force along y: RMSE 0.5 → 0.1 m/s²"));
 }
 
+// Residuals that are three times what they differ by from one to the next last, but are no more
+// than a bias may be, or a tenth of what the unit moved.
+TEST(DiagnosedSensors, AreNotWrongForWhatIsWithinToleranceOrSmallBesideTheirMotion) {
+  ChannelError error{.differences = 0.01, .rms_after = 0.03};
+  EXPECT_FALSE(IsNoise(error));
+  EXPECT_FALSE(IsExplained(error));
+  error.tolerance = 0.04;
+  EXPECT_TRUE(IsExplained(error));
+  error.tolerance = 0;
+  error.motion = 0.3;
+  EXPECT_TRUE(IsExplained(error));
+  error.motion = 0.1;
+  EXPECT_FALSE(IsExplained(error));
+}
+
 // 0.03 rad/s of the arm's unit are three times what its residuals differ by: other blocks still
 // have to look at it. That of the boom is explained.
 TEST(DiagnosedSensors, LeaveToOthersTheSensorsWhoseErrorLasts) {

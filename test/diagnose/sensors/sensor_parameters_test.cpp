@@ -45,7 +45,7 @@ struct All {
     AddAxisParameters("encoders/boom", of_axis, false, &table, &turns);
     AddAxisParameters("encoders/stick", {}, true, &table, &slides);
     turns.late = slides.late = AddEncoderDelay("encoders", {}, &table);
-    AddPoseParameters(&table, &map);
+    AddPoseParameters(true, &table, &map);
   }
   const SensorParameter& At(int place) const {
     return table.parameters[static_cast<std::size_t>(place)];
@@ -131,6 +131,17 @@ TEST(SensorParameters, AreDocumentedAsIdealWithoutEffects) {
     const bool is_factor = one.name.find("factor") != std::string::npos;
     EXPECT_EQ(one.documented, is_factor ? 1 : 0) << one.name;
   }
+}
+
+TEST(SensorParameters, OfPosesOfASimulationSayNoMoreThanHowLateTheyAre) {
+  ParameterTable table;
+  MapChannel map;
+  AddPoseParameters(false, &table, &map);
+  ASSERT_EQ(table.groups.size(), 1u);
+  EXPECT_EQ(table.groups[0].mechanism, "clock_offset");
+  EXPECT_EQ(map.late, 0);
+  EXPECT_EQ(map.shift, kNoParameter);
+  EXPECT_EQ(map.turn, kNoParameter);
 }
 
 TEST(SensorParameters, OfAPriorAreHeldWithinTheirTolerancesButForFreeGroups) {

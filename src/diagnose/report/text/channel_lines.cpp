@@ -84,7 +84,9 @@ ChannelLine LineOf(const DiagnosedSensors& sensors, const ChannelError& error) {
     if (found.channel != error.name) continue;
     line.explained_by.emplace_back(found.finding.term.candidate->mechanism->id);
   }
-  line.left = IsExplained(error) ? "noise" : "error that no parameter of a sensor explains";
+  line.left = IsNoise(error)       ? "noise"
+              : IsExplained(error) ? "no more than is as expected"
+                                   : "error that no parameter of a sensor explains";
   return line;
 }
 

@@ -263,7 +263,10 @@ std::string SentenceOfNothing(const Diagnosis& diagnosis) {
   }
   const std::vector<std::string> sensors = ComparedSensors(diagnosis.sensors);
   const std::string together =
-      sensors.size() < 2 ? "" : fmt::format("{} agree with each other.", Listed(sensors));
+      sensors.empty() ? ""
+      : sensors.size() == 1
+          ? fmt::format("{} measured a motion that the machine can have.", sensors[0])
+          : fmt::format("{} agree with each other.", Listed(sensors));
   if (channels.empty() && !together.empty()) return "Nothing found: " + together;
   if (channels.empty()) {
     const bool is_over = std::any_of(

@@ -271,6 +271,16 @@ DiagnosedBlock Late(const std::string& joint, double delay_s) {
   return made;
 }
 
+TEST(Sentence, OfNothingTellsWhatSensorsWereCompared) {
+  Diagnosis diagnosis;
+  diagnosis.sensors.estimate.channels = {{.name = "m/imu/wx_radps"}, {.name = "m/imu/ax_mps2"}};
+  EXPECT_THAT(SentencesOf(diagnosis).front(),
+              StartsWith("Nothing found: imu measured a motion that the machine can have."));
+  diagnosis.sensors.estimate.channels.push_back({.name = "m/poses/x"});
+  EXPECT_THAT(SentencesOf(diagnosis).front(),
+              StartsWith("Nothing found: imu and poses agree with each other."));
+}
+
 TEST(Sentence, OfMissingInputComesFirst) {
   Diagnosis diagnosis = Of(BoomWithDeadBand());
   diagnosis.missing_input = {{"excavator1/encoders/arm_radps", "arm", 0.61, false}};
