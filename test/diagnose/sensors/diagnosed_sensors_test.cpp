@@ -72,6 +72,18 @@ TEST(DiagnosedSensors, AreToldInASentenceWithNumbersRivalsAndErrors) {
   EXPECT_THAT(sentences[0], HasSubstr("Imu boom specific force along y: RMSE 0.5 → 0.1 m/s²"));
 }
 
+// Of 0.5 m/s^2 in ay sqrt(0.25 - 0.01) = 0.49 are gone; what a unit is off by without anyone
+// minding is half of a tolerance of 1.
+TEST(DiagnosedSensors, AreNotNamedForWhatTakesLessErrorThanIsAsExpected) {
+  SensorDiagnosis made = TurnedUnit();
+  for (ChannelError& channel : made.channels) channel.tolerance = 0.9;
+  EXPECT_THAT(DiagnosedOf(made, "m").findings, SizeIs(1));
+  for (ChannelError& channel : made.channels) channel.tolerance = 1;
+  const DiagnosedSensors told = DiagnosedOf(made, "m");
+  EXPECT_THAT(told.findings, SizeIs(0));
+  EXPECT_THAT(told.unconfirmed, SizeIs(1));
+}
+
 // Residuals that are three times what they differ by from one to the next last, but are no more
 // than a bias may be, or a tenth of what the unit moved.
 TEST(DiagnosedSensors, AreNotWrongForWhatIsWithinToleranceOrSmallBesideTheirMotion) {
