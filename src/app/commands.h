@@ -17,6 +17,7 @@ void AddImportRigCommand(CLI::App* app);
 void AddOverviewCommand(CLI::App* app);
 void AddProveCommand(CLI::App* app);
 void AddReplayCommand(CLI::App* app);
+void AddResenseCommand(CLI::App* app);
 void AddRos2Command(CLI::App* app);
 void AddServeCommand(CLI::App* app);
 

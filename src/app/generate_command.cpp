@@ -44,6 +44,9 @@ void AddGenerateCommand(CLI::App* app) {
   CLI::App* command = app->add_subcommand("generate", "Simulate a scenario and write its dataset");
   AddScenarioOptions(command, &arguments->scenario);
   AddRunOptions(command, &arguments->run);
+  command->add_flag("--keep-state", arguments->run.keep_state,
+                    "Keep how the scene evolved, so that `tera resense` and `tera layout` can "
+                    "measure it with other sensors");
   command->add_option("--duration", arguments->duration_s, "Seconds, instead of the scenario's")
       ->check(PositiveNumber("seconds"));
   command->callback([arguments] { RunGenerate(*arguments); });

@@ -29,6 +29,7 @@ int Run(int argc, char** argv) {
   tera::AddOverviewCommand(&app);
   tera::AddProveCommand(&app);
   tera::AddReplayCommand(&app);
+  tera::AddResenseCommand(&app);
   tera::AddRos2Command(&app);
   tera::AddServeCommand(&app);
   try {

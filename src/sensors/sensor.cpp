@@ -44,6 +44,8 @@ SensorDescription ReadSensor(const ConfigMap& config) {
                                               .min_excluded = kind.slowest_hz == 0,
                                               .unit = "Hz"});
   s.latency_ns = FromSeconds(config.Number("latency_s", AtLeast(0, "s"), 0));
+  s.cost = config.OptionalNumber("cost", AtLeast(0, "")).value_or(s.cost);
+  s.power_w = config.OptionalNumber("power_w", AtLeast(0, "W")).value_or(s.power_w);
   kind.read(config, &s);
   return s;
 }
@@ -71,6 +73,12 @@ const PictureContent* PicturesOf(const SensorDescription& sensor) {
 std::optional<Ranging> RangingOf(const SensorDescription& sensor) {
   const SensorKind& kind = KindOf(sensor);
   return kind.ranging ? kind.ranging(sensor) : std::nullopt;
+}
+
+std::optional<ViewField> ViewOf(const SensorDescription& sensor) {
+  const SensorKind& kind = KindOf(sensor);
+  if (!kind.view) return std::nullopt;
+  return kind.view(sensor);
 }
 
 std::vector<std::string> ColumnsOf(const SensorDescription& sensor, const MachineModel& machine) {

@@ -21,7 +21,8 @@ struct SensorDescription {
   std::string link;  ///< parent link's name; encoders have none
   Pose X_BS = Pose::Identity();
   SampleClock clock;
-  TimeNs latency_ns = 0;  ///< t_available - t
+  TimeNs latency_ns = 0;         ///< t_available - t
+  double cost = 0, power_w = 0;  ///< for layouts; the cost in whatever currency its rig is in
   SensorModel model;
   Effects effects;  ///< of the machine or the scenario; without them, as the model says
   /// Effects of single axes of an encoder, by their names, over `effects`.
@@ -54,6 +55,9 @@ const PictureContent* PicturesOf(const SensorDescription& sensor);
 
 /// How it measures ranges; nothing where it does not.
 std::optional<Ranging> RangingOf(const SensorDescription& sensor);
+
+/// What it could see if nothing stood in the way; nothing where it does not see.
+std::optional<ViewField> ViewOf(const SensorDescription& sensor);
 
 /// The columns of its samples where they are rows, else none.
 std::vector<std::string> ColumnsOf(const SensorDescription& sensor, const MachineModel& machine);

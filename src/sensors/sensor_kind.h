@@ -15,6 +15,7 @@
 #include "sensors/frame_content.h"
 #include "sensors/ranging.h"
 #include "sensors/sampling.h"
+#include "sensors/view_field.h"
 
 namespace tera {
 
@@ -54,6 +55,8 @@ struct SensorKind {
   ScanContent (*scans)(const SensorDescription& sensor) = nullptr;
   /// Of a kind that may measure ranges: how, or nothing where this sensor does not. May be null.
   std::optional<Ranging> (*ranging)(const SensorDescription& sensor) = nullptr;
+  /// Of a kind that sees: what it could see. May be null.
+  ViewField (*view)(const SensorDescription& sensor) = nullptr;
   std::unique_ptr<SensorSampler> (*sampler)(const SensorPlace& place);
 
   /// Mechanisms beside those of every kind (sensor_mechanisms.h). May be null.

@@ -34,41 +34,37 @@ bool Rig::Has(ChannelForm form) const {
                      [&](const Unit& unit) { return unit.form == form; });
 }
 
-void Rig::SampleStart(const Simulation& simulation) {
-  const Instant& now = simulation.state();
-  SampleWithScene(&SensorSampler::SampleStart, now, now, simulation.ground());
+void Rig::SampleStart(const Instant& now, const TerrainSurface& ground) {
+  SampleWithScene(&SensorSampler::SampleStart, {now, now, ground});
 }
 
-void Rig::Sample(const Simulation& simulation) {
-  SampleWithScene(&SensorSampler::Sample, simulation.previous(), simulation.state(),
-                  simulation.ground());
-}
+void Rig::Sample(const WorldStep& step) { SampleWithScene(&SensorSampler::Sample, step); }
 
-void Rig::Finish(const Simulation& simulation) {
-  ForEach(&SensorSampler::Finish, simulation.previous(), simulation.state());
-}
+void Rig::Finish(const WorldStep& step) { ForEach(&SensorSampler::Finish, step); }
 
-void Rig::SampleWithScene(SamplerStep what, const Instant& before, const Instant& after,
-                          const TerrainSurface& ground) {
+void Rig::SampleWithScene(SamplerStep what, const WorldStep& step) {
   {
     const Stopwatch watch(WallOf(ChannelForm::kScans));
-    scene_.Advance(before, after, ground);
+    scene_.Advance(step);
   }
-  ForEach(what, before, after);
-  TimeNs oldest_ns = after.t_ns;
+  ForEach(what, step);
+  TimeNs oldest_ns = step.after.t_ns;
   for (const Unit& unit : units_) {
-    oldest_ns = std::min(oldest_ns, unit.sampler->SceneNeededSince(after.t_ns));
+    oldest_ns = std::min(oldest_ns, unit.sampler->SceneNeededSince(step.after.t_ns));
   }
   scene_.ForgetBefore(oldest_ns);
 }
 
-void Rig::ForEach(SamplerStep what, const Instant& before, const Instant& after) {
+void Rig::ForEach(SamplerStep what, const WorldStep& step) {
   for (Unit& unit : units_) {
     const Stopwatch watch(WallOf(unit.form));
-    const SensedStep step{
-        before.t_ns, after.t_ns, before.machines[unit.machine], after.machines[unit.machine],
-        site_,       scene_};
-    (unit.sampler.get()->*what)(step);
+    const SensedStep sensed{step.before.t_ns,
+                            step.after.t_ns,
+                            step.before.machines[unit.machine],
+                            step.after.machines[unit.machine],
+                            site_,
+                            scene_};
+    (unit.sampler.get()->*what)(sensed);
   }
 }
 

@@ -11,7 +11,7 @@
 #include "sim/rig_scene.h"
 #include "sim/scenario/scenario.h"
 #include "sim/scene_assembly.h"
-#include "sim/simulation.h"
+#include "sim/world_state.h"
 
 namespace tera {
 
@@ -32,12 +32,12 @@ class Rig {
       MeasurementSink* sink);
 
   /// Samples what is due at the start, t = 0.
-  void SampleStart(const Simulation& simulation);
-  /// Samples everything that falls due in (simulation.previous, simulation.state].
-  void Sample(const Simulation& simulation);
+  void SampleStart(const Instant& now, const TerrainSurface& ground);
+  /// Samples everything that falls due in the step, its end included.
+  void Sample(const WorldStep& step);
   /// Writes the inertial samples that the last step left open, after the step that follows it, in
   /// which nothing else is sampled.
-  void Finish(const Simulation& simulation);
+  void Finish(const WorldStep& step);
 
   double camera_wall_s() const { return WallOf(ChannelForm::kPictures); }
   double lidar_wall_s() const { return WallOf(ChannelForm::kScans); }
@@ -52,11 +52,10 @@ class Rig {
   bool Has(ChannelForm form) const;
   double* WallOf(ChannelForm form) { return &wall_s_[static_cast<std::size_t>(form)]; }
   double WallOf(ChannelForm form) const { return wall_s_[static_cast<std::size_t>(form)]; }
-  /// Lets every unit do `what` with the step from `before` to `after`.
+  /// Lets every unit do `what` with the step.
   using SamplerStep = void (SensorSampler::*)(const SensedStep&);
-  void ForEach(SamplerStep what, const Instant& before, const Instant& after);
-  void SampleWithScene(SamplerStep what, const Instant& before, const Instant& after,
-                       const TerrainSurface& ground);
+  void ForEach(SamplerStep what, const WorldStep& step);
+  void SampleWithScene(SamplerStep what, const WorldStep& step);
 
   SiteFrame site_;
   std::vector<Unit> units_;

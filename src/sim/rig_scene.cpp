@@ -27,13 +27,13 @@ void RigScene::MakeRasterizer(const EglOptions& egl) {
 
 void RigScene::MakeRayScene() { ray_scene_ = std::make_unique<RayScene>(assembly_.model()); }
 
-void RigScene::Advance(const Instant& before, const Instant& after, const TerrainSurface& ground) {
-  before_ = &before;
-  after_ = &after;
-  ground_ = &ground;
+void RigScene::Advance(const WorldStep& step) {
+  before_ = &step.before;
+  after_ = &step.after;
+  ground_ = &step.ground;
   if (!ray_scene_) return;
-  TERA_CHECK(history_.empty() || after.t_ns > history_.back().t_ns, after.t_ns);
-  history_.push_back({after.t_ns, assembly_.BodyPoses(after)});
+  TERA_CHECK(history_.empty() || after_->t_ns > history_.back().t_ns, after_->t_ns);
+  history_.push_back({after_->t_ns, assembly_.BodyPoses(*after_)});
 }
 
 void RigScene::ForgetBefore(TimeNs t_ns) {

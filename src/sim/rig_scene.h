@@ -8,7 +8,7 @@
 #include "render/rays/ray_scene.h"
 #include "sensors/sampling.h"
 #include "sim/scene_assembly.h"
-#include "sim/simulation.h"
+#include "sim/world_state.h"
 
 namespace tera {
 
@@ -25,8 +25,8 @@ class RigScene : public SensedScene {
   /// For sensors that cast rays; from then on past poses are kept.
   void MakeRayScene();
 
-  /// Goes on to the step between these states, which must stay where they are until the next call.
-  void Advance(const Instant& before, const Instant& after, const TerrainSurface& ground);
+  /// Goes on to a step, whose states and ground must stay where they are until the next call.
+  void Advance(const WorldStep& step);
   void ForgetBefore(TimeNs t_ns);
 
   const TerrainSurface& ground() const override { return *ground_; }

@@ -4,7 +4,7 @@
 
 #include "render/scene.h"
 #include "sim/scenario/scenario.h"
-#include "sim/simulation.h"
+#include "sim/world_state.h"
 
 namespace tera {
 

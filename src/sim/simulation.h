@@ -41,6 +41,7 @@ class Simulation {
   /// At the start of the last step.
   const Instant& previous() const { return previous_; }
   const TerrainSurface& ground() const { return state_.ground().surface(); }
+  WorldStep last_step() const { return {previous_, state_, ground()}; }
 
   /// Wall-clock seconds spent since the start, for reports alone.
   double physics_wall_s() const { return physics_wall_s_; }

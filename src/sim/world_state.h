@@ -19,6 +19,14 @@ struct Instant {
   std::vector<BedLoad> beds;  ///< one for each obstacle; nothing where it has no bed
 };
 
+/// One step of a world, as sensors see it: all that moves at both ends, the ground at the later
+/// one.
+struct WorldStep {
+  const Instant& before;
+  const Instant& after;
+  const TerrainSurface& ground;
+};
+
 /// The world as it is now: what moves, and the ground, which exists once and is never copied.
 class WorldState : public Instant {
  public:

@@ -33,11 +33,12 @@ const std::map<std::string, std::set<std::string>> kMaySee = {
     {"sim", {"core", "physics", "soil", "render", "dataset", "sensors"}},
     {"resimulate", {"core", "physics", "soil", "render", "dataset", "sensors", "sim"}},
     {"diagnose", {"core", "physics", "soil", "render", "dataset", "sensors", "sim", "resimulate"}},
+    {"layout", {"core", "physics", "soil", "render", "dataset", "sensors", "sim", "resimulate"}},
     {"serve", {"core", "physics", "soil", "render", "dataset", "sensors", "sim"}},
     {"ros2", {"core", "physics", "soil", "render", "dataset", "sensors", "sim"}},
     {"app",
      {"core", "physics", "soil", "render", "dataset", "sensors", "sim", "resimulate", "diagnose",
-      "serve", "ros2", "blind"}},
+      "layout", "serve", "ros2", "blind"}},
 };
 
 /// Headers of a library by their beginning, and the folders that may include them. A header that is
@@ -67,6 +68,7 @@ const std::multimap<std::string, std::string> kFolderOfLibrary = {
     {"ceres/", "diagnose"},
     {"unsupported/Eigen/", "diagnose"},
     {"openssl/", "dataset"},
+    {"zstd.h", "dataset"},
     {"CLI/", "app"},
     {"cvode/", "blind"},
     {"mujoco/", "blind"},

@@ -1,4 +1,5 @@
 #include "sim/scene_assembly.h"
+#include "sim/simulation.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,6 @@
 
 #include "app/progress/progress_bar.h"
 #include "app/progress/stop_message.h"
-#include "sim/run/generate.h"
 
 namespace tera {
 namespace {
@@ -34,16 +33,16 @@ void PrintReport(const GenerateReport& report, const std::string& out) {
 }
 
 /// The run; the line of its progress has ended when this returns.
-GenerateReport RunWithProgress(const LoadedScenario& loaded, const RunOptions& options) {
+GenerateReport RunWithProgress(const DatasetRun& run, const RunOptions& options) {
   ProgressBar bar;
   const StopMessage on_stop(
       fmt::format("\nstopped; the same command with --resume finishes {}\n", options.out.string()));
-  return Generate(loaded.scenario, loaded.resolved_yaml,
-                  {.out = options.out,
-                   .threads = options.host.threads,
-                   .resume = options.resume,
-                   .egl = options.host.egl,
-                   .progress = [&](const GenerateProgress& progress) { bar.Show(progress); }});
+  return run({.out = options.out,
+              .threads = options.host.threads,
+              .resume = options.resume,
+              .keep_state = options.keep_state,
+              .egl = options.host.egl,
+              .progress = [&](const GenerateProgress& progress) { bar.Show(progress); }});
 }
 
 }  // namespace
@@ -54,8 +53,16 @@ void AddRunOptions(CLI::App* command, RunOptions* options) {
   command->add_flag("--resume", options->resume, "Finish a run that was stopped");
 }
 
+void FollowRun(const DatasetRun& run, const RunOptions& options) {
+  PrintReport(RunWithProgress(run, options), options.out.string());
+}
+
 void FollowRun(const LoadedScenario& loaded, const RunOptions& options) {
-  PrintReport(RunWithProgress(loaded, options), options.out.string());
+  FollowRun(
+      [&](const GenerateOptions& run) {
+        return Generate(loaded.scenario, loaded.resolved_yaml, run);
+      },
+      options);
 }
 
 }  // namespace tera

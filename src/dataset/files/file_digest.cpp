@@ -11,28 +11,52 @@
 #include "core/error.h"
 
 namespace tera {
+namespace {
+
+/// SHA-256 of what is added to it.
+class Sha256 {
+ public:
+  Sha256() { TERA_CHECK(hash_ && EVP_DigestInit_ex(hash_.get(), EVP_sha256(), nullptr) == 1); }
+  void Add(const char* bytes, std::size_t count) {
+    TERA_CHECK(EVP_DigestUpdate(hash_.get(), bytes, count) == 1, count);
+  }
+  /// In hexadecimal digits. The last use of this.
+  std::string Finish() {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> sum;
+    unsigned int size = 0;
+    TERA_CHECK(EVP_DigestFinal_ex(hash_.get(), sum.data(), &size) == 1);
+    std::string digits;
+    for (unsigned int i = 0; i < size; ++i) digits += fmt::format("{:02x}", sum[i]);
+    return digits;
+  }
+
+ private:
+  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> hash_{EVP_MD_CTX_new(), EVP_MD_CTX_free};
+};
+
+}  // namespace
 
 FileDigest DigestOf(const std::filesystem::path& file) {
-  const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> hash(EVP_MD_CTX_new(),
-                                                                     EVP_MD_CTX_free);
-  TERA_CHECK(hash && EVP_DigestInit_ex(hash.get(), EVP_sha256(), nullptr) == 1, file.string());
+  Sha256 hash;
   FileDigest digest;
   std::ifstream stream(file, std::ios::binary);
   std::array<char, 1 << 16> block;
   while (stream) {
     stream.read(block.data(), block.size());
-    const auto count = static_cast<std::size_t>(stream.gcount());
-    TERA_CHECK(EVP_DigestUpdate(hash.get(), block.data(), count) == 1, file.string());
+    hash.Add(block.data(), static_cast<std::size_t>(stream.gcount()));
     digest.bytes += stream.gcount();
   }
   if (!stream.eof() || stream.bad()) {
     throw InputError(fmt::format("{}: cannot be read; need a readable file", file.string()));
   }
-  std::array<unsigned char, EVP_MAX_MD_SIZE> sum;
-  unsigned int size = 0;
-  TERA_CHECK(EVP_DigestFinal_ex(hash.get(), sum.data(), &size) == 1, file.string());
-  for (unsigned int i = 0; i < size; ++i) digest.sha256 += fmt::format("{:02x}", sum[i]);
+  digest.sha256 = hash.Finish();
   return digest;
+}
+
+std::string Sha256Of(std::string_view bytes) {
+  Sha256 hash;
+  hash.Add(bytes.data(), bytes.size());
+  return hash.Finish();
 }
 
 }  // namespace tera

@@ -145,7 +145,8 @@ struct DatasetWriter::Impl {
 
   void Begin(const WriterOptions& options);
   void WriteNotes();
-  ChannelId Add(const ChannelInfo& info);
+  /// `text` is the beginning of its table, which may be all of it.
+  ChannelId Add(const ChannelInfo& info, std::string_view text);
   Channel& Find(ChannelId id);
   void Write(Channel* channel, const RowSample& row);
   void Write(Channel* channel, CameraFrame frame);
@@ -198,7 +199,11 @@ void DatasetWriter::Impl::WriteNotes() {
   }
 }
 
-ChannelId DatasetWriter::Impl::Add(const ChannelInfo& info) {
+std::string HeaderOf(const ChannelInfo& info) {
+  return info.form == ChannelForm::kRows ? TableHeader(info.columns) : std::string(kFrameHeader);
+}
+
+ChannelId DatasetWriter::Impl::Add(const ChannelInfo& info, std::string_view text) {
   TERA_CHECK(paths.insert(info.path).second, info.path);
   const std::string csv = info.sensor_yaml ? info.path + "/data.csv" : info.path;
   MakeFolder((root / csv).parent_path());
@@ -207,9 +212,7 @@ ChannelId DatasetWriter::Impl::Add(const ChannelInfo& info) {
   channel.form = info.form;
   channel.columns = info.columns.size();
   channel.csv = std::make_unique<CheckedFile>(root / csv);
-  channel.csv->Append(info.form == ChannelForm::kRows ? TableHeader(info.columns)
-                                                      : std::string(kFrameHeader));
-  channel.csv->Append("\n");
+  channel.csv->Append(text);
   if (info.sensor_yaml) WriteWholeFile(root / info.path / "sensor.yaml", *info.sensor_yaml);
   for (const std::string_view folder : FilesOf(info.form).folders) {
     MakeFolder(root / info.path / folder);
@@ -321,7 +324,20 @@ bool DatasetWriter::FinishWhole(const fs::path& directory, const DatasetInfo& in
   return true;
 }
 
-ChannelId DatasetWriter::AddChannel(const ChannelInfo& info) { return impl_->Add(info); }
+ChannelId DatasetWriter::AddChannel(const ChannelInfo& info) {
+  return impl_->Add(info, HeaderOf(info) + "\n");
+}
+
+void DatasetWriter::AddWholeTable(const ChannelInfo& info, const fs::path& file) {
+  TERA_CHECK(info.form == ChannelForm::kRows, info.path);
+  const std::string text = ReadWholeFile(file);
+  if (!text.starts_with(HeaderOf(info) + "\n")) {
+    throw InputError(fmt::format("{}: has other columns than the scenario; need '{}'",
+                                 file.string(), HeaderOf(info)));
+  }
+  impl_->Add(info, text);
+  impl_->row_bytes += static_cast<std::int64_t>(text.size());
+}
 
 void DatasetWriter::Write(ChannelId channel, Measurement measurement) {
   Channel* found = &impl_->Find(channel);

@@ -39,6 +39,9 @@ class DatasetWriter : public MeasurementSink {
   static bool FinishWhole(const std::filesystem::path& directory, const DatasetInfo& info);
 
   ChannelId AddChannel(const ChannelInfo& info) override;
+  /// A channel of rows that another recording has whole: its file is taken over as it is. Nothing
+  /// may be written to it. Throws InputError where it is not there or has other columns.
+  void AddWholeTable(const ChannelInfo& info, const std::filesystem::path& file);
   void Write(ChannelId channel, Measurement measurement) override;
   /// False when resuming and the files of this channel's frame at `t_ns` are whole already.
   bool NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs next_ns) const override;

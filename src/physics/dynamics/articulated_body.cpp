@@ -14,6 +14,7 @@
 #include "core/types/rigid_obstacle.h"
 #include "physics/dynamics/bullet_types.h"
 #include "physics/dynamics/climb_tag.h"
+#include "physics/dynamics/link_motion.h"
 
 namespace tera {
 namespace {
@@ -67,30 +68,6 @@ LinkShape MakeShape(const Link& link, const Pose& X_BP, btMultiBody* body, int b
   shape.collider->setActivationState(DISABLE_DEACTIVATION);
   shape.collider->setFriction(kFriction);
   return shape;
-}
-
-/// Velocity after a step of `dt_s`, and the accelerations from what it was before.
-void SetVelocity(const Vec3& v_WB_mps, const Vec3& w_WB_radps, double dt_s, BodyState* link) {
-  if (dt_s > 0) {
-    link->a_WB_mps2 = (v_WB_mps - link->v_WB_mps) / dt_s;
-    link->alpha_WB_radps2 = (w_WB_radps - link->w_WB_radps) / dt_s;
-  }
-  link->v_WB_mps = v_WB_mps;
-  link->w_WB_radps = w_WB_radps;
-}
-
-/// The joint's child after a step, from its parent's state.
-void MoveChild(const Joint& joint, double q_rad, double qd_radps, double dt_s,
-               std::vector<BodyState>* links) {
-  const BodyState& parent = (*links)[joint.parent];
-  BodyState& child = (*links)[joint.child];
-  const Pose X_WJ = parent.X_WB * joint.X_PJ;
-  child.X_WB = X_WJ * JointMotion(joint, q_rad);
-  const Vec3 r_W = child.X_WB.translation() - parent.X_WB.translation();
-  const Vec3 motion_W = X_WJ.linear() * joint.axis_J * qd_radps;
-  Vec3 v_W_mps = parent.v_WB_mps + parent.w_WB_radps.cross(r_W), w_W_radps = parent.w_WB_radps;
-  (joint.type == JointType::kPrismatic ? v_W_mps : w_W_radps) += motion_W;
-  SetVelocity(v_W_mps, w_W_radps, dt_s, &child);
 }
 
 }  // namespace
@@ -303,14 +280,11 @@ void ArticulatedBody::ReadState(double dt_s, MachineState* state) const {
   }
   const Pose X_WP = MakePose(FromBullet(body.getBasePos()),
                              Mat3(FromBullet(body.getWorldToBaseRot()).transpose()));
-  BodyState& base = state->links[0];
-  base.X_WB = X_WP * bullet_->axes[0].X_BP.inverse();
-  const Vec3 w_W_radps = FromBullet(body.getBaseOmega());
-  const Vec3 r_W = base.X_WB.translation() - X_WP.translation();
-  SetVelocity(FromBullet(body.getBaseVel()) + w_W_radps.cross(r_W), w_W_radps, dt_s, &base);
-  for (std::size_t k = 0; k < model_.joints.size(); ++k) {
-    MoveChild(model_.joints[k], state->q_rad[k], state->qd_radps[k], dt_s, &state->links);
-  }
+  RootMotion root{.X_WB = X_WP * bullet_->axes[0].X_BP.inverse()};
+  root.w_WB_radps = FromBullet(body.getBaseOmega());
+  const Vec3 r_W = root.X_WB.translation() - X_WP.translation();
+  root.v_WB_mps = FromBullet(body.getBaseVel()) + root.w_WB_radps.cross(r_W);
+  MoveLinks(model_, root, state->q_rad, state->qd_radps, dt_s, &state->links);
 }
 
 }  // namespace tera

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "sensors/camera/camera_view.h"
 #include "sensors/sensor.h"
 #include "sensors/slots/frame_slots.h"
 #include "sensors/slots/mechanism_rows.h"
@@ -127,6 +128,10 @@ constinit const SensorKind kCameraKind = {
       return &std::get<CameraModel>(s.model);
     },
     .ranging = DepthRanging,
+    .view =
+        [](const SensorDescription& s) {
+          return ViewOf(std::get<CameraModel>(s.model), s.clock.rate_hz);
+        },
     .sampler = [](const SensorPlace& place) -> std::unique_ptr<SensorSampler> {
       return std::make_unique<CameraSampler>(place);
     },

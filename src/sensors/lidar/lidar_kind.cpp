@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "sensors/lidar/lidar_view.h"
 #include "sensors/sensor.h"
 #include "sensors/slots/frame_slots.h"
 #include "sensors/slots/mechanism_rows.h"
@@ -144,6 +145,10 @@ constinit const SensorKind kLidarKind = {
         [](const SensorDescription& s) { return LidarModelYaml(std::get<LidarModel>(s.model)); },
     .scans = LidarScans,
     .ranging = LidarRanging,
+    .view =
+        [](const SensorDescription& s) {
+          return ViewOf(std::get<LidarModel>(s.model), s.clock.rate_hz);
+        },
     .sampler = [](const SensorPlace& place) -> std::unique_ptr<SensorSampler> {
       return std::make_unique<LidarSampler>(place);
     },

@@ -2,29 +2,44 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <utility>
+
 #include "core/error.h"
 #include "core/stopwatch.h"
 #include "sim/run/run.h"
 #include "sim/run/terrain_log.h"
+#include "sim/state/state_log.h"
 
 namespace tera {
 namespace {
 
+/// The state of a run on its way into the dataset, if it is to be kept.
+std::optional<StateLog> StateLogOf(const Scenario& scenario, const std::string& resolved_yaml,
+                                   const GenerateOptions& options, const Run& run,
+                                   DatasetWriter* writer) {
+  if (!options.keep_state) return std::nullopt;
+  return std::optional<StateLog>(std::in_place, scenario, resolved_yaml,
+                                 writer->PathFor(kStateFile), run.simulation().state());
+}
+
 /// Steps the scenario to its end into `writer`. `step` counts the steps done, for a caller that
 /// must know how far a run came which bad input stopped.
-void RunToEnd(const Scenario& scenario, const SceneAssembly& assembly,
-              const GenerateOptions& options, DatasetWriter* writer, std::int64_t* step,
-              GenerateReport* report) {
+void RunToEnd(const Scenario& scenario, const std::string& resolved_yaml,
+              const SceneAssembly& assembly, const GenerateOptions& options, DatasetWriter* writer,
+              std::int64_t* step, GenerateReport* report) {
   const std::int64_t steps = std::llround(scenario.duration_s * scenario.physics_rate_hz);
   // A fifth of a second between progress reports, in steps of simulated time.
   const std::int64_t steps_per_report =
       std::max<std::int64_t>(1, std::llround(scenario.physics_rate_hz / 5));
   Run run(scenario, OperatorsOf(scenario), assembly, options.egl, options.threads, writer);
   TerrainLog terrain(scenario, run.simulation().state().ground(), writer);
+  std::optional<StateLog> states = StateLogOf(scenario, resolved_yaml, options, run, writer);
   while (*step < steps) {
     ++*step;
     run.Step();
     terrain.Write(run.simulation().state().t_ns);
+    if (states) states->Add(run.simulation().state());
     if (options.progress && *step % steps_per_report == 0) {
       options.progress({ToSeconds(run.simulation().state().t_ns), scenario.duration_s,
                         writer->frames_written()});
@@ -32,6 +47,10 @@ void RunToEnd(const Scenario& scenario, const SceneAssembly& assembly,
   }
   terrain.Finish();
   run.Finish();
+  if (states) {
+    states->Add(run.simulation().state());
+    states->Commit();
+  }
   writer->Finish();
   report->simulated_s = scenario.duration_s;
   report->physics_s = run.simulation().physics_wall_s();
@@ -55,7 +74,7 @@ GenerateReport Generate(const Scenario& scenario, const std::string& resolved_ya
     DatasetWriter writer(options.out, info, {.threads = options.threads, .resume = options.resume});
     std::int64_t step = 0;
     try {
-      RunToEnd(scenario, assembly, options, &writer, &step, &report);
+      RunToEnd(scenario, resolved_yaml, assembly, options, &writer, &step, &report);
     } catch (const InputError& error) {
       if (step == 0 && !writer.resumed()) {
         writer.Discard();

@@ -18,6 +18,7 @@ struct GenerateOptions {
   std::filesystem::path out;
   int threads = 2;  ///< for rays and for encoding; the bytes do not depend on it
   bool resume = false;
+  bool keep_state = false;  ///< how the scene evolved, for other sensors later (StateLog)
   EglOptions egl;
   std::function<void(const GenerateProgress&)> progress;  ///< called now and then
 };

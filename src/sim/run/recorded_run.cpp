@@ -52,6 +52,7 @@ void RequireAmong(const std::vector<InputFile>& checked, const std::vector<Input
 /// Its scenario from files that are what they were. What it reads has the names that the recording
 /// gave, wherever it is now.
 LoadedScenario ScenarioOf(const std::filesystem::path& recording,
+                          const std::vector<std::string>& overrides,
                           const std::vector<std::string>& moved_texts) {
   const std::filesystem::path scenario_file = recording / "scenario.yaml";
   const std::vector<RecordedInput> recorded = LoadInputs(recording);
@@ -59,8 +60,8 @@ LoadedScenario ScenarioOf(const std::filesystem::path& recording,
   for (const std::string& text : moved_texts) moved.push_back(Moved(text, recorded));
   std::vector<InputFile> inputs =
       RequireInputs(recorded, moved, "put that file back, or say where it is by --moved OLD=NEW");
-  LoadedScenario loaded = LoadScenario(scenario_file, {}, {}, moved);
-  loaded.resolved_yaml = ReadWholeFile(scenario_file);
+  LoadedScenario loaded = LoadScenario(scenario_file, overrides, {}, moved);
+  if (overrides.empty()) loaded.resolved_yaml = ReadWholeFile(scenario_file);
   if (!recorded.empty()) {
     RequireAmong(inputs, loaded.scenario.inputs, scenario_file);
     loaded.scenario.inputs = std::move(inputs);
@@ -86,16 +87,23 @@ bool IsInside(const std::filesystem::path& folder, const std::filesystem::path& 
 
 }  // namespace
 
+LoadedScenario LoadRecordedScenario(const std::filesystem::path& directory,
+                                    const std::vector<std::string>& overrides,
+                                    const std::vector<std::string>& moved) {
+  RequireSimulated(Recording(directory));
+  return ScenarioOf(directory, overrides, moved);
+}
+
 LoadedScenario LoadRecordedRun(const std::filesystem::path& directory,
                                const std::vector<std::string>& moved) {
   if (WasStopped(directory)) {
-    LoadedScenario loaded = ScenarioOf(directory, moved);
+    LoadedScenario loaded = ScenarioOf(directory, {}, moved);
     CommandAsFarAsRecorded(directory, &loaded.scenario);
     return loaded;
   }
   const Recording recording(directory);
   RequireSimulated(recording);
-  LoadedScenario loaded = ScenarioOf(directory, moved);
+  LoadedScenario loaded = ScenarioOf(directory, {}, moved);
   CommandAsRecorded(recording, &loaded.scenario);
   return loaded;
 }

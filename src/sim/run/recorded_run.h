@@ -8,6 +8,13 @@
 
 namespace tera {
 
+/// The scenario of a simulated recording as it was read from input files that are what they were,
+/// but for `overrides` (key.path=value), with which the text is resolved anew. Otherwise as
+/// LoadRecordedRun.
+LoadedScenario LoadRecordedScenario(const std::filesystem::path& directory,
+                                    const std::vector<std::string>& overrides,
+                                    const std::vector<std::string>& moved);
+
 /// The scenario of a simulated recording, whose machines obey the recorded commands, from input
 /// files that are what they were; also of a run that was stopped, as far as it came. What the
 /// scenario reads keeps the names that the recording gave. `moved` are texts OLD=NEW: an input that

@@ -52,19 +52,19 @@ Run::Run(const Scenario& scenario, Operators operators, const SceneAssembly& ass
     : simulation_(scenario, std::move(operators)),
       truth_(scenario, sink),
       rig_(scenario, assembly, egl, threads, sink) {
-  rig_.SampleStart(simulation_);
+  rig_.SampleStart(simulation_.state(), simulation_.ground());
 }
 
 void Run::Step() {
   simulation_.Step();
   truth_.Write(simulation_.previous(), simulation_.state());
-  rig_.Sample(simulation_);
+  rig_.Sample(simulation_.last_step());
 }
 
 void Run::Finish() {
   simulation_.Step();
   truth_.Write(simulation_.previous(), simulation_.state());
-  rig_.Finish(simulation_);
+  rig_.Finish(simulation_.last_step());
 }
 
 }  // namespace tera

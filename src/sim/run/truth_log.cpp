@@ -76,28 +76,39 @@ std::vector<double> HydraulicRow(const MachineState& now, const MachineState& ne
 
 }  // namespace
 
-TruthLog::TruthLog(const Scenario& scenario, MeasurementSink* sink)
-    : sink_(sink), soils_(scenario.site->soils().size()) {
+std::vector<ChannelInfo> TruthChannels(const Scenario& scenario) {
+  std::vector<ChannelInfo> channels;
   for (const ScenarioMachine& machine : scenario.machines) {
     const MachineModel& model = machine.placement.model;
     const std::string& name = machine.placement.name;
     std::vector<std::string> levers;
     for (const Lever& lever : model.levers) levers.push_back(lever.name);
-    channels_.push_back(
-        {sink->AddChannel(TableChannel(name + "/commands.csv", levers)),
-         sink->AddChannel(PoseChannel("truth/" + name + "/pose.csv")),
-         sink->AddChannel(TableChannel("truth/" + name + "/joints.csv",
-                                       JointColumns(model, scenario.site->soils()))),
-         std::nullopt});
+    channels.push_back(TableChannel(name + "/commands.csv", levers));
+    channels.push_back(PoseChannel("truth/" + name + "/pose.csv"));
+    channels.push_back(
+        TableChannel("truth/" + name + "/joints.csv", JointColumns(model, scenario.site->soils())));
     if (model.cylinders.empty()) continue;
-    channels_.back().hydraulics = sink->AddChannel(
-        TableChannel("truth/" + name + "/hydraulics.csv", HydraulicColumns(model)));
+    channels.push_back(TableChannel("truth/" + name + "/hydraulics.csv", HydraulicColumns(model)));
   }
   for (const ScenarioObstacle& obstacle : scenario.obstacles) {
-    beds_.emplace_back();
     if (!obstacle.bed) continue;
-    beds_.back() = sink->AddChannel(
-        TableChannel("truth/" + obstacle.name + "/bed.csv", {"soil_kg", "soil_m3"}));
+    channels.push_back(TableChannel("truth/" + obstacle.name + "/bed.csv", {"soil_kg", "soil_m3"}));
+  }
+  return channels;
+}
+
+TruthLog::TruthLog(const Scenario& scenario, MeasurementSink* sink)
+    : sink_(sink), soils_(scenario.site->soils().size()) {
+  std::vector<ChannelId> ids;
+  for (const ChannelInfo& info : TruthChannels(scenario)) ids.push_back(sink->AddChannel(info));
+  auto next = ids.begin();
+  for (const ScenarioMachine& machine : scenario.machines) {
+    channels_.push_back({next[0], next[1], next[2], std::nullopt});
+    next += 3;
+    if (!machine.placement.model.cylinders.empty()) channels_.back().hydraulics = *next++;
+  }
+  for (const ScenarioObstacle& obstacle : scenario.obstacles) {
+    beds_.push_back(obstacle.bed ? std::optional(*next++) : std::nullopt);
   }
 }
 

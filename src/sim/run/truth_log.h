@@ -8,6 +8,10 @@
 
 namespace tera {
 
+/// The channels of what really happens in a scenario, in their order: of each machine commands,
+/// pose, joints and cylinders, of each obstacle its bed.
+std::vector<ChannelInfo> TruthChannels(const Scenario& scenario);
+
 /// Writes what really happened: commands of every machine, poses, joints, loads and cylinders, and
 /// what lies in the beds of obstacles.
 ///

@@ -10,6 +10,7 @@
 #include "own_folder.h"
 #include "physics/description/urdf_left_out.h"
 #include "sim/scene_assembly.h"
+#include "sim/simulation.h"
 
 // A backhoe loader of 23 links, all that a URDF may hold, from its file to a run.
 

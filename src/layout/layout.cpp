@@ -1,0 +1,80 @@
+#include "layout/layout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+
+namespace tera {
+namespace {
+
+constexpr double kBytesPerMbyte = 1e6;
+
+}  // namespace
+
+Expense ExpenseOf(const Layout& layout) {
+  Expense sum;
+  for (const SensorDescription& sensor : layout.sensors) {
+    sum.cost += sensor.cost;
+    sum.power_w += sensor.power_w;
+    const std::optional<ViewField> view = ViewOf(sensor);
+    if (view) sum.data_mbyteps += view->bytes_per_sample * view->samples_per_s / kBytesPerMbyte;
+  }
+  return sum;
+}
+
+StudiedMachine FindMachine(const LayoutStudy& study, const Scenario& scenario) {
+  StudiedMachine found;
+  std::vector<std::string> machines;
+  for (const ScenarioMachine& machine : scenario.machines) {
+    machines.push_back(machine.placement.name);
+  }
+  if (!study.machine.empty()) {
+    const auto at = std::find(machines.begin(), machines.end(), study.machine);
+    if (at == machines.end()) {
+      throw InputError(
+          fmt::format("study: machine '{}' is not in the scenario; its machines are {}",
+                      study.machine, fmt::join(machines, ", ")));
+    }
+    found.machine = static_cast<std::size_t>(at - machines.begin());
+  }
+  const MachineModel& model = scenario.machines.at(found.machine).placement.model;
+  found.upper = model.joints.empty() ? 0 : model.joints.front().child;
+  if (study.upper.empty()) return found;
+  found.upper = model.LinkIndex(study.upper);
+  if (found.upper < 0) {
+    std::vector<std::string> links;
+    for (const Link& link : model.links) links.push_back(link.name);
+    throw InputError(fmt::format("study: upper: machine '{}' has no link '{}'; its links are {}",
+                                 machines[found.machine], study.upper, fmt::join(links, ", ")));
+  }
+  return found;
+}
+
+Layout LoadLayout(const std::filesystem::path& file, const Cycle& cycle, std::size_t machine) {
+  Layout layout{.name = file.stem().string(), .file = file, .sensors = {}, .viewers = {}};
+  const Scenario scenario = cycle.WithRig(machine, file);
+  layout.sensors = scenario.machines[machine].sensors;
+  const MachineModel& model = scenario.machines[machine].placement.model;
+  for (const SensorDescription& sensor : layout.sensors) {
+    const std::optional<ViewField> field = ViewOf(sensor);
+    if (!field) continue;
+    const Mounting mounting = TrueMounting(sensor, layout.sensors);
+    layout.viewers.push_back(
+        {sensor.name, *field, model.LinkIndex(mounting.link), mounting.X_BT, Pose::Identity()});
+  }
+  if (layout.viewers.empty()) {
+    throw InputError(fmt::format(
+        "{}: has no lidar and no camera; need one at least, to ask what it sees", file.string()));
+  }
+  return layout;
+}
+
+void MoveViewers(const MachineState& machine, Layout* layout) {
+  for (Viewer& viewer : layout->viewers) {
+    viewer.X_WS = machine.links[viewer.link].X_WB * viewer.X_BS;
+  }
+}
+
+}  // namespace tera

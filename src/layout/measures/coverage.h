@@ -1,0 +1,55 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "layout/layout.h"
+#include "layout/measures/figure.h"
+#include "layout/measures/seen.h"
+#include "layout/study/study.h"
+
+namespace tera {
+
+/// How much of a zone a layout sees, moment by moment.
+///
+/// Model   places of the zone that lie in the air (above the ground, in nothing solid) count; the
+///         share of them that at least 1, 2, 3 viewers see, and the volume that none does.
+/// Omits   how the share differs from that of all the zone's air, beyond its standard error.
+class ZoneCoverage {
+ public:
+  /// `count` places of the zone, the same at every moment in its frame.
+  ZoneCoverage(Zone zone, int count, std::uint64_t seed);
+
+  const Zone& zone() const { return zone_; }
+  /// Adds what `layout` sees at this moment, the zone's frame F being at X_WF.
+  void Add(const Pose& X_WF, const Layout& layout, const SeenFrom& seen, const Sighting& sighting,
+           const TerrainSurface& ground);
+
+  /// "zone/NAME/seen_by_1" to 3, and "zone/NAME/blind_m3".
+  std::vector<Figure> Figures() const;
+  /// What keeps places from being seen: shares of the blind places of all moments, by the name of
+  /// what blocks, or "out of view" or "too far or too sparse"; together 1.
+  std::map<std::string, double> Causes() const;
+  /// Of places seen by two viewers or more: the share of the places that either sees, for each
+  /// pair. Overlap is what extrinsic calibration of one beside the other lives on.
+  std::map<std::string, double> Overlaps() const;
+
+ private:
+  static constexpr int kMost = 3;
+  struct Pair {
+    double both = 0, either = 0;
+  };
+  void CountCauses(const std::vector<Look>& looks, const Sighting& sighting);
+  void CountPairs(const std::vector<Look>& looks, const Layout& layout);
+
+  Zone zone_;
+  std::vector<Vec3> places_Z_m_;
+  std::vector<std::vector<double>> share_;  ///< seen by at least 1, 2, 3; of each moment
+  std::vector<std::size_t> in_air_;         ///< of each moment
+  std::vector<double> blind_m3_;
+  std::map<std::string, double> causes_;
+  std::map<std::string, Pair> pairs_;
+};
+
+}  // namespace tera

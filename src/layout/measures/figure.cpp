@@ -1,0 +1,36 @@
+#include "layout/measures/figure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/check.h"
+
+namespace tera {
+namespace {
+
+double Mean(const std::vector<double>& values) {
+  if (values.empty()) return 0;
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+double MeanOf(const Figure& figure) { return Mean(figure.at); }
+
+double WorstOf(const Figure& figure) {
+  TERA_CHECK(!figure.at.empty(), figure.name);
+  return figure.more_is_better ? *std::min_element(figure.at.begin(), figure.at.end())
+                               : *std::max_element(figure.at.begin(), figure.at.end());
+}
+
+double ErrorOf(const Figure& figure) { return Mean(figure.error); }
+
+double ShareError(double share, std::size_t count) {
+  if (count == 0) return 0;
+  // One place more seen and one more not, so that a share of 0 or 1 is not certain either.
+  const double n = static_cast<double>(count) + 2, p = (share * static_cast<double>(count) + 1) / n;
+  return std::sqrt(p * (1 - p) / n);
+}
+
+}  // namespace tera

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tera {
+
+/// A number that says how well a layout does something, at every moment of a cycle.
+struct Figure {
+  std::string name;  ///< "zone/behind/seen", unique in a layout
+  std::string unit;  ///< "" for shares
+  bool more_is_better = true;
+  std::vector<double> at = {};     ///< of each moment
+  std::vector<double> error = {};  ///< of each, 1 sigma by the places that were tried
+};
+
+double MeanOf(const Figure& figure);
+/// Of the moment at which it is worst.
+double WorstOf(const Figure& figure);
+/// 1 sigma of the mean by the places that were tried: these are the same at every moment, so that
+/// the errors do not average out.
+double ErrorOf(const Figure& figure);
+
+/// Standard error of a share counted over `count` places drawn at random.
+double ShareError(double share, std::size_t count);
+
+}  // namespace tera

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "layout/layout.h"
+#include "layout/measures/figure.h"
+#include "layout/study/study.h"
+
+namespace tera {
+
+/// From where a person would be detected, if she stood around the machine.
+///
+/// Frames  H as in PolarGrid. Distances are from the hull of the machine: the outermost point of
+///         its undercarriage, tracks, blade and upper structure in a direction, to her middle.
+/// Model   she is a box that faces the machine and stands on the ground. Points of a lidar on her:
+///         its points per steradian times the solid angle of the parts of her that it sees, within
+///         its reach at the incidence there; pixels of a camera alike. She is detected by a sensor
+///         that has as many on her as the study asks.
+/// Omits   her shape and pose beyond a box; clothes other than of the study's reflectance; what a
+///         detector makes of points and pixels.
+class PersonRange {
+ public:
+  static constexpr int kSectors = 36;
+
+  PersonRange(Posture posture, const PersonStudy& study, double reflectance);
+
+  void Add(const Pose& X_WH, std::size_t machine, const Layout& layout, const Sighting& sighting,
+           const TerrainSurface& ground);
+
+  const Posture& posture() const { return posture_; }
+  /// Distances that are tried: every metre from 1 m on.
+  std::vector<double> Distances_m() const;
+  /// Of each direction, moment by moment: the farthest distance up to which she is detected at
+  /// every one tried, 0 where not even at the first.
+  const std::vector<std::vector<double>>& Detected_m() const { return detected_m_; }
+  /// "person/POSTURE/detected_to_m_ahead", "_left", "_behind", "_right": the least over the
+  /// directions of that quarter. "person/POSTURE/detected_within_12m": share of the places tried.
+  std::vector<Figure> Figures() const;
+
+ private:
+  /// Of a surface of hers that is tried as one.
+  struct Patch {
+    Vec3 p_m = Vec3::Zero(), normal = Vec3::UnitX();  ///< in her frame, x from the machine to her
+    double area_m2 = 0;
+  };
+  struct Place {
+    int sector, step;
+    Pose X_WP = Pose::Identity();
+  };
+  std::vector<Place> PlacesAround(const Pose& X_WH, std::size_t machine, const Sighting& sighting,
+                                  const TerrainSurface& ground) const;
+  std::vector<bool> AreDetected(const std::vector<Place>& places, const Viewer& viewer,
+                                const Sighting& sighting) const;
+
+  Posture posture_;
+  PersonStudy study_;
+  double reflectance_;
+  std::vector<Patch> patches_;
+  std::vector<std::vector<double>> detected_m_ = std::vector<std::vector<double>>(kSectors);
+  std::vector<double> within_12m_;
+  std::vector<std::size_t> tried_;
+};
+
+}  // namespace tera

@@ -1,0 +1,111 @@
+#include "layout/resense.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/stopwatch.h"
+#include "dataset/files/checked_file.h"
+#include "dataset/format/recording.h"
+#include "dataset/format/writer.h"
+#include "sim/rig.h"
+#include "sim/run/recorded_run.h"
+#include "sim/run/run.h"
+#include "sim/run/truth_log.h"
+#include "sim/state/state_log.h"
+#include "sim/state/state_playback.h"
+
+namespace tera {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr char kTerrainFolder[] = "truth/terrain";
+
+/// The override that gives the machine the rig.
+std::string RigOverride(const fs::path& dataset, const ResenseRig& rig,
+                        const std::vector<std::string>& moved) {
+  const Scenario scenario = LoadRecordedScenario(dataset, {}, moved).scenario;
+  std::vector<std::string> names;
+  for (const ScenarioMachine& machine : scenario.machines) names.push_back(machine.placement.name);
+  const std::string& wanted = rig.machine.empty() ? names.at(0) : rig.machine;
+  const auto found = std::find(names.begin(), names.end(), wanted);
+  if (found == names.end()) {
+    throw InputError(fmt::format("--machine {}: {} has no such machine; its machines are {}",
+                                 wanted, dataset.string(), fmt::join(names, ", ")));
+  }
+  return fmt::format("machines[{}].rig={}", found - names.begin(),
+                     fs::absolute(rig.file).lexically_normal().string());
+}
+
+/// What really happened does not depend on who measures it.
+void TakeOverTruth(const fs::path& dataset, const Scenario& scenario, DatasetWriter* writer) {
+  for (const ChannelInfo& info : TruthChannels(scenario)) {
+    writer->AddWholeTable(info, dataset / info.path);
+  }
+  std::error_code ignored;
+  if (!fs::is_directory(dataset / kTerrainFolder, ignored)) return;
+  for (const fs::directory_entry& entry : fs::directory_iterator(dataset / kTerrainFolder)) {
+    const fs::path file = fs::path(kTerrainFolder) / entry.path().filename();
+    WriteWholeFile(writer->PathFor(file.string()), ReadWholeFile(entry.path()));
+  }
+}
+
+/// Measures the whole run.
+void Measure(const Scenario& scenario, const SceneAssembly& assembly,
+             const GenerateOptions& options, StatePlayback* playback, DatasetWriter* writer,
+             GenerateReport* report) {
+  const std::int64_t steps = std::llround(scenario.duration_s * scenario.physics_rate_hz);
+  const std::int64_t steps_per_report =
+      std::max<std::int64_t>(1, std::llround(scenario.physics_rate_hz / 5));
+  Rig rig(scenario, assembly, options.egl, options.threads, writer);
+  rig.SampleStart(playback->state(), playback->ground());
+  for (std::int64_t step = 1; playback->Step(); ++step) {
+    if (step > steps) {
+      rig.Finish(playback->last_step());
+      continue;
+    }
+    rig.Sample(playback->last_step());
+    if (options.progress && step % steps_per_report == 0) {
+      options.progress(
+          {ToSeconds(playback->state().t_ns), scenario.duration_s, writer->frames_written()});
+    }
+  }
+  report->camera_s = rig.camera_wall_s();
+  report->lidar_s = rig.lidar_wall_s();
+}
+
+}  // namespace
+
+GenerateReport Resense(const fs::path& dataset, const ResenseRig& rig,
+                       const std::vector<std::string>& moved, const GenerateOptions& options) {
+  GenerateReport report;
+  {
+    const Stopwatch watch(&report.wall_s);
+    RequireState(dataset);
+    const LoadedScenario loaded =
+        LoadRecordedScenario(dataset, {RigOverride(dataset, rig, moved)}, moved);
+    const Scenario& scenario = loaded.scenario;
+    const SceneAssembly assembly(scenario);
+    StatePlayback playback(scenario, ReadWholeFile(dataset / "scenario.yaml"),
+                           dataset / kStateFile);
+    const DatasetInfo info = InfoOf(scenario, loaded.resolved_yaml, assembly.model());
+    if (options.resume && DatasetWriter::FinishWhole(options.out, info)) return {};
+    DatasetWriter writer(options.out, info, {.threads = options.threads, .resume = options.resume});
+    try {
+      TakeOverTruth(dataset, scenario, &writer);
+      Measure(scenario, assembly, options, &playback, &writer, &report);
+      writer.Finish();
+    } catch (const InputError&) {
+      if (!writer.resumed()) writer.Discard();
+      throw;
+    }
+    report.simulated_s = scenario.duration_s;
+    report.frames = writer.frames_written();
+    report.bytes = writer.bytes_written();
+  }
+  return report;
+}
+
+}  // namespace tera

@@ -1,0 +1,39 @@
+#include "layout/sight/hull.h"
+
+#include <algorithm>
+
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+constexpr double kHeights_m[] = {0.2, 0.5, 0.8, 1.1, 1.4, 1.7};
+constexpr double kFarthest_m = 20;  ///< of a machine's parts from its middle
+
+bool IsHull(SemanticClass label) {
+  return label == SemanticClass::kUndercarriage || label == SemanticClass::kUpperStructure ||
+         label == SemanticClass::kTrack || label == SemanticClass::kBlade;
+}
+
+}  // namespace
+
+std::vector<double> HullRadii_m(const Pose& X_WH, std::size_t machine, int sectors,
+                                const Sighting& sighting) {
+  const std::vector<bool> is_hull = sighting.InstancesOf(machine, IsHull);
+  std::vector<double> radii_m;
+  for (int sector = 0; sector < sectors; ++sector) {
+    const Mat3 turn(Eigen::AngleAxisd(2 * kPi * sector / sectors, Vec3::UnitZ()));
+    double farthest_m = 0;
+    for (const double height_m : kHeights_m) {
+      const Vec3 middle_W_m = X_WH * Vec3(0, 0, height_m);
+      const Vec3 out_W_m = X_WH.linear() * turn.col(0);
+      const double to_m =
+          sighting.NearestOf(is_hull, middle_W_m + kFarthest_m * out_W_m, -out_W_m, kFarthest_m);
+      farthest_m = std::max(farthest_m, kFarthest_m - to_m);
+    }
+    radii_m.push_back(farthest_m);
+  }
+  return radii_m;
+}
+
+}  // namespace tera

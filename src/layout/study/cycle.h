@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/types/terrain_surface.h"
+#include "sim/scenario/load_scenario.h"
+#include "sim/world_state.h"
+
+namespace tera {
+
+/// A work cycle that layouts are looked at over: a dataset whose state was kept, or a scenario,
+/// which is then simulated.
+///
+/// Throws InputError where it is neither, and as the reading of either does.
+class Cycle {
+ public:
+  /// `moved` as LoadRecordedScenario takes them.
+  Cycle(const std::filesystem::path& dataset_or_scenario, std::vector<std::string> moved);
+
+  const Scenario& scenario() const { return loaded_.scenario; }
+  /// The scenario with `file` as the rig of its machine number `machine`.
+  Scenario WithRig(std::size_t machine, const std::filesystem::path& file) const;
+
+  using Visit = std::function<void(const Instant&, const TerrainSurface&)>;
+  /// Visits the world at the start and after every step of the physics, to the end.
+  void ForEachStep(const Visit& visit) const;
+  /// Visits it at times as near to multiples of 1 / `rate_hz` as steps come.
+  void ForEachMoment(double rate_hz, const Visit& visit) const;
+
+ private:
+  bool is_dataset() const { return !dataset_.empty(); }
+
+  std::filesystem::path scenario_file_, dataset_;
+  std::vector<std::string> moved_;
+  LoadedScenario loaded_;
+};
+
+}  // namespace tera

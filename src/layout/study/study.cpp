@@ -1,0 +1,89 @@
+#include "layout/study/study.h"
+
+#include <set>
+
+namespace tera {
+namespace {
+
+constexpr double kMostPoints = 1e6;
+constexpr double kFarthest_m = 200;
+constexpr double kMostRate_hz = 100;
+
+/// Breadth and height of a standing man of the 50th percentile, rounded; crouching and lying are
+/// the same body folded and turned.
+std::vector<Posture> CommonPostures() {
+  return {{"standing", Vec3(0.30, 0.50, 1.75)},
+          {"crouching", Vec3(0.60, 0.50, 1.00)},
+          {"lying", Vec3(0.50, 1.75, 0.30)}};
+}
+
+SeenFrom ReadSeen(const ConfigMap& config) {
+  SeenFrom seen;
+  seen.lidar_points_per_m2 =
+      config.Number("lidar_points_per_m2", AtLeast(0, "points/m^2"), seen.lidar_points_per_m2);
+  seen.camera_px_per_m = config.Number("camera_px_per_m", AtLeast(0, "px/m"), seen.camera_px_per_m);
+  seen.reflectance = config.Number("reflectance", Between(0.01, 1, ""), seen.reflectance);
+  return seen;
+}
+
+PersonStudy ReadPerson(const ConfigMap& config) {
+  PersonStudy person;
+  for (const ConfigMap& item : config.List("postures")) {
+    person.postures.push_back({item.Text("name"), item.Vector3("size_m", Between(0.05, 5, "m"))});
+  }
+  if (person.postures.empty()) person.postures = CommonPostures();
+  person.lidar_points = config.Number("lidar_points", Positive("points"), person.lidar_points);
+  person.camera_px = config.Number("camera_px", Positive("px"), person.camera_px);
+  person.farthest_m = config.Number("farthest_m", Between(2, kFarthest_m, "m"), person.farthest_m);
+  return person;
+}
+
+EyeStudy ReadEye(const ConfigMap& config) {
+  EyeStudy eye;
+  eye.link = config.Text("link");
+  eye.p_B_m = config.Vector3("xyz_m", Any("m"));
+  eye.spacing_m = config.Number("spacing_m", Between(0, 1, "m"), eye.spacing_m);
+  eye.circle_m = config.Number("circle_m", Between(1, kFarthest_m, "m"), eye.circle_m);
+  eye.rectangle_m = config.Number("rectangle_m", Between(0, kFarthest_m, "m"), eye.rectangle_m);
+  eye.height_m = config.Number("height_m", Between(0, 5, "m"), eye.height_m);
+  return eye;
+}
+
+LayoutStudy ReadStudy(const ConfigMap& config) {
+  LayoutStudy study;
+  study.machine = config.Text("machine", "");
+  study.upper = config.Text("upper", "");
+  study.rate_hz = config.Number("rate_hz", Between(0.01, kMostRate_hz, "Hz"), study.rate_hz);
+  study.radius_m = config.Number("radius_m", Between(1, kFarthest_m, "m"), study.radius_m);
+  study.height_m = config.Number("height_m", Between(0.1, 50, "m"), study.height_m);
+  study.points =
+      static_cast<int>(config.Integer("points", Between(10, kMostPoints, ""), study.points));
+  study.seed = static_cast<std::uint64_t>(
+      config.Integer("seed", AtLeast(0, ""), static_cast<std::int64_t>(study.seed)));
+  if (config.Has("map_heights_m")) {
+    study.map_heights_m = config.Numbers("map_heights_m", Between(0, 20, "m"), 1, 20);
+  }
+  std::set<std::string> names;
+  for (const ConfigMap& item : config.List("zones")) {
+    study.zones.push_back(ReadZone(item));
+    if (!names.insert(study.zones.back().name).second) {
+      item.Fault("name", "is taken by another zone; give each its own name");
+    }
+  }
+  if (const auto seen = config.OptionalMap("seen")) study.seen = ReadSeen(*seen);
+  if (const auto person = config.OptionalMap("person")) study.person = ReadPerson(*person);
+  if (const auto eye = config.OptionalMap("eye")) study.eye = ReadEye(*eye);
+  if (study.person.postures.empty()) study.person.postures = CommonPostures();
+  return study;
+}
+
+}  // namespace
+
+LayoutStudy LoadStudy(const std::filesystem::path& file) {
+  const Config config = file.empty() ? Config::FromText("{}", "study") : Config::FromFile(file);
+  const LayoutStudy study = ReadStudy(config.root());
+  config.Finish();
+  return study;
+}
+
+}  // namespace tera

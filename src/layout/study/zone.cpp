@@ -1,0 +1,152 @@
+#include "layout/study/zone.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/overloaded.h"
+#include "core/random.h"
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+constexpr double kFarthest_m = 200;  ///< of any length of a zone, beyond every sensor's use
+
+ZonePrism ReadPrism(const ConfigMap& config) {
+  ZonePrism prism;
+  for (const std::vector<double>& row : config.NumberRows("xy_m", Any("m"), 2, 3)) {
+    prism.corners_m.emplace_back(row[0], row[1]);
+  }
+  prism.low_m = config.Number("low_m", Any("m"), prism.low_m);
+  prism.high_m = config.Number("high_m", Any("m"));
+  if (prism.high_m <= prism.low_m) config.Fault("high_m", "need it above low_m");
+  return prism;
+}
+
+/// Even-odd rule.
+bool Contains(const std::vector<Vec2>& corners, const Vec2& p) {
+  bool inside = false;
+  for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
+    const Vec2 &a = corners[i], &b = corners[j];
+    if ((a.y() > p.y()) != (b.y() > p.y()) &&
+        p.x() < (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()) + a.x()) {
+      inside = !inside;
+    }
+  }
+  return inside;
+}
+
+double Area_m2(const std::vector<Vec2>& corners) {
+  double twice = 0;
+  for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
+    twice += corners[j].x() * corners[i].y() - corners[i].x() * corners[j].y();
+  }
+  return 0.5 * std::abs(twice);
+}
+
+/// The box around a shape, in Z.
+struct Bounds {
+  Vec3 low_m, high_m;
+};
+
+Bounds BoundsOf(const Zone& zone) {
+  return std::visit(Overloaded{[](const ZoneBox& box) {
+                                 return Bounds{-0.5 * box.size_m, 0.5 * box.size_m};
+                               },
+                               [](const ZoneCylinder& c) {
+                                 return Bounds{Vec3(-c.radius_m, -c.radius_m, 0),
+                                               Vec3(c.radius_m, c.radius_m, c.height_m)};
+                               },
+                               [](const ZonePrism& prism) {
+                                 Bounds bounds{Vec3(0, 0, prism.low_m), Vec3(0, 0, prism.high_m)};
+                                 bounds.low_m.head<2>() = bounds.high_m.head<2>() =
+                                     prism.corners_m.front();
+                                 for (const Vec2& p : prism.corners_m) {
+                                   bounds.low_m.head<2>() = bounds.low_m.head<2>().cwiseMin(p);
+                                   bounds.high_m.head<2>() = bounds.high_m.head<2>().cwiseMax(p);
+                                 }
+                                 return bounds;
+                               }},
+                    zone.shape);
+}
+
+bool IsInside(const Zone& zone, const Vec3& p_Z_m) {
+  return std::visit(Overloaded{[](const ZoneBox&) { return true; },
+                               [&](const ZoneCylinder& c) {
+                                 return p_Z_m.head<2>().squaredNorm() <= c.radius_m * c.radius_m;
+                               },
+                               [&](const ZonePrism& prism) {
+                                 return Contains(prism.corners_m, p_Z_m.head<2>());
+                               }},
+                    zone.shape);
+}
+
+}  // namespace
+
+Zone ReadZone(const ConfigMap& config) {
+  Zone zone;
+  zone.name = config.Text("name");
+  zone.frame = config.Text("frame", zone.frame);
+  zone.level = config.Boolean("level", zone.level);
+  zone.X_FZ = config.PoseXyzRpy();
+  const Range length{.min = 0, .max = kFarthest_m, .min_excluded = true, .unit = "m"};
+  const int shapes = config.Has("box_m") + config.Has("cylinder") + config.Has("prism");
+  if (shapes != 1) {
+    config.Fault("",
+                 "needs one shape: box_m: [LENGTH, WIDTH, HEIGHT], "
+                 "cylinder: {radius_m, height_m} or prism: {xy_m, low_m, high_m}");
+    return zone;
+  }
+  if (config.Has("box_m")) {
+    zone.shape = ZoneBox{config.Vector3("box_m", length)};
+  } else if (const auto cylinder = config.OptionalMap("cylinder")) {
+    zone.shape =
+        ZoneCylinder{cylinder->Number("radius_m", length), cylinder->Number("height_m", length)};
+  } else {
+    zone.shape = ReadPrism(config.Map("prism"));
+    if (std::get<ZonePrism>(zone.shape).corners_m.empty()) zone.shape = ZoneBox{};
+  }
+  return zone;
+}
+
+double Volume_m3(const Zone& zone) {
+  return std::visit(
+      Overloaded{[](const ZoneBox& box) { return box.size_m.prod(); },
+                 [](const ZoneCylinder& c) { return kPi * c.radius_m * c.radius_m * c.height_m; },
+                 [](const ZonePrism& prism) {
+                   return Area_m2(prism.corners_m) * (prism.high_m - prism.low_m);
+                 }},
+      zone.shape);
+}
+
+std::vector<Vec3> PointsIn(const Zone& zone, int count, std::uint64_t seed) {
+  const Bounds bounds = BoundsOf(zone);
+  const Vec3 extent_m = bounds.high_m - bounds.low_m;
+  const double edge_m = std::cbrt(Volume_m3(zone) / count);
+  Eigen::Array3i cells;
+  for (int a = 0; a < 3; ++a) {
+    cells[a] = std::max(1, static_cast<int>(std::lround(extent_m[a] / edge_m)));
+  }
+  const Stream stream(seed, "layout/zone/" + zone.name);
+  std::vector<Vec3> points;
+  std::uint64_t index = 0;
+  for (int i = 0; i < cells[0]; ++i) {
+    for (int j = 0; j < cells[1]; ++j) {
+      for (int k = 0; k < cells[2]; ++k, ++index) {
+        const Vec3 within(stream.Uniform(index, 0), stream.Uniform(index, 1),
+                          stream.Uniform(index, 2));
+        const Vec3 share = (Vec3(i, j, k) + within).cwiseQuotient(cells.matrix().cast<double>());
+        const Vec3 p_m = bounds.low_m + share.cwiseProduct(extent_m);
+        if (IsInside(zone, p_m)) points.push_back(p_m);
+      }
+    }
+  }
+  return points;
+}
+
+Pose Levelled(const Pose& X_WB) {
+  const Vec3 x_W = X_WB.linear().col(0);
+  return MakePose(X_WB.translation(), 0, 0, std::atan2(x_W.y(), x_W.x()));
+}
+
+}  // namespace tera

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/config/config.h"
+#include "core/motion.h"
+
+namespace tera {
+
+/// A box about the origin of its zone's pose.
+struct ZoneBox {
+  Vec3 size_m = Vec3::Ones();
+};
+
+/// An upright cylinder that stands on the origin of its zone's pose.
+struct ZoneCylinder {
+  double radius_m = 1, height_m = 1;
+};
+
+/// A prism over a polygon in x and y, corners in order, between two heights.
+struct ZonePrism {
+  std::vector<Vec2> corners_m;
+  double low_m = 0, high_m = 1;
+};
+
+/// A part of space of which is asked how much of it sensors see.
+///
+/// Frames  F the zone's frame: W, or that of a link of the machine, levelled where `level` says so:
+///         then F has the link's place and heading and stands upright. Z the shape's own, at X_FZ.
+struct Zone {
+  std::string name;
+  std::string frame = "W";  ///< "W" or a link's name
+  bool level = true;
+  Pose X_FZ = Pose::Identity();
+  std::variant<ZoneBox, ZoneCylinder, ZonePrism> shape = ZoneBox{};
+};
+
+/// Reads a zone. Faults go to `config`, those of the link's name to whoever knows the machine.
+Zone ReadZone(const ConfigMap& config);
+
+double Volume_m3(const Zone& zone);
+/// Some `count` points in Z, one at random in each of as many cells of equal volume, or more where
+/// cells lie across the shape's border: the error of a share counted over them falls faster than
+/// with points that are wholly at random. The same for the same seed.
+std::vector<Vec3> PointsIn(const Zone& zone, int count, std::uint64_t seed);
+
+/// The pose of a link as the frame of a zone that stands upright: its place and its heading, the
+/// direction of its x axis from above.
+Pose Levelled(const Pose& X_WB);
+
+}  // namespace tera

@@ -1,0 +1,55 @@
+#include "sensors/camera/camera_view.h"
+
+#include <cmath>
+
+namespace tera {
+namespace {
+
+/// From a pixel's centre to its border: pixel (0, 0) is centred at (0, 0).
+constexpr double kHalf_px = 0.5;
+constexpr double kColour_bytes = 3, kDepth_bytes = 2;  ///< of a pixel
+
+/// Pixels per steradian along `d_C`.
+double PerSteradian(const CameraIntrinsics& lens, const Vec3& d_C) {
+  if (d_C.z() <= 0 || d_C.head<2>().norm() > CameraIntrinsics::kWidestTangent * d_C.z()) return 0;
+  const Vec3 d1_C = d_C / d_C.z();
+  const Vec2 pixel_px = lens.Project(d1_C);
+  if (pixel_px.x() < -kHalf_px || pixel_px.y() < -kHalf_px ||
+      pixel_px.x() > lens.width_px - kHalf_px || pixel_px.y() > lens.height_px - kHalf_px) {
+    return 0;
+  }
+  if (lens.Distorted()) {
+    // A lens folds directions far outside onto the picture; the pixel's own ray is another then.
+    constexpr double kSame = 1e-6;
+    const std::optional<Vec3> ray_C = lens.RayOf(pixel_px);
+    if (!ray_C || (*ray_C / ray_C->z() - d1_C).norm() > kSame) return 0;
+  }
+  constexpr double kStep = 1e-4;  // of the plane z = 1, by which the picture's area is measured
+  const Vec2 dx_px = lens.Project(d1_C + Vec3(kStep, 0, 0)) - pixel_px;
+  const Vec2 dy_px = lens.Project(d1_C + Vec3(0, kStep, 0)) - pixel_px;
+  const double per_plane =
+      std::abs(dx_px.x() * dy_px.y() - dx_px.y() * dy_px.x()) / (kStep * kStep);
+  return per_plane * std::pow(d1_C.norm(), 3);  // a plane's area per steradian is r^3 / z
+}
+
+}  // namespace
+
+ViewField ViewOf(const CameraModel& model, double rate_hz) {
+  ViewField view;
+  view.samples = ViewField::Samples::kPixels;
+  const CameraIntrinsics lens = model.intrinsics;
+  const Mat3 R_CS = OpticalInSensor().linear().transpose();
+  view.per_steradian = [lens, R_CS](const Vec3& d_S) { return PerSteradian(lens, R_CS * d_S); };
+  view.ranges = model.depth;
+  view.min_range_m = model.depth ? model.depth_min_m : lens.near_m;
+  view.max_range_m = model.depth ? model.depth_max_m : lens.far_m;
+  view.reach_m = [lens](double) { return lens.far_m; };
+  view.range_sigma_m = [model, lens](double range_m) {
+    return range_m * range_m * model.disparity_noise_px / (lens.fx_px * model.baseline_m);
+  };
+  view.bytes_per_sample = model.rgb * kColour_bytes + model.depth * kDepth_bytes;
+  view.samples_per_s = rate_hz * lens.width_px * lens.height_px;
+  return view;
+}
+
+}  // namespace tera

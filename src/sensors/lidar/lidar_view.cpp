@@ -1,0 +1,55 @@
+#include "sensors/lidar/lidar_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+/// Reflectance of the target for which data sheets state a range.
+constexpr double kDarkTarget = 0.1;
+constexpr double kPoint_bytes = 16;  ///< coordinates and intensity in single precision
+
+/// Where neighbouring beams share the sphere between them: half way between elevations; at both
+/// ends as far again as on the inner side. A single beam has no width: nothing is between it.
+std::vector<double> Borders(const std::vector<double>& sorted) {
+  std::vector<double> borders;
+  if (sorted.size() < 2) return borders;
+  borders.push_back(sorted[0] - 0.5 * (sorted[1] - sorted[0]));
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    borders.push_back(0.5 * (sorted[i - 1] + sorted[i]));
+  }
+  borders.push_back(sorted.back() + 0.5 * (sorted.back() - sorted[sorted.size() - 2]));
+  return borders;
+}
+
+}  // namespace
+
+ViewField ViewOf(const LidarModel& model, double rate_hz) {
+  std::vector<double> elevation_rad = model.elevation_rad;
+  std::sort(elevation_rad.begin(), elevation_rad.end());
+  const std::vector<double> borders_rad = Borders(elevation_rad);
+  const double column_rad = 2 * kPi / model.columns;
+  ViewField view;
+  view.per_steradian = [borders_rad, column_rad](const Vec3& d_S) {
+    const double at_rad = std::asin(std::clamp(d_S.z(), -1.0, 1.0));
+    const auto above = std::upper_bound(borders_rad.begin(), borders_rad.end(), at_rad);
+    if (above == borders_rad.begin() || above == borders_rad.end()) return 0.0;
+    return 1.0 / (column_rad * (std::sin(*above) - std::sin(*(above - 1))));
+  };
+  view.reach_m = [model](double returned) {
+    if (model.range_at_10_percent_m <= 0) return model.max_range_m;
+    const double power_m = model.range_at_10_percent_m * std::sqrt(returned / kDarkTarget);
+    return std::min(model.max_range_m, power_m);
+  };
+  view.min_range_m = model.min_range_m;
+  view.max_range_m = model.max_range_m;
+  view.range_sigma_m = [model](double) { return model.range_noise_m; };
+  view.bytes_per_sample = kPoint_bytes;
+  view.samples_per_s = rate_hz * static_cast<double>(elevation_rad.size()) * model.columns;
+  return view;
+}
+
+}  // namespace tera

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+
+#include "core/motion.h"
+
+namespace tera {
+
+/// What a sensor that sees could see if nothing stood in the way: in which directions, how finely,
+/// how far. For whoever asks where sensors should sit (src/layout).
+///
+/// Frames  S sensor, x forward, y left, z up.
+struct ViewField {
+  enum class Samples { kPoints, kPixels };
+  Samples samples = Samples::kPoints;  ///< what it takes of the world
+  /// Points or pixels of one scan or picture per steradian along the unit vector d_S; 0 where it
+  /// does not look.
+  std::function<double(const Vec3& d_S)> per_steradian;
+  /// Farthest that it sees a surface that returns this share of the light: its diffuse reflectance
+  /// times the cosine of the incidence.
+  std::function<double(double returned)> reach_m;
+  bool ranges = true;  ///< measures where what it sees is
+  double min_range_m = 0, max_range_m = 0;
+  /// Standard deviation of a range that it measures.
+  std::function<double(double range_m)> range_sigma_m;
+  double bytes_per_sample = 0;  ///< as measured, before compression
+  double samples_per_s = 0;
+};
+
+}  // namespace tera
