@@ -15,6 +15,7 @@ void AddCompareCommand(CLI::App* app);
 void AddImportCommand(CLI::App* app);
 void AddImportRigCommand(CLI::App* app);
 void AddOverviewCommand(CLI::App* app);
+void AddLayoutCommand(CLI::App* app);
 void AddProveCommand(CLI::App* app);
 void AddReplayCommand(CLI::App* app);
 void AddResenseCommand(CLI::App* app);

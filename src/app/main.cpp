@@ -26,6 +26,7 @@ int Run(int argc, char** argv) {
   tera::AddDiagnoseCommand(&app);
   tera::AddImportCommand(&app);
   tera::AddImportRigCommand(&app);
+  tera::AddLayoutCommand(&app);
   tera::AddOverviewCommand(&app);
   tera::AddProveCommand(&app);
   tera::AddReplayCommand(&app);

@@ -9,7 +9,9 @@
 #include "core/error.h"
 #include "layout/measures/blind_map.h"
 #include "layout/measures/coverage.h"
+#include "layout/measures/elevation_map.h"
 #include "layout/measures/people.h"
+#include "layout/measures/shovel_view.h"
 
 namespace tera {
 namespace {
@@ -83,18 +85,41 @@ void CheckZones(const LayoutStudy& study, const Scenario& scenario, const Machin
   }
 }
 
+/// The soil in each shovel of a machine, in the scene.
+std::vector<std::uint16_t> SoilInstances(const MachinePlacement& placement,
+                                         const SceneModel& scene) {
+  std::vector<std::uint16_t> instances;
+  for (const Shovel& shovel : placement.model.ground_tools.shovels) {
+    const std::string name = placement.name + "/" + shovel.name + "_soil";
+    const auto found = std::find_if(scene.instances.begin(), scene.instances.end(),
+                                    [&](const SceneInstance& i) { return i.name == name; });
+    const bool is_there = found != scene.instances.end();
+    instances.push_back(is_there ? static_cast<std::uint16_t>(found - scene.instances.begin())
+                                 : std::uint16_t{0});
+  }
+  return instances;
+}
+
 /// All that is measured of one layout.
 struct Measures {
   std::vector<ZoneCoverage> zones;
   std::vector<BlindMap> maps;
   std::vector<PersonRange> people;
+  std::vector<ShovelView> shovels;
+  ElevationMap elevation;
 
-  explicit Measures(const LayoutStudy& study, const MachineModel& model) {
+  Measures(const LayoutStudy& study, const MachinePlacement& placement, const SceneModel& scene)
+      : elevation(study.elevation) {
+    const MachineModel& model = placement.model;
     zones.emplace_back(AroundMachine(study, model), study.points, study.seed);
     for (const Zone& zone : study.zones) zones.emplace_back(zone, study.points, study.seed);
     for (const double height_m : study.map_heights_m) maps.emplace_back(height_m);
     for (const Posture& posture : study.person.postures) {
       people.emplace_back(posture, study.person, study.seen.reflectance);
+    }
+    const std::vector<std::uint16_t> soil = SoilInstances(placement, scene);
+    for (std::size_t s = 0; s < soil.size(); ++s) {
+      shovels.emplace_back(model.ground_tools.shovels[s], soil[s]);
     }
   }
 };
@@ -123,7 +148,7 @@ void Append(std::vector<Figure> more, std::vector<Figure>* figures) {
 LayoutReport ReportOf(const Layout& layout, const Measures& measures, std::vector<double> t_s) {
   LayoutReport report;
   report.name = layout.name;
-  report.file = layout.file;
+  report.file = layout.file.string();
   for (const Viewer& viewer : layout.viewers) report.viewers.push_back(viewer.name);
   report.expense = ExpenseOf(layout);
   report.t_s = std::move(t_s);
@@ -136,8 +161,36 @@ LayoutReport ReportOf(const Layout& layout, const Measures& measures, std::vecto
     Append(map.Figures(), &report.figures);
     report.maps.push_back(SeenMap(map));
   }
-  for (const PersonRange& person : measures.people) Append(person.Figures(), &report.figures);
+  for (const PersonRange& person : measures.people) {
+    Append(person.Figures(), &report.figures);
+    report.curves.push_back(person.Curve());
+  }
+  for (const ShovelView& shovel : measures.shovels) Append(shovel.Figures(), &report.figures);
+  Append(measures.elevation.Figures(), &report.figures);
   return report;
+}
+
+/// A moment of the cycle, as it is looked at.
+struct Moment {
+  const MachineModel& model;
+  const MachineState& machine;
+  const Pose X_WH;
+  const Sighting& sighting;
+  const TerrainSurface& ground;
+};
+
+void AddMoment(const LayoutStudy& study, const StudiedMachine& studied, const Moment& moment,
+               const Layout& layout, Measures* measures) {
+  const auto& [model, machine, X_WH, sighting, ground] = moment;
+  for (ZoneCoverage& zone : measures->zones) {
+    zone.Add(FrameOf(zone.zone(), model, machine), layout, study.seen, sighting, ground);
+  }
+  for (BlindMap& map : measures->maps) map.Add(X_WH, layout, study.seen, sighting, ground);
+  for (PersonRange& person : measures->people) {
+    person.Add(X_WH, studied.machine, layout, sighting, ground);
+  }
+  for (ShovelView& shovel : measures->shovels) shovel.Add(machine, layout, sighting);
+  measures->elevation.Add(X_WH, layout, study.seen.reflectance, sighting, ground);
 }
 
 }  // namespace
@@ -146,34 +199,28 @@ std::vector<LayoutReport> Evaluate(const Cycle& cycle, const LayoutStudy& study,
                                    std::vector<Layout> layouts, const EvaluateOptions& options) {
   const Scenario& scenario = cycle.scenario();
   const StudiedMachine studied = FindMachine(study, scenario);
-  const MachineModel& model = scenario.machines[studied.machine].placement.model;
-  CheckZones(study, scenario, model);
+  const MachinePlacement& placement = scenario.machines[studied.machine].placement;
+  CheckZones(study, scenario, placement.model);
   const SceneAssembly assembly(scenario);
   Sighting sighting(scenario, assembly, options.threads);
-  std::vector<Measures> measures(layouts.size(), Measures(study, model));
+  std::vector<Measures> measures(layouts.size(), Measures(study, placement, assembly.model()));
   std::vector<double> t_s;
   cycle.ForEachMoment(study.rate_hz, [&](const Instant& now, const TerrainSurface& ground) {
     t_s.push_back(ToSeconds(now.t_ns));
     if (options.progress) options.progress(t_s.back(), scenario.duration_s);
     sighting.Show(now, ground);
     const MachineState& machine = now.machines[studied.machine];
-    const Pose X_WH = MapFrame(machine, studied.upper, ground);
+    const Moment moment{placement.model, machine, MapFrame(machine, studied.upper, ground),
+                        sighting, ground};
     for (std::size_t l = 0; l < layouts.size(); ++l) {
       MoveViewers(machine, &layouts[l]);
-      for (ZoneCoverage& zone : measures[l].zones) {
-        zone.Add(FrameOf(zone.zone(), model, machine), layouts[l], study.seen, sighting, ground);
-      }
-      for (BlindMap& map : measures[l].maps) {
-        map.Add(X_WH, layouts[l], study.seen, sighting, ground);
-      }
-      for (PersonRange& person : measures[l].people) {
-        person.Add(X_WH, studied.machine, layouts[l], sighting, ground);
-      }
+      AddMoment(study, studied, moment, layouts[l], &measures[l]);
     }
   });
   std::vector<LayoutReport> reports;
   for (std::size_t l = 0; l < layouts.size(); ++l) {
     reports.push_back(ReportOf(layouts[l], measures[l], t_s));
+    reports.back().cycle = cycle.name();
   }
   return reports;
 }

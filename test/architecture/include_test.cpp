@@ -64,6 +64,7 @@ const std::multimap<std::string, std::string> kFolderOfLibrary = {
     {"liblzf/", "dataset"},
     {"nlohmann/", "dataset"},
     {"nlohmann/", "diagnose"},
+    {"nlohmann/", "layout"},
     {"boost/math/", "diagnose"},
     {"ceres/", "diagnose"},
     {"unsupported/Eigen/", "diagnose"},

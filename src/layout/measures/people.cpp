@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "core/units.h"
@@ -166,6 +167,22 @@ std::vector<Figure> PersonRange::Figures() const {
   }
   figures.push_back(std::move(share));
   return figures;
+}
+
+PolarCurve PersonRange::Curve() const {
+  PolarCurve curve{.name = "person/" + posture_.name,
+                   .title = fmt::format("Distance from the machine up to which a {} person is "
+                                        "detected, in m",
+                                        posture_.name),
+                   .most = study_.farthest_m,
+                   .mean = {},
+                   .worst = {}};
+  for (const std::vector<double>& at_m : detected_m_) {
+    const double sum_m = std::accumulate(at_m.begin(), at_m.end(), 0.0);
+    curve.mean.push_back(sum_m / static_cast<double>(at_m.size()));
+    curve.worst.push_back(*std::min_element(at_m.begin(), at_m.end()));
+  }
+  return curve;
 }
 
 }  // namespace tera

@@ -6,6 +6,7 @@
 
 #include "layout/layout.h"
 #include "layout/measures/figure.h"
+#include "layout/measures/polar_map.h"
 #include "layout/study/study.h"
 
 namespace tera {
@@ -38,6 +39,7 @@ class PersonRange {
   /// "person/POSTURE/detected_to_m_ahead", "_left", "_behind", "_right": the least over the
   /// directions of that quarter. "person/POSTURE/detected_within_12m": share of the places tried.
   std::vector<Figure> Figures() const;
+  PolarCurve Curve() const;
 
  private:
   /// Of a surface of hers that is tried as one.

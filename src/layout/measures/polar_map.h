@@ -18,4 +18,13 @@ struct PolarMap {
   std::vector<double> value;  ///< negative where there is none
 };
 
+/// A distance for each direction around a point, to be drawn.
+///
+/// Frames  as PolarMap.
+struct PolarCurve {
+  std::string name, title;
+  double most = 1;                  ///< of the axis
+  std::vector<double> mean, worst;  ///< over a cycle, of each direction
+};
+
 }  // namespace tera

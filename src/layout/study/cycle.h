@@ -20,6 +20,8 @@ class Cycle {
   /// `moved` as LoadRecordedScenario takes them.
   Cycle(const std::filesystem::path& dataset_or_scenario, std::vector<std::string> moved);
 
+  /// Of the dataset's folder or the scenario's file, as it was given.
+  std::string name() const { return (is_dataset() ? dataset_ : scenario_file_).string(); }
   const Scenario& scenario() const { return loaded_.scenario; }
   /// The scenario with `file` as the rig of its machine number `machine`.
   Scenario WithRig(std::size_t machine, const std::filesystem::path& file) const;

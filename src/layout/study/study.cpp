@@ -49,6 +49,18 @@ EyeStudy ReadEye(const ConfigMap& config) {
   return eye;
 }
 
+ElevationStudy ReadElevation(const ConfigMap& config) {
+  const Range place = Between(-kFarthest_m, kFarthest_m, "m");
+  ElevationStudy elevation;
+  elevation.low_H_m = config.Vector2("low_m", place, elevation.low_H_m);
+  elevation.high_H_m = config.Vector2("high_m", place, elevation.high_H_m);
+  elevation.cell_m = config.Number("cell_m", Between(0.02, 10, "m"), elevation.cell_m);
+  if ((elevation.high_H_m.array() <= elevation.low_H_m.array()).any()) {
+    config.Fault("high_m", "need it beyond low_m along x and y");
+  }
+  return elevation;
+}
+
 LayoutStudy ReadStudy(const ConfigMap& config) {
   LayoutStudy study;
   study.machine = config.Text("machine", "");
@@ -72,6 +84,7 @@ LayoutStudy ReadStudy(const ConfigMap& config) {
   }
   if (const auto seen = config.OptionalMap("seen")) study.seen = ReadSeen(*seen);
   if (const auto person = config.OptionalMap("person")) study.person = ReadPerson(*person);
+  if (const auto map = config.OptionalMap("elevation")) study.elevation = ReadElevation(*map);
   if (const auto eye = config.OptionalMap("eye")) study.eye = ReadEye(*eye);
   if (study.person.postures.empty()) study.person.postures = CommonPostures();
   return study;

@@ -42,6 +42,12 @@ struct EyeStudy {
   double height_m = 0;        ///< of both above the ground
 };
 
+/// Part of the ground ahead of which an elevation map is wanted.
+struct ElevationStudy {
+  Vec2 low_H_m = Vec2(2, -2), high_H_m = Vec2(7, 2);  ///< corners, in H as in PolarGrid
+  double cell_m = 0.2;
+};
+
 /// What is asked of sensor layouts.
 struct LayoutStudy {
   std::string machine;     ///< empty: the scenario's first
@@ -55,6 +61,7 @@ struct LayoutStudy {
   std::vector<Zone> zones;
   SeenFrom seen;
   PersonStudy person;
+  ElevationStudy elevation;
   std::optional<EyeStudy> eye;
 };
 

@@ -1,0 +1,141 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/arguments/scenario_options.h"
+#include "app/commands.h"
+#include "app/progress/progress_bar.h"
+#include "core/error.h"
+#include "dataset/files/checked_file.h"
+#include "dataset/files/whole_folder.h"
+#include "layout/compare/comparison_page.h"
+#include "layout/evaluate.h"
+#include "layout/report/report_json.h"
+#include "layout/report/words.h"
+#include "layout/report/write_report.h"
+
+namespace tera {
+namespace fs = std::filesystem;
+namespace {
+
+struct EvaluateArguments {
+  fs::path cycle, study, out;
+  std::vector<fs::path> rigs;
+  std::vector<std::string> moved;
+  bool strict = false;
+  HostOptions host;
+};
+
+void RequireNew(const fs::path& out) {
+  if (!HoldsSomething(out)) return;
+  throw InputError(fmt::format("{}: is not an empty directory; choose another place or delete it",
+                               out.string()));
+}
+
+std::vector<Layout> LoadLayouts(const EvaluateArguments& arguments, const Cycle& cycle,
+                                std::size_t machine) {
+  std::vector<Layout> layouts;
+  std::set<std::string> names;
+  for (const fs::path& rig : arguments.rigs) {
+    layouts.push_back(LoadLayout(rig, cycle, machine));
+    if (!names.insert(layouts.back().name).second) {
+      throw InputError(fmt::format(
+          "{}: another rig is called '{}' too, which its report is named after; rename one",
+          rig.string(), layouts.back().name));
+    }
+  }
+  return layouts;
+}
+
+void RunEvaluate(const EvaluateArguments& arguments) {
+  RequireNew(arguments.out);
+  const LayoutStudy study = LoadStudy(arguments.study);
+  const Cycle cycle(arguments.cycle, arguments.moved);
+  const std::size_t machine = FindMachine(study, cycle.scenario()).machine;
+  std::vector<LayoutReport> reports;
+  {
+    ProgressBar bar;
+    reports = Evaluate(cycle, study, LoadLayouts(arguments, cycle, machine),
+                       {.threads = arguments.host.threads,
+                        .strict = arguments.strict,
+                        .progress = [&](double done_s, double duration_s) {
+                          bar.Show({done_s, duration_s, 0});
+                        }});
+  }
+  WholeFolder folder(arguments.out);
+  for (const LayoutReport& report : reports) {
+    WriteReport(report, folder.temporary() / report.name);
+  }
+  folder.Commit();
+  for (const LayoutReport& report : reports) {
+    for (const std::string& line : Answer(report)) fmt::print("{}: {}\n", report.name, line);
+    for (const std::string& warning : report.warnings) fmt::print("warning: {}\n", warning);
+    fmt::print("report: {}\n", (arguments.out / report.name / "report.html").string());
+  }
+}
+
+struct CompareArguments {
+  std::vector<fs::path> reports;
+  fs::path out;
+};
+
+void RunCompare(const CompareArguments& arguments) {
+  RequireNew(arguments.out);
+  std::vector<LayoutReport> reports;
+  for (const fs::path& report : arguments.reports) reports.push_back(ReadReport(report));
+  WholeFolder folder(arguments.out);
+  WriteWholeFile(folder.temporary() / "comparison.csv", ComparisonCsv(reports));
+  WriteWholeFile(folder.temporary() / "comparison.html", ComparisonPage(reports));
+  folder.Commit();
+  for (const std::string& line : ComparisonWords(reports)) fmt::print("{}\n", line);
+  fmt::print("report: {}\n", (arguments.out / "comparison.html").string());
+}
+
+void AddEvaluate(CLI::App* app) {
+  auto arguments = std::make_shared<EvaluateArguments>();
+  CLI::App* command = app->add_subcommand("evaluate", "What rigs see over a work cycle");
+  command
+      ->add_option("CYCLE", arguments->cycle,
+                   "Dataset of `tera generate --keep-state`, or a scenario, which is simulated")
+      ->required();
+  command->add_option("RIG", arguments->rigs, "Rig files (YAML)")->required();
+  command->add_option("--study", arguments->study,
+                      "What is asked (YAML): zones, heights, people; without it what most ask");
+  command->add_option("--out", arguments->out, "Folder of the reports; new or empty")->required();
+  command->add_flag("--strict", arguments->strict, "A mount inside the machine is an error");
+  command
+      ->add_option("--moved", arguments->moved,
+                   "OLD=NEW: an input that dataset.yaml lists as OLD, or below the folder OLD, is "
+                   "now at NEW; may be repeated")
+      ->take_all();
+  AddHostOptions(command, &arguments->host);
+  command->callback([arguments] { RunEvaluate(*arguments); });
+}
+
+void AddCompare(CLI::App* app) {
+  auto arguments = std::make_shared<CompareArguments>();
+  CLI::App* command = app->add_subcommand("compare", "Each layout against the first");
+  command
+      ->add_option("REPORT", arguments->reports,
+                   "Folders that `tera layout evaluate` wrote, or their layout.json, of one cycle")
+      ->required()
+      ->expected(2, 100);
+  command->add_option("--out", arguments->out, "Folder of the comparison; new or empty")
+      ->required();
+  command->callback([arguments] { RunCompare(*arguments); });
+}
+
+}  // namespace
+
+void AddLayoutCommand(CLI::App* app) {
+  CLI::App* command = app->add_subcommand("layout", "Where should the sensors go?");
+  command->require_subcommand(1);
+  AddEvaluate(command);
+  AddCompare(command);
+}
+
+}  // namespace tera

@@ -1,0 +1,90 @@
+#include "layout/compare/compare_layouts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+#include "core/error.h"
+#include "core/random.h"
+
+namespace tera {
+namespace {
+
+constexpr int kResamples = 2000;
+constexpr double kTail = 0.025;
+constexpr double kTwoSided95 = 1.959964;
+constexpr std::uint64_t kSeed = 1;
+
+/// Means of resampled series, sorted.
+std::vector<double> BlockBootstrap(const std::vector<double>& series, std::size_t block,
+                                   const std::string& name) {
+  const std::size_t n = series.size(), starts = n - block + 1;
+  const Stream stream(kSeed, "layout/compare/" + name);
+  std::vector<double> means;
+  std::uint64_t draw = 0;
+  for (int r = 0; r < kResamples; ++r) {
+    double sum = 0;
+    std::size_t count = 0;
+    while (count < n) {
+      const auto from = std::min(starts - 1, static_cast<std::size_t>(stream.Uniform(draw++) *
+                                                                      static_cast<double>(starts)));
+      for (std::size_t i = 0; i < block && count < n; ++i, ++count) sum += series[from + i];
+    }
+    means.push_back(sum / static_cast<double>(n));
+  }
+  std::sort(means.begin(), means.end());
+  return means;
+}
+
+Difference DifferenceOf(const Figure& first, const Figure& other, std::size_t block) {
+  Difference d{.figure = first.name,
+               .unit = first.unit,
+               .of_first = MeanOf(first),
+               .of_other = MeanOf(other),
+               .more_is_better = first.more_is_better};
+  std::vector<double> series;
+  for (std::size_t m = 0; m < first.at.size(); ++m) series.push_back(other.at[m] - first.at[m]);
+  const std::vector<double> means = BlockBootstrap(series, block, first.name);
+  const double mean = d.of_other - d.of_first;
+  const auto tail = static_cast<std::size_t>(kTail * kResamples);
+  const double sampling = kTwoSided95 * std::hypot(ErrorOf(first), ErrorOf(other));
+  // Layouts that do the same at every moment differ in nothing, whatever places were tried.
+  const bool same = std::all_of(series.begin(), series.end(), [](double x) { return x == 0; });
+  d.low = same ? 0 : mean - std::hypot(mean - means[tail], sampling);
+  d.high = same ? 0 : mean + std::hypot(means[kResamples - 1 - tail] - mean, sampling);
+  return d;
+}
+
+}  // namespace
+
+Difference::Verdict Difference::verdict() const {
+  if (low <= 0 && high >= 0) return Verdict::kUndecided;
+  return (low > 0) == more_is_better ? Verdict::kBetter : Verdict::kWorse;
+}
+
+std::vector<Difference> Compare(const LayoutReport& first, const LayoutReport& other,
+                                double block_s) {
+  if (first.cycle != other.cycle || first.t_s != other.t_s) {
+    throw InputError(fmt::format(
+        "'{}' and '{}' were not looked at over the same moments of one cycle ({} and {}); evaluate "
+        "both over one",
+        first.name, other.name, first.cycle, other.cycle));
+  }
+  const std::size_t n = first.t_s.size();
+  TERA_CHECK(n > 0);
+  const double period_s =
+      n > 1 ? (first.t_s.back() - first.t_s.front()) / static_cast<double>(n - 1) : block_s;
+  const auto block =
+      std::clamp<std::size_t>(static_cast<std::size_t>(std::lround(block_s / period_s)), 1,
+                              std::max<std::size_t>(1, n / 2));
+  std::vector<Difference> differences;
+  for (const Figure& figure : first.figures) {
+    const Figure* same = FindFigure(other, figure.name);
+    if (same) differences.push_back(DifferenceOf(figure, *same, block));
+  }
+  return differences;
+}
+
+}  // namespace tera

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "layout/layout_report.h"
+
+namespace tera {
+
+/// A difference of two layouts in one figure.
+struct Difference {
+  std::string figure, unit;
+  double of_first = 0, of_other = 0;  ///< means over the cycle
+  double low = 0, high = 0;           ///< 95 % interval of the other's mean less the first's
+  bool more_is_better = true;
+
+  enum class Verdict { kBetter, kWorse, kUndecided };
+  /// Of the other: undecided where the interval holds zero.
+  Verdict verdict() const;
+};
+
+/// What `other` does otherwise than `first` over the same moments, in each figure that both have.
+///
+/// Model   the mean of the differences of single moments; its interval by a moving-block bootstrap
+///         over them, blocks of `block_s` because moments that follow each other are alike, widened
+///         by the sampling errors of both, which are taken as independent.
+/// Source  Kuensch 1989, "The jackknife and the bootstrap for general stationary observations",
+///         Annals of Statistics 17(3).
+///
+/// Throws InputError where they are not of the same cycle and the same moments.
+std::vector<Difference> Compare(const LayoutReport& first, const LayoutReport& other,
+                                double block_s = 2.0);
+
+}  // namespace tera

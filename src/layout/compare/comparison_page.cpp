@@ -1,0 +1,217 @@
+#include "layout/compare/comparison_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/units.h"
+#include "layout/compare/compare_layouts.h"
+#include "layout/report/page.h"
+#include "layout/report/polar_drawing.h"
+#include "layout/report/words.h"
+
+namespace tera {
+namespace {
+
+constexpr std::array<const char*, 5> kColours = {"a", "b", "c", "d", "e"};
+constexpr char kUndecided[] = "no difference that this cycle can show";
+
+/// What a reader asks first.
+constexpr std::array<const char*, 7> kMain = {"zone/around/seen_by_1",
+                                              "zone/around/seen_by_2",
+                                              "person/standing/detected_within_12m",
+                                              "person/crouching/detected_within_12m",
+                                              "dig/bucket/edge_seen",
+                                              "dig/bucket/load_seen",
+                                              "elevation/gaps"};
+
+std::string Colour(std::size_t layout) { return kColours[layout % kColours.size()]; }
+
+Figure AsFigure(const Difference& d) { return {d.figure, d.unit, d.more_is_better, {}, {}}; }
+
+std::string VerdictText(const Difference& d) {
+  const double mean = d.of_other - d.of_first;
+  const Figure figure = AsFigure(d);
+  if (d.verdict() == Difference::Verdict::kUndecided) return kUndecided;
+  return fmt::format(
+      "{} by {} ({} to {})", d.verdict() == Difference::Verdict::kBetter ? "better" : "worse",
+      ValueText(figure, std::abs(mean)), ValueText(figure, d.low), ValueText(figure, d.high));
+}
+
+/// How good a layout is in a main figure, 0 to 1.
+double Goodness(const Figure& figure) {
+  const double mean = std::clamp(MeanOf(figure), 0.0, 1.0);
+  return figure.more_is_better ? mean : 1 - mean;
+}
+
+std::string Radar(const std::vector<LayoutReport>& reports) {
+  constexpr double kMiddle_x = 320, kMiddle_y = 210, kRadius = 150;
+  const auto place = [&](std::size_t axis, double share) {
+    const double angle_rad = 2 * kPi * static_cast<double>(axis) / kMain.size();
+    return Vec2(kMiddle_x + kRadius * share * std::sin(angle_rad),
+                kMiddle_y - kRadius * share * std::cos(angle_rad));
+  };
+  std::string svg =
+      "<svg style=\"max-width:44rem\" viewBox=\"0 0 640 420\" role=\"img\" "
+      "aria-label=\"main figures of all layouts\">";
+  for (const double ring : {0.25, 0.5, 0.75, 1.0}) {
+    svg += fmt::format("<circle class=\"grid\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>", kMiddle_x,
+                       kMiddle_y, kRadius * ring);
+  }
+  constexpr std::array<const char*, kMain.size()> kShort = {
+      "space seen",   "seen by two", "standing person", "crouching person",
+      "cutting edge", "load",        "map without gaps"};
+  for (std::size_t axis = 0; axis < kMain.size(); ++axis) {
+    const Vec2 end = place(axis, 1.0), text = place(axis, 1.12);
+    const char* anchor = std::abs(text.x() - kMiddle_x) < 30 ? "middle"
+                         : text.x() > kMiddle_x              ? "start"
+                                                             : "end";
+    svg += fmt::format(
+        "<path class=\"grid\" d=\"M{} {}L{:.1f} {:.1f}\"/><text text-anchor=\"{}\" "
+        "x=\"{:.1f}\" y=\"{:.1f}\">{}</text>",
+        kMiddle_x, kMiddle_y, end.x(), end.y(), anchor, text.x(), text.y() + 4, kShort[axis]);
+  }
+  for (std::size_t l = 0; l < reports.size(); ++l) {
+    std::string points;
+    for (std::size_t axis = 0; axis < kMain.size(); ++axis) {
+      const Figure* figure = FindFigure(reports[l], kMain[axis]);
+      const Vec2 p = place(axis, figure ? Goodness(*figure) : 0.0);
+      points += fmt::format("{:.1f},{:.1f} ", p.x(), p.y());
+    }
+    svg += fmt::format(
+        "<polygon class=\"area {0}\" points=\"{1}\"/>"
+        "<polygon class=\"outline {0}\" points=\"{1}\"/>",
+        Colour(l), points);
+  }
+  return svg + "</svg>\n";
+}
+
+std::string Key(const std::vector<LayoutReport>& reports) {
+  std::string html = "<p>";
+  for (std::size_t l = 0; l < reports.size(); ++l) {
+    html += fmt::format("<span class=\"key {}\"></span>{}", Colour(l), Escape(reports[l].name));
+  }
+  return html + "</p>\n";
+}
+
+/// The other's share less the first's, -1 to 1; nothing where either has none.
+PolarMap DifferenceOf(const PolarMap& first, const PolarMap& other) {
+  PolarMap map = other;
+  map.low = 0;
+  map.high = 2;  // so that no difference is in the middle of the colours, and nothing is negative
+  for (std::size_t i = 0; i < map.value.size(); ++i) {
+    const bool known = first.value[i] >= 0 && other.value[i] >= 0;
+    map.value[i] = known ? 1 + other.value[i] - first.value[i] : -1;
+  }
+  return map;
+}
+
+std::string Maps(const std::vector<LayoutReport>& reports) {
+  std::string html = "<h2>What is seen around the machine</h2>\n" + MapLegend() +
+                     "<p class=\"soft\">Differences: blue where the other sees more often than the "
+                     "first, red where it sees less often.</p>\n";
+  const LayoutReport& first = reports.front();
+  for (const PolarMap& map : first.maps) {
+    html += fmt::format("<h3>{}</h3>\n<div class=\"figures\">\n", Escape(map.title));
+    for (const LayoutReport& report : reports) {
+      for (const PolarMap& of : report.maps) {
+        if (of.name != map.name || of.value.size() != map.value.size()) continue;
+        html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", MapSvg(of),
+                            Escape(report.name));
+        if (&report == &first) continue;
+        html += fmt::format("<figure>{}<figcaption>{} against {}</figcaption></figure>\n",
+                            MapSvg(DifferenceOf(map, of)), Escape(report.name), Escape(first.name));
+      }
+    }
+    html += "</div>\n";
+  }
+  return html;
+}
+
+std::string Curves(const std::vector<LayoutReport>& reports) {
+  std::string html = "<h2>From where a person is detected</h2>\n" + Key(reports) +
+                     "<p class=\"soft\">Line: mean over the cycle; filled: at the worst moment of "
+                     "each direction.</p>\n<div class=\"figures\">\n";
+  for (const PolarCurve& curve : reports.front().curves) {
+    std::vector<PolarCurve> curves;
+    std::vector<std::string> colours;
+    for (std::size_t l = 0; l < reports.size(); ++l) {
+      for (const PolarCurve& of : reports[l].curves) {
+        if (of.name != curve.name) continue;
+        curves.push_back(of);
+        colours.push_back(Colour(l));
+      }
+    }
+    html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n",
+                        CurvesSvg(curve.title, curve.most, curves, colours), Escape(curve.title));
+  }
+  return html + "</div>\n";
+}
+
+std::string Table(const LayoutReport& first, const LayoutReport& other) {
+  std::string html = fmt::format(
+      "<h2>{0} against {1}</h2>\n<div class=\"wide\"><table><tr><th>Figure</th>"
+      "<th class=\"r\">{1}</th><th class=\"r\">{0}</th><th>{0} is</th></tr>\n",
+      Escape(other.name), Escape(first.name));
+  for (const Difference& d : Compare(first, other)) {
+    const Figure figure = AsFigure(d);
+    const bool better = d.verdict() == Difference::Verdict::kBetter;
+    const bool worse = d.verdict() == Difference::Verdict::kWorse;
+    html += fmt::format(
+        "<tr class=\"{}\"><td>{}</td><td class=\"r\">{}</td><td class=\"r\">{}</td>"
+        "<td>{}</td></tr>\n",
+        better  ? "better"
+        : worse ? "worse"
+                : "same",
+        Escape(Describe(figure)), ValueText(figure, d.of_first), ValueText(figure, d.of_other),
+        VerdictText(d));
+  }
+  return html + "</table></div>\n";
+}
+
+}  // namespace
+
+std::vector<std::string> ComparisonWords(const std::vector<LayoutReport>& reports) {
+  std::vector<std::string> words;
+  for (std::size_t l = 1; l < reports.size(); ++l) {
+    const std::vector<Difference> differences = Compare(reports.front(), reports[l]);
+    for (const char* name : kMain) {
+      const auto found = std::find_if(differences.begin(), differences.end(),
+                                      [&](const Difference& d) { return d.figure == name; });
+      if (found == differences.end()) continue;
+      words.push_back(fmt::format("{} against {}, {}: {}.", reports[l].name, reports.front().name,
+                                  Describe(AsFigure(*found)), VerdictText(*found)));
+    }
+  }
+  return words;
+}
+
+std::string ComparisonCsv(const std::vector<LayoutReport>& reports) {
+  std::string csv = "layout,against,figure,unit,mean,mean_of_other,low,high,verdict\n";
+  for (std::size_t l = 1; l < reports.size(); ++l) {
+    for (const Difference& d : Compare(reports.front(), reports[l])) {
+      constexpr std::array<const char*, 3> kVerdicts = {"better", "worse", "undecided"};
+      csv += fmt::format("{},{},{},{},{:.9g},{:.9g},{:.9g},{:.9g},{}\n", reports[l].name,
+                         reports.front().name, d.figure, d.unit, d.of_other, d.of_first, d.low,
+                         d.high, kVerdicts[static_cast<std::size_t>(d.verdict())]);
+    }
+  }
+  return csv;
+}
+
+std::string ComparisonPage(const std::vector<LayoutReport>& reports) {
+  std::string html = PageBegin("Sensor layouts compared") + "<h1>Which layout sees more?</h1>\n";
+  for (const std::string& line : ComparisonWords(reports)) {
+    html += fmt::format("<p>{}</p>\n", Escape(line));
+  }
+  html +=
+      "<p class=\"soft\">Intervals are of 95 %, by a block bootstrap over the moments of the "
+      "cycle and by the places that were tried.</p>\n";
+  html += Key(reports) + Radar(reports) + Maps(reports) + Curves(reports);
+  for (std::size_t l = 1; l < reports.size(); ++l) html += Table(reports.front(), reports[l]);
+  return html + PageEnd();
+}
+
+}  // namespace tera

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "layout/layout_report.h"
+
+namespace tera {
+
+/// A page on which each of the others is held against the first: words first, then a radar chart of
+/// the main figures, blind maps side by side with their difference, people, all figures. Throws
+/// InputError as Compare does.
+std::string ComparisonPage(const std::vector<LayoutReport>& reports);
+/// The table of all figures and differences as CSV.
+std::string ComparisonCsv(const std::vector<LayoutReport>& reports);
+/// The words alone, for a terminal.
+std::vector<std::string> ComparisonWords(const std::vector<LayoutReport>& reports);
+
+}  // namespace tera

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "layout/layout.h"
+#include "layout/measures/figure.h"
+#include "layout/measures/polar_map.h"
+
+namespace tera {
+
+/// What is known of one layout over a cycle.
+struct LayoutReport {
+  std::string name, file;
+  std::string cycle;  ///< the dataset or scenario that it was looked at over
+  std::vector<std::string> viewers;
+  Expense expense;
+  std::vector<double> t_s;  ///< of the moments
+  std::vector<Figure> figures;
+  std::vector<PolarMap> maps;
+  std::vector<PolarCurve> curves;
+  /// Of each zone, what keeps its blind places from being seen, and how much pairs of viewers see
+  /// together.
+  std::map<std::string, std::map<std::string, double>> blind_causes, overlaps;
+  std::vector<std::string> warnings;
+};
+
+/// The figure of this name, or null.
+const Figure* FindFigure(const LayoutReport& report, const std::string& name);
+
+}  // namespace tera

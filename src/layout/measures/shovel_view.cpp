@@ -1,0 +1,82 @@
+#include "layout/measures/shovel_view.h"
+
+#include <algorithm>
+
+namespace tera {
+namespace {
+
+constexpr int kAlongEdge = 21, kAcrossMouth = 9;
+
+/// Whether a viewer has the place in its field and range.
+bool HasInView(const Viewer& viewer, const Vec3& p_W_m) {
+  const Vec3 p_S_m = viewer.X_WS.inverse() * p_W_m;
+  const double range_m = p_S_m.norm();
+  if (range_m <= 0 || range_m > viewer.field.reach_m(1)) return false;
+  const bool is_lidar = viewer.field.samples == ViewField::Samples::kPoints;
+  if (is_lidar && range_m < viewer.field.min_range_m) return false;
+  return viewer.field.per_steradian(p_S_m / range_m) > 0;
+}
+
+}  // namespace
+
+ShovelView::ShovelView(const Shovel& shovel, std::uint16_t instance)
+    : name_(shovel.name),
+      link_(shovel.link),
+      carries_(shovel.capacity_m3 > 0),
+      soil_instance_(instance) {
+  const Vec2 edge = shovel.profile_B_m.front(), lip = shovel.profile_B_m.back();
+  for (int i = 0; i < kAlongEdge; ++i) {
+    const double y_m = shovel.width_m * ((i + 0.5) / kAlongEdge - 0.5);
+    edge_B_m_.emplace_back(edge.x(), y_m, edge.y());
+    for (int j = 0; j < kAcrossMouth; ++j) {
+      const Vec2 p = lip + (j + 0.5) / kAcrossMouth * (edge - lip);
+      mouth_B_m_.emplace_back(p.x(), y_m, p.y());
+    }
+  }
+}
+
+double ShovelView::ShareSeen(const std::vector<Vec3>& places_W_m, const Layout& layout,
+                             const Sighting& sighting) const {
+  std::vector<Sighting::Line> lines;
+  std::vector<std::size_t> place;
+  for (const Viewer& viewer : layout.viewers) {
+    for (std::size_t p = 0; p < places_W_m.size(); ++p) {
+      if (!HasInView(viewer, places_W_m[p])) continue;
+      lines.push_back({viewer.X_WS.translation(), places_W_m[p]});
+      place.push_back(p);
+    }
+  }
+  const std::vector<std::optional<Blocked>> blocked = sighting.Try(lines);
+  std::vector<bool> seen(places_W_m.size(), false);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const bool by_soil =
+        blocked[i] && soil_instance_ != 0 && blocked[i]->instance == soil_instance_;
+    if (!blocked[i] || by_soil) seen[place[i]] = true;
+  }
+  return static_cast<double>(std::count(seen.begin(), seen.end(), true)) /
+         static_cast<double>(places_W_m.size());
+}
+
+void ShovelView::Add(const MachineState& machine, const Layout& layout, const Sighting& sighting) {
+  const Pose& X_WB = machine.links[link_].X_WB;
+  const auto in_W = [&](const std::vector<Vec3>& places_B_m) {
+    std::vector<Vec3> places_W_m;
+    for (const Vec3& p_B_m : places_B_m) places_W_m.push_back(X_WB * p_B_m);
+    return places_W_m;
+  };
+  edge_seen_.push_back(ShareSeen(in_W(edge_B_m_), layout, sighting));
+  if (carries_) load_seen_.push_back(ShareSeen(in_W(mouth_B_m_), layout, sighting));
+}
+
+std::vector<Figure> ShovelView::Figures() const {
+  const auto figure = [&](const char* what, const std::vector<double>& at, std::size_t places) {
+    Figure f{"dig/" + name_ + "/" + what, "", true, at, {}};
+    for (const double share : at) f.error.push_back(ShareError(share, places));
+    return f;
+  };
+  std::vector<Figure> figures = {figure("edge_seen", edge_seen_, edge_B_m_.size())};
+  if (carries_) figures.push_back(figure("load_seen", load_seen_, mouth_B_m_.size()));
+  return figures;
+}
+
+}  // namespace tera

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/types/ground_tools.h"
+#include "layout/layout.h"
+#include "layout/measures/figure.h"
+
+namespace tera {
+
+/// How well a layout sees a shovel at work: its cutting edge, and what it carries.
+///
+/// Frames  B the shovel's link.
+/// Model   places along the edge, and over the mouth of the shell at struck level, that any viewer
+///         has in view with nothing in the way but what the shovel itself carries. Nearer than a
+///         lidar's least range it sees nothing; density does not count.
+/// Omits   soil heaped above struck level, and the part of the mouth that is empty.
+class ShovelView {
+ public:
+  /// `instance` is that of the soil in it in the scene, 0 where it carries none.
+  ShovelView(const Shovel& shovel, std::uint16_t instance);
+
+  void Add(const MachineState& machine, const Layout& layout, const Sighting& sighting);
+  /// "dig/SHOVEL/edge_seen" and, of one that carries, "dig/SHOVEL/load_seen": shares.
+  std::vector<Figure> Figures() const;
+
+ private:
+  double ShareSeen(const std::vector<Vec3>& places_W_m, const Layout& layout,
+                   const Sighting& sighting) const;
+
+  std::string name_;
+  int link_;
+  bool carries_;
+  std::uint16_t soil_instance_;
+  std::vector<Vec3> edge_B_m_, mouth_B_m_;
+  std::vector<double> edge_seen_, load_seen_;
+};
+
+}  // namespace tera

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/types/measurement.h"
+#include "layout/measures/polar_map.h"
+
+namespace tera {
+
+/// A map as a picture, ahead up, on white; cells without a value are grey. `size_px` to a side.
+Image<std::uint8_t> DrawMap(const PolarMap& map, int size_px);
+
+/// The same as SVG, with rings every 6 m, directions, and a legend; to stand in a page.
+std::string MapSvg(const PolarMap& map);
+
+/// Curves over the directions as SVG: of each the mean as a line, and the area up to its worst.
+/// `css_classes` one for each.
+std::string CurvesSvg(const std::string& title, double most, const std::vector<PolarCurve>& curves,
+                      const std::vector<std::string>& css_classes);
+
+/// Colour of a value, 0 to 1, in sRGB: from dark red, which is bad, by white to blue.
+std::array<std::uint8_t, 3> ColourOf(double share);
+
+}  // namespace tera

@@ -1,0 +1,128 @@
+#include "layout/report/report_json.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "dataset/files/checked_file.h"
+
+namespace tera {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kFormat = 1;
+constexpr int kIndent = 1;
+
+json FigureJson(const Figure& f) {
+  return {{"name", f.name},
+          {"unit", f.unit},
+          {"more_is_better", f.more_is_better},
+          {"mean", MeanOf(f)},
+          {"worst", WorstOf(f)},
+          {"sampling_error", ErrorOf(f)},
+          {"at", f.at},
+          {"sampling_error_at", f.error}};
+}
+
+Figure ReadFigure(const json& from) {
+  return {from.at("name"), from.at("unit"), from.at("more_is_better"), from.at("at"),
+          from.at("sampling_error_at")};
+}
+
+json MapJson(const PolarMap& m) {
+  return {{"name", m.name},     {"title", m.title}, {"sectors", m.sectors}, {"rings", m.rings},
+          {"ring_m", m.ring_m}, {"low", m.low},     {"high", m.high},       {"value", m.value}};
+}
+
+PolarMap ReadMap(const json& from) {
+  PolarMap map{from.at("name"),   from.at("title"), from.at("sectors"), from.at("rings"),
+               from.at("ring_m"), from.at("low"),   from.at("high"),    from.at("value")};
+  if (map.sectors <= 0 || map.rings <= 0 ||
+      map.value.size() != static_cast<std::size_t>(map.sectors) * map.rings) {
+    throw InputError(fmt::format("map '{}' has not one value for each cell", map.name));
+  }
+  return map;
+}
+
+json CurveJson(const PolarCurve& c) {
+  return {
+      {"name", c.name}, {"title", c.title}, {"most", c.most}, {"mean", c.mean}, {"worst", c.worst}};
+}
+
+PolarCurve ReadCurve(const json& from) {
+  return {from.at("name"), from.at("title"), from.at("most"), from.at("mean"), from.at("worst")};
+}
+
+LayoutReport FromJson(const json& from) {
+  if (from.at("format") != kFormat) {
+    throw InputError(fmt::format("is of format {}, need {}", from.at("format").dump(), kFormat));
+  }
+  LayoutReport report;
+  report.name = from.at("name");
+  report.file = from.at("rig");
+  report.cycle = from.at("cycle");
+  from.at("viewers").get_to(report.viewers);
+  const json& expense = from.at("expense");
+  report.expense = {expense.at("cost"), expense.at("power_w"), expense.at("data_mbyteps")};
+  from.at("t_s").get_to(report.t_s);
+  for (const json& figure : from.at("figures")) report.figures.push_back(ReadFigure(figure));
+  for (const json& map : from.at("maps")) report.maps.push_back(ReadMap(map));
+  for (const json& curve : from.at("curves")) report.curves.push_back(ReadCurve(curve));
+  from.at("blind_causes").get_to(report.blind_causes);
+  from.at("overlaps").get_to(report.overlaps);
+  from.at("warnings").get_to(report.warnings);
+  for (const Figure& figure : report.figures) {
+    if (figure.at.size() == report.t_s.size() && figure.error.size() == report.t_s.size() &&
+        !report.t_s.empty()) {
+      continue;
+    }
+    throw InputError(fmt::format("figure '{}' has not one value for each moment", figure.name));
+  }
+  return report;
+}
+
+}  // namespace
+
+std::string ReportJson(const LayoutReport& report) {
+  json out = {{"format", kFormat},
+              {"name", report.name},
+              {"rig", report.file},
+              {"cycle", report.cycle},
+              {"viewers", report.viewers},
+              {"expense",
+               {{"cost", report.expense.cost},
+                {"power_w", report.expense.power_w},
+                {"data_mbyteps", report.expense.data_mbyteps}}},
+              {"t_s", report.t_s},
+              {"figures", json::array()},
+              {"maps", json::array()},
+              {"curves", json::array()},
+              {"blind_causes", report.blind_causes},
+              {"overlaps", report.overlaps},
+              {"warnings", report.warnings}};
+  for (const Figure& figure : report.figures) out["figures"].push_back(FigureJson(figure));
+  for (const PolarMap& map : report.maps) out["maps"].push_back(MapJson(map));
+  for (const PolarCurve& curve : report.curves) out["curves"].push_back(CurveJson(curve));
+  return out.dump(kIndent) + "\n";
+}
+
+LayoutReport ReadReport(const std::filesystem::path& file_or_folder) {
+  std::error_code ignored;
+  const std::filesystem::path file = std::filesystem::is_directory(file_or_folder, ignored)
+                                         ? file_or_folder / "layout.json"
+                                         : file_or_folder;
+  const std::string text = ReadWholeFile(file);
+  try {
+    return FromJson(json::parse(text));
+  } catch (const json::exception& error) {
+    throw InputError(fmt::format("{}: is no layout.json of `tera layout evaluate` ({})",
+                                 file.string(), error.what()));
+  } catch (const InputError& error) {
+    throw InputError(
+        fmt::format("{}: {}; need what `tera layout evaluate` wrote", file.string(), error.what()));
+  }
+}
+
+}  // namespace tera

@@ -1,0 +1,152 @@
+#include "layout/report/words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tera {
+namespace {
+
+constexpr double kPercent = 100;
+
+/// The parts of a name between slashes.
+std::vector<std::string> Parts(const std::string& name) {
+  std::vector<std::string> parts = {""};
+  for (const char c : name) {
+    if (c == '/') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+std::string Spaced(std::string text) {
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
+std::string ZoneText(const std::string& zone) {
+  return zone == "around" ? "space around the machine" : "zone '" + Spaced(zone) + "'";
+}
+
+std::string DescribeZone(const std::vector<std::string>& parts) {
+  const std::string& what = parts[2];
+  if (what == "blind_m3") return ZoneText(parts[1]) + ": volume that no sensor sees";
+  const char least = what.back();
+  return fmt::format("{} seen by {} or more sensors", ZoneText(parts[1]), least);
+}
+
+std::string DescribePerson(const std::vector<std::string>& parts) {
+  const std::string person = "a " + Spaced(parts[1]) + " person ";
+  if (parts[2] == "detected_within_12m") {
+    return person + "is detected: share of the places up to 12 m from the machine";
+  }
+  const std::string where = parts[2].substr(parts[2].rfind('_') + 1);
+  return person + "is detected up to this distance from the machine, " + where;
+}
+
+/// The cause with the greatest share, and the next one where it has a tenth or more.
+std::string MainCauses(const std::map<std::string, double>& causes) {
+  std::vector<std::pair<double, std::string>> by_share;
+  for (const auto& [name, share] : causes) by_share.emplace_back(share, name);
+  std::sort(by_share.rbegin(), by_share.rend());
+  constexpr double kWorthSaying = 0.05;
+  constexpr std::size_t kMost = 4;
+  std::vector<std::string> said;
+  for (const auto& [share, name] : by_share) {
+    if (said.size() == kMost || share < kWorthSaying) break;
+    said.push_back(fmt::format("{} {:.0f} %", name, kPercent * share));
+  }
+  return fmt::format("{}", fmt::join(said, ", "));
+}
+
+}  // namespace
+
+std::string Describe(const Figure& figure) {
+  const std::vector<std::string> parts = Parts(figure.name);
+  if (parts.size() == 3 && parts[0] == "zone") return DescribeZone(parts);
+  if (parts.size() == 3 && parts[0] == "person") return DescribePerson(parts);
+  if (parts.size() == 3 && parts[0] == "map") {
+    const std::string to = parts[2].substr(parts[2].rfind('_') + 1);
+    return fmt::format("area {} above the ground that no sensor sees, out to {} m", parts[1],
+                       to.substr(0, to.size() - 1));
+  }
+  if (parts.size() == 3 && parts[0] == "dig") {
+    return parts[2] == "edge_seen" ? Spaced(parts[1]) + ": share of its cutting edge that is seen"
+                                   : Spaced(parts[1]) + ": share of its mouth that is seen";
+  }
+  if (figure.name == "elevation/gaps") return "elevation map ahead: share of cells without a point";
+  if (figure.name == "elevation/sigma_m") return "elevation map ahead: error of a cell's height";
+  return Spaced(figure.name);
+}
+
+std::string ValueText(const Figure& figure, double value) {
+  if (figure.unit.empty()) return fmt::format("{:.1f} %", kPercent * value);
+  const int decimals = std::abs(value) < 0.1 ? 4 : std::abs(value) < 10 ? 2 : 1;
+  return fmt::format("{:.{}f} {}", value, decimals, figure.unit);
+}
+
+std::vector<std::string> Answer(const LayoutReport& report) {
+  std::vector<std::string> lines;
+  if (const Figure* seen = FindFigure(report, "zone/around/seen_by_1")) {
+    lines.push_back(
+        fmt::format("Of the space around the machine it sees {} on average, and {} at "
+                    "the worst moment.",
+                    ValueText(*seen, MeanOf(*seen)), ValueText(*seen, WorstOf(*seen))));
+  }
+  const auto causes = report.blind_causes.find("around");
+  const Figure* blind = FindFigure(report, "zone/around/blind_m3");
+  if (blind && causes != report.blind_causes.end() && !causes->second.empty()) {
+    lines.push_back(fmt::format("No sensor sees {} of it, because of: {}.",
+                                ValueText(*blind, MeanOf(*blind)), MainCauses(causes->second)));
+  }
+  for (const char* where : {"behind", "left", "right", "ahead"}) {
+    const Figure* far = FindFigure(report, fmt::format("person/standing/detected_to_m_{}", where));
+    if (!far) continue;
+    const double worst_m = WorstOf(*far);
+    const std::string side = std::string(where) == "behind" || std::string(where) == "ahead"
+                                 ? std::string(where)
+                                 : fmt::format("to the {}", where);
+    lines.push_back(worst_m > 0
+                        ? fmt::format("A standing person {} is always detected up to {:.0f} m from "
+                                      "the machine.",
+                                      side, worst_m)
+                        : fmt::format("A standing person {} is not always detected at 1 m from the "
+                                      "machine.",
+                                      side));
+  }
+  if (const Figure* edge = FindFigure(report, "dig/bucket/edge_seen")) {
+    lines.push_back(fmt::format("Of the bucket's cutting edge it sees {} on average.",
+                                ValueText(*edge, MeanOf(*edge))));
+  }
+  return lines;
+}
+
+std::string Escape(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+}  // namespace tera

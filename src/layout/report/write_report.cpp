@@ -1,0 +1,155 @@
+#include "layout/report/write_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "dataset/files/checked_file.h"
+#include "dataset/format/png.h"
+#include "layout/report/page.h"
+#include "layout/report/polar_drawing.h"
+#include "layout/report/report_json.h"
+#include "layout/report/words.h"
+
+namespace tera {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr int kMap_px = 480;
+constexpr double kPercent = 100;
+
+std::string FiguresCsv(const LayoutReport& report) {
+  std::string csv = "figure,unit,more_is_better,mean,worst,sampling_error\n";
+  for (const Figure& f : report.figures) {
+    csv += fmt::format("{},{},{},{:.9g},{:.9g},{:.9g}\n", f.name, f.unit, int{f.more_is_better},
+                       MeanOf(f), WorstOf(f), ErrorOf(f));
+  }
+  return csv;
+}
+
+std::string MomentsCsv(const LayoutReport& report) {
+  std::string csv = "t_s";
+  for (const Figure& f : report.figures) csv += "," + f.name;
+  csv += "\n";
+  for (std::size_t m = 0; m < report.t_s.size(); ++m) {
+    csv += fmt::format("{:.9g}", report.t_s[m]);
+    for (const Figure& f : report.figures) csv += fmt::format(",{:.9g}", f.at[m]);
+    csv += "\n";
+  }
+  return csv;
+}
+
+std::string BlindCsv(const LayoutReport& report) {
+  std::string csv = "zone,cause,share\n";
+  for (const auto& [zone, causes] : report.blind_causes) {
+    for (const auto& [cause, share] : causes) {
+      csv += fmt::format("{},{},{:.9g}\n", zone, cause, share);
+    }
+  }
+  return csv;
+}
+
+/// A map's name as that of a file: "seen_0.9_m".
+std::string FileName(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '/' || c == ' '; }, '_');
+  return name;
+}
+
+std::string MapFigures(const LayoutReport& report) {
+  std::string html =
+      "<h2>What is seen around the machine</h2>\n" + MapLegend() + "<div class=\"figures\">\n";
+  for (const PolarMap& map : report.maps) {
+    html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", MapSvg(map),
+                        Escape(map.title));
+  }
+  return html + "</div>\n";
+}
+
+std::string CurveFigures(const LayoutReport& report) {
+  if (report.curves.empty()) return "";
+  std::string html =
+      "<h2>From where a person is detected</h2>\n<p class=\"soft\">Line: mean over the cycle; "
+      "filled: at the worst moment of each direction.</p>\n<div class=\"figures\">\n";
+  for (const PolarCurve& curve : report.curves) {
+    html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n",
+                        CurvesSvg(curve.title, curve.most, {curve}, {"a"}), Escape(curve.title));
+  }
+  return html + "</div>\n";
+}
+
+std::string FigureTable(const LayoutReport& report) {
+  std::string html =
+      "<h2>All figures</h2>\n<p class=\"soft\">The sampling error is one standard deviation, by "
+      "the "
+      "number of places that were tried.</p>\n<div class=\"wide\"><table><tr><th>Figure</th>"
+      "<th class=\"r\">Mean</th><th class=\"r\">Worst moment</th><th class=\"r\">Sampling "
+      "error</th></tr>\n";
+  for (const Figure& f : report.figures) {
+    html += fmt::format(
+        "<tr><td>{}</td><td class=\"r\">{}</td><td class=\"r\">{}</td>"
+        "<td class=\"r\">{}</td></tr>\n",
+        Escape(Describe(f)), ValueText(f, MeanOf(f)), ValueText(f, WorstOf(f)),
+        ValueText(f, ErrorOf(f)));
+  }
+  return html + "</table></div>\n";
+}
+
+/// Two levels of names with a share each.
+std::string ShareTable(const std::string& heading, const char* first, const char* second,
+                       const std::map<std::string, std::map<std::string, double>>& shares) {
+  std::string rows;
+  for (const auto& [zone, of_zone] : shares) {
+    std::vector<std::pair<double, std::string>> sorted;
+    for (const auto& [name, share] : of_zone) sorted.emplace_back(share, name);
+    std::sort(sorted.rbegin(), sorted.rend());
+    for (const auto& [share, name] : sorted) {
+      rows += fmt::format("<tr><td>{}</td><td>{}</td><td class=\"r\">{:.1f} %</td></tr>\n",
+                          Escape(zone), Escape(name), kPercent * share);
+    }
+  }
+  if (rows.empty()) return "";
+  return fmt::format(
+      "<h2>{}</h2>\n<div class=\"wide\"><table><tr><th>{}</th><th>{}</th>"
+      "<th class=\"r\">Share</th></tr>\n{}</table></div>\n",
+      heading, first, second, rows);
+}
+
+}  // namespace
+
+std::string ReportPage(const LayoutReport& report) {
+  std::string html = PageBegin("Sensor layout " + report.name);
+  html += fmt::format("<h1>What does the layout “{}” see?</h1>\n", Escape(report.name));
+  for (const std::string& line : Answer(report)) {
+    html += fmt::format("<p class=\"answer\">{}</p>\n", Escape(line));
+  }
+  for (const std::string& warning : report.warnings) {
+    html += fmt::format("<p class=\"warning\">{}</p>\n", Escape(warning));
+  }
+  html += fmt::format(
+      "<p class=\"soft\">Rig {}; sensors that see: {}. Over {}: {} moments from {:.1f} to {:.1f} "
+      "s. "
+      "Cost {:.6g}, power {:.6g} W, data {:.4g} MB/s.</p>\n",
+      Escape(report.file), Escape(fmt::format("{}", fmt::join(report.viewers, ", "))),
+      Escape(report.cycle), report.t_s.size(), report.t_s.front(), report.t_s.back(),
+      report.expense.cost, report.expense.power_w, report.expense.data_mbyteps);
+  html += MapFigures(report) + CurveFigures(report);
+  html += ShareTable("Why places are not seen", "Zone", "Cause", report.blind_causes);
+  html += ShareTable("What two sensors see together", "Zone", "Sensors", report.overlaps);
+  return html + FigureTable(report) + PageEnd();
+}
+
+void WriteReport(const LayoutReport& report, const fs::path& folder) {
+  MakeFolder(folder / "maps");
+  WriteWholeFile(folder / "layout.json", ReportJson(report));
+  WriteWholeFile(folder / "figures.csv", FiguresCsv(report));
+  WriteWholeFile(folder / "moments.csv", MomentsCsv(report));
+  WriteWholeFile(folder / "blind.csv", BlindCsv(report));
+  for (const PolarMap& map : report.maps) {
+    WriteWholeFile(folder / "maps" / (FileName(map.name) + ".png"),
+                   EncodeRgbPng(DrawMap(map, kMap_px)));
+  }
+  WriteWholeFile(folder / "report.html", ReportPage(report));
+}
+
+}  // namespace tera

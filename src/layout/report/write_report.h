@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+
+#include "layout/layout_report.h"
+
+namespace tera {
+
+/// Writes a report into `folder`: layout.json, figures.csv (mean, worst, errors), moments.csv
+/// (every moment), blind.csv (causes), maps/*.png and report.html, which needs no network. Throws
+/// InputError where a file cannot be written.
+void WriteReport(const LayoutReport& report, const std::filesystem::path& folder);
+
+/// The page of one layout.
+std::string ReportPage(const LayoutReport& report);
+
+}  // namespace tera
