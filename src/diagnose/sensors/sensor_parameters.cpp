@@ -239,8 +239,9 @@ int AddPairYaw(const SensorDescription& receiver, ParameterTable* table) {
       .first();
 }
 
-void AddAxisParameters(const std::string& target, const Effects& effects, bool slides,
+void AddAxisParameters(const std::string& target, const Effects& effects, bool slides, double swing,
                        ParameterTable* table, AxisChannel* channel) {
+  constexpr double kWidestScale = 0.5;
   const std::string zero = slides ? "travel_m" : "angle_deg";
   const double si_per_unit = slides ? 1 : kDeg;
   channel->bias =
@@ -248,10 +249,14 @@ void AddAxisParameters(const std::string& target, const Effects& effects, bool s
           .Number(zero, slides ? "m" : "deg", si_per_unit,
                   NumberOf(effects, "bias", zero, 0) * si_per_unit, slides ? 1 : 57, kWander)
           .first();
-  channel->scale = GroupOf(table, target, "scale")
-                       .Number("position_factor", "1", 1,
-                               NumberOf(effects, "scale", "position_factor", 1), 0.5, kWander)
-                       .first();
+  channel->scale =
+      GroupOf(table, target, "scale")
+          .Number("position_factor", "1", 1, NumberOf(effects, "scale", "position_factor", 1),
+                  kWidestScale, kWander)
+          .first();
+  const double zero_tolerance =
+      table->parameters[static_cast<std::size_t>(channel->bias)].tolerance;
+  table->groups.back().may_be_named = kWidestScale * swing >= zero_tolerance;
 }
 
 int AddEncoderDelay(const std::string& target, const Effects& effects, ParameterTable* table) {

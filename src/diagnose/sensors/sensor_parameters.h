@@ -54,8 +54,11 @@ void AddReceiverParameters(const SensorDescription& receiver, double segment_s,
                            ParameterTable* table, ReceiverChannel* channel);
 /// The yaw of two antennas of one link, which belongs to the first of them.
 int AddPairYaw(const SensorDescription& receiver, ParameterTable* table);
-/// `effects` are those of the axis, `target` its name: "encoders/boom".
-void AddAxisParameters(const std::string& target, const Effects& effects, bool slides,
+/// One axis of a set of encoders: `effects` are those of the axis, `target` its name
+/// "encoders/boom", `swing` the standard deviation of its positions, rad or m. Where even the
+/// widest scale changes those by less than its zero may be off, no scale of it is named: a joint
+/// that stays where it is does not tell one from the other.
+void AddAxisParameters(const std::string& target, const Effects& effects, bool slides, double swing,
                        ParameterTable* table, AxisChannel* channel);
 /// The delay of a set of encoders, for all its axes.
 int AddEncoderDelay(const std::string& target, const Effects& effects, ParameterTable* table);

@@ -31,6 +31,17 @@ bool AreUsable(const std::vector<Sample>& samples) {
   return t_ns.size() >= 2 && ComeEvenly(t_ns);
 }
 
+/// Standard deviation of an axis' positions.
+double SwingOf(const EncoderRecording& recording, std::size_t axis) {
+  double mean = 0, square = 0;
+  const auto n = static_cast<double>(std::max<std::size_t>(1, recording.samples.size()));
+  for (const EncoderSample& sample : recording.samples) mean += sample.q_rad[axis] / n;
+  for (const EncoderSample& sample : recording.samples) {
+    square += std::pow(sample.q_rad[axis] - mean, 2) / n;
+  }
+  return std::sqrt(square);
+}
+
 /// Puts channels, parameters and observations together.
 class Builder {
  public:
@@ -215,7 +226,7 @@ void Builder::AddAxis(const NamedEncoders& named, const SensorDescription* senso
     least = std::max(least, 1e-5);
   }
   AddAxisParameters((sensor ? sensor->name : named.channel) + "/" + name, effects, slides,
-                    &problem_.table, &channel);
+                    SwingOf(named.recording, axis), &problem_.table, &channel);
   channel.noise = AddNoise(named.channel + "/" + name + (slides ? "_m" : "_rad"),
                            slides ? "m" : "rad", least, 0.01);
   SetTolerances(channel.noise, channel.bias, 1);

@@ -42,8 +42,8 @@ struct All {
     AddImuParameters(imu, &table, &unit);
     AddReceiverParameters(gnss, 10, &table, &receiver);
     receiver.pair_yaw = AddPairYaw(gnss, &table);
-    AddAxisParameters("encoders/boom", of_axis, false, &table, &turns);
-    AddAxisParameters("encoders/stick", {}, true, &table, &slides);
+    AddAxisParameters("encoders/boom", of_axis, false, 0.3, &table, &turns);
+    AddAxisParameters("encoders/stick", {}, true, 0.3, &table, &slides);
     turns.late = slides.late = AddEncoderDelay("encoders", {}, &table);
     AddPoseParameters(true, &table, &map);
   }
@@ -61,6 +61,20 @@ TEST(SensorParameters, AreInGroupsThatFollowEachOtherWithoutAGap) {
     next += group.count;
   }
   EXPECT_EQ(next, static_cast<int>(all.table.parameters.size()));
+}
+
+// A joint that stays where it is, within what its zero may be off, shows no scale: half of 0.56
+// mrad of noise and quantisation is far below a tolerance of some milliradians, half of 0.2 rad
+// beyond.
+TEST(SensorParameters, TheScaleOfAnAxisIsNamedOnlyWhereItSwings) {
+  for (const auto& [swing, may_be_named] : {std::pair{0.00056, false}, std::pair{0.2, true}}) {
+    ParameterTable table;
+    AxisChannel channel;
+    AddAxisParameters("encoders/bucket", {}, false, swing, &table, &channel);
+    for (const ParameterGroup& group : table.groups) {
+      EXPECT_EQ(group.may_be_named, group.mechanism != "scale" || may_be_named) << swing;
+    }
+  }
 }
 
 // A group is told as a mechanism of the library with its parameters.
