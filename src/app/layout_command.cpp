@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -14,6 +15,7 @@
 #include "dataset/files/whole_folder.h"
 #include "layout/compare/comparison_page.h"
 #include "layout/evaluate.h"
+#include "layout/optimise/optimise.h"
 #include "layout/report/report_json.h"
 #include "layout/report/words.h"
 #include "layout/report/write_report.h"
@@ -129,6 +131,43 @@ void AddCompare(CLI::App* app) {
   command->callback([arguments] { RunCompare(*arguments); });
 }
 
+struct OptimiseArguments {
+  fs::path search, out;
+  bool resume = false;
+  HostOptions host;
+};
+
+void RunOptimise(const OptimiseArguments& arguments) {
+  const LayoutSearch search = LoadSearch(arguments.search);
+  const OptimiseResult result =
+      Optimise(search, ReadWholeFile(arguments.search),
+               {.out = arguments.out,
+                .threads = arguments.host.threads,
+                .resume = arguments.resume,
+                .progress = [](const OptimiseProgress& now) {
+                  fmt::print("generation {} of {}: hypervolume {:.5g}\n", now.generation,
+                             now.generations, now.hypervolume);
+                  std::fflush(stdout);
+                }});
+  fmt::print("{} layouts of which no other is better in everything: {}\n", result.front.size(),
+             (arguments.out / "front").string());
+  fmt::print("report: {}\n", (arguments.out / "search.html").string());
+}
+
+void AddOptimise(CLI::App* app) {
+  auto arguments = std::make_shared<OptimiseArguments>();
+  CLI::App* command = app->add_subcommand("optimise", "Search for layouts that see more for less");
+  command
+      ->add_option("SEARCH", arguments->search,
+                   "What may be mounted where, and what is to be "
+                   "small or large (YAML)")
+      ->required();
+  command->add_option("--out", arguments->out, "Folder of the result; new or empty")->required();
+  command->add_flag("--resume", arguments->resume, "Go on with a search that was stopped");
+  AddHostOptions(command, &arguments->host);
+  command->callback([arguments] { RunOptimise(*arguments); });
+}
+
 }  // namespace
 
 void AddLayoutCommand(CLI::App* app) {
@@ -136,6 +175,7 @@ void AddLayoutCommand(CLI::App* app) {
   command->require_subcommand(1);
   AddEvaluate(command);
   AddCompare(command);
+  AddOptimise(command);
 }
 
 }  // namespace tera

@@ -16,6 +16,10 @@ struct EvaluateOptions {
   std::function<void(double done_s, double duration_s)> progress;
 };
 
+/// Throws InputError where a zone of the study names no link of its machine, or lies beside the
+/// site.
+void CheckZones(const LayoutStudy& study, const Scenario& scenario);
+
 /// Looks at `layouts` over the cycle, all of them at the same moments. Throws InputError where a
 /// zone names no link or lies beside the site, and where `strict` refuses a mount.
 std::vector<LayoutReport> Evaluate(const Cycle& cycle, const LayoutStudy& study,

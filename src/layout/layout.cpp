@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/error.h"
 
@@ -52,11 +53,9 @@ StudiedMachine FindMachine(const LayoutStudy& study, const Scenario& scenario) {
   return found;
 }
 
-Layout LoadLayout(const std::filesystem::path& file, const Cycle& cycle, std::size_t machine) {
-  Layout layout{.name = file.stem().string(), .file = file, .sensors = {}, .viewers = {}};
-  const Scenario scenario = cycle.WithRig(machine, file);
-  layout.sensors = scenario.machines[machine].sensors;
-  const MachineModel& model = scenario.machines[machine].placement.model;
+Layout LayoutOfSensors(std::vector<SensorDescription> sensors, const MachineModel& model) {
+  Layout layout;
+  layout.sensors = std::move(sensors);
   for (const SensorDescription& sensor : layout.sensors) {
     const std::optional<ViewField> field = ViewOf(sensor);
     if (!field) continue;
@@ -64,6 +63,15 @@ Layout LoadLayout(const std::filesystem::path& file, const Cycle& cycle, std::si
     layout.viewers.push_back(
         {sensor.name, *field, model.LinkIndex(mounting.link), mounting.X_BT, Pose::Identity()});
   }
+  return layout;
+}
+
+Layout LoadLayout(const std::filesystem::path& file, const Cycle& cycle, std::size_t machine) {
+  Scenario scenario = cycle.WithRig(machine, file);
+  ScenarioMachine& with_rig = scenario.machines[machine];
+  Layout layout = LayoutOfSensors(std::move(with_rig.sensors), with_rig.placement.model);
+  layout.name = file.stem().string();
+  layout.file = file;
   if (layout.viewers.empty()) {
     throw InputError(fmt::format(
         "{}: has no lidar and no camera; need one at least, to ask what it sees", file.string()));

@@ -35,6 +35,9 @@ struct StudiedMachine {
 /// Throws InputError where the scenario has no machine or link of these names.
 StudiedMachine FindMachine(const LayoutStudy& study, const Scenario& scenario);
 
+/// The layout of these sensors on a machine, without a name; it may see nothing.
+Layout LayoutOfSensors(std::vector<SensorDescription> sensors, const MachineModel& model);
+
 /// Reads a rig. Throws InputError where it holds no lidar and no camera, and as scenarios do.
 Layout LoadLayout(const std::filesystem::path& file, const Cycle& cycle, std::size_t machine);
 

@@ -70,6 +70,7 @@ const std::multimap<std::string, std::string> kFolderOfLibrary = {
     {"unsupported/Eigen/", "diagnose"},
     {"openssl/", "dataset"},
     {"zstd.h", "dataset"},
+    {"pagmo/", "layout"},
     {"CLI/", "app"},
     {"cvode/", "blind"},
     {"mujoco/", "blind"},

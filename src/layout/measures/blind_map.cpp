@@ -30,32 +30,44 @@ Vec2 PolarGrid::Middle_m(int sector, int ring) {
   return {radius_m * std::cos(azimuth_rad), radius_m * std::sin(azimuth_rad)};
 }
 
-void BlindMap::Add(const Pose& X_WH, const Layout& layout, const SeenFrom& seen,
-                   const Sighting& sighting, const TerrainSurface& ground) {
+std::vector<BlindMap::Place> BlindMap::Places(const Pose& X_WH, const std::vector<double>& hull_m,
+                                              const Sighting& sighting,
+                                              const TerrainSurface& ground) const {
+  std::vector<Place> on_site;
   std::vector<Vec3> places_W_m;
   for (int sector = 0; sector < PolarGrid::kSectors; ++sector) {
     for (int ring = 0; ring < PolarGrid::kRings; ++ring) {
       const Vec2 xy_m = PolarGrid::Middle_m(sector, ring);
       Vec3 p_W_m = X_WH * Vec3(xy_m.x(), xy_m.y(), 0);
+      if (xy_m.norm() < hull_m[sector] || !IsOnSite(ground, p_W_m)) continue;
       p_W_m.z() = ground.HeightAt(p_W_m.x(), p_W_m.y()) + height_m_;
+      on_site.push_back({PolarGrid::Index(sector, ring), p_W_m});
       places_W_m.push_back(p_W_m);
     }
   }
   const std::vector<bool> inside = sighting.AreInside(places_W_m);
+  std::vector<Place> places;
+  for (std::size_t i = 0; i < on_site.size(); ++i) {
+    if (!inside[i]) places.push_back(on_site[i]);
+  }
+  return places;
+}
+
+void BlindMap::Add(const std::vector<Place>& places, const Layout& layout, const SeenFrom& seen,
+                   const Sighting& sighting) {
+  std::vector<Vec3> places_W_m;
+  for (const Place& place : places) places_W_m.push_back(place.p_W_m);
   const std::vector<std::vector<Look>> looks = LookAt(places_W_m, layout, seen, sighting);
   double near_m2 = 0, far_m2 = 0;
-  for (int sector = 0; sector < PolarGrid::kSectors; ++sector) {
-    for (int ring = 0; ring < PolarGrid::kRings; ++ring) {
-      const std::size_t i = PolarGrid::Index(sector, ring);
-      if (inside[i] || !IsOnSite(ground, places_W_m[i])) continue;
-      counted_[i] += 1;
-      if (SeenBy(looks[i]) > 0) {
-        seen_[i] += 1;
-        continue;
-      }
-      far_m2 += Area_m2(ring);
-      if (ring < PolarGrid::kNearRings) near_m2 += Area_m2(ring);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    counted_[places[i].cell] += 1;
+    if (SeenBy(looks[i]) > 0) {
+      seen_[places[i].cell] += 1;
+      continue;
     }
+    const int ring = static_cast<int>(places[i].cell % PolarGrid::kRings);
+    far_m2 += Area_m2(ring);
+    if (ring < PolarGrid::kNearRings) near_m2 += Area_m2(ring);
   }
   near_blind_m2_.push_back(near_m2);
   far_blind_m2_.push_back(far_m2);

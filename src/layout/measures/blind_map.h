@@ -29,14 +29,25 @@ struct PolarGrid {
 
 /// Which places around the machine a layout sees at one height over the ground, over a cycle.
 ///
-/// Model   the middle of each cell; cells that lie in something solid or beyond the site's ground
-///         do not count at that moment.
+/// Model   the middle of each cell; cells within the outline of the machine from above
+/// (HullRadii_m),
+///         in something solid or beyond the site's ground do not count at that moment.
 class BlindMap {
  public:
   explicit BlindMap(double height_m) : height_m_(height_m) {}
 
-  void Add(const Pose& X_WH, const Layout& layout, const SeenFrom& seen, const Sighting& sighting,
-           const TerrainSurface& ground);
+  /// A cell that counts at a moment.
+  struct Place {
+    std::size_t cell;  ///< PolarGrid::Index
+    Vec3 p_W_m;
+  };
+  /// Those of this moment, the same for all layouts. `hull_m` is HullRadii_m of as many sectors as
+  /// the grid has.
+  std::vector<Place> Places(const Pose& X_WH, const std::vector<double>& hull_m,
+                            const Sighting& sighting, const TerrainSurface& ground) const;
+  /// Adds what `layout` sees of these.
+  void Add(const std::vector<Place>& places, const Layout& layout, const SeenFrom& seen,
+           const Sighting& sighting);
 
   double height_m() const { return height_m_; }
   /// Share of the moments at which each cell is seen, by PolarGrid::Index; negative where the cell

@@ -9,29 +9,29 @@ namespace {
 
 constexpr char kOutOfView[] = "out of view", kTooFar[] = "too far or too sparse";
 
-/// Those that lie in the air.
-std::vector<Vec3> InAir(const std::vector<Vec3>& places_W_m, const TerrainSurface& ground,
-                        const Sighting& sighting) {
-  const std::vector<bool> inside = sighting.AreInside(places_W_m);
-  std::vector<Vec3> in_air;
-  for (std::size_t p = 0; p < places_W_m.size(); ++p) {
-    const Vec3& p_W_m = places_W_m[p];
-    if (!inside[p] && p_W_m.z() > ground.HeightAt(p_W_m.x(), p_W_m.y())) in_air.push_back(p_W_m);
-  }
-  return in_air;
-}
-
 }  // namespace
 
 ZoneCoverage::ZoneCoverage(Zone zone, int count, std::uint64_t seed)
     : zone_(std::move(zone)), places_Z_m_(PointsIn(zone_, count, seed)), share_(kMost) {}
 
-void ZoneCoverage::Add(const Pose& X_WF, const Layout& layout, const SeenFrom& seen,
-                       const Sighting& sighting, const TerrainSurface& ground) {
+std::vector<Vec3> ZoneCoverage::PlacesInAir(const Pose& X_WF, const Sighting& sighting,
+                                            const TerrainSurface& ground) const {
   const Pose X_WZ = X_WF * zone_.X_FZ;
-  std::vector<Vec3> places_W_m;
-  for (const Vec3& p_Z_m : places_Z_m_) places_W_m.push_back(X_WZ * p_Z_m);
-  const std::vector<Vec3> in_air_W_m = InAir(places_W_m, ground, sighting);
+  std::vector<Vec3> above_W_m;
+  for (const Vec3& p_Z_m : places_Z_m_) {
+    const Vec3 p_W_m = X_WZ * p_Z_m;
+    if (p_W_m.z() > ground.HeightAt(p_W_m.x(), p_W_m.y())) above_W_m.push_back(p_W_m);
+  }
+  const std::vector<bool> inside = sighting.AreInside(above_W_m);
+  std::vector<Vec3> in_air_W_m;
+  for (std::size_t p = 0; p < above_W_m.size(); ++p) {
+    if (!inside[p]) in_air_W_m.push_back(above_W_m[p]);
+  }
+  return in_air_W_m;
+}
+
+void ZoneCoverage::Add(const std::vector<Vec3>& in_air_W_m, const Layout& layout,
+                       const SeenFrom& seen, const Sighting& sighting) {
   std::vector<double> count(kMost, 0);
   for (const std::vector<Look>& looks : LookAt(in_air_W_m, layout, seen, sighting)) {
     const int by = SeenBy(looks);

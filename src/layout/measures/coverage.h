@@ -22,9 +22,13 @@ class ZoneCoverage {
   ZoneCoverage(Zone zone, int count, std::uint64_t seed);
 
   const Zone& zone() const { return zone_; }
-  /// Adds what `layout` sees at this moment, the zone's frame F being at X_WF.
-  void Add(const Pose& X_WF, const Layout& layout, const SeenFrom& seen, const Sighting& sighting,
-           const TerrainSurface& ground);
+  /// Its places that lie in the air at this moment, the zone's frame F being at X_WF: the same for
+  /// all layouts.
+  std::vector<Vec3> PlacesInAir(const Pose& X_WF, const Sighting& sighting,
+                                const TerrainSurface& ground) const;
+  /// Adds what `layout` sees of these.
+  void Add(const std::vector<Vec3>& in_air_W_m, const Layout& layout, const SeenFrom& seen,
+           const Sighting& sighting);
 
   /// "zone/NAME/seen_by_1" to 3, and "zone/NAME/blind_m3".
   std::vector<Figure> Figures() const;

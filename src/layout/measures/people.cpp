@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "core/units.h"
-#include "layout/sight/hull.h"
 
 namespace tera {
 namespace {
@@ -63,10 +62,9 @@ std::vector<double> PersonRange::Distances_m() const {
   return distances_m;
 }
 
-std::vector<PersonRange::Place> PersonRange::PlacesAround(const Pose& X_WH, std::size_t machine,
-                                                          const Sighting& sighting,
+std::vector<PersonRange::Place> PersonRange::PlacesAround(const Pose& X_WH,
+                                                          const std::vector<double>& hull_m,
                                                           const TerrainSurface& ground) const {
-  const std::vector<double> hull_m = HullRadii_m(X_WH, machine, kSectors, sighting);
   const std::vector<double> distances_m = Distances_m();
   std::vector<Place> places;
   for (int sector = 0; sector < kSectors; ++sector) {
@@ -117,9 +115,9 @@ std::vector<bool> PersonRange::AreDetected(const std::vector<Place>& places, con
   return detected;
 }
 
-void PersonRange::Add(const Pose& X_WH, std::size_t machine, const Layout& layout,
+void PersonRange::Add(const Pose& X_WH, const std::vector<double>& hull_m, const Layout& layout,
                       const Sighting& sighting, const TerrainSurface& ground) {
-  const std::vector<Place> places = PlacesAround(X_WH, machine, sighting, ground);
+  const std::vector<Place> places = PlacesAround(X_WH, hull_m, ground);
   std::vector<bool> detected(places.size(), false);
   for (const Viewer& viewer : layout.viewers) {
     const std::vector<bool> by = AreDetected(places, viewer, sighting);

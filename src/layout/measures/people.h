@@ -23,12 +23,13 @@ namespace tera {
 ///         detector makes of points and pixels.
 class PersonRange {
  public:
-  static constexpr int kSectors = 36;
+  static constexpr int kSectors = 72;
 
   PersonRange(Posture posture, const PersonStudy& study, double reflectance);
 
-  void Add(const Pose& X_WH, std::size_t machine, const Layout& layout, const Sighting& sighting,
-           const TerrainSurface& ground);
+  /// `hull_m` is HullRadii_m of kSectors sectors.
+  void Add(const Pose& X_WH, const std::vector<double>& hull_m, const Layout& layout,
+           const Sighting& sighting, const TerrainSurface& ground);
 
   const Posture& posture() const { return posture_; }
   /// Distances that are tried: every metre from 1 m on.
@@ -51,7 +52,7 @@ class PersonRange {
     int sector, step;
     Pose X_WP = Pose::Identity();
   };
-  std::vector<Place> PlacesAround(const Pose& X_WH, std::size_t machine, const Sighting& sighting,
+  std::vector<Place> PlacesAround(const Pose& X_WH, const std::vector<double>& hull_m,
                                   const TerrainSurface& ground) const;
   std::vector<bool> AreDetected(const std::vector<Place>& places, const Viewer& viewer,
                                 const Sighting& sighting) const;

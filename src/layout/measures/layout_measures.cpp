@@ -1,0 +1,149 @@
+#include "layout/measures/layout_measures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "layout/sight/hull.h"
+
+namespace tera {
+namespace {
+
+Zone AroundMachine(const LayoutStudy& study, const MachineModel& model) {
+  return {.name = kAroundZone,
+          .frame = model.links.front().name,
+          .level = true,
+          .X_FZ = Pose::Identity(),
+          .shape = ZoneCylinder{study.radius_m, study.height_m}};
+}
+
+/// The pose of a zone's frame now. `machine` is the studied one.
+Pose FrameOf(const Zone& zone, const MachineModel& model, const MachineState& machine) {
+  if (zone.frame == "W") return Pose::Identity();
+  const Pose& X_WB = machine.links[model.LinkIndex(zone.frame)].X_WB;
+  return zone.level ? Levelled(X_WB) : X_WB;
+}
+
+/// The soil in each shovel of a machine, in the scene.
+std::vector<std::uint16_t> SoilInstances(const MachinePlacement& placement,
+                                         const SceneModel& scene) {
+  std::vector<std::uint16_t> instances;
+  for (const Shovel& shovel : placement.model.ground_tools.shovels) {
+    const std::string name = placement.name + "/" + shovel.name + "_soil";
+    const auto found = std::find_if(scene.instances.begin(), scene.instances.end(),
+                                    [&](const SceneInstance& i) { return i.name == name; });
+    const bool is_there = found != scene.instances.end();
+    instances.push_back(is_there ? static_cast<std::uint16_t>(found - scene.instances.begin())
+                                 : std::uint16_t{0});
+  }
+  return instances;
+}
+
+/// H: where maps are centred and what they are turned to.
+Pose MapFrame(const MachineState& machine, int upper, const TerrainSurface& ground) {
+  Pose X_WH = Levelled(machine.links[upper].X_WB);
+  X_WH.translation().z() = ground.HeightAt(X_WH.translation().x(), X_WH.translation().y());
+  return X_WH;
+}
+
+PolarMap SeenMap(const BlindMap& map) {
+  return {.name = fmt::format("seen/{} m", map.height_m()),
+          .title = fmt::format("Share of the cycle in which a place {} m above the ground is seen",
+                               map.height_m()),
+          .sectors = PolarGrid::kSectors,
+          .rings = PolarGrid::kRings,
+          .ring_m = PolarGrid::kRing_m,
+          .value = map.SeenShare()};
+}
+
+/// Whether any of the wanted beginnings leads to figures that begin so, or is led to by them.
+bool IsWanted(const std::vector<std::string>& wanted, const std::string& beginning) {
+  return wanted.empty() || std::any_of(wanted.begin(), wanted.end(), [&](const std::string& one) {
+           return one.starts_with(beginning) || beginning.starts_with(one);
+         });
+}
+
+}  // namespace
+
+LayoutMeasures::LayoutMeasures(const LayoutStudy& study, const MachinePlacement& placement,
+                               const StudiedMachine& studied, const SceneModel& scene,
+                               const std::vector<std::string>& wanted)
+    : study_(study), model_(placement.model), studied_(studied) {
+  const auto add_zone = [&](const Zone& zone) {
+    if (!IsWanted(wanted, "zone/" + zone.name + "/")) return;
+    zones_.emplace_back(zone, study.points, study.seed);
+  };
+  add_zone(AroundMachine(study, model_));
+  for (const Zone& zone : study.zones) add_zone(zone);
+  for (const double height_m : study.map_heights_m) {
+    if (IsWanted(wanted, fmt::format("map/{} m/", height_m))) maps_.emplace_back(height_m);
+  }
+  for (const Posture& posture : study.person.postures) {
+    if (!IsWanted(wanted, "person/" + posture.name + "/")) continue;
+    people_.emplace_back(posture, study.person, study.seen.reflectance);
+  }
+  const std::vector<std::uint16_t> soil = SoilInstances(placement, scene);
+  for (std::size_t s = 0; s < soil.size(); ++s) {
+    const Shovel& shovel = model_.ground_tools.shovels[s];
+    if (IsWanted(wanted, "dig/" + shovel.name + "/")) shovels_.emplace_back(shovel, soil[s]);
+  }
+  if (IsWanted(wanted, "elevation/")) elevation_.emplace_back(study.elevation);
+}
+
+Places LayoutMeasures::PlacesOf(const LookedAt& moment) const {
+  const auto& [machine, sighting, ground] = moment;
+  Places places;
+  places.X_WH = MapFrame(machine, studied_.upper, ground);
+  places.hull_m = HullRadii_m(places.X_WH, studied_.machine, PolarGrid::kSectors, sighting);
+  for (const ZoneCoverage& zone : zones_) {
+    places.zones_W_m.push_back(
+        zone.PlacesInAir(FrameOf(zone.zone(), model_, machine), sighting, ground));
+  }
+  for (const BlindMap& map : maps_) {
+    places.maps.push_back(map.Places(places.X_WH, places.hull_m, sighting, ground));
+  }
+  return places;
+}
+
+void LayoutMeasures::Add(const LookedAt& moment, const Places& places, const Layout& layout) {
+  const auto& [machine, sighting, ground] = moment;
+  for (std::size_t z = 0; z < zones_.size(); ++z) {
+    zones_[z].Add(places.zones_W_m[z], layout, study_.seen, sighting);
+  }
+  for (std::size_t m = 0; m < maps_.size(); ++m) {
+    maps_[m].Add(places.maps[m], layout, study_.seen, sighting);
+  }
+  for (PersonRange& person : people_) {
+    person.Add(places.X_WH, places.hull_m, layout, sighting, ground);
+  }
+  for (ShovelView& shovel : shovels_) shovel.Add(machine, layout, sighting);
+  for (ElevationMap& map : elevation_) {
+    map.Add(places.X_WH, layout, study_.seen.reflectance, sighting, ground);
+  }
+}
+
+std::vector<Figure> LayoutMeasures::Figures() const {
+  std::vector<Figure> figures;
+  const auto append = [&](std::vector<Figure> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(figures));
+  };
+  for (const ZoneCoverage& zone : zones_) append(zone.Figures());
+  for (const BlindMap& map : maps_) append(map.Figures());
+  for (const PersonRange& person : people_) append(person.Figures());
+  for (const ShovelView& shovel : shovels_) append(shovel.Figures());
+  for (const ElevationMap& map : elevation_) append(map.Figures());
+  return figures;
+}
+
+void LayoutMeasures::Report(LayoutReport* report) const {
+  report->figures = Figures();
+  for (const ZoneCoverage& zone : zones_) {
+    report->blind_causes[zone.zone().name] = zone.Causes();
+    report->overlaps[zone.zone().name] = zone.Overlaps();
+  }
+  for (const BlindMap& map : maps_) report->maps.push_back(SeenMap(map));
+  for (const PersonRange& person : people_) report->curves.push_back(person.Curve());
+}
+
+}  // namespace tera

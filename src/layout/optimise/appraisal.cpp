@@ -1,0 +1,140 @@
+#include "layout/optimise/appraisal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/error.h"
+#include "layout/evaluate.h"
+
+namespace tera {
+namespace {
+
+/// What a layout takes of a name, if it is no figure of what it sees.
+std::optional<double> Taken(const std::string& name, const Layout& layout) {
+  const Expense expense = ExpenseOf(layout);
+  if (name == "cost") return expense.cost;
+  if (name == "power_w") return expense.power_w;
+  if (name == "data_mbyteps") return expense.data_mbyteps;
+  if (name == "sensors") return static_cast<double>(layout.sensors.size());
+  return std::nullopt;
+}
+
+}  // namespace
+
+Appraisal::Appraisal(const LayoutSearch& search, const LayoutStudy& study, const Cycle& cycle,
+                     int threads)
+    : search_(search),
+      study_(study),
+      scenario_(cycle.scenario()),
+      studied_(FindMachine(study, cycle.scenario())),
+      assembly_(cycle.scenario()) {
+  CheckZones(study, scenario_);
+  if (!search.keep.empty()) {
+    kept_ = cycle.WithRig(studied_.machine, search.keep).machines[studied_.machine].sensors;
+  }
+  for (const Objective& objective : search.objectives) wanted_.push_back(objective.figure);
+  RequirePlaces();
+  RequireWithinLimits();
+  const double rate_hz = search.moments / scenario_.duration_s;
+  cycle.ForEachMoment(rate_hz, [&](const Instant& now, const TerrainSurface& ground) {
+    if (moments_.size() == static_cast<std::size_t>(search.moments)) return;
+    moments_.push_back({now.machines[studied_.machine],
+                        ground,
+                        std::make_unique<Sighting>(scenario_, assembly_, threads),
+                        {}});
+    Moment& moment = moments_.back();
+    moment.sighting->Show(now, ground);
+    moment.places = Measures().PlacesOf({moment.machine, *moment.sighting, moment.ground});
+  });
+  RequireFigures();
+}
+
+void Appraisal::RequirePlaces() const {
+  const MachineModel& model = scenario_.machines[studied_.machine].placement.model;
+  for (const SensorSlot& slot : search_.slots) {
+    for (const SensorDescription& sensor : kept_) {
+      if (sensor.name != slot.name) continue;
+      throw InputError(fmt::format(
+          "sensors: '{}' is the name of a sensor that is kept; need another", slot.name));
+    }
+    for (const MountBounds& mount : slot.mounts) {
+      if (model.LinkIndex(mount.link) >= 0) continue;
+      std::vector<std::string> links;
+      for (const Link& link : model.links) links.push_back(link.name);
+      throw InputError(
+          fmt::format("sensors: '{}' is mounted on '{}', which the machine has not; "
+                      "its links are {}",
+                      slot.name, mount.link, fmt::join(links, ", ")));
+    }
+  }
+}
+
+void Appraisal::RequireFigures() const {
+  const LayoutMeasures measures(study_, scenario_.machines[studied_.machine].placement, studied_,
+                                assembly_.model());
+  std::vector<std::string> names = {"cost", "power_w", "data_mbyteps", "sensors"};
+  for (const Figure& figure : measures.Figures()) names.push_back(figure.name);
+  for (const Objective& objective : search_.objectives) {
+    if (std::find(names.begin(), names.end(), objective.figure) != names.end()) continue;
+    throw InputError(fmt::format("objectives: no figure '{}'; need one of {}", objective.figure,
+                                 fmt::join(names, ", ")));
+  }
+}
+
+void Appraisal::RequireWithinLimits() const {
+  Layout kept = LayoutOfSensors(kept_, scenario_.machines[studied_.machine].placement.model);
+  if (Beyond(kept) <= 0) return;
+  throw InputError(
+      "limits: the sensors that are kept are beyond them already; raise a limit or keep fewer");
+}
+
+double Appraisal::Beyond(const Layout& layout) const {
+  const Limits& limits = search_.limits;
+  double beyond = 0;
+  for (const auto& [name, most] : {std::pair{"cost", limits.cost},
+                                   {"power_w", limits.power_w},
+                                   {"data_mbyteps", limits.data_mbyteps},
+                                   {"sensors", limits.sensors}}) {
+    if (!most) continue;
+    const double taken = *Taken(name, layout);
+    // A limit of nothing is gone beyond by whatever is taken.
+    if (taken > *most) beyond += *most > 0 ? taken / *most - 1 : taken;
+  }
+  return beyond;
+}
+
+LayoutMeasures Appraisal::Measures() const {
+  return LayoutMeasures(study_, scenario_.machines[studied_.machine].placement, studied_,
+                        assembly_.model(), wanted_);
+}
+
+Layout Appraisal::Laid(const Genes& genes) const {
+  return LayoutOf(search_, genes, kept_, scenario_.machines[studied_.machine].placement.model);
+}
+
+Appraised Appraisal::Of(Layout layout) const {
+  LayoutMeasures measures = Measures();
+  for (const Moment& moment : moments_) {
+    MoveViewers(moment.machine, &layout);
+    measures.Add({moment.machine, *moment.sighting, moment.ground}, moment.places, layout);
+  }
+  const std::vector<Figure> figures = measures.Figures();
+  Appraised appraised{{}, Beyond(layout)};
+  for (const Objective& objective : search_.objectives) {
+    if (const std::optional<double> taken = Taken(objective.figure, layout)) {
+      appraised.objectives.push_back(*taken);
+      continue;
+    }
+    const auto figure = std::find_if(figures.begin(), figures.end(),
+                                     [&](const Figure& f) { return f.name == objective.figure; });
+    const double value = objective.at_worst ? WorstOf(*figure) : MeanOf(*figure);
+    appraised.objectives.push_back(figure->more_is_better ? -value : value);
+  }
+  return appraised;
+}
+
+}  // namespace tera

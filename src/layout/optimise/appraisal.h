@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "layout/layout.h"
+#include "layout/measures/layout_measures.h"
+#include "layout/optimise/candidate.h"
+#include "layout/optimise/search.h"
+#include "layout/study/cycle.h"
+#include "layout/study/study.h"
+
+namespace tera {
+
+/// How good a layout is: its objectives, each to be made small, and how far beyond the limits it
+/// is, as shares of them.
+struct Appraised {
+  std::vector<double> objectives;  ///< what is to be large, negative
+  double beyond = 0;
+  bool is_allowed() const { return beyond <= 0; }
+};
+
+/// Appraises layouts over moments of a cycle that are kept in memory, so that each costs rays
+/// alone.
+class Appraisal {
+ public:
+  /// Runs through the cycle once. Keeps references to all. Throws InputError where an objective is
+  /// no figure, a mount is on no link of the machine, a name is taken, where the kept sensors alone
+  /// are beyond the limits, and as Cycle does.
+  Appraisal(const LayoutSearch& search, const LayoutStudy& study, const Cycle& cycle, int threads);
+
+  Appraised Of(const Genes& genes) const { return Of(Laid(genes)); }
+  Appraised Of(Layout layout) const;
+  Layout Laid(const Genes& genes) const;
+  const std::vector<SensorDescription>& kept() const { return kept_; }
+  const StudiedMachine& studied() const { return studied_; }
+
+ private:
+  struct Moment {
+    MachineState machine;
+    TerrainSurface ground;
+    std::unique_ptr<Sighting> sighting;
+    Places places;
+  };
+  LayoutMeasures Measures() const;
+  void RequirePlaces() const;
+  void RequireFigures() const;
+  void RequireWithinLimits() const;
+  double Beyond(const Layout& layout) const;
+
+  const LayoutSearch& search_;
+  const LayoutStudy& study_;
+  const Scenario& scenario_;
+  StudiedMachine studied_;
+  SceneAssembly assembly_;
+  std::vector<SensorDescription> kept_;
+  std::vector<std::string> wanted_;
+  std::vector<Moment> moments_;
+};
+
+}  // namespace tera

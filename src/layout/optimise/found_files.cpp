@@ -1,0 +1,149 @@
+#include "layout/optimise/found_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/config/config.h"
+#include "dataset/files/checked_file.h"
+#include "layout/report/page.h"
+#include "layout/report/words.h"
+
+namespace tera {
+namespace fs = std::filesystem;
+namespace {
+
+/// The rig that every layout has, with everything that it names in place; empty where there is
+/// none.
+std::string KeptYaml(const LayoutSearch& search) {
+  if (search.keep.empty()) return "";
+  const Config config = Config::FromFile(search.keep);
+  for (const ConfigMap& item : config.root().List("sensors")) ReadSensor(item);
+  config.Finish();
+  return config.ResolvedYaml();
+}
+
+std::string NameOf(std::size_t number) { return fmt::format("{:02}", number + 1); }
+
+std::string FrontCsv(const LayoutSearch& search, const OptimiseResult& result) {
+  std::string csv = "rig";
+  for (const Objective& objective : search.objectives) {
+    csv += fmt::format(",{}{}", objective.figure, objective.at_worst ? " (worst)" : "");
+  }
+  csv += "\n";
+  const auto row = [&](const std::string& rig, const FoundLayout& found) {
+    csv += rig;
+    for (const double objective : found.objectives) {
+      csv += fmt::format(",{:.9g}", ShownValue(objective));
+    }
+    csv += "\n";
+  };
+  for (std::size_t i = 0; i < result.front.size(); ++i) {
+    row("front/" + NameOf(i) + ".yaml", result.front[i]);
+  }
+  row("greedy.yaml", result.greedy);
+  return csv;
+}
+
+std::string HypervolumeCsv(const std::vector<double>& hypervolume) {
+  std::string csv = "generation,hypervolume\n";
+  for (std::size_t g = 0; g < hypervolume.size(); ++g) {
+    csv += fmt::format("{},{:.9g}\n", g, hypervolume[g]);
+  }
+  return csv;
+}
+
+/// The first two objectives of all layouts of the front against each other.
+std::string Scatter(const LayoutSearch& search, const OptimiseResult& result) {
+  if (search.objectives.size() < 2) return "";
+  std::vector<Vec2> points;
+  for (const FoundLayout& f : result.front) {
+    points.emplace_back(ShownValue(f.objectives[0]), ShownValue(f.objectives[1]));
+  }
+  points.emplace_back(ShownValue(result.greedy.objectives[0]),
+                      ShownValue(result.greedy.objectives[1]));
+  Vec2 low = points.front(), high = points.front();
+  for (const Vec2& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const Vec2 span = (high - low).cwiseMax(1e-9);
+  const auto at = [&](const Vec2& p) {
+    return Vec2(60 + 520 * (p.x() - low.x()) / span.x(), 300 - 260 * (p.y() - low.y()) / span.y());
+  };
+  std::string svg =
+      "<svg style=\"max-width:44rem\" viewBox=\"0 0 640 350\" role=\"img\" aria-label=\"front\">"
+      "<path class=\"grid\" d=\"M50 20V310H600\"/>";
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec2 p = at(points[i]);
+    const bool is_greedy = i + 1 == points.size();
+    svg += fmt::format(
+        "<circle class=\"area {}\" style=\"fill-opacity:.9\" cx=\"{:.1f}\" "
+        "cy=\"{:.1f}\" r=\"5\"/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>",
+        is_greedy ? "b" : "a", p.x(), p.y(), p.x() + 7, p.y() + 4,
+        is_greedy ? "greedy" : NameOf(i));
+  }
+  svg += fmt::format(
+      "<text x=\"60\" y=\"330\">{:.4g}</text><text x=\"560\" y=\"330\">{:.4g}</text>"
+      "<text x=\"2\" y=\"300\">{:.4g}</text><text x=\"2\" y=\"44\">{:.4g}</text>"
+      "<text x=\"230\" y=\"345\">{}</text><text x=\"60\" y=\"16\">{}</text></svg>\n",
+      low.x(), high.x(), low.y(), high.y(), Escape(search.objectives[0].figure),
+      Escape(search.objectives[1].figure));
+  return svg;
+}
+
+std::string SearchPage(const LayoutSearch& search, const OptimiseResult& result) {
+  std::string html =
+      PageBegin("Sensor layouts found") + "<h1>Which layouts are worth having?</h1>\n";
+  html += fmt::format(
+      "<p class=\"answer\">{} layouts of which no other is better in everything that was "
+      "asked.</p>\n"
+      "<p class=\"soft\">Each is a rig file in front/, which tera generate and tera layout "
+      "evaluate "
+      "take as it is. Objectives are over the {} moments of the search; evaluate a layout for more "
+      "moments, places and errors.</p>\n",
+      result.front.size(), search.moments);
+  html += Scatter(search, result) + "<div class=\"wide\"><table><tr><th>Rig</th>";
+  for (const Objective& objective : search.objectives) {
+    html += fmt::format("<th class=\"r\">{}{}</th>", Escape(objective.figure),
+                        objective.at_worst ? ", worst moment" : ", mean");
+  }
+  html += "<th>Sensors</th></tr>\n";
+  const auto row = [&](const std::string& rig, const FoundLayout& found) {
+    html += "<tr><td>" + rig + "</td>";
+    for (const double objective : found.objectives) {
+      html += fmt::format("<td class=\"r\">{:.4g}</td>", ShownValue(objective));
+    }
+    std::vector<std::string> names;
+    for (const SensorDescription& sensor : SensorsOf(search, found.genes)) {
+      names.push_back(fmt::format("{} on {}", sensor.name, sensor.link));
+    }
+    html += fmt::format("<td>{}</td></tr>\n", Escape(fmt::format("{}", fmt::join(names, ", "))));
+  };
+  for (std::size_t i = 0; i < result.front.size(); ++i) {
+    row("front/" + NameOf(i) + ".yaml", result.front[i]);
+  }
+  row("greedy.yaml", result.greedy);
+  return html + "</table></div>\n" + PageEnd();
+}
+
+}  // namespace
+
+double ShownValue(double objective) { return std::abs(objective); }
+
+void WriteFound(const LayoutSearch& search, const OptimiseResult& result,
+                const std::vector<double>& hypervolume, const fs::path& folder) {
+  MakeFolder(folder / "front");
+  const std::string kept = KeptYaml(search);
+  for (std::size_t i = 0; i < result.front.size(); ++i) {
+    WriteWholeFile(folder / "front" / (NameOf(i) + ".yaml"),
+                   RigYaml(search, result.front[i].genes, kept));
+  }
+  WriteWholeFile(folder / "greedy.yaml", RigYaml(search, result.greedy.genes, kept));
+  WriteWholeFile(folder / "front.csv", FrontCsv(search, result));
+  WriteWholeFile(folder / "hypervolume.csv", HypervolumeCsv(hypervolume));
+  WriteWholeFile(folder / "search.html", SearchPage(search, result));
+}
+
+}  // namespace tera

@@ -1,0 +1,217 @@
+#include "layout/optimise/optimise.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <pagmo/algorithms/nsga2.hpp>
+#include <pagmo/population.hpp>
+#include <pagmo/problem.hpp>
+#include <pagmo/utils/hypervolume.hpp>
+#include <pagmo/utils/multi_objective.hpp>
+#include <utility>
+
+#include "core/check.h"
+#include "core/error.h"
+#include "core/random.h"
+#include "dataset/files/checked_file.h"
+#include "dataset/files/file_digest.h"
+#include "dataset/files/folder_lock.h"
+#include "dataset/files/whole_folder.h"
+#include "layout/optimise/appraisal.h"
+#include "layout/optimise/found_files.h"
+#include "layout/optimise/greedy.h"
+#include "layout/optimise/search_state.h"
+
+namespace tera {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr char kStateName[] = "search_state.json";
+constexpr int kGreedyTries = 24;       ///< placements of each slot in each round
+constexpr double kNotAllowed = 1e9;    ///< above every objective of a layout that is
+constexpr double kCornerBeyond = 0.1;  ///< of the spread of what was tried first
+constexpr double kLeastSpread = 1e-6;  ///< of an objective that is the same for all
+// Operators of NSGA-II as its authors use them, mutation so that one gene or two change.
+constexpr double kCrossover = 0.95, kCrossoverIndex = 10, kMutationIndex = 20;
+
+std::vector<double> FitnessOf(const Appraised& appraised) {
+  if (appraised.is_allowed()) return appraised.objectives;
+  return std::vector<double>(appraised.objectives.size(), kNotAllowed * (1 + appraised.beyond));
+}
+
+bool IsAllowed(const std::vector<double>& fitness) { return fitness.front() < kNotAllowed; }
+
+/// The search as pagmo asks for it.
+struct Problem {
+  const LayoutSearch* search = nullptr;
+  const Appraisal* appraisal = nullptr;
+
+  pagmo::vector_double fitness(const pagmo::vector_double& genes) const {
+    return FitnessOf(appraisal->Of(genes));
+  }
+  pagmo::vector_double::size_type get_nobj() const {
+    return search ? search->objectives.size() : 1;
+  }
+  std::pair<pagmo::vector_double, pagmo::vector_double> get_bounds() const {
+    if (!search) return {{0}, {1}};
+    GeneBounds bounds = BoundsOf(*search);
+    return {std::move(bounds.low), std::move(bounds.high)};
+  }
+  pagmo::vector_double::size_type get_nix() const { return search ? BoundsOf(*search).whole : 0; }
+};
+
+/// Evenly at random within the bounds.
+Genes RandomGenes(const LayoutSearch& search, const Stream& stream, std::uint64_t index) {
+  const GeneBounds bounds = BoundsOf(search);
+  Genes genes = bounds.low;
+  for (std::size_t g = 0; g < genes.size(); ++g) {
+    const double share = stream.Uniform(index, static_cast<std::uint32_t>(g));
+    const bool is_whole = g + bounds.whole >= genes.size();
+    const double span = bounds.high[g] - bounds.low[g];
+    genes[g] += is_whole ? std::min(span, std::floor(share * (span + 1))) : share * span;
+  }
+  return genes;
+}
+
+std::vector<double> CornerOf(const std::vector<std::vector<double>>& fitness) {
+  const std::size_t n = fitness.front().size();
+  std::vector<double> low(n, kNotAllowed), high(n, -kNotAllowed), corner(n);
+  for (const std::vector<double>& f : fitness) {
+    if (!IsAllowed(f)) continue;
+    for (std::size_t i = 0; i < n; ++i) {
+      low[i] = std::min(low[i], f[i]);
+      high[i] = std::max(high[i], f[i]);
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const double spread = std::max(high[i] - low[i], kLeastSpread);
+    corner[i] = high[i] + kCornerBeyond * spread;
+  }
+  return corner;
+}
+
+double HypervolumeOf(const SearchState& state) {
+  std::vector<pagmo::vector_double> points;
+  for (const std::vector<double>& f : state.fitness) {
+    const bool is_within = std::equal(f.begin(), f.end(), state.corner.begin(),
+                                      [](double value, double most) { return value < most; });
+    if (is_within) points.push_back(f);
+  }
+  if (points.empty()) return 0;
+  if (state.corner.size() > 1) return pagmo::hypervolume(points).compute(state.corner);
+  const auto best = std::min_element(points.begin(), points.end());
+  return state.corner.front() - best->front();
+}
+
+SearchState Begin(const LayoutSearch& search, const Appraisal& appraisal, std::string sha256) {
+  SearchState state;
+  state.search_sha256 = std::move(sha256);
+  state.greedy = Greedy(search, appraisal, kGreedyTries);
+  const Stream stream(search.seed, "layout/optimise/first");
+  state.genes.push_back(state.greedy);
+  for (int i = 1; i < search.population; ++i) {
+    state.genes.push_back(RandomGenes(search, stream, static_cast<std::uint64_t>(i)));
+  }
+  for (const Genes& genes : state.genes) {
+    state.fitness.push_back(FitnessOf(appraisal.Of(genes)));
+  }
+  if (std::none_of(state.fitness.begin(), state.fitness.end(), IsAllowed)) {
+    throw InputError(
+        "limits: none of the layouts that were tried at first is within them; raise them, or let "
+        "sensors be optional");
+  }
+  state.corner = CornerOf(state.fitness);
+  state.hypervolume.push_back(HypervolumeOf(state));
+  return state;
+}
+
+void Evolve(const LayoutSearch& search, const Appraisal& appraisal, SearchState* state) {
+  const auto seed = static_cast<unsigned>(
+      HashText(fmt::format("layout/optimise/{}/{}", search.seed, state->generation)));
+  const pagmo::problem problem{Problem{&search, &appraisal}};
+  pagmo::population population{problem, 0, seed};
+  for (std::size_t i = 0; i < state->genes.size(); ++i) {
+    population.push_back(state->genes[i], state->fitness[i]);
+  }
+  const double mutation = 2.0 / static_cast<double>(state->genes.front().size());
+  const pagmo::nsga2 step(1, kCrossover, kCrossoverIndex, std::min(mutation, 1.0), kMutationIndex,
+                          seed);
+  population = step.evolve(std::move(population));
+  state->genes = population.get_x();
+  state->fitness = population.get_f();
+  ++state->generation;
+  state->hypervolume.push_back(HypervolumeOf(*state));
+}
+
+/// Those of the population and the greedy layout that none is better than.
+std::vector<FoundLayout> FrontOf(const SearchState& state, const FoundLayout& greedy) {
+  std::vector<FoundLayout> allowed;
+  const auto add = [&](const Genes& genes, const std::vector<double>& fitness) {
+    const bool is_known = std::any_of(allowed.begin(), allowed.end(), [&](const FoundLayout& f) {
+      return f.objectives == fitness;
+    });
+    if (IsAllowed(fitness) && !is_known) allowed.push_back({genes, fitness});
+  };
+  add(greedy.genes, greedy.objectives);
+  for (std::size_t i = 0; i < state.genes.size(); ++i) add(state.genes[i], state.fitness[i]);
+  if (allowed.size() < 2) return allowed;
+  std::vector<FoundLayout> front;
+  for (const FoundLayout& one : allowed) {
+    const bool is_beaten = std::any_of(allowed.begin(), allowed.end(), [&](const FoundLayout& f) {
+      return &f != &one && pagmo::pareto_dominance(f.objectives, one.objectives);
+    });
+    if (!is_beaten) front.push_back(one);
+  }
+  std::sort(front.begin(), front.end(),
+            [](const FoundLayout& a, const FoundLayout& b) { return a.objectives < b.objectives; });
+  return front;
+}
+
+void RequireRoom(const fs::path& out, bool resume) {
+  if (HoldsSomething(out)) {
+    throw InputError(fmt::format("{}: is not an empty directory; choose another place or delete it",
+                                 out.string()));
+  }
+  const fs::path beside = IncompleteOf(out);
+  if (resume || !HoldsSomething(beside)) return;
+  throw InputError(
+      fmt::format("{}: holds a search that was stopped; go on with it by the same command and "
+                  "--resume, or delete it",
+                  beside.string()));
+}
+
+}  // namespace
+
+OptimiseResult Optimise(const LayoutSearch& search, const std::string& search_text,
+                        const OptimiseOptions& options) {
+  RequireRoom(options.out, options.resume);
+  const LayoutStudy study = LoadStudy(search.study);
+  const Cycle cycle(search.cycle, {});
+  const Appraisal appraisal(search, study, cycle, options.threads);
+  const fs::path folder = IncompleteOf(options.out);
+  const std::string sha256 = Sha256Of(search_text);
+  std::optional<SearchState> resumed = LoadState(folder / kStateName, sha256);
+  SearchState state = resumed ? std::move(*resumed) : Begin(search, appraisal, sha256);
+  MakeFolder(folder);
+  OptimiseResult result;
+  {
+    const FolderLock lock(folder);
+    SaveState(state, folder / kStateName);
+    while (state.generation < search.generations) {
+      Evolve(search, appraisal, &state);
+      SaveState(state, folder / kStateName);
+      if (options.progress) {
+        options.progress({state.generation, search.generations, state.hypervolume.back()});
+      }
+    }
+    result.greedy = {state.greedy, FitnessOf(appraisal.Of(state.greedy))};
+    result.front = FrontOf(state, result.greedy);
+    WriteFound(search, result, state.hypervolume, folder);
+    fs::remove(folder / kStateName);
+  }
+  GiveName(folder, options.out);
+  return result;
+}
+
+}  // namespace tera

@@ -1,0 +1,113 @@
+#include "layout/optimise/search.h"
+
+#include <set>
+
+#include "core/config/config.h"
+#include "core/config/plain_name.h"
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+constexpr double kFarthest_m = 100;
+constexpr double kMostGenerations = 1e5, kMostPopulation = 10000, kMostMoments = 1000;
+constexpr int kInFours = 4;  ///< NSGA-II crosses its population in fours
+
+MountBounds ReadMount(const ConfigMap& config) {
+  const Range place = Between(-kFarthest_m, kFarthest_m, "m"), angle = Between(-360, 360, "deg");
+  MountBounds mount;
+  mount.link = config.Text("link");
+  mount.low_B_m = config.Vector3("low_xyz_m", place);
+  mount.high_B_m = config.Vector3("high_xyz_m", place, mount.low_B_m);
+  const Vec3 low_deg = config.Vector3("low_rpy_deg", angle, Vec3::Zero());
+  mount.low_rpy_rad = kDeg * low_deg;
+  mount.high_rpy_rad = kDeg * config.Vector3("high_rpy_deg", angle, low_deg);
+  if ((mount.high_B_m.array() < mount.low_B_m.array()).any()) {
+    config.Fault("high_xyz_m", "lies below low_xyz_m along some axis; need it above or equal");
+  }
+  if ((mount.high_rpy_rad.array() < mount.low_rpy_rad.array()).any()) {
+    config.Fault("high_rpy_deg", "lies below low_rpy_deg about some axis; need it above or equal");
+  }
+  return mount;
+}
+
+/// A sensor of a preset, which needs a place to be read; the search gives it another.
+TypeChoice ReadType(const ConfigMap& config) {
+  TypeChoice type;
+  type.preset = config.File("preset");
+  Config sensor = Config::FromText(
+      "{name: any, link: any, preset: \"" + type.preset.string() + "\"}", type.preset.string());
+  type.sensor = ReadSensor(sensor.root());
+  sensor.Finish();
+  type.sensor.cost = config.Number("cost", AtLeast(0, ""), type.sensor.cost);
+  type.sensor.power_w = config.Number("power_w", AtLeast(0, "W"), type.sensor.power_w);
+  if (!ViewOf(type.sensor))
+    config.Fault("preset", "is no sensor that sees; need a lidar or camera");
+  return type;
+}
+
+SensorSlot ReadSlot(const ConfigMap& config) {
+  SensorSlot slot;
+  slot.name = config.Text("name");
+  RequirePlainName(config, "name", slot.name);
+  slot.optional = config.Boolean("optional", slot.optional);
+  for (const ConfigMap& item : config.List("types")) slot.types.push_back(ReadType(item));
+  for (const ConfigMap& item : config.List("mounts")) slot.mounts.push_back(ReadMount(item));
+  if (slot.types.empty()) config.Fault("types", "needs one at least: - {preset: FILE}");
+  if (slot.mounts.empty()) config.Fault("mounts", "needs one at least: - {link, low_xyz_m}");
+  return slot;
+}
+
+Limits ReadLimits(const ConfigMap& config) {
+  return {config.OptionalNumber("cost", AtLeast(0, "")),
+          config.OptionalNumber("power_w", AtLeast(0, "W")),
+          config.OptionalNumber("data_mbyteps", AtLeast(0, "MB/s")),
+          config.OptionalNumber("sensors", AtLeast(1, ""))};
+}
+
+LayoutSearch ReadSearch(const ConfigMap& config) {
+  LayoutSearch search;
+  search.cycle = config.Text("cycle");
+  search.study = config.OptionalFile("study").value_or("");
+  search.keep = config.OptionalFile("keep").value_or("");
+  std::set<std::string> names;
+  for (const ConfigMap& item : config.List("sensors")) {
+    search.slots.push_back(ReadSlot(item));
+    if (!names.insert(search.slots.back().name).second) {
+      item.Fault("name", "is taken by another sensor; give each its own name");
+    }
+  }
+  if (search.slots.empty()) config.Fault("sensors", "needs one at least");
+  if (const auto limits = config.OptionalMap("limits")) search.limits = ReadLimits(*limits);
+  for (const ConfigMap& item : config.List("objectives")) {
+    search.objectives.push_back(
+        {item.Text("figure"), item.Choice("at", {"mean", "worst"}, "mean") == "worst"});
+  }
+  if (search.objectives.empty()) {
+    config.Fault("objectives", "needs one at least: - {figure: zone/around/blind_m3, at: worst}");
+  }
+  search.moments =
+      static_cast<int>(config.Integer("moments", Between(1, kMostMoments, ""), search.moments));
+  search.population = static_cast<int>(
+      config.Integer("population", Between(8, kMostPopulation, ""), search.population));
+  if (search.population % kInFours != 0) {
+    config.Fault("population", "is no multiple of 4, which NSGA-II needs");
+  }
+  search.generations = static_cast<int>(
+      config.Integer("generations", Between(1, kMostGenerations, ""), search.generations));
+  search.seed = static_cast<std::uint64_t>(config.Integer("seed", AtLeast(0, ""), 1));
+  return search;
+}
+
+}  // namespace
+
+LayoutSearch LoadSearch(const std::filesystem::path& file) {
+  const Config config = Config::FromFile(file);
+  LayoutSearch search = ReadSearch(config.root());
+  config.Finish();
+  // It may be a folder, which no key of a configuration names otherwise.
+  search.cycle = (file.parent_path() / search.cycle).lexically_normal();
+  return search;
+}
+
+}  // namespace tera
