@@ -19,6 +19,8 @@ static_assert(std::endian::native == std::endian::little, "numbers are written a
 constexpr std::string_view kMagic = "TERA blocks 1\n";
 constexpr int kLevel = 6;                              ///< of zstd: beyond it little is gained
 constexpr std::uint64_t kMostStream_bytes = 1u << 30;  ///< a longer one is a damaged length
+/// No frame holds more for each of its bytes: blocks of 128 KiB take 4 bytes at least.
+constexpr std::uint64_t kMostOfAByte_bytes = 1u << 15;
 
 std::string NumberBytes(std::size_t number) {
   TERA_CHECK(number <= kMostStream_bytes, number);
@@ -79,14 +81,21 @@ BlockFileReader::BlockFileReader(const std::filesystem::path& path)
 }
 
 std::optional<Block> BlockFileReader::Next() {
+  if (at_end_) return std::nullopt;
   const std::uint32_t streams = ReadNumber();
-  if (streams == 0) return std::nullopt;
+  if (streams == 0) {
+    if (left_ > 0) Fail("has more behind its end");
+    at_end_ = true;
+    return std::nullopt;
+  }
   if (streams > left_) Fail("is damaged");
   Block block;
   for (std::uint32_t s = 0; s < streams; ++s) {
     const std::string compressed = Read(ReadNumber());
     const unsigned long long size = ZSTD_getFrameContentSize(compressed.data(), compressed.size());
-    if (size > kMostStream_bytes) Fail("is damaged");
+    if (size > kMostStream_bytes || size > kMostOfAByte_bytes * compressed.size()) {
+      Fail("is damaged");
+    }
     std::string& stream = block.emplace_back(size, '\0');
     if (ZSTD_decompress(stream.data(), size, compressed.data(), compressed.size()) != size) {
       Fail("is damaged");

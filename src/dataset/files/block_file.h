@@ -38,7 +38,7 @@ class BlockFileWriter {
 };
 
 /// Reads what BlockFileWriter wrote, block by block. Throws InputError where the file is none, is
-/// damaged, or ends before its end.
+/// damaged, or does not end where its end is.
 class BlockFileReader {
  public:
   explicit BlockFileReader(const std::filesystem::path& path);
@@ -54,6 +54,7 @@ class BlockFileReader {
 
   std::filesystem::path path_;
   std::uint64_t left_ = 0;  ///< bytes of the file not yet read
+  bool at_end_ = false;
   std::ifstream stream_;
   std::string header_;
 };
