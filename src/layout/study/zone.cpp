@@ -1,9 +1,14 @@
 #include "layout/study/zone.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 
 #include "core/overloaded.h"
+#include "core/polygon.h"
 #include "core/random.h"
 #include "core/units.h"
 
@@ -12,10 +17,36 @@ namespace {
 
 constexpr double kFarthest_m = 200;  ///< of any length of a zone, beyond every sensor's use
 
+/// Of the rectangle around an outline that it must fill: places are tried all over that.
+constexpr double kLeastFilled = 0.01;
+
+/// What is wrong with an outline's corners, or nothing.
+std::string OutlineFault(const std::vector<Vec2>& corners_m) {
+  if (corners_m.empty()) return "";  // a fault that was told already
+  if (const auto sides = FirstCrossing(corners_m)) {
+    return fmt::format("its sides {} and {} cross; name the corners in order around the region",
+                       sides->first + 1, sides->second + 1);
+  }
+  Vec2 low_m = corners_m.front(), high_m = low_m;
+  for (const Vec2& p : corners_m) {
+    low_m = low_m.cwiseMin(p);
+    high_m = high_m.cwiseMax(p);
+  }
+  const double around_m2 = (high_m - low_m).prod(), area_m2 = AreaOf(corners_m);
+  if (area_m2 > 0 && area_m2 >= kLeastFilled * around_m2) return "";
+  return fmt::format("its corners enclose {:.2g} m2 of the {:.2g} m2 around them; need {:g} of it",
+                     area_m2, around_m2, kLeastFilled);
+}
+
 ZonePrism ReadPrism(const ConfigMap& config) {
   ZonePrism prism;
   for (const std::vector<double>& row : config.NumberRows("xy_m", Any("m"), 2, 3)) {
     prism.corners_m.emplace_back(row[0], row[1]);
+  }
+  const std::string fault = OutlineFault(prism.corners_m);
+  if (!fault.empty()) {
+    config.Fault("xy_m", fault);
+    prism.corners_m.clear();
   }
   prism.low_m = config.Number("low_m", Any("m"), prism.low_m);
   prism.high_m = config.Number("high_m", Any("m"));
@@ -34,14 +65,6 @@ bool Contains(const std::vector<Vec2>& corners, const Vec2& p) {
     }
   }
   return inside;
-}
-
-double Area_m2(const std::vector<Vec2>& corners) {
-  double twice = 0;
-  for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
-    twice += corners[j].x() * corners[i].y() - corners[i].x() * corners[j].y();
-  }
-  return 0.5 * std::abs(twice);
 }
 
 /// The box around a shape, in Z.
@@ -81,6 +104,21 @@ bool IsInside(const Zone& zone, const Vec3& p_Z_m) {
                     zone.shape);
 }
 
+/// About `wanted` cells of a box, as near to cubes as it is thick.
+Eigen::Array3i CellsOf(const Vec3& extent_m, double wanted) {
+  std::array<int, 3> axes = {0, 1, 2};  // the thinnest first
+  std::sort(axes.begin(), axes.end(), [&](int a, int b) { return extent_m[a] < extent_m[b]; });
+  Eigen::Array3i cells;
+  double left_m3 = extent_m.prod();  // of the axes to come: a volume, an area, a length
+  for (int a = 0; a < 3; ++a) {
+    const double edge_m = std::pow(left_m3 / wanted, 1.0 / (3 - a));
+    cells[axes[a]] = std::max(1, static_cast<int>(std::lround(extent_m[axes[a]] / edge_m)));
+    left_m3 /= extent_m[axes[a]];
+    wanted /= cells[axes[a]];
+  }
+  return cells;
+}
+
 }  // namespace
 
 Zone ReadZone(const ConfigMap& config) {
@@ -114,7 +152,7 @@ double Volume_m3(const Zone& zone) {
       Overloaded{[](const ZoneBox& box) { return box.size_m.prod(); },
                  [](const ZoneCylinder& c) { return kPi * c.radius_m * c.radius_m * c.height_m; },
                  [](const ZonePrism& prism) {
-                   return Area_m2(prism.corners_m) * (prism.high_m - prism.low_m);
+                   return AreaOf(prism.corners_m) * (prism.high_m - prism.low_m);
                  }},
       zone.shape);
 }
@@ -122,11 +160,7 @@ double Volume_m3(const Zone& zone) {
 std::vector<Vec3> PointsIn(const Zone& zone, int count, std::uint64_t seed) {
   const Bounds bounds = BoundsOf(zone);
   const Vec3 extent_m = bounds.high_m - bounds.low_m;
-  const double edge_m = std::cbrt(Volume_m3(zone) / count);
-  Eigen::Array3i cells;
-  for (int a = 0; a < 3; ++a) {
-    cells[a] = std::max(1, static_cast<int>(std::lround(extent_m[a] / edge_m)));
-  }
+  const Eigen::Array3i cells = CellsOf(extent_m, count * extent_m.prod() / Volume_m3(zone));
   const Stream stream(seed, "layout/zone/" + zone.name);
   std::vector<Vec3> points;
   std::uint64_t index = 0;
