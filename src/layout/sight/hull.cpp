@@ -7,8 +7,9 @@
 namespace tera {
 namespace {
 
-constexpr double kHeights_m[] = {0.2, 0.5, 0.8, 1.1, 1.4, 1.7};
-constexpr double kFarthest_m = 20;  ///< of a machine's parts from its middle
+constexpr double kHighest_m = 1.75;   ///< of a person
+constexpr double kThinnest_m = 0.05;  ///< of a part that counts
+constexpr double kFarthest_m = 20;    ///< of a machine's parts from its middle
 
 bool IsHull(SemanticClass label) {
   return label == SemanticClass::kUndercarriage || label == SemanticClass::kUpperStructure ||
@@ -24,7 +25,8 @@ std::vector<double> HullRadii_m(const Pose& X_WH, std::size_t machine, int secto
   for (int sector = 0; sector < sectors; ++sector) {
     const Mat3 turn(Eigen::AngleAxisd(2 * kPi * sector / sectors, Vec3::UnitZ()));
     double farthest_m = 0;
-    for (const double height_m : kHeights_m) {
+    for (int k = 1; k * kThinnest_m <= kHighest_m; ++k) {
+      const double height_m = k * kThinnest_m;
       const Vec3 middle_W_m = X_WH * Vec3(0, 0, height_m);
       const Vec3 out_W_m = X_WH.linear() * turn.col(0);
       const double to_m =

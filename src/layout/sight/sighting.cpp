@@ -7,6 +7,7 @@ namespace {
 
 constexpr float kFarthest_m = 300;
 constexpr std::size_t kDirections = 6;
+constexpr std::size_t kDown = 5;  ///< of them
 
 }  // namespace
 
@@ -56,7 +57,8 @@ std::vector<bool> Sighting::AreInside(const std::vector<Vec3>& places_W_m) const
     const RayHit* around = &hits[p * kDirections];
     bool same = around[0].hit && around[0].instance != 0;
     for (std::size_t d = 1; d < kDirections; ++d) {
-      same = same && around[d].hit && around[d].instance == around[0].instance;
+      const bool is_ground_below = d == kDown && around[d].instance == 0;
+      same = same && around[d].hit && (is_ground_below || around[d].instance == around[0].instance);
     }
     inside[p] = same;
   }

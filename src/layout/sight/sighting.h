@@ -48,7 +48,7 @@ class Sighting {
   /// Of each line what blocks it, if anything does.
   std::vector<std::optional<Blocked>> Try(std::span<const Line> lines) const;
   /// Whether each place lies inside something solid: in all of six directions the same object is
-  /// what is next.
+  /// what is next, or the ground below, into which objects are sunk.
   std::vector<bool> AreInside(const std::vector<Vec3>& places_W_m) const;
   /// Which of the scene's instances are parts of machine number `machine` of these classes.
   std::vector<bool> InstancesOf(std::size_t machine, bool (*is_wanted)(SemanticClass)) const;
