@@ -1,6 +1,8 @@
 #include "layout/sight/sighting.h"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 namespace tera {
 namespace {
@@ -8,6 +10,22 @@ namespace {
 constexpr float kFarthest_m = 300;
 constexpr std::size_t kDirections = 6;
 constexpr std::size_t kDown = 5;  ///< of them
+
+/// What is left of a line from `at_m` on.
+struct Rest {
+  std::size_t line = 0;
+  double at_m = 0;
+};
+
+/// From `at_m` on a line to `before_m` before its end.
+Ray RayOf(const Sighting::Line& line, double at_m, double before_m) {
+  const Vec3 way_W_m = line.to_W_m - line.from_W_m;
+  const double length_m = way_W_m.norm();
+  const Vec3 d_W = length_m > 0 ? Vec3(way_W_m / length_m) : Vec3::UnitX();
+  return {.origin_W_m = (line.from_W_m + at_m * d_W).cast<float>(),
+          .direction_W = d_W.cast<float>(),
+          .max_range_m = static_cast<float>(std::max(0.0, length_m - at_m - before_m))};
+}
 
 }  // namespace
 
@@ -21,14 +39,7 @@ void Sighting::Show(const Instant& now, const TerrainSurface& ground) {
 std::vector<std::optional<Blocked>> Sighting::Try(std::span<const Line> lines) const {
   std::vector<Ray> rays;
   rays.reserve(lines.size());
-  for (const Line& line : lines) {
-    const Vec3 way_W_m = line.to_W_m - line.from_W_m;
-    const double length_m = way_W_m.norm();
-    const Vec3 d_W = length_m > 0 ? Vec3(way_W_m / length_m) : Vec3::UnitX();
-    rays.push_back({.origin_W_m = line.from_W_m.cast<float>(),
-                    .direction_W = d_W.cast<float>(),
-                    .max_range_m = static_cast<float>(std::max(0.0, length_m - kTouch_m))});
-  }
+  for (const Line& line : lines) rays.push_back(RayOf(line, 0, kTouch_m));
   std::vector<RayHit> hits(rays.size());
   scene_.Trace(rays, hits, threads_);
   std::vector<std::optional<Blocked>> blocked(rays.size());
@@ -36,6 +47,30 @@ std::vector<std::optional<Blocked>> Sighting::Try(std::span<const Line> lines) c
     if (hits[i].hit) blocked[i] = Blocked{hits[i].instance};
   }
   return blocked;
+}
+
+std::vector<std::vector<Sighting::Crossing>> Sighting::CrossingsOf(
+    std::span<const Line> lines) const {
+  constexpr double kPast_m = 1e-4;  // behind a surface
+  std::vector<std::vector<Crossing>> crossings(lines.size());
+  std::vector<Rest> rests(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) rests[i].line = i;
+  while (!rests.empty()) {
+    std::vector<Ray> rays;
+    for (const Rest& rest : rests) rays.push_back(RayOf(lines[rest.line], rest.at_m, 0));
+    std::vector<RayHit> hits(rays.size());
+    scene_.Trace(rays, hits, threads_);
+    std::vector<Rest> further;
+    for (std::size_t i = 0; i < rests.size(); ++i) {
+      if (!hits[i].hit) continue;
+      const double at_m = rests[i].at_m + hits[i].range_m;
+      crossings[rests[i].line].push_back(
+          {hits[i].instance, at_m, hits[i].leaves, hits[i].opacity < 1});
+      further.push_back({rests[i].line, at_m + kPast_m});
+    }
+    rests = std::move(further);
+  }
+  return crossings;
 }
 
 std::vector<bool> Sighting::AreInside(const std::vector<Vec3>& places_W_m) const {

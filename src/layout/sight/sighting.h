@@ -47,6 +47,15 @@ class Sighting {
   };
   /// Of each line what blocks it, if anything does.
   std::vector<std::optional<Blocked>> Try(std::span<const Line> lines) const;
+  /// A surface that a line goes through.
+  struct Crossing {
+    std::uint16_t instance = 0;  ///< of the scene; 0 is the ground
+    double at_m = 0;             ///< from the line's beginning
+    bool leaves = false;         ///< met from behind: the line comes out of what it encloses
+    bool is_glass = false;
+  };
+  /// Of each line all surfaces on it, in order; of surfaces within 0.1 mm the first.
+  std::vector<std::vector<Crossing>> CrossingsOf(std::span<const Line> lines) const;
   /// Whether each place lies inside something solid: in all of six directions the same object is
   /// what is next, or the ground below, into which objects are sunk.
   std::vector<bool> AreInside(const std::vector<Vec3>& places_W_m) const;

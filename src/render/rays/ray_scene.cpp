@@ -63,7 +63,7 @@ struct BodyShape {
   EmbreeScene scene;
   struct Part {
     int node;  ///< place in the body's list of nodes
-    float reflectance;
+    float reflectance, opacity;
   };
   std::vector<Part> parts;  ///< by geometry id within `scene`
 
@@ -198,8 +198,9 @@ RayScene::Impl::Impl(const SceneModel& scene_model)
       for (const MeshPart& part : model.meshes.at(shape.meshes[i]).parts) {
         if (part.material.opacity <= 0 || part.indices.empty()) continue;
         AttachPart(device.get(), part, shape.X_BG[i], shape.scale[i], shape.scene.get());
-        shape.parts.push_back(
-            {static_cast<int>(i), static_cast<float>(ReflectanceOf(part.material))});
+        shape.parts.push_back({static_cast<int>(i),
+                               static_cast<float>(ReflectanceOf(part.material)),
+                               static_cast<float>(part.material.opacity)});
       }
     }
     rtcCommitScene(shape.scene.get());
@@ -303,11 +304,13 @@ void RayScene::Impl::Describe(const Ray& ray, const RTCHit& found, RayHit* hit) 
                             X_WB.data());
     normal = X_WB.leftCols<3>() * normal;
     hit->reflectance = part.reflectance;
+    hit->opacity = part.opacity;
     hit->label = node.label;
     hit->instance = node.instance;
   }
   normal.normalize();
-  hit->normal_W = normal.dot(ray.direction_W) > 0 ? Eigen::Vector3f(-normal) : normal;
+  hit->leaves = normal.dot(ray.direction_W) > 0;
+  hit->normal_W = hit->leaves ? Eigen::Vector3f(-normal) : normal;
 }
 
 RayScene::RayScene(const SceneModel& model) : impl_(std::make_unique<Impl>(model)) {}

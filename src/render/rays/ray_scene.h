@@ -24,6 +24,8 @@ struct RayHit {
   float range_m = 0;
   Eigen::Vector3f normal_W = Eigen::Vector3f::Zero();  ///< unit, towards the ray's origin
   float reflectance = 0;                               ///< of the surface, diffuse, 0..1
+  float opacity = 1;    ///< of the surface's material; below 1 is glass
+  bool leaves = false;  ///< met from behind: the ray comes out of what the surface encloses
   SemanticClass label = SemanticClass::kSky;
   std::uint16_t instance = 0;
 };

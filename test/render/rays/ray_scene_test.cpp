@@ -232,6 +232,20 @@ TEST(RayScene, InvisibleGlassLetsRaysPass) {
   EXPECT_EQ(hit.instance, 2);
 }
 
+TEST(RayScene, TellsWhetherARayGoesIntoASolidOrComesOutOfItAndThroughWhat) {
+  SceneModel model = OneBodyEach({CubeMesh(0.5)});
+  model.meshes[0].parts[0].material.opacity = 0.25;
+  RayScene scene(model);
+  const Pose X_WB = MakePose({6, 2, 1}, 0.2, -0.1, 0.4);
+  scene.Update({{X_WB}}, NoGround(), {1});
+  const RayHit into = TraceOne(scene, RayFrom({0, 0, 0}, X_WB.translation()));
+  const RayHit out = TraceOne(scene, RayFrom(X_WB.translation(), {0.3, -1, 0.2}));
+  ASSERT_TRUE(into.hit && out.hit);
+  EXPECT_FALSE(into.leaves);
+  EXPECT_TRUE(out.leaves);
+  EXPECT_EQ(into.opacity, 0.25f);
+}
+
 TEST(RayScene, LandAroundALevelSiteGoesOnAtItsLevel) {
   RayScene scene(OneBodyEach({}));
   const double level_m = -0.7;
