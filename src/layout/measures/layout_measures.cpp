@@ -101,7 +101,8 @@ Places LayoutMeasures::PlacesOf(const LookedAt& moment) const {
         zone.PlacesInAir(FrameOf(zone.zone(), model_, machine), sighting, ground));
   }
   for (const BlindMap& map : maps_) {
-    places.maps.push_back(map.Places(places.X_WH, places.hull_m, sighting, ground));
+    places.maps.push_back(PlacesAt(map.height_m(), places.X_WH, sighting, ground));
+    LeaveOutHull(places.hull_m, &places.maps.back());
   }
   return places;
 }

@@ -30,7 +30,7 @@ struct Places {
   Pose X_WH = Pose::Identity();  ///< as in PolarGrid
   std::vector<double> hull_m;    ///< HullRadii_m
   std::vector<std::vector<Vec3>> zones_W_m;
-  std::vector<std::vector<BlindMap::Place>> maps;
+  std::vector<PolarPlaces> maps;  ///< of each height
 };
 
 /// All that a study asks of one layout, moment by moment.

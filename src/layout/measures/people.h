@@ -1,11 +1,12 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "layout/layout.h"
 #include "layout/measures/figure.h"
+#include "layout/measures/person_samples.h"
+#include "layout/measures/polar_grid.h"
 #include "layout/measures/polar_map.h"
 #include "layout/study/study.h"
 
@@ -23,7 +24,7 @@ namespace tera {
 ///         detector makes of points and pixels.
 class PersonRange {
  public:
-  static constexpr int kSectors = 72;
+  static constexpr int kSectors = PolarGrid::kSectors;
 
   PersonRange(Posture posture, const PersonStudy& study, double reflectance);
 
@@ -43,24 +44,13 @@ class PersonRange {
   PolarCurve Curve() const;
 
  private:
-  /// Of a surface of hers that is tried as one.
-  struct Patch {
-    Vec3 p_m = Vec3::Zero(), normal = Vec3::UnitX();  ///< in her frame, x from the machine to her
-    double area_m2 = 0;
-  };
-  struct Place {
-    int sector, step;
-    Pose X_WP = Pose::Identity();
-  };
-  std::vector<Place> PlacesAround(const Pose& X_WH, const std::vector<double>& hull_m,
-                                  const TerrainSurface& ground) const;
-  std::vector<bool> AreDetected(const std::vector<Place>& places, const Viewer& viewer,
+  std::vector<bool> AreDetected(const std::vector<PersonPlace>& places, const Viewer& viewer,
                                 const Sighting& sighting) const;
 
   Posture posture_;
   PersonStudy study_;
   double reflectance_;
-  std::vector<Patch> patches_;
+  std::vector<BodyPatch> patches_;
   std::vector<std::vector<double>> detected_m_ = std::vector<std::vector<double>>(kSectors);
   std::vector<double> within_12m_;
   std::vector<std::size_t> tried_;

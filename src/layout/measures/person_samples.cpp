@@ -1,0 +1,88 @@
+#include "layout/measures/person_samples.h"
+
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+constexpr int kPatchesUp = 4, kPatchesAcross = 2;
+
+struct Sample {
+  std::size_t person;
+  double count;
+};
+
+}  // namespace
+
+std::vector<PersonPlace> PlacesAroundHull(const Pose& X_WH, const std::vector<double>& hull_m,
+                                          const std::vector<double>& distances_m,
+                                          const TerrainSurface& ground) {
+  const int sectors = static_cast<int>(hull_m.size());
+  std::vector<PersonPlace> places;
+  for (int sector = 0; sector < sectors; ++sector) {
+    const Mat3 R_HP(Eigen::AngleAxisd(2 * kPi * sector / sectors, Vec3::UnitZ()));
+    const Mat3 R_WP = X_WH.linear() * R_HP;
+    for (std::size_t step = 0; step < distances_m.size(); ++step) {
+      const double radius_m = hull_m[sector] + distances_m[step];
+      Vec3 p_W_m = X_WH.translation() + radius_m * R_WP.col(0);
+      p_W_m.z() = ground.HeightAt(p_W_m.x(), p_W_m.y());
+      places.push_back({sector, static_cast<int>(step), MakePose(p_W_m, R_WP)});
+    }
+  }
+  return places;
+}
+
+std::vector<BodyPatch> PatchesOf(const Posture& posture) {
+  const Vec3 half_m = 0.5 * posture.size_m;
+  std::vector<BodyPatch> patches;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const int side : {-1, 1}) {
+      if (axis == 2 && side < 0) continue;
+      const int across = axis == 0 ? 1 : 0, up = axis == 2 ? 1 : 2;
+      Vec3 normal = Vec3::Zero();
+      normal[axis] = side;
+      for (int i = 0; i < kPatchesAcross; ++i) {
+        for (int j = 0; j < kPatchesUp; ++j) {
+          Vec3 p_m = normal.cwiseProduct(half_m);
+          p_m[across] = half_m[across] * (2 * (i + 0.5) / kPatchesAcross - 1);
+          p_m[up] = half_m[up] * (2 * (j + 0.5) / kPatchesUp - 1);
+          p_m.z() += half_m.z();
+          const double side_m2 = 4 * half_m[across] * half_m[up];
+          patches.push_back({p_m, normal, side_m2 / (kPatchesAcross * kPatchesUp)});
+        }
+      }
+    }
+  }
+  return patches;
+}
+
+std::vector<double> SamplesOnPersons(const std::vector<BodyPatch>& patches,
+                                     const std::vector<Pose>& X_WP, const Viewer& viewer,
+                                     double reflectance, const Sighting& sighting) {
+  std::vector<Sample> samples;
+  std::vector<Sighting::Line> lines;
+  const Vec3 from_W_m = viewer.X_WS.translation();
+  const Mat3 R_SW = viewer.X_WS.linear().transpose();
+  for (std::size_t p = 0; p < X_WP.size(); ++p) {
+    for (const BodyPatch& patch : patches) {
+      const Vec3 p_W_m = X_WP[p] * patch.p_P_m;
+      const Vec3 way_W_m = p_W_m - from_W_m;
+      const double range_m = way_W_m.norm();
+      const double cosine = -(X_WP[p].linear() * patch.normal_P).dot(way_W_m) / range_m;
+      if (cosine <= 0 || range_m < viewer.field.min_range_m) continue;
+      if (range_m > viewer.field.reach_m(reflectance * cosine)) continue;
+      const double per_sr = viewer.field.per_steradian(R_SW * way_W_m / range_m);
+      if (per_sr <= 0) continue;
+      samples.push_back({p, per_sr * patch.area_m2 * cosine / (range_m * range_m)});
+      lines.push_back({from_W_m, p_W_m});
+    }
+  }
+  const std::vector<std::optional<Blocked>> blocked = sighting.Try(lines);
+  std::vector<double> count(X_WP.size(), 0);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!blocked[i]) count[samples[i].person] += samples[i].count;
+  }
+  return count;
+}
+
+}  // namespace tera
