@@ -46,6 +46,7 @@ EyeStudy ReadEye(const ConfigMap& config) {
   eye.circle_m = config.Number("circle_m", Between(1, kFarthest_m, "m"), eye.circle_m);
   eye.rectangle_m = config.Number("rectangle_m", Between(0, kFarthest_m, "m"), eye.rectangle_m);
   eye.height_m = config.Number("height_m", Between(0, 5, "m"), eye.height_m);
+  eye.most_masking_m = config.OptionalNumber("most_masking_m", Between(0, kFarthest_m, "m"));
   return eye;
 }
 

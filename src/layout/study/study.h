@@ -37,9 +37,10 @@ struct EyeStudy {
   std::string link;
   Vec3 p_B_m = Vec3::Zero();  ///< middle between the eyes
   double spacing_m = 0.205;   ///< of the two light filaments
-  double circle_m = 12;       ///< radius of the visibility test circle about the machine
+  double circle_m = 12;       ///< radius of the visibility test circle about the eye
   double rectangle_m = 1;     ///< distance of the rectangular boundary from the machine's sides
   double height_m = 0;        ///< of both above the ground
+  std::optional<double> most_masking_m;  ///< widest masking that whoever asks allows
 };
 
 /// Part of the ground ahead of which an elevation map is wanted.
