@@ -1,0 +1,119 @@
+#include "layout/measures/pixel_density.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "layout/measures/polar_grid.h"
+#include "layout/measures/quarter.h"
+
+namespace tera {
+namespace {
+
+constexpr std::size_t kPurposeCount = PixelDensity::kPurposes.size();
+
+/// Pixels per metre of a surface at the place that faces the camera; 0 out of view.
+double DensityAt(const Viewer& camera, const Vec3& p_W_m) {
+  const Vec3 p_S_m = camera.X_WS.inverse() * p_W_m;
+  const double range_m = p_S_m.norm();
+  if (range_m <= 0 || range_m > camera.field.reach_m(1)) return 0;
+  return std::sqrt(camera.field.per_steradian(p_S_m / range_m)) / range_m;
+}
+
+/// Of each place that of the camera that shows it most finely; 0 where none does.
+std::vector<double> DensitiesAt(const PolarPlaces& places, const Layout& layout,
+                                const Sighting& sighting) {
+  std::vector<double> best_px_per_m(places.p_W_m.size(), 0);
+  for (const Viewer& viewer : layout.viewers) {
+    if (viewer.field.samples != ViewField::Samples::kPixels) continue;
+    std::vector<Sighting::Line> lines;
+    std::vector<std::pair<std::size_t, double>> tried;
+    for (std::size_t p = 0; p < places.p_W_m.size(); ++p) {
+      if (!places.count[p]) continue;
+      const double px_per_m = DensityAt(viewer, places.p_W_m[p]);
+      if (px_per_m <= best_px_per_m[p]) continue;
+      lines.push_back({viewer.X_WS.translation(), places.p_W_m[p]});
+      tried.emplace_back(p, px_per_m);
+    }
+    const std::vector<std::optional<Blocked>> blocked = sighting.Try(lines);
+    for (std::size_t i = 0; i < tried.size(); ++i) {
+      if (!blocked[i]) best_px_per_m[tried[i].first] = tried[i].second;
+    }
+  }
+  return best_px_per_m;
+}
+
+}  // namespace
+
+PixelDensity::PixelDensity()
+    : farthest_m_(kPurposeCount, OfSectors(PolarGrid::kSectors)),
+      share_(kPurposeCount),
+      sum_px_per_m_(static_cast<std::size_t>(PolarGrid::kSectors) * PolarGrid::kRings, 0),
+      counted_(sum_px_per_m_) {}
+
+void PixelDensity::Add(const Pose& X_WH, const Layout& layout, const Sighting& sighting,
+                       const TerrainSurface& ground) {
+  const PolarPlaces places = PlacesAt(kHeight_m, X_WH, sighting, ground);
+  const std::vector<double> px_per_m = DensitiesAt(places, layout, sighting);
+  for (std::size_t p = 0; p < px_per_m.size(); ++p) {
+    counted_[p] += places.count[p];
+    sum_px_per_m_[p] += px_per_m[p];
+  }
+  for (std::size_t purpose = 0; purpose < kPurposeCount; ++purpose) {
+    double near_m2 = 0, held_m2 = 0;
+    for (int sector = 0; sector < PolarGrid::kSectors; ++sector) {
+      double farthest_m = 0;
+      for (int ring = 0; ring < PolarGrid::kRings; ++ring) {
+        const std::size_t p = PolarGrid::Index(sector, ring);
+        const bool holds = px_per_m[p] >= kPurposes[purpose].px_per_m;
+        if (holds) farthest_m = PolarGrid::Radius_m(ring);
+        if (ring >= PolarGrid::kNearRings || !places.count[p]) continue;
+        near_m2 += PolarGrid::Area_m2(ring);
+        if (holds) held_m2 += PolarGrid::Area_m2(ring);
+      }
+      farthest_m_[purpose][sector].push_back(farthest_m);
+    }
+    share_[purpose].push_back(near_m2 > 0 ? held_m2 / near_m2 : 0);
+  }
+}
+
+std::vector<Figure> PixelDensity::Figures() const {
+  std::vector<Figure> figures;
+  for (std::size_t purpose = 0; purpose < kPurposeCount; ++purpose) {
+    const std::string name = fmt::format("pixels/{}", kPurposes[purpose].name);
+    figures.push_back({name + "/share_to_12m", "", true, share_[purpose]});
+    for (const Quarter& quarter : kQuarters) {
+      Figure figure{fmt::format("{}/to_m_{}", name, quarter.name), "m", true};
+      for (std::size_t m = 0; m < share_[purpose].size(); ++m) {
+        double least_m = PolarGrid::kRings * PolarGrid::kRing_m;
+        for (int sector = 0; sector < PolarGrid::kSectors; ++sector) {
+          if (!quarter.Holds(PolarGrid::Azimuth_rad(sector))) continue;
+          least_m = std::min(least_m, farthest_m_[purpose][sector][m]);
+        }
+        figure.at.push_back(least_m);
+        figure.error.push_back(PolarGrid::kRing_m / std::sqrt(12.0));  // somewhere in the cell
+      }
+      figures.push_back(std::move(figure));
+    }
+  }
+  return figures;
+}
+
+PolarMap PixelDensity::Map() const {
+  PolarMap map{
+      .name = fmt::format("pixels/{} m", kHeight_m),
+      .title = fmt::format("Pixels per metre on a person, {} m above the ground", kHeight_m),
+      .sectors = PolarGrid::kSectors,
+      .rings = PolarGrid::kRings,
+      .ring_m = PolarGrid::kRing_m,
+      .high = kPurposes.back().px_per_m,
+      .value = std::vector<double>(counted_.size(), -1)};
+  for (std::size_t p = 0; p < counted_.size(); ++p) {
+    if (counted_[p] > 0) map.value[p] = sum_px_per_m_[p] / counted_[p];
+  }
+  return map;
+}
+
+}  // namespace tera
