@@ -60,6 +60,19 @@ ElevationStudy ReadElevation(const ConfigMap& config) {
     config.Fault("high_m", "need it beyond low_m along x and y");
   }
   return elevation;
+PrecisionFit ReadFit(const ConfigMap& information, std::string_view key,
+                     const PrecisionFit& otherwise) {
+  const auto config = information.OptionalMap(key);
+  if (!config) return otherwise;
+  return {config->Number("a", Between(1e-4, 10, "")), config->Number("b", Between(-10, 10, ""))};
+}
+
+InformationStudy ReadInformation(const ConfigMap& config) {
+  InformationStudy information;
+  information.voxel_m = config.Number("voxel_m", Between(0.1, 5, "m"), information.voxel_m);
+  information.lidar = ReadFit(config, "lidar", information.lidar);
+  information.camera = ReadFit(config, "camera", information.camera);
+  return information;
 }
 
 LayoutStudy ReadStudy(const ConfigMap& config) {
@@ -87,6 +100,9 @@ LayoutStudy ReadStudy(const ConfigMap& config) {
   if (const auto person = config.OptionalMap("person")) study.person = ReadPerson(*person);
   if (const auto map = config.OptionalMap("elevation")) study.elevation = ReadElevation(*map);
   if (const auto eye = config.OptionalMap("eye")) study.eye = ReadEye(*eye);
+  if (const auto information = config.OptionalMap("information")) {
+    study.information = ReadInformation(*information);
+  }
   if (study.person.postures.empty()) study.person.postures = CommonPostures();
   return study;
 }

@@ -9,6 +9,7 @@
 namespace tera {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 class Study : public testing::Test {
@@ -36,6 +37,23 @@ TEST_F(Study, HasNoLimitOfMaskingButItsOwn) {
       0.7);
   EXPECT_THAT(FaultsOf("eye: {link: upper, xyz_m: [0.1, 0.4, 1.3], most_masking_m: -1}"),
               HasSubstr("most_masking_m"));
+}
+
+TEST_F(Study, SaysWhatEntropiesAreComputedWith) {
+  const InformationStudy given =
+      Read("information: {voxel_m: 0.25, camera: {a: 0.07, b: 0.1}}").information;
+  EXPECT_EQ(given.voxel_m, 0.25);
+  EXPECT_EQ(given.camera.a, 0.07);
+  EXPECT_EQ(given.camera.b, 0.1);
+  EXPECT_EQ(given.lidar.a, InformationStudy().lidar.a);
+  EXPECT_EQ(Read("information: {lidar: {a: 0.1, b: 0.2}}").information.lidar.b, 0.2);
+}
+
+TEST_F(Study, RefusesEntropiesWithoutSense) {
+  EXPECT_THAT(FaultsOf("information: {voxel_m: 0, lidar: {a: 0.1}, camera: {a: -1, b: 0}}"),
+              AllOf(HasSubstr("information.voxel_m"), HasSubstr("information.lidar"),
+                    HasSubstr("information.camera.a")));
+  EXPECT_THAT(FaultsOf("information: {voxels_m: 0.5}"), HasSubstr("voxel_m"));
 }
 
 }  // namespace
