@@ -80,28 +80,33 @@ LayoutReport ReportOf(const Layout& layout, const Cycle& cycle, const std::vecto
   return report;
 }
 
+void RequireMounts(const Layout& layout, const LayoutMeasures& measures) {
+  const std::vector<std::string> warnings = measures.MountWarnings();
+  if (warnings.empty()) return;
+  throw InputError(fmt::format("{}: {}", layout.file.string(), fmt::join(warnings, "\n")));
+}
+
 }  // namespace
 
 std::vector<LayoutReport> Evaluate(const Cycle& cycle, const LayoutStudy& study,
                                    std::vector<Layout> layouts, const EvaluateOptions& options) {
   const Scenario& scenario = cycle.scenario();
   const StudiedMachine studied = FindMachine(study, scenario);
-  const MachinePlacement& placement = scenario.machines[studied.machine].placement;
   CheckZones(study, scenario);
   const SceneAssembly assembly(scenario);
   Sighting sighting(scenario, assembly, options.threads);
-  std::vector<LayoutMeasures> measures(layouts.size(),
-                                       LayoutMeasures(study, placement, studied, assembly.model()));
+  std::vector<LayoutMeasures> measures(layouts.size(), LayoutMeasures(study, scenario, assembly));
   std::vector<double> t_s;
   cycle.ForEachMoment(study.rate_hz, [&](const Instant& now, const TerrainSurface& ground) {
     t_s.push_back(ToSeconds(now.t_ns));
     if (options.progress) options.progress(t_s.back(), scenario.duration_s);
     sighting.Show(now, ground);
-    const MachineState& machine = now.machines[studied.machine];
-    const LookedAt moment{machine, sighting, ground};
+    const LookedAt moment{now, sighting, ground};
     const Places places = measures.front().PlacesOf(moment);
     for (std::size_t l = 0; l < layouts.size(); ++l) {
-      MoveViewers(machine, &layouts[l]);
+      MoveViewers(now.machines[studied.machine], &layouts[l]);
+      if (t_s.size() == 1) measures[l].CheckMounts(moment, layouts[l]);
+      if (options.strict && t_s.size() == 1) RequireMounts(layouts[l], measures[l]);
       measures[l].Add(moment, places, layouts[l]);
     }
   });

@@ -10,8 +10,9 @@ struct Figure {
   std::string name;  ///< "zone/behind/seen", unique in a layout
   std::string unit;  ///< "" for shares
   bool more_is_better = true;
-  std::vector<double> at = {};     ///< of each moment
-  std::vector<double> error = {};  ///< of each, 1 sigma by the places that were tried
+  std::vector<double> at = {};  ///< of each moment
+  /// Of each, 1 sigma by the places that were tried; empty where none is known.
+  std::vector<double> error = {};
 };
 
 double MeanOf(const Figure& figure);

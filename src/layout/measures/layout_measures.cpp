@@ -66,62 +66,105 @@ bool IsWanted(const std::vector<std::string>& wanted, const std::string& beginni
 
 }  // namespace
 
-LayoutMeasures::LayoutMeasures(const LayoutStudy& study, const MachinePlacement& placement,
-                               const StudiedMachine& studied, const SceneModel& scene,
+LayoutMeasures::LayoutMeasures(const LayoutStudy& study, const Scenario& scenario,
+                               const SceneAssembly& assembly,
                                const std::vector<std::string>& wanted)
-    : study_(study), model_(placement.model), studied_(studied) {
+    : study_(study),
+      scenario_(scenario),
+      assembly_(assembly),
+      studied_(FindMachine(study, scenario)) {
+  AddZonesAndMaps(wanted);
+  AddPeople(wanted);
+  AddShovels(wanted);
+  if (IsWanted(wanted, "elevation/")) elevation_.emplace(study.elevation);
+  if (study.eye) LinkOfEye(*study.eye, model());
+  if (study.eye && IsWanted(wanted, "eye/")) eye_.emplace(*study.eye);
+  if (IsWanted(wanted, "information/smig")) {
+    occupancy_.emplace(study.radius_m, study.height_m, study.information.voxel_m);
+  }
+}
+
+const MachineModel& LayoutMeasures::model() const {
+  return scenario_.machines[studied_.machine].placement.model;
+}
+
+void LayoutMeasures::AddZonesAndMaps(const std::vector<std::string>& wanted) {
   const auto add_zone = [&](const Zone& zone) {
     if (!IsWanted(wanted, "zone/" + zone.name + "/")) return;
-    zones_.emplace_back(zone, study.points, study.seed);
+    zones_.emplace_back(zone, study_.points, study_.seed);
   };
-  add_zone(AroundMachine(study, model_));
-  for (const Zone& zone : study.zones) add_zone(zone);
-  for (const double height_m : study.map_heights_m) {
+  add_zone(AroundMachine(study_, model()));
+  for (const Zone& zone : study_.zones) add_zone(zone);
+  for (const double height_m : study_.map_heights_m) {
     if (IsWanted(wanted, fmt::format("map/{} m/", height_m))) maps_.emplace_back(height_m);
   }
-  for (const Posture& posture : study.person.postures) {
+  if (IsWanted(wanted, "pixels/")) pixels_.emplace();
+}
+
+void LayoutMeasures::AddPeople(const std::vector<std::string>& wanted) {
+  const double reflectance = study_.seen.reflectance;
+  for (const Posture& posture : study_.person.postures) {
     if (!IsWanted(wanted, "person/" + posture.name + "/")) continue;
-    people_.emplace_back(posture, study.person, study.seen.reflectance);
+    people_.emplace_back(posture, study_.person, reflectance);
   }
-  const std::vector<std::uint16_t> soil = SoilInstances(placement, scene);
-  for (std::size_t s = 0; s < soil.size(); ++s) {
-    const Shovel& shovel = model_.ground_tools.shovels[s];
-    if (IsWanted(wanted, "dig/" + shovel.name + "/")) shovels_.emplace_back(shovel, soil[s]);
+  if (IsWanted(wanted, "information/perception_entropy")) {
+    entropy_.emplace(study_.person, study_.information, reflectance);
   }
-  if (IsWanted(wanted, "elevation/")) elevation_.emplace_back(study.elevation);
+}
+
+void LayoutMeasures::AddShovels(const std::vector<std::string>& wanted) {
+  const std::vector<Shovel>& shovels = model().ground_tools.shovels;
+  const std::vector<std::uint16_t> soil =
+      SoilInstances(scenario_.machines[studied_.machine].placement, assembly_.model());
+  for (std::size_t s = 0; s < shovels.size(); ++s) {
+    if (IsWanted(wanted, "dig/" + shovels[s].name + "/"))
+      shovels_.emplace_back(shovels[s], soil[s]);
+  }
 }
 
 Places LayoutMeasures::PlacesOf(const LookedAt& moment) const {
-  const auto& [machine, sighting, ground] = moment;
+  const auto& [now, sighting, ground] = moment;
+  const MachineState& machine = now.machines[studied_.machine];
   Places places;
   places.X_WH = MapFrame(machine, studied_.upper, ground);
   places.hull_m = HullRadii_m(places.X_WH, studied_.machine, PolarGrid::kSectors, sighting);
   for (const ZoneCoverage& zone : zones_) {
     places.zones_W_m.push_back(
-        zone.PlacesInAir(FrameOf(zone.zone(), model_, machine), sighting, ground));
+        zone.PlacesInAir(FrameOf(zone.zone(), model(), machine), sighting, ground));
   }
   for (const BlindMap& map : maps_) {
     places.maps.push_back(PlacesAt(map.height_m(), places.X_WH, sighting, ground));
     LeaveOutHull(places.hull_m, &places.maps.back());
   }
+  if (occupancy_) places.occupants = OccupantsAt(now, scenario_, assembly_, studied_.machine);
   return places;
 }
 
 void LayoutMeasures::Add(const LookedAt& moment, const Places& places, const Layout& layout) {
-  const auto& [machine, sighting, ground] = moment;
+  const auto& [now, sighting, ground] = moment;
+  const auto& [X_WH, hull_m, zones_W_m, maps, occupants] = places;
+  const MachineState& machine = now.machines[studied_.machine];
+  const double reflectance = study_.seen.reflectance;
   for (std::size_t z = 0; z < zones_.size(); ++z) {
-    zones_[z].Add(places.zones_W_m[z], layout, study_.seen, sighting);
+    zones_[z].Add(zones_W_m[z], layout, study_.seen, sighting);
   }
   for (std::size_t m = 0; m < maps_.size(); ++m) {
-    maps_[m].Add(places.maps[m], layout, study_.seen, sighting);
+    maps_[m].Add(maps[m], layout, study_.seen, sighting);
   }
-  for (PersonRange& person : people_) {
-    person.Add(places.X_WH, places.hull_m, layout, sighting, ground);
-  }
+  for (PersonRange& person : people_) person.Add(X_WH, hull_m, layout, sighting, ground);
   for (ShovelView& shovel : shovels_) shovel.Add(machine, layout, sighting);
-  for (ElevationMap& map : elevation_) {
-    map.Add(places.X_WH, layout, study_.seen.reflectance, sighting, ground);
+  if (elevation_) elevation_->Add(X_WH, layout, reflectance, sighting, ground);
+  if (pixels_) pixels_->Add(X_WH, layout, sighting, ground);
+  if (eye_) {
+    const Pose& X_WB = machine.links[LinkOfEye(*study_.eye, model())].X_WB;
+    eye_->Add(X_WH, X_WB, studied_.machine, sighting, ground);
   }
+  if (occupancy_) occupancy_->Add(X_WH, occupants, layout, reflectance, sighting);
+  if (entropy_) entropy_->Add(X_WH, hull_m, layout, sighting, ground);
+}
+
+void LayoutMeasures::CheckMounts(const LookedAt& moment, const Layout& layout) {
+  mounts_.Add(studied_.machine, layout.viewers, moment.sighting);
 }
 
 std::vector<Figure> LayoutMeasures::Figures() const {
@@ -133,7 +176,11 @@ std::vector<Figure> LayoutMeasures::Figures() const {
   for (const BlindMap& map : maps_) append(map.Figures());
   for (const PersonRange& person : people_) append(person.Figures());
   for (const ShovelView& shovel : shovels_) append(shovel.Figures());
-  for (const ElevationMap& map : elevation_) append(map.Figures());
+  if (elevation_) append(elevation_->Figures());
+  if (pixels_) append(pixels_->Figures());
+  if (eye_) append(eye_->Figures());
+  if (occupancy_) append(occupancy_->Figures());
+  if (entropy_) append(entropy_->Figures());
   return figures;
 }
 
@@ -144,7 +191,11 @@ void LayoutMeasures::Report(LayoutReport* report) const {
     report->overlaps[zone.zone().name] = zone.Overlaps();
   }
   for (const BlindMap& map : maps_) report->maps.push_back(SeenMap(map));
+  if (pixels_) report->maps.push_back(pixels_->Map());
   for (const PersonRange& person : people_) report->curves.push_back(person.Curve());
+  report->warnings = mounts_.Warnings();
+  if (!eye_) return;
+  for (std::string& warning : eye_->Warnings()) report->warnings.push_back(std::move(warning));
 }
 
 }  // namespace tera

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,10 +9,15 @@
 #include "layout/measures/blind_map.h"
 #include "layout/measures/coverage.h"
 #include "layout/measures/elevation_map.h"
+#include "layout/measures/eye_masking.h"
+#include "layout/measures/occupancy_entropy.h"
 #include "layout/measures/people.h"
+#include "layout/measures/perception_entropy.h"
+#include "layout/measures/pixel_density.h"
 #include "layout/measures/shovel_view.h"
+#include "layout/sight/mount_check.h"
 #include "layout/study/study.h"
-#include "render/scene.h"
+#include "sim/scene_assembly.h"
 
 namespace tera {
 
@@ -20,8 +26,8 @@ inline constexpr char kAroundZone[] = "around";
 
 /// A moment of a cycle, as it is looked at.
 struct LookedAt {
-  const MachineState& machine;  ///< the studied one
-  const Sighting& sighting;     ///< which shows that moment
+  const Instant& now;
+  const Sighting& sighting;  ///< which shows that moment
   const TerrainSurface& ground;
 };
 
@@ -31,33 +37,50 @@ struct Places {
   std::vector<double> hull_m;    ///< HullRadii_m
   std::vector<std::vector<Vec3>> zones_W_m;
   std::vector<PolarPlaces> maps;  ///< of each height
+  std::vector<Occupant> occupants;
 };
 
 /// All that a study asks of one layout, moment by moment.
 class LayoutMeasures {
  public:
   /// `wanted` says which figures are wanted, by the beginning of their names ("zone/behind");
-  /// empty: all. Keeps references to all but `wanted`.
-  LayoutMeasures(const LayoutStudy& study, const MachinePlacement& placement,
-                 const StudiedMachine& studied, const SceneModel& scene,
+  /// empty: all. Keeps references to all but `wanted`. Throws InputError where the study's eye is
+  /// on no link of the machine.
+  LayoutMeasures(const LayoutStudy& study, const Scenario& scenario, const SceneAssembly& assembly,
                  const std::vector<std::string>& wanted = {});
 
   Places PlacesOf(const LookedAt& moment) const;
   /// Adds what `layout` sees now, whose viewers stand where they are.
   void Add(const LookedAt& moment, const Places& places, const Layout& layout);
+  /// Looks whether its viewers are mounted inside the machine.
+  void CheckMounts(const LookedAt& moment, const Layout& layout);
+  std::vector<std::string> MountWarnings() const { return mounts_.Warnings(); }
+
   std::vector<Figure> Figures() const;
-  /// Figures, maps, curves, causes and overlaps.
+  /// Figures, maps, curves, causes, overlaps and warnings.
   void Report(LayoutReport* report) const;
 
  private:
+  const MachineModel& model() const;
+  void AddZonesAndMaps(const std::vector<std::string>& wanted);
+  void AddPeople(const std::vector<std::string>& wanted);
+  void AddShovels(const std::vector<std::string>& wanted);
+
   const LayoutStudy& study_;
-  const MachineModel& model_;
+  const Scenario& scenario_;
+  const SceneAssembly& assembly_;
   StudiedMachine studied_;
   std::vector<ZoneCoverage> zones_;
   std::vector<BlindMap> maps_;
   std::vector<PersonRange> people_;
   std::vector<ShovelView> shovels_;
-  std::vector<ElevationMap> elevation_;  ///< one, or none where it is not wanted
+  // One of each, or none where it is not wanted.
+  std::optional<ElevationMap> elevation_;
+  std::optional<PixelDensity> pixels_;
+  std::optional<EyeMasking> eye_;
+  std::optional<OccupancyEntropy> occupancy_;
+  std::optional<PerceptionEntropy> entropy_;
+  MountCheck mounts_;
 };
 
 }  // namespace tera

@@ -36,13 +36,13 @@ PerceptionEntropy::PerceptionEntropy(const PersonStudy& person, const Informatio
   patches_ = PatchesOf(person.postures.front());
 }
 
-void PerceptionEntropy::Add(const Pose& X_WH, std::size_t machine, const Layout& layout,
-                            const Sighting& sighting, const TerrainSurface& ground) {
+void PerceptionEntropy::Add(const Pose& X_WH, const std::vector<double>& hull_m,
+                            const Layout& layout, const Sighting& sighting,
+                            const TerrainSurface& ground) {
   std::vector<double> distances_m;
   for (double d_m = kFirst_m; d_m <= person_.farthest_m; d_m += kStep_m) distances_m.push_back(d_m);
   std::vector<Pose> X_WP;
-  for (const PersonPlace& place :
-       PlacesAroundHull(X_WH, machine, kSectors, distances_m, sighting, ground)) {
+  for (const PersonPlace& place : PlacesAroundHull(X_WH, hull_m, distances_m, ground)) {
     X_WP.push_back(place.X_WP);
   }
   std::vector<std::vector<double>> sigmas(X_WP.size());

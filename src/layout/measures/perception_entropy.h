@@ -37,13 +37,12 @@ double PlanarEntropy(double sigma);
 ///         H = 2 ln sigma + 1 + ln 2 pi, sigma_f^-2 = sum sigma_i^-2.
 class PerceptionEntropy {
  public:
-  static constexpr int kSectors = 36;
-
   PerceptionEntropy(const PersonStudy& person, const InformationStudy& information,
                     double reflectance);
 
-  void Add(const Pose& X_WH, std::size_t machine, const Layout& layout, const Sighting& sighting,
-           const TerrainSurface& ground);
+  /// `hull_m` is HullRadii_m of the directions that are tried.
+  void Add(const Pose& X_WH, const std::vector<double>& hull_m, const Layout& layout,
+           const Sighting& sighting, const TerrainSurface& ground);
 
   /// "information/perception_entropy", the mean over the places, in nats.
   std::vector<Figure> Figures() const;

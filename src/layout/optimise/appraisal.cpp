@@ -42,13 +42,11 @@ Appraisal::Appraisal(const LayoutSearch& search, const LayoutStudy& study, const
   const double rate_hz = search.moments / scenario_.duration_s;
   cycle.ForEachMoment(rate_hz, [&](const Instant& now, const TerrainSurface& ground) {
     if (moments_.size() == static_cast<std::size_t>(search.moments)) return;
-    moments_.push_back({now.machines[studied_.machine],
-                        ground,
-                        std::make_unique<Sighting>(scenario_, assembly_, threads),
-                        {}});
+    moments_.push_back(
+        {now, ground, std::make_unique<Sighting>(scenario_, assembly_, threads), {}});
     Moment& moment = moments_.back();
     moment.sighting->Show(now, ground);
-    moment.places = Measures().PlacesOf({moment.machine, *moment.sighting, moment.ground});
+    moment.places = Measures().PlacesOf({moment.now, *moment.sighting, moment.ground});
   });
   RequireFigures();
 }
@@ -74,8 +72,7 @@ void Appraisal::RequirePlaces() const {
 }
 
 void Appraisal::RequireFigures() const {
-  const LayoutMeasures measures(study_, scenario_.machines[studied_.machine].placement, studied_,
-                                assembly_.model());
+  const LayoutMeasures measures(study_, scenario_, assembly_);
   std::vector<std::string> names = {"cost", "power_w", "data_mbyteps", "sensors"};
   for (const Figure& figure : measures.Figures()) names.push_back(figure.name);
   for (const Objective& objective : search_.objectives) {
@@ -108,8 +105,7 @@ double Appraisal::Beyond(const Layout& layout) const {
 }
 
 LayoutMeasures Appraisal::Measures() const {
-  return LayoutMeasures(study_, scenario_.machines[studied_.machine].placement, studied_,
-                        assembly_.model(), wanted_);
+  return LayoutMeasures(study_, scenario_, assembly_, wanted_);
 }
 
 Layout Appraisal::Laid(const Genes& genes) const {
@@ -119,8 +115,8 @@ Layout Appraisal::Laid(const Genes& genes) const {
 Appraised Appraisal::Of(Layout layout) const {
   LayoutMeasures measures = Measures();
   for (const Moment& moment : moments_) {
-    MoveViewers(moment.machine, &layout);
-    measures.Add({moment.machine, *moment.sighting, moment.ground}, moment.places, layout);
+    MoveViewers(moment.now.machines[studied_.machine], &layout);
+    measures.Add({moment.now, *moment.sighting, moment.ground}, moment.places, layout);
   }
   const std::vector<Figure> figures = measures.Figures();
   Appraised appraised{{}, Beyond(layout)};

@@ -38,7 +38,7 @@ class Appraisal {
 
  private:
   struct Moment {
-    MachineState machine;
+    Instant now;
     TerrainSurface ground;
     std::unique_ptr<Sighting> sighting;
     Places places;

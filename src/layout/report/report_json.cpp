@@ -74,8 +74,8 @@ LayoutReport FromJson(const json& from) {
   from.at("overlaps").get_to(report.overlaps);
   from.at("warnings").get_to(report.warnings);
   for (const Figure& figure : report.figures) {
-    if (figure.at.size() == report.t_s.size() && figure.error.size() == report.t_s.size() &&
-        !report.t_s.empty()) {
+    if (figure.at.size() == report.t_s.size() &&
+        (figure.error.empty() || figure.error.size() == report.t_s.size()) && !report.t_s.empty()) {
       continue;
     }
     throw InputError(fmt::format("figure '{}' has not one value for each moment", figure.name));

@@ -90,7 +90,7 @@ std::string FigureTable(const LayoutReport& report) {
         "<tr><td>{}</td><td class=\"r\">{}</td><td class=\"r\">{}</td>"
         "<td class=\"r\">{}</td></tr>\n",
         Escape(Describe(f)), ValueText(f, MeanOf(f)), ValueText(f, WorstOf(f)),
-        ValueText(f, ErrorOf(f)));
+        f.error.empty() ? "-" : ValueText(f, ErrorOf(f)));
   }
   return html + "</table></div>\n";
 }

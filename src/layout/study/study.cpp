@@ -60,6 +60,8 @@ ElevationStudy ReadElevation(const ConfigMap& config) {
     config.Fault("high_m", "need it beyond low_m along x and y");
   }
   return elevation;
+}
+
 PrecisionFit ReadFit(const ConfigMap& information, std::string_view key,
                      const PrecisionFit& otherwise) {
   const auto config = information.OptionalMap(key);

@@ -47,6 +47,8 @@ struct EyeStudy {
 struct ElevationStudy {
   Vec2 low_H_m = Vec2(2, -2), high_H_m = Vec2(7, 2);  ///< corners, in H as in PolarGrid
   double cell_m = 0.2;
+};
+
 /// How well a detector does by what a sensor has on its target: AP = a ln(m) + b, of m points or
 /// pixels.
 struct PrecisionFit {

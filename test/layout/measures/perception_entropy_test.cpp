@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "layout/sight/hull.h"
 #include "layout/yard.h"
 
 namespace tera {
@@ -26,7 +27,8 @@ Viewer Camera(const Yard& yard, double per_sr) {
 double EntropyOf(const Yard& yard, const std::vector<Viewer>& viewers,
                  const InformationStudy& information = {}) {
   PerceptionEntropy entropy(Standing(), information, 0.2);
-  entropy.Add(yard.X_WH(), 0, LayoutOf(viewers), yard.sighting(), yard.ground());
+  const std::vector<double> hull_m = HullRadii_m(yard.X_WH(), 0, 36, yard.sighting());
+  entropy.Add(yard.X_WH(), hull_m, LayoutOf(viewers), yard.sighting(), yard.ground());
   return FigureOf(entropy.Figures(), "information/perception_entropy").at.at(0);
 }
 

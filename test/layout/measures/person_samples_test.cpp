@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "layout/sight/hull.h"
 #include "layout/yard.h"
 
 namespace tera {
@@ -38,7 +39,8 @@ TEST(PersonSamples, AreThoseOfTheSolidAngleThatSheFills) {
 
 TEST(PersonSamples, PlacesLieTheirDistanceFromTheMachinesSides) {
   const Yard yard(Nothing());
-  const auto places = PlacesAroundHull(yard.X_WH(), 0, 36, {1, 4}, yard.sighting(), yard.ground());
+  const std::vector<double> hull_m = HullRadii_m(yard.X_WH(), 0, 36, yard.sighting());
+  const auto places = PlacesAroundHull(yard.X_WH(), hull_m, {1, 4}, yard.ground());
   ASSERT_EQ(places.size(), 72u);
   // 40 deg to the right of ahead is where the base, 1.0 m long to the front, looks.
   const Vec3 p_Base_m = yard.X_WBase().inverse() * places[2 * 32 + 1].X_WP.translation();
