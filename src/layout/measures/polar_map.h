@@ -13,7 +13,8 @@ struct PolarMap {
   std::string name;   ///< "seen/0.9 m"
   std::string title;  ///< for people
   int sectors = 0, rings = 0;
-  double ring_m = 1;  ///< width of a ring
+  double ring_m = 1;  ///< width of a ring, in `ring_unit`
+  std::string ring_unit = "m";
   double low = 0, high = 1;
   std::vector<double> value;  ///< negative where there is none
 };
