@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "core/error.h"
+#include "layout/measures/joint_information.h"
 #include "layout/measures/layout_measures.h"
 
 namespace tera {
@@ -95,9 +96,15 @@ std::vector<LayoutReport> Evaluate(const Cycle& cycle, const LayoutStudy& study,
   CheckZones(study, scenario);
   const SceneAssembly assembly(scenario);
   Sighting sighting(scenario, assembly, options.threads);
-  std::vector<LayoutMeasures> measures(layouts.size(), LayoutMeasures(study, scenario, assembly));
+  const MachineModel& model = scenario.machines[studied.machine].placement.model;
+  std::vector<LayoutMeasures> measures;
+  std::vector<JointInformation> joints;
+  for (const Layout& layout : layouts) {
+    measures.emplace_back(study, scenario, assembly, layout);
+    joints.emplace_back(model, studied.upper, layout.sensors);
+  }
   std::vector<double> t_s;
-  cycle.ForEachMoment(study.rate_hz, [&](const Instant& now, const TerrainSurface& ground) {
+  const auto look = [&](const Instant& now, const TerrainSurface& ground) {
     t_s.push_back(ToSeconds(now.t_ns));
     if (options.progress) options.progress(t_s.back(), scenario.duration_s);
     sighting.Show(now, ground);
@@ -108,12 +115,18 @@ std::vector<LayoutReport> Evaluate(const Cycle& cycle, const LayoutStudy& study,
       if (t_s.size() == 1) measures[l].CheckMounts(moment, layouts[l]);
       if (options.strict && t_s.size() == 1) RequireMounts(layouts[l], measures[l]);
       measures[l].Add(moment, places, layouts[l]);
+      joints[l].Keep();
     }
+  };
+  cycle.ForEachMoment(study.rate_hz, look, [&](const Instant& now, const TerrainSurface&) {
+    for (JointInformation& of : joints) of.Add(now.t_ns, now.machines[studied.machine]);
   });
   std::vector<LayoutReport> reports;
   for (std::size_t l = 0; l < layouts.size(); ++l) {
     LayoutReport report = ReportOf(layouts[l], cycle, t_s);
     measures[l].Report(&report);
+    for (Figure& figure : joints[l].Figures()) report.figures.push_back(std::move(figure));
+    for (std::string& line : joints[l].Warnings()) report.warnings.push_back(std::move(line));
     reports.push_back(std::move(report));
   }
   return reports;

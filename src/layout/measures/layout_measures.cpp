@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "layout/sight/hull.h"
 
@@ -67,7 +68,7 @@ bool IsWanted(const std::vector<std::string>& wanted, const std::string& beginni
 }  // namespace
 
 LayoutMeasures::LayoutMeasures(const LayoutStudy& study, const Scenario& scenario,
-                               const SceneAssembly& assembly,
+                               const SceneAssembly& assembly, const Layout& layout,
                                const std::vector<std::string>& wanted)
     : study_(study),
       scenario_(scenario),
@@ -79,6 +80,7 @@ LayoutMeasures::LayoutMeasures(const LayoutStudy& study, const Scenario& scenari
   if (IsWanted(wanted, "elevation/")) elevation_.emplace(study.elevation);
   if (study.eye) LinkOfEye(*study.eye, model());
   if (study.eye && IsWanted(wanted, "eye/")) eye_.emplace(*study.eye);
+  if (IsWanted(wanted, "sky/")) sky_.emplace(model(), studied_.machine, layout.sensors);
   if (IsWanted(wanted, "information/smig")) {
     occupancy_.emplace(study.radius_m, study.height_m, study.information.voxel_m);
   }
@@ -160,6 +162,7 @@ void LayoutMeasures::Add(const LookedAt& moment, const Places& places, const Lay
     eye_->Add(X_WH, X_WB, studied_.machine, sighting, ground);
   }
   if (occupancy_) occupancy_->Add(X_WH, occupants, layout, reflectance, sighting);
+  if (sky_) sky_->Add(machine, sighting);
   if (entropy_) entropy_->Add(X_WH, hull_m, layout, sighting, ground);
 }
 
@@ -181,6 +184,7 @@ std::vector<Figure> LayoutMeasures::Figures() const {
   if (eye_) append(eye_->Figures());
   if (occupancy_) append(occupancy_->Figures());
   if (entropy_) append(entropy_->Figures());
+  if (sky_) append(sky_->Figures());
   return figures;
 }
 
@@ -192,6 +196,9 @@ void LayoutMeasures::Report(LayoutReport* report) const {
   }
   for (const BlindMap& map : maps_) report->maps.push_back(SeenMap(map));
   if (pixels_) report->maps.push_back(pixels_->Map());
+  if (sky_) {
+    for (PolarMap& map : sky_->Maps()) report->maps.push_back(std::move(map));
+  }
   for (const PersonRange& person : people_) report->curves.push_back(person.Curve());
   report->warnings = mounts_.Warnings();
   if (!eye_) return;

@@ -15,6 +15,7 @@
 #include "layout/measures/perception_entropy.h"
 #include "layout/measures/pixel_density.h"
 #include "layout/measures/shovel_view.h"
+#include "layout/measures/sky_view.h"
 #include "layout/sight/mount_check.h"
 #include "layout/study/study.h"
 #include "sim/scene_assembly.h"
@@ -44,10 +45,10 @@ struct Places {
 class LayoutMeasures {
  public:
   /// `wanted` says which figures are wanted, by the beginning of their names ("zone/behind");
-  /// empty: all. Keeps references to all but `wanted`. Throws InputError where the study's eye is
-  /// on no link of the machine.
+  /// empty: all. Keeps references to all but `layout` and `wanted`. Throws InputError where the
+  /// study's eye is on no link of the machine.
   LayoutMeasures(const LayoutStudy& study, const Scenario& scenario, const SceneAssembly& assembly,
-                 const std::vector<std::string>& wanted = {});
+                 const Layout& layout, const std::vector<std::string>& wanted = {});
 
   Places PlacesOf(const LookedAt& moment) const;
   /// Adds what `layout` sees now, whose viewers stand where they are.
@@ -80,6 +81,7 @@ class LayoutMeasures {
   std::optional<EyeMasking> eye_;
   std::optional<OccupancyEntropy> occupancy_;
   std::optional<PerceptionEntropy> entropy_;
+  std::optional<SkyView> sky_;
   MountCheck mounts_;
 };
 

@@ -46,7 +46,7 @@ Appraisal::Appraisal(const LayoutSearch& search, const LayoutStudy& study, const
         {now, ground, std::make_unique<Sighting>(scenario_, assembly_, threads), {}});
     Moment& moment = moments_.back();
     moment.sighting->Show(now, ground);
-    moment.places = Measures().PlacesOf({moment.now, *moment.sighting, moment.ground});
+    moment.places = MeasuresOf({}).PlacesOf({moment.now, *moment.sighting, moment.ground});
   });
   RequireFigures();
 }
@@ -72,7 +72,7 @@ void Appraisal::RequirePlaces() const {
 }
 
 void Appraisal::RequireFigures() const {
-  const LayoutMeasures measures(study_, scenario_, assembly_);
+  const LayoutMeasures measures(study_, scenario_, assembly_, Laid(BoundsOf(search_).high));
   std::vector<std::string> names = {"cost", "power_w", "data_mbyteps", "sensors"};
   for (const Figure& figure : measures.Figures()) names.push_back(figure.name);
   for (const Objective& objective : search_.objectives) {
@@ -104,8 +104,8 @@ double Appraisal::Beyond(const Layout& layout) const {
   return beyond;
 }
 
-LayoutMeasures Appraisal::Measures() const {
-  return LayoutMeasures(study_, scenario_, assembly_, wanted_);
+LayoutMeasures Appraisal::MeasuresOf(const Layout& layout) const {
+  return LayoutMeasures(study_, scenario_, assembly_, layout, wanted_);
 }
 
 Layout Appraisal::Laid(const Genes& genes) const {
@@ -113,7 +113,7 @@ Layout Appraisal::Laid(const Genes& genes) const {
 }
 
 Appraised Appraisal::Of(Layout layout) const {
-  LayoutMeasures measures = Measures();
+  LayoutMeasures measures = MeasuresOf(layout);
   for (const Moment& moment : moments_) {
     MoveViewers(moment.now.machines[studied_.machine], &layout);
     measures.Add({moment.now, *moment.sighting, moment.ground}, moment.places, layout);

@@ -43,7 +43,7 @@ class Appraisal {
     std::unique_ptr<Sighting> sighting;
     Places places;
   };
-  LayoutMeasures Measures() const;
+  LayoutMeasures MeasuresOf(const Layout& layout) const;
   void RequirePlaces() const;
   void RequireFigures() const;
   void RequireWithinLimits() const;

@@ -26,7 +26,7 @@ p{margin:.5rem 0}.soft{color:var(--soft)}.answer{font-size:1.1rem;margin:.25rem 
 figure{margin:0}figcaption{font-size:.88rem;color:var(--soft)}
 svg{display:block;width:100%;height:auto;max-width:28rem}
 svg text{font-size:12px;fill:var(--ink)}svg text.direction{text-anchor:middle;font-weight:600}
-.grid{fill:none;stroke:var(--ink);stroke-opacity:.25}
+path[stroke]{stroke-width:.7}.grid{fill:none;stroke:var(--ink);stroke-opacity:.25}
 .outline{fill:none;stroke-width:2.2}.area{fill-opacity:.22}
 .outline.a{stroke:var(--a)}.area.a{fill:var(--a)}.outline.b{stroke:var(--b)}.area.b{fill:var(--b)}
 .outline.c{stroke:var(--c)}.area.c{fill:var(--c)}.outline.d{stroke:var(--d)}.area.d{fill:var(--d)}

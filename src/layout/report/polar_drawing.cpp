@@ -12,8 +12,8 @@ namespace tera {
 namespace {
 
 constexpr std::array<std::uint8_t, 3> kNothing = {205, 208, 212}, kPaper = {255, 255, 255};
-constexpr double kRadius = 190, kMiddle = 210;  ///< of a figure, in its own units
-constexpr double kLabelled_m = 6;               ///< between rings that are drawn
+constexpr double kRadius = 185, kMiddle = 230;         ///< of a figure, in its own units
+constexpr double kLabelled_m = 6, kLabelled_deg = 30;  ///< between rings that are drawn
 
 /// Where a direction and a distance from the middle lie in a figure: ahead is up, left is left.
 struct At {
@@ -43,14 +43,15 @@ std::string RingPart(double low, double high, double from_rad, double to_rad) {
 }
 
 /// Rings with their distances, and the directions.
-std::string Frame(double most) {
+std::string Frame(double most, const std::string& unit) {
+  const double step = unit == "m" ? kLabelled_m : kLabelled_deg;
   std::string svg;
-  for (double r_m = kLabelled_m; r_m <= most + 1e-9; r_m += kLabelled_m) {
-    const double r = kRadius * r_m / most;
+  for (double at = step; at <= most + 1e-9; at += step) {
+    const double r = kRadius * at / most;
     svg += fmt::format(
         "<circle class=\"grid\" cx=\"{}\" cy=\"{}\" r=\"{:.1f}\"/>"
-        "<text x=\"{:.1f}\" y=\"{:.1f}\">{:.0f} m</text>",
-        kMiddle, kMiddle, r, kMiddle + 3, kMiddle - r + 13, r_m);
+        "<text x=\"{:.1f}\" y=\"{:.1f}\">{:.0f} {}</text>",
+        kMiddle, kMiddle, r, kMiddle + 3, kMiddle - r + 13, at, unit);
   }
   constexpr std::array<const char*, 4> kNames = {"ahead", "left", "behind", "right"};
   for (std::size_t i = 0; i < kNames.size(); ++i) {
@@ -77,11 +78,11 @@ std::string Cells(const PolarMap& map) {
   for (int r = 0; r < map.rings; ++r) {
     for (int from = 0; from < map.sectors;) {
       int to = from + 1;
-      while (to < map.sectors && to - from < map.sectors / 2 && colour(to, r) == colour(from, r)) {
+      while (to < map.sectors && to - from < map.sectors / 3 && colour(to, r) == colour(from, r)) {
         ++to;
       }
       svg += fmt::format(
-          "<path fill=\"{}\" d=\"{}\"/>", colour(from, r),
+          "<path fill=\"{0}\" stroke=\"{0}\" d=\"{1}\"/>", colour(from, r),
           RingPart(ring * r, ring * (r + 1), (from - 0.5) * sector_rad, (to - 0.5) * sector_rad));
       from = to;
     }
@@ -140,12 +141,12 @@ Image<std::uint8_t> DrawMap(const PolarMap& map, int size_px) {
 }
 
 std::string MapSvg(const PolarMap& map) {
-  return Opening(map.title) + Cells(map) + Frame(map.rings * map.ring_m) + "</svg>";
+  return Opening(map.title) + Cells(map) + Frame(map.rings * map.ring_m, map.ring_unit) + "</svg>";
 }
 
 std::string CurvesSvg(const std::string& title, double most, const std::vector<PolarCurve>& curves,
                       const std::vector<std::string>& css_classes) {
-  std::string svg = Opening(title) + Frame(most);
+  std::string svg = Opening(title) + Frame(most, "m");
   for (std::size_t i = 0; i < curves.size(); ++i) {
     svg += fmt::format(
         "<polygon class=\"area {0}\" points=\"{1}\"/>"

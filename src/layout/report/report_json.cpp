@@ -32,13 +32,15 @@ Figure ReadFigure(const json& from) {
 }
 
 json MapJson(const PolarMap& m) {
-  return {{"name", m.name},     {"title", m.title}, {"sectors", m.sectors}, {"rings", m.rings},
-          {"ring_m", m.ring_m}, {"low", m.low},     {"high", m.high},       {"value", m.value}};
+  return {{"name", m.name},   {"title", m.title},   {"sectors", m.sectors},
+          {"rings", m.rings}, {"ring_m", m.ring_m}, {"ring_unit", m.ring_unit},
+          {"low", m.low},     {"high", m.high},     {"value", m.value}};
 }
 
 PolarMap ReadMap(const json& from) {
-  PolarMap map{from.at("name"),   from.at("title"), from.at("sectors"), from.at("rings"),
-               from.at("ring_m"), from.at("low"),   from.at("high"),    from.at("value")};
+  PolarMap map{from.at("name"),  from.at("title"),  from.at("sectors"),
+               from.at("rings"), from.at("ring_m"), from.at("ring_unit"),
+               from.at("low"),   from.at("high"),   from.at("value")};
   if (map.sectors <= 0 || map.rings <= 0 ||
       map.value.size() != static_cast<std::size_t>(map.sectors) * map.rings) {
     throw InputError(fmt::format("map '{}' has not one value for each cell", map.name));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace tera {
 namespace {
@@ -64,6 +65,32 @@ std::string MainCauses(const std::map<std::string, double>& causes) {
   return fmt::format("{}", fmt::join(said, ", "));
 }
 
+std::string DescribePixels(const std::vector<std::string>& parts) {
+  const std::string purpose = fmt::format("cameras that {} a person (IEC 62676-4): ", parts[1]);
+  if (parts[2] == "share_to_12m") return purpose + "share of the area out to 12 m";
+  return purpose + "least distance, " + parts[2].substr(parts[2].rfind('_') + 1);
+}
+
+std::string DescribeEye(const std::vector<std::string>& parts) {
+  const std::string line = parts[1] == "circle" ? "test circle" : "rectangular boundary";
+  if (parts[2] == "masked_share") return "from the eye: share of the " + line + " that is masked";
+  if (parts[2] == "exceeds_limit") return "from the eye: the limit is exceeded on the " + line;
+  return "from the eye: widest masking on the " + line;
+}
+
+std::string DescribeInformation(const std::string& what) {
+  if (what == "smig") return "information gain S-MIG, whatever is in the way";
+  if (what == "smig_occluded") return "information gain S-MIG of what is in sight";
+  return "perception entropy of a standing person";
+}
+
+std::string UnitText(std::string unit) {
+  for (const auto& [from, to] : {std::pair{"^2", "²"}, std::pair{"^3", "³"}}) {
+    if (const auto at = unit.find(from); at != unit.npos) unit.replace(at, 2, to);
+  }
+  return unit;
+}
+
 }  // namespace
 
 std::string Describe(const Figure& figure) {
@@ -79,6 +106,18 @@ std::string Describe(const Figure& figure) {
     return parts[2] == "edge_seen" ? Spaced(parts[1]) + ": share of its cutting edge that is seen"
                                    : Spaced(parts[1]) + ": share of its mouth that is seen";
   }
+  if (parts.size() == 3 && parts[0] == "pixels") return DescribePixels(parts);
+  if (parts.size() == 3 && parts[0] == "eye") return DescribeEye(parts);
+  if (parts.size() == 2 && parts[0] == "information") return DescribeInformation(parts[1]);
+  if (parts.size() == 3 && parts[0] == "sky") {
+    return fmt::format("share of the sky that {} hides from {}",
+                       parts[2] == "hidden" ? "the machine" : "the site", parts[1]);
+  }
+  if (parts.size() == 3 && parts[0] == "state") {
+    return fmt::format("how well the {} is known, 1 sigma, by {}", Spaced(parts[1]),
+                       parts[1] == "heading_of_pair" ? "one sample of two antennas"
+                                                     : "units, encoders and antennas");
+  }
   if (figure.name == "elevation/gaps") return "elevation map ahead: share of cells without a point";
   if (figure.name == "elevation/sigma_m") return "elevation map ahead: error of a cell's height";
   return Spaced(figure.name);
@@ -87,7 +126,7 @@ std::string Describe(const Figure& figure) {
 std::string ValueText(const Figure& figure, double value) {
   if (figure.unit.empty()) return fmt::format("{:.1f} %", kPercent * value);
   const int decimals = std::abs(value) < 0.1 ? 4 : std::abs(value) < 10 ? 2 : 1;
-  return fmt::format("{:.{}f} {}", value, decimals, figure.unit);
+  return fmt::format("{:.{}f} {}", value, decimals, UnitText(figure.unit));
 }
 
 std::vector<std::string> Answer(const LayoutReport& report) {

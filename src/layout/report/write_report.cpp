@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kMap_px = 480;
 constexpr double kPercent = 100;
+constexpr double kLeastShown = 0.005;  ///< of shares on the page; the tables have all
 
 std::string FiguresCsv(const LayoutReport& report) {
   std::string csv = "figure,unit,more_is_better,mean,worst,sampling_error\n";
@@ -56,12 +57,24 @@ std::string FileName(std::string name) {
   return name;
 }
 
+/// What the rig takes, as far as it says so.
+std::string ExpenseText(const Expense& expense) {
+  std::string text = fmt::format("Data {:.3g} MB/s as measured", expense.data_mbyteps);
+  if (expense.power_w > 0) text += fmt::format(", power {:.4g} W", expense.power_w);
+  if (expense.cost > 0) text += fmt::format(", cost {:.6g}", expense.cost);
+  return text + ".";
+}
+
 std::string MapFigures(const LayoutReport& report) {
   std::string html =
       "<h2>What is seen around the machine</h2>\n" + MapLegend() + "<div class=\"figures\">\n";
   for (const PolarMap& map : report.maps) {
-    html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", MapSvg(map),
-                        Escape(map.title));
+    const std::string scale =
+        map.name.starts_with("seen/")
+            ? ""
+            : fmt::format(", from {:.4g} (red) to {:.4g} (blue)", map.low, map.high);
+    html += fmt::format("<figure>{}<figcaption>{}{}</figcaption></figure>\n", MapSvg(map),
+                        Escape(map.title), scale);
   }
   return html + "</div>\n";
 }
@@ -104,6 +117,7 @@ std::string ShareTable(const std::string& heading, const char* first, const char
     for (const auto& [name, share] : of_zone) sorted.emplace_back(share, name);
     std::sort(sorted.rbegin(), sorted.rend());
     for (const auto& [share, name] : sorted) {
+      if (share < kLeastShown) continue;
       rows += fmt::format("<tr><td>{}</td><td>{}</td><td class=\"r\">{:.1f} %</td></tr>\n",
                           Escape(zone), Escape(name), kPercent * share);
     }
@@ -128,11 +142,10 @@ std::string ReportPage(const LayoutReport& report) {
   }
   html += fmt::format(
       "<p class=\"soft\">Rig {}; sensors that see: {}. Over {}: {} moments from {:.1f} to {:.1f} "
-      "s. "
-      "Cost {:.6g}, power {:.6g} W, data {:.4g} MB/s.</p>\n",
+      "s. {}</p>\n",
       Escape(report.file), Escape(fmt::format("{}", fmt::join(report.viewers, ", "))),
       Escape(report.cycle), report.t_s.size(), report.t_s.front(), report.t_s.back(),
-      report.expense.cost, report.expense.power_w, report.expense.data_mbyteps);
+      ExpenseText(report.expense));
   html += MapFigures(report) + CurveFigures(report);
   html += ShareTable("Why places are not seen", "Zone", "Cause", report.blind_causes);
   html += ShareTable("What two sensors see together", "Zone", "Sensors", report.overlaps);

@@ -62,10 +62,11 @@ void Cycle::ForEachStep(const Visit& visit) const {
   }
 }
 
-void Cycle::ForEachMoment(double rate_hz, const Visit& visit) const {
+void Cycle::ForEachMoment(double rate_hz, const Visit& visit, const Visit& on_step) const {
   const SampleClock clock{.rate_hz = rate_hz, .start_ns = 0};
   std::int64_t next = 0;
   ForEachStep([&](const Instant& now, const TerrainSurface& ground) {
+    if (on_step) on_step(now, ground);
     if (now.t_ns < clock.Due(next)) return;
     visit(now, ground);
     while (clock.Due(next) <= now.t_ns) ++next;

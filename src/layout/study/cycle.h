@@ -29,8 +29,9 @@ class Cycle {
   using Visit = std::function<void(const Instant&, const TerrainSurface&)>;
   /// Visits the world at the start and after every step of the physics, to the end.
   void ForEachStep(const Visit& visit) const;
-  /// Visits it at times as near to multiples of 1 / `rate_hz` as steps come.
-  void ForEachMoment(double rate_hz, const Visit& visit) const;
+  /// Visits it at times as near to multiples of 1 / `rate_hz` as steps come; `on_step` after every
+  /// step, and before that visit.
+  void ForEachMoment(double rate_hz, const Visit& visit, const Visit& on_step = nullptr) const;
 
  private:
   bool is_dataset() const { return !dataset_.empty(); }
