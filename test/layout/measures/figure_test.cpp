@@ -1,0 +1,49 @@
+#include "layout/measures/figure.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace tera {
+namespace {
+
+TEST(Figure, TheWorstIsTheLeastOrTheMost) {
+  Figure figure{.name = "a", .unit = "", .at = {0.5, 0.2, 0.8}, .error = {0.1, 0.2, 0.3}};
+  EXPECT_EQ(WorstOf(figure), 0.2);
+  figure.more_is_better = false;
+  EXPECT_EQ(WorstOf(figure), 0.8);
+  EXPECT_NEAR(MeanOf(figure), 0.5, 1e-12);
+}
+
+TEST(Figure, ErrorsOfTheSamePlacesDoNotAverageOut) {
+  const Figure figure{.name = "a", .unit = "", .at = {1, 1, 1, 1}, .error = {0.1, 0.1, 0.1, 0.1}};
+  EXPECT_NEAR(ErrorOf(figure), 0.1, 1e-12);
+}
+
+TEST(ShareError, IsTheDeviationOfACountedShare) {
+  // Counted shares of 400 places, drawn 3000 times: their deviation is known within 5 / sqrt(6000),
+  // 6.5 % at 5 sigma, and what smoothing adds at 400 places is below 2 %.
+  std::mt19937 random(1);
+  for (const double share : {0.1, 0.5, 0.8}) {
+    std::binomial_distribution<int> seen(400, share);
+    double squares = 0;
+    for (int k = 0; k < 3000; ++k) squares += std::pow(seen(random) / 400.0 - share, 2);
+    const double deviation = std::sqrt(squares / 3000);
+    EXPECT_NEAR(ShareError(share, 400), deviation, 0.085 * deviation) << share;
+  }
+}
+
+TEST(ShareError, OfNoneOrAllIsNotZero) {
+  // Where none of n is seen, a share of 1 / n would still have come out so by chance in 1 / e.
+  for (const std::size_t count : {10u, 1000u}) {
+    for (const double share : {0.0, 1.0}) {
+      EXPECT_GT(ShareError(share, count), 0.3 / static_cast<double>(count));
+      EXPECT_LT(ShareError(share, count), 3 / static_cast<double>(count));
+    }
+  }
+  EXPECT_TRUE(std::isfinite(ShareError(0, 0)));
+}
+
+}  // namespace
+}  // namespace tera
