@@ -64,12 +64,14 @@ void Cycle::ForEachStep(const Visit& visit) const {
 
 void Cycle::ForEachMoment(double rate_hz, const Visit& visit, const Visit& on_step) const {
   const SampleClock clock{.rate_hz = rate_hz, .start_ns = 0};
+  const TimeNs half_step_ns = FromSeconds(0.5 / loaded_.scenario.physics_rate_hz);
   std::int64_t next = 0;
   ForEachStep([&](const Instant& now, const TerrainSurface& ground) {
     if (on_step) on_step(now, ground);
-    if (now.t_ns < clock.Due(next)) return;
+    const TimeNs until_ns = now.t_ns + half_step_ns;  // from there on the next step is nearer
+    if (until_ns < clock.Due(next)) return;
     visit(now, ground);
-    while (clock.Due(next) <= now.t_ns) ++next;
+    while (clock.Due(next) <= until_ns) ++next;
   });
 }
 
