@@ -28,8 +28,12 @@ SeenFrom ReadSeen(const ConfigMap& config) {
 
 PersonStudy ReadPerson(const ConfigMap& config) {
   PersonStudy person;
+  std::set<std::string> names;
   for (const ConfigMap& item : config.List("postures")) {
     person.postures.push_back({item.Text("name"), item.Vector3("size_m", Between(0.05, 5, "m"))});
+    if (!names.insert(person.postures.back().name).second) {
+      item.Fault("name", "is taken by another posture; give each its own name");
+    }
   }
   if (person.postures.empty()) person.postures = CommonPostures();
   person.lidar_points = config.Number("lidar_points", Positive("points"), person.lidar_points);
@@ -90,6 +94,10 @@ LayoutStudy ReadStudy(const ConfigMap& config) {
       config.Integer("seed", AtLeast(0, ""), static_cast<std::int64_t>(study.seed)));
   if (config.Has("map_heights_m")) {
     study.map_heights_m = config.Numbers("map_heights_m", Between(0, 20, "m"), 1, 20);
+    const std::set<double> heights_m(study.map_heights_m.begin(), study.map_heights_m.end());
+    if (heights_m.size() < study.map_heights_m.size()) {
+      config.Fault("map_heights_m", "one is given twice; need each once");
+    }
   }
   std::set<std::string> names;
   for (const ConfigMap& item : config.List("zones")) {
