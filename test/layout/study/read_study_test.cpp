@@ -1,0 +1,113 @@
+#include "layout/study/study.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "dataset/format/sample_recording.h"
+
+namespace tera {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+LayoutStudy Read(const std::string& text) {
+  const ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "study.yaml", text);
+  return LoadStudy(scratch.path() / "study.yaml");
+}
+
+void ExpectRefused(const std::string& text, const std::string& message) {
+  EXPECT_THAT([&] { Read(text); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("study.yaml:"), HasSubstr(message))))
+      << text;
+}
+
+TEST(LoadStudy, RefusesWhatIsNone) {
+  EXPECT_THAT([] { LoadStudy("absent.yaml"); },
+              ThrowsMessage<InputError>(HasSubstr("absent.yaml")));
+  ExpectRefused("[1, 2]\n", "study.yaml");
+  ExpectRefused("zone: []\n", "did you mean 'zones'");
+  ExpectRefused("rate_hz: 0\n", "rate_hz: 0 is out of range");
+  ExpectRefused("rate_hz: .nan\n", "rate_hz");
+  ExpectRefused("points: 0\n", "points: 0 is out of range");
+  ExpectRefused("points: 2.5\n", "points");
+  ExpectRefused("points: 99999999999\n", "points");
+  ExpectRefused("seed: -1\n", "seed");
+  ExpectRefused("radius_m: -1\n", "radius_m");
+  ExpectRefused("height_m: 0\n", "height_m");
+  ExpectRefused("map_heights_m: []\n", "map_heights_m");
+  ExpectRefused("map_heights_m: [1, -1]\n", "map_heights_m");
+  ExpectRefused("seen: {reflectance: 0}\n", "seen.reflectance");
+  ExpectRefused("seen: {lidar_points_per_m2: -1}\n", "seen.lidar_points_per_m2");
+  ExpectRefused("person: {lidar_points: 0}\n", "person.lidar_points");
+  ExpectRefused("person: {farthest_m: 0.5}\n", "person.farthest_m");
+  ExpectRefused("person: {postures: [{name: tall}]}\n", "size_m");
+  ExpectRefused("person: {postures: [{name: flat, size_m: [1, 0, 1]}]}\n", "size_m");
+  ExpectRefused("eye: {xyz_m: [0, 0, 1]}\n", "eye.link");
+}
+
+TEST(LoadStudy, RefusesTwoOfOneName) {
+  // Figures are known by these names.
+  const std::string box = "{name: a, box_m: [1, 1, 1]}";
+  ExpectRefused("zones: [" + box + ", " + box + "]\n", "is taken by another zone");
+  const std::string tall = "{name: tall, size_m: [1, 1, 1]}";
+  ExpectRefused("person: {postures: [" + tall + ", " + tall + "]}\n", "postures[1].name");
+  ExpectRefused("map_heights_m: [0.9, 1.5, 0.9]\n", "map_heights_m");
+}
+
+TEST(LoadStudy, WithoutAFileHasTheCommonPostures) {
+  const LayoutStudy study = LoadStudy({});
+  ASSERT_EQ(study.person.postures.size(), 3u);
+  EXPECT_EQ(study.person.postures[0].name, "standing");
+  EXPECT_TRUE(study.zones.empty());
+  EXPECT_FALSE(study.eye.has_value());
+}
+
+TEST(LoadStudy, TakesEveryKey) {
+  const LayoutStudy study = Read(R"(
+machine: excavator2
+upper: boom
+rate_hz: 4
+radius_m: 9
+height_m: 3
+points: 700
+seed: 12
+map_heights_m: [0.3, 1.1]
+zones: [{name: a, box_m: [1, 2, 3]}, {name: b, cylinder: {radius_m: 1, height_m: 2}}]
+seen: {lidar_points_per_m2: 7, camera_px_per_m: 40, reflectance: 0.3}
+person: {postures: [{name: child, size_m: [0.2, 0.3, 1.1]}], lidar_points: 11, camera_px: 90, farthest_m: 15}
+eye: {link: upper, xyz_m: [0.1, 0.2, 1.3], spacing_m: 0.1, circle_m: 10, rectangle_m: 2, height_m: 0.5}
+)");
+  EXPECT_EQ(study.machine, "excavator2");
+  EXPECT_EQ(study.upper, "boom");
+  EXPECT_EQ(study.rate_hz, 4);
+  EXPECT_EQ(study.radius_m, 9);
+  EXPECT_EQ(study.height_m, 3);
+  EXPECT_EQ(study.points, 700);
+  EXPECT_EQ(study.seed, 12u);
+  EXPECT_THAT(study.map_heights_m, ElementsAre(0.3, 1.1));
+  ASSERT_EQ(study.zones.size(), 2u);
+  EXPECT_EQ(study.zones[1].name, "b");
+  EXPECT_EQ(study.seen.lidar_points_per_m2, 7);
+  EXPECT_EQ(study.seen.camera_px_per_m, 40);
+  EXPECT_EQ(study.seen.reflectance, 0.3);
+  ASSERT_EQ(study.person.postures.size(), 1u);
+  EXPECT_EQ(study.person.postures[0].size_m, Vec3(0.2, 0.3, 1.1));
+  EXPECT_EQ(study.person.lidar_points, 11);
+  EXPECT_EQ(study.person.camera_px, 90);
+  EXPECT_EQ(study.person.farthest_m, 15);
+  ASSERT_TRUE(study.eye.has_value());
+  EXPECT_EQ(study.eye->link, "upper");
+  EXPECT_EQ(study.eye->p_B_m, Vec3(0.1, 0.2, 1.3));
+  EXPECT_EQ(study.eye->spacing_m, 0.1);
+  EXPECT_EQ(study.eye->circle_m, 10);
+  EXPECT_EQ(study.eye->rectangle_m, 2);
+  EXPECT_EQ(study.eye->height_m, 0.5);
+}
+
+}  // namespace
+}  // namespace tera
