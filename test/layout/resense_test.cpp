@@ -187,6 +187,20 @@ TEST_F(ResenseScene, ARunThatWasInterruptedIsFinishedWithTheSameBytes) {
   EXPECT_FALSE(fs::exists(path() / "killed.incomplete"));
 }
 
+TEST_F(ResenseScene, ARunThatWasInterruptedIsNotFinishedWithAnotherRig) {
+  struct Killed {};
+  Generated("base", true);
+  GenerateOptions options{.out = path() / "killed", .threads = 1};
+  options.progress = [](const GenerateProgress&) { throw Killed(); };
+  EXPECT_THROW(Resense(path() / "base", Other(), {}, options), Killed);
+  const auto before = AllFiles(path() / "killed.incomplete");
+  options.progress = nullptr;
+  options.resume = true;
+  const ResenseRig another{.file = path() / "excavator_rig.yaml", .machine = ""};
+  EXPECT_THROW(Resense(path() / "base", another, {}, options), InputError);
+  EXPECT_TRUE(AllFiles(path() / "killed.incomplete") == before);
+}
+
 TEST_F(ResenseScene, AKeptStateOfARunThatWasInterruptedIsTheSameToo) {
   struct Killed {};
   const Files whole = Generated("whole", true);
