@@ -173,10 +173,11 @@ TEST_F(SceneLayouts, AreComparedAtTheSameMomentsWithFiguresOfTheSameNames) {
     EXPECT_TRUE(names.insert(a.name).second) << a.name << " twice";
     EXPECT_EQ(a.name, b.name);
     EXPECT_EQ(a.at.size(), 3u) << a.name;
-    EXPECT_EQ(a.error.size(), 3u) << a.name;
+    EXPECT_TRUE(a.error.empty() || a.error.size() == 3u) << a.name;
     EXPECT_EQ(a.at, again[0].figures[f].at) << a.name << " depends on threads";
     for (std::size_t m = 0; m < 3; ++m) {
-      EXPECT_TRUE(std::isfinite(a.at[m]) && std::isfinite(a.error[m])) << a.name;
+      EXPECT_TRUE(std::isfinite(a.at[m])) << a.name;
+      EXPECT_TRUE(a.error.empty() || std::isfinite(a.error[m])) << a.name;
       // A sensor more takes nothing away.
       EXPECT_TRUE(a.more_is_better ? b.at[m] >= a.at[m] : b.at[m] <= a.at[m]) << a.name;
     }

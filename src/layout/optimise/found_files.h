@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "layout/optimise/optimise.h"
+#include "layout/optimise/found_layout.h"
 #include "layout/optimise/search.h"
 
 namespace tera {

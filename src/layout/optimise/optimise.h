@@ -5,16 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "layout/optimise/candidate.h"
+#include "layout/optimise/found_layout.h"
 #include "layout/optimise/search.h"
 
 namespace tera {
-
-/// A layout of the front that a search found.
-struct FoundLayout {
-  Genes genes;
-  std::vector<double> objectives;  ///< as Appraised has them
-};
 
 struct OptimiseProgress {
   int generation = 0, generations = 0;
@@ -26,11 +20,6 @@ struct OptimiseOptions {
   int threads = 2;
   bool resume = false;
   std::function<void(const OptimiseProgress&)> progress;
-};
-
-struct OptimiseResult {
-  std::vector<FoundLayout> front;  ///< by the first objective
-  FoundLayout greedy;
 };
 
 /// Searches layouts: those that no other is better than in every objective.

@@ -12,7 +12,7 @@ namespace {
 
 BlindMap Mapped(const LookedAtSite& site, const Layout& layout, double height_m = 0.9) {
   BlindMap map(height_m);
-  map.Add(X_WH(), layout, {}, site.sighting(), site.ground());
+  map.Add(PlacesAt(height_m, X_WH(), site.sighting(), site.ground()), layout, {}, site.sighting());
   return map;
 }
 
@@ -149,7 +149,7 @@ TEST(BlindMap, OverMomentsIsTheShareOfThoseThatCount) {
   const Layout behind_wall = LayoutOf({ViewerAt("eye", {0, 0, 2})});
   const Layout before_wall = LayoutOf({ViewerAt("eye", {30, 0, 2}), ViewerAt("eye", {0, 0, 2})});
   for (const Layout* layout : {&behind_wall, &before_wall, &before_wall, &before_wall}) {
-    map.Add(X_WH(), *layout, {}, site.sighting(), site.ground());
+    map.Add(PlacesAt(0.9, X_WH(), site.sighting(), site.ground()), *layout, {}, site.sighting());
   }
   EXPECT_EQ(map.SeenShare()[PolarGrid::Index(0, 6)], 0.75);
   EXPECT_EQ(map.SeenShare()[PolarGrid::Index(30, 6)], 1);

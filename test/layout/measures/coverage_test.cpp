@@ -29,7 +29,8 @@ constexpr int kMany = 40000;
 ZoneCoverage Covered(const LookedAtSite& site, const Zone& zone, const Layout& layout,
                      int places = kMany, const SeenFrom& seen = {}) {
   ZoneCoverage coverage(zone, places, 5);
-  coverage.Add(X_WH(), layout, seen, site.sighting(), site.ground());
+  coverage.Add(coverage.PlacesInAir(X_WH(), site.sighting(), site.ground()), layout, seen,
+               site.sighting());
   return coverage;
 }
 
@@ -173,8 +174,8 @@ TEST(ZoneCoverage, CausesAreSharesOfTheBlindPlaces) {
   const LookedAtSite site(kWall);
   Zone zone = Box({-8, -4, 0.5}, {8, 4, 1.5});
   ZoneCoverage coverage(zone, 60000, 5);
-  coverage.Add(X_WH(), LayoutOf({ViewerAt("eye", {0, 0, 2}, ahead)}), {}, site.sighting(),
-               site.ground());
+  coverage.Add(coverage.PlacesInAir(X_WH(), site.sighting(), site.ground()),
+               LayoutOf({ViewerAt("eye", {0, 0, 2}, ahead)}), {}, site.sighting());
   // Areas: 64 out of view; the wall's shadow from x = 3.2 to 8, (8^2 - 3.2^2) / 3, and beside it
   // what lies between the shadow and the wall from x = 3 on: within it nothing counts.
   const double out = 64, shadow = (64 - 3.2 * 3.2) / 3 + (3.2 * 3.2 - 9) / 3 - 0.2 * 2;
@@ -193,8 +194,8 @@ TEST(ZoneCoverage, NamesAPartOfTheMachineAndTheGround) {
   const LookedAtSite hill({.terrain = ", piles: [{xy_m: [2, 2], height_m: 3, soil: dirt}]"});
   // The pile lies between H's origin at (2, -3) and places about (2, 7.5) of W.
   ZoneCoverage behind(Box({-0.5, 9, 0.2}, {0.5, 10, 0.4}), 200, 5);
-  behind.Add(MakePose({2, -2, 0}), LayoutOf({ViewerAt("eye", {0, 0, 0.5})}), {}, hill.sighting(),
-             hill.ground());
+  behind.Add(behind.PlacesInAir(MakePose({2, -2, 0}), hill.sighting(), hill.ground()),
+             LayoutOf({ViewerAt("eye", {0, 0, 0.5})}), {}, hill.sighting());
   ASSERT_THAT(behind.Causes(), ElementsAre(Pair("ground", 1)));
 }
 
@@ -226,7 +227,8 @@ TEST(ZoneCoverage, EveryMomentHasItsFigure) {
   const Layout seeing = LayoutOf({ViewerAt("eye", {6, 0, 3})});
   const Layout half = LayoutOf({ViewerAt("eye", {0, 0, 2})});
   for (const Layout* layout : {&seeing, &half, &seeing}) {
-    coverage.Add(X_WH(), *layout, {}, site.sighting(), site.ground());
+    coverage.Add(coverage.PlacesInAir(X_WH(), site.sighting(), site.ground()), *layout, {},
+                 site.sighting());
   }
   const Figure figure = FigureOf(coverage.Figures(), "zone/box/seen_by_1");
   ASSERT_EQ(figure.at.size(), 3u);

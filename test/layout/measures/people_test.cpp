@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "layout/looked_at_site.h"
+#include "layout/sight/hull.h"
 #include "render/hand_made_scene.h"
 #include "sensors/camera/camera_view.h"
 #include "sensors/lidar/lidar_view.h"
@@ -18,6 +19,10 @@ namespace {
 
 const Posture kStanding = {.name = "standing", .size_m = Vec3(0.3, 0.5, 1.75)};
 const Posture kLying = {.name = "lying", .size_m = Vec3(0.5, 1.75, 0.3)};
+
+std::vector<double> HullOf(const LookedAtSite& site) {
+  return HullRadii_m(X_WH(), 0, PersonRange::kSectors, site.sighting());
+}
 
 /// Where she stands in a direction: facing the machine, her middle on the ground at P.
 Pose PersonAt(int sector, double distance_m) {
@@ -39,8 +44,8 @@ bool IsDetected(const LookedAtSite& site, const Posture& posture, const Layout& 
   study.lidar_points = study.camera_px = needed;
   study.farthest_m = distance_m;
   PersonRange range(posture, study, 0.2);
-  range.Add(X_WH(), 0, layout, site.sighting(), site.ground());
-  return range.Detected_m().at(static_cast<std::size_t>(sector)).at(0) >= distance_m;
+  range.Add(X_WH(), HullOf(site), layout, site.sighting(), site.ground());
+  return range.Detected_m().at(static_cast<std::size_t>(2 * sector)).at(0) >= distance_m;
 }
 
 /// The most points or pixels of which as many are expected on her, by halving.
@@ -145,8 +150,9 @@ TEST(PersonRange, ExpectsAsManyPixelsAsAPictureHas) {
       study.camera_px = needed;
       study.farthest_m = where.distance_m;
       PersonRange range(where.posture, study, 0.2);
-      range.Add(X_WH(), 0, LayoutOf({viewer}), site.sighting(), site.ground());
-      if (range.Detected_m().at(static_cast<std::size_t>(where.sector)).at(0) >= where.distance_m) {
+      range.Add(X_WH(), HullOf(site), LayoutOf({viewer}), site.sighting(), site.ground());
+      if (range.Detected_m().at(static_cast<std::size_t>(2 * where.sector)).at(0) >=
+          where.distance_m) {
         low = needed;
       }
     }
@@ -188,7 +194,7 @@ ViewField ReachingField(double at_10_percent_m) {
 PersonRange RangeOf(const LookedAtSite& site, const Layout& layout, double reflectance = 0.1,
                     const PersonStudy& study = {}) {
   PersonRange range(kStanding, study, reflectance);
-  range.Add(X_WH(), 0, layout, site.sighting(), site.ground());
+  range.Add(X_WH(), HullOf(site), layout, site.sighting(), site.ground());
   return range;
 }
 
@@ -224,7 +230,7 @@ TEST(PersonRange, AWallEndsItInItsDirectionAlone) {
       RangeOf(site, LayoutOf({ViewerAt("lidar", {0, 0, 2}, ReachingField(99))}));
   EXPECT_EQ(range.Distances_m().size(), 24u);
   EXPECT_EQ(range.Detected_m().at(0).at(0), 4);
-  EXPECT_EQ(range.Detected_m().at(9).at(0), 24);
+  EXPECT_EQ(range.Detected_m().at(18).at(0), 24);
   const auto figures = range.Figures();
   const auto at = [&](const std::string& name) {
     return FigureOf(figures, "person/standing/" + name).at.at(0);
@@ -233,9 +239,10 @@ TEST(PersonRange, AWallEndsItInItsDirectionAlone) {
   EXPECT_EQ(at("detected_to_m_left"), 24);
   EXPECT_EQ(at("detected_to_m_behind"), 24);
   EXPECT_EQ(at("detected_to_m_right"), 24);
-  // Of 36 x 12 places those at 5 to 12 m in that direction are hidden: the wall spans 7.6 deg to
-  // either side, and she, 0.25 m to either side, 2.9 deg at 5 m.
-  EXPECT_NEAR(at("detected_within_12m"), 1 - 8.0 / (36 * 12), 1e-9);
+  // Of 72 x 12 places those at 5 to 12 m in three directions are hidden: the wall spans 7.6 deg to
+  // either side, and of her, 5 deg aside, what faces the lidar is seen at 0.125 m to either side,
+  // 1.4 deg at 5 m.
+  EXPECT_NEAR(at("detected_within_12m"), 1 - 3 * 8.0 / (72 * 12), 1e-9);
 }
 
 TEST(PersonRange, WithoutAViewerSheIsDetectedNowhere) {

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "layout/optimise/candidate.h"
+
+namespace tera {
+
+/// A layout of the front that a search found.
+struct FoundLayout {
+  Genes genes;
+  std::vector<double> objectives;  ///< as Appraised has them
+};
+
+/// What a search ends with.
+struct OptimiseResult {
+  std::vector<FoundLayout> front;  ///< by the first objective
+  FoundLayout greedy;
+};
+
+}  // namespace tera
