@@ -33,6 +33,7 @@ struct EvaluateArguments {
 };
 
 void RequireNew(const fs::path& out) {
+  RequireNoneStopped(out);
   if (!HoldsSomething(out)) return;
   throw InputError(fmt::format("{}: is not an empty directory; choose another place or delete it",
                                out.string()));
