@@ -20,6 +20,9 @@ constexpr double kStep_m = 0.05;  ///< between places that are tried first
 constexpr int kHalvings = 6;      ///< of a step, to find where a masking begins or ends
 constexpr int kHullSectors = 360;
 
+/// 1 sigma of a masking's width: either end lies anywhere in the last half of a step.
+double WidthError_m() { return kStep_m / std::exp2(kHalvings) / std::sqrt(6.0); }
+
 /// A closed line around the machine, by its length from the beginning, counterclockwise.
 struct ClosedLine {
   double length_m = 0;
@@ -73,7 +76,6 @@ struct Moment {
   Vec3 eye_W_m;
   std::vector<bool> is_machine;  ///< of each instance
   const Sighting& sighting;
-  const TerrainSurface& ground;
 };
 
 /// What stands before either of the two lights, where something stands before both.
@@ -90,8 +92,7 @@ std::optional<std::uint16_t> FirstOfMachine(const std::vector<Sighting::Crossing
 std::vector<Before> LookAtPlaces(const std::vector<Vec2>& places_H_m, const Moment& now) {
   std::vector<Sighting::Line> lines;
   for (const Vec2& p_H_m : places_H_m) {
-    Vec3 p_W_m = now.X_WH * Vec3(p_H_m.x(), p_H_m.y(), 0);
-    p_W_m.z() = now.ground.HeightAt(p_W_m.x(), p_W_m.y()) + now.eye.height_m;
+    const Vec3 p_W_m = now.X_WH * Vec3(p_H_m.x(), p_H_m.y(), now.eye.height_m);
     const Vec2 ahead = (p_W_m - now.eye_W_m).head<2>().normalized();
     const Vec3 aside_W_m = 0.5 * now.eye.spacing_m * Vec3(-ahead.y(), ahead.x(), 0);
     lines.push_back({now.eye_W_m + aside_W_m, p_W_m});
@@ -163,7 +164,7 @@ std::vector<std::string> MaskedBy(const std::vector<Before>& before, std::size_t
 
 struct Found {
   std::vector<Masking> maskings;
-  double masked_share = 0;
+  double masked_share = 0, share_error = 0;
 };
 
 Found MaskingsOn(const ClosedLine& line, const Moment& now) {
@@ -189,6 +190,8 @@ Found MaskingsOn(const ClosedLine& line, const Moment& now) {
          MaskedBy(before, (begin.after + 1) % count, end.after, now.sighting)});
     found.masked_share += length_m / line.length_m;
   }
+  found.share_error =
+      WidthError_m() * std::sqrt(static_cast<double>(found.maskings.size())) / line.length_m;
   return found;
 }
 
@@ -220,14 +223,14 @@ int LinkOfEye(const EyeStudy& eye, const MachineModel& machine) {
 }
 
 void EyeMasking::Add(const Pose& X_WH, const Pose& X_WB, std::size_t machine,
-                     const Sighting& sighting, const TerrainSurface& ground) {
+                     const Sighting& sighting) {
   const auto is_part = [](SemanticClass label) { return label != SemanticClass::kSoilInBucket; };
-  const Moment now{eye_,     X_WH,  X_WB * eye_.p_B_m, sighting.InstancesOf(machine, is_part),
-                   sighting, ground};
+  const Moment now{eye_, X_WH, X_WB * eye_.p_B_m, sighting.InstancesOf(machine, is_part), sighting};
   const auto keep = [&](const ClosedLine& line, Record* record) {
     Found found = MaskingsOn(line, now);
     record->maskings.push_back(std::move(found.maskings));
     record->masked_share.push_back(found.masked_share);
+    record->share_error.push_back(found.share_error);
   };
   const Vec3 eye_H_m = X_WH.inverse() * now.eye_W_m;
   keep(Circle(eye_H_m.head<2>(), eye_.circle_m), &circle_);
@@ -236,14 +239,12 @@ void EyeMasking::Add(const Pose& X_WH, const Pose& X_WB, std::size_t machine,
 }
 
 std::vector<Figure> EyeMasking::Figures() const {
-  // Either end of a masking is known to the last half of a step, evenly.
-  const double error_m = kStep_m / std::exp2(kHalvings) / std::sqrt(6.0);
   std::vector<Figure> figures;
   const auto tell = [&](const std::string& name, const Record& record) {
     const std::vector<double> widest_m = WidestWidths_m(record.maskings);
     figures.push_back({name + "/widest_masking_m", "m", false, widest_m,
-                       std::vector<double>(widest_m.size(), error_m)});
-    figures.push_back({name + "/masked_share", "", false, record.masked_share});
+                       std::vector<double>(widest_m.size(), WidthError_m())});
+    figures.push_back({name + "/masked_share", "", false, record.masked_share, record.share_error});
     if (!eye_.most_masking_m) return;
     Figure exceeds{name + "/exceeds_limit", "", false};
     for (const double width_m : widest_m) exceeds.at.push_back(width_m > *eye_.most_masking_m);

@@ -27,7 +27,8 @@ struct Masking {
 ///         the line to the place that is looked at, so that the pair turns to it as a head does. A
 ///         place is masked where parts of the machine stand before both. The two lines: the
 ///         visibility test circle about the point below the eye, and the rectangular boundary, the
-///         rectangle in H around what HullRadii_m counts as the machine's sides, plus a distance.
+///         rectangle in H around what HullRadii_m counts as the machine's sides, plus a distance;
+///         both on the level plane through the origin of H, for the standard's level test surface.
 ///         A masking on the circle is as wide as its chord, and one of half the circle or more as
 ///         the circle; one on the rectangle is as wide as the boundary is hidden in length.
 /// Omits   mirrors and cameras, which the standard calls indirect visibility; its sectors, and its
@@ -44,8 +45,7 @@ class EyeMasking {
   explicit EyeMasking(const EyeStudy& eye) : eye_(eye) {}
 
   /// Adds a moment; `X_WB` is the pose of the eye's link, `machine` the number of the studied one.
-  void Add(const Pose& X_WH, const Pose& X_WB, std::size_t machine, const Sighting& sighting,
-           const TerrainSurface& ground);
+  void Add(const Pose& X_WH, const Pose& X_WB, std::size_t machine, const Sighting& sighting);
 
   /// Of one moment, counterclockwise along each line.
   const std::vector<Masking>& OnCircle(std::size_t moment) const {
@@ -62,8 +62,8 @@ class EyeMasking {
 
  private:
   struct Record {
-    std::vector<std::vector<Masking>> maskings;  ///< of each moment
-    std::vector<double> masked_share;            ///< of each
+    std::vector<std::vector<Masking>> maskings;     ///< of each moment
+    std::vector<double> masked_share, share_error;  ///< of each
   };
 
   EyeStudy eye_;

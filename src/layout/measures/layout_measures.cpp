@@ -159,7 +159,7 @@ void LayoutMeasures::Add(const LookedAt& moment, const Places& places, const Lay
   if (pixels_) pixels_->Add(X_WH, layout, sighting, ground);
   if (eye_) {
     const Pose& X_WB = machine.links[LinkOfEye(*study_.eye, model())].X_WB;
-    eye_->Add(X_WH, X_WB, studied_.machine, sighting, ground);
+    eye_->Add(X_WH, X_WB, studied_.machine, sighting);
   }
   if (occupancy_) occupancy_->Add(X_WH, occupants, layout, reflectance, sighting);
   if (sky_) sky_->Add(machine, sighting);

@@ -36,7 +36,7 @@ TestBox Plate(double ahead_m, double breadth_m) {
 
 EyeMasking Masked(const Yard& yard, const EyeStudy& eye) {
   EyeMasking masking(eye);
-  masking.Add(yard.X_WH(), yard.X_WMast(), 0, yard.sighting(), yard.ground());
+  masking.Add(yard.X_WH(), yard.X_WMast(), 0, yard.sighting());
   return masking;
 }
 
@@ -171,7 +171,7 @@ machines:
   EyeStudy eye = Eye(0.205);
   eye.p_B_m = Vec3(0.1, 0.37, 1.3);  // within the cab, which has glass on all sides
   EyeMasking masking(eye);
-  masking.Add(Levelled(X_WB), X_WB, 0, sighting, simulation.ground());
+  masking.Add(Levelled(X_WB), X_WB, 0, sighting);
   const double share = FigureOf(masking.Figures(), "eye/circle/masked_share").at[0];
   EXPECT_GT(share, 0.01);  // pillars
   EXPECT_LT(share, 0.5);
