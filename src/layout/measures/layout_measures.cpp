@@ -195,7 +195,10 @@ void LayoutMeasures::Report(LayoutReport* report) const {
     report->overlaps[zone.zone().name] = zone.Overlaps();
   }
   for (const BlindMap& map : maps_) report->maps.push_back(SeenMap(map));
-  if (pixels_) report->maps.push_back(pixels_->Map());
+  if (pixels_) {
+    report->maps.push_back(pixels_->Map());
+    for (PolarCurve& curve : pixels_->Curves()) report->curves.push_back(std::move(curve));
+  }
   if (sky_) {
     for (PolarMap& map : sky_->Maps()) report->maps.push_back(std::move(map));
   }

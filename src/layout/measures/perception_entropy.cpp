@@ -55,15 +55,19 @@ void PerceptionEntropy::Add(const Pose& X_WH, const std::vector<double>& hull_m,
       if (samples[p] > 0) sigmas[p].push_back(SigmaOf(PrecisionOf(fit, samples[p])));
     }
   }
-  double sum_nat = 0;
+  double sum_nat = 0, sum_nat2 = 0;
   for (const std::vector<double>& of_place : sigmas) {
-    sum_nat += PlanarEntropy(of_place.empty() ? SigmaOf(kLeastPrecision) : FusedSigma(of_place));
+    const double sigma = of_place.empty() ? SigmaOf(kLeastPrecision) : FusedSigma(of_place);
+    sum_nat += PlanarEntropy(sigma);
+    sum_nat2 += PlanarEntropy(sigma) * PlanarEntropy(sigma);
   }
-  mean_nat_.push_back(sum_nat / static_cast<double>(sigmas.size()));
+  const double count = static_cast<double>(sigmas.size()), mean_nat = sum_nat / count;
+  mean_nat_.push_back(mean_nat);
+  error_nat_.push_back(std::sqrt(std::max(0.0, sum_nat2 / count - mean_nat * mean_nat) / count));
 }
 
 std::vector<Figure> PerceptionEntropy::Figures() const {
-  return {{"information/perception_entropy", "nat", false, mean_nat_}};
+  return {{"information/perception_entropy", "nat", false, mean_nat_, error_nat_}};
 }
 
 }  // namespace tera

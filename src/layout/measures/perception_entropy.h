@@ -52,7 +52,7 @@ class PerceptionEntropy {
   InformationStudy information_;
   double reflectance_;
   std::vector<BodyPatch> patches_;
-  std::vector<double> mean_nat_;  ///< of each moment
+  std::vector<double> mean_nat_, error_nat_;  ///< over the places, of each moment
 };
 
 }  // namespace tera

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "layout/measures/polar_grid.h"
@@ -61,6 +62,10 @@ void PixelDensity::Add(const Pose& X_WH, const Layout& layout, const Sighting& s
     counted_[p] += places.count[p];
     sum_px_per_m_[p] += px_per_m[p];
   }
+  near_places_.push_back(0);
+  for (std::size_t p = 0; p < px_per_m.size(); ++p) {
+    near_places_.back() += places.count[p] && p % PolarGrid::kRings < PolarGrid::kNearRings;
+  }
   for (std::size_t purpose = 0; purpose < kPurposeCount; ++purpose) {
     double near_m2 = 0, held_m2 = 0;
     for (int sector = 0; sector < PolarGrid::kSectors; ++sector) {
@@ -83,22 +88,48 @@ std::vector<Figure> PixelDensity::Figures() const {
   std::vector<Figure> figures;
   for (std::size_t purpose = 0; purpose < kPurposeCount; ++purpose) {
     const std::string name = fmt::format("pixels/{}", kPurposes[purpose].name);
-    figures.push_back({name + "/share_to_12m", "", true, share_[purpose]});
+    Figure share{name + "/share_to_12m", "", true, share_[purpose]};
+    for (std::size_t m = 0; m < near_places_.size(); ++m) {
+      share.error.push_back(ShareError(share.at[m], near_places_[m]));
+    }
+    figures.push_back(std::move(share));
     for (const Quarter& quarter : kQuarters) {
       Figure figure{fmt::format("{}/to_m_{}", name, quarter.name), "m", true};
       for (std::size_t m = 0; m < share_[purpose].size(); ++m) {
-        double least_m = PolarGrid::kRings * PolarGrid::kRing_m;
+        double sum_m = 0, directions = 0;
         for (int sector = 0; sector < PolarGrid::kSectors; ++sector) {
           if (!quarter.Holds(PolarGrid::Azimuth_rad(sector))) continue;
-          least_m = std::min(least_m, farthest_m_[purpose][sector][m]);
+          sum_m += farthest_m_[purpose][sector][m];
+          directions += 1;
         }
-        figure.at.push_back(least_m);
-        figure.error.push_back(PolarGrid::kRing_m / std::sqrt(12.0));  // somewhere in the cell
+        figure.at.push_back(sum_m / directions);
+        // Each ends somewhere in a cell.
+        figure.error.push_back(PolarGrid::kRing_m / std::sqrt(12.0 * directions));
       }
       figures.push_back(std::move(figure));
     }
   }
   return figures;
+}
+
+std::vector<PolarCurve> PixelDensity::Curves() const {
+  std::vector<PolarCurve> curves;
+  for (std::size_t purpose = 0; purpose < kPurposeCount; ++purpose) {
+    const auto& [name, px_per_m] = kPurposes[purpose];
+    PolarCurve curve{.name = fmt::format("pixels/{}", name),
+                     .title = fmt::format("Distance to which cameras {} a person, in m: {} px/m",
+                                          name, px_per_m),
+                     .most = PolarGrid::kRings * PolarGrid::kRing_m,
+                     .mean = {},
+                     .worst = {}};
+    for (const std::vector<double>& at_m : farthest_m_[purpose]) {
+      const double sum_m = std::accumulate(at_m.begin(), at_m.end(), 0.0);
+      curve.mean.push_back(sum_m / static_cast<double>(at_m.size()));
+      curve.worst.push_back(*std::min_element(at_m.begin(), at_m.end()));
+    }
+    curves.push_back(std::move(curve));
+  }
+  return curves;
 }
 
 PolarMap PixelDensity::Map() const {

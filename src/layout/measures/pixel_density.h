@@ -39,15 +39,18 @@ class PixelDensity {
     return farthest_m_[purpose][sector];
   }
   /// "pixels/PURPOSE/share_to_12m": of the area of places within 12 m; "pixels/PURPOSE/to_m_ahead",
-  /// "_left", "_behind", "_right": the least over the directions of that quarter.
+  /// "_left", "_behind", "_right": the mean over the directions of that quarter.
   std::vector<Figure> Figures() const;
   /// "pixels/1.5 m": the density, as a mean over the moments.
   PolarMap Map() const;
+  /// "pixels/PURPOSE": the farthest distance by direction, of each purpose.
+  std::vector<PolarCurve> Curves() const;
 
  private:
   using OfSectors = std::vector<std::vector<double>>;
   std::vector<OfSectors> farthest_m_;       ///< [purpose][sector][moment]
   std::vector<std::vector<double>> share_;  ///< [purpose][moment]
+  std::vector<std::size_t> near_places_;    ///< of each moment
   std::vector<double> sum_px_per_m_, counted_;
 };
 

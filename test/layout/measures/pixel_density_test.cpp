@@ -50,7 +50,20 @@ TEST(PixelDensity, IsThatOfDirectionsThatACameraShows) {
   const std::vector<Figure> figures = DensityOf(yard, Camera(yard, to_the_left)).Figures();
   EXPECT_EQ(FigureOf(figures, "pixels/recognise/to_m_left").at[0], 7.5);
   EXPECT_EQ(FigureOf(figures, "pixels/recognise/to_m_right").at[0], 0);
-  EXPECT_EQ(FigureOf(figures, "pixels/recognise/to_m_ahead").at[0], 0);  // half of it
+  // Directions 5 deg apart from -45 to 45 deg are 19, of which those from 10 deg on, 8, are in
+  // view.
+  EXPECT_NEAR(FigureOf(figures, "pixels/recognise/to_m_ahead").at[0], 7.5 * 8 / 19, 1e-9);
+}
+
+TEST(PixelDensity, IsDrawnByDirection) {
+  const Yard yard(Nothing());
+  const auto to_the_left = [](const Vec3& d_S) { return d_S.y() > 0.1; };
+  const PolarCurve recognise = DensityOf(yard, Camera(yard, to_the_left)).Curves().at(2);
+  EXPECT_EQ(recognise.name, "pixels/recognise");
+  ASSERT_EQ(recognise.worst.size(), 72u);
+  EXPECT_EQ(recognise.worst[18], 7.5);
+  EXPECT_EQ(recognise.mean[18], 7.5);
+  EXPECT_EQ(recognise.mean[54], 0);
 }
 
 TEST(PixelDensity, EndsAtWhatStandsInTheWay) {
