@@ -110,13 +110,6 @@ std::vector<HeldOutBlocks> ReadAll(const DiagnosisCase& asked, const DiagnosisOp
   return held_out;
 }
 
-/// Whether there are findings that a simulation can have; it has no pose terms.
-bool HasFindingsToSimulate(const std::vector<DiagnosedBlock>& blocks) {
-  return std::any_of(blocks.begin(), blocks.end(), [](const DiagnosedBlock& diagnosed) {
-    return !WithoutPoseTerms(diagnosed.diagnosis.search.found.terms).empty();
-  });
-}
-
 bool IsOutOfTime(const std::vector<DiagnosedBlock>& blocks) {
   return std::any_of(blocks.begin(), blocks.end(), [](const DiagnosedBlock& diagnosed) {
     return diagnosed.diagnosis.out_of_time;
@@ -138,7 +131,7 @@ std::optional<WholeSimulation> WholeOf(const DiagnosisCase& asked, const Diagnos
                                        TimeNs start_ns, const std::vector<DiagnosedBlock>& blocks,
                                        const std::optional<SimulatedCourse>& as_it_is,
                                        StageClock* clock) {
-  if (!asked.simulate || !HasFindingsToSimulate(blocks)) return std::nullopt;
+  if (!asked.simulate || FindingsToSimulate(blocks).empty()) return std::nullopt;
   if (IsOutOfTime(blocks)) return WholeSimulation{.obstacle = "the time was over"};
   return clock->Time("whole simulation", [&] {
     return SimulateWhole(asked.input, *asked.recording, start_ns, options.blocks.base_interval_s,

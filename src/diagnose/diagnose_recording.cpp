@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "diagnose/blocks/candidate_list.h"
 #include "diagnose/perception/perception_run.h"
+#include "diagnose/replay/axis_log.h"
 #include "diagnose/report/files/baselines_json.h"
 #include "sim/operators/lever_replay.h"
 
@@ -97,12 +98,16 @@ KnownPlace KnownPlaceOf(const Scenario& scenario, std::size_t machine) {
 }
 
 SimulateMachine SimulatorOf(const Scenario& scenario, std::size_t machine) {
-  return [&scenario, machine](const Structure& found, const TableRecording& levers,
+  return [&scenario, machine](const SimulatedFindings& found, const TableRecording& levers,
                               const CourseSpan& span) {
     if (found.empty()) return SimulateUnderLevers(scenario, machine, levers, span);
     Scenario changed = scenario;
     MachineModel& model = changed.machines[machine].placement.model;
-    model = WithTerms(std::move(model), found);
+    model = WithTerms(std::move(model), found.terms);
+    model.effects.learned.resize(model.joints.size() + model.gear_drives.size());
+    for (const LearnedOfAxis& one : found.learned) {
+      model.effects.learned.at(static_cast<std::size_t>(AxisNamed(model, one.axis))) = one.effect;
+    }
     return SimulateUnderLevers(changed, machine, levers, span);
   };
 }

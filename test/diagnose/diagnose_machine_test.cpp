@@ -80,7 +80,8 @@ TEST_F(DiagnosisOfABoom, HoldsWhatEveryPartOfItFound) {
   const auto further = std::make_shared<const Recording>(path("further"));
   asked.held_out.push_back({InputOf(*further), further});
   asked.perception.push_back(NotJudged("excavator1/lidar", "lidar", "it was covered"));
-  asked.simulate = [&](const Structure& found, const TableRecording&, const CourseSpan& span) {
+  asked.simulate = [&](const SimulatedFindings& found, const TableRecording&,
+                       const CourseSpan& span) {
     return found.empty() ? CourseOf(
                                model(), [](double lever) { return lever; }, span)
                          : CourseOf(model(), DeadTo0_1, span);

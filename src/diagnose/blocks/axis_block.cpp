@@ -25,7 +25,6 @@ constexpr double kLongestLag_s = 0.8;
 constexpr double kSureEffortShare = 0.5;
 /// Share of the moving samples that may be excluded for that; with more, all of them stay.
 constexpr double kMostExcludedShare = 0.4;
-constexpr double kLeverTremor = 0.01;  ///< by which a held lever may change
 /// Share of a lever's time out of neutral in which it must come back, for its direction to be a
 /// variable of its own.
 constexpr double kLeastReturnShare = 0.1;
@@ -217,19 +216,11 @@ bool HasLever(const MachineModel& model, std::size_t axis) {
   });
 }
 
-/// The direction, -1 or 1, in which an axis's lever moved last by more than its tremor; 0 at
-/// neutral.
+/// The ways of an axis's lever, step by step.
 std::vector<double> DirectionsOf(const AxisLog& log, std::size_t axis) {
   std::vector<double> ways;
-  double followed = 0, way = 0;
-  for (std::size_t k = 0; k < log.steps; ++k) {
-    const double lever = log.levers_at(k)[axis];
-    if (std::abs(lever - followed) > kLeverTremor) {
-      way = lever > followed ? 1 : -1;
-      followed = lever - way * kLeverTremor;
-    }
-    ways.push_back(std::abs(lever) <= kLeverTremor ? 0 : way);
-  }
+  LeverWay way;
+  for (std::size_t k = 0; k < log.steps; ++k) ways.push_back(way.Step(log.levers_at(k)[axis]));
   return ways;
 }
 
@@ -312,6 +303,12 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
     const SampleGrid prefix = grid.First(samples);
     return std::vector<std::vector<double>>{
         prefix.Spread(replay.Predict(effects, {}, prefix.place.size()))};
+  };
+  if (LearnedAt(model.effects, axis) != nullptr) return block;
+  block.learnable = LearnedVariablesOf(model, axis);
+  block.replay_learned = [replay, grid](const Structure& terms, const LearnedEffect& learned) {
+    const AxisEffects effects = WithTerms(replay.effects(), terms);
+    return std::vector<std::vector<double>>{grid.Spread(replay.With(learned).Predict(effects))};
   };
   return block;
 }

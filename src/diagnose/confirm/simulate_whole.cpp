@@ -12,6 +12,7 @@
 #include "diagnose/blocks/candidate_list.h"
 #include "diagnose/blocks/measured_poses.h"
 #include "diagnose/discrepancy/as_simulated.h"
+#include "diagnose/replay/axis_log.h"
 #include "diagnose/replay/base_log.h"
 
 namespace tera {
@@ -140,11 +141,7 @@ std::vector<std::vector<double>> Comparison::Simulated(const DiagnosedBlock& dia
   const ReplayBlock& block = diagnosed.block;
   const MachineModel& model = *input_.model;
   if (block.name == input_.machine + "/base") return OfBase(diagnosed, course);
-  int axis = model.JointIndex(block.name);
-  for (std::size_t g = 0; g < model.ground_tools.gears.size() && axis < 0; ++g) {
-    if (model.ground_tools.gears[g].name != block.name) continue;
-    axis = static_cast<int>(model.joints.size() + g);
-  }
+  const int axis = AxisNamed(model, block.name);
   if (axis < 0) return {};
   const double end_s = std::min(Until_s(), ToSeconds(course.end_ns() - zero_ns_));
   std::vector<double> values(block.samples(), NAN);
@@ -175,12 +172,15 @@ void Comparison::AddBlock(const DiagnosedBlock& diagnosed, const SimulatedCourse
   const auto was = Simulated(diagnosed, before), is = Simulated(diagnosed, after);
   for (std::size_t c = 0; c < diagnosed.block.channels.size(); ++c) {
     const Channel& channel = diagnosed.block.channels[c];
+    const bool is_learned = std::any_of(
+        diagnosed.proposals.begin(), diagnosed.proposals.end(),
+        [&](const Proposal& proposal) { return proposal.channel == c && proposal.learned; });
     const bool is_named = std::any_of(
         diagnosed.diagnosis.findings.begin(), diagnosed.diagnosis.findings.end(),
         [&](const Finding& finding) {
           return finding.location.channel == c && finding.term.candidate->target != kPoses;
         });
-    if (!is_named) continue;
+    if (!is_named && !is_learned) continue;
     const double rmse = was.empty() ? NAN : RmseOnFinal(diagnosed, c, was[c]);
     if (std::isfinite(rmse)) {
       out->channels.push_back({channel.name, channel.unit, rmse, RmseOnFinal(diagnosed, c, is[c])});
@@ -198,11 +198,7 @@ WholeSimulation Comparison::Run(const std::optional<SimulatedCourse>& as_it_is,
     out.obstacle = "the recording has no levers to drive it by";
     return out;
   }
-  Structure found;
-  for (const DiagnosedBlock& diagnosed : blocks_) {
-    const Structure& terms = diagnosed.diagnosis.search.found.terms;
-    found.insert(found.end(), terms.begin(), terms.end());
-  }
+  const SimulatedFindings found = FindingsToSimulate(blocks_);
   const CourseSpan span{zero_ns_, out.until_s};
   const SimulatedCourse before = as_it_is ? *as_it_is : simulate({}, input_.commands, span);
   const SimulatedCourse after = simulate(found, input_.commands, span);
@@ -221,6 +217,19 @@ WholeSimulation Comparison::Run(const std::optional<SimulatedCourse>& as_it_is,
 }
 
 }  // namespace
+
+SimulatedFindings FindingsToSimulate(const std::vector<DiagnosedBlock>& blocks) {
+  SimulatedFindings found;
+  for (const DiagnosedBlock& diagnosed : blocks) {
+    const Structure terms = WithoutPoseTerms(diagnosed.diagnosis.search.found.terms);
+    found.terms.insert(found.terms.end(), terms.begin(), terms.end());
+    for (const Proposal& proposal : diagnosed.proposals) {
+      if (!proposal.learned) continue;
+      found.learned.push_back({diagnosed.block.name, proposal.learned->effect});
+    }
+  }
+  return found;
+}
 
 std::optional<SimulatedCourse> SimulateAsItIs(const DiagnosisInput& input,
                                               const Measurements& measured,

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "dataset/format/recording.h"
@@ -12,10 +13,27 @@
 
 namespace tera {
 
-/// Simulates the scenario under recorded levers with what was found in its machine; an empty list:
+/// What was learned of a joint, track or wheel set, by its name.
+struct LearnedOfAxis {
+  std::string axis;
+  LearnedEffect effect;
+};
+
+/// What a simulation can have of what was found in a machine.
+struct SimulatedFindings {
+  Structure terms;
+  std::vector<LearnedOfAxis> learned = {};
+
+  bool empty() const { return terms.empty() && learned.empty(); }
+};
+
+/// All that was found in some blocks and can be simulated; poses have no part in a simulation.
+SimulatedFindings FindingsToSimulate(const std::vector<DiagnosedBlock>& blocks);
+
+/// Simulates the scenario under recorded levers with what was found in its machine; with nothing:
 /// the scenario as it is.
 using SimulateMachine = std::function<SimulatedCourse(
-    const Structure& found, const TableRecording& levers, const CourseSpan& span)>;
+    const SimulatedFindings& found, const TableRecording& levers, const CourseSpan& span)>;
 
 /// Simulates the scenario as it is as long as the recording lasts and ten minutes at most. None
 /// where `simulate` is empty, or the recording has no levers or nothing of a joint, a track or the
@@ -25,8 +43,8 @@ std::optional<SimulatedCourse> SimulateAsItIs(const DiagnosisInput& input,
                                               const Measurements& measured,
                                               const SimulateMachine& simulate);
 
-/// Simulates the scenario with what was found of joints, tracks and the base, and holds both
-/// against the recording on the manoeuvres that the diagnosis kept back.
+/// Simulates the scenario with what was found and learned of joints, tracks and the base, and holds
+/// both against the recording on the manoeuvres that the diagnosis kept back.
 ///
 /// Model   no sensors: rates and poses are those of the simulation at the times of the
 ///         measurements, base motion over the same intervals as the block's. The first 120 s at

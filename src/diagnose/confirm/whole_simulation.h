@@ -25,7 +25,7 @@ struct PathLengths {
 /// act on each other show in it, and so do drifts that a replay does not have.
 struct WholeSimulation {
   double until_s = 0;                      ///< end of the comparison, in the recording
-  std::vector<SimulatedChannel> channels;  ///< of blocks with findings, on FINAL
+  std::vector<SimulatedChannel> channels;  ///< with findings or learned effects, on FINAL
   std::optional<PathLengths> path;         ///< where both sides have poses and the base moves
   std::vector<std::string> not_simulated;  ///< channels with findings that the simulation lacks
   std::string obstacle;                    ///< why there is none at all; empty where there is one

@@ -2,19 +2,9 @@
 
 #include <algorithm>
 
+#include "diagnose/replay/axis_log.h"
+
 namespace tera {
-namespace {
-
-int AxisNamed(const MachineModel& model, const std::string& name) {
-  if (const int joint = model.JointIndex(name); joint >= 0) return joint;
-  const auto& gears = model.ground_tools.gears;
-  const auto gear = std::find_if(gears.begin(), gears.end(),
-                                 [&](const RunningGear& one) { return one.name == name; });
-  if (gear == gears.end()) return -1;
-  return static_cast<int>(model.joints.size()) + static_cast<int>(gear - gears.begin());
-}
-
-}  // namespace
 
 std::vector<NamedEncoders> AsSimulated(const MachineModel& model, const SimulatedCourse& course,
                                        std::vector<NamedEncoders> measured) {

@@ -86,14 +86,6 @@ void Measure(const std::vector<AxisMotion>& motion, std::size_t sample, double t
 
 }  // namespace
 
-int AxisNamed(const MachineModel& model, const std::string& name) {
-  if (const int joint = model.JointIndex(name); joint >= 0) return joint;
-  for (std::size_t g = 0; g < model.gear_drives.size(); ++g) {
-    if (model.ground_tools.gears[g].name == name) return static_cast<int>(model.joints.size() + g);
-  }
-  return -1;
-}
-
 PredictedRun PredictRun(const MachineModel& model, const std::vector<LeverMove>& moves,
                         double length_s, std::vector<double> start_rad,
                         const PredictionSteps& steps) {

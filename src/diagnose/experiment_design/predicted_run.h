@@ -27,9 +27,6 @@ struct PredictionSteps {
   double period_s = 0.01;  ///< of the encoders
 };
 
-/// The axis of a joint or gear by its name, joints first; -1 where there is none.
-int AxisNamed(const MachineModel& model, const std::string& name);
-
 /// Predicts what a machine does under moves of its levers, from given positions of its joints.
 ///
 /// Model   the chain of actuation with the model's effects; a joint moves as its drive asks.

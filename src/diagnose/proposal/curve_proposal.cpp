@@ -18,14 +18,21 @@ constexpr std::uint64_t kReplicates = 200;  ///< of the band
 
 /// Normal equations of a curve's coefficients.
 struct Normal {
-  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(kSplines, kSplines);
-  Eigen::VectorXd pull = Eigen::VectorXd::Zero(kSplines);
+  Eigen::MatrixXd information;
+  Eigen::VectorXd pull;
 
   void Add(const Normal& other, double times = 1) {
+    if (information.size() == 0) {
+      information = Eigen::MatrixXd::Zero(other.information.rows(), other.information.cols());
+      pull = Eigen::VectorXd::Zero(other.pull.size());
+    }
     information += times * other.information;
     pull += times * other.pull;
   }
 };
+
+/// Whether the few values of a discrete variable are all that it can have.
+bool IsWay(const RegimeVariable& variable) { return variable.name.starts_with("lever_way/"); }
 
 /// A residual as a function of one variable, or as the prediction times such a function.
 class CurveOver {
@@ -36,7 +43,6 @@ class CurveOver {
         splines_(axis_.Splines(kSplines)),
         roughness_(axis_.Roughness(kSplines)) {}
 
-  bool IsSmooth() const { return !axis_.discrete(); }
   const Eigen::VectorXd& at() const { return axis_.centre(); }
 
   Normal Over(const Segment& samples) const {
@@ -55,7 +61,7 @@ class CurveOver {
     Eigen::MatrixXd left = normal.information;
     const double trace = left.trace();
     left += penalty * trace / roughness_.trace() * roughness_;
-    left.diagonal().array() += 1e-9 * trace / static_cast<double>(kSplines) + 1e-300;
+    left.diagonal().array() += 1e-9 * trace / static_cast<double>(left.rows()) + 1e-300;
     return splines_ * left.ldlt().solve(normal.pull);
   }
 
@@ -75,8 +81,10 @@ class CurveOver {
 
 class CurveProposer {
  public:
-  CurveProposer(const ReplayBlock& block, const BlockDiagnosis& diagnosis, std::size_t channel)
+  CurveProposer(const ReplayBlock& block, const BlockDiagnosis& diagnosis, std::size_t channel,
+                const MayDepend& may_depend)
       : channel_(channel),
+        may_depend_(may_depend),
         manoeuvres_(diagnosis.manoeuvres),
         variables_(block.channels[channel].variables),
         residual_(diagnosis.search.found.misfit.residual[channel]),
@@ -98,6 +106,7 @@ class CurveProposer {
   Mask Of(Part part) const { return MaskOf(manoeuvres_, part, residual_.size()); }
 
   std::size_t channel_;
+  const MayDepend& may_depend_;
   const std::vector<Manoeuvre>& manoeuvres_;
   const std::vector<RegimeVariable>& variables_;
   const Series& residual_;
@@ -115,9 +124,10 @@ CurveProposer::Choice CurveProposer::Choose() const {
   Choice best;
   best.rmse_select = RmsOver(residual_, select);
   for (const RegimeVariable& variable : variables_) {
+    if (!may_depend_(variable)) continue;
+    if (RegimeAxis(variable).discrete() && !IsWay(variable)) continue;
     for (const bool is_share : {false, true}) {
       const CurveOver over = Over(variable, is_share);
-      if (!over.IsSmooth()) continue;
       Normal train;
       for (const Segment& samples : SegmentsOf(manoeuvres_, Part::kTrain)) {
         train.Add(over.Over(samples));
@@ -173,14 +183,16 @@ std::optional<Proposal> CurveProposer::Run(const Stream& stream) const {
   proposal.rmse_select = choice.rmse_select;
   proposal.rmse_before = RmsOver(residual_, Of(Part::kFinal));
   proposal.rmse_after = RmsOver(over.Left(proposal.curve->mean), Of(Part::kFinal));
-  return Holds(proposal) ? std::optional(std::move(proposal)) : std::nullopt;
+  return Holds(proposal.rmse_before, proposal.rmse_after) ? std::optional(std::move(proposal))
+                                                          : std::nullopt;
 }
 
 }  // namespace
 
 std::optional<Proposal> ProposeCurve(const ReplayBlock& block, const BlockDiagnosis& diagnosis,
-                                     std::size_t channel, const Stream& stream) {
-  return CurveProposer(block, diagnosis, channel).Run(stream);
+                                     std::size_t channel, const MayDepend& may_depend,
+                                     const Stream& stream) {
+  return CurveProposer(block, diagnosis, channel, may_depend).Run(stream);
 }
 
 }  // namespace tera

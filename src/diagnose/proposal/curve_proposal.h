@@ -1,23 +1,30 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "core/random.h"
 #include "diagnose/proposal/proposal.h"
+#include "diagnose/statistics/regime/regime_axis.h"
 
 namespace tera {
+
+/// Whether a curve may be over a variable.
+using MayDepend = std::function<bool(const RegimeVariable&)>;
 
 /// A curve over one variable that explains what is left of a channel, if one is found that holds.
 /// It is added to the prediction, or multiplied with the prediction and added.
 ///
-/// Model   penalised cubic B-splines (20) by least squares, for each of the channel's variables,
-///         added and multiplied. The variable, the way and the penalty are those that, fitted to
-///         TRAIN, leave least of SELECT; they are then fitted to both. Band: 5 to 95 % of fits to
-///         manoeuvres drawn with replacement, at each place. None where FINAL gains less than a
-///         twentieth.
+/// Model   penalised cubic B-splines (20) by least squares, for each of the channel's variables
+/// that
+///         `may_depend` takes, added and multiplied; of a lever's way a value for each. The
+///         variable, the way and the penalty are those that, fitted to TRAIN, leave least of
+///         SELECT; they are then fitted to both. Band: 5 to 95 % of fits to manoeuvres drawn with
+///         replacement, at each place. None where FINAL gains less than a twentieth.
 /// Omits   dependence on two variables, and terms with memory; the bias of smoothing.
 /// Source  Eilers and Marx 1996.
 std::optional<Proposal> ProposeCurve(const ReplayBlock& block, const BlockDiagnosis& diagnosis,
-                                     std::size_t channel, const Stream& stream);
+                                     std::size_t channel, const MayDepend& may_depend,
+                                     const Stream& stream);
 
 }  // namespace tera

@@ -241,7 +241,8 @@ std::optional<Proposal> FormulaProposer::Run(const Stream& stream) const {
   proposal.rmse_before = RmsOver(residual_, part(Part::kFinal));
   proposal.rmse_after = RmsOver(left, part(Part::kFinal));
   proposal.rmse_select = RmsOver(Left(columns, Solve(train_, columns)), part(Part::kSelect));
-  return Holds(proposal) ? std::optional(std::move(proposal)) : std::nullopt;
+  return Holds(proposal.rmse_before, proposal.rmse_after) ? std::optional(std::move(proposal))
+                                                          : std::nullopt;
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ double RmsOver(const Series& series, const Mask& mask) {
   return std::sqrt(sum / std::max(count, 1.0));
 }
 
-bool Holds(const Proposal& proposal) {
-  return proposal.rmse_before > 0 && proposal.rmse_after <= (1 - kLeastGain) * proposal.rmse_before;
+bool Holds(double rmse_before, double rmse_after) {
+  return rmse_before > 0 && rmse_after <= (1 - kLeastGain) * rmse_before;
 }
 
 }  // namespace tera

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/random.h"
+#include "core/types/learned_effect.h"
 #include "diagnose/proposal/term_library.h"
 #include "diagnose/search/block/block_diagnosis.h"
 
@@ -27,6 +28,12 @@ struct ProposedCurve {
   Eigen::VectorXd at, mean, low, high;
 };
 
+/// A proposal as an effect that a simulation runs, and what it does to the replay.
+struct LearnedProposal {
+  LearnedEffect effect;
+  double rmse_before = 0, rmse_after = 0;  ///< on FINAL, to which nothing was fitted
+};
+
 /// A formula or curve that should be added to the prediction where no mechanism explains the error.
 /// It is a proposal and no name: it describes the error, not its cause.
 struct Proposal {
@@ -37,12 +44,14 @@ struct Proposal {
   // curve are without.
   double rmse_select = 0;                  ///< on SELECT, fitted to TRAIN alone
   double rmse_before = 0, rmse_after = 0;  ///< on FINAL, to which nothing was fitted
+  std::optional<LearnedProposal> learned = {};
+  std::string not_learned = {};  ///< why there is none
 };
 
 /// RMS of the valid samples of a mask.
 double RmsOver(const Series& series, const Mask& mask);
 
 /// Whether a proposal removes a twentieth of FINAL's RMSE.
-bool Holds(const Proposal& proposal);
+bool Holds(double rmse_before, double rmse_after);
 
 }  // namespace tera

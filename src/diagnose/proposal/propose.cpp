@@ -4,6 +4,7 @@
 
 #include "diagnose/proposal/curve_proposal.h"
 #include "diagnose/proposal/formula_proposal.h"
+#include "diagnose/proposal/learn.h"
 
 namespace tera {
 namespace {
@@ -16,10 +17,13 @@ constexpr double kMostCurveRatio = 0.9;
 std::optional<Proposal> Propose(const ReplayBlock& block, const BlockDiagnosis& diagnosis,
                                 std::size_t channel, const Stream& stream) {
   std::optional<Proposal> formula = ProposeFormula(block, diagnosis, channel, stream);
-  std::optional<Proposal> curve = ProposeCurve(block, diagnosis, channel, stream);
+  std::optional<Proposal> curve = ProposeCurve(
+      block, diagnosis, channel, [](const RegimeVariable&) { return true; }, stream);
   const bool takes_curve =
       curve && (!formula || curve->rmse_select < kMostCurveRatio * formula->rmse_select);
-  return takes_curve ? std::move(curve) : std::move(formula);
+  std::optional<Proposal> proposal = takes_curve ? std::move(curve) : std::move(formula);
+  if (proposal) Learn(block, diagnosis, stream, &*proposal);
+  return proposal;
 }
 
 }  // namespace tera

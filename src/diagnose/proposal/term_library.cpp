@@ -15,26 +15,6 @@ bool IsAngle(const RegimeVariable& variable, const std::string& channel_unit) {
          (kind == "position" && channel_unit.starts_with("rad"));
 }
 
-double Shaped(FactorForm form, double x) {
-  switch (form) {
-    case FactorForm::kValue:
-      return x;
-    case FactorForm::kMagnitude:
-      return std::abs(x);
-    case FactorForm::kSign:
-      return x > 0 ? 1 : x < 0 ? -1 : 0;
-    case FactorForm::kSquare:
-      return x * x;
-    case FactorForm::kSignedSquare:
-      return x * std::abs(x);
-    case FactorForm::kSine:
-      return std::sin(x);
-    case FactorForm::kCosine:
-      return std::cos(x);
-  }
-  return 0;
-}
-
 /// A variable with its values.
 struct Source {
   std::string name;
@@ -104,6 +84,26 @@ void AddProducts(const Source& main, const Source& other, Library* library) {
 }
 
 }  // namespace
+
+double Shaped(FactorForm form, double x) {
+  switch (form) {
+    case FactorForm::kValue:
+      return x;
+    case FactorForm::kMagnitude:
+      return std::abs(x);
+    case FactorForm::kSign:
+      return x > 0 ? 1 : x < 0 ? -1 : 0;
+    case FactorForm::kSquare:
+      return x * x;
+    case FactorForm::kSignedSquare:
+      return x * std::abs(x);
+    case FactorForm::kSine:
+      return std::sin(x);
+    case FactorForm::kCosine:
+      return std::cos(x);
+  }
+  return 0;
+}
 
 std::vector<LibraryTerm> TermLibraryOf(const Channel& channel,
                                        const std::vector<double>& predicted) {

@@ -11,6 +11,9 @@ namespace tera {
 /// Functions of one variable in a formula.
 enum class FactorForm { kValue, kMagnitude, kSign, kSquare, kSignedSquare, kSine, kCosine };
 
+/// The function's value.
+double Shaped(FactorForm form, double x);
+
 /// A function of one variable in a term. `variable` names one of the channel's variables, or is
 /// "rate": what the model predicts of the channel itself.
 struct Factor {

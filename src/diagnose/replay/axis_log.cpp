@@ -25,14 +25,6 @@ struct AxisSamples {
   std::vector<double> position_rad, rate_radps;
 };
 
-int AxisNamed(const MachineModel& model, const std::string& name) {
-  if (const int joint = model.JointIndex(name); joint >= 0) return joint;
-  for (std::size_t g = 0; g < model.ground_tools.gears.size(); ++g) {
-    if (model.ground_tools.gears[g].name == name) return static_cast<int>(model.joints.size() + g);
-  }
-  return -1;
-}
-
 int AxisOf(const MachineModel& model, const Lever& lever) {
   return lever.joint >= 0 ? lever.joint : static_cast<int>(model.joints.size()) + lever.gear;
 }
@@ -214,6 +206,14 @@ void SetWeights(const MachineModel& model, AxisLog* log) {
 }
 
 }  // namespace
+
+int AxisNamed(const MachineModel& model, const std::string& name) {
+  if (const int joint = model.JointIndex(name); joint >= 0) return joint;
+  for (std::size_t g = 0; g < model.ground_tools.gears.size(); ++g) {
+    if (model.ground_tools.gears[g].name == name) return static_cast<int>(model.joints.size() + g);
+  }
+  return -1;
+}
 
 AxisLog MakeAxisLog(const MachineModel& model, const TableRecording& commands,
                     const std::vector<NamedEncoders>& encoders, double step_s) {

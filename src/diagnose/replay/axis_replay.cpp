@@ -85,8 +85,10 @@ LoneAxisReplay::LoneAxisReplay(const MachineModel& model, const AxisLog& log,
                                const MeasuredRate& measured)
     : model_(model),
       axis_(measured.axis),
+      axes_(log.axes),
       step_s_(log.step_s),
       at_step_(measured.at_step),
+      levers_(log.lever),
       pump_(PumpDemandOf(model, log, measured.axis)) {
   for (std::size_t k = 0; k < log.steps; ++k) {
     lever_.push_back(log.levers_at(k)[axis_]);
@@ -105,6 +107,13 @@ LoneAxisReplay::LoneAxisReplay(const MachineModel& model, const AxisLog& log,
   model_.effects.pumps.resize(model.pumps.size());
 }
 
+LoneAxisReplay LoneAxisReplay::With(const LearnedEffect& learned) const {
+  LoneAxisReplay with = *this;
+  with.model_.effects.learned.resize(axes_);
+  with.model_.effects.learned[axis_] = learned;
+  return with;
+}
+
 AxisEffects LoneAxisReplay::effects() const {
   const std::size_t joints = model_.joints.size();
   return {axis_ < joints ? model_.effects.joints[axis_] : model_.effects.gears[axis_ - joints],
@@ -120,6 +129,8 @@ void LoneAxisReplay::Run(const AxisEffects& effects, const Nominal& nominal, std
       effects.axis;
   AxisActuation actuation = AxisActuationOf(model, axis_, {.machine = model.kind});
   const double full_nm = nominal.effort * FullEffort_nm(model, axis_);
+  const LearnedEffect* effect = LearnedAt(model.effects, axis_);
+  auto learned = effect != nullptr ? std::optional(LearnedRate(*effect)) : std::nullopt;
   PumpFlow flow(PumpFlowOf(effects.pump, pump_ ? model.pumps[pump_->pump].max_flow_m3ps : 0));
   const bool is_shared = pump_ && !effects.pump.empty();
   Rates rates;
@@ -130,7 +141,13 @@ void LoneAxisReplay::Run(const AxisEffects& effects, const Nominal& nominal, std
           flow.Step(pump_->others_m3ps[k] + pump_->Own_m3ps(k, demand_radps),
                     pump_->others_w[k] + actuation.Power_w(demand_radps, motion_[k]), step_s_);
     }
-    rates.asked_radps = nominal.rate * actuation.DeliveredRate(demand_radps, motion_[k], step_s_);
+    double delivered_radps = actuation.DeliveredRate(demand_radps, motion_[k], step_s_);
+    if (learned) {
+      delivered_radps = learned->Step(
+          delivered_radps, {levers_[k * axes_ + learned->lever_axis()], motion_[k].position_rad,
+                            motion_[k].load_nm, static_cast<double>(k) * step_s_});
+    }
+    rates.asked_radps = nominal.rate * delivered_radps;
     rates.rate_radps = Accelerated(rates.rate_radps, rates.asked_radps, full_nm, motion_[k].load_nm,
                                    change_radpspnm_[k]);
     take(k, rates);

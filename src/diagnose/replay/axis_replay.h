@@ -66,6 +66,9 @@ class LoneAxisReplay {
   /// fast.
   std::vector<bool> FallsShort(const AxisEffects& effects, const Nominal& nominal) const;
 
+  /// The same, with what was learned of the axis in place of what the model has.
+  LoneAxisReplay With(const LearnedEffect& learned) const;
+
   /// The model's effects.
   AxisEffects effects() const;
   const std::optional<PumpDemand>& pump() const { return pump_; }
@@ -83,8 +86,10 @@ class LoneAxisReplay {
 
   MachineModel model_;
   std::size_t axis_ = 0;
+  std::size_t axes_ = 0;
   double step_s_ = 0;
   std::vector<double> lever_, at_step_;
+  std::vector<double> levers_;  ///< of all axes, steps x axes
   std::vector<AxisMotion> motion_;
   std::vector<double> change_radpspnm_;  ///< of the rate in a step, by effort; 0: no inertia
   std::optional<PumpDemand> pump_;

@@ -174,9 +174,12 @@ AxisActuation AxisActuationOf(const MachineModel& model, std::size_t axis,
   return of(model.joints[axis].name, parameters);
 }
 
-Actuation::Actuation(const MachineModel& model, const ActuationStart& start) {
+Actuation::Actuation(const MachineModel& model, const ActuationStart& start) : step_(start.step) {
   for (std::size_t axis = 0; axis < model.joints.size() + model.gear_drives.size(); ++axis) {
     axes_.push_back(AxisActuationOf(model, axis, start));
+    const LearnedEffect* learned = LearnedAt(model.effects, axis);
+    learned_.push_back(learned != nullptr ? std::optional(LearnedRate(*learned)) : std::nullopt);
+    reads_loads_ = reads_loads_ || (learned_.back() && learned_.back()->ReadsLoad());
   }
   demand_radps_.assign(axes_.size(), 0.0);
   drives_.resize(axes_.size());
@@ -227,6 +230,19 @@ void Actuation::Step(std::span<const double> levers, std::span<const AxisMotion>
   }
   for (std::size_t k = 0; k < axes_.size(); ++k) {
     drives_[k] = axes_[k].Deliver(drives_[k].rate_radps, motions[k], dt_s);
+  }
+  ApplyLearned(levers, motions, dt_s);
+}
+
+void Actuation::ApplyLearned(std::span<const double> levers, std::span<const AxisMotion> motions,
+                             double dt_s) {
+  const double time_s = static_cast<double>(step_++) * dt_s;
+  for (std::size_t k = 0; k < axes_.size(); ++k) {
+    if (!learned_[k]) continue;
+    const AxisMotion& motion = motions[k];
+    drives_[k].rate_radps = learned_[k]->Step(
+        drives_[k].rate_radps,
+        {levers[learned_[k]->lever_axis()], motion.position_rad, motion.load_nm, time_s});
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "physics/actuation/actuator_dynamics.h"
 #include "physics/actuation/command_timing.h"
 #include "physics/actuation/kinematic_gain.h"
+#include "physics/actuation/learned_rate.h"
 #include "physics/actuation/lever_map.h"
 #include "physics/actuation/load_friction.h"
 #include "physics/actuation/over_travel.h"
@@ -15,7 +17,8 @@
 #include "physics/description/machine.h"
 
 /// The chain from levers to joints and gears: command_timing -> lever_map -> flow -> actuator ->
-/// kinematic_gain -> load_friction. docs/mechanisms.md describes each mechanism.
+/// kinematic_gain -> load_friction -> what was learned. docs/mechanisms.md describes each
+/// mechanism.
 
 namespace tera {
 
@@ -123,8 +126,12 @@ class Actuation {
 
   void AddPumps(const MachineModel& model);
   void ShareFlow(std::span<const AxisMotion> motions, double dt_s);
+  void ApplyLearned(std::span<const double> levers, std::span<const AxisMotion> motions,
+                    double dt_s);
 
   std::vector<AxisActuation> axes_;
+  std::vector<std::optional<LearnedRate>> learned_;  ///< one for each axis
+  std::int64_t step_ = 0;
   std::vector<PumpState> pumps_;
   std::vector<int> pump_count_;  ///< of each axis
   bool reads_loads_ = false;

@@ -134,6 +134,13 @@ std::vector<EffectFault> FaultsOfAxis(const Effects& effects, const Axis& axis) 
   return faults;
 }
 
+/// Adds the fault of a learned effect on an axis that nothing drives.
+void AddLearned(const MachineModel& model, std::size_t axis, const std::string& undriven,
+                std::vector<EffectFault>* faults) {
+  if (undriven.empty() || LearnedAt(model.effects, axis) == nullptr) return;
+  faults->push_back({"learned", fmt::format("shapes a commanded rate, but {}", undriven)});
+}
+
 std::string FaultOfCylinderLever(const MachineModel& model, std::size_t joint,
                                  const Effect& lever) {
   const Joint& j = model.joints[joint];
@@ -178,6 +185,7 @@ std::vector<EffectFault> FaultsOfJoint(const MachineModel& model, std::size_t jo
   std::vector<EffectFault> faults = FaultsOfAxis(
       effects, {WhyJointUndriven(model, joint), j.max_rate_positive_radps,
                 j.max_rate_negative_radps, j.max_effort_nm, EffortKey(j), EffortOf(model, joint)});
+  AddLearned(model, joint, WhyJointUndriven(model, joint), &faults);
   const bool stops = j.type != JointType::kContinuous && j.lower_rad < j.upper_rad;
   if (FindEffect(effects, "end_cushion") && !stops) {
     faults.push_back({"end_cushion",
@@ -198,10 +206,13 @@ std::vector<EffectFault> FaultsOfJoint(const MachineModel& model, std::size_t jo
 
 std::vector<EffectFault> FaultsOfGear(const MachineModel& model, std::size_t gear) {
   const GearDrive& drive = model.gear_drives[gear];
-  return FaultsOfAxis(
-      EffectsAt(model.effects.gears, gear),
-      {WhyGearUndriven(model, gear), drive.max_rate_radps, drive.max_rate_radps,
-       drive.max_torque_nm, "max_torque_nm", EffortOf(model, model.joints.size() + gear)});
+  const std::size_t axis = model.joints.size() + gear;
+  std::vector<EffectFault> faults =
+      FaultsOfAxis(EffectsAt(model.effects.gears, gear),
+                   {WhyGearUndriven(model, gear), drive.max_rate_radps, drive.max_rate_radps,
+                    drive.max_torque_nm, "max_torque_nm", EffortOf(model, axis)});
+  AddLearned(model, axis, WhyGearUndriven(model, gear), &faults);
+  return faults;
 }
 
 std::vector<EffectFault> FaultsOfPump(const MachineModel& model, std::size_t pump) {

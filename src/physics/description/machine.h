@@ -11,6 +11,7 @@
 #include "core/types/effects.h"
 #include "core/types/ground_tools.h"
 #include "core/types/labels.h"
+#include "core/types/learned_effect.h"
 #include "core/types/looks.h"
 
 /// What a machine is: a tree of links and joints, its levers, its tools and its looks. Nothing here
@@ -98,6 +99,8 @@ enum class GroundModel {
 struct MachineEffects {
   std::vector<Effects> joints, gears, pumps;
   Effects base;
+  /// What has no name, of each joint and then of each running gear; may be shorter.
+  std::vector<std::optional<LearnedEffect>> learned;
 };
 
 /// Drive of one running gear (index into GroundTools::gears).

@@ -8,6 +8,7 @@
 #include "core/types/effects.h"
 #include "physics/actuation/actuation_faults.h"
 #include "physics/actuation/actuation_mechanisms.h"
+#include "physics/actuation/learned_rate.h"
 #include "physics/traction/ground_faults.h"
 #include "physics/traction/ground_mechanisms.h"
 #include "sensors/sensor_mechanisms.h"
@@ -40,7 +41,20 @@ class TargetReader {
                               "' names two things of this machine (joint, track, pump or sensor); "
                               "rename one of them");
     }
+    if (target != EffectTarget::kJoint && target != EffectTarget::kGear && map->Has("learned")) {
+      map->Fault("learned", fmt::format("'learned' does not act on this target, {}; it acts on a "
+                                        "joint, a track or a wheel set",
+                                        target.name));
+    }
     return ReadEffects(*map, target, library);
+  }
+
+  /// What was learned of an axis whose effects were read.
+  std::optional<LearnedEffect> ReadLearned(const std::string& name, const MachineModel& model,
+                                           std::size_t axis) const {
+    if (config_.IsText(name)) return std::nullopt;
+    const auto map = config_.OptionalMap(name);
+    return map ? ReadLearnedEffect(*map, LearnedVariablesOf(model, axis)) : std::nullopt;
   }
 
  private:
@@ -103,6 +117,7 @@ void ReadMachineEffects(const ConfigMap& machine, const std::optional<ConfigMap>
   effects.joints.resize(model->joints.size());
   effects.gears.resize(model->ground_tools.gears.size());
   effects.pumps.resize(model->pumps.size());
+  effects.learned.resize(model->joints.size() + model->ground_tools.gears.size());
   constexpr std::string_view kNeed =
       "what its effects act on, {TARGET: {MECHANISM: {PARAMETER: VALUE}}}; a target is a joint, a "
       "track or wheel set, a pump, a sensor or base";
@@ -115,10 +130,13 @@ void ReadMachineEffects(const ConfigMap& machine, const std::optional<ConfigMap>
     if (model->joints[j].type == JointType::kFixed) continue;
     effects.joints[j] =
         reader.Read(model->joints[j].name, EffectTarget::kJoint, ActuationMechanisms());
+    effects.learned[j] = reader.ReadLearned(model->joints[j].name, *model, j);
   }
   for (std::size_t g = 0; g < model->ground_tools.gears.size(); ++g) {
     effects.gears[g] =
         reader.Read(model->ground_tools.gears[g].name, EffectTarget::kGear, ActuationMechanisms());
+    effects.learned[model->joints.size() + g] =
+        reader.ReadLearned(model->ground_tools.gears[g].name, *model, model->joints.size() + g);
   }
   for (std::size_t p = 0; p < model->pumps.size(); ++p) {
     effects.pumps[p] =

@@ -13,10 +13,15 @@
 #include "core/check.h"
 #include "diagnose/blocks/measured_poses.h"
 #include "diagnose/report/text/finding_text.h"
+#include "diagnose/report/text/proposal_text.h"
 #include "diagnose/report/text/ranking.h"
+#include "diagnose/report/text/wording.h"
 
 namespace tera {
 namespace {
+
+constexpr std::size_t kListWidth = 92;  ///< of a line of numbers
+constexpr char kNoCurve[] = "no formula and no curve over one variable explains a twentieth of it";
 
 /// The lines of one target, in the order of the findings' ranks.
 struct TargetLines {
@@ -95,19 +100,92 @@ std::vector<const Finding*> EffectsFound(const Diagnosis& diagnosis) {
   return effects;
 }
 
+/// The lines of a target among those of all; new and last where it has none.
+TargetLines* LinesOf(const std::string& target, std::vector<TargetLines>* targets) {
+  auto at = std::find_if(targets->begin(), targets->end(),
+                         [&](const TargetLines& lines) { return lines.target == target; });
+  if (at == targets->end()) at = targets->insert(targets->end(), {target, {}, {}});
+  return &*at;
+}
+
+/// "at: [...]", on as many lines as it takes.
+std::string ListLines(std::string_view key, const std::vector<double>& values) {
+  std::string text = fmt::format("  {}: [", key);
+  std::size_t width = text.size();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    TERA_CHECK(std::isfinite(values[i]), key);
+    const std::string item = fmt::format("{:.6g}{}", values[i], i + 1 < values.size() ? ", " : "]");
+    if (width + item.size() > kListWidth) {
+      text += "\n    ";
+      width = 4;
+    }
+    text += item;
+    width += item.size();
+  }
+  return text;
+}
+
+/// The lines of a learned effect, with how well it holds in a comment.
+std::vector<std::string> LearnedLines(const LearnedProposal& learned, const std::string& unit) {
+  const LearnedEffect& effect = learned.effect;
+  const ReadableUnit readable = ReadableUnitOf(unit);
+  std::string text = fmt::format(
+      "learned:  # no name: what no mechanism explains. Held-out RMSE {} -> {} in the replay\n"
+      "  variable: {}\n  unit: {}\n  as: {}",
+      Significant(learned.rmse_before * readable.factor, 2),
+      WithUnit(Significant(learned.rmse_after * readable.factor, 2), readable),
+      Key(effect.variable.name), effect.variable.unit, effect.is_share ? "share" : "added");
+  for (const auto& [key, list] : {std::pair("at", &effect.at),
+                                  {"value", &effect.value},
+                                  {"low", &effect.low},
+                                  {"high", &effect.high}}) {
+    text += "\n" + ListLines(key, *list);
+  }
+  std::vector<std::string> lines;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    lines.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return lines;
+}
+
+/// What is unexplained and in no simulation, with the reason, as comments.
+std::string NotLearnedText(const Diagnosis& diagnosis) {
+  std::string text;
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    for (const Unexplained& left : diagnosed.diagnosis.unexplained) {
+      const std::size_t channel = left.location.channel;
+      const Proposal* proposal = ProposalFor(diagnosed, channel);
+      if (proposal != nullptr && proposal->learned) continue;
+      const std::string reason = proposal != nullptr ? proposal->not_learned : kNoCurve;
+      text += fmt::format("# What is left of the {} is not here: {}.\n",
+                          QuantityOf(diagnosed.block.channels[channel].name), reason);
+    }
+  }
+  return text;
+}
+
 std::vector<TargetLines> LinesOf(const Diagnosis& diagnosis) {
   std::vector<TargetLines> targets;
   for (const Finding* finding : EffectsFound(diagnosis)) {
     const Candidate& candidate = *finding->term.candidate;
-    auto at = std::find_if(targets.begin(), targets.end(), [&](const TargetLines& lines) {
-      return lines.target == candidate.target;
-    });
-    if (at == targets.end()) at = targets.insert(targets.end(), {candidate.target, {}, {}});
+    TargetLines* at = LinesOf(candidate.target, &targets);
     const std::string_view id = candidate.mechanism->id;
     if (std::find(at->mechanisms.begin(), at->mechanisms.end(), id) != at->mechanisms.end())
       continue;
     at->mechanisms.push_back(id);
     at->lines.push_back(MechanismLine(*finding));
+  }
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    for (const Proposal& proposal : diagnosed.proposals) {
+      if (!proposal.learned) continue;
+      const std::string& unit = diagnosed.block.channels[proposal.channel].unit;
+      TargetLines* at = LinesOf(diagnosed.block.name, &targets);
+      for (std::string& line : LearnedLines(*proposal.learned, unit)) {
+        at->lines.push_back(std::move(line));
+      }
+    }
   }
   return targets;
 }
@@ -123,6 +201,7 @@ std::string OnOneLine(std::string text) {
 std::string EffectsYaml(const Diagnosis& diagnosis, const std::string& recording) {
   std::string text = fmt::format("# What the recording {} shows of {} beyond its simulation.\n",
                                  OnOneLine(recording), OnOneLine(diagnosis.scenario));
+  text += NotLearnedText(diagnosis);
   const std::vector<TargetLines> targets = LinesOf(diagnosis);
   if (targets.empty()) return text + "effects: {}\n";
   text += fmt::format("effects:\n  {}:\n", Key(diagnosis.scenario));

@@ -114,26 +114,45 @@ Json CurveOf(const ProposedCurve& proposed) {
           {"high", list(proposed.high)}};
 }
 
+/// The effect that a simulation runs, or why there is none.
+Json LearnedOf(const Proposal& proposal) {
+  if (!proposal.learned) return {{"not_simulated", proposal.not_learned}};
+  const LearnedEffect& effect = proposal.learned->effect;
+  const auto list = [](const std::vector<double>& values) {
+    Json numbers = Json::array();
+    for (const double value : values) numbers.push_back(JsonNumber(value));
+    return numbers;
+  };
+  return {{"variable", effect.variable.name},
+          {"unit", effect.variable.unit},
+          {"as", effect.is_share ? "share" : "added"},
+          {"at", list(effect.at)},
+          {"value", list(effect.value)},
+          {"low", list(effect.low)},
+          {"high", list(effect.high)},
+          {"rmse_before", JsonNumber(proposal.learned->rmse_before)},
+          {"rmse_after", JsonNumber(proposal.learned->rmse_after)}};
+}
+
 /// The formula or curve for what is left of a channel, if there is one.
 Json ProposalOf(const DiagnosedBlock& diagnosed, std::size_t channel) {
-  for (const Proposal& proposal : diagnosed.proposals) {
-    if (proposal.channel != channel) continue;
-    Json terms = Json::array();
-    for (const ProposedTerm& term : proposal.terms) {
-      terms.push_back({{"term", TermText(diagnosed.block, term.factors)},
-                       {"coefficient", JsonNumber(term.coefficient)},
-                       {"sigma", JsonNumber(term.sigma)},
-                       {"unit", CoefficientUnit(diagnosed.block, channel, term.factors)},
-                       {"stability", JsonNumber(term.stability)}});
-    }
-    return {{"formula", FormulaText(diagnosed.block, proposal)},
-            {"terms", std::move(terms)},
-            {"curve", proposal.curve ? CurveOf(*proposal.curve) : Json(nullptr)},
-            {"rmse_before", JsonNumber(proposal.rmse_before)},
-            {"rmse_after", JsonNumber(proposal.rmse_after)},
-            {"unit", diagnosed.block.channels[channel].unit}};
+  const Proposal* proposal = ProposalFor(diagnosed, channel);
+  if (proposal == nullptr) return nullptr;
+  Json terms = Json::array();
+  for (const ProposedTerm& term : proposal->terms) {
+    terms.push_back({{"term", TermText(diagnosed.block, term.factors)},
+                     {"coefficient", JsonNumber(term.coefficient)},
+                     {"sigma", JsonNumber(term.sigma)},
+                     {"unit", CoefficientUnit(diagnosed.block, channel, term.factors)},
+                     {"stability", JsonNumber(term.stability)}});
   }
-  return nullptr;
+  return {{"formula", FormulaText(diagnosed.block, *proposal)},
+          {"terms", std::move(terms)},
+          {"curve", proposal->curve ? CurveOf(*proposal->curve) : Json(nullptr)},
+          {"rmse_before", JsonNumber(proposal->rmse_before)},
+          {"rmse_after", JsonNumber(proposal->rmse_after)},
+          {"unit", diagnosed.block.channels[channel].unit},
+          {"learned", LearnedOf(*proposal)}};
 }
 
 }  // namespace

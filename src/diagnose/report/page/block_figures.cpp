@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "diagnose/report/page/svg_plot.h"
+#include "diagnose/report/text/proposal_text.h"
 #include "diagnose/report/text/sentence.h"
 #include "diagnose/report/text/wording.h"
 
@@ -220,6 +221,32 @@ std::string RegimeFigure(const DiagnosedBlock& diagnosed, const Location& locati
                                          Escaped(RegimeText(regime, diagnosed, location.channel)),
                                          Escaped(ProbabilityText(regime.p))) +
                                  Key("band", "90 % band") + Key("visited", "how often visited"));
+}
+
+std::string LearnedFigure(const DiagnosedBlock& diagnosed, const Proposal& proposal) {
+  const LearnedEffect& effect = proposal.learned->effect;
+  const std::string& own = diagnosed.block.channels[proposal.channel].unit;
+  const ReadableUnit y_unit = ReadableUnitOf(effect.is_share ? "1" : own);
+  const ReadableUnit x_unit = ReadableUnitOf(effect.variable.unit);
+  std::vector<PlotPoint> mean, low, high;
+  for (std::size_t k = 0; k < effect.at.size(); ++k) {
+    const double x = x_unit.factor * effect.at[k];
+    mean.push_back({x, y_unit.factor * effect.value[k]});
+    low.push_back({x, y_unit.factor * effect.low[k]});
+    high.push_back({x, y_unit.factor * effect.high[k]});
+  }
+  SvgPlot plot(
+      "learned as a function of " + effect.variable.name,
+      Widened(mean.front().x, mean.back().x,
+              LabelWithUnit(VariableText(effect.variable.name, diagnosed.block), x_unit)),
+      RangeOf({low, high, {{0, 0}}}, 0,
+              LabelWithUnit(effect.is_share ? "share of the rate" : "added to the rate", y_unit)),
+      480, 280);
+  plot.Horizontal(0, "zero");
+  plot.Band(low, high, "band");
+  plot.Line(mean, "line before");
+  return Figure(plot.Take(),
+                Escaped(LearnedText(diagnosed.block, proposal)) + " " + Key("band", "90 % band"));
 }
 
 /// A candidate's name, with its target where another candidate has the same name.

@@ -29,6 +29,9 @@ std::string ResidualFigure(const DiagnosedBlock& diagnosed, const Location& loca
 std::string RegimeFigure(const DiagnosedBlock& diagnosed, const Location& location,
                          const Regime& regime, const std::string& error);
 
+/// What was learned of a channel as a function of its variable, with its band.
+std::string LearnedFigure(const DiagnosedBlock& diagnosed, const Proposal& proposal);
+
 /// The gain of each mechanism alone on held-out samples, and of those that were found together.
 std::string EvidenceFigure(const DiagnosedBlock& diagnosed);
 

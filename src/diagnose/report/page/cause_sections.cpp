@@ -16,6 +16,7 @@
 #include "diagnose/report/text/next_manoeuvre_text.h"
 #include "diagnose/report/text/perception_text.h"
 #include "diagnose/report/text/plain_sentence.h"
+#include "diagnose/report/text/proposal_text.h"
 #include "diagnose/report/text/ranking.h"
 #include "diagnose/report/text/sentence.h"
 #include "diagnose/report/text/wording.h"
@@ -84,6 +85,13 @@ std::string DriveText(const DiagnosedBlock& diagnosed, const Location& at) {
                      VariableText(at.regimes.front().variable, diagnosed.block));
 }
 
+/// What the next simulation has of what is left of a channel; empty where nothing was proposed.
+std::string NextSimulationAnswer(const DiagnosedBlock& diagnosed, std::size_t channel) {
+  const Proposal* proposal = ProposalFor(diagnosed, channel);
+  if (proposal == nullptr) return "";
+  return Answer("What the next simulation has of it", LearnedText(diagnosed.block, *proposal));
+}
+
 std::string SectionOf(const UnexplainedInBlock& entry) {
   const auto& [diagnosed, left] = entry;
   const Location& at = left->location;
@@ -108,6 +116,7 @@ std::string SectionOf(const UnexplainedInBlock& entry) {
                  SmallPredictionFigure(*diagnosed, at),
                  Answer("How sure", sure) +
                      Answer("What else it could be", ProxiesText(*diagnosed, at.channel)) +
+                     NextSimulationAnswer(*diagnosed, at.channel) +
                      Answer("What to drive to find out", DriveText(*diagnosed, at)));
 }
 

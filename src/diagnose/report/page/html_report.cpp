@@ -14,6 +14,7 @@
 #include "diagnose/report/page/table.h"
 #include "diagnose/report/text/channel_lines.h"
 #include "diagnose/report/text/next_manoeuvre_text.h"
+#include "diagnose/report/text/proposal_text.h"
 #include "diagnose/report/text/ranking.h"
 #include "diagnose/report/text/sentence.h"
 #include "diagnose/report/text/summary.h"
@@ -93,6 +94,8 @@ std::string BlockSection(const DiagnosedBlock& diagnosed) {
   for (const Unexplained& unexplained : diagnosed.diagnosis.unexplained) {
     html +=
         LocationFigures(diagnosed, "Unexplained", "The error that is left", unexplained.location);
+    const Proposal* proposal = ProposalFor(diagnosed, unexplained.location.channel);
+    if (proposal != nullptr && proposal->learned) html += LearnedFigure(diagnosed, *proposal);
   }
   if (!diagnosed.diagnosis.findings.empty()) {
     html += ParameterTable(RankedFindings(diagnosed));

@@ -130,13 +130,34 @@ std::string TermsText(const ReplayBlock& block, const Proposal& proposal) {
 
 }  // namespace
 
+const Proposal* ProposalFor(const DiagnosedBlock& diagnosed, std::size_t channel) {
+  for (const Proposal& proposal : diagnosed.proposals) {
+    if (proposal.channel == channel) return &proposal;
+  }
+  return nullptr;
+}
+
+std::string LearnedText(const ReplayBlock& block, const Proposal& proposal) {
+  if (!proposal.learned) {
+    return fmt::format("It is not in effects.yaml: {}.", proposal.not_learned);
+  }
+  const ReadableUnit unit = ReadableUnitOf(block.channels[proposal.channel].unit);
+  const LearnedProposal& learned = *proposal.learned;
+  return fmt::format(
+      "As a function of {} it is in effects.yaml as learned: held-out RMSE {} → {} in the replay.",
+      VariableText(learned.effect.variable.name, block),
+      Significant(learned.rmse_before * unit.factor, 2),
+      WithUnit(Significant(learned.rmse_after * unit.factor, 2), unit));
+}
+
 std::string SentenceOf(const ReplayBlock& block, const Proposal& proposal) {
   const Channel& channel = block.channels[proposal.channel];
   const ReadableUnit unit = ReadableUnitOf(channel.unit);
-  return fmt::format("{}: {}. Held-out RMSE {} → {}.", Capitalised(QuantityOf(channel.name)),
+  return fmt::format("{}: {}. Held-out RMSE {} → {}. {}", Capitalised(QuantityOf(channel.name)),
                      proposal.curve ? CurveText(block, proposal) : TermsText(block, proposal),
                      Significant(proposal.rmse_before * unit.factor, 2),
-                     WithUnit(Significant(proposal.rmse_after * unit.factor, 2), unit));
+                     WithUnit(Significant(proposal.rmse_after * unit.factor, 2), unit),
+                     LearnedText(block, proposal));
 }
 
 }  // namespace tera

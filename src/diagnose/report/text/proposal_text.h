@@ -3,9 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/proposal/proposal.h"
+#include "diagnose/diagnosed_block.h"
 
 namespace tera {
+
+/// The proposal for what is left of a channel, or nullptr.
+const Proposal* ProposalFor(const DiagnosedBlock& diagnosed, std::size_t channel);
 
 /// "|arm lever| · boom rate", "cos(angle)".
 std::string TermText(const ReplayBlock& block, const std::vector<Factor>& factors);
@@ -18,7 +21,11 @@ std::string CoefficientUnit(const ReplayBlock& block, std::size_t channel,
 std::string FormulaText(const ReplayBlock& block, const Proposal& proposal);
 
 /// "Boom rate: a formula for what is left, a proposal and no name: add −0.25 ± 0.01 · rate · |arm
-/// lever|; chosen in 98 % of random halves; held-out RMSE 1.1 → 0.3 deg/s."
+/// lever|; chosen in 98 % of random halves; held-out RMSE 1.1 → 0.3 deg/s." Then LearnedText.
 std::string SentenceOf(const ReplayBlock& block, const Proposal& proposal);
+
+/// Whether the next simulation has the proposal, and how well that holds: "As a function of arm
+/// lever it is in effects.yaml as learned: held-out RMSE 1.1 → 0.3 deg/s in the replay."
+std::string LearnedText(const ReplayBlock& block, const Proposal& proposal);
 
 }  // namespace tera

@@ -11,6 +11,7 @@
 
 #include "core/time.h"
 #include "core/types/effects.h"
+#include "core/types/learned_effect.h"
 #include "diagnose/statistics/regime/regime_axis.h"
 #include "diagnose/statistics/series/series.h"
 
@@ -139,6 +140,13 @@ struct ReplayBlock {
   /// Thread-safe; the same for the same terms in any order. A shorter prediction is a prefix of a
   /// longer one, except in a gap at its end, across which it has no later sample to interpolate to.
   Replay replay;
+  /// What a learned effect of the block's axis may depend on; empty where a simulation can have
+  /// none there, or has one already.
+  std::vector<LearnedVariable> learnable = {};
+  /// The prediction over the whole grid with terms and, behind them, a learned effect of one of
+  /// `learnable`.
+  std::function<std::vector<std::vector<double>>(const Structure&, const LearnedEffect&)>
+      replay_learned = {};
 
   /// The prediction over the whole grid.
   std::vector<std::vector<double>> predict(const Structure& terms) const {
