@@ -306,9 +306,12 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   };
   if (LearnedAt(model.effects, axis) != nullptr) return block;
   block.learnable = LearnedVariablesOf(model, axis);
-  block.replay_learned = [replay, grid](const Structure& terms, const LearnedEffect& learned) {
+  block.change_by_learned = [replay, grid](const Structure& terms, const LearnedEffect& learned) {
     const AxisEffects effects = WithTerms(replay.effects(), terms);
-    return std::vector<std::vector<double>>{grid.Spread(replay.With(learned).Predict(effects))};
+    std::vector<double> change = replay.With(learned).Predict(effects);
+    const std::vector<double> without = replay.Predict(effects);
+    for (std::size_t k = 0; k < change.size(); ++k) change[k] -= without[k];
+    return std::vector<std::vector<double>>{grid.Spread(change)};
   };
   return block;
 }

@@ -64,10 +64,10 @@ std::optional<LearnedProposal> Learner::OfCurve(const ProposedCurve& curve) cons
   const LearnedVariable* variable = Known(curve.variable);
   if (variable == nullptr) return std::nullopt;
   LearnedProposal learned{TabulatedCurve(curve, *variable, SeenOf(curve.variable))};
-  const std::vector<double> with =
-      block_.replay_learned(diagnosis_.search.found.terms, learned.effect)[channel_];
+  const std::vector<double> change =
+      block_.change_by_learned(diagnosis_.search.found.terms, learned.effect)[channel_];
   Series left = residual_;
-  for (std::size_t k = 0; k < left.size(); ++k) left.value[k] -= with[k] - predicted_[k];
+  for (std::size_t k = 0; k < left.size(); ++k) left.value[k] -= change[k];
   const Mask final = MaskOf(diagnosis_.manoeuvres, Part::kFinal, left.size());
   learned.rmse_before = RmsOver(residual_, final);
   learned.rmse_after = RmsOver(left, final);

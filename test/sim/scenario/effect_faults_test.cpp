@@ -83,6 +83,31 @@ TEST(EffectFaults, RefusesEffectsOfAPairOfAntennasThatIsNone) {
               HasSubstr("'a' is on 'upper' and 'b' on 'boom'; need both on one link"));
 }
 
+/// What was learned of a joint as a share of its rate over one variable.
+std::string LearnedOver(const std::string& variable, const std::string& unit) {
+  return "{learned: {variable: " + variable + ", unit: " + unit +
+         ", as: share, at: [0, 1], value: [0.1, 0.2], low: [0, 0], high: [1, 1]}}";
+}
+
+TEST(EffectFaults, TakesWhatWasLearnedOfJointsAndTracksOverWhatASimulationKnowsThere) {
+  EXPECT_EQ(EffectFaults("boom: " + LearnedOver("load/boom", "N m") +
+                         ", arm: " + LearnedOver("lever/boom", "1") +
+                         ", left_track: " + LearnedOver("rate", "rad/s")),
+            "");
+  EXPECT_THAT(EffectFaults("boom: " + LearnedOver("position/arm", "rad")),
+              AllOf(HasSubstr("effects.excavator1.boom.learned.variable: 'position/arm' is no "
+                              "variable that a simulation knows here, need one of lever/"),
+                    HasSubstr("position/boom, load/boom, rate, time")));
+}
+
+TEST(EffectFaults, RefusesWhatWasLearnedOfWhatNoLeverDrives) {
+  EXPECT_THAT(EffectFaults("pump_1: " + LearnedOver("time", "s")),
+              HasSubstr("effects.excavator1.pump_1.learned: 'learned' does not act on this target, "
+                        "a pump; it acts on a joint, a track or a wheel set"));
+  EXPECT_THAT(EffectFaults("imu: " + LearnedOver("time", "s")),
+              HasSubstr("imu.learned: 'learned' does not act on this target, an imu"));
+}
+
 TEST(EffectFaults, RefusesAnEffectOfAnAxisThatTheEncodersDoNotRead) {
   EXPECT_THAT(
       EffectFaults("encoders/bom: {axis_flip: {}}"),

@@ -24,6 +24,7 @@
 namespace tera {
 namespace {
 
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
@@ -273,6 +274,22 @@ TEST(EffectRoundTrip, EveryMechanismOfASensorReadsAgainOnAxesThatTurnAndThatSlid
   EXPECT_EQ(ReadAllTwice(ExcavatorWithAllKinds(), "kinematic", PlacesOfAllKinds(), library),
             library.size());
   EXPECT_GT(ReadAllTwice(OfGantry(), "terramechanics", kOfGantry, library), 10u);
+}
+
+TEST(EffectRoundTrip, WhatWasLearnedReadsAgainAndNoneTakesItAway) {
+  const std::string text =
+      ScenarioWith(kOneExcavator, "kinematic",
+                   "left_track: {learned: {variable: lever_way/left_track, unit: 1, as: added, "
+                   "at: [-1, 0, 1], value: [0.1, 0, -0.1], low: [0, 0, -0.2], high: [0.2, 0, 0]}}");
+  const Reading first = Read(text);
+  EXPECT_EQ(first.faults, "");
+  EXPECT_THAT(first.resolved, HasSubstr("value: [0.1, 0, -0.1]"));
+  const Reading again = Read(first.resolved);
+  EXPECT_EQ(again.faults, "");
+  EXPECT_EQ(again.resolved, first.resolved);
+  const Reading taken = Read(text, {"effects.m.left_track.learned=none"});
+  EXPECT_EQ(taken.faults, "");
+  EXPECT_THAT(taken.resolved, Not(HasSubstr("lever_way")));
 }
 
 TEST(EffectRoundTrip, ShippedExampleOfEveryEffectOfASensorReadsAgain) {

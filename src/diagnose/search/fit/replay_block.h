@@ -143,10 +143,10 @@ struct ReplayBlock {
   /// What a learned effect of the block's axis may depend on; empty where a simulation can have
   /// none there, or has one already.
   std::vector<LearnedVariable> learnable = {};
-  /// The prediction over the whole grid with terms and, behind them, a learned effect of one of
-  /// `learnable`.
+  /// By what a learned effect of one of `learnable`, behind these terms, changes the prediction of
+  /// each channel over the whole grid.
   std::function<std::vector<std::vector<double>>(const Structure&, const LearnedEffect&)>
-      replay_learned = {};
+      change_by_learned = {};
 
   /// The prediction over the whole grid.
   std::vector<std::vector<double>> predict(const Structure& terms) const {

@@ -3,10 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "dataset/files/checked_file.h"
 #include "diagnose/report/made_diagnosis.h"
 #include "diagnose/report/text/sentence.h"
 #include "own_folder.h"
+#include "physics/actuation/learned_rate.h"
 #include "sim/scenario/scenario.h"
 
 namespace tera {
@@ -84,6 +87,62 @@ TEST(EffectsYaml, OfARegisteredSensorHasWhatItsScansMovedClearOfThePriorAndNothi
                                  "pitch -0.80 ± 0.10 deg (chosen with p < 0.0001, confirmed with p "
                                  "< 0.0001). Held-out distance to the simulated surfaces 2.4 → "
                                  "0.4 cm.")));
+}
+
+/// The boom with what is left of it, unexplained, and a proposal for that.
+DiagnosedBlock BoomWithUnexplained(Proposal proposal) {
+  DiagnosedBlock boom = BoomWithDeadBand();
+  boom.diagnosis.unexplained = {GrowingBeyond12kNm()};
+  boom.proposals = {std::move(proposal)};
+  return boom;
+}
+
+TEST(EffectsYaml, HasWhatHasNoNameAsATableThatGenerateReadsBack) {
+  Proposal proposal;
+  LearnedEffect ripple{
+      {"position/boom", "rad", LearnedVariable::Kind::kPosition, 0}, true, {}, {}, {}, {}};
+  for (int k = 0; k < 40; ++k) {
+    ripple.at.push_back(0.025 * k);
+    ripple.value.push_back(0.3 * std::sin(0.2 * k));
+    ripple.low.push_back(ripple.value.back() - 0.05);
+    ripple.high.push_back(ripple.value.back() + 0.05);
+  }
+  proposal.learned = LearnedProposal{ripple, 3.1 * kDeg, 0.62 * kDeg};
+  const std::string text = EffectsYaml(Of(BoomWithUnexplained(proposal)), "run");
+  EXPECT_THAT(text, HasSubstr("    boom:\n"
+                              "      dead_band: {width: 0.1812}\n"
+                              "      learned:  # no name: what no mechanism explains. Held-out "
+                              "RMSE 3.1 -> 0.62 deg/s in the replay\n"
+                              "        variable: position/boom\n"
+                              "        unit: rad\n"
+                              "        as: share\n"
+                              "        at: [0, 0.025, 0.05, "));
+  const Scenario scenario = Overlaid(text);
+  const MachineModel& model = scenario.machines[0].placement.model;
+  const auto boom = static_cast<std::size_t>(model.JointIndex("boom"));
+  const LearnedEffect* read = LearnedAt(model.effects, boom);
+  ASSERT_NE(read, nullptr);
+  EXPECT_EQ(read->variable.kind, LearnedVariable::Kind::kPosition);
+  EXPECT_TRUE(read->is_share);
+  ASSERT_EQ(read->at.size(), 40u);
+  for (std::size_t k = 0; k < 40; ++k) {
+    EXPECT_NEAR(read->at[k], ripple.at[k], 1e-5);
+    EXPECT_NEAR(read->value[k], ripple.value[k], 1e-5);
+    EXPECT_NEAR(read->high[k], ripple.high[k], 1e-5);
+  }
+}
+
+TEST(EffectsYaml, SaysWhyWhatHasNoNameIsNotInIt) {
+  Proposal proposal;
+  proposal.not_learned = "nothing that turns knows it";
+  const std::string text = EffectsYaml(Of(BoomWithUnexplained(proposal)), "run");
+  EXPECT_THAT(text, HasSubstr("\n# What is left of the boom rate is not here: nothing that turns "
+                              "knows it.\neffects:\n"));
+  EXPECT_EQ(LearnedAt(Overlaid(text).machines[0].placement.model.effects, 0), nullptr);
+  DiagnosedBlock without = BoomWithUnexplained({});
+  without.proposals.clear();
+  EXPECT_THAT(EffectsYaml(Of(std::move(without)), "run"),
+              HasSubstr("not here: no formula and no curve over one variable"));
 }
 
 TEST(EffectsYaml, LeavesOutWhatIsOfThePosesWhichNoSimulationHas) {
