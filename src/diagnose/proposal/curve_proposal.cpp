@@ -81,14 +81,7 @@ class CurveOver {
 
 class CurveProposer {
  public:
-  CurveProposer(const ReplayBlock& block, const BlockDiagnosis& diagnosis, std::size_t channel,
-                const MayDepend& may_depend)
-      : channel_(channel),
-        may_depend_(may_depend),
-        manoeuvres_(diagnosis.manoeuvres),
-        variables_(block.channels[channel].variables),
-        residual_(diagnosis.search.found.misfit.residual[channel]),
-        predicted_(block.predict(diagnosis.search.found.terms)[channel]) {}
+  explicit CurveProposer(const CurveProblem& problem) : problem_(problem) {}
 
   std::optional<Proposal> Run(const Stream& stream) const;
 
@@ -103,33 +96,28 @@ class CurveProposer {
   std::vector<Normal> Normals(const CurveOver& over) const;
   void SetBand(const CurveOver& over, const std::vector<Normal>& normals, double penalty,
                const Stream& stream, ProposedCurve* curve) const;
-  Mask Of(Part part) const { return MaskOf(manoeuvres_, part, residual_.size()); }
+  Mask Of(Part part) const { return MaskOf(problem_.manoeuvres, part, problem_.residual.size()); }
 
-  std::size_t channel_;
-  const MayDepend& may_depend_;
-  const std::vector<Manoeuvre>& manoeuvres_;
-  const std::vector<RegimeVariable>& variables_;
-  const Series& residual_;
-  const std::vector<double> predicted_;
+  const CurveProblem& problem_;
 };
 
 CurveOver CurveProposer::Over(const RegimeVariable& variable, bool is_share) const {
   RegimeVariable asked = variable;
-  if (is_share) asked.times = predicted_;
-  return CurveOver(asked, residual_);
+  if (is_share) asked.times = problem_.predicted;
+  return CurveOver(asked, problem_.residual);
 }
 
 CurveProposer::Choice CurveProposer::Choose() const {
   const Mask select = Of(Part::kSelect);
   Choice best;
-  best.rmse_select = RmsOver(residual_, select);
-  for (const RegimeVariable& variable : variables_) {
-    if (!may_depend_(variable)) continue;
+  best.rmse_select = RmsOver(problem_.residual, select);
+  for (const RegimeVariable& variable : problem_.variables) {
+    if (!problem_.may_depend(variable)) continue;
     if (RegimeAxis(variable).discrete() && !IsWay(variable)) continue;
     for (const bool is_share : {false, true}) {
       const CurveOver over = Over(variable, is_share);
       Normal train;
-      for (const Segment& samples : SegmentsOf(manoeuvres_, Part::kTrain)) {
+      for (const Segment& samples : SegmentsOf(problem_.manoeuvres, Part::kTrain)) {
         train.Add(over.Over(samples));
       }
       for (double exponent = -5; exponent <= 1; ++exponent) {
@@ -145,7 +133,8 @@ CurveProposer::Choice CurveProposer::Choose() const {
 /// The normal equations of each manoeuvre of TRAIN and SELECT.
 std::vector<Normal> CurveProposer::Normals(const CurveOver& over) const {
   std::vector<Normal> normals;
-  for (const Segment& samples : SeenSegmentsOf(manoeuvres_)) normals.push_back(over.Over(samples));
+  for (const Segment& samples : SeenSegmentsOf(problem_.manoeuvres))
+    normals.push_back(over.Over(samples));
   return normals;
 }
 
@@ -179,9 +168,9 @@ std::optional<Proposal> CurveProposer::Run(const Stream& stream) const {
   ProposedCurve curve{
       choice.variable->name, choice.is_share, over.at(), over.Solve(seen, choice.penalty), {}, {}};
   SetBand(over, normals, choice.penalty, stream, &curve);
-  Proposal proposal{channel_, {}, std::move(curve)};
+  Proposal proposal{problem_.channel, {}, std::move(curve)};
   proposal.rmse_select = choice.rmse_select;
-  proposal.rmse_before = RmsOver(residual_, Of(Part::kFinal));
+  proposal.rmse_before = RmsOver(problem_.residual, Of(Part::kFinal));
   proposal.rmse_after = RmsOver(over.Left(proposal.curve->mean), Of(Part::kFinal));
   return Holds(proposal.rmse_before, proposal.rmse_after) ? std::optional(std::move(proposal))
                                                           : std::nullopt;
@@ -189,10 +178,8 @@ std::optional<Proposal> CurveProposer::Run(const Stream& stream) const {
 
 }  // namespace
 
-std::optional<Proposal> ProposeCurve(const ReplayBlock& block, const BlockDiagnosis& diagnosis,
-                                     std::size_t channel, const MayDepend& may_depend,
-                                     const Stream& stream) {
-  return CurveProposer(block, diagnosis, channel, may_depend).Run(stream);
+std::optional<Proposal> ProposeCurve(const CurveProblem& problem, const Stream& stream) {
+  return CurveProposer(problem).Run(stream);
 }
 
 }  // namespace tera

@@ -12,31 +12,46 @@
 namespace tera {
 namespace {
 
+/// RMSE of a curve on SELECT over that of a formula, at most, for the curve to be learned.
+constexpr double kMostCurveRatio = 0.9;
+
+/// Measured less predicted, where the fit had both.
+Series Difference(const Series& measured, const std::vector<double>& predicted, const Mask& valid) {
+  Series difference = measured;
+  difference.valid = valid;
+  for (std::size_t k = 0; k < predicted.size(); ++k) difference.value[k] -= predicted[k];
+  return difference;
+}
+
 class Learner {
  public:
   Learner(const ReplayBlock& block, const BlockDiagnosis& diagnosis, std::size_t channel)
       : block_(block),
         diagnosis_(diagnosis),
         channel_(channel),
-        residual_(diagnosis.search.found.misfit.residual[channel]),
-        predicted_(block.predict(diagnosis.search.found.terms)[channel]) {}
+        predicted_(block.predict(diagnosis.search.found.terms)[channel]),
+        residual_(Difference(block.channels[channel].measured, predicted_,
+                             diagnosis.search.found.misfit.residual[channel].valid)) {}
 
-  std::optional<LearnedProposal> OfFormula(const std::vector<ProposedTerm>& terms) const {
-    const auto curve = TabulatedFormula(block_.channels[channel_], predicted_, terms);
-    return curve ? OfCurve(*curve) : std::nullopt;
-  }
-  std::optional<LearnedProposal> OfCurve(const ProposedCurve& curve) const;
-  std::optional<LearnedProposal> OfBestCurve(const Stream& stream) const;
+  std::optional<LearnedProposal> Learn(const std::vector<ProposedTerm>& formula,
+                                       const Stream& stream) const;
 
  private:
   const LearnedVariable* Known(const std::string& name) const;
   std::vector<double> SeenOf(const std::string& variable) const;
+  std::optional<LearnedEffect> OfFormula(const std::vector<ProposedTerm>& terms) const;
+  std::optional<LearnedEffect> OfBestCurve(const Stream& stream) const;
+  std::optional<LearnedEffect> OfCurve(const ProposedCurve& curve) const;
+  Series Left(const LearnedEffect& effect) const;
+  double RmsOn(Part part, const Series& left) const {
+    return RmsOver(left, MaskOf(diagnosis_.manoeuvres, part, left.size()));
+  }
 
   const ReplayBlock& block_;
   const BlockDiagnosis& diagnosis_;
   std::size_t channel_;
-  const Series& residual_;
   const std::vector<double> predicted_;
+  const Series residual_;
 };
 
 const LearnedVariable* Learner::Known(const std::string& name) const {
@@ -60,27 +75,52 @@ std::vector<double> Learner::SeenOf(const std::string& variable) const {
   return seen;
 }
 
-std::optional<LearnedProposal> Learner::OfCurve(const ProposedCurve& curve) const {
-  const LearnedVariable* variable = Known(curve.variable);
-  if (variable == nullptr) return std::nullopt;
-  LearnedProposal learned{TabulatedCurve(curve, *variable, SeenOf(curve.variable))};
-  const std::vector<double> change =
-      block_.change_by_learned(diagnosis_.search.found.terms, learned.effect)[channel_];
-  Series left = residual_;
-  for (std::size_t k = 0; k < left.size(); ++k) left.value[k] -= change[k];
-  const Mask final = MaskOf(diagnosis_.manoeuvres, Part::kFinal, left.size());
-  learned.rmse_before = RmsOver(residual_, final);
-  learned.rmse_after = RmsOver(left, final);
-  if (!Holds(learned.rmse_before, learned.rmse_after)) return std::nullopt;
-  return learned;
+std::optional<LearnedEffect> Learner::OfFormula(const std::vector<ProposedTerm>& terms) const {
+  const auto curve = TabulatedFormula(block_.channels[channel_], predicted_, terms);
+  return curve ? OfCurve(*curve) : std::nullopt;
 }
 
-std::optional<LearnedProposal> Learner::OfBestCurve(const Stream& stream) const {
-  const auto is_known = [&](const RegimeVariable& variable) {
-    return Known(variable.name) != nullptr && !variable.angle;
-  };
-  const auto proposal = ProposeCurve(block_, diagnosis_, channel_, is_known, stream);
+std::optional<LearnedEffect> Learner::OfBestCurve(const Stream& stream) const {
+  const auto proposal = ProposeCurve(
+      {.channel = channel_,
+       .manoeuvres = diagnosis_.manoeuvres,
+       .variables = block_.channels[channel_].variables,
+       .residual = residual_,
+       .predicted = predicted_,
+       .may_depend =
+           [&](const RegimeVariable& variable) { return Known(variable.name) != nullptr; }},
+      stream);
   return proposal ? OfCurve(*proposal->curve) : std::nullopt;
+}
+
+std::optional<LearnedEffect> Learner::OfCurve(const ProposedCurve& curve) const {
+  const LearnedVariable* variable = Known(curve.variable);
+  if (variable == nullptr) return std::nullopt;
+  return TabulatedCurve(curve, *variable, SeenOf(curve.variable));
+}
+
+/// What the replay with an effect leaves of the measurement.
+Series Learner::Left(const LearnedEffect& effect) const {
+  const std::vector<double> change =
+      block_.change_by_learned(diagnosis_.search.found.terms, effect)[channel_];
+  Series left = residual_;
+  for (std::size_t k = 0; k < left.size(); ++k) left.value[k] -= change[k];
+  return left;
+}
+
+std::optional<LearnedProposal> Learner::Learn(const std::vector<ProposedTerm>& formula,
+                                              const Stream& stream) const {
+  std::optional<LearnedEffect> effect = OfFormula(formula);
+  std::optional<LearnedEffect> curve = OfBestCurve(stream);
+  const auto on_select = [&](const LearnedEffect& one) { return RmsOn(Part::kSelect, Left(one)); };
+  if (curve && (!effect || on_select(*curve) < kMostCurveRatio * on_select(*effect))) {
+    effect = std::move(curve);
+  }
+  if (!effect) return std::nullopt;
+  LearnedProposal learned{*effect, RmsOn(Part::kFinal, residual_),
+                          RmsOn(Part::kFinal, Left(*effect))};
+  if (!Holds(learned.rmse_before, learned.rmse_after)) return std::nullopt;
+  return learned;
 }
 
 }  // namespace
@@ -91,10 +131,7 @@ void Learn(const ReplayBlock& block, const BlockDiagnosis& diagnosis, const Stre
     proposal->not_learned = "a simulation learns of joints, tracks and wheel sets alone, once each";
     return;
   }
-  const Learner learner(block, diagnosis, proposal->channel);
-  proposal->learned =
-      proposal->curve ? learner.OfCurve(*proposal->curve) : learner.OfFormula(proposal->terms);
-  if (!proposal->learned) proposal->learned = learner.OfBestCurve(stream);
+  proposal->learned = Learner(block, diagnosis, proposal->channel).Learn(proposal->terms, stream);
   if (!proposal->learned) {
     proposal->not_learned =
         "no function of one variable that a simulation knows explains a twentieth of it";

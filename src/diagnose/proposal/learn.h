@@ -7,10 +7,13 @@ namespace tera {
 
 /// Gives a proposal the effect that a simulation can run in its place, or says why there is none.
 ///
-/// Model   the formula, if it is of one variable; the curve; or the curve that explains most among
-///         the variables that a simulation knows (ReplayBlock::learnable). The first of them of
-///         which the replay gains a twentieth of FINAL's RMSE. What the replay makes of it is
-///         compared, the limits that keep it from turning what stands included (learned_rate.h).
+/// Model   the formula, if it is of one variable; or the curve that explains most among the
+///         variables that a simulation knows (ReplayBlock::learnable), where there is no such
+///         formula or the curve leaves less than nine tenths as much of SELECT. The curve is fitted
+///         to measured less predicted: what a fit of the whole block takes for nuisances, such as
+///         2 % of the rate, is in it, for a simulation has none. What the replay makes of the
+///         effect is compared, the limits included that keep it from turning what stands
+///         (learned_rate.h). None where FINAL gains less than a twentieth.
 void Learn(const ReplayBlock& block, const BlockDiagnosis& diagnosis, const Stream& stream,
            Proposal* proposal);
 

@@ -17,8 +17,13 @@ constexpr double kMostCurveRatio = 0.9;
 std::optional<Proposal> Propose(const ReplayBlock& block, const BlockDiagnosis& diagnosis,
                                 std::size_t channel, const Stream& stream) {
   std::optional<Proposal> formula = ProposeFormula(block, diagnosis, channel, stream);
-  std::optional<Proposal> curve = ProposeCurve(
-      block, diagnosis, channel, [](const RegimeVariable&) { return true; }, stream);
+  std::optional<Proposal> curve =
+      ProposeCurve({.channel = channel,
+                    .manoeuvres = diagnosis.manoeuvres,
+                    .variables = block.channels[channel].variables,
+                    .residual = diagnosis.search.found.misfit.residual[channel],
+                    .predicted = block.predict(diagnosis.search.found.terms)[channel]},
+                   stream);
   const bool takes_curve =
       curve && (!formula || curve->rmse_select < kMostCurveRatio * formula->rmse_select);
   std::optional<Proposal> proposal = takes_curve ? std::move(curve) : std::move(formula);

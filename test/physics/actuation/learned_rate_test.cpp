@@ -143,7 +143,7 @@ TEST(LearnedRate, MayDependOnWhatAMachineHas) {
                            "load/boom N m", "rate rad/s", "time s"}) {
     EXPECT_THAT(names, Contains(name));
   }
-  EXPECT_THAT(names, Not(Contains("position/arm rad")));
+  EXPECT_THAT(names, testing::Not(Contains("position/arm rad")));
 }
 
 TEST(LearnedRate, IsRefusedWhereNoLeverDrivesTheJoint) {

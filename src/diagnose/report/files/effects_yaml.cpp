@@ -116,6 +116,7 @@ std::string ListLines(std::string_view key, const std::vector<double>& values) {
     TERA_CHECK(std::isfinite(values[i]), key);
     const std::string item = fmt::format("{:.6g}{}", values[i], i + 1 < values.size() ? ", " : "]");
     if (width + item.size() > kListWidth) {
+      text.pop_back();  // the blank before the item
       text += "\n    ";
       width = 4;
     }
