@@ -39,13 +39,13 @@ TEST(LearnedRate, AsAShareIsAFactorOnTheRate) {
 TEST(LearnedRate, AddedTurnsNothingThatStandsAndTurnsNothingBack) {
   LearnedRate learned(Line(Kind::kLoad, false));
   // c = 0.2 at 0.6, and -0.2 at 0.4.
-  EXPECT_NEAR(learned.Step(0.5, {.load_nm = 0.6}), 0.7, 1e-15);
-  EXPECT_NEAR(learned.Step(-0.5, {.load_nm = 0.6}), -0.3, 1e-15);
+  EXPECT_NEAR(learned.Step(0.5, {.load_nm = 0.6}), 0.7, 1e-12);
+  EXPECT_NEAR(learned.Step(-0.5, {.load_nm = 0.6}), -0.3, 1e-12);
   EXPECT_EQ(learned.Step(0, {.load_nm = 0.6}), 0);
   EXPECT_EQ(learned.Step(0, {.load_nm = 0.4}), 0);
   EXPECT_EQ(learned.Step(0.1, {.load_nm = 0.4}), 0);             // not to -0.1
   EXPECT_EQ(learned.Step(-0.1, {.load_nm = 0.6}), 0);            // not to 0.1
-  EXPECT_NEAR(learned.Step(0.1, {.load_nm = 0.6}), 0.2, 1e-15);  // at most twice as fast
+  EXPECT_NEAR(learned.Step(0.1, {.load_nm = 0.6}), 0.2, 1e-12);  // at most twice as fast
 }
 
 TEST(LearnedRate, KnowsItsVariableAlone) {
