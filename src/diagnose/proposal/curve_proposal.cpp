@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -15,11 +16,13 @@ namespace {
 
 constexpr Eigen::Index kSplines = 20;
 constexpr std::uint64_t kReplicates = 200;  ///< of the band
+constexpr std::size_t kFolds = 5;           ///< of the manoeuvres, each predicted by the others
 
 /// Normal equations of a curve's coefficients.
 struct Normal {
   Eigen::MatrixXd information;
   Eigen::VectorXd pull;
+  double energy = 0;  ///< of what the curve is fitted to
 
   void Add(const Normal& other, double times = 1) {
     if (information.size() == 0) {
@@ -28,6 +31,11 @@ struct Normal {
     }
     information += times * other.information;
     pull += times * other.pull;
+    energy += times * other.energy;
+  }
+  /// The energy that coefficients leave.
+  double Left(const Eigen::VectorXd& of_splines) const {
+    return energy - of_splines.dot(2 * pull - information * of_splines);
   }
 };
 
@@ -47,23 +55,27 @@ class CurveOver {
 
   Normal Over(const Segment& samples) const {
     Eigen::VectorXd weight = Eigen::VectorXd::Zero(axis_.bins()), pull = weight;
+    double energy = 0;
     for (std::size_t k = samples.begin; k < samples.end; ++k) {
       if (!residual_.valid[k]) continue;
       const double times = axis_.times()[static_cast<Eigen::Index>(k)];
       weight[axis_.bin()[k]] += times * times;
       pull[axis_.bin()[k]] += times * residual_.value[k];
+      energy += residual_.value[k] * residual_.value[k];
     }
-    return {splines_.transpose() * weight.asDiagonal() * splines_, splines_.transpose() * pull};
+    return {splines_.transpose() * weight.asDiagonal() * splines_, splines_.transpose() * pull,
+            energy};
   }
 
-  /// The curve's coefficients. The penalty is in parts of the information's trace.
+  /// The splines' coefficients. The penalty is in parts of the information's trace.
   Eigen::VectorXd Solve(const Normal& normal, double penalty) const {
     Eigen::MatrixXd left = normal.information;
     const double trace = left.trace();
     left += penalty * trace / roughness_.trace() * roughness_;
     left.diagonal().array() += 1e-9 * trace / static_cast<double>(left.rows()) + 1e-300;
-    return splines_ * left.ldlt().solve(normal.pull);
+    return left.ldlt().solve(normal.pull);
   }
+  Eigen::VectorXd Curve(const Eigen::VectorXd& of_splines) const { return splines_ * of_splines; }
 
   Series Left(const Eigen::VectorXd& curve) const {
     Series left = residual_;
@@ -89,11 +101,12 @@ class CurveProposer {
   struct Choice {
     const RegimeVariable* variable = nullptr;
     bool is_share = false;
-    double penalty = 0, rmse_select = 0;
+    double penalty = 0;
   };
   Choice Choose() const;
   CurveOver Over(const RegimeVariable& variable, bool is_share) const;
   std::vector<Normal> Normals(const CurveOver& over) const;
+  double RmseSelect(const Choice& choice) const;
   void SetBand(const CurveOver& over, const std::vector<Normal>& normals, double penalty,
                const Stream& stream, ProposedCurve* curve) const;
   Mask Of(Part part) const { return MaskOf(problem_.manoeuvres, part, problem_.residual.size()); }
@@ -107,27 +120,50 @@ CurveOver CurveProposer::Over(const RegimeVariable& variable, bool is_share) con
   return CurveOver(asked, problem_.residual);
 }
 
+/// The energy that is left of manoeuvres by curves that were fitted to the others.
+double LeftOfUnseen(const CurveOver& over, const std::vector<Normal>& normals, double penalty) {
+  double left = 0;
+  for (std::size_t fold = 0; fold < kFolds; ++fold) {
+    Normal seen, unseen;
+    for (std::size_t m = 0; m < normals.size(); ++m) {
+      (m % kFolds == fold ? unseen : seen).Add(normals[m]);
+    }
+    if (seen.pull.size() > 0 && unseen.pull.size() > 0) {
+      left += unseen.Left(over.Solve(seen, penalty));
+    }
+  }
+  return left;
+}
+
 CurveProposer::Choice CurveProposer::Choose() const {
-  const Mask select = Of(Part::kSelect);
   Choice best;
-  best.rmse_select = RmsOver(problem_.residual, select);
+  double least = std::numeric_limits<double>::infinity();
   for (const RegimeVariable& variable : problem_.variables) {
     if (!problem_.may_depend(variable)) continue;
     if (RegimeAxis(variable).discrete() && !IsWay(variable)) continue;
     for (const bool is_share : {false, true}) {
       const CurveOver over = Over(variable, is_share);
-      Normal train;
-      for (const Segment& samples : SegmentsOf(problem_.manoeuvres, Part::kTrain)) {
-        train.Add(over.Over(samples));
-      }
+      const std::vector<Normal> normals = Normals(over);
       for (double exponent = -5; exponent <= 1; ++exponent) {
         const double penalty = std::pow(10.0, exponent);
-        const double rmse = RmsOver(over.Left(over.Solve(train, penalty)), select);
-        if (rmse < best.rmse_select) best = {&variable, is_share, penalty, rmse};
+        const double left = LeftOfUnseen(over, normals, penalty);
+        if (left >= least) continue;
+        least = left;
+        best = {&variable, is_share, penalty};
       }
     }
   }
   return best;
+}
+
+/// RMSE on SELECT of the choice fitted to TRAIN.
+double CurveProposer::RmseSelect(const Choice& choice) const {
+  const CurveOver over = Over(*choice.variable, choice.is_share);
+  Normal train;
+  for (const Segment& samples : SegmentsOf(problem_.manoeuvres, Part::kTrain)) {
+    train.Add(over.Over(samples));
+  }
+  return RmsOver(over.Left(over.Curve(over.Solve(train, choice.penalty))), Of(Part::kSelect));
 }
 
 /// The normal equations of each manoeuvre of TRAIN and SELECT.
@@ -145,7 +181,7 @@ void CurveProposer::SetBand(const CurveOver& over, const std::vector<Normal>& no
     const std::vector<int> times = DrawBlocks(normals.size(), r, stream);
     Normal drawn;
     for (std::size_t m = 0; m < normals.size(); ++m) drawn.Add(normals[m], times[m]);
-    const Eigen::VectorXd line = over.Solve(drawn, penalty);
+    const Eigen::VectorXd line = over.Curve(over.Solve(drawn, penalty));
     for (std::size_t b = 0; b < values.size(); ++b) {
       values[b].push_back(line[static_cast<Eigen::Index>(b)]);
     }
@@ -165,11 +201,15 @@ std::optional<Proposal> CurveProposer::Run(const Stream& stream) const {
   const std::vector<Normal> normals = Normals(over);
   Normal seen;
   for (const Normal& one : normals) seen.Add(one);
-  ProposedCurve curve{
-      choice.variable->name, choice.is_share, over.at(), over.Solve(seen, choice.penalty), {}, {}};
+  ProposedCurve curve{choice.variable->name,
+                      choice.is_share,
+                      over.at(),
+                      over.Curve(over.Solve(seen, choice.penalty)),
+                      {},
+                      {}};
   SetBand(over, normals, choice.penalty, stream, &curve);
   Proposal proposal{problem_.channel, {}, std::move(curve)};
-  proposal.rmse_select = choice.rmse_select;
+  proposal.rmse_select = RmseSelect(choice);
   proposal.rmse_before = RmsOver(problem_.residual, Of(Part::kFinal));
   proposal.rmse_after = RmsOver(over.Left(proposal.curve->mean), Of(Part::kFinal));
   return Holds(proposal.rmse_before, proposal.rmse_after) ? std::optional(std::move(proposal))

@@ -27,7 +27,8 @@ struct CurveProblem {
 ///
 /// Model   penalised cubic B-splines (20) by least squares, for each of the variables, added and
 ///         multiplied; of a lever's way a value for each. The variable, the way and the penalty are
-///         those that, fitted to TRAIN, leave least of SELECT; they are then fitted to both. Band:
+///         those that leave least of the manoeuvres of TRAIN and SELECT, each fifth predicted by
+///         the others; they are then fitted to all of these. Band:
 ///         5 to 95 % of fits to manoeuvres drawn with replacement, at each place. None where FINAL
 ///         gains less than a twentieth.
 /// Omits   dependence on two variables, and terms with memory; the bias of smoothing.

@@ -1,6 +1,7 @@
 #include "diagnose/proposal/learn.h"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -12,8 +13,11 @@
 namespace tera {
 namespace {
 
-/// RMSE of a curve on SELECT over that of a formula, at most, for the curve to be learned.
-constexpr double kMostCurveRatio = 0.9;
+/// RMSE on SELECT over that of an effect nearer to the proposal, at most, for another to be
+/// learned.
+constexpr double kMostOtherRatio = 0.9;
+
+using MayDepend = std::function<bool(const RegimeVariable&)>;
 
 /// Measured less predicted, where the fit had both.
 Series Difference(const Series& measured, const std::vector<double>& predicted, const Mask& valid) {
@@ -33,14 +37,14 @@ class Learner {
         residual_(Difference(block.channels[channel].measured, predicted_,
                              diagnosis.search.found.misfit.residual[channel].valid)) {}
 
-  std::optional<LearnedProposal> Learn(const std::vector<ProposedTerm>& formula,
-                                       const Stream& stream) const;
+  std::optional<LearnedProposal> Learn(const Proposal& proposal, const Stream& stream) const;
 
  private:
   const LearnedVariable* Known(const std::string& name) const;
   std::vector<double> SeenOf(const std::string& variable) const;
   std::optional<LearnedEffect> OfFormula(const std::vector<ProposedTerm>& terms) const;
-  std::optional<LearnedEffect> OfBestCurve(const Stream& stream) const;
+  std::optional<LearnedEffect> OfBestCurve(const MayDepend& may_depend, const Stream& stream) const;
+  std::vector<LearnedEffect> Candidates(const Proposal& proposal, const Stream& stream) const;
   std::optional<LearnedEffect> OfCurve(const ProposedCurve& curve) const;
   Series Left(const LearnedEffect& effect) const;
   double RmsOn(Part part, const Series& left) const {
@@ -80,16 +84,15 @@ std::optional<LearnedEffect> Learner::OfFormula(const std::vector<ProposedTerm>&
   return curve ? OfCurve(*curve) : std::nullopt;
 }
 
-std::optional<LearnedEffect> Learner::OfBestCurve(const Stream& stream) const {
-  const auto proposal = ProposeCurve(
-      {.channel = channel_,
-       .manoeuvres = diagnosis_.manoeuvres,
-       .variables = block_.channels[channel_].variables,
-       .residual = residual_,
-       .predicted = predicted_,
-       .may_depend =
-           [&](const RegimeVariable& variable) { return Known(variable.name) != nullptr; }},
-      stream);
+std::optional<LearnedEffect> Learner::OfBestCurve(const MayDepend& may_depend,
+                                                  const Stream& stream) const {
+  const auto proposal = ProposeCurve({.channel = channel_,
+                                      .manoeuvres = diagnosis_.manoeuvres,
+                                      .variables = block_.channels[channel_].variables,
+                                      .residual = residual_,
+                                      .predicted = predicted_,
+                                      .may_depend = may_depend},
+                                     stream);
   return proposal ? OfCurve(*proposal->curve) : std::nullopt;
 }
 
@@ -108,17 +111,35 @@ Series Learner::Left(const LearnedEffect& effect) const {
   return left;
 }
 
-std::optional<LearnedProposal> Learner::Learn(const std::vector<ProposedTerm>& formula,
-                                              const Stream& stream) const {
-  std::optional<LearnedEffect> effect = OfFormula(formula);
-  std::optional<LearnedEffect> curve = OfBestCurve(stream);
-  const auto on_select = [&](const LearnedEffect& one) { return RmsOn(Part::kSelect, Left(one)); };
-  if (curve && (!effect || on_select(*curve) < kMostCurveRatio * on_select(*effect))) {
-    effect = std::move(curve);
+/// The effects that may run, those nearest to the proposal first.
+std::vector<LearnedEffect> Learner::Candidates(const Proposal& proposal,
+                                               const Stream& stream) const {
+  std::vector<std::optional<LearnedEffect>> all = {OfFormula(proposal.terms)};
+  if (proposal.curve && Known(proposal.curve->variable) != nullptr) {
+    all.push_back(OfBestCurve(
+        [&](const RegimeVariable& one) { return one.name == proposal.curve->variable; }, stream));
   }
-  if (!effect) return std::nullopt;
-  LearnedProposal learned{*effect, RmsOn(Part::kFinal, residual_),
-                          RmsOn(Part::kFinal, Left(*effect))};
+  all.push_back(
+      OfBestCurve([&](const RegimeVariable& one) { return Known(one.name) != nullptr; }, stream));
+  std::vector<LearnedEffect> candidates;
+  for (std::optional<LearnedEffect>& one : all) {
+    if (one) candidates.push_back(std::move(*one));
+  }
+  return candidates;
+}
+
+std::optional<LearnedProposal> Learner::Learn(const Proposal& proposal,
+                                              const Stream& stream) const {
+  std::optional<LearnedEffect> best;
+  double least = 0;
+  for (LearnedEffect& one : Candidates(proposal, stream)) {
+    const double rmse = RmsOn(Part::kSelect, Left(one));
+    if (best && rmse >= kMostOtherRatio * least) continue;
+    best = std::move(one);
+    least = rmse;
+  }
+  if (!best) return std::nullopt;
+  LearnedProposal learned{*best, RmsOn(Part::kFinal, residual_), RmsOn(Part::kFinal, Left(*best))};
   if (!Holds(learned.rmse_before, learned.rmse_after)) return std::nullopt;
   return learned;
 }
@@ -131,7 +152,7 @@ void Learn(const ReplayBlock& block, const BlockDiagnosis& diagnosis, const Stre
     proposal->not_learned = "a simulation learns of joints, tracks and wheel sets alone, once each";
     return;
   }
-  proposal->learned = Learner(block, diagnosis, proposal->channel).Learn(proposal->terms, stream);
+  proposal->learned = Learner(block, diagnosis, proposal->channel).Learn(*proposal, stream);
   if (!proposal->learned) {
     proposal->not_learned =
         "no function of one variable that a simulation knows explains a twentieth of it";
