@@ -15,6 +15,8 @@ namespace tera {
 namespace {
 
 constexpr Eigen::Index kSplines = 20;
+/// Penalty of the curve itself, in parts of the mean information: it is 0 where nothing was seen.
+constexpr double kRidge = 1e-3;
 constexpr std::uint64_t kReplicates = 200;  ///< of the band
 constexpr std::size_t kFolds = 5;           ///< of the manoeuvres, each predicted by the others
 
@@ -72,7 +74,7 @@ class CurveOver {
     Eigen::MatrixXd left = normal.information;
     const double trace = left.trace();
     left += penalty * trace / roughness_.trace() * roughness_;
-    left.diagonal().array() += 1e-9 * trace / static_cast<double>(left.rows()) + 1e-300;
+    left.diagonal().array() += kRidge * trace / static_cast<double>(left.rows()) + 1e-300;
     return left.ldlt().solve(normal.pull);
   }
   Eigen::VectorXd Curve(const Eigen::VectorXd& of_splines) const { return splines_ * of_splines; }

@@ -13,7 +13,7 @@
 namespace tera {
 namespace {
 
-/// RMSE on SELECT over that of an effect nearer to the proposal, at most, for another to be
+/// RMSE on SELECT over that of an effect nearer to what is said, at most, for another to be
 /// learned.
 constexpr double kMostOtherRatio = 0.9;
 
@@ -111,13 +111,19 @@ Series Learner::Left(const LearnedEffect& effect) const {
   return left;
 }
 
-/// The effects that may run, those nearest to the proposal first.
+/// The effects that may run, those nearest to what is said of the error first.
 std::vector<LearnedEffect> Learner::Candidates(const Proposal& proposal,
                                                const Stream& stream) const {
   std::vector<std::optional<LearnedEffect>> all = {OfFormula(proposal.terms)};
-  if (proposal.curve && Known(proposal.curve->variable) != nullptr) {
-    all.push_back(OfBestCurve(
-        [&](const RegimeVariable& one) { return one.name == proposal.curve->variable; }, stream));
+  std::vector<std::string> names;
+  for (const Unexplained& left : diagnosis_.unexplained) {
+    if (left.location.channel != channel_ || left.location.regimes.empty()) continue;
+    names.push_back(left.location.regimes.front().variable);
+  }
+  if (proposal.curve) names.push_back(proposal.curve->variable);
+  for (const std::string& name : names) {
+    if (Known(name) == nullptr) continue;
+    all.push_back(OfBestCurve([&](const RegimeVariable& one) { return one.name == name; }, stream));
   }
   all.push_back(
       OfBestCurve([&](const RegimeVariable& one) { return Known(one.name) != nullptr; }, stream));

@@ -86,6 +86,27 @@ TEST(Learn, OfAProductWithTheRateIsAShareOverTheOtherFactor) {
   EXPECT_LT(RmsOfDifference(proposal->learned->effect, [](double x) { return -0.2 * x; }), 0.03);
 }
 
+TEST(Learn, OfTwoVariablesThatDoAsWellIsOverThatWhichTheErrorWasLocatedBy) {
+  Odd odd(24,
+          [](double lever, double temperature) { return 0.4 * std::sin(5 * temperature) * lever; });
+  LearnedVariable load = kTemperature;
+  load.name = "load";
+  LetLearn({load, kTemperature}, &odd);
+  std::vector<RegimeVariable>& variables = odd.block.channels[0].variables;
+  variables.push_back(variables[1]);
+  odd.diagnosis.unexplained.resize(1);
+  odd.diagnosis.unexplained[0].location.regimes.resize(1);
+  odd.diagnosis.unexplained[0].location.regimes[0].variable = "temperature";
+  for (const auto& [twin, located] : {std::pair(1, 2), {2, 1}}) {
+    variables[static_cast<std::size_t>(twin)].name = "load";
+    variables[static_cast<std::size_t>(located)].name = "temperature";
+    const auto proposal = odd.Proposed();
+    ASSERT_TRUE(proposal.has_value());
+    ASSERT_TRUE(proposal->learned.has_value()) << proposal->not_learned;
+    EXPECT_EQ(proposal->learned->effect.variable.name, "temperature");
+  }
+}
+
 TEST(Learn, OfAVariableThatNoSimulationKnowsIsNothing) {
   Odd odd(24,
           [](double lever, double temperature) { return 0.4 * std::sin(5 * temperature) * lever; });
