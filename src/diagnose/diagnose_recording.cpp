@@ -11,8 +11,8 @@
 #include "core/error.h"
 #include "diagnose/blocks/candidate_list.h"
 #include "diagnose/perception/perception_run.h"
-#include "diagnose/replay/axis_log.h"
 #include "diagnose/report/files/baselines_json.h"
+#include "physics/description/axes.h"
 #include "sim/operators/lever_replay.h"
 
 namespace tera {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "diagnose/statistics/series/robust.h"
+#include "physics/description/axes.h"
 
 namespace tera {
 namespace {
@@ -88,15 +89,6 @@ std::optional<MissingInput> MissingOf(const AxisLog& log, const MeasuredRate& me
   return MissingInput{measured.channel, {}, time.resting_s / time.all_s, false};
 }
 
-/// Whether the axis has a lever at all.
-bool HasLever(const MachineModel& model, std::size_t axis) {
-  const std::size_t joints = model.joints.size();
-  return std::any_of(model.levers.begin(), model.levers.end(), [&](const Lever& lever) {
-    return lever.joint >= 0 ? static_cast<std::size_t>(lever.joint) == axis
-                            : joints + static_cast<std::size_t>(lever.gear) == axis;
-  });
-}
-
 }  // namespace
 
 std::vector<MissingInput> FindMissingInput(const MachineModel& model, const AxisLog& log) {
@@ -105,9 +97,7 @@ std::vector<MissingInput> FindMissingInput(const MachineModel& model, const Axis
     if (!HasLever(model, measured.axis)) continue;
     auto missing = MissingOf(log, measured);
     if (!missing) continue;
-    const std::size_t joints = model.joints.size();
-    missing->axis = measured.axis < joints ? model.joints[measured.axis].name
-                                           : model.ground_tools.gears[measured.axis - joints].name;
+    missing->axis = NameOfAxis(model, measured.axis);
     all.push_back(std::move(*missing));
   }
   return all;

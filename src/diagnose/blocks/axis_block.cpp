@@ -12,6 +12,7 @@
 #include "diagnose/replay/axis_replay.h"
 #include "diagnose/statistics/series/robust.h"
 #include "physics/actuation/actuation.h"
+#include "physics/description/axes.h"
 
 namespace tera {
 namespace {
@@ -202,18 +203,6 @@ AxisEffects WithTerms(const AxisEffects& present, const Structure& terms) {
     (term.candidate->mechanism->slot == Slot::kFlow ? of_pump : of_axis).push_back(term);
   }
   return {WithTerms(present.axis, of_axis), WithTerms(present.pump, of_pump)};
-}
-
-std::string NameOfAxis(const MachineModel& model, std::size_t axis) {
-  return axis < model.joints.size() ? model.joints[axis].name
-                                    : model.ground_tools.gears[axis - model.joints.size()].name;
-}
-
-bool HasLever(const MachineModel& model, std::size_t axis) {
-  const auto joints = static_cast<int>(model.joints.size());
-  return std::any_of(model.levers.begin(), model.levers.end(), [&](const Lever& lever) {
-    return (lever.joint >= 0 ? lever.joint : joints + lever.gear) == static_cast<int>(axis);
-  });
 }
 
 /// The ways of an axis's lever, step by step.

@@ -12,8 +12,8 @@
 #include "diagnose/blocks/candidate_list.h"
 #include "diagnose/blocks/measured_poses.h"
 #include "diagnose/discrepancy/as_simulated.h"
-#include "diagnose/replay/axis_log.h"
 #include "diagnose/replay/base_log.h"
+#include "physics/description/axes.h"
 
 namespace tera {
 namespace {

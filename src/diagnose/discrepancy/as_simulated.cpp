@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "diagnose/replay/axis_log.h"
+#include "physics/description/axes.h"
 
 namespace tera {
 

@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "diagnose/replay/between_samples.h"
+#include "physics/description/axes.h"
 #include "physics/dynamics/gravity_load.h"
 #include "physics/dynamics/joint_inertia.h"
 
@@ -206,14 +207,6 @@ void SetWeights(const MachineModel& model, AxisLog* log) {
 }
 
 }  // namespace
-
-int AxisNamed(const MachineModel& model, const std::string& name) {
-  if (const int joint = model.JointIndex(name); joint >= 0) return joint;
-  for (std::size_t g = 0; g < model.ground_tools.gears.size(); ++g) {
-    if (model.ground_tools.gears[g].name == name) return static_cast<int>(model.joints.size() + g);
-  }
-  return -1;
-}
 
 AxisLog MakeAxisLog(const MachineModel& model, const TableRecording& commands,
                     const std::vector<NamedEncoders>& encoders, double step_s) {

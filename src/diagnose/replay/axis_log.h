@@ -57,9 +57,6 @@ struct NamedEncoders {
   EncoderRecording recording;
 };
 
-/// The axis of that name, -1 where the machine has none.
-int AxisNamed(const MachineModel& model, const std::string& name);
-
 /// The log of a machine from its commands (columns by the names of levers) and encoders (axes by
 /// the names of joints and gears; others are ignored). Throws InputError where commands and
 /// encoders have no time in common or no column belongs to the machine.

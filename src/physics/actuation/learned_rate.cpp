@@ -4,22 +4,12 @@
 #include <cmath>
 #include <string>
 
+#include "physics/description/axes.h"
+
 namespace tera {
 namespace {
 
 using Kind = LearnedVariable::Kind;
-
-std::string NameOfAxis(const MachineModel& model, std::size_t axis) {
-  return axis < model.joints.size() ? model.joints[axis].name
-                                    : model.ground_tools.gears[axis - model.joints.size()].name;
-}
-
-bool HasLever(const MachineModel& model, std::size_t axis) {
-  const auto joints = static_cast<int>(model.joints.size());
-  return std::any_of(model.levers.begin(), model.levers.end(), [&](const Lever& lever) {
-    return (lever.joint >= 0 ? lever.joint : joints + lever.gear) == static_cast<int>(axis);
-  });
-}
 
 }  // namespace
 
