@@ -67,8 +67,9 @@ void ReadTable(const ConfigMap& map, LearnedEffect* learned) {
   const Range each = learned->is_share ? Between(-1, kMostShare, "1") : Any("rad/s or m/s");
   const Range band = Any(each.unit);
   learned->value = map.Numbers("value", each, 2, kMostKnots);
-  learned->low = map.Numbers("low", band, 2, kMostKnots);
-  learned->high = map.Numbers("high", band, 2, kMostKnots);
+  const bool has_band = map.Has("low") || map.Has("high");
+  learned->low = has_band ? map.Numbers("low", band, 2, kMostKnots) : learned->value;
+  learned->high = has_band ? map.Numbers("high", band, 2, kMostKnots) : learned->value;
   if (internal::ConfigDocument::FaultsWith(map) > before) return;
   for (const auto& [key, list] :
        {std::pair("value", &learned->value), {"low", &learned->low}, {"high", &learned->high}}) {

@@ -25,7 +25,7 @@ struct LearnedVariable {
 /// Model   c(x), straight between knots; beyond the first and the last knot it goes straight to 0
 ///         over the interval next to it, and is 0 from there on, where nothing was seen. It is
 ///         added to the rate, in its unit, or is a share of it. The band is how well it is known;
-///         nothing is simulated by it.
+///         nothing is simulated by it, and one that was not told is the value.
 struct LearnedEffect {
   LearnedVariable variable;
   bool is_share = false;

@@ -72,6 +72,16 @@ TEST(LearnedEffect, IsReadAsItIsWritten) {
   EXPECT_FALSE(Read("{}").has_value());
 }
 
+TEST(LearnedEffect, WithoutABandIsItsOwnAndWithHalfOfOneIsRefused) {
+  const std::string head = "variable: position/boom, unit: rad, as: added";
+  const auto learned = Read("learned: {" + head + ", at: [0, 1], value: [0.5, 2]}\n");
+  ASSERT_TRUE(learned.has_value());
+  EXPECT_THAT(learned->low, ElementsAre(0.5, 2));
+  EXPECT_THAT(learned->high, ElementsAre(0.5, 2));
+  EXPECT_THAT(FaultsOf(Table("[-1, 0, 2]", "[0.5, 0, 1]", head, "low: [0, -1, 0]")),
+              HasSubstr("learned.high: missing"));
+}
+
 TEST(LearnedEffect, IsTheSameWhenTheResolvedDocumentIsReadAgain) {
   const Config config = Config::FromText(Table(), "effects.yaml");
   ReadLearnedEffect(config.root(), kVariables);
