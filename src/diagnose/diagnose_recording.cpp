@@ -12,7 +12,7 @@
 #include "diagnose/blocks/candidate_list.h"
 #include "diagnose/perception/perception_run.h"
 #include "diagnose/report/files/baselines_json.h"
-#include "physics/description/axes.h"
+#include "physics/actuation/axes.h"
 #include "sim/operators/lever_replay.h"
 
 namespace tera {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "diagnose/statistics/series/robust.h"
-#include "physics/description/axes.h"
+#include "physics/actuation/axes.h"
 
 namespace tera {
 namespace {

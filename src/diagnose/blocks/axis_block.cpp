@@ -12,7 +12,7 @@
 #include "diagnose/replay/axis_replay.h"
 #include "diagnose/statistics/series/robust.h"
 #include "physics/actuation/actuation.h"
-#include "physics/description/axes.h"
+#include "physics/actuation/axes.h"
 
 namespace tera {
 namespace {

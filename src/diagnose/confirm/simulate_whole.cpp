@@ -13,7 +13,7 @@
 #include "diagnose/blocks/measured_poses.h"
 #include "diagnose/discrepancy/as_simulated.h"
 #include "diagnose/replay/base_log.h"
-#include "physics/description/axes.h"
+#include "physics/actuation/axes.h"
 
 namespace tera {
 namespace {

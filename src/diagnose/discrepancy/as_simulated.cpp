@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "physics/description/axes.h"
+#include "physics/actuation/axes.h"
 
 namespace tera {
 

@@ -14,7 +14,7 @@
 #include "diagnose/experiment_design/discrimination_power.h"
 #include "diagnose/experiment_design/greedy_design.h"
 #include "diagnose/experiment_design/predicted_run.h"
-#include "physics/description/axes.h"
+#include "physics/actuation/axes.h"
 
 namespace tera {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 #include "diagnose/replay/between_samples.h"
-#include "physics/description/axes.h"
+#include "physics/actuation/axes.h"
 #include "physics/dynamics/gravity_load.h"
 #include "physics/dynamics/joint_inertia.h"
 

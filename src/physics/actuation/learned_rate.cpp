@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "physics/description/axes.h"
+#include "physics/actuation/axes.h"
 
 namespace tera {
 namespace {

@@ -1,4 +1,4 @@
-#include "physics/description/axes.h"
+#include "physics/actuation/axes.h"
 
 #include <algorithm>
 
