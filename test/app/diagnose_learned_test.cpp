@@ -103,6 +103,9 @@ TEST_F(DiagnoseWhatHasNoName, PutsItIntoTheOverlayWithWhichTheNextSimulationHasI
   ASSERT_EQ(whole.size(), 1u);
   EXPECT_LT(whole[0]["rmse_after"].get<double>(), 0.4 * whole[0]["rmse_before"].get<double>());
 
+  // With it there is nothing left to say.
+  EXPECT_EQ(Diagnose("real", "nothing", {"--effects", "why/effects.yaml"}), Names{});
+
   Record("plain");
   Record("again", {"--effects", "why/effects.yaml"});
   EXPECT_LT(RmsOfRates("real", "again"), 0.4 * RmsOfRates("real", "plain"));
