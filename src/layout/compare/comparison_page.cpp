@@ -31,13 +31,24 @@ std::string Colour(std::size_t layout) { return kColours[layout % kColours.size(
 
 Figure AsFigure(const Difference& d) { return {d.figure, d.unit, d.more_is_better, {}, {}}; }
 
-std::string VerdictText(const Difference& d) {
-  const double mean = d.of_other - d.of_first;
+/// A difference without its sign, and the bounds of its interval: shares in percentage points.
+std::string SizeText(const Difference& d) {
+  const double mean = std::abs(d.of_other - d.of_first);
+  const double low = std::min(std::abs(d.low), std::abs(d.high));
+  const double high = std::max(std::abs(d.low), std::abs(d.high));
+  if (d.unit.empty()) {
+    constexpr double kPoints = 100;
+    return fmt::format("{:.1f} percentage points ({:.1f} to {:.1f})", kPoints * mean, kPoints * low,
+                       kPoints * high);
+  }
   const Figure figure = AsFigure(d);
+  return fmt::format("{} ({} to {})", ValueText(figure, mean), ValueText(figure, low),
+                     ValueText(figure, high));
+}
+
+std::string VerdictText(const Difference& d) {
   if (d.verdict() == Difference::Verdict::kUndecided) return kUndecided;
-  return fmt::format(
-      "{} by {} ({} to {})", d.verdict() == Difference::Verdict::kBetter ? "better" : "worse",
-      ValueText(figure, std::abs(mean)), ValueText(figure, d.low), ValueText(figure, d.high));
+  return (d.verdict() == Difference::Verdict::kBetter ? "better by " : "worse by ") + SizeText(d);
 }
 
 /// How good a layout is in a main figure, 0 to 1.
