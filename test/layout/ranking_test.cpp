@@ -167,6 +167,7 @@ TEST_F(Ranking, PointsOnAPersonAreThoseCountedInADataset) {
   sighting.Show(playback.state(), playback.ground());
   const Pose X_WP = playback.state().obstacles[0].X_WB;
   const std::vector<BodyPatch> patches = PatchesOf({"person", Vec3(0.3, 0.5, 1.75)});
+  int seeing = 0;
   for (Layout& layout : layouts_) {
     MoveViewers(playback.state().machines[0], &layout);
     const double expected =
@@ -182,8 +183,9 @@ TEST_F(Ranking, PointsOnAPersonAreThoseCountedInADataset) {
     // Three standard errors of a count at least, since where rows of beams fall on her is chance.
     EXPECT_NEAR(expected, counted, std::max(0.05 * counted, 3 * std::sqrt(counted))) << layout.name;
     RecordProperty(layout.name, fmt::format("{:.0f} expected, {:.0f} counted", expected, counted));
-    EXPECT_GT(counted, 0) << layout.name;
+    seeing += counted > 0;
   }
+  EXPECT_GE(seeing, 2);  // the low one looks against the machine's own arm
 }
 
 }  // namespace
