@@ -15,7 +15,7 @@ struct PolarMap {
   int sectors = 0, rings = 0;
   double ring_m = 1;  ///< width of a ring, in `ring_unit`
   std::string ring_unit = "m";
-  double low = 0, high = 1;
+  double low = 0, high = 1;   ///< at the bad and the good end of the colours
   std::vector<double> value;  ///< negative where there is none
 };
 

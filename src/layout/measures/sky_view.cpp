@@ -107,7 +107,9 @@ std::vector<PolarMap> SkyView::Maps() const {
                  .sectors = SkyGrid::kSectors,
                  .rings = SkyGrid::kRings,
                  .ring_m = SkyGrid::kRing_deg,
-                 .ring_unit = "deg"};
+                 .ring_unit = "deg",
+                 .low = 1,
+                 .high = 0};
     map.value.assign(antenna.hidden_moments.size(), -1);
     const double moments = static_cast<double>(antenna.by_machine.size());
     for (const Direction& direction : sky_) {

@@ -91,6 +91,32 @@ std::string UnitText(std::string unit) {
   return unit;
 }
 
+/// To which sides a standing person is always detected, and to which she is not even next to it.
+std::vector<std::string> PeopleAnswer(const LayoutReport& report) {
+  constexpr std::array<std::pair<const char*, const char*>, 4> kSides = {{{"behind", "behind"},
+                                                                          {"left", "to the left"},
+                                                                          {"right", "to the right"},
+                                                                          {"ahead", "ahead"}}};
+  std::vector<std::string> lines, undetected;
+  for (const auto& [name, side] : kSides) {
+    const Figure* far = FindFigure(report, fmt::format("person/standing/detected_to_m_{}", name));
+    if (!far) continue;
+    if (WorstOf(*far) <= 0) {
+      undetected.emplace_back(side);
+      continue;
+    }
+    lines.push_back(
+        fmt::format("A standing person {} is always detected up to {:.0f} m from the machine.",
+                    side, WorstOf(*far)));
+  }
+  if (!undetected.empty()) {
+    lines.push_back(
+        fmt::format("A standing person 1 m from the machine is not always detected: {}.",
+                    fmt::join(undetected, ", ")));
+  }
+  return lines;
+}
+
 }  // namespace
 
 std::string Describe(const Figure& figure) {
@@ -143,21 +169,7 @@ std::vector<std::string> Answer(const LayoutReport& report) {
     lines.push_back(fmt::format("No sensor sees {} of it, because of: {}.",
                                 ValueText(*blind, MeanOf(*blind)), MainCauses(causes->second)));
   }
-  for (const char* where : {"behind", "left", "right", "ahead"}) {
-    const Figure* far = FindFigure(report, fmt::format("person/standing/detected_to_m_{}", where));
-    if (!far) continue;
-    const double worst_m = WorstOf(*far);
-    const std::string side = std::string(where) == "behind" || std::string(where) == "ahead"
-                                 ? std::string(where)
-                                 : fmt::format("to the {}", where);
-    lines.push_back(worst_m > 0
-                        ? fmt::format("A standing person {} is always detected up to {:.0f} m from "
-                                      "the machine.",
-                                      side, worst_m)
-                        : fmt::format("A standing person {} is not always detected at 1 m from the "
-                                      "machine.",
-                                      side));
-  }
+  for (std::string& line : PeopleAnswer(report)) lines.push_back(std::move(line));
   if (const Figure* edge = FindFigure(report, "dig/bucket/edge_seen")) {
     lines.push_back(fmt::format("Of the bucket's cutting edge it sees {} on average.",
                                 ValueText(*edge, MeanOf(*edge))));

@@ -65,18 +65,19 @@ std::string ExpenseText(const Expense& expense) {
   return text + ".";
 }
 
-std::string MapFigures(const LayoutReport& report) {
-  std::string html =
-      "<h2>What is seen around the machine</h2>\n" + MapLegend() + "<div class=\"figures\">\n";
+/// Maps whose names begin so, under a heading.
+std::string MapFigures(const LayoutReport& report, const std::string& beginning,
+                       const std::string& heading) {
+  std::string figures;
   for (const PolarMap& map : report.maps) {
-    const std::string scale =
-        map.name.starts_with("seen/")
-            ? ""
-            : fmt::format(", from {:.4g} (red) to {:.4g} (blue)", map.low, map.high);
-    html += fmt::format("<figure>{}<figcaption>{}{}</figcaption></figure>\n", MapSvg(map),
-                        Escape(map.title), scale);
+    if (!map.name.starts_with(beginning)) continue;
+    figures += fmt::format(
+        "<figure>{}<figcaption>{}, from {:.4g} (red) to {:.4g} (blue)"
+        "</figcaption></figure>\n",
+        MapSvg(map), Escape(map.title), map.low, map.high);
   }
-  return html + "</div>\n";
+  if (figures.empty()) return "";
+  return heading + "<div class=\"figures\">\n" + figures + "</div>\n";
 }
 
 std::string CurveFigures(const LayoutReport& report) {
@@ -146,7 +147,10 @@ std::string ReportPage(const LayoutReport& report) {
       Escape(report.file), Escape(fmt::format("{}", fmt::join(report.viewers, ", "))),
       Escape(report.cycle), report.t_s.size(), report.t_s.front(), report.t_s.back(),
       ExpenseText(report.expense));
-  html += MapFigures(report) + CurveFigures(report);
+  html += MapFigures(report, "seen/", "<h2>What is seen around the machine</h2>\n" + MapLegend());
+  html += CurveFigures(report);
+  html += MapFigures(report, "pixels/", "<h2>How finely cameras show a person</h2>\n");
+  html += MapFigures(report, "sky/", "<h2>What antennas see of the sky</h2>\n");
   html += ShareTable("Why places are not seen", "Zone", "Cause", report.blind_causes);
   html += ShareTable("What two sensors see together", "Zone", "Sensors", report.overlaps);
   return html + FigureTable(report) + PageEnd();
