@@ -15,8 +15,9 @@ using testing::Not;
 using testing::StartsWith;
 namespace fs = std::filesystem;
 
-const char* const kCommands[] = {"generate", "check",  "info",    "compare", "import", "import-rig",
-                                 "overview", "replay", "resense", "ros2",    "serve"};
+const char* const kCommands[] = {"generate", "check",      "info",   "compare",
+                                 "import",   "import-rig", "layout", "overview",
+                                 "replay",   "resense",    "ros2",   "serve"};
 
 TEST(CommandLine, EveryCommandHasHelp) {
   const ScratchDirectory scratch;

@@ -1,10 +1,9 @@
-#include "layout/study/study.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/error.h"
 #include "dataset/format/sample_recording.h"
+#include "layout/study/study.h"
 
 namespace tera {
 namespace {
@@ -57,6 +56,14 @@ TEST(LoadStudy, RefusesTwoOfOneName) {
   const std::string tall = "{name: tall, size_m: [1, 1, 1]}";
   ExpectRefused("person: {postures: [" + tall + ", " + tall + "]}\n", "postures[1].name");
   ExpectRefused("map_heights_m: [0.9, 1.5, 0.9]\n", "map_heights_m");
+}
+
+TEST(LoadStudy, RefusesNamesThatCannotNameAColumn) {
+  for (const std::string name : {"a,b", "a/b", "a b"}) {
+    ExpectRefused("zones: [{name: \"" + name + "\", box_m: [1, 1, 1]}]\n", "zones[0].name");
+    ExpectRefused("person: {postures: [{name: \"" + name + "\", size_m: [1, 1, 1]}]}\n",
+                  "person.postures[0].name");
+  }
 }
 
 TEST(LoadStudy, WithoutAFileHasTheCommonPostures) {

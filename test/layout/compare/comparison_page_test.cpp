@@ -1,0 +1,144 @@
+#include "layout/compare/comparison_page.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+#include <sstream>
+
+#include "core/error.h"
+#include "layout/report/sample_report.h"
+
+namespace tera {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+/// Sees 0.25 more of the space around the machine, and 15 m^3 more of it, at every moment.
+LayoutReport Better(const std::string& name = "rear") {
+  LayoutReport report = SampleReport(name);
+  for (double& seen : report.figures[0].at) seen += 0.25;
+  for (double& blind_m3 : report.figures[1].at) blind_m3 -= 15;
+  report.maps[0].value.assign(report.maps[0].value.size(), 0.5);
+  return report;
+}
+
+std::vector<std::string> Lines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(PageOfAComparison, IsWellFormedAndAlone) {
+  for (const auto& reports : {std::vector{SampleReport(), Better()},
+                              std::vector{SampleReport(), Better(), Better("third"),
+                                          Better("fourth"), Better("fifth"), Better("sixth")}}) {
+    const std::string html = ComparisonPage(reports);
+    ExpectWellFormed(html);
+    ExpectSelfContained(html);
+    for (const LayoutReport& report : reports) EXPECT_THAT(html, HasSubstr(report.name));
+  }
+}
+
+TEST(PageOfAComparison, HasNothingButWhatBothHave) {
+  LayoutReport bare;
+  bare.name = "bare";
+  bare.cycle = SampleReport().cycle;
+  bare.t_s = SampleReport().t_s;
+  ExpectWellFormed(ComparisonPage({SampleReport(), bare}));
+  ExpectWellFormed(ComparisonPage({bare, SampleReport()}));
+}
+
+TEST(PageOfAComparison, WhatLooksLikeMarkupIsText) {
+  LayoutReport first = SampleReport(kMarkup), other = Better(kMarkup);
+  for (LayoutReport* report : {&first, &other}) {
+    report->maps[0].title = report->curves[0].title = kMarkup;
+    report->figures.push_back(
+        {std::string("zone/") + kMarkup + "/seen_by_2", "", true, {0, 0, 0, 0}, {}});
+    report->figures.push_back({kMarkup, kMarkup, true, {0, 0, 0, 0}, {}});
+  }
+  const std::string html = ComparisonPage({first, other});
+  ExpectWellFormed(html);
+  EXPECT_THAT(html, Not(HasSubstr("<b>")));
+  EXPECT_THAT(html, HasSubstr(kEscapedMarkup));
+}
+
+TEST(PageOfAComparison, DifferencesOfMapsAreOfTheirOwnScale) {
+  // Half of the map's scale less or more: red or blue, nowhere the grey of what is not known.
+  LayoutReport first = SampleReport(), worse = SampleReport("worse"),
+               better = SampleReport("better");
+  for (const auto& [report, value] :
+       {std::pair(&first, 125.0), std::pair(&worse, 5.0), std::pair(&better, 245.0)}) {
+    report->maps = {SampleMap(value)};
+    report->maps[0].name = "pixels/1.5 m";
+    report->maps[0].high = 250;
+  }
+  const auto difference_of = [&](const LayoutReport& other) {
+    const std::string html = ComparisonPage({first, other});
+    const std::size_t end = html.find(other.name + " against front</figcaption>");
+    const std::size_t begin = html.rfind("<svg", end), cell = html.find("fill=\"#", begin) + 7;
+    return std::array{std::stoi(html.substr(cell, 2), nullptr, 16),
+                      std::stoi(html.substr(cell + 4, 2), nullptr, 16)};
+  };
+  const auto [worse_red, worse_blue] = difference_of(worse);
+  EXPECT_GT(worse_red, worse_blue + 50);
+  const auto [better_red, better_blue] = difference_of(better);
+  EXPECT_GT(better_blue, better_red + 50);
+  // A hundredth of the scale is next to nothing.
+  better.maps[0] = first.maps[0];
+  better.maps[0].value.assign(better.maps[0].value.size(), 127.5);
+  const auto [red, blue] = difference_of(better);
+  EXPECT_LT(std::abs(red - blue), 50);
+}
+
+TEST(PageOfAComparison, SaysInWordsWhichSeesMore) {
+  const std::vector<std::string> words = ComparisonWords({SampleReport(), Better()});
+  EXPECT_THAT(
+      words, Contains(AllOf(StartsWith("rear against front"), HasSubstr("space around the machine"),
+                            HasSubstr("better by"), HasSubstr("25.0 percentage points"))));
+  EXPECT_THAT(words, Contains(AllOf(HasSubstr("cutting edge"),
+                                    HasSubstr("no difference that this cycle can show"))));
+  EXPECT_THAT(ComparisonWords({Better(), SampleReport()}), Contains(HasSubstr("worse by")));
+  const std::string html = ComparisonPage({SampleReport(), Better()});
+  EXPECT_LT(html.find("25.0 percentage points"), html.find("<svg"));
+}
+
+TEST(PageOfAComparison, RowsOfItsTableAreTheDifferences) {
+  const std::vector<std::string> lines = Lines(ComparisonCsv({SampleReport(), Better()}));
+  ASSERT_EQ(lines.size(), 5u);
+  EXPECT_EQ(lines[0], "layout,against,figure,unit,mean,mean_of_other,low,high,verdict");
+  EXPECT_THAT(lines[1], AllOf(StartsWith("rear,front,zone/around/seen_by_1,,0.75,0.5,"),
+                              testing::EndsWith(",better")));
+  EXPECT_THAT(lines[2], AllOf(StartsWith("rear,front,zone/around/blind_m3,m^3,15,30,"),
+                              testing::EndsWith(",better")));
+  EXPECT_EQ(lines[3], "rear,front,person/standing/detected_to_m_behind,m,5,5,0,0,undecided");
+  EXPECT_EQ(lines[4], "rear,front,dig/bucket/edge_seen,,0.375,0.375,0,0,undecided");
+}
+
+TEST(PageOfAComparison, NamesWithCommasStayInOneColumn) {
+  const std::vector<std::string> lines = Lines(ComparisonCsv({SampleReport(), Better("a,b")}));
+  EXPECT_THAT(lines[1], StartsWith("\"a,b\",front,"));
+}
+
+TEST(PageOfAComparison, EachIsHeldAgainstTheFirst) {
+  const std::vector<std::string> lines =
+      Lines(ComparisonCsv({SampleReport(), Better(), Better("third")}));
+  EXPECT_THAT(lines, Contains(StartsWith("rear,front,")).Times(4));
+  EXPECT_THAT(lines, Contains(StartsWith("third,front,")).Times(4));
+}
+
+TEST(PageOfAComparison, OfOtherCyclesIsRefused) {
+  LayoutReport other = Better();
+  other.cycle = "elsewhere";
+  EXPECT_THROW(ComparisonPage({SampleReport(), other}), InputError);
+  EXPECT_THROW(ComparisonCsv({SampleReport(), other}), InputError);
+}
+
+}  // namespace
+}  // namespace tera

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <string>
+#include <vector>
+
+#include "layout/layout_report.h"
+
+/// A report as an evaluation might end with, and what pages must be.
+
+namespace tera {
+
+inline PolarMap SampleMap(double value = 0.25) {
+  PolarMap map{.name = "seen/0.9 m",
+               .title = "seen 0.9 m above the ground",
+               .sectors = 72,
+               .rings = 24,
+               .ring_m = 1};
+  map.value.assign(72 * 24, value);
+  return map;
+}
+
+inline LayoutReport SampleReport(const std::string& name = "front") {
+  LayoutReport report;
+  report.name = name;
+  report.file = "rigs/" + name + ".yaml";
+  report.cycle = "out/base";
+  report.viewers = {"lidar", "camera"};
+  report.expense = {4500, 8.5, 33.25};
+  report.t_s = {0, 0.2, 0.4, 0.6};
+  report.figures = {
+      {"zone/around/seen_by_1", "", true, {0.5, 0.75, 0.25, 0.5}, {0.01, 0.02, 0.03, 0.02}},
+      {"zone/around/blind_m3", "m^3", false, {30, 15, 45, 30}, {1, 2, 3, 2}},
+      {"person/standing/detected_to_m_behind", "m", true, {4, 4, 5, 7}, {}},
+      {"dig/bucket/edge_seen", "", true, {0, 1, 0.125, 0.375}, {}}};
+  report.maps = {SampleMap()};
+  report.curves = {{"person/standing", "a standing person", 24, {1, 2, 3}, {0.5, 1, 2}}};
+  report.blind_causes = {{"around", {{"arm", 0.75}, {"out of view", 0.25}}}, {"behind", {}}};
+  report.overlaps = {{"around", {{"lidar + camera", 0.125}}}};
+  report.warnings = {"lidar is mounted inside of boom, 0.1 m deep"};
+  return report;
+}
+
+/// A name that HTML would take for markup, and as a page must write it.
+inline constexpr char kMarkup[] = "a<b>&\"c\"";
+inline constexpr char kEscapedMarkup[] = "a&lt;b&gt;&amp;&quot;c&quot;";
+
+/// Every tag that opens is closed, in order, with its quotes; nothing but entities begins with an
+/// ampersand. What HTML leaves empty needs no end.
+inline void ExpectWellFormed(const std::string& html) {
+  std::vector<std::string> open;
+  for (std::size_t i = 0; i < html.size(); ++i) {
+    if (html[i] == '&') {
+      const std::size_t end = html.find(';', i);
+      ASSERT_NE(end, html.npos);
+      ASSERT_LE(end - i, 7u) << html.substr(i, 30);
+    }
+    ASSERT_NE(html[i], '>') << "closes nothing: " << html.substr(i > 40 ? i - 40 : 0, 60);
+    if (html[i] != '<') continue;
+    std::string tag;
+    bool quoted = false;
+    for (++i; i < html.size() && (quoted || html[i] != '>'); ++i) {
+      if (html[i] == '"') quoted = !quoted;
+      ASSERT_FALSE(html[i] == '<') << "opens within a tag: " << tag;
+      tag += html[i];
+    }
+    ASSERT_LT(i, html.size()) << "never ends: " << tag.substr(0, 60);
+    if (tag.starts_with("!") || tag.ends_with("/")) continue;
+    const std::string name = tag.substr(0, tag.find_first_of(" \n"));
+    if (name == "meta" || name == "br" || name == "hr" || name == "img") continue;
+    if (name.starts_with("/")) {
+      ASSERT_FALSE(open.empty()) << tag;
+      ASSERT_EQ("/" + open.back(), name);
+      open.pop_back();
+      continue;
+    }
+    ASSERT_TRUE(!name.empty() && std::isalpha(static_cast<unsigned char>(name[0]))) << tag;
+    open.push_back(name);
+    if (name == "style" || name == "script") i = html.find("</" + name, i) - 1;
+  }
+  EXPECT_TRUE(open.empty()) << open.back();
+}
+
+/// Nothing is fetched from elsewhere, neither from a network nor from files beside the page.
+inline void ExpectSelfContained(const std::string& html) {
+  for (const char* link : {"http:", "https:", "src=", "href=", "url(", "@import", "<link"}) {
+    EXPECT_EQ(html.find(link), html.npos) << link;
+  }
+}
+
+}  // namespace tera

@@ -1,0 +1,191 @@
+#include "layout/report/write_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <sstream>
+
+#include "core/error.h"
+#include "dataset/format/png.h"
+#include "dataset/format/sample_recording.h"
+#include "layout/report/polar_drawing.h"
+#include "layout/report/report_json.h"
+#include "layout/report/sample_report.h"
+
+namespace tera {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+namespace fs = std::filesystem;
+
+std::vector<std::vector<std::string>> Rows(const fs::path& csv) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(ReadWholeFile(csv));
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream cells(line);
+    rows.emplace_back();
+    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
+  }
+  return rows;
+}
+
+class WrittenReport : public testing::Test {
+ protected:
+  const fs::path& path() const { return scratch_.path(); }
+
+  const ScratchDirectory scratch_;
+};
+
+TEST_F(WrittenReport, IsAPageAndItsTables) {
+  WriteReport(SampleReport(), path() / "front");
+  std::set<std::string> names;
+  for (const auto& [name, bytes] : AllFiles(path() / "front")) names.insert(name);
+  EXPECT_EQ(names, (std::set<std::string>{"blind.csv", "figures.csv", "layout.json",
+                                          "maps/seen_0.9_m.png", "moments.csv", "report.html"}));
+  EXPECT_EQ(ReadReport(path() / "front").name, "front");
+}
+
+TEST_F(WrittenReport, FiguresHaveTheirMeansWorstMomentsAndErrors) {
+  WriteReport(SampleReport(), path());
+  EXPECT_THAT(
+      Rows(path() / "figures.csv"),
+      ElementsAre(
+          ElementsAre("figure", "unit", "more_is_better", "mean", "worst", "sampling_error"),
+          ElementsAre("zone/around/seen_by_1", "", "1", "0.5", "0.25", "0.02"),
+          ElementsAre("zone/around/blind_m3", "m^3", "0", "30", "45", "2"),
+          ElementsAre("person/standing/detected_to_m_behind", "m", "1", "5", "4", testing::_),
+          ElementsAre("dig/bucket/edge_seen", "", "1", "0.375", "0", testing::_)));
+}
+
+TEST_F(WrittenReport, MomentsHaveAllFigures) {
+  WriteReport(SampleReport(), path());
+  EXPECT_THAT(
+      Rows(path() / "moments.csv"),
+      ElementsAre(ElementsAre("t_s", "zone/around/seen_by_1", "zone/around/blind_m3",
+                              "person/standing/detected_to_m_behind", "dig/bucket/edge_seen"),
+                  ElementsAre("0", "0.5", "30", "4", "0"),
+                  ElementsAre("0.2", "0.75", "15", "4", "1"),
+                  ElementsAre("0.4", "0.25", "45", "5", "0.125"),
+                  ElementsAre("0.6", "0.5", "30", "7", "0.375")));
+}
+
+TEST_F(WrittenReport, CausesOfEachZoneHaveTheirShares) {
+  WriteReport(SampleReport(), path());
+  EXPECT_THAT(
+      Rows(path() / "blind.csv"),
+      ElementsAre(ElementsAre("zone", "cause", "share"), ElementsAre("around", "arm", "0.75"),
+                  ElementsAre("around", "out of view", "0.25")));
+}
+
+TEST_F(WrittenReport, AFolderThatCannotBeMadeIsRefused) {
+  WriteWholeFile(path() / "file", "");
+  EXPECT_THROW(WriteReport(SampleReport(), path() / "file/front"), InputError);
+}
+
+TEST_F(WrittenReport, APageIsWellFormedAndAlone) {
+  const std::string html = ReportPage(SampleReport());
+  ExpectWellFormed(html);
+  ExpectSelfContained(html);
+  LayoutReport bare;
+  bare.t_s = {0};
+  ExpectWellFormed(ReportPage(bare));
+}
+
+TEST_F(WrittenReport, APageSaysTheAnswerFirst) {
+  const std::string html = ReportPage(SampleReport());
+  const std::size_t answer = html.find("50.0 %"), map = html.find("<svg");
+  ASSERT_NE(answer, html.npos);
+  EXPECT_LT(answer, map);
+  // The worst moment, people by it, and why.
+  EXPECT_THAT(html, HasSubstr("25.0 %"));
+  EXPECT_THAT(html, HasSubstr("up to 4 m"));
+  EXPECT_THAT(html, HasSubstr("arm 75 %"));
+  EXPECT_THAT(html, HasSubstr("inside of boom"));
+}
+
+TEST_F(WrittenReport, WhatLooksLikeMarkupIsText) {
+  LayoutReport report = SampleReport(kMarkup);
+  report.file = report.cycle = report.viewers[0] = report.warnings[0] = kMarkup;
+  report.maps[0].title = report.curves[0].title = kMarkup;
+  report.blind_causes[kMarkup][kMarkup] = report.blind_causes["around"][kMarkup] = 0.5;
+  report.overlaps[kMarkup][kMarkup] = 0.5;
+  for (const std::string name :
+       {std::string("zone/") + kMarkup + "/seen_by_2",
+        std::string("person/") + kMarkup + "/detected_to_m_left",
+        std::string("dig/") + kMarkup + "/load_seen", std::string("sky/") + kMarkup + "/hidden",
+        std::string("state/") + kMarkup + "/sigma_deg", std::string(kMarkup)}) {
+    report.figures.push_back({name, "m", true, {0, 0, 0, 0}, {}});
+  }
+  const std::string html = ReportPage(report);
+  ExpectWellFormed(html);
+  EXPECT_THAT(html, Not(HasSubstr("<b>")));
+  EXPECT_THAT(html, HasSubstr(kEscapedMarkup));
+}
+
+// Kinds of colours, so that a shade more or less is nothing.
+enum class Hue { kRed, kBlue, kGrey, kPaper };
+
+Hue HueAt(const Image<std::uint8_t>& rgb, int x_px, int y_px) {
+  const int r = rgb.at(x_px, y_px, 0), g = rgb.at(x_px, y_px, 1), b = rgb.at(x_px, y_px, 2);
+  if (r == 255 && g == 255 && b == 255) return Hue::kPaper;
+  if (r > b + 50) return Hue::kRed;
+  if (b > r + 50) return Hue::kBlue;
+  return Hue::kGrey;
+}
+
+TEST_F(WrittenReport, OfAMapAheadIsUpAndLeftIsLeft) {
+  LayoutReport report = SampleReport();
+  PolarMap& map = report.maps[0];
+  map = SampleMap(0);
+  const auto fill = [&](int sector, double value) {
+    for (int ring = 0; ring < map.rings; ++ring) map.value[sector * map.rings + ring] = value;
+  };
+  fill(0, 1);    // ahead
+  fill(18, -1);  // left: counterclockwise from above
+  WriteReport(report, path());
+  const Image<std::uint8_t> rgb = ReadRgbPng(path() / "maps/seen_0.9_m.png");
+  const int size_px = rgb.width_px, middle_px = size_px / 2, some_px = size_px / 4;
+  ASSERT_EQ(rgb.height_px, size_px);
+  ASSERT_GT(size_px, 100);
+  EXPECT_EQ(HueAt(rgb, middle_px, middle_px - some_px), Hue::kBlue);
+  EXPECT_EQ(HueAt(rgb, middle_px - some_px, middle_px), Hue::kGrey);
+  EXPECT_EQ(HueAt(rgb, middle_px, middle_px + some_px), Hue::kRed);
+  EXPECT_EQ(HueAt(rgb, middle_px + some_px, middle_px), Hue::kRed);
+  EXPECT_EQ(HueAt(rgb, 0, 0), Hue::kPaper);
+  EXPECT_EQ(HueAt(rgb, size_px - 1, 0), Hue::kPaper);
+  // A sector is 5 degrees wide about its direction.
+  EXPECT_EQ(HueAt(rgb, middle_px + some_px / 9, middle_px - some_px), Hue::kRed);
+}
+
+TEST_F(WrittenReport, OfAMapRingsLieInOrderFromTheMiddle) {
+  PolarMap map = SampleMap(0);
+  for (int sector = 0; sector < map.sectors; ++sector) {
+    for (int ring = 0; ring < 12; ++ring) map.value[sector * map.rings + ring] = 1;
+  }
+  const Image<std::uint8_t> rgb = DrawMap(map, 200);
+  // Along any direction as much of the disc's radius is blue as red, to a pixel each.
+  for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1)}) {
+    std::array<int, 4> count = {};
+    for (int r = 1; r < 100; ++r) {
+      ++count[static_cast<std::size_t>(HueAt(rgb, 100 + r * dx, 100 + r * dy))];
+    }
+    EXPECT_NEAR(count[std::size_t(Hue::kBlue)], count[std::size_t(Hue::kRed)], 2);
+    EXPECT_GT(count[std::size_t(Hue::kRed)], 30);
+    EXPECT_EQ(count[std::size_t(Hue::kGrey)], 0);
+  }
+}
+
+TEST(ColourOfAShare, GoesFromRedByWhiteToBlue) {
+  const auto low = ColourOf(0), middle = ColourOf(0.5), high = ColourOf(1);
+  EXPECT_GT(low[0], low[2] + 50);
+  EXPECT_GT(high[2], high[0] + 50);
+  EXPECT_GT(std::min({middle[0], middle[1], middle[2]}), 200);
+  EXPECT_EQ(ColourOf(-3), low);
+  EXPECT_EQ(ColourOf(7), high);
+}
+
+}  // namespace
+}  // namespace tera
