@@ -53,6 +53,7 @@ class LayoutCommand : public testing::Test {
 
   const fs::path& path() const { return scratch_.path(); }
   void Write(const std::string& name, const std::string& text) const {
+    fs::create_directories((path() / name).parent_path());
     WriteWholeFile(path() / name, text);
   }
   std::string Succeed(const Arguments& arguments) const {

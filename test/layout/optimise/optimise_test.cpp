@@ -259,6 +259,7 @@ TEST_F(Optimising, ADamagedStateIsNoneToGoOnWith) {
 
 TEST_F(Optimising, AFolderThatHoldsSomethingIsRefused) {
   const fs::path search = site_.TwoLidars();
+  fs::create_directories(site_.path() / "full");
   WriteWholeFile(site_.path() / "full/mine.txt", "keep me");
   for (const bool resume : {false, true}) {
     EXPECT_THAT([&] { Run(search, "full", resume); },

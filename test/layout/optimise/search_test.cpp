@@ -52,6 +52,7 @@ std::string Replaced(std::string text, const std::string& from, const std::strin
 class Search : public testing::Test {
  protected:
   Search() {
+    fs::create_directories(folder());
     WriteWholeFile(folder() / "study.yaml", "points: 100\n");
     WriteWholeFile(folder() / "keep.yaml", "sensors: []\n");
   }

@@ -64,6 +64,7 @@ class ReportFile : public testing::Test {
  protected:
   fs::path file() const { return scratch_.path() / "front/layout.json"; }
   LayoutReport Read(const std::string& text) const {
+    fs::create_directories(file().parent_path());
     WriteWholeFile(file(), text);
     return ReadReport(file());
   }

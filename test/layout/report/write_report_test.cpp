@@ -112,7 +112,7 @@ TEST_F(WrittenReport, WhatLooksLikeMarkupIsText) {
   report.maps[0].title = report.curves[0].title = kMarkup;
   report.blind_causes[kMarkup][kMarkup] = report.blind_causes["around"][kMarkup] = 0.5;
   report.overlaps[kMarkup][kMarkup] = 0.5;
-  for (const std::string name :
+  for (const std::string& name :
        {std::string("zone/") + kMarkup + "/seen_by_2",
         std::string("person/") + kMarkup + "/detected_to_m_left",
         std::string("dig/") + kMarkup + "/load_seen", std::string("sky/") + kMarkup + "/hidden",
