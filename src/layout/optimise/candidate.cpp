@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/units.h"
@@ -10,6 +11,11 @@ namespace tera {
 namespace {
 
 constexpr std::size_t kContinuous = 6, kWhole = 2;
+
+/// The whole number that a gene stands for.
+std::size_t NumberOf(double gene, std::size_t most) {
+  return std::min(static_cast<std::size_t>(std::lround(gene)), most);
+}
 
 /// What genes say of a slot.
 struct Chosen {
@@ -21,10 +27,10 @@ struct Chosen {
 Chosen ChosenOf(const LayoutSearch& search, const Genes& genes, std::size_t s) {
   const SensorSlot& slot = search.slots[s];
   const std::size_t whole = TypeGene(search, s);
-  const auto type = static_cast<std::size_t>(std::lround(genes[whole]));
+  const std::size_t type = NumberOf(genes[whole], slot.types.size());
   if (type == 0) return {};
   Chosen chosen{&slot.types[type - 1],
-                &slot.mounts[static_cast<std::size_t>(std::lround(genes[whole + 1]))]};
+                &slot.mounts[NumberOf(genes[whole + 1], slot.mounts.size() - 1)]};
   const double* share = &genes[FirstGene(s)];
   const Vec3 place(share[0], share[1], share[2]), turn(share[3], share[4], share[5]);
   const MountBounds& mount = *chosen.mount;
@@ -55,9 +61,13 @@ GeneBounds BoundsOf(const LayoutSearch& search) {
   bounds.low.assign(kContinuous * search.slots.size(), 0.0);
   bounds.high.assign(kContinuous * search.slots.size(), 1.0);
   for (const SensorSlot& slot : search.slots) {
-    bounds.low.insert(bounds.low.end(), {slot.optional ? 0.0 : 1.0, 0.0});
-    bounds.high.insert(bounds.high.end(), {static_cast<double>(slot.types.size()),
-                                           static_cast<double>(slot.mounts.size()) - 1});
+    const Genes low = {slot.optional ? 0.0 : 1.0, 0.0};
+    const Genes high = {static_cast<double>(slot.types.size()),
+                        static_cast<double>(slot.mounts.size()) - 1};
+    bounds.low.insert(bounds.low.end(), low.begin(), low.end());
+    for (std::size_t g = 0; g < kWhole; ++g) {
+      bounds.high.push_back(std::max(high[g], low[g] + 1));
+    }
   }
   bounds.whole = kWhole * search.slots.size();
   return bounds;

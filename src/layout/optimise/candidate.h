@@ -13,7 +13,9 @@ namespace tera {
 ///
 /// Model   of each slot six numbers from 0 to 1, its place and its roll, pitch and yaw within the
 ///         bounds of its mount; then, behind those of all slots, of each slot two whole numbers,
-///         its type (one more than its number; 0: it is not there) and its mount.
+///         its type (one more than its number; 0: it is not there) and its mount. One without a
+///         choice goes one higher, which stands for the same, since NSGA-II takes none that is
+///         fixed.
 using Genes = std::vector<double>;
 
 /// Lowest and highest of each gene.
