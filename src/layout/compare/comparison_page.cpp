@@ -176,8 +176,8 @@ std::string Table(const LayoutReport& first, const LayoutReport& other) {
         better  ? "better"
         : worse ? "worse"
                 : "same",
-        Escape(Describe(figure)), ValueText(figure, d.of_first), ValueText(figure, d.of_other),
-        VerdictText(d));
+        Escape(Describe(figure)), Escape(ValueText(figure, d.of_first)),
+        Escape(ValueText(figure, d.of_other)), Escape(VerdictText(d)));
   }
   return html + "</table></div>\n";
 }

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "core/units.h"
+#include "layout/report/words.h"
 
 namespace tera {
 namespace {
@@ -64,7 +65,7 @@ std::string Frame(double most, const std::string& unit) {
 
 std::string Opening(const std::string& title) {
   return fmt::format("<svg viewBox=\"0 0 {0} {0}\" role=\"img\" aria-label=\"{1}\">", 2 * kMiddle,
-                     title);
+                     Escape(title));
 }
 
 /// Cells of equal colour beside each other along a ring are one path.

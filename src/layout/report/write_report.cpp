@@ -103,8 +103,8 @@ std::string FigureTable(const LayoutReport& report) {
     html += fmt::format(
         "<tr><td>{}</td><td class=\"r\">{}</td><td class=\"r\">{}</td>"
         "<td class=\"r\">{}</td></tr>\n",
-        Escape(Describe(f)), ValueText(f, MeanOf(f)), ValueText(f, WorstOf(f)),
-        f.error.empty() ? "-" : ValueText(f, ErrorOf(f)));
+        Escape(Describe(f)), Escape(ValueText(f, MeanOf(f))), Escape(ValueText(f, WorstOf(f))),
+        f.error.empty() ? "-" : Escape(ValueText(f, ErrorOf(f))));
   }
   return html + "</table></div>\n";
 }
