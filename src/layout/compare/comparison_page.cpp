@@ -107,14 +107,16 @@ std::string Key(const std::vector<LayoutReport>& reports) {
   return html + "</p>\n";
 }
 
-/// The other's share less the first's, -1 to 1; nothing where either has none.
+/// The other's value less the first's, as a share of the map's scale; nothing where either has
+/// none.
 PolarMap DifferenceOf(const PolarMap& first, const PolarMap& other) {
   PolarMap map = other;
   map.low = 0;
   map.high = 2;  // so that no difference is in the middle of the colours, and nothing is negative
+  const double scale = first.high - first.low;
   for (std::size_t i = 0; i < map.value.size(); ++i) {
     const bool known = first.value[i] >= 0 && other.value[i] >= 0;
-    map.value[i] = known ? 1 + other.value[i] - first.value[i] : -1;
+    map.value[i] = known ? std::max(0.0, 1 + (other.value[i] - first.value[i]) / scale) : -1;
   }
   return map;
 }
