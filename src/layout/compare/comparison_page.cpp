@@ -27,6 +27,14 @@ constexpr std::array<const char*, 7> kMain = {"zone/around/seen_by_1",
                                               "dig/bucket/load_seen",
                                               "elevation/gaps"};
 
+/// A text as one cell, in quotes where it must be; those within are doubled.
+std::string CsvCell(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string cell = "\"";
+  for (const char c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
+  return cell + '"';
+}
+
 std::string Colour(std::size_t layout) { return kColours[layout % kColours.size()]; }
 
 Figure AsFigure(const Difference& d) { return {d.figure, d.unit, d.more_is_better, {}, {}}; }
@@ -206,9 +214,9 @@ std::string ComparisonCsv(const std::vector<LayoutReport>& reports) {
   for (std::size_t l = 1; l < reports.size(); ++l) {
     for (const Difference& d : Compare(reports.front(), reports[l])) {
       constexpr std::array<const char*, 3> kVerdicts = {"better", "worse", "undecided"};
-      csv += fmt::format("{},{},{},{},{:.9g},{:.9g},{:.9g},{:.9g},{}\n", reports[l].name,
-                         reports.front().name, d.figure, d.unit, d.of_other, d.of_first, d.low,
-                         d.high, kVerdicts[static_cast<std::size_t>(d.verdict())]);
+      csv += fmt::format("{},{},{},{},{:.9g},{:.9g},{:.9g},{:.9g},{}\n", CsvCell(reports[l].name),
+                         CsvCell(reports.front().name), d.figure, d.unit, d.of_other, d.of_first,
+                         d.low, d.high, kVerdicts[static_cast<std::size_t>(d.verdict())]);
     }
   }
   return csv;
