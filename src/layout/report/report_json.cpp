@@ -69,6 +69,7 @@ LayoutReport FromJson(const json& from) {
   const json& expense = from.at("expense");
   report.expense = {expense.at("cost"), expense.at("power_w"), expense.at("data_mbyteps")};
   from.at("t_s").get_to(report.t_s);
+  if (report.t_s.empty()) throw InputError("has no moments");
   for (const json& figure : from.at("figures")) report.figures.push_back(ReadFigure(figure));
   for (const json& map : from.at("maps")) report.maps.push_back(ReadMap(map));
   for (const json& curve : from.at("curves")) report.curves.push_back(ReadCurve(curve));
@@ -77,7 +78,7 @@ LayoutReport FromJson(const json& from) {
   from.at("warnings").get_to(report.warnings);
   for (const Figure& figure : report.figures) {
     if (figure.at.size() == report.t_s.size() &&
-        (figure.error.empty() || figure.error.size() == report.t_s.size()) && !report.t_s.empty()) {
+        (figure.error.empty() || figure.error.size() == report.t_s.size())) {
       continue;
     }
     throw InputError(fmt::format("figure '{}' has not one value for each moment", figure.name));
@@ -107,7 +108,8 @@ std::string ReportJson(const LayoutReport& report) {
   for (const Figure& figure : report.figures) out["figures"].push_back(FigureJson(figure));
   for (const PolarMap& map : report.maps) out["maps"].push_back(MapJson(map));
   for (const PolarCurve& curve : report.curves) out["curves"].push_back(CurveJson(curve));
-  return out.dump(kIndent) + "\n";
+  // Names of files may be in any encoding.
+  return out.dump(kIndent, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 LayoutReport ReadReport(const std::filesystem::path& file_or_folder) {
