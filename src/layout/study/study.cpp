@@ -2,6 +2,8 @@
 
 #include <set>
 
+#include "core/config/plain_name.h"
+
 namespace tera {
 namespace {
 
@@ -31,6 +33,7 @@ PersonStudy ReadPerson(const ConfigMap& config) {
   std::set<std::string> names;
   for (const ConfigMap& item : config.List("postures")) {
     person.postures.push_back({item.Text("name"), item.Vector3("size_m", Between(0.05, 5, "m"))});
+    RequirePlainName(item, "name", person.postures.back().name);
     if (!names.insert(person.postures.back().name).second) {
       item.Fault("name", "is taken by another posture; give each its own name");
     }

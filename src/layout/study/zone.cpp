@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/config/plain_name.h"
 #include "core/overloaded.h"
 #include "core/polygon.h"
 #include "core/random.h"
@@ -124,6 +125,7 @@ Eigen::Array3i CellsOf(const Vec3& extent_m, double wanted) {
 Zone ReadZone(const ConfigMap& config) {
   Zone zone;
   zone.name = config.Text("name");
+  RequirePlainName(config, "name", zone.name);
   zone.frame = config.Text("frame", zone.frame);
   zone.level = config.Boolean("level", zone.level);
   zone.X_FZ = config.PoseXyzRpy();
