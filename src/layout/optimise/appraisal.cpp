@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "core/error.h"
@@ -71,11 +72,16 @@ void Appraisal::RequirePlaces() const {
   }
 }
 
-void Appraisal::RequireFigures() const {
+void Appraisal::RequireFigures() {
   const LayoutMeasures measures(study_, scenario_, assembly_, Laid(BoundsOf(search_).high));
   std::vector<std::string> names = {"cost", "power_w", "data_mbyteps", "sensors"};
-  for (const Figure& figure : measures.Figures()) names.push_back(figure.name);
+  std::set<std::string> to_be_large;
+  for (const Figure& figure : measures.Figures()) {
+    names.push_back(figure.name);
+    if (figure.more_is_better) to_be_large.insert(figure.name);
+  }
   for (const Objective& objective : search_.objectives) {
+    signs_.push_back(to_be_large.contains(objective.figure) ? -1 : 1);
     if (std::find(names.begin(), names.end(), objective.figure) != names.end()) continue;
     throw InputError(fmt::format("objectives: no figure '{}'; need one of {}", objective.figure,
                                  fmt::join(names, ", ")));

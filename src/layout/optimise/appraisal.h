@@ -34,6 +34,8 @@ class Appraisal {
   Appraised Of(Layout layout) const;
   Layout Laid(const Genes& genes) const;
   const std::vector<SensorDescription>& kept() const { return kept_; }
+  /// Of each objective, -1 where it is its figure made negative, else 1.
+  const std::vector<double>& signs() const { return signs_; }
   const StudiedMachine& studied() const { return studied_; }
 
  private:
@@ -45,7 +47,7 @@ class Appraisal {
   };
   LayoutMeasures MeasuresOf(const Layout& layout) const;
   void RequirePlaces() const;
-  void RequireFigures() const;
+  void RequireFigures();
   void RequireWithinLimits() const;
   double Beyond(const Layout& layout) const;
 
@@ -56,6 +58,7 @@ class Appraisal {
   SceneAssembly assembly_;
   std::vector<SensorDescription> kept_;
   std::vector<std::string> wanted_;
+  std::vector<double> signs_;
   std::vector<Moment> moments_;
 };
 

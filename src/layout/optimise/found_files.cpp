@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/config/config.h"
 #include "dataset/files/checked_file.h"
@@ -35,7 +34,7 @@ std::string FrontCsv(const LayoutSearch& search, const OptimiseResult& result) {
   const auto row = [&](const std::string& rig, const FoundLayout& found) {
     csv += rig;
     for (const double objective : found.objectives) {
-      csv += fmt::format(",{:.9g}", ShownValue(objective));
+      csv += fmt::format(",{:.9g}", objective);
     }
     csv += "\n";
   };
@@ -59,10 +58,9 @@ std::string Scatter(const LayoutSearch& search, const OptimiseResult& result) {
   if (search.objectives.size() < 2) return "";
   std::vector<Vec2> points;
   for (const FoundLayout& f : result.front) {
-    points.emplace_back(ShownValue(f.objectives[0]), ShownValue(f.objectives[1]));
+    points.emplace_back(f.objectives[0], f.objectives[1]);
   }
-  points.emplace_back(ShownValue(result.greedy.objectives[0]),
-                      ShownValue(result.greedy.objectives[1]));
+  points.emplace_back(result.greedy.objectives[0], result.greedy.objectives[1]);
   Vec2 low = points.front(), high = points.front();
   for (const Vec2& p : points) {
     low = low.cwiseMin(p);
@@ -113,7 +111,7 @@ std::string SearchPage(const LayoutSearch& search, const OptimiseResult& result)
   const auto row = [&](const std::string& rig, const FoundLayout& found) {
     html += "<tr><td>" + rig + "</td>";
     for (const double objective : found.objectives) {
-      html += fmt::format("<td class=\"r\">{:.4g}</td>", ShownValue(objective));
+      html += fmt::format("<td class=\"r\">{:.4g}</td>", objective);
     }
     std::vector<std::string> names;
     for (const SensorDescription& sensor : SensorsOf(search, found.genes)) {
@@ -130,10 +128,21 @@ std::string SearchPage(const LayoutSearch& search, const OptimiseResult& result)
 
 }  // namespace
 
-double ShownValue(double objective) { return std::abs(objective); }
+std::vector<double> ShownValues(const std::vector<double>& objectives,
+                                const std::vector<double>& signs) {
+  std::vector<double> values;
+  // Zero has no sign.
+  for (std::size_t i = 0; i < signs.size(); ++i) values.push_back(signs[i] * objectives[i] + 0.0);
+  return values;
+}
 
-void WriteFound(const LayoutSearch& search, const OptimiseResult& result,
-                const std::vector<double>& hypervolume, const fs::path& folder) {
+void WriteFound(const LayoutSearch& search, const std::vector<double>& signs,
+                const OptimiseResult& found, const std::vector<double>& hypervolume,
+                const fs::path& folder) {
+  OptimiseResult result = found;  // with objectives as they are shown
+  for (FoundLayout& layout : result.front)
+    layout.objectives = ShownValues(layout.objectives, signs);
+  result.greedy.objectives = ShownValues(result.greedy.objectives, signs);
   MakeFolder(folder / "front");
   const std::string kept = KeptYaml(search);
   for (std::size_t i = 0; i < result.front.size(); ++i) {

@@ -8,13 +8,16 @@
 
 namespace tera {
 
+/// Objectives as their figures have them, not as they were made small; `signs` as Appraisal has
+/// them.
+std::vector<double> ShownValues(const std::vector<double>& objectives,
+                                const std::vector<double>& signs);
+
 /// Writes what a search found into `folder`: front/NN.yaml and greedy.yaml, rigs that `tera
 /// generate` takes as they are; front.csv, the objectives of each; hypervolume.csv, generation by
 /// generation; search.html. Throws InputError where a file cannot be written.
-void WriteFound(const LayoutSearch& search, const OptimiseResult& result,
-                const std::vector<double>& hypervolume, const std::filesystem::path& folder);
-
-/// An objective as its figure has it, not as it was made small.
-double ShownValue(double objective);
+void WriteFound(const LayoutSearch& search, const std::vector<double>& signs,
+                const OptimiseResult& result, const std::vector<double>& hypervolume,
+                const std::filesystem::path& folder);
 
 }  // namespace tera

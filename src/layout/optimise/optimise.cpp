@@ -207,7 +207,7 @@ OptimiseResult Optimise(const LayoutSearch& search, const std::string& search_te
     }
     result.greedy = {state.greedy, FitnessOf(appraisal.Of(state.greedy))};
     result.front = FrontOf(state, result.greedy);
-    WriteFound(search, result, state.hypervolume, folder);
+    WriteFound(search, appraisal.signs(), result, state.hypervolume, folder);
     fs::remove(folder / kStateName);
   }
   GiveName(folder, options.out);
