@@ -96,18 +96,19 @@ Layout LayoutOf(const LayoutSearch& search, const Genes& genes,
 }
 
 std::string RigYaml(const LayoutSearch& search, const Genes& genes, const std::string& kept_yaml) {
-  std::string yaml = kept_yaml.empty() ? "sensors:\n" : kept_yaml;
+  std::string placed;
   for (std::size_t s = 0; s < search.slots.size(); ++s) {
     const Chosen chosen = ChosenOf(search, genes, s);
     if (!chosen.type) continue;
-    yaml += fmt::format(
+    placed += fmt::format(
         "  - {{name: {}, preset: \"{}\", link: {}, xyz_m: {}, rpy_deg: {}, cost: {:.9g}, "
         "power_w: {:.9g}}}\n",
         search.slots[s].name, chosen.type->preset.string(), chosen.mount->link,
         Triple(chosen.p_B_m), Triple(chosen.rpy_rad / kDeg), chosen.type->sensor.cost,
         chosen.type->sensor.power_w);
   }
-  return yaml;
+  if (!kept_yaml.empty()) return kept_yaml + placed;
+  return placed.empty() ? "sensors: []\n" : "sensors:\n" + placed;
 }
 
 }  // namespace tera

@@ -13,12 +13,14 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// The rig that every layout has, with everything that it names in place; empty where there is
-/// none.
+/// The rig that every layout has, with everything that it names in place; empty where it is or
+/// there is none.
 std::string KeptYaml(const LayoutSearch& search) {
   if (search.keep.empty()) return "";
   const Config config = Config::FromFile(search.keep);
-  for (const ConfigMap& item : config.root().List("sensors")) ReadSensor(item);
+  const std::vector<ConfigMap> sensors = config.root().List("sensors");
+  if (sensors.empty()) return "";
+  for (const ConfigMap& item : sensors) ReadSensor(item);
   config.Finish();
   return config.ResolvedYaml();
 }

@@ -121,10 +121,10 @@ TEST(LayoutComparison, LessIsBetterWhereTheFigureSaysSo) {
 // series itself, and it is estimated from k values: a share P(|t| < 1.96 sqrt(1 - 1/k)) of trials,
 // t of k - 1 degrees of freedom, is undecided. Of two minutes in blocks of 2 s that is 94.3 %.
 TEST(LayoutComparison, NoiseIsUndecidedInNineteenOfTwentyTrials) {
-  constexpr int kTrials = 200;
+  constexpr int kTrials = 100;
   const int undecided = Undecided(kTrials, 600, 0, 2.0);
-  // Down to 3.5 standard deviations of a count; and that none of 200 is decided has a chance of
-  // 0.95^200 = 4e-5.
+  // Down to 3.5 standard deviations of a count; and that none of 100 is decided has a chance of
+  // 0.943^100 = 0.3 %.
   EXPECT_GE(undecided, 0.943 * kTrials - 3.5 * std::sqrt(kTrials * 0.943 * 0.057));
   EXPECT_LT(undecided, kTrials);
 }
@@ -134,7 +134,7 @@ TEST(LayoutComparison, NoiseIsUndecidedInNineteenOfTwentyTrials) {
 // single moments (1 - phi) / (1 + phi). For phi = exp(-0.4), a decay in 0.5 s, and b = 10 these are
 // 0.757 and 0.197: a normal value lies within 1.96 sqrt of them with a chance of 90.7 and 61.6 %.
 TEST(LayoutComparison, MomentsThatAreAlikeAreTakenInBlocks) {
-  constexpr int kTrials = 200;
+  constexpr int kTrials = 100;
   const double phi = std::exp(-0.4);
   EXPECT_GE(Undecided(kTrials, 600, phi, 2.0),
             0.9 * kTrials - 3.5 * std::sqrt(kTrials * 0.9 * 0.1));

@@ -180,6 +180,27 @@ TEST_F(Optimising, WhatIsOptionalIsLeftOutWhereItDoesNotPayAndNoOther) {
   EXPECT_EQ(least, 110);
 }
 
+TEST_F(Optimising, ALayoutWithoutAnySensorIsARigToo) {
+  WriteWholeFile(site_.path() / "keep.yaml", "sensors: []\n");
+  const fs::path search = site_.TwoLidars();
+  std::string text = ReadWholeFile(search);
+  text.replace(text.find("optional: false"), 15, "optional: true");
+  for (const bool keeps : {true, false}) {
+    if (!keeps) text.erase(text.find("keep: keep.yaml\n"), 16);
+    WriteWholeFile(search, text);
+    const std::string out = keeps ? "keeps" : "alone";
+    Run(search, out);
+    const Cycle cycle(site_.path() / "site.yaml", {});
+    std::size_t empty = 0;
+    for (const Row& row : RowsOf(site_.path() / out / "front.csv")) {
+      const auto machine = cycle.WithRig(0, site_.path() / out / row.rig).machines[0];
+      EXPECT_EQ(machine.sensors.empty(), row.values[1] == 0) << row.rig;
+      empty += machine.sensors.empty();
+    }
+    EXPECT_EQ(empty, 1u);
+  }
+}
+
 TEST_F(Optimising, MountsStayWithinTheirBounds) {
   Run(site_.TwoLidars(), "out");
   const Cycle cycle(site_.path() / "site.yaml", {});
