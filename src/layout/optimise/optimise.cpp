@@ -40,6 +40,12 @@ std::vector<double> FitnessOf(const Appraised& appraised) {
   return std::vector<double>(appraised.objectives.size(), kNotAllowed * (1 + appraised.beyond));
 }
 
+/// NSGA-II takes no single objective: such a one stands twice.
+std::vector<double> Several(std::vector<double> fitness) {
+  if (fitness.size() == 1) fitness.push_back(fitness.front());
+  return fitness;
+}
+
 bool IsAllowed(const std::vector<double>& fitness) { return fitness.front() < kNotAllowed; }
 
 /// The search as pagmo asks for it.
@@ -48,10 +54,10 @@ struct Problem {
   const Appraisal* appraisal = nullptr;
 
   pagmo::vector_double fitness(const pagmo::vector_double& genes) const {
-    return FitnessOf(appraisal->Of(genes));
+    return Several(FitnessOf(appraisal->Of(genes)));
   }
   pagmo::vector_double::size_type get_nobj() const {
-    return search ? search->objectives.size() : 1;
+    return search ? std::max<std::size_t>(2, search->objectives.size()) : 1;
   }
   std::pair<pagmo::vector_double, pagmo::vector_double> get_bounds() const {
     if (!search) return {{0}, {1}};
@@ -132,7 +138,7 @@ void Evolve(const LayoutSearch& search, const Appraisal& appraisal, SearchState*
   const pagmo::problem problem{Problem{&search, &appraisal}};
   pagmo::population population{problem, 0, seed};
   for (std::size_t i = 0; i < state->genes.size(); ++i) {
-    population.push_back(state->genes[i], state->fitness[i]);
+    population.push_back(state->genes[i], Several(state->fitness[i]));
   }
   const double mutation = 2.0 / static_cast<double>(state->genes.front().size());
   const pagmo::nsga2 step(1, kCrossover, kCrossoverIndex, std::min(mutation, 1.0), kMutationIndex,
@@ -140,6 +146,7 @@ void Evolve(const LayoutSearch& search, const Appraisal& appraisal, SearchState*
   population = step.evolve(std::move(population));
   state->genes = population.get_x();
   state->fitness = population.get_f();
+  for (std::vector<double>& f : state->fitness) f.resize(search.objectives.size());
   ++state->generation;
   state->hypervolume.push_back(HypervolumeOf(*state));
 }
