@@ -175,6 +175,20 @@ std::vector<FoundLayout> FrontOf(const SearchState& state, const FoundLayout& gr
   return front;
 }
 
+/// Of the files that decide what a search finds.
+std::string DigestOf(const LayoutSearch& search, const std::string& search_text) {
+  std::vector<fs::path> files = {search.study, search.keep};
+  files.push_back(fs::is_directory(search.cycle) ? search.cycle / "dataset.yaml" : search.cycle);
+  for (const SensorSlot& slot : search.slots) {
+    for (const TypeChoice& type : slot.types) files.push_back(type.preset);
+  }
+  std::string digests = Sha256Of(search_text);
+  for (const fs::path& file : files) {
+    digests += file.empty() ? "-" : Sha256Of(ReadWholeFile(file));
+  }
+  return Sha256Of(digests);
+}
+
 void RequireRoom(const fs::path& out, bool resume) {
   if (HoldsSomething(out)) {
     throw InputError(fmt::format("{}: is not an empty directory; choose another place or delete it",
@@ -197,7 +211,7 @@ OptimiseResult Optimise(const LayoutSearch& search, const std::string& search_te
   const Cycle cycle(search.cycle, {});
   const Appraisal appraisal(search, study, cycle, options.threads);
   const fs::path folder = IncompleteOf(options.out);
-  const std::string sha256 = Sha256Of(search_text);
+  const std::string sha256 = DigestOf(search, search_text);
   std::optional<SearchState> resumed = LoadState(folder / kStateName, sha256);
   SearchState state = resumed ? std::move(*resumed) : Begin(search, appraisal, sha256);
   MakeFolder(folder);

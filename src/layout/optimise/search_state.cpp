@@ -38,10 +38,11 @@ std::optional<SearchState> LoadState(const std::filesystem::path& file,
                                  error.what(), file.parent_path().string()));
   }
   if (state.search_sha256 != search_sha256 || state.genes.size() != state.fitness.size()) {
-    throw InputError(fmt::format(
-        "{}: is of another search; resume it with the file that it was begun with, or delete {} to "
-        "start afresh",
-        file.string(), file.parent_path().string()));
+    throw InputError(
+        fmt::format("{}: is of another search; resume it with the files that it was begun with as "
+                    "they were, or delete {} to "
+                    "start afresh",
+                    file.string(), file.parent_path().string()));
   }
   return state;
 }

@@ -11,7 +11,7 @@ namespace tera {
 
 /// All that a search knows after a generation: with it, it goes on to the same end.
 struct SearchState {
-  std::string search_sha256;  ///< of the text that it was begun with
+  std::string search_sha256;  ///< of the files that it was begun with
   int generation = 0;         ///< how many are done
   std::vector<Genes> genes;   ///< of the population
   std::vector<std::vector<double>> fitness;
