@@ -1,5 +1,6 @@
 #include "layout/optimise/search.h"
 
+#include <optional>
 #include <set>
 
 #include "core/config/config.h"
@@ -31,18 +32,30 @@ MountBounds ReadMount(const ConfigMap& config) {
   return mount;
 }
 
+/// By its type, since what sees nothing need not sit anywhere, and is not read with a place.
+bool IsOfWhatSees(const std::filesystem::path& preset) {
+  const Config config = Config::FromFile(preset);
+  const std::string type = config.root().Text("type", "");
+  return type == "lidar" || type == "camera";
+}
+
 /// A sensor of a preset, which needs a place to be read; the search gives it another.
 TypeChoice ReadType(const ConfigMap& config) {
   TypeChoice type;
   type.preset = config.File("preset");
+  const std::optional<double> cost = config.OptionalNumber("cost", AtLeast(0, "")),
+                              power_w = config.OptionalNumber("power_w", AtLeast(0, "W"));
+  if (type.preset.empty()) return type;  // File has said so
+  if (!IsOfWhatSees(type.preset)) {
+    config.Fault("preset", "is no sensor that sees; need a lidar or camera");
+    return type;
+  }
   Config sensor = Config::FromText(
       "{name: any, link: any, preset: \"" + type.preset.string() + "\"}", type.preset.string());
   type.sensor = ReadSensor(sensor.root());
   sensor.Finish();
-  type.sensor.cost = config.Number("cost", AtLeast(0, ""), type.sensor.cost);
-  type.sensor.power_w = config.Number("power_w", AtLeast(0, "W"), type.sensor.power_w);
-  if (!ViewOf(type.sensor))
-    config.Fault("preset", "is no sensor that sees; need a lidar or camera");
+  if (cost) type.sensor.cost = *cost;
+  if (power_w) type.sensor.power_w = *power_w;
   return type;
 }
 
