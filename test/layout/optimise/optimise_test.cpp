@@ -228,6 +228,10 @@ TEST_F(Optimising, HypervolumeIsKnownOfEveryGenerationAndTheFirstIsBeforeAny) {
 }
 
 TEST_F(Optimising, AFigureThatIsBelowZeroIsWrittenSo) {
+  // People at the mast alone, whom the lidar sees with hundreds of points: by 2 ln(sigma) + 1 +
+  // ln(2 pi) with a sigma of 0.001 their entropy is about -11.
+  const fs::path study = site_.path() / "study.yaml";
+  WriteWholeFile(study, ReadWholeFile(study) + "person: {farthest_m: 2}\n");
   fs::path search = site_.OneLidar();
   std::string text = ReadWholeFile(search);
   const std::string figure = "information/perception_entropy";
@@ -237,6 +241,7 @@ TEST_F(Optimising, AFigureThatIsBelowZeroIsWrittenSo) {
   Run(search, "out");
   for (const Row& row : RowsOf(site_.path() / "out/front.csv")) {
     const double value = MeanOf(*FindFigure(Evaluated(site_.path() / "out" / row.rig), figure));
+    ASSERT_LT(value, 0);
     EXPECT_NEAR(row.values[0], value, 1e-6 * std::abs(value)) << row.rig;
   }
 }
@@ -259,6 +264,25 @@ TEST_F(Optimising, AnotherSearchIsNoneToGoOnWith) {
   const fs::path other = site_.TwoLidars("seed: 2\n");
   EXPECT_THAT([&] { Run(other, "out", true); },
               ThrowsMessage<InputError>(AllOf(HasSubstr("out.incomplete"), HasSubstr("search"))));
+}
+
+TEST_F(Optimising, ASearchWhoseInputsChangedIsNoneToGoOnWith) {
+  const fs::path search = site_.TwoLidars();
+  EXPECT_THROW(Run(search, "out", false, 2), std::runtime_error);
+  for (const char* input : {"study.yaml", "keep.yaml", "site.yaml"}) {
+    const fs::path file = site_.path() / input;
+    const std::string before = ReadWholeFile(file);
+    std::string after = before;
+    const std::string from = input == std::string("site.yaml") ? "yaw_deg: 40" : "mast, xyz_m: [";
+    after.replace(after.find(from), from.size(),
+                  input == std::string("site.yaml") ? "yaw_deg: 41" : "mast, xyz_m: [0.00");
+    WriteWholeFile(file, after);
+    EXPECT_THAT([&] { Run(search, "out", true); },
+                ThrowsMessage<InputError>(HasSubstr("another search")))
+        << input;
+    WriteWholeFile(file, before);
+  }
+  EXPECT_NO_THROW(Run(search, "out", true));
 }
 
 TEST_F(Optimising, ADamagedStateIsNoneToGoOnWith) {
