@@ -66,6 +66,7 @@ const std::multimap<std::string, std::string> kFolderOfLibrary = {
     {"nlohmann/", "diagnose"},
     {"nlohmann/", "layout"},
     {"boost/math/", "diagnose"},
+    {"boost/math/", "layout"},
     {"ceres/", "diagnose"},
     {"unsupported/Eigen/", "diagnose"},
     {"openssl/", "dataset"},

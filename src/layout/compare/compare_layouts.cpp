@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 #include "core/check.h"
@@ -38,6 +39,15 @@ std::vector<double> BlockBootstrap(const std::vector<double>& series, std::size_
   return means;
 }
 
+/// By how much the interval of a mean over `blocks` blocks is wider than the spread of resampled
+/// means: those scatter by sqrt((k - 1) / k) too little, and k blocks tell their spread as
+/// Student's t has it.
+double WidthFactor(double blocks) {
+  if (blocks < 2) return 1;
+  const boost::math::students_t_distribution<> t(blocks - 1);
+  return boost::math::quantile(t, 1 - kTail) / kTwoSided95 * std::sqrt(blocks / (blocks - 1));
+}
+
 Difference DifferenceOf(const Figure& first, const Figure& other, std::size_t block) {
   Difference d{.figure = first.name,
                .unit = first.unit,
@@ -49,11 +59,17 @@ Difference DifferenceOf(const Figure& first, const Figure& other, std::size_t bl
   const std::vector<double> means = BlockBootstrap(series, block, first.name);
   const double mean = d.of_other - d.of_first;
   const auto tail = static_cast<std::size_t>(kTail * kResamples);
+  const double wider = WidthFactor(static_cast<double>(series.size()) / static_cast<double>(block));
   const double sampling = kTwoSided95 * std::hypot(ErrorOf(first), ErrorOf(other));
   // Layouts that do the same at every moment differ in nothing, whatever places were tried.
   const bool same = std::all_of(series.begin(), series.end(), [](double x) { return x == 0; });
-  d.low = same ? 0 : mean - std::hypot(mean - means[tail], sampling);
-  d.high = same ? 0 : mean + std::hypot(means[kResamples - 1 - tail] - mean, sampling);
+  if (same) return d;
+  d.low = mean - std::hypot(wider * (mean - means[tail]), sampling);
+  d.high = mean + std::hypot(wider * (means[kResamples - 1 - tail] - mean), sampling);
+  if (series.size() < 2 * block) {  // one block says nothing of how others would differ
+    d.low = std::min(d.low, 0.0);
+    d.high = std::max(d.high, 0.0);
+  }
   return d;
 }
 

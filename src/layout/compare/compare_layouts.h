@@ -22,8 +22,9 @@ struct Difference {
 /// What `other` does otherwise than `first` over the same moments, in each figure that both have.
 ///
 /// Model   the mean of the differences of single moments; its interval by a moving-block bootstrap
-///         over them, blocks of `block_s` because moments that follow each other are alike, widened
-///         by the sampling errors of both, which are taken as independent.
+///         over them, blocks of `block_s` because moments that follow each other are alike, as wide
+///         as so few blocks ask (Student's t), and widened by the sampling errors of both, which
+///         are taken as independent. Of less than two blocks it holds zero.
 /// Source  Kuensch 1989, "The jackknife and the bootstrap for general stationary observations",
 ///         Annals of Statistics 17(3).
 ///
