@@ -112,8 +112,7 @@ std::vector<LayoutReport> Evaluate(const Cycle& cycle, const LayoutStudy& study,
     const Places places = measures.front().PlacesOf(moment);
     for (std::size_t l = 0; l < layouts.size(); ++l) {
       MoveViewers(now.machines[studied.machine], &layouts[l]);
-      if (t_s.size() == 1) measures[l].CheckMounts(moment, layouts[l]);
-      if (options.strict && t_s.size() == 1) RequireMounts(layouts[l], measures[l]);
+      measures[l].CheckMounts(moment, layouts[l]);
       measures[l].Add(moment, places, layouts[l]);
       joints[l].Keep();
     }
@@ -123,6 +122,8 @@ std::vector<LayoutReport> Evaluate(const Cycle& cycle, const LayoutStudy& study,
   });
   std::vector<LayoutReport> reports;
   for (std::size_t l = 0; l < layouts.size(); ++l) {
+    if (options.strict) RequireMounts(layouts[l], measures[l]);
+    measures[l].RequirePlaces();
     LayoutReport report = ReportOf(layouts[l], cycle, t_s);
     measures[l].Report(&report);
     for (Figure& figure : joints[l].Figures()) report.figures.push_back(std::move(figure));

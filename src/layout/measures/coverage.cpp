@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace tera {
@@ -69,6 +70,10 @@ void ZoneCoverage::CountPairs(const std::vector<Look>& looks, const Layout& layo
       pair.both += looks[a].sees && looks[b].sees;
     }
   }
+}
+
+bool ZoneCoverage::HadPlaces() const {
+  return std::any_of(in_air_.begin(), in_air_.end(), [](std::size_t places) { return places > 0; });
 }
 
 std::vector<Figure> ZoneCoverage::Figures() const {

@@ -30,6 +30,8 @@ class ZoneCoverage {
   void Add(const std::vector<Vec3>& in_air_W_m, const Layout& layout, const SeenFrom& seen,
            const Sighting& sighting);
 
+  /// Whether any place lay in the air at any moment.
+  bool HadPlaces() const;
   /// "zone/NAME/seen_by_1" to 3, and "zone/NAME/blind_m3".
   std::vector<Figure> Figures() const;
   /// What keeps places from being seen: shares of the blind places of all moments, by the name of

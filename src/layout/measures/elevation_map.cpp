@@ -6,8 +6,8 @@
 namespace tera {
 namespace {
 
-constexpr double kLikely =
-    0.69314718055994531;  ///< points expected for an even chance of one: ln 2
+constexpr double kUnknown_m = 1;     ///< 1 sigma of a height that nobody measured
+constexpr double kLeast_m2 = 1e-12;  ///< variance of a point of a sensor without noise
 
 }  // namespace
 
@@ -24,7 +24,8 @@ std::vector<ElevationMap::Cell> ElevationMap::CellsOn(const TerrainSurface& grou
       const Vec2 xy_H_m = study_.low_H_m + share.cwiseProduct(size_m);
       Vec3 p_W_m = X_WH * Vec3(xy_H_m.x(), xy_H_m.y(), 0);
       p_W_m.z() = ground.HeightAt(p_W_m.x(), p_W_m.y());
-      cells.push_back({p_W_m, ground.NormalAt(p_W_m.x(), p_W_m.y())});
+      cells.push_back({p_W_m, ground.NormalAt(p_W_m.x(), p_W_m.y()),
+                       size_m.prod() / static_cast<double>(nx * ny)});
     }
   }
   return cells;
@@ -43,7 +44,7 @@ std::vector<ElevationMap::Expected> ElevationMap::ExpectedOf(const Viewer& viewe
     const double cosine = -cells[c].normal_W.dot(d_W), up = cells[c].normal_W.z();
     if (cosine <= 0 || range_m < field.min_range_m) continue;
     if (range_m > std::min(field.max_range_m, field.reach_m(reflectance * cosine))) continue;
-    const double area_m2 = study_.cell_m * study_.cell_m / up;
+    const double area_m2 = cells[c].area_m2 / up;
     const double points =
         field.per_steradian(p_S_m / range_m) * area_m2 * cosine / (range_m * range_m);
     if (points <= 0) continue;
@@ -67,7 +68,7 @@ void ElevationMap::Add(const Pose& X_WH, const Layout& layout, double reflectanc
       if (blocked[i]) continue;
       const auto& [c, points, sigma_m] = expected[i];
       cells[c].points += points;
-      if (sigma_m > 0) cells[c].weight_pm2 += points / (sigma_m * sigma_m);
+      cells[c].weight_pm2 += points / std::max(sigma_m * sigma_m, kLeast_m2);
     }
   }
   Count(cells);
@@ -75,16 +76,16 @@ void ElevationMap::Add(const Pose& X_WH, const Layout& layout, double reflectanc
 
 void ElevationMap::Count(const std::vector<Cell>& cells) {
   double gaps = 0, variance_m2 = 0;
-  std::size_t measured = 0;
   for (const Cell& cell : cells) {
-    gaps += std::exp(-cell.points);
-    if (cell.points < kLikely) continue;
-    ++measured;
-    if (cell.weight_pm2 > 0) variance_m2 += 1 / cell.weight_pm2;
+    const double gap = std::exp(-cell.points), unknown_m2 = kUnknown_m * kUnknown_m;
+    gaps += gap;
+    const double measured_m2 = 1 / (cell.weight_pm2 + 1 / unknown_m2);
+    variance_m2 += gap * unknown_m2 + (1 - gap) * measured_m2;
   }
   cells_ = cells.size();
-  gaps_.push_back(gaps / static_cast<double>(cells.size()));
-  sigma_m_.push_back(measured > 0 ? std::sqrt(variance_m2 / static_cast<double>(measured)) : 0);
+  const auto n = static_cast<double>(cells.size());
+  gaps_.push_back(gaps / n);
+  sigma_m_.push_back(std::sqrt(variance_m2 / n));
 }
 
 std::vector<Figure> ElevationMap::Figures() const {

@@ -25,13 +25,14 @@ class ElevationMap {
 
   void Add(const Pose& X_WH, const Layout& layout, double reflectance, const Sighting& sighting,
            const TerrainSurface& ground);
-  /// "elevation/gaps", a share of the cells, and "elevation/sigma_m", root mean square over the
-  /// cells that are more likely measured than not; 0 where there are none.
+  /// "elevation/gaps", a share of the cells, and "elevation/sigma_m", root mean square over all
+  /// cells, of which one without a point is known to 1 m.
   std::vector<Figure> Figures() const;
 
  private:
   struct Cell {
     Vec3 p_W_m, normal_W;
+    double area_m2;         ///< from above
     double points = 0;      ///< expected on it
     double weight_pm2 = 0;  ///< of the mean of their heights: the inverse of its variance
   };

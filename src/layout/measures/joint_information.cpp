@@ -318,7 +318,7 @@ void JointInformation::Keep() {
   std::vector<double> sigma;
   for (std::size_t m = 0; m < moving_.size(); ++m) {
     const Eigen::Index at = MotionCovariance::At(RootCoordinates() + m, kPosition);
-    sigma.push_back(std::sqrt(std::max(0.0, known_->VarianceAt(at))));
+    sigma.push_back(std::sqrt(known_->VarianceAt(at)));
   }
   sigma.push_back(std::sqrt(known_->VarianceOf(placed_.bottomRows<1>().transpose())));
   sigma.push_back(PairSigma());

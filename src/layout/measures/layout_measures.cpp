@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/error.h"
 #include "layout/sight/hull.h"
 
 namespace tera {
@@ -168,6 +169,16 @@ void LayoutMeasures::Add(const LookedAt& moment, const Places& places, const Lay
 
 void LayoutMeasures::CheckMounts(const LookedAt& moment, const Layout& layout) {
   mounts_.Add(studied_.machine, layout.viewers, moment.sighting);
+}
+
+void LayoutMeasures::RequirePlaces() const {
+  for (const ZoneCoverage& zone : zones_) {
+    if (zone.HadPlaces()) continue;
+    throw InputError(fmt::format(
+        "study: zone '{}': lies in the ground or in something solid at every moment; need a zone "
+        "with air in it",
+        zone.zone().name));
+  }
 }
 
 std::vector<Figure> LayoutMeasures::Figures() const {

@@ -57,6 +57,8 @@ class LayoutMeasures {
   void CheckMounts(const LookedAt& moment, const Layout& layout);
   std::vector<std::string> MountWarnings() const { return mounts_.Warnings(); }
 
+  /// Throws InputError where a zone had no place in the air at any moment.
+  void RequirePlaces() const;
   std::vector<Figure> Figures() const;
   /// Figures, maps, curves, causes, overlaps and warnings.
   void Report(LayoutReport* report) const;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -65,8 +66,9 @@ class MotionCovariance {
   void Learn(const Eigen::VectorXd& h, double variance);
 
   /// Variance of the number h^T x.
-  double VarianceOf(const Eigen::VectorXd& h) const { return h.dot(P_ * h); }
-  double VarianceAt(Eigen::Index i) const { return P_(i, i); }
+  // Rounding can leave a variance of nothing a little below it.
+  double VarianceOf(const Eigen::VectorXd& h) const { return std::max(0.0, h.dot(P_ * h)); }
+  double VarianceAt(Eigen::Index i) const { return std::max(0.0, P_(i, i)); }
 
  private:
   std::vector<RandomCoordinate> coordinates_;

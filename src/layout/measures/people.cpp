@@ -46,7 +46,8 @@ std::vector<bool> PersonRange::AreDetected(const std::vector<PersonPlace>& place
 
 void PersonRange::Add(const Pose& X_WH, const std::vector<double>& hull_m, const Layout& layout,
                       const Sighting& sighting, const TerrainSurface& ground) {
-  const std::vector<PersonPlace> places = PlacesAroundHull(X_WH, hull_m, Distances_m(), ground);
+  const std::vector<PersonPlace> places =
+      PlacesAroundHull(X_WH, hull_m, Distances_m(), sighting, ground);
   std::vector<bool> detected(places.size(), false);
   for (const Viewer& viewer : layout.viewers) {
     const std::vector<bool> by = AreDetected(places, viewer, sighting);

@@ -42,7 +42,7 @@ void PerceptionEntropy::Add(const Pose& X_WH, const std::vector<double>& hull_m,
   std::vector<double> distances_m;
   for (double d_m = kFirst_m; d_m <= person_.farthest_m; d_m += kStep_m) distances_m.push_back(d_m);
   std::vector<Pose> X_WP;
-  for (const PersonPlace& place : PlacesAroundHull(X_WH, hull_m, distances_m, ground)) {
+  for (const PersonPlace& place : PlacesAroundHull(X_WH, hull_m, distances_m, sighting, ground)) {
     X_WP.push_back(place.X_WP);
   }
   std::vector<std::vector<double>> sigmas(X_WP.size());

@@ -1,11 +1,13 @@
 #include "layout/measures/person_samples.h"
 
 #include "core/units.h"
+#include "layout/measures/polar_grid.h"
 
 namespace tera {
 namespace {
 
 constexpr int kPatchesUp = 4, kPatchesAcross = 2;
+constexpr double kMiddle_m = 0.9;  ///< of a person who stands, over the ground
 
 struct Sample {
   std::size_t person;
@@ -16,7 +18,7 @@ struct Sample {
 
 std::vector<PersonPlace> PlacesAroundHull(const Pose& X_WH, const std::vector<double>& hull_m,
                                           const std::vector<double>& distances_m,
-                                          const TerrainSurface& ground) {
+                                          const Sighting& sighting, const TerrainSurface& ground) {
   const int sectors = static_cast<int>(hull_m.size());
   std::vector<PersonPlace> places;
   for (int sector = 0; sector < sectors; ++sector) {
@@ -25,11 +27,21 @@ std::vector<PersonPlace> PlacesAroundHull(const Pose& X_WH, const std::vector<do
     for (std::size_t step = 0; step < distances_m.size(); ++step) {
       const double radius_m = hull_m[sector] + distances_m[step];
       Vec3 p_W_m = X_WH.translation() + radius_m * R_WP.col(0);
+      if (!IsOnSite(ground, p_W_m)) continue;
       p_W_m.z() = ground.HeightAt(p_W_m.x(), p_W_m.y());
       places.push_back({sector, static_cast<int>(step), MakePose(p_W_m, R_WP)});
     }
   }
-  return places;
+  std::vector<Vec3> middles_W_m;
+  for (const PersonPlace& place : places) {
+    middles_W_m.push_back(place.X_WP.translation() + Vec3(0, 0, kMiddle_m));
+  }
+  const std::vector<bool> inside = sighting.AreInside(middles_W_m);
+  std::vector<PersonPlace> free;
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    if (!inside[p]) free.push_back(places[p]);
+  }
+  return free;
 }
 
 std::vector<BodyPatch> PatchesOf(const Posture& posture) {

@@ -16,10 +16,11 @@ struct PersonPlace {
 };
 
 /// In each of the directions of `hull_m` (HullRadii_m), at each of the distances from there;
-/// directions one after the other.
+/// directions one after the other. Left out where she would stand in something solid, or beyond the
+/// site.
 std::vector<PersonPlace> PlacesAroundHull(const Pose& X_WH, const std::vector<double>& hull_m,
                                           const std::vector<double>& distances_m,
-                                          const TerrainSurface& ground);
+                                          const Sighting& sighting, const TerrainSurface& ground);
 
 /// A part of a person's surface that is tried as one, in P.
 struct BodyPatch {

@@ -9,12 +9,12 @@ namespace {
 
 constexpr double kSector_rad = 2 * kPi / PolarGrid::kSectors;
 
+}  // namespace
+
 bool IsOnSite(const TerrainGrid& grid, const Vec3& p_W_m) {
   return p_W_m.x() >= grid.x_m(0) && p_W_m.x() <= grid.x_m(grid.nx - 1) &&
          p_W_m.y() >= grid.y_m(0) && p_W_m.y() <= grid.y_m(grid.ny - 1);
 }
-
-}  // namespace
 
 double PolarGrid::Azimuth_rad(int sector) { return sector * kSector_rad; }
 

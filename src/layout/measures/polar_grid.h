@@ -27,6 +27,9 @@ struct PolarGrid {
   }
 };
 
+/// Whether a place has the site's ground below or above it.
+bool IsOnSite(const TerrainGrid& site, const Vec3& p_W_m);
+
 /// The middles of the cells, by PolarGrid::Index.
 struct PolarPlaces {
   std::vector<Vec3> p_W_m;

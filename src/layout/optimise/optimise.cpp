@@ -176,13 +176,18 @@ std::vector<FoundLayout> FrontOf(const SearchState& state, const FoundLayout& gr
 }
 
 /// Of the files that decide what a search finds.
-std::string DigestOf(const LayoutSearch& search, const std::string& search_text) {
+std::string DigestOf(const LayoutSearch& search, const std::string& search_text,
+                     const Cycle& cycle) {
+  std::error_code ignored;
   std::vector<fs::path> files = {search.study, search.keep};
-  files.push_back(fs::is_directory(search.cycle) ? search.cycle / "dataset.yaml" : search.cycle);
+  files.push_back(fs::is_directory(search.cycle, ignored) ? search.cycle / "dataset.yaml"
+                                                          : search.cycle);
   for (const SensorSlot& slot : search.slots) {
     for (const TypeChoice& type : slot.types) files.push_back(type.preset);
   }
-  std::string digests = Sha256Of(search_text);
+  std::string digests = Sha256Of(search_text) + Sha256Of(cycle.resolved_yaml());
+  for (const InputFile& input : cycle.scenario().inputs)
+    digests += tera::DigestOf(input.path).sha256;
   for (const fs::path& file : files) {
     digests += file.empty() ? "-" : Sha256Of(ReadWholeFile(file));
   }
@@ -211,7 +216,7 @@ OptimiseResult Optimise(const LayoutSearch& search, const std::string& search_te
   const Cycle cycle(search.cycle, {});
   const Appraisal appraisal(search, study, cycle, options.threads);
   const fs::path folder = IncompleteOf(options.out);
-  const std::string sha256 = DigestOf(search, search_text);
+  const std::string sha256 = DigestOf(search, search_text, cycle);
   std::optional<SearchState> resumed = LoadState(folder / kStateName, sha256);
   SearchState state = resumed ? std::move(*resumed) : Begin(search, appraisal, sha256);
   MakeFolder(folder);
@@ -229,9 +234,10 @@ OptimiseResult Optimise(const LayoutSearch& search, const std::string& search_te
     result.greedy = {state.greedy, FitnessOf(appraisal.Of(state.greedy))};
     result.front = FrontOf(state, result.greedy);
     WriteFound(search, appraisal.signs(), result, state.hypervolume, folder);
-    fs::remove(folder / kStateName);
   }
   GiveName(folder, options.out);
+  std::error_code ignored;
+  fs::remove(options.out / kStateName, ignored);
   return result;
 }
 

@@ -68,7 +68,7 @@ std::string MainCauses(const std::map<std::string, double>& causes) {
 std::string DescribePixels(const std::vector<std::string>& parts) {
   const std::string purpose = fmt::format("cameras that {} a person (IEC 62676-4): ", parts[1]);
   if (parts[2] == "share_to_12m") return purpose + "share of the area out to 12 m";
-  return purpose + "least distance, " + parts[2].substr(parts[2].rfind('_') + 1);
+  return purpose + "mean distance over the quarter " + parts[2].substr(parts[2].rfind('_') + 1);
 }
 
 std::string DescribeEye(const std::vector<std::string>& parts) {
@@ -81,7 +81,7 @@ std::string DescribeEye(const std::vector<std::string>& parts) {
 std::string DescribeInformation(const std::string& what) {
   if (what == "smig") return "information gain S-MIG, whatever is in the way";
   if (what == "smig_occluded") return "information gain S-MIG of what is in sight";
-  return "perception entropy of a standing person";
+  return "perception entropy of a person in the first posture";
 }
 
 std::string UnitText(std::string unit) {

@@ -22,9 +22,8 @@ struct BuriedMount {
 ///         closed surface, and in any union of such, they differ. A mount is inside a part where
 ///         they do in most of the directions, and deeper than 1 cm, so that what is mounted on a
 ///         surface is not inside.
-/// Omits   the sensor's own body: a mount in the air whose body cuts the machine is not found.
-/// Parts
-///         that are drawn as open surfaces are inside nothing. A cab is hollow.
+/// Omits   the sensor's own body: a mount in the air whose body cuts the machine is not found;
+///         parts that are drawn as open surfaces, which have no inside. A cab is hollow.
 class MountCheck {
  public:
   static constexpr double kLeastDepth_m = 0.01;

@@ -22,6 +22,8 @@ class Cycle {
 
   /// Of the dataset's folder or the scenario's file, as it was given.
   std::string name() const { return (is_dataset() ? dataset_ : scenario_file_).string(); }
+  /// The scenario's text, with everything that it names in place.
+  const std::string& resolved_yaml() const { return loaded_.resolved_yaml; }
   const Scenario& scenario() const { return loaded_.scenario; }
   /// The scenario with `file` as the rig of its machine number `machine`.
   Scenario WithRig(std::size_t machine, const std::filesystem::path& file) const;

@@ -41,7 +41,7 @@ PersonStudy ReadPerson(const ConfigMap& config) {
   if (person.postures.empty()) person.postures = CommonPostures();
   person.lidar_points = config.Number("lidar_points", Positive("points"), person.lidar_points);
   person.camera_px = config.Number("camera_px", Positive("px"), person.camera_px);
-  person.farthest_m = config.Number("farthest_m", Between(2, kFarthest_m, "m"), person.farthest_m);
+  person.farthest_m = config.Number("farthest_m", Between(12, kFarthest_m, "m"), person.farthest_m);
   return person;
 }
 

@@ -89,6 +89,8 @@ bool PackedSeries::Unpack(const Block& block, std::size_t rows, std::size_t* str
   if (*stream + kStreams > block.size() || block[*stream].size() != columns) return false;
   const std::string& degrees = block[*stream];
   const std::string* planes = &block[*stream + 1];
+  // A count that the text of a damaged block claims may be beyond all bounds.
+  if (columns > 0 && rows > planes[0].size() / columns) return false;
   for (std::size_t p = 0; p < sizeof(double); ++p) {
     if (planes[p].size() != rows * columns) return false;
   }

@@ -174,8 +174,9 @@ bool TerrainUnpacker::NextVertex(const TerrainSurface& known, std::int64_t* plac
   std::uint64_t step = 0;
   std::int64_t rest = 0;
   if (!Number(TerrainStream::kPlaces, &step)) return false;
-  *place += FromZigZag(step);
   const auto places = static_cast<std::int64_t>(known.nx) * known.ny;
+  if (step > static_cast<std::uint64_t>(2 * places)) return false;
+  *place += FromZigZag(step);
   if (*place < 0 || *place >= places) return false;
   TerrainChange::At at{
       static_cast<int>(*place % known.nx), static_cast<int>(*place / known.nx), {}};

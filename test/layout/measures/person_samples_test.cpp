@@ -40,7 +40,7 @@ TEST(PersonSamples, AreThoseOfTheSolidAngleThatSheFills) {
 TEST(PersonSamples, PlacesLieTheirDistanceFromTheMachinesSides) {
   const Yard yard(Nothing());
   const std::vector<double> hull_m = HullRadii_m(yard.X_WH(), 0, 36, yard.sighting());
-  const auto places = PlacesAroundHull(yard.X_WH(), hull_m, {1, 4}, yard.ground());
+  const auto places = PlacesAroundHull(yard.X_WH(), hull_m, {1, 4}, yard.sighting(), yard.ground());
   ASSERT_EQ(places.size(), 72u);
   // 40 deg to the right of ahead is where the base, 1.0 m long to the front, looks.
   const Vec3 p_Base_m = yard.X_WBase().inverse() * places[2 * 32 + 1].X_WP.translation();

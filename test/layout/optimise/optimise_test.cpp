@@ -231,7 +231,7 @@ TEST_F(Optimising, AFigureThatIsBelowZeroIsWrittenSo) {
   // People at the mast alone, whom the lidar sees with hundreds of points: by 2 ln(sigma) + 1 +
   // ln(2 pi) with a sigma of 0.001 their entropy is about -11.
   const fs::path study = site_.path() / "study.yaml";
-  WriteWholeFile(study, ReadWholeFile(study) + "person: {farthest_m: 2}\n");
+  WriteWholeFile(study, ReadWholeFile(study) + "person: {farthest_m: 12}\n");
   fs::path search = site_.OneLidar();
   std::string text = ReadWholeFile(search);
   const std::string figure = "information/perception_entropy";
