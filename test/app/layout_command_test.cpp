@@ -27,7 +27,7 @@ constexpr char kRig[] = R"(sensors:
 constexpr char kStudy[] = R"(points: 100
 rate_hz: 5
 map_heights_m: [0.9]
-person: {postures: [{name: standing, size_m: [0.3, 0.5, 1.75]}], farthest_m: 6}
+person: {postures: [{name: standing, size_m: [0.3, 0.5, 1.75]}], farthest_m: 12}
 zones: [{name: behind, frame: mast, xyz_m: [-4, 0, 1], box_m: [3, 3, 1]}]
 )";
 constexpr char kSearch[] = R"(cycle: base
