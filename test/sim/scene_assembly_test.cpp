@@ -1,10 +1,10 @@
 #include "sim/scene_assembly.h"
-#include "sim/simulation.h"
 
 #include <gtest/gtest.h>
 
 #include "core/config/config.h"
 #include "core/units.h"
+#include "sim/simulation.h"
 
 namespace tera {
 namespace {

@@ -1,8 +1,7 @@
-#include "layout/sight/sighting.h"
-
 #include <gtest/gtest.h>
 
 #include "layout/looked_at_site.h"
+#include "layout/sight/sighting.h"
 
 namespace tera {
 namespace {
