@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "core/error.h"
+#include "dataset/files/file_digest.h"
 #include "layout/measures/joint_information.h"
 #include "layout/measures/layout_measures.h"
 
@@ -125,6 +126,7 @@ std::vector<LayoutReport> Evaluate(const Cycle& cycle, const LayoutStudy& study,
     if (options.strict) RequireMounts(layouts[l], measures[l]);
     measures[l].RequirePlaces();
     LayoutReport report = ReportOf(layouts[l], cycle, t_s);
+    report.asked_sha256 = Sha256Of(study.resolved_yaml + cycle.resolved_yaml());
     measures[l].Report(&report);
     for (Figure& figure : joints[l].Figures()) report.figures.push_back(std::move(figure));
     for (std::string& line : joints[l].Warnings()) report.warnings.push_back(std::move(line));

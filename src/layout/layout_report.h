@@ -14,6 +14,8 @@ namespace tera {
 struct LayoutReport {
   std::string name, file;
   std::string cycle;  ///< the dataset or scenario that it was looked at over
+  /// SHA-256 of what was asked of what: the study and the cycle's scenario.
+  std::string asked_sha256;
   std::vector<std::string> viewers;
   Expense expense;
   std::vector<double> t_s;  ///< of the moments

@@ -93,8 +93,10 @@ LearnedEffect TabulatedCurve(const ProposedCurve& curve, const LearnedVariable& 
   for (Eigen::Index b = 0; b < curve.at.size(); ++b) {
     const double x = curve.at[b];
     const auto above = std::lower_bound(places.begin(), places.end(), x);
-    const bool is_inside = above != places.begin() && above != places.end();
-    const bool is_unseen = is_inside && *above - *(above - 1) > longest && *above != x;
+    const double from = above == places.begin() ? curve.at[0] : *(above - 1);
+    const double to = above == places.end() ? curve.at[curve.at.size() - 1] : *above;
+    const bool is_seen = above != places.end() && *above == x;
+    const bool is_unseen = to - from > longest && !is_seen;
     learned.at.push_back(x);
     const double value = is_unseen ? 0 : limit(curve.mean[b]);
     learned.value.push_back(value);

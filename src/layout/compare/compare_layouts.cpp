@@ -88,6 +88,12 @@ std::vector<Difference> Compare(const LayoutReport& first, const LayoutReport& o
         "both over one",
         first.name, other.name, first.cycle, other.cycle));
   }
+  if (first.asked_sha256 != other.asked_sha256) {
+    throw InputError(fmt::format(
+        "'{}' and '{}' were asked other things, or of another scenario; evaluate both with one "
+        "study over one cycle",
+        first.name, other.name));
+  }
   const std::size_t n = first.t_s.size();
   TERA_CHECK(n > 0);
   const double period_s =

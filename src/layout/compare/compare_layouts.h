@@ -28,7 +28,7 @@ struct Difference {
 /// Source  Kuensch 1989, "The jackknife and the bootstrap for general stationary observations",
 ///         Annals of Statistics 17(3).
 ///
-/// Throws InputError where they are not of the same cycle and the same moments.
+/// Throws InputError where they are not of the same cycle, the same moments and the same study.
 std::vector<Difference> Compare(const LayoutReport& first, const LayoutReport& other,
                                 double block_s = 2.0);
 

@@ -65,6 +65,7 @@ LayoutReport FromJson(const json& from) {
   report.name = from.at("name");
   report.file = from.at("rig");
   report.cycle = from.at("cycle");
+  report.asked_sha256 = from.at("asked_sha256");
   from.at("viewers").get_to(report.viewers);
   const json& expense = from.at("expense");
   report.expense = {expense.at("cost"), expense.at("power_w"), expense.at("data_mbyteps")};
@@ -93,6 +94,7 @@ std::string ReportJson(const LayoutReport& report) {
               {"name", report.name},
               {"rig", report.file},
               {"cycle", report.cycle},
+              {"asked_sha256", report.asked_sha256},
               {"viewers", report.viewers},
               {"expense",
                {{"cost", report.expense.cost},

@@ -124,8 +124,9 @@ LayoutStudy ReadStudy(const ConfigMap& config) {
 
 LayoutStudy LoadStudy(const std::filesystem::path& file) {
   const Config config = file.empty() ? Config::FromText("{}", "study") : Config::FromFile(file);
-  const LayoutStudy study = ReadStudy(config.root());
+  LayoutStudy study = ReadStudy(config.root());
   config.Finish();
+  study.resolved_yaml = config.ResolvedYaml();
   return study;
 }
 

@@ -79,6 +79,7 @@ struct LayoutStudy {
   ElevationStudy elevation;
   std::optional<EyeStudy> eye;
   InformationStudy information;
+  std::string resolved_yaml;  ///< all of it, defaults included; empty where it was not read
 };
 
 /// Reads a study; `file` empty: the defaults. Throws InputError.

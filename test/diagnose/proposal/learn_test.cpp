@@ -159,6 +159,17 @@ TEST(Tabulated, IsZeroWhereNothingWasSeen) {
   EXPECT_THAT(ladder.value, Each(0.5));
 }
 
+// Seen from 4 to 6 of 10 alone: what lies farther out than a quarter of the range is made up.
+TEST(Tabulated, IsZeroAtEndsThatNothingWasSeenOf) {
+  ProposedCurve curve;
+  curve.at = Eigen::VectorXd::LinSpaced(11, 0, 10);
+  curve.mean = curve.low = curve.high = Eigen::VectorXd::Ones(11);
+  const LearnedEffect effect = TabulatedCurve(curve, kTemperature, {4, 5, 6});
+  for (std::size_t k = 0; k < 11; ++k) {
+    EXPECT_EQ(effect.value[k], k >= 4 && k <= 6 ? 1 : 0) << k;
+  }
+}
+
 TEST(Tabulated, OfAFormulaOfTwoVariablesIsNone) {
   const Odd odd(24, [](double, double) { return 0.0; });
   const Channel& channel = odd.block.channels[0];

@@ -172,6 +172,13 @@ TEST(LayoutComparison, IsTheSameEveryTime) {
   EXPECT_EQ(one.high, again.high);
 }
 
+TEST(LayoutComparison, OtherQuestionsAreRefused) {
+  const LayoutReport a = ReportOf("a", {Zeros(4)});
+  LayoutReport b = ReportOf("b", {Zeros(4)});
+  b.asked_sha256 = "another study";
+  EXPECT_THROW(Compare(a, b), InputError);
+}
+
 TEST(LayoutComparison, OneMomentDecidesNothing) {
   const Difference d = Compare(ReportOf("a", {Zeros(1)}, 0.1), ReportOf("b", {{1.0}}, 0.1)).front();
   EXPECT_EQ(d.verdict(), Verdict::kUndecided);

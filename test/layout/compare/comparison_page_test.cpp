@@ -50,6 +50,7 @@ TEST(PageOfAComparison, HasNothingButWhatBothHave) {
   LayoutReport bare;
   bare.name = "bare";
   bare.cycle = SampleReport().cycle;
+  bare.asked_sha256 = SampleReport().asked_sha256;
   bare.t_s = SampleReport().t_s;
   ExpectWellFormed(ComparisonPage({SampleReport(), bare}));
   ExpectWellFormed(ComparisonPage({bare, SampleReport()}));

@@ -20,6 +20,7 @@ void ExpectSame(const LayoutReport& a, const LayoutReport& b) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.file, b.file);
   EXPECT_EQ(a.cycle, b.cycle);
+  EXPECT_EQ(a.asked_sha256, b.asked_sha256);
   EXPECT_EQ(a.viewers, b.viewers);
   EXPECT_EQ(a.expense.cost, b.expense.cost);
   EXPECT_EQ(a.expense.power_w, b.expense.power_w);

@@ -27,6 +27,7 @@ inline LayoutReport SampleReport(const std::string& name = "front") {
   report.name = name;
   report.file = "rigs/" + name + ".yaml";
   report.cycle = "out/base";
+  report.asked_sha256 = "0123456789abcdef";
   report.viewers = {"lidar", "camera"};
   report.expense = {4500, 8.5, 33.25};
   report.t_s = {0, 0.2, 0.4, 0.6};
