@@ -11,7 +11,9 @@ void AddDiagnoseCommand(CLI::App* app) {
   CLI::App* command = app->add_subcommand(
       "diagnose", "Say why a recording differs from the scenario that should reproduce it");
   AddScenarioOptions(command, &arguments->scenario);
-  command->add_option("RECORDING", arguments->recording, "Dataset, simulated or imported")
+  command
+      ->add_option("RECORDING", arguments->recordings,
+                   "Dataset, simulated or imported; of several, what they share")
       ->required();
   command->add_option("--out", arguments->out, "Folder to write, which must not exist")->required();
   command

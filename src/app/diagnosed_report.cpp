@@ -7,21 +7,25 @@
 
 #include "app/progress/diagnose_progress.h"
 #include "core/error.h"
+#include "diagnose/report/files/recordings_report.h"
 #include "diagnose/report/files/write_report.h"
 #include "diagnose/report/text/sentence.h"
+#include "diagnose/report/text/shared_cause_text.h"
 #include "diagnose/report/text/summary.h"
 
 namespace tera {
 namespace {
 
-/// That none of the further recordings is the one that is searched.
+/// That none of the further recordings is one that is searched.
 void RequireOthers(const DiagnoseArguments& arguments) {
   for (const std::filesystem::path& further : arguments.task.held_out) {
-    std::error_code none;
-    if (!std::filesystem::equivalent(further, arguments.recording, none)) continue;
-    throw InputError(fmt::format(
-        "--held-out {}: is the recording that is searched; need one that nothing is fitted to",
-        further.string()));
+    for (const std::filesystem::path& searched : arguments.recordings) {
+      std::error_code none;
+      if (!std::filesystem::equivalent(further, searched, none)) continue;
+      throw InputError(fmt::format(
+          "--held-out {}: is the recording that is searched; need one that nothing is fitted to",
+          further.string()));
+    }
   }
 }
 
@@ -32,6 +36,41 @@ void Print(const Diagnosis& diagnosis) {
   for (const std::string& sentence : SentencesOf(diagnosis)) fmt::print("{}\n", sentence);
 }
 
+void PrintPages(const std::vector<std::filesystem::path>& pages) {
+  for (const std::filesystem::path& page : pages) fmt::print("report: {}\n", page.string());
+}
+
+void ReportOne(const Scenario& scenario, const DiagnoseArguments& arguments, StageClock* clock) {
+  const Recording recording(arguments.recordings.front());
+  ReportFolder report(arguments.out);  // one that cannot be written is not worth a search
+  DiagnoseProgress bar(clock);
+  const std::vector<Diagnosis> diagnoses = DiagnoseRecording(
+      scenario, recording, arguments.task,
+      [&](const BlockProgress& progress) { bar.Show(progress); }, clock);
+  for (const Diagnosis& diagnosis : diagnoses) Print(diagnosis);
+  PrintPages(report.Write(diagnoses, recording));
+}
+
+void PrintTogether(const std::vector<DiagnosedRecording>& recordings) {
+  for (std::size_t m = 0; m < recordings.front().machines.size(); ++m) {
+    const std::vector<SharedCause> causes = SharedCausesOf(OfMachine(recordings, m));
+    fmt::print("{}: {}\n", recordings.front().machines[m].scenario,
+               AnswerText(causes, recordings.size()));
+    for (const SharedCause& cause : causes) fmt::print("{}\n", SentenceOf(cause));
+  }
+}
+
+void ReportSeveral(const Scenario& scenario, const DiagnoseArguments& arguments,
+                   StageClock* clock) {
+  WholeFolder whole(arguments.out);
+  DiagnoseProgress bar(clock);
+  const std::vector<DiagnosedRecording> recordings = DiagnoseRecordings(
+      scenario, arguments.recordings, arguments.task,
+      [&](const BlockProgress& progress) { bar.Show(progress); }, clock);
+  PrintTogether(recordings);
+  PrintPages(WriteRecordingsReport(arguments.out, recordings, &whole));
+}
+
 }  // namespace
 
 void ReportDiagnosis(DiagnoseArguments arguments) {
@@ -39,17 +78,8 @@ void ReportDiagnosis(DiagnoseArguments arguments) {
   RequireNewFolder(arguments.out);
   RequireOthers(arguments);
   const Scenario scenario = Load(arguments.scenario).scenario;
-  const Recording recording(arguments.recording);
   if (arguments.library) arguments.task.library = ReadCandidateLibrary(*arguments.library);
-  ReportFolder report(arguments.out);  // one that cannot be written is not worth a search
-  DiagnoseProgress bar(&clock);
-  const std::vector<Diagnosis> diagnoses = DiagnoseRecording(
-      scenario, recording, arguments.task,
-      [&](const BlockProgress& progress) { bar.Show(progress); }, &clock);
-  for (const Diagnosis& diagnosis : diagnoses) Print(diagnosis);
-  for (const std::filesystem::path& page : report.Write(diagnoses, recording)) {
-    fmt::print("report: {}\n", page.string());
-  }
+  (arguments.recordings.size() == 1 ? ReportOne : ReportSeveral)(scenario, arguments, &clock);
   if (arguments.profile) fmt::print("{}", clock.Table());
 }
 

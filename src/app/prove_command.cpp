@@ -39,7 +39,7 @@ void RunProve(Arguments* arguments) {
                             const std::filesystem::path& recording,
                             const std::filesystem::path& out) {
     ReportDiagnosis({.scenario = {.scenario = scenario.string()},
-                     .recording = recording,
+                     .recordings = {recording},
                      .out = out,
                      .task = {.simulate = false, .threads = arguments->threads}});
   };

@@ -59,6 +59,56 @@ TEST_F(DiagnoseOptions, AFurtherRecordingIsJudgedWithWhatTheFirstOneShowed) {
   EXPECT_THAT(out_, HasSubstr("On same, which nothing was fitted to: RMSE of boom rate"));
 }
 
+// Of the first two the valve lets nothing through up to 0.1; the third is as the scenario.
+TEST_F(DiagnoseOptions, SeveralRecordingsSayWhatTheyShareAndWhereTheyDiffer) {
+  WriteHandMade(scratch_.path() / "same", {.valve = DeadTo0_1, .seed = 2});
+  WriteHandMade(scratch_.path() / "other", {.seed = 3});
+  const Outcome outcome =
+      RunTera({"diagnose", "boom.yaml", "real", "same", "other", "--no-simulation", "--out", "why"},
+              {scratch_.path()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::ifstream file(scratch_.path() / "why" / "recordings.json");
+  const auto json = nlohmann::json::parse(file);
+  ASSERT_EQ(json["causes"].size(), 1u);
+  const auto& cause = json["causes"][0];
+  EXPECT_EQ(cause["mechanism"], "dead_band");
+  EXPECT_NEAR(cause["parameters"]["width"]["value"].get<double>(), 0.1, 0.01);
+  EXPECT_EQ(cause["recordings"][0]["answer"], "named");
+  EXPECT_EQ(cause["recordings"][1]["answer"], "named");
+  EXPECT_EQ(cause["recordings"][2]["answer"], "absent");
+  EXPECT_EQ(cause["shared"], false);
+  EXPECT_THAT(outcome.out, HasSubstr("Boom: dead band in recordings 1 and 2"));
+  EXPECT_THAT(outcome.out, HasSubstr("Recording 3: not there"));
+  for (const char* one : {"recording_1", "recording_2", "recording_3"}) {
+    std::ifstream report(scratch_.path() / "why" / one / "diagnosis.json");
+    EXPECT_EQ(nlohmann::json::parse(report)["held_out_recordings"].size(), 2u) << one;
+  }
+}
+
+// What two share is an overlay that the scenario takes.
+TEST_F(DiagnoseOptions, WhatSeveralRecordingsShareLoads) {
+  WriteHandMade(scratch_.path() / "same", {.valve = DeadTo0_1, .seed = 2});
+  const Outcome outcome =
+      RunTera({"diagnose", "boom.yaml", "real", "same", "--no-simulation", "--out", "why"},
+              {scratch_.path()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::ifstream file(scratch_.path() / "why" / "effects.yaml");
+  const std::string overlay(std::istreambuf_iterator<char>(file), {});
+  EXPECT_THAT(overlay, HasSubstr("dead_band: {width: 0."));
+  EXPECT_EQ(
+      RunTera({"check", "boom.yaml", "--effects", "why/effects.yaml"}, {scratch_.path()}).status,
+      0);
+}
+
+TEST_F(DiagnoseOptions, ARecordingThatIsNamedTwiceIsRefused) {
+  const Outcome outcome =
+      RunTera({"diagnose", "boom.yaml", "real", "real", "--out", "why"}, {scratch_.path()});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("real: is named twice"));
+  EXPECT_FALSE(std::filesystem::exists(scratch_.path() / "why"));
+  EXPECT_FALSE(std::filesystem::exists(scratch_.path() / "why.incomplete"));
+}
+
 TEST_F(DiagnoseOptions, AFurtherRecordingMayBeNamedBeforeTheScenario) {
   WriteHandMade(scratch_.path() / "same", {.valve = DeadTo0_1, .seed = 2});
   const Outcome outcome = RunTera({"diagnose", "--held-out", "same", "boom.yaml", "real",

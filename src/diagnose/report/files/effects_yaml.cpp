@@ -167,9 +167,9 @@ std::string NotLearnedText(const Diagnosis& diagnosis) {
   return text;
 }
 
-std::vector<TargetLines> LinesOf(const Diagnosis& diagnosis) {
+std::vector<TargetLines> LinesOf(const std::vector<const Finding*>& findings) {
   std::vector<TargetLines> targets;
-  for (const Finding* finding : EffectsFound(diagnosis)) {
+  for (const Finding* finding : findings) {
     const Candidate& candidate = *finding->term.candidate;
     TargetLines* at = LinesOf(candidate.target, &targets);
     const std::string_view id = candidate.mechanism->id;
@@ -178,17 +178,20 @@ std::vector<TargetLines> LinesOf(const Diagnosis& diagnosis) {
     at->mechanisms.push_back(id);
     at->lines.push_back(MechanismLine(*finding));
   }
+  return targets;
+}
+
+void AddLearned(const Diagnosis& diagnosis, std::vector<TargetLines>* targets) {
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     for (const Proposal& proposal : diagnosed.proposals) {
       if (!proposal.learned) continue;
       const std::string& unit = diagnosed.block.channels[proposal.channel].unit;
-      TargetLines* at = LinesOf(diagnosed.block.name, &targets);
+      TargetLines* at = LinesOf(diagnosed.block.name, targets);
       for (std::string& line : LearnedLines(*proposal.learned, unit)) {
         at->lines.push_back(std::move(line));
       }
     }
   }
-  return targets;
 }
 
 std::string OnOneLine(std::string text) {
@@ -197,20 +200,29 @@ std::string OnOneLine(std::string text) {
   return text;
 }
 
-}  // namespace
-
-std::string EffectsYaml(const Diagnosis& diagnosis, const std::string& recording) {
-  std::string text = fmt::format("# What the recording {} shows of {} beyond its simulation.\n",
-                                 OnOneLine(recording), OnOneLine(diagnosis.scenario));
-  text += NotLearnedText(diagnosis);
-  const std::vector<TargetLines> targets = LinesOf(diagnosis);
-  if (targets.empty()) return text + "effects: {}\n";
-  text += fmt::format("effects:\n  {}:\n", Key(diagnosis.scenario));
+std::string OverlayOf(const std::string& scenario, const std::vector<TargetLines>& targets) {
+  if (targets.empty()) return "effects: {}\n";
+  std::string text = fmt::format("effects:\n  {}:\n", Key(scenario));
   for (const TargetLines& target : targets) {
     text += fmt::format("    {}:\n", Key(target.target));
     for (const std::string& line : target.lines) text += fmt::format("      {}\n", line);
   }
   return text;
+}
+
+}  // namespace
+
+std::string EffectsYaml(const Diagnosis& diagnosis, const std::string& recording) {
+  std::vector<TargetLines> targets = LinesOf(EffectsFound(diagnosis));
+  AddLearned(diagnosis, &targets);
+  return fmt::format("# What the recording {} shows of {} beyond its simulation.\n",
+                     OnOneLine(recording), OnOneLine(diagnosis.scenario)) +
+         NotLearnedText(diagnosis) + OverlayOf(diagnosis.scenario, targets);
+}
+
+std::string EffectsYaml(const std::string& scenario, const std::vector<const Finding*>& findings,
+                        const std::string& heading) {
+  return fmt::format("# {}\n", OnOneLine(heading)) + OverlayOf(scenario, LinesOf(findings));
 }
 
 }  // namespace tera

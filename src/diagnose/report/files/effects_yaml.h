@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "diagnose/diagnosis.h"
 
@@ -16,5 +17,10 @@ namespace tera {
 ///         one mechanism on one target the one that ranks first stands. Without findings the
 ///         mapping is empty.
 std::string EffectsYaml(const Diagnosis& diagnosis, const std::string& recording);
+
+/// The same of some findings of a machine of the scenario alone, the first of one mechanism on one
+/// target; `heading` is a comment.
+std::string EffectsYaml(const std::string& scenario, const std::vector<const Finding*>& findings,
+                        const std::string& heading);
 
 }  // namespace tera

@@ -14,6 +14,7 @@
 #include "diagnose/report/text/ranking.h"
 #include "diagnose/report/text/sensor_text.h"
 #include "diagnose/report/text/wording.h"
+#include "diagnose/tolerances/within_tolerance.h"
 
 namespace tera {
 namespace {
@@ -210,9 +211,11 @@ std::string SentenceOfUnconfirmed(const DiagnosedBlock& diagnosed, const Finding
 }
 
 std::string SentenceOfExpected(const DiagnosedBlock& diagnosed, const Finding& finding) {
-  return fmt::format("{}: {}, which is within tolerance.",
-                     ChannelText(diagnosed, finding.location.channel),
-                     MechanismText(diagnosed, finding));
+  return fmt::format("{}: {}, which {}.", ChannelText(diagnosed, finding.location.channel),
+                     MechanismText(diagnosed, finding),
+                     IsOfPracticalSize(finding)
+                         ? "is within tolerance"
+                         : "changes less than a factor within its tolerance does");
 }
 
 std::string SentenceOfProxy(const DiagnosedBlock& diagnosed, const Finding& finding) {

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "diagnose/diagnose_recording.h"
+
+namespace tera {
+
+/// One of several recordings, with the diagnosis of each machine of the scenario.
+struct DiagnosedRecording {
+  std::filesystem::path directory;
+  std::vector<Diagnosis> machines;
+};
+
+/// Diagnoses several recordings of a scenario's machines, one after the other, each by itself and
+/// with all others held out to judge what was found in it. Throws InputError where one cannot be
+/// read or is named twice, before any search.
+std::vector<DiagnosedRecording> DiagnoseRecordings(
+    const Scenario& scenario, const std::vector<std::filesystem::path>& recordings,
+    const DiagnosisTask& task, const FollowProgress& progress, StageClock* clock);
+
+/// The diagnoses of one machine, in the order of the recordings.
+std::vector<const Diagnosis*> OfMachine(const std::vector<DiagnosedRecording>& recordings,
+                                        std::size_t machine);
+
+}  // namespace tera

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnose/recordings/shared_causes.h"
+
+namespace tera {
+
+/// The text of recordings.json: the recordings and each cause, with what every recording says of it
+/// and its numbers over all of them.
+std::string RecordingsJson(const std::vector<std::string>& recordings,
+                           const std::vector<SharedCause>& causes);
+
+}  // namespace tera

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnose/recordings/shared_causes.h"
+
+// What several recordings of one machine say together, in words.
+
+namespace tera {
+
+/// "Boom: dead band", with those that fit all recordings as well: "Boom: dead band or valve curve".
+std::string HeadingOf(const SharedCause& cause);
+
+/// "0.121 ± 0.005" for each number that one recording holds, or why it holds none: "not there",
+/// "within tolerance: 0.01 ± 0.004".
+std::string CellOf(const SharedCause& cause, const CauseInRecording& one);
+
+/// "Boom: dead band in recordings 1 and 3, width 0.121 ± 0.003. Recording 2 does not have it, and
+/// would show one of this size."
+std::string SentenceOf(const SharedCause& cause);
+
+/// "3 recordings: 2 causes that they share, 1 that differs from one to another."
+std::string AnswerText(const std::vector<SharedCause>& causes, std::size_t recordings);
+
+}  // namespace tera
