@@ -10,6 +10,7 @@
 #include "diagnose/encoder_lead.h"
 #include "diagnose/proposal/propose.h"
 #include "diagnose/search/fit/excluded_samples.h"
+#include "diagnose/sensors/estimated_poses.h"
 #include "diagnose/tolerances/within_tolerance.h"
 
 namespace tera {
@@ -158,7 +159,8 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
       DiagnoseSensors(input, measured, SensorOptionsOf(asked, options), clock), input.machine);
   options.blocks.needs_any =
       options.blocks.needs_any && diagnosis.sensors.estimate.channels.empty();
-  const Measurements left = WithoutExplained(input, diagnosis.sensors.estimate, measured);
+  Measurements left = WithoutExplained(input, diagnosis.sensors.estimate, measured);
+  if (left.poses.empty()) left.estimated_poses = EstimatedPoses(diagnosis.sensors.estimate);
   std::vector<ReplayBlock> blocks = BlocksOf(input, left, options.blocks, &diagnosis.not_compared);
   RemoveEstimated(input, diagnosis.sensors.estimate, &blocks);
   diagnosis.missing_input = MissingInputOf(input, left, options.blocks);
@@ -174,7 +176,7 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
   const std::optional<SimulatedCourse> course = clock->Time(
       "simulation as it is", [&] { return SimulateAsItIs(input, measured, asked.simulate); });
   diagnosis.discrepancy_corrections =
-      course ? CorrectDiscrepancies(ReplayDiscrepanciesOf(input, measured, options.blocks, *course),
+      course ? CorrectDiscrepancies(ReplayDiscrepanciesOf(input, left, options.blocks, *course),
                                     options.seed, options.search.threads, &blocks)
              : UncorrectedChannels(input, blocks);
   diagnosis.excluded_samples = ExcludeLaggingSamples(&blocks);

@@ -30,7 +30,9 @@ struct Measurements {
   std::vector<NamedEncoders> encoders;
   std::vector<TruthPose> poses;
   bool poses_were_measured = false;  ///< not simulated
-  TableRecording efforts;            ///< of drives
+  /// Where there are none, poses of the base by all sensors, for its own replay alone.
+  std::vector<TruthPose> estimated_poses = {};
+  TableRecording efforts;  ///< of drives
   /// One list for each of the scenario's sensors; empty where it is no inertial unit, or was not
   /// recorded.
   std::vector<std::vector<ImuSample>> imus;

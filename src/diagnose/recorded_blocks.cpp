@@ -131,29 +131,34 @@ void AddEfforts(const DiagnosisInput& input, const Measurements& measured,
   }
 }
 
+/// The poses against which the base is replayed.
+const std::vector<TruthPose>& BasePoses(const Measurements& measured) {
+  return measured.poses.empty() ? measured.estimated_poses : measured.poses;
+}
+
 bool HasBase(const DiagnosisInput& input, const Measurements& measured) {
   const auto& gears = input.model->ground_tools.gears;
   const bool all = std::all_of(gears.begin(), gears.end(), [&](const RunningGear& gear) {
     return Measures(measured.encoders, gear.name);
   });
-  return !gears.empty() && all && !measured.poses.empty();
+  return !gears.empty() && all && !BasePoses(measured).empty();
 }
 
 /// The times at which poses were measured, where they are stamped as they arrive.
 std::optional<PoseTimes> ArrivalsOf(const Measurements& measured) {
-  if (!measured.poses_were_measured) return std::nullopt;
+  if (!measured.poses_were_measured || measured.poses.empty()) return std::nullopt;
   return TimesOfArrivals(measured.poses);
 }
 
-/// Adds the block of the base, where all gears have encoders and there are poses.
+/// Adds the block of the base, where all gears have encoders and its motion is known.
 void AddBase(const DiagnosisInput& input, const Measurements& measured, const BlockOptions& options,
              std::vector<ReplayBlock>* blocks) {
   if (!HasBase(input, measured)) return;
   // The gears' encoders bound the time.
-  const BaseLog log = MakeBaseLog(*input.model, measured.encoders, measured.poses,
+  const BaseLog log = MakeBaseLog(*input.model, measured.encoders, BasePoses(measured),
                                   options.base_interval_s, ArrivalsOf(measured));
-  if (auto block =
-          MakeBaseBlock(*input.model, log, input.machine + "/base", measured.poses_were_measured)) {
+  if (auto block = MakeBaseBlock(*input.model, log, input.machine + "/base",
+                                 measured.poses_were_measured && !measured.poses.empty())) {
     blocks->push_back(std::move(*block));
   }
 }
@@ -181,8 +186,9 @@ void AddMotionDiscrepancy(const DiagnosisInput& input, const Measurements& measu
   const auto log_of = [&](const auto& encoders, const auto& poses) {
     return MakeBaseLog(*input.model, encoders, poses, options.base_interval_s);
   };
-  auto left = MotionDiscrepancy(*input.model, log_of(measured.encoders, measured.poses),
-                                log_of(simulated, AsSimulated(course, measured.poses)));
+  const std::vector<TruthPose>& poses = BasePoses(measured);
+  auto left = MotionDiscrepancy(*input.model, log_of(measured.encoders, poses),
+                                log_of(simulated, AsSimulated(course, poses)));
   if (!left.empty()) out->push_back({input.machine + "/base/forward_mps", std::move(left)});
 }
 

@@ -19,10 +19,10 @@ struct BlockOptions {
 };
 
 /// All blocks for which the recording has channels: joints and gears with encoders and levers,
-/// drives with efforts and encoders, the base with gears and poses, inertial units and receivers
-/// whose link's motion was measured, over 20 s at least. Throws InputError where there is none at
-/// all, unless `needs_any` is false. `not_compared` receives what was measured and makes no block,
-/// with the reason.
+/// drives with efforts and encoders, the base with gears and poses, recorded or estimated, inertial
+/// units and receivers whose link's motion was measured, over 20 s at least. Throws InputError
+/// where there is none at all, unless `needs_any` is false. `not_compared` receives what was
+/// measured and makes no block, with the reason.
 std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Measurements& measured,
                                   const BlockOptions& options,
                                   std::vector<std::string>* not_compared = nullptr);

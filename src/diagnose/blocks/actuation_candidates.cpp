@@ -6,6 +6,7 @@
 
 #include "diagnose/blocks/beats.h"
 #include "diagnose/blocks/candidate_list.h"
+#include "diagnose/tolerances/default_tolerances.h"
 #include "physics/actuation/actuation.h"
 #include "physics/actuation/actuation_mechanisms.h"
 
@@ -148,7 +149,11 @@ void AddGainAndLoad(const Reach& reach, CandidateList* out) {
   // move the axis.
   const double w = reach.slower_rate_radps;
   out->Add("drive_friction",
-           {{0, 0.01 * w, 0.25 * w, true},
+           {{.index = 0,
+             .lower = 0.01 * w,
+             .upper = 0.25 * w,
+             .logarithmic = true,
+             .expected = Expected{0, kFrictionTolerance * reach.full_rate_radps}},
             {1, 0, 0.5},
             {.index = 2, .lower = 1, .upper = 2.5, .refines = true}},
            {{0.03 * w, 0.02, 1, 0.02},

@@ -11,6 +11,7 @@
 #include "diagnose/replay/base_replay.h"
 #include "physics/dynamics/joint_inertia.h"
 #include "physics/traction/ground_mechanisms.h"
+#include "physics/traction/turning_centre.h"
 
 namespace tera {
 namespace {
@@ -28,7 +29,9 @@ constexpr double kLeastTurning_radps = 0.02;  ///< a slower machine stands or go
 /// Largest speed of a side from which on a machine counts as driven.
 constexpr double kLeastDriven_mps = 0.1;
 
-std::vector<Candidate> CandidatesOf(const Effects& present) {
+std::vector<Candidate> CandidatesOf(const MachineModel& model) {
+  const Effects& present = model.effects.base;
+  const Expected centre{0, TurningCentreReach_m(model)};
   CandidateList out("base", EffectTarget::kBase, present, GroundMechanisms());
   out.Add("track_scale", {{0, 0.7, 1.3}}, {{0.97}, {1.03}, {0.9}, {1.1}});
   out.Add("track_asymmetry", {{0, -0.3, 0.3}}, {{0.02}, {-0.02}, {0.08}, {-0.08}});
@@ -37,7 +40,10 @@ std::vector<Candidate> CandidatesOf(const Effects& present) {
   out.Add("slope_slip", {{0, -0.2, 0.5}, {1, -2, 2}}, {{0, 0.2}, {0, 0.6}, {0.1, 0.5}});
   out.Add("side_slip", {{0, -2, 2}}, {{0.1}, {0.4}, {-0.2}});
   out.Add("effective_gauge", {{0, 0.7, 4, true}}, {{1.1}, {1.4}, {1.8}, {0.9}});
-  out.Add("icr_shift", {{0, -1.5, 1.5}, {1, -1, 1}}, {{0.1, 0}, {-0.1, 0}, {0.4, 0}, {0, 0.2}});
+  out.Add("icr_shift",
+          {{.index = 0, .lower = -1.5, .upper = 1.5, .expected = centre},
+           {.index = 1, .lower = -1, .upper = 1, .expected = centre}},
+          {{0.1, 0}, {-0.1, 0}, {0.4, 0}, {0, 0.2}});
   return out.Take();
 }
 
@@ -170,6 +176,15 @@ std::vector<bool> LaggingTurns(const MachineModel& model, const BaseLog& log,
   return is_lagging;
 }
 
+/// Change of the speed of the middle of the contact, to either side or forward, where the machine
+/// turns about a point a standard deviation from there, with the turning that was measured.
+Eigen::VectorXd MovedByTurning(const MachineModel& model, const std::vector<PlanarTwist>& measured,
+                               const SampleGrid& grid) {
+  const std::vector<double> yaw = grid.Spread(PartOf(measured, &PlanarTwist::yaw_radps));
+  return 0.5 * TurningCentreReach_m(model) *
+         Eigen::Map<const Eigen::VectorXd>(yaw.data(), static_cast<Eigen::Index>(yaw.size()));
+}
+
 double YawInertiaAtFirst_kgm2(const MachineModel& model) {
   std::vector<double> q_rad;
   for (const Joint& joint : model.joints) q_rad.push_back(joint.initial_rad);
@@ -205,8 +220,11 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
                               FlexibleRegressor(course, grid),
                               nominal});
   };
-  add("/forward_mps", "m/s", &PlanarTwist::forward_mps, HeldBack(model, log, grid, {firm, loose}));
-  add("/left_mps", "m/s", &PlanarTwist::left_mps, {});
+  const Eigen::VectorXd moved = MovedByTurning(model, measured, grid);
+  Eigen::MatrixXd forward(moved.size(), 3);
+  forward << HeldBack(model, log, grid, {firm, loose}), moved;
+  add("/forward_mps", "m/s", &PlanarTwist::forward_mps, forward);
+  add("/left_mps", "m/s", &PlanarTwist::left_mps, moved);
   // Turning has no such columns: with them the arrival stamps of a real recording were not found.
   add("/yaw_radps", "rad/s", &PlanarTwist::yaw_radps, {});
   // Where stamps may be those of arrivals, such samples show when the poses were measured, and
@@ -214,7 +232,7 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
   if (!log.may_be_arrivals)
     block.channels.back().is_lagging = LaggingTurns(model, log, grid, loose);
   block.commands = {CommandOf(course.left_mps, grid), CommandOf(course.right_mps, grid)};
-  block.candidates = CandidatesOf(model.effects.base);
+  block.candidates = CandidatesOf(model);
   if (poses_were_measured) block.candidates.push_back(PoseLatencyCandidate());
   if (log.may_be_arrivals) block.candidates.push_back(ArrivalStampsCandidate());
   block.replay = WholeReplay([model, log, grid](const Structure& terms) {

@@ -12,6 +12,8 @@ namespace tera {
 ///
 /// Model   the grid has the median length of the log's intervals. Flexible regressor: both sides'
 ///         speeds, their magnitudes, and both times the slopes, at lags up to half a second.
+///         Nominal numbers: how far from the middle of its tracks the machine turns
+///         (turning_centre.h).
 /// Omits   forces on tools; friction that depends on the place.
 ///
 /// `name` stands before the channels' names: "excavator1/base". Poses that were measured may come

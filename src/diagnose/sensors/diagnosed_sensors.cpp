@@ -6,12 +6,12 @@
 
 #include "core/check.h"
 #include "diagnose/blocks/measured_poses.h"
+#include "diagnose/tolerances/within_tolerance.h"
 #include "sensors/sensor_mechanisms.h"
 
 namespace tera {
 namespace {
 
-constexpr double kLeastOfTolerance = 0.5;  ///< of a channel: one standard deviation of it
 /// RMS over what successive residuals differ by, from which on error is left.
 constexpr double kMostOfDifferences = 2;
 /// RMS over the motion of a unit below which no axis of it is exchanged or reversed, which errs by
@@ -65,17 +65,16 @@ double ExcessRemoved(const ChannelError& channel) {
 /// Whether a finding takes as much error from some channel as an error that stays as it is would
 /// have within a standard deviation of what is as expected. That of a unit or receiver shows in its
 /// own channels, that of an encoder or of poses in any.
-bool IsOfPracticalSize(const SensorFinding& found, const SensorDiagnosis& estimate,
-                       const std::string& machine) {
+bool ShowsEnough(const SensorFinding& found, const SensorDiagnosis& estimate,
+                 const std::string& machine) {
   const std::string folder = machine + "/" + found.target + "/";
   const auto is_own = [&](const ChannelError& one) { return one.name.starts_with(folder); };
   const auto& channels = estimate.channels;
   const bool has_own =
       found.target != kPoses && std::any_of(channels.begin(), channels.end(), is_own);
   return std::any_of(channels.begin(), channels.end(), [&](const ChannelError& one) {
-    const double taken = std::pow(one.rms_before, 2) - std::pow(one.rms_after, 2);
-    return (!has_own || is_own(one)) && taken > 0 &&
-           std::sqrt(taken) >= kLeastOfTolerance * one.tolerance;
+    return (!has_own || is_own(one)) &&
+           IsOfPracticalSize(one.rms_before, one.rms_after, one.tolerance);
   });
 }
 
@@ -148,7 +147,7 @@ DiagnosedSensors DiagnosedOf(SensorDiagnosis estimate, const std::string& machin
   const double left = out.estimate.left_to_gain;
   for (const SensorFinding& found : out.estimate.findings) {
     const bool is_cause = found.gain >= kLeastExcessOfCause * (found.gain + left) &&
-                          IsOfPracticalSize(found, out.estimate, machine);
+                          ShowsEnough(found, out.estimate, machine);
     (is_cause ? out.findings : out.unconfirmed).push_back(teller.Tell(found));
   }
   for (const SensorFinding& found : out.estimate.within_tolerance) {

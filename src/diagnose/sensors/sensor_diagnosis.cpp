@@ -156,6 +156,8 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
   const std::size_t places = motion.receivers.size() + motion.poses.size();
   const bool is_alone = motion.imus.empty() && motion.axes.empty() && places < 2;
   if ((motion.imus.empty() && motion.receivers.empty()) || is_alone) return diagnosis;
+  diagnosis.knows_base =
+      motion.receivers.size() >= 2 || (!motion.receivers.empty() && !motion.imus.empty());
   for (const ParameterGroup& group : problem.table.groups) {
     diagnosis.estimated.push_back(NameOf(group));
   }

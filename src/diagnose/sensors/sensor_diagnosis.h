@@ -67,6 +67,8 @@ struct SensorDiagnosis {
   std::vector<ChannelError> channels;
   std::vector<std::string> joints;
   std::vector<EstimatedMotion> motion;  ///< in the order of time
+  /// Whether receivers and inertial units tell the base's place and heading.
+  bool knows_base = false;
   std::vector<std::string> not_compared;
   int iterations = 0;
 };

@@ -5,12 +5,10 @@ namespace {
 
 constexpr double kStampedLate_s = 0.04;  ///< all delays from a lever to a stamp together
 constexpr double kRate = 0.06;           ///< a joint's rate at full lever, either way, at any angle
-constexpr double kBand = 0.02;           ///< dead band and dry friction, of full lever
+constexpr double kBand = 0.02;           ///< dead band, of full lever
 constexpr double kExponent = 0.085;      ///< changes the rate at half lever by kRate
-constexpr double kDryFriction_radps = 0.01;  ///< kBand of a joint that turns at 0.5 rad/s
 constexpr double kTravel = 0.02, kTracksDiffer = 0.005, kGauge = 0.05;
-constexpr double kCentreOfMass_m = 0.05;  ///< estimate: where the mass of a machine's links is
-constexpr double kPerSlope = 0.05;        ///< estimate: half a degree of slope is not known better
+constexpr double kPerSlope = 0.05;  ///< estimate: half a degree of slope is not known better
 constexpr double kEncoderZero_deg = 0.17, kEncoderZero_rad = 0.003;
 constexpr double kEncoderScale = 0.01;  ///< estimate: linkages between a sensor and its joint
 constexpr double kGyroBias_degps = 0.115, kAccelBias_mps2 = 0.04;
@@ -32,7 +30,6 @@ constexpr DefaultTolerance kTable[] = {
     {"rate_gain", "gain", 1, kRate},
     {"flow_sharing", "capacity", 1, kRate},
     {"backlash", "gap_rad", 0, kEncoderZero_rad},
-    {"drive_friction", "lost_radps", 0, kDryFriction_radps},
     {"track_scale", "scale", 1, kTravel},
     {"track_asymmetry", "difference", 0, kTracksDiffer},
     {"track_slip", "slip", 0, kTravel},
@@ -40,8 +37,6 @@ constexpr DefaultTolerance kTable[] = {
     {"slope_slip", "slip_per_slope", 0, kPerSlope},
     {"side_slip", "drift_per_slope", 0, kPerSlope},
     {"effective_gauge", "ratio", 1, kGauge},
-    {"icr_shift", "forward_m", 0, kCentreOfMass_m},
-    {"icr_shift", "left_m", 0, kCentreOfMass_m},
     {"mount_rotation", "roll_deg", 0, kMount_deg},
     {"mount_rotation", "pitch_deg", 0, kMount_deg},
     {"mount_rotation", "yaw_deg", 0, kMount_deg},

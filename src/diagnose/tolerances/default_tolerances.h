@@ -13,6 +13,9 @@ struct DefaultTolerance {
   std::string_view target = {};  ///< the only one that it is of; of all where it is empty
 };
 
+/// Dry friction of a drive, in shares of its rate at full lever: the tolerance of what it loses.
+inline constexpr double kFrictionTolerance = 0.02;
+
 /// The defaults, by kind of sensor and slot. A number that is not among them is expected nowhere
 /// but where the scenario has it.
 ///

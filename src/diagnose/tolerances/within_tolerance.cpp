@@ -12,14 +12,18 @@ namespace {
 /// Standard deviations that leave 5 % of a normal distribution on one side.
 constexpr double kOneSided95 = 1.645;
 
-/// What is as expected of a candidate's parameter; none where nothing is stated.
+/// A half width is two standard deviations.
+constexpr double kLeastOfTolerance = 0.5;
+
+/// What is as expected of a candidate's number; none where nothing is stated.
 std::optional<Expected> ExpectedOf(const Tolerances& stated, const Candidate& candidate,
-                                   std::size_t parameter) {
+                                   const FreeParameter& free) {
+  const std::size_t parameter = free.index;
   const std::string_view id = candidate.mechanism->id;
   const std::string_view name = candidate.mechanism->parameters[parameter].name;
-  std::optional<Expected> expected;
+  std::optional<Expected> expected = free.expected;
   if (const DefaultTolerance* known = DefaultToleranceOf(candidate.target, id, name)) {
-    expected = {known->neutral, known->half_width};
+    expected = {known->neutral, known->half_width, known->neutral};
   }
   for (const Tolerance& one : stated) {
     const bool is_this = one.target == candidate.target && one.mechanism->id == id &&
@@ -38,13 +42,25 @@ void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks)
   for (ReplayBlock& block : *blocks) {
     for (Candidate& candidate : block.candidates) {
       for (FreeParameter& free : candidate.free) {
-        free.expected = ExpectedOf(stated, candidate, free.index);
+        free.expected = ExpectedOf(stated, candidate, free);
       }
     }
   }
 }
 
+bool IsOfPracticalSize(double rms_before, double rms_after, double tolerated) {
+  const double taken = rms_before * rms_before - rms_after * rms_after;
+  return taken > 0 && std::sqrt(taken) >= kLeastOfTolerance * tolerated;
+}
+
+bool IsOfPracticalSize(const Finding& finding) {
+  const HeldOutError& error = finding.held_out;
+  return finding.tolerated == 0 ||
+         IsOfPracticalSize(error.rmse_before, error.rmse_after, finding.tolerated);
+}
+
 bool IsBeyondTolerance(const Finding& finding) {
+  if (!IsOfPracticalSize(finding)) return false;
   bool is_stated = false;
   for (const FreeParameter& free : finding.term.candidate->free) {
     if (!free.expected) continue;
@@ -58,6 +74,7 @@ bool IsBeyondTolerance(const Finding& finding) {
 }
 
 bool IsWithinTolerance(const Finding& finding) {
+  if (!IsOfPracticalSize(finding)) return true;
   const auto& free = finding.term.candidate->free;
   return !IsBeyondTolerance(finding) &&
          std::all_of(free.begin(), free.end(), [&](const FreeParameter& one) {

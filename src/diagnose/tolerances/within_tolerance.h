@@ -11,8 +11,16 @@ namespace tera {
 /// a target, and else the defaults.
 void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks);
 
+/// Whether so much less error is as much as one is that lies a standard deviation within what is
+/// `tolerated` of it.
+bool IsOfPracticalSize(double rms_before, double rms_after, double tolerated);
+
+/// The same of what a finding takes from its channel on FINAL, held against what a factor within
+/// its tolerance changes there.
+bool IsOfPracticalSize(const Finding& finding);
+
 /// Whether one of a finding's numbers lies beyond what is as expected, and which that is was
-/// determined.
+/// determined; and whether the finding is of practical size.
 ///
 /// Model   a number is beyond its tolerance where 95 % of its posterior, normal about its estimate,
 ///         lies beyond the nearer end of the tolerance about what the scenario has. A number
@@ -21,8 +29,8 @@ void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks)
 ///         at all.
 bool IsBeyondTolerance(const Finding& finding);
 
-/// Whether a finding is not beyond tolerance, and its numbers as they are known bear that out: none
-/// that is not determined lies beyond.
+/// Whether a finding is not of practical size; or not beyond tolerance, and its numbers as they are
+/// known bear that out: none that is not determined lies beyond.
 bool IsWithinTolerance(const Finding& finding);
 
 /// Moves the findings that are within tolerance to their list, and to the unconfirmed ones those of

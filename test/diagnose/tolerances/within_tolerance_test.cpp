@@ -121,6 +121,45 @@ TEST(Tolerance, WhatIsWithinLeavesTheFindingsAndKeepsItsNumbers) {
   EXPECT_EQ(diagnosis.within_tolerance[0].term.values[0], 0.97);
 }
 
+/// A finding without any stated number, which takes one RMS to another.
+Finding FindingThatTakes(const ReplayBlock& block, double before, double after, double tolerated) {
+  Finding finding = FindingOf(block, {20, 0.3, 0}, {1, {}, {}});
+  finding.held_out.rmse_before = before;
+  finding.held_out.rmse_after = after;
+  finding.tolerated = tolerated;
+  return finding;
+}
+
+// From 0.0299 to 0.0285 rad/s it takes sqrt(0.0299^2 - 0.0285^2) = 0.00904 rad/s: as much as an
+// error of a standard deviation, half of what is tolerated, is worth telling.
+TEST(Tolerance, WhatTakesLessThanAFactorWithinItsToleranceLeavesIsNotTold) {
+  auto blocks = BlockOf(MechanismOf("structural_flex", EffectTarget::kJoint), "boom");
+  StateTolerances({}, &blocks);
+  EXPECT_FALSE(IsBeyondTolerance(FindingThatTakes(blocks[0], 0.0299, 0.0285, 0.0182)));
+  EXPECT_TRUE(IsBeyondTolerance(FindingThatTakes(blocks[0], 0.0299, 0.0285, 0.0180)));
+  EXPECT_TRUE(IsWithinTolerance(FindingThatTakes(blocks[0], 0.0299, 0.0285, 0.0182)));
+  EXPECT_FALSE(IsBeyondTolerance(FindingThatTakes(blocks[0], 0.0285, 0.0299, 0.0010)));
+}
+
+TEST(Tolerance, OfABlockWithoutFactorsAsksForNoSize) {
+  auto blocks = BlockOf(MechanismOf("structural_flex", EffectTarget::kJoint), "boom");
+  StateTolerances({}, &blocks);
+  EXPECT_TRUE(IsBeyondTolerance(FindingThatTakes(blocks[0], 0.0299, 0.0298, 0)));
+}
+
+TEST(Tolerance, ThatABlockStatesItselfStandsUnlessTheOwnerStatesAnother) {
+  const Mechanism& friction = MechanismOf("drive_friction", EffectTarget::kJoint);
+  auto blocks = BlockOf(friction, "slew");
+  blocks[0].candidates[0].free[0].expected = Expected{0, 0.018};  // a fiftieth of 0.9 rad/s
+  StateTolerances({}, &blocks);
+  const std::vector<std::optional<double>> sigmas{0.001, {}, {}, {}};
+  EXPECT_FALSE(IsBeyondTolerance(FindingOf(blocks[0], {0.0168, 0.02, 1, 0.02}, sigmas)));
+  EXPECT_TRUE(IsBeyondTolerance(FindingOf(blocks[0], {0.0200, 0.02, 1, 0.02}, sigmas)));
+  StateTolerances({{.target = "slew", .mechanism = &friction, .parameter = 0, .half_width = 0.01}},
+                  &blocks);
+  EXPECT_TRUE(IsBeyondTolerance(FindingOf(blocks[0], {0.0168, 0.02, 1, 0.02}, sigmas)));
+}
+
 TEST(DefaultTolerances, AreOfParametersThatTheLibraryHas) {
   std::set<std::pair<std::string_view, std::string_view>> known;
   for (const auto library : {ActuationMechanisms(), GroundMechanisms(), SensorMechanisms()}) {

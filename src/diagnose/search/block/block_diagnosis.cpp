@@ -64,6 +64,7 @@ class BlockDiagnoser {
   HeldOutError Compare(const FittedStructure& before, const FittedStructure& after,
                        std::size_t channel) const;
   std::size_t MostImproved(const FittedStructure& before, const FittedStructure& after) const;
+  std::vector<double> ToleratedErrors() const;
 
   const EvaluationContext context_;
   const StructureFitter fitter_;  ///< to TRAIN and SELECT
@@ -245,6 +246,34 @@ void BlockDiagnoser::MoveProxies(BlockDiagnosis* out) const {
   }
 }
 
+/// A candidate alone with its main number, which without effect is 1, at the lower end of what is
+/// as expected of it; none where nothing is, or it is another kind of number.
+std::optional<Term> FactorAtTolerance(const Candidate& candidate) {
+  if (candidate.free.empty()) return std::nullopt;
+  const FreeParameter& factor = candidate.free.front();
+  if (!factor.expected || factor.expected->neutral != 1) return std::nullopt;
+  Term term{&candidate, candidate.starts.front()};
+  term.values[factor.index] = factor.expected->value - factor.expected->half_width;
+  return term;
+}
+
+/// For each channel the largest RMS on FINAL that a factor at the end of its tolerance changes.
+std::vector<double> BlockDiagnoser::ToleratedErrors() const {
+  std::vector<double> most(context_.block.channels.size(), 0.0);
+  const auto nothing = context_.block.predict({});
+  for (const Candidate& candidate : context_.block.candidates) {
+    const std::optional<Term> factor = FactorAtTolerance(candidate);
+    if (!factor) continue;
+    const Misfit change =
+        context_.likelihood.EvaluateAgainst(context_.block.predict({*factor}), nothing);
+    for (std::size_t c = 0; c < most.size(); ++c) {
+      const double square = MeanSquare(change.residual[c], context_.final_mask);
+      most[c] = std::max(most[c], std::sqrt(square));
+    }
+  }
+  return most;
+}
+
 BlockDiagnosis BlockDiagnoser::Untested() const {
   BlockDiagnosis out;
   out.is_testable = false;
@@ -271,6 +300,10 @@ BlockDiagnosis BlockDiagnoser::Explain(SearchResult search) const {
   Confirm(&out);
   FindUnexplained(&out);
   MoveProxies(&out);
+  if (!out.findings.empty()) {
+    const std::vector<double> tolerated = ToleratedErrors();
+    for (Finding& one : out.findings) one.tolerated = tolerated[one.held_out.channel];
+  }
   out.detectability = InParallel<Detectability>(
       context_.block.candidates.size(), context_.options.threads,
       [&](std::size_t s) { return DetectabilityOf(context_, context_.block.candidates[s]); });

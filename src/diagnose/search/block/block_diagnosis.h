@@ -29,6 +29,9 @@ struct Finding {
   TermEvidence evidence;
   Location location;      ///< of the error that is left without it alone
   HeldOutError held_out;  ///< before: without it; after: with it
+  /// RMS on FINAL by which a factor at the end of its tolerance changes the channel of `held_out`,
+  /// the largest of all factors; 0 where the block has none.
+  double tolerated = 0;
   bool is_confirmed = false;
 };
 

@@ -24,6 +24,7 @@ namespace tera {
 /// What is as expected of a number: 95 % of it lies within `half_width` of `value`.
 struct Expected {
   double value = 0, half_width = 0;
+  double neutral = 0;  ///< with which the mechanism has no effect
 };
 
 /// One number of a mechanism that a fit may move.

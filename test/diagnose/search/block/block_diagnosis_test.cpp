@@ -60,6 +60,32 @@ TEST(BlockDiagnosis, NamesTheOneThatActsWithItsSizeAndWhereItIsSeen) {
   EXPECT_EQ(found.location.regimes[0].shape.parity, CurveParity::kEven);
 }
 
+/// The toy with a lag of 0.1 s; its square counts as a number that without effect is `neutral`, and
+/// that is as expected within 0.3 of 0.
+BlockDiagnosis OfALagBesideASquareThatIsExpected(double neutral) {
+  const std::vector<double> lever = ToyLever(kSamples, 12);
+  ReplayBlock block =
+      ToyBlock(lever, ToyMeasured(ToyResponse(lever, 0, 0, 0.1), kNoise, 12), {0, 2, 3});
+  block.candidates[0].free[0].expected = Expected{0, 0.3, neutral};
+  return DiagnoseBlock(block, {}, Stream(12, "diagnose"));
+}
+
+// What a square of 0.3 changes of the channel; manoeuvres kept back are a third of the recording.
+TEST(BlockDiagnosis, KnowsWhatAFactorWithinItsToleranceChangesOfAFindingsChannel) {
+  const BlockDiagnosis diagnosis = OfALagBesideASquareThatIsExpected(1);
+  ASSERT_THAT(NamesOf(diagnosis.findings), ElementsAre("lag"));
+  double sum = 0;
+  for (const double u : ToyLever(kSamples, 12)) sum += std::pow(0.3 * u * u, 2);
+  const double whole = std::sqrt(sum / kSamples);
+  EXPECT_NEAR(diagnosis.findings[0].tolerated, whole, 0.4 * whole);
+}
+
+TEST(BlockDiagnosis, WhatIsNoFactorToleratesNoErrorOfOthers) {
+  const BlockDiagnosis diagnosis = OfALagBesideASquareThatIsExpected(0);
+  ASSERT_THAT(NamesOf(diagnosis.findings), ElementsAre("lag"));
+  EXPECT_EQ(diagnosis.findings[0].tolerated, 0);
+}
+
 TEST(BlockDiagnosis, DoesNotNameWhatHasTheNumbersOfAnother) {
   Toy toy(12, 0.2, 0, 0);
   toy.block.candidates[0].is_itself = [](const std::vector<double>& values) {

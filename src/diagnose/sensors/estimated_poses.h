@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "core/types/measurement.h"
+#include "diagnose/sensors/sensor_diagnosis.h"
+
+namespace tera {
+
+/// Poses of the base, in W, by the motion that all sensors imply: every 0.1 s of what was observed.
+/// Empty where its place or heading is not known without running gear, which takes two receivers,
+/// or one and an inertial unit.
+///
+/// Model   running gear had a say in that motion, with an error of a third of its speed, which
+///         beside receivers weighs next to nothing.
+/// Omits   the uncertainty of the motion: what is compared with it takes it for noise. Velocities
+///         are not set.
+std::vector<TruthPose> EstimatedPoses(const SensorDiagnosis& estimate);
+
+}  // namespace tera
