@@ -12,6 +12,7 @@
 namespace tera {
 namespace {
 
+constexpr double kLeastOfTolerance = 0.5;  ///< of a channel: one standard deviation of it
 /// RMS over what successive residuals differ by, from which on error is left.
 constexpr double kMostOfDifferences = 2;
 /// RMS over the motion of a unit below which no axis of it is exchanged or reversed, which errs by
@@ -74,7 +75,7 @@ bool ShowsEnough(const SensorFinding& found, const SensorDiagnosis& estimate,
       found.target != kPoses && std::any_of(channels.begin(), channels.end(), is_own);
   return std::any_of(channels.begin(), channels.end(), [&](const ChannelError& one) {
     return (!has_own || is_own(one)) &&
-           IsOfPracticalSize(one.rms_before, one.rms_after, one.tolerance);
+           TakesAsMuchAs(kLeastOfTolerance * one.tolerance, one.rms_before, one.rms_after);
   });
 }
 

@@ -12,9 +12,6 @@ namespace {
 /// Standard deviations that leave 5 % of a normal distribution on one side.
 constexpr double kOneSided95 = 1.645;
 
-/// A half width is two standard deviations.
-constexpr double kLeastOfTolerance = 0.5;
-
 /// What is as expected of a candidate's number; none where nothing is stated.
 std::optional<Expected> ExpectedOf(const Tolerances& stated, const Candidate& candidate,
                                    const FreeParameter& free) {
@@ -48,15 +45,15 @@ void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks)
   }
 }
 
-bool IsOfPracticalSize(double rms_before, double rms_after, double tolerated) {
+bool TakesAsMuchAs(double tolerated, double rms_before, double rms_after) {
   const double taken = rms_before * rms_before - rms_after * rms_after;
-  return taken > 0 && std::sqrt(taken) >= kLeastOfTolerance * tolerated;
+  return taken > 0 && std::sqrt(taken) >= tolerated;
 }
 
 bool IsOfPracticalSize(const Finding& finding) {
   const HeldOutError& error = finding.held_out;
   return finding.tolerated == 0 ||
-         IsOfPracticalSize(error.rmse_before, error.rmse_after, finding.tolerated);
+         TakesAsMuchAs(finding.tolerated, error.rmse_before, error.rmse_after);
 }
 
 bool IsBeyondTolerance(const Finding& finding) {

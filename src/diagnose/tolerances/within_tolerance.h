@@ -11,12 +11,12 @@ namespace tera {
 /// a target, and else the defaults.
 void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks);
 
-/// Whether so much less error is as much as one is that lies a standard deviation within what is
-/// `tolerated` of it.
-bool IsOfPracticalSize(double rms_before, double rms_after, double tolerated);
+/// Whether what takes an RMS error from `rms_before` to `rms_after` is as large as one that is
+/// tolerated; both are of one channel and independent of what is left.
+bool TakesAsMuchAs(double tolerated, double rms_before, double rms_after);
 
-/// The same of what a finding takes from its channel on FINAL, held against what a factor within
-/// its tolerance changes there.
+/// Whether a finding takes as much error from its channel on FINAL as a factor at the end of its
+/// tolerance changes there.
 bool IsOfPracticalSize(const Finding& finding);
 
 /// Whether one of a finding's numbers lies beyond what is as expected, and which that is was
