@@ -151,6 +151,10 @@ DiagnosedSensors DiagnosedOf(SensorDiagnosis estimate, const std::string& machin
                           ShowsEnough(found, out.estimate, machine);
     (is_cause ? out.findings : out.unconfirmed).push_back(teller.Tell(found));
   }
+  for (const SensorFinding& found : out.estimate.unproven) {
+    out.unconfirmed.push_back(teller.Tell(found));
+    out.unconfirmed.back().finding.is_confirmed = false;
+  }
   for (const SensorFinding& found : out.estimate.within_tolerance) {
     out.within_tolerance.push_back(teller.Tell(found));
   }

@@ -25,7 +25,8 @@ struct DiagnosedSensors {
   SensorDiagnosis estimate;
   std::deque<Candidate> candidates;  ///< of the findings and of their rivals
   std::vector<SensorFound> findings, within_tolerance;
-  /// Mechanisms that were chosen and remove too little of the error to be its cause.
+  /// Mechanisms that were chosen and remove too little of the error to be its cause; and, not
+  /// confirmed, those that lie beyond tolerance without a steady gain.
   std::vector<SensorFound> unconfirmed;
 };
 

@@ -121,6 +121,7 @@ class Judge {
   void DropInadmissible(Set* set, GroupJudgement* judgement) const;
   std::vector<int> RivalsOf(const Set& set, int g) const;
   void SetAsideCancelling(Set* set, GroupJudgement* judgement) const;
+  void ListOthers(const Set& named, GroupJudgement* judgement) const;
 
   const ParameterTable& table_;
   const std::vector<ParameterQuadratic> segments_;
@@ -272,6 +273,35 @@ void Judge::SetAsideCancelling(Set* set, GroupJudgement* judgement) const {
   }
 }
 
+/// Lists the groups that are not named by what the recording says of them.
+void Judge::ListOthers(const Set& named, GroupJudgement* judgement) const {
+  const auto before = CrossFits(named);
+  for (int g = 0; g < groups(); ++g) {
+    judgement->by_group.push_back(Posterior(Has(named, g) ? named : With(named, g), g));
+    if (Has(named, g)) continue;
+    const std::vector<JudgedParameter>& all = judgement->by_group.back();
+    bool is_testable = false, is_off = false, is_beyond = false;
+    for (int i = 0; i < group(g).count; ++i) {
+      const SensorParameter& one = table_.parameters[static_cast<std::size_t>(group(g).first + i)];
+      const JudgedParameter& judged = all[static_cast<std::size_t>(i)];
+      const double off = std::abs(judged.value - one.documented);
+      is_testable = is_testable || judged.sigma < one.tolerance;
+      is_off = is_off || off > kWithinSigmas * judged.sigma;
+      is_beyond = is_beyond || judged.is_beyond;
+    }
+    const auto is_set_aside = [&](const std::vector<int>& pair) { return Has(pair, g); };
+    const auto& cancelling = judgement->not_told_apart;
+    if (!is_testable) judgement->untestable.push_back(g);
+    if (is_testable && is_off && !is_beyond) judgement->within.push_back(g);
+    if (!is_testable || !is_beyond || !group(g).may_be_named ||
+        std::any_of(cancelling.begin(), cancelling.end(), is_set_aside)) {
+      continue;
+    }
+    const auto gains = Gains(before, CrossFits(With(named, g)));
+    judgement->unproven.push_back({g, all, Total(gains), SteadyGainP(gains), {}});
+  }
+}
+
 GroupJudgement Judge::Run() {
   GroupJudgement judgement;
   Set set;
@@ -282,21 +312,7 @@ GroupJudgement Judge::Run() {
   DropInadmissible(&set, &judgement);
   SetAsideCancelling(&set, &judgement);
   for (NamedGroup& one : judgement.named) one.rivals = RivalsOf(set, one.group);
-  for (int g = 0; g < groups(); ++g) {
-    judgement.by_group.push_back(Posterior(Has(set, g) ? set : With(set, g), g));
-    if (Has(set, g)) continue;
-    bool is_testable = false, is_off = false, is_beyond = false;
-    for (int i = 0; i < group(g).count; ++i) {
-      const SensorParameter& one = table_.parameters[static_cast<std::size_t>(group(g).first + i)];
-      const JudgedParameter& judged = judgement.by_group.back()[static_cast<std::size_t>(i)];
-      const double off = std::abs(judged.value - one.documented);
-      is_testable = is_testable || judged.sigma < one.tolerance;
-      is_off = is_off || off > kWithinSigmas * judged.sigma;
-      is_beyond = is_beyond || judged.is_beyond;
-    }
-    if (!is_testable) judgement.untestable.push_back(g);
-    if (is_testable && is_off && !is_beyond) judgement.within.push_back(g);
-  }
+  ListOthers(set, &judgement);
   judgement.parameters = Fit(set);
   judgement.left_to_gain = FitOf(FlexibleFit()) - FitOf(judgement.parameters);
   return judgement;

@@ -102,17 +102,26 @@ std::vector<EstimatedMotion> MotionOf(const MotionProblem& problem,
   return motion;
 }
 
+SensorFinding FindingOf(const ParameterTable& table, const NamedGroup& one) {
+  SensorFinding finding = FindingOf(table, one.group, one.parameters);
+  finding.gain = one.gain;
+  finding.p = one.p;
+  for (const int g : one.rivals) {
+    finding.rivals.push_back(NameOf(table.groups[static_cast<std::size_t>(g)]));
+  }
+  return finding;
+}
+
 void Report(const SensorProblem& problem, const GroupJudgement& judgement,
             SensorDiagnosis* diagnosis) {
   diagnosis->left_to_gain = judgement.left_to_gain;
   const ParameterTable& table = problem.table;
   const auto name = [&](int g) { return NameOf(table.groups[static_cast<std::size_t>(g)]); };
   for (const NamedGroup& one : judgement.named) {
-    SensorFinding finding = FindingOf(table, one.group, one.parameters);
-    finding.gain = one.gain;
-    finding.p = one.p;
-    for (const int g : one.rivals) finding.rivals.push_back(name(g));
-    diagnosis->findings.push_back(std::move(finding));
+    diagnosis->findings.push_back(FindingOf(table, one));
+  }
+  for (const NamedGroup& one : judgement.unproven) {
+    diagnosis->unproven.push_back(FindingOf(table, one));
   }
   std::stable_sort(diagnosis->findings.begin(), diagnosis->findings.end(),
                    [](const auto& a, const auto& b) { return a.gain > b.gain; });

@@ -53,9 +53,16 @@ std::vector<std::string> OtherSensorSentences(const DiagnosedSensors& sensors) {
     sentences.push_back(fmt::format("Within tolerance: {}.", Listed(within)));
   }
   for (const SensorFound& found : sensors.unconfirmed) {
+    const std::string what = Capitalised(TextOf(found));
+    const std::string p = ProbabilityText(found.finding.evidence.p);
     sentences.push_back(
-        fmt::format("{} was chosen ({}) and is not confirmed: it removes too little of the error.",
-                    Capitalised(TextOf(found)), ProbabilityText(found.finding.evidence.p)));
+        found.finding.is_confirmed
+            ? fmt::format("{} was chosen ({}) and is not confirmed: it removes too little of the "
+                          "error.",
+                          what, p)
+            : fmt::format("{} would lie beyond tolerance, and is not confirmed: not all parts of "
+                          "the recording bear it out alike ({}), or something else explains it.",
+                          what, p));
   }
   for (const std::vector<std::string>& names : sensors.estimate.not_told_apart) {
     sentences.push_back(fmt::format(
