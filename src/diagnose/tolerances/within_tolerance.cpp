@@ -57,7 +57,7 @@ bool IsOfPracticalSize(const Finding& finding) {
 }
 
 bool IsBeyondTolerance(const Finding& finding) {
-  if (!IsOfPracticalSize(finding)) return false;
+  if (!IsOfPracticalSize(finding) || finding.evidence.expected_rival != nullptr) return false;
   bool is_stated = false;
   for (const FreeParameter& free : finding.term.candidate->free) {
     if (!free.expected) continue;
@@ -71,7 +71,7 @@ bool IsBeyondTolerance(const Finding& finding) {
 }
 
 bool IsWithinTolerance(const Finding& finding) {
-  if (!IsOfPracticalSize(finding)) return true;
+  if (!IsOfPracticalSize(finding) || finding.evidence.expected_rival != nullptr) return true;
   const auto& free = finding.term.candidate->free;
   return !IsBeyondTolerance(finding) &&
          std::all_of(free.begin(), free.end(), [&](const FreeParameter& one) {

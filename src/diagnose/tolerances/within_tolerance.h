@@ -20,7 +20,8 @@ bool TakesAsMuchAs(double tolerated, double rms_before, double rms_after);
 bool IsOfPracticalSize(const Finding& finding);
 
 /// Whether one of a finding's numbers lies beyond what is as expected, and which that is was
-/// determined; and whether the finding is of practical size.
+/// determined; and whether the finding is of practical size, and nothing that is as expected does as
+/// well in its place.
 ///
 /// Model   a number is beyond its tolerance where 95 % of its posterior, normal about its estimate,
 ///         lies beyond the nearer end of the tolerance about what the scenario has. A number
@@ -29,8 +30,9 @@ bool IsOfPracticalSize(const Finding& finding);
 ///         at all.
 bool IsBeyondTolerance(const Finding& finding);
 
-/// Whether a finding is not of practical size; or not beyond tolerance, and its numbers as they are
-/// known bear that out: none that is not determined lies beyond.
+/// Whether a finding is not of practical size, or something that is as expected does as well; or
+/// it is not beyond tolerance, and its numbers as they are known bear that out: none that is not
+/// determined lies beyond.
 bool IsWithinTolerance(const Finding& finding);
 
 /// Moves the findings that are within tolerance to their list, and to the unconfirmed ones those of

@@ -140,6 +140,16 @@ TEST(Tolerance, WhatTakesLessThanAFactorWithinItsToleranceLeavesIsNotTold) {
   EXPECT_FALSE(IsBeyondTolerance(FindingThatTakes(blocks[0], 0.0285, 0.0299, 0.0010)));
 }
 
+TEST(Tolerance, OfARivalThatDoesAsWellHoldsForTheFinding) {
+  auto blocks = BlockOf(MechanismOf("structural_flex", EffectTarget::kJoint), "boom");
+  StateTolerances({}, &blocks);
+  Finding finding = FindingThatTakes(blocks[0], 0.03, 0.01, 0.001);
+  EXPECT_TRUE(IsBeyondTolerance(finding));
+  finding.evidence.expected_rival = &blocks[0].candidates[0];
+  EXPECT_FALSE(IsBeyondTolerance(finding));
+  EXPECT_TRUE(IsWithinTolerance(finding));
+}
+
 TEST(Tolerance, OfABlockWithoutFactorsAsksForNoSize) {
   auto blocks = BlockOf(MechanismOf("structural_flex", EffectTarget::kJoint), "boom");
   StateTolerances({}, &blocks);

@@ -211,11 +211,15 @@ std::string SentenceOfUnconfirmed(const DiagnosedBlock& diagnosed, const Finding
 }
 
 std::string SentenceOfExpected(const DiagnosedBlock& diagnosed, const Finding& finding) {
+  std::string why = "is within tolerance";
+  if (!IsOfPracticalSize(finding)) {
+    why = "changes less than a factor within its tolerance does";
+  } else if (const Candidate* expected = finding.evidence.expected_rival) {
+    why = fmt::format("{} within its tolerance explains as well",
+                      RivalText(*expected, *finding.term.candidate));
+  }
   return fmt::format("{}: {}, which {}.", ChannelText(diagnosed, finding.location.channel),
-                     MechanismText(diagnosed, finding),
-                     IsOfPracticalSize(finding)
-                         ? "is within tolerance"
-                         : "changes less than a factor within its tolerance does");
+                     MechanismText(diagnosed, finding), why);
 }
 
 std::string SentenceOfProxy(const DiagnosedBlock& diagnosed, const Finding& finding) {

@@ -53,6 +53,8 @@ struct TermEvidence {
   double effect = 0;  ///< RMS of what it changes over the RMS of the channel, largest over channels
   /// Candidates with which in its place the structure is not significantly worse; itself first.
   std::vector<const Candidate*> rivals;
+  /// One of the rivals whose numbers there are all as expected; null where there is none.
+  const Candidate* expected_rival = nullptr;
   std::vector<Rival> rejected;  ///< the other candidates that were tried, the nearest first
 };
 

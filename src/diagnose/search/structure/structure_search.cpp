@@ -299,6 +299,18 @@ const TermEvidence* Search::EarlierEvidenceOf(const Candidate& candidate) const 
   return nullptr;
 }
 
+/// Whether all numbers of a term of which something is stated are as expected, one at least.
+bool IsAsExpected(const Term& term) {
+  bool is_stated = false;
+  for (const FreeParameter& free : term.candidate->free) {
+    if (!free.expected) continue;
+    is_stated = true;
+    const double off = std::abs(term.values[free.index] - free.expected->value);
+    if (off > free.expected->half_width) return false;
+  }
+  return is_stated;
+}
+
 /// The likeliest structures with one term swapped: for screened candidates, or for the rivals that
 /// the term had in the prefix.
 std::vector<Structure> Search::NearestRivals(const Scored& found, std::size_t term) {
@@ -336,6 +348,7 @@ void Search::FindRivals(const Scored& found, const Misfit& crossed, std::size_t 
     for (const ManoeuvreGain& one : gains) rival.lead += one.gain;
     if (rival.p > kRivalP || rival.lead < kRivalGain) {
       evidence->rivals.push_back(rival.candidate);
+      if (IsAsExpected(swapped[k].back())) evidence->expected_rival = rival.candidate;
     } else {
       evidence->rejected.push_back(rival);
     }

@@ -70,6 +70,30 @@ BlockDiagnosis OfALagBesideASquareThatIsExpected(double neutral) {
   return DiagnoseBlock(block, {}, Stream(12, "diagnose"));
 }
 
+/// A toy of two candidates that do the same, of which one's number is as expected within this.
+TermEvidence OfTwinsWithTolerance(double half_width) {
+  const std::vector<double> lever = ToyLever(kSamples, 14);
+  ReplayBlock block =
+      ToyBlock(lever, ToyMeasured(ToyResponse(lever, 0.2, 0, 0), kNoise, 14), {0, 1});
+  for (Candidate& candidate : block.candidates) {
+    if (candidate.mechanism->id == "twin") candidate.free[0].expected = Expected{0, half_width};
+  }
+  const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(14, "diagnose"));
+  EXPECT_EQ(diagnosis.findings.size(), 1u);
+  TermEvidence evidence = diagnosis.findings.at(0).evidence;
+  EXPECT_EQ(evidence.rivals.size(), 2u);
+  // The block is gone: only whether there is one is left of it.
+  static const Candidate kSomeCandidate;
+  if (evidence.expected_rival != nullptr) evidence.expected_rival = &kSomeCandidate;
+  return evidence;
+}
+
+// Either does it with 0.2: where one of them may be as large, nothing is proven.
+TEST(BlockDiagnosis, KnowsWhetherARivalThatDoesAsWellIsAsExpected) {
+  EXPECT_NE(OfTwinsWithTolerance(0.3).expected_rival, nullptr);
+  EXPECT_EQ(OfTwinsWithTolerance(0.1).expected_rival, nullptr);
+}
+
 // What a square of 0.3 changes of the channel; manoeuvres kept back are a third of the recording.
 TEST(BlockDiagnosis, KnowsWhatAFactorWithinItsToleranceChangesOfAFindingsChannel) {
   const BlockDiagnosis diagnosis = OfALagBesideASquareThatIsExpected(1);
