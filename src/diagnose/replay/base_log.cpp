@@ -15,13 +15,47 @@ namespace {
 
 constexpr double kLongestInterval_s = 1;  ///< between poses whose path is known
 
-/// The rate of one gear over time.
+/// Times over which an angle is held against the rate, and by how much of the rates' RMS the two
+/// may differ there.
+constexpr double kAngleWindow_s = 1, kMostAngleError = 0.1;
+
+/// The rate and angle of one gear over time.
 struct GearSamples {
   std::vector<TimeNs> t_ns;
-  std::vector<double> rate_radps;
+  std::vector<double> rate_radps, angle_rad;
+  bool angle_is_of_rate = false;
 
-  double At(TimeNs t) const { return BetweenSamples(t_ns, t).Of(rate_radps); }
+  /// The mean rate of a step about a time: by the angle at its ends, which is measured far better
+  /// than the rate, where the two belong together.
+  double MeanRate_radps(TimeNs middle_ns, TimeNs step_ns) const {
+    const TimeNs from_ns = std::max(middle_ns - step_ns / 2, t_ns.front());
+    const TimeNs to_ns = std::min(middle_ns + step_ns / 2, t_ns.back());
+    if (!angle_is_of_rate || to_ns <= from_ns) {
+      return BetweenSamples(t_ns, middle_ns).Of(rate_radps);
+    }
+    const double turned_rad =
+        BetweenSamples(t_ns, to_ns).Of(angle_rad) - BetweenSamples(t_ns, from_ns).Of(angle_rad);
+    return turned_rad / ToSeconds(to_ns - from_ns);
+  }
 };
+
+/// Whether a gear's angle is the integral of its rate, over every second or so: not one that begins
+/// again at each turn, nor a motor's, nor none.
+bool AngleIsOfRate(const GearSamples& gear) {
+  double since_s = 0, apart_rad = 0, squares = 0, rates = 0, windows = 0;
+  for (std::size_t k = 1; k < gear.t_ns.size(); ++k) {
+    const double dt_s = ToSeconds(gear.t_ns[k] - gear.t_ns[k - 1]);
+    const double mean_radps = 0.5 * (gear.rate_radps[k] + gear.rate_radps[k - 1]);
+    apart_rad += gear.angle_rad[k] - gear.angle_rad[k - 1] - dt_s * mean_radps;
+    rates += dt_s * mean_radps * mean_radps;
+    since_s += dt_s;
+    if (since_s < kAngleWindow_s) continue;
+    squares += apart_rad * apart_rad / since_s;
+    windows += since_s;
+    since_s = apart_rad = 0;
+  }
+  return windows > 0 && squares <= kMostAngleError * kMostAngleError * rates;
+}
 
 GearSamples SamplesOf(const std::string& gear, const std::vector<NamedEncoders>& encoders) {
   GearSamples samples;
@@ -31,7 +65,9 @@ GearSamples SamplesOf(const std::string& gear, const std::vector<NamedEncoders>&
       for (const EncoderSample& sample : recording.samples) {
         samples.t_ns.push_back(sample.t_ns);
         samples.rate_radps.push_back(sample.qd_radps[i]);
+        samples.angle_rad.push_back(sample.q_rad[i]);
       }
+      samples.angle_is_of_rate = AngleIsOfRate(samples);
       return samples;
     }
   }
@@ -69,7 +105,9 @@ void AddInstants(const std::vector<GearSamples>& gears, const std::vector<TruthP
       ++pose;
     }
     BaseInstant instant;
-    for (const GearSamples& gear : gears) instant.gear_rate_radps.push_back(gear.At(t_ns));
+    for (const GearSamples& gear : gears) {
+      instant.gear_rate_radps.push_back(gear.MeanRate_radps(t_ns, BaseLog::kStep_ns));
+    }
     instant.R_WB = poses[pose].X_WB.linear();
     log->instants.push_back(std::move(instant));
   }

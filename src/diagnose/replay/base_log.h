@@ -29,7 +29,8 @@ struct BaseInterval {
 ///
 /// Frames  B root link. The twist is that of the middle of the contact with the ground, forward and
 ///         left of the heading half-way, and about B's z axis.
-/// Model   rates are linear between samples, attitudes those of the nearer pose; instant k is
+/// Model   rates are means over a step by the gears' angles, or, where these do not belong to the
+///         rates, linear between samples; attitudes those of the nearer pose; instant k is
 ///         that of the middle of step k. Poses that are far apart in time say nothing of the path
 ///         in between and bound no interval.
 /// Omits   the ground's forces on bucket and blade. Attitudes, and corrections for a replay's

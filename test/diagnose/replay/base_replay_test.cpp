@@ -261,6 +261,46 @@ TEST(BaseLog, TellsHowFarOnAnArc) {
   }
 }
 
+/// Rates of the first gear over a minute, in which it turns at 2 rad/s. Its encoder says so with an
+/// error of 0.5 rad/s, of one sign and the other; `angle_rad` is the angle that it says at a time.
+std::vector<double> GearRates(const std::function<double(double t_s)>& angle_rad) {
+  Drive drive = Meandering("soil: asphalt", "");
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  std::vector<TruthPose> poses;
+  EncoderRecording wheels;
+  for (const RunningGear& gear : model.ground_tools.gears) wheels.axes.push_back({gear.name});
+  for (int k = 0; k <= 3000; ++k) {
+    const TimeNs t_ns = k * kNsPerSecond / 50;
+    const double q = angle_rad(ToSeconds(t_ns)), qd = 2 + (k / 3 % 2 == 0 ? 0.5 : -0.5);
+    wheels.samples.push_back({.t_ns = t_ns, .q_rad = {q, q}, .qd_radps = {qd, qd}});
+    if (k % 5 == 0) poses.push_back({.t_ns = t_ns, .X_WB = Pose::Identity()});
+  }
+  std::vector<double> rates;
+  for (const BaseInstant& one : MakeBaseLog(model, {{"m", wheels}}, poses, 0.2).instants) {
+    rates.push_back(one.gear_rate_radps[0]);
+  }
+  return rates;
+}
+
+TEST(BaseLog, TakesTheRateOfAGearFromItsAngle) {
+  const std::vector<double> rates = GearRates([](double t_s) { return 7 + 2 * t_s; });
+  ASSERT_GT(rates.size(), 1190u);
+  for (std::size_t k = 1; k + 1 < rates.size(); ++k) EXPECT_NEAR(rates[k], 2, 1e-9) << k;
+}
+
+// Angles that begin again at each turn, that are of the motor and not of the sprocket, and none.
+TEST(BaseLog, TakesTheRateAsItWasMeasuredWhereTheAngleIsAnother) {
+  const std::function<double(double)> angles[] = {
+      [](double t_s) { return std::fmod(2 * t_s, 2 * kPi); }, [](double t_s) { return 60 * t_s; },
+      [](double) { return 0.0; }, [](double) { return std::nan(""); }};
+  for (const auto& angle_rad : angles) {
+    const std::vector<double> rates = GearRates(angle_rad);
+    ASSERT_GT(rates.size(), 1190u);
+    EXPECT_NEAR(*std::max_element(rates.begin(), rates.end()), 2.5, 1e-9);
+    EXPECT_NEAR(*std::min_element(rates.begin(), rates.end()), 1.5, 1e-9);
+  }
+}
+
 TEST(BaseLog, NamesTheGearThatNoEncoderMeasures) {
   Drive drive = Meandering("soil: asphalt", "");
   const MachineModel& model = drive.scenario.machines[0].placement.model;
