@@ -11,6 +11,7 @@
 #include "diagnose/replay/base_replay.h"
 #include "physics/dynamics/joint_inertia.h"
 #include "physics/traction/ground_mechanisms.h"
+#include "physics/traction/track_drive.h"
 #include "physics/traction/turning_centre.h"
 
 namespace tera {
@@ -176,13 +177,40 @@ std::vector<bool> LaggingTurns(const MachineModel& model, const BaseLog& log,
   return is_lagging;
 }
 
-/// Change of the speed of the middle of the contact, to either side or forward, where the machine
-/// turns about a point a standard deviation from there, with the turning that was measured.
-Eigen::VectorXd MovedByTurning(const MachineModel& model, const std::vector<PlanarTwist>& measured,
-                               const SampleGrid& grid) {
-  const std::vector<double> yaw = grid.Spread(PartOf(measured, &PlanarTwist::yaw_radps));
-  return 0.5 * TurningCentreReach_m(model) *
-         Eigen::Map<const Eigen::VectorXd>(yaw.data(), static_cast<Eigen::Index>(yaw.size()));
+/// Changes of the motion of the middle of the contact where the machine turns about another point,
+/// with the turning that was measured: forward, and two to the left.
+///
+/// Model   turning_centre.h; and on a side slope the centre moves along the tracks until friction
+///         holds the weight's part across them: by L tan(roll) / (2 mu) of a contact of length L
+///         whose shoes slide sideways, with the friction `mu` of firm ground.
+struct TurningAside {
+  Eigen::VectorXd forward_mps;
+  Eigen::MatrixXd left_mps;
+};
+
+TurningAside TurningAsideOf(const MachineModel& model, const BaseLog& log, const Course& course,
+                            const SampleGrid& grid) {
+  const double per_slope_m = TrackDrive(model).geometry().contact_length_m / (2 * kFrictionOfFirm);
+  std::vector<double> forward_mps, left_mps, down_mps;
+  for (std::size_t k = 0; k < log.intervals.size(); ++k) {
+    const BaseInterval& interval = log.intervals[k];
+    Vec2 centre_m = Vec2::Zero();
+    for (std::size_t i = interval.first; i < interval.first + interval.count; ++i) {
+      centre_m += log.instants[i].turning_centre_m / static_cast<double>(interval.count);
+    }
+    const double yaw_radps = interval.twist.yaw_radps;
+    forward_mps.push_back(yaw_radps * centre_m.y());
+    left_mps.push_back(-yaw_radps * centre_m.x());
+    down_mps.push_back(-std::abs(yaw_radps) * per_slope_m * std::tan(course.roll_rad[k]));
+  }
+  const auto spread = [&](const std::vector<double>& values) -> Eigen::VectorXd {
+    const std::vector<double> on_grid = grid.Spread(values);
+    return Eigen::Map<const Eigen::VectorXd>(on_grid.data(),
+                                             static_cast<Eigen::Index>(on_grid.size()));
+  };
+  TurningAside aside{spread(forward_mps), Eigen::MatrixXd(grid.size, 2)};
+  aside.left_mps << spread(left_mps), spread(down_mps);
+  return aside;
 }
 
 double YawInertiaAtFirst_kgm2(const MachineModel& model) {
@@ -220,11 +248,11 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
                               FlexibleRegressor(course, grid),
                               nominal});
   };
-  const Eigen::VectorXd moved = MovedByTurning(model, measured, grid);
-  Eigen::MatrixXd forward(moved.size(), 3);
-  forward << HeldBack(model, log, grid, {firm, loose}), moved;
+  const TurningAside aside = TurningAsideOf(model, log, course, grid);
+  Eigen::MatrixXd forward(aside.forward_mps.size(), 3);
+  forward << HeldBack(model, log, grid, {firm, loose}), aside.forward_mps;
   add("/forward_mps", "m/s", &PlanarTwist::forward_mps, forward);
-  add("/left_mps", "m/s", &PlanarTwist::left_mps, moved);
+  add("/left_mps", "m/s", &PlanarTwist::left_mps, aside.left_mps);
   // Turning has no such columns: with them the arrival stamps of a real recording were not found.
   add("/yaw_radps", "rad/s", &PlanarTwist::yaw_radps, {});
   // Where stamps may be those of arrivals, such samples show when the poses were measured, and

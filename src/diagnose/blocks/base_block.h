@@ -12,8 +12,9 @@ namespace tera {
 ///
 /// Model   the grid has the median length of the log's intervals. Flexible regressor: both sides'
 ///         speeds, their magnitudes, and both times the slopes, at lags up to half a second.
-///         Nominal numbers: how far from the middle of its tracks the machine turns
-///         (turning_centre.h).
+///         Nominal numbers: how far from the middle of its tracks the machine turns, by its masses
+///         (turning_centre.h) and, on a side slope, by friction; that far is one standard
+///         deviation.
 /// Omits   forces on tools; friction that depends on the place.
 ///
 /// `name` stands before the channels' names: "excavator1/base". Poses that were measured may come

@@ -9,6 +9,7 @@
 #include "core/units.h"
 #include "diagnose/replay/between_samples.h"
 #include "physics/traction/track_drive.h"
+#include "physics/traction/turning_centre.h"
 
 namespace tera {
 namespace {
@@ -93,8 +94,46 @@ PlanarTwist MeanTwist(const Pose& X_WA, const Pose& X_WB, const Vec3& contact_B_
           turned_rad / dt_s};
 }
 
-/// Adds the gears' rates and the attitudes from `first_ns` to `last_ns`.
-void AddInstants(const std::vector<GearSamples>& gears, const std::vector<TruthPose>& poses,
+/// The position of each joint over time, as far as encoders measure it.
+class JointPositions {
+ public:
+  JointPositions(const MachineModel& model, const std::vector<NamedEncoders>& encoders) {
+    for (const Joint& joint : model.joints) at_first_rad_.push_back(joint.initial_rad);
+    for (const auto& [channel, recording] : encoders) {
+      for (std::size_t i = 0; i < recording.axes.size(); ++i) {
+        const int j = model.JointIndex(recording.axes[i].name);
+        if (j < 0 || recording.samples.empty()) continue;
+        Measured one{static_cast<std::size_t>(j), {}, {}};
+        for (const EncoderSample& sample : recording.samples) {
+          one.t_ns.push_back(sample.t_ns);
+          one.q_rad.push_back(sample.q_rad[i]);
+        }
+        measured_.push_back(std::move(one));
+      }
+    }
+  }
+  std::vector<double> At(TimeNs t_ns) const {
+    std::vector<double> q_rad = at_first_rad_;
+    for (const Measured& one : measured_) {
+      const double q = BetweenSamples(one.t_ns, t_ns).Of(one.q_rad);
+      if (std::isfinite(q)) q_rad[one.joint] = q;
+    }
+    return q_rad;
+  }
+
+ private:
+  struct Measured {
+    std::size_t joint;
+    std::vector<TimeNs> t_ns;
+    std::vector<double> q_rad;
+  };
+  std::vector<double> at_first_rad_;
+  std::vector<Measured> measured_;
+};
+
+/// Adds the gears' rates, the attitudes and the postures from `first_ns` to `last_ns`.
+void AddInstants(const MachineModel& model, const JointPositions& joints,
+                 const std::vector<GearSamples>& gears, const std::vector<TruthPose>& poses,
                  TimeNs first_ns, TimeNs last_ns, BaseLog* log) {
   log->start_ns = first_ns;
   std::size_t pose = 0;
@@ -109,6 +148,7 @@ void AddInstants(const std::vector<GearSamples>& gears, const std::vector<TruthP
       instant.gear_rate_radps.push_back(gear.MeanRate_radps(t_ns, BaseLog::kStep_ns));
     }
     instant.R_WB = poses[pose].X_WB.linear();
+    instant.turning_centre_m = TurningCentre_m(model, joints.At(t_ns));
     log->instants.push_back(std::move(instant));
   }
 }
@@ -157,7 +197,7 @@ BaseLog MakeBaseLog(const MachineModel& model, const std::vector<NamedEncoders>&
   const Vec3 contact_B_m = TrackDrive(model).contact_B_m();
   BaseLog log;
   log.may_be_arrivals = arrivals.has_value();
-  AddInstants(gears, poses, first_ns, last_ns, &log);
+  AddInstants(model, JointPositions(model, encoders), gears, poses, first_ns, last_ns, &log);
   std::optional<std::size_t> from;
   for (std::size_t to = 0; to < poses.size(); ++to) {
     if (poses[to].t_ns < first_ns || poses[to].t_ns > last_ns) continue;

@@ -14,6 +14,7 @@ namespace tera {
 struct BaseInstant {
   std::vector<double> gear_rate_radps;  ///< one for each gear
   Mat3 R_WB = Mat3::Identity();
+  Vec2 turning_centre_m = Vec2::Zero();  ///< turning_centre.h, at the measured joint positions
 };
 
 /// The motion of the base between two of its measured poses.
@@ -44,9 +45,10 @@ struct BaseLog {
   bool may_be_arrivals = false;  ///< the stamps of poses
 };
 
-/// Throws InputError where gears and poses have no time in common, or the encoders lack a gear.
-/// `interval_s` is the least length of an interval: shorter ones hold more noise than motion;
-/// `arrivals` when the poses were measured, if their stamps are those of their arrival.
+/// Joints that no encoder measures stay as the model has them at first. Throws InputError where
+/// gears and poses have no time in common, or the encoders lack a gear. `interval_s` is the least
+/// length of an interval: shorter ones hold more noise than motion; `arrivals` when the poses were
+/// measured, if their stamps are those of their arrival.
 BaseLog MakeBaseLog(const MachineModel& model, const std::vector<NamedEncoders>& encoders,
                     const std::vector<TruthPose>& poses, double interval_s,
                     const std::optional<PoseTimes>& arrivals = {});

@@ -298,7 +298,8 @@ void Judge::ListOthers(const Set& named, GroupJudgement* judgement) const {
       continue;
     }
     const auto gains = Gains(before, CrossFits(With(named, g)));
-    judgement->unproven.push_back({g, all, Total(gains), SteadyGainP(gains), {}});
+    const NamedGroup one{g, all, Total(gains), SteadyGainP(gains), {}};
+    if (one.gain > 0) judgement->unproven.push_back(one);
   }
 }
 

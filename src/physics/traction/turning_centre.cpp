@@ -11,7 +11,9 @@ namespace {
 constexpr double kOfCentreOfMass = 1.5;
 constexpr std::size_t kMostJoints = 12;
 
-Vec2 CentreOfMass_B_m(const MachineModel& model, const std::vector<double>& q_rad) {
+}  // namespace
+
+Vec2 TurningCentre_m(const MachineModel& model, const std::vector<double>& q_rad) {
   const std::vector<Pose> X_BL = ForwardKinematics(model, Pose::Identity(), q_rad);
   double mass_kg = 0;
   Vec2 moment_kgm = Vec2::Zero();
@@ -19,13 +21,11 @@ Vec2 CentreOfMass_B_m(const MachineModel& model, const std::vector<double>& q_ra
     mass_kg += model.links[l].mass_kg;
     moment_kgm += model.links[l].mass_kg * (X_BL[l] * model.links[l].com_B_m).head<2>();
   }
-  return moment_kgm / mass_kg;
+  const Vec2 contact_B_m = TrackDrive(model).contact_B_m().head<2>();
+  return kOfCentreOfMass * (moment_kgm / mass_kg - contact_B_m);
 }
 
-}  // namespace
-
 double TurningCentreReach_m(const MachineModel& model) {
-  const Vec2 contact_B_m = TrackDrive(model).contact_B_m().head<2>();
   std::vector<std::size_t> moving;
   std::vector<double> q_rad(model.joints.size(), 0.0);
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
@@ -43,9 +43,9 @@ double TurningCentreReach_m(const MachineModel& model) {
                          : is_upper ? kPi
                                     : 0.0;
     }
-    reach_m = std::max(reach_m, (CentreOfMass_B_m(model, q_rad) - contact_B_m).norm());
+    reach_m = std::max(reach_m, TurningCentre_m(model, q_rad).norm());
   }
-  return kOfCentreOfMass * reach_m;
+  return reach_m;
 }
 
 }  // namespace tera

@@ -163,7 +163,7 @@ TEST(BaseBlock, LetsPassWhatGroundThatHoldsLittleChanges) {
     largest_mps = std::max(largest_mps, std::abs(change_mps));
   }
   EXPECT_GT(largest_mps, 0.2);
-  EXPECT_EQ(block->channels[1].nominal.cols(), 1);  // sideways, about another point
+  EXPECT_EQ(block->channels[1].nominal.cols(), 2);  // sideways, about another point
   EXPECT_EQ(block->channels[2].nominal.cols(), 0);  // turning
 }
 
