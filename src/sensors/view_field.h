@@ -19,8 +19,9 @@ struct ViewField {
   /// Farthest that it sees a surface that returns this share of the light: its diffuse reflectance
   /// times the cosine of the incidence.
   std::function<double(double returned)> reach_m;
-  bool ranges = true;  ///< measures where what it sees is
-  double min_range_m = 0, max_range_m = 0;
+  double nearest_m = 0;                     ///< that it sees anything
+  bool ranges = true;                       ///< it measures where what it sees is,
+  double min_range_m = 0, max_range_m = 0;  ///< within these limits
   /// Standard deviation of a range that it measures.
   std::function<double(double range_m)> range_sigma_m;
   double bytes_per_sample = 0;  ///< as measured, before compression

@@ -114,6 +114,7 @@ inline Viewer ViewerOf(
   viewer.field.per_steradian = [=](const Vec3& d_S) { return looks(d_S) ? per_sr : 0; };
   viewer.field.reach_m = [](double) { return 100.0; };
   viewer.field.max_range_m = 100;
+  viewer.field.range_sigma_m = [](double) { return 0.0; };
   viewer.X_WS = X_WS;
   return viewer;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "layout/sight/look.h"
+
 namespace tera {
 namespace {
 
@@ -31,44 +33,22 @@ std::vector<ElevationMap::Cell> ElevationMap::CellsOn(const TerrainSurface& grou
   return cells;
 }
 
-std::vector<ElevationMap::Expected> ElevationMap::ExpectedOf(const Viewer& viewer,
-                                                             const std::vector<Cell>& cells,
-                                                             double reflectance) const {
-  const ViewField& field = viewer.field;
-  const Pose X_SW = viewer.X_WS.inverse();
-  std::vector<Expected> expected;
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    const Vec3 p_S_m = X_SW * cells[c].p_W_m;
-    const double range_m = p_S_m.norm();
-    const Vec3 d_W = viewer.X_WS.linear() * (p_S_m / range_m);
-    const double cosine = -cells[c].normal_W.dot(d_W), up = cells[c].normal_W.z();
-    if (cosine <= 0 || range_m < field.min_range_m) continue;
-    if (range_m > std::min(field.max_range_m, field.reach_m(reflectance * cosine))) continue;
-    const double area_m2 = cells[c].area_m2 / up;
-    const double points =
-        field.per_steradian(p_S_m / range_m) * area_m2 * cosine / (range_m * range_m);
-    if (points <= 0) continue;
-    expected.push_back({c, points, field.range_sigma_m(range_m) * cosine / up});
-  }
-  return expected;
-}
-
 void ElevationMap::Add(const Pose& X_WH, const Layout& layout, double reflectance,
                        const Sighting& sighting, const TerrainSurface& ground) {
   std::vector<Cell> cells = CellsOn(ground, X_WH);
+  std::vector<Target> targets;
+  for (const Cell& cell : cells) targets.push_back({cell.p_W_m, cell.normal_W});
+  const Asked asked{.reflectance = reflectance, .ranges = true};
   for (const Viewer& viewer : layout.viewers) {
-    if (!viewer.field.ranges) continue;
-    const std::vector<Expected> expected = ExpectedOf(viewer, cells, reflectance);
-    std::vector<Sighting::Line> lines;
-    for (const Expected& of : expected) {
-      lines.push_back({viewer.X_WS.translation(), cells[of.cell].p_W_m});
-    }
-    const std::vector<std::optional<Blocked>> blocked = sighting.Try(lines);
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-      if (blocked[i]) continue;
-      const auto& [c, points, sigma_m] = expected[i];
-      cells[c].points += points;
-      cells[c].weight_pm2 += points / std::max(sigma_m * sigma_m, kLeast_m2);
+    const std::vector<Look> looks = LookFrom(viewer, targets, asked, sighting);
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      if (!looks[c].sees) continue;
+      Cell& cell = cells[c];
+      const Vec3 d_W = (cell.p_W_m - viewer.X_WS.translation()).normalized();
+      const double up = cell.normal_W.z(), points = looks[c].per_m2 * cell.area_m2 / up;
+      const double sigma_m = looks[c].sigma_m * -cell.normal_W.dot(d_W) / up;
+      cell.points += points;
+      cell.weight_pm2 += points / std::max(sigma_m * sigma_m, kLeast_m2);
     }
   }
   Count(cells);

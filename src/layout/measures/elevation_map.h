@@ -12,9 +12,9 @@ namespace tera {
 ///
 /// Frames  H as in PolarGrid.
 /// Model   cells of the map lie on the ground with its slope there. Of a viewer that ranges, the
-///         points expected on a cell are those per steradian times its solid angle, if its middle
-///         is in reach with nothing in the way; they come as a Poisson process, so that a cell is a
-///         gap with probability exp(-n). A range error e along the ray d moves a point to where the
+///         points expected on a cell are those on a square metre of it times its area, if its
+///         middle is seen (look.h); they come as a Poisson process, so that a cell is a gap with
+///         probability exp(-n). A range error e along the ray d moves a point to where the
 ///         plane of the cell is lower or higher by e (n . d) / n_z, n its normal: so much is the
 ///         error of its height. Points of a cell average by their weights.
 /// Omits   roughness within a cell, errors of the mount and of the pose, which are the same for all
@@ -36,14 +36,7 @@ class ElevationMap {
     double points = 0;      ///< expected on it
     double weight_pm2 = 0;  ///< of the mean of their heights: the inverse of its variance
   };
-  struct Expected {
-    std::size_t cell;
-    double points, sigma_m;  ///< sigma of the height of one
-  };
   std::vector<Cell> CellsOn(const TerrainSurface& ground, const Pose& X_WH) const;
-  /// What `viewer` would have on each cell if nothing were in the way.
-  std::vector<Expected> ExpectedOf(const Viewer& viewer, const std::vector<Cell>& cells,
-                                   double reflectance) const;
   void Count(const std::vector<Cell>& cells);
 
   ElevationStudy study_;

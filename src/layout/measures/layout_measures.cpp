@@ -155,7 +155,7 @@ void LayoutMeasures::Add(const LookedAt& moment, const Places& places, const Lay
     maps_[m].Add(maps[m], layout, study_.seen, sighting);
   }
   for (PersonRange& person : people_) person.Add(X_WH, hull_m, layout, sighting, ground);
-  for (ShovelView& shovel : shovels_) shovel.Add(machine, layout, sighting);
+  for (ShovelView& shovel : shovels_) shovel.Add(machine, layout, reflectance, sighting);
   if (elevation_) elevation_->Add(X_WH, layout, reflectance, sighting, ground);
   if (pixels_) pixels_->Add(X_WH, layout, sighting, ground);
   if (eye_) {

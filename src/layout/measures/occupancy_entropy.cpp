@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "layout/sight/look.h"
+
 namespace tera {
 namespace {
 
@@ -57,14 +59,20 @@ OccupancyEntropy::OccupancyEntropy(double radius_m, double height_m, double voxe
   occupied_.resize(voxels_H_m_.size(), 0);
 }
 
-bool OccupancyEntropy::SendsRay(const Viewer& viewer, const Vec3& p_W_m, double reflectance) const {
-  const ViewField& field = viewer.field;
-  const Vec3 p_S_m = viewer.X_WS.inverse() * p_W_m;
-  const double range_m = p_S_m.norm();
-  if (range_m <= 0 || range_m < field.min_range_m || range_m > field.max_range_m) return false;
-  if (range_m > field.reach_m(reflectance)) return false;
-  const double face_sr = voxel_m_ * voxel_m_ / (range_m * range_m);
-  return field.per_steradian(p_S_m / range_m) * face_sr >= 1;
+void OccupancyEntropy::Count(const std::vector<Occupant>& occupants,
+                             const std::vector<Vec3>& voxels_W_m) {
+  const Vec3 half_m = Vec3::Constant(0.5 * voxel_m_);
+  std::vector<Pose> X_BW;
+  for (const Occupant& occupant : occupants) X_BW.push_back(occupant.X_WB.inverse());
+  for (std::size_t v = 0; v < voxels_W_m.size(); ++v) {
+    bool is_occupied = false;
+    for (std::size_t o = 0; o < occupants.size() && !is_occupied; ++o) {
+      const Vec3 p_B_m = X_BW[o] * voxels_W_m[v];
+      is_occupied = (p_B_m.array() >= (occupants[o].low_B_m - half_m).array()).all() &&
+                    (p_B_m.array() <= (occupants[o].high_B_m + half_m).array()).all();
+    }
+    occupied_[v] += is_occupied;
+  }
 }
 
 void OccupancyEntropy::Add(const Pose& X_WH, const std::vector<Occupant>& occupants,
@@ -72,32 +80,19 @@ void OccupancyEntropy::Add(const Pose& X_WH, const std::vector<Occupant>& occupa
   const std::size_t count = voxels_H_m_.size();
   std::vector<Vec3> p_W_m;
   for (const Vec3& p_H_m : voxels_H_m_) p_W_m.push_back(X_WH * p_H_m);
-  const Vec3 half_m = Vec3::Constant(0.5 * voxel_m_);
-  std::vector<Pose> X_BW;
-  for (const Occupant& occupant : occupants) X_BW.push_back(occupant.X_WB.inverse());
+  Count(occupants, p_W_m);
+  const std::vector<Target> targets = InTheAir(p_W_m);
+  const Asked a_ray{.reflectance = reflectance,
+                    .ranges = true,
+                    .least_per_m2 = 1 / (voxel_m_ * voxel_m_),
+                    .margin_m = 0.5 * voxel_m_};
   Covered covered{std::vector<bool>(count), std::vector<bool>(count)};
-  std::vector<Sighting::Line> lines;
-  std::vector<std::size_t> of;
-  for (std::size_t v = 0; v < count; ++v) {
-    bool is_occupied = false;
-    for (std::size_t o = 0; o < occupants.size() && !is_occupied; ++o) {
-      const Vec3 p_B_m = X_BW[o] * p_W_m[v];
-      is_occupied = (p_B_m.array() >= (occupants[o].low_B_m - half_m).array()).all() &&
-                    (p_B_m.array() <= (occupants[o].high_B_m + half_m).array()).all();
+  for (const Viewer& viewer : layout.viewers) {
+    const std::vector<Look> looks = LookFrom(viewer, targets, a_ray, sighting);
+    for (std::size_t v = 0; v < count; ++v) {
+      if (looks[v].sees) covered.in_sight[v] = true;
+      if (looks[v].sees || looks[v].why == Unseen::kBlocked) covered.through[v] = true;
     }
-    occupied_[v] += is_occupied;
-    for (const Viewer& viewer : layout.viewers) {
-      if (!viewer.field.ranges || !SendsRay(viewer, p_W_m[v], reflectance)) continue;
-      covered.through[v] = true;
-      const Vec3 way_W_m = p_W_m[v] - viewer.X_WS.translation();
-      const Vec3 near_W_m = p_W_m[v] - std::min(half_m.x(), way_W_m.norm()) * way_W_m.normalized();
-      lines.push_back({viewer.X_WS.translation(), near_W_m});
-      of.push_back(v);
-    }
-  }
-  const std::vector<std::optional<Blocked>> blocked = sighting.Try(lines);
-  for (std::size_t i = 0; i < of.size(); ++i) {
-    if (!blocked[i]) covered.in_sight[of[i]] = true;
   }
   covered_.push_back(std::move(covered));
 }

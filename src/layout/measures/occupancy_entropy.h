@@ -28,9 +28,9 @@ std::vector<Occupant> OccupantsAt(const Instant& now, const Scenario& scenario,
 /// Model   p_v, the share of the moments at which voxel v of H holds a part of a person or vehicle
 ///         (its middle lies in the box, grown by half a voxel on every side); the entropy
 ///         -p ln p - (1 - p) ln(1 - p), summed over the voxels that a layout covers at a moment. A
-///         voxel is covered by a lidar or a camera of depth that sends at least one ray into it: by
-///         whose samples per steradian its square face, turned to the sensor, takes one or more,
-///         within the range. Occluded, with nothing in the way up to the voxel's near side.
+///         voxel is covered by a lidar or a camera of depth that sends at least one ray into it: of
+///         whose samples its square face, turned to the sensor, takes one or more, in reach of what
+///         it measures (look.h). Occluded, with nothing in the way up to the voxel's near side.
 /// Omits   against the paper: its grid of one map and many drives, which here is the cycle alone,
 ///         so that what stands still in H for all of it carries no information; grids of each kind
 ///         of object, which here are one; the voxels along each single ray, for which the density
@@ -56,7 +56,8 @@ class OccupancyEntropy {
   struct Covered {
     std::vector<bool> through, in_sight;  ///< of each voxel: whatever is in the way; with nothing
   };
-  bool SendsRay(const Viewer& viewer, const Vec3& p_W_m, double reflectance) const;
+  /// Adds what holds a part of somebody or something now.
+  void Count(const std::vector<Occupant>& occupants, const std::vector<Vec3>& voxels_W_m);
 
   double voxel_m_;
   std::vector<Vec3> voxels_H_m_;

@@ -2,17 +2,13 @@
 
 #include "core/units.h"
 #include "layout/measures/polar_grid.h"
+#include "layout/sight/look.h"
 
 namespace tera {
 namespace {
 
 constexpr int kPatchesUp = 4, kPatchesAcross = 2;
 constexpr double kMiddle_m = 0.9;  ///< of a person who stands, over the ground
-
-struct Sample {
-  std::size_t person;
-  double count;
-};
 
 }  // namespace
 
@@ -71,28 +67,17 @@ std::vector<BodyPatch> PatchesOf(const Posture& posture) {
 std::vector<double> SamplesOnPersons(const std::vector<BodyPatch>& patches,
                                      const std::vector<Pose>& X_WP, const Viewer& viewer,
                                      double reflectance, const Sighting& sighting) {
-  std::vector<Sample> samples;
-  std::vector<Sighting::Line> lines;
-  const Vec3 from_W_m = viewer.X_WS.translation();
-  const Mat3 R_SW = viewer.X_WS.linear().transpose();
-  for (std::size_t p = 0; p < X_WP.size(); ++p) {
+  std::vector<Target> targets;
+  for (const Pose& X_WP_of : X_WP) {
     for (const BodyPatch& patch : patches) {
-      const Vec3 p_W_m = X_WP[p] * patch.p_P_m;
-      const Vec3 way_W_m = p_W_m - from_W_m;
-      const double range_m = way_W_m.norm();
-      const double cosine = -(X_WP[p].linear() * patch.normal_P).dot(way_W_m) / range_m;
-      if (cosine <= 0 || range_m < viewer.field.min_range_m) continue;
-      if (range_m > viewer.field.reach_m(reflectance * cosine)) continue;
-      const double per_sr = viewer.field.per_steradian(R_SW * way_W_m / range_m);
-      if (per_sr <= 0) continue;
-      samples.push_back({p, per_sr * patch.area_m2 * cosine / (range_m * range_m)});
-      lines.push_back({from_W_m, p_W_m});
+      targets.push_back({X_WP_of * patch.p_P_m, X_WP_of.linear() * patch.normal_P});
     }
   }
-  const std::vector<std::optional<Blocked>> blocked = sighting.Try(lines);
+  const std::vector<Look> looks = LookFrom(viewer, targets, {.reflectance = reflectance}, sighting);
   std::vector<double> count(X_WP.size(), 0);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (!blocked[i]) count[samples[i].person] += samples[i].count;
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    const BodyPatch& patch = patches[i % patches.size()];
+    if (looks[i].sees) count[i / patches.size()] += looks[i].per_m2 * patch.area_m2;
   }
   return count;
 }

@@ -34,8 +34,8 @@ std::vector<BodyPatch> PatchesOf(const Posture& posture);
 /// How many points or pixels a viewer has in one scan or picture on persons at `X_WP`, one alone at
 /// a time.
 ///
-/// Model   its samples per steradian times the solid angle of the patches that it sees, within its
-///         reach at the incidence there.
+/// Model   its samples on a square metre of each patch that it sees (look.h) times the patch's
+/// area.
 std::vector<double> SamplesOnPersons(const std::vector<BodyPatch>& patches,
                                      const std::vector<Pose>& X_WP, const Viewer& viewer,
                                      double reflectance, const Sighting& sighting);

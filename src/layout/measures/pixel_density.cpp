@@ -9,38 +9,31 @@
 
 #include "layout/measures/polar_grid.h"
 #include "layout/measures/quarter.h"
+#include "layout/sight/look.h"
 
 namespace tera {
 namespace {
 
 constexpr std::size_t kPurposeCount = PixelDensity::kPurposes.size();
 
-/// Pixels per metre of a surface at the place that faces the camera; 0 out of view.
-double DensityAt(const Viewer& camera, const Vec3& p_W_m) {
-  const Vec3 p_S_m = camera.X_WS.inverse() * p_W_m;
-  const double range_m = p_S_m.norm();
-  if (range_m <= 0 || range_m > camera.field.reach_m(1)) return 0;
-  return std::sqrt(camera.field.per_steradian(p_S_m / range_m)) / range_m;
-}
-
-/// Of each place that of the camera that shows it most finely; 0 where none does.
+/// Pixels per metre of a surface at each place that counts and faces the camera that shows it most
+/// finely; 0 where none does.
 std::vector<double> DensitiesAt(const PolarPlaces& places, const Layout& layout,
                                 const Sighting& sighting) {
+  std::vector<Target> targets;
+  std::vector<std::size_t> place;
+  for (std::size_t p = 0; p < places.p_W_m.size(); ++p) {
+    if (!places.count[p]) continue;
+    targets.push_back({places.p_W_m[p]});
+    place.push_back(p);
+  }
   std::vector<double> best_px_per_m(places.p_W_m.size(), 0);
   for (const Viewer& viewer : layout.viewers) {
     if (viewer.field.samples != ViewField::Samples::kPixels) continue;
-    std::vector<Sighting::Line> lines;
-    std::vector<std::pair<std::size_t, double>> tried;
-    for (std::size_t p = 0; p < places.p_W_m.size(); ++p) {
-      if (!places.count[p]) continue;
-      const double px_per_m = DensityAt(viewer, places.p_W_m[p]);
-      if (px_per_m <= best_px_per_m[p]) continue;
-      lines.push_back({viewer.X_WS.translation(), places.p_W_m[p]});
-      tried.emplace_back(p, px_per_m);
-    }
-    const std::vector<std::optional<Blocked>> blocked = sighting.Try(lines);
-    for (std::size_t i = 0; i < tried.size(); ++i) {
-      if (!blocked[i]) best_px_per_m[tried[i].first] = tried[i].second;
+    const std::vector<Look> looks = LookFrom(viewer, targets, {}, sighting);
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+      double& best = best_px_per_m[place[i]];
+      if (looks[i].sees) best = std::max(best, std::sqrt(looks[i].per_m2));
     }
   }
   return best_px_per_m;

@@ -3,24 +3,13 @@
 #include <vector>
 
 #include "layout/layout.h"
-#include "layout/sight/sighting.h"
+#include "layout/sight/look.h"
 #include "layout/study/study.h"
 
 namespace tera {
 
-/// Why a viewer does not see a place.
-enum class Unseen { kOutOfView, kTooFarOrSparse, kBlocked };
-
-/// A viewer and a place.
-struct Look {
-  bool sees = false;
-  Unseen why = Unseen::kOutOfView;  ///< where it does not
-  Blocked by;                       ///< where something is in the way
-};
-
-/// Looks at each place from each viewer of a layout, which stand where they are now:
-/// [place][viewer]. A place counts as seen by a viewer that has it in view and in reach, at the
-/// density that `seen` asks, with nothing in the way.
+/// Looks at each place in the air from each viewer of a layout, which stand where they are now, for
+/// as many samples as `seen` asks: [place][viewer].
 std::vector<std::vector<Look>> LookAt(const std::vector<Vec3>& places_W_m, const Layout& layout,
                                       const SeenFrom& seen, const Sighting& sighting);
 

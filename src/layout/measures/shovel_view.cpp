@@ -2,20 +2,12 @@
 
 #include <algorithm>
 
+#include "layout/sight/look.h"
+
 namespace tera {
 namespace {
 
 constexpr int kAlongEdge = 21, kAcrossMouth = 9;
-
-/// Whether a viewer has the place in its field and range.
-bool HasInView(const Viewer& viewer, const Vec3& p_W_m) {
-  const Vec3 p_S_m = viewer.X_WS.inverse() * p_W_m;
-  const double range_m = p_S_m.norm();
-  if (range_m <= 0 || range_m > viewer.field.reach_m(1)) return false;
-  const bool is_lidar = viewer.field.samples == ViewField::Samples::kPoints;
-  if (is_lidar && range_m < viewer.field.min_range_m) return false;
-  return viewer.field.per_steradian(p_S_m / range_m) > 0;
-}
 
 }  // namespace
 
@@ -36,36 +28,32 @@ ShovelView::ShovelView(const Shovel& shovel, std::uint16_t instance)
 }
 
 double ShovelView::ShareSeen(const std::vector<Vec3>& places_W_m, const Layout& layout,
-                             const Sighting& sighting) const {
-  std::vector<Sighting::Line> lines;
-  std::vector<std::size_t> place;
-  for (const Viewer& viewer : layout.viewers) {
-    for (std::size_t p = 0; p < places_W_m.size(); ++p) {
-      if (!HasInView(viewer, places_W_m[p])) continue;
-      lines.push_back({viewer.X_WS.translation(), places_W_m[p]});
-      place.push_back(p);
-    }
-  }
-  const std::vector<std::optional<Blocked>> blocked = sighting.Try(lines);
+                             double reflectance, const Sighting& sighting) const {
+  const std::vector<Target> targets = InTheAir(places_W_m);
   std::vector<bool> seen(places_W_m.size(), false);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const bool by_soil =
-        blocked[i] && soil_instance_ != 0 && blocked[i]->instance == soil_instance_;
-    if (!blocked[i] || by_soil) seen[place[i]] = true;
+  for (const Viewer& viewer : layout.viewers) {
+    const std::vector<Look> looks =
+        LookFrom(viewer, targets, {.reflectance = reflectance}, sighting);
+    for (std::size_t p = 0; p < looks.size(); ++p) {
+      const bool by_soil = looks[p].why == Unseen::kBlocked && soil_instance_ != 0 &&
+                           looks[p].by.instance == soil_instance_;
+      if (looks[p].sees || by_soil) seen[p] = true;
+    }
   }
   return static_cast<double>(std::count(seen.begin(), seen.end(), true)) /
          static_cast<double>(places_W_m.size());
 }
 
-void ShovelView::Add(const MachineState& machine, const Layout& layout, const Sighting& sighting) {
+void ShovelView::Add(const MachineState& machine, const Layout& layout, double reflectance,
+                     const Sighting& sighting) {
   const Pose& X_WB = machine.links[link_].X_WB;
   const auto in_W = [&](const std::vector<Vec3>& places_B_m) {
     std::vector<Vec3> places_W_m;
     for (const Vec3& p_B_m : places_B_m) places_W_m.push_back(X_WB * p_B_m);
     return places_W_m;
   };
-  edge_seen_.push_back(ShareSeen(in_W(edge_B_m_), layout, sighting));
-  if (carries_) load_seen_.push_back(ShareSeen(in_W(mouth_B_m_), layout, sighting));
+  edge_seen_.push_back(ShareSeen(in_W(edge_B_m_), layout, reflectance, sighting));
+  if (carries_) load_seen_.push_back(ShareSeen(in_W(mouth_B_m_), layout, reflectance, sighting));
 }
 
 std::vector<Figure> ShovelView::Figures() const {

@@ -14,20 +14,21 @@ namespace tera {
 ///
 /// Frames  B the shovel's link.
 /// Model   places along the edge, and over the mouth of the shell at struck level, that any viewer
-///         has in view with nothing in the way but what the shovel itself carries. Nearer than a
-///         lidar's least range it sees nothing; density does not count.
+///         sees (look.h) with nothing in the way but what the shovel itself carries; density does
+///         not count.
 /// Omits   soil heaped above struck level, and the part of the mouth that is empty.
 class ShovelView {
  public:
   /// `instance` is that of the soil in it in the scene, 0 where it carries none.
   ShovelView(const Shovel& shovel, std::uint16_t instance);
 
-  void Add(const MachineState& machine, const Layout& layout, const Sighting& sighting);
+  void Add(const MachineState& machine, const Layout& layout, double reflectance,
+           const Sighting& sighting);
   /// "dig/SHOVEL/edge_seen" and, of one that carries, "dig/SHOVEL/load_seen": shares.
   std::vector<Figure> Figures() const;
 
  private:
-  double ShareSeen(const std::vector<Vec3>& places_W_m, const Layout& layout,
+  double ShareSeen(const std::vector<Vec3>& places_W_m, const Layout& layout, double reflectance,
                    const Sighting& sighting) const;
 
   std::string name_;

@@ -40,10 +40,11 @@ ViewField ViewOf(const CameraModel& model, double rate_hz) {
   const CameraIntrinsics lens = model.intrinsics;
   const Mat3 R_CS = OpticalInSensor().linear().transpose();
   view.per_steradian = [lens, R_CS](const Vec3& d_S) { return PerSteradian(lens, R_CS * d_S); };
-  view.ranges = model.depth;
-  view.min_range_m = model.depth ? model.depth_min_m : lens.near_m;
-  view.max_range_m = model.depth ? model.depth_max_m : lens.far_m;
+  view.nearest_m = lens.near_m;
   view.reach_m = [lens](double) { return lens.far_m; };
+  view.ranges = model.depth;
+  view.min_range_m = model.depth_min_m;
+  view.max_range_m = model.depth_max_m;
   view.range_sigma_m = [model, lens](double range_m) {
     return range_m * range_m * model.disparity_noise_px / (lens.fx_px * model.baseline_m);
   };

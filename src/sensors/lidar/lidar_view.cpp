@@ -44,7 +44,7 @@ ViewField ViewOf(const LidarModel& model, double rate_hz) {
     const double power_m = model.range_at_10_percent_m * std::sqrt(returned / kDarkTarget);
     return std::min(model.max_range_m, power_m);
   };
-  view.min_range_m = model.min_range_m;
+  view.nearest_m = view.min_range_m = model.min_range_m;
   view.max_range_m = model.max_range_m;
   view.range_sigma_m = [model](double) { return model.range_noise_m; };
   view.bytes_per_sample = kPoint_bytes;

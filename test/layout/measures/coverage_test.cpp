@@ -160,7 +160,7 @@ TEST(ZoneCoverage, SeesNoFartherThanItReachesAndNoNearerThanItBegins) {
   const LookedAtSite site({});
   ViewField field = EverywhereAlike();
   field.reach_m = [](double returned) { return returned < 0.21 ? 3.0 : 100.0; };
-  field.min_range_m = 1.5;
+  field.nearest_m = 1.5;
   const auto coverage =
       Covered(site, Box({-3, -3, 2}, {3, 3, 8}), LayoutOf({ViewerAt("lidar", {0, 0, 5}, field)}));
   EXPECT_NEAR(At(coverage, "seen_by_1"), kPi / 6 * (1 - 1.0 / 8), 0.005);

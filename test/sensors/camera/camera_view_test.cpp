@@ -171,6 +171,7 @@ TEST(CameraView, SaysWhatItMeasures) {
   const ViewField field = ViewOf(model, 5);
   EXPECT_EQ(field.samples, ViewField::Samples::kPixels);
   EXPECT_TRUE(field.ranges);
+  EXPECT_EQ(field.nearest_m, model.intrinsics.near_m);
   EXPECT_EQ(field.min_range_m, 0.4);
   EXPECT_EQ(field.max_range_m, 9);
   // On the axis: a disparity of f b / z = 250 px 0.05 m / 4 m is off by 0.1 px.

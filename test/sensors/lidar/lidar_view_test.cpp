@@ -207,6 +207,7 @@ TEST(LidarView, SaysWhatItMeasures) {
   const ViewField field = ViewOf(model, 20);
   EXPECT_EQ(field.samples, ViewField::Samples::kPoints);
   EXPECT_TRUE(field.ranges);
+  EXPECT_EQ(field.nearest_m, 0.7);
   EXPECT_EQ(field.min_range_m, 0.7);
   EXPECT_EQ(field.max_range_m, 80);
   EXPECT_EQ(field.range_sigma_m(1), 0.02);

@@ -1,0 +1,70 @@
+#include "layout/sight/look.h"
+
+#include <algorithm>
+
+namespace tera {
+namespace {
+
+/// Whether what lies at this distance and returns this share of the light is in reach.
+bool IsInReach(const ViewField& field, double range_m, double returned, bool ranges) {
+  if (range_m < field.nearest_m || range_m > field.reach_m(returned)) return false;
+  return !ranges || (range_m >= field.min_range_m && range_m <= field.max_range_m);
+}
+
+/// What can be said of a look before anything is in the way.
+Look Unhindered(const Viewer& viewer, const Target& target, const Asked& asked) {
+  const ViewField& field = viewer.field;
+  const Vec3 way_W_m = target.p_W_m - viewer.X_WS.translation();
+  const double range_m = way_W_m.norm();
+  if (range_m <= 0 || (asked.ranges && !field.ranges)) return {};
+  const double cosine = target.normal_W ? -target.normal_W->dot(way_W_m) / range_m : 1;
+  if (cosine <= 0) return {};
+  const double per_sr = field.per_steradian(viewer.X_WS.linear().transpose() * way_W_m / range_m);
+  if (per_sr <= 0) return {};
+  Look look;
+  look.per_m2 = per_sr * cosine / (range_m * range_m);
+  look.sees = look.per_m2 >= asked.least_per_m2 &&
+              IsInReach(field, range_m, asked.reflectance * cosine, asked.ranges);
+  if (!look.sees) look.why = Unseen::kTooFarOrSparse;
+  if (asked.ranges) look.sigma_m = field.range_sigma_m(range_m);
+  return look;
+}
+
+Sighting::Line LineTo(const Target& target, const Viewer& viewer, double margin_m) {
+  const Vec3 from_W_m = viewer.X_WS.translation(), way_W_m = target.p_W_m - from_W_m;
+  return {from_W_m, target.p_W_m - std::min(margin_m, way_W_m.norm()) * way_W_m.normalized()};
+}
+
+}  // namespace
+
+std::vector<Target> InTheAir(std::span<const Vec3> places_W_m) {
+  std::vector<Target> targets;
+  for (const Vec3& p_W_m : places_W_m) targets.push_back({p_W_m});
+  return targets;
+}
+
+std::vector<Look> LookFrom(const Viewer& viewer, std::span<const Target> targets,
+                           const Asked& asked, const Sighting& sighting) {
+  std::vector<Look> looks;
+  looks.reserve(targets.size());
+  std::vector<Sighting::Line> lines;
+  std::vector<std::size_t> tried;
+  const double margin_m = std::max(0.0, asked.margin_m - Sighting::kTouch_m);
+  for (const Target& target : targets) {
+    looks.push_back(Unhindered(viewer, target, asked));
+    if (!looks.back().sees) continue;
+    lines.push_back(LineTo(target, viewer, margin_m));
+    tried.push_back(looks.size() - 1);
+  }
+  const std::vector<std::optional<Blocked>> blocked = sighting.Try(lines);
+  for (std::size_t i = 0; i < tried.size(); ++i) {
+    if (!blocked[i]) continue;
+    Look& look = looks[tried[i]];
+    look.sees = false;
+    look.why = Unseen::kBlocked;
+    look.by = *blocked[i];
+  }
+  return looks;
+}
+
+}  // namespace tera
