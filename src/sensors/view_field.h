@@ -19,11 +19,14 @@ struct ViewField {
   /// Farthest that it sees a surface that returns this share of the light: its diffuse reflectance
   /// times the cosine of the incidence.
   std::function<double(double returned)> reach_m;
-  double nearest_m = 0;                     ///< that it sees anything
-  bool ranges = true;                       ///< it measures where what it sees is,
-  double min_range_m = 0, max_range_m = 0;  ///< within these limits
-  /// Standard deviation of a range that it measures.
-  std::function<double(double range_m)> range_sigma_m;
+  double nearest_m = 0;                           ///< that it sees anything
+  bool ranges = true;                             ///< it measures where what it sees is,
+  double min_distance_m = 0, max_distance_m = 0;  ///< within these limits
+  /// Standard deviation of a distance that it measures.
+  std::function<double(double distance_m)> distance_sigma_m;
+  /// What all of these are distances by: depths along the axis x of S, or ranges from its origin.
+  bool by_depth = false;
+  double DistanceOf(const Vec3& p_S_m) const { return by_depth ? p_S_m.x() : p_S_m.norm(); }
   double bytes_per_sample = 0;  ///< as measured, before compression
   double samples_per_s = 0;
 };

@@ -124,8 +124,8 @@ inline ViewField EverywhereAlike(double per_steradian = 1e9) {
   ViewField field;
   field.per_steradian = [per_steradian](const Vec3&) { return per_steradian; };
   field.reach_m = [](double) { return 1e3; };
-  field.max_range_m = 1e3;
-  field.range_sigma_m = [](double) { return 0.0; };
+  field.max_distance_m = 1e3;
+  field.distance_sigma_m = [](double) { return 0.0; };
   return field;
 }
 

@@ -113,8 +113,8 @@ inline Viewer ViewerOf(
   viewer.field.samples = samples;
   viewer.field.per_steradian = [=](const Vec3& d_S) { return looks(d_S) ? per_sr : 0; };
   viewer.field.reach_m = [](double) { return 100.0; };
-  viewer.field.max_range_m = 100;
-  viewer.field.range_sigma_m = [](double) { return 0.0; };
+  viewer.field.max_distance_m = 100;
+  viewer.field.distance_sigma_m = [](double) { return 0.0; };
   viewer.X_WS = X_WS;
   return viewer;
 }

@@ -6,9 +6,9 @@ namespace tera {
 namespace {
 
 /// Whether what lies at this distance and returns this share of the light is in reach.
-bool IsInReach(const ViewField& field, double range_m, double returned, bool ranges) {
-  if (range_m < field.nearest_m || range_m > field.reach_m(returned)) return false;
-  return !ranges || (range_m >= field.min_range_m && range_m <= field.max_range_m);
+bool IsInReach(const ViewField& field, double distance_m, double returned, bool ranges) {
+  if (distance_m < field.nearest_m || distance_m > field.reach_m(returned)) return false;
+  return !ranges || (distance_m >= field.min_distance_m && distance_m <= field.max_distance_m);
 }
 
 /// What can be said of a look before anything is in the way.
@@ -19,14 +19,16 @@ Look Unhindered(const Viewer& viewer, const Target& target, const Asked& asked) 
   if (range_m <= 0 || (asked.ranges && !field.ranges)) return {};
   const double cosine = target.normal_W ? -target.normal_W->dot(way_W_m) / range_m : 1;
   if (cosine <= 0) return {};
-  const double per_sr = field.per_steradian(viewer.X_WS.linear().transpose() * way_W_m / range_m);
+  const Vec3 p_S_m = viewer.X_WS.linear().transpose() * way_W_m;
+  const double per_sr = field.per_steradian(p_S_m / range_m);
   if (per_sr <= 0) return {};
+  const double distance_m = field.DistanceOf(p_S_m);
   Look look;
   look.per_m2 = per_sr * cosine / (range_m * range_m);
   look.sees = look.per_m2 >= asked.least_per_m2 &&
-              IsInReach(field, range_m, asked.reflectance * cosine, asked.ranges);
+              IsInReach(field, distance_m, asked.reflectance * cosine, asked.ranges);
   if (!look.sees) look.why = Unseen::kTooFarOrSparse;
-  if (asked.ranges) look.sigma_m = field.range_sigma_m(range_m);
+  if (asked.ranges) look.sigma_m = field.distance_sigma_m(distance_m) * range_m / distance_m;
   return look;
 }
 

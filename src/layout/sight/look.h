@@ -34,8 +34,10 @@ struct Look {
   bool sees = false;
   Unseen why = Unseen::kOutOfView;  ///< where it does not
   Blocked by;                       ///< where something is in the way
-  double per_m2 = 0;   ///< points or pixels of one scan or picture on a square metre of the surface
-  double sigma_m = 0;  ///< of its place along the line of sight, where ranges are asked
+  double per_m2 = 0;  ///< points or pixels of one scan or picture on a square metre of the surface
+  /// 1 sigma of its place along the line of sight, where ranges are asked: an error of depth moves
+  /// a point along its ray by range / depth times as much.
+  double sigma_m = 0;
 };
 
 /// Looks from a viewer at each target: what "seen" means in every measure of a layout.
@@ -43,7 +45,8 @@ struct Look {
 /// Model   a target is in view where the viewer takes samples in its direction and its surface
 ///         faces the viewer; in reach where it is no nearer and no farther than the viewer sees
 ///         what returns its reflectance times the cosine of the incidence and, where ranges are
-///         asked, within the limits in which it measures them; dense enough by samples per
+///         asked, within the limits in which it measures them, all by distances as the sensor takes
+///         them (ViewField::DistanceOf); dense enough by samples per
 ///         steradian times cosine over the square of the range; and it is seen where nothing blocks
 ///         the line of sight either.
 /// Omits   how large a target is: its samples are those of its middle, all of it is seen or none.

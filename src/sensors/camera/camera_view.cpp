@@ -1,6 +1,8 @@
 #include "sensors/camera/camera_view.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tera {
 namespace {
@@ -40,13 +42,17 @@ ViewField ViewOf(const CameraModel& model, double rate_hz) {
   const CameraIntrinsics lens = model.intrinsics;
   const Mat3 R_CS = OpticalInSensor().linear().transpose();
   view.per_steradian = [lens, R_CS](const Vec3& d_S) { return PerSteradian(lens, R_CS * d_S); };
-  view.nearest_m = lens.near_m;
-  view.reach_m = [lens](double) { return lens.far_m; };
+  view.by_depth = true;
   view.ranges = model.depth;
-  view.min_range_m = model.depth_min_m;
-  view.max_range_m = model.depth_max_m;
-  view.range_sigma_m = [model, lens](double range_m) {
-    return range_m * range_m * model.disparity_noise_px / (lens.fx_px * model.baseline_m);
+  view.min_distance_m = std::max(model.depth_min_m, lens.near_m);
+  view.max_distance_m = std::min(model.depth_max_m, lens.far_m);
+  const bool is_depth_alone = !model.rgb && model.labels.none();
+  const double reach_m =
+      is_depth_alone ? view.max_distance_m : std::numeric_limits<double>::infinity();
+  view.nearest_m = is_depth_alone ? view.min_distance_m : lens.near_m;
+  view.reach_m = [reach_m](double) { return reach_m; };
+  view.distance_sigma_m = [model, lens](double z_m) {
+    return z_m * z_m * model.disparity_noise_px / (lens.fx_px * model.baseline_m);
   };
   view.bytes_per_sample = model.rgb * kColour_bytes + model.depth * kDepth_bytes;
   view.samples_per_s = rate_hz * lens.width_px * lens.height_px;

@@ -44,9 +44,9 @@ ViewField ViewOf(const LidarModel& model, double rate_hz) {
     const double power_m = model.range_at_10_percent_m * std::sqrt(returned / kDarkTarget);
     return std::min(model.max_range_m, power_m);
   };
-  view.nearest_m = view.min_range_m = model.min_range_m;
-  view.max_range_m = model.max_range_m;
-  view.range_sigma_m = [model](double) { return model.range_noise_m; };
+  view.nearest_m = view.min_distance_m = model.min_range_m;
+  view.max_distance_m = model.max_range_m;
+  view.distance_sigma_m = [model](double) { return model.range_noise_m; };
   view.bytes_per_sample = kPoint_bytes;
   view.samples_per_s = rate_hz * static_cast<double>(elevation_rad.size()) * model.columns;
   return view;

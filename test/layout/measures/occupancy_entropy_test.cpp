@@ -70,7 +70,7 @@ TEST(OccupancyEntropy, NeedsARayInTheVoxel) {
   EXPECT_EQ(FigureOf(FiguresOf(yard, {Lidar(yard, 68)}), "information/smig").at[0], 0);
   EXPECT_GT(FigureOf(FiguresOf(yard, {Lidar(yard, 69.5)}), "information/smig").at[0], 1);
   Viewer near_sighted = Lidar(yard, 1e4);
-  near_sighted.field.max_range_m = 4.1;
+  near_sighted.field.max_distance_m = 4.1;
   EXPECT_EQ(FigureOf(FiguresOf(yard, {near_sighted}), "information/smig").at[0], 0);
 }
 

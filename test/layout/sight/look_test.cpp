@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "layout/looked_at_site.h"
+#include "sensors/camera/camera_view.h"
 
 namespace tera {
 namespace {
@@ -66,8 +67,8 @@ TEST_F(LookAtATarget, NearerThanItSeesThereIsNothing) {
 
 TEST_F(LookAtATarget, ShowsBeyondTheLimitsInWhichItMeasures) {
   ViewField camera = EverywhereAlike();
-  camera.min_range_m = 2;
-  camera.max_range_m = 4;
+  camera.min_distance_m = 2;
+  camera.max_distance_m = 4;
   for (const double x_m : {-1.9, -4.1}) {
     EXPECT_TRUE(At(camera, {x_m, 0, 2}).sees);
     EXPECT_FALSE(At(camera, {x_m, 0, 2}, {.ranges = true}).sees);
@@ -76,6 +77,27 @@ TEST_F(LookAtATarget, ShowsBeyondTheLimitsInWhichItMeasures) {
   camera.ranges = false;
   EXPECT_TRUE(At(camera, {-3, 0, 2}).sees);
   EXPECT_FALSE(At(camera, {-3, 0, 2}, {.ranges = true}).sees);
+}
+
+TEST_F(LookAtATarget, ADepthCameraGoesByDepthAlongItsAxis) {
+  // 4 m along the axis and 3 m aside: 5 m away. f b = 160 px 0.05 m, sigma_z = 4^2 0.1 / 8 = 0.2 m,
+  // along the ray 5 / 4 of it.
+  CameraModel camera;
+  camera.intrinsics = {
+      .width_px = 320, .height_px = 240, .fx_px = 160, .fy_px = 160, .cx_px = 160, .cy_px = 120};
+  camera.depth = true;
+  camera.disparity_noise_px = 0.1;
+  camera.baseline_m = 0.05;
+  const auto at = [&](double min_m, double max_m) {
+    camera.depth_min_m = min_m;
+    camera.depth_max_m = max_m;
+    return At(ViewOf(camera, 10), {4, 3, 2}, {.ranges = true});
+  };
+  EXPECT_TRUE(at(0.3, 4.1).sees);
+  EXPECT_FALSE(at(0.3, 3.9).sees);
+  EXPECT_TRUE(at(3.9, 9).sees);
+  EXPECT_FALSE(at(4.1, 9).sees);
+  EXPECT_NEAR(at(0.3, 9).sigma_m, 0.25, 1e-9);
 }
 
 TEST_F(LookAtATarget, SeesNothingBehindAWallUnlessItsMarginHoldsIt) {

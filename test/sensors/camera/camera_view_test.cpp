@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/units.h"
 #include "render/hand_made_scene.h"
@@ -172,12 +173,19 @@ TEST(CameraView, SaysWhatItMeasures) {
   EXPECT_EQ(field.samples, ViewField::Samples::kPixels);
   EXPECT_TRUE(field.ranges);
   EXPECT_EQ(field.nearest_m, model.intrinsics.near_m);
-  EXPECT_EQ(field.min_range_m, 0.4);
-  EXPECT_EQ(field.max_range_m, 9);
+  EXPECT_EQ(field.min_distance_m, 0.4);
+  EXPECT_EQ(field.max_distance_m, 9);
   // On the axis: a disparity of f b / z = 250 px 0.05 m / 4 m is off by 0.1 px.
-  EXPECT_NEAR(field.range_sigma_m(4), 4 * 0.1 / (250 * 0.05 / 4), 1e-9);
+  EXPECT_NEAR(field.distance_sigma_m(4), 4 * 0.1 / (250 * 0.05 / 4), 1e-9);
   EXPECT_EQ(field.samples_per_s, 320 * 240 * 5);
   EXPECT_GT(field.bytes_per_sample, 0);
+  // Pictures go on to the horizon, depth ends; what makes no pictures shows no more than depth.
+  EXPECT_EQ(field.reach_m(0.2), std::numeric_limits<double>::infinity());
+  model.rgb = false;
+  model.labels.reset();
+  EXPECT_EQ(ViewOf(model, 5).nearest_m, 0.4);
+  EXPECT_EQ(ViewOf(model, 5).reach_m(0.2), 9);
+  model.rgb = true;
   model.depth = false;
   EXPECT_FALSE(ViewOf(model, 5).ranges);
   EXPECT_GT(field.bytes_per_sample, ViewOf(model, 5).bytes_per_sample);

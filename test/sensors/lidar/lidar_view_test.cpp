@@ -208,10 +208,10 @@ TEST(LidarView, SaysWhatItMeasures) {
   EXPECT_EQ(field.samples, ViewField::Samples::kPoints);
   EXPECT_TRUE(field.ranges);
   EXPECT_EQ(field.nearest_m, 0.7);
-  EXPECT_EQ(field.min_range_m, 0.7);
-  EXPECT_EQ(field.max_range_m, 80);
-  EXPECT_EQ(field.range_sigma_m(1), 0.02);
-  EXPECT_EQ(field.range_sigma_m(70), 0.02);
+  EXPECT_EQ(field.min_distance_m, 0.7);
+  EXPECT_EQ(field.max_distance_m, 80);
+  EXPECT_EQ(field.distance_sigma_m(1), 0.02);
+  EXPECT_EQ(field.distance_sigma_m(70), 0.02);
   EXPECT_EQ(field.samples_per_s, 16 * 500 * 20);
   EXPECT_GE(field.bytes_per_sample, 3 * sizeof(float));
 }
