@@ -19,7 +19,9 @@ struct ViewField {
   /// Farthest that it sees a surface that returns this share of the light: its diffuse reflectance
   /// times the cosine of the incidence.
   std::function<double(double returned)> reach_m;
-  double nearest_m = 0;                           ///< that it sees anything
+  double nearest_m = 0;  ///< that it sees anything
+  /// It shows what lies behind glass. Where it ranges, it has the glass.
+  bool through_glass = false;
   bool ranges = true;                             ///< it measures where what it sees is,
   double min_distance_m = 0, max_distance_m = 0;  ///< within these limits
   /// Standard deviation of a distance that it measures.

@@ -37,6 +37,7 @@ inline Pose X_WH() { return MakePose({2, -3, 0}, 0, 0, kHYaw_deg * kDeg); }
 struct BoxInH {
   std::string name;
   Vec3 low_m, high_m;
+  bool is_glass = false;
 };
 
 /// A machine of parts that are boxes about H, without levers that anyone moves.
@@ -98,17 +99,20 @@ class LookedAtSite {
       yaml += fmt::format(
           "  - {{name: {}, label: barrier, mesh: {}, xy_m: [2, -3], yaw_deg: {}, collision: "
           "[{{xyz_m: [{}, {}, {}], size_m: [{}, {}, {}]}}]}}\n",
-          box.name, Mesh(box.name, box.low_m, box.high_m), kHYaw_deg, middle_m.x(), middle_m.y(),
-          middle_m.z(), size_m.x(), size_m.y(), size_m.z());
+          box.name, Mesh(box.name, box.low_m, box.high_m, box.is_glass), kHYaw_deg, middle_m.x(),
+          middle_m.y(), middle_m.z(), size_m.x(), size_m.y(), size_m.z());
     }
     const Config config = Config::FromText(yaml, "site.yaml");
     Scenario scenario = ReadScenario(config.root());
     config.Finish();
     return scenario;
   }
-  std::string Mesh(const std::string& name, const Vec3& low_m, const Vec3& high_m) {
+  std::string Mesh(const std::string& name, const Vec3& low_m, const Vec3& high_m,
+                   bool is_glass = false) {
     const std::filesystem::path file = scratch_.path() / (name + ".obj");
-    WriteWholeFile(file, BoxObj(low_m, high_m));
+    WriteWholeFile(scratch_.path() / "glass.mtl", "newmtl glass\nKd 0.2 0.3 0.3\nd 0.25\n");
+    const std::string material = is_glass ? "mtllib glass.mtl\nusemtl glass\n" : "";
+    WriteWholeFile(file, material + BoxObj(low_m, high_m));
     return file.string();
   }
 

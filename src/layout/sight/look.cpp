@@ -32,9 +32,11 @@ Look Unhindered(const Viewer& viewer, const Target& target, const Asked& asked) 
   return look;
 }
 
-Sighting::Line LineTo(const Target& target, const Viewer& viewer, double margin_m) {
+Sighting::Line LineTo(const Target& target, const Viewer& viewer, const Asked& asked) {
   const Vec3 from_W_m = viewer.X_WS.translation(), way_W_m = target.p_W_m - from_W_m;
-  return {from_W_m, target.p_W_m - std::min(margin_m, way_W_m.norm()) * way_W_m.normalized()};
+  const double margin_m = std::clamp(asked.margin_m - Sighting::kTouch_m, 0.0, way_W_m.norm());
+  return {from_W_m, target.p_W_m - margin_m * way_W_m.normalized(),
+          viewer.field.through_glass && !asked.ranges};
 }
 
 }  // namespace
@@ -51,11 +53,10 @@ std::vector<Look> LookFrom(const Viewer& viewer, std::span<const Target> targets
   looks.reserve(targets.size());
   std::vector<Sighting::Line> lines;
   std::vector<std::size_t> tried;
-  const double margin_m = std::max(0.0, asked.margin_m - Sighting::kTouch_m);
   for (const Target& target : targets) {
     looks.push_back(Unhindered(viewer, target, asked));
     if (!looks.back().sees) continue;
-    lines.push_back(LineTo(target, viewer, margin_m));
+    lines.push_back(LineTo(target, viewer, asked));
     tried.push_back(looks.size() - 1);
   }
   const std::vector<std::optional<Blocked>> blocked = sighting.Try(lines);

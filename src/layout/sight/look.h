@@ -48,7 +48,8 @@ struct Look {
 ///         asked, within the limits in which it measures them, all by distances as the sensor takes
 ///         them (ViewField::DistanceOf); dense enough by samples per
 ///         steradian times cosine over the square of the range; and it is seen where nothing blocks
-///         the line of sight either.
+///         the line of sight either. Glass does not block what only has to be shown by a viewer
+///         that shows what lies behind it.
 /// Omits   how large a target is: its samples are those of its middle, all of it is seen or none.
 std::vector<Look> LookFrom(const Viewer& viewer, std::span<const Target> targets,
                            const Asked& asked, const Sighting& sighting);

@@ -36,40 +36,45 @@ void Sighting::Show(const Instant& now, const TerrainSurface& ground) {
   scene_.Update({assembly_.BodyPoses(now)}, ground, assembly_.BodyScales(now));
 }
 
-std::vector<std::optional<Blocked>> Sighting::Try(std::span<const Line> lines) const {
-  std::vector<Ray> rays;
-  rays.reserve(lines.size());
-  for (const Line& line : lines) rays.push_back(RayOf(line, 0, kTouch_m));
-  std::vector<RayHit> hits(rays.size());
-  scene_.Trace(rays, hits, threads_);
-  std::vector<std::optional<Blocked>> blocked(rays.size());
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (hits[i].hit) blocked[i] = Blocked{hits[i].instance};
+void Sighting::Follow(std::span<const Line> lines, double before_m, const GoesOn& goes_on) const {
+  constexpr double kPast_m = 1e-4;  // behind a surface
+  std::vector<Rest> rests(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) rests[i].line = i;
+  while (!rests.empty()) {
+    std::vector<Ray> rays;
+    rays.reserve(rests.size());
+    for (const Rest& rest : rests) rays.push_back(RayOf(lines[rest.line], rest.at_m, before_m));
+    std::vector<RayHit> hits(rays.size());
+    scene_.Trace(rays, hits, threads_);
+    std::vector<Rest> further;
+    for (std::size_t i = 0; i < rests.size(); ++i) {
+      const auto [line, from_m] = rests[i];
+      if (!hits[i].hit) continue;
+      const Crossing crossing{hits[i].instance, from_m + hits[i].range_m, hits[i].leaves,
+                              hits[i].opacity < 1};
+      if (goes_on(line, crossing)) further.push_back({line, crossing.at_m + kPast_m});
+    }
+    rests = std::move(further);
   }
+}
+
+std::vector<std::optional<Blocked>> Sighting::Try(std::span<const Line> lines) const {
+  std::vector<std::optional<Blocked>> blocked(lines.size());
+  Follow(lines, kTouch_m, [&](std::size_t line, const Crossing& crossing) {
+    if (crossing.is_glass && lines[line].through_glass) return true;
+    blocked[line] = Blocked{crossing.instance};
+    return false;
+  });
   return blocked;
 }
 
 std::vector<std::vector<Sighting::Crossing>> Sighting::CrossingsOf(
     std::span<const Line> lines) const {
-  constexpr double kPast_m = 1e-4;  // behind a surface
   std::vector<std::vector<Crossing>> crossings(lines.size());
-  std::vector<Rest> rests(lines.size());
-  for (std::size_t i = 0; i < lines.size(); ++i) rests[i].line = i;
-  while (!rests.empty()) {
-    std::vector<Ray> rays;
-    for (const Rest& rest : rests) rays.push_back(RayOf(lines[rest.line], rest.at_m, 0));
-    std::vector<RayHit> hits(rays.size());
-    scene_.Trace(rays, hits, threads_);
-    std::vector<Rest> further;
-    for (std::size_t i = 0; i < rests.size(); ++i) {
-      if (!hits[i].hit) continue;
-      const double at_m = rests[i].at_m + hits[i].range_m;
-      crossings[rests[i].line].push_back(
-          {hits[i].instance, at_m, hits[i].leaves, hits[i].opacity < 1});
-      further.push_back({rests[i].line, at_m + kPast_m});
-    }
-    rests = std::move(further);
-  }
+  Follow(lines, 0, [&](std::size_t line, const Crossing& crossing) {
+    crossings[line].push_back(crossing);
+    return true;
+  });
   return crossings;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,6 +33,9 @@ struct Blocked {
 ///
 /// Model   a place is in sight where no surface lies on the straight line to it but within
 ///         `kTouch_m` before it, so that places on surfaces are in sight of what looks at them.
+///         Panes of glass, surfaces whose opacity is below 1, lie on a line but do not block what
+///         shows through them.
+/// Omits   what a pane takes of the light and what it mirrors.
 class Sighting {
  public:
   static constexpr double kTouch_m = 0.03;
@@ -44,6 +48,7 @@ class Sighting {
   /// One line of sight.
   struct Line {
     Vec3 from_W_m, to_W_m;
+    bool through_glass = false;
   };
   /// Of each line what blocks it, if anything does.
   std::vector<std::optional<Blocked>> Try(std::span<const Line> lines) const;
@@ -69,6 +74,11 @@ class Sighting {
   std::string NameOf(const Blocked& blocked) const;
 
  private:
+  using GoesOn = std::function<bool(std::size_t line, const Crossing&)>;
+  /// Goes along each line to `before_m` before its end, from surface to surface for as long as
+  /// `goes_on` says.
+  void Follow(std::span<const Line> lines, double before_m, const GoesOn& goes_on) const;
+
   const Scenario& scenario_;
   const SceneAssembly& assembly_;
   int threads_;

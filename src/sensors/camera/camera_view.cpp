@@ -43,6 +43,7 @@ ViewField ViewOf(const CameraModel& model, double rate_hz) {
   const Mat3 R_CS = OpticalInSensor().linear().transpose();
   view.per_steradian = [lens, R_CS](const Vec3& d_S) { return PerSteradian(lens, R_CS * d_S); };
   view.by_depth = true;
+  view.through_glass = model.rgb;
   view.ranges = model.depth;
   view.min_distance_m = std::max(model.depth_min_m, lens.near_m);
   view.max_distance_m = std::min(model.depth_max_m, lens.far_m);

@@ -6,6 +6,7 @@
 
 #include "layout/looked_at_site.h"
 #include "sensors/camera/camera_view.h"
+#include "sensors/lidar/lidar_view.h"
 
 namespace tera {
 namespace {
@@ -109,6 +110,29 @@ TEST_F(LookAtATarget, SeesNothingBehindAWallUnlessItsMarginHoldsIt) {
   // The wall's front is 2 m before it.
   EXPECT_FALSE(At(EverywhereAlike(), {5, 0, 2}, {.margin_m = 1.99}).sees);
   EXPECT_TRUE(At(EverywhereAlike(), {5, 0, 2}, {.margin_m = 2.01}).sees);
+}
+
+TEST(LookFrom, ThroughAPaneACameraShowsWhatItAndALidarDoNotMeasure) {
+  // Two panes, of 8 mm, and behind one of them a wall.
+  const LookedAtSite site({.boxes = {{"pane1", {3, -2, 0}, {3.008, 2, 4}, true},
+                                     {"pane2", {4, -2, 0}, {4.008, 2, 4}, true},
+                                     {"wall1", {5, 0, 0}, {5.1, 2, 4}}}});
+  CameraModel model;
+  model.intrinsics = {
+      .width_px = 320, .height_px = 240, .fx_px = 160, .fy_px = 160, .cx_px = 160, .cy_px = 120};
+  model.depth = true;
+  const auto at = [&](const ViewField& field, double y_m, const Asked& asked) {
+    const Target target{X_WH() * Vec3(6, y_m, 2)};
+    return LookFrom(ViewerAt("viewer", {0, 0, 2}, field), {&target, 1}, asked, site.sighting())[0];
+  };
+  EXPECT_TRUE(at(ViewOf(model, 10), -1, {}).sees);
+  EXPECT_EQ(site.sighting().NameOf(at(ViewOf(model, 10), 1, {}).by), "wall1");
+  EXPECT_EQ(site.sighting().NameOf(at(ViewOf(model, 10), -1, {.ranges = true}).by), "pane1");
+  model.rgb = false;
+  EXPECT_EQ(site.sighting().NameOf(at(ViewOf(model, 10), -1, {}).by), "pane1");
+  LidarModel lidar;
+  for (int b = 0; b < 16; ++b) lidar.elevation_rad.push_back((15 - 2 * b) * kDeg);
+  EXPECT_EQ(site.sighting().NameOf(at(ViewOf(lidar, 10), -1, {}).by), "pane1");
 }
 
 }  // namespace
