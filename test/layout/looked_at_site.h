@@ -65,6 +65,8 @@ class LookedAtSite {
 
   const Sighting& sighting() const { return sighting_; }
   const TerrainSurface& ground() const { return simulation_.ground(); }
+  const Scenario& scenario() const { return scenario_; }
+  const SceneAssembly& assembly() const { return assembly_; }
   const Instant& now() const { return simulation_.state(); }
 
  private:

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "layout/measures/polar_grid.h"
+
 namespace tera {
 namespace {
 
@@ -21,6 +23,7 @@ std::vector<Vec3> ZoneCoverage::PlacesInAir(const Pose& X_WF, const Sighting& si
   std::vector<Vec3> above_W_m;
   for (const Vec3& p_Z_m : places_Z_m_) {
     const Vec3 p_W_m = X_WZ * p_Z_m;
+    if (!IsOnSite(ground, p_W_m)) continue;
     if (p_W_m.z() > ground.HeightAt(p_W_m.x(), p_W_m.y())) above_W_m.push_back(p_W_m);
   }
   const std::vector<bool> inside = sighting.AreInside(above_W_m);

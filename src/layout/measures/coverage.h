@@ -13,8 +13,9 @@ namespace tera {
 
 /// How much of a zone a layout sees, moment by moment.
 ///
-/// Model   places of the zone that lie in the air (above the ground, in nothing solid) count; the
-///         share of them that at least 1, 2, 3 viewers see, and the volume that none does.
+/// Model   places of the zone that lie in the air over the site (above its ground, in nothing
+///         solid) count; the share of them that at least 1, 2, 3 viewers see, and the volume that
+///         none does. Of what lies beyond the site nothing is asked.
 /// Omits   how the share differs from that of all the zone's air, beyond its standard error.
 class ZoneCoverage {
  public:
@@ -22,8 +23,8 @@ class ZoneCoverage {
   ZoneCoverage(Zone zone, int count, std::uint64_t seed);
 
   const Zone& zone() const { return zone_; }
-  /// Its places that lie in the air at this moment, the zone's frame F being at X_WF: the same for
-  /// all layouts.
+  /// Its places that lie in the air over the site at this moment, the zone's frame F being at X_WF:
+  /// the same for all layouts.
   std::vector<Vec3> PlacesInAir(const Pose& X_WF, const Sighting& sighting,
                                 const TerrainSurface& ground) const;
   /// Adds what `layout` sees of these.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "layout/measures/polar_grid.h"
 #include "layout/sight/look.h"
 
 namespace tera {
@@ -25,6 +26,7 @@ std::vector<ElevationMap::Cell> ElevationMap::CellsOn(const TerrainSurface& grou
                        (static_cast<double>(j) + 0.5) / static_cast<double>(ny));
       const Vec2 xy_H_m = study_.low_H_m + share.cwiseProduct(size_m);
       Vec3 p_W_m = X_WH * Vec3(xy_H_m.x(), xy_H_m.y(), 0);
+      if (!IsOnSite(ground, p_W_m)) continue;
       p_W_m.z() = ground.HeightAt(p_W_m.x(), p_W_m.y());
       cells.push_back({p_W_m, ground.NormalAt(p_W_m.x(), p_W_m.y()),
                        size_m.prod() / static_cast<double>(nx * ny)});
@@ -62,15 +64,17 @@ void ElevationMap::Count(const std::vector<Cell>& cells) {
     const double measured_m2 = 1 / (cell.weight_pm2 + 1 / unknown_m2);
     variance_m2 += gap * unknown_m2 + (1 - gap) * measured_m2;
   }
-  cells_ = cells.size();
-  const auto n = static_cast<double>(cells.size());
+  cells_.push_back(cells.size());
+  const double n = std::max(1.0, static_cast<double>(cells.size()));
   gaps_.push_back(gaps / n);
   sigma_m_.push_back(std::sqrt(variance_m2 / n));
 }
 
 std::vector<Figure> ElevationMap::Figures() const {
   Figure gaps{"elevation/gaps", "", false, gaps_, {}};
-  for (const double share : gaps_) gaps.error.push_back(ShareError(share, cells_));
+  for (std::size_t m = 0; m < gaps_.size(); ++m) {
+    gaps.error.push_back(ShareError(gaps_[m], cells_[m]));
+  }
   Figure sigma{"elevation/sigma_m", "m", false, sigma_m_, std::vector<double>(sigma_m_.size(), 0)};
   return {gaps, sigma};
 }

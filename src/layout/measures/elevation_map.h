@@ -11,7 +11,8 @@ namespace tera {
 /// What an elevation map of the ground ahead would be worth: gaps, and the error of its heights.
 ///
 /// Frames  H as in PolarGrid.
-/// Model   cells of the map lie on the ground with its slope there. Of a viewer that ranges, the
+/// Model   cells of the map lie on the site's ground with its slope there; beyond it are none. Of a
+/// viewer that ranges, the
 ///         points expected on a cell are those on a square metre of it times its area, if its
 ///         middle is seen (look.h); they come as a Poisson process, so that a cell is a gap with
 ///         probability exp(-n). A range error e along the ray d moves a point to where the
@@ -41,7 +42,7 @@ class ElevationMap {
 
   ElevationStudy study_;
   std::vector<double> gaps_, sigma_m_;
-  std::size_t cells_ = 0;
+  std::vector<std::size_t> cells_;  ///< of each moment
 };
 
 }  // namespace tera

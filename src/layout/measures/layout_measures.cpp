@@ -16,15 +16,26 @@ Zone AroundMachine(const LayoutStudy& study, const MachineModel& model) {
   return {.name = kAroundZone,
           .frame = model.links.front().name,
           .level = true,
+          .on_ground = true,
           .X_FZ = Pose::Identity(),
           .shape = ZoneCylinder{study.radius_m, study.height_m}};
 }
 
+/// The same pose on the ground below or above it.
+Pose OnGround(Pose X_WF, const TerrainSurface& ground) {
+  Vec3 p_W_m = X_WF.translation();
+  p_W_m.z() = ground.HeightAt(p_W_m.x(), p_W_m.y());
+  X_WF.translation() = p_W_m;
+  return X_WF;
+}
+
 /// The pose of a zone's frame now. `machine` is the studied one.
-Pose FrameOf(const Zone& zone, const MachineModel& model, const MachineState& machine) {
+Pose FrameOf(const Zone& zone, const MachineModel& model, const MachineState& machine,
+             const TerrainSurface& ground) {
   if (zone.frame == "W") return Pose::Identity();
   const Pose& X_WB = machine.links[model.LinkIndex(zone.frame)].X_WB;
-  return zone.level ? Levelled(X_WB) : X_WB;
+  const Pose X_WF = zone.level ? Levelled(X_WB) : X_WB;
+  return zone.on_ground ? OnGround(X_WF, ground) : X_WF;
 }
 
 /// The soil in each shovel of a machine, in the scene.
@@ -40,13 +51,6 @@ std::vector<std::uint16_t> SoilInstances(const MachinePlacement& placement,
                                  : std::uint16_t{0});
   }
   return instances;
-}
-
-/// H: where maps are centred and what they are turned to.
-Pose MapFrame(const MachineState& machine, int upper, const TerrainSurface& ground) {
-  Pose X_WH = Levelled(machine.links[upper].X_WB);
-  X_WH.translation().z() = ground.HeightAt(X_WH.translation().x(), X_WH.translation().y());
-  return X_WH;
 }
 
 PolarMap SeenMap(const BlindMap& map) {
@@ -129,11 +133,11 @@ Places LayoutMeasures::PlacesOf(const LookedAt& moment) const {
   const auto& [now, sighting, ground] = moment;
   const MachineState& machine = now.machines[studied_.machine];
   Places places;
-  places.X_WH = MapFrame(machine, studied_.upper, ground);
+  places.X_WH = OnGround(Levelled(machine.links[studied_.upper].X_WB), ground);
   places.hull_m = HullRadii_m(places.X_WH, studied_.machine, PolarGrid::kSectors, sighting);
   for (const ZoneCoverage& zone : zones_) {
     places.zones_W_m.push_back(
-        zone.PlacesInAir(FrameOf(zone.zone(), model(), machine), sighting, ground));
+        zone.PlacesInAir(FrameOf(zone.zone(), model(), machine, ground), sighting, ground));
   }
   for (const BlindMap& map : maps_) {
     places.maps.push_back(PlacesAt(map.height_m(), places.X_WH, sighting, ground));
@@ -175,8 +179,8 @@ void LayoutMeasures::RequirePlaces() const {
   for (const ZoneCoverage& zone : zones_) {
     if (zone.HadPlaces()) continue;
     throw InputError(fmt::format(
-        "study: zone '{}': lies in the ground or in something solid at every moment; need a zone "
-        "with air in it",
+        "study: zone '{}': lies in the ground, in something solid or beyond the site at every "
+        "moment; need a zone with air over the site in it",
         zone.zone().name));
   }
 }

@@ -68,8 +68,8 @@ struct LayoutStudy {
   std::string machine;     ///< empty: the scenario's first
   std::string upper;       ///< link whose heading maps are turned to; empty: the root's first child
   double rate_hz = 5;      ///< of the moments that are looked at
-  double radius_m = 12;    ///< of the volume around the machine
-  double height_m = 2;     ///< of that volume, above the ground below
+  double radius_m = 12;    ///< of the volume around the machine, an upright cylinder
+  double height_m = 2;     ///< of that volume, above the ground below the root's origin
   int points = 6000;       ///< of each zone and of the volume
   std::uint64_t seed = 1;  ///< of those points
   std::vector<double> map_heights_m = {0, 0.9, 1.5, 1.7};

@@ -34,6 +34,7 @@ struct Zone {
   std::string name;
   std::string frame = "W";  ///< "W" or a link's name
   bool level = true;
+  bool on_ground = false;  ///< F stands on the ground below the link's origin
   Pose X_FZ = Pose::Identity();
   std::variant<ZoneBox, ZoneCylinder, ZonePrism> shape = ZoneBox{};
 };

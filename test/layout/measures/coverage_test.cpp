@@ -210,6 +210,15 @@ TEST(ZoneCoverage, OnlyAirCounts) {
   EXPECT_NEAR(At(coverage, "blind_m3"), 6, 0.06);
 }
 
+TEST(ZoneCoverage, BeyondTheSiteNothingCounts) {
+  // A site of 30 m about W's origin: of the zone, 4 m in W's x, the nearer half lies on it.
+  const LookedAtSite site({.size_m = 30});
+  ZoneCoverage coverage(Box({13, -1, 1}, {17, 1, 2}), kMany, 5);
+  coverage.Add(coverage.PlacesInAir(Pose::Identity(), site.sighting(), site.ground()), LayoutOf({}),
+               {}, site.sighting());
+  EXPECT_NEAR(At(coverage, "blind_m3"), 4, 0.04);
+}
+
 TEST(ZoneCoverage, AZoneWithoutAirHasFiguresThatAreNumbers) {
   const LookedAtSite site({});
   const auto coverage =

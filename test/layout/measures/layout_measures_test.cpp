@@ -1,0 +1,32 @@
+#include "layout/measures/layout_measures.h"
+
+#include <gtest/gtest.h>
+
+#include "layout/looked_at_site.h"
+
+namespace tera {
+namespace {
+
+TEST(LayoutMeasures, TheVolumeAroundTheMachineStandsOnTheGround) {
+  // Wherever the root's origin is: here 0.7 m above the ground, on a machine that is tipped.
+  const LookedAtSite site({});
+  Instant now = site.now();
+  Pose& X_WB = now.machines[0].links[0].X_WB;
+  X_WB = MakePose(Vec3(0, 0, 0.7)) * X_WB * MakePose(Vec3::Zero(), 0.1, -0.2, 0);
+  const LayoutStudy study = LoadStudy({});
+  const LayoutMeasures measures(study, site.scenario(), site.assembly(), LayoutOf({}),
+                                {"zone/around"});
+  const auto zones_W_m = measures.PlacesOf({now, site.sighting(), site.ground()}).zones_W_m;
+  ASSERT_EQ(zones_W_m.size(), 1u);
+  double lowest_m = 9, highest_m = 0;
+  for (const Vec3& p_W_m : zones_W_m[0]) {
+    lowest_m = std::min(lowest_m, p_W_m.z());
+    highest_m = std::max(highest_m, p_W_m.z());
+    EXPECT_LE((p_W_m - X_WB.translation()).head<2>().norm(), study.radius_m);
+  }
+  EXPECT_NEAR(lowest_m, 0, 0.05);
+  EXPECT_NEAR(highest_m, study.height_m, 0.05);
+}
+
+}  // namespace
+}  // namespace tera
