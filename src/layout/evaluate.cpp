@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 #include <variant>
 
@@ -82,6 +83,11 @@ LayoutReport ReportOf(const Layout& layout, const Cycle& cycle, const std::vecto
   return report;
 }
 
+template <typename T>
+void Append(std::vector<T> more, std::vector<T>* all) {
+  std::move(more.begin(), more.end(), std::back_inserter(*all));
+}
+
 void RequireMounts(const Layout& layout, const LayoutMeasures& measures) {
   const std::vector<std::string> warnings = measures.MountWarnings();
   if (warnings.empty()) return;
@@ -128,8 +134,9 @@ std::vector<LayoutReport> Evaluate(const Cycle& cycle, const LayoutStudy& study,
     LayoutReport report = ReportOf(layouts[l], cycle, t_s);
     report.asked_sha256 = Sha256Of(study.resolved_yaml + cycle.resolved_yaml());
     measures[l].Report(&report);
-    for (Figure& figure : joints[l].Figures()) report.figures.push_back(std::move(figure));
-    for (std::string& line : joints[l].Warnings()) report.warnings.push_back(std::move(line));
+    Append(joints[l].Figures(), &report.figures);
+    Append(FlatWarnings(layouts[l]), &report.warnings);
+    Append(joints[l].Warnings(), &report.warnings);
     reports.push_back(std::move(report));
   }
   return reports;

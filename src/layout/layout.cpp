@@ -14,6 +14,19 @@ constexpr double kBytesPerMbyte = 1e6;
 
 }  // namespace
 
+std::vector<std::string> FlatWarnings(const Layout& layout) {
+  std::vector<std::string> warnings;
+  for (const Viewer& viewer : layout.viewers) {
+    if (!viewer.field.is_flat) continue;
+    warnings.push_back(fmt::format(
+        "{}: its beams have one elevation and sweep a surface without thickness; it counts as "
+        "seeing nothing, though it has points where that surface meets things: what it sees is not "
+        "told here, only a lidar of beams at several elevations",
+        viewer.name));
+  }
+  return warnings;
+}
+
 Expense ExpenseOf(const Layout& layout) {
   Expense sum;
   for (const SensorDescription& sensor : layout.sensors) {

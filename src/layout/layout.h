@@ -19,6 +19,9 @@ struct Layout {
   std::vector<Viewer> viewers;  ///< its lidars and cameras; X_WS of the moment that is looked at
 };
 
+/// Of each of its lidars whose beams all have one elevation, why it counts as seeing nothing.
+std::vector<std::string> FlatWarnings(const Layout& layout);
+
 /// What a rig takes besides places: sums over its sensors.
 struct Expense {
   double cost = 0;  ///< in the rig file's own currency

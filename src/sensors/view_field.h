@@ -16,6 +16,9 @@ struct ViewField {
   /// Points or pixels of one scan or picture per steradian along the unit vector d_S; 0 where it
   /// does not look.
   std::function<double(const Vec3& d_S)> per_steradian;
+  /// All its samples lie on a surface without thickness, a plane or a cone, so that none of them
+  /// are per steradian.
+  bool is_flat = false;
   /// Farthest that it sees a surface that returns this share of the light: its diffuse reflectance
   /// times the cosine of the incidence.
   std::function<double(double returned)> reach_m;

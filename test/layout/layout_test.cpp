@@ -106,6 +106,20 @@ TEST_F(SceneLayouts, ARigThatSeesNothingIsRefused) {
                InputError);
 }
 
+TEST_F(SceneLayouts, ALidarOfOneBeamIsSaidToSeeNothing) {
+  const std::string flat =
+      "sensors:\n  - {name: scanner, preset: tera:config/sensors/vlp16.yaml, link: upper, "
+      "elevation_deg: [0], azimuth_offset_deg: [0], firing_offset_us: [0], xyz_m: [0, 0, 2.5]}\n";
+  const Layout layout = Load(flat);
+  LayoutStudy study = LoadStudy({});
+  study.points = 100;
+  const auto report = Evaluate(TheCycle(), study, {layout}, {.threads = 1}).front();
+  EXPECT_EQ(MeanOf(*FindFigure(report, "zone/around/seen_by_1")), 0);
+  EXPECT_THAT(report.warnings,
+              testing::Contains(AllOf(HasSubstr("scanner"), HasSubstr("one elevation"))));
+  EXPECT_TRUE(FlatWarnings(LoadLayout(path() / "front.yaml", TheCycle(), 0)).empty());
+}
+
 TEST_F(SceneLayouts, ExpensesAddUp) {
   const Layout layout = LoadLayout(path() / "front.yaml", TheCycle(), 0);
   const Expense expense = ExpenseOf(layout);

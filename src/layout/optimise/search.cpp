@@ -54,6 +54,11 @@ TypeChoice ReadType(const ConfigMap& config) {
       "{name: any, link: any, preset: \"" + type.preset.string() + "\"}", type.preset.string());
   type.sensor = ReadSensor(sensor.root());
   sensor.Finish();
+  if (ViewOf(type.sensor)->is_flat) {
+    config.Fault("preset",
+                 "is a lidar whose beams have one elevation, of which no figure knows "
+                 "what it sees; need beams at several");
+  }
   if (cost) type.sensor.cost = *cost;
   if (power_w) type.sensor.power_w = *power_w;
   return type;

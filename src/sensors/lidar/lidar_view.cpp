@@ -39,6 +39,7 @@ ViewField ViewOf(const LidarModel& model, double rate_hz) {
     if (above == borders_rad.begin() || above == borders_rad.end()) return 0.0;
     return 1.0 / (column_rad * (std::sin(*above) - std::sin(*(above - 1))));
   };
+  view.is_flat = borders_rad.empty() || borders_rad.back() <= borders_rad.front();
   view.reach_m = [model](double returned) {
     if (model.range_at_10_percent_m <= 0) return model.max_range_m;
     const double power_m = model.range_at_10_percent_m * std::sqrt(returned / kDarkTarget);

@@ -213,6 +213,13 @@ TEST_F(Search, APresetThatDoesNotSeeIsRefused) {
   ExpectRefused("rgb_640", "of_nobody", "of_nobody", {"of_nobody.yaml"});
 }
 
+TEST_F(Search, APresetOfALidarOfOneBeamIsRefused) {
+  WriteWholeFile(folder() / "flat.yaml",
+                 "type: lidar\nrate_hz: 10\nelevation_deg: [0]\ncolumns: 360\n");
+  ExpectRefused("tera:config/sensors/rgb_640.yaml", "flat.yaml", "flat.yaml",
+                {"preset", "one elevation", "need"});
+}
+
 TEST_F(Search, TwoSensorsOfOneNameAreRefused) {
   ExpectRefused("name: rear", "name: roof", "- name: roof\n    types", {"name", "taken"});
   ExpectRefused("name: rear", "name: \"../rear\"", "../rear", {"name"});

@@ -82,6 +82,11 @@ TEST(LidarView, OfOneBeamOrOfTwoAtOneElevationIsFinite) {
       EXPECT_TRUE(std::isfinite(points) && points >= 0) << deg << ": " << points;
     }
   }
+  LidarModel cone = EvenBeams(2, 10, 5, 100);
+  cone.elevation_rad[1] = cone.elevation_rad[0];
+  EXPECT_TRUE(ViewOf(cone, 10).is_flat);
+  EXPECT_TRUE(ViewOf(EvenBeams(1, 0, 1, 360), 10).is_flat);
+  EXPECT_FALSE(ViewOf(twice, 10).is_flat);
 }
 
 TEST(LidarView, PointsOnASurfaceThatFacesItAreThoseOfTheDataSheetsSteps) {
