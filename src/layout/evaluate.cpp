@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 #include <variant>
 
 #include "core/error.h"
 #include "dataset/files/file_digest.h"
+#include "layout/measures/eye_masking.h"
 #include "layout/measures/joint_information.h"
 #include "layout/measures/layout_measures.h"
 
@@ -50,9 +52,10 @@ void RequireOnSite(const Zone& zone, const TerrainGrid& site) {
 
 }  // namespace
 
-void CheckZones(const LayoutStudy& study, const Scenario& scenario) {
+void CheckStudy(const LayoutStudy& study, const Scenario& scenario) {
   const MachineModel& model =
       scenario.machines[FindMachine(study, scenario).machine].placement.model;
+  if (study.eye) LinkOfEye(*study.eye, model);
   for (const Zone& zone : study.zones) {
     if (zone.name == kAroundZone) {
       throw InputError(fmt::format(
@@ -100,7 +103,7 @@ std::vector<LayoutReport> Evaluate(const Cycle& cycle, const LayoutStudy& study,
                                    std::vector<Layout> layouts, const EvaluateOptions& options) {
   const Scenario& scenario = cycle.scenario();
   const StudiedMachine studied = FindMachine(study, scenario);
-  CheckZones(study, scenario);
+  CheckStudy(study, scenario);
   const SceneAssembly assembly(scenario);
   Sighting sighting(scenario, assembly, options.threads);
   const MachineModel& model = scenario.machines[studied.machine].placement.model;
@@ -110,6 +113,8 @@ std::vector<LayoutReport> Evaluate(const Cycle& cycle, const LayoutStudy& study,
     measures.emplace_back(study, scenario, assembly, layout);
     joints.emplace_back(model, studied.upper, layout.sensors);
   }
+  std::optional<EyeMasking> eye;
+  if (study.eye) eye.emplace(*study.eye);
   std::vector<double> t_s;
   const auto look = [&](const Instant& now, const TerrainSurface& ground) {
     t_s.push_back(ToSeconds(now.t_ns));
@@ -117,6 +122,11 @@ std::vector<LayoutReport> Evaluate(const Cycle& cycle, const LayoutStudy& study,
     sighting.Show(now, ground);
     const LookedAt moment{now, sighting, ground};
     const Places places = measures.front().PlacesOf(moment);
+    if (eye) {
+      const MachineState& machine = now.machines[studied.machine];
+      const Pose& X_WB = machine.links[LinkOfEye(*study.eye, model)].X_WB;
+      eye->Add(places.X_WH, X_WB, studied.machine, sighting);
+    }
     for (std::size_t l = 0; l < layouts.size(); ++l) {
       MoveViewers(now.machines[studied.machine], &layouts[l]);
       measures[l].CheckMounts(moment, layouts[l]);
@@ -134,7 +144,9 @@ std::vector<LayoutReport> Evaluate(const Cycle& cycle, const LayoutStudy& study,
     LayoutReport report = ReportOf(layouts[l], cycle, t_s);
     report.asked_sha256 = Sha256Of(study.resolved_yaml + cycle.resolved_yaml());
     measures[l].Report(&report);
+    if (eye) Append(eye->Figures(), &report.figures);
     Append(joints[l].Figures(), &report.figures);
+    if (eye) Append(eye->Warnings(), &report.warnings);
     Append(FlatWarnings(layouts[l]), &report.warnings);
     Append(joints[l].Warnings(), &report.warnings);
     reports.push_back(std::move(report));

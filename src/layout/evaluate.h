@@ -16,12 +16,13 @@ struct EvaluateOptions {
   std::function<void(double done_s, double duration_s)> progress;
 };
 
-/// Throws InputError where a zone of the study names no link of its machine, or lies beside the
-/// site.
-void CheckZones(const LayoutStudy& study, const Scenario& scenario);
+/// Throws InputError where a zone or the eye of the study names no link of its machine, and where a
+/// zone lies beside the site.
+void CheckStudy(const LayoutStudy& study, const Scenario& scenario);
 
-/// Looks at `layouts` over the cycle, all of them at the same moments. Throws InputError where a
-/// zone names no link or lies beside the site, and where `strict` refuses a mount.
+/// Looks at `layouts` over the cycle, all of them at the same moments. What the machine hides from
+/// an eye is the same for all. Throws InputError as CheckStudy does, and where `strict` refuses a
+/// mount.
 std::vector<LayoutReport> Evaluate(const Cycle& cycle, const LayoutStudy& study,
                                    std::vector<Layout> layouts, const EvaluateOptions& options);
 

@@ -203,6 +203,24 @@ TEST_F(SceneLayouts, AreComparedAtTheSameMomentsWithFiguresOfTheSameNames) {
   }
 }
 
+TEST_F(SceneLayouts, WhatTheMachineHidesFromAnEyeIsTheSameForAll) {
+  const Cycle cycle = TheCycle();
+  LayoutStudy study = SmallStudy();
+  study.eye = EyeStudy{.link = "upper", .p_B_m = Vec3(0.1, 0.37, 1.3)};
+  study.eye->most_masking_m = 0;
+  Layout layout = LoadLayout(path() / "front.yaml", cycle, 0);
+  const auto reports = Evaluate(cycle, study, {layout, layout}, {.threads = 1});
+  for (const LayoutReport& report : reports) {
+    EXPECT_EQ(FindFigure(report, "eye/circle/masked_share")->at.size(), 3u);
+    EXPECT_EQ(FindFigure(report, "eye/circle/masked_share")->at,
+              FindFigure(reports[0], "eye/circle/masked_share")->at);
+    EXPECT_THAT(report.warnings, testing::Contains(HasSubstr("eye: on the circle")));
+  }
+  study.eye->link = "roof";
+  EXPECT_THAT([&] { Evaluate(cycle, study, {layout}, {}); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("eye"), HasSubstr("roof"))));
+}
+
 TEST_F(SceneLayouts, AZoneOfAnUnknownFrameOrBesideTheSiteIsRefused) {
   const Cycle cycle = TheCycle();
   const Layout layout = LoadLayout(path() / "front.yaml", cycle, 0);

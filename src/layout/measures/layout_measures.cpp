@@ -83,8 +83,6 @@ LayoutMeasures::LayoutMeasures(const LayoutStudy& study, const Scenario& scenari
   AddPeople(wanted);
   AddShovels(wanted);
   if (IsWanted(wanted, "elevation/")) elevation_.emplace(study.elevation);
-  if (study.eye) LinkOfEye(*study.eye, model());
-  if (study.eye && IsWanted(wanted, "eye/")) eye_.emplace(*study.eye);
   if (IsWanted(wanted, "sky/")) sky_.emplace(model(), studied_.machine, layout.sensors);
   if (IsWanted(wanted, "information/smig")) {
     occupancy_.emplace(study.radius_m, study.height_m, study.information.voxel_m);
@@ -139,17 +137,20 @@ Places LayoutMeasures::PlacesOf(const LookedAt& moment) const {
     places.zones_W_m.push_back(
         zone.PlacesInAir(FrameOf(zone.zone(), model(), machine, ground), sighting, ground));
   }
-  for (const BlindMap& map : maps_) {
-    places.maps.push_back(PlacesAt(map.height_m(), places.X_WH, sighting, ground));
-    LeaveOutHull(places.hull_m, &places.maps.back());
-  }
+  const auto around = [&, &sighting = sighting, &ground = ground](double height_m) {
+    PolarPlaces at = PlacesAt(height_m, places.X_WH, sighting, ground);
+    LeaveOutHull(places.hull_m, &at);
+    return at;
+  };
+  for (const BlindMap& map : maps_) places.maps.push_back(around(map.height_m()));
+  if (pixels_) places.pixels = around(PixelDensity::kHeight_m);
   if (occupancy_) places.occupants = OccupantsAt(now, scenario_, assembly_, studied_.machine);
   return places;
 }
 
 void LayoutMeasures::Add(const LookedAt& moment, const Places& places, const Layout& layout) {
   const auto& [now, sighting, ground] = moment;
-  const auto& [X_WH, hull_m, zones_W_m, maps, occupants] = places;
+  const auto& [X_WH, hull_m, zones_W_m, maps, pixels, occupants] = places;
   const MachineState& machine = now.machines[studied_.machine];
   const double reflectance = study_.seen.reflectance;
   for (std::size_t z = 0; z < zones_.size(); ++z) {
@@ -161,11 +162,7 @@ void LayoutMeasures::Add(const LookedAt& moment, const Places& places, const Lay
   for (PersonRange& person : people_) person.Add(X_WH, hull_m, layout, sighting, ground);
   for (ShovelView& shovel : shovels_) shovel.Add(machine, layout, reflectance, sighting);
   if (elevation_) elevation_->Add(X_WH, layout, reflectance, sighting, ground);
-  if (pixels_) pixels_->Add(X_WH, layout, sighting, ground);
-  if (eye_) {
-    const Pose& X_WB = machine.links[LinkOfEye(*study_.eye, model())].X_WB;
-    eye_->Add(X_WH, X_WB, studied_.machine, sighting);
-  }
+  if (pixels_) pixels_->Add(pixels, layout, sighting);
   if (occupancy_) occupancy_->Add(X_WH, occupants, layout, reflectance, sighting);
   if (sky_) sky_->Add(machine, sighting);
   if (entropy_) entropy_->Add(X_WH, hull_m, layout, sighting, ground);
@@ -196,7 +193,6 @@ std::vector<Figure> LayoutMeasures::Figures() const {
   for (const ShovelView& shovel : shovels_) append(shovel.Figures());
   if (elevation_) append(elevation_->Figures());
   if (pixels_) append(pixels_->Figures());
-  if (eye_) append(eye_->Figures());
   if (occupancy_) append(occupancy_->Figures());
   if (entropy_) append(entropy_->Figures());
   if (sky_) append(sky_->Figures());
@@ -219,8 +215,6 @@ void LayoutMeasures::Report(LayoutReport* report) const {
   }
   for (const PersonRange& person : people_) report->curves.push_back(person.Curve());
   report->warnings = mounts_.Warnings();
-  if (!eye_) return;
-  for (std::string& warning : eye_->Warnings()) report->warnings.push_back(std::move(warning));
 }
 
 }  // namespace tera

@@ -9,7 +9,6 @@
 #include "layout/measures/blind_map.h"
 #include "layout/measures/coverage.h"
 #include "layout/measures/elevation_map.h"
-#include "layout/measures/eye_masking.h"
 #include "layout/measures/occupancy_entropy.h"
 #include "layout/measures/people.h"
 #include "layout/measures/perception_entropy.h"
@@ -38,15 +37,15 @@ struct Places {
   std::vector<double> hull_m;    ///< HullRadii_m
   std::vector<std::vector<Vec3>> zones_W_m;
   std::vector<PolarPlaces> maps;  ///< of each height
+  PolarPlaces pixels;
   std::vector<Occupant> occupants;
 };
 
-/// All that a study asks of one layout, moment by moment.
+/// All that a study asks of what one layout sees, moment by moment.
 class LayoutMeasures {
  public:
   /// `wanted` says which figures are wanted, by the beginning of their names ("zone/behind");
-  /// empty: all. Keeps references to all but `layout` and `wanted`. Throws InputError where the
-  /// study's eye is on no link of the machine.
+  /// empty: all. Keeps references to all but `layout` and `wanted`.
   LayoutMeasures(const LayoutStudy& study, const Scenario& scenario, const SceneAssembly& assembly,
                  const Layout& layout, const std::vector<std::string>& wanted = {});
 
@@ -80,7 +79,6 @@ class LayoutMeasures {
   // One of each, or none where it is not wanted.
   std::optional<ElevationMap> elevation_;
   std::optional<PixelDensity> pixels_;
-  std::optional<EyeMasking> eye_;
   std::optional<OccupancyEntropy> occupancy_;
   std::optional<PerceptionEntropy> entropy_;
   std::optional<SkyView> sky_;

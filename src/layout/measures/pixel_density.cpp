@@ -7,7 +7,6 @@
 #include <numeric>
 #include <utility>
 
-#include "layout/measures/polar_grid.h"
 #include "layout/measures/quarter.h"
 #include "layout/sight/look.h"
 
@@ -47,9 +46,7 @@ PixelDensity::PixelDensity()
       sum_px_per_m_(static_cast<std::size_t>(PolarGrid::kSectors) * PolarGrid::kRings, 0),
       counted_(sum_px_per_m_) {}
 
-void PixelDensity::Add(const Pose& X_WH, const Layout& layout, const Sighting& sighting,
-                       const TerrainSurface& ground) {
-  const PolarPlaces places = PlacesAt(kHeight_m, X_WH, sighting, ground);
+void PixelDensity::Add(const PolarPlaces& places, const Layout& layout, const Sighting& sighting) {
   const std::vector<double> px_per_m = DensitiesAt(places, layout, sighting);
   for (std::size_t p = 0; p < px_per_m.size(); ++p) {
     counted_[p] += places.count[p];

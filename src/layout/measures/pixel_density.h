@@ -5,6 +5,7 @@
 
 #include "layout/layout.h"
 #include "layout/measures/figure.h"
+#include "layout/measures/polar_grid.h"
 #include "layout/measures/polar_map.h"
 
 namespace tera {
@@ -12,9 +13,10 @@ namespace tera {
 /// How finely the cameras of a layout show a person who stands around the machine.
 ///
 /// Frames  H as in PolarGrid. Distances are from its origin, to the middle of a cell.
-/// Model   places of PolarGrid 1.5 m above the ground, those that lie in the air over the site. The
-///         density at a place is that of the camera that shows it most finely with nothing in the
-///         way: the square root of its pixels per square metre of a surface that faces it.
+/// Model   places of PolarGrid 1.5 m above the ground, those that lie in the air over the site and
+///         outside the outline of the machine. The density at a place is that of the camera that
+///         shows it most finely with nothing in the way: the square root of its pixels per square
+///         metre of a surface that faces it.
 /// Omits   what else the standard asks of a picture: focus, light, contrast, compression, motion.
 /// Source  IEC 62676-4: 25 px/m detect, 62.5 observe, 125 recognise, 250 identify. NIOSH's highest
 ///         plane, 1500 mm, for the upper body of a person who stands.
@@ -30,8 +32,9 @@ class PixelDensity {
 
   PixelDensity();
 
-  void Add(const Pose& X_WH, const Layout& layout, const Sighting& sighting,
-           const TerrainSurface& ground);
+  /// Adds what `layout` shows of the places of this moment at kHeight_m, in the outline of no
+  /// machine (LeaveOutHull).
+  void Add(const PolarPlaces& places, const Layout& layout, const Sighting& sighting);
 
   /// The farthest distance, of the purpose and the direction of PolarGrid, in which the density is
   /// at least the purpose's; 0 where it is nowhere; of each moment.

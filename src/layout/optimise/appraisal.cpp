@@ -33,7 +33,7 @@ Appraisal::Appraisal(const LayoutSearch& search, const LayoutStudy& study, const
       scenario_(cycle.scenario()),
       studied_(FindMachine(study, cycle.scenario())),
       assembly_(cycle.scenario()) {
-  CheckZones(study, scenario_);
+  CheckStudy(study, scenario_);
   if (!search.keep.empty()) {
     kept_ = cycle.WithRig(studied_.machine, search.keep).machines[studied_.machine].sensors;
   }
@@ -83,8 +83,14 @@ void Appraisal::RequireFigures() {
   for (const Objective& objective : search_.objectives) {
     signs_.push_back(to_be_large.contains(objective.figure) ? -1 : 1);
     if (std::find(names.begin(), names.end(), objective.figure) != names.end()) continue;
-    throw InputError(fmt::format("objectives: no figure '{}'; need one of {}", objective.figure,
-                                 fmt::join(names, ", ")));
+    const bool is_of_eye = objective.figure.starts_with("eye/");
+    throw InputError(fmt::format(
+        "objectives: {}; need one of {}",
+        is_of_eye
+            ? fmt::format("'{}' is what the machine hides from an eye, which no layout changes",
+                          objective.figure)
+            : fmt::format("no figure '{}'", objective.figure),
+        fmt::join(names, ", ")));
   }
 }
 

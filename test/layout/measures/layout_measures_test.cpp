@@ -28,5 +28,17 @@ TEST(LayoutMeasures, TheVolumeAroundTheMachineStandsOnTheGround) {
   EXPECT_NEAR(highest_m, study.height_m, 0.05);
 }
 
+TEST(LayoutMeasures, PixelsCountOutsideTheOutlineOfTheMachineAsMapsDo) {
+  // A machine that is 3.2 m long ahead and lower than the places, 1.5 m above the ground: the
+  // middles of three cells ahead lie over it.
+  const LookedAtSite site({.parts = {{"undercarriage", {-1, -0.5, 0.1}, {3.2, 0.5, 0.8}}}});
+  const LayoutStudy study = LoadStudy({});
+  const LayoutMeasures measures(study, site.scenario(), site.assembly(), LayoutOf({}), {"pixels/"});
+  const PolarPlaces pixels = measures.PlacesOf({site.now(), site.sighting(), site.ground()}).pixels;
+  for (int ring = 0; ring < PolarGrid::kRings; ++ring) {
+    EXPECT_EQ(pixels.count[PolarGrid::Index(0, ring)], ring > 2) << ring;
+  }
+}
+
 }  // namespace
 }  // namespace tera

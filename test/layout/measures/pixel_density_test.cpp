@@ -21,7 +21,8 @@ Viewer Camera(const Yard& yard, std::function<bool(const Vec3&)> looks) {
 
 PixelDensity DensityOf(const Yard& yard, const Viewer& viewer) {
   PixelDensity density;
-  density.Add(yard.X_WH(), LayoutOf({viewer}), yard.sighting(), yard.ground());
+  density.Add(PlacesAt(PixelDensity::kHeight_m, yard.X_WH(), yard.sighting(), yard.ground()),
+              LayoutOf({viewer}), yard.sighting());
   return density;
 }
 

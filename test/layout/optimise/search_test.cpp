@@ -264,6 +264,12 @@ TEST_F(SearchOfACycle, AFigureThatThereIsNotIsRefusedWithThoseThatThereAre) {
                  "cost", "power_w", "data_mbyteps", "sensors"});
 }
 
+TEST_F(SearchOfACycle, WhatNoLayoutChangesIsRefused) {
+  WriteWholeFile(site_.path() / "study.yaml", "eye: {link: mast, xyz_m: [0, 0, 1.5]}\n");
+  ExpectRefused(Replaced(TwoLidars(), "zone/behind_wall/blind_m3", "eye/circle/masked_share"),
+                {"objectives", "eye/circle/masked_share", "no layout changes", "need"});
+}
+
 TEST_F(SearchOfACycle, ALinkThatTheMachineHasNotIsRefused) {
   ExpectRefused(Replaced(TwoLidars(), "link: mast", "link: roof"),
                 {"first", "roof", "links are", "mast"});
