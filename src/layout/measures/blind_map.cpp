@@ -7,13 +7,6 @@
 #include "core/units.h"
 
 namespace tera {
-namespace {
-
-/// Half of a ring: the border of an area is known to half a cell, evenly.
-constexpr double kEven = 0.28867513459481287;  ///< 1 / sqrt(12)
-
-}  // namespace
-
 void BlindMap::Add(const PolarPlaces& places, const Layout& layout, const SeenFrom& seen,
                    const Sighting& sighting) {
   const std::vector<std::vector<Look>> looks = LookAt(places.p_W_m, layout, seen, sighting);
@@ -50,11 +43,12 @@ std::vector<Figure> BlindMap::Figures() const {
              false,
              blind_m2,
              {}};
-    // As if the blind area were round: its border is known to a cell's even spread, and cells on it
-    // err independently.
+    // As if the blind area were round. Its border crosses as many cells as it is rings long, in
+    // each of which it lies anywhere across the ring; they err independently.
     for (const double area_m2 : blind_m2) {
       const double border_m = 2 * std::sqrt(kPi * area_m2);
-      f.error.push_back(kEven * PolarGrid::kRing_m * std::sqrt(border_m * PolarGrid::kRing_m));
+      const double cell_m2 = PolarGrid::kRing_m * EvenSigma(PolarGrid::kRing_m);
+      f.error.push_back(cell_m2 * std::sqrt(border_m / PolarGrid::kRing_m));
     }
     return f;
   };

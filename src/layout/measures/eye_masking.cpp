@@ -21,7 +21,7 @@ constexpr int kHalvings = 6;      ///< of a step, to find where a masking begins
 constexpr int kHullSectors = 360;
 
 /// 1 sigma of a masking's width: either end lies anywhere in the last half of a step.
-double WidthError_m() { return kStep_m / std::exp2(kHalvings) / std::sqrt(6.0); }
+double WidthError_m() { return std::sqrt(2.0) * EvenSigma(kStep_m / std::exp2(kHalvings)); }
 
 /// A closed line around the machine, by its length from the beginning, counterclockwise.
 struct ClosedLine {

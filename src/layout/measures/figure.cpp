@@ -26,6 +26,8 @@ double WorstOf(const Figure& figure) {
 
 double ErrorOf(const Figure& figure) { return Mean(figure.error); }
 
+double EvenSigma(double width) { return width / std::sqrt(12.0); }
+
 double ShareError(double share, std::size_t count) {
   if (count == 0) return 0;
   // One place more seen and one more not, so that a share of 0 or 1 is not certain either.

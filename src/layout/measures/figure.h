@@ -22,6 +22,9 @@ double WorstOf(const Figure& figure);
 /// the errors do not average out.
 double ErrorOf(const Figure& figure);
 
+/// 1 sigma of what lies anywhere within a width, evenly.
+double EvenSigma(double width);
+
 /// Standard error of a share counted over `count` places drawn at random.
 double ShareError(double share, std::size_t count);
 

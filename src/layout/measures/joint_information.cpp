@@ -17,9 +17,6 @@ constexpr double kLeastSigma = 1e-6;  ///< of sensors without noise, in their SI
 constexpr double kOtherRate = 0.2;    ///< of joints whose greatest rate nobody says, rad/s or m/s
 constexpr double kKnown = 0.9;        ///< of its prior, from which on a number counts as observed
 
-/// Of something that is evenly anywhere in this interval.
-double EvenSigma(double length) { return length / std::sqrt(12.0); }
-
 /// Samples that fall due after `from_ns` and not after `to_ns`, of a sensor that has always run.
 double Due(const SampleClock& clock, TimeNs from_ns, TimeNs to_ns) {
   const auto passed = [&](TimeNs t_ns) {

@@ -86,7 +86,7 @@ std::vector<Figure> PersonRange::Figures() const {
           least_m = std::min(least_m, detected_m_[sector][m]);
       }
       figure.at.push_back(least_m);
-      figure.error.push_back(kStep_m / std::sqrt(12.0));  // somewhere between two tried distances
+      figure.error.push_back(EvenSigma(kStep_m));  // somewhere between two tried distances
     }
     figures.push_back(std::move(figure));
   }

@@ -94,7 +94,7 @@ std::vector<Figure> PixelDensity::Figures() const {
         }
         figure.at.push_back(sum_m / directions);
         // Each ends somewhere in a cell.
-        figure.error.push_back(PolarGrid::kRing_m / std::sqrt(12.0 * directions));
+        figure.error.push_back(EvenSigma(PolarGrid::kRing_m) / std::sqrt(directions));
       }
       figures.push_back(std::move(figure));
     }

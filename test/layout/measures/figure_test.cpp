@@ -21,6 +21,13 @@ TEST(Figure, ErrorsOfTheSamePlacesDoNotAverageOut) {
   EXPECT_NEAR(ErrorOf(figure), 0.1, 1e-12);
 }
 
+TEST(EvenSigma, IsTheDeviationOfWhatLiesAnywhere) {
+  // Of a width of 2 in a million middles of equal parts.
+  double squares = 0;
+  for (int k = 0; k < 1000000; ++k) squares += std::pow(2 * (k + 0.5) / 1e6 - 1, 2);
+  EXPECT_NEAR(EvenSigma(2), std::sqrt(squares / 1e6), 1e-9);
+}
+
 TEST(ShareError, IsTheDeviationOfACountedShare) {
   // Counted shares of 400 places, drawn 3000 times: their deviation is known within 5 / sqrt(6000),
   // 6.5 % at 5 sigma, and what smoothing adds at 400 places is below 2 %.
