@@ -28,11 +28,20 @@ double ErrorOf(const Figure& figure) { return Mean(figure.error); }
 
 double EvenSigma(double width) { return width / std::sqrt(12.0); }
 
-double ShareError(double share, std::size_t count) {
-  if (count == 0) return 0;
+double ShareError(double share, double count) {
+  if (count <= 0) return 0;
   // One place more seen and one more not, so that a share of 0 or 1 is not certain either.
-  const double n = static_cast<double>(count) + 2, p = (share * static_cast<double>(count) + 1) / n;
+  const double n = count + 2, p = (share * count + 1) / n;
   return std::sqrt(p * (1 - p) / n);
+}
+
+double LikeCount(const std::vector<double>& weights) {
+  double sum = 0, squares = 0;
+  for (const double weight : weights) {
+    sum += weight;
+    squares += weight * weight;
+  }
+  return squares > 0 ? sum * sum / squares : 0;
 }
 
 }  // namespace tera

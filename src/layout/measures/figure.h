@@ -25,7 +25,11 @@ double ErrorOf(const Figure& figure);
 /// 1 sigma of what lies anywhere within a width, evenly.
 double EvenSigma(double width);
 
-/// Standard error of a share counted over `count` places drawn at random.
-double ShareError(double share, std::size_t count);
+/// Standard error of a share counted over `count` places drawn at random, all of one weight.
+double ShareError(double share, double count);
+/// How many places of one weight are as certain as places of these weights: (sum w)^2 / sum w^2.
+///
+/// Source  Kish 1965, "Survey sampling".
+double LikeCount(const std::vector<double>& weights);
 
 }  // namespace tera

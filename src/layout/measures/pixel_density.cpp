@@ -52,25 +52,27 @@ void PixelDensity::Add(const PolarPlaces& places, const Layout& layout, const Si
     counted_[p] += places.count[p];
     sum_px_per_m_[p] += px_per_m[p];
   }
-  near_places_.push_back(0);
+  std::vector<double> near_m2;
   for (std::size_t p = 0; p < px_per_m.size(); ++p) {
-    near_places_.back() += places.count[p] && p % PolarGrid::kRings < PolarGrid::kNearRings;
+    const int ring = static_cast<int>(p % PolarGrid::kRings);
+    if (places.count[p] && ring < PolarGrid::kNearRings)
+      near_m2.push_back(PolarGrid::Area_m2(ring));
   }
+  near_places_.push_back(LikeCount(near_m2));
+  const double all_m2 = std::accumulate(near_m2.begin(), near_m2.end(), 0.0);
   for (std::size_t purpose = 0; purpose < kPurposeCount; ++purpose) {
-    double near_m2 = 0, held_m2 = 0;
+    double held_m2 = 0;
     for (int sector = 0; sector < PolarGrid::kSectors; ++sector) {
       double farthest_m = 0;
       for (int ring = 0; ring < PolarGrid::kRings; ++ring) {
         const std::size_t p = PolarGrid::Index(sector, ring);
         const bool holds = px_per_m[p] >= kPurposes[purpose].px_per_m;
         if (holds) farthest_m = PolarGrid::Radius_m(ring);
-        if (ring >= PolarGrid::kNearRings || !places.count[p]) continue;
-        near_m2 += PolarGrid::Area_m2(ring);
-        if (holds) held_m2 += PolarGrid::Area_m2(ring);
+        if (holds && ring < PolarGrid::kNearRings) held_m2 += PolarGrid::Area_m2(ring);
       }
       farthest_m_[purpose][sector].push_back(farthest_m);
     }
-    share_[purpose].push_back(near_m2 > 0 ? held_m2 / near_m2 : 0);
+    share_[purpose].push_back(all_m2 > 0 ? held_m2 / all_m2 : 0);
   }
 }
 

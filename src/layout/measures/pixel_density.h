@@ -53,7 +53,7 @@ class PixelDensity {
   using OfSectors = std::vector<std::vector<double>>;
   std::vector<OfSectors> farthest_m_;       ///< [purpose][sector][moment]
   std::vector<std::vector<double>> share_;  ///< [purpose][moment]
-  std::vector<std::size_t> near_places_;    ///< of each moment
+  std::vector<double> near_places_;         ///< LikeCount of each moment
   std::vector<double> sum_px_per_m_, counted_;
 };
 

@@ -79,11 +79,11 @@ void SkyView::Add(const MachineState& machine, const Sighting& sighting) {
 }
 
 std::vector<Figure> SkyView::Figures() const {
-  // Directions stand for unlike parts of the sky: as certain as so many like ones (Kish 1965,
-  // "Survey sampling"). One in each cell is more certain than that.
-  double squares = 0;
-  for (const Direction& direction : sky_) squares += direction.share * direction.share;
-  const auto like = static_cast<std::size_t>(std::lround(1 / squares));
+  // Directions stand for unlike parts of the sky. One in each cell is more certain than as many
+  // drawn at random.
+  std::vector<double> shares;
+  for (const Direction& direction : sky_) shares.push_back(direction.share);
+  const double like = LikeCount(shares);
   std::vector<Figure> figures;
   const auto append = [&](const std::string& name, const std::vector<double>& share) {
     Figure figure{name, "", false, share, {}};

@@ -41,6 +41,26 @@ TEST(ShareError, IsTheDeviationOfACountedShare) {
   }
 }
 
+TEST(ShareError, OfPlacesOfUnlikeWeightsIsThatOfFewerLikeOnes) {
+  // 400 places of which every other one weighs three times as much: (200 + 600)^2 / (200 + 1800) is
+  // 320. Drawn 3000 times, as above.
+  std::vector<double> weights;
+  for (int i = 0; i < 400; ++i) weights.push_back(i % 2 == 0 ? 1 : 3);
+  EXPECT_NEAR(LikeCount(weights), 320, 1e-9);
+  EXPECT_NEAR(LikeCount(std::vector<double>(7, 2.5)), 7, 1e-9);
+  EXPECT_EQ(LikeCount({}), 0);
+  std::mt19937 random(1);
+  std::bernoulli_distribution seen(0.3);
+  double squares = 0;
+  for (int k = 0; k < 3000; ++k) {
+    double share = 0;
+    for (const double weight : weights) share += seen(random) ? weight / 800 : 0;
+    squares += std::pow(share - 0.3, 2);
+  }
+  const double deviation = std::sqrt(squares / 3000);
+  EXPECT_NEAR(ShareError(0.3, LikeCount(weights)), deviation, 0.085 * deviation);
+}
+
 TEST(ShareError, OfNoneOrAllIsNotZero) {
   // Where none of n is seen, a share of 1 / n would still have come out so by chance in 1 / e.
   for (const std::size_t count : {10u, 1000u}) {
