@@ -1,6 +1,7 @@
 #include "layout/optimise/appraisal.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,8 @@
 
 namespace tera {
 namespace {
+
+constexpr double kBytesPerGB = 1e9;
 
 /// What a layout takes of a name, if it is no figure of what it sees.
 std::optional<double> Taken(const std::string& name, const Layout& layout) {
@@ -27,7 +30,7 @@ std::optional<double> Taken(const std::string& name, const Layout& layout) {
 }  // namespace
 
 Appraisal::Appraisal(const LayoutSearch& search, const LayoutStudy& study, const Cycle& cycle,
-                     int threads)
+                     int threads, std::int64_t most_bytes)
     : search_(search),
       study_(study),
       scenario_(cycle.scenario()),
@@ -47,9 +50,27 @@ Appraisal::Appraisal(const LayoutSearch& search, const LayoutStudy& study, const
         {now, ground, std::make_unique<Sighting>(scenario_, assembly_, threads), {}});
     Moment& moment = moments_.back();
     moment.sighting->Show(now, ground);
+    RequireRoom(most_bytes);
     moment.places = MeasuresOf({}).PlacesOf({moment.now, *moment.sighting, moment.ground});
   });
   RequireFigures();
+}
+
+std::int64_t Appraisal::HalfOfMemory() {
+  return std::int64_t{sysconf(_SC_PHYS_PAGES)} * sysconf(_SC_PAGESIZE) / 2;
+}
+
+/// By what the moments so far take; later ones, whose ground is dug up more, take more rather.
+void Appraisal::RequireRoom(std::int64_t most_bytes) const {
+  double bytes = 0;
+  for (const Moment& moment : moments_) bytes += static_cast<double>(moment.sighting->bytes());
+  const double all_bytes = bytes / static_cast<double>(moments_.size()) * search_.moments;
+  if (all_bytes <= static_cast<double>(most_bytes)) return;
+  throw InputError(fmt::format(
+      "moments: {} of this cycle take {:.2g} GB of memory, of which {:.2g} GB may be used; need "
+      "about {:.0f}, or a smaller site",
+      search_.moments, all_bytes / kBytesPerGB, static_cast<double>(most_bytes) / kBytesPerGB,
+      std::floor(static_cast<double>(most_bytes) / all_bytes * search_.moments)));
 }
 
 void Appraisal::RequirePlaces() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,8 +28,13 @@ class Appraisal {
  public:
   /// Runs through the cycle once. Keeps references to all. Throws InputError where an objective is
   /// no figure, a mount is on no link of the machine, a name is taken, where the kept sensors alone
-  /// are beyond the limits, and as Cycle does.
-  Appraisal(const LayoutSearch& search, const LayoutStudy& study, const Cycle& cycle, int threads);
+  /// are beyond the limits, where the moments' scenes take more than `most_bytes`, and as Cycle
+  /// does.
+  Appraisal(const LayoutSearch& search, const LayoutStudy& study, const Cycle& cycle, int threads,
+            std::int64_t most_bytes = HalfOfMemory());
+
+  /// Of this computer.
+  static std::int64_t HalfOfMemory();
 
   Appraised Of(const Genes& genes) const { return Of(Laid(genes)); }
   Appraised Of(Layout layout) const;
@@ -48,6 +54,7 @@ class Appraisal {
   LayoutMeasures MeasuresOf(const Layout& layout) const;
   void RequirePlaces() const;
   void RequireFigures();
+  void RequireRoom(std::int64_t most_bytes) const;
   void RequireWithinLimits() const;
   double Beyond(const Layout& layout) const;
 

@@ -70,6 +70,8 @@ class Sighting {
   /// whatever lies before it; `farthest_m` where there is none within it.
   double NearestOf(const std::vector<bool>& instances, const Vec3& from_W_m, const Vec3& d_W,
                    double farthest_m) const;
+  /// RayScene::bytes.
+  std::int64_t bytes() const { return scene_.bytes(); }
   /// Its name, "excavator1/boom"; of the ground "ground".
   std::string NameOf(const Blocked& blocked) const;
 

@@ -51,6 +51,23 @@ class EmbreeErrors {
   std::string first_;
 };
 
+/// What a device has taken of memory and not given back; must outlive it.
+class EmbreeMemory {
+ public:
+  void Watch(RTCDevice device) {
+    rtcSetDeviceMemoryMonitorFunction(device, &EmbreeMemory::Count, this);
+  }
+  std::int64_t bytes() const { return bytes_; }
+
+ private:
+  static bool Count(void* self, ssize_t bytes, bool /*post*/) {
+    static_cast<EmbreeMemory*>(self)->bytes_ += bytes;
+    return true;
+  }
+
+  std::atomic<std::int64_t> bytes_ = 0;
+};
+
 double ReflectanceOf(const Material& material) {
   return material.lidar_reflectance >= 0 ? material.lidar_reflectance : material.albedo.mean();
 }
@@ -158,6 +175,7 @@ struct RayScene::Impl {
 
   const SceneModel model;
   EmbreeErrors errors;
+  EmbreeMemory held;
   EmbreeDevice device;
   EmbreeScene scene;
   std::vector<BodyShape> shapes;
@@ -170,6 +188,7 @@ RayScene::Impl::Impl(const SceneModel& scene_model)
     : model(scene_model), device(rtcNewDevice("threads=1")) {
   TERA_CHECK(device.get() != nullptr);
   errors.Watch(device.get());
+  held.Watch(device.get());
   scene = EmbreeScene(rtcNewScene(device.get()));
   // Low quality is Embree's two-level build: a tree for each tile, kept while the tile does not
   // change. Rays are as fast as in one tree over everything, and an update takes far less time.
@@ -376,6 +395,8 @@ void RayScene::TraceBareInPackets(std::span<const Ray> rays, std::span<float> ra
     }
   }
 }
+
+std::int64_t RayScene::bytes() const { return impl_->held.bytes(); }
 
 std::int64_t RayScene::tiles_rebuilt() const { return impl_->ground->tiles_rebuilt(); }
 

@@ -64,6 +64,9 @@ class RayScene {
   void TraceBareSingly(std::span<const Ray> rays, std::span<float> range_m) const;
   void TraceBareInPackets(std::span<const Ray> rays, std::span<float> range_m) const;
 
+  /// Memory that Embree holds now for meshes, ground and the trees over them.
+  std::int64_t bytes() const;
+
   /// Terrain tiles built since the start; grows with dirty tiles only.
   std::int64_t tiles_rebuilt() const;
 

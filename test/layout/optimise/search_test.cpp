@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/units.h"
+#include "layout/optimise/appraisal.h"
 #include "layout/optimise/optimise.h"
 #include "layout/optimise/walled_site.h"
 
@@ -285,6 +286,17 @@ TEST_F(SearchOfACycle, LimitsThatNoLayoutCanKeepAreRefused) {
   ExpectRefused(Replaced(TwoLidars(), "cost: 420", "cost: 109"), {"limits", "optional"});
   ExpectRefused(Replaced(TwoLidars(), "limits: {cost: 420}", "limits: {power_w: 8}"), {"limits"});
   ExpectRefused(Replaced(TwoLidars(), "limits: {cost: 420}", "limits: {sensors: 1}"), {"limits"});
+}
+
+TEST_F(SearchOfACycle, MomentsThatDoNotFitIntoMemoryAreRefused) {
+  const LayoutSearch search = LoadSearch(site_.TwoLidars());
+  const LayoutStudy study = LoadStudy(search.study);
+  const Cycle cycle(search.cycle, {});
+  EXPECT_NO_THROW(Appraisal(search, study, cycle, 1));
+  // The two walls alone have 8 vertices and 12 triangles each, of three numbers of 4 bytes.
+  const std::int64_t walls_bytes = 2 * (8 + 12) * 3 * 4;
+  EXPECT_THAT([&] { Appraisal(search, study, cycle, 1, search.moments * walls_bytes); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("moments: 2"), HasSubstr("need"))));
 }
 
 TEST_F(SearchOfACycle, AStudyOfAMachineOrLinkThatThereIsNotIsRefused) {

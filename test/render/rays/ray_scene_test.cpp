@@ -246,6 +246,16 @@ TEST(RayScene, TellsWhetherARayGoesIntoASolidOrComesOutOfItAndThroughWhat) {
   EXPECT_EQ(into.opacity, 0.25f);
 }
 
+TEST(RayScene, TellsTheMemoryThatItsMeshesTake) {
+  // A hundred unlike walls more, of four vertices and two triangles at least, of three numbers of 4
+  // bytes each; and what was given back is not counted.
+  std::vector<Mesh> walls;
+  for (int k = 0; k < 101; ++k) walls.push_back(WallMesh(1 + 0.01 * k, 0.5));
+  const RayScene one(OneBodyEach({walls.front()})), all(OneBodyEach(walls));
+  EXPECT_GT(all.bytes() - one.bytes(), 100 * (4 + 2) * 3 * 4);
+  EXPECT_LT(all.bytes() - one.bytes(), 100 * 100'000);
+}
+
 TEST(RayScene, LandAroundALevelSiteGoesOnAtItsLevel) {
   RayScene scene(OneBodyEach({}));
   const double level_m = -0.7;
