@@ -36,8 +36,9 @@ class PixelDensity {
   /// machine (LeaveOutHull).
   void Add(const PolarPlaces& places, const Layout& layout, const Sighting& sighting);
 
-  /// The farthest distance, of the purpose and the direction of PolarGrid, in which the density is
-  /// at least the purpose's; 0 where it is nowhere; of each moment.
+  /// The farthest place, in this direction of PolarGrid, at which the density is at least the
+  /// purpose's, whether it is nearer or not (a PersonRange ends at the first gap); 0 where it is
+  /// nowhere; of each moment.
   const std::vector<double>& Farthest_m(std::size_t purpose, int sector) const {
     return farthest_m_[purpose][sector];
   }
