@@ -44,11 +44,16 @@ obstacles:
 )";
 
 // A lidar on the roof, one that looks over the bonnet from low down, one that is tilted down at the
-// arm's side: worse and worse in this order or another, which is what is asked.
+// arm's side: worse and worse in this order or another, which is what is asked. And one on the roof
+// whose rows are much farther apart than its columns.
 const std::map<std::string, std::string> kMounts = {
-    {"roof", "xyz_m: [0.05, 0.35, 2.3], rpy_deg: [0, 10, 0]"},
-    {"low", "xyz_m: [0.9, 0.5, 1.0], rpy_deg: [0, 0, 0]"},
-    {"tilted", "xyz_m: [0.8, 0.5, 2.2], rpy_deg: [0, 32, 0]"}};
+    {"roof",
+     "preset: tera:config/sensors/os1_64.yaml, xyz_m: [0.05, 0.35, 2.3], rpy_deg: [0, 10, 0]"},
+    {"low", "preset: tera:config/sensors/os1_64.yaml, xyz_m: [0.9, 0.5, 1.0], rpy_deg: [0, 0, 0]"},
+    {"tilted",
+     "preset: tera:config/sensors/os1_64.yaml, xyz_m: [0.8, 0.5, 2.2], rpy_deg: [0, 32, 0]"},
+    {"rows",
+     "preset: tera:config/sensors/vlp16.yaml, xyz_m: [0.05, 0.35, 2.3], rpy_deg: [0, 20, 0]"}};
 
 constexpr char kPerson[] = R"(o body
 v -0.15 -0.25 0
@@ -83,9 +88,7 @@ class Ranking : public testing::Test {
     std::vector<Layout> layouts;
     for (const auto& [name, mount] : kMounts) {
       const fs::path rig = folder / (name + ".yaml");
-      WriteWholeFile(rig, fmt::format("sensors: [{{name: lidar, preset: "
-                                      "tera:config/sensors/os1_64.yaml, link: upper, {}}}]\n",
-                                      mount));
+      WriteWholeFile(rig, fmt::format("sensors: [{{name: lidar, link: upper, {}}}]\n", mount));
       layouts.push_back(LoadLayout(rig, cycle, 0));
       Resense(folder / "base", {rig, ""}, {}, {.out = folder / ("data_" + name)});
     }
@@ -147,10 +150,17 @@ TEST_F(Ranking, OfElevationMapsIsThatOfMapsMadeFromDatasets) {
     const Pose X_HS = X_WH.inverse() * layouts_[l].viewers[0].X_WS;
     const double real = GapsOf(ScansOf(layouts_[l].name), X_HS, study_.elevation);
     const double predicted = MeanOf(*FindFigure(reports_[l], "elevation/gaps"));
-    predicted_and_real.emplace_back(predicted, real);
     RecordProperty(layouts_[l].name, fmt::format("{:.3f} predicted, {:.3f} real", predicted, real));
-    // Beams stand in rows, which leave more cells empty beside each other and fewer in all than
-    // points at random: between a Poisson process' exp(-n) and 1 - n lies at most 1/e.
+    if (layouts_[l].name == "rows") {
+      // Rows 2 deg apart lie more than a cell of 0.2 m apart on the ground: at a depression of 35
+      // deg, the steepest, and 2.3 m above it at least, 2.3 m / sin^2(35 deg) 2 deg = 0.24 m. Of
+      // the gaps between them the figure knows nothing.
+      EXPECT_GT(real, predicted);
+      continue;
+    }
+    predicted_and_real.emplace_back(predicted, real);
+    // Beams stand in rows, which leave fewer cells empty than points at random where they are
+    // closer than cells are wide: between a Poisson process' exp(-n) and 1 - n lies at most 1/e.
     EXPECT_NEAR(predicted, real, 0.1) << layouts_[l].name;
   }
   std::sort(predicted_and_real.begin(), predicted_and_real.end());
