@@ -83,8 +83,9 @@ TEST_F(LayoutCommand, EvaluatesComparesAndFindsBetter) {
   const std::string seen = Succeed(Evaluate("base", "rig.yaml", {"low.yaml"}));
   EXPECT_THAT(seen, AllOf(HasSubstr("rig: Of the space around"), HasSubstr("low: Of the space"),
                           HasSubstr("report: seen/rig/report.html\n")));
-  for (const char* name : {"rig/report.html", "rig/layout.json", "rig/figures.csv",
-                           "rig/moments.csv", "rig/blind.csv", "low/layout.json"}) {
+  for (const char* name :
+       {"rig/report.html", "rig/layout.json", "rig/figures.csv", "rig/moments.csv", "rig/blind.csv",
+        "rig/people.csv", "low/layout.json"}) {
     EXPECT_TRUE(fs::exists(path() / "seen" / name)) << name;
   }
   EXPECT_THAT(

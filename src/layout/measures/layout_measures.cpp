@@ -213,7 +213,10 @@ void LayoutMeasures::Report(LayoutReport* report) const {
   if (sky_) {
     for (PolarMap& map : sky_->Maps()) report->maps.push_back(std::move(map));
   }
-  for (const PersonRange& person : people_) report->curves.push_back(person.Curve());
+  for (const PersonRange& person : people_) {
+    report->curves.push_back(person.Curve());
+    for (PolarMap& map : person.Maps()) report->maps.push_back(std::move(map));
+  }
   report->warnings = mounts_.Warnings();
 }
 

@@ -23,7 +23,8 @@ PersonRange::PersonRange(Posture posture, const PersonStudy& study, double refle
     : posture_(std::move(posture)),
       study_(study),
       reflectance_(reflectance),
-      patches_(PatchesOf(posture_)) {}
+      patches_(PatchesOf(posture_)),
+      probability_(posture_.name, study_.cluster_points, static_cast<int>(Distances_m().size())) {}
 
 std::vector<double> PersonRange::Distances_m() const {
   std::vector<double> distances_m;
@@ -31,28 +32,35 @@ std::vector<double> PersonRange::Distances_m() const {
   return distances_m;
 }
 
-std::vector<bool> PersonRange::AreDetected(const std::vector<PersonPlace>& places,
-                                           const Viewer& viewer, const Sighting& sighting) const {
+PersonRange::Had PersonRange::HadOf(const std::vector<PersonPlace>& places, const Layout& layout,
+                                    const Sighting& sighting) const {
   std::vector<Pose> X_WP;
   for (const PersonPlace& place : places) X_WP.push_back(place.X_WP);
-  const std::vector<double> count =
-      SamplesOnPersons(patches_, X_WP, viewer, reflectance_, sighting);
-  const bool is_lidar = viewer.field.samples == ViewField::Samples::kPoints;
-  const double needed = is_lidar ? study_.lidar_points : study_.camera_px;
-  std::vector<bool> detected(places.size());
-  for (std::size_t p = 0; p < places.size(); ++p) detected[p] = count[p] >= needed;
-  return detected;
+  Had had{std::vector<bool>(places.size(), false), std::vector<double>(places.size(), 0)};
+  for (const Viewer& viewer : layout.viewers) {
+    const std::vector<double> count =
+        SamplesOnPersons(patches_, X_WP, viewer, reflectance_, sighting);
+    const bool is_lidar = viewer.field.samples == ViewField::Samples::kPoints;
+    const double needed = is_lidar ? study_.lidar_points : study_.camera_px;
+    for (std::size_t p = 0; p < places.size(); ++p) {
+      had.enough[p] = had.enough[p] || count[p] >= needed;
+      if (is_lidar) had.points[p] += count[p];
+    }
+  }
+  return had;
 }
 
 void PersonRange::Add(const Pose& X_WH, const std::vector<double>& hull_m, const Layout& layout,
                       const Sighting& sighting, const TerrainSurface& ground) {
   const std::vector<PersonPlace> places =
       PlacesAroundHull(X_WH, hull_m, Distances_m(), sighting, ground);
-  std::vector<bool> detected(places.size(), false);
-  for (const Viewer& viewer : layout.viewers) {
-    const std::vector<bool> by = AreDetected(places, viewer, sighting);
-    for (std::size_t p = 0; p < places.size(); ++p) detected[p] = detected[p] || by[p];
-  }
+  const Had had = HadOf(places, layout, sighting);
+  AddRange(places, had.enough);
+  probability_.Add(places, had.points);
+}
+
+void PersonRange::AddRange(const std::vector<PersonPlace>& places,
+                           const std::vector<bool>& detected) {
   const std::vector<double> distances_m = Distances_m();
   std::vector<double> farthest_m(kSectors, 0);
   std::vector<bool> broken(kSectors, false);
@@ -95,6 +103,7 @@ std::vector<Figure> PersonRange::Figures() const {
     share.error.push_back(ShareError(within_12m_[m], tried_[m]));
   }
   figures.push_back(std::move(share));
+  for (Figure& figure : probability_.Figures()) figures.push_back(std::move(figure));
   return figures;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "layout/layout.h"
+#include "layout/measures/detection_probability.h"
 #include "layout/measures/figure.h"
 #include "layout/measures/person_samples.h"
 #include "layout/measures/polar_grid.h"
@@ -19,9 +20,10 @@ namespace tera {
 /// Model   she is a box that faces the machine and stands on the ground. Points of a lidar on her:
 ///         its points per steradian times the solid angle of the parts of her that it sees, within
 ///         its reach at the incidence there; pixels of a camera alike. She is detected by a sensor
-///         that has as many on her as the study asks.
+///         that has as many on her as the study asks. With what probability lidars detect her by
+///         their points is DetectionProbability.
 /// Omits   her shape and pose beyond a box; clothes other than of the study's reflectance; what a
-///         detector makes of points and pixels.
+///         detector makes of pixels.
 class PersonRange {
  public:
   static constexpr int kSectors = PolarGrid::kSectors;
@@ -40,12 +42,20 @@ class PersonRange {
   const std::vector<std::vector<double>>& Detected_m() const { return detected_m_; }
   /// "person/POSTURE/detected_to_m_ahead", "_left", "_behind", "_right": the least over the
   /// directions of that quarter. "person/POSTURE/detected_within_12m": share of the places tried.
+  /// Those of DetectionProbability.
   std::vector<Figure> Figures() const;
   PolarCurve Curve() const;
+  std::vector<PolarMap> Maps() const { return probability_.Maps(); }
 
  private:
-  std::vector<bool> AreDetected(const std::vector<PersonPlace>& places, const Viewer& viewer,
-                                const Sighting& sighting) const;
+  /// What the viewers of a layout have of her at places, each place alone.
+  struct Had {
+    std::vector<bool> enough;    ///< one of them has as much as the study asks
+    std::vector<double> points;  ///< of all lidars together
+  };
+  Had HadOf(const std::vector<PersonPlace>& places, const Layout& layout,
+            const Sighting& sighting) const;
+  void AddRange(const std::vector<PersonPlace>& places, const std::vector<bool>& detected);
 
   Posture posture_;
   PersonStudy study_;
@@ -54,6 +64,7 @@ class PersonRange {
   std::vector<std::vector<double>> detected_m_ = std::vector<std::vector<double>>(kSectors);
   std::vector<double> within_12m_;
   std::vector<std::size_t> tried_;
+  DetectionProbability probability_;
 };
 
 }  // namespace tera

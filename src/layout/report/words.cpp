@@ -47,6 +47,10 @@ std::string DescribePerson(const std::vector<std::string>& parts) {
     return person + "is detected: share of the places up to 12 m from the machine";
   }
   const std::string where = parts[2].substr(parts[2].rfind('_') + 1);
+  if (parts[2].starts_with("probability_within_12m")) {
+    return fmt::format("probability that lidars detect {}: mean over the places up to 12 m{}",
+                       person.substr(0, person.size() - 1), where == "12m" ? "" : ", " + where);
+  }
   return person + "is detected up to this distance from the machine, " + where;
 }
 
@@ -113,6 +117,12 @@ std::vector<std::string> PeopleAnswer(const LayoutReport& report) {
     lines.push_back(
         fmt::format("A standing person 1 m from the machine is not always detected: {}.",
                     fmt::join(undetected, ", ")));
+  }
+  if (const Figure* p = FindFigure(report, "person/standing/probability_within_12m")) {
+    lines.push_back(fmt::format(
+        "By the points of lidars a standing person up to 12 m from the machine is detected with a "
+        "probability of {} on average over the places, and of {} at the worst moment.",
+        ValueText(*p, MeanOf(*p)), ValueText(*p, WorstOf(*p))));
   }
   return lines;
 }

@@ -50,6 +50,25 @@ std::string BlindCsv(const LayoutReport& report) {
   return csv;
 }
 
+/// The maps of people place by place: azimuths as in PolarMap, distances from the machine's
+/// outline.
+std::string PeopleCsv(const LayoutReport& report) {
+  constexpr double kTurn_deg = 360;
+  std::string csv = "map,azimuth_deg,distance_m,probability\n";
+  for (const PolarMap& map : report.maps) {
+    if (!map.name.starts_with("person/")) continue;
+    for (int sector = 0; sector < map.sectors; ++sector) {
+      for (int ring = 0; ring < map.rings; ++ring) {
+        const double value = map.value[static_cast<std::size_t>(sector * map.rings + ring)];
+        if (value < 0) continue;
+        csv += fmt::format("{},{:.9g},{:.9g},{:.9g}\n", map.name, sector * kTurn_deg / map.sectors,
+                           (ring + 1) * map.ring_m, value);
+      }
+    }
+  }
+  return csv;
+}
+
 /// A map's name as that of a file: "seen_0.9_m".
 std::string FileName(std::string name) {
   std::replace_if(
@@ -149,6 +168,10 @@ std::string ReportPage(const LayoutReport& report) {
       ExpenseText(report.expense));
   html += MapFigures(report, "seen/", "<h2>What is seen around the machine</h2>\n" + MapLegend());
   html += CurveFigures(report);
+  html += MapFigures(report, "person/",
+                     "<h2>With what probability lidars detect a person</h2>\n<p class=\"soft\">By "
+                     "the fewest points that a detector of clusters takes for somebody; clutter "
+                     "and false alarms are not in it.</p>\n");
   html += MapFigures(report, "pixels/", "<h2>How finely cameras show a person</h2>\n");
   html += MapFigures(report, "sky/", "<h2>What antennas see of the sky</h2>\n");
   html += ShareTable("Why places are not seen", "Zone", "Cause", report.blind_causes);
@@ -162,6 +185,7 @@ void WriteReport(const LayoutReport& report, const fs::path& folder) {
   WriteWholeFile(folder / "figures.csv", FiguresCsv(report));
   WriteWholeFile(folder / "moments.csv", MomentsCsv(report));
   WriteWholeFile(folder / "blind.csv", BlindCsv(report));
+  WriteWholeFile(folder / "people.csv", PeopleCsv(report));
   for (const PolarMap& map : report.maps) {
     WriteWholeFile(folder / "maps" / (FileName(map.name) + ".png"),
                    EncodeRgbPng(DrawMap(map, kMap_px)));

@@ -41,6 +41,8 @@ PersonStudy ReadPerson(const ConfigMap& config) {
   if (person.postures.empty()) person.postures = CommonPostures();
   person.lidar_points = config.Number("lidar_points", Positive("points"), person.lidar_points);
   person.camera_px = config.Number("camera_px", Positive("px"), person.camera_px);
+  person.cluster_points = static_cast<int>(
+      config.Integer("cluster_points", Between(1, kMostPoints, "points"), person.cluster_points));
   person.farthest_m = config.Number("farthest_m", Between(12, kFarthest_m, "m"), person.farthest_m);
   return person;
 }

@@ -29,6 +29,7 @@ struct PersonStudy {
   std::vector<Posture> postures;  ///< standing, crouching, lying, unless the study has its own
   double lidar_points = 20;       ///< on her in one scan, from which on she counts as detected
   double camera_px = 300;         ///< of a picture that she covers, from which on she does
+  int cluster_points = 5;         ///< fewest that a detector of clusters takes for somebody
   double farthest_m = 24;
 };
 

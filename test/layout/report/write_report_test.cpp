@@ -43,8 +43,9 @@ TEST_F(WrittenReport, IsAPageAndItsTables) {
   WriteReport(SampleReport(), path() / "front");
   std::set<std::string> names;
   for (const auto& [name, bytes] : AllFiles(path() / "front")) names.insert(name);
-  EXPECT_EQ(names, (std::set<std::string>{"blind.csv", "figures.csv", "layout.json",
-                                          "maps/seen_0.9_m.png", "moments.csv", "report.html"}));
+  EXPECT_EQ(names,
+            (std::set<std::string>{"blind.csv", "figures.csv", "layout.json", "maps/seen_0.9_m.png",
+                                   "moments.csv", "people.csv", "report.html"}));
   EXPECT_EQ(ReadReport(path() / "front").name, "front");
 }
 
@@ -78,6 +79,42 @@ TEST_F(WrittenReport, CausesOfEachZoneHaveTheirShares) {
       Rows(path() / "blind.csv"),
       ElementsAre(ElementsAre("zone", "cause", "share"), ElementsAre("around", "arm", "0.75"),
                   ElementsAre("around", "out of view", "0.25")));
+}
+
+TEST_F(WrittenReport, ProbabilitiesOfPeopleStandPlaceByPlace) {
+  LayoutReport report = SampleReport();
+  report.maps.push_back({.name = "person/standing/probability",
+                         .title = "of a standing person",
+                         .sectors = 4,
+                         .rings = 2,
+                         .value = {1, 0.5, -1, 0.25, -1, -1, 0, -1}});
+  WriteReport(report, path());
+  // A quarter is 90 degrees to the left of the one before; a ring is named by its outer side.
+  EXPECT_THAT(Rows(path() / "people.csv"),
+              ElementsAre(ElementsAre("map", "azimuth_deg", "distance_m", "probability"),
+                          ElementsAre("person/standing/probability", "0", "1", "1"),
+                          ElementsAre("person/standing/probability", "0", "2", "0.5"),
+                          ElementsAre("person/standing/probability", "90", "2", "0.25"),
+                          ElementsAre("person/standing/probability", "270", "1", "0")));
+  EXPECT_TRUE(fs::exists(path() / "maps/person_standing_probability.png"));
+  const std::string html = ReportPage(report);
+  ExpectWellFormed(html);
+  EXPECT_THAT(html, HasSubstr("With what probability lidars detect a person"));
+  EXPECT_THAT(html, HasSubstr("of a standing person"));
+  EXPECT_THAT(ReportPage(SampleReport()), Not(HasSubstr("With what probability")));
+}
+
+TEST_F(WrittenReport, APageSaysWithWhatProbabilityAPersonIsDetected) {
+  LayoutReport report = SampleReport();
+  report.figures.push_back(
+      {"person/standing/probability_within_12m", "", true, {0.75, 0.25, 0.75, 0.75}, {}});
+  report.figures.push_back(
+      {"person/standing/probability_within_12m_left", "", true, {0, 0, 0, 0}, {}});
+  const std::string html = ReportPage(report);
+  EXPECT_THAT(html, HasSubstr("probability of 62.5 % on average"));
+  EXPECT_THAT(html, HasSubstr("25.0 % at the worst moment"));
+  EXPECT_THAT(html, HasSubstr("probability that lidars detect a standing person: mean over the "
+                              "places up to 12 m, left"));
 }
 
 TEST_F(WrittenReport, AFolderThatCannotBeMadeIsRefused) {

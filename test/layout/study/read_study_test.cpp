@@ -43,6 +43,8 @@ TEST(LoadStudy, RefusesWhatIsNone) {
   ExpectRefused("seen: {reflectance: 0}\n", "seen.reflectance");
   ExpectRefused("seen: {lidar_points_per_m2: -1}\n", "seen.lidar_points_per_m2");
   ExpectRefused("person: {lidar_points: 0}\n", "person.lidar_points");
+  ExpectRefused("person: {cluster_points: 0}\n", "person.cluster_points");
+  ExpectRefused("person: {cluster_points: 2.5}\n", "person.cluster_points");
   ExpectRefused("person: {farthest_m: 0.5}\n", "person.farthest_m");
   ExpectRefused("person: {postures: [{name: tall}]}\n", "size_m");
   ExpectRefused("person: {postures: [{name: flat, size_m: [1, 0, 1]}]}\n", "size_m");
@@ -86,7 +88,8 @@ seed: 12
 map_heights_m: [0.3, 1.1]
 zones: [{name: a, box_m: [1, 2, 3]}, {name: b, cylinder: {radius_m: 1, height_m: 2}}]
 seen: {lidar_points_per_m2: 7, camera_px_per_m: 40, reflectance: 0.3}
-person: {postures: [{name: child, size_m: [0.2, 0.3, 1.1]}], lidar_points: 11, camera_px: 90, farthest_m: 15}
+person: {postures: [{name: child, size_m: [0.2, 0.3, 1.1]}], lidar_points: 11, camera_px: 90, cluster_points: 7,
+         farthest_m: 15}
 eye: {link: upper, xyz_m: [0.1, 0.2, 1.3], spacing_m: 0.1, circle_m: 10, rectangle_m: 2, height_m: 0.5}
 )");
   EXPECT_EQ(study.machine, "excavator2");
@@ -106,6 +109,7 @@ eye: {link: upper, xyz_m: [0.1, 0.2, 1.3], spacing_m: 0.1, circle_m: 10, rectang
   EXPECT_EQ(study.person.postures[0].size_m, Vec3(0.2, 0.3, 1.1));
   EXPECT_EQ(study.person.lidar_points, 11);
   EXPECT_EQ(study.person.camera_px, 90);
+  EXPECT_EQ(study.person.cluster_points, 7);
   EXPECT_EQ(study.person.farthest_m, 15);
   ASSERT_TRUE(study.eye.has_value());
   EXPECT_EQ(study.eye->link, "upper");
