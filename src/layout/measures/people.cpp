@@ -44,7 +44,7 @@ PersonRange::Had PersonRange::HadOf(const std::vector<PersonPlace>& places, cons
     const double needed = is_lidar ? study_.lidar_points : study_.camera_px;
     for (std::size_t p = 0; p < places.size(); ++p) {
       had.enough[p] = had.enough[p] || count[p] >= needed;
-      if (is_lidar) had.points[p] += count[p];
+      if (is_lidar) had.points[p] += kBodyOfBox * count[p];
     }
   }
   return had;

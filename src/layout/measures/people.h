@@ -27,6 +27,12 @@ namespace tera {
 class PersonRange {
  public:
   static constexpr int kSectors = PolarGrid::kSectors;
+  /// Share of the points on her box that lie on her body, for the probability; the threshold counts
+  /// those on the box. A standing body is seen from the front as 0.35 and from the side as 0.23 of
+  /// its effective radiation area (projected area factors as in ISO 7726), which is 0.725 of 1.8
+  /// m^2 (Fanger 1970, second-hand): 0.52 and 0.57 of the sides of the common box. One share for
+  /// all postures.
+  static constexpr double kBodyOfBox = 0.5;
 
   PersonRange(Posture posture, const PersonStudy& study, double reflectance);
 
@@ -51,7 +57,7 @@ class PersonRange {
   /// What the viewers of a layout have of her at places, each place alone.
   struct Had {
     std::vector<bool> enough;    ///< one of them has as much as the study asks
-    std::vector<double> points;  ///< of all lidars together
+    std::vector<double> points;  ///< of all lidars together, on her body
   };
   Had HadOf(const std::vector<PersonPlace>& places, const Layout& layout,
             const Sighting& sighting) const;

@@ -98,11 +98,12 @@ double Ahead(const Yard& yard, const std::vector<Viewer>& viewers, double farthe
   return map.value.at(static_cast<std::size_t>(map.rings - 1));
 }
 
-/// Points per steradian by which this many lie on her front, 0.5 m by 1.75 m, 20 m from the hull.
+/// Points per steradian by which this many lie on her, who fills half of a front of 0.5 m by
+/// 1.75 m, 20 m from the hull.
 double PerSr(const Yard& yard, double points) {
   const double hull_m = HullRadii_m(yard.X_WH(), 0, kSectors, yard.sighting()).front();
   const double front_m = hull_m + 20 - 0.15;
-  return points * front_m * front_m / (0.5 * 1.75);
+  return points * front_m * front_m / (0.5 * 0.5 * 1.75);
 }
 
 TEST(DetectionProbability, IsThatOfTheSolidAngleThatSheFills) {
