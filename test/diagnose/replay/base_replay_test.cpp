@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -12,6 +13,8 @@
 #include "diagnose/blocks/base_block.h"
 #include "diagnose/search/block/block_diagnosis.h"
 #include "diagnose/search/fit/excluded_samples.h"
+#include "physics/traction/track_drive.h"
+#include "physics/traction/turning_centre.h"
 #include "sim/drive_fixture.h"
 
 namespace tera {
@@ -165,6 +168,34 @@ TEST(BaseBlock, LetsPassWhatGroundThatHoldsLittleChanges) {
   EXPECT_GT(largest_mps, 0.2);
   EXPECT_EQ(block->channels[1].nominal.cols(), 2);  // sideways, about another point
   EXPECT_EQ(block->channels[2].nominal.cols(), 0);  // turning
+}
+
+// On a side slope of 0.1 rad, left side up, turning left at 0.3 rad/s: about the middle of its
+// load, and downhill until friction of 0.7 under a contact of length L holds the weight across it.
+TEST(BaseBlock, LetsPassThatAMachineTurnsAboutTheMiddleOfItsLoad) {
+  Drive drive = Meandering("soil: asphalt", "");
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  std::vector<TruthPose> poses;
+  EncoderRecording wheels;
+  for (const RunningGear& gear : model.ground_tools.gears) wheels.axes.push_back({gear.name});
+  for (int k = 0; k <= 300; ++k) {
+    const TimeNs t_ns = k * kNsPerSecond / 10;
+    poses.push_back({.t_ns = t_ns, .X_WB = MakePose(Vec3::Zero(), 0.1, 0, 0.03 * k)});
+    wheels.samples.push_back({.t_ns = t_ns, .q_rad = {0, 0}, .qd_radps = {-1, 1}});
+  }
+  const auto block =
+      MakeBaseBlock(model, MakeBaseLog(model, {{"m/wheels", wheels}}, poses, 0.2), "m/base", false);
+  ASSERT_TRUE(block);
+  std::vector<double> q_rad;
+  for (const Joint& joint : model.joints) q_rad.push_back(joint.initial_rad);
+  const Vec2 centre_m = TurningCentre_m(model, q_rad);
+  ASSERT_GT(centre_m.norm(), 0.01);
+  const double length_m = TrackDrive(model).geometry().contact_length_m;
+  const Eigen::MatrixXd& forward = block->channels[0].nominal;
+  const Eigen::MatrixXd& left = block->channels[1].nominal;
+  EXPECT_NEAR(forward(50, 2), 0.3 * centre_m.y(), 1e-6);
+  EXPECT_NEAR(left(50, 0), -0.3 * centre_m.x(), 1e-6);
+  EXPECT_NEAR(left(50, 1), -0.3 * length_m * std::tan(0.1) / (2 * 0.7), 1e-6);
 }
 
 TEST(BaseBlock, JudgesNoTurningThatLooseGroundCannotGiveAtOnce) {
