@@ -14,6 +14,7 @@
 #include "diagnose/report/text/ranking.h"
 #include "diagnose/report/text/sensor_text.h"
 #include "diagnose/report/text/wording.h"
+#include "diagnose/search/fit/steady_gain.h"
 #include "diagnose/tolerances/within_tolerance.h"
 
 namespace tera {
@@ -200,11 +201,13 @@ std::string SentenceOfUnconfirmed(const DiagnosedBlock& diagnosed, const Finding
         ChannelText(diagnosed, finding.location.channel), MechanismText(diagnosed, finding),
         ProbabilityText(finding.evidence.p));
   }
-  const std::string why =
-      error.rmse_after < error.rmse_before
-          ? ProbabilityText(error.p)
-          : "its error there is " +
-                RmseText(error, diagnosed.block.channels[finding.held_out.channel].unit);
+  std::string why = ProbabilityText(error.p);
+  if (error.rmse_after >= error.rmse_before) {
+    why = "its error there is " +
+          RmseText(error, diagnosed.block.channels[finding.held_out.channel].unit);
+  } else if (error.p <= kConfirmedP) {
+    why = "too few of them gain clearly";
+  }
   return fmt::format("{}: {} was chosen ({}) and is not confirmed on manoeuvres kept back ({}).",
                      ChannelText(diagnosed, finding.location.channel),
                      MechanismText(diagnosed, finding), ProbabilityText(finding.evidence.p), why);

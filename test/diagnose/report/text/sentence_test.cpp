@@ -118,6 +118,10 @@ TEST(Sentence, OfWhatWasNotConfirmedOrNotJudgedFollowsTheFindings) {
           "manoeuvres kept back (p 0.3).",
           "Arm rate: not judged, for its lever moves in too few manoeuvres of the recording."));
   EXPECT_THAT(VerdictsOf(diagnosis), ElementsAre(Verdict::kNone, Verdict::kUntestable));
+  // A p that would confirm is no reason not to: a few loud manoeuvres may have it.
+  diagnosis.blocks[0].diagnosis.unconfirmed[0].held_out.p = 0.01;
+  EXPECT_THAT(SentencesOf(diagnosis)[1],
+              HasSubstr("not confirmed on manoeuvres kept back (too few of them gain clearly)."));
   diagnosis.blocks.erase(diagnosis.blocks.begin());
   EXPECT_THAT(VerdictsOf(diagnosis), ElementsAre(Verdict::kUntestable));
 }
