@@ -159,6 +159,7 @@ void AddBase(const DiagnosisInput& input, const Measurements& measured, const Bl
                                   options.base_interval_s, ArrivalsOf(measured));
   if (auto block = MakeBaseBlock(*input.model, log, input.machine + "/base",
                                  measured.poses_were_measured && !measured.poses.empty())) {
+    block->rest_shows_noise = !measured.poses.empty();
     blocks->push_back(std::move(*block));
   }
 }

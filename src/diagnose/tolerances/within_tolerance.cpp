@@ -65,7 +65,8 @@ bool IsBeyondTolerance(const Finding& finding) {
     const ParameterEstimate& estimate = finding.parameters[free.index];
     if (!estimate.sigma || finding.term.IsHeld(free.index)) continue;
     const double off = std::abs(estimate.value - free.expected->value);
-    if (off - kOneSided95 * *estimate.sigma > free.expected->half_width) return true;
+    const double sigma = estimate.effect_sigma.value_or(*estimate.sigma);
+    if (off - kOneSided95 * sigma > free.expected->half_width) return true;
   }
   return !is_stated;
 }

@@ -58,6 +58,17 @@ TEST(Tolerance, LiesOnBothSidesOfTheNumberWithoutEffect) {
   EXPECT_FALSE(IsBeyondTolerance(FindingOf(blocks[0], {0.95}, {0.001})));
 }
 
+// A rate 14 % too high, known to 0.2 % by the data, and its effect to a twentieth of itself: 0.14
+// less 1.645 * 0.0073 is beyond 0.06, though the number itself is told with 0.057.
+TEST(Tolerance, OfAFactorIsHeldAgainstWhatItDiffersByFromOne) {
+  auto blocks = BlockOf(MechanismOf("rate_gain", EffectTarget::kJoint), "boom");
+  StateTolerances({}, &blocks);
+  Finding finding = FindingOf(blocks[0], {1.14}, {0.057});
+  EXPECT_FALSE(IsBeyondTolerance(finding));
+  finding.parameters[0].effect_sigma = 0.0073;
+  EXPECT_TRUE(IsBeyondTolerance(finding));
+}
+
 TEST(Tolerance, LiesAboutTheNumberThatTheScenarioHas) {
   auto blocks = BlockOf(MechanismOf("dead_band", EffectTarget::kJoint), "boom");
   blocks[0].candidates[0].present = {0.15, 0};

@@ -34,7 +34,8 @@ NoiseLevel NoiseLevelOf(const ReplayBlock& block, std::size_t channel, const Ser
   NoiseLevel level;
   const Mask usable = Both(mask, Both(residual.valid, block.channels[channel].measured.valid));
   const std::vector<double> rest = ValidValues(Restricted(residual, Both(usable, AtRest(block))));
-  if (static_cast<double>(rest.size()) * block.period_s() >= kLeastRest_s) {
+  const double rest_s = static_cast<double>(rest.size()) * block.period_s();
+  if (block.rest_shows_noise && rest_s >= kLeastRest_s) {
     double sum = 0;
     for (const double e : rest) sum += e * e;
     level.at_rest = std::sqrt(sum / static_cast<double>(rest.size()));

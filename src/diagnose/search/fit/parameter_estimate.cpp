@@ -71,7 +71,8 @@ bool IsAtBound(const FreeParameter& free, double value) {
   return place < kBoundDistance || place > 1 - kBoundDistance;
 }
 
-/// The deviation by the form of a mechanism: none for sensors, which have the library's forms.
+/// The deviation by the form of a mechanism of a number, or of what it differs by from none: none
+/// for sensors, which have the library's forms.
 double FormDeviation(const Mechanism& mechanism, double value) {
   return mechanism.slot < Slot::kSensorGeometry ? kFormSigma * std::abs(value) : 0;
 }
@@ -109,8 +110,13 @@ std::vector<ParameterEstimate> EstimatesOf(const FittedStructure& found, std::si
     const FreeParameter& free = moved[f];
     if (sigmas[first + f].value_or(1e300) > free.upper - free.lower) continue;
     if (IsAtBound(free, term.values[free.index])) continue;
-    estimates[free.index].sigma = std::hypot(
-        *sigmas[first + f], FormDeviation(*term.candidate->mechanism, term.values[free.index]));
+    const double value = term.values[free.index];
+    const double effect = value - (free.expected ? free.expected->neutral : 0);
+    const auto with_form = [&](double of) {
+      return std::hypot(*sigmas[first + f], FormDeviation(*term.candidate->mechanism, of));
+    };
+    estimates[free.index].sigma = with_form(value);
+    estimates[free.index].effect_sigma = with_form(effect);
   }
   return estimates;
 }

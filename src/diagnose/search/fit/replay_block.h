@@ -136,6 +136,9 @@ struct ReplayBlock {
   bool slides = false;  ///< of a joint whose radians are metres and whose newton metres are newtons
   std::vector<Candidate> candidates;
   std::vector<Series> commands;  ///< on the grid; manoeuvres are cut by them
+  /// Whether what is left at rest shows the noise: not where the measurements follow from knowing
+  /// that the machine stands.
+  bool rest_shows_noise = true;
   /// Predicts each channel over the first `samples` of the grid with these terms at work. Each term
   /// takes the place of what the model has of its mechanism; all else that the model has stays.
   /// Thread-safe; the same for the same terms in any order. A shorter prediction is a prefix of a
