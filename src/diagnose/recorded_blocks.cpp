@@ -61,7 +61,7 @@ void Try(const std::string& place, std::vector<std::string>* obstacles,
 struct Made {
   std::vector<ReplayBlock> blocks;
   std::vector<std::string> obstacles;
-  std::vector<std::string> motion_unknown;  ///< sensors whose motion was not measured
+  std::vector<std::string> motion_unknown;  ///< parts whose motion was not measured
 
   std::vector<std::string> NotCompared() && {
     std::move(motion_unknown.begin(), motion_unknown.end(), std::back_inserter(obstacles));
@@ -136,12 +136,30 @@ const std::vector<TruthPose>& BasePoses(const Measurements& measured) {
   return measured.poses.empty() ? measured.estimated_poses : measured.poses;
 }
 
-bool HasBase(const DiagnosisInput& input, const Measurements& measured) {
+bool MeasuresGears(const DiagnosisInput& input, const Measurements& measured) {
   const auto& gears = input.model->ground_tools.gears;
   const bool all = std::all_of(gears.begin(), gears.end(), [&](const RunningGear& gear) {
     return Measures(measured.encoders, gear.name);
   });
-  return !gears.empty() && all && !BasePoses(measured).empty();
+  return !gears.empty() && all;
+}
+
+bool HasBase(const DiagnosisInput& input, const Measurements& measured) {
+  return MeasuresGears(input, measured) && !BasePoses(measured).empty();
+}
+
+/// Why the base of a machine that has running gear is not compared, though half of what that takes
+/// was measured.
+std::string WithoutBaseText(const DiagnosisInput& input, const Measurements& measured) {
+  const std::string base = input.machine + "/base: ";
+  if (input.model->ground_tools.gears.empty()) return "";
+  if (MeasuresGears(input, measured)) {
+    return base +
+           "its motion is not known; need poses, two receivers, or a receiver and an "
+           "inertial unit";
+  }
+  if (BasePoses(measured).empty()) return "";
+  return base + "what its tracks or wheels did is not known; need encoders of all of them";
 }
 
 /// The times at which poses were measured, where they are stamped as they arrive.
@@ -152,15 +170,19 @@ std::optional<PoseTimes> ArrivalsOf(const Measurements& measured) {
 
 /// Adds the block of the base, where all gears have encoders and its motion is known.
 void AddBase(const DiagnosisInput& input, const Measurements& measured, const BlockOptions& options,
-             std::vector<ReplayBlock>* blocks) {
-  if (!HasBase(input, measured)) return;
+             Made* out) {
+  if (!HasBase(input, measured)) {
+    const std::string why = WithoutBaseText(input, measured);
+    if (!why.empty()) out->motion_unknown.push_back(why);
+    return;
+  }
   // The gears' encoders bound the time.
   const BaseLog log = MakeBaseLog(*input.model, measured.encoders, BasePoses(measured),
                                   options.base_interval_s, ArrivalsOf(measured));
   if (auto block = MakeBaseBlock(*input.model, log, input.machine + "/base",
                                  measured.poses_were_measured && !measured.poses.empty())) {
     block->rest_shows_noise = !measured.poses.empty();
-    blocks->push_back(std::move(*block));
+    out->blocks.push_back(std::move(*block));
   }
 }
 
@@ -301,7 +323,7 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Measurement
   const std::vector<std::function<void(Made*)>> kinds = {
       [&](Made* out) { AddAxes(input, measured, options, out); },
       [&](Made* out) { AddEfforts(input, measured, &out->blocks); },
-      [&](Made* out) { AddBase(input, measured, options, &out->blocks); },
+      [&](Made* out) { AddBase(input, measured, options, out); },
       [&](Made* out) { AddImus(input, measured, options, out); },
       [&](Made* out) { AddGnss(input, measured, out); }};
   Made made = MakeAll(kinds.size(), options.threads,

@@ -12,7 +12,6 @@
 namespace tera {
 namespace {
 
-constexpr double kLeastOfTolerance = 0.5;  ///< of a channel: one standard deviation of it
 /// RMS over what successive residuals differ by, from which on error is left.
 constexpr double kMostOfDifferences = 2;
 /// RMS over the motion of a unit below which no axis of it is exchanged or reversed, which errs by
@@ -63,9 +62,9 @@ double ExcessRemoved(const ChannelError& channel) {
   return excess > 0 ? std::clamp(removed / excess, -1.0, 1.0) : 0;
 }
 
-/// Whether a finding takes as much error from some channel as an error that stays as it is would
-/// have within a standard deviation of what is as expected. That of a unit or receiver shows in its
-/// own channels, that of an encoder or of poses in any.
+/// Whether a finding takes as much error from some channel as one that stays as it is has at the
+/// end of what is as expected. That of a unit or receiver shows in its own channels, that of an
+/// encoder or of poses in any.
 bool ShowsEnough(const SensorFinding& found, const SensorDiagnosis& estimate,
                  const std::string& machine) {
   const std::string folder = machine + "/" + found.target + "/";
@@ -74,8 +73,7 @@ bool ShowsEnough(const SensorFinding& found, const SensorDiagnosis& estimate,
   const bool has_own =
       found.target != kPoses && std::any_of(channels.begin(), channels.end(), is_own);
   return std::any_of(channels.begin(), channels.end(), [&](const ChannelError& one) {
-    return (!has_own || is_own(one)) &&
-           TakesAsMuchAs(kLeastOfTolerance * one.tolerance, one.rms_before, one.rms_after);
+    return (!has_own || is_own(one)) && TakesAsMuchAs(one.tolerance, one.rms_before, one.rms_after);
   });
 }
 
