@@ -152,9 +152,11 @@ std::string Maps(const std::vector<LayoutReport>& reports) {
 }
 
 std::string Curves(const std::vector<LayoutReport>& reports) {
-  std::string html = "<h2>From where a person is detected</h2>\n" + Key(reports) +
-                     "<p class=\"soft\">Line: mean over the cycle; filled: at the worst moment of "
-                     "each direction.</p>\n<div class=\"figures\">\n";
+  std::string html =
+      "<h2>From where a person is detected</h2>\n" + Key(reports) +
+      "<p class=\"soft\">Line: the farthest, mean over the cycle; filled: at the worst "
+      "moment of each direction. " +
+      QuartersText() + "</p>\n<div class=\"figures\">\n";
   for (const PolarCurve& curve : reports.front().curves) {
     std::vector<PolarCurve> curves;
     std::vector<std::string> colours;

@@ -18,10 +18,13 @@ double Mean(const std::vector<double>& values) {
 
 double MeanOf(const Figure& figure) { return Mean(figure.at); }
 
-double WorstOf(const Figure& figure) {
+double WorstOf(const Figure& figure) { return figure.at[WorstMomentOf(figure)]; }
+
+std::size_t WorstMomentOf(const Figure& figure) {
   TERA_CHECK(!figure.at.empty(), figure.name);
-  return figure.more_is_better ? *std::min_element(figure.at.begin(), figure.at.end())
-                               : *std::max_element(figure.at.begin(), figure.at.end());
+  const auto worst = figure.more_is_better ? std::min_element(figure.at.begin(), figure.at.end())
+                                           : std::max_element(figure.at.begin(), figure.at.end());
+  return static_cast<std::size_t>(worst - figure.at.begin());
 }
 
 double ErrorOf(const Figure& figure) { return Mean(figure.error); }

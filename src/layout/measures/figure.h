@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct Figure {
 double MeanOf(const Figure& figure);
 /// Of the moment at which it is worst.
 double WorstOf(const Figure& figure);
+/// Number of the moment at which it is worst, the first of several.
+std::size_t WorstMomentOf(const Figure& figure);
 /// 1 sigma of the mean by the places that were tried: these are the same at every moment, so that
 /// the errors do not average out.
 double ErrorOf(const Figure& figure);

@@ -206,16 +206,16 @@ void LayoutMeasures::Report(LayoutReport* report) const {
     report->overlaps[zone.zone().name] = zone.Overlaps();
   }
   for (const BlindMap& map : maps_) report->maps.push_back(SeenMap(map));
+  for (const PersonRange& person : people_) {
+    report->curves.push_back(person.Curve());
+    for (PolarMap& map : person.Maps()) report->maps.push_back(std::move(map));
+  }
   if (pixels_) {
     report->maps.push_back(pixels_->Map());
     for (PolarCurve& curve : pixels_->Curves()) report->curves.push_back(std::move(curve));
   }
   if (sky_) {
     for (PolarMap& map : sky_->Maps()) report->maps.push_back(std::move(map));
-  }
-  for (const PersonRange& person : people_) {
-    report->curves.push_back(person.Curve());
-    for (PolarMap& map : person.Maps()) report->maps.push_back(std::move(map));
   }
   report->warnings = mounts_.Warnings();
 }

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "core/units.h"
@@ -17,6 +15,22 @@ constexpr double kStep_m = 1.0;
 constexpr double kNear_m = 12.0;
 constexpr double kSector_rad = 2 * kPi / PersonRange::kSectors;
 
+/// What was found at each distance in one direction or several.
+struct Tried {
+  std::vector<bool> place, missed;
+
+  explicit Tried(std::size_t steps) : place(steps), missed(steps) {}
+  void Add(int step, bool detected) {
+    place[static_cast<std::size_t>(step)] = true;
+    if (!detected) missed[static_cast<std::size_t>(step)] = true;
+  }
+  std::vector<bool> Detected() const {
+    std::vector<bool> detected;
+    for (std::size_t s = 0; s < place.size(); ++s) detected.push_back(place[s] && !missed[s]);
+    return detected;
+  }
+};
+
 }  // namespace
 
 PersonRange::PersonRange(Posture posture, const PersonStudy& study, double reflectance)
@@ -24,6 +38,9 @@ PersonRange::PersonRange(Posture posture, const PersonStudy& study, double refle
       study_(study),
       reflectance_(reflectance),
       patches_(PatchesOf(posture_)),
+      quarters_(kQuarters.size()),
+      had_place_(static_cast<std::size_t>(kSectors) * Distances_m().size()),
+      had_enough_(had_place_),
       probability_(posture_.name, study_.cluster_points, static_cast<int>(Distances_m().size())) {}
 
 std::vector<double> PersonRange::Distances_m() const {
@@ -55,28 +72,47 @@ void PersonRange::Add(const Pose& X_WH, const std::vector<double>& hull_m, const
   const std::vector<PersonPlace> places =
       PlacesAroundHull(X_WH, hull_m, Distances_m(), sighting, ground);
   const Had had = HadOf(places, layout, sighting);
-  AddRange(places, had.enough);
+  AddReach(places, had.enough);
   probability_.Add(places, had.points);
 }
 
-void PersonRange::AddRange(const std::vector<PersonPlace>& places,
+PersonRange::Reach PersonRange::ReachOf(const std::vector<bool>& detected) const {
+  const std::vector<double> distances_m = Distances_m();
+  Reach reach{.from_m = distances_m.back() + kStep_m};
+  for (std::size_t s = 0; s < detected.size(); ++s) {
+    if (!detected[s]) continue;
+    reach.from_m = std::min(reach.from_m, distances_m[s]);
+    reach.to_m = distances_m[s];
+    reach.over_m += kStep_m;
+  }
+  return reach;
+}
+
+void PersonRange::AddReach(const std::vector<PersonPlace>& places,
                            const std::vector<bool>& detected) {
   const std::vector<double> distances_m = Distances_m();
-  std::vector<double> farthest_m(kSectors, 0);
-  std::vector<bool> broken(kSectors, false);
+  std::vector<Tried> directions(kSectors, Tried(distances_m.size()));
+  std::vector<Tried> quarters(kQuarters.size(), Tried(distances_m.size()));
   std::size_t near = 0, near_detected = 0;
   for (std::size_t p = 0; p < places.size(); ++p) {
-    const auto [sector, step, X_WP] = places[p];
-    const double distance_m = distances_m[static_cast<std::size_t>(step)];
-    if (distance_m <= kNear_m) {
-      ++near;
-      near_detected += detected[p];
+    const auto& [sector, step, X_WP] = places[p];
+    directions[static_cast<std::size_t>(sector)].Add(step, detected[p]);
+    for (std::size_t q = 0; q < kQuarters.size(); ++q) {
+      if (kQuarters[q].Holds(sector * kSector_rad)) quarters[q].Add(step, detected[p]);
     }
-    if (!detected[p]) broken[sector] = true;
-    if (!broken[sector]) farthest_m[sector] = distance_m;
+    const auto at =
+        static_cast<std::size_t>(sector) * distances_m.size() + static_cast<std::size_t>(step);
+    had_place_[at] += 1;
+    had_enough_[at] += detected[p];
+    if (distances_m[static_cast<std::size_t>(step)] > kNear_m) continue;
+    ++near;
+    near_detected += detected[p];
   }
-  for (int sector = 0; sector < kSectors; ++sector) {
-    detected_m_[sector].push_back(farthest_m[sector]);
+  for (std::size_t s = 0; s < directions.size(); ++s) {
+    directions_[s].push_back(ReachOf(directions[s].Detected()));
+  }
+  for (std::size_t q = 0; q < quarters.size(); ++q) {
+    quarters_[q].push_back(ReachOf(quarters[q].Detected()));
   }
   within_12m_.push_back(static_cast<double>(near_detected) / static_cast<double>(near));
   tried_.push_back(near);
@@ -85,18 +121,21 @@ void PersonRange::AddRange(const std::vector<PersonPlace>& places,
 std::vector<Figure> PersonRange::Figures() const {
   const std::string name = "person/" + posture_.name;
   std::vector<Figure> figures;
-  for (const Quarter& quarter : kQuarters) {
-    Figure figure{fmt::format("{}/detected_to_m_{}", name, quarter.name), "m", true, {}, {}};
-    for (std::size_t m = 0; m < within_12m_.size(); ++m) {
-      double least_m = study_.farthest_m;
-      for (int sector = 0; sector < kSectors; ++sector) {
-        if (quarter.Holds(sector * kSector_rad))
-          least_m = std::min(least_m, detected_m_[sector][m]);
-      }
-      figure.at.push_back(least_m);
-      figure.error.push_back(EvenSigma(kStep_m));  // somewhere between two tried distances
-    }
-    figures.push_back(std::move(figure));
+  for (std::size_t q = 0; q < kQuarters.size(); ++q) {
+    const auto figure = [&](const char* what, bool more_is_better, double Reach::*number) {
+      Figure f{fmt::format("{}/detected_{}_m_{}", name, what, kQuarters[q].name),
+               "m",
+               more_is_better,
+               {},
+               {}};
+      for (const Reach& reach : quarters_[q]) f.at.push_back(reach.*number);
+      // Each end is somewhere between two tried distances.
+      f.error.assign(f.at.size(), EvenSigma(kStep_m));
+      figures.push_back(std::move(f));
+    };
+    figure("from", false, &Reach::from_m);
+    figure("to", true, &Reach::to_m);
+    figure("over", true, &Reach::over_m);
   }
   Figure share{name + "/detected_within_12m", "", true, within_12m_, {}};
   for (std::size_t m = 0; m < within_12m_.size(); ++m) {
@@ -109,18 +148,46 @@ std::vector<Figure> PersonRange::Figures() const {
 
 PolarCurve PersonRange::Curve() const {
   PolarCurve curve{.name = "person/" + posture_.name,
-                   .title = fmt::format("Distance from the machine up to which a {} person is "
-                                        "detected, in m",
+                   .title = fmt::format("Where a {} person is detected, in m from the machine's "
+                                        "outline",
                                         posture_.name),
                    .most = study_.farthest_m,
                    .mean = {},
                    .worst = {}};
-  for (const std::vector<double>& at_m : detected_m_) {
-    const double sum_m = std::accumulate(at_m.begin(), at_m.end(), 0.0);
-    curve.mean.push_back(sum_m / static_cast<double>(at_m.size()));
-    curve.worst.push_back(*std::min_element(at_m.begin(), at_m.end()));
+  for (const std::vector<Reach>& at : directions_) {
+    double sum_m = 0, from_m = 0, to_m = study_.farthest_m;
+    for (const Reach& reach : at) {
+      sum_m += reach.to_m;
+      from_m = std::max(from_m, reach.from_m);
+      to_m = std::min(to_m, reach.to_m);
+    }
+    const bool is_always = from_m <= to_m;
+    curve.mean.push_back(sum_m / static_cast<double>(at.size()));
+    curve.worst.push_back(is_always ? to_m : 0);
+    curve.worst_from.push_back(is_always ? from_m : 0);
   }
   return curve;
+}
+
+PolarMap PersonRange::DetectedMap() const {
+  PolarMap map{
+      .name = "detected/" + posture_.name,
+      .title = fmt::format("Share of the cycle in which a {} person is detected; rings are "
+                           "metres from the machine's outline",
+                           posture_.name),
+      .sectors = kSectors,
+      .rings = static_cast<int>(Distances_m().size()),
+      .ring_m = kStep_m};
+  for (std::size_t p = 0; p < had_place_.size(); ++p) {
+    map.value.push_back(had_place_[p] > 0 ? had_enough_[p] / had_place_[p] : -1);
+  }
+  return map;
+}
+
+std::vector<PolarMap> PersonRange::Maps() const {
+  std::vector<PolarMap> maps = {DetectedMap()};
+  for (PolarMap& map : probability_.Maps()) maps.push_back(std::move(map));
+  return maps;
 }
 
 }  // namespace tera

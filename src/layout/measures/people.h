@@ -13,7 +13,7 @@
 
 namespace tera {
 
-/// From where a person would be detected, if she stood around the machine.
+/// From where to where a person would be detected, if she stood around the machine.
 ///
 /// Frames  H as in PolarGrid. Distances are from the hull of the machine: the outermost point of
 ///         its undercarriage, tracks, blade and upper structure in a direction, to her middle.
@@ -43,15 +43,24 @@ class PersonRange {
   const Posture& posture() const { return posture_; }
   /// Distances that are tried: every metre from 1 m on.
   std::vector<double> Distances_m() const;
-  /// Of each direction, moment by moment: the farthest distance up to which she is detected at
-  /// every one tried, 0 where not even at the first.
-  const std::vector<std::vector<double>>& Detected_m() const { return detected_m_; }
-  /// "person/POSTURE/detected_to_m_ahead", "_left", "_behind", "_right": the least over the
-  /// directions of that quarter. "person/POSTURE/detected_within_12m": share of the places tried.
+  /// The distances at which she is detected in a direction, or in all directions of a quarter: the
+  /// nearest, the farthest, and how many metres of them, which are fewer than from the one to the
+  /// other where she is not detected in between. Where she is at none, `from_m` is a metre beyond
+  /// the farthest that is tried, and the others are 0.
+  struct Reach {
+    double from_m = 0, to_m = 0, over_m = 0;
+  };
+  /// Of each direction, moment by moment.
+  const std::vector<std::vector<Reach>>& OfDirections() const { return directions_; }
+  /// "person/POSTURE/detected_from_m_ahead", "_left", "_behind", "_right", "detected_to_m_*" and
+  /// "detected_over_m_*": Reach of what is detected in every direction of that quarter, so that the
+  /// worst direction decides. "person/POSTURE/detected_within_12m": share of the places tried.
   /// Those of DetectionProbability.
   std::vector<Figure> Figures() const;
   PolarCurve Curve() const;
-  std::vector<PolarMap> Maps() const { return probability_.Maps(); }
+  /// "detected/POSTURE": the share of the moments at which each place has as much on her as the
+  /// study asks. Those of DetectionProbability.
+  std::vector<PolarMap> Maps() const;
 
  private:
   /// What the viewers of a layout have of her at places, each place alone.
@@ -61,13 +70,18 @@ class PersonRange {
   };
   Had HadOf(const std::vector<PersonPlace>& places, const Layout& layout,
             const Sighting& sighting) const;
-  void AddRange(const std::vector<PersonPlace>& places, const std::vector<bool>& detected);
+  void AddReach(const std::vector<PersonPlace>& places, const std::vector<bool>& detected);
+  /// Of what is detected at each distance; a distance without a place counts as not detected.
+  Reach ReachOf(const std::vector<bool>& detected) const;
+  PolarMap DetectedMap() const;
 
   Posture posture_;
   PersonStudy study_;
   double reflectance_;
   std::vector<BodyPatch> patches_;
-  std::vector<std::vector<double>> detected_m_ = std::vector<std::vector<double>>(kSectors);
+  std::vector<std::vector<Reach>> directions_ = std::vector<std::vector<Reach>>(kSectors);
+  std::vector<std::vector<Reach>> quarters_;    ///< as kQuarters; of each moment
+  std::vector<double> had_place_, had_enough_;  ///< moments of each place, by sector and step
   std::vector<double> within_12m_;
   std::vector<std::size_t> tried_;
   DetectionProbability probability_;

@@ -86,7 +86,7 @@ std::vector<Figure> PixelDensity::Figures() const {
     }
     figures.push_back(std::move(share));
     for (const Quarter& quarter : kQuarters) {
-      Figure figure{fmt::format("{}/to_m_{}", name, quarter.name), "m", true};
+      Figure figure{fmt::format("{}/mean_to_m_{}", name, quarter.name), "m", true};
       for (std::size_t m = 0; m < share_[purpose].size(); ++m) {
         double sum_m = 0, directions = 0;
         for (int sector = 0; sector < PolarGrid::kSectors; ++sector) {

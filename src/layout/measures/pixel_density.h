@@ -37,13 +37,13 @@ class PixelDensity {
   void Add(const PolarPlaces& places, const Layout& layout, const Sighting& sighting);
 
   /// The farthest place, in this direction of PolarGrid, at which the density is at least the
-  /// purpose's, whether it is nearer or not (a PersonRange ends at the first gap); 0 where it is
-  /// nowhere; of each moment.
+  /// purpose's, whether it is nearer or not; 0 where it is nowhere; of each moment.
   const std::vector<double>& Farthest_m(std::size_t purpose, int sector) const {
     return farthest_m_[purpose][sector];
   }
-  /// "pixels/PURPOSE/share_to_12m": of the area of places within 12 m; "pixels/PURPOSE/to_m_ahead",
-  /// "_left", "_behind", "_right": the mean over the directions of that quarter.
+  /// "pixels/PURPOSE/share_to_12m": of the area of places within 12 m;
+  /// "pixels/PURPOSE/mean_to_m_ahead", "_left", "_behind", "_right": the mean over the directions
+  /// of that quarter.
   std::vector<Figure> Figures() const;
   /// "pixels/1.5 m": the density, as a mean over the moments.
   PolarMap Map() const;

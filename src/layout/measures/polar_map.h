@@ -26,6 +26,8 @@ struct PolarCurve {
   std::string name, title;
   double most = 1;                  ///< of the axis
   std::vector<double> mean, worst;  ///< over a cycle, of each direction
+  /// Where what holds at the worst moment begins, of each direction; empty: at the point.
+  std::vector<double> worst_from = {};
 };
 
 }  // namespace tera

@@ -91,15 +91,16 @@ std::string Cells(const PolarMap& map) {
   return svg;
 }
 
-std::string Polygon(const std::vector<double>& radius_m, double most) {
-  std::string points;
+/// A closed line around the middle, as a part of a path.
+std::string Outline(const std::vector<double>& radius_m, double most) {
+  std::string path;
   for (std::size_t i = 0; i < radius_m.size(); ++i) {
     const double azimuth_rad =
         2 * kPi * static_cast<double>(i) / static_cast<double>(radius_m.size());
     const At at = PlaceOf(azimuth_rad, kRadius * std::min(1.0, radius_m[i] / most));
-    points += fmt::format("{:.1f},{:.1f} ", at.x, at.y);
+    path += fmt::format("{}{:.1f} {:.1f}", i == 0 ? "M" : "L", at.x, at.y);
   }
-  return points;
+  return path.empty() ? path : path + "Z";
 }
 
 }  // namespace
@@ -150,9 +151,10 @@ std::string CurvesSvg(const std::string& title, double most, const std::vector<P
   std::string svg = Opening(title) + Frame(most, "m");
   for (std::size_t i = 0; i < curves.size(); ++i) {
     svg += fmt::format(
-        "<polygon class=\"area {0}\" points=\"{1}\"/>"
-        "<polygon class=\"outline {0}\" points=\"{2}\"/>",
-        css_classes[i], Polygon(curves[i].worst, most), Polygon(curves[i].mean, most));
+        "<path class=\"area {0}\" fill-rule=\"evenodd\" d=\"{1}{2}\"/>"
+        "<path class=\"outline {0}\" d=\"{3}\"/>",
+        css_classes[i], Outline(curves[i].worst, most), Outline(curves[i].worst_from, most),
+        Outline(curves[i].mean, most));
   }
   return svg + "</svg>";
 }

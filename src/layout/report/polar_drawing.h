@@ -16,7 +16,8 @@ Image<std::uint8_t> DrawMap(const PolarMap& map, int size_px);
 /// The same as SVG, with rings every 6 m, directions, and a legend; to stand in a page.
 std::string MapSvg(const PolarMap& map);
 
-/// Curves over the directions as SVG: of each the mean as a line, and the area up to its worst.
+/// Curves over the directions as SVG: of each the mean as a line, and the area of what holds at the
+/// worst moment.
 /// `css_classes` one for each.
 std::string CurvesSvg(const std::string& title, double most, const std::vector<PolarCurve>& curves,
                       const std::vector<std::string>& css_classes);

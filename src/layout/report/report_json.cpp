@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;  ///< 1 counted people and elevations otherwise
 constexpr int kIndent = 1;
 
 json FigureJson(const Figure& f) {
@@ -49,12 +49,13 @@ PolarMap ReadMap(const json& from) {
 }
 
 json CurveJson(const PolarCurve& c) {
-  return {
-      {"name", c.name}, {"title", c.title}, {"most", c.most}, {"mean", c.mean}, {"worst", c.worst}};
+  return {{"name", c.name}, {"title", c.title}, {"most", c.most},
+          {"mean", c.mean}, {"worst", c.worst}, {"worst_from", c.worst_from}};
 }
 
 PolarCurve ReadCurve(const json& from) {
-  return {from.at("name"), from.at("title"), from.at("most"), from.at("mean"), from.at("worst")};
+  return {from.at("name"), from.at("title"), from.at("most"),
+          from.at("mean"), from.at("worst"), from.at("worst_from")};
 }
 
 LayoutReport FromJson(const json& from) {

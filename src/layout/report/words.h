@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,25 @@ namespace tera {
 std::string Describe(const Figure& figure);
 /// A value of it with its unit: "71 %", "4.2 m^3".
 std::string ValueText(const Figure& figure, double value);
+
+/// The postures of which the report says where they are detected.
+std::vector<std::string> PosturesOf(const LayoutReport& report);
+
+/// Where a person is detected at every moment and in every direction of a quarter.
+struct AlwaysDetected {
+  double from_m = 0, to_m = 0;  ///< nearest and farthest
+  bool has_gaps = false;        ///< at some moment she is not at a distance in between
+
+  bool IsNowhere() const { return from_m > to_m; }
+};
+/// Nothing where the report has no such figures.
+std::optional<AlwaysDetected> AlwaysDetectedIn(const LayoutReport& report,
+                                               const std::string& posture,
+                                               const std::string& quarter);
+/// "from 7 to 16 m", "at no distance".
+std::string RangeText(const AlwaysDetected& always);
+/// What quarters are, and from where distances are measured.
+std::string QuartersText();
 
 /// The answer first: what the layout sees, what it does not and why, people, the bucket.
 std::vector<std::string> Answer(const LayoutReport& report);

@@ -99,23 +99,59 @@ std::string MapFigures(const LayoutReport& report, const std::string& beginning,
   return heading + "<div class=\"figures\">\n" + figures + "</div>\n";
 }
 
-std::string CurveFigures(const LayoutReport& report) {
-  if (report.curves.empty()) return "";
-  std::string html =
-      "<h2>From where a person is detected</h2>\n<p class=\"soft\">Line: mean over the cycle; "
-      "filled: at the worst moment of each direction.</p>\n<div class=\"figures\">\n";
+/// Curves whose names begin so.
+std::string CurveFigures(const LayoutReport& report, const std::string& beginning) {
+  std::string figures;
   for (const PolarCurve& curve : report.curves) {
-    html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n",
-                        CurvesSvg(curve.title, curve.most, {curve}, {"a"}), Escape(curve.title));
+    if (!curve.name.starts_with(beginning)) continue;
+    figures += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n",
+                           CurvesSvg(curve.title, curve.most, {curve}, {"a"}), Escape(curve.title));
   }
-  return html + "</div>\n";
+  if (figures.empty()) return "";
+  return "<p class=\"soft\">Line: the farthest, mean over the cycle; filled: at the worst moment "
+         "of "
+         "each direction.</p>\n<div class=\"figures\">\n" +
+         figures + "</div>\n";
+}
+
+/// From where to where people are detected in each quarter.
+std::string PeopleTable(const LayoutReport& report) {
+  std::string rows;
+  for (const std::string& posture : PosturesOf(report)) {
+    for (const char* quarter : {"ahead", "left", "behind", "right"}) {
+      const auto always = AlwaysDetectedIn(report, posture, quarter);
+      if (!always) continue;
+      const Figure& over =
+          *FindFigure(report, fmt::format("person/{}/detected_over_m_{}", posture, quarter));
+      rows += fmt::format(
+          "<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"r\">{}</td><td "
+          "class=\"r\">{}</td></tr>\n",
+          Escape(posture), quarter, RangeText(*always), Escape(ValueText(over, MeanOf(over))),
+          Escape(ValueText(over, WorstOf(over))));
+    }
+  }
+  if (rows.empty()) return "";
+  return "<div class=\"wide\"><table><tr><th>Person</th><th>Every direction within 45° of</th>"
+         "<th>Detected at every moment</th><th class=\"r\">Metres at which she is, mean</th>"
+         "<th class=\"r\">Worst moment</th></tr>\n" +
+         rows + "</table></div>\n";
+}
+
+std::string PeopleSection(const LayoutReport& report) {
+  const std::string shown =
+      PeopleTable(report) + MapFigures(report, "detected/", "") + CurveFigures(report, "person/");
+  if (shown.empty()) return "";
+  return "<h2>From where to where a person is detected</h2>\n<p class=\"soft\">" + QuartersText() +
+         "</p>\n" + shown;
 }
 
 std::string FigureTable(const LayoutReport& report) {
   std::string html =
       "<h2>All figures</h2>\n<p class=\"soft\">The sampling error is one standard deviation, by "
       "the "
-      "number of places that were tried.</p>\n<div class=\"wide\"><table><tr><th>Figure</th>"
+      "number of places that were tried.</p>\n<p class=\"soft\">" +
+      QuartersText() +
+      "</p>\n<div class=\"wide\"><table><tr><th>Figure</th>"
       "<th class=\"r\">Mean</th><th class=\"r\">Worst moment</th><th class=\"r\">Sampling "
       "error</th></tr>\n";
   for (const Figure& f : report.figures) {
@@ -167,12 +203,13 @@ std::string ReportPage(const LayoutReport& report) {
       Escape(report.cycle), report.t_s.size(), report.t_s.front(), report.t_s.back(),
       ExpenseText(report.expense));
   html += MapFigures(report, "seen/", "<h2>What is seen around the machine</h2>\n" + MapLegend());
-  html += CurveFigures(report);
+  html += PeopleSection(report);
   html += MapFigures(report, "person/",
                      "<h2>With what probability lidars detect a person</h2>\n<p class=\"soft\">By "
                      "the fewest points that a detector of clusters takes for somebody; clutter "
                      "and false alarms are not in it.</p>\n");
   html += MapFigures(report, "pixels/", "<h2>How finely cameras show a person</h2>\n");
+  html += CurveFigures(report, "pixels/");
   html += MapFigures(report, "sky/", "<h2>What antennas see of the sky</h2>\n");
   html += ShareTable("Why places are not seen", "Zone", "Cause", report.blind_causes);
   html += ShareTable("What two sensors see together", "Zone", "Sensors", report.overlaps);

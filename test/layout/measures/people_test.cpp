@@ -37,7 +37,7 @@ Mesh BoxMesh(const Vec3& size_m) {
   return mesh;
 }
 
-/// Whether she is detected at all distances up to this one in a direction.
+/// Whether she is detected at this distance in a direction, the farthest that is tried.
 bool IsDetected(const LookedAtSite& site, const Posture& posture, const Layout& layout,
                 double needed, int sector, double distance_m) {
   PersonStudy study;
@@ -45,7 +45,7 @@ bool IsDetected(const LookedAtSite& site, const Posture& posture, const Layout& 
   study.farthest_m = distance_m;
   PersonRange range(posture, study, 0.2);
   range.Add(X_WH(), HullOf(site), layout, site.sighting(), site.ground());
-  return range.Detected_m().at(static_cast<std::size_t>(2 * sector)).at(0) >= distance_m;
+  return range.OfDirections().at(static_cast<std::size_t>(2 * sector)).at(0).to_m >= distance_m;
 }
 
 /// The most points or pixels of which as many are expected on her, by halving.
@@ -151,7 +151,7 @@ TEST(PersonRange, ExpectsAsManyPixelsAsAPictureHas) {
       study.farthest_m = where.distance_m;
       PersonRange range(where.posture, study, 0.2);
       range.Add(X_WH(), HullOf(site), LayoutOf({viewer}), site.sighting(), site.ground());
-      if (range.Detected_m().at(static_cast<std::size_t>(2 * where.sector)).at(0) >=
+      if (range.OfDirections().at(static_cast<std::size_t>(2 * where.sector)).at(0).to_m >=
           where.distance_m) {
         low = needed;
       }
@@ -205,7 +205,7 @@ TEST(PersonRange, EndsWhereALidarReachesNoFarther) {
   const Layout layout = LayoutOf({ViewerAt("lidar", {0, 0, 0.9}, ReachingField(6))});
   for (const auto& [reflectance, reached_m] : {std::pair{0.1, 6.0}, {0.4, 12.0}, {1.6, 24.0}}) {
     const PersonRange range = RangeOf(site, layout, reflectance);
-    for (const auto& detected_m : range.Detected_m()) EXPECT_EQ(detected_m.at(0), reached_m);
+    for (const auto& reach : range.OfDirections()) EXPECT_EQ(reach.at(0).to_m, reached_m);
   }
 }
 
@@ -217,11 +217,11 @@ TEST(PersonRange, DistancesCountFromTheHullOfTheMachine) {
   const LookedAtSite site({.parts = {{"undercarriage", {-1, -0.8, 0.1}, {1.5, 0.8, 1}}}});
   const Layout layout = LayoutOf({ViewerAt("lidar", {0, 0, 2.2}, ReachingField(6.1))});
   const PersonRange range = RangeOf(site, layout);
-  EXPECT_EQ(range.Detected_m().at(0).at(0), 4);
+  EXPECT_EQ(range.OfDirections().at(0).at(0).to_m, 4);
   // Behind, 1 m: at 5 m the front is at 5.85 m, of whose top the range is below 5.9 m; at 6 m not.
-  EXPECT_EQ(range.Detected_m().at(18).at(0), 5);
+  EXPECT_EQ(range.OfDirections().at(18).at(0).to_m, 5);
   // To the left, 0.8 m: 5.65 m at 5 m, 6.65 m at 6 m.
-  EXPECT_EQ(range.Detected_m().at(9).at(0), 5);
+  EXPECT_EQ(range.OfDirections().at(9).at(0).to_m, 5);
 }
 
 TEST(PersonRange, AWallEndsItInItsDirectionAlone) {
@@ -229,8 +229,8 @@ TEST(PersonRange, AWallEndsItInItsDirectionAlone) {
   const PersonRange range =
       RangeOf(site, LayoutOf({ViewerAt("lidar", {0, 0, 2}, ReachingField(99))}));
   EXPECT_EQ(range.Distances_m().size(), 24u);
-  EXPECT_EQ(range.Detected_m().at(0).at(0), 4);
-  EXPECT_EQ(range.Detected_m().at(18).at(0), 24);
+  EXPECT_EQ(range.OfDirections().at(0).at(0).to_m, 4);
+  EXPECT_EQ(range.OfDirections().at(18).at(0).to_m, 24);
   const auto figures = range.Figures();
   const auto at = [&](const std::string& name) {
     return FigureOf(figures, "person/standing/" + name).at.at(0);
@@ -248,18 +248,73 @@ TEST(PersonRange, AWallEndsItInItsDirectionAlone) {
 TEST(PersonRange, WithoutAViewerSheIsDetectedNowhere) {
   const LookedAtSite site({});
   const PersonRange range = RangeOf(site, LayoutOf({}));
-  for (const auto& detected_m : range.Detected_m()) EXPECT_EQ(detected_m.at(0), 0);
-  for (const Figure& figure : range.Figures()) EXPECT_EQ(figure.at.at(0), 0) << figure.name;
+  for (const auto& reach : range.OfDirections()) EXPECT_EQ(reach.at(0).to_m, 0);
+  for (const Figure& figure : range.Figures()) {
+    // A metre beyond the farthest that is tried.
+    const bool is_nearest = figure.name.find("detected_from_m") != figure.name.npos;
+    EXPECT_EQ(figure.at.at(0), is_nearest ? 25 : 0) << figure.name;
+  }
 }
 
-TEST(PersonRange, BehindAGapSheIsNotReached) {
-  // A lidar that looks down steeply sees her from 4 m on: nearer she is out of its view, and a
-  // range that has a gap before it is none.
+TEST(PersonRange, FromWhereOnSheIsDetectedIsToldToo) {
+  // A lidar 4.5 m up that looks down by less than acos(0.9) = 25.8 deg has her top, 1.75 m above
+  // the ground, in its view from (4.5 - 1.75) / tan(25.8 deg) = 5.7 m on: where she is at 6 m.
   const LookedAtSite site({});
   ViewField field = ReachingField(99);
   field.per_steradian = [](const Vec3& d) { return d.head<2>().norm() > 0.9 ? 1e9 : 0.0; };
   const PersonRange range = RangeOf(site, LayoutOf({ViewerAt("lidar", {0, 0, 4.5}, field)}));
-  EXPECT_EQ(range.Detected_m().at(5).at(0), 0);
+  for (const auto& reach : range.OfDirections()) {
+    EXPECT_EQ(reach.at(0).from_m, 6);
+    EXPECT_EQ(reach.at(0).to_m, 24);
+    EXPECT_EQ(reach.at(0).over_m, 19);
+  }
+  const auto figures = range.Figures();
+  EXPECT_EQ(FigureOf(figures, "person/standing/detected_from_m_behind").at.at(0), 6);
+  EXPECT_EQ(FigureOf(figures, "person/standing/detected_to_m_behind").at.at(0), 24);
+  const PolarCurve curve = range.Curve();
+  EXPECT_EQ(curve.worst_from.at(3), 6);
+  EXPECT_EQ(curve.worst.at(3), 24);
+  const PolarMap map = range.Maps().at(0);
+  EXPECT_EQ(map.name, "detected/standing");
+  EXPECT_EQ(map.value.at(4), 0);  // ahead, 5 m
+  EXPECT_EQ(map.value.at(5), 1);
+}
+
+TEST(PersonRange, AGapIsMissingFromTheMetresAtWhichSheIsDetected) {
+  // A fence of 3 m, 5.3 m ahead, hides her from a lidar 4.5 m up until her top, 1.75 m above the
+  // ground, comes into sight over it: from 5.3 (4.5 - 1.75) / (4.5 - 3) = 9.7 m on, so that she is
+  // not detected at 6, 7, 8 and 9 m.
+  const LookedAtSite site({.boxes = {{"fence1", {5.3, -9, 0}, {5.31, 9, 3}}}});
+  const PersonRange range =
+      RangeOf(site, LayoutOf({ViewerAt("lidar", {0, 0, 4.5}, ReachingField(99))}));
+  const PersonRange::Reach ahead = range.OfDirections().at(0).at(0);
+  EXPECT_EQ(ahead.from_m, 1);
+  EXPECT_EQ(ahead.to_m, 24);
+  EXPECT_EQ(ahead.over_m, 24 - 4);
+}
+
+TEST(PersonRange, OfAQuarterTheDistancesAtWhichAllItsDirectionsDetectHerCount) {
+  // To the left of straight ahead it sees from 1 to 6 m, to the right of that from 3 m on.
+  const LookedAtSite site({});
+  const auto ranging = [](const std::string& name, double from_m, double to_m, int side) {
+    ViewField field = EverywhereAlike();
+    field.per_steradian = [=](const Vec3& d) { return side * (d.y() + 1e-9) >= 0 ? 1e9 : 0.0; };
+    field.nearest_m = from_m;
+    field.reach_m = [=](double) { return to_m; };
+    return ViewerAt(name, {0, 0, 0.9}, field);
+  };
+  const Layout layout = LayoutOf({ranging("left", 0, 6.2, 1), ranging("right", 2.6, 99, -1)});
+  const auto figures = RangeOf(site, layout).Figures();
+  const auto at = [&](const std::string& name) {
+    return FigureOf(figures, "person/standing/" + name).at.at(0);
+  };
+  EXPECT_EQ(at("detected_from_m_left"), 1);
+  EXPECT_EQ(at("detected_to_m_left"), 6);
+  EXPECT_EQ(at("detected_from_m_right"), 3);
+  EXPECT_EQ(at("detected_to_m_right"), 24);
+  EXPECT_EQ(at("detected_from_m_ahead"), 3);
+  EXPECT_EQ(at("detected_to_m_ahead"), 6);
+  EXPECT_EQ(at("detected_over_m_ahead"), 4);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST(PixelDensity, FallsWithDistanceThroughTheStandardsPurposes) {
   EXPECT_NEAR(FigureOf(figures, "pixels/detect/share_to_12m").at[0], 1, 1e-12);
   EXPECT_NEAR(FigureOf(figures, "pixels/recognise/share_to_12m").at[0], 64.0 / 144, 1e-9);
   EXPECT_NEAR(FigureOf(figures, "pixels/identify/share_to_12m").at[0], 16.0 / 144, 1e-9);
-  EXPECT_EQ(FigureOf(figures, "pixels/observe/to_m_behind").at[0], 15.5);
+  EXPECT_EQ(FigureOf(figures, "pixels/observe/mean_to_m_behind").at[0], 15.5);
   EXPECT_NEAR(density.Map().value[PolarGrid::Index(30, 9)], kPxPerRad / 9.5, 1e-3);
 }
 
@@ -49,11 +49,11 @@ TEST(PixelDensity, IsThatOfDirectionsThatACameraShows) {
   const Yard yard(Nothing());
   const auto to_the_left = [](const Vec3& d_S) { return d_S.y() > 0.1; };
   const std::vector<Figure> figures = DensityOf(yard, Camera(yard, to_the_left)).Figures();
-  EXPECT_EQ(FigureOf(figures, "pixels/recognise/to_m_left").at[0], 7.5);
-  EXPECT_EQ(FigureOf(figures, "pixels/recognise/to_m_right").at[0], 0);
+  EXPECT_EQ(FigureOf(figures, "pixels/recognise/mean_to_m_left").at[0], 7.5);
+  EXPECT_EQ(FigureOf(figures, "pixels/recognise/mean_to_m_right").at[0], 0);
   // Directions 5 deg apart from -45 to 45 deg are 19, of which those from 10 deg on, 8, are in
   // view.
-  EXPECT_NEAR(FigureOf(figures, "pixels/recognise/to_m_ahead").at[0], 7.5 * 8 / 19, 1e-9);
+  EXPECT_NEAR(FigureOf(figures, "pixels/recognise/mean_to_m_ahead").at[0], 7.5 * 8 / 19, 1e-9);
 }
 
 TEST(PixelDensity, IsDrawnByDirection) {

@@ -55,6 +55,7 @@ void ExpectSame(const LayoutReport& a, const LayoutReport& b) {
     EXPECT_EQ(a.curves[i].most, b.curves[i].most);
     EXPECT_EQ(a.curves[i].mean, b.curves[i].mean);
     EXPECT_EQ(a.curves[i].worst, b.curves[i].worst);
+    EXPECT_EQ(a.curves[i].worst_from, b.curves[i].worst_from);
   }
   EXPECT_EQ(a.blind_causes, b.blind_causes);
   EXPECT_EQ(a.overlaps, b.overlaps);
@@ -127,14 +128,14 @@ TEST_F(ReportFile, CutShortItIsRefused) {
 }
 
 TEST_F(ReportFile, WhatIsNoReportIsRefused) {
-  for (const char* text : {"{}", "[]", "null", "3", "\"format\"", "format: 1", "{\"format\": 1}"}) {
+  for (const char* text : {"{}", "[]", "null", "3", "\"format\"", "format: 2", "{\"format\": 2}"}) {
     ExpectRefused(text);
   }
 }
 
 TEST_F(ReportFile, AnotherFormatIsRefused) {
-  for (const char* other : {"2", "0", "\"1\"", "null", "1.5", "[1]"}) {
-    ExpectRefused("\"format\": 1", std::string("\"format\": ") + other);
+  for (const char* other : {"1", "3", "0", "\"1\"", "null", "1.5", "[1]"}) {
+    ExpectRefused("\"format\": 2", std::string("\"format\": ") + other);
   }
 }
 

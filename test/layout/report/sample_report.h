@@ -34,10 +34,14 @@ inline LayoutReport SampleReport(const std::string& name = "front") {
   report.figures = {
       {"zone/around/seen_by_1", "", true, {0.5, 0.75, 0.25, 0.5}, {0.01, 0.02, 0.03, 0.02}},
       {"zone/around/blind_m3", "m^3", false, {30, 15, 45, 30}, {1, 2, 3, 2}},
+      {"person/standing/detected_from_m_behind", "m", false, {1, 2, 2, 3}, {}},
       {"person/standing/detected_to_m_behind", "m", true, {4, 4, 5, 7}, {}},
+      {"person/standing/detected_over_m_behind", "m", true, {4, 3, 4, 5}, {}},
+      {"person/standing/detected_within_12m", "", true, {0.25, 0.5, 0.25, 0.5}, {}},
       {"dig/bucket/edge_seen", "", true, {0, 1, 0.125, 0.375}, {}}};
   report.maps = {SampleMap()};
-  report.curves = {{"person/standing", "a standing person", 24, {1, 2, 3}, {0.5, 1, 2}}};
+  report.curves = {
+      {"person/standing", "a standing person", 24, {1, 2, 3}, {0.5, 1, 2}, {0, 0.5, 1}}};
   report.blind_causes = {{"around", {{"arm", 0.75}, {"out of view", 0.25}}}, {"behind", {}}};
   report.overlaps = {{"around", {{"lidar + camera", 0.125}}}};
   report.warnings = {"lidar is mounted inside of boom, 0.1 m deep"};

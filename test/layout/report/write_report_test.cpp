@@ -12,10 +12,12 @@
 #include "layout/report/polar_drawing.h"
 #include "layout/report/report_json.h"
 #include "layout/report/sample_report.h"
+#include "layout/report/words.h"
 
 namespace tera {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -57,7 +59,10 @@ TEST_F(WrittenReport, FiguresHaveTheirMeansWorstMomentsAndErrors) {
           ElementsAre("figure", "unit", "more_is_better", "mean", "worst", "sampling_error"),
           ElementsAre("zone/around/seen_by_1", "", "1", "0.5", "0.25", "0.02"),
           ElementsAre("zone/around/blind_m3", "m^3", "0", "30", "45", "2"),
+          ElementsAre("person/standing/detected_from_m_behind", "m", "0", "2", "3", testing::_),
           ElementsAre("person/standing/detected_to_m_behind", "m", "1", "5", "4", testing::_),
+          ElementsAre("person/standing/detected_over_m_behind", "m", "1", "4", "3", testing::_),
+          ElementsAre("person/standing/detected_within_12m", "", "1", "0.375", "0.25", testing::_),
           ElementsAre("dig/bucket/edge_seen", "", "1", "0.375", "0", testing::_)));
 }
 
@@ -66,11 +71,14 @@ TEST_F(WrittenReport, MomentsHaveAllFigures) {
   EXPECT_THAT(
       Rows(path() / "moments.csv"),
       ElementsAre(ElementsAre("t_s", "zone/around/seen_by_1", "zone/around/blind_m3",
-                              "person/standing/detected_to_m_behind", "dig/bucket/edge_seen"),
-                  ElementsAre("0", "0.5", "30", "4", "0"),
-                  ElementsAre("0.2", "0.75", "15", "4", "1"),
-                  ElementsAre("0.4", "0.25", "45", "5", "0.125"),
-                  ElementsAre("0.6", "0.5", "30", "7", "0.375")));
+                              "person/standing/detected_from_m_behind",
+                              "person/standing/detected_to_m_behind",
+                              "person/standing/detected_over_m_behind",
+                              "person/standing/detected_within_12m", "dig/bucket/edge_seen"),
+                  ElementsAre("0", "0.5", "30", "1", "4", "4", "0.25", "0"),
+                  ElementsAre("0.2", "0.75", "15", "2", "4", "3", "0.5", "1"),
+                  ElementsAre("0.4", "0.25", "45", "2", "5", "4", "0.25", "0.125"),
+                  ElementsAre("0.6", "0.5", "30", "3", "7", "5", "0.5", "0.375")));
 }
 
 TEST_F(WrittenReport, CausesOfEachZoneHaveTheirShares) {
@@ -111,8 +119,8 @@ TEST_F(WrittenReport, APageSaysWithWhatProbabilityAPersonIsDetected) {
   report.figures.push_back(
       {"person/standing/probability_within_12m_left", "", true, {0, 0, 0, 0}, {}});
   const std::string html = ReportPage(report);
-  EXPECT_THAT(html, HasSubstr("probability of 62.5 % on average"));
-  EXPECT_THAT(html, HasSubstr("25.0 % at the worst moment"));
+  EXPECT_THAT(html, HasSubstr("probability, over the places, of 62.5 % on average"));
+  EXPECT_THAT(html, HasSubstr("25.0 % at the worst moment, at 0.2 s"));
   EXPECT_THAT(html, HasSubstr("probability that lidars detect a standing person: mean over the "
                               "places up to 12 m, left"));
 }
@@ -138,9 +146,50 @@ TEST_F(WrittenReport, APageSaysTheAnswerFirst) {
   EXPECT_LT(answer, map);
   // The worst moment, people by it, and why.
   EXPECT_THAT(html, HasSubstr("25.0 %"));
-  EXPECT_THAT(html, HasSubstr("up to 4 m"));
+  EXPECT_THAT(html, HasSubstr("always detected behind from 3 to 4 m"));
   EXPECT_THAT(html, HasSubstr("arm 75 %"));
   EXPECT_THAT(html, HasSubstr("inside of boom"));
+}
+
+TEST_F(WrittenReport, AMeanHasItsWorstMomentAndWhenThatIs) {
+  const std::vector<std::string> lines = Answer(SampleReport());
+  EXPECT_THAT(lines, testing::Contains(AllOf(
+                         HasSubstr("space around"),
+                         HasSubstr("50.0 % on average and 25.0 % at the worst moment, at 0.4 s"))));
+  EXPECT_THAT(lines, testing::Contains(AllOf(
+                         HasSubstr("cutting edge"),
+                         HasSubstr("37.5 % on average and 0.0 % at the worst moment, at 0 s"))));
+}
+
+TEST_F(WrittenReport, OfSeveralPosturesTheHardestIsNamedFirstAndAllAreTold) {
+  LayoutReport report = SampleReport();
+  const auto add = [&](const std::string& name, bool more, std::vector<double> at) {
+    report.figures.push_back({"person/lying/" + name, "m", more, std::move(at), {}});
+  };
+  // Nothing at the first moment behind; from 1 m on with a gap at the last moment on the left.
+  add("detected_from_m_left", false, {1, 1, 1, 1});
+  add("detected_to_m_left", true, {5, 5, 6, 6});
+  add("detected_over_m_left", true, {5, 5, 6, 4});
+  add("detected_from_m_behind", false, {25, 1, 1, 1});
+  add("detected_to_m_behind", true, {0, 5, 5, 5});
+  add("detected_over_m_behind", true, {0, 5, 5, 5});
+  report.figures.push_back(
+      {"person/lying/detected_within_12m", "", true, {0.5, 0.5, 0.125, 0.5}, {}});
+  const std::vector<std::string> lines = Answer(report);
+  EXPECT_THAT(lines, testing::Contains("Hardest to detect is a lying person: at 40.6 % on average "
+                                       "and 12.5 % at the worst moment, at 0.4 s, of the places up "
+                                       "to 12 m from the machine."));
+  EXPECT_THAT(lines, testing::Contains("A lying person is always detected to the left from 1 to 5 "
+                                       "m with gaps; at no distance behind."));
+  EXPECT_THAT(lines,
+              testing::Contains("A standing person is always detected behind from 3 to 4 m."));
+  EXPECT_THAT(ReportPage(report),
+              HasSubstr("<td>lying</td><td>behind</td><td>at no distance</td>"));
+}
+
+TEST_F(WrittenReport, APageSaysWhatAQuarterIsAndFromWhereItMeasures) {
+  const std::string html = ReportPage(SampleReport());
+  EXPECT_THAT(html, AllOf(HasSubstr("within 45°"), HasSubstr("machine's outline")));
 }
 
 TEST_F(WrittenReport, WhatLooksLikeMarkupIsText) {
