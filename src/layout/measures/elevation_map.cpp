@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-constexpr double kUnknown_m = 1;     ///< 1 sigma of a height that nobody measured
+constexpr double kUnknown_m = 1;     ///< where no cell has a point
 constexpr double kLeast_m2 = 1e-12;  ///< variance of a point of a sensor without noise
 
 }  // namespace
@@ -57,17 +57,18 @@ void ElevationMap::Add(const Pose& X_WH, const Layout& layout, double reflectanc
 }
 
 void ElevationMap::Count(const std::vector<Cell>& cells) {
-  double gaps = 0, variance_m2 = 0;
+  double gaps = 0, measured = 0, variance_m2 = 0;
   for (const Cell& cell : cells) {
-    const double gap = std::exp(-cell.points), unknown_m2 = kUnknown_m * kUnknown_m;
+    const double gap = std::exp(-cell.points), has_points = -std::expm1(-cell.points);
     gaps += gap;
-    const double measured_m2 = 1 / (cell.weight_pm2 + 1 / unknown_m2);
-    variance_m2 += gap * unknown_m2 + (1 - gap) * measured_m2;
+    measured += has_points;
+    // The weight is that of the expected points; of a cell that has any there are more.
+    if (cell.points > 0) variance_m2 += has_points * (has_points / cell.weight_pm2);
   }
   cells_.push_back(cells.size());
-  const double n = std::max(1.0, static_cast<double>(cells.size()));
-  gaps_.push_back(gaps / n);
-  sigma_m_.push_back(std::sqrt(variance_m2 / n));
+  gaps_.push_back(gaps / std::max(1.0, static_cast<double>(cells.size())));
+  const double without_m = cells.empty() ? 0 : kUnknown_m;  // of no cell nothing is asked
+  sigma_m_.push_back(measured > 0 ? std::sqrt(variance_m2 / measured) : without_m);
 }
 
 std::vector<Figure> ElevationMap::Figures() const {

@@ -16,7 +16,10 @@ namespace tera {
 ///         times its area, if its middle is seen (look.h); they come as a Poisson process, so that
 ///         a cell is a gap with probability exp(-n). A range error e along the ray d moves a point
 ///         to where the plane of the cell is lower or higher by e (n . d) / n_z, n its normal: so
-///         much is the error of its height. Points of a cell average by their weights.
+///         much is the error of its height. Points of a cell average by their weights, as many of
+///         them as are expected of a cell that has any. The error of the map is that of the cells
+///         that have points, each counted with the probability that it has; how many have none is
+///         told by the gaps.
 /// Omits   that points of a lidar stand in rows. Where rows and columns are closer than the cells
 ///         are wide, 1 - n of these are empty instead of exp(-n): too many gaps are told, by 1 / e
 ///         of the cells at most. Where rows are farther apart, the cells between them are empty
@@ -30,8 +33,8 @@ class ElevationMap {
 
   void Add(const Pose& X_WH, const Layout& layout, double reflectance, const Sighting& sighting,
            const TerrainSurface& ground);
-  /// "elevation/gaps", a share of the cells, and "elevation/sigma_m", root mean square over all
-  /// cells, of which one without a point is known to 1 m.
+  /// "elevation/gaps", a share of the cells, and "elevation/sigma_m", root mean square over the
+  /// cells that have points; 1 m at a moment at which none can have any.
   std::vector<Figure> Figures() const;
 
  private:
