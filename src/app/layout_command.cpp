@@ -15,6 +15,7 @@
 #include "dataset/files/whole_folder.h"
 #include "layout/compare/comparison_page.h"
 #include "layout/evaluate.h"
+#include "layout/optimise/found_files.h"
 #include "layout/optimise/optimise.h"
 #include "layout/report/report_json.h"
 #include "layout/report/words.h"
@@ -150,7 +151,8 @@ void RunOptimise(const OptimiseArguments& arguments) {
                              now.generations, now.hypervolume);
                   std::fflush(stdout);
                 }});
-  fmt::print("{} layouts of which no other is better in everything: {}\n", result.front.size(),
+  for (const std::string& warning : result.warnings) fmt::print("warning: {}\n", warning);
+  fmt::print("{} of which no other is better in everything: {}\n", LayoutCount(result.front.size()),
              (arguments.out / "front").string());
   fmt::print("report: {}\n", (arguments.out / "search.html").string());
 }

@@ -112,13 +112,15 @@ TEST_F(LayoutCommand, AScenarioIsACycleToo) {
 TEST_F(LayoutCommand, EveryLayoutThatWasFoundIsARigThatGenerateTakes) {
   KeepState();
   Succeed({"layout", "optimise", "search.yaml", "--out", "found"});
-  // Its only sensor is optional, and no sensor costs nothing: such a layout is found too.
   std::size_t taken = 0;
   for (const auto& rig : fs::directory_iterator(path() / "found/front")) {
     Succeed({"generate", "site.yaml", "--out", "data" + std::to_string(taken++), "--set",
              "machines[0].rig=" + rig.path().string()});
+    // Its only sensor is optional, and no sensor costs nothing: but sees nothing either.
+    Succeed(Evaluate("base", rig.path().string()));
+    fs::remove_all(path() / "seen");
   }
-  EXPECT_GE(taken, 2u);
+  EXPECT_GE(taken, 1u);
 }
 
 TEST_F(LayoutCommand, WrongUseIsStatus2AndPointsToTheHelp) {

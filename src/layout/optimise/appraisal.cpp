@@ -4,18 +4,25 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <utility>
 
+#include "core/config/spelling.h"
 #include "core/error.h"
 #include "layout/evaluate.h"
+#include "layout/sight/mount_check.h"
 
 namespace tera {
 namespace {
 
 constexpr double kBytesPerGB = 1e9;
+
+/// What a search may limit.
+constexpr std::array<const char*, 4> kTaken = {"cost", "power_w", "data_mbyteps", "sensors"};
 
 /// What a layout takes of a name, if it is no figure of what it sees.
 std::optional<double> Taken(const std::string& name, const Layout& layout) {
@@ -25,6 +32,46 @@ std::optional<double> Taken(const std::string& name, const Layout& layout) {
   if (name == "data_mbyteps") return expense.data_mbyteps;
   if (name == "sensors") return static_cast<double>(layout.sensors.size());
   return std::nullopt;
+}
+
+std::optional<double> MostOf(const Limits& limits, std::string_view name) {
+  if (name == "cost") return limits.cost;
+  if (name == "power_w") return limits.power_w;
+  if (name == "data_mbyteps") return limits.data_mbyteps;
+  return limits.sensors;
+}
+
+/// Where something stands in its file, or what it is where it stands in none.
+std::string PlaceOr(const std::string& place, const char* otherwise) {
+  return place.empty() ? otherwise : place;
+}
+
+/// Up to the first slash.
+std::string_view FamilyOf(std::string_view figure) { return figure.substr(0, figure.find('/')); }
+
+/// What an objective may be instead: those that begin like it, else how they begin.
+std::string InsteadOf(const std::string& figure, const std::vector<std::string>& names) {
+  std::vector<std::string> alike, families;
+  for (const std::string& name : names) {
+    if (FamilyOf(name) == FamilyOf(figure)) alike.push_back(name);
+    const bool has_more = name.find('/') != name.npos;
+    const std::string family = std::string(FamilyOf(name)) + (has_more ? "/..." : "");
+    if (families.empty() || families.back() != family) families.push_back(family);
+  }
+  return fmt::format("; need one of {}", fmt::join(alike.empty() ? families : alike, ", "));
+}
+
+/// Corners and middle of the bounds of a mount.
+std::vector<Vec3> PlacesOf(const MountBounds& mount) {
+  std::vector<Vec3> places = {0.5 * (mount.low_B_m + mount.high_B_m)};
+  for (int corner = 0; corner < 8; ++corner) {
+    Vec3 place = mount.low_B_m;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (corner >> axis & 1) place[axis] = mount.high_B_m[axis];
+    }
+    places.push_back(place);
+  }
+  return places;
 }
 
 }  // namespace
@@ -43,6 +90,7 @@ Appraisal::Appraisal(const LayoutSearch& search, const LayoutStudy& study, const
   for (const Objective& objective : search.objectives) wanted_.push_back(objective.figure);
   RequirePlaces();
   RequireWithinLimits();
+  RequireReachable();
   const double rate_hz = search.moments / scenario_.duration_s;
   cycle.ForEachMoment(rate_hz, [&](const Instant& now, const TerrainSurface& ground) {
     if (moments_.size() == static_cast<std::size_t>(search.moments)) return;
@@ -67,35 +115,34 @@ void Appraisal::RequireRoom(std::int64_t most_bytes) const {
   const double all_bytes = bytes / static_cast<double>(moments_.size()) * search_.moments;
   if (all_bytes <= static_cast<double>(most_bytes)) return;
   throw InputError(fmt::format(
-      "moments: {} of this cycle take {:.2g} GB of memory, of which {:.2g} GB may be used; need "
-      "about {:.0f}, or a smaller site",
-      search_.moments, all_bytes / kBytesPerGB, static_cast<double>(most_bytes) / kBytesPerGB,
+      "{}: {} of this cycle take {:.2g} GB of memory, of which {:.2g} GB may be used; need about "
+      "{:.0f}, or a smaller site",
+      PlaceOr(search_.place, "moments"), search_.moments, all_bytes / kBytesPerGB,
+      static_cast<double>(most_bytes) / kBytesPerGB,
       std::floor(static_cast<double>(most_bytes) / all_bytes * search_.moments)));
 }
 
 void Appraisal::RequirePlaces() const {
-  const MachineModel& model = scenario_.machines[studied_.machine].placement.model;
   for (const SensorSlot& slot : search_.slots) {
     for (const SensorDescription& sensor : kept_) {
       if (sensor.name != slot.name) continue;
-      throw InputError(fmt::format(
-          "sensors: '{}' is the name of a sensor that is kept; need another", slot.name));
+      throw InputError(fmt::format("{}: '{}' is the name of a sensor that is kept; need another",
+                                   PlaceOr(slot.place, "sensors"), slot.name));
     }
     for (const MountBounds& mount : slot.mounts) {
-      if (model.LinkIndex(mount.link) >= 0) continue;
+      if (model().LinkIndex(mount.link) >= 0) continue;
       std::vector<std::string> links;
-      for (const Link& link : model.links) links.push_back(link.name);
-      throw InputError(
-          fmt::format("sensors: '{}' is mounted on '{}', which the machine has not; "
-                      "its links are {}",
-                      slot.name, mount.link, fmt::join(links, ", ")));
+      for (const Link& link : model().links) links.push_back(link.name);
+      throw InputError(fmt::format(
+          "{}: '{}' is mounted on '{}', which the machine has not; its links are {}",
+          PlaceOr(mount.place, "sensors"), slot.name, mount.link, fmt::join(links, ", ")));
     }
   }
 }
 
 void Appraisal::RequireFigures() {
   const LayoutMeasures measures(study_, scenario_, assembly_, Laid(BoundsOf(search_).high));
-  std::vector<std::string> names = {"cost", "power_w", "data_mbyteps", "sensors"};
+  std::vector<std::string> names(kTaken.begin(), kTaken.end());
   std::set<std::string> to_be_large;
   for (const Figure& figure : measures.Figures()) {
     names.push_back(figure.name);
@@ -104,31 +151,69 @@ void Appraisal::RequireFigures() {
   for (const Objective& objective : search_.objectives) {
     signs_.push_back(to_be_large.contains(objective.figure) ? -1 : 1);
     if (std::find(names.begin(), names.end(), objective.figure) != names.end()) continue;
-    const bool is_of_eye = objective.figure.starts_with("eye/");
-    throw InputError(fmt::format(
-        "objectives: {}; need one of {}",
-        is_of_eye
-            ? fmt::format("'{}' is what the machine hides from an eye, which no layout changes",
-                          objective.figure)
-            : fmt::format("no figure '{}'", objective.figure),
-        fmt::join(names, ", ")));
+    std::string found = fmt::format("there is no figure '{}'{}", objective.figure,
+                                    DidYouMean(objective.figure, names));
+    if (objective.figure.starts_with("eye/")) {
+      found = fmt::format("'{}' is what the machine hides from an eye, which no layout changes",
+                          objective.figure);
+    } else if (objective.figure.starts_with("state/")) {
+      found = fmt::format(
+          "'{}' is what inertial units, encoders and antennas tell, which no search places",
+          objective.figure);
+    }
+    throw InputError(fmt::format("{}: {}{}", PlaceOr(objective.place, "objectives"), found,
+                                 InsteadOf(objective.figure, names)));
   }
 }
 
 void Appraisal::RequireWithinLimits() const {
-  Layout kept = LayoutOfSensors(kept_, scenario_.machines[studied_.machine].placement.model);
-  if (Beyond(kept) <= 0) return;
+  if (Beyond(LayoutOfSensors(kept_, model())) <= 0) return;
   throw InputError(
-      "limits: the sensors that are kept are beyond them already; raise a limit or keep fewer");
+      fmt::format("{}: the sensors that are kept are beyond them already; raise a limit or keep "
+                  "fewer",
+                  PlaceOr(search_.limits.place, "limits")));
+}
+
+/// The least of `name` that a layout takes which has all sensors that are not optional, and one
+/// that sees.
+double Appraisal::LeastTaken(const char* name) const {
+  const Layout kept = LayoutOfSensors(kept_, model());
+  double taken = *Taken(name, kept);
+  bool sees = !kept.viewers.empty();
+  std::optional<double> least_optional;
+  for (const SensorSlot& slot : search_.slots) {
+    std::optional<double> least;
+    for (const TypeChoice& type : slot.types) {
+      Layout alone;
+      alone.sensors = {type.sensor};
+      const double of_type = *Taken(name, alone);
+      least = std::min(least.value_or(of_type), of_type);
+    }
+    if (slot.optional) {
+      least_optional = std::min(least_optional.value_or(*least), *least);
+    } else {
+      taken += *least;
+      sees = true;
+    }
+  }
+  return sees ? taken : taken + least_optional.value_or(0);
+}
+
+void Appraisal::RequireReachable() const {
+  for (const char* name : kTaken) {
+    const std::optional<double> most = MostOf(search_.limits, name);
+    if (!most || LeastTaken(name) <= *most) continue;
+    throw InputError(fmt::format(
+        "{}: {} {:.6g}: no layout is within it: with all sensors that are not optional, and one at "
+        "least that sees, it takes {:.6g}; raise it, or let sensors be optional",
+        PlaceOr(search_.limits.place, "limits"), name, *most, LeastTaken(name)));
+  }
 }
 
 double Appraisal::Beyond(const Layout& layout) const {
-  const Limits& limits = search_.limits;
   double beyond = 0;
-  for (const auto& [name, most] : {std::pair{"cost", limits.cost},
-                                   {"power_w", limits.power_w},
-                                   {"data_mbyteps", limits.data_mbyteps},
-                                   {"sensors", limits.sensors}}) {
+  for (const char* name : kTaken) {
+    const std::optional<double> most = MostOf(search_.limits, name);
     if (!most) continue;
     const double taken = *Taken(name, layout);
     // A limit of nothing is gone beyond by whatever is taken.
@@ -137,12 +222,52 @@ double Appraisal::Beyond(const Layout& layout) const {
   return beyond;
 }
 
+/// The part of the machine in which the mount lies at every moment, at all of its PlacesOf.
+std::optional<std::string> Appraisal::PartAround(const SensorSlot& slot,
+                                                 const MountBounds& mount) const {
+  std::vector<SensorDescription> sensors;
+  for (const Vec3& place_B_m : PlacesOf(mount)) {
+    sensors.push_back(slot.types.front().sensor);
+    sensors.back().name = std::to_string(sensors.size());
+    sensors.back().link = mount.link;
+    sensors.back().X_BS = MakePose(place_B_m);
+  }
+  Layout layout = LayoutOfSensors(std::move(sensors), model());
+  std::string part;
+  for (const Moment& moment : moments_) {
+    MoveViewers(moment.now.machines[studied_.machine], &layout);
+    MountCheck check;
+    check.Add(studied_.machine, layout.viewers, *moment.sighting);
+    std::set<std::string> buried;
+    for (const BuriedMount& one : check.Buried()) buried.insert(one.viewer);
+    if (buried.size() < layout.viewers.size()) return std::nullopt;
+    part = check.Buried().front().part;
+  }
+  return part;
+}
+
+std::vector<std::string> Appraisal::Warnings() const {
+  std::vector<std::string> warnings;
+  for (const SensorSlot& slot : search_.slots) {
+    for (const MountBounds& mount : slot.mounts) {
+      const std::optional<std::string> part = PartAround(slot, mount);
+      if (!part) continue;
+      warnings.push_back(
+          fmt::format("{}: a mount of '{}' lies inside {} wherever within its bounds it is put, "
+                      "and sees nothing "
+                      "but that; need bounds in the air",
+                      PlaceOr(mount.place, "sensors"), slot.name, *part));
+    }
+  }
+  return warnings;
+}
+
 LayoutMeasures Appraisal::MeasuresOf(const Layout& layout) const {
   return LayoutMeasures(study_, scenario_, assembly_, layout, wanted_);
 }
 
 Layout Appraisal::Laid(const Genes& genes) const {
-  return LayoutOf(search_, genes, kept_, scenario_.machines[studied_.machine].placement.model);
+  return LayoutOf(search_, genes, kept_, model());
 }
 
 Appraised Appraisal::Of(Layout layout) const {
@@ -152,7 +277,8 @@ Appraised Appraisal::Of(Layout layout) const {
     measures.Add({moment.now, *moment.sighting, moment.ground}, moment.places, layout);
   }
   const std::vector<Figure> figures = measures.Figures();
-  Appraised appraised{{}, Beyond(layout)};
+  constexpr double kSeesNothing = 1;  // as far beyond the limits as one that takes twice as much
+  Appraised appraised{{}, Beyond(layout) + (layout.viewers.empty() ? kSeesNothing : 0)};
   for (const Objective& objective : search_.objectives) {
     if (const std::optional<double> taken = Taken(objective.figure, layout)) {
       appraised.objectives.push_back(*taken);

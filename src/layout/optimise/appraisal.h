@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@
 namespace tera {
 
 /// How good a layout is: its objectives, each to be made small, and how far beyond the limits it
-/// is, as shares of them.
+/// is, as shares of them. One without a lidar or camera is beyond them, since it sees nothing.
 struct Appraised {
   std::vector<double> objectives;  ///< what is to be large, negative
   double beyond = 0;
@@ -28,8 +29,8 @@ class Appraisal {
  public:
   /// Runs through the cycle once. Keeps references to all. Throws InputError where an objective is
   /// no figure, a mount is on no link of the machine, a name is taken, where the kept sensors alone
-  /// are beyond the limits, where the moments' scenes take more than `most_bytes`, and as Cycle
-  /// does.
+  /// or every layout that sees are beyond the limits, where the moments' scenes take more than
+  /// `most_bytes`, and as Cycle does.
   Appraisal(const LayoutSearch& search, const LayoutStudy& study, const Cycle& cycle, int threads,
             std::int64_t most_bytes = HalfOfMemory());
 
@@ -43,6 +44,9 @@ class Appraisal {
   /// Of each objective, -1 where it is its figure made negative, else 1.
   const std::vector<double>& signs() const { return signs_; }
   const StudiedMachine& studied() const { return studied_; }
+  /// Of each mount that lies inside the machine wherever within its bounds a sensor is put, that it
+  /// does.
+  std::vector<std::string> Warnings() const;
 
  private:
   struct Moment {
@@ -56,7 +60,11 @@ class Appraisal {
   void RequireFigures();
   void RequireRoom(std::int64_t most_bytes) const;
   void RequireWithinLimits() const;
+  void RequireReachable() const;
+  double LeastTaken(const char* name) const;
   double Beyond(const Layout& layout) const;
+  std::optional<std::string> PartAround(const SensorSlot& slot, const MountBounds& mount) const;
+  const MachineModel& model() const { return scenario_.machines[studied_.machine].placement.model; }
 
   const LayoutSearch& search_;
   const LayoutStudy& study_;

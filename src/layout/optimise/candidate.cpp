@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/config/portable_name.h"
 #include "core/units.h"
 
 namespace tera {
@@ -103,7 +104,7 @@ std::string RigYaml(const LayoutSearch& search, const Genes& genes, const std::s
     placed += fmt::format(
         "  - {{name: {}, preset: \"{}\", link: {}, xyz_m: {}, rpy_deg: {}, cost: {:.9g}, "
         "power_w: {:.9g}}}\n",
-        search.slots[s].name, chosen.type->preset.string(), chosen.mount->link,
+        search.slots[s].name, PortableName(chosen.type->preset), chosen.mount->link,
         Triple(chosen.p_B_m), Triple(chosen.rpy_rad / kDeg), chosen.type->sensor.cost,
         chosen.type->sensor.power_w);
   }

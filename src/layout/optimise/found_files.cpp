@@ -43,7 +43,7 @@ std::string FrontCsv(const LayoutSearch& search, const OptimiseResult& result) {
   for (std::size_t i = 0; i < result.front.size(); ++i) {
     row("front/" + NameOf(i) + ".yaml", result.front[i]);
   }
-  row("greedy.yaml", result.greedy);
+  if (result.greedy) row("greedy.yaml", *result.greedy);
   return csv;
 }
 
@@ -62,7 +62,9 @@ std::string Scatter(const LayoutSearch& search, const OptimiseResult& result) {
   for (const FoundLayout& f : result.front) {
     points.emplace_back(f.objectives[0], f.objectives[1]);
   }
-  points.emplace_back(result.greedy.objectives[0], result.greedy.objectives[1]);
+  if (result.greedy) {
+    points.emplace_back(result.greedy->objectives[0], result.greedy->objectives[1]);
+  }
   Vec2 low = points.front(), high = points.front();
   for (const Vec2& p : points) {
     low = low.cwiseMin(p);
@@ -77,7 +79,7 @@ std::string Scatter(const LayoutSearch& search, const OptimiseResult& result) {
       "<path class=\"grid\" d=\"M50 20V310H600\"/>";
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec2 p = at(points[i]);
-    const bool is_greedy = i + 1 == points.size();
+    const bool is_greedy = i == result.front.size();
     svg += fmt::format(
         "<circle class=\"area {}\" style=\"fill-opacity:.9\" cx=\"{:.1f}\" "
         "cy=\"{:.1f}\" r=\"5\"/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>",
@@ -97,13 +99,15 @@ std::string SearchPage(const LayoutSearch& search, const OptimiseResult& result)
   std::string html =
       PageBegin("Sensor layouts found") + "<h1>Which layouts are worth having?</h1>\n";
   html += fmt::format(
-      "<p class=\"answer\">{} layouts of which no other is better in everything that was "
-      "asked.</p>\n"
+      "<p class=\"answer\">{} of which no other is better in everything that was asked.</p>\n"
       "<p class=\"soft\">Each is a rig file in front/, which tera generate and tera layout "
       "evaluate "
       "take as it is. Objectives are over the {} moments of the search; evaluate a layout for more "
       "moments, places and errors.</p>\n",
-      result.front.size(), search.moments);
+      LayoutCount(result.front.size()), search.moments);
+  for (const std::string& warning : result.warnings) {
+    html += fmt::format("<p class=\"warning\">{}</p>\n", Escape(warning));
+  }
   html += Scatter(search, result) + "<div class=\"wide\"><table><tr><th>Rig</th>";
   for (const Objective& objective : search.objectives) {
     html += fmt::format("<th class=\"r\">{}{}</th>", Escape(objective.figure),
@@ -124,11 +128,15 @@ std::string SearchPage(const LayoutSearch& search, const OptimiseResult& result)
   for (std::size_t i = 0; i < result.front.size(); ++i) {
     row("front/" + NameOf(i) + ".yaml", result.front[i]);
   }
-  row("greedy.yaml", result.greedy);
+  if (result.greedy) row("greedy.yaml", *result.greedy);
   return html + "</table></div>\n" + PageEnd();
 }
 
 }  // namespace
+
+std::string LayoutCount(std::size_t count) {
+  return count == 1 ? "1 layout" : fmt::format("{} layouts", count);
+}
 
 std::vector<double> ShownValues(const std::vector<double>& objectives,
                                 const std::vector<double>& signs) {
@@ -144,14 +152,18 @@ void WriteFound(const LayoutSearch& search, const std::vector<double>& signs,
   OptimiseResult result = found;  // with objectives as they are shown
   for (FoundLayout& layout : result.front)
     layout.objectives = ShownValues(layout.objectives, signs);
-  result.greedy.objectives = ShownValues(result.greedy.objectives, signs);
+  if (result.greedy) {
+    result.greedy->objectives = ShownValues(result.greedy->objectives, signs);
+  }
   MakeFolder(folder / "front");
   const std::string kept = KeptYaml(search);
   for (std::size_t i = 0; i < result.front.size(); ++i) {
     WriteWholeFile(folder / "front" / (NameOf(i) + ".yaml"),
                    RigYaml(search, result.front[i].genes, kept));
   }
-  WriteWholeFile(folder / "greedy.yaml", RigYaml(search, result.greedy.genes, kept));
+  if (result.greedy) {
+    WriteWholeFile(folder / "greedy.yaml", RigYaml(search, result.greedy->genes, kept));
+  }
   WriteWholeFile(folder / "front.csv", FrontCsv(search, result));
   WriteWholeFile(folder / "hypervolume.csv", HypervolumeCsv(hypervolume));
   WriteWholeFile(folder / "search.html", SearchPage(search, result));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "layout/optimise/found_layout.h"
@@ -12,6 +13,9 @@ namespace tera {
 /// them.
 std::vector<double> ShownValues(const std::vector<double>& objectives,
                                 const std::vector<double>& signs);
+
+/// "1 layout", "3 layouts".
+std::string LayoutCount(std::size_t count);
 
 /// Writes what a search found into `folder`: front/NN.yaml and greedy.yaml, rigs that `tera
 /// generate` takes as they are; front.csv, the objectives of each; hypervolume.csv, generation by

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "layout/optimise/candidate.h"
@@ -14,8 +16,9 @@ struct FoundLayout {
 
 /// What a search ends with.
 struct OptimiseResult {
-  std::vector<FoundLayout> front;  ///< by the first objective
-  FoundLayout greedy;
+  std::vector<FoundLayout> front;     ///< by the first objective
+  std::optional<FoundLayout> greedy;  ///< nothing where it is not within the limits
+  std::vector<std::string> warnings;  ///< of what may be searched
 };
 
 }  // namespace tera

@@ -27,7 +27,7 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr char kStateName[] = "search_state.json";
+constexpr char kStateName[] = "search_state.json", kFrontName[] = "front.csv";
 constexpr int kGreedyTries = 24;       ///< placements of each slot in each round
 constexpr double kNotAllowed = 1e9;    ///< above every objective of a layout that is
 constexpr double kCornerBeyond = 0.1;  ///< of the spread of what was tried first
@@ -124,8 +124,8 @@ SearchState Begin(const LayoutSearch& search, const Appraisal& appraisal, std::s
   }
   if (std::none_of(state.fitness.begin(), state.fitness.end(), IsAllowed)) {
     throw InputError(
-        "limits: none of the layouts that were tried at first is within them; raise them, or let "
-        "sensors be optional");
+        "limits: none of the layouts that were tried at first is within them; raise them, let "
+        "sensors be optional, or try more: a larger population");
   }
   state.corner = CornerOf(state.fitness);
   state.hypervolume.push_back(HypervolumeOf(state));
@@ -195,6 +195,13 @@ std::string DigestOf(const LayoutSearch& search, const std::string& search_text,
 }
 
 void RequireRoom(const fs::path& out, bool resume) {
+  std::error_code ignored;
+  if (resume && fs::exists(out / kFrontName, ignored)) {
+    throw InputError(fmt::format(
+        "{}: holds a search that came to its end: there is nothing to go on with; look at {}, or "
+        "choose another place for another search",
+        out.string(), (out / "search.html").string()));
+  }
   if (HoldsSomething(out)) {
     throw InputError(fmt::format("{}: is not an empty directory; choose another place or delete it",
                                  out.string()));
@@ -221,6 +228,7 @@ OptimiseResult Optimise(const LayoutSearch& search, const std::string& search_te
   SearchState state = resumed ? std::move(*resumed) : Begin(search, appraisal, sha256);
   MakeFolder(folder);
   OptimiseResult result;
+  result.warnings = appraisal.Warnings();
   {
     const FolderLock lock(folder);
     SaveState(state, folder / kStateName);
@@ -231,8 +239,9 @@ OptimiseResult Optimise(const LayoutSearch& search, const std::string& search_te
         options.progress({state.generation, search.generations, state.hypervolume.back()});
       }
     }
-    result.greedy = {state.greedy, FitnessOf(appraisal.Of(state.greedy))};
-    result.front = FrontOf(state, result.greedy);
+    const FoundLayout greedy = {state.greedy, FitnessOf(appraisal.Of(state.greedy))};
+    if (IsAllowed(greedy.objectives)) result.greedy = greedy;
+    result.front = FrontOf(state, greedy);
     WriteFound(search, appraisal.signs(), result, state.hypervolume, folder);
   }
   GiveName(folder, options.out);

@@ -18,6 +18,7 @@ MountBounds ReadMount(const ConfigMap& config) {
   const Range place = Between(-kFarthest_m, kFarthest_m, "m"), angle = Between(-360, 360, "deg");
   MountBounds mount;
   mount.link = config.Text("link");
+  mount.place = config.Place("link");
   mount.low_B_m = config.Vector3("low_xyz_m", place);
   mount.high_B_m = config.Vector3("high_xyz_m", place, mount.low_B_m);
   const Vec3 low_deg = config.Vector3("low_rpy_deg", angle, Vec3::Zero());
@@ -67,6 +68,7 @@ TypeChoice ReadType(const ConfigMap& config) {
 SensorSlot ReadSlot(const ConfigMap& config) {
   SensorSlot slot;
   slot.name = config.Text("name");
+  slot.place = config.Place("name");
   RequirePlainName(config, "name", slot.name);
   slot.optional = config.Boolean("optional", slot.optional);
   for (const ConfigMap& item : config.List("types")) slot.types.push_back(ReadType(item));
@@ -80,7 +82,7 @@ Limits ReadLimits(const ConfigMap& config) {
   return {config.OptionalNumber("cost", AtLeast(0, "")),
           config.OptionalNumber("power_w", AtLeast(0, "W")),
           config.OptionalNumber("data_mbyteps", AtLeast(0, "MB/s")),
-          config.OptionalNumber("sensors", AtLeast(1, ""))};
+          config.OptionalNumber("sensors", AtLeast(1, "")), config.Place()};
 }
 
 LayoutSearch ReadSearch(const ConfigMap& config) {
@@ -98,14 +100,16 @@ LayoutSearch ReadSearch(const ConfigMap& config) {
   if (search.slots.empty()) config.Fault("sensors", "needs one at least");
   if (const auto limits = config.OptionalMap("limits")) search.limits = ReadLimits(*limits);
   for (const ConfigMap& item : config.List("objectives")) {
-    search.objectives.push_back(
-        {item.Text("figure"), item.Choice("at", {"mean", "worst"}, "mean") == "worst"});
+    search.objectives.push_back({item.Text("figure"),
+                                 item.Choice("at", {"mean", "worst"}, "mean") == "worst",
+                                 item.Place("figure")});
   }
   if (search.objectives.empty()) {
     config.Fault("objectives", "needs one at least: - {figure: zone/around/blind_m3, at: worst}");
   }
   search.moments =
       static_cast<int>(config.Integer("moments", Between(1, kMostMoments, ""), search.moments));
+  search.place = config.Place("moments");
   search.population = static_cast<int>(
       config.Integer("population", Between(8, kMostPopulation, ""), search.population));
   if (search.population % kInFours != 0) {

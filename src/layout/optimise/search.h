@@ -18,6 +18,7 @@ struct MountBounds {
   std::string link;
   Vec3 low_B_m = Vec3::Zero(), high_B_m = Vec3::Zero();
   Vec3 low_rpy_rad = Vec3::Zero(), high_rpy_rad = Vec3::Zero();
+  std::string place;  ///< in its file, for messages
 };
 
 /// What a sensor may be.
@@ -32,6 +33,7 @@ struct SensorSlot {
   bool optional = true;
   std::vector<TypeChoice> types;
   std::vector<MountBounds> mounts;
+  std::string place;  ///< in its file, for messages
 };
 
 /// What is to be small or large: a figure of a study (layout_measures.h), or "cost", "power_w",
@@ -39,11 +41,13 @@ struct SensorSlot {
 struct Objective {
   std::string figure;
   bool at_worst = false;  ///< of the worst moment instead of the mean
+  std::string place;      ///< in its file, for messages
 };
 
 /// The most that a layout may take, of the sensors kept and of those placed together.
 struct Limits {
   std::optional<double> cost, power_w, data_mbyteps, sensors;
+  std::string place;  ///< in its file, for messages
 };
 
 /// A search for sensor layouts.
@@ -53,7 +57,8 @@ struct LayoutSearch {
   std::vector<SensorSlot> slots;
   Limits limits;
   std::vector<Objective> objectives;
-  int moments = 12;  ///< of the cycle that candidates are looked at, evenly spread
+  std::string place;  ///< of its numbers in its file, for messages
+  int moments = 12;   ///< of the cycle that candidates are looked at, evenly spread
   int population = 48, generations = 40;
   std::uint64_t seed = 1;
 };

@@ -258,11 +258,19 @@ TEST_F(SearchOfACycle, ACycleThatIsMissingIsRefused) {
   ExpectRefused(Replaced(TwoLidars(), "cycle: site.yaml", "cycle: absent"), {"absent"});
 }
 
-TEST_F(SearchOfACycle, AFigureThatThereIsNotIsRefusedWithThoseThatThereAre) {
+TEST_F(SearchOfACycle, AFigureThatThereIsNotIsRefusedWhereItStandsWithTheNearest) {
   ExpectRefused(Replaced(TwoLidars(), "zone/behind_wall/blind_m3", "zone/behind/blind_m3"),
-                {"objectives", "zone/behind/blind_m3", "need", "zone/behind_wall/blind_m3",
-                 "zone/around/blind_m3", "person/standing/detected_within_12m", "information/smig",
-                 "cost", "power_w", "data_mbyteps", "sensors"});
+                {"search.yaml:19:", "objectives[0].figure", "zone/behind/blind_m3",
+                 "did you mean 'zone/behind_wall/blind_m3'", "zone/around/blind_m3"});
+  // What is like none is told how figures begin.
+  ExpectRefused(Replaced(TwoLidars(), "zone/behind_wall/blind_m3", "visibility"),
+                {"visibility", "need one of", "zone/...", "person/...", "information/...", "cost",
+                 "power_w", "data_mbyteps", "sensors"});
+}
+
+TEST_F(SearchOfACycle, WhatInertialUnitsTellIsNoObjective) {
+  ExpectRefused(Replaced(TwoLidars(), "zone/behind_wall/blind_m3", "state/heading/sigma_deg"),
+                {"state/heading/sigma_deg", "no search places", "need"});
 }
 
 TEST_F(SearchOfACycle, WhatNoLayoutChangesIsRefused) {
@@ -273,7 +281,7 @@ TEST_F(SearchOfACycle, WhatNoLayoutChangesIsRefused) {
 
 TEST_F(SearchOfACycle, ALinkThatTheMachineHasNotIsRefused) {
   ExpectRefused(Replaced(TwoLidars(), "link: mast", "link: roof"),
-                {"first", "roof", "links are", "mast"});
+                {"search.yaml:11:", "first", "roof", "links are", "mast"});
 }
 
 TEST_F(SearchOfACycle, TheNameOfASensorThatIsKeptIsRefused) {
@@ -283,9 +291,36 @@ TEST_F(SearchOfACycle, TheNameOfASensorThatIsKeptIsRefused) {
 TEST_F(SearchOfACycle, LimitsThatNoLayoutCanKeepAreRefused) {
   // The inertial unit alone costs 10, with the cheapest lidar 110.
   ExpectRefused(Replaced(TwoLidars(), "cost: 420", "cost: 9"), {"limits", "kept"});
-  ExpectRefused(Replaced(TwoLidars(), "cost: 420", "cost: 109"), {"limits", "optional"});
-  ExpectRefused(Replaced(TwoLidars(), "limits: {cost: 420}", "limits: {power_w: 8}"), {"limits"});
-  ExpectRefused(Replaced(TwoLidars(), "limits: {cost: 420}", "limits: {sensors: 1}"), {"limits"});
+  ExpectRefused(Replaced(TwoLidars(), "cost: 420", "cost: 109"),
+                {"search.yaml:7:", "limits", "cost 109", "it takes 110", "optional"});
+  ExpectRefused(Replaced(TwoLidars(), "limits: {cost: 420}", "limits: {power_w: 8}"),
+                {"limits", "power_w 8", "takes 8.5"});
+  ExpectRefused(Replaced(TwoLidars(), "limits: {cost: 420}", "limits: {sensors: 1}"),
+                {"limits", "sensors 1", "takes 2"});
+}
+
+TEST_F(SearchOfACycle, LimitsThatOnlyALayoutWithoutEyesKeepsAreRefused) {
+  // Both lidars may be left out: nothing that sees is left, and the cheapest costs 100.
+  const std::string text = Replaced(TwoLidars(), "optional: false", "optional: true");
+  ExpectRefused(Replaced(text, "cost: 420", "cost: 109"), {"limits", "cost 109", "takes 110"});
+}
+
+TEST_F(SearchOfACycle, AMountThatLiesInsideTheMachineIsSaidToDoSo) {
+  // The mast is a box, whose middle no other bounds than its own walls leave.
+  const fs::path file = site_.path() / "search.yaml";
+  const auto warnings = [&](const std::string& text) {
+    WriteWholeFile(file, text);
+    const LayoutSearch search = LoadSearch(file);
+    const LayoutStudy study = LoadStudy(search.study);
+    const Cycle cycle(search.cycle, {});
+    return Appraisal(search, study, cycle, 1).Warnings();
+  };
+  EXPECT_TRUE(warnings(TwoLidars()).empty());
+  const std::vector<std::string> found = warnings(Replaced(
+      TwoLidars(), "mounts:\n", "mounts:\n      - {link: mast, low_xyz_m: [0, 0, 0.5]}\n"));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_THAT(found[0],
+              AllOf(HasSubstr("search.yaml:"), HasSubstr("'first'"), HasSubstr("mast1/mast")));
 }
 
 TEST_F(SearchOfACycle, MomentsThatDoNotFitIntoMemoryAreRefused) {
