@@ -110,7 +110,9 @@ void AddEvaluate(CLI::App* app) {
   command->add_option("--study", arguments->study,
                       "What is asked (YAML): zones, heights, people; without it what most ask");
   command->add_option("--out", arguments->out, "Folder of the reports; new or empty")->required();
-  command->add_flag("--strict", arguments->strict, "A mount inside the machine is an error");
+  command->add_flag(
+      "--strict", arguments->strict,
+      "A mount inside the machine, or from where next to nothing is seen, is an error");
   command
       ->add_option("--moved", arguments->moved,
                    "OLD=NEW: an input that dataset.yaml lists as OLD, or below the folder OLD, is "

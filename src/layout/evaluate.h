@@ -12,7 +12,7 @@ namespace tera {
 
 struct EvaluateOptions {
   int threads = 2;
-  bool strict = false;  ///< a mount inside the machine is an error
+  bool strict = false;  ///< what MountWarnings tells is an error
   std::function<void(double done_s, double duration_s)> progress;
 };
 

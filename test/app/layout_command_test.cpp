@@ -233,6 +233,51 @@ TEST_F(LayoutCommand, AMountInsideOfTheMachineIsAWarningAndWithStrictAnError) {
          AllOf(StartsWith("inside.yaml: "), HasSubstr("lidar"), HasSubstr("boom")));
 }
 
+TEST_F(LayoutCommand, ASensorThatItsOwnMachineHidesIsAWarningAndWithStrictAnError) {
+  Write("site.yaml",
+        Edited(kSite, "tera:config/machines/mast.yaml", "tera:config/machines/tb235.yaml"));
+  // Within the hollow cab's frame and engine cover, but in the air.
+  Write("enclosed.yaml",
+        "sensors: [{name: lidar, preset: tera:config/sensors/vlp16.yaml, link: upper, xyz_m: "
+        "[-0.5, 0, 0.5]}]\n");
+  Write("study.yaml",
+        Edited(Edited(kStudy, "frame: mast", "frame: upper"), "rate_hz: 5", "rate_hz: 2"));
+  const auto words = AllOf(HasSubstr("lidar: it sees 0.0 %"), HasSubstr("upper"));
+  EXPECT_THAT(Succeed(Evaluate("site.yaml", "enclosed.yaml")),
+              AllOf(HasSubstr("warning: "), words));
+  fs::remove_all(path() / "seen");
+  Refuse(Evaluate("site.yaml", "enclosed.yaml", {"--strict"}),
+         AllOf(StartsWith("enclosed.yaml: "), words));
+  // On the roof it sees enough.
+  Write("roof.yaml",
+        "sensors: [{name: lidar, preset: tera:config/sensors/vlp16.yaml, link: upper, xyz_m: "
+        "[0, 0, 2.6]}]\n");
+  Succeed(Evaluate("site.yaml", "roof.yaml", {"--strict"}));
+}
+
+TEST_F(LayoutCommand, ASensorThatLooksAwayIsSaidToSeeNothing) {
+  Write("away.yaml",
+        "sensors: [{name: camera, preset: tera:config/sensors/rgb_640.yaml, link: mast, xyz_m: [0, "
+        "0, 3], rpy_deg: [0, -90, 0]}]\n");
+  EXPECT_THAT(Succeed(Evaluate("site.yaml", "away.yaml")),
+              HasSubstr("warning: camera: it sees nothing of the space around the machine"));
+}
+
+TEST_F(LayoutCommand, AMountOfASearchThatLiesInsideTheMachineIsAWarning) {
+  Write("site.yaml",
+        Edited(kSite, "tera:config/machines/mast.yaml", "tera:config/machines/tb235.yaml"));
+  Write("study.yaml", Edited(kStudy, "frame: mast", "frame: upper"));
+  const std::string search =
+      Edited(Edited(kSearch, "cycle: base", "cycle: site.yaml"),
+             "{link: mast, low_xyz_m: [0, -1, 2], high_xyz_m: [0, 1, 2]}",
+             "{link: boom, low_xyz_m: [0.65, 0, 0.25]}, {link: upper, low_xyz_m: [0, -0.5, 2.6]}");
+  Write("search.yaml", search);
+  EXPECT_THAT(Succeed({"layout", "optimise", "search.yaml", "--out", "found"}),
+              AllOf(HasSubstr("warning: search.yaml:" + LineAndColumn(search, "boom")),
+                    HasSubstr("'lidar' lies inside mast1/boom"), HasSubstr("1 layout of which"),
+                    testing::Not(HasSubstr("inside mast1/upper"))));
+}
+
 TEST_F(LayoutCommand, AnOutputThatHoldsSomethingIsRefused) {
   Write("seen/mine.txt", "keep me");
   Refuse(Evaluate("site.yaml"), AllOf(StartsWith("seen: "), HasSubstr("empty")));

@@ -37,11 +37,13 @@ std::vector<Vec3> ZoneCoverage::PlacesInAir(const Pose& X_WF, const Sighting& si
 void ZoneCoverage::Add(const std::vector<Vec3>& in_air_W_m, const Layout& layout,
                        const SeenFrom& seen, const Sighting& sighting) {
   std::vector<double> count(kMost, 0);
+  for (const Viewer& viewer : layout.viewers) fields_.try_emplace(viewer.name);
   for (const std::vector<Look>& looks : LookAt(in_air_W_m, layout, seen, sighting)) {
     const int by = SeenBy(looks);
     for (int n = 0; n < kMost; ++n) count[n] += by > n;
     if (by == 0) CountCauses(looks, sighting);
     CountPairs(looks, layout);
+    CountFields(looks, layout, sighting);
   }
   const auto n = static_cast<double>(in_air_W_m.size());
   for (int k = 0; k < kMost; ++k) share_[k].push_back(n > 0 ? count[k] / n : 1);
@@ -61,6 +63,20 @@ void ZoneCoverage::CountCauses(const std::vector<Look>& looks, const Sighting& s
   if (causes.empty()) causes.push_back(kOutOfView);
   for (const std::string& cause : causes) {
     causes_[cause] += 1.0 / static_cast<double>(causes.size());
+  }
+}
+
+void ZoneCoverage::CountFields(const std::vector<Look>& looks, const Layout& layout,
+                               const Sighting& sighting) {
+  for (std::size_t v = 0; v < looks.size(); ++v) {
+    const Look& look = looks[v];
+    FieldOf& field = fields_[layout.viewers[v].name];
+    if (look.sees) {
+      field.seen += 1;
+    } else if (look.why == Unseen::kBlocked) {
+      field.hidden += 1;
+      field.hidden_by[sighting.NameOf(look.by)] += 1;
+    }
   }
 }
 

@@ -41,6 +41,16 @@ class ZoneCoverage {
   /// Of places seen by two viewers or more: the share of the places that either sees, for each
   /// pair. Overlap is what extrinsic calibration of one beside the other lives on.
   std::map<std::string, double> Overlaps() const;
+  /// Of one viewer the places that lie in its field, in its reach and densely enough, over all
+  /// moments: those that it sees, and those that something hides, by the name of that.
+  struct FieldOf {
+    double seen = 0, hidden = 0;
+    std::map<std::string, double> hidden_by = {};
+
+    double SeenShare() const { return seen + hidden > 0 ? seen / (seen + hidden) : 0; }
+  };
+  /// By the viewers' names.
+  const std::map<std::string, FieldOf>& Fields() const { return fields_; }
 
  private:
   static constexpr int kMost = 3;
@@ -48,6 +58,7 @@ class ZoneCoverage {
     double both = 0, either = 0;
   };
   void CountCauses(const std::vector<Look>& looks, const Sighting& sighting);
+  void CountFields(const std::vector<Look>& looks, const Layout& layout, const Sighting& sighting);
   void CountPairs(const std::vector<Look>& looks, const Layout& layout);
 
   Zone zone_;
@@ -57,6 +68,7 @@ class ZoneCoverage {
   std::vector<double> blind_m3_;
   std::map<std::string, double> causes_;
   std::map<std::string, Pair> pairs_;
+  std::map<std::string, FieldOf> fields_;
 };
 
 }  // namespace tera

@@ -12,6 +12,8 @@
 namespace tera {
 namespace {
 
+constexpr double kLeastSeen = 0.01;  ///< of a viewer's field, to be worth its mount
+
 Zone AroundMachine(const LayoutStudy& study, const MachineModel& model) {
   return {.name = kAroundZone,
           .frame = model.links.front().name,
@@ -63,6 +65,26 @@ PolarMap SeenMap(const BlindMap& map) {
           .value = map.SeenShare()};
 }
 
+/// What is told of a viewer that sees next to nothing around the machine.
+std::string HiddenWarning(const std::string& viewer, const ZoneCoverage::FieldOf& field) {
+  if (field.hidden_by.empty()) {
+    return fmt::format(
+        "{}: it sees nothing of the space around the machine, of which nothing lies in its field "
+        "near enough; need another direction or place",
+        viewer);
+  }
+  const auto most =
+      std::max_element(field.hidden_by.begin(), field.hidden_by.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  constexpr double kPercent = 100;
+  return fmt::format(
+      "{}: it sees {:.1f} % of what lies in its field in the space around the machine; {} hides "
+      "{:.0f} "
+      "% of that: need a place or direction with a free view",
+      viewer, kPercent * field.SeenShare(), most->first,
+      kPercent * most->second / (field.seen + field.hidden));
+}
+
 /// Whether any of the wanted beginnings leads to figures that begin so, or is led to by them.
 bool IsWanted(const std::vector<std::string>& wanted, const std::string& beginning) {
   return wanted.empty() || std::any_of(wanted.begin(), wanted.end(), [&](const std::string& one) {
@@ -79,6 +101,9 @@ LayoutMeasures::LayoutMeasures(const LayoutStudy& study, const Scenario& scenari
       scenario_(scenario),
       assembly_(assembly),
       studied_(FindMachine(study, scenario)) {
+  for (const Viewer& viewer : layout.viewers) {
+    if (viewer.field.is_flat) flat_.insert(viewer.name);
+  }
   AddZonesAndMaps(wanted);
   AddPeople(wanted);
   AddShovels(wanted);
@@ -172,6 +197,20 @@ void LayoutMeasures::CheckMounts(const LookedAt& moment, const Layout& layout) {
   mounts_.Add(studied_.machine, layout.viewers, moment.sighting);
 }
 
+std::vector<std::string> LayoutMeasures::MountWarnings() const {
+  std::vector<std::string> warnings = mounts_.Warnings();
+  std::set<std::string> told = flat_;
+  for (const BuriedMount& mount : mounts_.Buried()) told.insert(mount.viewer);
+  for (const ZoneCoverage& zone : zones_) {
+    if (zone.zone().name != kAroundZone) continue;
+    for (const auto& [viewer, field] : zone.Fields()) {
+      if (told.contains(viewer) || field.SeenShare() >= kLeastSeen) continue;
+      warnings.push_back(HiddenWarning(viewer, field));
+    }
+  }
+  return warnings;
+}
+
 void LayoutMeasures::RequirePlaces() const {
   for (const ZoneCoverage& zone : zones_) {
     if (zone.HadPlaces()) continue;
@@ -217,7 +256,7 @@ void LayoutMeasures::Report(LayoutReport* report) const {
   if (sky_) {
     for (PolarMap& map : sky_->Maps()) report->maps.push_back(std::move(map));
   }
-  report->warnings = mounts_.Warnings();
+  report->warnings = MountWarnings();
 }
 
 }  // namespace tera

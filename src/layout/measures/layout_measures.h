@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -54,7 +55,9 @@ class LayoutMeasures {
   void Add(const LookedAt& moment, const Places& places, const Layout& layout);
   /// Looks whether its viewers are mounted inside the machine.
   void CheckMounts(const LookedAt& moment, const Layout& layout);
-  std::vector<std::string> MountWarnings() const { return mounts_.Warnings(); }
+  /// Of each viewer that is mounted inside the machine, or that sees less than 1 % of what lies in
+  /// its field in the space around the machine, that it does.
+  std::vector<std::string> MountWarnings() const;
 
   /// Throws InputError where a zone had no place in the air at any moment.
   void RequirePlaces() const;
@@ -83,6 +86,7 @@ class LayoutMeasures {
   std::optional<PerceptionEntropy> entropy_;
   std::optional<SkyView> sky_;
   MountCheck mounts_;
+  std::set<std::string> flat_;  ///< viewers whose beams have one elevation
 };
 
 }  // namespace tera

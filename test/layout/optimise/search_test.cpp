@@ -305,24 +305,6 @@ TEST_F(SearchOfACycle, LimitsThatOnlyALayoutWithoutEyesKeepsAreRefused) {
   ExpectRefused(Replaced(text, "cost: 420", "cost: 109"), {"limits", "cost 109", "takes 110"});
 }
 
-TEST_F(SearchOfACycle, AMountThatLiesInsideTheMachineIsSaidToDoSo) {
-  // The mast is a box, whose middle no other bounds than its own walls leave.
-  const fs::path file = site_.path() / "search.yaml";
-  const auto warnings = [&](const std::string& text) {
-    WriteWholeFile(file, text);
-    const LayoutSearch search = LoadSearch(file);
-    const LayoutStudy study = LoadStudy(search.study);
-    const Cycle cycle(search.cycle, {});
-    return Appraisal(search, study, cycle, 1).Warnings();
-  };
-  EXPECT_TRUE(warnings(TwoLidars()).empty());
-  const std::vector<std::string> found = warnings(Replaced(
-      TwoLidars(), "mounts:\n", "mounts:\n      - {link: mast, low_xyz_m: [0, 0, 0.5]}\n"));
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_THAT(found[0],
-              AllOf(HasSubstr("search.yaml:"), HasSubstr("'first'"), HasSubstr("mast1/mast")));
-}
-
 TEST_F(SearchOfACycle, MomentsThatDoNotFitIntoMemoryAreRefused) {
   const LayoutSearch search = LoadSearch(site_.TwoLidars());
   const LayoutStudy study = LoadStudy(search.study);
