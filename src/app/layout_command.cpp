@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -87,10 +88,35 @@ struct CompareArguments {
   fs::path out;
 };
 
+/// The folder of a report, of which its layout.json may be named too.
+fs::path FolderOf(const fs::path& report) {
+  const fs::path plain = report.lexically_normal();
+  const fs::path folder = plain.filename() == "layout.json" ? plain.parent_path() : plain;
+  return folder.has_filename() ? folder : folder.parent_path();
+}
+
+/// Reads the reports. Those of one name are called by their folders.
+std::vector<LayoutReport> ReadReports(const std::vector<fs::path>& files) {
+  std::vector<LayoutReport> reports;
+  std::map<std::string, int> named;
+  std::map<fs::path, fs::path> known;
+  for (const fs::path& file : files) {
+    reports.push_back(ReadReport(file));
+    ++named[reports.back().name];
+    const auto [same, is_new] = known.emplace(fs::weakly_canonical(FolderOf(file)), file);
+    if (is_new) continue;
+    throw InputError(fmt::format("{}: is the same report as {}; need another to compare it with",
+                                 file.string(), same->second.string()));
+  }
+  for (std::size_t r = 0; r < reports.size(); ++r) {
+    if (named[reports[r].name] > 1) reports[r].name = FolderOf(files[r]).generic_string();
+  }
+  return reports;
+}
+
 void RunCompare(const CompareArguments& arguments) {
   RequireNew(arguments.out);
-  std::vector<LayoutReport> reports;
-  for (const fs::path& report : arguments.reports) reports.push_back(ReadReport(report));
+  const std::vector<LayoutReport> reports = ReadReports(arguments.reports);
   WholeFolder folder(arguments.out);
   WriteWholeFile(folder.temporary() / "comparison.csv", ComparisonCsv(reports));
   WriteWholeFile(folder.temporary() / "comparison.html", ComparisonPage(reports));
@@ -129,7 +155,7 @@ void AddCompare(CLI::App* app) {
       ->add_option("REPORT", arguments->reports,
                    "Folders that `tera layout evaluate` wrote, or their layout.json, of one cycle")
       ->required()
-      ->expected(2, 100);
+      ->expected(-2);  // two or more
   command->add_option("--out", arguments->out, "Folder of the comparison; new or empty")
       ->required();
   command->callback([arguments] { RunCompare(*arguments); });

@@ -32,6 +32,9 @@ Expense ExpenseOf(const Layout& layout) {
   for (const SensorDescription& sensor : layout.sensors) {
     sum.cost += sensor.cost;
     sum.power_w += sensor.power_w;
+    ++sum.sensors;
+    sum.priced += sensor.cost > 0;
+    sum.powered += sensor.power_w > 0;
     const std::optional<ViewField> view = ViewOf(sensor);
     if (view) sum.data_mbyteps += view->bytes_per_sample * view->samples_per_s / kBytesPerMbyte;
   }

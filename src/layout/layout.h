@@ -27,6 +27,8 @@ struct Expense {
   double cost = 0;  ///< in the rig file's own currency
   double power_w = 0;
   double data_mbyteps = 0;  ///< of pictures and scans as measured
+  /// How many sensors there are, and of how many the rig says a cost and a power above 0.
+  int sensors = 0, priced = 0, powered = 0;
 };
 Expense ExpenseOf(const Layout& layout);
 

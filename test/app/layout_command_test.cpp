@@ -142,6 +142,7 @@ TEST_F(LayoutCommand, WrongUseIsStatus2AndPointsToTheHelp) {
   for (const char* command : {"evaluate", "compare", "optimise"}) {
     EXPECT_EQ(RunTera({"layout", command, "--help"}, {path()}).status, 0) << command;
   }
+  EXPECT_THAT(RunTera({"layout", "compare", "--help"}, {path()}).out, HasSubstr("REPORT..."));
   EXPECT_EQ(Entries(path()), before);
 }
 
@@ -203,6 +204,22 @@ TEST_F(LayoutCommand, ReportsOfOtherCyclesAreRefused) {
   Succeed(Evaluate("other.yaml"));
   Refuse({"layout", "compare", "one/rig", "seen/rig", "--out", "compared"},
          AllOf(HasSubstr("site.yaml"), HasSubstr("other.yaml"), HasSubstr("evaluate both")));
+}
+
+TEST_F(LayoutCommand, ReportsOfOneNameAreCalledByTheirFolders) {
+  Succeed(Evaluate("site.yaml"));
+  fs::rename(path() / "seen", path() / "one");
+  Write("rig.yaml", Edited(kRig, "[0, 0.5, 2]", "[0, 0.5, 0.3]"));
+  Succeed(Evaluate("site.yaml"));
+  EXPECT_THAT(
+      Succeed({"layout", "compare", "one/rig", "seen/rig/layout.json", "--out", "compared"}),
+      HasSubstr("seen/rig against one/rig"));
+}
+
+TEST_F(LayoutCommand, AReportBesideItselfIsRefused) {
+  Succeed(Evaluate("site.yaml"));
+  Refuse({"layout", "compare", "seen/rig", "seen/rig/layout.json", "--out", "compared"},
+         AllOf(StartsWith("seen/rig/layout.json: "), HasSubstr("same report"), HasSubstr("need")));
 }
 
 TEST_F(LayoutCommand, ADamagedReportIsRefusedByItsName) {

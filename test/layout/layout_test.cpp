@@ -125,6 +125,9 @@ TEST_F(SceneLayouts, ExpensesAddUp) {
   const Expense expense = ExpenseOf(layout);
   EXPECT_EQ(expense.cost, 4500);
   EXPECT_EQ(expense.power_w, 8.5);
+  EXPECT_EQ(expense.sensors, 3);
+  EXPECT_EQ(expense.priced, 3);
+  EXPECT_EQ(expense.powered, 2);
   // 640 x 480 pixels of three bytes and 16 x 500 points of coordinates and what else a point holds.
   const auto& camera = std::get<CameraModel>(layout.sensors[2].model);
   const double pictures = camera.intrinsics.width_px * camera.intrinsics.height_px * 3.0 *
@@ -192,7 +195,9 @@ TEST_F(SceneLayouts, AreComparedAtTheSameMomentsWithFiguresOfTheSameNames) {
     for (std::size_t m = 0; m < 3; ++m) {
       EXPECT_TRUE(std::isfinite(a.at[m])) << a.name;
       EXPECT_TRUE(a.error.empty() || std::isfinite(a.error[m])) << a.name;
-      // A sensor more takes nothing away.
+      // A sensor more takes nothing away, but cells of an elevation map that it measures worse than
+      // others do are measured at all.
+      if (a.name == "elevation/sigma_m") continue;
       EXPECT_TRUE(a.more_is_better ? b.at[m] >= a.at[m] : b.at[m] <= a.at[m]) << a.name;
     }
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <string_view>
 
 #include "core/check.h"
 #include "core/error.h"
@@ -73,26 +74,39 @@ Difference DifferenceOf(const Figure& first, const Figure& other, std::size_t bl
   return d;
 }
 
+/// Doubts the figures of a zone that say the same where one of them is undecided.
+void DoubtByEachOther(std::vector<Difference>* differences) {
+  constexpr std::string_view kSeen = "/seen_by_1", kBlind = "/blind_m3";
+  for (Difference& seen : *differences) {
+    if (!seen.figure.ends_with(kSeen)) continue;
+    const std::string zone = seen.figure.substr(0, seen.figure.size() - kSeen.size());
+    for (Difference& blind : *differences) {
+      if (blind.figure != zone + std::string(kBlind) || blind.verdict() == seen.verdict()) continue;
+      seen.is_doubted = blind.is_doubted = true;
+    }
+  }
+}
+
 }  // namespace
 
 Difference::Verdict Difference::verdict() const {
-  if (low <= 0 && high >= 0) return Verdict::kUndecided;
+  if (is_doubted || (low <= 0 && high >= 0)) return Verdict::kUndecided;
   return (low > 0) == more_is_better ? Verdict::kBetter : Verdict::kWorse;
 }
 
 std::vector<Difference> Compare(const LayoutReport& first, const LayoutReport& other,
                                 double block_s) {
+  if (first.cycle == other.cycle && first.asked_sha256 != other.asked_sha256) {
+    throw InputError(fmt::format(
+        "'{}' and '{}' were asked other things of {}, or it was another scenario then; evaluate "
+        "both with one study over one cycle",
+        first.name, other.name, first.cycle));
+  }
   if (first.cycle != other.cycle || first.t_s != other.t_s) {
     throw InputError(fmt::format(
         "'{}' and '{}' were not looked at over the same moments of one cycle ({} and {}); evaluate "
         "both over one",
         first.name, other.name, first.cycle, other.cycle));
-  }
-  if (first.asked_sha256 != other.asked_sha256) {
-    throw InputError(fmt::format(
-        "'{}' and '{}' were asked other things, or of another scenario; evaluate both with one "
-        "study over one cycle",
-        first.name, other.name));
   }
   const std::size_t n = first.t_s.size();
   TERA_CHECK(n > 0);
@@ -106,6 +120,7 @@ std::vector<Difference> Compare(const LayoutReport& first, const LayoutReport& o
     const Figure* same = FindFigure(other, figure.name);
     if (same) differences.push_back(DifferenceOf(figure, *same, block));
   }
+  DoubtByEachOther(&differences);
   return differences;
 }
 

@@ -13,9 +13,11 @@ struct Difference {
   double of_first = 0, of_other = 0;  ///< means over the cycle
   double low = 0, high = 0;           ///< 95 % interval of the other's mean less the first's
   bool more_is_better = true;
+  /// Another figure says the same in another unit, and cannot show a difference: neither does this.
+  bool is_doubted = false;
 
   enum class Verdict { kBetter, kWorse, kUndecided };
-  /// Of the other: undecided where the interval holds zero.
+  /// Of the other: undecided where the interval holds zero, or where it is doubted.
   Verdict verdict() const;
 };
 
@@ -24,7 +26,9 @@ struct Difference {
 /// Model   the mean of the differences of single moments; its interval by a moving-block bootstrap
 ///         over them, blocks of `block_s` because moments that follow each other are alike, as wide
 ///         as so few blocks ask (Student's t), and widened by the sampling errors of both, which
-///         are taken as independent. Of less than two blocks it holds zero.
+///         are taken as independent. Of less than two blocks it holds zero. The share of a zone
+///         that is seen and the volume of it that is not are one quantity, but that the volume
+///         weighs moments by how much air the zone then has: each is decided only where both are.
 /// Source  Kuensch 1989, "The jackknife and the bootstrap for general stationary observations",
 ///         Annals of Statistics 17(3).
 ///

@@ -173,6 +173,43 @@ std::string Curves(const std::vector<LayoutReport>& reports) {
   return html + "</div>\n";
 }
 
+/// What each rig takes.
+std::string Expenses(const std::vector<LayoutReport>& reports) {
+  std::string html = "<ul>";
+  for (const LayoutReport& report : reports) {
+    html += fmt::format("<li>{}: {}.</li>", Escape(report.name), ExpenseText(report.expense));
+  }
+  return html + "</ul>\n";
+}
+
+/// By how much of the larger value the two differ.
+double RelativeSize(const Difference& d) {
+  const double most = std::max(std::abs(d.of_first), std::abs(d.of_other));
+  return most > 0 ? std::abs(d.of_other - d.of_first) / most : 0;
+}
+
+/// In how many figures the other is better and worse, and the greatest losses.
+std::string BalanceText(std::vector<Difference> differences) {
+  std::stable_sort(
+      differences.begin(), differences.end(),
+      [](const Difference& a, const Difference& b) { return RelativeSize(a) > RelativeSize(b); });
+  std::size_t better = 0, undecided = 0;
+  std::vector<std::string> worse;
+  for (const Difference& d : differences) {
+    better += d.verdict() == Difference::Verdict::kBetter;
+    undecided += d.verdict() == Difference::Verdict::kUndecided;
+    if (d.verdict() == Difference::Verdict::kWorse) worse.push_back(d.figure);
+  }
+  std::string text = fmt::format(
+      "better in {} of {} figures, worse in {}, {} without a difference that this cycle can show",
+      better, differences.size(), worse.size(), undecided);
+  constexpr std::size_t kNamed = 6;
+  const std::size_t more = worse.size() - std::min(kNamed, worse.size());
+  worse.resize(worse.size() - more);
+  if (!worse.empty()) text += fmt::format("; worse above all: {}", fmt::join(worse, ", "));
+  return more > 0 ? fmt::format("{} and {} more", text, more) : text;
+}
+
 std::string Table(const LayoutReport& first, const LayoutReport& other) {
   std::string html = fmt::format(
       "<h2>{0} against {1}</h2>\n<div class=\"wide\"><table><tr><th>Figure</th>"
@@ -200,12 +237,17 @@ std::vector<std::string> ComparisonWords(const std::vector<LayoutReport>& report
   std::vector<std::string> words;
   for (std::size_t l = 1; l < reports.size(); ++l) {
     const std::vector<Difference> differences = Compare(reports.front(), reports[l]);
+    const std::string pair = reports[l].name + " against " + reports.front().name;
+    words.push_back(fmt::format("{}: {}.", pair, BalanceText(differences)));
+    words.push_back(fmt::format("{} takes {}; {} takes {}.", reports[l].name,
+                                ExpenseText(reports[l].expense), reports.front().name,
+                                ExpenseText(reports.front().expense)));
     for (const char* name : kMain) {
       const auto found = std::find_if(differences.begin(), differences.end(),
                                       [&](const Difference& d) { return d.figure == name; });
       if (found == differences.end()) continue;
-      words.push_back(fmt::format("{} against {}, {}: {}.", reports[l].name, reports.front().name,
-                                  Describe(AsFigure(*found)), VerdictText(*found)));
+      words.push_back(
+          fmt::format("{}, {}: {}.", pair, Describe(AsFigure(*found)), VerdictText(*found)));
     }
   }
   return words;
@@ -231,8 +273,10 @@ std::string ComparisonPage(const std::vector<LayoutReport>& reports) {
   }
   html +=
       "<p class=\"soft\">Intervals are of 95 %, by a block bootstrap over the moments of the "
-      "cycle and by the places that were tried.</p>\n";
-  html += Key(reports) + Radar(reports) + Maps(reports) + Curves(reports);
+      "cycle and by the places that were tried. The share of a zone that is seen and the volume of "
+      "it that is not are one quantity: a difference is told only where both show it.</p>\n";
+  html += "<h2>What they take</h2>\n" + Expenses(reports) + Key(reports) + Radar(reports) +
+          Maps(reports) + Curves(reports);
   for (std::size_t l = 1; l < reports.size(); ++l) html += Table(reports.front(), reports[l]);
   return html + PageEnd();
 }

@@ -69,7 +69,8 @@ LayoutReport FromJson(const json& from) {
   report.asked_sha256 = from.at("asked_sha256");
   from.at("viewers").get_to(report.viewers);
   const json& expense = from.at("expense");
-  report.expense = {expense.at("cost"), expense.at("power_w"), expense.at("data_mbyteps")};
+  report.expense = {expense.at("cost"),    expense.at("power_w"), expense.at("data_mbyteps"),
+                    expense.at("sensors"), expense.at("priced"),  expense.at("powered")};
   from.at("t_s").get_to(report.t_s);
   if (report.t_s.empty()) throw InputError("has no moments");
   for (const json& figure : from.at("figures")) report.figures.push_back(ReadFigure(figure));
@@ -100,7 +101,10 @@ std::string ReportJson(const LayoutReport& report) {
               {"expense",
                {{"cost", report.expense.cost},
                 {"power_w", report.expense.power_w},
-                {"data_mbyteps", report.expense.data_mbyteps}}},
+                {"data_mbyteps", report.expense.data_mbyteps},
+                {"sensors", report.expense.sensors},
+                {"priced", report.expense.priced},
+                {"powered", report.expense.powered}}},
               {"t_s", report.t_s},
               {"figures", json::array()},
               {"maps", json::array()},

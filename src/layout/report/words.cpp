@@ -257,6 +257,18 @@ std::string QuartersText() {
          "structure's origin, and a quarter has the mean over its directions.";
 }
 
+std::string ExpenseText(const Expense& expense) {
+  const auto part = [&](const char* what, const std::string& sum, int said, const char* how) {
+    if (said == 0) return fmt::format("{} unknown (no sensor {})", what, how);
+    return fmt::format("{} {} ({} of {} sensors {})", what, sum, said, expense.sensors, how);
+  };
+  return fmt::format(
+      "{}, {}, {:.3g} MB/s of data as measured",
+      part("cost", fmt::format("{:.6g}", expense.cost), expense.priced, "priced"),
+      part("power", fmt::format("{:.4g} W", expense.power_w), expense.powered, "with a power"),
+      expense.data_mbyteps);
+}
+
 std::vector<std::string> Answer(const LayoutReport& report) {
   std::vector<std::string> lines;
   if (const Figure* seen = FindFigure(report, "zone/around/seen_by_1")) {

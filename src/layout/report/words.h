@@ -32,6 +32,9 @@ std::string RangeText(const AlwaysDetected& always);
 /// What quarters are, and from where distances are measured.
 std::string QuartersText();
 
+/// What a rig takes, as far as it says so: "cost 4500 (2 of 3 sensors priced), ...".
+std::string ExpenseText(const Expense& expense);
+
 /// The answer first: what the layout sees, what it does not and why, people, the bucket.
 std::vector<std::string> Answer(const LayoutReport& report);
 

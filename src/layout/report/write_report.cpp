@@ -76,14 +76,6 @@ std::string FileName(std::string name) {
   return name;
 }
 
-/// What the rig takes, as far as it says so.
-std::string ExpenseText(const Expense& expense) {
-  std::string text = fmt::format("Data {:.3g} MB/s as measured", expense.data_mbyteps);
-  if (expense.power_w > 0) text += fmt::format(", power {:.4g} W", expense.power_w);
-  if (expense.cost > 0) text += fmt::format(", cost {:.6g}", expense.cost);
-  return text + ".";
-}
-
 /// Maps whose names begin so, under a heading.
 std::string MapFigures(const LayoutReport& report, const std::string& beginning,
                        const std::string& heading) {
@@ -197,11 +189,12 @@ std::string ReportPage(const LayoutReport& report) {
     html += fmt::format("<p class=\"warning\">{}</p>\n", Escape(warning));
   }
   html += fmt::format(
-      "<p class=\"soft\">Rig {}; sensors that see: {}. Over {}: {} moments from {:.1f} to {:.1f} "
-      "s. {}</p>\n",
+      "<p class=\"soft\">Rig {}; sensors that see: {}. Over {}: {} from {:.1f} to {:.1f} s. It "
+      "takes {}.</p>\n",
       Escape(report.file), Escape(fmt::format("{}", fmt::join(report.viewers, ", "))),
-      Escape(report.cycle), report.t_s.size(), report.t_s.front(), report.t_s.back(),
-      ExpenseText(report.expense));
+      Escape(report.cycle),
+      report.t_s.size() == 1 ? "1 moment" : fmt::format("{} moments", report.t_s.size()),
+      report.t_s.front(), report.t_s.back(), ExpenseText(report.expense));
   html += MapFigures(report, "seen/", "<h2>What is seen around the machine</h2>\n" + MapLegend());
   html += PeopleSection(report);
   html += MapFigures(report, "person/",

@@ -179,6 +179,39 @@ TEST(LayoutComparison, OtherQuestionsAreRefused) {
   EXPECT_THROW(Compare(a, b), InputError);
 }
 
+TEST(LayoutComparison, WhatIsSeenOfAZoneIsDecidedOnlyWhereWhatIsNotIsTooAndBack) {
+  // The volume differs by 1 m^3 in 10 at every moment, the share by less than its places can tell.
+  std::vector<double> ones(50, 1.0), more(50, 0.51), less(50, 0.5);
+  const auto report = [&](const std::string& name, const std::vector<double>& seen,
+                          const std::vector<double>& blind_m3, double error) {
+    LayoutReport r = ReportOf(name, {seen, blind_m3});
+    r.figures[0].name = "zone/dig/seen_by_1";
+    r.figures[0].error.assign(seen.size(), error);
+    r.figures[1].name = "zone/dig/blind_m3";
+    r.figures[1].more_is_better = false;
+    return r;
+  };
+  const auto verdicts = [&](double error) {
+    std::vector<Verdict> of;
+    for (const Difference& d :
+         Compare(report("a", less, ones, error), report("b", more, Zeros(50), error))) {
+      of.push_back(d.verdict());
+    }
+    return of;
+  };
+  EXPECT_EQ(verdicts(0.02), (std::vector{Verdict::kUndecided, Verdict::kUndecided}));
+  EXPECT_EQ(verdicts(0.001), (std::vector{Verdict::kBetter, Verdict::kBetter}));
+}
+
+TEST(LayoutComparison, AnotherStudyOverOneCycleIsSaidToBeThat) {
+  const LayoutReport a = ReportOf("a", {Zeros(4)});
+  LayoutReport b = ReportOf("b", {Zeros(5)});
+  b.asked_sha256 = "another study";
+  EXPECT_THAT([&] { Compare(a, b); },
+              ThrowsMessage<InputError>(
+                  AllOf(HasSubstr("asked other things"), testing::Not(HasSubstr("moments")))));
+}
+
 TEST(LayoutComparison, OneMomentDecidesNothing) {
   const Difference d = Compare(ReportOf("a", {Zeros(1)}, 0.1), ReportOf("b", {{1.0}}, 0.1)).front();
   EXPECT_EQ(d.verdict(), Verdict::kUndecided);

@@ -110,6 +110,24 @@ TEST(PageOfAComparison, SaysInWordsWhichSeesMore) {
   EXPECT_LT(html.find("25.0 percentage points"), html.find("<svg"));
 }
 
+TEST(PageOfAComparison, SaysLossesAsWellAsGainsAndWhatBothTake) {
+  LayoutReport other = Better();
+  other.figures.back().at.assign(4, 0);  // of the bucket's edge
+  other.figures.push_back({"zone/truck/seen_by_1", "", true, {0, 0, 0, 0}, {}});
+  LayoutReport first = SampleReport();
+  first.figures.push_back({"zone/truck/seen_by_1", "", true, {1, 1, 1, 1}, {}});
+  other.expense = {0, 20, 5, 4, 0, 4};
+  const std::vector<std::string> words = ComparisonWords({first, other});
+  EXPECT_THAT(words, Contains(AllOf(StartsWith("rear against front: better in 2 of 8 figures"),
+                                    HasSubstr("worse in "), HasSubstr("zone/truck/seen_by_1"))));
+  EXPECT_THAT(words, Contains("rear takes cost unknown (no sensor priced), power 20 W (4 of 4 "
+                              "sensors with a power), 5 MB/s of data as measured; front takes cost "
+                              "4500 (2 of 3 sensors priced), power 8.5 W (1 of 3 sensors with a "
+                              "power), 33.2 MB/s of data as measured."));
+  const std::string html = ComparisonPage({first, other});
+  EXPECT_THAT(html, HasSubstr("<li>front: cost 4500 (2 of 3 sensors priced)"));
+}
+
 TEST(PageOfAComparison, RowsOfItsTableAreTheDifferences) {
   const std::vector<std::string> lines = Lines(ComparisonCsv({SampleReport(), Better()}));
   ASSERT_EQ(lines.size(), 8u);

@@ -25,6 +25,9 @@ void ExpectSame(const LayoutReport& a, const LayoutReport& b) {
   EXPECT_EQ(a.expense.cost, b.expense.cost);
   EXPECT_EQ(a.expense.power_w, b.expense.power_w);
   EXPECT_EQ(a.expense.data_mbyteps, b.expense.data_mbyteps);
+  EXPECT_EQ(a.expense.sensors, b.expense.sensors);
+  EXPECT_EQ(a.expense.priced, b.expense.priced);
+  EXPECT_EQ(a.expense.powered, b.expense.powered);
   EXPECT_EQ(a.t_s, b.t_s);
   ASSERT_EQ(a.figures.size(), b.figures.size());
   for (std::size_t i = 0; i < a.figures.size(); ++i) {

@@ -29,7 +29,7 @@ inline LayoutReport SampleReport(const std::string& name = "front") {
   report.cycle = "out/base";
   report.asked_sha256 = "0123456789abcdef";
   report.viewers = {"lidar", "camera"};
-  report.expense = {4500, 8.5, 33.25};
+  report.expense = {4500, 8.5, 33.25, 3, 2, 1};
   report.t_s = {0, 0.2, 0.4, 0.6};
   report.figures = {
       {"zone/around/seen_by_1", "", true, {0.5, 0.75, 0.25, 0.5}, {0.01, 0.02, 0.03, 0.02}},

@@ -187,6 +187,15 @@ TEST_F(WrittenReport, OfSeveralPosturesTheHardestIsNamedFirstAndAllAreTold) {
               HasSubstr("<td>lying</td><td>behind</td><td>at no distance</td>"));
 }
 
+TEST_F(WrittenReport, APageSaysOfHowManySensorsCostAndPowerAre) {
+  LayoutReport report = SampleReport();
+  EXPECT_THAT(ReportPage(report),
+              HasSubstr("cost 4500 (2 of 3 sensors priced), power 8.5 W (1 of 3 sensors with a "
+                        "power), 33.2 MB/s of data"));
+  report.expense = {0, 0, 1, 3, 0, 0};
+  EXPECT_THAT(ReportPage(report), HasSubstr("cost unknown (no sensor priced), power unknown"));
+}
+
 TEST_F(WrittenReport, APageSaysWhatAQuarterIsAndFromWhereItMeasures) {
   const std::string html = ReportPage(SampleReport());
   EXPECT_THAT(html, AllOf(HasSubstr("within 45°"), HasSubstr("machine's outline")));
