@@ -45,9 +45,9 @@ void RequireOnSite(const Zone& zone, const TerrainGrid& site) {
   }
   if ((to_m.array() > low_m.array()).all() && (from_m.array() < high_m.array()).all()) return;
   throw InputError(fmt::format(
-      "study: zone '{}': lies beside the site, which reaches from x {} to {} m and y {} to {} m; "
+      "{}: '{}' lies beside the site, which reaches from x {} to {} m and y {} to {} m; "
       "need a place on it",
-      zone.name, low_m.x(), high_m.x(), low_m.y(), high_m.y()));
+      zone.place, zone.name, low_m.x(), high_m.x(), low_m.y(), high_m.y()));
 }
 
 }  // namespace
@@ -58,16 +58,16 @@ void CheckStudy(const LayoutStudy& study, const Scenario& scenario) {
   if (study.eye) LinkOfEye(*study.eye, model);
   for (const Zone& zone : study.zones) {
     if (zone.name == kAroundZone) {
-      throw InputError(fmt::format(
-          "study: zone '{}': is the name of the volume around the machine; need another",
-          zone.name));
+      throw InputError(
+          fmt::format("{}: '{}' is the name of the volume around the machine; need another",
+                      zone.place, zone.name));
     }
     if (zone.frame == "W") {
       RequireOnSite(zone, scenario.site->surface());
     } else if (model.LinkIndex(zone.frame) < 0) {
       std::vector<std::string> frames = {"W"};
       for (const Link& link : model.links) frames.push_back(link.name);
-      throw InputError(fmt::format("study: zone '{}': there is no frame '{}'; need one of {}",
+      throw InputError(fmt::format("{}: of '{}' there is no frame '{}'; need one of {}", zone.place,
                                    zone.name, zone.frame, fmt::join(frames, ", ")));
     }
   }

@@ -50,9 +50,8 @@ StudiedMachine FindMachine(const LayoutStudy& study, const Scenario& scenario) {
   if (!study.machine.empty()) {
     const auto at = std::find(machines.begin(), machines.end(), study.machine);
     if (at == machines.end()) {
-      throw InputError(
-          fmt::format("study: machine '{}' is not in the scenario; its machines are {}",
-                      study.machine, fmt::join(machines, ", ")));
+      throw InputError(fmt::format("{}: '{}' is not in the scenario; its machines are {}",
+                                   study.machine_place, study.machine, fmt::join(machines, ", ")));
     }
     found.machine = static_cast<std::size_t>(at - machines.begin());
   }
@@ -63,8 +62,9 @@ StudiedMachine FindMachine(const LayoutStudy& study, const Scenario& scenario) {
   if (found.upper < 0) {
     std::vector<std::string> links;
     for (const Link& link : model.links) links.push_back(link.name);
-    throw InputError(fmt::format("study: upper: machine '{}' has no link '{}'; its links are {}",
-                                 machines[found.machine], study.upper, fmt::join(links, ", ")));
+    throw InputError(fmt::format("{}: machine '{}' has no link '{}'; its links are {}",
+                                 study.upper_place, machines[found.machine], study.upper,
+                                 fmt::join(links, ", ")));
   }
   return found;
 }

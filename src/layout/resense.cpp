@@ -10,6 +10,7 @@
 #include "dataset/files/checked_file.h"
 #include "dataset/format/recording.h"
 #include "dataset/format/writer.h"
+#include "layout/study/cycle.h"
 #include "sim/rig.h"
 #include "sim/run/recorded_run.h"
 #include "sim/run/run.h"
@@ -84,6 +85,7 @@ GenerateReport Resense(const fs::path& dataset, const ResenseRig& rig,
   {
     const Stopwatch watch(&report.wall_s);
     RequireState(dataset);
+    RequireRigFile(rig.file);
     const LoadedScenario loaded =
         LoadRecordedScenario(dataset, {RigOverride(dataset, rig, moved)}, moved);
     const Scenario& scenario = loaded.scenario;

@@ -153,7 +153,7 @@ TEST_F(LayoutCommand, ARigThatSeesNothingIsRefused) {
          AllOf(StartsWith("blind.yaml: "), HasSubstr("no lidar and no camera"), HasSubstr("need")));
   Write("none.yaml", "sensors: []\n");
   Refuse(Evaluate("site.yaml", "none.yaml"), StartsWith("none.yaml: "));
-  Refuse(Evaluate("site.yaml", "absent.yaml"), HasSubstr("absent.yaml"));
+  Refuse(Evaluate("site.yaml", "absent.yaml"), StartsWith("absent.yaml: no such file; need a rig"));
 }
 
 TEST_F(LayoutCommand, TwoRigsOfOneNameAreRefused) {
@@ -164,9 +164,29 @@ TEST_F(LayoutCommand, TwoRigsOfOneNameAreRefused) {
 
 TEST_F(LayoutCommand, AZoneBesideTheSiteOrOfAnUnknownFrameIsRefused) {
   Write("study.yaml", "zones: [{name: far, xyz_m: [100, 0, 0], box_m: [1, 1, 1]}]\n");
-  Refuse(Evaluate("site.yaml"), AllOf(HasSubstr("'far'"), HasSubstr("beside the site")));
+  Refuse(Evaluate("site.yaml"), AllOf(StartsWith("study.yaml:1:16: zones[0].name: "),
+                                      HasSubstr("'far'"), HasSubstr("beside the site")));
   Write("study.yaml", "zones: [{name: far, frame: roof, box_m: [1, 1, 1]}]\n");
-  Refuse(Evaluate("site.yaml"), AllOf(HasSubstr("'far'"), HasSubstr("roof"), HasSubstr("mast")));
+  Refuse(Evaluate("site.yaml"), AllOf(StartsWith("study.yaml:1:"), HasSubstr("'far'"),
+                                      HasSubstr("roof"), HasSubstr("mast")));
+  Write("study.yaml", "rate_hz: 5\nupper: roof\n");
+  Refuse(Evaluate("site.yaml"), AllOf(StartsWith("study.yaml:2:8: upper: "), HasSubstr("roof")));
+  Write("study.yaml", "eye: {link: roof, xyz_m: [0, 0, 1]}\n");
+  Refuse(Evaluate("site.yaml"),
+         AllOf(StartsWith("study.yaml:1:13: eye.link: "), HasSubstr("roof")));
+}
+
+TEST_F(LayoutCommand, WithoutUnitsWhatIsNotKnownOfJointsIsOneWarning) {
+  Write("site.yaml",
+        Edited(kSite, "tera:config/machines/mast.yaml", "tera:config/machines/tb235.yaml"));
+  Write("roof.yaml",
+        "sensors: [{name: lidar, preset: tera:config/sensors/vlp16.yaml, link: upper, xyz_m: "
+        "[0, 0, 2.6]}]\n");
+  Write("study.yaml", Edited(kStudy, "frame: mast", "frame: upper"));
+  const std::string out = Succeed(Evaluate("site.yaml", "roof.yaml"));
+  const std::size_t first = out.find("warning: ");
+  EXPECT_THAT(out.substr(first), AllOf(StartsWith("warning: state/: "), HasSubstr("boom")));
+  EXPECT_EQ(out.find("warning: ", first + 1), out.npos) << out;
 }
 
 TEST_F(LayoutCommand, AStudyWithAFaultIsRefusedWithItsPlace) {
@@ -192,7 +212,8 @@ TEST_F(LayoutCommand, AStateOfAnotherScenarioIsRefused) {
 }
 
 TEST_F(LayoutCommand, WhatIsNoCycleIsRefused) {
-  Refuse(Evaluate("absent"), HasSubstr("absent"));
+  Refuse(Evaluate("absent"),
+         AllOf(StartsWith("absent: "), HasSubstr("--keep-state"), HasSubstr("scenario's file")));
   fs::create_directories(path() / "empty");
   Refuse(Evaluate("empty"), HasSubstr("empty"));
 }

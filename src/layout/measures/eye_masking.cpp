@@ -218,7 +218,7 @@ int LinkOfEye(const EyeStudy& eye, const MachineModel& machine) {
   if (link >= 0) return link;
   std::vector<std::string> links;
   for (const Link& l : machine.links) links.push_back(l.name);
-  throw InputError(fmt::format("study: eye: the machine has no link '{}'; its links are {}",
+  throw InputError(fmt::format("{}: the machine has no link '{}'; its links are {}", eye.place,
                                eye.link, fmt::join(links, ", ")));
 }
 

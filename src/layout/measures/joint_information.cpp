@@ -338,17 +338,18 @@ std::vector<Figure> JointInformation::Figures() const {
 }
 
 std::vector<std::string> JointInformation::Warnings() const {
-  std::vector<std::string> warnings;
+  std::vector<std::string> unknown;
   for (const Asked& asked : asked_) {
     const auto unobserved = [&](double sigma) { return sigma > kKnown * asked.prior; };
     if (!std::all_of(asked.sigma.begin(), asked.sigma.end(), unobserved)) continue;
     const double unit = asked.unit == "deg" ? kDeg : 1;
-    warnings.push_back(
-        fmt::format("state/{}: no inertial unit, encoder or antenna observes it; {:.3g} {} is the "
-                    "deviation of something anywhere in its travel",
-                    asked.what, asked.prior / unit, asked.unit));
+    unknown.push_back(fmt::format("{} ({:.3g} {})", asked.what, asked.prior / unit, asked.unit));
   }
-  return warnings;
+  if (unknown.empty()) return {};
+  return {
+      fmt::format("state/: no inertial unit, encoder or antenna observes {}; in brackets the "
+                  "deviation of something anywhere in its travel",
+                  fmt::join(unknown, ", "))};
 }
 
 }  // namespace tera

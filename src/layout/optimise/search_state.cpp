@@ -33,9 +33,9 @@ std::optional<SearchState> LoadState(const std::filesystem::path& file,
     from.at("greedy").get_to(state.greedy);
     from.at("corner").get_to(state.corner);
     from.at("hypervolume").get_to(state.hypervolume);
-  } catch (const json::exception& error) {
-    throw InputError(fmt::format("{}: is damaged ({}); delete {} to start afresh", file.string(),
-                                 error.what(), file.parent_path().string()));
+  } catch (const json::exception&) {
+    throw InputError(fmt::format("{}: is damaged; delete {} to start afresh", file.string(),
+                                 file.parent_path().string()));
   }
   if (state.search_sha256 != search_sha256 || state.genes.size() != state.fitness.size()) {
     throw InputError(

@@ -127,9 +127,14 @@ LayoutReport ReadReport(const std::filesystem::path& file_or_folder) {
   const std::string text = ReadWholeFile(file);
   try {
     return FromJson(json::parse(text));
-  } catch (const json::exception& error) {
-    throw InputError(fmt::format("{}: is no layout.json of `tera layout evaluate` ({})",
-                                 file.string(), error.what()));
+  } catch (const json::parse_error& error) {
+    throw InputError(fmt::format(
+        "{}: is damaged, or no JSON, at byte {} of {}; need what `tera layout evaluate` wrote: "
+        "evaluate again",
+        file.string(), error.byte, text.size()));
+  } catch (const json::exception&) {
+    throw InputError(fmt::format("{}: is not what `tera layout evaluate` writes; evaluate again",
+                                 file.string()));
   } catch (const InputError& error) {
     throw InputError(
         fmt::format("{}: {}; need what `tera layout evaluate` wrote", file.string(), error.what()));

@@ -26,6 +26,13 @@ std::string RigOverride(std::size_t machine, const fs::path& file) {
 Cycle::Cycle(const fs::path& dataset_or_scenario, std::vector<std::string> moved)
     : moved_(std::move(moved)) {
   std::error_code ignored;
+  if (!fs::exists(dataset_or_scenario, ignored)) {
+    throw InputError(
+        fmt::format("{}: there is no such dataset or scenario; need the folder of a dataset that "
+                    "`tera generate "
+                    "--keep-state` wrote, or a scenario's file (YAML)",
+                    dataset_or_scenario.string()));
+  }
   if (!fs::is_directory(dataset_or_scenario, ignored)) {
     scenario_file_ = dataset_or_scenario;
     loaded_ = LoadScenario(scenario_file_, {});
@@ -36,7 +43,15 @@ Cycle::Cycle(const fs::path& dataset_or_scenario, std::vector<std::string> moved
   loaded_ = LoadRecordedScenario(dataset_, {}, moved_);
 }
 
+void RequireRigFile(const fs::path& file) {
+  std::error_code ignored;
+  if (fs::is_regular_file(file, ignored)) return;
+  throw InputError(fmt::format("{}: {}; need a rig's file (YAML)", file.string(),
+                               fs::is_directory(file, ignored) ? "is a folder" : "no such file"));
+}
+
 Scenario Cycle::WithRig(std::size_t machine, const fs::path& file) const {
+  RequireRigFile(file);
   const std::vector<std::string> rig = {RigOverride(machine, file)};
   return is_dataset() ? LoadRecordedScenario(dataset_, rig, moved_).scenario
                       : LoadScenario(scenario_file_, rig).scenario;

@@ -11,6 +11,9 @@
 
 namespace tera {
 
+/// Throws InputError where no file is there that a rig might stand in.
+void RequireRigFile(const std::filesystem::path& file);
+
 /// A work cycle that layouts are looked at over: a dataset whose state was kept, or a scenario,
 /// which is then simulated.
 ///

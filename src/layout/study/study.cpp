@@ -1,5 +1,6 @@
 #include "layout/study/study.h"
 
+#include <fstream>
 #include <set>
 
 #include "core/config/plain_name.h"
@@ -50,6 +51,7 @@ PersonStudy ReadPerson(const ConfigMap& config) {
 EyeStudy ReadEye(const ConfigMap& config) {
   EyeStudy eye;
   eye.link = config.Text("link");
+  eye.place = config.Place("link");
   eye.p_B_m = config.Vector3("xyz_m", Any("m"));
   eye.spacing_m = config.Number("spacing_m", Between(0, 1, "m"), eye.spacing_m);
   eye.circle_m = config.Number("circle_m", Between(1, kFarthest_m, "m"), eye.circle_m);
@@ -90,6 +92,8 @@ LayoutStudy ReadStudy(const ConfigMap& config) {
   LayoutStudy study;
   study.machine = config.Text("machine", "");
   study.upper = config.Text("upper", "");
+  study.machine_place = config.Place("machine");
+  study.upper_place = config.Place("upper");
   study.rate_hz = config.Number("rate_hz", Between(0.01, kMostRate_hz, "Hz"), study.rate_hz);
   study.radius_m = config.Number("radius_m", Between(1, kFarthest_m, "m"), study.radius_m);
   study.height_m = config.Number("height_m", Between(0.1, 50, "m"), study.height_m);
@@ -122,10 +126,23 @@ LayoutStudy ReadStudy(const ConfigMap& config) {
   return study;
 }
 
+/// Whether a file is there that has nothing but comments and empty lines.
+bool HoldsNothing(const std::filesystem::path& file) {
+  std::ifstream lines(file);
+  if (!lines) return false;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first != line.npos && line[first] != '#') return false;
+  }
+  return lines.eof();
+}
+
 }  // namespace
 
 LayoutStudy LoadStudy(const std::filesystem::path& file) {
-  const Config config = file.empty() ? Config::FromText("{}", "study") : Config::FromFile(file);
+  // All keys have defaults, so that a file of comments alone asks what most ask.
+  const bool is_default = file.empty() || HoldsNothing(file);
+  const Config config = is_default ? Config::FromText("{}", "study") : Config::FromFile(file);
   LayoutStudy study = ReadStudy(config.root());
   config.Finish();
   study.resolved_yaml = config.ResolvedYaml();

@@ -42,6 +42,7 @@ struct EyeStudy {
   double rectangle_m = 1;     ///< distance of the rectangular boundary from the machine's sides
   double height_m = 0;        ///< of both above the ground
   std::optional<double> most_masking_m;  ///< widest masking that whoever asks allows
+  std::string place = "study: eye";      ///< in its file, for messages
 };
 
 /// Part of the ground ahead of which an elevation map is wanted.
@@ -80,6 +81,8 @@ struct LayoutStudy {
   ElevationStudy elevation;
   std::optional<EyeStudy> eye;
   InformationStudy information;
+  /// Of `machine` and `upper` in its file, for messages.
+  std::string machine_place = "study: machine", upper_place = "study: upper";
   std::string resolved_yaml;  ///< all of it, defaults included; empty where it was not read
 };
 

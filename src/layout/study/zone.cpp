@@ -19,7 +19,7 @@ namespace {
 constexpr double kFarthest_m = 200;  ///< of any length of a zone, beyond every sensor's use
 
 /// Of the rectangle around an outline that it must fill: places are tried all over that.
-constexpr double kLeastFilled = 0.01;
+constexpr double kLeastFilled = 0.01, kPercent = 100;
 
 /// What is wrong with an outline's corners, or nothing.
 std::string OutlineFault(const std::vector<Vec2>& corners_m) {
@@ -35,8 +35,13 @@ std::string OutlineFault(const std::vector<Vec2>& corners_m) {
   }
   const double around_m2 = (high_m - low_m).prod(), area_m2 = AreaOf(corners_m);
   if (area_m2 > 0 && area_m2 >= kLeastFilled * around_m2) return "";
-  return fmt::format("its corners enclose {:.2g} m2 of the {:.2g} m2 around them; need {:g} of it",
-                     area_m2, around_m2, kLeastFilled);
+  if (around_m2 <= 0 || area_m2 <= 0) {
+    return "its corners lie on one line and enclose nothing; need corners around a region";
+  }
+  return fmt::format(
+      "its corners enclose next to nothing: {:.2g} m2, {:.2g} % of the rectangle around them; need "
+      "{:g} % of that at least",
+      area_m2, kPercent * area_m2 / around_m2, kPercent * kLeastFilled);
 }
 
 ZonePrism ReadPrism(const ConfigMap& config) {
@@ -125,6 +130,7 @@ Eigen::Array3i CellsOf(const Vec3& extent_m, double wanted) {
 Zone ReadZone(const ConfigMap& config) {
   Zone zone;
   zone.name = config.Text("name");
+  zone.place = config.Place("name");
   RequirePlainName(config, "name", zone.name);
   zone.frame = config.Text("frame", zone.frame);
   zone.level = config.Boolean("level", zone.level);

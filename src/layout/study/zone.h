@@ -34,7 +34,8 @@ struct Zone {
   std::string name;
   std::string frame = "W";  ///< "W" or a link's name
   bool level = true;
-  bool on_ground = false;  ///< F stands on the ground below the link's origin
+  std::string place = "study: zone";  ///< in its file, for messages
+  bool on_ground = false;             ///< F stands on the ground below the link's origin
   Pose X_FZ = Pose::Identity();
   std::variant<ZoneBox, ZoneCylinder, ZonePrism> shape = ZoneBox{};
 };

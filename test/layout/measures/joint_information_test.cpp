@@ -213,11 +213,13 @@ TEST(JointInformation, WhatNothingObservesIsKnownAsWellAsItsTravelSaysAndNamed) 
   EXPECT_NEAR(at_rest.at("state/slew/sigma_deg"), 360 / std::sqrt(12.0), 1e-9);
   EXPECT_NEAR(at_rest.at("state/arm/sigma_deg"), 20 / std::sqrt(12.0), 1e-9);
   EXPECT_LT(at_rest.at("state/boom/sigma_deg"), 0.5);
-  ASSERT_EQ(warnings.size(), 4u);
-  EXPECT_TRUE(warnings[0].starts_with("state/slew: ")) << warnings[0];
-  EXPECT_TRUE(warnings[1].starts_with("state/arm: ")) << warnings[1];
-  EXPECT_TRUE(warnings[2].starts_with("state/heading: ")) << warnings[2];
-  EXPECT_TRUE(warnings[3].starts_with("state/heading_of_pair: ")) << warnings[3];
+  // One line for all of them, so that it buries no other warning.
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(warnings[0].starts_with("state/: ")) << warnings[0];
+  for (const char* unknown : {" slew (", ", arm (", ", heading (", ", heading_of_pair ("}) {
+    EXPECT_NE(warnings[0].find(unknown), std::string::npos) << unknown << warnings[0];
+  }
+  EXPECT_EQ(warnings[0].find("boom"), std::string::npos) << warnings[0];
 }
 
 TEST(JointInformation, AJointThatSlidesIsKnownInMetres) {

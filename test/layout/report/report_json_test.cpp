@@ -130,6 +130,15 @@ TEST_F(ReportFile, CutShortItIsRefused) {
   }
 }
 
+TEST_F(ReportFile, CutShortItSaysWhereItBreaksOffAndNothingOfHowItIsRead) {
+  const std::string half = ReportJson(SampleReport()).substr(0, 1000);
+  EXPECT_THAT([&] { Read(half); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("is damaged"), HasSubstr("of 1000"),
+                                              testing::Not(HasSubstr("json.exception")))));
+  EXPECT_THAT([&] { Read("{}"); },
+              ThrowsMessage<InputError>(testing::Not(HasSubstr("json.exception"))));
+}
+
 TEST_F(ReportFile, WhatIsNoReportIsRefused) {
   for (const char* text : {"{}", "[]", "null", "3", "\"format\"", "format: 2", "{\"format\": 2}"}) {
     ExpectRefused(text);

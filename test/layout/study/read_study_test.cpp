@@ -76,6 +76,13 @@ TEST(LoadStudy, WithoutAFileHasTheCommonPostures) {
   EXPECT_FALSE(study.eye.has_value());
 }
 
+TEST(LoadStudy, OfCommentsAloneIsThatWithoutAFile) {
+  for (const char* text : {"", "# what most ask\n\n  # nothing else", "\r\n"}) {
+    EXPECT_EQ(Read(text).resolved_yaml, LoadStudy({}).resolved_yaml) << text;
+  }
+  ExpectRefused("# a list\n- 1\n", "study.yaml");
+}
+
 TEST(LoadStudy, TakesEveryKey) {
   const LayoutStudy study = Read(R"(
 machine: excavator2
