@@ -22,6 +22,9 @@ struct LayoutReport {
   std::vector<Figure> figures;
   std::vector<PolarMap> maps;
   std::vector<PolarCurve> curves;
+  /// How far the machine reaches from above in each direction (HullRadii_m), the farthest over the
+  /// cycle; empty where it is not known.
+  std::vector<double> outline_m;
   /// Of each zone, what keeps its blind places from being seen, and how much pairs of viewers see
   /// together.
   std::map<std::string, std::map<std::string, double>> blind_causes, overlaps;

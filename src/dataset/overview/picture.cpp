@@ -124,12 +124,17 @@ Picture FitTile(const Picture& picture, int width_px, int height_px, const std::
   cv::resize(View(picture), fitted, size, 0, 0, scale < 1 ? cv::INTER_AREA : cv::INTER_NEAREST);
   fitted.copyTo(canvas(cv::Rect((width_px - size.width) / 2, (height_px - size.height) / 2,
                                 size.width, size.height)));
-  const cv::Point place(6, 16);
-  cv::putText(canvas, caption, place, cv::FONT_HERSHEY_SIMPLEX, kFontScale, cv::Scalar(0, 0, 0), 3,
-              cv::LINE_AA);
-  cv::putText(canvas, caption, place, cv::FONT_HERSHEY_SIMPLEX, kFontScale,
-              cv::Scalar(255, 255, 255), 1, cv::LINE_AA);
+  WriteText(caption, 6, 16, &tile);
   return tile;
+}
+
+void WriteText(const std::string& text, int x_px, int y_px, Picture* picture) {
+  cv::Mat canvas = View(picture);
+  const cv::Point place(x_px, y_px);
+  cv::putText(canvas, text, place, cv::FONT_HERSHEY_SIMPLEX, kFontScale, cv::Scalar(0, 0, 0), 3,
+              cv::LINE_AA);
+  cv::putText(canvas, text, place, cv::FONT_HERSHEY_SIMPLEX, kFontScale, cv::Scalar(255, 255, 255),
+              1, cv::LINE_AA);
 }
 
 void Paste(const Picture& tile, int x_px, int y_px, Picture* sheet) {

@@ -24,6 +24,10 @@ Picture ColourLabels(LabelColours colours, const Image<std::uint16_t>& picture);
 /// `picture` shrunk or enlarged to fit a tile, centred on black, with a caption.
 Picture FitTile(const Picture& picture, int width_px, int height_px, const std::string& caption);
 
+/// Writes a line of text, white with a dark rim, from the lower left corner (x, y) of its first
+/// letter on.
+void WriteText(const std::string& text, int x_px, int y_px, Picture* picture);
+
 /// Copies `tile` into `sheet` with its corner at (x, y); it must fit.
 void Paste(const Picture& tile, int x_px, int y_px, Picture* sheet);
 

@@ -120,6 +120,7 @@ std::string Key(const std::vector<LayoutReport>& reports) {
 PolarMap DifferenceOf(const PolarMap& first, const PolarMap& other) {
   PolarMap map = other;
   map.low = 0;
+  map.ticks.clear();
   map.high = 2;  // so that no difference is in the middle of the colours, and nothing is negative
   const double scale = first.high - first.low;
   for (std::size_t i = 0; i < map.value.size(); ++i) {
@@ -134,16 +135,20 @@ std::string Maps(const std::vector<LayoutReport>& reports) {
                      "<p class=\"soft\">Differences: blue where the other sees more often than the "
                      "first, red where it sees less often.</p>\n";
   const LayoutReport& first = reports.front();
+  const std::vector<double> none;
   for (const PolarMap& map : first.maps) {
+    const bool is_about_machine = map.name.starts_with("seen/") || map.name.starts_with("pixels/");
+    const std::vector<double>& outline = is_about_machine ? first.outline_m : none;
     html += fmt::format("<h3>{}</h3>\n<div class=\"figures\">\n", Escape(map.title));
     for (const LayoutReport& report : reports) {
       for (const PolarMap& of : report.maps) {
         if (of.name != map.name || of.value.size() != map.value.size()) continue;
-        html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", MapSvg(of),
+        html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", MapSvg(of, outline),
                             Escape(report.name));
         if (&report == &first) continue;
         html += fmt::format("<figure>{}<figcaption>{} against {}</figcaption></figure>\n",
-                            MapSvg(DifferenceOf(map, of)), Escape(report.name), Escape(first.name));
+                            MapSvg(DifferenceOf(map, of), outline), Escape(report.name),
+                            Escape(first.name));
       }
     }
     html += "</div>\n";

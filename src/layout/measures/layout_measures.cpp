@@ -178,6 +178,9 @@ void LayoutMeasures::Add(const LookedAt& moment, const Places& places, const Lay
   const auto& [X_WH, hull_m, zones_W_m, maps, pixels, occupants] = places;
   const MachineState& machine = now.machines[studied_.machine];
   const double reflectance = study_.seen.reflectance;
+  outline_m_.resize(hull_m.size());
+  std::transform(hull_m.begin(), hull_m.end(), outline_m_.begin(), outline_m_.begin(),
+                 [](double now_m, double before_m) { return std::max(now_m, before_m); });
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     zones_[z].Add(zones_W_m[z], layout, study_.seen, sighting);
   }
@@ -256,6 +259,7 @@ void LayoutMeasures::Report(LayoutReport* report) const {
   if (sky_) {
     for (PolarMap& map : sky_->Maps()) report->maps.push_back(std::move(map));
   }
+  report->outline_m = outline_m_;
   report->warnings = MountWarnings();
 }
 

@@ -86,7 +86,8 @@ class LayoutMeasures {
   std::optional<PerceptionEntropy> entropy_;
   std::optional<SkyView> sky_;
   MountCheck mounts_;
-  std::set<std::string> flat_;  ///< viewers whose beams have one elevation
+  std::vector<double> outline_m_;  ///< the farthest of HullRadii_m so far
+  std::set<std::string> flat_;     ///< viewers whose beams have one elevation
 };
 
 }  // namespace tera

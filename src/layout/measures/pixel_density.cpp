@@ -134,7 +134,9 @@ PolarMap PixelDensity::Map() const {
       .rings = PolarGrid::kRings,
       .ring_m = PolarGrid::kRing_m,
       .high = kPurposes.back().px_per_m,
-      .value = std::vector<double>(counted_.size(), -1)};
+      .value = std::vector<double>(counted_.size(), -1),
+      .ticks = {0}};
+  for (const Purpose& purpose : kPurposes) map.ticks.push_back(purpose.px_per_m);
   for (std::size_t p = 0; p < counted_.size(); ++p) {
     if (counted_[p] > 0) map.value[p] = sum_px_per_m_[p] / counted_[p];
   }

@@ -17,6 +17,9 @@ struct PolarMap {
   std::string ring_unit = "m";
   double low = 0, high = 1;   ///< at the bad and the good end of the colours
   std::vector<double> value;  ///< negative where there is none
+  /// Values that lie at even steps of the colours, from `low` to `high`; empty: those between are
+  /// spread evenly. Where they are given, what is at `low` is nothing, and has a colour of its own.
+  std::vector<double> ticks = {};
 };
 
 /// A distance for each direction around a point, to be drawn.

@@ -55,6 +55,33 @@ std::string HypervolumeCsv(const std::vector<double>& hypervolume) {
   return csv;
 }
 
+/// Labels of points in a picture, each beside its point where no other stands.
+class Labels {
+ public:
+  /// As SVG; nothing where there is no room.
+  std::string At(const Vec2& point, const std::string& text) {
+    constexpr double kLetter = 7.5, kHeight = 13, kGap = 7;
+    const double width = kLetter * static_cast<double>(text.size());
+    for (const Vec2& corner :
+         {Vec2(point.x() + kGap, point.y() + 4), Vec2(point.x() - kGap - width, point.y() + 4),
+          Vec2(point.x() - 0.5 * width, point.y() - kGap),
+          Vec2(point.x() - 0.5 * width, point.y() + kGap + kHeight)}) {
+      const Vec2 high = corner + Vec2(width, kHeight);
+      const bool is_taken = std::any_of(boxes_.begin(), boxes_.end(), [&](const auto& box) {
+        return (corner.array() < box.second.array()).all() &&
+               (high.array() > box.first.array()).all();
+      });
+      if (is_taken) continue;
+      boxes_.emplace_back(corner, high);
+      return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", corner.x(), corner.y(), text);
+    }
+    return "";
+  }
+
+ private:
+  std::vector<std::pair<Vec2, Vec2>> boxes_;
+};
+
 /// The first two objectives of all layouts of the front against each other.
 std::string Scatter(const LayoutSearch& search, const OptimiseResult& result) {
   if (search.objectives.size() < 2) return "";
@@ -77,14 +104,15 @@ std::string Scatter(const LayoutSearch& search, const OptimiseResult& result) {
   std::string svg =
       "<svg style=\"max-width:44rem\" viewBox=\"0 0 640 350\" role=\"img\" aria-label=\"front\">"
       "<path class=\"grid\" d=\"M50 20V310H600\"/>";
+  Labels labels;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec2 p = at(points[i]);
     const bool is_greedy = i == result.front.size();
     svg += fmt::format(
         "<circle class=\"area {}\" style=\"fill-opacity:.9\" cx=\"{:.1f}\" "
-        "cy=\"{:.1f}\" r=\"5\"/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>",
-        is_greedy ? "b" : "a", p.x(), p.y(), p.x() + 7, p.y() + 4,
-        is_greedy ? "greedy" : NameOf(i));
+        "cy=\"{:.1f}\" r=\"5\"><title>{}</title></circle>",
+        is_greedy ? "b" : "a", p.x(), p.y(), is_greedy ? "greedy" : NameOf(i));
+    svg += labels.At(p, is_greedy ? "greedy" : NameOf(i));
   }
   svg += fmt::format(
       "<text x=\"60\" y=\"330\">{:.4g}</text><text x=\"560\" y=\"330\">{:.4g}</text>"

@@ -25,8 +25,10 @@ p{margin:.5rem 0}.soft{color:var(--soft)}.answer{font-size:1.1rem;margin:.25rem 
 .figures{display:grid;grid-template-columns:repeat(auto-fit,minmax(17rem,1fr));gap:1.4rem}
 figure{margin:0}figcaption{font-size:.88rem;color:var(--soft)}
 svg{display:block;width:100%;height:auto;max-width:28rem}
-svg text{font-size:12px;fill:var(--ink)}svg text.direction{text-anchor:middle;font-weight:600}
-path[stroke]{stroke-width:.7}.grid{fill:none;stroke:var(--ink);stroke-opacity:.25}
+svg text{font-size:12px;fill:var(--ink);paint-order:stroke;stroke:var(--paper);stroke-width:3.5px;
+stroke-linejoin:round}svg text.direction{font-weight:600}
+path[stroke]{stroke-width:.7}.machine,.rim{fill:none;stroke-width:1.8}
+.rim{stroke:#111;stroke-width:3}.machine{stroke:#fff;stroke-dasharray:6 3}.grid{fill:none;stroke:var(--ink);stroke-opacity:.25}
 .outline{fill:none;stroke-width:2.2}.area{fill-opacity:.22}
 .outline.a{stroke:var(--a)}.area.a{fill:var(--a)}.outline.b{stroke:var(--b)}.area.b{fill:var(--b)}
 .outline.c{stroke:var(--c)}.area.c{fill:var(--c)}.outline.d{stroke:var(--d)}.area.d{fill:var(--d)}
@@ -65,7 +67,7 @@ std::string MapLegend() {
   return fmt::format(
       "<p class=\"soft\">never seen<span class=\"scale\" style=\"background:"
       "linear-gradient(90deg{})\"></span>always seen; grey: inside something solid, "
-      "or beyond the site</p>\n",
+      "or beyond the site; dashed: how far the machine reaches from above, its arm left out</p>\n",
       stops);
 }
 

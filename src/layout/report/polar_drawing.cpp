@@ -5,14 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <sstream>
 
 #include "core/units.h"
+#include "dataset/overview/picture.h"
 #include "layout/report/words.h"
 
 namespace tera {
 namespace {
 
-constexpr std::array<std::uint8_t, 3> kNothing = {205, 208, 212}, kPaper = {255, 255, 255};
+constexpr std::array<std::uint8_t, 3> kNothing = {205, 208, 212}, kPaper = {255, 255, 255},
+                                      kNotAtAll = {72, 78, 86};
 constexpr double kRadius = 185, kMiddle = 230;         ///< of a figure, in its own units
 constexpr double kLabelled_m = 6, kLabelled_deg = 30;  ///< between rings that are drawn
 
@@ -25,7 +28,22 @@ At PlaceOf(double azimuth_rad, double radius) {
 }
 
 double ShareOf(const PolarMap& map, double value) {
-  return std::clamp((value - map.low) / (map.high - map.low), 0.0, 1.0);
+  if (map.ticks.size() < 2) return std::clamp((value - map.low) / (map.high - map.low), 0.0, 1.0);
+  const auto steps = static_cast<double>(map.ticks.size() - 1);
+  for (std::size_t i = 1; i < map.ticks.size(); ++i) {
+    const double from = map.ticks[i - 1], to = map.ticks[i];
+    if (value <= to) {
+      return (static_cast<double>(i - 1) + std::max(0.0, (value - from) / (to - from))) / steps;
+    }
+  }
+  return 1;
+}
+
+std::array<std::uint8_t, 3> ColourIn(const PolarMap& map, double value) {
+  if (value < 0) return kNothing;
+  if (!map.ticks.empty() && value <= map.low) return kNotAtAll;
+  constexpr double kShades = 20;
+  return ColourOf(std::round(kShades * ShareOf(map, value)) / kShades);
 }
 
 std::string Hex(const std::array<std::uint8_t, 3>& rgb) {
@@ -56,9 +74,11 @@ std::string Frame(double most, const std::string& unit) {
   }
   constexpr std::array<const char*, 4> kNames = {"ahead", "left", "behind", "right"};
   for (std::size_t i = 0; i < kNames.size(); ++i) {
-    const At at = PlaceOf(0.5 * kPi * static_cast<double>(i), kRadius + 11);
-    svg += fmt::format("<text class=\"direction\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", at.x,
-                       at.y + 4, kNames[i]);
+    const At at = PlaceOf(0.5 * kPi * static_cast<double>(i), kRadius + (i % 2 == 0 ? 11 : 4));
+    constexpr std::array<const char*, 4> kAnchors = {"middle", "end", "middle", "start"};
+    svg += fmt::format(
+        "<text class=\"direction\" text-anchor=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>",
+        kAnchors[i], at.x, at.y + 4, kNames[i]);
   }
   return svg;
 }
@@ -73,7 +93,7 @@ std::string Cells(const PolarMap& map) {
   const double sector_rad = 2 * kPi / map.sectors, ring = kRadius / map.rings;
   const auto colour = [&](int sector, int r) {
     const double value = map.value[static_cast<std::size_t>(sector) * map.rings + r];
-    return value < 0 ? Hex(kNothing) : Hex(ColourOf(std::round(20 * ShareOf(map, value)) / 20));
+    return Hex(ColourIn(map, value));
   };
   std::string svg;
   for (int r = 0; r < map.rings; ++r) {
@@ -101,6 +121,19 @@ std::string Outline(const std::vector<double>& radius_m, double most) {
     path += fmt::format("{}{:.1f} {:.1f}", i == 0 ? "M" : "L", at.x, at.y);
   }
   return path.empty() ? path : path + "Z";
+}
+
+/// Between words, into lines of some letters.
+std::vector<std::string> Wrapped(const std::string& text, std::size_t letters) {
+  std::vector<std::string> lines = {""};
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (!lines.back().empty() && lines.back().size() + 1 + word.size() > letters) {
+      lines.emplace_back();
+    }
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+  }
+  return lines;
 }
 
 }  // namespace
@@ -134,7 +167,7 @@ Image<std::uint8_t> DrawMap(const PolarMap& map, int size_px) {
         const auto s = static_cast<std::size_t>(sector) % static_cast<std::size_t>(map.sectors);
         const auto r = static_cast<std::size_t>(share * map.rings);
         const double value = map.value[s * static_cast<std::size_t>(map.rings) + r];
-        rgb = value < 0 ? kNothing : ColourOf(ShareOf(map, value));
+        rgb = ColourIn(map, value);
       }
       std::copy(rgb.begin(), rgb.end(), std::back_inserter(picture.data));
     }
@@ -142,8 +175,51 @@ Image<std::uint8_t> DrawMap(const PolarMap& map, int size_px) {
   return picture;
 }
 
-std::string MapSvg(const PolarMap& map) {
-  return Opening(map.title) + Cells(map) + Frame(map.rings * map.ring_m, map.ring_unit) + "</svg>";
+Image<std::uint8_t> DrawMapWithWords(const PolarMap& map, int size_px) {
+  constexpr int kLine_px = 18, kTitle_px = 3 * kLine_px, kScale_px = 3 * kLine_px, kLetter_px = 9;
+  Picture sheet(size_px, kTitle_px + size_px + kScale_px, 3);
+  std::fill(sheet.data.begin(), sheet.data.end(), std::uint8_t{255});
+  Paste(DrawMap(map, size_px), 0, kTitle_px, &sheet);
+  int y_px = kLine_px;
+  for (const std::string& line :
+       Wrapped(map.title, static_cast<std::size_t>(size_px / kLetter_px))) {
+    WriteText(line, 6, y_px, &sheet);
+    y_px += kLine_px;
+  }
+  const int middle_px = size_px / 2, down_px = kTitle_px + size_px;
+  WriteText("ahead", middle_px - 22, kTitle_px + kLine_px, &sheet);
+  WriteText("behind", middle_px - 26, down_px - 8, &sheet);
+  WriteText("left", 6, kTitle_px + middle_px, &sheet);
+  WriteText("right", size_px - 46, kTitle_px + middle_px, &sheet);
+  WriteText(fmt::format("to {:.0f} {}", map.rings * map.ring_m, map.ring_unit), size_px - 90,
+            down_px - 8, &sheet);
+  for (int x = 0; x < size_px; ++x) {
+    const auto rgb = ColourOf(static_cast<double>(x) / size_px);
+    for (int y = down_px + 4; y < down_px + kLine_px; ++y) {
+      std::copy(rgb.begin(), rgb.end(), sheet.data.begin() + 3 * (y * size_px + x));
+    }
+  }
+  const std::vector<double> ticks = TicksOf(map);
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    const auto share = static_cast<double>(i) / static_cast<double>(ticks.size() - 1);
+    WriteText(fmt::format("{:.4g}", ticks[i]), 4 + static_cast<int>(share * (size_px - 48)),
+              down_px + 2 * kLine_px, &sheet);
+  }
+  return sheet;
+}
+
+std::string MapSvg(const PolarMap& map, const std::vector<double>& outline) {
+  const double most = map.rings * map.ring_m;
+  std::string svg = Opening(map.title) + Cells(map);
+  if (!outline.empty()) {
+    svg += fmt::format("<path class=\"rim\" d=\"{0}\"/><path class=\"machine\" d=\"{0}\"/>",
+                       Outline(outline, most));
+  }
+  return svg + Frame(most, map.ring_unit) + "</svg>";
+}
+
+std::vector<double> TicksOf(const PolarMap& map) {
+  return map.ticks.empty() ? std::vector{map.low, map.high} : map.ticks;
 }
 
 std::string CurvesSvg(const std::string& title, double most, const std::vector<PolarCurve>& curves,

@@ -13,8 +13,15 @@ namespace tera {
 /// A map as a picture, ahead up, on white; cells without a value are grey. `size_px` to a side.
 Image<std::uint8_t> DrawMap(const PolarMap& map, int size_px);
 
-/// The same as SVG, with rings every 6 m, directions, and a legend; to stand in a page.
-std::string MapSvg(const PolarMap& map);
+/// The same below its title, with the directions and, below, what the colours mean.
+Image<std::uint8_t> DrawMapWithWords(const PolarMap& map, int size_px);
+
+/// A map as SVG, with rings every 6 m and directions; to stand in a page. `outline` is drawn over
+/// it: that of the machine, in the map's unit, by direction; empty: none.
+std::string MapSvg(const PolarMap& map, const std::vector<double>& outline = {});
+
+/// Values at even steps of a map's colours.
+std::vector<double> TicksOf(const PolarMap& map);
 
 /// Curves over the directions as SVG: of each the mean as a line, and the area of what holds at the
 /// worst moment.

@@ -34,13 +34,14 @@ Figure ReadFigure(const json& from) {
 json MapJson(const PolarMap& m) {
   return {{"name", m.name},   {"title", m.title},   {"sectors", m.sectors},
           {"rings", m.rings}, {"ring_m", m.ring_m}, {"ring_unit", m.ring_unit},
-          {"low", m.low},     {"high", m.high},     {"value", m.value}};
+          {"low", m.low},     {"high", m.high},     {"value", m.value},
+          {"ticks", m.ticks}};
 }
 
 PolarMap ReadMap(const json& from) {
-  PolarMap map{from.at("name"),  from.at("title"),  from.at("sectors"),
-               from.at("rings"), from.at("ring_m"), from.at("ring_unit"),
-               from.at("low"),   from.at("high"),   from.at("value")};
+  PolarMap map{from.at("name"),   from.at("title"),     from.at("sectors"), from.at("rings"),
+               from.at("ring_m"), from.at("ring_unit"), from.at("low"),     from.at("high"),
+               from.at("value"),  from.at("ticks")};
   if (map.sectors <= 0 || map.rings <= 0 ||
       map.value.size() != static_cast<std::size_t>(map.sectors) * map.rings) {
     throw InputError(fmt::format("map '{}' has not one value for each cell", map.name));
@@ -72,6 +73,7 @@ LayoutReport FromJson(const json& from) {
   report.expense = {expense.at("cost"),    expense.at("power_w"), expense.at("data_mbyteps"),
                     expense.at("sensors"), expense.at("priced"),  expense.at("powered")};
   from.at("t_s").get_to(report.t_s);
+  from.at("outline_m").get_to(report.outline_m);
   if (report.t_s.empty()) throw InputError("has no moments");
   for (const json& figure : from.at("figures")) report.figures.push_back(ReadFigure(figure));
   for (const json& map : from.at("maps")) report.maps.push_back(ReadMap(map));
@@ -106,6 +108,7 @@ std::string ReportJson(const LayoutReport& report) {
                 {"priced", report.expense.priced},
                 {"powered", report.expense.powered}}},
               {"t_s", report.t_s},
+              {"outline_m", report.outline_m},
               {"figures", json::array()},
               {"maps", json::array()},
               {"curves", json::array()},

@@ -76,16 +76,24 @@ std::string FileName(std::string name) {
   return name;
 }
 
+/// What the colours of a map mean.
+std::string ColoursText(const PolarMap& map) {
+  const std::string dark = map.ticks.empty() ? "" : "; dark grey: none at all";
+  return fmt::format("from red to blue: {:.4g}{}", fmt::join(TicksOf(map), ", "), dark);
+}
+
 /// Maps whose names begin so, under a heading.
 std::string MapFigures(const LayoutReport& report, const std::string& beginning,
                        const std::string& heading) {
+  // Maps of people and of the sky have another middle.
+  const bool is_about_machine = beginning == "seen/" || beginning == "pixels/";
+  const std::vector<double> none;
   std::string figures;
   for (const PolarMap& map : report.maps) {
     if (!map.name.starts_with(beginning)) continue;
-    figures += fmt::format(
-        "<figure>{}<figcaption>{}, from {:.4g} (red) to {:.4g} (blue)"
-        "</figcaption></figure>\n",
-        MapSvg(map), Escape(map.title), map.low, map.high);
+    figures += fmt::format("<figure>{}<figcaption>{}, {}</figcaption></figure>\n",
+                           MapSvg(map, is_about_machine ? report.outline_m : none),
+                           Escape(map.title), ColoursText(map));
   }
   if (figures.empty()) return "";
   return heading + "<div class=\"figures\">\n" + figures + "</div>\n";
@@ -218,7 +226,7 @@ void WriteReport(const LayoutReport& report, const fs::path& folder) {
   WriteWholeFile(folder / "people.csv", PeopleCsv(report));
   for (const PolarMap& map : report.maps) {
     WriteWholeFile(folder / "maps" / (FileName(map.name) + ".png"),
-                   EncodeRgbPng(DrawMap(map, kMap_px)));
+                   EncodeRgbPng(DrawMapWithWords(map, kMap_px)));
   }
   WriteWholeFile(folder / "report.html", ReportPage(report));
 }

@@ -29,6 +29,7 @@ void ExpectSame(const LayoutReport& a, const LayoutReport& b) {
   EXPECT_EQ(a.expense.priced, b.expense.priced);
   EXPECT_EQ(a.expense.powered, b.expense.powered);
   EXPECT_EQ(a.t_s, b.t_s);
+  EXPECT_EQ(a.outline_m, b.outline_m);
   ASSERT_EQ(a.figures.size(), b.figures.size());
   for (std::size_t i = 0; i < a.figures.size(); ++i) {
     const Figure &f = a.figures[i], &g = b.figures[i];
@@ -50,6 +51,7 @@ void ExpectSame(const LayoutReport& a, const LayoutReport& b) {
     EXPECT_EQ(m.low, n.low);
     EXPECT_EQ(m.high, n.high);
     EXPECT_EQ(m.value, n.value);
+    EXPECT_EQ(m.ticks, n.ticks);
   }
   ASSERT_EQ(a.curves.size(), b.curves.size());
   for (std::size_t i = 0; i < a.curves.size(); ++i) {

@@ -240,8 +240,7 @@ TEST_F(WrittenReport, OfAMapAheadIsUpAndLeftIsLeft) {
   };
   fill(0, 1);    // ahead
   fill(18, -1);  // left: counterclockwise from above
-  WriteReport(report, path());
-  const Image<std::uint8_t> rgb = ReadRgbPng(path() / "maps/seen_0.9_m.png");
+  const Image<std::uint8_t> rgb = DrawMap(map, 480);
   const int size_px = rgb.width_px, middle_px = size_px / 2, some_px = size_px / 4;
   ASSERT_EQ(rgb.height_px, size_px);
   ASSERT_GT(size_px, 100);
@@ -253,6 +252,50 @@ TEST_F(WrittenReport, OfAMapAheadIsUpAndLeftIsLeft) {
   EXPECT_EQ(HueAt(rgb, size_px - 1, 0), Hue::kPaper);
   // A sector is 5 degrees wide about its direction.
   EXPECT_EQ(HueAt(rgb, middle_px + some_px / 9, middle_px - some_px), Hue::kRed);
+}
+
+TEST_F(WrittenReport, AMapAsAFileHasItsTitleAboveAndItsColoursBelow) {
+  WriteReport(SampleReport(), path());
+  const Image<std::uint8_t> rgb = ReadRgbPng(path() / "maps/seen_0.9_m.png");
+  ASSERT_GT(rgb.height_px, rgb.width_px);
+  const auto dark_in = [&](int from_px, int to_px) {
+    int dark = 0;
+    for (int y = from_px; y < to_px; ++y) {
+      for (int x = 0; x < rgb.width_px; ++x) dark += rgb.at(x, y, 0) < 60;
+    }
+    return dark;
+  };
+  EXPECT_GT(dark_in(0, 40), 100);
+  const int below_px = (rgb.height_px + rgb.width_px) / 2 + 10;
+  EXPECT_EQ(HueAt(rgb, 10, below_px), Hue::kRed);
+  EXPECT_EQ(HueAt(rgb, rgb.width_px - 10, below_px), Hue::kBlue);
+}
+
+TEST_F(WrittenReport, OfAMapWithTicksWhatIsNothingIsNotWhatIsPoor) {
+  LayoutReport report = SampleReport();
+  PolarMap pixels = SampleMap(0);
+  pixels.name = "pixels/1.5 m";
+  pixels.high = 250;
+  pixels.ticks = {0, 25, 62.5, 125, 250};
+  const Image<std::uint8_t> none = DrawMap(pixels, 100);
+  EXPECT_EQ(HueAt(none, 50, 20), Hue::kGrey);
+  pixels.value.assign(pixels.value.size(), 5);
+  EXPECT_EQ(HueAt(DrawMap(pixels, 100), 50, 20), Hue::kRed);
+  // The middle of the colours is the middle tick, however high the last is.
+  pixels.value.assign(pixels.value.size(), 62.5);
+  const Image<std::uint8_t> middle = DrawMap(pixels, 100);
+  for (int c = 0; c < 3; ++c) EXPECT_GT(middle.at(50, 20, c), 200) << c;
+  report.maps = {pixels};
+  EXPECT_THAT(ReportPage(report), HasSubstr("0, 25, 62.5, 125, 250; dark grey: none"));
+}
+
+TEST_F(WrittenReport, MapsAboutTheMachineHaveItsOutline) {
+  LayoutReport report = SampleReport();
+  EXPECT_THAT(ReportPage(report), Not(HasSubstr("class=\"machine\"")));
+  report.outline_m.assign(72, 3);
+  EXPECT_THAT(ReportPage(report), HasSubstr("class=\"machine\""));
+  report.maps[0].name = "detected/standing";  // measured from the outline
+  EXPECT_THAT(ReportPage(report), Not(HasSubstr("class=\"machine\"")));
 }
 
 TEST_F(WrittenReport, OfAMapRingsLieInOrderFromTheMiddle) {
