@@ -26,6 +26,8 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr double kPipeLine_s = 30;  ///< between lines of progress where nobody sees a bar
+
 struct EvaluateArguments {
   fs::path cycle, study, out;
   std::vector<fs::path> rigs;
@@ -63,7 +65,7 @@ void RunEvaluate(const EvaluateArguments& arguments) {
   const std::size_t machine = FindMachine(study, cycle.scenario()).machine;
   std::vector<LayoutReport> reports;
   {
-    ProgressBar bar;
+    ProgressBar bar(kPipeLine_s);
     reports = Evaluate(cycle, study, LoadLayouts(arguments, cycle, machine),
                        {.threads = arguments.host.threads,
                         .strict = arguments.strict,
@@ -152,8 +154,10 @@ void AddCompare(CLI::App* app) {
   auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command = app->add_subcommand("compare", "Each layout against the first");
   command
-      ->add_option("REPORT", arguments->reports,
-                   "Folders that `tera layout evaluate` wrote, or their layout.json, of one cycle")
+      ->add_option(
+          "REPORT", arguments->reports,
+          "Two or more: folders of single layouts that `tera layout evaluate` wrote, or their "
+          "layout.json, of one cycle; the others are held against the first")
       ->required()
       ->expected(-2);  // two or more
   command->add_option("--out", arguments->out, "Folder of the comparison; new or empty")

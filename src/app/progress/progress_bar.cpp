@@ -37,20 +37,29 @@ std::string Line(double done, const std::string& text, int columns) {
 
 }  // namespace
 
-ProgressBar::ProgressBar()
-    : terminal_(isatty(STDERR_FILENO) == 1), start_(std::chrono::steady_clock::now()) {}
+ProgressBar::ProgressBar(double line_s)
+    : terminal_(isatty(STDERR_FILENO) == 1),
+      line_s_(line_s),
+      start_(std::chrono::steady_clock::now()) {}
 
 ProgressBar::~ProgressBar() {
   if (shown_) fmt::print(stderr, "\n");
 }
 
 void ProgressBar::Show(const GenerateProgress& progress) {
-  if (!terminal_) return;
+  if (!terminal_ && line_s_ <= 0) return;
   const double wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   const double done = std::clamp(progress.simulated_s / progress.duration_s, 0.0, 1.0);
   const double factor = wall_s > 0 ? progress.simulated_s / wall_s : 0.0;
   const double left_s = done > 0 ? wall_s * (1 - done) / done : 0.0;
+  if (!terminal_) {
+    if (wall_s < last_line_s_ + line_s_) return;
+    last_line_s_ = wall_s;
+    fmt::print(stderr, "{:.1f} of {:.1f} s, about {} left\n", progress.simulated_s,
+               progress.duration_s, Clock(left_s));
+    return;
+  }
   const std::string text =
       fmt::format("{:.1f} / {:.1f} s  {:.2f} x real time  {} frames  {} left", progress.simulated_s,
                   progress.duration_s, factor, progress.frames, Clock(left_s));

@@ -7,15 +7,17 @@
 namespace tera {
 
 /// One line on a terminal that follows a run: simulated time, real-time factor, frames, time left.
-/// Says nothing where standard error is no terminal.
+/// Where standard error is no terminal it says nothing, or a whole line at times.
 class ProgressBar {
  public:
-  ProgressBar();
+  /// `line_s` is the least time between lines where there is no terminal; 0: none is written.
+  explicit ProgressBar(double line_s = 0);
   ~ProgressBar();  ///< leaves the cursor on a fresh line
   void Show(const GenerateProgress& progress);
 
  private:
   bool terminal_, shown_ = false;
+  double line_s_, last_line_s_ = 0;
   std::chrono::steady_clock::time_point start_;
 };
 
