@@ -9,6 +9,7 @@
 #include "core/units.h"
 #include "layout/compare/compare_layouts.h"
 #include "layout/report/page.h"
+#include "layout/report/people_words.h"
 #include "layout/report/polar_drawing.h"
 #include "layout/report/words.h"
 

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <utility>
+
+#include "layout/report/people_words.h"
 
 namespace tera {
 namespace {
@@ -24,11 +25,6 @@ std::vector<std::string> Parts(const std::string& name) {
     }
   }
   return parts;
-}
-
-std::string Spaced(std::string text) {
-  std::replace(text.begin(), text.end(), '_', ' ');
-  return text;
 }
 
 std::string ZoneText(const std::string& zone) {
@@ -81,7 +77,8 @@ std::string DescribePixels(const std::vector<std::string>& parts) {
   const std::string purpose = fmt::format("cameras that {} a person (IEC 62676-4): ", parts[1]);
   if (parts[2] == "share_to_12m") return purpose + "share of the area out to 12 m";
   return purpose +
-         "farthest place from the upper structure, mean over the directions of the quarter " +
+         "farthest place from the upper structure, mean over the directions of the "
+         "quarter " +
          parts[2].substr(parts[2].rfind('_') + 1);
 }
 
@@ -103,76 +100,6 @@ std::string UnitText(std::string unit) {
     if (const auto at = unit.find(from); at != unit.npos) unit.replace(at, 2, to);
   }
   return unit;
-}
-
-/// A figure's worst moment and when it is: "25.0 % at the worst moment, at 3.2 s".
-std::string WorstText(const LayoutReport& report, const Figure& figure) {
-  return fmt::format("{} at the worst moment, at {:.4g} s", ValueText(figure, WorstOf(figure)),
-                     report.t_s[WorstMomentOf(figure)]);
-}
-
-/// Its mean and its worst moment.
-std::string MeanAndWorstText(const LayoutReport& report, const Figure& figure) {
-  return fmt::format("{} on average and {}", ValueText(figure, MeanOf(figure)),
-                     WorstText(report, figure));
-}
-
-std::string PostureLine(const LayoutReport& report, const std::string& posture) {
-  constexpr std::array<std::pair<const char*, const char*>, 4> kSides = {{{"behind", "behind"},
-                                                                          {"left", "to the left"},
-                                                                          {"right", "to the right"},
-                                                                          {"ahead", "ahead"}}};
-  std::vector<std::string> always, never;
-  for (const auto& [quarter, side] : kSides) {
-    const std::optional<AlwaysDetected> at = AlwaysDetectedIn(report, posture, quarter);
-    if (!at) continue;
-    if (at->IsNowhere()) {
-      never.emplace_back(side);
-    } else {
-      always.push_back(side + (" " + RangeText(*at)));
-    }
-  }
-  if (always.empty() && never.empty()) return "";
-  const std::string person = "A " + Spaced(posture) + " person is ";
-  if (always.empty()) {
-    return person + "at no distance always detected in all directions of a quarter.";
-  }
-  std::string line = fmt::format("{}always detected {}", person, fmt::join(always, ", "));
-  if (!never.empty()) line += fmt::format("; at no distance {}", fmt::join(never, ", "));
-  return line + ".";
-}
-
-/// Of several postures the one that is detected at the fewest places.
-std::string HardestPosture(const LayoutReport& report) {
-  const Figure* hardest = nullptr;
-  std::string name;
-  const std::vector<std::string> postures = PosturesOf(report);
-  for (const std::string& posture : postures) {
-    const Figure* share = FindFigure(report, "person/" + posture + "/detected_within_12m");
-    if (hardest && WorstOf(*share) >= WorstOf(*hardest)) continue;
-    hardest = share;
-    name = posture;
-  }
-  if (postures.size() < 2) return "";
-  return fmt::format(
-      "Hardest to detect is a {} person: at {}, of the places up to 12 m from the machine.",
-      Spaced(name), MeanAndWorstText(report, *hardest));
-}
-
-/// From where to where people are always detected.
-std::vector<std::string> PeopleAnswer(const LayoutReport& report) {
-  std::vector<std::string> lines = {HardestPosture(report)};
-  for (const std::string& posture : PosturesOf(report)) {
-    lines.push_back(PostureLine(report, posture));
-  }
-  std::erase(lines, "");
-  if (const Figure* p = FindFigure(report, "person/standing/probability_within_12m")) {
-    lines.push_back(fmt::format(
-        "By the points of lidars a standing person up to 12 m from the machine is detected with a "
-        "probability, over the places, of {}.",
-        MeanAndWorstText(report, *p)));
-  }
-  return lines;
 }
 
 }  // namespace
@@ -216,45 +143,15 @@ std::string ValueText(const Figure& figure, double value) {
   return number + " " + UnitText(figure.unit);
 }
 
-std::vector<std::string> PosturesOf(const LayoutReport& report) {
-  std::vector<std::string> postures;
-  for (const Figure& figure : report.figures) {
-    const std::vector<std::string> parts = Parts(figure.name);
-    if (parts.size() == 3 && parts[0] == "person" && parts[2] == "detected_within_12m") {
-      postures.push_back(parts[1]);
-    }
-  }
-  return postures;
+std::string MeanAndWorstText(const LayoutReport& report, const Figure& figure) {
+  return fmt::format("{} on average and {} at the worst moment, at {:.4g} s",
+                     ValueText(figure, MeanOf(figure)), ValueText(figure, WorstOf(figure)),
+                     report.t_s[WorstMomentOf(figure)]);
 }
 
-std::optional<AlwaysDetected> AlwaysDetectedIn(const LayoutReport& report,
-                                               const std::string& posture,
-                                               const std::string& quarter) {
-  const auto find = [&](const char* what) {
-    return FindFigure(report, fmt::format("person/{}/detected_{}_m_{}", posture, what, quarter));
-  };
-  const Figure *from = find("from"), *to = find("to"), *over = find("over");
-  if (!from || !to || !over) return std::nullopt;
-  AlwaysDetected always{.from_m = WorstOf(*from), .to_m = WorstOf(*to)};
-  constexpr double kStep_m = 1;  // between the distances that are tried
-  for (std::size_t m = 0; m < over->at.size(); ++m) {
-    always.has_gaps |= over->at[m] < to->at[m] - from->at[m] + 0.5 * kStep_m;
-  }
-  return always;
-}
-
-std::string RangeText(const AlwaysDetected& always) {
-  if (always.IsNowhere()) return "at no distance";
-  return fmt::format("from {:.0f} to {:.0f} m{}", always.from_m, always.to_m,
-                     always.has_gaps ? " with gaps" : "");
-}
-
-std::string QuartersText() {
-  return "Ahead, left, behind and right are quarters: all directions within 45° of straight ahead, "
-         "left, back and right of the upper structure. Of people the worst direction of a quarter "
-         "decides, and distances are from the machine's outline (undercarriage, tracks, blade and "
-         "upper structure from above) to her middle; of cameras' pixels they are from the upper "
-         "structure's origin, and a quarter has the mean over its directions.";
+std::string Spaced(std::string text) {
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
 }
 
 std::string ExpenseText(const Expense& expense) {
@@ -278,7 +175,7 @@ std::vector<std::string> Answer(const LayoutReport& report) {
   const auto causes = report.blind_causes.find("around");
   const Figure* blind = FindFigure(report, "zone/around/blind_m3");
   if (blind && causes != report.blind_causes.end() && !causes->second.empty()) {
-    lines.push_back(fmt::format("No sensor sees {} of it, because of: {}.",
+    lines.push_back(fmt::format("Of it no sensor sees {}, because of: {}.",
                                 MeanAndWorstText(report, *blind), MainCauses(causes->second)));
   }
   for (std::string& line : PeopleAnswer(report)) lines.push_back(std::move(line));

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,24 +12,11 @@ std::string Describe(const Figure& figure);
 /// A value of it with its unit: "71 %", "4.2 m^3".
 std::string ValueText(const Figure& figure, double value);
 
-/// The postures of which the report says where they are detected.
-std::vector<std::string> PosturesOf(const LayoutReport& report);
-
-/// Where a person is detected at every moment and in every direction of a quarter.
-struct AlwaysDetected {
-  double from_m = 0, to_m = 0;  ///< nearest and farthest
-  bool has_gaps = false;        ///< at some moment she is not at a distance in between
-
-  bool IsNowhere() const { return from_m > to_m; }
-};
-/// Nothing where the report has no such figures.
-std::optional<AlwaysDetected> AlwaysDetectedIn(const LayoutReport& report,
-                                               const std::string& posture,
-                                               const std::string& quarter);
-/// "from 7 to 16 m", "at no distance".
-std::string RangeText(const AlwaysDetected& always);
-/// What quarters are, and from where distances are measured.
-std::string QuartersText();
+/// A figure's mean, its worst moment and when that is: "50.0 % on average and 25.0 % at the worst
+/// moment, at 3.2 s".
+std::string MeanAndWorstText(const LayoutReport& report, const Figure& figure);
+/// A name without the signs that stand for spaces.
+std::string Spaced(std::string text);
 
 /// What a rig takes, as far as it says so: "cost 4500 (2 of 3 sensors priced), ...".
 std::string ExpenseText(const Expense& expense);

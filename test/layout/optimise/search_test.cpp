@@ -259,8 +259,8 @@ TEST_F(SearchOfACycle, ACycleThatIsMissingIsRefused) {
 }
 
 TEST_F(SearchOfACycle, AFigureThatThereIsNotIsRefusedWhereItStandsWithTheNearest) {
-  ExpectRefused(Replaced(TwoLidars(), "zone/behind_wall/blind_m3", "zone/behind/blind_m3"),
-                {"search.yaml:19:", "objectives[0].figure", "zone/behind/blind_m3",
+  ExpectRefused(Replaced(TwoLidars(), "zone/behind_wall/blind_m3", "zone/behind_wal/blind_m3"),
+                {"search.yaml:21:23: objectives[0].figure", "zone/behind_wal/blind_m3",
                  "did you mean 'zone/behind_wall/blind_m3'", "zone/around/blind_m3"});
   // What is like none is told how figures begin.
   ExpectRefused(Replaced(TwoLidars(), "zone/behind_wall/blind_m3", "visibility"),
@@ -280,8 +280,9 @@ TEST_F(SearchOfACycle, WhatNoLayoutChangesIsRefused) {
 }
 
 TEST_F(SearchOfACycle, ALinkThatTheMachineHasNotIsRefused) {
-  ExpectRefused(Replaced(TwoLidars(), "link: mast", "link: roof"),
-                {"search.yaml:11:", "first", "roof", "links are", "mast"});
+  ExpectRefused(
+      Replaced(TwoLidars(), "link: mast", "link: roof"),
+      {"search.yaml:13:16: sensors[0].mounts[0].link", "first", "roof", "links are", "mast"});
 }
 
 TEST_F(SearchOfACycle, TheNameOfASensorThatIsKeptIsRefused) {

@@ -176,9 +176,10 @@ TEST_F(WrittenReport, OfSeveralPosturesTheHardestIsNamedFirstAndAllAreTold) {
   report.figures.push_back(
       {"person/lying/detected_within_12m", "", true, {0.5, 0.5, 0.125, 0.5}, {}});
   const std::vector<std::string> lines = Answer(report);
-  EXPECT_THAT(lines, testing::Contains("Hardest to detect is a lying person: at 40.6 % on average "
-                                       "and 12.5 % at the worst moment, at 0.4 s, of the places up "
-                                       "to 12 m from the machine."));
+  EXPECT_THAT(lines, testing::Contains(
+                         "Hardest to detect is a lying person: of the places up to 12 m from "
+                         "the machine at 40.6 % on average and 12.5 % at the worst moment, at "
+                         "0.4 s."));
   EXPECT_THAT(lines, testing::Contains("A lying person is always detected to the left from 1 to 5 "
                                        "m with gaps; at no distance behind."));
   EXPECT_THAT(lines,

@@ -1,0 +1,116 @@
+#include "layout/report/people_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "layout/report/words.h"
+
+namespace tera {
+namespace {
+
+std::string PostureLine(const LayoutReport& report, const std::string& posture) {
+  constexpr std::array<std::pair<const char*, const char*>, 4> kSides = {{{"behind", "behind"},
+                                                                          {"left", "to the left"},
+                                                                          {"right", "to the right"},
+                                                                          {"ahead", "ahead"}}};
+  std::vector<std::string> always, never;
+  for (const auto& [quarter, side] : kSides) {
+    const std::optional<AlwaysDetected> at = AlwaysDetectedIn(report, posture, quarter);
+    if (!at) continue;
+    if (at->IsNowhere()) {
+      never.emplace_back(side);
+    } else {
+      always.push_back(fmt::format("{} {}", side, RangeText(*at)));
+    }
+  }
+  if (always.empty() && never.empty()) return "";
+  const std::string person = "A " + Spaced(posture) + " person is ";
+  if (always.empty()) {
+    return person + "at no distance always detected in all directions of a quarter.";
+  }
+  std::string line = fmt::format("{}always detected {}", person, fmt::join(always, ", "));
+  if (!never.empty()) line += fmt::format("; at no distance {}", fmt::join(never, ", "));
+  return line + ".";
+}
+
+/// Of several postures the one that is detected at the fewest places.
+std::string HardestPosture(const LayoutReport& report) {
+  const Figure* hardest = nullptr;
+  std::string name;
+  const std::vector<std::string> postures = PosturesOf(report);
+  for (const std::string& posture : postures) {
+    const Figure* share = FindFigure(report, "person/" + posture + "/detected_within_12m");
+    if (hardest && WorstOf(*share) >= WorstOf(*hardest)) continue;
+    hardest = share;
+    name = posture;
+  }
+  if (postures.size() < 2) return "";
+  return fmt::format(
+      "Hardest to detect is a {} person: of the places up to 12 m from the machine at {}.",
+      Spaced(name), MeanAndWorstText(report, *hardest));
+}
+
+}  // namespace
+
+std::vector<std::string> PosturesOf(const LayoutReport& report) {
+  std::vector<std::string> postures;
+  constexpr std::string_view kBegin = "person/", kEnd = "/detected_within_12m";
+  for (const Figure& figure : report.figures) {
+    const std::string& name = figure.name;
+    if (!name.starts_with(kBegin) || !name.ends_with(kEnd)) continue;
+    postures.push_back(name.substr(kBegin.size(), name.size() - kBegin.size() - kEnd.size()));
+  }
+  return postures;
+}
+
+std::optional<AlwaysDetected> AlwaysDetectedIn(const LayoutReport& report,
+                                               const std::string& posture,
+                                               const std::string& quarter) {
+  const auto find = [&](const char* what) {
+    return FindFigure(report, fmt::format("person/{}/detected_{}_m_{}", posture, what, quarter));
+  };
+  const Figure *from = find("from"), *to = find("to"), *over = find("over");
+  if (!from || !to || !over) return std::nullopt;
+  AlwaysDetected always{.from_m = WorstOf(*from), .to_m = WorstOf(*to)};
+  constexpr double kStep_m = 1;  // between the distances that are tried
+  for (std::size_t m = 0; m < over->at.size(); ++m) {
+    always.has_gaps |= over->at[m] < to->at[m] - from->at[m] + 0.5 * kStep_m;
+  }
+  return always;
+}
+
+std::string RangeText(const AlwaysDetected& always) {
+  if (always.IsNowhere()) return "at no distance";
+  if (always.from_m == always.to_m) return fmt::format("at {:.0f} m", always.to_m);
+  return fmt::format("from {:.0f} to {:.0f} m{}", always.from_m, always.to_m,
+                     always.has_gaps ? " with gaps" : "");
+}
+
+std::string QuartersText() {
+  return "Ahead, left, behind and right are quarters: all directions within 45° of straight ahead, "
+         "left, back and right of the upper structure. Of people the worst direction of a quarter "
+         "decides, and distances are from the machine's outline (undercarriage, tracks, blade and "
+         "upper structure from above) to her middle; of cameras' pixels they are from the upper "
+         "structure's origin, and a quarter has the mean over its directions.";
+}
+
+std::vector<std::string> PeopleAnswer(const LayoutReport& report) {
+  std::vector<std::string> lines = {HardestPosture(report)};
+  for (const std::string& posture : PosturesOf(report)) {
+    lines.push_back(PostureLine(report, posture));
+  }
+  std::erase(lines, "");
+  if (const Figure* p = FindFigure(report, "person/standing/probability_within_12m")) {
+    lines.push_back(fmt::format(
+        "By the points of lidars a standing person up to 12 m from the machine is detected with a "
+        "probability, over the places, of {}.",
+        MeanAndWorstText(report, *p)));
+  }
+  return lines;
+}
+
+}  // namespace tera
