@@ -222,9 +222,10 @@ TEST_F(ReceiverRecording, OfOneReceiverIsJudgedWhereTheOtherOneComesInBursts) {
   ASSERT_EQ(json["findings"].size(), 1u) << out_;
   EXPECT_EQ(json["findings"][0]["mechanism"], "gnss_lever_arm");
   EXPECT_EQ(json["findings"][0]["target"], "left");
-  ASSERT_EQ(json["not_compared"].size(), 1u);
+  ASSERT_EQ(json["not_compared"].size(), 2u);
   EXPECT_THAT(json["not_compared"][0].get<std::string>(),
               AllOf(HasSubstr("excavator1/right: 301 samples"), HasSubstr("bursts")));
+  EXPECT_THAT(json["not_compared"][1].get<std::string>(), HasSubstr("excavator1/base: what its"));
   EXPECT_THAT(out_, HasSubstr("Not compared: excavator1/right: 301 samples"));
   EXPECT_THAT(json["verdict"], testing::Contains("untestable"));
 }

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include "layout/report/people_words.h"
-
 namespace tera {
 namespace {
 
@@ -56,21 +54,6 @@ std::string DescribePerson(const std::vector<std::string>& parts) {
     return person + "is detected" + quarter + ": metres of distance in all";
   }
   return person + "is detected" + quarter + ": farthest distance from the machine's outline";
-}
-
-/// The cause with the greatest share, and the next one where it has a tenth or more.
-std::string MainCauses(const std::map<std::string, double>& causes) {
-  std::vector<std::pair<double, std::string>> by_share;
-  for (const auto& [name, share] : causes) by_share.emplace_back(share, name);
-  std::sort(by_share.rbegin(), by_share.rend());
-  constexpr double kWorthSaying = 0.05;
-  constexpr std::size_t kMost = 4;
-  std::vector<std::string> said;
-  for (const auto& [share, name] : by_share) {
-    if (said.size() == kMost || share < kWorthSaying) break;
-    said.push_back(fmt::format("{} {:.0f} %", name, kPercent * share));
-  }
-  return fmt::format("{}", fmt::join(said, ", "));
 }
 
 std::string DescribePixels(const std::vector<std::string>& parts) {
@@ -164,26 +147,6 @@ std::string ExpenseText(const Expense& expense) {
       part("cost", fmt::format("{:.6g}", expense.cost), expense.priced, "priced"),
       part("power", fmt::format("{:.4g} W", expense.power_w), expense.powered, "with a power"),
       expense.data_mbyteps);
-}
-
-std::vector<std::string> Answer(const LayoutReport& report) {
-  std::vector<std::string> lines;
-  if (const Figure* seen = FindFigure(report, "zone/around/seen_by_1")) {
-    lines.push_back(fmt::format("Of the space around the machine it sees {}.",
-                                MeanAndWorstText(report, *seen)));
-  }
-  const auto causes = report.blind_causes.find("around");
-  const Figure* blind = FindFigure(report, "zone/around/blind_m3");
-  if (blind && causes != report.blind_causes.end() && !causes->second.empty()) {
-    lines.push_back(fmt::format("Of it no sensor sees {}, because of: {}.",
-                                MeanAndWorstText(report, *blind), MainCauses(causes->second)));
-  }
-  for (std::string& line : PeopleAnswer(report)) lines.push_back(std::move(line));
-  if (const Figure* edge = FindFigure(report, "dig/bucket/edge_seen")) {
-    lines.push_back(
-        fmt::format("Of the bucket's cutting edge it sees {}.", MeanAndWorstText(report, *edge)));
-  }
-  return lines;
 }
 
 std::string Escape(const std::string& text) {

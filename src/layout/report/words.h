@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "layout/layout_report.h"
 
@@ -20,9 +19,6 @@ std::string Spaced(std::string text);
 
 /// What a rig takes, as far as it says so: "cost 4500 (2 of 3 sensors priced), ...".
 std::string ExpenseText(const Expense& expense);
-
-/// The answer first: what the layout sees, what it does not and why, people, the bucket.
-std::vector<std::string> Answer(const LayoutReport& report);
 
 /// Characters that HTML reserves as entities.
 std::string Escape(const std::string& text);

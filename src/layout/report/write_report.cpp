@@ -6,6 +6,7 @@
 
 #include "dataset/files/checked_file.h"
 #include "dataset/format/png.h"
+#include "layout/report/answer.h"
 #include "layout/report/page.h"
 #include "layout/report/people_words.h"
 #include "layout/report/polar_drawing.h"

@@ -76,9 +76,9 @@ TEST(DiagnosedSensors, AreToldInASentenceWithNumbersRivalsAndErrors) {
 // minding is half of a tolerance of 1.
 TEST(DiagnosedSensors, AreNotNamedForWhatTakesLessErrorThanIsAsExpected) {
   SensorDiagnosis made = TurnedUnit();
-  for (ChannelError& channel : made.channels) channel.tolerance = 0.9;
+  for (ChannelError& channel : made.channels) channel.tolerance = 0.45;
   EXPECT_THAT(DiagnosedOf(made, "m").findings, SizeIs(1));
-  for (ChannelError& channel : made.channels) channel.tolerance = 1;
+  for (ChannelError& channel : made.channels) channel.tolerance = 0.5;
   const DiagnosedSensors told = DiagnosedOf(made, "m");
   EXPECT_THAT(told.findings, SizeIs(0));
   EXPECT_THAT(told.unconfirmed, SizeIs(1));

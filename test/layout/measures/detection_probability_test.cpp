@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "layout/measures/people.h"
@@ -94,7 +95,10 @@ double Ahead(const Yard& yard, const std::vector<Viewer>& viewers, double farthe
   PersonRange range({"standing", Vec3(0.3, 0.5, 1.75)}, study, 0.2);
   range.Add(yard.X_WH(), HullRadii_m(yard.X_WH(), 0, kSectors, yard.sighting()), LayoutOf(viewers),
             yard.sighting(), yard.ground());
-  const PolarMap map = range.Maps().at(0);
+  const std::vector<PolarMap> maps = range.Maps();
+  const PolarMap& map = *std::find_if(maps.begin(), maps.end(), [](const PolarMap& one) {
+    return one.name == "person/standing/probability";
+  });
   return map.value.at(static_cast<std::size_t>(map.rings - 1));
 }
 

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "dataset/format/png.h"
 #include "dataset/format/sample_recording.h"
+#include "layout/report/answer.h"
 #include "layout/report/polar_drawing.h"
 #include "layout/report/report_json.h"
 #include "layout/report/sample_report.h"

@@ -1,0 +1,55 @@
+#include "layout/report/answer.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "layout/report/people_words.h"
+#include "layout/report/words.h"
+
+namespace tera {
+namespace {
+
+constexpr double kPercent = 100;
+
+/// The cause with the greatest share, and the next one where it has a tenth or more.
+std::string MainCauses(const std::map<std::string, double>& causes) {
+  std::vector<std::pair<double, std::string>> by_share;
+  for (const auto& [name, share] : causes) by_share.emplace_back(share, name);
+  std::sort(by_share.rbegin(), by_share.rend());
+  constexpr double kWorthSaying = 0.05;
+  constexpr std::size_t kMost = 4;
+  std::vector<std::string> said;
+  for (const auto& [share, name] : by_share) {
+    if (said.size() == kMost || share < kWorthSaying) break;
+    said.push_back(fmt::format("{} {:.0f} %", name, kPercent * share));
+  }
+  return fmt::format("{}", fmt::join(said, ", "));
+}
+
+}  // namespace
+
+std::vector<std::string> Answer(const LayoutReport& report) {
+  std::vector<std::string> lines;
+  if (const Figure* seen = FindFigure(report, "zone/around/seen_by_1")) {
+    lines.push_back(fmt::format("Of the space around the machine it sees {}.",
+                                MeanAndWorstText(report, *seen)));
+  }
+  const auto causes = report.blind_causes.find("around");
+  const Figure* blind = FindFigure(report, "zone/around/blind_m3");
+  if (blind && causes != report.blind_causes.end() && !causes->second.empty()) {
+    lines.push_back(fmt::format("Of it no sensor sees {}, because of: {}.",
+                                MeanAndWorstText(report, *blind), MainCauses(causes->second)));
+  }
+  for (std::string& line : PeopleAnswer(report)) lines.push_back(std::move(line));
+  if (const Figure* edge = FindFigure(report, "dig/bucket/edge_seen")) {
+    lines.push_back(
+        fmt::format("Of the bucket's cutting edge it sees {}.", MeanAndWorstText(report, *edge)));
+  }
+  return lines;
+}
+
+}  // namespace tera
