@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -68,7 +69,14 @@ std::vector<Candidate> Candidates(int wanted_device) {
   return candidates;
 }
 
+/// Held while any context is current, made or destroyed.
+std::mutex& Turn() {
+  static std::mutex turn;
+  return turn;
+}
+
 EGLContext CreateContext(EGLDisplay display) {
+  const std::lock_guard lock(Turn());
   EGLint major = 0, minor = 0;
   if (display == EGL_NO_DISPLAY || !eglInitialize(display, &major, &minor)) return EGL_NO_CONTEXT;
   if (!eglBindAPI(EGL_OPENGL_API)) return EGL_NO_CONTEXT;
@@ -115,6 +123,7 @@ EglContext::EglContext(const EglOptions& options) {
 
 EglContext::~EglContext() {
   // The display stays initialized: it is one for the process, and other contexts may live on it.
+  const std::lock_guard lock(Turn());
   eglDestroyContext(display_, context_);
 }
 
@@ -126,13 +135,18 @@ EglContext::Current::Current(const EglContext& context)
 EglContext::Current::~Current() { Release(); }
 
 void EglContext::Current::Take() {
+  Turn().lock();
+  is_taken_ = true;
   eglBindAPI(EGL_OPENGL_API);
   const bool made = eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
   TERA_CHECK(made, eglGetError());
 }
 
 void EglContext::Current::Release() {
+  if (!is_taken_) return;
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  is_taken_ = false;
+  Turn().unlock();
 }
 
 }  // namespace tera
