@@ -18,8 +18,8 @@
 #include "layout/evaluate.h"
 #include "layout/optimise/found_files.h"
 #include "layout/optimise/optimise.h"
-#include "layout/report/report_json.h"
 #include "layout/report/answer.h"
+#include "layout/report/report_json.h"
 #include "layout/report/words.h"
 #include "layout/report/write_report.h"
 

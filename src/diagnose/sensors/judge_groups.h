@@ -33,12 +33,12 @@ struct NamedGroup {
 struct GroupJudgement {
   std::vector<NamedGroup> named;
   std::vector<std::vector<int>>
-      not_told_apart;           ///< groups whose effects cancel, none of them named
-  std::vector<int> within;      ///< differ from the documented, within tolerance
+      not_told_apart;       ///< groups whose effects cancel, none of them named
+  std::vector<int> within;  ///< differ from the documented, within tolerance
   /// Beyond tolerance where they alone are free as well, with a gain on parts of the recording that
   /// they were not fitted to, and not named: that is not steady, or something else explains it.
   std::vector<NamedGroup> unproven;
-  std::vector<int> untestable;  ///< their error exceeds their tolerance
+  std::vector<int> untestable;                         ///< their error exceeds their tolerance
   std::vector<std::vector<JudgedParameter>> by_group;  ///< each where it alone is free
   Eigen::VectorXd parameters;                          ///< best with the named free
   double left_to_gain = 0;  ///< of log-likelihood, if all else were free as well

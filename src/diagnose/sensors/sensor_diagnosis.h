@@ -60,7 +60,7 @@ struct EstimatedMotion {
 struct SensorDiagnosis {
   std::vector<SensorFinding> findings;
   std::vector<SensorFinding> within_tolerance, untestable;
-  std::vector<SensorFinding> unproven;  ///< GroupJudgement
+  std::vector<SensorFinding> unproven;                   ///< GroupJudgement
   std::vector<std::vector<std::string>> not_told_apart;  ///< "target/mechanism"
   double left_to_gain = 0;                               ///< GroupJudgement
   std::vector<std::string> estimated;  ///< "target/mechanism" of all that was free somewhere

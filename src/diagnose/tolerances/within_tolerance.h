@@ -20,8 +20,8 @@ bool TakesAsMuchAs(double tolerated, double rms_before, double rms_after);
 bool IsOfPracticalSize(const Finding& finding);
 
 /// Whether one of a finding's numbers lies beyond what is as expected, and which that is was
-/// determined; and whether the finding is of practical size, and nothing that is as expected does as
-/// well in its place.
+/// determined; and whether the finding is of practical size, and nothing that is as expected does
+/// as well in its place.
 ///
 /// Model   a number is beyond its tolerance where 95 % of its posterior, normal about its estimate,
 ///         lies beyond the nearer end of the tolerance about what the scenario has. A number
