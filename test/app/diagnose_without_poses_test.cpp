@@ -40,13 +40,7 @@ machines:
   /// A recording of the scenario with these settings, without anything that is true.
   void RecordMeasurements(const std::string& out, const Arguments& more) const {
     Record(out, more);
-    std::filesystem::remove_all(folder() / out / "truth");
-    std::ifstream file(folder() / out / "dataset.yaml");
-    std::ostringstream kept;
-    for (std::string line; std::getline(file, line);) {
-      if (line.find("\"truth/") == line.npos) kept << line << '\n';
-    }
-    Write(out + "/dataset.yaml", kept.str());
+    RemoveTruth(folder() / out);
   }
 };
 
@@ -67,6 +61,26 @@ TEST_F(DiagnoseWithoutPoses, NothingIsSaidOfABaseThatMovesAsItsScenarioSays) {
     is_compared = is_compared || channel["channel"] == "excavator1/base/yaw_radps";
   }
   EXPECT_TRUE(is_compared);
+}
+
+// Tracks are measured, and one receiver alone does not tell where the machine points.
+TEST_F(DiagnoseWithoutPoses, ABaseWhoseMotionIsNotKnownIsSaidNotToBeCompared) {
+  Write("library.yaml", "only: [rate_gain]\n");  // of the tracks, which are compared
+  RecordMeasurements("real", {});
+  for (const char* gone : {"unit", "right"}) {
+    std::filesystem::remove_all(folder() / "real/excavator1" / gone);
+  }
+  std::ifstream file(folder() / "real/dataset.yaml");
+  std::string kept;
+  for (std::string line; std::getline(file, line);) {
+    const bool is_gone =
+        line.find("excavator1/unit") != line.npos || line.find("excavator1/right") != line.npos;
+    if (!is_gone) kept += line + '\n';
+  }
+  Write("real/dataset.yaml", kept);
+  EXPECT_THAT(Diagnose("real", "why", {"--no-simulation"}), ElementsAre());
+  EXPECT_THAT(Report("why")["not_compared"].dump(),
+              testing::HasSubstr("excavator1/base: its motion is not known"));
 }
 
 }  // namespace

@@ -33,6 +33,18 @@ inline std::string TrackLevers() {
   return csv.str();
 }
 
+/// Leaves of a recording what was measured alone.
+inline void RemoveTruth(const std::filesystem::path& recording) {
+  std::filesystem::remove_all(recording / "truth");
+  std::ifstream file(recording / "dataset.yaml");
+  std::string kept;
+  for (std::string line; std::getline(file, line);) {
+    if (line.find("\"truth/") == line.npos) kept += line + '\n';
+  }
+  file.close();
+  std::ofstream(recording / "dataset.yaml") << kept;
+}
+
 /// A scenario, its recordings, and what is found in them by a few candidates.
 class DiagnoseByScenario : public testing::Test {
  protected:

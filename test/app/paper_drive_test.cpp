@@ -57,18 +57,7 @@ class PaperDrive : public testing::Test {
     std::ifstream file(scratch_.path() / (recording + "_why") / "diagnosis.json");
     return Json::parse(file);
   }
-  /// Leaves what was measured alone.
-  void Untell(const std::string& recording) const {
-    const std::filesystem::path folder = scratch_.path() / recording;
-    std::filesystem::remove_all(folder / "truth");
-    std::ifstream file(folder / "dataset.yaml");
-    std::string kept;
-    for (std::string line; std::getline(file, line);) {
-      if (line.find("\"truth/") == line.npos) kept += line + '\n';
-    }
-    file.close();
-    std::ofstream(folder / "dataset.yaml") << kept;
-  }
+  std::filesystem::path folder() const { return scratch_.path(); }
 
  private:
   const ScratchDirectory scratch_;
@@ -114,7 +103,7 @@ TEST_F(PaperDrive, WithReceiversAloneNoneOfTheThreeIsTold) {
   for (const std::string cause : {"gain", "gauge_and_slip", "lost_commands"}) {
     SCOPED_TRACE(cause);
     Record(cause, cause, receivers);
-    Untell(cause);
+    RemoveTruth(folder() / cause);
     const Json report = Diagnose(cause, receivers);
     EXPECT_THAT(NamesIn(report), IsEmpty());
     EXPECT_TRUE(report["next_manoeuvre"].is_null());

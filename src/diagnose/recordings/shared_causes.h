@@ -55,7 +55,10 @@ struct SharedCause {
 ///         differ with p of at most 0.01 (Holm over all of them). A recording that does not name a
 ///         cause lacks it where the candidate's ladder of starts, from faint to strong, would have
 ///         been seen no later than at the number of the others.
-/// Omits   evidence that no recording has by itself: each is diagnosed alone. Causes in the scene
+/// Omits   evidence that no recording has by itself: each is diagnosed alone. That five per cent of
+///         a number, by which the form of the library is off, are the same in all recordings: a
+///         pooled number is known a little less well than it says, and what differs by less than
+///         that is not told to differ. Causes in the scene
 ///         of lidars and cameras, which have a place and not a machine.
 ///
 /// The diagnoses, of one machine and at least one, must outlive the result.

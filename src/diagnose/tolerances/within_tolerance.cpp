@@ -33,6 +33,11 @@ std::optional<Expected> ExpectedOf(const Tolerances& stated, const Candidate& ca
   return expected;
 }
 
+/// Whether a finding is as expected whatever its own numbers are.
+bool IsExpectedAnyhow(const Finding& finding) {
+  return !IsOfPracticalSize(finding) || finding.evidence.expected_rival != nullptr;
+}
+
 }  // namespace
 
 void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks) {
@@ -57,7 +62,7 @@ bool IsOfPracticalSize(const Finding& finding) {
 }
 
 bool IsBeyondTolerance(const Finding& finding) {
-  if (!IsOfPracticalSize(finding) || finding.evidence.expected_rival != nullptr) return false;
+  if (IsExpectedAnyhow(finding)) return false;
   bool is_stated = false;
   for (const FreeParameter& free : finding.term.candidate->free) {
     if (!free.expected) continue;
@@ -72,7 +77,7 @@ bool IsBeyondTolerance(const Finding& finding) {
 }
 
 bool IsWithinTolerance(const Finding& finding) {
-  if (!IsOfPracticalSize(finding) || finding.evidence.expected_rival != nullptr) return true;
+  if (IsExpectedAnyhow(finding)) return true;
   const auto& free = finding.term.candidate->free;
   return !IsBeyondTolerance(finding) &&
          std::all_of(free.begin(), free.end(), [&](const FreeParameter& one) {

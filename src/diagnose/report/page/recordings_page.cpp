@@ -11,7 +11,7 @@
 namespace tera {
 namespace {
 
-/// A number over all recordings: "width 0.121 ± 0.003 (1)"; what differs has its spread.
+/// The numbers of a cause over all recordings: "width 0.121 ± 0.003"; what differs has its spread.
 std::string TogetherCell(const SharedCause& cause) {
   std::string text;
   for (const SharedNumber& number : cause.numbers) {

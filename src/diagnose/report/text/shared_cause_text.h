@@ -16,11 +16,11 @@ std::string HeadingOf(const SharedCause& cause);
 /// "within tolerance: 0.01 ± 0.004".
 std::string CellOf(const SharedCause& cause, const CauseInRecording& one);
 
-/// "Boom: dead band in recordings 1 and 3, width 0.121 ± 0.003. Recording 2 does not have it, and
-/// would show one of this size."
+/// "Boom: dead band in recordings 1 and 3, width 0.121 ± 0.003. Recording 2: not there, where one
+/// of this size would have shown."
 std::string SentenceOf(const SharedCause& cause);
 
-/// "3 recordings: 2 causes that they share, 1 that differs from one to another."
+/// "3 recordings: 2 causes that they share and 1 cause that differs from one to another."
 std::string AnswerText(const std::vector<SharedCause>& causes, std::size_t recordings);
 
 }  // namespace tera

@@ -46,5 +46,20 @@ TEST(NoiseLevel, OfStubbornNoiseShowsAtRestAndNotInDifferences) {
   EXPECT_LT(level.differences, 0.05);
 }
 
+// A place that is known to be at rest is known there better than it is measured elsewhere.
+TEST(NoiseLevel, IsNotThatOfRestWhereRestWasKnown) {
+  const std::vector<double> lever = NowAndThen();
+  std::vector<double> residual(kSize, 1e-6);
+  const Stream noise(3, "noise");
+  for (std::size_t k = 0; k < kSize; ++k) {
+    if (lever[k] != 0) residual[k] = 0.1 * noise.Gaussian(k);
+  }
+  const Series series = MakeSeries(0.01, residual);
+  ReplayBlock block = ToyBlock(lever, series, {});
+  ASSERT_TRUE(NoiseLevelOf(block, 0, series, Mask(kSize, 1)).at_rest.has_value());
+  block.rest_shows_noise = false;
+  EXPECT_FALSE(NoiseLevelOf(block, 0, series, Mask(kSize, 1)).at_rest.has_value());
+}
+
 }  // namespace
 }  // namespace tera
