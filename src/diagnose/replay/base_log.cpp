@@ -134,7 +134,7 @@ class JointPositions {
 /// Adds the gears' rates, the attitudes and the postures from `first_ns` to `last_ns`.
 void AddInstants(const MachineModel& model, const JointPositions& joints,
                  const std::vector<GearSamples>& gears, const std::vector<TruthPose>& poses,
-                 TimeNs first_ns, TimeNs last_ns, BaseLog* log) {
+                 const Vec3& contact_B_m, TimeNs first_ns, TimeNs last_ns, BaseLog* log) {
   log->start_ns = first_ns;
   std::size_t pose = 0;
   for (TimeNs t_ns = first_ns + BaseLog::kStep_ns / 2; t_ns < last_ns + BaseLog::kStep_ns / 2;
@@ -148,7 +148,7 @@ void AddInstants(const MachineModel& model, const JointPositions& joints,
       instant.gear_rate_radps.push_back(gear.MeanRate_radps(t_ns, BaseLog::kStep_ns));
     }
     instant.R_WB = poses[pose].X_WB.linear();
-    instant.turning_centre_m = TurningCentre_m(model, joints.At(t_ns));
+    instant.turning_centre_m = TurningCentre_m(model, contact_B_m, joints.At(t_ns));
     log->instants.push_back(std::move(instant));
   }
 }
@@ -197,7 +197,8 @@ BaseLog MakeBaseLog(const MachineModel& model, const std::vector<NamedEncoders>&
   const Vec3 contact_B_m = TrackDrive(model).contact_B_m();
   BaseLog log;
   log.may_be_arrivals = arrivals.has_value();
-  AddInstants(model, JointPositions(model, encoders), gears, poses, first_ns, last_ns, &log);
+  AddInstants(model, JointPositions(model, encoders), gears, poses, contact_B_m, first_ns, last_ns,
+              &log);
   std::optional<std::size_t> from;
   for (std::size_t to = 0; to < poses.size(); ++to) {
     if (poses[to].t_ns < first_ns || poses[to].t_ns > last_ns) continue;

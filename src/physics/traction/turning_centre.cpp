@@ -13,7 +13,8 @@ constexpr std::size_t kMostJoints = 12;
 
 }  // namespace
 
-Vec2 TurningCentre_m(const MachineModel& model, const std::vector<double>& q_rad) {
+Vec2 TurningCentre_m(const MachineModel& model, const Vec3& contact_B_m,
+                     const std::vector<double>& q_rad) {
   const std::vector<Pose> X_BL = ForwardKinematics(model, Pose::Identity(), q_rad);
   double mass_kg = 0;
   Vec2 moment_kgm = Vec2::Zero();
@@ -21,8 +22,7 @@ Vec2 TurningCentre_m(const MachineModel& model, const std::vector<double>& q_rad
     mass_kg += model.links[l].mass_kg;
     moment_kgm += model.links[l].mass_kg * (X_BL[l] * model.links[l].com_B_m).head<2>();
   }
-  const Vec2 contact_B_m = TrackDrive(model).contact_B_m().head<2>();
-  return kOfCentreOfMass * (moment_kgm / mass_kg - contact_B_m);
+  return kOfCentreOfMass * (moment_kgm / mass_kg - contact_B_m.head<2>());
 }
 
 double TurningCentreReach_m(const MachineModel& model) {
@@ -33,6 +33,7 @@ double TurningCentreReach_m(const MachineModel& model) {
     const bool moves = model.joints[j].type != JointType::kFixed;
     if (moves && moving.size() < kMostJoints) moving.push_back(j);
   }
+  const Vec3 contact_B_m = TrackDrive(model).contact_B_m();
   double reach_m = 0;
   for (std::size_t posture = 0; posture < std::size_t{1} << moving.size(); ++posture) {
     for (std::size_t i = 0; i < moving.size(); ++i) {
@@ -43,7 +44,7 @@ double TurningCentreReach_m(const MachineModel& model) {
                          : is_upper ? kPi
                                     : 0.0;
     }
-    reach_m = std::max(reach_m, TurningCentre_m(model, q_rad).norm());
+    reach_m = std::max(reach_m, TurningCentre_m(model, contact_B_m, q_rad).norm());
   }
   return reach_m;
 }

@@ -188,7 +188,7 @@ TEST(BaseBlock, LetsPassThatAMachineTurnsAboutTheMiddleOfItsLoad) {
   ASSERT_TRUE(block);
   std::vector<double> q_rad;
   for (const Joint& joint : model.joints) q_rad.push_back(joint.initial_rad);
-  const Vec2 centre_m = TurningCentre_m(model, q_rad);
+  const Vec2 centre_m = TurningCentre_m(model, TrackDrive(model).contact_B_m(), q_rad);
   ASSERT_GT(centre_m.norm(), 0.01);
   const double length_m = TrackDrive(model).geometry().contact_length_m;
   const Eigen::MatrixXd& forward = block->channels[0].nominal;
