@@ -11,27 +11,34 @@ constexpr double kLeastAutocorrelation = 0.05;
 constexpr std::size_t kMostLags = 100;
 constexpr std::size_t kFewestResiduals = 20;
 
-double ScaleOf(const ChannelResiduals& residuals, double least, double start) {
-  double sigma = std::max(start, least);
+struct Location {
+  double mean = 0, sigma = 0;
+};
+
+Location LocationOf(const ChannelResiduals& residuals, double least, double start) {
+  Location at{0, std::max(start, least)};
   for (int i = 0; i < kScaleIterations; ++i) {
-    double square = 0, count = 0;
+    double square = 0, sum = 0, weights = 0, count = 0;
     for (const auto& segment : residuals.by_segment) {
-      for (const double r : segment) square += ErrorWeight(r, sigma) * r * r, ++count;
+      for (const double r : segment) {
+        const double off = r - at.mean, weight = ErrorWeight(off, at.sigma);
+        square += weight * off * off, sum += weight * off, weights += weight, ++count;
+      }
     }
     if (count < kFewestResiduals || (square <= 0 && least <= 0)) break;
-    sigma = std::max(std::sqrt(square / count), least);
+    at = {at.mean + sum / weights, std::max(std::sqrt(square / count), least)};
   }
-  return sigma;
+  return at;
 }
 
-double InflationOf(const ChannelResiduals& residuals, double sigma) {
+double InflationOf(const ChannelResiduals& residuals, const Location& at) {
   double inflation = 1, variance = 0;
   for (std::size_t lag = 0; lag <= kMostLags; ++lag) {
     double product = 0;
     for (const auto& segment : residuals.by_segment) {
       for (std::size_t k = lag; k < segment.size(); ++k) {
-        const double a = segment[k], b = segment[k - lag];
-        product += ErrorWeight(a, sigma) * a * ErrorWeight(b, sigma) * b;
+        const double a = segment[k] - at.mean, b = segment[k - lag] - at.mean;
+        product += ErrorWeight(a, at.sigma) * a * ErrorWeight(b, at.sigma) * b;
       }
     }
     if (lag == 0) variance = product;
@@ -53,8 +60,9 @@ void EstimateNoise(const std::vector<ChannelResiduals>& residuals,
                    std::vector<NoiseChannel>* noise) {
   for (std::size_t c = 0; c < noise->size(); ++c) {
     NoiseChannel& channel = (*noise)[c];
-    channel.sigma = ScaleOf(residuals[c], channel.least, channel.sigma);
-    channel.inflation = InflationOf(residuals[c], channel.sigma);
+    const Location at = LocationOf(residuals[c], channel.least, channel.sigma);
+    channel.sigma = at.sigma;
+    channel.inflation = InflationOf(residuals[c], at);
   }
 }
 

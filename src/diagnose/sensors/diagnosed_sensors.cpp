@@ -6,7 +6,6 @@
 
 #include "core/check.h"
 #include "diagnose/blocks/measured_poses.h"
-#include "diagnose/tolerances/within_tolerance.h"
 #include "sensors/sensor_mechanisms.h"
 
 namespace tera {
@@ -20,6 +19,9 @@ constexpr double kMostOfMotion = 0.2;
 /// What is named gains at least this share of its own gain and of all that could still be gained:
 /// as of blocks, less is too little to be what is wrong.
 constexpr double kLeastExcessOfCause = 1.0 / 3;
+/// What changes less than noise does may be an error of the motion's model, which no noise hides in
+/// a long recording: splines that lag behind a shake, means over intervals.
+constexpr double kLeastSignalToNoise = 1;
 
 /// The index of a parameter of a mechanism; none where it has no such number.
 std::optional<std::size_t> IndexOf(const Mechanism& mechanism, const std::string& name) {
@@ -60,21 +62,6 @@ double ExcessRemoved(const ChannelError& channel) {
   const double excess = std::pow(channel.rms_before, 2) - std::pow(channel.noise, 2);
   const double removed = std::pow(channel.rms_before, 2) - std::pow(channel.rms_after, 2);
   return excess > 0 ? std::clamp(removed / excess, -1.0, 1.0) : 0;
-}
-
-/// Whether a finding takes as much error from some channel as one that stays as it is has at the
-/// end of what is as expected. That of a unit or receiver shows in its own channels, that of an
-/// encoder or of poses in any.
-bool ShowsEnough(const SensorFinding& found, const SensorDiagnosis& estimate,
-                 const std::string& machine) {
-  const std::string folder = machine + "/" + found.target + "/";
-  const auto is_own = [&](const ChannelError& one) { return one.name.starts_with(folder); };
-  const auto& channels = estimate.channels;
-  const bool has_own =
-      found.target != kPoses && std::any_of(channels.begin(), channels.end(), is_own);
-  return std::any_of(channels.begin(), channels.end(), [&](const ChannelError& one) {
-    return (!has_own || is_own(one)) && TakesAsMuchAs(one.tolerance, one.rms_before, one.rms_after);
-  });
 }
 
 class Teller {
@@ -146,7 +133,7 @@ DiagnosedSensors DiagnosedOf(SensorDiagnosis estimate, const std::string& machin
   const double left = out.estimate.left_to_gain;
   for (const SensorFinding& found : out.estimate.findings) {
     const bool is_cause = found.gain >= kLeastExcessOfCause * (found.gain + left) &&
-                          ShowsEnough(found, out.estimate, machine);
+                          found.signal_to_noise >= kLeastSignalToNoise;
     (is_cause ? out.findings : out.unconfirmed).push_back(teller.Tell(found));
   }
   for (const SensorFinding& found : out.estimate.unproven) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "diagnose/motion/starting_delays.h"
+#include "diagnose/sensors/signal_to_noise.h"
 #include "diagnose/statistics/series/robust.h"
 
 namespace tera {
@@ -61,6 +63,30 @@ double DifferencesOf(const ChannelResiduals& residuals) {
   return differences.empty() ? 0 : RobustScale(differences) / std::sqrt(20.0);
 }
 
+/// The sum of logarithms of the scales of all residuals: the likelihood's, but for what is the same
+/// of all estimates.
+double LogScale(const MotionEstimate& estimate) {
+  double sum = 0;
+  for (std::size_t c = 0; c < estimate.noise.size(); ++c) {
+    std::size_t count = 0;
+    for (const auto& segment : estimate.residuals[c].by_segment) count += segment.size();
+    sum += static_cast<double>(count) * std::log(estimate.noise[c].sigma);
+  }
+  return sum;
+}
+
+/// All that can be fitted, from documented delays; and from those by which rates look most alike,
+/// where they are others and then more is explained.
+MotionEstimate FlexibleEstimate(const MotionProblem& motion, const ParameterPrior& wide,
+                                const EstimateOptions& options) {
+  MotionEstimate start = StartingEstimate(motion, wide);
+  MotionEstimate best = EstimateMotion(motion, wide, start, options);
+  SetStartingDelays(motion, &start);
+  if (start.parameters == wide.documented) return best;
+  MotionEstimate other = EstimateMotion(motion, wide, std::move(start), options);
+  return LogScale(other) < LogScale(best) ? other : best;
+}
+
 /// Parameters to linearise about with some groups free: of the others the documented ones.
 Eigen::VectorXd StartOf(const ParameterTable& table, const std::vector<int>& free,
                         Eigen::VectorXd fitted) {
@@ -113,12 +139,14 @@ SensorFinding FindingOf(const ParameterTable& table, const NamedGroup& one) {
 }
 
 void Report(const SensorProblem& problem, const GroupJudgement& judgement,
-            SensorDiagnosis* diagnosis) {
+            const std::vector<ParameterQuadratic>& segments, SensorDiagnosis* diagnosis) {
   diagnosis->left_to_gain = judgement.left_to_gain;
   const ParameterTable& table = problem.table;
   const auto name = [&](int g) { return NameOf(table.groups[static_cast<std::size_t>(g)]); };
   for (const NamedGroup& one : judgement.named) {
     diagnosis->findings.push_back(FindingOf(table, one));
+    diagnosis->findings.back().signal_to_noise =
+        SignalToNoise(problem.motion, segments, table, one);
   }
   for (const NamedGroup& one : judgement.unproven) {
     diagnosis->unproven.push_back(FindingOf(table, one));
@@ -176,8 +204,7 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
   EstimateOptions estimate_options{.threads = options.threads};
   const ParameterPrior wide = problem.table.FlexiblePrior();
   const MotionEstimate flexible = clock->Time("sensors: motion", [&] {
-    return EstimateMotion(problem.motion, wide, StartingEstimate(problem.motion, wide),
-                          estimate_options);
+    return FlexibleEstimate(problem.motion, wide, estimate_options);
   });
   diagnosis.iterations = flexible.iterations;
   GroupJudgement judgement = clock->Time("sensors: judging", [&] {
@@ -211,7 +238,7 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
                                   RmsOf(after.residuals[c])});
   }
   diagnosis.motion = MotionOf(problem.motion, after);
-  Report(problem, judgement, &diagnosis);
+  Report(problem, judgement, after.quadratics, &diagnosis);
   return diagnosis;
 }
 

@@ -51,6 +51,15 @@ TEST(EstimateNoise, FindsTheScaleOfStudentsErrors) {
   }
 }
 
+// A zero that nothing has explained yet is no noise: its errors follow each other for ever.
+TEST(EstimateNoise, LeavesOutWhatAllResidualsAreOffByAlike) {
+  std::vector<double> off = WhiteT(20000, 0.05, 3);
+  for (double& one : off) one += 0.4;
+  const NoiseChannel noise = Estimated({off});
+  EXPECT_NEAR(std::log(noise.sigma / 0.05), 0, 5 * 0.0063);
+  EXPECT_LT(noise.inflation, 1.1);
+}
+
 // The variance of a mean of errors of which each keeps rho of the one before is (1 + rho) / (1 -
 // rho) times that of independent ones; summed as far as correlations exceed 0.05, that is for 0.6
 // five lags, 1 + 2 * 1.383 = 3.77. Weights take a little of it.

@@ -16,6 +16,7 @@ using ::testing::SizeIs;
 SensorDiagnosis TurnedUnit() {
   SensorDiagnosis made;
   SensorFinding turned{"imu_boom", "mount_rotation", {}, 120, 1e-6, {"encoders/boom/bias"}};
+  turned.signal_to_noise = 5;
   turned.numbers = {{"roll_deg", "deg", 2, 0.1, 0, 0.46, true},
                     {"pitch_deg", "deg", 0.01, 0.1, 0, 0.46, false},
                     {"yaw_deg", "deg", 0, 0.1, 0, 0.46, false}};
@@ -72,13 +73,11 @@ TEST(DiagnosedSensors, AreToldInASentenceWithNumbersRivalsAndErrors) {
   EXPECT_THAT(sentences[0], HasSubstr("Imu boom specific force along y: RMSE 0.5 → 0.1 m/s²"));
 }
 
-// Of 0.5 m/s^2 in ay sqrt(0.25 - 0.01) = 0.49 are gone; what a unit is off by without anyone
-// minding is half of a tolerance of 1.
-TEST(DiagnosedSensors, AreNotNamedForWhatTakesLessErrorThanIsAsExpected) {
+TEST(DiagnosedSensors, AreNotNamedForWhatChangesLessThanNoiseDoes) {
   SensorDiagnosis made = TurnedUnit();
-  for (ChannelError& channel : made.channels) channel.tolerance = 0.45;
+  made.findings[0].signal_to_noise = 1.1;
   EXPECT_THAT(DiagnosedOf(made, "m").findings, SizeIs(1));
-  for (ChannelError& channel : made.channels) channel.tolerance = 0.5;
+  made.findings[0].signal_to_noise = 0.9;
   const DiagnosedSensors told = DiagnosedOf(made, "m");
   EXPECT_THAT(told.findings, SizeIs(0));
   EXPECT_THAT(told.unconfirmed, SizeIs(1));

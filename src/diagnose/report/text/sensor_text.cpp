@@ -57,8 +57,8 @@ std::vector<std::string> OtherSensorSentences(const DiagnosedSensors& sensors) {
     const std::string p = ProbabilityText(found.finding.evidence.p);
     sentences.push_back(
         found.finding.is_confirmed
-            ? fmt::format("{} was chosen ({}) and is not confirmed: it removes too little of the "
-                          "error.",
+            ? fmt::format("{} was chosen ({}) and is not confirmed: what it changes is less than "
+                          "noise, or less than half of what else is left.",
                           what, p)
             : fmt::format("{} would lie beyond tolerance, and is not confirmed: not all parts of "
                           "the recording bear it out alike ({}), or something else explains it.",
