@@ -157,6 +157,7 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
   diagnosis.levers_are_the_scenarios = input.commands_are_the_scenarios;
   diagnosis.sensors = DiagnosedOf(
       DiagnoseSensors(input, measured, SensorOptionsOf(asked, options), clock), input.machine);
+  TellReversed(measured.reversed, &diagnosis.sensors);
   options.blocks.needs_any =
       options.blocks.needs_any && diagnosis.sensors.estimate.channels.empty();
   Measurements left = WithoutExplained(input, diagnosis.sensors.estimate, measured);

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "diagnose/input_checks.h"
+#include "diagnose/sensors/reversed_axes.h"
 
 namespace tera {
 namespace {
@@ -146,6 +147,8 @@ Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& record
   for (auto& samples : measured.imus) Trim(from_ns, to_ns, &samples);
   for (auto& samples : measured.gnss) Trim(from_ns, to_ns, &samples);
   Trim(from_ns, to_ns, &measured.efforts);
+  measured.reversed = ReversedAxesOf(input, measured);
+  CountForwards(measured.reversed, &measured);
   return measured;
 }
 

@@ -24,6 +24,19 @@ struct DiagnosisInput {
   Tolerances tolerances;  ///< what the owner takes as expected
 };
 
+/// An axis of encoders that counts backwards.
+struct ReversedAxis {
+  std::string target;   ///< "encoders/boom"
+  std::string channel;  ///< "excavator1/encoders"
+  std::string axis;     ///< the joint's name
+  bool is_documented = false;
+  double pivot_rad = 0;  ///< about which it counts backwards
+  /// Correlation of its rate with that of inertial units about the joint, and with its lever.
+  double with_units = 0, with_lever = 0;
+  /// RMS of its rate less that of the units, as it counts and turned about.
+  double rms_before_radps = 0, rms_after_radps = 0;
+};
+
 /// The measurements of one machine within the part of a recording that is diagnosed.
 struct Measurements {
   std::string recording;  ///< its folder
@@ -37,6 +50,8 @@ struct Measurements {
   /// recorded.
   std::vector<std::vector<ImuSample>> imus;
   std::vector<std::vector<GnssSample>> gnss;  ///< one list for each sensor, as `imus`
+  /// Axes that counted backwards, and count forwards in `encoders`.
+  std::vector<ReversedAxis> reversed = {};
   /// The time of the first sample of an encoder or inertial unit in the whole recording, from which
   /// all times count.
   TimeNs start_ns = 0;

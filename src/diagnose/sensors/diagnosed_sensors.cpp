@@ -146,6 +146,31 @@ DiagnosedSensors DiagnosedOf(SensorDiagnosis estimate, const std::string& machin
   return out;
 }
 
+void TellReversed(const std::vector<ReversedAxis>& reversed, DiagnosedSensors* sensors) {
+  const auto& all = SensorMechanisms();
+  const auto flip = std::find_if(all.begin(), all.end(), [](const Mechanism& mechanism) {
+    return mechanism.id == "axis_flip" && mechanism.parameters.empty();
+  });
+  TERA_CHECK(flip != all.end(), "encoders have no axis_flip");
+  for (const ReversedAxis& axis : reversed) {
+    if (axis.is_documented) continue;
+    SensorFound told;
+    told.channel = axis.channel + "/" + axis.axis + "_radps";
+    told.unit = "rad/s";
+    Finding& finding = told.finding;
+    sensors->candidates.push_back({&*flip, axis.target, {}, {}, {}});
+    finding.term.candidate = &sensors->candidates.back();
+    finding.evidence.p = finding.evidence.steady_p = finding.held_out.p = 0;
+    finding.evidence.share = 1;
+    finding.evidence.rivals = {finding.term.candidate};
+    finding.is_confirmed = true;
+    finding.held_out.rmse_before = axis.rms_before_radps;
+    finding.held_out.rmse_after = axis.rms_after_radps;
+    finding.held_out.excess_removed = 1 - std::pow(axis.rms_after_radps / axis.rms_before_radps, 2);
+    sensors->findings.push_back(std::move(told));
+  }
+}
+
 bool IsNoise(const ChannelError& channel) {
   return channel.rms_after <= kMostOfDifferences * channel.differences;
 }

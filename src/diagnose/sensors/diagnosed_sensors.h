@@ -33,6 +33,9 @@ struct DiagnosedSensors {
 /// The findings of a diagnosis of sensors of the machine `machine` of the recording.
 DiagnosedSensors DiagnosedOf(SensorDiagnosis estimate, const std::string& machine);
 
+/// Adds the axes that counted backwards, as findings, but those of which the scenario says so.
+void TellReversed(const std::vector<ReversedAxis>& reversed, DiagnosedSensors* sensors);
+
 /// Whether what is left of a channel is no louder than twice what its residuals differ by from one
 /// to the next: error that lasts would be. Error that changes as fast as noise does is not seen.
 bool IsNoise(const ChannelError& channel);

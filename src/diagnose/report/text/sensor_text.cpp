@@ -37,6 +37,11 @@ std::vector<std::string> ComparedSensors(const DiagnosedSensors& sensors) {
 std::vector<std::string> SensorSentences(const DiagnosedSensors& sensors) {
   std::vector<std::string> sentences;
   for (const SensorFound& found : sensors.findings) {
+    if (found.finding.parameters.empty()) {
+      sentences.push_back(fmt::format("{}: it counts against its lever and the inertial units.{}",
+                                      Capitalised(TextOf(found)), ErrorText(found)));
+      continue;
+    }
     const std::vector<std::string> alike = AlikeTexts(found.finding);
     sentences.push_back(fmt::format(
         "{}, beyond tolerance ({} on parts of the recording that it was not fitted to{}).{}",

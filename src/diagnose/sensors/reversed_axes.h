@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "diagnose/measurements.h"
+
+namespace tera {
+
+/// The axes of hinges that count against both what inertial units turn about them and their levers.
+/// Either alone may be what is reversed.
+///
+/// Model   a hinge turns by what the unit behind it turns about its axis more than the unit before
+///         it, which needs no angle. Rates by differences of positions over a fifth of a second,
+///         correlated with units and levers at the delay, up to half a second, at which they look
+///         most alike. It counts backwards about zero or about the middle of the joint's travel,
+///         whichever brings the first reading nearer to where the scenario has the joint.
+/// Omits   joints that slide, running gear, hinges without units on both sides.
+std::vector<ReversedAxis> ReversedAxesOf(const DiagnosisInput& input, const Measurements& measured);
+
+/// Lets these axes count forwards.
+void CountForwards(const std::vector<ReversedAxis>& reversed, Measurements* measured);
+
+}  // namespace tera
