@@ -168,10 +168,14 @@ void Report(const SensorProblem& problem, const GroupJudgement& judgement,
 
 }  // namespace
 
-Pose EstimatedMotion::BaseAt(TimeNs t_ns) const {
+Eigen::Matrix<double, kBaseNumbers, 1> EstimatedMotion::BaseNumbersAt(TimeNs t_ns) const {
   const SplineWeights weights = spline.At(ToSeconds(t_ns - spline_start_ns));
-  const Eigen::VectorXd at = coefficients.middleRows(weights.first, 4).transpose() *
-                             weights.by_derivative.row(0).head(4).transpose();
+  return coefficients.block<4, kBaseNumbers>(weights.first, 0).transpose() *
+         weights.by_derivative.row(0).head<4>().transpose();
+}
+
+Pose EstimatedMotion::BaseAt(TimeNs t_ns) const {
+  const auto at = BaseNumbersAt(t_ns);
   return MakePose(at.head<3>(), at[kRoll], at[kRoll + 1], at[kYaw]);
 }
 
@@ -203,9 +207,8 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
                     [](const ParameterGroup& group) { return group.may_be_named; }));
   EstimateOptions estimate_options{.threads = options.threads};
   const ParameterPrior wide = problem.table.FlexiblePrior();
-  const MotionEstimate flexible = clock->Time("sensors: motion", [&] {
-    return FlexibleEstimate(problem.motion, wide, estimate_options);
-  });
+  const MotionEstimate flexible = clock->Time(
+      "sensors: motion", [&] { return FlexibleEstimate(problem.motion, wide, estimate_options); });
   diagnosis.iterations = flexible.iterations;
   GroupJudgement judgement = clock->Time("sensors: judging", [&] {
     return JudgeGroups(problem.table, flexible.quadratics, options.judge);

@@ -52,6 +52,8 @@ struct EstimatedMotion {
   Eigen::MatrixXd coefficients;
 
   Pose BaseAt(TimeNs t_ns) const;
+  /// Place, roll, pitch and yaw of the base.
+  Eigen::Matrix<double, kBaseNumbers, 1> BaseNumbersAt(TimeNs t_ns) const;
   /// The position of one of SensorDiagnosis::joints.
   double JointAt(TimeNs t_ns, std::size_t joint) const;
 };

@@ -26,6 +26,31 @@ TEST(EstimatedPoses, FollowTheBaseWithoutRecordedOnes) {
   }
 }
 
+// Two parts that are straight lines, the second beginning 0.04 rad to the left of where the first
+// ends and a whole turn further.
+TEST(EstimatedPoses, OfPartsThatDifferMeetBetweenThem) {
+  SensorDiagnosis made;
+  made.knows_base = true;
+  for (int part = 0; part < 2; ++part) {
+    EstimatedMotion motion;
+    motion.spline = {.step_s = 0.5, .coefficients = 28};
+    motion.start_ns = FromSeconds(10 * part);
+    motion.end_ns = FromSeconds(10 * (part + 1));
+    motion.spline_start_ns = motion.start_ns - FromSeconds(0.5);
+    motion.coefficients = Eigen::MatrixXd::Zero(28, kBaseNumbers);
+    motion.coefficients.col(kYaw).setConstant(part * (0.04 + 2 * kPi) + 0.3);
+    made.motion.push_back(motion);
+  }
+  const std::vector<TruthPose> poses = EstimatedPoses(made);
+  ASSERT_EQ(poses.size(), 201u);
+  const auto yaw = [&](std::size_t k) { return RpyFromRotation(poses[k].X_WB.linear()).z(); };
+  EXPECT_NEAR(yaw(0), 0.3, 1e-9);
+  EXPECT_NEAR(yaw(50), 0.31, 1e-9);
+  EXPECT_NEAR(yaw(100), 0.32, 1e-9);
+  EXPECT_NEAR(yaw(150), 0.33, 1e-9);
+  EXPECT_NEAR(yaw(200), 0.34, 1e-9);
+}
+
 TEST(EstimatedPoses, AreNotThereWhereNoReceiverTellsThePlace) {
   MadeRecording made({.seed = 31, .has_poses = false});
   for (auto& samples : made.measured.gnss) samples.clear();

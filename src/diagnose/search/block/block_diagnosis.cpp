@@ -45,7 +45,8 @@ class BlockDiagnoser {
   BlockDiagnoser(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
                  const std::vector<Manoeuvre>& manoeuvres, const std::vector<NoiseModel>& noise)
       : context_(block, options, stream, manoeuvres, noise),
-        fitter_(block, context_.likelihood, SeenSegmentsOf(manoeuvres), options.threads) {}
+        fitter_(block, context_.likelihood, SeenSegmentsOf(manoeuvres), options.threads),
+        tolerated_(ToleratedErrors()) {}
 
   /// The answer for a block that has too few manoeuvres for a search.
   BlockDiagnosis Untested() const;
@@ -68,6 +69,8 @@ class BlockDiagnoser {
 
   const EvaluationContext context_;
   const StructureFitter fitter_;  ///< to TRAIN and SELECT
+  /// RMS by which a factor at the end of its tolerance changes each channel on FINAL.
+  const std::vector<double> tolerated_;
 };
 
 bool IsNearer(const HeldOutError& error) { return error.rmse_after < error.rmse_before; }
@@ -183,7 +186,7 @@ void BlockDiagnoser::Confirm(BlockDiagnosis* out) const {
 
 void BlockDiagnoser::FindUnexplained(BlockDiagnosis* out) const {
   out->residual_verdicts = ResidualVerdictsOf(context_, out->search);
-  out->unexplained = UnexplainedOf(context_, out->search, out->residual_verdicts);
+  out->unexplained = UnexplainedOf(context_, out->search, out->residual_verdicts, tolerated_);
 }
 
 const Unexplained* UnexplainedIn(const BlockDiagnosis& out, std::size_t channel) {
@@ -247,11 +250,14 @@ void BlockDiagnoser::MoveProxies(BlockDiagnosis* out) const {
 }
 
 /// A candidate alone with its main number, which without effect is 1, at the lower end of what is
-/// as expected of it; none where nothing is, or it is another kind of number.
+/// as expected of it; none where nothing is, or it is another kind of number. What two tracks
+/// differ by is a factor of each.
 std::optional<Term> FactorAtTolerance(const Candidate& candidate) {
   if (candidate.free.empty()) return std::nullopt;
   const FreeParameter& factor = candidate.free.front();
-  if (!factor.expected || factor.expected->neutral != 1) return std::nullopt;
+  const bool is_factor = factor.expected && (factor.expected->neutral == 1 ||
+                                             candidate.mechanism->id == "track_asymmetry");
+  if (!is_factor) return std::nullopt;
   Term term{&candidate, candidate.starts.front()};
   term.values[factor.index] = factor.expected->value - factor.expected->half_width;
   return term;
@@ -301,8 +307,7 @@ BlockDiagnosis BlockDiagnoser::Explain(SearchResult search) const {
   FindUnexplained(&out);
   MoveProxies(&out);
   if (!out.findings.empty()) {
-    const std::vector<double> tolerated = ToleratedErrors();
-    for (Finding& one : out.findings) one.tolerated = tolerated[one.held_out.channel];
+    for (Finding& one : out.findings) one.tolerated = tolerated_[one.held_out.channel];
   }
   out.detectability = InParallel<Detectability>(
       context_.block.candidates.size(), context_.options.threads,

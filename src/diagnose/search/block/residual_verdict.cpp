@@ -122,7 +122,8 @@ std::vector<ResidualVerdict> ResidualVerdictsOf(const EvaluationContext& context
 }
 
 std::vector<Unexplained> UnexplainedOf(const EvaluationContext& context, const SearchResult& search,
-                                       const std::vector<ResidualVerdict>& verdicts) {
+                                       const std::vector<ResidualVerdict>& verdicts,
+                                       const std::vector<double>& tolerated) {
   const Misfit& misfit = search.found.misfit;
   const Misfit beyond =
       ResidualBeyondFlexible(context.block, context.likelihood, misfit, context.manoeuvres);
@@ -142,7 +143,10 @@ std::vector<Unexplained> UnexplainedOf(const EvaluationContext& context, const S
     }
     Unexplained left{{}, {}, 0, verdict.rmse, verdict.noise.rms()};
     left.share = std::max(0.0, total / std::max({search.flexible_gain, total, 1e-9}));
-    if (left.share >= kLeastUnexplainedShare) {
+    const double taken = MeanSquare(misfit.residual[c], context.final_mask) -
+                         MeanSquare(beyond.residual[c], context.final_mask);
+    const bool is_minded = tolerated[c] == 0 || taken >= tolerated[c] * tolerated[c];
+    if (left.share >= kLeastUnexplainedShare && is_minded) {
       left.p = FollowedP(context, misfit, beyond, cross_fitted, verdict);
     }
     if (!left.p && verdict.kind != ResidualVerdict::Kind::kError) continue;

@@ -58,8 +58,10 @@ std::vector<ResidualVerdict> ResidualVerdictsOf(const EvaluationContext& context
 /// Model   the flexible regressor follows a channel steadily over SELECT (Bonferroni over the
 ///         diagnosis's channels) and FINAL. Where what is left is loud in too few manoeuvres or may
 ///         be noise, it is also asked over all manoeuvres, each by a fit to others, at half the
-///         level.
+///         level. As of a finding, what it follows is told only if it takes as much error on FINAL
+///         as is `tolerated` of the channel.
 std::vector<Unexplained> UnexplainedOf(const EvaluationContext& context, const SearchResult& search,
-                                       const std::vector<ResidualVerdict>& verdicts);
+                                       const std::vector<ResidualVerdict>& verdicts,
+                                       const std::vector<double>& tolerated);
 
 }  // namespace tera
