@@ -195,18 +195,28 @@ std::vector<Candidate> CandidatesOfPump(const MachineModel& model, const PumpDem
   return out.Take();
 }
 
+CandidateList ListOf(const MachineModel& model, std::size_t axis) {
+  const std::size_t joints = model.joints.size();
+  if (axis < joints) {
+    return {model.joints[axis].name, EffectTarget::kJoint, EffectsAt(model.effects.joints, axis),
+            ActuationMechanisms()};
+  }
+  return {model.ground_tools.gears[axis - joints].name, EffectTarget::kGear,
+          EffectsAt(model.effects.gears, axis - joints), ActuationMechanisms()};
+}
+
 }  // namespace
+
+std::vector<Candidate> LossOfAxis(const MachineModel& model, std::size_t axis) {
+  CandidateList out = ListOf(model, axis);
+  out.Add("command_drops", {{0, 0.02, 2, true}, {1, 0, 1}}, {{0.1, 0.05}});
+  return out.Take();
+}
 
 std::vector<Candidate> CandidatesOfAxis(const MachineModel& model, const AxisLog& log,
                                         std::size_t axis, const std::optional<PumpDemand>& pump) {
-  const std::size_t joints = model.joints.size();
   const Reach reach = ReachOf(model, log, axis);
-  CandidateList out(
-      reach.is_joint ? model.joints[axis].name : model.ground_tools.gears[axis - joints].name,
-      reach.is_joint ? EffectTarget::kJoint : EffectTarget::kGear,
-      reach.is_joint ? EffectsAt(model.effects.joints, axis)
-                     : EffectsAt(model.effects.gears, axis - joints),
-      ActuationMechanisms());
+  CandidateList out = ListOf(model, axis);
   AddTimingAndMap(HoldStarts(log, axis), log.step_s, &out);
   AddActuator(reach, log.step_s, &out);
   AddGainAndLoad(reach, &out);

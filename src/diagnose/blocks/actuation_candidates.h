@@ -18,9 +18,11 @@ namespace tera {
 /// seen. A mechanism that the model has already may have wrong numbers.
 ///
 /// Omits   friction and payload, against both of which a motor that is given a rate keeps it, so
-///         that they show in no rate but through pressure_droop; command_drops, whose losses a
-///         replay does not know.
+///         that they show in no rate but through pressure_droop.
 std::vector<Candidate> CandidatesOfAxis(const MachineModel& model, const AxisLog& log,
                                         std::size_t axis, const std::optional<PumpDemand>& pump);
+
+/// The loss of its commands, `command_drops`, whose times a replay does not know.
+std::vector<Candidate> LossOfAxis(const MachineModel& model, std::size_t axis);
 
 }  // namespace tera

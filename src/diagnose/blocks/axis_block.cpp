@@ -287,6 +287,7 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   block.commands = {channel.variables[0].series};
   block.channels.push_back(std::move(channel));
   block.candidates = CandidatesOfAxis(model, log, axis, replay.pump());
+  block.of_chance = LossOfAxis(model, axis);
   block.replay = [replay, grid](const Structure& terms, std::size_t samples) {
     const AxisEffects effects = WithTerms(replay.effects(), terms);
     const SampleGrid prefix = grid.First(samples);

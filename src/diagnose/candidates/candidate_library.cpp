@@ -225,10 +225,12 @@ void ApplyLibrary(const CandidateLibrary& library, const MachineModel& model,
     const std::vector<std::string> targets = TargetsOf(block);
     for (const auto& [mechanism, ranges] : library.ranges) {
       bool is_own = false;
-      for (Candidate& candidate : block.candidates) {
-        if (candidate.mechanism != mechanism) continue;
-        for (const NumberRange& range : ranges) Limit(range, &candidate);
-        is_own = true;
+      for (std::vector<Candidate>* candidates : {&block.candidates, &block.of_chance}) {
+        for (Candidate& candidate : *candidates) {
+          if (candidate.mechanism != mechanism) continue;
+          for (const NumberRange& range : ranges) Limit(range, &candidate);
+          is_own = true;
+        }
       }
       for (const std::string& target : targets) {
         const auto kind = KindOf(model, block, target);
@@ -236,9 +238,11 @@ void ApplyLibrary(const CandidateLibrary& library, const MachineModel& model,
         block.candidates.push_back(NewCandidate(*mechanism, ranges, target, library.file));
       }
     }
-    std::erase_if(block.candidates, [&](const Candidate& candidate) {
-      return !Admits(library, candidate.mechanism->id);
-    });
+    for (std::vector<Candidate>* candidates : {&block.candidates, &block.of_chance}) {
+      std::erase_if(*candidates, [&](const Candidate& candidate) {
+        return !Admits(library, candidate.mechanism->id);
+      });
+    }
   }
 }
 

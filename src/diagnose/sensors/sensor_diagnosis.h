@@ -29,9 +29,9 @@ struct SensorFinding {
   std::string target, mechanism;
   std::vector<FoundNumber> numbers;
   double gain = 0, p = 1;
-  double signal_to_noise = 0;  ///< SignalToNoise; of what is named
   /// "target/mechanism" of what is not told apart from it.
   std::vector<std::string> rivals;
+  double signal_to_noise = 0;  ///< SignalToNoise; of what is named
 };
 
 /// One measured number over the whole recording.

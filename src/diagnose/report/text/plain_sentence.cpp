@@ -217,6 +217,12 @@ std::string FallText(const Cause& cause) {
                              : "on driving it had not seen";
   const std::string before = Significant(error.rmse_before * unit.factor, kDigits);
   const std::string after = WithUnit(Significant(error.rmse_after * unit.factor, kDigits), unit);
+  if (cause.block != nullptr && IsOfChance(cause.block->block, *cause.finding->term.candidate)) {
+    return fmt::format(
+        "With the last command held where the recording shows it, the error falls from {} to {}; "
+        "which are lost next, nobody can predict.",
+        before, after);
+  }
   const std::string with = fmt::format("With this {} the error {}",
                                        WordsOf(cause.mechanism().id, cause.target())->label, on);
   if (error.rmse_after < error.rmse_before) {

@@ -169,6 +169,14 @@ std::string RegimeText(const Regime& regime, const DiagnosedBlock& diagnosed, st
 
 std::string SentenceOf(const DiagnosedBlock& diagnosed, const Finding& finding) {
   const std::size_t channel = finding.location.channel;
+  if (IsOfChance(diagnosed.block, *finding.term.candidate)) {
+    return fmt::format(
+        "{}, {}: {} ({}). Which commands were lost was read from the recording, for no simulation "
+        "predicts it. With the rate held there, RMSE {}.",
+        ChannelText(diagnosed, channel), WhenText(diagnosed, finding.location),
+        MechanismText(diagnosed, finding), ProbabilityText(finding.evidence.p),
+        RmseText(finding.held_out, diagnosed.block.channels[channel].unit));
+  }
   return fmt::format(
       "{}, {}; the error {}: {} ({}). {}{}", ChannelText(diagnosed, channel),
       WhenText(diagnosed, finding.location), DependenceText(diagnosed, finding.location),

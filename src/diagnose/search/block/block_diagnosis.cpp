@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/in_parallel.h"
+#include "diagnose/search/block/lost_commands.h"
 #include "diagnose/search/fit/flexible_regressor.h"
 #include "diagnose/search/fit/steady_gain.h"
 #include "diagnose/search/structure/prefix_search.h"
@@ -60,6 +61,7 @@ class BlockDiagnoser {
                BlockDiagnosis* out) const;
   void Confirm(BlockDiagnosis* out) const;
   void FindUnexplained(BlockDiagnosis* out) const;
+  void FindLostCommands(BlockDiagnosis* out) const;
   bool IsProxy(const BlockDiagnosis& out, std::size_t term) const;
   void MoveProxies(BlockDiagnosis* out) const;
   HeldOutError Compare(const FittedStructure& before, const FittedStructure& after,
@@ -196,6 +198,37 @@ const Unexplained* UnexplainedIn(const BlockDiagnosis& out, std::size_t channel)
   return left != out.unexplained.end() ? &*left : nullptr;
 }
 
+/// Adds the loss of commands to the findings, in the place of error that was not explained.
+void BlockDiagnoser::FindLostCommands(BlockDiagnosis* out) const {
+  if (context_.block.of_chance.empty()) return;
+  const Unexplained* left = UnexplainedIn(*out, 0);
+  if (left != nullptr && left->p) return;  // what comes back is nobody's chance
+  const auto lost =
+      LostCommandsOf(context_, out->search, out->residual_verdicts[0].noise.rms(), tolerated_[0]);
+  if (!lost) return;
+  const Candidate& candidate = context_.block.of_chance.front();
+  Finding finding;
+  finding.term = {&candidate, {lost->period_s, lost->probability}};
+  for (std::size_t i = 0; i < finding.term.values.size(); ++i) {
+    const EffectParameter& parameter = candidate.mechanism->parameters[i];
+    finding.parameters.push_back({std::string(parameter.name), std::string(parameter.unit),
+                                  finding.term.values[i], std::nullopt});
+  }
+  for (const Hold& hold : lost->holds) finding.location.intervals.push_back(hold.samples);
+  finding.evidence.p = finding.evidence.steady_p = finding.held_out.p = lost->p;
+  finding.evidence.share = 1;
+  finding.evidence.rivals = {&candidate};
+  const double noise = VarianceOf(context_.likelihood.noise()[0]);
+  finding.held_out.rmse_before = lost->rmse_before;
+  finding.held_out.rmse_after = lost->rmse_after;
+  const double excess = std::pow(lost->rmse_before, 2) - noise;
+  const double taken = std::pow(lost->rmse_before, 2) - std::pow(lost->rmse_after, 2);
+  finding.held_out.excess_removed = excess > 0 ? std::clamp(taken / excess, -1.0, 1.0) : 0;
+  finding.is_confirmed = true;
+  out->findings.push_back(std::move(finding));
+  std::erase_if(out->unexplained, [](const Unexplained& one) { return one.location.channel == 0; });
+}
+
 /// Whether a finding removes too little of an excess that FINAL shows to be its cause.
 bool RemovesLittle(const HeldOutError& error) {
   return error.excess_removed != 0 && error.excess_removed < kLeastExcessOfCause;  // 0: none shows
@@ -306,6 +339,7 @@ BlockDiagnosis BlockDiagnoser::Explain(SearchResult search) const {
   Confirm(&out);
   FindUnexplained(&out);
   MoveProxies(&out);
+  FindLostCommands(&out);
   if (!out.findings.empty()) {
     for (Finding& one : out.findings) one.tolerated = tolerated_[one.held_out.channel];
   }

@@ -135,6 +135,8 @@ struct ReplayBlock {
   std::vector<Channel> channels;  ///< at least one, all on one grid
   bool slides = false;  ///< of a joint whose radians are metres and whose newton metres are newtons
   std::vector<Candidate> candidates;
+  /// The loss of commands, which no replay can predict (LostCommandsOf); at most one.
+  std::vector<Candidate> of_chance = {};
   std::vector<Series> commands;  ///< on the grid; manoeuvres are cut by them
   /// Whether what is left at rest shows the noise: not where the measurements follow from knowing
   /// that the machine stands.
@@ -164,6 +166,12 @@ struct ReplayBlock {
     return ToSeconds(first_ns) + static_cast<double>(place) * period_s();
   }
 };
+
+/// Whether a candidate acts by chance, so that no replay predicts it.
+inline bool IsOfChance(const ReplayBlock& block, const Candidate& candidate) {
+  return std::any_of(block.of_chance.begin(), block.of_chance.end(),
+                     [&](const Candidate& one) { return one.mechanism == candidate.mechanism; });
+}
 
 /// Whether a lever drives what the block replays, so that the block has mechanisms of command
 /// timing.

@@ -1,0 +1,170 @@
+#include "diagnose/search/block/lost_commands.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/search/fit/flexible_regressor.h"
+#include "diagnose/statistics/series/robust.h"
+
+namespace tera {
+namespace {
+
+/// Shorter ones may be a delay within tolerance; longer ones a cut line.
+constexpr double kShortest_s = 0.08, kLongest_s = 5;
+constexpr double kDof = 5;
+constexpr double kClear = 5;  ///< in log-likelihood, beyond what a choice among all stretches gains
+
+double Deviance(double error, double noise) {
+  return 0.5 * (kDof + 1) * std::log1p(error * error / (kDof * noise * noise));
+}
+
+constexpr std::size_t kFewestHolds = 3;
+constexpr double kLeastOverEarly = 2, kLeastUnfollowed = 0.5;
+constexpr double kVisible =
+    3;  ///< noises by which a rate that is held differs from one that is not
+
+struct Lengths {
+  std::size_t shortest, longest;
+};
+
+Lengths LengthsOf(double period_s) {
+  return {std::max<std::size_t>(2, std::lround(kShortest_s / period_s)),
+          std::max<std::size_t>(2, std::lround(kLongest_s / period_s))};
+}
+
+double Tried(const Series& series) {
+  return static_cast<double>(series.size() * LengthsOf(series.period_s).longest);
+}
+
+double GainOf(const std::vector<Hold>& holds) {
+  double gain = 0;
+  for (const Hold& one : holds) gain += one.gain;
+  return gain;
+}
+
+std::vector<double> Less(const Series& measured, const Series& residual) {
+  std::vector<double> predicted = measured.value;
+  for (std::size_t k = 0; k < predicted.size(); ++k) predicted[k] -= residual.value[k];
+  return predicted;
+}
+
+double DevianceIn(const std::vector<Hold>& holds, const Series& residual, double noise) {
+  double sum = 0;
+  for (const Hold& hold : holds) {
+    for (std::size_t k = hold.samples.begin; k < hold.samples.end; ++k) {
+      if (residual.valid[k]) sum += Deviance(residual.value[k], noise);
+    }
+  }
+  return sum;
+}
+
+/// Of the time in which a command that was lost would have been seen, the share in which one was:
+/// where what is predicted differs from what it was before the length of a hold.
+double ShareLost(const std::vector<Hold>& holds, const std::vector<double>& predicted, double least,
+                 std::size_t length) {
+  std::size_t seen = 0, would_be_seen = 0;
+  for (std::size_t k = length; k < predicted.size(); ++k) {
+    if (std::abs(predicted[k] - predicted[k - length]) > least) ++would_be_seen;
+  }
+  for (const Hold& hold : holds) {
+    for (std::size_t k = hold.samples.begin; k < hold.samples.end; ++k) {
+      if (std::abs(predicted[k] - predicted[hold.samples.begin]) > least) ++seen;
+    }
+  }
+  return would_be_seen == 0
+             ? 0
+             : std::min(1.0, static_cast<double>(seen) / static_cast<double>(would_be_seen));
+}
+
+/// The stretch from, or with `early` to, a sample that gains most; without samples if none gains.
+Hold BestAt(const Series& residual, const std::vector<double>& predicted, double noise, bool early,
+            std::size_t at, const Lengths& lengths) {
+  Hold best;
+  double gain = 0;
+  for (std::size_t n = 1; n <= lengths.longest; ++n) {
+    if (early ? at < n : at + n > residual.size()) break;
+    const std::size_t k = early ? at - n : at + n - 1;
+    const double held = predicted[early ? std::min(at, residual.size() - 1) : at];
+    if (residual.valid[k]) {
+      gain += Deviance(residual.value[k], noise) -
+              Deviance(residual.value[k] + predicted[k] - held, noise);
+    }
+    if (n < lengths.shortest || gain <= best.gain) continue;
+    best = {early ? Segment{k, at} : Segment{at, at + n}, gain};
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<Hold> HoldsOf(const Series& residual, const std::vector<double>& predicted,
+                          double noise, bool early) {
+  const Lengths lengths = LengthsOf(residual.period_s);
+  std::vector<Hold> promising;
+  for (std::size_t at = 0; noise > 0 && at < residual.size(); ++at) {
+    Hold best = BestAt(residual, predicted, noise, early, at, lengths);
+    if (best.gain > std::log(Tried(residual)) + kClear) promising.push_back(best);
+  }
+  std::stable_sort(promising.begin(), promising.end(),
+                   [](const Hold& a, const Hold& b) { return a.gain > b.gain; });
+  std::vector<Hold> holds;
+  for (const Hold& one : promising) {
+    const bool is_apart = std::all_of(holds.begin(), holds.end(), [&](const Hold& other) {
+      return one.samples.end <= other.samples.begin || one.samples.begin >= other.samples.end;
+    });
+    if (is_apart) holds.push_back(one);
+  }
+  return holds;
+}
+
+Series WithHolds(Series residual, const std::vector<double>& predicted,
+                 const std::vector<Hold>& holds) {
+  for (const Hold& hold : holds) {
+    for (std::size_t k = hold.samples.begin; k < hold.samples.end; ++k) {
+      residual.value[k] += predicted[k] - predicted[hold.samples.begin];
+    }
+  }
+  return residual;
+}
+
+std::optional<LostCommands> LostCommandsOf(const EvaluationContext& context,
+                                           const SearchResult& search, double noise,
+                                           double tolerated) {
+  const Series& residual = search.found.misfit.residual.front();
+  const Series& measured = context.block.channels.front().measured;
+  const std::vector<double> predicted = Less(measured, residual);
+  LostCommands lost{HoldsOf(residual, predicted, noise)};
+  if (lost.holds.size() < kFewestHolds ||
+      GainOf(lost.holds) < kLeastOverEarly * GainOf(HoldsOf(residual, predicted, noise, true))) {
+    return std::nullopt;
+  }
+  const Misfit beyond = CrossFittedResidual(context.block, context.likelihood, search.found.misfit,
+                                            context.manoeuvres);
+  const Series& unfollowed = beyond.residual.front();
+  const bool follows =
+      DevianceIn(lost.holds, unfollowed, noise) < DevianceIn(lost.holds, residual, noise);
+  if (follows && GainOf(HoldsOf(unfollowed, Less(measured, unfollowed), noise)) <
+                     kLeastUnfollowed * GainOf(lost.holds)) {
+    return std::nullopt;
+  }
+  const Mask all(residual.size(), 1);
+  lost.rmse_before = std::sqrt(MeanSquare(residual, all));
+  lost.rmse_after = std::sqrt(MeanSquare(WithHolds(residual, predicted, lost.holds), all));
+  const double taken = std::pow(lost.rmse_before, 2) - std::pow(lost.rmse_after, 2);
+  if (taken < tolerated * tolerated) return std::nullopt;
+  std::vector<double> lengths_s;
+  double excess = 0;
+  for (const Hold& hold : lost.holds) {
+    lengths_s.push_back(static_cast<double>(hold.samples.size()) * residual.period_s);
+    excess += hold.gain - std::log(Tried(residual));
+  }
+  std::sort(lost.holds.begin(), lost.holds.end(),
+            [](const Hold& a, const Hold& b) { return a.samples.begin < b.samples.begin; });
+  lost.p = std::exp(-excess);
+  lost.period_s = Median(lengths_s);
+  lost.probability = ShareLost(lost.holds, predicted, kVisible * noise,
+                               static_cast<std::size_t>(lost.period_s / residual.period_s));
+  return lost;
+}
+
+}  // namespace tera
