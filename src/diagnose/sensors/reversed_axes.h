@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "diagnose/measurements.h"
+#include "diagnose/diagnosis_input.h"
 
 namespace tera {
 
