@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/units.h"
 #include "diagnose/blocks/measured_poses.h"
 #include "diagnose/blocks/sample_grid.h"
 #include "diagnose/motion/reduce_samples.h"
@@ -73,6 +74,8 @@ class Builder {
   void AddAxis(const NamedEncoders& named, const SensorDescription* sensor, std::size_t axis,
                std::size_t joint, int late);
   void AddUnits();
+  /// By how much a specific force may be off: gravity, under a mount or a scale that is.
+  double ToleratedOfGravity(const UnitChannel& unit) const;
   void AddReceivers();
   void AddReceiver(std::size_t sensor, const KinematicChain& chain);
   void SharePairYaw();
@@ -243,6 +246,18 @@ void Builder::AddAxis(const NamedEncoders& named, const SensorDescription* senso
   }
 }
 
+double Builder::ToleratedOfGravity(const UnitChannel& unit) const {
+  double most = 0;
+  const auto widen = [&](int first, int count) {
+    for (int i = first; first >= 0 && i < first + count; ++i) {
+      most = std::max(most, problem_.table.parameters[static_cast<std::size_t>(i)].tolerance);
+    }
+  };
+  widen(unit.mount, 3);
+  widen(unit.scale < 0 ? -1 : unit.scale + 3, 3);
+  return most * kStandardGravity_mps2;
+}
+
 void Builder::AddUnits() {
   for (std::size_t s = 0; s < input_.sensors.size(); ++s) {
     const SensorDescription& sensor = input_.sensors[s];
@@ -271,6 +286,10 @@ void Builder::AddUnits() {
       if (i == 0) channel.noise = noise;
     }
     SetTolerances(channel.noise, channel.bias, 6);
+    for (int i = 3; i < 6; ++i) {
+      double& tolerance = motion().noise[static_cast<std::size_t>(channel.noise + i)].tolerance;
+      tolerance = std::max(tolerance, ToleratedOfGravity(channel));
+    }
     motion().imus.push_back(channel);
     for (const ImuWindow& window :
          WindowsOf(samples, kImuWindow_s, [&](TimeNs t_ns) { return SegmentOf(t_ns); })) {
