@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <pagmo/algorithms/nsga2.hpp>
 #include <pagmo/population.hpp>
 #include <pagmo/problem.hpp>
@@ -29,6 +31,7 @@ namespace {
 
 constexpr char kStateName[] = "search_state.json", kFrontName[] = "front.csv";
 constexpr int kGreedyTries = 24;       ///< placements of each slot in each round
+constexpr int kWorstOf = 10;           ///< random layouts of which the worst begin a search
 constexpr double kNotAllowed = 1e9;    ///< above every objective of a layout that is
 constexpr double kCornerBeyond = 0.1;  ///< of the spread of what was tried first
 constexpr double kLeastSpread = 1e-6;  ///< of an objective that is the same for all
@@ -110,18 +113,52 @@ double HypervolumeOf(const SearchState& state) {
   return state.corner.front() - best->front();
 }
 
+/// Adds layouts drawn at random, `count` of them.
+void AddRandom(const LayoutSearch& search, const Appraisal& appraisal, int count,
+               SearchState* state) {
+  const Stream stream(search.seed, "layout/optimise/first");
+  const auto first = state->genes.size();
+  for (std::size_t i = first; i < first + static_cast<std::size_t>(count); ++i) {
+    state->genes.push_back(RandomGenes(search, stream, i));
+    state->fitness.push_back(FitnessOf(appraisal.Of(state->genes.back())));
+  }
+}
+
+/// Keeps the worst layouts that are allowed: those that most others are better than.
+void KeepWorst(std::size_t count, SearchState* state) {
+  std::vector<std::pair<std::size_t, std::size_t>> by_better;
+  for (std::size_t i = 0; i < state->genes.size(); ++i) {
+    if (!IsAllowed(state->fitness[i])) continue;
+    std::size_t better = 0;
+    for (const std::vector<double>& other : state->fitness) {
+      if (pagmo::pareto_dominance(other, state->fitness[i])) ++better;
+    }
+    by_better.emplace_back(better, i);
+  }
+  std::stable_sort(by_better.begin(), by_better.end(), std::greater<>());
+  by_better.resize(std::min(by_better.size(), count));
+  SearchState kept = *state;
+  kept.genes.clear(), kept.fitness.clear();
+  for (std::size_t k = 0; !by_better.empty() && k < count; ++k) {
+    const std::size_t i = by_better[k % by_better.size()].second;
+    kept.genes.push_back(state->genes[i]);
+    kept.fitness.push_back(state->fitness[i]);
+  }
+  *state = std::move(kept);
+}
+
 SearchState Begin(const LayoutSearch& search, const Appraisal& appraisal, std::string sha256) {
   SearchState state;
   state.search_sha256 = std::move(sha256);
   state.greedy = Greedy(search, appraisal, kGreedyTries);
-  const Stream stream(search.seed, "layout/optimise/first");
-  state.genes.push_back(state.greedy);
-  for (int i = 1; i < search.population; ++i) {
-    state.genes.push_back(RandomGenes(search, stream, static_cast<std::uint64_t>(i)));
+  if (search.start == SearchStart::kGreedy) {
+    state.genes.push_back(state.greedy);
+    state.fitness.push_back(FitnessOf(appraisal.Of(state.greedy)));
   }
-  for (const Genes& genes : state.genes) {
-    state.fitness.push_back(FitnessOf(appraisal.Of(genes)));
-  }
+  const bool is_worst = search.start == SearchStart::kWorst;
+  const int count = search.population - static_cast<int>(state.genes.size());
+  AddRandom(search, appraisal, is_worst ? kWorstOf * count : count, &state);
+  if (is_worst) KeepWorst(static_cast<std::size_t>(count), &state);
   if (std::none_of(state.fitness.begin(), state.fitness.end(), IsAllowed)) {
     throw InputError(
         "limits: none of the layouts that were tried at first is within them; raise them, let "
@@ -151,8 +188,10 @@ void Evolve(const LayoutSearch& search, const Appraisal& appraisal, SearchState*
   state->hypervolume.push_back(HypervolumeOf(*state));
 }
 
-/// Those of the population and the greedy layout that none is better than.
-std::vector<FoundLayout> FrontOf(const SearchState& state, const FoundLayout& greedy) {
+/// Those of the population, and the greedy layout where the search began with it, that none is
+/// better than.
+std::vector<FoundLayout> FrontOf(const SearchState& state,
+                                 const std::optional<FoundLayout>& greedy) {
   std::vector<FoundLayout> allowed;
   const auto add = [&](const Genes& genes, const std::vector<double>& fitness) {
     const bool is_known = std::any_of(allowed.begin(), allowed.end(), [&](const FoundLayout& f) {
@@ -160,7 +199,7 @@ std::vector<FoundLayout> FrontOf(const SearchState& state, const FoundLayout& gr
     });
     if (IsAllowed(fitness) && !is_known) allowed.push_back({genes, fitness});
   };
-  add(greedy.genes, greedy.objectives);
+  if (greedy) add(greedy->genes, greedy->objectives);
   for (std::size_t i = 0; i < state.genes.size(); ++i) add(state.genes[i], state.fitness[i]);
   if (allowed.size() < 2) return allowed;
   std::vector<FoundLayout> front;
@@ -241,7 +280,8 @@ OptimiseResult Optimise(const LayoutSearch& search, const std::string& search_te
     }
     const FoundLayout greedy = {state.greedy, FitnessOf(appraisal.Of(state.greedy))};
     if (IsAllowed(greedy.objectives)) result.greedy = greedy;
-    result.front = FrontOf(state, greedy);
+    const bool began_with_it = search.start == SearchStart::kGreedy;
+    result.front = FrontOf(state, began_with_it ? std::optional(greedy) : std::nullopt);
     WriteFound(search, appraisal.signs(), result, state.hypervolume, folder);
   }
   GiveName(folder, options.out);

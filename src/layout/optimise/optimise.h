@@ -24,7 +24,8 @@ struct OptimiseOptions {
 
 /// Searches layouts: those that no other is better than in every objective.
 ///
-/// Model   NSGA-II over the genes (candidate.h), from a greedy layout and random ones. What is
+/// Model   NSGA-II over the genes (candidate.h), from a greedy layout and random ones, or as
+///         LayoutSearch::start says. What is
 ///         beyond the limits counts as worse the farther it is. Every generation has a seed of its
 ///         own, and what is known after it is kept beside the result, so that a search that was
 ///         killed goes on to the same end.

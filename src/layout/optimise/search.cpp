@@ -117,6 +117,10 @@ LayoutSearch ReadSearch(const ConfigMap& config) {
   }
   search.generations = static_cast<int>(
       config.Integer("generations", Between(1, kMostGenerations, ""), search.generations));
+  const std::string start = config.Choice("start", {"greedy", "random", "worst"}, "greedy");
+  search.start = start == "greedy"   ? SearchStart::kGreedy
+                 : start == "random" ? SearchStart::kRandom
+                                     : SearchStart::kWorst;
   search.seed = static_cast<std::uint64_t>(config.Integer("seed", AtLeast(0, ""), 1));
   return search;
 }

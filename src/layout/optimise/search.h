@@ -50,6 +50,14 @@ struct Limits {
   std::string place;  ///< in its file, for messages
 };
 
+/// What a search begins with beside random layouts: to begin with others shows whether what is
+/// found depends on it.
+enum class SearchStart {
+  kGreedy,  ///< the greedy layout
+  kRandom,  ///< nothing
+  kWorst,   ///< nothing, and the random ones are the worst of ten times as many
+};
+
 /// A search for sensor layouts.
 struct LayoutSearch {
   std::filesystem::path cycle, study;  ///< the study may be empty: the common one
@@ -60,6 +68,7 @@ struct LayoutSearch {
   std::string place;  ///< of its numbers in its file, for messages
   int moments = 12;   ///< of the cycle that candidates are looked at, evenly spread
   int population = 48, generations = 40;
+  SearchStart start = SearchStart::kGreedy;
   std::uint64_t seed = 1;
 };
 

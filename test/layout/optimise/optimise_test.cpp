@@ -92,6 +92,22 @@ TEST_F(Optimising, FindsThePlaceFromWhichGeometrySaysThatMostIsSeen) {
               3 * zone_m3 * std::sqrt(0.25 / 400));
 }
 
+TEST_F(Optimising, FromTheWorstItComesAsFarAsFromTheGreedyLayout) {
+  const double from_greedy = Run(site_.OneLidar(), "out").front[0].objectives[0];
+  const OptimiseResult worst =
+      Run(site_.OneLidar("generations: 12\npopulation: 16\nstart: worst\n"), "worst");
+  ASSERT_EQ(worst.front.size(), 1u);
+  EXPECT_NEAR(worst.front[0].objectives[0], from_greedy, 0.1 * from_greedy);
+}
+
+// The walls hide most from the worst places: with one generation little more than that is found.
+TEST_F(Optimising, TheWorstStartIsWorseThanARandomOne) {
+  const std::string one_step = "generations: 1\npopulation: 16\nstart: ";
+  const double worst = Run(site_.OneLidar(one_step + "worst\n"), "worst").front[0].objectives[0];
+  const double random = Run(site_.OneLidar(one_step + "random\n"), "random").front[0].objectives[0];
+  EXPECT_GT(worst, 1.1 * random);
+}
+
 TEST_F(Optimising, ASearchThatWasStoppedGoesOnToTheSameEnd) {
   const fs::path search = site_.TwoLidars();
   Run(search, "whole");

@@ -151,6 +151,7 @@ objectives: [{figure: cost}]
   EXPECT_EQ(search.population, 48);
   EXPECT_EQ(search.generations, 40);
   EXPECT_EQ(search.seed, 1u);
+  EXPECT_EQ(search.start, SearchStart::kGreedy);
 }
 
 TEST_F(Search, AKeyThatThereIsNotIsRefusedWhereverItStands) {
