@@ -131,11 +131,14 @@ DiagnosedSensors DiagnosedOf(SensorDiagnosis estimate, const std::string& machin
   out.estimate = std::move(estimate);
   Teller teller(machine, &out);
   const double left = out.estimate.left_to_gain;
+  const auto is_cause = [&](const SensorFinding& found) {
+    return found.gain >= kLeastExcessOfCause * (found.gain + left) &&
+           found.signal_to_noise >= kLeastSignalToNoise;
+  };
   for (const SensorFinding& found : out.estimate.findings) {
-    const bool is_cause = found.gain >= kLeastExcessOfCause * (found.gain + left) &&
-                          found.signal_to_noise >= kLeastSignalToNoise;
-    (is_cause ? out.findings : out.unconfirmed).push_back(teller.Tell(found));
+    (is_cause(found) ? out.findings : out.unconfirmed).push_back(teller.Tell(found));
   }
+  std::erase_if(out.estimate.findings, [&](const SensorFinding& one) { return !is_cause(one); });
   for (const SensorFinding& found : out.estimate.unproven) {
     out.unconfirmed.push_back(teller.Tell(found));
     out.unconfirmed.back().finding.is_confirmed = false;

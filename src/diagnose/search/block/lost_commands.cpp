@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/motion/residual_noise.h"
 #include "diagnose/search/fit/flexible_regressor.h"
 #include "diagnose/statistics/series/robust.h"
 
@@ -14,14 +15,28 @@ constexpr double kShortest_s = 0.08, kLongest_s = 5;
 constexpr double kDof = 5;
 constexpr double kClear = 5;  ///< in log-likelihood, beyond what a choice among all stretches gains
 
+constexpr std::size_t kFewestHolds = 3;
+constexpr double kLeastOverEarly = 2, kLeastUnfollowed = 0.5;
+constexpr double kMostAtReversals = 0.9;  ///< of the holds; chance puts half or two thirds there
+constexpr double kVisible = 3;  ///< noises by which a held rate differs from one that is not
+
 double Deviance(double error, double noise) {
   return 0.5 * (kDof + 1) * std::log1p(error * error / (kDof * noise * noise));
 }
 
-constexpr std::size_t kFewestHolds = 3;
-constexpr double kLeastOverEarly = 2, kLeastUnfollowed = 0.5;
-constexpr double kVisible =
-    3;  ///< noises by which a rate that is held differs from one that is not
+/// The noise of a residual, of which bursts count little.
+HoldNoise NoiseOf(const Series& residual, double rms) {
+  std::vector<NoiseChannel> channel(1);
+  channel[0].least = channel[0].sigma = rms;
+  ChannelResiduals residuals;
+  for (const Segment& run : SegmentsOf(residual.valid)) {
+    const auto values = residual.value.begin();
+    residuals.by_segment.emplace_back(values + static_cast<std::ptrdiff_t>(run.begin),
+                                      values + static_cast<std::ptrdiff_t>(run.end));
+  }
+  EstimateNoise({residuals}, &channel);
+  return {rms, channel[0].inflation};
+}
 
 struct Lengths {
   std::size_t shortest, longest;
@@ -76,9 +91,22 @@ double ShareLost(const std::vector<Hold>& holds, const std::vector<double>& pred
              : std::min(1.0, static_cast<double>(seen) / static_cast<double>(would_be_seen));
 }
 
+/// Whether the prediction goes back where a hold begins: as far as `least` one way before it, the
+/// other way in it.
+bool BeginsAtReversal(const Hold& hold, const std::vector<double>& predicted, double least) {
+  const double held = predicted[hold.samples.begin];
+  std::size_t before = hold.samples.begin;
+  while (before > 0 && std::abs(predicted[before] - held) <= least) --before;
+  double furthest = 0;
+  for (std::size_t k = hold.samples.begin; k < hold.samples.end; ++k) {
+    if (std::abs(predicted[k] - held) > std::abs(furthest)) furthest = predicted[k] - held;
+  }
+  return (held - predicted[before]) * furthest < 0;
+}
+
 /// The stretch from, or with `early` to, a sample that gains most; without samples if none gains.
-Hold BestAt(const Series& residual, const std::vector<double>& predicted, double noise, bool early,
-            std::size_t at, const Lengths& lengths) {
+Hold BestAt(const Series& residual, const std::vector<double>& predicted, const HoldNoise& noise,
+            bool early, std::size_t at, const Lengths& lengths) {
   Hold best;
   double gain = 0;
   for (std::size_t n = 1; n <= lengths.longest; ++n) {
@@ -86,8 +114,9 @@ Hold BestAt(const Series& residual, const std::vector<double>& predicted, double
     const std::size_t k = early ? at - n : at + n - 1;
     const double held = predicted[early ? std::min(at, residual.size() - 1) : at];
     if (residual.valid[k]) {
-      gain += Deviance(residual.value[k], noise) -
-              Deviance(residual.value[k] + predicted[k] - held, noise);
+      gain += (Deviance(residual.value[k], noise.scale) -
+               Deviance(residual.value[k] + predicted[k] - held, noise.scale)) /
+              noise.inflation;
     }
     if (n < lengths.shortest || gain <= best.gain) continue;
     best = {early ? Segment{k, at} : Segment{at, at + n}, gain};
@@ -98,10 +127,10 @@ Hold BestAt(const Series& residual, const std::vector<double>& predicted, double
 }  // namespace
 
 std::vector<Hold> HoldsOf(const Series& residual, const std::vector<double>& predicted,
-                          double noise, bool early) {
+                          const HoldNoise& noise, bool early) {
   const Lengths lengths = LengthsOf(residual.period_s);
   std::vector<Hold> promising;
-  for (std::size_t at = 0; noise > 0 && at < residual.size(); ++at) {
+  for (std::size_t at = 0; noise.scale > 0 && at < residual.size(); ++at) {
     Hold best = BestAt(residual, predicted, noise, early, at, lengths);
     if (best.gain > std::log(Tried(residual)) + kClear) promising.push_back(best);
   }
@@ -128,21 +157,28 @@ Series WithHolds(Series residual, const std::vector<double>& predicted,
 }
 
 std::optional<LostCommands> LostCommandsOf(const EvaluationContext& context,
-                                           const SearchResult& search, double noise,
+                                           const SearchResult& search, double noise_rms,
                                            double tolerated) {
   const Series& residual = search.found.misfit.residual.front();
   const Series& measured = context.block.channels.front().measured;
   const std::vector<double> predicted = Less(measured, residual);
+  const HoldNoise noise = NoiseOf(residual, noise_rms);
   LostCommands lost{HoldsOf(residual, predicted, noise)};
   if (lost.holds.size() < kFewestHolds ||
       GainOf(lost.holds) < kLeastOverEarly * GainOf(HoldsOf(residual, predicted, noise, true))) {
+    return std::nullopt;
+  }
+  const auto reversals = std::count_if(lost.holds.begin(), lost.holds.end(), [&](const Hold& hold) {
+    return BeginsAtReversal(hold, predicted, kVisible * noise_rms);
+  });
+  if (static_cast<double>(reversals) > kMostAtReversals * static_cast<double>(lost.holds.size())) {
     return std::nullopt;
   }
   const Misfit beyond = CrossFittedResidual(context.block, context.likelihood, search.found.misfit,
                                             context.manoeuvres);
   const Series& unfollowed = beyond.residual.front();
   const bool follows =
-      DevianceIn(lost.holds, unfollowed, noise) < DevianceIn(lost.holds, residual, noise);
+      DevianceIn(lost.holds, unfollowed, noise_rms) < DevianceIn(lost.holds, residual, noise_rms);
   if (follows && GainOf(HoldsOf(unfollowed, Less(measured, unfollowed), noise)) <
                      kLeastUnfollowed * GainOf(lost.holds)) {
     return std::nullopt;
@@ -162,7 +198,7 @@ std::optional<LostCommands> LostCommandsOf(const EvaluationContext& context,
             [](const Hold& a, const Hold& b) { return a.samples.begin < b.samples.begin; });
   lost.p = std::exp(-excess);
   lost.period_s = Median(lengths_s);
-  lost.probability = ShareLost(lost.holds, predicted, kVisible * noise,
+  lost.probability = ShareLost(lost.holds, predicted, kVisible * noise_rms,
                                static_cast<std::size_t>(lost.period_s / residual.period_s));
   return lost;
 }

@@ -15,18 +15,25 @@ struct Hold {
   double gain = 0;  ///< in log-likelihood, of the rate held over the rate predicted
 };
 
+/// The noise of a rate.
+struct HoldNoise {
+  double scale = 0;
+  double inflation = 1;  ///< variance of a mean over that of independent errors
+};
+
 /// The times over which a measured rate holds what was predicted while the prediction went on: a
 /// drive that no message reaches keeps its last command.
 ///
 /// Model   of all stretches of 0.08 to 5 s those that gain most, none upon another: errors are
-///         Student's t of 5 degrees of freedom with scale `noise`, independent. A hold must gain
-///         more than the logarithm of the number of stretches that were tried, and 5.
+///         Student's t of 5 degrees of freedom with the noise's scale. As they follow each other,
+///         so many count as one as make a mean worse. A hold must gain more than the logarithm of
+///         the number of stretches that were tried, and 5.
 /// Omits   how the drive follows its command: what a rate does at once after a hold.
 ///
 /// `residual` is measured less `predicted`. With `early`, stretches that hold what is predicted
 /// at their end: nothing physical does so, and form errors do it as often.
 std::vector<Hold> HoldsOf(const Series& residual, const std::vector<double>& predicted,
-                          double noise, bool early = false);
+                          const HoldNoise& noise, bool early = false);
 
 /// The residual where the prediction is held.
 Series WithHolds(Series residual, const std::vector<double>& predicted,
@@ -47,11 +54,12 @@ struct LostCommands {
 ///
 /// Model   holds (HoldsOf) of what is left, three at least. They gain twice what holds of the
 ///         end do, and take as much error as is `tolerated`. Play and dead bands hold as well, but
-///         come back with the lever's motion: the flexible regressor, cross-fitted, explains none
-///         of the error in the holds, or leaves holds that gain half as much.
+///         come back with the lever's motion: no more than nine of ten holds begin where it goes
+///         back, and the flexible regressor, cross-fitted, explains none of the error in the
+///         holds, or leaves holds that gain half as much.
 /// Omits   losses while the lever rests.
 std::optional<LostCommands> LostCommandsOf(const EvaluationContext& context,
-                                           const SearchResult& search, double noise,
+                                           const SearchResult& search, double noise_rms,
                                            double tolerated);
 
 }  // namespace tera

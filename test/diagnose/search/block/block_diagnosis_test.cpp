@@ -64,8 +64,8 @@ TEST(BlockDiagnosis, NamesTheOneThatActsWithItsSizeAndWhereItIsSeen) {
 /// that is as expected within 0.3 of 0.
 BlockDiagnosis OfALagBesideASquareThatIsExpected(double neutral) {
   const std::vector<double> lever = ToyLever(kSamples, 12);
-  ReplayBlock block =
-      ToyBlock(lever, ToyMeasured(ToyResponse(lever, 0, 0, 0.1), kNoise, 12), {0, 2, 3});
+  static ReplayBlock block;  // findings point into it
+  block = ToyBlock(lever, ToyMeasured(ToyResponse(lever, 0, 0, 0.1), kNoise, 12), {0, 2, 3});
   block.candidates[0].free[0].expected = Expected{0, 0.3, neutral};
   return DiagnoseBlock(block, {}, Stream(12, "diagnose"));
 }
