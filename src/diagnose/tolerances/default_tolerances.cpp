@@ -23,6 +23,7 @@ constexpr DefaultTolerance kTable[] = {
     {"command_delay", "delay_s", 0, kStampedLate_s},
     {"input_hold", "period_s", 0, 2 * kStampedLate_s},  // late by half a period in the mean
     {"actuator_lag", "time_s", 0, kStampedLate_s},
+    {"drive_friction", "time_s", 0, kStampedLate_s},
     {"dead_band", "width", 0, kBand},
     {"lever_saturation", "limit", 1, kRate},
     {"valve_curve", "exponent", 1, kExponent},

@@ -180,6 +180,17 @@ TEST(Tolerance, ThatABlockStatesItselfStandsUnlessTheOwnerStatesAnother) {
   EXPECT_TRUE(IsBeyondTolerance(FindingOf(blocks[0], {0.0168, 0.02, 1, 0.02}, sigmas)));
 }
 
+// A drive that answers 0.18 s late is slower than expected, however little friction it has beside.
+TEST(Tolerance, OfALagHoldsWhereFrictionHasTheLag) {
+  auto blocks = BlockOf(MechanismOf("drive_friction", EffectTarget::kJoint), "slew");
+  blocks[0].candidates[0].free.push_back({.index = 1, .upper = 0.5});
+  blocks[0].candidates[0].free[0].expected = Expected{0, 0.018};
+  StateTolerances({}, &blocks);
+  const std::vector<std::optional<double>> sigmas{0.001, 0.01, {}, {}};
+  EXPECT_TRUE(IsBeyondTolerance(FindingOf(blocks[0], {0.005, 0.18, 1, 0.02}, sigmas)));
+  EXPECT_FALSE(IsBeyondTolerance(FindingOf(blocks[0], {0.005, 0.03, 1, 0.02}, sigmas)));
+}
+
 TEST(DefaultTolerances, AreOfParametersThatTheLibraryHas) {
   std::set<std::pair<std::string_view, std::string_view>> known;
   for (const auto library : {ActuationMechanisms(), GroundMechanisms(), SensorMechanisms()}) {
