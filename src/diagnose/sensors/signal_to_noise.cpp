@@ -32,7 +32,8 @@ double SignalToNoise(const MotionProblem& motion, const std::vector<ParameterQua
   }
   std::vector<double> ratios;
   for (std::size_t s = 0; s < segments.size(); ++s) {
-    const auto own = segments[s].information.block(group.first, group.first, group.count, group.count);
+    const auto own =
+        segments[s].information.block(group.first, group.first, group.count, group.count);
     const double power = std::max(0.0, off.dot(own * off));
     ratios.push_back(std::sqrt(power * kTenth_s / LengthOf_s(motion.segments[s])));
   }
