@@ -50,15 +50,10 @@ void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks)
   }
 }
 
-bool TakesAsMuchAs(double tolerated, double rms_before, double rms_after) {
-  const double taken = rms_before * rms_before - rms_after * rms_after;
-  return taken > 0 && std::sqrt(taken) >= tolerated;
-}
-
 bool IsOfPracticalSize(const Finding& finding) {
   const HeldOutError& error = finding.held_out;
-  return finding.tolerated == 0 ||
-         TakesAsMuchAs(finding.tolerated, error.rmse_before, error.rmse_after);
+  const double taken = std::pow(error.rmse_before, 2) - std::pow(error.rmse_after, 2);
+  return finding.tolerated == 0 || (taken > 0 && std::sqrt(taken) >= finding.tolerated);
 }
 
 bool IsBeyondTolerance(const Finding& finding) {

@@ -11,10 +11,6 @@ namespace tera {
 /// a target, and else the defaults.
 void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks);
 
-/// Whether what takes an RMS error from `rms_before` to `rms_after` is as large as one that is
-/// tolerated; both are of one channel and independent of what is left.
-bool TakesAsMuchAs(double tolerated, double rms_before, double rms_after);
-
 /// Whether a finding takes as much error from its channel on FINAL as a factor at the end of its
 /// tolerance changes there.
 bool IsOfPracticalSize(const Finding& finding);
