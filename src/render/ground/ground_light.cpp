@@ -112,7 +112,10 @@ TexelWindow GroundShadow::Update(const HeightTexels& heights, const TexelWindow&
     shaded.Extend(i, j);
     return true;
   };
-  if (restart) shadow_m_.assign(heights.index(0, heights.height()), -kNoShadowDepth_m);
+  if (restart) {
+    shadow_m_.assign(heights.index(0, heights.height()), -kNoShadowDepth_m);
+    shaded = window;
+  }
   const bool zenith = to_sun_W_.head<2>().norm() < 1e-6 * std::abs(to_sun_W_.z());
   const Sweep s(heights, zenith ? Vec3(Vec3::UnitX()) : to_sun_W_);
   const int n0 = s.along_x ? window.i0 : window.j0, n1 = s.along_x ? window.i1 : window.j1;

@@ -55,11 +55,16 @@ TEST_P(RasterizerDepth, OfASlopeIsThatOfItsPlane) {
   int checked = 0;
   for (int v = 5; v < camera.height_px; v += 7) {
     for (int u = 3; u < camera.width_px; u += 5) {
-      const Vec3 ray_C = camera.Unproject(Vec2(u, v));
-      const double z_m = height_m / n_C.dot(ray_C);
-      const Vec3 p_W = X_WC * Vec3(ray_C * z_m);
+      const auto depth_m = [&](double at_u, double at_v) {
+        return height_m / n_C.dot(camera.Unproject(Vec2(at_u, at_v)));
+      };
+      const double z_m = depth_m(u, v);
+      const Vec3 p_W = X_WC * Vec3(camera.Unproject(Vec2(u, v)) * z_m);
       if (z_m < 0 || p_W.head<2>().cwiseAbs().maxCoeff() > 9.5) continue;
-      EXPECT_NEAR(frame.depth_m.at(u, v), z_m, 1e-3) << u << " " << v;
+      // Drivers round the vertices of a triangle to parts of a pixel, NVIDIA's and Mesa's to 1/256.
+      const double rounded_m =
+          (std::abs(depth_m(u + 1, v) - z_m) + std::abs(depth_m(u, v + 1) - z_m)) / 256;
+      EXPECT_NEAR(frame.depth_m.at(u, v), z_m, 1e-4 + rounded_m) << u << " " << v;
       EXPECT_EQ(frame.semantic.at(u, v), static_cast<int>(SemanticClass::kTerrain));
       ++checked;
     }

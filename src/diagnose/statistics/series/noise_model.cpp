@@ -171,7 +171,9 @@ double LongRunVarianceOf(const NoiseModel& noise) {
 }
 
 double StudentLogDensity(double x, double dof) {
-  return std::lgamma((dof + 1) / 2) - std::lgamma(dof / 2) - 0.5 * std::log(dof * kPi) -
+  // std::lgamma keeps the sign in a variable of the whole process, which threads share.
+  int sign = 1;
+  return lgamma_r((dof + 1) / 2, &sign) - lgamma_r(dof / 2, &sign) - 0.5 * std::log(dof * kPi) -
          (dof + 1) / 2 * std::log1p(x * x / dof);
 }
 

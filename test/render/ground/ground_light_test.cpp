@@ -1,0 +1,106 @@
+#include "render/ground/ground_light.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tera {
+namespace {
+
+constexpr double kCell_m = 0.1;
+constexpr int kSide = 41;  // vertices
+constexpr int kWall = 30;  // column of a wall one cell thick
+constexpr float kWall_m = 1.0f;
+
+TerrainSurface FlatGround() {
+  return TerrainSurface({.origin_W_m = Vec2::Zero(), .cell_m = kCell_m, .nx = kSide, .ny = kSide});
+}
+
+TerrainSurface GroundWithWall() {
+  TerrainSurface ground = FlatGround();
+  for (int j = 0; j < kSide; ++j) ground.Set(kWall, j, {.height_m = kWall_m, .cover = {}});
+  return ground;
+}
+
+HeightTexels Texels(const TerrainSurface& ground) {
+  HeightTexels texels(ground);
+  texels.Read(ground, {0, 0, texels.width(), texels.height()});
+  return texels;
+}
+
+/// Sun in the direction of +x at this elevation.
+Vec3 ToSun(double elevation_rad) { return {std::cos(elevation_rad), 0, std::sin(elevation_rad)}; }
+
+void ExpectWhole(const TexelWindow& window) {
+  EXPECT_EQ(window.i0, 0);
+  EXPECT_EQ(window.j0, 0);
+  EXPECT_EQ(window.i1, kSide);
+  EXPECT_EQ(window.j1, kSide);
+}
+
+TEST(GroundShadow, IsKnownEverywhereAfterTheFirstUpdate) {
+  // At height 0 the sunny border has the value that stands in the memory before.
+  for (const Vec3& to_sun_W : {ToSun(0.7), Vec3(-0.3, -0.8, 0.5), Vec3(0.1, 0.9, 0.4)}) {
+    GroundShadow shadow(to_sun_W.normalized());
+    ExpectWhole(shadow.Update(Texels(FlatGround()), {}));
+  }
+}
+
+TEST(GroundShadow, OfNothingWhereNothingChanged) {
+  GroundShadow shadow(ToSun(0.7));
+  const HeightTexels texels = Texels(FlatGround());
+  shadow.Update(texels, {});
+  EXPECT_TRUE(shadow.Update(texels, {0, 0, kSide, kSide}).empty());
+}
+
+TEST(GroundShadow, BehindAWallFallsByTheTangentOfTheSunsElevation) {
+  const double elevation_rad = 0.5;
+  GroundShadow shadow(ToSun(elevation_rad));
+  const HeightTexels texels = Texels(GroundWithWall());
+  shadow.Update(texels, {});
+  for (int i = 0; i < kSide; ++i) {
+    const double behind_m = (kWall - i) * kCell_m;
+    const double top_m = kWall_m - behind_m * std::tan(elevation_rad);
+    const float shadow_m = shadow.shadow_m()[texels.index(i, kSide / 2)];
+    if (i < kWall && top_m > 0) {
+      EXPECT_NEAR(shadow_m, top_m, 1e-5) << i;
+    } else {
+      EXPECT_LT(shadow_m, texels.at(i, kSide / 2)) << i << ", in the sun";
+    }
+  }
+}
+
+TEST(GroundShadow, AfterADigIsThatOfTheDugGroundFromTheBeginning) {
+  const Vec3 to_sun_W = Vec3(0.8, 0.35, 0.45).normalized();
+  TerrainSurface ground = GroundWithWall();
+  HeightTexels texels = Texels(ground);
+  GroundShadow shadow(to_sun_W);
+  shadow.Update(texels, {});
+  const TexelWindow hole{kWall - 1, 12, kWall + 2, 20};
+  for (int j = hole.j0; j < hole.j1; ++j) {
+    for (int i = hole.i0; i < hole.i1; ++i) ground.Set(i, j, {.height_m = -0.4f, .cover = {}});
+  }
+  texels.Read(ground, hole);
+  const TexelWindow shaded = shadow.Update(texels, hole);
+  GroundShadow fresh(to_sun_W);
+  fresh.Update(Texels(ground), {});
+  EXPECT_EQ(shadow.shadow_m(), fresh.shadow_m());
+  EXPECT_LT(shaded.i0, hole.i0) << "the light that falls through the gap reaches beyond it";
+}
+
+TEST(SkyView, OfLevelGroundIsWhole) {
+  const HeightTexels texels = Texels(FlatGround());
+  EXPECT_FLOAT_EQ(SkyView(kCell_m).Factor(texels, 20, 20), 1.0f);
+}
+
+TEST(SkyView, AtTheFootOfAWallIsClosedInThreeOfEightDirections) {
+  const HeightTexels texels = Texels(GroundWithWall());
+  // cos2 of the horizon of a wall, seen from one cell straight ahead and aslant.
+  const double ahead = 1 / (1 + std::pow(kWall_m / kCell_m, 2));
+  const double aslant = 1 / (1 + std::pow(kWall_m / (kCell_m * std::sqrt(2)), 2));
+  const double expected = (5 + ahead + 2 * aslant) / 8;
+  EXPECT_NEAR(SkyView(kCell_m).Factor(texels, kWall - 1, 20), expected, 1e-3);
+}
+
+}  // namespace
+}  // namespace tera
