@@ -60,12 +60,15 @@ tsan() {
   cmake --preset tsan >/dev/null
   # shellcheck disable=SC2086
   cmake --build --preset tsan --parallel "$jobs" --target $threaded
-  local name program
+  local name program deadlocks
   for name in $threaded; do
     program=$(find build/tsan/test -name "$name" -type f)
     echo "tsan: $name"
+    # The LLVM of Mesa's renderer seems to hold more locks at once than are counted: what draws is watched for races alone.
+    deadlocks=1
+    [ "$name" = generate_test ] && deadlocks=0
     # A test kills a process that it forks: the child may start threads of its own.
-    TSAN_OPTIONS=suppressions=$PWD/scripts/suppressions/tsan.txt:halt_on_error=1:second_deadlock_stack=1:die_after_fork=0 \
+    TSAN_OPTIONS=suppressions=$PWD/scripts/suppressions/tsan.txt:halt_on_error=1:second_deadlock_stack=1:die_after_fork=0:detect_deadlocks=$deadlocks \
       "$program" --gtest_brief=1
   done
 }
