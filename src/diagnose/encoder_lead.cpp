@@ -4,11 +4,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "diagnose/tolerances/default_tolerances.h"
+
 namespace tera {
 namespace {
 
 constexpr double kLongestLead_s = 0.5;
-constexpr double kShortestLead_s = 0.03;
 /// Share of the rate's energy that the best shift must explain: with less, nothing can be said.
 constexpr double kLeastExplainedShare = 0.5;
 /// What the best shift leaves unexplained, over what no shift leaves: a lead must halve it.
@@ -46,7 +47,7 @@ std::optional<double> LeadOf_s(const ReplayBlock& block) {
   }
   if (most < kLeastExplainedShare) return std::nullopt;
   const double lead_s = static_cast<double>(lead) * block.period_s();
-  return lead_s >= kShortestLead_s && 1 - most <= kMostLeftOfUnshifted * (1 - at_once) ? lead_s : 0;
+  return lead_s > kStampTolerance_s && 1 - most <= kMostLeftOfUnshifted * (1 - at_once) ? lead_s : 0;
 }
 
 }  // namespace

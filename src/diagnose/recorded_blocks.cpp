@@ -307,12 +307,17 @@ void CountTimeFrom(TimeNs start_ns, ReplayBlock* block) {
   }
 }
 
-/// Removes blocks that are too short and makes times relative to the recording's start.
-void Complete(TimeNs start_ns, std::vector<ReplayBlock>* blocks) {
-  std::erase_if(*blocks, [](const ReplayBlock& block) {
-    return static_cast<double>(block.samples()) * block.period_s() < kShortestRecording_s;
+/// Removes blocks that are too short, which is told, and makes times relative to the recording's
+/// start.
+void Complete(TimeNs start_ns, Made* made) {
+  std::erase_if(made->blocks, [&](const ReplayBlock& block) {
+    const double length_s = static_cast<double>(block.samples()) * block.period_s();
+    if (length_s >= kShortestRecording_s) return false;
+    made->obstacles.push_back(fmt::format("{}: {:.1f} s can be compared; need {:g} s at least",
+                                          block.name, length_s, kShortestRecording_s));
+    return true;
   });
-  for (ReplayBlock& block : *blocks) CountTimeFrom(start_ns, &block);
+  for (ReplayBlock& block : made->blocks) CountTimeFrom(start_ns, &block);
 }
 
 }  // namespace
@@ -328,7 +333,7 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Measurement
       [&](Made* out) { AddGnss(input, measured, out); }};
   Made made = MakeAll(kinds.size(), options.threads,
                       [&](std::size_t kind, Made* out) { kinds[kind](out); });
-  Complete(measured.start_ns, &made.blocks);
+  Complete(measured.start_ns, &made);
   if (made.blocks.empty() && options.needs_any) {
     ThrowNothingToCompare(input, measured, made.obstacles);
   }
@@ -367,7 +372,7 @@ std::vector<ReplayBlock> SensorBlocksByArrivals(const DiagnosisInput& input, Mea
       [&](Made* out) { AddGnss(input, measured, out); }};
   Made made = MakeAll(kinds.size(), options.threads,
                       [&](std::size_t kind, Made* out) { kinds[kind](out); });
-  Complete(measured.start_ns, &made.blocks);
+  Complete(measured.start_ns, &made);
   *not_compared = std::move(made).NotCompared();
   return std::move(made.blocks);
 }

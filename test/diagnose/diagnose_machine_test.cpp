@@ -11,6 +11,8 @@
 #include "core/config/config.h"
 #include "core/error.h"
 #include "dataset/format/sample_recording.h"
+#include "diagnose/measurements.h"
+#include "diagnose/recorded_blocks.h"
 #include "sim/scenario/scenario.h"
 
 namespace tera {
@@ -153,6 +155,21 @@ TEST_F(DiagnosisOfABoom, AFurtherRecordingThatIsTooShortIsToldBeforeAnythingIsSe
                 AllOf(HasSubstr(path("short").string()), HasSubstr("need 20 s at least")));
   }
   EXPECT_FALSE(is_searched);
+}
+
+TEST_F(DiagnosisOfABoom, AnAxisOfWhichTooLittleWasMeasuredIsTold) {
+  const Recording real(path("real"));
+  const DiagnosisInput input = InputOf(real);
+  Measurements measured = MeasurementsOf(input, real);
+  std::vector<EncoderSample>& samples = measured.encoders[0].recording.samples;
+  const TimeNs until_ns = samples.front().t_ns + FromSeconds(12);
+  std::erase_if(samples, [&](const EncoderSample& one) { return one.t_ns > until_ns; });
+  std::vector<std::string> not_compared;
+  BlockOptions options = Options().blocks;
+  options.needs_any = false;
+  EXPECT_TRUE(BlocksOf(input, measured, options, &not_compared).empty());
+  EXPECT_THAT(not_compared, testing::Contains(AllOf(HasSubstr("boom: 12.0 s can be compared"),
+                                                    HasSubstr("need 20 s at least"))));
 }
 
 }  // namespace

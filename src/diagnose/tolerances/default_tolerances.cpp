@@ -3,7 +3,6 @@
 namespace tera {
 namespace {
 
-constexpr double kStampedLate_s = 0.04;  ///< all delays from a lever to a stamp together
 constexpr double kRate = 0.06;           ///< a joint's rate at full lever, either way, at any angle
 constexpr double kBand = 0.02;           ///< dead band, of full lever
 constexpr double kExponent = 0.085;      ///< changes the rate at half lever by kRate
@@ -20,10 +19,10 @@ constexpr double kPoseTilt_deg = 1.15;   ///< estimate: of a map that was levell
 constexpr double kClockDrift_ppm = 100;  ///< estimate: a quartz without compensation
 
 constexpr DefaultTolerance kTable[] = {
-    {"command_delay", "delay_s", 0, kStampedLate_s},
-    {"input_hold", "period_s", 0, 2 * kStampedLate_s},  // late by half a period in the mean
-    {"actuator_lag", "time_s", 0, kStampedLate_s},
-    {"drive_friction", "time_s", 0, kStampedLate_s},
+    {"command_delay", "delay_s", 0, kStampTolerance_s},
+    {"input_hold", "period_s", 0, 2 * kStampTolerance_s},  // late by half a period in the mean
+    {"actuator_lag", "time_s", 0, kStampTolerance_s},
+    {"drive_friction", "time_s", 0, kStampTolerance_s},
     {"dead_band", "width", 0, kBand},
     {"lever_saturation", "limit", 1, kRate},
     {"valve_curve", "exponent", 1, kExponent},
@@ -76,10 +75,10 @@ constexpr DefaultTolerance kTable[] = {
     {"height_datum", "offset_m", 0, kDatum_m},
     {"position_datum", "east_m", 0, kDatum_m},
     {"position_datum", "north_m", 0, kDatum_m},
-    {"clock_offset", "offset_s", 0, kStampedLate_s},
+    {"clock_offset", "offset_s", 0, kStampTolerance_s},
     {"clock_drift", "drift_ppm", 0, kClockDrift_ppm},
-    {"latency", "delay_s", 0, kStampedLate_s},
-    {"filter_delay", "time_constant_s", 0, kStampedLate_s},
+    {"latency", "delay_s", 0, kStampTolerance_s},
+    {"filter_delay", "time_constant_s", 0, kStampTolerance_s},
 };
 
 }  // namespace

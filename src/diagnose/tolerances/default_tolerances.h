@@ -16,6 +16,9 @@ struct DefaultTolerance {
 /// Dry friction of a drive, in shares of its rate at full lever: the tolerance of what it loses.
 inline constexpr double kFrictionTolerance = 0.02;
 
+/// All delays from a lever to a stamp together.
+inline constexpr double kStampTolerance_s = 0.04;
+
 /// The defaults, by kind of sensor and slot. A number that is not among them is expected nowhere
 /// but where the scenario has it.
 ///

@@ -47,8 +47,8 @@ struct Unexplained {
 ///         the variance that was there beyond noise before anything was found. Error is what is
 ///         louder in half of the manoeuvres or more, or in one of FINAL where three of the whole
 ///         recording are louder and the RMSE is five times the noise. In a recording without rest,
-///         error is ten times the noise: AR(1) noise with a coefficient of 0.995 is so much louder
-///         than its differences.
+///         error is ten times the noise, which third differences alone then tell: AR(1) noise with
+///         a coefficient of 0.983 is so much louder than they say.
 std::vector<ResidualVerdict> ResidualVerdictsOf(const EvaluationContext& context,
                                                 const SearchResult& search);
 
