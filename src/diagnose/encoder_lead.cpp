@@ -47,7 +47,8 @@ std::optional<double> LeadOf_s(const ReplayBlock& block) {
   }
   if (most < kLeastExplainedShare) return std::nullopt;
   const double lead_s = static_cast<double>(lead) * block.period_s();
-  return lead_s > kStampTolerance_s && 1 - most <= kMostLeftOfUnshifted * (1 - at_once) ? lead_s : 0;
+  return lead_s > kStampTolerance_s && 1 - most <= kMostLeftOfUnshifted * (1 - at_once) ? lead_s
+                                                                                        : 0;
 }
 
 }  // namespace
