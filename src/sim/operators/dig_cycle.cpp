@@ -37,6 +37,7 @@ constexpr int kDrawIns = 60;
 // Curling takes this long, and draws the tip in and up meanwhile, by so many lengths of the bucket:
 // its back would else turn down into the ground.
 constexpr double kCurl_s = 1.3;
+constexpr double kCurlLead = 0.12;  // share of the turn that is asked for ahead of the bucket
 constexpr double kCurlDrag = 0.19, kCurlLift = 0.71;
 
 double Smooth(double s) {
@@ -241,7 +242,11 @@ DigCycle::Target DigCycle::TargetNow(const OperatorView& view) const {
     case Phase::kCut:
       return {CutPoint(cut_s_m_), dig.slew_rad};
     case Phase::kCurl: {
-      const double s = Smooth(PhaseTime_s(view) / kCurl_s);
+      // Where the bucket turns later than planned the tip waits: the arm would else pour it out.
+      const double turned = (TipNow(view.state).pitch_rad - phase_tip_.pitch_rad) /
+                            (kCarryPitch_rad - phase_tip_.pitch_rad);
+      const double s =
+          std::min(Smooth(PhaseTime_s(view) / kCurl_s), std::max(turned, 0.0) + kCurlLead);
       const double bucket_m = arm_.bucket_length_m() * s;
       return {{phase_tip_.r_m - kCurlDrag * bucket_m, phase_tip_.z_m + kCurlLift * bucket_m,
                Mix(phase_tip_.pitch_rad, kCarryPitch_rad, s)},
