@@ -12,6 +12,7 @@
 #include "dataset/format/writer.h"
 #include "layout/study/cycle.h"
 #include "sim/rig.h"
+#include "sim/run/pose_log.h"
 #include "sim/run/recorded_run.h"
 #include "sim/run/run.h"
 #include "sim/run/truth_log.h"
@@ -60,6 +61,8 @@ void Measure(const Scenario& scenario, const SceneAssembly& assembly,
   const std::int64_t steps = std::llround(scenario.duration_s * scenario.physics_rate_hz);
   const std::int64_t steps_per_report =
       std::max<std::int64_t>(1, std::llround(scenario.physics_rate_hz / 5));
+  PoseLog poses(scenario, writer);
+  poses.WriteStart(playback->state());
   Rig rig(scenario, assembly, options.egl, options.threads, writer);
   rig.SampleStart(playback->state(), playback->ground());
   for (std::int64_t step = 1; playback->Step(); ++step) {
@@ -67,6 +70,7 @@ void Measure(const Scenario& scenario, const SceneAssembly& assembly,
       rig.Finish(playback->last_step());
       continue;
     }
+    poses.Write(playback->last_step().before, playback->last_step().after);
     rig.Sample(playback->last_step());
     if (options.progress && step % steps_per_report == 0) {
       options.progress(

@@ -10,6 +10,8 @@
 namespace tera {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr double kRadius_m = 0.45;
 
 /// Balls at three heights on a ring around the machine, so that slewing carries them across the
@@ -36,6 +38,7 @@ std::string SiteWithBalls(const std::string& camera) {
   std::string yaml = R"(
 name: balls
 duration_s: 3
+record: {poses_hz: 12.5}
 terrain: {size_m: [24, 24], cell_m: 0.1, soil: dirt}
 machines:
   - name: excavator1
@@ -123,15 +126,23 @@ struct CameraMisfit {
   double worst_px = 0;
 };
 
-CameraMisfit MisfitOf(const Recording& recording, const LinkTruth& truth,
-                      const std::string& folder) {
-  const Pose X_BC = MountOf(recording, folder) * OpticalInSensor();
+CameraMisfit MisfitOf(const Recording& recording, const std::string& folder) {
+  const std::vector<TruthPose> poses =
+      recording
+          .LoadPose("truth/excavator1/sensors/" + fs::path(folder).filename().string() + ".csv")
+          .poses;
   const CameraIntrinsics lens = LensOf(recording, folder);
   const std::vector<Vec3> centres_m = BallCentres();
   CameraMisfit misfit;
   for (const TimeNs t_ns : recording.FrameTimes(folder)) {
     const CameraFrame frame = recording.LoadFrame(folder, t_ns);
-    const Pose X_CW = (truth.LinkPose("upper", truth.RowAt(t_ns)) * X_BC).inverse();
+    const auto pose = std::find_if(poses.begin(), poses.end(),
+                                   [&](const TruthPose& at) { return at.t_ns == t_ns; });
+    if (pose == poses.end()) {
+      ADD_FAILURE() << "no pose at " << t_ns;
+      continue;
+    }
+    const Pose X_CW = (pose->X_WB * OpticalInSensor()).inverse();
     const auto masks = MasksOf(frame.instance, recording.info().instances.size() + 1);
     for (const auto& instance : recording.info().instances) {
       if (!instance.name.starts_with("ball")) continue;
@@ -161,8 +172,7 @@ CameraMisfit MisfitOf(const Recording& recording, const LinkTruth& truth,
 // two axes' Rayleigh distribution, one in 3000; the mean of ten views has a tenth of that.
 void ExpectTruePointsWhereTheyAreRendered(const std::string& name, const std::string& camera) {
   const Recording recording = Generated(name, SiteWithBalls(camera));
-  const LinkTruth truth(recording, "excavator1", "tb235.yaml");
-  const CameraMisfit misfit = MisfitOf(recording, truth, "excavator1/" + name);
+  const CameraMisfit misfit = MisfitOf(recording, "excavator1/" + name);
   fmt::print("{}: {} views, mean {:.3f} px, single worst {:.3f} px, quarters", name,
              misfit.all.views, misfit.all.mean_px(), misfit.worst_px);
   for (const auto& row : misfit.quarters) {

@@ -45,7 +45,7 @@ obstacles:
      collision: [{xyz_m: [0, 0, 0.5], size_m: [1, 1, 1]}]}
   - {name: person1, preset: tera:config/obstacles/person.yaml, xy_m: [4, 3],
      path: [{t_s: 0, xy_m: [4, 3]}, {t_s: 0.6, xy_m: [3.6, 2.5]}]}
-record: {every_s: 0.4}
+record: {every_s: 0.4, poses_hz: 30}
 effects: {excavator1: {
   imu: {imu_lever_arm: {x_m: 0.5}, latency: {delay_s: 0.01, jitter_s: 0.05}},
   lidar: {extrinsic: {yaw_deg: 2}, clock_offset: {offset_s: -18}}}}

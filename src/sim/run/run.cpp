@@ -51,13 +51,16 @@ Run::Run(const Scenario& scenario, Operators operators, const SceneAssembly& ass
          const EglOptions& egl, int threads, MeasurementSink* sink)
     : simulation_(scenario, std::move(operators)),
       truth_(scenario, sink),
+      poses_(scenario, sink),
       rig_(scenario, assembly, egl, threads, sink) {
+  poses_.WriteStart(simulation_.state());
   rig_.SampleStart(simulation_.state(), simulation_.ground());
 }
 
 void Run::Step() {
   simulation_.Step();
   truth_.Write(simulation_.previous(), simulation_.state());
+  poses_.Write(simulation_.previous(), simulation_.state());
   rig_.Sample(simulation_.last_step());
 }
 

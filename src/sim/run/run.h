@@ -5,6 +5,7 @@
 #include "dataset/format/writer.h"
 #include "sim/physics_motion.h"
 #include "sim/rig.h"
+#include "sim/run/pose_log.h"
 #include "sim/run/truth_log.h"
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"
@@ -37,6 +38,7 @@ class Run {
  private:
   Simulation simulation_;
   TruthLog truth_;
+  PoseLog poses_;
   Rig rig_;
 };
 

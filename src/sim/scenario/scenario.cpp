@@ -25,6 +25,7 @@ namespace {
 constexpr double kLongest_s = 31 * 86400.0;
 constexpr double kMostSeed = 9e15;  ///< below 2^53: every YAML reader keeps it exactly
 constexpr double kSlowest_hz = 100, kFastest_hz = 5000;  ///< steps that machines and soil bear
+constexpr double kSlowestPoses_hz = 0.01;
 constexpr double kDefaultRate_hz = 500, kDefaultSettle_s = 1.5, kLongestSettle_s = 60;
 constexpr double kSunAzimuth_deg = 150, kSunElevation_deg = 42;  ///< a fair morning
 constexpr double kLeastBed_m = 0.3, kLargestBed_m = 30;
@@ -289,6 +290,10 @@ Scenario ReadScenario(const ConfigMap& config) {
       config.Number("settle_s", Between(0, kLongestSettle_s, "s"), kDefaultSettle_s);
   Site site = Site::Read(config.Map("terrain"), scenario.seed);
   scenario.record = ReadTerrainRecord(config.OptionalMap("record"), site.surface());
+  if (const auto record = config.OptionalMap("record")) {
+    scenario.poses_hz =
+        record->OptionalNumber("poses_hz", Between(kSlowestPoses_hz, kFastest_hz, "Hz"));
+  }
   scenario.origin = ReadOrigin(config, site);
   if (const auto environment = config.OptionalMap("environment")) {
     scenario.environment = ReadEnvironment(*environment);

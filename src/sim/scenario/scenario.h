@@ -61,6 +61,7 @@ struct Scenario {
   std::vector<ScenarioMachine> machines;
   std::vector<ScenarioObstacle> obstacles;
   TerrainRecord record;
+  std::optional<double> poses_hz;  ///< at which poses of links, sensors and obstacles are kept
   /// What it was read from besides YAML, but for files that meshes name.
   std::vector<InputFile> inputs;
 };
