@@ -158,6 +158,7 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
   diagnosis.sensors = DiagnosedOf(
       DiagnoseSensors(input, measured, SensorOptionsOf(asked, options), clock), input.machine);
   TellReversed(measured.reversed, &diagnosis.sensors);
+  TellOffset(measured.offset_receivers, input.machine, &diagnosis.sensors);
   options.blocks.needs_any =
       options.blocks.needs_any && diagnosis.sensors.estimate.channels.empty();
   Measurements left = WithoutExplained(input, diagnosis.sensors.estimate, measured);

@@ -33,8 +33,22 @@ struct ReversedAxis {
   double pivot_rad = 0;  ///< about which it counts backwards
   /// Correlation of its rate with that of inertial units about the joint, and with its lever.
   double with_units = 0, with_lever = 0;
+  double p = 1;  ///< of both being so steadily negative by chance
   /// RMS of its rate less that of the units, as it counts and turned about.
   double rms_before_radps = 0, rms_after_radps = 0;
+};
+
+/// A receiver whose clock is ahead or behind by seconds.
+struct OffsetReceiver {
+  std::string target;               ///< its name, "gnss_left"
+  std::size_t sensor = 0;           ///< its place among the scenario's sensors
+  double documented_s = 0;          ///< by how much its clock is ahead by the scenario
+  double tolerance_s = 0;           ///< what is as expected beside that, or found otherwise
+  double shift_s = 0, sigma_s = 0;  ///< by how much more it is ahead
+  double p = 1;                     ///< of as steady a gain over all other clocks by chance
+  /// RMS of what it says that it moves by in a second less what running gear and joints say, with
+  /// its own stamps and anew.
+  double rms_before_m = 0, rms_after_m = 0;
 };
 
 /// The measurements of one machine within the part of a recording that is diagnosed.
@@ -52,6 +66,8 @@ struct Measurements {
   std::vector<std::vector<GnssSample>> gnss;  ///< one list for each sensor, as `imus`
   /// Axes that counted backwards, and count forwards in `encoders`.
   std::vector<ReversedAxis> reversed = {};
+  /// Receivers whose clocks were off, and whose samples in `gnss` are stamped anew.
+  std::vector<OffsetReceiver> offset_receivers = {};
   /// The time of the first sample of an encoder or inertial unit in the whole recording, from which
   /// all times count.
   TimeNs start_ns = 0;

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "diagnose/input_checks.h"
+#include "diagnose/sensors/offset_receivers.h"
 #include "diagnose/sensors/reversed_axes.h"
 
 namespace tera {
@@ -139,6 +140,10 @@ Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& record
         all > 0 ? "no sample in the encoder channels" : "no encoder channel", input.machine));
   }
   CheckMeasurements(input, recording, measured);
+  measured.reversed = ReversedAxesOf(input, measured);
+  CountForwards(measured.reversed, &measured);
+  measured.offset_receivers = OffsetReceiversOf(input, measured);
+  StampAnew(measured.offset_receivers, &measured);
   measured.start_ns = StartOf(measured);
   if (options.needs_any) RequireLongEnough(measured, options);
   const TimeNs from_ns = measured.start_ns + FromSeconds(options.from_s);
@@ -147,8 +152,6 @@ Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& record
   for (auto& samples : measured.imus) Trim(from_ns, to_ns, &samples);
   for (auto& samples : measured.gnss) Trim(from_ns, to_ns, &samples);
   Trim(from_ns, to_ns, &measured.efforts);
-  measured.reversed = ReversedAxesOf(input, measured);
-  CountForwards(measured.reversed, &measured);
   return measured;
 }
 

@@ -32,7 +32,7 @@ std::vector<Mechanism> Timing() {
   using enum Slot;
   const std::vector<EffectTarget> all = TargetsOf({kRows, kPictures, kScans});
   return {
-      {"clock_offset", kSensorTiming, all, {{"offset_s", "s", -40, 40, {}}}},
+      {"clock_offset", kSensorTiming, all, {{"offset_s", "s", -60, 60, {}}}},
       {"clock_drift", kSensorTiming, all, {{"drift_ppm", "ppm", -1e3, 1e3, {}}}},
       {"latency", kSensorTiming, all, {{"delay_s", "s", 0, 5, {}}, {"jitter_s", "s", 0, 1, 0}}},
       {"filter_delay", kSensorTiming, TargetsOf({kRows}), {{"time_constant_s", "s", 1e-4, 10, {}}}},

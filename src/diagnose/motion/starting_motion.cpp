@@ -19,15 +19,6 @@ struct BaseAt {
   Vec3 rpy_rad = Vec3::Zero();
 };
 
-Vec3 AntennaInBase(const AntennaTrack& antenna, const std::vector<TimeSeries>& joints, double t_s) {
-  std::array<double, kMostJointsOfChain> q{};
-  for (std::size_t s = 0; s < antenna.chain.steps.size(); ++s) {
-    const auto place = static_cast<std::size_t>(antenna.chain.steps[s].place);
-    if (!joints[place].empty()) q[s] = joints[place].At(t_s);
-  }
-  return PointInBase<double>(antenna.chain, antenna.p_L_m, q.data());
-}
-
 std::vector<BaseAt> ByPoses(const RoughSources& sources) {
   std::vector<BaseAt> base;
   for (std::size_t k = 0; k < sources.poses.size(); ++k) {
@@ -134,6 +125,15 @@ double TimeSeries::At(double at_s) const {
   const auto n = static_cast<std::size_t>(next - t_s.begin());
   const double s = (at_s - t_s[n - 1]) / (t_s[n] - t_s[n - 1]);
   return (1 - s) * value[n - 1] + s * value[n];
+}
+
+Vec3 AntennaInBase(const AntennaTrack& antenna, const std::vector<TimeSeries>& joints, double t_s) {
+  std::array<double, kMostJointsOfChain> q{};
+  for (std::size_t s = 0; s < antenna.chain.steps.size(); ++s) {
+    const auto place = static_cast<std::size_t>(antenna.chain.steps[s].place);
+    if (!joints[place].empty()) q[s] = joints[place].At(t_s);
+  }
+  return PointInBase<double>(antenna.chain, antenna.p_L_m, q.data());
 }
 
 Vec3 OnGround(const GroundHeight& ground, double x_m, double y_m, double yaw_rad) {

@@ -53,6 +53,9 @@ struct RoughSources {
 /// Omits   leaning where neither poses nor ground are known; delays.
 std::array<TimeSeries, kBaseNumbers> RoughBase(const RoughSources& sources);
 
+/// Where an antenna is in the base with the joints of a time.
+Vec3 AntennaInBase(const AntennaTrack& antenna, const std::vector<TimeSeries>& joints, double t_s);
+
 /// Height, roll and pitch of a base at (x, y) with a heading on the ground, by the heights under
 /// its corners.
 Vec3 OnGround(const GroundHeight& ground, double x_m, double y_m, double yaw_rad);

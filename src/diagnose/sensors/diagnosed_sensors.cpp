@@ -22,6 +22,7 @@ constexpr double kLeastExcessOfCause = 1.0 / 3;
 /// What changes less than noise does may be an error of the motion's model, which no noise hides in
 /// a long recording: splines that lag behind a shake, means over intervals.
 constexpr double kLeastSignalToNoise = 1;
+constexpr std::string_view kClock = "clock_offset";
 
 /// The index of a parameter of a mechanism; none where it has no such number.
 std::optional<std::size_t> IndexOf(const Mechanism& mechanism, const std::string& name) {
@@ -124,6 +125,27 @@ class Teller {
   DiagnosedSensors* out_;
 };
 
+/// What the estimate says of the clock of a receiver whose samples it had stamped anew, which is no
+/// finding beside the offset: taken from its findings, else the documented one as far as it is
+/// known.
+FoundNumber TakeRest(const OffsetReceiver& offset, DiagnosedSensors* sensors) {
+  FoundNumber rest{.value = offset.documented_s, .sigma = offset.sigma_s};
+  for (auto* list : {&sensors->findings, &sensors->unconfirmed, &sensors->within_tolerance}) {
+    const auto is_rest = [&](const SensorFound& told) {
+      const Candidate& candidate = *told.finding.term.candidate;
+      return candidate.mechanism->id == kClock && candidate.target == offset.target;
+    };
+    const auto found = std::find_if(list->begin(), list->end(), is_rest);
+    if (found == list->end()) continue;
+    const ParameterEstimate& number = found->finding.parameters.front();
+    rest.value = number.value;
+    rest.sigma = number.sigma.value_or(offset.sigma_s);
+    list->erase(found);
+    break;
+  }
+  return rest;
+}
+
 }  // namespace
 
 DiagnosedSensors DiagnosedOf(SensorDiagnosis estimate, const std::string& machine) {
@@ -163,13 +185,33 @@ void TellReversed(const std::vector<ReversedAxis>& reversed, DiagnosedSensors* s
     Finding& finding = told.finding;
     sensors->candidates.push_back({&*flip, axis.target, {}, {}, {}});
     finding.term.candidate = &sensors->candidates.back();
-    finding.evidence.p = finding.evidence.steady_p = finding.held_out.p = 0;
+    finding.evidence.p = finding.evidence.steady_p = finding.held_out.p = axis.p;
     finding.evidence.share = 1;
     finding.evidence.rivals = {finding.term.candidate};
     finding.is_confirmed = true;
     finding.held_out.rmse_before = axis.rms_before_radps;
     finding.held_out.rmse_after = axis.rms_after_radps;
     finding.held_out.excess_removed = 1 - std::pow(axis.rms_after_radps / axis.rms_before_radps, 2);
+    sensors->findings.push_back(std::move(told));
+  }
+}
+
+void TellOffset(const std::vector<OffsetReceiver>& offset, const std::string& machine,
+                DiagnosedSensors* sensors) {
+  Teller teller(machine, sensors);
+  for (const OffsetReceiver& one : offset) {
+    const FoundNumber rest = TakeRest(one, sensors);
+    SensorFinding found{.target = one.target, .mechanism = std::string(kClock)};
+    found.numbers = {{"offset_s", "s", one.shift_s + rest.value, rest.sigma, one.documented_s,
+                      one.tolerance_s, true}};
+    found.p = one.p;
+    SensorFound told = teller.Tell(found);
+    told.channel = machine + "/" + one.target + "/east_m";
+    told.unit = "m";
+    HeldOutError& error = told.finding.held_out;
+    error.rmse_before = one.rms_before_m;
+    error.rmse_after = one.rms_after_m;
+    error.excess_removed = 1 - std::pow(one.rms_after_m / one.rms_before_m, 2);
     sensors->findings.push_back(std::move(told));
   }
 }

@@ -36,6 +36,11 @@ DiagnosedSensors DiagnosedOf(SensorDiagnosis estimate, const std::string& machin
 /// Adds the axes that counted backwards, as findings, but those of which the scenario says so.
 void TellReversed(const std::vector<ReversedAxis>& reversed, DiagnosedSensors* sensors);
 
+/// Adds the receivers whose samples were stamped anew, as findings: by how much their clocks are
+/// off, the rest that the estimate says of them included.
+void TellOffset(const std::vector<OffsetReceiver>& offset, const std::string& machine,
+                DiagnosedSensors* sensors);
+
 /// Whether what is left of a channel is no louder than twice what its residuals differ by from one
 /// to the next: error that lasts would be. Error that changes as fast as noise does is not seen.
 bool IsNoise(const ChannelError& channel);

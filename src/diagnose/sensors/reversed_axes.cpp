@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "diagnose/motion/starting_motion.h"
+#include "diagnose/statistics/tests/opposition.h"
 #include "sensors/encoder/encoder_errors.h"
 
 namespace tera {
@@ -99,14 +100,26 @@ double CorrelationAt(const TimeSeries& rates, const TimeSeries& other, double la
   return one > 0 && two > 0 ? both / std::sqrt(one * two) : 0;
 }
 
-/// The correlation of largest magnitude over delays.
-double MostAlike(const TimeSeries& rates, const TimeSeries& other) {
-  double most = 0;
+struct Likeness {
+  double correlation = 0;
+  double p = 1;  ///< of going against each other as steadily by chance
+};
+
+/// The correlation of largest magnitude over delays, its p over as many tries.
+Likeness MostAlike(const TimeSeries& rates, const TimeSeries& other) {
+  Likeness most;
+  if (other.empty()) return most;
   const int lags = static_cast<int>(std::lround(kFurthest_s / kLag_s));
-  for (int lag = -lags; !other.empty() && lag <= lags; ++lag) {
+  double late_s = 0;
+  for (int lag = -lags; lag <= lags; ++lag) {
     const double here = CorrelationAt(rates, other, lag * kLag_s);
-    if (std::abs(here) > std::abs(most)) most = here;
+    if (std::abs(here) <= std::abs(most.correlation)) continue;
+    most.correlation = here;
+    late_s = lag * kLag_s;
   }
+  std::vector<double> beside;
+  for (const double t_s : rates.t_s) beside.push_back(other.At(t_s - late_s));
+  most.p = std::min(1.0, (2 * lags + 1) * OppositionP(rates.value, beside));
   return most;
 }
 
@@ -136,8 +149,10 @@ std::optional<ReversedAxis> Reversed(const DiagnosisInput& input, const Measurem
   const TimeSeries rates = RatesOf(recording, axis), turns = TurnsOfHinge(input, measured, joint);
   if (rates.t_s.size() < kFewestRates || turns.empty()) return std::nullopt;
   ReversedAxis found{sensor.name + "/" + hinge.name, named.channel, hinge.name};
-  found.with_units = MostAlike(rates, turns);
-  found.with_lever = MostAlike(rates, LeverOf(input, joint));
+  const Likeness units = MostAlike(rates, turns), lever = MostAlike(rates, LeverOf(input, joint));
+  found.with_units = units.correlation;
+  found.with_lever = lever.correlation;
+  found.p = std::max(units.p, lever.p);
   if (std::max(found.with_units, found.with_lever) > -kLeastCorrelation) return std::nullopt;
   const auto own = sensor.axis_effects.find(hinge.name);
   const Effects effects =

@@ -14,6 +14,8 @@ namespace tera {
 ///         correlated with units and levers at the delay, up to half a second, at which they look
 ///         most alike. It counts backwards about zero or about the middle of the joint's travel,
 ///         whichever brings the first reading nearer to where the scenario has the joint.
+///         Its p is that of going against the units, or against the lever if that is the larger
+///         one, as steadily by chance (OppositionP), over as many tries as there are delays.
 /// Omits   joints that slide, running gear, hinges without units on both sides.
 std::vector<ReversedAxis> ReversedAxesOf(const DiagnosisInput& input, const Measurements& measured);
 

@@ -66,12 +66,6 @@ class GroupOf {
 
 constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
 
-double DocumentedDelay_s(const Effects& effects) {
-  return NumberOf(effects, "clock_offset", "offset_s", 0) +
-         NumberOf(effects, "latency", "delay_s", 0) +
-         NumberOf(effects, "filter_delay", "time_constant_s", 0);
-}
-
 int AddDelay(const std::string& target, const Effects& effects, ParameterTable* table) {
   return GroupOf(table, target, kDelay)
       .Number("offset_s", "s", 1, DocumentedDelay_s(effects), kMostDelay_s, kWander)
@@ -90,6 +84,12 @@ int AddShift(const std::string& target, const std::string& mechanism, const Effe
 }
 
 }  // namespace
+
+double DocumentedDelay_s(const Effects& effects) {
+  return NumberOf(effects, "clock_offset", "offset_s", 0) +
+         NumberOf(effects, "latency", "delay_s", 0) +
+         NumberOf(effects, "filter_delay", "time_constant_s", 0);
+}
 
 double ParameterTable::HalfWidthOf(const std::string& target, const std::string& mechanism,
                                    const std::string& parameter) const {

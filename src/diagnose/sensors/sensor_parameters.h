@@ -48,6 +48,9 @@ struct ParameterTable {
   void LimitTo(const CandidateLibrary& library);
 };
 
+/// By how much the scenario has a sensor's stamps late: its clock, its latency and its filter.
+double DocumentedDelay_s(const Effects& effects);
+
 /// Adds the parameters of one sensor and sets their places in its channel.
 void AddImuParameters(const SensorDescription& unit, ParameterTable* table, UnitChannel* channel);
 void AddReceiverParameters(const SensorDescription& receiver, double segment_s,

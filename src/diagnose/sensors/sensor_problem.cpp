@@ -8,6 +8,8 @@
 #include "diagnose/blocks/measured_poses.h"
 #include "diagnose/blocks/sample_grid.h"
 #include "diagnose/motion/reduce_samples.h"
+#include "diagnose/sensors/gear_travel.h"
+#include "diagnose/sensors/usable_fix.h"
 #include "sensors/encoder/encoder_errors.h"
 #include "sensors/slots/effect_numbers.h"
 
@@ -58,7 +60,7 @@ class Builder {
     AddUnits();
     AddReceivers();
     AddPoses();
-    AddGears();
+    AddTravel();
     SetMotionOfUnits(&problem_.motion);
     SetStart();
     problem_.motion.parameters = static_cast<int>(problem_.table.parameters.size());
@@ -80,7 +82,6 @@ class Builder {
   void AddReceiver(std::size_t sensor, const KinematicChain& chain);
   void SharePairYaw();
   void AddPoses();
-  void AddGears();
   void AddTravel();
   void SetStart();
   void AddGround(const std::array<TimeSeries, kBaseNumbers>& base);
@@ -300,14 +301,6 @@ void Builder::AddUnits() {
   }
 }
 
-/// Whether a fix is as good as documented.
-bool IsGood(GnssFix fix, GnssFix documented) {
-  const auto rank = [](GnssFix one) {
-    return one == GnssFix::kRtkFixed ? 4 : one == GnssFix::kRtkFloat ? 3 : static_cast<int>(one);
-  };
-  return fix != GnssFix::kNone && rank(fix) >= rank(documented);
-}
-
 void Builder::AddReceivers() {
   for (std::size_t s = 0; s < input_.sensors.size(); ++s) {
     const int link = model().LinkIndex(input_.sensors[s].link);
@@ -331,7 +324,7 @@ void Builder::AddReceiver(std::size_t sensor, const KinematicChain& chain) {
   motion().receivers.push_back(channel);
   AntennaTrack track{chain, receiver.X_BS.translation(), {}, {}};
   for (const GnssSample& sample : measured_.gnss[sensor]) {
-    if (!IsGood(sample.fix, model.fix)) continue;
+    if (!IsAsDocumented(sample.fix, model.fix)) continue;
     Eigen::Matrix<double, 6, 1> value = Eigen::Matrix<double, 6, 1>::Zero();
     value.head<3>() = sample.enu_m;
     Observe(ObservationKind::kReceiver, motion().receivers.size() - 1, sample.t_ns, sample.t_ns,
@@ -380,31 +373,9 @@ void Builder::AddPoses() {
   }
 }
 
-void Builder::AddGears() {
-  const auto& gears = model().ground_tools.gears;
-  std::vector<GearTrack> tracks;
-  for (const NamedEncoders& named : measured_.encoders) {
-    for (std::size_t i = 0; i < named.recording.axes.size(); ++i) {
-      for (std::size_t g = 0; g < gears.size(); ++g) {
-        if (gears[g].name != named.recording.axes[i].name) continue;
-        GearTrack track{.radius_m = gears[g].ShoeRadius_m(), .left_m = LeftOfRoot_m(model(), g)};
-        if (const SensorDescription* sensor = SensorOf(named)) {
-          track.resolution_rad = std::get<EncoderModel>(sensor->model).resolution_rad;
-        }
-        for (const EncoderSample& sample : named.recording.samples) {
-          track.angle_rad.t_s.push_back(Seconds(sample.t_ns));
-          track.angle_rad.value.push_back(sample.q_rad[i]);
-        }
-        tracks.push_back(std::move(track));
-      }
-    }
-  }
-  if (!gears.empty() && tracks.size() == gears.size()) rough_.travel = TravelOf(tracks);
-  AddTravel();
-}
-
 void Builder::AddTravel() {
   const auto at_ns = [&](double t_s) { return problem_.start_ns + FromSeconds(t_s); };
+  rough_.travel = GearTravel(input_, measured_, problem_.start_ns);
   Eigen::Matrix<double, 6, 1> value = Eigen::Matrix<double, 6, 1>::Zero();
   for (const TravelWindow& window : rough_.travel) {
     value[0] = window.forward_mps;

@@ -56,6 +56,7 @@ TEST(ReversedAxes, AreThoseThatCountAgainstUnitsAndLever) {
   EXPECT_EQ(reversed[0].target, "encoders/boom");
   EXPECT_LT(reversed[0].with_units, -0.9);
   EXPECT_LT(reversed[0].with_lever, -0.9);
+  EXPECT_LT(reversed[0].p, 1e-6);
   EXPECT_FALSE(reversed[0].is_documented);
   EXPECT_LT(reversed[0].rms_after_radps, 0.3 * reversed[0].rms_before_radps);
 }
@@ -114,6 +115,7 @@ TEST(ReversedAxes, OfWhichTheScenarioSaysSoCountForwardsAndAreNoFinding) {
     if (is_documented) continue;
     EXPECT_EQ(told.findings[0].finding.term.candidate->mechanism->id, "axis_flip");
     EXPECT_EQ(told.findings[0].channel, "m/encoders/boom_radps");
+    EXPECT_EQ(told.findings[0].finding.evidence.p, reversed[0].p);
   }
 }
 

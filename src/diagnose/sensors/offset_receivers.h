@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "diagnose/diagnosis_input.h"
+#include "diagnose/sensors/path_lag.h"
+
+namespace tera {
+
+/// What a receiver's fixes say of its clock beside running gear and joints.
+struct ReceiverLag {
+  std::size_t sensor = 0;   ///< its place among the scenario's sensors
+  PathLag lag;              ///< beyond what is documented of its stamps
+  double documented_s = 0;  ///< offset of its clock
+  double near_s = 0;        ///< lags that are as expected, or that the estimate finds itself
+};
+
+/// The lag of each receiver of which there is something to compare.
+std::vector<ReceiverLag> ReceiverLags(const DiagnosisInput& input, const Measurements& measured);
+
+/// The receivers whose stamps are late or early by more than the estimate of the motion finds.
+///
+/// Model   a receiver's stamps are wrong where its antenna moved as running gear and joints (or
+///         recorded poses, where no gear was read) moved it (AntennaPath) at another time
+///         (LagBehind): by a lag beyond half a second and its tolerance with 95 %, better than with
+///         any other lag with p of 0.01 over all receivers, and by about as much as gear and joints
+///         say.
+/// Omits   that encoders are early, or poses, and all receivers right; receivers without their
+///         documented fix.
+std::vector<OffsetReceiver> OffsetReceiversOf(const DiagnosisInput& input,
+                                              const Measurements& measured);
+
+/// Stamps the samples of these receivers as documented clocks would.
+void StampAnew(const std::vector<OffsetReceiver>& offset, Measurements* measured);
+
+}  // namespace tera

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <complex>
+#include <optional>
+#include <vector>
+
+namespace tera {
+
+/// Places in the plane, x + i y, evenly spaced in time, linear between.
+struct PlanarPath {
+  double from_s = 0, step_s = 0.05;
+  std::vector<std::complex<double>> at_m;
+
+  bool Covers(double t_s) const;
+  std::complex<double> At(double t_s) const;  ///< within what it covers
+};
+
+/// A place in the plane at a time.
+struct PlanarFix {
+  double t_s = 0;
+  std::complex<double> at_m;
+};
+
+/// By how much fixes come after the path that they are of.
+struct PathLag {
+  double lag_s = 0, sigma_s = 0;
+  double share = 0;  ///< what the fixes move by over what the path does
+  double p = 1;      ///< of so steady a gain over all other lags by chance
+  /// RMS of what fixes move by in a step less what the path does, without a lag and with it, where
+  /// both are there.
+  double rms_before_m = 0, rms_after_m = 0;
+};
+
+/// The lag with which a path explains most of what fixes move by; none where they have too little
+/// time in common.
+///
+/// Model   fixes are averaged over a second, and the path likewise, at their times less a lag.
+///         What the means move by from one second to the next is q of the path and z of the fixes,
+///         z = share exp(i turn) q + noise: the share is one of the whole, the turn one of each
+///         five seconds, for headings by running gear drift, and where they begin is not known. Of
+///         lags up to a minute the one is taken that explains most of |z|^2.
+///         It is held against all others, block by block, by the gain in log-likelihood (GainP):
+///         against those up to `near_s`, which it has to show to be wrong, on those seconds alone
+///         which the path covers with either; against those a second and more from it, where it
+///         has to be the better one of two, on all seconds, a lag explaining nothing of what
+///         the path does not cover with it. p is the largest of these, over as many tries as there
+///         are seconds of lags. Noise is what the lag leaves, of a block whichever of the two
+///         leaves less of it where that is more, and twice as loud, for means of white noise that
+///         are differenced are at the worst. The deviation of the lag is that by the scatter of the
+///         blocks' scores.
+/// Omits   errors of the path that last longer than five seconds in one direction.
+/// Source  Shafer 2021, "Testing by betting"; Ibragimov and Mueller 2010 (steady_gain.h); White
+///         1982, "Maximum likelihood estimation of misspecified models".
+std::optional<PathLag> LagBehind(const PlanarPath& path, const std::vector<PlanarFix>& fixes,
+                                 double near_s);
+
+}  // namespace tera

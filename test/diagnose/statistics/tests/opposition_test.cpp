@@ -1,0 +1,69 @@
+#include "diagnose/statistics/tests/opposition.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/random.h"
+
+namespace tera {
+namespace {
+
+constexpr std::size_t kSize = 2000;
+
+/// Autoregressive noise about zero.
+std::vector<double> Noise(const std::string& name, std::uint64_t seed, double coefficient) {
+  const Stream draw(seed, name);
+  std::vector<double> values;
+  double last = 0;
+  for (std::size_t k = 0; k < kSize; ++k) {
+    last = coefficient * last + draw.Gaussian(k);
+    values.push_back(last);
+  }
+  return values;
+}
+
+/// How many of 400 pairs of independent series have a p of at most `level`.
+int Rejected(double coefficient, double level) {
+  int rejected = 0;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    const double p = OppositionP(Noise("a", seed, coefficient), Noise("b", seed, coefficient));
+    rejected += p <= level;
+  }
+  return rejected;
+}
+
+// Of 400 at a level of 0.01 four are expected, of 0.5 two hundred; five standard errors of these
+// are 10 and 50.
+TEST(Opposition, OfWhiteNoiseHasAUniformP) {
+  EXPECT_LE(Rejected(0, 0.01), 14);
+  EXPECT_NEAR(Rejected(0, 0.5), 200, 50);
+}
+
+TEST(Opposition, OfStubbornNoiseIsSeldomTold) { EXPECT_LE(Rejected(0.95, 0.01), 14); }
+
+TEST(Opposition, OfSeriesThatGoAgainstEachOtherHasAVerySmallP) {
+  const std::vector<double> one = Noise("one", 1, 0.9), noise = Noise("noise", 1, 0);
+  std::vector<double> other(kSize), same(kSize);
+  for (std::size_t k = 0; k < kSize; ++k) {
+    other[k] = -0.5 * one[k] + 0.2 * noise[k];
+    same[k] = -other[k];
+  }
+  EXPECT_LT(OppositionP(one, other), 1e-12);
+  EXPECT_GT(OppositionP(one, same), 0.999);
+}
+
+TEST(Opposition, OfFewerThanThreeBlocksSaysNothing) {
+  std::vector<double> one, other;
+  for (std::size_t k = 0; k < kSize; ++k) {
+    const double at = static_cast<double>(k) / kSize;
+    one.push_back(std::sin(3 * at));
+    other.push_back(-one.back());
+  }
+  EXPECT_EQ(OppositionP(one, other), 1);
+}
+
+}  // namespace
+}  // namespace tera
