@@ -12,10 +12,12 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double kFurthest_s = 60, kLag_s = 0.1;
-constexpr double kApart_s = 1;    ///< from which on lags are others
-constexpr double kMean_s = 1;     ///< over which fixes are averaged
-constexpr double kPeriods = 2;    ///< of fixes that come seldom, over which they are averaged
-constexpr int kStepsOfBlock = 5;  ///< with one turn
+constexpr double kApart_s = 1;          ///< from which on lags are others
+constexpr double kMean_s = 1;           ///< over which fixes are averaged
+constexpr double kPeriods = 2;          ///< of fixes that come seldom, over which they are averaged
+constexpr int kStepsOfBlock = 5;        ///< with one turn
+constexpr std::size_t kMostParts = 24;  ///< of a recording that count as independent evidence
+constexpr double kApartSigmas = 4;      ///< from which on lags are others, where that is more
 constexpr std::size_t kFewestSteps = 10;
 /// Power of the first difference of white noise where it is largest, over its variance.
 constexpr double kLoudest = 2;
@@ -176,7 +178,13 @@ std::vector<ManoeuvreGain> Comparison::GainsOf(const Steps& better, const Steps&
     gains[block].gain = (b.left_m2[block] - a.left_m2[block]) / twice_m2;
     gains[block].possible /= twice_m2;
   }
-  return gains;
+  std::vector<ManoeuvreGain> parts(std::min(kMostParts, blocks_));
+  for (std::size_t block = 0; block < blocks_; ++block) {
+    ManoeuvreGain& part = parts[block * parts.size() / blocks_];
+    part.gain += gains[block].gain;
+    part.possible += gains[block].possible;
+  }
+  return parts;
 }
 
 /// The lags that are looked at.
@@ -252,10 +260,12 @@ std::optional<PathLag> LagBehind(const PlanarPath& path, const std::vector<Plana
   const Fit alone = comparison.FitOf(best, comparison.MaskOf(best, best));
   const double noise_m2 =
       std::max(kLeastNoise_m * kLeastNoise_m, kLoudest * alone.Left_m2() / alone.Degrees());
+  Refine(comparison, &found);
+  const double apart_s = std::max(kApart_s, kApartSigmas * found.sigma_s);
   double p = 0;
   for (const double lag_s : Lags()) {
     const bool is_near = std::abs(lag_s) <= near_s + kLag_s / 2;
-    if (!is_near && std::abs(lag_s - found.lag_s) < kApart_s) continue;
+    if (!is_near && std::abs(lag_s - found.lag_s) < apart_s) continue;
     const Steps other = comparison.PathWith(lag_s);
     const auto& mask = is_near ? comparison.MaskOf(best, other) : comparison.all();
     p = std::max(p, GainP(comparison.GainsOf(best, other, mask, noise_m2)));
@@ -267,7 +277,6 @@ std::optional<PathLag> LagBehind(const PlanarPath& path, const std::vector<Plana
   const auto count = static_cast<double>(std::count(both.begin(), both.end(), 1));
   found.rms_before_m = std::sqrt(before.Left_m2() / std::max(1.0, count));
   found.rms_after_m = std::sqrt(after.Left_m2() / std::max(1.0, count));
-  Refine(comparison, &found);
   return found;
 }
 

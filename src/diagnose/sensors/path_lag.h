@@ -39,16 +39,16 @@ struct PathLag {
 ///         z = share exp(i turn) q + noise: the share is one of the whole, the turn one of each
 ///         five seconds, for headings by running gear drift, and where they begin is not known. Of
 ///         lags up to a minute the one is taken that explains most of |z|^2.
-///         It is held against all others, block by block, by the gain in log-likelihood (GainP):
-///         against those up to `near_s`, which it has to show to be wrong, on those seconds alone
-///         which the path covers with either; against those a second and more from it, where it
-///         has to be the better one of two, on all seconds, a lag explaining nothing of what
-///         the path does not cover with it. p is the largest of these, over as many tries as there
-///         are seconds of lags. Noise is what the lag leaves, of a block whichever of the two
-///         leaves less of it where that is more, and twice as loud, for means of white noise that
-///         are differenced are at the worst. The deviation of the lag is that by the scatter of the
-///         blocks' scores.
-/// Omits   errors of the path that last longer than five seconds in one direction.
+///         It is held against all others by the gain in log-likelihood over at most two dozen parts
+///         of the recording (GainP): against those up to `near_s`, which it has to show to be
+///         wrong, on those seconds alone which the path covers with either; against those a second
+///         and four deviations from it, where it has to be the better one of two, on all seconds, a
+///         lag explaining nothing of what the path does not cover with it. p is the largest of
+///         these, over as many tries as there are seconds of lags. Noise is what the lag leaves, of
+///         five seconds whichever of the two leaves less of them where that is more, and twice as
+///         loud, as differences of white noise are where they are loudest. The deviation of the lag
+///         is that by the scatter of the pieces' scores.
+/// Omits   errors of the path that last longer than a part of the recording.
 /// Source  Shafer 2021, "Testing by betting"; Ibragimov and Mueller 2010 (steady_gain.h); White
 ///         1982, "Maximum likelihood estimation of misspecified models".
 std::optional<PathLag> LagBehind(const PlanarPath& path, const std::vector<PlanarFix>& fixes,

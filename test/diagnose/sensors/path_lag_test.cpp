@@ -105,10 +105,21 @@ TEST(PathLag, IsFoundThroughGapsAndSlip) {
 }
 
 // Means over a second of ten fixes err by 0.6 m; the machine moves by half of that.
-TEST(PathLag, IsFoundUnderNoiseOfTwoMetresWhereTheRecordingIsLong) {
+TEST(PathLag, IsFoundUnderNoiseOfTwoMetresWithinAnHour) {
   Driven driven = Restless(5);
-  driven.length_s = 1200;
+  driven.length_s = 3600;
   driven.noise_m = 2;
+  driven.late_s = 18;
+  const auto lag = LagOf(driven);
+  ASSERT_TRUE(lag);
+  EXPECT_NEAR(lag->lag_s, 18, 5 * lag->sigma_s);
+  EXPECT_LT(lag->p, kAlpha);
+}
+
+TEST(PathLag, IsFoundUnderNoiseOfThreeDecimetresWithinMinutes) {
+  Driven driven = Restless(6);
+  driven.length_s = 180;
+  driven.noise_m = 0.3;
   driven.late_s = 18;
   const auto lag = LagOf(driven);
   ASSERT_TRUE(lag);
