@@ -2,19 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/units.h"
+#include "soil/tool/curved_slip.h"
+#include "soil/tool/golden_section.h"
 
 namespace tera {
 namespace {
 
 constexpr double kMargin_rad = 0.5 * kDeg;  ///< kept from the ends of the range of wedge angles
 constexpr double kLeastRake_rad = 5 * kDeg;
-constexpr double kSteepestRake_rad = 150 * kDeg;
-/// A wedge has at least this range of angles: tools that lean further forward push it as one that
-/// just leaves this much. Without room for a wedge its equilibrium has a pole.
+/// A wedge has at least this range of angles; without room for a wedge its equilibrium has a pole.
 constexpr double kLeastRange_rad = 10 * kDeg;
+/// Friction on an upright face up to which a plane slip surface is near enough, in parts of the
+/// soil's: blades, at half of it, have been measured against the plane's equation.
+constexpr double kPlaneUpTo = 0.58;
+constexpr int kSections = 20;  ///< 90 deg * 0.618^20 is 0.006 deg
 
 double Cot(double a) { return 1 / std::tan(a); }
 
@@ -84,38 +87,52 @@ CuttingFactors CuttingFactorsAt(const CuttingInput& in, double wedge_rad) {
   return n;
 }
 
+namespace {
+
+/// A face that leans forwards traps soil beneath it, which moves on with it: an upright face, with
+/// the friction that turns the force as far, of soil on soil at most.
+CuttingInput Upright(CuttingInput in) {
+  const double leans_rad = in.rake_rad - kPi / 2;
+  if (leans_rad <= 0) return in;
+  in.rake_rad = kPi / 2;
+  in.tool_friction_rad =
+      std::min(in.tool_friction_rad + leans_rad, std::max(in.tool_friction_rad, in.friction_rad));
+  return in;
+}
+
+/// The steepest rake, below the one asked for, at which a plane slip surface serves.
+double PlaneRake_rad(const CuttingInput& in, double least_rad, double flattest_wedge_rad) {
+  const double room_rad = kPi - in.tool_friction_rad - in.friction_rad - kMargin_rad -
+                          flattest_wedge_rad - kLeastRange_rad;
+  const double valid_rad = kPi / 2 + kPlaneUpTo * in.friction_rad - in.tool_friction_rad;
+  return std::clamp(std::min(room_rad, valid_rad), least_rad, std::max(least_rad, in.rake_rad));
+}
+
+}  // namespace
+
 CuttingForce Cut(const CuttingInput& input) {
   CuttingForce result;
   if (input.depth_m <= 0) return result;
-  CuttingInput in = input;
-  double low = std::max(in.slope_rad, -in.friction_rad) + 4 * kMargin_rad;
-  const double leans_to = kPi - in.tool_friction_rad - in.friction_rad - kMargin_rad;
+  CuttingInput in = Upright(input);
   // A blade comes out of falling ground behind its edge where it is steeper than the ground.
   const double least_rad = kLeastRake_rad + std::max(0.0, -in.slope_rad);
-  const double steepest =
-      std::max(least_rad, std::min(kSteepestRake_rad, leans_to - low - kLeastRange_rad));
-  in.rake_rad = std::clamp(in.rake_rad, least_rad, steepest);
-  double high =
-      std::max(low + kMargin_rad, std::min(kPi / 2 - kMargin_rad, leans_to - in.rake_rad));
-  const Wedges wedges(in);
-  constexpr double kGolden = 0.6180339887498949;
-  constexpr int kSections = 20;  // 90 deg * 0.618^20 is 0.006 deg
-  double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
-  double at_a = wedges.ForceAt_n(a), at_b = wedges.ForceAt_n(b);
-  for (int k = 0; k < kSections; ++k) {
-    if (at_a < at_b) {
-      high = b, b = a, at_b = at_a;
-      a = high - kGolden * (high - low), at_a = wedges.ForceAt_n(a);
-    } else {
-      low = a, a = b, at_a = at_b;
-      b = low + kGolden * (high - low), at_b = wedges.ForceAt_n(b);
-    }
-  }
-  result.wedge_rad = 0.5 * (low + high);
+  in.rake_rad = std::max(in.rake_rad, least_rad);
+  const double low_rad = std::max(in.slope_rad, -in.friction_rad) + 4 * kMargin_rad;
+  CuttingInput plane = in;
+  plane.rake_rad = PlaneRake_rad(in, least_rad, low_rad);
+  const double leans_to = kPi - in.tool_friction_rad - in.friction_rad - kMargin_rad;
+  const double high_rad =
+      std::max(low_rad + kMargin_rad, std::min(kPi / 2 - kMargin_rad, leans_to - plane.rake_rad));
+  const Wedges wedges(plane);
+  result.wedge_rad = WhereLeast([&](double wedge_rad) { return wedges.ForceAt_n(wedge_rad); },
+                                low_rad, high_rad, kSections);
+  result.wedge_length_m = in.depth_m * wedges.Ahead(std::tan(result.wedge_rad));
   result.total_n = std::max(0.0, wedges.ForceAt_n(result.wedge_rad));
+  if (plane.rake_rad < in.rake_rad) {
+    result.total_n = std::max(result.total_n, CurvedSlipForce_n(in));
+  }
   result.draft_n = result.total_n * std::sin(in.rake_rad + in.tool_friction_rad);
   result.vertical_n = result.total_n * std::cos(in.rake_rad + in.tool_friction_rad);
-  result.wedge_length_m = in.depth_m * wedges.Ahead(std::tan(result.wedge_rad));
   return result;
 }
 

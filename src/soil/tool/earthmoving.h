@@ -1,5 +1,7 @@
 #pragma once
 
+#include "soil/tool/cutting_input.h"
+
 /// The fundamental earthmoving equation: the force that a plane blade needs to cut soil.
 ///
 /// Model   The wedge between blade and the slip plane is in limit equilibrium:
@@ -16,22 +18,6 @@
 ///         1998, which measures angles from the surface and turns gravity in them: the same force.
 
 namespace tera {
-
-struct CuttingInput {
-  double width_m = 1;
-  double depth_m = 0;   ///< upright, from the surface to the edge
-  double rake_rad = 0;  ///< between blade and level, 90 deg is upright
-  double density_kgpm3 = 0;
-  double friction_rad = 0;
-  double tool_friction_rad = 0;
-  double cohesion_pa = 0;
-  double adhesion_pa = 0;
-  double surcharge_pa = 0;
-  double speed_mps = 0;  ///< over ground, its level part
-  double slope_rad = 0;  ///< the ground rises ahead
-  double flank_share =
-      0;  ///< of the two flanks' shear: 1 for a whole tool, 1/n for one of n strips
-};
 
 struct CuttingFactors {
   double wedge_rad = 0;  ///< beta, between slip plane and level

@@ -1,0 +1,128 @@
+#include "soil/tool/curved_slip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/motion.h"
+#include "core/units.h"
+#include "soil/tool/golden_section.h"
+
+namespace tera {
+namespace {
+
+constexpr double kLeastFriction = 1e-6;  ///< tangent; a spiral of less is a circle
+constexpr double kLeastTurn_rad = 1e-3;
+constexpr double kWidestTurn_rad = 150 * kDeg;
+// Where the spirals of least force lie: they come out of level ground steeper than Rankine's slip
+// plane by this share of their turn, of ground that rises by this share of its slope in addition.
+constexpr double kExitPerTurn = 1.0 / 3, kExitPerSlope = 0.6;
+constexpr double kAround_rad = 25 * kDeg;  ///< they are looked for in this range about that exit
+
+double Cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// First moment, about the upright through the pole, of the triangle between it and two points.
+double Moment_m3(const Vec2& a, const Vec2& b) { return Cross(a, b) / 6 * (a.x() + b.x()); }
+
+/// The equation of moments for one blade in one soil, ready for many spirals.
+class Spirals {
+ public:
+  explicit Spirals(const CuttingInput& in)
+      : in_(in),
+        weight_npm3_(in.density_kgpm3 * kStandardGravity_mps2),
+        tan_friction_(std::max(std::tan(in.friction_rad), kLeastFriction)),
+        sin_friction_(std::sin(std::atan(tan_friction_))),
+        tan_slope_(std::tan(in.slope_rad)),
+        up_blade_(-std::cos(in.rake_rad), std::sin(in.rake_rad)),
+        push_(std::sin(in.rake_rad + in.tool_friction_rad),
+              std::cos(in.rake_rad + in.tool_friction_rad)),
+        blade_m_(in.depth_m / (up_blade_.y() - up_blade_.x() * tan_slope_)) {}
+
+  double ForceAt_n(double exit_rad, double turn_rad) const {
+    // The spiral's radius stands on the slip surface, leant back by the friction. All points are
+    // seen from the pole, all moments about it, for each metre of width.
+    const double from_rad = exit_rad - turn_rad + in_.friction_rad - kPi / 2;
+    const Vec2 from(std::cos(from_rad), std::sin(from_rad));
+    const Vec2 to(std::cos(from_rad + turn_rad), std::sin(from_rad + turn_rad));
+    const double grows = std::exp(turn_rad * tan_friction_);
+    const Vec2 chord = grows * to - from;
+    const double climbs = chord.y() - chord.x() * tan_slope_;
+    if (climbs <= 0) return std::numeric_limits<double>::infinity();
+    const double radius_m = in_.depth_m / climbs;
+    const Vec2 edge = radius_m * from, end = radius_m * grows * to;
+    const double low_arm_m = Cross(edge + blade_m_ / 3 * up_blade_, push_);
+    const double mid_arm_m = Cross(edge + blade_m_ / 2 * up_blade_, push_);
+    if (low_arm_m <= 0 || mid_arm_m <= 0) return std::numeric_limits<double>::infinity();
+    const Vec2 lip = edge + blade_m_ * up_blade_;
+    const double weight_n =
+        weight_npm3_ * (SectorMoment_m3(edge, end) + Moment_m3(end, lip) + Moment_m3(lip, edge));
+    const double sector_m2 = (end.squaredNorm() - edge.squaredNorm()) / (4 * tan_friction_);
+    const double cohesive_n = 2 * sector_m2 * in_.cohesion_pa;
+    const double adhesive_n = in_.adhesion_pa * Cross(edge, blade_m_ * up_blade_);
+    const double surcharge_n = in_.surcharge_pa * 0.5 * (end.x() * end.x() - lip.x() * lip.x());
+    const double others_n = cohesive_n + adhesive_n + surcharge_n +
+                            FlanksMoment_n(edge, end, sector_m2) +
+                            InertiaMoment_n(chord, edge, end, sector_m2);
+    return in_.width_m * (weight_n / low_arm_m + others_n / mid_arm_m);
+  }
+
+ private:
+  /// First moment of the area between the spiral and the pole: of r^3 cos / 3 over the angle.
+  double SectorMoment_m3(const Vec2& edge, const Vec2& end) const {
+    const double t = 3 * tan_friction_;
+    const auto integral = [&](const Vec2& p) { return p.squaredNorm() * (t * p.x() + p.y()); };
+    return (integral(end) - integral(edge)) / (3 * (t * t + 1));
+  }
+
+  /// Shear on both sides of what lies ahead of the edge, about at the middle of its chord's
+  /// triangle, along the way that soil goes there.
+  double FlanksMoment_n(const Vec2& edge, const Vec2& end, double sector_m2) const {
+    const Vec2 above = edge + in_.depth_m * Vec2::UnitY();
+    const double side_m2 =
+        std::max(0.0, sector_m2 + 0.5 * (Cross(end, above) + Cross(above, edge)));
+    const double at_rest = 1 - std::sin(in_.friction_rad);  // Jaky
+    const double shear_pa =
+        in_.cohesion_pa + at_rest * weight_npm3_ * in_.depth_m / 3 * tan_friction_;
+    const double arm_m = (edge + above + end).norm() / 3 * std::cos(in_.friction_rad);
+    return 2 * in_.flank_share * side_m2 * shear_pa * arm_m / in_.width_m;
+  }
+
+  /// Soil that comes to the surface is set moving along its chord.
+  double InertiaMoment_n(const Vec2& chord, const Vec2& edge, const Vec2& end,
+                         double sector_m2) const {
+    const double speed2 = in_.speed_mps * in_.speed_mps;
+    const double inertia_npm = in_.density_kgpm3 * speed2 * in_.depth_m * in_.depth_m /
+                               Cross(chord.normalized(), blade_m_ * up_blade_);
+    const double length_m = (end.norm() - edge.norm()) / sin_friction_;
+    return inertia_npm * 2 * sector_m2 / length_m;
+  }
+
+  const CuttingInput& in_;
+  double weight_npm3_, tan_friction_, sin_friction_, tan_slope_;
+  Vec2 up_blade_, push_;  ///< unit vectors: from the edge up the blade, and along P
+  double blade_m_;        ///< in the ground
+};
+
+}  // namespace
+
+double CurvedSlipForceAt_n(const CuttingInput& in, double exit_rad, double turn_rad) {
+  return Spirals(in).ForceAt_n(exit_rad, turn_rad);
+}
+
+double CurvedSlipForce_n(const CuttingInput& in) {
+  const Spirals spirals(in);
+  const double rankine_rad = kPi / 4 - in.friction_rad / 2 + kExitPerSlope * in.slope_rad;
+  const auto force_n = [&](double steeper_rad, double turn_rad) {
+    return spirals.ForceAt_n(rankine_rad + steeper_rad + kExitPerTurn * turn_rad, turn_rad);
+  };
+  double turn_rad =
+      WhereLeast([&](double turn) { return force_n(0, turn); }, kLeastTurn_rad, kWidestTurn_rad, 8);
+  const double steeper_rad = WhereLeast([&](double steeper) { return force_n(steeper, turn_rad); },
+                                        -kAround_rad, kAround_rad, 6);
+  turn_rad =
+      WhereLeast([&](double turn) { return force_n(steeper_rad, turn); },
+                 std::max(kLeastTurn_rad, turn_rad - kAround_rad), turn_rad + kAround_rad, 4);
+  return force_n(steeper_rad, turn_rad);
+}
+
+}  // namespace tera

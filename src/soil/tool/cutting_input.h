@@ -1,0 +1,22 @@
+#pragma once
+
+namespace tera {
+
+/// A plane blade, and the soil that it cuts.
+struct CuttingInput {
+  double width_m = 1;
+  double depth_m = 0;   ///< upright, from the surface to the edge
+  double rake_rad = 0;  ///< between blade and level, 90 deg is upright
+  double density_kgpm3 = 0;
+  double friction_rad = 0;
+  double tool_friction_rad = 0;
+  double cohesion_pa = 0;
+  double adhesion_pa = 0;
+  double surcharge_pa = 0;
+  double speed_mps = 0;  ///< over ground, its level part
+  double slope_rad = 0;  ///< the ground rises ahead
+  double flank_share =
+      0;  ///< of the two flanks' shear: 1 for a whole tool, 1/n for one of n strips
+};
+
+}  // namespace tera
