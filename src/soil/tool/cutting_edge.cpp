@@ -10,7 +10,8 @@ namespace tera {
 namespace {
 
 constexpr double kElasticTravel_m = 0.006;  ///< travel over which the force builds up
-constexpr double kLookAhead_m = 0.30;       ///< over which the ground's slope ahead is measured
+constexpr double kWedgeLength = 2;          ///< of what an upright blade lifts, in depths
+constexpr double kLeastSpan_m = 0.225;      ///< over which the ground ahead is looked at
 constexpr double kNearAhead_cells = 1.5;    ///< where the depth is measured: past the cut itself
 constexpr double kLeastLevelMouth = 0.1;    ///< a mouth that looks more up or down than this
 constexpr double kLeastLevel = 1e-6;        ///< no direction below it
@@ -28,6 +29,36 @@ std::optional<Vec3> CutDirection(const ShovelShape& shape, const Mat3& R_WB) {
   if (travel_W.norm() < kLeastLevelMouth) travel_W = level(R_WB * shape.edge_direction_B());
   if (travel_W.norm() < kLeastLevel) return std::nullopt;
   return travel_W.normalized();
+}
+
+/// The plane that comes nearest to the surface ahead of a point.
+struct Surface {
+  double above_m;  ///< the point, there
+  double slope_rad;
+};
+
+/// By least squares over what the wedge of soil ahead takes up, from `near_m` on. Nothing above the
+/// point where the ground there lies below it.
+Surface SurfaceAhead(const Vec3& p_W, double near_m, const Vec3& travel_W, const Columns& ground) {
+  constexpr int kPlaces = 4;
+  constexpr double kSquares = 20.0 / 36;  // sum of (k / 3 - 1 / 2)^2
+  const auto above_m = [&](double ahead_m) {
+    const Vec2 at = (p_W + ahead_m * travel_W).head<2>();
+    return ground.HeightAt(at.x(), at.y()) - p_W.z();
+  };
+  double sum_m = above_m(near_m), moment_m = -0.5 * sum_m;
+  if (sum_m <= 0) return {0, 0};
+  const double span_m = std::max(kLeastSpan_m, kWedgeLength * sum_m);
+  for (int k = 1; k < kPlaces; ++k) {
+    const double part = k / (kPlaces - 1.0);
+    const double at_m = above_m(near_m + part * span_m);
+    sum_m += at_m;
+    moment_m += (part - 0.5) * at_m;
+  }
+  const double slope = moment_m / kSquares / span_m;
+  const double at_near_m = sum_m / kPlaces - 0.5 * span_m * slope;
+  const double slope_rad = std::clamp(std::atan(slope), -kSteepestSlope_rad, kSteepestSlope_rad);
+  return {at_near_m - near_m * std::tan(slope_rad), slope_rad};
 }
 
 }  // namespace
@@ -54,23 +85,18 @@ std::array<CuttingEdge::Strip, CuttingEdge::kStrips> CuttingEdge::Strips(
     const ShovelShape& shape, const BodyState& body, const Vec3& travel_W,
     const std::vector<SoilType>& soils, Columns* ground) const {
   std::array<Strip, kStrips> strips;
-  const double near_m = kNearAhead_cells * ground->cell_m();
+  // Under a top edge that hangs over, the ground stands as far as the shovel leaves it.
+  const Vec3 mouth_W = body.X_WB.linear() * (shape.top_edge_B() - shape.edge_B());
+  const double near_m = std::max(0.0, mouth_W.dot(travel_W)) + kNearAhead_cells * ground->cell_m();
   for (int s = 0; s < kStrips; ++s) {
     Strip& strip = strips[s];
     strip.p_B = shape.edge_B() + ((s + 0.5) / kStrips - 0.5) * shovel_.width_m * Vec3::UnitY();
     strip.p_W = body.X_WB * strip.p_B;
-    const Vec2 near = (strip.p_W + near_m * travel_W).head<2>();
-    const Vec2 far = (strip.p_W + kLookAhead_m * travel_W).head<2>();
-    const double z_near = ground->HeightAt(near.x(), near.y());
-    strip.depth_m = 0;
-    if (z_near <= strip.p_W.z()) continue;
-    const double z_far = ground->HeightAt(far.x(), far.y());
-    strip.slope_rad = std::clamp(std::atan2(z_far - z_near, kLookAhead_m - near_m),
-                                 -kSteepestSlope_rad, kSteepestSlope_rad);
-    // The surface that was above the edge before it cut.
-    const double z_above = z_near - near_m * std::tan(strip.slope_rad);
-    strip.depth_m = std::clamp(z_above - strip.p_W.z(), 0.0, shape.radius_m());
+    const Surface surface = SurfaceAhead(strip.p_W, near_m, travel_W, *ground);
+    strip.slope_rad = surface.slope_rad;
+    strip.depth_m = std::clamp(surface.above_m, 0.0, shape.radius_m());
     if (strip.depth_m <= 0) continue;
+    const Vec2 near = (strip.p_W + near_m * travel_W).head<2>();
     const int i = std::clamp(ground->NearestI(near.x()), 0, ground->nx() - 1);
     const int j = std::clamp(ground->NearestJ(near.y()), 0, ground->ny() - 1);
     strip.soil = SoilAbove(ground->Touch(i, j), strip.p_W.z(), *ground, soils);

@@ -16,17 +16,18 @@ namespace {
 constexpr double kElasticDepth_m = 0.01;    ///< indentation at which the shell's bearing is reached
 constexpr double kShellWidth_m = 0.10;      ///< width of the loaded strip for the bearing pressure
 constexpr double kLeastDownward = 0.35;     ///< parts of the shell facing further up carry nothing
+constexpr double kFaceDownward = 0.7;       ///< the same of the face of a blade
 constexpr double kShellDampingRatio = 0.2;  ///< of critical for the mass that the pressure carries
 constexpr double kSlideSpeed_mps = 0.10;    ///< shell friction is proportional to speed below it
 constexpr double kBeside_cells = 2;         ///< where the ground beside the shovel is looked at
 constexpr double kNear_m = 0.3;             ///< a shovel this close to the ground holds soil back
 constexpr double kLeastSpeed_mps = 1e-4;    ///< no direction below it
 // Soil pushed aside.
-constexpr int kWidestWedge = 60;        ///< columns
-constexpr double kFan_rad = 25 * kDeg;  ///< to both sides of the direction of motion
-constexpr double kParcel_m = 0.001;     ///< soil is spread in parcels at least this thick
-constexpr double kThickest_m = 0.02;    ///< and at most this
-constexpr int kLongestRoll = 60;        ///< columns
+constexpr std::size_t kWidestWedge = 60;  ///< columns
+constexpr double kFan_rad = 25 * kDeg;    ///< to both sides of the direction of motion
+constexpr double kParcel_m = 0.001;       ///< soil is spread in parcels at least this thick
+constexpr double kThickest_m = 0.02;      ///< and at most this
+constexpr int kLongestRoll = 60;          ///< columns
 // Carried soil.
 constexpr double kSpillTime_s = 0.25;   ///< time constant at which what cannot stay leaves
 constexpr double kStuckClod_m = 0.025;  ///< thickest layer that hangs on the shell: an estimate
@@ -45,6 +46,9 @@ double Turn(std::size_t n, double ratio) {
 }
 
 double Clamp01(double x) { return std::clamp(x, 0.0, 1.0); }
+
+/// The column nearest to a place in columns.
+int Nearest(double columns) { return static_cast<int>(std::lround(columns)); }
 
 /// A level unit vector below a direction.
 Vec2 Level(const Vec3& v_W) {
@@ -118,43 +122,64 @@ void Digging::FindFootprint(const BodyState& body, Columns* ground) {
   }
 }
 
-/// Puts soil outside the footprint in `direction`, on the columns that rise when a body pushes a
-/// wedge of soil before it: those above a plane that rises from its lowest point at Rankine's
-/// passive angle. From there it rolls down what is steeper than repose.
-void Digging::PutOutside(const Swept& swept, const Vec2& way_out, SpoilMix* spoil,
-                         Columns* ground) {
+/// Where one comes out of the footprint from a column of it, in columns.
+Vec2 Digging::WayOutFrom(const Swept& swept, const Vec2& direction) const {
   constexpr double kStep = 0.7;  // in columns: skips none
+  Vec2 at(swept.i, swept.j);
+  while (InFootprint(Nearest(at.x()), Nearest(at.y()))) at += kStep * direction;
+  return at;
+}
+
+/// Puts soil outside the footprint in `way_out`, on the columns that rise when a body pushes a
+/// wedge of soil before it: those above a plane that rises from its lowest point at Rankine's
+/// passive angle. From there it rolls down what is steeper than repose, or over a blade.
+void Digging::PutOutside(const BodyState& body, const Swept& swept, const Vec2& way_out,
+                         SpoilMix* spoil, Columns* ground) {
   // The wedge fans out, or all that one place of the shovel pushes would lie in one line.
   const double fan_rad = kFan_rad * (2 * Turn(put_, kAcross) - 1);
   const Vec2 direction(std::cos(fan_rad) * way_out.x() - std::sin(fan_rad) * way_out.y(),
                        std::sin(fan_rad) * way_out.x() + std::cos(fan_rad) * way_out.y());
-  double x = swept.i, y = swept.j;
-  const auto at = [](double v) { return static_cast<int>(std::lround(v)); };
-  while (InFootprint(at(x), at(y))) {
-    x += kStep * direction.x();
-    y += kStep * direction.y();
-  }
+  Vec2 out = WayOutFrom(swept, direction);
+  const auto place = [&](std::size_t n) {
+    const Vec2 at = out + static_cast<double>(n) * direction;
+    return Place{Nearest(at.x()), Nearest(at.y())};
+  };
   const double friction_rad = soils_[spoil->main_soil()].friction_angle_rad;
   const double repose_rad = soils_[spoil->main_soil()].repose_angle_rad;
   const double rise_m = std::tan(kPi / 4 - friction_rad / 2) * ground->cell_m();
-  const auto rises = [&](int n) {
-    const int i = at(x + n * direction.x()), j = at(y + n * direction.y());
+  const auto rises = [&](std::size_t n) {
+    const auto [i, j] = place(n);
     return ground->Contains(i, j) && !InFootprint(i, j) &&
-           swept.crossing.low_m + n * rise_m < ground->TopAt(i, j);
+           swept.crossing.low_m + static_cast<double>(n) * rise_m < ground->TopAt(i, j);
   };
   std::size_t wide = 1;
-  while (wide < kWidestWedge && rises(static_cast<int>(wide))) ++wide;
+  if (RidesOver(body, place(0), repose_rad, *ground)) {
+    out = WayOutFrom(swept, -direction);
+  } else {
+    while (wide < kWidestWedge && rises(wide)) ++wide;
+  }
   // In parcels that are worth the trouble, which take turns over the columns.
   const double thickness_m = spoil->volume_m3() / ground->area_m2();
   const std::size_t parcels =
       std::clamp<std::size_t>(static_cast<std::size_t>(thickness_m / kParcel_m), 1,
                               std::max(wide, static_cast<std::size_t>(thickness_m / kThickest_m)));
   for (std::size_t p = 0; p < parcels; ++p) {
-    const auto n = static_cast<std::size_t>(Turn(++put_, kAlong) * static_cast<double>(wide));
-    Place rest{at(x + n * direction.x()), at(y + n * direction.y())};
+    const double turn = Turn(++put_, kAlong);
+    Place rest = place(static_cast<std::size_t>(turn * static_cast<double>(wide)));
     for (int k = 0; k < kLongestRoll && RollsOn(repose_rad, *ground, &rest); ++k) continue;
     ground->DepositAt(rest.i, rest.j, spoil->Take(1.0 / static_cast<double>(parcels - p)));
   }
+}
+
+/// Whether soil that comes to a place before a blade rides up and over it: where what lies there
+/// already reaches as high as a heap that falls at repose from the blade's top edge.
+bool Digging::RidesOver(const BodyState& body, const Place& at, double repose_rad,
+                        const Columns& ground) const {
+  if (shovel_.capacity_m3 > 0 || !ground.Contains(at.i, at.j)) return false;
+  const Vec3 top_W = body.X_WB * shape_.top_edge_B();
+  const Vec2 from_top(ground.x_m(at.i) - top_W.x(), ground.y_m(at.j) - top_W.y());
+  const double ahead_m = from_top.dot(Level(body.X_WB.linear() * shape_.mouth_normal_B()));
+  return ground.TopAt(at.i, at.j) > top_W.z() - std::max(0.0, ahead_m) * std::tan(repose_rad);
 }
 
 /// Whether soil put on a column rolls on, and to which of those around: the steepest way down that
@@ -204,7 +229,9 @@ double Digging::LowestBeside_m(const BodyState& body, const Columns& ground) con
 bool Digging::PressShell(const BodyState& body, const Swept& swept, double dt_s, bool may_enter,
                          Columns* ground, double* keep_m, Wrench* wrench) const {
   const Vec3 n_W = body.X_WB.linear() * swept.crossing.low_normal_B;
-  if (n_W.z() >= -kLeastDownward) return false;
+  // On a blade's face acts the force on its edge, until it lies on the ground.
+  const bool is_face = swept.crossing.through_mouth && shovel_.capacity_m3 <= 0;
+  if (n_W.z() >= -(is_face ? kFaceDownward : kLeastDownward)) return false;
   const ColumnId k = ground->Touch(swept.i, swept.j);
   const double overlap_m = ground->at(k).top_m - swept.crossing.low_m;
   const Vec3 p_W(ground->x_m(swept.i), ground->y_m(swept.j), swept.crossing.low_m);
@@ -212,7 +239,8 @@ bool Digging::PressShell(const BodyState& body, const Swept& swept, double dt_s,
   // The shell's own advance into the column, and what it may indent elastically.
   const double v_in_mps = v_W.dot(n_W);
   const double advance_m = std::max(0.0, v_in_mps) / -n_W.z() * dt_s;
-  if (may_enter && overlap_m > kElasticDepth_m + 2 * advance_m) return false;
+  const bool comes_from_ahead = may_enter || v_in_mps < 0;
+  if (comes_from_ahead && overlap_m > kElasticDepth_m + 2 * advance_m) return false;
   *keep_m = std::min(overlap_m, kElasticDepth_m);
   const std::uint8_t soil = ground->soil_at(k);
   const double bearing_pa = (ground->at(k).is_loose() ? bearing_loose_ : bearing_)[soil].At_pa(
@@ -269,7 +297,7 @@ void Digging::CutFootprint(const BodyState& body, double dt_s, Columns* ground, 
       room_m3 -= cut.volume_m3();
       carried_.Add(cut);
     } else {
-      PutOutside(swept, WayOut(body, p_W, v_W), &cut, ground);
+      PutOutside(body, swept, WayOut(body, p_W, v_W), &cut, ground);
     }
   }
 }

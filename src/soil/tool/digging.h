@@ -20,7 +20,8 @@ namespace tera {
 ///         column. What comes in through the mouth is carried (a bucket) until it is heaped full;
 ///         the rest, and what a blade, the back of a bucket or its shell meets, is put outside in
 ///         the direction of motion, over the columns that a passive wedge lifts: up from the
-///         shovel's lowest point at 45 deg - phi/2, from where it rolls down to repose.
+///         shovel's lowest point at 45 deg - phi/2, from where it rolls down to repose. What would
+///         stand before a blade higher than at repose down from its top edge rides up and over it.
 ///         Carried soil beyond what stands heaped at the angle of repose under the present apparent
 ///         gravity leaves over the lower lip at a finite rate, as clods that fall, over the cutting
 ///         edge between the teeth. A layer as thick as adhesion (or cohesion, if that is less)
@@ -56,8 +57,12 @@ class Digging {
   bool PressShell(const BodyState& body, const Swept& swept, double dt_s, bool may_enter,
                   Columns* ground, double* keep_m, Wrench* wrench) const;
   double LowestBeside_m(const BodyState& body, const Columns& ground) const;
-  void PutOutside(const Swept& swept, const Vec2& way_out, SpoilMix* spoil, Columns* ground);
   using Place = Columns::Place;
+  Vec2 WayOutFrom(const Swept& swept, const Vec2& direction) const;
+  void PutOutside(const BodyState& body, const Swept& swept, const Vec2& way_out, SpoilMix* spoil,
+                  Columns* ground);
+  bool RidesOver(const BodyState& body, const Place& at, double repose_rad,
+                 const Columns& ground) const;
   bool RollsOn(double repose_rad, const Columns& ground, Place* at) const;
   Vec2 WayOut(const BodyState& body, const Vec3& p_W, const Vec3& v_W) const;
   bool IsShut(const BodyState& body, const Columns& ground) const;

@@ -24,8 +24,8 @@ CuttingInput Wall(double phi_deg, double delta_deg) {
 
 /// K_p: P over rho g d^2 / 2.
 double Kp(const CuttingInput& in) {
-  return Cut(in).total_n / (in.width_m * in.density_kgpm3 * kStandardGravity_mps2 * in.depth_m *
-                            in.depth_m / 2);
+  return Cut(in).total_n /
+         (in.width_m * in.density_kgpm3 * kStandardGravity_mps2 * in.depth_m * in.depth_m / 2);
 }
 
 // Caquot and Kerisel's K_p of upright walls and level ground as NAVFAC DM-7.02 (1986), fig. 6 has

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <thread>
+#include <utility>
 
 #include "core/random.h"
 #include "soil/soil_fixture.h"
+#include "soil/tool/earthmoving.h"
 
 namespace tera {
 namespace {
@@ -325,6 +328,122 @@ TEST(Digging, TheWindrowBeforeABladeResistsByTheFrictionOfItsWeight) {
   const double more_n = last_n / last - first_n / first;
   EXPECT_GT(more_n, 0.6 * friction_n);
   EXPECT_LT(more_n, 4 * friction_n);
+}
+
+/// A plate 0.3 m wide and 0.6 m long without a thin edge's piercing, driven 2 m with its edge 0.2 m
+/// deep: its draft over the last half metre, the heap that it has then over the wedge of the
+/// earthmoving equation, and the equation's draft with that heap as surcharge.
+struct PlateRun {
+  double draft_n = 0, heap_m = 0, equation_n = 0;
+};
+PlateRun RunPlate(const std::string& soil_name, double rake_deg) {
+  const SoilType type = Shipped(soil_name);
+  auto soil = MakeGround("size_m: [12, 6]\nsoil: " + soil_name);
+  Shovel plate;
+  plate.profile_B_m = {{0, 0}, {0, 0.6}, {0.06, 0.6}};
+  plate.width_m = 0.3;
+  plate.edge_thickness_m = 1e-9;
+  GroundTools tools;
+  tools.shovels = {plate};
+  const int machine = soil->AddMachine(tools);
+  const double pitch_rad = (rake_deg - 90) * kDeg;
+  PlateRun run;
+  int count = 0;
+  RunBucket(soil.get(), machine,
+            BucketPath({{0, {-1, 0.013, -0.2}, pitch_rad}, {20, {1, 0.013, -0.2}, pitch_rad}}),
+            [&](double t_s, const BodyState&, const SoilReaction& reaction) {
+              if (t_s < 15) return;
+              run.draft_n -= reaction.link_wrench[0].force_W_n.x();
+              ++count;
+            });
+  run.draft_n /= count;
+  CuttingInput in;
+  in.width_m = 0.3;
+  in.depth_m = 0.2;
+  in.rake_rad = rake_deg * kDeg;
+  in.density_kgpm3 = type.bank_density_kgpm3;
+  in.friction_rad = type.friction_angle_rad;
+  in.tool_friction_rad = type.soil_tool_friction_rad;
+  in.cohesion_pa = type.cohesion_pa;
+  in.adhesion_pa = type.adhesion_pa;
+  in.flank_share = 1;
+  // Cells under the plate say nothing of the heap, nor those that share a slope with them.
+  const double from_m = 0.075 + std::max(0.0, 0.6 * std::cos(kPi - in.rake_rad));
+  for (int pass = 0; pass < 4; ++pass) {
+    run.heap_m = 0;
+    const double wedge_m = Cut(in).wedge_length_m;
+    for (int k = 0; k < 200; ++k) {
+      const double ahead_m = std::max(from_m, (k / 5 + 0.5) / 40 * wedge_m);
+      run.heap_m += soil->surface().HeightAt(1 + ahead_m, 0.013 + 0.06 * (k % 5 - 2)) / 200;
+    }
+    in.surcharge_pa = std::max(0.0, run.heap_m) * type.bank_density_kgpm3 / type.swell * 9.81;
+  }
+  run.equation_n = Cut(in).draft_n;
+  return run;
+}
+
+TEST(Digging, APlateMeetsTheEarthmovingEquationAtEveryRake) {
+  // The draft grows with the rake, and is the equation's at equal surcharge. The equation spreads
+  // the heap evenly, over the blade too; the edge sees it as a slope that falls ahead.
+  for (const auto& [soil, within] : {std::pair("dirt", 0.2), std::pair("sand", 0.3)}) {
+    double last_n = 0;
+    for (const double rake_deg : {30.0, 45.0, 60.0, 75.0, 90.0}) {
+      const PlateRun run = RunPlate(soil, rake_deg);
+      EXPECT_GT(run.draft_n, last_n) << soil << ' ' << rake_deg;
+      EXPECT_NEAR(run.draft_n / run.equation_n, 1, rake_deg < 60 ? 0.1 : within)
+          << soil << ' ' << rake_deg;
+      last_n = run.draft_n;
+    }
+    // What leans forwards meets at most what soil meets on soil, half as much again for its heap.
+    for (const double rake_deg : {105.0, 120.0}) {
+      const PlateRun run = RunPlate(soil, rake_deg);
+      EXPECT_NEAR(run.draft_n / run.equation_n, 1.2, 0.3) << soil << ' ' << rake_deg;
+    }
+  }
+}
+
+TEST(Digging, SoilRidesOverAFlatPlateAndHeapsUpBeforeASteepOne) {
+  // A plate at 30 deg ends 0.1 m above the ground and 0.5 m behind its edge: at a repose of 33 deg
+  // nothing stays ahead of it. At 75 deg it ends 0.38 m up and 0.16 m behind.
+  EXPECT_LT(RunPlate("sand", 30).heap_m, 0.02);
+  EXPECT_GT(RunPlate("sand", 75).heap_m, 0.05);
+}
+
+TEST(Digging, AFullBucketsDraftIsThreefoldAndADigStaysBelowItsBreakoutForce) {
+  // Dragged on with its mouth upright and 0.2 m deep, until it is full and a tenth more.
+  auto dirt = MakeGround("size_m: [10, 10]\nsoil: dirt");
+  const int machine = AddBucket(dirt.get());
+  double before_n = 0, full_n = 0, last_n = 0;
+  RunBucket(dirt.get(), machine,
+            BucketPath({{0, {0.5, 0, 0.58}, 90 * kDeg}, {2, {-0.5, 0, 0.58}, 90 * kDeg}}),
+            [&](double t_s, const BodyState&, const SoilReaction& reaction) {
+              const double fill = reaction.shovel_load[0].volume_m3 / 0.11;
+              const double draft_n = reaction.link_wrench[0].force_W_n.x();
+              if (t_s < 0.1) {
+                last_n = draft_n;
+                return;
+              }
+              if (fill < 0.8) before_n = draft_n;
+              if (fill < 1.1) full_n = std::max(full_n, draft_n);
+              EXPECT_LT(draft_n, last_n + 1500) << t_s;  // no jump from one step to the next
+              last_n = draft_n;
+            });
+  EXPECT_GT(full_n, 2 * before_n);
+  EXPECT_LT(full_n, 3.6 * before_n);
+  // 24 MPa in its bucket cylinder of 70 mm push on a lever of at most 0.21 m, against 0.78 m from
+  // pin to teeth (config/machines/tb235.yaml).
+  const double breakout_n = 24e6 * kPi / 4 * 0.07 * 0.07 * 0.21 / 0.78;
+  for (const char* name : {"dirt", "gravel", "wet_sand"}) {
+    auto soil = MakeGround(std::string("soil: ") + name);
+    const int digger = AddBucket(soil.get());
+    double most_n = 0;
+    RunBucket(soil.get(), digger, DigCycle(0.3),
+              [&](double t_s, const BodyState&, const SoilReaction& reaction) {
+                if (t_s < 1 || t_s > 4.5) return;
+                most_n = std::max(most_n, reaction.link_wrench[0].torque_W_nm.norm() / 0.78);
+              });
+    EXPECT_LT(most_n, breakout_n) << name;
+  }
 }
 
 TEST(Digging, SameSeedSameMotionSameBytes) {
