@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kLeastFriction = 1e-6;  ///< tangent; a spiral of less is a circle
 constexpr double kLeastTurn_rad = 1e-3;
-constexpr double kWidestTurn_rad = 150 * kDeg;
+constexpr double kTurnStep_rad = 15 * kDeg, kWidestTurn_rad = 120.5 * kDeg;
 // Where the spirals of least force lie: they come out of level ground steeper than Rankine's slip
 // plane by this share of their turn, of ground that rises by this share of its slope in addition.
 constexpr double kExitPerTurn = 1.0 / 3, kExitPerSlope = 0.6;
@@ -115,14 +115,18 @@ double CurvedSlipForce_n(const CuttingInput& in) {
   const auto force_n = [&](double steeper_rad, double turn_rad) {
     return spirals.ForceAt_n(rankine_rad + steeper_rad + kExitPerTurn * turn_rad, turn_rad);
   };
-  double turn_rad =
-      WhereLeast([&](double turn) { return force_n(0, turn); }, kLeastTurn_rad, kWidestTurn_rad, 8);
+  // In steps first: spirals that turn too little or too much hold nothing up.
+  double turn_rad = kLeastTurn_rad, least_n = force_n(0, turn_rad);
+  for (double turn = kTurnStep_rad; turn <= kWidestTurn_rad; turn += kTurnStep_rad) {
+    const double at_turn_n = force_n(0, turn);
+    if (at_turn_n < least_n) least_n = at_turn_n, turn_rad = turn;
+  }
   const double steeper_rad = WhereLeast([&](double steeper) { return force_n(steeper, turn_rad); },
                                         -kAround_rad, kAround_rad, 6);
   turn_rad =
       WhereLeast([&](double turn) { return force_n(steeper_rad, turn); },
-                 std::max(kLeastTurn_rad, turn_rad - kAround_rad), turn_rad + kAround_rad, 4);
-  return force_n(steeper_rad, turn_rad);
+                 std::max(kLeastTurn_rad, turn_rad - kTurnStep_rad), turn_rad + kTurnStep_rad, 5);
+  return std::min(least_n, force_n(steeper_rad, turn_rad));
 }
 
 }  // namespace tera

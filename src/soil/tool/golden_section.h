@@ -3,7 +3,7 @@
 namespace tera {
 
 /// Where a function of one variable that falls and then rises is least, to 0.618^sections of the
-/// range. A function that is infinite up to some place falls there.
+/// range.
 template <typename F>
 double WhereLeast(const F& f, double low, double high, int sections) {
   constexpr double kGolden = 0.6180339887498949;

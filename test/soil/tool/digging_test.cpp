@@ -1,5 +1,6 @@
 #include "soil/tool/digging.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -382,6 +383,12 @@ PlateRun RunPlate(const std::string& soil_name, double rake_deg) {
   return run;
 }
 
+/// What docs/soil.md quotes of a run: draft, and the equation's, in N.
+void Quote(const std::string& soil_name, double rake_deg, const PlateRun& run) {
+  testing::Test::RecordProperty(fmt::format("{}_{:.0f}_deg", soil_name, rake_deg),
+                                fmt::format("{:.0f} {:.0f}", run.draft_n, run.equation_n));
+}
+
 TEST(Digging, APlateMeetsTheEarthmovingEquationAtEveryRake) {
   // The draft grows with the rake, and is the equation's at equal surcharge. The equation spreads
   // the heap evenly, over the blade too; the edge sees it as a slope that falls ahead.
@@ -393,11 +400,13 @@ TEST(Digging, APlateMeetsTheEarthmovingEquationAtEveryRake) {
       EXPECT_NEAR(run.draft_n / run.equation_n, 1, rake_deg < 60 ? 0.1 : within)
           << soil << ' ' << rake_deg;
       last_n = run.draft_n;
+      Quote(soil, rake_deg, run);
     }
     // What leans forwards meets at most what soil meets on soil, half as much again for its heap.
     for (const double rake_deg : {105.0, 120.0}) {
       const PlateRun run = RunPlate(soil, rake_deg);
       EXPECT_NEAR(run.draft_n / run.equation_n, 1.2, 0.3) << soil << ' ' << rake_deg;
+      Quote(soil, rake_deg, run);
     }
   }
 }
@@ -428,6 +437,7 @@ TEST(Digging, AFullBucketsDraftIsThreefoldAndADigStaysBelowItsBreakoutForce) {
               EXPECT_LT(draft_n, last_n + 1500) << t_s;  // no jump from one step to the next
               last_n = draft_n;
             });
+  RecordProperty("before_and_full_n", fmt::format("{:.0f} {:.0f}", before_n, full_n));
   EXPECT_GT(full_n, 2 * before_n);
   EXPECT_LT(full_n, 3.6 * before_n);
   // 24 MPa in its bucket cylinder of 70 mm push on a lever of at most 0.21 m, against 0.78 m from
@@ -442,6 +452,7 @@ TEST(Digging, AFullBucketsDraftIsThreefoldAndADigStaysBelowItsBreakoutForce) {
                 if (t_s < 1 || t_s > 4.5) return;
                 most_n = std::max(most_n, reaction.link_wrench[0].torque_W_nm.norm() / 0.78);
               });
+    RecordProperty(fmt::format("{}_tip_n", name), fmt::format("{:.0f}", most_n));
     EXPECT_LT(most_n, breakout_n) << name;
   }
 }
