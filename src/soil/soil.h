@@ -29,6 +29,9 @@ struct SoilType {
   double soil_tool_friction_rad = 0;
   double adhesion_pa = 0;
   double repose_angle_rad = 0;
+  /// Friction of fast flow over that of slow flow: less than 1 for dry grains, more for moist
+  /// crumbs.
+  double fast_flow_friction = 1;
   double young_modulus_pa = 0;
   // Pressure-sinkage (Bekker) and shear (Janosi-Hanamoto) under running gear, all of one
   // measurement: a plate's shear strength is not the internal one that a cut or a wall has.
@@ -41,7 +44,7 @@ struct SoilType {
   double moisture = 0;         ///< degree of saturation, 0..1
   // Appearance.
   Vec3 albedo = Vec3(0.3, 0.22, 0.15);  ///< linear RGB when dry
-  double grain_size_m = 0.01;           ///< scale of visible detail
+  double grain_size_m = 0.01;           ///< of visible detail, and of the flow's inertial number
 };
 
 /// A round stretch of ground that lies higher (or lower) than the site says, falling off beyond its

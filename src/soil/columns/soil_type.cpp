@@ -39,6 +39,8 @@ SoilType ReadSoilType(const ConfigMap& config) {
   soil.soil_tool_friction_rad = kDeg * config.Number("soil_tool_friction_deg", angle);
   soil.adhesion_pa = config.Number("adhesion_pa", AtLeast(0, "Pa"));
   soil.repose_angle_rad = kDeg * config.Number("repose_angle_deg", Between(1, 80, "deg"));
+  soil.fast_flow_friction =
+      config.Number("fast_flow_friction", Between(0.1, 10, "(over that of slow flow)"), 1.0);
   soil.young_modulus_pa = config.Number("young_modulus_pa", Between(1e5, 1e9, "Pa"));
   soil.k_c_npm_n1 = config.Number("k_c_npm_n1", AtLeast(0, "N/m^(n+1)"));
   soil.k_phi_npm_n2 = config.Number("k_phi_npm_n2", Positive("N/m^(n+2)"));

@@ -9,15 +9,18 @@
 namespace tera {
 namespace {
 
-constexpr double kStart_rad = 1.1 * kDeg;   ///< the start angle lies this far above repose
-constexpr double kSlow_rad = 0.9 * kDeg;    ///< friction of slow flow lies this far above it
-constexpr double kFast_rad = -12.5 * kDeg;  ///< friction of fast flow lies this far below it
-constexpr double kLeastAngle_rad = 1 * kDeg;
-constexpr double kSlowSpeed_mps = 0.25, kFastSpeed_mps = 0.55;  ///< friction falls in between
-constexpr double kThin_m = 0.04, kThick_m = 0.10;               ///< of thin flows and thick ones
-constexpr double kStrengthening_spm = 0.15;  ///< of the friction of thin flows, for each m/s
-constexpr double kCreep_mps = 0.005;         ///< slower flows come to rest where none would start
-constexpr double kTrickle_m2ps = 2e-5;       ///< so do flows of less volume for each metre of width
+constexpr double kStart_rad = 1.1 * kDeg;  ///< the start angle lies this far above repose
+constexpr double kSlow_rad = 0.9 * kDeg;   ///< friction of slow flow lies this far above it
+/// Friction of fast flow is reached in between these Froude numbers, speed over sqrt(g thickness).
+constexpr double kSlowFroude = 0.1, kFastFroude = 0.5;
+/// It is that of soil that flows through its depth, not of a skin: shares of the loose soil.
+constexpr double kSkinShare = 0.3, kDeepShare = 0.6;
+/// Rise of friction with the inertial number where that is small: (mu_2 - mu_s) / I_0 of Jop,
+/// Forterre and Pouliquen's beads, (0.643 - 0.382) / 0.279.
+constexpr double kInertialFriction = 0.93;
+constexpr double kBagnold = 2.5;            ///< shear rate at the bed over mean speed by thickness
+constexpr double kCreep_mps = 0.005;        ///< slower flows come to rest where none would start
+constexpr double kTrickle_m2ps = 2e-5;      ///< so do flows of less volume for each metre of width
 constexpr double kStep_s = 0.008;           ///< flow is slow beside tools, which need shorter steps
 constexpr double kLongestStep_cells = 0.5;  ///< soil moves no farther in a step
 /// Share of the start angle's slope below which, along both axes, no column starts to flow.
@@ -40,7 +43,7 @@ Avalanche::Avalanche(const std::vector<SoilType>& soils) : walls_(soils) {
   for (const SoilType& soil : soils) {
     const double repose_rad = soil.repose_angle_rad;
     friction_.push_back({std::tan(repose_rad + kStart_rad), std::tan(repose_rad + kSlow_rad),
-                         std::tan(std::max(kLeastAngle_rad, repose_rad + kFast_rad))});
+                         soil.fast_flow_friction, soil.grain_size_m});
   }
 }
 
@@ -94,6 +97,21 @@ void Avalanche::LookAround(ColumnId k, const Columns& ground) {
       steepest_m <= kGentle * friction_[soil].tan_start * ground.cell_m() && !Flows(k, ground);
 }
 
+/// Speed that friction leaves after a step of soil that flows `flow_m` thick, out of `loose_m` that
+/// lie loose. Friction that rises with speed is that of the speed it leaves, lest it overshoot.
+double Avalanche::Friction::Braked(double before_mps, double speed_mps, double flow_m,
+                                   double loose_m, double dt_s) const {
+  const double froude = before_mps / std::sqrt(kStandardGravity_mps2 * flow_m);
+  const double fast = Ramp(froude, kSlowFroude, kFastFroude) *
+                      Ramp(flow_m / std::max(loose_m, flow_m), kSkinShare, kDeepShare);
+  const double inertial_number = kBagnold * froude * grain_m / flow_m;
+  const double rise = tan_slow * fast * (fast_over_slow - 1) + kInertialFriction * inertial_number;
+  const double slow_mps = tan_slow * kStandardGravity_mps2 * dt_s;
+  const double rise_mps = rise * kStandardGravity_mps2 * dt_s;
+  return rise_mps > 0 ? (speed_mps - slow_mps) / (1 + rise_mps / speed_mps)
+                      : speed_mps - slow_mps - rise_mps;
+}
+
 /// Velocity of the face between a column and the one beside, after the step.
 double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
                                const Columns& ground, double* gradient) const {
@@ -130,17 +148,14 @@ double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
   const double along_mps = before_mps - dt_s * (kStandardGravity_mps2 * slope + carried_mps2);
   const double driven_across_mps = across_mps - dt_s * kStandardGravity_mps2 * across_slope;
   const double speed_mps = Norm(along_mps, driven_across_mps);
-  const double mobile_m = std::max(motion_[k].mobile_m, motion_[to].mobile_m);
-  const double thick = Ramp(mobile_m, kThin_m, kThick_m);
-  const double fast = thick * Ramp(Norm(before_mps, across_mps), kSlowSpeed_mps, kFastSpeed_mps);
-  const double tan_friction = friction.tan_slow + fast * (friction.tan_fast - friction.tan_slow) +
-                              (1 - thick) * kStrengthening_spm * speed_mps;
-  const double braked_mps = tan_friction * kStandardGravity_mps2 * dt_s;
-  const double left_mps = speed_mps - braked_mps;
+  const double mobile_m = std::max({motion_[k].mobile_m, motion_[to].mobile_m, kFilm_m});
+  const double most_loose_m = std::max(a.loose_m, b.loose_m);
+  const double left_mps =
+      friction.Braked(Norm(before_mps, across_mps), speed_mps, mobile_m, most_loose_m, dt_s);
   const bool creeps = left_mps < kCreep_mps || left_mps * mobile_m < kTrickle_m2ps;
-  if (speed_mps <= braked_mps || (creeps && !is_steep)) return 0;
+  if (left_mps <= 0 || (creeps && !is_steep)) return 0;
   const double most_mps = kLongestStep_cells * cell_m / dt_s;
-  return std::clamp(along_mps * (1 - braked_mps / speed_mps), -most_mps, most_mps);
+  return std::clamp(along_mps * left_mps / speed_mps, -most_mps, most_mps);
 }
 
 void Avalanche::FindFluxes(double dt_s, const Columns& ground) {

@@ -17,19 +17,25 @@ class Grains;
 ///         between columns have velocities: gravity drives them down the slope of the surface,
 ///         momentum is carried along, and Coulomb friction acts against the flow's direction. The
 ///         slope that counts is the surface's full gradient, so that piles are round. Ground at
-///         rest starts to flow where it is steeper than the start angle; friction of slow flow lies
-///         between that and the angle of repose. That of thin flows rises with their speed, that of
-///         thick and fast ones lies below, by as much as lets columns run out as far as Lube
-///         measured. What flows is several times the part of
-///         the loose soil that stands above the slope of slow friction, and what has come along;
-///         what lies deeper rests. All velocities of a step come from one state,
-///         and so do all masses: the order of columns does not matter. Banks fail as in
-///         StandingWalls. Only columns near a change are visited. Nothing flows into a column in
-///         which a tool stands lower than the surface beside.
+///         rest starts to flow where it is steeper than the start angle; friction mu_slow of slow
+///         flow lies between that and the angle of repose. Of soil that flows with speed v and
+///         thickness h, out of the H that lie loose, friction is mu_slow (1 + (r - 1) f(Fr) g(h /
+///         H)) + b I, Fr = v / sqrt(g h), I = 5/2 Fr d / h: f rises from 0 to 1 between Froude
+///         numbers of 0.1 and 0.5, g between a skin and the whole depth; r, the soil's
+///         `fast_flow_friction`, is less than 1 for dry grains, by as much as lets columns run out
+///         as far as Lube measured, and more for moist crumbs; I is the inertial number of a
+///         Bagnold profile, d the soil's grain. What flows is several times the part of the loose
+///         soil that stands above the slope of slow friction, and what has come along; what lies
+///         deeper rests. All velocities of a step come from one state, and so do all masses: the
+///         order of columns does not matter. Banks fail as in StandingWalls. Only columns near a
+///         change are visited. Nothing flows into a column in which a tool stands lower than the
+///         surface beside.
 /// Omits   vertical acceleration, earth pressure other than hydrostatic, entrainment of bank soil,
 ///         flow over the site's border.
 /// Source  Savage and Hutter 1989; runout of columns: Lube et al. 2004; start and stop angles:
-///         Pouliquen and Forterre 2002; friction that rises with speed: Jop et al. 2006.
+///         Pouliquen and Forterre 2002; inertial number: Jop, Forterre and Pouliquen 2006; moist
+///         columns run out less: Artoni et al. 2013 (arXiv 1401.2028), Sharma et al. 2024 (arXiv
+///         2402.07285); how much friction of fast moist soil rises is this project's estimate.
 class Avalanche {
  public:
   explicit Avalanche(const std::vector<SoilType>& soils);
@@ -51,7 +57,12 @@ class Avalanche {
     double across_slope[2] = {0, 0};
   };
   struct Friction {
-    double tan_start, tan_slow, tan_fast;
+    double tan_start, tan_slow;
+    double fast_over_slow;
+    double grain_m;
+
+    double Braked(double before_mps, double speed_mps, double flow_m, double loose_m,
+                  double dt_s) const;
   };
   struct Flux {
     ColumnId column, beside;  ///< on both sides of a face

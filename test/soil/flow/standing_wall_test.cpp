@@ -99,7 +99,7 @@ TEST(StandingWall, ClayStandsToItsCriticalHeightAndFailsAboveIt) {
       EXPECT_EQ(stands.HeightBehind(2 * cell_m), 0);
       EXPECT_EQ(stands.most_grains, 0u);
       Pit fails(clay, cell_m, 1.01 * kClayStands_m, facing.out);
-      fails.Wait(5);
+      fails.Wait(10);
       EXPECT_LT(fails.BankBehind(2 * cell_m), -0.5);
       EXPECT_LT(fails.HeightBehind(2 * cell_m), -0.2);
       EXPECT_EQ(fails.grains.count(), 0u);
