@@ -156,7 +156,8 @@ TEST(Site, PileIsAConeOfLooseSoilAtItsReposeAngleAndStaysSo) {
 TEST(Site, EveryFaultOfATerrainIsNamed) {
   EXPECT_THAT(FaultsOf("soil: drt\n"),
               AllOf(HasSubstr("site.yaml:1:7: soil: no soil named 'drt'"),
-                    HasSubstr("asphalt, clay, dirt, gravel, loose, loose_sand, sand, wet_sand")));
+                    HasSubstr("asphalt, clay, dirt, gravel, hard_loam, loose, loose_sand, sand, "
+                              "stiff_clay, wet_sand")));
   EXPECT_THAT(FaultsOf("sise_m: [1, 1]\n"), HasSubstr("did you mean 'size_m'"));
   EXPECT_THAT(FaultsOf("cell_m: 0\n"), HasSubstr("out of range"));
   EXPECT_THAT(FaultsOf("size_m: [2000, 2000]\ncell_m: 0.01\n"), HasSubstr("use a larger cell_m"));
