@@ -14,7 +14,7 @@ constexpr double kLongestSlide_s = 3;    ///< then a clod rests wherever it is
 constexpr double kRestSpeed_mps = 0.05;  ///< slower clods rest where friction holds them
 constexpr double kScatter_mps = 0.15;    ///< of a clod's velocity, each axis, one sigma
 constexpr int kMostFalls = 40;           ///< columns that what is laid down falls on over
-constexpr double kSteep = 1;             ///< slope of loose soil on which a clod slides on
+constexpr double kSteep = 1;             ///< slope of a column beside that a clod does not reach
 constexpr double kWall = 2;              ///< slope of what a clod does not climb
 const Vec3 kGravity_W(0, 0, -kStandardGravity_mps2);
 
@@ -71,10 +71,9 @@ void Spread(const Vec3& p_W_m, const Spoil& spoil, Columns* ground) {
   }
 }
 
-/// Whether a clod comes to lie where it meets the ground: in loose soil deep enough to take it in,
-/// but not on a steep flank of it.
-bool TakesIn(const Columns& ground, const Vec3& n_W, const Vec3& p_W, double radius_m) {
-  if (n_W.head<2>().norm() > kSteep * n_W.z()) return false;
+/// Whether a clod comes to lie where it meets the ground: in loose soil deep enough to take it in.
+/// From a steep flank it flows on with that soil.
+bool TakesIn(const Columns& ground, const Vec3& p_W, double radius_m) {
   const auto [i, j] = NearestPlace(ground, p_W);
   const ColumnId k = ground.IdAt(i, j);
   return k != Columns::kNone && ground.skin(k).is_loose && ground.skin(k).loose_m > radius_m;
@@ -150,7 +149,7 @@ bool Grains::Move(double dt_s, const Columns& ground, Grain* grain) const {
     n_W = ground.NormalAt(p_W.x(), p_W.y());
   }
   p_W.z() = ground_m;
-  if (grain->kind == Kind::kLoose && TakesIn(ground, n_W, p_W, grain->radius_m)) return true;
+  if (grain->kind == Kind::kLoose && TakesIn(ground, p_W, grain->radius_m)) return true;
   const double into_mps = std::max(0.0, -v_W.dot(n_W));
   const double friction = friction_[grain->spoil.soil];
   v_W = Slowed(v_W + into_mps * n_W, friction * into_mps);

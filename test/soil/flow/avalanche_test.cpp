@@ -143,11 +143,11 @@ Columns Dumped(const SoilType& soil, double cell_m, double within_s) {
 }
 
 // Crumbs that stick to each other do not run out as dry grains do (Artoni et al. 2013).
-TEST(Avalanche, MoistSoilDumpedByABucketfulInASecondLiesAtRepose) {
+TEST(Avalanche, MoistSoilDumpedByTheBucketfulLiesAtRepose) {
   for (const char* name : {"dirt", "wet_sand", "clay"}) {
     const SoilType soil = Shipped(name);
     for (const double cell_m : {0.05, 0.10}) {
-      for (const double within_s : {1.0, 2.0}) {
+      for (const double within_s : {0.2, 1.0, 2.0}) {
         const Columns ground = Dumped(soil, cell_m, within_s);
         double mean_deg = 0;
         for (int k = 0; k < 8; ++k) mean_deg += FlankAngle_deg(ground, k * 45 * kDeg) / 8;
