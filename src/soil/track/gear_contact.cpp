@@ -22,10 +22,13 @@ constexpr double kShearDampingRatio = 0.7;  ///< of critical, only near rest
 constexpr double kRestSpeed_mps = 0.02;     ///< slip at which shear damping has faded to a half
 constexpr double kLargestShear = 8.0;       ///< |j| is kept below this many K: fully mobilised
 constexpr double kLeastShear_m = 1e-15;     ///< less is no slip, in any direction
-constexpr double kInletShare = 0.1;         ///< of the patch's length: where its inlet ends
-constexpr double kDragLength_m = 0.10;      ///< distance over which rut work is paid back
-constexpr double kDragSpeed_mps = 0.05;     ///< below it the drag fades, so that rest stays rest
-constexpr double kSlowestShoe_mps = 0.01;   ///< slower shoes have no slip ratio
+/// Of its depth: the way by which a face that is pushed into soil mobilises 1 - 1/e of its passive
+/// pressure, nearly all at 6 % (Clough and Duncan 1991: 1 % in dense sand, 4 % in loose).
+constexpr double kPassiveShare = 0.02;
+constexpr double kInletShare = 0.1;        ///< of the patch's length: where its inlet ends
+constexpr double kDragLength_m = 0.10;     ///< distance over which rut work is paid back
+constexpr double kDragSpeed_mps = 0.05;    ///< below it the drag fades, so that rest stays rest
+constexpr double kSlowestShoe_mps = 0.01;  ///< slower shoes have no slip ratio
 
 /// Neighbour of patch k whose centre is nearest to a patch length away along `direction` x travel.
 int Neighbour(const RunningGear& gear, std::size_t k, double direction) {
@@ -76,12 +79,13 @@ void ShearFurther(const SoilType& soil, const Vec2& slip_m, Vec2* j_m) {
 }
 
 /// Pressure of the ground on a point that is `pen_m` in it and goes further at `into_mps`.
-double DampedPressure_pa(const Plate& plate, double share, double pen_m, double sinkage_m,
+/// It yields as at a depth of `bearing_m`.
+double DampedPressure_pa(const Plate& plate, double share, double pen_m, double bearing_m,
                          double into_mps) {
   const double stiffness_papm = share * plate.rebound_papm();
   double pressure_pa = stiffness_papm * pen_m;
-  if (!plate.Bears(pressure_pa, sinkage_m)) {
-    pressure_pa = BekkerPressure_pa(plate.soil(), plate.width_m(), sinkage_m);
+  if (!plate.Bears(pressure_pa, bearing_m)) {
+    pressure_pa = BekkerPressure_pa(plate.soil(), plate.width_m(), bearing_m);
   }
   const double damping =
       2 * kDampingRatio * std::sqrt(stiffness_papm * pressure_pa / kStandardGravity_mps2);
@@ -152,6 +156,7 @@ GearContact::GearContact(const RunningGear& gear, bool shears, std::vector<SoilT
       soils_(WithHardSurface(std::move(soils))),
       patches_(gear.patches.size()),
       plates_(PlatesOf(gear_, soils_)),
+      rolling_(gear_),
       rut_(gear_, soils_) {
   for (std::size_t k = 0; k < patches_.size(); ++k) {
     TERA_CHECK(gear_.patches[k].outward_B.z() < kMostUpward, gear_.name, k);
@@ -191,8 +196,9 @@ GearContact::Pressed GearContact::Bear(std::size_t patch_index, const BodyState&
       const std::size_t soil = hard ? soils_.size() - 1 : ground.SoilAt(sample.i, sample.j);
       const Plate& plate = plates_[patch_index * soils_.size() + soil];
       const double sinkage_m = pen_m + (hard ? 0 : sample.pressed_m);
+      const double ease = hard ? 1 : rolling_.Ease(patch_index, along_m, sample.pressed_m, pen_m);
       const double v_mps = into_mps + along_m * into_along_radps + across_m * into_across_radps;
-      const double damped_pa = DampedPressure_pa(plate, share, pen_m, sinkage_m, v_mps);
+      const double damped_pa = DampedPressure_pa(plate, share, pen_m, ease * sinkage_m, v_mps);
       result.normal_n += damped_pa * area_m2;
       result.moment_W += damped_pa * area_m2 * q_W;
       if (hard) result.moving_W += damped_pa * area_m2 * obstacle->v_W_mps;
@@ -239,6 +245,32 @@ Vec2 GearContact::Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_
   return force_n;
 }
 
+/// Force, across, on the side face of a patch that pushes into the soil beside it: passive pressure
+/// down from where the soil that it lifts comes out, whether or not the patch itself bears. A place
+/// beside the gear is pushed by half of it on average.
+double GearContact::PushAside_n(std::size_t k, const Footprint& foot, const Step& step) {
+  const BodyState& body = step.body;
+  const ContactPatch& shape = gear_.patches[k];
+  double& pushed_m = patches_[k].pushed_m;
+  const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(foot.p_W_m - body.X_WB.translation());
+  const double across_mps = v_W.dot(foot.across_W);
+  if (pushed_m * across_mps < 0) pushed_m = 0;
+  pushed_m += across_mps * step.dt_s;
+  pushed_m /= 1 + 2 * std::abs(forward_mps_) * step.dt_s / std::max(step.contact_m, shape.length_m);
+  if (pushed_m == 0 || deepest_m_ <= 0) return 0;
+  const auto [i, j] =
+      std::pair(step.ground->NearestI(foot.p_W_m.x()), step.ground->NearestJ(foot.p_W_m.y()));
+  const SoilType& soil = soils_[step.ground->SoilAt(i, j)];
+  const double wedge_m = deepest_m_ * std::tan(45 * kDeg + 0.5 * soil.shear_friction_rad);
+  const double out_m = 0.5 * shape.width_m + step.ground->cell_m() + wedge_m;
+  const Vec3 out_W = foot.p_W_m + std::copysign(out_m, pushed_m) * foot.across_W;
+  const double depth_m = step.ground->SampleAt(out_W.x(), out_W.y()).top_m - out_W.z();
+  if (depth_m <= 0) return 0;
+  const double share = -std::expm1(-std::abs(pushed_m) / (kPassiveShare * depth_m));
+  const double length_m = shape.length_m * std::abs(foot.n_W.z());
+  return -std::copysign(share * length_m * FaceResistance_npm(soil, depth_m), pushed_m);
+}
+
 GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, double dt_s,
                                      const LowObstacles& obstacles, Columns* ground) {
   const std::vector<Patch> before = patches_;
@@ -246,11 +278,17 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
                   dt_s,   std::exchange(contact_m_, 0.0),
                   before, ground};
   Sum sum;
+  rolling_.Advance(forward_mps_ * dt_s, step.shoe_mps * dt_s, step.contact_m, body.X_WB, *ground);
   rut_.Begin(step.shoe_mps * dt_s, ground);
   for (std::size_t k = 0; k < patches_.size(); ++k) {
     Pressed pressed;
-    if ((body.X_WB.linear() * gear_.patches[k].outward_B).z() < -kLeastUpward) {
-      rut_work_j_ += rut_.Press(k, body, dt_s, obstacles, ground);
+    const Footprint foot(gear_.patches[k], body.X_WB);
+    if (foot.n_W.z() < -kLeastUpward) {
+      if (shears_) {
+        const Vec3 aside_W_n = PushAside_n(k, foot, step) * foot.across_W;
+        sum.result.wrench.AddForceAt(aside_W_n, foot.p_W_m, body.X_WB.translation());
+      }
+      rut_work_j_ += rut_.Press(k, rolling_, body, dt_s, obstacles, ground);
       pressed = Bear(k, body, *ground, obstacles);
     }
     if (pressed.normal_n > 0) {
@@ -260,9 +298,11 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
     }
   }
   rut_.End(body, ground);
+  forward_mps_ = sum.weight_n > 0 ? sum.forward_w / sum.weight_n : 0;
+  deepest_m_ = sum.result.sinkage_m;
   if (sum.weight_n <= 0) rut_work_j_ = 0;
   if (sum.weight_n > 0 && std::abs(step.shoe_mps) > kSlowestShoe_mps) {
-    sum.result.slip = std::clamp(1 - sum.forward_w / sum.weight_n / step.shoe_mps, -1.0, 1.0);
+    sum.result.slip = std::clamp(1 - forward_mps_ / step.shoe_mps, -1.0, 1.0);
   }
   if (shears_) sum.result.wrench.force_W_n += PayBack(body.v_WB_mps, dt_s);
   return sum.result;
@@ -280,11 +320,11 @@ void GearContact::Carry(std::size_t k, const Pressed& pressed, const Step& step,
   contact_m_ += patch.length_m;
   Vec2 shear_n = Vec2::Zero();
   if (shears_) {
-    const Vec3 over_soil_W = OverSoil_mps(foot, body, v_W);
+    const Vec3 over_soil_W = rolling_.OnWheel(k) ? v_W : OverSoil_mps(foot, body, v_W);
     const Vec2 slip_mps(over_soil_W.dot(foot.along_W) + step.shoe_mps,
                         over_soil_W.dot(foot.across_W));
     shear_n = Shear(k, pressed, slip_mps, step);
-    if (step.contact_m > 0) {
+    if (step.contact_m > 0 && !rolling_.OnWheel(k)) {
       rut_.Slip(k, slip_mps.x() * step.dt_s, pressed.sinkage_m, step.contact_m, body, step.ground);
     }
   }

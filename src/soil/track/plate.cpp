@@ -28,15 +28,15 @@ bool Plate::Bears(double pressure_pa, double z_m) const {
   return pressure_pa <= BekkerPressure_pa(*soil_, width_m_, z_m);
 }
 
-double Plate::PlasticSinkage_m(double share, double pressed_m, double pen_m) const {
+double Plate::PlasticSinkage_m(double share, double ease, double pressed_m, double pen_m) const {
   constexpr int kSteps = 12;
   constexpr double kClose_m = 1e-7;
   const double stiffness_papm = share * rebound_papm_;
-  if (Bears(stiffness_papm * pen_m, pressed_m)) return 0;
+  if (Bears(stiffness_papm * pen_m, ease * pressed_m)) return 0;
   double low = 0, high = pen_m, ds = pen_m;
   for (int step = 0; step < kSteps; ++step) {
     const double z = pressed_m + ds;
-    const double p = BekkerPressure_pa(*soil_, width_m_, z);
+    const double p = BekkerPressure_pa(*soil_, width_m_, ease * z);
     const double residual = p - stiffness_papm * (pen_m - ds);
     (residual > 0 ? high : low) = ds;
     const double slope = stiffness_papm + soil_->sinkage_exponent * p / std::max(z, kClose_m);

@@ -22,9 +22,9 @@ class Plate {
   /// Whether Bekker's pressure at z_m is at least `pressure_pa`. Single precision tells in nearly
   /// all cases.
   bool Bears(double pressure_pa, double z_m) const;
-  /// Solves s k_e (pen - ds) = p_Bekker(pressed + ds) for ds by safeguarded Newton steps; 0 where
-  /// the ground bears the plate elastically. `share` is s.
-  double PlasticSinkage_m(double share, double pressed_m, double pen_m) const;
+  /// Solves s k_e (pen - ds) = p_Bekker(ease (pressed + ds)) for ds by safeguarded Newton steps; 0
+  /// where the ground bears the plate elastically. `share` is s; of `ease` see Rolling.
+  double PlasticSinkage_m(double share, double ease, double pressed_m, double pen_m) const;
   /// Work per unit area of pushing soil aside from sinkage `from_m` to `to_m`.
   double BulldozingWork_jpm2(double from_m, double to_m) const;
 

@@ -34,6 +34,19 @@ void ForColumnsUnder(const ContactPatch& patch, const Footprint& foot, const Col
   }
 }
 
+/// Share of a patch's pressing that moving forwards may account for. What comes under it from the
+/// side, its side face has pushed; and a patch that faces backwards leaves the ground, which has
+/// risen under it by itself.
+double ForwardShare(const Footprint& foot, const BodyState& body, const Vec3& v_W) {
+  constexpr double kFlat = 1e-6;
+  const double along_mps = v_W.dot(foot.along_W), across_mps = v_W.dot(foot.across_W);
+  const double squared = along_mps * along_mps + across_mps * across_mps;
+  const Vec3 up_W = body.X_WB.linear().col(2);
+  const double meets_mps = (v_W - v_W.dot(up_W) * up_W).dot(foot.n_W);
+  if (squared == 0 || meets_mps < -kFlat * std::sqrt(squared)) return 0;
+  return along_mps * along_mps / squared;
+}
+
 }  // namespace
 
 Rut::Rut(const RunningGear& gear, const std::vector<SoilType>& soils)
@@ -55,13 +68,15 @@ struct Rut::Under {
   ColumnId id;
   std::size_t patch;
   const Footprint& foot;
-  Vec3 d_W_m;  ///< from the middle of the patch, on its plane
+  Vec3 d_W_m;   ///< from the middle of the patch, on its plane
+  double ease;  ///< see Rolling
+  bool on_wheel;
   double along_m() const { return d_W_m.dot(foot.along_W); }
   double across_m() const { return d_W_m.dot(foot.across_W); }
 };
 
-double Rut::Press(std::size_t patch_index, const BodyState& body, double dt_s,
-                  const LowObstacles& obstacles, Columns* ground) {
+double Rut::Press(std::size_t patch_index, const Rolling& rolling, const BodyState& body,
+                  double dt_s, const LowObstacles& obstacles, Columns* ground) {
   pressed_.clear();
   const Footprint foot(gear_.patches[patch_index], body.X_WB);
   const double climb_m = ClimbHeight_m(gear_);
@@ -78,7 +93,10 @@ double Rut::Press(std::size_t patch_index, const BodyState& body, double dt_s,
     ground->MarkRut(k);
     ground->Block(k, patch_z_m);
     pressed_.push_back(k);
-    work_j += Sink({k, patch_index, foot, d_W}, pen_m, body, dt_s, ground);
+    const double ease =
+        rolling.Ease(patch_index, d_W.dot(foot.along_W), ground->skin(k).pressed_m, pen_m);
+    work_j += Sink({k, patch_index, foot, d_W, ease, rolling.OnWheel(patch_index)}, pen_m, body,
+                   dt_s, ground);
   });
   if (!pressed_.empty()) touching_.push_back(patch_index);
   covered_.insert(covered_.end(), pressed_.begin(), pressed_.end());
@@ -89,21 +107,27 @@ double Rut::Press(std::size_t patch_index, const BodyState& body, double dt_s,
 /// patch's pressure does not do.
 double Rut::Sink(const Under& column, double pen_m, const BodyState& body, double dt_s,
                  Columns* ground) {
-  const auto& [k, patch_index, foot, d_W] = column;
+  const auto& [k, patch_index, foot, d_W, ease, on_wheel] = column;
   const ContactPatch& patch = gear_.patches[patch_index];
   const Plate& plate = plates_[patch_index * soils_.size() + ground->soil_at(k)];
   const double was_m = ground->skin(k).pressed_m;
   const double plastic_m =
-      plate.PlasticSinkage_m(PressureShare(patch, column.along_m()), was_m, pen_m);
+      plate.PlasticSinkage_m(PressureShare(patch, column.along_m()), ease, was_m, pen_m);
   if (plastic_m <= 0) return 0;
   const Vec3 v_W =
       body.v_WB_mps + body.w_WB_radps.cross(foot.p_W_m + d_W - body.X_WB.translation());
-  // What sinks where it stands presses soil together; what comes along also pushes it aside.
-  const double moved_on = 1 - std::clamp(v_W.dot(foot.n_W) * dt_s / plastic_m, 0.0, 1.0);
-  const double came_along = 1 - std::clamp(v_W.z() * foot.n_W.z() * dt_s / plastic_m, 0.0, 1.0);
+  // What sinks where it stands presses soil together; what comes along also pushes it aside. The
+  // stresses under a wheel are measured ones, which hold the latter.
+  const double forward = ForwardShare(foot, body, v_W);
+  const double moved_on =
+      forward * (1 - std::clamp(v_W.dot(foot.n_W) * dt_s / plastic_m, 0.0, 1.0));
+  const double came_along =
+      on_wheel ? 0
+               : forward * (1 - std::clamp(v_W.z() * foot.n_W.z() * dt_s / plastic_m, 0.0, 1.0));
   const double is_m = was_m + plastic_m;
-  const double bekker_jpm2 = BekkerWork_jpm2(plate.soil(), plate.width_m(), is_m) -
-                             BekkerWork_jpm2(plate.soil(), plate.width_m(), was_m);
+  const double bekker_jpm2 = (BekkerWork_jpm2(plate.soil(), plate.width_m(), ease * is_m) -
+                              BekkerWork_jpm2(plate.soil(), plate.width_m(), ease * was_m)) /
+                             ease;
   SpoilMix beside;
   ground->Press(k, plastic_m / -foot.n_W.z(), kInfluenceDepths * patch.width_m, &beside);
   if (!beside.empty()) {

@@ -77,4 +77,13 @@ double BulldozingResistance_n(const SoilType& soil, double width_m, double z_m) 
                     0.5 * weight_npm3 * z_m * z_m * k_pgamma);
 }
 
+double FaceResistance_npm(const SoilType& soil, double depth_m) {
+  if (depth_m <= 0) return 0;
+  const double cot = std::tan(45 * kDeg + 0.5 * soil.shear_friction_rad);  // of X, tan of X + phi
+  const double heaped = 1 + cot * std::tan(soil.shear_friction_rad);
+  const double weight_npm3 = soil.bank_density_kgpm3 * kStandardGravity_mps2;
+  return 2 * cot *
+         (soil.shear_cohesion_pa * depth_m + 0.5 * weight_npm3 * depth_m * depth_m * cot * heaped);
+}
+
 }  // namespace tera

@@ -46,4 +46,10 @@ double CompactionResistance_n(const SoilType& soil, double width_m, double z_m);
 /// phi. Source: Bekker 1960, Off-the-Road Locomotion; Wong 2008, ch. 2.
 double BulldozingResistance_n(const SoilType& soil, double width_m, double z_m);
 
+/// Resistance, per unit length, against an upright face that stands `depth_m` deep and pushes soil
+/// before it: (cot X + tan(X + phi)) (c h + rho g h^2 / 2 (cot X + cot^2 X tan phi)), X = 45 deg -
+/// phi / 2 the slip plane's angle, the last term the soil that has heaped up on it.
+/// Source  Hegedus 1960, as in Ishigami, Miwa, Nagatani and Yoshida 2007, J. Field Robotics 24(3).
+double FaceResistance_npm(const SoilType& soil, double depth_m);
+
 }  // namespace tera

@@ -70,6 +70,19 @@ TEST(Terramechanics, BulldozedSoilResistsAsBekkerSays) {
   EXPECT_EQ(BulldozingResistance_n(soil, 0.3, -0.1), 0);
 }
 
+// By hand: phi 30 deg, X = 30 deg: cot X = tan(X + phi) = 1.7321, 2 x 1.7321 = 3.4641 times 1 m of
+// cohesion 2 kPa, or of weight 14.71 kN/m^3 / 2 times 1.7321 + 3 x 0.5774 = 3.4641: 88.26 kN/m.
+TEST(Terramechanics, SoilBesideASunkFaceResistsAsHegedusSays) {
+  SoilType soil;
+  soil.bank_density_kgpm3 = 1500;
+  soil.shear_friction_rad = 30 * kDeg;
+  EXPECT_NEAR(FaceResistance_npm(soil, 1) / 88260, 1, 0.001);
+  EXPECT_NEAR(FaceResistance_npm(soil, 0.1) / 882.6, 1, 0.001);
+  soil.shear_cohesion_pa = 2000;
+  EXPECT_NEAR((FaceResistance_npm(soil, 0.1) - 882.6) / 692.8, 1, 0.001);
+  EXPECT_EQ(FaceResistance_npm(soil, -0.1), 0);
+}
+
 TEST(Terramechanics, PressureUnderRoadWheelsHasPeaksAndTheSameMean) {
   ContactPatch patch;
   EXPECT_EQ(PressureShare(patch, 0.03), 1);
