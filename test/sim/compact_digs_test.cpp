@@ -15,7 +15,7 @@ namespace {
 /// Struck capacity, 0.11 m3, of dirt that has loosened by a tenth of its volume.
 constexpr double kStruck_kg = 0.11 * 1474 / 1.1;
 
-/// Mean over a minute of what the bucket holds as it swings past 0.6 rad on its way to the dump.
+/// Mean over a minute of what the bucket holds as it swings past 0.9 rad on its way to the dump.
 double MeanLoad_kg(const std::vector<std::string>& overrides,
                    const std::vector<std::string>& effects) {
   const LoadedScenario loaded = LoadScenario("config/scenarios/dig_cycle.yaml", overrides, effects);
@@ -28,7 +28,7 @@ double MeanLoad_kg(const std::vector<std::string>& overrides,
     simulation.Step();
     const MachineState& machine = simulation.state().machines[0];
     dug = dug || machine.q_rad[slew] < 0.3;
-    if (!dug || machine.q_rad[slew] < 0.6) continue;
+    if (!dug || machine.q_rad[slew] < 0.9) continue;
     sum_kg += machine.shovel_load[0].mass_kg;
     ++swings;
     dug = false;
