@@ -61,7 +61,7 @@ TEST(EffectFaults, RefusesNumbersOfSensorEffectsOutOfTheirRanges) {
   EXPECT_THAT(
       EffectFaults("imu: {clock_offset: {offset_s: 180}}"),
       HasSubstr(
-          "effects.excavator1.imu.clock_offset.offset_s: 180 is out of range, need -40 to 40 s"));
+          "effects.excavator1.imu.clock_offset.offset_s: 180 is out of range, need -60 to 60 s"));
   EXPECT_THAT(EffectFaults("imu: {clock_drift: {}}"), HasSubstr("clock_drift.drift_ppm: missing"));
   EXPECT_THAT(EffectFaults("imu: {axis_flip: {x: 0.5}}"), HasSubstr("not a whole number"));
   EXPECT_THAT(EffectFaults("left: {outliers: {probability: 1.5}}"), HasSubstr("need 0 to 1"));
