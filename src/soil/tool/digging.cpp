@@ -172,14 +172,16 @@ void Digging::PutOutside(const BodyState& body, const Swept& swept, const Vec2& 
 }
 
 /// Whether soil that comes to a place before a blade rides up and over it: where what lies there
-/// already reaches as high as a heap that falls at repose from the blade's top edge.
+/// already reaches as high as a heap that falls at repose from the blade's top edge, but not over
+/// that edge, as a bank does.
 bool Digging::RidesOver(const BodyState& body, const Place& at, double repose_rad,
                         const Columns& ground) const {
   if (shovel_.capacity_m3 > 0 || !ground.Contains(at.i, at.j)) return false;
   const Vec3 top_W = body.X_WB * shape_.top_edge_B();
   const Vec2 from_top(ground.x_m(at.i) - top_W.x(), ground.y_m(at.j) - top_W.y());
   const double ahead_m = from_top.dot(Level(body.X_WB.linear() * shape_.mouth_normal_B()));
-  return ground.TopAt(at.i, at.j) > top_W.z() - std::max(0.0, ahead_m) * std::tan(repose_rad);
+  const double over_top_m = ground.TopAt(at.i, at.j) - top_W.z();
+  return over_top_m < 0 && over_top_m > -std::max(0.0, ahead_m) * std::tan(repose_rad);
 }
 
 /// Whether soil put on a column rolls on, and to which of those around: the steepest way down that
