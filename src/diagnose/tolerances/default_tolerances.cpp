@@ -3,9 +3,9 @@
 namespace tera {
 namespace {
 
-constexpr double kRate = 0.06;           ///< a joint's rate at full lever, either way, at any angle
-constexpr double kBand = 0.02;           ///< dead band, of full lever
-constexpr double kExponent = 0.085;      ///< changes the rate at half lever by kRate
+constexpr double kRate = 0.06;       ///< a joint's rate at full lever, either way, at any angle
+constexpr double kBand = 0.02;       ///< dead band, of full lever
+constexpr double kExponent = 0.085;  ///< changes the rate at half lever by kRate
 constexpr double kTravel = 0.02, kTracksDiffer = 0.005, kGauge = 0.05;
 constexpr double kPerSlope = 0.05;  ///< estimate: half a degree of slope is not known better
 constexpr double kEncoderZero_deg = 0.17, kEncoderZero_rad = 0.003;

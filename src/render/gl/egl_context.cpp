@@ -27,7 +27,8 @@ struct Candidate {
 };
 
 std::vector<EGLDeviceEXT> Devices() {
-  // EGL_EXT_device_base is the older name of enumeration and query together; some drivers list it alone.
+  // EGL_EXT_device_base is the older name of enumeration and query together; some drivers list it
+  // alone.
   const char* const extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   if (!HasExtension(extensions, "EGL_EXT_device_enumeration") &&
       !HasExtension(extensions, "EGL_EXT_device_base")) {
