@@ -33,7 +33,7 @@ class Site {
 
  private:
   Site(Columns columns, std::optional<SiteOrigin> georeference)
-      : columns_(std::move(columns)), georeference_(std::move(georeference)) {}
+      : columns_(std::move(columns)), georeference_(georeference) {}
 
   Columns columns_;
   std::optional<SiteOrigin> georeference_;
