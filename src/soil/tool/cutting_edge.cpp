@@ -161,7 +161,8 @@ double CuttingEdge::PiercingForceOn_n(const Strip& strip, double sine_down) cons
 double CuttingEdge::DragInside_n(const ShovelShape& shape, const Mat3& R_WB, const Carried& carried,
                                  const SoilType& soil) const {
   if (carried.mass_kg <= 0) return 0;
-  const Vec3 edge_B = shape.edge_direction_B(), mouth_B = shape.mouth_normal_B();
+  const Vec3 edge_B = shape.edge_direction_B();
+  const Vec3& mouth_B = shape.mouth_normal_B();
   const Vec3 inward_W = R_WB * (mouth_B - mouth_B.dot(edge_B) * edge_B);
   const double normal_n =
       carried.mass_kg * kStandardGravity_mps2 * std::max(0.0, inward_W.normalized().z());
