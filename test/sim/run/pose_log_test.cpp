@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/config/config.h"
+#include "core/error.h"
 #include "core/units.h"
 #include "sim/simulation.h"
 
@@ -93,6 +94,18 @@ struct Second {
 TEST(PoseLog, WritesNothingUnlessItIsAskedFor) {
   EXPECT_TRUE(Second("").sink.rows.empty());
   EXPECT_TRUE(Second("record: {every_s: 1}").sink.rows.empty());
+}
+
+TEST(PoseLog, ARateOutOfRangeIsAFaultWithItsPlace) {
+  for (const std::string rate : {"0", "-5", "10000", "often"}) {
+    try {
+      Read("record: {poses_hz: " + rate + "}");
+      ADD_FAILURE() << rate;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("record.poses_hz"), std::string::npos)
+          << error.what();
+    }
+  }
 }
 
 TEST(PoseLog, OfALinkIsThatOfTheSimulation) {
