@@ -51,9 +51,14 @@ void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks)
 }
 
 bool IsOfPracticalSize(const Finding& finding) {
+  if (finding.tolerated == 0) return true;
   const HeldOutError& error = finding.held_out;
-  const double taken = std::pow(error.rmse_before, 2) - std::pow(error.rmse_after, 2);
-  return finding.tolerated == 0 || (taken > 0 && std::sqrt(taken) >= finding.tolerated);
+  const ErrorAsExpected none{error.rmse_before, 0};
+  const ErrorAsExpected expected = finding.as_expected.value_or(none);
+  const double before = std::min(error.rmse_before, expected.rmse);
+  const double taken = std::pow(before, 2) - std::pow(error.rmse_after, 2);
+  const double least = taken - kOneSided95 * expected.taken_sigma;
+  return least > 0 && std::sqrt(least) >= finding.tolerated;
 }
 
 bool IsBeyondTolerance(const Finding& finding) {

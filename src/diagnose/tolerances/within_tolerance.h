@@ -12,7 +12,8 @@ namespace tera {
 void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks);
 
 /// Whether a finding takes as much error from its channel on FINAL as a factor at the end of its
-/// tolerance changes there.
+/// tolerance changes there: of whose numbers nothing is stated, from what is left with all in its
+/// place that is as expected, and with 95 % of what noise leaves open.
 bool IsOfPracticalSize(const Finding& finding);
 
 /// Whether one of a finding's numbers lies beyond what is as expected, and which that is was

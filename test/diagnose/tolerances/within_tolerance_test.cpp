@@ -151,6 +151,24 @@ TEST(Tolerance, WhatTakesLessThanAFactorWithinItsToleranceLeavesIsNotTold) {
   EXPECT_FALSE(IsBeyondTolerance(FindingThatTakes(blocks[0], 0.0285, 0.0299, 0.0010)));
 }
 
+// From 0.0299 to 0.0285 rad/s, of which what is expected takes the way to 0.0290: 0.00536 is left.
+TEST(Tolerance, IsAskedBeyondWhatIsExpectedInTheFindingsPlace) {
+  auto blocks = BlockOf(MechanismOf("structural_flex", EffectTarget::kJoint), "boom");
+  StateTolerances({}, &blocks);
+  Finding finding = FindingThatTakes(blocks[0], 0.0299, 0.0285, 0.0054);
+  EXPECT_TRUE(IsBeyondTolerance(finding));
+  finding.as_expected = {0.0290, 0};
+  EXPECT_FALSE(IsBeyondTolerance(finding));
+  EXPECT_TRUE(IsWithinTolerance(finding));
+  finding.tolerated = 0.0053;
+  EXPECT_TRUE(IsBeyondTolerance(finding));
+  // 0.0290^2 - 0.0285^2 = 2.875e-5; 1.645 times 1e-6 less is 0.00520^2.
+  finding.as_expected = {0.0290, 1e-6};
+  EXPECT_FALSE(IsBeyondTolerance(finding));
+  finding.tolerated = 0.0051;
+  EXPECT_TRUE(IsBeyondTolerance(finding));
+}
+
 TEST(Tolerance, OfARivalThatDoesAsWellHoldsForTheFinding) {
   auto blocks = BlockOf(MechanismOf("structural_flex", EffectTarget::kJoint), "boom");
   StateTolerances({}, &blocks);

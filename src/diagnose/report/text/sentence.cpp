@@ -224,7 +224,9 @@ std::string SentenceOfUnconfirmed(const DiagnosedBlock& diagnosed, const Finding
 std::string SentenceOfExpected(const DiagnosedBlock& diagnosed, const Finding& finding) {
   std::string why = "is within tolerance";
   if (!IsOfPracticalSize(finding)) {
-    why = "changes less than a factor within its tolerance does";
+    why = finding.as_expected
+              ? "takes little that delays, lags and gains within their tolerances would not"
+              : "changes less than a factor within its tolerance does";
   } else if (const Candidate* expected = finding.evidence.expected_rival) {
     why = fmt::format("{} within its tolerance explains as well",
                       RivalText(*expected, *finding.term.candidate));

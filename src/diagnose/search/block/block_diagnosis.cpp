@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/in_parallel.h"
+#include "diagnose/search/block/expected_instead.h"
 #include "diagnose/search/block/lost_commands.h"
 #include "diagnose/search/fit/flexible_regressor.h"
 #include "diagnose/search/fit/steady_gain.h"
@@ -62,11 +63,13 @@ class BlockDiagnoser {
   void Confirm(BlockDiagnosis* out) const;
   void FindUnexplained(BlockDiagnosis* out) const;
   void FindLostCommands(BlockDiagnosis* out) const;
+  void CompareWithExpected(BlockDiagnosis* out) const;
   bool IsProxy(const BlockDiagnosis& out, std::size_t term) const;
   void MoveProxies(BlockDiagnosis* out) const;
   HeldOutError Compare(const FittedStructure& before, const FittedStructure& after,
                        std::size_t channel) const;
   std::size_t MostImproved(const FittedStructure& before, const FittedStructure& after) const;
+  ErrorAsExpected AsExpected(const Misfit& found, const Misfit& instead, std::size_t channel) const;
   std::vector<double> ToleratedErrors() const;
 
   const EvaluationContext context_;
@@ -229,6 +232,42 @@ void BlockDiagnoser::FindLostCommands(BlockDiagnosis* out) const {
   std::erase_if(out->unexplained, [](const Unexplained& one) { return one.location.channel == 0; });
 }
 
+bool IsStated(const Candidate& candidate) {
+  return std::any_of(candidate.free.begin(), candidate.free.end(),
+                     [](const FreeParameter& free) { return free.expected.has_value(); });
+}
+
+ErrorAsExpected BlockDiagnoser::AsExpected(const Misfit& found, const Misfit& instead,
+                                           std::size_t channel) const {
+  const Series &with = found.residual[channel], &without = instead.residual[channel];
+  double variance = 0, count = 0;
+  for (const Segment& piece : context_.final) {
+    double product = 0;
+    for (std::size_t k = piece.begin; k < piece.end; ++k) {
+      if (!with.valid[k] || !without.valid[k]) continue;
+      product += with.value[k] * (without.value[k] - with.value[k]);
+      ++count;
+    }
+    variance += 4 * product * product;
+  }
+  return {std::sqrt(MeanSquare(without, context_.final_mask)),
+          std::sqrt(variance) / std::max(count, 1.0)};
+}
+
+/// Tells findings what is tolerated in their channels, and those of whose numbers nothing is stated
+/// what is left where all that is as expected stands in their place.
+void BlockDiagnoser::CompareWithExpected(BlockDiagnosis* out) const {
+  const Structure& found = out->search.found.terms;
+  for (std::size_t t = 0; t < out->findings.size(); ++t) {
+    Finding& finding = out->findings[t];
+    const std::size_t channel = finding.held_out.channel;
+    finding.tolerated = tolerated_[channel];
+    if (t >= found.size() || IsStated(*finding.term.candidate)) continue;  // lost commands are last
+    const Misfit instead = MisfitOfExpectedInstead(context_.block, fitter_, found, t);
+    finding.as_expected = AsExpected(out->search.found.misfit, instead, channel);
+  }
+}
+
 /// Whether a finding removes too little of an excess that FINAL shows to be its cause.
 bool RemovesLittle(const HeldOutError& error) {
   return error.excess_removed != 0 && error.excess_removed < kLeastExcessOfCause;  // 0: none shows
@@ -340,9 +379,7 @@ BlockDiagnosis BlockDiagnoser::Explain(SearchResult search) const {
   FindUnexplained(&out);
   MoveProxies(&out);
   FindLostCommands(&out);
-  if (!out.findings.empty()) {
-    for (Finding& one : out.findings) one.tolerated = tolerated_[one.held_out.channel];
-  }
+  CompareWithExpected(&out);
   out.detectability = InParallel<Detectability>(
       context_.block.candidates.size(), context_.options.threads,
       [&](std::size_t s) { return DetectabilityOf(context_, context_.block.candidates[s]); });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/random.h"
@@ -22,6 +23,15 @@ struct HeldOutError {
   double p = 1;
 };
 
+/// What is left of a finding's channel on FINAL with all in its place that is as expected of its
+/// target (MisfitOfExpectedInstead).
+struct ErrorAsExpected {
+  double rmse = 0;
+  /// Standard deviation, by noise, of what the finding takes of its mean square: of twice the mean
+  /// product of what is left with the finding and what the finding changes, by pieces of FINAL.
+  double taken_sigma = 0;
+};
+
 /// A mechanism that was found to act.
 struct Finding {
   Term term;
@@ -32,6 +42,8 @@ struct Finding {
   /// RMS on FINAL by which a factor at the end of its tolerance changes the channel of `held_out`,
   /// the largest of all factors; 0 where the block has none.
   double tolerated = 0;
+  /// Of findings alone of whose numbers nothing is stated.
+  std::optional<ErrorAsExpected> as_expected = {};
   bool is_confirmed = false;
 };
 

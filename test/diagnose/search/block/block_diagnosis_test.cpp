@@ -110,6 +110,23 @@ TEST(BlockDiagnosis, WhatIsNoFactorToleratesNoErrorOfOthers) {
   EXPECT_EQ(diagnosis.findings[0].tolerated, 0);
 }
 
+// Of a square of 0.2 its twin within 0.15 leaves one of 0.05; noise and nuisances are beside it.
+TEST(BlockDiagnosis, KnowsWhatIsLeftWhereWhatIsExpectedStandsInAFindingsPlace) {
+  const std::vector<double> lever = ToyLever(kSamples, 14);
+  ReplayBlock block =
+      ToyBlock(lever, ToyMeasured(ToyResponse(lever, 0.2, 0, 0), kNoise, 14), {0, 1});
+  for (Candidate& candidate : block.candidates) {
+    if (candidate.mechanism->id == "twin") candidate.free[0].expected = Expected{0, 0.15};
+  }
+  const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(14, "diagnose"));
+  const Finding& square = FindingOf(diagnosis, "square");
+  ASSERT_TRUE(square.as_expected.has_value());
+  const double after = square.held_out.rmse_after, before = square.held_out.rmse_before;
+  const double share =
+      (std::pow(square.as_expected->rmse, 2) - after * after) / (before * before - after * after);
+  EXPECT_NEAR(std::sqrt(share), 0.05 / 0.2, 0.05);
+}
+
 TEST(BlockDiagnosis, DoesNotNameWhatHasTheNumbersOfAnother) {
   Toy toy(12, 0.2, 0, 0);
   toy.block.candidates[0].is_itself = [](const std::vector<double>& values) {
