@@ -124,6 +124,26 @@ Hold BestAt(const Series& residual, const std::vector<double>& predicted, const 
   return best;
 }
 
+/// The least gain of holds that is left where one mechanism of the library, fitted alone, acts
+/// beside what was found.
+double LeastGainBesideOne(const EvaluationContext& context, const SearchResult& search,
+                          const HoldNoise& noise) {
+  const Series& measured = context.block.channels.front().measured;
+  double least = INFINITY;
+  for (const SingleEvidence& single : search.singles) {
+    Structure terms = search.found.terms;
+    const bool is_found = std::any_of(terms.begin(), terms.end(), [&](const Term& term) {
+      return term.candidate == single.candidate;
+    });
+    if (is_found || single.gain <= 0) continue;
+    terms.push_back({single.candidate, single.values});
+    const Misfit beside = context.likelihood.Evaluate(context.block.predict(terms));
+    const Series& left = beside.residual.front();
+    least = std::min(least, GainOf(HoldsOf(left, Less(measured, left), noise)));
+  }
+  return least;
+}
+
 }  // namespace
 
 std::vector<Hold> HoldsOf(const Series& residual, const std::vector<double>& predicted,
@@ -181,6 +201,9 @@ std::optional<LostCommands> LostCommandsOf(const EvaluationContext& context,
       DevianceIn(lost.holds, unfollowed, noise_rms) < DevianceIn(lost.holds, residual, noise_rms);
   if (follows && GainOf(HoldsOf(unfollowed, Less(measured, unfollowed), noise)) <
                      kLeastUnfollowed * GainOf(lost.holds)) {
+    return std::nullopt;
+  }
+  if (LeastGainBesideOne(context, search, noise) < kLeastUnfollowed * GainOf(lost.holds)) {
     return std::nullopt;
   }
   const Mask all(residual.size(), 1);

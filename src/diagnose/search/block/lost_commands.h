@@ -56,7 +56,8 @@ struct LostCommands {
 ///         end do, and take as much error as is `tolerated`. Play and dead bands hold as well, but
 ///         come back with the lever's motion: no more than nine of ten holds begin where it goes
 ///         back, and the flexible regressor, cross-fitted, explains none of the error in the
-///         holds, or leaves holds that gain half as much.
+///         holds, or leaves holds that gain half as much; and so does each mechanism of the library
+///         beside what was found, as it was fitted alone.
 /// Omits   losses while the lever rests.
 std::optional<LostCommands> LostCommandsOf(const EvaluationContext& context,
                                            const SearchResult& search, double noise_rms,

@@ -8,6 +8,7 @@
 #include "diagnose/search/fit/scored_fits.h"
 #include "diagnose/search/fit/steady_gain.h"
 #include "diagnose/search/structure/effect_size.h"
+#include "diagnose/search/structure/expected_beside.h"
 #include "diagnose/search/structure/pruning.h"
 
 namespace tera {
@@ -76,6 +77,8 @@ class Search {
   FittedStructure Simplest(FittedStructure fitted) const;
   FittedStructure FitToSeen();
   std::vector<Structure> NearestRivals(const Scored& found, std::size_t term);
+  Rival CompareWith(const Structure& swapped, const Misfit& left, const Misfit& crossed) const;
+  Rival CompareWithExpectedBeside(const Structure& swapped, const Misfit& crossed) const;
   void FindRivals(const Scored& found, const Misfit& crossed, std::size_t term,
                   TermEvidence* evidence);
 
@@ -334,6 +337,37 @@ std::vector<Structure> Search::NearestRivals(const Scored& found, std::size_t te
   return nearest;
 }
 
+bool IsRejected(const Rival& rival) { return rival.p <= kRivalP && rival.lead >= kRivalGain; }
+
+/// The rival that ends a structure with a term swapped, by what that leaves and the structure
+/// itself does.
+Rival Search::CompareWith(const Structure& swapped, const Misfit& left,
+                          const Misfit& crossed) const {
+  const auto gains = pruning_.GainsOnSeen(left, crossed);
+  Rival rival{swapped.back().candidate, SteadyGainP(gains), 0};
+  for (const ManoeuvreGain& one : gains) rival.lead += one.gain;
+  return rival;
+}
+
+/// The same with a delay or lag beside the rival that is as expected, the likeliest of all: a
+/// rival is not worse for lacking what the machine may have anyhow.
+Rival Search::CompareWithExpectedBeside(const Structure& swapped, const Misfit& crossed) const {
+  const Candidate* rival = swapped.back().candidate;
+  FittedStructure best;
+  best.log_likelihood = -INFINITY;
+  const std::vector<Candidate> expected = ExpectedBeside(block_, swapped, rival->target);
+  for (const Candidate& one : expected) {
+    const Slot slot = one.mechanism->slot;
+    if (slot != Slot::kCommandTiming && slot != Slot::kActuator) continue;
+    FittedStructure fitted = fitter_.FitNear(With(swapped, one, one.starts.front()));
+    if (fitted.log_likelihood > best.log_likelihood) best = std::move(fitted);
+  }
+  if (best.terms.empty()) return {rival, 0, INFINITY};
+  Rival compared = CompareWith(best.terms, pruning_.Evaluate({best.terms}).front(), crossed);
+  compared.candidate = rival;
+  return compared;
+}
+
 void Search::FindRivals(const Scored& found, const Misfit& crossed, std::size_t term,
                         TermEvidence* evidence) {
   const std::vector<Structure> swapped = NearestRivals(found, term);
@@ -343,10 +377,8 @@ void Search::FindRivals(const Scored& found, const Misfit& crossed, std::size_t 
   }
   const std::vector<Misfit> left = pruning_.Evaluate(swapped);
   for (std::size_t k = 0; k < swapped.size(); ++k) {
-    const auto gains = pruning_.GainsOnSeen(left[k], crossed);
-    Rival rival{swapped[k].back().candidate, SteadyGainP(gains), 0};
-    for (const ManoeuvreGain& one : gains) rival.lead += one.gain;
-    if (rival.p > kRivalP || rival.lead < kRivalGain) {
+    const Rival rival = CompareWith(swapped[k], left[k], crossed);
+    if (!IsRejected(rival) || !IsRejected(CompareWithExpectedBeside(swapped[k], crossed))) {
       evidence->rivals.push_back(rival.candidate);
       if (IsAsExpected(swapped[k].back())) evidence->expected_rival = rival.candidate;
     } else {

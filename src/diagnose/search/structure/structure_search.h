@@ -26,7 +26,8 @@ namespace tera {
 ///         `least_effect`, one number after the other. Rivals (DiscriminateRivals): each term is
 ///         swapped for each screened candidate. Of the five that are likeliest after a few steps,
 ///         those are rivals over which the same manoeuvres do not gain from the term with p at most
-///         kRivalP and at least kRivalGain.
+///         kRivalP and at least kRivalGain; a rejected one is tried again with the likeliest
+///         mechanism of timing or actuator beside it that is as expected (expected_beside.h).
 /// Omits   that the structures whose terms are tested were chosen on part of the same manoeuvres,
 ///         beyond the number of candidates; FINAL is for that.
 /// Source  Schwarz 1978.

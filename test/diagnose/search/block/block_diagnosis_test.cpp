@@ -94,6 +94,31 @@ TEST(BlockDiagnosis, KnowsWhetherARivalThatDoesAsWellIsAsExpected) {
   EXPECT_EQ(OfTwinsWithTolerance(0.1).expected_rival, nullptr);
 }
 
+/// The rivals of a twin that answers 0.05 s late beside its square, where a square and a lag of
+/// this size at most are known as well, and both act.
+std::size_t RivalsOfALateTwin(double expected_lag_s) {
+  const std::vector<double> lever = ToyLever(kSamples, 14);
+  ReplayBlock block =
+      ToyBlock(lever, ToyMeasured(ToyResponse(lever, 0.2, 0, 0.05), kNoise, 14), {0, 1, 3});
+  block.candidates.back().free[0].expected = Expected{0, expected_lag_s};
+  block.replay = WholeReplay([&lever](const Structure& terms) {
+    double square = 0, lag_s = 0;
+    for (const Term& term : terms) {
+      const std::string_view id = term.candidate->mechanism->id;
+      (id == "lag" ? lag_s : square) += term.values[0];
+      if (id == "twin") lag_s += 0.05;
+    }
+    return std::vector<std::vector<double>>{ToyResponse(lever, square, 0, lag_s)};
+  });
+  const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(14, "diagnose"));
+  return FindingOf(diagnosis, "twin").evidence.rivals.size();
+}
+
+TEST(BlockDiagnosis, RejectsNoRivalForLackingAnExpectedLag) {
+  EXPECT_EQ(RivalsOfALateTwin(0.08), 2u);
+  EXPECT_EQ(RivalsOfALateTwin(0.01), 1u);
+}
+
 // What a square of 0.3 changes of the channel; manoeuvres kept back are a third of the recording.
 TEST(BlockDiagnosis, KnowsWhatAFactorWithinItsToleranceChangesOfAFindingsChannel) {
   const BlockDiagnosis diagnosis = OfALagBesideASquareThatIsExpected(1);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "diagnose/search/fit/flexible_regressor.h"
 #include "diagnose/search/toy_block.h"
 
 namespace tera {
@@ -90,6 +91,31 @@ TEST(LostCommands, AreNotNamedForPlay) {
     const BlockDiagnosis diagnosis = Diagnosed(lever, WithPlay(lever, 0.3), seed, &block);
     EXPECT_THAT(NamesOf(diagnosis.findings), Not(::testing::Contains("drops"))) << seed;
   }
+}
+
+/// What was lost in the search's eyes, if one candidate alone were to make this of the lever.
+std::optional<LostCommands> LostBeside(const std::vector<double>& alone) {
+  const std::vector<double> lever = ToyLever(kSamples, 11);
+  ReplayBlock block = ToyBlock(
+      lever, ToyMeasured(ToyResponse(Received(lever, 1.5, 0.3, 11), 0, 0, 0), kNoise, 11), {0});
+  block.replay = WholeReplay([&](const Structure& terms) {
+    return std::vector<std::vector<double>>{terms.empty() ? lever : alone};
+  });
+  const std::vector<Manoeuvre> manoeuvres = EqualManoeuvres(32, kSamples / 32);
+  const SearchOptions options;
+  const Stream stream(11, "diagnose");
+  const EvaluationContext context(block, options, stream, manoeuvres,
+                                  NoiseOfBlock(block, manoeuvres));
+  SearchResult search;
+  search.found.misfit = context.likelihood.Evaluate(block.predict({}));
+  search.singles = {{&block.candidates[0], {0.1}, 10, 10}};
+  return LostCommandsOf(context, search, kNoise, 0);
+}
+
+TEST(LostCommands, AreNoneWhereOneMechanismHoldsTheSame) {
+  const std::vector<double> lever = ToyLever(kSamples, 11);
+  EXPECT_TRUE(LostBeside(lever).has_value());
+  EXPECT_FALSE(LostBeside(Received(lever, 1.5, 0.3, 11)).has_value());
 }
 
 // A rate that steps from 0 to 1 at 2 s, which the measured one follows half a second later.

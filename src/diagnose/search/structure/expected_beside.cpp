@@ -1,0 +1,61 @@
+#include "diagnose/search/structure/expected_beside.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "diagnose/search/fit/structure_fit.h"
+
+namespace tera {
+namespace {
+
+/// The same number no further off than is as expected; none where the range ends before.
+std::optional<FreeParameter> WithinExpected(FreeParameter free) {
+  const double range = free.upper - free.lower;
+  free.lower = std::max(free.lower, free.expected->value - free.expected->half_width);
+  free.upper = std::min(free.upper, free.expected->value + free.expected->half_width);
+  if (free.lower >= free.upper) return std::nullopt;
+  if (!free.logarithmic) free.kink = std::min(1.0, free.kink * range / (free.upper - free.lower));
+  return free;
+}
+
+/// The mechanism held to what is as expected of it; without free numbers where nothing is.
+Candidate HeldToExpected(Candidate candidate) {
+  std::vector<FreeParameter> within;
+  for (const FreeParameter& free : candidate.free) {
+    std::optional<FreeParameter> one = free.expected ? WithinExpected(free) : std::nullopt;
+    for (std::vector<double>& start : candidate.starts) {
+      double& value = start[free.index];
+      value = one ? std::clamp(value, one->lower, one->upper)
+                  : DefaultOf(candidate, free.index).value_or(value);
+    }
+    if (one) within.push_back(*std::move(one));
+  }
+  candidate.free = std::move(within);
+  std::sort(candidate.starts.begin(), candidate.starts.end());
+  candidate.starts.erase(std::unique(candidate.starts.begin(), candidate.starts.end()),
+                         candidate.starts.end());
+  return candidate;
+}
+
+}  // namespace
+
+bool ActsIn(const Structure& terms, const Candidate& candidate) {
+  return std::any_of(terms.begin(), terms.end(), [&](const Term& term) {
+    return term.candidate->mechanism == candidate.mechanism &&
+           term.candidate->target == candidate.target;
+  });
+}
+
+std::vector<Candidate> ExpectedBeside(const ReplayBlock& block, const Structure& terms,
+                                      const std::string& target) {
+  std::vector<Candidate> expected;
+  for (const Candidate& candidate : block.candidates) {
+    if (candidate.target != target || ActsIn(terms, candidate)) continue;
+    Candidate held = HeldToExpected(candidate);
+    if (!held.free.empty()) expected.push_back(std::move(held));
+  }
+  return expected;
+}
+
+}  // namespace tera
