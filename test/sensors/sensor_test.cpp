@@ -123,6 +123,30 @@ TEST(ReadSensor, CameraKeysReachTheModel) {
   EXPECT_EQ(Vec3(m.disparity_noise_px, m.baseline_m, m.rgb_noise), Vec3(0.1, 0.07, 3));
 }
 
+TEST(ReadSensor, ImageSensorKeysReachTheModelAndItsFile) {
+  const std::string yaml =
+      "{exposure_s: 0.004, f_number: 2.8, transmission: 0.8, pixel_um: 5.5, "
+      "quantum_efficiency: [0.41, 0.62, 0.53], full_well_e: 32000, read_noise_e: 6.5, "
+      "dark_current_eps: 40, temperature_degc: 50, dark_temperature_degc: 20, dark_doubling_k: 7, "
+      "prnu: 0.01, dsnu_e: 3, row_noise_e: 1.5, hot_pixels: 0.001, bits: 10, gain_db: 6, "
+      "black_dn: 16, filter: gbrg}";
+  const std::string camera = "type: camera, width_px: 8, height_px: 6, fx_px: 9, image_sensor: ";
+  const auto m = ModelOf<CameraModel>(camera + yaml);
+  ASSERT_TRUE(m.image_sensor.has_value());
+  const std::string file = ImageSensorYaml(*m.image_sensor);
+  for (const std::string line :
+       {"exposure_s: 0.004", "f_number: 2.8", "transmission: 0.8", "pixel_um: 5.5",
+        "quantum_efficiency: [0.41, 0.62, 0.53]", "full_well_e: 32000", "read_noise_e: 6.5",
+        "dark_current_eps: 40", "temperature_degc: 50", "dark_temperature_degc: 20",
+        "dark_doubling_k: 7", "prnu: 0.01", "dsnu_e: 3", "row_noise_e: 1.5", "hot_pixels: 0.001",
+        "bits: 10", "gain_db: 6", "black_dn: 16", "filter: gbrg"}) {
+    EXPECT_NE(file.find("    " + line + "\n"), std::string::npos) << line;
+  }
+  EXPECT_FALSE(ModelOf<CameraModel>(camera + "{filter: none}").image_sensor->filter.has_value());
+  EXPECT_FALSE(ModelOf<CameraModel>("type: camera, width_px: 8, height_px: 6, fx_px: 9")
+                   .image_sensor.has_value());
+}
+
 TEST(ReadSensor, LabelsAreTheUsualOnesNoneOrThoseOfAList) {
   const auto labels = [](const std::string& keys) {
     return LabelsYaml(

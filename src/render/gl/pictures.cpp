@@ -3,8 +3,14 @@
 #include <epoxy/gl.h>
 
 namespace tera {
+namespace {
 
-Pictures::Pictures(int width, int height) : width_px(width), height_px(height) {
+unsigned ColourFormat(bool linear) { return linear ? GL_RGBA16F : GL_RGBA8; }
+
+}  // namespace
+
+Pictures::Pictures(int width, int height, bool linear_colour)
+    : width_px(width), height_px(height), linear(linear_colour) {
   const auto texture = [&](unsigned format, Filter filter) {
     return MakeTexture(format, width, height, filter, Wrap::kClamp);
   };
@@ -18,8 +24,8 @@ Pictures::Pictures(int width, int height) : width_px(width), height_px(height) {
   open = half();
   open_blurred = half();
   radiance = texture(GL_RGBA16F, Filter::kNearest);
-  toned = texture(GL_RGBA8, Filter::kLinear);
-  colour = texture(GL_RGBA8, Filter::kLinear);
+  toned = texture(ColourFormat(linear), Filter::kLinear);
+  colour = texture(ColourFormat(linear), Filter::kLinear);
   geometry_target = MakeFramebuffer({albedo.id(), normal.id(), label.id()}, depth.id());
   open_target = MakeFramebuffer({open.id()}, 0);
   open_blurred_target = MakeFramebuffer({open_blurred.id()}, 0);
@@ -30,11 +36,12 @@ Pictures::Pictures(int width, int height) : width_px(width), height_px(height) {
   colour_target = MakeFramebuffer({colour.id()}, 0);
 }
 
-LensPictures::LensPictures(int width, int height) : width_px(width), height_px(height) {
+LensPictures::LensPictures(int width, int height, bool linear_colour)
+    : width_px(width), height_px(height), linear(linear_colour) {
   const auto texture = [&](unsigned format) {
     return MakeTexture(format, width, height, Filter::kNearest, Wrap::kClamp);
   };
-  colour = texture(GL_RGBA8);
+  colour = texture(ColourFormat(linear));
   label = texture(GL_R32UI);
   depth = texture(GL_R32F);
   normal = texture(GL_RGBA16);

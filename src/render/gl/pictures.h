@@ -4,27 +4,29 @@
 
 namespace tera {
 
-/// Images on the GPU for one picture size.
+/// Images on the GPU for one picture size, with colour in sRGB, or linear in half floats.
 struct Pictures {
   int width_px = 0, height_px = 0;
+  bool linear = false;
   GlObject albedo, normal, label, depth;  ///< what is where
   GlObject open, open_blurred;            ///< sky left over by what is near, half resolution
   GlObject radiance;                      ///< linear, exposed
-  GlObject toned, colour;                 ///< sRGB before and after the edge filter
+  GlObject toned, colour;                 ///< before and after the edge filter
   GlObject geometry_target, open_target, open_blurred_target, shade_target, sky_target,
       glass_label_target, tone_target, colour_target;
 
   Pictures() = default;
-  Pictures(int width, int height);
+  Pictures(int width, int height, bool linear_colour);
 };
 
 /// The camera's own picture behind a distorting lens.
 struct LensPictures {
   int width_px = 0, height_px = 0;
+  bool linear = false;
   GlObject colour, label, depth, normal, target;
 
   LensPictures() = default;
-  LensPictures(int width, int height);
+  LensPictures(int width, int height, bool linear_colour);
 };
 
 }  // namespace tera

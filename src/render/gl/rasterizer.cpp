@@ -81,12 +81,13 @@ struct Rasterizer::Impl {
   Program glass_program{"node.vert", "glass.frag"};
   Program glass_label_program{"node.vert", "label.frag"};
   Program tone_program{"fullscreen.vert", "tone.frag"};
+  Program linear_program{"fullscreen.vert", "linear.frag"};
   Program edge_program{"fullscreen.vert", "edges.frag"};
   Program lens_program{"fullscreen.vert", "distort.frag"};
   GlObject no_vertices = MakeVertexArray();
   GlObject far_below = FarBelow();
   bool has_ground = false;
-  std::vector<Pictures> pictures;  // one for each size met
+  std::vector<Pictures> pictures;  // one for each size and kind of colour met
   std::vector<LensPictures> lens_pictures;
   std::vector<Lens> lenses;
 
@@ -100,8 +101,8 @@ struct Rasterizer::Impl {
         grains(model.soils),
         shadow_map(daylight.sky().to_sun_W()) {}
 
-  Pictures& PicturesOf(int width_px, int height_px);
-  LensPictures& LensPicturesOf(int width_px, int height_px);
+  Pictures& PicturesOf(int width_px, int height_px, bool linear);
+  LensPictures& LensPicturesOf(int width_px, int height_px, bool linear);
   const Lens& LensOf(const CameraIntrinsics& camera);
   void DrawPinhole(const View& view, const SceneState& state, const Pictures& p);
   void DrawGeometry(const View& view, const Pictures& p);
@@ -131,18 +132,18 @@ std::int64_t Rasterizer::triangles_drawn() const {
          impl_->grains.triangles_drawn();
 }
 
-Pictures& Rasterizer::Impl::PicturesOf(int width_px, int height_px) {
+Pictures& Rasterizer::Impl::PicturesOf(int width_px, int height_px, bool linear) {
   for (Pictures& p : pictures) {
-    if (p.width_px == width_px && p.height_px == height_px) return p;
+    if (p.width_px == width_px && p.height_px == height_px && p.linear == linear) return p;
   }
-  return pictures.emplace_back(width_px, height_px);
+  return pictures.emplace_back(width_px, height_px, linear);
 }
 
-LensPictures& Rasterizer::Impl::LensPicturesOf(int width_px, int height_px) {
+LensPictures& Rasterizer::Impl::LensPicturesOf(int width_px, int height_px, bool linear) {
   for (LensPictures& p : lens_pictures) {
-    if (p.width_px == width_px && p.height_px == height_px) return p;
+    if (p.width_px == width_px && p.height_px == height_px && p.linear == linear) return p;
   }
-  return lens_pictures.emplace_back(width_px, height_px);
+  return lens_pictures.emplace_back(width_px, height_px, linear);
 }
 
 const Lens& Rasterizer::Impl::LensOf(const CameraIntrinsics& camera) {
@@ -261,12 +262,13 @@ void Rasterizer::Impl::DrawGlass(const View& view, const Pictures& p) {
   glDisable(GL_DEPTH_TEST);
 }
 
-/// From radiance to sRGB.
+/// From radiance to sRGB, or to itself, with smooth edges.
 void Rasterizer::Impl::Develop(const Pictures& p) {
   glBindFramebuffer(GL_FRAMEBUFFER, p.tone_target.id());
-  tone_program.Use();
+  const Program& program = p.linear ? linear_program : tone_program;
+  program.Use();
   glBindTextureUnit(0, p.radiance.id());
-  tone_program.Set("u_radiance", 0);
+  program.Set("u_radiance", 0);
   FillScreen();
   glBindFramebuffer(GL_FRAMEBUFFER, p.colour_target.id());
   edge_program.Use();
@@ -321,6 +323,16 @@ Image<std::uint8_t> ReadColour(const GlObject& colour, int width, int height) {
   return rgb;
 }
 
+/// Luminance of what was exposed so.
+Image<float> ReadLuminance(const GlObject& colour, int width, int height, double exposure) {
+  Image<float> rgb(width, height, 3);
+  glGetTextureImage(colour.id(), 0, GL_RGB, GL_FLOAT,
+                    static_cast<GLsizei>(rgb.data.size() * sizeof(float)), rgb.data.data());
+  const auto scale_cdpm2 = static_cast<float>(1 / exposure);
+  for (float& value : rgb.data) value *= scale_cdpm2;
+  return rgb;
+}
+
 /// Planar depth; 0 for the sky and beyond the far distance.
 Image<float> ReadDepth(const GlObject& depth, unsigned format, const CameraIntrinsics& camera) {
   Image<float> z_m(camera.width_px, camera.height_px);
@@ -355,28 +367,37 @@ void Rasterizer::Impl::Measure(const View& view, const Pictures& p, bool distort
 }
 
 CameraFrame Rasterizer::Render(const CameraIntrinsics& camera, const Pose& X_WC,
-                               const SceneState& state, LabelSet labels) {
+                               const SceneState& state, LabelSet labels,
+                               Image<float>* luminance_cdpm2) {
   TERA_CHECK(static_cast<int>(state.X_WB.size()) >= impl_->model.body_count, state.X_WB.size());
   Impl& impl = *impl_;
   const EglContext::Current current(impl.context);
   const int width = camera.width_px, height = camera.height_px;
   const bool distorted = camera.Distorted();
   const CameraIntrinsics& pinhole = distorted ? impl.LensOf(camera).pinhole() : camera;
-  const Pictures& p = impl.PicturesOf(pinhole.width_px, pinhole.height_px);
+  const bool linear = luminance_cdpm2 != nullptr;
+  const Pictures& p = impl.PicturesOf(pinhole.width_px, pinhole.height_px, linear);
   const View view(pinhole, X_WC);
   impl.DrawPinhole(view, state, p);
   CameraFrame frame;
   frame.t_ns = state.t_ns;
   frame.t_available_ns = state.t_ns;
   labels |= UsualLabels();  // boxes need the instances
+  const auto read_colour = [&](const GlObject& colour) {
+    if (linear) {
+      *luminance_cdpm2 = ReadLuminance(colour, width, height, impl.daylight.exposure());
+    } else {
+      frame.rgb = ReadColour(colour, width, height);
+    }
+  };
   if (distorted) {
-    const LensPictures& q = impl.LensPicturesOf(width, height);
+    const LensPictures& q = impl.LensPicturesOf(width, height, linear);
     impl.Distort(impl.LensOf(camera), p, q);
-    frame.rgb = ReadColour(q.colour, width, height);
+    read_colour(q.colour);
     ReadLabels({q.label, q.normal}, width, height, view.R_WC, labels, &frame);
     frame.depth_m = ReadDepth(q.depth, GL_RED, camera);
   } else {
-    frame.rgb = ReadColour(p.colour, width, height);
+    read_colour(p.colour);
     ReadLabels({p.label, p.normal}, width, height, view.R_WC, labels, &frame);
     frame.depth_m = ReadDepth(p.depth, GL_DEPTH_COMPONENT, camera);
   }

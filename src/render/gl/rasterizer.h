@@ -35,9 +35,10 @@ class Rasterizer {
   std::int64_t triangles_drawn() const;
 
   /// What a camera at X_WC sees. Fills rgb, depth_m, boxes and the usual labels of the frame, and
-  /// what `labels` names beside them; t_ns is state.t_ns.
+  /// what `labels` names beside them; t_ns is state.t_ns. With `luminance_cdpm2` it is that which
+  /// is filled in the place of rgb: three channels in cd/m^2, linear in the primaries of sRGB.
   CameraFrame Render(const CameraIntrinsics& camera, const Pose& X_WC, const SceneState& state,
-                     LabelSet labels = {});
+                     LabelSet labels = {}, Image<float>* luminance_cdpm2 = nullptr);
 
  private:
   struct Impl;

@@ -181,12 +181,19 @@ CameraModel ReadCameraModel(const ConfigMap& config) {
   m.disparity_noise_px = config.Number("disparity_noise_px", AtLeast(0, "px"), 0);
   m.baseline_m = config.Number("baseline_m", Positive("m"), m.baseline_m);
   m.rgb_noise = config.Number("rgb_noise", Between(0, kMaxValue, "of 255"), 0);
+  if (const auto sensor = config.OptionalMap("image_sensor")) {
+    m.image_sensor = ReadImageSensor(*sensor);
+    if (m.rgb_noise > 0) {
+      config.Fault("rgb_noise", "given beside image_sensor, which has noise of its own; keep one");
+    }
+    if (!m.rgb) config.Fault("image_sensor", "makes colour, which is off; need rgb: true");
+  }
   return m;
 }
 
 std::string CameraModelYaml(const CameraModel& m) {
   const CameraIntrinsics& c = m.intrinsics;
-  return fmt::format(
+  const std::string text = fmt::format(
       "  width_px: {}\n  height_px: {}\n  fx_px: {}\n  fy_px: {}\n  cx_px: {}\n  cy_px: {}\n"
       "  k1: {}\n  k2: {}\n  p1: {}\n  p2: {}\n  k3: {}\n  near_m: {}\n  far_m: {}\n"
       "  rgb: {}\n  depth: {}\n  labels: {}\n  depth_min_m: {}\n  depth_max_m: {}\n"
@@ -194,6 +201,7 @@ std::string CameraModelYaml(const CameraModel& m) {
       c.width_px, c.height_px, c.fx_px, c.fy_px, c.cx_px, c.cy_px, c.k1, c.k2, c.p1, c.p2, c.k3,
       c.near_m, c.far_m, m.rgb, m.depth, LabelsYaml(m.labels), m.depth_min_m, m.depth_max_m,
       m.disparity_noise_px, m.baseline_m, m.rgb_noise);
+  return m.image_sensor ? text + "  image_sensor:\n" + ImageSensorYaml(*m.image_sensor) : text;
 }
 
 Pose OpticalInSensor() {
@@ -210,17 +218,23 @@ Camera::Camera(const CameraModel& model, const SampleClock& clock, TimeNs latenc
       clock_(clock),
       latency_ns_(latency_ns),
       depth_noise_(seed, stream_name + "/depth"),
-      rgb_noise_(seed, stream_name + "/rgb") {}
+      rgb_noise_(seed, stream_name + "/rgb") {
+  if (model.image_sensor)
+    image_sensor_.emplace(*model.image_sensor, model.intrinsics, seed, stream_name);
+}
 
 CameraFrame Camera::Measure(std::int64_t k, const Pose& X_WS, const SceneState& scene,
                             Rasterizer* rasterizer) const {
-  CameraFrame frame =
-      rasterizer->Render(model_.intrinsics, X_WS * OpticalInSensor(), scene, model_.labels);
+  Image<float> luminance_cdpm2;
+  CameraFrame frame = rasterizer->Render(model_.intrinsics, X_WS * OpticalInSensor(), scene,
+                                         model_.labels, image_sensor_ ? &luminance_cdpm2 : nullptr);
   frame.t_ns = clock_.Due(k);
   frame.t_available_ns = frame.t_ns + latency_ns_;
   const auto exposure = static_cast<std::uint64_t>(k);
   if (!model_.rgb) {
     frame.rgb = {};
+  } else if (image_sensor_) {
+    frame.rgb = image_sensor_->Develop(image_sensor_->Expose(luminance_cdpm2, k));
   } else if (model_.rgb_noise > 0) {
     AddRgbNoise(model_.rgb_noise, rgb_noise_, exposure * frame.rgb.data.size() / 3, &frame.rgb);
   }

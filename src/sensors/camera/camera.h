@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "core/config/config.h"
 #include "core/random.h"
 #include "core/types/measurement.h"
 #include "render/gl/rasterizer.h"
+#include "sensors/camera/image_sensor.h"
 #include "sensors/frame_content.h"
 
 namespace tera {
@@ -15,7 +17,8 @@ namespace tera {
 struct CameraModel : PictureContent {
   double disparity_noise_px = 0;  ///< sigma_d of the depth, 1 sigma; 0 switches it off
   double baseline_m = 0.05;       ///< b, between the two eyes of a depth camera
-  double rgb_noise = 0;           ///< 1 sigma of the sRGB value in 0..255
+  double rgb_noise = 0;           ///< 1 sigma of the sRGB value in 0..255, without an image sensor
+  std::optional<ImageSensorModel> image_sensor;  ///< none: colour at the scene's exposure
 };
 
 CameraModel ReadCameraModel(const ConfigMap& config);
@@ -34,11 +37,11 @@ Pose OpticalInSensor();
 ///         X_SC = OpticalInSensor(). Pixel (0, 0) has its centre at the image point (0, 0).
 /// Model   the whole picture at one instant, that of its time stamp. Depth is z in C with the noise
 ///         of a stereo pair, sigma_z = z^2 sigma_d / (f b), and 0 outside its limits; colour is
-///         sRGB at the scene's exposure plus N(0, sigma^2), clipped. Noise is drawn for each pixel
-///         alone.
-/// Omits   rolling shutter and motion blur; control of exposure and gain; noise that grows with the
-///         light; vignetting, glare, dirt; the holes and the smoothing of a real stereo matcher.
-/// Source  lens: Brown 1971, "Close-range camera calibration"; sigma_z: Khoshelham and Elberink
+///         sRGB at the scene's exposure plus N(0, sigma^2), clipped, or what an image sensor makes
+///         of the scene's luminance (image_sensor.h). Noise is drawn for each pixel alone.
+/// Omits   rolling shutter and motion blur; control of exposure and gain; glare, dirt; the holes
+/// and the smoothing of a real stereo matcher. Source  lens: Brown 1971, "Close-range camera
+/// calibration"; sigma_z: Khoshelham and Elberink
 ///         2012, "Accuracy and resolution of Kinect depth data for indoor mapping applications".
 class Camera {
  public:
@@ -54,6 +57,7 @@ class Camera {
   SampleClock clock_;
   TimeNs latency_ns_;
   Stream depth_noise_, rgb_noise_;
+  std::optional<ImageSensor> image_sensor_;
 };
 
 }  // namespace tera

@@ -16,6 +16,8 @@ class Daylight {
   explicit Daylight(const Environment& environment);
 
   const Sky& sky() const { return sky_; }
+  /// Of the picture, in 1 / (cd/m^2).
+  double exposure() const { return exposure_; }
   /// Uniforms of light.glsl.
   void Light(const Program& program) const;
   /// Sky texture to `unit`, with its exposure.

@@ -1,0 +1,203 @@
+#include "sensors/camera/image_sensor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+constexpr double kFewElectrons = 20;  ///< below, counts are drawn from Poisson's distribution
+constexpr std::array<std::string_view, 4> kFilterNames = {"rggb", "bggr", "grbg", "gbrg"};
+
+/// A Poisson count by inversion.
+double FewOf(double mean, double uniform) {
+  double probability = std::exp(-mean), below = probability, count = 0;
+  while (uniform > below && count < 200) {
+    probability *= mean / ++count;
+    below += probability;
+  }
+  return count;
+}
+
+/// A Poisson count.
+double CountOf(double mean, const Stream& draw, std::uint64_t index) {
+  if (mean < kFewElectrons) return FewOf(mean, draw.Uniform(index));
+  return std::max(0.0, std::round(mean + std::sqrt(mean) * draw.Gaussian(index)));
+}
+
+std::uint8_t Encoded(double linear) {
+  const double x = std::clamp(linear, 0.0, 1.0);
+  const double srgb = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
+  return static_cast<std::uint8_t>(std::lround(255 * srgb));
+}
+
+/// Each colour at every pixel, from one of them at each.
+cv::Mat Demosaiced(const Image<std::uint16_t>& raw, ColourFilter filter) {
+  constexpr std::array<int, 4> kCodes = {cv::COLOR_BayerRGGB2RGB_EA, cv::COLOR_BayerBGGR2RGB_EA,
+                                         cv::COLOR_BayerGRBG2RGB_EA, cv::COLOR_BayerGBRG2RGB_EA};
+  const cv::Mat one(raw.height_px, raw.width_px, CV_16UC1,
+                    const_cast<std::uint16_t*>(raw.data.data()));
+  cv::Mat three;
+  cv::demosaicing(one, three, kCodes[static_cast<std::size_t>(filter)]);
+  return three;
+}
+
+/// Photons of one colour in each pixel of a picture of 1 cd/m^2.
+std::vector<float> PhotonsOf(const ImageSensorModel& model, const CameraIntrinsics& camera) {
+  const double lux_s =
+      kPi * model.transmission / (4 * model.f_number * model.f_number) * model.exposure_s;
+  const double on_axis = lux_s * kPhotonsPerLuxSecond / 3 * std::pow(model.pixel_um * 1e-6, 2);
+  std::vector<float> photons;
+  for (int y = 0; y < camera.height_px; ++y) {
+    for (int x = 0; x < camera.width_px; ++x) {
+      const double cosine = 1 / camera.Unproject(Vec2(x, y)).norm();
+      photons.push_back(static_cast<float>(on_axis * std::pow(cosine, 4)));
+    }
+  }
+  return photons;
+}
+
+}  // namespace
+
+ImageSensorModel ReadImageSensor(const ConfigMap& config) {
+  ImageSensorModel m;
+  m.exposure_s = config.Number("exposure_s", Positive("s"), m.exposure_s);
+  m.f_number = config.Number("f_number", Positive("1"), m.f_number);
+  m.transmission = config.Number("transmission", Between(0, 1, "1"), m.transmission);
+  m.pixel_um = config.Number("pixel_um", Positive("um"), m.pixel_um);
+  m.quantum_efficiency =
+      config.Vector3("quantum_efficiency", Between(0, 1, "1"), m.quantum_efficiency);
+  m.full_well_e = config.Number("full_well_e", Positive("e"), m.full_well_e);
+  m.read_noise_e = config.Number("read_noise_e", AtLeast(0, "e"), m.read_noise_e);
+  m.dark_current_eps = config.Number("dark_current_eps", AtLeast(0, "e/s"), m.dark_current_eps);
+  m.temperature_degc =
+      config.Number("temperature_degc", Between(-50, 120, "C"), m.temperature_degc);
+  m.dark_temperature_degc =
+      config.Number("dark_temperature_degc", Between(-50, 120, "C"), m.dark_temperature_degc);
+  m.dark_doubling_k = config.Number("dark_doubling_k", Positive("K"), m.dark_doubling_k);
+  m.prnu = config.Number("prnu", Between(0, 0.3, "1"), m.prnu);
+  m.dsnu_e = config.Number("dsnu_e", AtLeast(0, "e"), m.dsnu_e);
+  m.row_noise_e = config.Number("row_noise_e", AtLeast(0, "e"), m.row_noise_e);
+  m.hot_pixels = config.Number("hot_pixels", Between(0, 1, "1"), m.hot_pixels);
+  m.bits = static_cast<int>(config.Integer("bits", Between(8, 16, "bit"), m.bits));
+  m.gain_db = config.Number("gain_db", Between(0, 48, "dB"), m.gain_db);
+  m.black_dn = config.Number("black_dn", Between(0, 0.25 * (1 << m.bits), "DN"), m.black_dn);
+  const std::string filter =
+      config.Choice("filter", {"rggb", "bggr", "grbg", "gbrg", "none"}, "rggb");
+  const auto named = std::find(kFilterNames.begin(), kFilterNames.end(), filter);
+  m.filter.reset();
+  if (named != kFilterNames.end()) {
+    m.filter = static_cast<ColourFilter>(named - kFilterNames.begin());
+  }
+  return m;
+}
+
+std::string ImageSensorYaml(const ImageSensorModel& m) {
+  const Vec3& qe = m.quantum_efficiency;
+  return fmt::format(
+      "    exposure_s: {}\n    f_number: {}\n    transmission: {}\n    pixel_um: {}\n"
+      "    quantum_efficiency: [{}, {}, {}]\n    full_well_e: {}\n    read_noise_e: {}\n"
+      "    dark_current_eps: {}\n    temperature_degc: {}\n    dark_temperature_degc: {}\n"
+      "    dark_doubling_k: {}\n    prnu: {}\n    dsnu_e: {}\n    row_noise_e: {}\n"
+      "    hot_pixels: {}\n    bits: {}\n    gain_db: {}\n    black_dn: {}\n    filter: {}\n",
+      m.exposure_s, m.f_number, m.transmission, m.pixel_um, qe[0], qe[1], qe[2], m.full_well_e,
+      m.read_noise_e, m.dark_current_eps, m.temperature_degc, m.dark_temperature_degc,
+      m.dark_doubling_k, m.prnu, m.dsnu_e, m.row_noise_e, m.hot_pixels, m.bits, m.gain_db,
+      m.black_dn, m.filter ? kFilterNames[static_cast<std::size_t>(*m.filter)] : "none");
+}
+
+ImageSensor::ImageSensor(const ImageSensorModel& model, const CameraIntrinsics& camera,
+                         std::uint64_t seed, const std::string& stream_name)
+    : model_(model),
+      width_px_(camera.width_px),
+      height_px_(camera.height_px),
+      dark_e_(model.dark_current_eps * model.exposure_s *
+              std::exp2((model.temperature_degc - model.dark_temperature_degc) /
+                        model.dark_doubling_k)),
+      photons_per_cdpm2_(PhotonsOf(model, camera)),
+      shot_(seed, stream_name + "/shot"),
+      read_(seed, stream_name + "/read"),
+      row_(seed, stream_name + "/row") {
+  const Stream pattern(seed, stream_name + "/pattern");
+  const std::size_t places = photons_per_cdpm2_.size() * (model.filter ? 1 : 3);
+  for (std::size_t i = 0; i < places; ++i) {
+    const Vec3 normal = pattern.Gaussian3(i);
+    const bool is_hot = pattern.Uniform(i, 1) < model.hot_pixels;
+    sensitivity_.push_back(static_cast<float>(std::max(0.0, 1 + model.prnu * normal[0])));
+    dark_signal_e_.push_back(static_cast<float>(model.dsnu_e * normal[1]));
+    dark_current_.push_back(static_cast<float>(is_hot ? kHotPixel : 1));
+  }
+}
+
+double ImageSensor::gain_dn_per_e() const {
+  const double range_dn = (1 << model_.bits) - 1 - model_.black_dn;
+  return range_dn / model_.full_well_e * std::pow(10, model_.gain_db / 20);
+}
+
+/// 0 red, 1 green, 2 blue.
+int ImageSensor::ColourOf(int x_px, int y_px) const {
+  constexpr std::array<std::array<int, 4>, 4> kColours = {
+      {{0, 1, 1, 2}, {2, 1, 1, 0}, {1, 0, 2, 1}, {1, 2, 0, 1}}};
+  return kColours[static_cast<std::size_t>(*model_.filter)]
+                 [static_cast<std::size_t>(2 * (y_px & 1) + (x_px & 1))];
+}
+
+double ImageSensor::Electrons(std::size_t place, std::uint64_t draw, double photons,
+                              double efficiency) const {
+  const double mean = efficiency * sensitivity_[place] * photons + dark_e_ * dark_current_[place];
+  return std::min(CountOf(mean, shot_, draw), model_.full_well_e);
+}
+
+Image<std::uint16_t> ImageSensor::Expose(const Image<float>& luminance_cdpm2,
+                                         std::int64_t k) const {
+  const int channels = model_.filter ? 1 : 3;
+  Image<std::uint16_t> raw(width_px_, height_px_, channels);
+  const double gain = gain_dn_per_e(), most = (1 << model_.bits) - 1;
+  const auto first = static_cast<std::uint64_t>(k) * raw.data.size();
+  for (int y = 0; y < height_px_; ++y) {
+    const auto picture_row = static_cast<std::uint64_t>(k) * height_px_ + y;
+    const double row_e =
+        model_.row_noise_e > 0 ? model_.row_noise_e * row_.Gaussian(picture_row) : 0;
+    for (int x = 0; x < width_px_; ++x) {
+      const auto pixel = static_cast<std::size_t>(y) * width_px_ + x;
+      for (int c = 0; c < channels; ++c) {
+        const std::size_t place = pixel * channels + c;
+        const int colour = model_.filter ? ColourOf(x, y) : c;
+        const double photons = photons_per_cdpm2_[pixel] * luminance_cdpm2.at(x, y, colour);
+        const double electrons =
+            Electrons(place, first + place, photons, model_.quantum_efficiency[colour]) +
+            dark_signal_e_[place] + row_e + model_.read_noise_e * read_.Gaussian(first + place);
+        const double dn = std::round(gain * electrons + model_.black_dn);
+        raw.data[place] = static_cast<std::uint16_t>(std::clamp(dn, 0.0, most));
+      }
+    }
+  }
+  return raw;
+}
+
+Image<std::uint8_t> ImageSensor::Develop(const Image<std::uint16_t>& raw_dn) const {
+  const Vec3& qe = model_.quantum_efficiency;
+  const double white = (1 << model_.bits) - 1 - model_.black_dn;
+  // A look-up for each colour: its white balance to green and the encoding.
+  std::array<std::vector<std::uint8_t>, 3> encoded;
+  for (int c = 0; c < 3; ++c) {
+    const double balance = qe[c] > 0 ? qe[1] / qe[c] : 1;
+    for (int dn = 0; dn < (1 << model_.bits); ++dn) {
+      encoded[static_cast<std::size_t>(c)].push_back(
+          Encoded(balance * (dn - model_.black_dn) / white));
+    }
+  }
+  const cv::Mat three = model_.filter ? Demosaiced(raw_dn, *model_.filter) : cv::Mat();
+  const std::uint16_t* dn = model_.filter ? three.ptr<std::uint16_t>() : raw_dn.data.data();
+  Image<std::uint8_t> rgb(width_px_, height_px_, 3);
+  for (std::size_t i = 0; i < rgb.data.size(); ++i) rgb.data[i] = encoded[i % 3][dn[i]];
+  return rgb;
+}
+
+}  // namespace tera
