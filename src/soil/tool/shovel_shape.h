@@ -44,6 +44,9 @@ class ShovelShape {
   /// Direction from the floor to the edge, the way the edge cuts.
   Vec3 edge_direction_B() const;
   Vec3 edge_B() const;
+  /// What holds soil: the profile behind the teeth, closed by the mouth; (x, z) in B.
+  const std::vector<Vec2>& held_B() const { return held_; }
+  double half_width_m() const { return half_width_m_; }
   Vec3 top_edge_B() const;
   double inside_m2() const { return inside_m2_; }  ///< of the shell where soil lies
   double radius_m() const { return radius_m_; }    ///< of a sphere about B's origin that holds it

@@ -1,0 +1,195 @@
+#include "soil/tool/heap_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+constexpr double kBeside_m = 1e-7;  ///< from a corner of the shell, to look at both its sides
+constexpr double kStep_m = 1e-4;    ///< more is a step of the shell
+constexpr double kMostTilt_rad = 75 * kDeg;  ///< sideways
+constexpr double kMound = 0.3;               ///< slope of the mound over the steepest one
+constexpr double kRoundTop = 0.25;           ///< radius of the mound's top over the mouth's length
+constexpr double kOpen = std::numeric_limits<double>::infinity();
+
+/// How much higher than a point of the rim soil may stand at a place beside it.
+///
+/// Frames  dx and dy from the point along the columns' axes; gravity's up is (0, up_y, up_z).
+/// Model   soil rises from the point at the slope t: with the rise g against gravity, of which the
+///         level distance depends in turn, g^2 = t^2 (dx^2 + (dy - up_y g)^2 / up_z^2).
+class Cone {
+ public:
+  Cone(double slope_rad, double up_y, double up_z) : up_y_(up_y), up_z_(up_z) {
+    constexpr double kLeast = 0.05;  // tilted sideways beyond what its slope can hold
+    const double t2 = std::pow(std::tan(slope_rad), 2), over_z2 = 1 / (up_z * up_z);
+    a_ = std::max(kLeast, 1 - t2 * up_y * up_y * over_z2);
+    b_ = t2 * up_y * over_z2;
+    c_x_ = t2, c_y_ = t2 * over_z2;
+  }
+  double Rise_m(double dx_m, double dy_m) const {
+    const double b = b_ * dy_m, c = c_x_ * dx_m * dx_m + c_y_ * dy_m * dy_m;
+    return ((std::sqrt(b * b + a_ * c) - b) / a_ - dy_m * up_y_) / up_z_;
+  }
+
+ private:
+  double up_y_, up_z_, a_, b_, c_x_, c_y_;
+};
+
+/// Integral over a triangle of area 1 of what is positive of a linear function with these values at
+/// its corners.
+double MeanOfPositive(double a, double b, double c) {
+  if (a > b) std::swap(a, b);
+  if (b > c) std::swap(b, c);
+  if (a > b) std::swap(a, b);
+  if (c <= 0) return 0;
+  if (a >= 0) return (a + b + c) / 3;
+  if (b <= 0) return c * c * c / (3 * (c - a) * (c - b));
+  return (a + b + c) / 3 - a * a * a / (3 * (b - a) * (c - a));
+}
+
+}  // namespace
+
+HeapGrid::HeapGrid(const ShovelShape& shape, const Vec3& up_B, double slope_rad, double cell_m,
+                   const HeapRelief& relief) {
+  const Vec2 in_plane(up_B.x(), up_B.z());
+  up_ = in_plane.normalized();
+  right_ = Vec2(up_.y(), -up_.x());
+  const double tilt_rad =
+      std::clamp(std::atan2(up_B.y(), in_plane.norm()), -kMostTilt_rad, kMostTilt_rad);
+  up_y_ = std::sin(tilt_rad), up_z_ = std::cos(tilt_rad);
+  top_lip_ = Level(shape.held_B().back()), edge_lip_ = Level(shape.held_B().front());
+  CutSlices(shape, cell_m);
+  const int across = std::max(2, static_cast<int>(std::lround(2 * shape.half_width_m() / cell_m)));
+  for (int j = 0; j <= across; ++j) ys_m_.push_back((2.0 * j / across - 1) * shape.half_width_m());
+  Limit(slope_rad, relief);
+}
+
+HeapGrid::Slice HeapGrid::SliceAt(const std::vector<Vec2>& outline, double x_m) const {
+  Slice slice{x_m, kOpen, -kOpen, false};
+  for (std::size_t m = 0; m < outline.size(); ++m) {
+    const bool is_mouth = m + 1 == outline.size();
+    const Vec2 &a = outline[m], &b = outline[is_mouth ? 0 : m + 1];
+    if ((a.x() - x_m) * (b.x() - x_m) > 0 || a.x() == b.x()) continue;
+    const double z_m = a.y() + (b.y() - a.y()) * (x_m - a.x()) / (b.x() - a.x());
+    if (z_m < slice.floor_m) slice.floor_m = z_m, slice.holds = !is_mouth;
+    if (is_mouth) {
+      slice.ceiling_m = kOpen;
+    } else {
+      slice.ceiling_m = std::max(slice.ceiling_m, z_m);
+    }
+  }
+  return slice;
+}
+
+/// Slices at equal distances and at the shell's corners; two where the shell has a step.
+void HeapGrid::CutSlices(const ShovelShape& shape, double cell_m) {
+  std::vector<Vec2> outline;
+  for (const Vec2& p : shape.held_B()) outline.push_back(Level(p));
+  std::vector<double> corners_m;
+  for (const Vec2& p : outline) corners_m.push_back(p.x());
+  std::sort(corners_m.begin(), corners_m.end());
+  for (std::size_t c = 0; c < corners_m.size(); ++c) {
+    const Slice before = SliceAt(outline, corners_m[c] - kBeside_m);
+    const Slice after = SliceAt(outline, corners_m[c] + kBeside_m);
+    const bool is_step = before.holds != after.holds ||
+                         std::abs(before.floor_m - after.floor_m) > kStep_m ||
+                         (before.ceiling_m == kOpen) != (after.ceiling_m == kOpen);
+    if (before.holds && (is_step || c == 0)) slices_.push_back(before);
+    if (after.holds) slices_.push_back(after);
+    if (c + 1 == corners_m.size()) break;
+    const double gap_m = corners_m[c + 1] - corners_m[c];
+    const int cells = static_cast<int>(std::lround(gap_m / cell_m));
+    for (int k = 1; k < cells; ++k) {
+      slices_.push_back(SliceAt(outline, corners_m[c] + gap_m * k / cells));
+    }
+  }
+  std::erase_if(slices_, [](const Slice& s) { return !(s.ceiling_m > s.floor_m); });
+}
+
+/// Points of the mouth's rim: both lips, and the tops of the side walls between them.
+std::vector<Vec3> HeapGrid::Rim() const {
+  std::vector<Vec3> rim_m;
+  for (const double y_m : ys_m_) {
+    for (const Vec2& lip : {top_lip_, edge_lip_}) rim_m.emplace_back(lip.x(), y_m, lip.y());
+  }
+  const Vec2 mouth = edge_lip_ - top_lip_;
+  for (const Slice& slice : slices_) {
+    const double s = (slice.x_m - top_lip_.x()) / mouth.x();
+    if (!(s > 0 && s < 1)) continue;
+    for (const double y_m : {ys_m_.front(), ys_m_.back()}) {
+      rim_m.emplace_back(slice.x_m, y_m, top_lip_.y() + s * mouth.y());
+    }
+  }
+  return rim_m;
+}
+
+void HeapGrid::Limit(double slope_rad, const HeapRelief& relief) {
+  const Cone cone(slope_rad, up_y_, up_z_);
+  const std::vector<Vec3> rim_m = Rim();
+  const Vec2 mouth = edge_lip_ - top_lip_;
+  const double middle_m = 0.5 * (top_lip_.x() + edge_lip_.x());
+  const double round_m = kRoundTop * mouth.norm(), mound = kMound * std::tan(slope_rad);
+  lowest_m_ = kOpen, highest_m_ = -kOpen;
+  for (std::size_t n = 0; n < slices_.size() * ys_m_.size(); ++n) {
+    const Slice& slice = slices_[n / ys_m_.size()];
+    const double y_m = ys_m_[n % ys_m_.size()];
+    Limits limits{0, kOpen, 0};
+    limits.mound_m =
+        mound * (round_m - std::hypot(slice.x_m - middle_m, y_m, round_m)) - y_m * up_y_ / up_z_;
+    for (const Vec3& q_m : rim_m) {
+      const double most_m = q_m.z() + cone.Rise_m(slice.x_m - q_m.x(), y_m - q_m.y());
+      limits.most_m = std::min(limits.most_m, most_m);
+    }
+    limits_.push_back(limits);
+    const Vec2 place_m = PlaceOf(n);
+    limits_.back().relief_m = relief(place_m.x(), place_m.y());
+    if (!slice.holds) continue;
+    lowest_m_ = std::min(lowest_m_, slice.floor_m - limits.mound_m);
+    highest_m_ = std::max(highest_m_, limits.most_m - limits.mound_m);
+  }
+}
+
+std::vector<HeapGrid::Column> HeapGrid::FilledTo(double level_m) const {
+  std::vector<Column> columns;
+  columns.reserve(limits_.size());
+  for (std::size_t n = 0; n < limits_.size(); ++n) {
+    const Slice& slice = slices_[n / ys_m_.size()];
+    const double soil_m =
+        std::min(level_m + limits_[n].mound_m, limits_[n].most_m) - limits_[n].relief_m;
+    columns.push_back(
+        {std::min(soil_m, slice.ceiling_m), slice.floor_m, soil_m >= slice.ceiling_m});
+  }
+  return columns;
+}
+
+double HeapGrid::VolumeBelow_m3(double level_m) const {
+  const std::vector<Column> columns = FilledTo(level_m);
+  const double cell_y_m = ys_m_[1] - ys_m_[0];
+  double volume_m3 = 0;
+  ForTriangles([&](std::size_t a, std::size_t b, std::size_t c) {
+    const auto x_m = [&](std::size_t n) { return slices_[n / ys_m_.size()].x_m; };
+    const double cell_x_m = std::max({x_m(a), x_m(b), x_m(c)}) - std::min({x_m(a), x_m(b), x_m(c)});
+    volume_m3 += 0.5 * cell_x_m * cell_y_m *
+                 MeanOfPositive(columns[a].depth_m(), columns[b].depth_m(), columns[c].depth_m());
+  });
+  return volume_m3;
+}
+
+Vec3 HeapGrid::At_B(std::size_t column, double height_m) const {
+  const Vec2 in_plane = slices_[column / ys_m_.size()].x_m * right_ + height_m * up_;
+  return Vec3(in_plane.x(), ys_m_[column % ys_m_.size()], in_plane.y());
+}
+
+/// Of the point below or above which it stands in the mouth's plane.
+Vec2 HeapGrid::PlaceOf(std::size_t column) const {
+  const Vec2 mouth = edge_lip_ - top_lip_;
+  const double x_m = slices_[column / ys_m_.size()].x_m - top_lip_.x();
+  return Vec2(x_m * mouth.norm() / (std::abs(mouth.x()) > kStep_m ? mouth.x() : kStep_m),
+              ys_m_[column % ys_m_.size()]);
+}
+
+}  // namespace tera

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "soil/tool/shovel_shape.h"
+
+namespace tera {
+
+/// How far rough soil lies below the smooth heap, at least 0: `along_m` the mouth from its top edge
+/// towards the cutting edge, `across_m` along B's y axis.
+using HeapRelief = std::function<double(double along_m, double across_m)>;
+
+/// Soil in a shovel as upright columns over a grid.
+///
+/// Frames  B frame of the shovel's link. Columns stand along `up` in the profile's plane: x along
+///         `right`, y along B's y axis, heights along `up`.
+/// Model   A column reaches from the shell to the lowest of: a level that mounds a little towards
+///         the middle of the mouth; the cones that rise at the heap's slope from every point of the
+///         mouth's rim; the shell above, where it overhangs. Relief is taken off. Between the
+///         columns surface and shell are linear over triangles.
+/// Omits   hollows of the shell that a column meets above its lowest one.
+class HeapGrid {
+ public:
+  /// `up_B` is against gravity; `slope_rad` is the steepest that the heap stands at.
+  HeapGrid(const ShovelShape& shape, const Vec3& up_B, double slope_rad, double cell_m,
+           const HeapRelief& relief);
+
+  /// Soil below a level, by which the heap is full at `highest_m()` and empty at `lowest_m()`.
+  double VolumeBelow_m3(double level_m) const;
+  double lowest_m() const { return lowest_m_; }
+  double highest_m() const { return highest_m_; }
+
+  struct Column {
+    double surface_m, floor_m;
+    bool at_shell;  ///< the surface is the shell above
+    double depth_m() const { return surface_m - floor_m; }
+  };
+  /// Every column, in the order of their index, when soil is filled up to a level.
+  std::vector<Column> FilledTo(double level_m) const;
+
+  /// Calls `visit(i, j, k)` with the columns at the corners of each triangle, counterclockwise seen
+  /// from above.
+  template <typename Visit>
+  void ForTriangles(Visit visit) const;
+
+  Vec3 At_B(std::size_t column, double height_m) const;
+  /// Along and across the mouth, as a relief takes them.
+  Vec2 PlaceOf(std::size_t column) const;
+
+ private:
+  struct Slice {
+    double x_m, floor_m, ceiling_m;
+    bool holds;  ///< no mouth below it
+  };
+  Vec2 Level(const Vec2& p_B) const { return Vec2(p_B.dot(right_), p_B.dot(up_)); }
+  void CutSlices(const ShovelShape& shape, double cell_m);
+  Slice SliceAt(const std::vector<Vec2>& outline, double x_m) const;
+  std::vector<Vec3> Rim() const;
+  void Limit(double slope_rad, const HeapRelief& relief);
+
+  Vec2 right_, up_;
+  double up_y_, up_z_;       ///< of gravity's up direction: along B's y axis, and along `up_`
+  Vec2 top_lip_, edge_lip_;  ///< in Level's axes
+  std::vector<Slice> slices_;
+  std::vector<double> ys_m_;
+  struct Limits {
+    double mound_m, most_m, relief_m;
+  };
+  std::vector<Limits> limits_;  ///< of each column
+  double lowest_m_ = 0, highest_m_ = 0;
+};
+
+template <typename Visit>
+void HeapGrid::ForTriangles(Visit visit) const {
+  constexpr double kSliver_m = 1e-5;  // two slices at a step of the shell
+  const std::size_t across = ys_m_.size();
+  for (std::size_t s = 0; s + 1 < slices_.size(); ++s) {
+    if (slices_[s + 1].x_m - slices_[s].x_m < kSliver_m) continue;
+    if (!slices_[s].holds || !slices_[s + 1].holds) continue;
+    for (std::size_t j = 0; j + 1 < across; ++j) {
+      const std::size_t a = s * across + j, b = a + across, c = b + 1, d = a + 1;
+      if ((s + j) % 2 == 0) {
+        visit(a, b, c), visit(a, c, d);
+      } else {
+        visit(a, b, d), visit(b, c, d);
+      }
+    }
+  }
+}
+
+}  // namespace tera

@@ -1,0 +1,132 @@
+#include "soil/tool/heap_surface.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+constexpr double kCoarse = 3;    ///< cells of the grid that tries stances, over those of the last
+constexpr int kTurns = 6;        ///< bisections of how far a heap is turned
+constexpr int kSlopes = 6;       ///< bisections of how steep it stands
+constexpr int kLevels = 26;      ///< bisections of how high it is filled
+constexpr double kSpare = 1.02;  ///< of the volume, that a stance on the coarse grid must hold
+constexpr double kSteepest_rad = 85 * kDeg;
+constexpr double kLeastUp = 0.05;  ///< of up in the profile's plane
+
+struct Stance {
+  Vec3 up_B;
+  double slope_rad;
+};
+
+double Holds_m3(const HeapGrid& grid) { return grid.VolumeBelow_m3(grid.highest_m()); }
+
+/// The least of [0, 1] at which `suits` holds, if it does at 1.
+template <typename Suits>
+double LeastThatSuits(int bisections, const Suits& suits) {
+  double low = 0, high = 1;
+  for (int k = 0; k < bisections; ++k) {
+    const double middle = 0.5 * (low + high);
+    (suits(middle) ? high : low) = middle;
+  }
+  return high;
+}
+
+/// Direction `s` of the way from `a` to `b`, unit vectors, about B's y axis where they are
+/// opposite.
+Vec3 Between(const Vec3& a, const Vec3& b, double s) {
+  const Vec3 mean = (1 - s) * a + s * b;
+  return std::hypot(mean.x(), mean.z()) > kLeastUp ? mean.normalized() : b;
+}
+
+/// How soil lies so that the shovel holds it: as gravity has it at repose, or as near to that as
+/// can be.
+Stance FindStance(const ShovelShape& shape, const CarriedHeap& heap, double cell_m,
+                  const HeapRelief& relief) {
+  const auto holds = [&](const Vec3& up_B, double slope_rad) {
+    return Holds_m3(HeapGrid(shape, up_B, slope_rad, cell_m, relief)) >= kSpare * heap.volume_m3;
+  };
+  const Vec3 level_B = shape.LevelUp_B();
+  Vec3 up_B = Between(heap.up_B.normalized(), level_B, 0);
+  if (holds(up_B, heap.repose_rad)) return {up_B, heap.repose_rad};
+  if (holds(level_B, heap.repose_rad)) {
+    const double turn = LeastThatSuits(
+        kTurns, [&](double s) { return holds(Between(up_B, level_B, s), heap.repose_rad); });
+    return {Between(up_B, level_B, turn), heap.repose_rad};
+  }
+  const auto slope_rad = [&](double s) {
+    return heap.repose_rad + s * (kSteepest_rad - heap.repose_rad);
+  };
+  const double more =
+      LeastThatSuits(kSlopes, [&](double s) { return holds(level_B, slope_rad(s)); });
+  return {level_B, slope_rad(more)};
+}
+
+/// Collects the triangles of a surface, cut off where it meets the shell.
+class Cutter {
+ public:
+  Cutter(const HeapGrid& grid, double level_m) : grid_(grid), columns_(grid.FilledTo(level_m)) {}
+
+  void Add(const std::array<std::size_t, 3>& corners) {
+    if (std::all_of(corners.begin(), corners.end(),
+                    [&](std::size_t n) { return columns_[n].at_shell; })) {
+      return;  // the shell's own face
+    }
+    std::vector<std::uint32_t> polygon;
+    for (std::size_t e = 0; e < 3; ++e) {
+      const std::size_t a = corners[e], b = corners[(e + 1) % 3];
+      const bool a_is_wet = columns_[a].depth_m() > 0, b_is_wet = columns_[b].depth_m() > 0;
+      if (a_is_wet) polygon.push_back(Point(a, a));
+      if (a_is_wet != b_is_wet) polygon.push_back(Point(std::min(a, b), std::max(a, b)));
+    }
+    for (std::size_t k = 2; k < polygon.size(); ++k) {
+      surface_.triangles.push_back({polygon[0], polygon[k - 1], polygon[k]});
+    }
+  }
+  HeapSurface Take() { return std::move(surface_); }
+
+ private:
+  /// The surface at column `a`, or where it meets the shell between `a` and `b`.
+  std::uint32_t Point(std::size_t a, std::size_t b) {
+    const auto [entry, is_new] =
+        points_.try_emplace({a, b}, static_cast<std::uint32_t>(points_.size()));
+    if (!is_new) return entry->second;
+    const double depth_a_m = columns_[a].depth_m(), depth_b_m = columns_[b].depth_m();
+    const double s = a == b ? 0.0 : depth_a_m / (depth_a_m - depth_b_m);
+    const auto between = [&](const auto& at_a, const auto& at_b) {
+      return ((1 - s) * at_a + s * at_b).eval();
+    };
+    surface_.p_B_m.push_back(
+        between(grid_.At_B(a, columns_[a].surface_m), grid_.At_B(b, columns_[b].surface_m)));
+    surface_.floor_B_m.push_back(
+        between(grid_.At_B(a, columns_[a].floor_m), grid_.At_B(b, columns_[b].floor_m)));
+    surface_.place_m.push_back(between(grid_.PlaceOf(a), grid_.PlaceOf(b)));
+    return entry->second;
+  }
+
+  const HeapGrid& grid_;
+  std::vector<HeapGrid::Column> columns_;
+  std::map<std::pair<std::size_t, std::size_t>, std::uint32_t> points_;
+  HeapSurface surface_;
+};
+
+}  // namespace
+
+HeapSurface MakeHeapSurface(const ShovelShape& shape, const CarriedHeap& heap, double cell_m,
+                            const HeapRelief& relief) {
+  if (heap.volume_m3 <= 0) return {};
+  const Stance stance = FindStance(shape, heap, kCoarse * cell_m, relief);
+  const HeapGrid grid(shape, stance.up_B, stance.slope_rad, cell_m, relief);
+  const double range_m = grid.highest_m() - grid.lowest_m();
+  const auto level_m = [&](double s) { return grid.lowest_m() + s * range_m; };
+  const double full = LeastThatSuits(
+      kLevels, [&](double s) { return grid.VolumeBelow_m3(level_m(s)) >= heap.volume_m3; });
+  Cutter cutter(grid, level_m(full));
+  grid.ForTriangles([&](std::size_t a, std::size_t b, std::size_t c) { cutter.Add({a, b, c}); });
+  return cutter.Take();
+}
+
+}  // namespace tera

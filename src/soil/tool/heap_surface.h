@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "soil/tool/heap_grid.h"
+#include "soil/tool/shovel_shape.h"
+
+namespace tera {
+
+/// Soil that lies in a shovel.
+struct CarriedHeap {
+  double volume_m3 = 0;
+  Vec3 up_B = Vec3::UnitZ();  ///< against gravity
+  double repose_rad = 0;
+};
+
+/// The surface of the soil in a shovel, as triangles.
+///
+/// Frames  B frame of the shovel's link.
+/// Model   The heap of HeapGrid under which there is just the volume carried. Where gravity lets
+///         the shovel hold less than that at the angle of repose, because soil takes time to leave
+///         or sticks, the heap is turned towards the mouth as far as it takes; what would not stand
+///         in a level shovel either stands steeper.
+/// Omits   how soil lay before: the same soil in the same position always lies alike.
+struct HeapSurface {
+  std::vector<Vec3> p_B_m;
+  std::vector<Vec3> floor_B_m;  ///< the shell below each point
+  std::vector<Vec2> place_m;    ///< of each point along and across the mouth, as of a HeapRelief
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counterclockwise seen from above
+};
+
+/// Columns are about `cell_m` apart. Nothing where nothing is carried.
+HeapSurface MakeHeapSurface(const ShovelShape& shape, const CarriedHeap& heap, double cell_m,
+                            const HeapRelief& relief);
+
+}  // namespace tera
