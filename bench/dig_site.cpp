@@ -54,7 +54,7 @@ void DigSite::Remember(const Simulation& simulation) {
   Instant& instant = instants_.emplace_back();
   instant.ground = simulation.ground();
   instant.scene = {state.t_ns, assembly_.BodyPoses(state), &instant.ground,
-                   assembly_.BodyScales(state)};
+                   assembly_.ShapesOf(state)};
   for (std::size_t s = 0; s < sensors_.size(); ++s) {
     const std::size_t m = machine_of_sensor_[s];
     const int link = scenario_.machines[m].placement.model.LinkIndex(sensors_[s].link);

@@ -28,7 +28,7 @@ class Lines {
     const Simulation simulation(scenario_);
     sighting_.Show(simulation.state(), simulation.ground());
     bare_.Update({assembly_.BodyPoses(simulation.state())}, simulation.ground(),
-                 assembly_.BodyScales(simulation.state()));
+                 assembly_.ShapesOf(simulation.state()));
     const Pose X_WH = Levelled(simulation.state().machines[0].links[0].X_WB);
     const Zone around{.name = "around", .shape = ZoneCylinder{12, 2}};
     for (const Vec3& p_m : PointsIn(around, kPlaces, 1)) {

@@ -42,7 +42,7 @@ class Revolution {
                                        static_cast<double>(k) / (kPoses - 1)));
       }
     }
-    scene_.Update(poses, To().ground, To().scene.body_scale);
+    scene_.Update(poses, To().ground, To().scene.shapes);
   }
   LidarScan Measure(int threads) const { return lidar_.Measure(0, track_, scene_, threads); }
   void TraceBareSingly() { scene_.TraceBareSingly(rays_, ranges_m_); }

@@ -15,4 +15,12 @@ int SceneModel::AddMesh(const std::filesystem::path& file, const std::string& no
   return static_cast<int>(meshes.size()) - 1;
 }
 
+const ShapedMesh* ShapeAt(const Shapes& shapes, int index) {
+  return index >= 0 && index < static_cast<int>(shapes.size()) ? shapes[index].get() : nullptr;
+}
+
+bool AreAlike(const ShapedMesh* a, const ShapedMesh* b) {
+  return a == b || (a != nullptr && b != nullptr && a->key == b->key);
+}
+
 }  // namespace tera

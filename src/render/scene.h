@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,9 @@ namespace tera {
 
 /// A mesh shown at a body slot. Several nodes may share a body and an instance.
 struct SceneNode {
-  int mesh = 0;  ///< index into SceneModel::meshes
-  int body = 0;  ///< index into SceneState::X_WB
+  int mesh = 0;    ///< index into SceneModel::meshes, unless it has a shape
+  int shape = -1;  ///< index into SceneState::shapes, of a mesh that changes
+  int body = 0;    ///< index into SceneState::X_WB
   Pose X_BG = Pose::Identity();
   double scale = 1.0;
   SemanticClass label = SemanticClass::kStructure;
@@ -31,6 +33,7 @@ struct SceneInstance {
   SemanticClass label = SemanticClass::kSky;
   int body = -1;  ///< body whose frame carries the box
   Vec3 box_min_B_m = Vec3::Zero(), box_max_B_m = Vec3::Zero();
+  int shape = -1;  ///< shape whose box is its box; the one above is that of its place
 };
 
 /// Appearance of a soil, by index as in TerrainSurface::soil.
@@ -64,20 +67,37 @@ struct SceneModel {
   std::vector<SoilAppearance> soils;
   Environment environment;
   int body_count = 0;
+  int shape_count = 0;
 
   /// Adds a mesh file (or one node of it); the same file and node is loaded once. Returns its
   /// index.
   int AddMesh(const std::filesystem::path& file, const std::string& node);
 };
 
+/// A mesh that changes, as it is now: soil carried in a shovel.
+///
+/// Frames  B of the body that shows it.
+struct ShapedMesh {
+  std::vector<double> key;  ///< what the mesh follows from: the same numbers, the same mesh
+  std::vector<MeshPart> parts;
+  Vec3 box_min_B_m = Vec3::Zero(), box_max_B_m = Vec3::Zero();  ///< of what it shows
+};
+
+/// One for each of SceneModel::shape_count; null where there is nothing to be seen. None at all
+/// stands for nothing anywhere.
+using Shapes = std::vector<std::shared_ptr<const ShapedMesh>>;
+
+/// The shape of that index, or null.
+const ShapedMesh* ShapeAt(const Shapes& shapes, int index);
+/// Whether both look alike.
+bool AreAlike(const ShapedMesh* a, const ShapedMesh* b);
+
 /// The moving part at one instant.
 struct SceneState {
   TimeNs t_ns = 0;
   std::vector<Pose> X_WB;  ///< one for each body
   const TerrainSurface* terrain = nullptr;
-  /// Scale of each body about its origin, 1 by default, 0 hides it: soil carried in a shovel is a
-  /// heap mesh that grows.
-  std::vector<float> body_scale;
+  Shapes shapes;
 };
 
 }  // namespace tera

@@ -35,7 +35,7 @@ std::optional<SimulatedPicture> PictureCaster::Render(std::size_t machine,
   SceneState scene;
   scene.t_ns = t_ns;
   scene.X_WB = assembly_.BodyPoses(state);
-  scene.body_scale = assembly_.BodyScales(state);
+  scene.shapes = assembly_.ShapesOf(state);
   scene.terrain = picture.moment.ground.get();
   const CameraIntrinsics lens = Reduced(PicturesOf(sensor)->intrinsics, reduced);
   CameraFrame frame =

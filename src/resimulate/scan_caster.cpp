@@ -53,16 +53,16 @@ void ScanCaster::ShowScene(std::size_t machine, int link, const Scan& scan, Time
   }
   const int keys = scan.span_ns > 0 ? poses_of_span : 1;
   std::vector<std::vector<Pose>> poses;
-  std::vector<float> scales;
+  Shapes shapes;
   link_.clear();
   for (int k = 0; k < keys; ++k) {
     const TimeNs t_ns = start_ns + (keys > 1 ? scan.span_ns * k / (keys - 1) : 0);
     const Instant state = stage_.StateAt(t_ns, scan.moment);
     poses.push_back(assembly_.BodyPoses(state));
-    scales = assembly_.BodyScales(state);
+    if (k + 1 == keys) shapes = assembly_.ShapesOf(state);
     link_.push_back(state.machines[machine].links[static_cast<std::size_t>(link)]);
   }
-  scene_.Update(poses, *scan.moment.ground, scales);
+  scene_.Update(poses, *scan.moment.ground, shapes);
   posed_start_ns_ = start_ns;
   posed_span_ns_ = scan.span_ns;
   posed_link_ = link;

@@ -9,6 +9,7 @@
 #include "core/types/terrain_surface.h"
 #include "dataset/format/measurement_sink.h"
 #include "physics/description/machine.h"
+#include "render/scene.h"
 
 /// How sensors at work are driven: step by step of the physics, each at its own times.
 
@@ -25,8 +26,8 @@ class SensedScene {
   virtual ~SensedScene() = default;
   /// The ground at the end of the step.
   virtual const TerrainSurface& ground() const = 0;
-  /// Scale of each body at the end of the step.
-  virtual std::vector<float> BodyScales() const = 0;
+  /// What changes its shape, at the end of the step.
+  virtual Shapes ShapesNow() const = 0;
   /// Poses X_WB of all bodies at the fraction `s` of the way through the step.
   virtual std::vector<Pose> BodiesBetween(double s) const = 0;
   /// Poses X_WB of all bodies at a time, which may be as early as the oldest that a sampler needs

@@ -31,6 +31,7 @@ void RigScene::Advance(const WorldStep& step) {
   before_ = &step.before;
   after_ = &step.after;
   ground_ = &step.ground;
+  shapes_known_ = false;
   if (!ray_scene_) return;
   TERA_CHECK(history_.empty() || after_->t_ns > history_.back().t_ns, after_->t_ns);
   history_.push_back({after_->t_ns, assembly_.BodyPoses(*after_)});
@@ -40,7 +41,12 @@ void RigScene::ForgetBefore(TimeNs t_ns) {
   while (history_.size() > 1 && history_[1].t_ns <= t_ns) history_.pop_front();
 }
 
-std::vector<float> RigScene::BodyScales() const { return assembly_.BodyScales(*after_); }
+/// Made when a sensor first asks for them in a step.
+Shapes RigScene::ShapesNow() const {
+  if (!shapes_known_) shapes_ = assembly_.ShapesOf(*after_);
+  shapes_known_ = true;
+  return shapes_;
+}
 
 std::vector<Pose> RigScene::BodiesBetween(double s) const {
   return Between(assembly_.BodyPoses(*before_), assembly_.BodyPoses(*after_), s);

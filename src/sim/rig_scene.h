@@ -30,7 +30,7 @@ class RigScene : public SensedScene {
   void ForgetBefore(TimeNs t_ns);
 
   const TerrainSurface& ground() const override { return *ground_; }
-  std::vector<float> BodyScales() const override;
+  Shapes ShapesNow() const override;
   std::vector<Pose> BodiesBetween(double s) const override;
   std::vector<Pose> BodiesAt(TimeNs t_ns) const override;
   Rasterizer* rasterizer() const override { return rasterizer_.get(); }
@@ -50,6 +50,8 @@ class RigScene : public SensedScene {
   std::unique_ptr<RayScene> ray_scene_;
   const Instant *before_ = nullptr, *after_ = nullptr;
   const TerrainSurface* ground_ = nullptr;
+  mutable Shapes shapes_;  ///< of the step, if they are known
+  mutable bool shapes_known_ = false;
   std::deque<Moment> history_;
 };
 

@@ -7,9 +7,7 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "physics/actuation/linkage.h"
-#include "render/ground/soil_colour.h"
 #include "render/meshes/painted_parts.h"
-#include "sim/heap_mesh.h"
 
 namespace tera {
 namespace {
@@ -91,7 +89,7 @@ SceneAssembly::SceneAssembly(const Scenario& scenario) : scenario_(scenario) {
 }
 
 // The order of AddBody calls here and of poses in AppendMachinePoses is the same: links, wheels,
-// shoes, linkages, cylinders, heaps.
+// shoes, linkages, cylinders, soil in shovels.
 void SceneAssembly::AddMachine(const Scenario& scenario, std::size_t m) {
   const MachinePlacement& placement = scenario.machines[m].placement;
   const MachineModel& machine = placement.model;
@@ -120,7 +118,7 @@ void SceneAssembly::AddMachine(const Scenario& scenario, std::size_t m) {
       add_part(cylinder.rod, cylinder.rod_link);
     }
   }
-  AddHeaps(placement, m, scenario.site->soils().front());
+  AddLoads(placement, m, scenario.site->soils());
 }
 
 void SceneAssembly::AddRunningGear(const MachinePlacement& placement, std::size_t m,
@@ -149,23 +147,28 @@ void SceneAssembly::AddRunningGear(const MachinePlacement& placement, std::size_
   }
 }
 
-void SceneAssembly::AddHeaps(const MachinePlacement& placement, std::size_t m,
-                             const SoilType& soil) {
+void SceneAssembly::AddLoads(const MachinePlacement& placement, std::size_t m,
+                             const std::vector<SoilType>& soils) {
   const std::vector<Shovel>& shovels = placement.model.ground_tools.shovels;
   for (std::size_t s = 0; s < shovels.size(); ++s) {
     const Shovel& shovel = shovels[s];
     if (shovel.capacity_m3 <= 0) continue;
-    const HeapMesh heap = MakeHeapMesh(shovel, soil.albedo * SoilTone(soil.moisture, 1.0));
     SceneNode node;
-    node.mesh = static_cast<int>(model_.meshes.size());
+    node.mesh = -1;
+    node.shape = model_.shape_count++;
     node.body = AddBody();
     node.label = SemanticClass::kSoilInBucket;
     node.instance =
         AddInstance(placement.name + "/" + shovel.name + "_soil", node.label, node.body);
-    model_.meshes.push_back(heap.mesh);
+    SceneInstance& instance = model_.instances[node.instance];
+    instance.shape = node.shape;
+    for (const Vec2& p : shovel.profile_B_m) {
+      const Vec3 half_m(0, 0.5 * shovel.width_m, 0), p_B_m(p.x(), 0, p.y());
+      instance.box_min_B_m = instance.box_min_B_m.cwiseMin(p_B_m - half_m);
+      instance.box_max_B_m = instance.box_max_B_m.cwiseMax(p_B_m + half_m);
+    }
     model_.nodes.push_back(node);
-    GrowBox(node);
-    heaps_.push_back({m, static_cast<int>(s), node.body, heap.bottom_B_m});
+    loads_.push_back({m, static_cast<int>(s), CarriedSoil(shovel, soils)});
   }
 }
 
@@ -245,23 +248,24 @@ void SceneAssembly::AppendMachinePoses(const Instant& state, std::size_t m,
   }
   AppendLinkagePoses(machine, now, poses);
   AppendCylinderPoses(machine, now, poses);
-  for (const Heap& heap : heaps_) {
-    if (heap.machine != m) continue;
-    const int link = machine.ground_tools.shovels[heap.shovel].link;
-    poses->push_back(now.links[link].X_WB * MakePose(heap.bottom_B_m));
+  for (const ShovelLoad& load : loads_) {
+    if (load.machine != m) continue;
+    poses->push_back(now.links[machine.ground_tools.shovels[load.shovel].link].X_WB);
   }
 }
 
-std::vector<float> SceneAssembly::BodyScales(const Instant& state) const {
-  std::vector<float> scales(model_.body_count, 1.0f);
-  for (const Heap& heap : heaps_) {
-    const auto& loads = state.machines[heap.machine].shovel_load;
+Shapes SceneAssembly::ShapesOf(const Instant& state) const {
+  Shapes shapes;
+  for (const ShovelLoad& load : loads_) {
+    const MachineState& machine = state.machines[load.machine];
     const Shovel& shovel =
-        scenario_.machines[heap.machine].placement.model.ground_tools.shovels[heap.shovel];
-    const double fill = loads.empty() ? 0.0 : loads[heap.shovel].volume_m3 / shovel.capacity_m3;
-    scales[heap.body] = static_cast<float>(std::cbrt(std::clamp(fill, 0.0, 1.0)));
+        scenario_.machines[load.machine].placement.model.ground_tools.shovels[load.shovel];
+    shapes.push_back(
+        machine.shovel_load.empty()
+            ? nullptr
+            : load.look.Shape(machine.shovel_load[load.shovel], machine.links[shovel.link].X_WB));
   }
-  return scales;
+  return shapes;
 }
 
 }  // namespace tera

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "render/scene.h"
+#include "sim/carried_soil.h"
 #include "sim/scenario/scenario.h"
 #include "sim/world_state.h"
 
@@ -12,9 +13,9 @@ namespace tera {
 /// bodies for each state.
 ///
 /// Model   one body for each link, wheel, track shoe, rocker and coupler, cylinder barrel and rod,
-///         shovel heap and obstacle; one labelled instance for each link, track, wheel, heap and
-///         obstacle, named "machine/part" or after the obstacle.
-/// Omits   the kind of soil in a shovel: a heap is shown in the colour of the site's first soil.
+///         shovel's soil and obstacle; one labelled instance for each link, track, wheel, shovel's
+///         soil and obstacle, named "machine/part" or after the obstacle. Soil in a shovel is a
+///         mesh that changes (CarriedSoil).
 class SceneAssembly {
  public:
   /// Throws InputError where a mesh cannot be loaded, with the place that names it.
@@ -23,8 +24,8 @@ class SceneAssembly {
   const SceneModel& model() const { return model_; }
   /// Poses of all bodies, in the order of their index.
   std::vector<Pose> BodyPoses(const Instant& state) const;
-  /// Scale of each body: heaps by their fill, everything else 1.
-  std::vector<float> BodyScales(const Instant& state) const;
+  /// The soil in each shovel as it lies now.
+  Shapes ShapesOf(const Instant& state) const;
 
  private:
   struct TrackPath {
@@ -37,8 +38,9 @@ class SceneAssembly {
   void AddMachine(const Scenario& scenario, std::size_t m);
   void AddRunningGear(const MachinePlacement& placement, std::size_t m,
                       const std::vector<int>& link_body);
-  /// Heaps of `soil`, hidden until something is carried.
-  void AddHeaps(const MachinePlacement& placement, std::size_t m, const SoilType& soil);
+  /// What shovels will carry.
+  void AddLoads(const MachinePlacement& placement, std::size_t m,
+                const std::vector<SoilType>& soils);
   void AddObstacle(const ScenarioObstacle& obstacle);
   std::uint16_t AddInstance(const std::string& name, SemanticClass label, int body);
   void AddNode(const Visual& visual, int body, SemanticClass label, std::uint16_t instance);
@@ -50,12 +52,12 @@ class SceneAssembly {
   const Scenario& scenario_;
   SceneModel model_;
   std::vector<TrackPath> tracks_;
-  struct Heap {
+  struct ShovelLoad {
     std::size_t machine;
-    int shovel, body;
-    Vec3 bottom_B_m;  ///< point of the shell about which the heap grows
+    int shovel;
+    CarriedSoil look;
   };
-  std::vector<Heap> heaps_;
+  std::vector<ShovelLoad> loads_;  ///< in the order of shapes
 };
 
 }  // namespace tera

@@ -30,7 +30,7 @@ class RowKeeper : public MeasurementSink {
 class NoScene : public SensedScene {
  public:
   const TerrainSurface& ground() const override { return ground_; }
-  std::vector<float> BodyScales() const override { return {}; }
+  Shapes ShapesNow() const override { return {}; }
   std::vector<Pose> BodiesBetween(double) const override { return {}; }
   std::vector<Pose> BodiesAt(TimeNs) const override { return {}; }
   Rasterizer* rasterizer() const override { return nullptr; }

@@ -65,7 +65,7 @@ std::vector<EncoderSample> EncoderSamples(const SensorDescription& s) {
 /// A revolution in a room of 12 m with walls of 40 %, off its middle.
 LidarScan FirstScan(const SensorDescription& s) {
   RayScene scene(OneBodyEach({CubeMesh(6)}));
-  scene.Update({{Pose::Identity()}}, NoGround(), {1});
+  scene.Update({{Pose::Identity()}}, NoGround());
   PoseTrack track;
   track.Append(0, MakePose({1, 2, 0.5}, 0.1, 0.2, 0.3));
   return Lidar(std::get<LidarModel>(s.model), s.clock, s.latency_ns, 1, "m/s")

@@ -116,19 +116,24 @@ TEST(SceneAssembly, ShoesAdvanceBackwardsAlongTheGroundWhenDrivingForward) {
   EXPECT_GT(on_ground, 8);
 }
 
-TEST(SceneAssembly, HeapOfAnEmptyBucketIsHidden) {
+TEST(SceneAssembly, SoilInABucketIsThereWhenSomethingIsCarried) {
   Scenario scenario = Read();
   Simulation simulation(scenario);
   const SceneAssembly assembly(scenario);
   Instant state = simulation.state();
-  const auto hidden = assembly.BodyScales(state);
-  EXPECT_EQ(std::count(hidden.begin(), hidden.end(), 0.0f), 1);
-  const Shovel& bucket = scenario.machines[0].placement.model.ground_tools.shovels[0];
-  state.machines[0].shovel_load[0].volume_m3 = bucket.capacity_m3 / 8;  // half in each direction
-  const auto scales = assembly.BodyScales(state);
-  EXPECT_EQ(std::count_if(scales.begin(), scales.end(),
-                          [](float s) { return std::abs(s - 0.5f) < 1e-6f; }),
-            1);
+  ASSERT_EQ(assembly.model().shape_count, 1);
+  EXPECT_EQ(assembly.ShapesOf(state), Shapes{nullptr});
+  state.machines[0].shovel_load[0].volume_m3 = 0.05;
+  const Shapes shapes = assembly.ShapesOf(state);
+  ASSERT_EQ(shapes.size(), 1u);
+  ASSERT_NE(shapes[0], nullptr);
+  // Its body is the bucket, so that it lies where the shell is.
+  const SceneModel& model = assembly.model();
+  const auto soil = std::find_if(model.nodes.begin(), model.nodes.end(),
+                                 [](const SceneNode& n) { return n.shape == 0; });
+  const int bucket = scenario.machines[0].placement.model.LinkIndex("bucket");
+  const Pose& X_WB = state.machines[0].links[bucket].X_WB;
+  EXPECT_TRUE(assembly.BodyPoses(state)[soil->body].isApprox(X_WB, 1e-12));
 }
 
 TEST(SceneAssembly, ShoesAreShownAtTheirScale) {

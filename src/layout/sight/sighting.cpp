@@ -33,7 +33,7 @@ Sighting::Sighting(const Scenario& scenario, const SceneAssembly& assembly, int 
     : scenario_(scenario), assembly_(assembly), threads_(threads), scene_(assembly.model()) {}
 
 void Sighting::Show(const Instant& now, const TerrainSurface& ground) {
-  scene_.Update({assembly_.BodyPoses(now)}, ground, assembly_.BodyScales(now));
+  scene_.Update({assembly_.BodyPoses(now)}, ground, assembly_.ShapesOf(now));
 }
 
 void Sighting::Follow(std::span<const Line> lines, double before_m, const GoesOn& goes_on) const {

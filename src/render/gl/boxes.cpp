@@ -85,10 +85,13 @@ std::vector<ObjectBox> FindBoxes(const SceneModel& model, const SceneState& stat
     box.label = object.label;
     box.name = object.name;
     if (object.body >= 0) {
+      const ShapedMesh* shape = ShapeAt(state.shapes, object.shape);
+      const Vec3& min_B_m = shape != nullptr ? shape->box_min_B_m : object.box_min_B_m;
+      const Vec3& max_B_m = shape != nullptr ? shape->box_max_B_m : object.box_max_B_m;
       Pose X_BO = Pose::Identity();
-      X_BO.translation() = 0.5 * (object.box_min_B_m + object.box_max_B_m);
+      X_BO.translation() = 0.5 * (min_B_m + max_B_m);
       box.X_CO = X_WC.inverse() * state.X_WB[object.body] * X_BO;
-      box.size_O_m = object.box_max_B_m - object.box_min_B_m;
+      box.size_O_m = max_B_m - min_B_m;
     }
     visible.push_back(std::move(box));
   }

@@ -283,6 +283,7 @@ void Rasterizer::Impl::DrawPinhole(const View& view, const SceneState& state, co
     terrain.Update(*state.terrain);
     grains.Place(*state.terrain, view.eye_W_m);
   }
+  nodes.Reshape(state);
   shadow_map.Update(state, view.eye_W_m, &nodes);
   nodes.Place(state, view.eye_W_m, &view);
   DrawGeometry(view, p);

@@ -22,6 +22,7 @@ struct Material {
 struct MeshPart {
   std::vector<Eigen::Vector3f> positions_m;
   std::vector<Eigen::Vector3f> normals;  ///< one for each position
+  std::vector<Eigen::Vector3f> albedos;  ///< one for each position, or none: the material's
   std::vector<std::uint32_t> indices;    ///< three for each triangle
   Material material;
 };

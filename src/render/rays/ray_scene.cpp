@@ -111,6 +111,22 @@ void AttachPart(RTCDevice device, const MeshPart& part, const Pose& X_BG, double
   rtcAttachGeometry(scene, geometry.get());
 }
 
+EmbreeScene NewScene(RTCDevice device) {
+  EmbreeScene scene(rtcNewScene(device));
+  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  return scene;
+}
+
+/// Adds what can be hit of `parts`, the mesh at place `node` of the body's nodes.
+void AttachParts(RTCDevice device, const std::vector<MeshPart>& parts, int node, BodyShape* shape) {
+  for (const MeshPart& part : parts) {
+    if (part.material.opacity <= 0 || part.indices.empty()) continue;
+    AttachPart(device, part, shape->X_BG[node], shape->scale[node], shape->scene.get());
+    shape->parts.push_back({node, static_cast<float>(ReflectanceOf(part.material)),
+                            static_cast<float>(part.material.opacity)});
+  }
+}
+
 RTCRayHit QueryFor(const Ray& ray) {
   RTCRayHit query;
   query.ray.org_x = ray.origin_W_m.x();
@@ -164,10 +180,14 @@ struct RayScene::Impl {
     std::vector<int> nodes;  ///< of the model
     EmbreeGeometry geometry;
     std::vector<Pose> keys;
-    float scale = -1;
+    int changing = -1;  ///< index of the shape that it shows
+    std::shared_ptr<const ShapedMesh> shown;
   };
   explicit Impl(const SceneModel& scene_model);
-  void UpdateBody(std::size_t index, std::vector<Pose> keys, float scale);
+  void FindShapes();
+  void AddInstance(std::size_t index);
+  void UpdateBody(std::size_t index, std::vector<Pose> keys);
+  void UpdateShape(Body* body, const Shapes& now);
   /// Rays that start and point alike, at most kPacket of them, traced together.
   RTCRayHit8 Intersect(std::span<const Ray> rays, RTCIntersectContext* context) const;
   void TracePacket(std::span<const Ray> rays, RTCIntersectContext* context, RayHit* hits) const;
@@ -199,68 +219,101 @@ RayScene::Impl::Impl(const SceneModel& scene_model)
   for (std::size_t n = 0; n < model.nodes.size(); ++n) {
     bodies.at(model.nodes[n].body).nodes.push_back(static_cast<int>(n));
   }
-  for (Body& body : bodies) {
-    if (body.nodes.empty()) continue;
-    BodyShape shape;
-    for (const int n : body.nodes) {
-      shape.meshes.push_back(model.nodes[n].mesh);
-      shape.X_BG.push_back(model.nodes[n].X_BG);
-      shape.scale.push_back(model.nodes[n].scale);
-    }
-    const auto same = std::find_if(shapes.begin(), shapes.end(),
-                                   [&](const BodyShape& s) { return s.Alike(shape); });
-    body.shape = static_cast<int>(same - shapes.begin());
-    if (same != shapes.end()) continue;
-    shape.scene = EmbreeScene(rtcNewScene(device.get()));
-    rtcSetSceneFlags(shape.scene.get(), RTC_SCENE_FLAG_ROBUST);
-    for (std::size_t i = 0; i < shape.meshes.size(); ++i) {
-      for (const MeshPart& part : model.meshes.at(shape.meshes[i]).parts) {
-        if (part.material.opacity <= 0 || part.indices.empty()) continue;
-        AttachPart(device.get(), part, shape.X_BG[i], shape.scale[i], shape.scene.get());
-        shape.parts.push_back({static_cast<int>(i),
-                               static_cast<float>(ReflectanceOf(part.material)),
-                               static_cast<float>(part.material.opacity)});
-      }
-    }
-    rtcCommitScene(shape.scene.get());
-    shapes.push_back(std::move(shape));
-  }
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    Body& body = bodies[b];
-    if (body.nodes.empty() || shapes[body.shape].parts.empty()) continue;
-    body.geometry = EmbreeGeometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
-    rtcSetGeometryInstancedScene(body.geometry.get(), shapes[body.shape].scene.get());
-    rtcDisableGeometry(body.geometry.get());
-    rtcCommitGeometry(body.geometry.get());
-    const unsigned id = rtcAttachGeometry(scene.get(), body.geometry.get());
-    body_of.resize(std::max<std::size_t>(body_of.size(), id + 1), -1);
-    body_of[id] = static_cast<int>(b);
-  }
+  FindShapes();
+  for (std::size_t b = 0; b < bodies.size(); ++b) AddInstance(b);
   ground = std::make_unique<RayTerrain>(device.get(), scene.get(), model.soils);
   rtcCommitScene(scene.get());
   errors.Check();
 }
 
-void RayScene::Impl::UpdateBody(std::size_t index, std::vector<Pose> keys, float scale) {
+/// Meshes of each body; bodies that look alike share them, but for those that change.
+void RayScene::Impl::FindShapes() {
+  for (Body& body : bodies) {
+    if (body.nodes.empty()) continue;
+    BodyShape shape;
+    body.changing = model.nodes[body.nodes.front()].shape;
+    if (body.changing >= 0) {
+      TERA_CHECK(body.nodes.size() == 1, body.nodes.size());
+      body.shape = static_cast<int>(shapes.size());
+      shapes.push_back(std::move(shape));
+      continue;
+    }
+    for (const int n : body.nodes) {
+      shape.meshes.push_back(model.nodes[n].mesh);
+      shape.X_BG.push_back(model.nodes[n].X_BG);
+      shape.scale.push_back(model.nodes[n].scale);
+    }
+    const auto same = std::find_if(shapes.begin(), shapes.end(), [&](const BodyShape& s) {
+      return !s.meshes.empty() && s.Alike(shape);
+    });
+    body.shape = static_cast<int>(same - shapes.begin());
+    if (same != shapes.end()) continue;
+    shape.scene = NewScene(device.get());
+    for (std::size_t i = 0; i < shape.meshes.size(); ++i) {
+      AttachParts(device.get(), model.meshes.at(shape.meshes[i]).parts, static_cast<int>(i),
+                  &shape);
+    }
+    rtcCommitScene(shape.scene.get());
+    shapes.push_back(std::move(shape));
+  }
+}
+
+void RayScene::Impl::AddInstance(std::size_t index) {
+  Body& body = bodies[index];
+  if (body.nodes.empty()) return;
+  if (body.changing < 0 && shapes[body.shape].parts.empty()) return;
+  body.geometry = EmbreeGeometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+  if (body.changing < 0) {
+    rtcSetGeometryInstancedScene(body.geometry.get(), shapes[body.shape].scene.get());
+  }
+  rtcDisableGeometry(body.geometry.get());
+  rtcCommitGeometry(body.geometry.get());
+  const unsigned id = rtcAttachGeometry(scene.get(), body.geometry.get());
+  body_of.resize(std::max<std::size_t>(body_of.size(), id + 1), -1);
+  body_of[id] = static_cast<int>(index);
+}
+
+/// Builds the mesh of a body that changes anew where it looks otherwise than before. UpdateBody
+/// must follow.
+void RayScene::Impl::UpdateShape(Body* body, const Shapes& now) {
+  const ShapedMesh* mesh = ShapeAt(now, body->changing);
+  if (AreAlike(mesh, body->shown.get())) return;
+  body->keys.clear();
+  if (mesh == nullptr) {
+    body->shown.reset();
+    return;
+  }
+  body->shown = now[body->changing];
+  const SceneNode& node = model.nodes[body->nodes.front()];
+  BodyShape shape;
+  shape.X_BG = {node.X_BG};
+  shape.scale = {node.scale};
+  shape.scene = NewScene(device.get());
+  AttachParts(device.get(), mesh->parts, 0, &shape);
+  rtcCommitScene(shape.scene.get());
+  rtcSetGeometryInstancedScene(body->geometry.get(), shape.scene.get());
+  shapes[body->shape] = std::move(shape);
+}
+
+void RayScene::Impl::UpdateBody(std::size_t index, std::vector<Pose> keys) {
   Body& body = bodies[index];
   if (body.geometry.get() == nullptr) return;
-  bool same = body.scale == scale && body.keys.size() == keys.size();
+  const bool is_hidden = body.changing >= 0 && body.shown == nullptr;
+  if (is_hidden) {
+    rtcDisableGeometry(body.geometry.get());
+    return;
+  }
+  bool same = body.keys.size() == keys.size();
   for (std::size_t k = 0; same && k < keys.size(); ++k) {
     same = keys[k].matrix() == body.keys[k].matrix();
   }
   if (same) return;
   body.keys = std::move(keys);
-  body.scale = scale;
   RTCGeometry geometry = body.geometry.get();
-  if (scale <= 0) {
-    rtcDisableGeometry(geometry);
-    return;
-  }
   rtcEnableGeometry(geometry);
   rtcSetGeometryTimeStepCount(geometry, static_cast<unsigned>(body.keys.size()));
   for (std::size_t k = 0; k < body.keys.size(); ++k) {
     Eigen::Matrix<float, 3, 4> X_WB = body.keys[k].matrix().topRows<3>().cast<float>();
-    X_WB.leftCols<3>() *= scale;
     rtcSetGeometryTransform(geometry, static_cast<unsigned>(k), RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
                             X_WB.data());
   }
@@ -336,13 +389,13 @@ RayScene::RayScene(const SceneModel& model) : impl_(std::make_unique<Impl>(model
 RayScene::~RayScene() = default;
 
 void RayScene::Update(const std::vector<std::vector<Pose>>& poses, const TerrainSurface& terrain,
-                      const std::vector<float>& body_scale) {
+                      const Shapes& shapes) {
   TERA_CHECK(!poses.empty() && poses.size() <= kMaxPoses, poses.size());
   for (const std::vector<Pose>& at : poses)
     TERA_CHECK(at.size() == impl_->bodies.size(), at.size());
-  TERA_CHECK(body_scale.size() == impl_->bodies.size(), body_scale.size());
   for (std::size_t b = 0; b < impl_->bodies.size(); ++b) {
-    impl_->UpdateBody(b, MotionKeys(poses, b), body_scale[b]);
+    if (impl_->bodies[b].changing >= 0) impl_->UpdateShape(&impl_->bodies[b], shapes);
+    impl_->UpdateBody(b, MotionKeys(poses, b));
   }
   impl_->ground->Update(terrain);
   rtcCommitScene(impl_->scene.get());

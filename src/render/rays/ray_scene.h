@@ -50,10 +50,9 @@ class RayScene {
   ~RayScene();
 
   /// Sets the scene over [t0, t1]: `poses` at equally spaced times from t0 to t1 (1 to 32 of them),
-  /// each with one pose for each body; `body_scale` one for each body, 0 hides it; the terrain as
-  /// it is now.
+  /// each with one pose for each body; the terrain and `shapes` as they are now.
   void Update(const std::vector<std::vector<Pose>>& poses, const TerrainSurface& terrain,
-              const std::vector<float>& body_scale);
+              const Shapes& shapes = {});
 
   /// First hit of each ray. Uses up to `threads` threads; the result does not depend on them.
   void Trace(std::span<const Ray> rays, std::span<RayHit> hits, int threads) const;

@@ -36,7 +36,7 @@ class CameraSampler : public InstantSampler {
     SceneState scene;
     scene.t_ns = t_ns;
     scene.terrain = &step.scene.ground();
-    scene.body_scale = step.scene.BodyScales();
+    scene.shapes = step.scene.ShapesNow();
     scene.X_WB = step.scene.BodiesBetween(s);
     CameraFrame frame =
         camera_.Measure(k, step.LinkAt(link_, s) * X_BT_, scene, step.scene.rasterizer());

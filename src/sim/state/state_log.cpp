@@ -13,7 +13,7 @@
 namespace tera {
 namespace {
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 constexpr double kBlock_s = 1.0;
 
 std::string BytesOf(const std::vector<double>& numbers) {

@@ -40,6 +40,7 @@ void ForRow(InstantType& state, Visit visit) {
       visit(load.mass_kg);
       visit(load.volume_m3);
       ForAll(load.com_B_m, visit);
+      ForAll(load.soil_kg, visit);
     }
   }
   for (auto& obstacle : state.obstacles) ForPose(obstacle.X_WB, visit);
@@ -61,18 +62,26 @@ void ForLinkMotions(InstantType& state, Visit visit) {
   }
 }
 
+/// As many loads as a machine has shovels, of as many soils as the site has.
+void SizeLoads(const Scenario& scenario, std::size_t m, MachineState* machine) {
+  machine->shovel_load.resize(scenario.machines[m].placement.model.ground_tools.shovels.size());
+  for (SoilReaction::Load& load : machine->shovel_load) {
+    load.soil_kg.resize(scenario.site->soils().size());
+  }
+}
+
 /// As many of everything as the scenario has.
 Instant EmptyState(const Scenario& scenario) {
   Instant state;
-  for (const ScenarioMachine& of : scenario.machines) {
-    const MachineModel& model = of.placement.model;
+  for (std::size_t m = 0; m < scenario.machines.size(); ++m) {
+    const MachineModel& model = scenario.machines[m].placement.model;
     MachineState& machine = state.machines.emplace_back();
     machine.links.resize(model.links.size());
     machine.q_rad.resize(model.joints.size());
     machine.qd_radps.resize(model.joints.size());
     machine.gear_angle_rad.resize(model.ground_tools.gears.size());
     machine.gear_rate_radps.resize(model.ground_tools.gears.size());
-    machine.shovel_load.resize(model.ground_tools.shovels.size());
+    SizeLoads(scenario, m, &machine);
   }
   state.obstacles.resize(scenario.obstacles.size());
   state.beds.resize(scenario.obstacles.size());
@@ -97,8 +106,7 @@ void AppendStateRow(const Scenario& scenario, const Instant& state, std::vector<
   const std::size_t before = rows->size();
   Instant padded = state;  // before the first step of a run nothing is known of its loads
   for (std::size_t m = 0; m < padded.machines.size(); ++m) {
-    padded.machines[m].shovel_load.resize(
-        scenario.machines[m].placement.model.ground_tools.shovels.size());
+    SizeLoads(scenario, m, &padded.machines[m]);
   }
   ForRow(padded, [&](double number) { rows->push_back(number); });
   TERA_CHECK(rows->size() - before == StateColumns(scenario), rows->size(), before);

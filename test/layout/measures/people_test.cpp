@@ -84,7 +84,7 @@ double PointsOnBox(const LidarModel& model, const Pose& X_WS, const Scanned& whe
   RayScene scene(testing::OneBodyEach({BoxMesh(where.posture.size_m)}));
   const Pose X_WBox =
       PersonAt(where.sector, where.distance_m) * MakePose({0, 0, 0.5 * where.posture.size_m.z()});
-  scene.Update({{X_WBox}}, testing::NoGround(), {1});
+  scene.Update({{X_WBox}}, testing::NoGround());
   PoseTrack track;
   track.Append(0, X_WS);
   return static_cast<double>(
@@ -138,7 +138,6 @@ TEST(PersonRange, ExpectsAsManyPixelsAsAPictureHas) {
     SceneState state;
     state.X_WB = {X_WBox};
     state.terrain = &ground;
-    state.body_scale = {1};
     const CameraFrame frame = Camera(model, {.rate_hz = 10}, 0, 1, "m/camera")
                                   .Measure(0, viewer.X_WS, state, &rasterizer);
     const auto pixels =
@@ -170,7 +169,7 @@ TEST(PersonRange, OfHerOnlyWhatIsInSightCounts) {
   RayScene scene(testing::OneBodyEach({BoxMesh(kStanding.size_m), BoxMesh({0.001, 6, edge_m})}));
   scene.Update(
       {{PersonAt(0, 6) * MakePose({0, 0, 0.875}), X_WH() * MakePose({5.0005, 0, 0.5 * edge_m})}},
-      testing::NoGround(), {1, 1});
+      testing::NoGround());
   const Viewer viewer = ViewerAt("lidar", {0, 0, 2.4}, ViewOf(model, 10));
   PoseTrack track;
   track.Append(0, viewer.X_WS);

@@ -111,20 +111,44 @@ TEST(Rasterizer, TheGroundShadesItself) {
   EXPECT_NEAR(grey(-2.0), grey(2.0), 0.12 * grey(2.0));
 }
 
-TEST(Rasterizer, BodyScaleShrinksAndHides) {
+TEST(Rasterizer, AShapeIsDrawnAsItIsNowWithItsOwnBoxOrNotAtAll) {
   Stage stage;
   stage.AddBox(MakePose(kTarget), Vec3(0.4, 0.4, 0.4), SemanticClass::kSoilInBucket);
+  stage.model.shape_count = 1;
+  stage.model.nodes.back().shape = 0;
+  stage.model.instances.back().shape = 0;
   Rasterizer rasterizer(stage.model, EglOptions{});
   const Pose X_WC = LookAt(kEye, kTarget);
-  const auto pixels = [&](float scale) -> double {
-    stage.state.body_scale = {scale};
-    const CameraFrame frame = rasterizer.Render(Pinhole(), X_WC, stage.state);
-    return frame.boxes.empty() ? 0.0 : static_cast<double>(frame.boxes[0].visible_px);
+  const auto boxes = [&](double half_m) {
+    const Vec3 half = Vec3::Constant(half_m);
+    stage.state.shapes = {nullptr};
+    if (half_m > 0) {
+      stage.state.shapes[0] = std::make_shared<const ShapedMesh>(
+          ShapedMesh{{half_m}, BoxMesh(half, Vec3(0.3, 0.2, 0.1)).parts, -half, half});
+    }
+    return rasterizer.Render(Pinhole(), X_WC, stage.state).boxes;
   };
-  const double whole = pixels(1.0f);
+  const auto whole = boxes(0.4), half = boxes(0.2);
+  ASSERT_EQ(whole.size(), 1u);
+  ASSERT_EQ(half.size(), 1u);
   // Half the size is a quarter of the area, a little less as the near side recedes.
-  EXPECT_NEAR(pixels(0.5f) / whole, 0.25, 0.03);
-  EXPECT_EQ(pixels(0.0f), 0);
+  EXPECT_NEAR(static_cast<double>(half[0].visible_px) / static_cast<double>(whole[0].visible_px),
+              0.25, 0.03);
+  EXPECT_NEAR(half[0].visibility, 1, 0.02);
+  EXPECT_TRUE(half[0].size_O_m.isApprox(Vec3::Constant(0.4)));
+  EXPECT_TRUE(boxes(0).empty());
+  EXPECT_EQ(boxes(0.4)[0].visible_px, whole[0].visible_px);
+}
+
+TEST(Rasterizer, VerticesMayHaveColoursOfTheirOwn) {
+  Stage stage;
+  stage.AddBox(MakePose(kTarget), Vec3(0.4, 0.4, 0.4), SemanticClass::kStructure);
+  MeshPart& part = stage.model.meshes.back().parts[0];
+  part.material.albedo = Vec3(0.9, 0.9, 0.9);
+  part.albedos.assign(part.positions_m.size(), Eigen::Vector3f(0.5f, 0.05f, 0.05f));
+  Rasterizer rasterizer(stage.model, EglOptions{});
+  const CameraFrame frame = rasterizer.Render(Pinhole(), LookAt(kEye, kTarget), stage.state);
+  EXPECT_GT(frame.rgb.at(163, 118, 0), 2 * frame.rgb.at(163, 118, 1));
 }
 
 TEST(Rasterizer, NothingNearerThanNearOrDeeperThanFarIsMeasured) {

@@ -35,7 +35,7 @@ double Relief(double x, double y) { return 0.4 * std::sin(1.3 * x) + 0.3 * std::
 TEST(RayScene, RangeToATiltedWallIsThatOfThePlane) {
   RayScene scene(OneBodyEach({WallMesh(20, 0.6)}));
   const Pose X_WB = MakePose({12, 3, 1}, 0.1, -0.3, 0.4);
-  scene.Update({{X_WB}}, NoGround(), {1});
+  scene.Update({{X_WB}}, NoGround());
   const Vec3 n_W = X_WB.linear().col(0);
   for (int k = 0; k < 200; ++k) {
     const Vec3 origin(0.02 * k, 1 - 0.01 * k, 0.5);
@@ -52,7 +52,7 @@ TEST(RayScene, RangeToATiltedWallIsThatOfThePlane) {
 
 TEST(RayScene, ItsYardsticksFindTheSameRanges) {
   RayScene scene(OneBodyEach({CubeMesh(0.8)}));
-  scene.Update({{MakePose({3, 1, 1}, 0.2, 0.1, 0.5)}}, Ground(81, 81, 0.1, -4, Relief), {1});
+  scene.Update({{MakePose({3, 1, 1}, 0.2, 0.1, 0.5)}}, Ground(81, 81, 0.1, -4, Relief));
   std::vector<Ray> rays;
   for (int k = 0; k < 1003; ++k) {
     rays.push_back(RayFrom({0, 0, 2}, {std::cos(0.1 * k), std::sin(0.1 * k), 0.2 - 1e-3 * k}));
@@ -78,7 +78,7 @@ TEST(RayScene, ARayMeetsAMovingBodyWhereItStandsAtTheRaysTime) {
   RayScene scene(OneBodyEach({WallMesh(5, 0.5)}));
   std::vector<std::vector<Pose>> poses;
   for (int k = 0; k <= 4; ++k) poses.push_back({MakePose({10 + 0.5 * k, 0, 2})});
-  scene.Update(poses, NoGround(), {1});
+  scene.Update(poses, NoGround());
   for (const double s : {0.0, 0.1, 0.37, 0.5, 0.99, 1.0}) {
     const RayHit hit = TraceOne(scene, RayFrom({1, 0, 2}, Vec3::UnitX(), s));
     ASSERT_TRUE(hit.hit) << s;
@@ -92,7 +92,7 @@ TEST(RayScene, ATurningWallKeepsItsShapeBetweenKeys) {
   SceneModel model = OneBodyEach({WallMesh(3, 0.5)});
   model.nodes[0].X_BG = MakePose({4, 0, 0});
   RayScene scene(model);
-  scene.Update({{MakePose({0, 0, 0})}, {MakePose({0, 0, 0}, 0, 0, 60 * kDeg)}}, NoGround(), {1});
+  scene.Update({{MakePose({0, 0, 0})}, {MakePose({0, 0, 0}, 0, 0, 60 * kDeg)}}, NoGround());
   for (const double s : {0.05, 0.31, 0.5, 0.77}) {
     const double yaw = 60 * kDeg * s;
     const Vec3 n_W(std::cos(yaw), std::sin(yaw), 0);
@@ -106,7 +106,7 @@ TEST(RayScene, ATurningWallKeepsItsShapeBetweenKeys) {
 TEST(RayScene, TerrainIsTheTriangleMeshOfTheSurface) {
   RayScene scene(OneBodyEach({}));
   const TerrainSurface ground = Ground(121, 83, 0.05, -2.0, Relief);
-  scene.Update({{}}, ground, {});
+  scene.Update({{}}, ground);
   const Stream stream(7, "places");
   for (int k = 0; k < 5000; ++k) {
     const double x = -2.0 + 0.05 * 120 * stream.Uniform(k, 0);
@@ -124,7 +124,7 @@ TEST(RayScene, TerrainIsTheTriangleMeshOfTheSurface) {
 TEST(RayScene, NoRayFallsThroughTheSeamsOfTheTerrain) {
   RayScene scene(OneBodyEach({}));
   const TerrainSurface ground = Ground(121, 121, 0.05, -3.0, Relief);
-  scene.Update({{}}, ground, {});
+  scene.Update({{}}, ground);
   for (int j = 1; j < 120; ++j) {
     for (int i = 1; i < 120; ++i) {
       const Vec3 vertex(-3.0 + 0.05 * i, -3.0 + 0.05 * j, 0);
@@ -138,13 +138,13 @@ TEST(RayScene, NoRayFallsThroughTheSeamsOfTheTerrain) {
 TEST(RayScene, OnlyDirtyTilesAreRebuilt) {
   RayScene scene(OneBodyEach({}));
   TerrainSurface ground = Ground(151, 151, 0.05, 0.0, Relief);  // 3 x 3 tiles
-  scene.Update({{}}, ground, {});
+  scene.Update({{}}, ground);
   EXPECT_EQ(scene.tiles_rebuilt(), 9);
-  scene.Update({{}}, ground, {});
+  scene.Update({{}}, ground);
   EXPECT_EQ(scene.tiles_rebuilt(), 9);
 
   ground.Set(75, 75, {ground.height_m(75, 75) + 0.5f, {}});  // in the middle tile
-  scene.Update({{}}, ground, {});
+  scene.Update({{}}, ground);
   EXPECT_EQ(scene.tiles_rebuilt(), 10);
   const RayHit hit = TraceOne(scene, RayFrom({3.75, 3.75, 5}, -Vec3::UnitZ()));
   EXPECT_NEAR(5 - hit.range_m, ground.height_m(75, 75), 1e-5);
@@ -162,12 +162,12 @@ TEST(RayScene, SoilInTheAirIsMetWhereItIsAndGoneWhenItHasLanded) {
   TerrainSurface ground = Ground(51, 51, 0.05, 0.0, [](double, double) { return 0.0; });
   const Ray down = RayFrom({1.01, 1.02, 5}, -Vec3::UnitZ());
   ground.SetGrains({{{1.0f, 1.0f, 2.0f}, 0.1f, 7, 0, 0}, {{2.0f, 2.0f, 2.0f}, 0.1f, 8, 0, 0}});
-  scene.Update({{}}, ground, {});
+  scene.Update({{}}, ground);
   const RayHit hit = TraceOne(scene, down);
   EXPECT_NEAR(hit.range_m, 5 - 2.1, 0.03);  // about a radius above its middle
   EXPECT_EQ(hit.label, SemanticClass::kTerrain);
   ground.SetGrains({});
-  scene.Update({{}}, ground, {});
+  scene.Update({{}}, ground);
   EXPECT_NEAR(TraceOne(scene, down).range_m, 5, 1e-5);
 }
 
@@ -176,13 +176,13 @@ TEST(RayScene, WetSoilIsDarkerToTheLidar) {
   model.soils[0].albedo = Vec3(0.5, 0.4, 0.3);
   RayScene scene(model);
   TerrainSurface ground = Ground(51, 51, 0.05, 0.0, [](double, double) { return 0.0; });
-  scene.Update({{}}, ground, {});
+  scene.Update({{}}, ground);
   const Ray down = RayFrom({1.01, 1.02, 2}, -Vec3::UnitZ());
   EXPECT_NEAR(TraceOne(scene, down).reflectance, 0.4, 1e-6);
   for (int j = 0; j < ground.ny; ++j) {
     for (int i = 0; i < ground.nx; ++i) ground.Set(i, j, {0, {.moisture = 255}});
   }
-  scene.Update({{}}, ground, {});
+  scene.Update({{}}, ground);
   EXPECT_NEAR(TraceOne(scene, down).reflectance, 0.2, 1e-6);
 }
 
@@ -190,21 +190,31 @@ TEST(RayScene, WithoutALidarReflectanceTheMeanAlbedoCounts) {
   SceneModel model = OneBodyEach({WallMesh(5, -1)});
   model.meshes[0].parts[0].material.albedo = Vec3(0.9, 0.6, 0.3);
   RayScene scene(model);
-  scene.Update({{MakePose({6, 0, 0})}}, NoGround(), {1});
+  scene.Update({{MakePose({6, 0, 0})}}, NoGround());
   EXPECT_NEAR(TraceOne(scene, RayFrom({1, 0, 0.1}, Vec3::UnitX())).reflectance, 0.6, 1e-6);
 }
 
-TEST(RayScene, BodyScaleShrinksAndHides) {
-  RayScene scene(OneBodyEach({CubeMesh(1)}));
+TEST(RayScene, AShapeIsMetAsItIsNowOrNotAtAll) {
+  SceneModel model = OneBodyEach({CubeMesh(1)});
+  model.shape_count = 1;
+  model.nodes[0].shape = 0;
+  RayScene scene(model);
+  const auto cube = [](double half_m) {
+    return std::make_shared<const ShapedMesh>(ShapedMesh{
+        {half_m}, CubeMesh(half_m).parts, Vec3::Constant(-half_m), Vec3::Constant(half_m)});
+  };
   const Pose X_WB = MakePose({8, 1, 0}, 0, 0, 90 * kDeg);
   const Ray ray = RayFrom({0, 1.1, 0.1}, Vec3::UnitX());
-  scene.Update({{X_WB}}, NoGround(), {1});
+  scene.Update({{X_WB}}, NoGround(), {cube(1)});
   EXPECT_NEAR(TraceOne(scene, ray).range_m, 7, 1e-4);
-  scene.Update({{X_WB}}, NoGround(), {0.5});
+  EXPECT_EQ(TraceOne(scene, ray).instance, 1);
+  scene.Update({{X_WB}}, NoGround(), {cube(0.5)});
   EXPECT_NEAR(TraceOne(scene, ray).range_m, 7.5, 1e-4);
-  scene.Update({{X_WB}}, NoGround(), {0});
+  scene.Update({{X_WB}}, NoGround(), {nullptr});
   EXPECT_FALSE(TraceOne(scene, ray).hit);
-  scene.Update({{X_WB}}, NoGround(), {1});
+  scene.Update({{X_WB}}, NoGround());
+  EXPECT_FALSE(TraceOne(scene, ray).hit);
+  scene.Update({{X_WB}}, NoGround(), {cube(1)});
   EXPECT_NEAR(TraceOne(scene, ray).range_m, 7, 1e-4);
 }
 
@@ -213,7 +223,7 @@ TEST(RayScene, BodiesThatShareMeshesKeepTheirOwnInstances) {
   model.nodes[1].mesh = 0;
   model.nodes[1].label = SemanticClass::kTrack;
   RayScene scene(model);
-  scene.Update({{MakePose({5, 0, 0}), MakePose({0, 5, 0})}}, NoGround(), {1, 1});
+  scene.Update({{MakePose({5, 0, 0}), MakePose({0, 5, 0})}}, NoGround());
   const RayHit first = TraceOne(scene, RayFrom({0.1, 0.1, 0.1}, Vec3::UnitX()));
   const RayHit second = TraceOne(scene, RayFrom({0.1, 0.1, 0.1}, Vec3::UnitY()));
   EXPECT_EQ(first.instance, 1);
@@ -226,7 +236,7 @@ TEST(RayScene, InvisibleGlassLetsRaysPass) {
   SceneModel model = OneBodyEach({WallMesh(5, 0.5), WallMesh(5, 0.5)});
   model.meshes[0].parts[0].material.opacity = 0;
   RayScene scene(model);
-  scene.Update({{MakePose({6, 0, 0}), MakePose({9, 0, 0})}}, NoGround(), {1, 1});
+  scene.Update({{MakePose({6, 0, 0}), MakePose({9, 0, 0})}}, NoGround());
   const RayHit hit = TraceOne(scene, RayFrom({1, 0, 0.1}, Vec3::UnitX()));
   EXPECT_NEAR(hit.range_m, 8, 1e-4);
   EXPECT_EQ(hit.instance, 2);
@@ -237,7 +247,7 @@ TEST(RayScene, TellsWhetherARayGoesIntoASolidOrComesOutOfItAndThroughWhat) {
   model.meshes[0].parts[0].material.opacity = 0.25;
   RayScene scene(model);
   const Pose X_WB = MakePose({6, 2, 1}, 0.2, -0.1, 0.4);
-  scene.Update({{X_WB}}, NoGround(), {1});
+  scene.Update({{X_WB}}, NoGround());
   const RayHit into = TraceOne(scene, RayFrom({0, 0, 0}, X_WB.translation()));
   const RayHit out = TraceOne(scene, RayFrom(X_WB.translation(), {0.3, -1, 0.2}));
   ASSERT_TRUE(into.hit && out.hit);
@@ -275,7 +285,7 @@ TEST(RayScene, LandAroundALevelSiteGoesOnAtItsLevel) {
 
 TEST(RayScene, HitsBeyondTheGreatestRangeAreNone) {
   RayScene scene(OneBodyEach({WallMesh(5, 0.5)}));
-  scene.Update({{MakePose({6, 0, 0})}}, NoGround(), {1});
+  scene.Update({{MakePose({6, 0, 0})}}, NoGround());
   Ray ray = RayFrom({1, 0, 0.1}, Vec3::UnitX());
   ray.max_range_m = 4.9f;
   EXPECT_FALSE(TraceOne(scene, ray).hit);
@@ -287,7 +297,7 @@ TEST(RayScene, HitsDoNotDependOnTheNumberOfThreads) {
   RayScene scene(OneBodyEach({CubeMesh(0.7), WallMesh(2, 0.4)}));
   scene.Update({{MakePose({1, 2, 0.5}, 0.2, 0.1, 0.3), MakePose({3, 3, 1})},
                 {MakePose({2, 2, 0.5}, 0.2, 0.4, 0.9), MakePose({3, 2, 1}, 0, 0, 1)}},
-               Ground(121, 121, 0.05, 0.0, Relief), {1, 1});
+               Ground(121, 121, 0.05, 0.0, Relief));
   const Stream stream(3, "rays");
   std::vector<Ray> rays;
   for (int k = 0; k < 20000; ++k) {

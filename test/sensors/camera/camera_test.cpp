@@ -26,7 +26,6 @@ class CameraBeforeAWall : public ::testing::Test {
         rasterizer_(model_, {}) {
     scene_.X_WB = {MakePose({1, 8, 1.5}, 0, 0, 90 * kDeg)};
     scene_.terrain = &ground_;
-    scene_.body_scale = {1};
     camera_.intrinsics = {.width_px = 160,
                           .height_px = 120,
                           .fx_px = 150,
@@ -69,7 +68,7 @@ TEST_F(CameraBeforeAWall, SeesTheWallAtItsPlanarDepth) {
 TEST_F(CameraBeforeAWall, DepthAgreesWithRaysThroughThePixels) {
   // On ground and wall, away from edges, where a pixel's centre may fall on either side.
   RayScene rays(model_);
-  rays.Update({scene_.X_WB}, ground_, scene_.body_scale);
+  rays.Update({scene_.X_WB}, ground_);
   camera_.depth_max_m = 7.5;  // within the border of the site
   const CameraFrame frame = Measure(camera_);
   const Pose X_WC = MakePose({1, 2, 1.5}, 0, 0, 90 * kDeg) * OpticalInSensor();

@@ -150,7 +150,6 @@ TEST(CameraView, PixelsOfASquareAreAsManyAsThePictureHas) {
       const Vec3 p_W = X_WS * (3 * DirectionOf(model, where.x(), where.y()));
       state.X_WB = {MakePose(p_W, X_WS.linear() * RotationFromRpy(0.35, 0.3, -0.25))};
       state.terrain = &ground;
-      state.body_scale = {1};
       const CameraFrame frame =
           Camera(model, {.rate_hz = 10}, 0, 1, "m/camera").Measure(0, X_WS, state, &rasterizer);
       const auto pixels = static_cast<double>(

@@ -66,7 +66,7 @@ LidarPoint Towards(const LidarScan& scan, const Vec3& direction_S) {
 TEST(Lidar, TimesOfItsSlowestRevolutionFitTheirField) {
   // A wall behind, seen by the first and the last columns of a revolution.
   RayScene scene(OneBodyEach({WallMesh(20, 0.5)}));
-  scene.Update({{MakePose({-10, 0, 0})}}, NoGround(), {1});
+  scene.Update({{MakePose({-10, 0, 0})}}, NoGround());
   const SampleClock clock = {.rate_hz = Lidar::kSlowest_hz};
   const LidarScan scan =
       Lidar(OneBeam(), clock, 0, 1, "m/lidar").Measure(0, Still(Pose::Identity()), scene, 1);
@@ -99,7 +99,7 @@ TEST(Lidar, SlowerRevolutionsAreRefused) {
 
 TEST(Lidar, AFaultOnAnyOfItsThreadsReachesTheCaller) {
   RayScene scene(OneBodyEach({WallMesh(20, 0.5)}));
-  scene.Update({{MakePose({10, 0, 0})}}, NoGround(), {1});
+  scene.Update({{MakePose({10, 0, 0})}}, NoGround());
   const PoseTrack nowhere;
   const Lidar lidar(OneBeam(), {.rate_hz = 10}, 0, 1, "m/lidar");
   EXPECT_THROW(lidar.Measure(0, nowhere, scene, 4), InternalError);
@@ -108,7 +108,7 @@ TEST(Lidar, AFaultOnAnyOfItsThreadsReachesTheCaller) {
 TEST(Lidar, PointsAreInTheSensorFrame) {
   // The plane x = 10 m; a sensor 6 m before it, looking along +y of W: the wall is to its right.
   RayScene scene(OneBodyEach({WallMesh(20, 0.5)}));
-  scene.Update({{MakePose({10, 0, 0})}}, NoGround(), {1});
+  scene.Update({{MakePose({10, 0, 0})}}, NoGround());
   const LidarScan scan = Scan(OneBeam(), Still(MakePose({4, 0, 0.3}, 0, 0, 90 * kDeg)), scene);
   ASSERT_FALSE(scan.points.empty());
   const LidarPoint right = Towards(scan, -Vec3::UnitY());
@@ -120,7 +120,7 @@ TEST(Lidar, PointsAreInTheSensorFrame) {
 
 TEST(Lidar, RangeToAWallIsDistanceOverCosine) {
   RayScene scene(OneBodyEach({WallMesh(30, 0.5)}));
-  scene.Update({{MakePose({12, 1, 0}, 0, 0, 30 * kDeg)}}, NoGround(), {1});
+  scene.Update({{MakePose({12, 1, 0}, 0, 0, 30 * kDeg)}}, NoGround());
   const Pose X_WS = MakePose({2, -3, 1}, 0.05, -0.1, 0.7);
   const LidarScan scan = Scan(Preset("os1_64"), Still(X_WS), scene);
   const Vec3 n_W(std::cos(30 * kDeg), std::sin(30 * kDeg), 0);
@@ -138,7 +138,7 @@ TEST(Lidar, RangeToAWallIsDistanceOverCosine) {
 
 TEST(Lidar, RangeNoiseLiesAlongTheRayAndHasItsDeviation) {
   RayScene scene(OneBodyEach({CubeMesh(5)}));
-  scene.Update({{MakePose({0, 0, 0})}}, NoGround(), {1});
+  scene.Update({{MakePose({0, 0, 0})}}, NoGround());
   LidarModel model = OneBeam();
   model.columns = 20000;
   model.range_noise_m = 0.03;
@@ -164,7 +164,7 @@ TEST(Lidar, RangeNoiseLiesAlongTheRayAndHasItsDeviation) {
 
 TEST(Lidar, ARevolutionTurnsClockwiseFromBehind) {
   RayScene scene(OneBodyEach({CubeMesh(5)}));
-  scene.Update({{MakePose({0, 0, 0})}}, NoGround(), {1});
+  scene.Update({{MakePose({0, 0, 0})}}, NoGround());
   LidarModel model = OneBeam();
   LidarScan scan = Scan(model, Still(MakePose({0, 0, 0})), scene);
   ASSERT_EQ(scan.points.size(), 360u);
@@ -183,7 +183,7 @@ TEST(Lidar, AScanOfATurningSensorIsSkewedByItsTurn) {
   // The sensor turns left by 36 degrees in a revolution: column 180 looks along its +x when it has
   // turned by 18 degrees, so that the wall 5 m away appears at 5 / cos(18 deg).
   RayScene scene(OneBodyEach({CubeMesh(5)}));
-  scene.Update({{MakePose({0, 0, 0})}}, NoGround(), {1});
+  scene.Update({{MakePose({0, 0, 0})}}, NoGround());
   PoseTrack track;
   for (int k = 0; k <= 50; ++k) {
     track.Append(2'000'000 * k, MakePose({0, 0, 0}, 0, 0, 36 * kDeg * k / 50));
@@ -197,7 +197,7 @@ TEST(Lidar, AScanOfATurningSensorIsSkewedByItsTurn) {
 TEST(Lidar, AMovingWallIsSeenWhereItStoodAtEachRay) {
   // The wall comes nearer by 2 m in a revolution; the ray straight ahead leaves half-way.
   RayScene scene(OneBodyEach({WallMesh(20, 0.5)}));
-  scene.Update({{MakePose({10, 0, 0})}, {MakePose({8, 0, 0})}}, NoGround(), {1});
+  scene.Update({{MakePose({10, 0, 0})}, {MakePose({8, 0, 0})}}, NoGround());
   const LidarScan scan = Scan(OneBeam(), Still(MakePose({0, 0, 0})), scene);
   for (const LidarPoint& p : scan.points) {
     EXPECT_NEAR(p.x_m, 10 - 2 * p.time_offset_ns * 1e-8, 1e-4);
@@ -208,7 +208,7 @@ TEST(Lidar, AMovingWallIsSeenWhereItStoodAtEachRay) {
 TEST(Lidar, FiringOffsetsDelayAndTurnEachBeam) {
   // One beam fires a quarter of a column late: 0.25 degrees on, and that much later.
   RayScene scene(OneBodyEach({CubeMesh(5)}));
-  scene.Update({{MakePose({0, 0, 0})}}, NoGround(), {1});
+  scene.Update({{MakePose({0, 0, 0})}}, NoGround());
   LidarModel model = OneBeam();
   model.elevation_rad = {0.1, 0.1};
   model.azimuth_offset_rad = {0, 0};
@@ -225,7 +225,7 @@ TEST(Lidar, FiringOffsetsDelayAndTurnEachBeam) {
 
 TEST(Lidar, AzimuthOffsetsTurnBeamsToTheLeft) {
   RayScene scene(OneBodyEach({CubeMesh(5)}));
-  scene.Update({{MakePose({0, 0, 0})}}, NoGround(), {1});
+  scene.Update({{MakePose({0, 0, 0})}}, NoGround());
   LidarModel model = OneBeam();
   model.azimuth_offset_rad = {4 * kDeg};
   const LidarPoint ahead = Scan(model, Still(MakePose({0, 0, 0})), scene).points[180];
@@ -239,7 +239,7 @@ TEST(Lidar, DarkTargetsEndAtTheDataSheetsRange) {
   model.max_range_m = 110;
   const auto seen = [&](double reflectance, double distance_m) {
     RayScene scene(OneBodyEach({WallMesh(0.5, reflectance)}));
-    scene.Update({{MakePose({distance_m, 0, 0})}}, NoGround(), {1});
+    scene.Update({{MakePose({distance_m, 0, 0})}}, NoGround());
     return !Scan(model, Still(MakePose({0, 0, 0})), scene).points.empty();
   };
   EXPECT_TRUE(seen(0.1, 39.9));
@@ -257,7 +257,7 @@ TEST(Lidar, TiltedTargetsReturnLess) {
   model.range_at_10_percent_m = 40;
   const auto scan = [&](double distance_m) {
     RayScene scene(OneBodyEach({WallMesh(0.2, 0.2)}));
-    scene.Update({{MakePose({distance_m, 0, 0}, 0, 0, 60 * kDeg)}}, NoGround(), {1});
+    scene.Update({{MakePose({distance_m, 0, 0}, 0, 0, 60 * kDeg)}}, NoGround());
     return Scan(model, Still(MakePose({0, 0, 0})), scene);
   };
   ASSERT_FALSE(scan(39.8).points.empty());
@@ -269,7 +269,7 @@ TEST(Lidar, SurfacesNearerThanTheLeastRangeBlockWithoutAReturn) {
   LidarModel model = OneBeam();
   model.min_range_m = 1;
   RayScene scene(OneBodyEach({WallMesh(5, 0.5), WallMesh(5, 0.5)}));
-  scene.Update({{MakePose({0.8, 0, 0}), MakePose({3, 0, 0})}}, NoGround(), {1, 1});
+  scene.Update({{MakePose({0.8, 0, 0}), MakePose({3, 0, 0})}}, NoGround());
   const LidarScan scan = Scan(model, Still(MakePose({0, 0, 0})), scene);
   for (const LidarPoint& p : scan.points) EXPECT_GT(std::abs(std::atan2(p.y_m, p.x_m)), 30 * kDeg);
 }
@@ -279,7 +279,7 @@ TEST(Lidar, TerrainPointsLieOnTheTerrain) {
   const TerrainSurface ground = Ground(201, 201, 0.1, -10, [](double x, double y) {
     return 0.3 * std::sin(x) + 0.2 * std::cos(1.7 * y);
   });
-  scene.Update({{}}, ground, {});
+  scene.Update({{}}, ground);
   LidarModel model = Preset("os1_64");
   model.range_noise_m = 0;
   const Pose X_WS = MakePose({1, 2, 2.5}, 0.03, 0.1, -2);
@@ -339,7 +339,7 @@ TEST(LidarPresets, OusterBeamsSpanTheirFieldOfViewEvenly) {
 TEST(LidarPresets, PointsOfARingStandAtItsElevation) {
   const LidarModel model = Preset("vlp16");
   RayScene scene(OneBodyEach({CubeMesh(6)}));
-  scene.Update({{MakePose({0, 0, 0})}}, NoGround(), {1});
+  scene.Update({{MakePose({0, 0, 0})}}, NoGround());
   const LidarScan scan = Scan(model, Still(MakePose({0.5, -0.3, 0}, 0.2, 0.1, 2)), scene);
   ASSERT_EQ(scan.points.size(), 16u * 1808u);
   for (const LidarPoint& p : scan.points) {

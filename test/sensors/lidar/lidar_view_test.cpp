@@ -120,7 +120,7 @@ const Pose X_WWall = MakePose({8, 0.7, -0.4}, 0.35, 0.2, -0.3);
 LidarScan Scan(const LidarModel& model, const Pose& X_WS, double reflectance = 0.5,
                const Pose& X_WG = X_WWall) {
   RayScene scene(OneBodyEach({WallMesh(kHalf_m, reflectance)}));
-  scene.Update({{X_WG}}, NoGround(), {1});
+  scene.Update({{X_WG}}, NoGround());
   PoseTrack track;
   track.Append(0, X_WS);
   return Lidar(model, {.rate_hz = 10}, 0, 1, "m/lidar").Measure(0, track, scene, 1);

@@ -128,7 +128,7 @@ TEST(SensorGeometry, ATurnedPairOfAntennasTurnsAboutItsMiddle) {
 TEST(SensorGeometry, ALidarOutOfPlaceSeesItsRoomFromThere) {
   // In a cube with walls 6 m from the middle, one beam, four directions: back, left, front, right.
   RayScene scene(testing::OneBodyEach({testing::CubeMesh(6)}));
-  scene.Update({{Pose::Identity()}}, testing::NoGround(), {1});
+  scene.Update({{Pose::Identity()}}, testing::NoGround());
   LidarModel model;
   model.elevation_rad = model.azimuth_offset_rad = model.firing_offset_s = {0};
   model.columns = 4;

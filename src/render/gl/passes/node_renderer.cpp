@@ -30,11 +30,12 @@ std::uint8_t Unorm8(double value) {
 void AppendVertices(const MeshPart& part, std::vector<Vertex>* vertices) {
   const Material& m = part.material;
   for (std::size_t i = 0; i < part.positions_m.size(); ++i) {
+    const Vec3 albedo = part.albedos.empty() ? m.albedo : Vec3(part.albedos[i].cast<double>());
     Vertex v{};
     for (int k = 0; k < 3; ++k) {
       v.position_m[k] = part.positions_m[i][k];
       v.normal[k] = static_cast<std::int16_t>(std::lround(part.normals[i][k] * 32767.0f));
-      v.albedo_opacity[k] = Unorm8(std::sqrt(std::max(m.albedo[k], 0.0)));
+      v.albedo_opacity[k] = Unorm8(std::sqrt(std::max(albedo[k], 0.0)));
     }
     v.albedo_opacity[3] = Unorm8(m.opacity);
     v.roughness_metallic[0] = Unorm8(m.roughness);
@@ -68,46 +69,75 @@ void DescribeVertices(GLuint array) {
   glVertexArrayBindingDivisor(array, 1, 1);
 }
 
-float BodyScale(const SceneState& state, int body) {
-  return state.body_scale.empty() ? 1.0f : state.body_scale[body];
-}
-
 /// Mesh coordinates to W.
 Eigen::Affine3d NodeToWorld(const SceneNode& node, const SceneState& state) {
-  return state.X_WB[node.body] * Eigen::Scaling(static_cast<double>(BodyScale(state, node.body))) *
-         node.X_BG * Eigen::Scaling(node.scale);
+  return state.X_WB[node.body] * node.X_BG * Eigen::Scaling(node.scale);
 }
 
 }  // namespace
 
-NodeRenderer::NodeRenderer(const SceneModel& model) : model_(model) {
+/// Vertices and indices on their way into buffers.
+struct NodeRenderer::Collected {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
-  for (const Mesh& mesh : model.meshes) {
-    GpuMesh gpu;
-    gpu.first_vertex = static_cast<int>(vertices.size());
+
+  GpuMesh Add(const std::vector<MeshPart>& parts) {
+    GpuMesh mesh;
+    mesh.first_vertex = static_cast<int>(vertices.size());
     for (const bool glass : {false, true}) {
-      Range& range = glass ? gpu.glass : gpu.opaque;
+      Range& range = glass ? mesh.glass : mesh.opaque;
       range.first_index = static_cast<int>(indices.size());
-      for (const MeshPart& part : mesh.parts) {
+      for (const MeshPart& part : parts) {
         if ((part.material.opacity < 1.0) != glass) continue;
-        AppendIndices(part, static_cast<std::uint32_t>(vertices.size() - gpu.first_vertex),
+        AppendIndices(part, static_cast<std::uint32_t>(vertices.size() - mesh.first_vertex),
                       &indices);
         AppendVertices(part, &vertices);
-        for (const Eigen::Vector3f& p : part.positions_m) gpu.box_G_m.extend(p.cast<double>());
+        for (const Eigen::Vector3f& p : part.positions_m) mesh.box_G_m.extend(p.cast<double>());
       }
       range.index_count = static_cast<int>(indices.size()) - range.first_index;
     }
-    meshes_.push_back(gpu);
+    return mesh;
   }
-  vertices_ = MakeBuffer(vertices.size() * sizeof(Vertex), vertices.data());
-  indices_ = MakeBuffer(indices.size() * sizeof(std::uint32_t), indices.data());
-  instances_ = MakeBuffer(model.nodes.size() * sizeof(NodeInstance), nullptr);
-  array_ = MakeVertexArray();
-  DescribeVertices(array_.id());
-  glVertexArrayVertexBuffer(array_.id(), 0, vertices_.id(), 0, sizeof(Vertex));
-  glVertexArrayVertexBuffer(array_.id(), 1, instances_.id(), 0, sizeof(NodeInstance));
-  glVertexArrayElementBuffer(array_.id(), indices_.id());
+};
+
+NodeRenderer::NodeRenderer(const SceneModel& model)
+    : model_(model),
+      shapes_(model.shape_count),
+      instances_(MakeBuffer(model.nodes.size() * sizeof(NodeInstance), nullptr)) {
+  Collected collected;
+  for (const Mesh& mesh : model.meshes) meshes_.push_back(collected.Add(mesh.parts));
+  constant_ = Upload(collected);
+  for (GpuMesh& mesh : meshes_) mesh.array = &constant_.array;
+}
+
+NodeRenderer::GpuBuffers NodeRenderer::Upload(const Collected& collected) const {
+  GpuBuffers buffers;
+  buffers.vertices =
+      MakeBuffer(collected.vertices.size() * sizeof(Vertex), collected.vertices.data());
+  buffers.indices =
+      MakeBuffer(collected.indices.size() * sizeof(std::uint32_t), collected.indices.data());
+  buffers.array = MakeVertexArray();
+  const GLuint array = buffers.array.id();
+  DescribeVertices(array);
+  glVertexArrayVertexBuffer(array, 0, buffers.vertices.id(), 0, sizeof(Vertex));
+  glVertexArrayVertexBuffer(array, 1, instances_.id(), 0, sizeof(NodeInstance));
+  glVertexArrayElementBuffer(array, buffers.indices.id());
+  return buffers;
+}
+
+void NodeRenderer::Reshape(const SceneState& state) {
+  for (std::size_t k = 0; k < shapes_.size(); ++k) {
+    GpuShape& shape = shapes_[k];
+    const ShapedMesh* now = ShapeAt(state.shapes, static_cast<int>(k));
+    if (AreAlike(now, shape.taken.get())) continue;
+    shape = {};
+    if (now == nullptr) continue;
+    Collected collected;
+    shape.taken = state.shapes[k];
+    shape.mesh = collected.Add(now->parts);
+    shape.buffers = Upload(collected);
+    shape.mesh.array = &shape.buffers.array;
+  }
 }
 
 void NodeRenderer::Place(const SceneState& state, const Vec3& eye_W_m, const View* view) {
@@ -116,8 +146,8 @@ void NodeRenderer::Place(const SceneState& state, const Vec3& eye_W_m, const Vie
   std::vector<NodeInstance> instances(model_.nodes.size());
   for (std::size_t n = 0; n < model_.nodes.size(); ++n) {
     const SceneNode& node = model_.nodes[n];
-    const GpuMesh& mesh = meshes_[node.mesh];
-    if (BodyScale(state, node.body) <= 0 || mesh.box_G_m.isEmpty()) continue;
+    const GpuMesh& mesh = MeshOf(node);
+    if (mesh.box_G_m.isEmpty()) continue;
     const Eigen::Affine3d X_WG = NodeToWorld(node, state);
     const Vec3 centre_W_m = X_WG * mesh.box_G_m.center();
     const double radius_m =
@@ -146,49 +176,44 @@ void NodeRenderer::Place(const SceneState& state, const Vec3& eye_W_m, const Vie
                        instances.data());
 }
 
-void NodeRenderer::DrawNode(int node, const Range& range) const {
+void NodeRenderer::DrawNode(int node, Surface surface) const {
+  const GpuMesh& mesh = MeshOf(model_.nodes[node]);
+  const Range& range = surface == Surface::kGlass ? mesh.glass : mesh.opaque;
   const auto offset = static_cast<std::uintptr_t>(range.first_index) * sizeof(std::uint32_t);
-  glDrawElementsInstancedBaseVertexBaseInstance(
-      GL_TRIANGLES, range.index_count, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset), 1,
-      meshes_[model_.nodes[node].mesh].first_vertex, static_cast<GLuint>(node));
+  glBindVertexArray(mesh.array->id());
+  glDrawElementsInstancedBaseVertexBaseInstance(GL_TRIANGLES, range.index_count, GL_UNSIGNED_INT,
+                                                reinterpret_cast<const void*>(offset), 1,
+                                                mesh.first_vertex, static_cast<GLuint>(node));
   triangles_drawn_ += range.index_count / 3;
 }
 
 void NodeRenderer::Draw(Surface surface) const {
-  glBindVertexArray(array_.id());
-  const bool glass = surface == Surface::kGlass;
-  for (const Placed& placed : glass ? placed_glass_ : placed_opaque_) {
-    const GpuMesh& mesh = meshes_[model_.nodes[placed.node].mesh];
-    DrawNode(placed.node, glass ? mesh.glass : mesh.opaque);
+  for (const Placed& placed : surface == Surface::kGlass ? placed_glass_ : placed_opaque_) {
+    DrawNode(placed.node, surface);
   }
 }
 
 void NodeRenderer::DrawOpaqueIf(
     const std::function<bool(const Vec3& centre_W_m, double radius_m)>& wanted) const {
-  glBindVertexArray(array_.id());
   for (const Placed& placed : placed_opaque_) {
-    if (!wanted(placed.centre_W_m, placed.radius_m)) continue;
-    DrawNode(placed.node, meshes_[model_.nodes[placed.node].mesh].opaque);
+    if (wanted(placed.centre_W_m, placed.radius_m)) DrawNode(placed.node, Surface::kOpaque);
   }
 }
 
 void NodeRenderer::DrawInstance(std::uint16_t instance) const {
-  glBindVertexArray(array_.id());
   for (const Placed& placed : placed_opaque_) {
-    if (model_.nodes[placed.node].instance != instance) continue;
-    DrawNode(placed.node, meshes_[model_.nodes[placed.node].mesh].opaque);
+    if (model_.nodes[placed.node].instance == instance) DrawNode(placed.node, Surface::kOpaque);
   }
   for (const Placed& placed : placed_glass_) {
-    if (model_.nodes[placed.node].instance != instance) continue;
-    DrawNode(placed.node, meshes_[model_.nodes[placed.node].mesh].glass);
+    if (model_.nodes[placed.node].instance == instance) DrawNode(placed.node, Surface::kGlass);
   }
 }
 
 Eigen::AlignedBox3d NodeRenderer::BoundsAlong(const Mat3& R_LW, const SceneState& state) const {
   Eigen::AlignedBox3d bounds;
   for (const SceneNode& node : model_.nodes) {
-    const Eigen::AlignedBox3d& box = meshes_[node.mesh].box_G_m;
-    if (BodyScale(state, node.body) <= 0 || box.isEmpty()) continue;
+    const Eigen::AlignedBox3d& box = MeshOf(node).box_G_m;
+    if (box.isEmpty()) continue;
     const Eigen::Affine3d X_LG = R_LW * NodeToWorld(node, state);
     for (int corner = 0; corner < 8; ++corner) {
       bounds.extend(X_LG * box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));

@@ -10,13 +10,17 @@ namespace tera {
 
 /// Draws the meshes of the scene's nodes.
 ///
-/// Model   all meshes lie in one vertex and one index buffer; each node drawn is one entry of an
-///         instance buffer that holds its pose relative to the eye and its label.
+/// Model   all meshes lie in one vertex and one index buffer, each that changes in buffers of its
+///         own; each node drawn is one entry of an instance buffer that holds its pose relative to
+///         the eye and its label.
 class NodeRenderer {
  public:
   explicit NodeRenderer(const SceneModel& model);
 
   enum class Surface { kOpaque, kGlass };
+
+  /// Takes meshes that change as they are in `state`.
+  void Reshape(const SceneState& state);
 
   /// Nodes as they stand in `state`, relative to `eye_W_m`; those that `view` (if any) cannot see
   /// are left out. Opaque nodes are ordered from near to far, glass from far to near.
@@ -46,7 +50,18 @@ class NodeRenderer {
     Range opaque, glass;
     int first_vertex = 0;
     Eigen::AlignedBox3d box_G_m;
+    const GlObject* array = nullptr;  ///< of the buffers that it lies in
   };
+  struct GpuBuffers {
+    GlObject vertices, indices, array;
+  };
+  /// A mesh that changes, as it was taken last.
+  struct GpuShape {
+    std::shared_ptr<const ShapedMesh> taken;
+    GpuMesh mesh;
+    GpuBuffers buffers;
+  };
+  struct Collected;
   struct Placed {
     int node;
     double distance_m;
@@ -54,11 +69,18 @@ class NodeRenderer {
     double radius_m;
   };
 
-  void DrawNode(int node, const Range& range) const;
+  /// The mesh of a node, which is nothing where its shape is.
+  const GpuMesh& MeshOf(const SceneNode& node) const {
+    return node.shape >= 0 ? shapes_[node.shape].mesh : meshes_[node.mesh];
+  }
+  GpuBuffers Upload(const Collected& collected) const;
+  void DrawNode(int node, Surface surface) const;
 
   const SceneModel& model_;
   std::vector<GpuMesh> meshes_;
-  GlObject vertices_, indices_, instances_, array_;
+  std::vector<GpuShape> shapes_;
+  GlObject instances_;
+  GpuBuffers constant_;  ///< of the meshes that do not change
   std::vector<Placed> placed_opaque_, placed_glass_;
   mutable std::int64_t triangles_drawn_ = 0;
 };

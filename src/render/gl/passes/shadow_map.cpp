@@ -24,6 +24,12 @@ Mat3 SunFrame(const Vec3& to_sun_W) {
   return R;
 }
 
+bool SameShapes(const Shapes& a, const Shapes& b) {
+  return a.size() == b.size() &&
+         std::equal(a.begin(), a.end(), b.begin(),
+                    [](const auto& p, const auto& q) { return AreAlike(p.get(), q.get()); });
+}
+
 bool SamePoses(const std::vector<Pose>& a, const std::vector<Pose>& b) {
   return a.size() == b.size() &&
          std::equal(a.begin(), a.end(), b.begin(),
@@ -44,7 +50,7 @@ void ShadowMap::Update(const SceneState& state, const Vec3& eye_W_m, NodeRendere
   Vec3 centre_W_m;
   for (int k = 0; k < 3; ++k) centre_W_m[k] = std::round(eye_W_m[k] / kSnap_m) * kSnap_m;
   if (drawn_ && centre_W_m == drawn_centre_W_m_ && SamePoses(state.X_WB, drawn_poses_) &&
-      state.body_scale == drawn_scales_) {
+      SameShapes(state.shapes, drawn_shapes_)) {
     return;
   }
   Eigen::AlignedBox3d all = nodes->BoundsAlong(R_LW_, state);
@@ -87,7 +93,7 @@ void ShadowMap::Update(const SceneState& state, const Vec3& eye_W_m, NodeRendere
   drawn_ = true;
   drawn_centre_W_m_ = centre_W_m;
   drawn_poses_ = state.X_WB;
-  drawn_scales_ = state.body_scale;
+  drawn_shapes_ = state.shapes;
 }
 
 void ShadowMap::AimAt(const Picture& picture) const {

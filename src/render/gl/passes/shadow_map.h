@@ -33,7 +33,7 @@ class ShadowMap {
   Picture near_, far_;
   bool drawn_ = false;
   std::vector<Pose> drawn_poses_;
-  std::vector<float> drawn_scales_;
+  Shapes drawn_shapes_;
   Vec3 drawn_centre_W_m_ = Vec3::Zero();
 };
 
