@@ -28,12 +28,17 @@ struct SceneNode {
 };
 
 /// An object that labels tell apart. Instance 0 is "none"; the terrain is instance 0.
+///
+/// Model   A whole has parts, which are instances of their own and name it as their parent. No node
+///         is of a whole: its pixels are those of its parts.
 struct SceneInstance {
   std::string name;  ///< "excavator1/bucket", "person1"
   SemanticClass label = SemanticClass::kSky;
   int body = -1;  ///< body whose frame carries the box
   Vec3 box_min_B_m = Vec3::Zero(), box_max_B_m = Vec3::Zero();
-  int shape = -1;  ///< shape whose box is its box; the one above is that of its place
+  int shape = -1;            ///< shape whose box is its box; the one above is that of its place
+  std::uint16_t parent = 0;  ///< the whole that this is a part of; 0: of none
+  bool is_whole = false;     ///< its box is found from its parts, whatever they do
 };
 
 /// Appearance of a soil, by index as in TerrainSurface::soil.

@@ -86,6 +86,7 @@ SceneAssembly::SceneAssembly(const Scenario& scenario) : scenario_(scenario) {
   }
   for (std::size_t m = 0; m < scenario.machines.size(); ++m) AddMachine(scenario, m);
   for (const ScenarioObstacle& obstacle : scenario.obstacles) AddObstacle(obstacle);
+  for (std::size_t m = 0; m < scenario.machines.size(); ++m) AddWhole(scenario, m);
 }
 
 // The order of AddBody calls here and of poses in AppendMachinePoses is the same: links, wheels,
@@ -93,6 +94,7 @@ SceneAssembly::SceneAssembly(const Scenario& scenario) : scenario_(scenario) {
 void SceneAssembly::AddMachine(const Scenario& scenario, std::size_t m) {
   const MachinePlacement& placement = scenario.machines[m].placement;
   const MachineModel& machine = placement.model;
+  root_body_.push_back(model_.body_count);
   std::vector<int> link_body;
   std::vector<std::uint16_t> link_instance(machine.links.size(), 0);
   for (std::size_t i = 0; i < machine.links.size(); ++i) {
@@ -119,6 +121,21 @@ void SceneAssembly::AddMachine(const Scenario& scenario, std::size_t m) {
     }
   }
   AddLoads(placement, m, scenario.site->soils());
+}
+
+/// The machine as one object, after all others, so that these keep their numbers.
+void SceneAssembly::AddWhole(const Scenario& scenario, std::size_t m) {
+  const MachinePlacement& placement = scenario.machines[m].placement;
+  const bool drives = !placement.model.ground_tools.gears.empty();
+  const auto id = static_cast<std::uint16_t>(model_.instances.size());
+  for (SceneInstance& part : model_.instances) {
+    const bool is_cargo = part.label == SemanticClass::kSoilInBucket;
+    if (part.name.starts_with(placement.name + "/") && !is_cargo) part.parent = id;
+  }
+  model_.instances.push_back({.name = placement.name,
+                              .label = drives ? SemanticClass::kVehicle : SemanticClass::kStructure,
+                              .body = root_body_[m],
+                              .is_whole = true});
 }
 
 void SceneAssembly::AddRunningGear(const MachinePlacement& placement, std::size_t m,

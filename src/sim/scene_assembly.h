@@ -14,7 +14,8 @@ namespace tera {
 ///
 /// Model   one body for each link, wheel, track shoe, rocker and coupler, cylinder barrel and rod,
 ///         shovel's soil and obstacle; one labelled instance for each link, track, wheel, shovel's
-///         soil and obstacle, named "machine/part" or after the obstacle. Soil in a shovel is a
+///         soil and obstacle, named "machine/part" or after the obstacle; one more for each machine
+///         as a whole, whose parts all of these are but the soil. Soil in a shovel is a
 ///         mesh that changes (CarriedSoil).
 class SceneAssembly {
  public:
@@ -42,6 +43,7 @@ class SceneAssembly {
   void AddLoads(const MachinePlacement& placement, std::size_t m,
                 const std::vector<SoilType>& soils);
   void AddObstacle(const ScenarioObstacle& obstacle);
+  void AddWhole(const Scenario& scenario, std::size_t m);
   std::uint16_t AddInstance(const std::string& name, SemanticClass label, int body);
   void AddNode(const Visual& visual, int body, SemanticClass label, std::uint16_t instance);
   /// Widens the box of the node's instance to hold its mesh, if both move with one body.
@@ -52,6 +54,7 @@ class SceneAssembly {
   const Scenario& scenario_;
   SceneModel model_;
   std::vector<TrackPath> tracks_;
+  std::vector<int> root_body_;  ///< of each machine
   struct ShovelLoad {
     std::size_t machine;
     int shovel;

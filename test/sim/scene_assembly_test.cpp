@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "core/config/config.h"
 #include "core/units.h"
 #include "sim/simulation.h"
@@ -33,10 +35,34 @@ TEST(SceneAssembly, EveryInstanceHasAFiniteBoxThatHoldsSomething) {
   const SceneModel& model = assembly.model();
   ASSERT_GT(model.instances.size(), 10u);
   for (std::size_t i = 1; i < model.instances.size(); ++i) {
+    if (model.instances[i].is_whole) continue;
     const Vec3 size_m = model.instances[i].box_max_B_m - model.instances[i].box_min_B_m;
     EXPECT_TRUE(size_m.allFinite() && size_m.minCoeff() > 0.01) << model.instances[i].name;
     EXPECT_LT(size_m.maxCoeff(), 8.0) << model.instances[i].name;
   }
+}
+
+TEST(SceneAssembly, AMachineIsOneObjectWithItsTracksApartAndWithoutItsLoad) {
+  const Scenario scenario = Read();
+  const SceneAssembly assembly(scenario);
+  const std::vector<SceneInstance>& instances = assembly.model().instances;
+  const SceneInstance& whole = instances.back();
+  EXPECT_EQ(whole.name, "excavator1");
+  EXPECT_EQ(whole.label, SemanticClass::kVehicle);
+  EXPECT_TRUE(whole.is_whole);
+  EXPECT_EQ(whole.body, 0);
+  std::map<std::string, std::uint16_t> parent;
+  for (std::size_t i = 1; i + 1 < instances.size(); ++i) {
+    EXPECT_FALSE(instances[i].is_whole);
+    EXPECT_TRUE(parent.emplace(instances[i].name, instances[i].parent).second);
+  }
+  const auto id = static_cast<std::uint16_t>(instances.size() - 1);
+  for (const char* part :
+       {"undercarriage", "upper", "boom", "arm", "bucket", "left_track", "right_track"}) {
+    EXPECT_EQ(parent.at(std::string("excavator1/") + part), id) << part;
+  }
+  EXPECT_EQ(parent.at("excavator1/bucket_soil"), 0);
+  EXPECT_EQ(parent.at("cone1"), 0);
 }
 
 TEST(SceneAssembly, CylindersReachFromPinToPin) {

@@ -94,6 +94,7 @@ struct Image {
 ///         C (x right, y down, z forward); `size_O_m` the box's edge lengths along O's axes.
 struct ObjectBox {
   std::uint16_t instance = 0;
+  std::uint16_t parent = 0;  ///< instance of the whole that this is a part of; 0: of none
   SemanticClass label = SemanticClass::kSky;
   std::string name;
   int x_min_px = 0, y_min_px = 0;  ///< visible pixels, inclusive

@@ -50,8 +50,10 @@ std::string DatasetYaml(const DatasetInfo& info, const std::vector<ChannelDescri
   }
   fmt::format_to(out, "instances:{}\n", info.instances.empty() ? " []" : "");
   for (const DatasetInfo::Instance& instance : info.instances) {
-    fmt::format_to(out, "  - {{id: {}, name: {}, class: {}}}\n", instance.id,
-                   YamlQuoted(instance.name), instance.label);
+    const std::string parent =
+        instance.parent != 0 ? fmt::format(", parent: {}", instance.parent) : "";
+    fmt::format_to(out, "  - {{id: {}, name: {}, class: {}{}}}\n", instance.id,
+                   YamlQuoted(instance.name), instance.label, parent);
   }
   return text + InputsYaml(info.inputs);
 }

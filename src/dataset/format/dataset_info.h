@@ -26,6 +26,7 @@ struct DatasetInfo {
     std::uint16_t id;
     std::string name;
     std::string label;
+    std::uint16_t parent = 0;  ///< the whole that it is a part of; 0: of none
   };
   std::vector<Instance> instances;
   std::vector<RecordedInput> inputs;

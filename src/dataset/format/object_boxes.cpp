@@ -20,6 +20,7 @@ Json ToJson(const ObjectBox& box) {
   return {{"instance", box.instance},
           {"name", box.name},
           {"class", std::string(NameOf(box.label))},
+          {"parent", box.parent},
           {"x_min_px", box.x_min_px},
           {"y_min_px", box.y_min_px},
           {"x_max_px", box.x_max_px},
@@ -42,6 +43,7 @@ ObjectBox FromJson(const Json& json) {
   const auto label = SemanticClassFromName(json.at("class").get<std::string>());
   if (!label) throw InputError(fmt::format("unknown class {}", json.at("class").dump()));
   box.label = *label;
+  box.parent = json.value("parent", std::uint16_t{0});  // older recordings have none
   json.at("x_min_px").get_to(box.x_min_px);
   json.at("y_min_px").get_to(box.y_min_px);
   json.at("x_max_px").get_to(box.x_max_px);

@@ -111,8 +111,10 @@ DatasetInfo ReadInfo(const ConfigMap& root) {
     }
   }
   for (const ConfigMap& item : root.List("instances")) {
-    info.instances.push_back({static_cast<std::uint16_t>(item.Integer("id", Between(0, 65535, ""))),
-                              item.Text("name"), item.Text("class")});
+    info.instances.push_back(
+        {static_cast<std::uint16_t>(item.Integer("id", Between(0, 65535, ""))), item.Text("name"),
+         item.Text("class"),
+         static_cast<std::uint16_t>(item.Integer("parent", Between(0, 65535, ""), 0))});
   }
   info.inputs = ReadInputs(root);
   return info;

@@ -35,7 +35,8 @@ std::vector<Occupant> OccupantsAt(const Instant& now, const Scenario& scenario,
   const std::vector<Pose> X_WB = assembly.BodyPoses(now);
   std::vector<Occupant> occupants;
   for (const SceneInstance& instance : assembly.model().instances) {
-    if (instance.body < 0 || !IsOccupant(instance.label) || instance.name.starts_with(own)) {
+    if (instance.body < 0 || instance.is_whole || !IsOccupant(instance.label) ||
+        instance.name.starts_with(own)) {
       continue;
     }
     occupants.push_back({X_WB[instance.body], instance.box_min_B_m, instance.box_max_B_m});

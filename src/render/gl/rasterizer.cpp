@@ -357,7 +357,7 @@ void Rasterizer::Impl::Measure(const View& view, const Pictures& p, bool distort
   const std::vector<std::int64_t> alone = silhouettes.Count(view, nodes, visible);
   std::vector<std::int64_t> seen;
   if (distorted) {
-    seen = CountPixels(ReadInstances(p.label, p.width_px, p.height_px), model.instances.size());
+    seen = CountPixels(ReadInstances(p.label, p.width_px, p.height_px), model);
   }
   for (std::size_t k = 0; k < visible.size(); ++k) {
     ObjectBox& box = frame->boxes[k];

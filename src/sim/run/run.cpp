@@ -42,7 +42,8 @@ DatasetInfo InfoOf(const Scenario& scenario, const std::string& resolved_yaml,
   info.inputs = DigestsOf(InputsOf(scenario, scene));
   for (std::size_t i = 1; i < scene.instances.size(); ++i) {
     info.instances.push_back({static_cast<std::uint16_t>(i), scene.instances[i].name,
-                              std::string(NameOf(scene.instances[i].label))});
+                              std::string(NameOf(scene.instances[i].label)),
+                              scene.instances[i].parent});
   }
   return info;
 }

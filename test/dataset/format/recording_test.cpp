@@ -39,9 +39,30 @@ TEST_F(RecordingTest, KnowsWhatItHolds) {
   EXPECT_EQ(recording.info().resolved_scenario_yaml, "seed: 7\n");
   ASSERT_EQ(recording.info().instances.size(), 2u);
   EXPECT_EQ(recording.info().instances[1].name, "person");
+  EXPECT_EQ(recording.info().instances[1].parent, 0);
   EXPECT_THAT(recording.Machines(), testing::ElementsAre("digger"));
   EXPECT_THAT(recording.ChannelsOf(kCameraChannel), testing::ElementsAre("digger/front"));
   EXPECT_EQ(recording.channels().size(), 7u);
+}
+
+TEST_F(RecordingTest, AnInstanceNamesTheWholeThatItIsAPartOf) {
+  const ScratchDirectory scratch;
+  DatasetInfo info;
+  info.scenario_name = "parts";
+  info.instances = {{1, "m/boom", "boom", 3}, {2, "cone", "cone"}, {3, "m", "vehicle"}};
+  DatasetWriter writer(scratch.path() / "parts", info, {});
+  writer.Finish();
+  EXPECT_THAT(ReadWholeFile(scratch.path() / "parts/dataset.yaml"),
+              HasSubstr("  - {id: 1, name: \"m/boom\", class: boom, parent: 3}\n"
+                        "  - {id: 2, name: \"cone\", class: cone}\n"));
+  const Recording recording(scratch.path() / "parts");
+  EXPECT_EQ(recording.info().instances[0].parent, 3);
+  EXPECT_EQ(recording.info().instances[1].parent, 0);
+}
+
+TEST_F(RecordingTest, BoxesOfBeforeThereWereWholesStillRead) {
+  Edit("digger/front/boxes/100000000.json", "   \"parent\": 1,\n", "");
+  EXPECT_EQ(Open().LoadFrame("digger/front", kSamplePeriod_ns).boxes.at(0).parent, 0);
 }
 
 TEST_F(RecordingTest, NamesTheVersionOfTheProgramThatWroteIt) {
@@ -141,6 +162,7 @@ TEST_F(RecordingTest, GivesBackObjectBoxes) {
   EXPECT_EQ(boxes[0].name, "person");
   EXPECT_EQ(boxes[0].label, SemanticClass::kPerson);
   EXPECT_EQ(boxes[0].instance, 2);
+  EXPECT_EQ(boxes[0].parent, 1);
   EXPECT_EQ(boxes[0].x_max_px, 12);
   EXPECT_EQ(boxes[0].visible_px, 60);
   EXPECT_EQ(boxes[0].visibility, 0.625);

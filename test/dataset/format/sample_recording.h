@@ -68,6 +68,7 @@ inline CameraFrame SampleFrame(int k) {
   }
   ObjectBox box;
   box.instance = 2;
+  box.parent = 1;
   box.label = SemanticClass::kPerson;
   box.name = "person";
   box.x_min_px = 3;

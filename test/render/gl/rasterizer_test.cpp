@@ -140,6 +140,42 @@ TEST(Rasterizer, AShapeIsDrawnAsItIsNowWithItsOwnBoxOrNotAtAll) {
   EXPECT_EQ(boxes(0.4)[0].visible_px, whole[0].visible_px);
 }
 
+TEST(Rasterizer, AWholeHasTheBoxAndThePixelsOfItsParts) {
+  Stage stage;
+  stage.AddBox(MakePose(kTarget), Vec3(0.4, 0.4, 0.4), SemanticClass::kUpperStructure);
+  // Turned, so that its box along the first one's axes is larger than its own.
+  const Pose X_W2 = MakePose(kTarget + Vec3(0.9, 0, 0.3), 0, 0, 45 * kDeg);
+  stage.AddBox(X_W2, Vec3(0.2, 0.2, 0.2), SemanticClass::kBoom);
+  stage.AddBox(MakePose(kTarget + Vec3(-2, 0, 0)), Vec3(0.1, 0.1, 0.1), SemanticClass::kCone);
+  const auto whole = static_cast<std::uint16_t>(stage.model.instances.size());
+  stage.model.instances[1].parent = stage.model.instances[2].parent = whole;
+  stage.model.instances.push_back({.name = "machine",
+                                   .label = SemanticClass::kVehicle,
+                                   .body = stage.model.instances[1].body,
+                                   .is_whole = true});
+  Rasterizer rasterizer(stage.model, EglOptions{});
+  const Pose X_WC = LookAt(kEye, kTarget);
+  for (const CameraIntrinsics& camera : {Pinhole(), WideLens()}) {
+    const auto boxes = rasterizer.Render(camera, X_WC, stage.state).boxes;
+    ASSERT_EQ(boxes.size(), 4u);
+    const ObjectBox &a = boxes[0], &b = boxes[1], &machine = boxes[3];
+    EXPECT_EQ(machine.instance, whole);
+    EXPECT_EQ(machine.name, "machine");
+    EXPECT_EQ(machine.parent, 0);
+    EXPECT_EQ(a.parent, whole);
+    EXPECT_EQ(boxes[2].parent, 0);
+    EXPECT_EQ(machine.visible_px, a.visible_px + b.visible_px);
+    EXPECT_EQ(machine.x_min_px, std::min(a.x_min_px, b.x_min_px));
+    EXPECT_EQ(machine.y_max_px, std::max(a.y_max_px, b.y_max_px));
+    EXPECT_NEAR(machine.visibility, 1, 0.02);  // one part before the other hides nothing of both
+    // From -0.4 to 0.9 + 0.2 sqrt(2) along x, 0.4 to both sides, from -0.4 to 0.5 upwards.
+    EXPECT_TRUE(machine.size_O_m.isApprox(Vec3(1.3 + 0.2 * std::sqrt(2.0), 0.8, 0.9), 1e-5))
+        << machine.size_O_m.transpose();
+    const Vec3 centre_W = X_WC * machine.X_CO.translation();
+    EXPECT_TRUE(centre_W.isApprox(kTarget + Vec3(0.25 + 0.1 * std::sqrt(2.0), 0, 0.05), 1e-5));
+  }
+}
+
 TEST(Rasterizer, VerticesMayHaveColoursOfTheirOwn) {
   Stage stage;
   stage.AddBox(MakePose(kTarget), Vec3(0.4, 0.4, 0.4), SemanticClass::kStructure);

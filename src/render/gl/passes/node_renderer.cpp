@@ -201,11 +201,15 @@ void NodeRenderer::DrawOpaqueIf(
 }
 
 void NodeRenderer::DrawInstance(std::uint16_t instance) const {
+  const auto belongs = [&](const Placed& placed) {
+    const std::uint16_t own = model_.nodes[placed.node].instance;
+    return own == instance || model_.instances[own].parent == instance;
+  };
   for (const Placed& placed : placed_opaque_) {
-    if (model_.nodes[placed.node].instance == instance) DrawNode(placed.node, Surface::kOpaque);
+    if (belongs(placed)) DrawNode(placed.node, Surface::kOpaque);
   }
   for (const Placed& placed : placed_glass_) {
-    if (model_.nodes[placed.node].instance == instance) DrawNode(placed.node, Surface::kGlass);
+    if (belongs(placed)) DrawNode(placed.node, Surface::kGlass);
   }
 }
 
