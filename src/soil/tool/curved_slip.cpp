@@ -59,7 +59,8 @@ class Spirals {
     const double sector_m2 = (end.squaredNorm() - edge.squaredNorm()) / (4 * tan_friction_);
     const double cohesive_n = 2 * sector_m2 * in_.cohesion_pa;
     const double adhesive_n = in_.adhesion_pa * Cross(edge, blade_m_ * up_blade_);
-    const double surcharge_n = in_.surcharge_pa * 0.5 * (end.x() * end.x() - lip.x() * lip.x());
+    const double surcharge_n =
+        (in_.surcharge_pa + in_.overburden_pa) * 0.5 * (end.x() * end.x() - lip.x() * lip.x());
     const double others_n = cohesive_n + adhesive_n + surcharge_n +
                             FlanksMoment_n(edge, end, sector_m2) +
                             InertiaMoment_n(chord, edge, end, sector_m2);
@@ -81,10 +82,11 @@ class Spirals {
     const double side_m2 =
         std::max(0.0, sector_m2 + 0.5 * (Cross(end, above) + Cross(above, edge)));
     const double at_rest = 1 - std::sin(in_.friction_rad);  // Jaky
-    const double shear_pa =
-        in_.cohesion_pa + at_rest * weight_npm3_ * in_.depth_m / 3 * tan_friction_;
+    const double normal_pa = at_rest * (weight_npm3_ * in_.depth_m / 3 + in_.overburden_pa);
+    const double shear_n = side_m2 * (in_.cohesion_pa + normal_pa * tan_friction_) +
+                           in_.flank_above_npm * std::max(0.0, end.x() - edge.x());
     const double arm_m = (edge + above + end).norm() / 3 * std::cos(in_.friction_rad);
-    return 2 * in_.flank_share * side_m2 * shear_pa * arm_m / in_.width_m;
+    return 2 * in_.flank_share * shear_n * arm_m / in_.width_m;
   }
 
   /// Soil that comes to the surface is set moving along its chord.

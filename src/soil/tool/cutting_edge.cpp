@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/units.h"
-#include "soil/tool/earthmoving.h"
+#include "soil/tool/layered_cut.h"
 
 namespace tera {
 namespace {
@@ -59,6 +59,11 @@ Surface SurfaceAhead(const Vec3& p_W, double near_m, const Vec3& travel_W, const
   const double at_near_m = sum_m / kPlaces - 0.5 * span_m * slope;
   const double slope_rad = std::clamp(std::atan(slope), -kSteepestSlope_rad, kSteepestSlope_rad);
   return {at_near_m - near_m * std::tan(slope_rad), slope_rad};
+}
+
+/// The friction of a plane of which a share is soil, not steel.
+void RubOnSoil(double share, CutLayer* layer) {
+  layer->tool_friction_rad += share * (layer->friction_rad - layer->tool_friction_rad);
 }
 
 }  // namespace
@@ -128,19 +133,17 @@ Vec3 CuttingEdge::CuttingForceOn(const Strip& strip, const Vec3& travel_W, const
   in.depth_m = strip.depth_m;
   in.slope_rad = strip.slope_rad;
   in.rake_rad = std::max(0.0, std::atan2(plane.up_W.z(), -plane.up_W.dot(travel_W)));
-  in.density_kgpm3 = strip.soil.density_kgpm3;
-  in.friction_rad = strip.soil.friction_rad;
-  in.tool_friction_rad = strip.soil.tool_friction_rad +
-                         plane.on_soil * (strip.soil.friction_rad - strip.soil.tool_friction_rad);
-  in.cohesion_pa = strip.soil.cohesion_pa;
-  in.adhesion_pa = strip.soil.adhesion_pa;
+  CutSoil soil = strip.soil;
+  RubOnSoil(plane.on_soil, &soil.mean);
+  for (CutLayer& layer : soil.layer) RubOnSoil(plane.on_soil, &layer);
+  in = InSoilOf(soil.mean, in);
   in.speed_mps = std::max(0.0, speed_mps);
   in.flank_share = 1.0 / kStrips;
-  CuttingForce cut = Cut(in);
+  CuttingForce cut = CutLayers(in, soil.layers());
   if (plane.surcharge_npm > 0 && cut.wedge_length_m > 0) {
     // Carried soil rests on the wedge with the share of its length that lies over it.
     in.surcharge_pa = plane.surcharge_npm / std::max(cut.wedge_length_m, plane.surcharge_over_m);
-    cut = Cut(in);
+    cut = CutLayers(in, soil.layers());
   }
   return -(cut.draft_n * travel_W + cut.vertical_n * Vec3::UnitZ());
 }

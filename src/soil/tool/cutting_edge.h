@@ -17,16 +17,16 @@ namespace tera {
 /// Frames  W; B frame of the shovel's link.
 /// Model   The fundamental earthmoving equation for each of several strips of the edge, with its
 ///         own depth, speed and slope of the ground ahead (up to 25 deg either way, of the plane
-///         nearest to the surface over twice the depth), the soil that it cuts through (CutSoil),
-///         the carried soil's surcharge, and its share of the flanks' shear. Edge and teeth, which
-///         run ahead of it by their length, pierce the soil that they meet (Piercing). Once the
-///         carried soil fills 0.8 of the struck capacity the soil separates along it instead of the
-///         floor: the plane that cuts turns towards the mouth until the bucket is full, soil rubs
-///         on soil, and what is carried weighs the less on the wedge. What comes in pushes the
-///         carried soil up the floor, against its friction there and on the side walls (at-rest
-///         pressure). All builds up over a few millimetres of travel (soil is elastic before it
-///         fails), so that it holds at rest; no strip is ever driven on.
-/// Omits   side cutters, layers of which only one gives way, slopes across the travel.
+///         nearest to the surface over twice the depth), the layers that it cuts through
+///         (CutLayers), the carried soil's surcharge, and its share of the flanks' shear. Edge and
+///         teeth, which run ahead of it by their length, pierce the soil that they meet (Piercing).
+///         Once the carried soil fills 0.8 of the struck capacity the soil separates along it
+///         instead of the floor: the plane that cuts turns towards the mouth until the bucket is
+///         full, soil rubs on soil, and what is carried weighs the less on the wedge. What comes in
+///         pushes the carried soil up the floor, against its friction there and on the side walls
+///         (at-rest pressure). All builds up over a few millimetres of travel (soil is elastic
+///         before it fails), so that it holds at rest; no strip is ever driven on.
+/// Omits   side cutters, slopes across the travel.
 /// Source  see earthmoving.h; secondary separation as in Algoryx's terrain material.
 class CuttingEdge {
  public:

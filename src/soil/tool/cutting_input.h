@@ -13,8 +13,11 @@ struct CuttingInput {
   double cohesion_pa = 0;
   double adhesion_pa = 0;
   double surcharge_pa = 0;
-  double speed_mps = 0;  ///< over ground, its level part
-  double slope_rad = 0;  ///< the ground rises ahead
+  double overburden_pa = 0;    ///< weight of soil above, where this is a layer below others: a
+                               ///< surcharge that presses on the flanks as well
+  double flank_above_npm = 0;  ///< shear on a flank of those others, for each metre of length
+  double speed_mps = 0;        ///< over ground, its level part
+  double slope_rad = 0;        ///< the ground rises ahead
   double flank_share =
       0;  ///< of the two flanks' shear: 1 for a whole tool, 1/n for one of n strips
 };

@@ -62,14 +62,17 @@ class Wedges {
     if (in_.flank_share > 0) {
       const double ahead = Ahead(tan_wedge);
       const double area_m2 = 0.5 * d * d * ahead;
-      const double shear_n = 2 * in_.flank_share * area_m2 *
-                             (in_.cohesion_pa + at_rest_ * weight_npm3_ * d / 3 * tan_friction_);
+      const double normal_pa = at_rest_ * (weight_npm3_ * d / 3 + in_.overburden_pa);
+      const double shear_n = 2 * in_.flank_share *
+                             (area_m2 * (in_.cohesion_pa + normal_pa * tan_friction_) +
+                              in_.flank_above_npm * d * ahead);
       // N_c counts c over the slip plane, whose level part is `ahead` times the depth.
       cohesive_npm += shear_n / (ahead * std::sqrt(1 + tan_wedge * tan_wedge)) / in_.width_m;
     }
-    return in_.width_m * (weight_npm3_ * d * d * n.n_gamma + cohesive_npm * n.n_c +
-                          in_.adhesion_pa * d * n.n_a + in_.surcharge_pa * d * n.n_q +
-                          in_.density_kgpm3 * in_.speed_mps * in_.speed_mps * d * n.inertia);
+    return in_.width_m *
+           (weight_npm3_ * d * d * n.n_gamma + cohesive_npm * n.n_c + in_.adhesion_pa * d * n.n_a +
+            (in_.surcharge_pa + in_.overburden_pa) * d * n.n_q +
+            in_.density_kgpm3 * in_.speed_mps * in_.speed_mps * d * n.inertia);
   }
 
  private:

@@ -6,7 +6,7 @@
 
 #include "core/units.h"
 #include "soil/tool/cut_soil.h"
-#include "soil/tool/earthmoving.h"
+#include "soil/tool/layered_cut.h"
 
 namespace tera {
 namespace {
@@ -48,14 +48,9 @@ CuttingInput PlateIn(const CutSoil& soil, double width_m, double rake_rad, doubl
   CuttingInput in;
   in.width_m = width_m;
   in.rake_rad = rake_rad;
-  in.density_kgpm3 = soil.density_kgpm3;
-  in.friction_rad = soil.friction_rad;
-  in.tool_friction_rad = soil.tool_friction_rad;
-  in.cohesion_pa = soil.cohesion_pa;
-  in.adhesion_pa = soil.adhesion_pa;
   in.speed_mps = std::max(0.0, speed_mps);
   in.flank_share = 1.0 / kStrips;
-  return in;
+  return InSoilOf(soil.mean, in);
 }
 
 }  // namespace
@@ -146,12 +141,17 @@ void ShovelWalls::Push(const std::vector<Strip>& strips, const Vec3& normal_B,
     const Vec3 p_B =  // passive pressure acts on the lower third
         strip.low_B + std::min(1.0, beside.depth_m / height_m) / 3 * (strip.high_B - strip.low_B);
     const Vec3 v_strip_W = PointVelocity(body, p_B);
-    CuttingInput in = PlateIn(beside.SoilAbove(low_W.z(), soils, ground), strip.width_m, rake_rad,
-                              v_strip_W.dot(out_W));
-    in.depth_m = beside.depth_m;
-    const CuttingForce all = Cut(in);
-    in.depth_m = beside.depth_m - height_m;
-    const CuttingForce above = Cut(in);
+    const auto push_down_to = [&](double z_m, double depth_m) {
+      if (depth_m <= 0) return CuttingForce{};
+      const CutSoil soil = beside.SoilAbove(z_m, soils, ground);
+      CuttingInput in = PlateIn(soil, strip.width_m, rake_rad, v_strip_W.dot(out_W));
+      in.depth_m = depth_m;
+      return CutLayers(in, soil.layers());
+    };
+    const CuttingForce all = push_down_to(low_W.z(), beside.depth_m);
+    const CuttingForce above = push_down_to(high_W.z(), beside.depth_m - height_m);
+    // What lies above may be the stronger: it holds nothing back below it.
+    if (all.draft_n <= above.draft_n) continue;
     const Vec3 force_W_n = -(all.draft_n - above.draft_n) * out_W -
                            (all.vertical_n - above.vertical_n) * Vec3::UnitZ();
     wrench->AddForceAt(*travel_m / kElasticTravel_m * Opposing(force_W_n, v_strip_W),

@@ -1,0 +1,125 @@
+#include "soil/tool/layered_cut.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+/// The level and upright force of a part of a blade.
+struct Force {
+  double draft_n = 0, vertical_n = 0;
+
+  Force operator+(const Force& b) const { return {draft_n + b.draft_n, vertical_n + b.vertical_n}; }
+};
+
+/// Layers of a cut, each as an input of its own under the weight of those above.
+struct Slices {
+  std::array<CuttingInput, CutSoil::kMostLayers> in;
+  int count = 0;
+
+  Slices(const CuttingInput& blade, std::span<const CutLayer> layers) {
+    double above_m = 0, overburden_pa = 0, flank_npm = 0;
+    for (const CutLayer& layer : layers) {
+      const bool is_last = &layer == &layers.back();
+      const double rest_m = blade.depth_m - above_m;
+      if (rest_m <= 0) break;
+      CuttingInput& slice = in[count++] = InSoilOf(layer, blade);
+      slice.depth_m = is_last ? rest_m : std::min(rest_m, layer.thickness_m);
+      slice.overburden_pa = overburden_pa;
+      slice.flank_above_npm = flank_npm;
+      const double weight_pa = layer.density_kgpm3 * kStandardGravity_mps2 * slice.depth_m;
+      const double at_rest = 1 - std::sin(layer.friction_rad);  // Jaky
+      flank_npm +=
+          slice.depth_m * (layer.cohesion_pa + at_rest * (overburden_pa + 0.5 * weight_pa) *
+                                                   std::tan(layer.friction_rad));
+      overburden_pa += weight_pa;
+      above_m += slice.depth_m;
+    }
+  }
+};
+
+Force ForceOn(const CuttingInput& slice) {
+  const CuttingForce force = Cut(slice);
+  return {force.draft_n, force.vertical_n};
+}
+
+/// Passive thrust on an upright line through a layer.
+double Rankine_n(CuttingInput slice) {
+  slice.rake_rad = kPi / 2;
+  slice.tool_friction_rad = slice.adhesion_pa = slice.speed_mps = 0;
+  return Cut(slice).total_n;
+}
+
+/// Shear strength that a soil has at the top of a slice.
+double StrengthAtTop_pa(const CuttingInput& soil, double overburden_pa) {
+  return soil.cohesion_pa + (overburden_pa + soil.surcharge_pa) * std::tan(soil.friction_rad);
+}
+
+/// The force that pushes the layers above slice `n` as a block on that slice's soil; infinite
+/// where the blade's friction holds the block down for good.
+Force BlockOn(const Slices& slices, int n) {
+  const CuttingInput& seam = slices.in[n];
+  double thickness_m = 0, ahead_n = 0, adhesion_npm = 0, tool_friction_m = 0;
+  for (int k = 0; k < n; ++k) {
+    const CuttingInput& slice = slices.in[k];
+    thickness_m += slice.depth_m;
+    ahead_n += Rankine_n(slice);
+    adhesion_npm += slice.depth_m * slice.adhesion_pa;
+    tool_friction_m += slice.depth_m * std::tan(slice.tool_friction_rad);
+  }
+  const double length_m = thickness_m;
+  const double push_rad = seam.rake_rad + std::atan(tool_friction_m / thickness_m);
+  const double rise = std::tan(seam.slope_rad + seam.friction_rad);
+  const double hold = std::sin(push_rad) + std::cos(push_rad) * rise;
+  const double weight_npm = (seam.overburden_pa + seam.surcharge_pa) * length_m;
+  const double cohesive_npm = seam.cohesion_pa * length_m * std::cos(seam.friction_rad) /
+                              std::cos(seam.slope_rad) /
+                              std::cos(seam.slope_rad + seam.friction_rad);
+  const double flanks_n = 2 * seam.flank_share * seam.flank_above_npm * length_m;
+  const double adhesive_npm = adhesion_npm * (rise - 1 / std::tan(seam.rake_rad));
+  const double force_n =
+      ahead_n + flanks_n + seam.width_m * (weight_npm * rise + cohesive_npm + adhesive_npm);
+  if (hold <= 0) return {std::numeric_limits<double>::infinity(), 0};
+  const double total_n = std::max(0.0, force_n) / hold;
+  return {total_n * std::sin(push_rad), total_n * std::cos(push_rad)};
+}
+
+}  // namespace
+
+CuttingInput InSoilOf(const CutLayer& layer, CuttingInput in) {
+  in.density_kgpm3 = layer.density_kgpm3;
+  in.friction_rad = layer.friction_rad;
+  in.tool_friction_rad = layer.tool_friction_rad;
+  in.cohesion_pa = layer.cohesion_pa;
+  in.adhesion_pa = layer.adhesion_pa;
+  return in;
+}
+
+CuttingForce CutLayers(const CuttingInput& mean, std::span<const CutLayer> layers) {
+  CuttingForce least = Cut(mean);
+  if (layers.size() < 2 || mean.depth_m <= 0) return least;
+  const Slices slices(mean, layers);
+  const auto try_force = [&](const Force& force) {
+    if (force.draft_n >= least.draft_n) return;
+    least.draft_n = force.draft_n;
+    least.vertical_n = force.vertical_n;
+    least.total_n = std::hypot(force.draft_n, force.vertical_n);
+  };
+  std::array<Force, CutSoil::kMostLayers + 1> below;  // what the slices from one on add
+  for (int n = slices.count - 1; n >= 0; --n) below[n] = ForceOn(slices.in[n]) + below[n + 1];
+  try_force(below[0]);
+  for (int n = 1; n < slices.count; ++n) {
+    const CuttingInput &above = slices.in[n - 1], &seam = slices.in[n];
+    const double weight_pa = seam.overburden_pa;
+    if (StrengthAtTop_pa(seam, weight_pa) >= StrengthAtTop_pa(above, weight_pa)) continue;
+    try_force(BlockOn(slices, n) + below[n]);
+  }
+  return least;
+}
+
+}  // namespace tera

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+
+#include "soil/tool/cut_soil.h"
+#include "soil/tool/cutting_input.h"
+#include "soil/tool/earthmoving.h"
+
+namespace tera {
+
+/// The force that a plane blade needs to cut soil in layers: the least of those along surfaces
+/// that use the weakest of them.
+///
+/// Model   Soil fails where that takes least (upper bound). Tried are
+///         - one plane through all layers, as strong as they are on average over the depth;
+///         - a surface with a kink at each border: each layer slips at the angle that makes its own
+///           part of P least, under the weight of the layers above as a surcharge, and the parts
+///           add up. With one angle for all it is that of the earthmoving equation;
+///         - along each border to a softer soil below, layers above it slide as one block, as long
+///           as thick, on that soil, and push Rankine's passive wedge before them, while those
+///           below slip as in the second. The blade's upright force presses the block down or
+///           lifts it.
+///         Of soil of one strength only the first remains. Borders lie parallel to the surface.
+///         Where layers reach less deep than the edge, the lowest goes on.
+/// Omits   soft soil just below the edge, cracks, crusts that bend.
+/// Source  Chen 1975, Limit Analysis and Soil Plasticity, ch. 5 (the least of upper bounds); Bowles
+///         1996, Foundation Analysis and Design, ch. 11 (layered backfill); NAVFAC DM 7.01, 1986,
+///         ch. 7 (a central block on a weak seam and its resisting wedge).
+CuttingForce CutLayers(const CuttingInput& mean, std::span<const CutLayer> layers);
+
+/// The blade's input with the soil of a layer.
+CuttingInput InSoilOf(const CutLayer& layer, CuttingInput in);
+
+}  // namespace tera
