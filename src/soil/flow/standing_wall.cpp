@@ -16,6 +16,7 @@ constexpr double kLeastWedge_m = 0.1;    ///< soil that stands no higher crumble
 constexpr double kBreakSpeed_mps = 1.0;  ///< at which it does
 constexpr double kVeneer_m = 0.05;       ///< more loose soil than this covers what would crumble
 constexpr double kLongestWedge_m = 10;
+constexpr double kDeeper_m = 1e-3;  ///< by less, a toe farther off is no deeper
 /// Sum of the directions in which ground falls away; if shorter, it does so on all sides alike.
 constexpr double kLeastLean = 0.1;
 constexpr double kSide = 1 + 1e-9;  ///< columns on the side of a strip belong to it
@@ -70,12 +71,9 @@ Vec2 Outward(const Columns::Place& place, double z_m, const Columns& ground) {
 void SlideOff(const StandingWalls::Failure& failure, Columns* ground, Grains* grains) {
   const auto [i0, j0] = ground->PlaceOf(failure.column);
   const Vec2 edge(ground->x_m(i0), ground->y_m(j0)), out = failure.out;
-  const double friction_rad = ground->soils()[failure.soil].friction_angle_rad;
-  const double tan_plane =
-      std::tan(0.5 * (std::atan2(failure.drop_m, failure.run_m) + friction_rad));
   const double toe_m = failure.top_m - failure.drop_m;
   const double half_m = 0.5 * ground->cell_m() * (std::abs(out.x()) + std::abs(out.y()));
-  const double reach_m = std::min(kLongestWedge_m, failure.drop_m / tan_plane) + failure.run_m;
+  const double reach_m = std::min(kLongestWedge_m, failure.slip.length_m()) + failure.run_m;
   const int reach = static_cast<int>(std::ceil(reach_m / ground->cell_m()));
   for (int j = j0 - reach; j <= j0 + reach; ++j) {
     for (int i = i0 - reach; i <= i0 + reach; ++i) {
@@ -85,7 +83,7 @@ void SlideOff(const StandingWalls::Failure& failure, Columns* ground, Grains* gr
       const double aside_m =
           out.isZero() ? (at - edge).norm() : (edge - at - behind_m * out).norm();
       if (aside_m > half_m * kSide || behind_m < -failure.run_m * kSide) continue;
-      const double plane_m = toe_m + tan_plane * (failure.run_m + behind_m + half_m);
+      const double plane_m = toe_m + failure.slip.HeightAt(failure.run_m + behind_m + half_m);
       if (plane_m >= failure.top_m || plane_m >= ground->TopAt(i, j)) continue;
       const ColumnId k = ground->Touch(i, j);
       if (ground->IsBlocked(k)) continue;
@@ -108,7 +106,7 @@ double CulmannHeight_m(const SoilType& soil, double slope_rad) {
          (1 - std::cos(slope_rad - soil.friction_angle_rad));
 }
 
-StandingWalls::StandingWalls(const std::vector<SoilType>& soils) {
+StandingWalls::StandingWalls(const std::vector<SoilType>& soils) : layered_(soils) {
   for (const SoilType& soil : soils) {
     limits_.push_back({std::tan(std::max(soil.friction_angle_rad, soil.repose_angle_rad)),
                        CulmannHeight_m(soil, kPi / 2)});
@@ -133,39 +131,104 @@ bool StandingWalls::IsEdge(ColumnId k, const Columns& ground) const {
   });
 }
 
-std::optional<StandingWalls::Failure> StandingWalls::FailureAt(ColumnId k,
-                                                               const Columns& ground) const {
-  if (!IsEdge(k, ground) || ground.IsBlocked(k)) return std::nullopt;
-  const Bank bank = BankAt(k, ground);
-  const SoilType& soil = ground.soils()[bank.soil];
-  const Limit& limit = limits_[bank.soil];
+/// Calls `take(m, step_m, fall_m, edge_fall_m)` for the columns on which one looks down from the
+/// top of a bank, m columns of step_m away, on each side on which it falls off more than
+/// `tan_edge`.
+template <typename Take>
+void ForFalls(ColumnId k, double top_m, double tan_edge, const Columns& ground, Take take) {
   const auto [i, j] = ground.PlaceOf(k);
-  std::optional<Failure> worst;
-  double edge_drop_m = 0;  // to the neighbour on that side
   for (const auto& [di, dj, distance] : kDirections) {
     const double step_m = distance * ground.cell_m();
+    double edge_fall_m = 0;  // to the neighbour on that side
     for (int m = 1; m <= kLookDown && ground.Contains(i + m * di, j + m * dj); ++m) {
       const ColumnId below = ground.IdAt(i + m * di, j + m * dj);
       if (below != Columns::kNone && ground.IsBlocked(below)) break;  // a tool holds the bank up
-      const double fall_m = bank.top_m - ground.TopAt(i + m * di, j + m * dj);
-      if (m == 1 && fall_m <= limit.tan_stand * step_m) break;  // no edge on this side
-      const double drop_m = std::min(bank.thickness_m, fall_m);
-      const double run_m = (m - 1) * step_m;
-      const double stands_m = std::max(limit.upright_m, limit.tan_stand * m * step_m);
-      const double overhang_m = drop_m - stands_m;
-      if (overhang_m <= (worst ? worst->overhang_m : kLeastOverhang_m)) continue;
-      if (drop_m <= CulmannHeight_m(soil, std::atan2(drop_m, run_m))) continue;
-      worst = {k, bank.soil, bank.top_m, drop_m, run_m, overhang_m, Vec2::Zero()};
-      edge_drop_m = bank.top_m - ground.TopAt(i + di, j + dj);
+      const double fall_m = top_m - ground.TopAt(i + m * di, j + m * dj);
+      if (m == 1) edge_fall_m = fall_m;
+      if (edge_fall_m <= tan_edge * step_m) break;  // no edge on this side
+      take(m, step_m, fall_m, edge_fall_m);
     }
   }
-  if (worst) worst->out = Outward({i, j}, bank.top_m - 0.5 * edge_drop_m, ground);
+}
+
+std::optional<StandingWalls::Failure> StandingWalls::FailureAt(ColumnId k,
+                                                               const Columns& ground) const {
+  if (!IsEdge(k, ground) || ground.IsBlocked(k)) return std::nullopt;
+  std::optional<Failure> failure = FailureOfTop(k, ground);
+  return failure ? failure : FailureOfLayers(k, ground);
+}
+
+/// Whether the uppermost soil stands by itself.
+std::optional<StandingWalls::Failure> StandingWalls::FailureOfTop(ColumnId k,
+                                                                  const Columns& ground) const {
+  const Bank bank = BankAt(k, ground);
+  const SoilType& soil = ground.soils()[bank.soil];
+  const Limit& limit = limits_[bank.soil];
+  std::optional<Failure> worst;
+  double worst_edge_m = 0;
+  ForFalls(k, bank.top_m, limit.tan_stand, ground,
+           [&](int m, double step_m, double fall_m, double edge_fall_m) {
+             const double drop_m = std::min(bank.thickness_m, fall_m);
+             const double run_m = (m - 1) * step_m;
+             const double stands_m = std::max(limit.upright_m, limit.tan_stand * m * step_m);
+             const double overhang_m = drop_m - stands_m;
+             if (overhang_m <= (worst ? worst->overhang_m : kLeastOverhang_m)) return;
+             if (drop_m <= CulmannHeight_m(soil, std::atan2(drop_m, run_m))) return;
+             worst = {k, bank.soil, bank.top_m, drop_m, run_m, overhang_m, Vec2::Zero(), {}};
+             worst_edge_m = edge_fall_m;
+           });
+  if (!worst) return worst;
+  worst->out = Outward(ground.PlaceOf(k), bank.top_m - 0.5 * worst_edge_m, ground);
+  if (limit.upright_m <= kLeastWedge_m) return worst;  // it crumbles
+  const double face_rad = std::atan2(worst->drop_m, worst->run_m);
+  worst->slip.part[0] = {worst->drop_m, std::tan(0.5 * (face_rad + soil.friction_angle_rad))};
+  worst->slip.count = 1;
+  return worst;
+}
+
+bool StandingWalls::StandsAsSlope(const BankLayers& layers, double length_m) const {
+  double slope_m = 0;
+  for (const BankLayer& layer : layers.all()) {
+    slope_m += layer.height_m / limits_[layer.soil].tan_stand;
+  }
+  return slope_m <= length_m;
+}
+
+/// Whether a bank of several soils, of which the uppermost stands by itself, does so as a whole.
+std::optional<StandingWalls::Failure> StandingWalls::FailureOfLayers(ColumnId k,
+                                                                     const Columns& ground) const {
+  const Bank bank = BankAt(k, ground);
+  std::optional<Failure> worst;
+  double worst_edge_m = 0, seen_m = 0;
+  const auto look_at = [&](const BankLayers& layers, int m, double step_m, double drop_m,
+                           double edge_fall_m) {
+    if (StandsAsSlope(layers, m * step_m)) return;
+    const double run_m = (m - 1) * step_m;
+    const SlipSurface slip = layered_.LeastSafe(layers.all(), run_m, m * step_m);
+    if (slip.drives_over_holds <= std::max(1.0, worst ? worst->slip.drives_over_holds : 0)) return;
+    const double overhang_m = drop_m * (1 - 1 / slip.drives_over_holds);
+    worst = {k, bank.soil, bank.top_m, drop_m, run_m, overhang_m, Vec2::Zero(), slip};
+    worst_edge_m = edge_fall_m;
+  };
+  ForFalls(k, bank.top_m, least_tan_stand_, ground,
+           [&](int m, double step_m, double fall_m, double edge_fall_m) {
+             // As high a bank that is less steep is the safer.
+             if (m == 1) seen_m = 0;
+             if (fall_m <= std::max(bank.thickness_m, seen_m + kDeeper_m)) return;
+             seen_m = fall_m;
+             BankLayers layers(k, fall_m, ground);
+             double drop_m = fall_m;
+             for (; layers.count > 1; drop_m -= layers.layer[--layers.count].height_m) {
+               look_at(layers, m, step_m, drop_m, edge_fall_m);
+             }
+           });
+  if (worst) worst->out = Outward(ground.PlaceOf(k), bank.top_m - 0.5 * worst_edge_m, ground);
   return worst;
 }
 
 bool StandingWalls::Fail(const Failure& failure, double dt_s, Columns* ground,
                          Grains* grains) const {
-  if (limits_[failure.soil].upright_m > kLeastWedge_m) {
+  if (failure.slip.count > 0) {
     if (grains->is_crowded()) return false;
     SlideOff(failure, ground, grains);
     return true;

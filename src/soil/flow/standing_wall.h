@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "soil/columns/columns.h"
+#include "soil/flow/layered_bank.h"
 
 namespace tera {
 
@@ -24,9 +25,9 @@ double CulmannHeight_m(const SoilType& soil, double slope_rad);
 ///         that is too high loses the wedge above the plane through its toe at half the sum of
 ///         slope and friction angle: it becomes clods where it stood, which slide down the plane.
 ///         One with no or little cohesion crumbles at the surface into loose soil, down to the
-///         slope of internal friction.
-/// Omits   surcharge behind the edge, water in cracks, undercut banks, banks held up by what lies
-///         under a weaker soil: each soil stands by its own strength.
+///         slope of internal friction. Where the uppermost soil stands, and others lie below it,
+///         the surface through them on which the bank is the least safe counts (LayeredBanks).
+/// Omits   surcharge behind the edge, water in cracks, undercut banks.
 class StandingWalls {
  public:
   struct Failure {
@@ -37,6 +38,7 @@ class StandingWalls {
     double run_m;       ///< from the wall at the edge to that at the toe
     double overhang_m;  ///< of the drop, more than stands
     Vec2 out;           ///< level direction, of length 1, in which it falls; zero on all sides
+    SlipSurface slip;   ///< of a wedge; one that crumbles has none
   };
 
   explicit StandingWalls(const std::vector<SoilType>& soils);
@@ -51,8 +53,12 @@ class StandingWalls {
     double upright_m;  ///< critical height of an upright wall
   };
   bool IsEdge(ColumnId k, const Columns& ground) const;
+  std::optional<Failure> FailureOfTop(ColumnId k, const Columns& ground) const;
+  std::optional<Failure> FailureOfLayers(ColumnId k, const Columns& ground) const;
+  bool StandsAsSlope(const BankLayers& layers, double length_m) const;
 
   std::vector<Limit> limits_;  ///< one for each soil
+  LayeredBanks layered_;
   double least_tan_stand_ = std::numeric_limits<double>::infinity();
 };
 

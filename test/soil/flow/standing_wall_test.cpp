@@ -215,29 +215,85 @@ TEST(StandingWall, FailsAlikeWithTheSameSeedAndNotWithAnother) {
   EXPECT_NE(heights_m(6), once);
 }
 
-TEST(StandingWall, SandOverClaySlumpsAndTheClayBelowStands) {
-  SoilType sand = Shipped("sand"), clay = Shipped("clay");
-  UndisturbedGround plan;
-  plan.grid = {.origin_W_m = Vec2(-3, -3), .cell_m = 0.05, .nx = 121, .ny = 121};
-  plan.base_cells = TerrainGrid::kTileCells;
-  plan.base_height_m.assign(static_cast<std::size_t>(plan.base_nx()) * plan.base_ny(), 0.0);
-  plan.profiles.push_back(
-      GroundProfile({{0.3, 0, 0, 1474}, {std::numeric_limits<double>::infinity(), 1, 0.9F, 1790}}));
-  Columns ground(plan, {sand, clay});
-  Avalanche avalanche(ground.soils());
-  Grains grains(ground.soils(), 1);
+/// Level ground of strata, an upright wall of `height_m` across it, and what is left of it after
+/// some seconds.
+struct LayeredWall {
+  LayeredWall(const std::vector<SoilType>& soils, const std::vector<double>& bottoms_m,
+              double height_m)
+      : ground(Plan(soils, bottoms_m), soils), avalanche(ground.soils()), grains(soils, 1) {
+    for (int j = 0; j < 121; ++j) {
+      for (int i = 61; i < 121; ++i) ground.Cut(ground.Touch(i, j), -height_m, &cut);
+    }
+  }
+  static UndisturbedGround Plan(const std::vector<SoilType>& soils,
+                                const std::vector<double>& bottoms_m) {
+    UndisturbedGround plan;
+    plan.grid = {.origin_W_m = Vec2(-3, -3), .cell_m = 0.05, .nx = 121, .ny = 121};
+    plan.base_cells = TerrainGrid::kTileCells;
+    plan.base_height_m.assign(static_cast<std::size_t>(plan.base_nx()) * plan.base_ny(), 0.0);
+    std::vector<Stratum> strata;
+    for (std::size_t n = 0; n < soils.size(); ++n) {
+      const double bottom_m =
+          n < bottoms_m.size() ? bottoms_m[n] : std::numeric_limits<double>::infinity();
+      strata.push_back({bottom_m, static_cast<std::uint8_t>(n), 0, soils[n].bank_density_kgpm3});
+    }
+    plan.profiles.emplace_back(strata);
+    return plan;
+  }
+  void Wait(double time_s) {
+    for (int k = 0; k < std::lround(time_s / kStep_s); ++k) {
+      grains.Step(kStep_s, &ground);
+      avalanche.Flow(kStep_s, &ground, &grains);
+    }
+  }
+  double EdgeTop_m() { return ground.at(ground.Touch(60, 60)).top_m; }
+
+  Columns ground;
+  Avalanche avalanche;
+  Grains grains;
   SpoilMix cut;
-  for (int j = 0; j < 121; ++j) {
-    for (int i = 61; i < 121; ++i) ground.Cut(ground.Touch(i, j), -1.0, &cut);
+};
+
+TEST(StandingWall, ClayUnderACrustStandsToTerzaghisHeightUnderASurcharge) {
+  // A crust that cracks is a load q: 4 c / (rho g) tan(45 + phi / 2) - 2 q / (rho g).
+  const SoilType crust = Shipped("hard_loam"), clay = Shipped("clay");
+  for (const double crust_m : {0.1, 0.25}) {
+    SCOPED_TRACE(crust_m);
+    const double stands_m = kClayStands_m - 2 * crust_m * crust.bank_density_kgpm3 / 1790;
+    LayeredWall stands({crust, clay}, {crust_m}, crust_m + 0.98 * stands_m);
+    stands.Wait(1);
+    EXPECT_EQ(stands.EdgeTop_m(), 0);
+    LayeredWall fails({crust, clay}, {crust_m}, crust_m + 1.02 * stands_m);
+    fails.Wait(1);
+    EXPECT_LT(fails.EdgeTop_m(), -0.5 * stands_m);
   }
-  for (int k = 0; k < 3000; ++k) {
-    grains.Step(kStep_s, &ground);
-    avalanche.Flow(kStep_s, &ground, &grains);
-  }
-  const Column& edge = ground.at(ground.Touch(60, 60));
-  EXPECT_NEAR(edge.top_m, -0.3, 0.05);
-  EXPECT_GE(edge.top_m, -0.3 - 1e-9);
-  EXPECT_EQ(ground.TopAt(40, 60), 0);
+}
+
+TEST(StandingWall, ACrustOverSandFallsWithIt) {
+  LayeredWall wall({Shipped("hard_loam"), Shipped("sand")}, {0.2}, 0.8);
+  wall.Wait(6);
+  EXPECT_LT(wall.EdgeTop_m(), -0.3);
+  // As far as the sand's slope reaches, and no farther.
+  EXPECT_EQ(wall.ground.TopAt(60 - 20, 60), 0);
+  EXPECT_EQ(wall.grains.count(), 0u);
+}
+
+TEST(StandingWall, ClayOnFirmSoilStandsAsHighAsByItself) {
+  const SoilType clay = Shipped("clay"), firm = Shipped("hard_loam");
+  LayeredWall stands({clay, firm}, {0.98 * kClayStands_m}, 1.8);
+  stands.Wait(1);
+  EXPECT_EQ(stands.EdgeTop_m(), 0);
+  LayeredWall fails({clay, firm}, {1.02 * kClayStands_m}, 1.8);
+  fails.Wait(3);
+  EXPECT_NEAR(fails.EdgeTop_m(), -1.02 * kClayStands_m, 0.06);
+}
+
+TEST(StandingWall, SandOverClaySlumpsAndTheClayBelowStands) {
+  LayeredWall wall({Shipped("sand"), Shipped("clay")}, {0.3}, 1.0);
+  wall.Wait(6);
+  EXPECT_NEAR(wall.EdgeTop_m(), -0.3, 0.05);
+  EXPECT_GE(wall.EdgeTop_m(), -0.3 - 1e-9);
+  EXPECT_EQ(wall.ground.TopAt(40, 60), 0);
 }
 
 }  // namespace
