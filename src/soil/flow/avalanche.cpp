@@ -227,9 +227,7 @@ void Avalanche::FailWalls(double dt_s, Columns* ground, Grains* grains) {
   for (const ColumnId k : visited_) {
     if (const auto failure = walls_.FailureAt(k, *ground)) failures.push_back(*failure);
   }
-  for (const StandingWalls::Failure& failure : failures) {
-    if (!walls_.Fail(failure, dt_s, ground, grains)) active_.Add(failure.column);  // it waits
-  }
+  walls_.Fail(failures, dt_s, ground, grains);
 }
 
 void Avalanche::Flow(double dt_s, Columns* ground, Grains* grains) {

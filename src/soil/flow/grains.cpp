@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kClod_m3 = 1e-4;        ///< about 6 cm across
 constexpr double kLargestClods = 8;      ///< times that, when as many as may be are under way
+constexpr double kUseOfRoom = 0.8;       ///< by what falls at once: each column's makes whole clods
 constexpr double kLongestSlide_s = 3;    ///< then a clod rests wherever it is
 constexpr double kRestSpeed_mps = 0.05;  ///< slower clods rest where friction holds them
 constexpr double kScatter_mps = 0.15;    ///< of a clod's velocity, each axis, one sigma
@@ -89,27 +90,53 @@ Vec3 Slowed(const Vec3& v_mps, double loss_mps) {
 
 Grains::Grains(const std::vector<SoilType>& soils, std::uint64_t seed)
     : scatter_(seed, "terrain/grains") {
-  for (const SoilType& soil : soils) friction_.push_back(std::tan(soil.repose_angle_rad));
+  for (const SoilType& soil : soils) {
+    friction_.push_back(std::tan(soil.repose_angle_rad));
+    bank_kgpm3_.push_back(soil.bank_density_kgpm3);
+  }
 }
 
 double Grains::clod_m3() const {
   return kClod_m3 * (1 + (kLargestClods - 1) * static_cast<double>(count()) / kMostClods);
 }
 
+double Grains::RoomyClod_m3(double volume_m3) const {
+  const std::size_t room = std::max(kMostClods - std::min(kMostClods, count()), kMostClods / 10);
+  return volume_m3 / (kUseOfRoom * static_cast<double>(room));
+}
+
 void Grains::Pour(const SpoilMix& spoil, const Vec3& from_W, const Vec3& to_W, const Vec3& v_W,
-                  Columns* ground, Kind kind) {
+                  Columns* ground) {
+  Pour(spoil, from_W, to_W, clod_m3(), {.v_W_mps = v_W, .kind = Kind::kLoose}, ground);
+}
+
+void Grains::Pour(const Broken& broken, double least_m3, Columns* ground) {
+  Pour(broken.soil, broken.low_W_m, broken.high_W_m, std::max(least_m3, clod_m3()),
+       {.v_W_mps = Vec3::Zero(),
+        .kind = Kind::kFirm,
+        .slide_W_mps2 = broken.slide_W_mps2.cast<float>(),
+        .way_m = static_cast<float>(broken.way_m),
+        .of_way_m = static_cast<float>(broken.way_m),
+        .is_free = broken.way_m <= 0},
+       ground);
+}
+
+void Grains::Pour(const SpoilMix& spoil, const Vec3& from_W, const Vec3& to_W, double each_m3,
+                  const Grain& like, Columns* ground) {
   for (Spoil rest : spoil.parts()) {
-    const int clods = std::max(1, static_cast<int>(std::lround(rest.volume_m3 / clod_m3())));
+    const int clods = std::max(1, static_cast<int>(std::lround(rest.volume_m3 / each_m3)));
     for (int n = clods; n > 0; --n) {
-      const Spoil clod = rest.Take(1.0 / n);
+      Grain clod = like;
+      clod.spoil = rest.Take(1.0 / n);
       const std::uint64_t k = poured_++;
-      const Vec3 p_W = from_W + scatter_.Uniform(k, 1) * (to_W - from_W);
+      clod.p_W_m = from_W + scatter_.Uniform(k, 1) * (to_W - from_W);
       if (count() < kMostClods) {
-        grains_.push_back({p_W, v_W + kScatter_mps * scatter_.Gaussian3(k, 2), clod,
-                           static_cast<std::uint16_t>(k),
-                           static_cast<float>(std::cbrt(3 * clod.volume_m3 / (4 * kPi))), kind});
+        clod.v_W_mps += kScatter_mps * scatter_.Gaussian3(k, 2);
+        clod.number = static_cast<std::uint16_t>(k);
+        clod.radius_m = static_cast<float>(std::cbrt(3 * clod.spoil.volume_m3 / (4 * kPi)));
+        grains_.push_back(clod);
       } else {
-        LayDown(p_W, clod, kind, ground);
+        LayDown(clod.p_W_m, clod.spoil, clod.kind, ground);
       }
     }
   }
@@ -131,9 +158,53 @@ void Grains::LayDown(const Vec3& p_W_m, const Spoil& spoil, Kind kind, Columns* 
   }
 }
 
+/// What a clod becomes: soil of a bank has swollen by the share of the bank's way that it has gone.
+Spoil Grains::Loosened(const Grain& grain) const {
+  Spoil spoil = grain.spoil;
+  if (grain.way_m <= 0) return spoil;
+  const double bank_m3 = spoil.mass_kg / bank_kgpm3_[spoil.soil];
+  spoil.volume_m3 += (bank_m3 - spoil.volume_m3) * grain.way_m / grain.of_way_m;
+  return spoil;
+}
+
+/// Lets a clod of a bank slide on with it, unless it has come to the end of the bank's way or meets
+/// ground that lies in it.
+bool Grains::GoesWithBank(double dt_s, const Columns& ground, Grain* grain) {
+  const Vec3 v_W = grain->v_W_mps + dt_s * grain->slide_W_mps2.cast<double>();
+  const Vec3 p_W = grain->p_W_m + dt_s * v_W;
+  grain->way_m -= static_cast<float>(dt_s * v_W.norm());
+  const bool goes_on =
+      grain->way_m > 0 && p_W.z() + grain->radius_m > ground.HeightAt(p_W.x(), p_W.y());
+  if (!goes_on) {
+    grain->way_m = std::max(0.0F, grain->way_m);
+    grain->is_free = true;
+    return false;
+  }
+  grain->v_W_mps = v_W;
+  grain->p_W_m = p_W;
+  return true;
+}
+
+/// Whether a clod that slides goes on where soil has come to lie under it: with its own energy, if
+/// it has as much; otherwise it is buried.
+bool Grains::RisesWithGround(const Columns& ground, Grain* grain) {
+  const double rise_m = ground.HeightAt(grain->p_W_m.x(), grain->p_W_m.y()) - grain->p_W_m.z();
+  if (rise_m <= 0) return true;
+  const double v2 = grain->v_W_mps.squaredNorm();
+  const double left2 = v2 - 2 * kStandardGravity_mps2 * rise_m;
+  if (left2 <= 0) return false;
+  grain->v_W_mps *= std::sqrt(left2 / v2);
+  grain->p_W_m.z() += rise_m;
+  return true;
+}
+
 bool Grains::Move(double dt_s, const Columns& ground, Grain* grain) const {
   Vec3 &p_W = grain->p_W_m, &v_W = grain->v_W_mps;
   const Vec3 before_W = p_W;
+  if (!grain->is_free && GoesWithBank(dt_s, ground, grain)) return false;
+  if (grain->kind == Kind::kFirm && grain->slid_s > 0 && !RisesWithGround(ground, grain)) {
+    return true;
+  }
   v_W += dt_s * kGravity_W;
   p_W += dt_s * v_W;
   if (ground.IsWellAbove(p_W)) return false;
@@ -178,7 +249,7 @@ void Grains::Step(double dt_s, Columns* ground) {
     Grain& grain = grains_[n];
     const Bed* bed = has_beds ? BedAt(grain.p_W_m) : nullptr;
     if (bed != nullptr ? MoveInBed(dt_s, *bed, &grain) : Move(dt_s, *ground, &grain)) {
-      LayDown(grain.p_W_m, grain.spoil, grain.kind, ground);
+      LayDown(grain.p_W_m, Loosened(grain), grain.kind, ground);
       grain = grains_.back();
       grains_.pop_back();
     } else {

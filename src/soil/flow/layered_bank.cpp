@@ -57,6 +57,12 @@ double SlipSurface::length_m() const {
   return sum_m;
 }
 
+double SlipSurface::height_m() const {
+  double sum_m = 0;
+  for (int n = 0; n < count; ++n) sum_m += part[n].height_m;
+  return sum_m;
+}
+
 LayeredBanks::LayeredBanks(const std::vector<SoilType>& soils) {
   for (const SoilType& type : soils) {
     const double phi_rad = type.friction_angle_rad, c_pa = type.cohesion_pa;

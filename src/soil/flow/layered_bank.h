@@ -39,8 +39,9 @@ struct SlipSurface {
 
   /// Height above the toe at a level distance behind it; none (infinite) behind the crack.
   double HeightAt(double behind_m) const;
-  /// Level length.
+  /// Level and upright length.
   double length_m() const;
+  double height_m() const;
 };
 
 /// Finds the surface on which a bank of layers is the least safe.

@@ -67,13 +67,23 @@ Vec2 Outward(const Columns::Place& place, double z_m, const Columns& ground) {
   return sum.norm() > kLeastLean ? Vec2(sum.normalized()) : Vec2(Vec2::Zero());
 }
 
-/// The wedge behind an edge becomes clods, in a strip as wide as the column at the edge.
-void SlideOff(const StandingWalls::Failure& failure, Columns* ground, Grains* grains) {
+/// Cuts off the wedge behind an edge, in a strip as wide as the column at the edge.
+void SlideOff(const StandingWalls::Failure& failure, Columns* ground,
+              std::vector<Grains::Broken>* broken) {
   const auto [i0, j0] = ground->PlaceOf(failure.column);
   const Vec2 edge(ground->x_m(i0), ground->y_m(j0)), out = failure.out;
   const double toe_m = failure.top_m - failure.drop_m;
+  // Down the slip surface's chord, against the friction of the soil through which it goes.
+  const double length_m = failure.slip.length_m();
+  const double chord_rad = std::atan2(failure.slip.height_m(), length_m);
+  const double friction_rad = ground->soils()[failure.soil].friction_angle_rad;
+  const Vec3 down_W(out.x() * std::cos(chord_rad), out.y() * std::cos(chord_rad),
+                    -std::sin(chord_rad));
+  const double slide_mps2 = kStandardGravity_mps2 *
+                            std::max(0.0, std::sin(chord_rad - friction_rad)) /
+                            std::cos(friction_rad);
   const double half_m = 0.5 * ground->cell_m() * (std::abs(out.x()) + std::abs(out.y()));
-  const double reach_m = std::min(kLongestWedge_m, failure.slip.length_m()) + failure.run_m;
+  const double reach_m = std::min(kLongestWedge_m, length_m) + failure.run_m;
   const int reach = static_cast<int>(std::ceil(reach_m / ground->cell_m()));
   for (int j = j0 - reach; j <= j0 + reach; ++j) {
     for (int i = i0 - reach; i <= i0 + reach; ++i) {
@@ -88,10 +98,13 @@ void SlideOff(const StandingWalls::Failure& failure, Columns* ground, Grains* gr
       const ColumnId k = ground->Touch(i, j);
       if (ground->IsBlocked(k)) continue;
       const double top_m = ground->skin(k).top_m;
-      SpoilMix slid;
-      ground->Cut(k, plane_m, &slid);
-      grains->Pour(slid, Vec3(at.x(), at.y(), plane_m), Vec3(at.x(), at.y(), top_m), Vec3::Zero(),
-                   ground, Grains::Kind::kFirm);
+      const double way_m = (failure.run_m + behind_m) / down_W.head<2>().norm();
+      broken->push_back({{},
+                         Vec3(at.x(), at.y(), plane_m),
+                         Vec3(at.x(), at.y(), top_m),
+                         slide_mps2 * down_W,
+                         out.isZero() ? 0 : way_m});
+      ground->Cut(k, plane_m, &broken->back().soil);
     }
   }
 }
@@ -226,17 +239,24 @@ std::optional<StandingWalls::Failure> StandingWalls::FailureOfLayers(ColumnId k,
   return worst;
 }
 
-bool StandingWalls::Fail(const Failure& failure, double dt_s, Columns* ground,
+void StandingWalls::Fail(const std::vector<Failure>& failures, double dt_s, Columns* ground,
                          Grains* grains) const {
-  if (failure.slip.count > 0) {
-    if (grains->is_crowded()) return false;
-    SlideOff(failure, ground, grains);
-    return true;
+  std::vector<Grains::Broken> broken;
+  for (const Failure& failure : failures) {
+    if (failure.slip.count > 0) {
+      SlideOff(failure, ground, &broken);
+      continue;
+    }
+    const double loose_m = ground->skin(failure.column).loose_m;
+    if (loose_m > kVeneer_m) continue;  // visited again when it has slid off
+    ground->Break(failure.column, loose_m + std::min(failure.overhang_m, kBreakSpeed_mps * dt_s));
   }
-  const double loose_m = ground->skin(failure.column).loose_m;
-  if (loose_m > kVeneer_m) return true;  // visited again when it has slid off
-  ground->Break(failure.column, loose_m + std::min(failure.overhang_m, kBreakSpeed_mps * dt_s));
-  return true;
+  double volume_m3 = 0;
+  for (const Grains::Broken& piece : broken) volume_m3 += piece.soil.volume_m3();
+  const double clod_m3 = grains->RoomyClod_m3(volume_m3);
+  for (const Grains::Broken& piece : broken) {
+    grains->Pour(piece, clod_m3, ground);
+  }
 }
 
 }  // namespace tera

@@ -44,8 +44,9 @@ class StandingWalls {
   explicit StandingWalls(const std::vector<SoilType>& soils);
   /// Whether the top of a column is the edge of a bank that cannot stand.
   std::optional<Failure> FailureAt(ColumnId k, const Columns& ground) const;
-  /// Lets a bank fail for `dt_s`. A wedge waits, false, while too many clods are under way.
-  bool Fail(const Failure& failure, double dt_s, Columns* ground, Grains* grains) const;
+  /// Lets banks fail for `dt_s`, wedges all at once, in clods as large as there is room for.
+  void Fail(const std::vector<Failure>& failures, double dt_s, Columns* ground,
+            Grains* grains) const;
 
  private:
   struct Limit {
