@@ -1,16 +1,29 @@
-"""Steps a TERA simulation over a socket (docs/serve.md).
+"""Reads TERA's datasets, and steps its simulations over a socket.
 
     import tera
-    with tera.make("config/scenarios/quickstart.yaml") as env:
+    dataset = tera.Dataset("out/quickstart")               # docs/python.md
+    with tera.make("config/scenarios/quickstart.yaml") as env:      # docs/serve.md; needs grpcio and protobuf
         obs, info = env.reset(seed=1)
         obs, reward, terminated, truncated, info = env.step(env.action_space.sample())
 
-Env is the environment, Session the requests below it, Server the program that answers them.
+Env is the environment, Session the requests below it, Server the program that answers them. They are imported when they
+are first used: reading datasets needs NumPy and PyYAML, and OpenCV for pictures.
 """
 
-from tera.env import Env, Patch, make
-from tera.server import Server
-from tera.session import Refused, Session, SessionEnded
-from tera.v1 import simulation_pb2 as messages
+from importlib import import_module
 
-__all__ = ["Env", "Patch", "Refused", "Server", "Session", "SessionEnded", "make", "messages"]
+from tera.data import (Box, Camera, Dataset, Diagnosis, Frame, Lens, Lidar, PoseTrack, Scan, Table, diagnosis, pose_matrix,
+                       transformed)
+
+_CLIENT = {"Env": "tera.env", "Patch": "tera.env", "make": "tera.env", "Server": "tera.server", "Refused": "tera.session",
+           "Session": "tera.session", "SessionEnded": "tera.session", "messages": "tera.v1.simulation_pb2"}
+
+__all__ = ["Box", "Camera", "Dataset", "Diagnosis", "Env", "Frame", "Lens", "Lidar", "Patch", "PoseTrack", "Refused", "Scan",
+           "Server", "Session", "SessionEnded", "Table", "diagnosis", "make", "messages", "pose_matrix", "transformed"]
+
+
+def __getattr__(name: str):
+    if name not in _CLIENT:
+        raise AttributeError(f"module 'tera' has no attribute {name!r}")
+    module = import_module(_CLIENT[name])
+    return module if name == "messages" else getattr(module, name)

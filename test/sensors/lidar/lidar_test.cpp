@@ -300,7 +300,7 @@ TEST(Lidar, ScansDoNotDependOnTheNumberOfThreads) {
   RayScene scene(OneBodyEach({CubeMesh(0.7), CubeMesh(0.4)}));
   scene.Update({{MakePose({2, 1, 1}), MakePose({-2, 1, 1})},
                 {MakePose({2, 1.5, 1}, 0.1, 0, 0), MakePose({-2, 1, 1}, 0, 0.6, 0)}},
-               Ground(201, 201, 0.1, -10, [](double x, double) { return 0.1 * x; }), {1, 1});
+               Ground(201, 201, 0.1, -10, [](double x, double) { return 0.1 * x; }));
   const PoseTrack track = Still(MakePose({0, 0, 2}));
   const LidarScan one = Scan(Preset("vlp16"), track, scene, 1);
   const LidarScan four = Scan(Preset("vlp16"), track, scene, 4);

@@ -1,0 +1,130 @@
+"""Pictures and their labels."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+
+from tera.data.lens import Lens
+from tera.data.pose import pose_matrix
+from tera.data.table import nearest
+
+
+def read_png(file: Path) -> np.ndarray:
+    """A PNG of 8 or 16 bits as it is, H x W or H x W x 3 in the order red, green, blue."""
+    try:
+        import cv2
+    except ImportError as error:
+        raise ImportError("pictures are read by OpenCV: install python3-opencv or opencv-python-headless") from error
+    picture = cv2.imread(str(file), cv2.IMREAD_UNCHANGED)
+    if picture is None:
+        raise ValueError(f"{file} is missing or no PNG")
+    return picture[..., ::-1] if picture.ndim == 3 else picture
+
+
+@dataclass(frozen=True)
+class Box:
+    """A labelled object in view."""
+
+    instance: int
+    name: str
+    label: str  #: class
+    parent: int  #: instance that it is a part of, 0 for none
+    x_min_px: int
+    y_min_px: int
+    x_max_px: int  #: inclusive, as all
+    y_max_px: int
+    visible_px: int
+    visibility: float  #: over the pixels that it alone would cover
+    X_CO: np.ndarray  #: 4 x 4, of the 3-D box's centre in the optical frame
+    size_O_m: np.ndarray
+
+
+class Frame:
+    """One exposure of a camera. Pictures are read when they are asked for; those that it has not are None."""
+
+    def __init__(self, folder: Path, filename: str, t_ns: int, lens: Lens):
+        self._folder, self._filename = folder, filename
+        self.t_ns, self.lens = t_ns, lens
+
+    def _picture(self, kind: str) -> np.ndarray | None:
+        file = self._folder / kind / self._filename
+        return read_png(file) if file.exists() else None
+
+    @cached_property
+    def rgb(self) -> np.ndarray | None:
+        """H x W x 3 uint8, sRGB."""
+        return self._picture("rgb")
+
+    @cached_property
+    def depth_m(self) -> np.ndarray | None:
+        """H x W float32, along the optical axis; 0 without a measurement."""
+        millimetres = self._picture("depth")
+        return None if millimetres is None else millimetres.astype(np.float32) * np.float32(1e-3)
+
+    @cached_property
+    def semantic(self) -> np.ndarray | None:
+        """H x W uint8, class ids."""
+        return self._picture("semantic")
+
+    @cached_property
+    def instance(self) -> np.ndarray | None:
+        """H x W uint16, instance ids, 0 for none."""
+        return self._picture("instance")
+
+    @cached_property
+    def normal_C(self) -> np.ndarray | None:
+        """H x W x 3 float32, unit normals in the optical frame; NaN where there is no surface."""
+        code = self._picture("normal")
+        if code is None:
+            return None
+        normal = code.astype(np.float32) / 32767 - 1
+        normal[~code.any(axis=2)] = np.nan
+        return normal
+
+    @cached_property
+    def boxes(self) -> list[Box]:
+        """Objects in view; empty where none were recorded."""
+        file = self._folder / "boxes" / (self._filename.rsplit(".", 1)[0] + ".json")
+        if not file.exists():
+            return []
+        with file.open(encoding="utf-8") as text:
+            entries = json.load(text)["boxes"]
+        return [Box(b["instance"], b["name"], b["class"], b.get("parent", 0), b["x_min_px"], b["y_min_px"],
+                    b["x_max_px"], b["y_max_px"], b["visible_px"], b["visibility"],
+                    pose_matrix(np.array(b["p_CO_m"]), np.array(b["q_CO_wxyz"])), np.array(b["size_O_m"]))
+                for b in entries]
+
+
+class Camera:
+    """The exposures of a camera, in the order of their times: a sequence of Frame."""
+
+    def __init__(self, folder: Path, sensor: dict):
+        self.folder, self.sensor = Path(folder), sensor
+        model = sensor.get("model") or {}
+        known = {key: model[key] for key in Lens.__dataclass_fields__ if key in model}
+        self.lens: Lens | None = Lens(**known) if {"width_px", "fx_px"} <= known.keys() else None
+        self.t_ns, self.filenames = read_frame_list(self.folder / "data.csv")
+
+    def __len__(self) -> int:
+        return len(self.t_ns)
+
+    def __getitem__(self, k: int) -> Frame:
+        if not -len(self) <= k < len(self):
+            raise IndexError(f"{self.folder} has {len(self)} frames; asked for number {k}")
+        return Frame(self.folder, self.filenames[k], int(self.t_ns[k]), self.lens)
+
+    def at(self, t_ns: int) -> Frame:
+        """The frame whose time is nearest."""
+        return self[nearest(self.t_ns, t_ns, str(self.folder))]
+
+
+def read_frame_list(file: Path) -> tuple[np.ndarray, list[str]]:
+    """Stamps and file names of a sensor whose measurements are files."""
+    with file.open(encoding="utf-8") as lines:
+        rows = [line.rstrip("\n").split(",") for line in lines][1:]
+    return np.array([int(row[0]) for row in rows], dtype=np.int64), [row[1] for row in rows]
