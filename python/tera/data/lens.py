@@ -29,12 +29,12 @@ class Lens:
     @property
     def K(self) -> np.ndarray:
         """3 x 3 camera matrix."""
-        return np.array([[self.fx_px, 0, self.cx_px], [0, self.fy_px, self.cy_px], [0, 0, 1]])
+        return np.array([[self.fx_px, 0, self.cx_px], [0, self.fy_px, self.cy_px], [0, 0, 1]], dtype=float)
 
     @property
     def distortion(self) -> np.ndarray:
         """k1, k2, p1, p2, k3, in OpenCV's order."""
-        return np.array([self.k1, self.k2, self.p1, self.p2, self.k3])
+        return np.array([self.k1, self.k2, self.p1, self.p2, self.k3], dtype=float)
 
     def project(self, p_C_m: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Pixels (u, v), N x 2, and depths z, N, of N x 3 points in C. Points behind the camera have pixels NaN."""

@@ -25,12 +25,13 @@ class Table:
 
     def _rows(self) -> tuple[np.ndarray, np.ndarray]:
         if self._read is None:
-            t_ns = np.loadtxt(self.file, delimiter=",", skiprows=1, usecols=0, dtype=np.int64, ndmin=1)
-            values = np.empty((len(t_ns), 0))
-            if self.columns:
-                usecols = range(1, 1 + len(self.columns))
-                values = np.loadtxt(self.file, delimiter=",", skiprows=1, usecols=usecols, ndmin=2)
-            self._read = t_ns, values.reshape(len(t_ns), len(self.columns))
+            with self.file.open(encoding="utf-8") as lines:
+                rows = lines.read().splitlines()[1:]
+            t_ns = np.array([row.partition(",")[0] for row in rows], dtype=np.int64)
+            values = np.empty((len(rows), len(self.columns)))
+            if values.size:
+                values[:] = np.loadtxt(rows, delimiter=",", usecols=range(1, 1 + len(self.columns)), ndmin=2)
+            self._read = t_ns, values
         return self._read
 
     @property
