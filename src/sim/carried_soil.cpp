@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <utility>
 
@@ -20,7 +19,7 @@ constexpr double kLeastLoad = 1e-4;  ///< of the capacity: less is dust on the s
 constexpr double kSkirt_m = 0.006;   ///< the skirt's distance from the shell
 constexpr double kRoughness = 0.95;  ///< of the material
 constexpr double kToneRange = 0.30;  ///< of brightness, from grain to grain
-constexpr double kUnmixed = 0.5;     ///< of a grain's own colour; the rest is the mean
+constexpr double kUnmixed = 0.25;    ///< of a grain's own colour; the rest is the mean
 
 /// Clods as noise: rounded tops with creases between them.
 ///
@@ -32,8 +31,8 @@ struct Clods {
   explicit Clods(const SoilType& soil) {
     constexpr double kLumpy_pa = 8e3;
     const double lumpiness = std::min(1.0, soil.cohesion_pa / kLumpy_pa);
-    size_m = 0.07 + 0.06 * lumpiness;
-    depth_m = 0.008 + 0.027 * lumpiness + 0.3 * soil.grain_size_m;
+    size_m = 0.06 + 0.05 * lumpiness;
+    depth_m = 0.010 + 0.032 * lumpiness + 0.3 * soil.grain_size_m;
   }
   /// Below their tops.
   double Depth_m(double along_m, double across_m) const {
@@ -54,20 +53,23 @@ double GrainNumber(const Vec2& place_m, double offset) {
   return double(noise.At(square(place_m.x()) + offset, square(place_m.y()) + offset));
 }
 
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
 /// The edges of a surface that belong to one triangle, each in its triangle's direction.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> BorderOf(const HeapSurface& surface) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> count;
+std::vector<Edge> BorderOf(const HeapSurface& surface) {
+  std::vector<std::pair<Edge, Edge>> edges;  // the ends in order, and as the triangle has them
   for (const auto& t : surface.triangles) {
     for (int e = 0; e < 3; ++e) {
-      const auto edge = std::minmax(t[e], t[(e + 1) % 3]);
-      ++count[edge];
+      const Edge edge(t[e], t[(e + 1) % 3]);
+      edges.emplace_back(std::minmax(edge.first, edge.second), edge);
     }
   }
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> border;
-  for (const auto& t : surface.triangles) {
-    for (int e = 0; e < 3; ++e) {
-      if (count[std::minmax(t[e], t[(e + 1) % 3])] == 1) border.push_back({t[e], t[(e + 1) % 3]});
-    }
+  std::sort(edges.begin(), edges.end());
+  std::vector<Edge> border;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const bool is_shared = (k > 0 && edges[k - 1].first == edges[k].first) ||
+                           (k + 1 < edges.size() && edges[k + 1].first == edges[k].first);
+    if (!is_shared) border.push_back(edges[k].second);
   }
   return border;
 }

@@ -13,9 +13,9 @@ namespace tera {
 ///
 /// Frames  B frame of the shovel's link.
 /// Model   The surface of HeapSurface at the angle of repose of the soil of which most is carried,
-///         roughened by clods below it: of cohesive soil larger ones than of sand. Each point has
-///         the colour of one of the soils carried, drawn by their shares of the volume, half mixed
-///         with the mean of all. A skirt hangs from its border into the shell.
+///         roughened by clods below it: of cohesive soil larger ones than of sand. The colour of
+///         each point is for a quarter that of one of the soils carried, drawn by their shares of
+///         the volume, and else the mean of all. A skirt hangs from its border into the shell.
 /// Omits   layers, in which soils came in: a shovel knows how much of each it carries, not where.
 ///         Clods keep their places in the shovel while soil slides under them.
 class CarriedSoil {

@@ -67,9 +67,10 @@ TEST(CarriedSoil, MixesSoilsByTheirShareOfTheVolume) {
   Vec3 mean = Vec3::Zero();
   const auto& albedos = shape->parts[0].albedos;
   for (const Eigen::Vector3f& albedo : albedos) mean += albedo.cast<double>() / albedos.size();
-  // Some 1300 grains, half of whose colour is one soil's or the other's, of standard deviation 0.43
-  // of their difference, and whose brightness varies by 0.09: five standard errors are 4 %.
-  EXPECT_LT((mean - mixed).cwiseAbs().maxCoeff(), 0.04 * mixed.maxCoeff());
+  // Some 1300 grains, a quarter of whose colour is one soil's or the other's, of standard deviation
+  // 0.43 of their difference, and whose brightness varies by 0.09: five standard errors are 2 %;
+  // points of the border count more often, for the skirt.
+  EXPECT_LT((mean - mixed).cwiseAbs().maxCoeff(), 0.03 * mixed.maxCoeff());
 }
 
 TEST(CarriedSoil, BoxHoldsTheHeapAsItLiesAndNoMore) {
@@ -100,10 +101,9 @@ TEST(CarriedSoil, SameLoadInTheSamePositionLooksTheSame) {
   // Turned about the vertical it lies as before, tilted it does not.
   const Pose turned = MakePose(Vec3(1, 0, 0), RotationFromRpy(0, 0, 0.5)) * kX_WB;
   const Pose tilted = kX_WB * MakePose(Vec3::Zero(), RotationFromRpy(0, 0.1, 0));
-  const auto& p = a->parts[0].positions_m;
-  const auto& q = soil.Shape(Load(0.05, {70}), turned)->parts[0].positions_m;
-  ASSERT_EQ(p.size(), q.size());
-  for (std::size_t k = 0; k < p.size(); ++k) EXPECT_LT((p[k] - q[k]).norm(), 1e-5f);
+  const auto again = soil.Shape(Load(0.05, {70}), turned);
+  EXPECT_LT((a->box_min_B_m - again->box_min_B_m).norm(), 1e-6);
+  EXPECT_LT((a->box_max_B_m - again->box_max_B_m).norm(), 1e-6);
   EXPECT_FALSE(AreAlike(a.get(), soil.Shape(Load(0.05, {70}), tilted).get()));
 }
 

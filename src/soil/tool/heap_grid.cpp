@@ -110,26 +110,51 @@ void HeapGrid::CutSlices(const ShovelShape& shape, double cell_m) {
   std::erase_if(slices_, [](const Slice& s) { return !(s.ceiling_m > s.floor_m); });
 }
 
-/// Points of the mouth's rim: both lips, and the tops of the side walls between them.
-std::vector<Vec3> HeapGrid::Rim() const {
-  std::vector<Vec3> rim_m;
+/// The mouth's rim: both lips, and the tops of the side walls between them.
+std::array<HeapGrid::RimSide, 4> HeapGrid::Rim() const {
+  std::array<RimSide, 4> rim_m;
   for (const double y_m : ys_m_) {
-    for (const Vec2& lip : {top_lip_, edge_lip_}) rim_m.emplace_back(lip.x(), y_m, lip.y());
+    rim_m[0].emplace_back(top_lip_.x(), y_m, top_lip_.y());
+    rim_m[1].emplace_back(edge_lip_.x(), y_m, edge_lip_.y());
   }
   const Vec2 mouth = edge_lip_ - top_lip_;
   for (const Slice& slice : slices_) {
     const double s = (slice.x_m - top_lip_.x()) / mouth.x();
     if (!(s > 0 && s < 1)) continue;
-    for (const double y_m : {ys_m_.front(), ys_m_.back()}) {
-      rim_m.emplace_back(slice.x_m, y_m, top_lip_.y() + s * mouth.y());
-    }
+    const double z_m = top_lip_.y() + s * mouth.y();
+    rim_m[2].emplace_back(slice.x_m, ys_m_.front(), z_m);
+    rim_m[3].emplace_back(slice.x_m, ys_m_.back(), z_m);
   }
   return rim_m;
 }
 
+/// What the cones of all points of the rim leave of each column. Along a side of the rim the height
+/// that its points leave is convex: the point that leaves least is near that of the column before.
 void HeapGrid::Limit(double slope_rad, const HeapRelief& relief) {
   const Cone cone(slope_rad, up_y_, up_z_);
-  const std::vector<Vec3> rim_m = Rim();
+  const std::array<RimSide, 4> rim_m = Rim();
+  std::array<std::size_t, 4> least{};
+  const auto most_m = [&](double x_m, double y_m) {
+    double most_m = kOpen;
+    for (std::size_t side = 0; side < rim_m.size(); ++side) {
+      const RimSide& points_m = rim_m[side];
+      if (points_m.empty()) continue;
+      const auto leaves_m = [&](std::size_t k) {
+        return points_m[k].z() + cone.Rise_m(x_m - points_m[k].x(), y_m - points_m[k].y());
+      };
+      std::size_t& k = least[side];
+      double at_m = leaves_m(k);
+      for (const int step : {1, -1}) {
+        while (k + step < points_m.size()) {  // beyond 0 it is the largest number
+          const double next_m = leaves_m(k + step);
+          if (next_m >= at_m) break;
+          k += step, at_m = next_m;
+        }
+      }
+      most_m = std::min(most_m, at_m);
+    }
+    return most_m;
+  };
   const Vec2 mouth = edge_lip_ - top_lip_;
   const double middle_m = 0.5 * (top_lip_.x() + edge_lip_.x());
   const double round_m = kRoundTop * mouth.norm(), mound = kMound * std::tan(slope_rad);
@@ -137,19 +162,13 @@ void HeapGrid::Limit(double slope_rad, const HeapRelief& relief) {
   for (std::size_t n = 0; n < slices_.size() * ys_m_.size(); ++n) {
     const Slice& slice = slices_[n / ys_m_.size()];
     const double y_m = ys_m_[n % ys_m_.size()];
-    Limits limits{0, kOpen, 0};
-    limits.mound_m =
-        mound * (round_m - std::hypot(slice.x_m - middle_m, y_m, round_m)) - y_m * up_y_ / up_z_;
-    for (const Vec3& q_m : rim_m) {
-      const double most_m = q_m.z() + cone.Rise_m(slice.x_m - q_m.x(), y_m - q_m.y());
-      limits.most_m = std::min(limits.most_m, most_m);
-    }
-    limits_.push_back(limits);
+    const double from_top_m = std::hypot(slice.x_m - middle_m, y_m, round_m) - round_m;
     const Vec2 place_m = PlaceOf(n);
-    limits_.back().relief_m = relief(place_m.x(), place_m.y());
+    limits_.push_back({-mound * from_top_m - y_m * up_y_ / up_z_, most_m(slice.x_m, y_m),
+                       relief(place_m.x(), place_m.y())});
     if (!slice.holds) continue;
-    lowest_m_ = std::min(lowest_m_, slice.floor_m - limits.mound_m);
-    highest_m_ = std::max(highest_m_, limits.most_m - limits.mound_m);
+    lowest_m_ = std::min(lowest_m_, slice.floor_m - limits_[n].mound_m);
+    highest_m_ = std::max(highest_m_, limits_[n].most_m - limits_[n].mound_m);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -56,7 +57,9 @@ class HeapGrid {
   Vec2 Level(const Vec2& p_B) const { return Vec2(p_B.dot(right_), p_B.dot(up_)); }
   void CutSlices(const ShovelShape& shape, double cell_m);
   Slice SliceAt(const std::vector<Vec2>& outline, double x_m) const;
-  std::vector<Vec3> Rim() const;
+  /// Points along one side of the mouth's rim.
+  using RimSide = std::vector<Vec3>;
+  std::array<RimSide, 4> Rim() const;
   void Limit(double slope_rad, const HeapRelief& relief);
 
   Vec2 right_, up_;

@@ -12,7 +12,7 @@ namespace {
 constexpr double kCoarse = 3;    ///< cells of the grid that tries stances, over those of the last
 constexpr int kTurns = 6;        ///< bisections of how far a heap is turned
 constexpr int kSlopes = 6;       ///< bisections of how steep it stands
-constexpr int kLevels = 26;      ///< bisections of how high it is filled
+constexpr int kLevels = 18;      ///< bisections of how high it is filled
 constexpr double kSpare = 1.02;  ///< of the volume, that a stance on the coarse grid must hold
 constexpr double kSteepest_rad = 85 * kDeg;
 constexpr double kLeastUp = 0.05;  ///< of up in the profile's plane
@@ -68,7 +68,8 @@ Stance FindStance(const ShovelShape& shape, const CarriedHeap& heap, double cell
 /// Collects the triangles of a surface, cut off where it meets the shell.
 class Cutter {
  public:
-  Cutter(const HeapGrid& grid, double level_m) : grid_(grid), columns_(grid.FilledTo(level_m)) {}
+  Cutter(const HeapGrid& grid, double level_m)
+      : grid_(grid), columns_(grid.FilledTo(level_m)), at_column_(columns_.size(), kNone) {}
 
   void Add(const std::array<std::size_t, 3>& corners) {
     if (std::all_of(corners.begin(), corners.end(),
@@ -91,9 +92,10 @@ class Cutter {
  private:
   /// The surface at column `a`, or where it meets the shell between `a` and `b`.
   std::uint32_t Point(std::size_t a, std::size_t b) {
-    const auto [entry, is_new] =
-        points_.try_emplace({a, b}, static_cast<std::uint32_t>(points_.size()));
-    if (!is_new) return entry->second;
+    std::uint32_t& known =
+        a == b ? at_column_[a] : crossings_.try_emplace({a, b}, kNone).first->second;
+    if (known != kNone) return known;
+    known = static_cast<std::uint32_t>(surface_.p_B_m.size());
     const double depth_a_m = columns_[a].depth_m(), depth_b_m = columns_[b].depth_m();
     const double s = a == b ? 0.0 : depth_a_m / (depth_a_m - depth_b_m);
     const auto between = [&](const auto& at_a, const auto& at_b) {
@@ -104,12 +106,14 @@ class Cutter {
     surface_.floor_B_m.push_back(
         between(grid_.At_B(a, columns_[a].floor_m), grid_.At_B(b, columns_[b].floor_m)));
     surface_.place_m.push_back(between(grid_.PlaceOf(a), grid_.PlaceOf(b)));
-    return entry->second;
+    return known;
   }
 
   const HeapGrid& grid_;
   std::vector<HeapGrid::Column> columns_;
-  std::map<std::pair<std::size_t, std::size_t>, std::uint32_t> points_;
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  std::vector<std::uint32_t> at_column_;  ///< points
+  std::map<std::pair<std::size_t, std::size_t>, std::uint32_t> crossings_;
   HeapSurface surface_;
 };
 
