@@ -6,11 +6,13 @@ layout(location = 4) in vec4 a_row0;
 layout(location = 5) in vec4 a_row1;
 layout(location = 6) in vec4 a_row2;
 layout(location = 7) in uint a_label;
+layout(location = 8) in vec2 a_uv;
 
 uniform mat4 u_clip_from_relative;
 
 out vec3 v_relative_W;
 out vec3 v_normal_W;
+out vec2 v_uv;
 flat out vec4 v_albedo_opacity;
 flat out vec4 v_roughness_metallic;
 flat out uint v_label;
@@ -24,4 +26,5 @@ void main() {
   v_albedo_opacity = a_albedo_opacity;
   v_roughness_metallic = a_roughness_metallic;
   v_label = a_label;
+  v_uv = a_uv;
 }

@@ -4,6 +4,7 @@ uniform sampler2D u_albedo;
 uniform sampler2D u_normal;
 uniform sampler2D u_depth;
 uniform sampler2D u_occlusion;
+uniform usampler2D u_label;  // bits 24 to 31: share of the sky that a node's own map shuts out
 uniform sampler2D u_ground_shadow;
 uniform sampler2DShadow u_shadow;
 uniform mat3 u_R_WC;
@@ -80,7 +81,8 @@ void main() {
   if (!is_ground) direct += fresnel * Specular(n_l, n_v, max(dot(n, h), 0.0), roughness);
   vec3 radiance = min(direct * sun, vec3(20.0)) * u_sun;
 
-  float open = sky_factor * occlusion;
+  float shut = float(texelFetch(u_label, pixel, 0).x >> 24) / 255.0;
+  float open = sky_factor * occlusion * (1.0 - shut);
   radiance += albedo * ((1.0 - metallic) * open) * SkyDiffuse(n);
   if (!is_ground) {
     vec3 env = f0 + (max(vec3(1.0 - roughness), f0) - f0) * FresnelPower(n_v);

@@ -11,7 +11,7 @@ int SceneModel::AddMesh(const std::filesystem::path& file, const std::string& no
   const auto same = std::find_if(meshes.begin(), meshes.end(),
                                  [&](const Mesh& mesh) { return mesh.name == name; });
   if (same != meshes.end()) return static_cast<int>(same - meshes.begin());
-  meshes.push_back(LoadMesh(file, node));
+  meshes.push_back(LoadMesh(file, node, &textures));
   return static_cast<int>(meshes.size()) - 1;
 }
 

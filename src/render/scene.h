@@ -67,6 +67,7 @@ struct Environment {
 /// The constant part.
 struct SceneModel {
   std::vector<Mesh> meshes;
+  Textures textures;  ///< of meshes
   std::vector<SceneNode> nodes;
   std::vector<SceneInstance> instances;  ///< instances[0] is "none"
   std::vector<SoilAppearance> soils;

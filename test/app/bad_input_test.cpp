@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/refused.h"
+#include "render/meshes/textured_gltf.h"
 
 // Bad scenarios, machines, recordings and arguments.
 
@@ -54,6 +55,23 @@ TEST(BadInput, AMeshThatIsNoneIsRefusedByItsName) {
       scratch, WithObstacle("rock.glb"),
       AllOf(StartsWith(At(WithObstacle("rock.glb"), "rock.glb") + "obstacles[0].mesh: "),
             HasSubstr("rock.glb: not a readable glTF"), HasSubstr("export it")));
+}
+
+TEST(BadInput, AMeshWhosePictureIsMissingOrNoneIsRefusedWithWhatIsNeeded) {
+  const ScratchDirectory scratch;
+  testing_mesh::WriteTexturedSquare(scratch.path(), R"("normalTexture":{"index":0})",
+                                    R"({"uri":"paint.png"})", 1);
+  const std::string scenario = WithObstacle("square.gltf");
+  const std::string place = At(scenario, "square.gltf") + "obstacles[0].mesh: ";
+  ExpectScenarioRefused(scratch, scenario,
+                        AllOf(StartsWith(place), HasSubstr("material 'paint' needs the picture "
+                                                           "'paint.png', which is missing")));
+  WriteWholeFile(scratch.path() / "paint.png", "no picture");
+  ExpectScenarioRefused(scratch, scenario,
+                        AllOf(StartsWith(place),
+                              HasSubstr("has 'paint.png', 10 bytes that are no "
+                                        "picture"),
+                              HasSubstr("need PNG or JPEG: export the file again")));
 }
 
 TEST(BadInput, AMeshWithoutTheNodeIsRefusedWithItsPlace) {

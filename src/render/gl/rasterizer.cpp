@@ -78,6 +78,7 @@ struct Rasterizer::Impl {
   Program blur_program{"fullscreen.vert", "blur.frag"};
   Program shade_program{"fullscreen.vert", "shade.frag"};
   Program sky_program{"fullscreen.vert", "sky.frag"};
+  Program emissive_program{"node.vert", "emissive.frag"};
   Program glass_program{"node.vert", "glass.frag"};
   Program glass_label_program{"node.vert", "label.frag"};
   Program tone_program{"fullscreen.vert", "tone.frag"};
@@ -109,6 +110,7 @@ struct Rasterizer::Impl {
   void Occlude(const View& view, const Pictures& p);
   void Shade(const View& view, const Pictures& p);
   void DrawSky(const View& view, const Pictures& p);
+  void DrawLights(const View& view, const Pictures& p);
   void DrawGlass(const View& view, const Pictures& p);
   void Develop(const Pictures& p);
   void Distort(const Lens& lens, const Pictures& from, const LensPictures& to);
@@ -173,7 +175,7 @@ void Rasterizer::Impl::DrawGeometry(const View& view, const Pictures& p) {
   glDepthFunc(GL_GREATER);
   node_program.Use();
   node_program.Set("u_clip_from_relative", view.ClipFromRelative());
-  nodes.Draw(NodeRenderer::Surface::kOpaque);
+  nodes.Draw(NodeRenderer::Surface::kOpaque, &node_program);
   if (has_ground) {
     grains.Draw();
     terrain.Draw(view);
@@ -212,6 +214,9 @@ void Rasterizer::Impl::Shade(const View& view, const Pictures& p) {
   shade_program.Set("u_normal", 1);
   shade_program.Set("u_depth", 2);
   shade_program.Set("u_occlusion", 3);
+  constexpr unsigned kLabel = 8;
+  glBindTextureUnit(kLabel, p.label.id());
+  shade_program.Set("u_label", static_cast<int>(kLabel));
   shade_program.Set("u_ground_shadow", static_cast<int>(kGround) + 2);
   shade_program.Set("u_shadow", static_cast<int>(kShadow));
   if (has_ground) {
@@ -237,6 +242,24 @@ void Rasterizer::Impl::DrawSky(const View& view, const Pictures& p) {
   daylight.Light(sky_program);
   SetView(view, sky_program);
   FillScreen();
+  glDepthMask(GL_TRUE);
+  glDisable(GL_DEPTH_TEST);
+}
+
+/// Adds the light that surfaces give themselves, where they are what is seen.
+void Rasterizer::Impl::DrawLights(const View& view, const Pictures& p) {
+  if (!nodes.has_lights()) return;
+  glBindFramebuffer(GL_FRAMEBUFFER, p.sky_target.id());
+  glEnable(GL_DEPTH_TEST);
+  glDepthMask(GL_FALSE);
+  glDepthFunc(GL_GEQUAL);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  emissive_program.Use();
+  emissive_program.Set("u_clip_from_relative", view.ClipFromRelative());
+  daylight.Light(emissive_program);
+  nodes.DrawLights(emissive_program);
+  glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   glDisable(GL_DEPTH_TEST);
 }
@@ -289,6 +312,7 @@ void Rasterizer::Impl::DrawPinhole(const View& view, const SceneState& state, co
   DrawGeometry(view, p);
   Occlude(view, p);
   Shade(view, p);
+  DrawLights(view, p);
   DrawSky(view, p);
   DrawGlass(view, p);
   Develop(p);

@@ -25,11 +25,16 @@ std::string MeshName(const std::filesystem::path& file, const std::string& node)
   return node.empty() ? file.string() : file.string() + "#" + node;
 }
 
-Mesh LoadMesh(const std::filesystem::path& file, const std::string& node) {
+Mesh LoadMesh(const std::filesystem::path& file, const std::string& node, Textures* textures) {
   RequireFile(file);
-  Mesh mesh = IsGltf(file) ? LoadGltf(file, node) : LoadWithAssimp(file, node);
+  Mesh mesh = IsGltf(file) ? LoadGltf(file, node, textures) : LoadWithAssimp(file, node);
   mesh.name = MeshName(file, node);
   return mesh;
+}
+
+Mesh LoadMesh(const std::filesystem::path& file, const std::string& node) {
+  Textures own;
+  return LoadMesh(file, node, &own);
 }
 
 }  // namespace tera

@@ -12,9 +12,10 @@ namespace tera {
 ///
 /// Frames  glTF has y up; our frames have z up: p = (x, -z, y) of the file's numbers. With a node
 ///         name, the node and its children in that node's own frame; without, the whole scene.
-/// Omits   textures, skins, morph targets, cameras, lights.
+/// Model   Textures come from `textures` where they are there already, and are put there.
+/// Omits   skins, morph targets, cameras, lights.
 /// Throws  InputError naming the file, what is wrong and, for an unknown node, the nodes there are.
-Mesh LoadGltf(const std::filesystem::path& file, const std::string& node);
+Mesh LoadGltf(const std::filesystem::path& file, const std::string& node, Textures* textures);
 
 /// Meshes of OBJ, STL or DAE files, by assimp; z up, metres, as they are.
 Mesh LoadWithAssimp(const std::filesystem::path& file, const std::string& node);

@@ -2,8 +2,12 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <array>
+#include <cstring>
+#include <limits>
 
 #include "core/error.h"
+#include "render/meshes/gltf_textures.h"
 #include "render/meshes/mesh_file.h"
 
 namespace tera {
@@ -13,12 +17,6 @@ constexpr int kMaxNodeDepth = 100;
 
 [[noreturn]] void Refuse(const std::filesystem::path& file, const std::string& finding) {
   throw InputError(fmt::format("{}: {}", file.string(), finding));
-}
-
-/// Textures are not used, so that images are not decoded either.
-bool SkipImage(tinygltf::Image*, const int, std::string*, std::string*, int, int,
-               const unsigned char*, int, void*) {
-  return true;
 }
 
 /// tinygltf's own reading, which also enters the path in the list at `read`.
@@ -32,7 +30,7 @@ bool ReadAndNote(std::vector<unsigned char>* bytes, std::string* error, const st
 tinygltf::Model ReadModel(const std::filesystem::path& file,
                           std::vector<std::filesystem::path>* read) {
   tinygltf::TinyGLTF loader;
-  loader.SetImageLoader(SkipImage, nullptr);
+  loader.SetImageLoader(KeepImageBytes, nullptr);
   loader.SetFsCallbacks({.FileExists = tinygltf::FileExists,
                          .ExpandFilePath = tinygltf::ExpandFilePath,
                          .ReadWholeFile = ReadAndNote,
@@ -85,6 +83,28 @@ class Accessor {
 
   std::size_t count() const { return accessor_->count; }
 
+  /// Texture coordinates, of whichever of glTF's three forms.
+  Eigen::Vector2f Uv(std::size_t i) const {
+    if (accessor_->type != TINYGLTF_TYPE_VEC2) Refuse(file_, "has coordinates that are not pairs");
+    const unsigned char* at = first_ + i * stride_;
+    const auto pair = [&]<typename T>(T scale) {
+      std::array<T, 2> v;
+      std::memcpy(v.data(), at, sizeof(v));
+      return Eigen::Vector2f(static_cast<float>(v[0]) / static_cast<float>(scale),
+                             static_cast<float>(v[1]) / static_cast<float>(scale));
+    };
+    switch (accessor_->componentType) {
+      case TINYGLTF_COMPONENT_TYPE_FLOAT:
+        return pair(1.0f);
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return pair(std::numeric_limits<std::uint8_t>::max());
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return pair(std::numeric_limits<std::uint16_t>::max());
+      default:
+        Refuse(file_, "has coordinates that are not floats or unsigned integers");
+    }
+  }
+
   Eigen::Vector3f Vector3(std::size_t i) const {
     if (accessor_->componentType != TINYGLTF_COMPONENT_TYPE_FLOAT ||
         accessor_->type != TINYGLTF_TYPE_VEC3) {
@@ -122,10 +142,14 @@ class Accessor {
   std::size_t stride_ = 0;
 };
 
-Material ReadMaterial(const tinygltf::Model& model, int index) {
+Material ReadMaterial(const std::filesystem::path& file, const tinygltf::Model& model, int index,
+                      Textures* textures) {
   Material material;
   if (index < 0 || index >= static_cast<int>(model.materials.size())) return material;
   const tinygltf::PbrMetallicRoughness& pbr = model.materials[index].pbrMetallicRoughness;
+  const std::vector<double>& emission = model.materials[index].emissiveFactor;
+  material.emission = {emission[0], emission[1], emission[2]};
+  material.textures = ReadTextures(file, model, model.materials[index], textures);
   const std::vector<double>& colour = pbr.baseColorFactor;
   material.albedo = {colour[0], colour[1], colour[2]};
   if (model.materials[index].alphaMode == "BLEND") material.opacity = colour[3];
@@ -135,6 +159,9 @@ Material ReadMaterial(const tinygltf::Model& model, int index) {
   if (extras.IsObject() && extras.Has("lidar_reflectance") &&
       extras.Get("lidar_reflectance").IsNumber()) {
     material.lidar_reflectance = extras.Get("lidar_reflectance").GetNumberAsDouble();
+  } else if (material.textures.base_colour) {
+    const Vec3 mean = MeanAlbedo(*material.textures.base_colour);
+    material.lidar_reflectance = material.albedo.cwiseProduct(mean).mean();
   }
   return material;
 }
@@ -161,6 +188,7 @@ struct Reader {
   const std::filesystem::path& file;
   const tinygltf::Model& model;
   Mesh* mesh;
+  Textures* textures;
 
   /// p = (x, -z, y): the file's y-up axes to z up.
   static Mat3 ZUp() {
@@ -178,7 +206,7 @@ struct Reader {
     const Eigen::Affine3f X_up((Eigen::Affine3d(ZUp()) * X).cast<float>());
     const Eigen::Matrix3f normal_map = X_up.linear().inverse().transpose();
     MeshPart part;
-    part.material = ReadMaterial(model, primitive.material);
+    part.material = ReadMaterial(file, model, primitive.material, textures);
     const Accessor positions(file, model, position->second);
     for (std::size_t i = 0; i < positions.count(); ++i) {
       part.positions_m.push_back(X_up * positions.Vector3(i));
@@ -196,7 +224,27 @@ struct Reader {
         part.normals.push_back(normal_map * normals.Vector3(i));
       }
     }
+    AddUvs(primitive, &part);
     mesh->parts.push_back(std::move(part));
+  }
+
+  /// Texture coordinates, where the part has textures.
+  void AddUvs(const tinygltf::Primitive& primitive, MeshPart* part) {
+    if (!part->material.textures.any()) return;
+    const tinygltf::Material& material = model.materials[primitive.material];
+    const std::string name = fmt::format("TEXCOORD_{}", UvSetOf(file, material).value_or(0));
+    const auto uv = primitive.attributes.find(name);
+    if (uv == primitive.attributes.end()) {
+      Refuse(file, fmt::format("has triangles of material '{}', which has textures, without {}; "
+                               "export it again with texture coordinates",
+                               material.name, name));
+    }
+    const Accessor uvs(file, model, uv->second);
+    for (std::size_t i = 0; i < uvs.count(); ++i) part->uvs.push_back(uvs.Uv(i));
+    if (part->uvs.size() != part->positions_m.size()) {
+      Refuse(file, fmt::format("has {} texture coordinates for {} vertices; export it again",
+                               part->uvs.size(), part->positions_m.size()));
+    }
   }
 
   void AddNode(int index, const Eigen::Affine3d& X_root_parent, bool is_root, int depth) {
@@ -244,10 +292,10 @@ std::vector<std::string> NamesOf(const tinygltf::Model& model) {
 
 }  // namespace
 
-Mesh LoadGltf(const std::filesystem::path& file, const std::string& node) {
+Mesh LoadGltf(const std::filesystem::path& file, const std::string& node, Textures* textures) {
   Mesh mesh;
   const tinygltf::Model model = ReadModel(file, &mesh.files);
-  Reader reader{file, model, &mesh};
+  Reader reader{file, model, &mesh, textures};
   const Eigen::Affine3d identity = Eigen::Affine3d::Identity();
   if (node.empty()) {
     for (int root : RootNodes(model)) reader.AddNode(root, identity, false, 0);

@@ -16,6 +16,7 @@ struct Vertex {
   std::int16_t normal[4];
   std::uint8_t albedo_opacity[4];      // albedo as square roots, to spend 8 bits where eyes see
   std::uint8_t roughness_metallic[4];  // the last two are unused
+  float uv[2];
 };
 
 struct NodeInstance {
@@ -40,6 +41,7 @@ void AppendVertices(const MeshPart& part, std::vector<Vertex>* vertices) {
     v.albedo_opacity[3] = Unorm8(m.opacity);
     v.roughness_metallic[0] = Unorm8(m.roughness);
     v.roughness_metallic[1] = Unorm8(m.metallic);
+    for (int k = 0; k < 2 && !part.uvs.empty(); ++k) v.uv[k] = part.uvs[i][k];
     vertices->push_back(v);
   }
 }
@@ -60,6 +62,7 @@ void DescribeVertices(GLuint array) {
   attribute(1, 4, GL_SHORT, true, offsetof(Vertex, normal), 0);
   attribute(2, 4, GL_UNSIGNED_BYTE, true, offsetof(Vertex, albedo_opacity), 0);
   attribute(3, 4, GL_UNSIGNED_BYTE, true, offsetof(Vertex, roughness_metallic), 0);
+  attribute(8, 2, GL_FLOAT, false, offsetof(Vertex, uv), 0);
   for (GLuint row = 0; row < 3; ++row) {
     attribute(4 + row, 4, GL_FLOAT, false, row * 4 * sizeof(float), 1);
   }
@@ -81,22 +84,41 @@ struct NodeRenderer::Collected {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
 
-  GpuMesh Add(const std::vector<MeshPart>& parts) {
+  GpuMesh Add(const std::vector<MeshPart>& parts, TextureBank* textures) {
     GpuMesh mesh;
     mesh.first_vertex = static_cast<int>(vertices.size());
-    for (const bool glass : {false, true}) {
-      Range& range = glass ? mesh.glass : mesh.opaque;
-      range.first_index = static_cast<int>(indices.size());
+    for (const Surface surface : {Surface::kOpaque, Surface::kGlass}) {
+      Batch plain = Begin(surface, TextureBank::kPlain);
+      std::vector<std::pair<int, const MeshPart*>> rich;
       for (const MeshPart& part : parts) {
-        if ((part.material.opacity < 1.0) != glass) continue;
-        AppendIndices(part, static_cast<std::uint32_t>(vertices.size() - mesh.first_vertex),
-                      &indices);
-        AppendVertices(part, &vertices);
-        for (const Eigen::Vector3f& p : part.positions_m) mesh.box_G_m.extend(p.cast<double>());
+        const bool is_glass = part.material.opacity < 1.0;
+        if (is_glass != (surface == Surface::kGlass)) continue;
+        const int look = is_glass ? TextureBank::kPlain : textures->Add(part.material);
+        if (look != TextureBank::kPlain) {
+          rich.emplace_back(look, &part);
+        } else {
+          AddTo(&plain, part, &mesh);
+        }
       }
-      range.index_count = static_cast<int>(indices.size()) - range.first_index;
+      if (plain.index_count > 0) mesh.batches.push_back(plain);
+      for (const auto& [look, part] : rich) {
+        Batch batch = Begin(surface, look);
+        AddTo(&batch, *part, &mesh);
+        mesh.batches.push_back(batch);
+      }
     }
     return mesh;
+  }
+
+ private:
+  Batch Begin(Surface surface, int look) const {
+    return {surface, look, static_cast<int>(indices.size()), 0};
+  }
+  void AddTo(Batch* batch, const MeshPart& part, GpuMesh* mesh) {
+    AppendIndices(part, static_cast<std::uint32_t>(vertices.size() - mesh->first_vertex), &indices);
+    AppendVertices(part, &vertices);
+    for (const Eigen::Vector3f& p : part.positions_m) mesh->box_G_m.extend(p.cast<double>());
+    batch->index_count = static_cast<int>(indices.size()) - batch->first_index;
   }
 };
 
@@ -105,9 +127,14 @@ NodeRenderer::NodeRenderer(const SceneModel& model)
       shapes_(model.shape_count),
       instances_(MakeBuffer(model.nodes.size() * sizeof(NodeInstance), nullptr)) {
   Collected collected;
-  for (const Mesh& mesh : model.meshes) meshes_.push_back(collected.Add(mesh.parts));
+  for (const Mesh& mesh : model.meshes) meshes_.push_back(collected.Add(mesh.parts, &textures_));
   constant_ = Upload(collected);
-  for (GpuMesh& mesh : meshes_) mesh.array = &constant_.array;
+  for (GpuMesh& mesh : meshes_) {
+    mesh.array = &constant_.array;
+    for (const Batch& batch : mesh.batches) {
+      has_lights_ = has_lights_ || textures_.gives_light(batch.look);
+    }
+  }
 }
 
 NodeRenderer::GpuBuffers NodeRenderer::Upload(const Collected& collected) const {
@@ -134,7 +161,7 @@ void NodeRenderer::Reshape(const SceneState& state) {
     if (now == nullptr) continue;
     Collected collected;
     shape.taken = state.shapes[k];
-    shape.mesh = collected.Add(now->parts);
+    shape.mesh = collected.Add(now->parts, &textures_);
     shape.buffers = Upload(collected);
     shape.mesh.array = &shape.buffers.array;
   }
@@ -163,8 +190,8 @@ void NodeRenderer::Place(const SceneState& state, const Vec3& eye_W_m, const Vie
     instance.label = LabelWord(node.label, node.instance);
     const Placed placed{static_cast<int>(n), (centre_W_m - eye_W_m).norm() - radius_m, centre_W_m,
                         radius_m};
-    if (mesh.opaque.index_count > 0) placed_opaque_.push_back(placed);
-    if (mesh.glass.index_count > 0) placed_glass_.push_back(placed);
+    if (mesh.has(Surface::kOpaque)) placed_opaque_.push_back(placed);
+    if (mesh.has(Surface::kGlass)) placed_glass_.push_back(placed);
   }
   std::stable_sort(placed_opaque_.begin(), placed_opaque_.end(),
                    [](const Placed& a, const Placed& b) { return a.distance_m < b.distance_m; });
@@ -176,20 +203,39 @@ void NodeRenderer::Place(const SceneState& state, const Vec3& eye_W_m, const Vie
                        instances.data());
 }
 
-void NodeRenderer::DrawNode(int node, Surface surface) const {
-  const GpuMesh& mesh = MeshOf(model_.nodes[node]);
-  const Range& range = surface == Surface::kGlass ? mesh.glass : mesh.opaque;
-  const auto offset = static_cast<std::uintptr_t>(range.first_index) * sizeof(std::uint32_t);
-  glBindVertexArray(mesh.array->id());
-  glDrawElementsInstancedBaseVertexBaseInstance(GL_TRIANGLES, range.index_count, GL_UNSIGNED_INT,
+void NodeRenderer::DrawBatch(int node, const GpuMesh& mesh, const Batch& batch) const {
+  const auto offset = static_cast<std::uintptr_t>(batch.first_index) * sizeof(std::uint32_t);
+  glDrawElementsInstancedBaseVertexBaseInstance(GL_TRIANGLES, batch.index_count, GL_UNSIGNED_INT,
                                                 reinterpret_cast<const void*>(offset), 1,
                                                 mesh.first_vertex, static_cast<GLuint>(node));
-  triangles_drawn_ += range.index_count / 3;
+  triangles_drawn_ += batch.index_count / 3;
 }
 
-void NodeRenderer::Draw(Surface surface) const {
+void NodeRenderer::DrawNode(int node, Surface surface, const Program* textured) const {
+  const GpuMesh& mesh = MeshOf(model_.nodes[node]);
+  glBindVertexArray(mesh.array->id());
+  for (const Batch& batch : mesh.batches) {
+    if (batch.surface != surface) continue;
+    if (textured != nullptr) textures_.Bind(batch.look, *textured);
+    DrawBatch(node, mesh, batch);
+  }
+}
+
+void NodeRenderer::Draw(Surface surface, const Program* textured) const {
   for (const Placed& placed : surface == Surface::kGlass ? placed_glass_ : placed_opaque_) {
-    DrawNode(placed.node, surface);
+    DrawNode(placed.node, surface, textured);
+  }
+}
+
+void NodeRenderer::DrawLights(const Program& program) const {
+  for (const Placed& placed : placed_opaque_) {
+    const GpuMesh& mesh = MeshOf(model_.nodes[placed.node]);
+    glBindVertexArray(mesh.array->id());
+    for (const Batch& batch : mesh.batches) {
+      if (!textures_.gives_light(batch.look)) continue;
+      textures_.Bind(batch.look, program);
+      DrawBatch(placed.node, mesh, batch);
+    }
   }
 }
 

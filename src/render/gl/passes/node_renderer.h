@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 
 #include "render/gl/gl_objects.h"
+#include "render/gl/passes/texture_bank.h"
 #include "render/gl/view.h"
 #include "render/scene.h"
 
@@ -26,8 +28,11 @@ class NodeRenderer {
   /// are left out. Opaque nodes are ordered from near to far, glass from far to near.
   void Place(const SceneState& state, const Vec3& eye_W_m, const View* view);
   /// Draws what Place found, with the program in use: attributes 0 position, 1 normal, 2 albedo
-  /// (square roots) and opacity, 3 roughness and metallic; 4 to 6 rows of the pose, 7 the label.
-  void Draw(Surface surface) const;
+  /// (square roots) and opacity, 3 roughness and metallic; 4 to 6 rows of the pose, 7 the label,
+  /// 8 texture coordinates. `textured` is that program, if it reads textures.
+  void Draw(Surface surface, const Program* textured = nullptr) const;
+  /// Draws what gives light, with `program`, which is in use.
+  void DrawLights(const Program& program) const;
   /// Draws the opaque nodes whose bounding sphere (centre in W, radius) `wanted` accepts.
   void DrawOpaqueIf(
       const std::function<bool(const Vec3& centre_W_m, double radius_m)>& wanted) const;
@@ -36,6 +41,8 @@ class NodeRenderer {
 
   /// Whether anything of glass was placed.
   bool has_glass() const { return !placed_glass_.empty(); }
+  /// Whether anything in the scene gives light.
+  bool has_lights() const { return has_lights_; }
   /// Since construction.
   std::int64_t triangles_drawn() const { return triangles_drawn_; }
 
@@ -43,12 +50,19 @@ class NodeRenderer {
   Eigen::AlignedBox3d BoundsAlong(const Mat3& R_LW, const SceneState& state) const;
 
  private:
-  struct Range {
+  /// Triangles of one material, or of all plain ones of a surface.
+  struct Batch {
+    Surface surface;
+    int look;  ///< in the bank of textures
     int first_index = 0, index_count = 0;
   };
   struct GpuMesh {
-    Range opaque, glass;
+    std::vector<Batch> batches;
     int first_vertex = 0;
+    bool has(Surface surface) const {
+      return std::any_of(batches.begin(), batches.end(),
+                         [&](const Batch& batch) { return batch.surface == surface; });
+    }
     Eigen::AlignedBox3d box_G_m;
     const GlObject* array = nullptr;  ///< of the buffers that it lies in
   };
@@ -74,9 +88,12 @@ class NodeRenderer {
     return node.shape >= 0 ? shapes_[node.shape].mesh : meshes_[node.mesh];
   }
   GpuBuffers Upload(const Collected& collected) const;
-  void DrawNode(int node, Surface surface) const;
+  void DrawNode(int node, Surface surface, const Program* textured = nullptr) const;
+  void DrawBatch(int node, const GpuMesh& mesh, const Batch& batch) const;
 
   const SceneModel& model_;
+  TextureBank textures_;
+  bool has_lights_ = false;
   std::vector<GpuMesh> meshes_;
   std::vector<GpuShape> shapes_;
   GlObject instances_;
