@@ -5,6 +5,7 @@
 
 #include "core/units.h"
 #include "soil/tool/layered_cut.h"
+#include "soil/tool/look_beside.h"
 
 namespace tera {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 constexpr double kElasticTravel_m = 0.006;  ///< travel over which the force builds up
 constexpr double kWedgeLength = 2;          ///< of what an upright blade lifts, in depths
 constexpr double kLeastSpan_m = 0.225;      ///< over which the ground ahead is looked at
-constexpr double kNearAhead_cells = 1.5;    ///< where the depth is measured: past the cut itself
+constexpr double kNearAhead_m = 0.075;      ///< where the depth is measured
 constexpr double kLeastLevelMouth = 0.1;    ///< a mouth that looks more up or down than this
 constexpr double kLeastLevel = 1e-6;        ///< no direction below it
 /// Slope of the surface ahead. What is steeper is a step, at whose top or foot the slope ends: the
@@ -92,7 +93,8 @@ std::array<CuttingEdge::Strip, CuttingEdge::kStrips> CuttingEdge::Strips(
   std::array<Strip, kStrips> strips;
   // Under a top edge that hangs over, the ground stands as far as the shovel leaves it.
   const Vec3 mouth_W = body.X_WB.linear() * (shape.top_edge_B() - shape.edge_B());
-  const double near_m = std::max(0.0, mouth_W.dot(travel_W)) + kNearAhead_cells * ground->cell_m();
+  const double near_m =
+      std::max(0.0, mouth_W.dot(travel_W)) + LookBeside_m(kNearAhead_m, ground->cell_m());
   for (int s = 0; s < kStrips; ++s) {
     Strip& strip = strips[s];
     strip.p_B = shape.edge_B() + ((s + 0.5) / kStrips - 0.5) * shovel_.width_m * Vec3::UnitY();

@@ -8,6 +8,7 @@
 
 #include "core/units.h"
 #include "soil/columns/soil_type.h"
+#include "soil/tool/look_beside.h"
 
 namespace tera {
 namespace {
@@ -19,7 +20,7 @@ constexpr double kLeastDownward = 0.35;     ///< parts of the shell facing furth
 constexpr double kFaceDownward = 0.7;       ///< the same of the face of a blade
 constexpr double kShellDampingRatio = 0.2;  ///< of critical for the mass that the pressure carries
 constexpr double kSlideSpeed_mps = 0.10;    ///< shell friction is proportional to speed below it
-constexpr double kBeside_cells = 2;         ///< where the ground beside the shovel is looked at
+constexpr double kBeside_m = 0.1;           ///< where the ground beside the shovel is looked at
 constexpr double kNear_m = 0.3;             ///< a shovel this close to the ground holds soil back
 constexpr double kLeastSpeed_mps = 1e-4;    ///< no direction below it
 // Soil pushed aside.
@@ -31,7 +32,7 @@ constexpr int kLongestRoll = 60;          ///< columns
 // Carried soil.
 constexpr double kSpillTime_s = 0.25;   ///< time constant at which what cannot stay leaves
 constexpr double kStuckClod_m = 0.025;  ///< thickest layer that hangs on the shell: an estimate
-constexpr double kBeforeLip_cells = 2;  ///< where the ground before the mouth is looked at
+constexpr double kBeforeLip_m = 0.1;    ///< where the ground before the mouth is looked at
 constexpr double kShut_m = 0.05;        ///< ground this far above the lip shuts the mouth
 constexpr double kMouthDown = -0.7;     ///< z of a mouth that looks down
 constexpr double kGravityTime_s = 0.2;  ///< over which apparent gravity is smoothed
@@ -207,7 +208,7 @@ double Digging::LowestBeside_m(const BodyState& body, const Columns& ground) con
   constexpr std::array<double, 3> kAt = {-0.4, 0.0, 0.4};  // along a side, of its length
   const Vec3 up_B = body.X_WB.linear().transpose() * Vec3::UnitZ();
   const ShovelShape::LevelExtent extent = shape_.ExtentAcross(up_B);
-  const double off_m = kBeside_cells * ground.cell_m();
+  const double off_m = LookBeside_m(kBeside_m, ground.cell_m());
   const double half_x = 0.5 * (extent.to_m - extent.from_m), half_y = 0.5 * shovel_.width_m;
   const auto surface_m = [&](double x, double y) {  // from the shovel's middle
     const Vec2 p = (extent.from_m + half_x + x) * extent.right;
@@ -323,7 +324,8 @@ bool Digging::IsShut(const BodyState& body, const Columns& ground) const {
     return ground.HeightAt(middle_W.x(), middle_W.y()) > middle_W.z() - kShut_m;
   }
   const Vec3& lip_W = edge_W.z() < top_W.z() ? edge_W : top_W;
-  const Vec2 before_lip = lip_W.head<2>() + kBeforeLip_cells * ground.cell_m() * Level(mouth_W);
+  const Vec2 before_lip =
+      lip_W.head<2>() + LookBeside_m(kBeforeLip_m, ground.cell_m()) * Level(mouth_W);
   return ground.HeightAt(before_lip.x(), before_lip.y()) > lip_W.z() + kShut_m;
 }
 

@@ -7,12 +7,13 @@
 #include "core/units.h"
 #include "soil/tool/cut_soil.h"
 #include "soil/tool/layered_cut.h"
+#include "soil/tool/look_beside.h"
 
 namespace tera {
 namespace {
 
 constexpr double kElasticTravel_m = 0.006;  ///< travel over which the force builds up
-constexpr double kBeside_cells = 1.5;       ///< where the ground is looked at: past the cut itself
+constexpr double kBeside_m = 0.075;         ///< where the ground is looked at
 constexpr double kLeastLevel = 0.3;         ///< walls that lean over further push nothing aside
 constexpr double kSteep = 0.35;             ///< backs that face further down rest on the ground
 constexpr double kLeastSpeed_mps = 1e-4;    ///< slower walls keep their elastic travel
@@ -32,8 +33,8 @@ struct Beside {
   double x_m, y_m;
 
   Beside(const Vec3& p_W, const Vec3& outward_W, const Columns& ground)
-      : x_m(p_W.x() + kBeside_cells * ground.cell_m() * outward_W.x()),
-        y_m(p_W.y() + kBeside_cells * ground.cell_m() * outward_W.y()) {
+      : x_m(p_W.x() + LookBeside_m(kBeside_m, ground.cell_m()) * outward_W.x()),
+        y_m(p_W.y() + LookBeside_m(kBeside_m, ground.cell_m()) * outward_W.y()) {
     depth_m = ground.HeightAt(x_m, y_m) - p_W.z();
   }
   CutSoil SoilAbove(double z_m, const std::vector<SoilType>& soils, Columns* ground) const {

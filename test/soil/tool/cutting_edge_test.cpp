@@ -155,6 +155,20 @@ TEST(CuttingEdge, FeelsWhichLayerIsTheWeaker) {
   EXPECT_LT(DraftInLayers_n(firm, soft, 0.4), 0.7 * DraftInLayers_n(soft, firm, 0.4));
 }
 
+TEST(CuttingEdge, MeetsTheSameBankInCellsOfTwoSizes) {
+  // A plate 0.2 m deep at the foot of a face 5 cm ahead of its top edge.
+  const auto draft_n = [](double cell_m) {
+    Columns ground =
+        ShapedColumns(Clay(2000), cell_m, static_cast<int>(std::lround(8 / cell_m)) + 1,
+                      [](double x, double) { return x < 0.449 ? 1.8 : 2.0; });
+    CuttingEdge edge(Plate(), {Clay(2000)});
+    const BodyState body = Moving(Vec3(0.3, 0, 1.8), Vec3(1e-3, 0, 0), 0, 0);
+    return -edge.Act(ShovelShape(Plate()), body, {}, kLong_s, {Clay(2000)}, &ground).force_W_n.x();
+  };
+  EXPECT_GT(draft_n(0.05), 1e3);
+  EXPECT_NEAR(draft_n(0.025) / draft_n(0.05), 1, 0.01);
+}
+
 TEST(CuttingEdge, LooseSoilHasLostItsCohesion) {
   const SoilType clay = Clay(8000);
   Columns ground = LevelColumns(clay, 0.1, 101, 2.0);
