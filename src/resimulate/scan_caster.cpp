@@ -19,7 +19,8 @@ std::vector<Surface> SurfacesOf(const Scenario& scenario, const SceneAssembly& a
   for (const SceneInstance& instance : assembly.model().instances) {
     Surface surface = Surface::kObstacle;
     for (std::size_t m = 0; m < machines.size(); ++m) {
-      if (!instance.name.starts_with(scenario.machines[m].placement.name + "/")) continue;
+      const std::string& machine = scenario.machines[m].placement.name;
+      if (instance.name != machine && !instance.name.starts_with(machine + "/")) continue;
       surface = machines[m].shows_whole() ? Surface::kMachine : Surface::kUnknown;
     }
     const bool has_other_shape =

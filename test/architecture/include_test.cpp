@@ -61,6 +61,7 @@ const std::multimap<std::string, std::string> kFolderOfLibrary = {
     {"embree3/", "render"},
     {"GeographicLib/", "sensors"},
     {"opencv2/", "dataset"},
+    {"opencv2/", "sensors"},
     {"liblzf/", "dataset"},
     {"nlohmann/", "dataset"},
     {"nlohmann/", "diagnose"},
