@@ -61,7 +61,8 @@ class Collector {
            a.soil_tool_friction_rad == b.soil_tool_friction_rad && a.adhesion_pa == b.adhesion_pa;
   }
   void EndLayer() {
-    cut_.layer[cut_.layer_count++] = layer_.Mean();
+    cut_.layer[cut_.layer_count] = layer_.Mean();
+    cut_.layer[cut_.layer_count++].is_loose = cut_.edge_in_loose;
     layer_ = {};
   }
 

@@ -17,6 +17,7 @@ struct CutLayer {
   double tool_friction_rad = 0;
   double cohesion_pa = 0;
   double adhesion_pa = 0;
+  bool is_loose = false;
 };
 
 /// What an edge at some depth cuts through: means over the layers and strata above it, each by its

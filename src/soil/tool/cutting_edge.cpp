@@ -62,6 +62,19 @@ Surface SurfaceAhead(const Vec3& p_W, double near_m, const Vec3& travel_W, const
   return {at_near_m - near_m * std::tan(slope_rad), slope_rad};
 }
 
+/// Slope of what lies under loose soil ahead of a place, over the same length.
+double FirmSlope_rad(const Vec2& at, double depth_m, const Vec3& travel_W, const Columns& ground) {
+  const double span_m = std::max(kLeastSpan_m, kWedgeLength * depth_m);
+  const auto firm_m = [&](const Vec2& p) {
+    const int i = std::clamp(ground.NearestI(p.x()), 0, ground.nx() - 1);
+    const int j = std::clamp(ground.NearestJ(p.y()), 0, ground.ny() - 1);
+    const ColumnId k = ground.IdAt(i, j);
+    return ground.TopAt(i, j) - (k == Columns::kNone ? 0 : ground.skin(k).loose_m);
+  };
+  const double rise_m = firm_m(at + span_m * travel_W.head<2>()) - firm_m(at);
+  return std::clamp(std::atan(rise_m / span_m), -kSteepestSlope_rad, kSteepestSlope_rad);
+}
+
 /// The friction of a plane of which a share is soil, not steel.
 void RubOnSoil(double share, CutLayer* layer) {
   layer->tool_friction_rad += share * (layer->friction_rad - layer->tool_friction_rad);
@@ -72,7 +85,7 @@ void RubOnSoil(double share, CutLayer* layer) {
 /// A part of the edge's width, and the ground that it cuts.
 struct CuttingEdge::Strip {
   Vec3 p_B, p_W;
-  double depth_m, slope_rad;
+  double depth_m, slope_rad, firm_slope_rad;
   CutSoil soil;
 };
 
@@ -107,6 +120,10 @@ std::array<CuttingEdge::Strip, CuttingEdge::kStrips> CuttingEdge::Strips(
     const int i = std::clamp(ground->NearestI(near.x()), 0, ground->nx() - 1);
     const int j = std::clamp(ground->NearestJ(near.y()), 0, ground->ny() - 1);
     strip.soil = SoilAbove(ground->Touch(i, j), strip.p_W.z(), *ground, soils);
+    strip.firm_slope_rad = strip.slope_rad;
+    if (strip.soil.layer_count > 1 && strip.soil.layer[0].is_loose) {
+      strip.firm_slope_rad = FirmSlope_rad(near, strip.depth_m, travel_W, *ground);
+    }
   }
   return strips;
 }
@@ -134,6 +151,7 @@ Vec3 CuttingEdge::CuttingForceOn(const Strip& strip, const Vec3& travel_W, const
   in.width_m = shovel_.width_m / kStrips;
   in.depth_m = strip.depth_m;
   in.slope_rad = strip.slope_rad;
+  in.firm_slope_rad = strip.firm_slope_rad;
   in.rake_rad = std::max(0.0, std::atan2(plane.up_W.z(), -plane.up_W.dot(travel_W)));
   CutSoil soil = strip.soil;
   RubOnSoil(plane.on_soil, &soil.mean);

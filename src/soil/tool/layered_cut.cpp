@@ -10,11 +10,48 @@
 namespace tera {
 namespace {
 
+constexpr double kWedgeLength = 2;  ///< of what an upright blade lifts, in depths
+
 /// The level and upright force of a part of a blade.
 struct Force {
   double draft_n = 0, vertical_n = 0;
 
   Force operator+(const Force& b) const { return {draft_n + b.draft_n, vertical_n + b.vertical_n}; }
+};
+
+/// What lies over a layer at the blade. A heap of loose soil on top may fall off ahead.
+class Above {
+ public:
+  double depth_m() const { return depth_m_; }
+  double flank_npm() const { return flank_npm_; }
+  /// Whether its top is loose.
+  bool has_heap() const { return heap_m_ > 0; }
+  /// Mean weight over a length of ground on which the heap becomes lower by `falls`.
+  double WeightOver_pa(double length_m, double falls) const {
+    return weight_pa_ - heap_pa_ * (1 - HeapOver(falls * length_m));
+  }
+  void Add(const CutLayer& layer, double thickness_m) {
+    const double weight_pa = layer.density_kgpm3 * kStandardGravity_mps2 * thickness_m;
+    const double at_rest = 1 - std::sin(layer.friction_rad);  // Jaky
+    const double normal_pa = at_rest * (weight_pa_ + 0.5 * weight_pa);
+    flank_npm_ += thickness_m * (layer.cohesion_pa + normal_pa * std::tan(layer.friction_rad));
+    if (layer.is_loose && heap_m_ == depth_m_) {
+      heap_m_ += thickness_m;
+      heap_pa_ += weight_pa;
+    }
+    weight_pa_ += weight_pa;
+    depth_m_ += thickness_m;
+  }
+
+ private:
+  /// Mean height of the heap, in parts of that at the blade, where it falls off by `fall_m` in all.
+  double HeapOver(double fall_m) const {
+    if (fall_m <= 0 || heap_m_ <= 0) return 1;
+    return fall_m > heap_m_ ? 0.5 * heap_m_ / fall_m : 1 - 0.5 * fall_m / heap_m_;
+  }
+
+  double depth_m_ = 0, weight_pa_ = 0, flank_npm_ = 0;
+  double heap_m_ = 0, heap_pa_ = 0;
 };
 
 /// Layers of a cut, each as an input of its own under the weight of those above.
@@ -23,22 +60,18 @@ struct Slices {
   int count = 0;
 
   Slices(const CuttingInput& blade, std::span<const CutLayer> layers) {
-    double above_m = 0, overburden_pa = 0, flank_npm = 0;
+    Above above;
     for (const CutLayer& layer : layers) {
       const bool is_last = &layer == &layers.back();
-      const double rest_m = blade.depth_m - above_m;
+      const double rest_m = blade.depth_m - above.depth_m();
       if (rest_m <= 0) break;
       CuttingInput& slice = in[count++] = InSoilOf(layer, blade);
       slice.depth_m = is_last ? rest_m : std::min(rest_m, layer.thickness_m);
-      slice.overburden_pa = overburden_pa;
-      slice.flank_above_npm = flank_npm;
-      const double weight_pa = layer.density_kgpm3 * kStandardGravity_mps2 * slice.depth_m;
-      const double at_rest = 1 - std::sin(layer.friction_rad);  // Jaky
-      flank_npm +=
-          slice.depth_m * (layer.cohesion_pa + at_rest * (overburden_pa + 0.5 * weight_pa) *
-                                                   std::tan(layer.friction_rad));
-      overburden_pa += weight_pa;
-      above_m += slice.depth_m;
+      if (above.has_heap() && !layer.is_loose) slice.slope_rad = blade.firm_slope_rad;
+      slice.overburden_pa = above.WeightOver_pa(
+          kWedgeLength * slice.depth_m, std::tan(slice.slope_rad) - std::tan(blade.slope_rad));
+      slice.flank_above_npm = above.flank_npm();
+      above.Add(layer, slice.depth_m);
     }
   }
 };

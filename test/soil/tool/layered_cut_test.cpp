@@ -117,6 +117,16 @@ TEST(LayeredCut, TheOrderOfLayersCounts) {
             0.9 * ForceIn({smooth, rough}, Blade(60)).draft_n);
 }
 
+TEST(LayeredCut, AHeapThatFallsOffLeavesTheFirmGroundUnderItLevel) {
+  std::vector<CutLayer> layers = {Soil(0.1, 40, 0), Soil(0.2, 40, 3000)};
+  layers[0].is_loose = true;
+  CuttingInput blade = Blade(60);
+  blade.slope_rad = blade.firm_slope_rad = -20 * kDeg;
+  const double on_falling_n = ForceIn(layers, blade).draft_n;
+  blade.firm_slope_rad = 0;
+  EXPECT_GT(ForceIn(layers, blade).draft_n, 1.02 * on_falling_n);
+}
+
 TEST(LayeredCut, IsNeverAboveTheMeansAndGrowsWithEachStrength) {
   const Stream random(11, "test/layers");
   for (std::uint64_t k = 0; k < 2000; ++k) {
