@@ -51,6 +51,7 @@ void ReadMachine(const YAML::Node& machine, MachineNumbers* out) {
     out->full_rate_radps[i] = track["max_speed_mps"].as<double>() / out->radius_m;
   }
   out->gauge_m = machine["gauge_m"].as<double>();
+  out->oil = OilOf(machine["kind"].as<std::string>());
 }
 
 void ReadRig(const YAML::Node& rig, MachineNumbers* out) {

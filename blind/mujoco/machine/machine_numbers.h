@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "blind/mujoco/machine/oil.h"
 #include "core/random.h"
 
 namespace tera::blind::mujoco {
@@ -45,11 +46,12 @@ struct Mount {
   Vec3 xyz_m = Vec3::Zero();
 };
 
-/// An excavator by its owner's two files, the machine's and the rig's.
+/// An excavator by its owner's two files, the machine's and the rig's; its oil is not in them.
 ///
 /// Frames  each link's origin is its pin, the undercarriage's lies on the ground amid the tracks;
 ///         x forward, y left, z up.
 struct MachineNumbers {
+  PerAxis<OilNumbers> oil;
   std::array<LinkNumbers, kLinkCount> links;
   PerAxis<JointNumbers> joints;       ///< of tracks unused
   PerAxis<double> full_rate_radps{};  ///< at full lever; of a track its sprocket's

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kGravity_mps2 = 9.8071;
 constexpr double kSprocketInertia_kgm2 = 25;
-constexpr double kDamping = 0.5;     ///< of the oil's spring, of critical
 constexpr double kPin_radps2 = 4;    ///< at which a pin's friction stops a link behind a gap
 constexpr double kMotorShare = 0.2;  ///< of a joint's inertia that is the motor's, before a gap
 
@@ -242,9 +241,10 @@ void SetStiffness(const PlantForm& form, const PerAxis<double>& inertia_kgm2, Mo
       bias[2] = -gain[0];
       continue;
     }
-    gain[0] = inertia_kgm2[i] * drive.oil_radps * drive.oil_radps;
+    const OilNumbers& oil = drive.oil;
+    gain[0] = inertia_kgm2[i] * oil.natural_radps * oil.natural_radps;
     bias[1] = -gain[0];
-    bias[2] = -2 * kDamping * inertia_kgm2[i] * drive.oil_radps;
+    bias[2] = -2 * oil.damping * inertia_kgm2[i] * oil.natural_radps;
     if (drive.gap_rad <= 0) continue;
     const int dof = m->jnt_dofadr[out->joint[i]];
     m->dof_armature[dof] = kMotorShare * inertia_kgm2[i];

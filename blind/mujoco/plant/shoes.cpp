@@ -10,13 +10,18 @@ namespace {
 // ground, on which a machine heaves at 14 Hz.
 constexpr double kHeave_radps = 90, kHeaveDamping = 0.4;
 constexpr double kShear_radps = 70, kShearDamping = 0.3;
-constexpr double kCreep_mps = 0.05;  ///< below which rolling resistance fades
+constexpr double kCreep_mps = 0.05;  ///< below which resistances fade
+constexpr double kGravity_mps2 = 9.8071;
 
 }  // namespace
 
 Shoes::Shoes(const MachineNumbers& numbers, const PlantForm& form, const Ground& ground,
              double mass_kg)
-    : ground_(ground), form_(form.shoes), contact_m_(numbers.contact_m * form.shoes.length) {
+    : ground_(ground),
+      form_(form.shoes),
+      contact_m_(numbers.contact_m * form.shoes.length),
+      weight_n_(mass_kg * kGravity_mps2),
+      packs_(form.packs) {
   const double share_kg = mass_kg / (2 * kShoes);
   carry_npm_ = share_kg * kHeave_radps * kHeave_radps;
   carry_nspm_ = 2 * kHeaveDamping * share_kg * kHeave_radps;
@@ -25,7 +30,19 @@ Shoes::Shoes(const MachineNumbers& numbers, const PlantForm& form, const Ground&
   for (std::size_t i = 0; i < 2; ++i) {
     radius_m_[i] = numbers.radius_m * form.sprocket[static_cast<Eigen::Index>(i)];
     sides_[i].y_m = (i == 0 ? 0.5 : -0.5) * numbers.gauge_m * form_.gauge;
+    sides_[i].relaxation_m = form_.relaxation_m / form_.soft.at(i);
   }
+}
+
+double Shoes::Radius_m(std::size_t side) const {
+  const double packed = packs_[static_cast<Eigen::Index>(side)];
+  return radius_m_[side] * (1 + packed * (1 - std::exp(-sides_[side].way_m / kPacks_m)));
+}
+
+Vec3 Shoes::Drag_n(const Vec3& ahead, const Vec3& v_mps) const {
+  const double travel_mps = v_mps.dot(ahead);
+  const double drag = travel_mps > 0 ? form_.drag_ahead : form_.drag_back;
+  return -weight_n_ * drag * std::tanh(travel_mps / kCreep_mps) * ahead;
 }
 
 void Shoes::PushShoe(const Mat3& R_WB, const Vec3& p_WB_m, const Vec3& v_mps, const Vec3& w_radps,
@@ -38,7 +55,7 @@ void Shoes::PushShoe(const Mat3& R_WB, const Vec3& p_WB_m, const Vec3& v_mps, co
   const double load_n = std::max(0.0, carry_npm_ * depth_m - carry_nspm_ * own_mps.dot(up));
   const Vec3 ahead = (R_WB.col(0) - up * up.dot(R_WB.col(0))).normalized();
   const Vec3 across = up.cross(ahead);
-  const double passing_1ps = std::abs(side->speed_mps) / form_.relaxation_m;
+  const double passing_1ps = std::abs(side->speed_mps) / side->relaxation_m;
   const auto hold = [&](double slide_mps, double grip, double* bristle_m) {
     const double most_n = grip * load_n;
     const double bends_mps = slide_mps - passing_1ps * *bristle_m;
@@ -69,13 +86,16 @@ void Shoes::Push(const Model& model, mjData* data) {
   for (std::size_t i = 0; i < 2; ++i) {
     Side& side = sides_[i];
     const int dof = m->jnt_dofadr[model.joint[i]];
-    side.speed_mps = radius_m_[i] * data->qvel[dof];
+    const double radius_m = Radius_m(i);
+    side.speed_mps = radius_m * data->qvel[dof];
+    side.way_m += kStep_s * std::abs(side.speed_mps);
     side.thrust_n = 0;
     for (std::size_t k = 0; k < kShoes; ++k) {
       PushShoe(R_WB, p_WB_m, v_mps, w_radps, k, &side, &force_n, &torque_nm);
     }
-    data->qfrc_applied[dof] -= side.thrust_n * radius_m_[i];
+    data->qfrc_applied[dof] -= side.thrust_n * radius_m;
   }
+  force_n += Drag_n(R_WB.col(0), v_mps);
   mj_applyFT(m, data, force_n.data(), torque_nm.data(), p_WB_m.data(), model.base,
              data->qfrc_applied);
 }

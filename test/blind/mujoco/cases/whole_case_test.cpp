@@ -1,5 +1,3 @@
-#include "blind/mujoco/cases/whole_case.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "blind/mujoco/cases/whole_case.h"
 #include "own_folder.h"
 
 namespace tera::blind::mujoco {
@@ -74,7 +73,8 @@ TEST(WholeCase, NothingWrongIsDrawnWithinTheTolerances) {
       EXPECT_LT(std::abs(drive.gain * drive.negative * (1 + std::abs(drive.wave)) - 1), 0.06);
       EXPECT_LT(drive.overlap, 0.02);
       // 2 zeta / omega of the oil's spring, the pilot, the bus.
-      EXPECT_LT(2 * 0.5 / drive.oil_radps + drive.pilot_s + drive.bus.delay_s + drive.bus.jitter_s,
+      EXPECT_LT(2 * 0.5 / drive.oil.natural_radps + drive.pilot_s + drive.bus.delay_s +
+                    drive.bus.jitter_s,
                 0.04);
       EXPECT_EQ(drive.gap_rad, 0);
       EXPECT_EQ(drive.bus.lost, 0);
