@@ -60,8 +60,8 @@ class Comparison {
  private:
   double OfUnit(std::size_t u, double t_s) const {
     const NoiseForm& noise = with_.sensors.noise;
-    const auto a = readings_with_.Unit(u, t_s - Late(with_.sensors.units[u].clock));
-    const auto b = readings_without_.Unit(u, t_s - Late(without_.sensors.units[u].clock));
+    const auto a = readings_with_.Unit(u, t_s - Late(with_.sensors.units[u].clock, t_s));
+    const auto b = readings_without_.Unit(u, t_s - Late(without_.sensors.units[u].clock, t_s));
     double most = 0;
     for (std::size_t i = 0; i < 6; ++i) {
       most = std::max(
@@ -71,22 +71,23 @@ class Comparison {
   }
   double OfReceiver(std::size_t r, double t_s) const {
     const ClockForm &a = with_.sensors.receivers[r].clock, &b = without_.sensors.receivers[r].clock;
-    return (readings_with_.Receiver_m(r, t_s - Late(a)) -
-            readings_without_.Receiver_m(r, t_s - Late(b)))
+    return (readings_with_.Receiver_m(r, t_s - Late(a, t_s)) -
+            readings_without_.Receiver_m(r, t_s - Late(b, t_s)))
                .norm() /
            with_.sensors.noise.white_m;
   }
   double OfJoint(std::size_t i, double t_s) const {
     const NoiseForm& noise = with_.sensors.noise;
     const double rate = readings_with_.Rate_radps(i, t_s) - readings_without_.Rate_radps(i, t_s);
-    if (with_.sensors.encoders[i].zero_rad == without_.sensors.encoders[i].zero_rad &&
-        with_.sensors.encoders[i].angle_factor == without_.sensors.encoders[i].angle_factor) {
+    if (with_.sensors.encoders[i] == without_.sensors.encoders[i]) {
       return std::abs(rate) / noise.rate_radps;
     }
     const double angle = readings_with_.Angle_rad(i, t_s) - readings_without_.Angle_rad(i, t_s);
     return std::max(std::abs(rate) / noise.rate_radps, std::abs(angle) / noise.angle_rad);
   }
-  static double Late(const ClockForm& clock) { return clock.offset_s + clock.lateness_s; }
+  static double Late(const ClockForm& clock, double t_s) {
+    return clock.OffsetAt(t_s) + clock.lateness_s;
+  }
 
   const MachineNumbers& numbers_;
   const Forms &with_, &without_;

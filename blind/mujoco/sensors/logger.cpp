@@ -24,7 +24,8 @@ std::vector<Row> Log(double duration_s, double period_s, const ClockForm& clock,
     }
     if (t_s < silent_until_s || stream.Uniform(k, 2) < noise.lost) continue;
     const double late_s = -clock.lateness_s * std::log(stream.Uniform(k, 3));
-    const double stamp_s = t_s + clock.offset_s + late_s + noise.jitter_s * stream.Gaussian(k, 4);
+    const double stamp_s =
+        t_s + clock.OffsetAt(t_s) + late_s + noise.jitter_s * stream.Gaussian(k, 4);
     long long t_ns = std::llround(stamp_s * 1e6) * 1000;
     if (!rows.empty()) t_ns = std::max(t_ns, rows.back().t_ns + 1000);
     rows.push_back({k, t_s, t_ns});

@@ -23,7 +23,10 @@ class Readings {
   Vec3 Receiver_m(std::size_t receiver, double t_s) const;
 
  private:
+  /// From an antenna to the arm's pin, in B.
+  Vec3 ToArm_m(std::size_t receiver, const Instant& at) const;
   Vec3 Reflected_m(std::size_t receiver, const Instant& at) const;
+  Vec3 Shaded_m(std::size_t receiver, const Instant& at) const;
 
   const MachineNumbers& numbers_;
   const Course& course_;

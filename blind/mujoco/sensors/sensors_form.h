@@ -8,12 +8,24 @@ namespace tera::blind::mujoco {
 struct ClockForm {
   double offset_s = 0;
   double lateness_s = 0;  ///< mean of what a stamp is late beside, exponentially distributed
+  double drift = 0;       ///< seconds a second that the offset grows
+  double set_s = 0;       ///< before this time, at which it is set, there is no offset
+
+  double OffsetAt(double t_s) const { return t_s < set_s ? 0 : offset_s + drift * t_s; }
+};
+
+/// A plate that bends under a unit's weight (bracket.h).
+struct BracketForm {
+  double bends_rad = 0;  ///< under its weight along the link's z
+  bool about_x = false;  ///< else about y
 };
 
 struct UnitForm {
   Vec3 gyro_radps = Vec3::Zero(), accelerometer_mps2 = Vec3::Zero();  ///< bias
-  double warms_s = 0;  ///< bias comes as 1 - e^(-t / this); 0: it is there from the start
+  double warms_s = 0;    ///< bias comes as 1 - e^(-t / this); 0: it is there from the start
+  double knocked_s = 0;  ///< bias comes at once, at this time
   ClockForm clock;
+  BracketForm bracket;
 };
 
 /// One axis of a set of encoders.
@@ -21,7 +33,12 @@ struct EncoderForm {
   double zero_rad = 0;
   double warms_s = 0;  ///< within which the zero comes; 0: it is there from the start
   double angle_factor = 1, rate_factor = 1;  ///< below 0: counts the other way
-  double eccentric_rad = 0;                  ///< of a disc off its centre: twice a turn
+  double ring_rad = 0;     ///< largest error of a ring off its centre: once a turn
+  double ring_at_rad = 0;  ///< where that is
+  double wound_1prad = 0;  ///< share of the factors by which a drum's cord changes them a radian
+  double wound_from_rad = 0;
+
+  bool operator==(const EncoderForm&) const = default;
 };
 
 struct ReceiverForm {
@@ -29,6 +46,12 @@ struct ReceiverForm {
   Vec3 datum_m = Vec3::Zero();  ///< east, north, up
   double reflected_m = 0;       ///< what the boom's reflections pull the place by, at most
   double fringe_m = 0;          ///< over which that changes its sign; 0: it does not
+  double shaded_m = 0;          ///< what satellites hidden by the boom push it away by, at most
+  struct Truck {
+    double pull_m = 0;  ///< as it passes
+    double first_s = 0, every_s = 25;
+    double towards_rad = 0;  ///< from east towards north
+  } truck;
 };
 
 /// What is random in measurements.
