@@ -27,12 +27,12 @@ double HeadingOf(const Instant& seen) {
 }  // namespace
 
 bool IsReserved(Manoeuvre kind) {
-  return kind == Manoeuvre::kChirp || kind == Manoeuvre::kReversals || kind == Manoeuvre::kEight ||
-         kind == Manoeuvre::kSlalom;
+  return (kind >= Manoeuvre::kDigging && kind <= Manoeuvre::kGrading) ||
+         (kind >= Manoeuvre::kShunting && kind <= Manoeuvre::kInching);
 }
 
 bool IsOfTracks(Manoeuvre kind) {
-  return kind >= Manoeuvre::kStraight && kind <= Manoeuvre::kSlalom;
+  return kind >= Manoeuvre::kStraight && kind <= Manoeuvre::kInching;
 }
 
 std::vector<Manoeuvre> ManoeuvresOf(bool tracks, bool reserve) {
@@ -62,6 +62,10 @@ double Hand::InwardSign(std::size_t axis, const Instant& seen) {
   const JointNumbers& joint = numbers_.joints[axis];
   if (!joint.has_stops) return Between(0, 1) < 0.5 ? -1 : 1;
   return seen.angle_rad[axis] > (joint.lower_rad + joint.upper_rad) / 2 ? -1 : 1;
+}
+
+double Hand::FullSpeed_mps() const {
+  return numbers_.full_rate_radps[kLeftTrack] * numbers_.radius_m;
 }
 
 /// Ahead or back: towards the origin where that is far, else either.
@@ -120,6 +124,12 @@ Hand::Piece Hand::OfJoints(Manoeuvre kind, const Instant& seen) {
       return Reversals(seen);
     case Manoeuvre::kSteps:
       return Steps(seen);
+    case Manoeuvre::kDigging:
+      return Digging(seen);
+    case Manoeuvre::kTelegraph:
+      return Telegraph(seen);
+    case Manoeuvre::kGrading:
+      return Grading(seen);
     default:
       return {1, [](double, const Instant&) { return Levers{}; }};
   }
@@ -237,18 +247,21 @@ Hand::Piece Hand::OfTracks(Manoeuvre kind, const Instant& seen) {
   if (is_across || kind == Manoeuvre::kSpot) {
     outer = Between(0.25, 0.6) * (is_across ? std::copysign(1, std::sin(home - heading)) : side);
     inner = -outer;
-    length_s =
-        is_across ? 2.2 / (2 * std::abs(outer) * 1.25 / numbers_.gauge_m) * 0.7 : Between(2, 5);
+    length_s = is_across ? 2.2 / (2 * std::abs(outer) * FullSpeed_mps() / numbers_.gauge_m) * 0.7
+                         : Between(2, 5);
     return {length_s, [=](double since_s, const Instant&) {
               const double share = Trapezoid(since_s, length_s, 0.9);
               return Levers{inner * share, outer * share};
             }};
   }
+  if (kind == Manoeuvre::kShunting) return Shunting(level, side);
+  if (kind == Manoeuvre::kSpiral) return Spiral(level, side);
+  if (kind == Manoeuvre::kInching) return Inching(level);
   if (kind == Manoeuvre::kArc) inner = level * Between(0.3, 0.85);
   double beat_hz = 0;
   if (kind == Manoeuvre::kEight) {
     inner = level * 0.35;
-    length_s = 2 * kTau * numbers_.gauge_m / (0.65 * std::abs(level) * 1.25);
+    length_s = 2 * kTau * numbers_.gauge_m / (0.65 * std::abs(level) * FullSpeed_mps());
     length_s = std::min(length_s, 26.0);
   } else if (kind == Manoeuvre::kSlalom) {
     inner = level * 0.5;

@@ -15,19 +15,34 @@ enum class Manoeuvre {
   kCycle,      ///< reach, curl, lift, slew, dump and return, in the air
   kChirp,      ///< a wave that gets faster
   kReversals,  ///< one level, back and forth with sharp edges
+  kDigging,    ///< dig, lift, swing, dump and return, levers that ease in and out and overlap
+  kTelegraph,  ///< levers that jump from level to level at random times
+  kGrading,    ///< boom and arm together, so that the bucket goes level
   kStraight,
   kArc,
   kSpot,   ///< a turn on the spot
   kEight,  ///< a circle to the left, one to the right
   kSlalom,
+  kShunting,  ///< ahead to one side, back to the other, ahead
+  kSpiral,    ///< an arc that tightens
+  kInching,   ///< short pushes, as along a trench
   kRest
 };
 
 /// Kinds that are for `--reserve` alone.
 bool IsReserved(Manoeuvre kind);
 bool IsOfTracks(Manoeuvre kind);
-/// All that a person does with joints, or with tracks.
+/// All that a person does with joints, or with tracks: those of all runs, or those of the reserve.
 std::vector<Manoeuvre> ManoeuvresOf(bool tracks, bool reserve);
+
+/// Rises from 0 to 1 and falls to 0 again, each by a half cosine over `share` of `length_s`; its
+/// mean is 1 - share.
+double Eased(double since_s, double length_s, double share);
+
+/// Levers of boom, arm and bucket that move the bucket's pin at `ahead_mps` away from the machine,
+/// level and without turning the bucket, of someone who knows where the pins are.
+PerAxis<double> LevelLevers(const MachineNumbers& numbers, const PerAxis<double>& angle_rad,
+                            double ahead_mps);
 
 /// How someone works.
 struct Habit {
@@ -68,6 +83,13 @@ class Hand {
   Piece Steps(const Instant& seen);
   Piece Cycle(const Instant& seen);
   Piece Reversals(const Instant& seen);
+  Piece Digging(const Instant& seen);
+  Piece Telegraph(const Instant& seen);
+  Piece Grading(const Instant& seen);
+  Piece Shunting(double level, double side);
+  Piece Spiral(double level, double side);
+  Piece Inching(double level);
+  double FullSpeed_mps() const;
   Levers OffStops(Levers levers, const Instant& seen) const;
 
   const MachineNumbers& numbers_;
