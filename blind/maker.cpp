@@ -2,6 +2,7 @@
 
 #include "blind/cases/recording_files.h"
 #include "blind/mujoco/cases/whole_case.h"
+#include "core/check.h"
 
 namespace tera::blind {
 namespace {
@@ -22,11 +23,15 @@ Maker Own(const ProveOptions& options) {
 }
 
 Maker Mujoco(const ProveOptions& options) {
-  const mujoco::OwnersMachine machine{
-      options.machine_yaml, options.rig_yaml,
-      mujoco::MachineNumbers::Read(options.machine_yaml, options.rig_yaml)};
-  return [machine, seed = options.seed, reserve = options.reserve, duration_s = options.duration_s](
-             int number, const std::filesystem::path& folder) {
+  TERA_CHECK(!options.machines.empty());
+  std::vector<mujoco::OwnersMachine> machines;
+  for (const auto& [machine, rig] : options.machines) {
+    machines.push_back({machine, rig, mujoco::MachineNumbers::Read(machine, rig)});
+  }
+  return [machines, seed = options.seed, reserve = options.reserve,
+          duration_s = options.duration_s](int number, const std::filesystem::path& folder) {
+    const mujoco::OwnersMachine& machine =
+        machines[mujoco::MachineOfCase(seed, number, machines.size())];
     mujoco::WholeCase c = mujoco::DrawWholeCase(seed, number, machine.numbers, reserve, duration_s);
     mujoco::WholeRecording recording = mujoco::RecordWholeCase(&c, machine.numbers, seed);
     mujoco::WriteWholeCase(c, machine, recording.measured, folder);

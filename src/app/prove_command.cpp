@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/commands.h"
 #include "app/diagnosed_report.h"
@@ -30,10 +31,13 @@ void RunProve(Arguments* arguments) {
     prove.machine_yaml = PlaceOfInput(blind::kMachine, {});
     prove.real_csv = PlaceOfInput(blind::kRealDrive, {});
   } else {
-    const char* size = prove.reserve ? "7t" : "4t";
-    prove.machine_yaml =
-        PlaceOfInput(fmt::format("tera:examples/prove/excavator{}.yaml", size), {});
-    prove.rig_yaml = PlaceOfInput(fmt::format("tera:examples/prove/rig{}.yaml", size), {});
+    const std::vector<const char*> working = {"4t", "7t"}, kept = {"2t"};
+    for (const char* size : prove.reserve ? kept : working) {
+      const auto place = [size](const char* what) {
+        return PlaceOfInput(fmt::format("tera:examples/prove/{}{}.yaml", what, size), {});
+      };
+      prove.machines.push_back({place("excavator"), place("rig")});
+    }
   }
   const auto diagnose = [&](const std::filesystem::path& scenario,
                             const std::filesystem::path& recording,

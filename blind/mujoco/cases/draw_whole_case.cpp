@@ -15,11 +15,17 @@ std::string AnyOf(const std::vector<std::string>& names, Draws* draws) {
   return draws->OneOf(names);
 }
 
+/// A draw in which the form is one by lot.
+Draw AnyForm(Draw draw, bool reserve) {
+  draw.variant = DrawVariant(reserve, draw.draws);
+  return draw;
+}
+
 Effect AnyOfJoints(const Draw& draw) {
   while (true) {
     const std::string name = AnyOf(EffectsOfJoints(), draw.draws);
     const std::size_t axis = kSlew + draw.draws->Below(4);
-    if (CanHold(axis, name, draw.reserve)) return DrawOfJoint(name, axis, draw);
+    if (CanHold(axis, name, draw.variant)) return DrawOfJoint(name, axis, draw);
   }
 }
 
@@ -43,14 +49,15 @@ bool GoTogether(const Effect& a, const Effect& b) {
   return !(has("drive_friction") && (has("backlash") || has("actuator_lag")));
 }
 
-std::vector<Effect> EffectsFor(CaseKind kind, const Draw& draw) {
+std::vector<Effect> EffectsFor(CaseKind kind, const Draw& base, bool reserve) {
+  const Draw draw = AnyForm(base, reserve);
   switch (kind) {
     case CaseKind::kOne:
       return {AnyEffect(draw)};
     case CaseKind::kTwo: {
       std::vector<Effect> effects = {AnyEffect(draw)};
       while (effects.size() < 2) {
-        Effect second = AnyEffect(draw);
+        Effect second = AnyEffect(AnyForm(base, reserve));
         if (GoTogether(effects.front(), second)) effects.push_back(std::move(second));
       }
       return effects;
@@ -163,6 +170,15 @@ void DrawWork(bool reserve, Draws* draws, WholeCase* out) {
 
 }  // namespace
 
+Variant DrawVariant(bool reserve, Draws* draws) {
+  if (reserve) return Variant::kReserved;
+  return draws->Chance(0.5) ? Variant::kFirst : Variant::kSecond;
+}
+
+std::size_t MachineOfCase(std::uint64_t seed, int number, std::size_t machines) {
+  return Draws(Stream(seed, fmt::format("mujoco/{}/machine", number))).Below(machines);
+}
+
 Forms WholeCase::With(std::size_t without) const {
   Forms forms = within;
   for (std::size_t i = 0; i < effects.size(); ++i) {
@@ -181,8 +197,8 @@ WholeCase DrawWholeCase(std::uint64_t seed, int number, const MachineNumbers& nu
   out.about.strength = static_cast<Strength>(draws.Below(3));
   if (out.about.kind == CaseKind::kConfounded) out.about.strength = Strength::kStrong;
   out.about.duration_s = std::round(duration_s.value_or(draws.Between(60, 120)));
-  const Draw draw{numbers, out.about.strength, reserve, &draws};
-  out.effects = EffectsFor(out.about.kind, draw);
+  const Draw draw{numbers, out.about.strength, Variant::kFirst, &draws};
+  out.effects = EffectsFor(out.about.kind, draw, reserve);
   bool level = false, of_receivers = false;
   for (const Effect& effect : out.effects) {
     out.about.hidden.push_back(effect.concealed);
@@ -190,7 +206,7 @@ WholeCase DrawWholeCase(std::uint64_t seed, int number, const MachineNumbers& nu
     of_receivers |= effect.needs.is_of_receivers;
   }
   DrawWork(reserve, &draws, &out);
-  out.within = DrawWithinTolerances(&draws);
+  out.within = DrawWithinTolerances(numbers, &draws);
   out.start = DrawStart(numbers, level, &draws);
   out.has_poses = !of_receivers && draws.Chance(0.5);
   return out;

@@ -27,12 +27,25 @@ struct Effect {
       true;  ///< it changes the motion, or where sensors are; else only what they say
 };
 
+/// One of the forms that an effect has.
+enum class Variant {
+  kFirst,
+  kSecond,
+  kReserved  ///< kept for `--reserve`
+};
+
+/// A working form, by lot, or the reserved one.
+Variant DrawVariant(bool reserve, Draws* draws);
+
 /// How an effect is drawn.
 struct Draw {
   const MachineNumbers& numbers;
   Strength strength;
-  bool reserve = false;  ///< the form that is kept for `--reserve`
+  Variant variant = Variant::kFirst;
   Draws* draws;
+
+  bool IsSecond() const { return variant == Variant::kSecond; }
+  bool IsReserved() const { return variant == Variant::kReserved; }
 
   /// Multiple of a tolerance: 2 to 3 faint, 4 to 8 medium, 9 to 12 strong.
   double Times() const;
@@ -46,7 +59,7 @@ const std::vector<std::string>& EffectsOfSensors();
 
 /// Of the joint `axis`, which CanHold the effect.
 Effect DrawOfJoint(const std::string& name, std::size_t axis, const Draw& draw);
-bool CanHold(std::size_t axis, const std::string& name, bool reserve);
+bool CanHold(std::size_t axis, const std::string& name, Variant variant);
 Effect DrawOfTracks(const std::string& name, const Draw& draw);
 Effect DrawOfSensor(const std::string& name, const Draw& draw);
 

@@ -1,35 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
-#include "blind/mujoco/cases/effect.h"
+#include "blind/mujoco/cases/effect_parts.h"
 #include "core/check.h"
 
 namespace tera::blind::mujoco {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
-
-Effect OfSensor(const std::string& sensor, const std::string& name, std::string form) {
-  Effect effect;
-  effect.concealed.target = sensor;
-  effect.concealed.name = name;
-  effect.concealed.form = std::move(form);
-  effect.concealed.channels = {sensor};
-  effect.is_in_plant = false;
-  return effect;
-}
-
-/// The joints whose turning a unit on this link feels, the slew besides.
-std::vector<std::size_t> JointsUnder(std::size_t link) {
-  std::vector<std::size_t> joints = {kSlew};
-  for (std::size_t axis = kBoom; axis < link + 2; ++axis) joints.push_back(axis);
-  return joints;
-}
-
-/// One of those on boom, arm and bucket, which the joints move.
-std::size_t MovingUnit(const Draw& draw) { return 1 + draw.draws->Below(kUnits - 1); }
 
 Effect UnitMount(const Draw& draw) {
   const std::size_t unit = draw.draws->Below(kUnits);
@@ -37,13 +14,13 @@ Effect UnitMount(const Draw& draw) {
   const std::size_t first = draw.draws->Below(3);
   Vec3 rpy_rad = Vec3::Zero();
   rpy_rad[static_cast<Eigen::Index>(first)] = angle_rad;
-  if (draw.reserve) {
+  if (draw.IsSecond()) {
     rpy_rad[static_cast<Eigen::Index>((first + 1) % 3)] = 0.7 * angle_rad * draw.draws->Sign();
   }
   const Mount& mount = draw.numbers.units[unit];
   Effect effect =
       OfSensor(mount.name, "mount_rotation",
-               draw.reserve ? "site turned about two axes" : "site turned about one axis");
+               draw.IsSecond() ? "site turned about two axes" : "site turned about one axis");
   effect.is_in_plant = true;
   effect.needs.joints = JointsUnder(mount.link);
   const char* names[] = {"roll_deg", "pitch_deg", "yaw_deg"};
@@ -62,12 +39,12 @@ Effect UnitBias(const Draw& draw) {
   const auto axis = static_cast<Eigen::Index>(draw.draws->Below(3));
   const double bias = (is_gyro ? kTolerances.gyro_radps : kTolerances.accelerometer_mps2) *
                       draw.Times() * draw.draws->Sign();
-  const double warms_s = draw.reserve ? 12 : 0;
+  const double warms_s = draw.IsSecond() ? 12 : 0;
   const Mount& mount = draw.numbers.units[unit];
   Effect effect = OfSensor(mount.name, "bias",
-                           draw.reserve ? "bias that comes within 12 s" : "bias of one axis");
+                           draw.IsSecond() ? "bias that comes within 12 s" : "bias of one axis");
   const char letter = "xyz"[axis];
-  if (draw.reserve) {
+  if (draw.IsSecond()) {
     effect.concealed.alike = {"temperature_drift"};
   } else if (is_gyro) {
     effect.concealed.truth[fmt::format("gyro_{}_degps", letter)] = bias / kDegree;
@@ -89,25 +66,25 @@ Effect UnitLate(const Draw& draw) {
   const Mount& mount = draw.numbers.units[unit];
   Effect effect = OfSensor(
       mount.name, "clock_offset",
-      draw.reserve ? "stamps late by a time that is random beside" : "stamps late by one time");
+      draw.IsSecond() ? "stamps late by a time that is random beside" : "stamps late by one time");
   effect.concealed.alike = {"latency"};
-  if (!draw.reserve) effect.concealed.truth["offset_s"] = late_s;
+  if (!draw.IsSecond()) effect.concealed.truth["offset_s"] = late_s;
   effect.needs.joints = JointsUnder(mount.link);
-  effect.put = [late_s, unit, reserve = draw.reserve](Forms* forms) {
-    forms->sensors.units[unit].clock = {reserve ? 0.8 * late_s : late_s,
-                                        reserve ? 0.2 * late_s : 0};
+  effect.put = [late_s, unit, second = draw.IsSecond()](Forms* forms) {
+    forms->sensors.units[unit].clock = {second ? 0.8 * late_s : late_s, second ? 0.2 * late_s : 0};
   };
   return effect;
 }
 
 Effect Antenna(const Draw& draw) {
   const std::size_t receiver = draw.draws->Below(kReceivers);
-  const auto axis = static_cast<Eigen::Index>(draw.reserve ? 2 : draw.draws->Below(2));
+  const auto axis = static_cast<Eigen::Index>(draw.IsSecond() ? 2 : draw.draws->Below(2));
   const double off_m = kTolerances.antenna_m * draw.Times() * draw.draws->Sign();
-  Effect effect = OfSensor(draw.numbers.antennas[receiver].name, "gnss_lever_arm",
-                           draw.reserve ? "antenna higher or lower" : "antenna beside its place");
+  Effect effect =
+      OfSensor(draw.numbers.antennas[receiver].name, "gnss_lever_arm",
+               draw.IsSecond() ? "antenna higher or lower" : "antenna beside its place");
   effect.is_in_plant = true;
-  if (draw.reserve) effect.concealed.alike = {"height_datum"};
+  if (draw.IsSecond()) effect.concealed.alike = {"height_datum"};
   effect.concealed.truth[fmt::format("{}_m", "xyz"[axis])] = off_m;
   effect.needs.drives = effect.needs.is_of_receivers = true;
   effect.put = [=](Forms* forms) {
@@ -120,10 +97,10 @@ Effect ReceiverClock(const Draw& draw) {
   constexpr double kLeapSeconds_s = 18;
   const std::size_t receiver = draw.draws->Below(kReceivers);
   double late_s = kTolerances.late_s * draw.Times();
-  if (draw.strength == Strength::kStrong) late_s = draw.reserve ? 1 : kLeapSeconds_s;
-  if (draw.reserve) late_s = -late_s;
+  if (draw.strength == Strength::kStrong) late_s = draw.IsSecond() ? 1 : kLeapSeconds_s;
+  if (draw.IsSecond()) late_s = -late_s;
   Effect effect = OfSensor(draw.numbers.antennas[receiver].name, "clock_offset",
-                           draw.reserve ? "stamps too early" : "stamps of another time");
+                           draw.IsSecond() ? "stamps too early" : "stamps of another time");
   effect.concealed.alike = {"latency"};
   effect.concealed.truth["offset_s"] = late_s;
   effect.needs.drives = effect.needs.is_of_receivers = true;
@@ -134,10 +111,10 @@ Effect ReceiverClock(const Draw& draw) {
 Effect Reflections(const Draw& draw) {
   const std::size_t receiver = draw.draws->Below(kReceivers);
   const double pull_m = std::min(0.4, kTolerances.datum_m * draw.Times());
-  const double fringe_m = draw.reserve ? 0.8 : 0;
+  const double fringe_m = draw.IsSecond() ? 0.8 : 0;
   Effect effect = OfSensor(draw.numbers.antennas[receiver].name, "multipath",
-                           draw.reserve ? "raised arm that pulls and pushes by its distance"
-                                        : "raised arm that pulls the place towards itself");
+                           draw.IsSecond() ? "raised arm that pulls and pushes by its distance"
+                                           : "raised arm that pulls the place towards itself");
   effect.needs.joints = {kSlew, kBoom, kArm};
   effect.needs.is_of_receivers = true;
   effect.put = [=](Forms* forms) {
@@ -147,32 +124,18 @@ Effect Reflections(const Draw& draw) {
   return effect;
 }
 
-std::pair<std::size_t, Effect> OfEncoder(const Draw& draw, const std::string& name,
-                                         std::string form) {
-  const std::size_t axis = kBoom + draw.draws->Below(3);
-  const std::string joint = kAxisNames[axis];
-  Effect effect = OfSensor("encoders/" + joint, name, std::move(form));
-  effect.concealed.channels = {fmt::format("encoders/{}", joint)};
-  // Units on the link and beyond are placed by this angle.
-  for (const Mount& unit : draw.numbers.units) {
-    if (unit.link + 1 >= axis) effect.concealed.channels.push_back(unit.name);
-  }
-  effect.needs.joints = {kSlew, axis};
-  return {axis, effect};
-}
-
 Effect EncoderZero(const Draw& draw) {
   const double zero_rad = kTolerances.zero_rad * draw.Times() * draw.draws->Sign();
   auto [axis, effect] =
-      OfEncoder(draw, "bias", draw.reserve ? "zero that moves within 12 s" : "zero off");
-  if (draw.reserve) {
+      OfEncoder(draw, "bias", draw.IsSecond() ? "zero that moves within 12 s" : "zero off");
+  if (draw.IsSecond()) {
     effect.concealed.alike = {"temperature_drift"};
   } else {
     effect.concealed.truth["angle_deg"] = zero_rad / kDegree;
   }
-  effect.put = [zero_rad, axis = axis, reserve = draw.reserve](Forms* forms) {
+  effect.put = [zero_rad, axis = axis, second = draw.IsSecond()](Forms* forms) {
     forms->sensors.encoders[axis].zero_rad = zero_rad;
-    forms->sensors.encoders[axis].warms_s = reserve ? 12 : 0;
+    forms->sensors.encoders[axis].warms_s = second ? 12 : 0;
   };
   return effect;
 }
@@ -180,10 +143,10 @@ Effect EncoderZero(const Draw& draw) {
 Effect EncoderReversed(const Draw& draw) {
   auto [axis, effect] = OfEncoder(
       draw, "axis_flip",
-      draw.reserve ? "counts the other way about the middle of travel" : "counts the other way");
+      draw.IsSecond() ? "counts the other way about the middle of travel" : "counts the other way");
   const JointNumbers& joint = draw.numbers.joints[axis];
-  const double zero_rad = draw.reserve ? joint.lower_rad + joint.upper_rad : 0;
-  if (draw.reserve) effect.concealed.besides = {"bias"};
+  const double zero_rad = draw.IsSecond() ? joint.lower_rad + joint.upper_rad : 0;
+  if (draw.IsSecond()) effect.concealed.besides = {"bias"};
   effect.put = [zero_rad, axis = axis](Forms* forms) {
     forms->sensors.encoders[axis] = {zero_rad, 0, -1, -1, 0};
   };
@@ -193,12 +156,12 @@ Effect EncoderReversed(const Draw& draw) {
 Effect EncoderScale(const Draw& draw) {
   const double part = 0.013 * draw.Times() * draw.draws->Sign();
   auto [axis, effect] = OfEncoder(
-      draw, "scale", draw.reserve ? "counts of a rate by another clock" : "other counts a turn");
-  if (!draw.reserve) effect.concealed.truth["position_factor"] = 1 + part;
+      draw, "scale", draw.IsSecond() ? "counts of a rate by another clock" : "other counts a turn");
+  if (!draw.IsSecond()) effect.concealed.truth["position_factor"] = 1 + part;
   effect.concealed.truth["rate_factor"] = 1 + part;
-  effect.put = [part, axis = axis, reserve = draw.reserve](Forms* forms) {
+  effect.put = [part, axis = axis, second = draw.IsSecond()](Forms* forms) {
     EncoderForm& form = forms->sensors.encoders[axis];
-    if (!reserve) form.angle_factor = 1 + part;
+    if (!second) form.angle_factor = 1 + part;
     form.rate_factor = 1 + part;
   };
   return effect;
@@ -214,6 +177,7 @@ const std::vector<std::string>& EffectsOfSensors() {
 }
 
 Effect DrawOfSensor(const std::string& name, const Draw& draw) {
+  if (draw.IsReserved()) return DrawReservedOfSensor(name, draw);
   using Drawn = Effect (*)(const Draw&);
   const std::map<std::string, Drawn> drawn = {
       {"unit_mount", UnitMount},         {"unit_bias", UnitBias},

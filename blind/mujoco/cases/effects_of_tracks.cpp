@@ -1,33 +1,23 @@
 #include <algorithm>
 
-#include "blind/mujoco/cases/effect.h"
+#include "blind/mujoco/cases/effect_parts.h"
 #include "core/check.h"
 
 namespace tera::blind::mujoco {
 namespace {
-
-constexpr double kGravity_mps2 = 9.81;
-constexpr double kShear_radps = 70;  ///< of the machine on its bristles, as Shoes has it
-
-/// Ground under a track until its bristles are new, for a slip under a share of the machine's
-/// weight that the track's thrust is: bristles of the machine's mass times kShear_radps squared
-/// hold both tracks.
-double RelaxationFor_m(double slip, double thrust_of_weight) {
-  return thrust_of_weight * kGravity_mps2 / (slip * kShear_radps * kShear_radps / 2);
-}
 
 Effect EffectiveGauge(const Draw& draw) {
   const double ratio = 1 + std::min(0.7, kTolerances.gauge * draw.Times());
   const MachineNumbers& numbers = draw.numbers;
   Effect effect;
   effect.concealed.name = "effective_gauge";
-  effect.concealed.form =
-      draw.reserve ? "shoes that bear at their outer edges" : "shoes that grip sideways and slide";
+  effect.concealed.form = draw.IsSecond() ? "shoes that bear at their outer edges"
+                                          : "shoes that grip sideways and slide";
   effect.concealed.variables = {"turning", "speed"};
   effect.needs = {.joints = {}, .drives = true, .level = true};
-  effect.put = [=, reserve = draw.reserve](Forms* forms) {
+  effect.put = [=, second = draw.IsSecond()](Forms* forms) {
     ShoeForm& shoes = forms->plant.shoes;
-    if (reserve) {
+    if (second) {
       shoes.gauge = ratio;
       return;
     }
@@ -44,16 +34,16 @@ Effect TrackSlip(const Draw& draw) {
   const double slip = std::min(0.3, kTolerances.travel * draw.Times());
   Effect effect;
   effect.concealed.name = "track_slip";
-  effect.concealed.form = draw.reserve
+  effect.concealed.form = draw.IsSecond()
                               ? "mud that lets every shoe slide by a share of its speed"
                               : "shoes that slide under the thrust that rolling resistance needs";
   effect.concealed.alike = {"track_scale", "rolling_resistance", "slope_slip"};
   effect.concealed.besides = {"effective_gauge"};
   effect.concealed.variables = {"speed", "turning"};
   effect.needs = {.joints = {}, .drives = true, .level = true};
-  effect.put = [=, reserve = draw.reserve](Forms* forms) {
+  effect.put = [=, second = draw.IsSecond()](Forms* forms) {
     ShoeForm& shoes = forms->plant.shoes;
-    if (reserve) {
+    if (second) {
       shoes.mud_slip = slip;
       return;
     }
@@ -68,12 +58,13 @@ Effect TrackAsymmetry(const Draw& draw) {
   const double apart = kTolerances.tracks_apart * draw.Times() * draw.draws->Sign();
   Effect effect;
   effect.concealed.name = "track_asymmetry";
-  effect.concealed.form = draw.reserve ? "one sprocket worn" : "one sprocket larger than the other";
+  effect.concealed.form =
+      draw.IsSecond() ? "one sprocket worn" : "one sprocket larger than the other";
   effect.concealed.variables = {"speed"};
   effect.concealed.truth["difference"] = apart;
   effect.needs.drives = true;
-  effect.put = [=, reserve = draw.reserve](Forms* forms) {
-    const double left = reserve ? -apart : -apart / 2, right = reserve ? 0 : apart / 2;
+  effect.put = [=, second = draw.IsSecond()](Forms* forms) {
+    const double left = second ? -apart : -apart / 2, right = second ? 0 : apart / 2;
     forms->plant.sprocket = {1 + left, 1 + right};
   };
   return effect;
@@ -88,9 +79,10 @@ const std::vector<std::string>& EffectsOfTracks() {
 }
 
 Effect DrawOfTracks(const std::string& name, const Draw& draw) {
-  Effect effect = name == "effective_gauge" ? EffectiveGauge(draw)
-                  : name == "track_slip"    ? TrackSlip(draw)
-                                            : TrackAsymmetry(draw);
+  Effect effect = draw.IsReserved()           ? DrawReservedOfTracks(name, draw)
+                  : name == "effective_gauge" ? EffectiveGauge(draw)
+                  : name == "track_slip"      ? TrackSlip(draw)
+                                              : TrackAsymmetry(draw);
   TERA_CHECK(effect.concealed.name == name, name);
   effect.concealed.target = "base";
   effect.concealed.channels = {"base"};

@@ -7,7 +7,7 @@ namespace {
 constexpr double kShare = 0.75;
 
 void DrawDrives(Draws* draws, PlantForm* out) {
-  const double late_s = draws->Between(0, 0.3 * kTolerances.late_s);  // the oil's is 0.018 s
+  const double late_s = draws->Between(0, 0.3 * kTolerances.late_s);  // oil and pilot have 0.018 s
   for (DriveForm& drive : out->drives) {
     drive.gain = 1 + draws->Within(0.5 * kTolerances.rate);
     drive.negative = 1 + draws->Within(0.2 * kTolerances.rate);
@@ -77,8 +77,9 @@ NoiseForm DrawNoise(Draws* draws) {
 
 }  // namespace
 
-Forms DrawWithinTolerances(Draws* draws) {
+Forms DrawWithinTolerances(const MachineNumbers& numbers, Draws* draws) {
   Forms forms;
+  for (std::size_t i = 0; i < kAxisCount; ++i) forms.plant.drives[i].oil = numbers.oil[i];
   DrawDrives(draws, &forms.plant);
   DrawBody(draws, &forms.plant);
   DrawMounts(draws, &forms.plant);

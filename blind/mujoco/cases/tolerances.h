@@ -24,7 +24,7 @@ struct Tolerances {
 };
 inline constexpr Tolerances kTolerances{};
 
-/// A machine with nothing wrong: everything off by something, within the tolerances.
-Forms DrawWithinTolerances(Draws* draws);
+/// A machine with nothing wrong: its oil, and everything off by something, within the tolerances.
+Forms DrawWithinTolerances(const MachineNumbers& numbers, Draws* draws);
 
 }  // namespace tera::blind::mujoco

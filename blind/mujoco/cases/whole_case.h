@@ -29,8 +29,12 @@ struct WholeCase {
   Forms With(std::size_t without = SIZE_MAX) const;
 };
 
+/// On which of several machines case `number` is.
+std::size_t MachineOfCase(std::uint64_t seed, int number, std::size_t machines);
+
 /// Case `number` (from 0). Kinds come in the shares of DrawCase without a real drive; a case lasts
-/// 60 to 120 s, or `duration_s` where that is given. With `reserve` what is kept for the end.
+/// 60 to 120 s, or `duration_s` where that is given. Forms and manoeuvres are by lot all that are
+/// not kept for the end, with `reserve` those that are.
 WholeCase DrawWholeCase(std::uint64_t seed, int number, const MachineNumbers& numbers, bool reserve,
                         std::optional<double> duration_s);
 

@@ -1,3 +1,5 @@
+#include "blind/mujoco/cases/whole_case.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 #include <map>
 #include <set>
 
-#include "blind/mujoco/cases/whole_case.h"
 #include "own_folder.h"
 
 namespace tera::blind::mujoco {
@@ -15,15 +16,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
+OwnersMachine Read(const std::string& size) {
+  const std::string machine = "examples/prove/excavator" + size + ".yaml";
+  const std::string rig = "examples/prove/rig" + size + ".yaml";
+  return {machine, rig, MachineNumbers::Read(machine, rig)};
+}
+
 const OwnersMachine& FourTons() {
-  static const OwnersMachine machine = {
-      "examples/prove/excavator4t.yaml", "examples/prove/rig4t.yaml",
-      MachineNumbers::Read("examples/prove/excavator4t.yaml", "examples/prove/rig4t.yaml")};
+  static const OwnersMachine machine = Read("4t");
+  return machine;
+}
+
+/// The machine that is kept for the end.
+const OwnersMachine& TwoTons() {
+  static const OwnersMachine machine = Read("2t");
   return machine;
 }
 
 WholeCase Drawn(int number, std::optional<double> duration_s = {}, bool reserve = false) {
-  return DrawWholeCase(4, number, FourTons().numbers, reserve, duration_s);
+  const OwnersMachine& machine = reserve ? TwoTons() : FourTons();
+  return DrawWholeCase(4, number, machine.numbers, reserve, duration_s);
 }
 
 std::string TextOf(const fs::path& file) {
@@ -68,13 +80,17 @@ TEST(WholeCase, SameSeedGivesTheSameBytes) {
 
 TEST(WholeCase, NothingWrongIsDrawnWithinTheTolerances) {
   for (int k = 0; k < 200; ++k) {
-    const Forms forms = Drawn(k).within;
+    const Forms forms = Drawn(k, {}, k % 2 == 0).within;
     for (const DriveForm& drive : forms.plant.drives) {
       EXPECT_LT(std::abs(drive.gain * drive.negative * (1 + std::abs(drive.wave)) - 1), 0.06);
       EXPECT_LT(drive.overlap, 0.02);
-      // 2 zeta / omega of the oil's spring, the pilot, the bus.
-      EXPECT_LT(2 * 0.5 / drive.oil.natural_radps + drive.pilot_s + drive.bus.delay_s +
-                    drive.bus.jitter_s,
+      // A spring is late by 2 zeta / omega; the area of its squared error after a step is
+      // (1 + 4 zeta^2) / (4 zeta omega), which a delay has by as much. Behind it pilot and bus.
+      const OilNumbers& oil = drive.oil;
+      const double late_s = 2 * oil.damping / oil.natural_radps;
+      const double off_s =
+          (1 + 4 * oil.damping * oil.damping) / (4 * oil.damping * oil.natural_radps);
+      EXPECT_LT(std::max(late_s, off_s) + drive.pilot_s + drive.bus.delay_s + drive.bus.jitter_s,
                 0.04);
       EXPECT_EQ(drive.gap_rad, 0);
       EXPECT_EQ(drive.bus.lost, 0);
@@ -137,25 +153,29 @@ TEST(WholeCase, HidesWhatItsKindSays) {
   }
 }
 
-TEST(WholeCase, EveryEffectHasAFormThatIsKeptInReserve) {
-  const auto form = [](const std::string& name, bool reserve) {
-    Draws draws(Stream(1, name));
-    const Draw draw{FourTons().numbers, Strength::kMedium, reserve, &draws};
-    for (std::size_t axis = kSlew; axis < kAxisCount; ++axis) {
-      const auto& joints = EffectsOfJoints();
-      if (std::find(joints.begin(), joints.end(), name) == joints.end()) break;
-      if (CanHold(axis, name, reserve)) return DrawOfJoint(name, axis, draw).concealed.form;
-    }
-    const auto& tracks = EffectsOfTracks();
-    if (std::find(tracks.begin(), tracks.end(), name) != tracks.end()) {
-      return DrawOfTracks(name, draw).concealed.form;
-    }
-    return DrawOfSensor(name, draw).concealed.form;
+std::string FormOf(const std::string& name, Variant variant) {
+  Draws draws(Stream(1, name));
+  const Draw draw{FourTons().numbers, Strength::kMedium, variant, &draws};
+  const auto has = [&](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
   };
+  if (has(EffectsOfTracks())) return DrawOfTracks(name, draw).concealed.form;
+  if (has(EffectsOfSensors())) return DrawOfSensor(name, draw).concealed.form;
+  for (std::size_t axis = kSlew; axis < kAxisCount; ++axis) {
+    if (CanHold(axis, name, variant)) return DrawOfJoint(name, axis, draw).concealed.form;
+  }
+  return "";
+}
+
+TEST(WholeCase, EveryEffectHasTwoFormsAndOneThatIsKeptInReserve) {
   int effects = 0;
   for (const auto* names : {&EffectsOfJoints(), &EffectsOfTracks(), &EffectsOfSensors()}) {
     for (const std::string& name : *names) {
-      EXPECT_NE(form(name, false), form(name, true)) << name;
+      const std::set<std::string> forms = {FormOf(name, Variant::kFirst),
+                                           FormOf(name, Variant::kSecond),
+                                           FormOf(name, Variant::kReserved)};
+      EXPECT_EQ(forms.size(), 3u) << name;
+      EXPECT_FALSE(forms.contains("")) << name;
       ++effects;
     }
   }
@@ -168,6 +188,29 @@ TEST(WholeCase, EveryEffectHasAFormThatIsKeptInReserve) {
   }
 }
 
+TEST(WholeCase, TheWorkingSetDrawsBothOfItsFormsMachinesAndNothingOfTheReserve) {
+  std::set<std::string> working, reserved;
+  std::set<std::size_t> machines;
+  for (int k = 0; k < 600; ++k) {
+    machines.insert(MachineOfCase(4, k, 2));
+    for (const Concealed& c : Drawn(k).about.hidden) working.insert(c.form);
+    for (const Concealed& c : Drawn(k, {}, true).about.hidden) reserved.insert(c.form);
+    for (const Manoeuvre kind : Drawn(k).habit.kinds) EXPECT_FALSE(IsReserved(kind));
+  }
+  EXPECT_EQ(machines.size(), 2u);
+  // Two forms of 21 effects and four outside, one of which is told by its two levers; or one of
+  // each and four. Some 400 things are hidden. What is untestable has one form alone.
+  EXPECT_EQ(working.size(), 2u * 21 + 5 + 3);
+  EXPECT_EQ(reserved.size(), 21u + 4 + 3);
+  const std::set<std::string> of_both = {"valve that ends where no lever goes",
+                                         "mass in the bucket of a machine whose oil is stiff",
+                                         "late clock of the unit of a chassis that stands"};
+  std::set<std::string> seen;
+  std::set_intersection(working.begin(), working.end(), reserved.begin(), reserved.end(),
+                        std::inserter(seen, seen.end()));
+  EXPECT_EQ(seen, of_both);
+}
+
 TEST(WholeCase, ShowsInItsChannelsWhatItHides) {
   std::set<std::string> seen;
   for (int k = 0; seen.size() < 4; ++k) {
@@ -177,6 +220,20 @@ TEST(WholeCase, ShowsInItsChannelsWhatItHides) {
     const WholeRecording recording = RecordWholeCase(&c, FourTons().numbers, 4);
     ASSERT_EQ(recording.marks.changes.size(), 1u);
     EXPECT_GT(recording.marks.changes[0].Rms(), 0.1) << c.about.hidden[0].name;
+  }
+}
+
+/// Medium or strong: what is faint may lie below the noise.
+TEST(WholeCase, EveryFormInReserveShowsInItsChannels) {
+  std::set<std::string> seen;
+  for (int k = 0; seen.size() < 25; ++k) {
+    WholeCase c = Drawn(k, 30, true);
+    const bool is_one = c.about.kind == CaseKind::kOne || c.about.kind == CaseKind::kOutside;
+    if (!is_one || c.about.strength == Strength::kFaint) continue;
+    if (!seen.insert(c.about.hidden[0].form).second) continue;
+    const WholeRecording recording = RecordWholeCase(&c, TwoTons().numbers, 4);
+    ASSERT_EQ(recording.marks.changes.size(), 1u);
+    EXPECT_GT(recording.marks.changes[0].Rms(), 0.3) << c.about.hidden[0].form;
   }
 }
 
