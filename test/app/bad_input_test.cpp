@@ -61,7 +61,7 @@ TEST(BadInput, AMeshWhosePictureIsMissingOrNoneIsRefusedWithWhatIsNeeded) {
   const ScratchDirectory scratch;
   testing_mesh::WriteTexturedSquare(scratch.path(), R"("normalTexture":{"index":0})",
                                     R"({"uri":"paint.png"})", 1);
-  const std::string scenario = WithObstacle("square.gltf");
+  const std::string scenario = WithObstacle("square.gltf, node: square");
   const std::string place = At(scenario, "square.gltf") + "obstacles[0].mesh: ";
   ExpectScenarioRefused(scratch, scenario,
                         AllOf(StartsWith(place), HasSubstr("material 'paint' needs the picture "
