@@ -64,9 +64,9 @@ std::map<std::string, std::string> Written(int number, const std::string& name) 
 }
 
 /// The first case of a kind that drives as is said.
-WholeCase First(CaseKind kind, bool drives, double duration_s) {
+WholeCase First(CaseKind kind, bool drives, double duration_s, const MachineNumbers& numbers) {
   for (int k = 0;; ++k) {
-    WholeCase c = Drawn(k, duration_s);
+    WholeCase c = DrawWholeCase(4, k, numbers, false, duration_s);
     if (c.about.kind == kind && c.drives == drives) return c;
   }
 }
@@ -113,27 +113,37 @@ TEST(WholeCase, NothingWrongIsDrawnWithinTheTolerances) {
   }
 }
 
-TEST(WholeCase, NothingWrongDrivesAsTheFilesSayWithinTheTolerances) {
-  WholeCase c = First(CaseKind::kNothing, true, 40);
+/// Straight, in arcs and on the spot: way and turning over what the sprockets turned, by the
+/// files' radius and gauge.
+void ExpectDrivesAsTheFilesSay(const MachineNumbers& numbers) {
+  WholeCase c = First(CaseKind::kNothing, true, 40, numbers);
   c.habit.kinds = {Manoeuvre::kStraight, Manoeuvre::kSpot, Manoeuvre::kArc};
-  const MachineNumbers& numbers = FourTons().numbers;
   const Course course = Drive(numbers, c.within.plant, c.start, 40,
                               Hand(numbers, c.habit, Stream(4, "hand")), Stream(4, "messages"));
   double way_m = 0, asked_m = 0, turned_rad = 0, asked_rad = 0;
   for (double t_s = 0.5; t_s < 39; t_s += 0.5) {
     const Instant &from = course.At(t_s), &to = course.At(t_s + 0.5);
     const Vec3 ahead = from.q_WB * Vec3::UnitX(), later = to.q_WB * Vec3::UnitX();
-    const double left_m = 0.225 * (to.angle_rad[0] - from.angle_rad[0]);
-    const double right_m = 0.225 * (to.angle_rad[1] - from.angle_rad[1]);
+    const double left_m = numbers.radius_m * (to.angle_rad[0] - from.angle_rad[0]);
+    const double right_m = numbers.radius_m * (to.angle_rad[1] - from.angle_rad[1]);
     asked_m += std::abs(left_m + right_m) / 2;
     way_m += std::abs((to.p_WB_m - from.p_WB_m).dot((ahead + later).normalized()));
-    asked_rad += std::abs(right_m - left_m) / 1.148;
+    asked_rad += std::abs(right_m - left_m) / numbers.gauge_m;
     turned_rad += std::abs(std::atan2(ahead.cross(later).z(), ahead.dot(later)));
   }
   EXPECT_GT(asked_m, 5);
   EXPECT_NEAR(way_m / asked_m, 1, 0.02);
   EXPECT_GT(asked_rad, 1);
   EXPECT_NEAR(turned_rad / asked_rad, 1, 0.05);
+}
+
+TEST(WholeCase, NothingWrongDrivesAsTheFilesSayWithinTheTolerances) {
+  EXPECT_EQ(FourTons().numbers.radius_m, 0.225);
+  EXPECT_EQ(FourTons().numbers.gauge_m, 1.148);
+  ExpectDrivesAsTheFilesSay(FourTons().numbers);
+  EXPECT_EQ(TwoTons().numbers.radius_m, 0.165);
+  EXPECT_EQ(TwoTons().numbers.gauge_m, 0.77);
+  ExpectDrivesAsTheFilesSay(TwoTons().numbers);
 }
 
 TEST(WholeCase, HidesWhatItsKindSays) {
