@@ -17,6 +17,8 @@ flat out vec4 v_albedo_opacity;
 flat out vec4 v_roughness_metallic;
 flat out uint v_label;
 
+invariant gl_Position;  // two programs draw the same triangles, the second where depths are equal
+
 void main() {
   vec4 p = vec4(a_position, 1.0);
   v_relative_W = vec3(dot(a_row0, p), dot(a_row1, p), dot(a_row2, p));

@@ -90,6 +90,16 @@ TEST(BadInput, ALensThatFoldsItsPictureIsRefusedWithItsPlace) {
                               HasSubstr("every pixel")));
 }
 
+TEST(BadInput, AShutterThatIsOpenLongerThanFromPictureToPictureIsRefusedWithItsPlace) {
+  const std::string scenario = SmallScenario(
+      "{name: cam, type: camera, link: chassis, rate_hz: 10, width_px: 64, height_px: 48, "
+      "horizontal_fov_deg: 90, image_sensor: {exposure_s: 0.125}}");
+  ExpectScenarioRefused(scenario,
+                        AllOf(StartsWith(At(scenario, "0.125") +
+                                         "machines[0].rig.sensors[1].image_sensor.exposure_s: "),
+                              HasSubstr("need at most 0.1 s")));
+}
+
 TEST(BadInput, AShovelWithADegenerateEdgeIsRefused) {
   const auto refused = [](const std::string& key, const std::string& message) {
     const ScratchDirectory scratch;

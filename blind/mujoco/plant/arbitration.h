@@ -6,11 +6,10 @@ namespace tera::blind::mujoco {
 
 /// A lever's messages on a bus that many share.
 ///
-/// Model   Frames begin at whole multiples of a slot. A message waits for the next one, and each
-/// time
-///         that another node's frame has the lower identifier, for one more; one message a slot, in
-///         order. So it waits, on average over its phase in the slot, half a slot (less half a step
-///         where times are whole steps), and contested / (1 - contested) slots beside.
+/// Model   Frames begin at whole multiples of a slot. A message waits for the next one, and
+///         each time that another node's frame has the lower identifier, for one more; one message
+///         a slot, in order. So it waits, on average over its phase in the slot, half a slot (less
+///         half a step where times are whole steps), and contested / (1 - contested) slots beside.
 /// Omits   that what wins is itself sent at some rhythm.
 class Arbitration {
  public:

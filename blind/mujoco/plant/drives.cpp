@@ -142,9 +142,9 @@ void Drives::Command(double t_s, const PerAxis<double>& angle_rad, Model* model,
       lever = data->act[model->StateOf(filter)];
     };
     for (int k = 0; k < form.bus.line_stages; ++k) through(model->line[i].at(k));
+    if (line.hose) lever = line.hose->After(kStep_s, lever);
     lever = Valve(i, lever);
     if (line.brake) lever *= line.brake->Share(t_s, lever);
-    if (line.hose) lever = line.hose->After(kStep_s, lever);
     through(model->pilot[i]);
     if (model->second_pilot[i] >= 0) through(model->second_pilot[i]);
     data->ctrl[model->drive[i]] = AskedRate_radps(i, t_s, lever, angle_rad[i], *model, *data);

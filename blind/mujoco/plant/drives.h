@@ -14,8 +14,7 @@ namespace tera::blind::mujoco {
 /// What becomes of levers on their way to MuJoCo's actuators.
 ///
 /// Model   A message a lever's sample: lost or not (in rows, or by a Radio), late by the bus's
-/// delay,
-///         by its Arbitration and by something of its own, in order. The valve: a spool that
+///         delay, by its Arbitration and by something of its own, in order. The valve: a spool that
 ///         overlaps its port or starts softly, ends, and gives more one way than the other, behind
 ///         a brake. MuJoCo's filters as bus and pilot, a PilotLine. Behind them the rate that is
 ///         asked of the motor: times gains by angle, load, another lever, time and warmth.

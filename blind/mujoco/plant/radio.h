@@ -8,11 +8,10 @@ namespace tera::blind::mujoco {
 
 /// A radio link that fades as its waves come over many paths.
 ///
-/// Model   Clarke's: paths from all around, each with a phase of its own and the Doppler shift of
-/// its
-///         direction. Power has the mean 1 and is exponentially distributed (Rayleigh fading), so
-///         it lies below p for a share 1 - e^-p of the time, each time for (e^p - 1) / (f sqrt(2 pi
-///         p)) on average, f being the greatest shift.
+/// Model   Clarke's: paths from all around, each with a phase of its own and the Doppler shift
+///         of its direction. Power has the mean 1 and is exponentially distributed (Rayleigh
+///         fading), so it lies below p for a share 1 - e^-p of the time, each time for (e^p - 1) /
+///         (f sqrt(2 pi p)) on average, f being the greatest shift.
 /// Omits   a direct path, the transmitter's retries.
 /// Source  Rappaport 2002, Wireless Communications, eq. 5.80 and 5.84.
 class Radio {

@@ -47,7 +47,7 @@ class Box:
 class Frame:
     """One exposure of a camera. Pictures are read when they are asked for; those that it has not are None."""
 
-    def __init__(self, folder: Path, filename: str, t_ns: int, lens: Lens):
+    def __init__(self, folder: Path, filename: str, t_ns: int, lens: Lens | None):
         self._folder, self._filename = folder, filename
         self.t_ns, self.lens = t_ns, lens
 
@@ -107,7 +107,8 @@ class Camera:
         self.folder, self.sensor = Path(folder), sensor
         model = sensor.get("model") or {}
         known = {key: model[key] for key in Lens.__dataclass_fields__ if key in model}
-        self.lens: Lens | None = Lens(**known) if {"width_px", "fx_px"} <= known.keys() else None
+        needed = {"width_px", "height_px", "fx_px", "fy_px", "cx_px", "cy_px"}
+        self.lens: Lens | None = Lens(**known) if needed <= known.keys() else None
         self.t_ns, self.filenames = read_frame_list(self.folder / "data.csv")
 
     def __len__(self) -> int:

@@ -24,7 +24,8 @@ class Dataset:
     """A recording of TERA, simulated or real (docs/dataset.md).
 
     `dataset["excavator1/imu_boom"]` is a channel, by its path in dataset.yaml without `.csv` or with it; `for path in
-    dataset` goes over all paths. Nothing but dataset.yaml and the sensors' own descriptions is read before it is asked for.
+    dataset` goes over all paths; `dataset.sensor(path)` is a sensor's own sensor.yaml. Nothing but dataset.yaml is read before it is
+    asked for.
 
     Raises FileNotFoundError where there is no dataset.yaml, ValueError for a format that is newer than this reader.
     """
@@ -39,6 +40,7 @@ class Dataset:
         self.classes: dict[int, str] = {c["id"]: c["name"] for c in self.info.get("classes", [])}
         self.instances: dict[int, dict] = {i["id"]: i for i in self.info.get("instances", [])}
         self._channel = lru_cache(maxsize=None)(self._open)
+        self.sensor = lru_cache(maxsize=None)(self._sensor)
 
     def __repr__(self) -> str:
         return f"Dataset({str(self.path)!r}): {len(self.types)} channels"
@@ -69,8 +71,7 @@ class Dataset:
             return PoseTrack(place)
         return Table(place if place.suffix == ".csv" else place / "data.csv")
 
-    @lru_cache(maxsize=None)
-    def sensor(self, path: str) -> dict:
+    def _sensor(self, path: str) -> dict:
         """sensor.yaml of a sensor: type, parent_link, X_parent_sensor, rate_hz, latency_s, model."""
         with (self.path / path / "sensor.yaml").open(encoding="utf-8") as text:
             return yaml.safe_load(text)
@@ -127,7 +128,7 @@ class Dataset:
 class Synchronised:
     """`len`, `[k]` and iteration over samples: a dict of channel paths, with `t_ns`.
 
-    Frames and scans are those whose time is nearest; of tables the last row that is not later, of poses the pose at the
+    Frames and scans are those whose time is nearest, however far off; of tables the last row that is not later, of poses the pose at the
     time. What PyTorch's and TensorFlow's loaders take as a dataset by index.
     """
 

@@ -11,7 +11,7 @@ class Table:
     """A CSV file of a recording, read when first asked for.
 
     `table["wx_radps"]` is a column of N numbers; `table.values` holds all of them, N x C float64; `table.t_ns` are the
-    stamps, N int64, strictly increasing. What stands outside float64's 53 bits, no stamp of a recording does.
+    stamps, N int64, strictly increasing.
     """
 
     def __init__(self, file: Path):

@@ -13,7 +13,7 @@ void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks)
 
 /// Whether a finding takes as much error from its channel on FINAL as a factor at the end of its
 /// tolerance changes there: of whose numbers nothing is stated, from what is left with all in its
-/// place that is as expected, and with 95 % of what noise leaves open.
+/// place that is as expected, less 1.645 standard deviations for noise.
 bool IsOfPracticalSize(const Finding& finding);
 
 /// Whether one of a finding's numbers lies beyond what is as expected, and which that is was

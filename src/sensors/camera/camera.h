@@ -40,8 +40,8 @@ Pose OpticalInSensor();
 ///         sRGB at the scene's exposure plus N(0, sigma^2), clipped, or what an image sensor makes
 ///         of the scene's luminance (image_sensor.h). Noise is drawn for each pixel alone.
 /// Omits   rolling shutter and motion blur; control of exposure and gain; glare, dirt; the holes
-/// and the smoothing of a real stereo matcher. Source  lens: Brown 1971, "Close-range camera
-/// calibration"; sigma_z: Khoshelham and Elberink
+///         and the smoothing of a real stereo matcher.
+/// Source  lens: Brown 1971, "Close-range camera calibration"; sigma_z: Khoshelham and Elberink
 ///         2012, "Accuracy and resolution of Kinect depth data for indoor mapping applications".
 class Camera {
  public:

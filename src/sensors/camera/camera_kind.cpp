@@ -74,6 +74,17 @@ void CheckCameraEffects(const ConfigMap& effects, const MachineModel&,
   }
 }
 
+/// A shutter is shut again before the next picture.
+void CheckExposure(const ConfigMap& config, const CameraModel& model, double rate_hz) {
+  if (!model.image_sensor || !(rate_hz > 0)) return;
+  if (model.image_sensor->exposure_s <= 1 / rate_hz) return;
+  config.Map("image_sensor")
+      .Fault("exposure_s",
+             fmt::format("{} s at {} Hz: longer than from picture to picture; need at "
+                         "most {} s",
+                         model.image_sensor->exposure_s, rate_hz, 1 / rate_hz));
+}
+
 /// Points where the pixels of the recorded depth picture look. An odd number of pixels from one
 /// that is taken to the next, so that all columns come.
 LoadedScan DepthPoints(const SensorDescription& sensor, const Measurement& recorded,
@@ -120,8 +131,11 @@ constinit const SensorKind kCameraKind = {
     .name = kCameraChannel,
     .target = EffectTarget::kCamera,
     .form = ChannelForm::kPictures,
-    .read = [](const ConfigMap& config,
-               SensorDescription* s) { s->model = ReadCameraModel(config); },
+    .read =
+        [](const ConfigMap& config, SensorDescription* s) {
+          s->model = ReadCameraModel(config);
+          CheckExposure(config, std::get<CameraModel>(s->model), s->clock.rate_hz);
+        },
     .model_yaml =
         [](const SensorDescription& s) { return CameraModelYaml(std::get<CameraModel>(s.model)); },
     .pictures = [](const SensorDescription& s) -> const PictureContent* {

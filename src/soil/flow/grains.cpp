@@ -117,7 +117,7 @@ void Grains::Pour(const Broken& broken, double least_m3, Columns* ground) {
         .slide_W_mps2 = broken.slide_W_mps2.cast<float>(),
         .way_m = static_cast<float>(broken.way_m),
         .of_way_m = static_cast<float>(broken.way_m),
-        .is_free = broken.way_m <= 0},
+        .is_free = broken.way_m <= 0 || broken.slide_W_mps2.isZero()},
        ground);
 }
 

@@ -15,17 +15,17 @@ namespace tera {
 ///
 /// Frames  W.
 /// Model   A clod falls freely; one of a bank that fails first slides down with it as one block,
-///         and swells on that way.
-/// Where it meets the ground it loses its velocity into the surface
-///         and, by Coulomb friction, as much of that along it; it slides on while the surface is
-///         steeper than friction holds. A wall stops its travel: it is not lifted over an edge.
-///         Loose soil takes in what was poured where it meets it: what lies too steep then flows as
-///         Avalanche says; pieces of a bank slide on over it. Where soil comes to lie under one
-///         that slides, it pays with its motion for being lifted, or is buried. Otherwise, at rest,
-///         or when it has slid for kLongestSlide_s, it becomes loose soil of the columns around, or
-///         of the bed over which it is. There are never more than kMostClods: clods are larger
-///         while many are under way, and what more is poured lies in the column below at once.
-///         Clods neither touch each other nor machines: they exert no force.
+///         and swells on that way. Where it meets the ground it loses its velocity into the
+///         surface and, by Coulomb friction, as much of that along it; it slides on while the
+///         surface is steeper than friction holds. A wall stops its travel: it is not lifted over
+///         an edge. Loose soil takes in what was poured where it meets it: what lies too steep then
+///         flows as Avalanche says; pieces of a bank slide on over it. Where soil comes to lie
+///         under one that slides, it pays with its motion for being lifted, or is buried.
+///         Otherwise, at rest, or when it has slid for kLongestSlide_s, it becomes loose soil of
+///         the columns around, or of the bed over which it is. There are never more than
+///         kMostClods: clods are larger while many are under way, and what more is poured lies in
+///         the column below at once. Clods neither touch each other nor machines: they exert no
+///         force.
 /// Omits   collisions between clods, bouncing, drag of the air, the push that a clod gives the soil
 ///         that takes it in.
 class Grains {
@@ -37,7 +37,7 @@ class Grains {
 
   /// Volume of the clods that are made now.
   double clod_m3() const;
-  /// Volume of clods of which as many as soil of some volume makes find room.
+  /// Volume of each clod so that soil of a volume finds room as clods.
   double RoomyClod_m3(double volume_m3) const;
   /// Lets soil go with a velocity, from places on the line between two points.
   void Pour(const SpoilMix& spoil, const Vec3& from_W_m, const Vec3& to_W_m, const Vec3& v_W_mps,
@@ -72,8 +72,8 @@ class Grains {
     Kind kind;
     double slid_s = 0;
     Eigen::Vector3f slide_W_mps2 = Eigen::Vector3f::Zero();  ///< with the bank that it is of
-    float way_m = 0, of_way_m = 0;                           ///< still to go with it, of what
-    bool is_free = true;                                     ///< no longer goes with it
+    float way_m = 0, of_way_m = 0;  ///< way left to go with the bank, and all of it
+    bool is_free = true;            ///< no longer goes with it
   };
   /// Lets soil go from between two points, each clod otherwise like `like`.
   void Pour(const SpoilMix& spoil, const Vec3& from_W_m, const Vec3& to_W_m, double each_m3,

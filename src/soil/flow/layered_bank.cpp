@@ -68,6 +68,7 @@ LayeredBanks::LayeredBanks(const std::vector<SoilType>& soils) {
     const double phi_rad = type.friction_angle_rad, c_pa = type.cohesion_pa;
     Soil& soil = soils_.emplace_back();
     soil.weight_npm3 = type.bank_density_kgpm3 * kStandardGravity_mps2;
+    soil.tan_friction = std::tan(phi_rad);
     soil.crack_m = 2 * c_pa / soil.weight_npm3 * std::tan(kPi / 4 + phi_rad / 2);
     for (int n = 0; n < kAngles; ++n) {
       const double slope_rad = OmegaAt_rad(n) + phi_rad;
@@ -84,7 +85,7 @@ SlipSurface LayeredBanks::SlipAt(std::span<const BankLayer> layers, int cracked,
   double height_m = 0;
   for (const BankLayer& layer : layers) height_m += layer.height_m;
   const double face = run_m / height_m;
-  double z_m = 0, behind_m = 0, weight_npm = 0, hold_npm = 0;
+  double z_m = 0, behind_m = 0, weight_npm = 0, hold_npm = 0, surface_m = 0;
   for (int n = static_cast<int>(layers.size()) - 1; n >= 0; --n) {
     const Soil& soil = soils_[layers[n].soil];
     const double d_m = layers[n].height_m;
@@ -94,12 +95,15 @@ SlipSurface LayeredBanks::SlipAt(std::span<const BankLayer> layers, int cracked,
       goes_m = d_m * soil.goes[angle];
       hold_npm += d_m * soil.hold_pa[angle];
       slip.part[slip.count++] = {d_m, 1 / soil.goes[angle]};
+      surface_m += std::hypot(d_m, goes_m);
+      slip.tan_friction += std::hypot(d_m, goes_m) * soil.tan_friction;
     }
     weight_npm += soil.weight_npm3 * d_m * (behind_m + 0.5 * goes_m - face * (z_m + 0.5 * d_m));
     behind_m += goes_m;
     z_m += d_m;
   }
   if (behind_m <= run_m) return {};
+  slip.tan_friction /= surface_m;
   slip.drives_over_holds =
       std::max(0.0, weight_npm) * std::sin(OmegaAt_rad(angle)) / std::max(hold_npm, kLeastHold_npm);
   return slip;

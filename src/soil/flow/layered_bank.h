@@ -34,7 +34,8 @@ struct SlipSurface {
     double tan_slope = 0;
   };
   std::array<Part, BankLayers::kMost> part;
-  int count = 0;  ///< above these parts soil cracks upright
+  int count = 0;            ///< above these parts soil cracks upright
+  double tan_friction = 0;  ///< of the soils that it goes through, by its length in each
   double drives_over_holds = 0;
 
   /// Height above the toe at a level distance behind it; none (infinite) behind the crack.
@@ -63,10 +64,12 @@ class LayeredBanks {
   SlipSurface LeastSafe(std::span<const BankLayer> layers, double run_m, double beyond_m) const;
 
  private:
-  /// The least safety is flat over the angle: in steps of 3 deg it is right to 0.2 %.
+  /// The least safety is flat over the angle: in steps of 3 deg it is right to 0.5 % for upright
+  /// faces, and to 4 % where the face is but 15 deg steeper than friction; the bank then counts as
+  /// safer than it is.
   static constexpr int kAngles = 29;
   struct Soil {
-    double weight_npm3, crack_m;
+    double weight_npm3, crack_m, tan_friction;
     std::array<double, kAngles> goes;     ///< level over height of its slip surface; 0 if upright
     std::array<double, kAngles> hold_pa;  ///< of cohesion, against the block's motion
   };

@@ -73,10 +73,10 @@ void SlideOff(const StandingWalls::Failure& failure, Columns* ground,
   const auto [i0, j0] = ground->PlaceOf(failure.column);
   const Vec2 edge(ground->x_m(i0), ground->y_m(j0)), out = failure.out;
   const double toe_m = failure.top_m - failure.drop_m;
-  // Down the slip surface's chord, against the friction of the soil through which it goes.
+  // Down the slip surface's chord, against the friction of the soils through which it goes.
   const double length_m = failure.slip.length_m();
   const double chord_rad = std::atan2(failure.slip.height_m(), length_m);
-  const double friction_rad = ground->soils()[failure.soil].friction_angle_rad;
+  const double friction_rad = std::atan(failure.slip.tan_friction);
   const Vec3 down_W(out.x() * std::cos(chord_rad), out.y() * std::cos(chord_rad),
                     -std::sin(chord_rad));
   const double slide_mps2 = kStandardGravity_mps2 *
@@ -196,6 +196,7 @@ std::optional<StandingWalls::Failure> StandingWalls::FailureOfTop(ColumnId k,
   const double face_rad = std::atan2(worst->drop_m, worst->run_m);
   worst->slip.part[0] = {worst->drop_m, std::tan(0.5 * (face_rad + soil.friction_angle_rad))};
   worst->slip.count = 1;
+  worst->slip.tan_friction = std::tan(soil.friction_angle_rad);
   return worst;
 }
 

@@ -23,7 +23,8 @@ struct CarriedHeap {
 ///         the shovel hold less than that at the angle of repose, because soil takes time to leave
 ///         or sticks, the heap is turned towards the mouth as far as it takes; what would not stand
 ///         in a level shovel either stands steeper.
-/// Omits   how soil lay before: the same soil in the same position always lies alike.
+/// Omits   how soil lay before: the same soil in the same position always lies alike; what no heap
+///         below 85 deg holds, of which as much is drawn as one holds.
 struct HeapSurface {
   std::vector<Vec3> p_B_m;
   std::vector<Vec3> floor_B_m;  ///< the shell below each point

@@ -11,7 +11,7 @@ namespace tera {
 /// The force that a plane blade needs to cut soil in layers: the least of those along surfaces
 /// that use the weakest of them.
 ///
-/// Model   Soil fails where that takes least (upper bound). Tried are
+/// Model   Soil fails where that takes least. Tried are
 ///         - one plane through all layers, as strong as they are on average over the depth;
 ///         - a surface with a kink at each border: each layer slips at the angle that makes its own
 ///           part of P least, under the weight of the layers above as a surcharge, and the parts
@@ -23,7 +23,10 @@ namespace tera {
 ///         Of soil of one strength only the first remains. Borders lie parallel to the surface, but
 ///         under loose soil, where they rise as what is firm there does.
 ///         Where layers reach less deep than the edge, the lowest goes on.
-/// Omits   soft soil just below the edge, cracks, crusts that bend.
+///         The wedge's angle and length are those of the plane, whichever surface is the least.
+/// Omits   soft soil just below the edge, cracks, crusts that bend; shear along borders between
+///         layers that slip at different angles, so that the second is no strict upper bound;
+///         inertia of the block and of the wedge before it.
 /// Source  Chen 1975, Limit Analysis and Soil Plasticity, ch. 5 (the least of upper bounds); Bowles
 ///         1996, Foundation Analysis and Design, ch. 11 (layered backfill); NAVFAC DM 7.01, 1986,
 ///         ch. 7 (a central block on a weak seam and its resisting wedge).

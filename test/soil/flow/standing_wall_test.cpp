@@ -330,6 +330,32 @@ TEST(StandingWall, ClayUnderACrustStandsToTerzaghisHeightUnderASurcharge) {
   }
 }
 
+// By the length of the surface in each soil, from its height and slope there; the lowest is first.
+TEST(LayeredBanks, RubAsTheSoilsDoThroughWhichTheSurfaceGoes) {
+  const SoilType dirt = Shipped("dirt"), clay = Shipped("clay");
+  const LayeredBanks banks({dirt, clay});
+  const std::array<BankLayer, 2> layers = {{{0.6, 0}, {0.9, 1}}};
+  const SlipSurface slip = banks.LeastSafe(layers, 0, 0);
+  double length_m = 0, rubs_m = 0;
+  for (int n = 0; n < slip.count; ++n) {
+    const double tan_slope = slip.part[n].tan_slope;
+    const double part_m = slip.part[n].height_m * std::sqrt(1 + 1 / (tan_slope * tan_slope));
+    length_m += part_m;
+    rubs_m += part_m * std::tan((n == 0 ? clay : dirt).friction_angle_rad);
+  }
+  ASSERT_GE(slip.count, 1);
+  EXPECT_NEAR(slip.tan_friction, rubs_m / length_m, 1e-12);
+  EXPECT_LT(slip.tan_friction, std::tan(dirt.friction_angle_rad) - 0.05);
+}
+
+// Clods that nothing speeds up down the surface are not held in the air by it.
+TEST(StandingWall, OfDirtOverClayComesToRest) {
+  LayeredWall wall({Shipped("dirt"), Shipped("clay")}, {0.3}, 2.2);
+  wall.Wait(8);
+  EXPECT_LT(wall.EdgeTop_m(), -0.3);
+  EXPECT_EQ(wall.grains.count(), 0u);
+}
+
 TEST(StandingWall, ACrustOverSandFallsWithIt) {
   LayeredWall wall({Shipped("hard_loam"), Shipped("sand")}, {0.2}, 0.8);
   wall.Wait(6);

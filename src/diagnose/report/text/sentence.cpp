@@ -224,8 +224,9 @@ std::string SentenceOfUnconfirmed(const DiagnosedBlock& diagnosed, const Finding
 std::string SentenceOfExpected(const DiagnosedBlock& diagnosed, const Finding& finding) {
   std::string why = "is within tolerance";
   if (!IsOfPracticalSize(finding)) {
-    why = finding.as_expected
-              ? "takes little that delays, lags and gains within their tolerances would not"
+    const auto& expected = finding.as_expected;
+    why = expected && expected->rmse < finding.held_out.rmse_before
+              ? "takes little that delays, lags, bands and gains within their tolerances would not"
               : "changes less than a factor within its tolerance does";
   } else if (const Candidate* expected = finding.evidence.expected_rival) {
     why = fmt::format("{} within its tolerance explains as well",

@@ -16,7 +16,7 @@ constexpr double kDof = 5;
 constexpr double kClear = 5;  ///< in log-likelihood, beyond what a choice among all stretches gains
 
 constexpr std::size_t kFewestHolds = 3;
-constexpr double kLeastOverEarly = 2, kLeastUnfollowed = 0.5;
+constexpr double kLeastOverEarly = 2, kLeastUnfollowed = 0.5, kLeastBesideOne = 0.5;
 constexpr double kMostAtReversals = 0.9;  ///< of the holds; chance puts half or two thirds there
 constexpr double kVisible = 3;  ///< noises by which a held rate differs from one that is not
 
@@ -203,7 +203,7 @@ std::optional<LostCommands> LostCommandsOf(const EvaluationContext& context,
                      kLeastUnfollowed * GainOf(lost.holds)) {
     return std::nullopt;
   }
-  if (LeastGainBesideOne(context, search, noise) < kLeastUnfollowed * GainOf(lost.holds)) {
+  if (LeastGainBesideOne(context, search, noise) < kLeastBesideOne * GainOf(lost.holds)) {
     return std::nullopt;
   }
   const Mask all(residual.size(), 1);

@@ -78,7 +78,8 @@ class Search {
   FittedStructure FitToSeen();
   std::vector<Structure> NearestRivals(const Scored& found, std::size_t term);
   Rival CompareWith(const Structure& swapped, const Misfit& left, const Misfit& crossed) const;
-  Rival CompareWithExpectedBeside(const Structure& swapped, const Misfit& crossed) const;
+  Rival CompareWithExpectedBeside(const Structure& found, const Structure& swapped,
+                                  const Misfit& crossed) const;
   void FindRivals(const Scored& found, const Misfit& crossed, std::size_t term,
                   TermEvidence* evidence);
 
@@ -349,9 +350,10 @@ Rival Search::CompareWith(const Structure& swapped, const Misfit& left,
   return rival;
 }
 
-/// The same with a delay or lag beside the rival that is as expected, the likeliest of all: a
-/// rival is not worse for lacking what the machine may have anyhow.
-Rival Search::CompareWithExpectedBeside(const Structure& swapped, const Misfit& crossed) const {
+/// The same with a mechanism of timing or actuator beside both that is as expected, the one
+/// likeliest beside the rival, which is not worse for lacking what the machine may have anyhow.
+Rival Search::CompareWithExpectedBeside(const Structure& found, const Structure& swapped,
+                                        const Misfit& crossed) const {
   const Candidate* rival = swapped.back().candidate;
   FittedStructure best;
   best.log_likelihood = -INFINITY;
@@ -363,7 +365,13 @@ Rival Search::CompareWithExpectedBeside(const Structure& swapped, const Misfit& 
     if (fitted.log_likelihood > best.log_likelihood) best = std::move(fitted);
   }
   if (best.terms.empty()) return {rival, 0, INFINITY};
-  Rival compared = CompareWith(best.terms, pruning_.Evaluate({best.terms}).front(), crossed);
+  const Candidate& beside = *best.terms.back().candidate;
+  std::vector<Structure> both = {best.terms};
+  if (!ActsIn(found, beside)) {
+    both.push_back(fitter_.FitNear(With(found, beside, best.terms.back().values)).terms);
+  }
+  const std::vector<Misfit> left = pruning_.Evaluate(both);
+  Rival compared = CompareWith(best.terms, left.front(), left.size() > 1 ? left.back() : crossed);
   compared.candidate = rival;
   return compared;
 }
@@ -378,7 +386,8 @@ void Search::FindRivals(const Scored& found, const Misfit& crossed, std::size_t 
   const std::vector<Misfit> left = pruning_.Evaluate(swapped);
   for (std::size_t k = 0; k < swapped.size(); ++k) {
     const Rival rival = CompareWith(swapped[k], left[k], crossed);
-    if (!IsRejected(rival) || !IsRejected(CompareWithExpectedBeside(swapped[k], crossed))) {
+    if (!IsRejected(rival) ||
+        !IsRejected(CompareWithExpectedBeside(found.terms, swapped[k], crossed))) {
       evidence->rivals.push_back(rival.candidate);
       if (IsAsExpected(swapped[k].back())) evidence->expected_rival = rival.candidate;
     } else {
