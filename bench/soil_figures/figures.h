@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// Figures of docs/soil.md that a user of the soil cares about, each computed in a second or so.
+/// scripts/soil_sensitivity.py asks how they change with the soil's constants.
+
+namespace tera::bench {
+
+struct Figure {
+  std::string name;  ///< with its unit
+  double value = 0;
+};
+using Figures = std::vector<Figure>;
+
+/// Blade, plate and bucket that move as they are led.
+Figures ToolFigures(std::uint64_t seed);
+/// Piles, a column that collapses, a bank that fails.
+Figures FlowFigures(std::uint64_t seed);
+/// A block on tracks, a wheel, structure on the ground.
+Figures TrackFigures();
+/// The compact excavator digs three times in one place (config/scenarios/trench.yaml).
+Figures DigFigures(std::uint64_t seed);
+
+}  // namespace tera::bench
