@@ -9,7 +9,7 @@
 
 scripts/soil_constants.txt says which constants there are. `run` makes a copy of the sources (build/sensitivity, or DIR, a
 tree that may be spoilt) in which the environment may move a constant, builds bench/soil_figures there once, runs it with
-each constant moved and appends what it prints to RESULTS, a CSV: half an hour on one core, after a build of ten minutes.
+each constant moved and appends what it prints to RESULTS, a CSV: twenty minutes on one core, after a build of ten.
 JOBS says how many compilers and programs work side by side.
 """
 import argparse
@@ -29,14 +29,14 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 CATALOGUE = "config/soils"
 JOBS = int(os.environ.get("JOBS", os.cpu_count()))
-SEEDS = (1, 2)  # a figure is the mean over these
-BASE_SEEDS = tuple(range(1, 9))  # of the program as it is
-LONGEST_S = 120  # of one run
+LONGEST_S = 900  # of one run
 SIGMAS, LEAST = 3, 0.01  # what changes by less is not told: scatter over seeds, share of the figure
-# What a constant may act on, by its folder: a tool does nothing to a bare track.
-GROUPS = {"src/soil/tool": ("tool", "dig"), "src/soil/track": ("track", "dig"), "src/sim": ("dig",),
-          "src/physics": ("dig",)}
-ALL = ("tool", "flow", "track", "dig")
+SEEDS = {"tool": (1,), "track": (1,), "flow": (1, 2, 3), "dig": (1,)}  # a figure is the median with a constant moved
+BASE_SEEDS = tuple(range(1, 9))  # and of the program as it is
+UNRANKED = {"bank_fallen_m3", "track_free_slip_percent"}  # the one stands or falls, the other is next to nothing
+# Groups of figures that a constant may act on, by its folder: a tool does nothing to a bare track.
+GROUPS = {"src/sim": ("dig",), "src/physics": ("dig",), CATALOGUE: ("tool", "track", "flow", "dig"),
+          "src/soil/tool": ("tool", "dig"), "src/soil/track": ("track", "dig"), "src/soil/flow": ("tool", "flow", "dig")}
 
 MOVED_BY = """#pragma once
 #include <cstdlib>
@@ -73,7 +73,7 @@ def read_list():
             head, unit, origin = line.rsplit(" | ", 2)
             name, _, pattern = head.partition(" := ")
             name, _, step = name.partition(" +- ")
-            separator = r":\s+([\d.e+-]+)" if file == CATALOGUE else " = ([^,;]+)[,;]"
+            separator = r":\s+([\d.e+-]+)" if file.startswith(CATALOGUE) else " = ([^,;]+)[,;]"
             constants.append(Constant(file, name, pattern or rf"(?m)\b{name}{separator}", step, unit, origin))
     return constants, left_out
 
@@ -97,10 +97,16 @@ def movable(constant, text):
     return f"({text} + {ask} * ({constant.step}))" if constant.step else f"((1 + 0.2 * {ask}) * ({text}))"
 
 
+def folder_of(constant):
+    return next(folder for folder in GROUPS if constant.file.startswith(folder))
+
+
 def make_movable(tree, constants):
     """Edits a copy of the sources, so that one build serves all constants."""
     (tree / "src/moved_by.h").write_text(MOVED_BY)
-    for file in sorted({constant.file for constant in constants} - {CATALOGUE}):
+    for file in sorted({constant.file for constant in constants}):
+        if file.startswith(CATALOGUE):
+            continue
         text = (ROOT / file).read_text()
         for constant in (c for c in constants if c.file == file):
             at = re.search(constant.pattern, text)
@@ -146,19 +152,18 @@ def build(tree):
             fail(f"{' '.join(command)}:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
 
 
-def figures(tree, groups, seeds, moved=""):
-    """Each figure's values over the seeds. What depends on none is computed once."""
-    tasks = [(seed, group) for group in groups for seed in (seeds[:1] if group == "track" else seeds)]
+def figures(tree, group, seeds, moved=""):
+    """The values of each figure of a group over the seeds."""
 
-    def run(task):
-        command = [tree / "build/release/soil_figures", str(task[0]), task[1]]
+    def run(seed):
+        command = [tree / "build/release/soil_figures", str(seed), group]
         done = subprocess.run(["timeout", str(LONGEST_S), *command], capture_output=True, text=True,
                               env={**os.environ, "TERA_DATA_DIR": str(tree), "TERA_MOVED": moved})
         return done.stdout if done.returncode == 0 else ""  # a soil that its reader refuses
 
     values = collections.defaultdict(list)
     with concurrent.futures.ThreadPoolExecutor(JOBS) as pool:
-        for text in pool.map(run, tasks):
+        for text in pool.map(run, seeds):
             for line in text.splitlines():
                 name, value = line.split()
                 values[name].append(float(value))
@@ -175,55 +180,58 @@ def copy_tree(tree, edited):
             shutil.copyfile(ROOT / name, target)
 
 
-def measure(constant, sign, tree):
-    """The figures with one constant moved; the catalogue is as before afterwards."""
-    groups = next((g for folder, g in GROUPS.items() if constant.file.startswith(folder)), ALL)
-    if constant.file != CATALOGUE:
-        return figures(tree, groups, SEEDS, f"{constant.name}@{constant.file} {sign}")
+def measure(constant, sign, group, tree):
+    """The figures of a group with one constant moved; the catalogue is as before afterwards."""
+    if not constant.file.startswith(CATALOGUE):
+        return figures(tree, group, SEEDS[group], f"{constant.name}@{constant.file} {sign}")
     before = {file: file.read_text() for file, _ in found(constant, tree)}
     try:
         for file, text in before.items():
             at = re.search(constant.pattern, text)
             file.write_text(text[:at.start(1)] + moved_in_catalogue(constant, at[1], sign) + text[at.end(1):])
-        return figures(tree, groups, SEEDS)
+        return figures(tree, group, SEEDS[group])
     finally:
         for file, text in before.items():
             file.write_text(text)
 
 
 def run(results, tree):
+    """The quick groups first, so that a run that is cut short has something of all constants."""
     constants, _ = read_list()
     if tree is None:
         tree = ROOT / "build/sensitivity"
-        copy_tree(tree, {constant.file for constant in constants})
+        copy_tree(tree, {c.file for c in constants if not c.file.startswith(CATALOGUE)})
     make_movable(tree, constants)
     build(tree)
-    done = {tuple(row[:3]) for row in csv.reader(results.open())} if results.exists() else set()
+    done = {tuple(row[:4]) for row in csv.reader(results.open())} if results.exists() else set()
     with results.open("a", newline="") as stream:
         writer = csv.writer(stream)
 
-        def keep(file, name, sign, values):
+        def keep(key, values):
             for figure, each in values.items():
-                writer.writerow([file, name, sign, figure, *each])
+                writer.writerow([*key, figure, *each])
             stream.flush()
-            print(f"{file} {name} {sign}: {len(values)} figures", flush=True)
+            print(*key, f"{len(values)} figures", flush=True)
 
-        if ("-", "-", "0") not in done:
-            keep("-", "-", 0, figures(tree, ALL, BASE_SEEDS))
-        for constant in constants:
-            for sign in (-1, 1):
-                if (constant.file, constant.name, str(sign)) not in done:
-                    keep(constant.file, constant.name, sign, measure(constant, sign, tree))
+        for group in GROUPS[CATALOGUE]:
+            if ("-", "-", "0", group) not in done:
+                keep(("-", "-", "0", group), figures(tree, group, BASE_SEEDS[:1] if group == "track" else BASE_SEEDS))
+            touching = [c for c in constants if group in GROUPS[folder_of(c)]]
+            for constant in sorted(touching, key=lambda c: list(GROUPS).index(folder_of(c))):
+                for sign in (-1, 1):
+                    key = (constant.file, constant.name, str(sign), group)
+                    if key not in done:
+                        keep(key, measure(constant, sign, group, tree))
 
 
 def read_results(results):
-    """By figure its mean and how it scatters over seeds; by constant and figure the values at less and at more."""
+    """By figure its median and how it scatters over seeds; by constant and figure the values at less and at more."""
     base, scatter, after = {}, {}, collections.defaultdict(lambda: collections.defaultdict(dict))
     with results.open() as stream:
-        for file, name, sign, figure, *values in csv.reader(stream):
+        for file, name, sign, _, figure, *values in csv.reader(stream):
             values = [float(value) for value in values]
             if file == "-":
-                base[figure] = statistics.mean(values)
+                base[figure] = statistics.median(values)
                 scatter[figure] = statistics.stdev(values) if len(values) > 1 else 0.0
             else:
                 after[file, name][figure][int(sign)] = values
@@ -236,7 +244,7 @@ def changes(results):
     told = collections.defaultdict(dict)
     for key, by_figure in after.items():
         for figure, values in by_figure.items():
-            share = {sign: statistics.mean(each) / base[figure] - 1 for sign, each in values.items()}
+            share = {sign: statistics.median(each) / base[figure] - 1 for sign, each in values.items()}
             fewest = min(map(len, values.values()))
             noise = scatter[figure] / base[figure] * math.sqrt(1 / fewest + 1 / len(BASE_SEEDS))
             if max(map(abs, share.values())) > max(LEAST, SIGMAS * noise):
@@ -254,14 +262,38 @@ def signed(share):
     return f"{100 * share:+.0f}".replace("-", "−") if abs(share) > 0.005 else "0"
 
 
-def shown(by_figure):
+def shown(by_figure, missing=()):
     largest_first = sorted(by_figure.items(), key=lambda item: -max(map(abs, item[1].values())))
     parts = [f"{label(figure)} {signed(share.get(-1))}, {signed(share.get(1))}" for figure, share in largest_first]
-    return "; ".join(parts) if parts else "none"
+    return "; ".join((parts or ["none"]) + [f"{group} not tried" for group in missing])
+
+
+def value_of(constant):
+    """The number as a reader would write it, with its unit."""
+    values = [match[1] for _, match in found(constant, ROOT)]
+    if constant.file.startswith(CATALOGUE):
+        numbers = sorted(map(float, values))
+        value = " to ".join(f"{number:g}" for number in sorted({numbers[0], numbers[-1]}))
+    elif "(" in values[0]:
+        value = "1"  # a factor that does not stand there
+    else:
+        value = values[0].replace(" * kStandardGravity_mps2", " * 9.81")
+    if "* kDeg" in value:
+        return value.replace(" * kDeg", " deg")
+    return value if constant.unit == "-" else f"{value} {constant.unit}"
+
+
+def tried(results):
+    """By constant the groups of figures that RESULTS has."""
+    groups = collections.defaultdict(set)
+    with results.open() as stream:
+        for file, name, _, group, *_ in csv.reader(stream):
+            groups[file, name].add(group)
+    return groups
 
 
 def table(results):
-    told = changes(results)
+    told, groups = changes(results), tried(results)
     constants, _ = read_list()
     print("| constant | value | from | change in %, at less and at more |\n| --- | --- | --- | --- |")
     heading = None
@@ -269,15 +301,11 @@ def table(results):
         if constant.file != heading:
             heading = constant.file
             print(f"| **{heading}** | | | |")
-        values = [match[1] for _, match in found(constant, ROOT)]
-        value = values[0].replace("body.X_WB.linear().col(2)", "1")
-        if constant.file == CATALOGUE:
-            numbers = sorted(map(float, values))
-            value = f"{numbers[0]:g} to {numbers[-1]:g}" if numbers[0] < numbers[-1] else f"{numbers[0]:g}"
-        unit = "" if constant.unit == "-" else " " + constant.unit
         name = f"`{constant.name}`" if " " not in constant.name else f"literal: {constant.name}"
-        step = f" (± {constant.step})" if constant.step else ""
-        print(f"| {name}{step} | {value}{unit} | {constant.origin} | {shown(told[constant.file, constant.name])} |")
+        step = f" (± {constant.step})".replace(" * kDeg", " deg") if constant.step else ""
+        key = (constant.file, constant.name)
+        missing = [group for group in GROUPS[folder_of(constant)] if group not in groups[key]]
+        print(f"| {name}{step} | {value_of(constant)} | {constant.origin} | {shown(told[key], missing)} |")
 
 
 def left():
@@ -299,7 +327,9 @@ def rank(results):
     for figure, value in base.items():
         print(f"{figure} {value:.4g}, scatter {100 * scatter[figure] / value:.1f} %")
     told = changes(results)
-    total = {key: math.sqrt(sum(max(map(abs, s.values())) ** 2 for s in by.values()) / len(base)) for key, by in told.items()}
+    ranked = len(base.keys() - UNRANKED)
+    total = {key: math.sqrt(sum(max(map(abs, share.values())) ** 2 for figure, share in by.items() if figure not in UNRANKED)
+                            / ranked) for key, by in told.items()}
     for key in sorted(total, key=total.get, reverse=True)[:20]:
         print(f"{100 * total[key]:5.1f} % {key[0]} {key[1]}: {shown(told[key])}")
 
