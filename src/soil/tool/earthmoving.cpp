@@ -132,7 +132,9 @@ CuttingForce Cut(const CuttingInput& input) {
   result.wedge_length_m = in.depth_m * wedges.Ahead(std::tan(result.wedge_rad));
   result.total_n = std::max(0.0, wedges.ForceAt_n(result.wedge_rad));
   if (plane.rake_rad < in.rake_rad) {
-    result.total_n = std::max(result.total_n, CurvedSlipForce_n(in));
+    // Where friction is so steep that no spiral turns about a pole, the plane's force stands.
+    const double curved_n = CurvedSlipForce_n(in);
+    if (std::isfinite(curved_n)) result.total_n = std::max(result.total_n, curved_n);
   }
   result.draft_n = result.total_n * std::sin(in.rake_rad + in.tool_friction_rad);
   result.vertical_n = result.total_n * std::cos(in.rake_rad + in.tool_friction_rad);

@@ -149,5 +149,26 @@ TEST(Earthmoving, StaysContinuousWhereNoWedgeFits) {
   }
 }
 
+// Beyond 45 deg a rough face that leans forwards pushes steeply down, and no spiral turns about it.
+TEST(Earthmoving, IsFiniteForEverySoilThatMayBeStated) {
+  for (double phi_deg = 0; phi_deg <= 89; phi_deg += 1) {
+    for (double rake_deg = 5; rake_deg <= 175; rake_deg += 5) {
+      for (const double share : {0.0, 0.5, 1.0}) {
+        CuttingInput in = UprightFrictionless(phi_deg);
+        in.depth_m = 0.1;
+        in.rake_rad = rake_deg * kDeg;
+        in.tool_friction_rad = share * in.friction_rad;
+        in.cohesion_pa = 2000;
+        in.surcharge_pa = 500;
+        const CuttingForce force = Cut(in);
+        ASSERT_TRUE(std::isfinite(force.draft_n) && std::isfinite(force.vertical_n))
+            << phi_deg << " " << rake_deg << " " << share;
+        ASSERT_GE(force.total_n, 0) << phi_deg << " " << rake_deg << " " << share;
+        ASSERT_TRUE(std::isfinite(force.wedge_length_m)) << phi_deg << " " << rake_deg;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tera
