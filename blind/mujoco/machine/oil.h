@@ -15,9 +15,9 @@ struct OilNumbers {
 /// By axis, of the machine that an owner's file calls `kind`.
 ///
 /// Model   A small machine's oil is stiff: short hoses, light links. The heavier what a joint
-///         moves, the slower it swings. After a step, x'' + 2 z w x' + w² x = w², the area of the squared
-///         error is (1 + 4 z²) / (4 z w), which is that of a delay by as much: with the pilot and
-///         the bus less than what is as expected.
+///         moves, the slower it swings. After a step, x'' + 2 z w x' + w^2 x = w^2, the area of the
+///         squared error is (1 + 4 z^2) / (4 z w), which is that of a delay by as much: with the
+///         pilot and the bus less than what is as expected.
 /// Omits   that the inertia, and with it the frequency, changes with the pose.
 std::array<OilNumbers, 6> OilOf(const std::string& kind);
 
