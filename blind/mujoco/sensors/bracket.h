@@ -8,9 +8,9 @@ namespace tera::blind::mujoco {
 
 /// What a unit feels on a plate that its weight bends.
 ///
-/// Model   The plate turns the unit about the link's x or y by an angle b, T b' = bends f_z / g - b,
-///         f_z being the specific force along the link's z, T = 0.03 s. The unit reads rate and
-///         force in its own axes, and b' beside.
+/// Model   The plate turns the unit about the link's x or y by an angle b,
+///         T b' = bends f_z / g - b, f_z being the specific force along the link's z, T = 0.03 s.
+///         The unit reads rate and force in its own axes, and b' beside.
 /// Omits   the plate's own ringing; that the unit moves by its bending.
 class Bracket {
  public:
