@@ -4,29 +4,14 @@
 
 #include <cmath>
 
-#include "core/config/config.h"
 #include "core/units.h"
-#include "soil/columns/soil_type.h"
+#include "soil/soil_fixture.h"
 
 namespace tera {
 namespace {
 
-SoilType Shipped(const std::string& name) {
-  const Config config = Config::FromFile(*ShippedSoilFile(name));
-  return ReadSoilType(config.root());
-}
-
-Shovel Bucket() {
-  Shovel bucket;
-  bucket.name = "bucket";
-  bucket.profile_B_m = {{0.78, 0.0},  {0.74, 0.12}, {0.64, 0.28}, {0.48, 0.40},
-                        {0.30, 0.42}, {0.15, 0.33}, {0.09, 0.18}, {0.09, -0.03}};
-  bucket.width_m = 0.60;
-  bucket.capacity_m3 = 0.11;
-  bucket.teeth = 6;
-  bucket.tooth_length_m = 0.15;
-  return bucket;
-}
+using testing_soil::CompactBucket;
+using testing_soil::Shipped;
 
 /// Mouth upwards, turned and tilted a little.
 const Pose kX_WB =
@@ -41,12 +26,12 @@ SoilReaction::Load Load(double volume_m3, std::vector<double> soil_kg) {
 }
 
 TEST(CarriedSoil, IsNothingWhenTheShovelIsEmpty) {
-  EXPECT_EQ(CarriedSoil(Bucket(), {Shipped("dirt")}).Shape(Load(0, {0}), kX_WB), nullptr);
+  EXPECT_EQ(CarriedSoil(CompactBucket(), {Shipped("dirt")}).Shape(Load(0, {0}), kX_WB), nullptr);
 }
 
 TEST(CarriedSoil, HasTheColourOfTheSoilThatWasDugNotOfTheSitesFirst) {
   const std::vector<SoilType> soils = {Shipped("clay"), Shipped("sand"), Shipped("asphalt")};
-  const auto shape = CarriedSoil(Bucket(), soils).Shape(Load(0.09, {0, 130, 0}), kX_WB);
+  const auto shape = CarriedSoil(CompactBucket(), soils).Shape(Load(0.09, {0, 130, 0}), kX_WB);
   ASSERT_NE(shape, nullptr);
   EXPECT_LT((shape->parts[0].material.albedo - LooseAlbedo(soils[1])).norm(), 1e-12);
   for (const Eigen::Vector3f& albedo : shape->parts[0].albedos) {  // brighter or darker, one hue
@@ -60,7 +45,8 @@ TEST(CarriedSoil, MixesSoilsByTheirShareOfTheVolume) {
   // A quarter of the volume is dark.
   const double dark_kg = 0.02 * LooseDensity_kgpm3(soils[0]);
   const double light_kg = 0.06 * LooseDensity_kgpm3(soils[1]);
-  const auto shape = CarriedSoil(Bucket(), soils).Shape(Load(0.08, {dark_kg, light_kg}), kX_WB);
+  const auto shape =
+      CarriedSoil(CompactBucket(), soils).Shape(Load(0.08, {dark_kg, light_kg}), kX_WB);
   ASSERT_NE(shape, nullptr);
   const Vec3 mixed = 0.25 * LooseAlbedo(soils[0]) + 0.75 * LooseAlbedo(soils[1]);
   EXPECT_LT((shape->parts[0].material.albedo - mixed).norm(), 1e-9);
@@ -74,7 +60,7 @@ TEST(CarriedSoil, MixesSoilsByTheirShareOfTheVolume) {
 }
 
 TEST(CarriedSoil, BoxHoldsTheHeapAsItLiesAndNoMore) {
-  const CarriedSoil soil(Bucket(), {Shipped("dirt")});
+  const CarriedSoil soil(CompactBucket(), {Shipped("dirt")});
   const auto little = soil.Shape(Load(0.01, {15}), kX_WB);
   const auto much = soil.Shape(Load(0.11, {150}), kX_WB);
   ASSERT_TRUE(little && much);
@@ -92,7 +78,7 @@ TEST(CarriedSoil, BoxHoldsTheHeapAsItLiesAndNoMore) {
 }
 
 TEST(CarriedSoil, SameLoadInTheSamePositionLooksTheSame) {
-  const CarriedSoil soil(Bucket(), {Shipped("dirt")});
+  const CarriedSoil soil(CompactBucket(), {Shipped("dirt")});
   const auto a = soil.Shape(Load(0.05, {70}), kX_WB), b = soil.Shape(Load(0.05, {70}), kX_WB);
   const auto more = soil.Shape(Load(0.06, {84}), kX_WB);
   EXPECT_TRUE(AreAlike(a.get(), b.get()));
