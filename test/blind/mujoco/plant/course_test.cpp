@@ -6,29 +6,12 @@
 #include <cmath>
 
 #include "blind/mujoco/plant/model.h"
+#include "blind/mujoco/plant/some_course.h"
 
 namespace tera::blind::mujoco {
 namespace {
 
 constexpr double kGravity_mps2 = 9.807;  ///< at 47 deg north (Somigliana)
-
-const MachineNumbers& FourTons() {
-  static const MachineNumbers numbers =
-      MachineNumbers::Read("examples/prove/excavator4t.yaml", "examples/prove/rig4t.yaml");
-  return numbers;
-}
-
-Start SomeStart() {
-  Start start;
-  start.yaw_rad = 0.7;
-  start.joints_rad = {0.2, 0.35, -1.4, -0.3};
-  return start;
-}
-
-Course DriveBy(const Operator& someone, double duration_s, const PlantForm& form = {},
-               const Start& start = SomeStart()) {
-  return Drive(FourTons(), form, start, duration_s, someone, Stream(1, "messages"));
-}
 
 /// One lever at a level from 0.5 s on, for `length_s`.
 Operator Pushes(std::size_t axis, double level, double length_s) {

@@ -6,27 +6,10 @@
 #include "blind/mujoco/plant/course.h"
 #include "blind/mujoco/plant/model.h"
 #include "blind/mujoco/plant/slew_ring.h"
+#include "blind/mujoco/plant/some_course.h"
 
 namespace tera::blind::mujoco {
 namespace {
-
-const MachineNumbers& FourTons() {
-  static const MachineNumbers numbers =
-      MachineNumbers::Read("examples/prove/excavator4t.yaml", "examples/prove/rig4t.yaml");
-  return numbers;
-}
-
-Start SomeStart() {
-  Start start;
-  start.yaw_rad = 0.7;
-  start.joints_rad = {0.2, 0.35, -1.4, -0.3};
-  return start;
-}
-
-Course DriveBy(const Operator& someone, double duration_s, const PlantForm& form,
-               const Start& start = SomeStart()) {
-  return Drive(FourTons(), form, start, duration_s, someone, Stream(1, "messages"));
-}
 
 /// Both tracks, eased within half a second, left times `left`.
 Operator Travels(double left, double right, double length_s) {
