@@ -14,6 +14,8 @@ namespace {
 constexpr double kRangeEnd = 0.99;   ///< share of a range beyond which a value is at its end
 constexpr double kRivalP = 0.05;     ///< of a better fit, above which a rival is as good
 constexpr double kRivalShare = 0.5;  ///< of a gain, without which a group is no rival
+/// Of the posterior density, in logarithms: twenty times as likely.
+constexpr double kRivalOdds = 3;
 constexpr double kCancels = 0.98;    ///< correlation of two numbers whose effects cancel
 constexpr double kWithinSigmas = 3;  ///< from the documented value, to be listed
 constexpr std::size_t kFewestSegments = 3;
@@ -113,6 +115,15 @@ class Judge {
     return total;
   }
   double FitOf(const Eigen::VectorXd& parameters) const { return -sum_.At(parameters); }
+  /// The logarithm of the largest posterior density with a set free, whatever its numbers are: what
+  /// all segments say, less what it takes to stretch all other numbers within their tolerances.
+  double LogPosterior(const Set& free) const {
+    const Eigen::VectorXd best = Fit(free);
+    const ParameterPrior prior = table_.PriorWith(free);
+    Eigen::ArrayXd stretch = (best - prior.documented).array() / prior.sigma.array();
+    for (const int g : free) stretch.segment(group(g).first, group(g).count).setZero();
+    return FitOf(best) - 0.5 * stretch.square().sum();
+  }
 
   std::vector<JudgedParameter> Posterior(const Set& free, int g) const;
   bool IsAdmissible(const NamedGroup& tried) const;
@@ -183,21 +194,25 @@ std::vector<int> Judge::MostPromising(const Set& named, const Set& candidates, i
   return promising;
 }
 
-/// Adds the admissible group with the largest held-out gain; false if there is none.
+/// Adds the admissible group with which the recording is most likely; false if there is none.
 bool Judge::Grow(Set* set) const {
   Set candidates;
   for (int g = 0; g < groups(); ++g) {
     if (group(g).may_be_named && !Has(*set, g)) candidates.push_back(g);
   }
   const auto before = CrossFits(*set);
-  std::optional<NamedGroup> best;
+  std::optional<int> best;
+  double best_posterior = 0;
   for (const int g : MostPromising(*set, candidates, options_.most_tried)) {
     const auto gains = Gains(before, CrossFits(With(*set, g)));
-    NamedGroup tried{g, Posterior(With(*set, g), g), Total(gains), SteadyGainP(gains), {}};
-    if (IsAdmissible(tried) && (!best || tried.gain > best->gain)) best = std::move(tried);
+    const NamedGroup tried{g, Posterior(With(*set, g), g), Total(gains), SteadyEffectP(gains), {}};
+    const double posterior = LogPosterior(With(*set, g));
+    if (!IsAdmissible(tried) || (best && posterior <= best_posterior)) continue;
+    best = g;
+    best_posterior = posterior;
   }
   if (!best) return false;
-  set->push_back(best->group);
+  set->push_back(*best);
   return true;
 }
 
@@ -209,7 +224,7 @@ void Judge::DropInadmissible(Set* set, GroupJudgement* judgement) const {
     const auto after = CrossFits(*set);
     for (const int g : *set) {
       const auto gains = Gains(CrossFits(Without(*set, g)), after);
-      judgement->named.push_back({g, Posterior(*set, g), Total(gains), SteadyGainP(gains), {}});
+      judgement->named.push_back({g, Posterior(*set, g), Total(gains), SteadyEffectP(gains), {}});
     }
     for (const NamedGroup& one : judgement->named) {
       if (IsAdmissible(one)) continue;
@@ -223,7 +238,7 @@ void Judge::DropInadmissible(Set* set, GroupJudgement* judgement) const {
 std::vector<int> Judge::RivalsOf(const Set& set, int g) const {
   const Set others = Without(set, g);
   const auto base = CrossFits(others), best = CrossFits(set);
-  const double gain = Total(Gains(base, best));
+  const double gain = Total(Gains(base, best)), posterior = LogPosterior(set);
   Set candidates;
   for (int h = 0; h < groups(); ++h) {
     if (group(h).may_be_named && !Has(set, h)) candidates.push_back(h);
@@ -232,7 +247,8 @@ std::vector<int> Judge::RivalsOf(const Set& set, int g) const {
   for (const int h : MostPromising(others, candidates, options_.most_tried)) {
     const auto rival = CrossFits(With(others, h));
     if (Total(Gains(base, rival)) < kRivalShare * gain) continue;
-    if (SteadyGainP(Gains(rival, best)) > kRivalP) rivals.push_back(h);
+    const bool is_likely = LogPosterior(With(others, h)) > posterior - kRivalOdds;
+    if (is_likely || SteadyGainP(Gains(rival, best)) > kRivalP) rivals.push_back(h);
   }
   return rivals;
 }
@@ -298,7 +314,7 @@ void Judge::ListOthers(const Set& named, GroupJudgement* judgement) const {
       continue;
     }
     const auto gains = Gains(before, CrossFits(With(named, g)));
-    const NamedGroup one{g, all, Total(gains), SteadyGainP(gains), {}};
+    const NamedGroup one{g, all, Total(gains), SteadyEffectP(gains), {}};
     if (one.gain > 0) judgement->unproven.push_back(one);
   }
 }

@@ -27,7 +27,7 @@ struct NamedGroup {
   std::vector<JudgedParameter> parameters;
   double gain = 0;          ///< of log-likelihood on segments that it was not fitted to
   double p = 1;             ///< of as steady a gain by chance
-  std::vector<int> rivals;  ///< groups in whose place it is not significantly better
+  std::vector<int> rivals;  ///< groups in whose place it is neither much likelier nor better
 };
 
 struct GroupJudgement {
@@ -48,13 +48,14 @@ struct GroupJudgement {
 ///
 /// Model   each segment is a quadratic over the parameters. A group is tried by the gain, on each
 ///         segment, of parameters that all other segments fit best with the group free over those
-///         with it and all others within tolerance (SmallestWithin); GainP over segments judges how
-///         steady it is. A tolerance is a bound: a prior alone would give way to the data, and
-///         what is far off would then gain nothing from being free. A group is admissible where p
-///         is small enough for as many groups, one of its numbers lies beyond its tolerance with
-///         95 %, and none is at the end of its range. That with the largest gain enters; named ones
-///         that are no longer admissible leave. Errors are the larger of the posterior's and of
-///         those by the scatter of the segments' scores.
+///         with it and all others within tolerance (SmallestWithin); SteadyEffectP over segments
+///         judges how steady it is. A tolerance is a bound: a prior alone would give way to the
+///         data, and what is far off would then gain nothing from being free. A group is admissible
+///         where p is small enough for as many groups, one of its numbers lies beyond its tolerance
+///         with 95 %, and none is at the end of its range. That with which the recording is most
+///         likely enters, the priors of all numbers within tolerance counted; named ones that are
+///         no longer admissible leave. Errors are the larger of the posterior's and of those by the
+///         scatter of the segments' scores.
 /// Omits   what is not quadratic: linearise again where much was named.
 /// Source  Ibragimov and Mueller 2010; White 1982, "Maximum likelihood estimation of misspecified
 ///         models", on the scatter of scores.

@@ -17,6 +17,27 @@ constexpr double kConfirmingBetP = 0.01;
 constexpr double kShortestPiece_s = 1;
 constexpr std::size_t kFewestPieceSamples = 5;
 
+/// One-sided Student's t of what `amount` gives of each piece.
+template <typename Amount>
+double SteadyShareP(const std::vector<ManoeuvreGain>& gains, Amount amount) {
+  std::vector<double> share;
+  double mean = 0;
+  for (const ManoeuvreGain& one : gains) {
+    if (one.possible < kLeastPossible) continue;
+    share.push_back(amount(one) / std::sqrt(one.possible * (one.possible + kNoiseGain)));
+    mean += share.back();
+  }
+  const auto count = static_cast<double>(share.size());
+  if (share.size() < kFewest) return 1;
+  mean /= count;
+  double square = 0;
+  for (const double s : share) square += (s - mean) * (s - mean);
+  const double error = std::sqrt(square / (count - 1) / count);
+  if (error <= 0) return mean > 0 ? 0 : 1;
+  return boost::math::cdf(
+      boost::math::complement(boost::math::students_t(count - 1), mean / error));
+}
+
 }  // namespace
 
 std::vector<ManoeuvreGain> GainsOf(const Likelihood& likelihood, const Misfit& before,
@@ -56,22 +77,11 @@ std::vector<Segment> PiecesOf(const std::vector<Segment>& manoeuvres, double per
 }
 
 double SteadyGainP(const std::vector<ManoeuvreGain>& gains) {
-  std::vector<double> share;
-  double mean = 0;
-  for (const auto& [gain, possible] : gains) {
-    if (possible < kLeastPossible) continue;
-    share.push_back(gain / std::sqrt(possible * (possible + kNoiseGain)));
-    mean += share.back();
-  }
-  const auto count = static_cast<double>(share.size());
-  if (share.size() < kFewest) return 1;
-  mean /= count;
-  double square = 0;
-  for (const double s : share) square += (s - mean) * (s - mean);
-  const double error = std::sqrt(square / (count - 1) / count);
-  if (error <= 0) return mean > 0 ? 0 : 1;
-  return boost::math::cdf(
-      boost::math::complement(boost::math::students_t(count - 1), mean / error));
+  return SteadyShareP(gains, [](const ManoeuvreGain& one) { return one.gain; });
+}
+
+double SteadyEffectP(const std::vector<ManoeuvreGain>& gains) {
+  return SteadyShareP(gains, [](const ManoeuvreGain& one) { return one.gain + one.possible; });
 }
 
 double GainP(const std::vector<ManoeuvreGain>& gains) {

@@ -37,6 +37,16 @@ std::vector<Segment> PiecesOf(const std::vector<Segment>& manoeuvres, double per
 ///         inference"; Bakirov and Szekely 2006.
 double SteadyGainP(const std::vector<ManoeuvreGain>& gains);
 
+/// The p-value of an effect showing as steadily by chance where there is none of it.
+///
+/// Model   SteadyGainP of gain + possible: that is the product of the first prediction's residuals
+///         with the difference of both over the variance, nought on average where nothing is there,
+///         and twice the possible gain where the second prediction is true. A gain alone is
+///         expected to be negative where nothing is there, and asks for an effect of at least half
+///         the fitted size: where that is required apart, this is the test with the power.
+/// Omits   as SteadyGainP.
+double SteadyEffectP(const std::vector<ManoeuvreGain>& gains);
+
 /// The p-value of gains being as steady, or as large in as many manoeuvres, by chance.
 ///
 /// Model   the smaller of SteadyGainP and of 2 / w, w the wealth of a bet: at each manoeuvre all of

@@ -109,5 +109,36 @@ TEST(Gain, IsConfirmedBySteadyOnesOrByThreeThatAreClear) {
   EXPECT_TRUE(AreConfirming(Gains(8, 4, 0.2, 0.02, 1), 0.05));
 }
 
+/// Gains of `pieces` pieces by noise beside an effect that is `there` times as large as predicted:
+/// residuals times the difference over the variance are normal with twice the possible gain as
+/// variance, and the gain is that less the possible one.
+std::vector<ManoeuvreGain> OfEffect(std::uint64_t seed, int pieces, double possible, double there) {
+  std::vector<ManoeuvreGain> gains;
+  for (int m = 0; m < pieces; ++m) {
+    const double noise = Stream(seed, "effect").Gaussian(static_cast<std::uint64_t>(m));
+    const double product = 2 * possible * there + std::sqrt(2 * possible) * noise;
+    gains.push_back({product - possible, possible});
+  }
+  return gains;
+}
+
+TEST(SteadyEffect, ByChanceIsFoundAsOftenAsItSays) {
+  constexpr int kDraws = 4000;
+  int below = 0;
+  for (int draw = 0; draw < kDraws; ++draw) below += SteadyEffectP(OfEffect(draw, 9, 6, 0)) < 0.05;
+  EXPECT_NEAR(below, 0.05 * kDraws, 4 * std::sqrt(0.05 * 0.95 * kDraws));
+}
+
+TEST(SteadyEffect, IsSeenWhereAGainIsStillDrownedInNoise) {
+  int effect = 0, gain = 0;
+  for (int draw = 0; draw < 200; ++draw) {
+    effect += SteadyEffectP(OfEffect(draw, 9, 4, 1)) < 1e-3;
+    gain += SteadyGainP(OfEffect(draw, 9, 4, 1)) < 1e-3;
+  }
+  // Student's t of nine with a mean of 2.8 and of 1.4 standard deviations.
+  EXPECT_GE(effect, 190);
+  EXPECT_LE(gain, 120);
+}
+
 }  // namespace
 }  // namespace tera
