@@ -25,10 +25,11 @@ double LengthOf_s(const MotionSegment& segment) {
 double SignalToNoise(const MotionProblem& motion, const std::vector<ParameterQuadratic>& segments,
                      const ParameterTable& table, const NamedGroup& found) {
   const ParameterGroup& group = table.groups[static_cast<std::size_t>(found.group)];
-  Eigen::VectorXd off(group.count);
+  Eigen::VectorXd off = Eigen::VectorXd::Zero(group.count);
   for (int i = 0; i < group.count; ++i) {
-    off[i] = found.parameters[static_cast<std::size_t>(i)].value -
-             table.parameters[static_cast<std::size_t>(group.first + i)].documented;
+    const JudgedParameter& number = found.parameters[static_cast<std::size_t>(i)];
+    if (!number.is_beyond) continue;
+    off[i] = number.value - table.parameters[static_cast<std::size_t>(group.first + i)].documented;
   }
   std::vector<double> ratios;
   for (std::size_t s = 0; s < segments.size(); ++s) {

@@ -50,5 +50,13 @@ TEST(SignalToNoise, OfFewSegmentsIsThatOfTheQuietest) {
   EXPECT_EQ(SignalToNoise(Segments(0), {}, Table(), Found(0.9)), 0);
 }
 
+// The first number changes readings by far more, and is within its tolerance.
+TEST(SignalToNoise, OfANumberWithinToleranceIsNotThatOfTheFinding) {
+  ParameterTable table = Table();
+  table.groups = {{"both", "scale", 0, 2}};
+  const NamedGroup found = {0, {{0.5, 0.01, false}, {1.3, 0.01, true}}, 0, 0, {}};
+  EXPECT_NEAR(SignalToNoise(Segments(3), {Read(5), Read(2), Read(4)}, table, found), 3, 1e-9);
+}
+
 }  // namespace
 }  // namespace tera
