@@ -139,6 +139,18 @@ void LineariseImu(const UnitChannel& unit, const At& at) {
   at.AddDelay(unit.late);
 }
 
+/// Adds the four numbers of a reflection; returns its error in W.
+Vec3 AddReflection(const ReceiverChannel& receiver, const At& at) {
+  if (receiver.reflection < 0) return Vec3::Zero();
+  const Eigen::Matrix<double, 3, 4> by_number =
+      ByReflection(receiver.raised.At(Eigen::VectorXd(at.numbers.col(0))));
+  for (int i = 0; i < 4; ++i) {
+    const int column = at.AddParameter(receiver.reflection + i);
+    at.out->by_parameter.block<3, 1>(0, column) = by_number.col(i);
+  }
+  return by_number * at.parameters.segment<4>(receiver.reflection);
+}
+
 // Derivatives of a receiver: angles (3), joints, place (3), the pair's yaw.
 constexpr int kGnssJoints = 3, kGnssPlace = kGnssJoints + kMostJointsOfChain,
               kGnssYaw = kGnssPlace + 3, kGnssDerivatives = kGnssYaw + 1;
@@ -169,8 +181,10 @@ void LineariseReceiver(const ReceiverChannel& receiver, const At& at) {
   };
   const int place = add_three(receiver.place), shift = add_three(receiver.datum);
   const int yaw = receiver.pair_yaw < 0 ? -1 : at.AddParameter(receiver.pair_yaw);
+  const Vec3 reflected = AddReflection(receiver, at);
   for (int row = 0; row < 3; ++row) {
-    out.residual[row] = at.observation.value[row] - at.numbers(row, 0) - away[row].a - datum[row];
+    out.residual[row] =
+        at.observation.value[row] - at.numbers(row, 0) - away[row].a - datum[row] - reflected[row];
     out.by_state(row, at.Column(row, 0)) = 1;
     for (int i = 0; i < 3; ++i) {
       out.by_state(row, at.Column(kRoll + i, 0)) = away[row].v[i];

@@ -5,17 +5,13 @@
 #include <vector>
 
 #include "diagnose/motion/kinematic_chain.h"
+#include "diagnose/motion/raised_part.h"
 #include "diagnose/motion/uniform_spline.h"
 
 /// What the estimate of a machine's motion is made from: channels with the places of their
 /// parameters, and observations cut into segments.
 
 namespace tera {
-
-/// Numbers of which splines describe the motion: the base's place in W, its roll, pitch and yaw,
-/// then the joints of which the motion is estimated.
-inline constexpr int kBaseNumbers = 6;
-inline constexpr int kRoll = 3, kYaw = 5;
 
 /// The place of parameters that a channel does not have.
 inline constexpr int kNoParameter = -1;
@@ -35,6 +31,8 @@ struct ReceiverChannel {
   KinematicChain chain;
   Vec3 p_LS_m = Vec3::Zero(), middle_L_m = Vec3::Zero();
   int place = kNoParameter, datum = kNoParameter, pair_yaw = kNoParameter, late = kNoParameter;
+  RaisedPart raised;              ///< what may reflect beside it
+  int reflection = kNoParameter;  ///< the first of four: RaisedPart
   int noise = 0;
 };
 

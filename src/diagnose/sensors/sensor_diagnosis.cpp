@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/units.h"
 #include "diagnose/motion/starting_delays.h"
+#include "diagnose/sensors/reflection.h"
 #include "diagnose/sensors/signal_to_noise.h"
 #include "diagnose/statistics/series/robust.h"
 
@@ -18,6 +20,30 @@ constexpr double kJoined_s = 0.5;
 
 std::string NameOf(const ParameterGroup& group) { return group.target + "/" + group.mechanism; }
 
+/// The numbers of `multipath` of the four that are linear.
+std::vector<FoundNumber> NumbersOfReflection(const std::vector<FoundNumber>& linear) {
+  Eigen::Vector4d value, documented, sigma;
+  for (int i = 0; i < 4; ++i) {
+    const FoundNumber& one = linear[static_cast<std::size_t>(i)];
+    value[i] = one.value;
+    documented[i] = one.documented;
+    sigma[i] = one.sigma;
+  }
+  const Reflection found = ReflectionOf(value), usual = ReflectionOf(documented);
+  const Eigen::Vector2d along(std::cos(found.azimuth_rad), std::sin(found.azimuth_rad));
+  const Eigen::Vector2d across(-along.y(), along.x());
+  const auto sigma_of = [&](const Eigen::Vector2d& way, int first) {
+    return way.cwiseProduct(sigma.segment<2>(first)).norm();
+  };
+  const double turned_rad = sigma_of(across, 0) / std::max(found.horizontal_m, 1e-6);
+  return {{"horizontal_m", "m", found.horizontal_m, sigma_of(along, 0), usual.horizontal_m,
+           linear[0].tolerance, linear[0].is_beyond || linear[1].is_beyond},
+          {"vertical_m", "m", found.vertical_m, sigma_of(along, 2), usual.vertical_m,
+           linear[2].tolerance, linear[2].is_beyond || linear[3].is_beyond},
+          {"azimuth_deg", "deg", found.azimuth_rad / kDeg, std::min(180.0, turned_rad / kDeg),
+           usual.azimuth_rad / kDeg, 180, false}};
+}
+
 SensorFinding FindingOf(const ParameterTable& table, int g,
                         const std::vector<JudgedParameter>& judged) {
   const ParameterGroup& group = table.groups[static_cast<std::size_t>(g)];
@@ -28,6 +54,7 @@ SensorFinding FindingOf(const ParameterTable& table, int g,
                                judged[i].sigma / one.si_per_unit, one.documented / one.si_per_unit,
                                one.tolerance / one.si_per_unit, judged[i].is_beyond});
   }
+  if (group.mechanism == kMultipath) finding.numbers = NumbersOfReflection(finding.numbers);
   return finding;
 }
 

@@ -8,6 +8,7 @@
 #include "core/check.h"
 #include "core/units.h"
 #include "diagnose/blocks/measured_poses.h"
+#include "diagnose/sensors/reflection.h"
 #include "diagnose/tolerances/default_tolerances.h"
 #include "sensors/imu/imu_slots.h"
 #include "sensors/slots/effect_numbers.h"
@@ -230,6 +231,21 @@ void AddReceiverParameters(const SensorDescription& receiver, double segment_s,
               model.bias_enu_m.z() + NumberOf(effects, "height_datum", "offset_m", 0), 120,
               vertical);
   channel->late = AddDelay(receiver.name, effects, table);
+}
+
+void AddReflectionParameters(const SensorDescription& receiver, ParameterTable* table,
+                             ReceiverChannel* channel) {
+  constexpr double kMost_m = 5;
+  const Effects& effects = receiver.effects;
+  const Eigen::Vector4d documented =
+      LinearReflection({NumberOf(effects, kMultipath, "horizontal_m", 0),
+                        NumberOf(effects, kMultipath, "vertical_m", 0),
+                        NumberOf(effects, kMultipath, "azimuth_deg", 0) * kDeg});
+  GroupOf group(table, receiver.name, std::string(kMultipath));
+  channel->reflection = group.first();
+  for (int i = 0; i < 4; ++i) {
+    group.Number(i < 2 ? "horizontal_m" : "vertical_m", "m", 1, documented[i], kMost_m, kWander);
+  }
 }
 
 int AddPairYaw(const SensorDescription& receiver, ParameterTable* table) {

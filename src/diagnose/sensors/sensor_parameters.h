@@ -55,6 +55,9 @@ double DocumentedDelay_s(const Effects& effects);
 void AddImuParameters(const SensorDescription& unit, ParameterTable* table, UnitChannel* channel);
 void AddReceiverParameters(const SensorDescription& receiver, double segment_s,
                            ParameterTable* table, ReceiverChannel* channel);
+/// The numbers of a part's reflection beside a receiver that has such a part.
+void AddReflectionParameters(const SensorDescription& receiver, ParameterTable* table,
+                             ReceiverChannel* channel);
 /// The yaw of two antennas of one link, which belongs to the first of them.
 int AddPairYaw(const SensorDescription& receiver, ParameterTable* table);
 /// One axis of a set of encoders: `effects` are those of the axis, `target` its name

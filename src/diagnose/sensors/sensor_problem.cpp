@@ -9,6 +9,7 @@
 #include "diagnose/blocks/sample_grid.h"
 #include "diagnose/motion/reduce_samples.h"
 #include "diagnose/sensors/gear_travel.h"
+#include "diagnose/sensors/reflection.h"
 #include "diagnose/sensors/usable_fix.h"
 #include "sensors/encoder/encoder_errors.h"
 #include "sensors/slots/effect_numbers.h"
@@ -80,6 +81,7 @@ class Builder {
   double ToleratedOfGravity(const UnitChannel& unit) const;
   void AddReceivers();
   void AddReceiver(std::size_t sensor, const KinematicChain& chain);
+  void AddReflection(const SensorDescription& receiver, ReceiverChannel* channel);
   void SharePairYaw();
   void AddPoses();
   void AddTravel();
@@ -316,6 +318,7 @@ void Builder::AddReceiver(std::size_t sensor, const KinematicChain& chain) {
   const auto& model = std::get<GnssModel>(receiver.model);
   ReceiverChannel channel{chain, receiver.X_BS.translation(), receiver.X_BS.translation()};
   AddReceiverParameters(receiver, segment_s_, &problem_.table, &channel);
+  AddReflection(receiver, &channel);
   const std::string name = input_.machine + "/" + receiver.name + "/";
   channel.noise = AddNoise(name + "east_m", "m", std::max(model.white_horizontal_m, 1e-3), 0.1);
   AddNoise(name + "north_m", "m", std::max(model.white_horizontal_m, 1e-3), 0.1);
@@ -333,6 +336,21 @@ void Builder::AddReceiver(std::size_t sensor, const KinematicChain& chain) {
     track.p_W_m.push_back(sample.enu_m);
   }
   if (!track.t_s.empty()) rough_.antennas.push_back(std::move(track));
+}
+
+/// Where a part may rise beside it, as encoders show, of which more than the antennas themselves
+/// tells where it points: their noise would else seem to be its reflection.
+void Builder::AddReflection(const SensorDescription& receiver, ReceiverChannel* channel) {
+  if (motion().imus.empty() && measured_.poses.empty()) return;
+  const auto part = RaisedPartOf(model(), model().LinkIndex(receiver.link), places_);
+  const auto is_measured = [&](const KinematicChain::Step& step) {
+    return !rough_.joints[static_cast<std::size_t>(step.place)].empty();
+  };
+  if (!part || !std::all_of(part->chain.steps.begin(), part->chain.steps.end(), is_measured)) {
+    return;
+  }
+  channel->raised = *part;
+  AddReflectionParameters(receiver, &problem_.table, channel);
 }
 
 void Builder::SharePairYaw() {
@@ -356,9 +374,14 @@ void Builder::AddPoses() {
   const std::string name = input_.machine + "/" + std::string(kPoses) + "/";
   for (int i = 0; i < 6; ++i) {
     const bool is_place = i < 3;
-    const int noise =
-        AddNoise(name + (is_place ? std::string(1, "xyz"[i]) : "r" + std::string(1, "xyz"[i % 3])),
-                 is_place ? "m" : "rad", is_place ? 1e-3 : 1e-4, is_place ? 0.1 : 0.05);
+    // What differs from one part of a map to the next differs within a part as well, and smoothly,
+    // so that residuals do not show it.
+    const int off = is_place ? channel.shift : channel.turn;
+    const double smooth =
+        off < 0 ? 0 : problem_.table.parameters[static_cast<std::size_t>(off + i % 3)].wander;
+    const int noise = AddNoise(
+        name + (is_place ? std::string(1, "xyz"[i]) : "r" + std::string(1, "xyz"[i % 3])),
+        is_place ? "m" : "rad", std::max(is_place ? 1e-3 : 1e-4, smooth), is_place ? 0.1 : 0.05);
     if (i == 0) channel.noise = noise;
   }
   SetTolerances(channel.noise, channel.shift, 3);

@@ -20,6 +20,7 @@ struct Wrong {
   Vec3 mount_rad = Vec3::Zero(), place_m = Vec3::Zero();                ///< of the boom's unit
   double unit_late_s = 0;               ///< stamps of the boom's unit
   Vec3 antenna_place_m = Vec3::Zero();  ///< of the left antenna
+  double reflected_m = 0;               ///< pulls the left antenna towards a boom that is raised
   double boom_zero_rad = 0;
   double poses_late_s = 0;
 };
@@ -60,6 +61,7 @@ inline MachineModel TurningMachine() {
     model.links[k].mass_kg = 500;
     model.links[k].inertia_B_kgm2 = 300 * Mat3::Identity();
   }
+  model.links[2].com_B_m = {1.5, 0, 0};
   model.joints = {Hinge("swing", 0, MakePose({0.1, 0, 0.7}), Vec3::UnitZ()),
                   Hinge("boom", 1, MakePose({0.8, 0.1, 0.4}, 0, -0.1, 0.05), -Vec3::UnitY())};
   model.levers = {{"swing", 0, -1}, {"boom", 1, -1}};
@@ -165,6 +167,11 @@ class MadeRecording {
       measured.imus[s].push_back(sample);
     }
   }
+  Vec3 Reflected(double t) const {
+    const Vec3 boom_W = Frame(2, Pose::Identity(), t).linear().col(0);
+    const Vec3 level_W = Vec3(boom_W.x(), boom_W.y(), 0).normalized();
+    return how_.wrong.reflected_m * std::max(0.0, boom_W.z()) * level_W;
+  }
   void AddReceiver(int s) {
     const SensorDescription& receiver = input.sensors[s];
     const Stream noise = Draw(receiver.name);
@@ -176,6 +183,7 @@ class MadeRecording {
       sample.t_ns = sample.t_available_ns = Stamp(receiver.name, k, 0.2 * k);
       sample.enu_m = Frame(Link(s), X_LS, 0.2 * k).translation() +
                      how_.noise * noise.Gaussian3(k).cwiseProduct(Vec3(0.008, 0.008, 0.012));
+      if (receiver.name == "left") sample.enu_m += Reflected(0.2 * k);
       sample.fix = GnssFix::kRtkFixed;
       sample.variance_enu_m2 = Vec3(0.008, 0.008, 0.012).cwiseAbs2();
       measured.gnss[s].push_back(sample);

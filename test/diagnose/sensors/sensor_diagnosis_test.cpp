@@ -36,11 +36,12 @@ struct Case {
   double value = 0;  ///< in the mechanism's unit
 };
 
-/// Four times as much as is tolerated; eight times of the place of the unit, sixteen times of an
-/// accelerometer's bias, of which a minute tells little beside a lean within tolerance.
+/// Four times as much as is tolerated; eight times of the place of the unit and of a reflection,
+/// sixteen times of an accelerometer's bias, of which a minute tells little beside a lean within
+/// tolerance.
 std::vector<Case> Cases() {
   const UsualTolerances& of = kTolerances;
-  std::vector<Case> cases(7);
+  std::vector<Case> cases(8);
   cases[0] = {{}, "imu_boom/bias", "gyro_y_degps", 4 * of.gyro_bias_radps / kDeg};
   cases[0].wrong.gyro_bias_radps.y() = 4 * of.gyro_bias_radps;
   cases[1] = {{}, "imu_boom/bias", "accel_x_mps2", -16 * of.accel_bias_mps2};
@@ -55,6 +56,8 @@ std::vector<Case> Cases() {
   cases[5].wrong.antenna_place_m.x() = 4 * of.antenna_place_m;
   cases[6] = {{}, "imu_boom/clock_offset", "offset_s", 4 * of.stamps_s};
   cases[6].wrong.unit_late_s = 4 * of.stamps_s;
+  cases[7] = {{}, "left/multipath", "horizontal_m", 8 * of.reflected_m};
+  cases[7].wrong.reflected_m = 8 * of.reflected_m;
   return cases;
 }
 
@@ -108,7 +111,7 @@ TEST_P(OneWrong, IsNamedThoughRowsAreLostAndStampsJitter) {
   ExpectNamed(wrong, Diagnosed(&made));
 }
 
-INSTANTIATE_TEST_SUITE_P(SensorDiagnosis, OneWrong, ::testing::Range(0, 7), [](const auto& info) {
+INSTANTIATE_TEST_SUITE_P(SensorDiagnosis, OneWrong, ::testing::Range(0, 8), [](const auto& info) {
   std::string name = Cases()[info.param].name + "_" + Cases()[info.param].number;
   for (char& c : name) c = std::isalnum(c) ? c : '_';
   return name;

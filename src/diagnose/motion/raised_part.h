@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "diagnose/motion/kinematic_chain.h"
+
+namespace tera {
+
+/// Numbers of which splines describe the motion: the base's place in W, its roll, pitch and yaw,
+/// then the joints of which the motion is estimated.
+inline constexpr int kBaseNumbers = 6;
+inline constexpr int kRoll = 3, kYaw = 5;
+
+/// A part that rises beside an antenna, as a boom.
+///
+/// What it reflects changes a place by (h cos a, h sin a, v cos a) r, a = A - azimuth, with A the
+/// part's azimuth and r the sine of its elevation. That is linear in the four numbers
+/// (h cos azimuth, h sin azimuth, v cos azimuth, v sin azimuth) where r (cos A, sin A) is known.
+struct RaisedPart {
+  KinematicChain chain;
+  Vec3 direction_L = Vec3::UnitX();  ///< from its foot to its tip
+
+  /// r (cos A, sin A) in W with the numbers of a motion; nought of a part that hangs or stands
+  /// upright.
+  Eigen::Vector2d At(const Eigen::VectorXd& numbers) const;
+};
+
+/// The derivatives of a place in W by those four numbers.
+Eigen::Matrix<double, 3, 4> ByReflection(const Eigen::Vector2d& raised);
+
+}  // namespace tera
