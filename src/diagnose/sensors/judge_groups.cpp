@@ -12,7 +12,6 @@ namespace tera {
 namespace {
 
 constexpr double kRangeEnd = 0.99;   ///< share of a range beyond which a value is at its end
-constexpr double kRivalP = 0.05;     ///< of a better fit, above which a rival is as good
 constexpr double kRivalShare = 0.5;  ///< of a gain, without which a group is no rival
 /// Of the posterior density, in logarithms: twenty times as likely.
 constexpr double kRivalOdds = 3;
@@ -248,7 +247,7 @@ std::vector<int> Judge::RivalsOf(const Set& set, int g) const {
     const auto rival = CrossFits(With(others, h));
     if (Total(Gains(base, rival)) < kRivalShare * gain) continue;
     const bool is_likely = LogPosterior(With(others, h)) > posterior - kRivalOdds;
-    if (is_likely || SteadyGainP(Gains(rival, best)) > kRivalP) rivals.push_back(h);
+    if (is_likely || SteadyGainP(Gains(rival, best)) > options_.alpha) rivals.push_back(h);
   }
   return rivals;
 }

@@ -6,9 +6,9 @@
 #include "core/in_parallel.h"
 #include "diagnose/search/block/expected_instead.h"
 #include "diagnose/search/block/lost_commands.h"
+#include "diagnose/search/block/search_with_noise.h"
 #include "diagnose/search/fit/flexible_regressor.h"
 #include "diagnose/search/fit/steady_gain.h"
-#include "diagnose/search/structure/prefix_search.h"
 
 namespace tera {
 namespace {
@@ -36,10 +36,6 @@ constexpr double kLeastExcessOfCause = 1.0 / 3;
 /// RMS that the flexible regressor leaves in place of a finding over that with the finding, at
 /// most, for the finding to be a proxy.
 constexpr double kMostFlexibleRmsRatio = 0.5;
-constexpr int kMostPasses = 3;  ///< of noise and search in turn
-/// Variance of a channel's noise, and scale of its innovations, over what they were, at most, for
-/// another search to be worth its time.
-constexpr double kMuchQuieterVariance = 0.5, kMuchQuieterInnovations = 0.7;
 
 /// Diagnoses one block under given models of its noise.
 class BlockDiagnoser {
@@ -52,7 +48,6 @@ class BlockDiagnoser {
 
   /// The answer for a block that has too few manoeuvres for a search.
   BlockDiagnosis Untested() const;
-  StructureSearch SearchAfter(const EarlierSearch& earlier) const;
   BlockDiagnosis Explain(SearchResult search) const;
 
  private:
@@ -363,12 +358,6 @@ BlockDiagnosis BlockDiagnoser::Untested() const {
   return out;
 }
 
-StructureSearch BlockDiagnoser::SearchAfter(const EarlierSearch& earlier) const {
-  return {context_.block,   context_.likelihood.noise(),
-          fitter_,          context_.manoeuvres,
-          context_.options, earlier};
-}
-
 BlockDiagnosis BlockDiagnoser::Explain(SearchResult search) const {
   BlockDiagnosis out;
   out.manoeuvres = context_.manoeuvres;
@@ -387,68 +376,6 @@ BlockDiagnosis BlockDiagnoser::Explain(SearchResult search) const {
     out.confirmed.push_back(Compare(out.search.nothing, out.search.found, c));
   }
   return out;
-}
-
-/// Whether any channel's noise is much less than it was estimated before.
-bool IsMuchQuieter(const std::vector<NoiseModel>& now, const std::vector<NoiseModel>& before) {
-  for (std::size_t c = 0; c < now.size(); ++c) {
-    if (VarianceOf(now[c]) < kMuchQuieterVariance * VarianceOf(before[c])) return true;
-    if (now[c].scale < kMuchQuieterInnovations * before[c].scale) return true;
-  }
-  return false;
-}
-
-/// A search and the noise that was estimated beside what it found.
-struct Searched {
-  std::vector<NoiseModel> noise;
-  SearchResult search;
-};
-
-/// Estimates noise and searches, in turn: what is found may have passed for noise at first.
-Searched SearchInTurn(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
-                      const std::vector<Manoeuvre>& manoeuvres) {
-  EarlierSearch earlier;
-  SearchResult before;
-  Searched last{NoiseOfBlock(block, manoeuvres), {}};
-  for (int pass = 1;; ++pass) {
-    const BlockDiagnoser diagnoser(block, options, stream, manoeuvres, last.noise);
-    StructureSearch search = diagnoser.SearchAfter(earlier);
-    last.search = search.Find();
-    std::vector<NoiseModel> less = NoiseOfBlock(block, manoeuvres, last.search.found.terms);
-    if (pass == kMostPasses || last.search.found.terms.empty() ||
-        !IsMuchQuieter(less, last.noise)) {
-      search.DiscriminateRivals(&last.search);
-      return last;
-    }
-    last.noise = std::move(less);
-    before = std::move(last.search);
-    earlier = {&before, false};
-  }
-}
-
-/// Searches the whole block from what was found in its prefix, under noise estimated beside that.
-Searched SearchWhole(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
-                     const std::vector<Manoeuvre>& manoeuvres, const SearchResult& prefix_result) {
-  std::vector<NoiseModel> noise = NoiseOfBlock(block, manoeuvres, prefix_result.found.terms);
-  const BlockDiagnoser diagnoser(block, options, stream, manoeuvres, noise);
-  StructureSearch search = diagnoser.SearchAfter({&prefix_result, true});
-  SearchResult found = search.Find();
-  search.DiscriminateRivals(&found);
-  return {std::move(noise), std::move(found)};
-}
-
-/// Searches a block, a long one by its prefix first.
-Searched SearchFor(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
-                   const std::vector<Manoeuvre>& manoeuvres) {
-  const std::size_t length = PrefixLength(manoeuvres, block.period_s());
-  const std::vector<Manoeuvre> first = Within(manoeuvres, length);
-  if (length == block.samples() || !IsTestable(first)) {
-    return SearchInTurn(block, options, stream, manoeuvres);
-  }
-  const ReplayBlock prefix = PrefixOf(block, length);
-  SearchResult prefix_result = SearchInTurn(prefix, options, stream, first).search;
-  return SearchWhole(block, options, stream, manoeuvres,
-                     CarryToWhole(std::move(prefix_result), prefix, block));
 }
 
 }  // namespace
@@ -472,7 +399,7 @@ BlockDiagnosis DiagnoseBlock(const ReplayBlock& block, const SearchOptions& opti
     return BlockDiagnoser(block, options, stream, manoeuvres, NoiseOfBlock(block, manoeuvres))
         .Untested();
   }
-  Searched searched = SearchFor(block, options, stream, manoeuvres);
+  SearchedBlock searched = SearchBlock(block, options, stream, manoeuvres);
   return BlockDiagnoser(block, options, stream, manoeuvres, searched.noise)
       .Explain(std::move(searched.search));
 }

@@ -81,6 +81,13 @@ struct Term {
 /// The terms that a prediction assumes to act, each candidate at most once.
 using Structure = std::vector<Term>;
 
+/// The structure with one term more.
+inline Structure With(Structure terms, const Candidate& candidate,
+                      const std::vector<double>& values) {
+  terms.push_back({&candidate, values});
+  return terms;
+}
+
 /// The structure without one of its terms.
 inline Structure Without(Structure terms, std::size_t term) {
   terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(term));

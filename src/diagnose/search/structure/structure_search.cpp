@@ -6,10 +6,9 @@
 #include <utility>
 
 #include "diagnose/search/fit/scored_fits.h"
-#include "diagnose/search/fit/steady_gain.h"
 #include "diagnose/search/structure/effect_size.h"
-#include "diagnose/search/structure/expected_beside.h"
 #include "diagnose/search/structure/pruning.h"
+#include "diagnose/search/structure/rivals.h"
 
 namespace tera {
 namespace {
@@ -32,11 +31,6 @@ void SortByCriterion(std::vector<Scored>* scored) {
 bool Has(const Structure& terms, const Candidate* candidate) {
   return std::any_of(terms.begin(), terms.end(),
                      [&](const Term& term) { return term.candidate == candidate; });
-}
-
-Structure With(Structure terms, const Candidate& candidate, const std::vector<double>& values) {
-  terms.push_back({&candidate, values});
-  return terms;
 }
 
 class Search {
@@ -77,11 +71,6 @@ class Search {
   FittedStructure Simplest(FittedStructure fitted) const;
   FittedStructure FitToSeen();
   std::vector<Structure> NearestRivals(const Scored& found, std::size_t term);
-  Rival CompareWith(const Structure& swapped, const Misfit& left, const Misfit& crossed) const;
-  Rival CompareWithExpectedBeside(const Structure& found, const Structure& swapped,
-                                  const Misfit& crossed) const;
-  void FindRivals(const Scored& found, const Misfit& crossed, std::size_t term,
-                  TermEvidence* evidence);
 
   const ReplayBlock& block_;
   const StructureFitter& on_seen_;
@@ -303,18 +292,6 @@ const TermEvidence* Search::EarlierEvidenceOf(const Candidate& candidate) const 
   return nullptr;
 }
 
-/// Whether all numbers of a term of which something is stated are as expected, one at least.
-bool IsAsExpected(const Term& term) {
-  bool is_stated = false;
-  for (const FreeParameter& free : term.candidate->free) {
-    if (!free.expected) continue;
-    is_stated = true;
-    const double off = std::abs(term.values[free.index] - free.expected->value);
-    if (off > free.expected->half_width) return false;
-  }
-  return is_stated;
-}
-
 /// The likeliest structures with one term swapped: for screened candidates, or for the rivals that
 /// the term had in the prefix.
 std::vector<Structure> Search::NearestRivals(const Scored& found, std::size_t term) {
@@ -336,66 +313,6 @@ std::vector<Structure> Search::NearestRivals(const Scored& found, std::size_t te
     if (scored.terms.back().IsItself()) nearest.push_back(std::move(scored.terms));
   }
   return nearest;
-}
-
-bool IsRejected(const Rival& rival) { return rival.p <= kRivalP && rival.lead >= kRivalGain; }
-
-/// The rival that ends a structure with a term swapped, by what that leaves and the structure
-/// itself does.
-Rival Search::CompareWith(const Structure& swapped, const Misfit& left,
-                          const Misfit& crossed) const {
-  const auto gains = pruning_.GainsOnSeen(left, crossed);
-  Rival rival{swapped.back().candidate, SteadyGainP(gains), 0};
-  for (const ManoeuvreGain& one : gains) rival.lead += one.gain;
-  return rival;
-}
-
-/// The same with a mechanism of timing or actuator beside both that is as expected, the one
-/// likeliest beside the rival, which is not worse for lacking what the machine may have anyhow.
-Rival Search::CompareWithExpectedBeside(const Structure& found, const Structure& swapped,
-                                        const Misfit& crossed) const {
-  const Candidate* rival = swapped.back().candidate;
-  FittedStructure best;
-  best.log_likelihood = -INFINITY;
-  const std::vector<Candidate> expected = ExpectedBeside(block_, swapped, rival->target);
-  for (const Candidate& one : expected) {
-    const Slot slot = one.mechanism->slot;
-    if (slot != Slot::kCommandTiming && slot != Slot::kActuator) continue;
-    FittedStructure fitted = fitter_.FitNear(With(swapped, one, one.starts.front()));
-    if (fitted.log_likelihood > best.log_likelihood) best = std::move(fitted);
-  }
-  if (best.terms.empty()) return {rival, 0, INFINITY};
-  const Candidate& beside = *best.terms.back().candidate;
-  std::vector<Structure> both = {best.terms};
-  if (!ActsIn(found, beside)) {
-    both.push_back(fitter_.FitNear(With(found, beside, best.terms.back().values)).terms);
-  }
-  const std::vector<Misfit> left = pruning_.Evaluate(both);
-  Rival compared = CompareWith(best.terms, left.front(), left.size() > 1 ? left.back() : crossed);
-  compared.candidate = rival;
-  return compared;
-}
-
-void Search::FindRivals(const Scored& found, const Misfit& crossed, std::size_t term,
-                        TermEvidence* evidence) {
-  const std::vector<Structure> swapped = NearestRivals(found, term);
-  evidence->rivals = {found.terms[term].candidate};
-  if (const TermEvidence* earlier = EarlierEvidenceOf(*found.terms[term].candidate)) {
-    evidence->rejected = earlier->rejected;
-  }
-  const std::vector<Misfit> left = pruning_.Evaluate(swapped);
-  for (std::size_t k = 0; k < swapped.size(); ++k) {
-    const Rival rival = CompareWith(swapped[k], left[k], crossed);
-    if (!IsRejected(rival) ||
-        !IsRejected(CompareWithExpectedBeside(found.terms, swapped[k], crossed))) {
-      evidence->rivals.push_back(rival.candidate);
-      if (IsAsExpected(swapped[k].back())) evidence->expected_rival = rival.candidate;
-    } else {
-      evidence->rejected.push_back(rival);
-    }
-  }
-  std::stable_sort(evidence->rejected.begin(), evidence->rejected.end(),
-                   [](const Rival& a, const Rival& b) { return a.lead < b.lead; });
 }
 
 SearchResult Search::Find() {
@@ -422,8 +339,14 @@ SearchResult Search::Find() {
 
 void Search::DiscriminateRivals(SearchResult* result) {
   const Scored& found = pruned_.structure;
+  const RivalTests tests(block_, fitter_, pruning_);
   for (std::size_t t = 0; t < found.terms.size(); ++t) {
-    FindRivals(found, pruned_.crossed, t, &result->evidence[t]);
+    TermEvidence& evidence = result->evidence[t];
+    evidence.rivals = {found.terms[t].candidate};
+    if (const TermEvidence* earlier = EarlierEvidenceOf(*found.terms[t].candidate)) {
+      evidence.rejected = earlier->rejected;
+    }
+    tests.Discriminate(found.terms, pruned_.crossed, NearestRivals(found, t), &evidence);
   }
 }
 

@@ -1,0 +1,81 @@
+#include "diagnose/search/structure/rivals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "diagnose/search/fit/steady_gain.h"
+#include "diagnose/search/structure/expected_beside.h"
+
+namespace tera {
+namespace {
+
+/// Whether all numbers of a term of which something is stated are as expected, one at least.
+bool IsAsExpected(const Term& term) {
+  bool is_stated = false;
+  for (const FreeParameter& free : term.candidate->free) {
+    if (!free.expected) continue;
+    is_stated = true;
+    const double off = std::abs(term.values[free.index] - free.expected->value);
+    if (off > free.expected->half_width) return false;
+  }
+  return is_stated;
+}
+
+bool IsRejected(const Rival& rival) { return rival.p <= kRivalP && rival.lead >= kRivalGain; }
+
+}  // namespace
+
+/// The rival that ends a structure with a term swapped, by what that leaves and the structure
+/// itself does.
+Rival RivalTests::CompareWith(const Structure& swapped, const Misfit& left,
+                              const Misfit& crossed) const {
+  const auto gains = pruning_.GainsOnSeen(left, crossed);
+  Rival rival{swapped.back().candidate, SteadyGainP(gains), 0};
+  for (const ManoeuvreGain& one : gains) rival.lead += one.gain;
+  return rival;
+}
+
+/// The same with a mechanism of timing or actuator beside both that is as expected, the one
+/// likeliest beside the rival, which is not worse for lacking what the machine may have anyhow.
+Rival RivalTests::CompareWithExpectedBeside(const Structure& found, const Structure& swapped,
+                                            const Misfit& crossed) const {
+  const Candidate* rival = swapped.back().candidate;
+  FittedStructure best;
+  best.log_likelihood = -INFINITY;
+  const std::vector<Candidate> expected = ExpectedBeside(block_, swapped, rival->target);
+  for (const Candidate& one : expected) {
+    const Slot slot = one.mechanism->slot;
+    if (slot != Slot::kCommandTiming && slot != Slot::kActuator) continue;
+    FittedStructure fitted = fitter_.FitNear(With(swapped, one, one.starts.front()));
+    if (fitted.log_likelihood > best.log_likelihood) best = std::move(fitted);
+  }
+  if (best.terms.empty()) return {rival, 0, INFINITY};
+  const Candidate& beside = *best.terms.back().candidate;
+  std::vector<Structure> both = {best.terms};
+  if (!ActsIn(found, beside)) {
+    both.push_back(fitter_.FitNear(With(found, beside, best.terms.back().values)).terms);
+  }
+  const std::vector<Misfit> left = pruning_.Evaluate(both);
+  Rival compared = CompareWith(best.terms, left.front(), left.size() > 1 ? left.back() : crossed);
+  compared.candidate = rival;
+  return compared;
+}
+
+void RivalTests::Discriminate(const Structure& found, const Misfit& crossed,
+                              const std::vector<Structure>& swapped, TermEvidence* evidence) const {
+  const std::vector<Misfit> left = pruning_.Evaluate(swapped);
+  for (std::size_t k = 0; k < swapped.size(); ++k) {
+    const Rival rival = CompareWith(swapped[k], left[k], crossed);
+    if (!IsRejected(rival) || !IsRejected(CompareWithExpectedBeside(found, swapped[k], crossed))) {
+      evidence->rivals.push_back(rival.candidate);
+      if (IsAsExpected(swapped[k].back())) evidence->expected_rival = rival.candidate;
+    } else {
+      evidence->rejected.push_back(rival);
+    }
+  }
+  std::stable_sort(evidence->rejected.begin(), evidence->rejected.end(),
+                   [](const Rival& a, const Rival& b) { return a.lead < b.lead; });
+}
+
+}  // namespace tera
