@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/arguments/argument_checks.h"
 #include "app/arguments/scenario_options.h"
 #include "app/commands.h"
 #include "core/units.h"
@@ -52,6 +53,18 @@ void PrintLeftOut(const std::vector<InputFile>& inputs) {
   }
 }
 
+/// Reads each of the episodes, and says what was drawn.
+void PrintEpisodes(ScenarioOptions options, int count) {
+  for (int episode = 0; episode < count; ++episode) {
+    options.episode = static_cast<std::uint64_t>(episode);
+    const LoadedScenario loaded = Load(options);
+    const SceneAssembly every_mesh_loads(loaded.scenario);
+    fmt::print("\nepisode {}:\n", episode);
+    for (const std::string& value : loaded.scenario.drawn) fmt::print("  {}\n", value);
+    if (loaded.scenario.drawn.empty()) fmt::print("  nothing is drawn\n");
+  }
+}
+
 void RunCheck(const ScenarioOptions& options) {
   const LoadedScenario loaded = Load(options);
   const Scenario& scenario = loaded.scenario;
@@ -75,11 +88,23 @@ void RunCheck(const ScenarioOptions& options) {
 }  // namespace
 
 void AddCheckCommand(CLI::App* app) {
-  auto options = std::make_shared<ScenarioOptions>();
+  struct Arguments {
+    ScenarioOptions scenario;
+    int sample = 0;
+  };
+  auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
       app->add_subcommand("check", "Validate a scenario and all it names, without running it");
-  AddScenarioOptions(command, options.get());
-  command->callback([options] { RunCheck(*options); });
+  AddScenarioOptions(command, &arguments->scenario);
+  command
+      ->add_option("--sample", arguments->sample,
+                   "Draw and read as many episodes of the scenario's randomise:")
+      ->check(WholeNumberBetween(1, 10000));
+  command->callback([arguments] {
+    if (arguments->sample == 0) return RunCheck(arguments->scenario);
+    PrintEpisodes(arguments->scenario, arguments->sample);
+    fmt::print("\nvalid\n");
+  });
 }
 
 }  // namespace tera

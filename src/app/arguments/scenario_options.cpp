@@ -24,6 +24,10 @@ void AddScenarioOptions(CLI::App* command, ScenarioOptions* options) {
       ->add_option("--effects", options->effects,
                    "File with effects to lay over the scenario's; may be repeated")
       ->take_all();
+  command
+      ->add_option("--episode", options->episode,
+                   "Which draw of the scenario's randomise: is taken (0)")
+      ->check(WholeNumberFrom0());
 }
 
 void AddHostOptions(CLI::App* command, HostOptions* options) {
@@ -39,7 +43,7 @@ LoadedScenario Load(const ScenarioOptions& options, const std::vector<std::strin
   std::vector<std::string> all = options.set;
   if (options.seed) all.push_back(fmt::format("seed={}", *options.seed));
   all.insert(all.end(), overrides.begin(), overrides.end());
-  return LoadScenario(options.scenario, all, options.effects);
+  return LoadScenario(options.scenario, all, options.effects, {}, options.episode);
 }
 
 }  // namespace tera

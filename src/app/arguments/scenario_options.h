@@ -16,6 +16,7 @@ struct ScenarioOptions {
   std::string scenario;
   std::optional<std::uint64_t> seed;
   std::vector<std::string> set, effects;
+  std::uint64_t episode = 0;  ///< of what `randomise:` draws
 };
 
 /// What of this machine a run may use.
@@ -26,7 +27,7 @@ struct HostOptions {
   EglOptions egl;
 };
 
-/// SCENARIO, --seed, --set, --effects. The options must outlive the parsing; so below.
+/// SCENARIO, --seed, --set, --effects, --episode. The options must outlive the parsing; so below.
 void AddScenarioOptions(CLI::App* command, ScenarioOptions* options);
 
 /// --threads, --egl-device.

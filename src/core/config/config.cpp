@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "core/config/config_layers.h"
 #include "core/config/spelling.h"
 #include "core/error.h"
@@ -70,6 +72,29 @@ Config Config::FromText(const std::string& text, const std::string& name,
   return Config(document);
 }
 
+void Config::LayOver(const std::vector<GivenValue>& values) {
+  // The root's layers are built anew from top to bottom, as in FromFile.
+  std::vector<Layer> above, file;
+  for (const Layer& layer : document_->root->layers) {
+    (layer.is_patch ? above : file).push_back(layer);
+  }
+  for (auto value = values.rbegin(); value != values.rend(); ++value) {
+    auto layer =
+        internal::PatchLayer(value->path, value->yaml, value->place, file.back().directory);
+    if (layer) {
+      above.push_back(*layer);
+    } else {
+      document_->faults.push_back(
+          fmt::format("{}: '{}' is no key path, need key.path, items of lists as key[0]",
+                      value->place, value->path));
+    }
+  }
+  above.insert(above.end(), file.begin(), file.end());
+  document_->root->layers.swap(above);
+}
+
+void Config::LeaveOut(const std::string& key) { document_->root->resolved.remove(key); }
+
 void Config::Move(std::vector<MovedFiles> moved) { document_->moved = std::move(moved); }
 
 ConfigMap Config::root() const { return ConfigMap(document_->root); }
@@ -84,7 +109,7 @@ void Config::Finish() const {
       std::set<std::string> seen;
       for (const auto& entry : layer.node) {
         const std::string key = entry.first.Scalar();
-        const std::string head = fmt::format("{}: {}: ", internal::PlaceOf(entry.first, layer.file),
+        const std::string head = fmt::format("{}: {}: ", internal::PlaceOf(entry.first, layer),
                                              internal::Join(layer.path, key));
         if (!seen.insert(key).second) {
           faults.push_back(head + "repeated key; keep one");
@@ -99,7 +124,10 @@ void Config::Finish() const {
       }
     }
   }
-  faults.insert(faults.end(), document_->faults.begin(), document_->faults.end());
+  for (const std::string& fault : document_->faults) {
+    // A key may be read twice.
+    if (std::find(faults.begin(), faults.end(), fault) == faults.end()) faults.push_back(fault);
+  }
   if (!faults.empty()) throw InputError(fmt::format("{}", fmt::join(faults, "\n")));
 }
 

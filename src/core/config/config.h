@@ -36,6 +36,16 @@ class Config {
   static Config FromText(const std::string& text, const std::string& name,
                          const std::vector<std::string>& overrides = {});
 
+  /// A value for one key that someone else than the file gives; `place` stands in messages.
+  struct GivenValue {
+    std::string path, yaml, place;
+  };
+  /// Lays values over all but the overrides, of two for one key the later one above. Before any
+  /// of these keys is read. A path of another form than `a.b[2].c` is a fault.
+  void LayOver(const std::vector<GivenValue>& values);
+  /// Leaves out of the resolved document what was read at a key of the root.
+  void LeaveOut(const std::string& key);
+
   /// Files that File then reads elsewhere; the resolved document names them as they were.
   void Move(std::vector<MovedFiles> moved);
   ConfigMap root() const;

@@ -43,10 +43,18 @@ std::vector<std::string> NamesIn(const ConfigNode& node) {
   return names;
 }
 
-std::string PlaceOf(const YAML::Node& node, const std::string& file) {
+std::string PlaceOf(const YAML::Node& node, const Layer& layer) {
   const YAML::Mark mark = node.Mark();
-  if (mark.is_null() || file == kOverlayName) return file;
-  return fmt::format("{}:{}:{}", file, mark.line + 1, mark.column + 1);
+  if (mark.is_null() || layer.is_patch) return layer.file;
+  return fmt::format("{}:{}:{}", layer.file, mark.line + 1, mark.column + 1);
+}
+
+std::string OnOneLine(const YAML::Node& node) {
+  YAML::Emitter emitter;
+  emitter << YAML::Flow << node;
+  std::string text = emitter.c_str();
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
 }
 
 std::string Join(const std::string& path, std::string_view key) {
@@ -63,7 +71,7 @@ std::string Shown(const YAML::Node& node) {
 
 void AddFault(ConfigNode& node, std::string_view key, const Found& found,
               const std::string& finding) {
-  const std::string place = PlaceOf(found.node, found.layer->file);
+  const std::string place = PlaceOf(found.node, *found.layer);
   const std::string path = Join(found.layer->path, key);
   node.document->faults.push_back(path.empty() ? fmt::format("{}: {}", place, finding)
                                                : fmt::format("{}: {}: {}", place, path, finding));

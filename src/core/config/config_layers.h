@@ -27,6 +27,8 @@ struct Layer {
   std::filesystem::path directory;
   std::string path;
   bool beneath = false;  ///< of LayBeneath: below the resolved document too
+  /// One value at its path, as --set gives it: without lines, and with items of lists by index.
+  bool is_patch = false;
 };
 
 struct ConfigNode {
@@ -77,7 +79,7 @@ struct ConfigDocument {
                                             const std::string& need);
 };
 
-/// Stands for a file's name in the messages about overrides, which have no lines.
+/// Stands for a file's name in the messages about overrides.
 inline constexpr char kOverlayName[] = "--set";
 
 /// A value and the layer that it stands in.
@@ -99,9 +101,11 @@ std::vector<std::string> NamesIn(const ConfigNode& node);
 
 // Saying where and what.
 
-std::string PlaceOf(const YAML::Node& node, const std::string& file);
+std::string PlaceOf(const YAML::Node& node, const Layer& layer);
 /// The layer in which a key that no layer has would be looked for.
 const Layer& LowestWritten(const ConfigNode& node);
+/// A value as YAML on one line.
+std::string OnOneLine(const YAML::Node& node);
 std::string Join(const std::string& path, std::string_view key);
 /// A value as messages show it.
 std::string Shown(const YAML::Node& node);
@@ -145,6 +149,10 @@ std::optional<Layer> LoadLayer(ConfigNode& node, std::string_view key, const Fou
 
 /// A whole number as it stands between the brackets of a path: without zeros in front.
 bool IsIndex(std::string_view text);
+/// `value` (YAML) at `a.b[2].c`, in nested mappings, items of lists as mappings keyed by index;
+/// nothing where the path has another form. Throws YAML::Exception.
+std::optional<Layer> PatchLayer(const std::string& path, const std::string& value,
+                                const std::string& place, const std::filesystem::path& directory);
 /// The overrides, the last first, above `file`.
 std::vector<Layer> LayersAbove(const Layer& file, const std::vector<std::string>& overrides);
 

@@ -45,7 +45,7 @@ std::optional<FoundList> ListAmong(ConfigNode& node, std::string_view key,
                                  [](const Found& value) { return !value.node.IsMap(); });
   if (list == values.end() || !list->node.IsSequence()) {
     const Found& wrong = list == values.end() ? values.back() : *list;
-    const bool patch = wrong.layer->file == internal::kOverlayName && wrong.node.IsMap();
+    const bool patch = wrong.layer->is_patch && wrong.node.IsMap();
     AddFault(node, key, wrong,
              fmt::format("{} found, need {}",
                          patch ? "an item of a list that is not there" : Shown(wrong.node), need));
@@ -168,6 +168,19 @@ std::vector<std::vector<double>> ConfigMap::NumberRows(std::string_view key, con
   return rows;
 }
 
+std::vector<std::string> ConfigMap::YamlItems(std::string_view key) const {
+  const auto found = internal::Find(*node_, key);
+  std::vector<std::string> items;
+  if (!found) {
+    internal::AddMissing(*node_, key, "a list");
+  } else if (!found->node.IsSequence()) {
+    AddFault(*node_, key, *found, fmt::format("{} found, need a list", Shown(found->node)));
+  } else {
+    for (const auto& item : found->node) items.push_back(internal::OnOneLine(item));
+  }
+  return items;
+}
+
 std::vector<std::string> ConfigMap::Texts(std::string_view key) const {
   const auto values = FindAll(*node_, key);
   std::vector<std::string> texts;
@@ -221,7 +234,7 @@ std::vector<ConfigMap> ConfigMap::List(std::string_view key) const {
     for (const Found& part : found->items[i]) {
       if (part.node.IsMap()) {
         layers.push_back({part.node, part.layer->file, part.layer->directory,
-                          internal::Join(part.layer->path, item_key)});
+                          internal::Join(part.layer->path, item_key), false, part.layer->is_patch});
       } else {
         AddFault(*node_, item_key, part,
                  fmt::format("{} found, need a mapping of keys", Shown(part.node)));

@@ -63,6 +63,11 @@ class ConfigMap {
   std::string Choice(std::string_view key, std::initializer_list<std::string_view> allowed,
                      std::string_view otherwise) const;
 
+  /// The value as YAML on one line, whatever it is; required.
+  std::string Yaml(std::string_view key) const;
+  /// Keys of the mapping: those of the lowest layer, then what each layer above it adds.
+  std::vector<std::string> Keys() const;
+
   // Sequences.
   Vec3 Vector3(std::string_view key, const Range& each) const;
   Vec3 Vector3(std::string_view key, const Range& each, const Vec3& otherwise) const;
@@ -77,6 +82,8 @@ class ConfigMap {
   std::vector<std::vector<double>> NumberRows(std::string_view key, const Range& each,
                                               std::size_t columns, std::size_t min_rows) const;
   std::vector<std::string> Texts(std::string_view key) const;
+  /// Items of a required list, each as YAML on one line.
+  std::vector<std::string> YamlItems(std::string_view key) const;
   /// A pose from `xyz_m` and `rpy_deg`, both defaulting to zero.
   Pose PoseXyzRpy() const;
 

@@ -29,8 +29,12 @@ constexpr char kNothing[] = "none";
 
 /// The layer of the mapping at `key` that `found` is.
 Layer LayerAt(std::string_view key, const Found& found) {
-  return {found.node, found.layer->file, found.layer->directory, Join(found.layer->path, key),
-          found.layer->beneath};
+  return {found.node,
+          found.layer->file,
+          found.layer->directory,
+          Join(found.layer->path, key),
+          found.layer->beneath,
+          found.layer->is_patch};
 }
 
 /// Layers of the mapping at `key`: the overlaying patches and every layer's own mapping.
@@ -64,6 +68,17 @@ std::shared_ptr<ConfigNode> AddChild(ConfigNode& parent, std::string_view key,
 }
 
 }  // namespace
+
+std::string ConfigMap::Yaml(std::string_view key) const {
+  const auto found = Find(*node_, key);
+  if (!found) {
+    AddMissing(*node_, key, "a value");
+    return "";
+  }
+  return internal::OnOneLine(found->node);
+}
+
+std::vector<std::string> ConfigMap::Keys() const { return internal::NamesIn(*node_); }
 
 bool ConfigMap::Has(std::string_view key) const { return Find(*node_, key).has_value(); }
 
@@ -180,7 +195,7 @@ std::string ConfigMap::Place(std::string_view key) const {
   const auto found = key.empty() ? std::nullopt : Find(*node_, key);
   const Layer& layer = found ? *found->layer : internal::LowestWritten(*node_);
   const std::string path = Join(layer.path, key);
-  const std::string place = PlaceOf(found ? found->node : layer.node, layer.file);
+  const std::string place = PlaceOf(found ? found->node : layer.node, layer);
   return path.empty() ? place : fmt::format("{}: {}", place, path);
 }
 

@@ -30,26 +30,18 @@ std::vector<std::string> KeysOf(std::string_view path) {
   return keys;
 }
 
-/// Parses `a.b[2].c=value` into nested mappings, list items as mappings keyed by index.
 Layer OverrideLayer(const std::string& text) {
   const std::size_t equals = text.find('=');
-  const auto keys = KeysOf(std::string_view(text).substr(0, equals));
-  if (equals == std::string::npos || keys.empty()) {
+  const auto value = equals == std::string::npos ? "" : text.substr(equals + 1);
+  if (equals == std::string::npos || KeysOf(std::string_view(text).substr(0, equals)).empty()) {
     throw InputError(
         fmt::format("--set {}: need key.path=value, items of lists as key[0]=value", text));
   }
-  YAML::Node value;
   try {
-    value = YAML::Load(text.substr(equals + 1));
+    return *PatchLayer(text.substr(0, equals), value, kOverlayName, fs::current_path());
   } catch (const YAML::Exception& e) {
     throw InputError(fmt::format("--set {}: not a YAML value: {}", text, e.msg));
   }
-  for (auto key = keys.rbegin(); key != keys.rend(); ++key) {
-    YAML::Node map(YAML::NodeType::Map);
-    map[*key] = value;
-    value.reset(map);
-  }
-  return {value, kOverlayName, fs::current_path(), ""};
 }
 
 }  // namespace
@@ -58,6 +50,19 @@ bool IsIndex(std::string_view text) {
   const bool digits = !text.empty() && std::all_of(text.begin(), text.end(),
                                                    [](char c) { return c >= '0' && c <= '9'; });
   return digits && (text == "0" || text.front() != '0');
+}
+
+std::optional<Layer> PatchLayer(const std::string& path, const std::string& value,
+                                const std::string& place, const fs::path& directory) {
+  const auto keys = KeysOf(path);
+  if (keys.empty()) return std::nullopt;
+  YAML::Node node = YAML::Load(value);
+  for (auto key = keys.rbegin(); key != keys.rend(); ++key) {
+    YAML::Node map(YAML::NodeType::Map);
+    map[*key] = node;
+    node.reset(map);
+  }
+  return Layer{node, place, directory, "", false, true};
 }
 
 std::vector<Layer> LayersAbove(const Layer& file, const std::vector<std::string>& overrides) {

@@ -1,15 +1,48 @@
 #include "sim/scenario/load_scenario.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "sim/scenario/randomise.h"
+
 namespace tera {
+namespace {
+
+/// A YAML text.
+std::string Quoted(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
+  return quoted + "'";
+}
+
+/// Lays what `randomise:` draws over the scenario, and takes it out of what is written.
+void LayEpisode(std::uint64_t episode, Config* config) {
+  const ConfigMap root = config->root();
+  if (!root.Has("randomise")) return;
+  std::vector<Config::GivenValue> values = DrawEpisode(root, SeedOf(root), episode);
+  std::vector<std::string> drawn;
+  for (const Config::GivenValue& value : values) {
+    drawn.push_back(Quoted(value.path + ": " + value.yaml));
+  }
+  values.push_back({"drawn",
+                    fmt::format("{{episode: {}, values: [{}]}}", episode, fmt::join(drawn, ", ")),
+                    root.Place("randomise")});
+  config->LayOver(values);
+  config->LeaveOut("randomise");
+  config->LeaveOut("seed");  // which is read again in its order
+}
+
+}  // namespace
 
 LoadedScenario LoadScenario(const std::filesystem::path& file,
                             const std::vector<std::string>& overrides,
                             const std::vector<std::string>& effects,
-                            const std::vector<MovedFiles>& moved) {
+                            const std::vector<MovedFiles>& moved, std::uint64_t episode) {
   std::vector<Config::Overlay> overlays;
   for (const std::string& overlay : effects) overlays.push_back({overlay, "effects"});
   Config config = Config::FromFile(file, overrides, overlays);
   config.Move(moved);
+  LayEpisode(episode, &config);
   LoadedScenario loaded;
   loaded.scenario = ReadScenario(config.root());
   config.Finish();

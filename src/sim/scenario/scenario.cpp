@@ -278,10 +278,19 @@ void RequireUniqueNames(const ConfigMap& config, const Scenario& scenario) {
 
 }  // namespace
 
+std::uint64_t SeedOf(const ConfigMap& config) {
+  return static_cast<std::uint64_t>(config.Integer("seed", Between(0, kMostSeed, ""), 1));
+}
+
 Scenario ReadScenario(const ConfigMap& config) {
   Scenario scenario;
   scenario.name = config.Text("name");
-  scenario.seed = static_cast<std::uint64_t>(config.Integer("seed", Between(0, kMostSeed, ""), 1));
+  scenario.seed = SeedOf(config);
+  config.Has("randomise");  // drawn by LoadScenario
+  if (const auto drawn = config.OptionalMap("drawn")) {
+    drawn->Integer("episode", AtLeast(0, ""));
+    scenario.drawn = drawn->Texts("values");
+  }
   scenario.duration_s =
       config.Number("duration_s", {.min = 0, .max = kLongest_s, .min_excluded = true, .unit = "s"});
   scenario.physics_rate_hz =

@@ -62,12 +62,16 @@ struct Scenario {
   std::vector<ScenarioObstacle> obstacles;
   TerrainRecord record;
   std::optional<double> poses_hz;  ///< at which poses of links, sensors and obstacles are kept
+  std::vector<std::string> drawn;  ///< "key: value" of what `randomise:` drew
   /// What it was read from besides YAML, but for files that meshes name.
   std::vector<InputFile> inputs;
 };
 
 /// Reads a scenario and everything it names. Faults go to `config`; call Config::Finish before use.
 Scenario ReadScenario(const ConfigMap& config);
+
+/// The seed of all its streams.
+std::uint64_t SeedOf(const ConfigMap& config);
 
 /// An obstacle's boxes as machines drive over them or against them.
 RigidObstacle RigidPartOf(const ScenarioObstacle& obstacle);
