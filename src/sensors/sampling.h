@@ -80,6 +80,8 @@ class SensorSampler {
   virtual void Sample(const SensedStep& step) = 0;
   /// Writes what only the step after the run's last one tells, in which nothing else is measured.
   virtual void Finish(const SensedStep&) {}
+  /// Whether it asks where bodies were before the step.
+  virtual bool LooksBack() const { return false; }
   /// The oldest time at which the sensor will still ask where bodies were.
   virtual TimeNs SceneNeededSince(TimeNs now_ns) const { return now_ns; }
 };

@@ -27,6 +27,10 @@ Rig::Rig(const Scenario& scenario, const SceneAssembly& assembly, const EglOptio
   }
   if (Has(ChannelForm::kPictures)) scene_.MakeRasterizer(egl);
   if (Has(ChannelForm::kScans)) scene_.MakeRayScene();
+  if (std::any_of(units_.begin(), units_.end(),
+                  [](const Unit& unit) { return unit.sampler->LooksBack(); })) {
+    scene_.KeepPast();
+  }
 }
 
 bool Rig::Has(ChannelForm form) const {

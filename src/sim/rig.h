@@ -22,8 +22,10 @@ namespace tera {
 /// Model   what a sensor's own model measures passes through the slots that its effects make.
 ///         A sample due between two steps is taken from the state interpolated between them; the
 ///         terrain is that of the later step. A lidar's revolution is traced when it is complete.
-/// Omits   motion of the ground within a revolution or an exposure: one terrain stands for each,
-///         for a revolution that of its end; exposure time: a picture is of one instant.
+///         A picture whose rows are exposed for a while is taken when the last is complete; one
+///         that is not at the end of the run is none, and before the start all stood still.
+/// Omits   motion of the ground within a revolution or an exposure: that of its end stands for
+/// each.
 class Rig {
  public:
   /// Keeps references to `assembly` and `sink`. The rasterizer and the ray scene are made only if

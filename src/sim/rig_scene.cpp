@@ -32,7 +32,7 @@ void RigScene::Advance(const WorldStep& step) {
   after_ = &step.after;
   ground_ = &step.ground;
   shapes_known_ = false;
-  if (!ray_scene_) return;
+  if (!keeps_past_) return;
   TERA_CHECK(history_.empty() || after_->t_ns > history_.back().t_ns, after_->t_ns);
   history_.push_back({after_->t_ns, assembly_.BodyPoses(*after_)});
 }

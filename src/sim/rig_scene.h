@@ -12,8 +12,8 @@
 
 namespace tera {
 
-/// The scene of a running simulation as its sensors see it, with the poses of the past that rays
-/// still need.
+/// The scene of a running simulation as its sensors see it, with the poses of the past that
+/// they still need.
 class RigScene : public SensedScene {
  public:
   /// Keeps a reference to `assembly`.
@@ -22,8 +22,10 @@ class RigScene : public SensedScene {
 
   /// For sensors that take pictures. Throws InputError where there is no way to draw.
   void MakeRasterizer(const EglOptions& egl);
-  /// For sensors that cast rays; from then on past poses are kept.
+  /// For sensors that cast rays.
   void MakeRayScene();
+  /// For sensors that look back: from then on past poses are kept.
+  void KeepPast() { keeps_past_ = true; }
 
   /// Goes on to a step, whose states and ground must stay where they are until the next call.
   void Advance(const WorldStep& step);
@@ -52,6 +54,7 @@ class RigScene : public SensedScene {
   const TerrainSurface* ground_ = nullptr;
   mutable Shapes shapes_;  ///< of the step, if they are known
   mutable bool shapes_known_ = false;
+  bool keeps_past_ = false;
   std::deque<Moment> history_;
 };
 

@@ -30,6 +30,10 @@ DistortedPoint Distort(const CameraIntrinsics& c, const Vec2& p) {
 
 }  // namespace
 
+bool CameraIntrinsics::Sees(const Vec3& p_C_m) const {
+  return p_C_m.z() > 0 && p_C_m.head<2>().norm() <= kWidestTangent * p_C_m.z();
+}
+
 Vec2 CameraIntrinsics::Project(const Vec3& p_C_m) const {
   TERA_CHECK(p_C_m.z() > 0, p_C_m.z());
   const Vec2 x = Distort(*this, p_C_m.head<2>() / p_C_m.z()).value;

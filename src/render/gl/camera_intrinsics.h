@@ -21,6 +21,8 @@ struct CameraIntrinsics {
   double near_m = 0.05, far_m = 300.0;
 
   bool Distorted() const { return k1 != 0 || k2 != 0 || p1 != 0 || p2 != 0 || k3 != 0; }
+  /// Whether a point in C lies in the field within which the lens projects.
+  bool Sees(const Vec3& p_C_m) const;
   /// Pixel of a point in C, Z > 0.
   Vec2 Project(const Vec3& p_C_m) const;
   /// Direction (x, y, 1) in C of a pixel, by Newton's method on the distortion.

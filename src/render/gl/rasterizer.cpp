@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 #include "core/check.h"
 #include "render/gl/boxes.h"
@@ -17,6 +18,7 @@
 #include "render/gl/passes/shadow_map.h"
 #include "render/gl/pictures.h"
 #include "render/gl/read_labels.h"
+#include "render/gl/read_pictures.h"
 #include "render/gl/view.h"
 #include "render/ground/terrain_renderer.h"
 
@@ -115,6 +117,17 @@ struct Rasterizer::Impl {
   void Develop(const Pictures& p);
   void Distort(const Lens& lens, const Pictures& from, const LensPictures& to);
   void FillScreen() const;
+  /// Where the picture that a camera sees lies, with what it was made from.
+  struct Shown {
+    const Pictures& pinhole;
+    const GlObject& colour;
+    LabelOutputs labels;
+    const GlObject& depth;
+    unsigned depth_format;
+    View view;
+  };
+  Shown Show(const CameraIntrinsics& camera, const Pose& X_WC, const SceneState& state,
+             const LuminancePicture* luminance);
   void Measure(const View& view, const Pictures& p, bool distorted, CameraFrame* frame);
 };
 
@@ -126,6 +139,8 @@ Rasterizer::Rasterizer(const SceneModel& model, const EglOptions& options)
 Rasterizer::~Rasterizer() { impl_->current.Take(); }
 
 const GlInfo& Rasterizer::info() const { return impl_->context.info(); }
+
+const SceneModel& Rasterizer::model() const { return impl_->model; }
 
 std::int64_t Rasterizer::uploaded_tiles() const { return impl_->terrain.uploaded_tiles(); }
 
@@ -335,44 +350,6 @@ void Rasterizer::Impl::Distort(const Lens& lens, const Pictures& from, const Len
   FillScreen();
 }
 
-namespace {
-
-Image<std::uint8_t> ReadColour(const GlObject& colour, int width, int height) {
-  Image<std::uint8_t> rgb(width, height, 3);
-  std::vector<std::uint8_t> rgba(static_cast<std::size_t>(width) * height * 4);
-  glGetTextureImage(colour.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(rgba.size()),
-                    rgba.data());
-  for (std::size_t p = 0; p < rgba.size() / 4; ++p) {
-    for (int k = 0; k < 3; ++k) rgb.data[p * 3 + k] = rgba[p * 4 + k];
-  }
-  return rgb;
-}
-
-/// Luminance of what was exposed so.
-Image<float> ReadLuminance(const GlObject& colour, int width, int height, double exposure) {
-  Image<float> rgb(width, height, 3);
-  glGetTextureImage(colour.id(), 0, GL_RGB, GL_FLOAT,
-                    static_cast<GLsizei>(rgb.data.size() * sizeof(float)), rgb.data.data());
-  const auto scale_cdpm2 = static_cast<float>(1 / exposure);
-  for (float& value : rgb.data) value *= scale_cdpm2;
-  return rgb;
-}
-
-/// Planar depth; 0 for the sky and beyond the far distance.
-Image<float> ReadDepth(const GlObject& depth, unsigned format, const CameraIntrinsics& camera) {
-  Image<float> z_m(camera.width_px, camera.height_px);
-  glGetTextureImage(depth.id(), 0, format, GL_FLOAT,
-                    static_cast<GLsizei>(z_m.data.size() * sizeof(float)), z_m.data.data());
-  const auto near_m = static_cast<float>(camera.near_m), far_m = static_cast<float>(camera.far_m);
-  for (float& d : z_m.data) {
-    const float z = d > 0 ? near_m / d : 0.0f;
-    d = z <= far_m ? z : 0.0f;
-  }
-  return z_m;
-}
-
-}  // namespace
-
 /// Share of each box's object that is seen. Behind a lens it is counted in the pinhole picture.
 void Rasterizer::Impl::Measure(const View& view, const Pictures& p, bool distorted,
                                CameraFrame* frame) {
@@ -391,44 +368,51 @@ void Rasterizer::Impl::Measure(const View& view, const Pictures& p, bool distort
   }
 }
 
+Rasterizer::Impl::Shown Rasterizer::Impl::Show(const CameraIntrinsics& camera, const Pose& X_WC,
+                                               const SceneState& state,
+                                               const LuminancePicture* luminance) {
+  TERA_CHECK(static_cast<int>(state.X_WB.size()) >= model.body_count, state.X_WB.size());
+  daylight.SetWhite(luminance ? std::optional(luminance->white_cdpm2) : std::nullopt);
+  const bool linear = luminance != nullptr, distorted = camera.Distorted();
+  const CameraIntrinsics& pinhole = distorted ? LensOf(camera).pinhole() : camera;
+  const Pictures& p = PicturesOf(pinhole.width_px, pinhole.height_px, linear);
+  const View view(pinhole, X_WC);
+  DrawPinhole(view, state, p);
+  if (!distorted) return {p, p.colour, {p.label, p.normal}, p.depth, GL_DEPTH_COMPONENT, view};
+  const LensPictures& q = LensPicturesOf(camera.width_px, camera.height_px, linear);
+  Distort(LensOf(camera), p, q);
+  return {p, q.colour, {q.label, q.normal}, q.depth, GL_RED, view};
+}
+
 CameraFrame Rasterizer::Render(const CameraIntrinsics& camera, const Pose& X_WC,
                                const SceneState& state, LabelSet labels,
-                               Image<float>* luminance_cdpm2) {
-  TERA_CHECK(static_cast<int>(state.X_WB.size()) >= impl_->model.body_count, state.X_WB.size());
+                               LuminancePicture* luminance) {
   Impl& impl = *impl_;
   const EglContext::Current current(impl.context);
   const int width = camera.width_px, height = camera.height_px;
-  const bool distorted = camera.Distorted();
-  const CameraIntrinsics& pinhole = distorted ? impl.LensOf(camera).pinhole() : camera;
-  const bool linear = luminance_cdpm2 != nullptr;
-  const Pictures& p = impl.PicturesOf(pinhole.width_px, pinhole.height_px, linear);
-  const View view(pinhole, X_WC);
-  impl.DrawPinhole(view, state, p);
+  const Impl::Shown shown = impl.Show(camera, X_WC, state, luminance);
   CameraFrame frame;
   frame.t_ns = state.t_ns;
   frame.t_available_ns = state.t_ns;
-  labels |= UsualLabels();  // boxes need the instances
-  const auto read_colour = [&](const GlObject& colour) {
-    if (linear) {
-      *luminance_cdpm2 = ReadLuminance(colour, width, height, impl.daylight.exposure());
-    } else {
-      frame.rgb = ReadColour(colour, width, height);
-    }
-  };
-  if (distorted) {
-    const LensPictures& q = impl.LensPicturesOf(width, height, linear);
-    impl.Distort(impl.LensOf(camera), p, q);
-    read_colour(q.colour);
-    ReadLabels({q.label, q.normal}, width, height, view.R_WC, labels, &frame);
-    frame.depth_m = ReadDepth(q.depth, GL_RED, camera);
+  if (luminance) {
+    luminance->cdpm2 = ReadLuminance(shown.colour, width, height, luminance->white_cdpm2);
   } else {
-    read_colour(p.colour);
-    ReadLabels({p.label, p.normal}, width, height, view.R_WC, labels, &frame);
-    frame.depth_m = ReadDepth(p.depth, GL_DEPTH_COMPONENT, camera);
+    frame.rgb = ReadColour(shown.colour, width, height);
   }
+  labels |= UsualLabels();  // boxes need the instances
+  ReadLabels(shown.labels, width, height, shown.view.R_WC, labels, &frame);
+  frame.depth_m = ReadDepth(shown.depth, shown.depth_format, camera);
   frame.boxes = FindBoxes(impl.model, state, X_WC, frame.instance);
-  impl.Measure(view, p, distorted, &frame);
+  impl.Measure(shown.view, shown.pinhole, camera.Distorted(), &frame);
   return frame;
+}
+
+void Rasterizer::RenderLuminance(const CameraIntrinsics& camera, const Pose& X_WC,
+                                 const SceneState& state, LuminancePicture* luminance) {
+  const EglContext::Current current(impl_->context);
+  const Impl::Shown shown = impl_->Show(camera, X_WC, state, luminance);
+  luminance->cdpm2 =
+      ReadLuminance(shown.colour, camera.width_px, camera.height_px, luminance->white_cdpm2);
 }
 
 }  // namespace tera

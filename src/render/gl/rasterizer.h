@@ -11,6 +11,15 @@
 
 namespace tera {
 
+/// A picture in luminance.
+///
+/// Model   three channels, linear in the primaries of sRGB. Edges are smoothed by the contrast that
+///         they have where `white_cdpm2` is the brightest, whatever the scene's own exposure.
+struct LuminancePicture {
+  double white_cdpm2 = 1;
+  Image<float> cdpm2;  ///< filled
+};
+
 /// Renders colour, planar depth, class and instance of one camera in one pass, without a display.
 ///
 /// Model   deferred shading: one pass over the geometry gives albedo, normal, label and depth; sun
@@ -29,16 +38,20 @@ class Rasterizer {
   ~Rasterizer();
 
   const GlInfo& info() const;
+  const SceneModel& model() const;
   /// Terrain tiles sent to the GPU since construction.
   std::int64_t uploaded_tiles() const;
   /// Triangles sent to the GPU since construction, those of shadows and of boxes' silhouettes too.
   std::int64_t triangles_drawn() const;
 
   /// What a camera at X_WC sees. Fills rgb, depth_m, boxes and the usual labels of the frame, and
-  /// what `labels` names beside them; t_ns is state.t_ns. With `luminance_cdpm2` it is that which
-  /// is filled in the place of rgb: three channels in cd/m^2, linear in the primaries of sRGB.
+  /// what `labels` names beside them; t_ns is state.t_ns. With `luminance` it is that which is
+  /// filled in the place of rgb.
   CameraFrame Render(const CameraIntrinsics& camera, const Pose& X_WC, const SceneState& state,
-                     LabelSet labels = {}, Image<float>* luminance_cdpm2 = nullptr);
+                     LabelSet labels = {}, LuminancePicture* luminance = nullptr);
+  /// That luminance alone.
+  void RenderLuminance(const CameraIntrinsics& camera, const Pose& X_WC, const SceneState& state,
+                       LuminancePicture* luminance);
 
  private:
   struct Impl;

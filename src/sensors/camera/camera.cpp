@@ -223,18 +223,45 @@ Camera::Camera(const CameraModel& model, const SampleClock& clock, TimeNs latenc
     image_sensor_.emplace(*model.image_sensor, model.intrinsics, seed, stream_name);
 }
 
+TimeNs Camera::Reach() const {
+  if (!model_.image_sensor || !model_.image_sensor->shutter) return 0;
+  return FromSeconds(
+      Exposures::Reach_s(*model_.image_sensor->shutter, model_.image_sensor->exposure_s));
+}
+
+CameraFrame Camera::See(const SceneAt& scene_at, TimeNs t_ns, Rasterizer* rasterizer,
+                        LuminancePicture* luminance) const {
+  if (luminance != nullptr && model_.image_sensor->shutter) {
+    return Sweep({*model_.image_sensor->shutter, model_.image_sensor->exposure_s, model_.intrinsics,
+                  model_.labels, scene_at},
+                 t_ns, rasterizer, luminance);
+  }
+  const SeenScene seen = scene_at(t_ns);
+  return rasterizer->Render(model_.intrinsics, seen.X_WC, seen.state, model_.labels, luminance);
+}
+
 CameraFrame Camera::Measure(std::int64_t k, const Pose& X_WS, const SceneState& scene,
                             Rasterizer* rasterizer) const {
-  Image<float> luminance_cdpm2;
-  CameraFrame frame = rasterizer->Render(model_.intrinsics, X_WS * OpticalInSensor(), scene,
-                                         model_.labels, image_sensor_ ? &luminance_cdpm2 : nullptr);
+  return Measure(
+      k,
+      [&](TimeNs) {
+        return SeenScene{X_WS * OpticalInSensor(), scene};
+      },
+      rasterizer);
+}
+
+CameraFrame Camera::Measure(std::int64_t k, const SceneAt& scene_at, Rasterizer* rasterizer) const {
+  LuminancePicture luminance;
+  if (image_sensor_) luminance.white_cdpm2 = image_sensor_->white_cdpm2();
+  CameraFrame frame =
+      See(scene_at, clock_.Due(k), rasterizer, image_sensor_ ? &luminance : nullptr);
   frame.t_ns = clock_.Due(k);
-  frame.t_available_ns = frame.t_ns + latency_ns_;
+  frame.t_available_ns = frame.t_ns + Reach() + latency_ns_;
   const auto exposure = static_cast<std::uint64_t>(k);
   if (!model_.rgb) {
     frame.rgb = {};
   } else if (image_sensor_) {
-    frame.rgb = image_sensor_->Develop(image_sensor_->Expose(luminance_cdpm2, k));
+    frame.rgb = image_sensor_->Develop(image_sensor_->Expose(luminance.cdpm2, k));
   } else if (model_.rgb_noise > 0) {
     AddRgbNoise(model_.rgb_noise, rgb_noise_, exposure * frame.rgb.data.size() / 3, &frame.rgb);
   }

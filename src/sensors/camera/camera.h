@@ -9,6 +9,7 @@
 #include "core/types/measurement.h"
 #include "render/gl/rasterizer.h"
 #include "sensors/camera/image_sensor.h"
+#include "sensors/camera/sweep.h"
 #include "sensors/frame_content.h"
 
 namespace tera {
@@ -35,11 +36,13 @@ Pose OpticalInSensor();
 ///
 /// Frames  W world; S sensor, x forward, y left, z up; C optical, x right, y down, z forward, at
 ///         X_SC = OpticalInSensor(). Pixel (0, 0) has its centre at the image point (0, 0).
-/// Model   the whole picture at one instant, that of its time stamp. Depth is z in C with the noise
+/// Model   the whole picture at one instant, that of its time stamp, or with a shutter each row
+///         exposed for a while about its own time, the middle row about the stamp's (sweep.h).
+///         Depth is z in C with the noise
 ///         of a stereo pair, sigma_z = z^2 sigma_d / (f b), and 0 outside its limits; colour is
 ///         sRGB at the scene's exposure plus N(0, sigma^2), clipped, or what an image sensor makes
 ///         of the scene's luminance (image_sensor.h). Noise is drawn for each pixel alone.
-/// Omits   rolling shutter and motion blur; control of exposure and gain; glare, dirt; the holes
+/// Omits   control of exposure and gain; glare, dirt; the holes
 ///         and the smoothing of a real stereo matcher.
 /// Source  lens: Brown 1971, "Close-range camera calibration"; sigma_z: Khoshelham and Elberink
 ///         2012, "Accuracy and resolution of Kinect depth data for indoor mapping applications".
@@ -47,12 +50,20 @@ class Camera {
  public:
   Camera(const CameraModel& model, const SampleClock& clock, TimeNs latency_ns, std::uint64_t seed,
          const std::string& stream_name);
-  /// Exposure k of the scene with the sensor at X_WS.
+  /// Exposure k of the scene with the sensor at X_WS, where all stands still.
   CameraFrame Measure(std::int64_t k, const Pose& X_WS, const SceneState& scene,
                       Rasterizer* rasterizer) const;
+  /// Exposure k of a scene that is asked for at times from Reach() before its stamp to Reach()
+  /// after it, which may move.
+  CameraFrame Measure(std::int64_t k, const SceneAt& scene_at, Rasterizer* rasterizer) const;
+  /// The time from the first light of a picture to its stamp, and from there to the last.
+  TimeNs Reach() const;
   const CameraModel& model() const { return model_; }
 
  private:
+  CameraFrame See(const SceneAt& scene_at, TimeNs t_ns, Rasterizer* rasterizer,
+                  LuminancePicture* luminance) const;
+
   CameraModel model_;
   SampleClock clock_;
   TimeNs latency_ns_;

@@ -12,43 +12,71 @@
 namespace tera {
 namespace {
 
-class CameraSampler : public InstantSampler {
+/// A picture is taken when its last row is complete, over the ground of then.
+class CameraSampler : public SensorSampler {
  public:
   explicit CameraSampler(const SensorPlace& place)
-      : InstantSampler(place.sensor.clock),
-        camera_(std::get<CameraModel>(place.sensor.model), place.sensor.clock,
+      : camera_(std::get<CameraModel>(place.sensor.model), place.sensor.clock,
                 place.sensor.latency_ns, place.seed, place.folder),
         slots_(place.sensor.effects, place.seed, place.folder),
+        clock_(place.sensor.clock),
         output_(place.output) {
     const Mounting mount = TrueMounting(place.sensor, place.rig);
     link_ = place.machine.LinkIndex(mount.link);
     X_BT_ = mount.X_BT;
   }
 
+  void Sample(const SensedStep& step) override {
+    if (LooksBack()) X_WS_.Append(step.t1_ns, step.after.links[link_].X_WB * X_BT_);
+    for (; clock_.Due(next_) + camera_.Reach() <= step.t1_ns; ++next_) Take(step);
+    if (LooksBack()) X_WS_.DropBefore(Opens_ns());
+  }
+
+  bool LooksBack() const override { return camera_.Reach() > 0; }
+  TimeNs SceneNeededSince(TimeNs now_ns) const override {
+    return LooksBack() ? std::min(Opens_ns(), now_ns) : now_ns;
+  }
+
  private:
-  void MeasureAt(std::int64_t k, TimeNs t_ns, const SensedStep& step) override {
-    const ReportClock::Times times = slots_.Stamp(k, t_ns);
-    if (!output_.sink->NeedsFrame(output_.channel, times.t_ns, clock().Due(k + 1))) {
+  /// When the shutter opens for the next picture.
+  TimeNs Opens_ns() const { return clock_.Due(next_) - camera_.Reach(); }
+
+  SeenScene SceneAtTime(const SensedStep& step, TimeNs t_ns) const {
+    SeenScene seen;
+    seen.state.t_ns = t_ns;
+    seen.state.terrain = &step.scene.ground();
+    seen.state.shapes = step.scene.ShapesNow();
+    if (LooksBack()) {
+      seen.X_WC = X_WS_.At(t_ns) * OpticalInSensor();
+      seen.state.X_WB = step.scene.BodiesAt(t_ns);
+    } else {
+      const double s = step.FractionAt(t_ns);
+      seen.X_WC = step.LinkAt(link_, s) * X_BT_ * OpticalInSensor();
+      seen.state.X_WB = step.scene.BodiesBetween(s);
+    }
+    return seen;
+  }
+
+  void Take(const SensedStep& step) {
+    const ReportClock::Times times = slots_.Stamp(next_, clock_.Due(next_));
+    if (!output_.sink->NeedsFrame(output_.channel, times.t_ns, clock_.Due(next_ + 1))) {
       output_.sink->MarkPresent(output_.channel, times.t_ns);
       return;
     }
-    const double s = step.FractionAt(t_ns);
-    SceneState scene;
-    scene.t_ns = t_ns;
-    scene.terrain = &step.scene.ground();
-    scene.shapes = step.scene.ShapesNow();
-    scene.X_WB = step.scene.BodiesBetween(s);
-    CameraFrame frame =
-        camera_.Measure(k, step.LinkAt(link_, s) * X_BT_, scene, step.scene.rasterizer());
-    slots_.Apply(k, times, &frame);
+    CameraFrame frame = camera_.Measure(
+        next_, [&](TimeNs t_ns) { return SceneAtTime(step, t_ns); }, step.scene.rasterizer());
+    slots_.Apply(next_, times, &frame);
     output_.sink->Write(output_.channel, std::move(frame));
   }
 
   Camera camera_;
   FrameSlots slots_;
+  SampleClock clock_;
   int link_ = 0;
   Pose X_BT_;  ///< where it truly sits
   SensorOutput output_;
+  PoseTrack X_WS_;  ///< of a camera that looks back
+  std::int64_t next_ = 0;
 };
 
 std::vector<Mechanism> CameraMechanisms() {
@@ -74,15 +102,20 @@ void CheckCameraEffects(const ConfigMap& effects, const MachineModel&,
   }
 }
 
-/// A shutter is shut again before the next picture.
+/// A shutter is shut again before the next picture, and all rows are read.
 void CheckExposure(const ConfigMap& config, const CameraModel& model, double rate_hz) {
   if (!model.image_sensor || !(rate_hz > 0)) return;
-  if (model.image_sensor->exposure_s <= 1 / rate_hz) return;
-  config.Map("image_sensor")
-      .Fault("exposure_s",
-             fmt::format("{} s at {} Hz: longer than from picture to picture; need at "
-                         "most {} s",
-                         model.image_sensor->exposure_s, rate_hz, 1 / rate_hz));
+  const ConfigMap sensor = config.Map("image_sensor");
+  const auto check = [&](const ConfigMap& map, const char* key, double duration_s) {
+    if (duration_s <= 1 / rate_hz) return;
+    map.Fault(key, fmt::format("{} s at {} Hz: longer than from picture to picture; need at "
+                               "most {} s",
+                               duration_s, rate_hz, 1 / rate_hz));
+  };
+  check(sensor, "exposure_s", model.image_sensor->exposure_s);
+  if (const auto& shutter = model.image_sensor->shutter) {
+    check(sensor.Map("shutter"), "readout_s", shutter->readout_s);
+  }
 }
 
 /// Points where the pixels of the recorded depth picture look. An odd number of pixels from one

@@ -13,7 +13,7 @@ constexpr double kColour_bytes = 3, kDepth_bytes = 2;  ///< of a pixel
 
 /// Pixels per steradian along `d_C`.
 double PerSteradian(const CameraIntrinsics& lens, const Vec3& d_C) {
-  if (d_C.z() <= 0 || d_C.head<2>().norm() > CameraIntrinsics::kWidestTangent * d_C.z()) return 0;
+  if (!lens.Sees(d_C)) return 0;
   const Vec3 d1_C = d_C / d_C.z();
   const Vec2 pixel_px = lens.Project(d1_C);
   if (pixel_px.x() < -kHalf_px || pixel_px.y() < -kHalf_px ||

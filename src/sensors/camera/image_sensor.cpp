@@ -48,11 +48,16 @@ cv::Mat Demosaiced(const Image<std::uint16_t>& raw, ColourFilter filter) {
   return three;
 }
 
-/// Photons of one colour in each pixel of a picture of 1 cd/m^2.
-std::vector<float> PhotonsOf(const ImageSensorModel& model, const CameraIntrinsics& camera) {
+/// Photons of one colour in a pixel on the axis from 1 cd/m^2.
+double PhotonsOnAxis(const ImageSensorModel& model) {
   const double lux_s =
       kPi * model.transmission / (4 * model.f_number * model.f_number) * model.exposure_s;
-  const double on_axis = lux_s * kPhotonsPerLuxSecond / 3 * std::pow(model.pixel_um * 1e-6, 2);
+  return lux_s * kPhotonsPerLuxSecond / 3 * std::pow(model.pixel_um * 1e-6, 2);
+}
+
+/// The same in each pixel of a picture.
+std::vector<float> PhotonsOf(const ImageSensorModel& model, const CameraIntrinsics& camera) {
+  const double on_axis = PhotonsOnAxis(model);
   std::vector<float> photons;
   for (int y = 0; y < camera.height_px; ++y) {
     for (int x = 0; x < camera.width_px; ++x) {
@@ -95,12 +100,13 @@ ImageSensorModel ReadImageSensor(const ConfigMap& config) {
   if (named != kFilterNames.end()) {
     m.filter = static_cast<ColourFilter>(named - kFilterNames.begin());
   }
+  if (const auto shutter = config.OptionalMap("shutter")) m.shutter = ReadShutter(*shutter);
   return m;
 }
 
 std::string ImageSensorYaml(const ImageSensorModel& m) {
   const Vec3& qe = m.quantum_efficiency;
-  return fmt::format(
+  const std::string text = fmt::format(
       "    exposure_s: {}\n    f_number: {}\n    transmission: {}\n    pixel_um: {}\n"
       "    quantum_efficiency: [{}, {}, {}]\n    full_well_e: {}\n    read_noise_e: {}\n"
       "    dark_current_eps: {}\n    temperature_degc: {}\n    dark_temperature_degc: {}\n"
@@ -110,6 +116,7 @@ std::string ImageSensorYaml(const ImageSensorModel& m) {
       m.read_noise_e, m.dark_current_eps, m.temperature_degc, m.dark_temperature_degc,
       m.dark_doubling_k, m.prnu, m.dsnu_e, m.row_noise_e, m.hot_pixels, m.bits, m.gain_db,
       m.black_dn, m.filter ? kFilterNames[static_cast<std::size_t>(*m.filter)] : "none");
+  return m.shutter ? text + "    shutter:\n" + ShutterYaml(*m.shutter) : text;
 }
 
 ImageSensor::ImageSensor(const ImageSensorModel& model, const CameraIntrinsics& camera,
@@ -138,6 +145,13 @@ ImageSensor::ImageSensor(const ImageSensorModel& model, const CameraIntrinsics& 
 double ImageSensor::gain_dn_per_e() const {
   const double range_dn = (1 << model_.bits) - 1 - model_.black_dn;
   return range_dn / model_.full_well_e * std::pow(10, model_.gain_db / 20);
+}
+
+double ImageSensor::white_cdpm2() const {
+  constexpr double kLeastEfficiency = 1e-3;  // of a sensor that is all but blind to green
+  const double efficiency = std::max(model_.quantum_efficiency[1], kLeastEfficiency);
+  return model_.full_well_e / std::pow(10, model_.gain_db / 20) /
+         (efficiency * PhotonsOnAxis(model_));
 }
 
 /// 0 red, 1 green, 2 blue.

@@ -9,6 +9,7 @@
 #include "core/random.h"
 #include "core/types/measurement.h"
 #include "render/gl/camera_intrinsics.h"
+#include "sensors/camera/shutter.h"
 
 namespace tera {
 
@@ -31,6 +32,7 @@ struct ImageSensorModel {
   double gain_db = 0;  ///< 0: the full well fills the range of `bits`
   double black_dn = 64;
   std::optional<ColourFilter> filter = ColourFilter::kRggb;  ///< none: a sensor for each colour
+  std::optional<ShutterModel> shutter;  ///< none: the whole picture is of one instant
 };
 
 ImageSensorModel ReadImageSensor(const ConfigMap& config);
@@ -64,6 +66,8 @@ class ImageSensor {
 
   /// K, in digital numbers an electron.
   double gain_dn_per_e() const;
+  /// The luminance on the axis that fills the range of green.
+  double white_cdpm2() const;
   /// Digital numbers of picture k, one channel behind colour filters, else three. Luminance in
   /// cd/m^2, three channels of linear sRGB.
   Image<std::uint16_t> Expose(const Image<float>& luminance_cdpm2, std::int64_t k) const;

@@ -33,6 +33,7 @@ class LidarSampler : public SensorSampler {
     X_WS_.DropBefore(clock_.Due(next_));
   }
 
+  bool LooksBack() const override { return true; }
   TimeNs SceneNeededSince(TimeNs) const override { return clock_.Due(next_); }
 
  private:

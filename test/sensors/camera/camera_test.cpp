@@ -232,9 +232,11 @@ Patch PatchOf(const ImageSensor& sensor, const Image<float>& luminance, std::int
 // pixels make a variance good to 4 %, twenty levels a slope to 1 %, and so do twenty pairs in the
 // dark their deviation to half of that.
 TEST_F(CameraBeforeAWall, PhotonTransferOfARenderedWallReturnsGainReadNoiseAndFullWell) {
-  Image<float> luminance;
-  rasterizer_.Render(camera_.intrinsics, MakePose({1, 2, 1.5}, 0, 0, 90 * kDeg) * OpticalInSensor(),
-                     scene_, {}, &luminance);
+  LuminancePicture seen{.white_cdpm2 = 2e4};
+  rasterizer_.RenderLuminance(camera_.intrinsics,
+                              MakePose({1, 2, 1.5}, 0, 0, 90 * kDeg) * OpticalInSensor(), scene_,
+                              &seen);
+  const Image<float>& luminance = seen.cdpm2;
   ImageSensorModel model;
   model.filter.reset();
   model.dark_current_eps = 0;
@@ -274,6 +276,23 @@ TEST_F(CameraBeforeAWall, AnImageSensorsExposureIsItsOwn) {
   EXPECT_GT(bright.rgb.at(80, 55, 1), dim.rgb.at(80, 55, 1) + 10);
   EXPECT_EQ(bright.instance.data, dim.instance.data);
   EXPECT_EQ(bright.depth_m.data, dim.depth_m.data);
+}
+
+// Two scenes of which one is exposed eight times as long: seen by eyes they differ, by the sensor
+// not.
+TEST_F(CameraBeforeAWall, WhatAnImageSensorSeesDoesNotFollowTheScenesExposure) {
+  const CameraFrame plain = Measure(camera_);
+  camera_.image_sensor = ImageSensorModel{.exposure_s = 3e-4};
+  const CameraFrame sensed = Measure(camera_);
+  model_.environment.exposure_ev100 -= 3;
+  Rasterizer brighter(model_, {});
+  const auto seen = [&](const CameraModel& model) {
+    return Camera(model, {.rate_hz = 10}, 3'000'000, 1, "m/camera")
+        .Measure(2, MakePose({1, 2, 1.5}, 0, 0, 90 * kDeg), scene_, &brighter);
+  };
+  EXPECT_EQ(seen(camera_).rgb.data, sensed.rgb.data);
+  camera_.image_sensor.reset();
+  EXPECT_NE(seen(camera_).rgb.data, plain.rgb.data);
 }
 
 }  // namespace

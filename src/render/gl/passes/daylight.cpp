@@ -8,12 +8,17 @@ namespace tera {
 
 Daylight::Daylight(const Environment& environment)
     : sky_(environment),
-      exposure_(static_cast<float>(1.0 / (1.2 * std::exp2(environment.exposure_ev100)))),
+      scene_exposure_(static_cast<float>(1.0 / (1.2 * std::exp2(environment.exposure_ev100)))),
+      exposure_(scene_exposure_),
       extinction_1pm_(static_cast<float>(-std::log(0.02) / environment.fog_visibility_m)),
       texture_(MakeTexture(GL_RGB16F, Sky::kWidth, Sky::kHeight, Filter::kLinear, Wrap::kRepeat)) {
   glTextureParameteri(texture_.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glTextureSubImage2D(texture_.id(), 0, 0, 0, Sky::kWidth, Sky::kHeight, GL_RGB, GL_FLOAT,
                       sky_.texels().data());
+}
+
+void Daylight::SetWhite(std::optional<double> white_cdpm2) {
+  exposure_ = white_cdpm2 ? static_cast<float>(1 / *white_cdpm2) : scene_exposure_;
 }
 
 void Daylight::Light(const Program& program) const {

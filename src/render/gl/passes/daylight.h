@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "render/gl/gl_objects.h"
 #include "render/gl/passes/sky.h"
 
@@ -16,8 +18,8 @@ class Daylight {
   explicit Daylight(const Environment& environment);
 
   const Sky& sky() const { return sky_; }
-  /// Of the picture, in 1 / (cd/m^2).
-  double exposure() const { return exposure_; }
+  /// The luminance that maps to 1 from now on; none: that of the scene's exposure.
+  void SetWhite(std::optional<double> white_cdpm2);
   /// Uniforms of light.glsl.
   void Light(const Program& program) const;
   /// Sky texture to `unit`, with its exposure.
@@ -25,7 +27,9 @@ class Daylight {
 
  private:
   Sky sky_;
-  float exposure_, extinction_1pm_;
+  float scene_exposure_;
+  float exposure_;  ///< of the picture, in 1 / (cd/m^2)
+  float extinction_1pm_;
   GlObject texture_;
 };
 
