@@ -1,4 +1,4 @@
-// From the pinhole picture to the camera's own, which its lens distorts. Colour is blended; labels
+// From a pinhole picture to the part of the camera's own, which its lens distorts, that comes from it. Colour is blended; labels
 // and normals are those of the nearest pixel; depth is blended as 1 / Z, which is exact on planes, where the
 // four pixels around belong to one smooth surface, else it is the nearest pixel's.
 
@@ -6,7 +6,9 @@ uniform sampler2D u_colour;
 uniform sampler2D u_depth;
 uniform usampler2D u_label;
 uniform sampler2D u_normal;
-uniform sampler2D u_map;  // source position in pixels, centre of the first at (0, 0)
+// Source position in pixels, centre of the first at (0, 0); the source's number; depth here over depth there.
+uniform sampler2D u_map;
+uniform int u_view;  // number of the source
 
 layout(location = 0) out vec4 o_colour;
 layout(location = 1) out uint o_label;
@@ -14,7 +16,9 @@ layout(location = 2) out float o_depth;
 layout(location = 3) out vec4 o_normal;
 
 void main() {
-  vec2 at = texelFetch(u_map, ivec2(gl_FragCoord.xy), 0).xy;
+  vec4 source = texelFetch(u_map, ivec2(gl_FragCoord.xy), 0);
+  if (int(source.z) != u_view) discard;
+  vec2 at = source.xy;
   ivec2 last = textureSize(u_depth, 0) - 1;
   ivec2 nearest = clamp(ivec2(floor(at + 0.5)), ivec2(0), last);
   ivec2 corner = clamp(ivec2(floor(at)), ivec2(0), last - 1);
@@ -34,5 +38,5 @@ void main() {
   bool flat_patch = abs(d00 + d11 - d10 - d01) <= 0.25 * (high - low) + 2e-6 * high;
   bool one_surface = l00 == l10 && l00 == l01 && l00 == l11 && low > 0.0;
   float blended = mix(mix(d00, d10, f.x), mix(d01, d11, f.x), f.y);
-  o_depth = flat_patch && one_surface ? blended : texelFetch(u_depth, nearest, 0).x;
+  o_depth = (flat_patch && one_surface ? blended : texelFetch(u_depth, nearest, 0).x) / source.w;
 }

@@ -4,7 +4,11 @@
 #include <bit>
 #include <cstring>
 #include <limits>
+#include <string>
 #include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "core/time.h"
 
@@ -120,13 +124,31 @@ JointState JointStateOfRow(const RowSample& row, const std::string& frame_id,
   return message;
 }
 
+namespace {
+
+/// The model by its ROS name and its coefficients; ROS has no name for f-theta.
+std::pair<std::string, std::vector<double>> DistortionOf(const CameraIntrinsics& c) {
+  switch (c.kind) {
+    case LensKind::kBrownConrady:
+      break;
+    case LensKind::kRational:
+      return {"rational_polynomial", {c.k1, c.k2, c.p1, c.p2, c.k3, c.k4, c.k5, c.k6}};
+    case LensKind::kKannalaBrandt:
+      return {"equidistant", {c.k1, c.k2, c.k3, c.k4}};
+    case LensKind::kFTheta:
+      return {"f_theta", {c.k1, c.k2, c.k3, c.k4}};
+  }
+  return {"plumb_bob", {c.k1, c.k2, c.p1, c.p2, c.k3}};
+}
+
+}  // namespace
+
 CameraInfo CameraInfoMessage(const Header& header, const CameraIntrinsics& c) {
   CameraInfo message;
   message.header = header;
   message.height_px = static_cast<std::uint32_t>(c.height_px);
   message.width_px = static_cast<std::uint32_t>(c.width_px);
-  message.distortion_model = "plumb_bob";
-  message.d = {c.k1, c.k2, c.p1, c.p2, c.k3};
+  std::tie(message.distortion_model, message.d) = DistortionOf(c);
   message.k = {c.fx_px, 0, c.cx_px, 0, c.fy_px, c.cy_px, 0, 0, 1};
   return message;
 }

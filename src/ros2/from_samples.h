@@ -30,8 +30,8 @@ NavSatFix NavSatFixMessage(const GnssSample& sample, const std::string& frame_id
 JointState JointStateOfRow(const RowSample& row, const std::string& frame_id,
                            const std::vector<std::string>& columns);
 
-/// Distortion `plumb_bob`: k1, k2, p1, p2, k3, whose pixel (0, 0) has its centre at (0, 0) like
-/// ours.
+/// Distortion `plumb_bob`, `rational_polynomial` or `equidistant` as ROS has them, whose pixel
+/// (0, 0) has its centre at (0, 0) like ours, or `f_theta`, which ROS has not.
 CameraInfo CameraInfoMessage(const Header& header, const CameraIntrinsics& intrinsics);
 
 /// `rgb8`.

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/types/labels.h"
+#include "sensors/camera/read_lens.h"
 #include "serve/geometry_messages.h"
 #include "serve/sample_keeper.h"
 
@@ -110,6 +111,11 @@ void PutPictures(const PictureContent& model, v1::CameraDescription* message) {
   message->set_p1(lens.p1);
   message->set_p2(lens.p2);
   message->set_k3(lens.k3);
+  message->set_lens(std::string(NameOf(lens.kind)));
+  message->set_k4(lens.k4);
+  message->set_k5(lens.k5);
+  message->set_k6(lens.k6);
+  if (lens.IsAngular()) message->set_field_of_view_rad(lens.field_rad);
   message->set_rgb(model.rgb);
   message->set_depth(model.depth);
   message->set_labels(model.labels[kSemanticChannel] && model.labels[kInstanceChannel]);

@@ -100,6 +100,25 @@ TEST(BadInput, AShutterThatIsOpenLongerThanFromPictureToPictureIsRefusedWithItsP
                               HasSubstr("need at most 0.1 s")));
 }
 
+TEST(BadInput, AReadoutThatIsLongerThanFromPictureToPictureIsRefusedWithItsPlace) {
+  const std::string scenario = SmallScenario(
+      "{name: cam, type: camera, link: chassis, rate_hz: 20, width_px: 64, height_px: 48, "
+      "horizontal_fov_deg: 90, image_sensor: {shutter: {readout_s: 0.0625}}}");
+  ExpectScenarioRefused(
+      scenario, AllOf(StartsWith(At(scenario, "0.0625") +
+                                 "machines[0].rig.sensors[1].image_sensor.shutter.readout_s: "),
+                      HasSubstr("need at most 0.05 s")));
+}
+
+TEST(BadInput, AFisheyeThatFoldsItsPictureIsRefusedWithItsPlace) {
+  const std::string scenario = SmallScenario(
+      "{name: cam, type: camera, link: chassis, rate_hz: 1, width_px: 64, height_px: 48, "
+      "fx_px: 20, lens: kannala_brandt, k1: -0.375}");
+  ExpectScenarioRefused(
+      scenario, AllOf(StartsWith(At(scenario, "-0.375") + "machines[0].rig.sensors[1].k1: "),
+                      HasSubstr("narrower field_of_view_deg")));
+}
+
 TEST(BadInput, AShovelWithADegenerateEdgeIsRefused) {
   const auto refused = [](const std::string& key, const std::string& message) {
     const ScratchDirectory scratch;

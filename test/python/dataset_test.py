@@ -113,6 +113,28 @@ class Cameras(unittest.TestCase):
         np.testing.assert_allclose(lens.rays(pixels), points / points[:, 2:], atol=1e-9)
         self.assertTrue(np.isnan(lens.project(np.array([[0.0, 0, -1]]))[0]).all())
 
+    def test_lenses_of_other_laws_are_opencvs(self):
+        points = np.random.default_rng(2).uniform([-1, -1, 2], [1, 1, 6], (200, 3))
+        rational = tera.Lens(640, 480, 330, 328, 310, 250, k1=0.62, k2=0.05, p1=0.001, p2=-0.0007, k3=0.002,
+                             lens="rational", k4=0.93, k5=0.19, k6=0.01)
+        expected, _ = cv2.projectPoints(points, np.zeros(3), np.zeros(3), rational.K, rational.distortion)
+        pixels, _ = rational.project(points)
+        np.testing.assert_allclose(pixels, expected[:, 0], atol=1e-9)
+        np.testing.assert_allclose(rational.rays(pixels), points / points[:, 2:], atol=1e-9)
+        fisheye = tera.Lens(640, 480, 181, 180, 322, 236, k1=0.031, k2=-0.012, k3=0.004, k4=-0.0007,
+                            lens="kannala_brandt", field_of_view_deg=200)
+        points = np.random.default_rng(3).uniform([-4, -4, 0.3], [4, 4, 2], (200, 3))
+        expected, _ = cv2.fisheye.projectPoints(points[:, None], np.zeros(3), np.zeros(3), fisheye.K, fisheye.distortion)
+        pixels, depth = fisheye.project(points)
+        np.testing.assert_allclose(pixels, expected[:, 0], atol=1e-9)
+        np.testing.assert_allclose(depth, np.linalg.norm(points, axis=1))
+        np.testing.assert_allclose(fisheye.rays(pixels) * depth[:, None], points, atol=1e-9)
+        beside = fisheye.rays(fisheye.project(np.array([[3.0, 1, -0.2]]))[0])  # behind the eye's own plane
+        np.testing.assert_allclose(beside * np.sqrt(10.04), [[3, 1, -0.2]], atol=1e-9)
+        self.assertTrue(np.isnan(fisheye.project(np.array([[0.0, 0, -1]]))[0]).all())
+        with self.assertRaisesRegex(ValueError, "need brown_conrady"):
+            tera.Lens(640, 480, 330, 328, 310, 250, lens="fish")
+
     def test_pictures_are_those_of_the_files(self):
         frame = tera.Dataset(RUN)["excavator1/camera_front"].at(520_000_000)
         self.assertEqual(frame.t_ns, 500_000_000)

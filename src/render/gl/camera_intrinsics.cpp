@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/check.h"
+#include "render/gl/angular_lens.h"
 
 namespace tera {
 namespace {
@@ -13,11 +14,15 @@ struct DistortedPoint {
   Eigen::Matrix2d jacobian;
 };
 
-/// x'(x) of the Brown-Conrady model and its derivative.
+/// x'(x) of a perspective lens and its derivative.
 DistortedPoint Distort(const CameraIntrinsics& c, const Vec2& p) {
   const double x = p.x(), y = p.y(), r2 = p.squaredNorm();
-  const double radial = 1 + r2 * (c.k1 + r2 * (c.k2 + r2 * c.k3));
-  const double slope = c.k1 + r2 * (2 * c.k2 + r2 * 3 * c.k3);  // d radial / d r2
+  const double above = 1 + r2 * (c.k1 + r2 * (c.k2 + r2 * c.k3));
+  const double below = 1 + r2 * (c.k4 + r2 * (c.k5 + r2 * c.k6));
+  const double above_slope = c.k1 + r2 * (2 * c.k2 + r2 * 3 * c.k3);
+  const double below_slope = c.k4 + r2 * (2 * c.k5 + r2 * 3 * c.k6);
+  const double radial = above / below;
+  const double slope = (above_slope - radial * below_slope) / below;  // d radial / d r2
   DistortedPoint d;
   d.value = {x * radial + 2 * c.p1 * x * y + c.p2 * (r2 + 2 * x * x),
              y * radial + c.p1 * (r2 + 2 * y * y) + 2 * c.p2 * x * y};
@@ -31,17 +36,24 @@ DistortedPoint Distort(const CameraIntrinsics& c, const Vec2& p) {
 }  // namespace
 
 bool CameraIntrinsics::Sees(const Vec3& p_C_m) const {
+  if (IsAngular()) return AngleFromAxis(p_C_m) <= 0.5 * field_rad;
   return p_C_m.z() > 0 && p_C_m.head<2>().norm() <= kWidestTangent * p_C_m.z();
 }
 
 Vec2 CameraIntrinsics::Project(const Vec3& p_C_m) const {
-  TERA_CHECK(p_C_m.z() > 0, p_C_m.z());
-  const Vec2 x = Distort(*this, p_C_m.head<2>() / p_C_m.z()).value;
+  Vec2 x;
+  if (IsAngular()) {
+    x = RadiusAt(*this, AngleFromAxis(p_C_m)).rho * p_C_m.head<2>().stableNormalized();
+  } else {
+    TERA_CHECK(p_C_m.z() > 0, p_C_m.z());
+    x = Distort(*this, p_C_m.head<2>() / p_C_m.z()).value;
+  }
   return {fx_px * x.x() + cx_px, fy_px * x.y() + cy_px};
 }
 
 Vec3 CameraIntrinsics::Unproject(const Vec2& pixel_px) const {
   const Vec2 target((pixel_px.x() - cx_px) / fx_px, (pixel_px.y() - cy_px) / fy_px);
+  if (IsAngular()) return AlongAngle(AngleOf(*this, target.norm()), target);
   constexpr int kMaxIterations = 50;
   constexpr double kConverged = 1e-13;  // of the image plane at unit distance
   Vec2 x = target;
@@ -58,12 +70,13 @@ Vec3 CameraIntrinsics::Unproject(const Vec2& pixel_px) const {
 std::optional<Vec3> CameraIntrinsics::RayOf(const Vec2& pixel_px) const {
   constexpr double kRoundTrip_px = 1e-3;
   const Vec3 ray = Unproject(pixel_px);
-  const bool usable = ray.allFinite() && ray.head<2>().norm() < kWidestTangent &&
-                      (Project(ray) - pixel_px).norm() < kRoundTrip_px;
+  const bool usable =
+      ray.allFinite() && Sees(ray) && (Project(ray) - pixel_px).norm() < kRoundTrip_px;
   return usable ? std::optional(ray) : std::nullopt;
 }
 
 std::optional<Vec2> CameraIntrinsics::PixelWithoutRay() const {
+  if (IsAngular()) return PixelWhereItFolds(*this);
   constexpr int kGrid = 64;  // lines of the grid along each side
   const int last_u = width_px - 1, last_v = height_px - 1;
   const int step_u = std::max(1, width_px / kGrid), step_v = std::max(1, height_px / kGrid);
@@ -76,6 +89,12 @@ std::optional<Vec2> CameraIntrinsics::PixelWithoutRay() const {
     }
   }
   return std::nullopt;
+}
+
+double CameraIntrinsics::Illumination(const Vec2& pixel_px) const {
+  if (!IsAngular()) return std::pow(1 / Unproject(pixel_px).norm(), 4);
+  const std::optional<Vec3> ray_C = RayOf(pixel_px);
+  return ray_C ? SolidAnglePerArea(*this, AngleFromAxis(*ray_C)) : 0;
 }
 
 }  // namespace tera

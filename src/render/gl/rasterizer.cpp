@@ -37,30 +37,16 @@ void SetView(const View& view, const Program& program) {
   program.Set("u_near_m", static_cast<float>(view.near_m));
 }
 
-bool SameLens(const CameraIntrinsics& a, const CameraIntrinsics& b) {
-  const auto key = [](const CameraIntrinsics& c) {
-    return std::array<double, 13>{static_cast<double>(c.width_px),
-                                  static_cast<double>(c.height_px),
-                                  c.fx_px,
-                                  c.fy_px,
-                                  c.cx_px,
-                                  c.cy_px,
-                                  c.k1,
-                                  c.k2,
-                                  c.p1,
-                                  c.p2,
-                                  c.k3,
-                                  c.near_m,
-                                  c.far_m};
-  };
-  return key(a) == key(b);
-}
-
 GlObject FarBelow() {
   GlObject texture = MakeTexture(GL_R32F, 1, 1, Filter::kNearest, Wrap::kClamp);
   const float height_m = -1e9f;
   glTextureSubImage2D(texture.id(), 0, 0, 0, 1, 1, GL_RED, GL_FLOAT, &height_m);
   return texture;
+}
+
+void AddTo(std::vector<std::int64_t>* sums, const std::vector<std::int64_t>& counts) {
+  sums->resize(std::max(sums->size(), counts.size()), 0);
+  for (std::size_t i = 0; i < counts.size(); ++i) (*sums)[i] += counts[i];
 }
 
 }  // namespace
@@ -115,20 +101,22 @@ struct Rasterizer::Impl {
   void DrawLights(const View& view, const Pictures& p);
   void DrawGlass(const View& view, const Pictures& p);
   void Develop(const Pictures& p);
-  void Distort(const Lens& lens, const Pictures& from, const LensPictures& to);
+  void Distort(const Lens& lens, int view, const Pictures& from, const LensPictures& to);
   void FillScreen() const;
-  /// Where the picture that a camera sees lies, with what it was made from.
+  /// Where the picture that a camera sees lies, and what it was made from.
   struct Shown {
-    const Pictures& pinhole;
     const GlObject& colour;
     LabelOutputs labels;
     const GlObject& depth;
     unsigned depth_format;
-    View view;
+    std::vector<View> views;
+    std::vector<std::int64_t> seen;  ///< pixels of each instance in all views, behind a lens
   };
+  /// Draws it; counts what is seen if it is asked to.
   Shown Show(const CameraIntrinsics& camera, const Pose& X_WC, const SceneState& state,
-             const LuminancePicture* luminance);
-  void Measure(const View& view, const Pictures& p, bool distorted, CameraFrame* frame);
+             const LuminancePicture* luminance, bool counts);
+  void Clear(const LensPictures& p) const;
+  void Measure(const Shown& shown, const SceneState& state, CameraFrame* frame);
 };
 
 Rasterizer::Rasterizer(const SceneModel& model, const EglOptions& options)
@@ -165,7 +153,7 @@ LensPictures& Rasterizer::Impl::LensPicturesOf(int width_px, int height_px, bool
 
 const Lens& Rasterizer::Impl::LensOf(const CameraIntrinsics& camera) {
   for (const Lens& lens : lenses) {
-    if (SameLens(lens.camera(), camera)) return lens;
+    if (lens.camera() == camera) return lens;
   }
   return lenses.emplace_back(camera);
 }
@@ -333,7 +321,9 @@ void Rasterizer::Impl::DrawPinhole(const View& view, const SceneState& state, co
   Develop(p);
 }
 
-void Rasterizer::Impl::Distort(const Lens& lens, const Pictures& from, const LensPictures& to) {
+/// Fills what of the camera's picture comes from that view of its lens.
+void Rasterizer::Impl::Distort(const Lens& lens, int view, const Pictures& from,
+                               const LensPictures& to) {
   glBindFramebuffer(GL_FRAMEBUFFER, to.target.id());
   glViewport(0, 0, to.width_px, to.height_px);
   lens_program.Use();
@@ -347,41 +337,65 @@ void Rasterizer::Impl::Distort(const Lens& lens, const Pictures& from, const Len
   lens_program.Set("u_label", 2);
   lens_program.Set("u_map", 3);
   lens_program.Set("u_normal", 4);
+  lens_program.Set("u_view", view);
   FillScreen();
 }
 
-/// Share of each box's object that is seen. Behind a lens it is counted in the pinhole picture.
-void Rasterizer::Impl::Measure(const View& view, const Pictures& p, bool distorted,
-                               CameraFrame* frame) {
+/// Share of each box's object that is seen. Behind a lens it is counted in the pinhole pictures.
+void Rasterizer::Impl::Measure(const Shown& shown, const SceneState& state, CameraFrame* frame) {
   std::vector<std::uint16_t> visible;
   for (const ObjectBox& box : frame->boxes) visible.push_back(box.instance);
-  const std::vector<std::int64_t> alone = silhouettes.Count(view, nodes, visible);
-  std::vector<std::int64_t> seen;
-  if (distorted) {
-    seen = CountPixels(ReadInstances(p.label, p.width_px, p.height_px), model);
+  std::vector<std::int64_t> alone(visible.size(), 0);
+  for (const View& view : shown.views) {
+    if (shown.views.size() > 1) nodes.Place(state, view.eye_W_m, &view);
+    const std::vector<std::int64_t> in_view = silhouettes.Count(view, nodes, visible);
+    for (std::size_t k = 0; k < alone.size(); ++k) alone[k] += in_view[k];
   }
   for (std::size_t k = 0; k < visible.size(); ++k) {
     ObjectBox& box = frame->boxes[k];
-    const std::int64_t seen_px = distorted ? seen[box.instance] : box.visible_px;
+    const std::int64_t seen_px = shown.seen.empty() ? box.visible_px : shown.seen[box.instance];
     const auto alone_px = static_cast<double>(std::max<std::int64_t>(alone[k], 1));
     box.visibility = std::min(1.0, static_cast<double>(seen_px) / alone_px);
   }
 }
 
+void Rasterizer::Impl::Clear(const LensPictures& p) const {
+  const float dark[4] = {0, 0, 0, 0};
+  const std::uint32_t nothing[4] = {0, 0, 0, 0};
+  glBindFramebuffer(GL_FRAMEBUFFER, p.target.id());
+  glClearBufferfv(GL_COLOR, 0, dark);
+  glClearBufferuiv(GL_COLOR, 1, nothing);
+  glClearBufferfv(GL_COLOR, 2, dark);
+  glClearBufferfv(GL_COLOR, 3, dark);
+}
+
 Rasterizer::Impl::Shown Rasterizer::Impl::Show(const CameraIntrinsics& camera, const Pose& X_WC,
                                                const SceneState& state,
-                                               const LuminancePicture* luminance) {
+                                               const LuminancePicture* luminance, bool counts) {
   TERA_CHECK(static_cast<int>(state.X_WB.size()) >= model.body_count, state.X_WB.size());
   daylight.SetWhite(luminance ? std::optional(luminance->white_cdpm2) : std::nullopt);
-  const bool linear = luminance != nullptr, distorted = camera.Distorted();
-  const CameraIntrinsics& pinhole = distorted ? LensOf(camera).pinhole() : camera;
-  const Pictures& p = PicturesOf(pinhole.width_px, pinhole.height_px, linear);
-  const View view(pinhole, X_WC);
-  DrawPinhole(view, state, p);
-  if (!distorted) return {p, p.colour, {p.label, p.normal}, p.depth, GL_DEPTH_COMPONENT, view};
+  const bool linear = luminance != nullptr;
+  if (!camera.Distorted()) {
+    const Pictures& p = PicturesOf(camera.width_px, camera.height_px, linear);
+    const View view(camera, X_WC);
+    DrawPinhole(view, state, p);
+    return {p.colour, {p.label, p.normal}, p.depth, GL_DEPTH_COMPONENT, {view}, {}};
+  }
+  const Lens& lens = LensOf(camera);
   const LensPictures& q = LensPicturesOf(camera.width_px, camera.height_px, linear);
-  Distort(LensOf(camera), p, q);
-  return {p, q.colour, {q.label, q.normal}, q.depth, GL_RED, view};
+  Shown shown{q.colour, {q.label, q.normal}, q.depth, GL_RED, {}, {}};
+  Clear(q);
+  for (std::size_t v = 0; v < lens.views().size(); ++v) {
+    const auto& [R_CV, pinhole] = lens.views()[v];
+    const Pictures& p = PicturesOf(pinhole.width_px, pinhole.height_px, linear);
+    shown.views.emplace_back(pinhole, X_WC * MakePose(Vec3::Zero(), R_CV));
+    DrawPinhole(shown.views.back(), state, p);
+    Distort(lens, static_cast<int>(v), p, q);
+    if (counts) {
+      AddTo(&shown.seen, CountPixels(ReadInstances(p.label, p.width_px, p.height_px), model));
+    }
+  }
+  return shown;
 }
 
 CameraFrame Rasterizer::Render(const CameraIntrinsics& camera, const Pose& X_WC,
@@ -390,7 +404,7 @@ CameraFrame Rasterizer::Render(const CameraIntrinsics& camera, const Pose& X_WC,
   Impl& impl = *impl_;
   const EglContext::Current current(impl.context);
   const int width = camera.width_px, height = camera.height_px;
-  const Impl::Shown shown = impl.Show(camera, X_WC, state, luminance);
+  const Impl::Shown shown = impl.Show(camera, X_WC, state, luminance, true);
   CameraFrame frame;
   frame.t_ns = state.t_ns;
   frame.t_available_ns = state.t_ns;
@@ -400,17 +414,17 @@ CameraFrame Rasterizer::Render(const CameraIntrinsics& camera, const Pose& X_WC,
     frame.rgb = ReadColour(shown.colour, width, height);
   }
   labels |= UsualLabels();  // boxes need the instances
-  ReadLabels(shown.labels, width, height, shown.view.R_WC, labels, &frame);
+  ReadLabels(shown.labels, width, height, X_WC.linear(), labels, &frame);
   frame.depth_m = ReadDepth(shown.depth, shown.depth_format, camera);
   frame.boxes = FindBoxes(impl.model, state, X_WC, frame.instance);
-  impl.Measure(shown.view, shown.pinhole, camera.Distorted(), &frame);
+  impl.Measure(shown, state, &frame);
   return frame;
 }
 
 void Rasterizer::RenderLuminance(const CameraIntrinsics& camera, const Pose& X_WC,
                                  const SceneState& state, LuminancePicture* luminance) {
   const EglContext::Current current(impl_->context);
-  const Impl::Shown shown = impl_->Show(camera, X_WC, state, luminance);
+  const Impl::Shown shown = impl_->Show(camera, X_WC, state, luminance, false);
   luminance->cdpm2 =
       ReadLuminance(shown.colour, camera.width_px, camera.height_px, luminance->white_cdpm2);
 }

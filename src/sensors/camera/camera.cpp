@@ -11,55 +11,12 @@
 #include "core/check.h"
 #include "core/config/spelling.h"
 #include "core/units.h"
+#include "sensors/camera/read_lens.h"
 
 namespace tera {
 namespace {
 
-constexpr double kMaxSide_px = 16384;
 constexpr float kMaxValue = 255.0f;
-
-void CheckDistortion(const ConfigMap& config, const CameraIntrinsics& camera) {
-  if (!camera.Distorted() || !(camera.fx_px > 0 && camera.fy_px > 0)) return;
-  const auto pixel = camera.PixelWithoutRay();
-  if (!pixel) return;
-  std::string_view key;  // of the first coefficient given
-  for (const std::string_view k : {"k3", "p2", "p1", "k2", "k1"}) {
-    if (config.Has(k)) key = k;
-  }
-  config.Fault(key, fmt::format("under this distortion pixel ({}, {}) has no ray of its own; need "
-                                "coefficients under which every pixel of the {} x {} picture sees "
-                                "its own direction",
-                                pixel->x(), pixel->y(), camera.width_px, camera.height_px));
-}
-
-CameraIntrinsics ReadIntrinsics(const ConfigMap& config) {
-  CameraIntrinsics c;
-  c.width_px = static_cast<int>(config.Integer("width_px", Between(1, kMaxSide_px, "px")));
-  c.height_px = static_cast<int>(config.Integer("height_px", Between(1, kMaxSide_px, "px")));
-  const Range open_angle = {.min = 0, .max = 179, .min_excluded = true, .unit = "deg"};
-  if (const auto fov_deg = config.OptionalNumber("horizontal_fov_deg", open_angle)) {
-    if (config.Has("fx_px") || config.Has("fy_px")) {
-      config.Fault("horizontal_fov_deg", "given beside fx_px or fy_px; keep one of the two");
-    }
-    c.fx_px = 0.5 * c.width_px / std::tan(0.5 * *fov_deg * kDeg);
-    c.fy_px = c.fx_px;
-  } else {
-    c.fx_px = config.Number("fx_px", Positive("px"));
-    c.fy_px = config.Number("fy_px", Positive("px"), c.fx_px);
-  }
-  c.cx_px = config.Number("cx_px", Any("px"), 0.5 * (c.width_px - 1));
-  c.cy_px = config.Number("cy_px", Any("px"), 0.5 * (c.height_px - 1));
-  c.k1 = config.Number("k1", Any("1"), 0);
-  c.k2 = config.Number("k2", Any("1"), 0);
-  c.p1 = config.Number("p1", Any("1"), 0);
-  c.p2 = config.Number("p2", Any("1"), 0);
-  c.k3 = config.Number("k3", Any("1"), 0);
-  c.near_m = config.Number("near_m", Positive("m"), c.near_m);
-  c.far_m = config.Number("far_m", Positive("m"), c.far_m);
-  if (c.far_m <= c.near_m) config.Fault("far_m", "not beyond near_m; need near_m < far_m");
-  CheckDistortion(config, c);
-  return c;
-}
 
 LabelSet ReadLabelSet(const ConfigMap& config) {
   std::vector<std::string> known;
@@ -166,7 +123,7 @@ std::string LabelsYaml(LabelSet labels) {
 
 CameraModel ReadCameraModel(const ConfigMap& config) {
   CameraModel m;
-  m.intrinsics = ReadIntrinsics(config);
+  m.intrinsics = ReadLens(config);
   m.rgb = config.Boolean("rgb", m.rgb);
   m.depth = config.Boolean("depth", m.depth);
   m.labels = ReadLabelSet(config);
@@ -192,15 +149,13 @@ CameraModel ReadCameraModel(const ConfigMap& config) {
 }
 
 std::string CameraModelYaml(const CameraModel& m) {
-  const CameraIntrinsics& c = m.intrinsics;
-  const std::string text = fmt::format(
-      "  width_px: {}\n  height_px: {}\n  fx_px: {}\n  fy_px: {}\n  cx_px: {}\n  cy_px: {}\n"
-      "  k1: {}\n  k2: {}\n  p1: {}\n  p2: {}\n  k3: {}\n  near_m: {}\n  far_m: {}\n"
-      "  rgb: {}\n  depth: {}\n  labels: {}\n  depth_min_m: {}\n  depth_max_m: {}\n"
-      "  disparity_noise_px: {}\n  baseline_m: {}\n  rgb_noise: {}\n",
-      c.width_px, c.height_px, c.fx_px, c.fy_px, c.cx_px, c.cy_px, c.k1, c.k2, c.p1, c.p2, c.k3,
-      c.near_m, c.far_m, m.rgb, m.depth, LabelsYaml(m.labels), m.depth_min_m, m.depth_max_m,
-      m.disparity_noise_px, m.baseline_m, m.rgb_noise);
+  const std::string text =
+      LensYaml(m.intrinsics) +
+      fmt::format(
+          "  rgb: {}\n  depth: {}\n  labels: {}\n  depth_min_m: {}\n  depth_max_m: {}\n"
+          "  disparity_noise_px: {}\n  baseline_m: {}\n  rgb_noise: {}\n",
+          m.rgb, m.depth, LabelsYaml(m.labels), m.depth_min_m, m.depth_max_m, m.disparity_noise_px,
+          m.baseline_m, m.rgb_noise);
   return m.image_sensor ? text + "  image_sensor:\n" + ImageSensorYaml(*m.image_sensor) : text;
 }
 

@@ -154,7 +154,7 @@ std::optional<Ranging> DepthRanging(const SensorDescription& sensor) {
   if (!camera.depth) return std::nullopt;
   return Ranging{.min_range_m = camera.depth_min_m,
                  .max_range_m = camera.depth_max_m,
-                 .is_planar = true,
+                 .is_planar = !camera.intrinsics.IsAngular(),
                  .points = DepthPoints};
 }
 

@@ -11,14 +11,30 @@ namespace {
 constexpr double kHalf_px = 0.5;
 constexpr double kColour_bytes = 3, kDepth_bytes = 2;  ///< of a pixel
 
+bool IsInPicture(const CameraIntrinsics& lens, const Vec2& pixel_px) {
+  return pixel_px.x() >= -kHalf_px && pixel_px.y() >= -kHalf_px &&
+         pixel_px.x() <= lens.width_px - kHalf_px && pixel_px.y() <= lens.height_px - kHalf_px;
+}
+
+/// Area of the picture that two small turns of a direction, along x and y of its own plane, span,
+/// over that of the plane.
+double PerPlane(const CameraIntrinsics& lens, const Vec3& d_C, const Vec3& x_C, const Vec3& y_C) {
+  constexpr double kStep = 1e-4;
+  const Vec2 pixel_px = lens.Project(d_C);
+  const Vec2 dx_px = lens.Project(d_C + kStep * x_C) - pixel_px;
+  const Vec2 dy_px = lens.Project(d_C + kStep * y_C) - pixel_px;
+  return std::abs(dx_px.x() * dy_px.y() - dx_px.y() * dy_px.x()) / (kStep * kStep);
+}
+
 /// Pixels per steradian along `d_C`.
 double PerSteradian(const CameraIntrinsics& lens, const Vec3& d_C) {
   if (!lens.Sees(d_C)) return 0;
-  const Vec3 d1_C = d_C / d_C.z();
+  const Vec3 d1_C = d_C / lens.DepthOf(d_C);
   const Vec2 pixel_px = lens.Project(d1_C);
-  if (pixel_px.x() < -kHalf_px || pixel_px.y() < -kHalf_px ||
-      pixel_px.x() > lens.width_px - kHalf_px || pixel_px.y() > lens.height_px - kHalf_px) {
-    return 0;
+  if (!IsInPicture(lens, pixel_px)) return 0;
+  if (lens.IsAngular()) {
+    const Vec3 x_C = d1_C.unitOrthogonal();
+    return PerPlane(lens, d1_C, x_C, d1_C.cross(x_C));
   }
   if (lens.Distorted()) {
     // A lens folds directions far outside onto the picture; the pixel's own ray is another then.
@@ -26,12 +42,8 @@ double PerSteradian(const CameraIntrinsics& lens, const Vec3& d_C) {
     const std::optional<Vec3> ray_C = lens.RayOf(pixel_px);
     if (!ray_C || (*ray_C / ray_C->z() - d1_C).norm() > kSame) return 0;
   }
-  constexpr double kStep = 1e-4;  // of the plane z = 1, by which the picture's area is measured
-  const Vec2 dx_px = lens.Project(d1_C + Vec3(kStep, 0, 0)) - pixel_px;
-  const Vec2 dy_px = lens.Project(d1_C + Vec3(0, kStep, 0)) - pixel_px;
-  const double per_plane =
-      std::abs(dx_px.x() * dy_px.y() - dx_px.y() * dy_px.x()) / (kStep * kStep);
-  return per_plane * std::pow(d1_C.norm(), 3);  // a plane's area per steradian is r^3 / z
+  // A plane's area per steradian is r^3 / z.
+  return PerPlane(lens, d1_C, Vec3::UnitX(), Vec3::UnitY()) * std::pow(d1_C.norm(), 3);
 }
 
 }  // namespace
@@ -42,7 +54,7 @@ ViewField ViewOf(const CameraModel& model, double rate_hz) {
   const CameraIntrinsics lens = model.intrinsics;
   const Mat3 R_CS = OpticalInSensor().linear().transpose();
   view.per_steradian = [lens, R_CS](const Vec3& d_S) { return PerSteradian(lens, R_CS * d_S); };
-  view.by_depth = true;
+  view.by_depth = !lens.IsAngular();
   view.through_glass = model.rgb;
   view.ranges = model.depth;
   view.min_distance_m = std::max(model.depth_min_m, lens.near_m);

@@ -61,8 +61,7 @@ std::vector<float> PhotonsOf(const ImageSensorModel& model, const CameraIntrinsi
   std::vector<float> photons;
   for (int y = 0; y < camera.height_px; ++y) {
     for (int x = 0; x < camera.width_px; ++x) {
-      const double cosine = 1 / camera.Unproject(Vec2(x, y)).norm();
-      photons.push_back(static_cast<float>(on_axis * std::pow(cosine, 4)));
+      photons.push_back(static_cast<float>(on_axis * camera.Illumination(Vec2(x, y))));
     }
   }
   return photons;

@@ -78,6 +78,35 @@ inline CameraIntrinsics WideLens() {
   return c;
 }
 
+/// OpenCV's rational model, as calibrations of wide lenses come out.
+inline CameraIntrinsics RationalLens() {
+  CameraIntrinsics c = Pinhole();
+  c.kind = LensKind::kRational;
+  c.k1 = 0.62;
+  c.k2 = 0.05;
+  c.p1 = 0.0007;
+  c.p2 = -0.0005;
+  c.k3 = 0.002;
+  c.k4 = 0.93;
+  c.k5 = 0.19;
+  c.k6 = 0.01;
+  return c;
+}
+
+/// A fisheye of 200 degrees, whose image circle is cut above and below.
+inline CameraIntrinsics Fisheye() {
+  CameraIntrinsics c = Pinhole();
+  c.kind = LensKind::kKannalaBrandt;
+  c.fx_px = 85;
+  c.fy_px = 84;
+  c.k1 = 0.021;
+  c.k2 = -0.009;
+  c.k3 = 0.0012;
+  c.k4 = -0.0001;
+  c.field_rad = 3.4906585;
+  return c;
+}
+
 struct Stage {
   SceneModel model;
   SceneState state;
@@ -106,6 +135,26 @@ struct Stage {
     return Rasterizer(model, EglOptions{}).Render(camera, X_WC, state);
   }
 };
+
+/// Mean over a plate's picture of its pixel position, by the area that each part takes up.
+inline Vec2 ProjectedMean(const CameraIntrinsics& camera, const Pose& X_CO, double half_m) {
+  Vec2 sum = Vec2::Zero();
+  double weight = 0;
+  constexpr int kParts = 8;
+  for (int i = -kParts; i <= kParts; ++i) {
+    for (int j = -kParts; j <= kParts; ++j) {
+      const Vec3 p_O = Vec3(i, j, 0) * (half_m / (kParts + 0.5));
+      constexpr double kStep = 1e-4;
+      const Vec2 c = camera.Project(X_CO * p_O);
+      const Vec2 a = camera.Project(X_CO * Vec3(p_O + Vec3(kStep, 0, 0))) - c;
+      const Vec2 b = camera.Project(X_CO * Vec3(p_O + Vec3(0, kStep, 0))) - c;
+      const double area = std::abs(a.x() * b.y() - a.y() * b.x());
+      sum += area * c;
+      weight += area;
+    }
+  }
+  return sum / weight;
+}
 
 inline const Vec3 kEye(2.3, -6.1, 2.4), kTarget(0.4, 0.6, 0.5);
 

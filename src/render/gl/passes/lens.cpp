@@ -4,72 +4,162 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/error.h"
+#include "render/gl/angular_lens.h"
 
 namespace tera {
 namespace {
 
-/// Ray of a pixel, or an InputError where the lens model has none.
-Vec2 RayOf(const CameraIntrinsics& camera, const Vec2& pixel_px) {
-  if (const auto ray = camera.RayOf(pixel_px)) return ray->head<2>();
+constexpr int kNoView = -1;
+
+void RequireRays(const CameraIntrinsics& camera) {
+  const auto pixel_px = camera.PixelWithoutRay();
+  if (!pixel_px) return;
   throw InputError(fmt::format(
       "camera distortion k1 {} k2 {} p1 {} p2 {} k3 {} has no ray for pixel ({}, {}); need "
       "coefficients under which every pixel of the {} x {} picture sees its own direction",
-      camera.k1, camera.k2, camera.p1, camera.p2, camera.k3, pixel_px.x(), pixel_px.y(),
+      camera.k1, camera.k2, camera.p1, camera.p2, camera.k3, pixel_px->x(), pixel_px->y(),
       camera.width_px, camera.height_px));
 }
 
-/// Lens pixels for each pixel of a pinhole with the same focal length, at a ray: the larger
-/// stretch.
-double Stretch(const CameraIntrinsics& c, const Vec2& ray) {
+/// The point of depth 1 that each pixel sees, row by row.
+std::vector<std::optional<Vec3>> RaysOf(const CameraIntrinsics& camera) {
+  std::vector<std::optional<Vec3>> rays;
+  for (int v = 0; v < camera.height_px; ++v) {
+    for (int u = 0; u < camera.width_px; ++u) rays.push_back(camera.RayOf(Vec2(u, v)));
+  }
+  return rays;
+}
+
+/// Directions of a cube's faces: ahead, right, left, below, above, behind.
+std::array<Mat3, 6> CubeFaces() {
+  const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
+  const auto facing = [](const Vec3& right, const Vec3& down, const Vec3& ahead) {
+    Mat3 R_CV;
+    R_CV << right, down, ahead;
+    return R_CV;
+  };
+  return {facing(x, y, z),  facing(-z, y, x), facing(z, y, -x),
+          facing(x, -z, y), facing(x, z, -y), facing(-x, y, -z)};
+}
+
+/// The views that the rays need, without their pinholes, and which each ray belongs to.
+struct Split {
+  std::vector<LensView> views;
+  std::vector<int> view_of_ray;
+};
+
+Split SplitBetweenViews(const CameraIntrinsics& camera,
+                        const std::vector<std::optional<Vec3>>& rays) {
+  const bool is_narrow = std::all_of(rays.begin(), rays.end(), [](const std::optional<Vec3>& ray) {
+    return !ray || AngleFromAxis(*ray) <= Lens::kWidestOfOne_rad;
+  });
+  Split split;
+  split.view_of_ray.assign(rays.size(), kNoView);
+  const std::array<Mat3, 6> faces = CubeFaces();
+  const std::size_t face_count = !camera.IsAngular() || is_narrow ? 1 : faces.size();
+  for (std::size_t f = 0; f < face_count; ++f) {
+    bool is_used = false;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      if (!rays[i] || split.view_of_ray[i] != kNoView) continue;
+      const Vec3 d_V = faces[f].transpose() * *rays[i];
+      if (face_count > 1 && d_V.z() < rays[i]->cwiseAbs().maxCoeff()) continue;
+      split.view_of_ray[i] = static_cast<int>(split.views.size());
+      is_used = true;
+    }
+    if (is_used) split.views.push_back({faces[f], {}});
+  }
+  return split;
+}
+
+/// Lens pixels for each pixel of a pinhole with the same focal length, at a ray (x, y, 1) of the
+/// view: the larger stretch.
+double Stretch(const CameraIntrinsics& c, const Mat3& R_CV, const Vec2& ray) {
   constexpr double kStep = 1e-4;
   Eigen::Matrix2d jacobian;
   for (int k = 0; k < 2; ++k) {
     const Vec2 d = kStep * Vec2::Unit(k);
     const Vec3 ahead(ray.x() + d.x(), ray.y() + d.y(), 1),
         behind(ray.x() - d.x(), ray.y() - d.y(), 1);
-    jacobian.col(k) = (c.Project(ahead) - c.Project(behind)) / (2 * kStep);
+    jacobian.col(k) = (c.Project(R_CV * ahead) - c.Project(R_CV * behind)) / (2 * kStep);
   }
   jacobian.row(0) /= c.fx_px;
   jacobian.row(1) /= c.fy_px;
   return jacobian.jacobiSvd().singularValues()[0];
 }
 
-}  // namespace
-
-Lens::Lens(const CameraIntrinsics& camera) : camera_(camera), pinhole_(camera) {
-  const int width = camera.width_px, height = camera.height_px;
-  std::vector<Vec2> rays;
-  Eigen::AlignedBox2d field;
+/// The part of a view's plane that its rays meet, and how finely the lens sees there.
+struct Field {
+  Eigen::AlignedBox2d box;
   double stretch = 1.0;
+};
+
+CameraIntrinsics PinholeOf(const CameraIntrinsics& camera, const Field& field, int margin_px) {
+  CameraIntrinsics pinhole;
+  pinhole.near_m = camera.near_m;
+  pinhole.far_m = camera.far_m;
+  pinhole.fx_px = camera.fx_px * field.stretch * Lens::kOversampling;
+  pinhole.fy_px = camera.fy_px * field.stretch * Lens::kOversampling;
+  pinhole.cx_px = margin_px - field.box.min().x() * pinhole.fx_px;
+  pinhole.cy_px = margin_px - field.box.min().y() * pinhole.fy_px;
+  pinhole.width_px =
+      static_cast<int>(std::ceil(field.box.sizes().x() * pinhole.fx_px)) + 1 + 2 * margin_px;
+  pinhole.height_px =
+      static_cast<int>(std::ceil(field.box.sizes().y() * pinhole.fy_px)) + 1 + 2 * margin_px;
+  return pinhole;
+}
+
+/// Gives the views the pinholes that hold their rays.
+void FitPinholes(const CameraIntrinsics& camera, const std::vector<std::optional<Vec3>>& rays,
+                 Split* split) {
   constexpr int kProbe_px = 16;  // stretch varies slowly over the picture
-  for (int v = 0; v < height; ++v) {
-    for (int u = 0; u < width; ++u) {
-      rays.push_back(RayOf(camera, Vec2(u, v)));
-      field.extend(rays.back());
-      if (u % kProbe_px == 0 && v % kProbe_px == 0) {
-        stretch = std::max(stretch, Stretch(camera, rays.back()));
-      }
+  constexpr int kMargin_px = 2;
+  constexpr int kSeamMargin_px = 32;  // what is near across a seam shades, too
+  std::vector<Field> fields(split->views.size());
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (!rays[i]) continue;
+    Field& field = fields[static_cast<std::size_t>(split->view_of_ray[i])];
+    const Mat3& R_CV = split->views[static_cast<std::size_t>(split->view_of_ray[i])].R_CV;
+    const Vec2 on_plane = (R_CV.transpose() * *rays[i]).hnormalized();
+    field.box.extend(on_plane);
+    const int u = static_cast<int>(i) % camera.width_px, v = static_cast<int>(i) / camera.width_px;
+    if (u % kProbe_px == 0 && v % kProbe_px == 0) {
+      field.stretch = std::max(field.stretch, Stretch(camera, R_CV, on_plane));
     }
   }
-  pinhole_.k1 = pinhole_.k2 = pinhole_.p1 = pinhole_.p2 = pinhole_.k3 = 0;
-  pinhole_.fx_px = camera.fx_px * stretch * kOversampling;
-  pinhole_.fy_px = camera.fy_px * stretch * kOversampling;
-  constexpr int kMargin_px = 2;
-  pinhole_.cx_px = kMargin_px - field.min().x() * pinhole_.fx_px;
-  pinhole_.cy_px = kMargin_px - field.min().y() * pinhole_.fy_px;
-  pinhole_.width_px =
-      static_cast<int>(std::ceil(field.sizes().x() * pinhole_.fx_px)) + 1 + 2 * kMargin_px;
-  pinhole_.height_px =
-      static_cast<int>(std::ceil(field.sizes().y() * pinhole_.fy_px)) + 1 + 2 * kMargin_px;
-  std::vector<Eigen::Vector2f> sources;
-  for (const Vec2& ray : rays) {
-    sources.push_back(pinhole_.Project(Vec3(ray.x(), ray.y(), 1)).cast<float>());
+  for (std::size_t w = 0; w < fields.size(); ++w) {
+    split->views[w].pinhole =
+        PinholeOf(camera, fields[w], fields.size() > 1 ? kSeamMargin_px : kMargin_px);
   }
-  map_ = MakeTexture(GL_RG32F, width, height, Filter::kNearest, Wrap::kClamp);
-  glTextureSubImage2D(map_.id(), 0, 0, 0, width, height, GL_RG, GL_FLOAT, sources.data());
+}
+
+}  // namespace
+
+Lens::Lens(const CameraIntrinsics& camera) : camera_(camera) {
+  RequireRays(camera);
+  const std::vector<std::optional<Vec3>> rays = RaysOf(camera);
+  Split split = SplitBetweenViews(camera, rays);
+  FitPinholes(camera, rays, &split);
+  std::vector<Eigen::Vector4f> sources;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (!rays[i]) {
+      sources.emplace_back(0.0f, 0.0f, static_cast<float>(kNoView), 1.0f);
+      continue;
+    }
+    const LensView& view = split.views[static_cast<std::size_t>(split.view_of_ray[i])];
+    const Vec3 d_V = view.R_CV.transpose() * *rays[i];
+    const Vec2 at_px = view.pinhole.Project(d_V);
+    sources.emplace_back(static_cast<float>(at_px.x()), static_cast<float>(at_px.y()),
+                         static_cast<float>(split.view_of_ray[i]), static_cast<float>(1 / d_V.z()));
+  }
+  views_ = std::move(split.views);
+  map_ = MakeTexture(GL_RGBA32F, camera.width_px, camera.height_px, Filter::kNearest, Wrap::kClamp);
+  glTextureSubImage2D(map_.id(), 0, 0, 0, camera.width_px, camera.height_px, GL_RGBA, GL_FLOAT,
+                      sources.data());
 }
 
 }  // namespace tera
