@@ -129,17 +129,39 @@ TEST(ReadSensor, ImageSensorKeysReachTheModelAndItsFile) {
       "quantum_efficiency: [0.41, 0.62, 0.53], full_well_e: 32000, read_noise_e: 6.5, "
       "dark_current_eps: 40, temperature_degc: 50, dark_temperature_degc: 20, dark_doubling_k: 7, "
       "prnu: 0.01, dsnu_e: 3, row_noise_e: 1.5, hot_pixels: 0.001, bits: 10, gain_db: 6, "
-      "black_dn: 16, filter: gbrg}";
+      "black_dn: 16, filter: gbrg, rim: {radius_mm: 3.5, distance_mm: 2.5}, "
+      "shutter: {readout_s: 0.011, motion_blur: false, step_px: 0.7, most_pictures: 9}}";
   const std::string camera = "type: camera, width_px: 8, height_px: 6, fx_px: 9, image_sensor: ";
   const auto m = ModelOf<CameraModel>(camera + yaml);
   ASSERT_TRUE(m.image_sensor.has_value());
   const std::string file = ImageSensorYaml(*m.image_sensor);
-  for (const std::string line :
-       {"exposure_s: 0.004", "f_number: 2.8", "transmission: 0.8", "pixel_um: 5.5",
-        "quantum_efficiency: [0.41, 0.62, 0.53]", "full_well_e: 32000", "read_noise_e: 6.5",
-        "dark_current_eps: 40", "temperature_degc: 50", "dark_temperature_degc: 20",
-        "dark_doubling_k: 7", "prnu: 0.01", "dsnu_e: 3", "row_noise_e: 1.5", "hot_pixels: 0.001",
-        "bits: 10", "gain_db: 6", "black_dn: 16", "filter: gbrg"}) {
+  for (const std::string line : {"exposure_s: 0.004",
+                                 "f_number: 2.8",
+                                 "transmission: 0.8",
+                                 "pixel_um: 5.5",
+                                 "quantum_efficiency: [0.41, 0.62, 0.53]",
+                                 "full_well_e: 32000",
+                                 "read_noise_e: 6.5",
+                                 "dark_current_eps: 40",
+                                 "temperature_degc: 50",
+                                 "dark_temperature_degc: 20",
+                                 "dark_doubling_k: 7",
+                                 "prnu: 0.01",
+                                 "dsnu_e: 3",
+                                 "row_noise_e: 1.5",
+                                 "hot_pixels: 0.001",
+                                 "bits: 10",
+                                 "gain_db: 6",
+                                 "black_dn: 16",
+                                 "filter: gbrg",
+                                 "rim:",
+                                 "  radius_mm: 3.5",
+                                 "  distance_mm: 2.5",
+                                 "shutter:",
+                                 "  readout_s: 0.011",
+                                 "  motion_blur: false",
+                                 "  step_px: 0.7",
+                                 "  most_pictures: 9"}) {
     EXPECT_NE(file.find("    " + line + "\n"), std::string::npos) << line;
   }
   EXPECT_FALSE(ModelOf<CameraModel>(camera + "{filter: none}").image_sensor->filter.has_value());

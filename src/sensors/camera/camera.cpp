@@ -174,29 +174,47 @@ Camera::Camera(const CameraModel& model, const SampleClock& clock, TimeNs latenc
       latency_ns_(latency_ns),
       depth_noise_(seed, stream_name + "/depth"),
       rgb_noise_(seed, stream_name + "/rgb") {
-  if (model.image_sensor)
-    image_sensor_.emplace(*model.image_sensor, model.intrinsics, seed, stream_name);
+  if (!model.image_sensor) return;
+  const ImageSensorModel& sensor = *model.image_sensor;
+  image_sensor_.emplace(sensor, model.intrinsics, seed, stream_name);
+  control_.emplace(sensor.auto_exposure, sensor.auto_white_balance, image_sensor_->UsualSettings());
 }
 
 TimeNs Camera::Reach() const {
   if (!model_.image_sensor || !model_.image_sensor->shutter) return 0;
-  return FromSeconds(
-      Exposures::Reach_s(*model_.image_sensor->shutter, model_.image_sensor->exposure_s));
+  const ImageSensorModel& sensor = *model_.image_sensor;
+  return FromSeconds(Exposures::Reach_s(*sensor.shutter, LongestExposure_s(sensor)));
 }
 
 CameraFrame Camera::See(const SceneAt& scene_at, TimeNs t_ns, Rasterizer* rasterizer,
                         LuminancePicture* luminance) const {
   if (luminance != nullptr && model_.image_sensor->shutter) {
-    return Sweep({*model_.image_sensor->shutter, model_.image_sensor->exposure_s, model_.intrinsics,
-                  model_.labels, scene_at},
-                 t_ns, rasterizer, luminance);
+    const double exposure_s = control_->Settings().exposure_s;
+    return Sweep(
+        {*model_.image_sensor->shutter, exposure_s, model_.intrinsics, model_.labels, scene_at},
+        t_ns, rasterizer, luminance);
   }
   const SeenScene seen = scene_at(t_ns);
   return rasterizer->Render(model_.intrinsics, seen.X_WC, seen.state, model_.labels, luminance);
 }
 
+Image<std::uint8_t> Camera::Sense(const Image<float>& luminance_cdpm2, std::int64_t k) {
+  const PictureSettings settings = control_->Settings();
+  const Image<std::uint16_t> raw_dn = image_sensor_->Expose(luminance_cdpm2, k, settings);
+  const ImageSensorModel& sensor = *model_.image_sensor;
+  Metered for_exposure, for_balance;
+  if (sensor.auto_exposure) {
+    for_exposure = image_sensor_->Meter(raw_dn, sensor.auto_exposure->zone);
+  }
+  if (sensor.auto_white_balance) {
+    for_balance = image_sensor_->Meter(raw_dn, sensor.auto_white_balance->zone);
+  }
+  control_->Take(for_exposure, for_balance);
+  return image_sensor_->Develop(raw_dn, settings);
+}
+
 CameraFrame Camera::Measure(std::int64_t k, const Pose& X_WS, const SceneState& scene,
-                            Rasterizer* rasterizer) const {
+                            Rasterizer* rasterizer) {
   return Measure(
       k,
       [&](TimeNs) {
@@ -205,9 +223,9 @@ CameraFrame Camera::Measure(std::int64_t k, const Pose& X_WS, const SceneState& 
       rasterizer);
 }
 
-CameraFrame Camera::Measure(std::int64_t k, const SceneAt& scene_at, Rasterizer* rasterizer) const {
+CameraFrame Camera::Measure(std::int64_t k, const SceneAt& scene_at, Rasterizer* rasterizer) {
   LuminancePicture luminance;
-  if (image_sensor_) luminance.white_cdpm2 = image_sensor_->white_cdpm2();
+  if (image_sensor_) luminance.white_cdpm2 = image_sensor_->white_cdpm2(control_->Settings());
   CameraFrame frame =
       See(scene_at, clock_.Due(k), rasterizer, image_sensor_ ? &luminance : nullptr);
   frame.t_ns = clock_.Due(k);
@@ -216,7 +234,7 @@ CameraFrame Camera::Measure(std::int64_t k, const SceneAt& scene_at, Rasterizer*
   if (!model_.rgb) {
     frame.rgb = {};
   } else if (image_sensor_) {
-    frame.rgb = image_sensor_->Develop(image_sensor_->Expose(luminance.cdpm2, k));
+    frame.rgb = Sense(luminance.cdpm2, k);
   } else if (model_.rgb_noise > 0) {
     AddRgbNoise(model_.rgb_noise, rgb_noise_, exposure * frame.rgb.data.size() / 3, &frame.rgb);
   }

@@ -38,12 +38,12 @@ Pose OpticalInSensor();
 ///         X_SC = OpticalInSensor(). Pixel (0, 0) has its centre at the image point (0, 0).
 /// Model   the whole picture at one instant, that of its time stamp, or with a shutter each row
 ///         exposed for a while about its own time, the middle row about the stamp's (sweep.h).
-///         Depth is z in C with the noise
-///         of a stereo pair, sigma_z = z^2 sigma_d / (f b), and 0 outside its limits; colour is
-///         sRGB at the scene's exposure plus N(0, sigma^2), clipped, or what an image sensor makes
-///         of the scene's luminance (image_sensor.h). Noise is drawn for each pixel alone.
-/// Omits   control of exposure and gain; glare, dirt; the holes
-///         and the smoothing of a real stereo matcher.
+///         Depth is z in C, or behind a lens that looks sideways the distance, with the noise of a
+///         stereo pair, sigma_z = z^2 sigma_d / (f b), and 0 outside its limits; colour is sRGB at
+///         the scene's exposure plus N(0, sigma^2), clipped, or what an image sensor makes of the
+///         scene's luminance (image_sensor.h), whose exposure and balance may follow the pictures
+///         before (exposure_control.h). Noise is drawn for each pixel alone.
+/// Omits   glare, dirt; the holes and the smoothing of a real stereo matcher.
 /// Source  lens: Brown 1971, "Close-range camera calibration"; sigma_z: Khoshelham and Elberink
 ///         2012, "Accuracy and resolution of Kinect depth data for indoor mapping applications".
 class Camera {
@@ -52,23 +52,30 @@ class Camera {
          const std::string& stream_name);
   /// Exposure k of the scene with the sensor at X_WS, where all stands still.
   CameraFrame Measure(std::int64_t k, const Pose& X_WS, const SceneState& scene,
-                      Rasterizer* rasterizer) const;
+                      Rasterizer* rasterizer);
   /// Exposure k of a scene that is asked for at times from Reach() before its stamp to Reach()
   /// after it, which may move.
-  CameraFrame Measure(std::int64_t k, const SceneAt& scene_at, Rasterizer* rasterizer) const;
-  /// The time from the first light of a picture to its stamp, and from there to the last.
+  CameraFrame Measure(std::int64_t k, const SceneAt& scene_at, Rasterizer* rasterizer);
+  /// Whether a picture follows from those before, so that none may be left out.
+  bool HasMemory() const {
+    return control_ && (control_->meters_exposure() || control_->meters_balance());
+  }
+  /// The time from the first light of a picture to its stamp, and from there to the last, at most.
   TimeNs Reach() const;
   const CameraModel& model() const { return model_; }
 
  private:
   CameraFrame See(const SceneAt& scene_at, TimeNs t_ns, Rasterizer* rasterizer,
                   LuminancePicture* luminance) const;
+  /// sRGB of picture k, which the control takes note of.
+  Image<std::uint8_t> Sense(const Image<float>& luminance_cdpm2, std::int64_t k);
 
   CameraModel model_;
   SampleClock clock_;
   TimeNs latency_ns_;
   Stream depth_noise_, rgb_noise_;
   std::optional<ImageSensor> image_sensor_;
+  std::optional<ExposureControl> control_;  ///< of an image sensor
 };
 
 }  // namespace tera

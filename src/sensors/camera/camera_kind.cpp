@@ -59,12 +59,13 @@ class CameraSampler : public SensorSampler {
 
   void Take(const SensedStep& step) {
     const ReportClock::Times times = slots_.Stamp(next_, clock_.Due(next_));
-    if (!output_.sink->NeedsFrame(output_.channel, times.t_ns, clock_.Due(next_ + 1))) {
-      output_.sink->MarkPresent(output_.channel, times.t_ns);
-      return;
-    }
+    const bool is_needed =
+        output_.sink->NeedsFrame(output_.channel, times.t_ns, clock_.Due(next_ + 1));
+    if (!is_needed) output_.sink->MarkPresent(output_.channel, times.t_ns);
+    if (!is_needed && !camera_.HasMemory()) return;
     CameraFrame frame = camera_.Measure(
         next_, [&](TimeNs t_ns) { return SceneAtTime(step, t_ns); }, step.scene.rasterizer());
+    if (!is_needed) return;
     slots_.Apply(next_, times, &frame);
     output_.sink->Write(output_.channel, std::move(frame));
   }
@@ -113,6 +114,9 @@ void CheckExposure(const ConfigMap& config, const CameraModel& model, double rat
                                duration_s, rate_hz, 1 / rate_hz));
   };
   check(sensor, "exposure_s", model.image_sensor->exposure_s);
+  if (const auto& loop = model.image_sensor->auto_exposure) {
+    check(sensor.Map("auto_exposure"), "longest_s", loop->longest_s);
+  }
   if (const auto& shutter = model.image_sensor->shutter) {
     check(sensor.Map("shutter"), "readout_s", shutter->readout_s);
   }

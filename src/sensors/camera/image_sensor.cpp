@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/units.h"
+#include "render/gl/angular_lens.h"
 
 namespace tera {
 namespace {
@@ -55,19 +56,50 @@ double PhotonsOnAxis(const ImageSensorModel& model) {
   return lux_s * kPhotonsPerLuxSecond / 3 * std::pow(model.pixel_um * 1e-6, 2);
 }
 
-/// The same in each pixel of a picture.
+/// Light on a pixel over that on the axis.
+double Falloff(const ImageSensorModel& model, const CameraIntrinsics& camera,
+               const Vec2& pixel_px) {
+  const double falloff = camera.Illumination(pixel_px);
+  if (!model.rim || falloff == 0) return falloff;
+  const double focal_mm = camera.fx_px * model.pixel_um * 1e-3;
+  return falloff * PupilShare(*model.rim, focal_mm / (2 * model.f_number),
+                              AngleFromAxis(camera.Unproject(pixel_px)));
+}
+
+/// Photons of one colour in each pixel of a picture of 1 cd/m^2.
 std::vector<float> PhotonsOf(const ImageSensorModel& model, const CameraIntrinsics& camera) {
   const double on_axis = PhotonsOnAxis(model);
   std::vector<float> photons;
   for (int y = 0; y < camera.height_px; ++y) {
     for (int x = 0; x < camera.width_px; ++x) {
-      photons.push_back(static_cast<float>(on_axis * camera.Illumination(Vec2(x, y))));
+      photons.push_back(static_cast<float>(on_axis * Falloff(model, camera, Vec2(x, y))));
     }
   }
   return photons;
 }
 
+/// Where they are given: a rim, loops and a shutter.
+void ReadParts(const ConfigMap& config, ImageSensorModel* m) {
+  if (const auto rim = config.OptionalMap("rim")) {
+    m->rim.emplace();
+    m->rim->radius_mm = rim->Number("radius_mm", Positive("mm"), m->rim->radius_mm);
+    m->rim->distance_mm = rim->Number("distance_mm", AtLeast(0, "mm"), m->rim->distance_mm);
+  }
+  if (const auto loop = config.OptionalMap("auto_exposure")) {
+    m->auto_exposure = ReadAutomaticExposure(*loop);
+  }
+  if (const auto loop = config.OptionalMap("auto_white_balance")) {
+    m->auto_white_balance = ReadAutomaticWhiteBalance(*loop);
+  }
+  if (const auto shutter = config.OptionalMap("shutter")) m->shutter = ReadShutter(*shutter);
+}
+
 }  // namespace
+
+double LongestExposure_s(const ImageSensorModel& model) {
+  return model.auto_exposure ? std::max(model.exposure_s, model.auto_exposure->longest_s)
+                             : model.exposure_s;
+}
 
 ImageSensorModel ReadImageSensor(const ConfigMap& config) {
   ImageSensorModel m;
@@ -99,13 +131,13 @@ ImageSensorModel ReadImageSensor(const ConfigMap& config) {
   if (named != kFilterNames.end()) {
     m.filter = static_cast<ColourFilter>(named - kFilterNames.begin());
   }
-  if (const auto shutter = config.OptionalMap("shutter")) m.shutter = ReadShutter(*shutter);
+  ReadParts(config, &m);
   return m;
 }
 
 std::string ImageSensorYaml(const ImageSensorModel& m) {
   const Vec3& qe = m.quantum_efficiency;
-  const std::string text = fmt::format(
+  std::string text = fmt::format(
       "    exposure_s: {}\n    f_number: {}\n    transmission: {}\n    pixel_um: {}\n"
       "    quantum_efficiency: [{}, {}, {}]\n    full_well_e: {}\n    read_noise_e: {}\n"
       "    dark_current_eps: {}\n    temperature_degc: {}\n    dark_temperature_degc: {}\n"
@@ -115,7 +147,16 @@ std::string ImageSensorYaml(const ImageSensorModel& m) {
       m.read_noise_e, m.dark_current_eps, m.temperature_degc, m.dark_temperature_degc,
       m.dark_doubling_k, m.prnu, m.dsnu_e, m.row_noise_e, m.hot_pixels, m.bits, m.gain_db,
       m.black_dn, m.filter ? kFilterNames[static_cast<std::size_t>(*m.filter)] : "none");
-  return m.shutter ? text + "    shutter:\n" + ShutterYaml(*m.shutter) : text;
+  if (m.rim) {
+    text += fmt::format("    rim:\n      radius_mm: {}\n      distance_mm: {}\n", m.rim->radius_mm,
+                        m.rim->distance_mm);
+  }
+  if (m.auto_exposure) text += "    auto_exposure:\n" + AutomaticExposureYaml(*m.auto_exposure);
+  if (m.auto_white_balance) {
+    text += "    auto_white_balance:\n" + AutomaticWhiteBalanceYaml(*m.auto_white_balance);
+  }
+  if (m.shutter) text += "    shutter:\n" + ShutterYaml(*m.shutter);
+  return text;
 }
 
 ImageSensor::ImageSensor(const ImageSensorModel& model, const CameraIntrinsics& camera,
@@ -123,9 +164,6 @@ ImageSensor::ImageSensor(const ImageSensorModel& model, const CameraIntrinsics& 
     : model_(model),
       width_px_(camera.width_px),
       height_px_(camera.height_px),
-      dark_e_(model.dark_current_eps * model.exposure_s *
-              std::exp2((model.temperature_degc - model.dark_temperature_degc) /
-                        model.dark_doubling_k)),
       photons_per_cdpm2_(PhotonsOf(model, camera)),
       shot_(seed, stream_name + "/shot"),
       read_(seed, stream_name + "/read"),
@@ -141,16 +179,23 @@ ImageSensor::ImageSensor(const ImageSensorModel& model, const CameraIntrinsics& 
   }
 }
 
-double ImageSensor::gain_dn_per_e() const {
-  const double range_dn = (1 << model_.bits) - 1 - model_.black_dn;
-  return range_dn / model_.full_well_e * std::pow(10, model_.gain_db / 20);
+PictureSettings ImageSensor::UsualSettings() const {
+  PictureSettings settings{.exposure_s = model_.exposure_s, .gain_db = model_.gain_db};
+  const Vec3& qe = model_.quantum_efficiency;
+  for (int c = 0; c < 3; ++c) settings.balance[c] = qe[c] > 0 ? qe[1] / qe[c] : 1;
+  return settings;
 }
 
-double ImageSensor::white_cdpm2() const {
+double ImageSensor::gain_dn_per_e(const PictureSettings& settings) const {
+  const double range_dn = (1 << model_.bits) - 1 - model_.black_dn;
+  return range_dn / model_.full_well_e * std::pow(10, settings.gain_db / 20);
+}
+
+double ImageSensor::white_cdpm2(const PictureSettings& settings) const {
   constexpr double kLeastEfficiency = 1e-3;  // of a sensor that is all but blind to green
   const double efficiency = std::max(model_.quantum_efficiency[1], kLeastEfficiency);
-  return model_.full_well_e / std::pow(10, model_.gain_db / 20) /
-         (efficiency * PhotonsOnAxis(model_));
+  const double photons = PhotonsOnAxis(model_) * settings.exposure_s / model_.exposure_s;
+  return model_.full_well_e / std::pow(10, settings.gain_db / 20) / (efficiency * photons);
 }
 
 /// 0 red, 1 green, 2 blue.
@@ -162,16 +207,20 @@ int ImageSensor::ColourOf(int x_px, int y_px) const {
 }
 
 double ImageSensor::Electrons(std::size_t place, std::uint64_t draw, double photons,
-                              double efficiency) const {
-  const double mean = efficiency * sensitivity_[place] * photons + dark_e_ * dark_current_[place];
+                              double efficiency, double dark_e) const {
+  const double mean = efficiency * sensitivity_[place] * photons + dark_e * dark_current_[place];
   return std::min(CountOf(mean, shot_, draw), model_.full_well_e);
 }
 
-Image<std::uint16_t> ImageSensor::Expose(const Image<float>& luminance_cdpm2,
-                                         std::int64_t k) const {
+Image<std::uint16_t> ImageSensor::Expose(const Image<float>& luminance_cdpm2, std::int64_t k,
+                                         const PictureSettings& settings) const {
   const int channels = model_.filter ? 1 : 3;
   Image<std::uint16_t> raw(width_px_, height_px_, channels);
-  const double gain = gain_dn_per_e(), most = (1 << model_.bits) - 1;
+  const double gain = gain_dn_per_e(settings), most = (1 << model_.bits) - 1;
+  const double open = settings.exposure_s / model_.exposure_s;
+  const double dark_e =
+      model_.dark_current_eps * settings.exposure_s *
+      std::exp2((model_.temperature_degc - model_.dark_temperature_degc) / model_.dark_doubling_k);
   const auto first = static_cast<std::uint64_t>(k) * raw.data.size();
   for (int y = 0; y < height_px_; ++y) {
     const auto picture_row = static_cast<std::uint64_t>(k) * height_px_ + y;
@@ -182,9 +231,10 @@ Image<std::uint16_t> ImageSensor::Expose(const Image<float>& luminance_cdpm2,
       for (int c = 0; c < channels; ++c) {
         const std::size_t place = pixel * channels + c;
         const int colour = model_.filter ? ColourOf(x, y) : c;
-        const double photons = photons_per_cdpm2_[pixel] * luminance_cdpm2.at(x, y, colour);
+        const float usual_photons = photons_per_cdpm2_[pixel] * luminance_cdpm2.at(x, y, colour);
+        const double photons = open * usual_photons;
         const double electrons =
-            Electrons(place, first + place, photons, model_.quantum_efficiency[colour]) +
+            Electrons(place, first + place, photons, model_.quantum_efficiency[colour], dark_e) +
             dark_signal_e_[place] + row_e + model_.read_noise_e * read_.Gaussian(first + place);
         const double dn = std::round(gain * electrons + model_.black_dn);
         raw.data[place] = static_cast<std::uint16_t>(std::clamp(dn, 0.0, most));
@@ -194,16 +244,34 @@ Image<std::uint16_t> ImageSensor::Expose(const Image<float>& luminance_cdpm2,
   return raw;
 }
 
-Image<std::uint8_t> ImageSensor::Develop(const Image<std::uint16_t>& raw_dn) const {
-  const Vec3& qe = model_.quantum_efficiency;
+Metered ImageSensor::Meter(const Image<std::uint16_t>& raw_dn, const MeteringZone& zone) const {
+  const double most = (1 << model_.bits) - 1, range_dn = most - model_.black_dn;
+  double green = 0, greens = 0;
+  Vec3 sum = Vec3::Zero(), count = Vec3::Zero();
+  const int left = static_cast<int>(zone.left * width_px_),
+            top = static_cast<int>(zone.top * height_px_);
+  for (int y = top; y < std::max(zone.bottom * height_px_, top + 2.0) && y < height_px_; ++y) {
+    for (int x = left; x < std::max(zone.right * width_px_, left + 2.0) && x < width_px_; ++x) {
+      for (int c = 0; c < raw_dn.channels; ++c) {
+        const int colour = model_.filter ? ColourOf(x, y) : c;
+        const double dn = raw_dn.at(x, y, c), signal = (dn - model_.black_dn) / range_dn;
+        if (colour == 1) green += signal, ++greens;
+        if (dn < most) sum[colour] += signal, ++count[colour];
+      }
+    }
+  }
+  return {greens > 0 ? std::max(green / greens, 0.0) : 0, sum.cwiseQuotient(count.cwiseMax(1))};
+}
+
+Image<std::uint8_t> ImageSensor::Develop(const Image<std::uint16_t>& raw_dn,
+                                         const PictureSettings& settings) const {
   const double white = (1 << model_.bits) - 1 - model_.black_dn;
   // A look-up for each colour: its white balance to green and the encoding.
   std::array<std::vector<std::uint8_t>, 3> encoded;
   for (int c = 0; c < 3; ++c) {
-    const double balance = qe[c] > 0 ? qe[1] / qe[c] : 1;
     for (int dn = 0; dn < (1 << model_.bits); ++dn) {
       encoded[static_cast<std::size_t>(c)].push_back(
-          Encoded(balance * (dn - model_.black_dn) / white));
+          Encoded(settings.balance[c] * (dn - model_.black_dn) / white));
     }
   }
   const cv::Mat three = model_.filter ? Demosaiced(raw_dn, *model_.filter) : cv::Mat();

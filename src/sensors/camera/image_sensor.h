@@ -9,7 +9,9 @@
 #include "core/random.h"
 #include "core/types/measurement.h"
 #include "render/gl/camera_intrinsics.h"
+#include "sensors/camera/exposure_control.h"
 #include "sensors/camera/shutter.h"
+#include "sensors/camera/vignetting.h"
 
 namespace tera {
 
@@ -32,8 +34,14 @@ struct ImageSensorModel {
   double gain_db = 0;  ///< 0: the full well fills the range of `bits`
   double black_dn = 64;
   std::optional<ColourFilter> filter = ColourFilter::kRggb;  ///< none: a sensor for each colour
+  std::optional<LensRim> rim;  ///< none: corners are darker by the fourth power alone
+  std::optional<AutomaticExposure> auto_exposure;           ///< none: exposure_s and gain_db stay
+  std::optional<AutomaticWhiteBalance> auto_white_balance;  ///< none: that of daylight
   std::optional<ShutterModel> shutter;  ///< none: the whole picture is of one instant
 };
+
+/// The longest that a pixel may gather light for one picture.
+double LongestExposure_s(const ImageSensorModel& model);
 
 ImageSensorModel ReadImageSensor(const ConfigMap& config);
 /// The model as sensor.yaml has it, four blanks before each key.
@@ -48,15 +56,16 @@ inline constexpr double kPhotonsPerLuxSecond = 6.02214076e23 * 1e-6 / 54;
 
 /// From luminance to what a camera delivers.
 ///
-/// Model   illuminance behind the lens pi L tau cos^4(angle) / (4 N^2), of each colour that of a
-///         white of its value; a third of daylight's photons are each colour's; electrons are
-///         Poisson's of QE times photons (PRNU) and dark current, at most the full well; then
-///         y = K (electrons + DSNU + row + read noise) + black, rounded, within the range. Dark
-///         current doubles each dark_doubling_k. The picture is a bilinear, edge-aware demosaic,
-///         white balanced for daylight, in sRGB.
-///         Poisson's counts are exact below 20 and normal, rounded, above.
+/// Model   illuminance behind the lens pi L tau v / (4 N^2), v = cos^4(angle), or what a lens that
+///         looks sideways has in its place (angular_lens.h), less what the rim shades; of each
+///         colour that of a white of its value; a third of daylight's photons are each colour's;
+///         electrons are Poisson's of QE times photons (PRNU) and dark current, at most the full
+///         well; then y = K (electrons + DSNU + row + read noise) + black, rounded, within the
+///         range. Dark current doubles each dark_doubling_k. The picture is a bilinear, edge-aware
+///         demosaic, white balanced for daylight, in sRGB. Poisson's counts are exact below 20 and
+///         normal, rounded, above.
 /// Omits   spectra; crosstalk, lag, blooming, correlated double sampling; compression of highlights
-///         by a tone curve; aberrations of the lens other than cos^4.
+///         by a tone curve; aberrations of the lens.
 /// Source  EMVA 1288 release 4.0, linear model, eqs. (1) to (15); cos^4: Kingslake 1992, "Optics in
 ///         photography"; sRGB: IEC 61966-2-1.
 class ImageSensor {
@@ -64,23 +73,36 @@ class ImageSensor {
   ImageSensor(const ImageSensorModel& model, const CameraIntrinsics& camera, std::uint64_t seed,
               const std::string& stream_name);
 
+  /// As the model has them, balanced for daylight.
+  PictureSettings UsualSettings() const;
   /// K, in digital numbers an electron.
-  double gain_dn_per_e() const;
+  double gain_dn_per_e(const PictureSettings& settings) const;
+  double gain_dn_per_e() const { return gain_dn_per_e(UsualSettings()); }
   /// The luminance on the axis that fills the range of green.
-  double white_cdpm2() const;
+  double white_cdpm2(const PictureSettings& settings) const;
   /// Digital numbers of picture k, one channel behind colour filters, else three. Luminance in
   /// cd/m^2, three channels of linear sRGB.
-  Image<std::uint16_t> Expose(const Image<float>& luminance_cdpm2, std::int64_t k) const;
+  Image<std::uint16_t> Expose(const Image<float>& luminance_cdpm2, std::int64_t k,
+                              const PictureSettings& settings) const;
+  Image<std::uint16_t> Expose(const Image<float>& luminance_cdpm2, std::int64_t k) const {
+    return Expose(luminance_cdpm2, k, UsualSettings());
+  }
   /// sRGB of what Expose gives.
-  Image<std::uint8_t> Develop(const Image<std::uint16_t>& raw_dn) const;
+  Image<std::uint8_t> Develop(const Image<std::uint16_t>& raw_dn,
+                              const PictureSettings& settings) const;
+  Image<std::uint8_t> Develop(const Image<std::uint16_t>& raw_dn) const {
+    return Develop(raw_dn, UsualSettings());
+  }
+  /// What a control loop sees of what Expose gives.
+  Metered Meter(const Image<std::uint16_t>& raw_dn, const MeteringZone& zone) const;
 
  private:
   int ColourOf(int x_px, int y_px) const;
-  double Electrons(std::size_t place, std::uint64_t draw, double photons, double efficiency) const;
+  double Electrons(std::size_t place, std::uint64_t draw, double photons, double efficiency,
+                   double dark_e) const;
 
   ImageSensorModel model_;
   int width_px_, height_px_;
-  double dark_e_;                         ///< mean of a picture
   std::vector<float> photons_per_cdpm2_;  ///< by pixel, of one colour
   std::vector<float> sensitivity_;        ///< by pixel and channel, about 1
   std::vector<float> dark_signal_e_;      ///< DSNU, likewise
