@@ -21,7 +21,7 @@ void Expose(benchmark::State& state, const std::string& name, const CameraModel&
   const DigSite& site = TheDigSite();
   static Rasterizer rasterizer(site.model(), {});
   const std::size_t s = site.IndexOf(name);
-  const Camera camera(model, {kFramesPerSecond}, 0, 1, name);
+  Camera camera(model, {kFramesPerSecond}, 0, 1, name);
   const auto frame = [&](std::size_t k) {
     const Instant& instant = site.instants()[scene == Scene::kStill ? 0 : k % 10];
     benchmark::DoNotOptimize(

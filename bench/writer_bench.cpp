@@ -25,7 +25,7 @@ std::vector<CameraFrame> RenderedFrames() {
   const DigSite& site = TheDigSite();
   const std::size_t s = site.IndexOf("camera_front");
   Rasterizer rasterizer(site.model(), {});
-  const Camera camera(std::get<CameraModel>(site.sensors()[s].model), {10.0}, 0, 1, "bench");
+  Camera camera(std::get<CameraModel>(site.sensors()[s].model), {10.0}, 0, 1, "bench");
   std::vector<CameraFrame> frames;
   for (std::size_t k = 0; k < site.instants().size(); ++k) {
     frames.push_back(camera.Measure(static_cast<std::int64_t>(k), site.instants()[k].X_WS[s],
