@@ -68,6 +68,7 @@ const std::multimap<std::string, std::string> kFolderOfLibrary = {
     {"nlohmann/", "layout"},
     {"boost/math/", "diagnose"},
     {"boost/math/", "layout"},
+    {"boost/math/", "sim"},
     {"ceres/", "diagnose"},
     {"unsupported/Eigen/", "diagnose"},
     {"openssl/", "dataset"},

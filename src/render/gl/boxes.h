@@ -1,10 +1,8 @@
 #pragma once
 
-#include "core/types/measurement.h"
 #include "render/gl/gl_objects.h"
 #include "render/gl/passes/node_renderer.h"
 #include "render/gl/view.h"
-#include "render/scene.h"
 
 namespace tera {
 
@@ -27,15 +25,5 @@ class Silhouettes {
   GlObject stencil_, framebuffer_;
   std::vector<GlObject> queries_;
 };
-
-/// Pixels of each instance in an image, those of a whole being those of its parts.
-std::vector<std::int64_t> CountPixels(const Image<std::uint16_t>& instance,
-                                      const SceneModel& model);
-
-/// Boxes around the visible pixels of each visible instance, in order of instance, with their 3D
-/// boxes; `visibility` is left 0. A whole is visible where a part of it is; its 3D box holds all
-/// its parts as they stand, along the axes of its body.
-std::vector<ObjectBox> FindBoxes(const SceneModel& model, const SceneState& state, const Pose& X_WC,
-                                 const Image<std::uint16_t>& instance);
 
 }  // namespace tera

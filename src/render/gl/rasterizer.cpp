@@ -11,6 +11,7 @@
 #include "render/gl/boxes.h"
 #include "render/gl/egl_context.h"
 #include "render/gl/gl_objects.h"
+#include "render/gl/object_boxes.h"
 #include "render/gl/passes/daylight.h"
 #include "render/gl/passes/grain_renderer.h"
 #include "render/gl/passes/lens.h"

@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
-#include "render/gl/boxes.h"
 #include "render/gl/image_motion.h"
+#include "render/gl/object_boxes.h"
 
 namespace tera {
 namespace {

@@ -62,9 +62,11 @@ TEST_P(RasterizerDepth, OfASlopeIsThatOfItsPlane) {
       const double z_m = depth_m(u, v);
       const Vec3 p_W = X_WC * Vec3(camera.Unproject(Vec2(u, v)) * z_m);
       if (z_m < 0 || p_W.head<2>().cwiseAbs().maxCoeff() > 9.5) continue;
-      // Drivers round the vertices of a triangle to parts of a pixel, NVIDIA's and Mesa's to 1/256.
+      // Drivers round the vertices of a triangle to parts of a pixel, NVIDIA's and Mesa's to 1/256;
+      // of a fisheye that is in the pictures that its own is put together from.
       const double rounded_m =
-          (std::abs(depth_m(u + 1, v) - z_m) + std::abs(depth_m(u, v + 1) - z_m)) / 256;
+          (std::abs(depth_m(u + 1, v) - z_m) + std::abs(depth_m(u, v + 1) - z_m)) /
+          (camera.IsAngular() ? 64 : 256);
       EXPECT_NEAR(frame.depth_m.at(u, v), z_m, 1e-4 + rounded_m) << u << " " << v;
       EXPECT_EQ(frame.semantic.at(u, v), static_cast<int>(SemanticClass::kTerrain));
       ++checked;
@@ -112,7 +114,7 @@ TEST_P(RasterizerDepth, OfATurnedBoxIsThatOfItsFaces) {
       hits += z_m > 0;
     }
   }
-  EXPECT_GT(hits, 100);
+  EXPECT_GT(hits, camera.IsAngular() ? 5 : 100);  // so much smaller through a fisheye
 }
 
 INSTANTIATE_TEST_SUITE_P(Lenses, RasterizerDepth,

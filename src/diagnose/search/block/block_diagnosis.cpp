@@ -13,11 +13,6 @@
 namespace tera {
 namespace {
 
-/// Commanded manoeuvres of TRAIN and SELECT, at least: twice those of FINAL, as their shares are.
-constexpr std::size_t kFewestSeen = 6;
-/// Commanded manoeuvres of FINAL, at least: Student's t over fewer confirms nothing
-/// (steady_gain.h).
-constexpr std::size_t kFewestFinal = 3;
 /// A term that was chosen with this p at most is confirmed by a steady gain at the laxer level
 /// below: together the two are rarer than a choice at one per cent and a confirmation at five
 /// (Fisher's sum of logarithms).
@@ -382,14 +377,6 @@ BlockDiagnosis BlockDiagnoser::Explain(SearchResult search) const {
 
 std::vector<Manoeuvre> ManoeuvresOf(const ReplayBlock& block, const Stream& stream) {
   return SplitByManoeuvre(block.commands, {}, stream);
-}
-
-bool IsTestable(const std::vector<Manoeuvre>& manoeuvres) {
-  std::size_t seen = 0, final = 0;
-  for (const Manoeuvre& manoeuvre : manoeuvres) {
-    if (manoeuvre.axes != 0) ++(manoeuvre.part == Part::kFinal ? final : seen);
-  }
-  return seen >= kFewestSeen && final >= kFewestFinal;
 }
 
 BlockDiagnosis DiagnoseBlock(const ReplayBlock& block, const SearchOptions& options,

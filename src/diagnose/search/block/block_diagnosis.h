@@ -7,6 +7,7 @@
 #include "diagnose/search/block/detectability.h"
 #include "diagnose/search/block/locate.h"
 #include "diagnose/search/block/residual_verdict.h"
+#include "diagnose/search/block/testable.h"
 #include "diagnose/search/fit/parameter_estimate.h"
 #include "diagnose/search/structure/structure_search.h"
 
@@ -74,10 +75,6 @@ struct BlockDiagnosis {
 
 /// The block's manoeuvres, 3 s each at most, assigned to TRAIN, SELECT and FINAL.
 std::vector<Manoeuvre> ManoeuvresOf(const ReplayBlock& block, const Stream& stream);
-
-/// Whether enough manoeuvres were commanded for findings to be chosen and confirmed: six of TRAIN
-/// and SELECT, three of FINAL.
-bool IsTestable(const std::vector<Manoeuvre>& manoeuvres);
 
 /// Diagnoses why a block's measurements differ from its replay: noise, search, location, residual
 /// verdict, detectability, and the error on data that was not used.

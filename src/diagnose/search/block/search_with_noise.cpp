@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "diagnose/search/block/block_diagnosis.h"
 #include "diagnose/search/block/evaluation_context.h"
+#include "diagnose/search/block/testable.h"
 #include "diagnose/search/fit/flexible_regressor.h"
 #include "diagnose/search/fit/steady_gain.h"
 #include "diagnose/search/structure/prefix_search.h"

@@ -15,7 +15,7 @@ struct SearchedBlock {
   SearchResult search;
 };
 
-/// Searches a block that is testable (block_diagnosis.h) for what explains it.
+/// Searches a block that is testable (testable.h) for what explains it.
 ///
 /// Model   noise is estimated and searched under in turn, three times at most, while any channel's
 ///         falls by half or its innovations by a third: what is found may have passed for noise at

@@ -1,0 +1,102 @@
+#include "render/gl/object_boxes.h"
+
+#include <algorithm>
+
+#include "core/check.h"
+
+namespace tera {
+
+std::vector<std::int64_t> CountPixels(const Image<std::uint16_t>& instance,
+                                      const SceneModel& model) {
+  std::vector<std::int64_t> counts(model.instances.size(), 0);
+  for (const std::uint16_t i : instance.data) {
+    TERA_CHECK(i < counts.size(), i, counts.size());
+    ++counts[i];
+    if (model.instances[i].parent != 0) ++counts[model.instances[i].parent];
+  }
+  return counts;
+}
+
+namespace {
+
+/// Takes the pixels of a part up into its whole.
+void AddPart(const ObjectBox& part, ObjectBox* whole) {
+  whole->x_min_px = std::min(whole->x_min_px, part.x_min_px);
+  whole->y_min_px = std::min(whole->y_min_px, part.y_min_px);
+  whole->x_max_px = std::max(whole->x_max_px, part.x_max_px);
+  whole->y_max_px = std::max(whole->y_max_px, part.y_max_px);
+  whole->visible_px += part.visible_px;
+}
+
+/// The box of all parts of a whole as they stand, along the axes of its body.
+Eigen::AlignedBox3d BoxOfParts(const SceneModel& model, const SceneState& state,
+                               std::uint16_t whole) {
+  const Pose X_BW = state.X_WB[model.instances[whole].body].inverse();
+  Eigen::AlignedBox3f box;
+  for (const SceneNode& node : model.nodes) {
+    if (node.shape >= 0 || model.instances[node.instance].parent != whole) continue;
+    const Pose X_BN = X_BW * state.X_WB[node.body] * node.X_BG;
+    Eigen::Affine3f X_BG(X_BN.matrix().cast<float>());
+    X_BG.scale(static_cast<float>(node.scale));
+    for (const MeshPart& part : model.meshes[node.mesh].parts) {
+      for (const Eigen::Vector3f& p_m : part.positions_m) box.extend(X_BG * p_m);
+    }
+  }
+  return {box.min().cast<double>(), box.max().cast<double>()};
+}
+
+/// The box of an object in the frame of its body.
+Eigen::AlignedBox3d BoxOf(const SceneModel& model, const SceneState& state, std::uint16_t i) {
+  const SceneInstance& object = model.instances[i];
+  if (object.is_whole) return BoxOfParts(model, state, i);
+  if (const ShapedMesh* shape = ShapeAt(state.shapes, object.shape)) {
+    return {shape->box_min_B_m, shape->box_max_B_m};
+  }
+  return {object.box_min_B_m, object.box_max_B_m};
+}
+
+}  // namespace
+
+std::vector<ObjectBox> FindBoxes(const SceneModel& model, const SceneState& state, const Pose& X_WC,
+                                 const Image<std::uint16_t>& instance) {
+  std::vector<ObjectBox> all(model.instances.size());
+  for (ObjectBox& box : all) {
+    box.x_min_px = instance.width_px;
+    box.y_min_px = instance.height_px;
+  }
+  for (int y = 0; y < instance.height_px; ++y) {
+    for (int x = 0; x < instance.width_px; ++x) {
+      const std::uint16_t i = instance.at(x, y);
+      if (i == 0) continue;
+      ObjectBox& box = all[i];
+      box.x_min_px = std::min(box.x_min_px, x);
+      box.x_max_px = std::max(box.x_max_px, x);
+      box.y_min_px = std::min(box.y_min_px, y);
+      box.y_max_px = std::max(box.y_max_px, y);
+      ++box.visible_px;
+    }
+  }
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const std::uint16_t whole = model.instances[i].parent;
+    if (whole != 0 && all[i].visible_px > 0) AddPart(all[i], &all[whole]);
+  }
+  std::vector<ObjectBox> visible;
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    if (all[i].visible_px == 0) continue;
+    const SceneInstance& object = model.instances[i];
+    ObjectBox box = all[i];
+    box.instance = static_cast<std::uint16_t>(i);
+    box.parent = object.parent;
+    box.label = object.label;
+    box.name = object.name;
+    if (object.body >= 0) {
+      const Eigen::AlignedBox3d at_B_m = BoxOf(model, state, box.instance);
+      box.X_CO = X_WC.inverse() * state.X_WB[object.body] * MakePose(at_B_m.center());
+      box.size_O_m = at_B_m.sizes();
+    }
+    visible.push_back(std::move(box));
+  }
+  return visible;
+}
+
+}  // namespace tera
