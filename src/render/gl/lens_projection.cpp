@@ -1,10 +1,9 @@
-#include "render/gl/camera_intrinsics.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/check.h"
 #include "render/gl/angular_lens.h"
+#include "render/gl/camera_intrinsics.h"
 
 namespace tera {
 namespace {
