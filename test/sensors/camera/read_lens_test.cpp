@@ -1,3 +1,5 @@
+#include "sensors/camera/read_lens.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +11,6 @@
 #include "core/units.h"
 #include "sensors/camera/camera.h"
 #include "sensors/camera/camera_view.h"
-#include "sensors/camera/read_lens.h"
 
 // Lenses as cameras' keys describe them, against OpenCV's projections.
 
