@@ -161,6 +161,8 @@ void ParameterTable::LimitTo(const CandidateLibrary& library) {
           if (mechanism->parameters[range.index].name != one.name) continue;
           one.lower = one.si_per_unit * range.lower;
           one.upper = one.si_per_unit * range.upper;
+          // The linear numbers of a reflection have either sign, whatever its azimuth.
+          if (group.mechanism == kMultipath) one.lower = -one.upper;
         }
       }
     }

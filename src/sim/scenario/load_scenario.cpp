@@ -18,7 +18,13 @@ std::string Quoted(const std::string& text) {
 /// Lays what `randomise:` draws over the scenario, and takes it out of what is written.
 void LayEpisode(std::uint64_t episode, Config* config) {
   const ConfigMap root = config->root();
-  if (!root.Has("randomise")) return;
+  if (!root.Has("randomise")) {
+    if (episode == 0) return;
+    root.Fault("randomise", fmt::format("nothing is drawn, so that there is no episode {}; leave "
+                                        "--episode out, or write what is to be drawn",
+                                        episode));
+    return;
+  }
   std::vector<Config::GivenValue> values = DrawEpisode(root, SeedOf(root), episode);
   std::vector<std::string> drawn;
   for (const Config::GivenValue& value : values) {

@@ -4,6 +4,7 @@
 
 #include "core/units.h"
 #include "diagnose/sensors/made_recording.h"
+#include "diagnose/sensors/sensor_parameters.h"
 #include "sensors/gnss/gnss_errors.h"
 #include "sensors/sensor_mechanisms.h"
 
@@ -41,6 +42,23 @@ TEST(RaisedPart, ThatHangsReflectsNothing) {
   Eigen::VectorXd numbers = Eigen::VectorXd::Zero(kBaseNumbers + 2);
   numbers.tail<2>() = Eigen::Vector2d(0.5, -0.4);
   EXPECT_EQ(part->At(numbers), Eigen::Vector2d::Zero());
+}
+
+// A library that looks for up to 0.3 m looks for them at any azimuth.
+TEST(Reflection, HasNumbersOfEitherSignInTheRangeOfALibrary) {
+  SensorDescription receiver;
+  receiver.name = "left";
+  receiver.model = GnssModel{};
+  ParameterTable table;
+  ReceiverChannel channel;
+  AddReflectionParameters(receiver, &table, &channel);
+  CandidateLibrary library;
+  library.ranges = {{MultipathOf(0, 0, 0).front().mechanism, {{0, 0, 0.3}}}};
+  table.LimitTo(library);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(table.parameters[i].lower, -0.3);
+    EXPECT_EQ(table.parameters[i].upper, 0.3);
+  }
 }
 
 TEST(Reflection, IsThatOfAReceiver) {

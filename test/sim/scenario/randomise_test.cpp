@@ -197,7 +197,7 @@ TEST_F(RandomisedFile, IsWrittenSoThatTheEpisodeCanBeMadeAgain) {
   const LoadedScenario first = Load(std::string(kSun) + text, 7);
   EXPECT_THAT(first.resolved_yaml, AllOf(Not(HasSubstr("randomise")), HasSubstr("episode: 7")));
   Write(first.resolved_yaml);
-  const LoadedScenario again = LoadScenario(file_, {}, {}, {}, 12);
+  const LoadedScenario again = LoadScenario(file_, {});
   EXPECT_EQ(again.scenario.environment.turbidity, first.scenario.environment.turbidity);
   EXPECT_EQ(again.scenario.name, "it's a: name");
   EXPECT_TRUE(again.resolved_yaml == first.resolved_yaml);
@@ -215,6 +215,12 @@ TEST_F(RandomisedFile, WithAKeyThatIsNotThereOrAValueOutOfRangeIsRefusedByTheEnt
               HasSubstr("an item of a list that is not there"));
   EXPECT_THAT(Refused("  - {key: 'machines[', choice: [1]}\n"), HasSubstr("is no key path"));
   EXPECT_THAT(Refused("  - {key: seed, integer: [1, 5]}\n"), HasSubstr("'seed' cannot be drawn"));
+}
+
+TEST_F(RandomisedFile, ThatDrawsNothingHasNoOtherEpisode) {
+  Write(kSite + std::string(kExcavator));
+  EXPECT_NO_THROW(LoadScenario(file_, {}));
+  EXPECT_THROW(LoadScenario(file_, {}, {}, {}, 2), InputError);
 }
 
 TEST_F(RandomisedFile, OfNoSuchDistributionIsRefused) {
