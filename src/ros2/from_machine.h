@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "dataset/ros/messages.h"
 #include "physics/description/machine.h"
-#include "ros2/messages.h"
 #include "sim/scenario/scenario.h"
 
 /// What a machine truly does, as ROS messages.

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ros2/messages.h"
+#include "dataset/ros/messages.h"
 #include "ros2/participant.h"
 #include "sim/operators/remote_operator.h"
 #include "sim/scenario/scenario.h"

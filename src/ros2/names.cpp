@@ -10,9 +10,6 @@
 namespace tera::ros {
 namespace {
 
-/// Ends the frame of a camera's picture.
-constexpr char kOptical[] = "_optical";
-
 bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
 bool IsRosName(const std::string& name) {
@@ -53,7 +50,7 @@ void RequireDistinct(const ScenarioMachine& machine) {
   for (const SensorDescription& sensor : machine.sensors) {
     const bool camera = KindOf(sensor).form == ChannelForm::kPictures;
     if ((!sensor.link.empty() && !frames.insert(sensor.name).second) ||
-        (camera && !frames.insert(sensor.name + kOptical).second)) {
+        (camera && !frames.insert(sensor.name + kOpticalEnding).second)) {
       throw InputError(
           fmt::format("sensor '{}' of machine '{}' and a link or sensor of that name would be "
                       "one frame; need another name for the sensor",
@@ -70,26 +67,10 @@ void RequireDistinct(const ScenarioMachine& machine) {
 
 }  // namespace
 
-std::string TopicOf(const std::string& machine, const std::string& topic) {
-  return "/" + machine + "/" + topic;
-}
-
 std::string DdsTopicOf(const std::string& ros_topic) { return "rt" + ros_topic; }
 
-std::string FrameOf(const std::string& machine, const std::string& part) {
-  return machine + "/" + part;
-}
-
-std::string OpticalFrameOf(const std::string& machine, const std::string& camera) {
-  return FrameOf(machine, camera + kOptical);
-}
-
 std::string TopicOf(const SensorDescription& sensor) {
-  const std::string gnss = "gnss";
-  if (TypeOf(sensor) != kGnssChannel || !sensor.name.starts_with(gnss)) {
-    return sensor.name;
-  }
-  return "gps" + sensor.name.substr(gnss.size());
+  return SensorTopicOf(sensor.name, TypeOf(sensor));
 }
 
 void RequireRosNames(const Scenario& scenario) {

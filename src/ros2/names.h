@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "dataset/ros/names.h"
 #include "sensors/sensor.h"
 #include "sim/scenario/scenario.h"
 
@@ -9,21 +10,8 @@
 
 namespace tera::ros {
 
-/// The world W: local east-north-up about the site's origin.
-inline constexpr const char* kWorldFrame = "map";
-
-/// "/excavator1/odom"
-std::string TopicOf(const std::string& machine, const std::string& topic);
-
 /// The name that the DDS topic behind a ROS topic has: "rt/excavator1/odom".
 std::string DdsTopicOf(const std::string& ros_topic);
-
-/// The frame of a link or a sensor, "excavator1/boom".
-std::string FrameOf(const std::string& machine, const std::string& part);
-
-/// The name of a camera's optical frame, x right, y down, z forward:
-/// "excavator1/camera_front_optical".
-std::string OpticalFrameOf(const std::string& machine, const std::string& camera);
 
 /// Where a sensor's topics stand below its machine: its own name, but that `gnss` at its beginning
 /// becomes `gps`, the name that ROS users look for.

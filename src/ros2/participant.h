@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ros2/messages.h"
+#include "dataset/ros/messages.h"
 
 namespace tera::ros {
 

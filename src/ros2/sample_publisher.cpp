@@ -6,21 +6,36 @@
 
 #include "core/check.h"
 #include "core/types/sample_rows.h"
-#include "ros2/from_samples.h"
+#include "dataset/ros/from_samples.h"
 #include "ros2/names.h"
+#include "sensors/camera/camera.h"
+#include "sensors/camera/read_lens.h"
+#include "sensors/imu/imu.h"
 
 namespace tera::ros {
 namespace {
 
-// Topics of a sensor, below its own; empty: the sensor's own.
-const std::string kOwn;
-const std::string kFix = "fix";
-const std::string kPoints = "points";
-const std::string kColour = "image_raw", kCameraInfo = "camera_info";
-const std::string kDepth = "depth/image_raw", kDepthInfo = "depth/camera_info";
+ImuNoise NoiseOf(const ImuModel& model) {
+  return {model.gyro_noise_density_radpsrthz, model.gyro_sample_noise_radps,
+          model.accel_noise_density_mps2rthz, model.accel_sample_noise_mps2};
+}
 
-std::string LabelTopic(const LabelChannel& channel) {
-  return std::string(channel.name) + "/image_raw";
+CameraLens LensOf(const CameraIntrinsics& c) {
+  return {std::string(NameOf(c.kind)),
+          c.width_px,
+          c.height_px,
+          c.fx_px,
+          c.fy_px,
+          c.cx_px,
+          c.cy_px,
+          c.k1,
+          c.k2,
+          c.p1,
+          c.p2,
+          c.k3,
+          c.k4,
+          c.k5,
+          c.k6};
 }
 
 std::string MachineOf(const std::string& folder) { return folder.substr(0, folder.find('/')); }
@@ -80,18 +95,18 @@ void SamplePublisher::AddRowTopic(const std::string& below, const MessageOf& mes
 
 void SamplePublisher::AddImu(const ChannelInfo&, Channel* channel) {
   const auto message_of = [frame_id = channel->frame_id,
-                           model = std::get<ImuModel>(channel->sensor.model),
+                           noise = NoiseOf(std::get<ImuModel>(channel->sensor.model)),
                            period_s = 1 / channel->sensor.clock.rate_hz](const RowSample& row) {
-    return ImuMessage(ImuSampleOf(row), frame_id, model, period_s);
+    return ImuMessage(ImuSampleOf(row), frame_id, noise, period_s);
   };
-  AddRowTopic<Imu>(kOwn, message_of, channel);
+  AddRowTopic<Imu>(kSensorItself, message_of, channel);
 }
 
 void SamplePublisher::AddGnss(const ChannelInfo&, Channel* channel) {
   const auto message_of = [frame_id = channel->frame_id](const RowSample& row) {
     return NavSatFixMessage(GnssSampleOf(row), frame_id);
   };
-  AddRowTopic<NavSatFix>(kFix, message_of, channel);
+  AddRowTopic<NavSatFix>(kFixTopic, message_of, channel);
 }
 
 void SamplePublisher::AddRows(const ChannelInfo& info, Channel* channel) {
@@ -99,17 +114,17 @@ void SamplePublisher::AddRows(const ChannelInfo& info, Channel* channel) {
                            columns = info.columns](const RowSample& row) {
     return JointStateOfRow(row, frame_id, columns);
   };
-  AddRowTopic<JointState>(kOwn, message_of, channel);
+  AddRowTopic<JointState>(kSensorItself, message_of, channel);
 }
 
 void SamplePublisher::AddCamera(const ChannelInfo&, Channel* channel) {
   const PictureContent& camera = *PicturesOf(channel->sensor);
   channel->frame_id = OpticalFrameOf(channel->machine, channel->sensor.name);
-  AddTopic<CameraInfo>(kCameraInfo, Delivery::kLarge, channel);
-  if (camera.rgb) AddTopic<Image>(kColour, Delivery::kLarge, channel);
+  AddTopic<CameraInfo>(kCameraInfoTopic, Delivery::kLarge, channel);
+  if (camera.rgb) AddTopic<Image>(kColourTopic, Delivery::kLarge, channel);
   if (camera.depth) {
-    AddTopic<Image>(kDepth, Delivery::kLarge, channel);
-    AddTopic<CameraInfo>(kDepthInfo, Delivery::kLarge, channel);
+    AddTopic<Image>(kDepthTopic, Delivery::kLarge, channel);
+    AddTopic<CameraInfo>(kDepthInfoTopic, Delivery::kLarge, channel);
   }
   for (const LabelChannel& label : kLabelChannels) {
     if (camera.labels[IndexOf(label)])
@@ -118,7 +133,7 @@ void SamplePublisher::AddCamera(const ChannelInfo&, Channel* channel) {
 }
 
 void SamplePublisher::AddLidar(const ChannelInfo&, Channel* channel) {
-  AddTopic<PointCloud2>(kPoints, Delivery::kLarge, channel);
+  AddTopic<PointCloud2>(kPointsTopic, Delivery::kLarge, channel);
 }
 
 template <typename Make>
@@ -144,19 +159,19 @@ void SamplePublisher::Write(const Channel& channel, const CameraFrame& frame) {
   };
   const auto info = [&] {
     return CameraInfoMessage({frame.t_ns, channel.frame_id},
-                             PicturesOf(channel.sensor)->intrinsics);
+                             LensOf(PicturesOf(channel.sensor)->intrinsics));
   };
-  send(kColour, [&] { return ColourMessage(frame, channel.frame_id); });
-  send(kCameraInfo, info);
-  send(kDepth, [&] { return DepthMessage(frame, channel.frame_id); });
-  send(kDepthInfo, info);
+  send(kColourTopic, [&] { return ColourMessage(frame, channel.frame_id); });
+  send(kCameraInfoTopic, info);
+  send(kDepthTopic, [&] { return DepthMessage(frame, channel.frame_id); });
+  send(kDepthInfoTopic, info);
   for (const LabelChannel& label : kLabelChannels) {
     send(LabelTopic(label), [&] { return LabelMessage(label, frame, channel.frame_id); });
   }
 }
 
 void SamplePublisher::Write(const Channel& channel, const LidarScan& scan) {
-  Send(channel, kPoints, scan.t_available_ns,
+  Send(channel, kPointsTopic, scan.t_available_ns,
        [&] { return PointCloudMessage(scan, channel.frame_id); });
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dataset/format/measurement_sink.h"
-#include "ros2/messages.h"
+#include "dataset/ros/messages.h"
 #include "ros2/participant.h"
 #include "sim/scenario/scenario.h"
 

@@ -2,7 +2,7 @@
 
 #include <dds/dds.h>
 
-#include "ros2/messages.h"
+#include "dataset/ros/messages.h"
 
 /// Between the plain messages and the structs that Cyclone DDS reads and writes.
 

@@ -7,8 +7,8 @@
 #include "core/config/config.h"
 #include "core/error.h"
 #include "core/units.h"
+#include "dataset/ros/from_samples.h"
 #include "ros2/from_machine.h"
-#include "ros2/from_samples.h"
 #include "ros2/lever_input.h"
 #include "ros2/names.h"
 
@@ -165,13 +165,13 @@ TEST(MachineMessages, JointStatesNameJointsAndTracks) {
 }
 
 TEST(SampleMessages, ImuHasTheVarianceOfOneSample) {
-  ImuModel model;
-  model.gyro_noise_density_radpsrthz = 0.01;  // over 10 ms: sigma 0.1
-  model.gyro_sample_noise_radps = 0.2;
-  model.accel_noise_density_mps2rthz = 0.03;  // sigma 0.3
-  model.accel_sample_noise_mps2 = 0.4;
+  ImuNoise noise;
+  noise.gyro_density_radpsrthz = 0.01;  // over 10 ms: sigma 0.1
+  noise.gyro_sample_radps = 0.2;
+  noise.accel_density_mps2rthz = 0.03;  // sigma 0.3
+  noise.accel_sample_mps2 = 0.4;
   const ImuSample sample{11, 12, Vec3(1, 2, 3), Vec3(4, 5, 6)};
-  const ros::Imu message = ros::ImuMessage(sample, "digger/imu", model, 0.01);
+  const ros::Imu message = ros::ImuMessage(sample, "digger/imu", noise, 0.01);
   EXPECT_EQ(message.header.t_ns, 11);
   EXPECT_EQ(message.header.frame_id, "digger/imu");
   EXPECT_EQ(message.angular_velocity_radps, Vec3(1, 2, 3));

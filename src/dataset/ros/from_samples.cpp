@@ -1,4 +1,4 @@
-#include "ros2/from_samples.h"
+#include "dataset/ros/from_samples.h"
 
 #include <algorithm>
 #include <bit>
@@ -78,12 +78,12 @@ QuantityOfJoint QuantityOf(const std::string& column) {
 
 }  // namespace
 
-Imu ImuMessage(const ImuSample& sample, const std::string& frame_id, const ImuModel& model,
+Imu ImuMessage(const ImuSample& sample, const std::string& frame_id, const ImuNoise& noise,
                double period_s) {
   const double gyro =
-      SampleVariance(model.gyro_noise_density_radpsrthz, model.gyro_sample_noise_radps, period_s);
+      SampleVariance(noise.gyro_density_radpsrthz, noise.gyro_sample_radps, period_s);
   const double accel =
-      SampleVariance(model.accel_noise_density_mps2rthz, model.accel_sample_noise_mps2, period_s);
+      SampleVariance(noise.accel_density_mps2rthz, noise.accel_sample_mps2, period_s);
   return {{sample.t_ns, frame_id},
           sample.w_WS_S_radps,
           sample.f_S_mps2,
@@ -127,23 +127,18 @@ JointState JointStateOfRow(const RowSample& row, const std::string& frame_id,
 namespace {
 
 /// The model by its ROS name and its coefficients; ROS has no name for f-theta.
-std::pair<std::string, std::vector<double>> DistortionOf(const CameraIntrinsics& c) {
-  switch (c.kind) {
-    case LensKind::kBrownConrady:
-      break;
-    case LensKind::kRational:
-      return {"rational_polynomial", {c.k1, c.k2, c.p1, c.p2, c.k3, c.k4, c.k5, c.k6}};
-    case LensKind::kKannalaBrandt:
-      return {"equidistant", {c.k1, c.k2, c.k3, c.k4}};
-    case LensKind::kFTheta:
-      return {"f_theta", {c.k1, c.k2, c.k3, c.k4}};
+std::pair<std::string, std::vector<double>> DistortionOf(const CameraLens& c) {
+  if (c.law == "rational") {
+    return {"rational_polynomial", {c.k1, c.k2, c.p1, c.p2, c.k3, c.k4, c.k5, c.k6}};
   }
+  if (c.law == "kannala_brandt") return {"equidistant", {c.k1, c.k2, c.k3, c.k4}};
+  if (c.law == "f_theta") return {"f_theta", {c.k1, c.k2, c.k3, c.k4}};
   return {"plumb_bob", {c.k1, c.k2, c.p1, c.p2, c.k3}};
 }
 
 }  // namespace
 
-CameraInfo CameraInfoMessage(const Header& header, const CameraIntrinsics& c) {
+CameraInfo CameraInfoMessage(const Header& header, const CameraLens& c) {
   CameraInfo message;
   message.header = header;
   message.height_px = static_cast<std::uint32_t>(c.height_px);

@@ -5,18 +5,16 @@
 
 #include "core/types/label_channels.h"
 #include "core/types/measurement.h"
-#include "ros2/messages.h"
-#include "sensors/camera/camera.h"
-#include "sensors/gnss/gnss.h"
-#include "sensors/imu/imu.h"
+#include "dataset/format/sensor_sheet.h"
+#include "dataset/ros/messages.h"
 
 /// What sensors measured, as ROS messages. `frame_id` is the sensor's frame, for pictures its
 /// optical frame. The stamp is the time at which a measurement was valid.
 
 namespace tera::ros {
 
-/// Covariances are the variance of the white noise of one sample, sigma^2 / T + sigma_sample^2.
-Imu ImuMessage(const ImuSample& sample, const std::string& frame_id, const ImuModel& model,
+/// Covariances are the variance of the white noise of one sample; 0, not known, without a noise.
+Imu ImuMessage(const ImuSample& sample, const std::string& frame_id, const ImuNoise& noise,
                double period_s);
 
 /// Status as drivers of NMEA receivers have it: single is a fix, differential satellite-augmented,
@@ -32,7 +30,7 @@ JointState JointStateOfRow(const RowSample& row, const std::string& frame_id,
 
 /// Distortion `plumb_bob`, `rational_polynomial` or `equidistant` as ROS has them, whose pixel
 /// (0, 0) has its centre at (0, 0) like ours, or `f_theta`, which ROS has not.
-CameraInfo CameraInfoMessage(const Header& header, const CameraIntrinsics& intrinsics);
+CameraInfo CameraInfoMessage(const Header& header, const CameraLens& lens);
 
 /// `rgb8`.
 Image ColourMessage(const CameraFrame& frame, const std::string& frame_id);

@@ -10,9 +10,9 @@
 #include "core/motion.h"
 #include "core/time.h"
 
-/// ROS 2's messages as plain data: those that a simulation publishes, and the levers it listens to.
-/// Fields and units are those of the ROS definitions of the same name; topic_types.idl has their
-/// layout on the wire.
+/// ROS's messages as plain data: those that a simulation publishes or a recording becomes, and the
+/// levers that a simulation listens to. Fields and units are those of the ROS definitions of the
+/// same name.
 ///
 /// Source  common_interfaces, geometry2 and rcl_interfaces, branch humble; REP 103 (units, axes),
 ///         REP 105 (frames), REP 118 (depth images).
@@ -105,6 +105,13 @@ struct Image {
   std::vector<std::uint8_t> data;
 };
 
+/// sensor_msgs/msg/CompressedImage: a picture as a file has it.
+struct CompressedImage {
+  Header header;
+  std::string format;
+  std::string data;
+};
+
 /// sensor_msgs/msg/CameraInfo of a camera whose pictures are not rectified: r is the identity and p
 /// is k.
 struct CameraInfo {
@@ -131,7 +138,7 @@ struct PointCloud2 {
   std::vector<std::uint8_t> data;
 };
 
-/// What can be published.
+/// What a live simulation publishes.
 using Message = std::variant<Clock, Float64, PoseStamped, TfMessage, Odometry, JointState, Imu,
                              NavSatFix, Image, CameraInfo, PointCloud2>;
 

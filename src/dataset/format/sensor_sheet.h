@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "core/motion.h"
+#include "core/time.h"
+
+namespace tera {
+
+/// A camera's picture and lens as docs/dataset.md writes them; pixel (0, 0) has its centre at the
+/// image point (0, 0).
+struct CameraLens {
+  std::string law = "brown_conrady";  ///< or `rational`, `kannala_brandt`, `f_theta`
+  int width_px = 0, height_px = 0;
+  double fx_px = 0, fy_px = 0, cx_px = 0, cy_px = 0;
+  double k1 = 0, k2 = 0, p1 = 0, p2 = 0, k3 = 0;
+  double k4 = 0, k5 = 0, k6 = 0;
+};
+
+/// White noise of an inertial unit, the same about and along each axis.
+///
+/// Model   the variance of one sample of period T is density^2 / T + sample^2.
+struct ImuNoise {
+  double gyro_density_radpsrthz = 0, gyro_sample_radps = 0;
+  double accel_density_mps2rthz = 0, accel_sample_mps2 = 0;
+};
+
+/// What a sensor's sensor.yaml says. What a real sensor's does not say is not known.
+struct SensorSheet {
+  std::string type, name;
+  std::string parent_link;   ///< empty: not known, or none
+  std::optional<Pose> X_PS;  ///< in the parent link
+  double rate_hz = 0;        ///< 0: not known
+  TimeNs latency_ns = 0;
+  std::optional<CameraLens> lens;
+  std::optional<ImuNoise> imu_noise;
+};
+
+/// Throws InputError where the file is not there or is not as docs/dataset.md says.
+SensorSheet ReadSensorSheet(const std::filesystem::path& sensor_folder);
+
+}  // namespace tera

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/types/label_channels.h"
+
+/// What things are called in ROS: topics below the machine's name, frames likewise.
+
+namespace tera::ros {
+
+/// The world W: local east-north-up about the site's origin.
+inline constexpr const char* kWorldFrame = "map";
+/// Ends the frame of a camera's picture.
+inline constexpr const char* kOpticalEnding = "_optical";
+
+/// "/excavator1/odom"
+std::string TopicOf(const std::string& machine, const std::string& topic);
+
+/// The frame of a link or a sensor, "excavator1/boom".
+std::string FrameOf(const std::string& machine, const std::string& part);
+
+/// The name of a camera's optical frame, x right, y down, z forward:
+/// "excavator1/camera_front_optical".
+std::string OpticalFrameOf(const std::string& machine, const std::string& camera);
+
+/// Where a sensor's topics stand below its machine: its own name, but that `gnss` at its beginning
+/// becomes `gps`, the name that ROS users look for.
+std::string SensorTopicOf(const std::string& sensor, std::string_view type);
+
+// Topics of a sensor, below its own; kSensorItself: the sensor's own.
+inline const std::string kSensorItself;
+inline const std::string kFixTopic = "fix";
+inline const std::string kPointsTopic = "points";
+inline const std::string kColourTopic = "image_raw", kCameraInfoTopic = "camera_info";
+inline const std::string kDepthTopic = "depth/image_raw", kDepthInfoTopic = "depth/camera_info";
+/// "semantic/image_raw"
+std::string LabelTopic(const LabelChannel& channel);
+
+}  // namespace tera::ros
