@@ -12,6 +12,7 @@ void AddGenerateCommand(CLI::App* app);
 void AddCheckCommand(CLI::App* app);
 void AddInfoCommand(CLI::App* app);
 void AddCompareCommand(CLI::App* app);
+void AddExportCommand(CLI::App* app);
 void AddImportCommand(CLI::App* app);
 void AddImportRigCommand(CLI::App* app);
 void AddOverviewCommand(CLI::App* app);

@@ -24,6 +24,7 @@ int Run(int argc, char** argv) {
   tera::AddInfoCommand(&app);
   tera::AddCompareCommand(&app);
   tera::AddDiagnoseCommand(&app);
+  tera::AddExportCommand(&app);
   tera::AddImportCommand(&app);
   tera::AddImportRigCommand(&app);
   tera::AddLayoutCommand(&app);

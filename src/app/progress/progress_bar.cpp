@@ -46,7 +46,7 @@ ProgressBar::~ProgressBar() {
   if (shown_) fmt::print(stderr, "\n");
 }
 
-void ProgressBar::Show(const GenerateProgress& progress) {
+void ProgressBar::Show(const GenerateProgress& progress, std::string_view counted) {
   if (!terminal_ && line_s_ <= 0) return;
   const double wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -61,8 +61,8 @@ void ProgressBar::Show(const GenerateProgress& progress) {
     return;
   }
   const std::string text =
-      fmt::format("{:.1f} / {:.1f} s  {:.2f} x real time  {} frames  {} left", progress.simulated_s,
-                  progress.duration_s, factor, progress.frames, Clock(left_s));
+      fmt::format("{:.1f} / {:.1f} s  {:.2f} x real time  {} {}  {} left", progress.simulated_s,
+                  progress.duration_s, factor, progress.frames, counted, Clock(left_s));
   // What an earlier, longer line left on the right goes away with ESC [ K.
   fmt::print(stderr, "\r{}\x1b[K", Line(done, text, TerminalColumns()));
   std::fflush(stderr);

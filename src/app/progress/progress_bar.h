@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <string_view>
 
 #include "sim/run/generate.h"
 
@@ -13,7 +14,8 @@ class ProgressBar {
   /// `line_s` is the least time between lines where there is no terminal; 0: none is written.
   explicit ProgressBar(double line_s = 0);
   ~ProgressBar();  ///< leaves the cursor on a fresh line
-  void Show(const GenerateProgress& progress);
+  /// `counted` are what the progress counts as frames.
+  void Show(const GenerateProgress& progress, std::string_view counted = "frames");
 
  private:
   bool terminal_, shown_ = false;

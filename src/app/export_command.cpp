@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/arguments/argument_checks.h"
+#include "app/arguments/utc_time.h"
+#include "app/commands.h"
+#include "app/progress/progress_bar.h"
+#include "core/error.h"
+#include "dataset/export/export.h"
+#include "sim/joint_trees.h"
+
+namespace tera {
+namespace {
+
+/// Between lines where standard error is no terminal.
+constexpr double kPipeLine_s = 10;
+
+struct Arguments {
+  std::string dataset, out, start_utc;
+  std::vector<std::string> moved;
+  ExportOptions options;
+};
+
+const std::map<std::string, BagStorage> kStorages = {{"mcap", BagStorage::kMcap},
+                                                     {"sqlite3", BagStorage::kSqlite3}};
+const std::map<std::string, BagCompression> kCompressions = {{"zstd", BagCompression::kZstd},
+                                                             {"lz4", BagCompression::kLz4},
+                                                             {"none", BagCompression::kNone}};
+const std::map<std::string, BagImages> kImages = {{"raw", BagImages::kRaw},
+                                                  {"compressed", BagImages::kCompressed}};
+
+std::map<std::string, ExportFormat> FormatsByName() {
+  std::map<std::string, ExportFormat> formats;
+  for (const ExportFormatName& entry : kExportFormats) {
+    formats[std::string(entry.name)] = entry.format;
+  }
+  return formats;
+}
+
+ExportReport ExportWithProgress(const Arguments& arguments) {
+  ExportOptions options = arguments.options;
+  options.joint_trees = [&] { return RecordedJointTrees(arguments.dataset, arguments.moved); };
+  ProgressBar bar(kPipeLine_s);
+  if (!arguments.start_utc.empty()) options.start_utc_ns = UtcTime(arguments.start_utc);
+  options.progress = [&](const ExportProgress& progress) {
+    bar.Show({progress.recorded_s, progress.duration_s, progress.records}, "records");
+  };
+  return Export(arguments.dataset, arguments.out, options);
+}
+
+void RunExport(const Arguments& arguments) {
+  const ExportReport report = ExportWithProgress(arguments);
+  fmt::print("{}: {} records in {} files, {:.1f} MB\n", arguments.out, report.records, report.files,
+             1e-6 * static_cast<double>(report.bytes));
+}
+
+/// Options of bags, which mean nothing to other formats.
+void AddBagOptions(CLI::App* command, Arguments* arguments) {
+  ExportOptions* const options = &arguments->options;
+  command->add_option("--storage", options->storage, "Of rosbag2: mcap (the default) or sqlite3")
+      ->transform(OneOf(kStorages));
+  command
+      ->add_option("--compression", options->compression,
+                   "Of MCAP's chunks: zstd (the default), lz4 or none")
+      ->transform(OneOf(kCompressions));
+  command
+      ->add_option("--images", options->images,
+                   "Of bags: raw pixels (the default) or the PNG files as they are, compressed")
+      ->transform(OneOf(kImages));
+  command
+      ->add_option("--moved", arguments->moved,
+                   "Of bags and clouds: OLD=NEW: an input that dataset.yaml lists as OLD, or below "
+                   "the folder "
+                   "OLD, is now at NEW; may be repeated")
+      ->take_all();
+}
+
+/// An option that would do nothing is a mistake.
+void RequireNoIdleOption(const CLI::App& command, const ExportOptions& options) {
+  const auto require = [&](const std::string& option, bool is_used, const std::string& of) {
+    if (command.count(option) == 0 || is_used) return;
+    throw InputError(
+        fmt::format("{}: does nothing here, it is of {}; leave it out or use that", option, of));
+  };
+  const bool bag = IsBag(options.format);
+  const bool ros2 = options.format == ExportFormat::kRosbag2;
+  require("--storage", ros2, "--to rosbag2");
+  require("--images", bag, "bags");
+  require("--compression", ros2 && options.storage == BagStorage::kMcap,
+          "--to rosbag2 --storage mcap");
+  require("--moved", UsesJointTrees(options.format), "bags and clouds");
+}
+
+}  // namespace
+
+void AddExportCommand(CLI::App* app) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      app->add_subcommand("export", "Write a dataset in a format that other programs read");
+  command->add_option("DATASET", arguments->dataset, "Dataset directory")->required();
+  command->add_option("--to", arguments->options.format, "Format, see docs/export.md")
+      ->required()
+      ->transform(OneOf(FormatsByName()));
+  command->add_option("--out", arguments->out, "Directory of the export; new")->required();
+  command
+      ->add_option("--start-utc", arguments->start_utc,
+                   "Date and time of the recording's time 0, 2026-05-01T12:00:00Z; without it "
+                   "times begin at 0, or in formats that need a date on 2024-01-01")
+      ->check(IsUtcTime());
+  AddBagOptions(command, arguments.get());
+  command->callback([arguments, command] {
+    RequireNoIdleOption(*command, arguments->options);
+    RunExport(*arguments);
+  });
+}
+
+}  // namespace tera

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <bit>
+#include <concepts>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace tera {
+
+/// Appends a whole number to `bytes`, low byte first.
+template <std::unsigned_integral T>
+void AppendNumber(T value, std::string* bytes) {
+  for (std::size_t k = 0; k < sizeof value; ++k) {
+    bytes->push_back(static_cast<char>(static_cast<unsigned char>((value >> (8 * k)) & 0xff)));
+  }
+}
+
+/// Its length in 32 bits, then the text.
+inline void AppendText(std::string_view text, std::string* bytes) {
+  AppendNumber(static_cast<std::uint32_t>(text.size()), bytes);
+  bytes->append(text);
+}
+
+}  // namespace tera

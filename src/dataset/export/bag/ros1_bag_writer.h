@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dataset/export/bag/bag_writer.h"
+#include "dataset/export/counted_file.h"
+
+namespace tera {
+
+/// A bag of ROS 1, format 2.0: messages in chunks, each followed by an index of each connection in
+/// it, and at the end the connections and where the chunks are.
+///
+/// Omits   compression of chunks.
+/// Source  "Bags/Format/2.0" of the ROS 1 wiki.
+class Ros1BagWriter : public BagWriter {
+ public:
+  /// Throws InputError where the file cannot be written, as every call does.
+  explicit Ros1BagWriter(const std::filesystem::path& file) : file_(file) {}
+
+  ros::WireForm form() const override { return ros::WireForm::kRos1; }
+  std::size_t AddTopic(const Topic& topic) override;
+  void Write(std::size_t topic, TimeNs t_ns, std::string_view message) override;
+  void Finish() override;
+
+ private:
+  /// Where a chunk is, and how many messages of each connection it has.
+  struct Chunk {
+    std::uint64_t position = 0;
+    TimeNs first_ns = 0, last_ns = 0;
+    std::map<std::uint32_t, std::uint32_t> counts;
+  };
+
+  void Append(const std::string& bytes);
+  void EndChunk();
+
+  CountedFile file_;  ///< all behind the first record, which says where the connections are
+  std::uint64_t bytes_ = 0;
+  std::string connections_;                     ///< their records
+  std::string chunk_;                           ///< the records of the one that is being filled
+  std::map<std::uint32_t, std::string> index_;  ///< of it: time and place of each message
+  Chunk current_;
+  std::vector<Chunk> chunks_;
+  std::uint32_t topics_ = 0;
+};
+
+}  // namespace tera

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "dataset/export/bag/bag_writer.h"
+
+namespace tera {
+
+/// A SQLite 3 file as the storage `sqlite3` of rosbag2 writes it, schema version 3: tables topics,
+/// messages, schema and metadata, with an index of times.
+///
+/// Source  ros2/rosbag2, branch humble, rosbag2_storage_default_plugins.
+class SqliteBagWriter : public BagWriter {
+ public:
+  /// Throws InputError where the file cannot be written, as every call does.
+  explicit SqliteBagWriter(const std::filesystem::path& file);
+  ~SqliteBagWriter() override;
+
+  ros::WireForm form() const override { return ros::WireForm::kCdr; }
+  std::size_t AddTopic(const Topic& topic) override;
+  void Write(std::size_t topic, TimeNs t_ns, std::string_view message) override;
+  void Finish() override;
+  /// A row of the table metadata, the text of metadata.yaml; before Finish.
+  void AddMetadata(const std::string& yaml);
+
+ private:
+  struct Database;
+  std::unique_ptr<Database> database_;
+};
+
+}  // namespace tera

@@ -1,0 +1,126 @@
+#include "dataset/export/cloud/las.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "core/error.h"
+#include "core/types/labels.h"
+#include "dataset/export/bag/little_endian.h"
+#include "dataset/format/dataset_description.h"
+
+namespace tera {
+namespace {
+
+constexpr double kUnit_m = 1e-4;
+constexpr std::uint16_t kHeaderBytes = 375, kVlrHeaderBytes = 54, kPointBytes = 30;
+constexpr std::uint8_t kPointFormat = 6;
+
+void AppendPadded(std::string_view text, std::size_t size, std::string* bytes) {
+  bytes->append(text.substr(0, size));
+  bytes->append(size - std::min(size, text.size()), '\0');
+}
+
+void AppendDouble(double value, std::string* bytes) {
+  AppendNumber(std::bit_cast<std::uint64_t>(value), bytes);
+}
+
+std::uint8_t ClassOf(std::uint8_t label) {
+  constexpr std::uint8_t kGround = 2, kHighVegetation = 5, kBuilding = 6, kFirstOfUsers = 64;
+  switch (static_cast<SemanticClass>(label)) {
+    case SemanticClass::kTerrain:
+      return kGround;
+    case SemanticClass::kVegetation:
+      return kHighVegetation;
+    case SemanticClass::kStructure:
+      return kBuilding;
+    default:
+      return static_cast<std::uint8_t>(kFirstOfUsers + label);
+  }
+}
+
+std::int32_t Units(double coordinate_m) {
+  const double units = std::round(coordinate_m / kUnit_m);
+  if (std::abs(units) > std::numeric_limits<std::int32_t>::max()) {
+    throw InputError(fmt::format(
+        "a point at {:.0f} m is too far from the origin for LAS; need less than 200 km, or "
+        "another format",
+        coordinate_m));
+  }
+  return static_cast<std::int32_t>(units);
+}
+
+std::string LocalWkt(const DatasetInfo& info) {
+  return fmt::format(
+      "LOCAL_CS[\"East, north, up about {} deg N, {} deg E, {} m\",LOCAL_DATUM[\"Site\",0],"
+      "UNIT[\"metre\",1],AXIS[\"East\",EAST],AXIS[\"North\",NORTH],AXIS[\"Up\",UP]]",
+      info.origin_lat_deg, info.origin_lon_deg, info.origin_height_m);
+}
+
+}  // namespace
+
+std::string LasFile::Record(const MapPoint& point) {
+  constexpr std::uint8_t kFirstOfOneReturn = 1 | 1 << 4;
+  constexpr double kMostIntensity = 65535;
+  least_m_ = points_ == 0 ? point.p_W_m : least_m_.cwiseMin(point.p_W_m);
+  most_m_ = points_ == 0 ? point.p_W_m : most_m_.cwiseMax(point.p_W_m);
+  ++points_;
+  std::string record;
+  for (const double coordinate_m : point.p_W_m) {
+    AppendNumber(static_cast<std::uint32_t>(Units(coordinate_m)), &record);
+  }
+  const double intensity = std::clamp(static_cast<double>(point.intensity), 0.0, 1.0);
+  AppendNumber(static_cast<std::uint16_t>(std::lround(intensity * kMostIntensity)), &record);
+  AppendNumber(kFirstOfOneReturn, &record);
+  AppendNumber(std::uint8_t{0}, &record);  // flags, scanner channel
+  AppendNumber(ClassOf(point.label), &record);
+  AppendNumber(static_cast<std::uint8_t>(point.instance & 0xff), &record);
+  AppendNumber(std::uint16_t{0}, &record);  // scan angle
+  AppendNumber(static_cast<std::uint16_t>(point.sensor + 1), &record);
+  AppendDouble(ToSeconds(point.t_ns), &record);
+  return record;
+}
+
+std::string LasFile::Header() const {
+  constexpr std::uint16_t kWktFlag = 1 << 4;
+  const std::string wkt = LocalWkt(info_) + '\0';
+  const auto before_points =
+      static_cast<std::uint32_t>(kHeaderBytes + kVlrHeaderBytes + wkt.size());
+  std::string bytes = "LASF";
+  AppendNumber(std::uint16_t{0}, &bytes);  // file source
+  AppendNumber(kWktFlag, &bytes);
+  bytes.append(16, '\0');                 // project
+  AppendNumber(std::uint8_t{1}, &bytes);  // version 1.4
+  AppendNumber(std::uint8_t{4}, &bytes);
+  AppendPadded(info_.simulated ? "simulation" : "OTHER", 32, &bytes);
+  AppendPadded("TERA " + std::string(TeraVersion()), 32, &bytes);
+  AppendNumber(std::uint16_t{0}, &bytes);  // day and year of creation: the same bytes every day
+  AppendNumber(std::uint16_t{0}, &bytes);
+  AppendNumber(kHeaderBytes, &bytes);
+  AppendNumber(before_points, &bytes);
+  AppendNumber(std::uint32_t{1}, &bytes);  // variable length records
+  AppendNumber(kPointFormat, &bytes);
+  AppendNumber(kPointBytes, &bytes);
+  bytes.append(4 + 5 * 4, '\0');  // counts of LAS 1.2, 0 for this point format
+  for (int axis = 0; axis < 3; ++axis) AppendDouble(kUnit_m, &bytes);
+  for (int axis = 0; axis < 3; ++axis) AppendDouble(0, &bytes);  // offset
+  for (int axis = 0; axis < 3; ++axis) {
+    AppendDouble(most_m_[axis], &bytes);
+    AppendDouble(least_m_[axis], &bytes);
+  }
+  bytes.append(8 + 8 + 4, '\0');  // waveforms, extended records
+  AppendNumber(points_, &bytes);
+  AppendNumber(points_, &bytes);  // first returns
+  bytes.append(14 * 8, '\0');     // second to fifteenth
+  AppendNumber(std::uint16_t{0}, &bytes);
+  AppendPadded("LASF_Projection", 16, &bytes);
+  AppendNumber(std::uint16_t{2112}, &bytes);  // OGC coordinate system WKT
+  AppendNumber(static_cast<std::uint16_t>(wkt.size()), &bytes);
+  AppendPadded("W of the recording", 32, &bytes);
+  return bytes + wkt;
+}
+
+}  // namespace tera

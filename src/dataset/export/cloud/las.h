@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "dataset/export/cloud/map_points.h"
+#include "dataset/format/dataset_info.h"
+
+namespace tera {
+
+/// Points as LAS 1.4, point data record format 6.
+///
+/// Model   coordinates in tenths of millimetres of W. Classes: terrain 2 (ground), vegetation 5
+///         (high vegetation), structure 6 (building), all others 64 + SemanticClass, of those that
+///         the standard leaves to users. Intensity over 65535. GPS time: seconds of the recording.
+///         Point source: lidar + 1. User data: the low 8 bits of the instance.
+/// Omits   rings; a coordinate reference system of the earth: W is a local one, named in a record
+/// of
+///         OGC WKT.
+/// Source  ASPRS, "LAS specification 1.4 - R15", 2019.
+class LasFile {
+ public:
+  explicit LasFile(const DatasetInfo& info) : info_(info) {}
+
+  /// Throws InputError for a point more than 200 km from the origin.
+  std::string Record(const MapPoint& point);
+  /// Header and variable length record, of the points so far.
+  std::string Header() const;
+
+ private:
+  const DatasetInfo& info_;
+  std::uint64_t points_ = 0;
+  Vec3 least_m_ = Vec3::Zero(), most_m_ = Vec3::Zero();
+};
+
+}  // namespace tera

@@ -1,0 +1,27 @@
+#include "dataset/export/cloud/map_points.h"
+
+#include <string>
+#include <vector>
+
+#include "dataset/export/sensor_track.h"
+
+namespace tera {
+
+void ForEachMapPoint(ExportJob* job, const std::function<void(const MapPoint&)>& take) {
+  const std::vector<std::string> lidars = job->recording.SensorsOf(ChannelForm::kScans);
+  RequireAny(lidars, *job, "lidar");
+  std::vector<PoseTrack> tracks;
+  for (const std::string& lidar : lidars) tracks.push_back(SensorTrack(job, lidar));
+  RecordStream stream(job->recording, lidars);
+  for (Record record; job->Next(&stream, &record);) {
+    const LidarScan scan = job->recording.LoadScan(lidars[record.channel], record.t_ns);
+    for (const LidarPoint& point : scan.points) {
+      const TimeNs t_ns = scan.t_ns + point.time_offset_ns;
+      take({tracks[record.channel].At(t_ns) * Vec3(point.x_m, point.y_m, point.z_m),
+            point.intensity, job->Stamp(t_ns), static_cast<std::uint16_t>(record.channel),
+            point.ring, point.instance, point.label});
+    }
+  }
+}
+
+}  // namespace tera

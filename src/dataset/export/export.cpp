@@ -1,0 +1,111 @@
+#include "dataset/export/export.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <system_error>
+
+#include "core/check.h"
+#include "core/error.h"
+#include "dataset/export/export_job.h"
+#include "dataset/files/whole_folder.h"
+
+namespace tera {
+namespace fs = std::filesystem;
+namespace {
+
+using WriteFormat = void (*)(ExportJob* job);
+
+WriteFormat WriterOf(ExportFormat format) {
+  switch (format) {
+    case ExportFormat::kTum:
+      return ExportTum;
+    case ExportFormat::kEuroc:
+      return ExportEuroc;
+    case ExportFormat::kNmea:
+      return ExportNmea;
+    case ExportFormat::kPos:
+      return ExportPos;
+    case ExportFormat::kRosbag2:
+      return ExportRosbag2;
+    case ExportFormat::kBag:
+      return ExportBag;
+    case ExportFormat::kPcd:
+      return ExportPcd;
+    case ExportFormat::kPly:
+      return ExportPly;
+    case ExportFormat::kLas:
+      return ExportLas;
+  }
+  TERA_CHECK(false, static_cast<int>(format));
+  return nullptr;
+}
+
+/// Nothing of anybody's may be written over, and a recording must not be written into itself.
+void RequireNewPlace(const fs::path& dataset, const fs::path& out) {
+  const fs::path name = out.has_filename() ? out.filename() : out.parent_path().filename();
+  if (name.empty() || name == "." || name == "..") {
+    throw InputError(
+        fmt::format("'{}': names no new folder; give the export's folder a name", out.string()));
+  }
+  std::error_code ignored;
+  if (HoldsSomething(out) || fs::is_symlink(out, ignored)) {
+    throw InputError(
+        fmt::format("{}: is there already; choose another place or delete it", out.string()));
+  }
+  const fs::path inside =
+      fs::weakly_canonical(out, ignored).lexically_relative(fs::weakly_canonical(dataset, ignored));
+  if (!inside.empty() && *inside.begin() != "..") {
+    throw InputError(fmt::format("{}: lies inside the recording {}; choose a place beside it",
+                                 out.string(), dataset.string()));
+  }
+}
+
+/// Paths become names of files and of topics, so none may lead out of the recording or be there
+/// twice.
+void RequirePlainPaths(const Recording& recording) {
+  std::set<std::string> seen;
+  for (const ChannelDescription& channel : recording.channels()) {
+    const fs::path path(channel.path);
+    const bool plain = !channel.path.empty() && path.is_relative() &&
+                       path.lexically_normal() == path && path.has_filename() &&
+                       *path.begin() != ".." && *path.begin() != "." &&
+                       std::none_of(channel.path.begin(), channel.path.end(),
+                                    [](char c) { return static_cast<unsigned char>(c) < ' '; });
+    if (!plain || !seen.insert(channel.path).second) {
+      throw InputError(fmt::format(
+          "{}: the channel '{}' {}; need paths within the recording, each once",
+          (recording.directory() / "dataset.yaml").string(), channel.path,
+          plain ? "is there twice" : "is no path of a folder or file below the recording"));
+    }
+  }
+}
+
+void CountFiles(const fs::path& folder, ExportReport* report) {
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    ++report->files;
+    report->bytes += static_cast<std::int64_t>(entry.file_size());
+  }
+}
+
+}  // namespace
+
+ExportReport Export(const fs::path& dataset, const fs::path& out, const ExportOptions& options) {
+  const Recording recording(dataset);
+  RequirePlainPaths(recording);
+  RequireNewPlace(dataset, out);
+  WholeFolder folder(out);
+  ExportJob job{recording, folder.temporary(),
+                (out.has_filename() ? out : out.parent_path()).filename().string(), options};
+  WriterOf(options.format)(&job);
+  ExportReport report;
+  report.records = job.records;
+  CountFiles(folder.temporary(), &report);
+  folder.Commit();
+  return report;
+}
+
+}  // namespace tera

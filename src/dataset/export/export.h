@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "dataset/export/export_options.h"
+
+/// Recordings in the formats of others: what each holds is in docs/export.md.
+
+namespace tera {
+
+struct ExportReport {
+  std::int64_t records = 0, files = 0, bytes = 0;
+};
+
+/// Writes the recording `dataset` as the new folder `out`, in pieces: no more of it is in memory
+/// than one record of each channel and what the format gathers before it writes.
+///
+/// Throws InputError where the recording cannot be read or has nothing for the format, and where
+/// `out` is there already or cannot be written; then nothing is left behind.
+ExportReport Export(const std::filesystem::path& dataset, const std::filesystem::path& out,
+                    const ExportOptions& options);
+
+}  // namespace tera

@@ -1,0 +1,62 @@
+#include "dataset/export/export_job.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "core/error.h"
+
+namespace tera {
+namespace fs = std::filesystem;
+namespace {
+
+std::string_view NameOf(ExportFormat format) {
+  return kExportFormats[static_cast<std::size_t>(format)].name;
+}
+
+}  // namespace
+
+bool ExportJob::Next(RecordStream* stream, Record* record) {
+  if (!stream->Next(record)) return false;
+  constexpr std::int64_t kRecordsPerNews = 64;
+  if (++records % kRecordsPerNews == 0 && options.progress) {
+    options.progress({ToSeconds(record->t_ns), recording.info().duration_s, records});
+  }
+  return true;
+}
+
+const std::vector<JointTree>& ExportJob::JointTrees() {
+  if (!known_joint_trees) {
+    known_joint_trees = options.joint_trees ? options.joint_trees() : std::vector<JointTree>{};
+  }
+  return *known_joint_trees;
+}
+
+const JointTree* ExportJob::JointTreeOf(const std::string& machine) {
+  for (const JointTree& tree : JointTrees()) {
+    if (tree.machine == machine) return &tree;
+  }
+  return nullptr;
+}
+
+TimeNs ExportJob::Stamp(TimeNs t_ns, TimeNs without_date) const {
+  return t_ns + options.start_utc_ns.value_or(without_date);
+}
+
+void RequireAny(const std::vector<std::string>& paths, const ExportJob& job,
+                std::string_view needed) {
+  if (!paths.empty()) return;
+  throw InputError(
+      fmt::format("{}: has no {}, of which the format '{}' consists; need a recording "
+                  "with one, or another format",
+                  job.recording.directory().string(), needed, NameOf(job.options.format)));
+}
+
+std::string MachineOf(const std::string& path) {
+  fs::path parts(path);
+  auto part = parts.begin();
+  if (*part == "truth" && std::next(part) != parts.end()) ++part;
+  return part->string();
+}
+
+}  // namespace tera

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/time.h"
+#include "dataset/export/bag/compression.h"
+#include "dataset/export/ros/joint_tree.h"
+
+/// What a recording can be written as, and how; docs/export.md says what each format holds.
+
+namespace tera {
+
+enum class ExportFormat { kTum, kEuroc, kNmea, kPos, kRosbag2, kBag, kPcd, kPly, kLas };
+
+struct ExportFormatName {
+  ExportFormat format;
+  std::string_view name;  ///< as the command line has it
+};
+
+/// All formats in order of value.
+inline constexpr std::array<ExportFormatName, 9> kExportFormats = {
+    {{ExportFormat::kTum, "tum"},
+     {ExportFormat::kEuroc, "euroc"},
+     {ExportFormat::kNmea, "nmea"},
+     {ExportFormat::kPos, "pos"},
+     {ExportFormat::kRosbag2, "rosbag2"},
+     {ExportFormat::kBag, "bag"},
+     {ExportFormat::kPcd, "pcd"},
+     {ExportFormat::kPly, "ply"},
+     {ExportFormat::kLas, "las"}}};
+
+/// Whether a format is a bag of ROS messages, which alone takes `images`; that of ROS 2 also
+/// `storage` and `compression`.
+constexpr bool IsBag(ExportFormat format) {
+  return format == ExportFormat::kRosbag2 || format == ExportFormat::kBag;
+}
+/// Whether a format may need to know how machines hang together.
+constexpr bool UsesJointTrees(ExportFormat format) {
+  return IsBag(format) || format == ExportFormat::kPcd || format == ExportFormat::kPly ||
+         format == ExportFormat::kLas;
+}
+
+enum class BagStorage { kMcap, kSqlite3 };
+/// Pictures as pixels, or as the recording's PNG files.
+enum class BagImages { kRaw, kCompressed };
+
+/// What an export has come to.
+struct ExportProgress {
+  double recorded_s = 0, duration_s = 0;
+  std::int64_t records = 0;
+};
+
+struct ExportOptions {
+  ExportFormat format = ExportFormat::kTum;
+  /// UTC of the recording's time 0, in ns since 1970. Without it, times stay what they are, but in
+  /// formats that must have a date, where it is kDefaultStart_ns.
+  std::optional<TimeNs> start_utc_ns;
+  BagStorage storage = BagStorage::kMcap;
+  BagCompression compression = BagCompression::kZstd;  ///< of MCAP's chunks
+  BagImages images = BagImages::kRaw;
+  /// Gives the joint trees of the recording's machines where a format needs them; of a machine
+  /// without one, nothing but its root has a place.
+  std::function<std::vector<JointTree>()> joint_trees;
+  std::function<void(const ExportProgress&)> progress;
+};
+
+/// 2024-01-01 00:00:00 UTC: the date of recordings that have none.
+inline constexpr TimeNs kDefaultStart_ns = 1'704'067'200 * kNsPerSecond;
+
+}  // namespace tera

@@ -1,0 +1,79 @@
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dataset/export/export_job.h"
+#include "dataset/export/gnss/antenna_pair.h"
+#include "dataset/export/gnss/nmea_sentences.h"
+#include "dataset/export/record_views.h"
+#include "dataset/files/checked_file.h"
+
+namespace tera {
+namespace {
+
+/// A receiver's file, and where it has one the receiver that it makes a pair with.
+struct Receiver {
+  std::unique_ptr<CheckedFile> file;
+  std::optional<AntennaPair> pair;  ///< of the first of two
+  std::size_t second = 0;
+  GnssSample last;
+  bool measured = false;
+};
+
+std::vector<Receiver> OpenReceivers(const ExportJob& job, const std::vector<std::string>& paths) {
+  std::vector<Receiver> receivers(paths.size());
+  std::map<std::string, std::vector<std::size_t>> of_machine;
+  for (std::size_t r = 0; r < paths.size(); ++r) {
+    const std::filesystem::path file = job.folder / (paths[r] + ".nmea");
+    MakeFolder(file.parent_path());
+    receivers[r].file = std::make_unique<CheckedFile>(file);
+    of_machine[MachineOf(paths[r])].push_back(r);
+  }
+  for (const auto& [machine, own] : of_machine) {
+    std::vector<std::string> names;
+    for (const std::size_t r : own) names.push_back(paths[r]);
+    receivers[own.front()].pair = AntennaPair::Of(job.recording, names);
+    receivers[own.front()].second = own.back();
+  }
+  return receivers;
+}
+
+bool HasFixAt(const Receiver& receiver, TimeNs t_ns) {
+  return receiver.measured && receiver.last.t_ns == t_ns && receiver.last.fix != GnssFix::kNone;
+}
+
+/// The heading, once both of a pair have measured at this time.
+void AppendHeading(TimeNs t_ns, std::vector<Receiver>* receivers) {
+  for (Receiver& first : *receivers) {
+    if (!first.pair) continue;
+    const Receiver& second = (*receivers)[first.second];
+    if (!HasFixAt(first, t_ns) || !HasFixAt(second, t_ns)) continue;
+    first.file->Append(Hdt(first.pair->Heading_rad(first.last, second.last)));
+    first.measured = false;  // said once
+  }
+}
+
+}  // namespace
+
+/// MACHINE/RECEIVER.nmea with GGA, RMC and GST of each sample, GST where there is a fix; HDT in the
+/// file of the first of a machine's two receivers.
+void ExportNmea(ExportJob* job) {
+  const std::vector<std::string> paths = job->recording.ChannelsOf(kGnssChannel);
+  RequireAny(paths, *job, "GNSS receiver");
+  RecordStream stream(job->recording, paths);
+  std::vector<Receiver> receivers = OpenReceivers(*job, paths);
+  for (Record record; job->Next(&stream, &record);) {
+    Receiver& receiver = receivers[record.channel];
+    receiver.last = GnssOf(stream, record);
+    receiver.measured = true;
+    const TimeNs utc_ns = job->Stamp(record.t_ns, kDefaultStart_ns);
+    receiver.file->Append(Gga(utc_ns, receiver.last));
+    receiver.file->Append(Rmc(utc_ns, receiver.last));
+    if (receiver.last.fix != GnssFix::kNone) receiver.file->Append(Gst(utc_ns, receiver.last));
+    AppendHeading(record.t_ns, &receivers);
+  }
+  for (const Receiver& receiver : receivers) receiver.file->Commit();
+}
+
+}  // namespace tera

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dataset/export/record_stream.h"
+#include "dataset/ros/messages.h"
+
+/// Tables of joints, running gear and cylinders as ROS's JointState.
+
+namespace tera {
+
+/// Where a table has the numbers of a joint, a running gear or a cylinder.
+struct JointColumns {
+  std::string name;
+  std::size_t position = 0, rate = 0, effort = 0;
+};
+
+/// Where a column stands.
+std::optional<std::size_t> ColumnOf(const std::vector<std::string>& columns,
+                                    const std::string& column);
+std::string WithoutEnding(const std::string& text, std::string_view ending);
+
+/// What of a table has all of a position, a rate and an effort, by the endings of their columns, in
+/// the order of the positions.
+std::vector<JointColumns> JointColumnsOf(const std::vector<std::string>& columns,
+                                         std::string_view position_ending,
+                                         std::string_view rate_ending,
+                                         std::string_view effort_ending);
+
+ros::JointState JointStateOf(const std::vector<JointColumns>& joints, const Record& record,
+                             const std::string& frame_id, TimeNs stamp_ns);
+
+}  // namespace tera

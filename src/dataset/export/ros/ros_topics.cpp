@@ -1,0 +1,391 @@
+#include "dataset/export/ros/ros_topics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <utility>
+
+#include "core/error.h"
+#include "core/types/label_channels.h"
+#include "core/types/sample_rows.h"
+#include "dataset/export/record_views.h"
+#include "dataset/export/ros/joint_table.h"
+#include "dataset/export/ros/static_transforms.h"
+#include "dataset/files/checked_file.h"
+#include "dataset/format/sensor_sheet.h"
+#include "dataset/ros/from_samples.h"
+#include "dataset/ros/names.h"
+#include "dataset/ros/serialize_messages.h"
+
+namespace tera {
+namespace fs = std::filesystem;
+namespace {
+
+// What docs/ros2.md offers topics with.
+constexpr TopicQuality kSensorData = {5, false, false};
+constexpr TopicQuality kLarge = {2, true, false};
+constexpr TopicQuality kState = {10, true, false};
+constexpr TopicQuality kManyTransforms = {100, true, false};
+constexpr TopicQuality kLatched = {1, true, true};
+constexpr TopicQuality kLatest = {1, false, false};
+
+constexpr SampleClock kClock = {100.0, 0};  ///< of /clock
+
+/// A name as ROS takes it: what is no letter, digit, '_' or '/' becomes '_', and a word that begins
+/// with a digit gets one before it.
+std::string RosName(std::string_view name) {
+  std::string taken;
+  for (const char c : name) {
+    const bool begins = taken.empty() || taken.back() == '/';
+    const bool digit = std::isdigit(static_cast<unsigned char>(c)) != 0;
+    const bool letter = std::isalpha(static_cast<unsigned char>(c)) != 0;
+    if (digit && begins) taken += '_';
+    taken += digit || letter || c == '/' ? c : '_';
+  }
+  return taken;
+}
+
+fs::path PictureFile(const ExportJob& job, const std::string& camera, std::string_view kind,
+                     TimeNs t_ns) {
+  return job.recording.directory() / camera / kind / fmt::format("{}.png", t_ns);
+}
+
+}  // namespace
+
+RosTopics::RosTopics(ExportJob* job, BagWriter* bag)
+    : job_(job), bag_(bag), serializer_(bag->form()) {
+  clock_ = AddTopic<ros::Clock>("/clock", kLatest);
+  transforms_ = AddTopic<ros::TfMessage>("/tf", kManyTransforms);
+  static_transforms_ = AddTopic<ros::TfMessage>("/tf_static", kLatched);
+  AddChannels();
+}
+
+template <typename Message>
+RosTopics::TopicId RosTopics::AddTopic(const std::string& name, const TopicQuality& quality) {
+  const Topic topic = {RosName(name), ros::TypeName<Message>::value, quality};
+  if (!names_.insert(topic.name).second) {
+    throw InputError(fmt::format(
+        "{}: two channels would be the ROS topic {}; rename one of them in the recording",
+        job_->recording.directory().string(), topic.name));
+  }
+  topics_.push_back(topic);
+  return bag_->AddTopic(topic);
+}
+
+template <typename Message>
+void RosTopics::Write(TopicId topic, TimeNs t_ns, const Message& message) {
+  serializer_.Clear();
+  Put(message, &serializer_);
+  const TimeNs known_ns = std::max<TimeNs>(0, t_ns);
+  bag_->Write(topic, known_ns, serializer_.bytes());
+  if (told_) told_(topic, known_ns);
+}
+
+void RosTopics::AddTake(const std::string& path, Take take) {
+  auto [own, is_new] = takes_.try_emplace(path);
+  own->second.push_back(std::move(take));
+  if (is_new) channels_.push_back({path, 0});
+}
+
+std::string RosTopics::RootFrameOf(const std::string& machine) const {
+  const JointTree* const tree = job_->JointTreeOf(machine);
+  return ros::FrameOf(machine, tree ? tree->root : "base_link");
+}
+
+void RosTopics::AddChannels() {
+  const Recording& recording = job_->recording;
+  for (const ChannelDescription& channel : recording.channels()) {
+    if (channel.type == kPoseChannel) {
+      AddPose(channel.path);
+    } else if (channel.type == kTableChannel) {
+      AddTable(channel.path);
+    } else {
+      AddSensor(channel.path);
+    }
+  }
+}
+
+void RosTopics::AddSensor(const std::string& path) {
+  const std::vector<std::string> cameras = job_->recording.SensorsOf(ChannelForm::kPictures);
+  const std::vector<std::string> lidars = job_->recording.SensorsOf(ChannelForm::kScans);
+  const auto is_among = [&](const std::vector<std::string>& paths) {
+    return std::find(paths.begin(), paths.end(), path) != paths.end();
+  };
+  if (is_among(cameras)) return AddCamera(path);
+  if (is_among(lidars)) return AddLidar(path);
+  AddRows(path);
+}
+
+void RosTopics::AddRows(const std::string& path) {
+  const SensorSheet sheet = ReadSensorSheet(job_->recording.directory() / path);
+  const std::string_view type = job_->recording.TypeOf(path);
+  const std::string machine = MachineOf(path), name = fs::path(path).filename();
+  const std::string frame_id = ros::FrameOf(machine, name);
+  const std::string topic = ros::TopicOf(machine, ros::SensorTopicOf(name, type));
+  if (type == kImuChannel) {
+    const TopicId id = AddTopic<ros::Imu>(topic, kSensorData);
+    const double period_s = sheet.rate_hz > 0 ? 1 / sheet.rate_hz : 1;
+    const ImuNoise noise = sheet.imu_noise.value_or(ImuNoise{});
+    AddTake(path, [=, this](const Record& record) {
+      ImuSample sample = ImuOf(*stream_, record);
+      sample.t_ns = job_->Stamp(record.t_ns);
+      Write(id, job_->Stamp(record.t_available_ns),
+            ros::ImuMessage(sample, frame_id, noise, period_s));
+    });
+  } else if (type == kGnssChannel) {
+    const TopicId id = AddTopic<ros::NavSatFix>(topic + "/" + ros::kFixTopic, kSensorData);
+    AddTake(path, [=, this](const Record& record) {
+      GnssSample sample = GnssOf(*stream_, record);
+      sample.t_ns = job_->Stamp(record.t_ns);
+      Write(id, job_->Stamp(record.t_available_ns), ros::NavSatFixMessage(sample, frame_id));
+    });
+  } else {
+    AddTake(path, JointStateTake(topic, frame_id, kSensorData));
+  }
+  channels_.back().delay_ns = sheet.latency_ns;
+}
+
+RosTopics::Take RosTopics::JointStateTake(const std::string& topic, const std::string& frame_id,
+                                          const TopicQuality& quality) {
+  const TopicId id = AddTopic<ros::JointState>(topic, quality);
+  return [=, this](const Record& record) {
+    RowSample row = RowOf(record);
+    row.t_ns = job_->Stamp(record.t_ns);
+    Write(id, job_->Stamp(record.t_available_ns),
+          ros::JointStateOfRow(row, frame_id, stream_->columns(record.channel)));
+  };
+}
+
+void RosTopics::AddCamera(const std::string& path) {
+  const SensorSheet sheet = ReadSensorSheet(job_->recording.directory() / path);
+  const std::string machine = MachineOf(path), name = fs::path(path).filename();
+  const std::string frame_id = ros::OpticalFrameOf(machine, name);
+  const std::string topic = ros::TopicOf(machine, name) + "/";
+  std::error_code ignored;
+  const auto has = [&](std::string_view kind) {
+    const fs::path folder = job_->recording.directory() / path / kind;
+    return fs::is_directory(folder, ignored) && !fs::is_empty(folder, ignored);
+  };
+  const bool compressed = job_->options.images == BagImages::kCompressed;
+  struct Pictures {
+    std::string kind;
+    TopicId topic;
+    const LabelChannel* label = nullptr;  ///< of rgb and depth none
+  };
+  std::vector<Pictures> pictures;
+  std::vector<TopicId> infos;
+  const auto add = [&](const std::string& kind, const std::string& below,
+                       const LabelChannel* label) {
+    if (!has(kind)) return;
+    const std::string own = topic + below + (compressed ? "/compressed" : "");
+    pictures.push_back({kind,
+                        compressed ? AddTopic<ros::CompressedImage>(own, kLarge)
+                                   : AddTopic<ros::Image>(own, kLarge),
+                        label});
+  };
+  add("rgb", ros::kColourTopic, nullptr);
+  add("depth", ros::kDepthTopic, nullptr);
+  for (const LabelChannel& label : kLabelChannels) {
+    add(std::string(label.name), ros::LabelTopic(label), &label);
+  }
+  if (sheet.lens) infos.push_back(AddTopic<ros::CameraInfo>(topic + ros::kCameraInfoTopic, kLarge));
+  if (sheet.lens && has("depth")) {
+    infos.push_back(AddTopic<ros::CameraInfo>(topic + ros::kDepthInfoTopic, kLarge));
+  }
+  AddTake(path, [=, this](const Record& record) {
+    const TimeNs at_ns = job_->Stamp(record.t_available_ns), stamp_ns = job_->Stamp(record.t_ns);
+    CameraFrame frame;
+    if (!compressed) frame = job_->recording.LoadFrame(path, record.t_ns);
+    frame.t_ns = stamp_ns;
+    for (const Pictures& own : pictures) {
+      const fs::path file = PictureFile(*job_, path, own.kind, record.t_ns);
+      if (!fs::exists(file)) continue;
+      if (compressed) {
+        Write(own.topic, at_ns,
+              ros::CompressedImage{{stamp_ns, frame_id}, "png", ReadWholeFile(file)});
+      } else if (own.label != nullptr) {
+        Write(own.topic, at_ns, ros::LabelMessage(*own.label, frame, frame_id));
+      } else {
+        Write(own.topic, at_ns,
+              own.kind == "rgb" ? ros::ColourMessage(frame, frame_id)
+                                : ros::DepthMessage(frame, frame_id));
+      }
+    }
+    for (const TopicId info : infos) {
+      Write(info, at_ns, ros::CameraInfoMessage({stamp_ns, frame_id}, *sheet.lens));
+    }
+  });
+  channels_.back().delay_ns = sheet.latency_ns;
+}
+
+void RosTopics::AddLidar(const std::string& path) {
+  const SensorSheet sheet = ReadSensorSheet(job_->recording.directory() / path);
+  const std::string machine = MachineOf(path), name = fs::path(path).filename();
+  const std::string frame_id = ros::FrameOf(machine, name);
+  const TopicId id =
+      AddTopic<ros::PointCloud2>(ros::TopicOf(machine, name) + "/" + ros::kPointsTopic, kLarge);
+  AddTake(path, [=, this](const Record& record) {
+    LidarScan scan = job_->recording.LoadScan(path, record.t_ns);
+    scan.t_ns = job_->Stamp(record.t_ns);
+    Write(id, job_->Stamp(record.t_available_ns), ros::PointCloudMessage(scan, frame_id));
+  });
+  // A scan is there when its last ray is.
+  const TimeNs turn_ns = sheet.rate_hz > 0 ? SampleClock{sheet.rate_hz, 0}.Period() : 0;
+  channels_.back().delay_ns = sheet.latency_ns + turn_ns;
+}
+
+void RosTopics::AddPose(const std::string& path) {
+  const std::string body = NameOfBody(path);
+  const bool of_machine = fs::path(path).filename() == "pose.csv" && IsMachine(body);
+  if (!of_machine) {
+    AddTake(path, PoseTake("/truth/" + body));
+    return;
+  }
+  const std::string frame_id = RootFrameOf(body);
+  const JointTree* const tree = job_->JointTreeOf(body);
+  if (tree == nullptr || !tree->fixed_base) {
+    AddTake(path, [=, this](const Record& record) {
+      const ros::Header header = {job_->Stamp(record.t_ns), ros::kWorldFrame};
+      Write(transforms_, job_->Stamp(record.t_available_ns),
+            ros::TfMessage{{{header, frame_id, PoseOf(*stream_, record).X_WB}}});
+    });
+  }
+  if (ColumnsOf(path) != PoseColumns(/*with_velocity=*/true)) {
+    AddTake(path, PoseTake(ros::TopicOf(body, "pose")));
+    return;
+  }
+  const TopicId id = AddTopic<ros::Odometry>(ros::TopicOf(body, "odom"), kState);
+  AddTake(path, [=, this](const Record& record) {
+    const TruthPose pose = PoseOf(*stream_, record);
+    Write(id, job_->Stamp(record.t_available_ns),
+          ros::Odometry{{job_->Stamp(record.t_ns), ros::kWorldFrame},
+                        frame_id,
+                        pose.X_WB,
+                        pose.X_WB.linear().transpose() * pose.v_WB_mps,
+                        pose.w_WB_B_radps});
+  });
+}
+
+RosTopics::Take RosTopics::PoseTake(const std::string& topic) {
+  const TopicId id = AddTopic<ros::PoseStamped>(topic, kState);
+  return [=, this](const Record& record) {
+    Write(id, job_->Stamp(record.t_available_ns),
+          ros::PoseStamped{{job_->Stamp(record.t_ns), ros::kWorldFrame},
+                           PoseOf(*stream_, record).X_WB});
+  };
+}
+
+bool RosTopics::IsMachine(const std::string& body) const {
+  const std::vector<ChannelDescription>& channels = job_->recording.channels();
+  return body.find('/') == std::string::npos &&
+         (job_->JointTreeOf(body) != nullptr ||
+          std::any_of(channels.begin(), channels.end(), [&](const ChannelDescription& channel) {
+            return channel.path.starts_with(body + "/");
+          }));
+}
+
+void RosTopics::AddTable(const std::string& path) {
+  const std::string machine = MachineOf(path), file = fs::path(path).filename();
+  const std::string frame_id = RootFrameOf(machine);
+  if (path == machine + "/commands.csv") {
+    AddTake(path, JointStateTake(ros::TopicOf(machine, "levers"), frame_id, kSensorData));
+    return;
+  }
+  const std::string topic = "/" + WithoutEnding(path, fs::path(path).extension().string());
+  AddTake(path, JointStateTake(topic, frame_id, kState));
+  if (path == "truth/" + machine + "/joints.csv") AddJoints(path);
+  if (path == "truth/" + machine + "/hydraulics.csv") AddCylinders(path);
+}
+
+void RosTopics::AddCylinders(const std::string& path) {
+  const std::string machine = MachineOf(path), frame_id = RootFrameOf(machine);
+  const std::vector<JointColumns> cylinders =
+      JointColumnsOf(ColumnsOf(path), "_stroke_m", "_mps", "_n");
+  if (cylinders.empty()) return;
+  const TopicId id = AddTopic<ros::JointState>(ros::TopicOf(machine, "cylinders"), kState);
+  AddTake(path, [=, this](const Record& record) {
+    Write(id, job_->Stamp(record.t_available_ns),
+          JointStateOf(cylinders, record, frame_id, job_->Stamp(record.t_ns)));
+  });
+}
+
+void RosTopics::AddJoints(const std::string& path) {
+  const std::string machine = MachineOf(path), frame_id = RootFrameOf(machine);
+  const std::vector<std::string> columns = ColumnsOf(path);
+  std::vector<JointColumns> groups = JointColumnsOf(columns, "_rad", "_radps", "_nm");
+  for (JointColumns& group : JointColumnsOf(columns, "_m", "_mps", "_n"))
+    groups.push_back(std::move(group));
+  std::sort(groups.begin(), groups.end(),
+            [](const JointColumns& a, const JointColumns& b) { return a.position < b.position; });
+  const TopicId id = AddTopic<ros::JointState>(ros::TopicOf(machine, "joint_states"), kState);
+  AddTake(path, [=, this](const Record& record) {
+    Write(id, job_->Stamp(record.t_available_ns),
+          JointStateOf(groups, record, frame_id, job_->Stamp(record.t_ns)));
+  });
+  AddMovingJoints(path, columns);
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    constexpr std::string_view kMass = "_soil_kg", kVolume = "_soil_m3";
+    if (!columns[c].ends_with(kMass)) continue;
+    if (!ColumnOf(columns, WithoutEnding(columns[c], kMass) + std::string(kVolume))) continue;
+    const TopicId mass = AddTopic<ros::Float64>(ros::TopicOf(machine, "bucket_mass"), kState);
+    AddTake(path, [=, this](const Record& record) {
+      Write(mass, job_->Stamp(record.t_available_ns), ros::Float64{record.values[c]});
+    });
+    break;  // the first shovel, as live
+  }
+}
+
+void RosTopics::AddMovingJoints(const std::string& path, const std::vector<std::string>& columns) {
+  const JointTree* const tree = job_->JointTreeOf(MachineOf(path));
+  if (tree == nullptr) return;
+  struct MovingJoint {
+    JointTree::Joint joint;
+    std::size_t column;
+  };
+  std::vector<MovingJoint> joints;
+  for (const JointTree::Joint& joint : tree->joints) {
+    if (joint.motion == JointTree::Motion::kNone) continue;
+    const bool slides = joint.motion == JointTree::Motion::kSlides;
+    const auto column = ColumnOf(columns, joint.name + (slides ? "_m" : "_rad"));
+    if (column) joints.push_back({joint, *column});
+  }
+  if (joints.empty()) return;
+  AddTake(path, [=, this, machine = tree->machine](const Record& record) {
+    ros::TfMessage message;
+    for (const MovingJoint& moving : joints) {
+      message.transforms.push_back(
+          {{job_->Stamp(record.t_ns), ros::FrameOf(machine, moving.joint.parent)},
+           ros::FrameOf(machine, moving.joint.child),
+           moving.joint.ChildInParent(record.values[moving.column])});
+    }
+    Write(transforms_, job_->Stamp(record.t_available_ns), message);
+  });
+}
+
+std::vector<std::string> RosTopics::ColumnsOf(const std::string& path) const {
+  return RowReader(job_->recording.directory() / path).columns();
+}
+
+void RosTopics::WriteClockUntil(TimeNs t_ns) {
+  for (; kClock.Due(next_tick_) <= t_ns; ++next_tick_) {
+    const TimeNs tick_ns = job_->Stamp(kClock.Due(next_tick_));
+    Write(clock_, tick_ns, ros::Clock{tick_ns});
+  }
+}
+
+void RosTopics::WriteAll() {
+  stream_ = std::make_unique<RecordStream>(job_->recording, channels_);
+  Record record;
+  bool more = job_->Next(stream_.get(), &record);
+  // Before all else, also before what a clock that is behind gave a time below 0.
+  const TimeNs first_ns = more ? std::min<TimeNs>(0, record.t_available_ns) : 0;
+  Write(static_transforms_, job_->Stamp(first_ns), ros::TfMessage{StaticTransforms(job_)});
+  for (; more; more = job_->Next(stream_.get(), &record)) {
+    WriteClockUntil(record.t_available_ns);
+    for (const Take& take : takes_.at(channels_[record.channel].path)) take(record);
+  }
+}
+
+}  // namespace tera

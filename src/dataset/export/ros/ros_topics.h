@@ -1,0 +1,80 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dataset/export/bag/bag_writer.h"
+#include "dataset/export/export_job.h"
+#include "dataset/export/record_stream.h"
+#include "dataset/export/ros/joint_tree.h"
+#include "dataset/ros/messages.h"
+
+namespace tera {
+
+/// A recording as the ROS topics and frames of docs/ros2.md, written to a bag.
+///
+/// Model   a message is written at the time at which its measurement was available; its stamp is
+///         the time at which it was valid. Times before 0 are sent as 0, as ROS has none.
+class RosTopics {
+ public:
+  /// Keeps references. Throws InputError where two topics would have one name.
+  RosTopics(ExportJob* job, BagWriter* bag);
+
+  /// All messages in order of time.
+  void WriteAll();
+  const std::vector<Topic>& topics() const { return topics_; }
+  /// Is told each message that is written.
+  void OnWrite(std::function<void(std::size_t topic, TimeNs t_ns)> told) {
+    told_ = std::move(told);
+  }
+
+ private:
+  /// Where a record of a channel goes.
+  using Take = std::function<void(const Record&)>;
+  using TopicId = std::size_t;
+
+  void AddChannels();
+  void AddSensor(const std::string& path);
+  void AddRows(const std::string& path);
+  void AddCamera(const std::string& path);
+  void AddLidar(const std::string& path);
+  void AddPose(const std::string& path);
+  void AddTable(const std::string& path);
+  void AddJoints(const std::string& path);
+  void AddMovingJoints(const std::string& path, const std::vector<std::string>& columns);
+  void AddCylinders(const std::string& path);
+
+  template <typename Message>
+  TopicId AddTopic(const std::string& name, const TopicQuality& quality);
+  template <typename Message>
+  void Write(TopicId topic, TimeNs t_ns, const Message& message);
+  void AddTake(const std::string& path, Take take);
+  /// Any row, by the names of its columns.
+  Take JointStateTake(const std::string& topic, const std::string& frame_id,
+                      const TopicQuality& quality);
+  /// A pose in the world.
+  Take PoseTake(const std::string& topic);
+  std::vector<std::string> ColumnsOf(const std::string& path) const;
+  bool IsMachine(const std::string& body) const;
+  std::string RootFrameOf(const std::string& machine) const;
+  void WriteClockUntil(TimeNs t_ns);
+
+  ExportJob* job_;
+  BagWriter* bag_;
+  ros::Serializer serializer_;
+  std::vector<Topic> topics_;
+  std::set<std::string> names_;
+  std::vector<StreamedChannel> channels_;
+  std::map<std::string, std::vector<Take>> takes_;  ///< by channel
+  std::unique_ptr<RecordStream> stream_;            ///< while all is written
+  TopicId clock_, transforms_, static_transforms_;
+  std::int64_t next_tick_ = 0;
+  std::function<void(std::size_t, TimeNs)> told_;
+};
+
+}  // namespace tera

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "core/time.h"
+
+/// Times as texts of other formats, exact to the last digit: never by way of a double.
+
+namespace tera {
+
+/// Seconds with `decimals` digits behind the point, rounded to the nearest: "-0.250000000".
+std::string SecondsText(TimeNs t_ns, int decimals = 9);
+
+/// A date and a time of day of the Gregorian calendar, UTC, without leap seconds.
+struct CivilTime {
+  int year = 1970, month = 1, day = 1;
+  int hour = 0, minute = 0, second = 0;
+  TimeNs nanosecond = 0;
+};
+/// Of ns since 1970-01-01 00:00:00.
+CivilTime CivilTimeOf(TimeNs unix_ns);
+
+/// The nearest multiple of 10^-`decimals` s.
+TimeNs RoundedTo(TimeNs t_ns, int decimals);
+
+}  // namespace tera

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tera::ros {
+
+/// How messages are laid out as bytes.
+enum class WireForm {
+  kCdr,  ///< of ROS 2: aligned, after four bytes that name the form
+  kRos1  ///< of ROS 1: packed
+};
+
+/// Fields of a message as bytes, one after the other, little-endian.
+///
+/// Model   kCdr: a field of n bytes begins at a multiple of n after the first four bytes; strings
+///         count their final 0 and have it. kRos1: no padding, no final 0. Both: a sequence has its
+///         length before it in 32 bits, an array has not.
+/// Source  OMG CORBA 3.3, part 2, section 9.3 (CDR), with DDS-RTPS 2.3, section 10.2 for the first
+///         four bytes; "ROS message serialization" of the ROS 1 wiki.
+class Serializer {
+ public:
+  explicit Serializer(WireForm form) : form_(form) { Clear(); }
+
+  WireForm form() const { return form_; }
+  const std::string& bytes() const { return bytes_; }
+  /// For the next message.
+  void Clear() {
+    bytes_.clear();
+    if (form_ == WireForm::kCdr) bytes_.append(kLittleEndianCdr);
+  }
+
+  template <typename T>
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+  void Put(T value) {
+    Align(sizeof value);
+    Append(&value, sizeof value);
+  }
+  void Put(bool value) { Put(static_cast<std::uint8_t>(value)); }
+  void Put(const std::string& text) {
+    const std::size_t end = form_ == WireForm::kCdr ? 1 : 0;
+    PutLength(text.size() + end);
+    Append(text.c_str(), text.size() + end);
+  }
+  template <typename T>
+  requires std::is_arithmetic_v<T>
+  void Put(const std::vector<T>& sequence) {
+    PutLength(sequence.size());
+    PutAll(sequence.data(), sequence.size());
+  }
+  template <typename T, std::size_t n>
+  void Put(const std::array<T, n>& values) {
+    PutAll(values.data(), n);
+  }
+  /// A sequence of bytes.
+  void PutBytes(std::string_view data) {
+    PutLength(data.size());
+    Append(data.data(), data.size());
+  }
+  void PutLength(std::size_t length) { Put(static_cast<std::uint32_t>(length)); }
+
+ private:
+  static_assert(std::endian::native == std::endian::little, "numbers are copied as they stand");
+  static constexpr std::string_view kLittleEndianCdr{"\x00\x01\x00\x00", 4};
+
+  void Align(std::size_t size) {
+    if (form_ != WireForm::kCdr) return;
+    const std::size_t at = bytes_.size() - kLittleEndianCdr.size();
+    bytes_.append((size - at % size) % size, '\0');
+  }
+  template <typename T>
+  void PutAll(const T* values, std::size_t count) {
+    if (count == 0) return;
+    Align(sizeof(T));
+    Append(values, count * sizeof(T));
+  }
+  void Append(const void* data, std::size_t size) {
+    bytes_.append(static_cast<const char*>(data), size);
+  }
+
+  WireForm form_;
+  std::string bytes_;
+};
+
+}  // namespace tera::ros

@@ -1,0 +1,183 @@
+#include "dataset/export/export.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+
+#include "core/error.h"
+#include "dataset/files/checked_file.h"
+#include "dataset/format/sample_recording.h"
+
+namespace tera {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+namespace fs = std::filesystem;
+
+class ExportTest : public testing::Test {
+ protected:
+  ExportTest() {
+    DatasetWriter writer(recording(), SampleInfo(), {});
+    WriteSample(&writer, kSampleFrames);
+    writer.Finish();
+  }
+  fs::path recording() const { return scratch_.path() / "run"; }
+  fs::path out() const { return scratch_.path() / "out"; }
+
+  ExportReport To(ExportFormat format, std::optional<TimeNs> start_utc_ns = std::nullopt) {
+    return Export(recording(), out(), {.format = format, .start_utc_ns = start_utc_ns});
+  }
+  /// What is said, and that nothing is left behind.
+  std::string FaultOf(const ExportOptions& options, const fs::path& out) {
+    const auto entries = [&] {
+      std::size_t count = 0;
+      for ([[maybe_unused]] const auto& e : fs::recursive_directory_iterator(scratch_.path())) {
+        ++count;
+      }
+      return count;
+    };
+    const std::size_t before = entries();
+    try {
+      Export(recording(), out, options);
+    } catch (const InputError& e) {
+      EXPECT_EQ(entries(), before);
+      return e.what();
+    }
+    return "no fault";
+  }
+  std::string FaultOf(ExportFormat format) { return FaultOf({.format = format}, out()); }
+  /// Puts `to` in the place of `from` in a file of the recording.
+  void Edit(const std::string& file, const std::string& from, const std::string& to) {
+    std::string text = ReadWholeFile(recording() / file);
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << text;
+    WriteWholeFile(recording() / file, text.replace(at, from.size(), to));
+  }
+  std::vector<std::string> LinesOf(const fs::path& file) const {
+    std::ifstream stream(out() / file);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+  }
+
+  ScratchDirectory scratch_;
+};
+
+TEST_F(ExportTest, APlaceThatIsTakenIsLeftAsItIs) {
+  fs::create_directory(out());
+  WriteWholeFile(out() / "diary.txt", "mine");
+  EXPECT_THAT(FaultOf(ExportFormat::kTum), HasSubstr("out: is there already; choose another"));
+  EXPECT_THAT(FaultOf({.format = ExportFormat::kTum}, recording() / "exported"),
+              HasSubstr("lies inside the recording"));
+  EXPECT_THAT(FaultOf({.format = ExportFormat::kTum}, scratch_.path() / ".."),
+              HasSubstr("give the export's folder a name"));
+}
+
+TEST_F(ExportTest, WhatARunThatWasStoppedHasLeftIsNotTouched) {
+  fs::create_directory(scratch_.path() / "out.incomplete");
+  WriteWholeFile(scratch_.path() / "out.incomplete/half.tum", "1 2");
+  EXPECT_THAT(FaultOf(ExportFormat::kTum), HasSubstr("a run that was stopped has left"));
+}
+
+TEST_F(ExportTest, ARecordingWithoutWhatTheFormatNeedsIsRefused) {
+  Edit("dataset.yaml", "  - {path: \"digger/gnss\", type: gnss}\n", "");
+  EXPECT_THAT(FaultOf(ExportFormat::kNmea),
+              AllOf(HasSubstr("run: has no GNSS receiver, of which the format 'nmea' consists"),
+                    HasSubstr("need a recording with one, or another format")));
+}
+
+TEST_F(ExportTest, APathThatLeadsOutOfTheRecordingIsRefused) {
+  Edit("dataset.yaml", "truth/digger/pose.csv", "truth/../../digger/pose.csv");
+  EXPECT_THAT(FaultOf(ExportFormat::kTum),
+              AllOf(HasSubstr("dataset.yaml: the channel 'truth/../../digger/pose.csv' is no path"),
+                    HasSubstr("need paths within the recording")));
+}
+
+TEST_F(ExportTest, AChannelThatIsThereTwiceIsRefused) {
+  Edit("dataset.yaml", "digger/imu", "digger/joints");
+  EXPECT_THAT(FaultOf(ExportFormat::kTum), HasSubstr("'digger/joints' is there twice"));
+}
+
+TEST_F(ExportTest, ABrokenRowIsNamedAndNothingIsLeft) {
+  Edit("truth/digger/pose.csv", "\n100000000,", "\n-1,");
+  EXPECT_THAT(FaultOf(ExportFormat::kTum),
+              AllOf(HasSubstr("truth/digger/pose.csv:3: t_ns is -1, need a later time")));
+}
+
+TEST_F(ExportTest, AQuaternionThatIsNoneIsNamedWithItsOwnLine) {
+  std::string rows = "t_ns,x_m,y_m,z_m,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,0,0,0,0.5,0,0,0\n";
+  WriteWholeFile(recording() / "truth/digger/pose.csv", rows + "2,0,0,0,1,0,0,0\n");
+  EXPECT_THAT(FaultOf(ExportFormat::kTum),
+              HasSubstr("truth/digger/pose.csv:3: a quaternion of norm 0.5; need norm 1"));
+}
+
+TEST_F(ExportTest, AFixThatIsNoneAndAPlaceThatCannotBeAreNamed) {
+  Edit("digger/gnss/data.csv", ",5,", ",7,");
+  EXPECT_THAT(FaultOf(ExportFormat::kPos), HasSubstr("gnss/data.csv:2: column 'fix': found '7'"));
+  Edit("digger/gnss/data.csv", ",7,", ",5,");
+  Edit("digger/gnss/data.csv", "46.78", "96.78");
+  EXPECT_THAT(FaultOf(ExportFormat::kPos), HasSubstr("gnss/data.csv:2: a latitude, longitude or"));
+}
+
+TEST_F(ExportTest, TumHasSecondsPositionAndQuaternionWithWLast) {
+  const ExportReport report = To(ExportFormat::kTum);
+  EXPECT_EQ(report.records, kSampleFrames);
+  EXPECT_EQ(report.files, 1);
+  const auto lines = LinesOf("digger.tum");
+  ASSERT_EQ(lines.size(), 1u + kSampleFrames);
+  EXPECT_EQ(lines[0], "# timestamp tx ty tz qx qy qz qw");
+  double t_s, x, y, z, qx, qy, qz, qw;
+  ASSERT_EQ(std::sscanf(lines[3].c_str(), "%lf %lf %lf %lf %lf %lf %lf %lf", &t_s, &x, &y, &z, &qx,
+                        &qy, &qz, &qw),
+            8);
+  EXPECT_THAT(lines[3], StartsWith("0.200000000 1.2 2 -0.5 "));
+  const Pose X_WB = MakePose(Vec3(1.2, 2, -0.5), 0.1, -0.2, 3.0);
+  EXPECT_TRUE(Quat(qw, qx, qy, qz).toRotationMatrix().isApprox(X_WB.linear(), 1e-12));
+  EXPECT_GE(qw, 0);
+}
+
+TEST_F(ExportTest, AStartMovesAllTimes) {
+  To(ExportFormat::kTum, 1'714'564'800 * kNsPerSecond);
+  EXPECT_THAT(LinesOf("digger.tum").at(2), StartsWith("1714564800.100000000 "));
+}
+
+TEST_F(ExportTest, EurocHasNanosecondsVelocitiesAndInertialUnits) {
+  To(ExportFormat::kEuroc);
+  const auto poses = LinesOf("digger/state_groundtruth_estimate0/data.csv");
+  ASSERT_EQ(poses.size(), 1u + kSampleFrames);
+  EXPECT_THAT(poses[0], StartsWith("#timestamp [ns],p_RS_R_x [m],"));
+  EXPECT_THAT(poses[2], StartsWith("100000000,1.1,2,-0.5,"));
+  EXPECT_THAT(poses[2], testing::EndsWith(",1,0,0.25"));
+  const auto imu = LinesOf("digger/imu/data.csv");
+  ASSERT_EQ(imu.size(), 1u + kSampleFrames);
+  EXPECT_EQ(imu[4].substr(0, imu[4].find("-0.33")), "300000000,0.30000000000000004,");
+  EXPECT_THAT(imu[4], testing::EndsWith(",0.02,-0.3,9.80665"));
+}
+
+TEST_F(ExportTest, PosHasRtklibsColumnsAndQualities) {
+  To(ExportFormat::kPos);
+  const auto lines = LinesOf("digger/gnss.pos");
+  ASSERT_EQ(lines.size(), 4u + kSampleFrames);
+  EXPECT_THAT(lines[3], StartsWith("%  UTC                  latitude(deg) longitude(deg)"));
+  // Float is 2 there; north 0.1414 m, east 0.1 m, up 0.2236 m.
+  EXPECT_THAT(lines[4],
+              StartsWith("2024/01/01 00:00:00.000   46.780000123  -71.270000000    91.2500   2   0 "
+                         "  0.1414   0.1000   0.2236 "));
+  EXPECT_THAT(lines[5], StartsWith("2024/01/01 00:00:00.100 "));
+}
+
+TEST_F(ExportTest, NmeaHasASentenceOfEachKindForEachFix) {
+  To(ExportFormat::kNmea);
+  std::map<std::string, int> sentences;
+  for (const std::string& line : LinesOf("digger/gnss.nmea")) ++sentences[line.substr(0, 6)];
+  EXPECT_EQ(sentences,
+            (std::map<std::string, int>{
+                {"$GNGGA", kSampleFrames}, {"$GNRMC", kSampleFrames}, {"$GNGST", kSampleFrames}}));
+}
+
+}  // namespace
+}  // namespace tera
