@@ -12,13 +12,13 @@ are first used: reading datasets needs NumPy and PyYAML, and OpenCV for pictures
 
 from importlib import import_module
 
-from tera.data import (Box, Camera, Dataset, Diagnosis, Frame, Lens, Lidar, PoseTrack, Scan, Table, diagnosis, pose_matrix,
+from tera.data import (Box, Camera, Dataset, Diagnosis, Flow, Frame, Keypoint, Lens, Lidar, PoseTrack, Scan, Table, diagnosis, pose_matrix,
                        transformed)
 
 _CLIENT = {"Env": "tera.env", "Patch": "tera.env", "make": "tera.env", "Server": "tera.server", "Refused": "tera.session",
            "Session": "tera.session", "SessionEnded": "tera.session", "messages": "tera.v1.simulation_pb2"}
 
-__all__ = ["Box", "Camera", "Dataset", "Diagnosis", "Env", "Frame", "Lens", "Lidar", "Patch", "PoseTrack", "Refused", "Scan",
+__all__ = ["Box", "Camera", "Dataset", "Diagnosis", "Env", "Flow", "Frame", "Keypoint", "Lens", "Lidar", "Patch", "PoseTrack", "Refused", "Scan",
            "Server", "Session", "SessionEnded", "Table", "diagnosis", "make", "messages", "pose_matrix", "transformed"]
 
 

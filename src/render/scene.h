@@ -41,6 +41,15 @@ struct SceneInstance {
   bool is_whole = false;     ///< its box is found from its parts, whatever they do
 };
 
+/// A named point of an object: a joint of a machine or of a person.
+struct SceneKeypoint {
+  std::string name;
+  std::uint16_t instance = 0;
+  int body = 0;
+  Vec3 p_B_m = Vec3::Zero();
+  double radius_m = 0;  ///< how deep below the object's surface it may lie and still be seen
+};
+
 /// Appearance of a soil, by index as in TerrainSurface::soil.
 struct SoilAppearance {
   Vec3 albedo = Vec3(0.3, 0.22, 0.15);
@@ -70,6 +79,7 @@ struct SceneModel {
   Textures textures;  ///< of meshes
   std::vector<SceneNode> nodes;
   std::vector<SceneInstance> instances;  ///< instances[0] is "none"
+  std::vector<SceneKeypoint> keypoints;
   std::vector<SoilAppearance> soils;
   Environment environment;
   int body_count = 0;

@@ -76,6 +76,14 @@ int AddLooksOf(const Visual& visual, SceneModel* scene) {
   return scene->AddMesh(visual.mesh, visual.node);
 }
 
+/// How deep below the surface that is seen a pin's middle may lie, in a boom's or an arm's width,
+/// and the middle of an edge behind its face.
+constexpr double kPinDepth_m = 0.35, kEdgeDepth_m = 0.05;
+
+void AddPin(const std::string& name, int body, SceneModel* model) {
+  model->keypoints.push_back({.name = name, .body = body, .radius_m = kPinDepth_m});
+}
+
 }  // namespace
 
 SceneAssembly::SceneAssembly(const Scenario& scenario) : scenario_(scenario) {
@@ -116,11 +124,32 @@ void SceneAssembly::AddMachine(const Scenario& scenario, std::size_t m) {
   }
   for (const Cylinder& cylinder : machine.cylinders) {
     for (int k = 0; k < cylinder.count; ++k) {
+      AddPin(machine.joints[cylinder.joint].name + "_barrel_pin", model_.body_count, &model_);
       add_part(cylinder.barrel, cylinder.barrel_link);
+      AddPin(machine.joints[cylinder.joint].name + "_rod_pin", model_.body_count, &model_);
       add_part(cylinder.rod, cylinder.rod_link);
     }
   }
+  AddMachineKeypoints(machine, link_body);
   AddLoads(placement, m, scenario.site->soils());
+  end_body_.push_back(model_.body_count);
+}
+
+void SceneAssembly::AddMachineKeypoints(const MachineModel& machine,
+                                        const std::vector<int>& link_body) {
+  for (const Joint& joint : machine.joints) {
+    AddPin(joint.name + "_pin", link_body[joint.child], &model_);
+  }
+  for (const Shovel& shovel : machine.ground_tools.shovels) {
+    const Vec2& edge_m = shovel.profile_B_m.front();
+    const double half_m = 0.5 * shovel.width_m;
+    for (const int side : {1, -1}) {
+      model_.keypoints.push_back({.name = shovel.name + (side > 0 ? "_edge_left" : "_edge_right"),
+                                  .body = link_body[shovel.link],
+                                  .p_B_m = Vec3(edge_m.x(), side * half_m, edge_m.y()),
+                                  .radius_m = kEdgeDepth_m});
+    }
+  }
 }
 
 /// The machine as one object, after all others, so that these keep their numbers.
@@ -131,6 +160,10 @@ void SceneAssembly::AddWhole(const Scenario& scenario, std::size_t m) {
   for (SceneInstance& part : model_.instances) {
     const bool is_cargo = part.label == SemanticClass::kSoilInBucket;
     if (part.name.starts_with(placement.name + "/") && !is_cargo) part.parent = id;
+  }
+  for (SceneKeypoint& keypoint : model_.keypoints) {
+    const bool is_own = keypoint.body >= root_body_[m] && keypoint.body < end_body_[m];
+    if (is_own) keypoint.instance = id;
   }
   model_.instances.push_back({.name = placement.name,
                               .label = drives ? SemanticClass::kVehicle : SemanticClass::kStructure,
@@ -191,7 +224,12 @@ void SceneAssembly::AddLoads(const MachinePlacement& placement, std::size_t m,
 
 void SceneAssembly::AddObstacle(const ScenarioObstacle& obstacle) {
   const int body = AddBody();
-  AddNode(obstacle.visual, body, obstacle.label, AddInstance(obstacle.name, obstacle.label, body));
+  const std::uint16_t instance = AddInstance(obstacle.name, obstacle.label, body);
+  AddNode(obstacle.visual, body, obstacle.label, instance);
+  for (const ObstacleKeypoint& point : obstacle.keypoints) {
+    model_.keypoints.push_back({point.name, instance, body, obstacle.visual.scale * point.p_B_m,
+                                obstacle.visual.scale * point.radius_m});
+  }
 }
 
 std::uint16_t SceneAssembly::AddInstance(const std::string& name, SemanticClass label, int body) {

@@ -42,6 +42,8 @@ class SceneAssembly {
   /// What shovels will carry.
   void AddLoads(const MachinePlacement& placement, std::size_t m,
                 const std::vector<SoilType>& soils);
+  /// Joints and edges, of no instance until the machine as a whole has one.
+  void AddMachineKeypoints(const MachineModel& machine, const std::vector<int>& link_body);
   void AddObstacle(const ScenarioObstacle& obstacle);
   void AddWhole(const Scenario& scenario, std::size_t m);
   std::uint16_t AddInstance(const std::string& name, SemanticClass label, int body);
@@ -54,7 +56,7 @@ class SceneAssembly {
   const Scenario& scenario_;
   SceneModel model_;
   std::vector<TrackPath> tracks_;
-  std::vector<int> root_body_;  ///< of each machine
+  std::vector<int> root_body_, end_body_;  ///< of each machine: its first, and one after its last
   struct ShovelLoad {
     std::size_t machine;
     int shovel;

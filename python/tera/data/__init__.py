@@ -12,7 +12,7 @@ Arrays are NumPy's. Times are whole nanoseconds since the recording's zero, angl
 4 x 4 pose of frame B in frame A: p_A = X_AB p_B.
 """
 
-from tera.data.camera import Box, Camera, Frame
+from tera.data.camera import Box, Camera, Flow, Frame, Keypoint
 from tera.data.dataset import Dataset
 from tera.data.diagnosis import Diagnosis, diagnosis
 from tera.data.lens import Lens
@@ -20,5 +20,5 @@ from tera.data.lidar import Lidar, Scan
 from tera.data.pose import PoseTrack, pose_matrix, transformed
 from tera.data.table import Table
 
-__all__ = ["Box", "Camera", "Dataset", "Diagnosis", "Frame", "Lens", "Lidar", "PoseTrack", "Scan", "Table", "diagnosis",
+__all__ = ["Box", "Camera", "Dataset", "Diagnosis", "Flow", "Frame", "Keypoint", "Lens", "Lidar", "PoseTrack", "Scan", "Table", "diagnosis",
            "pose_matrix", "transformed"]

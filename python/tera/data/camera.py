@@ -27,6 +27,18 @@ def read_png(file: Path) -> np.ndarray:
 
 
 @dataclass(frozen=True)
+class Keypoint:
+    """A named point of an object in view."""
+
+    OUTSIDE, HIDDEN, SEEN = 0, 1, 2
+
+    name: str
+    sight: int  #: one of the three above
+    p_C_m: np.ndarray  #: in the optical frame
+    pixel_px: np.ndarray | None  #: u, v, also beyond the picture; None behind the camera
+
+
+@dataclass(frozen=True)
 class Box:
     """A labelled object in view."""
 
@@ -42,6 +54,27 @@ class Box:
     visibility: float  #: over the pixels that it alone would cover
     X_CO: np.ndarray  #: 4 x 4, of the 3-D box's centre in the optical frame
     size_O_m: np.ndarray
+    amodal_px: np.ndarray | None = None  #: left, top, right, bottom of all that it would cover alone
+    truncation: float | None = None  #: share of that beyond the picture
+    keypoints: tuple[Keypoint, ...] = ()
+
+
+class Flow:
+    """Where another picture has the points that one picture's pixels show."""
+
+    UNKNOWN, SEEN, HIDDEN, OUTSIDE = 0, 1, 2, 3
+
+    def __init__(self, code: np.ndarray):
+        self.state = code[..., 2]  #: H x W: one of the four above
+        self.flow_px = (code[..., :2].astype(np.float32) - 32768) / 64  #: H x W x 2, right and down
+        self.flow_px[self.state == self.UNKNOWN] = np.nan
+
+    def write_flo(self, file: Path | str) -> None:
+        """As Middlebury's .flo; what is not known is 1e10, which its readers take for unknown."""
+        height, width = self.state.shape
+        with Path(file).open("wb") as out:
+            out.write(b"PIEH" + np.array([width, height], "<i4").tobytes())
+            out.write(np.nan_to_num(self.flow_px, nan=1e10).astype("<f4").tobytes())
 
 
 class Frame:
@@ -87,6 +120,65 @@ class Frame:
         return normal
 
     @cached_property
+    def distance_m(self) -> np.ndarray | None:
+        """H x W float32, from the eye along the ray, without noise; 0 where nothing is within 65.535 m."""
+        millimetres = self._picture("distance")
+        return None if millimetres is None else millimetres.astype(np.float32) * np.float32(1e-3)
+
+    @cached_property
+    def flow_to_previous(self) -> Flow | None:
+        """From this picture's pixels to the previous picture."""
+        code = self._picture("flow_to_previous")
+        return None if code is None else Flow(code)
+
+    @cached_property
+    def flow_to_this(self) -> Flow | None:
+        """From the previous picture's pixels to this picture: that picture's forward flow."""
+        code = self._picture("flow_to_this")
+        return None if code is None else Flow(code)
+
+    @cached_property
+    def scene_flow_to_previous_m(self) -> np.ndarray | None:
+        """H x W x 3 float32: the point's place in the optical frame at the previous picture less its place now; NaN
+        where it is not known."""
+        code = self._picture("scene_flow_to_previous")
+        if code is None:
+            return None
+        shift_m = (code.astype(np.float32) - 32768) * np.float32(1e-3)
+        shift_m[~code.any(axis=2)] = np.nan
+        return shift_m
+
+    @cached_property
+    def ground_soil(self) -> np.ndarray | None:
+        """H x W uint8, index of the soil plus 1; 0 where no ground of the site is seen."""
+        return self._picture("ground_soil")
+
+    @cached_property
+    def ground_state(self) -> np.ndarray | None:
+        """H x W x 3 float32: looseness, degree of saturation and freshness of a rut, 0 to 1; 0 beside ground."""
+        code = self._picture("ground_state")
+        return None if code is None else code.astype(np.float32) / 255
+
+    @cached_property
+    def ground_change_m(self) -> np.ndarray | None:
+        """H x W float32: how far the ground has risen since the first picture; NaN beside ground."""
+        code = self._picture("ground_change")
+        if code is None:
+            return None
+        return np.where(code == 0, np.nan, (code.astype(np.float32) - 32768) * np.float32(1e-3))
+
+    @cached_property
+    def ground_age_s(self) -> np.ndarray | None:
+        """H x W float32: time since the ground was touched; inf where it never was, NaN beside ground."""
+        code = self._picture("ground_age")
+        if code is None:
+            return None
+        age_s = (code.astype(np.float32) - 1) / 10
+        age_s[code == 65535] = np.inf
+        age_s[code == 0] = np.nan
+        return age_s
+
+    @cached_property
     def boxes(self) -> list[Box]:
         """Objects in view; empty where none were recorded."""
         file = self._folder / "boxes" / (self._filename.rsplit(".", 1)[0] + ".json")
@@ -96,8 +188,15 @@ class Frame:
             entries = json.load(text)["boxes"]
         return [Box(b["instance"], b["name"], b["class"], b.get("parent", 0), b["x_min_px"], b["y_min_px"],
                     b["x_max_px"], b["y_max_px"], b["visible_px"], b["visibility"],
-                    pose_matrix(np.array(b["p_CO_m"]), np.array(b["q_CO_wxyz"])), np.array(b["size_O_m"]))
+                    pose_matrix(np.array(b["p_CO_m"]), np.array(b["q_CO_wxyz"])), np.array(b["size_O_m"]),
+                    np.array(b["amodal_px"]) if "amodal_px" in b else None, b.get("truncation"),
+                    tuple(_keypoint(k) for k in b.get("keypoints", [])))
                 for b in entries]
+
+
+def _keypoint(k: dict) -> Keypoint:
+    pixel_px = np.array(k["pixel_px"]) if "pixel_px" in k else None
+    return Keypoint(k["name"], k["sight"], np.array(k["p_C_m"]), pixel_px)
 
 
 class Camera:

@@ -16,14 +16,22 @@
 
 namespace tera {
 
-/// What a shader writes of each pixel, for the channels that are read from it.
-enum class ShaderOutput {
-  kLabelWord,     ///< 32 bits, of which each channel has some
-  kSurfaceNormal  ///< RGBA16, n / 2 + 1/2 in W; all 0 where no surface is
+/// What a channel is made from.
+enum class LabelSource {
+  kLabelWord,      ///< 32 bits that a shader writes of each pixel, of which each channel has some
+  kSurfaceNormal,  ///< RGBA16 that a shader writes, n / 2 + 1/2 in W; all 0 where no surface is
+  kSurfaces        ///< computed by the camera from depth, bodies, ground and earlier pictures
 };
 
 /// How a channel is coloured for people to look at.
-enum class LabelColours { kClasses, kNumbers, kDirections };
+enum class LabelColours {
+  kClasses,     ///< of SemanticClass
+  kNumbers,     ///< different numbers, different colours
+  kDirections,  ///< three components as red, green and blue
+  kFlow,        ///< hue by direction, strength by length
+  kNearness,    ///< warm for small values, 0 black
+  kRise         ///< red above 32768, blue below it, 0 black
+};
 
 /// Where a frame has the picture: its pixel type, which is that of the PNG file too.
 using LabelPicture =
@@ -34,25 +42,45 @@ struct LabelChannel {
   LabelPicture picture;
   int components;  ///< 1: grey; 3: RGB
   bool is_usual;   ///< of a camera with `labels: true`
-  ShaderOutput output;
+  LabelSource source;
   int first_bit;  ///< of kLabelWord
   LabelColours colours;
   std::string_view caption;  ///< of the overview
 };
 
-inline constexpr std::array<LabelChannel, 3> kLabelChannels = {{
-    {"semantic", &CameraFrame::semantic, 1, true, ShaderOutput::kLabelWord, 0,
+inline constexpr std::array<LabelChannel, 11> kLabelChannels = {{
+    {"semantic", &CameraFrame::semantic, 1, true, LabelSource::kLabelWord, 0,
      LabelColours::kClasses, "classes"},
-    {"instance", &CameraFrame::instance, 1, true, ShaderOutput::kLabelWord, 8,
+    {"instance", &CameraFrame::instance, 1, true, LabelSource::kLabelWord, 8,
      LabelColours::kNumbers, "instances"},
-    {"normal", &CameraFrame::normal, 3, false, ShaderOutput::kSurfaceNormal, 0,
+    {"normal", &CameraFrame::normal, 3, false, LabelSource::kSurfaceNormal, 0,
      LabelColours::kDirections, "normals"},
+    {"distance", &CameraFrame::distance, 1, false, LabelSource::kSurfaces, 0,
+     LabelColours::kNearness, "distance along the ray"},
+    {"flow_to_previous", &CameraFrame::flow_to_previous, 3, false, LabelSource::kSurfaces, 0,
+     LabelColours::kFlow, "flow to the previous picture"},
+    {"flow_to_this", &CameraFrame::flow_to_this, 3, false, LabelSource::kSurfaces, 0,
+     LabelColours::kFlow, "flow from the previous picture"},
+    {"scene_flow_to_previous", &CameraFrame::scene_flow_to_previous, 3, false,
+     LabelSource::kSurfaces, 0, LabelColours::kDirections, "scene flow to the previous picture"},
+    {"ground_soil", &CameraFrame::ground_soil, 1, false, LabelSource::kSurfaces, 0,
+     LabelColours::kNumbers, "soil"},
+    {"ground_state", &CameraFrame::ground_state, 3, false, LabelSource::kSurfaces, 0,
+     LabelColours::kDirections, "loose, wet, rutted"},
+    {"ground_change", &CameraFrame::ground_change, 1, false, LabelSource::kSurfaces, 0,
+     LabelColours::kRise, "cut and fill"},
+    {"ground_age", &CameraFrame::ground_age, 1, false, LabelSource::kSurfaces, 0,
+     LabelColours::kNearness, "time since touched"},
 }};
 
 /// Channels by their place in the table.
 using LabelSet = std::bitset<kLabelChannels.size()>;
 
-inline constexpr std::size_t kSemanticChannel = 0, kInstanceChannel = 1, kNormalChannel = 2;
+inline constexpr std::size_t kSemanticChannel = 0, kInstanceChannel = 1, kNormalChannel = 2,
+                             kDistanceChannel = 3, kFlowToPreviousChannel = 4,
+                             kFlowToThisChannel = 5, kSceneFlowToPreviousChannel = 6,
+                             kGroundSoilChannel = 7, kGroundStateChannel = 8,
+                             kGroundChangeChannel = 9, kGroundAgeChannel = 10;
 
 inline LabelSet UsualLabels() {
   LabelSet usual;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -88,6 +89,17 @@ struct Image {
   }
 };
 
+/// Whether a camera sees a key point.
+enum class KeypointSight : std::uint8_t { kOutside = 0, kHidden = 1, kSeen = 2 };
+
+/// A named point of an object in one image.
+struct Keypoint {
+  std::string name;
+  Vec3 p_C_m = Vec3::Zero();     ///< in the camera optical frame
+  std::optional<Vec2> pixel_px;  ///< also beyond the picture; none behind the camera
+  KeypointSight sight = KeypointSight::kOutside;
+};
+
 /// A labelled object in one image.
 ///
 /// Frames  `X_CO` pose of the object's box frame O (centre of its box) in the camera optical frame
@@ -102,8 +114,12 @@ struct ObjectBox {
   std::int64_t visible_px = 0;
   /// Visible pixels over the pixels that the object alone would cover in this image, in [0, 1].
   double visibility = 0;
+  /// What the object would cover alone, on a picture without end; pixel centres are whole numbers.
+  Vec2 amodal_min_px = Vec2::Zero(), amodal_max_px = Vec2::Zero();
+  double truncation = 0;  ///< share of that box beyond the picture, in [0, 1]
   Pose X_CO = Pose::Identity();
   Vec3 size_O_m = Vec3::Zero();
+  std::vector<Keypoint> keypoints;
 };
 
 /// One exposure. Images that the camera does not produce are empty. All share one pixel grid.
@@ -115,6 +131,14 @@ struct CameraFrame {
   Image<std::uint8_t> semantic;   ///< SemanticClass
   Image<std::uint16_t> instance;  ///< 0: none; else index of the instance in dataset.yaml
   Image<std::uint16_t> normal;    ///< 3 channels: surface_normal.h
+  Image<std::uint16_t> distance;  ///< of the eye, exact: PixelOfDistance
+  /// From this picture's pixels to the one before, and from that one's pixels to this: 3 channels,
+  /// PixelOfFlow, all 0 of the first picture.
+  Image<std::uint16_t> flow_to_previous, flow_to_this;
+  Image<std::uint16_t> scene_flow_to_previous;  ///< likewise; 3 channels, PixelOfShift
+  Image<std::uint8_t> ground_soil;              ///< PixelOfSoil
+  Image<std::uint8_t> ground_state;  ///< looseness, moisture and rut as in TerrainSurface::Cover
+  Image<std::uint16_t> ground_change, ground_age;  ///< PixelOfRise, PixelOfAge
   std::vector<ObjectBox> boxes;
 };
 

@@ -12,28 +12,57 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json ToJson(const Keypoint& point) {
+  const Vec3& p = point.p_C_m;
+  Json json = {{"name", point.name},
+               {"sight", static_cast<int>(point.sight)},
+               {"p_C_m", {p.x(), p.y(), p.z()}}};
+  if (point.pixel_px) json["pixel_px"] = {point.pixel_px->x(), point.pixel_px->y()};
+  return json;
+}
+
 Json ToJson(const ObjectBox& box) {
   const Vec3& p = box.X_CO.translation();
   Quat q(box.X_CO.linear());
   if (q.w() < 0) q.coeffs() = -q.coeffs();
   const Vec3& size = box.size_O_m;
-  return {{"instance", box.instance},
-          {"name", box.name},
-          {"class", std::string(NameOf(box.label))},
-          {"parent", box.parent},
-          {"x_min_px", box.x_min_px},
-          {"y_min_px", box.y_min_px},
-          {"x_max_px", box.x_max_px},
-          {"y_max_px", box.y_max_px},
-          {"visible_px", box.visible_px},
-          {"visibility", box.visibility},
-          {"p_CO_m", {p.x(), p.y(), p.z()}},
-          {"q_CO_wxyz", {q.w(), q.x(), q.y(), q.z()}},
-          {"size_O_m", {size.x(), size.y(), size.z()}}};
+  Json json = {{"instance", box.instance},
+               {"name", box.name},
+               {"class", std::string(NameOf(box.label))},
+               {"parent", box.parent},
+               {"x_min_px", box.x_min_px},
+               {"y_min_px", box.y_min_px},
+               {"x_max_px", box.x_max_px},
+               {"y_max_px", box.y_max_px},
+               {"visible_px", box.visible_px},
+               {"visibility", box.visibility},
+               {"amodal_px",
+                {box.amodal_min_px.x(), box.amodal_min_px.y(), box.amodal_max_px.x(),
+                 box.amodal_max_px.y()}},
+               {"truncation", box.truncation},
+               {"p_CO_m", {p.x(), p.y(), p.z()}},
+               {"q_CO_wxyz", {q.w(), q.x(), q.y(), q.z()}},
+               {"size_O_m", {size.x(), size.y(), size.z()}}};
+  if (box.keypoints.empty()) return json;
+  json["keypoints"] = Json::array();
+  for (const Keypoint& point : box.keypoints) json["keypoints"].push_back(ToJson(point));
+  return json;
 }
 
 Vec3 Vector3(const Json& list) {
   return {list.at(0).get<double>(), list.at(1).get<double>(), list.at(2).get<double>()};
+}
+
+Keypoint KeypointFromJson(const Json& json) {
+  Keypoint point;
+  json.at("name").get_to(point.name);
+  point.sight = static_cast<KeypointSight>(json.at("sight").get<int>());
+  point.p_C_m = Vector3(json.at("p_C_m"));
+  if (json.contains("pixel_px")) {
+    const Json& pixel = json.at("pixel_px");
+    point.pixel_px = Vec2(pixel.at(0).get<double>(), pixel.at(1).get<double>());
+  }
+  return point;
 }
 
 ObjectBox FromJson(const Json& json) {
@@ -55,6 +84,14 @@ ObjectBox FromJson(const Json& json) {
                       q.at(3).get<double>());
   box.X_CO = MakePose(Vector3(json.at("p_CO_m")), rotation.normalized().toRotationMatrix());
   box.size_O_m = Vector3(json.at("size_O_m"));
+  if (json.contains("amodal_px")) {  // older recordings have none
+    const Json& px = json.at("amodal_px");
+    box.amodal_min_px = {px.at(0).get<double>(), px.at(1).get<double>()};
+    box.amodal_max_px = {px.at(2).get<double>(), px.at(3).get<double>()};
+    json.at("truncation").get_to(box.truncation);
+  }
+  if (!json.contains("keypoints")) return box;
+  for (const Json& point : json.at("keypoints")) box.keypoints.push_back(KeypointFromJson(point));
   return box;
 }
 

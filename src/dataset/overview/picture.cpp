@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <opencv2/imgproc.hpp>
 
 #include "core/check.h"
@@ -78,6 +79,63 @@ Picture Directions(const Image<T>& image) {
   return picture;
 }
 
+/// Hue by direction, strength by length: full at the length that kShownShare of all stay below.
+template <typename T>
+Picture Flow(const Image<T>& image) {
+  constexpr double kMiddle = 32768;
+  std::vector<double> lengths;
+  const auto arrow = [&](std::size_t p) {
+    return cv::Vec2d(image.data[3 * p] - kMiddle, image.data[3 * p + 1] - kMiddle);
+  };
+  const std::size_t pixels = image.data.size() / 3;
+  for (std::size_t p = 0; p < pixels; ++p) {
+    if (image.data[3 * p + 2] != 0) lengths.push_back(cv::norm(arrow(p)));
+  }
+  const double longest = std::max(Quantile(std::move(lengths), kShownShare), 1.0);
+  cv::Mat hsv(image.height_px, image.width_px, CV_8UC3, cv::Scalar(0, 0, 0));
+  for (std::size_t p = 0; p < pixels; ++p) {
+    if (image.data[3 * p + 2] == 0) continue;
+    const cv::Vec2d a = arrow(p);
+    const double turn = std::atan2(a[1], a[0]) / (2 * CV_PI);
+    hsv.at<cv::Vec3b>(static_cast<int>(p)) = {
+        static_cast<std::uint8_t>(179 * (turn - std::floor(turn))),
+        static_cast<std::uint8_t>(255 * std::min(1.0, cv::norm(a) / longest)), 255};
+  }
+  Picture picture(image.width_px, image.height_px, 3);
+  cv::Mat out = View(&picture);
+  cv::cvtColor(hsv.reshape(0, image.height_px), out, cv::COLOR_HSV2RGB);
+  return picture;
+}
+
+/// From small (red) to large (blue), black where there is none.
+template <typename T>
+Picture Nearness(const Image<T>& image) {
+  std::vector<double> known;
+  const T never = std::numeric_limits<T>::max();
+  for (const T v : image.data) {
+    if (v != 0 && v != never) known.push_back(v);
+  }
+  const double far = std::max(Quantile(std::move(known), kShownShare), 1.0);
+  return Map(image, [&](T v) { return v == 0 ? cv::Vec3b(0, 0, 0) : Turbo(1.0 - v / far); });
+}
+
+/// White in the middle, red above, blue below; full at the departure that kShownShare stay below.
+template <typename T>
+Picture Rise(const Image<T>& image) {
+  constexpr double kMiddle = 32768;
+  std::vector<double> departures;
+  for (const T v : image.data) {
+    if (v != 0 && v != kMiddle) departures.push_back(std::abs(v - kMiddle));
+  }
+  const double most = std::max(Quantile(std::move(departures), kShownShare), 1.0);
+  return Map(image, [&](T v) {
+    if (v == 0) return cv::Vec3b(0, 0, 0);
+    const double s = std::clamp((v - kMiddle) / most, -1.0, 1.0);
+    const auto rest = static_cast<std::uint8_t>(std::lround(255 * (1 - std::abs(s))));
+    return s >= 0 ? cv::Vec3b(255, rest, rest) : cv::Vec3b(rest, rest, 255);
+  });
+}
+
 template <typename T>
 Picture ColourAny(LabelColours colours, const Image<T>& picture) {
   switch (colours) {
@@ -87,6 +145,12 @@ Picture ColourAny(LabelColours colours, const Image<T>& picture) {
       return Map(picture, [](T number) { return InstanceColour(number); });
     case LabelColours::kDirections:
       return Directions(picture);
+    case LabelColours::kFlow:
+      return Flow(picture);
+    case LabelColours::kNearness:
+      return Nearness(picture);
+    case LabelColours::kRise:
+      return Rise(picture);
   }
   return Picture();
 }

@@ -16,8 +16,8 @@ using Picture = Image<std::uint8_t>;  ///< 3 channels, RGB
 /// Depth from near (red) to far (blue), black where there is none.
 Picture ColourDepth(const Image<float>& depth_m);
 /// Labels in the colours of their channel: classes in those of kSemanticClasses; each number in one
-/// of its own, 0 in dark grey; a direction's x, y, z as red, green, blue, -1 dark and 1 bright,
-/// black where there is none.
+/// of its own, 0 in dark grey; a direction's x, y, z as red, green, blue, -1 dark and 1 bright;
+/// flow, nearness and rise as LabelColours has them; black where there is none.
 Picture ColourLabels(LabelColours colours, const Image<std::uint8_t>& picture);
 Picture ColourLabels(LabelColours colours, const Image<std::uint16_t>& picture);
 

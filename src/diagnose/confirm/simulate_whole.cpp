@@ -22,11 +22,25 @@ constexpr double kLongest_s = 600;   ///< of the simulation of the scenario as i
 constexpr double kCompared_s = 120;  ///< of the simulation with what was found
 /// First sample of a recording up to which the simulation starts at the recording's own zero.
 constexpr double kMostLateStart_s = 1;
+constexpr double kLead_s = 5;         ///< of the comparison before the first lever moves
+constexpr double kLeverMoves = 0.05;  ///< of full lever, from where it was at first
 constexpr double kPathStep_s = 0.5;
 constexpr double kLeastPath_m = 0.5;  ///< of a base that moves
 
 /// The time in the recording at which the simulation starts.
 TimeNs ZeroOf(TimeNs start_ns) { return ToSeconds(start_ns) > kMostLateStart_s ? start_ns : 0; }
+
+/// The time from which a simulation under the levers is compared: what moves while all levers still
+/// rest has another cause, and would use up the comparison.
+TimeNs ComparedFrom(TimeNs zero_ns, const TableRecording& levers) {
+  for (std::size_t k = 0; k < levers.rows.size(); ++k) {
+    for (std::size_t c = 0; c < levers.rows[k].size(); ++c) {
+      if (std::abs(levers.rows[k][c] - levers.rows.front()[c]) <= kLeverMoves) continue;
+      return std::max(zero_ns, levers.t_ns[k] - FromSeconds(kLead_s));
+    }
+  }
+  return zero_ns;
+}
 
 /// The time of the last sample of the machine's encoders; none where there is none.
 std::optional<TimeNs> LastOf(const Measurements& measured) {
@@ -61,7 +75,7 @@ class Comparison {
         base_interval_s_(base_interval_s),
         blocks_(blocks),
         start_ns_(start_ns),
-        zero_ns_(ZeroOf(start_ns)) {
+        zero_ns_(ComparedFrom(ZeroOf(start_ns), input.commands)) {
     const std::string poses = "truth/" + input.machine + "/pose.csv";
     if (recording.Has(poses)) poses_ = recording.LoadPose(poses).poses;
   }
@@ -70,6 +84,7 @@ class Comparison {
                       const SimulateMachine& simulate) const;
 
  private:
+  /// Length of the comparison.
   double Until_s() const;
   void AddBlock(const DiagnosedBlock& diagnosed, const SimulatedCourse& before,
                 const SimulatedCourse& after, WholeSimulation* out) const;
@@ -193,14 +208,17 @@ void Comparison::AddBlock(const DiagnosedBlock& diagnosed, const SimulatedCourse
 WholeSimulation Comparison::Run(const std::optional<SimulatedCourse>& as_it_is,
                                 const SimulateMachine& simulate) const {
   WholeSimulation out;
-  out.until_s = Until_s();
+  const double duration_s = Until_s();
+  out.from_s = ToSeconds(zero_ns_);
+  out.until_s = out.from_s + duration_s;
   if (input_.commands.rows.empty()) {
     out.obstacle = "the recording has no levers to drive it by";
     return out;
   }
   const SimulatedFindings found = FindingsToSimulate(blocks_);
-  const CourseSpan span{zero_ns_, out.until_s};
-  const SimulatedCourse before = as_it_is ? *as_it_is : simulate({}, input_.commands, span);
+  const CourseSpan span{zero_ns_, duration_s};
+  const bool starts_alike = as_it_is && zero_ns_ == ZeroOf(start_ns_);
+  const SimulatedCourse before = starts_alike ? *as_it_is : simulate({}, input_.commands, span);
   const SimulatedCourse after = simulate(found, input_.commands, span);
   for (const DiagnosedBlock& diagnosed : blocks_) {
     AddBlock(diagnosed, before, after, &out);
@@ -208,10 +226,10 @@ WholeSimulation Comparison::Run(const std::optional<SimulatedCourse>& as_it_is,
   std::vector<TruthPose> recorded;
   for (const TruthPose& pose : poses_) {
     const double t_s = ToSeconds(pose.t_ns - zero_ns_);
-    if (t_s >= 0 && t_s <= out.until_s) recorded.push_back(pose);
+    if (t_s >= 0 && t_s <= duration_s) recorded.push_back(pose);
   }
-  const PathLengths path{PathLength_m(recorded), PathLength_m(PosesOf(before, out.until_s)),
-                         PathLength_m(PosesOf(after, out.until_s))};
+  const PathLengths path{PathLength_m(recorded), PathLength_m(PosesOf(before, duration_s)),
+                         PathLength_m(PosesOf(after, duration_s))};
   if (path.recorded_m > kLeastPath_m) out.path = path;
   return out;
 }

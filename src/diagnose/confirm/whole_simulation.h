@@ -24,7 +24,7 @@ struct PathLengths {
 /// against the recording. It adds no finding and withdraws none: errors of joints and ground that
 /// act on each other show in it, and so do drifts that a replay does not have.
 struct WholeSimulation {
-  double until_s = 0;                      ///< end of the comparison, in the recording
+  double from_s = 0, until_s = 0;          ///< the part that is compared, in the recording
   std::vector<SimulatedChannel> channels;  ///< with findings or learned effects, on FINAL
   std::optional<PathLengths> path;         ///< where both sides have poses and the base moves
   std::vector<std::string> not_simulated;  ///< channels with findings that the simulation lacks

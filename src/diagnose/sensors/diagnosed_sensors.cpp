@@ -44,18 +44,25 @@ const Mechanism& MechanismOf(const std::string& id, const std::vector<FoundNumbe
   return SensorMechanisms().front();
 }
 
-/// The channel of `target` whose error the findings lessen most, over its noise; none where the
-/// target has no channel of its own.
-const ChannelError* MostLessened(const SensorDiagnosis& estimate, const std::string& folder) {
+/// By how much of its noise the findings lessen a channel's error.
+double Lessened(const ChannelError& one) { return (one.rms_before - one.rms_after) / one.noise; }
+
+/// The channel whose name begins so and whose error the findings lessen most; none where there is
+/// none of that name.
+const ChannelError* MostLessened(const SensorDiagnosis& estimate, const std::string& prefix) {
   const ChannelError* most = nullptr;
-  const auto lessened = [](const ChannelError& one) {
-    return (one.rms_before - one.rms_after) / one.noise;
-  };
   for (const ChannelError& one : estimate.channels) {
-    if (!one.name.starts_with(folder)) continue;
-    if (most == nullptr || lessened(one) > lessened(*most)) most = &one;
+    if (!one.name.starts_with(prefix)) continue;
+    if (most == nullptr || Lessened(one) > Lessened(*most)) most = &one;
   }
   return most;
+}
+
+/// The channel that shows best what the findings about a target do: one of its own, unless it is so
+/// exact that the motion follows it whatever is wrong with it, and others bear its error.
+const ChannelError* ChannelThatShows(const SensorDiagnosis& estimate, const std::string& target) {
+  const ChannelError* own = MostLessened(estimate, target);
+  return own == nullptr || Lessened(*own) > 0 ? own : MostLessened(estimate, "");
 }
 
 /// Share of the mean square beyond noise that the findings remove of a channel.
@@ -111,7 +118,7 @@ class Teller {
       finding.evidence.rivals.push_back(&CandidateOf(mechanism, rival.substr(0, slash)));
     }
     told->channel = machine_ + "/" + found.target;
-    const ChannelError* channel = MostLessened(out_->estimate, told->channel);
+    const ChannelError* channel = ChannelThatShows(out_->estimate, told->channel);
     if (channel == nullptr) return;
     told->channel = channel->name;
     told->unit = channel->unit;

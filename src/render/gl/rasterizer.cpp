@@ -8,10 +8,12 @@
 #include <optional>
 
 #include "core/check.h"
+#include "render/gl/amodal_boxes.h"
 #include "render/gl/boxes.h"
 #include "render/gl/egl_context.h"
 #include "render/gl/gl_objects.h"
 #include "render/gl/object_boxes.h"
+#include "render/gl/passes/body_pass.h"
 #include "render/gl/passes/daylight.h"
 #include "render/gl/passes/grain_renderer.h"
 #include "render/gl/passes/lens.h"
@@ -74,6 +76,7 @@ struct Rasterizer::Impl {
   Program linear_program{"fullscreen.vert", "linear.frag"};
   Program edge_program{"fullscreen.vert", "edges.frag"};
   Program lens_program{"fullscreen.vert", "distort.frag"};
+  std::optional<BodyPass> bodies;  // of the first picture that asks for them
   GlObject no_vertices = MakeVertexArray();
   GlObject far_below = FarBelow();
   bool has_ground = false;
@@ -113,9 +116,9 @@ struct Rasterizer::Impl {
     std::vector<View> views;
     std::vector<std::int64_t> seen;  ///< pixels of each instance in all views, behind a lens
   };
-  /// Draws it; counts what is seen if it is asked to.
+  /// Draws it; counts what is seen if it is asked to, and reads the bodies where there is a place.
   Shown Show(const CameraIntrinsics& camera, const Pose& X_WC, const SceneState& state,
-             const LuminancePicture* luminance, bool counts);
+             const LuminancePicture* luminance, bool counts, Image<std::uint16_t>* body);
   void Clear(const LensPictures& p) const;
   void Measure(const Shown& shown, const SceneState& state, CameraFrame* frame);
 };
@@ -372,40 +375,53 @@ void Rasterizer::Impl::Clear(const LensPictures& p) const {
 
 Rasterizer::Impl::Shown Rasterizer::Impl::Show(const CameraIntrinsics& camera, const Pose& X_WC,
                                                const SceneState& state,
-                                               const LuminancePicture* luminance, bool counts) {
+                                               const LuminancePicture* luminance, bool counts,
+                                               Image<std::uint16_t>* body) {
   TERA_CHECK(static_cast<int>(state.X_WB.size()) >= model.body_count, state.X_WB.size());
   daylight.SetWhite(luminance ? std::optional(luminance->white_cdpm2) : std::nullopt);
   const bool linear = luminance != nullptr;
+  if (body != nullptr && !bodies) bodies.emplace();
   if (!camera.Distorted()) {
     const Pictures& p = PicturesOf(camera.width_px, camera.height_px, linear);
     const View view(camera, X_WC);
     DrawPinhole(view, state, p);
+    if (body != nullptr) {
+      bodies->Draw(view, p, nodes, has_ground ? &grains : nullptr);
+      *body = bodies->Read();
+    }
     return {p.colour, {p.label, p.normal}, p.depth, GL_DEPTH_COMPONENT, {view}, {}};
   }
   const Lens& lens = LensOf(camera);
   const LensPictures& q = LensPicturesOf(camera.width_px, camera.height_px, linear);
   Shown shown{q.colour, {q.label, q.normal}, q.depth, GL_RED, {}, {}};
   Clear(q);
+  if (body != nullptr) bodies->ClearLens(q.width_px, q.height_px);
   for (std::size_t v = 0; v < lens.views().size(); ++v) {
     const auto& [R_CV, pinhole] = lens.views()[v];
     const Pictures& p = PicturesOf(pinhole.width_px, pinhole.height_px, linear);
     shown.views.emplace_back(pinhole, X_WC * MakePose(Vec3::Zero(), R_CV));
     DrawPinhole(shown.views.back(), state, p);
     Distort(lens, static_cast<int>(v), p, q);
+    if (body != nullptr) {
+      bodies->Draw(shown.views.back(), p, nodes, has_ground ? &grains : nullptr);
+      bodies->UseLens(lens, static_cast<int>(v));
+      FillScreen();
+    }
     if (counts) {
       AddTo(&shown.seen, CountPixels(ReadInstances(p.label, p.width_px, p.height_px), model));
     }
   }
+  if (body != nullptr) *body = bodies->ReadLens();
   return shown;
 }
 
 CameraFrame Rasterizer::Render(const CameraIntrinsics& camera, const Pose& X_WC,
                                const SceneState& state, LabelSet labels,
-                               LuminancePicture* luminance) {
+                               LuminancePicture* luminance, Image<std::uint16_t>* body) {
   Impl& impl = *impl_;
   const EglContext::Current current(impl.context);
   const int width = camera.width_px, height = camera.height_px;
-  const Impl::Shown shown = impl.Show(camera, X_WC, state, luminance, true);
+  const Impl::Shown shown = impl.Show(camera, X_WC, state, luminance, true, body);
   CameraFrame frame;
   frame.t_ns = state.t_ns;
   frame.t_available_ns = state.t_ns;
@@ -419,13 +435,14 @@ CameraFrame Rasterizer::Render(const CameraIntrinsics& camera, const Pose& X_WC,
   frame.depth_m = ReadDepth(shown.depth, shown.depth_format, camera);
   frame.boxes = FindBoxes(impl.model, state, X_WC, frame.instance);
   impl.Measure(shown, state, &frame);
+  AddWholeObjects(impl.model, state, camera, X_WC, frame, &frame.boxes);
   return frame;
 }
 
 void Rasterizer::RenderLuminance(const CameraIntrinsics& camera, const Pose& X_WC,
                                  const SceneState& state, LuminancePicture* luminance) {
   const EglContext::Current current(impl_->context);
-  const Impl::Shown shown = impl_->Show(camera, X_WC, state, luminance, false);
+  const Impl::Shown shown = impl_->Show(camera, X_WC, state, luminance, false, nullptr);
   luminance->cdpm2 =
       ReadLuminance(shown.colour, camera.width_px, camera.height_px, luminance->white_cdpm2);
 }

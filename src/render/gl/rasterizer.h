@@ -45,10 +45,12 @@ class Rasterizer {
   std::int64_t triangles_drawn() const;
 
   /// What a camera at X_WC sees. Fills rgb, depth_m, boxes and the usual labels of the frame, and
-  /// what `labels` names beside them; t_ns is state.t_ns. With `luminance` it is that which is
-  /// filled in the place of rgb.
+  /// what `labels` names beside them of what shaders write; t_ns is state.t_ns. With `luminance` it
+  /// is that which is filled in the place of rgb; `body`, if asked for, becomes the picture of
+  /// bodies (body_picture.h).
   CameraFrame Render(const CameraIntrinsics& camera, const Pose& X_WC, const SceneState& state,
-                     LabelSet labels = {}, LuminancePicture* luminance = nullptr);
+                     LabelSet labels = {}, LuminancePicture* luminance = nullptr,
+                     Image<std::uint16_t>* body = nullptr);
   /// That luminance alone.
   void RenderLuminance(const CameraIntrinsics& camera, const Pose& X_WC, const SceneState& state,
                        LuminancePicture* luminance);

@@ -47,9 +47,9 @@ void ReadLabels(const LabelOutputs& outputs, int width_px, int height_px, const 
                 LabelSet labels, CameraFrame* frame) {
   const std::vector<std::uint32_t> words = ReadWords(outputs.word, width_px, height_px);
   ForEachLabel(*frame, [&](const LabelChannel& channel, auto& picture) {
-    if (!labels[IndexOf(channel)]) return;
+    if (!labels[IndexOf(channel)] || channel.source == LabelSource::kSurfaces) return;
     picture = std::remove_reference_t<decltype(picture)>(width_px, height_px, channel.components);
-    if (channel.output == ShaderOutput::kLabelWord) {
+    if (channel.source == LabelSource::kLabelWord) {
       Extract(words, channel.first_bit, &picture);
     } else if constexpr (std::is_same_v<decltype(picture), Image<std::uint16_t>&>) {
       ReadNormals(outputs.normal, R_WC, &picture);

@@ -7,11 +7,11 @@ namespace tera {
 
 /// What shaders have written of each pixel of one picture.
 struct LabelOutputs {
-  const GlObject& word;    ///< of ShaderOutput::kLabelWord
-  const GlObject& normal;  ///< of ShaderOutput::kSurfaceNormal
+  const GlObject& word;    ///< of LabelSource::kLabelWord
+  const GlObject& normal;  ///< of LabelSource::kSurfaceNormal
 };
 
-/// Fills those pictures of `frame` that `labels` names, of the outputs' size.
+/// Fills those pictures of `frame` that `labels` names and shaders write, of the outputs' size.
 void ReadLabels(const LabelOutputs& outputs, int width_px, int height_px, const Mat3& R_WC,
                 LabelSet labels, CameraFrame* frame);
 

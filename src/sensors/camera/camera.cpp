@@ -42,6 +42,18 @@ LabelSet ReadLabelSet(const ConfigMap& config) {
   return labels;
 }
 
+/// Labels that are computed from depth and poses need all rows to be of one instant.
+void CheckLabelsUnderShutter(const ConfigMap& config, const CameraModel& model) {
+  if (!model.image_sensor->shutter || model.image_sensor->shutter->readout_s == 0) return;
+  for (const LabelChannel& channel : kLabelChannels) {
+    if (!model.labels[IndexOf(channel)] || channel.source != LabelSource::kSurfaces) continue;
+    config.Fault("labels", fmt::format("'{}' is of one instant, but image_sensor.shutter reads the "
+                                       "rows one after the other; need readout_s: 0, or to leave "
+                                       "it out",
+                                       channel.name));
+  }
+}
+
 void LimitDepth(const CameraModel& model, Image<float>* depth_m) {
   for (float& z_m : depth_m->data) {
     if (!(z_m >= model.depth_min_m && z_m <= model.depth_max_m)) z_m = 0;
@@ -144,6 +156,7 @@ CameraModel ReadCameraModel(const ConfigMap& config) {
       config.Fault("rgb_noise", "given beside image_sensor, which has noise of its own; keep one");
     }
     if (!m.rgb) config.Fault("image_sensor", "makes colour, which is off; need rgb: true");
+    CheckLabelsUnderShutter(config, m);
   }
   return m;
 }
@@ -173,7 +186,8 @@ Camera::Camera(const CameraModel& model, const SampleClock& clock, TimeNs latenc
       clock_(clock),
       latency_ns_(latency_ns),
       depth_noise_(seed, stream_name + "/depth"),
-      rgb_noise_(seed, stream_name + "/rgb") {
+      rgb_noise_(seed, stream_name + "/rgb"),
+      surface_labels_(model.intrinsics, model.labels) {
   if (!model.image_sensor) return;
   const ImageSensorModel& sensor = *model.image_sensor;
   image_sensor_.emplace(sensor, model.intrinsics, seed, stream_name);
@@ -187,15 +201,16 @@ TimeNs Camera::Reach() const {
 }
 
 CameraFrame Camera::See(const SceneAt& scene_at, TimeNs t_ns, Rasterizer* rasterizer,
-                        LuminancePicture* luminance) const {
+                        LuminancePicture* luminance, Image<std::uint16_t>* body) const {
   if (luminance != nullptr && model_.image_sensor->shutter) {
     const double exposure_s = control_->Settings().exposure_s;
     return Sweep(
         {*model_.image_sensor->shutter, exposure_s, model_.intrinsics, model_.labels, scene_at},
-        t_ns, rasterizer, luminance);
+        t_ns, rasterizer, luminance, body);
   }
   const SeenScene seen = scene_at(t_ns);
-  return rasterizer->Render(model_.intrinsics, seen.X_WC, seen.state, model_.labels, luminance);
+  return rasterizer->Render(model_.intrinsics, seen.X_WC, seen.state, model_.labels, luminance,
+                            body);
 }
 
 Image<std::uint8_t> Camera::Sense(const Image<float>& luminance_cdpm2, std::int64_t k) {
@@ -226,9 +241,13 @@ CameraFrame Camera::Measure(std::int64_t k, const Pose& X_WS, const SceneState& 
 CameraFrame Camera::Measure(std::int64_t k, const SceneAt& scene_at, Rasterizer* rasterizer) {
   LuminancePicture luminance;
   if (image_sensor_) luminance.white_cdpm2 = image_sensor_->white_cdpm2(control_->Settings());
-  CameraFrame frame =
-      See(scene_at, clock_.Due(k), rasterizer, image_sensor_ ? &luminance : nullptr);
+  Image<std::uint16_t> body;
+  CameraFrame frame = See(scene_at, clock_.Due(k), rasterizer, image_sensor_ ? &luminance : nullptr,
+                          surface_labels_.any() ? &body : nullptr);
   frame.t_ns = clock_.Due(k);
+  if (surface_labels_.any()) {
+    surface_labels_.Fill(scene_at(clock_.Due(k)), frame.depth_m, body, &frame);
+  }
   frame.t_available_ns = frame.t_ns + Reach() + latency_ns_;
   const auto exposure = static_cast<std::uint64_t>(k);
   if (!model_.rgb) {

@@ -9,6 +9,7 @@
 #include "core/types/measurement.h"
 #include "render/gl/rasterizer.h"
 #include "sensors/camera/image_sensor.h"
+#include "sensors/camera/surface_labels.h"
 #include "sensors/camera/sweep.h"
 #include "sensors/frame_content.h"
 
@@ -58,7 +59,8 @@ class Camera {
   CameraFrame Measure(std::int64_t k, const SceneAt& scene_at, Rasterizer* rasterizer);
   /// Whether a picture follows from those before, so that none may be left out.
   bool HasMemory() const {
-    return control_ && (control_->meters_exposure() || control_->meters_balance());
+    return surface_labels_.HasMemory() ||
+           (control_ && (control_->meters_exposure() || control_->meters_balance()));
   }
   /// The time from the first light of a picture to its stamp, and from there to the last, at most.
   TimeNs Reach() const;
@@ -66,7 +68,7 @@ class Camera {
 
  private:
   CameraFrame See(const SceneAt& scene_at, TimeNs t_ns, Rasterizer* rasterizer,
-                  LuminancePicture* luminance) const;
+                  LuminancePicture* luminance, Image<std::uint16_t>* body) const;
   /// sRGB of picture k, which the control takes note of.
   Image<std::uint8_t> Sense(const Image<float>& luminance_cdpm2, std::int64_t k);
 
@@ -76,6 +78,7 @@ class Camera {
   Stream depth_noise_, rgb_noise_;
   std::optional<ImageSensor> image_sensor_;
   std::optional<ExposureControl> control_;  ///< of an image sensor
+  SurfaceLabels surface_labels_;
 };
 
 }  // namespace tera

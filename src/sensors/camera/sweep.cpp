@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "render/gl/amodal_boxes.h"
 #include "render/gl/image_motion.h"
 #include "render/gl/object_boxes.h"
 
@@ -61,8 +62,9 @@ double Motion_px(const SweptView& view, const SceneModel& model, const SeenScene
 
 /// Boxes about what the composed picture shows; each object's visibility is that of the first of
 /// `known` that has it.
-std::vector<ObjectBox> BoxesOf(const SceneModel& model, const SeenScene& middle,
-                               const CameraFrame& frame, const std::vector<ObjectBox>& known) {
+std::vector<ObjectBox> BoxesOf(const SceneModel& model, const CameraIntrinsics& lens,
+                               const SeenScene& middle, const CameraFrame& frame,
+                               const std::vector<ObjectBox>& known) {
   std::vector<ObjectBox> boxes = FindBoxes(model, middle.state, middle.X_WC, frame.instance);
   for (ObjectBox& box : boxes) {
     const auto same = std::find_if(known.begin(), known.end(), [&](const ObjectBox& other) {
@@ -70,16 +72,17 @@ std::vector<ObjectBox> BoxesOf(const SceneModel& model, const SeenScene& middle,
     });
     if (same != known.end()) box.visibility = same->visibility;
   }
+  AddWholeObjects(model, middle.state, lens, middle.X_WC, frame, &boxes);
   return boxes;
 }
 
 }  // namespace
 
 CameraFrame Sweep(const SweptView& view, TimeNs t_ns, Rasterizer* rasterizer,
-                  LuminancePicture* luminance) {
+                  LuminancePicture* luminance, Image<std::uint16_t>* body) {
   const SeenScene middle = view.scene_at(t_ns);
   CameraFrame frame =
-      rasterizer->Render(view.lens, middle.X_WC, middle.state, view.labels, luminance);
+      rasterizer->Render(view.lens, middle.X_WC, middle.state, view.labels, luminance, body);
   const double motion_px = Motion_px(view, rasterizer->model(), middle, frame, t_ns);
   const Exposures exposures(view.shutter, view.exposure_s, view.lens.height_px,
                             Exposures::PicturesFor(view.shutter, motion_px));
@@ -104,7 +107,7 @@ CameraFrame Sweep(const SweptView& view, TimeNs t_ns, Rasterizer* rasterizer,
     AddLight(exposures, i, at_instant.cdpm2, &light);
   }
   luminance->cdpm2 = std::move(light);
-  frame.boxes = BoxesOf(rasterizer->model(), middle, frame, known);
+  frame.boxes = BoxesOf(rasterizer->model(), view.lens, middle, frame, known);
   return frame;
 }
 

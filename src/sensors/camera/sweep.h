@@ -33,7 +33,9 @@ struct SweptView {
 ///         of the instant in the middle of its exposure; 3-D boxes are as they stand at `t_ns`.
 ///         As many instants as the motion on the picture asks for (ImageMotion_px).
 /// Omits   motion of the ground, and of soil in a shovel, within the picture: one stands for all.
+///
+/// `body`, if asked for, becomes the picture of bodies at `t_ns`.
 CameraFrame Sweep(const SweptView& view, TimeNs t_ns, Rasterizer* rasterizer,
-                  LuminancePicture* luminance);
+                  LuminancePicture* luminance, Image<std::uint16_t>* body = nullptr);
 
 }  // namespace tera

@@ -213,6 +213,10 @@ ScenarioObstacle ReadObstacle(const ConfigMap& config) {
   for (const ConfigMap& box : config.List("collision")) {
     obstacle.collision.push_back({box.PoseXyzRpy(), box.Vector3("size_m", Positive("m"))});
   }
+  for (const ConfigMap& point : config.List("keypoints")) {
+    obstacle.keypoints.push_back({point.Text("name"), point.Vector3("xyz_m", Any("m")),
+                                  point.Number("radius_m", AtLeast(0, "m"), 0)});
+  }
   if (const auto bed = config.OptionalMap("bed")) obstacle.bed = ReadBed(*bed);
   obstacle.xy_W_m = config.Vector2("xy_m", Any("m"));
   obstacle.yaw_rad = config.Number("yaw_deg", Between(-360, 360, "deg"), 0) * kDeg;

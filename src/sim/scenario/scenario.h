@@ -34,6 +34,13 @@ struct PathPoint {
   Vec2 xy_W_m = Vec2::Zero();
 };
 
+/// A named point of an obstacle, in the frame of its mesh.
+struct ObstacleKeypoint {
+  std::string name;
+  Vec3 p_B_m = Vec3::Zero();
+  double radius_m = 0;  ///< how deep below its surface it may lie and still be seen
+};
+
 /// Something on the site that is not a machine: rock, barrier, cone, person, truck.
 struct ScenarioObstacle {
   std::string name;
@@ -45,6 +52,7 @@ struct ScenarioObstacle {
   double yaw_rad = 0;
   double height_above_ground_m = 0;
   std::vector<PathPoint> path;  ///< empty: stands still
+  std::vector<ObstacleKeypoint> keypoints;
 };
 
 /// A site, what stands and moves on it, and how it is measured: everything a run needs, and nothing

@@ -113,7 +113,8 @@ inline Diagnosis Complete() {
                          {{"excavator1/encoders/boom_radps", "rad/s", 3 * kDeg, 0.5 * kDeg, 1e-4}},
                          {"arm"}}};
   diagnosis.whole =
-      WholeSimulation{90,
+      WholeSimulation{40,
+                      130,
                       {{"excavator1/encoders/boom_radps", "rad/s", 2 * kDeg, 0.25 * kDeg},
                        {"excavator1/encoders/slew_radps", "rad/s", 1 * kDeg, 1.5 * kDeg}},
                       PathLengths{57.39, 50.47, 57.2},

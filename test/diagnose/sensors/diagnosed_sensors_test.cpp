@@ -59,6 +59,26 @@ TEST(DiagnosedSensors, HaveTheNumbersOfTheMechanismAndTheChannelInWhichTheyShowM
   EXPECT_EQ(finding.evidence.rivals[1]->mechanism->id, "bias");
 }
 
+TEST(DiagnosedSensors, UnitThatTheMotionFollowsIsShownByWhatBearsItsError) {
+  SensorDiagnosis made = TurnedUnit();
+  // The motion follows the unit whatever is wrong with it; the poses lie beside it.
+  made.channels = {{.name = "m/imu_boom/wx_radps",
+                    .unit = "rad/s",
+                    .noise = 0.001,
+                    .rms_before = 0.00001,
+                    .rms_after = 0.001},
+                   {.name = "m/poses/roll_rad",
+                    .unit = "rad",
+                    .noise = 0.01,
+                    .rms_before = 0.05,
+                    .rms_after = 0.012}};
+  const DiagnosedSensors told = DiagnosedOf(made, "m");
+  ASSERT_THAT(told.findings, SizeIs(1));
+  EXPECT_EQ(told.findings[0].channel, "m/poses/roll_rad");
+  EXPECT_EQ(told.findings[0].finding.held_out.rmse_before, 0.05);
+  EXPECT_EQ(told.findings[0].finding.held_out.rmse_after, 0.012);
+}
+
 TEST(DiagnosedSensors, AreListedOnceEach) {
   EXPECT_THAT(ComparedSensors(DiagnosedOf(TurnedUnit(), "m")), ElementsAre("imu boom", "imu arm"));
 }

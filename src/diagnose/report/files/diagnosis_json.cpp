@@ -151,7 +151,8 @@ Json Whole(const Diagnosis& diagnosis) {
             {"before_m", JsonNumber(whole.path->before_m)},
             {"after_m", JsonNumber(whole.path->after_m)}};
   }
-  return {{"until_s", JsonNumber(whole.until_s)},
+  return {{"from_s", JsonNumber(whole.from_s)},
+          {"until_s", JsonNumber(whole.until_s)},
           {"channels", std::move(channels)},
           {"path", std::move(path)},
           {"not_simulated", whole.not_simulated},

@@ -66,9 +66,9 @@ std::string SentenceOf(const WholeSimulation& whole) {
     if (!one.Follows()) not_followed.push_back(QuantityOf(one.channel));
   }
   std::string text = fmt::format(
-      "The whole simulation as it was and with what was found, first {:.0f} s, manoeuvres kept "
+      "The whole simulation as it was and with what was found, {:.0f}–{:.0f} s, manoeuvres kept "
       "back: {}",
-      whole.until_s,
+      whole.from_s, whole.until_s,
       changes.empty() ? std::string("no channel of a joint, track or the base") : Listed(changes));
   if (whole.path) {
     text +=

@@ -239,6 +239,17 @@ void NodeRenderer::DrawLights(const Program& program) const {
   }
 }
 
+void NodeRenderer::DrawBodies(const Program& program) const {
+  const auto draw = [&](const std::vector<Placed>& placed, Surface surface) {
+    for (const Placed& one : placed) {
+      program.Set("u_body", model_.nodes[one.node].body + 1);
+      DrawNode(one.node, surface);
+    }
+  };
+  draw(placed_opaque_, Surface::kOpaque);
+  draw(placed_glass_, Surface::kGlass);
+}
+
 void NodeRenderer::DrawOpaqueIf(
     const std::function<bool(const Vec3& centre_W_m, double radius_m)>& wanted) const {
   for (const Placed& placed : placed_opaque_) {

@@ -33,6 +33,9 @@ class NodeRenderer {
   void Draw(Surface surface, const Program* textured = nullptr) const;
   /// Draws what gives light, with `program`, which is in use.
   void DrawLights(const Program& program) const;
+  /// Draws what Place found, opaque and glass, each node with its body's number plus 1 as `u_body`
+  /// of `program`, which is in use.
+  void DrawBodies(const Program& program) const;
   /// Draws the opaque nodes whose bounding sphere (centre in W, radius) `wanted` accepts.
   void DrawOpaqueIf(
       const std::function<bool(const Vec3& centre_W_m, double radius_m)>& wanted) const;

@@ -133,6 +133,8 @@ TEST(DiagnosisJson, HoldsFurtherRecordingsTheWholeSimulationAndTheNextManoeuvre)
   EXPECT_THAT(text, HasSubstr("\"recording\": \"out/second\""));
   EXPECT_THAT(text, HasSubstr("\"rmse_before\": 0.0523599"));
   EXPECT_THAT(text, HasSubstr("\"follows\": false"));
+  EXPECT_THAT(text, HasSubstr("\"from_s\": 40"));
+  EXPECT_THAT(text, HasSubstr("\"until_s\": 130"));
   EXPECT_THAT(text, HasSubstr("\"recorded_m\": 57.39"));
   EXPECT_THAT(text, HasSubstr("\"commands_csv\": \"next_manoeuvre.csv\""));
   EXPECT_THAT(text, HasSubstr("\"power\": 0.9"));

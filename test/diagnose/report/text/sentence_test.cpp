@@ -198,7 +198,7 @@ TEST(Sentence, OfFurtherRecordingsAndTheWholeSimulationComparesAndWarns) {
               ::testing::Contains("On out/second, which nothing was fitted to: RMSE of boom rate 3 "
                                   "→ 0.5 deg/s. It says nothing of arm."));
   EXPECT_THAT(sentences, ::testing::Contains(
-                             "The whole simulation as it was and with what was found, first 90 s, "
+                             "The whole simulation as it was and with what was found, 40–130 s, "
                              "manoeuvres kept back: boom rate 2 → 0.25 deg/s and slew rate 1 → 1.5 "
                              "deg/s; path 57.39 m recorded, 50.47 → 57.2 m simulated. The whole "
                              "simulation does not follow: slew rate."));

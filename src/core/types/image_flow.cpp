@@ -1,0 +1,52 @@
+#include "core/types/image_flow.h"
+
+#include <cmath>
+
+namespace tera {
+namespace {
+
+constexpr double kMiddle = 32768, kPerPixel = 64, kPerMetre = 1000;
+
+/// The value of a pixel, or nothing where it is out of range; 0 is kept for "not known".
+std::optional<std::uint16_t> ValueOf(double scaled) {
+  const double value = std::round(scaled + kMiddle);
+  if (!(value >= 1 && value <= 65535)) return std::nullopt;
+  return static_cast<std::uint16_t>(value);
+}
+
+}  // namespace
+
+std::array<std::uint16_t, 3> PixelOfFlow(const Vec2& flow_px, FlowState state) {
+  const auto u = ValueOf(kPerPixel * flow_px.x()), v = ValueOf(kPerPixel * flow_px.y());
+  if (!u || !v || state == FlowState::kUnknown) return {0, 0, 0};
+  return {*u, *v, static_cast<std::uint16_t>(state)};
+}
+
+PixelFlow FlowAt(const Image<std::uint16_t>& flow, int x_px, int y_px) {
+  const auto value = [&](int c) { return (flow.at(x_px, y_px, c) - kMiddle) / kPerPixel; };
+  return {{value(0), value(1)}, static_cast<FlowState>(flow.at(x_px, y_px, 2))};
+}
+
+std::array<std::uint16_t, 3> PixelOfShift(const Vec3& d_C_m) {
+  std::array<std::uint16_t, 3> pixel{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto value = ValueOf(kPerMetre * d_C_m[static_cast<Eigen::Index>(k)]);
+    if (!value) return {0, 0, 0};
+    pixel[k] = *value;
+  }
+  return pixel;
+}
+
+std::optional<Vec3> ShiftAt(const Image<std::uint16_t>& scene_flow, int x_px, int y_px) {
+  Vec3 d_C_m;
+  bool known = false;
+  for (int k = 0; k < 3; ++k) {
+    const std::uint16_t value = scene_flow.at(x_px, y_px, k);
+    known = known || value != 0;
+    d_C_m[k] = (value - kMiddle) / kPerMetre;
+  }
+  if (!known) return std::nullopt;
+  return d_C_m;
+}
+
+}  // namespace tera

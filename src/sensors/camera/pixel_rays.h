@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "render/gl/camera_intrinsics.h"
+
+namespace tera {
+
+/// The ray of each pixel of a lens, found once.
+class PixelRays {
+ public:
+  explicit PixelRays(const CameraIntrinsics& lens);
+
+  const CameraIntrinsics& lens() const { return lens_; }
+  /// The point of depth 1 in C that a pixel sees (CameraIntrinsics::Unproject); zero where the
+  /// pixel sees nothing.
+  const Vec3& at(int x_px, int y_px) const {
+    return rays_C_[static_cast<std::size_t>(y_px) * lens_.width_px + x_px];
+  }
+
+ private:
+  CameraIntrinsics lens_;
+  std::vector<Vec3> rays_C_;
+};
+
+}  // namespace tera
