@@ -1,4 +1,5 @@
 #include "light.glsl"
+#include "lamps.glsl"
 
 uniform sampler2D u_albedo;
 uniform sampler2D u_normal;
@@ -80,6 +81,20 @@ void main() {
   vec3 direct = albedo * ((1.0 - metallic) * n_l / kPi);
   if (!is_ground) direct += fresnel * Specular(n_l, n_v, max(dot(n, h), 0.0), roughness);
   vec3 radiance = min(direct * sun, vec3(20.0)) * u_sun;
+
+  for (int k = 0; k < u_lamp_count; ++k) {
+    vec3 l;
+    float light = LampLight(k, relative, n, l);
+    float n_lamp = max(dot(n, l), 0.0);
+    if (light * n_lamp <= 0.0) continue;
+    vec3 half_way = normalize(v + l);
+    vec3 reflected = albedo * ((1.0 - metallic) * n_lamp / kPi);
+    if (!is_ground) {
+      vec3 sheen = f0 + (1.0 - f0) * FresnelPower(dot(v, half_way));
+      reflected += sheen * Specular(n_lamp, n_v, max(dot(n, half_way), 0.0), roughness);
+    }
+    radiance += min(reflected, vec3(20.0)) * light;
+  }
 
   float shut = float(texelFetch(u_label, pixel, 0).x >> 24) / 255.0;
   float open = sky_factor * occlusion * (1.0 - shut);

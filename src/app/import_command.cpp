@@ -1,29 +1,99 @@
+#include <fmt/format.h>
+
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "app/commands.h"
+#include "core/error.h"
 #include "dataset/import/import_csv.h"
+#include "physics/actuation/joint_of_stroke.h"
 
 namespace tera {
+namespace {
+
+PositionOfStroke PositionOf(const ConfigMap& machine, const ConfigMap& joint) {
+  const auto model = std::make_shared<const MachineModel>(ReadMachine(machine));
+  const std::string name = joint.Text("name");
+  for (const Cylinder& cylinder : model->cylinders) {
+    if (model->joints[cylinder.joint].name != name) continue;
+    return
+        [model, &cylinder](double stroke_m) { return JointOfStroke(*model, cylinder, stroke_m); };
+  }
+  joint.Fault("stroke", "no cylinder of the machine model moves a joint '" + name + "'");
+  return nullptr;
+}
+
+std::string RateText(const ImportedChannel& channel) {
+  if (channel.interval_ns == 0) return "";
+  return fmt::format("{:.4g} Hz", 1 / ToSeconds(channel.interval_ns));
+}
+
+void PrintNotes(const ImportedChannel& channel) {
+  if (channel.left_out > 0) {
+    fmt::print("  {} rows left out, the first: {}\n", channel.left_out, channel.first_fault);
+  }
+  if (channel.irregular > 0) {
+    fmt::print(
+        "  {} intervals differ from the usual one by more than half of it, the longest is "
+        "{:.3g} s\n",
+        channel.irregular, ToSeconds(channel.longest_gap_ns));
+  }
+  if (channel.clamped_levers > 0) {
+    fmt::print("  {} lever values a hair beyond full, taken as full\n", channel.clamped_levers);
+  }
+  if (channel.levers_beyond_full > 0) {
+    fmt::print(
+        "  {} lever values beyond full, up to {:.4g}: are they in per cent, or not levers?\n",
+        channel.levers_beyond_full, channel.largest_lever);
+  }
+}
+
+void PrintReport(const ImportReport& report) {
+  fmt::print("{:<32} {:>9} {:>11} {:>12} {:>12}  {}\n", "channel", "rows", "rate", "from s", "to s",
+             "file");
+  for (const ImportedChannel& channel : report.channels) {
+    fmt::print("{:<32} {:>9} {:>11} {:>12.3f} {:>12.3f}  {}\n", channel.path, channel.rows,
+               RateText(channel), ToSeconds(channel.first_ns), ToSeconds(channel.last_ns),
+               channel.file);
+    PrintNotes(channel);
+  }
+  if (report.zero_ns != 0) {
+    fmt::print("times count from {:.9f} s of the files\n", ToSeconds(report.zero_ns));
+  }
+}
+
+}  // namespace
 
 void AddImportCommand(CLI::App* app) {
   struct Arguments {
     std::string mapping, out;
-    std::vector<std::string> set;
+    ImportOptions options;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
       app->add_subcommand("import", "Turn CSV files of a real recording into TERA's format");
   command->add_option("MAPPING", arguments->mapping, "Mapping file (YAML, see docs/dataset.md)")
       ->required();
-  command->add_option("--out", arguments->out, "Directory of the recording; new or empty")
-      ->required();
+  CLI::Option* out =
+      command->add_option("--out", arguments->out, "Directory of the recording; new or empty");
+  CLI::Option* check = command->add_flag("--check", arguments->options.checks_only,
+                                         "Read all, print rates and gaps, write nothing");
+  check->excludes(out);
+  command->add_flag("--skip-bad-rows", arguments->options.skips_bad_rows,
+                    "Leave out rows that cannot be read, and count them");
   command
-      ->add_option("--set", arguments->set,
+      ->add_option("--set", arguments->options.overrides,
                    "key.path=value instead of the mapping's, above all file=recording.csv")
       ->take_all();
-  command->callback([arguments] { ImportCsv(arguments->mapping, arguments->out, arguments->set); });
+  command->callback([arguments] {
+    if (arguments->out.empty() && !arguments->options.checks_only) {
+      throw InputError("--out: is missing; name the recording's new directory, or ask for --check");
+    }
+    arguments->options.position_of_stroke = PositionOf;
+    PrintReport(ImportCsv(arguments->mapping, arguments->out, arguments->options));
+  });
 }
 
 }  // namespace tera

@@ -3,12 +3,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/motion.h"
 #include "core/types/labels.h"
 #include "core/types/terrain_surface.h"
+#include "render/lamp.h"
 #include "render/meshes/mesh.h"
 
 /// What can be seen: one description for the rasterizer and for the ray scene, so that camera and
@@ -26,6 +28,8 @@ struct SceneNode {
   SemanticClass label = SemanticClass::kStructure;
   std::uint16_t instance = 0;  ///< index into SceneModel::instances
 };
+
+inline constexpr std::size_t kMostLamps = 8;
 
 /// An object that labels tell apart. Instance 0 is "none"; the terrain is instance 0.
 ///
@@ -62,8 +66,10 @@ struct SoilAppearance {
 /// Model   sun_illuminance_klx is the illuminance of the sun alone on a plane that faces it (clear
 ///         noon: about 90 to 110); turbidity is that of the sky model; exposure_ev100 is the
 ///         exposure value at ISO 100, N^2 / t, for which the picture is exposed (sunlit ground:
-///         15).
-/// Omits   clouds that shade the ground, twilight, haze that varies with height near the ground.
+///         15). cloud_cover is the share of the sky that clouds cover (Sky); without it thin clouds
+///         lie over a clear sky. sky_illuminance_lx is that of the clear sky on level ground,
+///         without it that of its model: below the horizon the sun lights the sky alone.
+/// Omits   clouds that shade parts of the site, haze that varies with height near the ground.
 /// Source  ISO 2720 (exposure value); Preetham et al. 1999 (turbidity); Koschmieder 1924 (fog).
 struct Environment {
   Vec3 to_sun_W = Vec3(0.4, 0.3, 0.85).normalized();
@@ -71,6 +77,8 @@ struct Environment {
   double turbidity = 3.0;
   double fog_visibility_m = 2000.0;  ///< Koschmieder: contrast falls to 2 % at this distance
   double exposure_ev100 = 15.0;
+  std::optional<double> cloud_cover;  ///< 0 to 1
+  std::optional<double> sky_illuminance_lx;
 };
 
 /// The constant part.
@@ -82,6 +90,7 @@ struct SceneModel {
   std::vector<SceneKeypoint> keypoints;
   std::vector<SoilAppearance> soils;
   Environment environment;
+  std::vector<Lamp> lamps;  ///< at most kMostLamps
   int body_count = 0;
   int shape_count = 0;
 

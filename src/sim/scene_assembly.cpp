@@ -95,6 +95,27 @@ SceneAssembly::SceneAssembly(const Scenario& scenario) : scenario_(scenario) {
   for (std::size_t m = 0; m < scenario.machines.size(); ++m) AddMachine(scenario, m);
   for (const ScenarioObstacle& obstacle : scenario.obstacles) AddObstacle(obstacle);
   for (std::size_t m = 0; m < scenario.machines.size(); ++m) AddWhole(scenario, m);
+  for (const ScenarioLamp& lamp : scenario.lamps) AddLamp(lamp);
+}
+
+void SceneAssembly::AddLamp(const ScenarioLamp& lamp) {
+  Lamp added{.name = lamp.name,
+             .X_BL = lamp.X_PL,
+             .flux_lm = lamp.flux_lm,
+             .half_angle_rad = lamp.half_angle_rad};
+  if (lamp.machine.empty()) {
+    Vec3 p_W_m = lamp.X_PL.translation();
+    p_W_m.z() += scenario_.site->surface().HeightAt(p_W_m.x(), p_W_m.y());
+    added.X_BL.translation() = p_W_m;
+  } else {
+    const auto& machines = scenario_.machines;
+    const auto machine = std::ranges::find_if(
+        machines, [&](const ScenarioMachine& m) { return m.placement.name == lamp.machine; });
+    TERA_CHECK(machine != machines.end(), lamp.machine);
+    const auto m = static_cast<std::size_t>(machine - machines.begin());
+    added.body = root_body_[m] + machine->placement.model.LinkIndex(lamp.link);
+  }
+  model_.lamps.push_back(added);
 }
 
 // The order of AddBody calls here and of poses in AppendMachinePoses is the same: links, wheels,
@@ -124,9 +145,11 @@ void SceneAssembly::AddMachine(const Scenario& scenario, std::size_t m) {
   }
   for (const Cylinder& cylinder : machine.cylinders) {
     for (int k = 0; k < cylinder.count; ++k) {
-      AddPin(machine.joints[cylinder.joint].name + "_barrel_pin", model_.body_count, &model_);
+      const std::string& joint = machine.joints[cylinder.joint].name;
+      const std::string number = cylinder.count > 1 ? "_" + std::to_string(k + 1) : "";
+      AddPin(joint + "_barrel_pin" + number, model_.body_count, &model_);
       add_part(cylinder.barrel, cylinder.barrel_link);
-      AddPin(machine.joints[cylinder.joint].name + "_rod_pin", model_.body_count, &model_);
+      AddPin(joint + "_rod_pin" + number, model_.body_count, &model_);
       add_part(cylinder.rod, cylinder.rod_link);
     }
   }

@@ -46,6 +46,7 @@ class SceneAssembly {
   void AddMachineKeypoints(const MachineModel& machine, const std::vector<int>& link_body);
   void AddObstacle(const ScenarioObstacle& obstacle);
   void AddWhole(const Scenario& scenario, std::size_t m);
+  void AddLamp(const ScenarioLamp& lamp);
   std::uint16_t AddInstance(const std::string& name, SemanticClass label, int body);
   void AddNode(const Visual& visual, int body, SemanticClass label, std::uint16_t instance);
   /// Widens the box of the node's instance to hold its mesh, if both move with one body.

@@ -3,6 +3,7 @@
 import csv
 import json
 import os
+import pickle
 import struct
 import subprocess
 import sys
@@ -104,6 +105,14 @@ class Poses(unittest.TestCase):
 
 
 class Cameras(unittest.TestCase):
+    def test_dataset_goes_to_the_workers_of_a_loader(self):
+        dataset = tera.Dataset(RUN)
+        dataset["excavator1/imu_boom"]
+        self.assertEqual(list(pickle.loads(pickle.dumps(dataset))), list(dataset))
+
+    def test_pictures_lie_in_memory_as_loaders_need_them(self):
+        self.assertTrue(tera.Dataset(RUN)["excavator1/camera_front"][0].rgb.flags["C_CONTIGUOUS"])
+
     def test_lenses_are_opencvs(self):
         lens = tera.Lens(640, 480, 500, 510, 310, 250, k1=-0.2, k2=0.05, p1=0.003, p2=-0.002, k3=0.01)
         points = np.random.default_rng(1).uniform([-1, -1, 2], [1, 1, 6], (200, 3))
@@ -112,6 +121,17 @@ class Cameras(unittest.TestCase):
         np.testing.assert_allclose(pixels, expected[:, 0], atol=1e-9)
         np.testing.assert_allclose(lens.rays(pixels), points / points[:, 2:], atol=1e-9)
         self.assertTrue(np.isnan(lens.project(np.array([[0.0, 0, -1]]))[0]).all())
+
+    def test_rays_undo_strong_lenses(self):
+        across = np.array([[x, y, 1.0] for x in np.linspace(-1.4, 1.4, 9) for y in np.linspace(-1.1, 1.1, 7)])
+        for k1, k2, reach in ((0.5, 0.0, 1.0), (0.2, 0.0, 1.6), (-0.3, 0.1, 0.7)):
+            lens = tera.Lens(640, 480, 150, 150, 319.5, 239.5, k1=k1, k2=k2)
+            points = across * [reach, reach, 1]
+            np.testing.assert_allclose(lens.rays(lens.project(points)[0]), points, atol=1e-9)
+
+    def test_pixel_that_a_lens_folds_over_has_no_ray(self):
+        lens = tera.Lens(640, 480, 150, 150, 319.5, 239.5, k1=-0.3)  # x (1 - 0.3 x2) ends at 0.70 of x = 1.05
+        self.assertTrue(np.isnan(lens.rays(np.array([[319.5 + 150 * 0.8, 239.5]]))[0, :2]).all())
 
     def test_lenses_of_other_laws_are_opencvs(self):
         points = np.random.default_rng(2).uniform([-1, -1, 2], [1, 1, 6], (200, 3))

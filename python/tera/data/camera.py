@@ -23,7 +23,7 @@ def read_png(file: Path) -> np.ndarray:
     picture = cv2.imread(str(file), cv2.IMREAD_UNCHANGED)
     if picture is None:
         raise ValueError(f"{file} is missing or no PNG")
-    return picture[..., ::-1] if picture.ndim == 3 else picture
+    return np.ascontiguousarray(picture[..., ::-1]) if picture.ndim == 3 else picture
 
 
 @dataclass(frozen=True)

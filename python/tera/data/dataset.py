@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
@@ -39,8 +38,8 @@ class Dataset:
         self.types: dict[str, str] = {c["path"]: c["type"] for c in self.info.get("channels", [])}
         self.classes: dict[int, str] = {c["id"]: c["name"] for c in self.info.get("classes", [])}
         self.instances: dict[int, dict] = {i["id"]: i for i in self.info.get("instances", [])}
-        self._channel = lru_cache(maxsize=None)(self._open)
-        self.sensor = lru_cache(maxsize=None)(self._sensor)
+        self._channels: dict[str, Channel] = {}
+        self._sensors: dict[str, dict] = {}
 
     def __repr__(self) -> str:
         return f"Dataset({str(self.path)!r}): {len(self.types)} channels"
@@ -59,7 +58,9 @@ class Dataset:
         known = path if path in self.types else f"{path}.csv"
         if known not in self.types:
             raise KeyError(f"{self.path} has no channel {path!r}; it has {', '.join(self.types)}")
-        return self._channel(known)
+        if known not in self._channels:
+            self._channels[known] = self._open(known)
+        return self._channels[known]
 
     def _open(self, path: str) -> Channel:
         kind, place = self.types[path], self.path / path
@@ -71,10 +72,12 @@ class Dataset:
             return PoseTrack(place)
         return Table(place if place.suffix == ".csv" else place / "data.csv")
 
-    def _sensor(self, path: str) -> dict:
+    def sensor(self, path: str) -> dict:
         """sensor.yaml of a sensor: type, parent_link, X_parent_sensor, rate_hz, latency_s, model."""
-        with (self.path / path / "sensor.yaml").open(encoding="utf-8") as text:
-            return yaml.safe_load(text)
+        if path not in self._sensors:
+            with (self.path / path / "sensor.yaml").open(encoding="utf-8") as text:
+                self._sensors[path] = yaml.safe_load(text)
+        return self._sensors[path]
 
     def parts_of(self, name: str) -> list[int]:
         """Ids of the instances that make an object, as a machine's links do; itself where it has no parts."""

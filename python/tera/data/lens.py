@@ -85,11 +85,30 @@ class Lens:
             with np.errstate(divide="ignore", invalid="ignore"):
                 side = np.where(rho[:, None] > 0, distorted / rho[:, None], 0)
             return np.column_stack([side * np.sin(theta)[:, None], np.cos(theta)])
-        at = distorted.copy()
-        for _ in range(50):
-            x, y = at[:, 0], at[:, 1]
-            at = (distorted - np.column_stack(self._tangent(x, y))) / self._radial(x, y)[:, None]
+        at = self._undistorted(distorted)
         return np.column_stack([at, np.ones(len(at))])
+
+    def _distorted(self, at: np.ndarray) -> np.ndarray:
+        x, y = at[:, 0], at[:, 1]
+        return at * self._radial(x, y)[:, None] + np.column_stack(self._tangent(x, y))
+
+    def _undistorted(self, distorted: np.ndarray) -> np.ndarray:
+        """By Newton's method, each step no further than the picture is wide; NaN where it finds nothing."""
+        step, at = 1e-6, distorted.copy()
+        with np.errstate(all="ignore"):
+            for _ in range(60):
+                off = self._distorted(at) - distorted
+                dx = (self._distorted(at + [step, 0]) - self._distorted(at - [step, 0])) / (2 * step)
+                dy = (self._distorted(at + [0, step]) - self._distorted(at - [0, step])) / (2 * step)
+                det = dx[:, 0] * dy[:, 1] - dx[:, 1] * dy[:, 0]
+                move = np.column_stack([dy[:, 1] * off[:, 0] - dy[:, 0] * off[:, 1],
+                                        dx[:, 0] * off[:, 1] - dx[:, 1] * off[:, 0]]) / det[:, None]
+                length = np.linalg.norm(move, axis=1, keepdims=True)
+                at = at - move * np.minimum(1, 0.3 * (1 + np.linalg.norm(at, axis=1, keepdims=True)) / length)
+                if np.nanmax(length, initial=0) < 1e-12:
+                    break
+            found = np.linalg.norm(self._distorted(at) - distorted, axis=1) < 1e-8
+        return np.where(found[:, None], at, np.nan)
 
     def points(self, depth_m: np.ndarray) -> np.ndarray:
         """Points in C of a depth picture, N x 3, those of pixels without a depth left out."""

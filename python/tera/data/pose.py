@@ -62,6 +62,8 @@ class PoseTrack:
     def at(self, t_ns: int | np.ndarray) -> np.ndarray:
         """X_WB at a time, 4 x 4, or at M times, M x 4 x 4. Raises ValueError outside the rows."""
         at_ns = np.atleast_1d(np.asarray(t_ns, dtype=np.int64))
+        if not len(at_ns):
+            return np.empty((0, 4, 4))
         stamps = self.t_ns
         if not len(stamps) or at_ns.min() < stamps[0] or at_ns.max() > stamps[-1]:
             extent = f"{stamps[0]} to {stamps[-1]} ns" if len(stamps) else "nothing"

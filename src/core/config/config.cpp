@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/config/config_layers.h"
+#include "core/config/merge_keys.h"
 #include "core/config/spelling.h"
 #include "core/error.h"
 
@@ -61,6 +62,7 @@ Config Config::FromText(const std::string& text, const std::string& name,
   YAML::Node node;
   try {
     node = YAML::Load(text);
+    internal::ApplyMergeKeys(node);
   } catch (const YAML::Exception& e) {
     throw InputError(fmt::format("{}:{}:{}: not valid YAML: {}", name, e.mark.line + 1,
                                  e.mark.column + 1, e.msg));

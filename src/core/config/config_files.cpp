@@ -7,6 +7,7 @@
 
 #include "core/config/config.h"
 #include "core/config/config_layers.h"
+#include "core/config/merge_keys.h"
 #include "core/config/portable_name.h"
 #include "core/error.h"
 
@@ -62,6 +63,7 @@ YAML::Node LoadYaml(const fs::path& file, const std::string& shown) {
   text << stream.rdbuf();
   try {
     YAML::Node node = YAML::Load(text.str());
+    ApplyMergeKeys(node);
     if (!node.IsMap()) {
       throw InputError(fmt::format("{}:1:1: need a mapping of keys at the top", shown));
     }

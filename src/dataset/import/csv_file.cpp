@@ -23,6 +23,57 @@ std::vector<std::string_view> Split(std::string_view line) {
   }
 }
 
+constexpr std::string_view kBlanks = " \t", kByteOrderMark = "\xef\xbb\xbf";
+
+std::string_view Trimmed(std::string_view text, std::string_view blanks) {
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// Without blanks around it, and without quotes.
+std::string_view BareField(std::string_view field) {
+  field = Trimmed(field, kBlanks);
+  if (field.size() >= 2 && field.front() == '"' && field.back() == '"') {
+    field = field.substr(1, field.size() - 2);
+  }
+  return field;
+}
+
+/// A foreign line's fields; separators within quotes are none. Blanks separate in any number.
+std::vector<std::string_view> SplitForeign(std::string_view line, char separator) {
+  const bool by_blanks = separator == ' ';
+  if (by_blanks) line = Trimmed(line, kBlanks);
+  std::vector<std::string_view> fields;
+  std::size_t begin = 0;
+  bool quoted = false;
+  for (std::size_t k = 0; k <= line.size(); ++k) {
+    if (k < line.size() && line[k] == '"') quoted = !quoted;
+    const bool ends =
+        k == line.size() || (!quoted && (line[k] == separator || (by_blanks && line[k] == '\t')));
+    if (!ends) continue;
+    if (!by_blanks || k > begin) fields.push_back(BareField(line.substr(begin, k - begin)));
+    begin = k + 1;
+  }
+  return fields;
+}
+
+char SeparatorOf(std::string_view line) {
+  for (const char separator : {'\t', ';', ','}) {
+    if (line.find(separator) != std::string_view::npos) return separator;
+  }
+  return ' ';
+}
+
+/// The next line of `rest`, without its end.
+std::string_view TakeLine(std::string_view* rest) {
+  const std::size_t end = rest->find('\n');
+  std::string_view line = rest->substr(0, end);
+  rest->remove_prefix(end == std::string_view::npos ? rest->size() : end + 1);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
 template <typename T>
 bool Parse(std::string_view text, T* value) {
   const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), *value);
@@ -61,12 +112,72 @@ CsvFile::CsvFile(const std::filesystem::path& path, LastLine last_line)
     fields_.insert(fields_.end(), fields.begin(), fields.end());
     line_of_row_.push_back(line);
   }
-  auto sorted = columns_;
-  std::sort(sorted.begin(), sorted.end());
-  if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end()) {
+  NameColumns(columns_, 1);
+}
+
+void CsvFile::NameColumns(std::vector<std::string> names, int line) {
+  columns_ = names;
+  std::sort(names.begin(), names.end());
+  if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end()) {
     throw InputError(
-        fmt::format("{}:1: column '{}' is there twice; rename one", path_.string(), *twice));
+        fmt::format("{}:{}: column '{}' is there twice; rename one", path_.string(), line, *twice));
   }
+}
+
+CsvFile::CsvFile(const std::filesystem::path& path, const CsvForm& form, LeftOutRows* left_out)
+    : path_(path), text_(std::make_unique<const std::string>(ReadWholeFile(path))) {
+  std::string_view rest = *text_;
+  if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
+  char separator = form.separator;
+  std::size_t ordinal = 0;
+  for (int number = 1; !rest.empty(); ++number) {
+    const bool is_last = rest.find('\n') == std::string_view::npos;
+    std::string_view line = TakeLine(&rest);
+    if (number <= form.skipped_lines) continue;
+    const std::string_view bare = Trimmed(line, kBlanks);
+    if (bare.empty()) continue;
+    const bool is_header = columns_.empty() && form.has_header;
+    if (bare.front() == '#') {
+      if (!is_header) continue;
+      line = bare.substr(1);
+    }
+    if (separator == 0) separator = SeparatorOf(line);
+    const std::vector<std::string_view> fields = SplitForeign(line, separator);
+    if (is_header) {
+      NameColumns({fields.begin(), fields.end()}, number);
+      continue;
+    }
+    if (columns_.empty()) {
+      for (std::size_t k = 1; k <= fields.size(); ++k) columns_.push_back(std::to_string(k));
+    }
+    ++ordinal;
+    if (fields.size() == columns_.size()) {
+      ordinals_.push_back(ordinal - 1);
+      fields_.insert(fields_.end(), fields.begin(), fields.end());
+      line_of_row_.push_back(number);
+      continue;
+    }
+    const std::string fault =
+        fmt::format("{}:{}: found {} fields, need {} as in the {}{}", path_.string(), number,
+                    fields.size(), columns_.size(), form.has_header ? "header" : "first row",
+                    is_last ? "; this last line seems to be cut off" : "");
+    if (left_out == nullptr) {
+      throw InputError(fault + "; mend it, or leave such rows out by --skip-bad-rows");
+    }
+    left_out->Add(fault);
+  }
+  if (columns_.empty()) {
+    throw InputError(fmt::format("{}:1: holds no line of {}", path_.string(),
+                                 form.has_header ? "column names" : "numbers"));
+  }
+}
+
+bool CsvFile::IsPresent(std::size_t row, std::size_t column) const {
+  const std::string_view field = Field(row, column);
+  for (const std::string_view none : {"", "nan", "NaN", "NAN", "-nan", "null", "NULL", "N/A"}) {
+    if (field == none) return false;
+  }
+  return true;
 }
 
 std::size_t CsvFile::Column(const std::string& name) const {
@@ -83,12 +194,18 @@ void CsvFile::Fail(std::size_t row, std::size_t column, const std::string& findi
                                line_of_row_[row], columns_[column], Field(row, column), finding));
 }
 
-double CsvFile::Number(std::size_t row, std::size_t column) const {
+std::optional<double> CsvFile::NumberIfAny(std::size_t row, std::size_t column) const {
   double value = 0;
-  if (!Parse(Field(row, column), &value) || !std::isfinite(value)) {
-    Fail(row, column, "need a finite number");
-  }
+  std::string_view field = Field(row, column);
+  if (field.starts_with('+')) field.remove_prefix(1);
+  if (!Parse(field, &value) || !std::isfinite(value)) return std::nullopt;
   return value;
+}
+
+double CsvFile::Number(std::size_t row, std::size_t column) const {
+  const std::optional<double> value = NumberIfAny(row, column);
+  if (!value) Fail(row, column, "need a finite number");
+  return *value;
 }
 
 TimeNs CsvFile::Time(std::size_t row) const {

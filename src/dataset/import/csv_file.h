@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,8 +12,25 @@
 
 namespace tera {
 
-/// A comma-separated file with a header line, in memory. Every fault is an InputError with
-/// file:line, what was found and what is needed.
+/// How a foreign file separates its fields.
+struct CsvForm {
+  char separator = 0;  ///< 0: the one of tab, semicolon, comma and blanks that its first line has
+  bool has_header = true;  ///< else columns are named by their numbers, from "1" on
+  int skipped_lines = 0;   ///< before the header, or before the first row
+};
+
+/// What was left out of a file because it could not be read.
+struct LeftOutRows {
+  std::int64_t count = 0;
+  std::string first;  ///< what was wrong with the first of them, with its place
+
+  void Add(const std::string& fault) {
+    if (count++ == 0) first = fault;
+  }
+};
+
+/// A table in a text file, in memory: TERA's own, comma-separated with a header line, or a foreign
+/// one. Every fault is an InputError with file:line, what was found and what is needed.
 class CsvFile {
  public:
   enum class LastLine { kMustEnd, kMayLackItsEnd, kIsLeftOutIfCut };
@@ -19,6 +38,10 @@ class CsvFile {
   /// Reads the file. Faults: no header, a column named twice, a row with too few or too many
   /// fields, and with kMustEnd a last line that was cut off.
   CsvFile(const std::filesystem::path& path, LastLine last_line);
+  /// Reads a foreign file, whose fields may stand in quotes and have blanks around them, which may
+  /// have empty lines, lines that begin with '#', a byte order mark and a last line without end.
+  /// Rows with too few or too many fields are a fault, or are `left_out` where that is given.
+  CsvFile(const std::filesystem::path& path, const CsvForm& form, LeftOutRows* left_out);
 
   const std::filesystem::path& path() const { return path_; }
   const std::vector<std::string>& columns() const { return columns_; }
@@ -27,21 +50,30 @@ class CsvFile {
   /// Index of a column. Throws for a missing one.
   std::size_t Column(const std::string& name) const;
   int Line(std::size_t row) const { return line_of_row_[row]; }
+  /// Its number among all rows of the file, those that were left out too, from 0.
+  std::size_t Ordinal(std::size_t row) const { return ordinals_.empty() ? row : ordinals_[row]; }
   std::string_view Field(std::size_t row, std::size_t column) const {
     return fields_[row * columns_.size() + column];
   }
+  /// A finite number, or nothing where the field is none.
+  std::optional<double> NumberIfAny(std::size_t row, std::size_t column) const;
   /// A finite number.
   double Number(std::size_t row, std::size_t column) const;
   /// A whole number of nanoseconds in the first column, greater than that of the row before.
   TimeNs Time(std::size_t row) const;
+  /// Whether a field holds anything: neither nothing nor a word for "no number".
+  bool IsPresent(std::size_t row, std::size_t column) const;
   [[noreturn]] void Fail(std::size_t row, std::size_t column, const std::string& finding) const;
 
  private:
+  void NameColumns(std::vector<std::string> names, int line);
+
   std::filesystem::path path_;
   std::unique_ptr<const std::string> text_;  ///< apart, so that a moved file keeps its fields valid
   std::vector<std::string> columns_;
   std::vector<std::string_view> fields_;  ///< into *text_, row after row
   std::vector<int> line_of_row_;
+  std::vector<std::size_t> ordinals_;  ///< of a foreign file
 };
 
 }  // namespace tera

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "core/config/spelling.h"
+#include "core/error.h"
 #include "core/units.h"
 
 namespace tera {
@@ -80,21 +81,30 @@ RowRule ReadRule(const ConfigMap& config) {
     rule.test = RowRule::Test::kChanges;
     ++tests;
   }
-  if (tests != 1) config.Fault("", "need exactly one of above, below, equals and changes: true");
+  if (config.Boolean("present", false)) {
+    rule.test = RowRule::Test::kPresent;
+    ++tests;
+  }
+  if (tests != 1) {
+    config.Fault("", "need exactly one of above, below, equals, changes: true and present: true");
+  }
   return rule;
 }
 
 bool Holds(const CsvFile& csv, const RowRule& rule, std::size_t row) {
   const std::size_t column = csv.Column(rule.column);
+  const std::optional<double> number = csv.NumberIfAny(row, column);
   switch (rule.test) {
     case RowRule::Test::kAbove:
-      return csv.Number(row, column) > rule.value;
+      return number && *number > rule.value;
     case RowRule::Test::kBelow:
-      return csv.Number(row, column) < rule.value;
+      return number && *number < rule.value;
     case RowRule::Test::kEquals:
-      return csv.Number(row, column) == rule.value;
+      return number && *number == rule.value;
     case RowRule::Test::kChanges:
       return row == 0 || csv.Field(row, column) != csv.Field(row - 1, column);
+    case RowRule::Test::kPresent:
+      return csv.IsPresent(row, column);
   }
   return false;
 }
@@ -122,44 +132,163 @@ ColumnMapping ReadColumnMapping(const ConfigMap& config, Dimension dimension,
   return mapping;
 }
 
+namespace {
+
+CsvForm ReadCsvForm(const ConfigMap& config) {
+  constexpr double kMostSkipped = 1e6;
+  CsvForm form;
+  const std::string separator =
+      config.Choice("separator", {"auto", ",", ";", "tab", "blank"}, "auto");
+  form.separator = separator == "tab"     ? '\t'
+                   : separator == "blank" ? ' '
+                   : separator == "auto"  ? '\0'
+                                          : separator.front();
+  form.has_header = config.Boolean("header", true);
+  form.skipped_lines =
+      static_cast<int>(config.Integer("skip_lines", Between(0, kMostSkipped, ""), 0));
+  return form;
+}
+
+}  // namespace
+
 RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top) {
   RowSource source;
   source.file = channel.Has("file") ? channel.File("file") : top.File("file");
+  if (const auto form = (channel.Has("csv") ? channel : top).OptionalMap("csv")) {
+    source.form = ReadCsvForm(*form);
+  }
   const ConfigMap time = channel.Has("time") ? channel.Map("time") : top.Map("time");
   if (const auto interval = time.OptionalNumber("interval", Positive(""))) {
     source.interval_s = *interval * UnitFactor(time, Dimension::kTime);
     source.time.offset = time.Number("offset", Any("s"), 0.0);
   } else {
-    source.time = ReadColumnMapping(time, Dimension::kTime);
+    constexpr double kFarthest_s = 9e9;  // beyond, nanoseconds do not fit into 64 bits
+    source.time =
+        ReadColumnMapping(time, Dimension::kTime, Between(-kFarthest_s, kFarthest_s, "s"));
+    const double unit_ns = source.time.factor * static_cast<double>(kNsPerSecond);
+    for (const TimeNs whole_ns : {1, 1'000, 1'000'000, 1'000'000'000}) {
+      if (std::abs(unit_ns / static_cast<double>(whole_ns) - 1) < 1e-12) {
+        source.time.factor_ns = whole_ns;
+      }
+    }
   }
   for (const ConfigMap& rule : channel.List("valid_if")) source.rules.push_back(ReadRule(rule));
   return source;
 }
 
-std::vector<MappedRow> ReadRows(const RowSource& source,
-                                const std::vector<ColumnMapping>& columns) {
-  const CsvFile csv(source.file, CsvFile::LastLine::kMayLackItsEnd);
-  const auto value = [&](const ColumnMapping& mapping, std::size_t row) {
-    if (mapping.column.empty()) return mapping.offset;
-    const std::size_t column = csv.Column(mapping.column);
-    const double value = mapping.factor * csv.Number(row, column) + mapping.offset;
+namespace {
+
+/// A time written with digits alone, exactly, where doubles would round those of an epoch:
+/// `unit_ns` is 1, 1e3, 1e6 or 1e9. Nothing where it is written otherwise, or too far away.
+std::optional<TimeNs> WholeNanoseconds(std::string_view field, TimeNs unit_ns) {
+  constexpr TimeNs kFarthest_ns = 9'000'000'000 * kNsPerSecond;
+  const bool is_negative = field.starts_with('-');
+  if (is_negative || field.starts_with('+')) field.remove_prefix(1);
+  if (field.empty() || field == ".") return std::nullopt;
+  TimeNs sum_ns = 0, digit_ns = unit_ns;
+  bool after_point = false;
+  for (const char c : field) {
+    if (c == '.' && !after_point) {
+      after_point = true;
+      continue;
+    }
+    if (c < '0' || c > '9') return std::nullopt;
+    if (after_point) {
+      digit_ns /= 10;  // what is finer than a nanosecond is cut off
+      sum_ns += (c - '0') * digit_ns;
+    } else {
+      if (sum_ns > kFarthest_ns / 10) return std::nullopt;
+      sum_ns = 10 * sum_ns + (c - '0') * unit_ns;
+    }
+  }
+  return is_negative ? -sum_ns : sum_ns;
+}
+
+/// Numbers of the rows of one file.
+class MappedRows {
+ public:
+  MappedRows(const CsvFile& csv, const RowSource& source, const std::vector<ColumnMapping>& columns,
+             TimeNs zero_ns)
+      : csv_(csv), source_(source), columns_(columns), zero_ns_(zero_ns) {
+    // A missing column is a fault of the mapping, also where no row is read.
+    for (const ColumnMapping& column : columns) places_.push_back(PlaceOf(column));
+    time_place_ = PlaceOf(source.time);
+    for (const RowRule& rule : source.rules) csv.Column(rule.column);
+  }
+
+  bool IsValid(std::size_t row) const {
+    return std::all_of(source_.rules.begin(), source_.rules.end(),
+                       [&](const RowRule& rule) { return Holds(csv_, rule, row); });
+  }
+
+  MappedRow At(std::size_t row, const MappedRow* before) const {
+    MappedRow mapped{TimeOf(row) - zero_ns_, csv_.Line(row), {}};
+    if (before != nullptr && mapped.t_ns <= before->t_ns) {
+      csv_.Fail(row, time_place_.value_or(0),
+                "need a later time than in the row before; leave such rows out by valid_if or "
+                "--skip-bad-rows");
+    }
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      mapped.values.push_back(Value(columns_[k], places_[k], row));
+    }
+    return mapped;
+  }
+
+ private:
+  using Place = std::optional<std::size_t>;  ///< of a column; none of a constant
+
+  Place PlaceOf(const ColumnMapping& mapping) const {
+    if (mapping.column.empty()) return std::nullopt;
+    return csv_.Column(mapping.column);
+  }
+
+  TimeNs TimeOf(std::size_t row) const {
+    if (time_place_ && source_.time.factor_ns > 0) {
+      const auto exact_ns = WholeNanoseconds(csv_.Field(row, *time_place_), source_.time.factor_ns);
+      if (exact_ns) return *exact_ns + FromSeconds(source_.time.offset);
+    }
+    const double late_s = static_cast<double>(csv_.Ordinal(row)) * source_.interval_s.value_or(0);
+    return FromSeconds(Value(source_.time, time_place_, row) + late_s);
+  }
+
+  double Value(const ColumnMapping& mapping, const Place& column, std::size_t row) const {
+    if (!column) return mapping.offset;
+    if (!csv_.IsPresent(row, *column)) {
+      csv_.Fail(row, *column,
+                fmt::format("which is no number; leave such rows out by valid_if: [{{column: {}, "
+                            "present: true}}]",
+                            mapping.column));
+    }
+    const double value = mapping.factor * csv_.Number(row, *column) + mapping.offset;
     if (value < mapping.allowed.min || value > mapping.allowed.max) {
-      csv.Fail(row, column, OutOfRange(value, mapping.allowed));
+      csv_.Fail(row, *column, OutOfRange(value, mapping.allowed));
     }
     return value;
-  };
+  }
+
+  const CsvFile& csv_;
+  const RowSource& source_;
+  const std::vector<ColumnMapping>& columns_;
+  TimeNs zero_ns_;
+  std::vector<Place> places_;
+  Place time_place_;
+};
+
+}  // namespace
+
+std::vector<MappedRow> ReadRows(const RowSource& source, const std::vector<ColumnMapping>& columns,
+                                TimeNs zero_ns, LeftOutRows* left_out) {
+  const CsvFile csv(source.file, source.form, left_out);
+  const MappedRows reader(csv, source, columns, zero_ns);
   std::vector<MappedRow> rows;
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
-    const bool valid = std::all_of(source.rules.begin(), source.rules.end(),
-                                   [&](const RowRule& rule) { return Holds(csv, rule, row); });
-    if (!valid) continue;
-    const double late_s = static_cast<double>(row) * source.interval_s.value_or(0);
-    MappedRow mapped{FromSeconds(value(source.time, row) + late_s), csv.Line(row), {}};
-    if (!rows.empty() && mapped.t_ns <= rows.back().t_ns) {
-      csv.Fail(row, csv.Column(source.time.column), "need a later time than in the row before");
+    try {
+      if (!reader.IsValid(row)) continue;
+      rows.push_back(reader.At(row, rows.empty() ? nullptr : &rows.back()));
+    } catch (const InputError& fault) {
+      if (left_out == nullptr) throw;
+      left_out->Add(fault.what());
     }
-    for (const ColumnMapping& column : columns) mapped.values.push_back(value(column, row));
-    rows.push_back(std::move(mapped));
   }
   return rows;
 }

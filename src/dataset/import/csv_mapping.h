@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/config/config.h"
+#include "core/time.h"
 #include "dataset/import/csv_file.h"
 
 /// How columns of a foreign CSV file become numbers in SI units and rows become times.
@@ -31,7 +32,8 @@ enum class Dimension {
 struct ColumnMapping {
   std::string column;  ///< empty: the constant `offset`
   double factor = 1.0, offset = 0.0;
-  Range allowed;  ///< of the value
+  Range allowed;         ///< of the value
+  TimeNs factor_ns = 0;  ///< of a time in whole nanoseconds, microseconds, ...: one of its unit
 };
 
 /// Reads `{column:, unit:, scale:, offset:}` or `{constant:}`. The offset is in SI units. An
@@ -42,7 +44,7 @@ ColumnMapping ReadColumnMapping(const ConfigMap& config, Dimension dimension,
 
 /// A row counts when this holds.
 struct RowRule {
-  enum class Test { kAbove, kBelow, kEquals, kChanges };
+  enum class Test { kAbove, kBelow, kEquals, kChanges, kPresent };
   std::string column;
   Test test = Test::kAbove;
   double value = 0;  ///< as in the file, before any unit
@@ -51,14 +53,15 @@ struct RowRule {
 /// Which rows of which file, and when they were.
 struct RowSource {
   std::filesystem::path file;
+  CsvForm form;
   ColumnMapping time;  ///< gives seconds
   /// Where rows have no time: from each to the next, left out ones too; `time` is the first one's.
   std::optional<double> interval_s;
   std::vector<RowRule> rules;
 };
 
-/// Reads `file:`, `time:` and `valid_if:` of a channel; file and time default to those of the
-/// mapping's top level. A time is a column or `{interval:, unit:, offset:}`.
+/// Reads `file:`, `csv:`, `time:` and `valid_if:` of a channel; all but the last default to those
+/// of the mapping's top level. A time is a column or `{interval:, unit:, offset:}`.
 RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top);
 
 /// One valid row: its time and the values of the columns asked for.
@@ -68,8 +71,10 @@ struct MappedRow {
   std::vector<double> values;
 };
 
-/// All valid rows. Throws InputError for a missing column, a number that is none, or times that do
-/// not increase.
-std::vector<MappedRow> ReadRows(const RowSource& source, const std::vector<ColumnMapping>& columns);
+/// All valid rows, their times counted from `zero_ns`. Throws InputError for a missing column; also
+/// for a number that is none or not allowed and for times that do not increase, unless `left_out`
+/// is given, to which such rows are added.
+std::vector<MappedRow> ReadRows(const RowSource& source, const std::vector<ColumnMapping>& columns,
+                                TimeNs zero_ns = 0, LeftOutRows* left_out = nullptr);
 
 }  // namespace tera

@@ -170,8 +170,10 @@ bool Judge::IsAdmissible(const NamedGroup& tried) const {
   for (std::size_t i = 0; i < tried.parameters.size(); ++i) {
     const SensorParameter& one =
         table_.parameters[static_cast<std::size_t>(group(tried.group).first) + i];
-    const double off = std::abs(tried.parameters[i].value - one.documented);
-    if (off > kRangeEnd * (one.upper - one.documented)) return false;
+    const double off = tried.parameters[i].value - one.documented;
+    const bool is_at_end = off > 0 ? off > kRangeEnd * (one.upper - one.documented)
+                                   : -off > kRangeEnd * (one.documented - one.lower);
+    if (is_at_end) return false;
     is_beyond = is_beyond || tried.parameters[i].is_beyond;
   }
   return is_beyond;

@@ -53,6 +53,11 @@ class Extent {
       }
     }
   }
+  /// The pixels that show it.
+  void AddPixels(const ObjectBox& seen) {
+    box_px_.extend(Vec2(seen.x_min_px, seen.y_min_px));
+    box_px_.extend(Vec2(seen.x_max_px, seen.y_max_px));
+  }
   const Eigen::AlignedBox2d& box_px() const { return box_px_; }
   /// The share of the box that lies beyond the picture.
   double Truncation() const {
@@ -130,6 +135,8 @@ void AddWholeObjects(const SceneModel& model, const SceneState& state, const Cam
     for (const SceneNode& node : model.nodes) {
       if (Belongs(model, node.instance, box.instance)) AddNode(model, node, state, X_CW, &extent);
     }
+    // A field's rim may cut an object where it has no corner.
+    extent.AddPixels(box);
     if (!extent.box_px().isEmpty()) {
       box.amodal_min_px = extent.box_px().min();
       box.amodal_max_px = extent.box_px().max();

@@ -28,13 +28,15 @@ void AddPart(const ObjectBox& part, ObjectBox* whole) {
   whole->visible_px += part.visible_px;
 }
 
-/// The box of all parts of a whole as they stand, along the axes of its body.
-Eigen::AlignedBox3d BoxOfParts(const SceneModel& model, const SceneState& state,
-                               std::uint16_t whole) {
-  const Pose X_BW = state.X_WB[model.instances[whole].body].inverse();
+/// The box of all nodes of an object, or of a whole's parts, as they stand, along the axes of its
+/// body.
+Eigen::AlignedBox3d BoxOfNodes(const SceneModel& model, const SceneState& state,
+                               std::uint16_t object) {
+  const Pose X_BW = state.X_WB[model.instances[object].body].inverse();
   Eigen::AlignedBox3f box;
   for (const SceneNode& node : model.nodes) {
-    if (node.shape >= 0 || model.instances[node.instance].parent != whole) continue;
+    const bool belongs = node.instance == object || model.instances[node.instance].parent == object;
+    if (node.shape >= 0 || !belongs) continue;
     const Pose X_BN = X_BW * state.X_WB[node.body] * node.X_BG;
     Eigen::Affine3f X_BG(X_BN.matrix().cast<float>());
     X_BG.scale(static_cast<float>(node.scale));
@@ -45,10 +47,17 @@ Eigen::AlignedBox3d BoxOfParts(const SceneModel& model, const SceneState& state,
   return {box.min().cast<double>(), box.max().cast<double>()};
 }
 
+/// Whether parts of an object move with other bodies than its own: cylinders of a link, shoes.
+bool MovesInItself(const SceneModel& model, std::uint16_t i) {
+  return std::any_of(model.nodes.begin(), model.nodes.end(), [&](const SceneNode& node) {
+    return node.instance == i && node.body != model.instances[i].body;
+  });
+}
+
 /// The box of an object in the frame of its body.
 Eigen::AlignedBox3d BoxOf(const SceneModel& model, const SceneState& state, std::uint16_t i) {
   const SceneInstance& object = model.instances[i];
-  if (object.is_whole) return BoxOfParts(model, state, i);
+  if (object.is_whole || MovesInItself(model, i)) return BoxOfNodes(model, state, i);
   if (const ShapedMesh* shape = ShapeAt(state.shapes, object.shape)) {
     return {shape->box_min_B_m, shape->box_max_B_m};
   }

@@ -16,6 +16,7 @@
 #include "render/gl/passes/body_pass.h"
 #include "render/gl/passes/daylight.h"
 #include "render/gl/passes/grain_renderer.h"
+#include "render/gl/passes/lamp_lights.h"
 #include "render/gl/passes/lens.h"
 #include "render/gl/passes/node_renderer.h"
 #include "render/gl/passes/shadow_map.h"
@@ -63,6 +64,7 @@ struct Rasterizer::Impl {
   TerrainRenderer terrain;
   GrainRenderer grains;
   ShadowMap shadow_map;
+  LampLights lamps;
   Silhouettes silhouettes;
   Program node_program{"node.vert", "node.frag"};
   Program occlusion_program{"fullscreen.vert", "occlusion.frag"};
@@ -92,7 +94,8 @@ struct Rasterizer::Impl {
         nodes(model),
         terrain(model, daylight.sky().to_sun_W()),
         grains(model.soils),
-        shadow_map(daylight.sky().to_sun_W()) {}
+        shadow_map(daylight.sky().to_sun_W()),
+        lamps(model.lamps) {}
 
   Pictures& PicturesOf(int width_px, int height_px, bool linear);
   LensPictures& LensPicturesOf(int width_px, int height_px, bool linear);
@@ -234,6 +237,8 @@ void Rasterizer::Impl::Shade(const View& view, const Pictures& p) {
   const double penumbra_m = has_ground ? terrain.textures().penumbra_m() : 1.0;
   shade_program.Set("u_ground_penumbra_m", static_cast<float>(penumbra_m));
   shadow_map.Bind(kShadow, view.eye_W_m, shade_program);
+  constexpr unsigned kLampShadow = 9;
+  lamps.Bind(kLampShadow, view.eye_W_m, daylight.exposure(), shade_program);
   daylight.Light(shade_program);
   SetView(view, shade_program);
   FillScreen();
@@ -315,6 +320,7 @@ void Rasterizer::Impl::DrawPinhole(const View& view, const SceneState& state, co
   }
   nodes.Reshape(state);
   shadow_map.Update(state, view.eye_W_m, &nodes);
+  lamps.Update(state, &nodes);
   nodes.Place(state, view.eye_W_m, &view);
   DrawGeometry(view, p);
   Occlude(view, p);

@@ -91,8 +91,9 @@ class NormalQuantiles {
   std::array<float, 1u << bits> values_;
 };
 
-/// 2^16 quantiles reach to 4.3 sigma; their steps stay below the millimetre that depth is stored in
-/// wherever noise is drawn often.
+/// The noise is one of disparity, f b / z: far away, where it is larger than the disparity itself,
+/// there is no measurement. 2^16 quantiles reach to 4.3 sigma; their steps stay below the
+/// millimetre that depth is stored in wherever noise is drawn often.
 void AddDepthNoise(const CameraModel& model, const Stream& noise, std::uint64_t first,
                    Image<float>* depth_m) {
   static const NormalQuantiles<16> normal;
@@ -102,7 +103,8 @@ void AddDepthNoise(const CameraModel& model, const Stream& noise, std::uint64_t 
     float& z_m = depth_m->data[i];
     if (z_m <= 0) continue;
     const auto draw = static_cast<std::uint64_t>(noise.Uniform(first + i) * kDrawBits);
-    z_m += static_cast<float>(scale_1pm * z_m * z_m) * normal[draw];
+    const float disparity_left = 1 - static_cast<float>(scale_1pm) * z_m * normal[draw];
+    z_m = disparity_left > 0 ? z_m / disparity_left : 0;
   }
 }
 

@@ -40,7 +40,8 @@ Pose OpticalInSensor();
 /// Model   the whole picture at one instant, that of its time stamp, or with a shutter each row
 ///         exposed for a while about its own time, the middle row about the stamp's (sweep.h).
 ///         Depth is z in C, or behind a lens that looks sideways the distance, with the noise of a
-///         stereo pair, sigma_z = z^2 sigma_d / (f b), and 0 outside its limits; colour is sRGB at
+///         stereo pair, whose disparity f b / z is off by N(0, sigma_d^2), so that sigma_z =
+///         z^2 sigma_d / (f b) where that is small, and 0 outside its limits; colour is sRGB at
 ///         the scene's exposure plus N(0, sigma^2), clipped, or what an image sensor makes of the
 ///         scene's luminance (image_sensor.h), whose exposure and balance may follow the pictures
 ///         before (exposure_control.h). Noise is drawn for each pixel alone.

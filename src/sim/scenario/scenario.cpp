@@ -16,6 +16,7 @@
 #include "sim/scenario/collision_meshes.h"
 #include "sim/scenario/read_effects.h"
 #include "sim/scenario/read_ground.h"
+#include "sim/scenario/read_light.h"
 #include "sim/scenario/read_tolerances.h"
 
 namespace tera {
@@ -27,7 +28,6 @@ constexpr double kMostSeed = 9e15;  ///< below 2^53: every YAML reader keeps it 
 constexpr double kSlowest_hz = 100, kFastest_hz = 5000;  ///< steps that machines and soil bear
 constexpr double kSlowestPoses_hz = 0.01;
 constexpr double kDefaultRate_hz = 500, kDefaultSettle_s = 1.5, kLongestSettle_s = 60;
-constexpr double kSunAzimuth_deg = 150, kSunElevation_deg = 42;  ///< a fair morning
 constexpr double kLeastBed_m = 0.3, kLargestBed_m = 30;
 constexpr SiteOrigin kDefaultOrigin = {47.3763, 8.5477, 460.0};
 
@@ -232,26 +232,6 @@ ScenarioObstacle ReadObstacle(const ConfigMap& config) {
   return obstacle;
 }
 
-Environment ReadEnvironment(const ConfigMap& config) {
-  Environment environment;
-  const double azimuth_rad =
-      config.Number("sun_azimuth_deg", Between(-360, 360, "deg"), kSunAzimuth_deg) *
-      kDeg;  // from north, east +
-  const double elevation_rad =
-      config.Number("sun_elevation_deg", Between(1, 90, "deg"), kSunElevation_deg) * kDeg;
-  environment.to_sun_W =
-      Vec3(std::sin(azimuth_rad) * std::cos(elevation_rad),
-           std::cos(azimuth_rad) * std::cos(elevation_rad), std::sin(elevation_rad));
-  environment.sun_illuminance_klx =
-      config.Number("sun_illuminance_klx", AtLeast(0, "klx"), environment.sun_illuminance_klx);
-  environment.turbidity = config.Number("turbidity", Between(1.5, 10, ""), environment.turbidity);
-  environment.fog_visibility_m =
-      config.Number("visibility_m", Positive("m"), environment.fog_visibility_m);
-  environment.exposure_ev100 =
-      config.Number("exposure_ev100", Between(-5, 25, "EV"), environment.exposure_ev100);
-  return environment;
-}
-
 /// The site's origin: written in the scenario, else that of the terrain's GeoTIFF, else a fixed
 /// place.
 SiteOrigin ReadOrigin(const ConfigMap& config, const Site& terrain) {
@@ -309,7 +289,7 @@ Scenario ReadScenario(const ConfigMap& config) {
   }
   scenario.origin = ReadOrigin(config, site);
   if (const auto environment = config.OptionalMap("environment")) {
-    scenario.environment = ReadEnvironment(*environment);
+    scenario.environment = ReadEnvironment(*environment, scenario.origin);
   }
   const OfAllMachines all{ReadScenarioEffects(config), ReadScenarioTolerances(config)};
   for (const ConfigMap& machine : config.List("machines")) {
@@ -321,6 +301,13 @@ Scenario ReadScenario(const ConfigMap& config) {
   for (const ConfigMap& obstacle : config.List("obstacles")) {
     scenario.obstacles.push_back(ReadObstacle(obstacle));
   }
+  scenario.lamps = ReadLamps(config, [&](const std::string& name) {
+    const MachineModel* model = nullptr;
+    for (const ScenarioMachine& machine : scenario.machines) {
+      if (machine.placement.name == name) model = &machine.placement.model;
+    }
+    return model;
+  });
   if (scenario.machines.empty()) config.Fault("machines", "no machine given, need at least one");
   RequireUniqueNames(config, scenario);
   scenario.inputs = config.Inputs();

@@ -15,6 +15,7 @@
 #include "render/scene.h"
 #include "sensors/sensor.h"
 #include "sim/operators/operator_plan.h"
+#include "sim/scenario/scenario_lamp.h"
 #include "sim/scenario/terrain_record.h"
 #include "soil/site/site.h"
 
@@ -68,6 +69,7 @@ struct Scenario {
   std::shared_ptr<const Site> site;  ///< raised by the effects of the machines
   std::vector<ScenarioMachine> machines;
   std::vector<ScenarioObstacle> obstacles;
+  std::vector<ScenarioLamp> lamps;
   TerrainRecord record;
   std::optional<double> poses_hz;  ///< at which poses of links, sensors and obstacles are kept
   std::vector<std::string> drawn;  ///< "key: value" of what `randomise:` drew

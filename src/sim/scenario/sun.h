@@ -2,14 +2,14 @@
 
 #include "core/motion.h"
 #include "core/time.h"
-#include "sensors/gnss/site_frame.h"
+#include "soil/soil.h"
 
 namespace tera {
 
 /// The unit vector to the sun from a place on earth, in W (x east, y north, z up).
 ///
 /// Model   the sun's apparent place by libnova (Meeus 1998), of the observer on the ellipsoid, with
-///         refraction at 10 degrees Celsius and 1010 hPa (Saemundsson 1986).
+///         refraction at 10 degrees Celsius and 1010 hPa (Saemundsson 1986) down to the horizon.
 /// Omits   parallax (9 seconds of arc), the deflection of the vertical.
 /// `utc_ns` counts from 1970-01-01; UT1 - UTC, below a second, is taken as 0.
 Vec3 ToSun(TimeNs utc_ns, const SiteOrigin& origin);
@@ -20,6 +20,15 @@ Vec3 ToSun(TimeNs utc_ns, const SiteOrigin& origin);
 /// Source  IES Calculation Procedures Committee 1984, "Recommended practice for the calculation of
 ///         daylight availability", eqs. 3 and 4 with the clear sky's coefficient.
 double ClearSunIlluminance_klx(double sin_height);
+
+/// Illuminance of a clear, moonless sky on level ground, without the sun itself, lx.
+///
+/// Model   by day that of the IES's clear sky, 0.8 + 15.5 sqrt(sin h) klx; below h = 5 degrees the
+///         sun's and the sky's together by the polynomials of the source, which above the horizon
+///         is the sky's nearly alone; from 18 degrees below the horizon on that of the stars.
+/// Source  IES (above), eq. 10; Janiczek and DeYoung 1987, "Computer programs for sun and moon
+///         illuminance", U.S. Naval Observatory Circular 171, table 1.
+double ClearSkyIlluminance_lx(double height_rad);
 
 /// The exposure value at ISO 100 that a light meter with the calibration constant C = 250 gives for
 /// an illuminance (ISO 2720).

@@ -275,5 +275,30 @@ TEST(Config, AnUnknownKeyIsToldBeforeWhatIsMissingForIt) {
   EXPECT_THAT(FaultsOf(config), testing::StartsWith("a.yaml:1:5: a.wdth_m: unknown key (did you"));
 }
 
+TEST(Config, MergeKeysBringWhatAMappingDoesNotSay) {
+  const Config config = Config::FromText(
+      "base: &base {width_m: 2, depth_m: 3}\nmore: &more {depth_m: 5, height_m: 7}\n"
+      "one: {<<: *base, depth_m: 4}\ntwo: {<<: [*base, *more]}\n",
+      "a.yaml");
+  const ConfigMap one = config.root().Map("one"), two = config.root().Map("two");
+  EXPECT_EQ(one.Number("width_m", Any("m")), 2);
+  EXPECT_EQ(one.Number("depth_m", Any("m")), 4);
+  EXPECT_EQ(two.Number("width_m", Any("m")), 2);
+  EXPECT_EQ(two.Number("depth_m", Any("m")), 3);
+  EXPECT_EQ(two.Number("height_m", Any("m")), 7);
+  for (const char* key : {"base", "more"}) {
+    for (const char* length : {"width_m", "depth_m", "height_m"}) {
+      config.root().Map(key).Number(length, Any("m"), 0);
+    }
+  }
+  EXPECT_EQ(FaultsOf(config), "");
+}
+
+TEST(Config, MergeKeyOfANumberIsAFaultWithItsPlace) {
+  EXPECT_THAT([] { Config::FromText("a:\n  <<: 3\n", "a.yaml"); },
+              testing::ThrowsMessage<InputError>(
+                  AllOf(HasSubstr("a.yaml:2:7"), HasSubstr("needs a mapping"))));
+}
+
 }  // namespace
 }  // namespace tera

@@ -226,7 +226,7 @@ TEST_F(ImportTest, RejectsNamesThatLeaveTheRecording) {
     EXPECT_THAT(
         [&] {
           ImportCsv(scratch_.path() / "mapping.yaml", scratch_.path() / "out",
-                    {std::string("machine=") + machine});
+                    {.overrides = {std::string("machine=") + machine}});
         },
         ThrowsMessage<InputError>(HasSubstr("machine: ")));
   }
@@ -340,7 +340,7 @@ TEST(DriveWarthogMapping, ImportsARowBeforeAndAfterTheFirstReferencePose) {
       "0.1,,1.0,0,1.5,2.5,0.5,-0.25,1,2,3,0,0,0.6,0.8,0.1,0.2,0.3,1,2,9\n"
       "0.15,,2.0,0,1.5,2.5,0.5,-0.25,2,2,3,0,0,0.6,0.8,0.1,0.2,0.3,1,2,9\n");
   ImportCsv(DataRoot() / "config/import/drive_warthog.yaml", scratch.path() / "out",
-            {"file=" + (scratch.path() / "asphalt.csv").string()});
+            {.overrides = {"file=" + (scratch.path() / "asphalt.csv").string()}});
   const Recording recording(scratch.path() / "out");
   EXPECT_EQ(recording.LoadPose("truth/warthog/pose.csv").poses.size(), 2u);
   EXPECT_EQ(recording.LoadImu("warthog/imu").size(), 3u);

@@ -381,6 +381,8 @@ void RosTopics::WriteAll() {
   bool more = job_->Next(stream_.get(), &record);
   // Before all else, also before what a clock that is behind gave a time below 0.
   const TimeNs first_ns = more ? std::min<TimeNs>(0, record.t_available_ns) : 0;
+  // A recording whose times count from an epoch has no clock before its first record.
+  if (more) next_tick_ = std::max<std::int64_t>(0, record.t_available_ns / kClock.Period());
   Write(static_transforms_, job_->Stamp(first_ns), ros::TfMessage{StaticTransforms(job_)});
   for (; more; more = job_->Next(stream_.get(), &record)) {
     WriteClockUntil(record.t_available_ns);

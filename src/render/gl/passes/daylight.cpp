@@ -31,6 +31,8 @@ void Daylight::Light(const Program& program) const {
   program.Set("u_airlight", airlight);
   program.Set("u_zenith", Eigen::Vector3f(sky_.zenith() * exposure_));
   program.Set("u_bounce", Eigen::Vector3f(sky_.ground() * exposure_));
+  constexpr float kFullSun_lx = 90000;
+  program.Set("u_full_sun", kFullSun_lx * exposure_);
   program.Set("u_extinction_1pm", extinction_1pm_);
 }
 

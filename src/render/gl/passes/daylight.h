@@ -20,6 +20,8 @@ class Daylight {
   const Sky& sky() const { return sky_; }
   /// The luminance that maps to 1 from now on; none: that of the scene's exposure.
   void SetWhite(std::optional<double> white_cdpm2);
+  /// Of the picture, in 1 / (cd/m2).
+  double exposure() const { return exposure_; }
   /// Uniforms of light.glsl.
   void Light(const Program& program) const;
   /// Sky texture to `unit`, with its exposure.

@@ -28,6 +28,10 @@ constexpr double kCloudFade = 6;        // clouds fade in over 1 / this sine of 
 const Vec2 kCloudOffset(0.31, 0.67);    // a fair part of the noise
 constexpr float kCloudSun = 0.22f;      // of the sun's illuminance that a cloud sends down
 constexpr float kCloudZenith = 0.5f;    // of the zenith's radiance
+// Clouds of a cover that is given.
+constexpr float kGivenEdge = 0.08f;           // of noise, from clear to dense
+constexpr float kGivenContrast = 0.5f;        // of their luminance, by the noise
+constexpr float kOvercastHorizon = 1 / 3.0f;  // of the zenith's luminance
 
 /// Perez' five coefficients, linear in turbidity.
 struct Perez {
@@ -101,15 +105,42 @@ Vec3 TexelDirection(int column, int row) {
   return {horizontal * std::cos(azimuth_rad), horizontal * std::sin(azimuth_rad), z};
 }
 
+/// The light of a sky on level ground: the integral of radiance times height over the upper half.
+template <typename RadianceOf>
+Eigen::Vector3f LevelSum(const RadianceOf& radiance_of) {
+  constexpr int kAzimuths = 64, kHeights = 32;
+  const float solid = static_cast<float>(2 * kPi / kAzimuths / kHeights);
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  for (int h = 0; h < kHeights; ++h) {
+    const double z = (h + 0.5) / kHeights, r = std::sqrt(1 - z * z);
+    for (int a = 0; a < kAzimuths; ++a) {
+      const double azimuth_rad = (a + 0.5) * 2 * kPi / kAzimuths;
+      const Vec3 d(r * std::cos(azimuth_rad), r * std::sin(azimuth_rad), z);
+      sum += radiance_of(d) * (solid * static_cast<float>(z));
+    }
+  }
+  return sum;
+}
+
 }  // namespace
 
-Sky::Sky(const Environment& environment) : turbidity_(environment.turbidity) {
+Sky::Sky(const Environment& environment)
+    : turbidity_(environment.turbidity),
+      cloud_cover_(environment.cloud_cover),
+      cloud_noise_("render/clouds", 8, 6) {
   Vec3 s = environment.to_sun_W.normalized();
-  s.z() = std::max(s.z(), std::sin(kMinSunHeight_rad));
+  if (s.z() < std::sin(kMinSunHeight_rad)) {
+    const double level = s.head<2>().norm();
+    const Vec2 side = level > 0 ? Vec2(s.head<2>() / level) : Vec2(1, 0);
+    s << side * std::cos(kMinSunHeight_rad), std::sin(kMinSunHeight_rad);
+  }
   to_sun_W_ = s.normalized();
   const Vec3 colour = SunColour(turbidity_, std::asin(to_sun_W_.z()));
   sun_lx_ = (colour * environment.sun_illuminance_klx * 1000.0).cast<float>();
-  zenith_ = ClearSky(Vec3(0.1, 0.1, 1).normalized());
+  if (environment.sky_illuminance_lx) SetIlluminance(*environment.sky_illuminance_lx);
+  if (cloud_cover_) FitClouds(*cloud_cover_);
+  const Vec3 near_zenith = Vec3(0.1, 0.1, 1).normalized();
+  zenith_ = cloud_cover_ ? CloudySky(near_zenith) : ClearSky(near_zenith);
   FitAirlight();
   Paint(environment.fog_visibility_m);
   ProjectDiffuse();
@@ -127,10 +158,69 @@ Eigen::Vector3f Sky::ClearSky(const Vec3& direction_W) const {
   for (int k = 0; k < 3; ++k) {
     value[k] = zenith[k] * shapes[k](cos_theta, gamma_rad) / shapes[k](1.0, sun_zenith_rad);
   }
-  return RgbFromYxy(std::max(value[0], 0.0) * 1000.0, value[1], value[2]);
+  return sky_scale_ * RgbFromYxy(std::max(value[0], 0.0) * 1000.0, value[1], value[2]);
 }
 
-/// Least squares of a + b c + c c^2 over the sky a little above the horizon.
+void Sky::SetIlluminance(double level_lx) {
+  const auto now_lx = LevelSum([&](const Vec3& d) { return ClearSky(d); });
+  sky_scale_ = static_cast<float>(level_lx / Luminance(now_lx.cast<double>()));
+}
+
+float Sky::CloudNoise(const Vec3& d) const {
+  const double reach = kCloudScale / (d.z() + kCloudHorizon);
+  return cloud_noise_.At(kCloudOffset.x() + d.x() * reach,
+                         kCloudOffset.y() + d.y() * reach * kCloudStretch);
+}
+
+/// The threshold of which `cover` of the sky's solid angle lies above, and the clouds' luminance.
+void Sky::FitClouds(double cover) {
+  std::vector<float> noise;
+  LevelSum([&](const Vec3& d) {
+    noise.push_back(CloudNoise(d));
+    return Eigen::Vector3f(0, 0, 0);
+  });
+  std::sort(noise.begin(), noise.end());
+  const auto place = static_cast<std::size_t>((1 - cover) * static_cast<double>(noise.size()));
+  cloud_threshold_ = cover >= 1   ? noise.front() - 2 * kGivenEdge
+                     : cover <= 0 ? noise.back() + 2 * kGivenEdge
+                                  : noise[std::min(place, noise.size() - 1)];
+  const auto level = [&](const auto& radiance_of) {
+    return Luminance(LevelSum(radiance_of).template cast<double>());
+  };
+  const double clear_lx = level([&](const Vec3& d) { return ClearSky(d); });
+  const double gaps_lx =
+      level([&](const Vec3& d) -> Eigen::Vector3f { return (1 - CloudShare(d)) * ClearSky(d); });
+  cloud_zenith_cdpm2_ = 1;
+  const double clouds_lx =
+      level([&](const Vec3& d) -> Eigen::Vector3f { return CloudShare(d) * CloudRadiance(d); });
+  const double sun_lx = Luminance(sun_lx_.cast<double>()) * to_sun_W_.z();
+  const double left = 1 - 0.75 * std::pow(cover, 3.4);
+  const double wanted_lx = left * (sun_lx + clear_lx) - (1 - cover) * sun_lx - gaps_lx;
+  cloud_zenith_cdpm2_ =
+      clouds_lx > 0 ? static_cast<float>(std::max(wanted_lx, 0.0) / clouds_lx) : 0;
+  sun_lx_ *= static_cast<float>(1 - cover);
+}
+
+float Sky::CloudShare(const Vec3& direction_W) const {
+  const float s =
+      std::clamp((CloudNoise(direction_W) - cloud_threshold_) / kGivenEdge + 0.5f, 0.0f, 1.0f);
+  return s * s * (3 - 2 * s);
+}
+
+Eigen::Vector3f Sky::CloudRadiance(const Vec3& direction_W) const {
+  const float height = static_cast<float>(std::max(direction_W.z(), 0.0));
+  const float pattern = kOvercastHorizon + (1 - kOvercastHorizon) * height;
+  const float relief = 1 - kGivenContrast * (CloudNoise(direction_W) - 0.5f);
+  return Eigen::Vector3f::Constant(cloud_zenith_cdpm2_ * pattern * relief);
+}
+
+Eigen::Vector3f Sky::CloudySky(const Vec3& direction_W) const {
+  const float share = CloudShare(direction_W);
+  return (1 - share) * ClearSky(direction_W) + share * CloudRadiance(direction_W);
+}
+
+/// Least squares of a + b c + c c^2 over the sky a little above the horizon; clouds are those of
+/// the mean.
 void Sky::FitAirlight() {
   constexpr int kSamples = 64;
   constexpr double kHeightAboveHorizon = 0.06;
@@ -148,6 +238,10 @@ void Sky::FitAirlight() {
   const Mat3 normal = basis.transpose() * basis + 1e-9 * Mat3::Identity();
   const Mat3 fit = normal.ldlt().solve(basis.transpose() * radiance);
   for (int k = 0; k < 3; ++k) airlight_[k] = fit.row(k).transpose().cast<float>();
+  if (!cloud_cover_) return;
+  const auto cover = static_cast<float>(*cloud_cover_);
+  for (Eigen::Vector3f& term : airlight_) term *= 1 - cover;
+  airlight_[0] += Eigen::Vector3f::Constant(cover * cloud_zenith_cdpm2_ * kOvercastHorizon);
 }
 
 Eigen::Vector3f Sky::Airlight(const Vec3& direction_W) const {
@@ -157,21 +251,23 @@ Eigen::Vector3f Sky::Airlight(const Vec3& direction_W) const {
   return (airlight_[0] + airlight_[1] * c + airlight_[2] * c * c).cwiseMax(0.0f);
 }
 
+/// The clear sky with thin clouds.
+Eigen::Vector3f Sky::ThinClouds(const Vec3& d) const {
+  Eigen::Vector3f radiance = ClearSky(d);
+  const float n = CloudNoise(d);
+  const float cover = std::clamp((n - kCloudCover) / kCloudEdge, 0.0f, 1.0f) * kCloudOpacity;
+  const Eigen::Vector3f white = sun_lx_ * kCloudSun + kCloudZenith * zenith_;
+  radiance += cover * (white - radiance) * static_cast<float>(std::min(1.0, d.z() * kCloudFade));
+  return radiance;
+}
+
 void Sky::Paint(double fog_visibility_m) {
-  const LatticeNoise noise("render/clouds", 8, 6);
   const double extinction_1pm = -std::log(kVisibleContrast) / fog_visibility_m;
   texels_.resize(static_cast<std::size_t>(kWidth) * kHeight);
   for (int row = 0; row < kHeight; ++row) {
     for (int column = 0; column < kWidth; ++column) {
       const Vec3 d = TexelDirection(column, row);
-      Eigen::Vector3f radiance = ClearSky(d);
-      const double reach = kCloudScale / (d.z() + kCloudHorizon);
-      const float n = noise.At(kCloudOffset.x() + d.x() * reach,
-                               kCloudOffset.y() + d.y() * reach * kCloudStretch);
-      const float cover = std::clamp((n - kCloudCover) / kCloudEdge, 0.0f, 1.0f) * kCloudOpacity;
-      const Eigen::Vector3f white = sun_lx_ * kCloudSun + kCloudZenith * zenith_;
-      radiance +=
-          cover * (white - radiance) * static_cast<float>(std::min(1.0, d.z() * kCloudFade));
+      Eigen::Vector3f radiance = cloud_cover_ ? CloudySky(d) : ThinClouds(d);
       // Haze of exponential density: optical depth to the zenith times the air mass.
       const double haze =
           1 - std::exp(-extinction_1pm * kHazeScaleHeight_m * kHazeShare / (d.z() + kHazeHorizon));

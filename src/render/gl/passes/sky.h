@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
+#include "render/ground/lattice_noise.h"
 #include "render/scene.h"
 
 namespace tera {
@@ -15,10 +17,18 @@ namespace tera {
 ///         (seeded noise, part of the scenery and not of the measurement), and towards the horizon
 ///         the airlight that the fog's visibility gives. The sun's colour is what Rayleigh and
 ///         aerosol extinction leave at its air mass, scaled to the illuminance asked for.
-/// Omits   sun below the horizon (its height is taken as at least kMinSunHeight_rad), ozone.
+///         With a cover c of clouds, the noise's highest c of the sky are cloud, whose luminance
+///         goes with height as (1 + 2 sin h) / 3 of that at the zenith (CIE's overcast sky), and is
+///         such that level ground has 1 - 0.75 c^3.4 of the clear sky's illuminance; the sun is
+///         seen for 1 - c of the time, of which the mean is taken.
+///         A sky illuminance that is given scales the clear sky.
+/// Omits   the colours of twilight (the sky's pattern and colour are those of a sun at
+///         kMinSunHeight_rad), ozone, shadows of single clouds.
 /// Source  Preetham, Shirley, Smits 1999, "A practical analytic model for daylight", appendix;
 ///         Ramamoorthi, Hanrahan 2001, "An efficient representation for irradiance environment
-///         maps", eq. 13; Kasten, Young 1989 for the air mass.
+///         maps", eq. 13; Kasten, Young 1989 for the air mass; Kasten, Czeplak 1980, "Solar and
+///         terrestrial radiation dependent on the amount and type of cloud"; Moon, Spencer 1942 for
+///         the overcast sky.
 class Sky {
  public:
   static constexpr int kWidth = 1024, kHeight = 256;
@@ -43,6 +53,15 @@ class Sky {
 
  private:
   Eigen::Vector3f ClearSky(const Vec3& direction_W) const;
+  void SetIlluminance(double level_lx);
+  void FitClouds(double cover);
+  float CloudNoise(const Vec3& direction_W) const;
+  /// Share of a direction's light that is a cloud's, and that cloud's radiance.
+  float CloudShare(const Vec3& direction_W) const;
+  Eigen::Vector3f CloudRadiance(const Vec3& direction_W) const;
+  Eigen::Vector3f ThinClouds(const Vec3& direction_W) const;
+  /// The sky with its clouds, without haze.
+  Eigen::Vector3f CloudySky(const Vec3& direction_W) const;
   Eigen::Vector3f Airlight(const Vec3& direction_W) const;
   void FitAirlight();
   void Paint(double fog_visibility_m);
@@ -50,6 +69,11 @@ class Sky {
 
   Vec3 to_sun_W_;
   double turbidity_;
+  float sky_scale_ = 1;                ///< of the clear sky
+  std::optional<double> cloud_cover_;  ///< of Environment
+  float cloud_threshold_ = 0;          ///< of the noise
+  float cloud_zenith_cdpm2_ = 0;       ///< luminance of a cloud at the zenith
+  LatticeNoise cloud_noise_;
   Eigen::Vector3f sun_lx_, zenith_, ground_;
   std::vector<Eigen::Vector3f> texels_;
   std::array<Eigen::Vector3f, 9> diffuse_;

@@ -1,0 +1,155 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/config/plain_name.h"
+#include "core/types/sample_rows.h"
+#include "core/units.h"
+#include "dataset/format/channel.h"
+#include "dataset/import/import_run.h"
+
+// Encoders of a mapping.
+
+namespace tera {
+namespace {
+
+/// Where one joint's angle and rate stand among the columns; no angle means the rate's integral, no
+/// rate the angle's differences. Of a prismatic joint these are travel and speed.
+struct JointColumns {
+  EncoderAxis axis;
+  int angle = -1;
+  int rate = -1;
+  PositionOfStroke of_stroke = nullptr;  ///< where the angle's column is a cylinder's stroke
+};
+
+/// Angles over time by the trapezoidal rule, 0 at the first row.
+void IntegrateRate(const JointColumns& joint, std::size_t j, const std::vector<MappedRow>& rows,
+                   std::vector<EncoderSample>* samples) {
+  const auto rate = static_cast<std::size_t>(joint.rate);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const double dt_s = ToSeconds(rows[i].t_ns - rows[i - 1].t_ns);
+    const double mean_radps = 0.5 * (rows[i].values[rate] + rows[i - 1].values[rate]);
+    (*samples)[i].q_rad[j] = (*samples)[i - 1].q_rad[j] + dt_s * mean_radps;
+  }
+}
+
+/// Rates as central differences, one-sided at both ends; 0 of a single row.
+void DifferentiateAngle(std::size_t j, std::vector<EncoderSample>* samples) {
+  const std::size_t last = samples->empty() ? 0 : samples->size() - 1;
+  for (std::size_t i = 0; i < samples->size() && last > 0; ++i) {
+    const EncoderSample& a = (*samples)[i == 0 ? 0 : i - 1];
+    const EncoderSample& b = (*samples)[std::min(i + 1, last)];
+    (*samples)[i].qd_radps[j] = (b.q_rad[j] - a.q_rad[j]) / ToSeconds(b.t_ns - a.t_ns);
+  }
+}
+
+std::vector<EncoderSample> EncoderSamples(const std::vector<JointColumns>& joints,
+                                          const std::vector<MappedRow>& rows) {
+  std::vector<EncoderSample> samples;
+  for (const MappedRow& row : rows) {
+    EncoderSample sample{row.t_ns, row.t_ns, {}, {}};
+    for (const JointColumns& joint : joints) {
+      const double position =
+          joint.angle < 0 ? 0.0 : row.values[static_cast<std::size_t>(joint.angle)];
+      sample.q_rad.push_back(joint.of_stroke ? joint.of_stroke(position) : position);
+      sample.qd_radps.push_back(joint.rate < 0 ? 0.0
+                                               : row.values[static_cast<std::size_t>(joint.rate)]);
+    }
+    samples.push_back(std::move(sample));
+  }
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    if (joints[j].angle < 0) IntegrateRate(joints[j], j, rows, &samples);
+    if (joints[j].rate < 0) DifferentiateAngle(j, &samples);
+  }
+  return samples;
+}
+
+/// An angle from the way that a wheel or a track has rolled.
+ColumnMapping ReadRolled(const ConfigMap& config) {
+  ColumnMapping rolled = ReadColumnMapping(config.Map("rolled"), Dimension::kLength);
+  const double radius_m = config.Number("radius_m", Positive("m"));
+  rolled.factor /= radius_m;
+  rolled.offset /= radius_m;
+  return rolled;
+}
+
+/// A joint whose position is told by something else than itself; false where it is not.
+bool ReadIndirect(const ConfigMap& config, const ConfigMap& top, const Mapping& mapping,
+                  JointColumns* joint, std::vector<ColumnMapping>* columns) {
+  if (!config.Has("rolled") && !config.Has("stroke")) return false;
+  for (const char* key : {"angle", "rate", "travel", "speed"}) {
+    if (config.Has(key)) config.Fault(key, "given beside rolled or stroke, which it follows from");
+  }
+  if (config.Has("rolled") && config.Has("stroke")) {
+    config.Fault("stroke", "given beside rolled; keep one");
+  }
+  joint->axis.linear = false;
+  joint->angle = static_cast<int>(columns->size());
+  if (config.Has("rolled")) {
+    columns->push_back(ReadRolled(config));
+    return true;
+  }
+  columns->push_back(ReadColumnMapping(config.Map("stroke"), Dimension::kLength));
+  if (!top.Has("machine_model")) {
+    config.Fault("stroke",
+                 "needs the machine's geometry; give the mapping a machine_model, for "
+                 "instance tera:config/machines/tb235.yaml");
+  } else if (mapping.options.position_of_stroke) {
+    joint->of_stroke = mapping.options.position_of_stroke(top.MapOrFile("machine_model"), config);
+  } else {
+    config.Fault("stroke", "cannot be read here; need the angle");
+  }
+  return true;
+}
+
+JointColumns ReadJoint(const ConfigMap& config, const ConfigMap& top, const Mapping& mapping,
+                       std::vector<ColumnMapping>* columns) {
+  JointColumns joint{{config.Text("name"), config.Has("travel") || config.Has("speed")}};
+  RequirePlainName(config, "name", joint.axis.name);
+  if (ReadIndirect(config, top, mapping, &joint, columns)) return joint;
+  const bool linear = joint.axis.linear;
+  if (const auto position = config.OptionalMap(linear ? "travel" : "angle")) {
+    joint.angle = static_cast<int>(columns->size());
+    columns->push_back(
+        ReadColumnMapping(*position, linear ? Dimension::kLength : Dimension::kAngle));
+  }
+  const std::string rate = linear ? "speed" : "rate";
+  if (joint.angle >= 0 && !config.Has(rate)) return joint;
+  joint.rate = static_cast<int>(columns->size());
+  columns->push_back(
+      ReadColumnMapping(config.Map(rate), linear ? Dimension::kSpeed : Dimension::kRate));
+  return joint;
+}
+
+}  // namespace
+
+ImportJob ReadEncoder(const ConfigMap& config, const ConfigMap& top, Mapping* mapping) {
+  const std::string folder = ReadPath(config, "", mapping);
+  const ImportedSensor sensor{"encoder", config.Text("name"), "", Pose::Identity()};
+  const RowSource source = ReadSource(config, top, mapping);
+  std::vector<ColumnMapping> columns;
+  std::vector<JointColumns> joints;
+  std::vector<EncoderAxis> axes;
+  std::set<std::string> names;
+  for (const ConfigMap& item : config.List("joints")) {
+    joints.push_back(ReadJoint(item, top, *mapping, &columns));
+    axes.push_back(joints.back().axis);
+    if (!names.insert(axes.back().name).second) {
+      item.Fault("name", fmt::format("'{}' is named twice; keep one", axes.back().name));
+    }
+  }
+  if (joints.empty()) config.Fault("joints", "need at least one joint with name and rate");
+  return [=](ImportRun* run) {
+    const std::vector<MappedRow> rows = run->Read(folder, source, columns);
+    DatasetWriter* writer = run->writer();
+    if (writer == nullptr) return;
+    const ChannelId encoder =
+        writer->AddChannel(EncoderChannel(folder, SensorText(sensor, source, rows), axes));
+    for (const EncoderSample& sample : EncoderSamples(joints, rows)) {
+      writer->Write(encoder, RowOf(sample));
+    }
+  };
+}
+
+}  // namespace tera

@@ -1,0 +1,99 @@
+#include "dataset/import/import_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/config/plain_name.h"
+#include "core/error.h"
+#include "core/types/mounting.h"
+
+namespace tera {
+namespace {
+
+void Describe(const std::vector<MappedRow>& rows, ImportedChannel* channel) {
+  channel->rows = static_cast<std::int64_t>(rows.size());
+  if (rows.empty()) return;
+  channel->first_ns = rows.front().t_ns;
+  channel->last_ns = rows.back().t_ns;
+  std::vector<TimeNs> intervals_ns;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    intervals_ns.push_back(rows[i].t_ns - rows[i - 1].t_ns);
+  }
+  if (intervals_ns.empty()) return;
+  channel->longest_gap_ns = *std::max_element(intervals_ns.begin(), intervals_ns.end());
+  const auto middle = intervals_ns.begin() + static_cast<std::ptrdiff_t>(intervals_ns.size() / 2);
+  std::nth_element(intervals_ns.begin(), middle, intervals_ns.end());
+  channel->interval_ns = *middle;
+  std::int64_t early_or_late = 0;
+  for (const TimeNs interval_ns : intervals_ns) {
+    if (2 * std::abs(interval_ns - *middle) > *middle) ++early_or_late;
+  }
+  channel->irregular = early_or_late;
+}
+
+/// The median interval's rate, which gaps do not change; 0 where there is no interval.
+double TypicalRate_hz(const std::vector<MappedRow>& rows) {
+  std::vector<TimeNs> intervals_ns;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    intervals_ns.push_back(rows[i].t_ns - rows[i - 1].t_ns);
+  }
+  if (intervals_ns.empty()) return 0;
+  const auto middle = intervals_ns.begin() + static_cast<std::ptrdiff_t>(intervals_ns.size() / 2);
+  std::nth_element(intervals_ns.begin(), middle, intervals_ns.end());
+  return 1.0 / ToSeconds(*middle);
+}
+
+}  // namespace
+
+std::vector<MappedRow> ImportRun::Read(const std::string& path, const RowSource& source,
+                                       const std::vector<ColumnMapping>& columns,
+                                       const RowCheck& check) {
+  ImportedChannel channel{.path = path, .file = source.file.filename().string()};
+  LeftOutRows left_out;
+  std::vector<MappedRow> rows =
+      ReadRows(source, columns, zero_ns_, options_.skips_bad_rows ? &left_out : nullptr);
+  if (check) {
+    std::erase_if(rows, [&](const MappedRow& row) {
+      try {
+        check(row);
+        return false;
+      } catch (const InputError& fault) {
+        if (!options_.skips_bad_rows) throw;
+        left_out.Add(fault.what());
+        return true;
+      }
+    });
+  }
+  channel.left_out = left_out.count;
+  channel.first_fault = left_out.first;
+  Describe(rows, &channel);
+  report_.channels.push_back(channel);
+  return rows;
+}
+
+RowSource ReadSource(const ConfigMap& config, const ConfigMap& top, Mapping* mapping) {
+  mapping->sources.push_back(ReadRowSource(config, top));
+  return mapping->sources.back();
+}
+
+std::string ReadPath(const ConfigMap& config, const std::string& ending, Mapping* mapping) {
+  const std::string name = config.Text("name");
+  const std::string path = mapping->machine + "/" + name + ending;
+  RequirePlainName(config, "name", name);
+  if (!mapping->paths.insert(path).second) {
+    config.Fault("name", fmt::format("'{}' is taken by another channel; give each its own", name));
+  }
+  return path;
+}
+
+std::string SensorText(const ImportedSensor& sensor, const RowSource& source,
+                       const std::vector<MappedRow>& rows) {
+  std::string text = fmt::format("type: {}\nname: {}\n", sensor.type, sensor.name);
+  if (!sensor.link.empty()) text += MountingYaml(sensor.link, sensor.X_LS);
+  if (rows.size() > 1) text += fmt::format("rate_hz: {:.6g}\n", TypicalRate_hz(rows));
+  return text + fmt::format("imported_from: {}\n", YamlQuoted(source.file.filename().string()));
+}
+
+}  // namespace tera

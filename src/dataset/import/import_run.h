@@ -1,0 +1,78 @@
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/config/config.h"
+#include "dataset/format/dataset_description.h"
+#include "dataset/format/writer.h"
+#include "dataset/import/csv_mapping.h"
+#include "dataset/import/import_options.h"
+
+namespace tera {
+
+/// An import that goes on.
+class ImportRun {
+ public:
+  ImportRun(const ImportOptions& options, DatasetWriter* writer, TimeNs zero_ns)
+      : options_(options), writer_(writer), zero_ns_(zero_ns) {}
+
+  /// Throws InputError for a row that cannot be what it should be.
+  using RowCheck = std::function<void(const MappedRow& row)>;
+
+  /// The rows of a channel, which the report tells of from then on.
+  std::vector<MappedRow> Read(const std::string& path, const RowSource& source,
+                              const std::vector<ColumnMapping>& columns,
+                              const RowCheck& check = nullptr);
+  /// The channel that Read told of last.
+  ImportedChannel* last() { return &report_.channels.back(); }
+  /// None where nothing is to be written.
+  DatasetWriter* writer() const { return writer_; }
+  const ImportOptions& options() const { return options_; }
+  ImportReport TakeReport() { return std::move(report_); }
+
+ private:
+  const ImportOptions& options_;
+  DatasetWriter* writer_;
+  TimeNs zero_ns_;
+  ImportReport report_;
+};
+
+/// Writes one channel; made while the mapping is read, run when it is known to be sound.
+using ImportJob = std::function<void(ImportRun*)>;
+
+struct Mapping {
+  DatasetInfo info;
+  std::string machine;
+  std::set<std::string> paths;  ///< of channels
+  std::vector<ImportJob> jobs;
+  std::vector<RowSource> sources;  ///< of the jobs
+  bool starts_at_zero = false;     ///< times are counted from the first measurement
+  const ImportOptions& options;
+};
+
+/// ReadRowSource, noted in the mapping.
+RowSource ReadSource(const ConfigMap& config, const ConfigMap& top, Mapping* mapping);
+/// The machine's folder or file for the channel that `name` names, with `ending`.
+std::string ReadPath(const ConfigMap& config, const std::string& ending, Mapping* mapping);
+
+/// What sensor.yaml can say of a sensor that was not simulated.
+struct ImportedSensor {
+  std::string type, name;
+  std::string link;  ///< empty where the mapping does not say where the sensor was
+  Pose X_LS = Pose::Identity();
+};
+std::string SensorText(const ImportedSensor& sensor, const RowSource& source,
+                       const std::vector<MappedRow>& rows);
+
+// Channels by the keys of the mapping.
+ImportJob ReadImu(const ConfigMap& config, const ConfigMap& top, Mapping* mapping);
+ImportJob ReadGnss(const ConfigMap& config, const ConfigMap& top, Mapping* mapping);
+ImportJob ReadEncoder(const ConfigMap& config, const ConfigMap& top, Mapping* mapping);
+ImportJob ReadPose(const ConfigMap& config, const ConfigMap& top, Mapping* mapping);
+ImportJob ReadTable(const ConfigMap& config, const ConfigMap& top, Mapping* mapping);
+
+}  // namespace tera

@@ -1,0 +1,204 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/config/plain_name.h"
+#include "core/error.h"
+#include "core/types/sample_rows.h"
+#include "core/units.h"
+#include "dataset/format/channel.h"
+#include "dataset/import/import_run.h"
+#include "dataset/import/wgs84.h"
+
+// Inertial units, receivers, poses and tables of a mapping.
+
+namespace tera {
+namespace {
+
+constexpr double kMinQuaternionNorm = 0.9, kMaxQuaternionNorm = 1.1;
+constexpr double kNearlyFull = 1e-4;  ///< of full lever: what rounding makes of it
+
+std::vector<ColumnMapping> ReadColumns(const ConfigMap& columns,
+                                       const std::vector<const char*>& keys, Dimension dimension,
+                                       const Range& allowed = {}) {
+  std::vector<ColumnMapping> mappings;
+  for (const char* key : keys) {
+    mappings.push_back(ReadColumnMapping(columns.Map(key), dimension, allowed));
+  }
+  return mappings;
+}
+
+void Append(const std::vector<ColumnMapping>& more, std::vector<ColumnMapping>* all) {
+  all->insert(all->end(), more.begin(), more.end());
+}
+
+ImportedSensor ReadSensorMount(const ConfigMap& config, const std::string& type) {
+  ImportedSensor sensor{type, config.Text("name"), "", Pose::Identity()};
+  if (const auto mount = config.OptionalMap("mount")) {
+    sensor.link = mount->Text("link");
+    sensor.X_LS = mount->PoseXyzRpy();
+    if (!sensor.link.empty() && !IsPlainNameWithPoints(sensor.link)) {
+      mount->Fault("link", fmt::format("'{}' cannot name a link; need letters, digits, '_', '-'",
+                                       sensor.link));
+    }
+  }
+  return sensor;
+}
+
+/// Rotation R_SF of the file's axes F in the sensor frame S, from `rpy_deg`.
+Mat3 ReadAxes(const ConfigMap& config) {
+  const Vec3 rpy_rad = config.Vector3("rpy_deg", Between(-360, 360, "deg"), Vec3::Zero()) * kDeg;
+  return RotationFromRpy(rpy_rad.x(), rpy_rad.y(), rpy_rad.z());
+}
+
+/// `fix:` as a GGA quality.
+ColumnMapping ReadFix(const ConfigMap& config) {
+  const ColumnMapping fix = ReadColumnMapping(config, Dimension::kNone);
+  if (config.Has("constant") && !FixOfQuality(fix.offset)) {
+    config.Fault("constant", fmt::format("{} is no fix; {}", fix.offset, kNeedFix));
+  }
+  return fix;
+}
+
+GnssSample GnssOf(const MappedRow& row, const RowSource& source, const GeodeticPlace& origin) {
+  const std::vector<double>& v = row.values;
+  const auto fix = FixOfQuality(v[3]);
+  if (!fix) {
+    throw InputError(fmt::format("{}:{}: the fix is {}; {}, or leave such rows out by valid_if",
+                                 source.file.string(), row.line, v[3], kNeedFix));
+  }
+  GnssSample s;
+  s.t_ns = s.t_available_ns = row.t_ns;
+  s.fix = *fix;
+  if (s.fix == GnssFix::kNone) return s;
+  s.lat_deg = v[0] / kDeg;
+  s.lon_deg = v[1] / kDeg;
+  s.alt_m = v[2];
+  s.enu_m = EnuFromGeodetic({v[0], v[1], v[2]}, origin);
+  s.variance_enu_m2 = Vec3(v[4], v[5], v[6]);
+  return s;
+}
+
+Pose PoseOf(const MappedRow& row, const RowSource& source) {
+  const std::vector<double>& v = row.values;
+  const Quat q(v[3], v[4], v[5], v[6]);
+  if (q.norm() < kMinQuaternionNorm || q.norm() > kMaxQuaternionNorm) {
+    throw InputError(
+        fmt::format("{}:{}: the quaternion has norm {}, need 1; leave such rows out by valid_if",
+                    source.file.string(), row.line, q.norm()));
+  }
+  return MakePose(Vec3(v[0], v[1], v[2]), q.normalized().toRotationMatrix());
+}
+
+/// Levers that rounding has taken beyond full become full; all beyond full are counted.
+void ClampLevers(std::vector<MappedRow>* rows, ImportedChannel* channel) {
+  for (MappedRow& row : *rows) {
+    for (double& lever : row.values) {
+      if (std::abs(lever) <= 1) continue;
+      if (std::abs(lever) <= 1 + kNearlyFull) {
+        lever = std::copysign(1.0, lever);
+        ++channel->clamped_levers;
+      } else {
+        ++channel->levers_beyond_full;
+        channel->largest_lever = std::max(channel->largest_lever, std::abs(lever));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+ImportJob ReadImu(const ConfigMap& config, const ConfigMap& top, Mapping* mapping) {
+  const std::string folder = ReadPath(config, "", mapping);
+  const ImportedSensor sensor = ReadSensorMount(config, "imu");
+  const RowSource source = ReadSource(config, top, mapping);
+  const Mat3 R_SF = ReadAxes(config);
+  const ConfigMap keys = config.Map("columns");
+  auto columns = ReadColumns(keys, {"wx", "wy", "wz"}, Dimension::kRate);
+  Append(ReadColumns(keys, {"ax", "ay", "az"}, Dimension::kAcceleration), &columns);
+  return [=](ImportRun* run) {
+    const std::vector<MappedRow> rows = run->Read(folder, source, columns);
+    DatasetWriter* writer = run->writer();
+    if (writer == nullptr) return;
+    const ChannelId imu = writer->AddChannel(ImuChannel(folder, SensorText(sensor, source, rows)));
+    for (const MappedRow& row : rows) {
+      const std::vector<double>& v = row.values;
+      writer->Write(imu, RowOf(ImuSample{row.t_ns, row.t_ns, R_SF * Vec3(v[0], v[1], v[2]),
+                                         R_SF * Vec3(v[3], v[4], v[5])}));
+    }
+  };
+}
+
+ImportJob ReadGnss(const ConfigMap& config, const ConfigMap& top, Mapping* mapping) {
+  const std::string folder = ReadPath(config, "", mapping);
+  const ImportedSensor sensor = ReadSensorMount(config, "gnss");
+  const RowSource source = ReadSource(config, top, mapping);
+  const ConfigMap keys = config.Map("columns");
+  auto columns = ReadColumns(keys, {"lat"}, Dimension::kAngle, Between(-kPi / 2, kPi / 2, "rad"));
+  Append(ReadColumns(keys, {"lon"}, Dimension::kAngle, Between(-kPi, kPi, "rad")), &columns);
+  Append(ReadColumns(keys, {"alt"}, Dimension::kLength), &columns);
+  columns.push_back(ReadFix(keys.Map("fix")));
+  Append(ReadColumns(keys, {"var_e", "var_n", "var_u"}, Dimension::kVariance, AtLeast(0, "m2")),
+         &columns);
+  const GeodeticPlace origin{mapping->info.origin_lat_deg * kDeg,
+                             mapping->info.origin_lon_deg * kDeg, mapping->info.origin_height_m};
+  return [=](ImportRun* run) {
+    const std::vector<MappedRow> rows = run->Read(
+        folder, source, columns, [&](const MappedRow& row) { GnssOf(row, source, origin); });
+    DatasetWriter* writer = run->writer();
+    if (writer == nullptr) return;
+    const ChannelId gnss =
+        writer->AddChannel(GnssChannel(folder, SensorText(sensor, source, rows)));
+    for (const MappedRow& row : rows) writer->Write(gnss, RowOf(GnssOf(row, source, origin)));
+  };
+}
+
+/// The frames around a recorded pose: X_WB = X_WR * X_RF * X_FB with the file's X_RF.
+ImportJob ReadPose(const ConfigMap& config, const ConfigMap& top, Mapping* mapping) {
+  const RowSource source = ReadSource(config, top, mapping);
+  const auto world = config.OptionalMap("world");
+  const auto body = config.OptionalMap("body");
+  const Pose X_WR = world ? world->PoseXyzRpy() : Pose::Identity();
+  const Pose X_FB = body ? body->PoseXyzRpy() : Pose::Identity();
+  const ConfigMap keys = config.Map("columns");
+  auto columns = ReadColumns(keys, {"x", "y", "z"}, Dimension::kLength);
+  Append(ReadColumns(keys, {"qw", "qx", "qy", "qz"}, Dimension::kNone), &columns);
+  return [=, file = "truth/" + mapping->machine + "/pose.csv"](ImportRun* run) {
+    const std::vector<MappedRow> rows =
+        run->Read(file, source, columns, [&](const MappedRow& row) { PoseOf(row, source); });
+    DatasetWriter* writer = run->writer();
+    if (writer == nullptr) return;
+    const ChannelId pose = writer->AddChannel(PoseChannel(file, /*with_velocity=*/false));
+    for (const MappedRow& row : rows) {
+      const Pose X_WB = X_WR * PoseOf(row, source) * X_FB;
+      writer->Write(pose, RowOf(TruthPose{row.t_ns, X_WB}, /*with_velocity=*/false));
+    }
+  };
+}
+
+ImportJob ReadTable(const ConfigMap& config, const ConfigMap& top, Mapping* mapping) {
+  const std::string file = ReadPath(config, ".csv", mapping);
+  const RowSource source = ReadSource(config, top, mapping);
+  std::vector<ColumnMapping> columns;
+  std::vector<std::string> names;
+  for (const auto& [name, column] : config.NamedMaps("columns")) {
+    RequirePlainName(column, "", name);
+    if (name == "t_ns") column.Fault("", "is the first column of every table; need another name");
+    names.push_back(name);
+    columns.push_back(ReadColumnMapping(column, Dimension::kAny));
+  }
+  if (columns.empty()) config.Fault("columns", "need at least one column");
+  const bool is_levers = file.ends_with("/commands.csv");
+  return [=](ImportRun* run) {
+    std::vector<MappedRow> rows = run->Read(file, source, columns);
+    if (is_levers) ClampLevers(&rows, run->last());
+    DatasetWriter* writer = run->writer();
+    if (writer == nullptr) return;
+    const ChannelId table = writer->AddChannel(TableChannel(file, names));
+    for (const MappedRow& row : rows)
+      writer->Write(table, RowSample{row.t_ns, row.t_ns, row.values});
+  };
+}
+
+}  // namespace tera

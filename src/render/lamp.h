@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "core/motion.h"
+
+namespace tera {
+
+/// A spotlight.
+///
+/// Frames  B the body it is fixed to, or W; L the lamp, its beam along x.
+/// Model   luminous intensity I(a) = I0 (1 - (a / h)^2)^2 at an angle a from the beam, nothing from
+///         the half angle h on; I0 so that all of it is flux_lm. White light of D65.
+struct Lamp {
+  std::string name;
+  int body = -1;  ///< index into SceneState::X_WB; -1: fixed in W
+  Pose X_BL = Pose::Identity();
+  double flux_lm = 0;
+  double half_angle_rad = 0;
+};
+
+/// I0 of a lamp, cd.
+double PeakIntensity_cd(const Lamp& lamp);
+
+}  // namespace tera

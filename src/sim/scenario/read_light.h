@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/config/config.h"
+#include "physics/description/machine.h"
+#include "render/scene.h"
+#include "sim/scenario/scenario_lamp.h"
+#include "soil/soil.h"
+
+namespace tera {
+
+/// The key `environment` of a scenario: sun, sky and air.
+Environment ReadEnvironment(const ConfigMap& config, const SiteOrigin& origin);
+
+/// The scenario's machine of that name, or null.
+using MachineOfName = std::function<const MachineModel*(const std::string& name)>;
+
+/// The key `lamps` of a scenario.
+std::vector<ScenarioLamp> ReadLamps(const ConfigMap& config, const MachineOfName& machine_of);
+
+}  // namespace tera

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "core/motion.h"
+
+namespace tera {
+
+/// A spotlight on a machine's link, or on a mast that nobody sees.
+///
+/// Frames  P the link, or W with heights above the ground; L the lamp, its beam along x.
+struct ScenarioLamp {
+  std::string name;
+  std::string machine, link;  ///< empty: fixed in W
+  Pose X_PL = Pose::Identity();
+  double flux_lm = 0;
+  double half_angle_rad = 0;
+};
+
+}  // namespace tera

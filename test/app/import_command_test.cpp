@@ -1,0 +1,105 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/program.h"
+#include "core/units.h"
+#include "dataset/format/recording.h"
+
+// `tera import` as its user meets it; what files may look like is in test/dataset/import.
+
+namespace tera {
+namespace {
+
+using testing::AllOf;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+constexpr char kStrokes[] = R"(name: dig
+machine: digger
+file: log.csv
+time: {column: t, unit: s}
+machine_model: tera:config/machines/tb235.yaml
+encoders: [{name: arms, joints: [{name: arm, stroke: {column: arm_mm, unit: mm}}]}]
+)";
+
+TEST(ImportCommand, StrokeOfACylinderBecomesItsJointsAngle) {
+  // Strokes and angles of a run are told by the simulation itself: hydraulics.csv has the length
+  // between a cylinder's pins beyond the shortest, joints.csv the angle.
+  const ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "run.yaml", R"(name: run
+duration_s: 0.1
+settle_s: 0
+terrain: {size_m: [12, 12], cell_m: 0.1, soil: dirt}
+machines:
+  - name: excavator1
+    machine: tera:config/machines/tb235.yaml
+    start: {joints_deg: {arm: -70}}
+    operator: {type: idle}
+    rig: {sensors: []}
+)");
+  ASSERT_EQ(RunTera({"generate", "run.yaml", "--out", "run"}, {scratch.path()}).status, 0);
+  const Recording run(scratch.path() / "run");
+  const TableRecording cylinders = run.LoadTable("truth/excavator1/hydraulics.csv");
+  const TableRecording joints = run.LoadTable("truth/excavator1/joints.csv");
+  const auto value = [](const TableRecording& table, const std::string& column) {
+    const auto found = std::find(table.columns.begin(), table.columns.end(), column);
+    EXPECT_NE(found, table.columns.end()) << column;
+    return table.rows.front()[static_cast<std::size_t>(found - table.columns.begin())];
+  };
+  const double stroke_m = value(cylinders, "arm_cylinder_stroke_m");
+  WriteWholeFile(scratch.path() / "mapping.yaml", kStrokes);
+  WriteWholeFile(scratch.path() / "log.csv",
+                 "t,arm_mm\n0," + std::to_string(1000 * stroke_m) + "\n0.1,0\n");
+  const Outcome outcome = RunTera({"import", "mapping.yaml", "--out", "in"}, {scratch.path()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const EncoderRecording in = Recording(scratch.path() / "in").LoadEncoder("digger/arms");
+  EXPECT_NEAR(in.samples[0].q_rad[0], value(joints, "arm_rad"), 1e-5);
+  EXPECT_GT(std::abs(in.samples[1].q_rad[0] - in.samples[0].q_rad[0]), 10 * kDeg);
+}
+
+TEST(ImportCommand, StrokeOfAJointWithoutACylinderIsRefused) {
+  const ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "mapping.yaml", kStrokes);
+  WriteWholeFile(scratch.path() / "log.csv", "t,arm_mm\n0,1\n");
+  const Outcome outcome =
+      RunTera({"import", "mapping.yaml", "--out", "in", "--set", "encoders[0].joints[0].name=slew"},
+              {scratch.path()});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("no cylinder of the machine model moves a joint 'slew'"));
+  EXPECT_FALSE(fs::exists(scratch.path() / "in"));
+}
+
+TEST(ImportCommand, TellsWhatItHasRead) {
+  const ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "mapping.yaml", R"(name: dig
+machine: digger
+file: log.csv
+time: {column: t, unit: ms}
+tables: [{name: commands, columns: {boom: {column: boom, unit: "1"}}}]
+)");
+  WriteWholeFile(scratch.path() / "log.csv",
+                 "t;boom\n0;0\n10;1.00002\n20;55\n25;x\n30;0\n90;0\n100");
+  const Outcome outcome =
+      RunTera({"import", "mapping.yaml", "--check", "--skip-bad-rows"}, {scratch.path()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(ContainsRegex("digger/commands.csv +5 +100 Hz"),
+                                 HasSubstr("2 rows left out, the first: "), HasSubstr("log.csv:8"),
+                                 HasSubstr("1 intervals differ"), HasSubstr("0.06 s"),
+                                 HasSubstr("1 lever values a hair beyond full"),
+                                 HasSubstr("1 lever values beyond full, up to 55")));
+  EXPECT_FALSE(fs::exists(scratch.path() / "in"));
+}
+
+TEST(ImportCommand, NeedsAPlaceUnlessItOnlyChecks) {
+  const ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "mapping.yaml", kStrokes);
+  const Outcome outcome = RunTera({"import", "mapping.yaml"}, {scratch.path()});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--out: is missing"));
+}
+
+}  // namespace
+}  // namespace tera

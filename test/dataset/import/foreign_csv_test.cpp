@@ -1,0 +1,251 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "dataset/format/recording.h"
+#include "dataset/format/sample_recording.h"
+#include "dataset/import/import_csv.h"
+
+/// Logs as other people's loggers write them.
+
+namespace tera {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+namespace fs = std::filesystem;
+
+class ForeignCsv : public ::testing::Test {
+ protected:
+  void Log(const std::string& text) { WriteWholeFile(scratch_.path() / "log.txt", text); }
+
+  ImportReport Import(const std::string& keys, ImportOptions options = {}) {
+    WriteWholeFile(scratch_.path() / "mapping.yaml",
+                   "name: logged\nmachine: digger\nfile: log.txt\n" + keys);
+    fs::remove_all(Out());
+    return ImportCsv(scratch_.path() / "mapping.yaml", Out(), options);
+  }
+
+  /// One table of two columns, by their names.
+  static std::string Table(const std::string& a, const std::string& b,
+                           const std::string& name = "levels") {
+    return "tables: [{name: " + name + ", columns: {a: {column: " + a +
+           ", unit: '1'}, b: {column: " + b + ", unit: '1'}}}]\n";
+  }
+
+  std::vector<std::vector<double>> Rows(const std::string& name = "levels") const {
+    return Recording(Out()).LoadTable("digger/" + name + ".csv").rows;
+  }
+  fs::path Out() const { return scratch_.path() / "out"; }
+
+  ScratchDirectory scratch_;
+};
+
+constexpr char kSeconds[] = "time: {column: t, unit: s}\n";
+const std::vector<std::vector<double>> kTwoRows = {{1.5, -2}, {3, 4e-3}};
+
+TEST_F(ForeignCsv, SeparatorsAreFound) {
+  for (const std::string log :
+       {"t,x,y\n0,1.5,-2\n1,3,4e-3\n", "t;x;y\n0;1.5;-2\n1;3;4e-3\n",
+        "t\tx\ty\n0\t1.5\t-2\n1\t3\t4e-3\n", "t x y\n0  1.5 -2\n1 3   4e-3\n",
+        "  t  x  y\n  0\t1.5 -2 \n 1 3 \t 4e-3\n"}) {
+    Log(log);
+    Import(kSeconds + Table("x", "y"));
+    EXPECT_EQ(Rows(), kTwoRows) << log;
+  }
+}
+
+TEST_F(ForeignCsv, SeparatorCanBeSaid) {
+  Log("t|1;x;y\n0;1.5;-2\n1;3;4e-3\n");
+  Import("csv: {separator: ';'}\ntime: {column: 't|1', unit: s}\n" + Table("x", "y"));
+  EXPECT_EQ(Rows(), kTwoRows);
+}
+
+TEST_F(ForeignCsv, QuotesBlanksCommentsMarksAndEmptyLinesAreNoMatter) {
+  Log("\xef\xbb\xbf# a logger of 2011\n#t, \"x, first\", y\r\n\r\n\"0\", 1.5 ,-2\r\n# pause\r\n"
+      "1,\"3\",+4e-3\r\n\r\n");
+  // A first line that begins with '#' names the columns unless it is skipped.
+  Import("csv: {skip_lines: 1}\n" + std::string(kSeconds) + Table("'x, first'", "y"));
+  EXPECT_EQ(Rows(), kTwoRows);
+}
+
+TEST_F(ForeignCsv, ColumnsWithoutNamesAreNumbered) {
+  Log("0 1.5 -2\n1 3 4e-3\n");
+  Import("csv: {header: false}\ntime: {column: 1, unit: s}\n" + Table("2", "3"));
+  EXPECT_EQ(Rows(), kTwoRows);
+  EXPECT_THAT(
+      [&] { Import("csv: {header: false}\ntime: {column: 1, unit: s}\n" + Table("2", "4")); },
+      ThrowsMessage<InputError>(HasSubstr("column '4' is missing")));
+}
+
+TEST_F(ForeignCsv, LastLineThatWasCutOffIsTold) {
+  Log("t,x,y\n0,1.5,-2\n1,3,4e-3\n2,7");
+  EXPECT_THAT([&] { Import(kSeconds + Table("x", "y")); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("log.txt:4: found 2 fields, need 3"),
+                                              HasSubstr("cut off"), HasSubstr("--skip-bad-rows"))));
+  EXPECT_FALSE(fs::exists(Out()));
+  const ImportReport report = Import(kSeconds + Table("x", "y"), {.skips_bad_rows = true});
+  EXPECT_EQ(Rows(), kTwoRows);
+  ASSERT_EQ(report.channels.size(), 1u);
+  EXPECT_EQ(report.channels[0].rows, 2);
+  EXPECT_EQ(report.channels[0].left_out, 1);
+  EXPECT_THAT(report.channels[0].first_fault, HasSubstr("log.txt:4:"));
+}
+
+TEST_F(ForeignCsv, BadRowsAreLeftOutAndCounted) {
+  Log("t,x,y\n0,1.5,-2\n0.5,ERR,1\n0.6,1,2,3\n0.2,9,9\n1,3,4e-3\n1,8,8\n");
+  EXPECT_THAT([&] { Import(kSeconds + Table("x", "y")); },
+              ThrowsMessage<InputError>(HasSubstr("log.txt:4: found 4 fields")));
+  const ImportReport report = Import(kSeconds + Table("x", "y"), {.skips_bad_rows = true});
+  // 0.2 s is later than the row that is left before it.
+  EXPECT_EQ(Rows().size(), 3u);
+  EXPECT_EQ(report.channels[0].left_out, 3);
+}
+
+TEST_F(ForeignCsv, EmptyFieldsOfSlowerChannelsAreNoRows) {
+  Log("t,x,y,z\n0,1.5,-2,1\n0.1,,,2\n0.2,nan,1,3\n1,3,4e-3,\n");
+  EXPECT_THAT([&] { Import(kSeconds + Table("x", "y")); },
+              ThrowsMessage<InputError>(
+                  AllOf(HasSubstr("log.txt:3: column 'x'"), HasSubstr("present: true"))));
+  Import(std::string(kSeconds) +
+         "tables: [{name: levels, valid_if: [{column: x, present: true}], columns: {a: {column: x, "
+         "unit: '1'}, b: {column: y, unit: '1'}}}]\n");
+  EXPECT_EQ(Rows(), kTwoRows);
+}
+
+TEST_F(ForeignCsv, TimesOfAnEpochCountFromTheStart) {
+  Log("t,x,y\n1700000000.25,1.5,-2\n1700000001.5,3,4e-3\n");
+  EXPECT_THAT([&] { Import(kSeconds + Table("x", "y")); },
+              ThrowsMessage<InputError>(HasSubstr("zero: start")));
+  EXPECT_FALSE(fs::exists(Out()));
+  const ImportReport report = Import("zero: start\n" + std::string(kSeconds) + Table("x", "y"));
+  EXPECT_EQ(Recording(Out()).LoadTable("digger/levels.csv").t_ns,
+            (std::vector<TimeNs>{0, 1'250'000'000}));
+  EXPECT_NEAR(ToSeconds(report.zero_ns), 1700000000.25, 1e-6);
+}
+
+TEST_F(ForeignCsv, TimesOfDigitsAreExact) {
+  Log("t,x,y\n1700000000123456789,1.5,-2\n1700000001123456790,3,4e-3\n");
+  Import("zero: start\ntime: {column: t, unit: ns}\n" + Table("x", "y"));
+  EXPECT_EQ(Recording(Out()).LoadTable("digger/levels.csv").t_ns,
+            (std::vector<TimeNs>{0, 1'000'000'001}));
+  Log("t,x,y\n1700000000.000000007,1.5,-2\n1700000000.1,3,4e-3\n");
+  Import("zero: start\n" + std::string(kSeconds) + Table("x", "y"));
+  EXPECT_EQ(Recording(Out()).LoadTable("digger/levels.csv").t_ns,
+            (std::vector<TimeNs>{0, 99'999'993}));
+}
+
+TEST_F(ForeignCsv, TimeThatCannotBeIsTold) {
+  Log("t,x,y\n1700000000123456789,1.5,-2\n");  // nanoseconds
+  EXPECT_THAT([&] { Import(kSeconds + Table("x", "y")); },
+              ThrowsMessage<InputError>(
+                  AllOf(HasSubstr("log.txt:2: column 't'"), HasSubstr("need -9e+09 to 9e+09 s"))));
+}
+
+TEST_F(ForeignCsv, RowLeftOutKeepsItsPlaceInTime) {
+  Log("x,y\n1,1\n2,2\n3\n4,4\n");
+  Import("time: {interval: 10, unit: ms}\n" + Table("x", "y"), {.skips_bad_rows = true});
+  EXPECT_EQ(Recording(Out()).LoadTable("digger/levels.csv").t_ns,
+            (std::vector<TimeNs>{0, 10'000'000, 30'000'000}));
+}
+
+TEST_F(ForeignCsv, RuleOnAFieldWithoutANumberDoesNotHold) {
+  Log("t,x,y,ok\n0,1.5,-2,1\n0.5,7,7,\n1,3,4e-3,1\n");
+  Import(std::string(kSeconds) +
+         "tables: [{name: levels, valid_if: [{column: ok, equals: 1}], columns: {a: {column: x, "
+         "unit: '1'}, b: {column: y, unit: '1'}}}]\n");
+  EXPECT_EQ(Rows(), kTwoRows);
+}
+
+TEST_F(ForeignCsv, CheckAndSkippingKnowQuaternions) {
+  Log("t,x,w\n0,1,1\n1,2,0.5\n2,3,-1\n");
+  const std::string keys =
+      std::string(kSeconds) +
+      "pose: {columns: {x: {column: x, unit: m}, y: {constant: 0}, z: {constant: 0}, qw: {column: "
+      "w, "
+      "unit: '1'}, qx: {constant: 0}, qy: {constant: 0}, qz: {constant: 0}}}\n";
+  for (const bool checks_only : {true, false}) {
+    EXPECT_THAT([&] { Import(keys, {.checks_only = checks_only}); },
+                ThrowsMessage<InputError>(HasSubstr("log.txt:3: the quaternion has norm 0.5")));
+  }
+  const ImportReport report = Import(keys, {.skips_bad_rows = true});
+  EXPECT_EQ(report.channels[0].left_out, 1);
+  EXPECT_EQ(Recording(Out()).LoadPose("truth/digger/pose.csv").poses.size(), 2u);
+}
+
+TEST_F(ForeignCsv, ZeroIsThatOfTheEarliestChannel) {
+  Log("t,x,y,u\n10,1.5,-2,12\n11,3,4e-3,13\n");
+  Import(
+      "zero: start\ntables:\n"
+      "  - {name: late, time: {column: u, unit: s}, columns: {a: {column: x, unit: '1'}}}\n"
+      "  - {name: early, time: {column: t, unit: s}, columns: {a: {column: x, unit: '1'}}}\n");
+  EXPECT_EQ(Recording(Out()).LoadTable("digger/early.csv").t_ns.front(), 0);
+  EXPECT_EQ(Recording(Out()).LoadTable("digger/late.csv").t_ns.front(), 2'000'000'000);
+}
+
+TEST_F(ForeignCsv, LeversAHairBeyondFullAreFull) {
+  Log("t,x,y\n0,1.000001,-1.00005\n1,0.5,1.3\n");
+  const ImportReport report = Import(kSeconds + Table("x", "y", "commands"));
+  EXPECT_EQ(Rows("commands"), (std::vector<std::vector<double>>{{1, -1}, {0.5, 1.3}}));
+  EXPECT_EQ(report.channels[0].clamped_levers, 2);
+  EXPECT_EQ(report.channels[0].levers_beyond_full, 1);
+  EXPECT_EQ(report.channels[0].largest_lever, 1.3);
+}
+
+TEST_F(ForeignCsv, WayRolledBesideATravelIsRefused) {
+  Log("t,odo\n0,100\n1,350\n");
+  EXPECT_THAT(
+      [&] {
+        Import(std::string(kSeconds) +
+               "encoders: [{name: e, joints: [{name: a, rolled: {column: odo, unit: cm}, radius_m: "
+               "0.5, "
+               "travel: {column: odo, unit: m}}]}]\n");
+      },
+      ThrowsMessage<InputError>(HasSubstr("joints[0].travel: given beside rolled")));
+}
+
+TEST_F(ForeignCsv, WayRolledIsAnAngle) {
+  Log("t,odo\n0,100\n1,350\n");
+  Import(std::string(kSeconds) +
+         "encoders: [{name: wheels, joints: [{name: left, rolled: {column: odo, unit: cm}, "
+         "radius_m: 0.5}]}]\n");
+  const auto samples = Recording(Out()).LoadEncoder("digger/wheels").samples;
+  EXPECT_NEAR(samples[0].q_rad[0], 2, 1e-12);
+  EXPECT_NEAR(samples[1].q_rad[0], 7, 1e-12);
+  EXPECT_NEAR(samples[0].qd_radps[0], 5, 1e-12);
+}
+
+TEST_F(ForeignCsv, StrokeNeedsAMachine) {
+  Log("t,s\n0,0.1\n1,0.2\n");
+  EXPECT_THAT(
+      [&] {
+        Import(std::string(kSeconds) +
+               "encoders: [{name: e, joints: [{name: boom, stroke: {column: s, unit: m}}]}]\n");
+      },
+      ThrowsMessage<InputError>(HasSubstr("joints[0].stroke: needs the machine's geometry")));
+}
+
+TEST_F(ForeignCsv, CheckWritesNothing) {
+  Log("t,x,y\n0,1,1\n0.1,1,1\n0.2,1,1\n0.9,1,1\n1,1,1\n");
+  const ImportReport report = Import(kSeconds + Table("x", "y"), {.checks_only = true});
+  EXPECT_FALSE(fs::exists(Out()));
+  ASSERT_EQ(report.channels.size(), 1u);
+  EXPECT_EQ(report.channels[0].rows, 5);
+  EXPECT_EQ(report.channels[0].interval_ns, 100'000'000);
+  EXPECT_EQ(report.channels[0].longest_gap_ns, 700'000'000);
+  EXPECT_EQ(report.channels[0].irregular, 1);
+}
+
+TEST_F(ForeignCsv, FileWithoutAnythingIsTold) {
+  for (const std::string log : {"", "\n\n", "# nothing\n"}) {
+    Log(log);
+    EXPECT_THAT(
+        [&] { Import("csv: {header: false}\ntime: {column: 1, unit: s}\n" + Table("2", "3")); },
+        ThrowsMessage<InputError>(HasSubstr("log.txt:1: holds no line of numbers")))
+        << log;
+  }
+}
+
+}  // namespace
+}  // namespace tera

@@ -1,0 +1,102 @@
+#include "sim/scenario/read_light.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/units.h"
+#include "sim/scenario/scenario_text.h"
+
+namespace tera {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+std::string Site(const std::string& more) { return std::string(kSite) + more + kExcavator; }
+
+Scenario Read(const std::string& yaml) {
+  const Config config = Config::FromText(yaml, "s.yaml", {});
+  Scenario scenario = ReadScenario(config.root());
+  config.Finish();
+  return scenario;
+}
+
+TEST(ReadLight, TimeGivesTheSunOfThePlace) {
+  // The sun of sun_test.cpp: 39.888 degrees high, 194.34 from north.
+  const Scenario scenario =
+      Read(Site("site: {lat_deg: 39.742476, lon_deg: -105.1786, height_m: 1830}\n"
+                "environment: {time: '2003-10-17T19:30:30Z'}\n"));
+  const Environment& environment = scenario.environment;
+  EXPECT_NEAR(std::asin(environment.to_sun_W.z()) / kDeg, 39.888, 0.02);
+  EXPECT_NEAR(environment.sun_illuminance_klx, 127.5 * std::exp(-0.21 / 0.6413), 0.1);
+  EXPECT_FALSE(environment.sky_illuminance_lx) << "its model holds by day";
+  // 91.9 klx times 0.641, and 800 + 15500 sqrt(0.641) lx of the sky: 72.1 klx, 14.8 EV.
+  EXPECT_NEAR(environment.exposure_ev100, 14.8, 0.05);
+}
+
+TEST(ReadLight, NightHasNoSun) {
+  const Environment night = Read(Site("environment: {time: '2026-12-21T23:00:00Z'}\n")).environment;
+  EXPECT_EQ(night.sun_illuminance_klx, 0);
+  ASSERT_TRUE(night.sky_illuminance_lx);
+  EXPECT_LT(*night.sky_illuminance_lx, 0.001);
+  EXPECT_NEAR(night.exposure_ev100, std::log2(30.0 * 100 / 250), 1e-9) << "30 lx of lamps";
+}
+
+TEST(ReadLight, ExposureAndSunCanStillBeGiven) {
+  const Environment environment =
+      Read(Site("environment: {time: '2026-06-21T10:00:00Z', exposure_ev100: 9, "
+                "sun_illuminance_klx: 55, cloud_cover: 0.8}\n"))
+          .environment;
+  EXPECT_EQ(environment.exposure_ev100, 9);
+  EXPECT_EQ(environment.sun_illuminance_klx, 55);
+  EXPECT_EQ(environment.cloud_cover, 0.8);
+}
+
+TEST(ReadLight, RefusesWhatContradictsOrIsNoTime) {
+  EXPECT_THAT(FaultsOf(Site("environment: {time: '2026-06-21T10:00:00Z', sun_elevation_deg: 3}\n")),
+              AllOf(HasSubstr("s.yaml:5:"), HasSubstr("environment.sun_elevation_deg: given beside "
+                                                      "time")));
+  EXPECT_THAT(FaultsOf(Site("environment: {time: '21 June'}\n")),
+              HasSubstr("environment.time: '21 June' is no time; need UTC"));
+  EXPECT_THAT(FaultsOf(Site("environment: {cloud_cover: 1.5}\n")),
+              HasSubstr("environment.cloud_cover: 1.5 is out of range"));
+}
+
+TEST(ReadLight, RefusesASunThatShinesAtNight) {
+  EXPECT_THAT(FaultsOf(Site("environment: {time: '2026-12-21T23:00:00Z', sun_illuminance_klx: "
+                            "50}\n")),
+              HasSubstr("environment.sun_illuminance_klx: the sun is below the horizon"));
+}
+
+TEST(ReadLight, LampsHangOnLinksOrStandOnTheSite) {
+  const Scenario scenario = Read(
+      Site("lamps:\n"
+           "  - {name: work, machine: excavator1, link: boom, xyz_m: [1, 0, 0.3], rpy_deg: [0, 20, "
+           "0], flux_lm: 2500, beam_deg: 60}\n"
+           "  - {name: mast, xyz_m: [4, 4, 6], rpy_deg: [0, 45, -135], flux_lm: 40000, beam_deg: "
+           "100}\n"));
+  ASSERT_EQ(scenario.lamps.size(), 2u);
+  EXPECT_EQ(scenario.lamps[0].link, "boom");
+  EXPECT_NEAR(scenario.lamps[0].half_angle_rad, 30 * kDeg, 1e-12);
+  // A positive pitch looks down.
+  EXPECT_LT((scenario.lamps[1].X_PL.linear().col(0).z()), -0.7);
+}
+
+TEST(ReadLight, RefusesLampsOnWhatIsNotThere) {
+  const std::string rest = ", xyz_m: [0, 0, 1], flux_lm: 100, beam_deg: 60}\n";
+  EXPECT_THAT(FaultsOf(Site("lamps:\n  - {name: a, machine: excavator2" + rest)),
+              HasSubstr("lamps[0].machine: 'excavator2' is no machine of this scenario"));
+  EXPECT_THAT(FaultsOf(Site("lamps:\n  - {name: a, machine: excavator1, link: bom" + rest)),
+              HasSubstr("'bom' is no link of excavator1 (did you mean 'boom'?)"));
+  EXPECT_THAT(
+      FaultsOf(Site("lamps:\n  - {name: a, xyz_m: [0, 0, 1], flux_lm: -1, beam_deg: 60}\n")),
+      HasSubstr("lamps[0].flux_lm: -1 is out of range"));
+  std::string nine = "lamps:\n";
+  for (int k = 0; k < 9; ++k) nine += "  - {name: l" + std::to_string(k) + rest;
+  EXPECT_THAT(FaultsOf(Site(nine)), HasSubstr("lamps: 9 lamps; need at most 8"));
+}
+
+}  // namespace
+}  // namespace tera
