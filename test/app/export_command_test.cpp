@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -11,6 +10,7 @@
 #include <optional>
 #include <sstream>
 
+#include "app/other_program.h"
 #include "app/refused.h"
 #include "core/motion.h"
 #include "dataset/format/recording.h"
@@ -26,20 +26,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 namespace fs = std::filesystem;
-
-/// What a program writes to its standard output, or nothing where it fails.
-std::optional<std::string> OutputOf(const std::string& command) {
-  std::FILE* const pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return std::nullopt;
-  std::string text;
-  char buffer[4096];
-  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) text.append(buffer, n);
-  return pclose(pipe) == 0 ? std::optional(text) : std::nullopt;
-}
-
-bool HasProgram(const std::string& name) {
-  return OutputOf("command -v " + name + " 2>/dev/null").has_value();
-}
 
 /// An excavator that holds its boom up, with two receivers, an inertial unit on the boom, a small
 /// lidar, and the poses of all.

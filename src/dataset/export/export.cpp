@@ -38,6 +38,8 @@ WriteFormat WriterOf(ExportFormat format) {
       return ExportPly;
     case ExportFormat::kLas:
       return ExportLas;
+    case ExportFormat::kCoco:
+      return ExportCoco;
   }
   TERA_CHECK(false, static_cast<int>(format));
   return nullptr;

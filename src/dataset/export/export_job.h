@@ -48,5 +48,6 @@ void ExportBag(ExportJob* job);
 void ExportPcd(ExportJob* job);
 void ExportPly(ExportJob* job);
 void ExportLas(ExportJob* job);
+void ExportCoco(ExportJob* job);
 
 }  // namespace tera

@@ -15,7 +15,7 @@
 
 namespace tera {
 
-enum class ExportFormat { kTum, kEuroc, kNmea, kPos, kRosbag2, kBag, kPcd, kPly, kLas };
+enum class ExportFormat { kTum, kEuroc, kNmea, kPos, kRosbag2, kBag, kPcd, kPly, kLas, kCoco };
 
 struct ExportFormatName {
   ExportFormat format;
@@ -23,7 +23,7 @@ struct ExportFormatName {
 };
 
 /// All formats in order of value.
-inline constexpr std::array<ExportFormatName, 9> kExportFormats = {
+inline constexpr std::array<ExportFormatName, 10> kExportFormats = {
     {{ExportFormat::kTum, "tum"},
      {ExportFormat::kEuroc, "euroc"},
      {ExportFormat::kNmea, "nmea"},
@@ -32,7 +32,8 @@ inline constexpr std::array<ExportFormatName, 9> kExportFormats = {
      {ExportFormat::kBag, "bag"},
      {ExportFormat::kPcd, "pcd"},
      {ExportFormat::kPly, "ply"},
-     {ExportFormat::kLas, "las"}}};
+     {ExportFormat::kLas, "las"},
+     {ExportFormat::kCoco, "coco"}}};
 
 /// Whether a format is a bag of ROS messages, which alone takes `images`; that of ROS 2 also
 /// `storage` and `compression`.

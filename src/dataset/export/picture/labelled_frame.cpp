@@ -1,0 +1,103 @@
+#include "dataset/export/picture/labelled_frame.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+
+#include "core/error.h"
+#include "core/types/labels.h"
+#include "dataset/export/record_stream.h"
+#include "dataset/files/checked_file.h"
+#include "dataset/format/object_boxes.h"
+#include "dataset/format/png.h"
+
+namespace tera {
+namespace fs = std::filesystem;
+namespace {
+
+bool IsThere(const fs::path& file) {
+  std::error_code ignored;
+  return fs::is_regular_file(file, ignored);
+}
+
+[[noreturn]] void FailPng(const fs::path& file) {
+  throw InputError(
+      fmt::format("{}: not a whole PNG; need one, write the file again", file.string()));
+}
+
+/// A number of the header, high byte first.
+int HeaderNumber(std::string_view header, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t k = at; k < at + 4; ++k) {
+    value = value << 8 | static_cast<unsigned char>(header[k]);
+  }
+  return static_cast<int>(value);
+}
+
+void RequireKnownClasses(const Image<std::uint8_t>& semantic, const fs::path& file) {
+  const auto highest = std::max_element(semantic.data.begin(), semantic.data.end());
+  if (highest == semantic.data.end() || *highest < kSemanticClasses.size()) return;
+  throw InputError(fmt::format("{}: has the class {}; need classes of docs/dataset.md, 0 to {}",
+                               file.string(), *highest, kSemanticClasses.size() - 1));
+}
+
+}  // namespace
+
+fs::path FrameFile(const Recording& recording, const std::string& camera, std::string_view kind,
+                   TimeNs t_ns) {
+  return recording.directory() / camera / kind /
+         fmt::format("{}.{}", t_ns, kind == "boxes" ? "json" : "png");
+}
+
+std::vector<std::string> CamerasWith(const Recording& recording,
+                                     const std::vector<std::string_view>& kinds) {
+  std::vector<std::string> cameras = recording.SensorsOf(ChannelForm::kPictures);
+  std::erase_if(cameras, [&](const std::string& camera) {
+    RecordStream stream(recording, std::vector<std::string>{camera});
+    Record first;
+    return !stream.Next(&first) ||
+           !std::all_of(kinds.begin(), kinds.end(), [&](std::string_view kind) {
+             return IsThere(FrameFile(recording, camera, kind, first.t_ns));
+           });
+  });
+  return cameras;
+}
+
+LabelledFrame LoadLabels(const Recording& recording, const std::string& camera, TimeNs t_ns) {
+  LabelledFrame frame;
+  frame.t_ns = t_ns;
+  const fs::path semantic = FrameFile(recording, camera, "semantic", t_ns);
+  const fs::path instance = FrameFile(recording, camera, "instance", t_ns);
+  const fs::path boxes = FrameFile(recording, camera, "boxes", t_ns);
+  frame.semantic = ReadGreyPng(semantic);
+  frame.instance = ReadGrey16Png(instance);
+  if (frame.semantic.width_px != frame.instance.width_px ||
+      frame.semantic.height_px != frame.instance.height_px) {
+    throw InputError(fmt::format("{}: has another size than {}; need one for all of a frame",
+                                 instance.string(), semantic.string()));
+  }
+  RequireKnownClasses(frame.semantic, semantic);
+  if (IsThere(boxes)) frame.boxes = ReadBoxes(boxes);
+  return frame;
+}
+
+PictureSize SizeOfPng(const fs::path& file) {
+  constexpr std::string_view kStart("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR", 16);
+  std::array<char, 24> header{};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(header.data(), header.size());
+  const std::string_view bytes(header.data(), header.size());
+  if (!stream || !bytes.starts_with(kStart)) FailPng(file);
+  return {HeaderNumber(bytes, 16), HeaderNumber(bytes, 20)};
+}
+
+void CopyPng(const fs::path& from, const fs::path& to) {
+  constexpr std::string_view kEnd = "IEND\xae\x42\x60\x82";
+  const std::string bytes = ReadWholeFile(from);
+  if (!bytes.ends_with(kEnd)) FailPng(from);
+  WriteWholeFile(to, bytes);
+}
+
+}  // namespace tera

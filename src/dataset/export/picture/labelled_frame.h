@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/types/measurement.h"
+#include "dataset/export/export_job.h"
+
+namespace tera {
+
+/// A picture of a camera and what is labelled in it, without colour and depth.
+struct LabelledFrame {
+  TimeNs t_ns = 0;
+  Image<std::uint8_t> semantic;   ///< SemanticClass
+  Image<std::uint16_t> instance;  ///< 0: none
+  std::vector<ObjectBox> boxes;   ///< empty where none were recorded
+};
+
+/// "camera/kind/<t_ns>.png"; boxes end in .json.
+std::filesystem::path FrameFile(const Recording& recording, const std::string& camera,
+                                std::string_view kind, TimeNs t_ns);
+
+/// The cameras whose first frame has a picture of each kind, in order of dataset.yaml.
+std::vector<std::string> CamerasWith(const Recording& recording,
+                                     const std::vector<std::string_view>& kinds);
+
+/// Throws InputError where a picture is missing, is not whole, or has another size than its fellow
+/// or a class that is none.
+LabelledFrame LoadLabels(const Recording& recording, const std::string& camera, TimeNs t_ns);
+
+struct PictureSize {
+  int width_px = 0, height_px = 0;
+};
+/// By the beginning of a PNG file. Throws InputError where it is none.
+PictureSize SizeOfPng(const std::filesystem::path& file);
+
+/// Copies a PNG file as it is. Throws InputError where it cannot be read, is cut off, or cannot be
+/// written.
+void CopyPng(const std::filesystem::path& from, const std::filesystem::path& to);
+
+}  // namespace tera

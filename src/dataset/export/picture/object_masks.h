@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+
+#include "core/types/measurement.h"
+#include "dataset/export/picture/instance_table.h"
+#include "dataset/export/picture/run_lengths.h"
+
+namespace tera {
+
+/// The least rectangle of pixels that holds some; bounds inclusive.
+struct PixelBounds {
+  int x_min_px = 0, y_min_px = 0, x_max_px = -1, y_max_px = -1;
+
+  bool empty() const { return x_max_px < x_min_px; }
+  int width_px() const { return x_max_px - x_min_px + 1; }
+  int height_px() const { return y_max_px - y_min_px + 1; }
+  void Include(int x_px, int y_first_px, int y_last_px);
+};
+
+/// The pixels of an object in a picture.
+struct ObjectMask {
+  RunLengths runs;
+  PixelBounds bounds;
+};
+
+/// Masks of all objects that can be seen in a picture of instances, by their numbers; a whole has
+/// the pixels of its parts. Throws InputError about `file`, the picture's, where it has a number
+/// that the table has not.
+std::map<std::uint16_t, ObjectMask> ObjectMasks(const Image<std::uint16_t>& instances,
+                                                const InstanceTable& table,
+                                                const std::filesystem::path& file);
+
+}  // namespace tera

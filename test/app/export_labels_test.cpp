@@ -1,0 +1,111 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "app/other_program.h"
+#include "app/refused.h"
+
+// Exports of pictures, scans and labels, held against the dataset by programs that were written by
+// the formats' descriptions alone (judges/check_*.py).
+
+namespace tera {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::StartsWith;
+namespace fs = std::filesystem;
+
+/// An excavator that drives and turns past another, a truck, a tree and a person who walks. Its
+/// front camera has a lens that distorts; the camera on its boom has none.
+constexpr const char* kYard = R"(name: yard
+seed: 5
+duration_s: 0.5
+site: {lat_deg: 46.78, lon_deg: -71.27, height_m: 90}
+terrain: {size_m: [30, 30], cell_m: 0.1, soil: dirt}
+record: {poses_hz: 100}
+machines:
+  - name: digger
+    machine: tera:config/machines/tb235.yaml
+    start: {xy_m: [-6, 0], yaw_deg: 20, joints_deg: {boom: 55, arm: -120, bucket: -20}}
+    operator: {type: waypoints, waypoints: [{xy_m: [0, 6]}], speed_mps: 1.2}
+    rig: {sensors: [
+      {name: front, preset: tera:config/sensors/rgb_640.yaml, link: upper, xyz_m: [0.6, 0.3, 1.6],
+       rpy_deg: [0, 8, -4], width_px: 200, height_px: 150, horizontal_fov_deg: 90, rate_hz: 10,
+       depth: true, rgb_noise: 0},
+      {name: boom_eye, type: camera, link: boom, xyz_m: [1, 0, 0.5], rpy_deg: [0, 40, 0],
+       width_px: 96, height_px: 72, horizontal_fov_deg: 70, rate_hz: 5, depth: true, rgb: true,
+       labels: true},
+      {name: lidar, preset: tera:config/sensors/vlp16.yaml, link: upper, xyz_m: [0, 0, 2],
+       rpy_deg: [0, 5, 3], columns: 512, range_noise_m: 0}]}
+  - name: other
+    machine: tera:config/machines/tb235.yaml
+    start: {xy_m: [3, 4], yaw_deg: 130, joints_deg: {boom: 50, arm: -110, bucket: -30}}
+    operator: {type: idle}
+obstacles:
+  - {name: truck1, preset: tera:config/obstacles/truck.yaml, xy_m: [6, -4], yaw_deg: 75}
+  - {name: walker, preset: tera:config/obstacles/person.yaml, xy_m: [0, -1],
+     path: [{t_s: 0, xy_m: [0, -1]}, {t_s: 1, xy_m: [0, 0.5]}]}
+  - {name: cone1, preset: tera:config/obstacles/cone.yaml, xy_m: [-1, 2.5], yaw_deg: 0}
+  - {name: tree1, preset: tera:config/obstacles/tree.yaml, xy_m: [9, 3], yaw_deg: 0}
+)";
+
+class ExportLabels : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    scratch_ = std::make_unique<ScratchDirectory>();
+    WriteWholeFile(scratch_->path() / "yard.yaml", kYard);
+    const Outcome made = RunTera({"generate", "yard.yaml", "--out", "run"}, {scratch_->path()});
+    ASSERT_EQ(made.status, 0) << made.err;
+  }
+  static void TearDownTestSuite() { scratch_.reset(); }
+
+  static void Exported(const Arguments& to, const std::string& out) {
+    Arguments arguments = {"export", "run", "--out", out, "--to"};
+    arguments.insert(arguments.end(), to.begin(), to.end());
+    const Outcome outcome = RunTera(arguments, {scratch_->path()});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+  }
+  static fs::path Path(const std::string& file) { return scratch_->path() / file; }
+  /// What a judge has seen; it fails where something is wrong.
+  static json Judged(const std::string& judge, const std::string& arguments) {
+    const auto seen =
+        OutputOf(fmt::format("cd {} && {} -B {}/test/app/judges/{} {}", Path("").string(),
+                             TERA_PYTHON, TERA_SOURCE_DIR, judge, arguments));
+    EXPECT_TRUE(seen) << judge;
+    return seen ? json::parse(*seen) : json();
+  }
+
+  static std::unique_ptr<ScratchDirectory> scratch_;
+};
+std::unique_ptr<ScratchDirectory> ExportLabels::scratch_;
+
+TEST_F(ExportLabels, CocosMasksBoxesAndSegmentsAreThoseOfTheDataset) {
+  Exported({"coco"}, "coco");
+  const json seen = Judged("check_coco.py", "run coco");
+  EXPECT_EQ(seen["images"], 9);  // 6 of the front, 3 of the boom
+  EXPECT_EQ(seen["cameras"], 2);
+  EXPECT_GE(seen["annotations"], 80);
+  EXPECT_GE(seen["wholes"], 12);
+  EXPECT_GE(seen["segments"], 80);
+}
+
+TEST_F(ExportLabels, CocosFilesAreAsTheirSchemaSays) {
+  if (!HasProgram("node") || !fs::is_directory(TERA_NODE_MODULES "/ajv")) {
+    GTEST_SKIP() << "needs node and the npm package ajv: npm install it, and cmake -D "
+                    "TERA_NODE_MODULES=FOLDER/node_modules";
+  }
+  Exported({"coco", "--start-utc", "2024-05-01T12:00:00Z"}, "dated");
+  const auto seen = OutputOf(fmt::format(
+      "node {0}/check_schema.mjs '{1}' {0}/coco.schema.json {2}/instances.json {2}/panoptic.json",
+      TERA_SOURCE_DIR "/test/app/judges", TERA_NODE_MODULES, Path("dated/annotations").string()));
+  EXPECT_TRUE(seen);
+}
+
+}  // namespace
+}  // namespace tera

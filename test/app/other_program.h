@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdio>
+#include <optional>
+#include <string>
+
+/// Programs that nobody of this project wrote, and those that judge its output.
+
+namespace tera {
+
+/// What a program writes to its standard output, or nothing where it fails.
+inline std::optional<std::string> OutputOf(const std::string& command) {
+  std::FILE* const pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return std::nullopt;
+  std::string text;
+  char buffer[4096];
+  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) text.append(buffer, n);
+  return pclose(pipe) == 0 ? std::optional(text) : std::nullopt;
+}
+
+inline bool HasProgram(const std::string& name) {
+  return OutputOf("command -v " + name + " 2>/dev/null").has_value();
+}
+
+}  // namespace tera

@@ -1,0 +1,174 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "dataset/export/export.h"
+#include "dataset/files/checked_file.h"
+#include "dataset/format/png.h"
+#include "dataset/format/sample_recording.h"
+
+// A picture of 4 x 3 pixels: sky above, ground below, a machine of two parts and a person.
+
+namespace tera {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+constexpr std::uint16_t kBoom = 1, kArm = 2, kPerson = 300, kMachine = 9;
+
+class CocoTest : public testing::Test {
+ protected:
+  CocoTest() {
+    DatasetInfo info = SampleInfo();
+    info.instances = {{kBoom, "digger/boom", "boom", kMachine},
+                      {kArm, "digger/arm", "arm", kMachine},
+                      {kMachine, "digger", "vehicle"},
+                      {kPerson, "walker", "person"}};
+    DatasetWriter writer(recording(), info, {});
+    const ChannelId front = writer.AddChannel(CameraChannel("digger/front", "type: camera\n"));
+    const ChannelId depth = writer.AddChannel(CameraChannel("digger/depth", "type: camera\n"));
+    writer.Write(front, Frame());
+    CameraFrame other;
+    other.depth_m = Image<float>(4, 3);
+    writer.Write(depth, std::move(other));
+    writer.Finish();
+  }
+
+  static CameraFrame Frame() {
+    CameraFrame frame;
+    frame.rgb = Image<std::uint8_t>(4, 3, 3);
+    frame.semantic = Image<std::uint8_t>(4, 3);
+    frame.instance = Image<std::uint16_t>(4, 3);
+    frame.semantic.data = {0, 0, 0, 0,   //
+                           4, 4, 5, 11,  //
+                           1, 4, 1, 11};
+    frame.instance.data = {0, 0,     0,    0,        //
+                           1, kBoom, kArm, kPerson,  //
+                           0, kBoom, 0,    kPerson};
+    return frame;
+  }
+
+  fs::path recording() const { return scratch_.path() / "run"; }
+  fs::path out() const { return scratch_.path() / "out"; }
+  json Exported(const std::string& file) {
+    if (!fs::exists(out())) Export(recording(), out(), {.format = ExportFormat::kCoco});
+    return json::parse(ReadWholeFile(out() / file));
+  }
+  std::string Fault() {
+    try {
+      Export(recording(), out(), {.format = ExportFormat::kCoco});
+    } catch (const InputError& e) {
+      EXPECT_FALSE(fs::exists(out()) || fs::exists(out().string() + ".incomplete"));
+      return e.what();
+    }
+    return "no fault";
+  }
+  void Edit(const std::string& file, const std::string& from, const std::string& to) {
+    std::string text = ReadWholeFile(recording() / file);
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << text;
+    WriteWholeFile(recording() / file, text.replace(at, from.size(), to));
+  }
+
+  ScratchDirectory scratch_;
+};
+
+TEST_F(CocoTest, EachObjectHasItsMaskAndAWholeThoseOfItsParts) {
+  const json document = Exported("annotations/instances.json");
+  ASSERT_EQ(document["images"].size(), 1u);
+  EXPECT_EQ(document["images"][0]["file_name"], "digger_front_0.png");
+  EXPECT_EQ(document["images"][0]["width"], 4);
+  EXPECT_EQ(document["images"][0]["height"], 3);
+  ASSERT_EQ(document["annotations"].size(), 4u);
+  // Columns from the left: the boom is the middle of the first, and the lower two of the second.
+  const json& boom = document["annotations"][0];
+  EXPECT_EQ(boom["name"], "digger/boom");
+  EXPECT_EQ(boom["segmentation"]["size"], json({3, 4}));
+  EXPECT_EQ(boom["segmentation"]["counts"], "11214");  // 1, 1, 2, 2 - 1, 6 - 2
+  EXPECT_EQ(boom["bbox"], json({0, 1, 2, 2}));
+  EXPECT_EQ(boom["area"], 3);
+  EXPECT_EQ(boom["parent_instance_id"], kMachine);
+  const json& machine = document["annotations"][2];
+  EXPECT_EQ(machine["instance_id"], kMachine);
+  EXPECT_EQ(machine["bbox"], json({0, 1, 3, 2}));
+  EXPECT_EQ(machine["area"], 4);
+  EXPECT_EQ(machine["category_id"], 10);  // class 9, vehicle
+}
+
+TEST_F(CocoTest, APanopticPictureHasNumbersOfSegmentsAsColours) {
+  const json document = Exported("annotations/panoptic.json");
+  const Image<std::uint8_t> picture = ReadRgbPng(out() / "annotations/panoptic/digger_front_0.png");
+  const auto colour = [&](int x, int y) {
+    return std::array<int, 3>{picture.at(x, y, 0), picture.at(x, y, 1), picture.at(x, y, 2)};
+  };
+  EXPECT_EQ(colour(3, 1), (std::array<int, 3>{44, 1, 0}));  // 300 = 256 + 44
+  EXPECT_EQ(colour(0, 0), (std::array<int, 3>{0, 0, 1}));   // sky, class 0
+  EXPECT_EQ(colour(0, 2), (std::array<int, 3>{0, 0, 2}));   // terrain, class 1
+  const json& segments = document["annotations"][0]["segments_info"];
+  ASSERT_EQ(segments.size(), 5u);
+  EXPECT_EQ(segments[4]["id"], 131072);
+  EXPECT_EQ(segments[4]["category_id"], 2);
+  EXPECT_EQ(segments[4]["area"], 2);
+  EXPECT_EQ(segments[4]["bbox"], json({0, 2, 3, 1}));
+}
+
+TEST_F(CocoTest, PicturesAreTheRecordingsOwn) {
+  Exported("annotations/instances.json");
+  EXPECT_EQ(ReadWholeFile(out() / "images/digger_front_0.png"),
+            ReadWholeFile(recording() / "digger/front/rgb/0.png"));
+  EXPECT_FALSE(fs::exists(out() / "images/digger_depth_0.png"));
+}
+
+TEST_F(CocoTest, ADateIsWrittenWhereOneIsGiven) {
+  Export(recording(), out(),
+         {.format = ExportFormat::kCoco, .start_utc_ns = 1'714'564'800 * kNsPerSecond});
+  EXPECT_EQ(Exported("annotations/instances.json")["images"][0]["date_captured"],
+            "2024-05-01 12:00:00");
+}
+
+TEST_F(CocoTest, WithoutLabelsThereIsNothing) {
+  fs::remove_all(recording() / "digger/front/instance");
+  EXPECT_THAT(Fault(), HasSubstr("has no camera with `rgb: true` and `labels: true`, of which the "
+                                 "format 'coco' consists"));
+}
+
+TEST_F(CocoTest, AnObjectThatIsNotListedIsNamed) {
+  Edit("dataset.yaml", "id: 300", "id: 301");
+  EXPECT_THAT(Fault(), AllOf(HasSubstr("instance/0.png: names the instance 300"),
+                             HasSubstr("need it among `instances`")));
+}
+
+TEST_F(CocoTest, AMachineThatIsAPartOfItselfIsRefused) {
+  Edit("dataset.yaml", "class: vehicle}", "class: vehicle, parent: 1}");
+  EXPECT_THAT(Fault(), HasSubstr("is a part of itself"));
+}
+
+TEST_F(CocoTest, APictureThatIsCutOffIsNamed) {
+  const fs::path file = recording() / "digger/front/rgb/0.png";
+  const std::string whole = ReadWholeFile(file);
+  WriteWholeFile(file, whole.substr(0, whole.size() - 3));
+  EXPECT_THAT(Fault(), HasSubstr("rgb/0.png: not a whole PNG"));
+  WriteWholeFile(file, "");
+  EXPECT_THAT(Fault(), HasSubstr("rgb/0.png: not a whole PNG"));
+}
+
+TEST_F(CocoTest, CamerasWhosePicturesWouldShareNamesAreRefused) {
+  fs::copy(recording() / "digger/front", recording() / "digger_front", fs::copy_options::recursive);
+  Edit("dataset.yaml", "channels:\n", "channels:\n  - {path: \"digger_front\", type: camera}\n");
+  EXPECT_THAT(Fault(), HasSubstr("its pictures would have the names of another camera's"));
+}
+
+TEST_F(CocoTest, AClassThatIsNoneIsNamed) {
+  Image<std::uint8_t> semantic = Frame().semantic;
+  semantic.data[3] = 99;
+  WriteWholeFile(recording() / "digger/front/semantic/0.png", EncodeGreyPng(semantic));
+  EXPECT_THAT(Fault(), HasSubstr("semantic/0.png: has the class 99; need classes"));
+}
+
+}  // namespace
+}  // namespace tera
