@@ -33,6 +33,13 @@ const std::map<std::string, BagCompression> kCompressions = {{"zstd", BagCompres
 const std::map<std::string, BagImages> kImages = {{"raw", BagImages::kRaw},
                                                   {"compressed", BagImages::kCompressed}};
 
+std::map<std::string, KittiLayout> KittiLayoutsByName() {
+  std::map<std::string, KittiLayout> layouts;
+  for (const KittiLayoutName& entry : kKittiLayouts)
+    layouts[std::string(entry.name)] = entry.layout;
+  return layouts;
+}
+
 std::map<std::string, ExportFormat> FormatsByName() {
   std::map<std::string, ExportFormat> formats;
   for (const ExportFormatName& entry : kExportFormats) {
@@ -72,11 +79,23 @@ void AddBagOptions(CLI::App* command, Arguments* arguments) {
                    "Of bags: raw pixels (the default) or the PNG files as they are, compressed")
       ->transform(OneOf(kImages));
   command
-      ->add_option("--moved", arguments->moved,
-                   "Of bags and clouds: OLD=NEW: an input that dataset.yaml lists as OLD, or below "
-                   "the folder "
-                   "OLD, is now at NEW; may be repeated")
+      ->add_option(
+          "--moved", arguments->moved,
+          "Of bags, clouds and kitti: OLD=NEW: an input that dataset.yaml lists as OLD, or "
+          "below the folder OLD, is now at NEW; may be repeated")
       ->take_all();
+}
+
+/// Options of formats that are of one camera and one lidar.
+void AddKittiOptions(CLI::App* command, Arguments* arguments) {
+  ExportOptions* const options = &arguments->options;
+  command->add_option("--camera", options->camera, "Of kitti: MACHINE/CAMERA; the first");
+  command->add_option("--lidar", options->lidar, "Of kitti: MACHINE/LIDAR; the first");
+  command
+      ->add_option("--layout", options->kitti_layouts,
+                   "Of kitti: raw, object, tracking, odometry and depth, or some of them; all")
+      ->delimiter(',')
+      ->transform(OneOf(KittiLayoutsByName()));
 }
 
 /// An option that would do nothing is a mistake.
@@ -92,7 +111,10 @@ void RequireNoIdleOption(const CLI::App& command, const ExportOptions& options) 
   require("--images", bag, "bags");
   require("--compression", ros2 && options.storage == BagStorage::kMcap,
           "--to rosbag2 --storage mcap");
-  require("--moved", UsesJointTrees(options.format), "bags and clouds");
+  require("--moved", UsesJointTrees(options.format), "bags, clouds and kitti");
+  for (const char* option : {"--camera", "--lidar", "--layout"}) {
+    require(option, options.format == ExportFormat::kKitti, "--to kitti");
+  }
 }
 
 }  // namespace
@@ -112,6 +134,7 @@ void AddExportCommand(CLI::App* app) {
                    "times begin at 0, or in formats that need a date on 2024-01-01")
       ->check(IsUtcTime());
   AddBagOptions(command, arguments.get());
+  AddKittiOptions(command, arguments.get());
   command->callback([arguments, command] {
     RequireNoIdleOption(*command, arguments->options);
     RunExport(*arguments);

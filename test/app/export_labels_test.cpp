@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 /// front camera has a lens that distorts; the camera on its boom has none.
 constexpr const char* kYard = R"(name: yard
 seed: 5
-duration_s: 0.5
+duration_s: 1
 site: {lat_deg: 46.78, lon_deg: -71.27, height_m: 90}
 terrain: {size_m: [30, 30], cell_m: 0.1, soil: dirt}
 record: {poses_hz: 100}
@@ -42,17 +42,19 @@ machines:
        width_px: 96, height_px: 72, horizontal_fov_deg: 70, rate_hz: 5, depth: true, rgb: true,
        labels: true},
       {name: lidar, preset: tera:config/sensors/vlp16.yaml, link: upper, xyz_m: [0, 0, 2],
-       rpy_deg: [0, 5, 3], columns: 512, range_noise_m: 0}]}
+       rpy_deg: [0, 5, 3], columns: 512, range_noise_m: 0},
+      {name: imu, type: imu, link: upper, rate_hz: 200}]}
   - name: other
     machine: tera:config/machines/tb235.yaml
     start: {xy_m: [3, 4], yaw_deg: 130, joints_deg: {boom: 50, arm: -110, bucket: -30}}
     operator: {type: idle}
 obstacles:
-  - {name: truck1, preset: tera:config/obstacles/truck.yaml, xy_m: [6, -4], yaw_deg: 75}
-  - {name: walker, preset: tera:config/obstacles/person.yaml, xy_m: [0, -1],
-     path: [{t_s: 0, xy_m: [0, -1]}, {t_s: 1, xy_m: [0, 0.5]}]}
+  - {name: truck1, preset: tera:config/obstacles/truck.yaml, xy_m: [4, 9], yaw_deg: 160}
+  - {name: walker, preset: tera:config/obstacles/person.yaml, xy_m: [-1, 4],
+     path: [{t_s: 0, xy_m: [-1, 4]}, {t_s: 1, xy_m: [-1, 5.5]}]}
   - {name: cone1, preset: tera:config/obstacles/cone.yaml, xy_m: [-1, 2.5], yaw_deg: 0}
   - {name: tree1, preset: tera:config/obstacles/tree.yaml, xy_m: [9, 3], yaw_deg: 0}
+  - {name: fence1, preset: tera:config/obstacles/fence.yaml, xy_m: [-4.2, 4.5], yaw_deg: 30}
 )";
 
 class ExportLabels : public testing::Test {
@@ -88,7 +90,7 @@ std::unique_ptr<ScratchDirectory> ExportLabels::scratch_;
 TEST_F(ExportLabels, CocosMasksBoxesAndSegmentsAreThoseOfTheDataset) {
   Exported({"coco"}, "coco");
   const json seen = Judged("check_coco.py", "run coco");
-  EXPECT_EQ(seen["images"], 9);  // 6 of the front, 3 of the boom
+  EXPECT_EQ(seen["images"], 17);  // 11 of the front, 6 of the boom
   EXPECT_EQ(seen["cameras"], 2);
   EXPECT_GE(seen["annotations"], 80);
   EXPECT_GE(seen["wholes"], 12);
@@ -105,6 +107,38 @@ TEST_F(ExportLabels, CocosFilesAreAsTheirSchemaSays) {
       "node {0}/check_schema.mjs '{1}' {0}/coco.schema.json {2}/instances.json {2}/panoptic.json",
       TERA_SOURCE_DIR "/test/app/judges", TERA_NODE_MODULES, Path("dated/annotations").string()));
   EXPECT_TRUE(seen);
+}
+
+TEST_F(ExportLabels, KittisFoldersAreThoseOfItsDevelopmentKits) {
+  Exported({"kitti"}, "kitti");
+  const json seen = Judged("check_kitti.py", "run kitti digger/front digger/lidar digger/imu");
+  EXPECT_EQ(seen["frames"], 10);  // scans from 0 to 0.9 s
+  EXPECT_EQ(seen["types"],
+            json({"DontCare", "Pedestrian", "Truck", "barrier", "cone", "vegetation", "vehicle"}));
+  EXPECT_GE(seen["labels"], 50);
+  EXPECT_GE(seen["points_in_boxes"], 2000);
+  EXPECT_GE(seen["projected"], 2000);
+  EXPECT_GE(seen["imu_frames"], 9);
+  EXPECT_GT(seen["truncated"], 0.5);
+  EXPECT_GT(seen["most_moved_m"], 0.05);
+  EXPECT_GT(seen["travelled_m"], 0.3);
+}
+
+TEST_F(ExportLabels, WhatKittiCannotBeGivenIsRefused) {
+  const auto refused = [&](Arguments arguments,
+                           const testing::Matcher<const std::string&>& message) {
+    arguments.insert(arguments.begin(), {"export", "run", "--out", "x", "--to"});
+    ExpectRefused(*scratch_, arguments, message);
+  };
+  refused({"kitti", "--camera", "digger/rear"},
+          StartsWith("--camera: run has no camera 'digger/rear'; need one of digger/front, "));
+  refused({"kitti", "--lidar", "digger/front"}, StartsWith("--lidar: run has no lidar "));
+  refused({"coco", "--lidar", "digger/lidar"},
+          StartsWith("--lidar: does nothing here, it is of --to kitti"));
+  const Outcome layout = RunTera(
+      {"export", "run", "--out", "x", "--to", "kitti", "--layout", "raw,stereo"}, {Path("")});
+  EXPECT_EQ(layout.status, 2);
+  EXPECT_THAT(layout.err, StartsWith("--layout: 'stereo'; need one of depth, object, "));
 }
 
 }  // namespace

@@ -40,6 +40,8 @@ WriteFormat WriterOf(ExportFormat format) {
       return ExportLas;
     case ExportFormat::kCoco:
       return ExportCoco;
+    case ExportFormat::kKitti:
+      return ExportKitti;
   }
   TERA_CHECK(false, static_cast<int>(format));
   return nullptr;

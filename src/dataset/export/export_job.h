@@ -49,5 +49,6 @@ void ExportPcd(ExportJob* job);
 void ExportPly(ExportJob* job);
 void ExportLas(ExportJob* job);
 void ExportCoco(ExportJob* job);
+void ExportKitti(ExportJob* job);
 
 }  // namespace tera

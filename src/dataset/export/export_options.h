@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,7 +16,19 @@
 
 namespace tera {
 
-enum class ExportFormat { kTum, kEuroc, kNmea, kPos, kRosbag2, kBag, kPcd, kPly, kLas, kCoco };
+enum class ExportFormat {
+  kTum,
+  kEuroc,
+  kNmea,
+  kPos,
+  kRosbag2,
+  kBag,
+  kPcd,
+  kPly,
+  kLas,
+  kCoco,
+  kKitti
+};
 
 struct ExportFormatName {
   ExportFormat format;
@@ -23,7 +36,7 @@ struct ExportFormatName {
 };
 
 /// All formats in order of value.
-inline constexpr std::array<ExportFormatName, 10> kExportFormats = {
+inline constexpr std::array<ExportFormatName, 11> kExportFormats = {
     {{ExportFormat::kTum, "tum"},
      {ExportFormat::kEuroc, "euroc"},
      {ExportFormat::kNmea, "nmea"},
@@ -33,7 +46,8 @@ inline constexpr std::array<ExportFormatName, 10> kExportFormats = {
      {ExportFormat::kPcd, "pcd"},
      {ExportFormat::kPly, "ply"},
      {ExportFormat::kLas, "las"},
-     {ExportFormat::kCoco, "coco"}}};
+     {ExportFormat::kCoco, "coco"},
+     {ExportFormat::kKitti, "kitti"}}};
 
 /// Whether a format is a bag of ROS messages, which alone takes `images`; that of ROS 2 also
 /// `storage` and `compression`.
@@ -43,8 +57,22 @@ constexpr bool IsBag(ExportFormat format) {
 /// Whether a format may need to know how machines hang together.
 constexpr bool UsesJointTrees(ExportFormat format) {
   return IsBag(format) || format == ExportFormat::kPcd || format == ExportFormat::kPly ||
-         format == ExportFormat::kLas;
+         format == ExportFormat::kLas || format == ExportFormat::kKitti;
 }
+
+/// The benchmarks of KITTI, each a folder of its own.
+enum class KittiLayout { kRaw, kObject, kTracking, kOdometry, kDepth };
+
+struct KittiLayoutName {
+  KittiLayout layout;
+  std::string_view name;  ///< as the command line has it
+};
+inline constexpr std::array<KittiLayoutName, 5> kKittiLayouts = {
+    {{KittiLayout::kRaw, "raw"},
+     {KittiLayout::kObject, "object"},
+     {KittiLayout::kTracking, "tracking"},
+     {KittiLayout::kOdometry, "odometry"},
+     {KittiLayout::kDepth, "depth"}}};
 
 enum class BagStorage { kMcap, kSqlite3 };
 /// Pictures as pixels, or as the recording's PNG files.
@@ -64,6 +92,8 @@ struct ExportOptions {
   BagStorage storage = BagStorage::kMcap;
   BagCompression compression = BagCompression::kZstd;  ///< of MCAP's chunks
   BagImages images = BagImages::kRaw;
+  std::vector<KittiLayout> kitti_layouts;  ///< empty: all
+  std::string camera, lidar;               ///< of KITTI: paths; empty: the first
   /// Gives the joint trees of the recording's machines where a format needs them; of a machine
   /// without one, nothing but its root has a place.
   std::function<std::vector<JointTree>()> joint_trees;

@@ -54,8 +54,8 @@ std::vector<Step> WayTo(const std::string& link, const JointTree& tree,
   return way;
 }
 
-PoseTrack RecordedTrack(const Recording& recording, const std::string& pose_file) {
-  PoseTrack track;
+SensorPoses RecordedTrack(const Recording& recording, const std::string& pose_file) {
+  SensorPoses track;
   RecordStream stream(recording, std::vector<std::string>{pose_file});
   for (Record record; stream.Next(&record);) {
     track.Append(record.t_ns, PoseOf(stream, record).X_WB);
@@ -63,7 +63,7 @@ PoseTrack RecordedTrack(const Recording& recording, const std::string& pose_file
   return track;
 }
 
-PoseTrack TrackByJoints(ExportJob* job, const std::string& sensor) {
+SensorPoses TrackByJoints(ExportJob* job, const std::string& sensor) {
   const Recording& recording = job->recording;
   const std::string machine = MachineOf(sensor);
   const std::string pose_file = "truth/" + machine + "/pose.csv";
@@ -74,11 +74,11 @@ PoseTrack TrackByJoints(ExportJob* job, const std::string& sensor) {
   if (!recording.Has(joints_file)) FailUnplaced(*job, sensor, "there is no " + joints_file);
   if (tree == nullptr) FailUnplaced(*job, sensor, "its machine's joints are not known");
   if (!sheet.X_PS) FailUnplaced(*job, sensor, "its sensor.yaml has no X_parent_sensor");
-  const PoseTrack roots = RecordedTrack(recording, pose_file);
+  const PoseTrack roots = RecordedTrack(recording, pose_file).X_WS;
   if (roots.empty()) FailUnplaced(*job, sensor, pose_file + " has no rows");
   RecordStream joints(recording, std::vector<std::string>{joints_file});
   const std::vector<Step> way = WayTo(sheet.parent_link, *tree, joints.columns(0), *job, sensor);
-  PoseTrack track;
+  SensorPoses track;
   for (Record record; joints.Next(&record);) {
     Pose X_WL = roots.At(record.t_ns);
     for (const Step& step : way) {
@@ -92,12 +92,18 @@ PoseTrack TrackByJoints(ExportJob* job, const std::string& sensor) {
 
 }  // namespace
 
-PoseTrack SensorTrack(ExportJob* job, const std::string& sensor) {
+void SensorPoses::Append(TimeNs t_ns, const Pose& pose) {
+  if (count++ == 0) first_ns = t_ns;
+  last_ns = t_ns;
+  X_WS.Append(t_ns, pose);
+}
+
+SensorPoses SensorTrack(ExportJob* job, const std::string& sensor) {
   const std::string own =
       "truth/" + MachineOf(sensor) + "/sensors/" + fs::path(sensor).filename().string() + ".csv";
-  const PoseTrack track =
+  const SensorPoses track =
       job->recording.Has(own) ? RecordedTrack(job->recording, own) : TrackByJoints(job, sensor);
-  if (track.empty()) FailUnplaced(*job, sensor, "its poses have no rows");
+  if (track.count == 0) FailUnplaced(*job, sensor, "its poses have no rows");
   return track;
 }
 

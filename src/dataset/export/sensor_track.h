@@ -1,11 +1,23 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "core/motion.h"
 #include "dataset/export/export_job.h"
 
 namespace tera {
+
+/// Poses of a sensor in W over time.
+struct SensorPoses {
+  PoseTrack X_WS;
+  TimeNs first_ns = 0, last_ns = 0;
+  std::int64_t count = 0;
+
+  void Append(TimeNs t_ns, const Pose& pose);
+  /// From one to the next, on average; 0 where there is only one.
+  TimeNs MeanPeriod_ns() const { return count > 1 ? (last_ns - first_ns) / (count - 1) : 0; }
+};
 
 /// Where a sensor truly was over a recording.
 ///
@@ -15,6 +27,6 @@ namespace tera {
 ///         times of the joints, and the mounting of sensor.yaml.
 ///
 /// Throws InputError where it has neither.
-PoseTrack SensorTrack(ExportJob* job, const std::string& sensor);
+SensorPoses SensorTrack(ExportJob* job, const std::string& sensor);
 
 }  // namespace tera

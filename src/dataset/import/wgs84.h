@@ -16,4 +16,11 @@ struct GeodeticPlace {
 /// Source  Hofmann-Wellenhof et al. 2008, "GNSS", section 8.2.
 Vec3 EnuFromGeodetic(const GeodeticPlace& place, const GeodeticPlace& origin);
 
+/// The inverse.
+///
+/// Model   latitude by fixed-point iteration from Earth-centred coordinates, to 1e-15 rad within
+///         10 km of the ellipsoid.
+/// Source  the same.
+GeodeticPlace GeodeticFromEnu(const Vec3& place_m, const GeodeticPlace& origin);
+
 }  // namespace tera

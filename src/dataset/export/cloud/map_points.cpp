@@ -11,7 +11,7 @@ void ForEachMapPoint(ExportJob* job, const std::function<void(const MapPoint&)>&
   const std::vector<std::string> lidars = job->recording.SensorsOf(ChannelForm::kScans);
   RequireAny(lidars, *job, "lidar");
   std::vector<PoseTrack> tracks;
-  for (const std::string& lidar : lidars) tracks.push_back(SensorTrack(job, lidar));
+  for (const std::string& lidar : lidars) tracks.push_back(SensorTrack(job, lidar).X_WS);
   RecordStream stream(job->recording, lidars);
   for (Record record; job->Next(&stream, &record);) {
     const LidarScan scan = job->recording.LoadScan(lidars[record.channel], record.t_ns);

@@ -1,0 +1,205 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "core/units.h"
+#include "dataset/export/export_job.h"
+#include "dataset/export/kitti/kitti_layout.h"
+#include "dataset/export/kitti/steady_scan.h"
+#include "dataset/export/picture/labelled_frame.h"
+#include "dataset/files/checked_file.h"
+#include "dataset/format/png.h"
+
+namespace tera {
+namespace fs = std::filesystem;
+namespace {
+
+/// How far a calibration that is to hold throughout may be off: what links that bend and poses
+/// between samples make of a mount that does not move.
+constexpr double kSteadyWithin_m = 0.005, kSteadyWithin_rad = 0.1 * kDeg;
+
+/// Those that were asked for, each once.
+std::vector<KittiLayout> LayoutsOf(const ExportOptions& options) {
+  const std::vector<KittiLayout>& asked = options.kitti_layouts;
+  std::vector<KittiLayout> layouts;
+  for (const KittiLayoutName& entry : kKittiLayouts) {
+    const bool is_asked =
+        asked.empty() || std::find(asked.begin(), asked.end(), entry.layout) != asked.end();
+    if (is_asked) layouts.push_back(entry.layout);
+  }
+  return layouts;
+}
+
+std::unique_ptr<KittiLayoutWriter> Made(KittiLayout layout, const ExportJob& job,
+                                        const KittiRig& rig) {
+  switch (layout) {
+    case KittiLayout::kRaw:
+      return MakeRawLayout(job, rig);
+    case KittiLayout::kObject:
+      return MakeObjectLayout(job, rig);
+    case KittiLayout::kTracking:
+      return MakeTrackingLayout(job, rig);
+    case KittiLayout::kOdometry:
+      return MakeOdometryLayout(job, rig);
+    case KittiLayout::kDepth:
+      return MakeDepthLayout(job, rig);
+  }
+  return nullptr;
+}
+
+/// The first of `layouts` that is among `some`; null: none.
+const KittiLayoutName* FirstOf(const std::vector<KittiLayout>& layouts,
+                               std::initializer_list<KittiLayout> some) {
+  for (const KittiLayoutName& entry : kKittiLayouts) {
+    const auto is = [&](KittiLayout layout) { return layout == entry.layout; };
+    if (std::any_of(some.begin(), some.end(), is) &&
+        std::any_of(layouts.begin(), layouts.end(), is)) {
+      return &entry;
+    }
+  }
+  return nullptr;
+}
+
+void WriteLinked(const std::vector<fs::path>& places, std::string_view bytes) {
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    std::error_code failed;
+    if (k > 0) fs::create_hard_link(places.front(), places[k], failed);
+    if (k == 0 || failed) WriteWholeFile(places[k], bytes);
+  }
+}
+
+class KittiExport {
+ public:
+  explicit KittiExport(ExportJob* job)
+      : job_(*job),
+        layouts_(LayoutsOf(job->options)),
+        rig_(ReadKittiRig(job)),
+        rectifier_(rig_.lens),
+        table_(job->recording) {
+    using enum KittiLayout;
+    labelled_ = FirstOf(layouts_, {kObject, kTracking});
+    deep_ = FirstOf(layouts_, {kDepth});
+    pictured_ = FirstOf(layouts_, {kRaw, kObject, kTracking, kOdometry});
+    steady_ = FirstOf(layouts_, {kRaw, kTracking, kOdometry});
+    for (const KittiLayout layout : layouts_) writers_.push_back(Made(layout, job_, rig_));
+  }
+
+  const KittiRig& rig() const { return rig_; }
+  bool empty() const { return number_ == 0; }
+
+  void Add(const FramePair& pair) {
+    KittiFrame frame;
+    frame.number = number_++;
+    frame.times = pair;
+    frame.X_WC = rig_.X_WC(pair.picture_ns);
+    frame.X_WS = rig_.X_WS(pair.picture_ns);
+    if (steady_) RequireSteady(frame);
+    if (labelled_) frame.labels = Labels(pair.picture_ns);
+    if (deep_) {
+      frame.depth_mm = rectifier_.Nearest(ReadGrey16Png(Needed("depth", pair.picture_ns, *deep_)));
+    }
+    if (pictured_) WritePictureAndPoints(frame);
+    for (const auto& writer : writers_) writer->Add(frame);
+  }
+
+  void Commit() {
+    for (const auto& writer : writers_) writer->Commit();
+  }
+
+ private:
+  /// The file of a kind that a layout cannot do without.
+  fs::path Needed(std::string_view kind, TimeNs t_ns, const KittiLayoutName& layout) const {
+    const fs::path file = FrameFile(job_.recording, rig_.camera, kind, t_ns);
+    std::error_code ignored;
+    if (fs::is_regular_file(file, ignored)) return file;
+    throw InputError(fmt::format(
+        "{}: is not there, and KITTI's layout '{}' has it; need a camera that records it, by "
+        "--camera, or other layouts, by --layout",
+        file.string(), layout.name));
+  }
+
+  void RequireSteady(const KittiFrame& frame) {
+    if (frame.number == 0) X_CS_first_ = frame.X_CS();
+    const Pose moved = X_CS_first_.inverse() * frame.X_CS();
+    const double turned_rad = Eigen::AngleAxisd(moved.linear()).angle();
+    if (moved.translation().norm() <= kSteadyWithin_m && turned_rad <= kSteadyWithin_rad) return;
+    throw InputError(fmt::format(
+        "{}: {} and {} move against each other, by {:.3f} m and {:.2f} deg until {} ns, and "
+        "KITTI's layout '{}' has one calibration for all frames; need both on one link, by "
+        "--camera and --lidar, or --layout object,depth",
+        job_.recording.directory().string(), rig_.camera, rig_.lidar.path,
+        moved.translation().norm(), turned_rad / kDeg, frame.times.picture_ns, steady_->name));
+  }
+
+  std::vector<KittiLabel> Labels(TimeNs t_ns) const {
+    for (const char* kind : {"semantic", "instance", "boxes"}) Needed(kind, t_ns, *labelled_);
+    const LabelledFrame labels = LoadLabels(job_.recording, rig_.camera, t_ns);
+    const fs::path file = FrameFile(job_.recording, rig_.camera, "instance", t_ns);
+    return KittiLabels(labels.boxes,
+                       ObjectMasks(rectifier_.Nearest(Sized(labels.instance, file)), table_, file),
+                       rig_.lens, MachineOf(rig_.camera));
+  }
+
+  /// A picture as it is, which must have the size that sensor.yaml says.
+  template <typename T>
+  const Image<T>& Sized(const Image<T>& picture, const fs::path& file) const {
+    if (picture.width_px == rig_.lens.width_px && picture.height_px == rig_.lens.height_px) {
+      return picture;
+    }
+    throw InputError(fmt::format("{}: is of {} x {} pixels; need {} x {}, as sensor.yaml says",
+                                 file.string(), picture.width_px, picture.height_px,
+                                 rig_.lens.width_px, rig_.lens.height_px));
+  }
+
+  void WritePictureAndPoints(const KittiFrame& frame) const {
+    std::vector<fs::path> pictures, points;
+    for (const auto& writer : writers_) {
+      if (const auto place = writer->Picture(frame.number)) pictures.push_back(*place);
+      if (const auto place = writer->Points(frame.number)) points.push_back(*place);
+    }
+    const fs::path rgb = Needed("rgb", frame.times.picture_ns, *pictured_);
+    const Image<std::uint8_t> picture = ReadRgbPng(rgb);
+    WriteLinked(pictures, EncodeRgbPng(rectifier_.Blended(Sized(picture, rgb))));
+    const LidarScan scan = job_.recording.LoadScan(rig_.lidar.path, frame.times.scan_ns);
+    WriteLinked(points,
+                VelodyneBytes(SteadyScan(scan, rig_.lidar.poses.X_WS, frame.times.picture_ns)));
+  }
+
+  const ExportJob& job_;
+  std::vector<KittiLayout> layouts_;
+  KittiRig rig_;
+  Rectifier rectifier_;
+  InstanceTable table_;
+  /// One of the layouts that have labels, depth, pictures, and one calibration for all; null: none.
+  const KittiLayoutName *labelled_, *deep_, *pictured_, *steady_;
+  std::vector<std::unique_ptr<KittiLayoutWriter>> writers_;
+  Pose X_CS_first_ = Pose::Identity();
+  int number_ = 0;
+};
+
+}  // namespace
+
+/// raw/, object/, tracking/, odometry/ and depth/, or those that --layout names: one camera and one
+/// lidar, a frame for each scan during which there was a picture, all of it at the picture's time.
+///
+/// Source  Geiger et al. 2013, "Vision meets robotics: the KITTI dataset", and the development kits
+///         of its raw data and benchmarks; depth: Uhrig et al. 2017, "Sparsity invariant CNNs".
+void ExportKitti(ExportJob* job) {
+  KittiExport kitti(job);
+  const KittiRig& rig = kitti.rig();
+  FramePairs frames(job, rig.camera, rig.lidar.path, rig.lidar.period_ns);
+  for (FramePair pair; frames.Next(&pair);) kitti.Add(pair);
+  if (kitti.empty()) {
+    throw InputError(fmt::format(
+        "{}: {} took no picture during a scan of {}; need two that ran at the same time, by "
+        "--camera and --lidar",
+        job->recording.directory().string(), rig.camera, rig.lidar.path));
+  }
+  kitti.Commit();
+}
+
+}  // namespace tera

@@ -1,0 +1,85 @@
+#include "dataset/export/kitti/kitti_rig.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+
+namespace tera {
+namespace {
+
+/// The one that an option names, else the first.
+std::string Chosen(const ExportJob& job, ChannelForm form, const std::string& named,
+                   std::string_view option, std::string_view kind) {
+  const std::vector<std::string> all = job.recording.SensorsOf(form);
+  RequireAny(all, job, kind);
+  if (named.empty()) return all.front();
+  if (std::find(all.begin(), all.end(), named) == all.end()) {
+    throw InputError(fmt::format("{}: {} has no {} '{}'; need one of {}", option,
+                                 job.recording.directory().string(), kind, named,
+                                 fmt::join(all, ", ")));
+  }
+  return named;
+}
+
+std::string SheetOf(const ExportJob& job, const std::string& sensor) {
+  return (job.recording.directory() / sensor / "sensor.yaml").string();
+}
+
+/// The optical frame in a camera's own, whose x looks forward and whose z is up.
+Pose OpticalInCamera() {
+  Mat3 R_SC;
+  R_SC << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  return MakePose(Vec3::Zero(), R_SC);
+}
+
+CameraLens LensOf(const ExportJob& job, const std::string& camera) {
+  const SensorSheet sheet = ReadSensorSheet(job.recording.directory() / camera);
+  if (!sheet.lens) {
+    throw InputError(
+        fmt::format("{}: has no lens; need `model` with width_px to cy_px", SheetOf(job, camera)));
+  }
+  if (!Rectifier::Takes(*sheet.lens)) {
+    throw InputError(fmt::format(
+        "{}: its lens is of the law {}, which sees what no pinhole does, and KITTI's pictures are "
+        "those of a pinhole; need a camera whose lens is brown_conrady or rational, by --camera",
+        SheetOf(job, camera), sheet.lens->law));
+  }
+  return *sheet.lens;
+}
+
+}  // namespace
+
+Pose KittiRig::X_WC(TimeNs t_ns) const { return camera_poses.X_WS.At(t_ns) * OpticalInCamera(); }
+
+KittiLidar ReadKittiLidar(ExportJob* job) {
+  KittiLidar lidar;
+  lidar.path = Chosen(*job, ChannelForm::kScans, job->options.lidar, "--lidar", "lidar");
+  const SensorSheet sheet = ReadSensorSheet(job->recording.directory() / lidar.path);
+  if (!(sheet.rate_hz > 0)) {
+    throw InputError(
+        fmt::format("{}: has no rate; need `rate_hz` of its scans", SheetOf(*job, lidar.path)));
+  }
+  if (!sheet.X_PS) {
+    throw InputError(fmt::format("{}: has no X_parent_sensor; need where its link carries it",
+                                 SheetOf(*job, lidar.path)));
+  }
+  lidar.period_ns = FromSeconds(1 / sheet.rate_hz);
+  lidar.X_PS = *sheet.X_PS;
+  lidar.poses = SensorTrack(job, lidar.path);
+  return lidar;
+}
+
+KittiRig ReadKittiRig(ExportJob* job) {
+  KittiRig rig;
+  rig.camera = Chosen(*job, ChannelForm::kPictures, job->options.camera, "--camera", "camera");
+  rig.lens = LensOf(*job, rig.camera);
+  rig.lidar = ReadKittiLidar(job);
+  rig.camera_poses = SensorTrack(job, rig.camera);
+  return rig;
+}
+
+}  // namespace tera

@@ -1,0 +1,61 @@
+#include "dataset/export/kitti/oxts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/units.h"
+#include "dataset/import/wgs84.h"
+
+namespace tera {
+namespace {
+
+constexpr TimeNs kLeastHalfWindow_ns = 10'000'000;
+constexpr int kLocked = 4;  ///< the navigation status of a unit whose answer is complete
+
+std::string Numbers(const Vec3& v) {
+  return fmt::format(" {:.12f} {:.12f} {:.12f}", v.x(), v.y(), v.z());
+}
+
+}  // namespace
+
+BodyMotion MotionAt(const SensorPoses& poses, const Pose& X_SB, TimeNs t_ns) {
+  const auto X_WB = [&](TimeNs at_ns) { return poses.X_WS.At(at_ns) * X_SB; };
+  BodyMotion motion;
+  motion.X_WB = X_WB(t_ns);
+  const TimeNs half_ns = std::min(std::max(kLeastHalfWindow_ns, poses.MeanPeriod_ns()),
+                                  (poses.last_ns - poses.first_ns) / 2);
+  if (half_ns == 0) return motion;
+  const TimeNs middle_ns = std::clamp(t_ns, poses.first_ns + half_ns, poses.last_ns - half_ns);
+  const Pose before = X_WB(middle_ns - half_ns), after = X_WB(middle_ns + half_ns);
+  const double half_s = ToSeconds(half_ns);
+  motion.a_W_mps2 =
+      (before.translation() - 2 * X_WB(middle_ns).translation() + after.translation()) /
+      (half_s * half_s);
+  motion.v_W_mps = (after.translation() - before.translation()) / (2 * half_s) +
+                   motion.a_W_mps2 * ToSeconds(t_ns - middle_ns);
+  const Eigen::AngleAxisd turn(before.linear().transpose() * after.linear());
+  motion.w_B_radps = turn.axis() * turn.angle() / (2 * half_s);
+  return motion;
+}
+
+std::string OxtsRow(const BodyMotion& motion, const DatasetInfo& info) {
+  const GeodeticPlace place = GeodeticFromEnu(
+      motion.X_WB.translation(),
+      {info.origin_lat_deg * kDeg, info.origin_lon_deg * kDeg, info.origin_height_m});
+  const Vec3 rpy_rad = RpyFromRotation(motion.X_WB.linear());
+  const Mat3 R_BW = motion.X_WB.linear().transpose();
+  const Mat3 R_LW = RotationFromRpy(0, 0, rpy_rad.z()).transpose();  // L: level, x forward
+  const Vec3 f_W_mps2 = motion.a_W_mps2 + Vec3(0, 0, kStandardGravity_mps2);
+  const Vec3 w_W_radps = motion.X_WB.linear() * motion.w_B_radps;
+  std::string row = fmt::format("{:.12f} {:.12f} {:.9f}", place.lat_rad / kDeg,
+                                place.lon_rad / kDeg, place.height_m);
+  row += Numbers(rpy_rad);
+  row += fmt::format(" {:.12f} {:.12f}", motion.v_W_mps.y(), motion.v_W_mps.x());
+  row += Numbers(R_LW * motion.v_W_mps);
+  row += Numbers(R_BW * f_W_mps2) + Numbers(R_LW * f_W_mps2);
+  row += Numbers(motion.w_B_radps) + Numbers(R_LW * w_W_radps);
+  return row + fmt::format(" 0 0 {} 0 0 0 0\n", kLocked);
+}
+
+}  // namespace tera

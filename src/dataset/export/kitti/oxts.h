@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+
+#include "core/motion.h"
+#include "dataset/export/sensor_track.h"
+#include "dataset/format/dataset_info.h"
+
+namespace tera {
+
+/// Motion of a body at one instant.
+///
+/// Frames  W world, B body.
+struct BodyMotion {
+  Pose X_WB = Pose::Identity();
+  Vec3 v_W_mps = Vec3::Zero();
+  Vec3 a_W_mps2 = Vec3::Zero();  ///< without gravity
+  Vec3 w_B_radps = Vec3::Zero();
+};
+
+/// Of a body B that a sensor is fixed to, by the poses of the sensor around an instant.
+///
+/// Model   positions as a parabola, rotations as a steady turn, through poses half a window before
+///         and after; the window is twice as long as poses are apart and at least 20 ms, and lies
+///         within the recording.
+BodyMotion MotionAt(const SensorPoses& poses, const Pose& X_SB, TimeNs t_ns);
+
+/// What an inertial and satellite unit without errors at B's origin, x forward, y left and z up,
+/// would say, in the 30 numbers of KITTI's raw data.
+///
+/// Model   latitude, longitude (deg), height above the ellipsoid; roll, pitch, yaw with
+///         R_WB = Rz(yaw) Ry(pitch) Rx(roll); velocity to north and east, then forward, left and
+///         up, where forward is level; specific force along B and along these; angular rate about B
+///         and about these. Accuracies, satellites and modes are 0, the navigation status 4
+///         (locked).
+/// Source  Geiger et al. 2013, "Vision meets robotics: the KITTI dataset", and the `dataformat.txt`
+///         of its raw data.
+std::string OxtsRow(const BodyMotion& motion, const DatasetInfo& info);
+
+}  // namespace tera
