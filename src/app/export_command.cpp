@@ -79,10 +79,9 @@ void AddBagOptions(CLI::App* command, Arguments* arguments) {
                    "Of bags: raw pixels (the default) or the PNG files as they are, compressed")
       ->transform(OneOf(kImages));
   command
-      ->add_option(
-          "--moved", arguments->moved,
-          "Of bags, clouds and kitti: OLD=NEW: an input that dataset.yaml lists as OLD, or "
-          "below the folder OLD, is now at NEW; may be repeated")
+      ->add_option("--moved", arguments->moved,
+                   "Of bags, clouds and formats of one lidar: OLD=NEW: an input that dataset.yaml "
+                   "lists as OLD, or below the folder OLD, is now at NEW; may be repeated")
       ->take_all();
 }
 
@@ -90,7 +89,8 @@ void AddBagOptions(CLI::App* command, Arguments* arguments) {
 void AddKittiOptions(CLI::App* command, Arguments* arguments) {
   ExportOptions* const options = &arguments->options;
   command->add_option("--camera", options->camera, "Of kitti: MACHINE/CAMERA; the first");
-  command->add_option("--lidar", options->lidar, "Of kitti: MACHINE/LIDAR; the first");
+  command->add_option("--lidar", options->lidar,
+                      "Of kitti and semantickitti: MACHINE/LIDAR; the first");
   command
       ->add_option("--layout", options->kitti_layouts,
                    "Of kitti: raw, object, tracking, odometry and depth, or some of them; all")
@@ -111,10 +111,10 @@ void RequireNoIdleOption(const CLI::App& command, const ExportOptions& options) 
   require("--images", bag, "bags");
   require("--compression", ros2 && options.storage == BagStorage::kMcap,
           "--to rosbag2 --storage mcap");
-  require("--moved", UsesJointTrees(options.format), "bags, clouds and kitti");
-  for (const char* option : {"--camera", "--lidar", "--layout"}) {
-    require(option, options.format == ExportFormat::kKitti, "--to kitti");
-  }
+  require("--moved", UsesJointTrees(options.format), "bags, clouds and formats of one lidar");
+  require("--lidar", IsOfOneLidar(options.format), "--to kitti and --to semantickitti");
+  require("--camera", IsOfOneCamera(options.format), "--to kitti");
+  require("--layout", options.format == ExportFormat::kKitti, "--to kitti");
 }
 
 }  // namespace

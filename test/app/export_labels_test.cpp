@@ -124,6 +124,16 @@ TEST_F(ExportLabels, KittisFoldersAreThoseOfItsDevelopmentKits) {
   EXPECT_GT(seen["travelled_m"], 0.3);
 }
 
+TEST_F(ExportLabels, SemanticKittisLabelsAndPosesAreThoseOfTheDataset) {
+  Exported({"semantickitti"}, "semantickitti");
+  const json seen = Judged("check_semantickitti.py", "run semantickitti digger/lidar");
+  EXPECT_GE(seen["frames"], 10);
+  EXPECT_GE(seen["points"], 15000);
+  EXPECT_GE(seen["classes"], 6);
+  EXPECT_GE(seen["instances"], 6);
+  EXPECT_GT(seen["most_moved_m"], 0.05);
+}
+
 TEST_F(ExportLabels, WhatKittiCannotBeGivenIsRefused) {
   const auto refused = [&](Arguments arguments,
                            const testing::Matcher<const std::string&>& message) {
@@ -134,7 +144,7 @@ TEST_F(ExportLabels, WhatKittiCannotBeGivenIsRefused) {
           StartsWith("--camera: run has no camera 'digger/rear'; need one of digger/front, "));
   refused({"kitti", "--lidar", "digger/front"}, StartsWith("--lidar: run has no lidar "));
   refused({"coco", "--lidar", "digger/lidar"},
-          StartsWith("--lidar: does nothing here, it is of --to kitti"));
+          StartsWith("--lidar: does nothing here, it is of --to kitti and --to semantickitti"));
   const Outcome layout = RunTera(
       {"export", "run", "--out", "x", "--to", "kitti", "--layout", "raw,stereo"}, {Path("")});
   EXPECT_EQ(layout.status, 2);

@@ -42,6 +42,8 @@ WriteFormat WriterOf(ExportFormat format) {
       return ExportCoco;
     case ExportFormat::kKitti:
       return ExportKitti;
+    case ExportFormat::kSemanticKitti:
+      return ExportSemanticKitti;
   }
   TERA_CHECK(false, static_cast<int>(format));
   return nullptr;

@@ -50,5 +50,6 @@ void ExportPly(ExportJob* job);
 void ExportLas(ExportJob* job);
 void ExportCoco(ExportJob* job);
 void ExportKitti(ExportJob* job);
+void ExportSemanticKitti(ExportJob* job);
 
 }  // namespace tera

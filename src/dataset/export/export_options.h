@@ -27,7 +27,8 @@ enum class ExportFormat {
   kPly,
   kLas,
   kCoco,
-  kKitti
+  kKitti,
+  kSemanticKitti
 };
 
 struct ExportFormatName {
@@ -36,7 +37,7 @@ struct ExportFormatName {
 };
 
 /// All formats in order of value.
-inline constexpr std::array<ExportFormatName, 11> kExportFormats = {
+inline constexpr std::array<ExportFormatName, 12> kExportFormats = {
     {{ExportFormat::kTum, "tum"},
      {ExportFormat::kEuroc, "euroc"},
      {ExportFormat::kNmea, "nmea"},
@@ -47,17 +48,23 @@ inline constexpr std::array<ExportFormatName, 11> kExportFormats = {
      {ExportFormat::kPly, "ply"},
      {ExportFormat::kLas, "las"},
      {ExportFormat::kCoco, "coco"},
-     {ExportFormat::kKitti, "kitti"}}};
+     {ExportFormat::kKitti, "kitti"},
+     {ExportFormat::kSemanticKitti, "semantickitti"}}};
 
 /// Whether a format is a bag of ROS messages, which alone takes `images`; that of ROS 2 also
 /// `storage` and `compression`.
 constexpr bool IsBag(ExportFormat format) {
   return format == ExportFormat::kRosbag2 || format == ExportFormat::kBag;
 }
+/// Whether a format is of one lidar, and of one camera besides.
+constexpr bool IsOfOneCamera(ExportFormat format) { return format == ExportFormat::kKitti; }
+constexpr bool IsOfOneLidar(ExportFormat format) {
+  return IsOfOneCamera(format) || format == ExportFormat::kSemanticKitti;
+}
 /// Whether a format may need to know how machines hang together.
 constexpr bool UsesJointTrees(ExportFormat format) {
-  return IsBag(format) || format == ExportFormat::kPcd || format == ExportFormat::kPly ||
-         format == ExportFormat::kLas || format == ExportFormat::kKitti;
+  return IsBag(format) || IsOfOneLidar(format) || format == ExportFormat::kPcd ||
+         format == ExportFormat::kPly || format == ExportFormat::kLas;
 }
 
 /// The benchmarks of KITTI, each a folder of its own.
@@ -93,7 +100,7 @@ struct ExportOptions {
   BagCompression compression = BagCompression::kZstd;  ///< of MCAP's chunks
   BagImages images = BagImages::kRaw;
   std::vector<KittiLayout> kitti_layouts;  ///< empty: all
-  std::string camera, lidar;               ///< of KITTI: paths; empty: the first
+  std::string camera, lidar;               ///< of formats of one: paths; empty: the first
   /// Gives the joint trees of the recording's machines where a format needs them; of a machine
   /// without one, nothing but its root has a place.
   std::function<std::vector<JointTree>()> joint_trees;

@@ -29,13 +29,6 @@ std::string SheetOf(const ExportJob& job, const std::string& sensor) {
   return (job.recording.directory() / sensor / "sensor.yaml").string();
 }
 
-/// The optical frame in a camera's own, whose x looks forward and whose z is up.
-Pose OpticalInCamera() {
-  Mat3 R_SC;
-  R_SC << 0, 0, 1, -1, 0, 0, 0, -1, 0;
-  return MakePose(Vec3::Zero(), R_SC);
-}
-
 CameraLens LensOf(const ExportJob& job, const std::string& camera) {
   const SensorSheet sheet = ReadSensorSheet(job.recording.directory() / camera);
   if (!sheet.lens) {
@@ -53,11 +46,23 @@ CameraLens LensOf(const ExportJob& job, const std::string& camera) {
 
 }  // namespace
 
-Pose KittiRig::X_WC(TimeNs t_ns) const { return camera_poses.X_WS.At(t_ns) * OpticalInCamera(); }
+std::string ChosenLidar(const ExportJob& job) {
+  return Chosen(job, ChannelForm::kScans, job.options.lidar, "--lidar", "lidar");
+}
+
+Pose OpticalAxesInSensor() {
+  Mat3 R_SC;
+  R_SC << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  return MakePose(Vec3::Zero(), R_SC);
+}
+
+Pose KittiRig::X_WC(TimeNs t_ns) const {
+  return camera_poses.X_WS.At(t_ns) * OpticalAxesInSensor();
+}
 
 KittiLidar ReadKittiLidar(ExportJob* job) {
   KittiLidar lidar;
-  lidar.path = Chosen(*job, ChannelForm::kScans, job->options.lidar, "--lidar", "lidar");
+  lidar.path = ChosenLidar(*job);
   const SensorSheet sheet = ReadSensorSheet(job->recording.directory() / lidar.path);
   if (!(sheet.rate_hz > 0)) {
     throw InputError(

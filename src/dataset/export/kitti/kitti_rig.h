@@ -9,6 +9,13 @@
 
 namespace tera {
 
+/// The lidar that --lidar names, else the first. Throws InputError where there is none.
+std::string ChosenLidar(const ExportJob& job);
+
+/// The optical frame C in the frame S of a camera or of another sensor: z of C is x of S, x of C is
+/// -y of S.
+Pose OpticalAxesInSensor();
+
 /// The lidar of an export, where it was, and on what it is mounted.
 struct KittiLidar {
   std::string path;
@@ -17,7 +24,7 @@ struct KittiLidar {
   SensorPoses poses;
 };
 
-/// The lidar that --lidar names, else the first. Throws InputError where there is none, or where
+/// ChosenLidar. Throws InputError where there is none, or where
 /// its rate, its mounting or its place is not known.
 KittiLidar ReadKittiLidar(ExportJob* job);
 

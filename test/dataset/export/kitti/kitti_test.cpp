@@ -78,6 +78,8 @@ class KittiTest : public testing::Test {
       LidarPoint ahead, late;
       ahead.x_m = 5;
       ahead.intensity = 0.25f;
+      ahead.label = static_cast<std::uint8_t>(SemanticClass::kPerson);
+      ahead.instance = 258;
       late.x_m = 5;
       late.time_offset_ns = static_cast<std::uint32_t>(90 * kMs);
       writer.Write(lidar, LidarScan{t_ms * kMs, t_ms * kMs, {ahead, late}});
@@ -215,6 +217,20 @@ TEST_F(KittiTest, APictureOfAnotherSizeThanTheLensIsNamed) {
   Edit("digger/front/sensor.yaml", "width_px: 4", "width_px: 5");
   EXPECT_THAT(FaultOf({KittiLayout::kRaw}),
               HasSubstr("rgb/40000000.png: is of 4 x 3 pixels; need 5 x 3, as sensor.yaml says"));
+}
+
+TEST_F(KittiTest, SemanticKittisLabelsAreInstanceAndClassInOneNumber) {
+  Export(recording(), out(), {.format = ExportFormat::kSemanticKitti, .joint_trees = Tree});
+  const std::string labels = Written("sequences/00/labels/000001.label");
+  EXPECT_EQ(labels, std::string("\x0b\0\x02\x01\0\0\0\0", 8));  // 11, then 258 = 0x0102
+  // At the first ray the points are its own; 90 ms later the lidar was 9 cm further.
+  const std::string points = Written("sequences/00/velodyne/000001.bin");
+  EXPECT_FLOAT_EQ(FloatAt(points, 0), 5);
+  EXPECT_FLOAT_EQ(FloatAt(points, 4), 5.09f);
+  EXPECT_EQ(Written("sequences/00/times.txt"), "0.000000000\n0.100000000\n0.200000000\n");
+  EXPECT_THAT(Written("semantic-kitti.yaml"),
+              AllOf(HasSubstr("content:\n  0: 0.5\n"), HasSubstr("  11: person\n"),
+                    HasSubstr("  11: [160, 40, 255]\n")));
 }
 
 }  // namespace

@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "core/error.h"
+#include "core/types/labels.h"
+#include "dataset/export/bag/little_endian.h"
+#include "dataset/export/export_job.h"
+#include "dataset/export/kitti/kitti_rig.h"
+#include "dataset/export/kitti/kitti_text.h"
+#include "dataset/export/kitti/steady_scan.h"
+#include "dataset/export/stamp_text.h"
+#include "dataset/files/checked_file.h"
+
+namespace tera {
+namespace fs = std::filesystem;
+namespace {
+
+/// How many points there are of each class.
+using ClassCounts = std::array<std::int64_t, kSemanticClasses.size()>;
+
+/// No ray hits the sky; SemanticKITTI's 0 is what has no label.
+std::string_view NameOfClass(const SemanticClassInfo& info) {
+  return info.label == SemanticClass::kSky ? "unlabeled" : info.name;
+}
+
+/// A map of the classes' numbers in YAML, with what `value` gives of each.
+template <typename Value>
+std::string ClassMap(std::string_view key, const Value& value) {
+  std::string text = fmt::format("{}:\n", key);
+  for (const SemanticClassInfo& info : kSemanticClasses) {
+    text += fmt::format("  {}: {}\n", static_cast<int>(info.label), value(info));
+  }
+  return text;
+}
+
+/// What the development kit reads of the classes: their names, colours (blue, green, red), shares
+/// of all points, the numbers to learn, which are the same, and which of these is to be ignored.
+std::string ClassesYaml(const ClassCounts& counts) {
+  std::int64_t all = 0;
+  for (const std::int64_t count : counts) all += count;
+  const auto same = [](const SemanticClassInfo& info) { return static_cast<int>(info.label); };
+  return ClassMap("labels", [](const auto& info) { return NameOfClass(info); }) +
+         ClassMap("color_map",
+                  [](const auto& info) {
+                    return fmt::format("[{}, {}, {}]", info.rgb[2], info.rgb[1], info.rgb[0]);
+                  }) +
+         ClassMap("content",
+                  [&](const auto& info) {
+                    const auto count = counts[static_cast<std::size_t>(info.label)];
+                    return all > 0 ? static_cast<double>(count) / static_cast<double>(all) : 0;
+                  }) +
+         ClassMap("learning_map", same) + ClassMap("learning_map_inv", same) +
+         ClassMap("learning_ignore",
+                  [](const auto& info) { return info.label == SemanticClass::kSky; }) +
+         "split:\n  train: [0]\n  valid: []\n  test: []\n";
+}
+
+/// A point's class in the lower 16 bits, its instance in the upper.
+std::string LabelBytes(const LidarScan& scan, const fs::path& file, ClassCounts* counts) {
+  constexpr int kInstanceShift = 16;
+  std::string bytes;
+  for (const LidarPoint& point : scan.points) {
+    if (point.label >= counts->size()) {
+      throw InputError(
+          fmt::format("{}: has a point of the class {}; need classes of "
+                      "docs/dataset.md, 0 to {}",
+                      file.string(), point.label, counts->size() - 1));
+    }
+    ++(*counts)[point.label];
+    AppendNumber(std::uint32_t{point.instance} << kInstanceShift | point.label, &bytes);
+  }
+  return bytes;
+}
+
+/// The sequence's camera 0: at the lidar's origin, without a picture.
+std::string CalibrationText(const Pose& X_SC) {
+  Eigen::Matrix<double, 3, 4> P = Eigen::Matrix<double, 3, 4>::Identity();
+  std::string text;
+  for (int camera = 0; camera < 4; ++camera) {
+    text += fmt::format("P{}: {}\n", camera, NumbersText(P));
+  }
+  return text + "Tr: " + PoseText(X_SC.inverse()) + "\n";
+}
+
+fs::path Made(const fs::path& folder) {
+  MakeFolder(folder);
+  return folder;
+}
+
+}  // namespace
+
+/// sequences/00: velodyne, labels, calib.txt, poses.txt and times.txt; semantic-kitti.yaml, with
+/// the dataset's classes. One lidar; each scan as if it was taken at once at its first ray.
+///
+/// Frames  poses of a camera 0 that stands at the lidar's origin (x right, y down, z forward), in
+///         its own frame at the first scan; `Tr` from the lidar's frame into it.
+/// Source  Behley et al. 2019, "SemanticKITTI", and its development kit.
+void ExportSemanticKitti(ExportJob* job) {
+  const std::string lidar = ChosenLidar(*job);
+  const PoseTrack X_WS = SensorTrack(job, lidar).X_WS;
+  const Pose X_SC = OpticalAxesInSensor();
+  const fs::path sequence = job->folder / "sequences/00";
+  const fs::path velodyne = Made(sequence / "velodyne"), labels = Made(sequence / "labels");
+  CheckedFile poses(sequence / "poses.txt"), times(sequence / "times.txt");
+  ClassCounts counts{};
+  Pose X_CW_first;
+  TimeNs first_ns = 0;
+  int frame = 0;
+  RecordStream stream(job->recording, std::vector<std::string>{lidar});
+  for (Record record; job->Next(&stream, &record); ++frame) {
+    const LidarScan scan = job->recording.LoadScan(lidar, record.t_ns);
+    const Pose X_WC = X_WS.At(scan.t_ns) * X_SC;
+    if (frame == 0) {
+      X_CW_first = X_WC.inverse();
+      first_ns = scan.t_ns;
+    }
+    const std::string name = fmt::format("{:06}", frame);
+    WriteWholeFile(velodyne / (name + ".bin"), VelodyneBytes(SteadyScan(scan, X_WS, scan.t_ns)));
+    const fs::path file =
+        job->recording.directory() / lidar / "scans" / fmt::format("{}.pcd", scan.t_ns);
+    WriteWholeFile(labels / (name + ".label"), LabelBytes(scan, file, &counts));
+    poses.Append(PoseText(X_CW_first * X_WC) + "\n");
+    times.Append(SecondsText(scan.t_ns - first_ns) + "\n");
+  }
+  poses.Commit();
+  times.Commit();
+  WriteWholeFile(sequence / "calib.txt", CalibrationText(X_SC));
+  WriteWholeFile(job->folder / "semantic-kitti.yaml", ClassesYaml(counts));
+}
+
+}  // namespace tera
