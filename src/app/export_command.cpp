@@ -16,12 +16,16 @@
 namespace tera {
 namespace {
 
+constexpr std::int64_t kBytesPerMb = 1'000'000;
+constexpr int kMostShardMb = 1'000'000;
+
 /// Between lines where standard error is no terminal.
 constexpr double kPipeLine_s = 10;
 
 struct Arguments {
   std::string dataset, out, start_utc;
   std::vector<std::string> moved;
+  std::int64_t shard_mb = kDefaultShardBytes / kBytesPerMb;
   ExportOptions options;
 };
 
@@ -51,6 +55,7 @@ std::map<std::string, ExportFormat> FormatsByName() {
 ExportReport ExportWithProgress(const Arguments& arguments) {
   ExportOptions options = arguments.options;
   options.joint_trees = [&] { return RecordedJointTrees(arguments.dataset, arguments.moved); };
+  options.shard_bytes = arguments.shard_mb * kBytesPerMb;
   ProgressBar bar(kPipeLine_s);
   if (!arguments.start_utc.empty()) options.start_utc_ns = UtcTime(arguments.start_utc);
   options.progress = [&](const ExportProgress& progress) {
@@ -114,6 +119,8 @@ void RequireNoIdleOption(const CLI::App& command, const ExportOptions& options) 
   require("--moved", UsesJointTrees(options.format), "bags, clouds and formats of one lidar");
   require("--lidar", IsOfOneLidar(options.format), "--to kitti and --to semantickitti");
   require("--camera", IsOfOneCamera(options.format), "--to kitti");
+  require("--shard-mb", options.format == ExportFormat::kWebdataset, "--to webdataset");
+  require("--start-utc", options.format != ExportFormat::kSemanticKitti, "formats that have dates");
   require("--layout", options.format == ExportFormat::kKitti, "--to kitti");
 }
 
@@ -135,6 +142,10 @@ void AddExportCommand(CLI::App* app) {
       ->check(IsUtcTime());
   AddBagOptions(command, arguments.get());
   AddKittiOptions(command, arguments.get());
+  command
+      ->add_option("--shard-mb", arguments->shard_mb,
+                   "Of webdataset: about how large an archive is, in MB; 256")
+      ->check(CLI::Range(1, kMostShardMb));
   command->callback([arguments, command] {
     RequireNoIdleOption(*command, arguments->options);
     RunExport(*arguments);

@@ -37,6 +37,7 @@ machines:
     rig: {sensors: [
       {name: front, preset: tera:config/sensors/rgb_640.yaml, link: upper, xyz_m: [0.6, 0.3, 1.6],
        rpy_deg: [0, 8, -4], width_px: 200, height_px: 150, horizontal_fov_deg: 90, rate_hz: 10,
+       lens: rational, p1: 0.004, p2: -0.006, k3: 0.003, k4: 0.01, k5: -0.004, k6: 0.002,
        depth: true, rgb_noise: 0},
       {name: boom_eye, type: camera, link: boom, xyz_m: [1, 0, 0.5], rpy_deg: [0, 40, 0],
        width_px: 96, height_px: 72, horizontal_fov_deg: 70, rate_hz: 5, depth: true, rgb: true,
@@ -132,6 +133,15 @@ TEST_F(ExportLabels, SemanticKittisLabelsAndPosesAreThoseOfTheDataset) {
   EXPECT_GE(seen["classes"], 6);
   EXPECT_GE(seen["instances"], 6);
   EXPECT_GT(seen["most_moved_m"], 0.05);
+}
+
+TEST_F(ExportLabels, WebdatasetsArchivesHoldTheDatasetsOwnFiles) {
+  Exported({"webdataset", "--shard-mb", "1"}, "webdataset");
+  const json seen =
+      Judged("check_webdataset.py", "run webdataset digger/front digger/boom_eye digger/lidar");
+  EXPECT_EQ(seen["samples"], 27);  // 11, 6 and 10
+  EXPECT_GE(seen["shards"], 3);
+  EXPECT_EQ(seen["parts"], 4 * 17 + 10);
 }
 
 TEST_F(ExportLabels, WhatKittiCannotBeGivenIsRefused) {

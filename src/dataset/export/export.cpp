@@ -44,6 +44,8 @@ WriteFormat WriterOf(ExportFormat format) {
       return ExportKitti;
     case ExportFormat::kSemanticKitti:
       return ExportSemanticKitti;
+    case ExportFormat::kWebdataset:
+      return ExportWebdataset;
   }
   TERA_CHECK(false, static_cast<int>(format));
   return nullptr;

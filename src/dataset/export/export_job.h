@@ -51,5 +51,6 @@ void ExportLas(ExportJob* job);
 void ExportCoco(ExportJob* job);
 void ExportKitti(ExportJob* job);
 void ExportSemanticKitti(ExportJob* job);
+void ExportWebdataset(ExportJob* job);
 
 }  // namespace tera

@@ -28,7 +28,8 @@ enum class ExportFormat {
   kLas,
   kCoco,
   kKitti,
-  kSemanticKitti
+  kSemanticKitti,
+  kWebdataset
 };
 
 struct ExportFormatName {
@@ -37,7 +38,7 @@ struct ExportFormatName {
 };
 
 /// All formats in order of value.
-inline constexpr std::array<ExportFormatName, 12> kExportFormats = {
+inline constexpr std::array<ExportFormatName, 13> kExportFormats = {
     {{ExportFormat::kTum, "tum"},
      {ExportFormat::kEuroc, "euroc"},
      {ExportFormat::kNmea, "nmea"},
@@ -49,7 +50,8 @@ inline constexpr std::array<ExportFormatName, 12> kExportFormats = {
      {ExportFormat::kLas, "las"},
      {ExportFormat::kCoco, "coco"},
      {ExportFormat::kKitti, "kitti"},
-     {ExportFormat::kSemanticKitti, "semantickitti"}}};
+     {ExportFormat::kSemanticKitti, "semantickitti"},
+     {ExportFormat::kWebdataset, "webdataset"}}};
 
 /// Whether a format is a bag of ROS messages, which alone takes `images`; that of ROS 2 also
 /// `storage` and `compression`.
@@ -81,6 +83,9 @@ inline constexpr std::array<KittiLayoutName, 5> kKittiLayouts = {
      {KittiLayout::kOdometry, "odometry"},
      {KittiLayout::kDepth, "depth"}}};
 
+/// Of a size that is read at once from any storage, and of which a machine holds several.
+inline constexpr std::int64_t kDefaultShardBytes = 256'000'000;
+
 enum class BagStorage { kMcap, kSqlite3 };
 /// Pictures as pixels, or as the recording's PNG files.
 enum class BagImages { kRaw, kCompressed };
@@ -99,8 +104,9 @@ struct ExportOptions {
   BagStorage storage = BagStorage::kMcap;
   BagCompression compression = BagCompression::kZstd;  ///< of MCAP's chunks
   BagImages images = BagImages::kRaw;
-  std::vector<KittiLayout> kitti_layouts;  ///< empty: all
-  std::string camera, lidar;               ///< of formats of one: paths; empty: the first
+  std::vector<KittiLayout> kitti_layouts;         ///< empty: all
+  std::string camera, lidar;                      ///< of formats of one: paths; empty: the first
+  std::int64_t shard_bytes = kDefaultShardBytes;  ///< of WebDataset: about how large archives are
   /// Gives the joint trees of the recording's machines where a format needs them; of a machine
   /// without one, nothing but its root has a place.
   std::function<std::vector<JointTree>()> joint_trees;

@@ -98,9 +98,12 @@ void SensorPoses::Append(TimeNs t_ns, const Pose& pose) {
   X_WS.Append(t_ns, pose);
 }
 
+std::string SensorPoseFile(const std::string& sensor) {
+  return "truth/" + MachineOf(sensor) + "/sensors/" + fs::path(sensor).filename().string() + ".csv";
+}
+
 SensorPoses SensorTrack(ExportJob* job, const std::string& sensor) {
-  const std::string own =
-      "truth/" + MachineOf(sensor) + "/sensors/" + fs::path(sensor).filename().string() + ".csv";
+  const std::string own = SensorPoseFile(sensor);
   const SensorPoses track =
       job->recording.Has(own) ? RecordedTrack(job->recording, own) : TrackByJoints(job, sensor);
   if (track.count == 0) FailUnplaced(*job, sensor, "its poses have no rows");

@@ -19,6 +19,9 @@ struct SensorPoses {
   TimeNs MeanPeriod_ns() const { return count > 1 ? (last_ns - first_ns) / (count - 1) : 0; }
 };
 
+/// "truth/excavator1/sensors/lidar.csv" of "excavator1/lidar".
+std::string SensorPoseFile(const std::string& sensor);
+
 /// Where a sensor truly was over a recording.
 ///
 /// Frames  W world, S sensor.

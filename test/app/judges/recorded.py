@@ -65,7 +65,8 @@ class Recorded:
         """K and the coefficients in OpenCV's order."""
         model = self.sheet(camera)["model"]
         K = np.array([[model["fx_px"], 0, model["cx_px"]], [0, model["fy_px"], model["cy_px"]], [0, 0, 1]], dtype=float)
-        return K, np.array([model.get(k, 0) for k in ("k1", "k2", "p1", "p2", "k3")], dtype=float)
+        names = ("k1", "k2", "p1", "p2", "k3") + (("k4", "k5", "k6") if model.get("lens") == "rational" else ())
+        return K, np.array([model.get(k, 0) for k in names], dtype=float)
 
     def sensor_poses(self, sensor):
         machine, name = sensor.split("/")

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "dataset/export/picture/labelled_frame.h"
 #include "dataset/export/picture/object_masks.h"
 #include "dataset/export/record_views.h"
+#include "dataset/export/sensor_names.h"
 #include "dataset/export/stamp_text.h"
 #include "dataset/format/png.h"
 
@@ -20,25 +20,8 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// What the names of a camera's pictures begin with.
-std::string NameOfCamera(std::string path) {
-  std::replace(path.begin(), path.end(), '/', '_');
-  return path;
-}
-
 std::string PictureName(const std::string& camera, TimeNs t_ns) {
-  return fmt::format("{}_{}.png", NameOfCamera(camera), t_ns);
-}
-
-void RequireNamesApart(const std::vector<std::string>& cameras) {
-  std::set<std::string> names;
-  for (const std::string& camera : cameras) {
-    if (names.insert(NameOfCamera(camera)).second) continue;
-    throw InputError(
-        fmt::format("{}: its pictures would have the names of another camera's, '{}_...'; rename "
-                    "one of the two folders",
-                    camera, NameOfCamera(camera)));
-  }
+  return fmt::format("{}_{}.png", FlatName(camera), t_ns);
 }
 
 std::string DateOf(TimeNs unix_ns) {
@@ -196,7 +179,7 @@ void ExportCoco(ExportJob* job) {
   const std::vector<std::string> cameras =
       CamerasWith(job->recording, {"rgb", "semantic", "instance"});
   RequireAny(cameras, *job, "camera with `rgb: true` and `labels: true`");
-  RequireNamesApart(cameras);
+  RequireFlatNamesApart(cameras);
   MakeFolder(job->folder / "images");
   MakeFolder(job->folder / "annotations/panoptic");
   CocoFiles files(job);
@@ -205,8 +188,8 @@ void ExportCoco(ExportJob* job) {
   RecordStream stream(job->recording, cameras);
   for (Record record; job->Next(&stream, &record);) {
     const std::string& camera = cameras[record.channel];
-    CopyPng(FrameFile(job->recording, camera, "rgb", record.t_ns),
-            job->folder / "images" / PictureName(camera, record.t_ns));
+    WriteWholeFile(job->folder / "images" / PictureName(camera, record.t_ns),
+                   ReadWholePng(FrameFile(job->recording, camera, "rgb", record.t_ns)));
     files.AddAnnotations(camera, record.t_ns);
   }
   files.Commit();

@@ -93,11 +93,11 @@ PictureSize SizeOfPng(const fs::path& file) {
   return {HeaderNumber(bytes, 16), HeaderNumber(bytes, 20)};
 }
 
-void CopyPng(const fs::path& from, const fs::path& to) {
+std::string ReadWholePng(const fs::path& file) {
   constexpr std::string_view kEnd = "IEND\xae\x42\x60\x82";
-  const std::string bytes = ReadWholeFile(from);
-  if (!bytes.ends_with(kEnd)) FailPng(from);
-  WriteWholeFile(to, bytes);
+  std::string bytes = ReadWholeFile(file);
+  if (!bytes.ends_with(kEnd)) FailPng(file);
+  return bytes;
 }
 
 }  // namespace tera

@@ -35,8 +35,7 @@ struct PictureSize {
 /// By the beginning of a PNG file. Throws InputError where it is none.
 PictureSize SizeOfPng(const std::filesystem::path& file);
 
-/// Copies a PNG file as it is. Throws InputError where it cannot be read, is cut off, or cannot be
-/// written.
-void CopyPng(const std::filesystem::path& from, const std::filesystem::path& to);
+/// The bytes of a PNG file as they are. Throws InputError where it cannot be read or is cut off.
+std::string ReadWholePng(const std::filesystem::path& file);
 
 }  // namespace tera

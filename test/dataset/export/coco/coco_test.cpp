@@ -160,7 +160,10 @@ TEST_F(CocoTest, APictureThatIsCutOffIsNamed) {
 TEST_F(CocoTest, CamerasWhosePicturesWouldShareNamesAreRefused) {
   fs::copy(recording() / "digger/front", recording() / "digger_front", fs::copy_options::recursive);
   Edit("dataset.yaml", "channels:\n", "channels:\n  - {path: \"digger_front\", type: camera}\n");
-  EXPECT_THAT(Fault(), HasSubstr("its pictures would have the names of another camera's"));
+  EXPECT_THAT(
+      Fault(),
+      HasSubstr(
+          "digger/front: its files would have the names of those of digger_front, 'digger_front_"));
 }
 
 TEST_F(CocoTest, AClassThatIsNoneIsNamed) {

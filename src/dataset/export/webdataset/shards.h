@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/time.h"
+#include "dataset/export/json_lists.h"
+#include "dataset/export/webdataset/tar_writer.h"
+
+namespace tera {
+
+/// A part of a sample: what its file's name ends in, "rgb.png", and its bytes.
+struct SamplePart {
+  std::string ending, bytes;
+};
+
+/// Samples of one sensor in tar archives of about one size, NAME-000000.tar and on, and their list,
+/// NAME.json, as WIDS reads it. One sample is in memory.
+///
+/// Source  "The WebDataset Format"; `wids` of the same project.
+class Shards {
+ public:
+  Shards(const std::filesystem::path& folder, std::string name, std::int64_t most_bytes);
+
+  /// Parts are NAME/<t_ns in 20 digits>.ENDING. A sample is never split: one that is larger than an
+  /// archive may be has one of its own.
+  void Add(TimeNs t_ns, const std::vector<SamplePart>& parts);
+  void Commit();
+
+ private:
+  std::string FileName() const;
+  void CommitShard();
+
+  std::filesystem::path folder_;
+  std::string name_;
+  std::int64_t most_bytes_;
+  std::unique_ptr<TarWriter> shard_;
+  std::int64_t shards_ = 0, samples_ = 0;  ///< written; in the shard that is open
+  OrderedJson list_ = OrderedJson::array();
+};
+
+}  // namespace tera
