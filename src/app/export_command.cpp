@@ -103,6 +103,16 @@ void AddKittiOptions(CLI::App* command, Arguments* arguments) {
       ->transform(OneOf(KittiLayoutsByName()));
 }
 
+void AddWebdatasetOptions(CLI::App* command, Arguments* arguments) {
+  command
+      ->add_option("--shard-mb", arguments->shard_mb,
+                   "Of webdataset: about how large an archive is, in MB; 256")
+      ->check(CLI::Range(1, kMostShardMb));
+  command->add_option("--card", arguments->options.card,
+                      "Of webdataset: YAML file with description, license, url, date_published and "
+                      "person or organization, for README.md and croissant.json");
+}
+
 /// An option that would do nothing is a mistake.
 void RequireNoIdleOption(const CLI::App& command, const ExportOptions& options) {
   const auto require = [&](const std::string& option, bool is_used, const std::string& of) {
@@ -119,6 +129,7 @@ void RequireNoIdleOption(const CLI::App& command, const ExportOptions& options) 
   require("--moved", UsesJointTrees(options.format), "bags, clouds and formats of one lidar");
   require("--lidar", IsOfOneLidar(options.format), "--to kitti and --to semantickitti");
   require("--camera", IsOfOneCamera(options.format), "--to kitti");
+  require("--card", options.format == ExportFormat::kWebdataset, "--to webdataset");
   require("--shard-mb", options.format == ExportFormat::kWebdataset, "--to webdataset");
   require("--start-utc", options.format != ExportFormat::kSemanticKitti, "formats that have dates");
   require("--layout", options.format == ExportFormat::kKitti, "--to kitti");
@@ -142,10 +153,7 @@ void AddExportCommand(CLI::App* app) {
       ->check(IsUtcTime());
   AddBagOptions(command, arguments.get());
   AddKittiOptions(command, arguments.get());
-  command
-      ->add_option("--shard-mb", arguments->shard_mb,
-                   "Of webdataset: about how large an archive is, in MB; 256")
-      ->check(CLI::Range(1, kMostShardMb));
+  AddWebdatasetOptions(command, arguments.get());
   command->callback([arguments, command] {
     RequireNoIdleOption(*command, arguments->options);
     RunExport(*arguments);

@@ -58,6 +58,13 @@ obstacles:
   - {name: fence1, preset: tera:config/obstacles/fence.yaml, xy_m: [-4.2, 4.5], yaw_deg: 30}
 )";
 
+constexpr const char* kCard = R"(description: An excavator's yard.
+license: https://spdx.org/licenses/CC-BY-4.0.html
+url: https://data.example/yard
+date_published: 2026-05-01
+person: A. Digger
+)";
+
 class ExportLabels : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -136,12 +143,35 @@ TEST_F(ExportLabels, SemanticKittisLabelsAndPosesAreThoseOfTheDataset) {
 }
 
 TEST_F(ExportLabels, WebdatasetsArchivesHoldTheDatasetsOwnFiles) {
-  Exported({"webdataset", "--shard-mb", "1"}, "webdataset");
+  WriteWholeFile(Path("card.yaml"), kCard);
+  Exported({"webdataset", "--shard-mb", "1", "--card", "card.yaml"}, "webdataset");
   const json seen =
       Judged("check_webdataset.py", "run webdataset digger/front digger/boom_eye digger/lidar");
   EXPECT_EQ(seen["samples"], 27);  // 11, 6 and 10
   EXPECT_GE(seen["shards"], 3);
   EXPECT_EQ(seen["parts"], 4 * 17 + 10);
+  EXPECT_EQ(seen["file_sets"], 5 + 5 + 2);
+  EXPECT_EQ(seen["record_sets"], 5 + 5 + 1);
+}
+
+TEST_F(ExportLabels, CroissantsTermsAreAllDefined) {
+  if (!HasProgram("node") || !fs::is_directory(TERA_NODE_MODULES "/jsonld")) {
+    GTEST_SKIP() << "needs node and the npm package jsonld: npm install it, and cmake -D "
+                    "TERA_NODE_MODULES=FOLDER/node_modules";
+  }
+  WriteWholeFile(Path("card.yaml"), kCard);
+  Exported({"webdataset", "--card", "card.yaml"}, "carded");
+  const auto text =
+      OutputOf(fmt::format("node {}/test/app/judges/check_jsonld.mjs '{}' {}", TERA_SOURCE_DIR,
+                           TERA_NODE_MODULES, Path("carded/croissant.json").string()));
+  ASSERT_TRUE(text);
+  const json seen = json::parse(*text);
+  const std::string cr = "http://mlcommons.org/croissant/";
+  EXPECT_EQ(seen["kinds"][cr + "FileObject"], 3);
+  EXPECT_EQ(seen["kinds"][cr + "FileSet"], 12);
+  EXPECT_EQ(seen["kinds"][cr + "Field"], 2 * 11);
+  EXPECT_EQ(seen["kinds"]["https://schema.org/Person"], 1);
+  EXPECT_EQ(seen["conformsTo"][0]["@value"], cr + "1.1");
 }
 
 TEST_F(ExportLabels, WhatKittiCannotBeGivenIsRefused) {

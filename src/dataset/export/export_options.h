@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -107,6 +108,8 @@ struct ExportOptions {
   std::vector<KittiLayout> kitti_layouts;         ///< empty: all
   std::string camera, lidar;                      ///< of formats of one: paths; empty: the first
   std::int64_t shard_bytes = kDefaultShardBytes;  ///< of WebDataset: about how large archives are
+  std::filesystem::path
+      card;  ///< of WebDataset: what its card says of its publisher; empty: no card
   /// Gives the joint trees of the recording's machines where a format needs them; of a machine
   /// without one, nothing but its root has a place.
   std::function<std::vector<JointTree>()> joint_trees;

@@ -1,18 +1,22 @@
 """Holds an export in WebDataset's format against the dataset that it was made from: archives are read by Python's tarfile, the
-index as WIDS has it, points by numpy's own reader.
+index as WIDS has it, points by numpy's own reader, croissant.json as its specification has it.
 
     python3 check_webdataset.py DATASET EXPORT SENSOR...
 
 Prints what it has seen as JSON; the first thing that is wrong ends it with status 1.
 """
 
+import hashlib
 import io
 import json
+import re
 import sys
 import tarfile
+from fnmatch import fnmatch
 from pathlib import Path
 
 import numpy as np
+import yaml
 
 from recorded import Recorded
 
@@ -44,6 +48,45 @@ def check_pose(data, sensor, about):
     w, x, y, z = about["X_WS"]["q_WS_wxyz"]
     forward = [1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)]
     need(np.allclose(forward, X[:3, 0], atol=1e-6), "attitude", about)
+
+
+def check_croissant(folder):
+    """By the specification of Croissant 1.1: what must be there, digests, and that sets of files are what they say."""
+    about = json.loads((folder / "croissant.json").read_text())
+    need(about["conformsTo"] == "http://mlcommons.org/croissant/1.1" and about["@type"] == "sc:Dataset", about)
+    for key in ("name", "description", "license", "url", "datePublished", "creator"):
+        need(about[key], key, "is missing")
+    nodes = {node["@id"]: node for node in about["distribution"]}
+    need(len(nodes) == len(about["distribution"]), "an @id is there twice")
+    members = {}
+    for node in nodes.values():
+        if node["@type"] == "cr:FileObject":
+            content = (folder / node["contentUrl"]).read_bytes()
+            need(hashlib.sha256(content).hexdigest() == node["sha256"], node)
+            need(node["contentSize"] == f"{len(content)} B", node)
+            with tarfile.open(folder / node["contentUrl"]) as tar:
+                members[node["@id"]] = tar.getnames()
+    need(sorted(members) == sorted(p.name for p in folder.glob("*.tar")), "archives", list(members))
+    matched = []
+    for node in nodes.values():
+        if node["@type"] == "cr:FileSet":
+            names = [n for within in node["containedIn"] for n in members[within["@id"]] if fnmatch(n, node["includes"])]
+            need(names, node, "has no files")
+            matched += names
+    need(sorted(matched) == sorted(n for names in members.values() for n in names), "files in no set, or in two")
+    for records in about["recordSet"]:
+        by_name = {field["name"]: field for field in records["field"]}
+        need(records["key"]["@id"] == by_name["key"]["@id"], records)
+        source = by_name["key"]["source"]
+        node = nodes[source["fileSet"]["@id"]]
+        pattern = re.compile(source["transform"]["regex"])
+        for name in (n for within in node["containedIn"] for n in members[within["@id"]] if fnmatch(n, node["includes"])):
+            need(pattern.search(name).group(1) == name.split(".")[0], name, source)
+    card = (folder / "README.md").read_text()
+    front = yaml.safe_load(card.split("---")[1])
+    for config in front["configs"]:
+        need(list(folder.glob(config["data_files"])), config)
+    return {"record_sets": len(about["recordSet"]), "file_sets": len(nodes) - len(members)}
 
 
 def main():
@@ -83,6 +126,8 @@ def main():
         need((folder / f"{name}.sensor.yaml").read_bytes() == (data.folder / sensor / "sensor.yaml").read_bytes(), sensor)
         seen["shards"] += len(shards)
         seen["samples"] += len(times)
+    if (folder / "croissant.json").exists():
+        seen |= check_croissant(folder)
     print(json.dumps(seen))
 
 

@@ -2,42 +2,57 @@
 
 #include <fmt/format.h>
 
-#include <utility>
+#include <algorithm>
+
+#include "dataset/export/sensor_names.h"
 
 namespace tera {
 
-Shards::Shards(const std::filesystem::path& folder, std::string name, std::int64_t most_bytes)
-    : folder_(folder), name_(std::move(name)), most_bytes_(most_bytes) {}
+Shards::Shards(const std::filesystem::path& folder, const std::string& sensor,
+               std::int64_t most_bytes)
+    : folder_(folder), most_bytes_(most_bytes), archives_{sensor, FlatName(sensor), {}, {}} {}
 
-std::string Shards::FileName() const { return fmt::format("{}-{:06}.tar", name_, shards_); }
+std::string Shards::FileName() const {
+  return fmt::format("{}-{:06}.tar", archives_.name, archives_.archives.size());
+}
 
 void Shards::Add(TimeNs t_ns, const std::vector<SamplePart>& parts) {
   std::int64_t bytes = 0;
-  for (const SamplePart& part : parts) bytes += static_cast<std::int64_t>(part.bytes.size());
+  for (const SamplePart& part : parts) bytes += TarWriter::SpaceOf(part.bytes.size());
   if (shard_ && shard_->bytes() + bytes > most_bytes_) CommitShard();
   if (!shard_) shard_ = std::make_unique<TarWriter>(folder_ / FileName());
   for (const SamplePart& part : parts) {
-    shard_->Add(name_, fmt::format("{:020}.{}", t_ns, part.ending), part.bytes);
+    shard_->Add(archives_.name, fmt::format("{:020}.{}", t_ns, part.ending), part.bytes);
   }
   ++samples_;
+  for (const SamplePart& part : parts) {
+    std::vector<std::string>& endings = archives_.endings;
+    if (std::find(endings.begin(), endings.end(), part.ending) == endings.end()) {
+      endings.push_back(part.ending);
+    }
+  }
 }
 
 void Shards::CommitShard() {
   if (!shard_) return;
-  list_.push_back({{"url", FileName()}, {"nsamples", samples_}, {"filesize", shard_->bytes()}});
+  archives_.archives.push_back({FileName(), samples_, shard_->bytes()});
   shard_->Commit();
   shard_.reset();
-  ++shards_;
   samples_ = 0;
 }
 
 void Shards::Commit() {
   CommitShard();
+  OrderedJson list = OrderedJson::array();
+  for (const SensorArchives::Archive& archive : archives_.archives) {
+    list.push_back(
+        {{"url", archive.file}, {"nsamples", archive.samples}, {"filesize", archive.bytes}});
+  }
   const OrderedJson index = {{"__kind__", "wids-shard-index-v1"},
                              {"wids_version", 1},
-                             {"name", name_},
-                             {"shardlist", list_}};
-  WriteWholeFile(folder_ / (name_ + ".json"), index.dump(1) + "\n");
+                             {"name", archives_.name},
+                             {"shardlist", list}};
+  WriteWholeFile(folder_ / (archives_.name + ".json"), index.dump(1) + "\n");
 }
 
 }  // namespace tera

@@ -8,6 +8,7 @@
 
 #include "core/time.h"
 #include "dataset/export/json_lists.h"
+#include "dataset/export/webdataset/dataset_card.h"
 #include "dataset/export/webdataset/tar_writer.h"
 
 namespace tera {
@@ -23,23 +24,25 @@ struct SamplePart {
 /// Source  "The WebDataset Format"; `wids` of the same project.
 class Shards {
  public:
-  Shards(const std::filesystem::path& folder, std::string name, std::int64_t most_bytes);
+  /// NAME is the sensor's FlatName.
+  Shards(const std::filesystem::path& folder, const std::string& sensor, std::int64_t most_bytes);
 
   /// Parts are NAME/<t_ns in 20 digits>.ENDING. A sample is never split: one that is larger than an
   /// archive may be has one of its own.
   void Add(TimeNs t_ns, const std::vector<SamplePart>& parts);
   void Commit();
+  /// What was committed.
+  const SensorArchives& archives() const { return archives_; }
 
  private:
   std::string FileName() const;
   void CommitShard();
 
   std::filesystem::path folder_;
-  std::string name_;
   std::int64_t most_bytes_;
+  SensorArchives archives_;
   std::unique_ptr<TarWriter> shard_;
-  std::int64_t shards_ = 0, samples_ = 0;  ///< written; in the shard that is open
-  OrderedJson list_ = OrderedJson::array();
+  std::int64_t samples_ = 0;  ///< in the shard that is open
 };
 
 }  // namespace tera

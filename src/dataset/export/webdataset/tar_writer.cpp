@@ -55,6 +55,10 @@ void TarWriter::Add(std::string_view folder, std::string_view name, std::string_
   if (over != 0) file_.Append(std::string(kBlockBytes - over, '\0'));
 }
 
+std::int64_t TarWriter::SpaceOf(std::size_t bytes) {
+  return static_cast<std::int64_t>((1 + (bytes + kBlockBytes - 1) / kBlockBytes) * kBlockBytes);
+}
+
 std::int64_t TarWriter::bytes() const {
   return file_.bytes() + static_cast<std::int64_t>(2 * kBlockBytes);
 }

@@ -19,6 +19,8 @@ class TarWriter {
   /// The file "folder/name". Throws InputError where a name is longer than the format has room for:
   /// 155 and 100 bytes.
   void Add(std::string_view folder, std::string_view name, std::string_view bytes);
+  /// What a file of so many bytes takes.
+  static std::int64_t SpaceOf(std::size_t bytes);
   /// With what Commit adds.
   std::int64_t bytes() const;
   void Commit();

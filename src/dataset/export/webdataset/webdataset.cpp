@@ -13,6 +13,7 @@
 #include "dataset/export/record_views.h"
 #include "dataset/export/sensor_names.h"
 #include "dataset/export/sensor_track.h"
+#include "dataset/export/webdataset/dataset_card.h"
 #include "dataset/export/webdataset/npy.h"
 #include "dataset/export/webdataset/shards.h"
 
@@ -42,7 +43,7 @@ class SensorSamples {
       : job_(*job),
         sensor_(sensor),
         is_lidar_(is_lidar),
-        shards_(job->folder, FlatName(sensor), job->options.shard_bytes) {
+        shards_(job->folder, sensor, job->options.shard_bytes) {
     if (job_.recording.Has(SensorPoseFile(sensor))) poses_ = SensorTrack(job, sensor).X_WS;
     const fs::path sheet = job_.recording.directory() / sensor / "sensor.yaml";
     WriteWholeFile(job_.folder / (FlatName(sensor) + ".sensor.yaml"), ReadWholeFile(sheet));
@@ -53,7 +54,10 @@ class SensorSamples {
     parts.push_back({"json", About(t_ns).dump() + "\n"});
     shards_.Add(t_ns, parts);
   }
-  void Commit() { shards_.Commit(); }
+  const SensorArchives& Commit() {
+    shards_.Commit();
+    return shards_.archives();
+  }
 
  private:
   std::vector<SamplePart> ScanParts(TimeNs t_ns) const {
@@ -102,7 +106,8 @@ class SensorSamples {
 
 /// Of each camera and lidar MACHINE_SENSOR-000000.tar and on, MACHINE_SENSOR.json that lists them,
 /// and its sensor.yaml. A sample is an exposure (rgb.png, depth.png, semantic.png, instance.png,
-/// normal.png, as far as it has them) or a scan (points.npy), with json: time, place, boxes.
+/// normal.png, as far as it has them) or a scan (points.npy), with json: time, place, boxes. With
+/// --card also README.md and croissant.json.
 void ExportWebdataset(ExportJob* job) {
   std::vector<std::string> sensors = job->recording.SensorsOf(ChannelForm::kPictures);
   const std::size_t cameras = sensors.size();
@@ -111,13 +116,19 @@ void ExportWebdataset(ExportJob* job) {
   }
   RequireAny(sensors, *job, "camera or lidar");
   RequireFlatNamesApart(sensors);
+  std::optional<CardFacts> facts;
+  if (!job->options.card.empty()) facts = ReadCardFacts(job->options.card);
   std::vector<std::unique_ptr<SensorSamples>> samples;
   for (std::size_t s = 0; s < sensors.size(); ++s) {
     samples.push_back(std::make_unique<SensorSamples>(job, sensors[s], s >= cameras));
   }
   RecordStream stream(job->recording, sensors);
   for (Record record; job->Next(&stream, &record);) samples[record.channel]->Add(record.t_ns);
-  for (const auto& sensor : samples) sensor->Commit();
+  std::vector<SensorArchives> archives;
+  for (const auto& sensor : samples) archives.push_back(sensor->Commit());
+  if (!facts) return;
+  WriteWholeFile(job->folder / "croissant.json", CroissantJson(*job, *facts, archives));
+  WriteWholeFile(job->folder / "README.md", CardText(*job, *facts, archives));
 }
 
 }  // namespace tera

@@ -80,9 +80,9 @@ class WebdatasetTest : public testing::Test {
     Export(recording(), out(), {.format = ExportFormat::kWebdataset, .shard_bytes = shard_bytes});
     return json::parse(ReadWholeFile(out() / "digger_front.json"))["shardlist"];
   }
-  std::string Fault() {
+  std::string Fault(const fs::path& card = "") {
     try {
-      Export(recording(), out(), {.format = ExportFormat::kWebdataset});
+      Export(recording(), out(), {.format = ExportFormat::kWebdataset, .card = card});
     } catch (const InputError& e) {
       EXPECT_FALSE(fs::exists(out()) || fs::exists(out().string() + ".incomplete"));
       return e.what();
@@ -98,6 +98,31 @@ TEST_F(WebdatasetTest, SmallSamplesShareAnArchive) {
   EXPECT_EQ(list[0]["nsamples"], kSampleFrames);
   EXPECT_EQ(list[0]["url"], "digger_front-000000.tar");
   EXPECT_EQ(list[0]["filesize"], fs::file_size(out() / "digger_front-000000.tar"));
+}
+
+TEST_F(WebdatasetTest, AnArchiveIsFullBeforeTheNextBegins) {
+  const std::int64_t all = ListAfter(1'000'000)[0]["filesize"];
+  fs::remove_all(out());
+  const std::int64_t most = all / 2;
+  const json list = ListAfter(most);
+  // Samples of the recording are of about one size, a sixth of all.
+  ASSERT_GE(list.size(), 2u);
+  EXPECT_LE(list.size(), 3u);
+  for (const json& archive : list) EXPECT_LE(archive["filesize"].get<std::int64_t>(), most);
+  EXPECT_GT(list[0]["filesize"].get<std::int64_t>(), most - all / 5);
+}
+
+TEST_F(WebdatasetTest, ACardThatLacksFactsIsRefused) {
+  const fs::path card = scratch_.path() / "card.yaml";
+  WriteWholeFile(card,
+                 "description: d\nlicense: MIT\nurl: https://a.example\ndate_published: today\n"
+                 "person: A\norganization: B\n");
+  EXPECT_THAT(Fault(card),
+              testing::AllOf(HasSubstr("card.yaml:2:"), HasSubstr("license: need a URL"),
+                             HasSubstr("date_published: need a date"),
+                             HasSubstr("given beside organization")));
+  WriteWholeFile(card, "description: d\n");
+  EXPECT_THAT(Fault(card), HasSubstr("license"));
 }
 
 TEST_F(WebdatasetTest, ASampleThatIsTooLargeHasAnArchiveOfItsOwn) {

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "dataset/export/export_job.h"
+
+namespace tera {
+
+/// What no dataset holds of itself and who publishes it must say.
+struct CardFacts {
+  std::string description, license, url, date_published, version;
+  std::string creator;
+  bool creator_is_person = false;
+};
+
+/// Reads description, license (a URL), url, date_published (2026-05-01), person or organization,
+/// and version (1.0.0). Throws InputError with the place of every fault.
+CardFacts ReadCardFacts(const std::filesystem::path& file);
+
+/// The archives of one sensor.
+struct SensorArchives {
+  struct Archive {
+    std::string file;
+    std::int64_t samples = 0, bytes = 0;
+  };
+  std::string sensor, name;          ///< "excavator1/front", "excavator1_front"
+  std::vector<std::string> endings;  ///< of the parts of its samples, "rgb.png"
+  std::vector<Archive> archives;
+};
+
+/// croissant.json: the archives with their digests, in them a set of files for each part, and the
+/// records that these are.
+///
+/// Source  MLCommons, "Croissant Format Specification", version 1.1.
+std::string CroissantJson(const ExportJob& job, const CardFacts& facts,
+                          const std::vector<SensorArchives>& sensors);
+
+/// README.md: a dataset card with the metadata that Hugging Face's hub reads.
+std::string CardText(const ExportJob& job, const CardFacts& facts,
+                     const std::vector<SensorArchives>& sensors);
+
+}  // namespace tera
