@@ -5,7 +5,7 @@ what it should have is computed from the dataset's truth.
     python3 check_kitti.py DATASET EXPORT CAMERA LIDAR [IMU]
 
 IMU: a unit without noise at the origin of the lidar's link. Prints what it has seen as JSON; the first thing that is wrong
-ends it with status 1. Machines and obstacles of the dataset stand upright, within a degree.
+ends it with status 1.
 """
 
 import json
@@ -239,11 +239,11 @@ class Judge:
         inside = (inner[:, 2] > 0) & (uv > -0.5).all(axis=1) & (uv < np.array(self.size) - 0.5).all(axis=1)
         close(truncated, 1 - inside.mean(), 0.02, "truncated of", box["name"])
         self.seen["truncated"] = max(self.seen.get("truncated", 0), truncated)
-        # Points of the lidar on the object are in its box, as far as the box may lean against the camera.
+        # Points of the lidar on the object are in its box, as far as the object leans against the camera.
         scan = self.data.scan(self.lidar, self.starts[k])
         on = np.isin(scan["instance"], list(ids))
         p = (apply(self.Tr, self.points(k)[on, :3].astype(float)) - location) @ Ry
-        lean = 0.2 * max(h, l / 2) + 0.1
+        lean = np.hypot(R_CO[0, 2], R_CO[2, 2]) * max(h, l / 2) + 0.1
         within = (np.abs(p[:, 0]) < l / 2 + lean) & (np.abs(p[:, 2]) < w / 2 + lean) & (p[:, 1] < lean) & (p[:, 1] > -h - lean)
         need(within.all(), "points of", box["name"], "outside its box:", p[~within][:3], (h, w, l))
         self.seen["points_in_boxes"] = self.seen.get("points_in_boxes", 0) + int(on.sum())
