@@ -1,4 +1,4 @@
-"""Runs the commands of a guide as its reader would, in a copy of the project, and holds what they print against the page.
+"""Runs the commands of a guide as its reader would, in a copy of the project's data, and holds what they print against the page.
 
     test/docs/run_guide.py docs/guide/first-dataset.md --build build/release [--keep FOLDER]
 
@@ -24,7 +24,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-LEFT_OUT = {".git", "build", "out", "src", "bench", "blind"}
+COPIED = ["assets", "config", "docs", "examples", "scripts", "shaders"]
 FENCE = re.compile(r"^```(.*)$")
 NUMBER = r"[-+−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
 
@@ -87,13 +87,8 @@ def script_of(blocks: list) -> str:
 
 
 def copy_of_project(scratch: Path, build: Path) -> None:
-    for entry in ROOT.iterdir():
-        if entry.name in LEFT_OUT or entry.name.endswith(".incomplete"):
-            continue
-        if entry.is_dir():
-            shutil.copytree(entry, scratch / entry.name, symlinks=True, ignore=shutil.ignore_patterns("__pycache__"))
-        else:
-            shutil.copy2(entry, scratch / entry.name)
+    for folder in COPIED:
+        shutil.copytree(ROOT / folder, scratch / folder, ignore=shutil.ignore_patterns("__pycache__"))
     (scratch / "build").mkdir()
     (scratch / "build/release").symlink_to(build.resolve(), target_is_directory=True)
 
