@@ -5,8 +5,8 @@
     scripts/inject_faults.py RECORDING OUT --fault imu_mount:sensor=imu_boom,pitch_deg=2 --fault lever_delay:lever=arm,delay_s=0.1
 
 Faults act in the order in which they are given. OUT must not exist; a fault that is refused, or that changes nothing,
-ends with status 2 and leaves nothing. The formats are those of docs/dataset.md, signs and frames those of
-docs/mechanisms.md: S is a sensor as documented, T as it is, B its link, W east-north-up. A `sensor` is the name of its
+ends with status 2 and leaves nothing. The formats are those of docs/reference/dataset.md, signs and frames those of
+docs/reference/mechanisms.md: S is a sensor as documented, T as it is, B its link, W east-north-up. A `sensor` is the name of its
 folder, with the machine's before it (`excavator1/imu_boom`) where several machines have one of that name; a `channel`
 is a sensor, `commands`, `efforts`, `poses` or `all`. Mounts and links are read in each sensor.yaml.
 

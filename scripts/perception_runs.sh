@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Recordings of config/scenarios/survey.yaml, each diagnosed by its sensors alone (docs/perception.md):
+# Recordings of config/scenarios/survey.yaml, each diagnosed by its sensors alone (docs/reference/perception.md):
 #   scripts/perception_runs.sh OUT nulls FIRST LAST    seeds of which nothing is wrong, and how many give a finding
 #   scripts/perception_runs.sh OUT wrong [NAME...]     with something wrong, each by its name below or all of them
 # Prints what was said of the sensors; recordings are removed again.

@@ -27,7 +27,7 @@ fi
 
 cat <<TXT
 
-The dataset is in        $out   (docs/dataset.md says what is what)
+The dataset is in        $out   (docs/reference/dataset.md says what is what)
 A picture of all of it:  $out/overview.png
 The cameras as a film:   $out/overview.mp4
 TXT

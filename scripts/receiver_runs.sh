@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Recordings of config/scenarios/receivers.yaml, each diagnosed by its receivers alone (docs/diagnose.md):
+# Recordings of config/scenarios/receivers.yaml, each diagnosed by its receivers alone (docs/reference/diagnose.md):
 #   scripts/receiver_runs.sh OUT [NAME...]    each by its name below, or all of them
 # Prints what was said of them; recordings are removed again.
 set -euo pipefail

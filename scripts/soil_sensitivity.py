@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""How the figures of docs/soil.md change with the constants of soil and contact, each moved by 20 % either way.
+"""How the figures of docs/reference/soil.md change with the constants of soil and contact, each moved by 20 % either way.
 
     scripts/soil_sensitivity.py run RESULTS [--tree DIR]   # measures what RESULTS does not hold yet
-    scripts/soil_sensitivity.py table RESULTS              # the table of docs/soil-constants.md
+    scripts/soil_sensitivity.py table RESULTS              # the table of docs/reference/soil-constants.md
     scripts/soil_sensitivity.py left                       # the table of what is left out, by rule
     scripts/soil_sensitivity.py rank RESULTS               # the most influential constants
     scripts/soil_sensitivity.py check                      # whether scripts/soil_constants.txt names every constant

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-/// Figures of docs/soil.md that a user of the soil cares about, each computed in a second or so.
-/// scripts/soil_sensitivity.py asks how they change with the soil's constants.
+/// Figures of docs/reference/soil.md that a user of the soil cares about, each computed in a second
+/// or so. scripts/soil_sensitivity.py asks how they change with the soil's constants.
 
 namespace tera::bench {
 

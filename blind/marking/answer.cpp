@@ -26,8 +26,9 @@ constexpr int kLatestFormat = 2;
 void RequireKnownFormat(const Json& json, const std::string& file) {
   const int format = json.value("format", 1);
   if (format >= 1 && format <= kLatestFormat) return;
-  throw InputError(fmt::format("{}: format {}; need 1 to {}, as docs/diagnose.md describes them",
-                               file, format, kLatestFormat));
+  throw InputError(
+      fmt::format("{}: format {}; need 1 to {}, as docs/reference/diagnose.md describes them", file,
+                  format, kLatestFormat));
 }
 
 Finding FindingOf(const Json& json) {
@@ -73,8 +74,9 @@ Answer ReadAnswer(const std::filesystem::path& diagnosis_json) {
     }
     return answer;
   } catch (const Json::exception& e) {
-    throw InputError(fmt::format("{}: {}; need a diagnosis as docs/diagnose.md describes it",
-                                 diagnosis_json.string(), e.what()));
+    throw InputError(
+        fmt::format("{}: {}; need a diagnosis as docs/reference/diagnose.md describes it",
+                    diagnosis_json.string(), e.what()));
   }
 }
 

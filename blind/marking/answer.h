@@ -31,7 +31,7 @@ struct Answer {
   std::map<std::string, double> rmse_after;  ///< by channel, on held-out manoeuvres
 };
 
-/// Throws InputError where the file is not of the form that docs/diagnose.md describes.
+/// Throws InputError where the file is not of the form that docs/reference/diagnose.md describes.
 Answer ReadAnswer(const std::filesystem::path& diagnosis_json);
 
 }  // namespace tera::blind

@@ -36,7 +36,7 @@ BaselineAnswers ReadBaselines(const std::filesystem::path& baselines_json) {
     for (const Json& method : json.at("methods")) answers.methods.push_back(MethodOf(method));
     return answers;
   } catch (const Json::exception& e) {
-    throw InputError(fmt::format("{}: {}; need answers as docs/proof.md describes them",
+    throw InputError(fmt::format("{}: {}; need answers as docs/evidence/proof.md describes them",
                                  baselines_json.string(), e.what()));
   }
 }

@@ -26,7 +26,7 @@ struct BaselineAnswers {
   std::vector<MethodAnswer> methods;
 };
 
-/// Throws InputError where the file is not of the form that docs/proof.md describes.
+/// Throws InputError where the file is not of the form that docs/evidence/proof.md describes.
 BaselineAnswers ReadBaselines(const std::filesystem::path& baselines_json);
 
 }  // namespace tera::blind

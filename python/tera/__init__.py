@@ -1,8 +1,8 @@
 """Reads TERA's datasets, and steps its simulations over a socket.
 
     import tera
-    dataset = tera.Dataset("out/quickstart")               # docs/python.md
-    with tera.make("config/scenarios/quickstart.yaml") as env:      # docs/serve.md; needs grpcio and protobuf
+    dataset = tera.Dataset("out/quickstart")               # docs/reference/python.md
+    with tera.make("config/scenarios/quickstart.yaml") as env:      # docs/reference/serve.md; needs grpcio and protobuf
         obs, info = env.reset(seed=1)
         obs, reward, terminated, truncated, info = env.step(env.action_space.sample())
 

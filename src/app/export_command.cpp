@@ -142,7 +142,7 @@ void AddExportCommand(CLI::App* app) {
   CLI::App* command =
       app->add_subcommand("export", "Write a dataset in a format that other programs read");
   command->add_option("DATASET", arguments->dataset, "Dataset directory")->required();
-  command->add_option("--to", arguments->options.format, "Format, see docs/export.md")
+  command->add_option("--to", arguments->options.format, "Format, see docs/reference/export.md")
       ->required()
       ->transform(OneOf(FormatsByName()));
   command->add_option("--out", arguments->out, "Directory of the export; new")->required();

@@ -74,7 +74,9 @@ void AddImportCommand(CLI::App* app) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
       app->add_subcommand("import", "Turn CSV files of a real recording into TERA's format");
-  command->add_option("MAPPING", arguments->mapping, "Mapping file (YAML, see docs/dataset.md)")
+  command
+      ->add_option("MAPPING", arguments->mapping,
+                   "Mapping file (YAML, see docs/reference/dataset.md)")
       ->required();
   CLI::Option* out =
       command->add_option("--out", arguments->out, "Directory of the recording; new or empty");

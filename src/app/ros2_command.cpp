@@ -135,8 +135,8 @@ void AddPaceOptions(CLI::App* command, ros::LiveRosOptions* options) {
 
 void AddRos2Command(CLI::App* app) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
-      app->add_subcommand("ros2", "Run a scenario live for ROS 2, until Ctrl-C (docs/ros2.md)");
+  CLI::App* command = app->add_subcommand(
+      "ros2", "Run a scenario live for ROS 2, until Ctrl-C (docs/reference/ros2.md)");
   AddScenarioOptions(command, &arguments->scenario);
   command->add_option("--domain", arguments->domain_id, "DDS domain; else ROS_DOMAIN_ID, else 0")
       ->check(WholeNumberBetween(0, ros::Participant::kLargestDomainId));

@@ -76,7 +76,8 @@ void RunServe(const Arguments& arguments) {
 void AddServeCommand(CLI::App* app) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app->add_subcommand(
-      "serve", "Let a program step a scenario over a socket, until Ctrl-C (docs/serve.md)");
+      "serve",
+      "Let a program step a scenario over a socket, until Ctrl-C (docs/reference/serve.md)");
   AddScenarioOptions(command, &arguments->scenario);
   command->add_option("--port", arguments->server.port, "Port; 0 lets the system choose")
       ->check(WholeNumberBetween(0, 65535))

@@ -7,8 +7,8 @@
 namespace tera {
 
 /// All mechanisms between a sensor's ideal measurement and what it reports: geometry, static
-/// errors, timing; of each kind its own, and those that several kinds share. docs/mechanisms.md has
-/// the equation and the source of each.
+/// errors, timing; of each kind its own, and those that several kinds share.
+/// docs/reference/mechanisms.md has the equation and the source of each.
 std::span<const Mechanism> SensorMechanisms();
 
 }  // namespace tera

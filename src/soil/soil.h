@@ -91,7 +91,7 @@ class Site;
 /// Frames  W; tools in the frames of their links, as in GroundTools.
 /// Model   columns of strata and layers of soil that keep mass; tools cut, carry, push
 ///         and dump, tracks press ruts, slopes steeper than repose flow. Forces by the fundamental
-///         earthmoving equation and by pressure-sinkage. docs/soil.md says each in full.
+///         earthmoving equation and by pressure-sinkage. docs/reference/soil.md says each in full.
 /// Omits   water that moves, collisions between clods, flow inside the bucket.
 /// Source  Reece 1964; McKyes 1985; Bekker 1969; Janosi and Hanamoto 1961; Culmann's wall.
 class Soil {

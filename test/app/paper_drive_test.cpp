@@ -33,7 +33,7 @@ Compared Read(const std::string& text) {
   return {std::stod(lengths[1]), std::stod(lengths[2]), std::stod(ape[1])};
 }
 
-/// The numbers of the TERA paper, by three causes (docs/diagnose.md).
+/// The numbers of the TERA paper, by three causes (docs/reference/diagnose.md).
 class PaperDrive : public testing::Test {
  protected:
   Outcome Run(const Arguments& arguments) const {

@@ -13,7 +13,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 /// A frozen seed at a reduced size: that cases are written, answered, sealed and marked. How good
-/// the answers are, docs/proof.md says of many more.
+/// the answers are, docs/evidence/proof.md says of many more.
 TEST(ProveCommand, ConcealsAsksAndMarksCasesOfAFrozenSeed) {
   const ScratchDirectory scratch;
   const Outcome outcome =

@@ -9,7 +9,7 @@
 
 // Recordings of real machines that are too large to ship. They lie in folders of TERA_RECORDINGS,
 // which CMake is told of: drive_warthog (the whole DRIVE recordings), emps, hydraulic_actuator.
-// What they show is in docs/real.md.
+// What they show is in docs/evidence/real.md.
 
 namespace tera {
 namespace {

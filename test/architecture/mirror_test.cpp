@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 /// Folders of test/ that src/ does not have, and why.
 const std::map<std::string, std::string> kOfTestsAlone = {
-    {"accuracy", "whole simulations, against the bounds of docs/accuracy.md"},
+    {"accuracy", "whole simulations, against the bounds of docs/evidence/accuracy.md"},
     {"architecture", "the sources themselves, as text"},
     {"diagnose/null", "how often the whole diagnosis finds something in nothing"},
 };

@@ -92,7 +92,7 @@ TEST_F(SceneLayouts, ViewersMoveWithTheirLinks) {
 TEST_F(SceneLayouts, AViewerIsWhereItTrulyIs) {
   WriteScene("effects: {excavator1: {lidar: {extrinsic: {x_m: 0.2, yaw_deg: 5}}}}");
   const Layout layout = LoadLayout(path() / "front.yaml", TheCycle(), 0);
-  // p_BT = p_BS + d and R_BT = R_BS R, as docs/mechanisms.md says.
+  // p_BT = p_BS + d and R_BT = R_BS R, as docs/reference/mechanisms.md says.
   EXPECT_TRUE(layout.viewers[0].X_BS.isApprox(
       MakePose({0.2, 0.3, 2.1},
                RotationFromRpy(1 * kDeg, 2 * kDeg, 30 * kDeg) * RotationFromRpy(0, 0, 5 * kDeg)),

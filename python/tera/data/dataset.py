@@ -20,7 +20,7 @@ X_SC = np.array([[0.0, 0, 1, 0], [-1, 0, 0, 0], [0, -1, 0, 0], [0, 0, 0, 1]])
 
 
 class Dataset:
-    """A recording of TERA, simulated or real (docs/dataset.md).
+    """A recording of TERA, simulated or real (docs/reference/dataset.md).
 
     `dataset["excavator1/imu_boom"]` is a channel, by its path in dataset.yaml without `.csv` or with it; `for path in
     dataset` goes over all paths; `dataset.sensor(path)` is a sensor's own sensor.yaml. Nothing but dataset.yaml is read before it is

@@ -9,7 +9,7 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Diagnosis:
-    """A diagnosis.json. `raw` holds all of it; docs/diagnose.md says what its keys mean."""
+    """A diagnosis.json. `raw` holds all of it; docs/reference/diagnose.md says what its keys mean."""
 
     verdict: list[str]
     findings: list[dict]

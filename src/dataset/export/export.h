@@ -5,7 +5,7 @@
 
 #include "dataset/export/export_options.h"
 
-/// Recordings in the formats of others: what each holds is in docs/export.md.
+/// Recordings in the formats of others: what each holds is in docs/reference/export.md.
 
 namespace tera {
 

@@ -13,7 +13,8 @@
 #include "dataset/export/bag/compression.h"
 #include "dataset/export/ros/joint_tree.h"
 
-/// What a recording can be written as, and how; docs/export.md says what each format holds.
+/// What a recording can be written as, and how; docs/reference/export.md says what each format
+/// holds.
 
 namespace tera {
 

@@ -115,7 +115,7 @@ std::vector<ObjectBox> ReadBoxes(const std::filesystem::path& file) {
         fmt::format("{}: not a file of boxes: {}; write it again", file.string(), e.what()));
   } catch (const InputError& e) {
     throw InputError(
-        fmt::format("{}: {}; need a class of docs/dataset.md", file.string(), e.what()));
+        fmt::format("{}: {}; need a class of docs/reference/dataset.md", file.string(), e.what()));
   }
 }
 

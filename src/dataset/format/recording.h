@@ -43,9 +43,10 @@ std::vector<RecordedInput> LoadInputs(const std::filesystem::path& directory);
 
 /// A complete recording on disk, simulated or real, read channel by channel.
 ///
-/// Everything that is not as docs/dataset.md says is an InputError with file and line: a missing or
-/// renamed column, a truncated or non-finite row, times that do not increase, an image or scan that
-/// is empty or cut off. Measurements come with t_available_ns = t_ns, as files hold no other time.
+/// Everything that is not as docs/reference/dataset.md says is an InputError with file and line: a
+/// missing or renamed column, a truncated or non-finite row, times that do not increase, an image
+/// or scan that is empty or cut off. Measurements come with t_available_ns = t_ns, as files hold no
+/// other time.
 class Recording {
  public:
   explicit Recording(const std::filesystem::path& directory);

@@ -9,8 +9,8 @@
 
 namespace tera {
 
-/// A camera's picture and lens as docs/dataset.md writes them; pixel (0, 0) has its centre at the
-/// image point (0, 0).
+/// A camera's picture and lens as docs/reference/dataset.md writes them; pixel (0, 0) has its
+/// centre at the image point (0, 0).
 struct CameraLens {
   std::string law = "brown_conrady";  ///< or `rational`, `kannala_brandt`, `f_theta`
   int width_px = 0, height_px = 0;
@@ -38,7 +38,7 @@ struct SensorSheet {
   std::optional<ImuNoise> imu_noise;
 };
 
-/// Throws InputError where the file is not there or is not as docs/dataset.md says.
+/// Throws InputError where the file is not there or is not as docs/reference/dataset.md says.
 SensorSheet ReadSensorSheet(const std::filesystem::path& sensor_folder);
 
 }  // namespace tera

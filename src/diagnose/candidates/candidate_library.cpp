@@ -45,8 +45,8 @@ std::vector<std::string> Identifiers() {
 bool IsMechanism(const ConfigMap& config, std::string_view key, const std::string& id) {
   const std::vector<std::string> names = Identifiers();
   if (std::find(names.begin(), names.end(), id) != names.end()) return true;
-  config.Fault(key, fmt::format("'{}' is no mechanism{}; docs/mechanisms.md lists them", id,
-                                DidYouMean(id, names)));
+  config.Fault(key, fmt::format("'{}' is no mechanism{}; docs/reference/mechanisms.md lists them",
+                                id, DidYouMean(id, names)));
   return false;
 }
 

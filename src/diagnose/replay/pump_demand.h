@@ -16,7 +16,8 @@ namespace tera {
 ///         as the model has it; the axis takes oil by its displacement at the measured position.
 /// Omits   axes that several pumps feed; the effect of an axis's own `cylinder_lever` on oil and
 ///         power.
-/// Source  that of flow_sharing (docs/mechanisms.md): Djurovic and Helduser 2004, "New control
+/// Source  that of flow_sharing (docs/reference/mechanisms.md): Djurovic and Helduser 2004, "New
+/// control
 ///         strategies for electrohydraulic load-sensing".
 struct PumpDemand {
   std::size_t pump = 0;

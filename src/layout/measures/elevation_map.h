@@ -24,9 +24,9 @@ namespace tera {
 ///         are wide, 1 - n of these are empty instead of exp(-n): too many gaps are told, by 1 / e
 ///         of the cells at most. Where rows are farther apart, the cells between them are empty
 ///         however many points a row has: too few are told, without such a bound. Beside maps made
-///         of scans the figure was off by 0.03 to 0.10 and by -0.07 (docs/layout.md). Omits also
-///         roughness within a cell; errors of the mount and of the pose, which are the same for all
-///         cells; what stands in a part of a cell only.
+///         of scans the figure was off by 0.03 to 0.10 and by -0.07 (docs/reference/layout.md).
+///         Omits also roughness within a cell; errors of the mount and of the pose, which are the
+///         same for all cells; what stands in a part of a cell only.
 class ElevationMap {
  public:
   explicit ElevationMap(const ElevationStudy& study) : study_(study) {}

@@ -7,7 +7,7 @@
 
 namespace tera {
 
-/// The report as layout.json has it (docs/layout.md).
+/// The report as layout.json has it (docs/reference/layout.md).
 std::string ReportJson(const LayoutReport& report);
 
 /// Reads a layout.json, or that of a folder. Throws InputError where it is missing, damaged, or of

@@ -17,7 +17,7 @@
 #include "physics/description/machine.h"
 
 /// The chain from levers to joints and gears: command_timing -> lever_map -> flow -> actuator ->
-/// kinematic_gain -> load_friction -> what was learned. docs/mechanisms.md describes each
+/// kinematic_gain -> load_friction -> what was learned. docs/reference/mechanisms.md describes each
 /// mechanism.
 
 namespace tera {

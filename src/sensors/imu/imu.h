@@ -39,10 +39,10 @@ std::string ImuModelYaml(const ImuModel& model);
 ///         Not from the accelerations that the state holds: the physics step finds the rates that
 ///         carry one pose to the next, which are those of the middle of the step, so that their
 ///         change, a_WB, is the acceleration at the step's beginning; taken for the step it comes
-///         half a step late (docs/accuracy.md has what that costs). The chords are those same rates
-///         of S, between poses that are exact, neither interpolated nor rounded: differences of
-///         them add no noise. At its own time a_WB agrees with them to the second order in the
-///         step.
+///         half a step late (docs/evidence/accuracy.md has what that costs). The chords are those
+///         same rates of S, between poses that are exact, neither interpolated nor rounded:
+///         differences of them add no noise. At its own time a_WB agrees with them to the second
+///         order in the step.
 /// Omits   Earth's rotation (15 deg/h about the pole, more than the bias instability of a good
 ///         unit) and its Coriolis acceleration; the change of gravity with place. Cross-axis and
 ///         g-sensitivity. (Scale, temperature, saturation, quantisation, vibration: ImuErrors.)

@@ -1,4 +1,4 @@
-"""What judges of exports read of a dataset, by docs/dataset.md alone, with numpy, yaml and OpenCV's reader of PNG."""
+"""What judges of exports read of a dataset, by docs/reference/dataset.md alone, with numpy, yaml and OpenCV's reader of PNG."""
 
 import csv
 import json

@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-// A few of the recordings that `false_alarms` runs hundreds of (docs/diagnose.md).
+// A few of the recordings that `false_alarms` runs hundreds of (docs/reference/diagnose.md).
 TEST(FalseAlarms, AreNoneInAFewRecordingsOfNothing) {
   const MachineModel model = RaisedTb235();
   std::size_t judged = 0;

@@ -3,7 +3,7 @@
 namespace tera {
 
 /// What the owner of the recordings in which nothing is wrong takes as expected, in SI units; of
-/// scales and of a unit's place what docs/diagnose.md says.
+/// scales and of a unit's place what docs/reference/diagnose.md says.
 struct UsualTolerances {
   double gyro_bias_radps = 0.002, accel_bias_mps2 = 0.04;
   double gyro_scale = 0.02, accel_scale = 0.01;

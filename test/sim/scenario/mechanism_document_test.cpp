@@ -14,8 +14,8 @@
 #include "sensors/sensor_kinds.h"
 #include "sensors/sensor_mechanisms.h"
 
-// docs/mechanisms.md says of every mechanism of the three libraries what the program takes, and
-// nothing that it does not take: chapter, name, parameters, units, ranges, defaults.
+// docs/reference/mechanisms.md says of every mechanism of the three libraries what the program
+// takes, and nothing that it does not take: chapter, name, parameters, units, ranges, defaults.
 
 namespace tera {
 namespace {
@@ -99,7 +99,7 @@ struct Document {
 Document Documented() {
   Document document;
   std::string slot, id;
-  std::ifstream file("docs/mechanisms.md");
+  std::ifstream file("docs/reference/mechanisms.md");
   for (std::string line; std::getline(file, line);) {
     if (line.starts_with("## ")) slot = line.substr(3);
     if (line.starts_with("### sensor_")) slot = line.substr(4);

@@ -384,7 +384,7 @@ PlateRun RunPlate(const std::string& soil_name, double rake_deg) {
   return run;
 }
 
-/// What docs/soil.md quotes of a run: draft, and the equation's, in N.
+/// What docs/reference/soil.md quotes of a run: draft, and the equation's, in N.
 void Quote(const std::string& soil_name, double rake_deg, const PlateRun& run) {
   testing::Test::RecordProperty(fmt::format("{}_{:.0f}_deg", soil_name, rake_deg),
                                 fmt::format("{:.0f} {:.0f}", run.draft_n, run.equation_n));

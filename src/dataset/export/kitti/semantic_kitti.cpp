@@ -66,7 +66,7 @@ std::string LabelBytes(const LidarScan& scan, const fs::path& file, ClassCounts*
     if (point.label >= counts->size()) {
       throw InputError(
           fmt::format("{}: has a point of the class {}; need classes of "
-                      "docs/dataset.md, 0 to {}",
+                      "docs/reference/dataset.md, 0 to {}",
                       file.string(), point.label, counts->size() - 1));
     }
     ++(*counts)[point.label];

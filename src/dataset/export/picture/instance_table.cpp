@@ -16,7 +16,7 @@ InstanceTable::InstanceTable(const Recording& recording) {
     if (!label) {
       throw InputError(
           fmt::format("{}: the instance '{}' is of the class '{}'; need a class of "
-                      "docs/dataset.md",
+                      "docs/reference/dataset.md",
                       yaml.string(), instance.name, instance.label));
     }
     entries_[instance.id] = {instance.name, *label, instance.parent};

@@ -39,8 +39,9 @@ int HeaderNumber(std::string_view header, std::size_t at) {
 void RequireKnownClasses(const Image<std::uint8_t>& semantic, const fs::path& file) {
   const auto highest = std::max_element(semantic.data.begin(), semantic.data.end());
   if (highest == semantic.data.end() || *highest < kSemanticClasses.size()) return;
-  throw InputError(fmt::format("{}: has the class {}; need classes of docs/dataset.md, 0 to {}",
-                               file.string(), *highest, kSemanticClasses.size() - 1));
+  throw InputError(
+      fmt::format("{}: has the class {}; need classes of docs/reference/dataset.md, 0 to {}",
+                  file.string(), *highest, kSemanticClasses.size() - 1));
 }
 
 }  // namespace

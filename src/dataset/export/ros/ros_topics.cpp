@@ -23,7 +23,7 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-// What docs/ros2.md offers topics with.
+// What docs/reference/ros2.md offers topics with.
 constexpr TopicQuality kSensorData = {5, false, false};
 constexpr TopicQuality kLarge = {2, true, false};
 constexpr TopicQuality kState = {10, true, false};

@@ -16,7 +16,7 @@
 
 namespace tera {
 
-/// A recording as the ROS topics and frames of docs/ros2.md, written to a bag.
+/// A recording as the ROS topics and frames of docs/reference/ros2.md, written to a bag.
 ///
 /// Model   a message is written at the time at which its measurement was available; its stamp is
 ///         the time at which it was valid. Times before 0 are sent as 0, as ROS has none.

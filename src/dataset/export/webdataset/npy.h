@@ -7,8 +7,9 @@
 
 namespace tera {
 
-/// A scan's points as NumPy's file of a structured array, with the fields of docs/dataset.md: x, y,
-/// z, intensity (float32), time (uint32), ring, instance (uint16), label (uint8).
+/// A scan's points as NumPy's file of a structured array, with the fields of
+/// docs/reference/dataset.md: x, y, z, intensity (float32), time (uint32), ring, instance (uint16),
+/// label (uint8).
 ///
 /// Source  NumPy's "NEP 1: a simple file format for NumPy arrays", version 1.0.
 std::string NpyOf(const std::vector<LidarPoint>& points);

@@ -59,9 +59,9 @@ double SteadyEffectP(const std::vector<ManoeuvreGain>& gains);
 ///         nothing. Manoeuvres of which less than 2 is possible are no part of the bet.
 /// Omits   that noise and the first prediction are themselves fitted, and of cross-fitted
 ///         manoeuvres that each was seen by the fits of the others, so that w is a little too
-///         large: how often all of it finds something in nothing is counted (docs/proof.md). Errors
-///         of the first prediction that last: each piece in which they speak for the second counts,
-///         at most for such a factor.
+///         large: how often all of it finds something in nothing is counted
+///         (docs/evidence/proof.md). Errors of the first prediction that last: each piece in which
+///         they speak for the second counts, at most for such a factor.
 /// Source  Shafer 2021, "Testing by betting"; Vovk and Wang 2021, "E-values".
 double GainP(const std::vector<ManoeuvreGain>& gains);
 

@@ -76,7 +76,7 @@ std::string Meaning(const Mechanism& mechanism, const std::string& target,
   return MeaningText({.finding = &made.finding});
 }
 
-/// What a finding should say, from the equations and signatures of docs/mechanisms.md.
+/// What a finding should say, from the equations and signatures of docs/reference/mechanisms.md.
 struct Expected {
   std::string_view id;
   std::string target;
