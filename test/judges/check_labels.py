@@ -169,6 +169,17 @@ def read_pcd(path):
 class Raster:
     """A GeoTIFF of the site, by way of gdal_translate to a bare file of floats."""
 
+    known = {}
+
+    @classmethod
+    def of(cls, path):
+        """The same file, also by another hard link, is read once."""
+        at = os.stat(path)
+        key = (at.st_dev, at.st_ino, at.st_mtime_ns, at.st_size)
+        if key not in cls.known:
+            cls.known[key] = cls(path)
+        return cls.known[key]
+
     def __init__(self, path):
         info = json.loads(subprocess.run(["gdalinfo", "-json", path], check=True, capture_output=True, text=True).stdout)
         self.width, self.height = info["size"]
@@ -817,17 +828,6 @@ def motion(data, cam, one, two):
     return p, q, ok & (kind > 0), kind
 
 
-def neighbours(q, reach):
-    """The up to nine pixels that lie nearer than `reach` to each place, in both axes: (rows, columns, valid)."""
-    base = np.floor(q).astype(int)
-    out = []
-    for dv in (-1, 0, 1, 2):
-        for du in (-1, 0, 1, 2):
-            u, v = base[..., 0] + du, base[..., 1] + dv
-            out.append((v, u, (np.abs(u - q[..., 0]) < reach) & (np.abs(v - q[..., 1]) < reach)))
-    return out
-
-
 def check_flow(j, data, cam, one, two, image, name, where, frame):
     """Flow on the pixels of `one` to where frame `two` has their points."""
     lens = cam.lens
@@ -881,15 +881,26 @@ def check_flow(j, data, cam, one, two, image, name, where, frame):
     d_two = np.where(two.image["semantic"] == data.class_id["sky"], np.inf, np.where(two.d > 0, two.d, 70.0))
     loose, strict = np.zeros(state.shape, bool), np.zeros(state.shape, bool)
     reach = 0.52 if lens.distorts else 0.02
-    for v, u, _ in neighbours(at, 1 + reach):
-        inner = (u >= 0) & (v >= 0) & (u < lens.w) & (v < lens.h)
-        cu, cv = np.clip(u, 0, lens.w - 1), np.clip(v, 0, lens.h - 1)
-        same = inner & (key_two[cv, cu] == key_one)
-        gap = np.maximum(np.abs(u - at[..., 0]), np.abs(v - at[..., 1]))
-        depth = np.where(kind == 5, np.inf, far)
-        with np.errstate(invalid="ignore"):
-            loose |= same & (gap < 1 + reach) & ((d_two[cv, cu] >= 0.987 * depth - 0.002) | (kind == 5))
-            strict |= same & (gap < 1 - reach) & ((d_two[cv, cu] >= 0.993 * depth + 0.002) | (kind == 5))
+    depth = np.where(kind == 5, 0, np.nan_to_num(far))  # the sky is as far as the sky
+
+    def look(which, rows, columns, steps):
+        """Adds to loose and strict, at the pixels `which`, what those `steps` from the place's floor show."""
+        for dv, du in steps:
+            v, u = rows + dv, columns + du
+            inner = (u >= 0) & (v >= 0) & (u < lens.w) & (v < lens.h)
+            cu, cv = np.clip(u, 0, lens.w - 1), np.clip(v, 0, lens.h - 1)
+            same = inner & (key_two[cv, cu] == key_one[which])
+            gap = np.maximum(np.abs(u - at[..., 0][which]), np.abs(v - at[..., 1][which]))
+            d = d_two[cv, cu]
+            loose[which] |= same & (gap < 1 + reach) & (d >= 0.987 * depth[which] - 0.002)
+            strict[which] |= same & (gap < 1 - reach) & (d >= 0.993 * depth[which] + 0.002)
+
+    four = [(0, 0), (0, 1), (1, 0), (1, 1)]
+    floor = np.floor(at).astype(int)
+    everywhere = np.ones(state.shape, bool)
+    look(np.nonzero(everywhere), floor[..., 1].reshape(-1), floor[..., 0].reshape(-1), four)
+    rest = np.nonzero(known & (state == 1) & ~loose)
+    look(rest, floor[..., 1][rest], floor[..., 0][rest], [(dv, du) for dv in (-1, 0, 1, 2) for du in (-1, 0, 1, 2) if (dv, du) not in four])
     sure = known & ok & ((kind == 1) | (kind == 2) | (kind == 5)) & lens.inside(at, -0.02) & (np.nan_to_num(error) < 1)
     if lens.distorts:
         sure &= uniform
@@ -1001,14 +1012,13 @@ def check_motion(j, data, cam, f, before, where):
             limit3 = 0.0022 + angle * f.d * cam.ray_px / lens.f.min()
             j.share(f"scene flow: as poses say ({text})", (np.abs(p - p_before).max(-1) <= limit3)[m], 0.999, where, f.t, "px", places=lens.pixels[m])
         # Distance in the picture before, where it is seen: within what the four pixels about the place have.
-        lo, hi = np.full(use.shape, np.inf), np.zeros(use.shape)
-        for v, u, near in neighbours(at, 1.02 if not lens.distorts else 1.6):
-            inner = near & (u >= 0) & (v >= 0) & (u < lens.w) & (v < lens.h)
-            cu, cv = np.clip(u, 0, lens.w - 1), np.clip(v, 0, lens.h - 1)
-            same = inner & (before.image["instance"][cv, cu] == instance) & (before.image["semantic"][cv, cu] == semantic)
-            lo = np.where(same, np.minimum(lo, before.d[cv, cu]), lo)
-            hi = np.where(same, np.maximum(hi, before.d[cv, cu]), hi)
-        m = use & seen & uniform & np.isfinite(lo) & (hi > 0) & ~f.fresh & ~shifting
+        low, high = spread(before.d)
+        alike = same_around(before.image["instance"], before.image["semantic"])
+        iu, iv = np.clip(np.round(at[..., 0]).astype(int), 0, lens.w - 1), np.clip(np.round(at[..., 1]).astype(int), 0, lens.h - 1)
+        same = alike & (low > 0)
+        lo, hi = low[iv, iu], high[iv, iu]
+        m = use & seen & uniform & same[iv, iu] & (before.image["instance"][iv, iu] == instance) & (before.image["semantic"][iv, iu] == semantic)
+        m &= ~f.fresh & ~shifting & ~before.clod[iv, iu]
         m &= (hi - lo) < 0.1 * hi
         # Ground that is dug stands still by definition; 1 % (docs), and the spread once more for places between pixels.
         slack = 0.002 + 0.011 * n + (hi - lo)
@@ -1151,18 +1161,11 @@ def check_ground(j, data, cam, f, before, first_t, where):
         old = before.image["ground_age"].astype(float)
         old_change = before.image["ground_change"].astype(float) if change is not None else None
         was = before.image["ground_soil"] > 0
-        lo, hi = np.full(use.shape, np.inf), np.full(use.shape, -np.inf)
-        clo, chi = lo.copy(), hi.copy()
-        complete = np.ones(use.shape, bool)
-        for v, u, near in neighbours(at, 1.6 if lens.distorts else 1.02):
-            cu, cv = np.clip(u, 0, lens.w - 1), np.clip(v, 0, lens.h - 1)
-            good = near & was[cv, cu]
-            complete &= ~near | was[cv, cu]
-            lo, hi = np.where(good, np.minimum(lo, old[cv, cu]), lo), np.where(good, np.maximum(hi, old[cv, cu]), hi)
-            if change is not None:
-                clo = np.where(good, np.minimum(clo, old_change[cv, cu]), clo)
-                chi = np.where(good, np.maximum(chi, old_change[cv, cu]), chi)
-        use &= complete & np.isfinite(lo)
+        iu, iv = np.clip(np.round(at[..., 0]).astype(int), 0, lens.w - 1), np.clip(np.round(at[..., 1]).astype(int), 0, lens.h - 1)
+        lo, hi = (x[iv, iu] for x in spread(old))
+        use &= (spread(was)[0] > 0)[iv, iu]
+        if change is not None:
+            clo, chi = (x[iv, iu] for x in spread(old_change))
         step = (f.t - before.t) / 1e8  # tenths
         now = age.astype(float)
         # Touched since: no older than the step. Untouched: as much older, both rounded (1 tenth each). Never: was never.
@@ -1365,7 +1368,7 @@ def judge(path, frames=None, detail=False):
     def raster(name):
         if name not in rasters:
             file = data.file("truth", "terrain", name + ".tif")
-            rasters[name] = Raster(file) if os.path.exists(file) else None
+            rasters[name] = Raster.of(file) if os.path.exists(file) else None
         return rasters[name]
     data.raster = raster
     soils = raster("soil_class_end") or raster("soil_class_start")

@@ -67,7 +67,7 @@ class Broken(unittest.TestCase):
 
     @staticmethod
     def faults(path):
-        return {(frame, check) for _, frame, check, _ in check_labels.judge(path, FRAMES)[0].faults}
+        return {(frame, check, text.split(":")[0]) for _, frame, check, text in check_labels.judge(path, FRAMES)[0].faults}
 
     def moving(self):
         """The picture whose flow is largest."""
@@ -85,7 +85,7 @@ class Broken(unittest.TestCase):
             new = self.faults(path) - self.before
         finally:
             shutil.rmtree(path)
-        checks = sorted({check for _, check in new})
+        checks = sorted({check for _, check, _ in new})
         print(f"{self.id().split('.')[-1]}: {len(new)} new faults: {'; '.join(checks)}", file=sys.stderr)
         for text in wanted:
             self.assertTrue(any(text in check for check in checks), f"nothing about '{text}' in {checks}")
