@@ -3,7 +3,7 @@
 
     check_labels.py DATASET [--frames N] [--max-shown N] [--json FILE]
 
-It decodes every file itself, from docs/dataset.md and docs/scenario.md alone, and holds the labels of every frame of every
+It decodes every file itself, from docs/reference/dataset.md and docs/reference/scenario.md alone, and holds the labels of every frame of every
 camera against each other, against the recorded poses and scans, and against the ground as it was left. Prints a table with the
 worst number of each check; exits 0 when all agree, 1 with a list of what does not (path, frame, what, number), 2 when DATASET
 is none. Poses of links, sensors and obstacles are needed for motion: `record: {poses_hz: N}` with frames at whole multiples.
@@ -255,7 +255,7 @@ class Track:
 # ---------------------------------------------------------------------------------------------------------------------- lens
 
 class Lens:
-    """docs/scenario.md, Lenses: OpenCV's five and eight coefficients, Kannala and Brandt's and the f-theta law."""
+    """docs/reference/scenario.md, Lenses: OpenCV's five and eight coefficients, Kannala and Brandt's and the f-theta law."""
 
     def __init__(self, model):
         self.law = model.get("lens", "brown_conrady")
@@ -1026,7 +1026,8 @@ def check_motion(j, data, cam, f, before, where):
 
 
 def _facing(j, cam, f, where, facing, use, text):
-    # Towards the camera: a smooth normal at the edge of a round part could look away; the documentation says that none does.
+    # Towards the camera: a smooth normal at the edge of a round part could look away; the documentation says that none of an object's does;
+    # ground is smooth over its crests.
     # Behind a lens the ray is the nearest pixel's.
     lens = cam.lens
     slack = 1e-4 if not lens.distorts else cam.ray_px / lens.f.min() * 1.5 + 1e-4
@@ -1048,8 +1049,7 @@ def check_normals(j, data, cam, f, where):
     # Rounding by half of 1/32767 on each axis: sqrt(3) / 2 / 32767.
     j.all_within("normals: unit length", np.abs(np.linalg.norm(n[use], axis=1) - 1), 4e-5, where, f.t, "px", places=lens.pixels[use])
     facing = (n * lens.unit).sum(-1)
-    for text, of in (("objects", instance > 0), ("ground, land", instance == 0)):
-        _facing(j, cam, f, where, facing, use & of, text)
+    _facing(j, cam, f, where, facing, use & (instance > 0), "objects")
     # Planes of machines (obstacles may be smooth over their edges, as the barrier is): a plane through the points of 5 x 5 pixels of one instance, where it fits them to a
     # millimetre and is not seen at a glance, has the normal. Rounding of distance over 4 pixels of some millimetres makes some
     # degrees at near ones, so medians and a share. Round parts, such as a bucket's back, are smoothed over flat facets of up to

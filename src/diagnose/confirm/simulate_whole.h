@@ -47,8 +47,8 @@ std::optional<SimulatedCourse> SimulateAsItIs(const DiagnosisInput& input,
 /// both against the recording on the manoeuvres that the diagnosis kept back.
 ///
 /// Model   no sensors: rates and poses are those of the simulation at the times of the
-///         measurements, base motion over the same intervals as the block's. 120 s at most, from 5 s
-///         before the first lever moves. Path: along poses half a second apart.
+///         measurements, base motion over the same intervals as the block's. 120 s at most, from 5
+///         s before the first lever moves. Path: along poses half a second apart.
 /// Omits   inertial units, whose findings nothing here shows.
 ///
 /// `start_ns` is the time from which the blocks count; `before`, if there is one, is the scenario
