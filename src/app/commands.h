@@ -17,6 +17,7 @@ void AddImportCommand(CLI::App* app);
 void AddImportRigCommand(CLI::App* app);
 void AddOverviewCommand(CLI::App* app);
 void AddLayoutCommand(CLI::App* app);
+void AddLintCommand(CLI::App* app);
 void AddProveCommand(CLI::App* app);
 void AddReplayCommand(CLI::App* app);
 void AddResenseCommand(CLI::App* app);

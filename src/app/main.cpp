@@ -28,6 +28,7 @@ int Run(int argc, char** argv) {
   tera::AddImportCommand(&app);
   tera::AddImportRigCommand(&app);
   tera::AddLayoutCommand(&app);
+  tera::AddLintCommand(&app);
   tera::AddOverviewCommand(&app);
   tera::AddProveCommand(&app);
   tera::AddReplayCommand(&app);
@@ -36,6 +37,8 @@ int Run(int argc, char** argv) {
   tera::AddServeCommand(&app);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::RuntimeError& e) {
+    return e.get_exit_code();  // of a command whose answer is no
   } catch (const CLI::ParseError& e) {
     const std::string unknown = tera::UnknownArgument(app);
     if (e.get_exit_code() == kSuccess || unknown.empty()) {

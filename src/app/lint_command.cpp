@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+
+#include "app/arguments/argument_checks.h"
+#include "app/commands.h"
+#include "core/error.h"
+#include "dataset/files/checked_file.h"
+#include "dataset/lint/lint.h"
+#include "dataset/lint/report/lint_report.h"
+
+namespace tera {
+namespace {
+
+constexpr int kFound = 1;
+/// Of frames that are left out.
+constexpr int kMostSpread = 1'000'000;
+
+struct Arguments {
+  std::string dataset, json, sarif, statistics;
+  int every_frame = 1;
+  bool strict = false, rules = false, write_hashes = false;
+};
+
+void WriteFiles(const Arguments& arguments, const LintReport& report) {
+  if (!arguments.json.empty()) WriteWholeFile(arguments.json, LintJson(report));
+  if (!arguments.sarif.empty()) WriteWholeFile(arguments.sarif, LintSarif(report));
+  if (!arguments.statistics.empty()) {
+    WriteWholeFile(arguments.statistics, LintStatisticsPage(report));
+  }
+}
+
+/// Hashes say that a dataset is what it was when it was found right: of a wrong one none are
+/// written.
+void WriteHashes(const Arguments& arguments, bool found_errors) {
+  if (found_errors) {
+    fmt::print("{}: not written, since there are errors\n", kFrameHashesName);
+    return;
+  }
+  fmt::print("{}: {} files\n", kFrameHashesName, WriteFrameHashes(arguments.dataset));
+}
+
+void RunLint(const Arguments& arguments) {
+  if (arguments.rules) {
+    fmt::print("{}", LintRulesTable());
+    return;
+  }
+  if (arguments.dataset.empty()) {
+    throw InputError("DATASET: is missing; name the folder of a dataset, or use --rules");
+  }
+  const LintReport report = Lint(arguments.dataset, {.every_frame = arguments.every_frame});
+  fmt::print("{}", LintTable(report));
+  WriteFiles(arguments, report);
+  const bool found_errors = report.CountOf(Severity::kError) > 0;
+  if (arguments.write_hashes) WriteHashes(arguments, found_errors);
+  const bool found_warnings = report.CountOf(Severity::kWarning) > 0;
+  if (found_errors || (arguments.strict && found_warnings)) throw CLI::RuntimeError(kFound);
+}
+
+}  // namespace
+
+void AddLintCommand(CLI::App* app) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      app->add_subcommand("lint", "Hold a dataset to the rules of its format and to itself");
+  command->add_option("DATASET", arguments->dataset, "Dataset directory");
+  command->add_option("--json", arguments->json, "Report to write, see docs/reference/lint.md");
+  command->add_option("--sarif", arguments->sarif, "Report to write as SARIF 2.1.0");
+  command->add_option("--statistics", arguments->statistics,
+                      "Page (HTML) to write of what the dataset holds");
+  command
+      ->add_option("--sample", arguments->every_frame,
+                   "Open one of so many frames of each camera and lidar (1: all)")
+      ->check(WholeNumberBetween(1, kMostSpread));
+  command->add_flag("--strict", arguments->strict, "Warnings count too: end with status 1");
+  command->add_flag("--write-hashes", arguments->write_hashes,
+                    "Write frames.sha256 where there is no error; later runs hold files to it");
+  command->add_flag("--rules", arguments->rules, "List all rules, look at no dataset");
+  command->callback([arguments] { RunLint(*arguments); });
+}
+
+}  // namespace tera

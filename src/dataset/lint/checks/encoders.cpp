@@ -1,0 +1,152 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/units.h"
+#include "dataset/lint/checks/change_vote.h"
+#include "dataset/lint/lint_job.h"
+
+// Levers and joints.
+
+namespace tera {
+namespace {
+
+/// Encoders resolve a tenth of a degree and tenths of a millimetre; what their rates' noise adds
+/// over a window lies below that.
+constexpr double kAngleFloor_rad = 0.02, kTravelFloor_m = 0.005;
+/// Ten revolutions at the first row, or a wheel of a metre at 100 m/s: no joint of a machine.
+constexpr double kMostFirstAngle_rad = 20 * kPi, kMostRate_radps = 100;
+/// A zero position that is off by 10 degrees, or 10 cm, is one that nobody has set.
+constexpr double kTruthTolerance_rad = 10 * kDeg, kTruthTolerance_m = 0.1;
+
+/// One joint of an encoder's table.
+struct Joint {
+  std::string column;  ///< of its position
+  std::size_t position = 0, rate = 0;
+  bool linear = false;
+};
+
+std::vector<Joint> JointsOf(const ScannedTable& table) {
+  std::vector<Joint> joints;
+  const std::size_t n = table.columns.size() / 2;
+  for (std::size_t c = 0; c < n; ++c) {
+    joints.push_back({table.columns[c], c, n + c, table.columns[c].ends_with("_m")});
+  }
+  return joints;
+}
+
+void CheckRates(LintJob* job, const std::string& channel, const ScannedTable& table,
+                const Joint& joint) {
+  ChangeVote vote(joint.linear ? kTravelFloor_m : kAngleFloor_rad);
+  for (const RowWindow& window : WindowsOf(table.rows)) {
+    job->Applies("encoders.rates");
+    double integral = 0;
+    for (std::size_t i = window.first; i < window.second; ++i) {
+      const ScannedRow &a = table.rows[i], &b = table.rows[i + 1];
+      integral += 0.5 * ToSeconds(b.t_ns - a.t_ns) * (a.values[joint.rate] + b.values[joint.rate]);
+    }
+    const ScannedRow& end = table.rows[window.second];
+    const double change =
+        end.values[joint.position] - table.rows[window.first].values[joint.position];
+    vote.Add(end.line, std::abs(change), std::abs(integral), std::abs(change - integral));
+  }
+  if (!vote.IsContradicted()) return;
+  job->Find("encoders.rates", channel,
+            {job->RowsOf(channel), vote.line(),
+             vote.Summary(joint.column, table.columns[joint.rate], joint.linear ? "m" : "rad")});
+}
+
+void CheckRadians(LintJob* job, const std::string& channel, const ScannedTable& table,
+                  const Joint& joint) {
+  if (joint.linear || table.rows.empty()) return;
+  job->Applies("encoders.radians");
+  const auto find = [&](const ScannedRow& row, std::size_t column, const char* unit) {
+    job->Find("encoders.radians", channel,
+              {job->RowsOf(channel), row.line,
+               fmt::format("{} is {:.4g} {}", table.columns[column], row.values[column], unit)});
+  };
+  const ScannedRow& first = table.rows.front();
+  if (std::abs(first.values[joint.position]) > kMostFirstAngle_rad) {
+    find(first, joint.position, "rad at the first row");
+  }
+  for (const ScannedRow& row : table.rows) {
+    if (std::abs(row.values[joint.rate]) > kMostRate_radps) find(row, joint.rate, "rad/s");
+  }
+}
+
+/// The value of a column at a time, of the nearest row; nothing outside of the table.
+std::optional<double> NearestValue(const ScannedTable& table, std::size_t column, TimeNs t_ns) {
+  const auto after = std::lower_bound(table.rows.begin(), table.rows.end(), t_ns,
+                                      [](const ScannedRow& row, TimeNs t) { return row.t_ns < t; });
+  if (after == table.rows.end()) return std::nullopt;
+  if (after == table.rows.begin() || after->t_ns - t_ns < t_ns - std::prev(after)->t_ns) {
+    return after->values[column];
+  }
+  return std::prev(after)->values[column];
+}
+
+void CheckByTruth(LintJob* job, const std::string& channel, const ScannedTable& table,
+                  const Joint& joint, const ScannedTable& truth) {
+  const auto found = std::find(truth.columns.begin(), truth.columns.end(), joint.column);
+  if (found == truth.columns.end()) return;
+  const auto column = static_cast<std::size_t>(found - truth.columns.begin());
+  std::vector<double> differences;
+  for (const ScannedRow& row : table.rows) {
+    if (const auto value = NearestValue(truth, column, row.t_ns)) {
+      differences.push_back(row.values[joint.position] - *value);
+    }
+  }
+  if (differences.empty()) return;
+  job->Applies("encoders.truth");
+  std::sort(differences.begin(), differences.end());
+  const double median = differences[differences.size() / 2];
+  if (std::abs(median) <= (joint.linear ? kTruthTolerance_m : kTruthTolerance_rad)) return;
+  job->Find("encoders.truth", channel,
+            {job->RowsOf(channel), 0,
+             fmt::format("{} is {:.4g} {} from the truth, in the median", joint.column, median,
+                         joint.linear ? "m" : "rad")});
+}
+
+void CheckEncoder(LintJob* job, const std::string& channel) {
+  const ScannedTable table = ReadTable(*job, channel);
+  const std::string joints = "truth/" + MachineOfChannel(channel) + "/joints.csv";
+  const bool has_truth = job->recording().Has(joints) && !job->IsLeftOut(joints);
+  const ScannedTable truth = has_truth ? ReadTable(*job, joints) : ScannedTable();
+  for (const Joint& joint : JointsOf(table)) {
+    CheckRates(job, channel, table, joint);
+    CheckRadians(job, channel, table, joint);
+    if (has_truth) CheckByTruth(job, channel, table, joint, truth);
+  }
+}
+
+void CheckLevers(LintJob* job, const std::string& channel) {
+  job->Applies("commands.range");
+  RowScan scan(job->Path(channel));
+  for (ScannedRow row; scan.Next(&row);) {
+    for (std::size_t c = 0; c < row.values.size(); ++c) {
+      if (std::abs(row.values[c]) <= 1) continue;
+      job->Find("commands.range", channel,
+                {channel, row.line, fmt::format("{} is {:.6g}", scan.columns()[c], row.values[c])});
+    }
+  }
+}
+
+}  // namespace
+
+void CheckCommands(LintJob* job) {
+  for (const std::string& channel : job->recording().ChannelsOf(kTableChannel)) {
+    if (!channel.ends_with("/commands.csv")) continue;
+    job->Try(channel, [&] { CheckLevers(job, channel); });
+  }
+}
+
+void CheckEncoders(LintJob* job) {
+  for (const std::string& channel : job->recording().ChannelsOf(kEncoderChannel)) {
+    job->Try(channel, [&] { CheckEncoder(job, channel); });
+  }
+}
+
+}  // namespace tera

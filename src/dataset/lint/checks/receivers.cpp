@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/types/sample_rows.h"
+#include "core/units.h"
+#include "dataset/import/wgs84.h"
+#include "dataset/lint/checks/change_vote.h"
+#include "dataset/lint/checks/sensor_poses.h"
+#include "dataset/lint/lint_job.h"
+
+namespace tera {
+namespace {
+
+/// Receivers give degrees with seven decimals, which is 1 cm on the ground.
+constexpr double kGeodesyTolerance_m = 0.02;
+/// How far an antenna is from its machine's root, on the bucket of a large excavator.
+constexpr double kReach_m = 20;
+/// Beside its own place, what a receiver may be off: 5 of its standard deviations and 10 m, which a
+/// single-point solution has.
+constexpr double kSigmas = 5, kSinglePoint_m = 10;
+
+/// Columns of docs/dataset.md.
+enum Column : std::size_t { kLat, kLon, kAlt, kEast, kNorth, kUp, kFix, kVarE, kVarN, kVarU };
+
+Vec3 EnuOf(const ScannedRow& row) {
+  return {row.values[kEast], row.values[kNorth], row.values[kUp]};
+}
+
+bool HasFix(const ScannedRow& row) { return row.values[kFix] != 0; }
+
+void CheckValues(LintJob* job, const std::string& channel, const ScannedTable& table) {
+  job->Applies("gnss.values");
+  for (const ScannedRow& row : table.rows) {
+    const auto find = [&](const std::string& what) {
+      job->Find("gnss.values", channel, {job->RowsOf(channel), row.line, what});
+    };
+    const std::vector<double>& v = row.values;
+    if (!FixOfQuality(v[kFix])) find(fmt::format("fix is {}, {}", v[kFix], kNeedFix));
+    if (std::abs(v[kLat]) > 90) find(fmt::format("lat_deg is {}, need -90 to 90", v[kLat]));
+    if (std::abs(v[kLon]) > 180) find(fmt::format("lon_deg is {}, need -180 to 180", v[kLon]));
+    for (const std::size_t c : {kVarE, kVarN, kVarU}) {
+      if (v[c] < 0) find(fmt::format("{} is {}, need no less than 0", table.columns[c], v[c]));
+    }
+  }
+}
+
+void CheckGeodesy(LintJob* job, const std::string& channel, const ScannedTable& table) {
+  const DatasetInfo& info = job->recording().info();
+  const GeodeticPlace origin{kDeg * info.origin_lat_deg, kDeg * info.origin_lon_deg,
+                             info.origin_height_m};
+  for (const ScannedRow& row : table.rows) {
+    if (!HasFix(row)) continue;
+    job->Applies("gnss.geodesy");
+    const GeodeticPlace place{kDeg * row.values[kLat], kDeg * row.values[kLon], row.values[kAlt]};
+    const double wrong_m = (EnuFromGeodetic(place, origin) - EnuOf(row)).norm();
+    if (wrong_m <= kGeodesyTolerance_m) continue;
+    job->Find("gnss.geodesy", channel,
+              {job->RowsOf(channel), row.line,
+               fmt::format("east, north and up are {:.4g} m from latitude, longitude and height",
+                           wrong_m)});
+  }
+}
+
+void CheckPlace(LintJob* job, const std::string& channel, const ScannedTable& table) {
+  const std::optional<SensorPoses> sensor = FindSensorPoses(*job, channel);
+  if (!sensor) return;
+  std::vector<double> excess_m;
+  for (const ScannedRow& row : table.rows) {
+    const auto X_WS = PoseAt(sensor->poses, row.t_ns);
+    if (!HasFix(row) || !X_WS) continue;
+    const std::vector<double>& v = row.values;
+    const double sigma_m = std::sqrt(std::max(0.0, v[kVarE] + v[kVarN] + v[kVarU]));
+    const double bound_m = (sensor->of_root ? kReach_m : 0) + kSinglePoint_m + kSigmas * sigma_m;
+    excess_m.push_back((EnuOf(row) - X_WS->translation()).norm() - bound_m);
+  }
+  if (excess_m.empty()) return;
+  job->Applies("gnss.pose");
+  std::sort(excess_m.begin(), excess_m.end());
+  const double median_m = excess_m[excess_m.size() / 2];
+  if (median_m <= 0) return;
+  job->Find("gnss.pose", channel,
+            {job->RowsOf(channel), 0,
+             fmt::format("lies {:.4g} m beyond what its noise and the machine's reach explain, in "
+                         "the median",
+                         median_m)});
+}
+
+}  // namespace
+
+void CheckReceivers(LintJob* job) {
+  for (const std::string& channel : job->recording().ChannelsOf(kGnssChannel)) {
+    job->Try(channel, [&] {
+      const ScannedTable table = ReadTable(*job, channel);
+      CheckValues(job, channel, table);
+      CheckGeodesy(job, channel, table);
+      CheckPlace(job, channel, table);
+    });
+  }
+}
+
+}  // namespace tera

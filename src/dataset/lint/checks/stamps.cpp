@@ -1,0 +1,133 @@
+#include "dataset/lint/checks/stamps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tera {
+namespace {
+
+/// A row is missing where the interval is nearer to two periods than to one.
+constexpr double kGapPeriods = 1.5;
+/// Real clocks are off by parts in 10^4 and the format writes rates of imports with six digits; a
+/// wrong rate or unit is off by much more than this.
+constexpr double kRateTolerance = 0.05;
+/// A table without a rate of its own has one where this share of its intervals lies within
+/// kRegularTolerance of the median; others are written when something changes.
+constexpr double kRegularShare = 0.9, kRegularTolerance = 0.1;
+/// A channel may begin and end this many periods within the recording (the first row of a mean is
+/// one period late), and a real one this share of it.
+constexpr double kSparePeriods = 2, kSpareShare = 0.1;
+/// Fewer intervals tell no rate.
+constexpr std::size_t kFewestIntervals = 4;
+
+std::vector<TimeNs> IntervalsOf(const StampScan& stamps) {
+  std::vector<TimeNs> intervals;
+  for (std::size_t i = 1; i < stamps.t_ns.size(); ++i) {
+    intervals.push_back(stamps.t_ns[i] - stamps.t_ns[i - 1]);
+  }
+  return intervals;
+}
+
+TimeNs Median(std::vector<TimeNs> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+bool IsRegular(const std::vector<TimeNs>& intervals, TimeNs median_ns) {
+  const auto near = std::count_if(intervals.begin(), intervals.end(), [&](TimeNs interval) {
+    return std::abs(static_cast<double>(interval - median_ns)) <=
+           kRegularTolerance * static_cast<double>(median_ns);
+  });
+  return static_cast<double>(near) >= kRegularShare * static_cast<double>(intervals.size());
+}
+
+/// False where the stamps follow another rate than the sheet's.
+bool CheckRate(LintJob* job, const std::string& channel, double rate_hz, TimeNs median_ns) {
+  job->Applies("stamps.rate");
+  const double found_hz = 1 / ToSeconds(median_ns);
+  if (std::abs(found_hz - rate_hz) <= kRateTolerance * rate_hz) return true;
+  job->Find("stamps.rate", channel,
+            {job->RowsOf(channel), 0,
+             fmt::format("the median interval is that of {:.4g} Hz, sensor.yaml says {:.4g} Hz",
+                         found_hz, rate_hz)});
+  return false;
+}
+
+void CheckGaps(LintJob* job, const std::string& channel, const StampScan& stamps, double period_s) {
+  job->Applies("stamps.gap");
+  for (std::size_t i = 1; i < stamps.t_ns.size(); ++i) {
+    const double interval_s = ToSeconds(stamps.t_ns[i] - stamps.t_ns[i - 1]);
+    const bool is_behind_fault = stamps.lines[i] != stamps.lines[i - 1] + 1;  // which rows.* tell
+    if (interval_s <= kGapPeriods * period_s || is_behind_fault) continue;
+    job->Find("stamps.gap", channel,
+              {job->RowsOf(channel), stamps.lines[i],
+               fmt::format("{:.4g} s after the row before, need {:.4g} s", interval_s, period_s)});
+  }
+}
+
+void CheckCoverage(LintJob* job, const std::string& channel, const StampScan& stamps,
+                   double period_s) {
+  const DatasetInfo& info = job->recording().info();
+  const double spare_s = kSparePeriods * period_s;
+  if (info.duration_s <= spare_s) return;  // too short to expect a row
+  job->Applies("stamps.coverage");
+  const auto find = [&](int line, const std::string& what) {
+    job->Find("stamps.coverage", channel, {job->RowsOf(channel), line, what});
+  };
+  if (stamps.t_ns.empty()) {
+    find(1, fmt::format("has no rows in {} s", info.duration_s));
+    return;
+  }
+  const double first_s = ToSeconds(stamps.t_ns.front()), last_s = ToSeconds(stamps.t_ns.back());
+  // A real recording counts from its own zero: of it only the span is known.
+  const double begin_s = info.simulated ? 0 : first_s;
+  if (first_s < begin_s - spare_s || last_s > begin_s + info.duration_s + spare_s) {
+    find(stamps.lines.back(),
+         fmt::format("runs from {:.4g} s to {:.4g} s, the recording lasts {:.4g} s", first_s,
+                     last_s, info.duration_s));
+  }
+  if (last_s - first_s < (1 - kSpareShare) * info.duration_s - spare_s) {
+    find(stamps.lines.back(), fmt::format("spans {:.4g} s of the recording's {:.4g} s",
+                                          last_s - first_s, info.duration_s));
+  }
+}
+
+void Tell(LintJob* job, const std::string& channel, const StampScan& stamps,
+          const std::vector<TimeNs>& intervals) {
+  ChannelStatistics& told = job->statistics().channels[channel];
+  told.type = job->recording().TypeOf(channel);
+  told.rows = static_cast<std::int64_t>(stamps.t_ns.size());
+  if (stamps.t_ns.empty()) return;
+  told.first_ns = stamps.t_ns.front();
+  told.last_ns = stamps.t_ns.back();
+  told.median_interval_ns = Median(intervals);
+  if (!intervals.empty()) {
+    told.longest_interval_ns = *std::max_element(intervals.begin(), intervals.end());
+  }
+}
+
+}  // namespace
+
+void CheckStamps(LintJob* job, const std::string& channel, const StampScan& stamps) {
+  const std::vector<TimeNs> intervals = IntervalsOf(stamps);
+  Tell(job, channel, stamps, intervals);
+  const TimeNs median_ns = Median(intervals);
+  const bool enough = intervals.size() >= kFewestIntervals;
+  const bool is_sensor = job->RowsOf(channel) != channel;
+  const std::optional<SensorSheet> sheet = is_sensor ? job->SheetOf(channel) : std::nullopt;
+  double period_s = ToSeconds(median_ns);
+  bool is_periodic = enough && IsRegular(intervals, median_ns);
+  if (sheet && sheet->rate_hz > 0) {
+    const bool agrees = !enough || CheckRate(job, channel, sheet->rate_hz, median_ns);
+    if (agrees) period_s = 1 / sheet->rate_hz;
+    is_periodic = is_periodic || agrees;
+  }
+  if (is_periodic) CheckGaps(job, channel, stamps, period_s);
+  if (period_s > 0) CheckCoverage(job, channel, stamps, period_s);
+}
+
+}  // namespace tera

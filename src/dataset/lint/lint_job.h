@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dataset/format/recording.h"
+#include "dataset/format/sensor_sheet.h"
+#include "dataset/lint/lint.h"
+
+namespace tera {
+
+/// One lint under way: what is checked, and what was found so far.
+class LintJob {
+ public:
+  LintJob(const Recording& recording, const LintOptions& options);
+
+  const Recording& recording() const { return recording_; }
+  const LintOptions& options() const { return options_; }
+  DatasetStatistics& statistics() { return statistics_; }
+
+  /// Says that a rule has something to look at.
+  void Applies(RuleId rule) { applied_.insert(rule.index()); }
+  void Find(RuleId rule, const std::string& channel, LintPlace place);
+
+  /// Runs a check of a channel. What it cannot read is a finding, and other checks go on.
+  void Try(const std::string& channel, const std::function<void()>& check);
+
+  /// A channel whose rows cannot be read at all: later checks leave it out.
+  void LeaveOut(const std::string& channel) { left_out_.insert(channel); }
+  bool IsLeftOut(const std::string& channel) const { return left_out_.contains(channel); }
+
+  /// What a sensor's sensor.yaml says, where it can be read.
+  std::optional<SensorSheet> SheetOf(const std::string& channel) const;
+  /// File of a channel's rows, relative to the dataset.
+  std::string RowsOf(const std::string& channel) const;
+  std::filesystem::path Path(const std::string& file) const {
+    return recording_.directory() / file;
+  }
+
+  bool HasClass(int id) const { return class_names_.contains(id); }
+  /// Empty for an id that dataset.yaml does not list.
+  std::string ClassName(int id) const;
+  /// Null for an id that dataset.yaml does not list.
+  const DatasetInfo::Instance* InstanceOf(std::uint16_t id) const;
+
+  LintReport Report() &&;
+
+ private:
+  const Recording& recording_;
+  const LintOptions& options_;
+  DatasetStatistics statistics_;
+  std::set<std::size_t> applied_;
+  std::map<std::pair<std::size_t, std::string>, LintFinding> findings_;
+  std::set<std::string> left_out_;
+  std::map<int, std::string> class_names_;
+  std::map<std::uint16_t, DatasetInfo::Instance> instances_;
+};
+
+/// The machine that a channel belongs to.
+std::string MachineOfChannel(const std::string& channel);
+
+// The checks, each of one topic: what they find, they tell the job.
+void CheckDescription(LintJob* job);  ///< dataset.*
+void CheckFiles(LintJob* job);        ///< files.* but hashes
+void CheckHashes(LintJob* job);       ///< files.hash
+void CheckRows(LintJob* job);         ///< rows.*, stamps.*
+void CheckPoses(LintJob* job);
+void CheckCommands(LintJob* job);
+void CheckEncoders(LintJob* job);
+void CheckInertialUnits(LintJob* job);
+void CheckReceivers(LintJob* job);
+void CheckCameras(LintJob* job);  ///< pictures.*, boxes.*
+void CheckLidars(LintJob* job);   ///< scans.* but depth
+void CheckScansByDepth(LintJob* job);
+void CheckFlowByPoses(LintJob* job);
+
+}  // namespace tera

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/time.h"
+
+namespace tera {
+
+/// A row of a CSV file that could be read.
+struct ScannedRow {
+  int line = 0;
+  TimeNs t_ns = 0;
+  std::vector<double> values;  ///< without t_ns; none of a list of frames
+  std::string filename;        ///< of a list of frames
+};
+
+enum class RowFault {
+  kFields,     ///< cut off, too few or many fields, or no number
+  kNotFinite,  ///< NaN or infinity
+  kStamp       ///< t_ns no greater than in the row before
+};
+
+/// Reads a CSV file of a recording row by row and goes on behind rows that are faulty, which it
+/// tells and leaves out. Times of the rows that it gives increase.
+class RowScan {
+ public:
+  using OnFault = std::function<void(RowFault fault, int line, const std::string& what)>;
+
+  /// Throws InputError where the file cannot be read or its first line is no header.
+  explicit RowScan(const std::filesystem::path& file, OnFault on_fault = {});
+
+  /// Without t_ns; of a list of frames `filename` alone.
+  const std::vector<std::string>& columns() const { return columns_; }
+  bool lists_frames() const { return lists_frames_; }
+  /// The next row without fault; false at the end.
+  bool Next(ScannedRow* row);
+
+ private:
+  bool Read(ScannedRow* row);
+  bool Tell(RowFault fault, const std::string& what) const;
+
+  std::ifstream stream_;
+  OnFault on_fault_;
+  std::string text_;
+  int line_ = 1;
+  bool lists_frames_ = false, has_before_ = false;
+  TimeNs before_ns_ = 0;
+  std::vector<std::string> columns_;
+};
+
+}  // namespace tera

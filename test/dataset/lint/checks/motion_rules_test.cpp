@@ -1,0 +1,168 @@
+#include <gmock/gmock.h>
+
+#include "dataset/lint/healthy_recording.h"
+
+// Poses, levers, encoders, inertial units and receivers: units and frames that people mistake.
+
+namespace tera {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+const std::vector<std::string> kRates = {"wx_radps", "wy_radps", "wz_radps"};
+const std::vector<std::string> kForces = {"ax_mps2", "ay_mps2", "az_mps2"};
+
+class MotionRules : public LintTest {
+ protected:
+  static void Turn(std::vector<std::string>* fields, std::size_t i, std::size_t j) {
+    std::swap((*fields)[i], (*fields)[j]);
+  }
+};
+
+TEST_F(MotionRules, AQuaternionThatIsNone) {
+  EditRows("truth/digger/pose.csv", [](int line, std::vector<std::string>* fields) {
+    if (line == 5) (*fields)[4] = "0.5";
+  });
+  EXPECT_EQ(Only("poses.quaternion", "truth/digger/pose.csv").places[0].line, 5);
+}
+
+TEST_F(MotionRules, AQuaternionOfTheOtherSign) {
+  Scale("truth/digger/pose.csv", {"qw", "qx", "qy", "qz"}, -1);
+  EXPECT_THAT(Only("poses.quaternion", "truth/digger/pose.csv").places[0].message,
+              HasSubstr("qw is -"));
+}
+
+TEST_F(MotionRules, VelocitiesInKilometresAnHour) {
+  Scale("truth/digger/pose.csv", {"vx_mps", "vy_mps", "vz_mps"}, 3.6);
+  EXPECT_THAT(Only("poses.velocity", "truth/digger/pose.csv").places[0].message,
+              HasSubstr("by positions"));
+}
+
+TEST_F(MotionRules, RatesOfPosesInDegrees) {
+  Scale("truth/digger/pose.csv", kRates, 1 / kDeg);
+  Only("poses.velocity", "truth/digger/pose.csv");
+}
+
+TEST_F(MotionRules, LeversInPercent) {
+  Scale("digger/commands.csv", {"stick"}, 100);
+  EXPECT_EQ(Only("commands.range", "digger/commands.csv").places[0].message, "stick is -100");
+}
+
+TEST_F(MotionRules, EncoderRatesInDegrees) {
+  Scale("digger/joints/data.csv", {"boom_radps"}, 1 / kDeg);
+  EXPECT_THAT(Only("encoders.rates", "digger/joints").places[0].message,
+              HasSubstr("as if they were degrees"));
+}
+
+TEST_F(MotionRules, TravelInMillimetresPerSecond) {
+  Scale("digger/joints/data.csv", {"stick_mps"}, 1000);
+  EXPECT_THAT(Only("encoders.rates", "digger/joints").places[0].message, HasSubstr("stick_m"));
+}
+
+TEST_F(MotionRules, AnEncoderThatCountsBackwards) {
+  Scale("digger/joints/data.csv", {"boom_radps"}, -1);
+  Only("encoders.rates", "digger/joints");
+}
+
+// Both in degrees agree with each other; without a truth only their size tells.
+TEST_F(MotionRules, AnEncoderAllInDegrees) {
+  fs::remove(run() / "truth/digger/joints.csv");
+  Edit("dataset.yaml", "  - {path: \"truth/digger/joints.csv\", type: table}\n", "");
+  Scale("digger/joints/data.csv", {"boom_rad", "boom_radps"}, 1 / kDeg);
+  EXPECT_TRUE(Found().empty()) << "14 rad/s are possible";
+  Scale("digger/joints/data.csv", {"boom_rad", "boom_radps"}, 10);
+  EXPECT_THAT(Only("encoders.radians", "digger/joints").places[0].message,
+              HasSubstr("rad at the first row"));
+}
+
+TEST_F(MotionRules, AnEncoderWithAnotherZero) {
+  EditRows("digger/joints/data.csv", [](int, std::vector<std::string>* fields) {
+    (*fields)[1] = std::to_string(std::stod((*fields)[1]) + 0.3);
+  });
+  EXPECT_THAT(Only("encoders.truth", "digger/joints").places[0].message,
+              HasSubstr("boom_rad is 0.3 rad"));
+}
+
+TEST_F(MotionRules, GyroscopeInDegrees) {
+  Scale("digger/imu/data.csv", kRates, 1 / kDeg);
+  EXPECT_THAT(Only("imu.rates", "digger/imu").places[0].message,
+              HasSubstr("as if they were degrees"));
+}
+
+TEST_F(MotionRules, GyroscopeWithAnotherSign) {
+  Scale("digger/imu/data.csv", kRates, -1);
+  Only("imu.rates", "digger/imu");
+}
+
+TEST_F(MotionRules, GyroscopeInDegreesOfAUnitWhoseMountIsNotKnown) {
+  Put("digger/imu/sensor.yaml", "type: imu\nrate_hz: 100\n");
+  EXPECT_TRUE(Found().empty());
+  Scale("digger/imu/data.csv", kRates, 1 / kDeg);
+  EXPECT_THAT(Only("imu.rates", "digger/imu").places[0].message,
+              HasSubstr("57.3 times as far as its machine"));
+}
+
+TEST_F(MotionRules, ForceInG) {
+  Put("digger/imu/sensor.yaml", "type: imu\nrate_hz: 100\n");  // else imu.up tells, too
+  Scale("digger/imu/data.csv", kForces, 1 / 9.80665);
+  EXPECT_THAT(Only("imu.gravity", "digger/imu").places[0].message, HasSubstr("is 1 m/s2"));
+}
+
+TEST_F(MotionRules, ForceWithGravityDownwards) {
+  Scale("digger/imu/data.csv", kForces, -1);
+  EXPECT_THAT(Only("imu.up", "digger/imu").places[0].message, HasSubstr("-9.8"));
+}
+
+// The poses of the sensor itself, where they are recorded, are what it is held to.
+TEST_F(MotionRules, AMountThatIsNotTheRecordedOne) {
+  fs::create_directories(run() / "truth/digger/sensors");
+  fs::copy(run() / "truth/digger/pose.csv", run() / "truth/digger/sensors/imu.csv");
+  EditRows("truth/digger/sensors/imu.csv", [](int, std::vector<std::string>* fields) {
+    (*fields)[4] = (*fields)[6] = (*fields)[7] = "0";  // half a turn about x: upside down
+    (*fields)[5] = "1";
+  });
+  Edit("dataset.yaml", "channels:\n",
+       "channels:\n  - {path: \"truth/digger/sensors/imu.csv\", type: pose}\n");
+  EXPECT_THAT(Found(), testing::Contains("imu.up"));
+}
+
+TEST_F(MotionRules, AFixThatIsNone) {
+  EditRows("digger/gnss/data.csv", [](int line, std::vector<std::string>* fields) {
+    if (line == 3) (*fields)[7] = "6";
+    if (line == 4) (*fields)[8] = "-1";
+  });
+  const LintFinding finding = Only("gnss.values", "digger/gnss");
+  ASSERT_EQ(finding.count, 2);
+  EXPECT_THAT(finding.places[0].message, HasSubstr("fix is 6"));
+}
+
+TEST_F(MotionRules, ARowWithoutFixMeansNothing) {
+  EditRows("digger/gnss/data.csv", [](int line, std::vector<std::string>* fields) {
+    if (line % 2 == 0) std::fill(fields->begin() + 1, fields->end(), "0");
+  });
+  EXPECT_TRUE(Found().empty());
+}
+
+TEST_F(MotionRules, AHeightAboveTheGeoid) {
+  EditRows("digger/gnss/data.csv", [](int, std::vector<std::string>* fields) {
+    (*fields)[3] = std::to_string(std::stod((*fields)[3]) + 28);
+  });
+  EXPECT_THAT(Only("gnss.geodesy", "digger/gnss").places[0].message, HasSubstr("28 m"));
+}
+
+TEST_F(MotionRules, LatitudeAndLongitudeTheOtherWayRound) {
+  EditRows("digger/gnss/data.csv",
+           [](int, std::vector<std::string>* fields) { Turn(fields, 1, 2); });
+  Only("gnss.geodesy", "digger/gnss");
+}
+
+TEST_F(MotionRules, AReceiverFarFromItsMachine) {
+  EditRows("truth/digger/pose.csv", [](int, std::vector<std::string>* fields) {
+    (*fields)[1] = std::to_string(std::stod((*fields)[1]) + 500);
+  });
+  Only("gnss.pose", "digger/gnss");
+}
+
+}  // namespace
+}  // namespace tera

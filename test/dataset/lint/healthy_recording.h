@@ -1,0 +1,52 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <string>
+
+#include "dataset/format/sample_recording.h"
+#include "dataset/lint/lint.h"
+
+/// A recording without fault, small and with every kind of channel, whose channels tell of one
+/// motion and one scene; and what breaks it.
+
+namespace tera {
+
+/// Writes it: a chassis that drives east at 0.5 m/s, pitched, and turns left at 0.4 rad/s for 2 s;
+/// on it an inertial unit, a receiver, an encoder of two joints, a camera before a wall 5 m away
+/// with a truck and a boom in the picture, and a lidar that sees the wall.
+void WriteHealthyRecording(const std::filesystem::path& directory);
+
+inline constexpr int kHealthyWidth_px = 24, kHealthyHeight_px = 16;
+
+/// A healthy recording that each test breaks in one place.
+class LintTest : public testing::Test {
+ protected:
+  LintTest() { WriteHealthyRecording(run()); }
+  std::filesystem::path run() const { return scratch_.path() / "run"; }
+
+  LintReport Linted(const LintOptions& options = {}) const { return Lint(run(), options); }
+  /// Ids of the rules that found something.
+  std::set<std::string> Found() const;
+  /// That this rule found something in this channel, and no other rule did; its finding.
+  LintFinding Only(const std::string& rule, const std::string& channel) const;
+
+  /// Puts `to` in the place of the first `from` in a file.
+  void Edit(const std::string& file, const std::string& from, const std::string& to) const;
+  /// Writes a file's rows anew, the header aside: `change` has the line's number and its fields.
+  void EditRows(const std::string& file,
+                const std::function<void(int, std::vector<std::string>*)>& change) const;
+  /// Multiplies columns of all rows.
+  void Scale(const std::string& file, const std::vector<std::string>& columns, double by) const;
+  void Put(const std::string& file, const std::string& bytes) const {
+    WriteWholeFile(run() / file, bytes);
+  }
+
+ private:
+  ScratchDirectory scratch_;
+};
+
+}  // namespace tera
