@@ -18,9 +18,10 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// Points are compared that were measured this long before or after the picture: a machine that
-/// turns at 1 rad/s moves them by a hundredth of their distance.
-constexpr TimeNs kSameTime_ns = 10'000'000;
+/// Points are compared that were measured this long before or after the picture, which is a
+/// revolution of the usual 10 Hz: poses are those of each point's own time, and where the mounts
+/// alone are known, a link that turns at 1 rad/s moves points by no more than kToleranceShare.
+constexpr TimeNs kSameTime_ns = 50'000'000;
 /// So many pictures of a pair of sensors, spread over the recording: a wrong mount or unit shows in
 /// each of them.
 constexpr std::size_t kMostPictures = 20;
