@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "core/error.h"
 #include "dataset/import/import_csv.h"
+#include "dataset/import/suggest/suggest.h"
 #include "physics/actuation/joint_of_stroke.h"
 
 namespace tera {
@@ -68,28 +69,40 @@ void PrintReport(const ImportReport& report) {
 
 void AddImportCommand(CLI::App* app) {
   struct Arguments {
-    std::string mapping, out;
+    std::string mapping, out, suggested;
     ImportOptions options;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
-      app->add_subcommand("import", "Turn CSV files of a real recording into TERA's format");
-  command
-      ->add_option("MAPPING", arguments->mapping,
-                   "Mapping file (YAML, see docs/reference/dataset.md)")
-      ->required();
+  CLI::App* command = app->add_subcommand(
+      "import", "Turn logs of a real machine (CSV, ROS bags) into TERA's format");
+  CLI::Option* mapping = command->add_option("MAPPING", arguments->mapping,
+                                             "Mapping file (YAML, see docs/reference/dataset.md)");
   CLI::Option* out =
       command->add_option("--out", arguments->out, "Directory of the recording; new or empty");
   CLI::Option* check = command->add_flag("--check", arguments->options.checks_only,
                                          "Read all, print rates and gaps, write nothing");
   check->excludes(out);
+  command
+      ->add_option("--suggest", arguments->suggested,
+                   "Print a first mapping of this CSV file or ROS bag instead")
+      ->excludes(mapping)
+      ->excludes(out)
+      ->excludes(check);
   command->add_flag("--skip-bad-rows", arguments->options.skips_bad_rows,
-                    "Leave out rows that cannot be read, and count them");
+                    "Leave out rows and messages that cannot be read, and count them");
   command
       ->add_option("--set", arguments->options.overrides,
                    "key.path=value instead of the mapping's, above all file=recording.csv")
       ->take_all();
   command->callback([arguments] {
+    if (!arguments->suggested.empty()) {
+      fmt::print("{}", SuggestMapping(arguments->suggested));
+      return;
+    }
+    if (arguments->mapping.empty()) {
+      throw InputError(
+          "MAPPING: is missing; name the mapping's file, or ask for one by --suggest LOG");
+    }
     if (arguments->out.empty() && !arguments->options.checks_only) {
       throw InputError("--out: is missing; name the recording's new directory, or ask for --check");
     }

@@ -73,6 +73,7 @@ const std::multimap<std::string, std::string> kFolderOfLibrary = {
     {"unsupported/Eigen/", "diagnose"},
     {"openssl/", "dataset"},
     {"lz4frame.h", "dataset"},
+    {"bzlib.h", "dataset"},
     {"libnova/", "sim"},
     {"sqlite3.h", "dataset"},
     {"zlib.h", "dataset"},

@@ -202,6 +202,32 @@ std::optional<double> CsvFile::NumberIfAny(std::size_t row, std::size_t column) 
   return value;
 }
 
+std::optional<TimeNs> CsvFile::WholeNanoseconds(std::size_t row, std::size_t column,
+                                                TimeNs unit_ns) const {
+  std::string_view field = Field(row, column);
+  constexpr TimeNs kFarthest_ns = 9'000'000'000 * kNsPerSecond;
+  const bool is_negative = field.starts_with('-');
+  if (is_negative || field.starts_with('+')) field.remove_prefix(1);
+  if (field.empty() || field == ".") return std::nullopt;
+  TimeNs sum_ns = 0, digit_ns = unit_ns;
+  bool after_point = false;
+  for (const char c : field) {
+    if (c == '.' && !after_point) {
+      after_point = true;
+      continue;
+    }
+    if (c < '0' || c > '9') return std::nullopt;
+    if (after_point) {
+      digit_ns /= 10;  // what is finer than a nanosecond is cut off
+      sum_ns += (c - '0') * digit_ns;
+    } else {
+      if (sum_ns > kFarthest_ns / 10) return std::nullopt;
+      sum_ns = 10 * sum_ns + (c - '0') * unit_ns;
+    }
+  }
+  return is_negative ? -sum_ns : sum_ns;
+}
+
 double CsvFile::Number(std::size_t row, std::size_t column) const {
   const std::optional<double> value = NumberIfAny(row, column);
   if (!value) Fail(row, column, "need a finite number");

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "core/time.h"
+#include "dataset/import/left_out_rows.h"
+#include "dataset/import/row_table.h"
 
 namespace tera {
 
@@ -19,19 +21,9 @@ struct CsvForm {
   int skipped_lines = 0;   ///< before the header, or before the first row
 };
 
-/// What was left out of a file because it could not be read.
-struct LeftOutRows {
-  std::int64_t count = 0;
-  std::string first;  ///< what was wrong with the first of them, with its place
-
-  void Add(const std::string& fault) {
-    if (count++ == 0) first = fault;
-  }
-};
-
 /// A table in a text file, in memory: TERA's own, comma-separated with a header line, or a foreign
 /// one. Every fault is an InputError with file:line, what was found and what is needed.
-class CsvFile {
+class CsvFile final : public RowTable {
  public:
   enum class LastLine { kMustEnd, kMayLackItsEnd, kIsLeftOutIfCut };
 
@@ -45,25 +37,31 @@ class CsvFile {
 
   const std::filesystem::path& path() const { return path_; }
   const std::vector<std::string>& columns() const { return columns_; }
-  std::size_t row_count() const { return columns_.empty() ? 0 : fields_.size() / columns_.size(); }
+  std::size_t row_count() const override {
+    return columns_.empty() ? 0 : fields_.size() / columns_.size();
+  }
 
-  /// Index of a column. Throws for a missing one.
-  std::size_t Column(const std::string& name) const;
-  int Line(std::size_t row) const { return line_of_row_[row]; }
-  /// Its number among all rows of the file, those that were left out too, from 0.
-  std::size_t Ordinal(std::size_t row) const { return ordinals_.empty() ? row : ordinals_[row]; }
+  std::size_t Column(const std::string& name) const override;
+  int Line(std::size_t row) const override { return line_of_row_[row]; }
+  std::size_t Ordinal(std::size_t row) const override {
+    return ordinals_.empty() ? row : ordinals_[row];
+  }
   std::string_view Field(std::size_t row, std::size_t column) const {
     return fields_[row * columns_.size() + column];
   }
-  /// A finite number, or nothing where the field is none.
-  std::optional<double> NumberIfAny(std::size_t row, std::size_t column) const;
-  /// A finite number.
-  double Number(std::size_t row, std::size_t column) const;
+  std::optional<double> NumberIfAny(std::size_t row, std::size_t column) const override;
+  double Number(std::size_t row, std::size_t column) const override;
   /// A whole number of nanoseconds in the first column, greater than that of the row before.
   TimeNs Time(std::size_t row) const;
-  /// Whether a field holds anything: neither nothing nor a word for "no number".
-  bool IsPresent(std::size_t row, std::size_t column) const;
-  [[noreturn]] void Fail(std::size_t row, std::size_t column, const std::string& finding) const;
+  std::optional<TimeNs> Stamp(std::size_t, std::size_t) const override { return std::nullopt; }
+  std::optional<TimeNs> WholeNanoseconds(std::size_t row, std::size_t column,
+                                         TimeNs unit_ns) const override;
+  bool IsPresent(std::size_t row, std::size_t column) const override;
+  bool Repeats(std::size_t row, std::size_t column) const override {
+    return Field(row, column) == Field(row - 1, column);
+  }
+  [[noreturn]] void Fail(std::size_t row, std::size_t column,
+                         const std::string& finding) const override;
 
  private:
   void NameColumns(std::vector<std::string> names, int line);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <memory>
 
 #include "core/config/spelling.h"
 #include "core/error.h"
@@ -91,9 +93,9 @@ RowRule ReadRule(const ConfigMap& config) {
   return rule;
 }
 
-bool Holds(const CsvFile& csv, const RowRule& rule, std::size_t row) {
-  const std::size_t column = csv.Column(rule.column);
-  const std::optional<double> number = csv.NumberIfAny(row, column);
+bool Holds(const RowTable& table, const RowRule& rule, std::size_t row) {
+  const std::size_t column = table.Column(rule.column);
+  const std::optional<double> number = table.NumberIfAny(row, column);
   switch (rule.test) {
     case RowRule::Test::kAbove:
       return number && *number > rule.value;
@@ -102,9 +104,9 @@ bool Holds(const CsvFile& csv, const RowRule& rule, std::size_t row) {
     case RowRule::Test::kEquals:
       return number && *number == rule.value;
     case RowRule::Test::kChanges:
-      return row == 0 || csv.Field(row, column) != csv.Field(row - 1, column);
+      return row == 0 || !table.Repeats(row, column);
     case RowRule::Test::kPresent:
-      return csv.IsPresent(row, column);
+      return table.IsPresent(row, column);
   }
   return false;
 }
@@ -149,84 +151,89 @@ CsvForm ReadCsvForm(const ConfigMap& config) {
   return form;
 }
 
+/// A time of a bag has a form of its own and needs no unit.
+ColumnMapping ReadTime(const ConfigMap& time, bool is_of_bag) {
+  if (is_of_bag && !time.Has("unit")) {
+    return {.column = time.Text("column"), .offset = time.Number("offset", Any("s"), 0.0)};
+  }
+  constexpr double kFarthest_s = 9e9;  // beyond, nanoseconds do not fit into 64 bits
+  ColumnMapping mapping =
+      ReadColumnMapping(time, Dimension::kTime, Between(-kFarthest_s, kFarthest_s, "s"));
+  const double unit_ns = mapping.factor * static_cast<double>(kNsPerSecond);
+  for (const TimeNs whole_ns : {1, 1'000, 1'000'000, 1'000'000'000}) {
+    if (std::abs(unit_ns / static_cast<double>(whole_ns) - 1) < 1e-12) mapping.factor_ns = whole_ns;
+  }
+  return mapping;
+}
+
+/// The topic that a channel names, as its bag describes it.
+std::optional<BagTopic> ReadTopic(const ConfigMap& channel, const std::filesystem::path& file) {
+  if (!channel.Has("topic")) {
+    if (HasNameOfBag(file)) channel.Fault("topic", "is missing; need one of the bag's topics");
+    return std::nullopt;
+  }
+  BagTopic unknown{.name = channel.Text("topic")};
+  if (file.empty()) return unknown;
+  for (const std::filesystem::path& part : FilesOfBag(file)) channel.AlsoReads(part);
+  const FoundTopic found = FindTopic(file, unknown.name);
+  if (found.topic) return found.topic;
+  channel.Fault(
+      "topic",
+      fmt::format("{} has no topic '{}'{}; it has {}", file.string(), unknown.name,
+                  DidYouMean(unknown.name, found.names),
+                  found.names.empty() ? "none" : fmt::format("{}", fmt::join(found.names, ", "))));
+  return unknown;
+}
+
 }  // namespace
 
 RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top) {
   RowSource source;
   source.file = channel.Has("file") ? channel.File("file") : top.File("file");
+  source.topic = ReadTopic(channel, source.file);
   if (const auto form = (channel.Has("csv") ? channel : top).OptionalMap("csv")) {
     source.form = ReadCsvForm(*form);
+  }
+  for (const ConfigMap& rule : channel.List("valid_if")) source.rules.push_back(ReadRule(rule));
+  if (source.topic && !channel.Has("time") && !top.Has("time")) {
+    source.time.column = HasHeader(*source.topic) ? kHeaderStamp : kLogTime;
+    return source;
   }
   const ConfigMap time = channel.Has("time") ? channel.Map("time") : top.Map("time");
   if (const auto interval = time.OptionalNumber("interval", Positive(""))) {
     source.interval_s = *interval * UnitFactor(time, Dimension::kTime);
     source.time.offset = time.Number("offset", Any("s"), 0.0);
   } else {
-    constexpr double kFarthest_s = 9e9;  // beyond, nanoseconds do not fit into 64 bits
-    source.time =
-        ReadColumnMapping(time, Dimension::kTime, Between(-kFarthest_s, kFarthest_s, "s"));
-    const double unit_ns = source.time.factor * static_cast<double>(kNsPerSecond);
-    for (const TimeNs whole_ns : {1, 1'000, 1'000'000, 1'000'000'000}) {
-      if (std::abs(unit_ns / static_cast<double>(whole_ns) - 1) < 1e-12) {
-        source.time.factor_ns = whole_ns;
-      }
-    }
+    source.time = ReadTime(time, source.topic.has_value());
   }
-  for (const ConfigMap& rule : channel.List("valid_if")) source.rules.push_back(ReadRule(rule));
   return source;
 }
 
 namespace {
 
-/// A time written with digits alone, exactly, where doubles would round those of an epoch:
-/// `unit_ns` is 1, 1e3, 1e6 or 1e9. Nothing where it is written otherwise, or too far away.
-std::optional<TimeNs> WholeNanoseconds(std::string_view field, TimeNs unit_ns) {
-  constexpr TimeNs kFarthest_ns = 9'000'000'000 * kNsPerSecond;
-  const bool is_negative = field.starts_with('-');
-  if (is_negative || field.starts_with('+')) field.remove_prefix(1);
-  if (field.empty() || field == ".") return std::nullopt;
-  TimeNs sum_ns = 0, digit_ns = unit_ns;
-  bool after_point = false;
-  for (const char c : field) {
-    if (c == '.' && !after_point) {
-      after_point = true;
-      continue;
-    }
-    if (c < '0' || c > '9') return std::nullopt;
-    if (after_point) {
-      digit_ns /= 10;  // what is finer than a nanosecond is cut off
-      sum_ns += (c - '0') * digit_ns;
-    } else {
-      if (sum_ns > kFarthest_ns / 10) return std::nullopt;
-      sum_ns = 10 * sum_ns + (c - '0') * unit_ns;
-    }
-  }
-  return is_negative ? -sum_ns : sum_ns;
-}
-
 /// Numbers of the rows of one file.
 class MappedRows {
  public:
-  MappedRows(const CsvFile& csv, const RowSource& source, const std::vector<ColumnMapping>& columns,
-             TimeNs zero_ns)
-      : csv_(csv), source_(source), columns_(columns), zero_ns_(zero_ns) {
+  MappedRows(const RowTable& table, const RowSource& source,
+             const std::vector<ColumnMapping>& columns, TimeNs zero_ns)
+      : table_(table), source_(source), columns_(columns), zero_ns_(zero_ns) {
     // A missing column is a fault of the mapping, also where no row is read.
     for (const ColumnMapping& column : columns) places_.push_back(PlaceOf(column));
     time_place_ = PlaceOf(source.time);
-    for (const RowRule& rule : source.rules) csv.Column(rule.column);
+    for (const RowRule& rule : source.rules) table.Column(rule.column);
   }
 
   bool IsValid(std::size_t row) const {
     return std::all_of(source_.rules.begin(), source_.rules.end(),
-                       [&](const RowRule& rule) { return Holds(csv_, rule, row); });
+                       [&](const RowRule& rule) { return Holds(table_, rule, row); });
   }
 
   MappedRow At(std::size_t row, const MappedRow* before) const {
-    MappedRow mapped{TimeOf(row) - zero_ns_, csv_.Line(row), {}};
+    MappedRow mapped{TimeOf(row) - zero_ns_, table_.Line(row), {}};
     if (before != nullptr && mapped.t_ns <= before->t_ns) {
-      csv_.Fail(row, time_place_.value_or(0),
-                "need a later time than in the row before; leave such rows out by valid_if or "
-                "--skip-bad-rows");
+      table_.Fail(row, time_place_.value_or(0),
+                  "need a later time than in the row before; leave such rows out by valid_if or "
+                  "--skip-bad-rows");
     }
     for (std::size_t k = 0; k < columns_.size(); ++k) {
       mapped.values.push_back(Value(columns_[k], places_[k], row));
@@ -239,34 +246,44 @@ class MappedRows {
 
   Place PlaceOf(const ColumnMapping& mapping) const {
     if (mapping.column.empty()) return std::nullopt;
-    return csv_.Column(mapping.column);
+    return table_.Column(mapping.column);
   }
 
+  /// Of a bag's times and of times written with digits alone exactly, of others as far as doubles
+  /// hold them.
   TimeNs TimeOf(std::size_t row) const {
+    const auto stamp_ns = time_place_ ? table_.Stamp(row, *time_place_) : std::nullopt;
+    if (stamp_ns) {
+      if (source_.time.factor != 1.0) {
+        table_.Fail(row, *time_place_, "which is a time already; leave out its unit and scale");
+      }
+      return *stamp_ns + FromSeconds(source_.time.offset);
+    }
     if (time_place_ && source_.time.factor_ns > 0) {
-      const auto exact_ns = WholeNanoseconds(csv_.Field(row, *time_place_), source_.time.factor_ns);
+      const auto exact_ns = table_.WholeNanoseconds(row, *time_place_, source_.time.factor_ns);
       if (exact_ns) return *exact_ns + FromSeconds(source_.time.offset);
     }
-    const double late_s = static_cast<double>(csv_.Ordinal(row)) * source_.interval_s.value_or(0);
+    const double late_s = static_cast<double>(table_.Ordinal(row)) * source_.interval_s.value_or(0);
     return FromSeconds(Value(source_.time, time_place_, row) + late_s);
   }
 
   double Value(const ColumnMapping& mapping, const Place& column, std::size_t row) const {
     if (!column) return mapping.offset;
-    if (!csv_.IsPresent(row, *column)) {
-      csv_.Fail(row, *column,
-                fmt::format("which is no number; leave such rows out by valid_if: [{{column: {}, "
-                            "present: true}}]",
-                            mapping.column));
+    if (!table_.IsPresent(row, *column)) {
+      if (mapping.may_lack) return std::numeric_limits<double>::quiet_NaN();
+      table_.Fail(row, *column,
+                  fmt::format("which is no number; leave such rows out by valid_if: [{{column: {}, "
+                              "present: true}}]",
+                              mapping.column));
     }
-    const double value = mapping.factor * csv_.Number(row, *column) + mapping.offset;
+    const double value = mapping.factor * table_.Number(row, *column) + mapping.offset;
     if (value < mapping.allowed.min || value > mapping.allowed.max) {
-      csv_.Fail(row, *column, OutOfRange(value, mapping.allowed));
+      table_.Fail(row, *column, OutOfRange(value, mapping.allowed));
     }
     return value;
   }
 
-  const CsvFile& csv_;
+  const RowTable& table_;
   const RowSource& source_;
   const std::vector<ColumnMapping>& columns_;
   TimeNs zero_ns_;
@@ -274,14 +291,35 @@ class MappedRows {
   Place time_place_;
 };
 
+std::unique_ptr<const RowTable> TableOf(const RowSource& source,
+                                        const std::vector<ColumnMapping>& columns,
+                                        LeftOutRows* left_out) {
+  if (!source.topic) return std::make_unique<CsvFile>(source.file, source.form, left_out);
+  std::vector<std::string> paths;
+  const auto add = [&](const std::string& path) {
+    if (!path.empty() && std::find(paths.begin(), paths.end(), path) == paths.end()) {
+      paths.push_back(path);
+    }
+  };
+  for (const ColumnMapping& column : columns) add(column.column);
+  add(source.time.column);
+  for (const RowRule& rule : source.rules) add(rule.column);
+  return std::make_unique<TopicTable>(source.file, *source.topic, paths, left_out);
+}
+
 }  // namespace
+
+std::string PlaceOf(const RowSource& source, int line) {
+  return source.topic ? MessagePlace(source.file, *source.topic, line)
+                      : fmt::format("{}:{}", source.file.string(), line);
+}
 
 std::vector<MappedRow> ReadRows(const RowSource& source, const std::vector<ColumnMapping>& columns,
                                 TimeNs zero_ns, LeftOutRows* left_out) {
-  const CsvFile csv(source.file, source.form, left_out);
-  const MappedRows reader(csv, source, columns, zero_ns);
+  const std::unique_ptr<const RowTable> table = TableOf(source, columns, left_out);
+  const MappedRows reader(*table, source, columns, zero_ns);
   std::vector<MappedRow> rows;
-  for (std::size_t row = 0; row < csv.row_count(); ++row) {
+  for (std::size_t row = 0; row < table->row_count(); ++row) {
     try {
       if (!reader.IsValid(row)) continue;
       rows.push_back(reader.At(row, rows.empty() ? nullptr : &rows.back()));

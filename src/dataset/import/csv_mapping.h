@@ -7,9 +7,11 @@
 
 #include "core/config/config.h"
 #include "core/time.h"
+#include "dataset/import/bag/topic_table.h"
 #include "dataset/import/csv_file.h"
 
-/// How columns of a foreign CSV file become numbers in SI units and rows become times.
+/// How columns of a foreign CSV file or fields of a bag's messages become numbers in SI units and
+/// rows become times.
 
 namespace tera {
 
@@ -34,6 +36,8 @@ struct ColumnMapping {
   double factor = 1.0, offset = 0.0;
   Range allowed;         ///< of the value
   TimeNs factor_ns = 0;  ///< of a time in whole nanoseconds, microseconds, ...: one of its unit
+  /// A field without a number is taken as it is, as NaN: the channel knows what to make of it.
+  bool may_lack = false;
 };
 
 /// Reads `{column:, unit:, scale:, offset:}` or `{constant:}`. The offset is in SI units. An
@@ -54,20 +58,23 @@ struct RowRule {
 struct RowSource {
   std::filesystem::path file;
   CsvForm form;
-  ColumnMapping time;  ///< gives seconds
+  std::optional<BagTopic> topic;  ///< of the bag that the file is
+  ColumnMapping time;             ///< gives seconds
   /// Where rows have no time: from each to the next, left out ones too; `time` is the first one's.
   std::optional<double> interval_s;
   std::vector<RowRule> rules;
 };
 
-/// Reads `file:`, `csv:`, `time:` and `valid_if:` of a channel; all but the last default to those
-/// of the mapping's top level. A time is a column or `{interval:, unit:, offset:}`.
+/// Reads `file:`, `topic:`, `csv:`, `time:` and `valid_if:` of a channel; `file`, `csv` and `time`
+/// default to those of the mapping's top level. A time is a column or `{interval:, unit:,
+/// offset:}`; of a topic it defaults to its header's stamp, or to when its messages were recorded.
+/// Looks the topic up in its bag.
 RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top);
 
 /// One valid row: its time and the values of the columns asked for.
 struct MappedRow {
   TimeNs t_ns = 0;
-  int line = 0;  ///< in its file
+  int line = 0;  ///< in its file; of a topic, the message's number
   std::vector<double> values;
 };
 
@@ -76,5 +83,8 @@ struct MappedRow {
 /// is given, to which such rows are added.
 std::vector<MappedRow> ReadRows(const RowSource& source, const std::vector<ColumnMapping>& columns,
                                 TimeNs zero_ns = 0, LeftOutRows* left_out = nullptr);
+
+/// "log.csv:12", "log.mcap: /imu message 12".
+std::string PlaceOf(const RowSource& source, int line);
 
 }  // namespace tera

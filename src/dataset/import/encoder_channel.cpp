@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <set>
 
 #include "core/config/plain_name.h"
+#include "core/error.h"
 #include "core/types/sample_rows.h"
 #include "core/units.h"
 #include "dataset/format/channel.h"
+#include "dataset/import/bag/standard_topics.h"
 #include "dataset/import/import_run.h"
 
 // Encoders of a mapping.
@@ -103,10 +107,63 @@ bool ReadIndirect(const ConfigMap& config, const ConfigMap& top, const Mapping& 
   return true;
 }
 
+/// A joint as a JointState names it; its velocity may not be there.
+JointColumns StandardJoint(const EncoderAxis& axis, std::vector<ColumnMapping>* columns) {
+  const int first = static_cast<int>(columns->size());
+  columns->push_back({.column = "position[" + axis.name + "]"});
+  columns->push_back({.column = "velocity[" + axis.name + "]", .may_lack = true});
+  return {axis, first, first + 1};
+}
+
+/// Whether a topic's joints are known by their names alone.
+bool IsStandard(const RowSource& source) {
+  return source.topic && source.topic->type == kJointType;
+}
+
+bool SaysNoColumn(const ConfigMap& joint) {
+  constexpr std::array<const char*, 6> kKeys = {"angle", "rate",   "travel",
+                                                "speed", "stroke", "rolled"};
+  return std::none_of(kKeys.begin(), kKeys.end(), [&](const char* key) { return joint.Has(key); });
+}
+
+/// The joints of a topic of which the mapping names none.
+std::vector<JointColumns> AllJoints(const ConfigMap& config, const RowSource& source,
+                                    std::vector<ColumnMapping>* columns) {
+  std::vector<JointColumns> joints;
+  for (const std::string& name : JointNames(source.file, *source.topic)) {
+    RequirePlainName(config, "topic", name);
+    joints.push_back(StandardJoint({name, false}, columns));
+  }
+  if (joints.empty()) config.Fault("topic", "its first message names no joint; need joints");
+  return joints;
+}
+
+/// Velocities that a topic leaves out become the angle's differences.
+void DropMissingRates(const RowSource& source, const std::vector<MappedRow>& rows,
+                      std::vector<JointColumns>* joints) {
+  for (JointColumns& joint : *joints) {
+    if (joint.rate < 0) continue;
+    const auto rate = static_cast<std::size_t>(joint.rate);
+    const auto lacks = [&](const MappedRow& row) { return std::isnan(row.values[rate]); };
+    const auto first = std::find_if(rows.begin(), rows.end(), lacks);
+    if (first == rows.end()) continue;
+    if (!std::all_of(rows.begin(), rows.end(), lacks)) {
+      throw InputError(fmt::format(
+          "{}: has no velocity of '{}', other messages have; leave such rows out by valid_if: "
+          "[{{column: \"velocity[{}]\", present: true}}]",
+          PlaceOf(source, first->line), joint.axis.name, joint.axis.name));
+    }
+    joint.rate = -1;
+  }
+}
+
 JointColumns ReadJoint(const ConfigMap& config, const ConfigMap& top, const Mapping& mapping,
-                       std::vector<ColumnMapping>* columns) {
+                       const RowSource& source, std::vector<ColumnMapping>* columns) {
   JointColumns joint{{config.Text("name"), config.Has("travel") || config.Has("speed")}};
   RequirePlainName(config, "name", joint.axis.name);
+  if (IsStandard(source) && SaysNoColumn(config)) {
+    return StandardJoint({joint.axis.name, config.Boolean("prismatic", false)}, columns);
+  }
   if (ReadIndirect(config, top, mapping, &joint, columns)) return joint;
   const bool linear = joint.axis.linear;
   if (const auto position = config.OptionalMap(linear ? "travel" : "angle")) {
@@ -133,20 +190,27 @@ ImportJob ReadEncoder(const ConfigMap& config, const ConfigMap& top, Mapping* ma
   std::vector<EncoderAxis> axes;
   std::set<std::string> names;
   for (const ConfigMap& item : config.List("joints")) {
-    joints.push_back(ReadJoint(item, top, *mapping, &columns));
+    joints.push_back(ReadJoint(item, top, *mapping, source, &columns));
     axes.push_back(joints.back().axis);
     if (!names.insert(axes.back().name).second) {
       item.Fault("name", fmt::format("'{}' is named twice; keep one", axes.back().name));
     }
   }
-  if (joints.empty()) config.Fault("joints", "need at least one joint with name and rate");
+  if (joints.empty() && IsStandard(source)) {
+    joints = AllJoints(config, source, &columns);
+    for (const JointColumns& joint : joints) axes.push_back(joint.axis);
+  } else if (joints.empty()) {
+    config.Fault("joints", "need at least one joint with name and rate");
+  }
   return [=](ImportRun* run) {
     const std::vector<MappedRow> rows = run->Read(folder, source, columns);
+    std::vector<JointColumns> found = joints;
+    DropMissingRates(source, rows, &found);
     DatasetWriter* writer = run->writer();
     if (writer == nullptr) return;
     const ChannelId encoder =
         writer->AddChannel(EncoderChannel(folder, SensorText(sensor, source, rows), axes));
-    for (const EncoderSample& sample : EncoderSamples(joints, rows)) {
+    for (const EncoderSample& sample : EncoderSamples(found, rows)) {
       writer->Write(encoder, RowOf(sample));
     }
   };

@@ -8,6 +8,7 @@
 #include "core/config/plain_name.h"
 #include "core/error.h"
 #include "core/types/mounting.h"
+#include "dataset/import/bag/standard_topics.h"
 
 namespace tera {
 namespace {
@@ -86,6 +87,35 @@ std::string ReadPath(const ConfigMap& config, const std::string& ending, Mapping
     config.Fault("name", fmt::format("'{}' is taken by another channel; give each its own", name));
   }
   return path;
+}
+
+ColumnKeys::ColumnKeys(const ConfigMap& channel, const RowSource& source, std::string_view makes,
+                       std::string_view key)
+    : given_(channel.OptionalMap("columns")), type_(source.topic ? source.topic->type : "") {
+  if (given_) return;
+  if (!source.topic) {
+    channel.Map("columns");  // is missing
+  } else if (!type_.empty() && !StandardColumnOf(type_, key)) {
+    channel.Fault("topic", fmt::format("is of {}; need {}, or 'columns' that say which fields are "
+                                       "what",
+                                       type_, makes));
+  }
+}
+
+std::optional<ConfigMap> ColumnKeys::Given(const char* key) const {
+  return given_ ? given_->OptionalMap(key) : std::nullopt;
+}
+
+ColumnMapping ColumnKeys::Read(const char* key, Dimension dimension, const Range& allowed) const {
+  if (const auto given = Given(key)) return ReadColumnMapping(*given, dimension, allowed);
+  if (const auto standard = StandardColumnOf(type_, key)) {
+    return {.column = standard->path,
+            .factor = standard->factor,
+            .allowed = allowed,
+            .may_lack = standard->may_lack};
+  }
+  if (given_) return ReadColumnMapping(given_->Map(key), dimension, allowed);
+  return {};
 }
 
 std::string SensorText(const ImportedSensor& sensor, const RowSource& source,

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -58,6 +60,23 @@ struct Mapping {
 RowSource ReadSource(const ConfigMap& config, const ConfigMap& top, Mapping* mapping);
 /// The machine's folder or file for the channel that `name` names, with `ending`.
 std::string ReadPath(const ConfigMap& config, const std::string& ending, Mapping* mapping);
+
+/// The columns of a channel: from its `columns:`, and those that are not there, of a topic of a
+/// standard type, from its fields.
+class ColumnKeys {
+ public:
+  /// `makes` names the type whose fields such channels are made of, as far as it has one for `key`.
+  ColumnKeys(const ConfigMap& channel, const RowSource& source, std::string_view makes,
+             std::string_view key);
+
+  ColumnMapping Read(const char* key, Dimension dimension, const Range& allowed = {}) const;
+  /// The key's mapping where the channel has it.
+  std::optional<ConfigMap> Given(const char* key) const;
+
+ private:
+  std::optional<ConfigMap> given_;
+  std::string type_;  ///< of the topic
+};
 
 /// What sensor.yaml can say of a sensor that was not simulated.
 struct ImportedSensor {

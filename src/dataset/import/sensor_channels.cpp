@@ -8,6 +8,7 @@
 #include "core/types/sample_rows.h"
 #include "core/units.h"
 #include "dataset/format/channel.h"
+#include "dataset/import/bag/standard_topics.h"
 #include "dataset/import/import_run.h"
 #include "dataset/import/wgs84.h"
 
@@ -19,13 +20,11 @@ namespace {
 constexpr double kMinQuaternionNorm = 0.9, kMaxQuaternionNorm = 1.1;
 constexpr double kNearlyFull = 1e-4;  ///< of full lever: what rounding makes of it
 
-std::vector<ColumnMapping> ReadColumns(const ConfigMap& columns,
+std::vector<ColumnMapping> ReadColumns(const ColumnKeys& columns,
                                        const std::vector<const char*>& keys, Dimension dimension,
                                        const Range& allowed = {}) {
   std::vector<ColumnMapping> mappings;
-  for (const char* key : keys) {
-    mappings.push_back(ReadColumnMapping(columns.Map(key), dimension, allowed));
-  }
+  for (const char* key : keys) mappings.push_back(columns.Read(key, dimension, allowed));
   return mappings;
 }
 
@@ -61,22 +60,59 @@ ColumnMapping ReadFix(const ConfigMap& config) {
   return fix;
 }
 
-GnssSample GnssOf(const MappedRow& row, const RowSource& source, const GeodeticPlace& origin) {
+/// Columns of a receiver, in this order.
+enum GnssColumn { kLat, kLon, kAlt, kFix, kVarE, kVarN, kVarU, kCovarianceType };
+
+/// How a receiver's rows say what fix they have.
+struct FixReading {
+  bool by_status = false;         ///< by the status of a NavSatFix, else as a GGA quality
+  bool needs_covariance = false;  ///< where kCovarianceType is 0 there are no variances
+};
+
+/// A GGA quality of a NavSatFix: its ground-based augmentation is RTK, fixed where it is that good.
+double QualityOfStatus(const std::vector<double>& v) {
+  constexpr double kMostOfFixed_m = 0.1;  // one sigma of the horizontal; between 0.02 and 0.3
+  const double status = v[kFix];
+  if (status != 2) return status < 0 ? 0 : status + 1;
+  return v[kVarE] + v[kVarN] <= kMostOfFixed_m * kMostOfFixed_m ? 4 : 5;
+}
+
+void RequireNumbers(const MappedRow& row, const RowSource& source, const FixReading& reading) {
   const std::vector<double>& v = row.values;
-  const auto fix = FixOfQuality(v[3]);
+  if (reading.needs_covariance && v[kCovarianceType] == 0) {
+    throw InputError(
+        PlaceOf(source, row.line) +
+        ": has a fix but position_covariance_type 0, which is unknown; need variances, "
+        "for instance columns: {var_e: {constant: 4}, var_n: {constant: 4}, var_u: "
+        "{constant: 9}}");
+  }
+  for (const GnssColumn column : {kLat, kLon, kAlt, kVarE, kVarN, kVarU}) {
+    if (!std::isnan(v[column])) continue;
+    throw InputError(PlaceOf(source, row.line) +
+                     ": has a fix, but its position or variance is no number; leave such rows out "
+                     "by valid_if");
+  }
+}
+
+GnssSample GnssOf(const MappedRow& row, const RowSource& source, const FixReading& reading,
+                  const GeodeticPlace& origin) {
+  const std::vector<double>& v = row.values;
+  const double quality = reading.by_status ? QualityOfStatus(v) : v[kFix];
+  const auto fix = FixOfQuality(quality);
   if (!fix) {
-    throw InputError(fmt::format("{}:{}: the fix is {}; {}, or leave such rows out by valid_if",
-                                 source.file.string(), row.line, v[3], kNeedFix));
+    throw InputError(fmt::format("{}: the fix is {}; {}, or leave such rows out by valid_if",
+                                 PlaceOf(source, row.line), v[kFix], kNeedFix));
   }
   GnssSample s;
   s.t_ns = s.t_available_ns = row.t_ns;
   s.fix = *fix;
   if (s.fix == GnssFix::kNone) return s;
-  s.lat_deg = v[0] / kDeg;
-  s.lon_deg = v[1] / kDeg;
-  s.alt_m = v[2];
-  s.enu_m = EnuFromGeodetic({v[0], v[1], v[2]}, origin);
-  s.variance_enu_m2 = Vec3(v[4], v[5], v[6]);
+  RequireNumbers(row, source, reading);
+  s.lat_deg = v[kLat] / kDeg;
+  s.lon_deg = v[kLon] / kDeg;
+  s.alt_m = v[kAlt];
+  s.enu_m = EnuFromGeodetic({v[kLat], v[kLon], v[kAlt]}, origin);
+  s.variance_enu_m2 = Vec3(v[kVarE], v[kVarN], v[kVarU]);
   return s;
 }
 
@@ -114,7 +150,7 @@ ImportJob ReadImu(const ConfigMap& config, const ConfigMap& top, Mapping* mappin
   const ImportedSensor sensor = ReadSensorMount(config, "imu");
   const RowSource source = ReadSource(config, top, mapping);
   const Mat3 R_SF = ReadAxes(config);
-  const ConfigMap keys = config.Map("columns");
+  const ColumnKeys keys(config, source, kImuType, "wx");
   auto columns = ReadColumns(keys, {"wx", "wy", "wz"}, Dimension::kRate);
   Append(ReadColumns(keys, {"ax", "ay", "az"}, Dimension::kAcceleration), &columns);
   return [=](ImportRun* run) {
@@ -134,23 +170,31 @@ ImportJob ReadGnss(const ConfigMap& config, const ConfigMap& top, Mapping* mappi
   const std::string folder = ReadPath(config, "", mapping);
   const ImportedSensor sensor = ReadSensorMount(config, "gnss");
   const RowSource source = ReadSource(config, top, mapping);
-  const ConfigMap keys = config.Map("columns");
+  const ColumnKeys keys(config, source, kFixType, "lat");
   auto columns = ReadColumns(keys, {"lat"}, Dimension::kAngle, Between(-kPi / 2, kPi / 2, "rad"));
   Append(ReadColumns(keys, {"lon"}, Dimension::kAngle, Between(-kPi, kPi, "rad")), &columns);
   Append(ReadColumns(keys, {"alt"}, Dimension::kLength), &columns);
-  columns.push_back(ReadFix(keys.Map("fix")));
+  const auto fix = keys.Given("fix");
+  columns.push_back(fix ? ReadFix(*fix) : keys.Read("fix", Dimension::kNone));
   Append(ReadColumns(keys, {"var_e", "var_n", "var_u"}, Dimension::kVariance, AtLeast(0, "m2")),
          &columns);
+  const bool is_standard = source.topic && source.topic->type == kFixType;
+  const FixReading reading{
+      is_standard && !fix,
+      is_standard && !(keys.Given("var_e") && keys.Given("var_n") && keys.Given("var_u"))};
+  if (reading.needs_covariance) columns.push_back({kCovarianceTypePath});
   const GeodeticPlace origin{mapping->info.origin_lat_deg * kDeg,
                              mapping->info.origin_lon_deg * kDeg, mapping->info.origin_height_m};
   return [=](ImportRun* run) {
-    const std::vector<MappedRow> rows = run->Read(
-        folder, source, columns, [&](const MappedRow& row) { GnssOf(row, source, origin); });
+    const std::vector<MappedRow> rows =
+        run->Read(folder, source, columns,
+                  [&](const MappedRow& row) { GnssOf(row, source, reading, origin); });
     DatasetWriter* writer = run->writer();
     if (writer == nullptr) return;
     const ChannelId gnss =
         writer->AddChannel(GnssChannel(folder, SensorText(sensor, source, rows)));
-    for (const MappedRow& row : rows) writer->Write(gnss, RowOf(GnssOf(row, source, origin)));
+    for (const MappedRow& row : rows)
+      writer->Write(gnss, RowOf(GnssOf(row, source, reading, origin)));
   };
 }
 
@@ -161,7 +205,7 @@ ImportJob ReadPose(const ConfigMap& config, const ConfigMap& top, Mapping* mappi
   const auto body = config.OptionalMap("body");
   const Pose X_WR = world ? world->PoseXyzRpy() : Pose::Identity();
   const Pose X_FB = body ? body->PoseXyzRpy() : Pose::Identity();
-  const ConfigMap keys = config.Map("columns");
+  const ColumnKeys keys(config, source, "nav_msgs/Odometry or geometry_msgs/PoseStamped", "qw");
   auto columns = ReadColumns(keys, {"x", "y", "z"}, Dimension::kLength);
   Append(ReadColumns(keys, {"qw", "qx", "qy", "qz"}, Dimension::kNone), &columns);
   return [=, file = "truth/" + mapping->machine + "/pose.csv"](ImportRun* run) {

@@ -21,10 +21,17 @@ struct Definition {
 };
 
 /// Source  the published definitions of common_interfaces, geometry2 and rcl_interfaces.
-constexpr std::array<Definition, 26> kDefinitions = {{
+constexpr std::array<Definition, 42> kDefinitions = {{
     {"builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n"},
     {"std_msgs/Header", "builtin_interfaces/Time stamp\nstring frame_id\n"},
     {"std_msgs/Float64", "float64 data\n"},
+    {"std_msgs/Bool", "bool data\n"},
+    {"std_msgs/Float32", "float32 data\n"},
+    {"std_msgs/Int32", "int32 data\n"},
+    {"std_msgs/String", "string data\n"},
+    {"std_msgs/MultiArrayDimension", "string label\nuint32 size\nuint32 stride\n"},
+    {"std_msgs/MultiArrayLayout", "std_msgs/MultiArrayDimension[] dim\nuint32 data_offset\n"},
+    {"std_msgs/Float64MultiArray", "std_msgs/MultiArrayLayout layout\nfloat64[] data\n"},
     {"rosgraph_msgs/Clock", "builtin_interfaces/Time clock\n"},
     {"geometry_msgs/Vector3", "float64 x\nfloat64 y\nfloat64 z\n"},
     {"geometry_msgs/Point", "float64 x\nfloat64 y\nfloat64 z\n"},
@@ -36,6 +43,19 @@ constexpr std::array<Definition, 26> kDefinitions = {{
     {"geometry_msgs/PoseWithCovariance", "geometry_msgs/Pose pose\nfloat64[36] covariance\n"},
     {"geometry_msgs/TwistWithCovariance", "geometry_msgs/Twist twist\nfloat64[36] covariance\n"},
     {"geometry_msgs/PoseStamped", "std_msgs/Header header\ngeometry_msgs/Pose pose\n"},
+    {"geometry_msgs/PoseWithCovarianceStamped",
+     "std_msgs/Header header\ngeometry_msgs/PoseWithCovariance pose\n"},
+    {"geometry_msgs/TwistStamped", "std_msgs/Header header\ngeometry_msgs/Twist twist\n"},
+    {"geometry_msgs/Vector3Stamped", "std_msgs/Header header\ngeometry_msgs/Vector3 vector\n"},
+    {"geometry_msgs/PointStamped", "std_msgs/Header header\ngeometry_msgs/Point point\n"},
+    {"geometry_msgs/Wrench", "geometry_msgs/Vector3 force\ngeometry_msgs/Vector3 torque\n"},
+    {"geometry_msgs/WrenchStamped", "std_msgs/Header header\ngeometry_msgs/Wrench wrench\n"},
+    {"sensor_msgs/FluidPressure",
+     "std_msgs/Header header\nfloat64 fluid_pressure\nfloat64 variance\n"},
+    {"sensor_msgs/MagneticField",
+     "std_msgs/Header header\ngeometry_msgs/Vector3 magnetic_field\n"
+     "float64[9] magnetic_field_covariance\n"},
+    {"sensor_msgs/Joy", "std_msgs/Header header\nfloat32[] axes\nint32[] buttons\n"},
     {"geometry_msgs/TransformStamped",
      "std_msgs/Header header\nstring child_frame_id\ngeometry_msgs/Transform transform\n"},
     {"tf2_msgs/TFMessage", "geometry_msgs/TransformStamped[] transforms\n"},
@@ -142,13 +162,20 @@ std::string Md5Of(std::string_view text) {
 
 }  // namespace
 
-std::string_view DefinitionOf(std::string_view type) {
+std::optional<std::string_view> FindDefinition(std::string_view type) {
   for (const Definition& definition : kDefinitions) {
     if (definition.type == type) return definition.text;
   }
-  TERA_CHECK(false, type);
-  return {};
+  return std::nullopt;
 }
+
+std::string_view DefinitionOf(std::string_view type) {
+  const auto definition = FindDefinition(type);
+  TERA_CHECK(definition.has_value(), type);
+  return *definition;
+}
+
+std::string OwnDefinition(std::string_view type, WireForm form) { return Text(type, form); }
 
 std::string Md5Sum(std::string_view type) {
   const std::string definition = Text(type, WireForm::kRos1);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -26,5 +27,11 @@ std::string Md5Sum(std::string_view type);
 
 /// The definition of a type alone, without what it is made of, as ROS 2 has it.
 std::string_view DefinitionOf(std::string_view type);
+
+/// The same, where the type is one of those that are known here.
+std::optional<std::string_view> FindDefinition(std::string_view type);
+
+/// The definition of a known type alone, in the names of either ROS.
+std::string OwnDefinition(std::string_view type, WireForm form);
 
 }  // namespace tera::ros

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <concepts>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace tera {
+
+/// Bytes that are not what their format or their schema says. Whoever knows the place makes an
+/// InputError of it.
+struct BadBytes {
+  std::string finding;
+};
+
+/// Reads little-endian numbers and texts from bytes, never beyond their end.
+class ByteCursor {
+ public:
+  explicit ByteCursor(std::string_view bytes) : bytes_(bytes) {}
+
+  std::size_t remaining() const { return bytes_.size() - at_; }
+  std::size_t at() const { return at_; }
+
+  std::string_view Bytes(std::uint64_t count) {
+    if (count > remaining()) {
+      throw BadBytes{fmt::format("{} bytes are declared where {} are left", count, remaining())};
+    }
+    const std::string_view bytes = bytes_.substr(at_, count);
+    at_ += count;
+    return bytes;
+  }
+  template <std::unsigned_integral T>
+  T Number() {
+    T value = 0;
+    const std::string_view bytes = Bytes(sizeof value);
+    for (std::size_t k = 0; k < sizeof value; ++k) {
+      value = static_cast<T>(
+          value | static_cast<T>(static_cast<T>(static_cast<unsigned char>(bytes[k])) << (8 * k)));
+    }
+    return value;
+  }
+  /// Its length in 32 bits, then the text.
+  std::string_view Text() { return Bytes(Number<std::uint32_t>()); }
+
+ private:
+  std::string_view bytes_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace tera

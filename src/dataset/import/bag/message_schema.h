@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dataset/import/bag/bag_source.h"
+#include "dataset/ros/serializer.h"
+
+/// What a message is made of, as the definition that a bag carries says.
+
+namespace tera {
+
+enum class FieldKind : std::uint8_t {
+  kBool,
+  kInt8,
+  kUint8,
+  kInt16,
+  kUint16,
+  kInt32,
+  kUint32,
+  kInt64,
+  kUint64,
+  kFloat32,
+  kFloat64,
+  kTime,      ///< seconds and nanoseconds
+  kDuration,  ///< likewise
+  kString,
+  kWideString,
+  kMessage
+};
+
+/// "float64", and how many bytes one takes and aligns to: 0 where that is not fixed.
+struct FieldKindTraits {
+  std::string_view name;
+  std::uint32_t bytes = 0, alignment = 0;
+};
+const FieldKindTraits& TraitsOf(FieldKind kind);
+
+struct MessageField {
+  enum class Arity : std::uint8_t { kOne, kArray, kSequence };
+  std::string name;
+  FieldKind kind = FieldKind::kUint8;
+  Arity arity = Arity::kOne;
+  std::uint32_t count = 1;  ///< of an array
+  std::size_t type = 0;     ///< of kMessage: in MessageSchema::types
+};
+
+struct MessageType {
+  std::string name;  ///< "geometry_msgs/Vector3"
+  std::vector<MessageField> fields;
+  std::uint64_t least_bytes = 0;  ///< without padding, texts and sequences empty
+};
+
+struct MessageSchema {
+  ros::WireForm form = ros::WireForm::kCdr;
+  std::vector<MessageType> types;  ///< the message itself first
+
+  const MessageType& root() const { return types.front(); }
+  bool HasHeader() const;
+};
+
+/// The schema of a topic: from the bag's definition in the forms `ros2msg` and `ros1msg`, else from
+/// TERA's own of the type. BadBytes for a definition that cannot be read, that contains itself or
+/// is nested too deep, and for a type that neither the bag nor TERA knows.
+///
+/// Source  "ROS 2 message definitions (.msg)" and "msg" of the ROS 1 wiki.
+MessageSchema SchemaOf(const BagTopic& topic);
+
+}  // namespace tera

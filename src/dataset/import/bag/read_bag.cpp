@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <optional>
+
+#include "core/config/config.h"
+#include "dataset/files/checked_file.h"
+#include "dataset/import/bag/bag_file.h"
+#include "dataset/import/bag/bag_source.h"
+
+namespace tera {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kMetadata = "metadata.yaml";
+
+/// Counts on from file to file, so that the numbers of topics differ.
+class Renumbered : public BagVisitor {
+ public:
+  explicit Renumbered(BagVisitor* visitor) : visitor_(visitor) {}
+
+  void NextFile() { before_ = asked_; }
+  Wish Wants(const BagTopic& topic) override {
+    ++asked_;
+    return visitor_->Wants(topic);
+  }
+  bool Take(std::size_t number, const BagMessage& message) override {
+    return visitor_->Take(before_ + number, message);
+  }
+
+ private:
+  BagVisitor* visitor_;
+  std::size_t asked_ = 0, before_ = 0;
+};
+
+bool ReadFile(const fs::path& file, BagVisitor* visitor, bool to_the_damage) {
+  constexpr std::uint64_t kMagicBytes = 7;
+  BagFile bytes(file);
+  const std::string magic = bytes.Read(0, std::min(bytes.size(), kMagicBytes));
+  if (magic.starts_with("\x89MCAP")) return ReadMcapFile(file, visitor);
+  if (magic.starts_with("#ROSBAG")) return ReadRos1BagFile(file, visitor);
+  if (magic.starts_with("SQLite ")) return ReadSqliteBagFile(file, visitor, to_the_damage);
+  if (magic.starts_with("\x28\xb5\x2f\xfd")) {
+    throw InputError(file.string() +
+                     ": is compressed as a whole; unpack it by 'unzstd', and say so in the "
+                     "metadata.yaml or name the file itself");
+  }
+  throw InputError(file.string() +
+                   ": is no bag; need an MCAP file, a SQLite 3 file of rosbag2 or a ROS 1 bag, or "
+                   "for a table in a text file no 'topic'");
+}
+
+/// The files that the metadata.yaml of a rosbag2 folder names.
+std::vector<fs::path> FilesOf(const fs::path& metadata) {
+  // What else stands there depends on the version of the recorder and does not matter: it is not
+  // Finished, which would tell of unknown keys.
+  const Config config = Config::FromFile(metadata);
+  const auto bag = config.root().OptionalMap("rosbag2_bagfile_information");
+  std::vector<fs::path> files;
+  if (bag && bag->IsList("relative_file_paths")) {
+    for (const std::string& name : bag->Texts("relative_file_paths")) {
+      // Early versions wrote the folder's name before the file's.
+      files.push_back(metadata.parent_path() / fs::path(name).filename());
+    }
+  }
+  if (files.empty()) {
+    throw InputError(metadata.string() +
+                     ": names no relative_file_paths in rosbag2_bagfile_information; need the "
+                     "metadata.yaml of a rosbag2, or name the bag's file itself");
+  }
+  return files;
+}
+
+}  // namespace
+
+bool HasNameOfBag(const fs::path& file) {
+  const std::string ending = file.extension();
+  return ending == ".mcap" || ending == ".db3" || ending == ".bag" ||
+         file.filename() == kMetadata || fs::is_regular_file(file / kMetadata);
+}
+
+std::vector<fs::path> FilesOfBag(const fs::path& bag) {
+  if (fs::is_directory(bag)) return FilesOf(bag / kMetadata);
+  if (bag.filename() == kMetadata) return FilesOf(bag);
+  return {bag};
+}
+
+void ReadBag(const fs::path& bag, BagVisitor* visitor, bool to_the_damage) {
+  Renumbered numbered(visitor);
+  std::optional<BagDamage> damage;
+  for (const fs::path& file : FilesOfBag(bag)) {
+    numbered.NextFile();
+    try {
+      if (!ReadFile(file, &numbered, to_the_damage)) return;
+    } catch (const BagDamage& found) {
+      if (!to_the_damage) throw;
+      // The files behind it may be whole.
+      if (!damage) damage = found;
+    }
+  }
+  if (damage) throw BagDamage(*damage);
+}
+
+std::string ShortTypeName(std::string_view type) {
+  constexpr std::string_view kFolder = "/msg/";
+  const std::size_t at = type.find(kFolder);
+  if (at == std::string_view::npos) return std::string(type);
+  return std::string(type.substr(0, at + 1)) + std::string(type.substr(at + kFolder.size()));
+}
+
+}  // namespace tera

@@ -1,0 +1,107 @@
+#include "dataset/import/bag/standard_topics.h"
+
+#include <array>
+
+#include "core/units.h"
+#include "dataset/import/bag/byte_cursor.h"
+#include "dataset/import/bag/message_reader.h"
+#include "dataset/import/bag/topic_table.h"
+
+namespace tera {
+namespace {
+
+struct Row {
+  std::string_view key, path;
+  double factor = 1.0;
+  bool may_lack = false;
+};
+
+constexpr std::array<Row, 6> kImu = {{{"wx", "angular_velocity.x"},
+                                      {"wy", "angular_velocity.y"},
+                                      {"wz", "angular_velocity.z"},
+                                      {"ax", "linear_acceleration.x"},
+                                      {"ay", "linear_acceleration.y"},
+                                      {"az", "linear_acceleration.z"}}};
+
+constexpr std::array<Row, 7> kFix = {{{"lat", "latitude", kDeg, true},
+                                      {"lon", "longitude", kDeg, true},
+                                      {"alt", "altitude", 1.0, true},
+                                      {"fix", "status.status"},
+                                      {"var_e", "position_covariance[0]", 1.0, true},
+                                      {"var_n", "position_covariance[4]", 1.0, true},
+                                      {"var_u", "position_covariance[8]", 1.0, true}}};
+
+/// Below where a type has its pose.
+constexpr std::array<Row, 7> kPose = {{{"x", "position.x"},
+                                       {"y", "position.y"},
+                                       {"z", "position.z"},
+                                       {"qw", "orientation.w"},
+                                       {"qx", "orientation.x"},
+                                       {"qy", "orientation.y"},
+                                       {"qz", "orientation.z"}}};
+constexpr std::array<Row, 7> kTransform = {{{"x", "translation.x"},
+                                            {"y", "translation.y"},
+                                            {"z", "translation.z"},
+                                            {"qw", "rotation.w"},
+                                            {"qx", "rotation.x"},
+                                            {"qy", "rotation.y"},
+                                            {"qz", "rotation.z"}}};
+
+template <typename Rows>
+std::optional<StandardColumn> Find(const Rows& rows, std::string_view key,
+                                   const std::string& above) {
+  for (const Row& row : rows) {
+    if (row.key == key)
+      return StandardColumn{above + std::string(row.path), row.factor, row.may_lack};
+  }
+  return std::nullopt;
+}
+
+/// Reads a topic's first message only.
+class FirstMessage : public BagVisitor {
+ public:
+  explicit FirstMessage(const BagTopic& topic) : topic_(topic) {}
+
+  Wish Wants(const BagTopic& topic) override {
+    return topic.name == topic_.name ? Wish::kTake : Wish::kSkip;
+  }
+  bool Take(std::size_t, const BagMessage& message) override {
+    bytes_ = message.bytes;
+    return false;
+  }
+  const std::optional<std::string>& bytes() const { return bytes_; }
+
+ private:
+  const BagTopic& topic_;
+  std::optional<std::string> bytes_;
+};
+
+}  // namespace
+
+std::optional<StandardColumn> StandardColumnOf(std::string_view type, std::string_view key) {
+  if (type == kImuType) return Find(kImu, key, "");
+  if (type == kFixType) return Find(kFix, key, "");
+  if (type == "geometry_msgs/PoseStamped") return Find(kPose, key, "pose.");
+  if (type == "geometry_msgs/TransformStamped") return Find(kTransform, key, "transform.");
+  if (type == "nav_msgs/Odometry" || type == "geometry_msgs/PoseWithCovarianceStamped") {
+    return Find(kPose, key, "pose.pose.");
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> JointNames(const std::filesystem::path& bag, const BagTopic& topic) {
+  FirstMessage first(topic);
+  try {
+    ReadBag(bag, &first, /*to_the_damage=*/true);
+  } catch (const BagDamage&) {
+    if (!first.bytes()) throw;
+  }
+  if (!first.bytes()) return {};
+  try {
+    return MessageReader(SchemaOf(topic), {}).Labels(*first.bytes());
+  } catch (const BadBytes& bad) {
+    throw InputError(MessagePlace(bag, topic, 1) + ": " + bad.finding);
+  }
+}
+
+}  // namespace tera

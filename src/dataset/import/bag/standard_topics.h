@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dataset/import/bag/bag_source.h"
+
+/// Which fields of ROS's standard messages are which columns of a channel, so that a mapping need
+/// not say so.
+
+namespace tera {
+
+struct StandardColumn {
+  std::string path;
+  double factor = 1.0;    ///< SI units in one of the field's
+  bool may_lack = false;  ///< as the position of a receiver without a fix
+};
+
+/// The field of a type that the mapping's key, "wx" or "lat", means. None where the type is not one
+/// of those that a channel of that key is made of by itself:
+/// sensor_msgs/Imu, sensor_msgs/NavSatFix, nav_msgs/Odometry, geometry_msgs/PoseStamped,
+/// geometry_msgs/PoseWithCovarianceStamped, geometry_msgs/TransformStamped.
+std::optional<StandardColumn> StandardColumnOf(std::string_view type, std::string_view key);
+
+inline constexpr std::string_view kImuType = "sensor_msgs/Imu";
+inline constexpr std::string_view kFixType = "sensor_msgs/NavSatFix";
+inline constexpr std::string_view kJointType = "sensor_msgs/JointState";
+/// Of kFixType: whether its covariance is known, not 0.
+inline constexpr const char* kCovarianceTypePath = "position_covariance_type";
+
+/// The joints that the first message of a topic of kJointType names; none where there is no
+/// message. InputError where it cannot be read.
+std::vector<std::string> JointNames(const std::filesystem::path& bag, const BagTopic& topic);
+
+}  // namespace tera

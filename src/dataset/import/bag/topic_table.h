@@ -1,0 +1,67 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dataset/import/bag/bag_source.h"
+#include "dataset/import/left_out_rows.h"
+#include "dataset/import/row_table.h"
+
+namespace tera {
+
+inline constexpr const char* kHeaderStamp = "header.stamp";
+/// The column of when messages were recorded.
+inline constexpr const char* kLogTime = "log_time";
+
+struct FoundTopic {
+  std::optional<BagTopic> topic;
+  std::vector<std::string> names;  ///< of all topics, where it was not found
+};
+
+/// Looks a topic up, in no more of the bag than that needs. Damage counts as the bag's end.
+FoundTopic FindTopic(const std::filesystem::path& bag, const std::string& name);
+
+/// Whether a topic's messages begin with a header. False where its definition cannot be read.
+bool HasHeader(const BagTopic& topic);
+
+/// "log.mcap: /imu message 12"
+std::string MessagePlace(const std::filesystem::path& bag, const BagTopic& topic, int number);
+
+/// Fields of a topic's messages, in memory, a row a message: of the messages only these are kept.
+class TopicTable final : public RowTable {
+ public:
+  /// `paths` as of MessageReader, or kLogTime. Faults: what ReadBag and MessageReader do not like;
+  /// with `left_out`, messages that cannot be read are added to it, and so is damage, before which
+  /// all is read.
+  TopicTable(const std::filesystem::path& bag, const BagTopic& topic,
+             const std::vector<std::string>& paths, LeftOutRows* left_out);
+
+  std::size_t row_count() const override { return lines_.size(); }
+  std::size_t Column(const std::string& name) const override;
+  int Line(std::size_t row) const override { return lines_[row]; }
+  std::optional<double> NumberIfAny(std::size_t row, std::size_t column) const override;
+  double Number(std::size_t row, std::size_t column) const override;
+  std::optional<TimeNs> Stamp(std::size_t row, std::size_t column) const override;
+  bool IsPresent(std::size_t row, std::size_t column) const override;
+  bool Repeats(std::size_t row, std::size_t column) const override;
+  [[noreturn]] void Fail(std::size_t row, std::size_t column,
+                         const std::string& finding) const override;
+
+ private:
+  class Filler;
+  struct ColumnOfCells {
+    std::string path;
+    std::vector<std::optional<double>> numbers;
+    bool is_stamp = false;
+    std::vector<TimeNs> stamps_ns;  ///< of times
+  };
+
+  std::filesystem::path bag_;
+  BagTopic topic_;
+  std::vector<ColumnOfCells> columns_;
+  std::vector<int> lines_;
+};
+
+}  // namespace tera

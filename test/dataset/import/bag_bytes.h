@@ -1,0 +1,119 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+/// Bytes of messages and of MCAP records as their specifications lay them out, by hand: nothing of
+/// the code under test makes them.
+
+namespace tera {
+
+/// Fields of a CDR message, little-endian, each where the padding puts it.
+class Cdr {
+ public:
+  Cdr() : bytes_("\x00\x01\x00\x00", 4) {}
+
+  template <typename T>
+  Cdr& Add(T value) {
+    const std::size_t body = bytes_.size() - 4;
+    bytes_.append((sizeof value - body % sizeof value) % sizeof value, '\0');
+    char raw[sizeof value];
+    std::memcpy(raw, &value, sizeof value);
+    bytes_.append(raw, sizeof value);
+    return *this;
+  }
+  Cdr& Text(std::string_view text) {
+    Add(static_cast<std::uint32_t>(text.size() + 1));
+    bytes_.append(text).push_back('\0');
+    return *this;
+  }
+  /// std_msgs/Header.
+  Cdr& Header(std::int32_t seconds, std::uint32_t nanoseconds) {
+    return Add(seconds).Add(nanoseconds).Text("f");
+  }
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  std::string bytes_;
+};
+
+/// Packed little-endian fields, of MCAP's records.
+class Packed {
+ public:
+  template <typename T>
+  Packed& Add(T value) {
+    char raw[sizeof value];
+    std::memcpy(raw, &value, sizeof value);
+    bytes_.append(raw, sizeof value);
+    return *this;
+  }
+  Packed& Text(std::string_view text) {
+    Add(static_cast<std::uint32_t>(text.size()));
+    bytes_.append(text);
+    return *this;
+  }
+  Packed& Raw(std::string_view bytes) {
+    bytes_.append(bytes);
+    return *this;
+  }
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  std::string bytes_;
+};
+
+inline std::string McapRecord(std::uint8_t opcode, const std::string& content) {
+  return Packed().Add(opcode).Add(static_cast<std::uint64_t>(content.size())).bytes() + content;
+}
+
+inline const std::string kMcapMagic("\x89MCAP0\r\n", 8);
+
+/// An MCAP file without chunks and summary of one topic, /t.
+class SmallMcap {
+ public:
+  SmallMcap(const std::string& type, const std::string& definition,
+            const std::string& encoding = "ros2msg", const std::string& messages = "cdr") {
+    records_ = McapRecord(0x01, Packed().Text("ros2").Text("by hand").bytes());
+    records_ += McapRecord(
+        0x03, Packed().Add(std::uint16_t{1}).Text(type).Text(encoding).Text(definition).bytes());
+    records_ += McapRecord(0x04, Packed()
+                                     .Add(std::uint16_t{7})
+                                     .Add(std::uint16_t{1})
+                                     .Text("/t")
+                                     .Text(messages)
+                                     .Add(std::uint32_t{0})
+                                     .bytes());
+  }
+  SmallMcap& Message(std::uint64_t log_ns, const std::string& bytes) {
+    records_ += MessageRecord(log_ns, bytes);
+    return *this;
+  }
+  SmallMcap& Raw(const std::string& record) {
+    records_ += record;
+    return *this;
+  }
+  static std::string MessageRecord(std::uint64_t log_ns, const std::string& bytes) {
+    return McapRecord(0x05, Packed()
+                                .Add(std::uint16_t{7})
+                                .Add(std::uint32_t{0})
+                                .Add(log_ns)
+                                .Add(log_ns)
+                                .Raw(bytes)
+                                .bytes());
+  }
+  std::string WithoutEnd() const { return kMcapMagic + records_; }
+  std::string bytes() const {
+    return WithoutEnd() + McapRecord(0x0F, Packed().Add(std::uint32_t{0}).bytes()) +
+           McapRecord(
+               0x02,
+               Packed().Add(std::uint64_t{0}).Add(std::uint64_t{0}).Add(std::uint32_t{0}).bytes()) +
+           kMcapMagic;
+  }
+
+ private:
+  std::string records_;
+};
+
+}  // namespace tera

@@ -1,0 +1,112 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/other_program.h"
+#include "core/error.h"
+#include "dataset/format/recording.h"
+#include "dataset/format/sample_recording.h"
+#include "dataset/import/import_csv.h"
+
+/// Bags that other people's programs wrote: test/app/judges/write_*.
+
+namespace tera {
+namespace {
+
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+class ForeignBag : public ::testing::Test {
+ protected:
+  /// Whether the program made the log.
+  bool Write(const std::string& program, const std::string& file, const std::string& form) {
+    log_ = scratch_.path() / file;
+    return OutputOf(program + " '" + log_.string() + "' " + form + " 2>/dev/null").has_value();
+  }
+  bool WriteByPython(const std::string& script, const std::string& file, const std::string& form) {
+    return Write("/usr/bin/python3 " TERA_SOURCE_DIR "/test/app/judges/" + script, file, form);
+  }
+  Recording Import(const std::string& keys) {
+    WriteWholeFile(scratch_.path() / "mapping.yaml", "name: logged\nmachine: digger\nfile: " +
+                                                         log_.filename().string() + "\n" + keys);
+    fs::remove_all(scratch_.path() / "out");
+    report_ = ImportCsv(scratch_.path() / "mapping.yaml", scratch_.path() / "out");
+    return Recording(scratch_.path() / "out");
+  }
+
+  ScratchDirectory scratch_;
+  fs::path log_;
+  ImportReport report_;
+};
+
+TEST_F(ForeignBag, OfRosbagIsReadInEachCompression) {
+  for (const std::string compression : {"none", "lz4", "bz2"}) {
+    if (!WriteByPython("write_ros1_bag.py", "log.bag", compression)) {
+      GTEST_SKIP() << "needs python3-rosbag";
+    }
+    const Recording recording = Import(
+        "zero: start\nimus: [{name: imu, topic: /imu}]\n"
+        "encoders: [{name: joints, topic: /joints}]\n");
+    const auto imu = recording.LoadImu("digger/imu");
+    ASSERT_EQ(imu.size(), 200u) << compression;
+    EXPECT_EQ(report_.zero_ns, 1'700'000'000 * kNsPerSecond);  // of the header, not the recorder
+    EXPECT_EQ(imu[150].t_ns, 1'500'000'000);
+    EXPECT_EQ(imu[150].w_WS_S_radps, Vec3(1.5, -1.5, 0.5));
+    EXPECT_EQ(imu[150].f_S_mps2, Vec3(0, 0.25, 9.81));
+    const EncoderRecording joints = recording.LoadEncoder("digger/joints");
+    ASSERT_EQ(joints.samples.size(), 20u);
+    EXPECT_EQ(joints.axes, (std::vector<EncoderAxis>{{"boom"}, {"arm"}}));
+    EXPECT_EQ(joints.samples[5].q_rad, (std::vector<double>{5, -5}));
+    // No velocities: 1 rad in 0.1 s.
+    EXPECT_NEAR(joints.samples[5].qd_radps[1], -10, 1e-9);
+  }
+}
+
+TEST_F(ForeignBag, OfRosbag2InSqliteNeedsNoDefinitionOfStandardTypes) {
+  for (const std::string compression : {"none", "zstd"}) {
+    if (!WriteByPython("write_rosbag2.py", "log_" + compression + ".db3", compression)) {
+      GTEST_SKIP() << "needs python3 and zstd";
+    }
+    const Recording recording = Import(
+        "origin: {lat_deg: 46.78, lon_deg: -71.27, height_m: 91}\n"
+        "gnss: [{name: gnss, topic: /fix, columns: {var_u: {constant: 9}, var_e: {column: "
+        "'position_covariance[0]', unit: m2}}}]\n");
+    const auto gnss = recording.LoadGnss("digger/gnss");
+    ASSERT_EQ(gnss.size(), 4u);
+    EXPECT_EQ(gnss[0].t_ns, 10'000'000'500);
+    EXPECT_EQ(gnss[0].fix, GnssFix::kNone);
+    EXPECT_EQ(gnss[1].fix, GnssFix::kSingle);
+    EXPECT_EQ(gnss[2].fix, GnssFix::kDifferential);
+    EXPECT_EQ(gnss[3].fix, GnssFix::kRtkFixed);
+    EXPECT_EQ(gnss[2].variance_enu_m2, Vec3(1, 1, 9));
+    EXPECT_NEAR(gnss[3].lat_deg, 46.781, 1e-12);
+    try {
+      Import("tables: [{name: t, topic: /picture, columns: {v: {column: height, unit: '1'}}}]\n");
+      FAIL();
+    } catch (const InputError& fault) {
+      EXPECT_THAT(fault.what(), HasSubstr("topic /picture (their_msgs/Picture): neither the bag "
+                                          "nor TERA has a definition"));
+    }
+  }
+}
+
+TEST_F(ForeignBag, OfTheLibraryOfMcapIsRead) {
+  const std::string modules = TERA_NODE_MODULES;
+  for (const std::string form : {"chunked", "plain"}) {
+    if (!fs::is_directory(modules + "/@mcap/core") ||
+        !Write("node " TERA_SOURCE_DIR "/test/app/judges/write_mcap.mjs '" + modules + "'",
+               "log.mcap", form)) {
+      GTEST_SKIP() << "needs node and the npm packages that test/app/judges/write_mcap.mjs names: "
+                      "npm install them, and cmake -D TERA_NODE_MODULES=FOLDER/node_modules";
+    }
+    const PoseRecording pose = Import("pose: {topic: /pose}\n").LoadPose("truth/digger/pose.csv");
+    ASSERT_EQ(pose.poses.size(), 50u) << form;
+    EXPECT_EQ(pose.poses[31].t_ns, 3'100'000'000);
+    EXPECT_EQ(pose.poses[31].X_WB.translation(), Vec3(31, 15.5, -1));
+    // cos = 0.8^2 - 0.6^2, sin = 2 * 0.6 * 0.8.
+    EXPECT_NEAR(pose.poses[31].X_WB.linear()(0, 0), 0.28, 1e-12);
+    EXPECT_NEAR(pose.poses[31].X_WB.linear()(1, 0), 0.96, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace tera
