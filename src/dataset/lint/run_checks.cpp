@@ -1,9 +1,10 @@
-#include "dataset/lint/lint.h"
-
 #include <algorithm>
 
 #include "dataset/format/recording.h"
+#include "dataset/lint/lint.h"
 #include "dataset/lint/lint_job.h"
+
+// The table of checks, and a lint as their row.
 
 namespace tera {
 namespace {
