@@ -51,8 +51,8 @@ machines:
 std::string SensorYaml(const std::string& type, const std::string& link, const Vec3& xyz_m,
                        double period_s) {
   return fmt::format(
-      "type: {}\nparent_link: {}\nX_parent_sensor: {{xyz_m: [{}, {}, {}], rpy_deg: [0, 0, "
-      "0]}}\nrate_hz: {:.0f}\nmodel: {{}}\n",
+      "type: {}\nparent_link: {}\nX_parent_sensor: {{xyz_m: [{}, {}, {}], quaternion_wxyz: [1, 0, "
+      "0, 0]}}\nrate_hz: {:.0f}\nmodel: {{}}\n",
       type, link, xyz_m.x(), xyz_m.y(), xyz_m.z(), 1 / period_s);
 }
 
