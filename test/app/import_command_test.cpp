@@ -93,6 +93,38 @@ tables: [{name: commands, columns: {boom: {column: boom, unit: "1"}}}]
   EXPECT_FALSE(fs::exists(scratch.path() / "in"));
 }
 
+TEST(ImportCommand, SuggestedMappingOfABagIsOneThatItTakes) {
+  // A mast has no joints, but a topic of their kind.
+  const ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "run.yaml", R"(name: run
+duration_s: 0.2
+settle_s: 0
+terrain: {size_m: [12, 12], cell_m: 0.1, soil: dirt}
+machines:
+  - name: excavator1
+    machine: tera:config/machines/tb235.yaml
+    operator: {type: idle}
+    rig: {sensors: [{name: imu_boom, preset: tera:config/sensors/xsens_mti_670.yaml, link: boom}]}
+  - name: mast1
+    machine: tera:config/machines/mast.yaml
+    start: {xy_m: [4, -4]}
+    operator: {type: idle}
+    rig: {sensors: []}
+)");
+  ASSERT_EQ(RunTera({"generate", "run.yaml", "--out", "run"}, {scratch.path()}).status, 0);
+  const Outcome made =
+      RunTera({"export", "run", "--to", "rosbag2", "--out", "bag"}, {scratch.path()});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const Outcome suggested = RunTera({"import", "--suggest", "bag"}, {scratch.path()});
+  ASSERT_EQ(suggested.status, 0) << suggested.err;
+  EXPECT_THAT(suggested.out, HasSubstr("topic: \"/excavator1/joint_states\""));
+  WriteWholeFile(scratch.path() / "mapping.yaml", suggested.out);
+  const Outcome in = RunTera({"import", "mapping.yaml", "--out", "in"}, {scratch.path()});
+  ASSERT_EQ(in.status, 0) << in.err;
+  EXPECT_EQ(Recording(scratch.path() / "in").LoadImu("machine/excavator1_imu_boom").size(),
+            Recording(scratch.path() / "run").LoadImu("excavator1/imu_boom").size());
+}
+
 TEST(ImportCommand, NeedsAPlaceUnlessItOnlyChecks) {
   const ScratchDirectory scratch;
   WriteWholeFile(scratch.path() / "mapping.yaml", kStrokes);

@@ -8,7 +8,7 @@ namespace tera {
 
 /// What a finding means for whoever uses the dataset.
 enum class Severity {
-  kError,    ///< the dataset contradicts docs/dataset.md or itself
+  kError,    ///< the dataset contradicts docs/reference/dataset.md or itself
   kWarning,  ///< it may be right, and probably is not what was meant
   kNote      ///< worth knowing
 };
@@ -50,12 +50,12 @@ inline constexpr std::array kLintRules = std::to_array<LintRule>({
      "Put the file back, or take its row or line out of the list."},
     {"files.sheet", Severity::kError,
      "Each sensor has a sensor.yaml of the type that dataset.yaml names.",
-     "Write sensor.yaml as docs/dataset.md says."},
+     "Write sensor.yaml as docs/reference/dataset.md says."},
     {"files.extra", Severity::kWarning,
      "The folders of frames hold nothing but the frames that data.csv names.",
      "Delete what is left over, or list it."},
     {"files.unknown", Severity::kWarning,
-     "Every file and folder is one that docs/dataset.md knows.",
+     "Every file and folder is one that docs/reference/dataset.md knows.",
      "Move it out of the dataset, or list its channel."},
     {"files.hash", Severity::kError,
      "The files are those that frames.sha256 was written of, byte for byte.",
@@ -63,7 +63,7 @@ inline constexpr std::array kLintRules = std::to_array<LintRule>({
 
     {"rows.header", Severity::kError,
      "The first line of a table is t_ns and the columns of the channel's type.",
-     "Write the header as docs/dataset.md says."},
+     "Write the header as docs/reference/dataset.md says."},
     {"rows.fields", Severity::kError,
      "Each row is whole and has as many numbers as the header has columns.",
      "Record or copy the file again; a cut last line may be deleted."},
@@ -142,13 +142,13 @@ inline constexpr std::array kLintRules = std::to_array<LintRule>({
      "Write n as round(32767 (n + 1))."},
     {"pictures.flow", Severity::kError,
      "The third value of flow is 0 to 3, and all is 0 of the first picture.",
-     "Write the states of docs/dataset.md."},
+     "Write the states of docs/reference/dataset.md."},
     {"pictures.motion", Severity::kWarning,
      "The ground's flow to the previous picture follows from distance and the camera's poses.",
      "Check signs and order of the flow, the poses, and that frames lie in order."},
 
-    {"boxes.readable", Severity::kError, "Each file of boxes is JSON as docs/dataset.md says.",
-     "Write the file again."},
+    {"boxes.readable", Severity::kError,
+     "Each file of boxes is JSON as docs/reference/dataset.md says.", "Write the file again."},
     {"boxes.instance", Severity::kError,
      "A box has the name, class and parent that dataset.yaml gives its instance, and is there "
      "once.",
@@ -162,7 +162,8 @@ inline constexpr std::array kLintRules = std::to_array<LintRule>({
      "Write boxes and masks from the same picture."},
 
     {"scans.readable", Severity::kError,
-     "Each scan is a whole PCD with the fields of docs/dataset.md.", "Write the file again."},
+     "Each scan is a whole PCD with the fields of docs/reference/dataset.md.",
+     "Write the file again."},
     {"scans.values", Severity::kError,
      "Points are finite, intensities lie in 0 to 1, times within the revolution.",
      "Leave out rays without return; scale intensities; count times from the scan's t_ns."},

@@ -124,7 +124,7 @@ class BagGuess {
     } else if (has_messages && type == kFixType) {
       gnss_ += entry;
       if (origin_.empty()) origin_ = Origin(seen.topic);
-    } else if (has_messages && type == kJointType) {
+    } else if (has_messages && type == kJointType && NamesJoints(seen.topic)) {
       encoders_ += entry;
     } else if (has_messages && StandardColumnOf(type, "qw") && pose_.empty()) {
       pose_ = fmt::format("pose:   # guessed: the first topic of poses\n  topic: {}   # {}, {}\n",
@@ -132,6 +132,16 @@ class BagGuess {
     } else {
       others_ += fmt::format("#   {} ({}): {}{}\n", OneLine(seen.topic.name), OneLine(type),
                              seen.Rate(), WhyNot(seen.topic));
+    }
+  }
+
+  bool NamesJoints(const BagTopic& topic) const {
+    try {
+      return !JointNames(log_, topic).empty();
+    } catch (const InputError&) {
+      return false;
+    } catch (const BadBytes&) {
+      return false;
     }
   }
 

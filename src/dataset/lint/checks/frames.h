@@ -23,7 +23,7 @@ struct FrameFolder {
   std::string_view name, ending;
 };
 
-/// All folders that docs/dataset.md knows of a camera.
+/// All folders that docs/reference/dataset.md knows of a camera.
 std::vector<FrameFolder> PictureFolderNames();
 /// Those in which a camera has at least one file.
 std::vector<FrameFolder> UsedPictureFolders(const LintJob& job, const std::string& camera);

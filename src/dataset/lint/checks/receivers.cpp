@@ -21,7 +21,7 @@ constexpr double kReach_m = 20;
 /// single-point solution has.
 constexpr double kSigmas = 5, kSinglePoint_m = 10;
 
-/// Columns of docs/dataset.md.
+/// Columns of docs/reference/dataset.md.
 enum Column : std::size_t { kLat, kLon, kAlt, kEast, kNorth, kUp, kFix, kVarE, kVarN, kVarU };
 
 Vec3 EnuOf(const ScannedRow& row) {
