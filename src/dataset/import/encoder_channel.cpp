@@ -107,10 +107,10 @@ bool ReadIndirect(const ConfigMap& config, const ConfigMap& top, const Mapping& 
   return true;
 }
 
-/// A joint as a JointState names it; its velocity may not be there.
+/// A joint as a JointState names it; its position or its velocity may not be there.
 JointColumns StandardJoint(const EncoderAxis& axis, std::vector<ColumnMapping>* columns) {
   const int first = static_cast<int>(columns->size());
-  columns->push_back({.column = "position[" + axis.name + "]"});
+  columns->push_back({.column = "position[" + axis.name + "]", .may_lack = true});
   columns->push_back({.column = "velocity[" + axis.name + "]", .may_lack = true});
   return {axis, first, first + 1};
 }
@@ -138,22 +138,39 @@ std::vector<JointColumns> AllJoints(const ConfigMap& config, const RowSource& so
   return joints;
 }
 
-/// Velocities that a topic leaves out become the angle's differences.
-void DropMissingRates(const RowSource& source, const std::vector<MappedRow>& rows,
-                      std::vector<JointColumns>* joints) {
+/// Whether no row has a number in a column; a column that some rows lack is a fault.
+bool IsMissing(const RowSource& source, const std::vector<MappedRow>& rows, int column,
+               const std::string& field) {
+  const auto lacks = [&](const MappedRow& row) {
+    return std::isnan(row.values[static_cast<std::size_t>(column)]);
+  };
+  const auto first = std::find_if(rows.begin(), rows.end(), lacks);
+  if (first == rows.end()) return false;
+  if (std::all_of(rows.begin(), rows.end(), lacks)) return true;
+  throw InputError(
+      fmt::format("{}: has no {}, other messages have; leave such rows out by valid_if: "
+                  "[{{column: \"{}\", present: true}}]",
+                  PlaceOf(source, first->line), field, field));
+}
+
+/// Velocities that a topic leaves out become the angle's differences, and positions the integral of
+/// the velocity.
+void DropMissing(const RowSource& source, const std::vector<MappedRow>& rows,
+                 std::vector<JointColumns>* joints) {
+  if (!IsStandard(source) || rows.empty()) return;
   for (JointColumns& joint : *joints) {
-    if (joint.rate < 0) continue;
-    const auto rate = static_cast<std::size_t>(joint.rate);
-    const auto lacks = [&](const MappedRow& row) { return std::isnan(row.values[rate]); };
-    const auto first = std::find_if(rows.begin(), rows.end(), lacks);
-    if (first == rows.end()) continue;
-    if (!std::all_of(rows.begin(), rows.end(), lacks)) {
-      throw InputError(fmt::format(
-          "{}: has no velocity of '{}', other messages have; leave such rows out by valid_if: "
-          "[{{column: \"velocity[{}]\", present: true}}]",
-          PlaceOf(source, first->line), joint.axis.name, joint.axis.name));
+    const auto drop = [&](int* column, const std::string& kind) {
+      const std::string field = kind + "[" + joint.axis.name + "]";
+      if (*column >= 0 && IsMissing(source, rows, *column, field)) *column = -1;
+    };
+    drop(&joint.rate, "velocity");
+    drop(&joint.angle, "position");
+    if (joint.angle < 0 && joint.rate < 0) {
+      throw InputError(
+          fmt::format("{}: '{}' has neither position nor velocity; leave it out of "
+                      "joints",
+                      PlaceOf(source, rows.front().line), joint.axis.name));
     }
-    joint.rate = -1;
   }
 }
 
@@ -205,7 +222,7 @@ ImportJob ReadEncoder(const ConfigMap& config, const ConfigMap& top, Mapping* ma
   return [=](ImportRun* run) {
     const std::vector<MappedRow> rows = run->Read(folder, source, columns);
     std::vector<JointColumns> found = joints;
-    DropMissingRates(source, rows, &found);
+    DropMissing(source, rows, &found);
     DatasetWriter* writer = run->writer();
     if (writer == nullptr) return;
     const ChannelId encoder =
