@@ -624,7 +624,8 @@ class Watch:
     def box(self, f, b):
         name = b["name"]
         kind, track = self.data.body[b["instance"]]
-        if b["instance"] in self.data.parts or kind == "soil" or f.x_wc is None:
+        # The box of a machine's part holds cylinders and shoes as they stand, which move in it.
+        if b["instance"] in self.data.parts or b["parent"] or kind == "soil" or f.x_wc is None:
             return
         if kind != "unknown":
             self.sizes.setdefault(name, []).append(b["size_O_m"])

@@ -53,7 +53,10 @@ RowReader::RowReader(const std::filesystem::path& file) : path_(file), stream_(f
 
 bool RowReader::NextLine() {
   ++line_;
-  if (!std::getline(stream_, text_)) return false;
+  if (!std::getline(stream_, text_)) {
+    if (stream_.bad()) Fail("cannot be read further; look at the disk");
+    return false;
+  }
   if (stream_.eof()) Fail("the last line is cut off; need whole lines, copy or record it again");
   if (text_.ends_with('\r')) text_.pop_back();
   return true;

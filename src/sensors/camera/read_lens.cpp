@@ -74,6 +74,12 @@ void ReadFocalLength(const ConfigMap& config, CameraIntrinsics* lens) {
     }
     const double half_rad = 0.5 * *fov_deg * kDeg;
     const double rho = lens->IsAngular() ? RadiusAt(*lens, half_rad).rho : std::tan(half_rad);
+    if (!(rho > 0)) {
+      config.Fault("horizontal_fov_deg",
+                   "the lens folds over before it sees that far; need other "
+                   "coefficients, or a narrower field");
+      return;
+    }
     lens->fx_px = 0.5 * lens->width_px / rho;
     lens->fy_px = lens->fx_px;
   } else {

@@ -8,6 +8,7 @@
 #include <array>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -116,15 +117,22 @@ double Draw::Normal(const ConfigMap& entry, double share) const {
   }
   const boost::math::normal normal(of[0], of[1]);
   Interval below;
+  Interval cut = {-std::numeric_limits<double>::infinity(),
+                  std::numeric_limits<double>::infinity()};
   if (entry.Has("within")) {
     const Interval within = IntervalAt(entry, "within", Any(""));
+    cut = within;
     below = {cdf(normal, within.lower), cdf(normal, within.upper)};
     if (below.upper <= below.lower) {
       entry.Fault("within", "holds nothing of that distribution; widen it");
       return of[0];
     }
   }
-  return quantile(normal, below.At(share));
+  // Far out in a tail shares round to 0 or 1, where the quantile is infinite.
+  constexpr double kLeast = std::numeric_limits<double>::min();
+  constexpr double kMost = 1 - std::numeric_limits<double>::epsilon() / 2;
+  const double drawn = quantile(normal, std::clamp(below.At(share), kLeast, kMost));
+  return std::clamp(drawn, cut.lower, cut.upper);
 }
 
 void Draw::OneKey(const ConfigMap& entry) {
@@ -141,7 +149,8 @@ void Draw::OneKey(const ConfigMap& entry) {
   } else if (*kind == "normal") {
     Give(entry, key, NumberText(Normal(entry, share)));
   } else if (*kind == "integer") {
-    const Interval of = IntervalAt(entry, "integer", Any(""));
+    constexpr double kLargest = 9e15;  // whole numbers that doubles hold
+    const Interval of = IntervalAt(entry, "integer", Between(-kLargest, kLargest, ""));
     const double drawn = std::floor(of.lower) + std::floor(share * (of.upper - of.lower + 1));
     if (of.lower != std::floor(of.lower) || of.upper != std::floor(of.upper)) {
       entry.Fault("integer", "need whole numbers");

@@ -155,6 +155,14 @@ TEST(Lens, ThatFoldsWithinItsPictureIsRefusedWhereItSaysSo) {
   EXPECT_NE(Refusal(kSize + "fx_px: 330, lens: rational, k1: -0.6"), "");
 }
 
+TEST(Lens, ThatFoldsBeforeItsFieldEndsIsRefusedByItsField) {
+  // theta - 5 theta^3 is below 0 from 0.447 rad on.
+  const std::string refusal =
+      Refusal(kSize + "horizontal_fov_deg: 120, lens: kannala_brandt, k1: -5");
+  EXPECT_NE(refusal.find("lens.horizontal_fov_deg: the lens folds over"), std::string::npos)
+      << refusal;
+}
+
 TEST(Lens, KeysOfAnotherLawAreUnknown) {
   EXPECT_NE(Refusal(kSize + "fx_px: 300, lens: kannala_brandt, p1: 0.1").find("p1: unknown key"),
             std::string::npos);

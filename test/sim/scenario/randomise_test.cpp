@@ -77,6 +77,13 @@ TEST(Randomise, DrawsNormalNumbersThatMayBeCut) {
   EXPECT_NEAR(MeanOf(cut), std::sqrt(2 / 3.14159265), 5 * 0.6 / std::sqrt(kEpisodes));
 }
 
+TEST(Randomise, StaysWithinACutFarOutInATail) {
+  for (const double x : Numbers("  - {key: a, normal: [0, 1], within: [7.9, 8.6]}\n", "a")) {
+    ASSERT_GE(x, 7.9);
+    ASSERT_LE(x, 8.6);
+  }
+}
+
 TEST(Randomise, DrawsWholeNumbersWithBothEnds) {
   std::map<double, int> counts;
   for (const double x : Numbers("  - {key: a, integer: [-1, 2]}\n", "a")) ++counts[x];
