@@ -130,6 +130,11 @@ std::string WithoutUnit(std::string_view key) {
 std::string QuantityOf(const std::string& channel) {
   const std::string_view column = std::string_view(channel).substr(channel.rfind('/') + 1);
   if (column == "left_mps") return "sideways speed";
+  if (channel.ends_with("/poses/" + std::string(column)) && column.size() <= 2) {
+    const std::string axis(1, column.back());
+    return column.size() == 2 ? "turn of the poses about " + axis
+                              : "place of the poses along " + axis;
+  }
   if (const std::string triad = TriadQuantityOf(column); !triad.empty()) {
     const std::string folder = channel.substr(0, channel.size() - column.size() - 1);
     return Spaced(folder.substr(folder.rfind('/') + 1)) + " " + triad;

@@ -5,6 +5,11 @@
 namespace tera {
 namespace {
 
+TEST(Wording, PosesTurnAndStandInPlaces) {
+  EXPECT_EQ(QuantityOf("warthog/poses/rz"), "turn of the poses about z");
+  EXPECT_EQ(QuantityOf("warthog/poses/x"), "place of the poses along x");
+}
+
 TEST(Wording, GivesAsManyDigitsAsANumberIsKnownTo) {
   EXPECT_EQ(WithSigma(0.1812, 0.0213), "0.18 ± 0.02");
   EXPECT_EQ(WithSigma(52345, 870), "52300 ± 900");
